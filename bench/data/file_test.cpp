@@ -1,0 +1,106 @@
+// Files of the benchmarks: NIfTI volumes in, PLY meshes out.
+#include "bench/data/nifti.h"
+#include "bench/data/triangle_mesh.h"
+
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace gluray::bench {
+namespace {
+
+std::string scratch(const std::string& name) { return testing::TempDir() + "gluray_bench_" + name; }
+
+template <typename T>
+void put(std::string& bytes, size_t offset, T value) {
+  std::memcpy(bytes.data() + offset, &value, sizeof value);
+}
+
+/// A 3 x 2 x 2 NIfTI-1 volume of 16-bit integers 0, 1, 2, ... with spacing (0.5, 1, 2), slope 2 and intercept
+/// -1.
+std::string smallNifti() {
+  std::string bytes(352, '\0');
+  put<int32_t>(bytes, 0, 348);
+  const int16_t dims[] = {3, 3, 2, 2, 1};
+  std::memcpy(bytes.data() + 40, dims, sizeof dims);
+  put<int16_t>(bytes, 70, 4);
+  const float pixdim[] = {1, 0.5f, 1, 2};
+  std::memcpy(bytes.data() + 76, pixdim, sizeof pixdim);
+  put<float>(bytes, 108, 352);
+  put<float>(bytes, 112, 2);
+  put<float>(bytes, 116, -1);
+  std::memcpy(bytes.data() + 344, "n+1", 4);
+  for (int16_t i = 0; i < 12; ++i) bytes.append(reinterpret_cast<const char*>(&i), sizeof i);
+  return bytes;
+}
+
+std::string writeGzip(const std::string& name, const std::string& bytes) {
+  const std::string path = scratch(name);
+  gzFile file = gzopen(path.c_str(), "wb");
+  gzwrite(file, bytes.data(), unsigned(bytes.size()));
+  gzclose(file);
+  return path;
+}
+
+std::string errorOf(const std::string& path) {
+  try {
+    readNifti(path);
+  } catch (const std::runtime_error& error) { return error.what(); }
+  return "no error";
+}
+
+TEST(Nifti, ReadsCompressedIntegersWithScale) {
+  const Volume volume = readNifti(writeGzip("small.nii.gz", smallNifti()));
+  EXPECT_EQ(volume.size, (std::array<int, 3>{3, 2, 2}));
+  EXPECT_EQ(volume.spacing, (std::array<float, 3>{0.5f, 1, 2}));
+  ASSERT_EQ(volume.values.size(), 12u);
+  EXPECT_FLOAT_EQ(volume.at(0, 0, 0), -1);
+  EXPECT_FLOAT_EQ(volume.at(2, 1, 1), 21);
+}
+
+TEST(Nifti, TellsWhatIsWrong) {
+  const std::string good = smallNifti();
+  EXPECT_NE(errorOf("/nonexistent/head.nii").find("cannot be opened"), std::string::npos);
+  EXPECT_NE(errorOf(writeGzip("short.nii.gz", good.substr(0, 100))).find("too short"), std::string::npos);
+  EXPECT_NE(errorOf(writeGzip("cut.nii.gz", good.substr(0, 370))).find("ends before"), std::string::npos);
+  std::string bad = good;
+  bad[344] = 'x';
+  EXPECT_NE(errorOf(writeGzip("magic.nii.gz", bad)).find("not a single-file"), std::string::npos);
+  bad = good;
+  put<int16_t>(bad, 42, -5);
+  EXPECT_NE(errorOf(writeGzip("size.nii.gz", bad)).find("two points"), std::string::npos);
+  bad = good;
+  put<int16_t>(bad, 70, 128);
+  EXPECT_NE(errorOf(writeGzip("type.nii.gz", bad)).find("data type 128"), std::string::npos);
+}
+
+TEST(Ply, WritesHeaderVerticesAndFaces) {
+  TriangleMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
+  mesh.indices = {0, 1, 2};
+  const std::string path = scratch("mesh.ply");
+  writePly(mesh, path);
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(file)), {});
+  const size_t body = bytes.find("end_header\n") + 11;
+  EXPECT_NE(bytes.find("element vertex 3\n"), std::string::npos);
+  EXPECT_NE(bytes.find("element face 1\n"), std::string::npos);
+  ASSERT_EQ(bytes.size() - body, 3 * 24u + 13u);
+  float x;
+  std::memcpy(&x, bytes.data() + body + 24, sizeof x);
+  EXPECT_EQ(x, 1);
+  EXPECT_EQ(bytes[body + 72], 3);
+}
+
+TEST(Ply, TellsWhereItCannotWrite) {
+  EXPECT_THROW(writePly(TriangleMesh{}, "/nonexistent/folder/mesh.ply"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace gluray::bench

@@ -1,0 +1,22 @@
+// Isosurfaces of a volume as one indexed mesh. Used by the benchmarks and the demo; runs on all threads.
+#pragma once
+#include "bench/data/triangle_mesh.h"
+#include "bench/data/volume.h"
+
+#include <functional>
+#include <vector>
+
+namespace gluray::bench {
+
+/// Told how much is done, 0..1, on whichever thread finished a part of it.
+using Progress = std::function<void(double done)>;
+
+/// The surfaces value = isovalue, one after the other in one mesh. Neighbouring triangles share their
+/// vertices; inside is where the value is at or above the isovalue, and normals point outwards, down the
+/// field's gradient (central differences, interpolated along the edge). The same volume gives the same mesh
+/// on any number of threads. Throws std::runtime_error where the mesh needs more than 2^32 vertices. Source:
+/// Lorensen and Cline, Marching Cubes, 1987; see cube_cases.h for what differs.
+TriangleMesh isosurfaces(const Volume& volume, const std::vector<float>& isovalues,
+                         const Progress& progress = {});
+
+}  // namespace gluray::bench
