@@ -1,5 +1,7 @@
-// Files of the benchmarks: NIfTI volumes in, PLY meshes out.
+// Files of the benchmarks: NIfTI volumes in, PLY meshes, pictures and reports out.
 #include "bench/data/nifti.h"
+#include "bench/data/png.h"
+#include "bench/data/report.h"
 #include "bench/data/triangle_mesh.h"
 
 #include <gtest/gtest.h>
@@ -100,6 +102,41 @@ TEST(Ply, WritesHeaderVerticesAndFaces) {
 
 TEST(Ply, TellsWhereItCannotWrite) {
   EXPECT_THROW(writePly(TriangleMesh{}, "/nonexistent/folder/mesh.ply"), std::runtime_error);
+}
+
+TEST(Png, PicturesComeBack) {
+  // Two rows of two pixels, bottom row first: red, green; blue, white.
+  const Picture picture = pictureFromGl(2, 2, {255, 0, 0, 9, 0, 255, 0, 9, 0, 0, 255, 9, 255, 255, 255, 9});
+  const std::vector<uint8_t> topDown{0, 0, 255, 255, 255, 255, 255, 0, 0, 0, 255, 0};
+  EXPECT_EQ(picture.rgb, topDown);
+  const std::string path = scratch("picture.png");
+  writePng(picture, path);
+  EXPECT_EQ(readPng(path).rgb, topDown);
+  EXPECT_THROW(readPng("/nonexistent.png"), std::runtime_error);
+}
+
+TEST(Png, SideBySideAlignsTops) {
+  const Picture wide{2, 1, {1, 1, 1, 2, 2, 2}}, tall{1, 2, {3, 3, 3, 4, 4, 4}};
+  const Picture both = sideBySide({wide, tall}, 1);
+  EXPECT_EQ(both.width, 4);
+  EXPECT_EQ(both.height, 2);
+  const std::vector<uint8_t> expected{1,   1,   1,   2,   2,   2,   255, 255, 255, 3, 3, 3,
+                                      255, 255, 255, 255, 255, 255, 255, 255, 255, 4, 4, 4};
+  EXPECT_EQ(both.rgb, expected);
+}
+
+TEST(Report, MedianIsTheMiddle) {
+  EXPECT_EQ(median({}), 0);
+  EXPECT_EQ(median({3, 1, 2}), 2);
+  EXPECT_EQ(median({4, 1, 2, 3}), 2.5);
+}
+
+TEST(Report, ResidentMemoryIsSeen) {
+  const size_t before = residentBytes().now;
+  const std::vector<char> block(64 << 20, 1);
+  const ResidentBytes after = residentBytes();
+  EXPECT_GE(after.now, before + (60u << 20)) << block.size();
+  EXPECT_GE(after.highest, after.now);
 }
 
 }  // namespace

@@ -1,0 +1,42 @@
+#include "bench/data/report.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+
+namespace gluray::bench {
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  const size_t half = values.size() / 2;
+  return values.size() % 2 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+ResidentBytes residentBytes() {
+  ResidentBytes out;
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    size_t kib = 0;
+    if (word == "VmRSS:" && status >> kib) out.now = kib * 1024;
+    if (word == "VmHWM:" && status >> kib) out.highest = kib * 1024;
+  }
+  return out;
+}
+
+std::string jsonLine(const Measurement& m, const ResidentBytes& resident) {
+  const nlohmann::json line = {{"program", m.program},
+                               {"path", m.path},
+                               {"renderer", m.renderer},
+                               {"triangles", m.triangles},
+                               {"first_image_s", m.firstImageSeconds},
+                               {"frame_s", median(m.frameSeconds)},
+                               {"frames", m.frameSeconds.size()},
+                               {"build_s", m.buildSeconds},
+                               {"rss_bytes", resident.now},
+                               {"peak_bytes", resident.highest}};
+  return line.dump();
+}
+
+}  // namespace gluray::bench

@@ -1,0 +1,30 @@
+// What a benchmark program measured, and the line of JSON it prints.
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace gluray::bench {
+
+struct Measurement {
+  std::string program, path, renderer;
+  size_t triangles = 0;
+  double firstImageSeconds = 0;  // from the first use of the geometry to the first finished frame
+  std::vector<double> frameSeconds;
+  double buildSeconds = 0;  // of an acceleration structure, where the program builds one itself
+};
+
+/// The middle value; the mean of the middle two of an even number; 0 of none.
+double median(std::vector<double> values);
+
+/// Resident memory of this process in bytes, now and at its highest; zeros where /proc is not mounted.
+struct ResidentBytes {
+  size_t now = 0, highest = 0;
+};
+ResidentBytes residentBytes();
+
+/// One line of JSON: program, path, renderer, triangles, first_image_s, frame_s (median), frames, build_s,
+/// rss_bytes, peak_bytes.
+std::string jsonLine(const Measurement& measurement, const ResidentBytes& resident);
+
+}  // namespace gluray::bench
