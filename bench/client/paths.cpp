@@ -1,0 +1,112 @@
+#include "bench/client/paths.h"
+
+#include <stdexcept>
+
+#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+namespace gluray::bench {
+namespace {
+
+void sendCorners(const TriangleMesh& mesh) {
+  glBegin(GL_TRIANGLES);
+  for (const uint32_t index : mesh.indices) {
+    glNormal3fv(&mesh.normals[index].x);
+    glVertex3fv(&mesh.positions[index].x);
+  }
+  glEnd();
+}
+
+/// Draws with normals, vertices and indices at the given places: memory, or offsets into bound buffers.
+void sendElements(size_t indexCount, const void* positions, const void* normals, const void* indices) {
+  glEnableClientState(GL_VERTEX_ARRAY);
+  glEnableClientState(GL_NORMAL_ARRAY);
+  glVertexPointer(3, GL_FLOAT, 0, positions);
+  glNormalPointer(GL_FLOAT, 0, normals);
+  glDrawElements(GL_TRIANGLES, GLsizei(indexCount), GL_UNSIGNED_INT, indices);
+  glDisableClientState(GL_NORMAL_ARRAY);
+  glDisableClientState(GL_VERTEX_ARRAY);
+}
+
+void sendIndexed(const TriangleMesh& mesh) {
+  sendElements(mesh.indices.size(), mesh.positions.data(), mesh.normals.data(), mesh.indices.data());
+}
+
+class ListPath : public DrawPath {
+ public:
+  ListPath(TriangleMesh mesh, void (*send)(const TriangleMesh&)) : list_(glGenLists(1)) {
+    glNewList(list_, GL_COMPILE);
+    send(mesh);
+    glEndList();
+  }
+  ~ListPath() override { glDeleteLists(list_, 1); }
+  void draw() override { glCallList(list_); }
+
+ private:
+  GLuint list_;
+};
+
+class MemoryPath : public DrawPath {
+ public:
+  MemoryPath(TriangleMesh mesh, void (*send)(const TriangleMesh&)) : mesh_(std::move(mesh)), send_(send) {}
+  void draw() override { send_(mesh_); }
+
+ private:
+  TriangleMesh mesh_;
+  void (*send_)(const TriangleMesh&);
+};
+
+class BufferPath : public DrawPath {
+ public:
+  explicit BufferPath(TriangleMesh mesh) : indexCount_(mesh.indices.size()) {
+    glGenBuffers(3, buffers_);
+    upload(GL_ARRAY_BUFFER, buffers_[0], mesh.positions);
+    upload(GL_ARRAY_BUFFER, buffers_[1], mesh.normals);
+    upload(GL_ELEMENT_ARRAY_BUFFER, buffers_[2], mesh.indices);
+  }
+  ~BufferPath() override { glDeleteBuffers(3, buffers_); }
+  void draw() override {
+    // The pointers are latched one by one: each takes the buffer bound at its call.
+    glEnableClientState(GL_VERTEX_ARRAY);
+    glEnableClientState(GL_NORMAL_ARRAY);
+    glBindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
+    glVertexPointer(3, GL_FLOAT, 0, nullptr);
+    glBindBuffer(GL_ARRAY_BUFFER, buffers_[1]);
+    glNormalPointer(GL_FLOAT, 0, nullptr);
+    glDrawElements(GL_TRIANGLES, GLsizei(indexCount_), GL_UNSIGNED_INT, nullptr);
+  }
+
+ private:
+  template <typename T>
+  static void upload(GLenum target, GLuint buffer, const LargeArray<T>& data) {
+    glBindBuffer(target, buffer);
+    glBufferData(target, GLsizeiptr(data.size() * sizeof(T)), data.data(), GL_STATIC_DRAW);
+  }
+  size_t indexCount_;
+  GLuint buffers_[3] = {};
+};
+
+std::unique_ptr<DrawPath> makeUnchecked(const std::string& name, TriangleMesh&& mesh) {
+  if (name == "list") return std::make_unique<ListPath>(std::move(mesh), sendCorners);
+  if (name == "elements") return std::make_unique<ListPath>(std::move(mesh), sendIndexed);
+  if (name == "vbo") return std::make_unique<BufferPath>(std::move(mesh));
+  if (name == "arrays") return std::make_unique<MemoryPath>(std::move(mesh), sendIndexed);
+  if (name == "immediate") return std::make_unique<MemoryPath>(std::move(mesh), sendCorners);
+  throw std::runtime_error("no path '" + name + "'");
+}
+
+}  // namespace
+
+const std::vector<std::string>& pathNames() {
+  static const std::vector<std::string> names{"list", "elements", "vbo", "arrays", "immediate"};
+  return names;
+}
+
+std::unique_ptr<DrawPath> makePath(const std::string& name, TriangleMesh&& mesh) {
+  std::unique_ptr<DrawPath> path = makeUnchecked(name, std::move(mesh));
+  if (glGetError() == GL_OUT_OF_MEMORY) throw std::runtime_error("OpenGL has no memory for the mesh");
+  return path;
+}
+
+}  // namespace gluray::bench
