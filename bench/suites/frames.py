@@ -1,0 +1,186 @@
+"""frames a second of a fixed-function program: real OpenGL, GLuRay, and a bare Embree loop
+
+The Wavelet's isosurfaces at several sizes through each way of handing geometry to OpenGL. The three are measured in turn,
+round by round, so that what else the machine does falls on all of them; figures are medians. Results go to
+bench/results/NAME.json.
+"""
+import argparse
+import json
+import os
+import pathlib
+import shlex
+import sys
+
+from support import machine, programs
+from support.display import NoDisplay, display
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+PATHS = ["list", "elements", "vbo", "arrays", "immediate"]
+# Frames of one round for the real OpenGL, by millions of triangles: llvmpipe needs seconds for one of the largest.
+GL_FRAMES = {1: 24, 4: 12, 16: 6, 64: 3}
+RAY_FRAMES = {1: 72, 4: 48, 16: 36, 64: 24}
+
+
+def arguments(argv):
+    parser = argparse.ArgumentParser(prog="scripts/bench frames", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--large", action="store_true", help="64 million triangles too (needs about 16 GB)")
+    parser.add_argument("--quick", action="store_true", help="1 million triangles, one round: a minute in all")
+    parser.add_argument("--sizes", help="millions of triangles, for instance 1,4")
+    parser.add_argument("--paths", help=f"some of {','.join(PATHS)}")
+    parser.add_argument("--rounds", type=int, help="rounds, each measuring everything once (3; quick: 1)")
+    parser.add_argument("--threads", type=int, default=2, help="threads of llvmpipe, GLuRay and the bare loop (2)")
+    parser.add_argument("--bvh", default="full", choices=["fast", "full", "compact"])
+    parser.add_argument("--name", default="frames", help="name of the result file")
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="build folder")
+    parser.add_argument("--no-gluray", action="store_true", help="measure only the other two")
+    parser.add_argument("--xvfb", action="store_true", help="use an Xvfb even where there is a display")
+    options = parser.parse_args(argv)
+    sizes = options.sizes.split(",") if options.sizes else ["1"] if options.quick else ["1", "4", "16"]
+    try:
+        options.sizes = [int(size) for size in sizes] + ([64] if options.large and "64" not in sizes else [])
+    except ValueError:
+        parser.error(f"--sizes takes whole numbers of millions, not '{options.sizes}'")
+    if any(size not in GL_FRAMES for size in options.sizes):
+        parser.error(f"sizes are {', '.join(map(str, GL_FRAMES))}")
+    options.paths = options.paths.split(",") if options.paths else PATHS
+    if not set(options.paths) <= set(PATHS):
+        parser.error(f"paths are {', '.join(PATHS)}")
+    options.rounds = options.rounds or (1 if options.quick else 3)
+    return options
+
+
+class Suite:
+    """The programs, their options and the environment they run in."""
+
+    def __init__(self, options, display_name):
+        self.options = options
+        self.client = options.build / "bench" / "client" / "gluray-bench-client"
+        self.bare = options.build / "bench" / "bare" / "gluray-bench-bare"
+        self.gluray = options.build / "apps" / "gluray" / "gluray"
+        self.gluray_options = ["--threads", str(options.threads), "--bvh", options.bvh]
+        self.environment = {"DISPLAY": display_name, "LP_NUM_THREADS": str(options.threads)}
+        for program in [self.client, self.bare] + ([] if options.no_gluray else [self.gluray]):
+            if not program.exists():
+                raise programs.Failed(f"{program} is missing: run scripts/build release first")
+
+    def measure_gl(self, size, path):
+        frames = 6 if self.options.quick else GL_FRAMES.get(size, 20)
+        return programs.measure(self._client(size, path, frames), self.environment)
+
+    def measure_gluray(self, size, path):
+        frames = 24 if self.options.quick else RAY_FRAMES.get(size, 20)
+        return programs.measure_with_gluray(self.gluray, self.gluray_options, self._client(size, path, frames),
+                                            self.environment)
+
+    def measure_bare(self, size):
+        frames = 24 if self.options.quick else RAY_FRAMES[size]
+        return programs.measure([self.bare, "--triangles", size, "--frames", frames, "--orbit", "--bvh",
+                                 self.options.bvh, "--threads", self.options.threads], self.environment)
+
+    def _client(self, size, path, frames):
+        return [self.client, "--triangles", size, "--path", path, "--frames", frames, "--orbit"]
+
+    def measure_size(self, size):
+        """Rounds of everything at one size, interleaved: {"bare": measurement, path: {"gl":, "gluray":}, ...}."""
+        rounds = {("bare", None): []}
+        for number in range(self.options.rounds):
+            for path in self.options.paths:
+                progress(f"{size}M triangles, round {number + 1} of {self.options.rounds}, {path}")
+                rounds.setdefault(("gl", path), []).append(self.measure_gl(size, path))
+                if not self.options.no_gluray:
+                    rounds.setdefault(("gluray", path), []).append(self.measure_gluray(size, path))
+                # The yardstick is taken between the paths too, not only at one moment of the round.
+                rounds[("bare", None)].append(self.measure_bare(size))
+        progress(None)
+        out = {path: {} for path in self.options.paths}
+        for (kind, path), measured in rounds.items():
+            if kind == "bare":
+                out["bare"] = programs.combined(measured)
+            else:
+                out[path][kind] = programs.combined(measured)
+        return out
+
+
+def progress(text):
+    """Says on stderr what is being measured; None ends a line that moves on a terminal."""
+    if sys.stderr.isatty():
+        print("\r\033[K" + (text or ""), end="", file=sys.stderr, flush=True)
+    elif text:
+        print(text, file=sys.stderr, flush=True)
+
+
+def rows_of(size, measured, empty):
+    """The figures of one size, a dictionary a path. `empty` holds the same programs' memory with nothing to draw."""
+    bare_fps = 1 / measured["bare"]["frame_s"]
+    for path, pair in measured.items():
+        if path == "bare":
+            continue
+        triangles = pair["gl"]["triangles"]
+        row = {"millions": size, "path": path, "triangles": triangles, "bare_fps": bare_fps,
+               "bare_first_image_s": measured["bare"]["first_image_s"]}
+        for kind, m in pair.items():
+            row[f"{kind}_fps"] = 1 / m["frame_s"]
+            row[f"{kind}_first_image_s"] = m["first_image_s"]
+            row[f"{kind}_bytes_per_triangle"] = (m["rss_bytes"] - empty[kind]) / triangles
+        if "gluray" in pair:
+            row["gluray_over_gl"] = row["gluray_fps"] / row["gl_fps"]
+            row["gluray_over_bare"] = row["gluray_fps"] / bare_fps
+            row["rasterised"] = rasterised(pair["gluray"]["report"])
+        yield row
+
+
+def rasterised(report):
+    """{reason: draws} of what GLuRay left to the real OpenGL; {"no report": 1} where it wrote no report."""
+    return {"no report": 1} if report is None else report.get("draws", {}).get("rasterised", {})
+
+
+COLUMNS = [("Mtri", "millions", "{:d}"), ("path", "path", "{}"), ("GL fps", "gl_fps", "{:.2f}"),
+           ("GLuRay fps", "gluray_fps", "{:.2f}"), ("bare fps", "bare_fps", "{:.2f}"),
+           ("/GL", "gluray_over_gl", "{:.2f}"), ("/bare", "gluray_over_bare", "{:.2f}"),
+           ("first GL s", "gl_first_image_s", "{:.2f}"), ("first GLuRay s", "gluray_first_image_s", "{:.2f}"),
+           ("GL B/tri", "gl_bytes_per_triangle", "{:.0f}"), ("GLuRay B/tri", "gluray_bytes_per_triangle", "{:.0f}")]
+
+
+def print_table(rows):
+    columns = [column for column in COLUMNS if column[1] in rows[0]]
+    cells = [[title for title, _, _ in columns]]
+    cells += [[form.format(row[key]) for _, key, form in columns] for row in rows]
+    widths = [max(len(line[i]) for line in cells) for i in range(len(columns))]
+    for line in cells:
+        print("  ".join(text.rjust(width) for text, width in zip(line, widths)), flush=True)
+    for row in rows:
+        if row.get("rasterised"):
+            print(f"note: {row['millions']}M {row['path']}: drawn by the real OpenGL: {row['rasterised']}")
+
+
+def run(options, argv):
+    result = {"suite": "frames", "command": "scripts/bench frames " + shlex.join(argv), **machine.describe(ROOT),
+              "threads": options.threads, "bvh": options.bvh, "rounds": options.rounds, "rows": [], "measured": {}}
+    with display(own=options.xvfb) as name:
+        suite = Suite(options, name)
+        empty = {"gl": suite.measure_gl(0, "list")["rss_bytes"]}
+        if not options.no_gluray:
+            empty["gluray"] = suite.measure_gluray(0, "list")["rss_bytes"]
+        for size in options.sizes:
+            measured = suite.measure_size(size)
+            result["measured"][str(size)] = measured
+            result["rows"] += rows_of(size, measured, empty)
+    result["machine"]["load_after"] = os.getloadavg()[0]
+    result["versions"]["renderer"] = next(iter(result["measured"].values()))[options.paths[0]]["gl"]["renderer"]
+    print_table(result["rows"])
+    out = ROOT / "bench" / "results" / f"{options.name}.json"
+    out.parent.mkdir(exist_ok=True)
+    out.write_text(json.dumps(result, indent=1) + "\n")
+    print(f"written: {out.relative_to(ROOT)}")
+
+
+def main(argv):
+    options = arguments(argv)
+    try:
+        run(options, argv)
+    except (NoDisplay, programs.Failed) as error:
+        progress(None)
+        print(f"bench: {error}", file=sys.stderr)
+        return 1
+    return 0
