@@ -1,0 +1,175 @@
+#!/usr/bin/env python3
+"""Checks the walls of the house: which room may include which, who alone may include certain libraries, how long a file
+may be. ARCHITECTURE.md draws the rooms; this file is where the rules live.
+
+check_layers.py ROOT        checks the source tree at ROOT; prints each violation and exits 1 where there is one
+check_layers.py --self-test plants violations of every rule in a small tree and fails where one goes unseen
+"""
+import pathlib
+import re
+import sys
+import tempfile
+
+# What each room under src/ may include beside itself.
+ALLOWED = {
+    "base": set(),
+    "settings": {"base"},
+    "scene": {"base", "settings"},
+    "gl": {"base", "settings", "scene"},
+    "accel": {"base", "settings", "scene"},
+    "render": {"base", "settings", "scene", "accel"},
+    "frame": {"base", "settings", "scene", "accel", "render"},
+    "control": {"base", "settings"},
+    "dist": {"base", "settings", "scene", "accel", "render", "frame"},
+    "intercept": {"base", "settings", "scene", "gl", "accel", "render", "frame", "control", "dist"},
+}
+# Name of the monopoly, the headers it covers, the folders that hold it. Tests beside the code are bound like the code.
+MONOPOLIES = [
+    ("Embree", r"embree\d*/", ["src/accel"]),
+    ("X11, GLX and EGL", r"(X11|xcb|EGL|glvnd)/|GL/glx", ["src/intercept", "apps"]),
+    ("dlfcn", r"dlfcn\.h$", ["src/intercept", "apps"]),
+    ("sockets", r"(sys/(socket|un)\.h|netinet/|arpa/|netdb\.h|asio)", ["src/control", "src/dist", "apps"]),
+    ("MPI", r"mpi\.h$", ["src/dist"]),
+]
+MPI_FILES = 1  # of dist/, how many may include mpi.h
+MAX_LINES = 500
+CODE = {".c", ".cpp", ".h", ".hpp", ".S"}
+MEASURED = CODE | {".py"}
+TREES = ["apps", "bench", "examples", "scenes", "scripts", "src", "tests", "tools"]
+INCLUDE = re.compile(r'^\s*#\s*(?:include|include_next)\s*([<"])([^>"]+)[>"]', re.MULTILINE)
+MODULE = re.compile(r"gluray_module\(\s*\w+([^)]*)\)")
+
+
+def within(path, folder):
+    return path == folder or path.startswith(folder + "/")
+
+
+def room_violations(path, includes):
+    """Includes of a file in src/ROOM/ that reach into a room it may not know."""
+    room = path.split("/")[1]
+    for quote, header in includes:
+        if quote == '"' and header.startswith(".."):
+            yield f'{path}: "{header}": name headers from the root of src/, not by ..'
+        target = header.split("/")[0]
+        if target in ALLOWED and "/" in header and target != room and target not in ALLOWED.get(room, set()):
+            yield f'{path}: room {room} may not include "{header}": it may include {sorted(ALLOWED.get(room, []))}'
+
+
+def monopoly_violations(path, includes):
+    for name, pattern, holders in MONOPOLIES:
+        if any(within(path, holder) for holder in holders):
+            continue
+        for _, header in includes:
+            if re.match(pattern, header):
+                yield f"{path}: includes {header}: {name} belongs to {' and '.join(holders)} alone"
+
+
+def module_violations(path, text):
+    """DEPS of gluray_module() that the room may not have."""
+    room = path.split("/")[1]
+    for arguments in MODULE.findall(text):
+        words = arguments.split()
+        start = words.index("DEPS") + 1 if "DEPS" in words else len(words)
+        for word in words[start:]:
+            if word.isupper():
+                break
+            if word in ALLOWED and word != room and word not in ALLOWED.get(room, set()):
+                yield f"{path}: room {room} may not depend on {word}"
+
+
+def violations(root):
+    """All violations of the tree at `root`, as lines to print."""
+    mpi_files = []
+    for tree in TREES:
+        for file in sorted((root / tree).rglob("*")):
+            path = file.relative_to(root).as_posix()
+            if not file.is_file() or "__pycache__" in path:
+                continue
+            if file.name == "CMakeLists.txt" and within(path, "src"):
+                yield from module_violations(path, file.read_text())
+            if file.suffix not in MEASURED:
+                continue
+            text = file.read_text(errors="replace")
+            lines = text.count("\n")
+            if lines > MAX_LINES:
+                yield f"{path}: {lines} lines; a file is split at {MAX_LINES}"
+            if file.suffix not in CODE or not (within(path, "src") or within(path, "apps")):
+                continue
+            includes = INCLUDE.findall(text)
+            yield from monopoly_violations(path, includes)
+            if within(path, "src") and path.count("/") >= 2:
+                yield from room_violations(path, includes)
+            if within(path, "src/dist") and any(header == "mpi.h" for _, header in includes):
+                mpi_files.append(path)
+    if len(mpi_files) > MPI_FILES:
+        yield f"mpi.h is included by {', '.join(mpi_files)}; one file may"
+
+
+# A sound tree, and changes to it each of which must be seen: file, new content, words the violation must contain.
+SOUND = {
+    "src/base/log.h": "#pragma once\n#include <string>\n",
+    "src/gl/context.cpp": '#include "gl/context.h"\n#include "scene/mesh.h"\n#include <GL/gl.h>\n',
+    "src/accel/embree.h": "#include <embree3/rtcore.h>\n",
+    "src/render/tiles.cpp": '#include "accel/tlas.h"\n#include "render/tiles.h"\n',
+    "src/render/CMakeLists.txt": "gluray_module(render DEPS base scene accel LIBS TBB::tbb)\n",
+    "src/intercept/glx.cpp": '#include <GL/glx.h>\n#include <dlfcn.h>\n#include "frame/renderer.h"\n',
+    "src/dist/mpi.cpp": "#include <mpi.h>\n",
+    "apps/gluray/main.cpp": "#include <dlfcn.h>\n",
+    "tests/long_test.cpp": "\n" * MAX_LINES,
+}
+PLANTED = [
+    ("src/gl/planted.cpp", '#include "render/tiles.h"\n', "room gl may not include"),
+    ("src/render/planted.h", '#  include "gl/context.h"\n', "room render may not include"),
+    ("src/base/planted.h", '#include "scene/mesh.h"\n', "room base may not include"),
+    ("src/gl/planted_test.cpp", '#include "intercept/door.h"\n', "room gl may not include"),
+    ("src/gl/deeper/planted.h", '#include "../context.h"\n', "not by .."),
+    ("src/render/planted.cpp", "#include <embree4/rtcore.h>\n", "Embree belongs"),
+    ("src/gl/planted.h", "#include <X11/Xlib.h>\n", "X11, GLX and EGL belongs"),
+    ("src/frame/planted.h", "#include <GL/glxext.h>\n", "X11, GLX and EGL belongs"),
+    ("src/base/planted.cpp", "#include <dlfcn.h>\n", "dlfcn belongs"),
+    ("src/intercept/planted.cpp", "#include <sys/socket.h>\n", "sockets belongs"),
+    ("src/frame/planted.cpp", "#include <mpi.h>\n", "MPI belongs"),
+    ("src/dist/planted.cpp", "#include <mpi.h>\n", "mpi.h is included by"),
+    ("src/render/CMakeLists.txt", "gluray_module(render DEPS base gl\n  LIBS TBB::tbb)\n", "may not depend on gl"),
+    ("tests/long_test.cpp", "\n" * (MAX_LINES + 1), "a file is split"),
+]
+
+
+def write(root, files):
+    for name, text in files.items():
+        file = root / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+
+
+def self_test():
+    failures = []
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder)
+        write(root, SOUND)
+        failures += [f"a sound tree was blamed: {line}" for line in violations(root)]
+    for name, text, words in PLANTED:
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            write(root, {**SOUND, name: text})
+            found = list(violations(root))
+            if len(found) != 1 or words not in found[0]:
+                failures.append(f"planted in {name}: expected one line with '{words}', got {found}")
+    return failures
+
+
+def main():
+    if sys.argv[1:] == ["--self-test"]:
+        found = self_test()
+        print(f"{len(PLANTED)} violations planted")
+    elif len(sys.argv) == 2:
+        found = list(violations(pathlib.Path(sys.argv[1])))
+    else:
+        print(__doc__, file=sys.stderr)
+        return 2
+    print("\n".join(found) if found else "no violations")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
