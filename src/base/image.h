@@ -1,5 +1,6 @@
 // A traced picture: colour and depth of a rectangle of the framebuffer. Made by render/, read by intercept/present.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 

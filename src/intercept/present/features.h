@@ -1,0 +1,39 @@
+// What the context in hand can do: read once per context, so that the write-back asks for nothing that is not
+// there. GL thread, context current.
+#pragma once
+#include "gl/real.h"
+
+#include <string_view>
+
+namespace gluray::present {
+
+struct Features {
+  int version = 0;            // 10 * major + minor
+  int glslVersion = 0;        // 100 * major + minor, for instance 120; 0: no GLSL
+  bool compatibility = true;  // fixed function is there
+  int maxDrawBuffers = 1;
+  int maxClipDistances = 0;
+  int maxTextureSize = 0;  // texels
+  int textureUnit = 0;     // the first of two units that we use: high, so that programs rarely use them too
+  bool indexedDrawBuffers = false;  // blend enable and colour mask per draw buffer
+  bool indexedViewports = false;    // viewport, scissor and depth range per viewport
+  bool samplerObjects = false;
+  bool multisample = false;  // GL 1.3 coverage state
+  bool sampleMask = false;   // glSampleMaski
+  bool rasterizerDiscard = false;
+  bool transformFeedbackPause = false;
+  bool vertexArrayObjects = false;
+  bool framebufferObjects = false;  // with glBlitFramebuffer
+  bool debugOutput = false;
+  bool depthBounds = false;
+  bool redFloatTextures = false;  // R32F
+  bool floatTextures = false;     // LUMINANCE32F_ARB
+};
+
+/// Asks the current context. Raises no GL error.
+Features readFeatures(const gl::RealGl& real);
+
+/// Whether the current context's extension list has `name` ("GL_ARB_texture_rg").
+bool hasExtension(const gl::RealGl& real, int version, std::string_view name);
+
+}  // namespace gluray::present

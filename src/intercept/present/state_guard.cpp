@@ -1,0 +1,344 @@
+#include "intercept/present/state_guard.h"
+
+namespace gluray::present {
+
+using gl::RealGl;
+
+PendingErrors takeErrors(const RealGl& real) {
+  PendingErrors errors;
+  while (errors.size() < 16) {
+    const GLenum error = real.GetError();
+    if (error == GL_NO_ERROR) break;
+    errors.push_back(error);
+  }
+  return errors;
+}
+
+StateGuard::StateGuard(const RealGl& real, const Features& features) : real_(real), features_(features) {
+  log_.reserve(64);
+  // What we do is not the program's doing: its debug callback hears nothing of it.
+  if (features.debugOutput) capability(GL_DEBUG_OUTPUT, false);
+}
+
+StateGuard::~StateGuard() {
+  for (auto undo = log_.rbegin(); undo != log_.rend(); ++undo) undo->restore(real_, *undo);
+}
+
+GLint StateGuard::integer(GLenum name) const {
+  GLint value = 0;
+  real_.GetIntegerv(name, &value);
+  return value;
+}
+
+void StateGuard::capability(GLenum name, bool on) {
+  const bool was = real_.IsEnabled(name) != GL_FALSE;
+  if (was == on) return;
+  if (was) {
+    keep({[](const RealGl& r, const Undo& u) { r.Enable(u.name); }, name});
+    real_.Disable(name);
+  } else {
+    keep({[](const RealGl& r, const Undo& u) { r.Disable(u.name); }, name});
+    real_.Enable(name);
+  }
+}
+
+void StateGuard::capability(GLenum name, GLuint index, bool on) {
+  const bool was = real_.IsEnabledi(name, index) != GL_FALSE;
+  if (was == on) return;
+  if (was) {
+    keep({[](const RealGl& r, const Undo& u) { r.Enablei(u.name, u.index); }, name, index});
+    real_.Disablei(name, index);
+  } else {
+    keep({[](const RealGl& r, const Undo& u) { r.Disablei(u.name, u.index); }, name, index});
+    real_.Enablei(name, index);
+  }
+}
+
+void StateGuard::openFragmentPath() {
+  if (features_.rasterizerDiscard) capability(GL_RASTERIZER_DISCARD, false);
+  for (int i = 0; i < features_.maxClipDistances; ++i)
+    capability(GL_CLIP_PLANE0 + static_cast<GLenum>(i), false);
+  capability(GL_CULL_FACE, false);
+  capability(GL_POLYGON_SMOOTH, false);
+  capability(GL_STENCIL_TEST, false);
+  capability(GL_COLOR_LOGIC_OP, false);
+  if (features_.depthBounds) capability(GL_DEPTH_BOUNDS_TEST_EXT, false);
+  if (features_.compatibility) {
+    capability(GL_ALPHA_TEST, false);
+    capability(GL_POLYGON_STIPPLE, false);
+  }
+  if (features_.indexedDrawBuffers) {
+    for (int i = 0; i < features_.maxDrawBuffers; ++i) capability(GL_BLEND, static_cast<GLuint>(i), false);
+  } else {
+    capability(GL_BLEND, false);
+  }
+  GLint mode[2] = {GL_FILL, GL_FILL};
+  real_.GetIntegerv(GL_POLYGON_MODE, mode);
+  if (mode[0] != GL_FILL || (features_.compatibility && mode[1] != GL_FILL)) {
+    if (features_.compatibility) {
+      keep({[](const RealGl& r, const Undo& u) {
+              r.PolygonMode(GL_FRONT, static_cast<GLenum>(u.i[0]));
+              r.PolygonMode(GL_BACK, static_cast<GLenum>(u.i[1]));
+            },
+            0,
+            0,
+            {mode[0], mode[1]}});
+    } else {
+      keep({[](const RealGl& r, const Undo& u) {
+              r.PolygonMode(GL_FRONT_AND_BACK, static_cast<GLenum>(u.i[0]));
+            },
+            0,
+            0,
+            {mode[0]}});
+    }
+    real_.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  }
+  colorMasks();
+  coverage();
+}
+
+void StateGuard::colorMasks() {
+  if (!features_.indexedDrawBuffers) {
+    GLboolean m[4] = {GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE};
+    real_.GetBooleanv(GL_COLOR_WRITEMASK, m);
+    if (m[0] && m[1] && m[2] && m[3]) return;
+    keep({[](const RealGl& r, const Undo& u) {
+            r.ColorMask(u.i[0] != 0, u.i[1] != 0, u.i[2] != 0, u.i[3] != 0);
+          },
+          0,
+          0,
+          {m[0], m[1], m[2], m[3]}});
+    real_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    return;
+  }
+  for (GLuint i = 0; i < static_cast<GLuint>(features_.maxDrawBuffers); ++i) {
+    GLboolean m[4] = {GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE};
+    real_.GetBooleani_v(GL_COLOR_WRITEMASK, i, m);
+    if (m[0] && m[1] && m[2] && m[3]) continue;
+    keep({[](const RealGl& r, const Undo& u) {
+            r.ColorMaski(u.index, u.i[0] != 0, u.i[1] != 0, u.i[2] != 0, u.i[3] != 0);
+          },
+          0,
+          i,
+          {m[0], m[1], m[2], m[3]}});
+    real_.ColorMaski(i, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  }
+}
+
+void StateGuard::coverage() {
+  if (!features_.multisample) return;
+  capability(GL_SAMPLE_ALPHA_TO_COVERAGE, false);
+  capability(GL_SAMPLE_ALPHA_TO_ONE, false);
+  capability(GL_SAMPLE_COVERAGE, false);
+  if (features_.sampleMask) capability(GL_SAMPLE_MASK, false);
+}
+
+void StateGuard::onlySample(int sample) {
+  GLint mask = -1;
+  real_.GetIntegeri_v(GL_SAMPLE_MASK_VALUE, 0, &mask);
+  keep({[](const RealGl& r, const Undo& u) { r.SampleMaski(0, static_cast<GLbitfield>(u.i[0])); },
+        0,
+        0,
+        {mask}});
+  capability(GL_MULTISAMPLE, true);
+  capability(GL_SAMPLE_MASK, true);
+  real_.SampleMaski(0, 1u << sample);
+}
+
+void StateGuard::depthTest(GLenum func) {
+  capability(GL_DEPTH_TEST, true);
+  const GLint was = integer(GL_DEPTH_FUNC);
+  if (was != static_cast<GLint>(func)) {
+    keep({[](const RealGl& r, const Undo& u) { r.DepthFunc(static_cast<GLenum>(u.i[0])); }, 0, 0, {was}});
+    real_.DepthFunc(func);
+  }
+  GLboolean mask = GL_TRUE;
+  real_.GetBooleanv(GL_DEPTH_WRITEMASK, &mask);
+  if (!mask) {
+    keep({[](const RealGl& r, const Undo&) { r.DepthMask(GL_FALSE); }});
+    real_.DepthMask(GL_TRUE);
+  }
+}
+
+void StateGuard::depthRange(double zNear, double zFar) {
+  GLdouble range[2] = {0, 1};
+  if (features_.indexedViewports) {
+    real_.GetDoublei_v(GL_DEPTH_RANGE, 0, range);
+    if (range[0] == zNear && range[1] == zFar) return;
+    keep({[](const RealGl& r, const Undo& u) { r.DepthRangeIndexed(0, u.d[0], u.d[1]); },
+          0,
+          0,
+          {},
+          {range[0], range[1]}});
+    real_.DepthRangeIndexed(0, zNear, zFar);
+  } else {
+    real_.GetDoublev(GL_DEPTH_RANGE, range);
+    if (range[0] == zNear && range[1] == zFar) return;
+    keep({[](const RealGl& r, const Undo& u) { r.DepthRange(u.d[0], u.d[1]); },
+          0,
+          0,
+          {},
+          {range[0], range[1]}});
+    real_.DepthRange(zNear, zFar);
+  }
+}
+
+void StateGuard::viewport(int x, int y, int width, int height) {
+  if (features_.indexedViewports) {
+    GLfloat v[4];
+    real_.GetFloati_v(GL_VIEWPORT, 0, v);
+    keep({[](const RealGl& r, const Undo& u) {
+            r.ViewportIndexedf(0, static_cast<GLfloat>(u.d[0]), static_cast<GLfloat>(u.d[1]),
+                               static_cast<GLfloat>(u.d[2]), static_cast<GLfloat>(u.d[3]));
+          },
+          0,
+          0,
+          {},
+          {v[0], v[1], v[2], v[3]}});
+    real_.ViewportIndexedf(0, static_cast<GLfloat>(x), static_cast<GLfloat>(y), static_cast<GLfloat>(width),
+                           static_cast<GLfloat>(height));
+  } else {
+    GLint v[4];
+    real_.GetIntegerv(GL_VIEWPORT, v);
+    keep({[](const RealGl& r, const Undo& u) { r.Viewport(u.i[0], u.i[1], u.i[2], u.i[3]); },
+          0,
+          0,
+          {v[0], v[1], v[2], v[3]}});
+    real_.Viewport(x, y, width, height);
+  }
+}
+
+void StateGuard::scissor(int x, int y, int width, int height) {
+  GLint s[4];
+  if (features_.indexedViewports) {
+    real_.GetIntegeri_v(GL_SCISSOR_BOX, 0, s);
+    keep({[](const RealGl& r, const Undo& u) { r.ScissorIndexed(0, u.i[0], u.i[1], u.i[2], u.i[3]); },
+          0,
+          0,
+          {s[0], s[1], s[2], s[3]}});
+    real_.ScissorIndexed(0, x, y, width, height);
+    capability(GL_SCISSOR_TEST, 0, true);
+  } else {
+    real_.GetIntegerv(GL_SCISSOR_BOX, s);
+    keep({[](const RealGl& r, const Undo& u) { r.Scissor(u.i[0], u.i[1], u.i[2], u.i[3]); },
+          0,
+          0,
+          {s[0], s[1], s[2], s[3]}});
+    real_.Scissor(x, y, width, height);
+    capability(GL_SCISSOR_TEST, true);
+  }
+}
+
+void StateGuard::scissorOff() {
+  if (features_.indexedViewports)
+    capability(GL_SCISSOR_TEST, 0, false);
+  else
+    capability(GL_SCISSOR_TEST, false);
+}
+
+void StateGuard::pixelStore(GLenum name, GLint value) {
+  const GLint was = integer(name);
+  if (was == value) return;
+  keep({[](const RealGl& r, const Undo& u) { r.PixelStorei(u.name, u.i[0]); }, name, 0, {was}});
+  real_.PixelStorei(name, value);
+}
+
+void StateGuard::pixelTransfer(GLenum name, GLfloat value) {
+  GLfloat was = value;
+  real_.GetFloatv(name, &was);
+  if (was == value) return;
+  keep({[](const RealGl& r, const Undo& u) { r.PixelTransferf(u.name, static_cast<GLfloat>(u.d[0])); },
+        name,
+        0,
+        {},
+        {was}});
+  real_.PixelTransferf(name, value);
+}
+
+void StateGuard::plainUnpack() {
+  pixelStore(GL_UNPACK_SWAP_BYTES, 0);
+  pixelStore(GL_UNPACK_ROW_LENGTH, 0);
+  pixelStore(GL_UNPACK_SKIP_ROWS, 0);
+  pixelStore(GL_UNPACK_SKIP_PIXELS, 0);
+  pixelStore(GL_UNPACK_ALIGNMENT, 4);
+  if (features_.compatibility) {
+    pixelTransfer(GL_MAP_COLOR, 0);
+    for (GLenum scale : {GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE, GL_ALPHA_SCALE})
+      pixelTransfer(scale, 1);
+    for (GLenum bias : {GL_RED_BIAS, GL_GREEN_BIAS, GL_BLUE_BIAS, GL_ALPHA_BIAS}) pixelTransfer(bias, 0);
+  }
+  if (features_.version < 21) return;
+  const GLint buffer = integer(GL_PIXEL_UNPACK_BUFFER_BINDING);
+  if (buffer == 0) return;
+  keep({[](const RealGl& r, const Undo& u) {
+          r.BindBuffer(GL_PIXEL_UNPACK_BUFFER, static_cast<GLuint>(u.i[0]));
+        },
+        0,
+        0,
+        {buffer}});
+  real_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+}
+
+void StateGuard::activeTexture(GLenum unit) {
+  const GLint was = integer(GL_ACTIVE_TEXTURE);
+  if (was == static_cast<GLint>(unit)) return;
+  keep({[](const RealGl& r, const Undo& u) { r.ActiveTexture(static_cast<GLenum>(u.i[0])); }, 0, 0, {was}});
+  real_.ActiveTexture(unit);
+}
+
+void StateGuard::texture2D(int unit, GLuint texture) {
+  const GLenum name = GL_TEXTURE0 + static_cast<GLenum>(unit);
+  activeTexture(name);
+  const GLint was = integer(GL_TEXTURE_BINDING_2D);
+  if (was != static_cast<GLint>(texture)) {
+    keep({[](const RealGl& r, const Undo& u) {
+            r.ActiveTexture(u.name);
+            r.BindTexture(GL_TEXTURE_2D, static_cast<GLuint>(u.i[0]));
+          },
+          name,
+          0,
+          {was}});
+    real_.BindTexture(GL_TEXTURE_2D, texture);
+  }
+  if (!features_.samplerObjects) return;
+  const GLint sampler = integer(GL_SAMPLER_BINDING);
+  if (sampler == 0) return;
+  keep({[](const RealGl& r, const Undo& u) { r.BindSampler(u.index, static_cast<GLuint>(u.i[0])); },
+        0,
+        static_cast<GLuint>(unit),
+        {sampler}});
+  real_.BindSampler(static_cast<GLuint>(unit), 0);
+}
+
+void StateGuard::program(GLuint program) {
+  if (features_.transformFeedbackPause && integer(GL_TRANSFORM_FEEDBACK_ACTIVE) &&
+      !integer(GL_TRANSFORM_FEEDBACK_PAUSED)) {
+    keep({[](const RealGl& r, const Undo&) { r.ResumeTransformFeedback(); }});
+    real_.PauseTransformFeedback();
+  }
+  const GLint was = integer(GL_CURRENT_PROGRAM);
+  if (was == static_cast<GLint>(program)) return;
+  keep({[](const RealGl& r, const Undo& u) { r.UseProgram(static_cast<GLuint>(u.i[0])); }, 0, 0, {was}});
+  real_.UseProgram(program);
+}
+
+void StateGuard::vertexArray(GLuint array) {
+  const GLint was = integer(GL_VERTEX_ARRAY_BINDING);
+  if (was == static_cast<GLint>(array)) return;
+  keep({[](const RealGl& r, const Undo& u) { r.BindVertexArray(static_cast<GLuint>(u.i[0])); }, 0, 0, {was}});
+  real_.BindVertexArray(array);
+}
+
+void StateGuard::readFramebuffer(GLuint framebuffer) {
+  const GLint was = integer(GL_READ_FRAMEBUFFER_BINDING);
+  if (was == static_cast<GLint>(framebuffer)) return;
+  keep({[](const RealGl& r, const Undo& u) {
+          r.BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(u.i[0]));
+        },
+        0,
+        0,
+        {was}});
+  real_.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+}
+
+}  // namespace gluray::present

@@ -1,0 +1,72 @@
+// Sets state of the real OpenGL for drawing of our own, and puts back everything it changed when it dies,
+// newest first. It asks before it sets, so that state which already suits us costs one query. GL thread,
+// context current, outside glBegin/glEnd and outside list compilation.
+#pragma once
+#include "intercept/present/features.h"
+
+#include <array>
+#include <vector>
+
+namespace gluray::present {
+
+/// Errors that the program has caused and not yet fetched. A guard's owner hands them back to be reported
+/// later.
+using PendingErrors = std::vector<GLenum>;
+
+/// Empties the real OpenGL's error flags. At most 16 are read, in case a lost context repeats one for ever.
+PendingErrors takeErrors(const gl::RealGl& real);
+
+class StateGuard {
+ public:
+  StateGuard(const gl::RealGl& real, const Features& features);
+  ~StateGuard();
+  StateGuard(const StateGuard&) = delete;
+  StateGuard& operator=(const StateGuard&) = delete;
+
+  /// glEnable or glDisable.
+  void capability(GLenum name, bool on);
+  /// The same for one index (draw buffer or viewport).
+  void capability(GLenum name, GLuint index, bool on);
+
+  /// No test, operation or mask other than depth stands between a fragment and every draw buffer: blending,
+  /// stencil, alpha test, logic operation, stipple, clip planes, culling, rasterizer discard and coverage are
+  /// off, masks are open. Depth test, viewport and scissor are the caller's to set. sRGB encoding and
+  /// dithering stay as the program has them.
+  void openFragmentPath();
+  void depthTest(GLenum func);  // test on, writes on
+  void depthRange(double zNear, double zFar);
+  void viewport(int x, int y, int width, int height);
+  void scissor(int x, int y, int width, int height);
+  void scissorOff();
+
+  /// Pixel uploads from client memory, rows tightly packed, values as they are.
+  void plainUnpack();
+  void activeTexture(GLenum unit);
+  void texture2D(int unit, GLuint texture);  // also makes `unit` active and frees it of sampler objects
+  void program(GLuint program);              // transform feedback is paused meanwhile
+  void vertexArray(GLuint array);
+  void readFramebuffer(GLuint framebuffer);
+  /// Only sample `sample` is written; may be called again for the next sample.
+  void onlySample(int sample);
+
+ private:
+  struct Undo {
+    void (*restore)(const gl::RealGl&, const Undo&);
+    GLenum name = 0;
+    GLuint index = 0;
+    std::array<GLint, 4> i{};
+    std::array<GLdouble, 4> d{};
+  };
+  GLint integer(GLenum name) const;
+  void pixelStore(GLenum name, GLint value);
+  void pixelTransfer(GLenum name, GLfloat value);
+  void colorMasks();
+  void coverage();
+  void keep(const Undo& undo) { log_.push_back(undo); }
+
+  const gl::RealGl& real_;
+  const Features& features_;
+  std::vector<Undo> log_;
+};
+
+}  // namespace gluray::present

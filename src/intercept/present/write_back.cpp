@@ -1,0 +1,150 @@
+#include "intercept/present/write_back.h"
+
+#include "intercept/present/write_back_program.h"
+
+#include <algorithm>
+#include <atomic>
+
+namespace gluray::present {
+
+bool WriteBack::ready(std::string& why) {
+  if (state_ == State::unknown) {
+    features_ = readFeatures(real_);
+    state_ = compile(why_) ? State::ready : State::impossible;
+  }
+  why = why_;
+  return state_ == State::ready;
+}
+
+bool WriteBack::compile(std::string& why) {
+  if (features_.glslVersion < 110) return why = "the real OpenGL has no GLSL", false;
+  if (features_.redFloatTextures) {
+    depthInternalFormat_ = GL_R32F, depthFormat_ = GL_RED;
+  } else if (features_.floatTextures) {
+    depthInternalFormat_ = GL_LUMINANCE32F_ARB, depthFormat_ = GL_LUMINANCE;
+  } else {
+    return why = "the real OpenGL has no float textures", false;
+  }
+  program_ = buildWriteBackProgram(real_, features_, why);
+  if (!program_) return false;
+  StateGuard guard(real_, features_);
+  guard.program(program_);
+  placeUniform_ = real_.GetUniformLocation(program_, "place");
+  real_.Uniform1i(real_.GetUniformLocation(program_, "colorPlane"), features_.textureUnit);
+  real_.Uniform1i(real_.GetUniformLocation(program_, "depthPlane"), features_.textureUnit + 1);
+  if (!features_.compatibility) real_.GenVertexArrays(1, &vertexArray_);
+  return true;
+}
+
+GLuint WriteBack::newTextureName() const {
+  GLuint name = 0;
+  if (!features_.compatibility) {
+    real_.GenTextures(1, &name);
+    return name;
+  }
+  // Compatibility contexts let a program bind names that it never asked for, small ones as a rule. Ours come
+  // from a range of their own, counted for the whole process because several contexts may share one name
+  // space.
+  static std::atomic<GLuint> next{0x00E6C800};
+  do name = next++;
+  while (real_.IsTexture(name));
+  return name;
+}
+
+bool WriteBack::makePlane(StateGuard& guard, int unit, Plane& plane, GLenum internalFormat, GLenum format,
+                          GLenum type, int width, int height) {
+  const bool fresh = plane.texture == 0;
+  if (fresh) plane.texture = newTextureName();
+  guard.texture2D(unit, plane.texture);
+  if (fresh) {
+    for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+      real_.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+    for (GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+      real_.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+  }
+  if (width <= plane.width && height <= plane.height) return true;
+  const int newWidth = std::max(width, plane.width), newHeight = std::max(height, plane.height);
+  real_.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internalFormat), newWidth, newHeight, 0, format, type,
+                   nullptr);
+  if (real_.GetError() != GL_NO_ERROR) {
+    plane.width = plane.height = 0;
+    return false;
+  }
+  plane.width = newWidth, plane.height = newHeight;
+  return true;
+}
+
+void WriteBack::drawTriangle() const {
+  if (!features_.compatibility) {
+    real_.DrawArrays(GL_TRIANGLES, 0, 3);
+    return;
+  }
+  // glVertex alone changes no current value, and needs no array state.
+  real_.Begin(GL_TRIANGLES);
+  real_.Vertex2f(-1, -1);
+  real_.Vertex2f(3, -1);
+  real_.Vertex2f(-1, 3);
+  real_.End();
+}
+
+bool WriteBack::write(const Image& image, const WriteBackTarget& target, PendingErrors& pending) {
+  std::string why;
+  pending = takeErrors(real_);
+  if (!ready(why)) return false;
+  const int width = image.width, height = image.height, limit = features_.maxTextureSize;
+  if (width <= 0 || height <= 0 || image.samples <= 0) return true;
+  if (width > limit || height > limit) return false;
+  if (image.samples > 1 && (!features_.sampleMask || image.samples > 32)) return false;
+
+  StateGuard guard(real_, features_);
+  guard.plainUnpack();
+  // Sample planes lie above each other in one texture, as many as it can hold.
+  const int planes = std::min(image.samples, limit / height);
+  const int unit = features_.textureUnit;
+  if (!makePlane(guard, unit + 1, depth_, depthInternalFormat_, depthFormat_, GL_FLOAT, width,
+                 height * planes))
+    return false;
+  if (!makePlane(guard, unit, color_, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height * planes))
+    return false;
+
+  guard.openFragmentPath();
+  guard.depthTest(target.depthFunc);
+  guard.depthRange(0, 1);
+  guard.viewport(image.x, image.y, width, height);
+  guard.scissor(image.x, image.y, width, height);
+  guard.program(program_);
+  if (!features_.compatibility) guard.vertexArray(vertexArray_);
+
+  const size_t planeSize = static_cast<size_t>(width) * static_cast<size_t>(height);
+  for (int first = 0; first < image.samples; first += planes) {
+    const int count = std::min(planes, image.samples - first);
+    const size_t offset = planeSize * static_cast<size_t>(first);
+    real_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit + 1));
+    real_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height * count, depthFormat_, GL_FLOAT,
+                        image.depth.data() + offset);
+    real_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    real_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height * count, GL_RGBA, GL_UNSIGNED_BYTE,
+                        image.color.data() + offset);
+    for (int sample = first; sample < first + count; ++sample) {
+      if (image.samples > 1) guard.onlySample(sample);
+      // Window position of the plane's first texel, and the size of a texel in texture coordinates.
+      const int row = (sample - first) * height;
+      real_.Uniform4f(placeUniform_, static_cast<GLfloat>(image.x), static_cast<GLfloat>(image.y - row),
+                      1.0f / static_cast<GLfloat>(color_.width), 1.0f / static_cast<GLfloat>(color_.height));
+      drawTriangle();
+    }
+  }
+  return real_.GetError() == GL_NO_ERROR;
+}
+
+void WriteBack::release() {
+  if (color_.texture) real_.DeleteTextures(1, &color_.texture);
+  if (depth_.texture) real_.DeleteTextures(1, &depth_.texture);
+  if (program_) real_.DeleteProgram(program_);
+  if (vertexArray_) real_.DeleteVertexArrays(1, &vertexArray_);
+  color_ = depth_ = {};
+  program_ = vertexArray_ = 0;
+  state_ = State::unknown;
+}
+
+}  // namespace gluray::present

@@ -1,0 +1,58 @@
+// Writes a traced picture, colour and depth, into the framebuffer that the program has bound. One per
+// context. GL thread, context current, outside glBegin/glEnd, GL_RENDER mode, and before any query,
+// conditional rendering or transform feedback starts that the program's own draws were not part of.
+#pragma once
+#include "base/image.h"
+#include "intercept/present/state_guard.h"
+
+#include <array>
+#include <string>
+
+namespace gluray::present {
+
+/// What the write must respect besides the image's own rectangle.
+struct WriteBackTarget {
+  GLenum depthFunc = GL_LEQUAL;  // GL_LESS or GL_LEQUAL: how traced pixels meet the depth that is there
+};
+
+class WriteBack {
+ public:
+  explicit WriteBack(const gl::RealGl& real) : real_(real) {}
+
+  /// Compiles the program on first use. False, with the reason, where the context cannot do it; the answer
+  /// never changes.
+  bool ready(std::string& why);
+
+  /// Writes every hit pixel (sample, where image.samples > 1) that passes the depth test, in one go over the
+  /// image's rectangle, to all draw buffers. Misses stay untouched. Depth values are window depths:
+  /// glDepthRange is in them. No state that the program can query differs afterwards; errors that were
+  /// pending are moved to `pending`. False, with nothing drawn or a picture to be drawn again, where the real
+  /// OpenGL refuses.
+  bool write(const Image& image, const WriteBackTarget& target, PendingErrors& pending);
+
+  /// Deletes our objects. Without this they live as long as the share group.
+  void release();
+
+ private:
+  /// A texture that grows and never shrinks, so that several viewports of one frame share it.
+  struct Plane {
+    GLuint texture = 0;
+    int width = 0, height = 0;  // texels
+  };
+  bool compile(std::string& why);
+  bool makePlane(StateGuard& guard, int unit, Plane& plane, GLenum internalFormat, GLenum format, GLenum type,
+                 int width, int height);
+  GLuint newTextureName() const;
+  void drawTriangle() const;
+
+  const gl::RealGl& real_;
+  Features features_;
+  enum class State { unknown, ready, impossible } state_ = State::unknown;
+  std::string why_;
+  GLuint program_ = 0, vertexArray_ = 0;
+  GLint placeUniform_ = -1;
+  GLenum depthInternalFormat_ = 0, depthFormat_ = 0;
+  Plane color_, depth_;
+};
+
+}  // namespace gluray::present

@@ -1,0 +1,56 @@
+#include "tests/support/osmesa_context.h"
+
+#include <GL/osmesa.h>
+
+namespace gluray::test {
+
+std::unique_ptr<OsmesaContext> OsmesaContext::create(const ContextWish& wish) {
+  std::vector<int> attributes = {
+      OSMESA_FORMAT,       OSMESA_RGBA,
+      OSMESA_DEPTH_BITS,   24,
+      OSMESA_STENCIL_BITS, 8,
+      OSMESA_ACCUM_BITS,   16,
+      OSMESA_PROFILE,      wish.core ? OSMESA_CORE_PROFILE : OSMESA_COMPAT_PROFILE};
+  if (wish.major) {
+    attributes.insert(attributes.end(), {OSMESA_CONTEXT_MAJOR_VERSION, wish.major});
+    attributes.insert(attributes.end(), {OSMESA_CONTEXT_MINOR_VERSION, wish.minor});
+  }
+  attributes.push_back(0);
+  OSMesaContext made = OSMesaCreateContextAttribs(attributes.data(), nullptr);
+  if (!made) return nullptr;
+  std::unique_ptr<OsmesaContext> context(new OsmesaContext);
+  context->wish_ = wish;
+  context->context_ = made;
+  context->buffer_.resize(static_cast<size_t>(wish.width) * static_cast<size_t>(wish.height));
+  if (!context->makeCurrent()) return nullptr;
+  gl::loadRealGl(
+      context->real_,
+      [](void*, const char* name) { return reinterpret_cast<void*>(OSMesaGetProcAddress(name)); }, nullptr);
+  return context;
+}
+
+OsmesaContext::~OsmesaContext() {
+  if (OSMesaGetCurrentContext() == context_) OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
+  OSMesaDestroyContext(static_cast<OSMesaContext>(context_));
+}
+
+bool OsmesaContext::makeCurrent() {
+  return OSMesaMakeCurrent(static_cast<OSMesaContext>(context_), buffer_.data(), GL_UNSIGNED_BYTE,
+                           wish_.width, wish_.height) == GL_TRUE;
+}
+
+std::vector<uint32_t> OsmesaContext::colors() const {
+  std::vector<uint32_t> pixels(static_cast<size_t>(wish_.width) * static_cast<size_t>(wish_.height));
+  real_.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  real_.ReadPixels(0, 0, wish_.width, wish_.height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  return pixels;
+}
+
+std::vector<float> OsmesaContext::depths() const {
+  std::vector<float> pixels(static_cast<size_t>(wish_.width) * static_cast<size_t>(wish_.height));
+  real_.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  real_.ReadPixels(0, 0, wish_.width, wish_.height, GL_DEPTH_COMPONENT, GL_FLOAT, pixels.data());
+  return pixels;
+}
+
+}  // namespace gluray::test
