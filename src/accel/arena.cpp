@@ -1,0 +1,31 @@
+#include "accel/arena.h"
+
+#include <tbb/task_scheduler_observer.h>
+
+#include <csignal>
+
+namespace gluray::accel {
+
+// A host's signal handler must never run on a thread that the host knows nothing of.
+class Arena::Observer : public tbb::task_scheduler_observer {
+ public:
+  explicit Observer(tbb::task_arena& arena) : tbb::task_scheduler_observer(arena) { observe(true); }
+  ~Observer() override { observe(false); }
+
+  void on_scheduler_entry(bool isWorker) override {
+    if (!isWorker) return;
+    sigset_t blocked;
+    sigfillset(&blocked);
+    for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP}) sigdelset(&blocked, fault);
+    pthread_sigmask(SIG_SETMASK, &blocked, nullptr);
+  }
+};
+
+Arena::Arena(int threads) : arena_(threads > 0 ? threads : tbb::task_arena::automatic) {
+  arena_.initialize();
+  observer_ = std::make_unique<Observer>(arena_);
+}
+
+Arena::~Arena() = default;
+
+}  // namespace gluray::accel

@@ -1,0 +1,79 @@
+#include "accel/blas.h"
+
+#include "accel/embree.h"
+#include "accel/error.h"
+
+namespace gluray::accel {
+namespace {
+
+void checkArrays(const scene::Mesh& mesh) {
+  const auto misaligned = [](const scene::Attribute& a) {
+    return reinterpret_cast<uintptr_t>(a.data) % 4 != 0 || a.stride % 4 != 0;
+  };
+  if (!mesh.positions || mesh.positions.format != scene::Format::float3 || misaligned(mesh.positions)) {
+    throw Error("a mesh has positions that are not three aligned floats");
+  }
+  if (mesh.indices && (mesh.indices.stride != 4 || misaligned(mesh.indices))) {
+    throw Error("a mesh has indices that are not tightly packed");
+  }
+  if (!mesh.indices && static_cast<uint64_t>(mesh.triangleCount) * 3 > mesh.vertexCount) {
+    throw Error("a mesh has fewer vertices than its triangles need");
+  }
+}
+
+RTCSceneFlags sceneFlags(BvhQuality quality) {
+  const RTCSceneFlags flags = RTC_SCENE_FLAG_NONE | kFilterInQuery;
+  return quality == BvhQuality::compact ? flags | RTC_SCENE_FLAG_COMPACT : flags;
+}
+
+}  // namespace
+
+Blas::Blas(const Device& device, IotaIndices& iota, const scene::Mesh& mesh, BvhQuality quality)
+    : device_(device), positions_(mesh.positions.owner), triangleCount_(mesh.triangleCount) {
+  checkArrays(mesh);
+  pinnedBytes_ = static_cast<size_t>(mesh.vertexCount) * mesh.positions.stride;
+  const void* indexData = mesh.indices.data;
+  if (mesh.indices) {
+    indices_ = mesh.indices.owner;
+    pinnedBytes_ += static_cast<size_t>(mesh.triangleCount) * 12;
+  } else {
+    auto shared = iota.get(static_cast<size_t>(mesh.triangleCount) * 3);
+    indexData = shared.get();
+    indices_ = std::shared_ptr<const void>(shared, shared.get());
+  }
+
+  const auto rtcQuality = quality == BvhQuality::fast ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM;
+  scene_ = rtcNewScene(device.handle());
+  rtcSetSceneBuildQuality(scene_, rtcQuality);
+  rtcSetSceneFlags(scene_, sceneFlags(quality));
+  RTCGeometry geometry = rtcNewGeometry(device.handle(), RTC_GEOMETRY_TYPE_TRIANGLE);
+  rtcSetGeometryBuildQuality(geometry, rtcQuality);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.positions.data, 0,
+                             mesh.positions.stride, mesh.vertexCount);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, indexData, 0, 12,
+                             mesh.triangleCount);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometryByID(scene_, geometry, 0);
+  rtcReleaseGeometry(geometry);
+  try {
+    device.check("a mesh cannot be read in place");
+  } catch (...) {
+    rtcReleaseScene(scene_);
+    throw;
+  }
+}
+
+Blas::~Blas() { rtcReleaseScene(scene_); }
+
+void Blas::build() {
+  const size_t before = Device::bytes();
+  {
+    const CommitScope scope;
+    rtcJoinCommitScene(scene_);
+  }
+  device_.check("the acceleration structure of a mesh cannot be built");
+  const size_t after = Device::bytes();
+  bvhBytes_ = after > before ? after - before : 0;
+}
+
+}  // namespace gluray::accel

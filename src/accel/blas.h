@@ -1,0 +1,46 @@
+// The acceleration structure of one mesh. Made by BlasCache; read by any number of tracing threads.
+#pragma once
+#include "accel/device.h"
+#include "accel/iota_indices.h"
+#include "scene/mesh.h"
+#include "settings/settings.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+struct RTCSceneTy;
+
+namespace gluray::accel {
+
+/// A bottom-level structure over the positions and triangles of a mesh, which are read in place and kept
+/// alive. (primitive, u, v) of its hits hold for every mesh of equal geometryId.
+class Blas {
+ public:
+  /// Prepares the structure; build() makes it. Throws Error where the arrays cannot be read.
+  Blas(const Device&, IotaIndices&, const scene::Mesh&, BvhQuality);
+  ~Blas();
+  Blas(const Blas&) = delete;
+  Blas& operator=(const Blas&) = delete;
+
+  /// Builds with the threads of the arena it is called in. Throws Error; the structure is then useless.
+  /// Triangles with a vertex that is not finite are left out.
+  void build();
+
+  RTCSceneTy* scene() const { return scene_; }
+  /// Bytes of the structure, and of the mesh arrays that it keeps alive.
+  size_t bvhBytes() const { return bvhBytes_; }
+  size_t pinnedBytes() const { return pinnedBytes_; }
+  uint32_t triangleCount() const { return triangleCount_; }
+  uint64_t lastUsed = 0;  // the cache's clock
+
+ private:
+  const Device& device_;
+  RTCSceneTy* scene_ = nullptr;
+  std::shared_ptr<const void> positions_, indices_;
+  size_t bvhBytes_ = 0, pinnedBytes_ = 0;
+  uint32_t triangleCount_ = 0;
+};
+using BlasPtr = std::shared_ptr<Blas>;
+
+}  // namespace gluray::accel

@@ -1,0 +1,66 @@
+#include "accel/device.h"
+
+#include "accel/embree.h"
+#include "accel/error.h"
+
+#include <sys/types.h>
+
+#include <atomic>
+#include <string>
+
+namespace gluray::accel {
+namespace {
+
+std::atomic<ptrdiff_t> heldBytes{0};
+std::atomic<int> commitsToFail{0};
+std::atomic<int> failingCommits{0};  // commits in flight that were chosen to fail
+
+bool onMemory(void*, ssize_t bytes, bool) {
+  heldBytes.fetch_add(bytes, std::memory_order_relaxed);
+  return bytes <= 0 || failingCommits.load(std::memory_order_relaxed) == 0;
+}
+
+const char* describe(RTCError error) {
+  switch (error) {
+    case RTC_ERROR_NONE: return "no error";
+    case RTC_ERROR_INVALID_ARGUMENT: return "invalid argument";
+    case RTC_ERROR_INVALID_OPERATION: return "invalid operation";
+    case RTC_ERROR_OUT_OF_MEMORY: return "out of memory";
+    case RTC_ERROR_UNSUPPORTED_CPU: return "this processor lacks SSE2";
+    case RTC_ERROR_CANCELLED: return "cancelled";
+    default: return "unknown error in Embree";
+  }
+}
+
+}  // namespace
+
+Device::Device() : device_(rtcNewDevice("verbose=0,ignore_config_files=1")) {
+  if (!device_) throw Error(std::string("Embree does not start: ") + describe(rtcGetDeviceError(nullptr)));
+  rtcSetDeviceMemoryMonitorFunction(device_, onMemory, nullptr);
+  if (rtcGetDeviceProperty(device_, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED))
+    packetWidth_ = 16;
+  else if (rtcGetDeviceProperty(device_, RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED))
+    packetWidth_ = 8;
+}
+
+Device::~Device() { rtcReleaseDevice(device_); }
+
+size_t Device::bytes() {
+  const ptrdiff_t held = heldBytes.load(std::memory_order_relaxed);
+  return held > 0 ? static_cast<size_t>(held) : 0;
+}
+
+void Device::check(std::string_view what) const {
+  const RTCError error = rtcGetDeviceError(device_);
+  if (error != RTC_ERROR_NONE) throw Error(std::string(what) + ": " + describe(error));
+}
+
+void failNextCommits(int count) { commitsToFail = count; }
+
+CommitScope::CommitScope() {
+  if (commitsToFail.load() > 0 && commitsToFail.fetch_sub(1) > 0) ++failingCommits;
+}
+
+CommitScope::~CommitScope() { failingCommits = 0; }
+
+}  // namespace gluray::accel

@@ -1,0 +1,45 @@
+// The Embree device: errors, memory accounting, capabilities. Made on first use by World; any thread may
+// query it.
+#pragma once
+#include <cstddef>
+#include <string_view>
+
+struct RTCDeviceTy;
+
+namespace gluray::accel {
+
+/// Owns an RTCDevice that prints nothing, reads no configuration file, and counts the memory it holds.
+class Device {
+ public:
+  /// Throws Error where Embree cannot start.
+  Device();
+  ~Device();
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+
+  RTCDeviceTy* handle() const { return device_; }
+  /// Rays a packet that the processor handles natively: 16, 8 or 4.
+  int packetWidth() const { return packetWidth_; }
+  /// Bytes that Embree holds for acceleration structures now.
+  static size_t bytes();
+  /// Throws Error("WHAT: reason") if a call of this thread failed since the last check.
+  void check(std::string_view what) const;
+
+ private:
+  RTCDeviceTy* device_ = nullptr;
+  int packetWidth_ = 4;
+};
+
+/// For tests: the next `count` commits of acceleration structures fail as if memory had run out.
+void failNextCommits(int count);
+
+/// Marks the time in which a commit runs, for failNextCommits.
+class CommitScope {
+ public:
+  CommitScope();
+  ~CommitScope();
+  CommitScope(const CommitScope&) = delete;
+  CommitScope& operator=(const CommitScope&) = delete;
+};
+
+}  // namespace gluray::accel

@@ -1,0 +1,73 @@
+// Small scenes for the tests of accel/, render/ and frame/.
+#pragma once
+#include "scene/snapshot.h"
+
+#include <memory>
+#include <vector>
+
+namespace gluray::test {
+
+/// An attribute over a copy of `values`, followed by the readable bytes that positions and indices need.
+template <class T>
+scene::Attribute makeAttribute(std::vector<T> values, scene::Format format) {
+  if (values.empty()) return {};
+  const auto stride = static_cast<uint32_t>(sizeof(T));
+  values.resize(values.size() + 16 / sizeof(T) + 1);
+  const auto owner = std::make_shared<const std::vector<T>>(std::move(values));
+  return {owner, reinterpret_cast<const std::byte*>(owner->data()), stride, format};
+}
+
+/// Vertex data of a mesh; `indices` empty: a soup.
+struct MeshData {
+  std::vector<glm::vec3> positions, normals;
+  std::vector<uint32_t> indices;
+  std::vector<glm::vec4> colors, texcoords;
+  std::vector<uint32_t> materials;
+};
+
+inline std::shared_ptr<scene::Mesh> makeMesh(const MeshData& data) {
+  auto mesh = std::make_shared<scene::Mesh>();
+  const Hash128 seed = hashBytes(data.positions.data(), data.positions.size() * sizeof(glm::vec3));
+  mesh->geometryId = hashBytes(data.indices.data(), data.indices.size() * 4, seed);
+  mesh->vertexCount = static_cast<uint32_t>(data.positions.size());
+  mesh->triangleCount =
+      static_cast<uint32_t>(data.indices.empty() ? data.positions.size() : data.indices.size()) / 3;
+  mesh->positions = makeAttribute(data.positions, scene::Format::float3);
+  mesh->indices = makeAttribute(data.indices, scene::Format::uint32);
+  mesh->normals = makeAttribute(data.normals, scene::Format::float3);
+  mesh->colors = makeAttribute(data.colors, scene::Format::float4);
+  mesh->texcoords = makeAttribute(data.texcoords, scene::Format::float4);
+  mesh->materials = makeAttribute(data.materials, scene::Format::uint32);
+  return mesh;
+}
+
+/// Two triangles a, b, c and a, c, d, counterclockwise seen from where a, b, c, d go around counterclockwise.
+inline MeshData quadData(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d) {
+  MeshData data;
+  data.positions = {a, b, c, d};
+  data.indices = {0, 1, 2, 0, 2, 3};
+  return data;
+}
+
+/// The square [-1, 1]^2 at height z, facing +z.
+inline MeshData squareData(float z = 0) { return quadData({-1, -1, z}, {1, -1, z}, {1, 1, z}, {-1, 1, z}); }
+
+/// A snapshot of `size` x `size` pixels of an identity camera (clip = eye = object space), unlit, one white
+/// instance a mesh.
+inline scene::Snapshot makeSnapshot(const std::vector<scene::MeshPtr>& meshes, int size = 16) {
+  scene::Snapshot s;
+  s.frame = 1;
+  s.camera.viewport = {0, 0, size, size};
+  s.region = {0, 0, size, size};
+  s.shadings.resize(1);
+  s.settings.threads = 2;
+  for (const scene::MeshPtr& mesh : meshes) {
+    scene::Instance instance;
+    instance.mesh = mesh;
+    instance.materials.resize(1);
+    s.instances.push_back(instance);
+  }
+  return s;
+}
+
+}  // namespace gluray::test

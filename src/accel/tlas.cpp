@@ -1,0 +1,63 @@
+#include "accel/tlas.h"
+
+#include "accel/embree.h"
+#include "accel/error.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <utility>
+
+namespace gluray::accel {
+
+Tlas::Tlas(const Device& device) : device_(device), scene_(rtcNewScene(device.handle())) {
+  rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC | kFilterInQuery);
+  rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_MEDIUM);
+}
+
+Tlas::~Tlas() {
+  for (RTCGeometryTy* geometry : geometries_) {
+    if (geometry) rtcReleaseGeometry(geometry);
+  }
+  rtcReleaseScene(scene_);
+}
+
+// Attaches, moves or (null) removes the instance of one index.
+void Tlas::place(size_t index, const PlacedBlas* placed) {
+  RTCGeometryTy*& geometry = geometries_[index];
+  const auto id = static_cast<unsigned>(index);
+  if (!placed || !placed->blas) {
+    if (!geometry) return;
+    rtcDetachGeometry(scene_, id);
+    rtcReleaseGeometry(geometry);
+    geometry = nullptr;
+    return;
+  }
+  const bool fresh = !geometry;
+  if (fresh) geometry = rtcNewGeometry(device_.handle(), RTC_GEOMETRY_TYPE_INSTANCE);
+  rtcSetGeometryInstancedScene(geometry, placed->blas->scene());
+  rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR,
+                          glm::value_ptr(placed->worldFromObject));
+  rtcCommitGeometry(geometry);
+  if (fresh) rtcAttachGeometryByID(scene_, geometry, id);
+}
+
+bool Tlas::update(std::vector<PlacedBlas> instances) {
+  if (instances == held_) return false;
+  const size_t before = held_.size();
+  for (size_t i = instances.size(); i < geometries_.size(); ++i) place(i, nullptr);
+  geometries_.resize(instances.size());
+  for (size_t i = 0; i < instances.size(); ++i) {
+    if (i >= before || !(instances[i] == held_[i])) place(i, &instances[i]);
+  }
+  // Until the commit has succeeded nothing is known to be held; the geometries are then all placed again.
+  std::vector<PlacedBlas> alive = std::exchange(held_, {});
+  {
+    const CommitScope scope;
+    rtcJoinCommitScene(scene_);
+  }
+  device_.check("the top-level acceleration structure cannot be built");
+  held_ = std::move(instances);
+  return true;
+}
+
+}  // namespace gluray::accel

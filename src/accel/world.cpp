@@ -1,0 +1,91 @@
+#include "accel/world.h"
+
+#include "accel/embree.h"
+#include "accel/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace gluray::accel {
+namespace {
+
+// Rays reach an instance through the inverse of its transform, which must therefore exist and be affine.
+bool placeable(const glm::mat4& m) {
+  for (int c = 0; c < 4; ++c) {
+    for (int r = 0; r < 4; ++r) {
+      if (!std::isfinite(m[c][r])) return false;
+    }
+  }
+  if (m[0][3] != 0 || m[1][3] != 0 || m[2][3] != 0 || m[3][3] != 1) return false;
+  const glm::dvec3 x(m[0]), y(m[1]), z(m[2]);
+  const double volume = std::abs(glm::dot(glm::cross(x, y), z));
+  return volume > 1e-6 * glm::length(x) * glm::length(y) * glm::length(z) && volume > 1e-36;
+}
+
+}  // namespace
+
+World::World(size_t idleBudgetBytes) : cache_(device_, idleBudgetBytes), tlas_(device_) {}
+
+UpdateStatistics World::update(const scene::Snapshot& snapshot, Arena& arena) {
+  return arena.execute([&] {
+    UpdateStatistics statistics;
+    const uint64_t before = cache_.builds();
+    scene_ = nullptr;
+    cache_.beginFrame();
+    std::vector<PlacedBlas> placed = place(snapshot);
+    statistics.blasBuilds = cache_.builds() - before;
+
+    const auto filled = [](const PlacedBlas& p) { return p.blas != nullptr; };
+    const auto first = std::find_if(placed.begin(), placed.end(), filled);
+    const bool empty = first == placed.end();
+    const bool lone = !empty && std::none_of(first + 1, placed.end(), filled);
+    alone_ = nullptr;
+    if (lone && first->worldFromObject == glm::mat4(1)) {
+      alone_ = first->blas;
+      aloneIndex_ = static_cast<uint32_t>(first - placed.begin());
+      scene_ = alone_->scene();
+    } else if (!empty) {
+      statistics.tlasBuilds = tlas_.update(std::move(placed)) ? 1 : 0;
+      scene_ = tlas_.scene();
+    }
+    cache_.evict();
+    if (scene_) readBounds();
+    return statistics;
+  });
+}
+
+std::vector<PlacedBlas> World::place(const scene::Snapshot& snapshot) {
+  std::vector<const scene::Mesh*> meshes;
+  meshes.reserve(snapshot.instances.size());
+  for (const scene::Instance& instance : snapshot.instances) meshes.push_back(instance.mesh.get());
+
+  std::vector<BlasPtr> blases;
+  try {
+    blases = cache_.get(meshes, snapshot.settings.bvh);
+  } catch (const std::exception&) {
+    // Memory held for what is no longer drawn is given back before we give up.
+    if (!cache_.evictAllIdle()) throw;
+    blases = cache_.get(meshes, snapshot.settings.bvh);
+  }
+
+  std::vector<PlacedBlas> placed(blases.size());
+  for (size_t i = 0; i < blases.size(); ++i) {
+    placed[i] = {std::move(blases[i]), snapshot.instances[i].worldFromObject};
+    if (placed[i].blas && !placeable(placed[i].worldFromObject)) {
+      throw Error("instance " + std::to_string(i) + " has a transform that cannot be inverted");
+    }
+  }
+  return placed;
+}
+
+void World::readBounds() {
+  RTCBounds bounds;
+  rtcGetSceneBounds(scene_, &bounds);
+  lower_ = {bounds.lower_x, bounds.lower_y, bounds.lower_z};
+  upper_ = {bounds.upper_x, bounds.upper_y, bounds.upper_z};
+  // A mesh whose every triangle was refused has no bounds: nothing to hit.
+  if (!(lower_.x <= upper_.x && lower_.y <= upper_.y && lower_.z <= upper_.z)) scene_ = nullptr;
+}
+
+}  // namespace gluray::accel

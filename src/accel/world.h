@@ -1,0 +1,63 @@
+// Everything rays can hit in a frame: meshes' structures, instances, queries. Owned by frame::Renderer, which
+// calls update() between frames; render/ then queries it from all tracing threads.
+#pragma once
+#include "accel/arena.h"
+#include "accel/blas_cache.h"
+#include "accel/ray_packet.h"
+#include "accel/tlas.h"
+#include "scene/snapshot.h"
+
+#include <memory>
+
+namespace gluray::accel {
+
+struct UpdateStatistics {
+  uint64_t blasBuilds = 0, tlasBuilds = 0;  // by this call
+};
+
+/// Decides which hits count. Called on tracing threads.
+class HitFilter {
+ public:
+  virtual ~HitFilter() = default;
+  /// False: the ray goes on as if the triangle were not there. Barycentric u, v as in RayPacket.
+  virtual bool accepts(uint32_t instance, uint32_t primitive, float u, float v, int lane) const noexcept = 0;
+};
+
+class World {
+ public:
+  /// `idleBudgetBytes`: see BlasCache. Throws Error where Embree does not start.
+  explicit World(size_t idleBudgetBytes = size_t{512} << 20);
+
+  /// Makes the world hold the snapshot's instances, building what is new. Throws Error or std::bad_alloc:
+  /// then nothing may be traced until an update succeeds.
+  UpdateStatistics update(const scene::Snapshot&, Arena&);
+
+  /// Nearest hits of the lanes with valid[i] = -1 (others 0); the packet's hit fields must be cleared
+  /// (geometry = kNoHit).
+  void intersect(const int32_t* valid, RayPacket&) const noexcept;
+  /// The same, without the hits that `filter` refuses.
+  void intersect(const int32_t* valid, RayPacket&, const HitFilter& filter) const noexcept;
+
+  /// True if there is nothing to hit.
+  bool empty() const { return scene_ == nullptr; }
+  /// Bytes of all structures now.
+  size_t bytes() const { return Device::bytes(); }
+  size_t cachedBlases() const { return cache_.size(); }
+  /// Bounding box of everything, world space. Only where not empty.
+  glm::vec3 lower() const { return lower_; }
+  glm::vec3 upper() const { return upper_; }
+
+ private:
+  std::vector<PlacedBlas> place(const scene::Snapshot&);
+  void readBounds();
+
+  Device device_;
+  BlasCache cache_;
+  Tlas tlas_;
+  RTCSceneTy* scene_ = nullptr;  // what rays are traced in: the top level, or a lone mesh without transform
+  BlasPtr alone_;
+  uint32_t aloneIndex_ = 0;
+  glm::vec3 lower_{0}, upper_{0};
+};
+
+}  // namespace gluray::accel

@@ -1,0 +1,76 @@
+#include "frame/renderer.h"
+
+#include "accel/arena.h"
+#include "accel/world.h"
+#include "base/clock.h"
+#include "render/float_guard.h"
+#include "render/tile_tracer.h"
+
+#include <mutex>
+#include <optional>
+
+namespace gluray::frame {
+
+/// What lives between frames. Made piece by piece at the first use, and anew where that failed.
+class Renderer::Engine {
+ public:
+  std::mutex mutex;
+
+  void render(const scene::Snapshot& snapshot, Image& image, FrameStatistics& statistics) {
+    statistics = {};
+    if (snapshot.settings.renderer == gluray::Renderer::null) return render::clearImage(snapshot, image);
+
+    const render::FloatGuard guard;
+    const double start = nowSeconds();
+    if (!arena_ || arenaThreads_ != snapshot.settings.threads) {
+      arena_.emplace(snapshot.settings.threads);
+      arenaThreads_ = snapshot.settings.threads;
+    }
+    if (!world_) world_.emplace();
+    const accel::UpdateStatistics update = world_->update(snapshot, *arena_);
+    statistics.blasBuilds = update.blasBuilds;
+    statistics.tlasBuilds = update.tlasBuilds;
+    statistics.bvhBytes = world_->bytes();
+    const double built = nowSeconds();
+    statistics.buildSeconds = built - start;
+    render::traceImage(snapshot, *world_, *arena_, image);
+    statistics.traceSeconds = nowSeconds() - built;
+  }
+
+ private:
+  std::optional<accel::Arena> arena_;
+  int arenaThreads_ = 0;
+  std::optional<accel::World> world_;
+};
+
+Renderer::Renderer() : engine_(std::make_unique<Engine>()) {}
+Renderer::~Renderer() = default;
+
+Renderer& Renderer::shared() {
+  static auto* renderer = new Renderer;
+  return *renderer;
+}
+
+bool Renderer::render(const scene::Snapshot& snapshot, Image& image, FrameStatistics& statistics,
+                      std::string& error) noexcept {
+  const char* reason = "unknown failure while tracing";
+  try {
+    const std::lock_guard lock(engine_->mutex);
+    engine_->render(snapshot, image, statistics);
+    return true;
+  } catch (const std::bad_alloc&) {
+    reason = "out of memory while tracing";
+  } catch (const std::exception& e) {
+    try {
+      error = e.what();
+      return false;
+    } catch (...) { reason = "out of memory while tracing"; }
+  } catch (...) {}
+  try {
+    error = reason;
+  } catch (...) {  // an empty line is better than an exception in the host
+  }
+  return false;
+}
+
+}  // namespace gluray::frame

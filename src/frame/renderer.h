@@ -1,0 +1,41 @@
+// From a snapshot to an image: the only door to the ray tracer for those who intercept.
+#pragma once
+#include "base/image.h"
+#include "scene/snapshot.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace gluray::frame {
+
+/// What one render cost.
+struct FrameStatistics {
+  double buildSeconds = 0, traceSeconds = 0;
+  uint64_t blasBuilds = 0, tlasBuilds = 0;  // by this render
+  size_t bvhBytes = 0;                      // of all acceleration structures, now
+};
+
+/// Renders one snapshot at a time; other threads wait. Acceleration structures live on between frames.
+class Renderer {
+ public:
+  Renderer();
+  ~Renderer();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  /// The process's renderer, made at the first call and never destroyed: hosts call us while they exit.
+  static Renderer& shared();
+
+  /// Traces `snapshot` into `image`, which takes the region's shape. False on any failure, with one line in
+  /// `error`; the image then has no meaning, and later snapshots may succeed. Any thread.
+  bool render(const scene::Snapshot& snapshot, Image& image, FrameStatistics& statistics,
+              std::string& error) noexcept;
+
+ private:
+  class Engine;
+  std::unique_ptr<Engine> engine_;
+};
+
+}  // namespace gluray::frame

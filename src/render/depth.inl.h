@@ -1,0 +1,90 @@
+// Window depth and facing of hits. Part of kernels.cpp (compiled once for each instruction set).
+#if defined(GLURAY_RENDER_DEPTH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLURAY_RENDER_DEPTH_INL_H_
+#undef GLURAY_RENDER_DEPTH_INL_H_
+#else
+#define GLURAY_RENDER_DEPTH_INL_H_
+#endif
+
+#include "render/attributes.inl.h"
+#include "render/frame_data.h"
+#include "render/rays.inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gluray::render {
+namespace HWY_NAMESPACE {
+
+struct DoublePlane {
+  Double n[3], w;
+};
+
+HWY_INLINE DoublePlane planeOfCorners(const Group& group, int i) {
+  const DoubleTag d;
+  Double p[3][3];
+  for (int k = 0; k < 3; ++k) {
+    for (int c = 0; c < 3; ++c) p[k][c] = loadDouble(group.position[k][c] + i);
+  }
+  Double a[3], b[3];
+  for (int c = 0; c < 3; ++c) a[c] = hn::Sub(p[1][c], p[0][c]), b[c] = hn::Sub(p[2][c], p[0][c]);
+  DoublePlane plane;
+  for (int c = 0; c < 3; ++c) {
+    const int y = (c + 1) % 3, z = (c + 2) % 3;
+    plane.n[c] = hn::MulSub(a[y], b[z], hn::Mul(a[z], b[y]));
+  }
+  plane.w =
+      hn::Neg(hn::MulAdd(plane.n[0], p[0][0], hn::MulAdd(plane.n[1], p[0][1], hn::Mul(plane.n[2], p[0][2]))));
+  (void)d;
+  return plane;
+}
+
+HWY_INLINE Double dot(const DoublePlane& plane, const glm::dvec4& v) {
+  return hn::MulAdd(plane.w, hn::Set(DoubleTag(), v.w), dot3(plane.n, v));
+}
+
+struct DepthAndFacing {
+  alignas(64) float depth[kLanes];  // window, [0, 1]
+  uint32_t ccw = 0;                 // bit i: lane i's triangle is counterclockwise in the window
+};
+
+/// Depth at window positions x, y of the planes of the group's triangles, exactly as OpenGL interpolates it,
+/// through glDepthRange and glPolygonOffset (GL 2.1, 3.5.5). Lanes outside the group hold no meaning.
+HWY_ATTR inline void computeDepth(const Surface& surface, const DepthMap& map, const Group& group,
+                                  const float* x, const float* y, DepthAndFacing& out) {
+  const DoubleTag d;
+  const Double one = hn::Set(d, 1.0), minusOne = hn::Set(d, -1.0);
+  const bool hasOffset = map.slopeFactor != 0 || map.constant != 0;
+  uint32_t doubtful = 0;  // lanes whose triangle is seen edge-on
+  out.ccw = 0;
+  for (int i = 0; i < kLanes; i += static_cast<int>(hn::Lanes(d))) {
+    const DoublePlane plane = planeOfCorners(group, i);
+    const Double b = dot(plane, surface.depth.b);
+    const Double inverse = hn::Div(minusOne, b);
+    const Double slopeX = hn::Mul(dot(plane, surface.depth.aX), inverse);
+    const Double slopeY = hn::Mul(dot(plane, surface.depth.aY), inverse);
+    const Double atOrigin = hn::Mul(dot(plane, surface.depth.a), inverse);
+    const Double ndc = hn::MulAdd(loadDouble(x + i), slopeX, hn::MulAdd(loadDouble(y + i), slopeY, atOrigin));
+    Double depth = hn::MulAdd(ndc, hn::Set(d, map.scale), hn::Set(d, map.offset));
+    if (hasOffset) {
+      const Double steepest =
+          hn::Mul(hn::Max(hn::Abs(slopeX), hn::Abs(slopeY)), hn::Set(d, std::abs(map.scale)));
+      depth = hn::Add(depth, hn::MulAdd(steepest, hn::Set(d, map.slopeFactor), hn::Set(d, map.constant)));
+    }
+    storeFloat(hn::Min(hn::Max(depth, hn::Zero(d)), one), out.depth + i);
+
+    uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, hn::Gt(hn::Mul(b, hn::Set(d, surface.depth.areaSign)), hn::Zero(d)), bits);
+    out.ccw |= static_cast<uint32_t>(bits[0]) << i;
+    hn::StoreMaskBits(d, hn::Not(hn::Le(hn::Abs(ndc), hn::Set(d, 1.0 + 1e-6))), bits);
+    doubtful |= static_cast<uint32_t>(bits[0]) << i;
+  }
+  for (doubtful &= group.lanes; doubtful; doubtful &= doubtful - 1) {
+    const int i = std::countr_zero(doubtful);
+    const double ndc = std::clamp(surface.ndcDepth(group.primitive[i], group.u[i], group.v[i]), -1.0, 1.0);
+    out.depth[i] = static_cast<float>(std::clamp(ndc * map.scale + map.offset + map.constant, 0.0, 1.0));
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace gluray::render
+HWY_AFTER_NAMESPACE();
+#endif

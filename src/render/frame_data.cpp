@@ -1,0 +1,63 @@
+#include "render/frame_data.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace gluray::render {
+namespace {
+
+DepthMap makeDepthMap(const scene::Snapshot& snapshot) {
+  const auto clamped = [](float v) { return std::clamp(static_cast<double>(v), 0.0, 1.0); };
+  const double n = clamped(snapshot.camera.depthNear), f = clamped(snapshot.camera.depthFar);
+  const scene::PolygonOffset& offset = snapshot.polygonOffset;
+  DepthMap map;
+  map.scale = 0.5 * (f - n);
+  map.offset = 0.5 * (f + n);
+  map.slopeFactor = offset.factor;
+  map.constant = static_cast<double>(offset.units) * offset.resolution;
+  return map;
+}
+
+bool clipPlanesShared(const std::vector<scene::Instance>& instances) {
+  return std::all_of(instances.begin(), instances.end(),
+                     [&](const scene::Instance& i) { return i.clipPlanes == instances.front().clipPlanes; });
+}
+
+}  // namespace
+
+FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& target)
+    : world(&w),
+      snapshot(&s),
+      rays(makeRaySetup(s, w.lower(), w.upper())),
+      depth(makeDepthMap(s)),
+      image(&target) {
+  perVertex = s.settings.shading == ShadingRate::vertex;
+  lightings.reserve(s.shadings.size());
+  for (const scene::Shading& shading : s.shadings) lightings.emplace_back(shading);
+
+  const bool shared = clipPlanesShared(s.instances);
+  if (shared && !s.instances.empty()) {
+    // A plane acts on eye coordinates; as a row vector it comes to world space by the modelview on its right.
+    for (const glm::dvec4& plane : s.instances.front().clipPlanes)
+      rays.clipPlanes.push_back(plane * s.eyeFromWorld);
+  }
+  surfaces.resize(s.instances.size());
+  tbb::parallel_for(size_t{0}, surfaces.size(), [&](size_t i) {
+    const scene::Instance& instance = s.instances[i];
+    if (instance.shading >= lightings.size()) throw std::runtime_error("an instance has no shading state");
+    if (instance.materials.empty()) throw std::runtime_error("an instance has no material");
+    if (instance.mesh->triangleCount == 0) return;
+    surfaces[i] = makeSurface(s, instance, lightings[instance.shading], shared);
+  });
+
+  samplePositions.assign(1, glm::dvec2(0.5));
+  if (s.samples > 1) samplePositions.assign(s.samplePositions.begin(), s.samplePositions.end());
+  if (samplePositions.size() != static_cast<size_t>(std::max(s.samples, 1))) {
+    throw std::runtime_error("the number of sample positions is not the number of samples");
+  }
+}
+
+}  // namespace gluray::render

@@ -1,0 +1,41 @@
+// Everything the kernels need to trace one snapshot. Made on the calling thread, read by every tracing
+// thread.
+#pragma once
+#include "accel/world.h"
+#include "base/image.h"
+#include "render/surface.h"
+
+#include <array>
+#include <vector>
+
+namespace gluray::render {
+
+/// NDC depth to window depth, glDepthRange and glPolygonOffset included.
+struct DepthMap {
+  double scale = 0.5, offset = 0.5;  // window = scale * ndc + offset
+  double slopeFactor = 0,
+         constant = 0;  // polygon offset: slopeFactor * steepest window-space slope + constant
+};
+
+struct FrameData {
+  const accel::World* world = nullptr;
+  const scene::Snapshot* snapshot = nullptr;
+  RaySetup rays;
+  DepthMap depth;
+  std::vector<Lighting> lightings;          // one for each of Snapshot::shadings
+  std::vector<Surface> surfaces;            // one for each of Snapshot::instances
+  std::vector<glm::dvec2> samplePositions;  // within the pixel, one a sample
+  bool perVertex = false;
+  Image* image = nullptr;
+
+  /// Prepares `snapshot`, whose instances `world` holds, to be traced into `image`, already of the right
+  /// shape. All three must outlive it. Throws std::runtime_error where a matrix cannot be inverted.
+  FrameData(const scene::Snapshot& snapshot, const accel::World& world, Image& image);
+};
+
+/// A rectangle of the image, in pixels from its lower left corner.
+struct Tile {
+  int x0, y0, x1, y1;  // exclusive ends
+};
+
+}  // namespace gluray::render

@@ -1,0 +1,33 @@
+// Lighting state of a draw in the form the kernels read. Made once a frame, read by every tracing thread.
+#pragma once
+#include "scene/shading.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace gluray::render {
+
+/// One light. Vectors are in eye space.
+struct PreparedLight {
+  glm::vec3 ambient, diffuse, specular;
+  glm::vec3 position;    // of a positional light; of a directional one the unit vector towards it
+  glm::vec3 halfVector;  // directional light, viewer at infinity: unit half vector
+  bool directional = true;
+  bool attenuated = false, spot = false;
+  glm::vec3 attenuation{1, 0, 0};
+  glm::vec3 spotDirection{0, 0, -1};  // unit
+  float spotCosCutoff = -1, spotExponent = 0;
+  bool specularOn = false;  // its specular colour is not black
+};
+
+/// scene::Shading with its lights prepared.
+struct Lighting {
+  const scene::Shading* shading = nullptr;
+  std::vector<PreparedLight> lights;
+  glm::vec3 globalAmbient{0};
+  bool needsPosition = false;  // the eye-space position enters the equation
+  explicit Lighting(const scene::Shading&);
+};
+
+}  // namespace gluray::render

@@ -1,0 +1,72 @@
+#include "render/ray_setup.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace gluray::render {
+namespace {
+
+bool finite(const glm::dmat4& m) {
+  for (int c = 0; c < 4; ++c) {
+    for (int r = 0; r < 4; ++r) {
+      if (!std::isfinite(m[c][r])) return false;
+    }
+  }
+  return true;
+}
+
+glm::dmat4 invert(const glm::dmat4& m, const char* what) {
+  const glm::dmat4 inverse = glm::inverse(m);
+  if (!finite(m) || !finite(inverse)) throw std::runtime_error(std::string(what) + " cannot be inverted");
+  return inverse;
+}
+
+// Of the ray through the middle of the viewport: direction as the kernels compute it, before scaling.
+double middleDirectionLength(const RaySetup& rays, const glm::ivec4& viewport) {
+  const double x = viewport.x + 0.5 * viewport.z, y = viewport.y + 0.5 * viewport.w;
+  const glm::dvec4 s = rays.start + x * rays.startX + y * rays.startY;
+  const glm::dvec3 origin = glm::dvec3(s) / s.w;
+  return glm::length((glm::dvec3(rays.step) - origin * rays.step.w) / s.w);
+}
+
+void placeOrigins(RaySetup& rays, const glm::ivec4& viewport, const glm::vec3& lower,
+                  const glm::vec3& upper) {
+  constexpr double kFarAway = 64;  // viewer's distance in radii of the scene
+  rays.sphereCenter = 0.5 * (glm::dvec3(lower) + glm::dvec3(upper));
+  rays.sphereRadius = 0.5 * glm::length(glm::dvec3(upper) - glm::dvec3(lower));
+  const double x = viewport.x + 0.5 * viewport.z, y = viewport.y + 0.5 * viewport.w;
+  const glm::dvec4 s = rays.start + x * rays.startX + y * rays.startY;
+  const double distance = glm::length(glm::dvec3(s) / s.w - rays.sphereCenter);
+  rays.startAtSphere = std::isfinite(distance) && distance > kFarAway * rays.sphereRadius;
+}
+
+}  // namespace
+
+WindowMap::WindowMap(const glm::ivec4& viewport) {
+  if (viewport.z <= 0 || viewport.w <= 0) throw std::runtime_error("the viewport has no area");
+  const glm::dvec2 corner(viewport.x, viewport.y), size(viewport.z, viewport.w);
+  ndcScale = 2.0 / size;
+  ndcOffset = -1.0 - corner * ndcScale;
+}
+
+RaySetup makeRaySetup(const scene::Snapshot& snapshot, const glm::vec3& lower, const glm::vec3& upper) {
+  const scene::Camera& camera = snapshot.camera;
+  const WindowMap window(camera.viewport);
+  const glm::dmat4 worldFromClip = invert(snapshot.eyeFromWorld, "the modelview matrix") *
+                                   invert(camera.clipFromEye, "the projection matrix");
+  const double nearest =
+      camera.depthNear <= camera.depthFar ? -1.0 : 1.0;  // NDC depth that wins the depth test
+
+  RaySetup rays;
+  rays.startX = worldFromClip[0] * window.ndcScale.x;
+  rays.startY = worldFromClip[1] * window.ndcScale.y;
+  rays.start = worldFromClip * glm::dvec4(window.ndcOffset, nearest, 1.0);
+  rays.step = -nearest * worldFromClip[2];
+
+  const double length = middleDirectionLength(rays, camera.viewport);
+  if (std::isfinite(length) && length > 0) rays.directionScale = 1.0 / length;
+  placeOrigins(rays, camera.viewport, lower, upper);
+  return rays;
+}
+
+}  // namespace gluray::render

@@ -1,0 +1,36 @@
+// From window pixels to rays in world space. Made once a frame on the calling thread, read by every tracing
+// thread.
+#pragma once
+#include "scene/snapshot.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace gluray::render {
+
+/// The homogeneous world-space points seen at window position (x, y):
+///   start + x*startX + y*startY + k*step,  k = 0 on the plane nearest in window depth (the near plane unless
+///   glDepthRange is reversed), k = 2 on the opposite one.
+/// A point is in front of the viewer where its w is positive. Holds for every invertible projection.
+struct RaySetup {
+  glm::dvec4 start{0}, startX{0}, startY{0}, step{0};
+  double directionScale = 1;           // makes ray directions about one world unit long
+  std::vector<glm::dvec4> clipPlanes;  // world space; points with dot(plane, p) < 0 are cut away
+  // Where the viewer is so far away that float origins would jitter, rays start at this sphere instead.
+  bool startAtSphere = false;
+  glm::dvec3 sphereCenter{0};
+  double sphereRadius = 0;
+};
+
+/// NDC x = ndcScale.x * windowX + ndcOffset.x, likewise y.
+struct WindowMap {
+  glm::dvec2 ndcScale, ndcOffset;
+  explicit WindowMap(const glm::ivec4& viewport);
+};
+
+/// Rays of the snapshot's camera for a world within the given bounds. Throws std::runtime_error where the
+/// projection, the modelview matrix or the viewport cannot be inverted.
+RaySetup makeRaySetup(const scene::Snapshot&, const glm::vec3& lower, const glm::vec3& upper);
+
+}  // namespace gluray::render

@@ -1,0 +1,113 @@
+#include "render/surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace gluray::render {
+namespace {
+
+// Plane through the triangle in object space, in double: exact enough for any float input.
+glm::dvec4 planeOf(const scene::Mesh& mesh, uint32_t primitive) {
+  const glm::dvec3 p0(mesh.position(mesh.corner(primitive, 0)));
+  const glm::dvec3 p1(mesh.position(mesh.corner(primitive, 1)));
+  const glm::dvec3 p2(mesh.position(mesh.corner(primitive, 2)));
+  const glm::dvec3 n = glm::cross(p1 - p0, p2 - p0);
+  return {n, -glm::dot(n, p0)};
+}
+
+glm::dvec3 pointOf(const scene::Mesh& mesh, uint32_t primitive, double u, double v) {
+  const glm::dvec3 p0(mesh.position(mesh.corner(primitive, 0)));
+  const glm::dvec3 p1(mesh.position(mesh.corner(primitive, 1)));
+  const glm::dvec3 p2(mesh.position(mesh.corner(primitive, 2)));
+  return (1 - u - v) * p0 + u * p1 + v * p2;
+}
+
+PlaneDepth makePlaneDepth(const scene::Camera& camera, const glm::dmat4& objectFromClip,
+                          const glm::dmat4& eyeFromObject) {
+  const WindowMap window(camera.viewport);
+  PlaneDepth depth;
+  depth.aX = objectFromClip[0] * window.ndcScale.x;
+  depth.aY = objectFromClip[1] * window.ndcScale.y;
+  depth.a = objectFromClip * glm::dvec4(window.ndcOffset, 0.0, 1.0);
+  depth.b = objectFromClip[2];
+  const double clipSign = glm::determinant(camera.clipFromEye) < 0 ? -1.0 : 1.0;
+  depth.areaSign = glm::determinant(eyeFromObject) < 0 ? -clipSign : clipSign;
+  return depth;
+}
+
+void prepareNormals(Surface& s, const glm::dmat4& eyeFromObject) {
+  const glm::dmat3 objectFromEye = glm::inverse(glm::dmat3(eyeFromObject));
+  s.eyeFromObjectNormal = glm::mat3(glm::transpose(objectFromEye));
+  const double third = glm::length(glm::dvec3(objectFromEye[0][2], objectFromEye[1][2], objectFromEye[2][2]));
+  s.rescale = third > 0 ? static_cast<float>(1.0 / third) : 1.0f;
+}
+
+void prepareMaterials(Surface& s, const scene::Instance& instance,
+                      const scene::ColorMaterial& colorMaterial) {
+  s.colorsVary = static_cast<bool>(instance.mesh->colors);
+  s.materials = instance.materials.data();
+  s.materialCount = static_cast<uint32_t>(instance.materials.size());
+  if (s.colorsVary || colorMaterial == scene::ColorMaterial{}) return;
+  s.coloredMaterials = instance.materials;
+  for (scene::MaterialPair& pair : s.coloredMaterials) {
+    applyColorMaterial(colorMaterial.front, instance.color, pair.front);
+    applyColorMaterial(colorMaterial.back, instance.color, pair.back);
+  }
+  s.materials = s.coloredMaterials.data();
+}
+
+}  // namespace
+
+void applyColorMaterial(scene::ColorMaterial::Mode mode, const glm::vec4& color, scene::Material& m) {
+  using Mode = scene::ColorMaterial;
+  if (mode == Mode::emission) m.emission = color;
+  if (mode == Mode::ambient || mode == Mode::ambientAndDiffuse) m.ambient = color;
+  if (mode == Mode::diffuse || mode == Mode::ambientAndDiffuse) m.diffuse = color;
+  if (mode == Mode::specular) m.specular = color;
+}
+
+Surface makeSurface(const scene::Snapshot& snapshot, const scene::Instance& instance,
+                    const Lighting& lighting, bool sharedClipPlanes) {
+  Surface s;
+  s.instance = &instance;
+  s.mesh = instance.mesh.get();
+  s.lighting = &lighting;
+  s.clipFromObject = snapshot.camera.clipFromEye * instance.eyeFromObject;
+  s.eyeFromObject = glm::mat4(instance.eyeFromObject);
+  const glm::dmat4 objectFromClip =
+      glm::inverse(instance.eyeFromObject) * glm::inverse(snapshot.camera.clipFromEye);
+  if (!std::isfinite(glm::determinant(objectFromClip))) {
+    throw std::runtime_error("the modelview matrix of an instance cannot be inverted");
+  }
+  s.depth = makePlaneDepth(snapshot.camera, objectFromClip, instance.eyeFromObject);
+  prepareNormals(s, instance.eyeFromObject);
+  prepareMaterials(s, instance, lighting.shading->colorMaterial);
+
+  const bool cullsFront = instance.cull == scene::CullFace::front || instance.cull == scene::CullFace::both;
+  const bool cullsBack = instance.cull == scene::CullFace::back || instance.cull == scene::CullFace::both;
+  s.frontIsCcw = instance.frontFaceCcw;
+  s.cullsCcw = s.frontIsCcw ? cullsFront : cullsBack;
+  s.cullsCw = s.frontIsCcw ? cullsBack : cullsFront;
+  s.ownClipPlanes = !sharedClipPlanes && !instance.clipPlanes.empty();
+  return s;
+}
+
+bool Surface::isCcw(uint32_t primitive) const {
+  return depth.areaSign * glm::dot(planeOf(*mesh, primitive), depth.b) > 0;
+}
+
+bool Surface::accepts(uint32_t primitive, float u, float v) const {
+  if ((cullsCcw || cullsCw) && (isCcw(primitive) ? cullsCcw : cullsCw)) return false;
+  if (!ownClipPlanes) return true;
+  const glm::dvec4 eye = instance->eyeFromObject * glm::dvec4(pointOf(*mesh, primitive, u, v), 1.0);
+  return std::all_of(instance->clipPlanes.begin(), instance->clipPlanes.end(),
+                     [&](const glm::dvec4& plane) { return glm::dot(plane, eye) >= 0; });
+}
+
+double Surface::ndcDepth(uint32_t primitive, float u, float v) const {
+  const glm::dvec4 clip = clipFromObject * glm::dvec4(pointOf(*mesh, primitive, u, v), 1.0);
+  return clip.z / clip.w;
+}
+
+}  // namespace gluray::render

@@ -1,0 +1,56 @@
+#include "render/tile_tracer.h"
+
+#include "render/float_guard.h"
+#include "render/kernels.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace gluray::render {
+namespace {
+
+constexpr int kTileSize = 32;        // pixels, a multiple of 4
+constexpr int kLargestSide = 65536;  // pixels; beyond what any framebuffer has
+
+void shapeImage(const scene::Snapshot& snapshot, Image& image) {
+  const scene::Region& region = snapshot.region;
+  if (region.width <= 0 || region.height <= 0) throw std::runtime_error("the region to trace is empty");
+  if (region.width > kLargestSide || region.height > kLargestSide || snapshot.samples > 64) {
+    throw std::runtime_error("the region to trace is larger than any framebuffer");
+  }
+  image.x = region.x;
+  image.y = region.y;
+  image.resize(region.width, region.height, std::max(snapshot.samples, 1));
+}
+
+void fillWithMisses(Image& image) {
+  std::fill(image.color.begin(), image.color.end(), 0u);
+  std::fill(image.depth.begin(), image.depth.end(), Image::kMiss);
+}
+
+}  // namespace
+
+void clearImage(const scene::Snapshot& snapshot, Image& image) {
+  shapeImage(snapshot, image);
+  fillWithMisses(image);
+}
+
+void traceImage(const scene::Snapshot& snapshot, const accel::World& world, accel::Arena& arena,
+                Image& image) {
+  if (world.empty()) return clearImage(snapshot, image);
+  shapeImage(snapshot, image);
+  arena.execute([&] {
+    const FrameData frame(snapshot, world, image);
+    const int columns = (image.width + kTileSize - 1) / kTileSize,
+              rows = (image.height + kTileSize - 1) / kTileSize;
+    tbb::parallel_for(0, columns * rows, [&](int index) {
+      const FloatGuard guard;
+      const int x = index % columns * kTileSize, y = index / columns * kTileSize;
+      traceTile(frame, {x, y, std::min(x + kTileSize, image.width), std::min(y + kTileSize, image.height)});
+    });
+  });
+}
+
+}  // namespace gluray::render
