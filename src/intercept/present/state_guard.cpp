@@ -341,4 +341,10 @@ void StateGuard::readFramebuffer(GLuint framebuffer) {
   real_.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
 }
 
+void StateGuard::lastVertexProvokes() {
+  if (features_.version < 32 || integer(GL_PROVOKING_VERTEX) == GL_LAST_VERTEX_CONVENTION) return;
+  keep({[](const RealGl& r, const Undo&) { r.ProvokingVertex(GL_FIRST_VERTEX_CONVENTION); }});
+  real_.ProvokingVertex(GL_LAST_VERTEX_CONVENTION);
+}
+
 }  // namespace gluray::present

@@ -46,6 +46,7 @@ class StateGuard {
   void program(GLuint program);              // transform feedback is paused meanwhile
   void vertexArray(GLuint array);
   void readFramebuffer(GLuint framebuffer);
+  void lastVertexProvokes();
   /// Only sample `sample` is written; may be called again for the next sample.
   void onlySample(int sample);
 

@@ -1,0 +1,201 @@
+#include "intercept/present/fixed_function.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+namespace gluray::present {
+namespace {
+
+using gl::RealGl;
+
+void enable(const RealGl& real, GLenum capability, bool on) {
+  on ? real.Enable(capability) : real.Disable(capability);
+}
+
+GLint wrapName(scene::Wrap wrap) {
+  switch (wrap) {
+    case scene::Wrap::repeat: return GL_REPEAT;
+    case scene::Wrap::clamp: return GL_CLAMP;
+    case scene::Wrap::clampToEdge: return GL_CLAMP_TO_EDGE;
+    case scene::Wrap::clampToBorder: return GL_CLAMP_TO_BORDER;
+    case scene::Wrap::mirroredRepeat: return GL_MIRRORED_REPEAT;
+  }
+  return GL_REPEAT;
+}
+
+GLint filterName(scene::Filter filter) { return filter == scene::Filter::nearest ? GL_NEAREST : GL_LINEAR; }
+
+GLint envName(scene::TexEnv env) {
+  switch (env) {
+    case scene::TexEnv::modulate: return GL_MODULATE;
+    case scene::TexEnv::replace: return GL_REPLACE;
+    case scene::TexEnv::decal: return GL_DECAL;
+    case scene::TexEnv::blend: return GL_BLEND;
+    case scene::TexEnv::add: return GL_ADD;
+  }
+  return GL_MODULATE;
+}
+
+/// Internal format of 8 bits a channel whose base format is `base`. Texels arrive as RGBA: luminance and
+/// intensity are taken from red, alpha from alpha (GL 2.1, table 3.15).
+GLint internalFormat(scene::BaseFormat base) {
+  switch (base) {
+    case scene::BaseFormat::alpha: return GL_ALPHA8;
+    case scene::BaseFormat::luminance: return GL_LUMINANCE8;
+    case scene::BaseFormat::luminanceAlpha: return GL_LUMINANCE8_ALPHA8;
+    case scene::BaseFormat::intensity: return GL_INTENSITY8;
+    case scene::BaseFormat::rgb: return GL_RGB8;
+    case scene::BaseFormat::rgba: return GL_RGBA8;
+  }
+  return GL_RGBA8;
+}
+
+GLenum colorMaterialName(scene::ColorMaterial::Mode mode) {
+  switch (mode) {
+    case scene::ColorMaterial::emission: return GL_EMISSION;
+    case scene::ColorMaterial::ambient: return GL_AMBIENT;
+    case scene::ColorMaterial::diffuse: return GL_DIFFUSE;
+    case scene::ColorMaterial::specular: return GL_SPECULAR;
+    default: return GL_AMBIENT_AND_DIFFUSE;
+  }
+}
+
+void setLight(const RealGl& real, GLenum name, const scene::Light& light) {
+  real.Lightfv(name, GL_AMBIENT, glm::value_ptr(light.ambient));
+  real.Lightfv(name, GL_DIFFUSE, glm::value_ptr(light.diffuse));
+  real.Lightfv(name, GL_SPECULAR, glm::value_ptr(light.specular));
+  real.Lightfv(name, GL_POSITION, glm::value_ptr(light.position));
+  real.Lightfv(name, GL_SPOT_DIRECTION, glm::value_ptr(light.spotDirection));
+  real.Lightf(name, GL_SPOT_EXPONENT, light.spotExponent);
+  real.Lightf(name, GL_SPOT_CUTOFF, light.spotCutoff);
+  real.Lightf(name, GL_CONSTANT_ATTENUATION, light.attenuation.x);
+  real.Lightf(name, GL_LINEAR_ATTENUATION, light.attenuation.y);
+  real.Lightf(name, GL_QUADRATIC_ATTENUATION, light.attenuation.z);
+}
+
+void setColorMaterial(const RealGl& real, const scene::ColorMaterial& modes) {
+  using Mode = scene::ColorMaterial;
+  real.Disable(GL_COLOR_MATERIAL);
+  if (modes.front == Mode::off && modes.back == Mode::off) return;
+  const GLenum face = modes.back == Mode::off    ? GL_FRONT
+                      : modes.front == Mode::off ? GL_BACK
+                                                 : GL_FRONT_AND_BACK;
+  real.ColorMaterial(face, colorMaterialName(modes.front == Mode::off ? modes.back : modes.front));
+  real.Enable(GL_COLOR_MATERIAL);
+}
+
+void setTexture(const RealGl& real, const std::optional<scene::Texture>& texture, ShadingTextures& textures) {
+  enable(real, GL_TEXTURE_1D, texture && texture->dimensions == 1);
+  enable(real, GL_TEXTURE_2D, texture && texture->dimensions == 2);
+  if (!texture) return;
+  textures.bind(*texture);
+  real.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, envName(texture->env));
+  real.TexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, glm::value_ptr(texture->envColor));
+  real.MatrixMode(GL_TEXTURE);
+  real.LoadMatrixf(glm::value_ptr(texture->textureMatrix));
+}
+
+void setMaterial(const RealGl& real, GLenum face, const scene::Material& material) {
+  real.Materialfv(face, GL_AMBIENT, glm::value_ptr(material.ambient));
+  real.Materialfv(face, GL_DIFFUSE, glm::value_ptr(material.diffuse));
+  real.Materialfv(face, GL_SPECULAR, glm::value_ptr(material.specular));
+  real.Materialfv(face, GL_EMISSION, glm::value_ptr(material.emission));
+  real.Materialf(face, GL_SHININESS, material.shininess);
+}
+
+}  // namespace
+
+ShadingTextures::~ShadingTextures() {
+  for (const auto& [image, name] : names_) real_.DeleteTextures(1, &name);
+}
+
+void ShadingTextures::bind(const scene::Texture& texture) {
+  const GLenum target = texture.dimensions == 1 ? GL_TEXTURE_1D : GL_TEXTURE_2D;
+  const scene::TextureImage& image = *texture.image;
+  const auto [found, fresh] = names_.try_emplace(&image, 0u);
+  if (fresh) real_.GenTextures(1, &found->second);
+  real_.BindTexture(target, found->second);
+  if (fresh && target == GL_TEXTURE_1D)
+    real_.TexImage1D(target, 0, internalFormat(image.baseFormat), image.width, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                     image.texels.data());
+  else if (fresh)
+    real_.TexImage2D(target, 0, internalFormat(image.baseFormat), image.width, image.height, 0, GL_RGBA,
+                     GL_UNSIGNED_BYTE, image.texels.data());
+  real_.TexParameteri(target, GL_TEXTURE_WRAP_S, wrapName(texture.wrapS));
+  real_.TexParameteri(target, GL_TEXTURE_WRAP_T, wrapName(texture.wrapT));
+  real_.TexParameteri(target, GL_TEXTURE_MAG_FILTER, filterName(texture.magFilter));
+  real_.TexParameteri(target, GL_TEXTURE_MIN_FILTER, filterName(texture.minFilter));
+  real_.TexParameterfv(target, GL_TEXTURE_BORDER_COLOR, glm::value_ptr(texture.borderColor));
+}
+
+void neutralFixedFunction(const RealGl& real, const Features& features) {
+  real.Disable(GL_FOG);
+  if (features.version >= 14) real.Disable(GL_COLOR_SUM);
+  if (hasExtension(real, features.version, "GL_ARB_vertex_program")) real.Disable(GL_VERTEX_PROGRAM_ARB);
+  if (hasExtension(real, features.version, "GL_ARB_fragment_program")) real.Disable(GL_FRAGMENT_PROGRAM_ARB);
+  GLint units = 1;
+  if (features.version >= 13) real.GetIntegerv(GL_MAX_TEXTURE_UNITS, &units);
+  for (int unit = units - 1; unit >= 0; --unit) {
+    if (features.version >= 13) real.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    for (GLenum target : {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP})
+      if (target < GL_TEXTURE_3D || features.version >= 13) real.Disable(target);
+    if (hasExtension(real, features.version, "GL_ARB_texture_rectangle")) real.Disable(GL_TEXTURE_RECTANGLE);
+    for (GLenum generator : {GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_GEN_R, GL_TEXTURE_GEN_Q})
+      real.Disable(generator);
+  }
+}
+
+void setShading(const RealGl& real, const Features& features, const scene::Shading& shading,
+                ShadingTextures& textures) {
+  // Lights are given in eye space.
+  real.MatrixMode(GL_MODELVIEW);
+  real.LoadIdentity();
+  enable(real, GL_LIGHTING, shading.lighting);
+  enable(real, GL_NORMALIZE, shading.normalize);
+  if (features.version >= 12) {
+    enable(real, GL_RESCALE_NORMAL, shading.rescaleNormal);
+    real.LightModeli(GL_LIGHT_MODEL_COLOR_CONTROL,
+                     shading.separateSpecular ? GL_SEPARATE_SPECULAR_COLOR : GL_SINGLE_COLOR);
+  }
+  real.ShadeModel(shading.smooth ? GL_SMOOTH : GL_FLAT);
+  real.LightModelfv(GL_LIGHT_MODEL_AMBIENT, glm::value_ptr(shading.globalAmbient));
+  real.LightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, shading.localViewer);
+  real.LightModeli(GL_LIGHT_MODEL_TWO_SIDE, shading.twoSided);
+  GLint limit = 8;
+  real.GetIntegerv(GL_MAX_LIGHTS, &limit);
+  for (GLint i = 0; i < limit; ++i) {
+    const bool on = static_cast<size_t>(i) < shading.lights.size();
+    enable(real, GL_LIGHT0 + static_cast<GLenum>(i), on);
+    if (on) setLight(real, GL_LIGHT0 + static_cast<GLenum>(i), shading.lights[static_cast<size_t>(i)]);
+  }
+  setTexture(real, shading.texture, textures);
+  setColorMaterial(real, shading.colorMaterial);
+}
+
+void setInstanceState(const RealGl& real, const scene::Instance& instance) {
+  real.MatrixMode(GL_MODELVIEW);
+  real.LoadIdentity();
+  GLint limit = 6;
+  real.GetIntegerv(GL_MAX_CLIP_PLANES, &limit);
+  for (GLint i = 0; i < limit; ++i) {
+    const auto name = GL_CLIP_PLANE0 + static_cast<GLenum>(i);
+    const bool on = static_cast<size_t>(i) < instance.clipPlanes.size();
+    enable(real, name, on);
+    if (on) real.ClipPlane(name, glm::value_ptr(instance.clipPlanes[static_cast<size_t>(i)]));
+  }
+  real.LoadMatrixd(glm::value_ptr(instance.eyeFromObject));
+  enable(real, GL_CULL_FACE, instance.cull != scene::CullFace::none);
+  if (instance.cull != scene::CullFace::none)
+    real.CullFace(instance.cull == scene::CullFace::front  ? GL_FRONT
+                  : instance.cull == scene::CullFace::back ? GL_BACK
+                                                           : GL_FRONT_AND_BACK);
+  real.FrontFace(instance.frontFaceCcw ? GL_CCW : GL_CW);
+  setMaterials(real, instance.materials.front());
+}
+
+void setMaterials(const RealGl& real, const scene::MaterialPair& materials) {
+  if (materials.front == materials.back) return setMaterial(real, GL_FRONT_AND_BACK, materials.front);
+  setMaterial(real, GL_FRONT, materials.front);
+  setMaterial(real, GL_BACK, materials.back);
+}
+
+}  // namespace gluray::present

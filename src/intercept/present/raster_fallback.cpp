@@ -1,0 +1,113 @@
+#include "intercept/present/raster_fallback.h"
+
+#include "intercept/present/fixed_function.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+namespace gluray::present {
+namespace {
+
+/// The matrices that drawing changes: modelview, projection and unit 0's texture matrix. Values, not stacks,
+/// are kept: a program may have filled a stack.
+class KeptMatrices {
+ public:
+  explicit KeptMatrices(const gl::RealGl& real) : real_(real) {
+    for (int i = 0; i < 3; ++i) real_.GetDoublev(kNames[i], values_[i]);
+  }
+  ~KeptMatrices() {
+    for (int i = 0; i < 3; ++i) {
+      real_.MatrixMode(kModes[i]);
+      real_.LoadMatrixd(values_[i]);
+    }
+  }
+  KeptMatrices(const KeptMatrices&) = delete;
+  KeptMatrices& operator=(const KeptMatrices&) = delete;
+
+ private:
+  static constexpr GLenum kNames[] = {GL_MODELVIEW_MATRIX, GL_PROJECTION_MATRIX, GL_TEXTURE_MATRIX};
+  static constexpr GLenum kModes[] = {GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE};
+  const gl::RealGl& real_;
+  GLdouble values_[3][16];
+};
+
+bool attribStackHasRoom(const gl::RealGl& real) {
+  GLint depth = 0, limit = 0;
+  real.GetIntegerv(GL_ATTRIB_STACK_DEPTH, &depth);
+  real.GetIntegerv(GL_MAX_ATTRIB_STACK_DEPTH, &limit);
+  return depth < limit;
+}
+
+void setUpCamera(const gl::RealGl& real, const scene::Snapshot& snapshot) {
+  real.MatrixMode(GL_PROJECTION);
+  real.LoadMatrixd(glm::value_ptr(snapshot.camera.clipFromEye));
+  if (snapshot.polygonOffset.factor != 0 || snapshot.polygonOffset.units != 0) {
+    real.Enable(GL_POLYGON_OFFSET_FILL);
+    real.PolygonOffset(snapshot.polygonOffset.factor, snapshot.polygonOffset.units);
+  } else {
+    real.Disable(GL_POLYGON_OFFSET_FILL);
+  }
+}
+
+void sendVertex(const gl::RealGl& real, const scene::Instance& instance, uint32_t vertex,
+                uint32_t& material) {
+  const scene::Mesh& mesh = *instance.mesh;
+  if (mesh.materials) {
+    const std::byte* at = mesh.materials.data + static_cast<size_t>(vertex) * mesh.materials.stride;
+    const uint32_t wanted = *reinterpret_cast<const uint32_t*>(at);
+    if (wanted != material && wanted < instance.materials.size())
+      setMaterials(real, instance.materials[material = wanted]);
+  }
+  if (mesh.normals) real.Normal3fv(glm::value_ptr(scene::fetch(mesh.normals, vertex)));
+  if (mesh.colors) real.Color4fv(glm::value_ptr(scene::fetch(mesh.colors, vertex)));
+  if (mesh.texcoords) real.TexCoord4fv(glm::value_ptr(scene::fetch(mesh.texcoords, vertex)));
+  real.Vertex3fv(glm::value_ptr(mesh.position(vertex)));
+}
+
+void drawInstance(const gl::RealGl& real, const scene::Instance& instance) {
+  setInstanceState(real, instance);
+  real.Color4fv(glm::value_ptr(instance.color));
+  real.Normal3fv(glm::value_ptr(instance.normal));
+  real.TexCoord4fv(glm::value_ptr(instance.texcoord));
+  uint32_t material = 0;
+  real.Begin(GL_TRIANGLES);
+  for (uint32_t t = 0; t < instance.mesh->triangleCount; ++t)
+    for (uint32_t k = 0; k < 3; ++k) sendVertex(real, instance, instance.mesh->corner(t, k), material);
+  real.End();
+}
+
+}  // namespace
+
+bool drawWithFixedFunction(const gl::RealGl& real, const Features& features, const scene::Snapshot& snapshot,
+                           GLenum depthFunc) {
+  if (!features.compatibility || !attribStackHasRoom(real)) return false;
+  StateGuard guard(real, features);
+  guard.plainUnpack();
+  guard.openFragmentPath();
+  guard.lastVertexProvokes();
+  guard.depthTest(depthFunc);
+  guard.depthRange(snapshot.camera.depthNear, snapshot.camera.depthFar);
+  const glm::ivec4& v = snapshot.camera.viewport;
+  guard.viewport(v.x, v.y, v.z, v.w);
+  const scene::Region& r = snapshot.region;
+  guard.scissor(r.x, r.y, r.width, r.height);
+  if (features.multisample) guard.capability(GL_MULTISAMPLE, snapshot.samples > 1);
+  if (features.version >= 20) guard.program(0);
+  if (features.version >= 13) guard.activeTexture(GL_TEXTURE0);
+  if (features.samplerObjects) guard.texture2D(0, 0);
+
+  real.PushAttrib(GL_ALL_ATTRIB_BITS);
+  {
+    const KeptMatrices matrices(real);
+    setUpCamera(real, snapshot);
+    neutralFixedFunction(real, features);
+    ShadingTextures textures(real);
+    for (const scene::Instance& instance : snapshot.instances) {
+      setShading(real, features, snapshot.shadings[instance.shading], textures);
+      drawInstance(real, instance);
+    }
+  }
+  real.PopAttrib();
+  return true;
+}
+
+}  // namespace gluray::present

@@ -1,0 +1,68 @@
+#include "intercept/present/tracing_presenter.h"
+
+#include "base/clock.h"
+#include "base/log.h"
+#include "intercept/present/raster_fallback.h"
+
+#include <exception>
+
+namespace gluray::present {
+
+using gl::PresentResult;
+
+bool TracingPresenter::supports(const gl::RealGl& real, bool, std::string& why) noexcept {
+  try {
+    if (!writeBack_) writeBack_ = std::make_unique<WriteBack>(real);
+    return writeBack_->ready(why);
+  } catch (const std::exception& e) {
+    log::write(log::Level::warning, e.what());
+    return false;
+  }
+}
+
+PresentResult TracingPresenter::present(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
+                                        const gl::PresentTarget& target) noexcept {
+  try {
+    return tracedOrRasterised(real, *snapshot, target);
+  } catch (const std::exception& e) {
+    log::write(log::Level::warning, e.what());
+    return {};
+  }
+}
+
+PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const scene::Snapshot& snapshot,
+                                                   const gl::PresentTarget& target) {
+  PresentResult result;
+  std::string why;
+  PendingErrors pending;
+  if (!writeBack_) writeBack_ = std::make_unique<WriteBack>(real);
+  const bool ready = writeBack_->ready(why);
+  TraceCost cost;
+  const bool traced = ready && trace_(snapshot, image_, cost, why);
+  result.buildSeconds = cost.buildSeconds, result.traceSeconds = cost.traceSeconds;
+  result.blasBuilds = cost.blasBuilds, result.bvhBytes = cost.bvhBytes;
+
+  const double start = nowSeconds();
+  if (traced && writeBack_->write(image_, {target.depthFunc}, pending)) {
+    result.outcome = PresentResult::traced;
+  } else {
+    log::once(log::Level::warning, "raster fallback",
+              why.empty() ? "the picture could not be written back" : why);
+    const PendingErrors more = takeErrors(real);
+    pending.insert(pending.end(), more.begin(), more.end());
+    if (drawWithFixedFunction(real, readFeatures(real), snapshot, target.depthFunc))
+      result.outcome = PresentResult::rasterised;
+    takeErrors(real);
+  }
+  if (!pending.empty()) result.pendingError = pending.front();
+  result.presentSeconds = nowSeconds() - start;
+  return result;
+}
+
+void TracingPresenter::forget(const gl::RealGl&) noexcept {
+  // Names live in the share group; other contexts of the group may still be there, this one may not be
+  // current.
+  writeBack_.reset();
+}
+
+}  // namespace gluray::present

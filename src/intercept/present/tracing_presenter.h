@@ -1,0 +1,39 @@
+// What happens to a finished batch: it is traced and written back; failing that, the real OpenGL draws it.
+// One per context. GL thread.
+#pragma once
+#include "gl/presenter.h"
+#include "intercept/present/write_back.h"
+
+#include <functional>
+
+namespace gluray::present {
+
+/// What one tracing cost.
+struct TraceCost {
+  double buildSeconds = 0, traceSeconds = 0;
+  uint64_t blasBuilds = 0, bvhBytes = 0;
+};
+
+/// Traces a snapshot. False with one line of reason on failure; never throws. frame::Renderer::render in the
+/// engine.
+using Trace = std::function<bool(const scene::Snapshot&, Image&, TraceCost&, std::string& error)>;
+
+class TracingPresenter final : public gl::Presenter {
+ public:
+  explicit TracingPresenter(Trace trace) : trace_(std::move(trace)) {}
+
+  gl::PresentResult present(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
+                            const gl::PresentTarget& target) noexcept override;
+  bool supports(const gl::RealGl& real, bool core, std::string& why) noexcept override;
+  void forget(const gl::RealGl& real) noexcept override;
+
+ private:
+  gl::PresentResult tracedOrRasterised(const gl::RealGl& real, const scene::Snapshot& snapshot,
+                                       const gl::PresentTarget& target);
+
+  Trace trace_;
+  std::unique_ptr<WriteBack> writeBack_;
+  Image image_;  // memory is kept from flush to flush
+};
+
+}  // namespace gluray::present
