@@ -1,0 +1,160 @@
+// gluray-bench-render: frame::Renderer and the bare Embree loop on the same mesh and views, turn by turn in
+// one process: what shading, depth and image cost on top of the rays, with neither OpenGL nor a window
+// around.
+#include "bench/bare/scene.h"
+#include "bench/data/isosurface.h"
+#include "bench/data/orbit.h"
+#include "bench/data/png.h"
+#include "bench/data/report.h"
+#include "bench/data/wavelet.h"
+#include "frame/renderer.h"
+
+#include <CLI/CLI.hpp>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+
+#include <chrono>
+#include <cstdio>
+#include <exception>
+
+namespace {
+
+using namespace gluray;
+using Clock = std::chrono::steady_clock;
+
+struct Options {
+  double millionTriangles = 1;
+  std::string quality = "full", shading = "pixel", dump;
+  int frames = 20, threads = 0;
+  bool noBare = false, instances = false;
+};
+
+scene::Attribute attribute(const void* data, uint32_t stride, scene::Format format) {
+  // Not owned: the mesh outlives the renderer.
+  return {std::shared_ptr<const void>(std::shared_ptr<const void>(), data),
+          static_cast<const std::byte*>(data), stride, format};
+}
+
+scene::MeshPtr toScene(const bench::TriangleMesh& mesh) {
+  auto out = std::make_shared<scene::Mesh>();
+  out->geometryId = {1, mesh.triangleCount()};
+  out->triangleCount = static_cast<uint32_t>(mesh.triangleCount());
+  out->vertexCount = static_cast<uint32_t>(mesh.normals.size());
+  out->positions = attribute(mesh.positions.data(), sizeof(bench::Vertex), scene::Format::float3);
+  out->normals = attribute(mesh.normals.data(), sizeof(bench::Vertex), scene::Format::float3);
+  out->indices = attribute(mesh.indices.data(), 4, scene::Format::uint32);
+  return out;
+}
+
+// The bare loop's picture: light along the view axis, diffuse material, black background.
+scene::Snapshot makeSnapshot(const scene::MeshPtr& mesh, const Options& options) {
+  scene::Snapshot s;
+  s.frame = 1;
+  s.camera.viewport = {0, 0, bench::kImageSize, bench::kImageSize};
+  s.region = {0, 0, bench::kImageSize, bench::kImageSize};
+  const double f = 1 / std::tan(bench::kViewAngle / 2 * M_PI / 180), n = bench::kNear, e = bench::kFar;
+  s.camera.clipFromEye =
+      glm::dmat4(f, 0, 0, 0, 0, f, 0, 0, 0, 0, -(e + n) / (e - n), -1, 0, 0, -2 * e * n / (e - n), 0);
+  scene::Shading shading;
+  shading.lighting = true;
+  shading.normalize = true;
+  scene::Light light;
+  light.diffuse = glm::vec4(1);
+  shading.lights = {light};
+  s.shadings = {shading};
+  scene::Instance instance;
+  instance.mesh = mesh;
+  scene::Material material;
+  material.ambient = material.diffuse = {bench::kDiffuse[0], bench::kDiffuse[1], bench::kDiffuse[2], 1};
+  instance.materials = {{material, material}};
+  s.instances = {instance};
+  s.settings.threads = options.threads;
+  s.settings.bvh = options.quality == "fast"      ? BvhQuality::fast
+                   : options.quality == "compact" ? BvhQuality::compact
+                                                  : BvhQuality::full;
+  s.settings.shading = options.shading == "vertex" ? ShadingRate::vertex : ShadingRate::pixel;
+  if (options.instances) s.instances[0].worldFromObject[3] = {1e-3f, 0, 0, 1};
+  return s;
+}
+
+void look(scene::Snapshot& s, const bench::CameraPose& pose) {
+  const auto m = bench::eyeFromWorld(pose);
+  for (int i = 0; i < 16; ++i) s.eyeFromWorld[i / 4][i % 4] = m[static_cast<size_t>(i)];
+  s.instances[0].eyeFromObject = s.eyeFromWorld * glm::dmat4(s.instances[0].worldFromObject);
+}
+
+double seconds(Clock::time_point since) {
+  return std::chrono::duration<double>(Clock::now() - since).count();
+}
+
+void run(const Options& options) {
+  const int threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(threads));
+  const bench::Volume volume = bench::wavelet();
+  const auto [low, high] = volume.range();
+  const bench::TriangleMesh mesh = bench::isosurfaces(
+      volume, bench::evenIsovalues(low, high, bench::waveletSurfaces(options.millionTriangles)));
+  std::unique_ptr<bench::BareScene> bare;
+  if (!options.noBare) bare = std::make_unique<bench::BareScene>(mesh, options.quality, threads);
+
+  frame::Renderer renderer;
+  scene::Snapshot snapshot = makeSnapshot(toScene(mesh), options);
+  std::vector<uint8_t> pixels(size_t{bench::kImageSize} * bench::kImageSize * 4);
+  Image image;
+  frame::FrameStatistics statistics;
+  std::string error;
+  std::vector<double> bareSeconds, ourSeconds;
+  double build = 0;
+  for (int frame = 0; frame <= options.frames; ++frame) {
+    const bench::CameraPose pose = bench::orbitPose(frame, options.frames);
+    Clock::time_point start = Clock::now();
+    if (bare) bare->render(pose, pixels);
+    if (frame > 0) bareSeconds.push_back(seconds(start));
+    look(snapshot, pose);
+    start = Clock::now();
+    if (!renderer.render(snapshot, image, statistics, error)) throw std::runtime_error(error);
+    if (frame > 0)
+      ourSeconds.push_back(seconds(start));
+    else
+      build = statistics.buildSeconds;
+  }
+  const double a = bench::median(bareSeconds), b = bench::median(ourSeconds);
+  std::printf(
+      "%.2fM triangles, build %.2f s, %.1f bytes/triangle: bare %.2f ms, renderer %.2f ms, %.1f %% of bare "
+      "fps\n",
+      static_cast<double>(mesh.triangleCount()) / 1e6, build,
+      static_cast<double>(statistics.bvhBytes) / static_cast<double>(mesh.triangleCount()), a * 1e3, b * 1e3,
+      a / b * 100);
+  if (!options.dump.empty()) {
+    for (size_t i = 0; i < image.color.size(); ++i) {
+      for (size_t c = 0; c < 4; ++c) pixels[4 * i + c] = static_cast<uint8_t>(image.color[i] >> (8 * c));
+    }
+    bench::writePng(bench::pictureFromGl(bench::kImageSize, bench::kImageSize, pixels), options.dump);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app("Times the renderer and the bare Embree loop on isosurfaces of the Wavelet.");
+  app.add_option("--triangles", options.millionTriangles, "millions of triangles, about")
+      ->check(CLI::Range(0.1, 256.0));
+  app.add_option("--bvh", options.quality, "fast, full or compact")
+      ->check(CLI::IsMember(std::vector<std::string>{"fast", "full", "compact"}));
+  app.add_option("--shading", options.shading, "pixel or vertex")
+      ->check(CLI::IsMember(std::vector<std::string>{"pixel", "vertex"}));
+  app.add_option("--threads", options.threads, "0: one a core")->check(CLI::Range(0, 1024));
+  app.add_option("--frames", options.frames, "frames to measure")->check(CLI::Range(1, 1000000));
+  app.add_flag("--no-bare", options.noBare, "leave the bare loop out");
+  app.add_flag("--instances", options.instances, "place the mesh through an instance transform");
+  app.add_option("--dump", options.dump, "write the last view as PNG");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    run(options);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "gluray-bench-render: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
