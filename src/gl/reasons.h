@@ -1,51 +1,52 @@
-// Why a draw is rasterised by the real OpenGL instead of traced: the names that `--report` and `gluray explain` print.
+// Why a draw is rasterised by the real OpenGL instead of traced: the names that `--report` and `gluray
+// explain` print.
 #pragma once
 #include <string_view>
 
 namespace gluray::gl {
 
-#define GLURAY_REASONS(X)                                                             \
-  X(traced, "traced")                                                                 \
-  X(points, "points")                                                                 \
-  X(lines, "lines")                                                                   \
-  X(polygonMode, "polygon mode is not fill")                                          \
-  X(edgeFlags, "edge flags")                                                          \
-  X(renderMode, "selection or feedback")                                              \
-  X(noDepthTest, "depth test off")                                                    \
-  X(depthFunc, "depth function is not LESS or LEQUAL")                                \
-  X(depthMask, "depth writes off")                                                    \
-  X(noDepthBuffer, "framebuffer has no depth buffer")                                 \
-  X(framebuffer, "framebuffer format not traced")                                     \
-  X(drawBuffer, "draw buffer selection not traced")                                   \
-  X(colorMask, "colour mask")                                                         \
-  X(stencil, "stencil test")                                                          \
-  X(alphaTest, "alpha test")                                                          \
-  X(blend, "blending")                                                                \
-  X(logicOp, "logic operation")                                                       \
-  X(fog, "fog")                                                                       \
-  X(polygonStipple, "polygon stipple")                                                \
-  X(polygonSmooth, "polygon smoothing")                                               \
-  X(program, "vertex or fragment program")                                            \
-  X(textureKind, "texture target not traced")                                         \
-  X(textureUnits, "several texture units")                                            \
-  X(textureEnv, "texture environment not traced")                                     \
-  X(textureFormat, "texture format not traced")                                       \
-  X(textureMipmap, "mipmapped texture")                                               \
-  X(textureIncomplete, "texture incomplete")                                          \
-  X(texGen, "texture coordinate generation")                                          \
-  X(colorSum, "secondary colour")                                                     \
-  X(colorIndex, "colour index mode")                                                  \
-  X(transformFeedback, "transform feedback")                                          \
-  X(query, "query active")                                                            \
-  X(multisampleState, "multisample coverage state")                                   \
-  X(homogeneous, "homogeneous vertices (w is not 1)")                                 \
-  X(singularMatrix, "matrix without inverse")                                         \
-  X(flat, "flat layer: drawing order decides")                                        \
-  X(coincident, "coincident surfaces: drawing order decides")                         \
-  X(arrayState, "vertex array form not traced")                                       \
-  X(evaluators, "evaluators")                                                         \
-  X(noGlsl, "real OpenGL lacks shaders for the write-back")                           \
-  X(off, "switched off")                                                              \
+#define GLURAY_REASONS(X)                                     \
+  X(traced, "traced")                                         \
+  X(points, "points")                                         \
+  X(lines, "lines")                                           \
+  X(polygonMode, "polygon mode is not fill")                  \
+  X(edgeFlags, "edge flags")                                  \
+  X(renderMode, "selection or feedback")                      \
+  X(noDepthTest, "depth test off")                            \
+  X(depthFunc, "depth function is not LESS or LEQUAL")        \
+  X(depthMask, "depth writes off")                            \
+  X(noDepthBuffer, "framebuffer has no depth buffer")         \
+  X(framebuffer, "framebuffer format not traced")             \
+  X(drawBuffer, "draw buffer selection not traced")           \
+  X(colorMask, "colour mask")                                 \
+  X(stencil, "stencil test")                                  \
+  X(alphaTest, "alpha test")                                  \
+  X(blend, "blending")                                        \
+  X(logicOp, "logic operation")                               \
+  X(fog, "fog")                                               \
+  X(polygonStipple, "polygon stipple")                        \
+  X(polygonSmooth, "polygon smoothing")                       \
+  X(program, "vertex or fragment program")                    \
+  X(textureKind, "texture target not traced")                 \
+  X(textureUnits, "several texture units")                    \
+  X(textureEnv, "texture environment not traced")             \
+  X(textureFormat, "texture format not traced")               \
+  X(textureMipmap, "mipmapped texture")                       \
+  X(textureIncomplete, "texture incomplete")                  \
+  X(texGen, "texture coordinate generation")                  \
+  X(colorSum, "secondary colour")                             \
+  X(colorIndex, "colour index mode")                          \
+  X(transformFeedback, "transform feedback")                  \
+  X(query, "query active")                                    \
+  X(multisampleState, "multisample coverage state")           \
+  X(homogeneous, "homogeneous vertices (w is not 1)")         \
+  X(singularMatrix, "matrix without inverse")                 \
+  X(flat, "flat layer: drawing order decides")                \
+  X(coincident, "coincident surfaces: drawing order decides") \
+  X(arrayState, "vertex array form not traced")               \
+  X(evaluators, "evaluators")                                 \
+  X(noGlsl, "real OpenGL lacks shaders for the write-back")   \
+  X(off, "switched off")                                      \
   X(failure, "GLuRay failed and stepped aside")
 
 enum class Reason {

@@ -9,7 +9,8 @@ class VertexStream;
 
 struct ThreadState {
   Context* context = nullptr;
-  VertexStream* stream = nullptr;  // where vertex attributes go; null outside captured glBegin/glEnd and lists
+  VertexStream* stream =
+      nullptr;  // where vertex attributes go; null outside captured glBegin/glEnd and lists
 };
 
 extern thread_local ThreadState t_thread __attribute__((tls_model("initial-exec")));

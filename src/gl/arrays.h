@@ -1,0 +1,80 @@
+// Vertex arrays of the fixed-function pipeline: where they point now, and meshes made of what they hold. GL
+// thread.
+#pragma once
+#include "gl/buffer.h"
+#include "gl/captured.h"
+#include "gl/reasons.h"
+#include "gl/share_group.h"
+
+#include <memory>
+#include <vector>
+
+namespace gluray::gl {
+
+/// One array. Without a buffer `pointer` is the program's memory, with one it is an offset.
+struct ArraySource {
+  bool enabled = false;
+  GLint size = 4;
+  GLenum type = GL_FLOAT;
+  GLsizei stride = 0;  // bytes between elements, never 0
+  const std::byte* pointer = nullptr;
+  std::shared_ptr<Buffer> buffer;
+  bool normalized = false;  // integers stand for fractions (normals, colours)
+};
+
+struct ArrayState {
+  ArraySource vertex, normal, color, texcoord;
+  std::shared_ptr<Buffer> elements;  // bound to GL_ELEMENT_ARRAY_BUFFER
+  bool others =
+      false;  // arrays that only the real OpenGL handles are on (fog, edge flags, further units ...)
+  Reason reason = Reason::traced;  // why these arrays cannot be traced
+};
+
+/// Which vertices a draw takes: `count` from `first`, or `count` indices of `type` at `indices`.
+struct Elements {
+  GLint first = 0;
+  GLsizei count = 0;
+  GLenum type = 0;                // 0: no indices
+  const void* indices = nullptr;  // memory, or an offset into the element buffer
+  GLint base = 0;                 // added to each index
+};
+
+/// Reads the pointers and enables back from the real OpenGL.
+void readArrays(const RealGl& real, ShareGroup& group, ArrayState& state);
+
+/// Reads single elements of an array as floats. The storage must outlive it.
+class ArrayReader {
+ public:
+  ArrayReader(const RealGl& real, const ArraySource& source);
+  bool enabled() const { return source_.enabled; }
+  /// Elements in the buffer; what the program's own memory holds is unknown, so there it is the largest
+  /// number.
+  uint32_t available() const { return available_; }
+  /// Element i with missing components from (0, 0, 0, 1). `i` must be available.
+  void read(uint32_t i, float out[4]) const;
+  const std::byte* data() const { return data_; }
+  const std::shared_ptr<const BufferStorage>& storage() const { return storage_; }
+
+ private:
+  ArraySource source_;
+  std::shared_ptr<const BufferStorage> storage_;
+  const std::byte* data_ = nullptr;
+  uint32_t available_ = 0;
+};
+
+/// The vertex numbers of a draw in order. Indices beyond the element buffer are left out.
+std::vector<uint32_t> vertexNumbers(const RealGl& real, const ArrayState& arrays, const Elements& elements);
+
+/// Copies a draw into a capture of its own.
+Captured capture(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements);
+
+/// The mesh of a draw of surfaces; buffers are read in place where their form allows.
+KnownMesh buildArrayMesh(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements);
+
+/// Identity of what buildArrayMesh would read: versions of buffers, contents of the program's memory.
+Hash128 contentOf(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements);
+
+/// Slots that the enabled arrays fill.
+SlotMask slotsOf(const ArrayState& arrays);
+
+}  // namespace gluray::gl

@@ -1,0 +1,103 @@
+#include "gl/batch.h"
+
+#include <algorithm>
+
+namespace gluray::gl {
+namespace {
+
+scene::Region intersect(glm::ivec4 a, glm::ivec4 b) {
+  const int x0 = std::max(a.x, b.x), y0 = std::max(a.y, b.y);
+  const int64_t x1 = std::min(int64_t{a.x} + a.z, int64_t{b.x} + b.z),
+                y1 = std::min(int64_t{a.y} + a.w, int64_t{b.y} + b.w);
+  return {x0, y0, static_cast<int>(std::max<int64_t>(0, x1 - x0)),
+          static_cast<int>(std::max<int64_t>(0, y1 - y0))};
+}
+
+}  // namespace
+
+BatchKey Batch::keyOf(const State& state) {
+  BatchKey key;
+  key.framebuffer = state.target.framebuffer;
+  key.drawBuffer = state.target.drawBuffer;
+  key.depthFunc = state.raster.depthFunc;
+  key.samples = state.target.samples;
+  key.multisample = state.raster.multisample;
+  key.projection = state.projection;
+  key.viewport = state.viewport;
+  key.depthNear = state.depthNear, key.depthFar = state.depthFar;
+  constexpr int kLargest =
+      16384;  // framebuffers are no larger; keeps absurd viewports from asking for absurd pictures
+  key.region = intersect(state.viewport, {0, 0, kLargest, kLargest});
+  if (state.raster.scissorTest) {
+    const scene::Region& r = key.region;
+    key.region = intersect({r.x, r.y, r.width, r.height}, state.scissor);
+  }
+  if (state.raster.offsetFill)
+    key.offset = {state.raster.offsetFactor, state.raster.offsetUnits, state.target.depthResolution};
+  return key;
+}
+
+void Batch::start(const BatchKey& key, const State& state, const Settings& settings, uint64_t frame) {
+  key_ = key;
+  instancesOf_.clear();
+  snapshot_ = std::make_shared<scene::Snapshot>();
+  snapshot_->frame = frame;
+  snapshot_->settings = settings;
+  snapshot_->camera = {state.projection, state.viewport, state.depthNear, state.depthFar};
+  snapshot_->eyeFromWorld = state.modelview;
+  snapshot_->region = key.region;
+  snapshot_->polygonOffset = key.offset;
+  // With GL_MULTISAMPLE off all samples of a pixel get the value at its centre: one plane serves them all.
+  if (key.multisample) {
+    snapshot_->samples = state.target.samples;
+    snapshot_->samplePositions = state.target.samplePositions;
+  } else {
+    snapshot_->samplePositions = {glm::vec2(0.5f)};
+  }
+}
+
+namespace {
+
+/// Whether two instances cover the same points, so that the depth function decides between them.
+bool coincide(const scene::Instance& a, const scene::Instance& b) {
+  return a.mesh->geometryId == b.mesh->geometryId && a.eyeFromObject == b.eyeFromObject && a.cull == b.cull &&
+         a.frontFaceCcw == b.frontFaceCcw && a.clipPlanes == b.clipPlanes;
+}
+
+uint32_t indexOfShading(std::vector<scene::Shading>& shadings, scene::Shading&& shading) {
+  // Programs go back and forth between few states; the latest are the likeliest.
+  constexpr size_t kLookBack = 16;
+  for (size_t i = shadings.size(); i-- > 0 && shadings.size() - i <= kLookBack;)
+    if (shadings[i] == shading) return static_cast<uint32_t>(i);
+  shadings.push_back(std::move(shading));
+  return static_cast<uint32_t>(shadings.size() - 1);
+}
+
+}  // namespace
+
+void Batch::add(scene::Instance instance, scene::Shading shading) {
+  scene::Snapshot& s = *snapshot_;
+  instance.worldFromObject = instance.eyeFromObject == s.eyeFromWorld
+                                 ? glm::mat4(1)
+                                 : glm::mat4(glm::inverse(s.eyeFromWorld) * instance.eyeFromObject);
+  const Hash128 geometry = instance.mesh->geometryId;
+  const auto [first, last] = instancesOf_.equal_range(geometry);
+  for (auto it = first; it != last; ++it) {
+    scene::Instance& earlier = s.instances[it->second];
+    if (!coincide(earlier, instance)) continue;
+    if (key_.depthFunc == GL_LESS) return;
+    instance.shading = indexOfShading(s.shadings, std::move(shading));
+    earlier = std::move(instance);
+    return;
+  }
+  instance.shading = indexOfShading(s.shadings, std::move(shading));
+  instancesOf_.emplace(geometry, s.instances.size());
+  s.instances.push_back(std::move(instance));
+}
+
+scene::SnapshotPtr Batch::take() {
+  instancesOf_.clear();
+  return std::move(snapshot_);
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,47 @@
+// Draws that wait to be traced together: one framebuffer, one camera, one depth state. GL thread.
+#pragma once
+#include "gl/state.h"
+#include "scene/snapshot.h"
+
+#include <memory>
+#include <unordered_map>
+
+namespace gluray::gl {
+
+/// What all draws of a batch have in common; a draw that differs starts the next batch.
+struct BatchKey {
+  GLuint framebuffer = 0;
+  GLenum drawBuffer = 0, depthFunc = GL_LESS;
+  int samples = 1;
+  bool multisample = true;
+  glm::dmat4 projection{1};
+  glm::ivec4 viewport{0};
+  scene::Region region;
+  float depthNear = 0, depthFar = 1;
+  scene::PolygonOffset offset;
+  bool operator==(const BatchKey&) const = default;
+};
+
+class Batch {
+ public:
+  bool empty() const { return !snapshot_; }
+  const BatchKey& key() const { return key_; }
+
+  /// The common part of the state of now. Its region is empty where nothing could be drawn.
+  static BatchKey keyOf(const State& state);
+
+  /// Begins a batch. It must be empty.
+  void start(const BatchKey& key, const State& state, const Settings& settings, uint64_t frame);
+  /// Adds an instance whose eyeFromObject is set; shading is shared with earlier instances of the same
+  /// shading. An equal surface drawn before is replaced, or keeps its place, as the depth function says.
+  void add(scene::Instance instance, scene::Shading shading);
+  /// Hands the batch over and is empty afterwards.
+  scene::SnapshotPtr take();
+
+ private:
+  std::shared_ptr<scene::Snapshot> snapshot_;
+  BatchKey key_;
+  std::unordered_multimap<Hash128, size_t> instancesOf_;  // geometry -> instances
+};
+
+}  // namespace gluray::gl

@@ -1,0 +1,105 @@
+#include "gl/buffer.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+
+namespace gluray::gl {
+
+BufferStorage::BufferStorage(size_t sizeBytes)
+    : data(static_cast<std::byte*>(std::malloc(sizeBytes + 16))), size(sizeBytes) {
+  if (!data) throw std::bad_alloc();
+  std::memset(data + size, 0, 16);
+}
+
+BufferStorage::~BufferStorage() { std::free(data); }
+
+Buffer::Buffer(GLuint name) : name_(name) {
+  static std::atomic<uint64_t> next{1};
+  serial_ = next++;
+}
+
+void Buffer::setData(size_t size, const void* data, GLenum usage) {
+  auto storage = std::make_shared<BufferStorage>(size);
+  if (data) std::memcpy(storage->data, data, size);
+  storage_ = std::move(storage);
+  size_ = size;
+  usage_ = usage;
+  heldBack_ = true;
+  mapped_ = nullptr;
+  ++version_;
+}
+
+BufferStorage& Buffer::writable() {
+  if (storage_.use_count() > 1) {
+    auto copy = std::make_shared<BufferStorage>(size_);
+    std::memcpy(copy->data, storage_->data, size_);
+    storage_ = std::move(copy);
+  }
+  heldBack_ = true;
+  ++version_;
+  return *storage_;
+}
+
+void Buffer::setSubData(size_t offset, size_t size, const void* data) {
+  std::memcpy(writable().data + offset, data, size);
+}
+
+namespace {
+
+/// Binds a buffer where no draw looks, for the life of the object.
+class CopyBinding {
+ public:
+  CopyBinding(const RealGl& real, GLuint name) : real_(real) {
+    real.GetIntegerv(GL_ARRAY_BUFFER_BINDING, &saved_);
+    real.BindBuffer(GL_ARRAY_BUFFER, name);
+  }
+  ~CopyBinding() { real_.BindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(saved_)); }
+  CopyBinding(const CopyBinding&) = delete;
+  CopyBinding& operator=(const CopyBinding&) = delete;
+
+ private:
+  const RealGl& real_;
+  GLint saved_ = 0;
+};
+
+}  // namespace
+
+std::shared_ptr<const BufferStorage> Buffer::read(const RealGl& real) {
+  if (!storage_) {
+    const CopyBinding binding(real, name_);
+    GLint size = 0;  // asked, because commands that we do not model may have set it
+    real.GetBufferParameteriv(GL_ARRAY_BUFFER, GL_BUFFER_SIZE, &size);
+    size_ = static_cast<size_t>(std::max(size, 0));
+    if (size_ == 0) return nullptr;
+    auto storage = std::make_shared<BufferStorage>(size_);
+    real.GetBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(size_), storage->data);
+    storage_ = std::move(storage);
+  }
+  return storage_;
+}
+
+void Buffer::sendTo(const RealGl& real) {
+  if (!heldBack_) return;
+  const CopyBinding binding(real, name_);
+  real.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(size_), storage_->data, usage_);
+  heldBack_ = false;
+}
+
+void* Buffer::map(const RealGl& real, size_t offset, size_t length, GLbitfield access) {
+  if (!storage_ && size_ > 0) read(real);
+  if (!storage_) storage_ = std::make_shared<BufferStorage>(size_);
+  std::byte* data = (access & GL_MAP_WRITE_BIT) ? writable().data : storage_->data;
+  mapped_ = data + offset;
+  mapOffset_ = offset, mapLength_ = length, mapAccess_ = access;
+  return mapped_;
+}
+
+void Buffer::unmap() {
+  if (mapAccess_ & GL_MAP_WRITE_BIT) heldBack_ = true, ++version_;
+  mapped_ = nullptr;
+}
+
+}  // namespace gluray::gl

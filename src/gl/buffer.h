@@ -1,0 +1,83 @@
+// Buffer objects. Our copy is the copy: meshes read it in place, and the real OpenGL gets it when it needs
+// it. GL thread; objects of a share group follow OpenGL's rule that programs synchronise their use.
+#pragma once
+#include "gl/real.h"
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+namespace gluray::gl {
+
+class Context;
+
+/// Bytes of a buffer, followed by 16 readable ones. Never changed while a mesh refers to it.
+struct BufferStorage {
+  explicit BufferStorage(size_t sizeBytes);  // throws std::bad_alloc
+  ~BufferStorage();
+  BufferStorage(const BufferStorage&) = delete;
+  BufferStorage& operator=(const BufferStorage&) = delete;
+  std::byte* data;
+  size_t size;
+};
+
+class Buffer {
+ public:
+  explicit Buffer(GLuint name);
+
+  /// glBufferData: new contents (null: undefined), ours alone until the real OpenGL needs them.
+  void setData(size_t size, const void* data, GLenum usage);
+  /// glBufferSubData within the size.
+  void setSubData(size_t offset, size_t size, const void* data);
+  /// The bytes, fetched from the real OpenGL where it has changed them. Null for an empty buffer.
+  std::shared_ptr<const BufferStorage> read(const RealGl& real);
+  /// Gives the real OpenGL our contents if it does not have them.
+  void sendTo(const RealGl& real);
+  /// The real OpenGL is about to change, or has changed, the contents itself.
+  void changedBelow() { storage_.reset(), ++version_; }
+
+  /// glMapBuffer(Range) on our copy: a pointer that stays valid until unmap().
+  void* map(const RealGl& real, size_t offset, size_t length, GLbitfield access);
+  void unmap();
+
+  GLuint name() const { return name_; }
+  uint64_t serial() const { return serial_; }  // unlike names and addresses never used again
+  size_t size() const { return size_; }
+  bool immutable = false;  // glBufferStorage: the real OpenGL's storage cannot be made anew
+  GLenum usage() const { return usage_; }
+  bool heldBack() const { return heldBack_; }
+  uint64_t version() const { return version_; }
+  bool mapped() const { return mapped_ != nullptr; }
+  void* mappedPointer() const { return mapped_; }
+  size_t mapOffset() const { return mapOffset_; }
+  size_t mapLength() const { return mapLength_; }
+  GLbitfield mapAccess() const { return mapAccess_; }
+
+  /// The real OpenGL writes into it in ways that we do not see (transform feedback, persistent mapping):
+  /// never traced.
+  bool foreign = false;
+  /// The program knows the size although our copy is gone.
+  void setSizeBelow(size_t size, GLenum usage) {
+    size_ = size, usage_ = usage, heldBack_ = false, changedBelow();
+  }
+
+ private:
+  /// Storage that may be written: copied first where a mesh still refers to it.
+  BufferStorage& writable();
+
+  GLuint name_;
+  uint64_t serial_;
+  std::shared_ptr<BufferStorage> storage_;  // null: the real OpenGL has the only copy
+  size_t size_ = 0;
+  GLenum usage_ = GL_STATIC_DRAW;
+  bool heldBack_ = false;  // ours is newer than the real one
+  uint64_t version_ = 1;   // counts changes of content
+  void* mapped_ = nullptr;
+  size_t mapOffset_ = 0, mapLength_ = 0;
+  GLbitfield mapAccess_ = 0;
+};
+
+}  // namespace gluray::gl

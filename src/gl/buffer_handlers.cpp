@@ -1,0 +1,218 @@
+// Commands on buffer objects that are bound to a target.
+#include "gl/handlers.h"
+
+#include <cstring>
+
+namespace gluray::gl {
+namespace {
+
+/// The query that tells what is bound to a target; 0 for targets that we do not know.
+GLenum bindingOf(GLenum target) {
+  switch (target) {
+    case GL_ARRAY_BUFFER: return GL_ARRAY_BUFFER_BINDING;
+    case GL_ELEMENT_ARRAY_BUFFER: return GL_ELEMENT_ARRAY_BUFFER_BINDING;
+    case GL_PIXEL_PACK_BUFFER: return GL_PIXEL_PACK_BUFFER_BINDING;
+    case GL_PIXEL_UNPACK_BUFFER: return GL_PIXEL_UNPACK_BUFFER_BINDING;
+    case GL_COPY_READ_BUFFER: return GL_COPY_READ_BUFFER_BINDING;
+    case GL_COPY_WRITE_BUFFER: return GL_COPY_WRITE_BUFFER_BINDING;
+    case GL_UNIFORM_BUFFER: return GL_UNIFORM_BUFFER_BINDING;
+    case GL_TRANSFORM_FEEDBACK_BUFFER: return GL_TRANSFORM_FEEDBACK_BUFFER_BINDING;
+    case GL_TEXTURE_BUFFER: return GL_TEXTURE_BUFFER_BINDING;
+    case GL_SHADER_STORAGE_BUFFER: return GL_SHADER_STORAGE_BUFFER_BINDING;
+    case GL_ATOMIC_COUNTER_BUFFER: return GL_ATOMIC_COUNTER_BUFFER_BINDING;
+    case GL_DRAW_INDIRECT_BUFFER: return GL_DRAW_INDIRECT_BUFFER_BINDING;
+    case GL_DISPATCH_INDIRECT_BUFFER: return GL_DISPATCH_INDIRECT_BUFFER_BINDING;
+    case GL_QUERY_BUFFER: return GL_QUERY_BUFFER_BINDING;
+    default: return 0;
+  }
+}
+
+/// Targets whose contents wait until a draw of the real OpenGL reads them.
+bool isHeldBack(GLenum target) { return target == GL_ARRAY_BUFFER || target == GL_ELEMENT_ARRAY_BUFFER; }
+
+std::shared_ptr<Buffer> named(Context& c, GLuint name) {
+  if (name == 0) return nullptr;
+  auto buffer = c.group().buffers.find(name);
+  if (!buffer) c.group().buffers.put(name, buffer = std::make_shared<Buffer>(name));
+  return buffer;
+}
+
+/// The buffer bound to `target`, null where there is none (the real OpenGL then says what is wrong).
+std::shared_ptr<Buffer> bound(Context& c, GLenum target) {
+  const GLenum query = bindingOf(target);
+  if (!query) return nullptr;
+  GLint name = 0;
+  c.real.GetIntegerv(query, &name);
+  return named(c, static_cast<GLuint>(name));
+}
+
+bool isRange(const Buffer& buffer, GLintptr offset, GLsizeiptr size) {
+  return offset >= 0 && size >= 0 && static_cast<size_t>(offset) <= buffer.size() &&
+         static_cast<size_t>(size) <= buffer.size() - static_cast<size_t>(offset);
+}
+
+bool isUsage(GLenum usage) { return usage >= GL_STREAM_DRAW && usage <= GL_DYNAMIC_COPY && (usage & 3) != 3; }
+
+}  // namespace
+
+void bindBuffer(Context& c, GLenum target, GLuint name) {
+  c.real.BindBuffer(target, name);
+  if (const auto buffer = named(c, name); buffer && !isHeldBack(target)) buffer->sendTo(c.real);
+  if (target == GL_ELEMENT_ARRAY_BUFFER) c.touch(kArrays);
+}
+
+namespace {
+/// Buffers at indexed targets may be written by shaders.
+void markForeign(Context& c, GLuint name) {
+  if (const auto buffer = named(c, name)) {
+    buffer->sendTo(c.real);
+    buffer->foreign = true;
+  }
+}
+}  // namespace
+
+void bindBufferBase(Context& c, GLenum, GLuint, GLuint name) { markForeign(c, name); }
+void bindBufferRange(Context& c, GLenum, GLuint, GLuint name, GLintptr, GLsizeiptr) { markForeign(c, name); }
+
+void deleteBuffers(Context& c, GLsizei n, const GLuint* names) {
+  c.touch(kArrays);
+  c.real.DeleteBuffers(n, names);
+  for (GLsizei i = 0; i < n; ++i) c.group().buffers.erase(names[i]);
+}
+
+void bufferData(Context& c, GLenum target, GLsizeiptr size, const void* data, GLenum usage) {
+  const auto buffer = bound(c, target);
+  if (!buffer || size < 0 || buffer->immutable || !isUsage(usage))
+    return c.real.BufferData(target, size, data, usage);
+  if (isHeldBack(target) && size > 0) return buffer->setData(static_cast<size_t>(size), data, usage);
+  c.real.BufferData(target, size, data, usage);
+  buffer->setSizeBelow(static_cast<size_t>(size), usage);
+}
+
+void bufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, const void* data) {
+  const auto buffer = bound(c, target);
+  if (!buffer) return c.real.BufferSubData(target, offset, size, data);
+  if (buffer->mapped()) return c.setError(GL_INVALID_OPERATION);
+  if (buffer->immutable || buffer->foreign || !isHeldBack(target) || !buffer->read(c.real)) {
+    buffer->sendTo(c.real);
+    c.real.BufferSubData(target, offset, size, data);
+    return buffer->changedBelow();
+  }
+  if (!isRange(*buffer, offset, size)) return c.setError(GL_INVALID_VALUE);
+  if (size > 0 && data) buffer->setSubData(static_cast<size_t>(offset), static_cast<size_t>(size), data);
+}
+
+void bufferStorage(Context& c, GLenum target, GLsizeiptr size, const void* data, GLbitfield flags) {
+  c.real.BufferStorage(target, size, data, flags);
+  const auto buffer = bound(c, target);
+  if (!buffer) return;
+  buffer->setSizeBelow(static_cast<size_t>(std::max<GLsizeiptr>(size, 0)), GL_DYNAMIC_DRAW);
+  buffer->immutable = true;
+  if (flags & GL_MAP_PERSISTENT_BIT) buffer->foreign = true;
+}
+
+void* mapBuffer(Context& c, GLenum target, GLenum access) {
+  GLbitfield bits = 0;
+  switch (access) {
+    case GL_READ_ONLY: bits = GL_MAP_READ_BIT; break;
+    case GL_WRITE_ONLY: bits = GL_MAP_WRITE_BIT; break;
+    case GL_READ_WRITE: bits = GL_MAP_READ_BIT | GL_MAP_WRITE_BIT; break;
+    default: return c.setError(GL_INVALID_ENUM), nullptr;
+  }
+  const auto buffer = bound(c, target);
+  if (buffer && buffer->mapped()) return c.setError(GL_INVALID_OPERATION), nullptr;
+  if (!buffer || buffer->immutable || buffer->foreign || !isHeldBack(target)) {
+    if (buffer) buffer->sendTo(c.real), buffer->changedBelow();
+    return c.real.MapBuffer(target, access);
+  }
+  if (!buffer->heldBack()) buffer->read(c.real);
+  return buffer->map(c.real, 0, buffer->size(), bits);
+}
+
+void* mapBufferRange(Context& c, GLenum target, GLintptr offset, GLsizeiptr length, GLbitfield access) {
+  const auto buffer = bound(c, target);
+  if (!buffer || buffer->immutable || buffer->foreign || !isHeldBack(target)) {
+    if (buffer) buffer->sendTo(c.real), buffer->changedBelow();
+    return c.real.MapBufferRange(target, offset, length, access);
+  }
+  if (!buffer->heldBack()) buffer->read(c.real);
+  if (!isRange(*buffer, offset, length)) return c.setError(GL_INVALID_VALUE), nullptr;
+  if (buffer->mapped() || length == 0 || !(access & (GL_MAP_READ_BIT | GL_MAP_WRITE_BIT)))
+    return c.setError(GL_INVALID_OPERATION), nullptr;
+  return buffer->map(c.real, static_cast<size_t>(offset), static_cast<size_t>(length), access);
+}
+
+GLboolean unmapBuffer(Context& c, GLenum target) {
+  const auto buffer = bound(c, target);
+  if (!buffer || !buffer->mapped()) return c.real.UnmapBuffer(target);
+  buffer->unmap();
+  return GL_TRUE;
+}
+
+void flushMappedBufferRange(Context& c, GLenum target, GLintptr offset, GLsizeiptr length) {
+  const auto buffer = bound(c, target);
+  if (!buffer || !buffer->mapped()) return c.real.FlushMappedBufferRange(target, offset, length);
+  if (!(buffer->mapAccess() & GL_MAP_FLUSH_EXPLICIT_BIT)) c.setError(GL_INVALID_OPERATION);
+}
+
+void getBufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, void* data) {
+  const auto buffer = bound(c, target);
+  if (!buffer || !buffer->heldBack()) return c.real.GetBufferSubData(target, offset, size, data);
+  if (!isRange(*buffer, offset, size)) return c.setError(GL_INVALID_VALUE);
+  if (buffer->mapped()) return c.setError(GL_INVALID_OPERATION);
+  std::memcpy(data, buffer->read(c.real)->data + offset, static_cast<size_t>(size));
+}
+
+void getBufferParameteriv(Context& c, GLenum target, GLenum pname, GLint* params) {
+  const auto buffer = bound(c, target);
+  if (!buffer || !(buffer->heldBack() || buffer->mapped()))
+    return c.real.GetBufferParameteriv(target, pname, params);
+  const GLbitfield access = buffer->mapAccess() & (GL_MAP_READ_BIT | GL_MAP_WRITE_BIT);
+  switch (pname) {
+    case GL_BUFFER_SIZE: *params = static_cast<GLint>(buffer->size()); return;
+    case GL_BUFFER_USAGE: *params = static_cast<GLint>(buffer->usage()); return;
+    case GL_BUFFER_MAPPED: *params = buffer->mapped(); return;
+    case GL_BUFFER_MAP_OFFSET:
+      *params = buffer->mapped() ? static_cast<GLint>(buffer->mapOffset()) : 0;
+      return;
+    case GL_BUFFER_MAP_LENGTH:
+      *params = buffer->mapped() ? static_cast<GLint>(buffer->mapLength()) : 0;
+      return;
+    case GL_BUFFER_ACCESS_FLAGS:
+      *params = buffer->mapped() ? static_cast<GLint>(buffer->mapAccess()) : 0;
+      return;
+    case GL_BUFFER_ACCESS:
+      *params = !buffer->mapped() || access == (GL_MAP_READ_BIT | GL_MAP_WRITE_BIT) ? GL_READ_WRITE
+                : access == GL_MAP_READ_BIT                                         ? GL_READ_ONLY
+                                                                                    : GL_WRITE_ONLY;
+      return;
+    default: return c.real.GetBufferParameteriv(target, pname, params);
+  }
+}
+
+void getBufferPointerv(Context& c, GLenum target, GLenum pname, void** params) {
+  const auto buffer = bound(c, target);
+  if (buffer && buffer->mapped() && pname == GL_BUFFER_MAP_POINTER)
+    *params = buffer->mappedPointer();
+  else
+    c.real.GetBufferPointerv(target, pname, params);
+}
+
+void copyBufferSubData(Context& c, GLenum readTarget, GLenum writeTarget, GLintptr readOffset,
+                       GLintptr writeOffset, GLsizeiptr size) {
+  const auto source = bound(c, readTarget), target = bound(c, writeTarget);
+  if (source) source->sendTo(c.real);
+  if (target) target->sendTo(c.real);
+  c.real.CopyBufferSubData(readTarget, writeTarget, readOffset, writeOffset, size);
+  if (target) target->changedBelow();
+}
+
+uint32_t buffersChangedBelow(Context& c) {
+  for (const auto& buffer : c.group().buffers.all()) {
+    buffer->sendTo(c.real);
+    buffer->changedBelow();
+  }
+  return kArrays;
+}
+
+}  // namespace gluray::gl

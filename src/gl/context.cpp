@@ -1,0 +1,237 @@
+#include "gl/context.h"
+
+#include "base/clock.h"
+#include "base/log.h"
+#include "gl/list.h"
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include <algorithm>
+
+namespace gluray::gl {
+
+thread_local ThreadState t_thread __attribute__((tls_model("initial-exec")));
+
+std::shared_ptr<Context> Context::create(const RealGl& real, std::shared_ptr<ShareGroup> group,
+                                         const ContextInfo& info, Presenter& presenter) {
+  return std::shared_ptr<Context>(new Context(real, std::move(group), info, presenter));
+}
+
+Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const ContextInfo& info,
+                 Presenter& presenter)
+    : real(realGl),
+      group_(std::move(group)),
+      info_(info),
+      presenter_(presenter),
+      passthrough_(info.off || info.core) {
+  updateAttention();
+}
+
+Context::~Context() {
+  presenter_.forget(real);
+  if (t_thread.context == this) t_thread = {};
+}
+
+void Context::updateAttention() {
+  attention = passthrough_ || insideBegin() || runOpen_ || compiling();
+  t_thread.stream = !passthrough_ && (runOpen_ || compiling()) ? &stream_ : nullptr;
+}
+
+Gate Context::gate(bool anywhere) {
+  if (passthrough_) return Gate::forward;
+  if (anywhere) return Gate::run;
+  if (insideBegin()) {
+    setError(GL_INVALID_OPERATION);
+    return Gate::refuse;
+  }
+  // A command that is not compiled leaves the run of a list open only if it cannot look at what the run has
+  // set.
+  if (runOpen_ || (compiling() && executing())) closeRun();
+  return compiling() ? Gate::compile : Gate::run;
+}
+
+void Context::beforeForward(bool flushFirst) {
+  syncCurrent();
+  if (flushFirst) {
+    flush();
+    sendBuffers();
+    setCleared({});
+  }
+}
+
+void Context::count(int command) {
+  if (unknownCalls_.empty()) unknownCalls_.resize(kCommandCount);
+  ++unknownCalls_[static_cast<size_t>(command)];
+}
+
+GLenum Context::takeError() {
+  const GLenum below = real.GetError();
+  return error_ != GL_NO_ERROR ? std::exchange(error_, GL_NO_ERROR) : below;
+}
+
+void Context::refresh(uint32_t groups) {
+  const uint32_t stale = dirty & groups;
+  if (!stale) return;
+  // Questions that an old OpenGL does not know set errors; the program must see its own errors only.
+  if (const GLenum pending = real.GetError()) setError(pending);
+  if (stale & kCurrent) readCurrent();
+  syncCurrent();
+  if (stale & kModelview) readModelview(real, state);
+  if (stale & kProjection) readProjection(real, state);
+  if (stale & kViewport) readViewport(real, state);
+  if (stale & kRaster) readRaster(real, state);
+  if (stale & kLighting) readLighting(real, state);
+  if (stale & kMaterial) readMaterial(real, state);
+  if (stale & kTexture) textures_.read(real, state);
+  if (stale & kClip) readClipPlanes(real, state);
+  if (stale & kTarget) readTarget(real, state, info_.core);
+  if (stale & kArrays) readArrays(real, *group_, arrays);
+  while (real.GetError() != GL_NO_ERROR) {}
+  dirty &= ~stale;
+}
+
+namespace {
+
+/// State groups that an attribute group of glPushAttrib holds.
+uint32_t groupsOfAttrib(GLbitfield mask) {
+  if (mask == GL_ALL_ATTRIB_BITS) return kAttribGroups;
+  uint32_t groups = 0;
+  if (mask & GL_CURRENT_BIT) groups |= kCurrent | kMaterial;
+  if (mask & GL_LIGHTING_BIT) groups |= kLighting | kMaterial;
+  if (mask & GL_ENABLE_BIT) groups |= kRaster | kLighting | kMaterial | kTexture | kClip;
+  if (mask & GL_TRANSFORM_BIT) groups |= kLighting | kClip;
+  if (mask & GL_VIEWPORT_BIT) groups |= kViewport;
+  if (mask & GL_SCISSOR_BIT) groups |= kViewport | kRaster;
+  if (mask & GL_TEXTURE_BIT) groups |= kTexture;
+  if (mask & GL_COLOR_BUFFER_BIT) groups |= kRaster | kTarget;
+  if (mask & (GL_POLYGON_BIT | GL_POLYGON_STIPPLE_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT |
+              GL_FOG_BIT | GL_MULTISAMPLE_BIT))
+    groups |= kRaster;
+  return groups;
+}
+
+}  // namespace
+
+void Context::pushAttrib(GLbitfield mask) {
+  syncCurrent();
+  real.PushAttrib(mask);
+  attribStack_.push_back({mask, listBase});
+}
+
+void Context::popAttrib() {
+  syncCurrent();
+  if (!attribStack_.empty()) {
+    const SavedAttrib saved = attribStack_.back();
+    attribStack_.pop_back();
+    if (saved.mask & GL_LIST_BIT) listBase = saved.listBase;
+    // A change of the draw buffer redirects what is pending.
+    if (saved.mask & GL_COLOR_BUFFER_BIT) flush();
+    touch(groupsOfAttrib(saved.mask));
+  }
+  real.PopAttrib();
+}
+
+void Context::sendBuffers() {
+  const auto send = [&](const std::shared_ptr<Buffer>& buffer) {
+    if (buffer) buffer->sendTo(real);
+  };
+  if (!group_->anyBuffersHeldBack()) return;
+  refresh(kArrays);
+  for (const ArraySource* source : {&arrays.vertex, &arrays.normal, &arrays.color, &arrays.texcoord})
+    send(source->buffer);
+  send(arrays.elements);
+  if (!arrays.others) return;
+  for (const auto& buffer : group_->buffers.all()) send(buffer);
+}
+
+void Context::makeCurrent() {
+  t_thread.context = this;
+  dirty = kAllGroups;  // another thread or another drawable may be behind it now
+  updateAttention();
+}
+
+void Context::loseCurrent() {
+  protect([&] {
+    if (runOpen_) closeRun();
+    syncCurrent();
+    flush();
+  });
+  if (t_thread.context == this) t_thread = {};
+}
+
+void Context::beforeSwap() {
+  protect([&] {
+    if (runOpen_) closeRun();
+    flush();
+  });
+}
+
+void Context::afterSwap() {
+  ++statistics.frames;
+  ++frame;
+  cleared_.reset();
+  group_->meshes.expire(frame);
+  deleteDiscardedLists();
+}
+
+void Context::deleteDiscardedLists() {
+  for (const GLuint id : group_->takeDiscardedLists()) real.DeleteLists(id, 1);
+}
+
+bool Context::canTrace() {
+  if (!supportKnown_) {
+    supportKnown_ = true;
+    std::string why;
+    supported_ = presenter_.supports(real, info_.core, why);
+    if (!supported_)
+      log::once(log::Level::warning, "support",
+                "this OpenGL cannot show traced pictures (" + why + "): the program draws as without GLuRay");
+  }
+  return supported_;
+}
+
+void Context::flush() {
+  if (batch_.empty()) return;
+  const BatchKey key = batch_.key();
+  const scene::SnapshotPtr snapshot = batch_.take();
+  syncCurrent();
+  const PresentTarget target{key.depthFunc, info_.core, cleared_};
+  const PresentResult result = presenter_.present(real, snapshot, target);
+  cleared_.reset();
+  if (result.pendingError != GL_NO_ERROR) setError(result.pendingError);
+  ++statistics.flushes;
+  statistics.buildSeconds += result.buildSeconds;
+  statistics.traceSeconds += result.traceSeconds;
+  statistics.presentSeconds += result.presentSeconds;
+  statistics.blasBuilds += result.blasBuilds;
+  statistics.bvhBytes = result.bvhBytes;
+  if (result.outcome != PresentResult::traced) stepAside("the ray tracer could not make a picture");
+}
+
+void Context::showIfVisible() {
+  syncCurrent();
+  if (batch_.empty()) return;
+  const GLenum buffer = batch_.key().drawBuffer;
+  const bool front =
+      buffer == GL_FRONT || buffer == GL_FRONT_LEFT || buffer == GL_FRONT_AND_BACK || buffer == GL_LEFT;
+  if (info_.doubleBuffered && !front && batch_.key().framebuffer == 0) return;
+  flush();
+  if (!info_.doubleBuffered) afterSwap();
+}
+
+void Context::stepAside(const char* why) noexcept {
+  try {
+    if (!aside_)
+      log::write(log::Level::warning,
+                 std::string("stepping aside, the program draws as without GLuRay from here on: ") + why);
+    aside_ = true;
+    // What was held back is drawn by the real OpenGL, in order, so that nothing is missing from the picture.
+    flush();
+    if (runOpen_ || (compiling() && !stream_.empty())) surrenderRun();
+  } catch (...) {  // nothing more can be done; the real OpenGL goes on without these vertices
+  }
+  updateAttention();
+}
+
+}  // namespace gluray::gl

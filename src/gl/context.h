@@ -1,0 +1,236 @@
+// One OpenGL context as we see it: which vertices are held back, what the pending batch is, what state has
+// changed. Made by intercept/, used by generated stubs and handlers, always on the thread where the context
+// is current.
+#pragma once
+#include "gl/arrays.h"
+#include "gl/batch.h"
+#include "gl/presenter.h"
+#include "gl/real.h"
+#include "gl/share_group.h"
+#include "gl/state.h"
+#include "gl/statistics.h"
+#include "gl/texture.h"
+#include "gl/thread_state.h"
+#include "gl/vertex_stream.h"
+
+#include <exception>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace gluray::gl {
+
+class DisplayList;
+class ListOp;
+class GeometryRun;
+
+struct ContextInfo {
+  bool core = false;           // core profile or OpenGL ES: everything is rasterised
+  bool doubleBuffered = true;  // otherwise glFlush and glFinish show the picture
+  bool off = false;            // pass every call through
+  Settings settings;
+};
+
+/// What a generated stub must do when `attention` is set.
+enum class Gate {
+  run,      // go on
+  forward,  // call the real OpenGL only
+  refuse,   // an error was recorded; return 0
+  compile,  // a display list is being compiled
+};
+
+class Context {
+ public:
+  /// The real context must be current, now or when the first call arrives.
+  static std::shared_ptr<Context> create(const RealGl& real, std::shared_ptr<ShareGroup> group,
+                                         const ContextInfo& info, Presenter& presenter);
+  ~Context();
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+
+  const RealGl& real;
+  bool attention =
+      false;  // passthrough, inside glBegin, a run is open, or a list is compiled: stubs ask gate()
+  uint32_t dirty = kAllGroups;  // StateGroups to read back before the next draw needs them
+  State state;                  // valid where not dirty; use refresh()
+  ArrayState arrays;            // the same for kArrays
+  Statistics statistics;
+  uint64_t frame = 1;
+
+  // --- for generated stubs
+  // -------------------------------------------------------------------------------------------
+  /// `anywhere`: the command is legal between glBegin and glEnd and deals with runs and lists itself.
+  Gate gate(bool anywhere = false);
+  bool passthrough() const { return passthrough_; }
+  template <class F>
+  void record(F&& call);
+  template <class F>
+  void recordFragment(F&& call);
+  template <class F>
+  auto protect(F&& body) noexcept -> decltype(body());
+  void syncCurrent() {
+    if (currentDirty_) [[unlikely]]
+      sendCurrent();
+  }
+  /// Before a command that we do not model is forwarded: attributes are sent, and the batch too if it may
+  /// matter.
+  void beforeForward(bool flushFirst);
+  void count(int command);
+  void touch(uint32_t groups) { dirty |= groups; }
+
+  // --- for intercept/
+  // ------------------------------------------------------------------------------------------------
+  /// Called on the thread where the context has just been made current, or is about to lose it.
+  void makeCurrent();
+  void loseCurrent();
+  /// Shows what is pending, before a buffer swap, and after it.
+  void beforeSwap();
+  void afterSwap();
+  /// Traces the pending batch and writes it into the framebuffer. Nothing to do if there is none.
+  void flush();
+  /// From now on every draw is rasterised; what was held back is given to the real OpenGL.
+  void stepAside(const char* why) noexcept;
+  /// For glFlush and glFinish: shows what is pending if anybody could see it before the next swap.
+  void showIfVisible();
+  /// Calls of commands that we do not model, by index into kCommandNames.
+  const std::vector<uint64_t>& unknownCalls() const { return unknownCalls_; }
+  const ContextInfo& info() const { return info_; }
+
+  // --- for handlers
+  // --------------------------------------------------------------------------------------------------
+  void setError(GLenum error) {
+    if (error_ == GL_NO_ERROR) error_ = error;
+  }
+  GLenum takeError();
+  ShareGroup& group() { return *group_; }
+  const std::shared_ptr<ShareGroup>& sharedGroup() const { return group_; }
+  TextureCache& textures() { return textures_; }
+  Batch& batch() { return batch_; }
+
+  /// Reads `groups` back where they changed.
+  void refresh(uint32_t groups);
+
+  enum class Inside { nothing, captured, rasterised };
+  Inside inside() const { return inside_; }
+  bool insideBegin() const { return inside_ != Inside::nothing; }
+  void begin(GLenum mode);
+  void end();
+  void attribute(Slot slot, const float* values);
+  void vertex(float x, float y, float z, float w);
+  void material(GLenum face, GLenum pname, const float* params);
+  /// A primitive of few vertices from the enabled arrays, joined to the run as if sent by glBegin. False
+  /// where it was rasterised.
+  void drawSmall(GLenum mode, const std::vector<uint32_t>& vertices);
+  /// One vertex of the enabled arrays, as glArrayElement sends it.
+  void arrayElement(uint32_t i);
+  /// Current value of an attribute, from wherever it is newest.
+  const float* current(Slot slot);
+
+  /// Ends the run of glBegin/glEnd pairs that is being captured and draws or records it.
+  void closeRun();
+  void closeRunIfOpen() {
+    if (runOpen_) closeRun();
+  }
+
+  // Lists.
+  bool compiling() const { return list_ != nullptr; }
+  bool executing() const { return !list_ || listMode_ == GL_COMPILE_AND_EXECUTE; }
+  void newList(GLuint name, GLenum mode);
+  void endList();
+  void callList(GLuint name);
+  GLuint listName() const { return listName_; }
+  GLenum listMode() const { return listMode_; }
+  GLuint listBase = 0;
+  void append(std::unique_ptr<ListOp> op);
+  /// Draws a captured run, traced or by the real OpenGL, and leaves its last attributes current.
+  void execute(GeometryRun& run);
+
+  /// Why a surface with this mesh cannot be traced now, or Reason::traced. Call refresh(kDrawGroups) before.
+  Reason triage(PrimitiveClass kind);
+  Reason triage(const KnownMesh& mesh, const std::vector<MaterialChange>& materials) const;
+  /// Adds a mesh to the batch with the state of now. `materials` beside the current one.
+  void addInstance(const scene::MeshPtr& mesh, SlotMask slots, const std::vector<MaterialChange>& materials);
+  /// Makes the real OpenGL ready for a draw of its own: order, attributes.
+  void beforeRasterDraw(PrimitiveClass kind);
+  void countRaster(Reason reason, uint64_t triangles);
+  void countTraced(uint64_t triangles);
+  /// Gives the real OpenGL the contents of buffers that its draws may read.
+  void sendBuffers();
+  /// glPushAttrib and glPopAttrib: what we keep beside the real OpenGL's stack.
+  void pushAttrib(GLbitfield mask);
+  void popAttrib();
+  /// The framebuffer has just been cleared whole to `color` and depth 1, or (null) something else was drawn.
+  void setCleared(std::optional<glm::vec4> color) { cleared_ = color; }
+  bool hasPending() const { return !batch_.empty(); }
+
+ private:
+  Context(const RealGl& real, std::shared_ptr<ShareGroup> group, const ContextInfo& info,
+          Presenter& presenter);
+  void updateAttention();
+  void sendCurrent();
+  void startRun();
+  void drawRun();
+  void recordRun();
+  void keepRunValues();
+  void addSlotToRun(Slot slot);
+  void readCurrent();
+  void surrenderRun();
+  void drawListRun(GeometryRun& run);
+  void applyMaterial(const MaterialChange& change);
+  template <class F>
+  void runDetached(F&& body);
+  bool canTrace();
+  void deleteDiscardedLists();
+
+  std::shared_ptr<ShareGroup> group_;
+  ContextInfo info_;
+  Presenter& presenter_;
+  bool passthrough_ = false;  // we are not there: every call goes to the real OpenGL
+  bool aside_ = false;        // after a failure of ours: draws are rasterised, all else goes on
+  bool supportKnown_ = false, supported_ = true;
+  GLenum error_ = GL_NO_ERROR;
+
+  VertexStream stream_;
+  Inside inside_ = Inside::nothing;
+  bool runOpen_ = false;  // stream_ holds an immediate-mode run
+  PrimitiveClass runClass_ = PrimitiveClass::surfaces;
+  SlotValues current_ = initialSlotValues();
+  SlotMask currentDirty_ = 0;     // slots that are newer here than in the real OpenGL
+  MaterialChange materialDirty_;  // material parameters that are newer here
+
+  std::shared_ptr<DisplayList> list_;
+  GLuint openFragment_ = 0;  // real list that takes the rest of a primitive that was given up
+  GLuint listName_ = 0;
+  GLenum listMode_ = 0;
+  int listDepth_ = 0;
+  std::vector<InheritedSlot> inherited_;
+
+  struct SavedAttrib {
+    GLbitfield mask;
+    GLuint listBase;
+  };
+  std::vector<SavedAttrib> attribStack_;
+
+  TextureCache textures_;
+  Batch batch_;
+  std::optional<glm::vec4> cleared_;
+  std::vector<uint64_t> unknownCalls_;
+};
+
+template <class F>
+auto Context::protect(F&& body) noexcept -> decltype(body()) {
+  try {
+    return body();
+  } catch (const std::exception& e) { stepAside(e.what()); } catch (...) {
+    stepAside("unknown error");
+  }
+  if constexpr (!std::is_void_v<decltype(body())>) return {};
+}
+
+/// Groups that decide whether and how a surface is traced.
+inline constexpr uint32_t kDrawGroups = kModelview | kProjection | kViewport | kRaster | kLighting |
+                                        kMaterial | kTexture | kClip | kTarget | kCurrent;
+
+}  // namespace gluray::gl

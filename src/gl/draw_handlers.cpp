@@ -1,0 +1,227 @@
+// glBegin and its kin, and draws from vertex arrays.
+#include "base/clock.h"
+#include "gl/handlers.h"
+#include "gl/leaf.h"
+#include "gl/stub.h"
+
+#include <algorithm>
+#include <cstring>
+#include <span>
+
+namespace gluray::gl {
+
+void begin(Context& c, GLenum mode) { c.begin(mode); }
+void end(Context& c) { c.end(); }
+
+void materialfv(Context& c, GLenum face, GLenum pname, const GLfloat* params) {
+  c.material(face, pname, params);
+}
+
+void materialf(Context& c, GLenum face, GLenum pname, GLfloat param) {
+  if (pname != GL_SHININESS) return c.setError(GL_INVALID_ENUM);
+  c.material(face, pname, &param);
+}
+
+void materiali(Context& c, GLenum face, GLenum pname, GLint param) {
+  materialf(c, face, pname, static_cast<GLfloat>(param));
+}
+
+void materialiv(Context& c, GLenum face, GLenum pname, const GLint* params) {
+  if (pname == GL_COLOR_INDEXES) return c.real.Materialiv(face, pname, params);
+  GLfloat values[4] = {};
+  for (size_t i = 0; i < materialParams(pname); ++i)  // colours map linearly, GL 2.1 table 2.9
+    values[i] = pname == GL_SHININESS ? static_cast<GLfloat>(params[i])
+                                      : static_cast<GLfloat>((2.0 * params[i] + 1.0) / 4294967295.0);
+  c.material(face, pname, values);
+}
+
+void rectf(Context& c, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
+  c.begin(GL_POLYGON);
+  leaf::vertex(x1, y1), leaf::vertex(x2, y1), leaf::vertex(x2, y2), leaf::vertex(x1, y2);
+  c.end();
+}
+namespace {
+template <class T>
+void rect(Context& c, T x1, T y1, T x2, T y2) {
+  rectf(c, static_cast<GLfloat>(x1), static_cast<GLfloat>(y1), static_cast<GLfloat>(x2),
+        static_cast<GLfloat>(y2));
+}
+}  // namespace
+void rectd(Context& c, GLdouble x1, GLdouble y1, GLdouble x2, GLdouble y2) { rect(c, x1, y1, x2, y2); }
+void recti(Context& c, GLint x1, GLint y1, GLint x2, GLint y2) { rect(c, x1, y1, x2, y2); }
+void rects(Context& c, GLshort x1, GLshort y1, GLshort x2, GLshort y2) { rect(c, x1, y1, x2, y2); }
+void rectfv(Context& c, const GLfloat* a, const GLfloat* b) { rect(c, a[0], a[1], b[0], b[1]); }
+void rectdv(Context& c, const GLdouble* a, const GLdouble* b) { rect(c, a[0], a[1], b[0], b[1]); }
+void rectiv(Context& c, const GLint* a, const GLint* b) { rect(c, a[0], a[1], b[0], b[1]); }
+void rectsv(Context& c, const GLshort* a, const GLshort* b) { rect(c, a[0], a[1], b[0], b[1]); }
+
+void arrayElement(Context& c, GLint i) {
+  if (c.inside() == Context::Inside::nothing) c.refresh(kArrays);
+  c.arrayElement(static_cast<uint32_t>(i));
+}
+
+void Context::arrayElement(uint32_t i) {
+  const auto send = [&](const ArraySource& source, auto&& put) {
+    const ArrayReader reader(real, source);
+    if (i >= reader.available()) return;
+    float v[4];
+    reader.read(i, v);
+    put(v);
+  };
+  send(arrays.normal, [](const float* v) { leaf::normal(v[0], v[1], v[2]); });
+  send(arrays.color, [](const float* v) { leaf::color(v[0], v[1], v[2], v[3]); });
+  send(arrays.texcoord, [](const float* v) { leaf::texCoord(0, v[0], v[1], v[2], v[3]); });
+  send(arrays.vertex, [](const float* v) { leaf::vertex(v[0], v[1], v[2], v[3]); });
+}
+
+void Context::drawSmall(GLenum mode, const std::vector<uint32_t>& vertices) {
+  // Draws from arrays leave the current attributes as they were.
+  const SlotMask slots = slotsOf(arrays) & ~bit(kPosition);
+  SlotValues before = current_;
+  for (int s = kNormal; s < kSlotCount; ++s)
+    if (slots & bit(static_cast<Slot>(s)))
+      std::memcpy(before[static_cast<size_t>(s)].data(), current(static_cast<Slot>(s)),
+                  sizeOf(static_cast<Slot>(s)) * 4);
+  begin(mode);
+  for (const uint32_t i : vertices) arrayElement(i);
+  end();
+  for (int s = kNormal; s < kSlotCount; ++s)
+    if (slots & bit(static_cast<Slot>(s)))
+      attribute(static_cast<Slot>(s), before[static_cast<size_t>(s)].data());
+}
+
+namespace {
+
+bool isMode(GLenum mode) { return mode <= GL_POLYGON || (mode >= GL_LINES_ADJACENCY && mode <= GL_PATCHES); }
+
+bool isIndexType(GLenum type) {
+  return type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_INT;
+}
+
+/// Sets the error of a wrong draw; true where there is none.
+bool validate(Context& c, GLenum mode, const Elements& e) {
+  if (!isMode(mode)) return c.setError(GL_INVALID_ENUM), false;
+  if (e.count < 0 || e.first < 0) return c.setError(GL_INVALID_VALUE), false;
+  if (e.type && !isIndexType(e.type)) return c.setError(GL_INVALID_ENUM), false;
+  if (c.insideBegin()) return c.setError(GL_INVALID_OPERATION), false;
+  return true;
+}
+
+/// The draw by the real OpenGL.
+void rasterise(Context& c, GLenum mode, const Elements& e) {
+  if (!e.type) return c.real.DrawArrays(mode, e.first, e.count);
+  if (e.base) return c.real.DrawElementsBaseVertex(mode, e.count, e.type, e.indices, e.base);
+  c.real.DrawElements(mode, e.count, e.type, e.indices);
+}
+
+constexpr GLsizei kSmall = 192;  // vertices: below, draws join a run instead of becoming meshes of their own
+
+/// Records a draw: dereferenced now, as display lists demand (GL 2.1, 5.4).
+void recordDraw(Context& c, GLenum mode, const Elements& e) {
+  c.refresh(kArrays);
+  if (c.arrays.others || c.arrays.reason != Reason::traced || mode > GL_POLYGON) {
+    c.sendBuffers();
+    return c.recordFragment([&] { rasterise(c, mode, e); });
+  }
+  if (!c.arrays.vertex.enabled) return;
+  if (e.count <= kSmall) return c.drawSmall(mode, vertexNumbers(c.real, c.arrays, e));
+  Captured run = capture(c.real, c.arrays, mode, e);
+  if (run.empty()) return;
+  c.append(std::make_unique<GeometryRun>(std::move(run), classOf(mode), c.sharedGroup()));
+}
+
+/// The mesh of the draw, known or new.
+KnownMesh meshOf(Context& c, GLenum mode, const Elements& e) {
+  const double start = nowSeconds();
+  KnownMesh known;
+  const Hash128 content = contentOf(c.real, c.arrays, mode, e);
+  if (!c.group().meshes.find(content, c.frame, known)) {
+    known = buildArrayMesh(c.real, c.arrays, mode, e);
+    c.group().meshes.put(content, c.frame, known);
+    ++c.statistics.meshesBuilt;
+    if (known.mesh) c.statistics.meshBytes += known.mesh->sizeBytes;
+  }
+  c.statistics.captureSeconds += nowSeconds() - start;
+  return known;
+}
+
+/// Traces the draw if that can be right; says why not otherwise.
+Reason traceDraw(Context& c, GLenum mode, const Elements& e) {
+  if (mode > GL_POLYGON) return Reason::program;  // adjacency and patches need shaders
+  Reason reason = c.triage(classOf(mode));
+  if (reason == Reason::traced) reason = c.arrays.reason;
+  if (reason != Reason::traced) return reason;
+  const KnownMesh known = meshOf(c, mode, e);
+  reason = c.triage(known, {});
+  if (reason != Reason::traced) return reason;
+  c.countTraced(known.mesh->triangleCount);
+  c.addInstance(known.mesh, slotsOf(c.arrays), {});
+  return reason;
+}
+
+void draw(Context& c, GLenum mode, const Elements& e) {
+  if (!validate(c, mode, e) || e.count == 0) return;
+  if (c.compiling()) return recordDraw(c, mode, e);
+  c.refresh(kDrawGroups | kArrays);
+  const bool plain = mode <= GL_POLYGON && c.arrays.reason == Reason::traced && c.arrays.vertex.enabled;
+  if (plain && e.count <= kSmall && c.triage(classOf(mode)) == Reason::traced)
+    return c.drawSmall(mode, vertexNumbers(c.real, c.arrays, e));
+  c.closeRunIfOpen();
+  if (mode <= GL_POLYGON && !c.arrays.vertex.enabled && c.arrays.reason == Reason::traced && !c.arrays.others)
+    return;  // draws nothing
+  const Reason reason = traceDraw(c, mode, e);
+  if (reason == Reason::traced) return;
+  const PrimitiveClass kind = mode <= GL_POLYGON ? classOf(mode) : PrimitiveClass::lines;
+  c.countRaster(reason, mode == GL_TRIANGLES ? static_cast<uint64_t>(e.count / 3) : 0);
+  c.beforeRasterDraw(kind);
+  c.sendBuffers();
+  rasterise(c, mode, e);
+}
+
+}  // namespace
+
+void drawArrays(Context& c, GLenum mode, GLint first, GLsizei count) {
+  draw(c, mode, {first, count, 0, nullptr, 0});
+}
+
+void drawElements(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices) {
+  if (!isIndexType(type)) return c.setError(GL_INVALID_ENUM);
+  draw(c, mode, {0, count, type, indices, 0});
+}
+
+void drawRangeElements(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type,
+                       const void* indices) {
+  if (end < start) return c.setError(GL_INVALID_VALUE);
+  drawElements(c, mode, count, type, indices);
+}
+
+void drawElementsBaseVertex(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices,
+                            GLint base) {
+  if (!isIndexType(type)) return c.setError(GL_INVALID_ENUM);
+  draw(c, mode, {0, count, type, indices, base});
+}
+
+void drawRangeElementsBaseVertex(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count,
+                                 GLenum type, const void* indices, GLint base) {
+  if (end < start) return c.setError(GL_INVALID_VALUE);
+  drawElementsBaseVertex(c, mode, count, type, indices, base);
+}
+
+void multiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count, GLsizei draws) {
+  if (draws < 0) return c.setError(GL_INVALID_VALUE);
+  for (GLsizei i = 0; i < draws; ++i) drawArrays(c, mode, first[i], count[i]);
+}
+
+void multiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices,
+                       GLsizei draws) {
+  if (draws < 0) return c.setError(GL_INVALID_VALUE);
+  for (GLsizei i = 0; i < draws; ++i) drawElements(c, mode, count[i], type, indices[i]);
+}
+
+void multiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* count, GLenum type,
+                                 const void* const* indices, GLsizei draws, const GLint* base) {
+  if (draws < 0) return c.setError(GL_INVALID_VALUE);
+  for (GLsizei i = 0; i < draws; ++i) drawElementsBaseVertex(c, mode, count[i], type, indices[i], base[i]);
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,90 @@
+// Handlers of the commands that spec/policy.toml gives class "own" or a handler: glFooBar -> fooBar(Context&,
+// ...). Called by generated stubs on the thread where the context is current.
+#pragma once
+#include "gl/context.h"
+
+#include <functional>
+
+namespace gluray::gl {
+
+// immediate mode (draw_handlers.cpp)
+void begin(Context& c, GLenum mode);
+void end(Context& c);
+void materialf(Context& c, GLenum face, GLenum pname, GLfloat param);
+void materiali(Context& c, GLenum face, GLenum pname, GLint param);
+void materialfv(Context& c, GLenum face, GLenum pname, const GLfloat* params);
+void materialiv(Context& c, GLenum face, GLenum pname, const GLint* params);
+void arrayElement(Context& c, GLint i);
+void rectf(Context& c, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2);
+void rectd(Context& c, GLdouble x1, GLdouble y1, GLdouble x2, GLdouble y2);
+void recti(Context& c, GLint x1, GLint y1, GLint x2, GLint y2);
+void rects(Context& c, GLshort x1, GLshort y1, GLshort x2, GLshort y2);
+void rectfv(Context& c, const GLfloat* v1, const GLfloat* v2);
+void rectdv(Context& c, const GLdouble* v1, const GLdouble* v2);
+void rectiv(Context& c, const GLint* v1, const GLint* v2);
+void rectsv(Context& c, const GLshort* v1, const GLshort* v2);
+
+// vertex arrays (draw_handlers.cpp)
+void drawArrays(Context& c, GLenum mode, GLint first, GLsizei count);
+void drawElements(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices);
+void drawRangeElements(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type,
+                       const void* indices);
+void drawElementsBaseVertex(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices,
+                            GLint base);
+void drawRangeElementsBaseVertex(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count,
+                                 GLenum type, const void* indices, GLint base);
+void multiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count, GLsizei draws);
+void multiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices,
+                       GLsizei draws);
+void multiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* count, GLenum type,
+                                 const void* const* indices, GLsizei draws, const GLint* base);
+
+// display lists (list_handlers.cpp)
+void newList(Context& c, GLuint name, GLenum mode);
+void endList(Context& c);
+void callList(Context& c, GLuint name);
+void callLists(Context& c, GLsizei n, GLenum type, const void* names);
+GLuint genLists(Context& c, GLsizei range);
+void deleteLists(Context& c, GLuint first, GLsizei range);
+GLboolean isList(Context& c, GLuint name);
+void listBase(Context& c, GLuint base);
+/// glXUseXFont: `make` calls the real one with a list base of the real OpenGL's; our lists then call those.
+void useXFont(Context& c, int first, int count, int base, const std::function<void(int realBase)>& make);
+
+// buffer objects (buffer_handlers.cpp)
+void bindBuffer(Context& c, GLenum target, GLuint name);
+void bindBufferBase(Context& c, GLenum target, GLuint index, GLuint name);
+void bindBufferRange(Context& c, GLenum target, GLuint index, GLuint name, GLintptr offset, GLsizeiptr size);
+void deleteBuffers(Context& c, GLsizei n, const GLuint* names);
+void bufferData(Context& c, GLenum target, GLsizeiptr size, const void* data, GLenum usage);
+void bufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, const void* data);
+void bufferStorage(Context& c, GLenum target, GLsizeiptr size, const void* data, GLbitfield flags);
+void* mapBuffer(Context& c, GLenum target, GLenum access);
+void* mapBufferRange(Context& c, GLenum target, GLintptr offset, GLsizeiptr length, GLbitfield access);
+GLboolean unmapBuffer(Context& c, GLenum target);
+void flushMappedBufferRange(Context& c, GLenum target, GLintptr offset, GLsizeiptr length);
+void getBufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, void* data);
+void getBufferParameteriv(Context& c, GLenum target, GLenum pname, GLint* params);
+void getBufferPointerv(Context& c, GLenum target, GLenum pname, void** params);
+void copyBufferSubData(Context& c, GLenum readTarget, GLenum writeTarget, GLintptr readOffset,
+                       GLintptr writeOffset, GLsizeiptr size);
+/// Commands that name buffers directly: the real OpenGL gets ours first and its contents are read back later.
+/// Groups to touch.
+uint32_t buffersChangedBelow(Context& c);
+
+// framebuffer, attributes, questions (state_handlers.cpp)
+void clear(Context& c, GLbitfield mask);
+void flush(Context& c);
+void finish(Context& c);
+void pushAttrib(Context& c, GLbitfield mask);
+void popAttrib(Context& c);
+GLenum getError(Context& c);
+void getIntegerv(Context& c, GLenum pname, GLint* data);
+void getFloatv(Context& c, GLenum pname, GLfloat* data);
+void getDoublev(Context& c, GLenum pname, GLdouble* data);
+void getBooleanv(Context& c, GLenum pname, GLboolean* data);
+void getInteger64v(Context& c, GLenum pname, GLint64* data);
+/// Texture images may have changed. Groups to touch.
+uint32_t imagesChanged(Context& c);
+
+}  // namespace gluray::gl

@@ -1,0 +1,280 @@
+// glBegin to glEnd, current attributes and materials: the Context's side of the leaf path.
+#include "base/clock.h"
+#include "gl/context.h"
+#include "gl/handlers.h"
+#include "gl/leaf.h"
+#include "gl/list.h"
+#include "gl/mesh_builder.h"
+#include "gl/replay.h"
+#include "gl/stub.h"
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include <cstring>
+
+namespace gluray::gl {
+
+namespace leaf {
+
+void slowAttribute(Slot slot, const float* values) noexcept {
+  if (Context* c = t_thread.context) c->protect([&] { c->attribute(slot, values); });
+}
+
+void slowVertex(float x, float y, float z, float w) noexcept {
+  Context* c = t_thread.context;
+  if (!c) return;
+  c->protect([&] { c->vertex(x, y, z, w); });
+}
+
+void invalidUnit() noexcept {
+  if (Context* c = t_thread.context) c->setError(GL_INVALID_ENUM);
+}
+
+void vertexAttribSlow(GLuint index, float x, float y, float z, float w) noexcept {
+  Context* c = t_thread.context;
+  if (!c) return;
+  if (c->passthrough())
+    c->real.VertexAttrib4f(index, x, y, z, w);
+  else if (index == 0)
+    vertex(x, y, z, w);
+  else
+    c->setError(GL_INVALID_VALUE);
+}
+
+}  // namespace leaf
+
+void Context::attribute(Slot slot, const float* values) {
+  const auto keep = [&] { std::memcpy(current_[slot].data(), values, sizeOf(slot) * sizeof(float)); };
+  if (passthrough_) return sendAttribute(real, slot, values);
+  if (inside_ == Inside::rasterised) {
+    sendAttribute(real, slot, values);
+    return openFragment_ ? void() : keep();
+  }
+  if (runOpen_ || compiling()) {
+    if (!stream_.has(slot)) addSlotToRun(slot);
+    return stream_.set(slot, values);
+  }
+  if (dirty & kCurrent) refresh(kCurrent);
+  keep();
+  currentDirty_ |= bit(slot);
+  if (slot == kColor && state.shading.colorMaterial != scene::ColorMaterial{}) dirty |= kMaterial;
+}
+
+void Context::addSlotToRun(Slot slot) {
+  constexpr uint32_t kCheapToWiden = 4096;  // vertices
+  const bool widen = inside_ == Inside::captured || stream_.captured().vertexCount <= kCheapToWiden;
+  if (!compiling()) {
+    if (widen)
+      return stream_.addSlot(
+          slot, slot == kMaterialNumber ? initialSlotValues()[kMaterialNumber].data() : current(slot));
+    // Rather than rewriting many vertices, end their run here; the next starts with the slot.
+    closeRun();
+    startRun();
+    return stream_.addSlot(slot, current(slot));
+  }
+  // What the caller of the list will have set is unknown now: vertices captured so far inherit it when the
+  // list is called.
+  if (inside_ != Inside::captured && !stream_.empty()) closeRun();
+  if (!stream_.empty() && slot != kMaterialNumber)
+    inherited_.push_back({slot, stream_.captured().vertexCount});
+  stream_.addSlot(slot, initialSlotValues()[slot].data());
+}
+
+void Context::vertex(float x, float y, float z, float w) {
+  if (passthrough_ || inside_ == Inside::rasterised) return real.Vertex4f(x, y, z, w);
+  if (inside_ == Inside::captured) return stream_.vertexSlow(x, y, z, w);
+  // A vertex outside glBegin draws nothing, but in a list it may be called between the caller's glBegin and
+  // glEnd.
+  if (!compiling()) return;
+  closeRun();
+  record([=](Context&) { leaf::vertex(x, y, z, w); });
+}
+
+void Context::begin(GLenum mode) {
+  if (insideBegin()) return setError(GL_INVALID_OPERATION);
+  if (mode > GL_POLYGON && !(mode >= GL_LINES_ADJACENCY && mode <= GL_TRIANGLE_STRIP_ADJACENCY))
+    return setError(GL_INVALID_ENUM);
+  const PrimitiveClass kind = mode > GL_POLYGON ? PrimitiveClass::lines : classOf(mode);
+  if (compiling()) {
+    if (kind != runClass_ && !stream_.empty()) closeRun();
+    runClass_ = kind;
+  } else if (!runOpen_ || kind != runClass_) {
+    if (runOpen_) closeRun();
+    refresh(kDrawGroups);
+    runClass_ = kind;
+    const Reason reason = triage(kind);
+    if (reason != Reason::traced) {
+      beforeRasterDraw(kind);
+      countRaster(reason, 0);
+      inside_ = Inside::rasterised;
+      real.Begin(mode);
+      return updateAttention();
+    }
+    startRun();
+  }
+  inside_ = Inside::captured;
+  stream_.begin(mode);
+  updateAttention();
+}
+
+void Context::end() {
+  if (!insideBegin()) return setError(GL_INVALID_OPERATION);
+  if (inside_ == Inside::rasterised) {
+    real.End();
+    if (const GLuint id = std::exchange(openFragment_, 0)) {
+      real.EndList();
+      append(std::make_unique<FragmentOp>(id, group_));
+    }
+  } else {
+    stream_.end();
+  }
+  inside_ = Inside::nothing;
+  updateAttention();
+}
+
+void Context::startRun() {
+  stream_.start(bit(kPosition), current_);
+  inherited_.clear();
+  runOpen_ = !compiling();
+  updateAttention();
+}
+
+void Context::closeRun() {
+  if (compiling()) {
+    recordRun();
+    return startRun();
+  }
+  runOpen_ = false;
+  drawRun();
+  keepRunValues();
+  updateAttention();
+}
+
+void Context::keepRunValues() {
+  for (int s = kNormal; s < kSlotCount; ++s) {
+    const auto slot = static_cast<Slot>(s);
+    if (!stream_.has(slot) || slot == kMaterialNumber) continue;
+    std::memcpy(current_[slot].data(), stream_.get(slot), sizeOf(slot) * sizeof(float));
+    currentDirty_ |= bit(slot);
+    if (slot == kColor && state.shading.colorMaterial != scene::ColorMaterial{}) dirty |= kMaterial;
+  }
+  if (const MaterialChange* last = stream_.lastMaterial()) {
+    sendCurrent();
+    sendMaterial(real, *last);
+    dirty |= kMaterial;
+  }
+}
+
+void Context::drawRun() {
+  Captured& run = stream_.captured();
+  if (run.empty()) return;
+  const double start = nowSeconds();
+  KnownMesh known;
+  const Hash128 content = run.hash();
+  if (!group_->meshes.find(content, frame, known)) {
+    known = buildMesh(run);
+    group_->meshes.put(content, frame, known);
+    ++statistics.meshesBuilt;
+    if (known.mesh) statistics.meshBytes += known.mesh->sizeBytes;
+  }
+  statistics.captureSeconds += nowSeconds() - start;
+  const uint64_t triangles = countTriangles(run);
+  const Reason reason = aside_ ? Reason::failure : triage(known, run.materials);
+  if (reason == Reason::traced) {
+    countTraced(triangles);
+    return addInstance(known.mesh, run.layout.mask, run.materials);
+  }
+  countRaster(reason, triangles);
+  beforeRasterDraw(runClass_);
+  replay(real, run);
+}
+
+void Context::surrenderRun() {
+  Captured& run = stream_.captured();
+  const bool open = inside_ == Inside::captured;
+  GLuint fragment = 0;
+  if (compiling()) {
+    fragment = real.GenLists(1);
+    real.NewList(fragment, GL_COMPILE);
+  } else {
+    sendCurrent();
+  }
+  replay(real, run);
+  if (open) replayOpen(real, run, stream_.openPrimitive());
+  if (!compiling()) {
+    currentDirty_ = 0;
+    keepRunValues();
+    if (open) currentDirty_ = 0;  // sent with the vertices
+  } else if (open) {
+    openFragment_ = fragment;
+  } else {
+    real.EndList();
+    append(std::make_unique<FragmentOp>(fragment, group_));
+  }
+  inside_ = open ? Inside::rasterised : Inside::nothing;
+  startRun();
+  runOpen_ = false;
+}
+
+void Context::material(GLenum face, GLenum pname, const float* params) {
+  MaterialChange change;
+  if (passthrough_ || inside_ == Inside::rasterised || !change.set(face, pname, params))
+    return real.Materialfv(face, pname, params);
+  if (pname == GL_SHININESS && (params[0] < 0 || params[0] > 128)) return setError(GL_INVALID_VALUE);
+  if (!runOpen_ && !compiling()) {
+    syncCurrent();
+    dirty |= kMaterial;
+    return real.Materialfv(face, pname, params);
+  }
+  if (const MaterialChange* last = stream_.lastMaterial()) change = *last;
+  change.set(face, pname, params);
+  if (!stream_.has(kMaterialNumber)) addSlotToRun(kMaterialNumber);
+  // addSlotToRun may have ended the run of a list: the change then starts afresh, on top of what the ended
+  // run leaves.
+  const float number = stream_.addMaterial(change);
+  stream_.set(kMaterialNumber, &number);
+}
+
+const float* Context::current(Slot slot) {
+  if (dirty & kCurrent) refresh(kCurrent);
+  if ((runOpen_ || compiling()) && stream_.has(slot)) return stream_.get(slot);
+  return current_[slot].data();
+}
+
+void Context::sendCurrent() {
+  const SlotMask slots = std::exchange(currentDirty_, 0);
+  for (int s = kNormal; s < kSlotCount; ++s)
+    if (slots & bit(static_cast<Slot>(s)))
+      sendAttribute(real, static_cast<Slot>(s), current_[static_cast<size_t>(s)].data());
+}
+
+void Context::readCurrent() {
+  dirty &= ~uint32_t{kCurrent};
+  const auto get = [&](GLenum name, Slot slot) {
+    if (currentDirty_ & bit(slot)) return;  // set since then
+    real.GetFloatv(name, current_[slot].data());
+  };
+  get(GL_CURRENT_NORMAL, kNormal);
+  get(GL_CURRENT_COLOR, kColor);
+  get(GL_CURRENT_SECONDARY_COLOR, kSecondaryColor);
+  get(GL_CURRENT_FOG_COORD, kFogCoord);
+  get(GL_CURRENT_INDEX, kIndex);
+  GLboolean edge = GL_TRUE;
+  real.GetBooleanv(GL_EDGE_FLAG, &edge);
+  if (!(currentDirty_ & bit(kEdgeFlag))) current_[kEdgeFlag][0] = edge ? 1.0f : 0.0f;
+  GLint active = GL_TEXTURE0;
+  real.GetIntegerv(GL_ACTIVE_TEXTURE, &active);
+  GLint units = 1;
+  real.GetIntegerv(GL_MAX_TEXTURE_COORDS, &units);
+  for (int i = 0; i < std::min(units, 8); ++i) {
+    if (isPresent(real.ActiveTexture)) real.ActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + i));
+    get(GL_CURRENT_TEXTURE_COORDS, static_cast<Slot>(kTexCoord0 + i));
+  }
+  if (isPresent(real.ActiveTexture)) real.ActiveTexture(static_cast<GLenum>(active));
+  for (GLuint i = 1; i < 16 && isPresent(real.GetVertexAttribfv); ++i)
+    if (!(currentDirty_ & bit(static_cast<Slot>(kGeneric1 + i - 1))))
+      real.GetVertexAttribfv(i, GL_CURRENT_VERTEX_ATTRIB, current_[kGeneric1 + i - 1].data());
+}
+
+}  // namespace gluray::gl

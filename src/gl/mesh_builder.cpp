@@ -1,0 +1,195 @@
+#include "gl/mesh_builder.h"
+
+#include "gl/weld.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <mutex>
+
+namespace gluray::gl {
+
+template <class T>
+std::shared_ptr<T[]> makePadded(size_t count) {
+  return std::make_shared_for_overwrite<T[]>(count + (16 + sizeof(T) - 1) / sizeof(T));
+}
+template std::shared_ptr<float[]> makePadded<float>(size_t);
+template std::shared_ptr<uint32_t[]> makePadded<uint32_t>(size_t);
+
+namespace {
+
+constexpr size_t kGrain = 1 << 16;
+
+/// Positions in the captured vertices of mesh vertex i: the vertex itself, or its representative after
+/// welding.
+struct Selection {
+  const Captured& captured;
+  const std::vector<uint32_t>* source;  // null: all vertices in order
+  uint32_t count() const { return source ? static_cast<uint32_t>(source->size()) : captured.vertexCount; }
+  const float* operator[](uint32_t i) const { return captured.vertex(source ? (*source)[i] : i); }
+};
+
+/// Copies one slot into an array of its own.
+scene::Attribute copySlot(const Selection& vertices, Slot slot, scene::Format format, size_t& sizeBytes) {
+  const uint32_t floats = sizeOf(slot), offset = vertices.captured.layout.offset[slot],
+                 count = vertices.count();
+  const auto data = makePadded<float>(size_t{count} * floats);
+  tbb::parallel_for(tbb::blocked_range<uint32_t>(0, count, kGrain), [&](const auto& range) {
+    for (uint32_t i = range.begin(); i != range.end(); ++i)
+      std::memcpy(&data[size_t{i} * floats], vertices[i] + offset, floats * 4);
+  });
+  sizeBytes += size_t{count} * floats * 4;
+  return {data, reinterpret_cast<const std::byte*>(data.get()), floats * 4, format};
+}
+
+/// Colours as bytes where bytes hold them exactly, which halves the memory of coloured surfaces and more.
+scene::Attribute copyColors(const Selection& vertices, size_t& sizeBytes) {
+  const uint32_t offset = vertices.captured.layout.offset[kColor], count = vertices.count();
+  const auto asByte = [](float c) {
+    return static_cast<uint32_t>(std::lround(std::clamp(c, 0.0f, 1.0f) * 255.0f));
+  };
+  for (uint32_t i = 0; i < count; ++i) {
+    const float* c = vertices[i] + offset;
+    for (int k = 0; k < 4; ++k)
+      if (!(static_cast<float>(asByte(c[k])) * (1.0f / 255.0f) == c[k] ||
+            static_cast<float>(asByte(c[k])) / 255.0f == c[k]))
+        return copySlot(vertices, kColor, scene::Format::float4, sizeBytes);
+  }
+  const auto data = makePadded<uint32_t>(count);
+  for (uint32_t i = 0; i < count; ++i) {
+    const float* c = vertices[i] + offset;
+    data[i] = asByte(c[0]) | asByte(c[1]) << 8 | asByte(c[2]) << 16 | asByte(c[3]) << 24;
+  }
+  sizeBytes += size_t{count} * 4;
+  return {data, reinterpret_cast<const std::byte*>(data.get()), 4, scene::Format::unorm8x4};
+}
+
+scene::Attribute copyMaterials(const Selection& vertices, size_t& sizeBytes) {
+  const uint32_t offset = vertices.captured.layout.offset[kMaterialNumber], count = vertices.count();
+  const auto data = makePadded<uint32_t>(count);
+  for (uint32_t i = 0; i < count; ++i) data[i] = static_cast<uint32_t>(vertices[i][offset]);
+  sizeBytes += size_t{count} * 4;
+  return {data, reinterpret_cast<const std::byte*>(data.get()), 4, scene::Format::uint32};
+}
+
+scene::Attribute makeIndices(const std::vector<uint32_t>& triangles, size_t& sizeBytes) {
+  const auto data = makePadded<uint32_t>(triangles.size());
+  std::memcpy(data.get(), triangles.data(), triangles.size() * 4);
+  sizeBytes += triangles.size() * 4;
+  return {data, reinterpret_cast<const std::byte*>(data.get()), 4, scene::Format::uint32};
+}
+
+/// Whether the capture is one run of separate triangles, vertex after vertex.
+bool isSoup(const Captured& c) {
+  return c.indices.empty() && c.primitives.size() == 1 && c.primitives[0].mode == GL_TRIANGLES &&
+         c.primitives[0].first == 0;
+}
+
+bool hasOtherW(const Captured& c) {
+  if (!c.layout.has(kPositionW)) return false;
+  for (uint32_t i = 0; i < c.vertexCount; ++i)
+    if (c.vertex(i)[c.layout.offset[kPositionW]] != 1.0f) return true;
+  return false;
+}
+
+void copyAttributes(const Selection& vertices, scene::Mesh& mesh) {
+  const VertexLayout& layout = vertices.captured.layout;
+  mesh.vertexCount = vertices.count();
+  mesh.positions = copySlot(vertices, kPosition, scene::Format::float3, mesh.sizeBytes);
+  if (layout.has(kNormal)) mesh.normals = copySlot(vertices, kNormal, scene::Format::float3, mesh.sizeBytes);
+  if (layout.has(kColor)) mesh.colors = copyColors(vertices, mesh.sizeBytes);
+  if (layout.has(kTexCoord0))
+    mesh.texcoords = copySlot(vertices, kTexCoord0, scene::Format::float4, mesh.sizeBytes);
+  if (layout.has(kMaterialNumber)) mesh.materials = copyMaterials(vertices, mesh.sizeBytes);
+}
+
+}  // namespace
+
+KnownMesh buildMesh(const Captured& captured) {
+  constexpr uint32_t kWorthWelding = 3000;  // vertices
+  KnownMesh result;
+  if (hasOtherW(captured)) {
+    result.homogeneous = true;
+    return result;
+  }
+  auto mesh = std::make_shared<scene::Mesh>();
+  if (isSoup(captured) && captured.vertexCount < kWorthWelding) {
+    copyAttributes({captured, nullptr}, *mesh);
+    mesh->triangleCount = captured.vertexCount / 3;
+  } else if (isSoup(captured)) {
+    const Welded welded = weld(captured.vertices.data(), captured.vertexCount, captured.layout.stride);
+    copyAttributes({captured, &welded.source}, *mesh);
+    mesh->indices = makeIndices(welded.index, mesh->sizeBytes);
+    mesh->triangleCount = captured.vertexCount / 3;
+  } else {
+    const std::vector<uint32_t> triangles = triangulate(captured);
+    copyAttributes({captured, nullptr}, *mesh);
+    mesh->indices = makeIndices(triangles, mesh->sizeBytes);
+    mesh->triangleCount = static_cast<uint32_t>(triangles.size() / 3);
+  }
+  finishMesh(*mesh);
+  result.mesh = std::move(mesh);
+  return result;
+}
+
+namespace {
+
+struct Bounds {
+  glm::vec3 lower{INFINITY}, upper{-INFINITY};
+  void join(const Bounds& o) { lower = glm::min(lower, o.lower), upper = glm::max(upper, o.upper); }
+};
+
+Bounds boundsOf(const scene::Mesh& mesh) {
+  return tbb::parallel_reduce(
+      tbb::blocked_range<uint32_t>(0, mesh.vertexCount, kGrain), Bounds{},
+      [&](const auto& range, Bounds b) {
+        for (uint32_t i = range.begin(); i != range.end(); ++i) {
+          const glm::vec3 p = mesh.position(i);
+          if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) b.join({p, p});
+        }
+        return b;
+      },
+      [](Bounds a, const Bounds& b) {
+        a.join(b);
+        return a;
+      });
+}
+
+/// Identity of positions and triangle order, the same however vertices are shared: the corners' positions in
+/// order, hashed in blocks on all cores.
+Hash128 geometryIdentity(const scene::Mesh& mesh) {
+  constexpr uint32_t kTriangles = 1 << 14;
+  const uint32_t blocks = (mesh.triangleCount + kTriangles - 1) / kTriangles;
+  std::vector<Hash128> hashes(blocks);
+  tbb::parallel_for(uint32_t{0}, blocks, [&](uint32_t b) {
+    const uint32_t first = b * kTriangles, last = std::min(mesh.triangleCount, first + kTriangles);
+    std::vector<glm::vec3> corners;
+    corners.reserve(size_t{last - first} * 3);
+    for (uint32_t t = first; t < last; ++t)
+      for (uint32_t k = 0; k < 3; ++k) corners.push_back(mesh.position(mesh.corner(t, k)));
+    hashes[b] = hashBytes(corners.data(), corners.size() * sizeof(glm::vec3));
+  });
+  return hashBytes(hashes.data(), hashes.size() * sizeof(Hash128), {mesh.triangleCount, 0});
+}
+
+bool allOpaque(const scene::Attribute& colors, uint32_t count) {
+  if (!colors || colors.format == scene::Format::float3) return true;
+  for (uint32_t i = 0; i < count; ++i)
+    if (scene::fetch(colors, i).a != 1.0f) return false;
+  return true;
+}
+
+}  // namespace
+
+void finishMesh(scene::Mesh& mesh) {
+  const Bounds bounds = boundsOf(mesh);
+  if (bounds.lower.x <= bounds.upper.x) mesh.lower = bounds.lower, mesh.upper = bounds.upper;
+  mesh.geometryId = geometryIdentity(mesh);
+  mesh.opaqueColors = allOpaque(mesh.colors, mesh.vertexCount);
+}
+
+}  // namespace gluray::gl

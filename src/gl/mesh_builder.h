@@ -1,0 +1,21 @@
+// Makes immutable meshes from captured vertices. Any thread; large soups are welded on all cores.
+#pragma once
+#include "gl/captured.h"
+#include "gl/mesh_cache.h"
+
+namespace gluray::gl {
+
+/// The mesh that the surfaces of `captured` fill. Separate triangles without indices are welded: corners that
+/// agree in every bit of every slot share a vertex, and the order of triangles is kept, so that `indices`
+/// also replays the vertices as sent. Never null, except for homogeneous vertices (some w is not 1). Throws
+/// std::bad_alloc.
+KnownMesh buildMesh(const Captured& captured);
+
+/// Finds bounds, alpha and identity of `mesh`, whose arrays are set.
+void finishMesh(scene::Mesh& mesh);
+
+/// Memory for `count` elements of T followed by 16 readable bytes, kept alive by the pointer.
+template <class T>
+std::shared_ptr<T[]> makePadded(size_t count);
+
+}  // namespace gluray::gl

@@ -1,0 +1,50 @@
+// How a finished batch leaves the shadow GL: implemented in intercept/present/, by fakes in tests. GL thread.
+#pragma once
+#include "gl/real.h"
+#include "scene/snapshot.h"
+
+#include <GL/gl.h>
+#include <glm/glm.hpp>
+
+#include <optional>
+#include <string>
+
+namespace gluray::gl {
+
+/// What the write-back must know about the framebuffer beside the snapshot. The framebuffer itself is bound
+/// when present() is called.
+struct PresentTarget {
+  GLenum depthFunc = GL_LESS;  // LESS or LEQUAL: how the batch's depth meets the framebuffer's
+  bool core = false;           // core profile: no fixed function
+  std::optional<glm::vec4>
+      clearedColor;  // set where the framebuffer holds nothing but this colour and depth 1
+};
+
+/// What presenting cost and did.
+struct PresentResult {
+  enum Outcome {
+    traced,      // colour and depth are in the framebuffer
+    rasterised,  // tracing failed; the same instances were drawn by the real OpenGL
+    failed,      // neither was possible
+  } outcome = failed;
+  double buildSeconds = 0, traceSeconds = 0, presentSeconds = 0;
+  uint64_t blasBuilds = 0, bvhBytes = 0;
+  GLenum pendingError =
+      GL_NO_ERROR;  // an error of the program's that was found on the way, to be reported to it
+};
+
+class Presenter {
+ public:
+  virtual ~Presenter() = default;
+  /// Traces `snapshot` and merges it into the bound framebuffer, leaving every queryable GL state as it was.
+  /// Never throws.
+  virtual PresentResult present(const RealGl& real, const scene::SnapshotPtr& snapshot,
+                                const PresentTarget& target) noexcept = 0;
+  /// Whether the write-back works with the current context (it needs shaders). Asked once per context, with
+  /// it current.
+  virtual bool supports(const RealGl& real, bool core, std::string& why) noexcept = 0;
+  /// A context is going away; it may or may not be current. Names made for it need not be freed.
+  virtual void forget(const RealGl& real) noexcept = 0;
+};
+
+}  // namespace gluray::gl

@@ -1,0 +1,94 @@
+// Objects that several contexts share: display lists, buffers, known meshes. Locked inside, so that contexts
+// may be current in several threads; the objects themselves follow OpenGL's rule that programs synchronise
+// their use.
+#pragma once
+#include "gl/mesh_cache.h"
+
+#include <GL/gl.h>
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <unordered_map>
+#include <vector>
+
+namespace gluray::gl {
+
+class DisplayList;
+class Buffer;
+
+/// Names and what they stand for.
+template <class Object>
+class NameTable {
+ public:
+  std::shared_ptr<Object> find(GLuint name) const {
+    const std::lock_guard lock(mutex_);
+    const auto it = objects_.find(name);
+    return it == objects_.end() ? nullptr : it->second;
+  }
+  bool contains(GLuint name) const {
+    const std::lock_guard lock(mutex_);
+    return objects_.contains(name);
+  }
+  void put(GLuint name, std::shared_ptr<Object> object) {
+    const std::lock_guard lock(mutex_);
+    objects_[name] = std::move(object);
+  }
+  void erase(GLuint name) {
+    const std::lock_guard lock(mutex_);
+    objects_.erase(name);
+  }
+  /// Erases `count` names from `first`; as quick for absurd counts as for few objects.
+  void eraseRange(GLuint first, GLuint count) {
+    const std::lock_guard lock(mutex_);
+    if (count < objects_.size()) {
+      for (GLuint i = 0; i < count; ++i) objects_.erase(first + i);
+    } else {
+      std::erase_if(objects_, [&](const auto& entry) { return entry.first - first < count; });
+    }
+  }
+  /// First of `count` consecutive unused names, which are taken with null objects; 0 where there are none.
+  GLuint reserve(GLuint count) {
+    const std::lock_guard lock(mutex_);
+    GLuint first = 1;
+    for (GLuint i = 0; i < count;) {
+      if (first > 0xFFFFFFFFu - count) return 0;
+      if (objects_.contains(first + i))
+        first += i + 1, i = 0;
+      else
+        ++i;
+    }
+    for (GLuint i = 0; i < count; ++i) objects_.emplace(first + i, nullptr);
+    return first;
+  }
+  std::vector<std::shared_ptr<Object>> all() const {
+    const std::lock_guard lock(mutex_);
+    std::vector<std::shared_ptr<Object>> result;
+    for (const auto& [name, object] : objects_)
+      if (object) result.push_back(object);
+    return result;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::unordered_map<GLuint, std::shared_ptr<Object>> objects_;
+};
+
+class ShareGroup {
+ public:
+  NameTable<DisplayList> lists;
+  NameTable<Buffer> buffers;
+  MeshCache meshes;
+
+  bool anyBuffersHeldBack() const;
+
+  /// Real lists whose owner is gone; deleted by the next context of the group that is current.
+  void discardRealList(GLuint id);
+  std::vector<GLuint> takeDiscardedLists();
+
+ private:
+  std::mutex mutex_;
+  std::vector<GLuint> discarded_;
+};
+
+}  // namespace gluray::gl

@@ -1,0 +1,63 @@
+// The per-vertex attributes of OpenGL as numbered slots: what a captured vertex may carry.
+#pragma once
+#include <array>
+#include <cstdint>
+
+namespace gluray::gl {
+
+enum Slot : uint8_t {
+  kPosition,   // x, y, z
+  kPositionW,  // only where some vertex had w != 1
+  kNormal,
+  kColor,
+  kSecondaryColor,
+  kFogCoord,
+  kEdgeFlag,
+  kIndex,
+  kMaterialNumber,             // number of an entry of Captured::materials, as a float
+  kTexCoord0,                  // units 0 .. 7
+  kGeneric1 = kTexCoord0 + 8,  // glVertexAttrib 1 .. 15; 0 is the position
+  kSlotCount = kGeneric1 + 15
+};
+static_assert(kSlotCount == 32);
+
+using SlotMask = uint32_t;
+constexpr SlotMask bit(Slot slot) { return SlotMask{1} << slot; }
+
+/// Floats a slot occupies in a captured vertex.
+constexpr uint32_t sizeOf(Slot slot) {
+  switch (slot) {
+    case kPosition:
+    case kNormal:
+    case kSecondaryColor: return 3;
+    case kPositionW:
+    case kFogCoord:
+    case kEdgeFlag:
+    case kIndex:
+    case kMaterialNumber: return 1;
+    default: return 4;
+  }
+}
+
+/// Slots that the traced picture can depend on; the others matter to rasterised draws alone.
+inline constexpr SlotMask kTracedSlots =
+    bit(kPosition) | bit(kPositionW) | bit(kNormal) | bit(kColor) | bit(kMaterialNumber) | bit(kTexCoord0);
+
+/// Values of all slots, padded to four floats.
+using SlotValues = std::array<std::array<float, 4>, kSlotCount>;
+
+/// OpenGL's initial values (GL 2.1, table 6.6).
+constexpr SlotValues initialSlotValues() {
+  SlotValues v{};
+  for (auto& value : v) value = {0, 0, 0, 1};
+  v[kPositionW] = {1, 0, 0, 0};
+  v[kNormal] = {0, 0, 1, 0};
+  v[kColor] = {1, 1, 1, 1};
+  v[kFogCoord] = {0, 0, 0, 0};
+  v[kEdgeFlag] = {1, 0, 0, 0};
+  v[kIndex] = {1, 0, 0, 0};
+  v[kMaterialNumber] = {0, 0, 0, 0};
+  return v;
+}
+
+}  // namespace gluray::gl

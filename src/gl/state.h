@@ -1,0 +1,85 @@
+// What the next draw needs to know of the GL state. The real OpenGL keeps the state (every state call is
+// forwarded at once); this is a copy by groups, read back when a draw needs a group that calls have touched
+// since. GL thread.
+#pragma once
+#include "gl/real.h"
+#include "gl/reasons.h"
+#include "scene/snapshot.h"
+
+#include <GL/gl.h>
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace gluray::gl {
+
+/// Groups of state that are read back together. spec/policy.toml names them for each command.
+enum StateGroup : uint32_t {
+  kModelview = 1 << 0,
+  kProjection = 1 << 1,
+  kViewport = 1 << 2,  // viewport, depth range, scissor box
+  kRaster = 1 << 3,    // per-fragment operations and polygon state, with their enables
+  kLighting = 1 << 4,  // lights, light model, shade model, colour material, normalisation
+  kMaterial = 1 << 5,
+  kTexture = 1 << 6,
+  kClip = 1 << 7,      // clip planes
+  kTarget = 1 << 8,    // draw framebuffer and draw buffer
+  kArrays = 1 << 9,    // vertex array pointers and enables
+  kCurrent = 1 << 10,  // current vertex attributes were changed other than by attribute calls
+  kAllGroups = (1 << 11) - 1
+};
+
+/// Groups that glEnable and glDisable of this capability touch.
+uint32_t groupsOfCapability(GLenum capability);
+/// Groups that glPopAttrib may touch.
+constexpr uint32_t kAttribGroups = kAllGroups & ~uint32_t{kArrays | kProjection};
+
+struct RasterState {
+  Reason reason = Reason::traced;  // why surfaces cannot be traced whatever their vertices, or `traced`
+  bool blendNeedsOpaque = false;   // blending is on and traceable only where alpha is 1
+  bool scissorTest = false;
+  GLenum depthFunc = GL_LESS;
+  bool orderFree = false;  // rasterised draws merge with pending traced ones in any order
+  bool multisample = true;
+  scene::CullFace cull = scene::CullFace::none;
+  bool frontFaceCcw = true;
+  bool offsetFill = false;
+  float offsetFactor = 0, offsetUnits = 0;
+};
+
+/// The framebuffer that draws go to.
+struct TargetState {
+  Reason reason = Reason::traced;
+  GLuint framebuffer = 0;
+  GLenum drawBuffer = GL_BACK;
+  int samples = 1;
+  std::vector<glm::vec2> samplePositions;
+  float depthResolution = 1.0f / 16777216.0f;
+};
+
+struct State {
+  glm::dmat4 modelview{1}, projection{1};
+  bool modelviewInvertible = true, projectionInvertible = true;
+  glm::ivec4 viewport{0, 0, 1, 1}, scissor{0, 0, 1, 1};
+  float depthNear = 0, depthFar = 1;
+  RasterState raster;
+  scene::Shading shading;  // without the texture
+  scene::MaterialPair material;
+  Reason textureReason = Reason::traced;
+  std::optional<scene::Texture> texture;
+  std::vector<glm::dvec4> clipPlanes;  // eye space, enabled ones
+  TargetState target;
+};
+
+void readModelview(const RealGl& real, State& state);
+void readProjection(const RealGl& real, State& state);
+void readViewport(const RealGl& real, State& state);
+void readRaster(const RealGl& real, State& state);
+void readLighting(const RealGl& real, State& state);
+void readMaterial(const RealGl& real, State& state);
+void readClipPlanes(const RealGl& real, State& state);
+void readTarget(const RealGl& real, State& state, bool core);
+
+}  // namespace gluray::gl

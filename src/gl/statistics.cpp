@@ -1,0 +1,19 @@
+#include "gl/statistics.h"
+
+namespace gluray::gl {
+
+Statistics& Statistics::operator+=(const Statistics& o) {
+  frames += o.frames;
+  drawsTraced += o.drawsTraced, drawsRasterised += o.drawsRasterised;
+  trianglesTraced += o.trianglesTraced, trianglesRasterised += o.trianglesRasterised;
+  for (size_t i = 0; i < rasterisedBecause.size(); ++i) rasterisedBecause[i] += o.rasterisedBecause[i];
+  flushes += o.flushes;
+  meshesBuilt += o.meshesBuilt, meshBytes += o.meshBytes;
+  captureSeconds += o.captureSeconds, buildSeconds += o.buildSeconds;
+  traceSeconds += o.traceSeconds, presentSeconds += o.presentSeconds;
+  blasBuilds += o.blasBuilds;
+  bvhBytes = bvhBytes > o.bvhBytes ? bvhBytes : o.bvhBytes;  // one renderer serves all contexts
+  return *this;
+}
+
+}  // namespace gluray::gl

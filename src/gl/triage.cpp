@@ -1,0 +1,130 @@
+// Traced or rasterised? Each draw is asked here, and goes into the batch from here.
+#include "gl/context.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gluray::gl {
+
+Reason Context::triage(PrimitiveClass kind) {
+  if (aside_) return Reason::failure;
+  if (passthrough_) return Reason::off;
+  if (state.target.reason != Reason::traced) return state.target.reason;
+  if (state.raster.reason == Reason::renderMode) return Reason::renderMode;
+  if (kind == PrimitiveClass::points) return Reason::points;
+  if (kind == PrimitiveClass::lines) return Reason::lines;
+  if (state.raster.reason != Reason::traced) return state.raster.reason;
+  if (state.textureReason != Reason::traced) return state.textureReason;
+  if (!state.modelviewInvertible || !state.projectionInvertible) return Reason::singularMatrix;
+  return canTrace() ? Reason::traced : Reason::noGlsl;
+}
+
+namespace {
+
+/// Alpha of the primary colour of one face, where it does not come from the vertices; 1 where it does.
+float faceAlpha(const scene::Material& material, scene::ColorMaterial::Mode mode) {
+  const bool fromVertex =
+      mode == scene::ColorMaterial::diffuse || mode == scene::ColorMaterial::ambientAndDiffuse;
+  return fromVertex ? 1.0f : material.diffuse.a;
+}
+
+bool usesVertexAlpha(const scene::Shading& shading) {
+  const auto uses = [](scene::ColorMaterial::Mode m) {
+    return m == scene::ColorMaterial::diffuse || m == scene::ColorMaterial::ambientAndDiffuse;
+  };
+  return !shading.lighting || uses(shading.colorMaterial.front) || uses(shading.colorMaterial.back);
+}
+
+bool isOpaque(const scene::Shading& shading, const scene::MaterialPair& material) {
+  if (!shading.lighting) return true;
+  return faceAlpha(material.front, shading.colorMaterial.front) >= 1.0f &&
+         (!shading.twoSided || faceAlpha(material.back, shading.colorMaterial.back) >= 1.0f);
+}
+
+/// Whether the texture leaves an opaque primary colour opaque.
+bool keepsOpaque(const scene::Texture& texture) {
+  return texture.env == scene::TexEnv::decal || texture.image->opaque;
+}
+
+/// Whether every point of the mesh has the same window depth: then drawing order, not distance, decides.
+bool isFlat(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
+  double lower = INFINITY, upper = -INFINITY;
+  for (int i = 0; i < 8; ++i) {
+    const glm::dvec4 corner(i & 1 ? mesh.upper.x : mesh.lower.x, i & 2 ? mesh.upper.y : mesh.lower.y,
+                            i & 4 ? mesh.upper.z : mesh.lower.z, 1);
+    const glm::dvec4 clip = clipFromObject * corner;
+    const double depth = clip.z / clip.w;
+    lower = std::min(lower, depth), upper = std::max(upper, depth);
+  }
+  constexpr double kDepthStep = 1.0 / (1 << 23);  // of normalised device depth, a 24-bit step and a bit
+  return !(upper - lower > kDepthStep);
+}
+
+}  // namespace
+
+Reason Context::triage(const KnownMesh& known, const std::vector<MaterialChange>& materials) const {
+  if (known.homogeneous || !known.mesh) return Reason::homogeneous;
+  if (isFlat(*known.mesh, state.projection * state.modelview)) return Reason::flat;
+  if (!state.raster.blendNeedsOpaque) return Reason::traced;
+  const bool vertices = !usesVertexAlpha(state.shading) ||
+                        (known.mesh->colors ? known.mesh->opaqueColors : current_[kColor][3] >= 1.0f);
+  const bool material = isOpaque(state.shading, state.material) &&
+                        std::all_of(materials.begin(), materials.end(), [&](const MaterialChange& change) {
+                          return isOpaque(state.shading, change.appliedTo(state.material));
+                        });
+  const bool texture = !state.texture || keepsOpaque(*state.texture);
+  return vertices && material && texture ? Reason::traced : Reason::blend;
+}
+
+void Context::addInstance(const scene::MeshPtr& mesh, SlotMask slots,
+                          const std::vector<MaterialChange>& materials) {
+  const BatchKey key = Batch::keyOf(state);
+  if (key.region.width <= 0 || key.region.height <= 0 || mesh->triangleCount == 0) return;
+  if (!batch_.empty() && !(batch_.key() == key)) flush();
+  if (batch_.empty()) batch_.start(key, state, info_.settings, frame);
+  scene::Instance instance;
+  instance.mesh = mesh;
+  instance.eyeFromObject = state.modelview;
+  const auto value = [&](Slot slot) { return current_[slot].data(); };
+  if (!(slots & bit(kColor)))
+    instance.color = {value(kColor)[0], value(kColor)[1], value(kColor)[2], value(kColor)[3]};
+  if (!(slots & bit(kNormal))) instance.normal = {value(kNormal)[0], value(kNormal)[1], value(kNormal)[2]};
+  if (!(slots & bit(kTexCoord0)))
+    instance.texcoord = {value(kTexCoord0)[0], value(kTexCoord0)[1], value(kTexCoord0)[2],
+                         value(kTexCoord0)[3]};
+  instance.materials.reserve(materials.size() + 1);
+  instance.materials.push_back(state.material);
+  for (const MaterialChange& change : materials)
+    instance.materials.push_back(change.appliedTo(state.material));
+  instance.cull = state.raster.cull;
+  instance.frontFaceCcw = state.raster.frontFaceCcw;
+  instance.clipPlanes = state.clipPlanes;
+  scene::Shading shading = state.shading;
+  shading.texture = state.texture;
+  batch_.add(std::move(instance), std::move(shading));
+}
+
+void Context::beforeRasterDraw(PrimitiveClass kind) {
+  if (!batch_.empty()) {
+    refresh(kRaster);
+    // Lines and points on a surface have its depth: who comes later matters unless the surface was pushed
+    // back.
+    const bool coplanar = kind != PrimitiveClass::surfaces && batch_.key().offset == scene::PolygonOffset{};
+    if (!state.raster.orderFree || coplanar) flush();
+  }
+  syncCurrent();
+  setCleared({});
+}
+
+void Context::countRaster(Reason reason, uint64_t triangles) {
+  ++statistics.drawsRasterised;
+  ++statistics.rasterisedBecause[static_cast<size_t>(reason)];
+  statistics.trianglesRasterised += triangles;
+}
+
+void Context::countTraced(uint64_t triangles) {
+  ++statistics.drawsTraced;
+  statistics.trianglesTraced += triangles;
+}
+
+}  // namespace gluray::gl

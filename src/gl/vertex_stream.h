@@ -1,0 +1,78 @@
+// Collects the vertices between glBegin and glEnd, over as many pairs as share their state ("a run").
+// Used by the GL thread that owns the context. The inline part is the leaf path.
+#pragma once
+#include "gl/captured.h"
+
+#include <cstring>
+
+namespace gluray::gl {
+
+class VertexStream {
+ public:
+  /// Starts an empty run that has the slots of `mask`, with `current` values for those not set before the
+  /// first vertex.
+  void start(SlotMask mask, const SlotValues& current);
+
+  bool has(Slot slot) const { return captured_.layout.has(slot); }
+  bool insidePrimitive() const { return insidePrimitive_; }
+  bool empty() const { return captured_.vertexCount == 0; }
+  const VertexLayout& layout() const { return captured_.layout; }
+
+  void begin(GLenum mode);
+  void end();
+
+  /// Whether vertex() may be called: inside a primitive, with space left, and no w to store.
+  bool hasRoom() const { return captured_.vertexCount < limit_; }
+  /// Appends a vertex with the values set so far. Only where hasRoom().
+  void vertex(float x, float y, float z) {
+    float* v = cursor_;
+    v[0] = x, v[1] = y, v[2] = z;
+    const uint32_t stride = captured_.layout.stride;
+    for (uint32_t i = 3; i < stride; i += 4)
+      std::memcpy(v + i, template_ + i, 16);  // may write into the slack behind
+    cursor_ = v + stride;
+    ++captured_.vertexCount;
+  }
+
+  /// The same for any w, growing as needed. Throws std::bad_alloc.
+  void vertexSlow(float x, float y, float z, float w);
+
+  /// Sets a slot that the layout has. `values` holds as many floats as the slot.
+  void set(Slot slot, const float* values) {
+    std::memcpy(template_ + captured_.layout.offset[slot], values, sizeOf(slot) * 4);
+  }
+  const float* get(Slot slot) const { return get(captured_.layout, slot); }
+  /// The same for the layout of a run that was taken just now.
+  const float* get(const VertexLayout& layout, Slot slot) const { return template_ + layout.offset[slot]; }
+
+  /// Adds a slot; the vertices captured before get `earlier`.
+  void addSlot(Slot slot, const float* earlier);
+
+  /// Number of a material change for the kMaterialNumber slot, adding it to the run's table unless it is the
+  /// last one.
+  float addMaterial(const MaterialChange& change);
+  const MaterialChange* lastMaterial() const {
+    return captured_.materials.empty() ? nullptr : &captured_.materials.back();
+  }
+
+  /// The primitive between begin() and end() so far.
+  Primitive openPrimitive() const { return {mode_, first_, captured_.vertexCount - first_}; }
+  Captured& captured() { return captured_; }
+  /// Hands the run over; the stream is empty afterwards.
+  Captured take();
+
+ private:
+  void grow();
+  void updateLimit();
+  void relayout(SlotMask mask);
+
+  Captured captured_;
+  float* cursor_ = nullptr;
+  uint32_t limit_ = 0;  // vertices that fit; 0 while the leaf path must not append
+  bool insidePrimitive_ = false;
+  GLenum mode_ = 0;
+  uint32_t first_ = 0;                         // first vertex of the open primitive
+  alignas(16) float template_[128 + 16] = {};  // the next vertex; position unused
+};
+
+}  // namespace gluray::gl
