@@ -1,0 +1,91 @@
+#include "doors.h"
+
+#include "intercept/probe/real_vendor.h"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace gluray::launcher {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value ? value : "";
+}
+
+void set(const char* name, const std::string& value) { setenv(name, value.c_str(), 1); }
+
+/// Puts `entry` in front of a colon-separated list, once.
+void putFirst(const char* name, const std::string& entry) {
+  const std::string list = environment(name);
+  if ((":" + list + ":").find(":" + entry + ":") != std::string::npos) return;
+  set(name, list.empty() ? entry : entry + ":" + list);
+}
+
+void setIfGiven(const char* name, const std::string& value) {
+  if (!value.empty()) set(name, value);
+}
+
+/// The program may change its directory: files are named absolutely.
+std::string absolute(const std::string& file) { return file.empty() ? file : fs::absolute(file).string(); }
+
+void passSettings(const CommandLine& line) {
+  set("GLURAY_PID", std::to_string(getpid()));
+  setIfGiven("GLURAY_THREADS", line.threads);
+  setIfGiven("GLURAY_BVH", line.bvh);
+  setIfGiven("GLURAY_SHADING", line.shading);
+  setIfGiven("GLURAY_RENDERER", line.renderer);
+  setIfGiven("GLURAY_REPORT", absolute(line.report));
+  setIfGiven("GLURAY_LOG", absolute(line.log));
+  setIfGiven("GLURAY_LOG_LEVEL", line.logLevel);
+  if (line.off) set("GLURAY_OFF", "1");
+  std::error_code ignored;
+  if (!line.report.empty())
+    fs::remove(line.report, ignored);  // a report of an earlier run must not pass for this one's
+}
+
+std::string openVendorDoor(const std::string& directory) {
+  const probe::RealVendors real = probe::findRealVendors();
+  if (real.glx.empty() && real.egl.empty())
+    return "no OpenGL driver for libglvnd was found; try --door preload";
+  putFirst("LD_LIBRARY_PATH", directory);
+  if (!real.glx.empty()) {
+    set("__GLX_VENDOR_LIBRARY_NAME", "gluray");
+    set("GLURAY_REAL_GLX", real.glx);
+  }
+  if (!real.egl.empty()) {
+    set("__EGL_VENDOR_LIBRARY_FILENAMES", directory + "/gluray_egl.json");
+    set("GLURAY_REAL_EGL", real.egl);
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string libraryDirectory() {
+  std::error_code error;
+  const fs::path here = fs::read_symlink("/proc/self/exe", error).parent_path();
+  for (const char* way : {"../lib/gluray", "../../lib/gluray"}) {
+    const fs::path candidate = (here / way).lexically_normal();
+    if (fs::exists(candidate / "libgluray-engine.so", error)) return candidate;
+  }
+  return "";
+}
+
+std::string openDoors(const CommandLine& line, const Program& program) {
+  const std::string directory = libraryDirectory();
+  if (directory.empty())
+    return "GLuRay's libraries are missing beside " + fs::read_symlink("/proc/self/exe").string();
+  if (program.setUid) return program.path + " is set-uid: the system lets nobody look into it";
+  const bool preload =
+      line.door == "preload" || (line.door == "auto" && (program.osMesa || program.bundledGl));
+  passSettings(line);
+  if (preload) putFirst("LD_PRELOAD", directory + "/libgluray.so");
+  return line.door == "preload" ? "" : openVendorDoor(directory);
+}
+
+}  // namespace gluray::launcher

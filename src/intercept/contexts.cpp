@@ -1,0 +1,219 @@
+#include "intercept/contexts.h"
+
+#include "base/log.h"
+#include "gl/context.h"
+#include "intercept/make_presenter.h"
+#include "intercept/report.h"
+#include "intercept/session.h"
+
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+namespace gluray::intercept {
+namespace {
+
+using Key = std::pair<Api, const void*>;
+
+struct Record {
+  std::shared_ptr<gl::ShareGroup> group;
+  std::unique_ptr<gl::Presenter> presenter;  // outlives the context, which uses it
+  std::shared_ptr<gl::Context> context;      // null until first current, or where it could not be made
+  bool tried = false;
+  const void* display = nullptr;
+  std::string vendor, renderer, version;
+
+  ~Record();
+};
+
+/// Never destroyed: programs call OpenGL while they exit.
+struct Registry {
+  std::mutex mutex;
+  std::map<Key, std::shared_ptr<Record>> records;
+  Totals dead;
+};
+
+Registry& registry() {
+  static auto* r = new Registry;
+  return *r;
+}
+
+struct Current {
+  std::shared_ptr<Record> record;
+  uintptr_t drawable = 0;
+};
+thread_local Current t_current;
+bool g_forked = false;
+
+void add(Totals& sum, const Record& record) {
+  if (!record.context) return;
+  ++sum.contexts;
+  sum.statistics += record.context->statistics;
+  const auto& calls = record.context->unknownCalls();
+  for (size_t i = 0; i < calls.size(); ++i)
+    if (calls[i]) sum.unknownCalls[gl::kCommandNames[i].name] += calls[i];
+  if (sum.renderer.empty())
+    sum.vendor = record.vendor, sum.renderer = record.renderer, sum.version = record.version;
+}
+
+Record::~Record() {
+  Registry& r = registry();
+  const std::lock_guard lock(r.mutex);
+  add(r.dead, *this);
+}
+
+/// Runs `body`; a failure of ours costs this thread its context: the program goes on with the real OpenGL.
+template <class F>
+void guarded(const char* what, F&& body) noexcept {
+  if (g_forked) return;
+  try {
+    body();
+  } catch (const std::exception& e) {
+    log::once(log::Level::error, what, std::string(what) + ": " + e.what());
+  } catch (...) { log::once(log::Level::error, what, what); }
+}
+
+std::string text(const gl::RealGl& real, GLenum name) {
+  const auto* s = reinterpret_cast<const char*>(real.GetString(name));
+  return s ? s : "";
+}
+
+/// What kind of context is current. Asked when it is first made current, before the program has called
+/// anything.
+gl::ContextInfo askInfo(const gl::RealGl& real, const std::string& version) {
+  gl::ContextInfo info;
+  info.settings = session().settings;
+  int major = 0, minor = 0;
+  if (std::sscanf(version.c_str(), "%d.%d", &major, &minor) != 2) info.core = true;  // "OpenGL ES ..."
+  GLboolean doubleBuffered = GL_TRUE;
+  if (!info.core) real.GetBooleanv(GL_DOUBLEBUFFER, &doubleBuffered);
+  info.doubleBuffered = doubleBuffered != GL_FALSE;
+  GLint flags = 0, profile = 0;
+  if (!info.core && major >= 3) real.GetIntegerv(GL_CONTEXT_FLAGS, &flags);
+  if (!info.core && (major > 3 || (major == 3 && minor >= 2)))
+    real.GetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
+  if ((flags & GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT) || (profile & GL_CONTEXT_CORE_PROFILE_BIT))
+    info.core = true;
+  return info;
+}
+
+void makeContext(Record& record, Api api) {
+  record.tried = true;
+  const gl::RealGl& real = realGl(api);
+  record.vendor = text(real, GL_VENDOR);
+  record.renderer = text(real, GL_RENDERER);
+  record.version = text(real, GL_VERSION);
+  const gl::ContextInfo info = askInfo(real, record.version);
+  record.presenter = makePresenter(info.settings);
+  record.context = gl::Context::create(real, record.group, info, *record.presenter);
+}
+
+std::shared_ptr<Record> newRecord(const Key& share) {
+  auto record = std::make_shared<Record>();
+  const auto it = registry().records.find(share);
+  record->group =
+      share.second && it != registry().records.end() ? it->second->group : std::make_shared<gl::ShareGroup>();
+  return record;
+}
+
+}  // namespace
+
+void contextCreated(Api api, const void* handle, const void* share, const void* display) noexcept {
+  if (!handle) return;
+  guarded("cannot follow a new context", [&] {
+    std::shared_ptr<Record> old;  // destroyed outside the lock
+    const std::lock_guard lock(registry().mutex);
+    auto record = newRecord({api, share});
+    record->display = display;
+    old = std::exchange(registry().records[{api, handle}], std::move(record));
+  });
+}
+
+void contextDestroyed(Api api, const void* handle) noexcept {
+  guarded("cannot let go of a context", [&] {
+    std::shared_ptr<Record> gone;
+    const std::lock_guard lock(registry().mutex);
+    const auto it = registry().records.find({api, handle});
+    if (it == registry().records.end()) return;
+    gone = std::move(it->second);
+    registry().records.erase(it);
+  });
+}
+
+void displayTerminated(const void* display) noexcept {
+  guarded("cannot let go of a display", [&] {
+    std::map<Key, std::shared_ptr<Record>> gone;
+    const std::lock_guard lock(registry().mutex);
+    auto& records = registry().records;
+    for (auto it = records.begin(); it != records.end();) {
+      const auto next = std::next(it);
+      if (it->first.first == Api::egl && it->second->display == display) gone.insert(records.extract(it));
+      it = next;
+    }
+  });
+}
+
+void flushCurrent() noexcept {
+  guarded("cannot draw what is pending", [] {
+    if (gl::Context* context = gl::t_thread.context) context->beforeSwap();
+  });
+}
+
+void leaveCurrent() noexcept {
+  guarded("cannot leave a context", [] {
+    if (gl::Context* context = gl::t_thread.context) context->loseCurrent();
+  });
+}
+
+void stayCurrent() noexcept {
+  guarded("cannot stay in a context", [] {
+    if (t_current.record && t_current.record->context) t_current.record->context->makeCurrent();
+  });
+}
+
+void becameCurrent(Api api, const void* handle, uintptr_t drawable) noexcept {
+  guarded("this context is not ray traced", [&] {
+    gl::t_thread = {};
+    std::shared_ptr<Record> record;
+    if (handle) {
+      const std::lock_guard lock(registry().mutex);
+      auto& slot = registry().records[{api, handle}];
+      if (!slot) slot = newRecord({});  // made by a way we do not see
+      record = slot;
+    }
+    t_current = {record, drawable};
+    if (!record) return;
+    if (!record->tried) makeContext(*record, api);
+    if (record->context) record->context->makeCurrent();
+  });
+}
+
+void swapped(uintptr_t drawable) noexcept {
+  guarded("cannot end a frame", [&] {
+    if (gl::t_thread.context && t_current.drawable == drawable) gl::t_thread.context->afterSwap();
+  });
+  writeReportIfDue();
+}
+
+void drawableGoing(uintptr_t drawable) noexcept {
+  if (t_current.drawable == drawable) flushCurrent();
+}
+
+void passThroughAfterFork() noexcept {
+  g_forked = true;
+  gl::t_thread = {};
+}
+
+bool isForkedChild() noexcept { return g_forked; }
+
+Totals totals() {
+  Registry& r = registry();
+  const std::lock_guard lock(r.mutex);
+  Totals sum = r.dead;
+  for (const auto& [key, record] : r.records) add(sum, *record);
+  return sum;
+}
+
+}  // namespace gluray::intercept

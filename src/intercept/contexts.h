@@ -1,0 +1,48 @@
+// Every OpenGL context of the process and which thread has it current. Hooks of GLX, EGL and OSMesa call
+// these around the real functions; none of them throws. Any thread.
+#pragma once
+#include "gl/statistics.h"
+#include "intercept/real_functions.h"
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace gluray::intercept {
+
+/// A context was made. `share` is the context whose lists and buffers it shares, or null. `display` is EGL's,
+/// else null.
+void contextCreated(Api api, const void* handle, const void* share, const void* display = nullptr) noexcept;
+/// A context was destroyed; where it is current it lives on until it no longer is (GLX 1.4, 3.3.7).
+void contextDestroyed(Api api, const void* handle) noexcept;
+/// All contexts of an EGL display were destroyed.
+void displayTerminated(const void* display) noexcept;
+
+/// Draws what this thread's context holds back: before anything reads or shows its framebuffer.
+void flushCurrent() noexcept;
+/// Before the real MakeCurrent: what the current context holds back is drawn while its framebuffer can still
+/// be reached.
+void leaveCurrent() noexcept;
+/// The real MakeCurrent failed: the context that was left is still current.
+void stayCurrent() noexcept;
+/// The real MakeCurrent succeeded: `handle` (null: none) is current in this thread, drawing into `drawable`.
+void becameCurrent(Api api, const void* handle, uintptr_t drawable) noexcept;
+/// A buffer swap of `drawable` returned: if this thread draws into it, a frame has ended.
+void swapped(uintptr_t drawable) noexcept;
+/// A drawable is about to be destroyed.
+void drawableGoing(uintptr_t drawable) noexcept;
+
+/// In the child of a fork: no renderer threads live here, so everything passes through from now on.
+void passThroughAfterFork() noexcept;
+bool isForkedChild() noexcept;
+
+/// What all contexts did, dead ones included.
+struct Totals {
+  gl::Statistics statistics;
+  std::map<std::string, uint64_t> unknownCalls;  // by name
+  std::string vendor, renderer, version;         // the real OpenGL's, of the context first made current
+  int contexts = 0;
+};
+Totals totals();
+
+}  // namespace gluray::intercept

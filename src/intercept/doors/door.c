@@ -1,0 +1,114 @@
+#define _GNU_SOURCE
+#include "intercept/doors/door.h"
+
+#include "intercept/doors/door_table.h"
+
+#include <dlfcn.h>
+#include <limits.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static pthread_once_t engineOnce = PTHREAD_ONCE_INIT;
+static const GlurayEngine* engine;
+static int engineFailed;
+
+void gluraySay(const char* line, const char* detail) {
+  char text[1024];
+  const int length =
+      snprintf(text, sizeof text, "gluray: %s%s%s\n", line, detail ? ": " : "", detail ? detail : "");
+  const size_t bytes = length < (int)sizeof text ? (size_t)length : sizeof text - 1;
+  if (write(STDERR_FILENO, text, bytes) < 0) return; /* nobody to tell */
+}
+
+/* The engine lies beside the door. */
+static void enginePath(char* path, size_t size) {
+  const char* chosen = getenv("GLURAY_ENGINE");
+  Dl_info info;
+  if (chosen && *chosen) {
+    snprintf(path, size, "%s", chosen);
+    return;
+  }
+  path[0] = 0;
+  if (!dladdr((const void*)&glurayDoor, &info) || !info.dli_fname) return;
+  const char* slash = strrchr(info.dli_fname, '/');
+  snprintf(path, size, "%.*slibgluray-engine.so", slash ? (int)(slash - info.dli_fname + 1) : 0,
+           info.dli_fname);
+}
+
+static void giveUp(const char* why) {
+  gluraySay("OpenGL is not ray traced in this program; reinstall GLuRay and its libraries, or run without it",
+            why);
+  __atomic_store_n(&engineFailed, 1, __ATOMIC_RELEASE);
+}
+
+static void loadEngine(void) {
+  char path[PATH_MAX];
+  enginePath(path, sizeof path);
+  void* library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+  if (!library) {
+    giveUp(dlerror());
+    return;
+  }
+  GlurayEngineEntry entry = (GlurayEngineEntry)dlsym(library, GLURAY_ENGINE_ENTRY);
+  const char* why = "the engine has no entry point";
+  const GlurayEngine* loaded = entry ? entry(&glurayDoor, &why) : NULL;
+  if (!loaded) {
+    giveUp(why);
+    return;
+  }
+  __atomic_store_n(&engine, loaded, __ATOMIC_RELEASE);
+}
+
+const GlurayEngine* glurayLoadEngine(void) {
+  pthread_once(&engineOnce, loadEngine);
+  return glurayEngineIfLoaded();
+}
+
+const GlurayEngine* glurayEngineIfLoaded(void) { return __atomic_load_n(&engine, __ATOMIC_ACQUIRE); }
+
+int glurayEngineFailed(void) { return __atomic_load_n(&engineFailed, __ATOMIC_ACQUIRE); }
+
+int glurayFind(const char* name) {
+  int low = 0, high = glurayCount - 1;
+  while (low <= high) {
+    const int middle = (low + high) / 2;
+    const int order = strcmp(name, glurayNames + glurayNameOffsets[middle]);
+    if (order == 0) return middle;
+    if (order < 0)
+      high = middle - 1;
+    else
+      low = middle + 1;
+  }
+  return -1;
+}
+
+int glurayIsOurs(const void* function) {
+  Dl_info theirs, mine;
+  return function && dladdr(function, &theirs) && dladdr((const void*)&glurayDoor, &mine) &&
+         theirs.dli_fbase == mine.dli_fbase;
+}
+
+/* Functions that make a context: the engine is loaded for them, and never earlier. */
+static int makesContext(const char* name) {
+  return strstr(name, "CreateContext") || strstr(name, "CreateNewContext") || strstr(name, "ImportContext");
+}
+
+static long doNothing(void) { return 0; }
+
+static int apiOf(const char* name) {
+  if (!strncmp(name, "egl", 3)) return GLURAY_API_EGL;
+  return strncmp(name, "OSMesa", 6) ? GLURAY_API_GLX : GLURAY_API_OSMESA;
+}
+
+void* glurayResolve(int i) {
+  const char* name = glurayNames + glurayNameOffsets[i];
+  const GlurayEngine* ready = makesContext(name) ? glurayLoadEngine() : glurayEngineIfLoaded();
+  void* function = ready ? ready->proc(&glurayDoor, name) : NULL;
+  if (!function) function = glurayDoor.realProc(name, apiOf(name));
+  if (!function) return (void*)doNothing; /* looked for again next time: its library may come later */
+  if (ready || glurayEngineFailed()) __atomic_store_n(&glurayTable[i], function, __ATOMIC_RELAXED);
+  return function;
+}

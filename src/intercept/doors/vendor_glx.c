@@ -1,0 +1,70 @@
+/* The GLVND door for GLX: a vendor library that wraps the real vendor. libGLX finds it under the name
+   "gluray"
+   (__GLX_VENDOR_LIBRARY_NAME). libGLX loads vendors in its constructor, so nothing here may touch the X
+   server. */
+#include "intercept/doors/door.h"
+#include "intercept/doors/door_table.h"
+
+#include <dlfcn.h>
+#include <glvnd/libglxabi.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static __GLXapiImports real;
+
+static void* realProc(const char* name, int api) {
+  (void)api;
+  return real.getProcAddress ? real.getProcAddress((const GLubyte*)name) : NULL;
+}
+
+const GlurayDoor glurayDoor = {GLURAY_DOOR_ABI, sizeof(GlurayDoor), GLURAY_DOOR_VENDOR_GLX, realProc};
+
+/* libGLdispatch asks for every OpenGL name here at the first MakeCurrent, libGLX for its own functions when
+ * it starts. */
+static void* getProcAddress(const GLubyte* procName) {
+  const char* name = (const char*)procName;
+  void* function = realProc(name, GLURAY_API_GLX);
+  if (!function) return NULL;
+  const int entry = glurayFind(name);
+  if (entry >= 0) return glurayJumps[entry];
+  const GlurayEngine* engine = glurayEngineIfLoaded();
+  void* ours = engine ? engine->proc(&glurayDoor, name) : NULL;
+  return ours ? ours : function;
+}
+
+/* GLURAY_REAL_GLX is a vendor name ("mesa"), a library name or a path. */
+static void* openRealVendor(void) {
+  const char* chosen = getenv("GLURAY_REAL_GLX");
+  char library[512];
+  if (!chosen || !*chosen || !strcmp(chosen, "gluray")) chosen = "mesa";
+  if (strchr(chosen, '/') || strstr(chosen, ".so"))
+    snprintf(library, sizeof library, "%s", chosen);
+  else
+    snprintf(library, sizeof library, "libGLX_%s.so.0", chosen);
+  void* handle = dlopen(library, RTLD_LAZY | RTLD_LOCAL);
+  if (!handle) gluraySay("cannot load the real OpenGL; GLURAY_REAL_GLX says which", dlerror());
+  return handle;
+}
+
+__attribute__((visibility("default"))) Bool __glx_Main(uint32_t version, const __GLXapiExports* exports,
+                                                       __GLXvendorInfo* vendor, __GLXapiImports* imports) {
+  static void* handle;
+  if (!handle) handle = openRealVendor();
+  __PFNGLXMAINPROC realMain = handle ? (__PFNGLXMAINPROC)dlsym(handle, __GLX_MAIN_PROTO_NAME) : NULL;
+  if (!realMain) return False;
+  if (glurayIsOurs((const void*)realMain)) {
+    gluraySay("the real OpenGL is GLuRay itself; GLURAY_REAL_GLX must name another vendor", NULL);
+    return False;
+  }
+  memset(&real, 0, sizeof real);
+  if (!realMain(version, exports, vendor, imports)) return False;
+  real = *imports;
+  imports->getProcAddress = getProcAddress;
+  /* A vendor that patches libglvnd's entry points would lead calls past us. */
+  imports->isPatchSupported = NULL;
+  imports->initiatePatch = NULL;
+  imports->releasePatch = NULL;
+  imports->patchThreadAttach = NULL;
+  return True;
+}

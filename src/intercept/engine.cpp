@@ -1,0 +1,62 @@
+// The engine's entry point: doors come in here.
+#include "intercept/engine.h"
+
+#include "intercept/contexts.h"
+#include "intercept/report.h"
+#include "intercept/session.h"
+#include "intercept/stub_proc.h"
+
+#include <pthread.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <mutex>
+#include <string>
+
+namespace gluray::intercept {
+namespace {
+
+bool startsWith(const char* text, const char* start) {
+  return std::strncmp(text, start, std::strlen(start)) == 0;
+}
+
+void* proc(const GlurayDoor* door, const char* name) {
+  const auto kind = static_cast<Door>(door->kind);
+  if (startsWith(name, "glX")) return glxHook(kind, name);
+  if (startsWith(name, "egl")) return eglHook(kind, name);
+  if (startsWith(name, "OSMesa")) return osmesaHook(name);
+  // Switched off, the program calls the real OpenGL directly; only frames are counted.
+  return session().off ? nullptr : stubProc(name);
+}
+
+const GlurayEngine g_engine = {GLURAY_DOOR_ABI, sizeof(GlurayEngine), proc};
+
+void start() {
+  session();
+  pthread_atfork(nullptr, nullptr, passThroughAfterFork);
+  if (!session().reportFile.empty()) std::atexit(writeReport);
+}
+
+}  // namespace
+}  // namespace gluray::intercept
+
+extern "C" __attribute__((visibility("default"))) const GlurayEngine* glurayEngine(const GlurayDoor* door,
+                                                                                   const char** why) {
+  using namespace gluray::intercept;
+  if (door->version != GLURAY_DOOR_ABI || door->size != sizeof(GlurayDoor)) {
+    *why = "door and engine are of different versions";
+    return nullptr;
+  }
+  try {
+    static std::once_flag once;
+    std::call_once(once, start);
+    openDoor(door);
+    return &g_engine;
+  } catch (const std::exception& e) {
+    static std::string reason;
+    reason = e.what();
+    *why = reason.c_str();
+  }
+  return nullptr;
+}

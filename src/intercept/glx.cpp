@@ -1,0 +1,205 @@
+// GLX: contexts, current contexts, buffer swaps. GLX 1.4 and the extensions that show pictures.
+#include "intercept/contexts.h"
+#include "intercept/engine.h"
+#include "intercept/hook_table.h"
+
+#include <GL/glx.h>
+#include <GL/glxext.h>
+
+namespace gluray::intercept {
+namespace {
+
+/// The real function of the same name and type as `FUNCTION`, behind door D.
+#define REAL(D, TYPE, NAME) static const auto real = realFunction<TYPE>(D, Api::glx, NAME)
+
+/// Runs `call` with what is pending drawn first.
+template <class F>
+auto afterFlush(F&& call) {
+  const Outermost outermost;
+  if (outermost) flushCurrent();
+  return call();
+}
+
+/// Runs `call`, which makes a context that shares with `share`.
+template <class F>
+GLXContext creating(GLXContext share, F&& call) {
+  const Outermost outermost;
+  const GLXContext context = call();
+  if (outermost) contextCreated(Api::glx, context, share);
+  return context;
+}
+
+/// Runs `call`, which makes `context` current.
+template <class F>
+Bool makingCurrent(GLXDrawable drawable, GLXContext context, F&& call) {
+  const Outermost outermost;
+  if (!outermost) return call();
+  leaveCurrent();
+  const Bool done = call();
+  if (done)
+    becameCurrent(Api::glx, context, drawable);
+  else
+    stayCurrent();
+  return done;
+}
+
+/// Runs `call`, which shows the back buffer of `drawable`.
+template <class F>
+auto swapping(GLXDrawable drawable, F&& call) {
+  struct AfterSwap {
+    const Outermost& outermost;
+    GLXDrawable drawable;
+    ~AfterSwap() {
+      if (outermost) swapped(drawable);
+    }
+  };
+  const Outermost outermost;
+  if (outermost) flushCurrent();
+  const AfterSwap afterSwap{outermost, drawable};
+  return call();
+}
+
+template <Door D>
+struct Glx {
+  static GLXContext createContext(Display* dpy, XVisualInfo* visual, GLXContext share, Bool direct) {
+    REAL(D, decltype(&glXCreateContext), "glXCreateContext");
+    return creating(share, [&] { return real(dpy, visual, share, direct); });
+  }
+  static GLXContext createNewContext(Display* dpy, GLXFBConfig config, int type, GLXContext share,
+                                     Bool direct) {
+    REAL(D, decltype(&glXCreateNewContext), "glXCreateNewContext");
+    return creating(share, [&] { return real(dpy, config, type, share, direct); });
+  }
+  static GLXContext createContextAttribs(Display* dpy, GLXFBConfig config, GLXContext share, Bool direct,
+                                         const int* attributes) {
+    REAL(D, PFNGLXCREATECONTEXTATTRIBSARBPROC, "glXCreateContextAttribsARB");
+    return creating(share, [&] { return real(dpy, config, share, direct, attributes); });
+  }
+  static GLXContext createContextWithConfig(Display* dpy, GLXFBConfigSGIX config, int type, GLXContext share,
+                                            Bool direct) {
+    REAL(D, PFNGLXCREATECONTEXTWITHCONFIGSGIXPROC, "glXCreateContextWithConfigSGIX");
+    return creating(share, [&] { return real(dpy, config, type, share, direct); });
+  }
+  static GLXContext importContext(Display* dpy, GLXContextID id) {
+    REAL(D, PFNGLXIMPORTCONTEXTEXTPROC, "glXImportContextEXT");
+    return creating(nullptr, [&] { return real(dpy, id); });
+  }
+  static void destroyContext(Display* dpy, GLXContext context) {
+    REAL(D, decltype(&glXDestroyContext), "glXDestroyContext");
+    const Outermost outermost;
+    real(dpy, context);
+    if (outermost) contextDestroyed(Api::glx, context);
+  }
+  static void freeContext(Display* dpy, GLXContext context) {
+    REAL(D, PFNGLXFREECONTEXTEXTPROC, "glXFreeContextEXT");
+    const Outermost outermost;
+    real(dpy, context);
+    if (outermost) contextDestroyed(Api::glx, context);
+  }
+  static void copyContext(Display* dpy, GLXContext source, GLXContext target, unsigned long mask) {
+    REAL(D, decltype(&glXCopyContext), "glXCopyContext");
+    afterFlush([&] { real(dpy, source, target, mask); });
+  }
+
+  static Bool makeCurrent(Display* dpy, GLXDrawable drawable, GLXContext context) {
+    REAL(D, decltype(&glXMakeCurrent), "glXMakeCurrent");
+    return makingCurrent(drawable, context, [&] { return real(dpy, drawable, context); });
+  }
+  static Bool makeContextCurrent(Display* dpy, GLXDrawable draw, GLXDrawable read, GLXContext context) {
+    REAL(D, decltype(&glXMakeContextCurrent), "glXMakeContextCurrent");
+    return makingCurrent(draw, context, [&] { return real(dpy, draw, read, context); });
+  }
+  static Bool makeCurrentRead(Display* dpy, GLXDrawable draw, GLXDrawable read, GLXContext context) {
+    REAL(D, PFNGLXMAKECURRENTREADSGIPROC, "glXMakeCurrentReadSGI");
+    return makingCurrent(draw, context, [&] { return real(dpy, draw, read, context); });
+  }
+
+  static void swapBuffers(Display* dpy, GLXDrawable drawable) {
+    REAL(D, decltype(&glXSwapBuffers), "glXSwapBuffers");
+    swapping(drawable, [&] { real(dpy, drawable); });
+  }
+  static int64_t swapBuffersMsc(Display* dpy, GLXDrawable drawable, int64_t target, int64_t divisor,
+                                int64_t remainder) {
+    REAL(D, PFNGLXSWAPBUFFERSMSCOMLPROC, "glXSwapBuffersMscOML");
+    return swapping(drawable, [&] { return real(dpy, drawable, target, divisor, remainder); });
+  }
+  static void copySubBuffer(Display* dpy, GLXDrawable drawable, int x, int y, int width, int height) {
+    REAL(D, PFNGLXCOPYSUBBUFFERMESAPROC, "glXCopySubBufferMESA");
+    afterFlush([&] { real(dpy, drawable, x, y, width, height); });
+  }
+  static void waitGl() {
+    REAL(D, decltype(&glXWaitGL), "glXWaitGL");
+    afterFlush([&] { real(); });
+  }
+  static void bindTexImage(Display* dpy, GLXDrawable drawable, int buffer, const int* attributes) {
+    REAL(D, PFNGLXBINDTEXIMAGEEXTPROC, "glXBindTexImageEXT");
+    afterFlush([&] { real(dpy, drawable, buffer, attributes); });
+  }
+  static void useXFont(Font font, int first, int count, int listBase) {
+    REAL(D, decltype(&glXUseXFont), "glXUseXFont");
+    afterFlush([&] { real(font, first, count, listBase); });
+  }
+
+  static void destroyWindow(Display* dpy, GLXWindow window) {
+    REAL(D, decltype(&glXDestroyWindow), "glXDestroyWindow");
+    const Outermost outermost;
+    if (outermost) drawableGoing(window);
+    real(dpy, window);
+  }
+  static void destroyPbuffer(Display* dpy, GLXPbuffer pbuffer) {
+    REAL(D, decltype(&glXDestroyPbuffer), "glXDestroyPbuffer");
+    const Outermost outermost;
+    if (outermost) drawableGoing(pbuffer);
+    real(dpy, pbuffer);
+  }
+  static void destroyPixmap(Display* dpy, GLXPixmap pixmap) {
+    REAL(D, decltype(&glXDestroyPixmap), "glXDestroyPixmap");
+    const Outermost outermost;
+    if (outermost) drawableGoing(pixmap);
+    real(dpy, pixmap);
+  }
+  static void destroyGlxPixmap(Display* dpy, GLXPixmap pixmap) {
+    REAL(D, decltype(&glXDestroyGLXPixmap), "glXDestroyGLXPixmap");
+    const Outermost outermost;
+    if (outermost) drawableGoing(pixmap);
+    real(dpy, pixmap);
+  }
+
+  static void* find(const char* name) {
+#define HOOK(NAME, FUNCTION) \
+  { NAME, reinterpret_cast<void*>(&FUNCTION) }
+    static const Hook hooks[] = {
+        HOOK("glXCreateContext", createContext),
+        HOOK("glXCreateNewContext", createNewContext),
+        HOOK("glXCreateContextAttribsARB", createContextAttribs),
+        HOOK("glXCreateContextWithConfigSGIX", createContextWithConfig),
+        HOOK("glXImportContextEXT", importContext),
+        HOOK("glXDestroyContext", destroyContext),
+        HOOK("glXFreeContextEXT", freeContext),
+        HOOK("glXCopyContext", copyContext),
+        HOOK("glXMakeCurrent", makeCurrent),
+        HOOK("glXMakeContextCurrent", makeContextCurrent),
+        HOOK("glXMakeCurrentReadSGI", makeCurrentRead),
+        HOOK("glXSwapBuffers", swapBuffers),
+        HOOK("glXSwapBuffersMscOML", swapBuffersMsc),
+        HOOK("glXCopySubBufferMESA", copySubBuffer),
+        HOOK("glXWaitGL", waitGl),
+        HOOK("glXBindTexImageEXT", bindTexImage),
+        HOOK("glXUseXFont", useXFont),
+        HOOK("glXDestroyWindow", destroyWindow),
+        HOOK("glXDestroyPbuffer", destroyPbuffer),
+        HOOK("glXDestroyPixmap", destroyPixmap),
+        HOOK("glXDestroyGLXPixmap", destroyGlxPixmap),
+    };
+#undef HOOK
+    return findHook(hooks, name);
+  }
+};
+
+}  // namespace
+
+void* glxHook(Door door, const char* name) {
+  return door == kPreload ? Glx<kPreload>::find(name) : Glx<kVendorGlx>::find(name);
+}
+
+}  // namespace gluray::intercept

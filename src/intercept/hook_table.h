@@ -1,0 +1,21 @@
+// A table of hooks by name: what the files of glx, egl and osmesa are made of.
+#pragma once
+#include <cstring>
+#include <iterator>
+
+namespace gluray::intercept {
+
+struct Hook {
+  const char* name;
+  void* function;
+};
+
+/// The function behind `name`, or null.
+template <size_t N>
+void* findHook(const Hook (&hooks)[N], const char* name) {
+  for (const Hook& hook : hooks)
+    if (std::strcmp(hook.name, name) == 0) return hook.function;
+  return nullptr;
+}
+
+}  // namespace gluray::intercept

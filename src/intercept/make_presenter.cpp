@@ -1,0 +1,39 @@
+#include "intercept/make_presenter.h"
+
+#include "frame/renderer.h"
+#include "intercept/present/tracing_presenter.h"
+
+namespace gluray::intercept {
+namespace {
+
+bool trace(const scene::Snapshot& snapshot, Image& image, present::TraceCost& cost, std::string& error) {
+  frame::FrameStatistics statistics;
+  const bool done = frame::Renderer::shared().render(snapshot, image, statistics, error);
+  cost = {statistics.buildSeconds, statistics.traceSeconds, statistics.blasBuilds, statistics.bvhBytes};
+  return done;
+}
+
+/// The price of interception alone: no ray, no write-back.
+class NullPresenter final : public gl::Presenter {
+ public:
+  gl::PresentResult present(const gl::RealGl&, const scene::SnapshotPtr&,
+                            const gl::PresentTarget&) noexcept override {
+    gl::PresentResult result;
+    result.outcome = gl::PresentResult::traced;
+    return result;
+  }
+  bool supports(const gl::RealGl&, bool core, std::string& why) noexcept override {
+    if (core) why = "core profile";
+    return !core;
+  }
+  void forget(const gl::RealGl&) noexcept override {}
+};
+
+}  // namespace
+
+std::unique_ptr<gl::Presenter> makePresenter(const Settings& settings) {
+  if (settings.renderer == Renderer::null) return std::make_unique<NullPresenter>();
+  return std::make_unique<present::TracingPresenter>(trace);
+}
+
+}  // namespace gluray::intercept

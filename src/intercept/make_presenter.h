@@ -1,0 +1,14 @@
+// Joins the ray tracer to the write-back: what a context of the shadow GL gets to make its pictures with.
+#pragma once
+#include "gl/presenter.h"
+#include "settings/settings.h"
+
+#include <memory>
+
+namespace gluray::intercept {
+
+/// A presenter for one context. With the null renderer nothing is traced and every pixel is a miss: what
+/// remains is the price of the interception.
+std::unique_ptr<gl::Presenter> makePresenter(const Settings& settings);
+
+}  // namespace gluray::intercept

@@ -1,0 +1,71 @@
+#include "settings/settings.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+namespace gluray {
+namespace {
+
+std::vector<std::string> g_complaints;
+
+/// The session that the given variables make; all others are unset.
+Session sessionOf(std::vector<std::pair<const char*, const char*>> variables) {
+  for (const char* name : {"THREADS", "BVH", "SHADING", "RENDERER", "OFF", "REPORT", "LOG", "LOG_LEVEL"})
+    unsetenv((std::string("GLURAY_") + name).c_str());
+  for (const auto& [name, value] : variables) setenv(name, value, 1);
+  g_complaints.clear();
+  return sessionFromEnvironment([](const std::string& line) { g_complaints.push_back(line); });
+}
+
+TEST(Environment, NothingSetGivesDefaults) {
+  const Session session = sessionOf({});
+  EXPECT_EQ(session.settings, Settings{});
+  EXPECT_FALSE(session.off);
+  EXPECT_EQ(session.logLevel, "warning");
+  EXPECT_TRUE(session.reportFile.empty());
+  EXPECT_TRUE(g_complaints.empty());
+}
+
+TEST(Environment, EveryVariableIsRead) {
+  const Session session = sessionOf({{"GLURAY_THREADS", "3"},
+                                     {"GLURAY_BVH", "compact"},
+                                     {"GLURAY_SHADING", "vertex"},
+                                     {"GLURAY_RENDERER", "null"},
+                                     {"GLURAY_OFF", "1"},
+                                     {"GLURAY_REPORT", "/r.json"},
+                                     {"GLURAY_LOG", "/l.txt"},
+                                     {"GLURAY_LOG_LEVEL", "debug"}});
+  EXPECT_EQ(session.settings.threads, 3);
+  EXPECT_EQ(session.settings.bvh, BvhQuality::compact);
+  EXPECT_EQ(session.settings.shading, ShadingRate::vertex);
+  EXPECT_EQ(session.settings.renderer, Renderer::null);
+  EXPECT_TRUE(session.off);
+  EXPECT_EQ(session.reportFile, "/r.json");
+  EXPECT_EQ(session.logFile, "/l.txt");
+  EXPECT_EQ(session.logLevel, "debug");
+  EXPECT_TRUE(g_complaints.empty());
+}
+
+TEST(Environment, UnreadableValuesAreToldAndLeftAtTheirDefaults) {
+  const Session session =
+      sessionOf({{"GLURAY_THREADS", "many"}, {"GLURAY_BVH", "quick"}, {"GLURAY_LOG_LEVEL", "loud"}});
+  EXPECT_EQ(session.settings, Settings{});
+  EXPECT_EQ(session.logLevel, "warning");
+  ASSERT_EQ(g_complaints.size(), 3u);
+  EXPECT_EQ(g_complaints[0], "GLURAY_THREADS=many: use a number from 0 (all cores) to 1024");
+  EXPECT_EQ(g_complaints[1], "GLURAY_BVH=quick: use fast, full or compact");
+  EXPECT_EQ(g_complaints[2], "GLURAY_LOG_LEVEL=loud: use trace, debug, info, warning, error or off");
+}
+
+TEST(Environment, NegativeAndAbsurdThreadCountsAreRefused) {
+  EXPECT_EQ(sessionOf({{"GLURAY_THREADS", "-1"}}).settings.threads, 0);
+  EXPECT_EQ(g_complaints.size(), 1u);
+  EXPECT_EQ(sessionOf({{"GLURAY_THREADS", "99999999999999999999"}}).settings.threads, 0);
+  EXPECT_EQ(g_complaints.size(), 1u);
+}
+
+}  // namespace
+}  // namespace gluray

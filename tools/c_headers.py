@@ -1,0 +1,37 @@
+"""Reads the prototypes of APIs that have no XML registry in Debian: EGL and OSMesa, from their C headers."""
+from __future__ import annotations
+
+import pathlib
+import re
+
+import glxml
+
+PROTOTYPE = r"\b{export}\s+([\w\s\*]+?)\s*{call}\s+(\w+)\s*\(([^)]*)\)\s*;"
+
+
+def _parameter(text: str, position: int) -> glxml.Param:
+    match = re.match(r"^(.*?[\s\*])(\w+)(\[\])?$", text.strip())
+    if not match or text.strip() in ("void",):
+        return glxml.Param(text.strip(), f"a{position}", None)
+    kind = match.group(1).strip() + (" *" if match.group(3) else "")
+    return glxml.Param(kind, match.group(2), None)
+
+
+def prototypes(header: str, export: str, call: str) -> list[glxml.Command]:
+    """Every function that the header (relative to /usr/include) declares as `export RETURN call NAME (...)`."""
+    text = re.sub(r"/\*.*?\*/", " ", pathlib.Path("/usr/include", header).read_text(), flags=re.S)
+    found = {}
+    for ret, name, parameters in re.findall(PROTOTYPE.format(export=export, call=call), text):
+        parts = [] if parameters.strip() == "void" else parameters.split(",")
+        params = tuple(_parameter(part, i) for i, part in enumerate(parts))
+        found[name] = glxml.Command(name, " ".join(ret.split()), params, None, (header,))
+    return sorted(found.values(), key=lambda c: c.name)
+
+
+def egl() -> list[glxml.Command]:
+    found = {c.name: c for h in ("EGL/egl.h", "EGL/eglext.h") for c in prototypes(h, "EGLAPI", "EGLAPIENTRY")}
+    return sorted(found.values(), key=lambda c: c.name)
+
+
+def osmesa() -> list[glxml.Command]:
+    return prototypes("GL/osmesa.h", "GLAPI", "GLAPIENTRY")
