@@ -60,7 +60,7 @@ def _gate(c: glxml.Command, policy: Policy, compile_case: str) -> str:
 def _effect(policy: Policy, handler: str, context: str) -> str:
     """What a tracked command does to our state: its handler's call, the groups it touches, or both."""
     pointer = context == "*ctx"
-    touch = f"{'ctx->' if pointer else 'x.'}touch({policy.touch});" if policy.touch else ""
+    touch = f"{'ctx->' if pointer else 'later.'}touch({policy.touch});" if policy.touch else ""
     call = f"ctx->protect([&] {{ {handler}; }});" if pointer else f"{handler};"
     return " ".join(filter(None, [call if policy.handler else "", touch]))
 
@@ -71,10 +71,10 @@ def _track(c: glxml.Command, policy: Policy) -> str:
         compile_case = RUN
     else:
         captures, replace = _copies(c, policy)
-        late_handler, late_real = _call(c, "x", replace)
-        late_before = "x.beforeForward(true); " if policy.flush else "x.syncCurrent(); " if policy.sync else ""
-        compile_case = (f"case Gate::compile: ctx->record([{', '.join(captures)}](Context& x) "
-                        f"{{ {late_before}{_effect(policy, late_handler, 'x')} {late_real}; }}); return;\n      case Gate::run: break;")
+        late_handler, late_real = _call(c, "later", replace)
+        late_before = "later.beforeForward(true); " if policy.flush else "later.syncCurrent(); " if policy.sync else ""
+        compile_case = (f"case Gate::compile: ctx->record([{', '.join(captures)}](Context& later) "
+                        f"{{ {late_before}{_effect(policy, late_handler, 'later')} {late_real}; }}); return;\n      case Gate::run: break;")
     before = "ctx->beforeForward(true); " if policy.flush else "ctx->syncCurrent(); " if policy.sync else ""
     return (_gate(c, policy, compile_case) + f"  {before}{_effect(policy, handler, '*ctx')}\n"
             f"  {'return ' if c.ret != 'void' else ''}{real};\n")
