@@ -85,10 +85,12 @@ int glurayFind(const char* name) {
   return -1;
 }
 
+/* Set by the linker: where this library begins and ends in memory. */
+extern const char __ehdr_start __attribute__((visibility("hidden")));
+extern const char _end __attribute__((visibility("hidden")));
+
 int glurayIsOurs(const void* function) {
-  Dl_info theirs, mine;
-  return function && dladdr(function, &theirs) && dladdr((const void*)&glurayDoor, &mine) &&
-         theirs.dli_fbase == mine.dli_fbase;
+  return (const char*)function >= &__ehdr_start && (const char*)function < &_end;
 }
 
 /* Functions that make a context: the engine is loaded for them, and never earlier. */
@@ -99,8 +101,9 @@ static int makesContext(const char* name) {
 static long doNothing(void) { return 0; }
 
 static int apiOf(const char* name) {
+  if (!strncmp(name, "glX", 3)) return GLURAY_API_GLX;
   if (!strncmp(name, "egl", 3)) return GLURAY_API_EGL;
-  return strncmp(name, "OSMesa", 6) ? GLURAY_API_GLX : GLURAY_API_OSMESA;
+  return strncmp(name, "OSMesa", 6) ? GLURAY_API_ANY : GLURAY_API_OSMESA;
 }
 
 void* glurayResolve(int i) {

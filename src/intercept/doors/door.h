@@ -22,3 +22,6 @@ void gluraySay(const char* line, const char* detail);
 
 /* Whether `function` lies in this library: then it cannot be the real one. */
 int glurayIsOurs(const void* function);
+
+/* Preload door: a handle of this library, as dlopen gives it. */
+void* gluraySelf(void);

@@ -14,8 +14,9 @@ extern "C" {
 enum GlurayDoorKind { GLURAY_DOOR_VENDOR_GLX = 0, GLURAY_DOOR_VENDOR_EGL = 1, GLURAY_DOOR_PRELOAD = 2 };
 
 /* Which window system API a function is wanted for: with two OpenGL libraries in one process (libGL and
-   libOSMesa), the same name has two functions. Vendor doors know one API and ignore it. */
-enum GlurayApi { GLURAY_API_GLX = 0, GLURAY_API_EGL = 1, GLURAY_API_OSMESA = 2 };
+   libOSMesa), the same name has two functions. ANY: what the program itself would have got. Vendor doors know
+   one API and ignore it. */
+enum GlurayApi { GLURAY_API_GLX = 0, GLURAY_API_EGL = 1, GLURAY_API_OSMESA = 2, GLURAY_API_ANY = 3 };
 
 /* What the door gives. Lives as long as the process. */
 typedef struct GlurayDoor {
