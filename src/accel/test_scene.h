@@ -57,6 +57,7 @@ inline MeshData squareData(float z = 0) { return quadData({-1, -1, z}, {1, -1, z
 inline scene::Snapshot makeSnapshot(const std::vector<scene::MeshPtr>& meshes, int size = 16) {
   scene::Snapshot s;
   s.frame = 1;
+  s.camera.clipFromEye[2][2] = -1;
   s.camera.viewport = {0, 0, size, size};
   s.region = {0, 0, size, size};
   s.shadings.resize(1);

@@ -32,8 +32,8 @@ class World {
   /// then nothing may be traced until an update succeeds.
   UpdateStatistics update(const scene::Snapshot&, Arena&);
 
-  /// Nearest hits of the lanes with valid[i] = -1 (others 0); the packet's hit fields must be cleared
-  /// (geometry = kNoHit).
+  /// Nearest hits of the lanes with valid[i] = -1 (others 0), an array aligned to 64 bytes; the packet's hit
+  /// fields must be cleared (geometry = kNoHit).
   void intersect(const int32_t* valid, RayPacket&) const noexcept;
   /// The same, without the hits that `filter` refuses.
   void intersect(const int32_t* valid, RayPacket&, const HitFilter& filter) const noexcept;
