@@ -77,9 +77,9 @@ void glossy(Gl gl, int width, int height, bool localViewer) {
   paint(gl, 0.1f, 0.2f, 0.5f);
   material(gl, GL_FRONT, GL_SPECULAR, {0.9f, 0.9f, 0.6f, 1});
   gl.Materialf(GL_FRONT, GL_SHININESS, 30);
+  gl.Enable(GL_NORMALIZE);
   const Model ball = sphere(60, 80);
   sendAt(gl, ball, -1, 0, 0, 0.7f);
-  gl.Enable(GL_NORMALIZE);
   gl.Materialf(GL_FRONT, GL_SHININESS, 0);  // anything to the power of 0 is 1
   sendAt(gl, ball, 0.9f, 0, 0, 0.7f);
 }
@@ -108,6 +108,7 @@ void globalAmbientAndEmission(Gl gl, int width, int height) {
   const float ambient[] = {0.5f, 0.1f, 0.3f, 1};
   gl.LightModelfv(GL_LIGHT_MODEL_AMBIENT, ambient);
   light(gl, GL_LIGHT0, GL_AMBIENT, {0.1f, 0.2f, 0, 1});
+  light(gl, GL_LIGHT0, GL_DIFFUSE, {0.5f, 0.5f, 0.4f, 1});
   material(gl, GL_FRONT, GL_AMBIENT, {0.6f, 0.6f, 0.9f, 1});
   material(gl, GL_FRONT, GL_EMISSION, {0, 0.15f, 0.05f, 1});
   send(gl, sphere(20, 30));

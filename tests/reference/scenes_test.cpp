@@ -1,0 +1,107 @@
+// Every scene, drawn by the real OpenGL and through ours: the same colours and depths.
+#include "tests/reference/traced_context.h"
+
+#include <gtest/gtest.h>
+
+namespace gluray::test {
+namespace {
+
+constexpr int kWidth = 320, kHeight = 240;
+
+Picture drawReal(const scenes::Scene& scene) {
+  const auto context = OsmesaContext::create({kWidth, kHeight});
+  scene.draw(context->real(), kWidth, kHeight);
+  return readPicture(context->real(), kWidth, kHeight);
+}
+
+std::string reasons(const gl::Statistics& s) {
+  std::string text;
+  for (int i = 0; i < gl::kReasonCount; ++i)
+    if (const uint64_t n = s.rasterisedBecause[static_cast<size_t>(i)])
+      text +=
+          std::string(", ") + std::to_string(n) + " " + std::string(gl::describe(static_cast<gl::Reason>(i)));
+  return text;
+}
+
+class SceneTest : public testing::TestWithParam<const scenes::Scene*> {};
+
+TEST_P(SceneTest, LooksLikeTheRealOne) {
+  const scenes::Scene& scene = *GetParam();
+  const Picture expected = drawReal(scene);
+  TracedContext ours({kWidth, kHeight});
+  scene.draw(ours.gl(), kWidth, kHeight);
+  const Picture got = ours.read();
+  EXPECT_EQ(ours.gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
+  const Comparison c = compare(expected, got, scene.tolerance);
+  const gl::Statistics& s = ours.context().statistics;
+  std::printf("%s: %s; %zu draws traced, %zu rasterised%s\n", scene.name, c.text.c_str(),
+              static_cast<size_t>(s.drawsTraced), static_cast<size_t>(s.drawsRasterised), reasons(s).c_str());
+  EXPECT_TRUE(c.accepted) << c.text << "; tolerance: " << scene.tolerance.reason;
+  EXPECT_FALSE(ours.context().passthrough()) << "the context stepped aside";
+  EXPECT_TRUE(s.drawsTraced > 0 || !scene.traced) << "nothing was traced" << reasons(s);
+  if (!c.accepted) writeFailure(TEST_OUTPUT, scene.name, expected, got);
+}
+
+std::vector<const scenes::Scene*> pointers(std::span<const scenes::Scene> list) {
+  std::vector<const scenes::Scene*> all;
+  for (const scenes::Scene& scene : list) all.push_back(&scene);
+  return all;
+}
+
+std::string nameOf(const testing::TestParamInfo<const scenes::Scene*>& info) {
+  std::string name = info.param->name;
+  for (char& c : name)
+    if (c == '-') c = '_';
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, SceneTest, testing::ValuesIn(pointers(scenes::scenes())), nameOf);
+
+class VariantTest : public testing::TestWithParam<const scenes::Scene*> {};
+
+Picture drawTraced(const scenes::Scene& scene, uint64_t& draws) {
+  TracedContext ours({kWidth, kHeight});
+  scene.draw(ours.gl(), kWidth, kHeight);
+  Picture picture = ours.read();
+  draws = ours.context().statistics.drawsTraced;
+  return picture;
+}
+
+TEST_P(VariantTest, EqualsTheFirstToTheBit) {
+  const scenes::Scene& first = scenes::variants().front();
+  uint64_t draws = 0;
+  static const Picture expected = drawTraced(first, draws);
+  const Picture got = drawTraced(*GetParam(), draws);
+  EXPECT_GT(draws, 0u) << "nothing was traced";
+  const Comparison c = compare(expected, got, {0, 0, 0, "none"});
+  EXPECT_TRUE(expected == got) << c.text;
+  const Comparison real = compare(drawReal(first), got, first.tolerance);
+  EXPECT_TRUE(real.accepted) << "against the real OpenGL: " << real.text;
+  if (!(expected == got)) writeFailure(TEST_OUTPUT, GetParam()->name, expected, got);
+}
+
+INSTANTIATE_TEST_SUITE_P(Variants, VariantTest, testing::ValuesIn(pointers(scenes::variants())), nameOf);
+
+TEST(Harness, TwoRealContextsAgreeToTheBit) {
+  for (const char* name : {"directional-light", "texture-linear", "multisampled", "selection"})
+    EXPECT_TRUE(drawReal(*scenes::findScene(name)) == drawReal(*scenes::findScene(name))) << name;
+}
+
+TEST(Harness, SeesADifference) {
+  const Picture expected = drawReal(*scenes::findScene("directional-light"));
+  Picture got = expected;
+  for (size_t i = 0; i < 500; ++i) got.colors[100 * kWidth + i] ^= 0x40;
+  EXPECT_FALSE(compare(expected, got, {}).accepted);
+  got = expected;
+  for (uint32_t& c : got.colors) c = (c & 0xffffff00) | std::min((c & 0xff) + 3, 255u);
+  EXPECT_FALSE(compare(expected, got, {}).accepted);
+  got = expected;
+  for (float& d : got.depths) d -= 2e-5f;
+  EXPECT_FALSE(compare(expected, got, {}).accepted);
+  got = expected;
+  for (size_t i = 0; i < 60; ++i) got.colors[i * 7] = 0xffffffff;  // few, but in the middle of nowhere
+  EXPECT_FALSE(compare(expected, got, {}).accepted);
+}
+
+}  // namespace
+}  // namespace gluray::test

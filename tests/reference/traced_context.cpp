@@ -1,0 +1,51 @@
+#include "tests/reference/traced_context.h"
+
+#include "intercept/make_presenter.h"
+#include "intercept/stub_proc.h"
+
+namespace gluray::test {
+
+Settings TracedContext::vertexShading() {
+  Settings settings;
+  settings.shading = ShadingRate::vertex;
+  return settings;
+}
+
+TracedContext::TracedContext(const ContextWish& wish, Settings settings)
+    : below_(OsmesaContext::create(wish)) {
+  gl::ContextInfo info;
+  info.core = wish.core;
+  info.doubleBuffered = false;
+  info.settings = settings;
+  presenter_ = intercept::makePresenter(settings);
+  context_ = gl::Context::create(below_->real(), std::make_shared<gl::ShareGroup>(), info, *presenter_);
+  context_->makeCurrent();
+}
+
+TracedContext::~TracedContext() {
+  context_->loseCurrent();
+  context_.reset();
+}
+
+const gl::RealGl& TracedContext::stubs() {
+  static const gl::RealGl table = [] {
+    gl::RealGl t;
+    gl::loadRealGl(
+        t, [](void*, const char* name) { return intercept::stubProc(name); }, nullptr);
+    return t;
+  }();
+  return table;
+}
+
+Picture TracedContext::read() const { return readPicture(gl(), below_->width(), below_->height()); }
+
+Picture readPicture(const gl::RealGl& gl, int width, int height) {
+  const auto pixels = static_cast<size_t>(width) * static_cast<size_t>(height);
+  Picture picture{width, height, std::vector<uint32_t>(pixels), std::vector<float>(pixels)};
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl.ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, picture.colors.data());
+  gl.ReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, picture.depths.data());
+  return picture;
+}
+
+}  // namespace gluray::test

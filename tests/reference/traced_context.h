@@ -1,0 +1,35 @@
+// A context of the shadow GL over a real one in memory: what a program meets behind a door, without the door.
+#pragma once
+#include "gl/context.h"
+#include "tests/support/osmesa_context.h"
+#include "tests/support/picture.h"
+
+namespace gluray::test {
+
+class TracedContext {
+ public:
+  /// Current in the creating thread until destroyed. Shading is per vertex, as the real OpenGL's.
+  explicit TracedContext(const ContextWish& wish = {}, Settings settings = vertexShading());
+  ~TracedContext();
+  TracedContext(const TracedContext&) = delete;
+  TracedContext& operator=(const TracedContext&) = delete;
+
+  static Settings vertexShading();
+  /// Our functions: what the program calls.
+  const gl::RealGl& gl() const { return stubs(); }
+  const OsmesaContext& below() const { return *below_; }
+  const gl::Context& context() const { return *context_; }
+  /// Colour and depth as the program reads them.
+  Picture read() const;
+
+ private:
+  static const gl::RealGl& stubs();
+  std::unique_ptr<OsmesaContext> below_;
+  std::unique_ptr<gl::Presenter> presenter_;
+  std::shared_ptr<gl::Context> context_;
+};
+
+/// Colour and depth of what `gl` has bound for reading.
+Picture readPicture(const gl::RealGl& gl, int width, int height);
+
+}  // namespace gluray::test
