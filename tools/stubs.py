@@ -98,7 +98,9 @@ def _forward(c: glxml.Command, policy: Policy, index: int) -> str:
 
 def stub(c: glxml.Command, policy: Policy, index: int) -> str:
     if policy.kind == "leaf":
-        return f"{_signature(c)} {{\n  {leaf.body(c)}\n}}\n"
+        return (f"{_signature(c)} {{\n  if (!t_thread.stream && !t_thread.context) [[unlikely]] {{\n"
+                f"    if (const RealGl* orphan = orphanGl()) orphan->{c.short}({c.arguments});\n    return;\n  }}\n"
+                f"  {leaf.body(c)}\n}}\n")
     body = {"track": _track, "own": _own}.get(policy.kind)
     text = body(c, policy) if body else _forward(c, policy, index)
     return f"{_signature(c)} {{\n  Context* ctx = t_thread.context;\n{_no_context(c)}{text}}}\n"

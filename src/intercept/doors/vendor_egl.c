@@ -28,26 +28,44 @@ static void* getProcAddress(const char* name) {
   return ours ? ours : function;
 }
 
+static void* openRealVendor(void) {
+  const char* chosen = getenv("GLURAY_REAL_EGL");
+  void* handle = dlopen(chosen && *chosen ? chosen : "libEGL_mesa.so.0", RTLD_LAZY | RTLD_LOCAL);
+  if (!handle) gluraySay("cannot load the real EGL; GLURAY_REAL_EGL says which", dlerror());
+  return handle;
+}
+
+/* A program may close libEGL and open it again: libEGL then starts anew, while we and the real vendor stay in
+   memory. The vendor may take its exports at its first start only, so it gets a copy of ours that is kept up
+   to date. */
+static int startRealVendor(uint32_t version, const __EGLapiExports* exports, __EGLvendorInfo* vendor,
+                           const __EGLapiImports* imports) {
+  static void* handle;
+  static __EGLapiExports lasting;
+  if (EGL_VENDOR_ABI_GET_MAJOR_VERSION(version) != EGL_VENDOR_ABI_MAJOR_VERSION ||
+      EGL_VENDOR_ABI_GET_MINOR_VERSION(version) < EGL_VENDOR_ABI_MINOR_VERSION) {
+    gluraySay("libglvnd is too old; use gluray --door preload", NULL);
+    return 0; /* its structures are smaller than those we were compiled for */
+  }
+  if (!handle) handle = openRealVendor();
+  __PFNEGLMAINPROC realMain = handle ? (__PFNEGLMAINPROC)dlsym(handle, __EGL_MAIN_PROTO_NAME) : NULL;
+  if (!realMain) return 0;
+  if (glurayIsOurs((const void*)realMain)) {
+    gluraySay("the real EGL is GLuRay itself; GLURAY_REAL_EGL must name another library", NULL);
+    return 0;
+  }
+  __EGLapiImports filled = *imports;
+  lasting = *exports;
+  if (!realMain(version, &lasting, vendor, &filled)) return 0;
+  if (filled.getProcAddress) real = filled;
+  return real.getProcAddress != NULL;
+}
+
 __attribute__((visibility("default"))) EGLBoolean __egl_Main(uint32_t version, const __EGLapiExports* exports,
                                                              __EGLvendorInfo* vendor,
                                                              __EGLapiImports* imports) {
-  static void* handle;
-  const char* chosen = getenv("GLURAY_REAL_EGL");
-  if (!chosen || !*chosen) chosen = "libEGL_mesa.so.0";
-  if (!handle) handle = dlopen(chosen, RTLD_LAZY | RTLD_LOCAL);
-  if (!handle) {
-    gluraySay("cannot load the real EGL; GLURAY_REAL_EGL says which", dlerror());
-    return EGL_FALSE;
-  }
-  __PFNEGLMAINPROC realMain = (__PFNEGLMAINPROC)dlsym(handle, __EGL_MAIN_PROTO_NAME);
-  if (!realMain) return EGL_FALSE;
-  if (glurayIsOurs((const void*)realMain)) {
-    gluraySay("the real EGL is GLuRay itself; GLURAY_REAL_EGL must name another library", NULL);
-    return EGL_FALSE;
-  }
-  memset(&real, 0, sizeof real);
-  if (!realMain(version, exports, vendor, imports)) return EGL_FALSE;
-  real = *imports;
+  if (!startRealVendor(version, exports, vendor, imports)) return EGL_FALSE;
+  *imports = real;
   imports->getProcAddress = getProcAddress;
   /* A vendor that patches libglvnd's entry points would lead calls past us. */
   imports->isPatchSupported = NULL;

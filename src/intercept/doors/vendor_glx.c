@@ -47,19 +47,36 @@ static void* openRealVendor(void) {
   return handle;
 }
 
-__attribute__((visibility("default"))) Bool __glx_Main(uint32_t version, const __GLXapiExports* exports,
-                                                       __GLXvendorInfo* vendor, __GLXapiImports* imports) {
+/* A program may close libGL and open it again: libGLX then starts anew, while we and the real vendor stay in
+   memory. Mesa takes its exports at its first start only, so it gets a copy of ours that is kept up to date,
+   and its imports are remembered. */
+static int startRealVendor(uint32_t version, const __GLXapiExports* exports, __GLXvendorInfo* vendor,
+                           const __GLXapiImports* imports) {
   static void* handle;
+  static __GLXapiExports lasting;
+  if (GLX_VENDOR_ABI_GET_MAJOR_VERSION(version) != GLX_VENDOR_ABI_MAJOR_VERSION ||
+      GLX_VENDOR_ABI_GET_MINOR_VERSION(version) < GLX_VENDOR_ABI_MINOR_VERSION) {
+    gluraySay("libglvnd is too old; use gluray --door preload", NULL);
+    return 0; /* its structures are smaller than those we were compiled for */
+  }
   if (!handle) handle = openRealVendor();
   __PFNGLXMAINPROC realMain = handle ? (__PFNGLXMAINPROC)dlsym(handle, __GLX_MAIN_PROTO_NAME) : NULL;
-  if (!realMain) return False;
+  if (!realMain) return 0;
   if (glurayIsOurs((const void*)realMain)) {
     gluraySay("the real OpenGL is GLuRay itself; GLURAY_REAL_GLX must name another vendor", NULL);
-    return False;
+    return 0;
   }
-  memset(&real, 0, sizeof real);
-  if (!realMain(version, exports, vendor, imports)) return False;
-  real = *imports;
+  __GLXapiImports filled = *imports;
+  lasting = *exports;
+  if (!realMain(version, &lasting, vendor, &filled)) return 0;
+  if (filled.getProcAddress) real = filled;
+  return real.getProcAddress != NULL;
+}
+
+__attribute__((visibility("default"))) Bool __glx_Main(uint32_t version, const __GLXapiExports* exports,
+                                                       __GLXvendorInfo* vendor, __GLXapiImports* imports) {
+  if (!startRealVendor(version, exports, vendor, imports)) return False;
+  *imports = real;
   imports->getProcAddress = getProcAddress;
   /* A vendor that patches libglvnd's entry points would lead calls past us. */
   imports->isPatchSupported = NULL;

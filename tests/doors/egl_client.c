@@ -1,0 +1,69 @@
+/* Desktop OpenGL through EGL. Argument: window, or surfaceless (no display server; draws into a pbuffer of
+   the surfaceless platform). */
+#include "x_window.h"
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <string.h>
+
+typedef struct Target {
+  EGLDisplay display;
+  EGLSurface surface;
+} Target;
+
+static void show(void* user) {
+  const Target* target = (const Target*)user;
+  eglSwapBuffers(target->display, target->surface);
+}
+
+static void* byName(const char* name) { return (void*)eglGetProcAddress(name); }
+
+static EGLConfig chooseConfig(EGLDisplay display, int window) {
+  const EGLint wanted[] = {EGL_SURFACE_TYPE,
+                           window ? EGL_WINDOW_BIT : EGL_PBUFFER_BIT,
+                           EGL_RENDERABLE_TYPE,
+                           EGL_OPENGL_BIT,
+                           EGL_RED_SIZE,
+                           8,
+                           EGL_DEPTH_SIZE,
+                           24,
+                           EGL_NONE};
+  EGLConfig config = NULL;
+  EGLint count = 0;
+  return eglChooseConfig(display, wanted, &config, 1, &count) && count ? config : NULL;
+}
+
+static EGLSurface windowSurface(EGLDisplay display, EGLConfig config, Display* x) {
+  XVisualInfo wanted = {0};
+  EGLint id = 0;
+  int count = 0;
+  eglGetConfigAttrib(display, config, EGL_NATIVE_VISUAL_ID, &id);
+  wanted.visualid = (VisualID)id;
+  XVisualInfo* visual = XGetVisualInfo(x, VisualIDMask, &wanted, &count);
+  if (!visual) return EGL_NO_SURFACE;
+  return eglCreateWindowSurface(display, config, makeWindow(x, visual), NULL);
+}
+
+int main(int argc, char** argv) {
+  const int window = argc < 2 || strcmp(argv[1], "window") == 0;
+  Display* x = window ? openDisplay() : NULL;
+  const EGLDisplay display = window ? eglGetDisplay((EGLNativeDisplayType)x)
+                                    : eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, NULL, NULL);
+  if (!eglInitialize(display, NULL, NULL) || !eglBindAPI(EGL_OPENGL_API))
+    return fprintf(stderr, "no EGL\n"), 1;
+  const EGLConfig config = chooseConfig(display, window);
+  const EGLint size[] = {EGL_WIDTH, kWindowSize, EGL_HEIGHT, kWindowSize, EGL_NONE};
+  if (!config) return fprintf(stderr, "no configuration\n"), 1;
+  Target target = {
+      display, window ? windowSurface(display, config, x) : eglCreatePbufferSurface(display, config, size)};
+  const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, NULL);
+  if (!context || !eglMakeCurrent(display, target.surface, target.surface, context))
+    return fprintf(stderr, "no context\n"), 1;
+  Gl gl;
+  if (!loadGl(&gl, byName)) return 1;
+  const int right = workload(&gl, show, &target);
+  eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  eglDestroyContext(display, context);
+  eglTerminate(display);
+  return !right;
+}
