@@ -3,6 +3,7 @@
 #include "scenes/families.h"
 #include "scenes/stage.h"
 
+#include <cmath>
 #include <cstring>
 
 namespace gluray::scenes {
@@ -40,7 +41,7 @@ void oldTypes(Gl gl, int width, int height) {
 /// Integer positions of two coordinates, float colours of three, glArrayElement.
 void arrayElements(Gl gl, int width, int height) {
   begin(gl, width, height);
-  flatCamera(gl, width, height);
+  tiltedCamera(gl, width, height);
   gl.Scalef(0.01f, 0.01f, 1);
   const GLshort corners[][2] = {{-90, -80}, {90, -80}, {0, 80}, {-120, 30}, {120, 30}};
   const GLfloat colors[][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {0, 1, 1}};
@@ -160,11 +161,21 @@ void multiDraws(Gl gl, int width, int height) {
                        static_cast<GLsizei>(counts.size()));
   gl.Translatef(0, 0, 0.5f);
   gl.Scalef(0.5f, 0.5f, 0.5f);
-  const GLint firsts[] = {0, 63, 126};
-  const GLsizei numbers[] = {21, 21, 21};
-  gl.MultiDrawArrays(GL_TRIANGLE_FAN, firsts, numbers, 3);
   gl.DrawRangeElements(GL_TRIANGLES, 0, 62, 120, GL_UNSIGNED_INT, m.indices.data());
   gl.DrawElementsBaseVertex(GL_TRIANGLES, 120, GL_UNSIGNED_INT, m.indices.data(), 21 * 5);
+  // Three rounds, each a fan of its own.
+  std::vector<float> rounds;
+  for (int i = 0; i < 36; ++i) {
+    const float angle = 0.5236f * static_cast<float>(i % 12);
+    rounds.insert(rounds.end(), {-1.5f + 1.5f * static_cast<float>(i / 12) + 0.5f * std::cos(angle),
+                                 0.5f * std::sin(angle), 1 + 0.2f * std::sin(angle)});
+  }
+  gl.DisableClientState(GL_COLOR_ARRAY);
+  gl.Color3f(0.9f, 0.7f, 0.2f);
+  gl.VertexPointer(3, GL_FLOAT, 0, rounds.data());
+  const GLint firsts[] = {0, 12, 24};
+  const GLsizei numbers[] = {12, 11, 10};
+  gl.MultiDrawArrays(GL_TRIANGLE_FAN, firsts, numbers, 3);
 }
 
 void vertexArrayObjects(Gl gl, int width, int height) {

@@ -76,7 +76,7 @@ void materialsBetweenDraws(Gl gl, int width, int height) {
 /// Unlit colours, current when the list of vertices starts, and changed by it.
 void carriedColor(Gl gl, int width, int height) {
   begin(gl, width, height);
-  flatCamera(gl, width, height);
+  tiltedCamera(gl, width, height);
   gl.Color3f(0.9f, 0.2f, 0.2f);
   for (int i = 0; i < 4; ++i) {
     const float x = -1.2f + 0.6f * static_cast<float>(i);

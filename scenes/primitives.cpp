@@ -85,7 +85,7 @@ void coarseSphereFlat(Gl gl, int width, int height) {
 /// Degenerate and odd input: too few vertices, zero area, repeated points, empty pairs.
 void oddPrimitives(Gl gl, int width, int height) {
   begin(gl, width, height);
-  flatCamera(gl, width, height);
+  tiltedCamera(gl, width, height);
   for (GLenum mode :
        {GL_TRIANGLES, GL_QUADS, GL_POLYGON, GL_TRIANGLE_STRIP, GL_QUAD_STRIP, GL_TRIANGLE_FAN}) {
     gl.Begin(mode);

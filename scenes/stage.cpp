@@ -31,6 +31,11 @@ void flatCamera(Gl gl, int width, int height, double half) {
   gl.LoadIdentity();
 }
 
+void tiltedCamera(Gl gl, int width, int height, double half) {
+  flatCamera(gl, width, height, half);
+  gl.Rotatef(20, 0, 1, 0);
+}
+
 void keyLight(Gl gl) {
   gl.Enable(GL_LIGHTING);
   gl.Enable(GL_LIGHT0);

@@ -16,6 +16,8 @@ void begin(Gl gl, int width, int height, Color background = {0.1f, 0.15f, 0.25f,
 void camera(Gl gl, int width, int height, float distance = 4);
 /// Orthographic, `half` units above and below the axis, depth -10 to 10, identity modelview.
 void flatCamera(Gl gl, int width, int height, double half = 1);
+/// The same, turned by 20 degrees about the y axis: what lies in the xy plane has more than one depth.
+void tiltedCamera(Gl gl, int width, int height, double half = 1);
 /// GL_LIGHTING with GL_LIGHT0 from the upper right of the viewer.
 void keyLight(Gl gl);
 void light(Gl gl, GLenum name, GLenum parameter, Color value);

@@ -142,9 +142,7 @@ void depthRangeBands(Gl gl, int width, int height) {
   sendAt(gl, ball, -0.8f, 0, 0, 0.5f);
 }
 
-void depthFunctions(Gl gl, int width, int height) {
-  begin(gl, width, height);
-  flatCamera(gl, width, height);
+void rectangles(Gl gl) {
   gl.Color3f(0.9f, 0.1f, 0.1f), gl.Rectf(-1, -0.8f, 0, 0.8f);
   gl.DepthFunc(GL_LEQUAL);
   gl.Color3f(0.1f, 0.9f, 0.1f), gl.Rectf(-0.8f, -0.6f, 0.2f, 0.6f);  // equal depth wins
@@ -155,6 +153,28 @@ void depthFunctions(Gl gl, int width, int height) {
   gl.DepthFunc(GL_GREATER);
   gl.Translatef(0, 0, -1);
   gl.Color3f(0.1f, 0.9f, 0.9f), gl.Rectf(-0.2f, -0.9f, 0.8f, 0.1f);
+}
+
+/// All in one plane that faces the viewer: the order of drawing decides.
+void depthFunctions(Gl gl, int width, int height) {
+  begin(gl, width, height);
+  flatCamera(gl, width, height);
+  rectangles(gl);
+}
+
+/// The same surface, drawn over itself in another colour: LEQUAL shows the last, LESS the first.
+void redrawnSurface(Gl gl, int width, int height) {
+  begin(gl, width, height);
+  camera(gl, width, height);
+  keyLight(gl);
+  const Model ring = torus(0.5f, 0.2f, 30, 16);
+  for (const bool lequal : {true, false}) {
+    gl.DepthFunc(lequal ? GL_LEQUAL : GL_LESS);
+    paint(gl, 0.9f, 0.2f, 0.2f);
+    sendAt(gl, ring, lequal ? -0.8f : 0.8f, 0, 0, 1);
+    paint(gl, 0.2f, 0.9f, 0.2f);
+    sendAt(gl, ring, lequal ? -0.8f : 0.8f, 0, 0, 1);
+  }
 }
 
 constexpr Tolerance kLineTolerance{2, 0.01, 1e-5f,
@@ -168,7 +188,8 @@ constexpr Scene kScenes[] = {
     {"offset-and-lines", offsetAndLines, true, kLineTolerance},
     {"offset-decides", offsetDecides},
     {"depth-range-bands", depthRangeBands},
-    {"depth-functions", depthFunctions},
+    {"depth-functions", depthFunctions, false},
+    {"redrawn-surface", redrawnSurface},
 };
 
 }  // namespace

@@ -91,7 +91,7 @@ void colorMap1d(Gl gl, int width, int height) {
 
 void wraps(Gl gl, int width, int height, GLint filter) {
   begin(gl, width, height);
-  flatCamera(gl, width, height);
+  tiltedCamera(gl, width, height);
   gl.Enable(GL_TEXTURE_2D);
   const float border[] = {1, 0.8f, 0, 1};
   gl.TexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, border);
@@ -111,7 +111,7 @@ void wrapsLinear(Gl gl, int width, int height) { wraps(gl, width, height, GL_LIN
 /// Every environment with every base format.
 void environments(Gl gl, int width, int height) {
   begin(gl, width, height);
-  flatCamera(gl, width, height);
+  tiltedCamera(gl, width, height);
   gl.Enable(GL_TEXTURE_2D);
   const GLint formats[] = {GL_ALPHA, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_INTENSITY, GL_RGB, GL_RGBA};
   const GLint environments[] = {GL_MODULATE, GL_REPLACE, GL_DECAL, GL_BLEND, GL_ADD};
@@ -152,7 +152,7 @@ void separateSpecular(Gl gl, int width, int height) {
 /// A texture changed between two draws of the same frame, whole and in part, from a larger picture.
 void subImage(Gl gl, int width, int height) {
   begin(gl, width, height);
-  flatCamera(gl, width, height);
+  tiltedCamera(gl, width, height);
   gl.Enable(GL_TEXTURE_2D);
   upload(gl, GL_RGBA, 16, GL_NEAREST, GL_REPEAT);
   gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
