@@ -40,8 +40,8 @@ static void* realProc(const char* name, int api) {
     return function ? function : lookedUp(api, name);
   }
   if (api == GLURAY_API_ANY) {
-    void* function = dlsym(RTLD_NEXT, name);
-    return function && !glurayIsOurs(function) ? function : lookedUp(GLURAY_API_GLX, name);
+    void* function = glurayOfProgram(name);
+    return function ? function : lookedUp(GLURAY_API_GLX, name);
   }
   void* function = lookedUp(api, name);
   return function ? function

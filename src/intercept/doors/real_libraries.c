@@ -54,11 +54,23 @@ static void* ofSystem(int library, const char* name) {
   return NULL;
 }
 
-void* glurayExported(int library, const char* name) {
-  void* function = accept(dlsym(RTLD_NEXT, name));
+static void* ofOpened(int library, const char* name) {
+  void* function = NULL;
   for (int i = 0; !function && i < OPENED_MAX; ++i) {
     void* handle = __atomic_load_n(&opened[library][i], __ATOMIC_ACQUIRE);
     if (handle) function = accept(dlsym(handle, name));
   }
+  return function;
+}
+
+void* glurayExported(int library, const char* name) {
+  void* function = accept(dlsym(RTLD_NEXT, name));
+  if (!function) function = ofOpened(library, name);
   return function ? function : ofSystem(library, name);
+}
+
+void* glurayOfProgram(const char* name) {
+  void* function = accept(dlsym(RTLD_NEXT, name));
+  if (!function) function = ofOpened(GLURAY_LIB_GL, name);
+  return function ? function : ofOpened(GLURAY_LIB_OSMESA, name);
 }

@@ -13,3 +13,6 @@ void glurayRemember(int library, void* handle);
 
 /* The real function `name`, as exported by a library; null where there is none. */
 void* glurayExported(int library, const char* name);
+
+/* The same, from whichever OpenGL library the program itself has; null where it has none. */
+void* glurayOfProgram(const char* name);

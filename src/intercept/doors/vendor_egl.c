@@ -43,7 +43,7 @@ static int startRealVendor(uint32_t version, const __EGLapiExports* exports, __E
   static void* handle;
   static __EGLapiExports lasting;
   if (EGL_VENDOR_ABI_GET_MAJOR_VERSION(version) != EGL_VENDOR_ABI_MAJOR_VERSION ||
-      EGL_VENDOR_ABI_GET_MINOR_VERSION(version) < EGL_VENDOR_ABI_MINOR_VERSION) {
+      version < EGL_VENDOR_ABI_VERSION) {
     gluraySay("libglvnd is too old; use gluray --door preload", NULL);
     return 0; /* its structures are smaller than those we were compiled for */
   }

@@ -55,7 +55,7 @@ static int startRealVendor(uint32_t version, const __GLXapiExports* exports, __G
   static void* handle;
   static __GLXapiExports lasting;
   if (GLX_VENDOR_ABI_GET_MAJOR_VERSION(version) != GLX_VENDOR_ABI_MAJOR_VERSION ||
-      GLX_VENDOR_ABI_GET_MINOR_VERSION(version) < GLX_VENDOR_ABI_MINOR_VERSION) {
+      version < GLX_VENDOR_ABI_VERSION) {
     gluraySay("libglvnd is too old; use gluray --door preload", NULL);
     return 0; /* its structures are smaller than those we were compiled for */
   }

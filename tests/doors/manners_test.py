@@ -1,0 +1,216 @@
+"""The launcher's manners, and programs that must survive when something of ours is missing.
+
+    manners_test.py GLURAY LIBRARY_DIRECTORY CLIENTS_DIRECTORY [unittest arguments]
+"""
+from __future__ import annotations
+
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+GLURAY, LIBRARIES, CLIENTS = (pathlib.Path(p) for p in sys.argv[1:4])
+
+
+def run(*words, **environment) -> subprocess.CompletedProcess:
+    variables = dict(os.environ) | {k: str(v) for k, v in environment.items() if v is not None}
+    for name in (k for k, v in environment.items() if v is None):
+        variables.pop(name, None)
+    return subprocess.run([str(w) for w in words], env=variables, capture_output=True, text=True, timeout=100)
+
+
+class Folder(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+
+
+class Launcher(Folder):
+    def test_exit_code_is_the_programs(self):
+        self.assertEqual(run(GLURAY, "--", "sh", "-c", "exit 42").returncode, 42)
+
+    def test_run_is_an_alias(self):
+        done = run(GLURAY, "run", "--off", "--", "sh", "-c", "echo $GLURAY_OFF")
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "1\n", ""))
+
+    def test_options_of_the_program_are_its_own(self):
+        done = run(GLURAY, "--bvh", "fast", "echo", "--bvh", "slow", "--help")
+        self.assertEqual((done.stdout, done.stderr), ("--bvh slow --help\n", ""))
+
+    def test_settings_reach_the_environment(self):
+        done = run(GLURAY, "--threads=3", "--bvh", "compact", "--shading", "vertex", "--renderer", "null", "--log-level",
+                   "debug", "--report", "r.json", "--", "sh", "-c",
+                   "echo $GLURAY_THREADS $GLURAY_BVH $GLURAY_SHADING $GLURAY_RENDERER $GLURAY_LOG_LEVEL $GLURAY_REPORT")
+        self.assertEqual(done.stdout, f"3 compact vertex null debug {os.getcwd()}/r.json\n")
+
+    def test_pid_is_kept(self):
+        done = run(GLURAY, "sh", "-c", 'test "$GLURAY_PID" = $$')
+        self.assertEqual(done.returncode, 0)
+
+    def test_earlier_preload_and_library_path_are_kept(self):
+        done = run(GLURAY, "--door", "preload", "sh", "-c", "echo $LD_PRELOAD", LD_PRELOAD="libm.so.6")
+        self.assertRegex(done.stdout, r"/libgluray\.so:libm\.so\.6\n$")
+        done = run(GLURAY, "--door", "vendor", "sh", "-c", "echo $LD_LIBRARY_PATH", LD_LIBRARY_PATH="/opt/x")
+        self.assertEqual(done.stdout, f"{LIBRARIES}:/opt/x\n")
+
+    def test_earlier_vendor_is_the_real_one(self):
+        done = run(GLURAY, "sh", "-c", "echo $__GLX_VENDOR_LIBRARY_NAME $GLURAY_REAL_GLX", __GLX_VENDOR_LIBRARY_NAME="mesa")
+        self.assertEqual(done.stdout, "gluray mesa\n")
+
+    def test_launched_twice_it_does_not_wrap_itself(self):
+        done = run(GLURAY, GLURAY, "sh", "-c", "echo $GLURAY_REAL_GLX $GLURAY_REAL_EGL $LD_LIBRARY_PATH", LD_LIBRARY_PATH=None)
+        self.assertRegex(done.stdout, r"^mesa libEGL_mesa\.so\.0 \S+\n$")
+        self.assertNotIn(":", done.stdout)
+
+    def test_bad_usage(self):
+        for words, line in ((["--bogus", "true"], "--bogus"), ([], "no program given"), (["--threads", "x", "true"], "threads"),
+                            (["--bvh", "slow", "true"], "bvh"), (["--door"], "door"), (["--"], "no program given")):
+            done = run(GLURAY, *words)
+            self.assertEqual(done.returncode, 2, words)
+            self.assertRegex(done.stderr, rf"^gluray: .*{line}.*\n$", words)
+
+    def test_missing_and_unrunnable_programs(self):
+        done = run(GLURAY, "no-such-program")
+        self.assertEqual((done.returncode, done.stderr), (127, "gluray: no-such-program: program not found\n"))
+        done = run(GLURAY, "/etc/passwd")
+        self.assertEqual((done.returncode, done.stderr), (126, "gluray: /etc/passwd: Permission denied\n"))
+        done = run(GLURAY, "/tmp")
+        self.assertEqual(done.returncode, 126)
+
+    def test_script_without_interpreter_line(self):
+        script = self.folder / "script"
+        script.write_text("exit 7\n")
+        script.chmod(0o755)
+        self.assertEqual(run(GLURAY, script).returncode, 7)
+
+    def test_help_and_version(self):
+        done = run(GLURAY, "--help")
+        self.assertEqual(done.returncode, 0)
+        for option in ("--door", "--report", "--threads", "--bvh", "--shading", "--renderer", "--off", "--log", "--log-level"):
+            self.assertIn(option, done.stdout)
+        self.assertRegex(run(GLURAY, "--version").stdout, r"^gluray \d+\.\d+\.\d+\n$")
+
+    def test_set_uid_program_is_told_and_run(self):
+        if os.getuid() != 0:
+            self.skipTest("needs root to make a set-uid program")
+        program = self.folder / "true"
+        shutil.copy("/bin/true", program)
+        os.chown(program, 65534, 65534)
+        program.chmod(0o4755)
+        done = run(GLURAY, program)
+        self.assertEqual(done.returncode, 0)
+        self.assertRegex(done.stderr, r"^gluray: not ray traced: .* is set-uid: .*\n$")
+
+    def test_no_display_is_a_hint(self):
+        done = run(GLURAY, CLIENTS / "door_linked_gl", DISPLAY=None, WAYLAND_DISPLAY=None)
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(len(re.findall("DISPLAY is not set", done.stderr)), 1)
+
+    def test_mute_x_server_does_not_hang_the_launcher(self):
+        import socket
+        number = 4242
+        with socket.socket(socket.AF_UNIX) as mute:
+            mute.bind(f"\0/tmp/.X11-unix/X{number}")
+            mute.listen(5)
+            done = run(GLURAY, "true", DISPLAY=f":{number}")
+        self.assertEqual(done.returncode, 0)
+
+    def test_moved_tree_works(self):
+        tree = self.folder / "moved"
+        (tree / "bin").mkdir(parents=True)
+        shutil.copy(GLURAY, tree / "bin/gluray")
+        shutil.copytree(LIBRARIES, tree / "lib/gluray")
+        report = self.folder / "r.json"
+        done = run(tree / "bin/gluray", "--report", report, CLIENTS / "door_linked_gl")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(json.loads(report.read_text())["frames"], 10)
+
+
+class Report(Folder):
+    def test_old_report_is_removed(self):
+        report = self.folder / "r.json"
+        report.write_text("old")
+        run(GLURAY, "--report", report, "true")
+        self.assertFalse(report.exists())
+
+    def test_off_counts_frames_only(self):
+        report = self.folder / "r.json"
+        done = run(GLURAY, "--off", "--report", report, CLIENTS / "door_linked_gl")
+        seen = json.loads(report.read_text())
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual((seen["off"], seen["frames"], seen["triangles"]["traced"]), (True, 10, 0))
+
+    def test_unwritable_report_is_one_line(self):
+        done = run(GLURAY, "--report", "/nowhere/r.json", CLIENTS / "door_linked_gl")
+        self.assertEqual(done.returncode, 0)
+        self.assertEqual(done.stderr, "gluray: cannot write the report /nowhere/r.json\n")
+
+    def test_child_of_a_script_reports_in_its_place(self):
+        report = self.folder / "r.json"
+        run(GLURAY, "--report", report, "sh", "-c", f"{CLIENTS}/door_linked_gl; true")
+        self.assertEqual(json.loads(report.read_text())["frames"], 10)
+
+    def test_killed_program_leaves_a_report(self):
+        report = self.folder / "r.json"
+        run("timeout", "-s", "KILL", "4", GLURAY, "--report", report, "glxgears")
+        self.assertGreater(json.loads(report.read_text())["frames"], 0)
+
+
+class Missing(Folder):
+    def survives(self, *lines, door="vendor", **environment):
+        """The client's own check of its picture passes; stderr has exactly the given lines."""
+        done = run(GLURAY, "--door", door, "--", CLIENTS / "door_linked_gl", **environment)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        told = done.stderr.splitlines()
+        self.assertEqual(len(told), len(lines), done.stderr)
+        for line, wanted in zip(told, lines):
+            self.assertRegex(line, wanted)
+
+    def test_engine_missing(self):
+        for door in ("vendor", "preload"):
+            self.survives(r"^gluray: .*not ray traced.*nowhere", door=door, GLURAY_ENGINE="/nowhere/libgluray-engine.so")
+
+    def test_embree_missing(self):
+        """The engine as it is, but asking for an Embree that no machine has."""
+        engine = self.folder / "libgluray-engine.so"
+        text = (LIBRARIES / "libgluray-engine.so").read_bytes()
+        engine.write_bytes(re.sub(rb"libembree\d\.so", b"libembreeX.so", text))
+        for door in ("vendor", "preload"):
+            self.survives(r"^gluray: .*not ray traced.*libembreeX", door=door, GLURAY_ENGINE=engine)
+
+    def test_engine_is_something_else(self):
+        self.survives(r"^gluray: .*no entry point", GLURAY_ENGINE="libm.so.6")
+
+    def test_real_vendor_is_ourselves(self):
+        done = run(CLIENTS / "door_linked_gl", LD_LIBRARY_PATH=LIBRARIES, __GLX_VENDOR_LIBRARY_NAME="gluray",
+                   GLURAY_REAL_GLX="libGLX_gluray.so.0")
+        self.assertIn("the real OpenGL is GLuRay itself", done.stderr)
+
+    def test_bad_setting_is_one_line(self):
+        self.survives(r"^gluray: GLURAY_BVH=slow: use fast, full or compact$", GLURAY_BVH="slow")
+
+
+class Dlopen(Folder):
+    def test_other_libraries_and_run_paths_are_left_alone(self):
+        """libGLabelPlot.so and a bundled libGL.so.1 are found through the program's RUNPATH."""
+        for name in ("door_dlopen", "libGLabelPlot.so", "bundled/libGL.so.1"):
+            self.assertTrue((CLIENTS / name).exists(), name)
+        plain = run(CLIENTS / "door_dlopen", "libGLabelPlot.so")
+        self.assertEqual(plain.stdout, "bundled\n")
+        under = run(CLIENTS / "door_dlopen", "libGLabelPlot.so", LD_PRELOAD=LIBRARIES / "libgluray.so")
+        self.assertEqual((under.returncode, under.stdout, under.stderr), (0, "bundled\n", ""))
+
+    def test_linked_bundled_library_is_found_by_auto(self):
+        done = run(GLURAY, "sh", "-c", "echo $LD_PRELOAD")
+        self.assertEqual(done.stdout, "\n")
+        done = run(GLURAY, CLIENTS / "door_bundled")
+        self.assertIn("libgluray.so", done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[4:]])

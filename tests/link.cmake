@@ -1,0 +1,19 @@
+# What the linker made: exports, constructors, dependencies; and what becomes of programs when something is missing.
+set(link_check ${Python3_EXECUTABLE} ${CMAKE_CURRENT_LIST_DIR}/link_check.py)
+
+function(link_test NAME)
+  add_test(NAME link.${NAME} COMMAND ${ARGN})
+  set_tests_properties(link.${NAME} PROPERTIES LABELS link TIMEOUT 60)
+endfunction()
+
+link_test(engine_exports ${link_check} exports $<TARGET_FILE:gluray-engine> glurayEngine)
+link_test(vendor_glx_exports ${link_check} exports $<TARGET_FILE:gluray-door-glx> __glx_Main)
+link_test(vendor_egl_exports ${link_check} exports $<TARGET_FILE:gluray-door-egl> __egl_Main)
+link_test(preload_exports ${link_check} preload-exports $<TARGET_FILE:gluray-preload>)
+foreach(door door-glx door-egl preload)
+  link_test(no_constructors.${door} ${link_check} no-constructors $<TARGET_FILE:gluray-${door}>)
+  link_test(libc_only.${door} ${link_check} libc-only $<TARGET_FILE:gluray-${door}>)
+  link_test(nodelete.${door} ${link_check} nodelete $<TARGET_FILE:gluray-${door}>)
+endforeach()
+link_test(nodelete.engine ${link_check} nodelete $<TARGET_FILE:gluray-engine>)
+link_test(silent_in_true ${link_check} silent $<TARGET_FILE:gluray-preload>)
