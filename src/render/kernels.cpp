@@ -4,14 +4,14 @@
 #include <bit>
 #include <cmath>
 
-#define HWY_WANT_SSE4 1
+// x86-64-v4, v3, v2 and plain code are enough; less to compile.
+#define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/kernels.cpp"
 #include <hwy/foreach_target.h>
-// Highway's macros come first, then what uses them.
-#include "render/packet.inl.h"
-
 #include <hwy/highway.h>
+// What follows is included once for each instruction set, after Highway's macros.
+#include "render/packet.inl.h"
 
 #if HWY_ONCE
 namespace gluray::render {
