@@ -10,7 +10,7 @@
 namespace gluray::accel {
 
 Tlas::Tlas(const Device& device) : device_(device), scene_(rtcNewScene(device.handle())) {
-  rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC | kFilterInQuery);
+  rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC | RTC_SCENE_FLAG_ROBUST | kFilterInQuery);
   rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_MEDIUM);
 }
 
