@@ -70,7 +70,8 @@ std::string choosePath() {
 
 /// Readers never see half a report: it is written beside the file and renamed.
 void writeText(const std::string& text) {
-  static const std::string path = choosePath();
+  // Never destroyed: the exit handler that writes the last report was registered before this string was made.
+  static const std::string& path = *new std::string(choosePath());
   const std::string draft = path + ".new";
   const int file = open(draft.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   const bool written =
