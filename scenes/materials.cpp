@@ -22,6 +22,7 @@ void colorMaterialModes(Gl gl, int width, int height) {
     sendAt(gl, ball, static_cast<float>(i - 2) * 1.1f, 0, 0, 0.6f, kNormals | kColors);
     gl.Disable(GL_COLOR_MATERIAL);
   }
+  paint(gl, 0.4f, 0.4f, 0.4f);  // Mesa forgets what the last vertex's colour did to the material
 }
 
 void colorMaterialTwoSided(Gl gl, int width, int height) {

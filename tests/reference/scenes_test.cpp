@@ -1,4 +1,5 @@
 // Every scene, drawn by the real OpenGL and through ours: the same colours and depths.
+#include "intercept/present/tracing_presenter.h"
 #include "tests/reference/traced_context.h"
 
 #include <gtest/gtest.h>
@@ -56,6 +57,23 @@ std::string nameOf(const testing::TestParamInfo<const scenes::Scene*>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SceneTest, testing::ValuesIn(pointers(scenes::scenes())), nameOf);
+
+/// Tracing fails at the first flush: fixed function draws what was held back, and the real OpenGL all that
+/// follows.
+TEST_P(SceneTest, LooksLikeTheRealOneWhenTracingFails) {
+  const scenes::Scene& scene = *GetParam();
+  const Picture expected = drawReal(scene);
+  auto fails = std::make_unique<present::TracingPresenter>(
+      [](const scene::Snapshot&, Image&, present::TraceCost&, std::string& error) {
+        return error = "this test lets tracing fail", false;
+      });
+  TracedContext ours({kWidth, kHeight}, TracedContext::vertexShading(), std::move(fails));
+  scene.draw(ours.gl(), kWidth, kHeight);
+  const Picture got = ours.read();
+  const Comparison c = compare(expected, got, scene.tolerance);
+  EXPECT_TRUE(c.accepted) << c.text;
+  if (!c.accepted) writeFailure(TEST_OUTPUT, std::string("failing-") + scene.name, expected, got);
+}
 
 class VariantTest : public testing::TestWithParam<const scenes::Scene*> {};
 

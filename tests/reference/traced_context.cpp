@@ -11,13 +11,14 @@ Settings TracedContext::vertexShading() {
   return settings;
 }
 
-TracedContext::TracedContext(const ContextWish& wish, Settings settings)
-    : below_(OsmesaContext::create(wish)) {
+TracedContext::TracedContext(const ContextWish& wish, Settings settings,
+                             std::unique_ptr<gl::Presenter> presenter)
+    : below_(OsmesaContext::create(wish)), presenter_(std::move(presenter)) {
   gl::ContextInfo info;
   info.core = wish.core;
   info.doubleBuffered = false;
   info.settings = settings;
-  presenter_ = intercept::makePresenter(settings);
+  if (!presenter_) presenter_ = intercept::makePresenter(settings);
   context_ = gl::Context::create(below_->real(), std::make_shared<gl::ShareGroup>(), info, *presenter_);
   context_->makeCurrent();
 }

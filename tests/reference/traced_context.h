@@ -9,7 +9,9 @@ namespace gluray::test {
 class TracedContext {
  public:
   /// Current in the creating thread until destroyed. Shading is per vertex, as the real OpenGL's.
-  explicit TracedContext(const ContextWish& wish = {}, Settings settings = vertexShading());
+  /// `presenter` stands in for the one that traces.
+  explicit TracedContext(const ContextWish& wish = {}, Settings settings = vertexShading(),
+                         std::unique_ptr<gl::Presenter> presenter = nullptr);
   ~TracedContext();
   TracedContext(const TracedContext&) = delete;
   TracedContext& operator=(const TracedContext&) = delete;
