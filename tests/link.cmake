@@ -17,3 +17,7 @@ foreach(door door-glx door-egl preload)
 endforeach()
 link_test(nodelete.engine ${link_check} nodelete $<TARGET_FILE:gluray-engine>)
 link_test(silent_in_true ${link_check} silent $<TARGET_FILE:gluray-preload>)
+
+add_test(NAME style.gl_coverage COMMAND ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/tools/generate.py --check-coverage
+         ${CMAKE_SOURCE_DIR}/docs/gl-coverage.md)
+set_tests_properties(style.gl_coverage PROPERTIES LABELS style)

@@ -192,7 +192,9 @@ void becameCurrent(Api api, const void* handle, uintptr_t drawable) noexcept {
 
 void swapped(uintptr_t drawable) noexcept {
   guarded("cannot end a frame", [&] {
-    if (gl::t_thread.context && t_current.drawable == drawable) gl::t_thread.context->afterSwap();
+    gl::Context* context = gl::t_thread.context;
+    // Without a back buffer a swap shows nothing new: glFlush and glFinish end frames there.
+    if (context && t_current.drawable == drawable && context->info().doubleBuffered) context->afterSwap();
   });
   writeReportIfDue();
 }

@@ -22,10 +22,8 @@ static GLXContext makeContext(const char* way, Display* display, GLXFBConfig con
   return create ? create(display, config, NULL, True, attributes) : NULL;
 }
 
-int main(int argc, char** argv) {
-  const char* way = argc > 1 ? argv[1] : "new";
-  const int offScreen = strcmp(way, "pbuffer") == 0;
-  Display* display = openDisplay();
+/* A configuration with eight bits a colour: the default order puts deeper ones first. */
+static GLXFBConfig chooseConfig(Display* display, int offScreen) {
   const int wanted[] = {GLX_DRAWABLE_TYPE,
                         offScreen ? GLX_PBUFFER_BIT : GLX_WINDOW_BIT,
                         GLX_DOUBLEBUFFER,
@@ -37,13 +35,25 @@ int main(int argc, char** argv) {
                         None};
   int count = 0;
   GLXFBConfig* configs = glXChooseFBConfig(display, DefaultScreen(display), wanted, &count);
-  if (!configs || !count) return fprintf(stderr, "no framebuffer configuration\n"), 1;
+  for (int i = 0; i < count; ++i) {
+    int red = 0;
+    glXGetFBConfigAttrib(display, configs[i], GLX_RED_SIZE, &red);
+    if (red == 8) return configs[i];
+  }
+  fprintf(stderr, "no framebuffer configuration\n");
+  exit(1);
+}
+
+int main(int argc, char** argv) {
+  const char* way = argc > 1 ? argv[1] : "new";
+  const int offScreen = strcmp(way, "pbuffer") == 0;
+  Display* display = openDisplay();
+  GLXFBConfig config = chooseConfig(display, offScreen);
   const int size[] = {GLX_PBUFFER_WIDTH, kWindowSize, GLX_PBUFFER_HEIGHT, kWindowSize, None};
-  XVisualInfo* visual = offScreen ? NULL : glXGetVisualFromFBConfig(display, configs[0]);
-  Target target = {display, offScreen
-                                ? glXCreatePbuffer(display, configs[0], size)
-                                : glXCreateWindow(display, configs[0], makeWindow(display, visual), NULL)};
-  GLXContext context = makeContext(way, display, configs[0]);
+  XVisualInfo* visual = offScreen ? NULL : glXGetVisualFromFBConfig(display, config);
+  Target target = {display, offScreen ? glXCreatePbuffer(display, config, size)
+                                      : glXCreateWindow(display, config, makeWindow(display, visual), NULL)};
+  GLXContext context = makeContext(way, display, config);
   if (!context || !glXMakeContextCurrent(display, target.drawable, target.drawable, context))
     return fprintf(stderr, "no context\n"), 1;
   const Gl gl = linkedGl();

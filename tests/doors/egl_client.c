@@ -28,9 +28,14 @@ static EGLConfig chooseConfig(EGLDisplay display, int window) {
                            EGL_DEPTH_SIZE,
                            24,
                            EGL_NONE};
-  EGLConfig config = NULL;
+  EGLConfig configs[64];
   EGLint count = 0;
-  return eglChooseConfig(display, wanted, &config, 1, &count) && count ? config : NULL;
+  eglChooseConfig(display, wanted, configs, 64, &count);
+  for (EGLint i = 0; i < count; ++i) { /* eight bits a colour: the default order puts deeper ones first */
+    EGLint red = 0;
+    if (eglGetConfigAttrib(display, configs[i], EGL_RED_SIZE, &red) && red == 8) return configs[i];
+  }
+  return NULL;
 }
 
 static EGLSurface windowSurface(EGLDisplay display, EGLConfig config, Display* x) {
