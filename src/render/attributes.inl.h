@@ -15,6 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
 
 using accel::kLanes;
 
@@ -31,9 +32,36 @@ struct Group {
   alignas(64) Row u, v;
 };
 
-HWY_ATTR inline void loadVec3(const scene::Attribute& a, const uint32_t* vertex, Row* out) {
+#if HWY_TARGET != HWY_SCALAR
+// Rows x, y, z of four vectors, each read as four floats.
+HWY_INLINE void loadFour(const float* a, const float* b, const float* c, const float* d, int i, Row* out) {
+  const hn::FixedTag<float, 4> tag;
+  const auto va = hn::LoadU(tag, a), vb = hn::LoadU(tag, b), vc = hn::LoadU(tag, c), vd = hn::LoadU(tag, d);
+  const auto ac = hn::InterleaveLower(tag, va, vc), bd = hn::InterleaveLower(tag, vb, vd);
+  hn::Store(hn::InterleaveLower(tag, ac, bd), tag, out[0] + i);
+  hn::Store(hn::InterleaveUpper(tag, ac, bd), tag, out[1] + i);
+  hn::Store(hn::InterleaveLower(tag, hn::InterleaveUpper(tag, va, vc), hn::InterleaveUpper(tag, vb, vd)), tag,
+            out[2] + i);
+}
+#endif
+
+/// Rows x, y, z of three-component elements. `count` elements exist.
+HWY_ATTR inline void loadVec3(const scene::Attribute& a, uint32_t count, const uint32_t* vertex, Row* out) {
+  const auto at = [&](int i) HWY_ATTR {
+    return reinterpret_cast<const float*>(a.data + static_cast<size_t>(vertex[i]) * a.stride);
+  };
+#if HWY_TARGET != HWY_SCALAR
+  // Reading a fourth float is safe everywhere but at the very end of the array.
+  bool atEnd = false;
+  for (int i = 0; i < kLanes; ++i) atEnd |= vertex[i] + 1 >= count;
+  if (!atEnd) {
+    for (int i = 0; i < kLanes; i += 4) loadFour(at(i), at(i + 1), at(i + 2), at(i + 3), i, out);
+    return;
+  }
+#endif
+  (void)count;
   for (int i = 0; i < kLanes; ++i) {
-    const auto* f = reinterpret_cast<const float*>(a.data + static_cast<size_t>(vertex[i]) * a.stride);
+    const float* f = at(i);
     out[0][i] = f[0], out[1][i] = f[1], out[2][i] = f[2];
   }
 }
@@ -52,20 +80,13 @@ HWY_ATTR void fillRows(const Value& value, Row* out) {
   }
 }
 
-/// Vertices and positions of the group's triangles; `lanes`, `primitive`, `u` and `v` are there already.
+HWY_INLINE void loadTriangle(const scene::Mesh& mesh, uint32_t primitive, uint32_t (&vertex)[3]) {
+  for (uint32_t k = 0; k < 3; ++k) vertex[k] = mesh.corner(primitive, k);
+}
+
+/// Positions of the group's triangles, whose vertices are there already.
 HWY_ATTR inline void loadCorners(const scene::Mesh& mesh, Group& group) {
-  if (mesh.indices) {
-    const auto* indices = reinterpret_cast<const uint32_t*>(mesh.indices.data);
-    for (int i = 0; i < kLanes; ++i) {
-      const uint32_t* corner = indices + static_cast<size_t>(group.primitive[i]) * 3;
-      for (int k = 0; k < 3; ++k) group.vertex[k][i] = corner[k];
-    }
-  } else {
-    for (uint32_t k = 0; k < 3; ++k) {
-      for (int i = 0; i < kLanes; ++i) group.vertex[k][i] = group.primitive[i] * 3 + k;
-    }
-  }
-  for (int k = 0; k < 3; ++k) loadVec3(mesh.positions, group.vertex[k], group.position[k]);
+  for (int k = 0; k < 3; ++k) loadVec3(mesh.positions, mesh.vertexCount, group.vertex[k], group.position[k]);
 }
 
 }  // namespace HWY_NAMESPACE

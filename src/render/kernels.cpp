@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 // x86-64-v4, v3, v2 and plain code are enough; less to compile.
 #define HWY_DISABLED_TARGETS HWY_SSSE3

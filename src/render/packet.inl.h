@@ -10,21 +10,49 @@
 #include "render/depth.inl.h"
 #include "render/shade.inl.h"
 
+#include <hwy/cache_control.h>
+
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-/// The pixels of a packet: window positions in, colour and depth out.
-struct Pixels {
-  alignas(64) float x[kLanes], y[kLanes];
-  alignas(64) int32_t valid[kLanes];  // -1: to be traced
+/// A packet on its way from rays to pixels.
+struct Work {
+  accel::RayPacket packet;
+  alignas(64) float x[kLanes], y[kLanes];  // window positions
+  alignas(64) int32_t valid[kLanes];       // -1: to be traced
+  alignas(64) uint32_t vertex[3][kLanes];  // of the hit triangles
   alignas(64) uint32_t color[kLanes];
   alignas(64) float depth[kLanes];
+  uint32_t hits = 0;           // bit i: lane i hit something
+  int imageX = 0, imageY = 0;  // pixel of lane 0
+  int sample = 0;
 };
 
 // Pixel of lane i within its 4x4 block: Z order of 2x2 quads.
 constexpr int laneX(int i) { return (i & 1) + (i >> 1 & 2); }
 constexpr int laneY(int i) { return (i >> 1 & 1) + (i >> 2 & 2); }
+
+struct LaneOffsets {
+  alignas(64) float x[kLanes], y[kLanes];
+  constexpr LaneOffsets() : x(), y() {
+    for (int i = 0; i < kLanes; ++i) x[i] = static_cast<float>(laneX(i)), y[i] = static_cast<float>(laneY(i));
+  }
+};
+inline constexpr LaneOffsets kLaneOffsets;
+
+using IndexTag = hn::Rebind<uint32_t, FloatTag>;
+
+// The lanes of a vector that begins at lane i, from bits.
+HWY_INLINE hn::Mask<IndexTag> maskAt(uint32_t lanes, int i) {
+  uint8_t bits[8] = {static_cast<uint8_t>(lanes >> i), static_cast<uint8_t>(lanes >> i >> 8)};
+  return hn::LoadMaskBits(IndexTag(), bits);
+}
+HWY_INLINE uint32_t bitsAt(hn::Mask<IndexTag> mask, int i) {
+  uint8_t bits[8] = {};
+  hn::StoreMaskBits(IndexTag(), mask, bits);
+  return (bits[0] | static_cast<uint32_t>(bits[1]) << 8) << i;
+}
 
 /// Culling and the clip planes of single instances, asked of every hit.
 class RejectingFilter : public accel::HitFilter {
@@ -39,23 +67,46 @@ class RejectingFilter : public accel::HitFilter {
 };
 
 HWY_ATTR inline uint32_t lanesThatHit(const accel::RayPacket& packet, const int32_t* valid) {
+  const IndexTag d;
+  const hn::Rebind<int32_t, FloatTag> di;
   uint32_t lanes = 0;
-  for (int i = 0; i < kLanes; ++i) {
-    lanes |= static_cast<uint32_t>(valid[i] != 0 && packet.geometry[i] != accel::kNoHit) << i;
+  for (int i = 0; i < kLanes; i += lanesOfVector()) {
+    const auto traced = hn::BitCast(d, hn::Load(di, valid + i));
+    const auto missed = hn::Eq(hn::Load(d, packet.geometry + i), hn::Set(d, accel::kNoHit));
+    lanes |= bitsAt(hn::And(hn::Ne(traced, hn::Zero(d)), hn::Not(missed)), i);
   }
   return lanes;
 }
 
 // The lanes among `lanes` that hit the same instance as the first of them.
-HWY_ATTR inline void gather(const accel::RayPacket& packet, uint32_t lanes, Group& group) {
+HWY_ATTR inline void gather(const Work& work, uint32_t lanes, Group& group) {
+  const IndexTag d;
+  const accel::RayPacket& packet = work.packet;
   const int leader = std::countr_zero(lanes);
   group.lanes = 0;
-  for (int i = 0; i < kLanes; ++i) {
-    const bool member = (lanes >> i & 1) && packet.instance[i] == packet.instance[leader];
-    group.lanes |= static_cast<uint32_t>(member) << i;
-    group.primitive[i] = packet.primitive[member ? i : leader];
-    group.u[i] = packet.u[member ? i : leader];
-    group.v[i] = packet.v[member ? i : leader];
+  for (int i = 0; i < kLanes; i += lanesOfVector()) {
+    const auto same = hn::Eq(hn::Load(d, packet.instance + i), hn::Set(d, packet.instance[leader]));
+    const auto member = hn::And(same, maskAt(lanes, i));
+    group.lanes |= bitsAt(member, i);
+    const auto take = [&](const uint32_t* from, uint32_t* to) HWY_ATTR {
+      hn::Store(hn::IfThenElse(member, hn::Load(d, from + i), hn::Set(d, from[leader])), d, to + i);
+    };
+    take(packet.primitive, group.primitive);
+    for (int k = 0; k < 3; ++k) take(work.vertex[k], group.vertex[k]);
+    const auto memberF = hn::RebindMask(FloatTag(), member);
+    store(hn::IfThenElse(memberF, load(packet.u + i), splat(packet.u[leader])), group.u + i);
+    store(hn::IfThenElse(memberF, load(packet.v + i), splat(packet.v[leader])), group.v + i);
+  }
+}
+
+// Colour and depth of `lanes` into the pixels.
+HWY_ATTR inline void merge(uint32_t lanes, const uint32_t* color, const float* depth, Work& work) {
+  const IndexTag d;
+  for (int i = 0; i < kLanes; i += lanesOfVector()) {
+    const auto member = maskAt(lanes, i);
+    hn::Store(hn::IfThenElse(member, hn::Load(d, color + i), hn::Load(d, work.color + i)), d, work.color + i);
+    store(hn::IfThenElse(hn::RebindMask(FloatTag(), member), load(depth + i), load(work.depth + i)),
+          work.depth + i);
   }
 }
 
@@ -70,20 +121,19 @@ HWY_ATTR inline uint32_t rejectedLanes(const Surface& s, const Group& group, uin
   return rejected;
 }
 
-/// Depth and colour of the packet's hits in `lanes`. Returns the lanes whose hit does not count; only where
+/// Depth and colour of the hits in `lanes`. Returns the lanes whose hit does not count; only where
 /// `mayReject`.
-HWY_ATTR inline uint32_t shadeHits(const FrameData& frame, const accel::RayPacket& packet, uint32_t lanes,
-                                   bool mayReject, Pixels& pixels) {
+HWY_ATTR inline uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool mayReject, Work& work) {
   uint32_t rejected = 0;
   Group group;
   DepthAndFacing seen;
   alignas(64) uint32_t color[kLanes];
   while (lanes) {
-    gather(packet, lanes, group);
+    gather(work, lanes, group);
     lanes &= ~group.lanes;
-    const Surface& surface = frame.surfaces[packet.instance[std::countr_zero(group.lanes)]];
+    const Surface& surface = frame.surfaces[work.packet.instance[std::countr_zero(group.lanes)]];
     loadCorners(*surface.mesh, group);
-    computeDepth(surface, frame.depth, group, pixels.x, pixels.y, seen);
+    computeDepth(surface, frame.depth, group, work.x, work.y, seen);
     if (mayReject) {
       const uint32_t now = rejectedLanes(surface, group, seen.ccw);
       rejected |= now;
@@ -91,72 +141,125 @@ HWY_ATTR inline uint32_t shadeHits(const FrameData& frame, const accel::RayPacke
       if (group.lanes == 0) continue;
     }
     const uint32_t back = (surface.frontIsCcw ? ~seen.ccw : seen.ccw) & group.lanes;
-    shade(frame, surface, group, back, pixels.x, pixels.y, color);
-    for (int i = 0; i < kLanes; ++i) {
-      const bool member = group.lanes >> i & 1;
-      pixels.color[i] = member ? color[i] : pixels.color[i];
-      pixels.depth[i] = member ? seen.depth[i] : pixels.depth[i];
-    }
+    shade(frame, surface, group, back, work.x, work.y, color);
+    merge(group.lanes, color, seen.depth, work);
   }
   return rejected;
 }
 
+// First stage: what the rays hit; asks memory for the hit triangles' indices.
+HWY_ATTR inline void traceWork(const FrameData& frame, Work& work) {
+  generateRays(frame.rays, work.x, work.y, work.packet, work.valid);
+  frame.world->intersect(work.valid, work.packet);
+  work.hits = lanesThatHit(work.packet, work.valid);
+  for (uint32_t lanes = work.hits; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    const scene::Mesh& mesh = *frame.surfaces[work.packet.instance[i]].mesh;
+    if (mesh.indices) hwy::Prefetch(mesh.indices.data + static_cast<size_t>(work.packet.primitive[i]) * 12);
+  }
+}
+
+// Second stage: the vertices of the hit triangles; asks memory for their positions and normals.
+HWY_ATTR inline void fetchVertices(const FrameData& frame, Work& work) {
+  for (uint32_t lanes = work.hits; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    const scene::Mesh& mesh = *frame.surfaces[work.packet.instance[i]].mesh;
+    uint32_t vertex[3];
+    loadTriangle(mesh, work.packet.primitive[i], vertex);
+    for (int k = 0; k < 3; ++k) {
+      work.vertex[k][i] = vertex[k];
+      hwy::Prefetch(mesh.positions.data + static_cast<size_t>(vertex[k]) * mesh.positions.stride);
+      if (mesh.normals)
+        hwy::Prefetch(mesh.normals.data + static_cast<size_t>(vertex[k]) * mesh.normals.stride);
+    }
+  }
+}
+
 // Traces again the lanes whose nearest hit does not count, this time asking about every hit on the way.
-HWY_ATTR inline void traceThrough(const FrameData& frame, uint32_t lanes, accel::RayPacket& packet,
-                                  Pixels& pixels) {
-  for (int i = 0; i < kLanes; ++i) pixels.valid[i] = lanes >> i & 1 ? -1 : 0;
-  generateRays(frame.rays, pixels.x, pixels.y, packet, pixels.valid);
-  frame.world->intersect(pixels.valid, packet, RejectingFilter(frame));
-  shadeHits(frame, packet, lanesThatHit(packet, pixels.valid), false, pixels);
+HWY_ATTR inline void traceThrough(const FrameData& frame, uint32_t lanes, Work& work) {
+  for (int i = 0; i < kLanes; ++i) work.valid[i] = lanes >> i & 1 ? -1 : 0;
+  generateRays(frame.rays, work.x, work.y, work.packet, work.valid);
+  frame.world->intersect(work.valid, work.packet, RejectingFilter(frame));
+  work.hits = lanesThatHit(work.packet, work.valid);
+  fetchVertices(frame, work);
+  shadeHits(frame, work.hits, false, work);
 }
 
-/// Colour and depth of the valid pixels; others get a miss.
-HWY_ATTR inline void tracePacket(const FrameData& frame, Pixels& pixels) {
-  accel::RayPacket packet;
-  for (int i = 0; i < kLanes; ++i) {
-    pixels.color[i] = 0;
-    pixels.depth[i] = Image::kMiss;
+HWY_ATTR inline void storePixels(const Work& work, const Tile& tile, Image& image) {
+  const auto width = static_cast<size_t>(image.width);
+  const size_t plane = width * static_cast<size_t>(image.height) * static_cast<size_t>(work.sample);
+  const size_t first = plane + static_cast<size_t>(work.imageY) * width + static_cast<size_t>(work.imageX);
+  uint32_t* color = image.color.data() + first;
+  float* depth = image.depth.data() + first;
+  if (work.imageX + 4 <= tile.x1 && work.imageY + 4 <= tile.y1) {
+    for (int i = 0; i < kLanes; i += 2) {
+      const size_t at = static_cast<size_t>(laneY(i)) * width + static_cast<size_t>(laneX(i));
+      std::memcpy(color + at, work.color + i, 8);
+      std::memcpy(depth + at, work.depth + i, 8);
+    }
+    return;
   }
-  generateRays(frame.rays, pixels.x, pixels.y, packet, pixels.valid);
-  frame.world->intersect(pixels.valid, packet);
-  const uint32_t hits = lanesThatHit(packet, pixels.valid);
-  if (hits == 0) return;
-  const uint32_t rejected = shadeHits(frame, packet, hits, true, pixels);
-  if (rejected) traceThrough(frame, rejected, packet, pixels);
-}
-
-HWY_ATTR inline void storePixels(const Pixels& pixels, const Tile& tile, int x, int y, int sample,
-                                 Image& image) {
-  const size_t plane =
-      static_cast<size_t>(image.width) * static_cast<size_t>(image.height) * static_cast<size_t>(sample);
   for (int i = 0; i < kLanes; ++i) {
-    const int px = x + laneX(i), py = y + laneY(i);
-    if (px >= tile.x1 || py >= tile.y1) continue;
-    const size_t at =
-        plane + static_cast<size_t>(py) * static_cast<size_t>(image.width) + static_cast<size_t>(px);
-    image.color[at] = pixels.color[i];
-    image.depth[at] = pixels.depth[i];
+    if (work.imageX + laneX(i) >= tile.x1 || work.imageY + laneY(i) >= tile.y1) continue;
+    const size_t at = static_cast<size_t>(laneY(i)) * width + static_cast<size_t>(laneX(i));
+    color[at] = work.color[i];
+    depth[at] = work.depth[i];
   }
 }
 
-HWY_ATTR void traceTile(const FrameData& frame, const Tile& tile) {
+// Last stage: colour and depth into the image.
+HWY_ATTR inline void finishWork(const FrameData& frame, const Tile& tile, Work& work) {
+  for (int i = 0; i < kLanes; ++i) {
+    work.color[i] = 0;
+    work.depth[i] = Image::kMiss;
+  }
+  if (work.hits) {
+    const uint32_t rejected = shadeHits(frame, work.hits, true, work);
+    if (rejected) traceThrough(frame, rejected, work);
+  }
+  storePixels(work, tile, *frame.image);
+}
+
+// The packet of the 4x4 pixels from image pixel (x, y) on.
+HWY_ATTR inline void aim(const FrameData& frame, const Tile& tile, int x, int y, int sample, Work& work) {
   const scene::Region& region = frame.snapshot->region;
-  Pixels pixels;
-  for (size_t sample = 0; sample < frame.samplePositions.size(); ++sample) {
-    const glm::dvec2 offset = glm::dvec2(region.x, region.y) + frame.samplePositions[sample];
+  const glm::dvec2 offset = frame.samplePositions[static_cast<size_t>(sample)];
+  const auto windowX = static_cast<float>(region.x + x + offset.x);
+  const auto windowY = static_cast<float>(region.y + y + offset.y);
+  for (int i = 0; i < kLanes; i += lanesOfVector()) {
+    store(hn::Add(load(kLaneOffsets.x + i), splat(windowX)), work.x + i);
+    store(hn::Add(load(kLaneOffsets.y + i), splat(windowY)), work.y + i);
+  }
+  const bool whole = x + 4 <= tile.x1 && y + 4 <= tile.y1;
+  for (int i = 0; i < kLanes; ++i) work.valid[i] = -1;
+  for (int i = 0; i < kLanes && !whole; ++i) {
+    if (x + laneX(i) >= tile.x1 || y + laneY(i) >= tile.y1) work.valid[i] = 0;
+  }
+  work.imageX = x;
+  work.imageY = y;
+  work.sample = sample;
+}
+
+/// Three packets are under way at a time, a stage apart, so that the memory each stage needs arrives while
+/// others compute.
+HWY_ATTR void traceTile(const FrameData& frame, const Tile& tile) {
+  Work works[3];
+  for (Work& work : works) initPacket(work.packet);
+  int count = 0;
+  const auto back = [&](int stages) HWY_ATTR -> Work& { return works[(count - stages) % 3]; };
+  for (int sample = 0; sample < static_cast<int>(frame.samplePositions.size()); ++sample) {
     for (int y = tile.y0; y < tile.y1; y += 4) {
-      for (int x = tile.x0; x < tile.x1; x += 4) {
-        for (int i = 0; i < kLanes; ++i) {
-          const int px = x + laneX(i), py = y + laneY(i);
-          pixels.x[i] = static_cast<float>(px + offset.x);
-          pixels.y[i] = static_cast<float>(py + offset.y);
-          pixels.valid[i] = px < tile.x1 && py < tile.y1 ? -1 : 0;
-        }
-        tracePacket(frame, pixels);
-        storePixels(pixels, tile, x, y, static_cast<int>(sample), *frame.image);
+      for (int x = tile.x0; x < tile.x1; x += 4, ++count) {
+        aim(frame, tile, x, y, sample, back(0));
+        traceWork(frame, back(0));
+        if (count > 0) fetchVertices(frame, back(1));
+        if (count > 1) finishWork(frame, tile, back(2));
       }
     }
   }
+  if (count > 0) fetchVertices(frame, back(1));
+  if (count > 1) finishWork(frame, tile, back(2));
+  if (count > 0) finishWork(frame, tile, back(1));
 }
 
 const char* targetName() { return hwy::TargetName(HWY_TARGET); }

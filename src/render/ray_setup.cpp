@@ -40,6 +40,31 @@ void placeOrigins(RaySetup& rays, const glm::ivec4& viewport, const glm::vec3& l
   rays.startAtSphere = std::isfinite(distance) && distance > kFarAway * rays.sphereRadius;
 }
 
+// Possible where w is the same in all the window: origins and directions then need no division.
+LinearRays makeLinearRays(const RaySetup& rays, const scene::Region& region) {
+  const double w = rays.start.w, scale = rays.directionScale / w;
+  LinearRays linear;
+  linear.org = glm::dvec3(rays.start) / w;
+  linear.orgX = glm::dvec3(rays.startX) / w;
+  linear.orgY = glm::dvec3(rays.startY) / w;
+  linear.dir = (glm::dvec3(rays.step) - linear.org * rays.step.w) * scale;
+  linear.dirX = -linear.orgX * (rays.step.w * scale);
+  linear.dirY = -linear.orgY * (rays.step.w * scale);
+  const double end = 1 + 2 * rays.step.w / w;  // 0: the far plane is at infinity
+  linear.tFar = static_cast<float>(end > 1e-12 ? 2 / (end * rays.directionScale) : HUGE_VAL);
+  linear.orgStepX = glm::vec3(linear.orgX), linear.orgStepY = glm::vec3(linear.orgY);
+  linear.dirStepX = glm::vec3(linear.dirX), linear.dirStepY = glm::vec3(linear.dirY);
+  linear.usable = rays.startX.w == 0 && rays.startY.w == 0 && w > 0 && !rays.startAtSphere;
+  for (const double x : {region.x, region.x + region.width}) {
+    for (const double y : {region.y, region.y + region.height}) {
+      const glm::dvec3 org = glm::abs(linear.org + x * linear.orgX + y * linear.orgY);
+      const glm::dvec3 dir = glm::abs(linear.dir + x * linear.dirX + y * linear.dirY);
+      for (int c = 0; c < 3; ++c) linear.usable &= org[c] < kLargestRay && dir[c] < kLargestRay;
+    }
+  }
+  return linear;
+}
+
 }  // namespace
 
 WindowMap::WindowMap(const glm::ivec4& viewport) {
@@ -66,6 +91,7 @@ RaySetup makeRaySetup(const scene::Snapshot& snapshot, const glm::vec3& lower, c
   const double length = middleDirectionLength(rays, camera.viewport);
   if (std::isfinite(length) && length > 0) rays.directionScale = 1.0 / length;
   placeOrigins(rays, camera.viewport, lower, upper);
+  rays.linear = makeLinearRays(rays, snapshot.region);
   return rays;
 }
 

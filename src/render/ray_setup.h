@@ -9,6 +9,16 @@
 
 namespace gluray::render {
 
+/// Rays whose origin and direction are linear in the window position, as of every ordinary projection:
+///   origin = org + x*orgX + y*orgY, direction = dir + x*dirX + y*dirY, t in [0, tFar].
+struct LinearRays {
+  bool usable = false;
+  glm::dvec3 org{0}, orgX{0}, orgY{0}, dir{0}, dirX{0}, dirY{0};
+  float tFar = 0;
+  // Once more in float: from pixel to pixel within a packet.
+  glm::vec3 orgStepX{0}, orgStepY{0}, dirStepX{0}, dirStepY{0};
+};
+
 /// The homogeneous world-space points seen at window position (x, y):
 ///   start + x*startX + y*startY + k*step,  k = 0 on the plane nearest in window depth (the near plane unless
 ///   glDepthRange is reversed), k = 2 on the opposite one.
@@ -21,7 +31,10 @@ struct RaySetup {
   bool startAtSphere = false;
   glm::dvec3 sphereCenter{0};
   double sphereRadius = 0;
+  LinearRays linear;  // the same rays without clip planes, where they can be had so
 };
+
+constexpr double kLargestRay = 1e18;  // Embree's limit on the coordinates of origins and directions
 
 /// NDC x = ndcScale.x * windowX + ndcOffset.x, likewise y.
 struct WindowMap {

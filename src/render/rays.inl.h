@@ -65,13 +65,38 @@ HWY_INLINE void moveToSphere(const RaySetup& setup, DoubleRays& r) {
   r.far = hn::Sub(r.far, start);
 }
 
-/// World-space rays through window positions x, y; `valid` becomes 0 in lanes whose ray does not exist, and
-/// is otherwise left alone. Hit fields are cleared.
-HWY_ATTR void generateRays(const RaySetup& setup, const float* x, const float* y, accel::RayPacket& packet,
-                           int32_t* valid) {
+/// Fields of a packet that stay the same from query to query.
+HWY_ATTR inline void initPacket(accel::RayPacket& packet) {
+  for (int i = 0; i < kLanes; ++i) {
+    packet.time[i] = 0;
+    packet.mask[i] = 0xFFFFFFFFu;
+    packet.id[i] = static_cast<uint32_t>(i);
+    packet.flags[i] = 0;
+  }
+}
+
+HWY_ATTR inline void clearHits(accel::RayPacket& packet) {
+  for (int i = 0; i < kLanes; ++i) packet.geometry[i] = packet.instance[i] = accel::kNoHit;
+}
+
+// Fills lanes of `valid` with 0 where the ray does not exist.
+HWY_INLINE void refuseRays(const DoubleRays& r, Double w, int32_t* valid) {
+  const DoubleTag d;
+  auto ok = hn::And(hn::Gt(w, hn::Zero(d)), hn::Ge(r.far, r.near));
+  for (int c = 0; c < 3; ++c) {
+    ok = hn::And(ok, hn::Lt(hn::Abs(r.org[c]), hn::Set(d, kLargestRay)));
+    ok = hn::And(ok, hn::Lt(hn::Abs(r.dir[c]), hn::Set(d, kLargestRay)));
+  }
+  alignas(64) double usable[8];
+  hn::Store(hn::IfThenElse(ok, hn::Set(d, -1.0), hn::Zero(d)), d, usable);
+  for (size_t i = 0; i < hn::Lanes(d); ++i) valid[i] &= static_cast<int32_t>(usable[i]);
+}
+
+// Any projection, clip planes included.
+HWY_ATTR inline void generateAnyRays(const RaySetup& setup, const float* x, const float* y,
+                                     accel::RayPacket& packet, int32_t* valid) {
   const DoubleTag d;
   const auto set = [&](double v) HWY_ATTR { return hn::Set(d, v); };
-  alignas(64) double usable[kLanes];
   for (int i = 0; i < kLanes; i += static_cast<int>(hn::Lanes(d))) {
     const Double px = loadDouble(x + i), py = loadDouble(y + i);
     const auto start = [&](int c) HWY_ATTR {
@@ -92,28 +117,45 @@ HWY_ATTR void generateRays(const RaySetup& setup, const float* x, const float* y
         hn::IfThenElse(endless, set(HUGE_VAL), hn::Div(set(2.0 / setup.directionScale), hn::Div(endW, w)));
     for (const glm::dvec4& plane : setup.clipPlanes) clipRays(plane, r);
     if (setup.startAtSphere) moveToSphere(setup, r);
-
-    constexpr double kLargest = 1e18;  // Embree's limit on origins and directions
-    auto ok = hn::And(hn::Gt(w, hn::Zero(d)), hn::Ge(r.far, r.near));
-    for (int c = 0; c < 3; ++c) {
-      ok = hn::And(
-          ok, hn::And(hn::Lt(hn::Abs(r.org[c]), set(kLargest)), hn::Lt(hn::Abs(r.dir[c]), set(kLargest))));
-    }
-    hn::Store(hn::IfThenElse(ok, set(-1.0), set(0.0)), d, usable + i);
-    storeFloat(r.org[0], packet.orgX + i), storeFloat(r.org[1], packet.orgY + i),
-        storeFloat(r.org[2], packet.orgZ + i);
-    storeFloat(r.dir[0], packet.dirX + i), storeFloat(r.dir[1], packet.dirY + i),
-        storeFloat(r.dir[2], packet.dirZ + i);
+    refuseRays(r, w, valid + i);
+    float* const org[3] = {packet.orgX + i, packet.orgY + i, packet.orgZ + i};
+    float* const dir[3] = {packet.dirX + i, packet.dirY + i, packet.dirZ + i};
+    for (int c = 0; c < 3; ++c) storeFloat(r.org[c], org[c]), storeFloat(r.dir[c], dir[c]);
     storeFloat(r.near, packet.tNear + i), storeFloat(r.far, packet.tFar + i);
   }
-  for (int i = 0; i < kLanes; ++i) {
-    valid[i] &= static_cast<int32_t>(usable[i]);
-    packet.time[i] = 0;
-    packet.mask[i] = 0xFFFFFFFFu;
-    packet.id[i] = static_cast<uint32_t>(i);
-    packet.flags[i] = 0;
-    packet.geometry[i] = packet.instance[i] = accel::kNoHit;
+}
+
+// Double at the first lane, float from there to the other lanes, a few pixels away.
+HWY_ATTR inline void generateLinearRays(const LinearRays& linear, const float* x, const float* y,
+                                        accel::RayPacket& packet) {
+  const hn::CappedTag<float, kLanes> d;
+  const double x0 = x[0], y0 = y[0];
+  const glm::vec3 org(linear.org + x0 * linear.orgX + y0 * linear.orgY);
+  const glm::vec3 dir(linear.dir + x0 * linear.dirX + y0 * linear.dirY);
+  float* const orgs[3] = {packet.orgX, packet.orgY, packet.orgZ};
+  float* const dirs[3] = {packet.dirX, packet.dirY, packet.dirZ};
+  for (int i = 0; i < kLanes; i += static_cast<int>(hn::Lanes(d))) {
+    const auto dx = hn::Sub(hn::Load(d, x + i), hn::Set(d, x[0])),
+               dy = hn::Sub(hn::Load(d, y + i), hn::Set(d, y[0]));
+    const auto at = [&](float base, float perX, float perY) HWY_ATTR {
+      return hn::MulAdd(dy, hn::Set(d, perY), hn::MulAdd(dx, hn::Set(d, perX), hn::Set(d, base)));
+    };
+    for (int c = 0; c < 3; ++c) {
+      hn::Store(at(org[c], linear.orgStepX[c], linear.orgStepY[c]), d, orgs[c] + i);
+      hn::Store(at(dir[c], linear.dirStepX[c], linear.dirStepY[c]), d, dirs[c] + i);
+    }
+    hn::Store(hn::Zero(d), d, packet.tNear + i);
+    hn::Store(hn::Set(d, linear.tFar), d, packet.tFar + i);
   }
+}
+
+/// World-space rays through window positions x, y into an initialised packet; hits are cleared. `valid`
+/// becomes 0 in lanes whose ray does not exist, and is otherwise left alone.
+HWY_ATTR inline void generateRays(const RaySetup& setup, const float* x, const float* y,
+                                  accel::RayPacket& packet, int32_t* valid) {
+  clearHits(packet);
+  if (setup.linear.usable && setup.clipPlanes.empty()) return generateLinearRays(setup.linear, x, y, packet);
+  generateAnyRays(setup, x, y, packet, valid);
 }
 
 }  // namespace HWY_NAMESPACE

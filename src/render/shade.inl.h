@@ -70,7 +70,7 @@ HWY_ATTR inline void loadAttributes(const Surface& s, const Group& group, Attrib
       !normals || (s.colorsVary && s.lighting->shading->colorMaterial != scene::ColorMaterial{});
   for (int k = 0; k < 3; ++k) {
     if (normals && s.mesh->normals)
-      loadVec3(s.mesh->normals, group.vertex[k], out.normal[k]);
+      loadVec3(s.mesh->normals, s.mesh->vertexCount, group.vertex[k], out.normal[k]);
     else if (normals)
       fillRows<3>(s.instance->normal, out.normal[k]);
     if (colors && s.colorsVary)
