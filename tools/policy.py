@@ -28,7 +28,7 @@ def _matches(row: dict, command: str) -> bool:
 def _groups(command: str, touch: list[str] | str) -> str:
     """The C++ expression of the state groups that a command touches; empty for none."""
     if isinstance(touch, str):
-        return touch
+        return touch  # {c} stands for the context
     if unknown := set(touch) - GROUPS:
         raise PolicyError(f"{command}: no such state group {', '.join(sorted(unknown))}")
     if "all" in touch:

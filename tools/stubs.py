@@ -60,7 +60,8 @@ def _gate(c: glxml.Command, policy: Policy, compile_case: str) -> str:
 def _effect(policy: Policy, handler: str, context: str) -> str:
     """What a tracked command does to our state: its handler's call, the groups it touches, or both."""
     pointer = context == "*ctx"
-    touch = f"{'ctx->' if pointer else 'later.'}touch({policy.touch});" if policy.touch else ""
+    groups = policy.touch.replace("{c}", context)
+    touch = f"{'ctx->' if pointer else 'later.'}touch({groups});" if groups else ""
     call = f"ctx->protect([&] {{ {handler}; }});" if pointer else f"{handler};"
     return " ".join(filter(None, [call if policy.handler else "", touch]))
 
@@ -92,7 +93,7 @@ def _forward(c: glxml.Command, policy: Policy, index: int) -> str:
         f"case Gate::compile: ctx->recordFragment([&] {{ {real}; }}); return;\n      case Gate::run: break;")
     return (_gate(c, policy, compile_case) + f"  ctx->count({index});\n"
             f"  ctx->beforeForward({'true' if policy.flush else 'false'});\n" +
-            (f"  ctx->touch({policy.touch});\n" if policy.touch else "") +
+            (f"  ctx->touch({policy.touch.replace('{c}', '*ctx')});\n" if policy.touch else "") +
             f"  {'return ' if c.ret != 'void' else ''}{real};\n")
 
 

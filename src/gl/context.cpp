@@ -125,6 +125,7 @@ void Context::popAttrib() {
     const SavedAttrib saved = attribStack_.back();
     attribStack_.pop_back();
     if (saved.mask & GL_LIST_BIT) listBase = saved.listBase;
+    if (saved.mask & GL_TRANSFORM_BIT) matrixMode = 0;
     // A change of the draw buffer redirects what is pending.
     if (saved.mask & GL_COLOR_BUFFER_BIT) flush();
     touch(groupsOfAttrib(saved.mask));
@@ -148,6 +149,7 @@ void Context::sendBuffers() {
 void Context::makeCurrent() {
   t_thread.context = this;
   dirty = kAllGroups;  // another thread or another drawable may be behind it now
+  cleared_.reset();
   updateAttention();
 }
 
@@ -171,7 +173,7 @@ void Context::afterSwap() {
   ++statistics.frames;
   ++frame;
   cleared_.reset();
-  group_->meshes.expire(frame);
+  group_->meshes.advance();
   deleteDiscardedLists();
 }
 

@@ -143,6 +143,7 @@ class Context {
   GLuint listName() const { return listName_; }
   GLenum listMode() const { return listMode_; }
   GLuint listBase = 0;
+  GLenum matrixMode = 0;  // 0: ask the real OpenGL
   void append(std::unique_ptr<ListOp> op);
   /// Draws a captured run, traced or by the real OpenGL, and leaves its last attributes current.
   void execute(GeometryRun& run);

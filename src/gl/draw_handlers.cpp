@@ -135,9 +135,9 @@ KnownMesh meshOf(Context& c, GLenum mode, const Elements& e) {
   const double start = nowSeconds();
   KnownMesh known;
   const Hash128 content = contentOf(c.real, c.arrays, mode, e);
-  if (!c.group().meshes.find(content, c.frame, known)) {
+  if (!c.group().meshes.find(content, known)) {
     known = buildArrayMesh(c.real, c.arrays, mode, e);
-    c.group().meshes.put(content, c.frame, known);
+    c.group().meshes.put(content, known);
     ++c.statistics.meshesBuilt;
     if (known.mesh) c.statistics.meshBytes += known.mesh->sizeBytes;
   }

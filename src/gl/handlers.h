@@ -84,6 +84,9 @@ void getFloatv(Context& c, GLenum pname, GLfloat* data);
 void getDoublev(Context& c, GLenum pname, GLdouble* data);
 void getBooleanv(Context& c, GLenum pname, GLboolean* data);
 void getInteger64v(Context& c, GLenum pname, GLint64* data);
+void matrixMode(Context& c, GLenum mode);
+/// Groups that commands on the current matrix touch.
+uint32_t matrixGroups(Context& c);
 /// Texture images may have changed. Groups to touch.
 uint32_t imagesChanged(Context& c);
 

@@ -17,14 +17,28 @@ namespace gluray::gl {
 
 namespace leaf {
 
+namespace {
+
+/// Runs `call` and, where a failure of ours ended the capture it was meant for, once more: it then reaches
+/// the real OpenGL.
+template <class F>
+void insist(Context& c, F&& call) noexcept {
+  bool done = false;
+  const auto attempt = [&] { call(), done = true; };
+  c.protect(attempt);
+  if (!done) c.protect(attempt);
+}
+
+}  // namespace
+
 void slowAttribute(Slot slot, const float* values) noexcept {
-  if (Context* c = t_thread.context) c->protect([&] { c->attribute(slot, values); });
+  if (Context* c = t_thread.context) insist(*c, [&] { c->attribute(slot, values); });
 }
 
 void slowVertex(float x, float y, float z, float w) noexcept {
   Context* c = t_thread.context;
   if (!c) return;
-  c->protect([&] { c->vertex(x, y, z, w); });
+  insist(*c, [&] { c->vertex(x, y, z, w); });
 }
 
 void invalidUnit() noexcept {
@@ -172,9 +186,9 @@ void Context::drawRun() {
   const double start = nowSeconds();
   KnownMesh known;
   const Hash128 content = run.hash();
-  if (!group_->meshes.find(content, frame, known)) {
+  if (!group_->meshes.find(content, known)) {
     known = buildMesh(run);
-    group_->meshes.put(content, frame, known);
+    group_->meshes.put(content, known);
     ++statistics.meshesBuilt;
     if (known.mesh) statistics.meshBytes += known.mesh->sizeBytes;
   }
@@ -203,9 +217,8 @@ void Context::surrenderRun() {
   replay(real, run);
   if (open) replayOpen(real, run, stream_.openPrimitive());
   if (!compiling()) {
-    currentDirty_ = 0;
     keepRunValues();
-    if (open) currentDirty_ = 0;  // sent with the vertices
+    sendCurrent();  // legal inside glBegin too: what was set since the last vertex
   } else if (open) {
     openFragment_ = fragment;
   } else {

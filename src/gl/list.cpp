@@ -19,6 +19,7 @@ void FragmentOp::execute(Context& context) {
   if (!context.insideBegin()) context.beforeRasterDraw(PrimitiveClass::lines);
   context.real.CallList(realList_);
   context.touch(kAllGroups);
+  context.matrixMode = 0;
   context.textures().allImagesChanged();
 }
 
@@ -181,7 +182,6 @@ void Context::execute(GeometryRun& run) {
   if (insideBegin() && !run.primitives().empty()) return setError(GL_INVALID_OPERATION);
   if (!run.primitives().empty()) {
     if (runOpen_) closeRun();
-    run.inherit(*this);
     drawListRun(run);
   }
   for (int s = kNormal; s < kSlotCount; ++s) {
@@ -192,6 +192,8 @@ void Context::execute(GeometryRun& run) {
 }
 
 void Context::drawListRun(GeometryRun& run) {
+  const std::lock_guard lock(run.mutex());
+  run.inherit(*this);
   refresh(kDrawGroups);
   Reason reason = triage(run.kind());
   if (reason == Reason::traced) {

@@ -4,6 +4,7 @@
 #include "gl/context.h"
 
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace gluray::gl {
@@ -60,6 +61,8 @@ class GeometryRun final : public ListOp {
   ~GeometryRun() override;
   void execute(Context& context) override { context.execute(*this); }
 
+  /// Held while the run is drawn: contexts of several threads may call the list.
+  std::mutex& mutex() { return mutex_; }
   PrimitiveClass kind() const { return kind_; }
   const std::vector<Primitive>& primitives() const { return captured_.primitives; }
   const std::vector<MaterialChange>& materials() const { return captured_.materials; }
@@ -80,6 +83,7 @@ class GeometryRun final : public ListOp {
   void dropRealList();
   void releaseVertices();
 
+  std::mutex mutex_;
   Captured captured_;
   VertexLayout layout_;
   SlotMask finalSlots_ = 0;

@@ -2,24 +2,25 @@
 
 namespace gluray::gl {
 
-bool MeshCache::find(const Hash128& content, uint64_t frame, KnownMesh& result) {
+bool MeshCache::find(const Hash128& content, KnownMesh& result) {
   const std::lock_guard lock(mutex_);
   const auto it = entries_.find(content);
   if (it == entries_.end()) return false;
-  it->second.lastUsed = frame;
+  it->second.lastUsed = frame_;
   result = it->second.mesh;
   return true;
 }
 
-void MeshCache::put(const Hash128& content, uint64_t frame, const KnownMesh& mesh) {
+void MeshCache::put(const Hash128& content, const KnownMesh& mesh) {
   const std::lock_guard lock(mutex_);
-  entries_[content] = {mesh, frame};
+  entries_[content] = {mesh, frame_};
 }
 
-void MeshCache::expire(uint64_t frame) {
+void MeshCache::advance() {
   constexpr uint64_t kFramesKept = 8;
   const std::lock_guard lock(mutex_);
-  std::erase_if(entries_, [&](const auto& e) { return e.second.lastUsed + kFramesKept < frame; });
+  ++frame_;
+  std::erase_if(entries_, [&](const auto& e) { return e.second.lastUsed + kFramesKept < frame_; });
 }
 
 }  // namespace gluray::gl

@@ -17,11 +17,11 @@ struct KnownMesh {
 
 class MeshCache {
  public:
-  /// The mesh with this content, or null mesh. Marks it as used in `frame`.
-  bool find(const Hash128& content, uint64_t frame, KnownMesh& result);
-  void put(const Hash128& content, uint64_t frame, const KnownMesh& mesh);
-  /// Forgets what was not used in the last frames.
-  void expire(uint64_t frame);
+  /// Finds the mesh with this content and marks it as used. False where there is none.
+  bool find(const Hash128& content, KnownMesh& result);
+  void put(const Hash128& content, const KnownMesh& mesh);
+  /// A frame has ended: forgets what was not used in the last ones.
+  void advance();
 
  private:
   struct Entry {
@@ -29,6 +29,7 @@ class MeshCache {
     uint64_t lastUsed = 0;
   };
   std::mutex mutex_;
+  uint64_t frame_ = 0;
   std::unordered_map<Hash128, Entry> entries_;
 };
 

@@ -112,6 +112,22 @@ void getInteger64v(Context& c, GLenum pname, GLint64* data) {
   c.real.GetInteger64v(pname, data);
 }
 
+void matrixMode(Context& c, GLenum mode) { c.matrixMode = mode; }
+
+uint32_t matrixGroups(Context& c) {
+  if (c.matrixMode == 0) {
+    GLint mode = GL_MODELVIEW;
+    c.real.GetIntegerv(GL_MATRIX_MODE, &mode);
+    c.matrixMode = static_cast<GLenum>(mode);
+  }
+  switch (c.matrixMode) {
+    case GL_MODELVIEW: return kModelview;
+    case GL_PROJECTION: return kProjection;
+    case GL_TEXTURE: return kTexture;
+    default: return kModelview | kProjection | kTexture;  // the program set a mode that does not exist
+  }
+}
+
 uint32_t imagesChanged(Context& c) {
   c.textures().allImagesChanged();
   return kTexture;
