@@ -227,10 +227,13 @@ void drawArraysKinds(Gl gl, int width, int height) {
   gl.Color3f(0.1f, 0.4f, 0.9f);
   gl.Translatef(0.6f, 0, 0);
   gl.DrawArrays(GL_QUAD_STRIP, 2, 6);
+  const GLfloat quads[][3] = {{-0.4f, -0.8f, 0.3f}, {0, -0.8f, 0}, {0, -0.1f, 0},   {-0.4f, -0.1f, 0.3f},
+                              {-0.4f, 0.1f, 0},     {0, 0.2f, 0},  {0, 0.8f, 0.3f}, {-0.4f, 0.7f, 0.3f}};
+  gl.VertexPointer(3, GL_FLOAT, 0, quads);
   gl.Color3f(0.1f, 0.8f, 0.3f);
-  gl.Translatef(0.5f, 0, 0.5f);
-  gl.Scalef(0.5f, 0.5f, 1);
-  gl.DrawArrays(GL_QUADS, 0, 8);
+  gl.Translatef(0.1f, 0, 0.5f);
+  gl.DrawArrays(GL_QUADS, 0, 4);
+  gl.Color3f(0.8f, 0.8f, 0.1f);
   gl.DrawArrays(GL_POLYGON, 4, 4);
 }
 

@@ -21,10 +21,19 @@ void allPrimitives(Gl gl) {
   gl.Begin(GL_TRIANGLES);
   for (int i = 0; i < 6; ++i) ringVertex(gl, i, 6, -1.0f, 0.5f, 0.4f, 0.1f * static_cast<float>(i % 2));
   gl.End();
-  gl.Begin(GL_QUADS);
-  for (int i = 0; i < 8; ++i)
-    ringVertex(gl, i % 4, 4, i < 4 ? -0.15f : 0.15f, i < 4 ? 0.6f : 0.4f, 0.3f, i < 4 ? 0.2f : 0.0f);
-  gl.End();
+  // OpenGL leaves open where a quad is cut in two (Mesa cuts some one way, some the other), so no quad here
+  // depends on it: four corners in a plane, with colours to match.
+  for (int quad = 0; quad < 2; ++quad) {
+    const float x = quad ? 0.15f : -0.15f, y = quad ? 0.4f : 0.6f, z = quad ? 0 : 0.2f;
+    const float corners[4][2] = {{-1, -0.5f}, {0.5f, -1}, {1, 0.5f}, {-0.5f, 1}};
+    gl.Begin(GL_QUADS);
+    for (const auto& c : corners) {
+      gl.Color3f(0.5f + 0.4f * c[0], 0.5f + 0.4f * c[1], 0.3f);
+      gl.Normal3f(0.3f * c[0], 0.3f * c[1], 0.9f);
+      gl.Vertex3f(x + 0.3f * c[0], y + 0.3f * c[1], z + 0.1f * c[0]);
+    }
+    gl.End();
+  }
   gl.Begin(GL_POLYGON);
   for (int i = 0; i < 7; ++i) ringVertex(gl, i, 7, 0.9f, 0.5f, 0.4f, 0);
   gl.End();

@@ -182,11 +182,11 @@ void projectedTexture(Gl gl, int width, int height) {
   gl.Rotatef(30, 0, 0, 1);
   gl.MatrixMode(GL_MODELVIEW);
   gl.Rotatef(-55, 1, 0, 0);
-  gl.Begin(GL_QUADS);
+  gl.Begin(GL_TRIANGLE_FAN);
+  gl.TexCoord4f(0, 0.4f, 0, 1.4f), gl.Vertex2f(0, 0);
+  for (const float x : {-1.0f, 1.0f}) gl.TexCoord4f(x, -1, 0, 1), gl.Vertex2f(x, -1);
+  for (const float x : {1.0f, -1.0f}) gl.TexCoord4f(2 * x, 2, 0, 2), gl.Vertex2f(x, 1);
   gl.TexCoord4f(-1, -1, 0, 1), gl.Vertex2f(-1, -1);
-  gl.TexCoord4f(1, -1, 0, 1), gl.Vertex2f(1, -1);
-  gl.TexCoord4f(2, 2, 0, 2), gl.Vertex2f(1, 1);
-  gl.TexCoord4f(-2, 2, 0, 2), gl.Vertex2f(-1, 1);
   gl.End();
 }
 
