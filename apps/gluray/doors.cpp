@@ -81,11 +81,14 @@ std::string openDoors(const CommandLine& line, const Program& program) {
   if (directory.empty())
     return "GLuRay's libraries are missing beside " + fs::read_symlink("/proc/self/exe").string();
   if (program.setUid) return program.path + " is set-uid: the system lets nobody look into it";
-  const bool preload =
-      line.door == "preload" || (line.door == "auto" && (program.osMesa || program.bundledGl));
   passSettings(line);
-  if (preload) putFirst("LD_PRELOAD", directory + "/libgluray.so");
-  return line.door == "preload" ? "" : openVendorDoor(directory);
+  const auto openPreloadDoor = [&] { putFirst("LD_PRELOAD", directory + "/libgluray.so"); };
+  if (line.door == "preload") return openPreloadDoor(), "";
+  if (line.door == "vendor") return openVendorDoor(directory);
+  // The vendor door, and the other one too for what does not come through libglvnd.
+  const std::string problem = openVendorDoor(directory);
+  if (program.osMesa || program.bundledGl || !problem.empty()) openPreloadDoor();
+  return "";
 }
 
 }  // namespace gluray::launcher

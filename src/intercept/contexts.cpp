@@ -3,6 +3,7 @@
 #include "base/log.h"
 #include "gl/context.h"
 #include "intercept/make_presenter.h"
+#include "intercept/orphan_gl.h"
 #include "intercept/report.h"
 #include "intercept/session.h"
 
@@ -42,7 +43,8 @@ Registry& registry() {
 
 struct Current {
   std::shared_ptr<Record> record;
-  uintptr_t drawable = 0;
+  Key key{};
+  Drawables drawables;
 };
 thread_local Current t_current;
 bool g_forked = false;
@@ -173,34 +175,41 @@ void stayCurrent() noexcept {
   });
 }
 
-void becameCurrent(Api api, const void* handle, uintptr_t drawable) noexcept {
+void becameCurrent(Api api, const void* handle, Drawables drawables) noexcept {
   guarded("this context is not ray traced", [&] {
     gl::t_thread = {};
     std::shared_ptr<Record> record;
+    // Where the context cannot be followed, calls go to the OpenGL that it belongs to.
+    t_orphanGl = handle ? &realGl(api) : nullptr;
     if (handle) {
       const std::lock_guard lock(registry().mutex);
       auto& slot = registry().records[{api, handle}];
       if (!slot) slot = newRecord({});  // made by a way we do not see
       record = slot;
     }
-    t_current = {record, drawable};
+    t_current = {record, {api, handle}, drawables};
     if (!record) return;
     if (!record->tried) makeContext(*record, api);
     if (record->context) record->context->makeCurrent();
   });
 }
 
+bool isCurrent(Api api, const void* handle, Drawables drawables) noexcept {
+  return handle && t_current.key == Key{api, handle} && t_current.drawables == drawables;
+}
+
 void swapped(uintptr_t drawable) noexcept {
   guarded("cannot end a frame", [&] {
     gl::Context* context = gl::t_thread.context;
     // Without a back buffer a swap shows nothing new: glFlush and glFinish end frames there.
-    if (context && t_current.drawable == drawable && context->info().doubleBuffered) context->afterSwap();
+    if (context && t_current.drawables.draw == drawable && context->info().doubleBuffered)
+      context->afterSwap();
   });
   writeReportIfDue();
 }
 
 void drawableGoing(uintptr_t drawable) noexcept {
-  if (t_current.drawable == drawable) flushCurrent();
+  if (t_current.drawables.draw == drawable) flushCurrent();
 }
 
 void passThroughAfterFork() noexcept {

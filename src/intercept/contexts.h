@@ -10,6 +10,12 @@
 
 namespace gluray::intercept {
 
+/// What a context draws into and reads from: XIDs of GLX, pointers elsewhere.
+struct Drawables {
+  uintptr_t draw = 0, read = 0;
+  bool operator==(const Drawables&) const = default;
+};
+
 /// A context was made. `share` is the context whose lists and buffers it shares, or null. `display` is EGL's,
 /// else null.
 void contextCreated(Api api, const void* handle, const void* share, const void* display = nullptr) noexcept;
@@ -25,8 +31,10 @@ void flushCurrent() noexcept;
 void leaveCurrent() noexcept;
 /// The real MakeCurrent failed: the context that was left is still current.
 void stayCurrent() noexcept;
-/// The real MakeCurrent succeeded: `handle` (null: none) is current in this thread, drawing into `drawable`.
-void becameCurrent(Api api, const void* handle, uintptr_t drawable) noexcept;
+/// The real MakeCurrent succeeded: `handle` (null: none) is current in this thread with these drawables.
+void becameCurrent(Api api, const void* handle, Drawables drawables) noexcept;
+/// Whether exactly this is current already: many programs say it again every frame, and nothing changes then.
+bool isCurrent(Api api, const void* handle, Drawables drawables) noexcept;
 /// A buffer swap of `drawable` returned: if this thread draws into it, a frame has ended.
 void swapped(uintptr_t drawable) noexcept;
 /// A drawable is about to be destroyed.

@@ -53,11 +53,12 @@ struct Egl {
   static EGLBoolean makeCurrent(EGLDisplay display, EGLSurface draw, EGLSurface read, EGLContext context) {
     REAL(D, decltype(&eglMakeCurrent), "eglMakeCurrent");
     const Outermost outermost;
-    if (!outermost) return real(display, draw, read, context);
+    const Drawables drawables{drawableOf(draw), drawableOf(read)};
+    if (!outermost || isCurrent(Api::egl, context, drawables)) return real(display, draw, read, context);
     leaveCurrent();
     const EGLBoolean done = real(display, draw, read, context);
     if (done)
-      becameCurrent(Api::egl, context, drawableOf(draw));
+      becameCurrent(Api::egl, context, drawables);
     else
       stayCurrent();
     return done;
@@ -69,7 +70,7 @@ struct Egl {
     leaveCurrent();
     const EGLBoolean done = real();
     if (done)
-      becameCurrent(Api::egl, nullptr, 0);
+      becameCurrent(Api::egl, nullptr, {});
     else
       stayCurrent();
     return done;

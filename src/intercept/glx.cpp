@@ -1,4 +1,5 @@
 // GLX: contexts, current contexts, buffer swaps. GLX 1.4 and the extensions that show pictures.
+#include "gl/stub.h"
 #include "intercept/contexts.h"
 #include "intercept/engine.h"
 #include "intercept/hook_table.h"
@@ -31,13 +32,13 @@ GLXContext creating(GLXContext share, F&& call) {
 
 /// Runs `call`, which makes `context` current.
 template <class F>
-Bool makingCurrent(GLXDrawable drawable, GLXContext context, F&& call) {
+Bool makingCurrent(GLXDrawable draw, GLXDrawable read, GLXContext context, F&& call) {
   const Outermost outermost;
-  if (!outermost) return call();
+  if (!outermost || isCurrent(Api::glx, context, {draw, read})) return call();
   leaveCurrent();
   const Bool done = call();
   if (done)
-    becameCurrent(Api::glx, context, drawable);
+    becameCurrent(Api::glx, context, {draw, read});
   else
     stayCurrent();
   return done;
@@ -103,15 +104,15 @@ struct Glx {
 
   static Bool makeCurrent(Display* dpy, GLXDrawable drawable, GLXContext context) {
     REAL(D, decltype(&glXMakeCurrent), "glXMakeCurrent");
-    return makingCurrent(drawable, context, [&] { return real(dpy, drawable, context); });
+    return makingCurrent(drawable, drawable, context, [&] { return real(dpy, drawable, context); });
   }
   static Bool makeContextCurrent(Display* dpy, GLXDrawable draw, GLXDrawable read, GLXContext context) {
     REAL(D, decltype(&glXMakeContextCurrent), "glXMakeContextCurrent");
-    return makingCurrent(draw, context, [&] { return real(dpy, draw, read, context); });
+    return makingCurrent(draw, read, context, [&] { return real(dpy, draw, read, context); });
   }
   static Bool makeCurrentRead(Display* dpy, GLXDrawable draw, GLXDrawable read, GLXContext context) {
     REAL(D, PFNGLXMAKECURRENTREADSGIPROC, "glXMakeCurrentReadSGI");
-    return makingCurrent(draw, context, [&] { return real(dpy, draw, read, context); });
+    return makingCurrent(draw, read, context, [&] { return real(dpy, draw, read, context); });
   }
 
   static void swapBuffers(Display* dpy, GLXDrawable drawable) {
@@ -135,9 +136,15 @@ struct Glx {
     REAL(D, PFNGLXBINDTEXIMAGEEXTPROC, "glXBindTexImageEXT");
     afterFlush([&] { real(dpy, drawable, buffer, attributes); });
   }
+  /// Drivers make the glyphs' lists inside themselves, where no door sees them: the shadow GL gives them
+  /// lists of the real OpenGL's, which our lists then call.
   static void useXFont(Font font, int first, int count, int listBase) {
     REAL(D, decltype(&glXUseXFont), "glXUseXFont");
-    afterFlush([&] { real(font, first, count, listBase); });
+    const Outermost outermost;
+    gl::Context* context = outermost ? gl::t_thread.context : nullptr;
+    if (!context || context->passthrough()) return real(font, first, count, listBase);
+    const auto make = [&](int realBase) { real(font, first, count, realBase); };
+    context->protect([&] { gl::useXFont(*context, first, count, listBase, make); });
   }
 
   static void destroyWindow(Display* dpy, GLXWindow window) {

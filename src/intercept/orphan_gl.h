@@ -7,10 +7,14 @@
 
 namespace gluray::intercept {
 
-inline std::atomic<const gl::RealGl*> g_orphanGl = nullptr;
+inline std::atomic<const gl::RealGl*> g_orphanGl = nullptr;  // of the first context of the process
+inline thread_local const gl::RealGl* t_orphanGl =
+    nullptr;  // of the context that is current, followed or not
 
-/// The real OpenGL for calls without a context, or null: then such calls do nothing, as OpenGL leaves them
-/// undefined.
-inline const gl::RealGl* orphanGl() { return g_orphanGl.load(std::memory_order_acquire); }
+/// The real OpenGL for calls without a context of ours, or null: then such calls do nothing, as OpenGL leaves
+/// them undefined.
+inline const gl::RealGl* orphanGl() {
+  return t_orphanGl ? t_orphanGl : g_orphanGl.load(std::memory_order_acquire);
+}
 
 }  // namespace gluray::intercept

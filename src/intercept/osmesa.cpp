@@ -40,7 +40,7 @@ void destroyContext(OSMesaContext context) {
   const bool current = context && currentContext && currentContext() == context;
   if (current) leaveCurrent();
   real(context);
-  if (current) becameCurrent(Api::osmesa, nullptr, 0);
+  if (current) becameCurrent(Api::osmesa, nullptr, {});
   contextDestroyed(Api::osmesa, context);
 }
 
@@ -50,7 +50,7 @@ GLboolean makeCurrent(OSMesaContext context, void* buffer, GLenum type, GLsizei 
   leaveCurrent();
   const GLboolean done = real(context, buffer, type, width, height);
   if (done)
-    becameCurrent(Api::osmesa, context, reinterpret_cast<uintptr_t>(buffer));
+    becameCurrent(Api::osmesa, context, {reinterpret_cast<uintptr_t>(buffer), 0});
   else
     stayCurrent();
   return done;

@@ -195,6 +195,15 @@ class Missing(Folder):
         self.survives(r"^gluray: GLURAY_BVH=slow: use fast, full or compact$", GLURAY_BVH="slow")
 
 
+class Fonts(unittest.TestCase):
+    def test_x_fonts_look_the_same(self):
+        """Drivers make the lists of glXUseXFont inside themselves."""
+        plain = run(CLIENTS / "door_font")
+        self.assertEqual(plain.returncode, 0, plain.stderr)
+        for door in ("vendor", "preload"):
+            self.assertEqual(run(GLURAY, "--door", door, CLIENTS / "door_font").stdout, plain.stdout)
+
+
 class Dlopen(Folder):
     def test_other_libraries_and_run_paths_are_left_alone(self):
         """libGLabelPlot.so and a bundled libGL.so.1 are found through the program's RUNPATH."""
