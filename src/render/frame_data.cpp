@@ -44,13 +44,14 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
     for (const glm::dvec4& plane : s.instances.front().clipPlanes)
       rays.clipPlanes.push_back(plane * s.eyeFromWorld);
   }
+  const View view(s.camera);
   surfaces.resize(s.instances.size());
   tbb::parallel_for(size_t{0}, surfaces.size(), [&](size_t i) {
     const scene::Instance& instance = s.instances[i];
     if (instance.shading >= lightings.size()) throw std::runtime_error("an instance has no shading state");
     if (instance.materials.empty()) throw std::runtime_error("an instance has no material");
     if (instance.mesh->triangleCount == 0) return;
-    surfaces[i] = makeSurface(s, instance, lightings[instance.shading], shared);
+    surfaces[i] = makeSurface(view, instance, lightings[instance.shading], shared);
   });
 
   samplePositions.assign(1, glm::dvec2(0.5));

@@ -23,21 +23,18 @@ glm::dvec3 pointOf(const scene::Mesh& mesh, uint32_t primitive, double u, double
   return (1 - u - v) * p0 + u * p1 + v * p2;
 }
 
-PlaneDepth makePlaneDepth(const scene::Camera& camera, const glm::dmat4& objectFromClip,
+PlaneDepth makePlaneDepth(const View& view, const glm::dmat4& objectFromClip,
                           const glm::dmat4& eyeFromObject) {
-  const WindowMap window(camera.viewport);
   PlaneDepth depth;
-  depth.aX = objectFromClip[0] * window.ndcScale.x;
-  depth.aY = objectFromClip[1] * window.ndcScale.y;
-  depth.a = objectFromClip * glm::dvec4(window.ndcOffset, 0.0, 1.0);
+  depth.aX = objectFromClip[0] * view.window.ndcScale.x;
+  depth.aY = objectFromClip[1] * view.window.ndcScale.y;
+  depth.a = objectFromClip * glm::dvec4(view.window.ndcOffset, 0.0, 1.0);
   depth.b = objectFromClip[2];
-  const double clipSign = glm::determinant(camera.clipFromEye) < 0 ? -1.0 : 1.0;
-  depth.areaSign = glm::determinant(eyeFromObject) < 0 ? -clipSign : clipSign;
+  depth.areaSign = glm::determinant(eyeFromObject) < 0 ? -view.areaSign : view.areaSign;
   return depth;
 }
 
-void prepareNormals(Surface& s, const glm::dmat4& eyeFromObject) {
-  const glm::dmat3 objectFromEye = glm::inverse(glm::dmat3(eyeFromObject));
+void prepareNormals(Surface& s, const glm::dmat3& objectFromEye) {
   s.eyeFromObjectNormal = glm::mat3(glm::transpose(objectFromEye));
   const double third = glm::length(glm::dvec3(objectFromEye[0][2], objectFromEye[1][2], objectFromEye[2][2]));
   s.rescale = third > 0 ? static_cast<float>(1.0 / third) : 1.0f;
@@ -67,21 +64,28 @@ void applyColorMaterial(scene::ColorMaterial::Mode mode, const glm::vec4& color,
   if (mode == Mode::specular) m.specular = color;
 }
 
-Surface makeSurface(const scene::Snapshot& snapshot, const scene::Instance& instance,
-                    const Lighting& lighting, bool sharedClipPlanes) {
+View::View(const scene::Camera& camera)
+    : window(camera.viewport),
+      clipFromEye(camera.clipFromEye),
+      eyeFromClip(glm::inverse(camera.clipFromEye)),
+      areaSign(glm::determinant(camera.clipFromEye) < 0 ? -1.0 : 1.0) {}
+
+Surface makeSurface(const View& view, const scene::Instance& instance, const Lighting& lighting,
+                    bool sharedClipPlanes) {
   Surface s;
   s.instance = &instance;
   s.mesh = instance.mesh.get();
   s.lighting = &lighting;
-  s.clipFromObject = snapshot.camera.clipFromEye * instance.eyeFromObject;
+  s.clipFromObject = view.clipFromEye * instance.eyeFromObject;
   s.eyeFromObject = glm::mat4(instance.eyeFromObject);
-  const glm::dmat4 objectFromClip =
-      glm::inverse(instance.eyeFromObject) * glm::inverse(snapshot.camera.clipFromEye);
+  const glm::dmat4 objectFromEye = glm::inverse(instance.eyeFromObject);
+  const glm::dmat4 objectFromClip = objectFromEye * view.eyeFromClip;
   if (!std::isfinite(glm::determinant(objectFromClip))) {
     throw std::runtime_error("the modelview matrix of an instance cannot be inverted");
   }
-  s.depth = makePlaneDepth(snapshot.camera, objectFromClip, instance.eyeFromObject);
-  prepareNormals(s, instance.eyeFromObject);
+  s.depth = makePlaneDepth(view, objectFromClip, instance.eyeFromObject);
+  // The inverse's upper left part is the inverse of the upper left part, as modelview matrices are affine.
+  prepareNormals(s, glm::dmat3(objectFromEye));
   prepareMaterials(s, instance, lighting.shading->colorMaterial);
 
   const bool cullsFront = instance.cull == scene::CullFace::front || instance.cull == scene::CullFace::both;

@@ -48,7 +48,15 @@ struct Surface {
 /// Material `m` with the components that `mode` names taken from `color`.
 void applyColorMaterial(scene::ColorMaterial::Mode mode, const glm::vec4& color, scene::Material& m);
 
+/// The camera, as far as every surface needs it.
+struct View {
+  WindowMap window;
+  glm::dmat4 clipFromEye, eyeFromClip;
+  double areaSign;  // -1 where the projection mirrors
+  explicit View(const scene::Camera&);
+};
+
 /// Throws std::runtime_error where the instance's modelview matrix cannot be inverted.
-Surface makeSurface(const scene::Snapshot&, const scene::Instance&, const Lighting&, bool sharedClipPlanes);
+Surface makeSurface(const View&, const scene::Instance&, const Lighting&, bool sharedClipPlanes);
 
 }  // namespace gluray::render
