@@ -21,3 +21,6 @@ link_test(silent_in_true ${link_check} silent $<TARGET_FILE:gluray-preload>)
 add_test(NAME style.gl_coverage COMMAND ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/tools/generate.py --check-coverage
          ${CMAKE_SOURCE_DIR}/docs/gl-coverage.md)
 set_tests_properties(style.gl_coverage PROPERTIES LABELS style)
+
+add_test(NAME unit.generator COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_LIST_DIR}/generator_test.py)
+set_tests_properties(unit.generator PROPERTIES LABELS unit)
