@@ -18,7 +18,8 @@ void materialfv(Context& c, GLenum face, GLenum pname, const GLfloat* params) {
 }
 
 void materialf(Context& c, GLenum face, GLenum pname, GLfloat param) {
-  if (pname != GL_SHININESS) return c.setError(GL_INVALID_ENUM);
+  if (pname != GL_SHININESS)
+    return c.real.Materialf(face, pname, param);  // an error, in the real OpenGL's opinion of it
   c.material(face, pname, &param);
 }
 
@@ -56,7 +57,8 @@ void rectiv(Context& c, const GLint* a, const GLint* b) { rect(c, a[0], a[1], b[
 void rectsv(Context& c, const GLshort* a, const GLshort* b) { rect(c, a[0], a[1], b[0], b[1]); }
 
 void arrayElement(Context& c, GLint i) {
-  if (c.inside() == Context::Inside::nothing) c.refresh(kArrays);
+  if (c.inside() == Context::Inside::rasterised) return c.real.ArrayElement(i);
+  c.refresh(kArrays);
   c.arrayElement(static_cast<uint32_t>(i));
 }
 
@@ -101,7 +103,7 @@ bool isIndexType(GLenum type) {
 /// Sets the error of a wrong draw; true where there is none.
 bool validate(Context& c, GLenum mode, const Elements& e) {
   if (!isMode(mode)) return c.setError(GL_INVALID_ENUM), false;
-  if (e.count < 0 || e.first < 0) return c.setError(GL_INVALID_VALUE), false;
+  if (e.count < 0) return c.setError(GL_INVALID_VALUE), false;
   if (e.type && !isIndexType(e.type)) return c.setError(GL_INVALID_ENUM), false;
   if (c.insideBegin()) return c.setError(GL_INVALID_OPERATION), false;
   return true;
@@ -160,7 +162,7 @@ Reason traceDraw(Context& c, GLenum mode, const Elements& e) {
 }
 
 void draw(Context& c, GLenum mode, const Elements& e) {
-  if (!validate(c, mode, e) || e.count == 0) return;
+  if (!validate(c, mode, e) || e.count == 0 || e.first < 0) return;  // what lies before an array is nobody's
   if (c.compiling()) return recordDraw(c, mode, e);
   c.refresh(kDrawGroups | kArrays);
   const bool plain = mode <= GL_POLYGON && c.arrays.reason == Reason::traced && c.arrays.vertex.enabled;

@@ -120,6 +120,7 @@ void Context::begin(GLenum mode) {
     const Reason reason = triage(kind);
     if (reason != Reason::traced) {
       beforeRasterDraw(kind);
+      sendBuffers();  // glArrayElement may follow
       countRaster(reason, 0);
       inside_ = Inside::rasterised;
       real.Begin(mode);

@@ -102,6 +102,7 @@ void Context::addInstance(const scene::MeshPtr& mesh, SlotMask slots,
   scene::Shading shading = state.shading;
   shading.texture = state.texture;
   batch_.add(std::move(instance), std::move(shading));
+  if (aside_) flush();  // the flush above failed: later draws are rasterised and must find this one drawn
 }
 
 void Context::beforeRasterDraw(PrimitiveClass kind) {
