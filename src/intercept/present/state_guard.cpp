@@ -255,9 +255,9 @@ void StateGuard::pixelTransfer(GLenum name, GLfloat value) {
   real_.PixelTransferf(name, value);
 }
 
-void StateGuard::plainUnpack() {
+void StateGuard::plainUnpack(int rowLength) {
   pixelStore(GL_UNPACK_SWAP_BYTES, 0);
-  pixelStore(GL_UNPACK_ROW_LENGTH, 0);
+  pixelStore(GL_UNPACK_ROW_LENGTH, rowLength);
   pixelStore(GL_UNPACK_SKIP_ROWS, 0);
   pixelStore(GL_UNPACK_SKIP_PIXELS, 0);
   pixelStore(GL_UNPACK_ALIGNMENT, 4);

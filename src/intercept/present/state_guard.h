@@ -39,8 +39,8 @@ class StateGuard {
   void scissor(int x, int y, int width, int height);
   void scissorOff();
 
-  /// Pixel uploads from client memory, rows tightly packed, values as they are.
-  void plainUnpack();
+  /// Pixel uploads from client memory, values as they are, rows `rowLength` pixels apart (0: tightly packed).
+  void plainUnpack(int rowLength = 0);
   void activeTexture(GLenum unit);
   void texture2D(int unit, GLuint texture);  // also makes `unit` active and frees it of sampler objects
   void program(GLuint program);              // transform feedback is paused meanwhile

@@ -30,6 +30,7 @@ bool WriteBack::compile(std::string& why) {
   StateGuard guard(real_, features_);
   guard.program(program_);
   placeUniform_ = real_.GetUniformLocation(program_, "place");
+  bandsUniform_ = real_.GetUniformLocation(program_, "bands");
   real_.Uniform1i(real_.GetUniformLocation(program_, "colorPlane"), features_.textureUnit);
   real_.Uniform1i(real_.GetUniformLocation(program_, "depthPlane"), features_.textureUnit + 1);
   if (!features_.compatibility) real_.GenVertexArrays(1, &vertexArray_);
@@ -74,16 +75,54 @@ bool WriteBack::makePlane(StateGuard& guard, int unit, Plane& plane, GLenum inte
   return true;
 }
 
-void WriteBack::drawTriangle() const {
+/// One sample plane of the image: what of it was hit, and at which row of the textures it lies.
+struct WriteBack::Sheet {
+  int sample = 0, row = 0;
+  std::vector<Band> bands;
+};
+
+void WriteBack::upload(const Image& image, const Sheet& sheet) const {
+  const int unit = features_.textureUnit;
+  const auto width = static_cast<size_t>(image.width);
+  const size_t plane = width * static_cast<size_t>(image.height) * static_cast<size_t>(sheet.sample);
+  for (const bool color : {false, true}) {
+    real_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(color ? unit : unit + 1));
+    for (const Band& band : sheet.bands) {
+      const size_t first = plane + static_cast<size_t>(band.y) * width + static_cast<size_t>(band.x);
+      const void* pixels = color ? static_cast<const void*>(&image.color[first]) : &image.depth[first];
+      real_.TexSubImage2D(GL_TEXTURE_2D, 0, band.x, band.y + sheet.row, band.width, band.height,
+                          color ? GL_RGBA : depthFormat_, color ? GL_UNSIGNED_BYTE : GL_FLOAT, pixels);
+    }
+  }
+}
+
+void WriteBack::draw(const Image& image, const Sheet& sheet) const {
+  real_.Uniform4f(placeUniform_, static_cast<GLfloat>(image.x), static_cast<GLfloat>(image.y - sheet.row),
+                  1.0f / static_cast<GLfloat>(color_.width), 1.0f / static_cast<GLfloat>(color_.height));
+  GLfloat corners[kMaxBands][4];  // left, lower, right, upper in clip space
+  const auto clip = [](int at, int size) {
+    return 2.0f * static_cast<float>(at) / static_cast<float>(size) - 1.0f;
+  };
+  int count = 0;
+  for (const Band& b : sheet.bands) {
+    GLfloat* c = corners[count++];
+    c[0] = clip(b.x, image.width), c[1] = clip(b.y, image.height);
+    c[2] = clip(b.x + b.width, image.width), c[3] = clip(b.y + b.height, image.height);
+  }
   if (!features_.compatibility) {
-    real_.DrawArrays(GL_TRIANGLES, 0, 3);
+    real_.Uniform4fv(bandsUniform_, count, corners[0]);
+    real_.DrawArrays(GL_TRIANGLES, 0, 6 * count);
     return;
   }
   // glVertex alone changes no current value, and needs no array state.
-  real_.Begin(GL_TRIANGLES);
-  real_.Vertex2f(-1, -1);
-  real_.Vertex2f(3, -1);
-  real_.Vertex2f(-1, 3);
+  real_.Begin(GL_QUADS);
+  for (int i = 0; i < count; ++i) {
+    const GLfloat* c = corners[i];
+    real_.Vertex2f(c[0], c[1]);
+    real_.Vertex2f(c[2], c[1]);
+    real_.Vertex2f(c[2], c[3]);
+    real_.Vertex2f(c[0], c[3]);
+  }
   real_.End();
 }
 
@@ -96,17 +135,23 @@ bool WriteBack::write(const Image& image, const WriteBackTarget& target, Pending
   if (width > limit || height > limit) return false;
   if (image.samples > 1 && (!features_.sampleMask || image.samples > 32)) return false;
 
-  StateGuard guard(real_, features_);
-  guard.plainUnpack();
   // Sample planes lie above each other in one texture, as many as it can hold.
   const int planes = std::min(image.samples, limit / height);
+  std::vector<Sheet> sheets;
+  for (int s = 0; s < image.samples; ++s) {
+    const size_t plane = static_cast<size_t>(width) * static_cast<size_t>(height) * static_cast<size_t>(s);
+    Sheet sheet{s, s % planes * height, hitBands(image.depth.data() + plane, width, height)};
+    if (!sheet.bands.empty()) sheets.push_back(std::move(sheet));
+  }
+  if (sheets.empty()) return true;
+
+  StateGuard guard(real_, features_);
+  guard.plainUnpack(width);
   const int unit = features_.textureUnit;
   if (!makePlane(guard, unit + 1, depth_, depthInternalFormat_, depthFormat_, GL_FLOAT, width,
-                 height * planes))
+                 height * planes) ||
+      !makePlane(guard, unit, color_, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height * planes))
     return false;
-  if (!makePlane(guard, unit, color_, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height * planes))
-    return false;
-
   guard.openFragmentPath();
   guard.depthTest(target.depthFunc);
   guard.depthRange(0, 1);
@@ -115,23 +160,14 @@ bool WriteBack::write(const Image& image, const WriteBackTarget& target, Pending
   guard.program(program_);
   if (!features_.compatibility) guard.vertexArray(vertexArray_);
 
-  const size_t planeSize = static_cast<size_t>(width) * static_cast<size_t>(height);
-  for (int first = 0; first < image.samples; first += planes) {
-    const int count = std::min(planes, image.samples - first);
-    const size_t offset = planeSize * static_cast<size_t>(first);
-    real_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit + 1));
-    real_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height * count, depthFormat_, GL_FLOAT,
-                        image.depth.data() + offset);
-    real_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    real_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height * count, GL_RGBA, GL_UNSIGNED_BYTE,
-                        image.color.data() + offset);
-    for (int sample = first; sample < first + count; ++sample) {
-      if (image.samples > 1) guard.onlySample(sample);
-      // Window position of the plane's first texel, and the size of a texel in texture coordinates.
-      const int row = (sample - first) * height;
-      real_.Uniform4f(placeUniform_, static_cast<GLfloat>(image.x), static_cast<GLfloat>(image.y - row),
-                      1.0f / static_cast<GLfloat>(color_.width), 1.0f / static_cast<GLfloat>(color_.height));
-      drawTriangle();
+  // All uploads of a textureful first: an upload in between would wait for the drawing before it.
+  for (size_t first = 0; first < sheets.size();) {
+    size_t end = first;
+    while (end < sheets.size() && sheets[end].sample / planes == sheets[first].sample / planes)
+      upload(image, sheets[end++]);
+    for (; first < end; ++first) {
+      if (image.samples > 1) guard.onlySample(sheets[first].sample);
+      draw(image, sheets[first]);
     }
   }
   return real_.GetError() == GL_NO_ERROR;

@@ -3,6 +3,7 @@
 // conditional rendering or transform feedback starts that the program's own draws were not part of.
 #pragma once
 #include "base/image.h"
+#include "intercept/present/hit_bands.h"
 #include "intercept/present/state_guard.h"
 
 #include <array>
@@ -43,14 +44,16 @@ class WriteBack {
   bool makePlane(StateGuard& guard, int unit, Plane& plane, GLenum internalFormat, GLenum format, GLenum type,
                  int width, int height);
   GLuint newTextureName() const;
-  void drawTriangle() const;
+  struct Sheet;
+  void upload(const Image& image, const Sheet& sheet) const;
+  void draw(const Image& image, const Sheet& sheet) const;
 
   const gl::RealGl& real_;
   Features features_;
   enum class State { unknown, ready, impossible } state_ = State::unknown;
   std::string why_;
   GLuint program_ = 0, vertexArray_ = 0;
-  GLint placeUniform_ = -1;
+  GLint placeUniform_ = -1, bandsUniform_ = -1;
   GLenum depthInternalFormat_ = 0, depthFormat_ = 0;
   Plane color_, depth_;
 };

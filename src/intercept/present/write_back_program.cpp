@@ -7,6 +7,7 @@ namespace {
 
 constexpr const char* kOldVertex = "#version 110\nvoid main() { gl_Position = gl_Vertex; }\n";
 
+// Nearest-filtered texture2D is a third cheaper than texelFetch on llvmpipe (Mesa 22.3).
 constexpr const char* kOldFragment = R"(#version 110
 uniform sampler2D colorPlane, depthPlane;
 uniform vec4 place;
@@ -19,21 +20,15 @@ void main() {
 }
 )";
 
-// Sampler precision and pixel centres do not matter to texelFetch.
-constexpr const char* kFragment = R"(#version 130
-uniform sampler2D colorPlane, depthPlane;
-uniform vec4 place;
-void main() {
-  ivec2 at = ivec2(gl_FragCoord.xy - place.xy);
-  float depth = texelFetch(depthPlane, at, 0).r;
-  if (depth > 1.0) discard;
-  gl_FragDepth = depth;
-  gl_FragColor = texelFetch(colorPlane, at, 0);
-}
-)";
-
+// Two triangles a band: x, y of its lower left corner and of its upper right one, in clip space.
 constexpr const char* kCoreVertex = R"(
-void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }
+uniform vec4 bands[32];
+void main() {
+  vec4 band = bands[gl_VertexID / 6];
+  int corner = gl_VertexID % 6;
+  bool right = corner == 1 || corner == 2 || corner == 4, upper = corner == 2 || corner == 4 || corner == 5;
+  gl_Position = vec4(right ? band.z : band.x, upper ? band.w : band.y, 0.0, 1.0);
+}
 )";
 
 // Without gl_FragColor, every draw buffer is named: 8 is the least that GL 3.0 promises.
@@ -42,11 +37,11 @@ uniform sampler2D colorPlane, depthPlane;
 uniform vec4 place;
 out vec4 color[8];
 void main() {
-  ivec2 at = ivec2(gl_FragCoord.xy - place.xy);
-  float depth = texelFetch(depthPlane, at, 0).r;
+  vec2 at = (gl_FragCoord.xy - place.xy) * place.zw;
+  float depth = texture(depthPlane, at).r;
   if (depth > 1.0) discard;
   gl_FragDepth = depth;
-  vec4 c = texelFetch(colorPlane, at, 0);
+  vec4 c = texture(colorPlane, at);
   color[0] = c; color[1] = c; color[2] = c; color[3] = c;
   color[4] = c; color[5] = c; color[6] = c; color[7] = c;
 }
@@ -76,7 +71,7 @@ GLuint compileShader(const gl::RealGl& real, GLenum kind, const std::string& sou
 }  // namespace
 
 GLuint buildWriteBackProgram(const gl::RealGl& real, const Features& features, std::string& why) {
-  std::string vertex = kOldVertex, fragment = features.glslVersion >= 130 ? kFragment : kOldFragment;
+  std::string vertex = kOldVertex, fragment = kOldFragment;
   if (!features.compatibility) {
     const std::string version = "#version " + std::to_string(std::min(features.glslVersion, 150)) + "\n";
     vertex = version + kCoreVertex;

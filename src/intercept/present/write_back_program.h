@@ -6,10 +6,11 @@
 
 namespace gluray::present {
 
-/// Compiles and links for the context's GLSL version: 1.10 with fixed-function vertices in compatibility
-/// contexts below GLSL 1.30, texel fetches above, generated vertices in core contexts. Returns the program's
-/// name, or 0 with the reason. Uniforms: colorPlane and depthPlane (samplers), place = (window x, y of texel
-/// (0,0); texture coordinates of one texel).
+/// Compiles and links: GLSL 1.10 with positions from glVertex in compatibility contexts, GLSL 1.30 to 1.50
+/// without any vertex attribute in core contexts. Returns the program's name, or 0 with the reason. Uniforms:
+/// colorPlane and depthPlane (samplers), place = (window x, y of texel (0,0); texture coordinates of one
+/// texel), and in core contexts bands[32] = corners (left, lower, right, upper) in clip space, six vertices
+/// each.
 GLuint buildWriteBackProgram(const gl::RealGl& real, const Features& features, std::string& why);
 
 }  // namespace gluray::present
