@@ -4,6 +4,33 @@
 #include <cstddef>
 
 namespace gluray::present {
+namespace {
+
+constexpr int kBlock = 16;  // pixels looked at together
+
+bool anyHit(const float* depth) {
+  int hits = 0;
+  for (int i = 0; i < kBlock; ++i) hits |= depth[i] <= 1.0f;
+  return hits != 0;
+}
+
+/// Column of the first hit left of `limit`, or `limit`.
+int firstHit(const float* row, int limit) {
+  int x = 0;
+  while (x + kBlock <= limit && !anyHit(row + x)) x += kBlock;
+  while (x < limit && !(row[x] <= 1.0f)) ++x;
+  return x;
+}
+
+/// One past the column of the last hit from `limit` on, or `limit`.
+int lastHit(const float* row, int limit, int width) {
+  int x = width;
+  while (x - kBlock >= limit && !anyHit(row + x - kBlock)) x -= kBlock;
+  while (x > limit && !(row[x - 1] <= 1.0f)) --x;
+  return x;
+}
+
+}  // namespace
 
 std::vector<Band> hitBands(const float* depth, int width, int height) {
   constexpr int kLeastRows = 16;
@@ -15,10 +42,9 @@ std::vector<Band> hitBands(const float* depth, int width, int height) {
     for (int r = y; r < y + count; ++r) {
       const float* row = depth + static_cast<size_t>(r) * static_cast<size_t>(width);
       // Only what lies outside the band so far is looked at.
-      for (int x = 0; x < left; ++x)
-        if (row[x] <= 1.0f) left = x;
-      for (int x = width; x > std::max(right, left); --x)
-        if (row[x - 1] <= 1.0f) right = x;
+      left = firstHit(row, left);
+      const int known = std::max(right, left), last = lastHit(row, known, width);
+      if (last > known) right = last;
     }
     if (left < right) bands.push_back({left, y, right - left, count});
   }

@@ -22,10 +22,10 @@ TEST(HitBands, SpansTheHitsOfItsRows) {
   std::vector<float> depth(100 * 48, kMiss);
   depth[18 * 100 + 30] = 1;  // the far plane is a hit
   depth[20 * 100 + 7] = 0;
-  depth[31 * 100 + 99] = 0.5f;
+  depth[31 * 100 + 91] = 0.5f;
   const auto bands = hitBands(depth.data(), 100, 48);
   ASSERT_EQ(bands.size(), 1u);
-  EXPECT_EQ(bands[0], (Band{7, 16, 93, 16}));
+  EXPECT_EQ(bands[0], (Band{7, 16, 85, 16}));
 }
 
 TEST(HitBands, ASingleHit) {
