@@ -21,7 +21,8 @@ void checkArrays(const scene::Mesh& mesh) {
   }
 }
 
-// Robust: rays through shared edges never slip between triangles, as no pixel of a closed surface is left out by OpenGL.
+// Robust: rays through shared edges never slip between triangles, as no pixel of a closed surface is left out
+// by OpenGL.
 RTCSceneFlags sceneFlags(BvhQuality quality) {
   const RTCSceneFlags flags = RTC_SCENE_FLAG_ROBUST | kFilterInQuery;
   return quality == BvhQuality::compact ? flags | RTC_SCENE_FLAG_COMPACT : flags;
