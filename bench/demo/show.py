@@ -56,10 +56,10 @@ class Demo:
     def make_mesh(self):
         self.out.mkdir(parents=True, exist_ok=True)
         recipe = self.out / "head.recipe"  # what the kept mesh was made from
-        wanted = f"{self.volume} isovalue 60 smooth 1\n"
+        wanted = f"{self.volume} isovalue 60 smooth 2\n"
         if not self.mesh.exists() or not recipe.exists() or recipe.read_text() != wanted:
             say(f"making the mesh of {self.volume}")
-            say(self.tool("gluray-bench-mesh", "--volume", self.volume, "--isovalue", 60, "--smooth", 1, "--out",
+            say(self.tool("gluray-bench-mesh", "--volume", self.volume, "--isovalue", 60, "--smooth", 2, "--out",
                           self.mesh))
             recipe.write_text(wanted)
         self.path.write_text("\n".join(camera_path.orbit(*camera_path.ply_bounds(self.mesh), self.seconds)) + "\n")
