@@ -187,7 +187,13 @@ void ArrayReader::read(uint32_t i, float out[4]) const {
 std::vector<uint32_t> vertexNumbers(const RealGl& real, const ArrayState& arrays, const Elements& elements) {
   std::vector<uint32_t> numbers;
   if (!elements.type) {
-    numbers.resize(static_cast<size_t>(elements.count));
+    size_t count = static_cast<size_t>(elements.count);
+    if (arrays.vertex.buffer) {  // vertices beyond the buffer draw nothing
+      const uint32_t available = ArrayReader(real, arrays.vertex).available(),
+                     first = static_cast<uint32_t>(elements.first);
+      count = std::min<size_t>(count, available > first ? available - first : 0);
+    }
+    numbers.resize(count);
     for (size_t i = 0; i < numbers.size(); ++i)
       numbers[i] = static_cast<uint32_t>(elements.first) + static_cast<uint32_t>(i);
     return numbers;

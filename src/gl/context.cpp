@@ -150,6 +150,7 @@ void Context::makeCurrent() {
   t_thread.context = this;
   dirty = kAllGroups;  // another thread or another drawable may be behind it now
   cleared_.reset();
+  drawableSize_ = {0, 0};
   updateAttention();
 }
 

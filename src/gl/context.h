@@ -14,6 +14,7 @@
 #include "gl/vertex_stream.h"
 
 #include <exception>
+#include <functional>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -31,6 +32,9 @@ struct ContextInfo {
   bool doubleBuffered = true;  // otherwise glFlush and glFinish show the picture
   bool off = false;            // pass every call through
   Settings settings;
+  /// Width and height of the window or pixmap that the context draws into, in pixels; {0, 0} if that is
+  /// unknown. May be slow: asked only where a viewport is larger than what was known. Empty: never known.
+  std::function<glm::ivec2()> drawableSize;
 };
 
 /// What a generated stub must do when `attention` is set.
@@ -214,6 +218,8 @@ class Context {
   };
   std::vector<SavedAttrib> attribStack_;
 
+  void clampToTarget(scene::Region& region);
+  glm::ivec2 drawableSize_{0};  // largest size that the window is known to have had
   TextureCache textures_;
   Batch batch_;
   std::optional<glm::vec4> cleared_;

@@ -279,8 +279,31 @@ bool isByteColor(const RealGl& real, const TargetState& target) {
 
 }  // namespace
 
+namespace {
+
+/// Size of the image that is attached to the framebuffer object's draw buffer; {0, 0} where it is of a kind
+/// not asked about.
+glm::ivec2 attachmentSize(const RealGl& real, GLenum attachment) {
+  const auto ask = [&](GLenum name) {
+    GLint value = 0;
+    real.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, name, &value);
+    return value;
+  };
+  if (ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_RENDERBUFFER) return {0, 0};
+  glm::ivec2 size(0);
+  const GLint bound = integer(real, GL_RENDERBUFFER_BINDING);
+  real.BindRenderbuffer(GL_RENDERBUFFER, static_cast<GLuint>(ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME)));
+  real.GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_WIDTH, &size.x);
+  real.GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_HEIGHT, &size.y);
+  real.BindRenderbuffer(GL_RENDERBUFFER, static_cast<GLuint>(bound));
+  return size;
+}
+
+}  // namespace
+
 void readTarget(const RealGl& real, State& state, bool core) {
   TargetState& target = state.target;
+  target.size = {0, 0};
   target.reason = Reason::traced;
   const bool objects = isPresent(real.GenFramebuffers);
   target.framebuffer = objects ? static_cast<GLuint>(integer(real, GL_DRAW_FRAMEBUFFER_BINDING)) : 0;
@@ -296,6 +319,7 @@ void readTarget(const RealGl& real, State& state, bool core) {
     if (real.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
       target.reason = Reason::framebuffer;
     if (integer(real, GL_DRAW_BUFFER0 + 1) != GL_NONE) target.reason = Reason::drawBuffer;
+    target.size = attachmentSize(real, target.drawBuffer);
   }
   const GLint depthBits = integer(real, GL_DEPTH_BITS);
   target.depthResolution = std::ldexp(1.0f, -std::min(std::max(depthBits, 1), 24));

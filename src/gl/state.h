@@ -55,6 +55,7 @@ struct TargetState {
   GLuint framebuffer = 0;
   GLenum drawBuffer = GL_BACK;
   int samples = 1;
+  glm::ivec2 size{0};  // pixels, of a framebuffer object; {0, 0}: unknown
   std::vector<glm::vec2> samplePositions;
   float depthResolution = 1.0f / 16777216.0f;
 };

@@ -76,9 +76,25 @@ Reason Context::triage(const KnownMesh& known, const std::vector<MaterialChange>
   return vertices && material && texture ? Reason::traced : Reason::blend;
 }
 
+void Context::clampToTarget(scene::Region& region) {
+  const auto exceeds = [&](glm::ivec2 size) {
+    return region.x + region.width > size.x || region.y + region.height > size.y;
+  };
+  glm::ivec2 size = state.target.size;
+  if (state.target.framebuffer == 0) {
+    if (exceeds(drawableSize_) && info_.drawableSize)
+      drawableSize_ = glm::max(drawableSize_, info_.drawableSize());
+    size = drawableSize_;
+  }
+  if (size.x <= 0 || size.y <= 0 || !exceeds(size)) return;
+  region.width = std::max(0, std::min(region.x + region.width, size.x) - region.x);
+  region.height = std::max(0, std::min(region.y + region.height, size.y) - region.y);
+}
+
 void Context::addInstance(const scene::MeshPtr& mesh, SlotMask slots,
                           const std::vector<MaterialChange>& materials) {
-  const BatchKey key = Batch::keyOf(state);
+  BatchKey key = Batch::keyOf(state);
+  clampToTarget(key.region);
   if (key.region.width <= 0 || key.region.height <= 0 || mesh->triangleCount == 0) return;
   if (!batch_.empty() && !(batch_.key() == key)) flush();
   if (batch_.empty()) batch_.start(key, state, info_.settings, frame);

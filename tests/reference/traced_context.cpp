@@ -18,6 +18,7 @@ TracedContext::TracedContext(const ContextWish& wish, Settings settings,
   info.core = wish.core;
   info.doubleBuffered = false;
   info.settings = settings;
+  info.drawableSize = [wish] { return glm::ivec2(wish.width, wish.height); };
   if (!presenter_) presenter_ = intercept::makePresenter(settings);
   context_ = gl::Context::create(below_->real(), std::make_shared<gl::ShareGroup>(), info, *presenter_);
   context_->makeCurrent();
