@@ -3,6 +3,7 @@
 #pragma once
 #include "gl/real.h"
 
+#include <ostream>
 #include <span>
 #include <string_view>
 
@@ -26,6 +27,9 @@ struct Scene {
   bool traced = true;  // at least one draw must be traced; otherwise the scene is for the real OpenGL alone
   Tolerance tolerance = {};
 };
+
+/// How test frameworks print one.
+inline void PrintTo(const Scene* scene, std::ostream* out) { *out << scene->name; }
 
 /// All scenes, in a fixed order.
 std::span<const Scene> scenes();

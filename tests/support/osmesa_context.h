@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <ostream>
 #include <vector>
 
 namespace gluray::test {
@@ -13,6 +14,11 @@ struct ContextWish {
   bool core = false;            // core profile; otherwise compatibility
   int major = 0, minor = 0;     // 0: the highest there is
 };
+
+/// How test frameworks print one.
+inline void PrintTo(const ContextWish& wish, std::ostream* out) {
+  *out << (wish.core ? "core " : "compatibility ") << wish.major << '.' << wish.minor;
+}
 
 /// An OSMesa context: RGBA8 colour (single-buffered), 24 bit depth, 8 bit stencil. Current in the creating
 /// thread.
