@@ -72,8 +72,6 @@ Features readFeatures(const gl::RealGl& real) {
   f.sampleMask = has(32, "GL_ARB_texture_multisample");
   f.rasterizerDiscard = has(30, "GL_EXT_transform_feedback");
   f.transformFeedbackPause = has(40, "GL_ARB_transform_feedback2");
-  f.vertexArrayObjects = has(30, "GL_ARB_vertex_array_object");
-  f.framebufferObjects = has(30, "GL_ARB_framebuffer_object");
   f.debugOutput = has(43, "GL_KHR_debug");
   f.depthBounds = hasExtension(real, v, "GL_EXT_depth_bounds_test");
   f.floatTextures = has(30, "GL_ARB_texture_float");

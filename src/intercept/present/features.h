@@ -22,8 +22,6 @@ struct Features {
   bool sampleMask = false;   // glSampleMaski
   bool rasterizerDiscard = false;
   bool transformFeedbackPause = false;
-  bool vertexArrayObjects = false;
-  bool framebufferObjects = false;  // with glBlitFramebuffer
   bool debugOutput = false;
   bool depthBounds = false;
   bool redFloatTextures = false;  // R32F

@@ -329,18 +329,6 @@ void StateGuard::vertexArray(GLuint array) {
   real_.BindVertexArray(array);
 }
 
-void StateGuard::readFramebuffer(GLuint framebuffer) {
-  const GLint was = integer(GL_READ_FRAMEBUFFER_BINDING);
-  if (was == static_cast<GLint>(framebuffer)) return;
-  keep({[](const RealGl& r, const Undo& u) {
-          r.BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(u.i[0]));
-        },
-        0,
-        0,
-        {was}});
-  real_.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
-}
-
 void StateGuard::lastVertexProvokes() {
   if (features_.version < 32 || integer(GL_PROVOKING_VERTEX) == GL_LAST_VERTEX_CONVENTION) return;
   keep({[](const RealGl& r, const Undo&) { r.ProvokingVertex(GL_FIRST_VERTEX_CONVENTION); }});

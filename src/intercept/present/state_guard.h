@@ -45,7 +45,6 @@ class StateGuard {
   void texture2D(int unit, GLuint texture);  // also makes `unit` active and frees it of sampler objects
   void program(GLuint program);              // transform feedback is paused meanwhile
   void vertexArray(GLuint array);
-  void readFramebuffer(GLuint framebuffer);
   void lastVertexProvokes();
   /// Only sample `sample` is written; may be called again for the next sample.
   void onlySample(int sample);
