@@ -9,7 +9,7 @@ namespace gluray::intercept {
 /// silent in forked children.
 void writeReport() noexcept;
 
-/// The same, at most once a second: a program that is killed leaves a report all the same. Called after
+/// The same, at most ten times a second: a program that is killed leaves a report all the same. Called after
 /// buffer swaps.
 void writeReportIfDue() noexcept;
 
