@@ -1,0 +1,161 @@
+"""Runs one real program with GLuRay switched off and on, in the same way, and compares the pictures in its window.
+
+    run.py --gluray GLURAY --freeze FREEZE.SO --out FOLDER [--shading vertex|pixel] [--door DOOR] NAME
+
+Needs an X server of its own (tests/doors/with_display.py). Leaves NAME-off.png, NAME-on.png, NAME-difference.png (eight
+times as bright) and NAME.json in FOLDER. Exit code 77: the program is not installed.
+"""
+import argparse
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+try:
+    import numpy as np
+except ImportError:
+    print("skipped: numpy is not installed for", sys.executable)
+    sys.exit(77)
+
+import pictures
+import programs
+
+START_SECONDS = 100  # until the picture is there, on a machine that is busy with other things
+
+
+class Failed(RuntimeError):
+    pass
+
+
+class Run:
+    """A program under `gluray OPTIONS`, until its picture is taken."""
+
+    def __init__(self, program, command, options, folder, freeze):
+        self.program = program
+        self.report = folder / "report.json"
+        self.ready, self.go = folder / "ready", folder / "go"
+        environment = dict(os.environ, **program.environment, HOME=str(folder), QT_QPA_PLATFORM="xcb", LC_ALL="C")
+        if program.frame:
+            environment |= {"LD_PRELOAD": str(pathlib.Path(freeze).resolve()), "LIVE_FRAME": str(program.frame), "LIVE_READY": str(self.ready),
+                            "LIVE_GO": str(self.go)}
+        self.log = open(folder / "log", "w+")
+        self.process = subprocess.Popen([*options, "--report", str(self.report), "--", *command], env=environment,
+                                        cwd=folder, stdout=self.log, stderr=self.log, start_new_session=True)
+
+    def told(self):
+        self.log.seek(0)
+        return self.log.read()[-2000:]
+
+    def picture(self):
+        deadline = time.monotonic() + START_SECONDS
+        last, since = None, time.monotonic()
+        while time.monotonic() < deadline:
+            time.sleep(0.25)
+            if self.process.poll() is not None:
+                raise Failed(f"ended with {self.process.returncode} before its picture was there\n{self.told()}")
+            if self.program.frame:
+                if self.ready.exists():
+                    return pictures.grab()
+                continue
+            now = pictures.grab()
+            if last is None or not np.array_equal(now, last):
+                last, since = now, time.monotonic()
+            elif time.monotonic() - since > self.program.rest and pictures.color_count(now) >= self.program.colors:
+                return now
+        raise Failed(f"no picture within {START_SECONDS} s\n{self.told()}")
+
+    def end(self):
+        """Ends the program as its user would; its report, None where there is none."""
+        if self.program.frame:
+            self.go.touch()
+        else:
+            self.process.terminate()
+        try:
+            self.process.wait(10)
+        except subprocess.TimeoutExpired:
+            pass
+        finally:
+            try:
+                os.killpg(self.process.pid, signal.SIGKILL)  # the session that was started for it
+            except ProcessLookupError:
+                pass
+            self.process.wait()
+        return json.loads(self.report.read_text()) if self.report.exists() else None
+
+
+def run(program, options, freeze):
+    with tempfile.TemporaryDirectory(prefix="gluray-live-") as name:
+        folder = pathlib.Path(name)
+        command = program.command(folder)
+        started = Run(program, command, options, folder, freeze)
+        try:
+            picture = started.picture()
+        finally:
+            report = started.end()
+    return picture, report
+
+
+def rate(traced, rasterised):
+    return traced / (traced + rasterised) if traced + rasterised else 0.0
+
+
+def check(name, program, seen, report):
+    """The lines that say what is wrong."""
+    wrong = []
+    if report is None:
+        return [f"{name}: no report"]
+    if seen["largest_off_edges"] > program.largest and seen["beyond_off_edges"] > program.beyond:
+        wrong.append(f"{name}: {seen['largest_off_edges']}/255 off edges on {seen['beyond_off_edges']:.4%} of its pixels, "
+                     f"at most {program.largest}/255 or {program.beyond:.4%} are allowed ({program.reason})")
+    if seen["beyond"] > program.beyond_all:
+        wrong.append(f"{name}: {seen['beyond']:.4%} of its pixels differ, at most {program.beyond_all:.4%} may")
+    if seen["traced"] < program.traced:
+        wrong.append(f"{name}: {seen['traced']:.2%} of its triangles are traced, at least {program.traced:.2%} should be")
+    return wrong
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    for option in ("gluray", "freeze", "out"):
+        parser.add_argument(f"--{option}", required=True)
+    parser.add_argument("--shading", default="vertex")
+    parser.add_argument("--door", default="auto")
+    parser.add_argument("name", choices=list(programs.PROGRAMS))
+    given = parser.parse_args()
+    program = programs.PROGRAMS[given.name]
+    with tempfile.TemporaryDirectory() as folder:
+        why = programs.missing(program.command(pathlib.Path(folder)))
+    if why:
+        print(f"skipped: {why}")
+        return 77
+    out = pathlib.Path(given.out)
+    out.mkdir(parents=True, exist_ok=True)
+
+    launcher = [str(pathlib.Path(given.gluray).resolve()), "--door", given.door]
+    off, _ = run(program, [*launcher, "--off"], given.freeze)
+    on, report = run(program, [*launcher, "--shading", given.shading], given.freeze)
+    difference = pictures.difference_picture(off, on)
+    box = pictures.window_box(np.maximum(off, on))
+    for kind, picture in (("off", off), ("on", on), ("difference", difference)):
+        pictures.write_png(out / f"{given.name}-{kind}.png", picture[box])
+
+    seen = pictures.compare(off, on)
+    if report:
+        triangles, draws = report["triangles"], report["draws"]
+        seen |= {"traced": rate(triangles["traced"], triangles["rasterised"]), "triangles": triangles, "draws": draws,
+                 "frames": report["frames"]}
+    (out / f"{given.name}.json").write_text(json.dumps({"seen": seen, "report": report}, indent=2) + "\n")
+    print(json.dumps(seen))
+    wrong = check(given.name, program, seen, report)
+    if pictures.color_count(off[box]) < 16:
+        wrong.append(f"{given.name}: its picture is empty")
+    print("\n".join(wrong))
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
