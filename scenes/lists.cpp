@@ -167,8 +167,6 @@ void mixedList(Gl gl, int width, int height) {
   gl.CallList(list);
 }
 
-constexpr Tolerance kThinTolerance{2, 0.01, 1e-5f, "lines meet surfaces at single pixels"};
-
 constexpr Scene kScenes[] = {
     {"nested-lists", nestedLists},
     {"call-lists-base", callListsWithBase},
@@ -176,7 +174,7 @@ constexpr Scene kScenes[] = {
     {"many-instances", manyInstances},
     {"list-inside-push-attrib", listInsidePushAttrib},
     {"changed-lists", changedLists},
-    {"mixed-list", mixedList, true, kThinTolerance},
+    {"mixed-list", mixedList},
 };
 
 }  // namespace

@@ -152,9 +152,12 @@ void attributeForms(Gl gl, int width, int height) {
   gl.End();
 }
 
+constexpr Tolerance kEdgesOnCentres{2, 0.004, 1e-5f,
+                                    "edges run through the centres of whole rows and columns of pixels"};
+
 constexpr Scene kScenes[] = {
-    {"primitives", primitives},
-    {"primitives-flat", primitivesFlat},
+    {"primitives", primitives, true, kEdgesOnCentres},
+    {"primitives-flat", primitivesFlat, true, kEdgesOnCentres},
     {"lit-primitives", litPrimitives},
     {"lit-primitives-flat", litPrimitivesFlat},
     {"coarse-sphere-flat", coarseSphereFlat},

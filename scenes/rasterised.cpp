@@ -172,13 +172,11 @@ void depthOffInBetween(Gl gl, int width, int height) {
   sendAt(gl, ball, 0.8f, 0.3f, 0, 0.4f);
 }
 
-constexpr Tolerance kThinTolerance{2, 0.01, 1e-5f, "lines and points meet surfaces at single pixels"};
-
 constexpr Scene kScenes[] = {
     {"translucent-sheets", translucentSheets},
     {"blending-kinds", blendingKinds},
-    {"lines-and-points", linesAndPoints, true, kThinTolerance},
-    {"wireframe", wireframe, true, kThinTolerance},
+    {"lines-and-points", linesAndPoints},
+    {"wireframe", wireframe},
     {"alpha-test", alphaTest},
     {"stencil", stencil},
     {"fog", fog},

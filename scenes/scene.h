@@ -13,9 +13,9 @@ using Gl = const gl::RealGl&;
 
 /// How far the traced picture may be from the real OpenGL's, with the reason where it is not the rule.
 struct Tolerance {
-  int color = 2;             // of 255, each channel
-  double edgeShare = 0.005;  // of all pixels may differ more: edges fall on either side of a pixel's centre
-  float depth = 1e-5f;       // of the depth range, where both hit
+  int color = 2;              // of 255, each channel
+  double edgeShare = 0.0005;  // of all pixels may differ more: edges fall on either side of a pixel's centre
+  float depth = 1e-5f;        // of the depth range, where both hit
   const char* reason = "the rule";
 };
 

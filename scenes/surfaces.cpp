@@ -177,15 +177,12 @@ void redrawnSurface(Gl gl, int width, int height) {
   }
 }
 
-constexpr Tolerance kLineTolerance{2, 0.01, 1e-5f,
-                                   "lines over a surface win or lose by the last bit of depth at their ends"};
-
 constexpr Scene kScenes[] = {
     {"culling", culling},
     {"mirrored", mirrored},
     {"clip-planes", clipPlanes},
     {"clip-planes-per-object", clipPlanesPerObject},
-    {"offset-and-lines", offsetAndLines, true, kLineTolerance},
+    {"offset-and-lines", offsetAndLines},
     {"offset-decides", offsetDecides},
     {"depth-range-bands", depthRangeBands},
     {"depth-functions", depthFunctions, false},
