@@ -49,10 +49,12 @@ void readThreads(int& threads, Complain complain) {
 Session sessionFromEnvironment(Complain complain) {
   Session session;
   readThreads(session.settings.threads, complain);
-  choose<BvhQuality>(
-      "GLURAY_BVH",
-      {{"fast", BvhQuality::fast}, {"full", BvhQuality::full}, {"compact", BvhQuality::compact}},
-      session.settings.bvh, complain);
+  choose<BvhQuality>("GLURAY_BVH",
+                     {{"auto", BvhQuality::automatic},
+                      {"fast", BvhQuality::fast},
+                      {"full", BvhQuality::full},
+                      {"compact", BvhQuality::compact}},
+                     session.settings.bvh, complain);
   choose<ShadingRate>("GLURAY_SHADING", {{"pixel", ShadingRate::pixel}, {"vertex", ShadingRate::vertex}},
                       session.settings.shading, complain);
   choose<Renderer>("GLURAY_RENDERER", {{"embree", Renderer::embree}, {"null", Renderer::null}},

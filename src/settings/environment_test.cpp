@@ -56,7 +56,7 @@ TEST(Environment, UnreadableValuesAreToldAndLeftAtTheirDefaults) {
   EXPECT_EQ(session.logLevel, "warning");
   ASSERT_EQ(g_complaints.size(), 3u);
   EXPECT_EQ(g_complaints[0], "GLURAY_THREADS=many: use a number from 0 (all cores) to 1024");
-  EXPECT_EQ(g_complaints[1], "GLURAY_BVH=quick: use fast, full or compact");
+  EXPECT_EQ(g_complaints[1], "GLURAY_BVH=quick: use auto, fast, full or compact");
   EXPECT_EQ(g_complaints[2], "GLURAY_LOG_LEVEL=loud: use trace, debug, info, warning, error or off");
 }
 

@@ -1,20 +1,23 @@
-// What the user chose. A plain value: the control thread or the launcher makes one, each snapshot carries one.
+// What the user chose. A plain value: the control thread or the launcher makes one, each snapshot carries
+// one.
 #pragma once
 #include <cstdint>
 #include <string>
 
 namespace gluray {
 
-/// How acceleration structures are built: `fast` first picture, `full` fastest rays, `compact` least memory.
-enum class BvhQuality : uint8_t { fast, full, compact };
-/// Where the lighting equation is evaluated: at each pixel, or at the vertices as OpenGL does (for exact comparison).
+/// How acceleration structures are built: `fast` first picture, `full` fastest rays, `compact` least memory;
+/// `automatic`: large geometry fast, then full while frames go on, or as little as memory allows.
+enum class BvhQuality : uint8_t { automatic, fast, full, compact };
+/// Where the lighting equation is evaluated: at each pixel, or at the vertices as OpenGL does (for exact
+/// comparison).
 enum class ShadingRate : uint8_t { pixel, vertex };
 /// Who makes the picture: Embree, or nobody (prices interception alone: every pixel is a miss).
 enum class Renderer : uint8_t { embree, null };
 
 struct Settings {
   int threads = 0;  // worker threads; 0 = all cores the process may use
-  BvhQuality bvh = BvhQuality::full;
+  BvhQuality bvh = BvhQuality::automatic;
   ShadingRate shading = ShadingRate::pixel;
   Renderer renderer = Renderer::embree;
   bool operator==(const Settings&) const = default;
@@ -29,8 +32,9 @@ struct Session {
   std::string logLevel = "warning";
 };
 
-/// Reads GLURAY_THREADS, GLURAY_BVH, GLURAY_SHADING, GLURAY_RENDERER, GLURAY_OFF, GLURAY_REPORT, GLURAY_LOG, GLURAY_LOG_LEVEL.
-/// An unreadable value is reported once through `complain` ("GLURAY_BVH=x: use fast, full or compact") and the default kept.
+/// Reads GLURAY_THREADS, GLURAY_BVH, GLURAY_SHADING, GLURAY_RENDERER, GLURAY_OFF, GLURAY_REPORT, GLURAY_LOG,
+/// GLURAY_LOG_LEVEL. An unreadable value is reported once through `complain` ("GLURAY_BVH=x: use auto,
+/// fast, full or compact") and the default kept.
 Session sessionFromEnvironment(void (*complain)(const std::string& line));
 
 }  // namespace gluray

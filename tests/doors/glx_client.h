@@ -6,12 +6,22 @@
 #include <GL/glx.h>
 #include <GL/glxext.h>
 
-#define GLX_FUNCTIONS(X)                                                                                     \
-  X(ChooseVisual)                                                                                            \
-  X(ChooseFBConfig)                                                                                          \
-  X(GetVisualFromFBConfig)                                                                                   \
-  X(CreateContext) X(CreateNewContext) X(DestroyContext) X(MakeCurrent) X(MakeContextCurrent) X(SwapBuffers) \
-      X(CreatePbuffer) X(DestroyPbuffer) X(CreateWindow) X(DestroyWindow)
+// clang-format off: its layout of such lists never settles
+#define GLX_FUNCTIONS(X)   \
+  X(ChooseVisual)          \
+  X(ChooseFBConfig)        \
+  X(GetVisualFromFBConfig) \
+  X(CreateContext)         \
+  X(CreateNewContext)      \
+  X(DestroyContext)        \
+  X(MakeCurrent)           \
+  X(MakeContextCurrent)    \
+  X(SwapBuffers)           \
+  X(CreatePbuffer)         \
+  X(DestroyPbuffer)        \
+  X(CreateWindow)          \
+  X(DestroyWindow)
+// clang-format on
 
 /* &* : names may be functions or, with some loaders, pointers to functions. */
 typedef struct Glx {

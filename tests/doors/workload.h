@@ -6,15 +6,20 @@
 
 enum { kFrames = 10, kTrianglesPerFrame = 50, kQueriesPerFrame = 20, kWindowSize = 64 };
 
-#define GL_FUNCTIONS(X)                                                                        \
-  X(void, Clear, (GLbitfield))                                                                 \
-  X(void, ClearColor, (GLclampf, GLclampf, GLclampf, GLclampf))                                \
-  X(void, Enable, (GLenum))                                                                    \
-  X(void, Begin, (GLenum)) X(void, End, (void)) X(void, Vertex3f, (GLfloat, GLfloat, GLfloat)) \
-      X(void, Color3f, (GLfloat, GLfloat, GLfloat)) X(GLboolean, IsTexture, (GLuint))          \
-          X(void, Finish, (void))                                                              \
-              X(void, ReadPixels, (GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void*))     \
-                  X(const GLubyte*, GetString, (GLenum))
+// clang-format off: its layout of such lists never settles
+#define GL_FUNCTIONS(X)                                                        \
+  X(void, Clear, (GLbitfield))                                                 \
+  X(void, ClearColor, (GLclampf, GLclampf, GLclampf, GLclampf))                \
+  X(void, Enable, (GLenum))                                                    \
+  X(void, Begin, (GLenum))                                                     \
+  X(void, End, (void))                                                         \
+  X(void, Vertex3f, (GLfloat, GLfloat, GLfloat))                               \
+  X(void, Color3f, (GLfloat, GLfloat, GLfloat))                                \
+  X(GLboolean, IsTexture, (GLuint))                                            \
+  X(void, Finish, (void))                                                      \
+  X(void, ReadPixels, (GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void*)) \
+  X(const GLubyte*, GetString, (GLenum))
+// clang-format on
 
 /* The functions as the program got them: linked, by dlsym, by GetProcAddress. */
 typedef struct Gl {
