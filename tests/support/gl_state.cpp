@@ -171,6 +171,11 @@ std::vector<std::string> differences(const GlState& before, const GlState& after
     for (size_t i = 0; values && i < values->size() && i < 16; ++i) out << (i ? " " : "") << (*values)[i];
     return out.str();
   };
+  const auto same = [](const std::vector<double>& a,
+                       const std::vector<double>& b) {  // to the bit: NaN equals itself
+    return a.size() == b.size() &&
+           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
+  };
   const auto find = [](const GlState& s, const std::string& name) {
     const auto found = s.find(name);
     return found == s.end() ? nullptr : &found->second;
@@ -179,9 +184,7 @@ std::vector<std::string> differences(const GlState& before, const GlState& after
   all.insert(after.begin(), after.end());
   for (const auto& [name, unused] : all) {
     const auto *a = find(before, name), *b = find(after, name);
-    if (a && b && a->size() == b->size() &&
-        std::memcmp(a->data(), b->data(), a->size() * sizeof(double)) == 0)
-      continue;
+    if (a && b && same(*a, *b)) continue;
     lines.push_back(name + ": " + text(a) + " -> " + text(b));
   }
   return lines;
