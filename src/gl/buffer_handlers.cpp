@@ -208,10 +208,12 @@ void copyBufferSubData(Context& c, GLenum readTarget, GLenum writeTarget, GLintp
 }
 
 uint32_t buffersChangedBelow(Context& c) {
-  for (const auto& buffer : c.group().buffers.all()) {
-    buffer->sendTo(c.real);
-    buffer->changedBelow();
-  }
+  c.protect([&] {
+    for (const auto& buffer : c.group().buffers.all()) {
+      buffer->sendTo(c.real);
+      buffer->changedBelow();
+    }
+  });
   return kArrays;
 }
 

@@ -24,7 +24,8 @@ Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const 
       group_(std::move(group)),
       info_(info),
       presenter_(presenter),
-      passthrough_(info.off || info.core) {
+      passthrough_(info.off || info.core),
+      unknownCalls_(kCommandCount) {
   updateAttention();
 }
 
@@ -38,7 +39,7 @@ void Context::updateAttention() {
   t_thread.stream = !passthrough_ && (runOpen_ || compiling()) ? &stream_ : nullptr;
 }
 
-Gate Context::gate(bool anywhere) {
+Gate Context::gate(bool anywhere) noexcept {
   if (passthrough_) return Gate::forward;
   if (anywhere) return Gate::run;
   if (insideBegin()) {
@@ -47,32 +48,33 @@ Gate Context::gate(bool anywhere) {
   }
   // A command that is not compiled leaves the run of a list open only if it cannot look at what the run has
   // set.
-  if (runOpen_ || (compiling() && executing())) closeRun();
+  if (runOpen_ || (compiling() && executing())) protect([&] { closeRun(); });
   return compiling() ? Gate::compile : Gate::run;
 }
 
-void Context::beforeForward(bool flushFirst) {
+void Context::beforeForward(bool flushFirst) noexcept {
   syncCurrent();
-  if (flushFirst) {
+  if (!flushFirst) return;
+  protect([&] {
     flush();
     sendBuffers();
-    setCleared({});
-  }
+  });
+  setCleared({});
 }
 
-void Context::count(int command) {
-  if (unknownCalls_.empty()) unknownCalls_.resize(kCommandCount);
-  ++unknownCalls_[static_cast<size_t>(command)];
-}
+void Context::count(int command) noexcept { ++unknownCalls_[static_cast<size_t>(command)]; }
 
 GLenum Context::takeError() {
   const GLenum below = real.GetError();
   return error_ != GL_NO_ERROR ? std::exchange(error_, GL_NO_ERROR) : below;
 }
 
-void Context::refresh(uint32_t groups) {
+void Context::refresh(uint32_t groups) noexcept {
   const uint32_t stale = dirty & groups;
-  if (!stale) return;
+  if (stale) protect([&] { readGroups(stale); });
+}
+
+void Context::readGroups(uint32_t stale) {
   // Questions that an old OpenGL does not know set errors; the program must see its own errors only.
   if (const GLenum pending = real.GetError()) setError(pending);
   if (stale & kCurrent) readCurrent();
@@ -82,7 +84,12 @@ void Context::refresh(uint32_t groups) {
   if (stale & kViewport) readViewport(real, state);
   if (stale & kRaster) readRaster(real, state);
   if (stale & kLighting) readLighting(real, state);
-  if (stale & kMaterial) readMaterial(real, state);
+  if (stale & kMaterial) {
+    readMaterial(real, state);
+    latch_.drawn();
+  } else if (stale & kCurrent) {
+    latch_.restore(real);
+  }
   if (stale & kTexture) textures_.read(real, state);
   if (stale & kClip) readClipPlanes(real, state);
   if (stale & kTarget) readTarget(real, state, info_.core);
@@ -201,6 +208,7 @@ void Context::flush() {
   syncCurrent();
   const PresentTarget target{key.depthFunc, info_.core, cleared_};
   const PresentResult result = presenter_.present(real, snapshot, target);
+  latch_.restore(real);
   cleared_.reset();
   if (result.pendingError != GL_NO_ERROR) setError(result.pendingError);
   ++statistics.flushes;

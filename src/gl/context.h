@@ -4,6 +4,7 @@
 #pragma once
 #include "gl/arrays.h"
 #include "gl/batch.h"
+#include "gl/material_latch.h"
 #include "gl/presenter.h"
 #include "gl/real.h"
 #include "gl/share_group.h"
@@ -66,7 +67,7 @@ class Context {
   // --- for generated stubs
   // -------------------------------------------------------------------------------------------
   /// `anywhere`: the command is legal between glBegin and glEnd and deals with runs and lists itself.
-  Gate gate(bool anywhere = false);
+  Gate gate(bool anywhere = false) noexcept;
   bool passthrough() const { return passthrough_; }
   template <class F>
   void record(F&& call);
@@ -74,14 +75,18 @@ class Context {
   void recordFragment(F&& call);
   template <class F>
   auto protect(F&& body) noexcept -> decltype(body());
+  /// protect(), and once more where a failure came before `body` was done: a capture that failed has become a
+  /// draw of the real OpenGL by then, and memory may be there again.
+  template <class F>
+  void insist(F&& body) noexcept;
   void syncCurrent() {
     if (currentDirty_) [[unlikely]]
       sendCurrent();
   }
   /// Before a command that we do not model is forwarded: attributes are sent, and the batch too if it may
   /// matter.
-  void beforeForward(bool flushFirst);
-  void count(int command);
+  void beforeForward(bool flushFirst) noexcept;
+  void count(int command) noexcept;
   void touch(uint32_t groups) { dirty |= groups; }
 
   // --- for intercept/
@@ -114,7 +119,8 @@ class Context {
   Batch& batch() { return batch_; }
 
   /// Reads `groups` back where they changed.
-  void refresh(uint32_t groups);
+  void refresh(uint32_t groups) noexcept;
+  void readGroups(uint32_t groups);
 
   enum class Inside { nothing, captured, rasterised };
   Inside inside() const { return inside_; }
@@ -148,13 +154,20 @@ class Context {
   GLenum listMode() const { return listMode_; }
   GLuint listBase = 0;
   GLenum matrixMode = 0;  // 0: ask the real OpenGL
-  void append(std::unique_ptr<ListOp> op);
+  /// Takes `op` into the list under construction, and executes it where the mode says so. Null is ignored.
+  void append(std::unique_ptr<ListOp>& op);
+  /// The same for a list of the real OpenGL.
+  void appendFragment(GLuint realList);
   /// Draws a captured run, traced or by the real OpenGL, and leaves its last attributes current.
   void execute(GeometryRun& run);
 
   /// Why a surface with this mesh cannot be traced now, or Reason::traced. Call refresh(kDrawGroups) before.
   Reason triage(PrimitiveClass kind);
   Reason triage(const KnownMesh& mesh, const std::vector<MaterialChange>& materials) const;
+  /// Runs `trace`, which says whether it added a draw to the batch. A failure of ours makes the draw
+  /// rasterised, not lost.
+  template <class F>
+  Reason attempt(F&& trace);
   /// Adds a mesh to the batch with the state of now. `materials` beside the current one.
   void addInstance(const scene::MeshPtr& mesh, SlotMask slots, const std::vector<MaterialChange>& materials);
   /// Makes the real OpenGL ready for a draw of its own: order, attributes.
@@ -177,6 +190,7 @@ class Context {
   void sendCurrent();
   void startRun();
   void drawRun();
+  KnownMesh meshOfRun();
   void recordRun();
   void keepRunValues();
   void addSlotToRun(Slot slot);
@@ -202,8 +216,8 @@ class Context {
   bool runOpen_ = false;  // stream_ holds an immediate-mode run
   PrimitiveClass runClass_ = PrimitiveClass::surfaces;
   SlotValues current_ = initialSlotValues();
-  SlotMask currentDirty_ = 0;     // slots that are newer here than in the real OpenGL
-  MaterialChange materialDirty_;  // material parameters that are newer here
+  SlotMask currentDirty_ = 0;  // slots that are newer here than in the real OpenGL
+  MaterialLatch latch_;
 
   std::shared_ptr<DisplayList> list_;
   GLuint openFragment_ = 0;  // real list that takes the rest of a primitive that was given up
@@ -234,6 +248,22 @@ auto Context::protect(F&& body) noexcept -> decltype(body()) {
     stepAside("unknown error");
   }
   if constexpr (!std::is_void_v<decltype(body())>) return {};
+}
+
+template <class F>
+void Context::insist(F&& body) noexcept {
+  bool done = false;
+  const auto once = [&] { body(), done = true; };
+  protect(once);
+  if (!done) protect(once);
+}
+
+template <class F>
+Reason Context::attempt(F&& trace) {
+  try {
+    return trace();
+  } catch (const std::exception& e) { stepAside(e.what()); }
+  return Reason::failure;
 }
 
 /// Groups that decide whether and how a surface is traced.

@@ -10,7 +10,9 @@
 
 namespace gluray::gl {
 
-void begin(Context& c, GLenum mode) { c.begin(mode); }
+void begin(Context& c, GLenum mode) {
+  c.insist([&] { c.begin(mode); });
+}
 void end(Context& c) { c.end(); }
 
 void materialfv(Context& c, GLenum face, GLenum pname, const GLfloat* params) {
@@ -127,9 +129,15 @@ void recordDraw(Context& c, GLenum mode, const Elements& e) {
   }
   if (!c.arrays.vertex.enabled) return;
   if (e.count <= kSmall) return c.drawSmall(mode, vertexNumbers(c.real, c.arrays, e));
-  Captured run = capture(c.real, c.arrays, mode, e);
-  if (run.empty()) return;
-  c.append(std::make_unique<GeometryRun>(std::move(run), classOf(mode), c.sharedGroup()));
+  std::unique_ptr<ListOp> op;
+  const Reason captured = c.attempt([&] {
+    Captured run = capture(c.real, c.arrays, mode, e);
+    if (!run.empty()) op = std::make_unique<GeometryRun>(std::move(run), classOf(mode), c.sharedGroup());
+    return Reason::traced;
+  });
+  if (captured == Reason::traced) return c.insist([&] { c.append(op); });
+  c.sendBuffers();
+  c.recordFragment([&] { rasterise(c, mode, e); });
 }
 
 /// The mesh of the draw, known or new.
@@ -153,12 +161,14 @@ Reason traceDraw(Context& c, GLenum mode, const Elements& e) {
   Reason reason = c.triage(classOf(mode));
   if (reason == Reason::traced) reason = c.arrays.reason;
   if (reason != Reason::traced) return reason;
-  const KnownMesh known = meshOf(c, mode, e);
-  reason = c.triage(known, {});
-  if (reason != Reason::traced) return reason;
-  c.countTraced(known.mesh->triangleCount);
-  c.addInstance(known.mesh, slotsOf(c.arrays), {});
-  return reason;
+  return c.attempt([&] {
+    const KnownMesh known = meshOf(c, mode, e);
+    const Reason fine = c.triage(known, {});
+    if (fine != Reason::traced) return fine;
+    c.addInstance(known.mesh, slotsOf(c.arrays), {});
+    c.countTraced(known.mesh->triangleCount);
+    return fine;
+  });
 }
 
 void draw(Context& c, GLenum mode, const Elements& e) {
@@ -166,8 +176,13 @@ void draw(Context& c, GLenum mode, const Elements& e) {
   if (c.compiling()) return recordDraw(c, mode, e);
   c.refresh(kDrawGroups | kArrays);
   const bool plain = mode <= GL_POLYGON && c.arrays.reason == Reason::traced && c.arrays.vertex.enabled;
-  if (plain && e.count <= kSmall && c.triage(classOf(mode)) == Reason::traced)
-    return c.drawSmall(mode, vertexNumbers(c.real, c.arrays, e));
+  if (plain && e.count <= kSmall && c.triage(classOf(mode)) == Reason::traced) {
+    const Reason joined = c.attempt([&] {
+      c.drawSmall(mode, vertexNumbers(c.real, c.arrays, e));
+      return Reason::traced;
+    });
+    if (joined == Reason::traced) return;
+  }
   c.closeRunIfOpen();
   if (mode <= GL_POLYGON && !c.arrays.vertex.enabled && c.arrays.reason == Reason::traced && !c.arrays.others)
     return;  // draws nothing

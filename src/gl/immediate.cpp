@@ -17,28 +17,14 @@ namespace gluray::gl {
 
 namespace leaf {
 
-namespace {
-
-/// Runs `call` and, where a failure of ours ended the capture it was meant for, once more: it then reaches
-/// the real OpenGL.
-template <class F>
-void insist(Context& c, F&& call) noexcept {
-  bool done = false;
-  const auto attempt = [&] { call(), done = true; };
-  c.protect(attempt);
-  if (!done) c.protect(attempt);
-}
-
-}  // namespace
-
 void slowAttribute(Slot slot, const float* values) noexcept {
-  if (Context* c = t_thread.context) insist(*c, [&] { c->attribute(slot, values); });
+  if (Context* c = t_thread.context) c->insist([&] { c->attribute(slot, values); });
 }
 
 void slowVertex(float x, float y, float z, float w) noexcept {
   Context* c = t_thread.context;
   if (!c) return;
-  insist(*c, [&] { c->vertex(x, y, z, w); });
+  c->insist([&] { c->vertex(x, y, z, w); });
 }
 
 void invalidUnit() noexcept {
@@ -128,8 +114,8 @@ void Context::begin(GLenum mode) {
     }
     startRun();
   }
-  inside_ = Inside::captured;
   stream_.begin(mode);
+  inside_ = Inside::captured;
   updateAttention();
 }
 
@@ -139,7 +125,7 @@ void Context::end() {
     real.End();
     if (const GLuint id = std::exchange(openFragment_, 0)) {
       real.EndList();
-      append(std::make_unique<FragmentOp>(id, group_));
+      appendFragment(id);
     }
   } else {
     stream_.end();
@@ -181,10 +167,9 @@ void Context::keepRunValues() {
   }
 }
 
-void Context::drawRun() {
-  Captured& run = stream_.captured();
-  if (run.empty()) return;
+KnownMesh Context::meshOfRun() {
   const double start = nowSeconds();
+  const Captured& run = stream_.captured();
   KnownMesh known;
   const Hash128 content = run.hash();
   if (!group_->meshes.find(content, known)) {
@@ -194,12 +179,21 @@ void Context::drawRun() {
     if (known.mesh) statistics.meshBytes += known.mesh->sizeBytes;
   }
   statistics.captureSeconds += nowSeconds() - start;
+  return known;
+}
+
+void Context::drawRun() {
+  const Captured& run = stream_.captured();
+  if (run.empty()) return;
+  const Reason reason = attempt([&] {
+    if (aside_) return Reason::failure;
+    const KnownMesh known = meshOfRun();
+    const Reason fine = triage(known, run.materials);
+    if (fine == Reason::traced) addInstance(known.mesh, run.layout.mask, run.materials);
+    return fine;
+  });
   const uint64_t triangles = countTriangles(run);
-  const Reason reason = aside_ ? Reason::failure : triage(known, run.materials);
-  if (reason == Reason::traced) {
-    countTraced(triangles);
-    return addInstance(known.mesh, run.layout.mask, run.materials);
-  }
+  if (reason == Reason::traced) return countTraced(triangles);
   countRaster(reason, triangles);
   beforeRasterDraw(runClass_);
   replay(real, run);
@@ -220,15 +214,22 @@ void Context::surrenderRun() {
   if (!compiling()) {
     keepRunValues();
     sendCurrent();  // legal inside glBegin too: what was set since the last vertex
-  } else if (open) {
-    openFragment_ = fragment;
   } else {
-    real.EndList();
-    append(std::make_unique<FragmentOp>(fragment, group_));
+    if (!open) real.EndList();
   }
   inside_ = open ? Inside::rasterised : Inside::nothing;
   startRun();
   runOpen_ = false;
+  if (fragment && open)
+    openFragment_ = fragment;
+  else if (fragment)
+    appendFragment(fragment);
+}
+
+void Context::appendFragment(GLuint realList) {
+  std::unique_ptr<ListOp> op;
+  insist([&] { op = std::make_unique<FragmentOp>(realList, group_); });
+  insist([&] { append(op); });
 }
 
 void Context::material(GLenum face, GLenum pname, const float* params) {
@@ -239,6 +240,7 @@ void Context::material(GLenum face, GLenum pname, const float* params) {
   if (!runOpen_ && !compiling()) {
     syncCurrent();
     dirty |= kMaterial;
+    if (listDepth_ == 0) latch_.sent(face, pname, params);
     return real.Materialfv(face, pname, params);
   }
   if (const MaterialChange* last = stream_.lastMaterial()) change = *last;

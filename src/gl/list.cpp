@@ -119,9 +119,11 @@ void Context::runDetached(F&& body) {
   restore();
 }
 
-void Context::append(std::unique_ptr<ListOp> op) {
-  if (!list_) return op->execute(*this);
+void Context::append(std::unique_ptr<ListOp>& op) {
+  if (!op) return;
+  if (!list_) return std::exchange(op, nullptr)->execute(*this);
   if (!stream_.empty() || stream_.layout().mask != bit(kPosition)) closeRun();
+  list_->makeRoom();
   ListOp& appended = *op;
   list_->append(std::move(op));
   if (executing()) runDetached([&] { appended.execute(*this); });
@@ -135,11 +137,18 @@ void Context::recordRun() {
     if (run.layout.has(static_cast<Slot>(s)))
       std::memcpy(finals[static_cast<size_t>(s)].data(), stream_.get(run.layout, static_cast<Slot>(s)),
                   sizeOf(static_cast<Slot>(s)) * 4);
-  auto op =
-      std::make_unique<GeometryRun>(std::move(run), finals, std::exchange(inherited_, {}), runClass_, group_);
-  ListOp& appended = *op;
-  list_->append(std::move(op));
-  if (executing()) runDetached([&] { appended.execute(*this); });
+  ListOp* recorded = nullptr;
+  try {
+    list_->makeRoom();
+    auto op = std::make_unique<GeometryRun>(std::move(run), finals, std::move(inherited_), runClass_, group_);
+    recorded = op.get();
+    list_->append(std::move(op));
+  } catch (...) {
+    stream_.captured() = std::move(run);  // not yet moved from: stepAside() gives it to the real OpenGL
+    throw;
+  }
+  inherited_.clear();
+  if (executing()) runDetached([&] { recorded->execute(*this); });
 }
 
 void Context::newList(GLuint name, GLenum mode) {
@@ -156,7 +165,8 @@ void Context::newList(GLuint name, GLenum mode) {
 void Context::endList() {
   if (!compiling() || insideBegin()) return setError(GL_INVALID_OPERATION);
   recordRun();
-  group_->lists.put(listName_, std::exchange(list_, nullptr));
+  group_->lists.put(listName_, list_);
+  list_.reset();
   listName_ = 0;
   listMode_ = 0;
   stream_.start(bit(kPosition), current_);
@@ -197,13 +207,14 @@ void Context::drawListRun(GeometryRun& run) {
   refresh(kDrawGroups);
   Reason reason = triage(run.kind());
   if (reason == Reason::traced) {
-    const KnownMesh& known = run.mesh(*this);
-    reason = triage(known, run.materials());
-    if (reason == Reason::traced) {
-      countTraced(run.triangles());
-      return addInstance(known.mesh, run.slots(), run.materials());
-    }
+    reason = attempt([&] {
+      const KnownMesh& known = run.mesh(*this);
+      const Reason fine = triage(known, run.materials());
+      if (fine == Reason::traced) addInstance(known.mesh, run.slots(), run.materials());
+      return fine;
+    });
   }
+  if (reason == Reason::traced) return countTraced(run.triangles());
   countRaster(reason, run.triangles());
   beforeRasterDraw(run.kind());
   run.rasterise(*this);

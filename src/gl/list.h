@@ -42,6 +42,10 @@ class FragmentOp final : public ListOp {
 
 class DisplayList {
  public:
+  /// After this, one append() does not allocate.
+  void makeRoom() {
+    if (ops_.size() == ops_.capacity()) ops_.reserve(ops_.size() * 2 + 4);
+  }
   void append(std::unique_ptr<ListOp> op) { ops_.push_back(std::move(op)); }
   void execute(Context& context) const {
     for (const auto& op : ops_) op->execute(context);

@@ -8,8 +8,12 @@
 
 namespace gluray::gl {
 
-void newList(Context& c, GLuint name, GLenum mode) { c.newList(name, mode); }
-void endList(Context& c) { c.endList(); }
+void newList(Context& c, GLuint name, GLenum mode) {
+  c.insist([&] { c.newList(name, mode); });
+}
+void endList(Context& c) {
+  c.insist([&] { c.endList(); });
+}
 
 void callList(Context& c, GLuint name) {
   // Inside glBegin of a list the called list's attributes and vertices become part of the primitive.
@@ -49,7 +53,8 @@ void callLists(Context& c, GLsizei n, GLenum type, const void* names) {
   if (n < 0) return c.setError(GL_INVALID_VALUE);
   if (!((type >= GL_BYTE && type <= GL_FLOAT) || (type >= GL_2_BYTES && type <= GL_4_BYTES)))
     return c.setError(GL_INVALID_ENUM);
-  std::vector<GLuint> offsets(static_cast<size_t>(n));
+  std::vector<GLuint> offsets;
+  c.insist([&] { offsets.resize(static_cast<size_t>(n)); });
   for (size_t i = 0; i < offsets.size(); ++i) offsets[i] = listOffset(type, names, i);
   const auto call = [offsets = std::move(offsets)](Context& x) {
     const GLuint base = x.listBase;  // of the moment of the call, whatever the lists do to it

@@ -13,22 +13,20 @@ namespace gluray::gl {
 
 template <class F>
 void Context::record(F&& call) {
-  protect([&] {
-    if (insideBegin()) return;  // the gate has refused everything that is illegal there
-    append(std::make_unique<CallOp<std::decay_t<F>>>(std::forward<F>(call)));
-  });
+  if (insideBegin()) return;  // the gate has refused everything that is illegal there
+  std::unique_ptr<ListOp> op;
+  insist([&] { op = std::make_unique<CallOp<std::decay_t<F>>>(call); });
+  insist([&] { append(op); });
 }
 
 template <class F>
 void Context::recordFragment(F&& call) {
-  protect([&] {
-    const GLuint id = real.GenLists(1);
-    if (!id) throw std::bad_alloc();
-    real.NewList(id, GL_COMPILE);
-    call();
-    real.EndList();
-    append(std::make_unique<FragmentOp>(id, group_));
-  });
+  const GLuint id = real.GenLists(1);
+  if (!id) return setError(GL_OUT_OF_MEMORY);
+  real.NewList(id, GL_COMPILE);
+  call();
+  real.EndList();
+  appendFragment(id);
 }
 
 }  // namespace gluray::gl

@@ -16,6 +16,9 @@ void VertexStream::start(SlotMask mask, const SlotValues& current) {
 }
 
 void VertexStream::begin(GLenum mode) {
+  std::vector<Primitive>& primitives = captured_.primitives;
+  if (primitives.size() == primitives.capacity())
+    primitives.reserve(primitives.size() * 2 + 4);  // end() must not fail
   insidePrimitive_ = true;
   mode_ = mode;
   first_ = captured_.vertexCount;

@@ -15,7 +15,7 @@ bool TracingPresenter::supports(const gl::RealGl& real, bool, std::string& why) 
     if (!writeBack_) writeBack_ = std::make_unique<WriteBack>(real);
     return writeBack_->ready(why);
   } catch (const std::exception& e) {
-    log::write(log::Level::warning, e.what());
+    why = e.what();
     return false;
   }
 }
@@ -35,15 +35,13 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
   PresentResult result;
   std::string why;
   PendingErrors pending;
-  if (!writeBack_) writeBack_ = std::make_unique<WriteBack>(real);
-  const bool ready = writeBack_->ready(why);
   TraceCost cost;
-  const bool traced = ready && trace_(snapshot, image_, cost, why);
+  const bool traced = supports(real, target.core, why) && trace_(snapshot, image_, cost, why);
   result.buildSeconds = cost.buildSeconds, result.traceSeconds = cost.traceSeconds;
   result.blasBuilds = cost.blasBuilds, result.bvhBytes = cost.bvhBytes;
 
   const double start = nowSeconds();
-  if (traced && writeBack_->write(image_, {target.depthFunc}, pending)) {
+  if (traced && written(target, pending, why)) {
     result.outcome = PresentResult::traced;
   } else {
     log::once(log::Level::warning, "raster fallback",
@@ -57,6 +55,16 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
   if (!pending.empty()) result.pendingError = pending.front();
   result.presentSeconds = nowSeconds() - start;
   return result;
+}
+
+bool TracingPresenter::written(const gl::PresentTarget& target, PendingErrors& pending,
+                               std::string& why) noexcept {
+  try {
+    return writeBack_->write(image_, {target.depthFunc}, pending);
+  } catch (const std::exception& e) {  // before anything is drawn: the guard puts the state back
+    why = e.what();
+    return false;
+  }
 }
 
 void TracingPresenter::forget(const gl::RealGl&) noexcept {

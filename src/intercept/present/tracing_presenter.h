@@ -30,6 +30,8 @@ class TracingPresenter final : public gl::Presenter {
  private:
   gl::PresentResult tracedOrRasterised(const gl::RealGl& real, const scene::Snapshot& snapshot,
                                        const gl::PresentTarget& target);
+  /// Writes image_ into the framebuffer. False, with the reason, where it could not be.
+  bool written(const gl::PresentTarget& target, PendingErrors& pending, std::string& why) noexcept;
 
   Trace trace_;
   std::unique_ptr<WriteBack> writeBack_;
