@@ -6,7 +6,8 @@
 
 namespace gluray {
 
-/// A 128-bit content hash (XXH3). Two different contents share one with probability 2^-128, so equal means equal.
+/// A 128-bit content hash (XXH3). Two different contents share one with probability 2^-128, so equal means
+/// equal.
 struct Hash128 {
   uint64_t low = 0, high = 0;
   bool operator==(const Hash128&) const = default;

@@ -1,13 +1,13 @@
 #include "base/log.h"
 
+#include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+
 #include <memory>
 #include <mutex>
 #include <set>
 #include <string>
-
-#include <spdlog/sinks/basic_file_sink.h>
-#include <spdlog/sinks/stdout_sinks.h>
-#include <spdlog/spdlog.h>
 
 namespace gluray::log {
 namespace {
@@ -28,8 +28,10 @@ spdlog::level::level_enum toSpdlog(Level level) { return static_cast<spdlog::lev
 
 std::shared_ptr<spdlog::logger> makeLogger(std::string_view file) {
   spdlog::sink_ptr sink;
-  if (file.empty()) sink = std::make_shared<spdlog::sinks::stderr_sink_mt>();
-  else sink = std::make_shared<spdlog::sinks::basic_file_sink_mt>(std::string(file));
+  if (file.empty())
+    sink = std::make_shared<spdlog::sinks::stderr_sink_mt>();
+  else
+    sink = std::make_shared<spdlog::sinks::basic_file_sink_mt>(std::string(file));
   auto logger = std::make_shared<spdlog::logger>("gluray", std::move(sink));
   logger->set_pattern("gluray: %v");
   logger->set_level(spdlog::level::trace);
@@ -70,8 +72,7 @@ void once(Level level, std::string_view key, std::string_view message) noexcept 
       if (!s.said.emplace(key).second) return;
     }
     write(level, message);
-  } catch (...) {
-  }
+  } catch (...) {}
 }
 
 }  // namespace gluray::log

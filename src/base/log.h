@@ -1,5 +1,5 @@
-// The one log. Silent unless asked: messages of level warning or worse go to stderr, one line each, only in the
-// process that the user launched (never in helpers that it starts). Any thread.
+// The one log. Silent unless asked: messages of level warning or worse go to stderr, one line each, only in
+// the process that the user launched (never in helpers that it starts). Any thread.
 #pragma once
 #include <string_view>
 

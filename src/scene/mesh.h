@@ -1,26 +1,30 @@
-// Triangle geometry and what is attached to its vertices, immutable once made. Built by gl/, read by accel/ and render/;
-// shared between frames and threads without locks because nobody can write to it.
+// Triangle geometry and what is attached to its vertices, immutable once made. Built by gl/, read by accel/
+// and render/; shared between frames and threads without locks because nobody can write to it.
 #pragma once
-#include <cstddef>
-#include <cstdint>
-#include <memory>
+#include "base/hash.h"
 
 #include <glm/glm.hpp>
 
-#include "base/hash.h"
+#include <cstddef>
+#include <cstdint>
+#include <memory>
 
 namespace gluray::scene {
 
 /// How one element of an attribute is stored.
 enum class Format : uint8_t {
-  none,      // attribute absent: the instance's constant value holds for every vertex
-  float1, float2, float3, float4,
+  none,  // attribute absent: the instance's constant value holds for every vertex
+  float1,
+  float2,
+  float3,
+  float4,
   unorm8x4,  // four bytes, 255 = 1.0 (colours)
   uint32,    // indices and material numbers
 };
 
 /// A strided array in memory that `owner` keeps alive. Element i starts at data + i*stride.
-/// Arrays of positions and indices are followed by at least 16 readable bytes, because Embree reads them with wide loads.
+/// Arrays of positions and indices are followed by at least 16 readable bytes, because Embree reads them with
+/// wide loads.
 struct Attribute {
   std::shared_ptr<const void> owner;
   const std::byte* data = nullptr;
@@ -46,28 +50,30 @@ inline glm::vec4 fetch(const Attribute& a, uint32_t i) {
   }
 }
 
-/// Triangles in object space. Triangle t has the vertices corner(t, 0..2), in winding order; OpenGL's provoking vertex
-/// (flat shading) is always the last one. `indices` absent means a soup: vertices 3t, 3t+1, 3t+2.
+/// Triangles in object space. Triangle t has the vertices corner(t, 0..2), in winding order; OpenGL's
+/// provoking vertex (flat shading) is always the last one. `indices` absent means a soup: vertices 3t, 3t+1,
+/// 3t+2.
 struct Mesh {
-  Hash128 geometryId;          // identity of positions and triangle order: the key of the acceleration structure
+  Hash128 geometryId;  // identity of positions and triangle order: the key of the acceleration structure
   uint32_t triangleCount = 0;
-  uint32_t vertexCount = 0;    // every index is below this
-  Attribute positions;         // float3
-  Attribute indices;           // uint32, three a triangle, tightly packed (stride 4), or absent
-  Attribute normals;           // float3, not necessarily of unit length
-  Attribute colors;            // float4, float3 or unorm8x4
-  Attribute texcoords;         // float1 to float4 (s, t, r, q)
-  Attribute materials;         // uint32: index into the instance's materials
+  uint32_t vertexCount = 0;      // every index is below this
+  Attribute positions;           // float3
+  Attribute indices;             // uint32, three a triangle, tightly packed (stride 4), or absent
+  Attribute normals;             // float3, not necessarily of unit length
+  Attribute colors;              // float4, float3 or unorm8x4
+  Attribute texcoords;           // float1 to float4 (s, t, r, q)
+  Attribute materials;           // uint32: index into the instance's materials
   glm::vec3 lower{0}, upper{0};  // bounds of the finite vertices, object space
-  bool opaqueColors = true;    // every vertex colour has alpha 1 (or there are none)
-  size_t sizeBytes = 0;        // memory this mesh owns, not counting what belongs to the program's buffers
+  bool opaqueColors = true;      // every vertex colour has alpha 1 (or there are none)
+  size_t sizeBytes = 0;          // memory this mesh owns, not counting what belongs to the program's buffers
 
   uint32_t corner(uint32_t triangle, uint32_t k) const {
     const uint32_t i = triangle * 3 + k;
     return indices ? reinterpret_cast<const uint32_t*>(indices.data)[i] : i;
   }
   glm::vec3 position(uint32_t vertex) const {
-    const auto* f = reinterpret_cast<const float*>(positions.data + static_cast<size_t>(vertex) * positions.stride);
+    const auto* f =
+        reinterpret_cast<const float*>(positions.data + static_cast<size_t>(vertex) * positions.stride);
     return {f[0], f[1], f[2]};
   }
 };

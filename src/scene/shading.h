@@ -1,29 +1,31 @@
-// Everything of the OpenGL lighting equation (GL 2.1, section 2.14) that a draw had set, except per-vertex values.
+// Everything of the OpenGL lighting equation (GL 2.1, section 2.14) that a draw had set, except per-vertex
+// values.
 #pragma once
+#include "scene/texture.h"
+
+#include <glm/glm.hpp>
+
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
-
-#include <glm/glm.hpp>
-
-#include "scene/texture.h"
 
 namespace gluray::scene {
 
 /// One enabled light, in eye space of the moment it was set.
 struct Light {
   glm::vec4 ambient{0, 0, 0, 1}, diffuse{0, 0, 0, 1}, specular{0, 0, 0, 1};
-  glm::vec4 position{0, 0, 1, 0};           // eye space; w = 0: directional
-  glm::vec3 spotDirection{0, 0, -1};        // eye space, not normalised
-  float spotExponent = 0;                   // 0 .. 128
-  float spotCutoff = 180;                   // degrees: 0 .. 90, or 180 for no spot
-  glm::vec3 attenuation{1, 0, 0};           // constant, linear, quadratic
+  glm::vec4 position{0, 0, 1, 0};     // eye space; w = 0: directional
+  glm::vec3 spotDirection{0, 0, -1};  // eye space, not normalised
+  float spotExponent = 0;             // 0 .. 128
+  float spotCutoff = 180;             // degrees: 0 .. 90, or 180 for no spot
+  glm::vec3 attenuation{1, 0, 0};     // constant, linear, quadratic
   bool operator==(const Light&) const = default;
 };
 
 struct Material {
-  glm::vec4 ambient{0.2f, 0.2f, 0.2f, 1}, diffuse{0.8f, 0.8f, 0.8f, 1}, specular{0, 0, 0, 1}, emission{0, 0, 0, 1};
+  glm::vec4 ambient{0.2f, 0.2f, 0.2f, 1}, diffuse{0.8f, 0.8f, 0.8f, 1}, specular{0, 0, 0, 1},
+      emission{0, 0, 0, 1};
   float shininess = 0;  // 0 .. 128
   bool operator==(const Material&) const = default;
 };
@@ -43,17 +45,17 @@ struct ColorMaterial {
 
 /// State of one draw that shading needs. Equal states are shared by many instances.
 struct Shading {
-  bool lighting = false;            // off: the vertex colour is the fragment's primary colour
-  bool smooth = true;               // GL_SMOOTH; otherwise the provoking vertex's colour
-  bool twoSided = false;            // back faces: back material, reversed normal
+  bool lighting = false;  // off: the vertex colour is the fragment's primary colour
+  bool smooth = true;     // GL_SMOOTH; otherwise the provoking vertex's colour
+  bool twoSided = false;  // back faces: back material, reversed normal
   bool localViewer = false;
-  bool separateSpecular = false;    // specular is added after texturing
-  bool normalize = false;           // GL_NORMALIZE
-  bool rescaleNormal = false;       // GL_RESCALE_NORMAL
+  bool separateSpecular = false;  // specular is added after texturing
+  bool normalize = false;         // GL_NORMALIZE
+  bool rescaleNormal = false;     // GL_RESCALE_NORMAL
   ColorMaterial colorMaterial;
   glm::vec4 globalAmbient{0.2f, 0.2f, 0.2f, 1};
   std::vector<Light> lights;
-  std::optional<Texture> texture;   // texture unit 0
+  std::optional<Texture> texture;  // texture unit 0
   bool operator==(const Shading&) const = default;
 };
 

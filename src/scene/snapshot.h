@@ -1,15 +1,15 @@
-// Everything one flush needs, frozen. The GL thread builds it, then gives it away: no lock guards it because nobody can
-// write to it. Unchanged meshes are shared with earlier snapshots.
+// Everything one flush needs, frozen. The GL thread builds it, then gives it away: no lock guards it because
+// nobody can write to it. Unchanged meshes are shared with earlier snapshots.
 #pragma once
-#include <cstdint>
-#include <memory>
-#include <vector>
-
-#include <glm/glm.hpp>
-
 #include "scene/mesh.h"
 #include "scene/shading.h"
 #include "settings/settings.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
 
 namespace gluray::scene {
 
@@ -25,40 +25,45 @@ struct PolygonOffset {
 /// How eye space reaches the window. Rays come from the inverse, so that every projection is one code path.
 struct Camera {
   glm::dmat4 clipFromEye{1};
-  glm::ivec4 viewport{0, 0, 1, 1};        // x, y, width, height
-  float depthNear = 0, depthFar = 1;      // glDepthRange
+  glm::ivec4 viewport{0, 0, 1, 1};    // x, y, width, height
+  float depthNear = 0, depthFar = 1;  // glDepthRange
 };
 
-/// The rectangle of pixels to trace: viewport, scissor and framebuffer intersected. Never empty in a snapshot.
+/// The rectangle of pixels to trace: viewport, scissor and framebuffer intersected. Never empty in a
+/// snapshot.
 struct Region {
   int x = 0, y = 0, width = 0, height = 0;
   bool operator==(const Region&) const = default;
 };
 
 /// A mesh placed in the scene, with the state it was drawn with.
-/// "World" is the object space of the snapshot's first instance, so that moving the camera changes eyeFromWorld alone.
+/// "World" is the object space of the snapshot's first instance, so that moving the camera changes
+/// eyeFromWorld alone.
 struct Instance {
   MeshPtr mesh;
-  glm::dmat4 eyeFromObject{1};     // the modelview matrix of the draw
-  glm::mat4 worldFromObject{1};    // exactly the identity where eyeFromObject equals the snapshot's eyeFromWorld
-  uint32_t shading = 0;            // index into Snapshot::shadings
+  glm::dmat4 eyeFromObject{1};  // the modelview matrix of the draw
+  glm::mat4 worldFromObject{
+      1};                // exactly the identity where eyeFromObject equals the snapshot's eyeFromWorld
+  uint32_t shading = 0;  // index into Snapshot::shadings
   // Values of attributes that the mesh does not carry.
   glm::vec4 color{1};
   glm::vec3 normal{0, 0, 1};
   glm::vec4 texcoord{0, 0, 0, 1};
-  std::vector<MaterialPair> materials;  // indexed by the mesh's materials attribute; [0] where it has none. Never empty
+  std::vector<MaterialPair>
+      materials;  // indexed by the mesh's materials attribute; [0] where it has none. Never empty
   CullFace cull = CullFace::none;
-  bool frontFaceCcw = true;             // GL_CCW is front
-  std::vector<glm::dvec4> clipPlanes;   // eye space; a point p is kept where dot(plane, p) >= 0 for every plane
+  bool frontFaceCcw = true;  // GL_CCW is front
+  std::vector<glm::dvec4>
+      clipPlanes;  // eye space; a point p is kept where dot(plane, p) >= 0 for every plane
 };
 
 /// One batch: what is traced in one go and written to one framebuffer.
 struct Snapshot {
-  uint64_t frame = 0;                 // counts the program's frames, from 1
+  uint64_t frame = 0;  // counts the program's frames, from 1
   Camera camera;
   glm::dmat4 eyeFromWorld{1};
-  Region region;                      // window pixels to trace
-  int samples = 1;                    // of the framebuffer
+  Region region;                           // window pixels to trace
+  int samples = 1;                         // of the framebuffer
   std::vector<glm::vec2> samplePositions;  // in [0,1)^2 from the pixel's lower left corner, `samples` of them
   PolygonOffset polygonOffset;
   std::vector<Shading> shadings;

@@ -1,10 +1,10 @@
 // A texture image as the fixed-function pipeline samples it. Immutable; a re-upload makes a new one.
 #pragma once
+#include <glm/glm.hpp>
+
 #include <cstdint>
 #include <memory>
 #include <vector>
-
-#include <glm/glm.hpp>
 
 namespace gluray::scene {
 
