@@ -117,6 +117,8 @@ void Context::addInstance(const scene::MeshPtr& mesh, SlotMask slots,
   instance.clipPlanes = state.clipPlanes;
   scene::Shading shading = state.shading;
   shading.texture = state.texture;
+  // Without colours or materials at its vertices the surface has the current material, however it came about.
+  if (!(slots & bit(kColor)) && materials.empty()) shading.colorMaterial = {};
   batch_.add(std::move(instance), std::move(shading));
   if (aside_) flush();  // the flush above failed: later draws are rasterised and must find this one drawn
 }

@@ -1,0 +1,27 @@
+// The quirk "material-latch". Mesa keeps materials set outside glBegin and glEnd until a draw or a question,
+// and where GL_COLOR_MATERIAL is enabled in between it stores them once more at the next change of state,
+// over what the current colour had just made of them (seen in 22.3; src/mesa/vbo, vbo_exec_FlushVertices
+// keeps the attributes and marks them as unsent when only current values are flushed). Programs whose frames
+// end with materials, as OpenSceneGraph's do, show it. Our write-back and questions come at other moments
+// than their draws and would undo it: the materials are sent again afterwards, so that Mesa has them as
+// waiting as before. Elsewhere that changes nothing. GL thread.
+#pragma once
+#include "gl/captured.h"
+#include "gl/real.h"
+
+namespace gluray::gl {
+
+class MaterialLatch {
+ public:
+  /// glMaterial was sent to the real OpenGL outside glBegin and glEnd.
+  void sent(GLenum face, GLenum pname, const float* params) { waiting_.set(face, pname, params); }
+  /// A draw: the real OpenGL has stored what was waiting.
+  void drawn() { waiting_ = {}; }
+  /// After a question or a draw of ours: what was waiting waits again.
+  void restore(const RealGl& real) const;
+
+ private:
+  MaterialChange waiting_;  // since the last draw
+};
+
+}  // namespace gluray::gl

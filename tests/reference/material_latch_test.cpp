@@ -1,0 +1,67 @@
+// The quirk "material-latch": Mesa keeps glMaterial values that were set since the last draw and stores them
+// a second time after GL_COLOR_MATERIAL was enabled. A program whose frames end with materials and begin with
+// colour material sees that in its picture, so the picture with us must be the one that Mesa makes, not the
+// better one.
+#include "tests/reference/traced_context.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace gluray::test {
+namespace {
+
+constexpr int kSize = 32;
+constexpr GLfloat kBright[4] = {0.8f, 0.8f, 0.8f, 1}, kDark[4] = {0.2f, 0.2f, 0.2f, 1},
+                  kBlack[4] = {0, 0, 0, 1};
+
+void material(const gl::RealGl& gl, GLenum name, const GLfloat* value) {
+  gl.Materialfv(GL_FRONT_AND_BACK, name, value);
+}
+
+/// A frame as scene graphs send it: colour material while the model is drawn, plain materials afterwards.
+void frame(const gl::RealGl& gl, GLuint list) {
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  gl.Enable(GL_LIGHTING), gl.Enable(GL_DEPTH_TEST);
+  gl.ColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE), gl.Enable(GL_COLOR_MATERIAL);
+  gl.Color4fv(kBright);
+  material(gl, GL_SPECULAR, kBlack), material(gl, GL_EMISSION, kBlack);
+  const GLfloat ambient[4] = {0.4f, 0.4f, 0.4f, 1};
+  gl.LightModelfv(GL_LIGHT_MODEL_AMBIENT, ambient);
+  gl.CallList(list);
+  gl.Disable(GL_LIGHTING), gl.Disable(GL_COLOR_MATERIAL);
+  gl.Color4fv(kBright);
+  material(gl, GL_AMBIENT, kDark), material(gl, GL_DIFFUSE, kBright), material(gl, GL_SPECULAR, kBlack);
+  gl.LightModelfv(GL_LIGHT_MODEL_AMBIENT, kDark);
+}
+
+/// The middle pixel after each of some frames.
+std::vector<uint32_t> middles(const gl::RealGl& gl, const std::function<uint32_t()>& middle) {
+  const GLfloat corners[3][3] = {{-1, -1, 0}, {1, -1, 0.1f}, {0, 1, 0.2f}};
+  const GLuint indices[3] = {0, 1, 2};
+  gl.NewList(1, GL_COMPILE);
+  gl.EnableClientState(GL_VERTEX_ARRAY), gl.VertexPointer(3, GL_FLOAT, 0, corners);
+  gl.DrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_INT, indices);
+  gl.EndList();
+  std::vector<uint32_t> seen;
+  for (int i = 0; i < 4; ++i) {
+    frame(gl, 1);
+    gl.Finish();
+    seen.push_back(middle());
+  }
+  return seen;
+}
+
+TEST(MaterialLatch, PictureIsTheRealOne) {
+  const auto real = OsmesaContext::create({kSize, kSize});
+  const auto middle = [](const OsmesaContext& context) {
+    return context.colors()[kSize / 2 * kSize + kSize / 2];
+  };
+  const auto expected = middles(real->real(), [&] { return middle(*real); });
+  TracedContext ours({kSize, kSize});
+  EXPECT_EQ(middles(ours.gl(), [&] { return middle(ours.below()); }), expected);
+  EXPECT_EQ(ours.context().statistics.drawsTraced, 4u);
+}
+
+}  // namespace
+}  // namespace gluray::test
