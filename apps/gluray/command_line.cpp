@@ -35,8 +35,8 @@ void addOptions(CLI::App& app, CommandLine& line) {
       ->type_name("N");
   app.add_option("--bvh", line.bvh,
                  "Acceleration structures: fast (first picture soonest), full (fastest rays), compact "
-                 "(least\nmemory) [full]")
-      ->check(CLI::IsMember({"fast", "full", "compact"}));
+                 "(least\nmemory), or auto: large ones fast at first, full as soon as those are ready [auto]")
+      ->check(CLI::IsMember({"auto", "fast", "full", "compact"}));
   app.add_option("--shading", line.shading,
                  "Where lighting is evaluated: pixel, or vertex as OpenGL does, for an exact match [pixel]")
       ->check(CLI::IsMember({"pixel", "vertex"}));

@@ -67,15 +67,28 @@ Blas::Blas(const Device& device, IotaIndices& iota, const scene::Mesh& mesh, Bvh
 
 Blas::~Blas() { rtcReleaseScene(scene_); }
 
-void Blas::build() {
-  const size_t before = Device::bytes();
+void Blas::commit() {
   {
     const CommitScope scope;
-    rtcJoinCommitScene(scene_);
+    rtcCommitScene(scene_);
   }
   device_.check("the acceleration structure of a mesh cannot be built");
-  const size_t after = Device::bytes();
+}
+
+void Blas::build() {
+  const size_t before = Device::bytesOfFrames();
+  commit();
+  const size_t after = Device::bytesOfFrames();
   bvhBytes_ = after > before ? after - before : 0;
+}
+
+void Blas::buildBehind(const std::atomic<bool>& cancelled) {
+  const auto goOn = [](void* flag, double) { return !static_cast<const std::atomic<bool>*>(flag)->load(); };
+  rtcSetSceneProgressMonitorFunction(scene_, goOn, const_cast<std::atomic<bool>*>(&cancelled));
+  const BehindScope behind;
+  commit();
+  rtcSetSceneProgressMonitorFunction(scene_, nullptr, nullptr);
+  bvhBytes_ = behind.bytes();
 }
 
 }  // namespace gluray::accel

@@ -5,6 +5,7 @@
 #include "scene/mesh.h"
 #include "settings/settings.h"
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -26,15 +27,19 @@ class Blas {
   /// Builds with the threads of the arena it is called in. Throws Error; the structure is then useless.
   /// Triangles with a vertex that is not finite are left out.
   void build();
+  /// The same at leisure, on the calling thread alone, in an arena of one thread. Ends early, and throws,
+  /// soon after `cancelled` has become true.
+  void buildBehind(const std::atomic<bool>& cancelled);
 
   RTCSceneTy* scene() const { return scene_; }
   /// Bytes of the structure, and of the mesh arrays that it keeps alive.
   size_t bvhBytes() const { return bvhBytes_; }
   size_t pinnedBytes() const { return pinnedBytes_; }
   uint32_t triangleCount() const { return triangleCount_; }
-  uint64_t lastUsed = 0;  // the cache's clock
 
  private:
+  void commit();
+
   const Device& device_;
   RTCSceneTy* scene_ = nullptr;
   std::shared_ptr<const void> positions_, indices_;

@@ -3,64 +3,128 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace gluray::accel {
+namespace {
+constexpr uint32_t kAlone = 20000;  // triangles: below it, whole builds in parallel beat parallel builds
+}
 
-BlasCache::BlasCache(const Device& device, size_t idleBudgetBytes)
-    : device_(device), idleBudgetBytes_(idleBudgetBytes) {}
+BlasCache::BlasCache(const Device& device, size_t idleBudgetBytes, FreeMemory freeMemory)
+    : device_(device), idleBudgetBytes_(idleBudgetBytes), freeMemory_(freeMemory) {}
+
+void BlasCache::beginFrame() {
+  constexpr uint64_t kGone = 16;  // frames without use after which nothing better is built any more
+  ++clock_;
+  if (!refiner_.busy()) return;
+  const auto found = entries_.find(refining_);
+  if (found == entries_.end() || clock_ - found->second.lastUsed > kGone) refiner_.cancel();
+  const Refiner::Outcome outcome = refiner_.poll();
+  if (!outcome.ended || found == entries_.end()) return;
+  Entry& entry = found->second;
+  if (outcome.blas) {
+    entry.blas = outcome.blas;
+    ++refinements_;
+  }
+  // Where it failed the fast structure has to do.
+  if (clock_ - entry.lastUsed <= kGone) entry.built = BvhQuality::full;
+}
+
+BlasPtr BlasCache::use(Entry& entry) {
+  if (entry.lastUsed != clock_) ++entry.frames;
+  entry.lastUsed = clock_;
+  return entry.blas;
+}
 
 std::vector<BlasPtr> BlasCache::get(const std::vector<const scene::Mesh*>& meshes, BvhQuality quality) {
-  constexpr uint32_t kSmall = 20000;  // triangles: below it, whole builds in parallel beat parallel builds
   std::vector<BlasPtr> result(meshes.size());
-  std::vector<std::pair<Key, BlasPtr>> small, large;
-  std::unordered_map<Key, BlasPtr, KeyHash> coming;
+  std::vector<std::pair<Key, Entry>> coming;
+  std::unordered_map<Key, BlasPtr, KeyHash> started;
+  uint64_t waiting = 0;
   for (size_t i = 0; i < meshes.size(); ++i) {
-    if (meshes[i]->triangleCount == 0) continue;
-    const Key key{meshes[i]->geometryId, quality};
-    if (const auto known = blases_.find(key); known != blases_.end()) {
-      result[i] = known->second;
-    } else {
-      BlasPtr& blas = coming[key];
-      if (!blas) {
-        blas = std::make_shared<Blas>(device_, iota_, *meshes[i], quality);
-        (meshes[i]->triangleCount < kSmall ? small : large).emplace_back(key, blas);
-      }
-      result[i] = blas;
+    const scene::Mesh& mesh = *meshes[i];
+    if (mesh.triangleCount == 0) continue;
+    const Key key{mesh.geometryId, quality};
+    if (const auto known = entries_.find(key); known != entries_.end()) {
+      result[i] = use(known->second);
+      if (!refiner_.busy() && worthRefining(quality, known->second.built, known->second.frames))
+        refine(key, known->second, mesh);
+      continue;
     }
-    result[i]->lastUsed = clock_;
+    BlasPtr& blas = started[key];
+    if (!blas) {
+      if (started.size() == 1) waiting = trianglesWaiting(meshes, quality);
+      const BvhQuality first = firstQuality(quality, mesh.triangleCount, waiting, freeMemory_);
+      blas = std::make_shared<Blas>(device_, iota_, mesh, first);
+      coming.push_back({key, {blas, first, clock_, 1}});
+    }
+    result[i] = blas;
   }
-
-  const auto keep = [&](const std::pair<Key, BlasPtr>& built) {
-    blases_.insert(built);
-    ++builds_;
-  };
-  for (const auto& entry : large) {
-    entry.second->build();
-    keep(entry);
-  }
-  if (small.size() == 1)
-    small[0].second->build();
-  else
-    tbb::parallel_for(size_t{0}, small.size(), [&](size_t i) { small[i].second->build(); });
-  std::for_each(small.begin(), small.end(), keep);
+  build(coming);
   return result;
 }
 
+uint64_t BlasCache::trianglesWaiting(const std::vector<const scene::Mesh*>& meshes,
+                                     BvhQuality quality) const {
+  std::unordered_map<Key, uint32_t, KeyHash> waiting;
+  for (const scene::Mesh* mesh : meshes) {
+    const Key key{mesh->geometryId, quality};
+    if (!entries_.contains(key)) waiting[key] = mesh->triangleCount;
+  }
+  return std::accumulate(waiting.begin(), waiting.end(), uint64_t{0},
+                         [](uint64_t sum, const auto& mesh) { return sum + mesh.second; });
+}
+
+void BlasCache::build(std::vector<std::pair<Key, Entry>>& coming) {
+  const auto small = std::stable_partition(
+      coming.begin(), coming.end(), [](const auto& c) { return c.second.blas->triangleCount() >= kAlone; });
+  const auto keep = [&](const std::pair<Key, Entry>& built) {
+    entries_.insert(built);
+    ++builds_;
+  };
+  for (auto large = coming.begin(); large != small; ++large) {
+    large->second.blas->build();
+    keep(*large);
+  }
+  if (coming.end() - small == 1)
+    small->second.blas->build();
+  else
+    tbb::parallel_for(small - coming.begin(), coming.end() - coming.begin(),
+                      [&](ptrdiff_t i) { coming[static_cast<size_t>(i)].second.blas->build(); });
+  std::for_each(small, coming.end(), keep);
+}
+
+// Starts the better build of what is drawn now. Where it cannot be, the fast structure has to do.
+void BlasCache::refine(const Key& key, Entry& entry, const scene::Mesh& mesh) {
+  entry.built = BvhQuality::full;
+  if (!roomToRefine(mesh.triangleCount, freeMemory_)) return;
+  if (!refiner_.start(std::make_shared<Blas>(device_, iota_, mesh, BvhQuality::full))) return;
+  refining_ = key;
+  entry.built = BvhQuality::fast;
+}
+
+bool BlasCache::evictAllIdle() {
+  const bool busy = refiner_.busy();
+  refiner_.stop();
+  return evictDownTo(0) || busy;
+}
+
 bool BlasCache::evictDownTo(size_t bytes) {
+  const auto sizeOf = [](const Entry& entry) { return entry.blas->bvhBytes() + entry.blas->pinnedBytes(); };
   std::vector<std::pair<uint64_t, Key>> idle;
   size_t idleBytes = 0;
-  for (const auto& [key, blas] : blases_) {
-    if (blas->lastUsed == clock_) continue;
-    idle.emplace_back(blas->lastUsed, key);
-    idleBytes += blas->bvhBytes() + blas->pinnedBytes();
+  for (const auto& [key, entry] : entries_) {
+    if (entry.lastUsed == clock_) continue;
+    idle.emplace_back(entry.lastUsed, key);
+    idleBytes += sizeOf(entry);
   }
   if (idleBytes <= bytes) return false;
   std::sort(idle.begin(), idle.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (const auto& [lastUsed, key] : idle) {
     if (idleBytes <= bytes) break;
-    const auto entry = blases_.find(key);
-    idleBytes -= entry->second->bvhBytes() + entry->second->pinnedBytes();
-    blases_.erase(entry);
+    const auto entry = entries_.find(key);
+    idleBytes -= sizeOf(entry->second);
+    entries_.erase(entry);
   }
   return true;
 }

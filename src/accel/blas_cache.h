@@ -2,6 +2,8 @@
 // time.
 #pragma once
 #include "accel/blas.h"
+#include "accel/build_plan.h"
+#include "accel/refiner.h"
 
 #include <unordered_map>
 #include <vector>
@@ -10,24 +12,27 @@ namespace gluray::accel {
 
 /// Builds each (geometryId, quality) once and keeps it while it is used. What was not used lately stays too,
 /// as long as all such structures and the arrays they keep alive fit into `idleBudgetBytes`; beyond it the
-/// longest unused go first.
+/// longest unused go first. Structures of quality `automatic` are exchanged for better ones, which are built
+/// while frames go on, where build_plan.h finds that worth it.
 class BlasCache {
  public:
-  BlasCache(const Device&, size_t idleBudgetBytes);
+  BlasCache(const Device&, size_t idleBudgetBytes, FreeMemory);
 
-  /// Begins a frame: what is not asked for from now on is idle.
-  void beginFrame() { ++clock_; }
+  /// Begins a frame: what is not asked for from now on is idle. Better structures that are ready take the
+  /// place of those they were built for.
+  void beginFrame();
   /// Structures for `meshes` (null where a mesh has no triangles), in the same order, building those not yet
   /// known with the threads of the current arena. Throws Error or std::bad_alloc; those already built stay
   /// known.
   std::vector<BlasPtr> get(const std::vector<const scene::Mesh*>& meshes, BvhQuality);
   /// Frees idle structures beyond the budget.
   void evict() { evictDownTo(idleBudgetBytes_); }
-  /// Frees every idle structure; true if there were any.
-  bool evictAllIdle() { return evictDownTo(0); }
+  /// Frees every idle structure and what is being built behind; true if there were any.
+  bool evictAllIdle();
 
-  uint64_t builds() const { return builds_; }  // since the start
-  size_t size() const { return blases_.size(); }
+  uint64_t builds() const { return builds_; }            // that a frame waited for, since the start
+  uint64_t refinements() const { return refinements_; }  // better structures put in place, since the start
+  size_t size() const { return entries_.size(); }
 
  private:
   struct Key {
@@ -40,13 +45,26 @@ class BlasCache {
       return std::hash<Hash128>{}(k.geometryId) + static_cast<size_t>(k.quality);
     }
   };
+  struct Entry {
+    BlasPtr blas;
+    BvhQuality built = BvhQuality::full;  // never automatic
+    uint64_t lastUsed = 0;                // clock
+    uint64_t frames = 0;                  // in which it was used
+  };
   bool evictDownTo(size_t bytes);
+  BlasPtr use(Entry& entry);
+  uint64_t trianglesWaiting(const std::vector<const scene::Mesh*>& meshes, BvhQuality) const;
+  void build(std::vector<std::pair<Key, Entry>>& coming);
+  void refine(const Key& key, Entry& entry, const scene::Mesh& mesh);
 
   const Device& device_;
   size_t idleBudgetBytes_;
+  FreeMemory freeMemory_;
   IotaIndices iota_;
-  std::unordered_map<Key, BlasPtr, KeyHash> blases_;
-  uint64_t clock_ = 0, builds_ = 0;
+  std::unordered_map<Key, Entry, KeyHash> entries_;
+  uint64_t clock_ = 0, builds_ = 0, refinements_ = 0;
+  Key refining_{};  // what refiner_ builds for
+  Refiner refiner_;
 };
 
 }  // namespace gluray::accel

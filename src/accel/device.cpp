@@ -12,11 +12,18 @@ namespace gluray::accel {
 namespace {
 
 std::atomic<ptrdiff_t> heldBytes{0};
+std::atomic<ptrdiff_t> behindBytes{0};  // the sum of all changes made inside a BehindScope
+thread_local bool t_behind = false;
+thread_local ptrdiff_t t_behindBytes = 0;
 std::atomic<int> commitsToFail{0};
 std::atomic<int> failingCommits{0};  // commits in flight that were chosen to fail
 
 bool onMemory(void*, ssize_t bytes, bool) {
   heldBytes.fetch_add(bytes, std::memory_order_relaxed);
+  if (t_behind) {
+    behindBytes.fetch_add(bytes, std::memory_order_relaxed);
+    t_behindBytes += bytes;
+  }
   return bytes <= 0 || failingCommits.load(std::memory_order_relaxed) == 0;
 }
 
@@ -45,10 +52,19 @@ Device::Device() : device_(rtcNewDevice("verbose=0,ignore_config_files=1")) {
 
 Device::~Device() { rtcReleaseDevice(device_); }
 
-size_t Device::bytes() {
-  const ptrdiff_t held = heldBytes.load(std::memory_order_relaxed);
-  return held > 0 ? static_cast<size_t>(held) : 0;
+namespace {
+size_t atLeastNone(ptrdiff_t bytes) { return bytes > 0 ? static_cast<size_t>(bytes) : 0; }
+}  // namespace
+
+size_t Device::bytes() { return atLeastNone(heldBytes.load(std::memory_order_relaxed)); }
+
+size_t Device::bytesOfFrames() {
+  return atLeastNone(heldBytes.load(std::memory_order_relaxed) - behindBytes.load(std::memory_order_relaxed));
 }
+
+BehindScope::BehindScope() { t_behind = true, t_behindBytes = 0; }
+BehindScope::~BehindScope() { t_behind = false; }
+size_t BehindScope::bytes() const { return atLeastNone(t_behindBytes); }
 
 void Device::check(std::string_view what) const {
   const RTCError error = rtcGetDeviceError(device_);

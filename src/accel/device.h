@@ -22,6 +22,8 @@ class Device {
   int packetWidth() const { return packetWidth_; }
   /// Bytes that Embree holds for acceleration structures now.
   static size_t bytes();
+  /// Those of them that were not asked for inside a BehindScope.
+  static size_t bytesOfFrames();
   /// Throws Error("WHAT: reason") if a call of this thread failed since the last check.
   void check(std::string_view what) const;
 
@@ -32,6 +34,17 @@ class Device {
 
 /// For tests: the next `count` commits of acceleration structures fail as if memory had run out.
 void failNextCommits(int count);
+
+/// While it lives, what its thread allocates is counted apart.
+class BehindScope {
+ public:
+  BehindScope();
+  ~BehindScope();
+  BehindScope(const BehindScope&) = delete;
+  BehindScope& operator=(const BehindScope&) = delete;
+  /// Bytes that this thread allocated in this scope and has not freed.
+  size_t bytes() const;
+};
 
 /// Marks the time in which a commit runs, for failNextCommits.
 class CommitScope {

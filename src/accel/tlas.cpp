@@ -53,7 +53,7 @@ bool Tlas::update(std::vector<PlacedBlas> instances) {
   std::vector<PlacedBlas> alive = std::exchange(held_, {});
   {
     const CommitScope scope;
-    rtcJoinCommitScene(scene_);
+    rtcCommitScene(scene_);
   }
   device_.check("the top-level acceleration structure cannot be built");
   held_ = std::move(instances);

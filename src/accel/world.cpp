@@ -25,16 +25,19 @@ bool placeable(const glm::mat4& m) {
 
 }  // namespace
 
-World::World(size_t idleBudgetBytes) : cache_(device_, idleBudgetBytes), tlas_(device_) {}
+World::World(size_t idleBudgetBytes, FreeMemory freeMemory)
+    : cache_(device_, idleBudgetBytes, freeMemory), tlas_(device_) {}
 
 UpdateStatistics World::update(const scene::Snapshot& snapshot, Arena& arena) {
   return arena.execute([&] {
     UpdateStatistics statistics;
     const uint64_t before = cache_.builds();
+    const uint64_t refined = cache_.refinements();
     scene_ = nullptr;
     cache_.beginFrame();
     std::vector<PlacedBlas> placed = place(snapshot);
     statistics.blasBuilds = cache_.builds() - before;
+    statistics.blasRefinements = cache_.refinements() - refined;
 
     const auto filled = [](const PlacedBlas& p) { return p.blas != nullptr; };
     const auto first = std::find_if(placed.begin(), placed.end(), filled);

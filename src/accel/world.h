@@ -3,6 +3,7 @@
 #pragma once
 #include "accel/arena.h"
 #include "accel/blas_cache.h"
+#include "accel/free_memory.h"
 #include "accel/ray_packet.h"
 #include "accel/tlas.h"
 #include "scene/snapshot.h"
@@ -13,6 +14,7 @@ namespace gluray::accel {
 
 struct UpdateStatistics {
   uint64_t blasBuilds = 0, tlasBuilds = 0;  // by this call
+  uint64_t blasRefinements = 0;             // structures exchanged for better ones, built since the last call
 };
 
 /// Decides which hits count. Called on tracing threads.
@@ -25,8 +27,8 @@ class HitFilter {
 
 class World {
  public:
-  /// `idleBudgetBytes`: see BlasCache. Throws Error where Embree does not start.
-  explicit World(size_t idleBudgetBytes = size_t{512} << 20);
+  /// `idleBudgetBytes`, `freeMemory`: see BlasCache. Throws Error where Embree does not start.
+  explicit World(size_t idleBudgetBytes = size_t{512} << 20, FreeMemory = freeMemory);
 
   /// Makes the world hold the snapshot's instances, building what is new. Throws Error or std::bad_alloc:
   /// then nothing may be traced until an update succeeds.

@@ -30,6 +30,7 @@ class Renderer::Engine {
     const accel::UpdateStatistics update = world_->update(snapshot, *arena_);
     statistics.blasBuilds = update.blasBuilds;
     statistics.tlasBuilds = update.tlasBuilds;
+    statistics.blasRefinements = update.blasRefinements;
     statistics.bvhBytes = world_->bytes();
     const double built = nowSeconds();
     statistics.buildSeconds = built - start;

@@ -13,7 +13,8 @@ namespace gluray::frame {
 /// What one render cost.
 struct FrameStatistics {
   double buildSeconds = 0, traceSeconds = 0;
-  uint64_t blasBuilds = 0, tlasBuilds = 0;  // by this render
+  uint64_t blasBuilds = 0, tlasBuilds = 0;  // that this render waited for
+  uint64_t blasRefinements = 0;             // structures exchanged for better ones that were built meanwhile
   size_t bvhBytes = 0;                      // of all acceleration structures, now
 };
 

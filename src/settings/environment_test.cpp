@@ -49,6 +49,14 @@ TEST(Environment, EveryVariableIsRead) {
   EXPECT_TRUE(g_complaints.empty());
 }
 
+TEST(Environment, EveryBvhQualityHasItsWord) {
+  EXPECT_EQ(Settings{}.bvh, BvhQuality::automatic);
+  EXPECT_EQ(sessionOf({{"GLURAY_BVH", "auto"}}).settings.bvh, BvhQuality::automatic);
+  EXPECT_EQ(sessionOf({{"GLURAY_BVH", "fast"}}).settings.bvh, BvhQuality::fast);
+  EXPECT_EQ(sessionOf({{"GLURAY_BVH", "full"}}).settings.bvh, BvhQuality::full);
+  EXPECT_TRUE(g_complaints.empty());
+}
+
 TEST(Environment, UnreadableValuesAreToldAndLeftAtTheirDefaults) {
   const Session session =
       sessionOf({{"GLURAY_THREADS", "many"}, {"GLURAY_BVH", "quick"}, {"GLURAY_LOG_LEVEL", "loud"}});

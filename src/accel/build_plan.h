@@ -1,0 +1,25 @@
+// Which acceleration structure a mesh gets first, and which it deserves later. Pure functions; any thread.
+#pragma once
+#include "settings/settings.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace gluray::accel {
+
+/// Bytes that may still be allocated. Asking takes some 0.1 ms.
+using FreeMemory = size_t (*)();
+
+/// Quality of the structure that a mesh of `triangles` gets for its first picture when the user wants
+/// `wanted` and `waiting` triangles, these included, wait for structures of their own. For `automatic`, much
+/// geometry is built fast where memory holds the better structures beside the fast ones; otherwise as the
+/// best that fits.
+BvhQuality firstQuality(BvhQuality wanted, uint64_t triangles, uint64_t waiting, FreeMemory freeMemory);
+
+/// Whether a structure of quality `held`, used in `frames` frames, is worth building again as `full`.
+bool worthRefining(BvhQuality wanted, BvhQuality held, uint64_t frames);
+
+/// Whether the full structure can be built while the fast one stays.
+bool roomToRefine(uint64_t triangles, FreeMemory freeMemory);
+
+}  // namespace gluray::accel

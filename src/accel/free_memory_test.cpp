@@ -1,0 +1,61 @@
+#include "accel/free_memory.h"
+
+#include "accel/build_plan.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace gluray::accel {
+namespace {
+
+TEST(FreeMemory, NumbersBehindNames) {
+  constexpr const char* kText = "MemFree:   12 kB\nMemAvailable:    345 kB\ninactive_file 67\nMem 8";
+  EXPECT_EQ(numberBehind(kText, "MemAvailable", 1), 345u);
+  EXPECT_EQ(numberBehind(kText, "inactive_file", 1), 67u);
+  EXPECT_EQ(numberBehind(kText, "Mem", 1), 8u);
+  EXPECT_EQ(numberBehind(kText, "Available", 1), 1u);
+  EXPECT_EQ(numberBehind("", "Mem", 1), 1u);
+}
+
+TEST(FreeMemory, IsBetweenNothingAndTheMachine) {
+  std::stringstream text;
+  text << std::ifstream("/proc/meminfo").rdbuf();
+  const size_t total = numberBehind(text.str(), "MemTotal", 0) * 1024;
+  ASSERT_GT(total, 0u);
+  EXPECT_GT(freeMemory(), 0u);
+  EXPECT_LE(freeMemory(), total);
+}
+
+size_t none() { return 0; }
+size_t oneGigabyte() { return size_t{1} << 30; }
+size_t plenty() { return size_t{1} << 40; }
+
+TEST(BuildPlan, TheUsersWishComesFirst) {
+  for (const BvhQuality wish : {BvhQuality::fast, BvhQuality::full, BvhQuality::compact})
+    EXPECT_EQ(firstQuality(wish, 5'000'000, 5'000'000, none), wish);
+}
+
+TEST(BuildPlan, AutomaticLooksAtSizeAndMemory) {
+  constexpr auto kAuto = BvhQuality::automatic;
+  EXPECT_EQ(firstQuality(kAuto, 5'000, 5'000, plenty), BvhQuality::full);
+  EXPECT_EQ(firstQuality(kAuto, 5'000, 5'000'000, plenty), BvhQuality::full);
+  EXPECT_EQ(firstQuality(kAuto, 50'000, 5'000'000, plenty), BvhQuality::fast);
+  EXPECT_EQ(firstQuality(kAuto, 3'000'000, 3'000'000, oneGigabyte), BvhQuality::fast);
+  EXPECT_EQ(firstQuality(kAuto, 6'000'000, 6'000'000, oneGigabyte), BvhQuality::full);
+  EXPECT_EQ(firstQuality(kAuto, 9'000'000, 9'000'000, oneGigabyte), BvhQuality::compact);
+  EXPECT_EQ(firstQuality(kAuto, 5'000'000, 5'000'000, none), BvhQuality::compact);
+}
+
+TEST(BuildPlan, OnlyFastStructuresOfSettledGeometryAreBuiltAgain) {
+  EXPECT_TRUE(worthRefining(BvhQuality::automatic, BvhQuality::fast, 10));
+  EXPECT_FALSE(worthRefining(BvhQuality::automatic, BvhQuality::fast, 1));
+  EXPECT_FALSE(worthRefining(BvhQuality::automatic, BvhQuality::compact, 10));
+  EXPECT_FALSE(worthRefining(BvhQuality::fast, BvhQuality::fast, 10));
+  EXPECT_TRUE(roomToRefine(1'000'000, oneGigabyte));
+  EXPECT_FALSE(roomToRefine(10'000'000, oneGigabyte));
+}
+
+}  // namespace
+}  // namespace gluray::accel

@@ -1,0 +1,175 @@
+// Better structures built behind the frames: run under the thread sanitizer too.
+#include "accel/device.h"
+#include "accel/test_scene.h"
+#include "accel/world.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <thread>
+
+namespace gluray::accel {
+namespace {
+
+constexpr int kSide = 260;  // 2 * 260^2 triangles: just large enough to be built fast first
+
+/// A wavy sheet over [-1, 1]^2; `phase` makes different ones.
+scene::MeshPtr sheet(float phase = 0, int side = kSide) {
+  test::MeshData data;
+  const auto row = static_cast<uint32_t>(side + 1);
+  for (uint32_t y = 0; y < row; ++y)
+    for (uint32_t x = 0; x < row; ++x) {
+      const float u = 2 * static_cast<float>(x) / static_cast<float>(side) - 1,
+                  v = 2 * static_cast<float>(y) / static_cast<float>(side) - 1;
+      data.positions.push_back({u, v, 0.1f * std::sin(9 * u + phase) * std::cos(7 * v)});
+    }
+  for (uint32_t y = 0; y + 1 < row; ++y)
+    for (uint32_t x = 0; x + 1 < row; ++x) {
+      const uint32_t a = y * row + x, b = a + 1, c = a + row, d = c + 1;
+      data.indices.insert(data.indices.end(), {a, b, d, a, d, c});
+    }
+  return test::makeMesh(data);
+}
+
+/// Distance from height 10 down to what lies at (x, y); infinity where nothing does.
+float depthAt(const World& world, float x, float y) {
+  RayPacket packet{};
+  alignas(64) int32_t valid[kLanes] = {-1};
+  packet.orgX[0] = x, packet.orgY[0] = y, packet.orgZ[0] = 10, packet.dirZ[0] = -1;
+  packet.tFar[0] = std::numeric_limits<float>::infinity();
+  packet.mask[0] = ~0u;
+  packet.geometry[0] = kNoHit;
+  world.intersect(valid, packet);
+  return packet.tFar[0];
+}
+
+size_t plenty() { return size_t{64} << 30; }
+size_t roomForFull() { return (size_t{256} << 20) + size_t{130} * 2 * kSide * kSide; }
+size_t hardlyAny() { return size_t{260} << 20; }
+size_t g_free = 0;
+size_t changing() { return g_free; }
+
+struct Refinement : testing::Test {
+  Arena arena{2};
+
+  /// Renders `snapshot` until a better structure has come in, for at most a minute; whether it has.
+  bool awaitRefinement(World& world, const scene::Snapshot& snapshot) {
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+    while (std::chrono::steady_clock::now() < deadline) {
+      if (world.update(snapshot, arena).blasRefinements > 0) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return false;
+  }
+};
+
+TEST_F(Refinement, BetterStructureTakesThePlaceOfTheFastOne) {
+  World world(0, plenty);
+  const auto snapshot = test::makeSnapshot({sheet()});
+  EXPECT_EQ(world.update(snapshot, arena).blasBuilds, 1u);
+  const size_t fastBytes = world.bytes();
+  const float before = depthAt(world, 0.3f, -0.2f);
+  ASSERT_TRUE(awaitRefinement(world, snapshot));
+  EXPECT_LT(world.bytes(), fastBytes) << "the fast structure is still there";
+  EXPECT_NEAR(depthAt(world, 0.3f, -0.2f), before, 1e-5f);
+  for (int frame = 0; frame < 20; ++frame) {
+    const UpdateStatistics statistics = world.update(snapshot, arena);
+    EXPECT_EQ(statistics.blasBuilds + statistics.blasRefinements + statistics.tlasBuilds, 0u);
+  }
+  EXPECT_EQ(world.cachedBlases(), 1u);
+}
+
+TEST_F(Refinement, InstancesAreMovedToTheBetterStructure) {
+  World world(0, plenty);
+  const auto mesh = sheet();
+  auto snapshot = test::makeSnapshot({mesh, mesh});
+  snapshot.instances[1].worldFromObject[3] = {5, 0, 1, 1};
+  world.update(snapshot, arena);
+  const float before = depthAt(world, 5.3f, -0.2f);
+  ASSERT_TRUE(awaitRefinement(world, snapshot));
+  EXPECT_NEAR(depthAt(world, 5.3f, -0.2f), before, 1e-5f);
+}
+
+TEST_F(Refinement, SeveralMeshesComeOneAfterTheOther) {
+  World world(0, plenty);
+  const auto snapshot = test::makeSnapshot({sheet(0), sheet(1), sheet(2)});
+  EXPECT_EQ(world.update(snapshot, arena).blasBuilds, 3u);
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(awaitRefinement(world, snapshot)) << i;
+}
+
+TEST_F(Refinement, GeometryThatChangesIsNotBuiltTwice) {
+  World world(0, plenty);
+  for (int frame = 0; frame < 12; ++frame) {
+    const UpdateStatistics statistics =
+        world.update(test::makeSnapshot({sheet(static_cast<float>(frame))}), arena);
+    EXPECT_EQ(statistics.blasBuilds, 1u);
+    EXPECT_EQ(statistics.blasRefinements, 0u);
+  }
+}
+
+TEST_F(Refinement, SmallGeometryIsBuiltOnce) {
+  World world(0, plenty);
+  const auto snapshot = test::makeSnapshot({sheet(0, 40)});
+  world.update(snapshot, arena);
+  const size_t bytes = world.bytes();
+  for (int frame = 0; frame < 12; ++frame) EXPECT_EQ(world.update(snapshot, arena).blasRefinements, 0u);
+  EXPECT_EQ(world.bytes(), bytes);
+}
+
+TEST_F(Refinement, WhatIsNoLongerDrawnIsForgotten) {
+  World world(0, plenty);
+  const auto large = test::makeSnapshot({sheet(0, 700)}), other = test::makeSnapshot({sheet(0, 10)});
+  for (int frame = 0; frame < 6; ++frame) world.update(large, arena);
+  uint64_t refinements = 0;
+  for (int frame = 0; frame < 40; ++frame) refinements += world.update(other, arena).blasRefinements;
+  EXPECT_EQ(refinements, 0u);
+  EXPECT_EQ(world.cachedBlases(), 1u);
+  EXPECT_TRUE(std::isfinite(depthAt(world, 0.3f, -0.2f)));
+}
+
+TEST_F(Refinement, ScarceMemoryIsNotSpentTwice) {
+  const auto snapshot = test::makeSnapshot({sheet()});
+  size_t bytes[2] = {};
+  int i = 0;
+  for (size_t (*const room)() : {roomForFull, hardlyAny}) {
+    World world(0, room);
+    world.update(snapshot, arena);
+    bytes[i++] = world.bytes();
+    for (int frame = 0; frame < 20; ++frame) EXPECT_EQ(world.update(snapshot, arena).blasRefinements, 0u);
+  }
+  EXPECT_LT(bytes[1], bytes[0]) << "compact where full does not fit";
+  World fast(0, changing);
+  g_free = plenty();
+  fast.update(snapshot, arena);
+  EXPECT_GT(fast.bytes(), bytes[0]);
+  g_free = hardlyAny();
+  for (int frame = 0; frame < 20; ++frame) EXPECT_EQ(fast.update(snapshot, arena).blasRefinements, 0u);
+}
+
+TEST_F(Refinement, FailureLeavesTheFastStructure) {
+  World world(0, plenty);
+  const auto snapshot = test::makeSnapshot({sheet()});
+  world.update(snapshot, arena);
+  failNextCommits(1);
+  for (int frame = 0; frame < 200; ++frame) {
+    EXPECT_EQ(world.update(snapshot, arena).blasRefinements, 0u);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  failNextCommits(0);
+  EXPECT_TRUE(std::isfinite(depthAt(world, 0.3f, -0.2f)));
+}
+
+TEST_F(Refinement, WorldMayGoInTheMiddleOfABuild) {
+  const size_t before = Device::bytes();
+  for (int frames = 4; frames < 8; ++frames) {
+    World world(0, plenty);
+    const auto snapshot = test::makeSnapshot({sheet(0, 700)});
+    for (int frame = 0; frame < frames; ++frame) world.update(snapshot, arena);
+  }
+  EXPECT_EQ(Device::bytes(), before);
+}
+
+}  // namespace
+}  // namespace gluray::accel
