@@ -59,7 +59,6 @@ void Context::beforeForward(bool flushFirst) noexcept {
     flush();
     sendBuffers();
   });
-  setCleared({});
 }
 
 void Context::count(int command) noexcept { ++unknownCalls_[static_cast<size_t>(command)]; }
@@ -156,7 +155,6 @@ void Context::sendBuffers() {
 void Context::makeCurrent() {
   t_thread.context = this;
   dirty = kAllGroups;  // another thread or another drawable may be behind it now
-  cleared_.reset();
   drawableSize_ = {0, 0};
   updateAttention();
 }
@@ -180,7 +178,6 @@ void Context::beforeSwap() {
 void Context::afterSwap() {
   ++statistics.frames;
   ++frame;
-  cleared_.reset();
   group_->meshes.advance();
   deleteDiscardedLists();
 }
@@ -206,10 +203,9 @@ void Context::flush() {
   const BatchKey key = batch_.key();
   const scene::SnapshotPtr snapshot = batch_.take();
   syncCurrent();
-  const PresentTarget target{key.depthFunc, info_.core, cleared_};
+  const PresentTarget target{key.depthFunc, info_.core};
   const PresentResult result = presenter_.present(real, snapshot, target);
   latch_.restore(real);
-  cleared_.reset();
   if (result.pendingError != GL_NO_ERROR) setError(result.pendingError);
   ++statistics.flushes;
   statistics.buildSeconds += result.buildSeconds;

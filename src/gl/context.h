@@ -135,6 +135,11 @@ class Context {
   void drawSmall(GLenum mode, const std::vector<uint32_t>& vertices);
   /// One vertex of the enabled arrays, as glArrayElement sends it.
   void arrayElement(uint32_t i);
+  /// The same inside a rasterised glBegin.
+  void rasterElement(GLint i) {
+    ++openPrimitive_.count;
+    real.ArrayElement(i);
+  }
   /// Current value of an attribute, from wherever it is newest.
   const float* current(Slot slot);
 
@@ -153,6 +158,7 @@ class Context {
   GLuint listName() const { return listName_; }
   GLenum listMode() const { return listMode_; }
   GLuint listBase = 0;
+  int activeQueries = 0;  // queries and conditional renderings that count or guard draws
   GLenum matrixMode = 0;  // 0: ask the real OpenGL
   /// Takes `op` into the list under construction, and executes it where the mode says so. Null is ignored.
   void append(std::unique_ptr<ListOp>& op);
@@ -179,8 +185,6 @@ class Context {
   /// glPushAttrib and glPopAttrib: what we keep beside the real OpenGL's stack.
   void pushAttrib(GLbitfield mask);
   void popAttrib();
-  /// The framebuffer has just been cleared whole to `color` and depth 1, or (null) something else was drawn.
-  void setCleared(std::optional<glm::vec4> color) { cleared_ = color; }
   bool hasPending() const { return !batch_.empty(); }
 
  private:
@@ -214,6 +218,7 @@ class Context {
   VertexStream stream_;
   Inside inside_ = Inside::nothing;
   bool runOpen_ = false;  // stream_ holds an immediate-mode run
+  Primitive openPrimitive_{};  // of a rasterised glBegin: mode and vertices so far
   PrimitiveClass runClass_ = PrimitiveClass::surfaces;
   SlotValues current_ = initialSlotValues();
   SlotMask currentDirty_ = 0;  // slots that are newer here than in the real OpenGL
@@ -236,7 +241,6 @@ class Context {
   glm::ivec2 drawableSize_{0};  // largest size that the window is known to have had
   TextureCache textures_;
   Batch batch_;
-  std::optional<glm::vec4> cleared_;
   std::vector<uint64_t> unknownCalls_;
 };
 

@@ -84,6 +84,12 @@ void getFloatv(Context& c, GLenum pname, GLfloat* data);
 void getDoublev(Context& c, GLenum pname, GLdouble* data);
 void getBooleanv(Context& c, GLenum pname, GLboolean* data);
 void getInteger64v(Context& c, GLenum pname, GLint64* data);
+void beginQuery(Context& c, GLenum target, GLuint id);
+void beginQueryIndexed(Context& c, GLenum target, GLuint index, GLuint id);
+void endQuery(Context& c, GLenum target);
+void endQueryIndexed(Context& c, GLenum target, GLuint index);
+void beginConditionalRender(Context& c, GLuint id, GLenum mode);
+void endConditionalRender(Context& c);
 void matrixMode(Context& c, GLenum mode);
 /// Groups that commands on the current matrix touch.
 uint32_t matrixGroups(Context& c);

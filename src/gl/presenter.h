@@ -6,7 +6,6 @@
 #include <GL/gl.h>
 #include <glm/glm.hpp>
 
-#include <optional>
 #include <string>
 
 namespace gluray::gl {
@@ -16,8 +15,6 @@ namespace gluray::gl {
 struct PresentTarget {
   GLenum depthFunc = GL_LESS;  // LESS or LEQUAL: how the batch's depth meets the framebuffer's
   bool core = false;           // core profile: no fixed function
-  std::optional<glm::vec4>
-      clearedColor;  // set where the framebuffer holds nothing but this colour and depth 1
 };
 
 /// What presenting cost and did.

@@ -37,6 +37,9 @@ namespace gluray::gl {
   X(colorSum, "secondary colour")                             \
   X(colorIndex, "colour index mode")                          \
   X(transformFeedback, "transform feedback")                  \
+  X(depthClamp, "depth clamp or depth bounds")                \
+  X(clipControl, "clip control")                              \
+  X(provokingVertex, "flat shading by the first vertex")      \
   X(query, "query active")                                    \
   X(multisampleState, "multisample coverage state")           \
   X(homogeneous, "homogeneous vertices (w is not 1)")         \

@@ -100,6 +100,23 @@ Reason blendReason(const RealGl& real, bool& needsOpaque) {
   return Reason::traced;
 }
 
+/// State of later versions and extensions that hardly any fixed-function program sets. Names that the real
+/// OpenGL does not know leave their values as they were.
+Reason rareReason(const RealGl& real) {
+  if (isOn(real, GL_DEPTH_CLAMP) || isOn(real, GL_DEPTH_BOUNDS_TEST_EXT)) return Reason::depthClamp;
+  if (isOn(real, GL_RASTERIZER_DISCARD)) return Reason::transformFeedback;
+  GLint origin = GL_LOWER_LEFT, depth = GL_NEGATIVE_ONE_TO_ONE, provoking = GL_LAST_VERTEX_CONVENTION;
+  real.GetIntegerv(GL_CLIP_ORIGIN, &origin);
+  real.GetIntegerv(GL_CLIP_DEPTH_MODE, &depth);
+  if (origin != GL_LOWER_LEFT || depth != GL_NEGATIVE_ONE_TO_ONE) return Reason::clipControl;
+  real.GetIntegerv(GL_PROVOKING_VERTEX, &provoking);
+  if (provoking != GL_LAST_VERTEX_CONVENTION && integer(real, GL_SHADE_MODEL) == GL_FLAT)
+    return Reason::provokingVertex;
+  GLfloat clamp = 0;
+  real.GetFloatv(GL_POLYGON_OFFSET_CLAMP, &clamp);
+  return clamp != 0 ? Reason::depthClamp : Reason::traced;
+}
+
 /// Why per-fragment operations rule tracing out, cheapest and commonest questions first.
 Reason fragmentReason(const RealGl& real, RasterState& raster) {
   if (integer(real, GL_RENDER_MODE) != GL_RENDER) return Reason::renderMode;
@@ -121,8 +138,9 @@ Reason fragmentReason(const RealGl& real, RasterState& raster) {
     return Reason::program;
   if (isOn(real, GL_COLOR_SUM)) return Reason::colorSum;
   if (isOn(real, GL_SAMPLE_ALPHA_TO_COVERAGE) || isOn(real, GL_SAMPLE_COVERAGE) ||
-      isOn(real, GL_SAMPLE_ALPHA_TO_ONE))
+      isOn(real, GL_SAMPLE_ALPHA_TO_ONE) || isOn(real, GL_SAMPLE_MASK))
     return Reason::multisampleState;
+  if (const Reason rare = rareReason(real); rare != Reason::traced) return rare;
   return blendReason(real, raster.blendNeedsOpaque);
 }
 

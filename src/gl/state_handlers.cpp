@@ -4,29 +4,15 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
+
 namespace gluray::gl {
 namespace {
-
-/// The colour of a clear that leaves nothing of the framebuffer, with depth 1; nothing for any lesser clear.
-std::optional<glm::vec4> wholeClear(const RealGl& real, GLbitfield mask) {
-  if (!(mask & GL_COLOR_BUFFER_BIT) || !(mask & GL_DEPTH_BUFFER_BIT) || real.IsEnabled(GL_SCISSOR_TEST))
-    return {};
-  GLboolean colors[4] = {}, depth = GL_FALSE;
-  real.GetBooleanv(GL_COLOR_WRITEMASK, colors);
-  real.GetBooleanv(GL_DEPTH_WRITEMASK, &depth);
-  GLfloat clearDepth = 0;
-  real.GetFloatv(GL_DEPTH_CLEAR_VALUE, &clearDepth);
-  if (!colors[0] || !colors[1] || !colors[2] || !colors[3] || !depth || clearDepth != 1.0f) return {};
-  glm::vec4 color(0);
-  real.GetFloatv(GL_COLOR_CLEAR_VALUE, glm::value_ptr(color));
-  return color;
-}
 
 void clearNow(Context& c, GLbitfield mask) {
   c.syncCurrent();
   c.flush();
   c.real.Clear(mask);
-  c.setCleared(wholeClear(c.real, mask));
 }
 
 }  // namespace
@@ -111,6 +97,24 @@ void getInteger64v(Context& c, GLenum pname, GLint64* data) {
   c.syncCurrent();
   c.real.GetInteger64v(pname, data);
 }
+
+namespace {
+
+/// Whether a query looks at what draws do; timers and time stamps do not.
+bool countsDraws(GLenum target) { return target != GL_TIME_ELAPSED && target != GL_TIMESTAMP; }
+
+void endGuard(Context& c) { c.activeQueries = std::max(0, c.activeQueries - 1); }
+
+}  // namespace
+
+void beginQuery(Context& c, GLenum target, GLuint) { c.activeQueries += countsDraws(target); }
+void beginQueryIndexed(Context& c, GLenum target, GLuint, GLuint) { c.activeQueries += countsDraws(target); }
+void endQuery(Context& c, GLenum target) {
+  if (countsDraws(target)) endGuard(c);
+}
+void endQueryIndexed(Context& c, GLenum target, GLuint) { endQuery(c, target); }
+void beginConditionalRender(Context& c, GLuint, GLenum) { ++c.activeQueries; }
+void endConditionalRender(Context& c) { endGuard(c); }
 
 void matrixMode(Context& c, GLenum mode) { c.matrixMode = mode; }
 

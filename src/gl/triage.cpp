@@ -9,6 +9,7 @@ namespace gluray::gl {
 Reason Context::triage(PrimitiveClass kind) {
   if (aside_) return Reason::failure;
   if (passthrough_) return Reason::off;
+  if (activeQueries > 0) return Reason::query;
   if (state.target.reason != Reason::traced) return state.target.reason;
   if (state.raster.reason == Reason::renderMode) return Reason::renderMode;
   if (kind == PrimitiveClass::points) return Reason::points;
@@ -132,7 +133,6 @@ void Context::beforeRasterDraw(PrimitiveClass kind) {
     if (!state.raster.orderFree || coplanar) flush();
   }
   syncCurrent();
-  setCleared({});
 }
 
 void Context::countRaster(Reason reason, uint64_t triangles) {
