@@ -126,6 +126,20 @@ void forEachTriangle(const Primitive& p, Emit&& emit) {
     case GL_POLYGON:  // the first vertex provokes
       for (uint32_t i = 1; i + 1 < n; ++i) emit(i, i + 1, 0);
       break;
+uint64_t countTriangles(GLenum mode, uint64_t count) {
+  switch (mode) {
+    case GL_TRIANGLES: return count / 3;
+    case GL_QUADS: return count / 4 * 2;
+    case GL_QUAD_STRIP: return count < 4 ? 0 : (count / 2 - 1) * 2;
+    case GL_TRIANGLE_STRIP:
+    case GL_TRIANGLE_FAN:
+    case GL_POLYGON: return count < 3 ? 0 : count - 2;
+    case GL_TRIANGLES_ADJACENCY: return count / 6;
+    case GL_TRIANGLE_STRIP_ADJACENCY: return count < 6 ? 0 : count / 2 - 2;
+    default: return 0;
+  }
+}
+
     case GL_QUADS:
       for (uint32_t i = 0; i + 3 < n; i += 4) emit(i, i + 1, i + 3), emit(i + 1, i + 2, i + 3);
       break;
@@ -154,17 +168,7 @@ std::vector<uint32_t> triangulate(const Captured& captured) {
 
 uint64_t countTriangles(const Captured& captured) {
   uint64_t count = 0;
-  for (const Primitive& p : captured.primitives) {
-    switch (p.mode) {
-      case GL_TRIANGLES: count += p.count / 3; break;
-      case GL_QUADS: count += p.count / 4 * 2; break;
-      case GL_QUAD_STRIP: count += p.count < 4 ? 0 : (p.count / 2 - 1) * 2; break;
-      case GL_TRIANGLE_STRIP:
-      case GL_TRIANGLE_FAN:
-      case GL_POLYGON: count += p.count < 3 ? 0 : p.count - 2; break;
-      default: break;
-    }
-  }
+  for (const Primitive& p : captured.primitives) count += countTriangles(p.mode, p.count);
   return count;
 }
 

@@ -81,6 +81,9 @@ struct Captured {
   bool empty() const { return primitives.empty(); }
   const float* vertex(uint32_t i) const { return vertices.data() + size_t{i} * layout.stride; }
   float* vertex(uint32_t i) { return vertices.data() + size_t{i} * layout.stride; }
+/// Triangles that one primitive of `count` vertices makes; none for lines, points and patches.
+uint64_t countTriangles(GLenum mode, uint64_t count);
+
   size_t sizeBytes() const {
     return size_t{vertexCount} * layout.stride * sizeof(float) + indices.size() * 4;
   }

@@ -59,7 +59,7 @@ void rectiv(Context& c, const GLint* a, const GLint* b) { rect(c, a[0], a[1], b[
 void rectsv(Context& c, const GLshort* a, const GLshort* b) { rect(c, a[0], a[1], b[0], b[1]); }
 
 void arrayElement(Context& c, GLint i) {
-  if (c.inside() == Context::Inside::rasterised) return c.real.ArrayElement(i);
+  if (c.inside() == Context::Inside::rasterised) return c.rasterElement(i);
   c.refresh(kArrays);
   c.arrayElement(static_cast<uint32_t>(i));
 }
@@ -189,7 +189,7 @@ void draw(Context& c, GLenum mode, const Elements& e) {
   const Reason reason = traceDraw(c, mode, e);
   if (reason == Reason::traced) return;
   const PrimitiveClass kind = mode <= GL_POLYGON ? classOf(mode) : PrimitiveClass::lines;
-  c.countRaster(reason, mode == GL_TRIANGLES ? static_cast<uint64_t>(e.count / 3) : 0);
+  c.countRaster(reason, countTriangles(mode, static_cast<uint64_t>(e.count)));
   c.beforeRasterDraw(kind);
   c.sendBuffers();
   rasterise(c, mode, e);

@@ -82,6 +82,7 @@ void Context::addSlotToRun(Slot slot) {
 }
 
 void Context::vertex(float x, float y, float z, float w) {
+  if (inside_ == Inside::rasterised) ++openPrimitive_.count;
   if (passthrough_ || inside_ == Inside::rasterised) return real.Vertex4f(x, y, z, w);
   if (inside_ == Inside::captured) return stream_.vertexSlow(x, y, z, w);
   // A vertex outside glBegin draws nothing, but in a list it may be called between the caller's glBegin and
@@ -106,8 +107,9 @@ void Context::begin(GLenum mode) {
     const Reason reason = triage(kind);
     if (reason != Reason::traced) {
       beforeRasterDraw(kind);
-      sendBuffers();  // glArrayElement may follow
-      countRaster(reason, 0);
+      sendBuffers();           // glArrayElement may follow
+      countRaster(reason, 0);  // end() knows its triangles
+      openPrimitive_ = {mode, 0, 0};
       inside_ = Inside::rasterised;
       real.Begin(mode);
       return updateAttention();
@@ -123,6 +125,8 @@ void Context::end() {
   if (!insideBegin()) return setError(GL_INVALID_OPERATION);
   if (inside_ == Inside::rasterised) {
     real.End();
+    if (!openFragment_)
+      statistics.trianglesRasterised += countTriangles(openPrimitive_.mode, openPrimitive_.count);
     if (const GLuint id = std::exchange(openFragment_, 0)) {
       real.EndList();
       appendFragment(id);
@@ -213,6 +217,8 @@ void Context::surrenderRun() {
   if (open) replayOpen(real, run, stream_.openPrimitive());
   if (!compiling()) {
     keepRunValues();
+    if (!run.empty() || open) countRaster(aside_ ? Reason::failure : Reason::evaluators, countTriangles(run));
+    if (open) openPrimitive_ = stream_.openPrimitive();
     sendCurrent();  // legal inside glBegin too: what was set since the last vertex
   } else {
     if (!open) real.EndList();
