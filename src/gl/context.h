@@ -104,7 +104,7 @@ class Context {
   /// For glFlush and glFinish: shows what is pending if anybody could see it before the next swap.
   void showIfVisible();
   /// Calls of commands that we do not model, by index into kCommandNames.
-  const std::vector<uint64_t>& unknownCalls() const { return unknownCalls_; }
+  const std::vector<Counter<uint64_t>>& unknownCalls() const { return unknownCalls_; }
   const ContextInfo& info() const { return info_; }
 
   // --- for handlers
@@ -237,11 +237,12 @@ class Context {
   };
   std::vector<SavedAttrib> attribStack_;
 
+  scene::Region sizeAskedFor_;
   void clampToTarget(scene::Region& region);
   glm::ivec2 drawableSize_{0};  // largest size that the window is known to have had
   TextureCache textures_;
   Batch batch_;
-  std::vector<uint64_t> unknownCalls_;
+  std::vector<Counter<uint64_t>> unknownCalls_;
 };
 
 template <class F>

@@ -12,7 +12,7 @@ Statistics& Statistics::operator+=(const Statistics& o) {
   captureSeconds += o.captureSeconds, buildSeconds += o.buildSeconds;
   traceSeconds += o.traceSeconds, presentSeconds += o.presentSeconds;
   blasBuilds += o.blasBuilds;
-  bvhBytes = bvhBytes > o.bvhBytes ? bvhBytes : o.bvhBytes;  // one renderer serves all contexts
+  if (o.bvhBytes > bvhBytes) bvhBytes = o.bvhBytes;  // one renderer serves all contexts
   return *this;
 }
 

@@ -1,6 +1,7 @@
-// What happened to the program's draws, for `--report` and `gluray explain`. Written by GL threads, read at
-// exit.
+// What happened to the program's draws, for `--report` and `gluray explain`. Written by GL threads; read by
+// any thread, meanwhile or at exit.
 #pragma once
+#include "gl/counter.h"
 #include "gl/reasons.h"
 
 #include <array>
@@ -10,14 +11,16 @@ namespace gluray::gl {
 
 /// Counters of one context; sums over contexts make the report.
 struct Statistics {
-  uint64_t frames = 0;  // buffer swaps (or finishes of single-buffered drawing)
-  uint64_t drawsTraced = 0, drawsRasterised = 0;
-  uint64_t trianglesTraced = 0, trianglesRasterised = 0;
-  std::array<uint64_t, kReasonCount> rasterisedBecause{};  // draws, by reason
-  uint64_t flushes = 0;                                    // batches written to a framebuffer
-  uint64_t meshesBuilt = 0, meshBytes = 0;
-  double captureSeconds = 0, buildSeconds = 0, traceSeconds = 0, presentSeconds = 0;
-  uint64_t blasBuilds = 0, bvhBytes = 0;
+  using Count = Counter<uint64_t>;
+  using Seconds = Counter<double>;
+  Count frames;  // buffer swaps (or finishes of single-buffered drawing)
+  Count drawsTraced, drawsRasterised;
+  Count trianglesTraced, trianglesRasterised;
+  std::array<Count, kReasonCount> rasterisedBecause{};  // draws, by reason
+  Count flushes;                                        // batches written to a framebuffer
+  Count meshesBuilt, meshBytes;
+  Seconds captureSeconds, buildSeconds, traceSeconds, presentSeconds;
+  Count blasBuilds, bvhBytes;
 
   Statistics& operator+=(const Statistics& other);
 };

@@ -83,8 +83,12 @@ void Context::clampToTarget(scene::Region& region) {
   };
   glm::ivec2 size = state.target.size;
   if (state.target.framebuffer == 0) {
-    if (exceeds(drawableSize_) && info_.drawableSize)
+    // Asked once a batch, however many draws it takes: windows may grow.
+    const bool fresh = !batch_.empty() && sizeAskedFor_ == region;
+    if (!fresh && exceeds(drawableSize_) && info_.drawableSize) {
       drawableSize_ = glm::max(drawableSize_, info_.drawableSize());
+      sizeAskedFor_ = region;
+    }
     size = drawableSize_;
   }
   if (size.x <= 0 || size.y <= 0 || !exceeds(size)) return;

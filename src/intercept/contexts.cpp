@@ -45,6 +45,7 @@ struct Current {
   std::shared_ptr<Record> record;
   Key key{};
   Drawables drawables;
+  AskSize size;
 };
 thread_local Current t_current;
 bool g_forked = false;
@@ -87,6 +88,7 @@ std::string text(const gl::RealGl& real, GLenum name) {
 gl::ContextInfo askInfo(const gl::RealGl& real, const std::string& version) {
   gl::ContextInfo info;
   info.settings = session().settings;
+  info.drawableSize = [] { return t_current.size ? t_current.size() : glm::ivec2(0); };
   int major = 0, minor = 0;
   if (std::sscanf(version.c_str(), "%d.%d", &major, &minor) != 2) info.core = true;  // "OpenGL ES ..."
   GLboolean doubleBuffered = GL_TRUE;
@@ -104,12 +106,16 @@ gl::ContextInfo askInfo(const gl::RealGl& real, const std::string& version) {
 void makeContext(Record& record, Api api) {
   record.tried = true;
   const gl::RealGl& real = realGl(api);
-  record.vendor = text(real, GL_VENDOR);
-  record.renderer = text(real, GL_RENDERER);
-  record.version = text(real, GL_VERSION);
-  const gl::ContextInfo info = askInfo(real, record.version);
-  record.presenter = makePresenter(info.settings);
-  record.context = gl::Context::create(real, record.group, info, *record.presenter);
+  std::string vendor = text(real, GL_VENDOR), renderer = text(real, GL_RENDERER),
+              version = text(real, GL_VERSION);
+  const gl::ContextInfo info = askInfo(real, version);
+  std::unique_ptr<gl::Presenter> presenter = makePresenter(info.settings);
+  std::shared_ptr<gl::Context> context = gl::Context::create(real, record.group, info, *presenter);
+  const std::lock_guard lock(registry().mutex);  // another thread may be adding up for the report
+  record.vendor = std::move(vendor), record.renderer = std::move(renderer),
+  record.version = std::move(version);
+  record.presenter = std::move(presenter);
+  record.context = std::move(context);
 }
 
 std::shared_ptr<Record> newRecord(const Key& share) {
@@ -175,7 +181,7 @@ void stayCurrent() noexcept {
   });
 }
 
-void becameCurrent(Api api, const void* handle, Drawables drawables) noexcept {
+void becameCurrent(Api api, const void* handle, Drawables drawables, AskSize size) noexcept {
   guarded("this context is not ray traced", [&] {
     gl::t_thread = {};
     std::shared_ptr<Record> record;
@@ -187,7 +193,7 @@ void becameCurrent(Api api, const void* handle, Drawables drawables) noexcept {
       if (!slot) slot = newRecord({});  // made by a way we do not see
       record = slot;
     }
-    t_current = {record, {api, handle}, drawables};
+    t_current = {record, {api, handle}, drawables, std::move(size)};
     if (!record) return;
     if (!record->tried) makeContext(*record, api);
     if (record->context) record->context->makeCurrent();

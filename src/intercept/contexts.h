@@ -4,7 +4,10 @@
 #include "gl/statistics.h"
 #include "intercept/real_functions.h"
 
+#include <glm/glm.hpp>
+
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 
@@ -15,6 +18,9 @@ struct Drawables {
   uintptr_t draw = 0, read = 0;
   bool operator==(const Drawables&) const = default;
 };
+/// Width and height of a drawable in pixels; {0, 0} where they cannot be found out. Called on the thread
+/// where it is current.
+using AskSize = std::function<glm::ivec2()>;
 
 /// A context was made. `share` is the context whose lists and buffers it shares, or null. `display` is EGL's,
 /// else null.
@@ -32,7 +38,8 @@ void leaveCurrent() noexcept;
 /// The real MakeCurrent failed: the context that was left is still current.
 void stayCurrent() noexcept;
 /// The real MakeCurrent succeeded: `handle` (null: none) is current in this thread with these drawables.
-void becameCurrent(Api api, const void* handle, Drawables drawables) noexcept;
+/// `size` says how large the one drawn into is.
+void becameCurrent(Api api, const void* handle, Drawables drawables, AskSize size = {}) noexcept;
 /// Whether exactly this is current already: many programs say it again every frame, and nothing changes then.
 bool isCurrent(Api api, const void* handle, Drawables drawables) noexcept;
 /// A buffer swap of `drawable` returned: if this thread draws into it, a frame has ended.

@@ -15,6 +15,19 @@ namespace {
 
 uintptr_t drawableOf(EGLSurface surface) { return reinterpret_cast<uintptr_t>(surface); }
 
+/// Asks behind door D how large `surface` is; nothing of that sort for contexts without a surface.
+template <Door D>
+AskSize sizeOf(EGLDisplay display, EGLSurface surface) {
+  if (surface == EGL_NO_SURFACE) return {};
+  return [display, surface] {
+    REAL(D, decltype(&eglQuerySurface), "eglQuerySurface");
+    EGLint width = 0, height = 0;
+    const bool known =
+        real && real(display, surface, EGL_WIDTH, &width) && real(display, surface, EGL_HEIGHT, &height);
+    return known ? glm::ivec2(width, height) : glm::ivec2(0);
+  };
+}
+
 /// Runs `call` with what is pending drawn first.
 template <class F>
 auto afterFlush(F&& call) {
@@ -58,7 +71,7 @@ struct Egl {
     leaveCurrent();
     const EGLBoolean done = real(display, draw, read, context);
     if (done)
-      becameCurrent(Api::egl, context, drawables);
+      becameCurrent(Api::egl, context, drawables, sizeOf<D>(display, draw));
     else
       stayCurrent();
     return done;

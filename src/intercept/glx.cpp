@@ -1,6 +1,7 @@
 // GLX: contexts, current contexts, buffer swaps. GLX 1.4 and the extensions that show pictures.
 #include "gl/stub.h"
 #include "intercept/contexts.h"
+#include "intercept/drawable_size.h"
 #include "intercept/engine.h"
 #include "intercept/hook_table.h"
 
@@ -32,13 +33,13 @@ GLXContext creating(GLXContext share, F&& call) {
 
 /// Runs `call`, which makes `context` current.
 template <class F>
-Bool makingCurrent(GLXDrawable draw, GLXDrawable read, GLXContext context, F&& call) {
+Bool makingCurrent(Display* dpy, GLXDrawable draw, GLXDrawable read, GLXContext context, F&& call) {
   const Outermost outermost;
   if (!outermost || isCurrent(Api::glx, context, {draw, read})) return call();
   leaveCurrent();
   const Bool done = call();
   if (done)
-    becameCurrent(Api::glx, context, {draw, read});
+    becameCurrent(Api::glx, context, {draw, read}, [dpy, draw] { return drawableSize(dpy, draw); });
   else
     stayCurrent();
   return done;
@@ -104,15 +105,15 @@ struct Glx {
 
   static Bool makeCurrent(Display* dpy, GLXDrawable drawable, GLXContext context) {
     REAL(D, decltype(&glXMakeCurrent), "glXMakeCurrent");
-    return makingCurrent(drawable, drawable, context, [&] { return real(dpy, drawable, context); });
+    return makingCurrent(dpy, drawable, drawable, context, [&] { return real(dpy, drawable, context); });
   }
   static Bool makeContextCurrent(Display* dpy, GLXDrawable draw, GLXDrawable read, GLXContext context) {
     REAL(D, decltype(&glXMakeContextCurrent), "glXMakeContextCurrent");
-    return makingCurrent(draw, read, context, [&] { return real(dpy, draw, read, context); });
+    return makingCurrent(dpy, draw, read, context, [&] { return real(dpy, draw, read, context); });
   }
   static Bool makeCurrentRead(Display* dpy, GLXDrawable draw, GLXDrawable read, GLXContext context) {
     REAL(D, PFNGLXMAKECURRENTREADSGIPROC, "glXMakeCurrentReadSGI");
-    return makingCurrent(draw, read, context, [&] { return real(dpy, draw, read, context); });
+    return makingCurrent(dpy, draw, read, context, [&] { return real(dpy, draw, read, context); });
   }
 
   static void swapBuffers(Display* dpy, GLXDrawable drawable) {

@@ -50,7 +50,8 @@ GLboolean makeCurrent(OSMesaContext context, void* buffer, GLenum type, GLsizei 
   leaveCurrent();
   const GLboolean done = real(context, buffer, type, width, height);
   if (done)
-    becameCurrent(Api::osmesa, context, {reinterpret_cast<uintptr_t>(buffer), 0});
+    becameCurrent(Api::osmesa, context, {reinterpret_cast<uintptr_t>(buffer), 0},
+                  [width, height] { return glm::ivec2(width, height); });
   else
     stayCurrent();
   return done;

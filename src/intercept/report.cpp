@@ -17,6 +17,16 @@
 #include <mutex>
 #include <string>
 
+namespace gluray::gl {
+
+/// How the library of JSON finds the number in a counter.
+template <class T>
+void to_json(nlohmann::json& json, const Counter<T>& counter) {
+  json = T{counter};
+}
+
+}  // namespace gluray::gl
+
 namespace gluray::intercept {
 namespace {
 
@@ -24,7 +34,7 @@ using nlohmann::json;
 
 json makeReport(const Totals& totals) {
   const gl::Statistics& s = totals.statistics;
-  const double perFrame = s.frames ? 1000.0 / static_cast<double>(s.frames) : 0;
+  const double perFrame = s.frames ? 1000.0 / static_cast<double>(uint64_t{s.frames}) : 0;
   json reasons = json::object();
   for (int i = 0; i < gl::kReasonCount; ++i)
     if (s.rasterisedBecause[i])

@@ -12,15 +12,17 @@ Settings TracedContext::vertexShading() {
 }
 
 TracedContext::TracedContext(const ContextWish& wish, Settings settings,
-                             std::unique_ptr<gl::Presenter> presenter)
-    : below_(OsmesaContext::create(wish)), presenter_(std::move(presenter)) {
+                             std::unique_ptr<gl::Presenter> presenter, const TracedContext* share)
+    : below_(OsmesaContext::create(wish, share ? share->below_.get() : nullptr)),
+      presenter_(std::move(presenter)) {
   gl::ContextInfo info;
   info.core = wish.core;
   info.doubleBuffered = false;
   info.settings = settings;
   info.drawableSize = [wish] { return glm::ivec2(wish.width, wish.height); };
   if (!presenter_) presenter_ = intercept::makePresenter(settings);
-  context_ = gl::Context::create(below_->real(), std::make_shared<gl::ShareGroup>(), info, *presenter_);
+  const auto group = share ? share->context_->sharedGroup() : std::make_shared<gl::ShareGroup>();
+  context_ = gl::Context::create(below_->real(), group, info, *presenter_);
   context_->makeCurrent();
 }
 

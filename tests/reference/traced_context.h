@@ -9,14 +9,17 @@ namespace gluray::test {
 class TracedContext {
  public:
   /// Current in the creating thread until destroyed. Shading is per vertex, as the real OpenGL's.
-  /// `presenter` stands in for the one that traces.
+  /// `presenter` stands in for the one that traces. `share` is a context whose lists and buffers it shares.
   explicit TracedContext(const ContextWish& wish = {}, Settings settings = vertexShading(),
-                         std::unique_ptr<gl::Presenter> presenter = nullptr);
+                         std::unique_ptr<gl::Presenter> presenter = nullptr,
+                         const TracedContext* share = nullptr);
   ~TracedContext();
   TracedContext(const TracedContext&) = delete;
   TracedContext& operator=(const TracedContext&) = delete;
 
   static Settings vertexShading();
+  /// Our functions, as table.
+  static const gl::RealGl& stubs();
   /// Our functions: what the program calls.
   const gl::RealGl& gl() const { return stubs(); }
   const OsmesaContext& below() const { return *below_; }
@@ -25,7 +28,6 @@ class TracedContext {
   Picture read() const;
 
  private:
-  static const gl::RealGl& stubs();
   std::unique_ptr<OsmesaContext> below_;
   std::unique_ptr<gl::Presenter> presenter_;
   std::shared_ptr<gl::Context> context_;

@@ -4,7 +4,7 @@
 
 namespace gluray::test {
 
-std::unique_ptr<OsmesaContext> OsmesaContext::create(const ContextWish& wish) {
+std::unique_ptr<OsmesaContext> OsmesaContext::create(const ContextWish& wish, const OsmesaContext* share) {
   std::vector<int> attributes = {
       OSMESA_FORMAT,       OSMESA_RGBA,
       OSMESA_DEPTH_BITS,   24,
@@ -16,7 +16,8 @@ std::unique_ptr<OsmesaContext> OsmesaContext::create(const ContextWish& wish) {
     attributes.insert(attributes.end(), {OSMESA_CONTEXT_MINOR_VERSION, wish.minor});
   }
   attributes.push_back(0);
-  OSMesaContext made = OSMesaCreateContextAttribs(attributes.data(), nullptr);
+  OSMesaContext made = OSMesaCreateContextAttribs(
+      attributes.data(), share ? static_cast<OSMesaContext>(share->context_) : nullptr);
   if (!made) return nullptr;
   std::unique_ptr<OsmesaContext> context(new OsmesaContext);
   context->wish_ = wish;

@@ -24,8 +24,9 @@ inline void PrintTo(const ContextWish& wish, std::ostream* out) {
 /// thread.
 class OsmesaContext {
  public:
-  /// Null where OSMesa cannot make such a context.
-  static std::unique_ptr<OsmesaContext> create(const ContextWish& wish = {});
+  /// Null where OSMesa cannot make such a context. It shares objects with `share`, which is of the same kind.
+  static std::unique_ptr<OsmesaContext> create(const ContextWish& wish = {},
+                                               const OsmesaContext* share = nullptr);
   ~OsmesaContext();
 
   bool makeCurrent();

@@ -1,0 +1,26 @@
+// A number that one thread counts up while others look. Any thread.
+#pragma once
+#include <atomic>
+
+namespace gluray::gl {
+
+/// Written by the thread that owns it, as cheaply as a plain number; readers may see one of a moment ago.
+template <class T>
+class Counter {
+ public:
+  Counter(T value = {}) : value_(value) {}
+  Counter(const Counter& other) : value_(T{other}) {}
+  Counter& operator=(const Counter& other) { return *this = T{other}; }
+  Counter& operator=(T value) {
+    value_.store(value, std::memory_order_relaxed);
+    return *this;
+  }
+  operator T() const { return value_.load(std::memory_order_relaxed); }
+  Counter& operator+=(T more) { return *this = T{*this} + more; }
+  Counter& operator++() { return *this += T{1}; }
+
+ private:
+  std::atomic<T> value_;
+};
+
+}  // namespace gluray::gl

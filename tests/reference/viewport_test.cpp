@@ -1,0 +1,90 @@
+// Only pixels that exist are traced: viewports may be larger than what is drawn into.
+#include "tests/reference/traced_context.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace gluray::test {
+namespace {
+
+constexpr int kSize = 200;
+
+/// Keeps the regions it is asked for.
+class Regions final : public gl::Presenter {
+ public:
+  explicit Regions(std::vector<scene::Region>& seen) : seen_(seen) {}
+  gl::PresentResult present(const gl::RealGl&, const scene::SnapshotPtr& snapshot,
+                            const gl::PresentTarget&) noexcept override {
+    seen_.push_back(snapshot->region);
+    gl::PresentResult result;
+    result.outcome = gl::PresentResult::traced;
+    return result;
+  }
+  bool supports(const gl::RealGl&, bool, std::string&) noexcept override { return true; }
+  void forget(const gl::RealGl&) noexcept override {}
+
+ private:
+  std::vector<scene::Region>& seen_;
+};
+
+void drawWith(const gl::RealGl& gl, GLint x, GLint y, GLsizei width, GLsizei height) {
+  gl.Enable(GL_DEPTH_TEST);
+  gl.Viewport(x, y, width, height);
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  gl.Begin(GL_TRIANGLES);
+  gl.Vertex3f(-1, -1, 0), gl.Vertex3f(1, -1, 0.1f), gl.Vertex3f(0, 1, 0.2f);
+  gl.End();
+  gl.Finish();
+}
+
+TEST(Viewport, EndsAtTheWindow) {
+  std::vector<scene::Region> seen;
+  TracedContext context({kSize, kSize}, TracedContext::vertexShading(), std::make_unique<Regions>(seen));
+  drawWith(context.gl(), 0, 0, 16384, 16384);
+  drawWith(context.gl(), -8000, 50, 16000, 16000);
+  drawWith(context.gl(), 10, 20, 30, 40);
+  EXPECT_EQ(seen,
+            (std::vector<scene::Region>{{0, 0, kSize, kSize}, {0, 50, kSize, kSize - 50}, {10, 20, 30, 40}}));
+}
+
+TEST(Viewport, BesideTheWindowIsNotTraced) {
+  std::vector<scene::Region> seen;
+  TracedContext context({kSize, kSize}, TracedContext::vertexShading(), std::make_unique<Regions>(seen));
+  drawWith(context.gl(), kSize, 0, 100, 100);
+  EXPECT_TRUE(seen.empty());
+}
+
+TEST(Viewport, WindowIsAskedOnceABatch) {
+  int width = kSize, asked = 0;
+  std::vector<scene::Region> seen;
+  Regions presenter(seen);
+  const auto below = OsmesaContext::create({kSize, kSize});
+  gl::ContextInfo info;
+  info.drawableSize = [&] { return ++asked, glm::ivec2(width, kSize); };
+  const auto context =
+      gl::Context::create(below->real(), std::make_shared<gl::ShareGroup>(), info, presenter);
+  context->makeCurrent();
+  const gl::RealGl& gl = TracedContext::stubs();
+  const auto batchOfTen = [&] {
+    gl.Enable(GL_DEPTH_TEST);
+    gl.Viewport(0, 0, 16384, 16384);
+    for (int i = 0; i < 10; ++i) {
+      gl.Translatef(0.01f, 0, 0);
+      gl.Begin(GL_TRIANGLES);
+      gl.Vertex3f(-1, -1, 0), gl.Vertex3f(1, -1, 0.1f), gl.Vertex3f(0, 1, 0.2f);
+      gl.End();
+    }
+    gl.Finish();
+  };
+  batchOfTen();
+  EXPECT_EQ(asked, 1);
+  width = 2 * kSize;  // the window grows
+  batchOfTen();
+  EXPECT_EQ(asked, 2);
+  EXPECT_EQ(seen, (std::vector<scene::Region>{{0, 0, kSize, kSize}, {0, 0, 2 * kSize, kSize}}));
+  context->loseCurrent();
+}
+
+}  // namespace
+}  // namespace gluray::test
