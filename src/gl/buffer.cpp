@@ -24,6 +24,7 @@ Buffer::Buffer(GLuint name) : name_(name) {
 void Buffer::setData(size_t size, const void* data, GLenum usage) {
   auto storage = std::make_shared<BufferStorage>(size);
   if (data) std::memcpy(storage->data, data, size);
+  const std::lock_guard lock(mutex_);
   storage_ = std::move(storage);
   size_ = size;
   usage_ = usage;
@@ -37,6 +38,9 @@ BufferStorage& Buffer::writable() {
     auto copy = std::make_shared<BufferStorage>(size_);
     std::memcpy(copy->data, storage_->data, size_);
     storage_ = std::move(copy);
+  } else {
+    // The last mesh that read it in another thread has let go: its reads come before our writes.
+    const std::shared_ptr<BufferStorage> acquired = storage_;
   }
   heldBack_ = true;
   ++version_;
@@ -44,6 +48,7 @@ BufferStorage& Buffer::writable() {
 }
 
 void Buffer::setSubData(size_t offset, size_t size, const void* data) {
+  const std::lock_guard lock(mutex_);
   std::memcpy(writable().data + offset, data, size);
 }
 
@@ -67,29 +72,49 @@ class CopyBinding {
 
 }  // namespace
 
+void Buffer::fetch(const RealGl& real) {
+  const CopyBinding binding(real, name_);
+  GLint size = 0;  // asked, because commands that we do not model may have set it
+  real.GetBufferParameteriv(GL_ARRAY_BUFFER, GL_BUFFER_SIZE, &size);
+  size_ = static_cast<size_t>(std::max(size, 0));
+  if (size_ == 0) return;
+  auto storage = std::make_shared<BufferStorage>(size_);
+  real.GetBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(size_), storage->data);
+  storage_ = std::move(storage);
+}
+
 std::shared_ptr<const BufferStorage> Buffer::read(const RealGl& real) {
-  if (!storage_) {
-    const CopyBinding binding(real, name_);
-    GLint size = 0;  // asked, because commands that we do not model may have set it
-    real.GetBufferParameteriv(GL_ARRAY_BUFFER, GL_BUFFER_SIZE, &size);
-    size_ = static_cast<size_t>(std::max(size, 0));
-    if (size_ == 0) return nullptr;
-    auto storage = std::make_shared<BufferStorage>(size_);
-    real.GetBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(size_), storage->data);
-    storage_ = std::move(storage);
-  }
+  const std::lock_guard lock(mutex_);
+  if (!storage_) fetch(real);
   return storage_;
 }
 
 void Buffer::sendTo(const RealGl& real) {
   if (!heldBack_) return;
+  const std::lock_guard lock(mutex_);
+  if (!heldBack_ || mapped_) return;
   const CopyBinding binding(real, name_);
   real.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(size_), storage_->data, usage_);
   heldBack_ = false;
 }
 
+void Buffer::changedBelow() {
+  const std::lock_guard lock(mutex_);
+  if (mapped_) return;
+  storage_.reset();
+  ++version_;
+}
+
+void Buffer::setSizeBelow(size_t size, GLenum usage) {
+  const std::lock_guard lock(mutex_);
+  size_ = size, usage_ = usage, heldBack_ = false, mapped_ = nullptr;
+  storage_.reset();
+  ++version_;
+}
+
 void* Buffer::map(const RealGl& real, size_t offset, size_t length, GLbitfield access) {
-  if (!storage_ && size_ > 0) read(real);
+  const std::lock_guard lock(mutex_);
+  if (!storage_ && size_ > 0) fetch(real);
   if (!storage_) storage_ = std::make_shared<BufferStorage>(size_);
   std::byte* data = (access & GL_MAP_WRITE_BIT) ? writable().data : storage_->data;
   mapped_ = data + offset;
@@ -98,6 +123,7 @@ void* Buffer::map(const RealGl& real, size_t offset, size_t length, GLbitfield a
 }
 
 void Buffer::unmap() {
+  const std::lock_guard lock(mutex_);
   if (mapAccess_ & GL_MAP_WRITE_BIT) heldBack_ = true, ++version_;
   mapped_ = nullptr;
 }

@@ -1,14 +1,17 @@
 // Buffer objects. Our copy is the copy: meshes read it in place, and the real OpenGL gets it when it needs
-// it. GL thread; objects of a share group follow OpenGL's rule that programs synchronise their use.
+// it. GL threads: contexts of several threads may draw from a buffer at once, and each sends what the others
+// hold back; changes of contents follow OpenGL's rule that programs synchronise them with their use.
 #pragma once
 #include "gl/real.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 
 namespace gluray::gl {
 
@@ -34,10 +37,11 @@ class Buffer {
   void setSubData(size_t offset, size_t size, const void* data);
   /// The bytes, fetched from the real OpenGL where it has changed them. Null for an empty buffer.
   std::shared_ptr<const BufferStorage> read(const RealGl& real);
-  /// Gives the real OpenGL our contents if it does not have them.
+  /// Gives the real OpenGL our contents if it does not have them. Nothing while the buffer is mapped: nobody
+  /// may draw from it then.
   void sendTo(const RealGl& real);
-  /// The real OpenGL is about to change, or has changed, the contents itself.
-  void changedBelow() { storage_.reset(), ++version_; }
+  /// The real OpenGL is about to change, or has changed, the contents itself; a mapped buffer it cannot.
+  void changedBelow();
 
   /// glMapBuffer(Range) on our copy: a pointer that stays valid until unmap().
   void* map(const RealGl& real, size_t offset, size_t length, GLbitfield access);
@@ -45,7 +49,7 @@ class Buffer {
 
   GLuint name() const { return name_; }
   uint64_t serial() const { return serial_; }  // unlike names and addresses never used again
-  size_t size() const { return size_; }
+  size_t size() const { return size_; }        // bytes
   bool immutable = false;  // glBufferStorage: the real OpenGL's storage cannot be made anew
   GLenum usage() const { return usage_; }
   bool heldBack() const { return heldBack_; }
@@ -60,21 +64,21 @@ class Buffer {
   /// never traced.
   bool foreign = false;
   /// The program knows the size although our copy is gone.
-  void setSizeBelow(size_t size, GLenum usage) {
-    size_ = size, usage_ = usage, heldBack_ = false, changedBelow();
-  }
+  void setSizeBelow(size_t size, GLenum usage);
 
  private:
   /// Storage that may be written: copied first where a mesh still refers to it.
   BufferStorage& writable();
+  void fetch(const RealGl& real);
 
+  std::mutex mutex_;  // of what follows, where a context that only draws may come by
   GLuint name_;
   uint64_t serial_;
   std::shared_ptr<BufferStorage> storage_;  // null: the real OpenGL has the only copy
   size_t size_ = 0;
   GLenum usage_ = GL_STATIC_DRAW;
-  bool heldBack_ = false;  // ours is newer than the real one
-  uint64_t version_ = 1;   // counts changes of content
+  std::atomic<bool> heldBack_ = false;  // ours is newer than the real one
+  std::atomic<uint64_t> version_ = 1;   // counts changes of content
   void* mapped_ = nullptr;
   size_t mapOffset_ = 0, mapLength_ = 0;
   GLbitfield mapAccess_ = 0;
