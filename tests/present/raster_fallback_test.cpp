@@ -164,7 +164,7 @@ TEST(RasterFallback, StandsInWhenTracingFails) {
     return error = "out of memory", false;
   });
   g.Enable(0xdead);
-  const auto result = presenter.present(g, snapshotOf(patch), {GL_LEQUAL, false, {}});
+  const auto result = presenter.present(g, snapshotOf(patch), {GL_LEQUAL, false});
   EXPECT_EQ(result.outcome, gl::PresentResult::rasterised);
   EXPECT_EQ(result.pendingError, static_cast<GLenum>(GL_INVALID_ENUM));
   const auto depths = context->depths();
@@ -184,7 +184,7 @@ TEST(RasterFallback, TracedPicturesAreWrittenBack) {
     cost.blasBuilds = 3;
     return true;
   });
-  const auto result = presenter.present(g, snapshotOf(patch), {GL_LESS, false, {}});
+  const auto result = presenter.present(g, snapshotOf(patch), {GL_LESS, false});
   EXPECT_EQ(result.outcome, gl::PresentResult::traced);
   EXPECT_EQ(result.blasBuilds, 3u);
   const auto colors = context->colors();
