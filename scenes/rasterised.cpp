@@ -83,10 +83,15 @@ void wireframe(Gl gl, int width, int height) {
   sendAt(gl, sphere(10, 16), 0, 0, 0, 0.3f);
 }
 
+/// An opaque ball, a quad that fades out, and a ball that the test rejects whole.
 void alphaTest(Gl gl, int width, int height) {
   host(gl, width, height);
   gl.Disable(GL_LIGHTING);
   gl.Enable(GL_ALPHA_TEST);
+  gl.AlphaFunc(GL_GREATER, 0.5f);
+  gl.Color4f(0.2f, 0.4f, 0.9f, 1), sendAt(gl, sphere(10, 16), -0.4f, -0.5f, 0.2f, 0.4f);
+  gl.AlphaFunc(GL_LESS, 0.5f);
+  gl.Color4f(0.2f, 0.9f, 0.4f, 1), sendAt(gl, sphere(10, 16), 0.4f, -0.5f, 0.2f, 0.4f);
   gl.AlphaFunc(GL_GREATER, 0.5f);
   gl.Begin(GL_QUADS);
   gl.Color4f(1, 1, 0, 0), gl.Vertex3f(-1, -0.3f, 0.3f), gl.Vertex3f(1, -0.3f, 0.3f);

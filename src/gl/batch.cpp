@@ -39,7 +39,7 @@ BatchKey Batch::keyOf(const State& state) {
 
 void Batch::start(const BatchKey& key, const State& state, const Settings& settings, uint64_t frame) {
   key_ = key;
-  instancesOf_.clear();
+  instancesAt_.clear();
   snapshot_ = std::make_shared<scene::Snapshot>();
   snapshot_->frame = frame;
   snapshot_->settings = settings;
@@ -80,8 +80,10 @@ void Batch::add(scene::Instance instance, scene::Shading shading) {
   instance.worldFromObject = instance.eyeFromObject == s.eyeFromWorld
                                  ? glm::mat4(1)
                                  : glm::mat4(glm::inverse(s.eyeFromWorld) * instance.eyeFromObject);
-  const Hash128 geometry = instance.mesh->geometryId;
-  const auto [first, last] = instancesOf_.equal_range(geometry);
+  // By place too: programs draw the same geometry thousands of times.
+  const glm::dmat4 matrix = instance.eyeFromObject + 0.0;  // -0 is 0
+  const Hash128 place = hashBytes(&matrix, sizeof matrix, instance.mesh->geometryId);
+  const auto [first, last] = instancesAt_.equal_range(place);
   for (auto it = first; it != last; ++it) {
     scene::Instance& earlier = s.instances[it->second];
     if (!coincide(earlier, instance)) continue;
@@ -91,12 +93,12 @@ void Batch::add(scene::Instance instance, scene::Shading shading) {
     return;
   }
   instance.shading = indexOfShading(s.shadings, std::move(shading));
-  instancesOf_.emplace(geometry, s.instances.size());
+  instancesAt_.emplace(place, s.instances.size());
   s.instances.push_back(std::move(instance));
 }
 
 scene::SnapshotPtr Batch::take() {
-  instancesOf_.clear();
+  instancesAt_.clear();
   return std::move(snapshot_);
 }
 

@@ -41,7 +41,7 @@ class Batch {
  private:
   std::shared_ptr<scene::Snapshot> snapshot_;
   BatchKey key_;
-  std::unordered_multimap<Hash128, size_t> instancesOf_;  // geometry -> instances
+  std::unordered_multimap<Hash128, size_t> instancesAt_;  // geometry and its place -> instances
 };
 
 }  // namespace gluray::gl

@@ -83,7 +83,9 @@ void Context::readGroups(uint32_t stale) {
   if (stale & kViewport) readViewport(real, state);
   if (stale & kRaster) readRaster(real, state);
   if (stale & kLighting) readLighting(real, state);
-  if (stale & kMaterial) {
+  // Colours sent while lighting was off went into the material without our taking note.
+  const bool recolored = (stale & kLighting) && state.shading.colorMaterial != scene::ColorMaterial{};
+  if ((stale & kMaterial) || recolored) {
     readMaterial(real, state);
     latch_.drawn();
   } else if (stale & kCurrent) {

@@ -167,6 +167,7 @@ void Context::keepRunValues() {
   if (const MaterialChange* last = stream_.lastMaterial()) {
     sendCurrent();
     sendMaterial(real, *last);
+    if (!insideBegin()) MaterialLatch::letGo(real);
     dirty |= kMaterial;
   }
 }

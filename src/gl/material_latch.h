@@ -15,6 +15,9 @@ class MaterialLatch {
  public:
   /// glMaterial was sent to the real OpenGL outside glBegin and glEnd.
   void sent(GLenum face, GLenum pname, const float* params) { waiting_.set(face, pname, params); }
+  /// Materials were sent that belong to vertices of before: the real OpenGL stores them and is done with
+  /// them.
+  static void letGo(const RealGl& real);
   /// A draw: the real OpenGL has stored what was waiting.
   void drawn() { waiting_ = {}; }
   /// After a question or a draw of ours: what was waiting waits again.

@@ -117,6 +117,21 @@ Reason rareReason(const RealGl& real) {
   return clamp != 0 ? Reason::depthClamp : Reason::traced;
 }
 
+/// Whether the alpha test lets fragments of alpha 1 through. Programs leave it on for textures with holes.
+bool opaquePasses(const RealGl& real) {
+  GLfloat reference = 0;
+  real.GetFloatv(GL_ALPHA_TEST_REF, &reference);
+  switch (integer(real, GL_ALPHA_TEST_FUNC)) {
+    case GL_ALWAYS:
+    case GL_GEQUAL: return true;  // the reference is at most 1
+    case GL_GREATER:
+    case GL_NOTEQUAL: return reference < 1;
+    case GL_EQUAL:
+    case GL_LEQUAL: return reference == 1;
+    default: return false;
+  }
+}
+
 /// Why per-fragment operations rule tracing out, cheapest and commonest questions first.
 Reason fragmentReason(const RealGl& real, RasterState& raster) {
   if (integer(real, GL_RENDER_MODE) != GL_RENDER) return Reason::renderMode;
@@ -127,7 +142,10 @@ Reason fragmentReason(const RealGl& real, RasterState& raster) {
   real.GetBooleanv(GL_COLOR_WRITEMASK, mask);
   if (!mask[0] || !mask[1] || !mask[2] || !mask[3]) return Reason::colorMask;
   if (isOn(real, GL_STENCIL_TEST)) return Reason::stencil;
-  if (isOn(real, GL_ALPHA_TEST)) return Reason::alphaTest;
+  if (isOn(real, GL_ALPHA_TEST)) {
+    if (!opaquePasses(real)) return Reason::alphaTest;
+    raster.unlessOpaque = Reason::alphaTest;
+  }
   if (isOn(real, GL_COLOR_LOGIC_OP)) return Reason::logicOp;
   if (isOn(real, GL_FOG)) return Reason::fog;
   if (isPresent(real.UseProgram) && integer(real, GL_CURRENT_PROGRAM) != 0) return Reason::program;
@@ -141,7 +159,10 @@ Reason fragmentReason(const RealGl& real, RasterState& raster) {
       isOn(real, GL_SAMPLE_ALPHA_TO_ONE) || isOn(real, GL_SAMPLE_MASK))
     return Reason::multisampleState;
   if (const Reason rare = rareReason(real); rare != Reason::traced) return rare;
-  return blendReason(real, raster.blendNeedsOpaque);
+  bool needsOpaque = false;
+  const Reason blend = blendReason(real, needsOpaque);
+  if (needsOpaque) raster.unlessOpaque = Reason::blend;
+  return blend;
 }
 
 Reason polygonReason(const RealGl& real) {
@@ -168,7 +189,7 @@ void readRaster(const RealGl& real, State& state) {
   RasterState& raster = state.raster;
   raster.depthFunc = static_cast<GLenum>(integer(real, GL_DEPTH_FUNC));
   raster.scissorTest = isOn(real, GL_SCISSOR_TEST);
-  raster.blendNeedsOpaque = false;
+  raster.unlessOpaque = Reason::traced;
   raster.reason = fragmentReason(real, raster);
   // A draw that tests and writes depth, and replaces colour, meets pending traced surfaces in the depth
   // buffer.

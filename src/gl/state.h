@@ -37,8 +37,8 @@ uint32_t groupsOfCapability(GLenum capability);
 constexpr uint32_t kAttribGroups = kAllGroups & ~uint32_t{kArrays | kProjection};
 
 struct RasterState {
-  Reason reason = Reason::traced;  // why surfaces cannot be traced whatever their vertices, or `traced`
-  bool blendNeedsOpaque = false;   // blending is on and traceable only where alpha is 1
+  Reason reason = Reason::traced;        // why surfaces cannot be traced whatever their vertices, or `traced`
+  Reason unlessOpaque = Reason::traced;  // why surfaces cannot be traced whose alpha is not 1, or `traced`
   bool scissorTest = false;
   GLenum depthFunc = GL_LESS;
   bool orderFree = false;  // rasterised draws merge with pending traced ones in any order

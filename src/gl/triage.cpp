@@ -66,7 +66,7 @@ bool isFlat(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
 Reason Context::triage(const KnownMesh& known, const std::vector<MaterialChange>& materials) const {
   if (known.homogeneous || !known.mesh) return Reason::homogeneous;
   if (isFlat(*known.mesh, state.projection * state.modelview)) return Reason::flat;
-  if (!state.raster.blendNeedsOpaque) return Reason::traced;
+  if (state.raster.unlessOpaque == Reason::traced) return Reason::traced;
   const bool vertices = !usesVertexAlpha(state.shading) ||
                         (known.mesh->colors ? known.mesh->opaqueColors : current_[kColor][3] >= 1.0f);
   const bool material = isOpaque(state.shading, state.material) &&
@@ -74,7 +74,7 @@ Reason Context::triage(const KnownMesh& known, const std::vector<MaterialChange>
                           return isOpaque(state.shading, change.appliedTo(state.material));
                         });
   const bool texture = !state.texture || keepsOpaque(*state.texture);
-  return vertices && material && texture ? Reason::traced : Reason::blend;
+  return vertices && material && texture ? Reason::traced : state.raster.unlessOpaque;
 }
 
 void Context::clampToTarget(scene::Region& region) {

@@ -63,5 +63,63 @@ TEST(MaterialLatch, PictureIsTheRealOne) {
   EXPECT_EQ(ours.context().statistics.drawsTraced, 4u);
 }
 
+/// A picture is written between a material, colour material that comes and goes, and the draw.
+uint32_t replaced(const gl::RealGl& gl, const GLfloat* color) {
+  const auto triangle = [&] {
+    gl.Begin(GL_TRIANGLES);
+    gl.Vertex3f(-1, -1, 0), gl.Vertex3f(1, -1, 0.1f), gl.Vertex3f(0, 1, 0.2f);
+    gl.End();
+  };
+  const GLfloat ambient[4] = {1, 1, 1, 1};
+  gl.Enable(GL_LIGHTING), gl.Enable(GL_DEPTH_TEST), gl.LightModelfv(GL_LIGHT_MODEL_AMBIENT, ambient);
+  gl.ColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT);
+  triangle();
+  material(gl, GL_AMBIENT, kDark);
+  gl.Enable(GL_COLOR_MATERIAL), gl.Color4fv(color), gl.Disable(GL_COLOR_MATERIAL);
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  triangle();
+  uint32_t middle = 0;
+  gl.ReadPixels(kSize / 2, kSize / 2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &middle);
+  return middle;
+}
+
+TEST(MaterialLatch, ColorMaterialHasTheLastWord) {
+  const GLfloat white[4] = {1, 1, 1, 1};
+  for (const GLfloat* color : {kBright, white}) {
+    const auto real = OsmesaContext::create({kSize, kSize});
+    const auto expected = replaced(real->real(), color);
+    TracedContext ours({kSize, kSize});
+    EXPECT_EQ(replaced(ours.gl(), color), expected);
+  }
+}
+
+/// Colour material takes the colours that are sent while lighting is off, too.
+uint32_t coloredUnlit(const gl::RealGl& gl) {
+  const auto triangle = [&](float depth) {
+    gl.NewList(1, GL_COMPILE);
+    gl.Begin(GL_TRIANGLES);
+    gl.Vertex3f(-1, -1, depth), gl.Vertex3f(1, -1, depth + 0.1f), gl.Vertex3f(0, 1, depth);
+    gl.End();
+    gl.EndList();
+    gl.CallList(1);
+  };
+  const GLfloat ambient[4] = {1, 1, 1, 1};
+  gl.Enable(GL_LIGHTING), gl.Enable(GL_DEPTH_TEST), gl.LightModelfv(GL_LIGHT_MODEL_AMBIENT, ambient);
+  gl.ColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT), gl.Enable(GL_COLOR_MATERIAL);
+  gl.Color4fv(kDark), triangle(0.5f);
+  gl.Disable(GL_LIGHTING), triangle(0.3f);
+  gl.Color4fv(kBright), gl.Enable(GL_LIGHTING), triangle(-0.5f);
+  uint32_t middle = 0;
+  gl.ReadPixels(kSize / 2, kSize / 2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &middle);
+  return middle;
+}
+
+TEST(ColorMaterial, TakesColorsSentWhileLightingIsOff) {
+  const auto real = OsmesaContext::create({kSize, kSize});
+  const uint32_t expected = coloredUnlit(real->real());
+  TracedContext ours({kSize, kSize});
+  EXPECT_EQ(coloredUnlit(ours.gl()), expected);
+}
+
 }  // namespace
 }  // namespace gluray::test
