@@ -1,8 +1,12 @@
 // Meshes and captures made of vertex arrays.
-#include "gl/arrays.h"
+#include "gl/array_indices.h"
 #include "gl/mesh_builder.h"
+#include "gl/parallel.h"
 
-#include <algorithm>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
 #include <cstring>
 
 namespace gluray::gl {
@@ -25,42 +29,12 @@ struct Readers {
   }
 };
 
-struct Range {
-  uint32_t lower = 0, upper = 0;  // first vertex, and one behind the last
-  uint32_t count() const { return upper - lower; }
-};
-
-Range rangeOf(const std::vector<uint32_t>& numbers) {
-  if (numbers.empty()) return {};
-  const auto [lower, upper] = std::minmax_element(numbers.begin(), numbers.end());
-  return {*lower, *upper + 1};
-}
-
-/// Cuts a list of triangle corners down to triangles whose vertices all exist.
-void dropMissing(std::vector<uint32_t>& corners, uint32_t available) {
-  size_t kept = 0;
-  for (size_t t = 0; t + 2 < corners.size(); t += 3) {
-    if (std::max({corners[t], corners[t + 1], corners[t + 2]}) >= available) continue;
-    std::copy_n(corners.begin() + static_cast<ptrdiff_t>(t), 3,
-                corners.begin() + static_cast<ptrdiff_t>(kept));
-    kept += 3;
-  }
-  corners.resize(kept);
-}
-
-std::vector<uint32_t> corners(std::vector<uint32_t> numbers, GLenum mode) {
-  Captured draw;
-  draw.primitives.push_back({mode, 0, static_cast<uint32_t>(numbers.size())});
-  draw.indices = std::move(numbers);
-  return triangulate(draw);
-}
-
 bool isAligned(const ArrayReader& reader, const ArraySource& source) {
   return reinterpret_cast<uintptr_t>(reader.data()) % 4 == 0 && source.stride % 4 == 0;
 }
 
-/// The array where it lies, if renderers can read that form; absent otherwise.
-scene::Attribute inPlace(const ArrayReader& reader, const ArraySource& source, bool color) {
+/// The array from element `first` on where it lies, if renderers can read that form; absent otherwise.
+scene::Attribute inPlace(const ArrayReader& reader, const ArraySource& source, uint32_t first, bool color) {
   if (!reader.storage() || !isAligned(reader, source)) return {};
   scene::Format format = scene::Format::none;
   if (source.type == GL_FLOAT) {
@@ -70,19 +44,36 @@ scene::Attribute inPlace(const ArrayReader& reader, const ArraySource& source, b
   } else if (color && source.type == GL_UNSIGNED_BYTE && source.size == 4) {
     format = scene::Format::unorm8x4;
   }
-  return {reader.storage(), reader.data(), static_cast<uint32_t>(source.stride), format};
+  const auto stride = static_cast<uint32_t>(source.stride);
+  return {reader.storage(), reader.data() + size_t{first} * stride, stride, format};
+}
+
+/// Copies the elements of `range` as floats to every `step` floats from `target` on.
+void copyElements(const ArrayReader& reader, const ArraySource& source, Range range, uint32_t floats,
+                  float* target, uint32_t step) {
+  const bool plain = source.type == GL_FLOAT && source.size >= static_cast<GLint>(floats);
+  const auto stride = static_cast<size_t>(source.stride);
+  if (plain && step == floats && stride == floats * sizeof(float))
+    return copyLarge(target, reader.data() + range.lower * stride, size_t{range.count()} * stride);
+  tbb::parallel_for(tbb::blocked_range<uint32_t>(0, range.count(), 1 << 14), [&](const auto& part) {
+    for (uint32_t i = part.begin(); i != part.end(); ++i) {
+      float value[4];
+      if (plain)
+        std::memcpy(value, reader.data() + (range.lower + i) * stride, floats * sizeof(float));
+      else
+        reader.read(range.lower + i, value);
+      std::memcpy(target + size_t{i} * step, value, floats * sizeof(float));
+    }
+  });
 }
 
 /// A copy as floats of the elements of `range`.
-scene::Attribute copied(const ArrayReader& reader, Range range, uint32_t floats, size_t& sizeBytes) {
+scene::Attribute copied(const ArrayReader& reader, const ArraySource& source, Range range, uint32_t floats,
+                        size_t& sizeBytes) {
   constexpr scene::Format formats[] = {scene::Format::float1, scene::Format::float2, scene::Format::float3,
                                        scene::Format::float4};
   const auto data = makePadded<float>(size_t{range.count()} * floats);
-  for (uint32_t i = 0; i < range.count(); ++i) {
-    float value[4];
-    reader.read(range.lower + i, value);
-    std::memcpy(&data[size_t{i} * floats], value, floats * sizeof(float));
-  }
+  copyElements(reader, source, range, floats, data.get(), floats);
   sizeBytes += size_t{range.count()} * floats * sizeof(float);
   return {data, reinterpret_cast<const std::byte*>(data.get()), floats * 4, formats[floats - 1]};
 }
@@ -92,29 +83,36 @@ scene::Attribute attribute(const ArrayReader& reader, const ArraySource& source,
                            uint32_t floats, size_t& sizeBytes) {
   if (!reader.enabled()) return {};
   if (keepPlace)
-    if (const auto here = inPlace(reader, source, floats == 4)) return here;
-  return copied(reader, range, floats, sizeBytes);
+    if (const auto here = inPlace(reader, source, range.lower, floats == 4)) return here;
+  return copied(reader, source, range, floats, sizeBytes);
 }
 
 bool anyOtherW(const ArrayReader& reader, const ArraySource& source, Range range) {
   if (source.size < 4) return false;
-  for (uint32_t i = range.lower; i < range.upper; ++i) {
-    float v[4];
-    reader.read(i, v);
-    if (v[3] != 1.0f) return true;
-  }
-  return false;
+  return tbb::parallel_reduce(
+      tbb::blocked_range<uint32_t>(range.lower, range.upper, 1 << 14), false,
+      [&](const auto& part, bool found) {
+        for (uint32_t i = part.begin(); i != part.end() && !found; ++i) {
+          float v[4];
+          reader.read(i, v);
+          found = v[3] != 1.0f;
+        }
+        return found;
+      },
+      [](bool a, bool b) { return a || b; });
 }
 
-/// The program's index array itself, where it is a list of triangles that exist.
-scene::Attribute indicesInPlace(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& e,
-                                const std::vector<uint32_t>& triangles) {
-  const auto offset = reinterpret_cast<uintptr_t>(e.indices);
-  const bool same = mode == GL_TRIANGLES && e.type == GL_UNSIGNED_INT && e.base == 0 && arrays.elements &&
-                    offset % 4 == 0 && triangles.size() == static_cast<size_t>(e.count / 3) * 3;
-  if (!same) return {};
-  const auto storage = arrays.elements->read(real);
-  return {storage, storage->data + offset, 4, scene::Format::uint32};
+/// The numbers of corners as a mesh with vertices from `lower` on has them.
+scene::Attribute indicesFor(const Triangles& triangles, uint32_t lower, size_t& sizeBytes) {
+  if (triangles.inOrder) return {};
+  const PlainIndices& plain = triangles.plain;
+  if (plain.storage && lower == 0)
+    return {plain.storage, reinterpret_cast<const std::byte*>(plain.data), 4, scene::Format::uint32};
+  const uint32_t* numbers = plain.data ? plain.data : triangles.numbers.data();
+  const auto data = makePadded<uint32_t>(triangles.corners);
+  copyNumbers(data.get(), numbers, triangles.corners, lower);
+  sizeBytes += triangles.corners * 4;
+  return {data, reinterpret_cast<const std::byte*>(data.get()), 4, scene::Format::uint32};
 }
 
 bool allInBuffers(const ArrayState& arrays) {
@@ -127,9 +125,8 @@ bool allInBuffers(const ArrayState& arrays) {
 KnownMesh buildArrayMesh(const RealGl& real, const ArrayState& arrays, GLenum mode,
                          const Elements& elements) {
   const Readers readers(real, arrays);
-  std::vector<uint32_t> triangles = corners(vertexNumbers(real, arrays, elements), mode);
-  dropMissing(triangles, readers.available());
-  Range range = rangeOf(triangles);
+  const Triangles triangles = trianglesOf(real, arrays, mode, elements, readers.available());
+  Range range = triangles.range;
   KnownMesh result;
   result.homogeneous = anyOtherW(readers.vertex, arrays.vertex, range);
   if (result.homogeneous) return result;
@@ -137,22 +134,15 @@ KnownMesh buildArrayMesh(const RealGl& real, const ArrayState& arrays, GLenum mo
   // Positions are read in place as three floats; a fourth is 1 and is skipped by the stride.
   const bool keepPlace = allInBuffers(arrays) && arrays.vertex.type == GL_FLOAT && arrays.vertex.size >= 3 &&
                          isAligned(readers.vertex, arrays.vertex);
-  if (keepPlace) range.lower = 0;
+  if (keepPlace && !triangles.inOrder) range.lower = 0;
   mesh->vertexCount = range.count();
-  mesh->triangleCount = static_cast<uint32_t>(triangles.size() / 3);
+  mesh->triangleCount = static_cast<uint32_t>(triangles.corners / 3);
   mesh->positions = attribute(readers.vertex, arrays.vertex, range, keepPlace, 3, mesh->sizeBytes);
   mesh->positions.format = scene::Format::float3;
   mesh->normals = attribute(readers.normal, arrays.normal, range, keepPlace, 3, mesh->sizeBytes);
   mesh->colors = attribute(readers.color, arrays.color, range, keepPlace, 4, mesh->sizeBytes);
   mesh->texcoords = attribute(readers.texcoord, arrays.texcoord, range, keepPlace, 4, mesh->sizeBytes);
-  if (keepPlace) mesh->indices = indicesInPlace(real, arrays, mode, elements, triangles);
-  if (!mesh->indices) {
-    const auto data = makePadded<uint32_t>(triangles.size());
-    std::transform(triangles.begin(), triangles.end(), data.get(),
-                   [&](uint32_t i) { return i - range.lower; });
-    mesh->indices = {data, reinterpret_cast<const std::byte*>(data.get()), 4, scene::Format::uint32};
-    mesh->sizeBytes += triangles.size() * 4;
-  }
+  mesh->indices = indicesFor(triangles, range.lower, mesh->sizeBytes);
   finishMesh(*mesh);
   result.mesh = std::move(mesh);
   return result;
@@ -160,30 +150,31 @@ KnownMesh buildArrayMesh(const RealGl& real, const ArrayState& arrays, GLenum mo
 
 Captured capture(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements) {
   const Readers readers(real, arrays);
-  std::vector<uint32_t> numbers = vertexNumbers(real, arrays, elements);
-  std::erase_if(numbers, [&](uint32_t i) { return i >= readers.available(); });
-  const Range range = rangeOf(numbers);
+  Taken taken = takenBy(real, arrays, mode, elements, readers.available());
+  const Range range = taken.range;
   Captured result;
   const bool homogeneous = anyOtherW(readers.vertex, arrays.vertex, range);
-  result.layout = VertexLayout::of(slotsOf(arrays) | (homogeneous ? bit(kPositionW) : 0));
+  const VertexLayout& layout = result.layout =
+      VertexLayout::of(slotsOf(arrays) | (homogeneous ? bit(kPositionW) : 0));
   result.vertexCount = range.count();
-  result.vertices.reserve(size_t{range.count()} * result.layout.stride);
-  for (uint32_t i = 0; i < range.count(); ++i) {
-    float* target = result.vertex(i);
-    float value[4];
-    readers.vertex.read(range.lower + i, value);
-    std::memcpy(target, value, 3 * sizeof(float));
-    if (homogeneous) target[result.layout.offset[kPositionW]] = value[3];
-    const auto put = [&](Slot slot, const ArrayReader& reader) {
-      if (!reader.enabled()) return;
-      reader.read(range.lower + i, value);
-      std::memcpy(target + result.layout.offset[slot], value, sizeOf(slot) * sizeof(float));
-    };
-    put(kNormal, readers.normal), put(kColor, readers.color), put(kTexCoord0, readers.texcoord);
+  result.vertices.reserve(size_t{range.count()} * layout.stride);
+  const auto put = [&](Slot slot, const ArrayReader& reader, const ArraySource& source) {
+    if (reader.enabled())
+      copyElements(reader, source, range, sizeOf(slot), result.vertices.data() + layout.offset[slot],
+                   layout.stride);
+  };
+  put(kPosition, readers.vertex, arrays.vertex);
+  put(kNormal, readers.normal, arrays.normal);
+  put(kColor, readers.color, arrays.color);
+  put(kTexCoord0, readers.texcoord, arrays.texcoord);
+  for (uint32_t i = 0; homogeneous && i < range.count(); ++i) {
+    float position[4];
+    readers.vertex.read(range.lower + i, position);
+    result.vertex(i)[layout.offset[kPositionW]] = position[3];
   }
-  for (uint32_t& n : numbers) n -= range.lower;
-  if (!numbers.empty()) result.primitives.push_back({mode, 0, static_cast<uint32_t>(numbers.size())});
-  if (elements.type) result.indices = std::move(numbers);
+  const auto count = elements.type ? static_cast<uint32_t>(taken.numbers.size()) : range.count();
+  if (count > 0) result.primitives.push_back({mode, 0, count});
+  result.indices = std::move(taken.numbers);
   return result;
 }
 
@@ -210,7 +201,7 @@ Hash128 hashArray(const ArraySource& source, Range range, Hash128 h) {
   else if (source.type == GL_SHORT || source.type == GL_UNSIGNED_SHORT)
     component = 2;
   const auto stride = static_cast<size_t>(source.stride);
-  return hashBytes(source.pointer + range.lower * stride,
+  return hashLarge(source.pointer + range.lower * stride,
                    (range.count() - 1) * stride + component * static_cast<size_t>(source.size), h);
 }
 
@@ -227,9 +218,9 @@ Hash128 contentOf(const RealGl& real, const ArrayState& arrays, GLenum mode, con
     h = hashBytes(identity, sizeof identity, h);
   }
   if (!buffers) {
-    const std::vector<uint32_t> numbers = vertexNumbers(real, arrays, e);
-    range = rangeOf(numbers);
-    if (e.type) h = hashBytes(numbers.data(), numbers.size() * sizeof(uint32_t), h);
+    const Order order = orderOf(real, arrays, mode, e, h);
+    range = order.range;
+    h = order.identity;
   }
   for (const ArraySource* s : {&arrays.vertex, &arrays.normal, &arrays.color, &arrays.texcoord})
     h = hashArray(*s, range, h);

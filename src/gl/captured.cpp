@@ -1,38 +1,12 @@
 #include "gl/captured.h"
 
+#include "gl/parallel.h"
+
+#include <GL/glext.h>
+
 #include <bit>
-#include <cstdlib>
-#include <new>
-#include <utility>
 
 namespace gluray::gl {
-
-FloatBuffer::FloatBuffer(FloatBuffer&& other) noexcept
-    : data_(std::exchange(other.data_, nullptr)), capacity_(std::exchange(other.capacity_, 0)) {}
-
-FloatBuffer& FloatBuffer::operator=(FloatBuffer&& other) noexcept {
-  std::swap(data_, other.data_);
-  std::swap(capacity_, other.capacity_);
-  return *this;
-}
-
-FloatBuffer::~FloatBuffer() { std::free(data_); }
-
-void FloatBuffer::reserve(size_t floats) {
-  constexpr size_t kSlack = 16;
-  if (floats <= capacity_) return;
-  // realloc moves pages rather than bytes when blocks are large.
-  void* grown = std::realloc(data_, (floats + kSlack) * sizeof(float));
-  if (!grown) throw std::bad_alloc();
-  data_ = static_cast<float*>(grown);
-  capacity_ = floats;
-}
-
-void FloatBuffer::release() {
-  std::free(data_);
-  data_ = nullptr;
-  capacity_ = 0;
-}
 
 VertexLayout VertexLayout::of(SlotMask mask) {
   VertexLayout layout;
@@ -92,10 +66,10 @@ scene::MaterialPair MaterialChange::appliedTo(const scene::MaterialPair& base) c
 }
 
 Hash128 Captured::hash() const {
-  Hash128 h = hashBytes(vertices.data(), size_t{vertexCount} * layout.stride * sizeof(float),
+  Hash128 h = hashLarge(vertices.data(), size_t{vertexCount} * layout.stride * sizeof(float),
                         {layout.mask, vertexCount});
   h = hashBytes(primitives.data(), primitives.size() * sizeof(Primitive), h);
-  return indices.empty() ? h : hashBytes(indices.data(), indices.size() * sizeof(uint32_t), h);
+  return indices.empty() ? h : hashLarge(indices.data(), indices.size() * sizeof(uint32_t), h);
 }
 
 void Captured::clear() {
@@ -126,20 +100,6 @@ void forEachTriangle(const Primitive& p, Emit&& emit) {
     case GL_POLYGON:  // the first vertex provokes
       for (uint32_t i = 1; i + 1 < n; ++i) emit(i, i + 1, 0);
       break;
-uint64_t countTriangles(GLenum mode, uint64_t count) {
-  switch (mode) {
-    case GL_TRIANGLES: return count / 3;
-    case GL_QUADS: return count / 4 * 2;
-    case GL_QUAD_STRIP: return count < 4 ? 0 : (count / 2 - 1) * 2;
-    case GL_TRIANGLE_STRIP:
-    case GL_TRIANGLE_FAN:
-    case GL_POLYGON: return count < 3 ? 0 : count - 2;
-    case GL_TRIANGLES_ADJACENCY: return count / 6;
-    case GL_TRIANGLE_STRIP_ADJACENCY: return count < 6 ? 0 : count / 2 - 2;
-    default: return 0;
-  }
-}
-
     case GL_QUADS:
       for (uint32_t i = 0; i + 3 < n; i += 4) emit(i, i + 1, i + 3), emit(i + 1, i + 2, i + 3);
       break;
@@ -154,7 +114,7 @@ uint64_t countTriangles(GLenum mode, uint64_t count) {
 
 std::vector<uint32_t> triangulate(const Captured& captured) {
   std::vector<uint32_t> triangles;
-  triangles.reserve(countTriangles(captured) * 3);
+  triangles.reserve(countTriangles(captured) * 3 + 4);  // meshes need readable bytes behind
   for (const Primitive& p : captured.primitives) {
     const auto vertexOf = [&](uint32_t i) {
       return captured.indices.empty() ? p.first + i : captured.indices[p.first + i];
@@ -164,6 +124,20 @@ std::vector<uint32_t> triangulate(const Captured& captured) {
     });
   }
   return triangles;
+}
+
+uint64_t countTriangles(GLenum mode, uint64_t count) {
+  switch (mode) {
+    case GL_TRIANGLES: return count / 3;
+    case GL_QUADS: return count / 4 * 2;
+    case GL_QUAD_STRIP: return count < 4 ? 0 : (count / 2 - 1) * 2;
+    case GL_TRIANGLE_STRIP:
+    case GL_TRIANGLE_FAN:
+    case GL_POLYGON: return count < 3 ? 0 : count - 2;
+    case GL_TRIANGLES_ADJACENCY: return count / 6;
+    case GL_TRIANGLE_STRIP_ADJACENCY: return count < 6 ? 0 : count / 2 - 2;
+    default: return 0;
+  }
 }
 
 uint64_t countTriangles(const Captured& captured) {

@@ -3,6 +3,7 @@
 // GL calls by replay.
 #pragma once
 #include "base/hash.h"
+#include "gl/growing_array.h"
 #include "gl/slots.h"
 #include "scene/shading.h"
 
@@ -13,26 +14,6 @@
 #include <vector>
 
 namespace gluray::gl {
-
-/// Growable array of floats without initialisation. Memory is kept when cleared. Throws std::bad_alloc.
-/// At least 16 floats beyond `capacity` may be written, so that vertices can be copied in wide pieces.
-class FloatBuffer {
- public:
-  FloatBuffer() = default;
-  FloatBuffer(FloatBuffer&& other) noexcept;
-  FloatBuffer& operator=(FloatBuffer&& other) noexcept;
-  ~FloatBuffer();
-  float* data() { return data_; }
-  const float* data() const { return data_; }
-  size_t capacity() const { return capacity_; }
-  /// Makes room for `floats`; existing contents stay.
-  void reserve(size_t floats);
-  void release();
-
- private:
-  float* data_ = nullptr;
-  size_t capacity_ = 0;
-};
 
 /// Which slots a captured vertex has, and where. The position is always at 0.
 struct VertexLayout {
@@ -72,18 +53,15 @@ struct MaterialChange {
 
 struct Captured {
   VertexLayout layout;
-  FloatBuffer vertices;
+  GrowingArray<float> vertices;  // `vertexCount` of `layout.stride`; the array's own size is not used
   uint32_t vertexCount = 0;
   std::vector<Primitive> primitives;
-  std::vector<uint32_t> indices;          // element numbers; empty: primitives count vertices
+  GrowingArray<uint32_t> indices;         // element numbers; empty: primitives count vertices
   std::vector<MaterialChange> materials;  // entry i is material number i+1; 0 is the material of the call
 
   bool empty() const { return primitives.empty(); }
   const float* vertex(uint32_t i) const { return vertices.data() + size_t{i} * layout.stride; }
   float* vertex(uint32_t i) { return vertices.data() + size_t{i} * layout.stride; }
-/// Triangles that one primitive of `count` vertices makes; none for lines, points and patches.
-uint64_t countTriangles(GLenum mode, uint64_t count);
-
   size_t sizeBytes() const {
     return size_t{vertexCount} * layout.stride * sizeof(float) + indices.size() * 4;
   }
@@ -102,6 +80,9 @@ struct InheritedSlot {
 /// Triangles that `captured` describes: three vertex numbers each, the provoking vertex last, split as Mesa
 /// splits.
 std::vector<uint32_t> triangulate(const Captured& captured);
+
+/// Triangles that one primitive of `count` vertices makes; none for lines, points and patches.
+uint64_t countTriangles(GLenum mode, uint64_t count);
 
 /// Triangles in all surfaces of `captured`.
 uint64_t countTriangles(const Captured& captured);

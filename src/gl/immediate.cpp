@@ -139,7 +139,7 @@ void Context::end() {
 }
 
 void Context::startRun() {
-  stream_.start(bit(kPosition), current_);
+  stream_.start(bit(kPosition), current_, compiling());
   inherited_.clear();
   runOpen_ = !compiling();
   updateAttention();

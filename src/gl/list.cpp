@@ -64,24 +64,20 @@ void GeometryRun::inherit(Context& context) {
 
 const KnownMesh& GeometryRun::mesh(Context& context) {
   if (meshBuilt_) return mesh_;
-  mesh_ = buildMesh(captured_);
+  // The mesh replays the run as well, unless the run has what meshes do not carry.
+  const bool reproducible = inherited_.empty() && (layout_.mask & ~kTracedSlots) == 0 &&
+                            (captured_.indices.empty() || (captured_.primitives.size() == 1 &&
+                                                           captured_.primitives[0].mode == GL_TRIANGLES));
+  mesh_ = reproducible ? buildMesh(std::move(captured_)) : buildMesh(captured_);
   meshBuilt_ = true;
   ++context.statistics.meshesBuilt;
   if (mesh_.mesh) context.statistics.meshBytes += mesh_.mesh->sizeBytes;
-  releaseVertices();
+  if (reproducible && mesh_.mesh) {
+    captured_.vertices.release();
+    captured_.indices.release();
+    verticesReleased_ = true;
+  }
   return mesh_;
-}
-
-void GeometryRun::releaseVertices() {
-  // The mesh replays the run as well, unless the run has what meshes do not carry.
-  const bool reproducible = mesh_.mesh && inherited_.empty() && (layout_.mask & ~kTracedSlots) == 0 &&
-                            (captured_.indices.empty() || (captured_.primitives.size() == 1 &&
-                                                           captured_.primitives[0].mode == GL_TRIANGLES));
-  if (!reproducible) return;
-  captured_.vertices.release();
-  captured_.indices.clear();
-  captured_.indices.shrink_to_fit();
-  verticesReleased_ = true;
 }
 
 void GeometryRun::rasterise(Context& context) {

@@ -85,7 +85,6 @@ class GeometryRun final : public ListOp {
 
  private:
   void dropRealList();
-  void releaseVertices();
 
   std::mutex mutex_;
   Captured captured_;

@@ -1,5 +1,6 @@
 #include "gl/mesh_builder.h"
 
+#include "gl/parallel.h"
 #include "gl/weld.h"
 
 #include <tbb/blocked_range.h>
@@ -9,7 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <mutex>
+#include <utility>
+#include <vector>
 
 namespace gluray::gl {
 
@@ -28,7 +30,7 @@ constexpr size_t kGrain = 1 << 16;
 /// welding.
 struct Selection {
   const Captured& captured;
-  const std::vector<uint32_t>* source;  // null: all vertices in order
+  const GrowingArray<uint32_t>* source;  // null: all vertices in order
   uint32_t count() const { return source ? static_cast<uint32_t>(source->size()) : captured.vertexCount; }
   const float* operator[](uint32_t i) const { return captured.vertex(source ? (*source)[i] : i); }
 };
@@ -76,17 +78,39 @@ scene::Attribute copyMaterials(const Selection& vertices, size_t& sizeBytes) {
   return {data, reinterpret_cast<const std::byte*>(data.get()), 4, scene::Format::uint32};
 }
 
-scene::Attribute makeIndices(const std::vector<uint32_t>& triangles, size_t& sizeBytes) {
-  const auto data = makePadded<uint32_t>(triangles.size());
-  std::memcpy(data.get(), triangles.data(), triangles.size() * 4);
-  sizeBytes += triangles.size() * 4;
-  return {data, reinterpret_cast<const std::byte*>(data.get()), 4, scene::Format::uint32};
+/// Indices in memory that the mesh takes over.
+scene::Attribute makeIndices(GrowingArray<uint32_t> corners, size_t& sizeBytes) {
+  corners.shrink(corners.size());
+  sizeBytes += corners.size() * 4;
+  const auto data = std::make_shared<GrowingArray<uint32_t>>(std::move(corners));
+  return {data, reinterpret_cast<const std::byte*>(data->data()), 4, scene::Format::uint32};
 }
 
-/// Whether the capture is one run of separate triangles, vertex after vertex.
-bool isSoup(const Captured& c) {
-  return c.indices.empty() && c.primitives.size() == 1 && c.primitives[0].mode == GL_TRIANGLES &&
-         c.primitives[0].first == 0;
+scene::Attribute makeIndices(std::vector<uint32_t> corners, size_t& sizeBytes) {
+  corners.reserve(corners.size() + 4);  // 16 readable bytes behind
+  sizeBytes += corners.size() * 4;
+  const auto data = std::make_shared<std::vector<uint32_t>>(std::move(corners));
+  return {data, reinterpret_cast<const std::byte*>(data->data()), 4, scene::Format::uint32};
+}
+
+GrowingArray<uint32_t> copyOf(const GrowingArray<uint32_t>& numbers) {
+  GrowingArray<uint32_t> copy;
+  copy.resize(numbers.size());
+  copyLarge(copy.data(), numbers.data(), numbers.size() * sizeof(uint32_t));
+  return copy;
+}
+
+/// Whether the capture is one run of separate triangles.
+bool isTriangles(const Captured& c) {
+  return c.primitives.size() == 1 && c.primitives[0].mode == GL_TRIANGLES && c.primitives[0].first == 0;
+}
+
+/// The same, vertex after vertex.
+bool isSoup(const Captured& c) { return c.indices.empty() && isTriangles(c); }
+
+/// Whether a mesh can read the vertices where they are, and nothing in them is in vain.
+bool isReadable(const VertexLayout& layout) {
+  return (layout.mask & ~(bit(kPosition) | bit(kNormal) | bit(kTexCoord0))) == 0;
 }
 
 bool hasOtherW(const Captured& c) {
@@ -121,17 +145,56 @@ KnownMesh buildMesh(const Captured& captured) {
     copyAttributes({captured, nullptr}, *mesh);
     mesh->triangleCount = captured.vertexCount / 3;
   } else if (isSoup(captured)) {
-    const Welded welded = weld(captured.vertices.data(), captured.vertexCount, captured.layout.stride);
+    Welded welded = weld(captured.vertices.data(), captured.vertexCount, captured.layout.stride);
     copyAttributes({captured, &welded.source}, *mesh);
-    mesh->indices = makeIndices(welded.index, mesh->sizeBytes);
+    mesh->indices = makeIndices(std::move(welded.index), mesh->sizeBytes);
     mesh->triangleCount = captured.vertexCount / 3;
-  } else {
-    const std::vector<uint32_t> triangles = triangulate(captured);
+  } else if (isTriangles(captured)) {
     copyAttributes({captured, nullptr}, *mesh);
-    mesh->indices = makeIndices(triangles, mesh->sizeBytes);
+    mesh->indices = makeIndices(copyOf(captured.indices), mesh->sizeBytes);
+    mesh->triangleCount = static_cast<uint32_t>(captured.indices.size() / 3);
+  } else {
+    std::vector<uint32_t> triangles = triangulate(captured);
     mesh->triangleCount = static_cast<uint32_t>(triangles.size() / 3);
+    copyAttributes({captured, nullptr}, *mesh);
+    mesh->indices = makeIndices(std::move(triangles), mesh->sizeBytes);
   }
   finishMesh(*mesh);
+  result.mesh = std::move(mesh);
+  return result;
+}
+
+KnownMesh buildMesh(Captured&& captured) {
+  const bool asIs = isTriangles(captured) && !captured.indices.empty() && isReadable(captured.layout);
+  if (!asIs) return buildMesh(std::as_const(captured));
+  struct Taken {
+    GrowingArray<float> vertices;
+    GrowingArray<uint32_t> indices;
+  };
+  const auto taken = std::make_shared<Taken>();
+  const VertexLayout& layout = captured.layout;
+  captured.vertices.shrink(size_t{captured.vertexCount} * layout.stride);
+  captured.indices.shrink(captured.indices.size());
+  auto mesh = std::make_shared<scene::Mesh>();
+  const auto slot = [&](Slot s, scene::Format format) -> scene::Attribute {
+    if (!layout.has(s)) return {};
+    const float* first = captured.vertices.data() + layout.offset[s];
+    return {taken, reinterpret_cast<const std::byte*>(first), layout.stride * uint32_t{sizeof(float)},
+            format};
+  };
+  mesh->vertexCount = captured.vertexCount;
+  mesh->triangleCount = static_cast<uint32_t>(captured.indices.size() / 3);
+  mesh->positions = slot(kPosition, scene::Format::float3);
+  mesh->normals = slot(kNormal, scene::Format::float3);
+  mesh->texcoords = slot(kTexCoord0, scene::Format::float4);
+  mesh->indices = {taken, reinterpret_cast<const std::byte*>(captured.indices.data()), 4,
+                   scene::Format::uint32};
+  mesh->sizeBytes = captured.sizeBytes();
+  finishMesh(*mesh);
+  // Moving the arrays leaves their elements where they are; nothing can fail from here on.
+  taken->vertices = std::move(captured.vertices);
+  taken->indices = std::move(captured.indices);
+  KnownMesh result;
   result.mesh = std::move(mesh);
   return result;
 }

@@ -10,6 +10,9 @@ namespace gluray::gl {
 /// also replays the vertices as sent. Never null, except for homogeneous vertices (some w is not 1). Throws
 /// std::bad_alloc.
 KnownMesh buildMesh(const Captured& captured);
+/// The same, of a capture that nobody else needs: the mesh takes over its vertices and indices where it can
+/// use them as they are; `captured` then has none. Where it throws `captured` is as it was.
+KnownMesh buildMesh(Captured&& captured);
 
 /// Finds bounds, alpha and identity of `mesh`, whose arrays are set.
 void finishMesh(scene::Mesh& mesh);

@@ -88,8 +88,9 @@ void replay(const RealGl& real, const Captured& captured) {
 
 void replayOpen(const RealGl& real, const Captured& captured, const Primitive& open) {
   VertexSender send(real, captured);
+  const uint32_t* indices = captured.indices.empty() ? nullptr : captured.indices.data();
   real.Begin(open.mode);
-  for (uint32_t i = 0; i < open.count; ++i) send(open.first + i);
+  for (uint32_t i = open.first; i < open.first + open.count; ++i) send(indices ? indices[i] : i);
 }
 
 void replay(const RealGl& real, const scene::Mesh& mesh, std::span<const Primitive> primitives,

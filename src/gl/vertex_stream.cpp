@@ -2,11 +2,19 @@
 
 #include <algorithm>
 #include <new>
+#include <numeric>
 
 namespace gluray::gl {
+namespace {
+constexpr uint32_t kMost = 1u << 30;                             // vertices in a run
+constexpr uint32_t kWorthWelding = 1u << 16, kPiece = 1u << 13;  // vertices: a piece stays in the caches
+}  // namespace
 
-void VertexStream::start(SlotMask mask, const SlotValues& current) {
+void VertexStream::start(SlotMask mask, const SlotValues& current, bool welding) {
   captured_.clear();
+  welding_ = welding;
+  kept_ = 0;
+  welder_.forget();
   captured_.layout = VertexLayout::of(mask);
   insidePrimitive_ = false;
   cursor_ = captured_.vertices.data();
@@ -21,14 +29,22 @@ void VertexStream::begin(GLenum mode) {
     primitives.reserve(primitives.size() * 2 + 4);  // end() must not fail
   insidePrimitive_ = true;
   mode_ = mode;
-  first_ = captured_.vertexCount;
+  first_ = sent();
+  if (mode != GL_TRIANGLES) stopWelding();
   updateLimit();
 }
 
+void VertexStream::stopWelding() {
+  numberAll();
+  welding_ = false;
+  welder_.forget();
+}
+
 void VertexStream::updateLimit() {
-  constexpr size_t kMost = 1u << 30;
-  const size_t fitting = std::min(kMost, captured_.vertices.capacity() / captured_.layout.stride);
-  limit_ = insidePrimitive_ && !has(kPositionW) ? static_cast<uint32_t>(fitting) : 0;
+  size_t fitting = std::min<size_t>(kMost, captured_.vertices.capacity() / captured_.layout.stride);
+  if (welding_) fitting = std::min<size_t>(fitting, kept_ > 0 ? kept_ + kPiece : kWorthWelding);
+  room_ = static_cast<uint32_t>(fitting);
+  limit_ = insidePrimitive_ && !has(kPositionW) ? room_ : 0;
 }
 
 namespace {
@@ -58,8 +74,11 @@ bool isSeparate(GLenum mode) {
 void VertexStream::end() {
   insidePrimitive_ = false;
   updateLimit();
-  const uint32_t count = completeVertices(mode_, captured_.vertexCount - first_);
-  captured_.vertexCount = first_ + count;
+  const uint32_t count = completeVertices(mode_, sent() - first_), extra = sent() - first_ - count;
+  // Extra vertices that have numbers already stay, without anybody to refer to them.
+  const uint32_t arrived = std::min(extra, captured_.vertexCount - kept_);
+  captured_.vertexCount -= arrived;
+  captured_.indices.resize(captured_.indices.size() - (extra - arrived));
   cursor_ = captured_.vertex(captured_.vertexCount);
   if (count == 0) return;
   // Separate figures of one kind that follow each other are one primitive.
@@ -70,18 +89,41 @@ void VertexStream::end() {
   captured_.primitives.push_back({mode_, first_, count});
 }
 
-void VertexStream::grow() {
-  constexpr uint32_t kFirst = 1024, kMost = 1u << 30;
-  if (captured_.vertexCount >= kMost) throw std::bad_alloc();
-  const uint32_t wanted = std::max(kFirst, std::min(kMost, captured_.vertexCount * 2));
-  captured_.vertices.reserve(size_t{wanted} * captured_.layout.stride);
-  updateLimit();
+void VertexStream::weldArrived() {
+  kept_ = welder_.weld(captured_.vertices.data(), captured_.layout.stride, kept_, captured_.vertexCount,
+                       captured_.indices);
+  captured_.vertexCount = kept_;
+}
+
+// Gives numbers to the vertices that have arrived, where others have them.
+void VertexStream::numberAll() {
+  if (captured_.indices.empty() || kept_ == captured_.vertexCount) return;
+  if (welding_) {
+    weldArrived();
+  } else {
+    const size_t before = captured_.indices.size();
+    captured_.indices.grow(before + (captured_.vertexCount - kept_));
+    std::iota(captured_.indices.begin() + before, captured_.indices.end(), kept_);
+    kept_ = captured_.vertexCount;
+  }
   cursor_ = captured_.vertex(captured_.vertexCount);
+  updateLimit();
+}
+
+void VertexStream::grow() {
+  constexpr uint32_t kFirst = 1024;
+  if (sent() >= kMost) throw std::bad_alloc();
+  if (welding_ && captured_.vertexCount >= std::max(kWorthWelding, kept_ + kPiece)) weldArrived();
+  const uint32_t stored = captured_.vertexCount, stride = captured_.layout.stride;
+  if (size_t{stored + kPiece} * stride > captured_.vertices.capacity())
+    captured_.vertices.reserve(size_t{std::max(kFirst, std::min(kMost, stored * 2))} * stride);
+  updateLimit();
+  cursor_ = captured_.vertex(stored);
 }
 
 void VertexStream::vertexSlow(float x, float y, float z, float w) {
   if (w != 1.0f && !has(kPositionW)) addSlot(kPositionW, initialSlotValues()[kPositionW].data());
-  if (size_t{captured_.vertexCount + 1} * captured_.layout.stride > captured_.vertices.capacity()) grow();
+  if (captured_.vertexCount >= room_) grow();
   if (has(kPositionW)) set(kPositionW, &w);
   vertex(x, y, z);
 }
@@ -97,7 +139,7 @@ void VertexStream::relayout(SlotMask mask) {
     }
   };
   move(old, template_);
-  FloatBuffer moved;
+  GrowingArray<float> moved;
   moved.reserve(size_t{std::max(captured_.vertexCount, 1u)} * to.stride);
   for (uint32_t i = 0; i < captured_.vertexCount; ++i)
     move(captured_.vertex(i), moved.data() + size_t{i} * to.stride);
@@ -108,6 +150,7 @@ void VertexStream::relayout(SlotMask mask) {
 }
 
 void VertexStream::addSlot(Slot slot, const float* earlier) {
+  if (!empty()) stopWelding();  // equal vertices may get different values
   relayout(captured_.layout.mask | bit(slot));
   set(slot, earlier);
   for (uint32_t i = 0; i < captured_.vertexCount; ++i)
@@ -121,10 +164,13 @@ float VertexStream::addMaterial(const MaterialChange& change) {
 }
 
 Captured VertexStream::take() {
+  numberAll();
   Captured result = std::move(captured_);
   captured_ = {};
   cursor_ = nullptr;
-  limit_ = 0;
+  limit_ = room_ = 0;
+  kept_ = 0;
+  welder_.forget();
   return result;
 }
 

@@ -2,6 +2,7 @@
 // Used by the GL thread that owns the context. The inline part is the leaf path.
 #pragma once
 #include "gl/captured.h"
+#include "gl/stream_weld.h"
 
 #include <cstring>
 
@@ -10,8 +11,9 @@ namespace gluray::gl {
 class VertexStream {
  public:
   /// Starts an empty run that has the slots of `mask`, with `current` values for those not set before the
-  /// first vertex.
-  void start(SlotMask mask, const SlotValues& current);
+  /// first vertex. With `welding`, equal vertices of many separate triangles are found while they arrive; the
+  /// capture then has indices.
+  void start(SlotMask mask, const SlotValues& current, bool welding = false);
 
   bool has(Slot slot) const { return captured_.layout.has(slot); }
   bool insidePrimitive() const { return insidePrimitive_; }
@@ -56,22 +58,36 @@ class VertexStream {
   }
 
   /// The primitive between begin() and end() so far.
-  Primitive openPrimitive() const { return {mode_, first_, captured_.vertexCount - first_}; }
-  Captured& captured() { return captured_; }
+  Primitive openPrimitive() const { return {mode_, first_, sent() - first_}; }
+  Captured& captured() {
+    numberAll();
+    return captured_;
+  }
   /// Hands the run over; the stream is empty afterwards.
   Captured take();
 
  private:
+  /// Vertices since the start, those that were found again included: what primitives count.
+  uint32_t sent() const {
+    return captured_.vertexCount - kept_ + static_cast<uint32_t>(captured_.indices.size());
+  }
   void grow();
   void updateLimit();
   void relayout(SlotMask mask);
+  void weldArrived();
+  void numberAll();
+  void stopWelding();
 
   Captured captured_;
+  bool welding_ = false;  // vertices may still be welded
+  uint32_t kept_ = 0;     // vertices that indices refer to; those behind have arrived since
+  StreamWelder welder_;
   float* cursor_ = nullptr;
-  uint32_t limit_ = 0;  // vertices that fit; 0 while the leaf path must not append
+  uint32_t room_ = 0;   // vertices that fit before grow() must be called
+  uint32_t limit_ = 0;  // the same for the leaf path; 0 while it must not append
   bool insidePrimitive_ = false;
   GLenum mode_ = 0;
-  uint32_t first_ = 0;                         // first vertex of the open primitive
+  uint32_t first_ = 0;                         // of the open primitive, in vertices sent
   alignas(16) float template_[128 + 16] = {};  // the next vertex; position unused
 };
 

@@ -1,13 +1,14 @@
 // Finds equal vertices in a triangle soup. Any thread.
 #pragma once
+#include "gl/growing_array.h"
+
 #include <cstdint>
-#include <vector>
 
 namespace gluray::gl {
 
 struct Welded {
-  std::vector<uint32_t> index;   // for each soup vertex, the number of its representative
-  std::vector<uint32_t> source;  // for each representative, a soup vertex that equals it
+  GrowingArray<uint32_t> index;   // for each soup vertex, the number of its representative
+  GrowingArray<uint32_t> source;  // for each representative, a soup vertex that equals it
 };
 
 /// Vertices of `stride` floats each that agree in every bit share a number. Works in blocks on all cores, so

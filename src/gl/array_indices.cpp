@@ -1,0 +1,121 @@
+#include "gl/array_indices.h"
+
+#include "gl/parallel.h"
+
+#include <algorithm>
+
+namespace gluray::gl {
+namespace {
+
+Range rangeOf(const Extremes& e) { return e.least > e.most ? Range{} : Range{e.least, e.most + 1}; }
+
+/// Cuts a list of triangle corners down to triangles whose vertices all exist.
+void dropMissing(std::vector<uint32_t>& corners, uint32_t available) {
+  size_t kept = 0;
+  for (size_t t = 0; t + 2 < corners.size(); t += 3) {
+    if (std::max({corners[t], corners[t + 1], corners[t + 2]}) >= available) continue;
+    std::copy_n(corners.begin() + static_cast<ptrdiff_t>(t), 3,
+                corners.begin() + static_cast<ptrdiff_t>(kept));
+    kept += 3;
+  }
+  corners.resize(kept);
+}
+
+std::vector<uint32_t> cornersOf(std::vector<uint32_t> numbers, GLenum mode) {
+  Captured draw;
+  draw.primitives.push_back({mode, 0, static_cast<uint32_t>(numbers.size())});
+  draw.indices.resize(numbers.size());
+  copyLarge(draw.indices.data(), numbers.data(), numbers.size() * sizeof(uint32_t));
+  numbers = {};
+  return triangulate(draw);
+}
+
+}  // namespace
+
+PlainIndices plainIndices(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& e) {
+  if (mode != GL_TRIANGLES || e.type != GL_UNSIGNED_INT || e.base != 0 || e.count < 0) return {};
+  PlainIndices plain;
+  auto address = reinterpret_cast<uintptr_t>(e.indices);
+  plain.count = static_cast<size_t>(e.count);
+  if (arrays.elements) {
+    plain.storage = arrays.elements->read(real);
+    if (!plain.storage || address > plain.storage->size) return {};
+    plain.count = std::min(plain.count, (plain.storage->size - address) / sizeof(uint32_t));
+    address += reinterpret_cast<uintptr_t>(plain.storage->data);
+  }
+  plain.count -= plain.count % 3;
+  if (address % alignof(uint32_t) != 0 || address == 0 || plain.count == 0) return {};
+  plain.data = reinterpret_cast<const uint32_t*>(address);
+  return plain;
+}
+
+Triangles trianglesOf(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& e,
+                      uint32_t available) {
+  Triangles result;
+  result.plain = plainIndices(real, arrays, mode, e);
+  if (result.plain.data) {
+    result.range = rangeOf(extremesOf(result.plain.data, result.plain.count));
+    result.corners = result.plain.count;
+    if (result.range.upper != 0 && result.range.upper <= available) return result;
+    result.plain = {};
+  }
+  if (!e.type && mode == GL_TRIANGLES) {
+    const auto first = static_cast<uint32_t>(e.first);
+    const uint32_t count =
+        std::min(static_cast<uint32_t>(e.count), available > first ? available - first : 0);
+    result.range = {first, first + count - count % 3};
+    result.corners = result.range.count();
+    result.inOrder = true;
+    return result;
+  }
+  result.numbers = cornersOf(vertexNumbers(real, arrays, e), mode);
+  dropMissing(result.numbers, available);
+  result.range = rangeOf(extremesOf(result.numbers.data(), result.numbers.size()));
+  result.corners = result.numbers.size();
+  return result;
+}
+
+Taken takenBy(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& e,
+              uint32_t available) {
+  Taken taken;
+  if (!e.type) {
+    const auto first = static_cast<uint32_t>(e.first);
+    taken.range = {
+        first, first + std::min(static_cast<uint32_t>(e.count), available > first ? available - first : 0)};
+    return taken;
+  }
+  const PlainIndices plain = plainIndices(real, arrays, mode, e);
+  std::vector<uint32_t> read;
+  const uint32_t* numbers = plain.data;
+  size_t count = plain.count;
+  if (plain.data) taken.range = rangeOf(extremesOf(plain.data, plain.count));
+  if (!plain.data || taken.range.upper == 0 || taken.range.upper > available) {
+    read = vertexNumbers(real, arrays, e);
+    std::erase_if(read, [&](uint32_t i) { return i >= available; });
+    numbers = read.data(), count = read.size();
+    taken.range = rangeOf(extremesOf(numbers, count));
+  }
+  taken.numbers.resize(count);
+  copyNumbers(taken.numbers.data(), numbers, count, taken.range.lower);
+  return taken;
+}
+
+Order orderOf(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& e, Hash128 seed) {
+  if (!e.type) {
+    const auto first = static_cast<uint32_t>(e.first);
+    auto count = static_cast<uint32_t>(e.count);
+    if (arrays.vertex.buffer) {  // vertices beyond the buffer draw nothing
+      const uint32_t available = ArrayReader(real, arrays.vertex).available();
+      count = std::min(count, available > first ? available - first : 0);
+    }
+    return {{first, first + count}, seed};
+  }
+  if (const PlainIndices plain = plainIndices(real, arrays, mode, e); plain.data)
+    return {rangeOf(extremesOf(plain.data, plain.count)),
+            hashLarge(plain.data, plain.count * sizeof(uint32_t), seed)};
+  const std::vector<uint32_t> numbers = vertexNumbers(real, arrays, e);
+  return {rangeOf(extremesOf(numbers.data(), numbers.size())),
+          hashLarge(numbers.data(), numbers.size() * sizeof(uint32_t), seed)};
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,87 @@
+// A growing array of plain values for millions of elements: not initialised, grown by moving pages. Any
+// thread.
+#pragma once
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+#include <type_traits>
+#include <utility>
+
+namespace gluray::gl {
+
+/// Elements [0, size) have been given values; `capacity` fit without growing. At least kSlackBytes beyond the
+/// capacity may be written and read, so that elements can be copied in wide pieces and Embree may load wide.
+/// Memory is kept when cleared. Throws std::bad_alloc.
+template <class T>
+class GrowingArray {
+  static_assert(std::is_trivially_copyable_v<T>);
+
+ public:
+  static constexpr size_t kSlackBytes = 64;
+
+  GrowingArray() = default;
+  GrowingArray(GrowingArray&& other) noexcept
+      : data_(std::exchange(other.data_, nullptr)),
+        size_(std::exchange(other.size_, 0)),
+        capacity_(std::exchange(other.capacity_, 0)) {}
+  GrowingArray& operator=(GrowingArray&& other) noexcept {
+    std::swap(data_, other.data_);
+    std::swap(size_, other.size_);
+    std::swap(capacity_, other.capacity_);
+    return *this;
+  }
+  ~GrowingArray() { std::free(data_); }
+
+  T* data() { return data_; }
+  const T* data() const { return data_; }
+  size_t size() const { return size_; }
+  size_t capacity() const { return capacity_; }
+  bool empty() const { return size_ == 0; }
+  T& operator[](size_t i) { return data_[i]; }
+  const T& operator[](size_t i) const { return data_[i]; }
+  const T* begin() const { return data_; }
+  const T* end() const { return data_ + size_; }
+  T* begin() { return data_; }
+  T* end() { return data_ + size_; }
+
+  /// Makes room for `count` elements; existing ones stay.
+  void reserve(size_t count) {
+    if (count > capacity_) reallocate(count);
+  }
+  /// Sets the size; new elements have no values yet.
+  void resize(size_t count) {
+    reserve(count);
+    size_ = count;
+  }
+  /// The same with room to spare for further growth.
+  void grow(size_t count) {
+    if (count > capacity_) reallocate(count + count / 2);
+    size_ = count;
+  }
+  void clear() { size_ = 0; }
+  /// Gives back what `count` elements do not need. Keeps the memory where that cannot be.
+  void shrink(size_t count) noexcept {
+    if (count >= capacity_) return;
+    if (void* less = std::realloc(data_, count * sizeof(T) + kSlackBytes))
+      data_ = static_cast<T*>(less), capacity_ = count;
+  }
+  void release() {
+    std::free(data_);
+    data_ = nullptr;
+    size_ = capacity_ = 0;
+  }
+
+ private:
+  void reallocate(size_t count) {
+    // realloc moves pages rather than bytes when blocks are large.
+    void* grown = std::realloc(data_, count * sizeof(T) + kSlackBytes);
+    if (!grown) throw std::bad_alloc();
+    data_ = static_cast<T*>(grown);
+    capacity_ = count;
+  }
+
+  T* data_ = nullptr;
+  size_t size_ = 0, capacity_ = 0;
+};
+
+}  // namespace gluray::gl

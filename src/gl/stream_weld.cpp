@@ -1,0 +1,88 @@
+#include "gl/stream_weld.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace gluray::gl {
+namespace {
+
+constexpr uint32_t kPairs = 1u << 18, kNone = ~0u;
+
+/// S: floats a vertex, or 0 where only `stride` knows.
+template <uint32_t S>
+struct Vertices {
+  float* data;
+  uint32_t stride;
+  uint32_t floats() const { return S ? S : stride; }
+  float* operator[](uint32_t i) const { return data + size_t{i} * floats(); }
+
+  uint32_t hash(const float* v) const {
+    uint64_t h = 0x9E3779B97F4A7C15ull;
+    uint32_t i = 0;
+    for (; i + 2 <= floats(); i += 2) {
+      uint64_t two;
+      std::memcpy(&two, v + i, sizeof two);
+      h = (h ^ two) * 0xD6E8FEB86659FD93ull;
+      h ^= h >> 32;
+    }
+    if (i < floats()) {
+      uint32_t last;
+      std::memcpy(&last, v + i, sizeof last);
+      h = (h ^ last) * 0xD6E8FEB86659FD93ull;
+    }
+    return static_cast<uint32_t>(h >> 40) & (kPairs - 1);
+  }
+  bool equal(const float* a, const float* b) const {
+    return std::memcmp(a, b, floats() * sizeof(float)) == 0;
+  }
+};
+
+template <uint32_t S>
+uint32_t weldInto(uint32_t* table, const Vertices<S>& vertices, uint32_t kept, uint32_t end,
+                  uint32_t* index) {
+  constexpr uint32_t kAhead = 16;  // vertices whose table entries are fetched in advance
+  uint32_t pairs[kAhead];
+  const uint32_t first = kept;
+  for (uint32_t start = first; start < end; start += kAhead) {
+    const uint32_t count = std::min(kAhead, end - start);
+    for (uint32_t k = 0; k < count; ++k) {
+      pairs[k] = 2 * vertices.hash(vertices[start + k]);
+      __builtin_prefetch(table + pairs[k]);
+    }
+    for (uint32_t k = 0; k < count; ++k) {
+      const float* v = vertices[start + k];
+      uint32_t* pair = table + pairs[k];
+      if (pair[0] != kNone && vertices.equal(vertices[pair[0]], v)) {
+      } else if (pair[1] != kNone && vertices.equal(vertices[pair[1]], v)) {
+        std::swap(pair[0], pair[1]);
+      } else {
+        if (kept != start + k) std::memcpy(vertices[kept], v, vertices.floats() * sizeof(float));
+        pair[1] = pair[0];
+        pair[0] = kept++;
+      }
+      *index++ = pair[0];
+    }
+  }
+  return kept;
+}
+
+}  // namespace
+
+uint32_t StreamWelder::weld(float* vertices, uint32_t stride, uint32_t kept, uint32_t end,
+                            GrowingArray<uint32_t>& indices) {
+  if (table_.empty()) {
+    table_.resize(2 * kPairs);
+    std::fill(table_.begin(), table_.end(), kNone);
+  }
+  const size_t before = indices.size();
+  indices.grow(before + (end - kept));
+  uint32_t* index = indices.data() + before;
+  switch (stride) {
+    case 3: return weldInto<3>(table_.data(), {vertices, stride}, kept, end, index);
+    case 6: return weldInto<6>(table_.data(), {vertices, stride}, kept, end, index);
+    case 10: return weldInto<10>(table_.data(), {vertices, stride}, kept, end, index);
+    default: return weldInto<0>(table_.data(), {vertices, stride}, kept, end, index);
+  }
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,25 @@
+// Finds equal vertices while they are captured, so that a large triangle soup never exists whole. GL thread.
+#pragma once
+#include "gl/growing_array.h"
+
+#include <cstdint>
+
+namespace gluray::gl {
+
+/// Remembers the vertices kept lately. Those that come again within some hundred thousand others are always
+/// found where meshes are sent in any order that keeps neighbours near each other.
+class StreamWelder {
+ public:
+  /// Vertices [kept, end) of `vertices`, `stride` floats each, have just arrived behind those kept before.
+  /// Moves the new ones among them down, appends for each the number that it has now to `indices`, and
+  /// returns how many are kept. The stride must stay the same until forget(). Throws std::bad_alloc, with
+  /// nothing changed.
+  uint32_t weld(float* vertices, uint32_t stride, uint32_t kept, uint32_t end,
+                GrowingArray<uint32_t>& indices);
+  void forget() { table_.release(); }
+
+ private:
+  GrowingArray<uint32_t> table_;  // pairs of vertex numbers, the one used last first
+};
+
+}  // namespace gluray::gl

@@ -1,0 +1,165 @@
+#include "gl/stream_weld.h"
+
+#include "gl/mesh_builder.h"
+#include "gl/vertex_stream.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace gluray::gl {
+namespace {
+
+constexpr uint32_t kSide = 180;  // squares a side: corners enough to be welded while they arrive
+
+/// Calls send(x, y) for every corner of a grid of squares, two triangles each.
+template <class Send>
+void forEachCorner(uint32_t side, Send&& send) {
+  for (uint32_t y = 0; y < side; ++y)
+    for (uint32_t x = 0; x < side; ++x) {
+      send(x, y), send(x + 1, y), send(x + 1, y + 1);
+      send(x, y), send(x + 1, y + 1), send(x, y + 1);
+    }
+}
+
+float height(uint32_t x, uint32_t y) { return std::sin(static_cast<float>(x * 31 + y)); }
+
+void sendGrid(VertexStream& stream, uint32_t side) {
+  forEachCorner(side, [&](uint32_t x, uint32_t y) {
+    const float normal[3] = {height(x, y), 0, 1};
+    if (stream.has(kNormal)) stream.set(kNormal, normal);
+    // As the leaf path does.
+    if (stream.hasRoom())
+      stream.vertex(static_cast<float>(x), static_cast<float>(y), height(y, x));
+    else
+      stream.vertexSlow(static_cast<float>(x), static_cast<float>(y), height(y, x), 1);
+  });
+}
+
+Captured grid(uint32_t side, bool welding, SlotMask slots = bit(kPosition) | bit(kNormal)) {
+  VertexStream stream;
+  stream.start(slots, initialSlotValues(), welding);
+  stream.begin(GL_TRIANGLES);
+  sendGrid(stream, side);
+  stream.end();
+  return stream.take();
+}
+
+/// The vertices as they were sent, through the indices where there are any.
+std::vector<float> expanded(const Captured& c) {
+  std::vector<float> floats;
+  for (const Primitive& p : c.primitives)
+    for (uint32_t i = p.first; i < p.first + p.count; ++i) {
+      const float* v = c.vertex(c.indices.empty() ? i : c.indices[i]);
+      floats.insert(floats.end(), v, v + c.layout.stride);
+    }
+  return floats;
+}
+
+TEST(StreamWeld, LargeSoupsAreWeldedWhileTheyArrive) {
+  for (const SlotMask slots :
+       {bit(kPosition), bit(kPosition) | bit(kNormal), bit(kPosition) | bit(kNormal) | bit(kColor),
+        bit(kPosition) | bit(kFogCoord)}) {
+    const Captured soup = grid(kSide, false, slots), welded = grid(kSide, true, slots);
+    EXPECT_TRUE(soup.indices.empty());
+    EXPECT_EQ(welded.indices.size(), 6u * kSide * kSide);
+    EXPECT_EQ(welded.vertexCount, (kSide + 1) * (kSide + 1));
+    EXPECT_EQ(welded.primitives, soup.primitives);
+    EXPECT_EQ(expanded(welded), expanded(soup));
+  }
+}
+
+TEST(StreamWeld, SmallSoupsAreLeftAlone) { EXPECT_TRUE(grid(20, true).indices.empty()); }
+
+TEST(StreamWeld, IncompleteTrianglesAreDropped) {
+  for (const uint32_t extra : {1u, 2u})
+    for (const bool numbered : {false, true}) {
+      VertexStream stream;
+      stream.start(bit(kPosition), initialSlotValues(), true);
+      stream.begin(GL_TRIANGLES);
+      sendGrid(stream, kSide);
+      for (uint32_t i = 0; i < extra; ++i) stream.vertexSlow(-5, static_cast<float>(i), 0, 1);
+      if (numbered) stream.captured();  // gives numbers to the extra vertices too
+      stream.end();
+      stream.begin(GL_TRIANGLES);
+      for (int i = 0; i < 3; ++i) stream.vertexSlow(-7, static_cast<float>(i), 0, 1);
+      stream.end();
+      const Captured c = stream.take();
+      ASSERT_EQ(c.primitives, (std::vector<Primitive>{{GL_TRIANGLES, 0, 6 * kSide * kSide + 3}}));
+      ASSERT_EQ(c.indices.size(), 6u * kSide * kSide + 3);
+      EXPECT_EQ(c.vertex(c.indices[6 * kSide * kSide])[0], -7);
+      EXPECT_EQ(c.vertex(c.indices[6 * kSide * kSide + 2])[1], 2);
+    }
+}
+
+TEST(StreamWeld, OtherFiguresFollow) {
+  VertexStream plain, welding;
+  for (VertexStream* stream : {&plain, &welding}) {
+    stream->start(bit(kPosition), initialSlotValues(), stream == &welding);
+    stream->begin(GL_TRIANGLES), sendGrid(*stream, kSide), stream->end();
+    stream->begin(GL_TRIANGLE_STRIP), sendGrid(*stream, 3), stream->end();
+    stream->begin(GL_TRIANGLES), sendGrid(*stream, kSide), stream->end();
+  }
+  const Captured expected = plain.take(), got = welding.take();
+  EXPECT_LT(got.vertexCount, expected.vertexCount);
+  EXPECT_EQ(got.primitives, expected.primitives);
+  EXPECT_EQ(expanded(got), expanded(expected));
+  EXPECT_EQ(buildMesh(expected).mesh->geometryId, buildMesh(got).mesh->geometryId);
+}
+
+TEST(StreamWeld, ASlotSetLaterEndsTheWelding) {
+  VertexStream stream;
+  stream.start(bit(kPosition), initialSlotValues(), true);
+  stream.begin(GL_TRIANGLES), sendGrid(stream, kSide), stream.end();
+  const uint32_t before = stream.captured().vertexCount;
+  const float earlier[4] = {0, 0, 1, 0};
+  stream.addSlot(kNormal, earlier);
+  stream.begin(GL_TRIANGLES), sendGrid(stream, kSide), stream.end();
+  const Captured c = stream.take();
+  const uint32_t at = c.layout.offset[kNormal], half = 6 * kSide * kSide;
+  ASSERT_EQ(c.indices.size(), 2u * half);
+  for (uint32_t i = 0; i < half; ++i) {
+    ASSERT_LT(c.indices[i], before) << "earlier vertices keep to themselves";
+    ASSERT_GE(c.indices[half + i], before);
+    ASSERT_EQ(c.vertex(c.indices[i])[at + 2], 1);
+    ASSERT_EQ(c.vertex(c.indices[half + i])[0], c.vertex(c.indices[i])[0]);
+  }
+}
+
+TEST(StreamWeld, MeshesTakeTheArraysOver) {
+  Captured soup = grid(kSide, false), welded = grid(kSide, true);
+  const KnownMesh expected = buildMesh(soup), got = buildMesh(std::move(welded));
+  ASSERT_TRUE(got.mesh);
+  EXPECT_EQ(welded.vertices.data(), nullptr);
+  EXPECT_EQ(welded.indices.size(), 0u);
+  EXPECT_EQ(got.mesh->positions.stride, 24u);
+  EXPECT_EQ(got.mesh->geometryId, expected.mesh->geometryId);
+  EXPECT_EQ(got.mesh->upper, expected.mesh->upper);
+  EXPECT_EQ(got.mesh->triangleCount, expected.mesh->triangleCount);
+  EXPECT_LE(got.mesh->sizeBytes, expected.mesh->sizeBytes);
+  for (uint32_t t = 0; t < got.mesh->triangleCount; t += 7)
+    for (uint32_t k = 0; k < 3; ++k) {
+      const uint32_t a = expected.mesh->corner(t, k), b = got.mesh->corner(t, k);
+      ASSERT_EQ(expected.mesh->position(a), got.mesh->position(b));
+      ASSERT_EQ(scene::fetch(expected.mesh->normals, a), scene::fetch(got.mesh->normals, b));
+    }
+}
+
+TEST(StreamWeld, VerticesFarApartInTimeMayStayDouble) {
+  StreamWelder welder;
+  GrowingArray<uint32_t> indices;
+  GrowingArray<float> vertices;
+  constexpr uint32_t kCount = 1u << 21;
+  vertices.resize(size_t{kCount} * 3);
+  for (uint32_t i = 0; i < kCount; ++i)
+    for (uint32_t k = 0; k < 3; ++k)
+      vertices[size_t{i} * 3 + k] = static_cast<float>((i % (kCount / 2)) * (k + 1));
+  const uint32_t kept = welder.weld(vertices.data(), 3, 0, kCount, indices);
+  EXPECT_GE(kept, kCount / 2);
+  for (uint32_t i = 0; i < kCount; ++i)
+    ASSERT_EQ(vertices[size_t{indices[i]} * 3 + 1], static_cast<float>((i % (kCount / 2)) * 2));
+}
+
+}  // namespace
+}  // namespace gluray::gl
