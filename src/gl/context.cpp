@@ -41,7 +41,7 @@ void Context::updateAttention() {
 
 Gate Context::gate(bool anywhere) noexcept {
   if (passthrough_) return Gate::forward;
-  if (anywhere) return Gate::run;
+  if (anywhere) return compiling() && !insideBegin() ? Gate::compile : Gate::run;
   if (insideBegin()) {
     setError(GL_INVALID_OPERATION);
     return Gate::refuse;
@@ -53,6 +53,11 @@ Gate Context::gate(bool anywhere) noexcept {
 }
 
 void Context::beforeForward(bool flushFirst) noexcept {
+  // A vertex that we cannot capture (an evaluator's, say): the real OpenGL draws the primitive, from its
+  // first vertex on.
+  if (inside_ == Inside::captured) protect([&] { surrenderRun(); });
+  if (inside_ == Inside::captured) return;
+  updateAttention();
   syncCurrent();
   if (!flushFirst) return;
   protect([&] {

@@ -133,8 +133,6 @@ class Context {
   /// A primitive of few vertices from the enabled arrays, joined to the run as if sent by glBegin. False
   /// where it was rasterised.
   void drawSmall(GLenum mode, const std::vector<uint32_t>& vertices);
-  /// One vertex of the enabled arrays, as glArrayElement sends it.
-  void arrayElement(uint32_t i);
   /// The same inside a rasterised glBegin.
   void rasterElement(GLint i) {
     ++openPrimitive_.count;
@@ -217,7 +215,7 @@ class Context {
 
   VertexStream stream_;
   Inside inside_ = Inside::nothing;
-  bool runOpen_ = false;  // stream_ holds an immediate-mode run
+  bool runOpen_ = false;       // stream_ holds an immediate-mode run
   Primitive openPrimitive_{};  // of a rasterised glBegin: mode and vertices so far
   PrimitiveClass runClass_ = PrimitiveClass::surfaces;
   SlotValues current_ = initialSlotValues();
@@ -237,9 +235,9 @@ class Context {
   };
   std::vector<SavedAttrib> attribStack_;
 
-  scene::Region sizeAskedFor_;
   void clampToTarget(scene::Region& region);
   glm::ivec2 drawableSize_{0};  // largest size that the window is known to have had
+  scene::Region sizeAskedFor_;
   TextureCache textures_;
   Batch batch_;
   std::vector<Counter<uint64_t>> unknownCalls_;

@@ -58,24 +58,41 @@ void rectdv(Context& c, const GLdouble* a, const GLdouble* b) { rect(c, a[0], a[
 void rectiv(Context& c, const GLint* a, const GLint* b) { rect(c, a[0], a[1], b[0], b[1]); }
 void rectsv(Context& c, const GLshort* a, const GLshort* b) { rect(c, a[0], a[1], b[0], b[1]); }
 
+namespace {
+
+/// Sends single vertices of the enabled arrays through the leaf path.
+class ElementSender {
+ public:
+  explicit ElementSender(const Context& c)
+      : normal_(c.real, c.arrays.normal),
+        color_(c.real, c.arrays.color),
+        texcoord_(c.real, c.arrays.texcoord),
+        vertex_(c.real, c.arrays.vertex) {}
+
+  void operator()(uint32_t i) const {
+    float v[4];
+    if (read(normal_, i, v)) leaf::normal(v[0], v[1], v[2]);
+    if (read(color_, i, v)) leaf::color(v[0], v[1], v[2], v[3]);
+    if (read(texcoord_, i, v)) leaf::texCoord(0, v[0], v[1], v[2], v[3]);
+    if (read(vertex_, i, v)) leaf::vertex(v[0], v[1], v[2], v[3]);
+  }
+
+ private:
+  static bool read(const ArrayReader& reader, uint32_t i, float* v) {
+    if (i >= reader.available()) return false;
+    reader.read(i, v);
+    return true;
+  }
+  ArrayReader normal_, color_, texcoord_, vertex_;
+};
+
+}  // namespace
+
 void arrayElement(Context& c, GLint i) {
   if (c.inside() == Context::Inside::rasterised) return c.rasterElement(i);
   c.refresh(kArrays);
-  c.arrayElement(static_cast<uint32_t>(i));
-}
-
-void Context::arrayElement(uint32_t i) {
-  const auto send = [&](const ArraySource& source, auto&& put) {
-    const ArrayReader reader(real, source);
-    if (i >= reader.available()) return;
-    float v[4];
-    reader.read(i, v);
-    put(v);
-  };
-  send(arrays.normal, [](const float* v) { leaf::normal(v[0], v[1], v[2]); });
-  send(arrays.color, [](const float* v) { leaf::color(v[0], v[1], v[2], v[3]); });
-  send(arrays.texcoord, [](const float* v) { leaf::texCoord(0, v[0], v[1], v[2], v[3]); });
-  send(arrays.vertex, [](const float* v) { leaf::vertex(v[0], v[1], v[2], v[3]); });
+  const ElementSender send(c);
+  send(static_cast<uint32_t>(i));
 }
 
 void Context::drawSmall(GLenum mode, const std::vector<uint32_t>& vertices) {
@@ -87,7 +104,8 @@ void Context::drawSmall(GLenum mode, const std::vector<uint32_t>& vertices) {
       std::memcpy(before[static_cast<size_t>(s)].data(), current(static_cast<Slot>(s)),
                   sizeOf(static_cast<Slot>(s)) * 4);
   begin(mode);
-  for (const uint32_t i : vertices) arrayElement(i);
+  const ElementSender send(*this);
+  for (const uint32_t i : vertices) send(i);
   end();
   for (int s = kNormal; s < kSlotCount; ++s)
     if (slots & bit(static_cast<Slot>(s)))

@@ -93,6 +93,9 @@ void endConditionalRender(Context& c);
 void matrixMode(Context& c, GLenum mode);
 /// Groups that commands on the current matrix touch.
 uint32_t matrixGroups(Context& c);
+/// A texture is attached to a framebuffer, another framebuffer is bound. Groups to touch.
+uint32_t textureAttached(Context& c);
+uint32_t framebufferBound(Context& c);
 /// Texture images may have changed. Groups to touch.
 uint32_t imagesChanged(Context& c);
 

@@ -217,9 +217,9 @@ void Context::surrenderRun() {
   replay(real, run);
   if (open) replayOpen(real, run, stream_.openPrimitive());
   if (!compiling()) {
-    keepRunValues();
     if (!run.empty() || open) countRaster(aside_ ? Reason::failure : Reason::evaluators, countTriangles(run));
     if (open) openPrimitive_ = stream_.openPrimitive();
+    keepRunValues();
     sendCurrent();  // legal inside glBegin too: what was set since the last vertex
   } else {
     if (!open) real.EndList();

@@ -16,7 +16,7 @@ FragmentOp::~FragmentOp() {
 void FragmentOp::execute(Context& context) {
   if (context.insideBegin() && context.inside() == Context::Inside::captured)
     return context.setError(GL_INVALID_OPERATION);
-  if (!context.insideBegin()) context.beforeRasterDraw(PrimitiveClass::lines);
+  if (!context.insideBegin()) context.beforeForward(true);
   context.real.CallList(realList_);
   context.touch(kAllGroups);
   context.matrixMode = 0;

@@ -132,6 +132,16 @@ uint32_t matrixGroups(Context& c) {
   }
 }
 
+uint32_t textureAttached(Context& c) {
+  c.textures().attached();
+  return kTarget | kTexture;
+}
+
+uint32_t framebufferBound(Context& c) {
+  c.textures().framebufferBound();
+  return kTarget | kTexture;
+}
+
 uint32_t imagesChanged(Context& c) {
   c.textures().allImagesChanged();
   return kTexture;

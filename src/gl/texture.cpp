@@ -69,12 +69,23 @@ bool pixelTransferIsPlain(const RealGl& real) {
          !integer(real, GL_MAP_COLOR);
 }
 
+/// Formats whose texels are decoded when they are sampled.
+bool isSrgb(GLint format) {
+  return (format >= GL_SRGB && format <= GL_COMPRESSED_SLUMINANCE_ALPHA) ||
+         (format >= GL_COMPRESSED_SRGB_S3TC_DXT1_EXT && format <= GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT) ||
+         format == GL_COMPRESSED_SRGB_ALPHA_BPTC_UNORM || format == GL_COMPRESSED_SRGB8_ETC2;
+}
+
 std::optional<scene::BaseFormat> baseFormat(const RealGl& real, GLenum target) {
   const auto bits = [&](GLenum name) { return levelParameter(real, target, 0, name); };
   const GLint r = bits(GL_TEXTURE_RED_SIZE), g = bits(GL_TEXTURE_GREEN_SIZE), b = bits(GL_TEXTURE_BLUE_SIZE),
               a = bits(GL_TEXTURE_ALPHA_SIZE), l = bits(GL_TEXTURE_LUMINANCE_SIZE),
               i = bits(GL_TEXTURE_INTENSITY_SIZE);
   if (std::max({r, g, b, a, l, i}) > 8) return std::nullopt;  // more precision than eight bits carry
+  for (const GLenum type :
+       {GL_TEXTURE_RED_TYPE, GL_TEXTURE_ALPHA_TYPE, GL_TEXTURE_LUMINANCE_TYPE, GL_TEXTURE_INTENSITY_TYPE})
+    if (const GLint t = bits(type); t != GL_NONE && t != GL_UNSIGNED_NORMALIZED) return std::nullopt;
+  if (isSrgb(bits(GL_TEXTURE_INTERNAL_FORMAT))) return std::nullopt;
   if (i > 0) return scene::BaseFormat::intensity;
   if (l > 0) return a > 0 ? scene::BaseFormat::luminanceAlpha : scene::BaseFormat::luminance;
   if (r > 0 && g > 0 && b > 0) return a > 0 ? scene::BaseFormat::rgba : scene::BaseFormat::rgb;
@@ -165,6 +176,22 @@ bool readSampling(const RealGl& real, GLenum target, scene::Texture& texture) {
   return min == GL_NEAREST || min == GL_LINEAR;
 }
 
+/// Whether level 0 is sampled as it is: no other base level, no swizzle, no comparison, no sampler object in
+/// its place.
+bool isPlainlySampled(const RealGl& real, GLenum target) {
+  const auto parameter = [&](GLenum name, GLint usual) {
+    GLint v = usual;
+    real.GetTexParameteriv(target, name, &v);
+    return v;
+  };
+  if (isPresent(real.BindSampler) && integer(real, GL_SAMPLER_BINDING) != 0) return false;
+  return parameter(GL_TEXTURE_BASE_LEVEL, 0) == 0 && parameter(GL_TEXTURE_COMPARE_MODE, GL_NONE) == GL_NONE &&
+         parameter(GL_TEXTURE_SWIZZLE_R, GL_RED) == GL_RED &&
+         parameter(GL_TEXTURE_SWIZZLE_G, GL_GREEN) == GL_GREEN &&
+         parameter(GL_TEXTURE_SWIZZLE_B, GL_BLUE) == GL_BLUE &&
+         parameter(GL_TEXTURE_SWIZZLE_A, GL_ALPHA) == GL_ALPHA;
+}
+
 /// The highest-ranking enabled target of the active unit (GL 2.1, 3.8.15), 0 where texturing is off.
 GLenum enabledTarget(const RealGl& real) {
   for (const GLenum target :
@@ -225,6 +252,7 @@ void TextureCache::read(const RealGl& real, State& state) {
   if (!env) return void(state.textureReason = Reason::textureEnv);
   scene::Texture texture;
   if (!readSampling(real, target, texture)) return void(state.textureReason = Reason::textureMipmap);
+  if (!isPlainlySampled(real, target)) return void(state.textureReason = Reason::textureFormat);
   texture.env = *env;
   real.GetTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, glm::value_ptr(texture.envColor));
   real.GetFloatv(GL_TEXTURE_MATRIX, glm::value_ptr(texture.textureMatrix));

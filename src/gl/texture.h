@@ -17,6 +17,12 @@ class TextureCache {
   /// all.
   void imageChanged(const RealGl& real, GLenum target);
   void allImagesChanged() { images_.clear(); }
+  /// Textures are attached to framebuffers: drawing changes them, which shows when another framebuffer is
+  /// bound.
+  void attached() { attached_ = true, images_.clear(); }
+  void framebufferBound() {
+    if (attached_) images_.clear();
+  }
 
   /// Fills state.texture and state.textureReason from texture unit 0; other units must be off.
   void read(const RealGl& real, State& state);
@@ -26,6 +32,7 @@ class TextureCache {
   std::shared_ptr<const scene::TextureImage> image(const RealGl& real, GLenum target, GLuint name,
                                                    Reason& reason);
   std::map<Key, std::shared_ptr<const scene::TextureImage>> images_;
+  bool attached_ = false;
 };
 
 }  // namespace gluray::gl

@@ -1,0 +1,102 @@
+// What the capture does not take: evaluators inside glBegin, textures that drawing changes.
+#include "tests/reference/traced_context.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace gluray::test {
+namespace {
+
+using Gl = const gl::RealGl&;
+constexpr int kSize = 64;
+
+/// A Bezier patch as strips of evaluated points, the first row of each sent as plain vertices.
+Picture evaluated(Gl gl) {
+  static const GLfloat points[4][3] = {
+      {-0.8f, -0.8f, 0}, {0.8f, -0.8f, 0.3f}, {-0.8f, 0.8f, -0.3f}, {0.8f, 0.8f, 0}};
+  gl.Enable(GL_DEPTH_TEST), gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  gl.Map2f(GL_MAP2_VERTEX_3, 0, 1, 3, 2, 0, 1, 6, 2, &points[0][0]);
+  gl.Enable(GL_MAP2_VERTEX_3);
+  for (int row = 0; row < 4; ++row) {
+    gl.Color3f(0.25f * static_cast<float>(row), 0.5f, 0.75f);
+    gl.Begin(GL_TRIANGLE_STRIP);
+    gl.Vertex3f(-0.9f, -0.8f + 0.4f * static_cast<float>(row), 0.1f);
+    for (int i = 0; i <= 4; ++i)
+      for (int k = 0; k < 2; ++k)
+        gl.EvalCoord2f(0.25f * static_cast<float>(i), 0.25f * static_cast<float>(row + k));
+    gl.End();
+  }
+  gl.Begin(GL_TRIANGLES), gl.Color3f(1, 1, 0);  // and the capture goes on afterwards
+  gl.Vertex3f(-0.2f, -0.2f, -0.9f), gl.Vertex3f(0.2f, -0.2f, -0.8f), gl.Vertex3f(0, 0.2f, -0.9f);
+  gl.End();
+  return readPicture(gl, kSize, kSize);
+}
+
+TEST(CaptureLimits, EvaluatorsInsideBeginAreTheRealOnes) {
+  const auto real = OsmesaContext::create({kSize, kSize});
+  TracedContext ours({kSize, kSize});
+  const Picture expected = evaluated(real->real()), got = evaluated(ours.gl());
+  size_t different = 0;
+  for (size_t i = 0; i < got.colors.size(); ++i) different += got.colors[i] != expected.colors[i];
+  EXPECT_LE(different, got.colors.size() / 100) << "the traced triangle's edge";
+  EXPECT_EQ(ours.context().statistics.drawsTraced, 1u) << "the triangle without evaluators";
+}
+
+/// A quad textured with what was drawn into a framebuffer object just before, twice, in two colours.
+std::vector<uint32_t> texturedByDrawing(Gl gl) {
+  GLuint texture = 0, framebuffer = 0;
+  gl.GenTextures(1, &texture), gl.BindTexture(GL_TEXTURE_2D, texture);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST),
+      gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+  gl.GenFramebuffers(1, &framebuffer), gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+  std::vector<uint32_t> pixels;
+  for (const float red : {1.0f, 0.0f}) {
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    gl.ClearColor(red, 0.2f, 0.6f, 1), gl.Clear(GL_COLOR_BUFFER_BIT);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+    gl.ClearColor(0, 0, 0, 1), gl.Enable(GL_DEPTH_TEST), gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    gl.Enable(GL_TEXTURE_2D);
+    gl.Begin(GL_TRIANGLES), gl.Vertex3f(-0.9f, -0.9f, 0.2f), gl.Vertex3f(0.9f, -0.9f, 0),
+        gl.Vertex3f(0, 0.9f, 0.1f), gl.End();
+    gl.Disable(GL_TEXTURE_2D);
+    uint32_t pixel = 0;
+    gl.ReadPixels(kSize / 2, kSize / 2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
+    pixels.push_back(pixel);
+  }
+  return pixels;
+}
+
+TEST(CaptureLimits, TextureThatWasDrawnIsReadAgain) {
+  const auto real = OsmesaContext::create({kSize, kSize});
+  TracedContext ours({kSize, kSize});
+  EXPECT_EQ(texturedByDrawing(ours.gl()), texturedByDrawing(real->real()));
+  EXPECT_EQ(ours.context().statistics.drawsTraced, 2u);
+}
+
+TEST(CaptureLimits, SrgbAndSwizzledTexturesAreRasterised) {
+  struct Form {
+    GLint format, swizzle;
+  };
+  for (const Form form :
+       {Form{GL_SRGB8_ALPHA8, GL_RED}, Form{GL_RGBA8, GL_GREEN}, Form{GL_RGBA16F, GL_RED}}) {
+    TracedContext ours({kSize, kSize});
+    Gl gl = ours.gl();
+    const uint32_t texel = 0xFF204080u;
+    gl.TexImage2D(GL_TEXTURE_2D, 0, form.format, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, &texel);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST),
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_R, form.swizzle);
+    gl.Enable(GL_TEXTURE_2D), gl.Enable(GL_DEPTH_TEST), gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    gl.Begin(GL_TRIANGLES), gl.Vertex3f(-0.9f, -0.9f, 0.2f), gl.Vertex3f(0.9f, -0.9f, 0),
+        gl.Vertex3f(0, 0.9f, 0.1f), gl.End();
+    gl.Finish();
+    EXPECT_EQ(ours.context().statistics.rasterisedBecause[static_cast<size_t>(gl::Reason::textureFormat)], 1u)
+        << form.format;
+  }
+}
+
+}  // namespace
+}  // namespace gluray::test
