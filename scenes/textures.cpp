@@ -188,6 +188,16 @@ void projectedTexture(Gl gl, int width, int height) {
   gl.End();
 }
 
+/// Texturing enabled for everything, as viewers do, with nothing loaded into the texture.
+void textureWithoutImage(Gl gl, int width, int height) {
+  begin(gl, width, height);
+  camera(gl, width, height);
+  keyLight(gl);
+  paint(gl, 0.9f, 0.6f, 0.2f);
+  gl.Enable(GL_TEXTURE_2D);
+  send(gl, torus(0.9f, 0.4f, 60, 30), kNormals | kTexcoords);
+}
+
 constexpr Scene kScenes[] = {
     {"texture-nearest", textureNearest},
     {"texture-linear", textureLinear},
@@ -198,6 +208,7 @@ constexpr Scene kScenes[] = {
     {"separate-specular", separateSpecular},
     {"texture-sub-image", subImage},
     {"projected-texture", projectedTexture},
+    {"texture-without-image", textureWithoutImage},
 };
 
 }  // namespace

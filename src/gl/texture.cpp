@@ -192,6 +192,13 @@ bool isPlainlySampled(const RealGl& real, GLenum target) {
          parameter(GL_TEXTURE_SWIZZLE_A, GL_ALPHA) == GL_ALPHA;
 }
 
+/// Whether nothing was ever loaded into the bound texture: texturing is then as if disabled (GL 2.1, 3.8.10).
+bool hasNoImage(const RealGl& real, GLenum target) {
+  GLint base = 0;
+  real.GetTexParameteriv(target, GL_TEXTURE_BASE_LEVEL, &base);
+  return levelParameter(real, target, base, GL_TEXTURE_WIDTH) == 0;
+}
+
 /// The highest-ranking enabled target of the active unit (GL 2.1, 3.8.15), 0 where texturing is off.
 GLenum enabledTarget(const RealGl& real) {
   for (const GLenum target :
@@ -246,6 +253,8 @@ void TextureCache::read(const RealGl& real, State& state) {
   if (!target || state.textureReason != Reason::traced) return;
   if (target != GL_TEXTURE_1D && target != GL_TEXTURE_2D)
     return void(state.textureReason = Reason::textureKind);
+  const bool another = target == GL_TEXTURE_2D && real.IsEnabled(GL_TEXTURE_1D);
+  if (!another && hasNoImage(real, target)) return;
   for (const GLenum gen : {GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_GEN_R, GL_TEXTURE_GEN_Q})
     if (real.IsEnabled(gen)) return void(state.textureReason = Reason::texGen);
   const auto env = readEnv(real);

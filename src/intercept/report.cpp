@@ -8,14 +8,17 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <nlohmann/json.hpp>
+#include <pthread.h>
+#include <signal.h>
 #include <unistd.h>
 
-#include <atomic>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <mutex>
 #include <string>
+#include <thread>
 
 namespace gluray::gl {
 
@@ -91,28 +94,81 @@ void writeText(const std::string& text) {
     log::once(log::Level::error, "report", "cannot write the report " + path);
 }
 
-std::mutex g_reporting;
+constexpr double kInterval = 0.1;  // seconds; a report costs about a tenth of a millisecond
 
-}  // namespace
+/// What the reporting threads share. Never destroyed: the late one may outlive the program's exit handlers.
+struct Reporter {
+  std::mutex mutex;
+  Totals latest;      // as of the last buffer swap
+  double next = 0;    // when the next report is due
+  bool late = false;  // writeLate() is on its way
+  bool ended = false;
 
-void writeReport() noexcept {
-  if (isForkedChild()) return;
+  /// What `sum` says goes into the file. The mutex is held.
+  void write(const Totals& sum) {
+    if (sum.contexts != 0 || launchedProcess()) writeText(makeReport(sum).dump(2) + "\n");
+    next = nowSeconds() + kInterval;
+  }
+};
+
+Reporter& reporter() {
+  static auto* r = new Reporter;
+  return *r;
+}
+
+/// Runs `body` with the reporter locked; a failure costs a report, nothing else.
+template <class F>
+void reporting(F&& body) noexcept {
   try {
-    const std::lock_guard lock(g_reporting);
-    const Totals sum = totals();
-    if (sum.contexts == 0 && !launchedProcess()) return;
-    writeText(makeReport(sum).dump(2) + "\n");
+    Reporter& r = reporter();
+    const std::lock_guard lock(r.mutex);
+    body(r);
   } catch (const std::exception& e) {
     log::once(log::Level::error, "report", std::string("no report: ") + e.what());
   }
 }
 
+/// Writes what the last swaps counted that came too soon after a report to be written at once.
+void writeLate() noexcept {
+  std::this_thread::sleep_for(std::chrono::duration<double>(kInterval));
+  reporting([](Reporter& r) {
+    r.late = false;
+    if (!r.ended) r.write(r.latest);
+  });
+}
+
+/// Starts writeLate() in a thread that the program's signal handlers never run in.
+void startLate() {
+  sigset_t all, before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  try {
+    std::thread(writeLate).detach();
+    reporter().late = true;
+  } catch (const std::exception&) {  // the next swap tries again
+  }
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+}
+
+}  // namespace
+
+void writeReport() noexcept {
+  if (isForkedChild()) return;
+  reporting([](Reporter& r) {
+    r.ended = true;
+    r.write(totals());
+  });
+}
+
 void writeReportIfDue() noexcept {
-  constexpr double kInterval = 0.1;  // seconds; a report costs about a tenth of a millisecond
-  static std::atomic<double> next = 0.0;
-  if (session().reportFile.empty() || nowSeconds() < next) return;
-  writeReport();
-  next = nowSeconds() + kInterval;
+  if (session().reportFile.empty() || isForkedChild()) return;
+  reporting([](Reporter& r) {
+    r.latest = totals();
+    if (nowSeconds() >= r.next)
+      r.write(r.latest);
+    else if (!r.late)
+      startLate();
+  });
 }
 
 }  // namespace gluray::intercept

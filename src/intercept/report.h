@@ -10,7 +10,7 @@ namespace gluray::intercept {
 void writeReport() noexcept;
 
 /// The same, at most ten times a second: a program that is killed leaves a report all the same. Called after
-/// buffer swaps.
+/// buffer swaps; what the last of them counted is written a moment later by a thread of its own.
 void writeReportIfDue() noexcept;
 
 }  // namespace gluray::intercept

@@ -12,6 +12,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 GLURAY, LIBRARIES, CLIENTS = (pathlib.Path(p) for p in sys.argv[1:4])
@@ -159,6 +160,20 @@ class Report(Folder):
         report = self.folder / "r.json"
         run("timeout", "-s", "KILL", "4", GLURAY, "--report", report, "glxgears")
         self.assertGreater(json.loads(report.read_text())["frames"], 0)
+
+    def test_program_killed_at_rest_leaves_its_last_frame(self):
+        """Three frames at once, and then nothing for ever."""
+        report = self.folder / "r.json"
+        script = ("import time\nfrom OpenGL.GLUT import *\nglutInit()\nglutInitDisplayMode(GLUT_DOUBLE)\n"
+                  "glutCreateWindow(b'still')\nfor i in range(3): glutSwapBuffers()\ntime.sleep(1000)\n")
+        program = subprocess.Popen([GLURAY, "--report", report, "--", "/usr/bin/python3", "-c", script])
+        self.addCleanup(program.wait)
+        self.addCleanup(program.kill)
+        frames, deadline = 0, time.monotonic() + 60
+        while frames < 3 and time.monotonic() < deadline:
+            time.sleep(0.1)
+            frames = json.loads(report.read_text())["frames"] if report.exists() else 0
+        self.assertEqual(frames, 3)
 
 
 class Missing(Folder):

@@ -50,7 +50,7 @@ PROGRAMS = {
         folder / "knot.off", around=150, across=20))], "flat facets: steps between them are edges too, though weaker "
                         "than what counts as one", beyond=1e-4),
     "meshlab": Program(lambda folder: ["meshlab", str(models.write_ply(folder / "knot.ply"))], "lighting at the vertices; its window "
-                       "shows frame rates and times as text", rest=4.0, colors=800),
+                       "shows frame rates and times as text, and paints a backdrop", traced=0.95, rest=4.0, colors=800),
     "superquadrics": Program(hack("superquadrics"), "lighting at the vertices", frame=40),
     "molecule": Program(hack("molecule", "--no-shells", "--no-labels"), "lighting at the vertices", frame=40),
     "pyopengl": Program(lambda folder: ["/usr/bin/python3", str(HERE / "pyopengl_scene.py")], "lighting at the vertices"),
