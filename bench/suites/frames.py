@@ -30,7 +30,8 @@ def arguments(argv):
     parser.add_argument("--paths", help=f"some of {','.join(PATHS)}")
     parser.add_argument("--rounds", type=int, help="rounds, each measuring everything once (3; quick: 1)")
     parser.add_argument("--threads", type=int, default=2, help="threads of llvmpipe, GLuRay and the bare loop (2)")
-    parser.add_argument("--bvh", default="full", choices=["fast", "full", "compact"])
+    parser.add_argument("--bvh", default="auto", choices=["auto", "fast", "full", "compact"],
+                        help="GLuRay's acceleration structures; the bare loop has full ones where this is auto")
     parser.add_argument("--name", default="frames", help="name of the result file")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="build folder")
     parser.add_argument("--no-gluray", action="store_true", help="measure only the other two")
@@ -76,7 +77,7 @@ class Suite:
     def measure_bare(self, size):
         frames = 24 if self.options.quick else RAY_FRAMES[size]
         return programs.measure([self.bare, "--triangles", size, "--frames", frames, "--orbit", "--bvh",
-                                 self.options.bvh, "--threads", self.options.threads], self.environment)
+                                 "full" if self.options.bvh == "auto" else self.options.bvh, "--threads", self.options.threads], self.environment)
 
     def _client(self, size, path, frames):
         return [self.client, "--triangles", size, "--path", path, "--frames", frames, "--orbit"]
