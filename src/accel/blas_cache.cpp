@@ -1,5 +1,7 @@
 #include "accel/blas_cache.h"
 
+#include "accel/huge_pages.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -76,6 +78,9 @@ uint64_t BlasCache::trianglesWaiting(const std::vector<const scene::Mesh*>& mesh
 }
 
 void BlasCache::build(std::vector<std::pair<Key, Entry>>& coming) {
+  const SmallPages pages(
+      std::accumulate(coming.begin(), coming.end(), uint64_t{0},
+                      [](uint64_t sum, const auto& c) { return sum + c.second.blas->triangleCount(); }));
   const auto small = std::stable_partition(
       coming.begin(), coming.end(), [](const auto& c) { return c.second.blas->triangleCount() >= kAlone; });
   const auto keep = [&](const std::pair<Key, Entry>& built) {

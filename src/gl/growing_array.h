@@ -2,12 +2,18 @@
 // thread.
 #pragma once
 #include <cstddef>
-#include <cstdlib>
-#include <new>
 #include <type_traits>
 #include <utility>
 
 namespace gluray::gl {
+
+/// `memory` of `oldBytes` (null: 0) grown or cut to `newBytes`, contents kept; null where there is none, and
+/// nothing has changed. Large blocks are pages of their own, which are moved rather than copied, and given
+/// back at once.
+void* resizeBlock(void* memory, size_t oldBytes, size_t newBytes) noexcept;
+void freeBlock(void* memory, size_t bytes) noexcept;
+/// Throws std::bad_alloc.
+[[noreturn]] void throwNoMemory();
 
 /// Elements [0, size) have been given values; `capacity` fit without growing. At least kSlackBytes beyond the
 /// capacity may be written and read, so that elements can be copied in wide pieces and Embree may load wide.
@@ -30,7 +36,7 @@ class GrowingArray {
     std::swap(capacity_, other.capacity_);
     return *this;
   }
-  ~GrowingArray() { std::free(data_); }
+  ~GrowingArray() { freeBlock(data_, bytesFor(capacity_)); }
 
   T* data() { return data_; }
   const T* data() const { return data_; }
@@ -59,23 +65,25 @@ class GrowingArray {
     size_ = count;
   }
   void clear() { size_ = 0; }
-  /// Gives back what `count` elements do not need. Keeps the memory where that cannot be.
+  /// Gives back what `count` elements, at least as many as there are, do not need. Keeps the memory where
+  /// that cannot be.
   void shrink(size_t count) noexcept {
     if (count >= capacity_) return;
-    if (void* less = std::realloc(data_, count * sizeof(T) + kSlackBytes))
+    if (count == 0) return release();
+    if (void* less = resizeBlock(data_, bytesFor(capacity_), bytesFor(count)))
       data_ = static_cast<T*>(less), capacity_ = count;
   }
   void release() {
-    std::free(data_);
+    freeBlock(data_, bytesFor(capacity_));
     data_ = nullptr;
     size_ = capacity_ = 0;
   }
 
  private:
+  static size_t bytesFor(size_t count) { return count ? count * sizeof(T) + kSlackBytes : 0; }
   void reallocate(size_t count) {
-    // realloc moves pages rather than bytes when blocks are large.
-    void* grown = std::realloc(data_, count * sizeof(T) + kSlackBytes);
-    if (!grown) throw std::bad_alloc();
+    void* grown = resizeBlock(data_, bytesFor(capacity_), bytesFor(count));
+    if (!grown) throwNoMemory();
     data_ = static_cast<T*>(grown);
     capacity_ = count;
   }

@@ -6,7 +6,8 @@
 namespace gluray::gl {
 namespace {
 
-constexpr uint32_t kPairs = 1u << 18, kNone = ~0u;
+constexpr uint32_t kPairs = 1u << 16;  // half a megabyte, which stays in the caches
+constexpr uint32_t kNone = ~0u;
 
 /// S: floats a vertex, or 0 where only `stride` knows.
 template <uint32_t S>

@@ -6,7 +6,7 @@
 
 namespace gluray::gl {
 
-/// Remembers the vertices kept lately. Those that come again within some hundred thousand others are always
+/// Remembers the vertices kept lately. Those that come again within some ten thousand others are always
 /// found where meshes are sent in any order that keeps neighbours near each other.
 class StreamWelder {
  public:
