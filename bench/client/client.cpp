@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <thread>
 
 namespace {
 
@@ -28,6 +29,7 @@ struct Options {
   double millionTriangles = 1;
   std::string path = "list", dump;
   int frames = 20, orbitFrames = 0;
+  double settleSeconds = 0;
   bool orbit = false;
 };
 
@@ -57,6 +59,16 @@ void drawFrame(DrawPath& path, int frame, int frames) {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glLoadMatrixd(eyeFromWorld(orbitPose(frame, frames)).data());
   path.draw();
+}
+
+/// Ten frames a second for a while, as a program that hardly moves; not measured.
+void settle(DrawPath& path, Window& window, const Options& options) {
+  const Clock::time_point start = Clock::now();
+  while (Seconds(Clock::now() - start).count() < options.settleSeconds) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    drawFrame(path, 0, options.orbitFrames);
+    window.swapAndFinish();
+  }
 }
 
 /// Draws the first view once more and writes the back buffer.
@@ -93,6 +105,7 @@ void run(const Options& options) {
     m.frameSeconds.push_back(Seconds(now - last).count());
     last = now;
   }
+  settle(*path, window, options);
   malloc_trim(0);
   const ResidentBytes resident = residentBytes();
   if (!options.dump.empty()) dump(*path, options.dump);
@@ -111,6 +124,8 @@ int main(int argc, char** argv) {
   app.add_option("--path", options.path, "how the mesh reaches OpenGL")->check(CLI::IsMember(pathNames()));
   app.add_option("--frames", options.frames, "frames to measure after the first")
       ->check(CLI::Range(0, 1000000));
+  app.add_option("--settle", options.settleSeconds, "seconds of idle drawing before memory is read")
+      ->check(CLI::Range(0.0, 1000.0));
   app.add_flag("--orbit", options.orbit, "the camera goes once around in these frames; else it stands still");
   app.add_option("--dump", options.dump, "write the first view as PNG");
   CLI11_PARSE(app, argc, argv);

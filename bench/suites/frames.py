@@ -71,7 +71,9 @@ class Suite:
 
     def measure_gluray(self, size, path):
         frames = 24 if self.options.quick else RAY_FRAMES.get(size, 20)
-        return programs.measure_with_gluray(self.gluray, self.gluray_options, self._client(size, path, frames),
+        # What is built while frames go on must be in its place before memory is read.
+        settle = ["--settle", 2 + size] if self.options.bvh == "auto" and size > 0 else []
+        return programs.measure_with_gluray(self.gluray, self.gluray_options, self._client(size, path, frames) + settle,
                                             self.environment)
 
     def measure_bare(self, size):

@@ -219,6 +219,7 @@ void Context::flush() {
   statistics.traceSeconds += result.traceSeconds;
   statistics.presentSeconds += result.presentSeconds;
   statistics.blasBuilds += result.blasBuilds;
+  statistics.blasRefinements += result.blasRefinements;
   statistics.bvhBytes = result.bvhBytes;
   if (result.outcome != PresentResult::traced) stepAside("the ray tracer could not make a picture");
 }

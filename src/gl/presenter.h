@@ -25,7 +25,7 @@ struct PresentResult {
     failed,      // neither was possible
   } outcome = failed;
   double buildSeconds = 0, traceSeconds = 0, presentSeconds = 0;
-  uint64_t blasBuilds = 0, bvhBytes = 0;
+  uint64_t blasBuilds = 0, blasRefinements = 0, bvhBytes = 0;
   GLenum pendingError =
       GL_NO_ERROR;  // an error of the program's that was found on the way, to be reported to it
 };

@@ -11,7 +11,7 @@ Statistics& Statistics::operator+=(const Statistics& o) {
   meshesBuilt += o.meshesBuilt, meshBytes += o.meshBytes;
   captureSeconds += o.captureSeconds, buildSeconds += o.buildSeconds;
   traceSeconds += o.traceSeconds, presentSeconds += o.presentSeconds;
-  blasBuilds += o.blasBuilds;
+  blasBuilds += o.blasBuilds, blasRefinements += o.blasRefinements;
   if (o.bvhBytes > bvhBytes) bvhBytes = o.bvhBytes;  // one renderer serves all contexts
   return *this;
 }

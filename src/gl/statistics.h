@@ -20,7 +20,7 @@ struct Statistics {
   Count flushes;                                        // batches written to a framebuffer
   Count meshesBuilt, meshBytes;
   Seconds captureSeconds, buildSeconds, traceSeconds, presentSeconds;
-  Count blasBuilds, bvhBytes;
+  Count blasBuilds, blasRefinements, bvhBytes;  // waited for; exchanged for better ones
 
   Statistics& operator+=(const Statistics& other);
 };

@@ -53,7 +53,7 @@ json makeReport(const Totals& totals) {
       {"flushes", s.flushes},
       {"draws", {{"traced", s.drawsTraced}, {"rasterised", reasons}}},
       {"triangles", {{"traced", s.trianglesTraced}, {"rasterised", s.trianglesRasterised}}},
-      {"bvh", {{"builds", s.blasBuilds}, {"bytes", s.bvhBytes}}},
+      {"bvh", {{"builds", s.blasBuilds}, {"refined", s.blasRefinements}, {"bytes", s.bvhBytes}}},
       {"mesh", {{"built", s.meshesBuilt}, {"bytes", s.meshBytes}}},
       {"ms",
        {{"capture", s.captureSeconds * perFrame},

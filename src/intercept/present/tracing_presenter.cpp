@@ -38,7 +38,8 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
   TraceCost cost;
   const bool traced = supports(real, target.core, why) && trace_(snapshot, image_, cost, why);
   result.buildSeconds = cost.buildSeconds, result.traceSeconds = cost.traceSeconds;
-  result.blasBuilds = cost.blasBuilds, result.bvhBytes = cost.bvhBytes;
+  result.blasBuilds = cost.blasBuilds, result.blasRefinements = cost.blasRefinements;
+  result.bvhBytes = cost.bvhBytes;
 
   const double start = nowSeconds();
   if (traced && written(target, pending, why)) {

@@ -11,7 +11,7 @@ namespace gluray::present {
 /// What one tracing cost.
 struct TraceCost {
   double buildSeconds = 0, traceSeconds = 0;
-  uint64_t blasBuilds = 0, bvhBytes = 0;
+  uint64_t blasBuilds = 0, blasRefinements = 0, bvhBytes = 0;
 };
 
 /// Traces a snapshot. False with one line of reason on failure; never throws. frame::Renderer::render in the
