@@ -6,6 +6,7 @@
 
 #include <array>
 #include <atomic>
+#include <barrier>
 #include <cstdlib>
 #include <cstring>
 #include <functional>
@@ -205,6 +206,67 @@ TEST(Threads, ListsAreReplacedWhileTheOtherThreadCallsThem) {
   });
   EXPECT_EQ(wrong, 0);
   EXPECT_GT(compiled, 0);
+}
+
+TEST(Threads, WhatIsHeldBackIsSentByWhoeverDrawsFirst) {
+  constexpr int kRounds = 100;
+  TracedContext owner({kSize, kSize});
+  makeSharedObjects(owner.gl());
+  std::barrier together(2);
+  std::array<int, 2> wrong{};
+  inTwoThreads([&](int thread) {
+    TracedContext context({kSize, kSize}, TracedContext::vertexShading(), nullptr, &owner);
+    Gl gl = context.gl();
+    gl.EnableClientState(GL_VERTEX_ARRAY);
+    gl.Enable(GL_STENCIL_TEST);  // rasterised
+    for (int round = 0; round < kRounds; ++round) {
+      const auto positions = rectangle(1.0f + 0.01f * static_cast<float>(round));
+      gl.BindBuffer(GL_ARRAY_BUFFER, kSharedBuffer);
+      if (thread == round % 2)
+        gl.BufferData(GL_ARRAY_BUFFER, sizeof positions, positions.data(), GL_STREAM_DRAW);
+      gl.VertexPointer(3, GL_FLOAT, 0, nullptr);
+      const auto color = colorOf(thread, round);
+      startFrame(gl);
+      gl.Color4ubv(color.data());
+      together.arrive_and_wait();
+      gl.DrawArrays(GL_TRIANGLES, 0, 6);
+      wrong[static_cast<size_t>(thread)] += !isAll(gl, color);
+      together.arrive_and_wait();
+    }
+  });
+  EXPECT_EQ(wrong, (std::array<int, 2>{0, 0}));
+}
+
+TEST(Threads, BuffersAreFilledWhileTheOtherThreadDraws) {
+  TracedContext owner({kSize, kSize});
+  makeSharedObjects(owner.gl());
+  std::atomic<bool> done = false;
+  int wrong = 0, filled = 0;
+  inTwoThreads([&](int thread) {
+    TracedContext context({kSize, kSize}, TracedContext::vertexShading(), nullptr, &owner);
+    Gl gl = context.gl();
+    const auto positions = rectangle(1);
+    if (thread == 0) {
+      gl.Enable(GL_STENCIL_TEST);
+      for (int frame = 0; frame < kFrames; ++frame) {
+        const auto color = colorOf(thread, frame);
+        startFrame(gl);
+        gl.Color4ubv(color.data());
+        for (int i = 0; i < 20; ++i) sendRectangle(gl, 1);  // each looks for buffers to send
+        wrong += !isAll(gl, color);
+      }
+      done = true;
+      return;
+    }
+    GLuint buffer = 0;
+    gl.GenBuffers(1, &buffer);
+    gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+    for (; !done; ++filled)
+      gl.BufferData(GL_ARRAY_BUFFER, sizeof positions, positions.data(), GL_STREAM_DRAW);
+    gl.DeleteBuffers(1, &buffer);
+  });
+  EXPECT_EQ(wrong, 0);
+  EXPECT_GT(filled, 0);
 }
 
 TEST(Threads, ReportMayBeAddedUpMeanwhile) {
