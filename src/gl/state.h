@@ -10,7 +10,6 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace gluray::gl {
@@ -69,8 +68,8 @@ struct State {
   scene::Shading shading;  // without the texture
   scene::MaterialPair material;
   Reason textureReason = Reason::traced;
-  std::optional<scene::Texture> texture;
-  std::vector<glm::dvec4> clipPlanes;  // eye space, enabled ones
+  std::vector<scene::Texture> textures;  // of the enabled units
+  std::vector<glm::dvec4> clipPlanes;    // eye space, enabled ones
   TargetState target;
 };
 

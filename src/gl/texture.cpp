@@ -240,7 +240,7 @@ std::shared_ptr<const scene::TextureImage> TextureCache::image(const RealGl& rea
 }
 
 void TextureCache::read(const RealGl& real, State& state) {
-  state.texture.reset();
+  state.textures.clear();
   state.textureReason = Reason::traced;
   ActiveUnit unit(real);
   const GLint units = isPresent(real.ActiveTexture) ? integer(real, GL_MAX_TEXTURE_UNITS) : 1;
@@ -267,7 +267,7 @@ void TextureCache::read(const RealGl& real, State& state) {
   real.GetFloatv(GL_TEXTURE_MATRIX, glm::value_ptr(texture.textureMatrix));
   texture.image =
       image(real, target, static_cast<GLuint>(integer(real, bindingOf(target))), state.textureReason);
-  if (texture.image) state.texture = std::move(texture);
+  if (texture.image) state.textures.push_back(std::move(texture));
 }
 
 }  // namespace gluray::gl

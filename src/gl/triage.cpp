@@ -73,7 +73,7 @@ Reason Context::triage(const KnownMesh& known, const std::vector<MaterialChange>
                         std::all_of(materials.begin(), materials.end(), [&](const MaterialChange& change) {
                           return isOpaque(state.shading, change.appliedTo(state.material));
                         });
-  const bool texture = !state.texture || keepsOpaque(*state.texture);
+  const bool texture = std::all_of(state.textures.begin(), state.textures.end(), keepsOpaque);
   return vertices && material && texture ? Reason::traced : state.raster.unlessOpaque;
 }
 
@@ -121,7 +121,7 @@ void Context::addInstance(const scene::MeshPtr& mesh, SlotMask slots,
   instance.frontFaceCcw = state.raster.frontFaceCcw;
   instance.clipPlanes = state.clipPlanes;
   scene::Shading shading = state.shading;
-  shading.texture = state.texture;
+  shading.textures = state.textures;
   // Without colours or materials at its vertices the surface has the current material, however it came about.
   if (!(slots & bit(kColor)) && materials.empty()) shading.colorMaterial = {};
   batch_.add(std::move(instance), std::move(shading));

@@ -40,7 +40,8 @@ scene::Snapshot richScene(ShadingRate rate) {
   auto image = std::make_shared<scene::TextureImage>();
   image->width = image->height = 2;
   image->texels = {0xFFFFFFFFu, 0xFF8080FFu, 0xFF80FF80u, 0xFFFF4040u};
-  s.shadings[1].texture.emplace().image = image;
+  s.shadings[1].textures.resize(1);
+  s.shadings[1].textures[0].image = image;
   for (auto& instance : s.instances) {
     instance.materials[0].front.specular = glm::vec4(0.7f);
     instance.materials[0].front.shininess = 9;

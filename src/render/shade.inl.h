@@ -194,8 +194,8 @@ HWY_ATTR inline void textureLanes(const FrameData& frame, const Surface& s, cons
   for (uint32_t lanes = group.lanes; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
     const glm::vec4 primary(rows.value[0][i], rows.value[1][i], rows.value[2][i], rows.value[3][i]);
-    const glm::vec4 color = textureFragment(s, *s.lighting->shading->texture, map, group.primitive[i],
-                                            group.u[i], group.v[i], {x[i], y[i]}, primary);
+    const glm::vec4 color =
+        textureFragment(s, map, group.primitive[i], group.u[i], group.v[i], {x[i], y[i]}, primary);
     for (int c = 0; c < 4; ++c) rows.value[c][i] = color[c];
   }
 }
@@ -234,7 +234,7 @@ HWY_ATTR inline void shade(const FrameData& frame, const Surface& s, const Group
       for (int c = 0; c < 7; ++c) rows.value[c][i] = backRows.value[c][i];
     }
   }
-  if (shading.texture) textureLanes(frame, s, group, x, y, rows);
+  if (!shading.textures.empty()) textureLanes(frame, s, group, x, y, rows);
   packColors(rows, shading.separateSpecular, color);
 }
 

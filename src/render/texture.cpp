@@ -144,12 +144,16 @@ bool isMinified(const Surface& surface, const scene::Texture& t, const WindowMap
   return std::max(glm::length(dx), glm::length(dy)) > 1.0;
 }
 
-glm::vec4 textureFragment(const Surface& surface, const scene::Texture& t, const WindowMap& map,
-                          uint32_t primitive, float u, float v, glm::dvec2 window, glm::vec4 primary) {
-  scene::Filter filter = t.magFilter;
-  if (t.minFilter != t.magFilter && isMinified(surface, t, map, primitive, window)) filter = t.minFilter;
-  const glm::vec4 texel = sampleTexture(t, filter, textureCoordinates(surface, t, primitive, u, v));
-  return glm::clamp(applyEnvironment(t, texel, primary), 0.0f, 1.0f);
+glm::vec4 textureFragment(const Surface& surface, const WindowMap& map, uint32_t primitive, float u, float v,
+                          glm::dvec2 window, glm::vec4 primary) {
+  glm::vec4 color = primary;
+  for (const scene::Texture& t : surface.lighting->shading->textures) {
+    scene::Filter filter = t.magFilter;
+    if (t.minFilter != t.magFilter && isMinified(surface, t, map, primitive, window)) filter = t.minFilter;
+    const glm::vec4 texel = sampleTexture(t, filter, textureCoordinates(surface, t, primitive, u, v));
+    color = glm::clamp(applyEnvironment(t, texel, color), 0.0f, 1.0f);
+  }
+  return color;
 }
 
 }  // namespace gluray::render

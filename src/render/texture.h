@@ -24,8 +24,8 @@ glm::vec2 textureCoordinates(const Surface&, const scene::Texture&, uint32_t pri
 bool isMinified(const Surface&, const scene::Texture&, const WindowMap&, uint32_t primitive,
                 glm::dvec2 window);
 
-/// All of the above: the textured colour of a fragment.
-glm::vec4 textureFragment(const Surface&, const scene::Texture&, const WindowMap&, uint32_t primitive,
-                          float u, float v, glm::dvec2 window, glm::vec4 primary);
+/// All of the above for every texture of the surface: the textured colour of a fragment.
+glm::vec4 textureFragment(const Surface&, const WindowMap&, uint32_t primitive, float u, float v,
+                          glm::dvec2 window, glm::vec4 primary);
 
 }  // namespace gluray::render

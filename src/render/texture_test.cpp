@@ -144,7 +144,7 @@ scene::Snapshot texturedScene(const scene::Texture& t, float extent) {
   test::MeshData data = test::squareData();
   data.texcoords = {{0, 0, 0, 1}, {extent, 0, 0, 1}, {extent, extent, 0, 1}, {0, extent, 0, 1}};
   auto s = test::makeSnapshot({test::makeMesh(data)});
-  s.shadings[0].texture = t;
+  s.shadings[0].textures = {t};
   return s;
 }
 

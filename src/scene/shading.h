@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace gluray::scene {
@@ -55,7 +54,7 @@ struct Shading {
   ColorMaterial colorMaterial;
   glm::vec4 globalAmbient{0.2f, 0.2f, 0.2f, 1};
   std::vector<Light> lights;
-  std::optional<Texture> texture;  // texture unit 0
+  std::vector<Texture> textures;  // of the enabled texture units, in the order they are applied
   bool operator==(const Shading&) const = default;
 };
 

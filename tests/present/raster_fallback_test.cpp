@@ -65,7 +65,7 @@ std::shared_ptr<scene::Snapshot> snapshotOf(const Patch& patch) {
   scene::Texture texture;
   texture.image = checkers();
   texture.magFilter = texture.minFilter = scene::Filter::nearest;
-  shading.texture = texture;
+  shading.textures = {texture};
   s->shadings = {shading, scene::Shading{}};
   scene::Instance lit;
   lit.mesh = meshOf(patch);

@@ -83,7 +83,8 @@ void setColorMaterial(const RealGl& real, const scene::ColorMaterial& modes) {
   real.Enable(GL_COLOR_MATERIAL);
 }
 
-void setTexture(const RealGl& real, const std::optional<scene::Texture>& texture, ShadingTextures& textures) {
+void setTexture(const RealGl& real, const std::vector<scene::Texture>& units, ShadingTextures& textures) {
+  const scene::Texture* texture = units.empty() ? nullptr : &units.front();
   enable(real, GL_TEXTURE_1D, texture && texture->dimensions == 1);
   enable(real, GL_TEXTURE_2D, texture && texture->dimensions == 2);
   if (!texture) return;
@@ -167,7 +168,7 @@ void setShading(const RealGl& real, const Features& features, const scene::Shadi
     enable(real, GL_LIGHT0 + static_cast<GLenum>(i), on);
     if (on) setLight(real, GL_LIGHT0 + static_cast<GLenum>(i), shading.lights[static_cast<size_t>(i)]);
   }
-  setTexture(real, shading.texture, textures);
+  setTexture(real, shading.textures, textures);
   setColorMaterial(real, shading.colorMaterial);
 }
 
