@@ -25,6 +25,7 @@ Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const 
       info_(info),
       presenter_(presenter),
       passthrough_(info.off || info.core),
+      latch_(info.settings.quirks.has(Quirk::materialLatch)),
       unknownCalls_(kCommandCount) {
   updateAttention();
 }
@@ -209,6 +210,7 @@ void Context::flush() {
   if (batch_.empty()) return;
   const BatchKey key = batch_.key();
   const scene::SnapshotPtr snapshot = batch_.take();
+  const double start = kinds() ? nowSeconds() : 0;
   syncCurrent();
   const PresentTarget target{key.depthFunc, info_.core};
   const PresentResult result = presenter_.present(real, snapshot, target);
@@ -221,6 +223,8 @@ void Context::flush() {
   statistics.blasBuilds += result.blasBuilds;
   statistics.blasRefinements += result.blasRefinements;
   statistics.bvhBytes = result.bvhBytes;
+  if (kinds()) [[unlikely]]
+    kinds()->exclude(nowSeconds() - start);
   if (result.outcome != PresentResult::traced) stepAside("the ray tracer could not make a picture");
 }
 
@@ -232,7 +236,9 @@ void Context::showIfVisible() {
       buffer == GL_FRONT || buffer == GL_FRONT_LEFT || buffer == GL_FRONT_AND_BACK || buffer == GL_LEFT;
   if (info_.doubleBuffered && !front && batch_.key().framebuffer == 0) return;
   flush();
-  if (!info_.doubleBuffered) afterSwap();
+  if (info_.doubleBuffered) return;
+  if (info_.frameEnding) info_.frameEnding();
+  afterSwap();
 }
 
 void Context::stepAside(const char* why) noexcept {

@@ -4,6 +4,7 @@
 #pragma once
 #include "gl/arrays.h"
 #include "gl/batch.h"
+#include "gl/draw_kinds.h"
 #include "gl/material_latch.h"
 #include "gl/presenter.h"
 #include "gl/real.h"
@@ -36,6 +37,9 @@ struct ContextInfo {
   /// Width and height of the window or pixmap that the context draws into, in pixels; {0, 0} if that is
   /// unknown. May be slow: asked only where a viewport is larger than what was known. Empty: never known.
   std::function<glm::ivec2()> drawableSize;
+  std::shared_ptr<DrawKinds> kinds;  // takes what is drawn, by kind; null: nobody explains
+  /// Called when a frame of a single-buffered context is about to be shown. May be empty.
+  std::function<void()> frameEnding;
 };
 
 /// What a generated stub must do when `attention` is set.
@@ -132,7 +136,7 @@ class Context {
   void material(GLenum face, GLenum pname, const float* params);
   /// A primitive of few vertices from the enabled arrays, joined to the run as if sent by glBegin. False
   /// where it was rasterised.
-  void drawSmall(GLenum mode, const std::vector<uint32_t>& vertices);
+  void drawSmall(GLenum mode, const std::vector<uint32_t>& vertices, DrawPath path);
   /// The same inside a rasterised glBegin.
   void rasterElement(GLint i) {
     ++openPrimitive_.count;
@@ -176,8 +180,10 @@ class Context {
   void addInstance(const scene::MeshPtr& mesh, SlotMask slots, const std::vector<MaterialChange>& materials);
   /// Makes the real OpenGL ready for a draw of its own: order, attributes.
   void beforeRasterDraw(PrimitiveClass kind);
-  void countRaster(Reason reason, uint64_t triangles);
-  void countTraced(uint64_t triangles);
+  void countRaster(Reason reason, DrawPath path, PrimitiveClass kind, uint64_t triangles);
+  void countTraced(DrawPath path, uint64_t triangles);
+  /// Who takes draws by kind; null: nobody.
+  DrawKinds* kinds() const { return info_.kinds.get(); }
   /// Gives the real OpenGL the contents of buffers that its draws may read.
   void sendBuffers();
   /// glPushAttrib and glPopAttrib: what we keep beside the real OpenGL's stack.
@@ -191,6 +197,7 @@ class Context {
   void updateAttention();
   void sendCurrent();
   void startRun();
+  void countOpenPrimitive();
   void drawRun();
   KnownMesh meshOfRun();
   void recordRun();
@@ -221,6 +228,7 @@ class Context {
   SlotValues current_ = initialSlotValues();
   SlotMask currentDirty_ = 0;  // slots that are newer here than in the real OpenGL
   MaterialLatch latch_;
+  DrawPath runPath_ = DrawPath::immediate;  // small draws from arrays join runs
 
   std::shared_ptr<DisplayList> list_;
   GLuint openFragment_ = 0;  // real list that takes the rest of a primitive that was given up

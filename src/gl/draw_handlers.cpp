@@ -95,7 +95,7 @@ void arrayElement(Context& c, GLint i) {
   send(static_cast<uint32_t>(i));
 }
 
-void Context::drawSmall(GLenum mode, const std::vector<uint32_t>& vertices) {
+void Context::drawSmall(GLenum mode, const std::vector<uint32_t>& vertices, DrawPath path) {
   // Draws from arrays leave the current attributes as they were.
   const SlotMask slots = slotsOf(arrays) & ~bit(kPosition);
   SlotValues before = current_;
@@ -104,6 +104,7 @@ void Context::drawSmall(GLenum mode, const std::vector<uint32_t>& vertices) {
       std::memcpy(before[static_cast<size_t>(s)].data(), current(static_cast<Slot>(s)),
                   sizeOf(static_cast<Slot>(s)) * 4);
   begin(mode);
+  if (stream_.empty()) runPath_ = path;
   const ElementSender send(*this);
   for (const uint32_t i : vertices) send(i);
   end();
@@ -136,6 +137,8 @@ void rasterise(Context& c, GLenum mode, const Elements& e) {
   c.real.DrawElements(mode, e.count, e.type, e.indices);
 }
 
+DrawPath pathOf(const Elements& e) { return e.type ? DrawPath::elements : DrawPath::arrays; }
+
 constexpr GLsizei kSmall = 192;  // vertices: below, draws join a run instead of becoming meshes of their own
 
 /// Records a draw: dereferenced now, as display lists demand (GL 2.1, 5.4).
@@ -146,7 +149,7 @@ void recordDraw(Context& c, GLenum mode, const Elements& e) {
     return c.recordFragment([&] { rasterise(c, mode, e); });
   }
   if (!c.arrays.vertex.enabled) return;
-  if (e.count <= kSmall) return c.drawSmall(mode, vertexNumbers(c.real, c.arrays, e));
+  if (e.count <= kSmall) return c.drawSmall(mode, vertexNumbers(c.real, c.arrays, e), pathOf(e));
   std::unique_ptr<ListOp> op;
   const Reason captured = c.attempt([&] {
     Captured run = capture(c.real, c.arrays, mode, e);
@@ -184,7 +187,7 @@ Reason traceDraw(Context& c, GLenum mode, const Elements& e) {
     const Reason fine = c.triage(known, {});
     if (fine != Reason::traced) return fine;
     c.addInstance(known.mesh, slotsOf(c.arrays), {});
-    c.countTraced(known.mesh->triangleCount);
+    c.countTraced(pathOf(e), known.mesh->triangleCount);
     return fine;
   });
 }
@@ -192,11 +195,12 @@ Reason traceDraw(Context& c, GLenum mode, const Elements& e) {
 void draw(Context& c, GLenum mode, const Elements& e) {
   if (!validate(c, mode, e) || e.count == 0 || e.first < 0) return;  // what lies before an array is nobody's
   if (c.compiling()) return recordDraw(c, mode, e);
+  const DrawTimer timer(c.kinds());
   c.refresh(kDrawGroups | kArrays);
   const bool plain = mode <= GL_POLYGON && c.arrays.reason == Reason::traced && c.arrays.vertex.enabled;
   if (plain && e.count <= kSmall && c.triage(classOf(mode)) == Reason::traced) {
     const Reason joined = c.attempt([&] {
-      c.drawSmall(mode, vertexNumbers(c.real, c.arrays, e));
+      c.drawSmall(mode, vertexNumbers(c.real, c.arrays, e), pathOf(e));
       return Reason::traced;
     });
     if (joined == Reason::traced) return;
@@ -207,7 +211,7 @@ void draw(Context& c, GLenum mode, const Elements& e) {
   const Reason reason = traceDraw(c, mode, e);
   if (reason == Reason::traced) return;
   const PrimitiveClass kind = mode <= GL_POLYGON ? classOf(mode) : PrimitiveClass::lines;
-  c.countRaster(reason, countTriangles(mode, static_cast<uint64_t>(e.count)));
+  c.countRaster(reason, pathOf(e), kind, countTriangles(mode, static_cast<uint64_t>(e.count)));
   c.beforeRasterDraw(kind);
   c.sendBuffers();
   rasterise(c, mode, e);

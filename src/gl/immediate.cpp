@@ -107,8 +107,9 @@ void Context::begin(GLenum mode) {
     const Reason reason = triage(kind);
     if (reason != Reason::traced) {
       beforeRasterDraw(kind);
-      sendBuffers();           // glArrayElement may follow
-      countRaster(reason, 0);  // end() knows its triangles
+      sendBuffers();  // glArrayElement may follow
+      if (kinds()) kinds()->start();
+      countRaster(reason, DrawPath::immediate, kind, 0);  // end() knows its triangles
       openPrimitive_ = {mode, 0, 0};
       inside_ = Inside::rasterised;
       real.Begin(mode);
@@ -121,12 +122,19 @@ void Context::begin(GLenum mode) {
   updateAttention();
 }
 
+void Context::countOpenPrimitive() {
+  const uint64_t triangles = countTriangles(openPrimitive_.mode, openPrimitive_.count);
+  statistics.trianglesRasterised += triangles;
+  if (!kinds()) return;
+  kinds()->addTriangles(triangles);
+  kinds()->stop();
+}
+
 void Context::end() {
   if (!insideBegin()) return setError(GL_INVALID_OPERATION);
   if (inside_ == Inside::rasterised) {
     real.End();
-    if (!openFragment_)
-      statistics.trianglesRasterised += countTriangles(openPrimitive_.mode, openPrimitive_.count);
+    if (!openFragment_) countOpenPrimitive();
     if (const GLuint id = std::exchange(openFragment_, 0)) {
       real.EndList();
       appendFragment(id);
@@ -141,6 +149,7 @@ void Context::end() {
 void Context::startRun() {
   stream_.start(bit(kPosition), current_, compiling());
   inherited_.clear();
+  runPath_ = DrawPath::immediate;
   runOpen_ = !compiling();
   updateAttention();
 }
@@ -167,7 +176,7 @@ void Context::keepRunValues() {
   if (const MaterialChange* last = stream_.lastMaterial()) {
     sendCurrent();
     sendMaterial(real, *last);
-    if (!insideBegin()) MaterialLatch::letGo(real);
+    if (!insideBegin()) latch_.letGo(real);
     dirty |= kMaterial;
   }
 }
@@ -190,6 +199,7 @@ KnownMesh Context::meshOfRun() {
 void Context::drawRun() {
   const Captured& run = stream_.captured();
   if (run.empty()) return;
+  const DrawTimer timer(kinds());
   const Reason reason = attempt([&] {
     if (aside_) return Reason::failure;
     const KnownMesh known = meshOfRun();
@@ -198,8 +208,8 @@ void Context::drawRun() {
     return fine;
   });
   const uint64_t triangles = countTriangles(run);
-  if (reason == Reason::traced) return countTraced(triangles);
-  countRaster(reason, triangles);
+  if (reason == Reason::traced) return countTraced(runPath_, triangles);
+  countRaster(reason, runPath_, runClass_, triangles);
   beforeRasterDraw(runClass_);
   replay(real, run);
 }
@@ -214,10 +224,13 @@ void Context::surrenderRun() {
   } else {
     sendCurrent();
   }
+  if (!compiling() && (!run.empty() || open)) {
+    if (open && kinds()) kinds()->start();
+    countRaster(aside_ ? Reason::failure : Reason::evaluators, runPath_, runClass_, countTriangles(run));
+  }
   replay(real, run);
   if (open) replayOpen(real, run, stream_.openPrimitive());
   if (!compiling()) {
-    if (!run.empty() || open) countRaster(aside_ ? Reason::failure : Reason::evaluators, countTriangles(run));
     if (open) openPrimitive_ = stream_.openPrimitive();
     keepRunValues();
     sendCurrent();  // legal inside glBegin too: what was set since the last vertex

@@ -199,6 +199,7 @@ void Context::execute(GeometryRun& run) {
 
 void Context::drawListRun(GeometryRun& run) {
   const std::lock_guard lock(run.mutex());
+  const DrawTimer timer(kinds());
   run.inherit(*this);
   refresh(kDrawGroups);
   Reason reason = triage(run.kind());
@@ -210,8 +211,8 @@ void Context::drawListRun(GeometryRun& run) {
       return fine;
     });
   }
-  if (reason == Reason::traced) return countTraced(run.triangles());
-  countRaster(reason, run.triangles());
+  if (reason == Reason::traced) return countTraced(DrawPath::list, run.triangles());
+  countRaster(reason, DrawPath::list, run.kind(), run.triangles());
   beforeRasterDraw(run.kind());
   run.rasterise(*this);
   // The real OpenGL now has the run's last attributes current: they are sent again where ours differ.

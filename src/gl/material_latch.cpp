@@ -2,6 +2,7 @@
 
 #include "gl/replay.h"
 #include "gl/state.h"
+#include "settings/quirks.h"
 
 namespace gluray::gl {
 namespace {
@@ -19,14 +20,15 @@ uint16_t kept(uint16_t set, const scene::Material& values, const scene::Material
 
 }  // namespace
 
-void MaterialLatch::letGo(const RealGl& real) {
+void MaterialLatch::letGo(const RealGl& real) const {
+  if (!on_) return;
   // The first question makes Mesa store what is waiting but keep it; the next makes it let go.
   GLfloat shininess = 0;
   for (int i = 0; i < 2; ++i) real.GetMaterialfv(GL_FRONT, GL_SHININESS, &shininess);
 }
 
 void MaterialLatch::restore(const RealGl& real) const {
-  if (!waiting_.front && !waiting_.back) return;
+  if (!on_ || (!waiting_.front && !waiting_.back)) return;
   letGo(real);
   State now;
   readMaterial(real, now);
@@ -34,6 +36,7 @@ void MaterialLatch::restore(const RealGl& real) const {
   MaterialChange again = waiting_;
   again.front = kept(again.front, again.values.front, now.material.front);
   again.back = kept(again.back, again.values.back, now.material.back);
+  if (again.front || again.back) noteUse(Quirk::materialLatch);
   sendMaterial(real, again);
 }
 

@@ -13,17 +13,19 @@ namespace gluray::gl {
 
 class MaterialLatch {
  public:
+  explicit MaterialLatch(bool on) : on_(on) {}
   /// glMaterial was sent to the real OpenGL outside glBegin and glEnd.
   void sent(GLenum face, GLenum pname, const float* params) { waiting_.set(face, pname, params); }
   /// Materials were sent that belong to vertices of before: the real OpenGL stores them and is done with
   /// them.
-  static void letGo(const RealGl& real);
+  void letGo(const RealGl& real) const;
   /// A draw: the real OpenGL has stored what was waiting.
   void drawn() { waiting_ = {}; }
   /// After a question or a draw of ours: what was waiting waits again.
   void restore(const RealGl& real) const;
 
  private:
+  bool on_;                 // the quirk is switched on
   MaterialChange waiting_;  // since the last draw
 };
 

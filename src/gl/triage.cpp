@@ -139,13 +139,17 @@ void Context::beforeRasterDraw(PrimitiveClass kind) {
   syncCurrent();
 }
 
-void Context::countRaster(Reason reason, uint64_t triangles) {
+void Context::countRaster(Reason reason, DrawPath path, PrimitiveClass kind, uint64_t triangles) {
+  if (kinds()) [[unlikely]]
+    kinds()->record(real, state.target, reason, path, kind, triangles);
   ++statistics.drawsRasterised;
   ++statistics.rasterisedBecause[static_cast<size_t>(reason)];
   statistics.trianglesRasterised += triangles;
 }
 
-void Context::countTraced(uint64_t triangles) {
+void Context::countTraced(DrawPath path, uint64_t triangles) {
+  if (kinds()) [[unlikely]]
+    kinds()->record(real, state.target, Reason::traced, path, PrimitiveClass::surfaces, triangles);
   ++statistics.drawsTraced;
   statistics.trianglesTraced += triangles;
 }

@@ -33,22 +33,32 @@ void choose(const char* name, const Choice<T> (&choices)[N], T& target, Complain
   complain(std::string(name) + "=" + std::string(value) + ": use " + words);
 }
 
-void readThreads(int& threads, Complain complain) {
-  const std::string value(environment("GLURAY_THREADS"));
+/// Sets `target` to the number that the variable holds, from 0 to `largest`; `meaning` of 0 is for the
+/// complaint.
+void readNumber(const char* name, long largest, const char* meaning, int& target, Complain complain) {
+  const std::string value(environment(name));
   if (value.empty()) return;
   char* end = nullptr;
   const long number = std::strtol(value.c_str(), &end, 10);
-  if (*end == '\0' && number >= 0 && number <= 1024)
-    threads = static_cast<int>(number);
+  if (*end == '\0' && number >= 0 && number <= largest)
+    target = static_cast<int>(number);
   else
-    complain("GLURAY_THREADS=" + value + ": use a number from 0 (all cores) to 1024");
+    complain(std::string(name) + "=" + value + ": use a number from 0 (" + meaning + ") to " +
+             std::to_string(largest));
+}
+
+void readQuirkSwitches(QuirkSet& quirks, Complain complain) {
+  const std::string wrong = readQuirks(environment("GLURAY_QUIRKS"), quirks);
+  if (!wrong.empty()) complain("GLURAY_QUIRKS: " + wrong);
 }
 
 }  // namespace
 
 Session sessionFromEnvironment(Complain complain) {
   Session session;
-  readThreads(session.settings.threads, complain);
+  readNumber("GLURAY_THREADS", 1024, "all cores", session.settings.threads, complain);
+  readNumber("GLURAY_EXPLAIN", 1000000000, "do not explain", session.explainFrames, complain);
+  readQuirkSwitches(session.settings.quirks, complain);
   choose<BvhQuality>("GLURAY_BVH",
                      {{"auto", BvhQuality::automatic},
                       {"fast", BvhQuality::fast},
@@ -60,6 +70,7 @@ Session sessionFromEnvironment(Complain complain) {
   choose<Renderer>("GLURAY_RENDERER", {{"embree", Renderer::embree}, {"null", Renderer::null}},
                    session.settings.renderer, complain);
   choose<bool>("GLURAY_OFF", {{"0", false}, {"1", true}}, session.off, complain);
+  choose<bool>("GLURAY_PICTURE", {{"0", false}, {"1", true}}, session.picture, complain);
   std::string_view level = session.logLevel;
   choose<std::string_view>("GLURAY_LOG_LEVEL",
                            {{"trace", "trace"},

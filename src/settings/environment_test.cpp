@@ -13,7 +13,8 @@ std::vector<std::string> g_complaints;
 
 /// The session that the given variables make; all others are unset.
 Session sessionOf(std::vector<std::pair<const char*, const char*>> variables) {
-  for (const char* name : {"THREADS", "BVH", "SHADING", "RENDERER", "OFF", "REPORT", "LOG", "LOG_LEVEL"})
+  for (const char* name : {"THREADS", "BVH", "SHADING", "RENDERER", "OFF", "REPORT", "LOG", "LOG_LEVEL",
+                           "QUIRKS", "EXPLAIN", "PICTURE"})
     unsetenv((std::string("GLURAY_") + name).c_str());
   for (const auto& [name, value] : variables) setenv(name, value, 1);
   g_complaints.clear();
@@ -37,7 +38,10 @@ TEST(Environment, EveryVariableIsRead) {
                                      {"GLURAY_OFF", "1"},
                                      {"GLURAY_REPORT", "/r.json"},
                                      {"GLURAY_LOG", "/l.txt"},
-                                     {"GLURAY_LOG_LEVEL", "debug"}});
+                                     {"GLURAY_LOG_LEVEL", "debug"},
+                                     {"GLURAY_QUIRKS", "material-latch=off"},
+                                     {"GLURAY_EXPLAIN", "100"},
+                                     {"GLURAY_PICTURE", "1"}});
   EXPECT_EQ(session.settings.threads, 3);
   EXPECT_EQ(session.settings.bvh, BvhQuality::compact);
   EXPECT_EQ(session.settings.shading, ShadingRate::vertex);
@@ -46,6 +50,9 @@ TEST(Environment, EveryVariableIsRead) {
   EXPECT_EQ(session.reportFile, "/r.json");
   EXPECT_EQ(session.logFile, "/l.txt");
   EXPECT_EQ(session.logLevel, "debug");
+  EXPECT_FALSE(session.settings.quirks.has(Quirk::materialLatch));
+  EXPECT_EQ(session.explainFrames, 100);
+  EXPECT_TRUE(session.picture);
   EXPECT_TRUE(g_complaints.empty());
 }
 

@@ -1,0 +1,54 @@
+// Quirks: workarounds for what single OpenGL implementations do. Each has a name, a reason and a test, and
+// can be switched (`--quirk NAME=off`). Any thread.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace gluray {
+
+// Identifier, name, what it is for, where it is tested. All are on unless switched off.
+#define GLURAY_QUIRKS(X)                                                                                   \
+  X(materialLatch, "material-latch",                                                                       \
+    "Mesa stores waiting glMaterial values twice where GL_COLOR_MATERIAL is enabled in between; they are " \
+    "sent again after our own drawing, so that they wait as before",                                       \
+    "tests/reference/material_latch_test.cpp")
+
+enum class Quirk : uint8_t {
+#define X(id, name, reason, test) id,
+  GLURAY_QUIRKS(X)
+#undef X
+};
+#define X(id, name, reason, test) +1
+inline constexpr int kQuirkCount = 0 GLURAY_QUIRKS(X);
+#undef X
+
+struct QuirkText {
+  std::string_view name, reason, test;
+};
+/// What is known of a quirk.
+const QuirkText& describe(Quirk quirk);
+
+/// Which quirks are switched on.
+class QuirkSet {
+ public:
+  bool has(Quirk quirk) const { return !(off_ & bit(quirk)); }
+  /// Switches the quirk of that name; false where there is none.
+  bool set(std::string_view name, bool on);
+  bool operator==(const QuirkSet&) const = default;
+
+ private:
+  static constexpr uint32_t bit(Quirk quirk) { return uint32_t{1} << static_cast<int>(quirk); }
+  uint32_t off_ = 0;
+};
+
+/// Reads "NAME=on|off", several separated by commas. Empty, or one line of what is wrong; then nothing of the
+/// wrong entry is applied.
+std::string readQuirks(std::string_view text, QuirkSet& quirks);
+
+/// The quirk has just made a difference: counted for reports, logged at the first time.
+void noteUse(Quirk quirk) noexcept;
+/// Times that noteUse() was called in this process.
+uint64_t useCount(Quirk quirk) noexcept;
+
+}  // namespace gluray
