@@ -8,8 +8,9 @@ std::span<const Scene> scenes() {
   static const std::vector<Scene> all = [] {
     std::vector<Scene> list;
     for (const auto family :
-         {primitiveScenes(), lightScenes(), materialScenes(), textureScenes(), surfaceScenes(), layerScenes(),
-          rasterScenes(), listScenes(), arrayScenes(), readBackScenes(), framebufferScenes()})
+         {primitiveScenes(), lightScenes(), materialScenes(), textureScenes(), surfaceScenes(),
+          coincidentScenes(), fragmentScenes(), layerScenes(), rasterScenes(), listScenes(), arrayScenes(),
+          readBackScenes(), framebufferScenes()})
       list.insert(list.end(), family.begin(), family.end());
     return list;
   }();

@@ -1,11 +1,13 @@
 #include "accel/blas_cache.h"
 
+#include "accel/arena.h"
 #include "accel/huge_pages.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace gluray::accel {
 namespace {
@@ -18,14 +20,16 @@ BlasCache::BlasCache(const Device& device, size_t idleBudgetBytes, FreeMemory fr
 void BlasCache::beginFrame() {
   constexpr uint64_t kGone = 16;  // frames without use after which nothing better is built any more
   ++clock_;
-  if (!refiner_.busy()) return;
+  if (!refinement_.busy()) return;
   const auto found = entries_.find(refining_);
-  if (found == entries_.end() || clock_ - found->second.lastUsed > kGone) refiner_.cancel();
-  const Refiner::Outcome outcome = refiner_.poll();
-  if (!outcome.ended || found == entries_.end()) return;
+  if (found == entries_.end() || clock_ - found->second.lastUsed > kGone) refinement_.cancel();
+  const BackgroundJob::Outcome outcome = refinement_.poll();
+  if (outcome == BackgroundJob::Outcome::none) return;
+  const BlasPtr better = std::exchange(refined_, nullptr);
+  if (found == entries_.end()) return;
   Entry& entry = found->second;
-  if (outcome.blas) {
-    entry.blas = outcome.blas;
+  if (outcome == BackgroundJob::Outcome::done) {
+    entry.blas = better;
     ++refinements_;
   }
   // Where it failed the fast structure has to do.
@@ -49,7 +53,7 @@ std::vector<BlasPtr> BlasCache::get(const std::vector<const scene::Mesh*>& meshe
     const Key key{mesh.geometryId, quality};
     if (const auto known = entries_.find(key); known != entries_.end()) {
       result[i] = use(known->second);
-      if (!refiner_.busy() && worthRefining(quality, known->second.built, known->second.frames))
+      if (!refinement_.busy() && worthRefining(quality, known->second.built, known->second.frames))
         refine(key, known->second, mesh);
       continue;
     }
@@ -103,14 +107,20 @@ void BlasCache::build(std::vector<std::pair<Key, Entry>>& coming) {
 void BlasCache::refine(const Key& key, Entry& entry, const scene::Mesh& mesh) {
   entry.built = BvhQuality::full;
   if (!roomToRefine(mesh.triangleCount, freeMemory_)) return;
-  if (!refiner_.start(std::make_shared<Blas>(device_, iota_, mesh, BvhQuality::full))) return;
+  refined_ = std::make_shared<Blas>(device_, iota_, mesh, BvhQuality::full);
+  const auto build = [blas = refined_](const std::atomic<bool>& cancelled) {
+    Arena alone(1);
+    alone.execute([&] { blas->buildBehind(cancelled); });
+  };
+  if (!refinement_.start(build)) return refined_.reset();
   refining_ = key;
   entry.built = BvhQuality::fast;
 }
 
 bool BlasCache::evictAllIdle() {
-  const bool busy = refiner_.busy();
-  refiner_.stop();
+  const bool busy = refinement_.busy();
+  refinement_.stop();
+  refined_.reset();
   return evictDownTo(0) || busy;
 }
 

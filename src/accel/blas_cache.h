@@ -1,9 +1,9 @@
 // Acceleration structures of meshes, found again by what the geometry is. Owned by World; one thread at a
 // time.
 #pragma once
+#include "accel/background_job.h"
 #include "accel/blas.h"
 #include "accel/build_plan.h"
-#include "accel/refiner.h"
 
 #include <unordered_map>
 #include <vector>
@@ -63,8 +63,9 @@ class BlasCache {
   IotaIndices iota_;
   std::unordered_map<Key, Entry, KeyHash> entries_;
   uint64_t clock_ = 0, builds_ = 0, refinements_ = 0;
-  Key refining_{};  // what refiner_ builds for
-  Refiner refiner_;
+  Key refining_{};   // what the job builds for
+  BlasPtr refined_;  // what it builds
+  BackgroundJob refinement_;
 };
 
 }  // namespace gluray::accel

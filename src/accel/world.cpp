@@ -54,6 +54,7 @@ UpdateStatistics World::update(const scene::Snapshot& snapshot, Arena& arena) {
     }
     cache_.evict();
     if (scene_) readBounds();
+    readOrder(snapshot);
     return statistics;
   });
 }
@@ -89,6 +90,14 @@ void World::readBounds() {
   upper_ = {bounds.upper_x, bounds.upper_y, bounds.upper_z};
   // A mesh whose every triangle was refused has no bounds: nothing to hit.
   if (!(lower_.x <= upper_.x && lower_.y <= upper_.y && lower_.z <= upper_.z)) scene_ = nullptr;
+}
+
+void World::readOrder(const scene::Snapshot& snapshot) {
+  mayCoincide_ = coincidence_.possible(snapshot.instances);
+  order_.laterWins = snapshot.laterWins;
+  order_.ranks.clear();
+  if (!mayCoincide_) return;
+  for (const scene::Instance& instance : snapshot.instances) order_.ranks.push_back(instance.order);
 }
 
 }  // namespace gluray::accel

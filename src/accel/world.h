@@ -3,12 +3,14 @@
 #pragma once
 #include "accel/arena.h"
 #include "accel/blas_cache.h"
+#include "accel/coincidence.h"
 #include "accel/free_memory.h"
 #include "accel/ray_packet.h"
 #include "accel/tlas.h"
 #include "scene/snapshot.h"
 
 #include <memory>
+#include <vector>
 
 namespace gluray::accel {
 
@@ -25,6 +27,12 @@ class HitFilter {
   virtual bool accepts(uint32_t instance, uint32_t primitive, float u, float v, int lane) const noexcept = 0;
 };
 
+/// Which of several surfaces at one place is seen.
+struct DrawOrder {
+  std::vector<uint32_t> ranks;  // of Snapshot::instances, by when they were drawn
+  bool laterWins = false;
+};
+
 class World {
  public:
   /// `idleBudgetBytes`, `freeMemory`: see BlasCache. Throws Error where Embree does not start.
@@ -35,10 +43,9 @@ class World {
   UpdateStatistics update(const scene::Snapshot&, Arena&);
 
   /// Nearest hits of the lanes with valid[i] = -1 (others 0), an array aligned to 64 bytes; the packet's hit
-  /// fields must be cleared (geometry = kNoHit).
-  void intersect(const int32_t* valid, RayPacket&) const noexcept;
-  /// The same, without the hits that `filter` refuses.
-  void intersect(const int32_t* valid, RayPacket&, const HitFilter& filter) const noexcept;
+  /// fields must be cleared (geometry = kNoHit). Hits that `filter` refuses do not count; null: all do. Where
+  /// triangles coincide, the hit is on the one that the snapshot's order of drawing and depth function leave.
+  void intersect(const int32_t* valid, RayPacket&, const HitFilter* filter = nullptr) const noexcept;
 
   /// True if there is nothing to hit.
   bool empty() const { return scene_ == nullptr; }
@@ -52,6 +59,7 @@ class World {
  private:
   std::vector<PlacedBlas> place(const scene::Snapshot&);
   void readBounds();
+  void readOrder(const scene::Snapshot&);
 
   Device device_;
   BlasCache cache_;
@@ -59,6 +67,9 @@ class World {
   RTCSceneTy* scene_ = nullptr;  // what rays are traced in: the top level, or a lone mesh without transform
   BlasPtr alone_;
   uint32_t aloneIndex_ = 0;
+  Coincidence coincidence_;
+  bool mayCoincide_ = false;  // some triangles may: hits are compared, which costs time
+  DrawOrder order_;
   glm::vec3 lower_{0}, upper_{0};
 };
 

@@ -30,7 +30,7 @@ RayPacket shoot(const World& world, float x, float y, const HitFilter* filter = 
     valid[i] = -1;
   }
   if (filter)
-    world.intersect(valid, packet, *filter);
+    world.intersect(valid, packet, filter);
   else
     world.intersect(valid, packet);
   return packet;

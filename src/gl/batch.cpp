@@ -47,6 +47,8 @@ void Batch::start(const BatchKey& key, const State& state, const Settings& setti
   snapshot_->eyeFromWorld = state.modelview;
   snapshot_->region = key.region;
   snapshot_->polygonOffset = key.offset;
+  snapshot_->laterWins = key.depthFunc == GL_LEQUAL;
+  drawn_ = 0;
   // With GL_MULTISAMPLE off all samples of a pixel get the value at its centre: one plane serves them all.
   if (key.multisample) {
     snapshot_->samples = state.target.samples;
@@ -77,6 +79,7 @@ uint32_t indexOfShading(std::vector<scene::Shading>& shadings, scene::Shading&& 
 
 void Batch::add(scene::Instance instance, scene::Shading shading) {
   scene::Snapshot& s = *snapshot_;
+  instance.order = drawn_++;
   instance.worldFromObject = instance.eyeFromObject == s.eyeFromWorld
                                  ? glm::mat4(1)
                                  : glm::mat4(glm::inverse(s.eyeFromWorld) * instance.eyeFromObject);

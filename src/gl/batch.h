@@ -41,6 +41,7 @@ class Batch {
  private:
   std::shared_ptr<scene::Snapshot> snapshot_;
   BatchKey key_;
+  uint32_t drawn_ = 0;  // instances added, those that were replaced included
   std::unordered_multimap<Hash128, size_t> instancesAt_;  // geometry and its place -> instances
 };
 

@@ -172,6 +172,8 @@ class Context {
   /// Why a surface with this mesh cannot be traced now, or Reason::traced. Call refresh(kDrawGroups) before.
   Reason triage(PrimitiveClass kind);
   Reason triage(const KnownMesh& mesh, const std::vector<MaterialChange>& materials) const;
+  /// Whether every fragment of a surface with this mesh has alpha 1.
+  bool isOpaque(const KnownMesh& mesh, const std::vector<MaterialChange>& materials) const;
   /// Runs `trace`, which says whether it added a draw to the batch. A failure of ours makes the draw
   /// rasterised, not lost.
   template <class F>

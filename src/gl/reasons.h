@@ -23,7 +23,7 @@ namespace gluray::gl {
   X(alphaTest, "alpha test")                                  \
   X(blend, "blending")                                        \
   X(logicOp, "logic operation")                               \
-  X(fog, "fog")                                               \
+  X(fog, "fog coordinates")                                   \
   X(polygonStipple, "polygon stipple")                        \
   X(polygonSmooth, "polygon smoothing")                       \
   X(program, "vertex or fragment program")                    \

@@ -117,19 +117,48 @@ Reason rareReason(const RealGl& real) {
   return clamp != 0 ? Reason::depthClamp : Reason::traced;
 }
 
-/// Whether the alpha test lets fragments of alpha 1 through. Programs leave it on for textures with holes.
-bool opaquePasses(const RealGl& real) {
-  GLfloat reference = 0;
-  real.GetFloatv(GL_ALPHA_TEST_REF, &reference);
+scene::AlphaTest readAlphaTest(const RealGl& real) {
+  scene::AlphaTest test;
+  if (!isOn(real, GL_ALPHA_TEST)) return test;
+  using Function = scene::AlphaTest;
   switch (integer(real, GL_ALPHA_TEST_FUNC)) {
-    case GL_ALWAYS:
-    case GL_GEQUAL: return true;  // the reference is at most 1
-    case GL_GREATER:
-    case GL_NOTEQUAL: return reference < 1;
-    case GL_EQUAL:
-    case GL_LEQUAL: return reference == 1;
-    default: return false;
+    case GL_NEVER: test.function = Function::never; break;
+    case GL_LESS: test.function = Function::less; break;
+    case GL_LEQUAL: test.function = Function::lessOrEqual; break;
+    case GL_EQUAL: test.function = Function::equal; break;
+    case GL_GEQUAL: test.function = Function::greaterOrEqual; break;
+    case GL_GREATER: test.function = Function::greater; break;
+    case GL_NOTEQUAL: test.function = Function::notEqual; break;
+    default: break;
   }
+  real.GetFloatv(GL_ALPHA_TEST_REF, &test.reference);
+  return test;
+}
+
+scene::Fog readFog(const RealGl& real) {
+  scene::Fog fog;
+  if (!isOn(real, GL_FOG)) return fog;
+  switch (integer(real, GL_FOG_MODE)) {
+    case GL_LINEAR: fog.mode = scene::Fog::linear; break;
+    case GL_EXP2: fog.mode = scene::Fog::exp2; break;
+    default: fog.mode = scene::Fog::exp; break;
+  }
+  real.GetFloatv(GL_FOG_DENSITY, &fog.density);
+  real.GetFloatv(GL_FOG_START, &fog.start);
+  real.GetFloatv(GL_FOG_END, &fog.end);
+  GLfloat color[4] = {};
+  real.GetFloatv(GL_FOG_COLOR, color);
+  fog.color = {color[0], color[1], color[2]};
+  return fog;
+}
+
+/// Why fog rules tracing out: where it does not go by the distance from the viewer's plane.
+Reason fogReason(const RealGl& real) {
+  if (!isOn(real, GL_FOG)) return Reason::traced;
+  GLint source = GL_FRAGMENT_DEPTH, distance = GL_EYE_PLANE_ABSOLUTE_NV;
+  real.GetIntegerv(GL_FOG_COORD_SRC, &source);
+  real.GetIntegerv(GL_FOG_DISTANCE_MODE_NV, &distance);
+  return source == GL_FRAGMENT_DEPTH && distance == GL_EYE_PLANE_ABSOLUTE_NV ? Reason::traced : Reason::fog;
 }
 
 /// Why per-fragment operations rule tracing out, cheapest and commonest questions first.
@@ -142,12 +171,8 @@ Reason fragmentReason(const RealGl& real, RasterState& raster) {
   real.GetBooleanv(GL_COLOR_WRITEMASK, mask);
   if (!mask[0] || !mask[1] || !mask[2] || !mask[3]) return Reason::colorMask;
   if (isOn(real, GL_STENCIL_TEST)) return Reason::stencil;
-  if (isOn(real, GL_ALPHA_TEST)) {
-    if (!opaquePasses(real)) return Reason::alphaTest;
-    raster.unlessOpaque = Reason::alphaTest;
-  }
   if (isOn(real, GL_COLOR_LOGIC_OP)) return Reason::logicOp;
-  if (isOn(real, GL_FOG)) return Reason::fog;
+  if (const Reason fog = fogReason(real); fog != Reason::traced) return fog;
   if (isPresent(real.UseProgram) && integer(real, GL_CURRENT_PROGRAM) != 0) return Reason::program;
   if (isPresent(real.BindProgramPipeline) && integer(real, GL_PROGRAM_PIPELINE_BINDING) != 0)
     return Reason::program;
@@ -199,6 +224,8 @@ void readRaster(const RealGl& real, State& state) {
       !isOn(real, GL_BLEND);
   if (raster.reason == Reason::traced) raster.reason = polygonReason(real);
   raster.multisample = isOn(real, GL_MULTISAMPLE);
+  raster.alphaTest = readAlphaTest(real);
+  state.shading.fog = readFog(real);
   raster.cull = readCull(real);
   raster.frontFaceCcw = integer(real, GL_FRONT_FACE) == GL_CCW;
   raster.offsetFill = isOn(real, GL_POLYGON_OFFSET_FILL);

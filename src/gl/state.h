@@ -42,6 +42,7 @@ struct RasterState {
   GLenum depthFunc = GL_LESS;
   bool orderFree = false;  // rasterised draws merge with pending traced ones in any order
   bool multisample = true;
+  scene::AlphaTest alphaTest;
   scene::CullFace cull = scene::CullFace::none;
   bool frontFaceCcw = true;
   bool offsetFill = false;
@@ -65,7 +66,7 @@ struct State {
   glm::ivec4 viewport{0, 0, 1, 1}, scissor{0, 0, 1, 1};
   float depthNear = 0, depthFar = 1;
   RasterState raster;
-  scene::Shading shading;  // without the texture
+  scene::Shading shading;  // without textures and alpha test
   scene::MaterialPair material;
   Reason textureReason = Reason::traced;
   std::vector<scene::Texture> textures;  // of the enabled units

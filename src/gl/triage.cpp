@@ -66,15 +66,24 @@ bool isFlat(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
 Reason Context::triage(const KnownMesh& known, const std::vector<MaterialChange>& materials) const {
   if (known.homogeneous || !known.mesh) return Reason::homogeneous;
   if (isFlat(*known.mesh, state.projection * state.modelview)) return Reason::flat;
-  if (state.raster.unlessOpaque == Reason::traced) return Reason::traced;
+  if (state.raster.unlessOpaque == Reason::traced && state.raster.alphaTest == scene::AlphaTest{})
+    return Reason::traced;
+  if (isOpaque(known, materials)) return Reason::traced;
+  if (state.raster.unlessOpaque != Reason::traced) return state.raster.unlessOpaque;
+  // GL tests once a pixel, at its centre; we would once a sample.
+  const bool perSample = state.raster.multisample && state.target.samples > 1;
+  return perSample ? Reason::alphaTest : Reason::traced;
+}
+
+bool Context::isOpaque(const KnownMesh& known, const std::vector<MaterialChange>& materials) const {
   const bool vertices = !usesVertexAlpha(state.shading) ||
                         (known.mesh->colors ? known.mesh->opaqueColors : current_[kColor][3] >= 1.0f);
-  const bool material = isOpaque(state.shading, state.material) &&
-                        std::all_of(materials.begin(), materials.end(), [&](const MaterialChange& change) {
-                          return isOpaque(state.shading, change.appliedTo(state.material));
-                        });
-  const bool texture = std::all_of(state.textures.begin(), state.textures.end(), keepsOpaque);
-  return vertices && material && texture ? Reason::traced : state.raster.unlessOpaque;
+  const auto opaque = [&](const scene::MaterialPair& m) { return gl::isOpaque(state.shading, m); };
+  return vertices && opaque(state.material) &&
+         std::all_of(
+             materials.begin(), materials.end(),
+             [&](const MaterialChange& change) { return opaque(change.appliedTo(state.material)); }) &&
+         std::all_of(state.textures.begin(), state.textures.end(), keepsOpaque);
 }
 
 void Context::clampToTarget(scene::Region& region) {
@@ -122,6 +131,7 @@ void Context::addInstance(const scene::MeshPtr& mesh, SlotMask slots,
   instance.clipPlanes = state.clipPlanes;
   scene::Shading shading = state.shading;
   shading.textures = state.textures;
+  shading.alphaTest = state.raster.alphaTest;
   // Without colours or materials at its vertices the surface has the current material, however it came about.
   if (!(slots & bit(kColor)) && materials.empty()) shading.colorMaterial = {};
   batch_.add(std::move(instance), std::move(shading));

@@ -12,6 +12,9 @@
 
 #include <hwy/cache_control.h>
 
+#include <algorithm>
+#include <vector>
+
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
@@ -54,16 +57,26 @@ HWY_INLINE uint32_t bitsAt(hn::Mask<IndexTag> mask, int i) {
   return (bits[0] | static_cast<uint32_t>(bits[1]) << 8) << i;
 }
 
-/// Culling and the clip planes of single instances, asked of every hit.
+/// Culling and the clip planes of single instances, asked of every hit; and hits that failed the alpha test.
 class RejectingFilter : public accel::HitFilter {
  public:
   explicit RejectingFilter(const FrameData& frame) : frame_(frame) {}
-  bool accepts(uint32_t instance, uint32_t primitive, float u, float v, int) const noexcept override {
+  bool accepts(uint32_t instance, uint32_t primitive, float u, float v, int lane) const noexcept override {
+    for (const Hit& hit : failed_[lane])
+      if (hit.instance == instance && hit.primitive == primitive) return false;
     return frame_.surfaces[instance].accepts(primitive, u, v);
+  }
+  /// The lane's ray is to go on as if its hit were not there.
+  void refuse(const accel::RayPacket& packet, int lane) {
+    failed_[lane].push_back({packet.instance[lane], packet.primitive[lane]});
   }
 
  private:
+  struct Hit {
+    uint32_t instance, primitive;
+  };
   const FrameData& frame_;
+  std::vector<Hit> failed_[kLanes];
 };
 
 HWY_ATTR inline uint32_t lanesThatHit(const accel::RayPacket& packet, const int32_t* valid) {
@@ -121,8 +134,8 @@ HWY_ATTR inline uint32_t rejectedLanes(const Surface& s, const Group& group, uin
   return rejected;
 }
 
-/// Depth and colour of the hits in `lanes`. Returns the lanes whose hit does not count; only where
-/// `mayReject`.
+/// Depth and colour of the hits in `lanes`. Returns the lanes whose hit does not count: culled or cut away,
+/// which is asked only where `mayReject`, or failing the alpha test.
 HWY_ATTR inline uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool mayReject, Work& work) {
   uint32_t rejected = 0;
   Group group;
@@ -141,7 +154,9 @@ HWY_ATTR inline uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool 
       if (group.lanes == 0) continue;
     }
     const uint32_t back = (surface.frontIsCcw ? ~seen.ccw : seen.ccw) & group.lanes;
-    shade(frame, surface, group, back, work.x, work.y, color);
+    const uint32_t failing = shade(frame, surface, group, back, work.x, work.y, color);
+    rejected |= failing;
+    group.lanes &= ~failing;
     merge(group.lanes, color, seen.depth, work);
   }
   return rejected;
@@ -175,14 +190,26 @@ HWY_ATTR inline void fetchVertices(const FrameData& frame, Work& work) {
   }
 }
 
-// Traces again the lanes whose nearest hit does not count, this time asking about every hit on the way.
+// Traces again the lanes whose nearest hit does not count, this time asking about every hit on the way, until
+// the alpha test lets their hits stand.
 HWY_ATTR inline void traceThrough(const FrameData& frame, uint32_t lanes, Work& work) {
-  for (int i = 0; i < kLanes; ++i) work.valid[i] = lanes >> i & 1 ? -1 : 0;
-  generateRays(frame.rays, work.x, work.y, work.packet, work.valid);
-  frame.world->intersect(work.valid, work.packet, RejectingFilter(frame));
-  work.hits = lanesThatHit(work.packet, work.valid);
-  fetchVertices(frame, work);
-  shadeHits(frame, work.hits, false, work);
+  RejectingFilter filter(frame);
+  alignas(64) float passed[kLanes] = {};  // distances that lanes are through
+  while (lanes) {
+    for (int i = 0; i < kLanes; ++i) work.valid[i] = lanes >> i & 1 ? -1 : 0;
+    for (uint32_t refused = lanes; refused; refused &= refused - 1) {
+      constexpr float kBefore = 1 - 0x1p-20f;  // others may be as far, give or take a rounding
+      const int i = std::countr_zero(refused);
+      filter.refuse(work.packet, i);
+      passed[i] = work.packet.tFar[i] * kBefore;
+    }
+    generateRays(frame.rays, work.x, work.y, work.packet, work.valid);
+    for (int i = 0; i < kLanes; ++i) work.packet.tNear[i] = std::max(work.packet.tNear[i], passed[i]);
+    frame.world->intersect(work.valid, work.packet, &filter);
+    work.hits = lanesThatHit(work.packet, work.valid);
+    fetchVertices(frame, work);
+    lanes = shadeHits(frame, work.hits, false, work);
+  }
 }
 
 HWY_ATTR inline void storePixels(const Work& work, const Tile& tile, Image& image) {

@@ -7,6 +7,7 @@
 #define GLURAY_RENDER_SHADE_INL_H_
 #endif
 
+#include "render/fragment.inl.h"
 #include "render/frame_data.h"
 #include "render/material.inl.h"
 #include "render/texture.h"
@@ -14,49 +15,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
-
-HWY_INLINE Float load(const float* p) { return hn::Load(FloatTag(), p); }
-HWY_INLINE void store(Float v, float* p) { hn::Store(v, FloatTag(), p); }
-HWY_INLINE Float3 load3(const Row* rows, int i) {
-  return {load(rows[0] + i), load(rows[1] + i), load(rows[2] + i)};
-}
-HWY_INLINE int lanesOfVector() { return static_cast<int>(hn::Lanes(FloatTag())); }
-
-/// Lit colours of a packet: rows red, green, blue, alpha and the secondary colour's three.
-struct LitRows {
-  alignas(64) Row value[7];
-  HWY_INLINE void set(int i, const Lit& lit) {
-    store(lit.primary.x, value[0] + i), store(lit.primary.y, value[1] + i),
-        store(lit.primary.z, value[2] + i);
-    store(lit.alpha, value[3] + i);
-    store(lit.secondary.x, value[4] + i), store(lit.secondary.y, value[5] + i),
-        store(lit.secondary.z, value[6] + i);
-  }
-};
-
-/// Weights of the three corners in each lane.
-struct Weights {
-  Float w0, w1, w2;
-  HWY_INLINE Weights(const Group& g, int i) : w0(load(g.u + i)), w1(load(g.u + i)), w2(load(g.v + i)) {
-    w0 = hn::Sub(hn::Sub(splat(1), w1), w2);
-  }
-  HWY_INLINE Float operator()(Float a, Float b, Float c) const {
-    return hn::MulAdd(a, w0, hn::MulAdd(b, w1, hn::Mul(c, w2)));
-  }
-  HWY_INLINE Float3 operator()(const Float3& a, const Float3& b, const Float3& c) const {
-    return {(*this)(a.x, b.x, c.x), (*this)(a.y, b.y, c.y), (*this)(a.z, b.z, c.z)};
-  }
-};
-
-HWY_INLINE Float3 transform(const glm::mat3& m, const Float3& v) {
-  return {hn::MulAdd(splat(m[0].x), v.x, hn::MulAdd(splat(m[1].x), v.y, hn::Mul(splat(m[2].x), v.z))),
-          hn::MulAdd(splat(m[0].y), v.x, hn::MulAdd(splat(m[1].y), v.y, hn::Mul(splat(m[2].y), v.z))),
-          hn::MulAdd(splat(m[0].z), v.x, hn::MulAdd(splat(m[1].z), v.y, hn::Mul(splat(m[2].z), v.z)))};
-}
-
-HWY_INLINE Float3 transformPoint(const glm::mat4& m, const Float3& p) {
-  return add(transform(glm::mat3(m), p), splat(glm::vec3(m[3])));
-}
 
 /// What the corners of a group's triangles carry.
 struct Attributes {
@@ -200,14 +158,19 @@ HWY_ATTR inline void textureLanes(const FrameData& frame, const Surface& s, cons
   }
 }
 
-// Secondary colour added, RGBA8 with red in the lowest byte.
-HWY_ATTR inline void packColors(const LitRows& rows, bool secondary, uint32_t* color) {
+// Secondary colour added to the primary, GL 2.1, 3.9.
+HWY_ATTR inline void addSecondary(LitRows& rows) {
+  for (int i = 0; i < kLanes; i += lanesOfVector())
+    for (int c = 0; c < 3; ++c)
+      store(clamp01(hn::Add(load(rows.value[c] + i), load(rows.value[4 + c] + i))), rows.value[c] + i);
+}
+
+// RGBA8 with red in the lowest byte.
+HWY_ATTR inline void packColors(const LitRows& rows, uint32_t* color) {
   const hn::Rebind<uint32_t, FloatTag> du;
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
     const auto byte = [&](int c) HWY_ATTR {
-      Float v = load(rows.value[c] + i);
-      if (secondary && c < 3) v = hn::Add(v, load(rows.value[4 + c] + i));
-      return hn::BitCast(du, hn::NearestInt(hn::Mul(clamp01(v), splat(255))));
+      return hn::BitCast(du, hn::NearestInt(hn::Mul(clamp01(load(rows.value[c] + i)), splat(255))));
     };
     const auto packed = hn::Or(hn::Or(byte(0), hn::ShiftLeft<8>(byte(1))),
                                hn::Or(hn::ShiftLeft<16>(byte(2)), hn::ShiftLeft<24>(byte(3))));
@@ -216,9 +179,9 @@ HWY_ATTR inline void packColors(const LitRows& rows, bool secondary, uint32_t* c
 }
 
 /// RGBA8 colours of the group's lanes at window positions x, y; bit i of `back`: lane i shows its back face.
-/// Lanes outside the group get colours without meaning.
-HWY_ATTR inline void shade(const FrameData& frame, const Surface& s, const Group& group, uint32_t back,
-                           const float* x, const float* y, uint32_t* color) {
+/// Lanes outside the group get colours without meaning. Returns the lanes that fail the alpha test.
+HWY_ATTR inline uint32_t shade(const FrameData& frame, const Surface& s, const Group& group, uint32_t back,
+                               const float* x, const float* y, uint32_t* color) {
   const scene::Shading& shading = *s.lighting->shading;
   Attributes attributes;
   loadAttributes(s, group, attributes);
@@ -235,7 +198,10 @@ HWY_ATTR inline void shade(const FrameData& frame, const Surface& s, const Group
     }
   }
   if (!shading.textures.empty()) textureLanes(frame, s, group, x, y, rows);
-  packColors(rows, shading.separateSpecular, color);
+  if (shading.separateSpecular) addSecondary(rows);
+  if (shading.fog.mode != scene::Fog::off) applyFog(shading.fog, s, group, rows);
+  packColors(rows, color);
+  return failingLanes(shading.alphaTest, rows) & group.lanes;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -42,6 +42,24 @@ struct ColorMaterial {
   bool operator==(const ColorMaterial&) const = default;
 };
 
+/// GL_FOG by distance (GL 2.1, 3.10): the fragment's colour fades into `color` with |z| in eye space.
+struct Fog {
+  enum Mode : uint8_t { off, linear, exp, exp2 };
+  Mode mode = off;
+  float density = 1;         // exp, exp2
+  float start = 0, end = 1;  // linear
+  glm::vec3 color{0};
+  bool operator==(const Fog&) const = default;
+};
+
+/// GL_ALPHA_TEST: fragments whose alpha fails the comparison with `reference` are not there (GL 2.1, 4.1.4).
+struct AlphaTest {
+  enum Function : uint8_t { always, never, less, lessOrEqual, equal, greaterOrEqual, greater, notEqual };
+  Function function = always;
+  float reference = 0;  // 0 .. 1
+  bool operator==(const AlphaTest&) const = default;
+};
+
 /// State of one draw that shading needs. Equal states are shared by many instances.
 struct Shading {
   bool lighting = false;  // off: the vertex colour is the fragment's primary colour
@@ -55,6 +73,8 @@ struct Shading {
   glm::vec4 globalAmbient{0.2f, 0.2f, 0.2f, 1};
   std::vector<Light> lights;
   std::vector<Texture> textures;  // of the enabled texture units, in the order they are applied
+  Fog fog;
+  AlphaTest alphaTest;
   bool operator==(const Shading&) const = default;
 };
 

@@ -45,6 +45,7 @@ struct Instance {
   glm::mat4 worldFromObject{
       1};                // exactly the identity where eyeFromObject equals the snapshot's eyeFromWorld
   uint32_t shading = 0;  // index into Snapshot::shadings
+  uint32_t order = 0;    // instances with higher numbers were drawn later
   // Values of attributes that the mesh does not carry.
   glm::vec4 color{1};
   glm::vec3 normal{0, 0, 1};
@@ -66,6 +67,7 @@ struct Snapshot {
   int samples = 1;                         // of the framebuffer
   std::vector<glm::vec2> samplePositions;  // in [0,1)^2 from the pixel's lower left corner, `samples` of them
   PolygonOffset polygonOffset;
+  bool laterWins = false;  // GL_LEQUAL: of surfaces at one place the last drawn is seen; otherwise the first
   std::vector<Shading> shadings;
   std::vector<Instance> instances;
   Settings settings;

@@ -95,6 +95,37 @@ void setTexture(const RealGl& real, const std::vector<scene::Texture>& units, Sh
   real.LoadMatrixf(glm::value_ptr(texture->textureMatrix));
 }
 
+void setFog(const RealGl& real, const scene::Fog& fog) {
+  enable(real, GL_FOG, fog.mode != scene::Fog::off);
+  if (fog.mode == scene::Fog::off) return;
+  real.Fogi(GL_FOG_MODE, fog.mode == scene::Fog::linear ? GL_LINEAR
+                         : fog.mode == scene::Fog::exp  ? GL_EXP
+                                                        : GL_EXP2);
+  real.Fogf(GL_FOG_DENSITY, fog.density);
+  real.Fogf(GL_FOG_START, fog.start);
+  real.Fogf(GL_FOG_END, fog.end);
+  const glm::vec4 color(fog.color, 1);
+  real.Fogfv(GL_FOG_COLOR, glm::value_ptr(color));
+}
+
+GLenum functionName(scene::AlphaTest::Function function) {
+  switch (function) {
+    case scene::AlphaTest::never: return GL_NEVER;
+    case scene::AlphaTest::less: return GL_LESS;
+    case scene::AlphaTest::lessOrEqual: return GL_LEQUAL;
+    case scene::AlphaTest::equal: return GL_EQUAL;
+    case scene::AlphaTest::greaterOrEqual: return GL_GEQUAL;
+    case scene::AlphaTest::greater: return GL_GREATER;
+    case scene::AlphaTest::notEqual: return GL_NOTEQUAL;
+    default: return GL_ALWAYS;
+  }
+}
+
+void setAlphaTest(const RealGl& real, const scene::AlphaTest& test) {
+  enable(real, GL_ALPHA_TEST, test.function != scene::AlphaTest::always);
+  real.AlphaFunc(functionName(test.function), test.reference);
+}
+
 void setMaterial(const RealGl& real, GLenum face, const scene::Material& material) {
   real.Materialfv(face, GL_AMBIENT, glm::value_ptr(material.ambient));
   real.Materialfv(face, GL_DIFFUSE, glm::value_ptr(material.diffuse));
@@ -168,6 +199,8 @@ void setShading(const RealGl& real, const Features& features, const scene::Shadi
     enable(real, GL_LIGHT0 + static_cast<GLenum>(i), on);
     if (on) setLight(real, GL_LIGHT0 + static_cast<GLenum>(i), shading.lights[static_cast<size_t>(i)]);
   }
+  setFog(real, shading.fog);
+  setAlphaTest(real, shading.alphaTest);
   setTexture(real, shading.textures, textures);
   setColorMaterial(real, shading.colorMaterial);
 }

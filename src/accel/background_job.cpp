@@ -1,6 +1,4 @@
-#include "accel/refiner.h"
-
-#include "accel/arena.h"
+#include "accel/background_job.h"
 
 #include <pthread.h>
 #include <sys/resource.h>
@@ -14,29 +12,29 @@
 
 namespace gluray::accel {
 
-/// Refiners whose thread may be running, for the end of the process. Never destroyed.
-struct RunningRefiners {
+/// Jobs whose thread may be running, for the end of the process. Never destroyed.
+struct RunningJobs {
   std::mutex mutex;
-  std::vector<Refiner*> refiners;
+  std::vector<BackgroundJob*> jobs;
   bool exiting = false;
 
-  static RunningRefiners& instance() {
-    static auto* running = new RunningRefiners;
+  static RunningJobs& instance() {
+    static auto* running = new RunningJobs;
     return *running;
   }
 
   /// False while the process exits: nothing may be started any more.
-  bool add(Refiner* refiner) {
+  bool add(BackgroundJob* job) {
     const std::lock_guard lock(mutex);
     static const bool registered = std::atexit([] { instance().abandonAll(); }) == 0;
     if (!registered || exiting) return false;
-    refiners.push_back(refiner);
+    jobs.push_back(job);
     return true;
   }
 
-  void remove(Refiner* refiner) {
+  void remove(BackgroundJob* job) {
     const std::lock_guard lock(mutex);
-    std::erase(refiners, refiner);
+    std::erase(jobs, job);
   }
 
   void abandonAll() {
@@ -44,7 +42,7 @@ struct RunningRefiners {
     const std::unique_lock lock(mutex, std::try_to_lock);
     if (!lock) return;
     exiting = true;
-    for (Refiner* refiner : refiners) refiner->abandonAtExit();
+    for (BackgroundJob* job : jobs) job->abandonAtExit();
   }
 };
 
@@ -70,68 +68,65 @@ class SignalsBlocked {
 
 }  // namespace
 
-Refiner::~Refiner() { stop(); }
+BackgroundJob::~BackgroundJob() { stop(); }
 
-bool Refiner::start(BlasPtr blas) noexcept {
+bool BackgroundJob::start(Work work) noexcept {
   try {
-    if (!RunningRefiners::instance().add(this)) return false;
+    if (!RunningJobs::instance().add(this)) return false;
   } catch (...) { return false; }
-  blas_ = std::move(blas);
+  work_ = std::move(work);
   cancelled_ = false;
   state_ = State::running;
   process_ = getpid();
   try {
     const std::lock_guard lock(threadMutex_);
     const SignalsBlocked signals;
-    thread_ = std::thread(&Refiner::build, this);
+    thread_ = std::thread(&BackgroundJob::run, this);
   } catch (...) {
-    RunningRefiners::instance().remove(this);
-    blas_.reset();
+    RunningJobs::instance().remove(this);
+    work_ = nullptr;
     return false;
   }
   return true;
 }
 
-void Refiner::build() noexcept {
+void BackgroundJob::run() noexcept {
   // On Linux the priority belongs to the thread: frames that are being traced come first.
   constexpr int kLowPriority = 10;
   setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kLowPriority);
   State end = State::failed;
   try {
-    Arena alone(1);
-    alone.execute([&] { blas_->buildBehind(cancelled_); });
-    end = State::built;
-  } catch (...) {  // the structure that is there already goes on serving
+    work_(cancelled_);
+    end = State::done;
+  } catch (...) {  // reported as failed
   }
   state_.store(end, std::memory_order_release);
 }
 
-Refiner::Outcome Refiner::poll() noexcept {
-  Outcome outcome;
-  if (!blas_ || state_.load(std::memory_order_acquire) == State::running) return outcome;
-  outcome.ended = true;
-  if (state_ == State::built && !cancelled_) outcome.blas = blas_;
+BackgroundJob::Outcome BackgroundJob::poll() noexcept {
+  if (!work_ || state_.load(std::memory_order_acquire) == State::running) return Outcome::none;
+  const bool done = state_ == State::done && !cancelled_;
   join();
-  return outcome;
+  return done ? Outcome::done : Outcome::failed;
 }
 
-void Refiner::stop() noexcept {
-  if (!blas_) return;
+void BackgroundJob::stop() noexcept {
+  if (!work_) return;
   cancel();
   join();
 }
 
-void Refiner::join() noexcept {
-  if (process_ == getpid()) RunningRefiners::instance().remove(this);
+void BackgroundJob::join() noexcept {
+  if (process_ == getpid()) RunningJobs::instance().remove(this);
   const std::lock_guard lock(threadMutex_);
   if (thread_.joinable() && process_ == getpid())
     thread_.join();
   else if (thread_.joinable())
     thread_.detach();
-  blas_.reset();
+  work_ = nullptr;
 }
 
-void Refiner::abandonAtExit() noexcept {
+void BackgroundJob::abandonAtExit() noexcept {
   if (process_ != getpid()) return;
   cancel();
   const std::unique_lock lock(threadMutex_, std::try_to_lock);

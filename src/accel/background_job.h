@@ -1,0 +1,56 @@
+// Work of accel/ behind the frames' back: one job at a time in a thread of low priority. The thread that
+// renders frames makes all calls.
+#pragma once
+#include <sys/types.h>
+
+#include <atomic>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+namespace gluray::accel {
+
+/// A thread for each job; none while there is nothing to do. When the process exits, a job under way is
+/// cancelled before the libraries that it uses are taken down.
+class BackgroundJob {
+ public:
+  /// What is done; it looks at `cancelled` now and then and ends early where that is set. May throw: the job
+  /// has then failed.
+  using Work = std::function<void(const std::atomic<bool>& cancelled)>;
+
+  BackgroundJob() = default;
+  /// Cancels, and waits for the end of, what is being done. In a forked child the thread does not exist.
+  ~BackgroundJob();
+  BackgroundJob(const BackgroundJob&) = delete;
+  BackgroundJob& operator=(const BackgroundJob&) = delete;
+
+  /// Whether a job was started that poll() has not reported yet.
+  bool busy() const { return static_cast<bool>(work_); }
+  /// Starts `work`. Only where not busy. False where no thread can be had.
+  bool start(Work work) noexcept;
+  /// Asks the job to end early. It stays busy until poll() reports it.
+  void cancel() noexcept { cancelled_ = true; }
+  /// Cancels and waits. The job is then forgotten.
+  void stop() noexcept;
+
+  enum class Outcome { none, done, failed };
+  /// Reports the end of a job, once: `failed` also where it was cancelled. `none`: nothing has ended.
+  Outcome poll() noexcept;
+
+ private:
+  friend struct RunningJobs;
+  enum class State { running, done, failed };
+  void run() noexcept;
+  void join() noexcept;
+  /// Cancels and waits for at most a second; then the job is left alone.
+  void abandonAtExit() noexcept;
+
+  Work work_;
+  std::mutex threadMutex_;  // exit() may come from any thread
+  std::thread thread_;
+  pid_t process_ = 0;  // that the thread belongs to
+  std::atomic<bool> cancelled_{false};
+  std::atomic<State> state_{State::failed};
+};
+
+}  // namespace gluray::accel
