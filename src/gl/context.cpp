@@ -27,10 +27,12 @@ Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const 
       passthrough_(info.off || info.core),
       latch_(info.settings.quirks.has(Quirk::materialLatch)),
       unknownCalls_(kCommandCount) {
+  ++group_->contexts;
   updateAttention();
 }
 
 Context::~Context() {
+  --group_->contexts;
   presenter_.forget(real);
   if (t_thread.context == this) t_thread = {};
 }
@@ -234,9 +236,11 @@ void Context::showIfVisible() {
   const GLenum buffer = batch_.key().drawBuffer;
   const bool front =
       buffer == GL_FRONT || buffer == GL_FRONT_LEFT || buffer == GL_FRONT_AND_BACK || buffer == GL_LEFT;
-  if (info_.doubleBuffered && !front && batch_.key().framebuffer == 0) return;
+  // What a framebuffer object holds is seen by nobody but contexts that share its images.
+  const bool object = batch_.key().framebuffer != 0;
+  if (object ? group_->contexts == 1 : info_.doubleBuffered && !front) return;
   flush();
-  if (info_.doubleBuffered) return;
+  if (info_.doubleBuffered || object) return;
   if (info_.frameEnding) info_.frameEnding();
   afterSwap();
 }

@@ -6,6 +6,7 @@
 
 #include <GL/gl.h>
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -79,6 +80,7 @@ class ShareGroup {
   NameTable<DisplayList> lists;
   NameTable<Buffer> buffers;
   MeshCache meshes;
+  std::atomic<int> contexts = 0;  // alive
 
   bool anyBuffersHeldBack() const;
 
