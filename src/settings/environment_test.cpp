@@ -13,8 +13,9 @@ std::vector<std::string> g_complaints;
 
 /// The session that the given variables make; all others are unset.
 Session sessionOf(std::vector<std::pair<const char*, const char*>> variables) {
-  for (const char* name : {"THREADS", "BVH", "SHADING", "RENDERER", "OFF", "REPORT", "LOG", "LOG_LEVEL",
-                           "QUIRKS", "EXPLAIN", "PICTURE"})
+  setenv("XDG_CONFIG_HOME", "/nowhere", 1);
+  for (const char* name : {"CONFIG", "THREADS", "BVH", "SHADING", "RENDERER", "OFF", "REPORT", "LOG",
+                           "LOG_LEVEL", "QUIRKS", "EXPLAIN", "PICTURE"})
     unsetenv((std::string("GLURAY_") + name).c_str());
   for (const auto& [name, value] : variables) setenv(name, value, 1);
   g_complaints.clear();

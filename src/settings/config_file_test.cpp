@@ -1,0 +1,106 @@
+#include "settings/config_file.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace gluray {
+namespace {
+
+std::vector<std::string> g_complaints;
+
+class ConfigFile : public testing::Test {
+ protected:
+  ConfigFile() : folder_(testing::TempDir() + "gluray-config-" + std::to_string(getpid())) {
+    std::filesystem::create_directories(folder_ / "gluray");
+    for (const char* name : {"GLURAY_CONFIG", "GLURAY_BVH", "GLURAY_THREADS"}) unsetenv(name);
+    setenv("XDG_CONFIG_HOME", folder_.c_str(), 1);
+    g_complaints.clear();
+  }
+  ~ConfigFile() override { std::filesystem::remove_all(folder_); }
+
+  std::string file() const { return (folder_ / "gluray/gluray.toml").string(); }
+  Session sessionOf(const std::string& text) {
+    std::ofstream(file()) << text;
+    return sessionFromEnvironment([](const std::string& line) { g_complaints.push_back(line); });
+  }
+  std::filesystem::path folder_;
+};
+
+TEST_F(ConfigFile, EverySettingIsRead) {
+  const Session session = sessionOf(R"(
+# four threads, least memory
+threads = 4
+bvh = "compact"
+shading = "vertex"
+renderer = "null"
+off = true
+report = "/r.json"
+log = "/l.txt"
+log-level = "debug"
+quirks = "material-latch=off"
+)");
+  EXPECT_EQ(g_complaints, std::vector<std::string>{});
+  EXPECT_EQ(session.settings.threads, 4);
+  EXPECT_EQ(session.settings.bvh, BvhQuality::compact);
+  EXPECT_EQ(session.settings.shading, ShadingRate::vertex);
+  EXPECT_EQ(session.settings.renderer, Renderer::null);
+  EXPECT_TRUE(session.off);
+  EXPECT_EQ(session.reportFile, "/r.json");
+  EXPECT_EQ(session.logFile, "/l.txt");
+  EXPECT_EQ(session.logLevel, "debug");
+  EXPECT_FALSE(session.settings.quirks.has(Quirk::materialLatch));
+}
+
+TEST_F(ConfigFile, TheEnvironmentComesAfterIt) {
+  setenv("GLURAY_BVH", "fast", 1);
+  const Session session = sessionOf("bvh = \"full\"\nthreads = 2\n");
+  unsetenv("GLURAY_BVH");
+  EXPECT_EQ(session.settings.bvh, BvhQuality::fast);
+  EXPECT_EQ(session.settings.threads, 2);
+}
+
+TEST_F(ConfigFile, WrongLinesAreToldWithTheirNumberAndTheOthersHold) {
+  const Session session =
+      sessionOf("threads = 2\nbvh = \"quick\"\nexplain = 1\nshading = [1]\noff = \"maybe\"\n");
+  EXPECT_EQ(session.settings.threads, 2);
+  EXPECT_EQ(session.settings.bvh, BvhQuality::automatic);
+  ASSERT_EQ(g_complaints.size(), 4u);
+  const auto told = [](const std::string& line) {
+    return std::find(g_complaints.begin(), g_complaints.end(), line) != g_complaints.end();
+  };
+  EXPECT_TRUE(told(file() + ":2: bvh = quick: use auto, fast, full or compact"));
+  EXPECT_TRUE(told(file() + ":3: no setting is called 'explain'"));
+  EXPECT_TRUE(told(file() + ":4: shading: use a string, a whole number, true or false"));
+  EXPECT_TRUE(told(file() + ":5: off = maybe: use 0, 1, false or true"));
+}
+
+TEST_F(ConfigFile, AFileThatCannotBeParsedIsOneLine) {
+  const Session session = sessionOf("threads = 2\nbvh = = 3\n");
+  EXPECT_EQ(session.settings, Settings{});
+  ASSERT_EQ(g_complaints.size(), 1u);
+  EXPECT_EQ(g_complaints[0].rfind(file() + ":2: ", 0), 0u) << g_complaints[0];
+}
+
+TEST_F(ConfigFile, OnlyAFileThatWasNamedIsMissed) {
+  const auto read = [] {
+    return sessionFromEnvironment([](const std::string& l) { g_complaints.push_back(l); });
+  };
+  EXPECT_EQ(read().settings, Settings{});
+  EXPECT_TRUE(g_complaints.empty());
+  setenv("GLURAY_CONFIG", "/nowhere/gluray.toml", 1);
+  EXPECT_EQ(read().settings, Settings{});
+  unsetenv("GLURAY_CONFIG");
+  ASSERT_EQ(g_complaints.size(), 1u);
+  EXPECT_EQ(g_complaints[0], "/nowhere/gluray.toml: No such file or directory");
+}
+
+}  // namespace
+}  // namespace gluray
