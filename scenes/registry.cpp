@@ -8,9 +8,10 @@ std::span<const Scene> scenes() {
   static const std::vector<Scene> all = [] {
     std::vector<Scene> list;
     for (const auto family :
-         {primitiveScenes(), lightScenes(), materialScenes(), textureScenes(), surfaceScenes(),
-          coincidentScenes(), fragmentScenes(), layerScenes(), rasterScenes(), listScenes(), arrayScenes(),
-          readBackScenes(), framebufferScenes()})
+         {primitiveScenes(), lightScenes(), materialScenes(), textureScenes(), mipmapScenes(),
+          combinerScenes(), texGenScenes(), textureKindScenes(), surfaceScenes(), coincidentScenes(),
+          fragmentScenes(), layerScenes(), rasterScenes(), listScenes(), arrayScenes(), readBackScenes(),
+          framebufferScenes()})
       list.insert(list.end(), family.begin(), family.end());
     return list;
   }();

@@ -1,48 +1,13 @@
 // Textures of one and two dimensions: filters, wraps, environments, formats, matrix, sub-uploads.
 #include "scenes/families.h"
 #include "scenes/stage.h"
+#include "scenes/texels.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace gluray::scenes {
 namespace {
-
-constexpr Tolerance kTexelEdges{2, 0.003, 1e-5f,
-                                "borders of texels run through the centres of whole columns of pixels"};
-
-/// RGBA8, size x size: coarse checkers with a gradient and, in the corners, transparent texels.
-std::vector<uint8_t> pattern(int size) {
-  std::vector<uint8_t> texels;
-  for (int y = 0; y < size; ++y)
-    for (int x = 0; x < size; ++x) {
-      const bool check = ((x * 4 / size) + (y * 4 / size)) % 2 == 0;
-      texels.push_back(static_cast<uint8_t>(x * 255 / (size - 1)));
-      texels.push_back(static_cast<uint8_t>(y * 255 / (size - 1)));
-      texels.push_back(check ? 230 : 40);
-      texels.push_back(check ? 255 : 90);
-    }
-  return texels;
-}
-
-void upload(Gl gl, GLint internalFormat, int size, GLint filter, GLint wrap) {
-  const auto texels = pattern(size);
-  gl.TexImage2D(GL_TEXTURE_2D, 0, internalFormat, size, size, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
-}
-
-void quad(Gl gl, float x, float y, float half, float sLow, float sHigh) {
-  gl.Begin(GL_QUADS);
-  gl.Normal3f(0, 0, 1);
-  gl.TexCoord2f(sLow, sLow), gl.Vertex2f(x - half, y - half);
-  gl.TexCoord2f(sHigh, sLow), gl.Vertex2f(x + half, y - half);
-  gl.TexCoord2f(sHigh, sHigh), gl.Vertex2f(x + half, y + half);
-  gl.TexCoord2f(sLow, sHigh), gl.Vertex2f(x - half, y + half);
-  gl.End();
-}
 
 void litTexture(Gl gl, int width, int height, GLint filter) {
   begin(gl, width, height);

@@ -17,14 +17,19 @@ struct Readers {
       : vertex(real, arrays.vertex),
         normal(real, arrays.normal),
         color(real, arrays.color),
-        texcoord(real, arrays.texcoord) {}
+        texcoord(real, arrays.texcoord) {
+    for (const ArraySource& source : arrays.texcoordsAbove) texcoordsAbove.emplace_back(real, source);
+  }
   ArrayReader vertex, normal, color, texcoord;
+  std::vector<ArrayReader> texcoordsAbove;
 
   /// Elements that every enabled array has.
   uint32_t available() const {
     uint32_t n = vertex.available();
     for (const ArrayReader* r : {&normal, &color, &texcoord})
       if (r->enabled()) n = std::min(n, r->available());
+    for (const ArrayReader& r : texcoordsAbove)
+      if (r.enabled()) n = std::min(n, r.available());
     return n;
   }
 };
@@ -116,8 +121,9 @@ scene::Attribute indicesFor(const Triangles& triangles, uint32_t lower, size_t& 
 }
 
 bool allInBuffers(const ArrayState& arrays) {
-  const auto isIn = [](const ArraySource& s) { return !s.enabled || s.buffer; };
-  return isIn(arrays.vertex) && isIn(arrays.normal) && isIn(arrays.color) && isIn(arrays.texcoord);
+  bool all = true;
+  arrays.forEach([&](const ArraySource& s) { all = all && (!s.enabled || s.buffer); });
+  return all;
 }
 
 }  // namespace
@@ -142,6 +148,9 @@ KnownMesh buildArrayMesh(const RealGl& real, const ArrayState& arrays, GLenum mo
   mesh->normals = attribute(readers.normal, arrays.normal, range, keepPlace, 3, mesh->sizeBytes);
   mesh->colors = attribute(readers.color, arrays.color, range, keepPlace, 4, mesh->sizeBytes);
   mesh->texcoords = attribute(readers.texcoord, arrays.texcoord, range, keepPlace, 4, mesh->sizeBytes);
+  for (size_t i = 0; i < arrays.texcoordsAbove.size(); ++i)
+    mesh->texcoordsAbove.push_back(
+        attribute(readers.texcoordsAbove[i], arrays.texcoordsAbove[i], range, keepPlace, 4, mesh->sizeBytes));
   mesh->indices = indicesFor(triangles, range.lower, mesh->sizeBytes);
   finishMesh(*mesh);
   result.mesh = std::move(mesh);
@@ -167,6 +176,8 @@ Captured capture(const RealGl& real, const ArrayState& arrays, GLenum mode, cons
   put(kNormal, readers.normal, arrays.normal);
   put(kColor, readers.color, arrays.color);
   put(kTexCoord0, readers.texcoord, arrays.texcoord);
+  for (size_t i = 0; i < arrays.texcoordsAbove.size(); ++i)
+    put(texCoordSlot(static_cast<uint32_t>(i) + 1), readers.texcoordsAbove[i], arrays.texcoordsAbove[i]);
   for (uint32_t i = 0; homogeneous && i < range.count(); ++i) {
     float position[4];
     readers.vertex.read(range.lower + i, position);
@@ -222,8 +233,7 @@ Hash128 contentOf(const RealGl& real, const ArrayState& arrays, GLenum mode, con
     range = order.range;
     h = order.identity;
   }
-  for (const ArraySource* s : {&arrays.vertex, &arrays.normal, &arrays.color, &arrays.texcoord})
-    h = hashArray(*s, range, h);
+  arrays.forEach([&](const ArraySource& s) { h = hashArray(s, range, h); });
   return h;
 }
 

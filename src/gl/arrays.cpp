@@ -85,15 +85,29 @@ bool otherArraysOn(const RealGl& real) {
   for (const GLenum array :
        {GL_SECONDARY_COLOR_ARRAY, GL_FOG_COORD_ARRAY, GL_EDGE_FLAG_ARRAY, GL_INDEX_ARRAY})
     if (real.IsEnabled(array)) return true;
-  if (!isPresent(real.ClientActiveTexture)) return false;
+  return false;
+}
+
+/// Texture coordinate arrays of all units.
+void readTexCoords(const RealGl& real, ShareGroup& group, ArrayState& state) {
+  if (!isPresent(real.ClientActiveTexture)) {
+    state.texcoord = readArray(real, group, kTexCoordNames, false);
+    return;
+  }
   const GLint active = integer(real, GL_CLIENT_ACTIVE_TEXTURE), units = integer(real, GL_MAX_TEXTURE_COORDS);
-  bool on = false;
-  for (GLint i = 1; i < units; ++i) {
+  for (GLint i = 0; i < units; ++i) {
     real.ClientActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + i));
-    on = on || real.IsEnabled(GL_TEXTURE_COORD_ARRAY);
+    ArraySource source = readArray(real, group, kTexCoordNames, false);
+    if (i == 0) {
+      state.texcoord = std::move(source);
+    } else if (source.enabled && i < 8) {
+      state.texcoordsAbove.resize(static_cast<size_t>(i));
+      state.texcoordsAbove.back() = std::move(source);
+    } else if (source.enabled) {
+      state.others = true;
+    }
   }
   real.ClientActiveTexture(static_cast<GLenum>(active));
-  return on;
 }
 
 bool genericArrayOn(const RealGl& real, GLuint index) {
@@ -115,18 +129,14 @@ void readArrays(const RealGl& real, ShareGroup& group, ArrayState& state) {
   state.vertex = readArray(real, group, kVertexNames, false);
   state.normal = readArray(real, group, kNormalNames, true);
   state.color = readArray(real, group, kColorNames, true);
-  const GLint active =
-      isPresent(real.ClientActiveTexture) ? integer(real, GL_CLIENT_ACTIVE_TEXTURE) : GL_TEXTURE0;
-  if (active != GL_TEXTURE0) real.ClientActiveTexture(GL_TEXTURE0);
-  state.texcoord = readArray(real, group, kTexCoordNames, false);
-  if (active != GL_TEXTURE0) real.ClientActiveTexture(static_cast<GLenum>(active));
+  readTexCoords(real, group, state);
   if (isPresent(real.GenBuffers))
     state.elements = bufferNamed(group, static_cast<GLuint>(integer(real, GL_ELEMENT_ARRAY_BUFFER_BINDING)));
-  state.others = otherArraysOn(real);
+  state.others = state.others || otherArraysOn(real);
   for (GLuint i = 1; i < 16; ++i) state.others = state.others || genericArrayOn(real, i);
   const bool restart = isPresent(real.PrimitiveRestartIndex) && real.IsEnabled(GL_PRIMITIVE_RESTART);
-  const bool readable = isReadable(state.vertex) && isReadable(state.normal) && isReadable(state.color) &&
-                        isReadable(state.texcoord);
+  bool readable = true;
+  state.forEach([&](const ArraySource& source) { readable = readable && isReadable(source); });
   if (!readable || restart || genericArrayOn(real, 0) || (state.elements && state.elements->foreign))
     state.reason = Reason::arrayState;
 }
@@ -228,8 +238,11 @@ std::vector<uint32_t> vertexNumbers(const RealGl& real, const ArrayState& arrays
 }
 
 SlotMask slotsOf(const ArrayState& arrays) {
-  return bit(kPosition) | (arrays.normal.enabled ? bit(kNormal) : 0) |
-         (arrays.color.enabled ? bit(kColor) : 0) | (arrays.texcoord.enabled ? bit(kTexCoord0) : 0);
+  SlotMask slots = bit(kPosition) | (arrays.normal.enabled ? bit(kNormal) : 0) |
+                   (arrays.color.enabled ? bit(kColor) : 0) | (arrays.texcoord.enabled ? bit(kTexCoord0) : 0);
+  for (size_t i = 0; i < arrays.texcoordsAbove.size(); ++i)
+    if (arrays.texcoordsAbove[i].enabled) slots |= bit(texCoordSlot(static_cast<uint32_t>(i) + 1));
+  return slots;
 }
 
 }  // namespace gluray::gl

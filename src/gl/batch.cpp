@@ -44,6 +44,8 @@ void Batch::start(const BatchKey& key, const State& state, const Settings& setti
   snapshot_->frame = frame;
   snapshot_->settings = settings;
   snapshot_->camera = {state.projection, state.viewport, state.depthNear, state.depthFar};
+  // Windows are counted from the top; that the viewport reaches it is a guess that hardly matters.
+  if (key.framebuffer == 0) snapshot_->camera.rowsFromTop = state.viewport.y + state.viewport.w;
   snapshot_->eyeFromWorld = state.modelview;
   snapshot_->region = key.region;
   snapshot_->polygonOffset = key.offset;

@@ -155,8 +155,7 @@ void Context::sendBuffers() {
   };
   if (!group_->anyBuffersHeldBack()) return;
   refresh(kArrays);
-  for (const ArraySource* source : {&arrays.vertex, &arrays.normal, &arrays.color, &arrays.texcoord})
-    send(source->buffer);
+  arrays.forEach([&](const ArraySource& source) { send(source.buffer); });
   send(arrays.elements);
   if (!arrays.others) return;
   for (const auto& buffer : group_->buffers.all()) send(buffer);

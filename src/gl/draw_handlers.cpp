@@ -67,13 +67,17 @@ class ElementSender {
       : normal_(c.real, c.arrays.normal),
         color_(c.real, c.arrays.color),
         texcoord_(c.real, c.arrays.texcoord),
-        vertex_(c.real, c.arrays.vertex) {}
+        vertex_(c.real, c.arrays.vertex) {
+    for (const ArraySource& source : c.arrays.texcoordsAbove) texcoordsAbove_.emplace_back(c.real, source);
+  }
 
   void operator()(uint32_t i) const {
     float v[4];
     if (read(normal_, i, v)) leaf::normal(v[0], v[1], v[2]);
     if (read(color_, i, v)) leaf::color(v[0], v[1], v[2], v[3]);
     if (read(texcoord_, i, v)) leaf::texCoord(0, v[0], v[1], v[2], v[3]);
+    for (GLuint unit = 1; unit <= texcoordsAbove_.size(); ++unit)
+      if (read(texcoordsAbove_[unit - 1], i, v)) leaf::texCoord(unit, v[0], v[1], v[2], v[3]);
     if (read(vertex_, i, v)) leaf::vertex(v[0], v[1], v[2], v[3]);
   }
 
@@ -84,6 +88,7 @@ class ElementSender {
     return true;
   }
   ArrayReader normal_, color_, texcoord_, vertex_;
+  std::vector<ArrayReader> texcoordsAbove_;
 };
 
 }  // namespace

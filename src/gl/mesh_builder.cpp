@@ -110,7 +110,19 @@ bool isSoup(const Captured& c) { return c.indices.empty() && isTriangles(c); }
 
 /// Whether a mesh can read the vertices where they are, and nothing in them is in vain.
 bool isReadable(const VertexLayout& layout) {
-  return (layout.mask & ~(bit(kPosition) | bit(kNormal) | bit(kTexCoord0))) == 0;
+  return (layout.mask & ~(bit(kPosition) | bit(kNormal) | kTexCoordSlots)) == 0;
+}
+
+/// Texture coordinates of units 1 and up: makeOne(slot) for each that the layout has.
+template <class MakeOne>
+std::vector<scene::Attribute> texcoordsAbove(const VertexLayout& layout, MakeOne&& makeOne) {
+  std::vector<scene::Attribute> all;
+  for (uint32_t unit = 1; unit < 8; ++unit) {
+    if (!layout.has(texCoordSlot(unit))) continue;
+    all.resize(unit);
+    all.back() = makeOne(texCoordSlot(unit));
+  }
+  return all;
 }
 
 bool hasOtherW(const Captured& c) {
@@ -128,6 +140,8 @@ void copyAttributes(const Selection& vertices, scene::Mesh& mesh) {
   if (layout.has(kColor)) mesh.colors = copyColors(vertices, mesh.sizeBytes);
   if (layout.has(kTexCoord0))
     mesh.texcoords = copySlot(vertices, kTexCoord0, scene::Format::float4, mesh.sizeBytes);
+  mesh.texcoordsAbove = texcoordsAbove(
+      layout, [&](Slot s) { return copySlot(vertices, s, scene::Format::float4, mesh.sizeBytes); });
   if (layout.has(kMaterialNumber)) mesh.materials = copyMaterials(vertices, mesh.sizeBytes);
 }
 
@@ -187,6 +201,7 @@ KnownMesh buildMesh(Captured&& captured) {
   mesh->positions = slot(kPosition, scene::Format::float3);
   mesh->normals = slot(kNormal, scene::Format::float3);
   mesh->texcoords = slot(kTexCoord0, scene::Format::float4);
+  mesh->texcoordsAbove = texcoordsAbove(layout, [&](Slot s) { return slot(s, scene::Format::float4); });
   mesh->indices = {taken, reinterpret_cast<const std::byte*>(captured.indices.data()), 4,
                    scene::Format::uint32};
   mesh->sizeBytes = captured.sizeBytes();

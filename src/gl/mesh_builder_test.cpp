@@ -67,6 +67,41 @@ TEST(BuildMesh, StoresColoursAsBytesOnlyWhereExact) {
   EXPECT_EQ(scene::fetch(exact.mesh->colors, exact.mesh->corner(2, 1)).g, 0.1234567f);
 }
 
+/// `n` separate triangles with coordinates of the units in `slots`.
+Captured layered(uint32_t n, SlotMask slots) {
+  VertexStream stream;
+  stream.start(bit(kPosition) | slots, initialSlotValues());
+  stream.begin(GL_TRIANGLES);
+  for (uint32_t i = 0; i < 3 * n; ++i) {
+    const auto x = static_cast<float>(i);
+    for (uint32_t unit = 0; unit < 8; ++unit) {
+      const float values[] = {x, static_cast<float>(unit), 0, 1};
+      if (slots & bit(texCoordSlot(unit))) stream.set(texCoordSlot(unit), values);
+    }
+    stream.vertexSlow(x, x * x, 0, 1);
+  }
+  stream.end();
+  return stream.take();
+}
+
+TEST(BuildMesh, CarriesCoordinatesOfFurtherUnits) {
+  const KnownMesh known = buildMesh(layered(5, bit(texCoordSlot(0)) | bit(texCoordSlot(3))));
+  ASSERT_EQ(known.mesh->texcoordsAbove.size(), 3u);
+  ASSERT_NE(known.mesh->texcoordsOf(0), nullptr);
+  ASSERT_NE(known.mesh->texcoordsOf(3), nullptr);
+  for (const uint32_t unit : {1u, 2u, 4u, 7u}) EXPECT_EQ(known.mesh->texcoordsOf(unit), nullptr) << unit;
+  EXPECT_EQ(scene::fetch(*known.mesh->texcoordsOf(3), 7), glm::vec4(7, 3, 0, 1));
+  EXPECT_EQ(scene::fetch(*known.mesh->texcoordsOf(0), 7), glm::vec4(7, 0, 0, 1));
+}
+
+TEST(BuildMesh, FurtherUnitsCostNothingWhereThereAreNone) {
+  const KnownMesh one = buildMesh(layered(5, bit(texCoordSlot(0)))),
+                  two = buildMesh(layered(5, bit(texCoordSlot(0)) | bit(texCoordSlot(1))));
+  EXPECT_TRUE(one.mesh->texcoordsAbove.empty());
+  EXPECT_EQ(one.mesh->sizeBytes, 15u * (3 + 4) * 4);
+  EXPECT_EQ(two.mesh->sizeBytes, 15u * (3 + 4 + 4) * 4);
+}
+
 TEST(BuildMesh, KnowsWhetherColoursAreOpaque) {
   Captured c = grid(4, true);
   EXPECT_TRUE(buildMesh(c).mesh->opaqueColors);

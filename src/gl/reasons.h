@@ -27,11 +27,10 @@ namespace gluray::gl {
   X(polygonStipple, "polygon stipple")                        \
   X(polygonSmooth, "polygon smoothing")                       \
   X(program, "vertex or fragment program")                    \
-  X(textureKind, "texture target not traced")                 \
-  X(textureUnits, "several texture units")                    \
+  X(textureUnits, "texture unit beyond the eighth")           \
   X(textureEnv, "texture environment not traced")             \
   X(textureFormat, "texture format not traced")               \
-  X(textureMipmap, "mipmapped texture")                       \
+  X(textureAnisotropy, "anisotropic texture filter")          \
   X(textureIncomplete, "texture incomplete")                  \
   X(texGen, "texture coordinate generation")                  \
   X(colorSum, "secondary colour")                             \

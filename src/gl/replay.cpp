@@ -106,6 +106,9 @@ void replay(const RealGl& real, const scene::Mesh& mesh, std::span<const Primiti
     if (mesh.normals) real.Normal3fv(glm::value_ptr(scene::fetch(mesh.normals, i)));
     if (mesh.colors) real.Color4fv(glm::value_ptr(scene::fetch(mesh.colors, i)));
     if (mesh.texcoords) real.TexCoord4fv(glm::value_ptr(scene::fetch(mesh.texcoords, i)));
+    for (uint32_t unit = 1; unit <= mesh.texcoordsAbove.size(); ++unit)
+      if (const scene::Attribute* texcoords = mesh.texcoordsOf(unit))
+        sendAttribute(real, texCoordSlot(unit), glm::value_ptr(scene::fetch(*texcoords, i)));
     real.Vertex3fv(glm::value_ptr(mesh.position(i)));
   };
   // Welded triangles are replayed through their indices; everything else kept its vertices in the order they

@@ -278,10 +278,10 @@ void readLighting(const RealGl& real, State& state) {
   shading.lights.clear();
   shading.colorMaterial = {};
   shading.twoSided = shading.localViewer = shading.separateSpecular = false;
-  shading.normalize = shading.rescaleNormal = false;
-  if (!shading.lighting) return;
+  // Normals also enter generated texture coordinates.
   shading.normalize = isOn(real, GL_NORMALIZE);
   shading.rescaleNormal = isOn(real, GL_RESCALE_NORMAL);
+  if (!shading.lighting) return;
   shading.twoSided = integer(real, GL_LIGHT_MODEL_TWO_SIDE) != 0;
   shading.localViewer = integer(real, GL_LIGHT_MODEL_LOCAL_VIEWER) != 0;
   shading.separateSpecular = integer(real, GL_LIGHT_MODEL_COLOR_CONTROL) == GL_SEPARATE_SPECULAR_COLOR;

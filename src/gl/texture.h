@@ -1,11 +1,11 @@
-// The texture that the fixed-function pipeline would sample, read back from the real OpenGL when a draw needs
-// it. GL thread.
+// The textures that the fixed-function pipeline would sample, read back from the real OpenGL when a draw
+// needs them. GL thread.
 #pragma once
 #include "gl/state.h"
+#include "gl/texture_image.h"
 
 #include <map>
 #include <memory>
-#include <tuple>
 
 namespace gluray::gl {
 
@@ -13,9 +13,7 @@ namespace gluray::gl {
 /// it.
 class TextureCache {
  public:
-  /// Calls that change texture images invalidate: of the texture bound to `target` of the active unit, or
-  /// all.
-  void imageChanged(const RealGl& real, GLenum target);
+  /// Calls that change texture images invalidate them.
   void allImagesChanged() { images_.clear(); }
   /// Textures are attached to framebuffers: drawing changes them, which shows when another framebuffer is
   /// bound.
@@ -24,12 +22,20 @@ class TextureCache {
     if (attached_) images_.clear();
   }
 
-  /// Fills state.texture and state.textureReason from texture unit 0; other units must be off.
+  /// Fills state.textures and state.textureReason from the enabled texture units.
   void read(const RealGl& real, State& state);
 
  private:
-  using Key = std::pair<GLenum, GLuint>;  // target, name
-  std::shared_ptr<const scene::TextureImage> image(const RealGl& real, GLenum target, GLuint name,
+  struct Key {
+    GLenum target;
+    GLuint name;
+    ImageRange range;
+    auto operator<=>(const Key&) const = default;
+  };
+  /// Adds the active unit's texture to state.textures, if one is enabled. Anything but Reason::traced: why it
+  /// cannot be.
+  Reason readUnit(const RealGl& real, GLint unit, State& state);
+  std::shared_ptr<const scene::TextureImage> image(const RealGl& real, GLenum target, const ImageRange& range,
                                                    Reason& reason);
   std::map<Key, std::shared_ptr<const scene::TextureImage>> images_;
   bool attached_ = false;

@@ -1,5 +1,8 @@
 // Traced or rasterised? Each draw is asked here, and goes into the batch from here.
 #include "gl/context.h"
+#include "gl/texture_env.h"
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -42,11 +45,6 @@ bool isOpaque(const scene::Shading& shading, const scene::MaterialPair& material
          (!shading.twoSided || faceAlpha(material.back, shading.colorMaterial.back) >= 1.0f);
 }
 
-/// Whether the texture leaves an opaque primary colour opaque.
-bool keepsOpaque(const scene::Texture& texture) {
-  return texture.env == scene::TexEnv::decal || texture.image->opaque;
-}
-
 /// Whether every point of the mesh has the same window depth: then drawing order, not distance, decides.
 bool isFlat(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
   double lower = INFINITY, upper = -INFINITY;
@@ -83,7 +81,7 @@ bool Context::isOpaque(const KnownMesh& known, const std::vector<MaterialChange>
          std::all_of(
              materials.begin(), materials.end(),
              [&](const MaterialChange& change) { return opaque(change.appliedTo(state.material)); }) &&
-         std::all_of(state.textures.begin(), state.textures.end(), keepsOpaque);
+         keepOpaque(state.textures);
 }
 
 void Context::clampToTarget(scene::Region& region) {
@@ -122,6 +120,12 @@ void Context::addInstance(const scene::MeshPtr& mesh, SlotMask slots,
   if (!(slots & bit(kTexCoord0)))
     instance.texcoord = {value(kTexCoord0)[0], value(kTexCoord0)[1], value(kTexCoord0)[2],
                          value(kTexCoord0)[3]};
+  for (const scene::Texture& texture : state.textures) {
+    const auto slot = texCoordSlot(texture.unit);
+    if (texture.unit == 0 || (slots & bit(slot))) continue;
+    instance.texcoordsAbove.resize(texture.unit, glm::vec4(0, 0, 0, 1));
+    instance.texcoordsAbove.back() = glm::make_vec4(value(slot));
+  }
   instance.materials.reserve(materials.size() + 1);
   instance.materials.push_back(state.material);
   for (const MaterialChange& change : materials)

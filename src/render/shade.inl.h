@@ -10,7 +10,7 @@
 #include "render/fragment.inl.h"
 #include "render/frame_data.h"
 #include "render/material.inl.h"
-#include "render/texture.h"
+#include "render/textured_triangle.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
@@ -148,12 +148,11 @@ HWY_ATTR inline void colorSide(const FrameData& frame, const Surface& s, const G
 
 HWY_ATTR inline void textureLanes(const FrameData& frame, const Surface& s, const Group& group,
                                   const float* x, const float* y, LitRows& rows) {
-  const WindowMap map(frame.snapshot->camera.viewport);
+  TexturedTriangle triangle(s, frame.snapshot->camera);
   for (uint32_t lanes = group.lanes; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
     const glm::vec4 primary(rows.value[0][i], rows.value[1][i], rows.value[2][i], rows.value[3][i]);
-    const glm::vec4 color =
-        textureFragment(s, map, group.primitive[i], group.u[i], group.v[i], {x[i], y[i]}, primary);
+    const glm::vec4 color = triangle.color(group.primitive[i], group.u[i], group.v[i], {x[i], y[i]}, primary);
     for (int c = 0; c < 4; ++c) rows.value[c][i] = color[c];
   }
 }

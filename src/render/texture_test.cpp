@@ -1,6 +1,8 @@
 // Texture sampling and environments against analytic values.
 #include "render/texture.h"
 
+#include "render/combine.h"
+#include "render/mipmap.h"
 #include "render/test_trace.h"
 
 #include <gtest/gtest.h>
@@ -24,14 +26,14 @@ scene::Texture ramp(Wrap wrap, int height = 1) {
   }
   scene::Texture t;
   t.image = image;
-  t.dimensions = height > 1 ? 2 : 1;
+  t.target = height > 1 ? scene::TextureTarget::texture2D : scene::TextureTarget::texture1D;
   t.wrapS = t.wrapT = wrap;
   t.borderColor = {0.9f, 0.9f, 0.9f, 1};
   return t;
 }
 
 float red(const scene::Texture& t, Filter filter, float s, float y = 0) {
-  return render::sampleTexture(t, filter, {s, y}).r * 3;  // in steps of the ramp
+  return render::sampleLevel(t, *t.image, filter, {s, y, 0}).r * 3;  // in steps of the ramp
 }
 
 TEST(Texture, NearestWraps) {
@@ -80,7 +82,7 @@ TEST(Texture, BorderTakesTheBaseFormat) {
     auto image = std::make_shared<scene::TextureImage>(*t.image);
     image->baseFormat = format;
     t.image = image;
-    return render::sampleTexture(t, Filter::nearest, {-1, 0});
+    return render::sampleLevel(t, *t.image, Filter::nearest, {-1, 0, 0});
   };
   EXPECT_EQ(border(BaseFormat::alpha), glm::vec4(0, 0, 0, 0.4f));
   EXPECT_EQ(border(BaseFormat::luminance), glm::vec4(0.1f, 0.1f, 0.1f, 1));
@@ -134,7 +136,9 @@ TEST(Texture, Environments) {
     t.image = image;
     t.env = row.env;
     t.envColor = cc;
-    EXPECT_LE(test::difference(render::applyEnvironment(t, cs, cf), row.expected), 1e-6f)
+    render::CombineInputs in;
+    in.texels[0] = cs;
+    EXPECT_LE(test::difference(render::applyEnvironment(t, in, cf), row.expected), 1e-6f)
         << static_cast<int>(row.env) << ' ' << static_cast<int>(row.format);
   }
 }
@@ -175,6 +179,65 @@ TEST(Texture, FilterByFootprint) {
   const auto minified = test::trace(texturedScene(t, 8));
   EXPECT_NEAR(minified.color(0, 7).r, 42.5f, 0.6f);
   EXPECT_NEAR(minified.color(1, 7).r, 212.5f, 0.6f);
+}
+
+// Unit 1 multiplies by its own texture, whose coordinates the mesh carries or the instance gives.
+TEST(Texture, TwoUnits) {
+  auto t = ramp(Wrap::repeat);
+  t.minFilter = t.magFilter = Filter::nearest;
+  auto second = t;
+  second.unit = 1;
+  auto s = texturedScene(t, 1);
+  s.shadings[0].textures.push_back(second);
+  s.instances[0].texcoordsAbove = {{0.6f, 0, 0, 1}};  // texel 170
+  EXPECT_NEAR(test::trace(s).color(6, 7).r, 85.0f * 170 / 255, 0.6f);
+  auto mesh = std::make_shared<scene::Mesh>(*s.instances[0].mesh);
+  mesh->texcoordsAbove = {
+      test::makeAttribute<glm::vec2>({{1, 0}, {0, 0}, {0, 0}, {1, 0}}, scene::Format::float2)};
+  s.instances[0].mesh = mesh;
+  const auto traced = test::trace(s);  // the second runs from right to left
+  for (int x = 0; x < 16; ++x) {
+    const int i = x / 4;
+    EXPECT_NEAR(traced.color(x, 7).r, 85.0f * static_cast<float>(i * (3 - i)) * 85 / 255, 0.6f);
+  }
+}
+
+TEST(Texture, ThreeDimensions) {
+  auto image = std::make_shared<scene::TextureImage>();
+  image->width = image->height = 1, image->depth = 4;
+  image->texels = {texel(0), texel(85), texel(170), texel(255)};
+  scene::Texture t;
+  t.image = image;
+  t.target = scene::TextureTarget::texture3D;
+  t.wrapR = Wrap::clampToEdge;
+  const auto at = [&](Filter filter, float r) {
+    return render::sampleLevel(t, *t.image, filter, {0.5f, 0.5f, r}).r * 3;
+  };
+  EXPECT_FLOAT_EQ(at(Filter::nearest, 0.6f), 2);
+  EXPECT_NEAR(at(Filter::linear, 0.5f), 1.5f, 1e-5f);
+  EXPECT_NEAR(at(Filter::linear, 7), 3, 1e-5f);
+}
+
+TEST(Texture, MirroredOnce) {
+  const auto nearest = [](Wrap wrap, float s) { return red(ramp(wrap), Filter::nearest, s); };
+  for (const Wrap wrap : {Wrap::mirrorClamp, Wrap::mirrorClampToEdge, Wrap::mirrorClampToBorder}) {
+    EXPECT_FLOAT_EQ(nearest(wrap, -0.3f), 1);
+    EXPECT_NEAR(red(ramp(wrap), Filter::linear, -0.25f), 0.5f, 1e-5f);
+  }
+  EXPECT_FLOAT_EQ(nearest(Wrap::mirrorClamp, -1.2f), 3);
+  EXPECT_NEAR(red(ramp(Wrap::mirrorClampToEdge), Filter::linear, 0), 0, 1e-5f);
+  EXPECT_NEAR(red(ramp(Wrap::mirrorClamp), Filter::linear, 0), 1.35f, 1e-5f);  // half of it is border
+  EXPECT_FLOAT_EQ(nearest(Wrap::mirrorClampToBorder, -1.2f), 2.7f);
+}
+
+TEST(Texture, TexelsBeyondEightBits) {
+  auto image = std::make_shared<scene::TextureImage>();
+  image->width = 2, image->height = 1;
+  image->floats = {glm::vec4(0.1234f), glm::vec4(3)};
+  scene::Texture t;
+  t.image = image;
+  EXPECT_FLOAT_EQ(render::sampleLevel(t, *image, Filter::nearest, {0.2f, 0, 0}).g, 0.1234f);
+  EXPECT_NEAR(render::sampleLevel(t, *image, Filter::linear, {0.5f, 0, 0}).g, 1.5617f, 1e-5f);
 }
 
 TEST(Texture, SeparateSpecularIsAddedAfterwards) {

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace gluray::scene {
 
@@ -56,17 +57,23 @@ inline glm::vec4 fetch(const Attribute& a, uint32_t i) {
 struct Mesh {
   Hash128 geometryId;  // identity of positions and triangle order: the key of the acceleration structure
   uint32_t triangleCount = 0;
-  uint32_t vertexCount = 0;      // every index is below this
-  Attribute positions;           // float3
-  Attribute indices;             // uint32, three a triangle, tightly packed (stride 4), or absent
-  Attribute normals;             // float3, not necessarily of unit length
-  Attribute colors;              // float4, float3 or unorm8x4
-  Attribute texcoords;           // float1 to float4 (s, t, r, q)
-  Attribute materials;           // uint32: index into the instance's materials
-  glm::vec3 lower{0}, upper{0};  // bounds of the finite vertices, object space
-  bool opaqueColors = true;      // every vertex colour has alpha 1 (or there are none)
-  size_t sizeBytes = 0;          // memory this mesh owns, not counting what belongs to the program's buffers
+  uint32_t vertexCount = 0;               // every index is below this
+  Attribute positions;                    // float3
+  Attribute indices;                      // uint32, three a triangle, tightly packed (stride 4), or absent
+  Attribute normals;                      // float3, not necessarily of unit length
+  Attribute colors;                       // float4, float3 or unorm8x4
+  Attribute texcoords;                    // float1 to float4 (s, t, r, q), of texture unit 0
+  std::vector<Attribute> texcoordsAbove;  // the same of units 1, 2 ...; shorter where the last are absent
+  Attribute materials;                    // uint32: index into the instance's materials
+  glm::vec3 lower{0}, upper{0};           // bounds of the finite vertices, object space
+  bool opaqueColors = true;               // every vertex colour has alpha 1 (or there are none)
+  size_t sizeBytes = 0;  // memory this mesh owns, not counting what belongs to the program's buffers
 
+  /// Texture coordinates of a unit; null where the mesh has none.
+  const Attribute* texcoordsOf(uint32_t unit) const {
+    if (unit == 0) return texcoords ? &texcoords : nullptr;
+    return unit <= texcoordsAbove.size() && texcoordsAbove[unit - 1] ? &texcoordsAbove[unit - 1] : nullptr;
+  }
   uint32_t corner(uint32_t triangle, uint32_t k) const {
     const uint32_t i = triangle * 3 + k;
     return indices ? reinterpret_cast<const uint32_t*>(indices.data)[i] : i;

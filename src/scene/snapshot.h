@@ -27,6 +27,9 @@ struct Camera {
   glm::dmat4 clipFromEye{1};
   glm::ivec4 viewport{0, 0, 1, 1};    // x, y, width, height
   float depthNear = 0, depthFar = 1;  // glDepthRange
+  // Height of a framebuffer whose rows the real OpenGL counts from the top, 0 where it counts from the
+  // bottom: decides which pixels form the 2x2 quads that texture coordinates are differentiated over.
+  int rowsFromTop = 0;
 };
 
 /// The rectangle of pixels to trace: viewport, scissor and framebuffer intersected. Never empty in a
@@ -49,7 +52,12 @@ struct Instance {
   // Values of attributes that the mesh does not carry.
   glm::vec4 color{1};
   glm::vec3 normal{0, 0, 1};
-  glm::vec4 texcoord{0, 0, 0, 1};
+  glm::vec4 texcoord{0, 0, 0, 1};         // of texture unit 0
+  std::vector<glm::vec4> texcoordsAbove;  // of units 1, 2 ...; may be shorter
+  glm::vec4 texcoordOf(uint32_t unit) const {
+    if (unit == 0) return texcoord;
+    return unit <= texcoordsAbove.size() ? texcoordsAbove[unit - 1] : glm::vec4(0, 0, 0, 1);
+  }
   std::vector<MaterialPair>
       materials;  // indexed by the mesh's materials attribute; [0] where it has none. Never empty
   CullFace cull = CullFace::none;

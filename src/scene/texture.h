@@ -1,5 +1,8 @@
-// A texture image as the fixed-function pipeline samples it. Immutable; a re-upload makes a new one.
+// A texture image as the fixed-function pipeline samples it, and the unit that samples it. Immutable; a
+// re-upload makes a new one.
 #pragma once
+#include "scene/texture_unit.h"
+
 #include <glm/glm.hpp>
 
 #include <cstdint>
@@ -8,30 +11,63 @@
 
 namespace gluray::scene {
 
-enum class Wrap : uint8_t { repeat, clamp, clampToEdge, clampToBorder, mirroredRepeat };
+enum class TextureTarget : uint8_t { texture1D, texture2D, texture3D, cubeMap, rectangle };
+enum class Wrap : uint8_t {
+  repeat,
+  clamp,
+  clampToEdge,
+  clampToBorder,
+  mirroredRepeat,
+  mirrorClamp,  // mirrored once about 0, then clamped in one of the three ways
+  mirrorClampToEdge,
+  mirrorClampToBorder
+};
 enum class Filter : uint8_t { nearest, linear };
+enum class MipFilter : uint8_t { none, nearest, linear };
 /// GL 2.1 table 3.15: which channels a texture has decides what the environment does with them.
 enum class BaseFormat : uint8_t { alpha, luminance, luminanceAlpha, intensity, rgb, rgba };
-enum class TexEnv : uint8_t { modulate, replace, decal, blend, add };
 
-/// Texels, lowest row first, already expanded to RGBA as GL 2.1 section 3.8.1 says
-/// (luminance: L,L,L,1; alpha: 0,0,0,A; intensity: I,I,I,I). 1D textures have height 1.
-struct TextureImage {
-  int width = 0, height = 0;
+/// How the real OpenGL computes the level of detail.
+enum class LodRule : uint8_t {
+  specified,  // GL 2.1, 3.8.8, with the exact scale factor
+  llvmpipe,   // the same, but the logarithm of the squared scale factor runs straight between powers of two
+};
+
+/// Texels, lowest row first, lowest slice first, already expanded to RGBA as GL 2.1 section 3.8.1 says
+/// (luminance: L,L,L,1; alpha: 0,0,0,A; intensity: I,I,I,I). 1D textures have height 1; the slices of cube
+/// maps are the faces +x, -x, +y, -y, +z, -z.
+struct TexelGrid {
+  int width = 0, height = 0, depth = 1;
+  std::vector<uint32_t> texels;   // RGBA8, red in the lowest byte, width*height*depth; or
+  std::vector<glm::vec4> floats;  // as many, where eight bits do not carry them
+};
+
+/// The base level and, for mipmapping, the smaller levels up to the last that may be sampled.
+struct TextureImage : TexelGrid {
   BaseFormat baseFormat = BaseFormat::rgba;
-  std::vector<uint32_t> texels;  // RGBA8, red in the lowest byte, width*height
-  bool opaque = true;            // every alpha is 255
+  bool opaque = true;  // every alpha of every level is 1
+  std::vector<TexelGrid> mipmaps;
+
+  int levels() const { return static_cast<int>(mipmaps.size()) + 1; }
+  const TexelGrid& level(int i) const { return i == 0 ? *this : mipmaps[static_cast<size_t>(i - 1)]; }
 };
 
 /// An image with the way it is sampled and combined with the fragment's colour.
 struct Texture {
   std::shared_ptr<const TextureImage> image;
-  int dimensions = 2;  // 1 or 2
-  Wrap wrapS = Wrap::repeat, wrapT = Wrap::repeat;
-  Filter magFilter = Filter::linear, minFilter = Filter::linear;  // mipmapped minification is not traced
+  TextureTarget target = TextureTarget::texture2D;
+  uint8_t unit = 0;  // texture unit, 0 .. 7; also the number of its coordinate set
+  Wrap wrapS = Wrap::repeat, wrapT = Wrap::repeat, wrapR = Wrap::repeat;
+  Filter magFilter = Filter::linear, minFilter = Filter::linear;
+  MipFilter mipFilter = MipFilter::none;  // between levels, where the image is minified
+  LodRule lodRule = LodRule::specified;
+  float lodBias = 0;  // of the unit and the texture together
+  float minLod = -1000, maxLod = 1000;
   glm::vec4 borderColor{0};
   TexEnv env = TexEnv::modulate;
+  Combine combine;  // where env is TexEnv::combine
   glm::vec4 envColor{0};
+  TexGen texGen;
   glm::mat4 textureMatrix{1};  // applied to (s, t, r, q)
   bool operator==(const Texture&) const = default;
 };

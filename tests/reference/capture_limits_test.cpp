@@ -77,24 +77,33 @@ TEST(CaptureLimits, TextureThatWasDrawnIsReadAgain) {
   EXPECT_EQ(ours.context().statistics.drawsTraced, 2u);
 }
 
-TEST(CaptureLimits, SrgbAndSwizzledTexturesAreRasterised) {
-  struct Form {
-    GLint format, swizzle;
+TEST(CaptureLimits, UnusualSamplingIsRasterised) {
+  void (*const forms[])(Gl) = {
+      [](Gl gl) { gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_R, GL_GREEN); },
+      [](Gl gl) {
+        const float depth = 0.5f;
+        gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, 1, 1, 0, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_R_TO_TEXTURE);
+      },
+      [](Gl gl) {
+        GLuint sampler = 0;
+        gl.GenSamplers(1, &sampler), gl.BindSampler(0, sampler);
+        gl.SamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+      },
   };
-  for (const Form form :
-       {Form{GL_SRGB8_ALPHA8, GL_RED}, Form{GL_RGBA8, GL_GREEN}, Form{GL_RGBA16F, GL_RED}}) {
+  for (const auto form : forms) {
     TracedContext ours({kSize, kSize});
     Gl gl = ours.gl();
     const uint32_t texel = 0xFF204080u;
-    gl.TexImage2D(GL_TEXTURE_2D, 0, form.format, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, &texel);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST),
-        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_R, form.swizzle);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, &texel);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    form(gl);
     gl.Enable(GL_TEXTURE_2D), gl.Enable(GL_DEPTH_TEST), gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     gl.Begin(GL_TRIANGLES), gl.Vertex3f(-0.9f, -0.9f, 0.2f), gl.Vertex3f(0.9f, -0.9f, 0),
         gl.Vertex3f(0, 0.9f, 0.1f), gl.End();
     gl.Finish();
     EXPECT_EQ(ours.context().statistics.rasterisedBecause[static_cast<size_t>(gl::Reason::textureFormat)], 1u)
-        << form.format;
+        << &form - forms;
   }
 }
 

@@ -24,6 +24,7 @@ struct Features {
   bool transformFeedbackPause = false;
   bool debugOutput = false;
   bool depthBounds = false;
+  bool rectangles = false;        // GL_TEXTURE_RECTANGLE
   bool redFloatTextures = false;  // R32F
   bool floatTextures = false;     // LUMINANCE32F_ARB
 };

@@ -11,44 +11,6 @@ void enable(const RealGl& real, GLenum capability, bool on) {
   on ? real.Enable(capability) : real.Disable(capability);
 }
 
-GLint wrapName(scene::Wrap wrap) {
-  switch (wrap) {
-    case scene::Wrap::repeat: return GL_REPEAT;
-    case scene::Wrap::clamp: return GL_CLAMP;
-    case scene::Wrap::clampToEdge: return GL_CLAMP_TO_EDGE;
-    case scene::Wrap::clampToBorder: return GL_CLAMP_TO_BORDER;
-    case scene::Wrap::mirroredRepeat: return GL_MIRRORED_REPEAT;
-  }
-  return GL_REPEAT;
-}
-
-GLint filterName(scene::Filter filter) { return filter == scene::Filter::nearest ? GL_NEAREST : GL_LINEAR; }
-
-GLint envName(scene::TexEnv env) {
-  switch (env) {
-    case scene::TexEnv::modulate: return GL_MODULATE;
-    case scene::TexEnv::replace: return GL_REPLACE;
-    case scene::TexEnv::decal: return GL_DECAL;
-    case scene::TexEnv::blend: return GL_BLEND;
-    case scene::TexEnv::add: return GL_ADD;
-  }
-  return GL_MODULATE;
-}
-
-/// Internal format of 8 bits a channel whose base format is `base`. Texels arrive as RGBA: luminance and
-/// intensity are taken from red, alpha from alpha (GL 2.1, table 3.15).
-GLint internalFormat(scene::BaseFormat base) {
-  switch (base) {
-    case scene::BaseFormat::alpha: return GL_ALPHA8;
-    case scene::BaseFormat::luminance: return GL_LUMINANCE8;
-    case scene::BaseFormat::luminanceAlpha: return GL_LUMINANCE8_ALPHA8;
-    case scene::BaseFormat::intensity: return GL_INTENSITY8;
-    case scene::BaseFormat::rgb: return GL_RGB8;
-    case scene::BaseFormat::rgba: return GL_RGBA8;
-  }
-  return GL_RGBA8;
-}
-
 GLenum colorMaterialName(scene::ColorMaterial::Mode mode) {
   switch (mode) {
     case scene::ColorMaterial::emission: return GL_EMISSION;
@@ -81,18 +43,6 @@ void setColorMaterial(const RealGl& real, const scene::ColorMaterial& modes) {
                                                  : GL_FRONT_AND_BACK;
   real.ColorMaterial(face, colorMaterialName(modes.front == Mode::off ? modes.back : modes.front));
   real.Enable(GL_COLOR_MATERIAL);
-}
-
-void setTexture(const RealGl& real, const std::vector<scene::Texture>& units, ShadingTextures& textures) {
-  const scene::Texture* texture = units.empty() ? nullptr : &units.front();
-  enable(real, GL_TEXTURE_1D, texture && texture->dimensions == 1);
-  enable(real, GL_TEXTURE_2D, texture && texture->dimensions == 2);
-  if (!texture) return;
-  textures.bind(*texture);
-  real.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, envName(texture->env));
-  real.TexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, glm::value_ptr(texture->envColor));
-  real.MatrixMode(GL_TEXTURE);
-  real.LoadMatrixf(glm::value_ptr(texture->textureMatrix));
 }
 
 void setFog(const RealGl& real, const scene::Fog& fog) {
@@ -136,29 +86,6 @@ void setMaterial(const RealGl& real, GLenum face, const scene::Material& materia
 
 }  // namespace
 
-ShadingTextures::~ShadingTextures() {
-  for (const auto& [image, name] : names_) real_.DeleteTextures(1, &name);
-}
-
-void ShadingTextures::bind(const scene::Texture& texture) {
-  const GLenum target = texture.dimensions == 1 ? GL_TEXTURE_1D : GL_TEXTURE_2D;
-  const scene::TextureImage& image = *texture.image;
-  const auto [found, fresh] = names_.try_emplace(&image, 0u);
-  if (fresh) real_.GenTextures(1, &found->second);
-  real_.BindTexture(target, found->second);
-  if (fresh && target == GL_TEXTURE_1D)
-    real_.TexImage1D(target, 0, internalFormat(image.baseFormat), image.width, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                     image.texels.data());
-  else if (fresh)
-    real_.TexImage2D(target, 0, internalFormat(image.baseFormat), image.width, image.height, 0, GL_RGBA,
-                     GL_UNSIGNED_BYTE, image.texels.data());
-  real_.TexParameteri(target, GL_TEXTURE_WRAP_S, wrapName(texture.wrapS));
-  real_.TexParameteri(target, GL_TEXTURE_WRAP_T, wrapName(texture.wrapT));
-  real_.TexParameteri(target, GL_TEXTURE_MAG_FILTER, filterName(texture.magFilter));
-  real_.TexParameteri(target, GL_TEXTURE_MIN_FILTER, filterName(texture.minFilter));
-  real_.TexParameterfv(target, GL_TEXTURE_BORDER_COLOR, glm::value_ptr(texture.borderColor));
-}
-
 void neutralFixedFunction(const RealGl& real, const Features& features) {
   real.Disable(GL_FOG);
   if (features.version >= 14) real.Disable(GL_COLOR_SUM);
@@ -170,7 +97,7 @@ void neutralFixedFunction(const RealGl& real, const Features& features) {
     if (features.version >= 13) real.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     for (GLenum target : {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP})
       if (target < GL_TEXTURE_3D || features.version >= 13) real.Disable(target);
-    if (hasExtension(real, features.version, "GL_ARB_texture_rectangle")) real.Disable(GL_TEXTURE_RECTANGLE);
+    if (features.rectangles) real.Disable(GL_TEXTURE_RECTANGLE);
     for (GLenum generator : {GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_GEN_R, GL_TEXTURE_GEN_Q})
       real.Disable(generator);
   }
@@ -201,7 +128,7 @@ void setShading(const RealGl& real, const Features& features, const scene::Shadi
   }
   setFog(real, shading.fog);
   setAlphaTest(real, shading.alphaTest);
-  setTexture(real, shading.textures, textures);
+  textures.set(shading.textures);
   setColorMaterial(real, shading.colorMaterial);
 }
 

@@ -1,32 +1,15 @@
 // Says to the real OpenGL's fixed function what scene::Shading and scene::Instance say. GL thread, used by
 // the raster fallback between glPushAttrib and glPopAttrib.
 #pragma once
-#include "intercept/present/features.h"
+#include "intercept/present/fixed_function_textures.h"
 #include "scene/snapshot.h"
-
-#include <unordered_map>
 
 namespace gluray::present {
 
-/// Textures made for one drawing, deleted at the end of it.
-class ShadingTextures {
- public:
-  explicit ShadingTextures(const gl::RealGl& real) : real_(real) {}
-  ~ShadingTextures();
-  ShadingTextures(const ShadingTextures&) = delete;
-  ShadingTextures& operator=(const ShadingTextures&) = delete;
-  /// Binds the texture's image to its target of the active unit and sets how it is sampled.
-  void bind(const scene::Texture& texture);
-
- private:
-  const gl::RealGl& real_;
-  std::unordered_map<const scene::TextureImage*, GLuint> names_;
-};
-
-/// Everything a snapshot never holds is off: fog, texture generation, further texture units, colour sum,
-/// programs.
+/// Everything a snapshot never holds is off: fog, colour sum, programs; texture units too,
+/// which setShading() sets.
 void neutralFixedFunction(const gl::RealGl& real, const Features& features);
-/// Lighting, lights, normalisation, shade model, texture.
+/// Lighting, lights, normalisation, shade model, textures.
 void setShading(const gl::RealGl& real, const Features& features, const scene::Shading& shading,
                 ShadingTextures& textures);
 /// Modelview matrix, clip planes, culling, first material.

@@ -7,15 +7,14 @@
 namespace gluray::present {
 namespace {
 
-/// The matrices that drawing changes: modelview, projection and unit 0's texture matrix. Values, not stacks,
-/// are kept: a program may have filled a stack.
+/// The matrices that drawing changes. Values, not stacks, are kept: a program may have filled a stack.
 class KeptMatrices {
  public:
   explicit KeptMatrices(const gl::RealGl& real) : real_(real) {
-    for (int i = 0; i < 3; ++i) real_.GetDoublev(kNames[i], values_[i]);
+    for (int i = 0; i < 2; ++i) real_.GetDoublev(kNames[i], values_[i]);
   }
   ~KeptMatrices() {
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 2; ++i) {
       real_.MatrixMode(kModes[i]);
       real_.LoadMatrixd(values_[i]);
     }
@@ -24,10 +23,10 @@ class KeptMatrices {
   KeptMatrices& operator=(const KeptMatrices&) = delete;
 
  private:
-  static constexpr GLenum kNames[] = {GL_MODELVIEW_MATRIX, GL_PROJECTION_MATRIX, GL_TEXTURE_MATRIX};
-  static constexpr GLenum kModes[] = {GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE};
+  static constexpr GLenum kNames[] = {GL_MODELVIEW_MATRIX, GL_PROJECTION_MATRIX};
+  static constexpr GLenum kModes[] = {GL_MODELVIEW, GL_PROJECTION};
   const gl::RealGl& real_;
-  GLdouble values_[3][16];
+  GLdouble values_[2][16];
 };
 
 bool attribStackHasRoom(const gl::RealGl& real) {
@@ -60,6 +59,9 @@ void sendVertex(const gl::RealGl& real, const scene::Instance& instance, uint32_
   if (mesh.normals) real.Normal3fv(glm::value_ptr(scene::fetch(mesh.normals, vertex)));
   if (mesh.colors) real.Color4fv(glm::value_ptr(scene::fetch(mesh.colors, vertex)));
   if (mesh.texcoords) real.TexCoord4fv(glm::value_ptr(scene::fetch(mesh.texcoords, vertex)));
+  for (uint32_t unit = 1; unit <= mesh.texcoordsAbove.size(); ++unit)
+    if (const scene::Attribute* texcoords = mesh.texcoordsOf(unit))
+      real.MultiTexCoord4fv(GL_TEXTURE0 + unit, glm::value_ptr(scene::fetch(*texcoords, vertex)));
   real.Vertex3fv(glm::value_ptr(mesh.position(vertex)));
 }
 
@@ -68,6 +70,8 @@ void drawInstance(const gl::RealGl& real, const scene::Instance& instance) {
   real.Color4fv(glm::value_ptr(instance.color));
   real.Normal3fv(glm::value_ptr(instance.normal));
   real.TexCoord4fv(glm::value_ptr(instance.texcoord));
+  for (uint32_t unit = 1; unit <= instance.texcoordsAbove.size(); ++unit)
+    real.MultiTexCoord4fv(GL_TEXTURE0 + unit, glm::value_ptr(instance.texcoordOf(unit)));
   uint32_t material = 0;
   real.Begin(GL_TRIANGLES);
   for (uint32_t t = 0; t < instance.mesh->triangleCount; ++t)
@@ -93,14 +97,15 @@ bool drawWithFixedFunction(const gl::RealGl& real, const Features& features, con
   if (features.multisample) guard.capability(GL_MULTISAMPLE, snapshot.samples > 1);
   if (features.version >= 20) guard.program(0);
   if (features.version >= 13) guard.activeTexture(GL_TEXTURE0);
-  if (features.samplerObjects) guard.texture2D(0, 0);
+  for (int unit = scene::kTextureUnits - 1; unit >= 0 && features.samplerObjects; --unit)
+    guard.texture2D(unit, 0);
 
   real.PushAttrib(GL_ALL_ATTRIB_BITS);
   {
     const KeptMatrices matrices(real);
     setUpCamera(real, snapshot);
     neutralFixedFunction(real, features);
-    ShadingTextures textures(real);
+    ShadingTextures textures(real, features);
     for (const scene::Instance& instance : snapshot.instances) {
       setShading(real, features, snapshot.shadings[instance.shading], textures);
       drawInstance(real, instance);

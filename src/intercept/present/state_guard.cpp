@@ -261,6 +261,10 @@ void StateGuard::plainUnpack(int rowLength) {
   pixelStore(GL_UNPACK_SKIP_ROWS, 0);
   pixelStore(GL_UNPACK_SKIP_PIXELS, 0);
   pixelStore(GL_UNPACK_ALIGNMENT, 4);
+  if (features_.version >= 12) {
+    pixelStore(GL_UNPACK_IMAGE_HEIGHT, 0);
+    pixelStore(GL_UNPACK_SKIP_IMAGES, 0);
+  }
   if (features_.compatibility) {
     pixelTransfer(GL_MAP_COLOR, 0);
     for (GLenum scale : {GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE, GL_ALPHA_SCALE})

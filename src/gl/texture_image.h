@@ -1,0 +1,30 @@
+// Texture images read back from the real OpenGL. GL thread.
+#pragma once
+#include "gl/real.h"
+#include "gl/reasons.h"
+#include "scene/texture.h"
+
+#include <GL/gl.h>
+
+#include <compare>
+#include <memory>
+
+namespace gluray::gl {
+
+/// What of a bound texture is sampled.
+struct ImageRange {
+  GLint base = 0;      // level
+  int levels = 0;      // from the base level on; 0: the texture is incomplete (GL 2.1, 3.8.10)
+  bool decode = true;  // sRGB texels are decoded
+  GLenum depthMode = GL_LUMINANCE;
+  auto operator<=>(const ImageRange&) const = default;
+};
+
+/// The levels that the texture bound to `target` of the active unit is sampled from, `mipmapped` or not.
+ImageRange rangeOf(const RealGl& real, GLenum target, bool mipmapped);
+
+/// Reads them. Null with a reason where they cannot be traced.
+std::shared_ptr<const scene::TextureImage> readImage(const RealGl& real, GLenum target,
+                                                     const ImageRange& range, Reason& reason);
+
+}  // namespace gluray::gl
