@@ -44,6 +44,8 @@ void addOptions(CLI::App& app, CommandLine& line) {
                  "embree, or null: trace nothing, to price the interception alone [embree]")
       ->check(CLI::IsMember({"embree", "null"}));
   app.add_flag("--off", line.off, "Pass every call through to the real OpenGL, for comparison");
+  app.add_option("--config", line.config, "Read settings from FILE [~/.config/gluray/gluray.toml]")
+      ->type_name("FILE");
   app.add_option("--log", line.log, "Write messages to FILE instead of stderr")->type_name("FILE");
   app.add_option("--log-level", line.logLevel, "Messages from this level on are written [warning]")
       ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"}));

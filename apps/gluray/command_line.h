@@ -6,9 +6,9 @@
 namespace gluray::launcher {
 
 struct CommandLine {
-  std::vector<std::string> program;                                    // name and arguments
-  std::string door = "auto";                                           // auto, vendor, preload
-  std::string report, log, logLevel, threads, bvh, shading, renderer;  // empty: not given
+  std::vector<std::string> program;                                            // name and arguments
+  std::string door = "auto";                                                   // auto, vendor, preload
+  std::string config, report, log, logLevel, threads, bvh, shading, renderer;  // empty: not given
   bool off = false;
 };
 

@@ -35,6 +35,7 @@ std::string absolute(const std::string& file) { return file.empty() ? file : fs:
 
 void passSettings(const CommandLine& line) {
   set("GLURAY_PID", std::to_string(getpid()));
+  setIfGiven("GLURAY_CONFIG", absolute(line.config));
   setIfGiven("GLURAY_THREADS", line.threads);
   setIfGiven("GLURAY_BVH", line.bvh);
   setIfGiven("GLURAY_SHADING", line.shading);
