@@ -82,8 +82,9 @@ void Context::refresh(uint32_t groups) noexcept {
 }
 
 void Context::readGroups(uint32_t stale) {
-  // Questions that an old OpenGL does not know set errors; the program must see its own errors only.
+  // A question that the real OpenGL refuses after all sets an error; the program must see its own only.
   if (const GLenum pending = real.GetError()) setError(pending);
+  if (!state.rare.asked) state.rare = readRareState(real);
   if (stale & kCurrent) readCurrent();
   syncCurrent();
   if (stale & kModelview) readModelview(real, state);

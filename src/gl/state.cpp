@@ -100,20 +100,19 @@ Reason blendReason(const RealGl& real, bool& needsOpaque) {
   return Reason::traced;
 }
 
-/// State of later versions and extensions that hardly any fixed-function program sets. Names that the real
-/// OpenGL does not know leave their values as they were.
-Reason rareReason(const RealGl& real) {
-  if (isOn(real, GL_DEPTH_CLAMP) || isOn(real, GL_DEPTH_BOUNDS_TEST_EXT)) return Reason::depthClamp;
-  if (isOn(real, GL_RASTERIZER_DISCARD)) return Reason::transformFeedback;
-  GLint origin = GL_LOWER_LEFT, depth = GL_NEGATIVE_ONE_TO_ONE, provoking = GL_LAST_VERTEX_CONVENTION;
-  real.GetIntegerv(GL_CLIP_ORIGIN, &origin);
-  real.GetIntegerv(GL_CLIP_DEPTH_MODE, &depth);
-  if (origin != GL_LOWER_LEFT || depth != GL_NEGATIVE_ONE_TO_ONE) return Reason::clipControl;
-  real.GetIntegerv(GL_PROVOKING_VERTEX, &provoking);
-  if (provoking != GL_LAST_VERTEX_CONVENTION && integer(real, GL_SHADE_MODEL) == GL_FLAT)
+/// State of later versions and extensions that hardly any fixed-function program sets.
+Reason rareReason(const RealGl& real, const RareState& has) {
+  if (has.depthClamp && isOn(real, GL_DEPTH_CLAMP)) return Reason::depthClamp;
+  if (has.depthBounds && isOn(real, GL_DEPTH_BOUNDS_TEST_EXT)) return Reason::depthClamp;
+  if (has.rasterizerDiscard && isOn(real, GL_RASTERIZER_DISCARD)) return Reason::transformFeedback;
+  if (has.clipControl && (integer(real, GL_CLIP_ORIGIN) != GL_LOWER_LEFT ||
+                          integer(real, GL_CLIP_DEPTH_MODE) != GL_NEGATIVE_ONE_TO_ONE))
+    return Reason::clipControl;
+  if (has.provokingVertex && integer(real, GL_PROVOKING_VERTEX) != GL_LAST_VERTEX_CONVENTION &&
+      integer(real, GL_SHADE_MODEL) == GL_FLAT)
     return Reason::provokingVertex;
   GLfloat clamp = 0;
-  real.GetFloatv(GL_POLYGON_OFFSET_CLAMP, &clamp);
+  if (has.offsetClamp) real.GetFloatv(GL_POLYGON_OFFSET_CLAMP, &clamp);
   return clamp != 0 ? Reason::depthClamp : Reason::traced;
 }
 
@@ -153,16 +152,15 @@ scene::Fog readFog(const RealGl& real) {
 }
 
 /// Why fog rules tracing out: where it does not go by the distance from the viewer's plane.
-Reason fogReason(const RealGl& real) {
+Reason fogReason(const RealGl& real, const RareState& has) {
   if (!isOn(real, GL_FOG)) return Reason::traced;
-  GLint source = GL_FRAGMENT_DEPTH, distance = GL_EYE_PLANE_ABSOLUTE_NV;
-  real.GetIntegerv(GL_FOG_COORD_SRC, &source);
-  real.GetIntegerv(GL_FOG_DISTANCE_MODE_NV, &distance);
-  return source == GL_FRAGMENT_DEPTH && distance == GL_EYE_PLANE_ABSOLUTE_NV ? Reason::traced : Reason::fog;
+  if (integer(real, GL_FOG_COORD_SRC) != GL_FRAGMENT_DEPTH) return Reason::fog;
+  const bool usual = !has.fogDistance || integer(real, GL_FOG_DISTANCE_MODE_NV) == GL_EYE_PLANE_ABSOLUTE_NV;
+  return usual ? Reason::traced : Reason::fog;
 }
 
 /// Why per-fragment operations rule tracing out, cheapest and commonest questions first.
-Reason fragmentReason(const RealGl& real, RasterState& raster) {
+Reason fragmentReason(const RealGl& real, const RareState& has, RasterState& raster) {
   if (integer(real, GL_RENDER_MODE) != GL_RENDER) return Reason::renderMode;
   if (!isOn(real, GL_DEPTH_TEST)) return Reason::noDepthTest;
   if (raster.depthFunc != GL_LESS && raster.depthFunc != GL_LEQUAL) return Reason::depthFunc;
@@ -172,18 +170,17 @@ Reason fragmentReason(const RealGl& real, RasterState& raster) {
   if (!mask[0] || !mask[1] || !mask[2] || !mask[3]) return Reason::colorMask;
   if (isOn(real, GL_STENCIL_TEST)) return Reason::stencil;
   if (isOn(real, GL_COLOR_LOGIC_OP)) return Reason::logicOp;
-  if (const Reason fog = fogReason(real); fog != Reason::traced) return fog;
+  if (const Reason fog = fogReason(real, has); fog != Reason::traced) return fog;
   if (isPresent(real.UseProgram) && integer(real, GL_CURRENT_PROGRAM) != 0) return Reason::program;
   if (isPresent(real.BindProgramPipeline) && integer(real, GL_PROGRAM_PIPELINE_BINDING) != 0)
     return Reason::program;
-  if (isPresent(real.BindProgramARB) &&
-      (isOn(real, GL_VERTEX_PROGRAM_ARB) || isOn(real, GL_FRAGMENT_PROGRAM_ARB)))
+  if (has.assemblyPrograms && (isOn(real, GL_VERTEX_PROGRAM_ARB) || isOn(real, GL_FRAGMENT_PROGRAM_ARB)))
     return Reason::program;
   if (isOn(real, GL_COLOR_SUM)) return Reason::colorSum;
   if (isOn(real, GL_SAMPLE_ALPHA_TO_COVERAGE) || isOn(real, GL_SAMPLE_COVERAGE) ||
-      isOn(real, GL_SAMPLE_ALPHA_TO_ONE) || isOn(real, GL_SAMPLE_MASK))
+      isOn(real, GL_SAMPLE_ALPHA_TO_ONE) || (has.sampleMask && isOn(real, GL_SAMPLE_MASK)))
     return Reason::multisampleState;
-  if (const Reason rare = rareReason(real); rare != Reason::traced) return rare;
+  if (const Reason rare = rareReason(real, has); rare != Reason::traced) return rare;
   bool needsOpaque = false;
   const Reason blend = blendReason(real, needsOpaque);
   if (needsOpaque) raster.unlessOpaque = Reason::blend;
@@ -215,7 +212,7 @@ void readRaster(const RealGl& real, State& state) {
   raster.depthFunc = static_cast<GLenum>(integer(real, GL_DEPTH_FUNC));
   raster.scissorTest = isOn(real, GL_SCISSOR_TEST);
   raster.unlessOpaque = Reason::traced;
-  raster.reason = fragmentReason(real, raster);
+  raster.reason = fragmentReason(real, state.rare, raster);
   // A draw that tests and writes depth, and replaces colour, meets pending traced surfaces in the depth
   // buffer.
   raster.orderFree =
@@ -371,7 +368,7 @@ void readTarget(const RealGl& real, State& state, bool core) {
   TargetState& target = state.target;
   target.size = {0, 0};
   target.reason = Reason::traced;
-  const bool objects = isPresent(real.GenFramebuffers);
+  const bool objects = state.rare.framebufferObjects;
   target.framebuffer = objects ? static_cast<GLuint>(integer(real, GL_DRAW_FRAMEBUFFER_BINDING)) : 0;
   target.drawBuffer = static_cast<GLenum>(integer(real, GL_DRAW_BUFFER));
   target.samples = std::max(1, integer(real, GL_SAMPLES));
@@ -392,7 +389,7 @@ void readTarget(const RealGl& real, State& state, bool core) {
   if (target.reason != Reason::traced) return;
   if (depthBits == 0)
     target.reason = Reason::noDepthBuffer;
-  else if (!isByteColor(real, target) || isOn(real, GL_FRAMEBUFFER_SRGB))
+  else if (!isByteColor(real, target) || (state.rare.framebufferSrgb && isOn(real, GL_FRAMEBUFFER_SRGB)))
     target.reason = Reason::framebuffer;
   if (target.samples > 1 && isPresent(real.GetMultisamplefv))
     for (GLuint i = 0; i < static_cast<GLuint>(target.samples); ++i)

@@ -2,6 +2,7 @@
 // forwarded at once); this is a copy by groups, read back when a draw needs a group that calls have touched
 // since. GL thread.
 #pragma once
+#include "gl/extensions.h"
 #include "gl/real.h"
 #include "gl/reasons.h"
 #include "scene/snapshot.h"
@@ -61,6 +62,7 @@ struct TargetState {
 };
 
 struct State {
+  RareState rare;
   glm::dmat4 modelview{1}, projection{1};
   bool modelviewInvertible = true, projectionInvertible = true;
   glm::ivec4 viewport{0, 0, 1, 1}, scissor{0, 0, 1, 1};

@@ -1,19 +1,13 @@
 #include "intercept/present/features.h"
 
+#include "gl/extensions.h"
+
 #include <algorithm>
-#include <cstdlib>
 
 namespace gluray::present {
 namespace {
 
-/// "4.5 (Compatibility Profile) Mesa" -> major * scale + minor; 0 where there is no such string.
-int parseVersion(const GLubyte* text, int scale) {
-  if (!text) return 0;
-  char* end = nullptr;
-  const long major = std::strtol(reinterpret_cast<const char*>(text), &end, 10);
-  const long minor = *end == '.' ? std::strtol(end + 1, nullptr, 10) : 0;
-  return static_cast<int>(major * scale + minor);
-}
+using gl::hasExtension;
 
 int integer(const gl::RealGl& real, GLenum name) {
   GLint value = 0;
@@ -31,34 +25,15 @@ bool fixedFunction(const gl::RealGl& real, int version) {
 
 }  // namespace
 
-bool hasExtension(const gl::RealGl& real, int version, std::string_view name) {
-  if (version >= 30) {
-    const int count = integer(real, GL_NUM_EXTENSIONS);
-    for (int i = 0; i < count; ++i) {
-      const auto* text =
-          reinterpret_cast<const char*>(real.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));
-      if (text && name == text) return true;
-    }
-    return false;
-  }
-  const auto* text = reinterpret_cast<const char*>(real.GetString(GL_EXTENSIONS));
-  const std::string_view all = text ? text : "";
-  for (size_t at = all.find(name); at != all.npos; at = all.find(name, at + 1)) {
-    const size_t end = at + name.size();
-    if ((at == 0 || all[at - 1] == ' ') && (end == all.size() || all[end] == ' ')) return true;
-  }
-  return false;
-}
-
 Features readFeatures(const gl::RealGl& real) {
   Features f;
-  f.version = parseVersion(real.GetString(GL_VERSION), 10);
+  f.version = gl::versionOf(real);
   const int v = f.version;
   const auto has = [&](int since, std::string_view extension) {
     return v >= since || hasExtension(real, v, extension);
   };
   if (v >= 20) {
-    f.glslVersion = parseVersion(real.GetString(GL_SHADING_LANGUAGE_VERSION), 100);
+    f.glslVersion = gl::parseVersion(real.GetString(GL_SHADING_LANGUAGE_VERSION), 100);
     f.maxDrawBuffers = std::max(1, integer(real, GL_MAX_DRAW_BUFFERS));
     f.textureUnit = std::max(0, std::min(integer(real, GL_MAX_TEXTURE_IMAGE_UNITS), 16) - 2);
   }

@@ -3,8 +3,6 @@
 #pragma once
 #include "gl/real.h"
 
-#include <string_view>
-
 namespace gluray::present {
 
 struct Features {
@@ -31,8 +29,5 @@ struct Features {
 
 /// Asks the current context. Raises no GL error.
 Features readFeatures(const gl::RealGl& real);
-
-/// Whether the current context's extension list has `name` ("GL_ARB_texture_rg").
-bool hasExtension(const gl::RealGl& real, int version, std::string_view name);
 
 }  // namespace gluray::present

@@ -1,10 +1,13 @@
 #include "intercept/present/fixed_function.h"
 
+#include "gl/extensions.h"
+
 #include <glm/gtc/type_ptr.hpp>
 
 namespace gluray::present {
 namespace {
 
+using gl::hasExtension;
 using gl::RealGl;
 
 void enable(const RealGl& real, GLenum capability, bool on) {
