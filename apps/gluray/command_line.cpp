@@ -1,8 +1,11 @@
 #include "command_line.h"
 
+#include "settings/quirks.h"
+
 #include <CLI/CLI.hpp>
 
 #include <iostream>
+#include <map>
 
 namespace gluray::launcher {
 namespace {
@@ -16,9 +19,50 @@ Examples:
   gluray --report run.json -- meshlab model.ply    report what was traced when the program ends
   gluray --off osgviewer head.obj                  the real OpenGL, for comparison
   gluray --threads 4 --bvh compact paraview        four threads, least memory
+  gluray explain --html page.html glxgears         what was traced, what was not and why
+  gluray doctor osgviewer                          what will work, before it is started
 
-`gluray run PROGRAM` is the same as `gluray PROGRAM`. The exit code is the program's;
+Commands, each with its own --help:
+  gluray run PROGRAM       the same as gluray PROGRAM
+  gluray explain PROGRAM   a table of what the program drew; with --html a page of pictures too
+  gluray doctor [PROGRAM]  how the program reaches OpenGL, and what this machine has and lacks
+  gluray quirks            workarounds for single OpenGL implementations, and how to switch them
+
+The exit code is the program's;
 127: program not found, 126: it cannot be executed, 2: wrong usage.)";
+
+std::string checkQuirk(const std::string& text) {
+  QuirkSet ignored;
+  return readQuirks(text, ignored);
+}
+
+void addRunOptions(CLI::App& app, CommandLine& line) {
+  app.add_option("--report", line.report,
+                 "Write what was traced and what was not, and why, to FILE (JSON) at exit")
+      ->type_name("FILE");
+  app.add_flag("--off", line.off, "Pass every call through to the real OpenGL, for comparison");
+}
+
+void addExplainOptions(CLI::App& app, CommandLine& line) {
+  app.add_option("--frames", line.frames, "End the program after N frames")
+      ->check(CLI::Range(1, 1000000000))
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_option(
+         "--html", line.html,
+         "Write a page to FILE that shows the last frame with and without GLuRay, the difference, and which\n"
+         "pixels were traced. The program is run a second time for it, without GLuRay")
+      ->type_name("FILE");
+  app.add_option("--rest", line.restSeconds,
+                 "End the program when it has drawn, and then nothing new for S seconds; 0: never")
+      ->check(CLI::Range(0.0, 1e6))
+      ->type_name("S")
+      ->capture_default_str();
+  app.add_option("--seconds", line.limitSeconds, "End the program after S seconds in any case; 0: never")
+      ->check(CLI::Range(0.0, 1e6))
+      ->type_name("S")
+      ->capture_default_str();
+}
 
 void addOptions(CLI::App& app, CommandLine& line) {
   app.add_option(
@@ -27,9 +71,6 @@ void addOptions(CLI::App& app, CommandLine& line) {
          "OpenGL libraries), or auto, which picks what the program needs")
       ->check(CLI::IsMember({"auto", "vendor", "preload"}))
       ->capture_default_str();
-  app.add_option("--report", line.report,
-                 "Write what was traced and what was not, and why, to FILE (JSON) at exit")
-      ->type_name("FILE");
   app.add_option("--threads", line.threads, "Threads that trace; 0: all cores the process may use [0]")
       ->check(CLI::Range(0, 1024))
       ->type_name("N");
@@ -43,7 +84,10 @@ void addOptions(CLI::App& app, CommandLine& line) {
   app.add_option("--renderer", line.renderer,
                  "embree, or null: trace nothing, to price the interception alone [embree]")
       ->check(CLI::IsMember({"embree", "null"}));
-  app.add_flag("--off", line.off, "Pass every call through to the real OpenGL, for comparison");
+  app.add_option("--quirk", line.quirks, "Switch a workaround: NAME=on or NAME=off; gluray quirks lists them")
+      ->allow_extra_args(false)
+      ->check(checkQuirk)
+      ->type_name("NAME=on|off");
   app.add_option("--config", line.config, "Read settings from FILE [~/.config/gluray/gluray.toml]")
       ->type_name("FILE");
   app.add_option("--log", line.log, "Write messages to FILE instead of stderr")->type_name("FILE");
@@ -56,11 +100,55 @@ int complain(const std::string& what) {
   return kUsageError;
 }
 
-/// Where the program begins: after "--", or at the first word that is neither an option nor an option's
-/// value.
-int firstProgramWord(const CLI::App& app, int argc, char** argv) {
-  int i = 1;
-  if (i < argc && std::string(argv[i]) == "run") ++i;
+/// The command that the first word names; it is run where that is none.
+bool namesCommand(int argc, char** argv, Command& command) {
+  static const std::map<std::string, Command> commands = {{"run", Command::run},
+                                                          {"explain", Command::explain},
+                                                          {"doctor", Command::doctor},
+                                                          {"quirks", Command::quirks}};
+  const auto found = argc > 1 ? commands.find(argv[1]) : commands.end();
+  if (found == commands.end()) return false;
+  command = found->second;
+  return true;
+}
+
+/// The options of a command, and what its help says.
+void describe(CLI::App& app, CommandLine& line) {
+  const auto usage = [&](const char* text) { app.get_formatter()->label("OPTIONS", text); };
+  if (line.command != Command::run) app.add_flag("--json", line.json, "Print JSON");
+  switch (line.command) {
+    case Command::run:
+      usage("options] [--] PROGRAM [ARGUMENTS...");
+      app.footer(kExamples);
+      addRunOptions(app, line);
+      break;
+    case Command::explain:
+      app.description(
+          "Runs an OpenGL program and prints what it drew: each kind of draw, traced or why not.");
+      app.name("gluray explain");
+      usage("options] [--] PROGRAM [ARGUMENTS...");
+      addExplainOptions(app, line);
+      break;
+    case Command::doctor:
+      app.description(
+          "Says what will work, and mends what does not: one line each. Exit code 0: all is well,\n"
+          "1: it works with a limitation, 2: it will not work.");
+      app.name("gluray doctor");
+      usage("options] [--] [PROGRAM");
+      return;
+    case Command::quirks:
+      app.description("Lists the workarounds for single OpenGL implementations.");
+      app.name("gluray quirks");
+      usage("options");
+      return;
+  }
+  addOptions(app, line);
+}
+
+/// Where the program begins, from word `first` on: after "--", or at the first word that is neither an option
+/// nor an option's value.
+int firstProgramWord(const CLI::App& app, int first, int argc, char** argv) {
+  int i = first;
   for (; i < argc && argv[i][0] == '-'; ++i) {
     const std::string word = argv[i];
     if (word == "--") break;
@@ -76,14 +164,13 @@ int firstProgramWord(const CLI::App& app, int argc, char** argv) {
 Parsed parse(int argc, char** argv) {
   Parsed parsed;
   CLI::App app("Runs an OpenGL program and ray traces what it draws.", "gluray");
-  app.get_formatter()->label("OPTIONS", "options] [--] PROGRAM [ARGUMENTS...");
-  app.footer(kExamples);
   app.set_version_flag("--version", "gluray " GLURAY_VERSION);
   app.get_formatter()->column_width(26);
-  addOptions(app, parsed.commandLine);
+  CommandLine& line = parsed.commandLine;
+  const int first = namesCommand(argc, argv, line.command) ? 2 : 1;
+  describe(app, line);
 
-  const int program = firstProgramWord(app, argc, argv);
-  const int first = argc > 1 && std::string(argv[1]) == "run" ? 2 : 1;
+  const int program = firstProgramWord(app, first, argc, argv);
   std::vector<std::string> own(argv + std::min(first, program), argv + program);
   try {
     app.parse(std::vector<std::string>(own.rbegin(), own.rend()));
@@ -98,9 +185,12 @@ Parsed parse(int argc, char** argv) {
     return parsed;
   }
   const bool dashes = program < argc && std::string(argv[program]) == "--";
-  parsed.commandLine.program.assign(argv + program + (dashes ? 1 : 0), argv + argc);
-  if (parsed.commandLine.program.empty())
+  line.program.assign(argv + program + (dashes ? 1 : 0), argv + argc);
+  const bool needsProgram = line.command == Command::run || line.command == Command::explain;
+  if (needsProgram && line.program.empty())
     parsed.exitCode = complain("no program given");
+  else if (line.command == Command::quirks && !line.program.empty())
+    parsed.exitCode = complain("quirks takes no program");
   else
     parsed.run = true;
   return parsed;

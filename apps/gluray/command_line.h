@@ -5,11 +5,22 @@
 
 namespace gluray::launcher {
 
+enum class Command { run, explain, doctor, quirks };
+
 struct CommandLine {
+  Command command = Command::run;
   std::vector<std::string> program;                                            // name and arguments
   std::string door = "auto";                                                   // auto, vendor, preload
   std::string config, report, log, logLevel, threads, bvh, shading, renderer;  // empty: not given
+  std::vector<std::string> quirks;                                             // NAME=on|off
   bool off = false;
+
+  // explain, doctor, quirks
+  bool json = false;
+  // explain
+  int frames = 100;
+  double restSeconds = 3, limitSeconds = 120;  // 0: never
+  std::string html;                            // file; empty: none
 };
 
 /// Result of parsing: either something to run, or an exit code after the user was told.

@@ -44,6 +44,9 @@ void passSettings(const CommandLine& line) {
   setIfGiven("GLURAY_LOG", absolute(line.log));
   setIfGiven("GLURAY_LOG_LEVEL", line.logLevel);
   if (line.off) set("GLURAY_OFF", "1");
+  std::string quirks = environment("GLURAY_QUIRKS");  // later ones win
+  for (const std::string& quirk : line.quirks) quirks += (quirks.empty() ? "" : ",") + quirk;
+  setIfGiven("GLURAY_QUIRKS", quirks);
   std::error_code ignored;
   if (!line.report.empty())
     fs::remove(line.report, ignored);  // a report of an earlier run must not pass for this one's
@@ -75,6 +78,11 @@ std::string libraryDirectory() {
     if (fs::exists(candidate / "libgluray-engine.so", error)) return candidate;
   }
   return "";
+}
+
+Session sessionOf(const CommandLine& line) {
+  passSettings(line);
+  return sessionFromEnvironment([](const std::string&) {});
 }
 
 std::string openDoors(const CommandLine& line, const Program& program) {

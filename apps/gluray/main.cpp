@@ -1,50 +1,46 @@
-// gluray: runs a program with its OpenGL calls led through GLuRay, then gets out of the way (exec).
+// gluray: runs a program with its OpenGL calls led through GLuRay, then gets out of the way (exec); or
+// explains such a run, or says beforehand what will work.
 #include "command_line.h"
-#include "doors.h"
+#include "doctor.h"
+#include "explain.h"
+#include "launch.h"
+#include "probe_context.h"
 #include "program.h"
+#include "quirks_list.h"
 
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <iostream>
-#include <vector>
 
 namespace {
 
-constexpr int kNotFound = 127, kNotExecutable = 126;
+using namespace gluray::launcher;
 
-int fail(const std::string& program, int error) {
-  std::cerr << "gluray: " << program << ": " << (error == ENOENT ? "program not found" : std::strerror(error))
-            << "\n";
-  return error == ENOENT ? kNotFound : kNotExecutable;
+int run(const CommandLine& line) {
+  const Program program = inspect(line.program[0]);
+  if (program.path.empty()) return failToStart(line.program[0], program.error);
+  return becomeProgram(line, program);
+}
+
+int perform(const CommandLine& line) {
+  switch (line.command) {
+    case Command::explain: return explain(line);
+    case Command::doctor: return doctor(line);
+    case Command::quirks: return listQuirks(line);
+    default: return run(line);
+  }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  using namespace gluray::launcher;
+  if (argc == 3 && !std::strcmp(argv[1], kProbeWord)) return probeContext(argv[2]);
   const Parsed parsed = parse(argc, argv);
   if (!parsed.run) return parsed.exitCode;
-  const CommandLine& line = parsed.commandLine;
-
-  const Program program = inspect(line.program[0]);
-  if (program.path.empty()) return fail(line.program[0], program.error);
-  if (program.usesX && !std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY"))
-    std::cerr << "gluray: DISPLAY is not set; without a screen, try: xvfb-run -s '-screen 0 1280x1024x24' "
-                 "gluray ...\n";
-  if (const std::string why = openDoors(line, program); !why.empty())
-    std::cerr << "gluray: not ray traced: " << why << "\n";
-
-  std::vector<char*> arguments;
-  for (const std::string& word : line.program) arguments.push_back(const_cast<char*>(word.c_str()));
-  arguments.push_back(nullptr);
-  execv(program.path.c_str(), arguments.data());
-  if (errno == ENOEXEC) {  // a script without #!: as the shell would
-    arguments.insert(arguments.begin(), const_cast<char*>("/bin/sh"));
-    arguments[1] = const_cast<char*>(program.path.c_str());
-    execv("/bin/sh", arguments.data());
+  try {
+    return perform(parsed.commandLine);
+  } catch (const std::exception& e) {
+    std::cerr << "gluray: " << e.what() << "\n";
+    return 1;
   }
-  return fail(line.program[0], errno);
 }

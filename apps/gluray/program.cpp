@@ -40,13 +40,19 @@ void search(const std::string& name, Program& program) {
     if (accept((directory.empty() ? "." : directory) + "/" + name)) return;
 }
 
-bool isElf(const std::string& path) {
-  char magic[4] = {};
-  std::ifstream(path, std::ios::binary).read(magic, 4);
-  return std::memcmp(magic, "\177ELF", 4) == 0;
+/// The interpreter that a script's first line names; empty for other files.
+std::string scriptInterpreter(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string line;
+  std::getline(file, line);
+  if (!line.starts_with("#!")) return "";
+  std::string interpreter, argument;
+  std::istringstream(line.substr(2)) >> interpreter >> argument;
+  return interpreter.ends_with("/env") && !argument.empty() ? argument : interpreter;
 }
 
-/// Runs the program's loader in listing mode, as ldd does: the program itself does not run.
+}  // namespace
+
 std::string listLibraries(const std::string& path) {
   int ends[2];
   if (pipe(ends) != 0) return "";
@@ -57,7 +63,12 @@ std::string listLibraries(const std::string& path) {
     dup2(ends[1], STDOUT_FILENO);
     const int nowhere = open("/dev/null", O_WRONLY);
     dup2(nowhere, STDERR_FILENO);
-    execl(path.c_str(), path.c_str(), static_cast<char*>(nullptr));
+    const std::string loader = readElf("/proc/self/exe").interpreter;
+    // Programs name their loader; libraries are listed by ours.
+    if (readElf(path).interpreter.empty())
+      execl(loader.c_str(), loader.c_str(), path.c_str(), static_cast<char*>(nullptr));
+    else
+      execl(path.c_str(), path.c_str(), static_cast<char*>(nullptr));
     _exit(127);
   }
   close(ends[1]);
@@ -69,17 +80,6 @@ std::string listLibraries(const std::string& path) {
   if (child > 0) waitpid(child, nullptr, 0);
   return text;
 }
-
-/// Whether the file is a dynamic ELF program: only those may be run in listing mode (a static one would
-/// really run).
-bool hasInterpreter(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string head(4096, '\0');
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  return head.find("ld-linux") != std::string::npos || head.find("/ld-") != std::string::npos;
-}
-
-}  // namespace
 
 void readLibraryList(const std::string& list, Program& program) {
   bool gl = false, glvnd = false;
@@ -104,8 +104,11 @@ Program inspect(const std::string& name) {
   if (stat(program.path.c_str(), &status) == 0)
     program.setUid = ((status.st_mode & S_ISUID) && status.st_uid != getuid()) ||
                      ((status.st_mode & S_ISGID) && status.st_gid != getgid());
-  if (!program.setUid && isElf(program.path) && hasInterpreter(program.path))
-    readLibraryList(listLibraries(program.path), program);
+  program.elf = readElf(program.path);
+  // Only programs that name a loader may be run in listing mode: a static one would really run.
+  if (!program.setUid && !program.elf.interpreter.empty())
+    readLibraryList(program.libraries = listLibraries(program.path), program);
+  if (!program.elf.elf) program.interpreter = scriptInterpreter(program.path);
   return program;
 }
 

@@ -52,6 +52,14 @@ Device::Device() : device_(rtcNewDevice("verbose=0,ignore_config_files=1")) {
 
 Device::~Device() { rtcReleaseDevice(device_); }
 
+std::string Device::version() const {
+  const auto part = [&](RTCDeviceProperty name) {
+    return std::to_string(rtcGetDeviceProperty(device_, name));
+  };
+  return part(RTC_DEVICE_PROPERTY_VERSION_MAJOR) + "." + part(RTC_DEVICE_PROPERTY_VERSION_MINOR) + "." +
+         part(RTC_DEVICE_PROPERTY_VERSION_PATCH);
+}
+
 namespace {
 size_t atLeastNone(ptrdiff_t bytes) { return bytes > 0 ? static_cast<size_t>(bytes) : 0; }
 }  // namespace

@@ -2,6 +2,7 @@
 // query it.
 #pragma once
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 struct RTCDeviceTy;
@@ -20,6 +21,8 @@ class Device {
   RTCDeviceTy* handle() const { return device_; }
   /// Rays a packet that the processor handles natively: 16, 8 or 4.
   int packetWidth() const { return packetWidth_; }
+  /// Embree's version, "3.13.5".
+  std::string version() const;
   /// Bytes that Embree holds for acceleration structures now.
   static size_t bytes();
   /// Those of them that were not asked for inside a BehindScope.

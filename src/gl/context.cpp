@@ -243,6 +243,7 @@ void Context::showIfVisible() {
   if (info_.doubleBuffered || object) return;
   if (info_.frameEnding) info_.frameEnding();
   afterSwap();
+  if (info_.frameEnded) info_.frameEnded();
 }
 
 void Context::stepAside(const char* why) noexcept {

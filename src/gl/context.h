@@ -38,8 +38,8 @@ struct ContextInfo {
   /// unknown. May be slow: asked only where a viewport is larger than what was known. Empty: never known.
   std::function<glm::ivec2()> drawableSize;
   std::shared_ptr<DrawKinds> kinds;  // takes what is drawn, by kind; null: nobody explains
-  /// Called when a frame of a single-buffered context is about to be shown. May be empty.
-  std::function<void()> frameEnding;
+  /// Called before and after a frame of a single-buffered context ends. May be empty.
+  std::function<void()> frameEnding, frameEnded;
 };
 
 /// What a generated stub must do when `attention` is set.

@@ -2,11 +2,16 @@
 
 #include "base/log.h"
 #include "gl/context.h"
+#include "intercept/explanation.h"
 #include "intercept/make_presenter.h"
 #include "intercept/orphan_gl.h"
+#include "intercept/present/frame_picture.h"
 #include "intercept/report.h"
 #include "intercept/session.h"
 
+#include <dlfcn.h>
+
+#include <atomic>
 #include <cstring>
 #include <exception>
 #include <memory>
@@ -20,11 +25,13 @@ using Key = std::pair<Api, const void*>;
 
 struct Record {
   std::shared_ptr<gl::ShareGroup> group;
-  std::unique_ptr<gl::Presenter> presenter;  // outlives the context, which uses it
-  std::shared_ptr<gl::Context> context;      // null until first current, or where it could not be made
+  std::unique_ptr<gl::Presenter> presenter;        // outlives the context, which uses it
+  std::unique_ptr<present::FramePicture> picture;  // where pictures are wanted; outlives the context, too
+  std::shared_ptr<gl::Context> context;            // null until first current, or where it could not be made
   bool tried = false;
   const void* display = nullptr;
   std::string vendor, renderer, version;
+  Api api = Api::glx;
 
   ~Record();
 };
@@ -49,6 +56,23 @@ struct Current {
 };
 thread_local Current t_current;
 bool g_forked = false;
+std::atomic<uint64_t> g_frames{0};
+
+void addExplained(Totals& sum, const Record& record) {
+  const gl::ContextInfo& info = record.context->info();
+  const gl::Statistics& s = record.context->statistics;
+  if (!info.kinds) return;
+  for (const auto& [kind, cost] : info.kinds->kinds()) sum.kinds[kind] += cost;
+  for (const auto& [name, use] : info.kinds->targets()) sum.targets[name] += use;
+  constexpr const char* apis[] = {"GLX", "EGL", "OSMesa"};
+  const bool es = record.version.starts_with("OpenGL ES");
+  sum.list.push_back({apis[static_cast<int>(record.api)],
+                      es          ? "ES"
+                      : info.core ? "core"
+                                  : "compatibility",
+                      record.version, record.renderer, info.doubleBuffered, s.frames, s.drawsTraced,
+                      s.drawsRasterised});
+}
 
 void add(Totals& sum, const Record& record) {
   if (!record.context) return;
@@ -59,6 +83,7 @@ void add(Totals& sum, const Record& record) {
     if (calls[i]) sum.unknownCalls[gl::kCommandNames[i].name] += calls[i];
   if (sum.renderer.empty())
     sum.vendor = record.vendor, sum.renderer = record.renderer, sum.version = record.version;
+  addExplained(sum, record);
 }
 
 Record::~Record() {
@@ -103,13 +128,60 @@ gl::ContextInfo askInfo(const gl::RealGl& real, const std::string& version) {
   return info;
 }
 
+/// A frame has ended: counted, and told to the clock that `gluray explain` preloads.
+void countFrame() noexcept {
+  using Tell = void (*)();
+  static const auto tell =
+      reinterpret_cast<Tell>(session().explainFrames ? dlsym(RTLD_DEFAULT, "glurayFrameEnded") : nullptr);
+  ++g_frames;
+  if (tell) tell();
+}
+
+void endFrame() noexcept {
+  countFrame();
+  writeReportIfDue();
+}
+
+/// Keeps the picture of the frame that is about to be shown from `buffer` of the window.
+void takePicture(Record& record, GLenum buffer) {
+  if (!record.picture || !record.context) return;
+  glm::ivec2 size = t_current.size ? t_current.size() : glm::ivec2(0);
+  if (size.x <= 0 || size.y <= 0) {
+    GLint viewport[4] = {};
+    record.context->real.GetIntegerv(GL_VIEWPORT, viewport);
+    size = {viewport[0] + viewport[2], viewport[1] + viewport[3]};
+  }
+  if (size.x > 0 && size.y > 0)
+    keepPicture(record.picture->take(record.context->real, buffer, size.x, size.y, g_frames + 1));
+}
+
+/// What `gluray explain` wants of the context.
+void addExplaining(Record& record, gl::ContextInfo& info) {
+  if (!session().explainFrames) return;
+  info.kinds = std::make_shared<gl::DrawKinds>();
+  info.frameEnded = endFrame;
+  if (!session().picture || record.version.starts_with("OpenGL ES")) return;
+  record.picture = std::make_unique<present::FramePicture>();
+  info.frameEnding = [&record] { takePicture(record, GL_FRONT); };
+}
+
+present::Written noteWritten(const Record& record) {
+  if (!record.picture) return {};
+  return [picture = record.picture.get()](const gl::RealGl& real, const Image& image) {
+    guarded("cannot note what was traced", [&] { picture->written(real, image); });
+  };
+}
+
 void makeContext(Record& record, Api api) {
   record.tried = true;
+  record.api = api;
   const gl::RealGl& real = realGl(api);
   std::string vendor = text(real, GL_VENDOR), renderer = text(real, GL_RENDERER),
               version = text(real, GL_VERSION);
-  const gl::ContextInfo info = askInfo(real, version);
-  std::unique_ptr<gl::Presenter> presenter = makePresenter(info.settings);
+  gl::ContextInfo info = askInfo(real, version);
+  record.version = version;
+  addExplaining(record, info);
+  std::unique_ptr<gl::Presenter> presenter = makePresenter(info.settings, noteWritten(record));
   std::shared_ptr<gl::Context> context = gl::Context::create(real, record.group, info, *presenter);
   const std::lock_guard lock(registry().mutex);  // another thread may be adding up for the report
   record.vendor = std::move(vendor), record.renderer = std::move(renderer),
@@ -204,14 +276,34 @@ bool isCurrent(Api api, const void* handle, Drawables drawables) noexcept {
   return handle && t_current.key == Key{api, handle} && t_current.drawables == drawables;
 }
 
+void swapping(uintptr_t drawable) noexcept {
+  flushCurrent();
+  if (!session().picture) return;
+  guarded("cannot take a picture", [&] {
+    if (t_current.record && t_current.drawables.draw == drawable && t_current.record->context &&
+        t_current.record->context->info().doubleBuffered)
+      takePicture(*t_current.record, GL_BACK);
+  });
+}
+
 void swapped(uintptr_t drawable) noexcept {
   guarded("cannot end a frame", [&] {
     gl::Context* context = gl::t_thread.context;
     // Without a back buffer a swap shows nothing new: glFlush and glFinish end frames there.
     if (context && t_current.drawables.draw == drawable && context->info().doubleBuffered)
-      context->afterSwap();
+      context->afterSwap(), countFrame();
   });
   writeReportIfDue();
+}
+
+uint64_t framesEnded() noexcept { return g_frames; }
+
+void closeKinds() noexcept {
+  guarded("cannot end the explanation", [] {
+    const std::lock_guard lock(registry().mutex);
+    for (const auto& [key, record] : registry().records)
+      if (record->context && record->context->kinds()) record->context->kinds()->close();
+  });
 }
 
 void drawableGoing(uintptr_t drawable) noexcept {

@@ -1,6 +1,7 @@
 // Every OpenGL context of the process and which thread has it current. Hooks of GLX, EGL and OSMesa call
 // these around the real functions; none of them throws. Any thread.
 #pragma once
+#include "gl/draw_kinds.h"
 #include "gl/statistics.h"
 #include "intercept/real_functions.h"
 
@@ -10,6 +11,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace gluray::intercept {
 
@@ -42,6 +44,9 @@ void stayCurrent() noexcept;
 void becameCurrent(Api api, const void* handle, Drawables drawables, AskSize size = {}) noexcept;
 /// Whether exactly this is current already: many programs say it again every frame, and nothing changes then.
 bool isCurrent(Api api, const void* handle, Drawables drawables) noexcept;
+/// A buffer swap of `drawable` is about to happen: draws what is pending, and keeps the frame's picture where
+/// one is wanted.
+void swapping(uintptr_t drawable) noexcept;
 /// A buffer swap of `drawable` returned: if this thread draws into it, a frame has ended.
 void swapped(uintptr_t drawable) noexcept;
 /// A drawable is about to be destroyed.
@@ -51,13 +56,28 @@ void drawableGoing(uintptr_t drawable) noexcept;
 void passThroughAfterFork() noexcept;
 bool isForkedChild() noexcept;
 
+/// One context, for reports.
+struct ContextSummary {
+  std::string api, profile, version, renderer;
+  bool doubleBuffered = true;
+  uint64_t frames = 0, drawsTraced = 0, drawsRasterised = 0;
+};
+
 /// What all contexts did, dead ones included.
 struct Totals {
   gl::Statistics statistics;
   std::map<std::string, uint64_t> unknownCalls;  // by name
   std::string vendor, renderer, version;         // the real OpenGL's, of the context first made current
   int contexts = 0;
+  // Only where somebody explains:
+  gl::KindTable kinds;
+  gl::TargetTable targets;
+  std::vector<ContextSummary> list;
 };
 Totals totals();
+/// Frames that the process has ended.
+uint64_t framesEnded() noexcept;
+/// No draw is recorded by kind from now on.
+void closeKinds() noexcept;
 
 }  // namespace gluray::intercept

@@ -40,7 +40,7 @@ auto afterFlush(F&& call) {
 template <class F>
 EGLBoolean swapping(EGLSurface surface, F&& call) {
   const Outermost outermost;
-  if (outermost) flushCurrent();
+  if (outermost) intercept::swapping(drawableOf(surface));
   const EGLBoolean done = call();
   if (outermost) swapped(drawableOf(surface));
   return done;

@@ -2,6 +2,7 @@
 #include "intercept/engine.h"
 
 #include "intercept/contexts.h"
+#include "intercept/explanation.h"
 #include "intercept/report.h"
 #include "intercept/session.h"
 #include "intercept/stub_proc.h"
@@ -27,7 +28,10 @@ void* proc(const GlurayDoor* door, const char* name) {
   if (startsWith(name, "egl")) return eglHook(kind, name);
   if (startsWith(name, "OSMesa")) return osmesaHook(name);
   // Switched off, the program calls the real OpenGL directly; only frames are counted.
-  return session().off ? nullptr : stubProc(name);
+  if (session().off) return nullptr;
+  void* stub = stubProc(name);
+  if (!stub && session().explainFrames) noteUnknownFunction(name);
+  return stub;
 }
 
 const GlurayEngine g_engine = {GLURAY_DOOR_ABI, sizeof(GlurayEngine), proc};

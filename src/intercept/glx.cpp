@@ -56,7 +56,7 @@ auto swapping(GLXDrawable drawable, F&& call) {
     }
   };
   const Outermost outermost;
-  if (outermost) flushCurrent();
+  if (outermost) intercept::swapping(drawable);
   const AfterSwap afterSwap{outermost, drawable};
   return call();
 }

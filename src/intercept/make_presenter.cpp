@@ -32,9 +32,9 @@ class NullPresenter final : public gl::Presenter {
 
 }  // namespace
 
-std::unique_ptr<gl::Presenter> makePresenter(const Settings& settings) {
+std::unique_ptr<gl::Presenter> makePresenter(const Settings& settings, present::Written onWritten) {
   if (settings.renderer == Renderer::null) return std::make_unique<NullPresenter>();
-  return std::make_unique<present::TracingPresenter>(trace);
+  return std::make_unique<present::TracingPresenter>(trace, std::move(onWritten));
 }
 
 }  // namespace gluray::intercept

@@ -3,6 +3,7 @@
 #include "base/clock.h"
 #include "base/log.h"
 #include "intercept/contexts.h"
+#include "intercept/explanation.h"
 #include "intercept/session.h"
 
 #include <errno.h>
@@ -81,10 +82,15 @@ std::string choosePath() {
   return path;
 }
 
-/// Readers never see half a report: it is written beside the file and renamed.
-void writeText(const std::string& text) {
+const std::string& reportPath() {
   // Never destroyed: the exit handler that writes the last report was registered before this string was made.
   static const std::string& path = *new std::string(choosePath());
+  return path;
+}
+
+/// Readers never see half a report: it is written beside the file and renamed.
+void writeText(const std::string& text) {
+  const std::string& path = reportPath();
   const std::string draft = path + ".new";
   const int file = open(draft.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   const bool written =
@@ -103,10 +109,15 @@ struct Reporter {
   double next = 0;    // when the next report is due
   bool late = false;  // writeLate() is on its way
   bool ended = false;
+  bool complete = false;  // all frames that were to be explained are there; later ones change nothing
 
   /// What `sum` says goes into the file. The mutex is held.
   void write(const Totals& sum) {
-    if (sum.contexts != 0 || launchedProcess()) writeText(makeReport(sum).dump(2) + "\n");
+    if (sum.contexts != 0 || launchedProcess()) {
+      json report = makeReport(sum);
+      if (session().explainFrames) report["explain"] = explanation(sum, complete, reportPath());
+      writeText(report.dump(2) + "\n");
+    }
     next = nowSeconds() + kInterval;
   }
 };
@@ -133,7 +144,7 @@ void writeLate() noexcept {
   std::this_thread::sleep_for(std::chrono::duration<double>(kInterval));
   reporting([](Reporter& r) {
     r.late = false;
-    if (!r.ended) r.write(r.latest);
+    if (!r.ended && !r.complete) r.write(r.latest);
   });
 }
 
@@ -156,15 +167,19 @@ void writeReport() noexcept {
   if (isForkedChild()) return;
   reporting([](Reporter& r) {
     r.ended = true;
-    r.write(totals());
+    if (!r.complete) r.write(totals());
   });
 }
 
 void writeReportIfDue() noexcept {
   if (session().reportFile.empty() || isForkedChild()) return;
   reporting([](Reporter& r) {
+    if (r.complete) return;
+    const int wanted = session().explainFrames;
+    r.complete = wanted && framesEnded() >= static_cast<uint64_t>(wanted);
+    if (r.complete) closeKinds();
     r.latest = totals();
-    if (nowSeconds() >= r.next)
+    if (r.complete || nowSeconds() >= r.next)
       r.write(r.latest);
     else if (!r.late)
       startLate();

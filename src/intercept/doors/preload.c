@@ -63,7 +63,12 @@ static void* answer(int api, const char* name) {
   if (!strcmp(name, "eglGetProcAddress")) return (void*)eglGetProcAddress;
   if (!strcmp(name, "OSMesaGetProcAddress")) return (void*)OSMesaGetProcAddress;
   void* real = lookedUp(api, name);
-  if (!real || glurayFind(name) < 0) return real;
+  if (!real) return NULL;
+  if (glurayFind(name) < 0) {
+    const GlurayEngine* engine = glurayEngineIfLoaded();
+    void* ours = engine ? engine->proc(&glurayDoor, name) : NULL;
+    return ours ? ours : real;
+  }
   static void* self;
   void* handle = __atomic_load_n(&self, __ATOMIC_RELAXED);
   if (!handle) {

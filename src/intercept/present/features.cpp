@@ -49,6 +49,8 @@ Features readFeatures(const gl::RealGl& real) {
   f.transformFeedbackPause = has(40, "GL_ARB_transform_feedback2");
   f.debugOutput = has(43, "GL_KHR_debug");
   f.rectangles = v >= 31 || hasExtension(real, v, "GL_ARB_texture_rectangle");
+  f.readFramebuffers =
+      has(30, "GL_ARB_framebuffer_object") || hasExtension(real, v, "GL_EXT_framebuffer_blit");
   f.depthBounds = hasExtension(real, v, "GL_EXT_depth_bounds_test");
   f.floatTextures = has(30, "GL_ARB_texture_float");
   f.redFloatTextures = v >= 30 || (f.floatTextures && hasExtension(real, v, "GL_ARB_texture_rg"));

@@ -21,6 +21,7 @@ struct Features {
   bool rasterizerDiscard = false;
   bool transformFeedbackPause = false;
   bool debugOutput = false;
+  bool readFramebuffers = false;  // one framebuffer to read from beside the one to draw into
   bool depthBounds = false;
   bool rectangles = false;        // GL_TEXTURE_RECTANGLE
   bool redFloatTextures = false;  // R32F

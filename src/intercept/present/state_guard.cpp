@@ -265,22 +265,55 @@ void StateGuard::plainUnpack(int rowLength) {
     pixelStore(GL_UNPACK_IMAGE_HEIGHT, 0);
     pixelStore(GL_UNPACK_SKIP_IMAGES, 0);
   }
-  if (features_.compatibility) {
-    pixelTransfer(GL_MAP_COLOR, 0);
-    for (GLenum scale : {GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE, GL_ALPHA_SCALE})
-      pixelTransfer(scale, 1);
-    for (GLenum bias : {GL_RED_BIAS, GL_GREEN_BIAS, GL_BLUE_BIAS, GL_ALPHA_BIAS}) pixelTransfer(bias, 0);
-  }
+  plainTransfer();
+  unbindBuffer(GL_PIXEL_UNPACK_BUFFER, GL_PIXEL_UNPACK_BUFFER_BINDING);
+}
+
+void StateGuard::plainPack() {
+  pixelStore(GL_PACK_SWAP_BYTES, 0);
+  pixelStore(GL_PACK_ROW_LENGTH, 0);
+  pixelStore(GL_PACK_SKIP_ROWS, 0);
+  pixelStore(GL_PACK_SKIP_PIXELS, 0);
+  pixelStore(GL_PACK_ALIGNMENT, 4);
+  plainTransfer();
+  unbindBuffer(GL_PIXEL_PACK_BUFFER, GL_PIXEL_PACK_BUFFER_BINDING);
+}
+
+void StateGuard::plainTransfer() {
+  if (!features_.compatibility) return;
+  pixelTransfer(GL_MAP_COLOR, 0);
+  for (GLenum scale : {GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE, GL_ALPHA_SCALE, GL_DEPTH_SCALE})
+    pixelTransfer(scale, 1);
+  for (GLenum bias : {GL_RED_BIAS, GL_GREEN_BIAS, GL_BLUE_BIAS, GL_ALPHA_BIAS, GL_DEPTH_BIAS})
+    pixelTransfer(bias, 0);
+}
+
+void StateGuard::unbindBuffer(GLenum target, GLenum binding) {
   if (features_.version < 21) return;
-  const GLint buffer = integer(GL_PIXEL_UNPACK_BUFFER_BINDING);
+  const GLint buffer = integer(binding);
   if (buffer == 0) return;
-  keep({[](const RealGl& r, const Undo& u) {
-          r.BindBuffer(GL_PIXEL_UNPACK_BUFFER, static_cast<GLuint>(u.i[0]));
-        },
-        0,
+  keep({[](const RealGl& r, const Undo& u) { r.BindBuffer(u.name, static_cast<GLuint>(u.i[0])); },
+        target,
         0,
         {buffer}});
-  real_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+  real_.BindBuffer(target, 0);
+}
+
+void StateGuard::readFrom(GLuint framebuffer, GLenum buffer) {
+  const GLint bound = features_.readFramebuffers ? integer(GL_READ_FRAMEBUFFER_BINDING) : 0;
+  if (features_.readFramebuffers && bound != static_cast<GLint>(framebuffer)) {
+    keep({[](const RealGl& r, const Undo& u) {
+            r.BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(u.i[0]));
+          },
+          0,
+          0,
+          {bound}});
+    real_.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+  }
+  const GLint was = integer(GL_READ_BUFFER);
+  if (was == static_cast<GLint>(buffer)) return;
+  keep({[](const RealGl& r, const Undo& u) { r.ReadBuffer(static_cast<GLenum>(u.i[0])); }, 0, 0, {was}});
+  real_.ReadBuffer(buffer);
 }
 
 void StateGuard::activeTexture(GLenum unit) {

@@ -41,6 +41,10 @@ class StateGuard {
 
   /// Pixel uploads from client memory, values as they are, rows `rowLength` pixels apart (0: tightly packed).
   void plainUnpack(int rowLength = 0);
+  /// Pixels read into client memory, values as they are, tightly packed.
+  void plainPack();
+  /// Reads come from `buffer` of `framebuffer`.
+  void readFrom(GLuint framebuffer, GLenum buffer);
   void activeTexture(GLenum unit);
   void texture2D(int unit, GLuint texture);  // also makes `unit` active and frees it of sampler objects
   void program(GLuint program);              // transform feedback is paused meanwhile
@@ -60,6 +64,8 @@ class StateGuard {
   GLint integer(GLenum name) const;
   void pixelStore(GLenum name, GLint value);
   void pixelTransfer(GLenum name, GLfloat value);
+  void plainTransfer();
+  void unbindBuffer(GLenum target, GLenum binding);
   void colorMasks();
   void coverage();
   void keep(const Undo& undo) { log_.push_back(undo); }

@@ -55,6 +55,7 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
   }
   if (!pending.empty()) result.pendingError = pending.front();
   result.presentSeconds = nowSeconds() - start;
+  if (result.outcome == PresentResult::traced && onWritten_) onWritten_(real, image_);
   return result;
 }
 

@@ -14,13 +14,17 @@ struct TraceCost {
   uint64_t blasBuilds = 0, blasRefinements = 0, bvhBytes = 0;
 };
 
+/// Told of every picture that has just been written into the bound framebuffer.
+using Written = std::function<void(const gl::RealGl&, const Image&)>;
+
 /// Traces a snapshot. False with one line of reason on failure; never throws. frame::Renderer::render in the
 /// engine.
 using Trace = std::function<bool(const scene::Snapshot&, Image&, TraceCost&, std::string& error)>;
 
 class TracingPresenter final : public gl::Presenter {
  public:
-  explicit TracingPresenter(Trace trace) : trace_(std::move(trace)) {}
+  explicit TracingPresenter(Trace trace, Written onWritten = {})
+      : trace_(std::move(trace)), onWritten_(std::move(onWritten)) {}
 
   gl::PresentResult present(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                             const gl::PresentTarget& target) noexcept override;
@@ -34,6 +38,7 @@ class TracingPresenter final : public gl::Presenter {
   bool written(const gl::PresentTarget& target, PendingErrors& pending, std::string& why) noexcept;
 
   Trace trace_;
+  Written onWritten_;
   std::unique_ptr<WriteBack> writeBack_;
   Image image_;  // memory is kept from flush to flush
 };

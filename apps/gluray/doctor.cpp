@@ -1,0 +1,20 @@
+#include "doctor.h"
+
+#include "doctor_machine.h"
+#include "doctor_program.h"
+
+#include <iostream>
+
+namespace gluray::launcher {
+
+int doctor(const CommandLine& line) {
+  Diagnosis diagnosis;
+  const bool whole = examineInstall(diagnosis);
+  examineMachine(diagnosis);
+  if (whole) examineDrawing(line, diagnosis);
+  if (!line.program.empty()) examineProgram(line, diagnosis);
+  std::cout << (line.json ? diagnosis.json().dump(2) + "\n" : diagnosis.text());
+  return diagnosis.exitCode();
+}
+
+}  // namespace gluray::launcher

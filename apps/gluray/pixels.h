@@ -1,0 +1,54 @@
+// Pictures as the launcher has them, and how two of them differ.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gluray::launcher {
+
+/// RGB8 (or one byte a pixel), top row first.
+struct Pixels {
+  int width = 0, height = 0, channels = 3;
+  std::vector<uint8_t> bytes;
+  size_t count() const { return static_cast<size_t>(width) * static_cast<size_t>(height); }
+  const uint8_t* at(size_t pixel) const { return bytes.data() + pixel * static_cast<size_t>(channels); }
+};
+
+/// A binary PPM or PGM file of 8 bits; nothing where it is none.
+std::optional<Pixels> readNetpbm(const std::string& path);
+
+/// The bytes of a PNG file. Throws std::runtime_error.
+std::string pngOf(const Pixels& pixels);
+
+/// Base64 (RFC 4648) without line breaks.
+std::string base64(const std::string& bytes);
+
+/// What a pixel of the frame with GLuRay shows, in its picture of origins.
+enum class Origin : uint8_t { rasterised = 0, drawnOver = 128, traced = 255 };
+
+struct Comparison {
+  bool sameSize = false;
+  uint64_t pixels = 0, traced = 0, drawnOver = 0;
+  uint64_t differing = 0;  // by more than kTolerance in some channel
+  uint64_t differingAtAll = 0;
+  int largest = 0;  // of 255
+  uint64_t outside =
+      0;  // pixels further than kMargin from any traced one: both times drawn by the real OpenGL
+  uint64_t outsideDiffering = 0;  // of those, by more than kTolerance
+  static constexpr int kTolerance = 8, kMargin = 2;
+
+  /// Whether what was not traced says that the two pictures show different frames.
+  bool sameFrame() const { return sameSize && outsideDiffering * 1000 <= outside; }
+};
+
+/// `with` and `without` GLuRay; `origin` says what of `with` was traced.
+Comparison compare(const Pixels& with, const Pixels& without, const Pixels& origin);
+
+/// The difference of two pictures of equal size, `times` as bright.
+Pixels difference(const Pixels& a, const Pixels& b, int times);
+
+/// The picture in grey, traced pixels green, those drawn over afterwards orange.
+Pixels tinted(const Pixels& picture, const Pixels& origin);
+
+}  // namespace gluray::launcher

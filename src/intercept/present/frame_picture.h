@@ -1,0 +1,54 @@
+// The picture of a frame, and which of its pixels were traced: for `gluray explain --html`. One per context;
+// GL thread. Reading costs a pass over the framebuffer a flush and a frame, so it exists only where it is
+// wanted.
+#pragma once
+#include "base/image.h"
+#include "gl/real.h"
+#include "intercept/present/features.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gluray::present {
+
+/// What a pixel of a finished frame shows.
+enum class PixelOrigin : uint8_t {
+  rasterised = 0,
+  drawnOver = 128,  // traced, and changed afterwards
+  traced = 255,
+};
+
+struct Picture {
+  uint64_t frame = 0;               // counts buffer swaps of the process, from 1
+  int width = 0, height = 0;        // pixels
+  std::vector<uint32_t> color;      // RGBA8, bottom row first
+  std::vector<PixelOrigin> origin;  // the same shape
+  uint64_t elsewhere = 0;           // pixels that were traced into framebuffer objects during the frame
+};
+
+class FramePicture {
+ public:
+  /// A traced picture has been written into the framebuffer that is bound for drawing: notes which of its
+  /// pixels passed the depth test.
+  void written(const gl::RealGl& real, const Image& image);
+  /// The frame is complete and about to be shown: reads it from `buffer` of the window.
+  Picture take(const gl::RealGl& real, GLenum buffer, int width, int height, uint64_t frame);
+
+ private:
+  const Features& features(const gl::RealGl& real);
+  void resize(int width, int height);
+
+  std::optional<Features> features_;
+  int width_ = 0, height_ = 0;
+  std::vector<uint32_t> color_;  // after the flush that traced the pixel
+  std::vector<uint8_t> traced_;
+  uint64_t elsewhere_ = 0;
+};
+
+/// Writes `picture` as two files: BASE.ppm, and BASE.origin.pgm with a PixelOrigin each. False where they
+/// cannot be written. Plain formats: no library of pictures is loaded into the program.
+bool writePicture(const Picture& picture, const std::string& base);
+
+}  // namespace gluray::present

@@ -1,0 +1,207 @@
+"""gluray explain on a program whose draws are known: tables, pages, ways to end.
+
+    explain_test.py GLURAY CLIENTS_DIRECTORY [unittest arguments]
+
+The client's frame (client.c): 2 triangles by glBegin, 6 in a list and 200 by glDrawElements, all traced; 3 blended quads by
+glDrawArrays; 4 lines. Traced are 128 x 128 + 3 x 20 x 20 + 64 x 64 pixels, of which 32 x 32 are blended over.
+"""
+from __future__ import annotations
+
+import base64
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+GLURAY, CLIENTS = (pathlib.Path(p).resolve() for p in sys.argv[1:3])
+CLIENT = CLIENTS / "explain_client"
+TRACED_PIXELS, GLASS_PIXELS = 128 * 128 + 3 * 20 * 20 + 64 * 64, 32 * 32
+
+
+def gluray(*words, **environment):
+    return subprocess.run([str(GLURAY), *map(str, words)], env={**os.environ, **environment}, capture_output=True,
+                          text=True, timeout=100)
+
+
+def explained(*words, **environment):
+    done = gluray("explain", "--json", *words, **environment)
+    if done.returncode != 0:
+        raise AssertionError(f"exit code {done.returncode}\n{done.stdout}{done.stderr}")
+    return json.loads(done.stdout)
+
+
+class Folder(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+
+
+class Table(Folder):
+    def check_kinds(self, process, frames):
+        kinds = {(k["primitive"], k["path"]): k for k in process["explain"]["kinds"]}
+        self.assertEqual(len(kinds), 5, kinds)
+        expected = {("surfaces", "glBegin"): (1, 2, "traced", []), ("surfaces", "list"): (1, 6, "traced", []),
+                    ("surfaces", "elements"): (1, 200, "traced", []),
+                    ("surfaces", "arrays"): (1, 6, "blending", ["blend"]), ("lines", "glBegin"): (1, 0, "lines", [])}
+        for kind, (count, triangles, reason, state) in expected.items():
+            seen = kinds[kind]
+            self.assertEqual((seen["count"], seen["triangles"], seen["reason"], seen["state"]),
+                             (count * frames, triangles * frames, reason, state), kind)
+            self.assertEqual(seen["traced"], reason == "traced")
+            self.assertGreater(seen["ms"], 0)
+
+    def test_every_draw_is_counted_and_no_frame_more_than_asked_for(self):
+        for door in ("vendor", "preload"):
+            with self.subTest(door=door):
+                all = explained("--frames", 25, "--door", door, CLIENT, "plain")
+                [process] = all["processes"]
+                self.assertEqual(process["frames"], 25)
+                self.assertEqual(process["door"], door)
+                self.assertEqual(all["ending"], "ended after 25 frames")
+                self.check_kinds(process, 25)
+
+    def test_contexts_framebuffers_quirks_and_unknown_functions(self):
+        [process] = explained("--frames", 3, CLIENT)["processes"]
+        explain = process["explain"]
+        [context] = explain["contexts"]
+        self.assertEqual((context["api"], context["profile"], context["doubleBuffered"], context["frames"]),
+                         ("GLX", "compatibility", True, 3))
+        [window] = explain["framebuffers"]
+        self.assertEqual((window["name"], window["width"], window["height"]), (0, 256, 256))
+        self.assertEqual((window["traced"], window["rasterised"]), (9, 6))
+        self.assertIn(("material-latch", True), [(q["name"], q["on"]) for q in explain["quirks"]])
+
+    def test_functions_that_nobody_models(self):
+        plain = gluray("--off", "--door", "preload", CLIENT, "short")
+        has = [line.split()[1] for line in plain.stdout.splitlines() if line.startswith("has ")]
+        if not has:
+            self.skipTest("the real OpenGL has none of the functions that the client asks for")
+        for door in ("preload", "vendor"):
+            [process] = explained("--frames", 3, "--door", door, CLIENT)["processes"]
+            seen = process["explain"]["unknownFunctions"]
+            self.assertTrue(set(seen) <= set(has), seen)  # none of the thousands that libglvnd asks for
+            if door == "preload":
+                self.assertEqual(seen, has)
+                self.assertIn(has[0], gluray("explain", "--frames", 3, "--door", door, CLIENT).stdout)
+
+    def test_the_text_says_the_same(self):
+        done = gluray("explain", "--frames", 10, CLIENT)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, r"surfaces +elements +10 +2 000 +[\d.]+ +traced")
+        self.assertRegex(done.stdout, r"surfaces +arrays +10 +60 +[\d.]+ +rasterised: blending +blend")
+        self.assertRegex(done.stdout, r"lines +glBegin +10 +0 +[\d.]+ +rasterised: lines")
+        self.assertIn("10 frames, 97.2 % of 2 140 triangles traced", done.stdout)
+
+    def test_quirks_are_switched(self):
+        for word in ("on", "off"):
+            [process] = explained("--frames", 3, "--quirk", f"material-latch={word}", CLIENT)["processes"]
+            self.assertEqual({q["name"]: q["on"] for q in process["explain"]["quirks"]}["material-latch"], word == "on")
+        done = gluray("--quirk", "nothing=on", CLIENT)
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), done.stderr)
+        self.assertIn("material-latch", gluray("quirks").stdout)
+
+    def test_quirks_of_the_environment(self):
+        listed = json.loads(gluray("quirks", "--json", GLURAY_QUIRKS="material-latch=off").stdout)
+        self.assertEqual({q["name"]: q["on"] for q in listed}["material-latch"], False)
+
+
+class Ending(Folder):
+    def test_programs_are_asked_to_end(self):
+        done = gluray("explain", "--frames", 5, CLIENT)
+        self.assertIn("asked to end", done.stdout)
+
+    def test_programs_that_end_by_themselves(self):
+        all = explained(CLIENT, "short")
+        self.assertEqual(all["ending"], "it ended by itself, with exit code 3")
+        self.assertEqual(all["processes"][0]["frames"], 5)
+
+    def test_programs_at_rest(self):
+        done = gluray("explain", "--rest", "0.5", CLIENT, "still")
+        self.assertIn("ended at rest", done.stdout)
+        self.assertIn("asked to end", done.stdout)
+        self.assertIn("2 frames", done.stdout)
+
+    def test_time_is_limited(self):
+        done = gluray("explain", "--rest", 0, "--seconds", 1, CLIENT, "still")
+        self.assertIn("ended when its time was over", done.stdout)
+
+    def test_programs_behind_a_script(self):
+        script = self.folder / "script"
+        script.write_text(f"#!/bin/sh\n{CLIENT} plain\n")
+        script.chmod(0o755)
+        [process] = explained("--frames", 4, script)["processes"]
+        self.assertEqual(process["frames"], 4)
+
+    def test_programs_without_opengl(self):
+        done = gluray("explain", "true")
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
+
+    def test_programs_that_cannot_be_started(self):
+        self.assertEqual(gluray("explain", "no-such-program").returncode, 127)
+        (self.folder / "data").write_text("x")
+        self.assertEqual(gluray("explain", self.folder / "data").returncode, 126)
+        self.assertEqual(gluray("explain").returncode, 2)
+
+    def test_nothing_is_left_behind(self):
+        explained("--frames", 3, "--html", self.folder / "page.html", CLIENT, TMPDIR=str(self.folder))
+        self.assertEqual([p.name for p in self.folder.iterdir()], ["page.html"])
+
+
+class Page(Folder):
+    def page(self, mode, frames=20):
+        file = self.folder / "page.html"
+        facts = explained("--frames", frames, "--html", file, CLIENT, mode)["page"]
+        text = file.read_text()
+        self.assertEqual(json.loads(re.search(r'id="facts">(.*?)</script>', text).group(1)), facts)
+        return facts, text
+
+    def test_same_frame_twice(self):
+        facts, text = self.page("plain")
+        self.assertEqual((facts["frame"], facts["frameWithout"], facts["sameFrame"]), (20, 20, True))
+        self.assertEqual((facts["width"], facts["height"], facts["pixels"]), (256, 256, 65536))
+        self.assertEqual(facts["traced"] + facts["drawnOver"], TRACED_PIXELS)
+        self.assertEqual(facts["drawnOver"], GLASS_PIXELS)
+        # The colour follows the clock: it stands still alike in both runs.
+        self.assertEqual((facts["differingAtAll"], facts["outsideDiffering"]), (0, 0))
+        pictures = dict(re.findall(r'<img id="(\w+)"[^>]*base64,([^"]+)"', text))
+        self.assertEqual(set(pictures), {"with", "without", "difference", "traced"})
+        for data in pictures.values():
+            self.assertTrue(base64.b64decode(data).startswith(b"\x89PNG"))
+        self.assertNotIn("did not show the same frame", text)
+
+    def test_differences_are_counted(self):
+        facts, _ = self.page("different")
+        self.assertEqual((facts["differing"], facts["differingAtAll"]), (100, 100))
+        self.assertEqual(facts["drawnOver"], GLASS_PIXELS + 100)
+        self.assertTrue(facts["sameFrame"])
+
+    def test_frames_that_are_not_the_same(self):
+        for _ in range(3):  # two random bytes are nearly equal now and then
+            facts, text = self.page("restless")
+            if not facts["sameFrame"]:
+                break
+        self.assertFalse(facts["sameFrame"])
+        self.assertIn("did not show the same frame", text)
+
+    def test_pictures_at_rest(self):
+        file = self.folder / "page.html"
+        facts = explained("--rest", "0.5", "--html", file, CLIENT, "still")["page"]
+        self.assertEqual((facts["frame"], facts["frameWithout"], facts["differingAtAll"]), (2, 2, 0))
+
+    def test_pages_that_cannot_be_written(self):
+        done = gluray("explain", "--frames", 3, "--html", "/nowhere/page.html", CLIENT)
+        self.assertEqual((done.returncode, done.stderr), (1, "gluray: cannot write /nowhere/page.html\n"))
+
+    def test_the_programs_output_is_not_in_the_json(self):
+        done = gluray("explain", "--json", "--frames", 3, CLIENT)
+        self.assertIn("asked to end", done.stderr)
+        json.loads(done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])

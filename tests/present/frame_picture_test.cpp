@@ -1,0 +1,170 @@
+// Pictures of frames say what of them was traced, and taking them leaves no trace in the state.
+#include "intercept/present/frame_picture.h"
+
+#include "intercept/present/write_back.h"
+#include "tests/support/gl_state.h"
+#include "tests/support/osmesa_context.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+namespace gluray::present {
+namespace {
+
+using test::ContextWish;
+using test::OsmesaContext;
+
+constexpr uint32_t kRed = 0xff0000ff, kGreen = 0xff00ff00;
+constexpr int kSize = 32;
+
+/// A traced rectangle at one depth.
+Image solid(int x, int y, int width, int height, uint32_t color, float depth) {
+  Image image;
+  image.x = x, image.y = y;
+  image.resize(width, height, 1);
+  image.color.assign(image.color.size(), color);
+  image.depth.assign(image.depth.size(), depth);
+  return image;
+}
+
+class FramePictureTest : public testing::TestWithParam<ContextWish> {
+ protected:
+  void SetUp() override {
+    context_ = OsmesaContext::create(GetParam());
+    ASSERT_TRUE(context_);
+    writeBack_.emplace(gl());
+    gl().Enable(GL_DEPTH_TEST);
+    gl().ClearColor(0, 0, 1, 1);
+    gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  }
+  const gl::RealGl& gl() const { return context_->real(); }
+
+  void trace(const Image& image) {
+    PendingErrors pending;
+    ASSERT_TRUE(writeBack_->write(image, {}, pending));
+    picture_.written(gl(), image);
+  }
+  Picture take() { return picture_.take(gl(), GL_FRONT, kSize, kSize, 1); }
+  /// The real OpenGL paints a rectangle.
+  void paint(int x, int y, int width, int height) {
+    gl().Enable(GL_SCISSOR_TEST);
+    gl().Scissor(x, y, width, height);
+    gl().ClearColor(1, 1, 1, 1);
+    gl().Clear(GL_COLOR_BUFFER_BIT);
+    gl().Disable(GL_SCISSOR_TEST);
+  }
+  static int64_t count(const Picture& picture, PixelOrigin origin) {
+    return std::count(picture.origin.begin(), picture.origin.end(), origin);
+  }
+
+  std::unique_ptr<OsmesaContext> context_;
+  std::optional<WriteBack> writeBack_;
+  FramePicture picture_;
+};
+
+TEST_P(FramePictureTest, TracedPixelsAreKnown) {
+  trace(solid(4, 8, 10, 6, kRed, 0.5f));
+  const Picture picture = take();
+  EXPECT_EQ(count(picture, PixelOrigin::traced), 60);
+  EXPECT_EQ(count(picture, PixelOrigin::drawnOver), 0);
+  EXPECT_EQ(picture.origin[8 * kSize + 4], PixelOrigin::traced);
+  EXPECT_EQ(picture.origin[8 * kSize + 3], PixelOrigin::rasterised);
+  EXPECT_EQ(picture.color[8 * kSize + 4], kRed);
+}
+
+TEST_P(FramePictureTest, MissesAndHiddenPixelsAreNotTraced) {
+  Image image = solid(0, 0, 8, 8, kRed, 0.5f);
+  image.depth[0] = Image::kMiss;
+  trace(image);
+  trace(solid(0, 0, 8, 4, kGreen, 0.75f));  // behind it, but for the miss
+  const Picture picture = take();
+  EXPECT_EQ(count(picture, PixelOrigin::traced), 64);
+  EXPECT_EQ(picture.color[0], kGreen);
+  EXPECT_EQ(picture.color[1], kRed);
+}
+
+TEST_P(FramePictureTest, WhatIsDrawnOverIsToldApart) {
+  trace(solid(0, 0, 10, 10, kRed, 0.5f));
+  paint(8, 8, 4, 4);
+  const Picture picture = take();
+  EXPECT_EQ(count(picture, PixelOrigin::traced), 96);
+  EXPECT_EQ(count(picture, PixelOrigin::drawnOver), 4);
+}
+
+TEST_P(FramePictureTest, TheNextFrameStartsAfresh) {
+  trace(solid(0, 0, 10, 10, kRed, 0.5f));
+  take();
+  EXPECT_EQ(count(take(), PixelOrigin::traced), 0);
+}
+
+TEST_P(FramePictureTest, OtherFramebuffersAreCountedApart) {
+  GLuint framebuffer = 0, planes[2] = {};
+  gl().GenFramebuffers(1, &framebuffer);
+  gl().GenRenderbuffers(2, planes);
+  gl().BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  const GLenum formats[2] = {GL_RGBA8, GL_DEPTH_COMPONENT24},
+               points[2] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
+  for (int i = 0; i < 2; ++i) {
+    gl().BindRenderbuffer(GL_RENDERBUFFER, planes[i]);
+    gl().RenderbufferStorage(GL_RENDERBUFFER, formats[i], kSize, kSize);
+    gl().FramebufferRenderbuffer(GL_FRAMEBUFFER, points[i], GL_RENDERBUFFER, planes[i]);
+  }
+  gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  trace(solid(0, 0, 5, 5, kRed, 0.5f));
+  const Picture picture = take();  // of the window, whatever is bound
+  EXPECT_EQ(count(picture, PixelOrigin::traced), 0);
+  EXPECT_EQ(picture.elsewhere, 25u);
+  EXPECT_EQ(picture.color[0], 0xffff0000u);
+}
+
+TEST_P(FramePictureTest, NoStateChanges) {
+  gl().PixelStorei(GL_PACK_ROW_LENGTH, 7);
+  gl().PixelStorei(GL_PACK_SKIP_PIXELS, 3);
+  gl().PixelStorei(GL_PACK_SWAP_BYTES, 1);
+  GLuint buffer = 0;
+  gl().GenBuffers(1, &buffer);
+  gl().BindBuffer(GL_PIXEL_PACK_BUFFER, buffer);
+  if (!GetParam().core) {
+    gl().PixelTransferf(GL_RED_SCALE, 0.5f);
+    gl().PixelTransferf(GL_DEPTH_BIAS, 0.25f);
+    gl().PixelTransferf(GL_MAP_COLOR, 1);
+  }
+  const Image image = solid(0, 0, 8, 8, kRed, 0.5f);
+  PendingErrors pending;
+  ASSERT_TRUE(writeBack_->write(image, {}, pending));
+  const test::GlState before = test::queryState(gl());
+  picture_.written(gl(), image);
+  const Picture picture = take();
+  EXPECT_EQ(test::differences(before, test::queryState(gl())), std::vector<std::string>{});
+  EXPECT_EQ(gl().GetError(), GLenum{GL_NO_ERROR});
+  EXPECT_EQ(count(picture, PixelOrigin::traced), 64);
+  EXPECT_EQ(picture.color[0], kRed);
+}
+
+INSTANTIATE_TEST_SUITE_P(Contexts, FramePictureTest,
+                         testing::Values(ContextWish{kSize, kSize}, ContextWish{kSize, kSize, true, 3, 3}));
+
+TEST(FramePictureFiles, HoldTheTopRowFirst) {
+  Picture picture;
+  picture.width = 2, picture.height = 2;
+  picture.color = {0xff030201, 0xff060504, 0xff090807, 0xff0c0b0a};
+  picture.origin = {PixelOrigin::rasterised, PixelOrigin::traced, PixelOrigin::drawnOver,
+                    PixelOrigin::rasterised};
+  const std::string base = testing::TempDir() + "/picture";
+  ASSERT_TRUE(writePicture(picture, base));
+  const auto text = [&](const char* suffix) {
+    std::ifstream file(base + suffix, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  EXPECT_EQ(text(".ppm"), "P6\n2 2\n255\n\x07\x08\x09\x0a\x0b\x0c\x01\x02\x03\x04\x05\x06");
+  using namespace std::string_literals;
+  EXPECT_EQ(text(".origin.pgm"), "P5\n2 2\n255\n\x80\x00\x00\xff"s);
+  EXPECT_FALSE(writePicture(picture, "/nowhere/picture"));
+}
+
+}  // namespace
+}  // namespace gluray::present
