@@ -187,6 +187,9 @@ void StateGuard::viewport(int x, int y, int width, int height) {
   if (features_.indexedViewports) {
     GLfloat v[4];
     real_.GetFloati_v(GL_VIEWPORT, 0, v);
+    if (v[0] == static_cast<GLfloat>(x) && v[1] == static_cast<GLfloat>(y) &&
+        v[2] == static_cast<GLfloat>(width) && v[3] == static_cast<GLfloat>(height))
+      return;
     keep({[](const RealGl& r, const Undo& u) {
             r.ViewportIndexedf(0, static_cast<GLfloat>(u.d[0]), static_cast<GLfloat>(u.d[1]),
                                static_cast<GLfloat>(u.d[2]), static_cast<GLfloat>(u.d[3]));
@@ -200,6 +203,7 @@ void StateGuard::viewport(int x, int y, int width, int height) {
   } else {
     GLint v[4];
     real_.GetIntegerv(GL_VIEWPORT, v);
+    if (v[0] == x && v[1] == y && v[2] == width && v[3] == height) return;
     keep({[](const RealGl& r, const Undo& u) { r.Viewport(u.i[0], u.i[1], u.i[2], u.i[3]); },
           0,
           0,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <utility>
 
 namespace gluray::present {
 
@@ -25,15 +26,21 @@ bool WriteBack::compile(std::string& why) {
   } else {
     return why = "the real OpenGL has no float textures", false;
   }
-  program_ = buildWriteBackProgram(real_, features_, why);
-  if (!program_) return false;
-  StateGuard guard(real_, features_);
-  guard.program(program_);
-  placeUniform_ = real_.GetUniformLocation(program_, "place");
-  bandsUniform_ = real_.GetUniformLocation(program_, "bands");
-  real_.Uniform1i(real_.GetUniformLocation(program_, "colorPlane"), features_.textureUnit);
-  real_.Uniform1i(real_.GetUniformLocation(program_, "depthPlane"), features_.textureUnit + 1);
+  for (Program& program : programs_)
+    if (!compile(program, why)) return false;
   if (!features_.compatibility) real_.GenVertexArrays(1, &vertexArray_);
+  return true;
+}
+
+bool WriteBack::compile(Program& program, std::string& why) const {
+  program.name = buildWriteBackProgram(real_, features_, why);
+  if (!program.name) return false;
+  StateGuard guard(real_, features_);
+  guard.program(program.name);
+  program.place = real_.GetUniformLocation(program.name, "place");
+  program.bands = real_.GetUniformLocation(program.name, "bands");
+  real_.Uniform1i(real_.GetUniformLocation(program.name, "colorPlane"), features_.textureUnit);
+  real_.Uniform1i(real_.GetUniformLocation(program.name, "depthPlane"), features_.textureUnit + 1);
   return true;
 }
 
@@ -97,8 +104,9 @@ void WriteBack::upload(const Image& image, const Sheet& sheet) const {
 }
 
 void WriteBack::draw(const Image& image, const Sheet& sheet) const {
-  real_.Uniform4f(placeUniform_, static_cast<GLfloat>(image.x), static_cast<GLfloat>(image.y - sheet.row),
-                  1.0f / static_cast<GLfloat>(color_.width), 1.0f / static_cast<GLfloat>(color_.height));
+  real_.Uniform4f(programs_[0].place, static_cast<GLfloat>(image.x),
+                  static_cast<GLfloat>(image.y - sheet.row), 1.0f / static_cast<GLfloat>(color_.width),
+                  1.0f / static_cast<GLfloat>(color_.height));
   GLfloat corners[kMaxBands][4];  // left, lower, right, upper in clip space
   const auto clip = [](int at, int size) {
     return 2.0f * static_cast<float>(at) / static_cast<float>(size) - 1.0f;
@@ -110,7 +118,7 @@ void WriteBack::draw(const Image& image, const Sheet& sheet) const {
     c[2] = clip(b.x + b.width, image.width), c[3] = clip(b.y + b.height, image.height);
   }
   if (!features_.compatibility) {
-    real_.Uniform4fv(bandsUniform_, count, corners[0]);
+    real_.Uniform4fv(programs_[0].bands, count, corners[0]);
     real_.DrawArrays(GL_TRIANGLES, 0, 6 * count);
     return;
   }
@@ -157,7 +165,8 @@ bool WriteBack::write(const Image& image, const WriteBackTarget& target, Pending
   guard.depthRange(0, 1);
   guard.viewport(image.x, image.y, width, height);
   guard.scissor(image.x, image.y, width, height);
-  guard.program(program_);
+  std::swap(programs_[0], programs_[1]);
+  guard.program(programs_[0].name);
   if (!features_.compatibility) guard.vertexArray(vertexArray_);
 
   // All uploads of a textureful first: an upload in between would wait for the drawing before it.
@@ -176,10 +185,12 @@ bool WriteBack::write(const Image& image, const WriteBackTarget& target, Pending
 void WriteBack::release() {
   if (color_.texture) real_.DeleteTextures(1, &color_.texture);
   if (depth_.texture) real_.DeleteTextures(1, &depth_.texture);
-  if (program_) real_.DeleteProgram(program_);
+  for (const Program& program : programs_)
+    if (program.name) real_.DeleteProgram(program.name);
   if (vertexArray_) real_.DeleteVertexArrays(1, &vertexArray_);
   color_ = depth_ = {};
-  program_ = vertexArray_ = 0;
+  programs_ = {};
+  vertexArray_ = 0;
   state_ = State::unknown;
 }
 

@@ -52,8 +52,15 @@ class WriteBack {
   Features features_;
   enum class State { unknown, ready, impossible } state_ = State::unknown;
   std::string why_;
-  GLuint program_ = 0, vertexArray_ = 0;
-  GLint placeUniform_ = -1, bandsUniform_ = -1;
+  /// Two equal programs, used in turn: Mesa (22.3, llvmpipe) goes on with what a program sampled before if
+  /// nothing else was drawn since, and has lost that where the framebuffer was read or resized meanwhile.
+  struct Program {
+    GLuint name = 0;
+    GLint place = -1, bands = -1;  // uniforms
+  };
+  std::array<Program, 2> programs_;
+  bool compile(Program& program, std::string& why) const;
+  GLuint vertexArray_ = 0;
   GLenum depthInternalFormat_ = 0, depthFormat_ = 0;
   Plane color_, depth_;
 };
