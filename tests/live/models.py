@@ -1,4 +1,7 @@
-"""The model that viewers are given: a knotted tube, in the file formats that they read."""
+"""The models that viewers are given, in the file formats that they read: mostly a knotted tube."""
+import pathlib
+import subprocess
+
 import numpy as np
 
 
@@ -22,9 +25,9 @@ def knot(around=600, across=48):
     return positions.reshape(-1, 3), normals.reshape(-1, 3), triangles
 
 
-def write_obj(path, material=False):
+def write_obj(path, material=False, **size):
     """Wavefront OBJ; `material` names a material file, which is written beside it."""
-    positions, normals, triangles = knot()
+    positions, normals, triangles = knot(**size)
     lines = []
     if material:
         path.with_suffix(".mtl").write_text("newmtl gold\nKa 0.2 0.16 0.05\nKd 0.8 0.6 0.2\nKs 0.6 0.6 0.5\nNs 40\n")
@@ -45,12 +48,71 @@ def write_off(path, **size):
     return path
 
 
-def write_ply(path):
-    positions, normals, triangles = knot()
+def write_ply(path, **size):
+    positions, normals, triangles = knot(**size)
     lines = ["ply", "format ascii 1.0", f"element vertex {len(positions)}"]
     lines += [f"property float {name}" for name in ("x", "y", "z", "nx", "ny", "nz")]
     lines += [f"element face {len(triangles)}", "property list uchar int vertex_indices", "end_header"]
     lines += ["%.6f %.6f %.6f %.6f %.6f %.6f" % (*p, *n) for p, n in zip(positions, normals)]
     lines += ["3 %d %d %d" % tuple(t) for t in triangles]
     path.write_text("\n".join(lines) + "\n")
+    return path
+
+
+def write_mesh(path, **size):
+    """The format of INRIA's mesh tools."""
+    positions, _, triangles = knot(**size)
+    lines = ["MeshVersionFormatted 1", "Dimension 3", "Vertices", str(len(positions))]
+    lines += ["%.6f %.6f %.6f 0" % tuple(p) for p in positions]
+    lines += ["Triangles", str(len(triangles))]
+    lines += ["%d %d %d 1" % tuple(t) for t in triangles + 1]
+    path.write_text("\n".join([*lines, "End"]) + "\n")
+    return path
+
+
+def write_stl(path, **size):
+    positions, _, triangles = knot(**size)
+    lines = ["solid knot"]
+    for corners in positions[triangles]:
+        normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
+        lines += ["facet normal %.6f %.6f %.6f" % tuple(normal / np.linalg.norm(normal)), "outer loop"]
+        lines += ["vertex %.6f %.6f %.6f" % tuple(p) for p in corners]
+        lines += ["endloop", "endfacet"]
+    path.write_text("\n".join([*lines, "endsolid knot"]) + "\n")
+    return path
+
+
+def write_scad(path):
+    """A solid cut by others (several passes with a stencil), and one beside it."""
+    path.write_text("""difference() {
+  cube([30, 30, 30], center = true);
+  sphere(r = 19, $fn = 48);
+  translate([12, 0, 0]) cylinder(h = 60, r = 8, center = true, $fn = 32);
+}
+translate([0, 0, -20]) cylinder(h = 4, r = 28, $fn = 64);
+""")
+    return path
+
+
+def write_edp(path):
+    """A FreeFem++ script: Poisson's equation on an ellipse, its solution as a surface."""
+    path.write_text("""border rim(t = 0, 2 * pi) { x = cos(t); y = 0.7 * sin(t); label = 1; }
+mesh Th = buildmesh(rim(60));
+fespace Vh(Th, P1);
+Vh u, v;
+solve Poisson(u, v) = int2d(Th)(dx(u) * dx(v) + dy(u) * dy(v)) - int2d(Th)(v) + on(1, u = 0);
+plot(u, fill = true, dim = 3, value = true, wait = true);
+""")
+    return path
+
+
+def write_road_net(path):
+    """A grid of streets."""
+    subprocess.run(["netgenerate", "--grid", "--grid.number=4", "-o", str(path)], check=True, capture_output=True)
+    return path
+
+
+def copy_bucky(path):
+    """DRAWxtl's own example of a molecule: it writes beside what it reads."""
+    path.write_bytes(pathlib.Path("/usr/share/doc/drawxtl/examples/bucky.str").read_bytes())
     return path

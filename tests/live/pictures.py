@@ -5,7 +5,8 @@ import zlib
 
 import numpy as np
 
-EDGE = 24  # of 255: where neighbours differ by more, a pixel lies on an edge
+EDGE = 24    # of 255: where neighbours differ by more, a pixel lies on an edge
+VISIBLE = 8  # of 255: the difference that counts for the share of pixels that differ
 
 
 def grab():
@@ -46,6 +47,11 @@ def edges(picture):
     return (np.maximum.reduce(around) - np.minimum.reduce(around)).max(axis=2) > EDGE
 
 
+def share_beyond(off, on, limit=VISIBLE):
+    """Share of pixels that differ by more than `limit`."""
+    return float((np.abs(off.astype(np.int16) - on.astype(np.int16)).max(axis=2) > limit).mean())
+
+
 def compare(off, on):
     """Largest difference of 255, and shares of the window's pixels that differ by more than 2, on and off edges."""
     box = window_box(np.maximum(off, on))
@@ -57,10 +63,25 @@ def compare(off, on):
         "largest": int(difference.max()),
         "largest_off_edges": int(difference[~edge].max(initial=0)),
         "beyond": float(beyond.mean()),
+        "visible": share_beyond(off, on),
         "beyond_off_edges": float((beyond & ~edge).mean()),
         "width": off.shape[1],
         "height": off.shape[0],
     }
+
+
+def read_pnms(data):
+    """The pictures of a row of binary PPM files, as glretrace writes them."""
+    at = 0
+    while at < len(data):
+        words = []
+        while len(words) < 4:  # the kind, width, height, largest value; comments between them
+            end = data.index(b"\n", at)
+            words += data[at:end].split(b"#")[0].split()
+            at = end + 1
+        width, height = int(words[1]), int(words[2])
+        yield np.frombuffer(data, np.uint8, width * height * 3, at).reshape(height, width, 3)
+        at += width * height * 3
 
 
 def difference_picture(off, on):

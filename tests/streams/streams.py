@@ -1,0 +1,32 @@
+"""The recorded call streams of this folder (NAME.trace, made by record.py), and what is expected of each."""
+import dataclasses
+
+
+@dataclasses.dataclass
+class Stream:
+    traced: float   # least share of its triangles that are traced
+    batches: float  # most batches a frame: more of them, and something flushes that need not
+    # The first frame compared. What glretrace draws first goes into a window that the real OpenGL takes for smaller than
+    # it is: its picture is empty or chance.
+    first: int = 1
+
+
+STREAMS = {
+    "glxgears": Stream(1, 1),
+    "osgviewer_list": Stream(1, 1),
+    "osgviewer_vbo": Stream(1, 1),
+    "geomview": Stream(1, 1),
+    "meshlab": Stream(0.85, 1),   # the rest: backdrop and text, depth test off
+    "g3dviewer": Stream(1, 1),
+    "openscad": Stream(0, 1),     # CSG passes with a stencil
+    "ffmedit": Stream(0.49, 1),   # its second pass is a wireframe
+    "freefem": Stream(0.98, 1),   # the rest: its legend, depth test off
+    "sumo": Stream(0, 1),         # flat layers, in drawing order
+    "pyopengl": Stream(1, 1),
+    "drawxtl": Stream(1, 1),      # names every atom
+    "superquadrics": Stream(1, 1),
+    "glplanet": Stream(0.33, 1),  # night side and atmosphere are blended
+    "atlantis": Stream(0, 1),
+    "gltext": Stream(1, 1),
+    "pipes": Stream(1, 1),
+}
