@@ -194,8 +194,8 @@ class Page(Folder):
         self.assertEqual((facts["frame"], facts["frameWithout"], facts["differingAtAll"]), (2, 2, 0))
 
     def test_pages_that_cannot_be_written(self):
-        done = gluray("explain", "--frames", 3, "--html", "/nowhere/page.html", CLIENT)
-        self.assertEqual((done.returncode, done.stderr), (1, "gluray: cannot write /nowhere/page.html\n"))
+        done = gluray("explain", "--frames", 3, "--html", "/dev/null/page.html", CLIENT)
+        self.assertEqual((done.returncode, done.stderr), (1, "gluray: cannot write /dev/null/page.html\n"))
 
     def test_the_programs_output_is_not_in_the_json(self):
         done = gluray("explain", "--json", "--frames", 3, CLIENT)
