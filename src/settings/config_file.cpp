@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -58,9 +59,12 @@ std::string configFile() {
 void readConfigFile(const std::string& file, bool wanted, Session& session,
                     void (*complain)(const std::string& line)) {
   if (file.empty()) return;
+  std::error_code ignored;
+  const bool folder = std::filesystem::is_directory(file, ignored);
   std::ifstream in(file);
   std::ostringstream text;
-  if (in) text << in.rdbuf();
+  if (in && !folder) text << in.rdbuf();
+  if (folder) in.setstate(std::ios::failbit), errno = EISDIR;
   if (!in || in.bad()) {
     if (wanted || errno != ENOENT) complain(file + ": " + std::strerror(errno));
     return;

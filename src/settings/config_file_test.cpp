@@ -100,6 +100,11 @@ TEST_F(ConfigFile, OnlyAFileThatWasNamedIsMissed) {
   unsetenv("GLURAY_CONFIG");
   ASSERT_EQ(g_complaints.size(), 1u);
   EXPECT_EQ(g_complaints[0], "/nowhere/gluray.toml: No such file or directory");
+  setenv("GLURAY_CONFIG", folder_.c_str(), 1);
+  EXPECT_EQ(read().settings, Settings{});
+  unsetenv("GLURAY_CONFIG");
+  ASSERT_EQ(g_complaints.size(), 2u);
+  EXPECT_EQ(g_complaints[1], folder_.string() + ": Is a directory");
 }
 
 }  // namespace
