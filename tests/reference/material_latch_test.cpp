@@ -121,5 +121,20 @@ TEST(ColorMaterial, TakesColorsSentWhileLightingIsOff) {
   EXPECT_EQ(coloredUnlit(ours.gl()), expected);
 }
 
+TEST(MaterialLatch, IsSwitchedOffByName) {
+  const auto picturesWith = [](const char* value) {
+    Settings settings = TracedContext::vertexShading();
+    EXPECT_EQ(readQuirks(std::string("material-latch=") + value, settings.quirks), "");
+    const TracedContext traced({kSize, kSize}, settings);
+    return middles(traced.gl(), [&] { return traced.below().colors()[kSize / 2 * kSize + kSize / 2]; });
+  };
+  const uint64_t before = useCount(Quirk::materialLatch);
+  const auto off = picturesWith("off");
+  EXPECT_EQ(useCount(Quirk::materialLatch), before);
+  const auto on = picturesWith("on");
+  EXPECT_GT(useCount(Quirk::materialLatch), before);
+  if (on == off) GTEST_SKIP() << "this OpenGL has no need of the quirk";
+}
+
 }  // namespace
 }  // namespace gluray::test
