@@ -2,6 +2,7 @@
 
 #include <elf.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstring>
 #include <filesystem>
@@ -102,7 +103,8 @@ TEST(ElfFile, ThisProgramIsOne) {
 }
 
 TEST(ElfFile, StringsStandAlone) {
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "strings";
+  const std::filesystem::path path =
+      std::filesystem::path(testing::TempDir()) / ("elf_strings" + std::to_string(getpid()));
   const auto write = [&](const std::string& text) { std::ofstream(path, std::ios::binary) << text; };
   const std::vector<std::string> words = {"libGL.so", "libEGL.so"};
   using namespace std::string_literals;

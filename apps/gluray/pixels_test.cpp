@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <png.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -91,7 +92,7 @@ TEST(Pixels, PngHoldsThePicture) {
 }
 
 TEST(Pixels, NetpbmFilesAreRead) {
-  const std::string path = testing::TempDir() + "/picture.ppm";
+  const std::string path = testing::TempDir() + "/pixels_test" + std::to_string(getpid()) + ".ppm";
   const auto write = [&](const std::string& text) { std::ofstream(path, std::ios::binary) << text; };
   write(std::string("P6\n2 1\n255\n") + "abc\n\n\n");
   const auto picture = readNetpbm(path);

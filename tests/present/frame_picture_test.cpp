@@ -6,8 +6,10 @@
 #include "tests/support/osmesa_context.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -154,7 +156,7 @@ TEST(FramePictureFiles, HoldTheTopRowFirst) {
   picture.color = {0xff030201, 0xff060504, 0xff090807, 0xff0c0b0a};
   picture.origin = {PixelOrigin::rasterised, PixelOrigin::traced, PixelOrigin::drawnOver,
                     PixelOrigin::rasterised};
-  const std::string base = testing::TempDir() + "/picture";
+  const std::string base = testing::TempDir() + "/frame_picture" + std::to_string(getpid());
   ASSERT_TRUE(writePicture(picture, base));
   const auto text = [&](const char* suffix) {
     std::ifstream file(base + suffix, std::ios::binary);
@@ -164,6 +166,7 @@ TEST(FramePictureFiles, HoldTheTopRowFirst) {
   using namespace std::string_literals;
   EXPECT_EQ(text(".origin.pgm"), "P5\n2 2\n255\n\x80\x00\x00\xff"s);
   EXPECT_FALSE(writePicture(picture, "/dev/null/picture"));
+  for (const char* suffix : {".ppm", ".origin.pgm"}) std::remove((base + suffix).c_str());
 }
 
 }  // namespace
