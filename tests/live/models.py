@@ -116,3 +116,39 @@ def copy_bucky(path):
     """DRAWxtl's own example of a molecule: it writes beside what it reads."""
     path.write_bytes(pathlib.Path("/usr/share/doc/drawxtl/examples/bucky.str").read_bytes())
     return path
+
+
+def write_xyz(path):
+    """Sixty carbon atoms, bonded on a sphere's spiral."""
+    k = np.arange(60)
+    z, turn = 1 - (2 * k + 1) / 60, k * np.pi * (3 - np.sqrt(5))
+    ball = 3.5 * np.stack([np.sqrt(1 - z * z) * np.cos(turn), np.sqrt(1 - z * z) * np.sin(turn), z], 1)
+    path.write_text("60\nball\n" + "".join("C %.5f %.5f %.5f\n" % tuple(p) for p in ball))
+    return path
+
+
+def write_xsf(path):
+    """Rock salt."""
+    path.write_text("CRYSTAL\nPRIMVEC\n0 2.82 2.82\n2.82 0 2.82\n2.82 2.82 0\nPRIMCOORD\n2 1\n11 0 0 0\n17 2.82 2.82 2.82\n")
+    return path
+
+
+def write_v_sim(path):
+    """Two kinds of atoms on a grid."""
+    cells = [(i, j, k) for i in range(4) for j in range(3) for k in range(2)]
+    atoms = ["%d %d %d %s" % (2 * i + 1, 2 * j + 1, 3 * k + 1, ("Si", "O")[(i + j + k) % 2]) for i, j, k in cells]
+    path.write_text("\n".join(["a grid", "8 0 8", "0 0 8", *atoms]) + "\n")
+    return path
+
+
+def write_evolver(path):
+    """A cube whose surface is to shrink, and the commands that make a ball of it."""
+    corners = [(x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
+    edges = [(1, 2), (2, 3), (3, 4), (4, 1), (5, 6), (6, 7), (7, 8), (8, 5), (1, 5), (2, 6), (3, 7), (4, 8)]
+    faces = [(1, 10, -5, -9), (2, 11, -6, -10), (3, 12, -7, -11), (4, 9, -8, -12), (5, 6, 7, 8), (-4, -3, -2, -1)]
+    numbered = lambda rows: [" ".join(map(str, (number, *row))) for number, row in enumerate(rows, 1)]
+    path.write_text("\n".join(["vertices", *numbered(corners), "edges", *numbered(edges), "faces", *numbered(faces),
+                               "bodies", "1 1 2 3 4 5 6 volume 1"]) + "\n")
+    commands = path.with_suffix(".commands")
+    commands.write_text("r; r; g 5; r; g 10\ns\nq\n")
+    return path, commands

@@ -23,6 +23,7 @@ class Program:
     beyond: float = 0.0          # share of pixels beyond 2/255 off edges
     beyond_all: float = 0.02     # the same, edges included
     traced: float = 0.99         # least share of triangles that are traced
+    visible: float = 0.005       # share of pixels that may differ by more than 8/255
     frame: int = 0               # the swap whose picture is compared, with time standing still; 0: the picture at rest
     rest: float = 2.0            # seconds without a change that count as rest
     colors: int = 64             # a picture with fewer has not loaded its model yet
@@ -54,6 +55,60 @@ PROGRAMS = {
     "superquadrics": Program(hack("superquadrics"), "lighting at the vertices", frame=40),
     "molecule": Program(hack("molecule", "--no-shells", "--no-labels"), "lighting at the vertices", frame=40),
     "pyopengl": Program(lambda folder: ["/usr/bin/python3", str(HERE / "pyopengl_scene.py")], "lighting at the vertices"),
+}
+
+# Programs of the distribution, many toolkits. Held to `visible` alone: their windows hold text, lines and weak edges.
+# `traced` is the least share of all their triangles; what of it is not opaque is said in docs/programs.md.
+
+
+def wide(command, reason, traced, **more):
+    return Program(command, reason, largest=255, beyond=1.0, beyond_all=1.0, traced=traced, **more)
+
+
+SMALL = dict(around=300, across=32)
+
+
+def openscad(folder):
+    """Its cursor blinks: the editor is hidden."""
+    settings = folder / ".config" / "OpenSCAD" / "OpenSCAD.conf"
+    settings.parent.mkdir(parents=True)
+    settings.write_text("[view]\nhideEditor=true\nhideConsole=true\nhideCustomizer=true\nhideErrorLog=true\n")
+    return ["openscad", str(models.write_scad(folder / "csg.scad"))]
+
+
+def medit(folder):
+    (folder / "knot.medit").write_text("backgroundcolor\n1 1 1\nrendermode\nshading\n")
+    return ["ffmedit", str(models.write_mesh(folder / "knot.mesh", **SMALL))]
+
+
+PIVY = "/usr/share/doc/python3-pivy/examples/Mentor/02.4.Examiner.py"
+
+MORE = {
+    "g3dviewer": wide(lambda folder: ["g3dviewer", str(models.write_obj(folder / "knot.obj", True))], "GTK 2, lists", 0.99),
+    "openscad": wide(openscad, "Qt 5; CSG in passes with a stencil", 0.0, rest=3.0),
+    "ffmedit": wide(medit, "GLUT; a second pass as wireframe", 0.49),
+    "freefem": wide(lambda folder: ["FreeFem++", str(models.write_edp(folder / "plot.edp"))], "GLUT", 0.98, colors=10),
+    "sumo": wide(lambda folder: ["sumo-gui", "-n", str(models.write_road_net(folder / "net.xml"))], "FOX; flat layers", 0.0),
+    "dangerball": wide(hack("dangerball"), "lists", 1.0, frame=20),
+    "glplanet": wide(hack("glplanet"), "EGL; night side and atmosphere blended", 0.33, frame=20),
+    "atlantis": wide(hack("atlantis"), "immediate mode, texture coordinate generation", 0.9, frame=20),
+    "gltext": wide(hack("gltext", "--text", "GLuRay"), "immediate mode", 1.0, frame=60),
+    "pipes": wide(hack("pipes"), "lists, drawn over several frames", 1.0, frame=20),
+    "hilbert": wide(hack("hilbert"), "lists", 1.0, frame=20),
+    "mm3d": wide(lambda folder: ["mm3d", str(models.write_obj(folder / "knot.obj", True))], "Qt 5, four views", 0.99, rest=3.0),
+    "gdis": wide(lambda folder: ["gdis", str(models.write_xyz(folder / "ball.xyz"))], "GTK 2", 0.99, rest=3.0),
+    "drawxtl": wide(lambda folder: ["DRAWxtl55", str(models.copy_bucky(folder / "bucky.str"))], "FLTK; names in lists", 1.0),
+    "evolver": wide(lambda folder: ["sh", "-c", f"(cat {models.write_evolver(folder / 'cube.fe')[1]}; sleep 100) | "
+                    f"evolver-ogl-d {folder / 'cube.fe'}"], "GLUT", 1.0, colors=8),
+    "gmsh": wide(lambda folder: ["gmsh", "-nopopup", "-setnumber", "Mesh.SurfaceFaces", "1", "-setnumber", "Mesh.SurfaceEdges", "0",
+                 str(models.write_stl(folder / "knot.stl", **SMALL))], "FLTK, client arrays", 0.99, rest=3.0),
+    "xcrysden": wide(lambda folder: ["xcrysden", "--xsf", str(models.write_xsf(folder / "salt.xsf"))], "Tk", 1.0, rest=4.0),
+    "v_sim": wide(lambda folder: ["v_sim", str(models.write_v_sim(folder / "grid.ascii"))], "GTK 3; fog", 0.9, rest=4.0),
+    "pivy": wide(lambda folder: ["/usr/bin/python3", PIVY], "Coin, Qt 5", 1.0, rest=3.0, colors=20),
+    "3depict": wide(lambda folder: ["3depict"], "wxWidgets", 1.0, rest=4.0),
+    "billard": wide(lambda folder: ["/usr/games/billard-gl"], "GLUT; title, drawn without depth test", 0.0, frame=30),
+    "glxheads": wide(lambda folder: ["glxheads"], "Xlib alone; one flat triangle, no depth test", 0.0, frame=20, colors=2),
+    "openuniverse": wide(lambda folder: ["openuniverse"], "GLUT; drawn without depth test", 0.0, frame=30),
 }
 
 

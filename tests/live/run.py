@@ -9,6 +9,7 @@ import argparse
 import json
 import os
 import pathlib
+import shutil
 import signal
 import subprocess
 import sys
@@ -87,15 +88,20 @@ class Run:
         return json.loads(self.report.read_text()) if self.report.exists() else None
 
 
-def run(program, options, freeze):
-    with tempfile.TemporaryDirectory(prefix="gluray-live-") as name:
-        folder = pathlib.Path(name)
+def run(program, options, freeze, place):
+    """Its picture and report. `place` is its home, new each time and of one name: programs show where files lie."""
+    shutil.rmtree(place, ignore_errors=True)
+    folder = pathlib.Path(place).resolve()
+    folder.mkdir(parents=True)
+    try:
         command = program.command(folder)
         started = Run(program, command, options, folder, freeze)
         try:
             picture = started.picture()
         finally:
             report = started.end()
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
     return picture, report
 
 
@@ -113,6 +119,9 @@ def check(name, program, seen, report):
                      f"at most {program.largest}/255 or {program.beyond:.4%} are allowed ({program.reason})")
     if seen["beyond"] > program.beyond_all:
         wrong.append(f"{name}: {seen['beyond']:.4%} of its pixels differ, at most {program.beyond_all:.4%} may")
+    if seen["visible"] > program.visible:
+        wrong.append(f"{name}: {seen['visible']:.4%} of its pixels differ by more than {pictures.VISIBLE}/255, at most "
+                     f"{program.visible:.4%} may")
     if seen["traced"] < program.traced:
         wrong.append(f"{name}: {seen['traced']:.2%} of its triangles are traced, at least {program.traced:.2%} should be")
     return wrong
@@ -124,9 +133,9 @@ def main():
         parser.add_argument(f"--{option}", required=True)
     parser.add_argument("--shading", default="vertex")
     parser.add_argument("--door", default="auto")
-    parser.add_argument("name", choices=list(programs.PROGRAMS))
+    parser.add_argument("name", choices=[*programs.PROGRAMS, *programs.MORE])
     given = parser.parse_args()
-    program = programs.PROGRAMS[given.name]
+    program = (programs.PROGRAMS | programs.MORE)[given.name]
     with tempfile.TemporaryDirectory() as folder:
         why = programs.missing(program.command(pathlib.Path(folder)))
     if why:
@@ -136,8 +145,9 @@ def main():
     out.mkdir(parents=True, exist_ok=True)
 
     launcher = [str(pathlib.Path(given.gluray).resolve()), "--door", given.door]
-    off, _ = run(program, [*launcher, "--off"], given.freeze)
-    on, report = run(program, [*launcher, "--shading", given.shading], given.freeze)
+    place = out / f"{given.name}.home"
+    off, _ = run(program, [*launcher, "--off"], given.freeze, place)
+    on, report = run(program, [*launcher, "--shading", given.shading], given.freeze, place)
     difference = pictures.difference_picture(off, on)
     box = pictures.window_box(np.maximum(off, on))
     for kind, picture in (("off", off), ("on", on), ("difference", difference)):
@@ -151,7 +161,7 @@ def main():
     (out / f"{given.name}.json").write_text(json.dumps({"seen": seen, "report": report}, indent=2) + "\n")
     print(json.dumps(seen))
     wrong = check(given.name, program, seen, report)
-    if pictures.color_count(off[box]) < 16:
+    if pictures.color_count(off[box]) < min(16, program.colors):
         wrong.append(f"{given.name}: its picture is empty")
     print("\n".join(wrong))
     return 1 if wrong else 0
