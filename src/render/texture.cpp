@@ -25,7 +25,7 @@ float wrapCoordinate(Wrap wrap, float s, int size) {
   s = std::clamp(s, -kFarthest, kFarthest);
   const float half = 0.5f / static_cast<float>(size);
   switch (wrap) {
-    case Wrap::repeat: return s - static_cast<float>(wholeBelow(s));
+    case Wrap::repeat: break;  // repeatedTaps()
     case Wrap::clamp: return std::clamp(s, 0.0f, 1.0f);
     case Wrap::clampToEdge: return std::clamp(s, half, 1 - half);
     case Wrap::clampToBorder: return std::clamp(s, -half, 1 + half);
@@ -47,19 +47,29 @@ struct Taps {
   float weight;  // of `upper`
 };
 
+Taps repeatedTaps(Filter filter, float s, int size) {
+  if (!(std::abs(s) < kFarthest)) s = 0;
+  const float u = (s - static_cast<float>(wholeBelow(s))) * static_cast<float>(size);
+  if (filter == Filter::nearest) {
+    const int i = static_cast<int>(u);
+    return {i < size ? i : 0, 0, 0};
+  }
+  const int i = wholeBelow(u - 0.5f);
+  return {i < 0 ? i + size : i, i + 1 < size ? i + 1 : 0, u - 0.5f - static_cast<float>(i)};
+}
+
 Taps tapsOf(Wrap wrap, Filter filter, float s, int size) {
+  if (wrap == Wrap::repeat) return repeatedTaps(filter, s, size);
   const float u = wrapCoordinate(wrap, s, size) * static_cast<float>(size);
   const auto within = [&](int i) { return i < 0 || i >= size ? -1 : i; };
   if (filter == Filter::nearest) {
     const int i = wholeBelow(u);
-    if (wrap == Wrap::repeat) return {i < size ? i : 0, 0, 0};
     if (wrap == Wrap::clamp || wrap == Wrap::mirrorClamp) return {std::clamp(i, 0, size - 1), 0, 0};
     return {within(i), 0, 0};
   }
   const int i = wholeBelow(u - 0.5f);
   const float weight = u - 0.5f - static_cast<float>(i);
-  if (wrap != Wrap::repeat) return {within(i), within(i + 1), weight};
-  return {i < 0 ? i + size : i, i + 1 < size ? i + 1 : 0, weight};
+  return {within(i), within(i + 1), weight};
 }
 
 // The border colour as a texel of the image's base format.
@@ -76,23 +86,51 @@ glm::vec4 borderTexel(const scene::Texture& t) {
   return c;
 }
 
-glm::vec4 texelAt(const scene::Texture& t, const TexelGrid& grid, int i, int j, int k) {
-  if ((i | j | k) < 0) return borderTexel(t);
-  const auto width = static_cast<size_t>(grid.width), height = static_cast<size_t>(grid.height);
-  const size_t at =
-      (static_cast<size_t>(k) * height + static_cast<size_t>(j)) * width + static_cast<size_t>(i);
-  if (!grid.floats.empty()) return grid.floats[at];
-  const uint32_t c = grid.texels[at];
-  return glm::vec4(c & 255, c >> 8 & 255, c >> 16 & 255, c >> 24) * (1.0f / 255.0f);
-}
+/// Four channels that GCC and Clang keep in one register.
+using Color = float __attribute__((vector_size(16)));
+using Channels = int32_t __attribute__((vector_size(16)));
 
-glm::vec4 sampleSlice(const scene::Texture& t, const TexelGrid& grid, const Taps& s, const Taps& v, int k) {
-  const glm::vec4 below =
-      glm::mix(texelAt(t, grid, s.lower, v.lower, k), texelAt(t, grid, s.upper, v.lower, k), s.weight);
-  if (t.target == TextureTarget::texture1D) return below;
-  return glm::mix(
-      below, glm::mix(texelAt(t, grid, s.lower, v.upper, k), texelAt(t, grid, s.upper, v.upper, k), s.weight),
-      v.weight);
+inline Color colorOf(const glm::vec4& c) { return Color{c.r, c.g, c.b, c.a}; }
+
+/// Reads texels of one level; of eight-bit ones 255 stands for 1 until the end.
+class TexelReader {
+ public:
+  TexelReader(const scene::Texture& t, const TexelGrid& grid)
+      : texture_(t),
+        grid_(grid),
+        texels_(grid.texels.data()),
+        floats_(grid.floats.empty() ? nullptr : grid.floats.data()),
+        width_(static_cast<size_t>(grid.width)) {}
+
+  Color operator()(int i, int j, int k) const {
+    if ((i | j | k) < 0) return colorOf(borderTexel(texture_) * (floats_ ? 1.0f : 255.0f));
+    const size_t row = static_cast<size_t>(k) * static_cast<size_t>(grid_.height) + static_cast<size_t>(j);
+    const size_t at = row * width_ + static_cast<size_t>(i);
+    if (floats_) return colorOf(floats_[at]);
+    const uint32_t c = texels_[at];
+    const auto channel = [&](int shift) { return static_cast<int32_t>(c >> shift & 255); };
+    return __builtin_convertvector((Channels{channel(0), channel(8), channel(16), channel(24)}), Color);
+  }
+
+  glm::vec4 finished(Color c) const {
+    if (!floats_) c *= 1.0f / 255.0f;
+    return {c[0], c[1], c[2], c[3]};
+  }
+
+ private:
+  const scene::Texture& texture_;
+  const TexelGrid& grid_;
+  const uint32_t* texels_;
+  const glm::vec4* floats_;
+  size_t width_;
+};
+
+inline Color mix(Color a, Color b, float weight) { return a + (b - a) * weight; }
+
+inline Color sampleSlice(const TexelReader& read, bool flat, const Taps& s, const Taps& t, int k) {
+  const Color below = mix(read(s.lower, t.lower, k), read(s.upper, t.lower, k), s.weight);
+  if (flat) return below;
+  return mix(below, mix(read(s.lower, t.upper, k), read(s.upper, t.upper, k), s.weight), t.weight);
 }
 
 }  // namespace
@@ -104,10 +142,12 @@ glm::vec4 sampleLevel(const scene::Texture& t, const TexelGrid& grid, Filter fil
   const Taps s = tapsOf(t.wrapS, filter, str.x, grid.width);
   const Taps v =
       t.target == TextureTarget::texture1D ? Taps{0, 0, 0} : tapsOf(t.wrapT, filter, str.y, grid.height);
-  if (filter == Filter::nearest) return texelAt(t, grid, s.lower, v.lower, r.lower);
-  const glm::vec4 lower = sampleSlice(t, grid, s, v, r.lower);
-  if (t.target != TextureTarget::texture3D) return lower;
-  return glm::mix(lower, sampleSlice(t, grid, s, v, r.upper), r.weight);
+  const TexelReader read(t, grid);
+  if (filter == Filter::nearest) return read.finished(read(s.lower, v.lower, r.lower));
+  const bool flat = t.target == TextureTarget::texture1D;
+  const Color lower = sampleSlice(read, flat, s, v, r.lower);
+  if (t.target != TextureTarget::texture3D) return read.finished(lower);
+  return read.finished(mix(lower, sampleSlice(read, flat, s, v, r.upper), r.weight));
 }
 
 int cubeFace(glm::dvec3 d) {

@@ -84,12 +84,12 @@ TEST(Texture, BorderTakesTheBaseFormat) {
     t.image = image;
     return render::sampleLevel(t, *t.image, Filter::nearest, {-1, 0, 0});
   };
-  EXPECT_EQ(border(BaseFormat::alpha), glm::vec4(0, 0, 0, 0.4f));
-  EXPECT_EQ(border(BaseFormat::luminance), glm::vec4(0.1f, 0.1f, 0.1f, 1));
-  EXPECT_EQ(border(BaseFormat::luminanceAlpha), glm::vec4(0.1f, 0.1f, 0.1f, 0.4f));
-  EXPECT_EQ(border(BaseFormat::intensity), glm::vec4(0.1f));
-  EXPECT_EQ(border(BaseFormat::rgb), glm::vec4(0.1f, 0.2f, 0.3f, 1));
-  EXPECT_EQ(border(BaseFormat::rgba), t.borderColor);
+  EXPECT_LE(test::difference(border(BaseFormat::alpha), glm::vec4(0, 0, 0, 0.4f)), 1e-6f);
+  EXPECT_LE(test::difference(border(BaseFormat::luminance), glm::vec4(0.1f, 0.1f, 0.1f, 1)), 1e-6f);
+  EXPECT_LE(test::difference(border(BaseFormat::luminanceAlpha), glm::vec4(0.1f, 0.1f, 0.1f, 0.4f)), 1e-6f);
+  EXPECT_LE(test::difference(border(BaseFormat::intensity), glm::vec4(0.1f)), 1e-6f);
+  EXPECT_LE(test::difference(border(BaseFormat::rgb), glm::vec4(0.1f, 0.2f, 0.3f, 1)), 1e-6f);
+  EXPECT_LE(test::difference(border(BaseFormat::rgba), t.borderColor), 1e-6f);
 }
 
 // GL 2.1, tables 3.22 and 3.23, row by row.

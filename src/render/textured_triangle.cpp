@@ -40,7 +40,7 @@ glm::vec4 generated(const Surface& surface, const Texture& t, uint32_t vertex, c
 glm::dvec3 project(const Texture& t, const glm::dvec4& strq, int face) {
   if (t.target == TextureTarget::cubeMap)
     return {coordinatesInFace(face, glm::dvec3(strq)), static_cast<double>(face)};
-  const glm::dvec3 str = glm::dvec3(strq) / strq.w;
+  const glm::dvec3 str = strq.w == 1 ? glm::dvec3(strq) : glm::dvec3(strq) / strq.w;
   if (t.target != TextureTarget::rectangle) return str;
   return {str.x / t.image->width, str.y / t.image->height, 0};
 }
