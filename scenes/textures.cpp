@@ -134,6 +134,40 @@ void subImage(Gl gl, int width, int height) {
   quad(gl, 0.9f, 0, 0.4f, 0, 1);
 }
 
+/// Two textures in turn, one of which changes: by level, by name given back, by the cube map's face.
+void changedAmongOthers(Gl gl, int width, int height) {
+  begin(gl, width, height);
+  tiltedCamera(gl, width, height);
+  gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+  gl.Enable(GL_TEXTURE_2D);
+  const GLuint first = bindFresh(gl, GL_TEXTURE_2D);
+  upload(gl, GL_RGBA, 16, GL_NEAREST, GL_REPEAT);
+  const GLuint second = bindFresh(gl, GL_TEXTURE_2D);
+  upload(gl, GL_LUMINANCE, 16, GL_NEAREST, GL_REPEAT);
+  const auto both = [&](float y) {
+    gl.BindTexture(GL_TEXTURE_2D, first), quad(gl, -0.9f, y, 0.28f, 0, 1);
+    gl.BindTexture(GL_TEXTURE_2D, second), quad(gl, -0.2f, y, 0.28f, 0, 1);
+  };
+  both(-0.65f);
+  const std::vector<uint8_t> gray(8 * 8 * 4, 130);
+  gl.TexSubImage2D(GL_TEXTURE_2D, 0, 4, 4, 8, 8, GL_RGBA, GL_UNSIGNED_BYTE, gray.data());
+  both(0);
+  gl.DeleteTextures(1, &first);
+  gl.BindTexture(GL_TEXTURE_2D, first);
+  upload(gl, GL_RGB, 8, GL_NEAREST, GL_REPEAT);
+  both(0.65f);
+  gl.Disable(GL_TEXTURE_2D), gl.Enable(GL_TEXTURE_CUBE_MAP);
+  for (GLenum face = 0; face < 6; ++face)
+    gl.TexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, 0, GL_RGBA, 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                  gray.data());
+  sampling(gl, GL_TEXTURE_CUBE_MAP, GL_NEAREST, GL_CLAMP_TO_EDGE);
+  quad(gl, 0.6f, -0.4f, 0.35f, 0, 1);
+  const auto texels = pattern(8);
+  gl.TexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_Y, 0, GL_RGBA, 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                texels.data());
+  quad(gl, 0.6f, 0.4f, 0.35f, 0, 1);
+}
+
 /// Texture coordinates with q, in perspective, turned by the texture matrix.
 void projectedTexture(Gl gl, int width, int height) {
   begin(gl, width, height);
@@ -172,6 +206,7 @@ constexpr Scene kScenes[] = {
     {"texture-environments", environments, true, kTexelEdges},
     {"separate-specular", separateSpecular},
     {"texture-sub-image", subImage},
+    {"texture-changed-among-others", changedAmongOthers, true, kTexelEdges},
     {"projected-texture", projectedTexture},
     {"texture-without-image", textureWithoutImage},
 };

@@ -56,6 +56,12 @@ RareState readRareState(const RealGl& real) {
   rare.fogDistance = hasExtension(real, version, "GL_NV_fog_distance");
   rare.sampleMask = has(32, "GL_ARB_texture_multisample");
   rare.rectangles = has(31, "GL_ARB_texture_rectangle");
+  rare.textureTypes = has(30, "GL_ARB_texture_float");
+  rare.textureSwizzle = has(33, "GL_ARB_texture_swizzle") || has(33, "GL_EXT_texture_swizzle");
+  rare.textureStorage = version >= 43;  // with GL_TEXTURE_IMMUTABLE_LEVELS
+  rare.textureSrgb = hasExtension(real, version, "GL_EXT_texture_sRGB_decode");
+  rare.anisotropy = has(46, "GL_EXT_texture_filter_anisotropic");
+  rare.seamlessCubes = has(32, "GL_ARB_seamless_cube_map");
   rare.assemblyPrograms = hasExtension(real, version, "GL_ARB_vertex_program");
   return rare;
 }

@@ -22,6 +22,8 @@ struct RareState {
   bool depthClamp = false, depthBounds = false, clipControl = false, provokingVertex = false;
   bool offsetClamp = false, fogDistance = false, sampleMask = false, rectangles = false;
   bool assemblyPrograms = false;
+  bool textureTypes = false, textureSwizzle = false, textureStorage = false, textureSrgb = false;
+  bool anisotropy = false, seamlessCubes = false;
 };
 
 /// Asks the current context. Raises no GL error.

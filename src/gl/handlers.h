@@ -98,5 +98,8 @@ uint32_t textureAttached(Context& c);
 uint32_t framebufferBound(Context& c);
 /// Texture images may have changed. Groups to touch.
 uint32_t imagesChanged(Context& c);
+/// The same for the texture bound to `target` alone, and for textures that are deleted.
+uint32_t imageChanged(Context& c, GLenum target);
+uint32_t texturesDeleted(Context& c, GLsizei n, const GLuint* names);
 
 }  // namespace gluray::gl

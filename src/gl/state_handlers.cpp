@@ -142,6 +142,16 @@ uint32_t framebufferBound(Context& c) {
   return kTarget | kTexture;
 }
 
+uint32_t imageChanged(Context& c, GLenum target) {
+  c.textures().imageChanged(c.real, target);
+  return kTexture;
+}
+
+uint32_t texturesDeleted(Context& c, GLsizei n, const GLuint* names) {
+  for (GLsizei i = 0; names && i < n; ++i) c.textures().deleted(names[i]);
+  return kTexture;
+}
+
 uint32_t imagesChanged(Context& c) {
   c.textures().allImagesChanged();
   return kTexture;

@@ -36,8 +36,9 @@ constexpr Target kTargets[] = {
 struct EnabledTargets {
   const Target* highest = nullptr;
   bool more = false;
-  explicit EnabledTargets(const RealGl& real) {
+  EnabledTargets(const RealGl& real, const RareState& has) {
     for (const Target& target : kTargets) {
+      if (target.kind == scene::TextureTarget::rectangle && !has.rectangles) continue;
       if (!real.IsEnabled(target.name)) continue;
       if (highest) more = true;
       if (!highest) highest = &target;
@@ -94,7 +95,7 @@ void readLod(const RealGl& real, GLenum target, scene::Texture& texture) {
 }
 
 /// Sampling parameters of the bound texture. Anything but Reason::traced: one is not traced.
-Reason readSampling(const RealGl& real, GLenum target, scene::Texture& texture) {
+Reason readSampling(const RealGl& real, const RareState& has, GLenum target, scene::Texture& texture) {
   const auto parameter = [&](GLenum name, GLint usual) {
     real.GetTexParameteriv(target, name, &usual);
     return usual;
@@ -111,14 +112,15 @@ Reason readSampling(const RealGl& real, GLenum target, scene::Texture& texture) 
   real.GetTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, glm::value_ptr(texture.borderColor));
   readLod(real, target, texture);
   GLfloat anisotropy = 1;
-  real.GetTexParameterfv(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, &anisotropy);
+  if (has.anisotropy) real.GetTexParameterfv(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, &anisotropy);
   if (anisotropy > 1) return Reason::textureAnisotropy;
-  const bool seamless = target == GL_TEXTURE_CUBE_MAP && real.IsEnabled(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-  const bool plain = !seamless && parameter(GL_TEXTURE_COMPARE_MODE, GL_NONE) == GL_NONE &&
-                     parameter(GL_TEXTURE_SWIZZLE_R, GL_RED) == GL_RED &&
-                     parameter(GL_TEXTURE_SWIZZLE_G, GL_GREEN) == GL_GREEN &&
-                     parameter(GL_TEXTURE_SWIZZLE_B, GL_BLUE) == GL_BLUE &&
-                     parameter(GL_TEXTURE_SWIZZLE_A, GL_ALPHA) == GL_ALPHA;
+  const bool seamless =
+      target == GL_TEXTURE_CUBE_MAP && has.seamlessCubes && real.IsEnabled(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  const bool swizzled = has.textureSwizzle && (parameter(GL_TEXTURE_SWIZZLE_R, GL_RED) != GL_RED ||
+                                               parameter(GL_TEXTURE_SWIZZLE_G, GL_GREEN) != GL_GREEN ||
+                                               parameter(GL_TEXTURE_SWIZZLE_B, GL_BLUE) != GL_BLUE ||
+                                               parameter(GL_TEXTURE_SWIZZLE_A, GL_ALPHA) != GL_ALPHA);
+  const bool plain = !seamless && !swizzled && parameter(GL_TEXTURE_COMPARE_MODE, GL_NONE) == GL_NONE;
   return plain ? Reason::traced : Reason::textureFormat;
 }
 
@@ -147,26 +149,42 @@ bool readOnlyEnabledUnits(const std::vector<scene::Texture>& textures) {
 
 }  // namespace
 
-std::shared_ptr<const scene::TextureImage> TextureCache::image(const RealGl& real, GLenum target,
-                                                               const ImageRange& range, Reason& reason) {
+void TextureCache::imageChanged(const RealGl& real, GLenum target) {
+  if (target >= GL_TEXTURE_CUBE_MAP_POSITIVE_X && target <= GL_TEXTURE_CUBE_MAP_NEGATIVE_Z)
+    target = GL_TEXTURE_CUBE_MAP;
+  for (const Target& t : kTargets) {
+    if (t.name != target) continue;  // proxies, and targets that fixed function does not know
+    const auto name = static_cast<GLuint>(integer(real, t.binding));
+    std::erase_if(
+        images_, [&](const auto& known) { return known.first.target == target && known.first.name == name; });
+  }
+}
+
+void TextureCache::deleted(GLuint name) {
+  std::erase_if(images_, [&](const auto& known) { return known.first.name == name; });
+}
+
+std::shared_ptr<const scene::TextureImage> TextureCache::image(const RealGl& real, const RareState& has,
+                                                               GLenum target, const ImageRange& range,
+                                                               Reason& reason) {
   const auto* known = std::find_if(std::begin(kTargets), std::end(kTargets),
                                    [&](const Target& t) { return t.name == target; });
   const Key key{target, static_cast<GLuint>(integer(real, known->binding)), range};
   if (const auto found = images_.find(key); found != images_.end()) return found->second;
-  auto image = readImage(real, target, range, reason);
+  auto image = readImage(real, has, target, range, reason);
   if (image) images_[key] = image;
   return image;
 }
 
 Reason TextureCache::readUnit(const RealGl& real, GLint unit, State& state) {
-  const EnabledTargets enabled(real);
+  const EnabledTargets enabled(real, state.rare);
   if (!enabled.highest) return Reason::traced;
   const GLenum target = enabled.highest->name;
   scene::Texture texture;
   texture.unit = static_cast<uint8_t>(unit);
   texture.target = enabled.highest->kind;
-  const Reason sampling = readSampling(real, target, texture);
-  const ImageRange range = rangeOf(real, target, texture.mipFilter != scene::MipFilter::none);
+  const Reason sampling = readSampling(real, state.rare, target, texture);
+  const ImageRange range = rangeOf(real, state.rare, target, texture.mipFilter != scene::MipFilter::none);
   // Texturing with an incomplete texture is as if disabled (GL 2.1, 3.8.10), but some take the next target.
   if (range.levels == 0) return enabled.more ? Reason::textureIncomplete : Reason::traced;
   if (unit >= scene::kTextureUnits) return Reason::textureUnits;
@@ -176,7 +194,7 @@ Reason TextureCache::readUnit(const RealGl& real, GLint unit, State& state) {
   if (!readEnvironment(real, texture)) return Reason::textureEnv;
   real.GetFloatv(GL_TEXTURE_MATRIX, glm::value_ptr(texture.textureMatrix));
   Reason reason = Reason::traced;
-  texture.image = image(real, target, range, reason);
+  texture.image = image(real, state.rare, target, range, reason);
   if (texture.image) state.textures.push_back(std::move(texture));
   return reason;
 }

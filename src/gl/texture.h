@@ -13,7 +13,10 @@ namespace gluray::gl {
 /// it.
 class TextureCache {
  public:
-  /// Calls that change texture images invalidate them.
+  /// Calls that change texture images invalidate them: those of the texture bound to `target` of the active
+  /// unit (faces of cube maps count as the cube map), of a texture that is deleted, or all.
+  void imageChanged(const RealGl& real, GLenum target);
+  void deleted(GLuint name);
   void allImagesChanged() { images_.clear(); }
   /// Textures are attached to framebuffers: drawing changes them, which shows when another framebuffer is
   /// bound.
@@ -35,8 +38,8 @@ class TextureCache {
   /// Adds the active unit's texture to state.textures, if one is enabled. Anything but Reason::traced: why it
   /// cannot be.
   Reason readUnit(const RealGl& real, GLint unit, State& state);
-  std::shared_ptr<const scene::TextureImage> image(const RealGl& real, GLenum target, const ImageRange& range,
-                                                   Reason& reason);
+  std::shared_ptr<const scene::TextureImage> image(const RealGl& real, const RareState& has, GLenum target,
+                                                   const ImageRange& range, Reason& reason);
   std::map<Key, std::shared_ptr<const scene::TextureImage>> images_;
   bool attached_ = false;
 };

@@ -105,7 +105,8 @@ struct TexelForm {
   bool srgb = false, depth = false;
 };
 
-std::optional<TexelForm> formOf(const RealGl& real, GLenum target, const ImageRange& range) {
+std::optional<TexelForm> formOf(const RealGl& real, const RareState& has, GLenum target,
+                                const ImageRange& range) {
   const auto ask = [&](GLenum name) { return levelParameter(real, faceTarget(target, 0), range.base, name); };
   const GLint r = ask(GL_TEXTURE_RED_SIZE), g = ask(GL_TEXTURE_GREEN_SIZE), b = ask(GL_TEXTURE_BLUE_SIZE),
               a = ask(GL_TEXTURE_ALPHA_SIZE), l = ask(GL_TEXTURE_LUMINANCE_SIZE),
@@ -116,7 +117,7 @@ std::optional<TexelForm> formOf(const RealGl& real, GLenum target, const ImageRa
   form.bytes = std::max({r, g, b, a, l, i}) <= 8 && !form.srgb && !form.depth;
   for (const GLenum type : {GL_TEXTURE_RED_TYPE, GL_TEXTURE_GREEN_TYPE, GL_TEXTURE_BLUE_TYPE,
                             GL_TEXTURE_ALPHA_TYPE, GL_TEXTURE_LUMINANCE_TYPE, GL_TEXTURE_INTENSITY_TYPE}) {
-    const GLint t = ask(type);
+    const GLint t = has.textureTypes ? ask(type) : GL_UNSIGNED_NORMALIZED;
     if (t == GL_NONE || t == GL_UNSIGNED_NORMALIZED) continue;
     if (t != GL_FLOAT && t != GL_SIGNED_NORMALIZED) return std::nullopt;  // integers cannot be combined
     form.bytes = false;
@@ -217,16 +218,17 @@ bool isOpaque(const scene::TexelGrid& grid) {
 
 }  // namespace
 
-ImageRange rangeOf(const RealGl& real, GLenum target, bool mipmapped) {
+ImageRange rangeOf(const RealGl& real, const RareState& has, GLenum target, bool mipmapped) {
   ImageRange range;
   range.base = parameter(real, target, GL_TEXTURE_BASE_LEVEL, 0);
   GLint most = parameter(real, target, GL_TEXTURE_MAX_LEVEL, 1000);
-  if (parameter(real, target, GL_TEXTURE_IMMUTABLE_FORMAT, 0)) {
+  if (has.textureStorage && parameter(real, target, GL_TEXTURE_IMMUTABLE_FORMAT, 0)) {
     const GLint last = std::max(1, parameter(real, target, GL_TEXTURE_IMMUTABLE_LEVELS, 1)) - 1;
     range.base = std::min(range.base, last);
     most = std::clamp(most, range.base, last);
   }
-  range.decode = parameter(real, target, GL_TEXTURE_SRGB_DECODE_EXT, GL_DECODE_EXT) != GL_SKIP_DECODE_EXT;
+  range.decode = !has.textureSrgb ||
+                 parameter(real, target, GL_TEXTURE_SRGB_DECODE_EXT, GL_DECODE_EXT) != GL_SKIP_DECODE_EXT;
   range.depthMode = static_cast<GLenum>(parameter(real, target, GL_DEPTH_TEXTURE_MODE, GL_LUMINANCE));
   const LevelSize base = sizeOf(real, target, range.base);
   if (base.width <= 0 || base.height <= 0 || base.depth <= 0 || most < range.base) return range;
@@ -244,11 +246,11 @@ ImageRange rangeOf(const RealGl& real, GLenum target, bool mipmapped) {
   return range;
 }
 
-std::shared_ptr<const scene::TextureImage> readImage(const RealGl& real, GLenum target,
+std::shared_ptr<const scene::TextureImage> readImage(const RealGl& real, const RareState& has, GLenum target,
                                                      const ImageRange& range, Reason& reason) {
   constexpr double kMostTexels = 1 << 26;
   const LevelSize size = sizeOf(real, target, range.base);
-  const auto form = formOf(real, target, range);
+  const auto form = formOf(real, has, target, range);
   if (!form || levelParameter(real, faceTarget(target, 0), range.base, GL_TEXTURE_BORDER) != 0 ||
       static_cast<double>(size.width) * size.height * size.depth > kMostTexels) {
     reason = Reason::textureFormat;

@@ -1,5 +1,6 @@
 // Texture images read back from the real OpenGL. GL thread.
 #pragma once
+#include "gl/extensions.h"
 #include "gl/real.h"
 #include "gl/reasons.h"
 #include "scene/texture.h"
@@ -21,10 +22,10 @@ struct ImageRange {
 };
 
 /// The levels that the texture bound to `target` of the active unit is sampled from, `mipmapped` or not.
-ImageRange rangeOf(const RealGl& real, GLenum target, bool mipmapped);
+ImageRange rangeOf(const RealGl& real, const RareState& has, GLenum target, bool mipmapped);
 
 /// Reads them. Null with a reason where they cannot be traced.
-std::shared_ptr<const scene::TextureImage> readImage(const RealGl& real, GLenum target,
+std::shared_ptr<const scene::TextureImage> readImage(const RealGl& real, const RareState& has, GLenum target,
                                                      const ImageRange& range, Reason& reason);
 
 }  // namespace gluray::gl
