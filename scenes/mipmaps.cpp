@@ -95,6 +95,21 @@ void generated(Gl gl, int width, int height) {
   sendAt(gl, torus(0.6f, 0.3f, 40, 24), 0.8f, 0.2f, 0.3f, 0.8f, kTexcoords);
 }
 
+/// Into a framebuffer object, whose rows are counted from the bottom, of odd height; read from there.
+void intoFramebufferObject(Gl gl, int width, int height) {
+  GLuint framebuffer = 0, buffers[2];
+  gl.GenFramebuffers(1, &framebuffer), gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  gl.GenRenderbuffers(2, buffers);
+  const GLenum formats[] = {GL_RGBA8, GL_DEPTH_COMPONENT24},
+               places[] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
+  for (int i = 0; i < 2; ++i) {
+    gl.BindRenderbuffer(GL_RENDERBUFFER, buffers[i]);
+    gl.RenderbufferStorage(GL_RENDERBUFFER, formats[i], width, height + 1);
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, places[i], GL_RENDERBUFFER, buffers[i]);
+  }
+  filtered(gl, width, height + 1, GL_LINEAR_MIPMAP_LINEAR);
+}
+
 void oneDimensional(Gl gl, int width, int height) {
   begin(gl, width, height);
   camera(gl, width, height);
@@ -146,6 +161,7 @@ constexpr Scene kScenes[] = {
     {"mipmap-bias", bias, true, kLevelEdges},
     {"mipmap-limits", limits, true, kLevelEdges},
     {"mipmap-generated", generated, true, kLevelEdges},
+    {"mipmap-into-framebuffer-object", intoFramebufferObject, true, kLevelEdges},
     {"mipmap-1d", oneDimensional, true, kLevelEdges},
     {"mipmap-incomplete", incomplete},
     {"anisotropic-filter", anisotropic, false},
