@@ -1,4 +1,5 @@
-// What happens to fragments after texturing: fog, and the alpha test where it leaves holes.
+// What happens to fragments after texturing: secondary colours, fog, and the alpha test where it leaves
+// holes.
 #include "scenes/families.h"
 #include "scenes/stage.h"
 
@@ -43,6 +44,88 @@ void fogChanges(Gl gl, int width, int height) {
     gl.Fogf(GL_FOG_DENSITY, 0.1f * static_cast<float>(i));
     sendAt(gl, m, -1.2f + 0.8f * static_cast<float>(i), 0.3f, -0.5f * static_cast<float>(i), 0.5f, kColors);
   }
+}
+
+/// Fog by coordinates: of each vertex, from an array, and one for all; the distance does not matter.
+/// Never negative: of those Mesa takes the magnitude.
+void fogCoordinates(Gl gl, int width, int height) {
+  begin(gl, width, height);
+  camera(gl, width, height);
+  keyLight(gl);
+  paint(gl, 0.9f, 0.7f, 0.2f);
+  const float color[] = {0.2f, 0.3f, 0.6f, 1};
+  gl.Enable(GL_FOG);
+  gl.Fogi(GL_FOG_MODE, GL_LINEAR), gl.Fogf(GL_FOG_START, 0), gl.Fogf(GL_FOG_END, 2);
+  gl.Fogfv(GL_FOG_COLOR, color);
+  gl.Fogi(GL_FOG_COORD_SRC, GL_FOG_COORD);
+  const Model m = torus(0.5f, 0.2f, 30, 16);
+  gl.PushMatrix();
+  gl.Translatef(-0.9f, 0, 0);
+  gl.Begin(GL_TRIANGLES);
+  for (const uint32_t i : m.indices) {
+    gl.Normal3fv(&m.normals[i * 3]);
+    gl.FogCoordf(1 + 1.5f * m.positions[i * 3]);
+    gl.Vertex3fv(&m.positions[i * 3]);
+  }
+  gl.End();
+  gl.PopMatrix();
+  std::vector<float> heights;
+  for (size_t v = 0; v < m.vertexCount(); ++v) heights.push_back(1 + 1.3f * m.positions[v * 3 + 1]);
+  gl.VertexPointer(3, GL_FLOAT, 0, m.positions.data()), gl.EnableClientState(GL_VERTEX_ARRAY);
+  gl.NormalPointer(GL_FLOAT, 0, m.normals.data()), gl.EnableClientState(GL_NORMAL_ARRAY);
+  gl.FogCoordPointer(GL_FLOAT, 0, heights.data()), gl.EnableClientState(GL_FOG_COORD_ARRAY);
+  gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(m.indices.size()), GL_UNSIGNED_INT, m.indices.data());
+  gl.DisableClientState(GL_FOG_COORD_ARRAY);
+  gl.FogCoordf(0.8f);
+  sendAt(gl, m, 0.9f, 0, -1, 1);
+}
+
+/// Secondary colours of each vertex, added after a texture; from an array; and one for all, smooth and flat.
+void secondaryColors(Gl gl, int width, int height) {
+  begin(gl, width, height);
+  camera(gl, width, height);
+  gl.Enable(GL_COLOR_SUM);
+  const Model m = torus(0.45f, 0.2f, 30, 16);
+  const GLubyte texels[] = {40, 40, 90, 255, 160, 120, 40, 255, 30, 140, 60, 255, 90, 90, 90, 255};
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+  for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl.TexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
+  gl.Enable(GL_TEXTURE_2D);
+  const auto glowing = [&](float x, float y, GLenum model) {
+    gl.ShadeModel(model);
+    gl.PushMatrix();
+    gl.Translatef(x, y, 0);
+    gl.Begin(GL_TRIANGLES);
+    for (const uint32_t i : m.indices) {
+      gl.TexCoord2fv(&m.texcoords[i * 2]);
+      gl.SecondaryColor3f(0.5f + m.positions[i * 3], 0, 0.5f + m.positions[i * 3 + 1]);
+      gl.Vertex3fv(&m.positions[i * 3]);
+    }
+    gl.End();
+    gl.PopMatrix();
+  };
+  glowing(-1, 0.5f, GL_SMOOTH);
+  glowing(0, 0.5f, GL_FLAT);
+  gl.ShadeModel(GL_SMOOTH);
+  gl.SecondaryColor3f(0, 0.4f, 0);
+  sendAt(gl, m, 1, 0.5f, 0, 1, kTexcoords);
+  std::vector<GLubyte> glow;
+  for (size_t v = 0; v < m.vertexCount(); ++v)
+    for (const size_t step : {7, 3, 1}) glow.push_back(static_cast<GLubyte>(v * step % 128));
+  gl.PushMatrix();
+  gl.Translatef(-1, -0.6f, 0.3f);
+  gl.VertexPointer(3, GL_FLOAT, 0, m.positions.data()), gl.EnableClientState(GL_VERTEX_ARRAY);
+  gl.SecondaryColorPointer(3, GL_UNSIGNED_BYTE, 0, glow.data()),
+      gl.EnableClientState(GL_SECONDARY_COLOR_ARRAY);
+  gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(m.indices.size()), GL_UNSIGNED_INT, m.indices.data());
+  gl.DisableClientState(GL_SECONDARY_COLOR_ARRAY);
+  gl.PopMatrix();
+  keyLight(gl);  // with lighting the secondary colour is the light's
+  sendAt(gl, m, 0, -0.6f, 0.3f, 1);
+  gl.LightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SEPARATE_SPECULAR_COLOR);
+  material(gl, GL_FRONT_AND_BACK, GL_SPECULAR, {0.9f, 0.9f, 0.9f, 1});
+  gl.Materialf(GL_FRONT_AND_BACK, GL_SHININESS, 12);
+  sendAt(gl, m, 1, -0.6f, 0.3f, 1);
 }
 
 /// A texture of `size` x `size` texels whose alpha falls from 1 in the middle of each of 4 x 4 cells.
@@ -123,6 +206,8 @@ constexpr Tolerance kHoleEdges{2, 0.004, 1e-5f,
 constexpr Scene kScenes[] = {
     {"fog-linear", fogLinear},
     {"fog-exp", fogExp},
+    {"fog-coordinates", fogCoordinates},
+    {"secondary-colors", secondaryColors},
     {"fog-exp2", fogExp2},
     {"fog-changes", fogChanges},
     {"holes", holes, true, kHoleEdges},

@@ -17,16 +17,18 @@ struct Readers {
       : vertex(real, arrays.vertex),
         normal(real, arrays.normal),
         color(real, arrays.color),
+        secondaryColor(real, arrays.secondaryColor),
+        fogCoord(real, arrays.fogCoord),
         texcoord(real, arrays.texcoord) {
     for (const ArraySource& source : arrays.texcoordsAbove) texcoordsAbove.emplace_back(real, source);
   }
-  ArrayReader vertex, normal, color, texcoord;
+  ArrayReader vertex, normal, color, secondaryColor, fogCoord, texcoord;
   std::vector<ArrayReader> texcoordsAbove;
 
   /// Elements that every enabled array has.
   uint32_t available() const {
     uint32_t n = vertex.available();
-    for (const ArrayReader* r : {&normal, &color, &texcoord})
+    for (const ArrayReader* r : {&normal, &color, &secondaryColor, &fogCoord, &texcoord})
       if (r->enabled()) n = std::min(n, r->available());
     for (const ArrayReader& r : texcoordsAbove)
       if (r.enabled()) n = std::min(n, r.available());
@@ -147,6 +149,9 @@ KnownMesh buildArrayMesh(const RealGl& real, const ArrayState& arrays, GLenum mo
   mesh->positions.format = scene::Format::float3;
   mesh->normals = attribute(readers.normal, arrays.normal, range, keepPlace, 3, mesh->sizeBytes);
   mesh->colors = attribute(readers.color, arrays.color, range, keepPlace, 4, mesh->sizeBytes);
+  mesh->secondaryColors =
+      attribute(readers.secondaryColor, arrays.secondaryColor, range, keepPlace, 3, mesh->sizeBytes);
+  mesh->fogCoords = attribute(readers.fogCoord, arrays.fogCoord, range, keepPlace, 1, mesh->sizeBytes);
   mesh->texcoords = attribute(readers.texcoord, arrays.texcoord, range, keepPlace, 4, mesh->sizeBytes);
   for (size_t i = 0; i < arrays.texcoordsAbove.size(); ++i)
     mesh->texcoordsAbove.push_back(
@@ -175,6 +180,8 @@ Captured capture(const RealGl& real, const ArrayState& arrays, GLenum mode, cons
   put(kPosition, readers.vertex, arrays.vertex);
   put(kNormal, readers.normal, arrays.normal);
   put(kColor, readers.color, arrays.color);
+  put(kSecondaryColor, readers.secondaryColor, arrays.secondaryColor);
+  put(kFogCoord, readers.fogCoord, arrays.fogCoord);
   put(kTexCoord0, readers.texcoord, arrays.texcoord);
   for (size_t i = 0; i < arrays.texcoordsAbove.size(); ++i)
     put(texCoordSlot(static_cast<uint32_t>(i) + 1), readers.texcoordsAbove[i], arrays.texcoordsAbove[i]);

@@ -52,6 +52,13 @@ constexpr ArrayNames kNormalNames{GL_NORMAL_ARRAY,         0,
 constexpr ArrayNames kColorNames{GL_COLOR_ARRAY,         GL_COLOR_ARRAY_SIZE,
                                  GL_COLOR_ARRAY_TYPE,    GL_COLOR_ARRAY_STRIDE,
                                  GL_COLOR_ARRAY_POINTER, GL_COLOR_ARRAY_BUFFER_BINDING};
+constexpr ArrayNames kSecondaryColorNames{
+    GL_SECONDARY_COLOR_ARRAY,         GL_SECONDARY_COLOR_ARRAY_SIZE,
+    GL_SECONDARY_COLOR_ARRAY_TYPE,    GL_SECONDARY_COLOR_ARRAY_STRIDE,
+    GL_SECONDARY_COLOR_ARRAY_POINTER, GL_SECONDARY_COLOR_ARRAY_BUFFER_BINDING};
+constexpr ArrayNames kFogCoordNames{GL_FOG_COORD_ARRAY,         0,
+                                    GL_FOG_COORD_ARRAY_TYPE,    GL_FOG_COORD_ARRAY_STRIDE,
+                                    GL_FOG_COORD_ARRAY_POINTER, GL_FOG_COORD_ARRAY_BUFFER_BINDING};
 constexpr ArrayNames kTexCoordNames{GL_TEXTURE_COORD_ARRAY,         GL_TEXTURE_COORD_ARRAY_SIZE,
                                     GL_TEXTURE_COORD_ARRAY_TYPE,    GL_TEXTURE_COORD_ARRAY_STRIDE,
                                     GL_TEXTURE_COORD_ARRAY_POINTER, GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING};
@@ -63,11 +70,13 @@ std::shared_ptr<Buffer> bufferNamed(ShareGroup& group, GLuint name) {
   return buffer;
 }
 
-ArraySource readArray(const RealGl& real, ShareGroup& group, const ArrayNames& names, bool normalized) {
+/// `size`: of arrays whose size cannot be chosen.
+ArraySource readArray(const RealGl& real, ShareGroup& group, const ArrayNames& names, bool normalized,
+                      GLint size = 3) {
   ArraySource source;
   source.enabled = real.IsEnabled(names.enable) == GL_TRUE;
   if (!source.enabled) return source;
-  source.size = names.size ? integer(real, names.size) : 3;
+  source.size = names.size ? integer(real, names.size) : size;
   source.type = static_cast<GLenum>(integer(real, names.type));
   source.stride = integer(real, names.stride);
   if (source.stride == 0) source.stride = static_cast<GLsizei>(sizeOfType(source.type)) * source.size;
@@ -82,10 +91,7 @@ ArraySource readArray(const RealGl& real, ShareGroup& group, const ArrayNames& n
 
 /// Arrays that are on but never traced: they matter where a draw is recorded or rasterised.
 bool otherArraysOn(const RealGl& real) {
-  for (const GLenum array :
-       {GL_SECONDARY_COLOR_ARRAY, GL_FOG_COORD_ARRAY, GL_EDGE_FLAG_ARRAY, GL_INDEX_ARRAY})
-    if (real.IsEnabled(array)) return true;
-  return false;
+  return real.IsEnabled(GL_EDGE_FLAG_ARRAY) || real.IsEnabled(GL_INDEX_ARRAY);
 }
 
 /// Texture coordinate arrays of all units.
@@ -129,6 +135,9 @@ void readArrays(const RealGl& real, ShareGroup& group, ArrayState& state) {
   state.vertex = readArray(real, group, kVertexNames, false);
   state.normal = readArray(real, group, kNormalNames, true);
   state.color = readArray(real, group, kColorNames, true);
+  if (isPresent(real.SecondaryColorPointer))
+    state.secondaryColor = readArray(real, group, kSecondaryColorNames, true);
+  if (isPresent(real.FogCoordPointer)) state.fogCoord = readArray(real, group, kFogCoordNames, false, 1);
   readTexCoords(real, group, state);
   if (isPresent(real.GenBuffers))
     state.elements = bufferNamed(group, static_cast<GLuint>(integer(real, GL_ELEMENT_ARRAY_BUFFER_BINDING)));
@@ -238,8 +247,10 @@ std::vector<uint32_t> vertexNumbers(const RealGl& real, const ArrayState& arrays
 }
 
 SlotMask slotsOf(const ArrayState& arrays) {
-  SlotMask slots = bit(kPosition) | (arrays.normal.enabled ? bit(kNormal) : 0) |
-                   (arrays.color.enabled ? bit(kColor) : 0) | (arrays.texcoord.enabled ? bit(kTexCoord0) : 0);
+  SlotMask slots =
+      bit(kPosition) | (arrays.normal.enabled ? bit(kNormal) : 0) | (arrays.color.enabled ? bit(kColor) : 0) |
+      (arrays.secondaryColor.enabled ? bit(kSecondaryColor) : 0) |
+      (arrays.fogCoord.enabled ? bit(kFogCoord) : 0) | (arrays.texcoord.enabled ? bit(kTexCoord0) : 0);
   for (size_t i = 0; i < arrays.texcoordsAbove.size(); ++i)
     if (arrays.texcoordsAbove[i].enabled) slots |= bit(texCoordSlot(static_cast<uint32_t>(i) + 1));
   return slots;

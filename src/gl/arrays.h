@@ -23,16 +23,17 @@ struct ArraySource {
 };
 
 struct ArrayState {
-  ArraySource vertex, normal, color, texcoord;
+  ArraySource vertex, normal, color, secondaryColor, fogCoord, texcoord;
   std::vector<ArraySource> texcoordsAbove;  // of texture units 1, 2 ... up to the last that is enabled
   std::shared_ptr<Buffer> elements;         // bound to GL_ELEMENT_ARRAY_BUFFER
-  bool others = false;             // arrays that only the real OpenGL handles are on (fog, edge flags ...)
+  bool others = false;             // arrays that only the real OpenGL handles are on (edge flags ...)
   Reason reason = Reason::traced;  // why these arrays cannot be traced
 
   /// All of them, in a fixed order.
   template <class Each>
   void forEach(Each&& each) const {
-    for (const ArraySource* source : {&vertex, &normal, &color, &texcoord}) each(*source);
+    for (const ArraySource* source : {&vertex, &normal, &color, &secondaryColor, &fogCoord, &texcoord})
+      each(*source);
     for (const ArraySource& source : texcoordsAbove) each(source);
   }
 };

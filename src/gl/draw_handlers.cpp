@@ -66,6 +66,8 @@ class ElementSender {
   explicit ElementSender(const Context& c)
       : normal_(c.real, c.arrays.normal),
         color_(c.real, c.arrays.color),
+        secondaryColor_(c.real, c.arrays.secondaryColor),
+        fogCoord_(c.real, c.arrays.fogCoord),
         texcoord_(c.real, c.arrays.texcoord),
         vertex_(c.real, c.arrays.vertex) {
     for (const ArraySource& source : c.arrays.texcoordsAbove) texcoordsAbove_.emplace_back(c.real, source);
@@ -75,6 +77,8 @@ class ElementSender {
     float v[4];
     if (read(normal_, i, v)) leaf::normal(v[0], v[1], v[2]);
     if (read(color_, i, v)) leaf::color(v[0], v[1], v[2], v[3]);
+    if (read(secondaryColor_, i, v)) leaf::secondaryColor(v[0], v[1], v[2]);
+    if (read(fogCoord_, i, v)) leaf::fogCoord(v[0]);
     if (read(texcoord_, i, v)) leaf::texCoord(0, v[0], v[1], v[2], v[3]);
     for (GLuint unit = 1; unit <= texcoordsAbove_.size(); ++unit)
       if (read(texcoordsAbove_[unit - 1], i, v)) leaf::texCoord(unit, v[0], v[1], v[2], v[3]);
@@ -87,7 +91,7 @@ class ElementSender {
     reader.read(i, v);
     return true;
   }
-  ArrayReader normal_, color_, texcoord_, vertex_;
+  ArrayReader normal_, color_, secondaryColor_, fogCoord_, texcoord_, vertex_;
   std::vector<ArrayReader> texcoordsAbove_;
 };
 

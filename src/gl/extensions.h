@@ -21,9 +21,9 @@ struct RareState {
   bool framebufferObjects = false, rasterizerDiscard = false, framebufferSrgb = false;
   bool depthClamp = false, depthBounds = false, clipControl = false, provokingVertex = false;
   bool offsetClamp = false, fogDistance = false, sampleMask = false, rectangles = false;
-  bool assemblyPrograms = false;
   bool textureTypes = false, textureSwizzle = false, textureStorage = false, textureSrgb = false;
   bool anisotropy = false, seamlessCubes = false;
+  bool assemblyPrograms = false, secondaryColor = false, fogCoord = false;
 };
 
 /// Asks the current context. Raises no GL error.

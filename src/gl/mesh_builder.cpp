@@ -110,7 +110,8 @@ bool isSoup(const Captured& c) { return c.indices.empty() && isTriangles(c); }
 
 /// Whether a mesh can read the vertices where they are, and nothing in them is in vain.
 bool isReadable(const VertexLayout& layout) {
-  return (layout.mask & ~(bit(kPosition) | bit(kNormal) | kTexCoordSlots)) == 0;
+  return (layout.mask &
+          ~(bit(kPosition) | bit(kNormal) | bit(kSecondaryColor) | bit(kFogCoord) | kTexCoordSlots)) == 0;
 }
 
 /// Texture coordinates of units 1 and up: makeOne(slot) for each that the layout has.
@@ -138,6 +139,10 @@ void copyAttributes(const Selection& vertices, scene::Mesh& mesh) {
   mesh.positions = copySlot(vertices, kPosition, scene::Format::float3, mesh.sizeBytes);
   if (layout.has(kNormal)) mesh.normals = copySlot(vertices, kNormal, scene::Format::float3, mesh.sizeBytes);
   if (layout.has(kColor)) mesh.colors = copyColors(vertices, mesh.sizeBytes);
+  if (layout.has(kSecondaryColor))
+    mesh.secondaryColors = copySlot(vertices, kSecondaryColor, scene::Format::float3, mesh.sizeBytes);
+  if (layout.has(kFogCoord))
+    mesh.fogCoords = copySlot(vertices, kFogCoord, scene::Format::float1, mesh.sizeBytes);
   if (layout.has(kTexCoord0))
     mesh.texcoords = copySlot(vertices, kTexCoord0, scene::Format::float4, mesh.sizeBytes);
   mesh.texcoordsAbove = texcoordsAbove(
@@ -200,6 +205,8 @@ KnownMesh buildMesh(Captured&& captured) {
   mesh->triangleCount = static_cast<uint32_t>(captured.indices.size() / 3);
   mesh->positions = slot(kPosition, scene::Format::float3);
   mesh->normals = slot(kNormal, scene::Format::float3);
+  mesh->secondaryColors = slot(kSecondaryColor, scene::Format::float3);
+  mesh->fogCoords = slot(kFogCoord, scene::Format::float1);
   mesh->texcoords = slot(kTexCoord0, scene::Format::float4);
   mesh->texcoordsAbove = texcoordsAbove(layout, [&](Slot s) { return slot(s, scene::Format::float4); });
   mesh->indices = {taken, reinterpret_cast<const std::byte*>(captured.indices.data()), 4,

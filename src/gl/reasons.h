@@ -23,7 +23,7 @@ namespace gluray::gl {
   X(alphaTest, "alpha test")                                  \
   X(blend, "blending")                                        \
   X(logicOp, "logic operation")                               \
-  X(fog, "fog coordinates")                                   \
+  X(fog, "fog distance mode")                                 \
   X(polygonStipple, "polygon stipple")                        \
   X(polygonSmooth, "polygon smoothing")                       \
   X(program, "vertex or fragment program")                    \
@@ -33,7 +33,6 @@ namespace gluray::gl {
   X(textureAnisotropy, "anisotropic texture filter")          \
   X(textureIncomplete, "texture incomplete")                  \
   X(texGen, "texture coordinate generation")                  \
-  X(colorSum, "secondary colour")                             \
   X(colorIndex, "colour index mode")                          \
   X(transformFeedback, "transform feedback")                  \
   X(depthClamp, "depth clamp or depth bounds")                \

@@ -105,6 +105,8 @@ void replay(const RealGl& real, const scene::Mesh& mesh, std::span<const Primiti
     }
     if (mesh.normals) real.Normal3fv(glm::value_ptr(scene::fetch(mesh.normals, i)));
     if (mesh.colors) real.Color4fv(glm::value_ptr(scene::fetch(mesh.colors, i)));
+    if (mesh.secondaryColors) real.SecondaryColor3fv(glm::value_ptr(scene::fetch(mesh.secondaryColors, i)));
+    if (mesh.fogCoords) real.FogCoordfv(glm::value_ptr(scene::fetch(mesh.fogCoords, i)));
     if (mesh.texcoords) real.TexCoord4fv(glm::value_ptr(scene::fetch(mesh.texcoords, i)));
     for (uint32_t unit = 1; unit <= mesh.texcoordsAbove.size(); ++unit)
       if (const scene::Attribute* texcoords = mesh.texcoordsOf(unit))

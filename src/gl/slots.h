@@ -44,8 +44,9 @@ inline constexpr SlotMask kTexCoordSlots = SlotMask{0xFF} << kTexCoord0;
 constexpr Slot texCoordSlot(uint32_t unit) { return static_cast<Slot>(kTexCoord0 + unit); }
 
 /// Slots that the traced picture can depend on; the others matter to rasterised draws alone.
-inline constexpr SlotMask kTracedSlots =
-    bit(kPosition) | bit(kPositionW) | bit(kNormal) | bit(kColor) | bit(kMaterialNumber) | kTexCoordSlots;
+inline constexpr SlotMask kTracedSlots = bit(kPosition) | bit(kPositionW) | bit(kNormal) | bit(kColor) |
+                                         bit(kSecondaryColor) | bit(kFogCoord) | bit(kMaterialNumber) |
+                                         kTexCoordSlots;
 
 /// Values of all slots, padded to four floats.
 using SlotValues = std::array<std::array<float, 4>, kSlotCount>;

@@ -117,6 +117,8 @@ void Context::addInstance(const scene::MeshPtr& mesh, SlotMask slots,
   if (!(slots & bit(kColor)))
     instance.color = {value(kColor)[0], value(kColor)[1], value(kColor)[2], value(kColor)[3]};
   if (!(slots & bit(kNormal))) instance.normal = {value(kNormal)[0], value(kNormal)[1], value(kNormal)[2]};
+  instance.secondaryColor = glm::make_vec3(value(kSecondaryColor));
+  instance.fogCoord = *value(kFogCoord);
   if (!(slots & bit(kTexCoord0)))
     instance.texcoord = {value(kTexCoord0)[0], value(kTexCoord0)[1], value(kTexCoord0)[2],
                          value(kTexCoord0)[3]};

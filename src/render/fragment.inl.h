@@ -72,17 +72,30 @@ HWY_INLINE Float fogFactor(const scene::Fog& fog, Float distance) {
   return clamp01(hn::Exp(d, hn::Neg(thickness)));
 }
 
-// Colours fade into the fog with the distance from the viewer's plane; alpha stays.
+// Fog coordinates of the corners of the group's triangles.
+HWY_ATTR inline void loadFogCoords(const Surface& s, const Group& group, Row (&out)[3]) {
+  const scene::Attribute& a = s.mesh->fogCoords;
+  for (int k = 0; k < 3; ++k)
+    for (int i = 0; i < kLanes; ++i)
+      out[k][i] = a ? scene::fetch(a, group.vertex[k][i]).x : s.instance->fogCoord;
+}
+
+// Colours fade into the fog; alpha stays.
 HWY_ATTR inline void applyFog(const scene::Fog& fog, const Surface& s, const Group& group, LitRows& rows) {
   const glm::vec4 eyeZ(s.eyeFromObject[0].z, s.eyeFromObject[1].z, s.eyeFromObject[2].z,
                        s.eyeFromObject[3].z);
+  alignas(64) Row coordinates[3];
+  if (fog.fromCoordinates) loadFogCoords(s, group, coordinates);
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
     const Weights weights(group, i);
     const Float3 p =
         weights(load3(group.position[0], i), load3(group.position[1], i), load3(group.position[2], i));
     const Float z = hn::MulAdd(p.x, splat(eyeZ.x),
                                hn::MulAdd(p.y, splat(eyeZ.y), hn::MulAdd(p.z, splat(eyeZ.z), splat(eyeZ.w))));
-    const Float factor = fogFactor(fog, hn::Abs(z));
+    Float distance = hn::Abs(z);
+    if (fog.fromCoordinates)
+      distance = weights(load(coordinates[0] + i), load(coordinates[1] + i), load(coordinates[2] + i));
+    const Float factor = fogFactor(fog, distance);
     for (int c = 0; c < 3; ++c) {
       const Float color = clamp01(load(rows.value[c] + i)), background = splat(fog.color[c]);
       store(hn::MulAdd(factor, hn::Sub(color, background), background), rows.value[c] + i);

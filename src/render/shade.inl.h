@@ -20,6 +20,7 @@ namespace HWY_NAMESPACE {
 struct Attributes {
   alignas(64) Row normal[3][3];
   alignas(64) Row color[3][4];
+  alignas(64) Row secondary[3][3];  // only with GL_COLOR_SUM
 };
 
 HWY_ATTR inline void loadAttributes(const Surface& s, const Group& group, Attributes& out) {
@@ -35,6 +36,11 @@ HWY_ATTR inline void loadAttributes(const Surface& s, const Group& group, Attrib
       loadVec4(s.mesh->colors, group.vertex[k], out.color[k]);
     else if (colors)
       fillRows<4>(s.instance->color, out.color[k]);
+    if (!s.lighting->shading->colorSum) continue;
+    if (s.mesh->secondaryColors)
+      loadVec3(s.mesh->secondaryColors, s.mesh->vertexCount, group.vertex[k], out.secondary[k]);
+    else
+      fillRows<3>(s.instance->secondaryColor, out.secondary[k]);
   }
 }
 
@@ -108,13 +114,15 @@ HWY_ATTR inline void lightPixels(const Surface& s, const Group& group, const Att
 }
 
 // Colour of corner k without lighting.
-HWY_ATTR inline void colorCorner(const Attributes& a, int k, LitRows& out) {
+HWY_ATTR inline void colorCorner(const Attributes& a, int k, bool secondary, LitRows& out) {
   const Float zero = hn::Zero(FloatTag());
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
     const Float3 color = load3(a.color[k], i);
     out.set(i, {{clamp01(color.x), clamp01(color.y), clamp01(color.z)},
                 clamp01(load(a.color[k][3] + i)),
                 {zero, zero, zero}});
+    for (int c = 0; secondary && c < 3; ++c)
+      store(clamp01(load(a.secondary[k][c] + i)), out.value[4 + c] + i);
   }
 }
 
@@ -137,7 +145,7 @@ HWY_ATTR inline void colorSide(const FrameData& frame, const Surface& s, const G
     if (shading.lighting)
       lightCorner(s, group, a, k, back, rows);
     else
-      colorCorner(a, k, rows);
+      colorCorner(a, k, shading.colorSum, rows);
   };
   if (!shading.smooth) return corner(2, out);
   if (shading.lighting && !frame.perVertex) return lightPixels(s, group, a, back, out);
@@ -197,7 +205,7 @@ HWY_ATTR inline uint32_t shade(const FrameData& frame, const Surface& s, const G
     }
   }
   if (!shading.textures.empty()) textureLanes(frame, s, group, x, y, rows);
-  if (shading.separateSpecular) addSecondary(rows);
+  if (shading.separateSpecular || shading.colorSum) addSecondary(rows);
   if (shading.fog.mode != scene::Fog::off) applyFog(shading.fog, s, group, rows);
   packColors(rows, color);
   return failingLanes(shading.alphaTest, rows) & group.lanes;

@@ -64,6 +64,8 @@ struct Mesh {
   Attribute colors;                       // float4, float3 or unorm8x4
   Attribute texcoords;                    // float1 to float4 (s, t, r, q), of texture unit 0
   std::vector<Attribute> texcoordsAbove;  // the same of units 1, 2 ...; shorter where the last are absent
+  Attribute secondaryColors;              // float3 or float4
+  Attribute fogCoords;                    // float1
   Attribute materials;                    // uint32: index into the instance's materials
   glm::vec3 lower{0}, upper{0};           // bounds of the finite vertices, object space
   bool opaqueColors = true;               // every vertex colour has alpha 1 (or there are none)

@@ -42,13 +42,14 @@ struct ColorMaterial {
   bool operator==(const ColorMaterial&) const = default;
 };
 
-/// GL_FOG by distance (GL 2.1, 3.10): the fragment's colour fades into `color` with |z| in eye space.
+/// GL_FOG (GL 2.1, 3.10): the fragment's colour fades into `color` with |z| in eye space.
 struct Fog {
   enum Mode : uint8_t { off, linear, exp, exp2 };
   Mode mode = off;
   float density = 1;         // exp, exp2
   float start = 0, end = 1;  // linear
   glm::vec3 color{0};
+  bool fromCoordinates = false;  // GL_FOG_COORD: by the vertices' fog coordinates instead of the distance
   bool operator==(const Fog&) const = default;
 };
 
@@ -67,8 +68,9 @@ struct Shading {
   bool twoSided = false;  // back faces: back material, reversed normal
   bool localViewer = false;
   bool separateSpecular = false;  // specular is added after texturing
-  bool normalize = false;         // GL_NORMALIZE
-  bool rescaleNormal = false;     // GL_RESCALE_NORMAL
+  bool colorSum = false;       // GL_COLOR_SUM without lighting: the secondary colour is added after texturing
+  bool normalize = false;      // GL_NORMALIZE
+  bool rescaleNormal = false;  // GL_RESCALE_NORMAL
   ColorMaterial colorMaterial;
   glm::vec4 globalAmbient{0.2f, 0.2f, 0.2f, 1};
   std::vector<Light> lights;

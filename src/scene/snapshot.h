@@ -52,6 +52,8 @@ struct Instance {
   // Values of attributes that the mesh does not carry.
   glm::vec4 color{1};
   glm::vec3 normal{0, 0, 1};
+  glm::vec3 secondaryColor{0};
+  float fogCoord = 0;
   glm::vec4 texcoord{0, 0, 0, 1};         // of texture unit 0
   std::vector<glm::vec4> texcoordsAbove;  // of units 1, 2 ...; may be shorter
   glm::vec4 texcoordOf(uint32_t unit) const {

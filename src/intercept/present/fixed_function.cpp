@@ -54,6 +54,7 @@ void setFog(const RealGl& real, const scene::Fog& fog) {
   real.Fogi(GL_FOG_MODE, fog.mode == scene::Fog::linear ? GL_LINEAR
                          : fog.mode == scene::Fog::exp  ? GL_EXP
                                                         : GL_EXP2);
+  if (fog.fromCoordinates) real.Fogi(GL_FOG_COORD_SRC, GL_FOG_COORD);
   real.Fogf(GL_FOG_DENSITY, fog.density);
   real.Fogf(GL_FOG_START, fog.start);
   real.Fogf(GL_FOG_END, fog.end);
@@ -118,6 +119,7 @@ void setShading(const RealGl& real, const Features& features, const scene::Shadi
     real.LightModeli(GL_LIGHT_MODEL_COLOR_CONTROL,
                      shading.separateSpecular ? GL_SEPARATE_SPECULAR_COLOR : GL_SINGLE_COLOR);
   }
+  if (features.version >= 14) enable(real, GL_COLOR_SUM, shading.colorSum);
   real.ShadeModel(shading.smooth ? GL_SMOOTH : GL_FLAT);
   real.LightModelfv(GL_LIGHT_MODEL_AMBIENT, glm::value_ptr(shading.globalAmbient));
   real.LightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, shading.localViewer);

@@ -58,6 +58,9 @@ void sendVertex(const gl::RealGl& real, const scene::Instance& instance, uint32_
   }
   if (mesh.normals) real.Normal3fv(glm::value_ptr(scene::fetch(mesh.normals, vertex)));
   if (mesh.colors) real.Color4fv(glm::value_ptr(scene::fetch(mesh.colors, vertex)));
+  if (mesh.secondaryColors)
+    real.SecondaryColor3fv(glm::value_ptr(scene::fetch(mesh.secondaryColors, vertex)));
+  if (mesh.fogCoords) real.FogCoordfv(glm::value_ptr(scene::fetch(mesh.fogCoords, vertex)));
   if (mesh.texcoords) real.TexCoord4fv(glm::value_ptr(scene::fetch(mesh.texcoords, vertex)));
   for (uint32_t unit = 1; unit <= mesh.texcoordsAbove.size(); ++unit)
     if (const scene::Attribute* texcoords = mesh.texcoordsOf(unit))
@@ -69,6 +72,8 @@ void drawInstance(const gl::RealGl& real, const scene::Instance& instance) {
   setInstanceState(real, instance);
   real.Color4fv(glm::value_ptr(instance.color));
   real.Normal3fv(glm::value_ptr(instance.normal));
+  real.SecondaryColor3fv(glm::value_ptr(instance.secondaryColor));
+  real.FogCoordf(instance.fogCoord);
   real.TexCoord4fv(glm::value_ptr(instance.texcoord));
   for (uint32_t unit = 1; unit <= instance.texcoordsAbove.size(); ++unit)
     real.MultiTexCoord4fv(GL_TEXTURE0 + unit, glm::value_ptr(instance.texcoordOf(unit)));

@@ -1,0 +1,92 @@
+// The framebuffer that draws go to.
+#include "gl/state.h"
+#include "gl/state_queries.h"
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gluray::gl {
+namespace {
+
+bool isSingleDrawBuffer(GLenum buffer) {
+  switch (buffer) {
+    case GL_FRONT:
+    case GL_BACK:
+    case GL_FRONT_LEFT:
+    case GL_BACK_LEFT:
+    case GL_FRONT_AND_BACK:
+    case GL_LEFT: return true;
+    default: return buffer >= GL_COLOR_ATTACHMENT0 && buffer < GL_COLOR_ATTACHMENT0 + 16;
+  }
+}
+
+/// Whether the colour buffer holds eight-bit normalised values, which is what the write-back delivers.
+bool isByteColor(const RealGl& real, const TargetState& target) {
+  if (target.framebuffer == 0) return integer(real, GL_RED_BITS) == 8;
+  GLint type = 0, bits = 0;
+  real.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, target.drawBuffer,
+                                           GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
+  real.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, target.drawBuffer,
+                                           GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE, &bits);
+  return type == GL_UNSIGNED_NORMALIZED && bits == 8;
+}
+
+/// Size of the image that is attached to the framebuffer object's draw buffer; {0, 0} where it is of a kind
+/// not asked about.
+glm::ivec2 attachmentSize(const RealGl& real, GLenum attachment) {
+  const auto ask = [&](GLenum name) {
+    GLint value = 0;
+    real.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, name, &value);
+    return value;
+  };
+  if (ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_RENDERBUFFER) return {0, 0};
+  glm::ivec2 size(0);
+  const GLint bound = integer(real, GL_RENDERBUFFER_BINDING);
+  real.BindRenderbuffer(GL_RENDERBUFFER, static_cast<GLuint>(ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME)));
+  real.GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_WIDTH, &size.x);
+  real.GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_HEIGHT, &size.y);
+  real.BindRenderbuffer(GL_RENDERBUFFER, static_cast<GLuint>(bound));
+  return size;
+}
+
+}  // namespace
+
+void readTarget(const RealGl& real, State& state, bool core) {
+  TargetState& target = state.target;
+  target.size = {0, 0};
+  target.reason = Reason::traced;
+  const bool objects = state.rare.framebufferObjects;
+  target.framebuffer = objects ? static_cast<GLuint>(integer(real, GL_DRAW_FRAMEBUFFER_BINDING)) : 0;
+  target.drawBuffer = static_cast<GLenum>(integer(real, GL_DRAW_BUFFER));
+  target.samples = std::max(1, integer(real, GL_SAMPLES));
+  target.samplePositions.assign(static_cast<size_t>(target.samples), glm::vec2(0.5f));
+  if (core) {
+    target.reason = Reason::program;  // core profiles draw with shaders only
+    return;
+  }
+  if (!isSingleDrawBuffer(target.drawBuffer)) target.reason = Reason::drawBuffer;
+  if (target.framebuffer != 0) {
+    if (real.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+      target.reason = Reason::framebuffer;
+    if (integer(real, GL_DRAW_BUFFER0 + 1) != GL_NONE) target.reason = Reason::drawBuffer;
+    target.size = attachmentSize(real, target.drawBuffer);
+  }
+  const GLint depthBits = integer(real, GL_DEPTH_BITS);
+  target.depthResolution = std::ldexp(1.0f, -std::min(std::max(depthBits, 1), 24));
+  if (target.reason != Reason::traced) return;
+  if (depthBits == 0)
+    target.reason = Reason::noDepthBuffer;
+  else if (!isByteColor(real, target) || (state.rare.framebufferSrgb && isOn(real, GL_FRAMEBUFFER_SRGB)))
+    target.reason = Reason::framebuffer;
+  if (target.samples > 1 && isPresent(real.GetMultisamplefv))
+    for (GLuint i = 0; i < static_cast<GLuint>(target.samples); ++i)
+      real.GetMultisamplefv(GL_SAMPLE_POSITION, i, glm::value_ptr(target.samplePositions[i]));
+  else if (target.samples > 1)
+    target.reason = Reason::framebuffer;
+}
+
+}  // namespace gluray::gl
