@@ -64,6 +64,9 @@ STREAMS = {
     "gltext": ("egl", hack("gltext", "--text", "GLuRay"), 4, 4, {}),
     "pipes": ("egl", hack("pipes", "--factory", "0", "--count", "1"), 5, 4, {}),
 }
+# Programs that draw little are recorded as tests/live runs them.
+STREAMS |= {name: ("gl", programs.MORE[name].command, last, 8, {}) for name, last in (
+    ("v_sim", 4), ("pivy", 3), ("3depict", 5))}
 
 
 def processes_of_group(leader):

@@ -24,6 +24,9 @@ STREAMS = {
     "sumo": Stream(0, 1),         # flat layers, in drawing order
     "pyopengl": Stream(1, 1),
     "drawxtl": Stream(1, 1),      # names every atom
+    "v_sim": Stream(0.9, 1),      # the rest: its backdrop and legend, depth test off
+    "pivy": Stream(1, 1),
+    "3depict": Stream(1, 1),
     "superquadrics": Stream(1, 1),
     "glplanet": Stream(0.33, 1),  # night side and atmosphere are blended
     "atlantis": Stream(0, 1),
