@@ -142,7 +142,7 @@ void readArrays(const RealGl& real, ShareGroup& group, ArrayState& state) {
   if (isPresent(real.GenBuffers))
     state.elements = bufferNamed(group, static_cast<GLuint>(integer(real, GL_ELEMENT_ARRAY_BUFFER_BINDING)));
   state.others = state.others || otherArraysOn(real);
-  for (GLuint i = 1; i < 16; ++i) state.others = state.others || genericArrayOn(real, i);
+  for (GLuint i = 0; i < 16; ++i) state.others = state.others || genericArrayOn(real, i);
   const bool restart = isPresent(real.PrimitiveRestartIndex) && real.IsEnabled(GL_PRIMITIVE_RESTART);
   bool readable = true;
   state.forEach([&](const ArraySource& source) { readable = readable && isReadable(source); });

@@ -46,6 +46,7 @@ Gate Context::gate(bool anywhere) noexcept {
   if (passthrough_) return Gate::forward;
   if (anywhere) return compiling() && !insideBegin() ? Gate::compile : Gate::run;
   if (insideBegin()) {
+    if (compiling() && !executing()) return Gate::compile;  // no glBegin has been executed
     setError(GL_INVALID_OPERATION);
     return Gate::refuse;
   }
@@ -70,6 +71,20 @@ void Context::beforeForward(bool flushFirst) noexcept {
 }
 
 void Context::count(int command) noexcept { ++unknownCalls_[static_cast<size_t>(command)]; }
+
+void Context::setError(GLenum error) {
+  if (error_ != GL_NO_ERROR) return;
+  // Between its glBegin and glEnd the real OpenGL cannot be asked.
+  const GLenum older = inside_ == Inside::rasterised ? GLenum{GL_NO_ERROR} : real.GetError();
+  error_ = older != GL_NO_ERROR ? older : error;
+}
+
+void Context::misuse() {
+  if (compiling() && !executing())
+    misused_ = true;
+  else
+    setError(GL_INVALID_OPERATION);
+}
 
 GLenum Context::takeError() {
   const GLenum below = real.GetError();
@@ -133,6 +148,8 @@ uint32_t groupsOfAttrib(GLbitfield mask) {
 void Context::pushAttrib(GLbitfield mask) {
   syncCurrent();
   real.PushAttrib(mask);
+  if (deepestAttrib_ == 0) real.GetIntegerv(GL_MAX_ATTRIB_STACK_DEPTH, &deepestAttrib_);
+  if (attribStack_.size() >= static_cast<size_t>(deepestAttrib_)) return;  // the real one refused, too
   attribStack_.push_back({mask, listBase});
 }
 
@@ -188,8 +205,21 @@ void Context::beforeSwap() {
 void Context::afterSwap() {
   ++statistics.frames;
   ++frame;
+  forgetOld();
+}
+
+void Context::forgetOld() {
+  clears_ = 0;
+  flushesForgotten_ = statistics.flushes;
   group_->meshes.advance();
   deleteDiscardedLists();
+}
+
+void Context::cleared(GLbitfield mask) {
+  constexpr GLbitfield kWhole = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
+  if ((mask & kWhole) != kWhole || statistics.flushes == flushesForgotten_) return;
+  const int patience = statistics.frames > 0 ? 64 : 4;
+  if (++clears_ >= patience) forgetOld();
 }
 
 void Context::deleteDiscardedLists() {
@@ -232,6 +262,8 @@ void Context::flush() {
 
 void Context::showIfVisible() {
   syncCurrent();
+  // Single-buffered programs may have read their picture back before.
+  if (batch_.empty() && !info_.doubleBuffered && statistics.flushes != flushesForgotten_) return afterSwap();
   if (batch_.empty()) return;
   const GLenum buffer = batch_.key().drawBuffer;
   const bool front =

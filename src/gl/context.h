@@ -73,8 +73,9 @@ class Context {
   /// `anywhere`: the command is legal between glBegin and glEnd and deals with runs and lists itself.
   Gate gate(bool anywhere = false) noexcept;
   bool passthrough() const { return passthrough_; }
+  /// Takes a call into the list under construction. `anywhere`: it may be executed between glBegin and glEnd.
   template <class F>
-  void record(F&& call);
+  void record(F&& call, bool anywhere = false);
   template <class F>
   void recordFragment(F&& call);
   template <class F>
@@ -101,6 +102,9 @@ class Context {
   /// Shows what is pending, before a buffer swap, and after it.
   void beforeSwap();
   void afterSwap();
+  /// Programs that draw into memory alone may never swap or finish: clears of colour and depth are the frames
+  /// of those.
+  void cleared(GLbitfield mask);
   /// Traces the pending batch and writes it into the framebuffer. Nothing to do if there is none.
   void flush();
   /// From now on every draw is rasterised; what was held back is given to the real OpenGL.
@@ -113,9 +117,11 @@ class Context {
 
   // --- for handlers
   // --------------------------------------------------------------------------------------------------
-  void setError(GLenum error) {
-    if (error_ == GL_NO_ERROR) error_ = error;
-  }
+  /// The first error since the program asked stays, ours or the real OpenGL's.
+  void setError(GLenum error);
+  /// A command that is illegal between glBegin and glEnd: an error, of the moment of the call where it is
+  /// compiled only.
+  void misuse();
   GLenum takeError();
   ShareGroup& group() { return *group_; }
   const std::shared_ptr<ShareGroup>& sharedGroup() const { return group_; }
@@ -212,7 +218,10 @@ class Context {
   template <class F>
   void runDetached(F&& body);
   bool canTrace();
+  bool canDraw() const;
   void deleteDiscardedLists();
+  /// Lets go of meshes that have not been used lately.
+  void forgetOld();
 
   std::shared_ptr<ShareGroup> group_;
   ContextInfo info_;
@@ -236,14 +245,18 @@ class Context {
   GLuint openFragment_ = 0;  // real list that takes the rest of a primitive that was given up
   GLuint listName_ = 0;
   GLenum listMode_ = 0;
+  bool misused_ = false;  // by a command inside the glBegin that is compiled
   int listDepth_ = 0;
   std::vector<InheritedSlot> inherited_;
+  int clears_ = 0;                 // of colour and depth since forgetOld()
+  uint64_t flushesForgotten_ = 0;  // flushes at that time
 
   struct SavedAttrib {
     GLbitfield mask;
     GLuint listBase;
   };
   std::vector<SavedAttrib> attribStack_;
+  GLint deepestAttrib_ = 0;  // 0: not known yet
 
   void clampToTarget(scene::Region& region);
   glm::ivec2 drawableSize_{0};  // largest size that the window is known to have had

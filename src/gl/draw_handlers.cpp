@@ -39,6 +39,7 @@ void materialiv(Context& c, GLenum face, GLenum pname, const GLint* params) {
 }
 
 void rectf(Context& c, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
+  if (c.insideBegin()) return c.misuse();
   c.begin(GL_POLYGON);
   leaf::vertex(x1, y1), leaf::vertex(x2, y1), leaf::vertex(x2, y2), leaf::vertex(x1, y2);
   c.end();
@@ -100,6 +101,11 @@ class ElementSender {
 void arrayElement(Context& c, GLint i) {
   if (c.inside() == Context::Inside::rasterised) return c.rasterElement(i);
   c.refresh(kArrays);
+  // Arrays that we do not read: the real OpenGL takes over the primitive.
+  if ((c.arrays.others || c.arrays.reason != Reason::traced) && c.insideBegin()) {
+    c.beforeForward(false);
+    return c.rasterElement(i);
+  }
   const ElementSender send(c);
   send(static_cast<uint32_t>(i));
 }
@@ -135,7 +141,7 @@ bool validate(Context& c, GLenum mode, const Elements& e) {
   if (!isMode(mode)) return c.setError(GL_INVALID_ENUM), false;
   if (e.count < 0) return c.setError(GL_INVALID_VALUE), false;
   if (e.type && !isIndexType(e.type)) return c.setError(GL_INVALID_ENUM), false;
-  if (c.insideBegin()) return c.setError(GL_INVALID_OPERATION), false;
+  if (c.insideBegin()) return c.misuse(), false;
   return true;
 }
 
@@ -153,11 +159,11 @@ constexpr GLsizei kSmall = 192;  // vertices: below, draws join a run instead of
 /// Records a draw: dereferenced now, as display lists demand (GL 2.1, 5.4).
 void recordDraw(Context& c, GLenum mode, const Elements& e) {
   c.refresh(kArrays);
-  if (c.arrays.others || c.arrays.reason != Reason::traced || mode > GL_POLYGON) {
+  // Without positions it may draw at the current one: the real OpenGL knows.
+  if (c.arrays.others || c.arrays.reason != Reason::traced || mode > GL_POLYGON || !c.arrays.vertex.enabled) {
     c.sendBuffers();
     return c.recordFragment([&] { rasterise(c, mode, e); });
   }
-  if (!c.arrays.vertex.enabled) return;
   if (e.count <= kSmall) return c.drawSmall(mode, vertexNumbers(c.real, c.arrays, e), pathOf(e));
   std::unique_ptr<ListOp> op;
   const Reason captured = c.attempt([&] {
@@ -215,9 +221,8 @@ void draw(Context& c, GLenum mode, const Elements& e) {
     if (joined == Reason::traced) return;
   }
   c.closeRunIfOpen();
-  if (mode <= GL_POLYGON && !c.arrays.vertex.enabled && c.arrays.reason == Reason::traced && !c.arrays.others)
-    return;  // draws nothing
-  const Reason reason = traceDraw(c, mode, e);
+  // Without positions it may draw at the current one: the real OpenGL knows.
+  const Reason reason = c.arrays.vertex.enabled ? traceDraw(c, mode, e) : Reason::arrayState;
   if (reason == Reason::traced) return;
   const PrimitiveClass kind = mode <= GL_POLYGON ? classOf(mode) : PrimitiveClass::lines;
   c.countRaster(reason, pathOf(e), kind, countTriangles(mode, static_cast<uint64_t>(e.count)));

@@ -89,11 +89,11 @@ void Context::vertex(float x, float y, float z, float w) {
   // glEnd.
   if (!compiling()) return;
   closeRun();
-  record([=](Context&) { leaf::vertex(x, y, z, w); });
+  record([=](Context&) { leaf::vertex(x, y, z, w); }, true);
 }
 
 void Context::begin(GLenum mode) {
-  if (insideBegin()) return setError(GL_INVALID_OPERATION);
+  if (insideBegin()) return misuse();
   if (mode > GL_POLYGON && !(mode >= GL_LINES_ADJACENCY && mode <= GL_TRIANGLE_STRIP_ADJACENCY))
     return setError(GL_INVALID_ENUM);
   const PrimitiveClass kind = mode > GL_POLYGON ? PrimitiveClass::lines : classOf(mode);
@@ -106,6 +106,8 @@ void Context::begin(GLenum mode) {
     runClass_ = kind;
     const Reason reason = triage(kind);
     if (reason != Reason::traced) {
+      if (!canDraw())
+        return setError(GL_INVALID_FRAMEBUFFER_OPERATION);  // glBegin fails: no primitive is open
       beforeRasterDraw(kind);
       sendBuffers();  // glArrayElement may follow
       if (kinds()) kinds()->start();
@@ -130,7 +132,16 @@ void Context::countOpenPrimitive() {
   kinds()->stop();
 }
 
+bool Context::canDraw() const {
+  return state.target.framebuffer == 0 ||
+         real.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+}
+
 void Context::end() {
+  if (!insideBegin() && compiling()) {  // of the caller's glBegin
+    closeRun();
+    return record([](Context& x) { x.end(); }, true);
+  }
   if (!insideBegin()) return setError(GL_INVALID_OPERATION);
   if (inside_ == Inside::rasterised) {
     real.End();
@@ -144,6 +155,9 @@ void Context::end() {
   }
   inside_ = Inside::nothing;
   updateAttention();
+  if (!std::exchange(misused_, false)) return;
+  closeRun();
+  record([](Context& x) { x.setError(GL_INVALID_OPERATION); }, true);
 }
 
 void Context::startRun() {
@@ -218,6 +232,7 @@ void Context::surrenderRun() {
   Captured& run = stream_.captured();
   const bool open = inside_ == Inside::captured;
   GLuint fragment = 0;
+  sendBuffers();  // glArrayElement may follow
   if (compiling()) {
     fragment = real.GenLists(1);
     real.NewList(fragment, GL_COMPILE);

@@ -14,9 +14,8 @@ FragmentOp::~FragmentOp() {
 }
 
 void FragmentOp::execute(Context& context) {
-  if (context.insideBegin() && context.inside() == Context::Inside::captured)
-    return context.setError(GL_INVALID_OPERATION);
-  if (!context.insideBegin()) context.beforeForward(true);
+  // Called between glBegin and glEnd, it may hold what is legal there: the real OpenGL takes over and knows.
+  context.beforeForward(!context.insideBegin());
   context.real.CallList(realList_);
   context.touch(kAllGroups);
   context.matrixMode = 0;

@@ -16,15 +16,20 @@ class ListOp {
   virtual void execute(Context& context) = 0;
 };
 
-/// A recorded call with its arguments.
+/// A recorded call with its arguments. `anywhere`: it is legal between glBegin and glEnd, where the list may
+/// be called, too.
 template <class Call>
 class CallOp final : public ListOp {
  public:
-  explicit CallOp(Call call) : call_(std::move(call)) {}
-  void execute(Context& context) override { call_(context); }
+  CallOp(Call call, bool anywhere) : call_(std::move(call)), anywhere_(anywhere) {}
+  void execute(Context& context) override {
+    if (!anywhere_ && context.insideBegin()) return context.setError(GL_INVALID_OPERATION);
+    call_(context);
+  }
 
  private:
   Call call_;
+  bool anywhere_;
 };
 
 /// Commands that we do not model, compiled by the real OpenGL into a list of its own.

@@ -17,7 +17,7 @@ void endList(Context& c) {
 
 void callList(Context& c, GLuint name) {
   // Inside glBegin of a list the called list's attributes and vertices become part of the primitive.
-  if (c.compiling() && !c.insideBegin()) return c.record([name](Context& x) { x.callList(name); });
+  if (c.compiling() && !c.insideBegin()) return c.record([name](Context& x) { x.callList(name); }, true);
   c.callList(name);
 }
 
@@ -38,7 +38,7 @@ GLuint listOffset(GLenum type, const void* names, size_t i) {
     case GL_UNSIGNED_SHORT: return load(GLushort{});
     case GL_INT: return load(GLint{});
     case GL_UNSIGNED_INT: return load(GLuint{});
-    case GL_FLOAT: return static_cast<GLuint>(static_cast<GLint>(reinterpret_cast<const GLfloat*>(names)[i]));
+    case GL_FLOAT: return load(GLfloat{});
     case GL_2_BYTES: return bytes[2 * i] * 256u + bytes[2 * i + 1];
     case GL_3_BYTES: return bytes[3 * i] * 65536u + bytes[3 * i + 1] * 256u + bytes[3 * i + 2];
     default:
@@ -60,7 +60,7 @@ void callLists(Context& c, GLsizei n, GLenum type, const void* names) {
     const GLuint base = x.listBase;  // of the moment of the call, whatever the lists do to it
     for (const GLuint offset : offsets) x.callList(base + offset);
   };
-  if (c.compiling() && !c.insideBegin()) return c.record(call);
+  if (c.compiling() && !c.insideBegin()) return c.record(call, true);
   call(c);
 }
 

@@ -6,6 +6,7 @@
 
 #include <GL/gl.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <memory>
@@ -33,6 +34,7 @@ class NameTable {
   }
   void put(GLuint name, std::shared_ptr<Object> object) {
     const std::lock_guard lock(mutex_);
+    highest_ = std::max(highest_, name);
     objects_[name] = std::move(object);
   }
   void erase(GLuint name) {
@@ -49,9 +51,10 @@ class NameTable {
     }
   }
   /// First of `count` consecutive unused names, which are taken with null objects; 0 where there are none.
+  /// Above all that were ever used where there is room, as Mesa does: no search among many.
   GLuint reserve(GLuint count) {
     const std::lock_guard lock(mutex_);
-    GLuint first = 1;
+    GLuint first = highest_ < 0xFFFFFFFFu - count ? highest_ + 1 : 1;
     for (GLuint i = 0; i < count;) {
       if (first > 0xFFFFFFFFu - count) return 0;
       if (objects_.contains(first + i))
@@ -60,6 +63,7 @@ class NameTable {
         ++i;
     }
     for (GLuint i = 0; i < count; ++i) objects_.emplace(first + i, nullptr);
+    highest_ = std::max(highest_, first + count - 1);
     return first;
   }
   std::vector<std::shared_ptr<Object>> all() const {
@@ -72,6 +76,7 @@ class NameTable {
 
  private:
   mutable std::mutex mutex_;
+  GLuint highest_ = 0;  // name ever used
   std::unordered_map<GLuint, std::shared_ptr<Object>> objects_;
 };
 

@@ -7,14 +7,17 @@
 namespace gluray::gl {
 namespace {
 
-TEST(NameTable, ReservesTheFirstGapThatFits) {
+TEST(NameTable, ReservesAboveAllThatWereUsed) {
   ShareGroup group;
   EXPECT_EQ(group.lists.reserve(3), 1u);
   group.lists.put(5, std::make_shared<DisplayList>());
   EXPECT_EQ(group.lists.reserve(2), 6u);
-  EXPECT_EQ(group.lists.reserve(1), 4u);
-  EXPECT_TRUE(group.lists.contains(7));
-  EXPECT_FALSE(group.lists.contains(8));
+  group.lists.erase(7);
+  EXPECT_EQ(group.lists.reserve(1), 8u);
+  group.lists.put(0xFFFFFFFFu, std::make_shared<DisplayList>());
+  EXPECT_EQ(group.lists.reserve(2), 9u) << "no room above: the first gap";
+  EXPECT_TRUE(group.lists.contains(10));
+  EXPECT_FALSE(group.lists.contains(11));
   EXPECT_EQ(group.lists.find(1), nullptr) << "reserved, but empty";
 }
 

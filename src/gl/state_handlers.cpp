@@ -13,6 +13,7 @@ void clearNow(Context& c, GLbitfield mask) {
   c.syncCurrent();
   c.flush();
   c.real.Clear(mask);
+  c.cleared(mask);
 }
 
 }  // namespace
@@ -43,7 +44,8 @@ void popAttrib(Context& c) {
 }
 
 GLenum getError(Context& c) {
-  if (c.insideBegin()) return c.setError(GL_INVALID_OPERATION), GLenum{GL_NO_ERROR};
+  const bool compiledOnly = c.compiling() && !c.executing();
+  if (c.insideBegin() && !compiledOnly) return c.setError(GL_INVALID_OPERATION), GLenum{GL_NO_ERROR};
   return c.takeError();
 }
 

@@ -12,15 +12,16 @@
 namespace gluray::gl {
 
 template <class F>
-void Context::record(F&& call) {
-  if (insideBegin()) return;  // the gate has refused everything that is illegal there
+void Context::record(F&& call, bool anywhere) {
+  if (insideBegin()) return misuse();
   std::unique_ptr<ListOp> op;
-  insist([&] { op = std::make_unique<CallOp<std::decay_t<F>>>(call); });
+  insist([&] { op = std::make_unique<CallOp<std::decay_t<F>>>(call, anywhere); });
   insist([&] { append(op); });
 }
 
 template <class F>
 void Context::recordFragment(F&& call) {
+  if (insideBegin()) return misuse();
   const GLuint id = real.GenLists(1);
   if (!id) return setError(GL_OUT_OF_MEMORY);
   real.NewList(id, GL_COMPILE);
