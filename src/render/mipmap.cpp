@@ -19,11 +19,12 @@ float clampLod(const Texture& t, float lod) {
   return std::max(std::min(lod, std::max(t.minLod, t.maxLod)), std::min(t.minLod, t.maxLod));
 }
 
-LevelChoice within(const Texture& t, int level, float blend) {
+/// `level` is a whole number, of any size.
+LevelChoice within(const Texture& t, float level, float blend) {
   const int last = t.image->levels() - 1;
   if (level < 0) return {false, 0, 0};
-  if (level >= last) return {false, last, 0};
-  return {false, level, std::max(blend, 0.0f)};
+  if (level >= static_cast<float>(last)) return {false, last, 0};
+  return {false, static_cast<int>(level), blend};
 }
 
 LevelChoice chooseAsSpecified(const Texture& t, double rho) {
@@ -32,9 +33,9 @@ LevelChoice chooseAsSpecified(const Texture& t, double rho) {
       t.magFilter == Filter::linear && t.minFilter == Filter::nearest && t.mipFilter != MipFilter::none;
   if (!(lambda > (sharp ? 0.5f : 0.0f))) return {true, 0, 0};
   if (t.mipFilter == MipFilter::none) return {};
-  if (t.mipFilter == MipFilter::nearest) return within(t, static_cast<int>(std::ceil(lambda + 0.5f)) - 1, 0);
+  if (t.mipFilter == MipFilter::nearest) return within(t, std::ceil(lambda + 0.5f) - 1, 0);
   const float whole = std::floor(lambda);
-  return within(t, static_cast<int>(whole), lambda - whole);
+  return within(t, whole, lambda - whole);
 }
 
 /// Differs: between powers of two the logarithm runs straight, and the magnification filter ends at 0
@@ -49,10 +50,10 @@ LevelChoice chooseAsLlvmpipe(const Texture& t, double rho) {
   if (t.mipFilter == MipFilter::nearest) {
     // With a bias halves are rounded to even numbers, without one upwards.
     const float level = t.lodBias == 0 ? std::floor(lod + 0.5f) : std::nearbyint(lod);
-    return within(t, static_cast<int>(level), 0);
+    return within(t, level, 0);
   }
   const float whole = std::floor(lod);
-  return within(t, static_cast<int>(whole), lod - whole);
+  return within(t, whole, lod - whole);
 }
 
 }  // namespace

@@ -82,6 +82,8 @@ TEST(Mipmap, BiasAndLimits) {
     t.lodBias = 0;
     t.minLod = 3;
     EXPECT_NEAR(levelSeen(t, across(1)), 3, 1e-4);
+    t.minLod = 1e30f;  // any float is legal
+    EXPECT_NEAR(levelSeen(t, across(1)), 4, 1e-4);
     t.minLod = 0, t.maxLod = 1;
     EXPECT_NEAR(levelSeen(t, across(16)), 1, 1e-4);
   }
