@@ -28,21 +28,22 @@ struct Framebuffer {
 };
 
 /// With textures where `samples` is 0, otherwise with multisampled renderbuffers.
-Framebuffer makeFramebuffer(Gl gl, int width, int height, int samples) {
+Framebuffer makeFramebuffer(Gl gl, int width, int height, int samples, GLenum format = GL_RGBA8) {
   Framebuffer f;
   gl.GenFramebuffers(1, &f.name);
   gl.BindFramebuffer(GL_FRAMEBUFFER, f.name);
   if (samples == 0) {
     gl.GenTextures(1, &f.color);
     gl.BindTexture(GL_TEXTURE_2D, f.color);
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                  nullptr);
     for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
       gl.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, f.color, 0);
   } else {
     gl.GenRenderbuffers(1, &f.color);
     gl.BindRenderbuffer(GL_RENDERBUFFER, f.color);
-    gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA8, width, height);
+    gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
     gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, f.color);
   }
   gl.GenRenderbuffers(1, &f.depth);
@@ -50,6 +51,13 @@ Framebuffer makeFramebuffer(Gl gl, int width, int height, int samples) {
   gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_DEPTH_COMPONENT24, width, height);
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, f.depth);
   return f;
+}
+
+/// Ten bits a channel and two of alpha, as some windows have.
+void tenBits(Gl gl, int width, int height) {
+  makeFramebuffer(gl, width, height, 0, GL_RGB10_A2);
+  begin(gl, width, height);
+  model(gl, width, height);
 }
 
 /// A scene in a texture, then that texture on a sheet in the window.
@@ -105,6 +113,7 @@ constexpr Scene kScenes[] = {
     {"front-buffer", frontBuffer},
     {"render-to-texture", renderToTexture},
     {"blit-framebuffer", blitFramebuffer},
+    {"ten-bits", tenBits},
     {"multisampled", multisampled, true, kSamples},
 };
 

@@ -24,15 +24,17 @@ bool isSingleDrawBuffer(GLenum buffer) {
   }
 }
 
-/// Whether the colour buffer holds eight-bit normalised values, which is what the write-back delivers.
+/// Whether the colour buffer holds normalised values of about the eight bits that the write-back delivers: of
+/// ten bits the last two are lost, a quarter of 1/255 at most.
 bool isByteColor(const RealGl& real, const TargetState& target) {
-  if (target.framebuffer == 0) return integer(real, GL_RED_BITS) == 8;
+  const auto fits = [](GLint bits) { return bits == 8 || bits == 10; };
+  if (target.framebuffer == 0) return fits(integer(real, GL_RED_BITS));
   GLint type = 0, bits = 0;
   real.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, target.drawBuffer,
                                            GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
   real.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, target.drawBuffer,
                                            GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE, &bits);
-  return type == GL_UNSIGNED_NORMALIZED && bits == 8;
+  return type == GL_UNSIGNED_NORMALIZED && fits(bits);
 }
 
 /// Size of the image that is attached to the framebuffer object's draw buffer; {0, 0} where it is of a kind
