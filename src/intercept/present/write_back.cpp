@@ -51,10 +51,11 @@ GLuint WriteBack::newTextureName() const {
     return name;
   }
   // Compatibility contexts let a program bind names that it never asked for, small ones as a rule. Ours come
-  // from a range of their own, counted for the whole process because several contexts may share one name
-  // space.
-  static std::atomic<GLuint> next{0x00E6C800};
-  do name = next++;
+  // from the end of the range, counted for the whole process because several contexts may share one name
+  // space. From the very end: Mesa goes on after the largest name in use as long as there are any, and
+  // programs use names as array indices.
+  static std::atomic<GLuint> next{0xFFFFFFFEu};
+  do name = next--;
   while (real_.IsTexture(name));
   return name;
 }
