@@ -29,7 +29,7 @@ STREAMS = {
     "3depict": Stream(1, 1),
     "superquadrics": Stream(1, 1),
     "glplanet": Stream(0.33, 1),  # night side and atmosphere are blended
-    "atlantis": Stream(0, 1),
+    "atlantis": Stream(0.98, 2),  # a layer without depth test cuts the frame in two
     "gltext": Stream(1, 1),
     "pipes": Stream(1, 1),
 }
