@@ -128,22 +128,23 @@ void VertexStream::vertexSlow(float x, float y, float z, float w) {
   vertex(x, y, z);
 }
 
+// In place, where there is room: memory that an earlier run has touched is worth keeping.
 void VertexStream::relayout(SlotMask mask) {
   const VertexLayout from = captured_.layout, to = VertexLayout::of(mask);
+  captured_.vertices.reserve(size_t{std::max(captured_.vertexCount, 1u)} * to.stride);
   float old[128 + 16];
-  std::memcpy(old, template_, sizeof old);
   const auto move = [&](const float* source, float* target) {
+    std::memcpy(old, source, from.stride * sizeof(float));
     for (int s = 0; s < kSlotCount; ++s) {
       const auto slot = static_cast<Slot>(s);
-      if (from.has(slot)) std::memcpy(target + to.offset[s], source + from.offset[s], sizeOf(slot) * 4);
+      if (from.has(slot)) std::memcpy(target + to.offset[s], old + from.offset[s], sizeOf(slot) * 4);
     }
   };
-  move(old, template_);
-  GrowingArray<float> moved;
-  moved.reserve(size_t{std::max(captured_.vertexCount, 1u)} * to.stride);
-  for (uint32_t i = 0; i < captured_.vertexCount; ++i)
-    move(captured_.vertex(i), moved.data() + size_t{i} * to.stride);
-  captured_.vertices = std::move(moved);
+  move(template_, template_);
+  // Vertices only grow: from the last one on none is written over before it was read.
+  for (uint32_t i = captured_.vertexCount; i-- > 0;)
+    move(captured_.vertices.data() + size_t{i} * from.stride,
+         captured_.vertices.data() + size_t{i} * to.stride);
   captured_.layout = to;
   updateLimit();
   cursor_ = captured_.vertex(captured_.vertexCount);

@@ -40,6 +40,43 @@ TEST(VertexStream, GivesEarlierVerticesTheValueFromBefore) {
   EXPECT_EQ(c.vertex(5)[1], 2);
 }
 
+TEST(VertexStream, KeepsItsMemoryFromRunToRun) {
+  VertexStream stream;
+  const float* data = nullptr;
+  size_t capacity = 0;
+  for (int run = 0; run < 3; ++run) {
+    stream.start(bit(kPosition), initialSlotValues());
+    const float up[4] = {0, 0, 1, 0};
+    stream.addSlot(kNormal, up);  // as the first glNormal of a run does
+    for (int i = 0; i < 100'000; ++i) triangle(stream, static_cast<float>(i));
+    const Captured& c = stream.captured();
+    if (run > 0) {
+      EXPECT_EQ(c.vertices.data(), data);
+      EXPECT_EQ(c.vertices.capacity(), capacity);
+    }
+    data = c.vertices.data(), capacity = c.vertices.capacity();
+    EXPECT_EQ(c.vertex(299'999)[0], 99'999);
+    EXPECT_EQ(c.vertex(299'999)[c.layout.offset[kNormal] + 2], 1);
+  }
+}
+
+TEST(VertexStream, WidensEarlierVerticesInPlace) {
+  VertexStream stream;
+  stream.start(bit(kPosition), initialSlotValues());
+  for (int i = 0; i < 50; ++i) triangle(stream, static_cast<float>(i));
+  const float white[4] = {1, 1, 1, 1}, st[4] = {3, 4, 0, 1};
+  stream.addSlot(kColor, white);
+  stream.addSlot(kTexCoord0, st);
+  const Captured c = stream.take();
+  ASSERT_EQ(c.vertexCount, 150u);
+  for (uint32_t i = 0; i < c.vertexCount; ++i) {
+    EXPECT_EQ(c.vertex(i)[0], static_cast<float>(i / 3));
+    EXPECT_EQ(c.vertex(i)[1], static_cast<float>(i % 3));
+    EXPECT_EQ(c.vertex(i)[c.layout.offset[kColor] + 3], 1);
+    EXPECT_EQ(c.vertex(i)[c.layout.offset[kTexCoord0] + 1], 4);
+  }
+}
+
 TEST(VertexStream, KeepsWOnlyWhereSomeVertexHasOne) {
   VertexStream stream;
   stream.start(bit(kPosition), initialSlotValues());
