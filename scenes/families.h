@@ -18,6 +18,7 @@ std::span<const Scene> fragmentScenes();     // fog, alpha test
 std::span<const Scene> layerScenes();        // cameras, viewports, clears, overlays
 std::span<const Scene> rasterScenes();       // what is not traced, among what is
 std::span<const Scene> listScenes();
+std::span<const Scene> textureMixtureScenes();
 std::span<const Scene> arrayScenes();
 std::span<const Scene> readBackScenes();  // selection, feedback, reading and copying in mid-frame
 std::span<const Scene> framebufferScenes();

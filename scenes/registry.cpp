@@ -9,9 +9,9 @@ std::span<const Scene> scenes() {
     std::vector<Scene> list;
     for (const auto family :
          {primitiveScenes(), lightScenes(), materialScenes(), textureScenes(), mipmapScenes(),
-          combinerScenes(), texGenScenes(), textureKindScenes(), surfaceScenes(), coincidentScenes(),
-          fragmentScenes(), layerScenes(), rasterScenes(), listScenes(), arrayScenes(), readBackScenes(),
-          framebufferScenes()})
+          combinerScenes(), texGenScenes(), textureKindScenes(), textureMixtureScenes(), surfaceScenes(),
+          coincidentScenes(), fragmentScenes(), layerScenes(), rasterScenes(), listScenes(), arrayScenes(),
+          readBackScenes(), framebufferScenes()})
       list.insert(list.end(), family.begin(), family.end());
     return list;
   }();

@@ -92,7 +92,10 @@ void Batch::add(scene::Instance instance, scene::Shading shading) {
   for (auto it = first; it != last; ++it) {
     scene::Instance& earlier = s.instances[it->second];
     if (!coincide(earlier, instance)) continue;
-    if (key_.depthFunc == GL_LESS) return;
+    const bool firstWins = key_.depthFunc == GL_LESS;
+    // Through holes that the alpha test makes the other one is seen.
+    if ((firstWins ? s.shadings[earlier.shading] : shading).alphaTest != scene::AlphaTest{}) continue;
+    if (firstWins) return;
     instance.shading = indexOfShading(s.shadings, std::move(shading));
     earlier = std::move(instance);
     return;
