@@ -93,6 +93,24 @@ std::optional<TexGen::Mode> toMode(GLint mode) {
   }
 }
 
+/// Whether sampling the texture gives alpha 1 everywhere: coordinates beyond the image may reach its border.
+bool isOpaque(const scene::Texture& t) {
+  using scene::BaseFormat;
+  using scene::Wrap;
+  const bool linear = t.magFilter == scene::Filter::linear || t.minFilter == scene::Filter::linear;
+  const auto reaches = [&](Wrap wrap) {
+    return wrap == Wrap::clampToBorder || wrap == Wrap::mirrorClampToBorder ||
+           (linear && (wrap == Wrap::clamp || wrap == Wrap::mirrorClamp));
+  };
+  const BaseFormat format = t.image->baseFormat;
+  const float border = format == BaseFormat::rgb || format == BaseFormat::luminance ? 1.0f
+                       : format == BaseFormat::intensity                            ? t.borderColor.r
+                                                                                    : t.borderColor.a;
+  return t.image->opaque &&
+         (border >= 1 || !(reaches(t.wrapS) || reaches(t.wrapT) ||
+                           (t.target == scene::TextureTarget::texture3D && reaches(t.wrapR))));
+}
+
 /// The alpha that a part of a combiner makes, where `primary` and `previous` have alpha 1; absent where it
 /// depends on texels.
 std::optional<float> alphaOf(const std::vector<scene::Texture>& all, const scene::Texture& t,
@@ -105,7 +123,7 @@ std::optional<float> alphaOf(const std::vector<scene::Texture>& all, const scene
     if (argument.source == Combine::texture || argument.source >= Combine::textureUnit) {
       const uint32_t unit =
           argument.source == Combine::texture ? t.unit : argument.source - uint32_t{Combine::textureUnit};
-      const auto opaque = [&](const scene::Texture& x) { return x.unit == unit && x.image->opaque; };
+      const auto opaque = [&](const scene::Texture& x) { return x.unit == unit && isOpaque(x); };
       if (std::none_of(all.begin(), all.end(), opaque)) return std::nullopt;
     }
     a[i] = argument.operand == Combine::oneMinusAlpha ? 1 - alpha : alpha;
@@ -165,7 +183,7 @@ bool keepOpaque(const std::vector<scene::Texture>& textures) {
     if (t.env == TexEnv::decal) return true;
     if (t.env == TexEnv::blend && t.image->baseFormat == scene::BaseFormat::intensity && t.envColor.a < 1)
       return false;
-    if (t.env != TexEnv::combine) return t.image->opaque;
+    if (t.env != TexEnv::combine) return isOpaque(t);
     if (t.combine.rgb.function == Combine::dot3Rgba) return false;
     const auto alpha = alphaOf(textures, t, t.combine.alphaPart);
     return alpha && *alpha >= 1;
