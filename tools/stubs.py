@@ -91,10 +91,11 @@ def _forward(c: glxml.Command, policy: Policy, index: int) -> str:
     _, real = _call(c, "*ctx")
     compile_case = RUN if policy.immediate else (
         f"case Gate::compile: ctx->recordFragment([&] {{ {real}; }}); return;\n      case Gate::run: break;")
+    # Afterwards: what reads the state again because of it, here or in another context, must find it changed.
+    touch = f"  ctx->touch({policy.touch.replace('{c}', '*ctx')});\n" if policy.touch else ""
     return (_gate(c, policy, compile_case) + f"  ctx->count({index});\n"
             f"  ctx->beforeForward({'true' if policy.flush else 'false'});\n" +
-            (f"  ctx->touch({policy.touch.replace('{c}', '*ctx')});\n" if policy.touch else "") +
-            f"  {'return ' if c.ret != 'void' else ''}{real};\n")
+            (f"{touch}  return {real};\n" if c.ret != "void" else f"  {real};\n{touch}"))
 
 
 def stub(c: glxml.Command, policy: Policy, index: int) -> str:

@@ -153,6 +153,9 @@ class Context {
 
   /// Ends the run of glBegin/glEnd pairs that is being captured and draws or records it.
   void closeRun();
+  void closeRunOutsideBegin() {
+    if (!insideBegin()) closeRunIfOpen();
+  }
   void closeRunIfOpen() {
     if (runOpen_) closeRun();
   }
@@ -210,6 +213,7 @@ class Context {
   KnownMesh meshOfRun();
   void recordRun();
   void keepRunValues();
+  void sendRunValues();
   void addSlotToRun(Slot slot);
   void readCurrent();
   void surrenderRun();
@@ -219,7 +223,7 @@ class Context {
   void runDetached(F&& body);
   bool canTrace();
   bool canDraw() const;
-  void deleteDiscardedLists();
+  void deleteDiscarded();
   /// Lets go of meshes that have not been used lately.
   void forgetOld();
 
@@ -261,7 +265,7 @@ class Context {
   void clampToTarget(scene::Region& region);
   glm::ivec2 drawableSize_{0};  // largest size that the window is known to have had
   scene::Region sizeAskedFor_;
-  TextureCache textures_;
+  TextureCache textures_{*group_};
   Batch batch_;
   std::vector<Counter<uint64_t>> unknownCalls_;
 };

@@ -3,6 +3,7 @@
 // their use.
 #pragma once
 #include "gl/mesh_cache.h"
+#include "gl/presenter.h"
 
 #include <GL/gl.h>
 
@@ -85,17 +86,20 @@ class ShareGroup {
   NameTable<DisplayList> lists;
   NameTable<Buffer> buffers;
   MeshCache meshes;
-  std::atomic<int> contexts = 0;  // alive
+  std::atomic<int> contexts = 0;             // alive
+  std::atomic<uint64_t> textureChanges = 0;  // of texture images, by calls of any context
 
   bool anyBuffersHeldBack() const;
 
   /// Real lists whose owner is gone; deleted by the next context of the group that is current.
   void discardRealList(GLuint id);
-  std::vector<GLuint> takeDiscardedLists();
+  /// The same for whatever a context leaves behind.
+  void discard(const SharedNames& names);
+  SharedNames takeDiscarded();
 
  private:
   std::mutex mutex_;
-  std::vector<GLuint> discarded_;
+  SharedNames discarded_;
 };
 
 }  // namespace gluray::gl

@@ -25,11 +25,13 @@ void clear(Context& c, GLbitfield mask) {
 
 void flush(Context& c) {
   c.showIfVisible();
+  c.textures().finished();
   c.real.Flush();
 }
 
 void finish(Context& c) {
   c.showIfVisible();
+  c.textures().finished();
   c.real.Finish();
 }
 

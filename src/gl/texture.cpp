@@ -1,5 +1,7 @@
 #include "gl/texture.h"
 
+#include "gl/share_group.h"
+#include "gl/state_queries.h"
 #include "gl/texture_env.h"
 
 #include <GL/gl.h>
@@ -9,15 +11,10 @@
 #include <algorithm>
 #include <cstring>
 #include <optional>
+#include <utility>
 
 namespace gluray::gl {
 namespace {
-
-GLint integer(const RealGl& real, GLenum name) {
-  GLint value = 0;
-  real.GetIntegerv(name, &value);
-  return value;
-}
 
 /// Texture targets, the highest-ranking first (GL 2.1, 3.8.15).
 struct Target {
@@ -149,7 +146,23 @@ bool readOnlyEnabledUnits(const std::vector<scene::Texture>& textures) {
 
 }  // namespace
 
+void TextureCache::tellOthers() {
+  // Changes of others that came before stay unknown.
+  const uint64_t before = group_.textureChanges.fetch_add(1);
+  if (before == changesKnown_) ++changesKnown_;
+}
+
+void TextureCache::allImagesChanged() {
+  images_.clear();
+  tellOthers();
+}
+
+void TextureCache::finished() {
+  if (attached_) tellOthers();
+}
+
 void TextureCache::imageChanged(const RealGl& real, GLenum target) {
+  tellOthers();
   if (target >= GL_TEXTURE_CUBE_MAP_POSITIVE_X && target <= GL_TEXTURE_CUBE_MAP_NEGATIVE_Z)
     target = GL_TEXTURE_CUBE_MAP;
   for (const Target& t : kTargets) {
@@ -161,6 +174,7 @@ void TextureCache::imageChanged(const RealGl& real, GLenum target) {
 }
 
 void TextureCache::deleted(GLuint name) {
+  tellOthers();
   std::erase_if(images_, [&](const auto& known) { return known.first.name == name; });
 }
 
@@ -200,6 +214,8 @@ Reason TextureCache::readUnit(const RealGl& real, GLint unit, State& state) {
 }
 
 void TextureCache::read(const RealGl& real, State& state) {
+  const uint64_t changes = group_.textureChanges;
+  if (std::exchange(changesKnown_, changes) != changes) images_.clear();
   state.textures.clear();
   state.textureReason = Reason::traced;
   ActiveUnit active(real);

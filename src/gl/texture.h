@@ -9,21 +9,27 @@
 
 namespace gluray::gl {
 
+class ShareGroup;
+
 /// Texture images already read back, per context. An image is read again after a call that may have changed
-/// it.
+/// it, and all after a call of another context that shares them.
 class TextureCache {
  public:
+  explicit TextureCache(ShareGroup& group) : group_(group) {}
+
   /// Calls that change texture images invalidate them: those of the texture bound to `target` of the active
   /// unit (faces of cube maps count as the cube map), of a texture that is deleted, or all.
   void imageChanged(const RealGl& real, GLenum target);
   void deleted(GLuint name);
-  void allImagesChanged() { images_.clear(); }
+  void allImagesChanged();
   /// Textures are attached to framebuffers: drawing changes them, which shows when another framebuffer is
   /// bound.
-  void attached() { attached_ = true, images_.clear(); }
+  void attached() { attached_ = true, allImagesChanged(); }
   void framebufferBound() {
-    if (attached_) images_.clear();
+    if (attached_) allImagesChanged();
   }
+  /// What was drawn into textures is finished for other contexts, too.
+  void finished();
 
   /// Fills state.textures and state.textureReason from the enabled texture units.
   void read(const RealGl& real, State& state);
@@ -40,6 +46,11 @@ class TextureCache {
   Reason readUnit(const RealGl& real, GLint unit, State& state);
   std::shared_ptr<const scene::TextureImage> image(const RealGl& real, const RareState& has, GLenum target,
                                                    const ImageRange& range, Reason& reason);
+  /// Tells the other contexts that this one has changed an image.
+  void tellOthers();
+
+  ShareGroup& group_;
+  uint64_t changesKnown_ = 0;  // of ShareGroup::textureChanges
   std::map<Key, std::shared_ptr<const scene::TextureImage>> images_;
   bool attached_ = false;
 };

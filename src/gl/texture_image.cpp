@@ -1,5 +1,7 @@
 #include "gl/texture_image.h"
 
+#include "gl/state_queries.h"
+
 #include <GL/glext.h>
 
 #include <algorithm>
@@ -9,12 +11,6 @@
 
 namespace gluray::gl {
 namespace {
-
-GLint integer(const RealGl& real, GLenum name) {
-  GLint value = 0;
-  real.GetIntegerv(name, &value);
-  return value;
-}
 
 GLint parameter(const RealGl& real, GLenum target, GLenum name, GLint usual) {
   real.GetTexParameteriv(target, name, &usual);

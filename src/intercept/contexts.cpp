@@ -247,6 +247,15 @@ void leaveCurrent() noexcept {
   });
 }
 
+void textureImageBound() noexcept {
+  guarded("cannot follow a texture", [] {
+    gl::Context* context = gl::t_thread.context;
+    if (!context) return;
+    context->textures().allImagesChanged();
+    context->touch(gl::kTexture);
+  });
+}
+
 void stayCurrent() noexcept {
   guarded("cannot stay in a context", [] {
     if (t_current.record && t_current.record->context) t_current.record->context->makeCurrent();

@@ -39,6 +39,8 @@ void flushCurrent() noexcept;
 void leaveCurrent() noexcept;
 /// The real MakeCurrent failed: the context that was left is still current.
 void stayCurrent() noexcept;
+/// A drawable has become the image of a bound texture of the thread's context.
+void textureImageBound() noexcept;
 /// The real MakeCurrent succeeded: `handle` (null: none) is current in this thread with these drawables.
 /// `size` says how large the one drawn into is.
 void becameCurrent(Api api, const void* handle, Drawables drawables, AskSize size = {}) noexcept;

@@ -130,7 +130,9 @@ struct Egl {
   }
   static EGLBoolean bindTexImage(EGLDisplay display, EGLSurface surface, EGLint buffer) {
     REAL(D, decltype(&eglBindTexImage), "eglBindTexImage");
-    return afterFlush([&] { return real(display, surface, buffer); });
+    const EGLBoolean done = afterFlush([&] { return real(display, surface, buffer); });
+    textureImageBound();
+    return done;
   }
   static EGLBoolean destroySurface(EGLDisplay display, EGLSurface surface) {
     REAL(D, decltype(&eglDestroySurface), "eglDestroySurface");

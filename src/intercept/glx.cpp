@@ -136,6 +136,7 @@ struct Glx {
   static void bindTexImage(Display* dpy, GLXDrawable drawable, int buffer, const int* attributes) {
     REAL(D, PFNGLXBINDTEXIMAGEEXTPROC, "glXBindTexImageEXT");
     afterFlush([&] { real(dpy, drawable, buffer, attributes); });
+    textureImageBound();
   }
   /// Drivers make the glyphs' lists inside themselves, where no door sees them: the shadow GL gives them
   /// lists of the real OpenGL's, which our lists then call.
