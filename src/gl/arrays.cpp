@@ -1,6 +1,8 @@
 #include "gl/arrays.h"
 
+#include "gl/extensions.h"
 #include "gl/share_group.h"
+#include "gl/state_queries.h"
 
 #include <algorithm>
 #include <cstring>
@@ -8,12 +10,6 @@
 
 namespace gluray::gl {
 namespace {
-
-GLint integer(const RealGl& real, GLenum name) {
-  GLint value = 0;
-  real.GetIntegerv(name, &value);
-  return value;
-}
 
 size_t sizeOfType(GLenum type) {
   switch (type) {
@@ -143,7 +139,8 @@ void readArrays(const RealGl& real, ShareGroup& group, ArrayState& state) {
     state.elements = bufferNamed(group, static_cast<GLuint>(integer(real, GL_ELEMENT_ARRAY_BUFFER_BINDING)));
   state.others = state.others || otherArraysOn(real);
   for (GLuint i = 0; i < 16; ++i) state.others = state.others || genericArrayOn(real, i);
-  const bool restart = isPresent(real.PrimitiveRestartIndex) && real.IsEnabled(GL_PRIMITIVE_RESTART);
+  const bool restart = (isPresent(real.PrimitiveRestartIndex) && isOn(real, GL_PRIMITIVE_RESTART)) ||
+                       (versionOf(real) >= 43 && isOn(real, GL_PRIMITIVE_RESTART_FIXED_INDEX));
   bool readable = true;
   state.forEach([&](const ArraySource& source) { readable = readable && isReadable(source); });
   if (!readable || restart || genericArrayOn(real, 0) || (state.elements && state.elements->foreign))

@@ -36,9 +36,6 @@ Reason rareReason(const RealGl& real, const RareState& has) {
   if (has.clipControl && (integer(real, GL_CLIP_ORIGIN) != GL_LOWER_LEFT ||
                           integer(real, GL_CLIP_DEPTH_MODE) != GL_NEGATIVE_ONE_TO_ONE))
     return Reason::clipControl;
-  if (has.provokingVertex && integer(real, GL_PROVOKING_VERTEX) != GL_LAST_VERTEX_CONVENTION &&
-      integer(real, GL_SHADE_MODEL) == GL_FLAT)
-    return Reason::provokingVertex;
   GLfloat clamp = 0;
   if (has.offsetClamp) real.GetFloatv(GL_POLYGON_OFFSET_CLAMP, &clamp);
   return clamp != 0 ? Reason::depthClamp : Reason::traced;
@@ -146,6 +143,8 @@ void readRaster(const RealGl& real, State& state) {
                       raster.reason == Reason::program || raster.reason == Reason::renderMode) &&
                      !isOn(real, GL_BLEND);
   if (raster.reason == Reason::traced) raster.reason = polygonReason(real);
+  raster.firstVertexProvokes =
+      state.rare.provokingVertex && integer(real, GL_PROVOKING_VERTEX) != GL_LAST_VERTEX_CONVENTION;
   raster.multisample = isOn(real, GL_MULTISAMPLE);
   raster.alphaTest = readAlphaTest(real);
   state.shading.fog = readFog(real, state.rare);

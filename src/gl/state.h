@@ -41,7 +41,8 @@ struct RasterState {
   Reason unlessOpaque = Reason::traced;  // why surfaces cannot be traced whose alpha is not 1, or `traced`
   bool scissorTest = false;
   GLenum depthFunc = GL_LESS;
-  bool orderFree = false;  // rasterised draws merge with pending traced ones in any order
+  bool orderFree = false;            // rasterised draws merge with pending traced ones in any order
+  bool firstVertexProvokes = false;  // matters where shading is flat
   bool multisample = true;
   scene::AlphaTest alphaTest;
   scene::CullFace cull = scene::CullFace::none;
