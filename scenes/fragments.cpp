@@ -203,10 +203,29 @@ void alphaOfColors(Gl gl, int width, int height) {
 constexpr Tolerance kHoleEdges{2, 0.004, 1e-5f,
                                "the edges of holes go through pixels by a rounding of alpha"};
 
+/// Fog by coordinates and by distance in turn, in one batch.
+void fogSources(Gl gl, int width, int height) {
+  begin(gl, width, height);
+  camera(gl, width, height);
+  keyLight(gl);
+  const float color[] = {0.2f, 0.3f, 0.6f, 1};
+  gl.Enable(GL_FOG);
+  gl.Fogi(GL_FOG_MODE, GL_LINEAR), gl.Fogf(GL_FOG_START, 0), gl.Fogf(GL_FOG_END, 6);
+  gl.Fogfv(GL_FOG_COLOR, color);
+  gl.FogCoordf(1.5f);
+  for (int i = 0; i < 4; ++i) {
+    gl.Fogi(GL_FOG_COORD_SRC, i % 2 ? GL_FRAGMENT_DEPTH : GL_FOG_COORD);
+    paint(gl, 0.9f, 0.7f, 0.2f * static_cast<float>(i));
+    sendAt(gl, sphere(16, 24), static_cast<float>(i) - 1.5f, 0, -0.5f * static_cast<float>(i), 0.45f);
+  }
+  gl.Fogi(GL_FOG_COORD_SRC, GL_FOG_COORD);
+}
+
 constexpr Scene kScenes[] = {
     {"fog-linear", fogLinear},
     {"fog-exp", fogExp},
     {"fog-coordinates", fogCoordinates},
+    {"fog-sources", fogSources},
     {"secondary-colors", secondaryColors},
     {"fog-exp2", fogExp2},
     {"fog-changes", fogChanges},

@@ -48,13 +48,14 @@ void setColorMaterial(const RealGl& real, const scene::ColorMaterial& modes) {
   real.Enable(GL_COLOR_MATERIAL);
 }
 
-void setFog(const RealGl& real, const scene::Fog& fog) {
+void setFog(const RealGl& real, const Features& features, const scene::Fog& fog) {
   enable(real, GL_FOG, fog.mode != scene::Fog::off);
   if (fog.mode == scene::Fog::off) return;
   real.Fogi(GL_FOG_MODE, fog.mode == scene::Fog::linear ? GL_LINEAR
                          : fog.mode == scene::Fog::exp  ? GL_EXP
                                                         : GL_EXP2);
-  if (fog.fromCoordinates) real.Fogi(GL_FOG_COORD_SRC, GL_FOG_COORD);
+  if (features.version >= 14)
+    real.Fogi(GL_FOG_COORD_SRC, fog.fromCoordinates ? GL_FOG_COORD : GL_FRAGMENT_DEPTH);
   real.Fogf(GL_FOG_DENSITY, fog.density);
   real.Fogf(GL_FOG_START, fog.start);
   real.Fogf(GL_FOG_END, fog.end);
@@ -131,7 +132,7 @@ void setShading(const RealGl& real, const Features& features, const scene::Shadi
     enable(real, GL_LIGHT0 + static_cast<GLenum>(i), on);
     if (on) setLight(real, GL_LIGHT0 + static_cast<GLenum>(i), shading.lights[static_cast<size_t>(i)]);
   }
-  setFog(real, shading.fog);
+  setFog(real, features, shading.fog);
   setAlphaTest(real, shading.alphaTest);
   textures.set(shading.textures);
   setColorMaterial(real, shading.colorMaterial);
