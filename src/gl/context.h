@@ -153,9 +153,6 @@ class Context {
 
   /// Ends the run of glBegin/glEnd pairs that is being captured and draws or records it.
   void closeRun();
-  void closeRunOutsideBegin() {
-    if (!insideBegin()) closeRunIfOpen();
-  }
   void closeRunIfOpen() {
     if (runOpen_) closeRun();
   }
@@ -213,7 +210,6 @@ class Context {
   KnownMesh meshOfRun();
   void recordRun();
   void keepRunValues();
-  void sendRunValues();
   void addSlotToRun(Slot slot);
   void readCurrent();
   void surrenderRun();
@@ -223,7 +219,7 @@ class Context {
   void runDetached(F&& body);
   bool canTrace();
   bool canDraw() const;
-  void deleteDiscarded();
+  void deleteDiscardedLists();
   /// Lets go of meshes that have not been used lately.
   void forgetOld();
 

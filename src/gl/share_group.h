@@ -3,7 +3,6 @@
 // their use.
 #pragma once
 #include "gl/mesh_cache.h"
-#include "gl/presenter.h"
 
 #include <GL/gl.h>
 
@@ -93,13 +92,11 @@ class ShareGroup {
 
   /// Real lists whose owner is gone; deleted by the next context of the group that is current.
   void discardRealList(GLuint id);
-  /// The same for whatever a context leaves behind.
-  void discard(const SharedNames& names);
-  SharedNames takeDiscarded();
+  std::vector<GLuint> takeDiscardedLists();
 
  private:
   std::mutex mutex_;
-  SharedNames discarded_;
+  std::vector<GLuint> discarded_;
 };
 
 }  // namespace gluray::gl
