@@ -89,13 +89,16 @@ def _own(c: glxml.Command, policy: Policy) -> str:
 
 def _forward(c: glxml.Command, policy: Policy, index: int) -> str:
     _, real = _call(c, "*ctx")
+    images = "imageChanged(" in policy.touch or "imagesChanged(" in policy.touch
+    later = " ctx->record([](Context& later) { later.touch(imagesChanged(later)); });" if images else ""
     compile_case = RUN if policy.immediate else (
-        f"case Gate::compile: ctx->recordFragment([&] {{ {real}; }}); return;\n      case Gate::run: break;")
-    # Afterwards: what reads the state again because of it, here or in another context, must find it changed.
+        f"case Gate::compile: ctx->recordFragment([&] {{ {real}; }});{later} return;\n      case Gate::run: break;")
+    # Afterwards once more: another context that reads an image or a buffer again must find it changed.
     touch = f"  ctx->touch({policy.touch.replace('{c}', '*ctx')});\n" if policy.touch else ""
     return (_gate(c, policy, compile_case) + f"  ctx->count({index});\n"
             f"  ctx->beforeForward({'true' if policy.flush else 'false'});\n" +
-            (f"{touch}  return {real};\n" if c.ret != "void" else f"  {real};\n{touch}"))
+            (f"{touch}  return {real};\n" if c.ret != "void" else
+             f"{touch}  {real};\n{touch if '{c}' in policy.touch else ''}"))
 
 
 def stub(c: glxml.Command, policy: Policy, index: int) -> str:

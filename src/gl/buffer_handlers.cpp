@@ -67,6 +67,7 @@ void markForeign(Context& c, GLuint name) {
   if (const auto buffer = named(c, name)) {
     buffer->sendTo(c.real);
     buffer->foreign = true;
+    c.touch(kArrays);
   }
 }
 }  // namespace
@@ -205,6 +206,17 @@ void copyBufferSubData(Context& c, GLenum readTarget, GLenum writeTarget, GLintp
   if (target) target->sendTo(c.real);
   c.real.CopyBufferSubData(readTarget, writeTarget, readOffset, writeOffset, size);
   if (target) target->changedBelow();
+}
+
+uint32_t packBufferChanged(Context& c) {
+  if (versionOf(c.real) < 21) return 0;
+  c.protect([&] {
+    if (const auto buffer = bound(c, GL_PIXEL_PACK_BUFFER)) {
+      buffer->sendTo(c.real);
+      buffer->changedBelow();
+    }
+  });
+  return kArrays;
 }
 
 uint32_t buffersChangedBelow(Context& c) {

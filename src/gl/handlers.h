@@ -71,6 +71,8 @@ void copyBufferSubData(Context& c, GLenum readTarget, GLenum writeTarget, GLintp
 /// Commands that name buffers directly: the real OpenGL gets ours first and its contents are read back later.
 /// Groups to touch.
 uint32_t buffersChangedBelow(Context& c);
+/// Pixels may have been read into the buffer bound to GL_PIXEL_PACK_BUFFER. Groups to touch.
+uint32_t packBufferChanged(Context& c);
 
 // framebuffer, attributes, questions (state_handlers.cpp)
 void clear(Context& c, GLbitfield mask);
@@ -94,7 +96,7 @@ void matrixMode(Context& c, GLenum mode);
 /// Groups that commands on the current matrix touch.
 uint32_t matrixGroups(Context& c);
 /// A texture is attached to a framebuffer, another framebuffer is bound. Groups to touch.
-uint32_t textureAttached(Context& c);
+uint32_t textureAttached(Context& c, GLuint texture);
 uint32_t framebufferBound(Context& c);
 /// Texture images may have changed. Groups to touch.
 uint32_t imagesChanged(Context& c);

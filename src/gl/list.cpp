@@ -19,7 +19,6 @@ void FragmentOp::execute(Context& context) {
   context.real.CallList(realList_);
   context.touch(kAllGroups);
   context.matrixMode = 0;
-  context.textures().allImagesChanged();
 }
 
 GeometryRun::GeometryRun(Captured captured, const SlotValues& finals, std::vector<InheritedSlot> inherited,

@@ -136,8 +136,8 @@ uint32_t matrixGroups(Context& c) {
   }
 }
 
-uint32_t textureAttached(Context& c) {
-  c.textures().attached();
+uint32_t textureAttached(Context& c, GLuint texture) {
+  c.textures().attached(texture);
   return kTarget | kTexture;
 }
 

@@ -157,8 +157,22 @@ void TextureCache::allImagesChanged() {
   tellOthers();
 }
 
+void TextureCache::attached(GLuint name) noexcept {
+  try {
+    if (name != 0) attached_.insert(name);
+  } catch (...) { forgotten_ = true; }  // no memory
+  framebufferBound();
+}
+
+void TextureCache::framebufferBound() {
+  if (forgotten_) return allImagesChanged();
+  if (attached_.empty()) return;
+  std::erase_if(images_, [&](const auto& known) { return attached_.contains(known.first.name); });
+  tellOthers();
+}
+
 void TextureCache::finished() {
-  if (attached_) tellOthers();
+  if (forgotten_ || !attached_.empty()) tellOthers();
 }
 
 void TextureCache::imageChanged(const RealGl& real, GLenum target) {
@@ -175,6 +189,7 @@ void TextureCache::imageChanged(const RealGl& real, GLenum target) {
 
 void TextureCache::deleted(GLuint name) {
   tellOthers();
+  attached_.erase(name);
   std::erase_if(images_, [&](const auto& known) { return known.first.name == name; });
 }
 

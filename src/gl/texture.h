@@ -6,6 +6,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 
 namespace gluray::gl {
 
@@ -24,10 +25,8 @@ class TextureCache {
   void allImagesChanged();
   /// Textures are attached to framebuffers: drawing changes them, which shows when another framebuffer is
   /// bound.
-  void attached() { attached_ = true, allImagesChanged(); }
-  void framebufferBound() {
-    if (attached_) allImagesChanged();
-  }
+  void attached(GLuint name) noexcept;
+  void framebufferBound();
   /// What was drawn into textures is finished for other contexts, too.
   void finished();
 
@@ -52,7 +51,8 @@ class TextureCache {
   ShareGroup& group_;
   uint64_t changesKnown_ = 0;  // of ShareGroup::textureChanges
   std::map<Key, std::shared_ptr<const scene::TextureImage>> images_;
-  bool attached_ = false;
+  std::set<GLuint> attached_;  // by name, ever
+  bool forgotten_ = false;     // any may have been attached
 };
 
 }  // namespace gluray::gl

@@ -132,6 +132,40 @@ TEST(StaleState, TexturesOfNamedFramebuffers) {
     });
 }
 
+/// Corners of a triangle, as the colours of three pixels.
+void clearCorners(Gl gl, float z) {
+  gl.Enable(GL_SCISSOR_TEST);
+  const float corners[3][3] = {{0, 0, z}, {1, 0, 0.5f}, {0, 1, 0.25f}};
+  for (int i = 0; i < 3; ++i) {
+    gl.Scissor(i, 0, 1, 1);
+    gl.ClearColor(corners[i][0], corners[i][1], corners[i][2], 1);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+  }
+  gl.Disable(GL_SCISSOR_TEST);
+}
+
+TEST(StaleState, PixelsReadIntoAVertexBuffer) {
+  expectSame([](Gl gl, Seen&) {
+    stage(gl);
+    gl.Disable(GL_LIGHTING);
+    GLuint buffer = 0;
+    gl.GenBuffers(1, &buffer);
+    gl.BindBuffer(GL_PIXEL_PACK_BUFFER, buffer);
+    gl.BufferData(GL_PIXEL_PACK_BUFFER, 9 * sizeof(float), nullptr, GL_DYNAMIC_COPY);
+    gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+    gl.VertexPointer(3, GL_FLOAT, 0, nullptr);
+    gl.EnableClientState(GL_VERTEX_ARRAY);
+    for (const float z : {0.0f, 1.0f}) {
+      clearCorners(gl, z);
+      gl.ReadPixels(0, 0, 3, 1, GL_RGB, GL_FLOAT, nullptr);
+      gl.Color3f(1, z, 0);
+      gl.Translatef(-0.4f, 0, 0);
+      gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    }
+    gl.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  });
+}
+
 /// The middle of the picture after a textured sphere was drawn.
 uint32_t middleOfSphere(TracedContext& context, GLuint texture) {
   const gl::RealGl& gl = context.gl();
