@@ -44,5 +44,21 @@ TEST(Names, AreThoseOfTheRealOne) {
   EXPECT_GT(ours.context().statistics.drawsTraced, 0u);
 }
 
+/// Programs make windows one after the other, and several at a time.
+TEST(Names, AreThoseOfTheRealOneInLaterContexts) {
+  const auto real = OsmesaContext::create({64, 64});
+  const std::vector<GLuint> expected = namesAfterAFrame(real->real());
+  for (int i = 0; i < 6; ++i) {
+    TracedContext ours({64, 64});
+    EXPECT_EQ(namesAfterAFrame(ours.gl()), expected) << "context " << i;
+    TracedContext sharing({64, 64}, TracedContext::vertexShading(), nullptr, &ours);
+    namesAfterAFrame(sharing.gl());
+    EXPECT_GT(sharing.context().statistics.drawsTraced, 0u);
+    GLuint next = 0;
+    sharing.gl().GenTextures(1, &next);
+    EXPECT_LT(next, 1000u);
+  }
+}
+
 }  // namespace
 }  // namespace gluray::test

@@ -3,7 +3,7 @@
 #include "intercept/present/write_back_program.h"
 
 #include <algorithm>
-#include <atomic>
+#include <mutex>
 #include <utility>
 
 namespace gluray::present {
@@ -51,20 +51,24 @@ GLuint WriteBack::newTextureName() const {
     return name;
   }
   // Compatibility contexts let a program bind names that it never asked for, small ones as a rule. Ours come
-  // from the end of the range, counted for the whole process because several contexts may share one name
-  // space. From the very end: Mesa goes on after the largest name in use as long as there are any, and
-  // programs use names as array indices.
-  static std::atomic<GLuint> next{0xFFFFFFFEu};
-  do name = next--;
-  while (real_.IsTexture(name));
+  // from the end of the range. From the very end in each name space: Mesa goes on after the largest name in
+  // use as long as there are any, and programs use names as array indices.
+  for (name = 0xFFFFFFFEu; real_.IsTexture(name);) --name;
   return name;
 }
 
 bool WriteBack::makePlane(StateGuard& guard, int unit, Plane& plane, GLenum internalFormat, GLenum format,
                           GLenum type, int width, int height) {
   const bool fresh = plane.texture == 0;
-  if (fresh) plane.texture = newTextureName();
-  guard.texture2D(unit, plane.texture);
+  if (fresh) {
+    // Taken by the binding: contexts of other threads may share the name space.
+    static std::mutex naming;
+    const std::lock_guard lock(naming);
+    plane.texture = newTextureName();
+    guard.texture2D(unit, plane.texture);
+  } else {
+    guard.texture2D(unit, plane.texture);
+  }
   if (fresh) {
     for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
       real_.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
