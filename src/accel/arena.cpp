@@ -1,7 +1,9 @@
 #include "accel/arena.h"
 
+#include <tbb/info.h>
 #include <tbb/task_scheduler_observer.h>
 
+#include <algorithm>
 #include <csignal>
 
 namespace gluray::accel {
@@ -21,7 +23,9 @@ class Arena::Observer : public tbb::task_scheduler_observer {
   }
 };
 
-Arena::Arena(int threads) : arena_(threads > 0 ? threads : tbb::task_arena::automatic) {
+// More threads than cores would only take turns, and TBB says so on stderr.
+Arena::Arena(int threads)
+    : arena_(threads > 0 ? std::min(threads, tbb::info::default_concurrency()) : tbb::task_arena::automatic) {
   arena_.initialize();
   observer_ = std::make_unique<Observer>(arena_);
 }

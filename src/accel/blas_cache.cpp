@@ -125,6 +125,9 @@ bool BlasCache::evictAllIdle() {
 }
 
 bool BlasCache::evictDownTo(size_t bytes) {
+  // Geometry that is new in every frame leaves nothing but small structures behind, which fill no budget for
+  // long.
+  constexpr size_t kMostIdle = 2048;
   const auto sizeOf = [](const Entry& entry) { return entry.blas->bvhBytes() + entry.blas->pinnedBytes(); };
   std::vector<std::pair<uint64_t, Key>> idle;
   size_t idleBytes = 0;
@@ -133,10 +136,13 @@ bool BlasCache::evictDownTo(size_t bytes) {
     idle.emplace_back(entry.lastUsed, key);
     idleBytes += sizeOf(entry);
   }
-  if (idleBytes <= bytes) return false;
+  const bool tooMany = idle.size() > kMostIdle;
+  if (idleBytes <= bytes && !tooMany) return false;
   std::sort(idle.begin(), idle.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  size_t left = idle.size();
   for (const auto& [lastUsed, key] : idle) {
-    if (idleBytes <= bytes) break;
+    if (idleBytes <= bytes && (!tooMany || left <= kMostIdle / 2)) break;
+    --left;
     const auto entry = entries_.find(key);
     idleBytes -= sizeOf(entry->second);
     entries_.erase(entry);

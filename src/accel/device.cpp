@@ -15,7 +15,7 @@ std::atomic<ptrdiff_t> heldBytes{0};
 std::atomic<ptrdiff_t> behindBytes{0};  // the sum of all changes made inside a BehindScope
 thread_local bool t_behind = false;
 thread_local ptrdiff_t t_behindBytes = 0;
-std::atomic<int> commitsToFail{0};
+std::atomic<int> commitsToFail{0}, commitsToSpare{0};
 std::atomic<int> failingCommits{0};  // commits in flight that were chosen to fail
 
 bool onMemory(void*, ssize_t bytes, bool) {
@@ -79,9 +79,11 @@ void Device::check(std::string_view what) const {
   if (error != RTC_ERROR_NONE) throw Error(std::string(what) + ": " + describe(error));
 }
 
-void failNextCommits(int count) { commitsToFail = count; }
+void failNextCommits(int count, int after) { commitsToSpare = after, commitsToFail = count; }
+int commitsStillToFail() { return commitsToFail; }
 
 CommitScope::CommitScope() {
+  if (commitsToSpare.load() > 0 && commitsToSpare.fetch_sub(1) > 0) return;
   if (commitsToFail.load() > 0 && commitsToFail.fetch_sub(1) > 0) ++failingCommits;
 }
 

@@ -35,8 +35,10 @@ class Device {
   int packetWidth_ = 4;
 };
 
-/// For tests: the next `count` commits of acceleration structures fail as if memory had run out.
-void failNextCommits(int count);
+/// For tests: `after` commits of acceleration structures succeed, then `count` fail as if memory had run out.
+void failNextCommits(int count, int after = 0);
+/// Failures asked for that have not come yet.
+int commitsStillToFail();
 
 /// While it lives, what its thread allocates is counted apart.
 class BehindScope {

@@ -33,6 +33,9 @@ Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const 
 
 Context::~Context() {
   --group_->contexts;
+  try {
+    group_->discard(presenter_.takeNames());
+  } catch (const std::exception&) {}  // they live as long as the group
   presenter_.forget(real);
   if (t_thread.context == this) t_thread = {};
 }
@@ -47,6 +50,11 @@ Gate Context::gate(bool anywhere) noexcept {
   if (anywhere) return compiling() && !insideBegin() ? Gate::compile : Gate::run;
   if (insideBegin()) {
     if (compiling() && !executing()) return Gate::compile;  // no glBegin has been executed
+    if (inside_ == Inside::rasterised && !openFragment_) {
+      // The real OpenGL refuses it, in its turn among other errors.
+      touch(kAllGroups);
+      return Gate::forward;
+    }
     setError(GL_INVALID_OPERATION);
     return Gate::refuse;
   }
@@ -213,7 +221,7 @@ void Context::forgetOld() {
   clears_ = 0;
   flushesForgotten_ = statistics.flushes;
   group_->meshes.advance();
-  deleteDiscardedLists();
+  deleteDiscarded();
 }
 
 void Context::cleared(GLbitfield mask) {
@@ -223,8 +231,12 @@ void Context::cleared(GLbitfield mask) {
   if (++clears_ >= patience) forgetOld();
 }
 
-void Context::deleteDiscardedLists() {
-  for (const GLuint id : group_->takeDiscardedLists()) real.DeleteLists(id, 1);
+void Context::deleteDiscarded() {
+  const SharedNames names = group_->takeDiscarded();
+  for (const GLuint id : names.lists) real.DeleteLists(id, 1);
+  for (const GLuint id : names.programs) real.DeleteProgram(id);
+  if (!names.textures.empty())
+    real.DeleteTextures(static_cast<GLsizei>(names.textures.size()), names.textures.data());
 }
 
 bool Context::canTrace() {
@@ -258,7 +270,8 @@ void Context::flush() {
   statistics.bvhBytes = result.bvhBytes;
   if (kinds()) [[unlikely]]
     kinds()->exclude(nowSeconds() - start);
-  if (result.outcome != PresentResult::traced) stepAside("the ray tracer could not make a picture");
+  if (result.outcome != PresentResult::traced)
+    stepAside(result.why.empty() ? "the ray tracer could not make a picture" : result.why.c_str());
 }
 
 void Context::showIfVisible() {

@@ -153,6 +153,9 @@ class Context {
 
   /// Ends the run of glBegin/glEnd pairs that is being captured and draws or records it.
   void closeRun();
+  void closeRunOutsideBegin() {
+    if (!insideBegin()) closeRunIfOpen();
+  }
   void closeRunIfOpen() {
     if (runOpen_) closeRun();
   }
@@ -210,6 +213,7 @@ class Context {
   KnownMesh meshOfRun();
   void recordRun();
   void keepRunValues();
+  void sendRunValues();
   void addSlotToRun(Slot slot);
   void readCurrent();
   void surrenderRun();
@@ -219,7 +223,7 @@ class Context {
   void runDetached(F&& body);
   bool canTrace();
   bool canDraw() const;
-  void deleteDiscardedLists();
+  void deleteDiscarded();
   /// Lets go of meshes that have not been used lately.
   void forgetOld();
 

@@ -19,9 +19,18 @@ void materialfv(Context& c, GLenum face, GLenum pname, const GLfloat* params) {
   c.material(face, pname, params);
 }
 
+namespace {
+/// Goes to the real OpenGL, now or when the list that is compiled is called.
+template <class F>
+void unmodelled(Context& c, F&& call) {
+  if (c.compiling() && !c.insideBegin()) return c.recordFragment(call);
+  call();
+}
+}  // namespace
+
 void materialf(Context& c, GLenum face, GLenum pname, GLfloat param) {
-  if (pname != GL_SHININESS)
-    return c.real.Materialf(face, pname, param);  // an error, in the real OpenGL's opinion of it
+  if (pname != GL_SHININESS)  // an error, in the real OpenGL's opinion of it
+    return unmodelled(c, [&] { c.real.Materialf(face, pname, param); });
   c.material(face, pname, &param);
 }
 
@@ -30,7 +39,7 @@ void materiali(Context& c, GLenum face, GLenum pname, GLint param) {
 }
 
 void materialiv(Context& c, GLenum face, GLenum pname, const GLint* params) {
-  if (pname == GL_COLOR_INDEXES) return c.real.Materialiv(face, pname, params);
+  if (pname == GL_COLOR_INDEXES) return unmodelled(c, [&] { c.real.Materialiv(face, pname, params); });
   GLfloat values[4] = {};
   for (size_t i = 0; i < materialParams(pname); ++i)  // colours map linearly, GL 2.1 table 2.9
     values[i] = pname == GL_SHININESS ? static_cast<GLfloat>(params[i])
@@ -102,9 +111,17 @@ void arrayElement(Context& c, GLint i) {
   if (c.inside() == Context::Inside::rasterised) return c.rasterElement(i);
   c.refresh(kArrays);
   // Arrays that we do not read: the real OpenGL takes over the primitive.
-  if ((c.arrays.others || c.arrays.reason != Reason::traced) && c.insideBegin()) {
+  if (c.arrays.others || c.arrays.reason != Reason::traced) {
+    if (!c.insideBegin() && c.compiling()) {
+      c.sendBuffers();
+      return c.recordFragment([&] { c.real.ArrayElement(i); });
+    }
+    c.closeRunOutsideBegin();
     c.beforeForward(false);
-    return c.rasterElement(i);
+    if (c.insideBegin()) return c.rasterElement(i);
+    c.sendBuffers();
+    c.touch(kCurrent);
+    return c.real.ArrayElement(i);
   }
   const ElementSender send(c);
   send(static_cast<uint32_t>(i));

@@ -228,6 +228,15 @@ void Context::drawRun() {
   replay(real, run);
 }
 
+/// What has been set since the last vertex, into the fragment that is open.
+void Context::sendRunValues() {
+  for (int s = kNormal; s < kSlotCount; ++s) {
+    const auto slot = static_cast<Slot>(s);
+    if (stream_.has(slot) && slot != kMaterialNumber) sendAttribute(real, slot, stream_.get(slot));
+  }
+  if (const MaterialChange* last = stream_.lastMaterial()) sendMaterial(real, *last);
+}
+
 void Context::surrenderRun() {
   Captured& run = stream_.captured();
   const bool open = inside_ == Inside::captured;
@@ -250,6 +259,7 @@ void Context::surrenderRun() {
     keepRunValues();
     sendCurrent();  // legal inside glBegin too: what was set since the last vertex
   } else {
+    sendRunValues();
     if (!open) real.EndList();
   }
   inside_ = open ? Inside::rasterised : Inside::nothing;
@@ -269,9 +279,13 @@ void Context::appendFragment(GLuint realList) {
 
 void Context::material(GLenum face, GLenum pname, const float* params) {
   MaterialChange change;
-  if (passthrough_ || inside_ == Inside::rasterised || !change.set(face, pname, params))
-    return real.Materialfv(face, pname, params);
-  if (pname == GL_SHININESS && (params[0] < 0 || params[0] > 128)) return setError(GL_INVALID_VALUE);
+  const bool known = change.set(face, pname, params);
+  const bool refused = pname == GL_SHININESS && (params[0] < 0 || params[0] > 128);
+  // An error of the moment when the list is called, in the real OpenGL's opinion of it.
+  if (compiling() && !insideBegin() && !passthrough_ && (!known || refused))
+    return recordFragment([&] { real.Materialfv(face, pname, params); });
+  if (passthrough_ || inside_ == Inside::rasterised || !known) return real.Materialfv(face, pname, params);
+  if (refused) return setError(GL_INVALID_VALUE);
   if (!runOpen_ && !compiling()) {
     syncCurrent();
     dirty |= kMaterial;

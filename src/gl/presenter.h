@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 
 #include <string>
+#include <vector>
 
 namespace gluray::gl {
 
@@ -28,6 +29,12 @@ struct PresentResult {
   uint64_t blasBuilds = 0, blasRefinements = 0, bvhBytes = 0;
   GLenum pendingError =
       GL_NO_ERROR;  // an error of the program's that was found on the way, to be reported to it
+  std::string why;  // where it was not traced: one line for the user, who has not been told yet
+};
+
+/// Real objects that all contexts of a share group see.
+struct SharedNames {
+  std::vector<GLuint> lists, textures, programs;
 };
 
 class Presenter {
@@ -40,6 +47,8 @@ class Presenter {
   /// Whether the write-back works with the current context (it needs shaders). Asked once per context, with
   /// it current.
   virtual bool supports(const RealGl& real, bool core, std::string& why) noexcept = 0;
+  /// What it has made in the share group. Asked when the context goes away; the group deletes it.
+  virtual SharedNames takeNames() { return {}; }
   /// A context is going away; it may or may not be current. Names made for it need not be freed.
   virtual void forget(const RealGl& real) noexcept = 0;
 };

@@ -14,10 +14,19 @@ bool ShareGroup::anyBuffersHeldBack() const {
 
 void ShareGroup::discardRealList(GLuint id) {
   const std::lock_guard lock(mutex_);
-  discarded_.push_back(id);
+  discarded_.lists.push_back(id);
 }
 
-std::vector<GLuint> ShareGroup::takeDiscardedLists() {
+void ShareGroup::discard(const SharedNames& names) {
+  const auto add = [](std::vector<GLuint>& to, const std::vector<GLuint>& more) {
+    to.insert(to.end(), more.begin(), more.end());
+  };
+  const std::lock_guard lock(mutex_);
+  add(discarded_.lists, names.lists), add(discarded_.textures, names.textures);
+  add(discarded_.programs, names.programs);
+}
+
+SharedNames ShareGroup::takeDiscarded() {
   const std::lock_guard lock(mutex_);
   return std::exchange(discarded_, {});
 }

@@ -3,6 +3,7 @@
 // their use.
 #pragma once
 #include "gl/mesh_cache.h"
+#include "gl/presenter.h"
 
 #include <GL/gl.h>
 
@@ -92,11 +93,13 @@ class ShareGroup {
 
   /// Real lists whose owner is gone; deleted by the next context of the group that is current.
   void discardRealList(GLuint id);
-  std::vector<GLuint> takeDiscardedLists();
+  /// The same for whatever a context leaves behind.
+  void discard(const SharedNames& names);
+  SharedNames takeDiscarded();
 
  private:
   std::mutex mutex_;
-  std::vector<GLuint> discarded_;
+  SharedNames discarded_;
 };
 
 }  // namespace gluray::gl

@@ -25,8 +25,11 @@ PresentResult TracingPresenter::present(const gl::RealGl& real, const scene::Sna
   try {
     return tracedOrRasterised(real, *snapshot, target);
   } catch (const std::exception& e) {
-    log::write(log::Level::warning, e.what());
-    return {};
+    PresentResult failed;
+    try {
+      failed.why = e.what();
+    } catch (...) {}  // the general line says enough
+    return failed;
   }
 }
 
@@ -45,8 +48,7 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
   if (traced && written(target, pending, why)) {
     result.outcome = PresentResult::traced;
   } else {
-    log::once(log::Level::warning, "raster fallback",
-              why.empty() ? "the picture could not be written back" : why);
+    result.why = why.empty() ? "the picture could not be written back" : std::move(why);
     const PendingErrors more = takeErrors(real);
     pending.insert(pending.end(), more.begin(), more.end());
     if (drawWithFixedFunction(real, readFeatures(real), snapshot, target.depthFunc))

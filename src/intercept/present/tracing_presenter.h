@@ -29,6 +29,7 @@ class TracingPresenter final : public gl::Presenter {
   gl::PresentResult present(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                             const gl::PresentTarget& target) noexcept override;
   bool supports(const gl::RealGl& real, bool core, std::string& why) noexcept override;
+  gl::SharedNames takeNames() override { return writeBack_ ? writeBack_->takeNames() : gl::SharedNames{}; }
   void forget(const gl::RealGl& real) noexcept override;
 
  private:

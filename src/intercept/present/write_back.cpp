@@ -187,6 +187,16 @@ bool WriteBack::write(const Image& image, const WriteBackTarget& target, Pending
   return real_.GetError() == GL_NO_ERROR;
 }
 
+gl::SharedNames WriteBack::takeNames() {
+  gl::SharedNames names;
+  names.textures = {color_.texture, depth_.texture};  // deleting name 0 does nothing
+  for (const Program& program : programs_) names.programs.push_back(program.name);
+  color_ = depth_ = {};
+  programs_ = {};
+  state_ = State::unknown;
+  return names;
+}
+
 void WriteBack::release() {
   if (color_.texture) real_.DeleteTextures(1, &color_.texture);
   if (depth_.texture) real_.DeleteTextures(1, &depth_.texture);

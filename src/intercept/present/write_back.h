@@ -3,6 +3,7 @@
 // conditional rendering or transform feedback starts that the program's own draws were not part of.
 #pragma once
 #include "base/image.h"
+#include "gl/presenter.h"
 #include "intercept/present/hit_bands.h"
 #include "intercept/present/state_guard.h"
 
@@ -31,6 +32,8 @@ class WriteBack {
   /// OpenGL refuses.
   bool write(const Image& image, const WriteBackTarget& target, PendingErrors& pending);
 
+  /// Names of what lives in the share group, which are no longer ours.
+  gl::SharedNames takeNames();
   /// Deletes our objects. Without this they live as long as the share group.
   void release();
 
