@@ -91,12 +91,16 @@ std::string openDoors(const CommandLine& line, const Program& program) {
     return "GLuRay's libraries are missing beside " + fs::read_symlink("/proc/self/exe").string();
   if (program.setUid) return program.path + " is set-uid: the system lets nobody look into it";
   passSettings(line);
-  const auto openPreloadDoor = [&] { putFirst("LD_PRELOAD", directory + "/libgluray.so"); };
-  if (line.door == "preload") return openPreloadDoor(), "";
+  const auto openPreloadDoor = [&]() -> std::string {
+    if (directory.find_first_of(" :") != directory.npos)
+      return "LD_PRELOAD takes no name with a space or colon: move GLuRay out of " + directory;
+    return putFirst("LD_PRELOAD", directory + "/libgluray.so"), "";
+  };
+  if (line.door == "preload") return openPreloadDoor();
   if (line.door == "vendor") return openVendorDoor(directory);
   // The vendor door, and the other one too for what does not come through libglvnd.
   const std::string problem = openVendorDoor(directory);
-  if (program.osMesa || program.bundledGl || !problem.empty()) openPreloadDoor();
+  if (program.osMesa || program.bundledGl || !problem.empty()) return openPreloadDoor();
   return "";
 }
 

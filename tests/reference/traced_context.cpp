@@ -31,6 +31,12 @@ TracedContext::~TracedContext() {
   context_.reset();
 }
 
+void TracedContext::makeCurrent() {
+  if (gl::Context* last = gl::t_thread.context) last->loseCurrent();
+  below_->makeCurrent();
+  context_->makeCurrent();
+}
+
 const gl::RealGl& TracedContext::stubs() {
   static const gl::RealGl table = [] {
     gl::RealGl t;

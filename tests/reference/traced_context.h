@@ -17,6 +17,9 @@ class TracedContext {
   TracedContext(const TracedContext&) = delete;
   TracedContext& operator=(const TracedContext&) = delete;
 
+  /// Instead of the one that is current in this thread.
+  void makeCurrent();
+
   static Settings vertexShading();
   /// Our functions, as table.
   static const gl::RealGl& stubs();

@@ -1,0 +1,225 @@
+// The fuzzer. Workers are forked and play streams of consecutive seeds; where one differs, crashes or hangs,
+// the stream is shrunk by playing parts of it in further children, and the seed and the calls that are left
+// are printed.
+//   gluray_fuzz [--seed N] [--calls N] [--jobs N] [--failures N]    play at least N calls
+//   gluray_fuzz --stream N                                          play and shrink the stream of one seed
+#include "tests/fuzz/session.h"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace gluray::fuzz {
+namespace {
+
+constexpr int kDiffers = 3;
+constexpr unsigned kPatience = 60;  // seconds for one stream
+constexpr uint64_t kStateEvery = 16;
+
+struct Options {
+  uint64_t seed = 1, calls = 1000000, stream = 0;
+  unsigned jobs = 1, failures = 1;
+};
+
+/// What a worker says, in memory that it shares with its parent.
+struct Progress {
+  uint64_t seed = 0, calls = 0, failedCall = 0;
+  char what[4096] = {};
+};
+
+Progress* sharedProgress() {
+  void* p = mmap(nullptr, sizeof(Progress), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  return p == MAP_FAILED ? nullptr : new (p) Progress;
+}
+
+/// Plays one stream in this process; ends it where the answers differ.
+void playOrEnd(const Stream& stream, uint64_t seed, Progress& progress) {
+  progress.seed = seed;
+  alarm(kPatience);
+  const Outcome outcome = play(stream, seed % kStateEvery == 0);
+  alarm(0);
+  if (outcome.what.empty()) return;
+  std::snprintf(progress.what, sizeof progress.what, "%s", outcome.what.c_str());
+  progress.failedCall = outcome.call;
+  _exit(kDiffers);
+}
+
+template <class Body>
+pid_t inChild(bool quiet, Body body) {
+  const pid_t child = fork();
+  if (child != 0) return child;
+  if (quiet) dup2(open("/dev/null", O_WRONLY), STDERR_FILENO);
+  body();
+  _exit(0);
+}
+
+/// 0: fine; otherwise what kind of failure: a difference, or the way it died.
+int statusOf(pid_t child) {
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 256 + WTERMSIG(status);
+}
+
+std::string kindOf(int status) {
+  if (status == kDiffers) return "differs";
+  if (status == 256 + SIGALRM) return "hangs";
+  if (status > 256) return std::string("dies of ") + strsignal(status - 256);
+  return "ends with code " + std::to_string(status);
+}
+
+/// Takes calls out as long as the same kind of failure stays (after Zeller's ddmin, 2002).
+class Shrinker {
+ public:
+  Shrinker(Stream stream, uint64_t seed, int kind) : stream_(std::move(stream)), seed_(seed), kind_(kind) {}
+
+  Stream run() {
+    if (!fails(stream_)) return stream_;  // does not come again: all of it
+    for (size_t chunk = std::max<size_t>(1, stream_.calls.size() / 2);; chunk /= 2) {
+      for (size_t at = 0; at < stream_.calls.size();) {
+        Stream less = stream_;
+        const auto first = less.calls.begin() + static_cast<ptrdiff_t>(at);
+        less.calls.erase(first, first + static_cast<ptrdiff_t>(std::min(chunk, less.calls.size() - at)));
+        if (fails(less))
+          stream_ = std::move(less);
+        else
+          at += chunk;
+      }
+      if (chunk == 1) return stream_;
+    }
+  }
+
+ private:
+  bool fails(const Stream& stream) {
+    Progress* progress = sharedProgress();
+    const int status = statusOf(inChild(true, [&] { playOrEnd(stream, seed_, *progress); }));
+    munmap(progress, sizeof *progress);
+    return status == kind_;
+  }
+  Stream stream_;
+  uint64_t seed_;
+  int kind_;
+};
+
+void explain(uint64_t seed, int kind, const Progress& progress) {
+  std::printf("fuzz: the stream of seed %llu %s%s%s\n", static_cast<unsigned long long>(seed),
+              kindOf(kind).c_str(), kind == kDiffers ? ": " : "", kind == kDiffers ? progress.what : "");
+  std::fflush(stdout);
+  const Stream small = Shrinker(makeStream(seed), seed, kind).run();
+  std::printf("fuzz: %zu calls are enough (absurd %u %%, small buffers %d, errors asked %d, tame %d):\n",
+              small.calls.size(), small.weird, small.smallBuffers, small.askErrors, small.tame);
+  std::fflush(stdout);
+  std::fputs(describe(small).c_str(), stdout);
+  std::fflush(stdout);
+  Progress* last = sharedProgress();
+  statusOf(inChild(false, [&] { playOrEnd(small, seed, *last); }));
+  if (last->what[0]) std::printf("fuzz: %s\n", last->what);
+  std::printf("fuzz: again with: gluray_fuzz --stream %llu\n", static_cast<unsigned long long>(seed));
+  std::fflush(stdout);
+}
+
+struct Worker {
+  pid_t pid = 0;
+  Progress* progress = nullptr;
+  uint64_t next = 0;  // seed to begin with
+};
+
+void work(uint64_t seed, unsigned step, uint64_t calls, Progress& progress) {
+  for (; progress.calls < calls; seed += step) {
+    const Stream stream = makeStream(seed);
+    playOrEnd(stream, seed, progress);
+    progress.calls += stream.calls.size();
+  }
+}
+
+int playAll(const Options& options) {
+  std::vector<Worker> workers(options.jobs);
+  const auto start = [&](Worker& w) {
+    w.pid = inChild(options.failures > 0,
+                    [&] { work(w.next, options.jobs, options.calls / options.jobs, *w.progress); });
+  };
+  for (unsigned i = 0; i < options.jobs; ++i) {
+    workers[i].progress = sharedProgress();
+    workers[i].next = options.seed + i;
+    start(workers[i]);
+  }
+  unsigned failures = 0;
+  for (size_t running = workers.size(); running > 0;) {
+    int status = 0;
+    const pid_t ended = waitpid(-1, &status, 0);
+    for (Worker& w : workers) {
+      if (w.pid != ended) continue;
+      const int kind = WIFEXITED(status) ? WEXITSTATUS(status) : 256 + WTERMSIG(status);
+      if (kind != 0) {
+        explain(w.progress->seed, kind, *w.progress);
+        w.next = w.progress->seed + options.jobs;
+        if (++failures < options.failures) {
+          start(w);
+          break;
+        }
+      }
+      w.pid = 0, --running;
+    }
+    if (failures >= options.failures)
+      for (Worker& w : workers)
+        if (w.pid > 0) kill(w.pid, SIGKILL);
+  }
+  uint64_t calls = 0;
+  for (const Worker& w : workers) calls += w.progress->calls;
+  std::printf("fuzz: %llu calls, %u failures\n", static_cast<unsigned long long>(calls), failures);
+  return failures ? 1 : 0;
+}
+
+int playOne(uint64_t seed) {
+  Progress* progress = sharedProgress();
+  const int kind = statusOf(inChild(true, [&] { playOrEnd(makeStream(seed), seed, *progress); }));
+  if (kind == 0)
+    return std::printf("fuzz: the stream of seed %llu is fine\n", static_cast<unsigned long long>(seed)), 0;
+  explain(seed, kind, *progress);
+  return 1;
+}
+
+bool parse(int argc, char** argv, Options& options) {
+  for (int i = 1; i + 1 < argc; i += 2) {
+    const std::string name = argv[i];
+    const uint64_t value = std::strtoull(argv[i + 1], nullptr, 10);
+    if (name == "--seed")
+      options.seed = value;
+    else if (name == "--calls")
+      options.calls = value;
+    else if (name == "--jobs")
+      options.jobs = std::max(1u, static_cast<unsigned>(value));
+    else if (name == "--failures")
+      options.failures = std::max(1u, static_cast<unsigned>(value));
+    else if (name == "--stream")
+      options.stream = value;
+    else
+      return false;
+  }
+  return argc % 2 == 1;
+}
+
+}  // namespace
+}  // namespace gluray::fuzz
+
+int main(int argc, char** argv) {
+  using namespace gluray::fuzz;
+  Options options;
+  if (!parse(argc, argv, options)) {
+    std::fprintf(stderr,
+                 "usage: gluray_fuzz [--seed N] [--calls N] [--jobs N] [--failures N] | --stream N\n");
+    return 2;
+  }
+  // Compiling a shader for every combination of state would take all the time there is.
+  setenv("GALLIUM_DRIVER", "softpipe", 0), setenv("DRAW_USE_LLVM", "0", 0);
+  setenv("MESA_NO_ERROR", "0", 1);
+  return options.stream ? playOne(options.stream) : playAll(options);
+}

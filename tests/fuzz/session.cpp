@@ -1,0 +1,194 @@
+#include "tests/fuzz/session.h"
+
+#include "tests/reference/traced_context.h"
+#include "tests/support/gl_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <sstream>
+
+namespace gluray::fuzz {
+namespace {
+
+using test::OsmesaContext;
+using test::TracedContext;
+
+/// Two contexts that share their objects.
+class Plain {
+ public:
+  Plain()
+      : first_(OsmesaContext::create({kSize, kSize})),
+        second_(OsmesaContext::create({kSize, kSize}, first_.get())) {}
+  const gl::RealGl& gl() const { return first_->real(); }
+  void makeCurrent(uint32_t which) { (which ? second_ : first_)->makeCurrent(); }
+
+ private:
+  std::unique_ptr<OsmesaContext> first_, second_;
+};
+
+class Ours {
+ public:
+  Ours() : first_({kSize, kSize}, settings()), second_({kSize, kSize}, settings(), nullptr, &first_) {}
+  ~Ours() { first_.makeCurrent(); }
+  const gl::RealGl& gl() const { return first_.gl(); }
+  void makeCurrent(uint32_t which) { (which ? second_ : first_).makeCurrent(); }
+
+ private:
+  static Settings settings() {
+    Settings s = TracedContext::vertexShading();
+    s.threads = 1;
+    return s;
+  }
+  TracedContext first_, second_;
+};
+
+struct Record {
+  std::vector<Answer> answers;
+  test::GlState state;
+  test::Picture picture;
+};
+
+bool isOf(Ops ops, const Op* op) { return op >= ops.data() && op < ops.data() + ops.size(); }
+
+/// Whether the call is one of those that Mesa does not survive or that OpenGL leaves open here (avoided.md).
+bool avoided(const Player& p, const Op* op) {
+  if (p.executing && std::strcmp(op->name, "GetError") == 0) return true;
+  if (!p.compiling || !p.insideBegin) return false;
+  return !isOf(leafCalls(), op) && !isOf(vertexCalls(), op) && !isOf(endCalls(), op);
+}
+
+/// A context that calls can be made in: arrays that point at memory, depth test.
+void prepare(Player& p) {
+  p.arraysToMemory();
+  p.fillBuffers();
+  GLuint made[2];
+  p.gl.GenQueries(2, made);
+  p.gl.SelectBuffer(static_cast<GLsizei>(p.sink().selection.size()), p.sink().selection.data());
+  p.gl.FeedbackBuffer(static_cast<GLsizei>(p.sink().feedback.size()), GL_3D, p.sink().feedback.data());
+  p.gl.Enable(GL_DEPTH_TEST);
+  p.gl.Viewport(0, 0, kSize, kSize);
+  p.gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+template <class Side>
+Record playTo(const Stream& stream, bool state) {
+  auto sink = std::make_unique<Sink>();
+  Side side;
+  Player p(side.gl(), *sink, [&](uint32_t which) { side.makeCurrent(which); });
+  p.smallBuffers = stream.smallBuffers;
+  for (uint32_t context : {1u, 0u}) side.makeCurrent(context), prepare(p);
+  for (size_t i = 0; i < stream.calls.size(); ++i) {
+    const Call& call = stream.calls[i];
+    if (avoided(p, call.op)) continue;
+    p.start(i, call.seed, stream.weird);
+    call.op->run(p);
+    if (stream.askErrors && !(p.compiling && (p.insideBegin || p.executing)))
+      p.answer("GetError", {static_cast<double>(p.gl.GetError())});
+  }
+  p.start(stream.calls.size(), 0, 0);
+  if (p.insideBegin) p.gl.End();
+  if (p.compiling) p.gl.EndList();
+  p.gl.RenderMode(GL_RENDER);
+  p.answer("GetError at the end", {static_cast<double>(p.gl.GetError())});
+  Record record;
+  if (state) record.state = test::queryState(p.gl);
+  if (stream.tame) record.picture = test::readPicture(p.gl, kSize, kSize);
+  p.gl.Finish();
+  record.answers = p.answers();
+  return record;
+}
+
+bool same(double a, double b) {
+  if (std::isnan(a) || std::isnan(b)) return std::isnan(a) == std::isnan(b);
+  return a == b || std::abs(a - b) <= 2e-5 * std::max({1.0, std::abs(a), std::abs(b)});
+}
+
+std::string text(const Answer& answer) {
+  std::ostringstream out;
+  out << answer.name << ":";
+  for (double v : answer.values) out << ' ' << v;
+  return out.str();
+}
+
+Outcome compareAnswers(const std::vector<Answer>& expected, const std::vector<Answer>& got) {
+  for (size_t i = 0; i < std::min(expected.size(), got.size()); ++i) {
+    const Answer &a = expected[i], &b = got[i];
+    if (a.call == b.call && a.name == b.name &&
+        std::equal(a.values.begin(), a.values.end(), b.values.begin(), b.values.end(), same))
+      continue;
+    return {"answers differ: " + text(a) + " -> " + text(b), a.call};
+  }
+  if (expected.size() == got.size()) return {};
+  return {"different numbers of answers", 0};
+}
+
+Outcome compareState(const test::GlState& expected, const test::GlState& got) {
+  std::string all;
+  for (const std::string& line : test::differences(expected, got))
+    if (line.find("pointer") == line.npos && line.find("POINTER") == line.npos) all += "\n  " + line;
+  if (all.empty()) return {};
+  return {"state differs:" + all, 0};
+}
+
+bool near(uint32_t a, uint32_t b) {
+  for (int shift = 0; shift < 32; shift += 8)
+    if (std::abs(static_cast<int>(a >> shift & 255) - static_cast<int>(b >> shift & 255)) > 24) return false;
+  return true;
+}
+
+/// Edges fall a pixel to either side, and thousands of random triangles have many: pixels whose colour is
+/// found nowhere around in the other picture may be few.
+Outcome comparePictures(const test::Picture& expected, const test::Picture& got) {
+  const auto found = [](const test::Picture& in, int x, int y, uint32_t color) {
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx) {
+        const int px = std::clamp(x + dx, 0, kSize - 1), py = std::clamp(y + dy, 0, kSize - 1);
+        if (near(in.colors[static_cast<size_t>(py * kSize + px)], color)) return true;
+      }
+    return false;
+  };
+  int strange = 0;
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x) {
+      const auto at = static_cast<size_t>(y * kSize + x);
+      strange += !found(expected, x, y, got.colors[at]) && !found(got, x, y, expected.colors[at]);
+    }
+  constexpr int kMost = kSize * kSize / 10;
+  if (strange <= kMost) return {};
+  return {"pictures differ in " + std::to_string(strange) + " pixels", 0};
+}
+
+}  // namespace
+
+Outcome play(const Stream& stream, bool state) {
+  const Record expected = playTo<Plain>(stream, state);
+  const Record got = playTo<Ours>(stream, state);
+  Outcome outcome = compareAnswers(expected.answers, got.answers);
+  if (outcome.what.empty()) outcome = compareState(expected.state, got.state);
+  if (outcome.what.empty() && stream.tame) outcome = comparePictures(expected.picture, got.picture);
+  return outcome;
+}
+
+std::string describe(const Stream& stream) {
+  // Calls that nobody answers: what is described may be what an OpenGL dies of.
+  gl::RealGl nobody;
+  gl::loadRealGl(
+      nobody, [](void*, const char*) -> void* { return nullptr; }, nullptr);
+  auto sink = std::make_unique<Sink>();
+  Player p(nobody, *sink, [](uint32_t) {});
+  p.smallBuffers = stream.smallBuffers;
+  std::string lines;
+  p.log = &lines;
+  for (size_t i = 0; i < stream.calls.size(); ++i) {
+    if (avoided(p, stream.calls[i].op)) continue;
+    lines.append("  ").append(std::to_string(i)).append(": ").append(stream.calls[i].op->name);
+    p.start(i, stream.calls[i].seed, stream.weird);
+    stream.calls[i].op->run(p);
+    lines += "\n";
+  }
+  return lines;
+}
+
+}  // namespace gluray::fuzz

@@ -1,0 +1,27 @@
+// Streams of calls that look like programs, made from a seed: primitives, lists, arrays, state, with things
+// out of place now and then.
+#pragma once
+#include "tests/fuzz/calls.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace gluray::fuzz {
+
+struct Call {
+  const Op* op = nullptr;
+  uint64_t seed = 0;  // of its arguments
+};
+
+struct Stream {
+  std::vector<Call> calls;
+  uint32_t weird = 0;         // percent of arguments that are absurd
+  bool smallBuffers = false;  // see Player
+  bool askErrors = false;     // glGetError after every call
+  bool tame = false;          // only what leaves a picture that can be compared
+};
+
+/// The stream of this seed, of about two thousand calls.
+Stream makeStream(uint64_t seed);
+
+}  // namespace gluray::fuzz

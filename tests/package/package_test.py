@@ -1,0 +1,190 @@
+"""The Debian package. package_test.py --build DIR --client PROGRAM unpacked|root
+
+unpacked   unpacked into a folder with a space in its name and run from there
+root       installed, run and removed in a root of its own, which debootstrap makes; takes a mirror and root
+"""
+import argparse
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+SKIPPED = 77
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+def fail(what: str) -> None:
+    sys.exit(f"package: {what}")
+
+
+def run(*command, **more) -> subprocess.CompletedProcess:
+    done = subprocess.run([str(c) for c in command], capture_output=True, text=True, **more)
+    if done.returncode != 0:
+        fail(f"{' '.join(map(str, command))} ended with {done.returncode}:\n{done.stdout}{done.stderr}")
+    return done
+
+
+def make_package(build: pathlib.Path, folder: pathlib.Path) -> pathlib.Path:
+    run("cpack", "--config", build / "CPackConfig.cmake", "-B", folder, cwd=build)
+    (package,) = folder.glob("gluray_*.deb")
+    return package
+
+
+def check_control(package: pathlib.Path) -> None:
+    control = run("dpkg-deb", "--field", package).stdout
+    depends = next(line for line in control.splitlines() if line.startswith("Depends:"))
+    for name in ("libembree", "libtbb12", "libgl1", "libc6"):
+        if name not in depends:
+            fail(f"does not depend on {name}: {depends}")
+
+
+def check_report(file: pathlib.Path) -> None:
+    report = json.loads(file.read_text())
+    traced = report["triangles"]["traced"] if "triangles" in report else report["trianglesTraced"]
+    if not traced:
+        fail(f"nothing was traced: {file.read_text()[:500]}")
+
+
+def check_man(pages: pathlib.Path) -> None:
+    for page in ("man1/gluray.1.gz", "man5/gluray.toml.5.gz", "man7/gluray.7.gz"):
+        done = run("man", "--warnings", "-l", pages / page, env={**os.environ, "MANROFFOPT": "-ww", "LC_ALL": "C.UTF-8", "MANWIDTH": "100"})
+        if done.stderr:
+            fail(f"{page}: {done.stderr}")
+        if "NAME" not in done.stdout or "SEE ALSO" not in done.stdout:
+            fail(f"{page} is not a manual page:\n{done.stdout[:300]}")
+
+
+def completions(file: pathlib.Path, *words: str) -> list[str]:
+    """What the last of `words` is completed to."""
+    script = f"""source '{file}'; COMP_WORDS=({' '.join(f"'{w}'" for w in words)}); COMP_CWORD={len(words) - 1}
+                 _gluray; printf '%s\\n' "${{COMPREPLY[@]}}\""""
+    return run("bash", "--norc", "-c", script).stdout.split()
+
+
+def check_completion(file: pathlib.Path, gluray: pathlib.Path) -> None:
+    cases = [(("gluray", "--bv"), "--bvh"), (("gluray", "--bvh", "co"), "compact"), (("gluray", "ru"), "run"),
+             (("gluray", "--threads", "4", "dpkg-de"), "dpkg-deb"), (("gluray", "run", "--of"), "--off"), (("gluray", "explain", "--ht"), "--html"),
+             (("gluray", "doct"), "doctor"), (("gluray", "doctor", "--js"), "--json")]
+    for words, wanted in cases:
+        if wanted not in (got := completions(file, *words)):
+            fail(f"'{' '.join(words)}' is completed to {got}, not to {wanted}")
+    for command in ("run", "explain", "doctor", "quirks"):
+        help_text = run(gluray, command, "--help").stdout
+        options = set(re.findall(r"(?:^ +|,)(--[a-z-]+)", help_text, re.MULTILINE))
+        offered = completions(file, "gluray", command, "--")
+        if not options or (missing := options - set(offered) - {"--help", "--version"}):
+            fail(f"completion of gluray {command} does not know {missing}")
+        if surplus := set(offered) - options - {"--help", "--version"}:
+            fail(f"completion of gluray {command} offers {surplus}, which it does not take")
+
+
+def unpacked(build: pathlib.Path, client: pathlib.Path, folder: pathlib.Path) -> None:
+    package = make_package(build, folder / "cpack")
+    check_control(package)
+    tree = folder / "moved away"
+    run("dpkg-deb", "-x", package, tree)
+    gluray = tree / "usr/bin/gluray"
+    if "gluray" not in run(gluray, "--version").stdout:
+        fail("--version does not name it")
+    for door in ("vendor", "preload"):
+        if door == "preload":  # LD_PRELOAD holds no spaces; gluray says so
+            said = run(gluray, "--door", door, "--", client, "surfaceless").stderr
+            if "space" not in said or len(said.splitlines()) != 1:
+                fail(f"preloading from a folder with a space in its name: {said}")
+            tree = tree.rename(folder / "moved-again")
+            gluray = tree / "usr/bin/gluray"
+        report = folder / f"{door}.json"
+        run(gluray, "--door", door, "--report", report, "--", client, "surfaceless")
+        check_report(report)
+    check_man(tree / "usr/share/man")
+    check_completion(tree / "usr/share/bash-completion/completions/gluray", gluray)
+
+
+class CleanRoot:
+    """A minimal Debian in a folder."""
+
+    def __init__(self, folder: pathlib.Path):
+        self.folder = folder
+        self.mounts: list[pathlib.Path] = []
+
+    def make(self) -> None:
+        release = run("sh", "-c", ". /etc/os-release; echo $VERSION_CODENAME").stdout.strip()
+        run("debootstrap", "--variant=minbase", "--include=ca-certificates", release, self.folder, "http://deb.debian.org/debian")
+        for name in ("proc", "dev"):
+            target = self.folder / name
+            run("mount", "--bind", f"/{name}", target)
+            self.mounts.append(target)
+        shutil.copy("/etc/resolv.conf", self.folder / "etc/resolv.conf")
+        if pathlib.Path("/etc/apt/apt.conf.d").is_dir():  # a proxy, where there is one
+            for file in pathlib.Path("/etc/apt/apt.conf.d").glob("*prox*"):
+                shutil.copy(file, self.folder / "etc/apt/apt.conf.d")
+
+    def run(self, *command: str) -> str:
+        return run("chroot", self.folder, "env", "DEBIAN_FRONTEND=noninteractive", "HOME=/root",
+                   "PATH=/usr/sbin:/usr/bin:/sbin:/bin", *command).stdout
+
+    def remove(self) -> None:
+        for target in reversed(self.mounts):
+            subprocess.run(["umount", target], check=False)
+        if not any(os.path.ismount(m) for m in self.mounts):
+            shutil.rmtree(self.folder, ignore_errors=True)
+
+
+def gears(root: CleanRoot, *gluray: str) -> None:
+    """glxgears on a screen of its own for three seconds."""
+    root.run("sh", "-c", "Xvfb :77 -noreset -screen 0 640x480x24 >/dev/null 2>&1 & screen=$!; sleep 2; export DISPLAY=:77;"
+             f"timeout 4 {' '.join(gluray)} glxgears >/gears.txt 2>&1; kill $screen; wait; grep -q frames /gears.txt || test -s /report.json || true")
+
+
+def in_root(build: pathlib.Path, folder: pathlib.Path) -> int:
+    if os.geteuid() != 0 or not shutil.which("debootstrap"):
+        print("package: needs root and debootstrap")
+        return SKIPPED
+    package = make_package(build, folder / "cpack")
+    root = CleanRoot(folder / "root")
+    try:
+        root.make()
+        shutil.copy(package, root.folder / "gluray.deb")
+        root.run("apt-get", "-qq", "update")
+        root.run("apt-get", "-qq", "install", "--no-install-recommends", "-y", "xvfb", "mesa-utils", "libgl1-mesa-dri")
+        before = set(root.run("find", "/usr", "/etc", "-xdev", "-path", "*gluray*").split())
+        root.run("apt-get", "-qq", "install", "--no-install-recommends", "-y", "/gluray.deb")
+        if "Runs an OpenGL program" not in root.run("gluray", "--help"):
+            fail("gluray --help says something else")
+        # glxgears is ended by force: a report after each second's worth of frames is enough.
+        gears(root, "gluray", "--report", "/report.json")
+        check_report(root.folder / "report.json")
+        root.run("dpkg", "--purge", "gluray")
+        left = set(root.run("find", "/usr", "/etc", "-xdev", "-path", "*gluray*").split()) - before
+        if left:
+            fail(f"left behind: {' '.join(sorted(left))}")
+        gears(root)
+        if "frames" not in (root.folder / "gears.txt").read_text() and (root.folder / "gears.txt").stat().st_size > 0:
+            fail(f"after removal glxgears says: {(root.folder / 'gears.txt').read_text()[:300]}")
+    finally:
+        root.remove()
+    return 0
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--build", type=pathlib.Path, required=True)
+    parser.add_argument("--client", type=pathlib.Path, required=True)
+    parser.add_argument("what", choices=("unpacked", "root"))
+    options = parser.parse_args()
+    os.environ.setdefault("DISPLAY", ":none")  # nothing here needs a screen, and gluray gives a hint without one
+    start = time.monotonic()
+    with tempfile.TemporaryDirectory(prefix="gluray-package-") as name:
+        folder = pathlib.Path(name)
+        result = unpacked(options.build, options.client, folder) if options.what == "unpacked" else in_root(options.build, folder)
+    print(f"package: {options.what} in {time.monotonic() - start:.0f} s")
+    return result or 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
