@@ -15,6 +15,7 @@ std::span<const Scene> textureKindScenes();  // 3D, cube, rectangle, borders, fo
 std::span<const Scene> surfaceScenes();      // culling, clipping, offset, depth range
 std::span<const Scene> coincidentScenes();   // triangles upon others
 std::span<const Scene> fragmentScenes();     // fog, alpha test
+std::span<const Scene> passScenes();         // the same surface again
 std::span<const Scene> layerScenes();        // cameras, viewports, clears, overlays
 std::span<const Scene> rasterScenes();       // what is not traced, among what is
 std::span<const Scene> listScenes();

@@ -10,8 +10,8 @@ std::span<const Scene> scenes() {
     for (const auto family :
          {primitiveScenes(), lightScenes(), materialScenes(), textureScenes(), mipmapScenes(),
           combinerScenes(), texGenScenes(), textureKindScenes(), textureMixtureScenes(), surfaceScenes(),
-          coincidentScenes(), fragmentScenes(), layerScenes(), rasterScenes(), listScenes(), arrayScenes(),
-          readBackScenes(), framebufferScenes()})
+          coincidentScenes(), fragmentScenes(), passScenes(), layerScenes(), rasterScenes(), listScenes(),
+          arrayScenes(), readBackScenes(), framebufferScenes()})
       list.insert(list.end(), family.begin(), family.end());
     return list;
   }();

@@ -218,6 +218,7 @@ void Context::afterSwap() {
 }
 
 void Context::forgetOld() {
+  passes_.clear();
   clears_ = 0;
   flushesForgotten_ = statistics.flushes;
   group_->meshes.advance();
@@ -225,6 +226,7 @@ void Context::forgetOld() {
 }
 
 void Context::cleared(GLbitfield mask) {
+  if (mask & GL_DEPTH_BUFFER_BIT) passes_.clear();
   constexpr GLbitfield kWhole = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
   if ((mask & kWhole) != kWhole || statistics.flushes == flushesForgotten_) return;
   const int patience = statistics.frames > 0 ? 64 : 4;
@@ -251,13 +253,14 @@ bool Context::canTrace() {
   return supported_;
 }
 
-void Context::flush() {
+void Context::present(bool rasterise) {
   if (batch_.empty()) return;
   const BatchKey key = batch_.key();
   const scene::SnapshotPtr snapshot = batch_.take();
   const double start = kinds() ? nowSeconds() : 0;
   syncCurrent();
-  const PresentTarget target{key.depthFunc, info_.core};
+  const PresentTarget target{key.depthFunc, info_.core, rasterise};
+  passes_.flushed();
   const PresentResult result = presenter_.present(real, snapshot, target);
   latch_.restore(real);
   if (result.pendingError != GL_NO_ERROR) setError(result.pendingError);
@@ -270,7 +273,8 @@ void Context::flush() {
   statistics.bvhBytes = result.bvhBytes;
   if (kinds()) [[unlikely]]
     kinds()->exclude(nowSeconds() - start);
-  if (result.outcome != PresentResult::traced)
+  const auto wanted = rasterise ? PresentResult::rasterised : PresentResult::traced;
+  if (result.outcome != wanted)
     stepAside(result.why.empty() ? "the ray tracer could not make a picture" : result.why.c_str());
 }
 

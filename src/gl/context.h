@@ -6,6 +6,7 @@
 #include "gl/batch.h"
 #include "gl/draw_kinds.h"
 #include "gl/material_latch.h"
+#include "gl/passes.h"
 #include "gl/presenter.h"
 #include "gl/real.h"
 #include "gl/share_group.h"
@@ -18,6 +19,7 @@
 #include <exception>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -106,7 +108,7 @@ class Context {
   /// of those.
   void cleared(GLbitfield mask);
   /// Traces the pending batch and writes it into the framebuffer. Nothing to do if there is none.
-  void flush();
+  void flush() { present(false); }
   /// From now on every draw is rasterised; what was held back is given to the real OpenGL.
   void stepAside(const char* why) noexcept;
   /// For glFlush and glFinish: shows what is pending if anybody could see it before the next swap.
@@ -180,7 +182,7 @@ class Context {
 
   /// Why a surface with this mesh cannot be traced now, or Reason::traced. Call refresh(kDrawGroups) before.
   Reason triage(PrimitiveClass kind);
-  Reason triage(const KnownMesh& mesh, const std::vector<MaterialChange>& materials) const;
+  Reason triage(const KnownMesh& mesh, const std::vector<MaterialChange>& materials);
   /// Whether every fragment of a surface with this mesh has alpha 1.
   bool isOpaque(const KnownMesh& mesh, const std::vector<MaterialChange>& materials) const;
   /// Runs `trace`, which says whether it added a draw to the batch. A failure of ours makes the draw
@@ -191,6 +193,14 @@ class Context {
   void addInstance(const scene::MeshPtr& mesh, SlotMask slots, const std::vector<MaterialChange>& materials);
   /// Makes the real OpenGL ready for a draw of its own: order, attributes.
   void beforeRasterDraw(PrimitiveClass kind);
+  /// Whether a surface that is rasterised now may lie upon others of its layer, so that it matters which
+  /// depth those left. Its triangles are then to be shown to meetPasses(), before beforeRasterDraw().
+  bool mayMeetPasses(PrimitiveClass kind) const;
+  void meetPasses(std::span<const Triangle> triangles);
+  /// Whether a rasterised draw leaves depth for passes that come: after meetPasses() it is then given to
+  /// rememberPass().
+  bool isPass(PrimitiveClass kind, Reason reason) const;
+  void rememberPass(const KnownMesh& known);
   void countRaster(Reason reason, DrawPath path, PrimitiveClass kind, uint64_t triangles);
   void countTraced(DrawPath path, uint64_t triangles);
   /// Who takes draws by kind; null: nobody.
@@ -210,6 +220,7 @@ class Context {
   void startRun();
   void countOpenPrimitive();
   void drawRun();
+  void present(bool rasterise);
   KnownMesh meshOfRun();
   void recordRun();
   void keepRunValues();
@@ -243,6 +254,8 @@ class Context {
   SlotValues current_ = initialSlotValues();
   SlotMask currentDirty_ = 0;  // slots that are newer here than in the real OpenGL
   MaterialLatch latch_;
+  Reason runReason_ = Reason::traced;  // why the run is rasterised, captured though it is
+  Passes passes_;
   DrawPath runPath_ = DrawPath::immediate;  // small draws from arrays join runs
 
   std::shared_ptr<DisplayList> list_;

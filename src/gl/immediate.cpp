@@ -108,6 +108,9 @@ void Context::begin(GLenum mode) {
     if (reason != Reason::traced) {
       if (!canDraw())
         return setError(GL_INVALID_FRAMEBUFFER_OPERATION);  // glBegin fails: no primitive is open
+    }
+    const bool captured = reason == Reason::traced || mayMeetPasses(kind) || isPass(kind, reason);
+    if (!captured) {
       beforeRasterDraw(kind);
       sendBuffers();  // glArrayElement may follow
       if (kinds()) kinds()->start();
@@ -118,6 +121,7 @@ void Context::begin(GLenum mode) {
       return updateAttention();
     }
     startRun();
+    runReason_ = reason;
   }
   stream_.begin(mode);
   inside_ = Inside::captured;
@@ -164,6 +168,7 @@ void Context::startRun() {
   stream_.start(bit(kPosition), current_, compiling());
   inherited_.clear();
   runPath_ = DrawPath::immediate;
+  runReason_ = Reason::traced;
   runOpen_ = !compiling();
   updateAttention();
 }
@@ -216,6 +221,7 @@ void Context::drawRun() {
   const DrawTimer timer(kinds());
   const Reason reason = attempt([&] {
     if (aside_) return Reason::failure;
+    if (runReason_ != Reason::traced) return runReason_;
     const KnownMesh known = meshOfRun();
     const Reason fine = triage(known, run.materials);
     if (fine == Reason::traced) addInstance(known.mesh, run.layout.mask, run.materials);
@@ -223,8 +229,11 @@ void Context::drawRun() {
   });
   const uint64_t triangles = countTriangles(run);
   if (reason == Reason::traced) return countTraced(runPath_, triangles);
+  if (mayMeetPasses(runClass_)) protect([&] { meetPasses(sampleTriangles(run)); });
+  if (isPass(runClass_, reason)) protect([&] { rememberPass(meshOfRun()); });
   countRaster(reason, runPath_, runClass_, triangles);
   beforeRasterDraw(runClass_);
+  sendBuffers();
   replay(real, run);
 }
 

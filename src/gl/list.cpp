@@ -210,6 +210,12 @@ void Context::drawListRun(GeometryRun& run) {
     });
   }
   if (reason == Reason::traced) return countTraced(DrawPath::list, run.triangles());
+  if (mayMeetPasses(run.kind()) || isPass(run.kind(), reason))
+    protect([&] {
+      const KnownMesh& known = run.mesh(*this);
+      if (known.mesh) meetPasses(sampleTriangles(*known.mesh));
+      if (isPass(run.kind(), reason)) rememberPass(known);
+    });
   countRaster(reason, DrawPath::list, run.kind(), run.triangles());
   beforeRasterDraw(run.kind());
   run.rasterise(*this);

@@ -16,6 +16,7 @@ namespace gluray::gl {
 struct PresentTarget {
   GLenum depthFunc = GL_LESS;  // LESS or LEQUAL: how the batch's depth meets the framebuffer's
   bool core = false;           // core profile: no fixed function
+  bool rasterise = false;      // the instances are to be drawn by fixed function, not traced
 };
 
 /// What presenting cost and did.

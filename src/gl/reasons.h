@@ -44,6 +44,7 @@ namespace gluray::gl {
   X(singularMatrix, "matrix without inverse")                 \
   X(flat, "flat layer: drawing order decides")                \
   X(coincident, "coincident surfaces: drawing order decides") \
+  X(passes, "drawn in several passes")                        \
   X(arrayState, "vertex array form not traced")               \
   X(evaluators, "evaluators")                                 \
   X(noGlsl, "real OpenGL lacks shaders for the write-back")   \

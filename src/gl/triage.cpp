@@ -62,8 +62,10 @@ bool isFlat(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
 
 }  // namespace
 
-Reason Context::triage(const KnownMesh& known, const std::vector<MaterialChange>& materials) const {
+Reason Context::triage(const KnownMesh& known, const std::vector<MaterialChange>& materials) {
   if (known.homogeneous || !known.mesh) return Reason::homogeneous;
+  if (passes_.several(known.mesh->geometryId) || passes_.meetsRasterised(*known.mesh, state.modelview))
+    return Reason::passes;
   if (isFlat(*known.mesh, state.projection * state.modelview)) return Reason::flat;
   if (state.raster.unlessOpaque == Reason::traced && state.raster.alphaTest == scene::AlphaTest{})
     return Reason::traced;
@@ -142,7 +144,29 @@ void Context::addInstance(const scene::MeshPtr& mesh, SlotMask slots,
   // Without colours or materials at its vertices the surface has the current material, however it came about.
   if (!(slots & bit(kColor)) && materials.empty()) shading.colorMaterial = {};
   batch_.add(std::move(instance), std::move(shading));
+  passes_.drawn(mesh, state.modelview, Passes::How::pending);
   if (aside_) flush();  // the flush above failed: later draws are rasterised and must find this one drawn
+}
+
+bool Context::mayMeetPasses(PrimitiveClass kind) const {
+  const RasterState& raster = state.raster;
+  const bool tested = raster.reason != Reason::renderMode && raster.reason != Reason::noDepthTest &&
+                      raster.depthFunc != GL_ALWAYS && raster.depthFunc != GL_NEVER;
+  return kind == PrimitiveClass::surfaces && tested && !aside_ && passes_.anyUnder(state.modelview);
+}
+
+bool Context::isPass(PrimitiveClass kind, Reason reason) const {
+  return kind == PrimitiveClass::surfaces && (reason == Reason::colorMask || reason == Reason::passes);
+}
+
+void Context::rememberPass(const KnownMesh& known) {
+  if (known.mesh) passes_.drawn(known.mesh, state.modelview, Passes::How::rasterised);
+}
+
+void Context::meetPasses(std::span<const Triangle> triangles) {
+  protect([&] {
+    if (passes_.meets(state.modelview, triangles) == Passes::Meeting::pending) present(true);
+  });
 }
 
 void Context::beforeRasterDraw(PrimitiveClass kind) {

@@ -39,7 +39,8 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
   std::string why;
   PendingErrors pending;
   TraceCost cost;
-  const bool traced = supports(real, target.core, why) && trace_(snapshot, image_, cost, why);
+  const bool traced =
+      !target.rasterise && supports(real, target.core, why) && trace_(snapshot, image_, cost, why);
   result.buildSeconds = cost.buildSeconds, result.traceSeconds = cost.traceSeconds;
   result.blasBuilds = cost.blasBuilds, result.blasRefinements = cost.blasRefinements;
   result.bvhBytes = cost.bvhBytes;

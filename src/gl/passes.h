@@ -1,0 +1,84 @@
+// Surfaces that are drawn more than once in a layer: once traced, once by the real OpenGL (blended, with
+// GL_EQUAL, depth alone in advance ...). Passes must meet the depth that rasterising leaves, to the bit: such
+// surfaces are rasterised in every pass. Owned by Context, GL thread.
+#pragma once
+#include "base/hash.h"
+#include "gl/captured.h"
+#include "scene/mesh.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+namespace gluray::gl {
+
+/// Corners in object space.
+using Triangle = std::array<glm::vec3, 3>;
+
+/// Some triangles of a mesh, or of captured surfaces, spread over them.
+std::vector<Triangle> sampleTriangles(const scene::Mesh& mesh);
+std::vector<Triangle> sampleTriangles(const Captured& captured);
+
+/// Whether a point is a vertex of a mesh; of others that says so about one in sixty.
+class VertexSet {
+ public:
+  explicit VertexSet(const scene::Mesh& mesh);
+  bool mayHold(const glm::vec3& point) const;
+
+ private:
+  struct Place {
+    size_t word;
+    uint64_t bits;
+  };
+  Place placeOf(const glm::vec3& point) const;
+  std::vector<uint64_t> words_;
+  glm::vec3 lower_, upper_;
+};
+
+class Passes {
+ public:
+  enum class How : uint8_t { pending, traced, rasterised };  // pending: in a batch that waits to be traced
+  /// A surface was drawn in this layer.
+  void drawn(const scene::MeshPtr& mesh, const glm::dmat4& eyeFromObject, How how);
+  /// The pending batch was traced.
+  void flushed();
+  /// Depth was cleared, or the frame ended: a new layer begins.
+  void clear();
+  /// Whether any surface of the layer was drawn with this modelview matrix.
+  bool anyUnder(const glm::dmat4& eyeFromObject) const;
+
+  /// Whether `mesh`, which could be traced, lies upon a surface of the layer that was rasterised. Both are
+  /// then remembered.
+  bool meetsRasterised(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject);
+
+  enum class Meeting { none, drawn, pending };
+  /// Whether one of the triangles, about to be drawn, lies upon a surface of the layer; that surface is
+  /// remembered as drawn in several passes. `pending`: it still waits to be traced.
+  Meeting meets(const glm::dmat4& eyeFromObject, std::span<const Triangle> triangles);
+  /// Whether the geometry was found to be drawn in several passes, in this layer or one of the last hundred.
+  bool several(const Hash128& geometry);
+
+ private:
+  struct Surface {
+    scene::MeshPtr mesh;
+    glm::dmat4 eyeFromObject;
+    How how;
+  };
+  /// Whether one of the triangles has all its corners among the surface's.
+  bool liesUpon(const Surface& surface, const glm::dmat4& eyeFromObject, std::span<const Triangle> triangles);
+  void remember(const Hash128& geometry);
+  const VertexSet& verticesOf(const scene::Mesh& mesh);
+
+  std::unordered_multimap<Hash128, Surface> surfaces_;  // by matrix
+  bool rasterised_ = false;                             // some of them were
+  uint64_t layer_ = 0;
+  std::unordered_map<Hash128, uint64_t> metIn_;  // geometry -> last layer in which a pass met it
+  std::unordered_map<Hash128, std::unique_ptr<VertexSet>> vertices_;  // by geometry
+};
+
+}  // namespace gluray::gl
