@@ -94,9 +94,9 @@ void depthFirst(Gl gl, int width, int height) {
 }
 
 constexpr Scene kScenes[] = {
-    {"equal-pass", equalPass},
-    {"tinted-part", tintedPart},
-    {"light-passes", lightPasses},
+    {"equal-pass", equalPass, false},
+    {"tinted-part", tintedPart, false},
+    {"light-passes", lightPasses, false},
     {"depth-first", depthFirst, false},
 };
 

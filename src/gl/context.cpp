@@ -261,6 +261,7 @@ void Context::present(bool rasterise) {
   syncCurrent();
   const PresentTarget target{key.depthFunc, info_.core, rasterise};
   passes_.flushed();
+  if (rasterise) countAsRasterised(*snapshot);
   const PresentResult result = presenter_.present(real, snapshot, target);
   latch_.restore(real);
   if (result.pendingError != GL_NO_ERROR) setError(result.pendingError);

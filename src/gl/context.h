@@ -201,6 +201,8 @@ class Context {
   /// rememberPass().
   bool isPass(PrimitiveClass kind, Reason reason) const;
   void rememberPass(const KnownMesh& known);
+  /// Whether surfaces are drawn with a polygon offset away from the viewer.
+  bool isPushedBack() const;
   void countRaster(Reason reason, DrawPath path, PrimitiveClass kind, uint64_t triangles);
   void countTraced(DrawPath path, uint64_t triangles);
   /// Who takes draws by kind; null: nobody.
@@ -221,6 +223,7 @@ class Context {
   void countOpenPrimitive();
   void drawRun();
   void present(bool rasterise);
+  void countAsRasterised(const scene::Snapshot& snapshot);
   KnownMesh meshOfRun();
   void recordRun();
   void keepRunValues();

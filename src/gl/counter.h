@@ -17,6 +17,7 @@ class Counter {
   }
   operator T() const { return value_.load(std::memory_order_relaxed); }
   Counter& operator+=(T more) { return *this = T{*this} + more; }
+  Counter& operator-=(T less) { return *this = T{*this} - less; }
   Counter& operator++() { return *this += T{1}; }
 
  private:

@@ -60,8 +60,8 @@ VertexSet::Place VertexSet::placeOf(const glm::vec3& point) const {
           uint64_t{1} << (hash & 63) | uint64_t{1} << (hash >> 6 & 63)};
 }
 
-void Passes::drawn(const scene::MeshPtr& mesh, const glm::dmat4& eyeFromObject, How how) {
-  surfaces_.emplace(hashOf(eyeFromObject), Surface{mesh, eyeFromObject, how});
+void Passes::drawn(const scene::MeshPtr& mesh, const glm::dmat4& eyeFromObject, How how, bool pushedBack) {
+  surfaces_.emplace(hashOf(eyeFromObject), Surface{mesh, eyeFromObject, how, pushedBack});
   rasterised_ = rasterised_ || how == How::rasterised;
 }
 
@@ -90,11 +90,13 @@ bool Passes::liesUpon(const Surface& surface, const glm::dmat4& eyeFromObject,
   });
 }
 
-Passes::Meeting Passes::meets(const glm::dmat4& eyeFromObject, std::span<const Triangle> triangles) {
+Passes::Meeting Passes::meets(const glm::dmat4& eyeFromObject, std::span<const Triangle> triangles,
+                              bool pushedBack) {
   Meeting meeting = Meeting::none;
   const auto [first, last] = surfaces_.equal_range(hashOf(eyeFromObject));
   for (auto it = first; it != last; ++it) {
     const Surface& surface = it->second;
+    if (surface.pushedBack && !pushedBack) continue;  // as lines that are drawn over it expect
     if (!liesUpon(surface, eyeFromObject, triangles)) continue;
     remember(surface.mesh->geometryId);
     meeting = surface.how == How::pending || meeting == Meeting::pending ? Meeting::pending : Meeting::drawn;
@@ -102,12 +104,14 @@ Passes::Meeting Passes::meets(const glm::dmat4& eyeFromObject, std::span<const T
   return meeting;
 }
 
-bool Passes::meetsRasterised(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject) {
+bool Passes::meetsRasterised(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject, bool pushedBack) {
   if (!rasterised_ || !anyUnder(eyeFromObject)) return false;
   const std::vector<Triangle> triangles = sampleTriangles(mesh);
   const auto [first, last] = surfaces_.equal_range(hashOf(eyeFromObject));
   for (auto it = first; it != last; ++it) {
-    if (it->second.how != How::rasterised || !liesUpon(it->second, eyeFromObject, triangles)) continue;
+    if (it->second.how != How::rasterised || it->second.pushedBack != pushedBack ||
+        !liesUpon(it->second, eyeFromObject, triangles))
+      continue;
     remember(it->second.mesh->geometryId);
     remember(mesh.geometryId);
     return true;

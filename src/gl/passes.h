@@ -43,8 +43,9 @@ class VertexSet {
 class Passes {
  public:
   enum class How : uint8_t { pending, traced, rasterised };  // pending: in a batch that waits to be traced
-  /// A surface was drawn in this layer.
-  void drawn(const scene::MeshPtr& mesh, const glm::dmat4& eyeFromObject, How how);
+  /// A surface was drawn in this layer; `pushedBack`: by a polygon offset, so that what comes without one
+  /// wins.
+  void drawn(const scene::MeshPtr& mesh, const glm::dmat4& eyeFromObject, How how, bool pushedBack);
   /// The pending batch was traced.
   void flushed();
   /// Depth was cleared, or the frame ended: a new layer begins.
@@ -54,12 +55,13 @@ class Passes {
 
   /// Whether `mesh`, which could be traced, lies upon a surface of the layer that was rasterised. Both are
   /// then remembered.
-  bool meetsRasterised(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject);
+  bool meetsRasterised(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject, bool pushedBack);
 
   enum class Meeting { none, drawn, pending };
-  /// Whether one of the triangles, about to be drawn, lies upon a surface of the layer; that surface is
-  /// remembered as drawn in several passes. `pending`: it still waits to be traced.
-  Meeting meets(const glm::dmat4& eyeFromObject, std::span<const Triangle> triangles);
+  /// Whether one of the triangles, about to be drawn, lies upon a surface of the layer that was not pushed
+  /// back further; that surface is remembered as drawn in several passes. `pending`: it still waits to be
+  /// traced.
+  Meeting meets(const glm::dmat4& eyeFromObject, std::span<const Triangle> triangles, bool pushedBack);
   /// Whether the geometry was found to be drawn in several passes, in this layer or one of the last hundred.
   bool several(const Hash128& geometry);
 
@@ -68,6 +70,7 @@ class Passes {
     scene::MeshPtr mesh;
     glm::dmat4 eyeFromObject;
     How how;
+    bool pushedBack;
   };
   /// Whether one of the triangles has all its corners among the surface's.
   bool liesUpon(const Surface& surface, const glm::dmat4& eyeFromObject, std::span<const Triangle> triangles);

@@ -64,7 +64,8 @@ bool isFlat(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
 
 Reason Context::triage(const KnownMesh& known, const std::vector<MaterialChange>& materials) {
   if (known.homogeneous || !known.mesh) return Reason::homogeneous;
-  if (passes_.several(known.mesh->geometryId) || passes_.meetsRasterised(*known.mesh, state.modelview))
+  if (passes_.several(known.mesh->geometryId) ||
+      passes_.meetsRasterised(*known.mesh, state.modelview, isPushedBack()))
     return Reason::passes;
   if (isFlat(*known.mesh, state.projection * state.modelview)) return Reason::flat;
   if (state.raster.unlessOpaque == Reason::traced && state.raster.alphaTest == scene::AlphaTest{})
@@ -144,7 +145,7 @@ void Context::addInstance(const scene::MeshPtr& mesh, SlotMask slots,
   // Without colours or materials at its vertices the surface has the current material, however it came about.
   if (!(slots & bit(kColor)) && materials.empty()) shading.colorMaterial = {};
   batch_.add(std::move(instance), std::move(shading));
-  passes_.drawn(mesh, state.modelview, Passes::How::pending);
+  passes_.drawn(mesh, state.modelview, Passes::How::pending, isPushedBack());
   if (aside_) flush();  // the flush above failed: later draws are rasterised and must find this one drawn
 }
 
@@ -160,13 +161,31 @@ bool Context::isPass(PrimitiveClass kind, Reason reason) const {
 }
 
 void Context::rememberPass(const KnownMesh& known) {
-  if (known.mesh) passes_.drawn(known.mesh, state.modelview, Passes::How::rasterised);
+  if (known.mesh) passes_.drawn(known.mesh, state.modelview, Passes::How::rasterised, isPushedBack());
 }
 
 void Context::meetPasses(std::span<const Triangle> triangles) {
   protect([&] {
-    if (passes_.meets(state.modelview, triangles) == Passes::Meeting::pending) present(true);
+    if (passes_.meets(state.modelview, triangles, isPushedBack()) == Passes::Meeting::pending) present(true);
   });
+}
+
+bool Context::isPushedBack() const {
+  const RasterState& raster = state.raster;
+  return raster.offsetFill && raster.reason != Reason::polygonMode && raster.offsetFactor >= 0 &&
+         raster.offsetUnits >= 0 && raster.offsetFactor + raster.offsetUnits > 0;
+}
+
+void Context::countAsRasterised(const scene::Snapshot& snapshot) {
+  uint64_t triangles = 0;
+  for (const scene::Instance& instance : snapshot.instances) triangles += instance.mesh->triangleCount;
+  const uint64_t draws = std::min<uint64_t>(snapshot.instances.size(), statistics.drawsTraced);
+  triangles = std::min<uint64_t>(triangles, statistics.trianglesTraced);
+  statistics.drawsTraced -= draws;
+  statistics.trianglesTraced -= triangles;
+  statistics.drawsRasterised += draws;
+  statistics.rasterisedBecause[static_cast<size_t>(Reason::passes)] += draws;
+  statistics.trianglesRasterised += triangles;
 }
 
 void Context::beforeRasterDraw(PrimitiveClass kind) {
