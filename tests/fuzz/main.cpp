@@ -2,6 +2,10 @@
 // the stream is shrunk by playing parts of it in further children, and the seed and the calls that are left
 // are printed.
 //   gluray_fuzz [--seed N] [--calls N] [--jobs N] [--failures N]    play at least N calls
+//   gluray_fuzz --differences 0 ...                                 the same; other answers than the real
+//   OpenGL's
+//                                                                   are counted, but only deaths and hangs
+//                                                                   fail
 //   gluray_fuzz --stream N                                          play and shrink the stream of one seed
 #include "tests/fuzz/session.h"
 
@@ -28,11 +32,13 @@ constexpr uint64_t kStateEvery = 16;
 struct Options {
   uint64_t seed = 1, calls = 1000000, stream = 0;
   unsigned jobs = 1, failures = 1;
+  bool differences = true;  // are failures
 };
 
 /// What a worker says, in memory that it shares with its parent.
 struct Progress {
-  uint64_t seed = 0, calls = 0, failedCall = 0;
+  uint64_t seed = 0, calls = 0, failedCall = 0, differing = 0;
+  bool differencesFail = true;
   char what[4096] = {};
 };
 
@@ -48,6 +54,7 @@ void playOrEnd(const Stream& stream, uint64_t seed, Progress& progress) {
   const Outcome outcome = play(stream, seed % kStateEvery == 0);
   alarm(0);
   if (outcome.what.empty()) return;
+  if (!progress.differencesFail) return void(++progress.differing);
   std::snprintf(progress.what, sizeof progress.what, "%s", outcome.what.c_str());
   progress.failedCall = outcome.call;
   _exit(kDiffers);
@@ -148,6 +155,7 @@ int playAll(const Options& options) {
   };
   for (unsigned i = 0; i < options.jobs; ++i) {
     workers[i].progress = sharedProgress();
+    workers[i].progress->differencesFail = options.differences;
     workers[i].next = options.seed + i;
     start(workers[i]);
   }
@@ -172,9 +180,10 @@ int playAll(const Options& options) {
       for (Worker& w : workers)
         if (w.pid > 0) kill(w.pid, SIGKILL);
   }
-  uint64_t calls = 0;
-  for (const Worker& w : workers) calls += w.progress->calls;
-  std::printf("fuzz: %llu calls, %u failures\n", static_cast<unsigned long long>(calls), failures);
+  unsigned long long calls = 0, differing = 0;
+  for (const Worker& w : workers) calls += w.progress->calls, differing += w.progress->differing;
+  std::printf("fuzz: %llu calls, %u failures\n", calls, failures);
+  if (!options.differences) std::printf("fuzz: %llu streams differ from the real OpenGL\n", differing);
   return failures ? 1 : 0;
 }
 
@@ -199,6 +208,8 @@ bool parse(int argc, char** argv, Options& options) {
       options.jobs = std::max(1u, static_cast<unsigned>(value));
     else if (name == "--failures")
       options.failures = std::max(1u, static_cast<unsigned>(value));
+    else if (name == "--differences")
+      options.differences = value != 0;
     else if (name == "--stream")
       options.stream = value;
     else
@@ -215,7 +226,8 @@ int main(int argc, char** argv) {
   Options options;
   if (!parse(argc, argv, options)) {
     std::fprintf(stderr,
-                 "usage: gluray_fuzz [--seed N] [--calls N] [--jobs N] [--failures N] | --stream N\n");
+                 "usage: gluray_fuzz [--seed N] [--calls N] [--jobs N] [--failures N] [--differences 0] | "
+                 "--stream N\n");
     return 2;
   }
   // Compiling a shader for every combination of state would take all the time there is.
