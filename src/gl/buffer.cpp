@@ -30,6 +30,7 @@ void Buffer::setData(size_t size, const void* data, GLenum usage) {
   usage_ = usage;
   heldBack_ = true;
   mapped_ = nullptr;
+  memoryBelow_ = false;
   ++version_;
 }
 
@@ -92,10 +93,13 @@ std::shared_ptr<const BufferStorage> Buffer::read(const RealGl& real) {
 void Buffer::sendTo(const RealGl& real) {
   if (!heldBack_) return;
   const std::lock_guard lock(mutex_);
-  if (!heldBack_ || mapped_) return;
+  if (!heldBack_ || (mapped_ && memoryBelow_)) return;
   const CopyBinding binding(real, name_);
-  real.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(size_), storage_->data, usage_);
-  heldBack_ = false;
+  // Who draws from it although it is mapped gets something; drivers have been seen to read at null.
+  real.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(size_), mapped_ ? nullptr : storage_->data,
+                  usage_);
+  memoryBelow_ = true;
+  heldBack_ = mapped_ != nullptr;
 }
 
 void Buffer::changedBelow() {

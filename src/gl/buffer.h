@@ -37,8 +37,8 @@ class Buffer {
   void setSubData(size_t offset, size_t size, const void* data);
   /// The bytes, fetched from the real OpenGL where it has changed them. Null for an empty buffer.
   std::shared_ptr<const BufferStorage> read(const RealGl& real);
-  /// Gives the real OpenGL our contents if it does not have them. Nothing while the buffer is mapped: nobody
-  /// may draw from it then.
+  /// Gives the real OpenGL our contents if it does not have them. While the buffer is mapped nobody may draw
+  /// from it: then only memory, so that who does so all the same harms nobody.
   void sendTo(const RealGl& real);
   /// The real OpenGL is about to change, or has changed, the contents itself; a mapped buffer it cannot.
   void changedBelow();
@@ -65,6 +65,8 @@ class Buffer {
   bool foreign = false;
   /// The program knows the size although our copy is gone.
   void setSizeBelow(size_t size, GLenum usage);
+  /// The program has mapped the real OpenGL's memory, through a target whose contents are not held back.
+  bool mappedBelow = false;
 
  private:
   /// Storage that may be written: copied first where a mesh still refers to it.
@@ -78,6 +80,7 @@ class Buffer {
   size_t size_ = 0;
   GLenum usage_ = GL_STATIC_DRAW;
   std::atomic<bool> heldBack_ = false;  // ours is newer than the real one
+  bool memoryBelow_ = false;            // the real one has memory of this size
   std::atomic<uint64_t> version_ = 1;   // counts changes of content
   void* mapped_ = nullptr;
   size_t mapOffset_ = 0, mapLength_ = 0;

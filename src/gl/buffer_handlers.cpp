@@ -2,6 +2,7 @@
 #include "gl/handlers.h"
 
 #include <cstring>
+#include <utility>
 
 namespace gluray::gl {
 namespace {
@@ -51,6 +52,14 @@ bool isRange(const Buffer& buffer, GLintptr offset, GLsizeiptr size) {
          static_cast<size_t>(size) <= buffer.size() - static_cast<size_t>(offset);
 }
 
+/// Whether the real OpenGL's memory is to be mapped, which then has our contents.
+bool isMappedBelow(Context& c, Buffer* buffer, GLenum target) {
+  if (buffer && !buffer->immutable && !buffer->foreign && !buffer->mappedBelow && isHeldBack(target))
+    return false;
+  if (buffer && !buffer->mapped()) buffer->sendTo(c.real), buffer->changedBelow();
+  return true;
+}
+
 bool isUsage(GLenum usage) { return usage >= GL_STREAM_DRAW && usage <= GL_DYNAMIC_COPY && (usage & 3) != 3; }
 
 }  // namespace
@@ -85,6 +94,7 @@ void bufferData(Context& c, GLenum target, GLsizeiptr size, const void* data, GL
   const auto buffer = bound(c, target);
   if (!buffer || size < 0 || buffer->immutable || !isUsage(usage))
     return c.real.BufferData(target, size, data, usage);
+  if (std::exchange(buffer->mappedBelow, false)) c.real.UnmapBuffer(target);  // new contents end a mapping
   if (isHeldBack(target) && size > 0) return buffer->setData(static_cast<size_t>(size), data, usage);
   c.real.BufferData(target, size, data, usage);
   buffer->setSizeBelow(static_cast<size_t>(size), usage);
@@ -94,6 +104,7 @@ void bufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, 
   const auto buffer = bound(c, target);
   if (!buffer) return c.real.BufferSubData(target, offset, size, data);
   if (buffer->mapped()) return c.setError(GL_INVALID_OPERATION);
+  if (buffer->mappedBelow) return c.real.BufferSubData(target, offset, size, data);  // says what is wrong
   if (buffer->immutable || buffer->foreign || !isHeldBack(target) || !buffer->read(c.real)) {
     buffer->sendTo(c.real);
     c.real.BufferSubData(target, offset, size, data);
@@ -122,9 +133,10 @@ void* mapBuffer(Context& c, GLenum target, GLenum access) {
   }
   const auto buffer = bound(c, target);
   if (buffer && buffer->mapped()) return c.setError(GL_INVALID_OPERATION), nullptr;
-  if (!buffer || buffer->immutable || buffer->foreign || !isHeldBack(target)) {
-    if (buffer) buffer->sendTo(c.real), buffer->changedBelow();
-    return c.real.MapBuffer(target, access);
+  if (isMappedBelow(c, buffer.get(), target)) {
+    void* memory = c.real.MapBuffer(target, access);
+    if (buffer && memory) buffer->mappedBelow = true;
+    return memory;
   }
   if (!buffer->heldBack()) buffer->read(c.real);
   return buffer->map(c.real, 0, buffer->size(), bits);
@@ -132,9 +144,10 @@ void* mapBuffer(Context& c, GLenum target, GLenum access) {
 
 void* mapBufferRange(Context& c, GLenum target, GLintptr offset, GLsizeiptr length, GLbitfield access) {
   const auto buffer = bound(c, target);
-  if (!buffer || buffer->immutable || buffer->foreign || !isHeldBack(target)) {
-    if (buffer) buffer->sendTo(c.real), buffer->changedBelow();
-    return c.real.MapBufferRange(target, offset, length, access);
+  if (isMappedBelow(c, buffer.get(), target)) {
+    void* memory = c.real.MapBufferRange(target, offset, length, access);
+    if (buffer && memory) buffer->mappedBelow = true;
+    return memory;
   }
   if (!buffer->heldBack()) buffer->read(c.real);
   if (!isRange(*buffer, offset, length)) return c.setError(GL_INVALID_VALUE), nullptr;
@@ -145,6 +158,7 @@ void* mapBufferRange(Context& c, GLenum target, GLintptr offset, GLsizeiptr leng
 
 GLboolean unmapBuffer(Context& c, GLenum target) {
   const auto buffer = bound(c, target);
+  if (buffer) buffer->mappedBelow = false;
   if (!buffer || !buffer->mapped()) return c.real.UnmapBuffer(target);
   buffer->unmap();
   return GL_TRUE;

@@ -87,11 +87,11 @@ void Context::setError(GLenum error) {
   error_ = older != GL_NO_ERROR ? older : error;
 }
 
-void Context::misuse() {
-  if (compiling() && !executing())
-    misused_ = true;
-  else
-    setError(GL_INVALID_OPERATION);
+void Context::misuse(GLenum error) {
+  if (!compiling() || executing())
+    setError(error);
+  else if (misused_ == GL_NO_ERROR)
+    misused_ = error;
 }
 
 GLenum Context::takeError() {
@@ -220,7 +220,7 @@ void Context::afterSwap() {
 void Context::forgetOld() {
   passes_.clear();
   clears_ = 0;
-  flushesForgotten_ = statistics.flushes;
+  workForgotten_ = work();
   group_->meshes.advance();
   deleteDiscarded();
 }
@@ -228,7 +228,7 @@ void Context::forgetOld() {
 void Context::cleared(GLbitfield mask) {
   if (mask & GL_DEPTH_BUFFER_BIT) passes_.clear();
   constexpr GLbitfield kWhole = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
-  if ((mask & kWhole) != kWhole || statistics.flushes == flushesForgotten_) return;
+  if ((mask & kWhole) != kWhole || work() == workForgotten_) return;
   const int patience = statistics.frames > 0 ? 64 : 4;
   if (++clears_ >= patience) forgetOld();
 }
@@ -282,7 +282,7 @@ void Context::present(bool rasterise) {
 void Context::showIfVisible() {
   syncCurrent();
   // Single-buffered programs may have read their picture back before.
-  if (batch_.empty() && !info_.doubleBuffered && statistics.flushes != flushesForgotten_) return afterSwap();
+  if (batch_.empty() && !info_.doubleBuffered && work() != workForgotten_) return afterSwap();
   if (batch_.empty()) return;
   const GLenum buffer = batch_.key().drawBuffer;
   const bool front =

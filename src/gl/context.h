@@ -121,9 +121,9 @@ class Context {
   // --------------------------------------------------------------------------------------------------
   /// The first error since the program asked stays, ours or the real OpenGL's.
   void setError(GLenum error);
-  /// A command that is illegal between glBegin and glEnd: an error, of the moment of the call where it is
-  /// compiled only.
-  void misuse();
+  /// A command that is wrong inside the glBegin that is compiled: an error of the moment when the list is
+  /// called. Elsewhere one of now.
+  void misuse(GLenum error = GL_INVALID_OPERATION);
   GLenum takeError();
   ShareGroup& group() { return *group_; }
   const std::shared_ptr<ShareGroup>& sharedGroup() const { return group_; }
@@ -265,11 +265,13 @@ class Context {
   GLuint openFragment_ = 0;  // real list that takes the rest of a primitive that was given up
   GLuint listName_ = 0;
   GLenum listMode_ = 0;
-  bool misused_ = false;  // by a command inside the glBegin that is compiled
+  GLenum misused_ = GL_NO_ERROR;  // by the first wrong command inside the glBegin that is compiled
   int listDepth_ = 0;
   std::vector<InheritedSlot> inherited_;
-  int clears_ = 0;                 // of colour and depth since forgetOld()
-  uint64_t flushesForgotten_ = 0;  // flushes at that time
+  int clears_ = 0;              // of colour and depth since forgetOld()
+  uint64_t workForgotten_ = 0;  // work() at that time
+  /// Grows with everything that is drawn and may be kept: pictures, and meshes that were never traced.
+  uint64_t work() const { return statistics.flushes + statistics.meshesBuilt; }
 
   struct SavedAttrib {
     GLbitfield mask;

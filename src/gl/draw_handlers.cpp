@@ -23,8 +23,9 @@ namespace {
 /// Goes to the real OpenGL, now or when the list that is compiled is called.
 template <class F>
 void unmodelled(Context& c, F&& call) {
-  if (c.compiling() && !c.insideBegin()) return c.recordFragment(call);
-  call();
+  if (!c.compiling()) return call();
+  if (c.insideBegin()) return c.misuse(GL_INVALID_ENUM);
+  c.recordFragment(call);
 }
 }  // namespace
 

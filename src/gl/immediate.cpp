@@ -159,9 +159,10 @@ void Context::end() {
   }
   inside_ = Inside::nothing;
   updateAttention();
-  if (!std::exchange(misused_, false)) return;
+  if (misused_ == GL_NO_ERROR) return;
+  const GLenum error = std::exchange(misused_, GL_NO_ERROR);
   closeRun();
-  record([](Context& x) { x.setError(GL_INVALID_OPERATION); }, true);
+  record([error](Context& x) { x.setError(error); }, true);
 }
 
 void Context::startRun() {
@@ -293,8 +294,9 @@ void Context::material(GLenum face, GLenum pname, const float* params) {
   // An error of the moment when the list is called, in the real OpenGL's opinion of it.
   if (compiling() && !insideBegin() && !passthrough_ && (!known || refused))
     return recordFragment([&] { real.Materialfv(face, pname, params); });
+  if (compiling() && inside_ == Inside::captured && !known) return misuse(GL_INVALID_ENUM);
   if (passthrough_ || inside_ == Inside::rasterised || !known) return real.Materialfv(face, pname, params);
-  if (refused) return setError(GL_INVALID_VALUE);
+  if (refused) return misuse(GL_INVALID_VALUE);
   if (!runOpen_ && !compiling()) {
     syncCurrent();
     dirty |= kMaterial;

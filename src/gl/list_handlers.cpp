@@ -17,7 +17,10 @@ void endList(Context& c) {
 
 void callList(Context& c, GLuint name) {
   // Inside glBegin of a list the called list's attributes and vertices become part of the primitive.
-  if (c.compiling() && !c.insideBegin()) return c.record([name](Context& x) { x.callList(name); }, true);
+  if (c.compiling() && !c.insideBegin()) {
+    return c.record([name](Context& x) { name ? x.callList(name) : x.setError(GL_INVALID_VALUE); }, true);
+  }
+  if (name == 0) return c.setError(GL_INVALID_VALUE);  // as Mesa has it; the specification is silent
   c.callList(name);
 }
 

@@ -23,4 +23,9 @@ void MeshCache::advance() {
   std::erase_if(entries_, [&](const auto& e) { return e.second.lastUsed + kFramesKept < frame_; });
 }
 
+size_t MeshCache::size() {
+  const std::lock_guard lock(mutex_);
+  return entries_.size();
+}
+
 }  // namespace gluray::gl

@@ -22,6 +22,8 @@ class MeshCache {
   void put(const Hash128& content, const KnownMesh& mesh);
   /// A frame has ended: forgets what was not used in the last ones.
   void advance();
+  /// Meshes that are known.
+  size_t size();
 
  private:
   struct Entry {

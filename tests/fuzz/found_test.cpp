@@ -1,0 +1,152 @@
+// What the fuzzer has found, shrunk: the same calls to a plain OpenGL and to ours, and the same answers.
+#include "tests/reference/traced_context.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <vector>
+
+namespace gluray::test {
+namespace {
+
+using Gl = const gl::RealGl&;
+
+/// Errors and current values that a program can ask for.
+using Answers = std::vector<float>;
+
+struct Found {
+  const char* name;
+  void (*calls)(Gl gl, Answers& answers);
+};
+
+void error(Gl gl, Answers& answers) { answers.push_back(static_cast<float>(gl.GetError())); }
+void four(Gl gl, GLenum name, Answers& answers) {
+  std::array<float, 4> v{};
+  gl.GetFloatv(name, v.data());
+  answers.insert(answers.end(), v.begin(), v.end());
+}
+constexpr GLfloat kValues[64] = {0.5f, 0.25f, -0.5f, 1, 0.75f, 0.1f, 0.2f, 0.3f, -0.7f, 0.6f, 0.4f, 0.9f};
+
+const Found kFound[] = {
+    {"the first error stays, whoever finds it",
+     [](Gl gl, Answers& a) { gl.ShadeModel(7), gl.EndList(), error(gl, a), error(gl, a); }},
+    {"an error in a rasterised primitive comes in its turn",
+     [](Gl gl, Answers& a) {
+       gl.Begin(GL_LINE_STRIP), gl.Materialf(GL_FRONT, GL_SHININESS, -5), gl.Ortho(0, 1, 0, 1, 0, 1),
+           gl.End(), error(gl, a);
+     }},
+    {"glEnd of a list belongs to its caller",
+     [](Gl gl, Answers& a) {
+       gl.NewList(1, GL_COMPILE), gl.End(), gl.EndList(), error(gl, a);
+       gl.CallList(1), error(gl, a);
+       gl.Begin(GL_TRIANGLES), gl.CallList(1), error(gl, a);
+     }},
+    {"a list that sets state between glBegin and glEnd",
+     [](Gl gl, Answers& a) {
+       gl.NewList(1, GL_COMPILE), gl.ShadeModel(GL_FLAT), gl.EndList();
+       gl.Begin(GL_TRIANGLES), gl.CallList(1), gl.End(), error(gl, a), four(gl, GL_SHADE_MODEL, a);
+     }},
+    {"names of lists",
+     [](Gl gl, Answers& a) {
+       gl.NewList(10, GL_COMPILE), gl.EndList();
+       a.push_back(static_cast<float>(gl.GenLists(3))), gl.DeleteLists(11, 2);
+       a.push_back(static_cast<float>(gl.GenLists(1)));
+     }},
+    {"glBegin into an incomplete framebuffer",
+     [](Gl gl, Answers& a) {
+       GLuint name = 0;
+       gl.GenFramebuffers(1, &name), gl.BindFramebuffer(GL_FRAMEBUFFER, name);
+       gl.Begin(GL_TRIANGLES), error(gl, a), gl.End(), error(gl, a);
+       a.push_back(static_cast<float>(gl.GenLists(1))), error(gl, a);
+     }},
+    {"attribute stacks that run over",
+     [](Gl gl, Answers& a) {
+       gl.ListBase(5);
+       for (int i = 0; i < 20; ++i) gl.PushAttrib(GL_LIST_BIT), gl.ListBase(static_cast<GLuint>(i));
+       for (int i = 0; i < 3; ++i) gl.PopAttrib(), four(gl, GL_LIST_BASE, a);
+       error(gl, a);
+     }},
+    {"materials that a list refuses",
+     [](Gl gl, Answers& a) {
+       gl.NewList(1, GL_COMPILE), gl.Materialf(GL_FRONT, GL_SHININESS, -1), gl.EndList(), error(gl, a);
+       gl.CallList(1), error(gl, a);
+       gl.NewList(2, GL_COMPILE), gl.Begin(GL_LINES), gl.Materialfv(GL_FRONT, GL_TEXTURE_2D, kValues),
+           gl.End(), gl.EndList();
+       error(gl, a), gl.CallList(2), error(gl, a);
+     }},
+    {"generic attribute 0 from a buffer",
+     [](Gl gl, Answers& a) {
+       gl.BindBuffer(GL_ARRAY_BUFFER, 1),
+           gl.BufferData(GL_ARRAY_BUFFER, sizeof kValues, kValues, GL_STATIC_DRAW);
+       gl.VertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, 0, nullptr), gl.EnableVertexAttribArray(0);
+       gl.DrawArrays(GL_TRIANGLES, 0, 3), gl.Finish(), error(gl, a);
+     }},
+    {"a draw from a buffer that is mapped",
+     [](Gl gl, Answers& a) {
+       gl.BindBuffer(GL_ARRAY_BUFFER, 1),
+           gl.BufferData(GL_ARRAY_BUFFER, sizeof kValues, kValues, GL_STATIC_DRAW);
+       gl.VertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, 0, nullptr), gl.EnableVertexAttribArray(0);
+       gl.MapBuffer(GL_ARRAY_BUFFER, GL_READ_WRITE);
+       gl.DrawArrays(GL_TRIANGLES, 0, 3), gl.Finish();
+       a.push_back(static_cast<float>(gl.UnmapBuffer(GL_ARRAY_BUFFER)));
+     }},
+    {"glArrayElement outside glBegin, of an array that is not captured",
+     [](Gl gl, Answers& a) {
+       static constexpr GLubyte kFlags[4] = {0, 0, 0, 0};
+       gl.EdgeFlagPointer(0, kFlags), gl.EnableClientState(GL_EDGE_FLAG_ARRAY), gl.ArrayElement(1);
+       four(gl, GL_EDGE_FLAG, a), error(gl, a);
+     }},
+    {"a material before an array element that is not captured, in a list",
+     [](Gl gl, Answers& a) {
+       gl.VertexAttribPointer(3, 4, GL_FLOAT, GL_FALSE, 0, kValues), gl.EnableVertexAttribArray(3);
+       gl.NewList(1, GL_COMPILE), gl.Begin(GL_TRIANGLES), gl.Materialfv(GL_FRONT, GL_AMBIENT, kValues),
+           gl.ArrayElement(0);
+       gl.Vertex2f(0, 0), gl.End(), gl.EndList(), gl.CallList(1);
+       float v[4] = {};
+       gl.GetMaterialfv(GL_FRONT, GL_AMBIENT, v), a.insert(a.end(), v, v + 4), error(gl, a);
+     }},
+    {"a draw without positions, in feedback",
+     [](Gl gl, Answers& a) {
+       static GLfloat memory[256];
+       gl.FeedbackBuffer(256, GL_3D, memory), gl.RenderMode(GL_FEEDBACK);
+       gl.DrawArrays(GL_POINTS, 0, 3);
+       a.push_back(static_cast<float>(gl.RenderMode(GL_RENDER)));
+     }},
+};
+
+class FoundTest : public testing::TestWithParam<Found> {};
+
+TEST_P(FoundTest, AnswersAreThoseOfTheRealOne) {
+  Answers expected, got;
+  {
+    const auto real = OsmesaContext::create({32, 32});
+    GetParam().calls(real->real(), expected);
+  }
+  TracedContext ours({32, 32});
+  GetParam().calls(ours.gl(), got);
+  EXPECT_EQ(got, expected) << GetParam().name;
+  EXPECT_FALSE(ours.context().passthrough());
+}
+
+INSTANTIATE_TEST_SUITE_P(Fuzzer, FoundTest, testing::ValuesIn(kFound));
+
+/// Programs that never swap: what they have drawn must not be kept.
+TEST(Forgetting, MeshesGoWithoutSwapOrFinish) {
+  TracedContext context({32, 32});
+  Gl gl = context.gl();
+  gl.Enable(GL_DEPTH_TEST);
+  for (int frame = 0; frame < 200; ++frame) {
+    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    gl.Begin(GL_TRIANGLES);
+    for (int i = 0; i < 3; ++i)
+      gl.Vertex3f(0.1f * static_cast<float>(i), 0.9f - static_cast<float>(i),
+                  0.001f * static_cast<float>(frame));
+    gl.End();
+    uint32_t pixel = 0;
+    gl.ReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
+  }
+  EXPECT_LE(context.context().sharedGroup()->meshes.size(), 64u);
+}
+
+}  // namespace
+}  // namespace gluray::test
