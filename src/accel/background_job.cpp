@@ -70,11 +70,12 @@ class SignalsBlocked {
 
 BackgroundJob::~BackgroundJob() { stop(); }
 
-bool BackgroundJob::start(Work work) noexcept {
+bool BackgroundJob::start(Work work, Priority priority) noexcept {
   try {
     if (!RunningJobs::instance().add(this)) return false;
   } catch (...) { return false; }
   work_ = std::move(work);
+  priority_ = priority;
   cancelled_ = false;
   state_ = State::running;
   process_ = getpid();
@@ -93,7 +94,7 @@ bool BackgroundJob::start(Work work) noexcept {
 void BackgroundJob::run() noexcept {
   // On Linux the priority belongs to the thread: frames that are being traced come first.
   constexpr int kLowPriority = 10;
-  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kLowPriority);
+  if (priority_ == Priority::low) setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kLowPriority);
   State end = State::failed;
   try {
     work_(cancelled_);

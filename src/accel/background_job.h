@@ -1,5 +1,5 @@
-// Work of accel/ behind the frames' back: one job at a time in a thread of low priority. The thread that
-// renders frames makes all calls.
+// Work of accel/ behind the frames' back: one job at a time in a thread, of low priority unless it is short.
+// The thread that renders frames makes all calls.
 #pragma once
 #include <sys/types.h>
 
@@ -26,8 +26,9 @@ class BackgroundJob {
 
   /// Whether a job was started that poll() has not reported yet.
   bool busy() const { return static_cast<bool>(work_); }
+  enum class Priority { low, usual };  // low: frames that are traced meanwhile come first
   /// Starts `work`. Only where not busy. False where no thread can be had.
-  bool start(Work work) noexcept;
+  bool start(Work work, Priority priority = Priority::low) noexcept;
   /// Asks the job to end early. It stays busy until poll() reports it.
   void cancel() noexcept { cancelled_ = true; }
   /// Cancels and waits. The job is then forgotten.
@@ -46,6 +47,7 @@ class BackgroundJob {
   void abandonAtExit() noexcept;
 
   Work work_;
+  Priority priority_ = Priority::low;
   std::mutex threadMutex_;  // exit() may come from any thread
   std::thread thread_;
   pid_t process_ = 0;  // that the thread belongs to

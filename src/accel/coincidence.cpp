@@ -130,12 +130,13 @@ void Coincidence::lookBehind(const Group& group) {
   std::vector<scene::Mesh> meshes;  // copies share the arrays and keep them alive
   for (const scene::Mesh* mesh : group.meshes) meshes.push_back(*mesh);
   const auto found = std::make_shared<std::atomic<bool>>(false);
-  const bool started = job_.start([meshes = std::move(meshes), found](const std::atomic<bool>& cancelled) {
+  const auto look = [meshes = std::move(meshes), found](const std::atomic<bool>& cancelled) {
     std::vector<const scene::Mesh*> all;
     for (const scene::Mesh& mesh : meshes) all.push_back(&mesh);
     *found = anyCoincide(all, cancelled);
-  });
-  if (!started) return;
+  };
+  // Short, and until it has ended every ray is slower: not at low priority.
+  if (!job_.start(look, BackgroundJob::Priority::usual)) return;
   looking_ = group.id;
   found_ = found;
 }
