@@ -12,7 +12,10 @@ GLenum target(Player& p) {
 GLenum usage(Player& p) { return p.pick({GL_STATIC_DRAW, GL_DYNAMIC_DRAW, GL_STREAM_DRAW}); }
 
 /// Large enough for every draw, unless this stream is about draws that reach beyond their buffers.
-GLsizei sizeOfData(Player& p) { return p.smallBuffers ? p.count(4096) : Player::kWholeBuffer; }
+GLsizei sizeOfData(Player& p) {
+  const GLsizei size = p.smallBuffers ? p.count(4096) : Player::kWholeBuffer;
+  return size == 0 ? 1 : size;  // avoided.md
+}
 
 void write(Player& p, void* mapped, size_t bytes) {
   if (mapped) std::memcpy(mapped, p.read(), bytes);
@@ -72,7 +75,7 @@ const Op kBufferOps[] = {
        p.arraysToMemory();
        const GLuint name = p.name(kIndexBuffer);
        p.gl.DeleteBuffers(1, &name);
-       if (!p.smallBuffers) p.fillBuffers();
+       p.fillBuffers();
      }},
     {"GetBufferSubData", 3,
      [](Player& p) {

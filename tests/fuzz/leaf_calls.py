@@ -23,6 +23,8 @@ NAMED = {
 
 
 def value(kind: str) -> str:
+    if kind == "GLboolean":  # others than 0 and 1 mean what each OpenGL thinks
+        return "p.flag()"
     return f"static_cast<{kind}>({FLOATING.get(kind, 'p.bits()')})"
 
 

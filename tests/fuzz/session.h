@@ -11,8 +11,9 @@ struct Outcome {
   size_t call = 0;   // index of the call where they differ
 };
 
-/// Plays the stream to both. `state`: all queryable state is compared at the end, too.
-Outcome play(const Stream& stream, bool state);
+/// Plays the stream to both. `state`: all queryable state is compared at the end, too. `ours` is set while
+/// ours plays.
+Outcome play(const Stream& stream, bool state, bool& ours);
 
 /// The calls with their arguments, one a line.
 std::string describe(const Stream& stream);

@@ -14,6 +14,7 @@ class Grammar {
     stream_.askErrors = random_.chance(30);
     stream_.tame = stream_.weird == 0 && random_.chance(50);
     if (stream_.tame) stream_.smallBuffers = false;
+    stream_.attributeSize = 1 + static_cast<int>(random_.below(4));
     length_ = 200 + random_.below(4000);
     // Each stream dwells on other things than the last.
     for (uint32_t& weight : weights_) weight = random_.chance(25) ? 0 : 1 + random_.below(10);

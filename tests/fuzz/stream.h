@@ -17,6 +17,7 @@ struct Stream {
   std::vector<Call> calls;
   uint32_t weird = 0;         // percent of arguments that are absurd
   bool smallBuffers = false;  // see Player
+  int attributeSize = 4;      // components of texture coordinates and generic attributes: avoided.md
   bool askErrors = false;     // glGetError after every call
   bool tame = false;          // only what leaves a picture that can be compared
 };

@@ -24,6 +24,7 @@ const Op kTargetOps[] = {
     {"BindFramebuffer 0", 12, [](Player& p) { p.gl.BindFramebuffer(GL_FRAMEBUFFER, 0); }},
     {"texture framebuffer", 4,
      [](Player& p) {
+       p.gl.Finish();  // avoided.md
        p.gl.BindTexture(GL_TEXTURE_2D, 11);
        p.gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kSize, kSize, 0, GL_RGBA, GL_UNSIGNED_BYTE, p.read());
        p.gl.FramebufferTexture2D(target(p), GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 11, 0);
@@ -36,6 +37,7 @@ const Op kTargetOps[] = {
     {"renderbuffer", 4,
      [](Player& p) {
        const GLuint name = p.name(kObjects);
+       p.gl.Finish();  // avoided.md
        p.gl.BindRenderbuffer(GL_RENDERBUFFER, name);
        p.gl.RenderbufferStorage(GL_RENDERBUFFER,
                                 p.pick({GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT24, GL_RGBA8}), kSize, kSize);
