@@ -1,0 +1,144 @@
+"""Runs batches of states (registry.py) in pvbatch or python3, plain or under the launcher, and keeps what they leave."""
+import dataclasses
+import hashlib
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).parent
+SECONDS = 240  # for one process, however many states it draws, on a machine that is busy with other things
+PYTHON = "/usr/bin/python3"  # Debian's own: the modules belong to it
+
+
+class Skipped(RuntimeError):
+    """What a test needs is not installed."""
+
+
+def vtk_modules():
+    """The folder of python3-vtk9's modules."""
+    done = subprocess.run([str(HERE / "unpack_vtk9")], capture_output=True, text=True)
+    if done.returncode == 77:
+        raise Skipped(done.stderr.strip())
+    if done.returncode:
+        raise RuntimeError(f"unpack_vtk9 failed: {done.stderr.strip()}")
+    return done.stdout.strip()
+
+
+def command(program):
+    """How `program` runs a Python script, and what its environment must have."""
+    if program == "vtk":
+        return [PYTHON], {"PYTHONPATH": vtk_modules()}
+    if not shutil.which("pvbatch"):
+        raise Skipped("pvbatch is not installed")
+    return ["pvbatch"], {}
+
+
+def environment(home, **more):
+    """One renderer everywhere, no settings of the user's."""
+    home.mkdir(parents=True, exist_ok=True)
+    return dict(os.environ, GALLIUM_DRIVER="llvmpipe", LIBGL_ALWAYS_SOFTWARE="1", HOME=str(home), LC_ALL="C",
+                XDG_CACHE_HOME=os.environ.get("XDG_CACHE_HOME", os.path.expanduser("~/.cache")),
+                PYTHONDONTWRITEBYTECODE="1", **more)
+
+
+@dataclasses.dataclass
+class Batch:
+    """Some states of one program, drawn one after the other by one process."""
+    program: str
+    names: list
+    folder: pathlib.Path
+
+    def draw(self, launcher=(), report=None):
+        """Draws what is not drawn yet. A state at which the process ends is noted, and the others go on."""
+        words, more = command(self.program)
+        if report:
+            more = more | {"VTK_STATES_REPORT": str(report)}
+        settings = environment(self.folder / "home", **more)
+        left = [name for name in self.names if not self.result_file(name).exists()]
+        while left:
+            with open(self.folder / "log", "a") as log:
+                try:
+                    done = subprocess.run([*launcher, *words, str(HERE / "runner.py"), str(self.folder), *left],
+                                          env=settings, stdout=log, stderr=log, timeout=SECONDS, cwd=self.folder)
+                    end = f"ended with {done.returncode}"
+                except subprocess.TimeoutExpired:
+                    end = f"did not end within {SECONDS} s"
+            after = [name for name in left if not self.result_file(name).exists()]
+            if not after:
+                if not end.endswith(" 0"):  # all is drawn, and the process died of something later
+                    self.note(left[-1], f"the process {end} after its last state")
+                return
+            self.note(after[0], f"the process {end}; see {self.folder / 'log'}")
+            left = after[1:]
+
+    def note(self, name, error):
+        seen = self.result(name)
+        self.result_file(name).write_text(json.dumps(seen | {"error": error}) + "\n")
+
+    def result_file(self, name):
+        return self.folder / f"{name}.json"
+
+    def result(self, name):
+        try:
+            return json.loads(self.result_file(name).read_text())
+        except FileNotFoundError:
+            return {"seconds": 0, "error": "was not drawn", "counts": None}
+
+    def shots(self, name):
+        """The files of its pictures, in the order in which they were taken."""
+        found = []
+        while (file := self.folder / f"{name}-{len(found)}.png").exists():
+            found.append(file)
+        return found
+
+    def text(self, name):
+        file = self.folder / f"{name}.txt"
+        return file.read_text() if file.exists() else ""
+
+
+def versions():
+    done = subprocess.run(["dpkg-query", "-W", "paraview", "python3-paraview", "libvtk9.1", "libgl1-mesa-dri"],
+                          capture_output=True, text=True)
+    return done.stdout
+
+
+def key(words):
+    """Changes with the states, with what draws them, and with `words`."""
+    seen = hashlib.sha256(" ".join([versions(), *words]).encode())
+    for file in sorted(HERE.rglob("*.py")):
+        seen.update(file.read_bytes())
+    return seen.hexdigest()[:16]
+
+
+def draw_plain(program, names, place):
+    """What `names` look like without GLuRay: drawn once, kept in `place` until something that matters changes."""
+    folder = place / key([program, *names])
+    batch = Batch(program, names, folder)
+    if not (folder / "complete").exists():
+        shutil.rmtree(place, ignore_errors=True)  # what was kept for an older key
+        folder.mkdir(parents=True)
+        batch.draw()
+        (folder / "complete").touch()
+    return batch
+
+
+def always(gluray):
+    """Options that have every frame traced, also those that the real OpenGL would draw faster."""
+    told = subprocess.run([gluray, "run", "--help"], capture_output=True, text=True).stdout
+    return ["--engine", "always"] if "--engine" in told else []
+
+
+def draw_traced(program, names, folder, gluray, options=()):
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    report = folder / "report.json"
+    batch = Batch(program, names, folder)
+    batch.draw([gluray, "run", *always(gluray), *options, "--report", str(report), "--"], report)
+    return batch
+
+
+if __name__ == "__main__":
+    sys.exit("batch.py is used by compare.py")

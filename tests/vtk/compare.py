@@ -1,0 +1,181 @@
+"""Draws states of ParaView and VTK with and without GLuRay and compares what they leave.
+
+    compare.py --gluray GLURAY --out FOLDER [--group GROUP] [NAME ...]
+
+Needs an X server of its own (tests/doors/with_display.py). GROUP is a module of states/. Compared are the share of pixels
+that differ by more than 8 of 255, window depth, and, away from all surfaces, every bit. For a state that fails both
+pictures, their difference (eight times as bright) and NAME.json are in FOLDER/failed. Prints a table; FOLDER/GROUP.json holds it
+too. Exit code 77: ParaView or VTK is not installed.
+"""
+import argparse
+import json
+import pathlib
+import sys
+import zlib
+
+try:
+    import numpy as np
+except ImportError:
+    print("skipped: numpy is not installed for", sys.executable)
+    sys.exit(77)
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "live"))
+import batch  # noqa: E402
+import pictures  # noqa: E402
+import registry  # noqa: E402
+
+DEPTH = 1e-4   # window depths that differ by more count as different
+MARGIN = 4     # pixels around surfaces that anti-aliasing may touch
+
+
+def read_png(path):
+    """A picture that pictures.write_png() wrote: RGB, no filters."""
+    data, at, packed = path.read_bytes(), 8, b""
+    while at < len(data):
+        size, kind = int.from_bytes(data[at:at + 4], "big"), data[at + 4:at + 8]
+        body = data[at + 8:at + 8 + size]
+        if kind == b"IHDR":
+            width, height = int.from_bytes(body[:4], "big"), int.from_bytes(body[4:8], "big")
+        elif kind == b"IDAT":
+            packed += body
+        at += size + 12
+    rows = np.frombuffer(zlib.decompress(packed), np.uint8).reshape(height, 1 + 3 * width)
+    return rows[:, 1:].reshape(height, width, 3)
+
+
+def grown(mask, by):
+    """True wherever `mask` is true within a square of `by` pixels to each side."""
+    wide = np.pad(mask, by)
+    for axis in (0, 1):
+        wide = np.logical_or.reduce([np.roll(wide, shift, axis) for shift in range(-by, by + 1)])
+    return wide[by:-by, by:-by]
+
+
+def compare_shot(state, off_file, on_file):
+    """Shares that differ in colour and depth, and what is wrong."""
+    off, on = read_png(off_file), read_png(on_file)
+    if off.shape != on.shape:
+        return 1.0, 1.0, [f"{on.shape[1]}x{on.shape[0]} instead of {off.shape[1]}x{off.shape[0]} pixels"]
+    wrong = []
+    beyond = pictures.share_beyond(off, on)
+    if beyond > state.beyond:
+        wrong.append(f"{beyond:.4%} of its pixels differ by more than {pictures.VISIBLE}/255, at most {state.beyond:.4%} may")
+    depth_files = [file.with_suffix(".npy") for file in (off_file, on_file)]
+    if not state.same_depth or not all(file.exists() for file in depth_files):
+        return beyond, 0.0, wrong
+    off_depth, on_depth = map(np.load, depth_files)
+    deeper = float((np.abs(off_depth - on_depth) > DEPTH).mean())
+    if deeper > state.beyond:
+        wrong.append(f"the depth of {deeper:.4%} of its pixels differs by more than {DEPTH}, at most {state.beyond:.4%} may")
+    if state.outside:
+        outside = ~grown((off_depth < 1) | (on_depth < 1), MARGIN)
+        count = int((off[outside] != on[outside]).any(axis=1).sum())
+        if count:
+            wrong.append(f"{count} pixels away from every surface are not equal")
+    return beyond, deeper, wrong
+
+
+def keep_failure(folder, state, number, off_file, on_file, wrong):
+    off, on = read_png(off_file), read_png(on_file)
+    kept = [("off", off), ("on", on)]
+    if off.shape == on.shape:
+        kept.append(("difference", pictures.difference_picture(off, on)))
+    folder.mkdir(parents=True, exist_ok=True)
+    for kind, picture in kept:
+        pictures.write_png(folder / f"{state.name}-{number}-{kind}.png", np.ascontiguousarray(picture))
+    return [f"{state.name}, picture {number}: {line}; see {folder}/{state.name}-{number}-*.png" for line in wrong]
+
+
+def traced_share(counts):
+    traced, rasterised = counts.get("triangles.traced", 0), counts.get("triangles.rasterised", 0)
+    return traced / (traced + rasterised) if traced + rasterised else None
+
+
+def main_reason(counts):
+    """The reason for which most draws were rasterised."""
+    start = "draws.rasterised."
+    draws = {name[len(start):]: count for name, count in counts.items() if name.startswith(start)}
+    return max(draws, key=draws.get) if draws else ""
+
+
+def compare_state(state, off, on, failed):
+    """A row of the table, and what is wrong."""
+    name = state.name
+    plain, traced = off.result(name), on.result(name)
+    wrong = [f"{name}: {kind}: {seen['error']}" for kind, seen in (("plain", plain), ("with GLuRay", traced)) if seen["error"]]
+    off_shots, on_shots = off.shots(name), on.shots(name)
+    if not off_shots and not off.text(name):
+        wrong.append(f"{name}: draws nothing that could be compared")
+    if len(off_shots) != len(on_shots):
+        wrong.append(f"{name}: {len(on_shots)} pictures instead of {len(off_shots)}")
+    if off.text(name) != on.text(name):
+        wrong.append(f"{name}: other words: see {off.folder / name}.txt and {on.folder / name}.txt")
+    row = {"name": name, "program": state.program, "pictures": len(on_shots), "beyond": 0.0, "depth": 0.0,
+           "seconds": traced["seconds"], "plain_seconds": plain["seconds"]}
+    for number, files in enumerate(zip(off_shots, on_shots)):
+        beyond, depth, lines = compare_shot(state, *files)
+        row["beyond"], row["depth"] = max(row["beyond"], beyond), max(row["depth"], depth)
+        if lines:
+            wrong += keep_failure(failed, state, number, *files, lines)
+    if traced["counts"] is None and not traced["error"]:
+        wrong.append(f"{name}: GLuRay wrote no report while it was drawn: see {on.folder / 'log'}")
+    counts = traced["counts"] or {}
+    row |= {"traced": traced_share(counts), "triangles": counts.get("triangles.traced", 0) + counts.get("triangles.rasterised", 0),
+            "reason": main_reason(counts), "counts": counts}
+    if state.min_share is not None and (row["traced"] or 0) < state.min_share:
+        wrong.append(f"{name}: {row['traced'] or 0:.2%} of its triangles are traced, at least {state.min_share:.2%} should be; "
+                     f"rasterised for: {row['reason']}")
+    return row, wrong
+
+
+def print_table(rows):
+    print(f"{'state':36} {'program':8} pictures   pixels    depth   traced  triangles  seconds  most often rasterised for")
+    for row in rows:
+        share = "-" if row["traced"] is None else f"{row['traced']:.1%}"
+        print(f"{row['name']:36} {row['program']:8} {row['pictures']:8} {row['beyond']:8.4%} {row['depth']:8.4%} {share:>8} "
+              f"{row['triangles']:10.0f} {row['seconds']:8.2f}  {row['reason']}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--gluray", required=True)
+    parser.add_argument("--out", required=True)
+    parser.add_argument("--group", default="")
+    parser.add_argument("--door", default="auto")
+    parser.add_argument("names", nargs="*")
+    given = parser.parse_args()
+    states = [s for s in registry.load().values() if (s.name in given.names if given.names else given.group in ("", s.group))]
+    if not states or len(states) < len(given.names):
+        sys.exit(f"compare.py: no such states: {given.group} {given.names}")
+    out, gluray = pathlib.Path(given.out).resolve(), str(pathlib.Path(given.gluray).resolve())
+    label = given.group or ("some" if given.names else "all")
+    failed = out / "failed"
+    for state in states:
+        for file in failed.glob(f"{state.name}-*.png"):
+            file.unlink()
+
+    rows, wrong, skipped = [], [], []
+    for program in ("pvbatch", "vtk"):
+        chosen = [s for s in states if s.program == program]
+        if not chosen:
+            continue
+        names = [s.name for s in chosen]
+        try:
+            off = batch.draw_plain(program, names, out / "plain" / f"{label}-{program}")
+            on = batch.draw_traced(program, names, out / "traced" / f"{label}-{program}", gluray, ["--door", given.door])
+        except batch.Skipped as why:
+            skipped.append(f"skipped: {program}: {why}")
+            continue
+        for state in chosen:
+            row, lines = compare_state(state, off, on, failed)
+            rows.append(row)
+            wrong += lines
+    if rows:
+        print_table(rows)
+        (out / f"{label}.json").write_text(json.dumps(rows, indent=1) + "\n")
+    print("\n".join(skipped + wrong))
+    return 1 if wrong else 77 if not rows else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

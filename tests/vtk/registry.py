@@ -1,0 +1,53 @@
+"""States: small scenes drawn by ParaView (pvbatch) or by plain VTK, each a function that is given a stage (stages.py).
+
+    @state("pvbatch")
+    def solid(stage):
+        stage.show(Sphere())
+        stage.orbit(3)
+
+Read by runner.py, inside the program that draws, and by compare.py, which runs it and compares the pictures.
+"""
+import dataclasses
+import importlib
+import pathlib
+import sys
+
+STATES = {}
+
+
+@dataclasses.dataclass(frozen=True)
+class State:
+    name: str
+    group: str             # the module of states/ that it stands in
+    program: str           # "pvbatch" or "vtk"
+    draw: callable
+    beyond: float          # share of a picture's pixels that may differ by more than 8 of 255
+    reason: str            # why that is more than usual
+    min_share: float       # least share of the state's opaque triangles that must be traced; None: any
+    outside: bool          # pixels away from every surface must be equal to the bit
+    same_depth: bool       # depth is compared
+
+
+def state(program, beyond=0.0005, reason="", min_share=None, outside=True, same_depth=True):
+    """Registers the function below it. `beyond` is at most 0.005; above 0.0005 it needs a reason."""
+    if beyond > 0.005 or (beyond > 0.0005 and not reason):
+        raise ValueError(f"a tolerance of {beyond} is too much, or lacks its reason")
+
+    def register(draw):
+        name, group = draw.__name__, draw.__module__
+        if name in STATES:
+            raise ValueError(f"two states are named {name}")
+        STATES[name] = State(name, group, program, draw, beyond, reason, min_share, outside, same_depth)
+        return draw
+
+    return register
+
+
+def load():
+    """All states by name. Their modules import neither ParaView nor VTK before a state is drawn."""
+    folder = pathlib.Path(__file__).parent / "states"
+    if str(folder) not in sys.path:
+        sys.path.insert(0, str(folder))
+    for file in sorted(folder.glob("*.py")):
+        importlib.import_module(file.stem)
+    return STATES
