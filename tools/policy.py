@@ -12,7 +12,7 @@ POLICY = pathlib.Path(__file__).resolve().parent.parent / "spec/policy.toml"
 CLASSES = {"leaf": "tracked", "track": "tracked", "own": "tracked", "forward": "forwarded"}
 COVERAGES = ("traced", "tracked", "forwarded", "masked")
 FIELDS = {"commands", "except", "class", "flush", "sync", "touch", "handler", "list", "begin", "copy", "coverage", "reason"}
-GROUPS = {"modelview", "projection", "viewport", "raster", "lighting", "material", "texture", "clip", "target", "arrays",
+GROUPS = {"modelview", "projection", "viewport", "raster", "lighting", "material", "texture", "clip", "target", "arrays", "attributes", "program",
           "current", "all"}
 
 

@@ -48,7 +48,7 @@ scene::Attribute inPlace(const ArrayReader& reader, const ArraySource& source, u
     constexpr scene::Format floats[] = {scene::Format::float1, scene::Format::float2, scene::Format::float3,
                                         scene::Format::float4};
     format = floats[source.size - 1];
-  } else if (color && source.type == GL_UNSIGNED_BYTE && source.size == 4) {
+  } else if (color && source.normalized && source.type == GL_UNSIGNED_BYTE && source.size == 4) {
     format = scene::Format::unorm8x4;
   }
   const auto stride = static_cast<uint32_t>(source.stride);

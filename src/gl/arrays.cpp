@@ -9,7 +9,6 @@
 #include <limits>
 
 namespace gluray::gl {
-namespace {
 
 size_t sizeOfType(GLenum type) {
   switch (type) {
@@ -21,6 +20,8 @@ size_t sizeOfType(GLenum type) {
     default: return 4;
   }
 }
+
+namespace {
 
 bool isPlainType(GLenum type) {
   switch (type) {
@@ -58,13 +59,6 @@ constexpr ArrayNames kFogCoordNames{GL_FOG_COORD_ARRAY,         0,
 constexpr ArrayNames kTexCoordNames{GL_TEXTURE_COORD_ARRAY,         GL_TEXTURE_COORD_ARRAY_SIZE,
                                     GL_TEXTURE_COORD_ARRAY_TYPE,    GL_TEXTURE_COORD_ARRAY_STRIDE,
                                     GL_TEXTURE_COORD_ARRAY_POINTER, GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING};
-
-std::shared_ptr<Buffer> bufferNamed(ShareGroup& group, GLuint name) {
-  if (name == 0) return nullptr;
-  auto buffer = group.buffers.find(name);
-  if (!buffer) group.buffers.put(name, buffer = std::make_shared<Buffer>(name));
-  return buffer;
-}
 
 /// `size`: of arrays whose size cannot be chosen.
 ArraySource readArray(const RealGl& real, ShareGroup& group, const ArrayNames& names, bool normalized,
@@ -119,12 +113,24 @@ bool genericArrayOn(const RealGl& real, GLuint index) {
   return on != 0;
 }
 
+}  // namespace
+
+std::shared_ptr<Buffer> bufferNamed(ShareGroup& group, GLuint name) {
+  if (name == 0) return nullptr;
+  auto buffer = group.buffers.find(name);
+  if (!buffer) group.buffers.put(name, buffer = std::make_shared<Buffer>(name));
+  return buffer;
+}
+
 bool isReadable(const ArraySource& source) {
   return !source.enabled || (isPlainType(source.type) && source.size >= 1 && source.size <= 4 &&
                              !(source.buffer && source.buffer->foreign));
 }
 
-}  // namespace
+bool restartsPrimitives(const RealGl& real) {
+  return (isPresent(real.PrimitiveRestartIndex) && isOn(real, GL_PRIMITIVE_RESTART)) ||
+         (versionOf(real) >= 43 && isOn(real, GL_PRIMITIVE_RESTART_FIXED_INDEX));
+}
 
 void readArrays(const RealGl& real, ShareGroup& group, ArrayState& state) {
   state = {};
@@ -139,11 +145,10 @@ void readArrays(const RealGl& real, ShareGroup& group, ArrayState& state) {
     state.elements = bufferNamed(group, static_cast<GLuint>(integer(real, GL_ELEMENT_ARRAY_BUFFER_BINDING)));
   state.others = state.others || otherArraysOn(real);
   for (GLuint i = 0; i < 16; ++i) state.others = state.others || genericArrayOn(real, i);
-  const bool restart = (isPresent(real.PrimitiveRestartIndex) && isOn(real, GL_PRIMITIVE_RESTART)) ||
-                       (versionOf(real) >= 43 && isOn(real, GL_PRIMITIVE_RESTART_FIXED_INDEX));
   bool readable = true;
   state.forEach([&](const ArraySource& source) { readable = readable && isReadable(source); });
-  if (!readable || restart || genericArrayOn(real, 0) || (state.elements && state.elements->foreign))
+  if (!readable || restartsPrimitives(real) || genericArrayOn(real, 0) ||
+      (state.elements && state.elements->foreign))
     state.reason = Reason::arrayState;
 }
 

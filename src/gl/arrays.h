@@ -26,6 +26,7 @@ struct ArrayState {
   ArraySource vertex, normal, color, secondaryColor, fogCoord, texcoord;
   std::vector<ArraySource> texcoordsAbove;  // of texture units 1, 2 ... up to the last that is enabled
   std::shared_ptr<Buffer> elements;         // bound to GL_ELEMENT_ARRAY_BUFFER
+  std::vector<ArraySource> generic;         // of shader programs: those on that the family does not name
   bool others = false;             // arrays that only the real OpenGL handles are on (edge flags ...)
   Reason reason = Reason::traced;  // why these arrays cannot be traced
 
@@ -46,6 +47,15 @@ struct Elements {
   const void* indices = nullptr;  // memory, or an offset into the element buffer
   GLint base = 0;                 // added to each index
 };
+
+/// Bytes of a component.
+size_t sizeOfType(GLenum type);
+/// Whether its elements can be read as floats.
+bool isReadable(const ArraySource& source);
+/// Whether index values end primitives.
+bool restartsPrimitives(const RealGl& real);
+/// The buffer of this name, made where it is not known yet; null for 0.
+std::shared_ptr<Buffer> bufferNamed(ShareGroup& group, GLuint name);
 
 /// Reads the pointers and enables back from the real OpenGL.
 void readArrays(const RealGl& real, ShareGroup& group, ArrayState& state);

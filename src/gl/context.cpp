@@ -24,7 +24,7 @@ Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const 
       group_(std::move(group)),
       info_(info),
       presenter_(presenter),
-      passthrough_(info.off || info.core),
+      passthrough_(info.off),
       latch_(info.settings.quirks.has(Quirk::materialLatch)),
       unknownCalls_(kCommandCount) {
   ++group_->contexts;
@@ -100,7 +100,7 @@ GLenum Context::takeError() {
 }
 
 void Context::refresh(uint32_t groups) noexcept {
-  const uint32_t stale = dirty & groups;
+  const uint32_t stale = dirty & (info_.core ? groups & ~kFixedFunction : groups);
   if (stale) protect([&] { readGroups(stale); });
 }
 
@@ -108,6 +108,7 @@ void Context::readGroups(uint32_t stale) {
   // A question that the real OpenGL refuses after all sets an error; the program must see its own only.
   if (const GLenum pending = real.GetError()) setError(pending);
   if (!state.rare.asked) state.rare = readRareState(real);
+  state.rare.fixedFunction = !info_.core;
   if (stale & kCurrent) readCurrent();
   syncCurrent();
   if (stale & kModelview) readModelview(real, state);
@@ -123,10 +124,12 @@ void Context::readGroups(uint32_t stale) {
   } else if (stale & kCurrent) {
     latch_.restore(real);
   }
-  if (stale & kTexture) textures_.read(real, state);
+  if (stale & kFixedTextures) textures_.read(real, state);
   if (stale & kClip) readClipPlanes(real, state);
-  if (stale & kTarget) readTarget(real, state, info_.core);
-  if (stale & kArrays) readArrays(real, *group_, arrays);
+  if (stale & kTarget) readTarget(real, state);
+  if (stale & kFixedArrays) readArrays(real, *group_, arrays);
+  if (stale & (kProgram | kProgramTextures)) readCurrentProgram();
+  if (stale & kAttributes) readAttributes(real, *group_, state.program.known.get(), attributes);
   while (real.GetError() != GL_NO_ERROR) {}
   dirty &= ~stale;
 }
@@ -181,10 +184,18 @@ void Context::sendBuffers() {
     if (buffer) buffer->sendTo(real);
   };
   if (!group_->anyBuffersHeldBack()) return;
-  refresh(kArrays);
-  arrays.forEach([&](const ArraySource& source) { send(source.buffer); });
-  send(arrays.elements);
-  if (!arrays.others) return;
+  refresh(kRaster);
+  const bool program = state.raster.program != 0 || info_.core;
+  refresh(program ? kProgram | kAttributes : uint32_t{kFixedArrays});
+  const ArrayState& used = program ? attributes : arrays;
+  used.forEach([&](const ArraySource& source) { send(source.buffer); });
+  for (const ArraySource& source : used.generic) send(source.buffer);
+  send(used.elements);
+  // Fixed-function arrays may feed programs that use built-in attributes.
+  if (program && info_.core) return;
+  if (program) refresh(kFixedArrays);
+  if (program) arrays.forEach([&](const ArraySource& source) { send(source.buffer); });
+  if (!arrays.others || program) return;
   for (const auto& buffer : group_->buffers.all()) send(buffer);
 }
 

@@ -32,14 +32,15 @@ class ListOp;
 class GeometryRun;
 
 struct ContextInfo {
-  bool core = false;           // core profile or OpenGL ES: everything is rasterised
+  bool core = false;           // core profile: no fixed function
   bool doubleBuffered = true;  // otherwise glFlush and glFinish show the picture
   bool off = false;            // pass every call through
   Settings settings;
   /// Width and height of the window or pixmap that the context draws into, in pixels; {0, 0} if that is
   /// unknown. May be slow: asked only where a viewport is larger than what was known. Empty: never known.
   std::function<glm::ivec2()> drawableSize;
-  std::shared_ptr<DrawKinds> kinds;  // takes what is drawn, by kind; null: nobody explains
+  std::shared_ptr<DrawKinds> kinds;            // takes what is drawn, by kind; null: nobody explains
+  std::shared_ptr<const FamilyList> families;  // of shader programs; null: those that are built in
   /// Called before and after a frame of a single-buffered context ends. May be empty.
   std::function<void()> frameEnding, frameEnded;
 };
@@ -66,7 +67,8 @@ class Context {
       false;  // passthrough, inside glBegin, a run is open, or a list is compiled: stubs ask gate()
   uint32_t dirty = kAllGroups;  // StateGroups to read back before the next draw needs them
   State state;                  // valid where not dirty; use refresh()
-  ArrayState arrays;            // the same for kArrays
+  ArrayState arrays;            // the same for kFixedArrays
+  ArrayState attributes;        // the same for kAttributes
   Statistics statistics;
   uint64_t frame = 1;
 
@@ -185,6 +187,11 @@ class Context {
   Reason triage(const KnownMesh& mesh, const std::vector<MaterialChange>& materials);
   /// Whether every fragment of a surface with this mesh has alpha 1.
   bool isOpaque(const KnownMesh& mesh, const std::vector<MaterialChange>& materials) const;
+  /// The same of a surface drawn by the current shader program. Call refresh(kProgramGroups) before.
+  Reason triageProgram(PrimitiveClass kind);
+  Reason triageProgram(const KnownMesh& mesh) const;
+  /// Adds a mesh drawn by the current shader program to the batch.
+  void addProgramInstance(const scene::MeshPtr& mesh);
   /// Runs `trace`, which says whether it added a draw to the batch. A failure of ours makes the draw
   /// rasterised, not lost.
   template <class F>
@@ -281,6 +288,8 @@ class Context {
   GLint deepestAttrib_ = 0;  // 0: not known yet
 
   void clampToTarget(scene::Region& region);
+  void readCurrentProgram();
+  const FamilyList& families() const;
   glm::ivec2 drawableSize_{0};  // largest size that the window is known to have had
   scene::Region sizeAskedFor_;
   TextureCache textures_{*group_};
@@ -316,6 +325,10 @@ Reason Context::attempt(F&& trace) {
 
 /// Groups that decide whether and how a surface is traced.
 inline constexpr uint32_t kDrawGroups = kModelview | kProjection | kViewport | kRaster | kLighting |
-                                        kMaterial | kTexture | kClip | kTarget | kCurrent;
+                                        kMaterial | kFixedTextures | kClip | kTarget | kCurrent;
+
+/// The same for surfaces that a shader program draws.
+inline constexpr uint32_t kProgramGroups =
+    kViewport | kRaster | kTarget | kClip | kProgram | kProgramTextures | kAttributes;
 
 }  // namespace gluray::gl

@@ -110,7 +110,7 @@ class ElementSender {
 
 void arrayElement(Context& c, GLint i) {
   if (c.inside() == Context::Inside::rasterised) return c.rasterElement(i);
-  c.refresh(kArrays);
+  c.refresh(kFixedArrays);
   // Arrays that we do not read: the real OpenGL takes over the primitive.
   if (c.arrays.others || c.arrays.reason != Reason::traced) {
     if (!c.insideBegin() && c.compiling()) {
@@ -176,7 +176,7 @@ constexpr GLsizei kSmall = 192;  // vertices: below, draws join a run instead of
 
 /// Records a draw: dereferenced now, as display lists demand (GL 2.1, 5.4).
 void recordDraw(Context& c, GLenum mode, const Elements& e) {
-  c.refresh(kArrays);
+  c.refresh(kFixedArrays);
   // Without positions it may draw at the current one: the real OpenGL knows.
   if (c.arrays.others || c.arrays.reason != Reason::traced || mode > GL_POLYGON || !c.arrays.vertex.enabled) {
     c.sendBuffers();
@@ -195,12 +195,12 @@ void recordDraw(Context& c, GLenum mode, const Elements& e) {
 }
 
 /// The mesh of the draw, known or new.
-KnownMesh meshOf(Context& c, GLenum mode, const Elements& e) {
+KnownMesh meshOf(Context& c, const ArrayState& arrays, GLenum mode, const Elements& e) {
   const double start = nowSeconds();
   KnownMesh known;
-  const Hash128 content = contentOf(c.real, c.arrays, mode, e);
+  const Hash128 content = contentOf(c.real, arrays, mode, e);
   if (!c.group().meshes.find(content, known)) {
-    known = buildArrayMesh(c.real, c.arrays, mode, e);
+    known = buildArrayMesh(c.real, arrays, mode, e);
     c.group().meshes.put(content, known);
     ++c.statistics.meshesBuilt;
     if (known.mesh) c.statistics.meshBytes += known.mesh->sizeBytes;
@@ -216,7 +216,7 @@ Reason traceDraw(Context& c, GLenum mode, const Elements& e) {
   if (reason == Reason::traced) reason = c.arrays.reason;
   if (reason != Reason::traced) return reason;
   return c.attempt([&] {
-    const KnownMesh known = meshOf(c, mode, e);
+    const KnownMesh known = meshOf(c, c.arrays, mode, e);
     const Reason fine = c.triage(known, {});
     if (fine != Reason::traced) return fine;
     c.addInstance(known.mesh, slotsOf(c.arrays), {});
@@ -254,11 +254,40 @@ std::vector<Triangle> sampleTriangles(const Context& c, GLenum mode, const Eleme
   return triangles;
 }
 
+/// Traces what the current shader program draws if that can be right; says why not otherwise.
+Reason traceProgram(Context& c, GLenum mode, const Elements& e) {
+  if (mode > GL_POLYGON) return Reason::program;
+  const Reason reason = c.triageProgram(classOf(mode));
+  if (reason != Reason::traced) return reason;
+  return c.attempt([&] {
+    const KnownMesh known = meshOf(c, c.attributes, mode, e);
+    const Reason fine = c.triageProgram(known);
+    if (fine != Reason::traced) return fine;
+    c.addProgramInstance(known.mesh);
+    c.countTraced(pathOf(e), known.mesh->triangleCount);
+    return fine;
+  });
+}
+
+void drawByProgram(Context& c, GLenum mode, const Elements& e) {
+  c.refresh(kProgramGroups);
+  c.closeRunIfOpen();
+  const Reason reason = traceProgram(c, mode, e);
+  if (reason == Reason::traced) return;
+  const PrimitiveClass kind = mode <= GL_POLYGON ? classOf(mode) : PrimitiveClass::lines;
+  c.countRaster(reason, pathOf(e), kind, countTriangles(mode, static_cast<uint64_t>(e.count)));
+  c.beforeRasterDraw(kind);
+  c.sendBuffers();
+  rasterise(c, mode, e);
+}
+
 void draw(Context& c, GLenum mode, const Elements& e) {
   if (!validate(c, mode, e) || e.count == 0 || e.first < 0) return;  // what lies before an array is nobody's
   if (c.compiling()) return recordDraw(c, mode, e);
   const DrawTimer timer(c.kinds());
-  c.refresh(kDrawGroups | kArrays);
+  c.refresh(kRaster);
+  if (c.state.raster.program != 0 || c.info().core) return drawByProgram(c, mode, e);
+  c.refresh(kDrawGroups | kFixedArrays);
   const bool plain = mode <= GL_POLYGON && c.arrays.reason == Reason::traced && c.arrays.vertex.enabled;
   if (plain && e.count <= kSmall && c.triage(classOf(mode)) == Reason::traced) {
     const Reason joined = c.attempt([&] {
@@ -275,7 +304,7 @@ void draw(Context& c, GLenum mode, const Elements& e) {
   if (c.arrays.vertex.enabled && c.arrays.reason == Reason::traced && c.mayMeetPasses(kind))
     c.protect([&] { c.meetPasses(sampleTriangles(c, mode, e)); });
   if (c.arrays.vertex.enabled && c.arrays.reason == Reason::traced && c.isPass(kind, reason))
-    c.protect([&] { c.rememberPass(meshOf(c, mode, e)); });
+    c.protect([&] { c.rememberPass(meshOf(c, c.arrays, mode, e)); });
   c.countRaster(reason, pathOf(e), kind, countTriangles(mode, static_cast<uint64_t>(e.count)));
   c.beforeRasterDraw(kind);
   c.sendBuffers();

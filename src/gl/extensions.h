@@ -18,6 +18,7 @@ bool hasExtension(const RealGl& real, int version, std::string_view name);
 /// State of later versions and extensions that a context may have beside that of OpenGL 1.5.
 struct RareState {
   bool asked = false;
+  bool fixedFunction = true;  // not in core profiles
   bool framebufferObjects = false, rasterizerDiscard = false, framebufferSrgb = false;
   bool depthClamp = false, depthBounds = false, clipControl = false, provokingVertex = false;
   bool offsetClamp = false, fogDistance = false, sampleMask = false, rectangles = false;

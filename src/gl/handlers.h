@@ -95,6 +95,8 @@ void endConditionalRender(Context& c);
 void matrixMode(Context& c, GLenum mode);
 /// Groups that commands on the current matrix touch.
 uint32_t matrixGroups(Context& c);
+/// A program is linked anew or deleted. Groups to touch.
+uint32_t programChanged(Context& c, GLuint program);
 /// A texture is attached to a framebuffer, another framebuffer is bound. Groups to touch.
 uint32_t textureAttached(Context& c, GLuint texture);
 uint32_t framebufferBound(Context& c);

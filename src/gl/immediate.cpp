@@ -34,7 +34,7 @@ void invalidUnit() noexcept {
 void vertexAttribSlow(GLuint index, float x, float y, float z, float w) noexcept {
   Context* c = t_thread.context;
   if (!c) return;
-  if (c->passthrough())
+  if (c->passthrough() || c->info().core)
     c->real.VertexAttrib4f(index, x, y, z, w);
   else if (index == 0)
     vertex(x, y, z, w);
@@ -46,7 +46,7 @@ void vertexAttribSlow(GLuint index, float x, float y, float z, float w) noexcept
 
 void Context::attribute(Slot slot, const float* values) {
   const auto keep = [&] { std::memcpy(current_[slot].data(), values, sizeOf(slot) * sizeof(float)); };
-  if (passthrough_) return sendAttribute(real, slot, values);
+  if (passthrough_ || info_.core) return sendAttribute(real, slot, values);
   if (inside_ == Inside::rasterised) {
     sendAttribute(real, slot, values);
     return openFragment_ ? void() : keep();

@@ -86,7 +86,7 @@ Reason fogReason(const RealGl& real, const RareState& has) {
 
 /// Why per-fragment operations rule tracing out, cheapest and commonest questions first.
 Reason fragmentReason(const RealGl& real, const RareState& has, RasterState& raster) {
-  if (integer(real, GL_RENDER_MODE) != GL_RENDER) return Reason::renderMode;
+  if (has.fixedFunction && integer(real, GL_RENDER_MODE) != GL_RENDER) return Reason::renderMode;
   if (!isOn(real, GL_DEPTH_TEST)) return Reason::noDepthTest;
   if (raster.depthFunc != GL_LESS && raster.depthFunc != GL_LEQUAL) return Reason::depthFunc;
   if (!integer(real, GL_DEPTH_WRITEMASK)) return Reason::depthMask;
@@ -96,10 +96,11 @@ Reason fragmentReason(const RealGl& real, const RareState& has, RasterState& ras
   if (isOn(real, GL_STENCIL_TEST)) return Reason::stencil;
   if (isOn(real, GL_COLOR_LOGIC_OP)) return Reason::logicOp;
   if (const Reason fog = fogReason(real, has); fog != Reason::traced) return fog;
-  if (isPresent(real.UseProgram) && integer(real, GL_CURRENT_PROGRAM) != 0) return Reason::program;
-  if (isPresent(real.BindProgramPipeline) && integer(real, GL_PROGRAM_PIPELINE_BINDING) != 0)
+  if (raster.program == 0 && isPresent(real.BindProgramPipeline) &&
+      integer(real, GL_PROGRAM_PIPELINE_BINDING) != 0)
     return Reason::program;
-  if (has.assemblyPrograms && (isOn(real, GL_VERTEX_PROGRAM_ARB) || isOn(real, GL_FRAGMENT_PROGRAM_ARB)))
+  if (raster.program == 0 && has.assemblyPrograms &&
+      (isOn(real, GL_VERTEX_PROGRAM_ARB) || isOn(real, GL_FRAGMENT_PROGRAM_ARB)))
     return Reason::program;
   if (isOn(real, GL_SAMPLE_ALPHA_TO_COVERAGE) || isOn(real, GL_SAMPLE_COVERAGE) ||
       isOn(real, GL_SAMPLE_ALPHA_TO_ONE) || (has.sampleMask && isOn(real, GL_SAMPLE_MASK)))
@@ -111,11 +112,11 @@ Reason fragmentReason(const RealGl& real, const RareState& has, RasterState& ras
   return blend;
 }
 
-Reason polygonReason(const RealGl& real) {
+Reason polygonReason(const RealGl& real, const RareState& has) {
   GLint mode[2] = {GL_FILL, GL_FILL};
   real.GetIntegerv(GL_POLYGON_MODE, mode);
   if (mode[0] != GL_FILL || mode[1] != GL_FILL) return Reason::polygonMode;
-  if (isOn(real, GL_POLYGON_STIPPLE)) return Reason::polygonStipple;
+  if (has.fixedFunction && isOn(real, GL_POLYGON_STIPPLE)) return Reason::polygonStipple;
   if (isOn(real, GL_POLYGON_SMOOTH)) return Reason::polygonSmooth;
   return Reason::traced;
 }
@@ -136,18 +137,21 @@ void readRaster(const RealGl& real, State& state) {
   raster.depthFunc = static_cast<GLenum>(integer(real, GL_DEPTH_FUNC));
   raster.scissorTest = isOn(real, GL_SCISSOR_TEST);
   raster.unlessOpaque = Reason::traced;
+  raster.program = isPresent(real.UseProgram) ? static_cast<GLuint>(integer(real, GL_CURRENT_PROGRAM)) : 0;
   raster.reason = fragmentReason(real, state.rare, raster);
   // A draw that tests and writes depth, and replaces colour, meets pending traced surfaces in the depth
   // buffer.
   raster.orderFree = (raster.reason == Reason::traced || raster.reason == Reason::fog ||
                       raster.reason == Reason::program || raster.reason == Reason::renderMode) &&
                      !isOn(real, GL_BLEND);
-  if (raster.reason == Reason::traced) raster.reason = polygonReason(real);
+  if (raster.reason == Reason::traced) raster.reason = polygonReason(real, state.rare);
   raster.firstVertexProvokes =
       state.rare.provokingVertex && integer(real, GL_PROVOKING_VERTEX) != GL_LAST_VERTEX_CONVENTION;
   raster.multisample = isOn(real, GL_MULTISAMPLE);
-  raster.alphaTest = readAlphaTest(real);
-  state.shading.fog = readFog(real, state.rare);
+  if (state.rare.fixedFunction) {
+    raster.alphaTest = readAlphaTest(real);
+    state.shading.fog = readFog(real, state.rare);
+  }
   raster.cull = readCull(real);
   raster.frontFaceCcw = integer(real, GL_FRONT_FACE) == GL_CCW;
   raster.offsetFill = isOn(real, GL_POLYGON_OFFSET_FILL);

@@ -31,4 +31,25 @@ SharedNames ShareGroup::takeDiscarded() {
   return std::exchange(discarded_, {});
 }
 
+std::shared_ptr<const KnownProgram> ShareGroup::program(const RealGl& real, GLuint name,
+                                                        const FamilyList& families) {
+  const std::lock_guard lock(programsMutex_);
+  std::shared_ptr<const KnownProgram>& known = programs_[name];
+  if (!known) known = recognise(real, name, families);
+  return known;
+}
+
+void ShareGroup::programChanged(GLuint name) {
+  const std::lock_guard lock(programsMutex_);
+  programs_.erase(name);
+}
+
+std::vector<std::shared_ptr<const KnownProgram>> ShareGroup::programs() {
+  const std::lock_guard lock(programsMutex_);
+  std::vector<std::shared_ptr<const KnownProgram>> all;
+  for (const auto& [name, known] : programs_)
+    if (known) all.push_back(known);
+  return all;
+}
+
 }  // namespace gluray::gl

@@ -4,6 +4,7 @@
 #pragma once
 #include "gl/mesh_cache.h"
 #include "gl/presenter.h"
+#include "gl/programs/match.h"
 
 #include <GL/gl.h>
 
@@ -91,6 +92,13 @@ class ShareGroup {
 
   bool anyBuffersHeldBack() const;
 
+  /// The program with its family; recognised once a link. Context of the group current.
+  std::shared_ptr<const KnownProgram> program(const RealGl& real, GLuint name, const FamilyList& families);
+  /// It is linked anew, or gone: to be recognised again.
+  void programChanged(GLuint name);
+  /// Programs recognised so far that are not traced, and why.
+  std::vector<std::shared_ptr<const KnownProgram>> programs();
+
   /// Real lists whose owner is gone; deleted by the next context of the group that is current.
   void discardRealList(GLuint id);
   /// The same for whatever a context leaves behind.
@@ -100,6 +108,8 @@ class ShareGroup {
  private:
   std::mutex mutex_;
   SharedNames discarded_;
+  std::mutex programsMutex_;
+  std::unordered_map<GLuint, std::shared_ptr<const KnownProgram>> programs_;
 };
 
 }  // namespace gluray::gl

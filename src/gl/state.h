@@ -3,6 +3,7 @@
 // since. GL thread.
 #pragma once
 #include "gl/extensions.h"
+#include "gl/programs/program_state.h"
 #include "gl/real.h"
 #include "gl/reasons.h"
 #include "scene/snapshot.h"
@@ -23,13 +24,21 @@ enum StateGroup : uint32_t {
   kRaster = 1 << 3,    // per-fragment operations and polygon state, with their enables
   kLighting = 1 << 4,  // lights, light model, shade model, colour material, normalisation
   kMaterial = 1 << 5,
-  kTexture = 1 << 6,
-  kClip = 1 << 7,      // clip planes
-  kTarget = 1 << 8,    // draw framebuffer and draw buffer
-  kArrays = 1 << 9,    // vertex array pointers and enables
-  kCurrent = 1 << 10,  // current vertex attributes were changed other than by attribute calls
-  kAllGroups = (1 << 11) - 1
+  kFixedTextures = 1 << 6,  // texture units of fixed function
+  kClip = 1 << 7,           // clip planes
+  kTarget = 1 << 8,         // draw framebuffer and draw buffer
+  kFixedArrays = 1 << 9,    // vertex array pointers and enables, of fixed function
+  kCurrent = 1 << 10,       // current vertex attributes were changed other than by attribute calls
+  kAttributes = 1 << 11,    // vertex arrays of shader programs
+  kProgram = 1 << 12,       // the current shader program and its uniforms
+  kArrays = kFixedArrays | kAttributes,
+  kProgramTextures = 1 << 13,  // what samplers of shader programs read
+  kTexture = kFixedTextures | kProgramTextures,
+  kAllGroups = (1 << 14) - 1
 };
+/// Groups that core profiles do not have.
+constexpr uint32_t kFixedFunction =
+    kModelview | kProjection | kLighting | kMaterial | kFixedTextures | kClip | kFixedArrays | kCurrent;
 
 /// Groups that glEnable and glDisable of this capability touch.
 uint32_t groupsOfCapability(GLenum capability);
@@ -37,6 +46,7 @@ uint32_t groupsOfCapability(GLenum capability);
 constexpr uint32_t kAttribGroups = kAllGroups & ~uint32_t{kArrays | kProjection};
 
 struct RasterState {
+  GLuint program = 0;                    // current shader program
   Reason reason = Reason::traced;        // why surfaces cannot be traced whatever their vertices, or `traced`
   Reason unlessOpaque = Reason::traced;  // why surfaces cannot be traced whose alpha is not 1, or `traced`
   bool scissorTest = false;
@@ -75,6 +85,7 @@ struct State {
   std::vector<scene::Texture> textures;  // of the enabled units
   std::vector<glm::dvec4> clipPlanes;    // eye space, enabled ones
   TargetState target;
+  ProgramState program;  // where raster.program is not 0
 };
 
 void readModelview(const RealGl& real, State& state);
@@ -84,6 +95,6 @@ void readRaster(const RealGl& real, State& state);
 void readLighting(const RealGl& real, State& state);
 void readMaterial(const RealGl& real, State& state);
 void readClipPlanes(const RealGl& real, State& state);
-void readTarget(const RealGl& real, State& state, bool core);
+void readTarget(const RealGl& real, State& state);
 
 }  // namespace gluray::gl

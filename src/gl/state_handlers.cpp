@@ -161,4 +161,9 @@ uint32_t imagesChanged(Context& c) {
   return kTexture;
 }
 
+uint32_t programChanged(Context& c, GLuint program) {
+  c.group().programChanged(program);
+  return kRaster | kProgram | kAttributes;
+}
+
 }  // namespace gluray::gl

@@ -57,7 +57,7 @@ glm::ivec2 attachmentSize(const RealGl& real, GLenum attachment) {
 
 }  // namespace
 
-void readTarget(const RealGl& real, State& state, bool core) {
+void readTarget(const RealGl& real, State& state) {
   TargetState& target = state.target;
   target.size = {0, 0};
   target.reason = Reason::traced;
@@ -66,10 +66,6 @@ void readTarget(const RealGl& real, State& state, bool core) {
   target.drawBuffer = static_cast<GLenum>(integer(real, GL_DRAW_BUFFER));
   target.samples = std::max(1, integer(real, GL_SAMPLES));
   target.samplePositions.assign(static_cast<size_t>(target.samples), glm::vec2(0.5f));
-  if (core) {
-    target.reason = Reason::program;  // core profiles draw with shaders only
-    return;
-  }
   if (!isSingleDrawBuffer(target.drawBuffer)) target.reason = Reason::drawBuffer;
   if (target.framebuffer != 0) {
     if (real.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)

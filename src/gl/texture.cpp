@@ -1,5 +1,6 @@
 #include "gl/texture.h"
 
+#include "gl/arrays.h"
 #include "gl/share_group.h"
 #include "gl/state_queries.h"
 #include "gl/texture_env.h"
@@ -79,9 +80,9 @@ scene::LodRule lodRuleOf(const RealGl& real) {
 }
 
 /// Level of detail: bias of unit and texture, limits.
-void readLod(const RealGl& real, GLenum target, scene::Texture& texture) {
+void readLod(const RealGl& real, const RareState& has, GLenum target, scene::Texture& texture) {
   GLfloat unit = 0, own = 0;
-  real.GetTexEnvfv(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, &unit);
+  if (has.fixedFunction) real.GetTexEnvfv(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, &unit);
   real.GetTexParameterfv(target, GL_TEXTURE_LOD_BIAS, &own);
   GLfloat most = 16;
   real.GetFloatv(GL_MAX_TEXTURE_LOD_BIAS, &most);
@@ -107,7 +108,7 @@ Reason readSampling(const RealGl& real, const RareState& has, GLenum target, sce
   texture.minFilter = toFilter(min);
   texture.mipFilter = toMipFilter(min);
   real.GetTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, glm::value_ptr(texture.borderColor));
-  readLod(real, target, texture);
+  readLod(real, has, target, texture);
   GLfloat anisotropy = 1;
   if (has.anisotropy) real.GetTexParameterfv(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, &anisotropy);
   if (anisotropy > 1) return Reason::textureAnisotropy;
@@ -228,9 +229,101 @@ Reason TextureCache::readUnit(const RealGl& real, GLint unit, State& state) {
   return reason;
 }
 
-void TextureCache::read(const RealGl& real, State& state) {
+namespace {
+
+/// The target that a sampler reads, null for samplers that are not traced.
+const Target* targetOfSampler(GLenum sampler) {
+  const auto target = [&] {
+    switch (sampler) {
+      case GL_SAMPLER_1D: return scene::TextureTarget::texture1D;
+      case GL_SAMPLER_3D: return scene::TextureTarget::texture3D;
+      case GL_SAMPLER_CUBE: return scene::TextureTarget::cubeMap;
+      case GL_SAMPLER_2D_RECT: return scene::TextureTarget::rectangle;
+      default: return scene::TextureTarget::texture2D;
+    }
+  }();
+  const bool known = sampler == GL_SAMPLER_1D || sampler == GL_SAMPLER_2D || sampler == GL_SAMPLER_3D ||
+                     sampler == GL_SAMPLER_CUBE || sampler == GL_SAMPLER_2D_RECT;
+  const auto* found = std::find_if(std::begin(kTargets), std::end(kTargets),
+                                   [&](const Target& t) { return t.kind == target; });
+  return known ? found : nullptr;
+}
+
+}  // namespace
+
+Reason TextureCache::bound(const RealGl& real, const RareState& has, GLint unit, GLenum sampler,
+                           scene::Texture& texture) {
+  const Target* target = targetOfSampler(sampler);
+  if (!target) return Reason::textureFormat;
+  forgetChanged();
+  ActiveUnit active(real);
+  active.select(static_cast<GLenum>(GL_TEXTURE0 + unit));
+  texture.target = target->kind;
+  if (isPresent(real.BindSampler) && integer(real, GL_SAMPLER_BINDING) != 0) return Reason::textureFormat;
+  if (const Reason sampling = readSampling(real, has, target->name, texture); sampling != Reason::traced)
+    return sampling;
+  const ImageRange range = rangeOf(real, has, target->name, texture.mipFilter != scene::MipFilter::none);
+  if (range.levels == 0) return Reason::textureIncomplete;
+  Reason reason = Reason::traced;
+  texture.image = image(real, has, target->name, range, reason);
+  // Luminance, alpha and intensity mean the same to programs as to fixed function; two channels do not.
+  return reason;
+}
+
+Reason TextureCache::buffer(const RealGl& real, ShareGroup& group, GLint unit, scene::Attribute& elements,
+                            uint32_t& count) {
+  elements = {};
+  if (!isPresent(real.TexBuffer)) return Reason::textureFormat;
+  ActiveUnit active(real);
+  active.select(static_cast<GLenum>(GL_TEXTURE0 + unit));
+  const auto ask = [&](GLenum name) {
+    GLint value = 0;
+    real.GetTexLevelParameteriv(GL_TEXTURE_BUFFER, 0, name, &value);
+    return value;
+  };
+  uint32_t stride = 0;
+  scene::Format format = scene::Format::none;
+  switch (ask(GL_TEXTURE_INTERNAL_FORMAT)) {
+    case GL_RGBA8: format = scene::Format::unorm8x4, stride = 4; break;
+    case GL_R32F: format = scene::Format::float1, stride = 4; break;
+    case GL_RG32F: format = scene::Format::float2, stride = 8; break;
+    case GL_RGB32F: format = scene::Format::float3, stride = 12; break;
+    case GL_RGBA32F: format = scene::Format::float4, stride = 16; break;
+    default: return Reason::textureFormat;
+  }
+  const auto buffer = bufferNamed(group, static_cast<GLuint>(ask(GL_TEXTURE_BUFFER_DATA_STORE_BINDING)));
+  const auto storage = buffer ? buffer->read(real) : nullptr;
+  if (!storage || buffer->foreign) return Reason::textureFormat;
+  size_t offset = 0, size = storage->size;
+  if (versionOf(real) >= 43) {
+    offset = static_cast<size_t>(ask(GL_TEXTURE_BUFFER_OFFSET));
+    const GLint part = ask(GL_TEXTURE_BUFFER_SIZE);
+    if (offset > size) return Reason::textureFormat;
+    size = std::min(size - offset, part > 0 ? static_cast<size_t>(part) : size);
+  }
+  elements = {storage, storage->data + offset, stride, format};
+  count = static_cast<uint32_t>(size / stride);
+  return Reason::traced;
+}
+
+bool TextureCache::isOpaque(const scene::Attribute& elements, uint32_t count) {
+  if (elements.format != scene::Format::float4 && elements.format != scene::Format::unorm8x4) return true;
+  if (!askedAbout_.expired() && !askedAbout_.owner_before(elements.owner) &&
+      !elements.owner.owner_before(askedAbout_))
+    return wasOpaque_;
+  wasOpaque_ = true;
+  for (uint32_t i = 0; i < count && wasOpaque_; ++i) wasOpaque_ = scene::fetch(elements, i).a >= 1.0f;
+  askedAbout_ = elements.owner;
+  return wasOpaque_;
+}
+
+void TextureCache::forgetChanged() {
   const uint64_t changes = group_.textureChanges;
   if (std::exchange(changesKnown_, changes) != changes) images_.clear();
+}
+
+void TextureCache::read(const RealGl& real, State& state) {
+  forgetChanged();
   state.textures.clear();
   state.textureReason = Reason::traced;
   ActiveUnit active(real);

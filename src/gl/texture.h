@@ -30,6 +30,15 @@ class TextureCache {
   /// What was drawn into textures is finished for other contexts, too.
   void finished();
 
+  /// The texture that a sampler of type `sampler` (GL_SAMPLER_2D ...) reads on `unit`. Anything but
+  /// Reason::traced: why it cannot be traced.
+  Reason bound(const RealGl& real, const RareState& has, GLint unit, GLenum sampler, scene::Texture& texture);
+  /// The elements of the buffer texture on `unit`: bytes or floats, one to four a texel.
+  Reason buffer(const RealGl& real, ShareGroup& group, GLint unit, scene::Attribute& elements,
+                uint32_t& count);
+  /// Whether every element has alpha 1; remembered for the storage asked about last.
+  bool isOpaque(const scene::Attribute& elements, uint32_t count);
+
   /// Fills state.textures and state.textureReason from the enabled texture units.
   void read(const RealGl& real, State& state);
 
@@ -45,6 +54,8 @@ class TextureCache {
   Reason readUnit(const RealGl& real, GLint unit, State& state);
   std::shared_ptr<const scene::TextureImage> image(const RealGl& real, const RareState& has, GLenum target,
                                                    const ImageRange& range, Reason& reason);
+  /// Forgets images that another context may have changed.
+  void forgetChanged();
   /// Tells the other contexts that this one has changed an image.
   void tellOthers();
 
@@ -52,7 +63,9 @@ class TextureCache {
   uint64_t changesKnown_ = 0;  // of ShareGroup::textureChanges
   std::map<Key, std::shared_ptr<const scene::TextureImage>> images_;
   std::set<GLuint> attached_;  // by name, ever
-  bool forgotten_ = false;     // any may have been attached
+  std::weak_ptr<const void> askedAbout_;
+  bool wasOpaque_ = false;
+  bool forgotten_ = false;  // any may have been attached
 };
 
 }  // namespace gluray::gl

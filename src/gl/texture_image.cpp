@@ -47,12 +47,12 @@ LevelSize sizeOf(const RealGl& real, GLenum target, GLint level, int face = 0) {
 /// Pack and pixel transfer state of the program, set aside while texels are fetched.
 class PixelGuard {
  public:
-  explicit PixelGuard(const RealGl& real) : real_(real) {
+  PixelGuard(const RealGl& real, bool fixedFunction) : real_(real), transfers_(fixedFunction) {
     for (size_t i = 0; i < std::size(kPack); ++i) {
       real.GetIntegerv(kPack[i], &pack_[i]);
       real.PixelStorei(kPack[i], kPack[i] == GL_PACK_ALIGNMENT ? 4 : 0);
     }
-    for (size_t i = 0; i < std::size(kTransfer); ++i) {
+    for (size_t i = 0; transfers_ && i < std::size(kTransfer); ++i) {
       real.GetFloatv(kTransfer[i], &transfer_[i]);
       const GLfloat neutral = i < kScales ? 1.0f : 0.0f;
       if (transfer_[i] != neutral) real.PixelTransferf(kTransfer[i], neutral);
@@ -64,7 +64,7 @@ class PixelGuard {
   }
   ~PixelGuard() {
     for (size_t i = 0; i < std::size(kPack); ++i) real_.PixelStorei(kPack[i], pack_[i]);
-    for (size_t i = 0; i < std::size(kTransfer); ++i)
+    for (size_t i = 0; transfers_ && i < std::size(kTransfer); ++i)
       if (transfer_[i] != (i < kScales ? 1.0f : 0.0f)) real_.PixelTransferf(kTransfer[i], transfer_[i]);
     if (buffer_) real_.BindBuffer(GL_PIXEL_PACK_BUFFER, buffer_);
   }
@@ -80,6 +80,7 @@ class PixelGuard {
                                          GL_DEPTH_SCALE, GL_RED_BIAS,    GL_GREEN_BIAS, GL_BLUE_BIAS,
                                          GL_ALPHA_BIAS,  GL_DEPTH_BIAS,  GL_MAP_COLOR};
   const RealGl& real_;
+  bool transfers_;  // core profiles have none
   GLint pack_[std::size(kPack)] = {};
   GLfloat transfer_[std::size(kTransfer)] = {};
   GLuint buffer_ = 0;
@@ -105,14 +106,16 @@ std::optional<TexelForm> formOf(const RealGl& real, const RareState& has, GLenum
                                 const ImageRange& range) {
   const auto ask = [&](GLenum name) { return levelParameter(real, faceTarget(target, 0), range.base, name); };
   const GLint r = ask(GL_TEXTURE_RED_SIZE), g = ask(GL_TEXTURE_GREEN_SIZE), b = ask(GL_TEXTURE_BLUE_SIZE),
-              a = ask(GL_TEXTURE_ALPHA_SIZE), l = ask(GL_TEXTURE_LUMINANCE_SIZE),
-              i = ask(GL_TEXTURE_INTENSITY_SIZE), d = ask(GL_TEXTURE_DEPTH_SIZE);
+              a = ask(GL_TEXTURE_ALPHA_SIZE), l = has.fixedFunction ? ask(GL_TEXTURE_LUMINANCE_SIZE) : 0,
+              i = has.fixedFunction ? ask(GL_TEXTURE_INTENSITY_SIZE) : 0, d = ask(GL_TEXTURE_DEPTH_SIZE);
   TexelForm form;
   form.srgb = range.decode && isSrgb(ask(GL_TEXTURE_INTERNAL_FORMAT));
   form.depth = d > 0;
   form.bytes = std::max({r, g, b, a, l, i}) <= 8 && !form.srgb && !form.depth;
   for (const GLenum type : {GL_TEXTURE_RED_TYPE, GL_TEXTURE_GREEN_TYPE, GL_TEXTURE_BLUE_TYPE,
                             GL_TEXTURE_ALPHA_TYPE, GL_TEXTURE_LUMINANCE_TYPE, GL_TEXTURE_INTENSITY_TYPE}) {
+    if (!has.fixedFunction && (type == GL_TEXTURE_LUMINANCE_TYPE || type == GL_TEXTURE_INTENSITY_TYPE))
+      continue;
     const GLint t = has.textureTypes ? ask(type) : GL_UNSIGNED_NORMALIZED;
     if (t == GL_NONE || t == GL_UNSIGNED_NORMALIZED) continue;
     if (t != GL_FLOAT && t != GL_SIGNED_NORMALIZED) return std::nullopt;  // integers cannot be combined
@@ -225,7 +228,8 @@ ImageRange rangeOf(const RealGl& real, const RareState& has, GLenum target, bool
   }
   range.decode = !has.textureSrgb ||
                  parameter(real, target, GL_TEXTURE_SRGB_DECODE_EXT, GL_DECODE_EXT) != GL_SKIP_DECODE_EXT;
-  range.depthMode = static_cast<GLenum>(parameter(real, target, GL_DEPTH_TEXTURE_MODE, GL_LUMINANCE));
+  range.depthMode = static_cast<GLenum>(
+      has.fixedFunction ? parameter(real, target, GL_DEPTH_TEXTURE_MODE, GL_LUMINANCE) : GL_RED);
   const LevelSize base = sizeOf(real, target, range.base);
   if (base.width <= 0 || base.height <= 0 || base.depth <= 0 || most < range.base) return range;
   if (target == GL_TEXTURE_CUBE_MAP && base.width != base.height) return range;
@@ -255,7 +259,7 @@ std::shared_ptr<const scene::TextureImage> readImage(const RealGl& real, const R
   auto image = std::make_shared<scene::TextureImage>();
   image->baseFormat = form->base;
   image->mipmaps.resize(static_cast<size_t>(range.levels - 1));
-  const PixelGuard guard(real);
+  const PixelGuard guard(real, has.fixedFunction);
   readLevel(real, target, range.base, *form, *image);
   image->opaque = isOpaque(*image);
   for (size_t i = 0; i < image->mipmaps.size(); ++i) {

@@ -18,6 +18,7 @@ Reason Context::triage(PrimitiveClass kind) {
   if (kind == PrimitiveClass::points) return Reason::points;
   if (kind == PrimitiveClass::lines) return Reason::lines;
   if (state.raster.reason != Reason::traced) return state.raster.reason;
+  if (state.raster.program != 0) return Reason::program;
   if (state.raster.firstVertexProvokes && !state.shading.smooth) return Reason::provokingVertex;
   if (state.textureReason != Reason::traced) return state.textureReason;
   if (!state.modelviewInvertible || !state.projectionInvertible) return Reason::singularMatrix;

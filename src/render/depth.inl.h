@@ -65,8 +65,9 @@ HWY_ATTR inline void computeDepth(const Surface& surface, const DepthMap& map, c
     const Double ndc = hn::MulAdd(loadDouble(x + i), slopeX, hn::MulAdd(loadDouble(y + i), slopeY, atOrigin));
     Double depth = hn::MulAdd(ndc, hn::Set(d, map.scale), hn::Set(d, map.offset));
     if (hasOffset) {
-      const Double steepest =
-          hn::Mul(hn::Max(hn::Abs(slopeX), hn::Abs(slopeY)), hn::Set(d, std::abs(map.scale)));
+      const Double slope = map.euclidean ? hn::Sqrt(hn::MulAdd(slopeX, slopeX, hn::Mul(slopeY, slopeY)))
+                                         : hn::Max(hn::Abs(slopeX), hn::Abs(slopeY));
+      const Double steepest = hn::Mul(slope, hn::Set(d, std::abs(map.scale)));
       depth = hn::Add(depth, hn::MulAdd(steepest, hn::Set(d, map.slopeFactor), hn::Set(d, map.constant)));
     }
     storeFloat(hn::Min(hn::Max(depth, hn::Zero(d)), one), out.depth + i);

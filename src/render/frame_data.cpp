@@ -17,6 +17,7 @@ DepthMap makeDepthMap(const scene::Snapshot& snapshot) {
   map.scale = 0.5 * (f - n);
   map.offset = 0.5 * (f + n);
   map.slopeFactor = offset.factor;
+  map.euclidean = offset.euclidean;
   map.constant = static_cast<double>(offset.units) * offset.resolution;
   return map;
 }

@@ -14,7 +14,8 @@ namespace gluray::render {
 struct DepthMap {
   double scale = 0.5, offset = 0.5;  // window = scale * ndc + offset
   double slopeFactor = 0,
-         constant = 0;  // polygon offset: slopeFactor * steepest window-space slope + constant
+         constant = 0;     // polygon offset: slopeFactor * steepest window-space slope + constant
+  bool euclidean = false;  // the slope is the length of both directions' instead
 };
 
 struct FrameData {

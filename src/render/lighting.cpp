@@ -33,6 +33,8 @@ PreparedLight prepare(const scene::Light& light) {
 }  // namespace
 
 Lighting::Lighting(const scene::Shading& s) : shading(&s), globalAmbient(s.globalAmbient) {
+  for (const scene::FragmentLight& light : s.fragment.lights)
+    coneCosines.push_back(std::cos(light.coneAngle * kRadiansPerDegree));
   if (!s.lighting) return;
   lights.reserve(s.lights.size());
   for (const scene::Light& light : s.lights) {

@@ -25,6 +25,7 @@ struct PreparedLight {
 struct Lighting {
   const scene::Shading* shading = nullptr;
   std::vector<PreparedLight> lights;
+  std::vector<float> coneCosines;  // of the lights of a fragment program
   glm::vec3 globalAmbient{0};
   bool needsPosition = false;  // the eye-space position enters the equation
   explicit Lighting(const scene::Shading&);

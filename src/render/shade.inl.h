@@ -8,6 +8,7 @@
 #endif
 
 #include "render/fragment.inl.h"
+#include "render/fragment_program.inl.h"
 #include "render/frame_data.h"
 #include "render/material.inl.h"
 #include "render/textured_triangle.h"
@@ -185,11 +186,46 @@ HWY_ATTR inline void packColors(const LitRows& rows, uint32_t* color) {
   }
 }
 
+// What the textures of a fragment program leave of its colour: factors, so that bright colours are not cut
+// off in between.
+HWY_ATTR inline void multiplyByTextures(const FrameData& frame, const Surface& s, const Group& group,
+                                        const float* x, const float* y, LitRows& rows) {
+  TexturedTriangle triangle(s, frame.snapshot->camera);
+  for (uint32_t lanes = group.lanes; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    const glm::vec4 factor =
+        triangle.color(group.primitive[i], group.u[i], group.v[i], {x[i], y[i]}, glm::vec4(1));
+    for (int c = 0; c < 4; ++c) rows.value[c][i] *= factor[c];
+  }
+}
+
+// Colours as the surface's fragment program has them.
+HWY_ATTR inline void shadeByProgram(const FrameData& frame, const Surface& s, const Group& group,
+                                    uint32_t back, const float* x, const float* y, LitRows& rows) {
+  const bool twoMaterials = s.lighting->shading->fragment.backMaterial && (back & group.lanes) != 0;
+  runProgram(s, group, back, false, rows);
+  if (twoMaterials) {
+    LitRows backRows;
+    runProgram(s, group, back, true, backRows);
+    for (uint32_t lanes = back & group.lanes; lanes; lanes &= lanes - 1) {
+      const int i = std::countr_zero(lanes);
+      for (int c = 0; c < 4; ++c) rows.value[c][i] = backRows.value[c][i];
+    }
+  }
+  if (!s.lighting->shading->textures.empty()) multiplyByTextures(frame, s, group, x, y, rows);
+}
+
 /// RGBA8 colours of the group's lanes at window positions x, y; bit i of `back`: lane i shows its back face.
 /// Lanes outside the group get colours without meaning. Returns the lanes that fail the alpha test.
 HWY_ATTR inline uint32_t shade(const FrameData& frame, const Surface& s, const Group& group, uint32_t back,
                                const float* x, const float* y, uint32_t* color) {
   const scene::Shading& shading = *s.lighting->shading;
+  if (shading.fragment.model != scene::FragmentShading::Model::off) {
+    LitRows rows;
+    shadeByProgram(frame, s, group, back, x, y, rows);
+    packColors(rows, color);
+    return failingLanes(shading.alphaTest, rows) & group.lanes;
+  }
   Attributes attributes;
   loadAttributes(s, group, attributes);
   if (!shading.twoSided || !shading.lighting) back = 0;

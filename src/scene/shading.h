@@ -1,6 +1,7 @@
 // Everything of the OpenGL lighting equation (GL 2.1, section 2.14) that a draw had set, except per-vertex
 // values.
 #pragma once
+#include "scene/fragment_shading.h"
 #include "scene/texture.h"
 
 #include <glm/glm.hpp>
@@ -77,6 +78,8 @@ struct Shading {
   std::vector<Texture> textures;  // of the enabled texture units, in the order they are applied
   Fog fog;
   AlphaTest alphaTest;
+  FragmentShading
+      fragment;  // of shader programs; where it is on, of the above only textures and alphaTest count
   bool operator==(const Shading&) const = default;
 };
 

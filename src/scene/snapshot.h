@@ -15,10 +15,12 @@ namespace gluray::scene {
 
 enum class CullFace : uint8_t { none, front, back, both };
 
-/// glPolygonOffset of a batch: window depth is moved by factor*m + units*r (GL 2.1, 3.5.5), r = `resolution`.
+/// glPolygonOffset of a batch: window depth is moved by factor*m + units*r (GL 2.1, 3.5.5), r = `resolution`,
+/// m the larger of the slopes along x and y, or the length of both where a fragment program offsets itself.
 struct PolygonOffset {
   float factor = 0, units = 0;
   float resolution = 1.0f / 16777216.0f;  // smallest resolvable depth difference of the framebuffer
+  bool euclidean = false;
   bool operator==(const PolygonOffset&) const = default;
 };
 
@@ -62,6 +64,12 @@ struct Instance {
   }
   std::vector<MaterialPair>
       materials;  // indexed by the mesh's materials attribute; [0] where it has none. Never empty
+  // What fragment programs are given beside (Shading::fragment).
+  glm::mat4 lightingFromObject{1};  // the program's eye space
+  glm::mat3 normalMatrix{1};        // the program's own, for the mesh's normals and those a triangle
+  Attribute triangleColors;         // float4 or unorm8x4: triangle t has element triangleOffset + t
+  Attribute triangleNormals;        // float3 or float4, object space
+  uint32_t triangleOffset = 0;
   CullFace cull = CullFace::none;
   bool frontFaceCcw = true;  // GL_CCW is front
   std::vector<glm::dvec4>

@@ -1,0 +1,127 @@
+// Surfaces that shader programs draw: whether they can be traced, and how they join the batch.
+#include "gl/context.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gluray::gl {
+
+void Context::readCurrentProgram() {
+  ProgramState& program = state.program;
+  const GLuint name = isPresent(real.UseProgram) ? [&] {
+    GLint current = 0;
+    real.GetIntegerv(GL_CURRENT_PROGRAM, &current);
+    return static_cast<GLuint>(current);
+  }() : 0;
+  const auto before = program.known;
+  program.known = name ? group_->program(real, name, families()) : nullptr;
+  if (program.known != before) dirty |= kAttributes;
+  if (!program.known) return;
+  readProgram(real, *group_, state.rare, textures_, program);
+}
+
+const FamilyList& Context::families() const {
+  return info_.families ? *info_.families : builtInFamilies();
+}
+
+Reason Context::triageProgram(PrimitiveClass kind) {
+  if (aside_) return Reason::failure;
+  if (passthrough_) return Reason::off;
+  if (activeQueries > 0) return Reason::query;
+  if (state.target.reason != Reason::traced) return state.target.reason;
+  if (state.raster.reason == Reason::renderMode) return Reason::renderMode;
+  // What keeps the program from being traced says more than what kind of primitive it draws.
+  if (state.program.reason != Reason::traced) return state.program.reason;
+  if (kind == PrimitiveClass::points) return Reason::points;
+  if (kind == PrimitiveClass::lines) return Reason::lines;
+  if (state.raster.reason != Reason::traced) return state.raster.reason;
+  if (!info_.core && !state.clipPlanes.empty()) return Reason::program;  // programs clip in ways of their own
+  if (attributes.reason != Reason::traced) return attributes.reason;
+  return canTrace() ? Reason::traced : Reason::noGlsl;
+}
+
+namespace {
+
+bool isOpaque(const ProgramState& program, const scene::Mesh& mesh) {
+  using Color = scene::FragmentShading::Color;
+  const scene::FragmentShading& f = program.shading.fragment;
+  if (program.material.front.diffuse.a < 1) return false;
+  if (f.backMaterial && program.material.back.diffuse.a < 1) return false;
+  if (f.color == Color::vertices && !(mesh.colors ? mesh.opaqueColors : program.color.a >= 1)) return false;
+  if (f.color == Color::map && !f.map.front().image->opaque) return false;
+  if (f.color == Color::perTriangle && !program.opaqueTriangleColors) return false;
+  return std::all_of(program.shading.textures.begin(), program.shading.textures.end(),
+                     [](const scene::Texture& t) { return t.image->opaque; });
+}
+
+/// Whether the matrix maps points to points, w = 1 to w = 1, give or take the rounding of floats.
+bool isAffine(const glm::dmat4& m) {
+  const double scale = std::abs(m[3][3]);
+  if (!(std::abs(m[3][3] - 1) < 1e-4)) return false;
+  for (int c = 0; c < 3; ++c) {
+    const double reach = glm::length(glm::dvec3(m[c])) + glm::length(glm::dvec3(m[3]));
+    if (!(std::abs(m[c][3]) <= 1e-6 * std::max(scale, reach))) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Reason Context::triageProgram(const KnownMesh& known) const {
+  if (known.homogeneous || !known.mesh) return Reason::homogeneous;
+  const ProgramState& program = state.program;
+  const uint64_t triangles = known.mesh->triangleCount;
+  if (program.triangleColors && program.triangleOffset + triangles > program.triangleColorCount)
+    return Reason::arrayState;
+  if (program.triangleNormals && program.triangleOffset + triangles > program.triangleNormalCount)
+    return Reason::arrayState;
+  const bool opaque = gl::isOpaque(program, *known.mesh);
+  if (opaque) return Reason::traced;
+  if (state.raster.unlessOpaque != Reason::traced) return state.raster.unlessOpaque;
+  return Reason::traced;
+}
+
+void Context::addProgramInstance(const scene::MeshPtr& mesh) {
+  const ProgramState& program = state.program;
+  // One projection serves a batch. What programs give is a product, and taken apart it differs by roundings from
+  // draw to draw; so each draw is placed by what it does to points in the end.
+  state.projection = program.eyeFromObject ? program.clipFromObject * glm::inverse(*program.eyeFromObject)
+                                           : program.clipFromObject;
+  BatchKey key = Batch::keyOf(state);
+  key.offset = program.depthOffset;
+  clampToTarget(key.region);
+  if (key.region.width <= 0 || key.region.height <= 0 || mesh->triangleCount == 0) return;
+  if (!batch_.empty()) {
+    const glm::dmat4 placed = glm::inverse(batch_.key().projection) * program.clipFromObject;
+    if (isAffine(placed)) key.projection = batch_.key().projection;
+    if (!(batch_.key() == key)) flush();
+  }
+  state.projection = key.projection;
+  state.modelview = glm::inverse(state.projection) * program.clipFromObject;
+  for (int c = 0; c < 4; ++c) state.modelview[c][3] = c == 3 ? 1.0 : 0.0;
+  dirty |= kModelview | kProjection;  // of fixed function
+  if (batch_.empty()) batch_.start(key, state, info_.settings, frame);
+  scene::Instance instance;
+  instance.mesh = mesh;
+  instance.eyeFromObject = state.modelview;
+  instance.lightingFromObject = glm::mat4(program.eyeFromObject.value_or(glm::dmat4(1)));
+  instance.normalMatrix = program.normalMatrix;
+  instance.color = program.color;
+  instance.normal = program.normal;
+  instance.texcoord = program.texcoord;
+  instance.triangleColors = program.triangleColors;
+  instance.triangleNormals = program.triangleNormals;
+  instance.triangleOffset = program.triangleOffset;
+  instance.materials.push_back(program.material);
+  instance.cull = state.raster.cull;
+  instance.frontFaceCcw = state.raster.frontFaceCcw;
+  const glm::dmat4 objectFromEye = glm::inverse(state.modelview);
+  for (const glm::dvec4& plane : program.clipPlanes) instance.clipPlanes.push_back(plane * objectFromEye);
+  scene::Shading shading = program.shading;
+  shading.alphaTest = state.raster.alphaTest;
+  batch_.add(std::move(instance), std::move(shading));
+  passes_.drawn(mesh, state.modelview, Passes::How::pending, isPushedBack());
+  if (aside_) flush();  // the flush above failed: later draws are rasterised and must find this one drawn
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,103 @@
+// Program families: descriptions, as data, of shader programs whose pictures we know how to trace. A family says
+// by which names of active variables a program is recognised, and which of them carry geometry, matrices,
+// material and lights. Files: spec/programs/*.toml (built in) and what --program-families adds; format:
+// docs/program-families.md.
+#pragma once
+#include <array>
+#include <memory>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gluray::gl {
+
+/// A number, vector or matrix: the value of a uniform, or a constant. Empty: the family has none.
+struct FamilyValue {
+  std::string uniform;
+  std::vector<float> constant;
+  bool given() const { return !uniform.empty() || !constant.empty(); }
+};
+
+/// One face's reflectance. What is not given is 0 for intensities of ambient and specular, otherwise 1.
+struct FamilyMaterial {
+  FamilyValue ambientIntensity, ambientColor, diffuseIntensity, diffuseColor, specularIntensity, specularColor;
+  FamilyValue shininess, opacity;
+  bool given() const { return diffuseColor.given() || diffuseIntensity.given(); }
+};
+
+/// Lights are numbered from 0; {} in a name stands for the number. They are on as long as `color` is active.
+struct FamilyLights {
+  std::string color;
+  std::string direction;  // eye space, from the light to the surface, or towards it
+  bool towardsLight = false;
+  std::string position;    // eye space
+  std::string positional;  // not 0: the light has a position, otherwise a direction alone
+  std::string attenuation, coneAngle, exponent;
+};
+
+struct FamilyPbr {
+  FamilyValue metallic, roughness, baseF0, edgeTint, occlusionStrength, emissive;
+  bool given() const { return roughness.given(); }
+};
+
+struct Family {
+  enum class Model { unlit, phong, pbr };
+  /// What the exponent of the highlight is applied to: the reflected ray and the viewer, or normal and half
+  /// vector.
+  enum class Specular { reflect, half };
+  /// Normals of programs that get none with their vertices.
+  enum class NoNormals { refuse, triangle };
+
+  std::string name;
+  std::string rasteriseBecause;  // not empty: programs of this family are never traced, and why
+  std::vector<std::string> active, any, absent;  // names for recognition: all of, one of, none of
+  std::vector<std::string> absentOutputs;        // of the fragment shader
+  std::vector<std::string> ignored;              // may be active and mean nothing to the picture
+  bool strict = true;  // an active variable that the family does not mention makes the program unknown
+
+  std::string position, normal, color, texcoord;  // attributes
+  std::vector<std::string> clipFromObject, eyeFromObject;  // uniforms, multiplied from left to right
+  std::string normalMatrix;                                // uniform; empty: inverse transpose of eyeFromObject
+  NoNormals withoutNormals = NoNormals::refuse;
+  bool flipBackFaces = false;  // back faces are lit with the reversed normal
+  std::string parallelView;    // uniform, not 0: the viewer is at infinity (for triangle normals)
+
+  std::string colorMap;        // sampler; looked up at the texture coordinate, gives the colour
+  std::string triangleColors;  // buffer sampler: a colour a triangle
+  std::string triangleNormals;
+  std::string triangleOffset;  // uniform, added to the triangle's number
+  std::string uniformColors;   // uniform, not 0: colours of the material after all
+  bool colorIsDiffuseOnly = false;      // otherwise it replaces the ambient colour, too
+  std::vector<std::string> textures;    // samplers; multiply the lit colour
+
+  Model model = Model::phong;
+  Specular specular = Specular::reflect;
+  FamilyMaterial material, backMaterial;
+  FamilyLights lights;
+  FamilyPbr pbr;
+
+  std::string clipPlanes, clipPlaneCount;  // uniform array of planes in object space, how many of them count
+  FamilyValue depthOffset, depthFactor;    // added to window depth: offset, and factor times its slope
+
+  /// Every name that the family mentions, {} for the number of a light.
+  std::set<std::string, std::less<>> mentioned;
+  bool mentions(std::string_view name) const;
+};
+
+/// Families, the first that fits wins.
+using FamilyList = std::vector<std::shared_ptr<const Family>>;
+
+/// What is wrong with a family file, in one line with file and line number.
+struct FamilyError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Reads a family file's text; `file` names it in errors. Throws FamilyError.
+FamilyList parseFamilies(std::string_view text, const std::string& file);
+
+/// The families that are built in.
+const FamilyList& builtInFamilies();
+
+}  // namespace gluray::gl

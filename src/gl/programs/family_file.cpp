@@ -1,0 +1,263 @@
+// Family files: TOML to Family.
+#include "gl/programs/built_in_families.gen.h"
+#include "gl/programs/family.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace gluray::gl {
+namespace {
+
+/// Reads one [[family]] table. Every key that is asked for is known; others are mistakes.
+class FamilyReader {
+ public:
+  FamilyReader(const toml::table& table, const std::string& file, Family& family)
+      : file_(file), family_(family), table_(&table) {}
+
+  void read() {
+    text("name", family_.name);
+    if (family_.name.empty()) fail(*table_, "a family needs a name");
+    section("match", [&] { readMatch(); });
+    if (family_.active.empty() && family_.any.empty())
+      fail(*table_, "family \"" + family_.name + "\" needs match.active or match.any");
+    section("vertex", [&] { readVertex(); });
+    section("transform", [&] { readTransform(); });
+    section("normals", [&] { readNormals(); });
+    section("color", [&] { readColor(); });
+    section("material", [&] { readMaterial(family_.material); });
+    section("back_material", [&] { readMaterial(family_.backMaterial); });
+    section("lights", [&] { readLights(); });
+    section("pbr", [&] { readPbr(); });
+    section("clip", [&] { name("planes", family_.clipPlanes), name("count", family_.clipPlaneCount); });
+    section("depth", [&] { value("offset", family_.depthOffset), value("factor", family_.depthFactor); });
+    allKnown();
+    const bool traced = family_.rasteriseBecause.empty();
+    if (traced && (family_.position.empty() || family_.clipFromObject.empty()))
+      fail(*table_, "family \"" + family_.name +
+                        "\" needs vertex.position and transform.clip_from_object, or match.rasterise");
+  }
+
+ private:
+  [[noreturn]] void fail(const toml::node& at, const std::string& what) const {
+    throw FamilyError(file_ + ":" + std::to_string(at.source().begin.line) + ": " + what);
+  }
+  void mention(const std::string& name) {
+    if (!name.empty()) family_.mentioned.insert(name);
+  }
+  const toml::node* get(const char* key) {
+    known_.insert(key);
+    return table_->get(key);
+  }
+  /// A text without meaning as a name.
+  void text(const char* key, std::string& out) {
+    const toml::node* node = get(key);
+    if (!node) return;
+    const auto value = node->value_exact<std::string>();
+    if (!value) fail(*node, std::string(key) + " must be a text in quotes");
+    out = *value;
+  }
+  void name(const char* key, std::string& out) { text(key, out), mention(out); }
+  void flag(const char* key, bool& out) {
+    const toml::node* node = get(key);
+    if (!node) return;
+    const auto value = node->value_exact<bool>();
+    if (!value) fail(*node, std::string(key) + " must be true or false");
+    out = *value;
+  }
+  /// One name or a list of them.
+  void names(const char* key, std::vector<std::string>& out) {
+    const toml::node* node = get(key);
+    if (!node) return;
+    const auto add = [&](const toml::node& item) {
+      const auto value = item.value_exact<std::string>();
+      if (!value) fail(item, std::string(key) + " must be names in quotes");
+      out.push_back(*value), mention(*value);
+    };
+    if (const toml::array* list = node->as_array())
+      for (const toml::node& item : *list) add(item);
+    else
+      add(*node);
+  }
+  /// A uniform's name, a number, or a list of numbers.
+  void value(const char* key, FamilyValue& out) {
+    const toml::node* node = get(key);
+    if (!node) return;
+    if (const auto uniform = node->value_exact<std::string>()) {
+      out.uniform = *uniform;
+      return mention(out.uniform);
+    }
+    const auto add = [&](const toml::node& item) {
+      const auto number = item.value<double>();
+      if (!number) fail(item, std::string(key) + " must be a uniform's name, a number or a list of numbers");
+      out.constant.push_back(static_cast<float>(*number));
+    };
+    if (const toml::array* list = node->as_array())
+      for (const toml::node& item : *list) add(item);
+    else
+      add(*node);
+    if (out.constant.empty() || out.constant.size() > 4) fail(*node, std::string(key) + " has 1 to 4 numbers");
+  }
+  /// One of several words.
+  template <class Enum, size_t n>
+  void choice(const char* key, const std::pair<const char*, Enum> (&words)[n], Enum& out) {
+    std::string word;
+    text(key, word);
+    if (word.empty()) return;
+    std::string all;
+    for (const auto& [name, value] : words) {
+      if (word == name) return void(out = value);
+      all += (all.empty() ? "" : ", ") + std::string(name);
+    }
+    fail(*table_->get(key), std::string(key) + " must be one of: " + all);
+  }
+  template <class Read>
+  void section(const char* key, Read&& readIt) {
+    const toml::node* node = get(key);
+    if (!node) return;
+    const toml::table* inner = node->as_table();
+    if (!inner) fail(*node, std::string(key) + " must be a section");
+    const toml::table* outer = std::exchange(table_, inner);
+    std::set<std::string, std::less<>> known;
+    known_.swap(known);
+    readIt();
+    allKnown();
+    known_.swap(known);
+    table_ = outer;
+  }
+  void allKnown() const {
+    for (const auto& [key, node] : *table_)
+      if (!known_.contains(key.str())) fail(node, "unknown key \"" + std::string(key.str()) + "\"");
+  }
+
+  void readMatch() {
+    names("active", family_.active);
+    names("any", family_.any);
+    names("absent", family_.absent);
+    for (const std::string& a : family_.absent) family_.mentioned.erase(a);
+    std::vector<std::string> outputs;
+    names("absent_outputs", family_.absentOutputs);
+    names("ignored", family_.ignored);
+    flag("strict", family_.strict);
+    text("rasterise", family_.rasteriseBecause);
+  }
+  void readVertex() {
+    name("position", family_.position);
+    name("normal", family_.normal);
+    name("color", family_.color);
+    name("texcoord", family_.texcoord);
+  }
+  void readTransform() {
+    names("clip_from_object", family_.clipFromObject);
+    names("eye_from_object", family_.eyeFromObject);
+    name("normal_matrix", family_.normalMatrix);
+  }
+  void readNormals() {
+    choice("without", {{"refuse", Family::NoNormals::refuse}, {"triangle", Family::NoNormals::triangle}},
+           family_.withoutNormals);
+    flag("flip_back_faces", family_.flipBackFaces);
+    name("parallel_view", family_.parallelView);
+    name("per_triangle", family_.triangleNormals);
+  }
+  void readColor() {
+    name("map", family_.colorMap);
+    name("per_triangle", family_.triangleColors);
+    name("triangle_offset", family_.triangleOffset);
+    name("uniform_instead", family_.uniformColors);
+    flag("diffuse_only", family_.colorIsDiffuseOnly);
+    names("textures", family_.textures);
+  }
+  void readMaterial(FamilyMaterial& m) {
+    value("ambient_intensity", m.ambientIntensity);
+    value("ambient_color", m.ambientColor);
+    value("diffuse_intensity", m.diffuseIntensity);
+    value("diffuse_color", m.diffuseColor);
+    value("specular_intensity", m.specularIntensity);
+    value("specular_color", m.specularColor);
+    value("shininess", m.shininess);
+    value("opacity", m.opacity);
+  }
+  void readLights() {
+    choice("model",
+           {{"unlit", Family::Model::unlit}, {"phong", Family::Model::phong}, {"pbr", Family::Model::pbr}},
+           family_.model);
+    choice("specular", {{"reflect", Family::Specular::reflect}, {"half", Family::Specular::half}},
+           family_.specular);
+    FamilyLights& l = family_.lights;
+    name("color", l.color);
+    name("direction", l.direction);
+    flag("direction_towards_light", l.towardsLight);
+    name("position", l.position);
+    name("positional", l.positional);
+    name("attenuation", l.attenuation);
+    name("cone_angle", l.coneAngle);
+    name("exponent", l.exponent);
+  }
+  void readPbr() {
+    FamilyPbr& p = family_.pbr;
+    value("metallic", p.metallic);
+    value("roughness", p.roughness);
+    value("base_f0", p.baseF0);
+    value("edge_tint", p.edgeTint);
+    value("occlusion_strength", p.occlusionStrength);
+    value("emissive", p.emissive);
+  }
+
+  const std::string& file_;
+  Family& family_;
+  const toml::table* table_;
+  std::set<std::string, std::less<>> known_;
+};
+
+}  // namespace
+
+bool Family::mentions(std::string_view name) const {
+  if (mentioned.contains(name)) return true;
+  // "lightColor12" is mentioned as "lightColor{}".
+  const size_t digit = name.find_first_of("0123456789");
+  if (digit == std::string_view::npos) return false;
+  size_t end = digit;
+  while (end < name.size() && std::isdigit(static_cast<unsigned char>(name[end]))) ++end;
+  std::string pattern(name.substr(0, digit));
+  pattern += "{}";
+  pattern += name.substr(end);
+  return mentioned.contains(pattern);
+}
+
+FamilyList parseFamilies(std::string_view text, const std::string& file) {
+  FamilyList families;
+  toml::table root;
+  try {
+    root = toml::parse(text, file);
+  } catch (const toml::parse_error& e) {
+    throw FamilyError(file + ":" + std::to_string(e.source().begin.line) + ": " +
+                      std::string(e.description()));
+  }
+  for (const auto& [key, node] : root) {
+    const toml::array* list = node.as_array();
+    if (key.str() != "family" || !list)
+      throw FamilyError(file + ":" + std::to_string(node.source().begin.line) + ": only [[family]] sections " +
+                        "are expected here");
+    for (const toml::node& item : *list) {
+      if (!item.is_table())
+        throw FamilyError(file + ":" + std::to_string(item.source().begin.line) + ": family must be a section");
+      auto family = std::make_shared<Family>();
+      FamilyReader(*item.as_table(), file, *family).read();
+      families.push_back(std::move(family));
+    }
+  }
+  return families;
+}
+
+const FamilyList& builtInFamilies() {
+  static const FamilyList families = [] {
+    FamilyList all;
+    for (const auto& [file, text] : kBuiltInFamilyFiles)
+      for (auto& family : parseFamilies(text, file)) all.push_back(family);
+    return all;
+  }();
+  return families;
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,25 @@
+// Which family a program belongs to. GL thread, context current.
+#pragma once
+#include "gl/programs/family.h"
+#include "gl/programs/program.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace gluray::gl {
+
+/// A program with the family that describes it.
+struct KnownProgram {
+  Program program;
+  std::shared_ptr<const Family> family;  // null: none fits
+  std::string why;  // of programs that are not traced, for the user: "family X: lacks uniform y"
+};
+
+/// What keeps `program` from being one of `family`; empty where nothing does.
+std::vector<std::string> obstacles(const RealGl& real, const Program& program, const Family& family);
+
+/// Reads the program and finds its family.
+std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, const FamilyList& families);
+
+}  // namespace gluray::gl

@@ -1,0 +1,91 @@
+#include "gl/programs/program.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace gluray::gl {
+namespace {
+
+GLint ask(const RealGl& real, GLuint program, GLenum what) {
+  GLint value = 0;
+  real.GetProgramiv(program, what, &value);
+  return value;
+}
+
+/// Whether a question that only programs with a certain stage answer is answered.
+bool answers(const RealGl& real, GLuint program, GLenum what) {
+  while (real.GetError() != GL_NO_ERROR) {}
+  GLint value = 0;
+  real.GetProgramiv(program, what, &value);
+  return real.GetError() == GL_NO_ERROR;
+}
+
+std::string plainName(std::string name) {
+  if (name.ends_with("[0]")) name.resize(name.size() - 3);
+  return name;
+}
+
+void readBlockPlace(const RealGl& real, GLuint program, GLuint index, ProgramUniform& u) {
+  if (!isPresent(real.GetActiveUniformsiv)) return;
+  const auto property = [&](GLenum what) {
+    GLint value = 0;
+    real.GetActiveUniformsiv(program, 1, &index, what, &value);
+    return value;
+  };
+  u.block = property(GL_UNIFORM_BLOCK_INDEX);
+  if (u.block < 0) return;
+  u.offset = property(GL_UNIFORM_OFFSET);
+  u.arrayStride = property(GL_UNIFORM_ARRAY_STRIDE);
+  u.matrixStride = property(GL_UNIFORM_MATRIX_STRIDE);
+  u.rowMajor = property(GL_UNIFORM_IS_ROW_MAJOR) != 0;
+}
+
+void readUniforms(const RealGl& real, Program& p) {
+  const GLint count = ask(real, p.name, GL_ACTIVE_UNIFORMS);
+  std::vector<char> text(static_cast<size_t>(std::max(ask(real, p.name, GL_ACTIVE_UNIFORM_MAX_LENGTH), 1)) + 1);
+  for (GLuint i = 0; i < static_cast<GLuint>(count); ++i) {
+    ProgramUniform u;
+    GLsizei length = 0;
+    real.GetActiveUniform(p.name, i, static_cast<GLsizei>(text.size()), &length, &u.count, &u.type, text.data());
+    const std::string full(text.data(), static_cast<size_t>(std::max(length, 0)));
+    u.location = real.GetUniformLocation(p.name, full.c_str());
+    if (u.location < 0) readBlockPlace(real, p.name, i, u);
+    p.uniforms[plainName(full)] = u;
+  }
+}
+
+void readAttributes(const RealGl& real, Program& p) {
+  const GLint count = ask(real, p.name, GL_ACTIVE_ATTRIBUTES);
+  std::vector<char> text(static_cast<size_t>(std::max(ask(real, p.name, GL_ACTIVE_ATTRIBUTE_MAX_LENGTH), 1)) + 1);
+  for (GLuint i = 0; i < static_cast<GLuint>(count); ++i) {
+    ProgramAttribute a;
+    GLsizei length = 0;
+    GLint elements = 0;
+    real.GetActiveAttrib(p.name, i, static_cast<GLsizei>(text.size()), &length, &elements, &a.type, text.data());
+    const std::string full(text.data(), static_cast<size_t>(std::max(length, 0)));
+    a.location = real.GetAttribLocation(p.name, full.c_str());
+    p.attributes[plainName(full)] = a;
+  }
+}
+
+}  // namespace
+
+Program reflect(const RealGl& real, GLuint name) {
+  Program p;
+  p.name = name;
+  p.linked = ask(real, name, GL_LINK_STATUS) == GL_TRUE;
+  if (!p.linked) return p;
+  p.geometryShader = answers(real, name, GL_GEOMETRY_VERTICES_OUT);
+  p.tessellation =
+      isPresent(real.PatchParameteri) && answers(real, name, GL_TESS_GEN_MODE);
+  readUniforms(real, p);
+  readAttributes(real, p);
+  while (real.GetError() != GL_NO_ERROR) {}
+  return p;
+}
+
+bool hasOutput(const RealGl& real, const Program& program, const std::string& name) {
+  return isPresent(real.GetFragDataLocation) && real.GetFragDataLocation(program.name, name.c_str()) >= 0;
+}
+
+}  // namespace gluray::gl

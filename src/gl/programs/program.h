@@ -1,0 +1,54 @@
+// A linked shader program as the real OpenGL describes it: names, places and types of what is active. Read once a
+// link. GL thread, context current.
+#pragma once
+#include "gl/real.h"
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace gluray::gl {
+
+/// An active uniform. Arrays go by their name without [0].
+struct ProgramUniform {
+  GLint location = -1;  // -1: in a block
+  GLenum type = 0;
+  GLint count = 1;  // elements
+  GLint block = -1, offset = 0, arrayStride = 0, matrixStride = 0;
+  bool rowMajor = false;
+};
+
+struct ProgramAttribute {
+  GLint location = -1;
+  GLenum type = 0;
+};
+
+struct Program {
+  GLuint name = 0;
+  bool linked = false;
+  bool geometryShader = false, tessellation = false;
+  std::map<std::string, ProgramUniform, std::less<>> uniforms;
+  std::map<std::string, ProgramAttribute, std::less<>> attributes;
+
+  const ProgramUniform* uniform(std::string_view n) const {
+    const auto it = uniforms.find(n);
+    return it == uniforms.end() ? nullptr : &it->second;
+  }
+  const ProgramAttribute* attribute(std::string_view n) const {
+    const auto it = attributes.find(n);
+    return it == attributes.end() ? nullptr : &it->second;
+  }
+  bool isActive(std::string_view n) const { return uniform(n) || attribute(n); }
+};
+
+/// Asks the real OpenGL about program `name`. Errors that asking raises are taken away; the caller has saved the
+/// program's own.
+Program reflect(const RealGl& real, GLuint name);
+
+/// Whether `name` is the name of an output of the fragment shader.
+bool hasOutput(const RealGl& real, const Program& program, const std::string& name);
+
+}  // namespace gluray::gl

@@ -1,0 +1,352 @@
+#include "gl/programs/program_state.h"
+
+#include "gl/programs/uniforms.h"
+#include "gl/share_group.h"
+#include "gl/state_queries.h"
+#include "gl/texture.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+
+namespace gluray::gl {
+namespace {
+
+std::string numbered(const std::string& pattern, int number) {
+  const size_t at = pattern.find("{}");
+  if (at == std::string::npos) return pattern;
+  return pattern.substr(0, at) + std::to_string(number) + pattern.substr(at + 2);
+}
+
+/// Reads one program with the words of its family.
+class ProgramReader {
+ public:
+  ProgramReader(const RealGl& real, ShareGroup& group, const RareState& has, TextureCache& textures,
+                ProgramState& out)
+      : real_(real),
+        group_(group),
+        has_(has),
+        textures_(textures),
+        out_(out),
+        program_(out.known->program),
+        family_(*out.known->family),
+        uniforms_(real, program_) {}
+
+  Reason read() {
+    readTransform();
+    readMaterial(family_.material, out_.material.front);
+    out_.material.back = out_.material.front;
+    out_.shading.fragment.backMaterial = uniforms_.has(family_.backMaterial.diffuseColor.uniform);
+    if (out_.shading.fragment.backMaterial) readMaterial(family_.backMaterial, out_.material.back);
+    readModel();
+    readLights();
+    readClipPlanes();
+    readDepthOffset();
+    if (const Reason reason = readNormals(); reason != Reason::traced) return reason;
+    if (const Reason reason = readColor(); reason != Reason::traced) return reason;
+    return readTextures();
+  }
+
+ private:
+  void readTransform() {
+    out_.clipFromObject = *uniforms_.product(family_.clipFromObject);
+    out_.eyeFromObject = uniforms_.product(family_.eyeFromObject);
+    if (uniforms_.has(family_.normalMatrix))
+      out_.normalMatrix = uniforms_.matrix3(family_.normalMatrix);
+    else if (out_.eyeFromObject)
+      out_.normalMatrix = glm::mat3(glm::transpose(glm::inverse(glm::dmat3(*out_.eyeFromObject))));
+    else
+      out_.normalMatrix = glm::mat3(1);
+  }
+
+  void readMaterial(const FamilyMaterial& m, scene::Material& material) {
+    const auto product = [&](const FamilyValue& intensity, const FamilyValue& color, float otherwise) {
+      return uniforms_.value(intensity, glm::vec4(otherwise)) * uniforms_.value(color, glm::vec4(1));
+    };
+    material.ambient = product(m.ambientIntensity, m.ambientColor, m.ambientColor.given() ? 1.0f : 0.0f);
+    material.diffuse = product(m.diffuseIntensity, m.diffuseColor, 1);
+    material.specular = product(m.specularIntensity, m.specularColor, m.specularColor.given() ? 1.0f : 0.0f);
+    // Uniforms that the real OpenGL found to be without effect are not there.
+    const auto inactive = [&](const FamilyValue& v) { return !v.uniform.empty() && !uniforms_.has(v.uniform); };
+    if (inactive(m.specularIntensity) && inactive(m.specularColor)) material.specular = glm::vec4(0);
+    if (inactive(m.ambientIntensity) && inactive(m.ambientColor)) material.ambient = glm::vec4(0);
+    material.emission = glm::vec4(0, 0, 0, 1);
+    material.shininess = uniforms_.number(m.shininess, 0);
+    material.diffuse.a = uniforms_.number(m.opacity, 1);
+  }
+
+  void readModel() {
+    scene::FragmentShading& f = out_.shading.fragment;
+    using Model = scene::FragmentShading::Model;
+    f.model = family_.model == Family::Model::pbr     ? Model::pbr
+              : family_.model == Family::Model::phong ? Model::phong
+                                                      : Model::unlit;
+    f.specular = family_.specular == Family::Specular::half ? scene::FragmentShading::Specular::half
+                                                            : scene::FragmentShading::Specular::reflect;
+    f.flipBackFaces = family_.flipBackFaces;
+    f.parallelView = uniforms_.integer(family_.parallelView) != 0;
+    if (!family_.pbr.given()) return;
+    f.pbr.metallic = uniforms_.number(family_.pbr.metallic, 0);
+    f.pbr.roughness = uniforms_.number(family_.pbr.roughness, 0.5f);
+    f.pbr.baseF0 = uniforms_.number(family_.pbr.baseF0, 0.04f);
+    f.pbr.edgeTint = glm::vec3(uniforms_.value(family_.pbr.edgeTint, glm::vec4(1)));
+    f.pbr.occlusionStrength = uniforms_.number(family_.pbr.occlusionStrength, 1);
+    f.pbr.emissive = glm::vec3(uniforms_.value(family_.pbr.emissive, glm::vec4(0)));
+  }
+
+  void readLights() {
+    const FamilyLights& names = family_.lights;
+    auto& lights = out_.shading.fragment.lights;
+    lights.clear();
+    if (names.color.empty()) return;
+    const bool many = names.color.find("{}") != std::string::npos;
+    constexpr int kMostLights = 64;
+    for (int i = 0; i < (many ? kMostLights : 1); ++i) {
+      if (!uniforms_.has(numbered(names.color, i))) break;
+      lights.push_back(readLight(i));
+    }
+  }
+
+  scene::FragmentLight readLight(int i) {
+    const FamilyLights& names = family_.lights;
+    const auto vector = [&](const std::string& name) { return glm::vec3(uniforms_.vector(numbered(name, i))); };
+    const auto has = [&](const std::string& name) { return uniforms_.has(numbered(name, i)); };
+    scene::FragmentLight light;
+    light.color = vector(names.color);
+    if (has(names.direction)) {
+      light.kind = scene::FragmentLight::directional;
+      light.direction = vector(names.direction) * (names.towardsLight ? -1.0f : 1.0f);
+    }
+    const bool positional =
+        names.positional.empty() ? has(names.position) : uniforms_.integer(numbered(names.positional, i)) != 0;
+    if (!positional) return light;
+    light.kind = scene::FragmentLight::positional;
+    light.position = vector(names.position);
+    if (has(names.attenuation)) light.attenuation = vector(names.attenuation);
+    if (has(names.coneAngle)) light.coneAngle = uniforms_.number(numbered(names.coneAngle, i));
+    if (has(names.exponent)) light.exponent = uniforms_.number(numbered(names.exponent, i));
+    return light;
+  }
+
+  void readClipPlanes() {
+    out_.clipPlanes.clear();
+    const ProgramUniform* planes =
+        family_.clipPlanes.empty() ? nullptr : program_.uniform(family_.clipPlanes);
+    if (!planes) return;
+    // Behind the last one that counts lies memory that nobody set.
+    int count = planes->count;
+    if (uniforms_.has(family_.clipPlaneCount)) count = std::min(count, uniforms_.integer(family_.clipPlaneCount));
+    for (int i = 0; i < count; ++i) out_.clipPlanes.emplace_back(uniforms_.vector(family_.clipPlanes, i));
+  }
+
+  void readDepthOffset() {
+    out_.depthOffset = {};
+    if (!family_.depthOffset.given() && !family_.depthFactor.given()) return;
+    // VTK counts in units of 1/65000.
+    out_.depthOffset = {uniforms_.number(family_.depthFactor, 0), uniforms_.number(family_.depthOffset, 0),
+                        1.0f / 65000.0f, true};
+    if (out_.depthOffset.factor == 0 && out_.depthOffset.units == 0) out_.depthOffset = {};
+  }
+
+  Reason readNormals() {
+    scene::FragmentShading& f = out_.shading.fragment;
+    using Normals = scene::FragmentShading::Normals;
+    f.normals = Normals::vertices;
+    out_.triangleNormals = {};
+    if (const ProgramUniform* sampler = samplerNamed(family_.triangleNormals)) {
+      f.normals = Normals::perTriangle;
+      return readBuffer(*sampler, out_.triangleNormals, out_.triangleNormalCount);
+    }
+    if (!program_.attribute(family_.normal)) f.normals = Normals::triangles;
+    else
+      out_.normal = glm::vec3(current(family_.normal));
+    return Reason::traced;
+  }
+
+  Reason readColor() {
+    scene::FragmentShading& f = out_.shading.fragment;
+    using Color = scene::FragmentShading::Color;
+    f.color = Color::material;
+    f.colorIsDiffuseOnly = family_.colorIsDiffuseOnly;
+    f.map.clear();
+    out_.triangleColors = {};
+    out_.opaqueTriangleColors = true;
+    out_.triangleOffset = static_cast<uint32_t>(uniforms_.integer(family_.triangleOffset));
+    if (uniforms_.integer(family_.uniformColors) != 0) return Reason::traced;
+    Reason reason = Reason::traced;
+    if (const ProgramUniform* sampler = samplerNamed(family_.triangleColors)) {
+      f.color = Color::perTriangle;
+      reason = readBuffer(*sampler, out_.triangleColors, out_.triangleColorCount);
+      if (reason == Reason::traced)
+        out_.opaqueTriangleColors = textures_.isOpaque(out_.triangleColors, out_.triangleColorCount);
+    } else if (const ProgramUniform* map = samplerNamed(family_.colorMap)) {
+      f.color = Color::map;
+      reason = readMap(*map);
+    } else if (!family_.color.empty() && program_.attribute(family_.color)) {
+      f.color = Color::vertices;
+      out_.color = current(family_.color);
+    } else {
+      return Reason::traced;
+    }
+    // The material's own colours give way; its intensities stay.
+    const auto replace = [&](const FamilyMaterial& m, scene::Material& material) {
+      material.diffuse =
+          glm::vec4(glm::vec3(uniforms_.value(m.diffuseIntensity, glm::vec4(1))), material.diffuse.a);
+      if (!family_.colorIsDiffuseOnly)
+        material.ambient = uniforms_.value(m.ambientIntensity, glm::vec4(m.ambientColor.given() ? 1.0f : 0.0f));
+    };
+    replace(family_.material, out_.material.front);
+    if (f.backMaterial) f.backMaterial = false, reason = Reason::program;  // their colours are mixed otherwise
+    out_.material.back = out_.material.front;
+    return reason;
+  }
+
+  const ProgramUniform* samplerNamed(const std::string& name) const {
+    return name.empty() ? nullptr : program_.uniform(name);
+  }
+  GLint unitOf(const ProgramUniform& sampler) const {
+    GLint unit = 0;
+    real_.GetUniformiv(program_.name, sampler.location, &unit);
+    return unit;
+  }
+
+  Reason readMap(const ProgramUniform& sampler) {
+    scene::Texture texture;
+    if (const Reason reason = textures_.bound(real_, has_, unitOf(sampler), sampler.type, texture);
+        reason != Reason::traced)
+      return reason;
+    const bool simple = (texture.target == scene::TextureTarget::texture2D ||
+                         texture.target == scene::TextureTarget::texture1D) &&
+                        texture.wrapS == scene::Wrap::clampToEdge && texture.wrapT == scene::Wrap::clampToEdge &&
+                        texture.mipFilter == scene::MipFilter::none && texture.magFilter == texture.minFilter;
+    if (!simple) return Reason::textureFormat;
+    out_.texcoord = current(family_.texcoord);
+    out_.shading.fragment.map.push_back(std::move(texture));
+    return Reason::traced;
+  }
+
+  Reason readBuffer(const ProgramUniform& sampler, scene::Attribute& attribute, uint32_t& count) {
+    return textures_.buffer(real_, group_, unitOf(sampler), attribute, count);
+  }
+
+  Reason readTextures() {
+    out_.shading.textures.clear();
+    for (const std::string& name : family_.textures) {
+      const ProgramUniform* sampler = samplerNamed(name);
+      if (!sampler) continue;
+      scene::Texture texture;
+      const Reason reason = textures_.bound(real_, has_, unitOf(*sampler), sampler->type, texture);
+      if (reason != Reason::traced) return reason;
+      texture.env = scene::TexEnv::modulate;
+      texture.unit = 0;  // all look at the family's one coordinate
+      out_.texcoord = current(family_.texcoord);
+      out_.shading.textures.push_back(std::move(texture));
+    }
+    return Reason::traced;
+  }
+
+  /// What an attribute is where it is not an array.
+  glm::vec4 current(const std::string& name) const {
+    glm::vec4 value(0, 0, 0, 1);
+    const ProgramAttribute* a = name.empty() ? nullptr : program_.attribute(name);
+    if (a && a->location >= 0)
+      real_.GetVertexAttribfv(static_cast<GLuint>(a->location), GL_CURRENT_VERTEX_ATTRIB, glm::value_ptr(value));
+    return value;
+  }
+
+  const RealGl& real_;
+  ShareGroup& group_;
+  const RareState& has_;
+  TextureCache& textures_;
+  ProgramState& out_;
+  const Program& program_;
+  const Family& family_;
+  const UniformReader uniforms_;
+};
+
+bool isSane(const ProgramState& s) {
+  const auto finite = [](const glm::dmat4& m) {
+    const double d = glm::determinant(m);
+    return std::isfinite(d) && d != 0;
+  };
+  return finite(s.clipFromObject) && (!s.eyeFromObject || finite(*s.eyeFromObject));
+}
+
+}  // namespace
+
+void readProgram(const RealGl& real, ShareGroup& group, const RareState& has, TextureCache& textures,
+                 ProgramState& state) {
+  if (!state.known->family) {
+    state.reason = Reason::program;
+    return;
+  }
+  if (!state.known->family->rasteriseBecause.empty()) {
+    state.reason = Reason::programPass;
+    return;
+  }
+  state.reason = ProgramReader(real, group, has, textures, state).read();
+  if (state.reason == Reason::traced && !isSane(state)) state.reason = Reason::singularMatrix;
+}
+
+namespace {
+
+ArraySource readGeneric(const RealGl& real, ShareGroup& group, GLint location) {
+  ArraySource source;
+  const auto index = static_cast<GLuint>(location);
+  const auto ask = [&](GLenum name) {
+    GLint value = 0;
+    real.GetVertexAttribiv(index, name, &value);
+    return value;
+  };
+  source.enabled = location >= 0 && ask(GL_VERTEX_ATTRIB_ARRAY_ENABLED) != 0;
+  if (!source.enabled) return source;
+  source.size = ask(GL_VERTEX_ATTRIB_ARRAY_SIZE);
+  source.type = static_cast<GLenum>(ask(GL_VERTEX_ATTRIB_ARRAY_TYPE));
+  source.normalized = ask(GL_VERTEX_ATTRIB_ARRAY_NORMALIZED) != 0;
+  source.stride = ask(GL_VERTEX_ATTRIB_ARRAY_STRIDE);
+  if (source.stride == 0) source.stride = static_cast<GLsizei>(sizeOfType(source.type)) * source.size;
+  void* pointer = nullptr;
+  real.GetVertexAttribPointerv(index, GL_VERTEX_ATTRIB_ARRAY_POINTER, &pointer);
+  source.pointer = static_cast<const std::byte*>(pointer);
+  source.buffer = bufferNamed(group, static_cast<GLuint>(ask(GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING)));
+  return source;
+}
+
+GLint divisorOf(const RealGl& real, GLint location) {
+  GLint divisor = 0;
+  real.GetVertexAttribiv(static_cast<GLuint>(location), GL_VERTEX_ATTRIB_ARRAY_DIVISOR, &divisor);
+  return divisor;
+}
+
+}  // namespace
+
+void readAttributes(const RealGl& real, ShareGroup& group, const KnownProgram* program, ArrayState& arrays) {
+  arrays = {};
+  arrays.elements = bufferNamed(group, static_cast<GLuint>(integer(real, GL_ELEMENT_ARRAY_BUFFER_BINDING)));
+  const Family* family = program ? program->family.get() : nullptr;
+  std::vector<GLint> named;
+  bool plain = true;
+  const auto take = [&](const std::string& name, ArraySource& source) {
+    const ProgramAttribute* a = name.empty() || !family ? nullptr : program->program.attribute(name);
+    if (!a || a->location < 0) return;
+    source = readGeneric(real, group, a->location);
+    named.push_back(a->location);
+    plain = plain && isReadable(source) && divisorOf(real, a->location) == 0;
+  };
+  if (family) {
+    take(family->position, arrays.vertex);
+    take(family->normal, arrays.normal);
+    take(family->color, arrays.color);
+    take(family->texcoord, arrays.texcoord);
+  }
+  const GLint most = integer(real, GL_MAX_VERTEX_ATTRIBS);
+  for (GLint i = 0; i < most; ++i) {
+    if (std::find(named.begin(), named.end(), i) != named.end()) continue;
+    ArraySource source = readGeneric(real, group, i);
+    if (source.enabled) arrays.generic.push_back(std::move(source));
+  }
+  if (!plain || !arrays.vertex.enabled || restartsPrimitives(real) || (arrays.elements && arrays.elements->foreign))
+    arrays.reason = Reason::arrayState;
+}
+
+}  // namespace gluray::gl
