@@ -4,12 +4,15 @@ import hashlib
 import json
 import os
 import pathlib
+import shlex
 import shutil
+import socket
 import subprocess
 import sys
+import time
 
 HERE = pathlib.Path(__file__).parent
-SECONDS = 240  # for one process, however many states it draws, on a machine that is busy with other things
+SECONDS = 180  # for one process, however many states it draws, on a machine that is busy with other things
 PYTHON = "/usr/bin/python3"  # Debian's own: the modules belong to it
 
 
@@ -27,13 +30,58 @@ def vtk_modules():
     return done.stdout.strip()
 
 
-def command(program):
-    """How `program` runs a Python script, and what its environment must have."""
+def need(program):
+    if not shutil.which(program):
+        raise Skipped(f"{program} is not installed")
+
+
+def command(program, launcher, report):
+    """The words that run a Python script in `program`, what its environment must have, and the report to be read."""
+    more = {"VTK_STATES_REPORT": str(report)} if report else {}
     if program == "vtk":
-        return [PYTHON], {"PYTHONPATH": vtk_modules()}
-    if not shutil.which("pvbatch"):
-        raise Skipped("pvbatch is not installed")
-    return ["pvbatch"], {}
+        return [*launcher, PYTHON], more | {"PYTHONPATH": vtk_modules()}
+    if program == "remote":
+        need("pvpython")
+        return ["pvpython"], {}  # the server is what is looked at
+    need("pvbatch")
+    if program == "pvbatch":
+        return [*launcher, "pvbatch"], more
+    need("mpirun")
+    words = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1", "-np", program[len("mpi"):]]
+    if not report:
+        return [*words, "pvbatch"], {}
+    # Each process has a report of its own; the first one's is read.
+    launch = " ".join(shlex.quote(word) for word in launcher).replace(shlex.quote(str(report)), f'"{report}.$OMPI_COMM_WORLD_RANK"')
+    return [*words, "sh", "-c", f'exec {launch} pvbatch "$@"', "sh"], {"VTK_STATES_REPORT": f"{report}.0"}
+
+
+class Server:
+    """pvserver, until the client that it waits for has gone."""
+
+    def __init__(self, launcher, folder, settings):
+        need("pvserver")
+        with socket.socket() as free:
+            free.bind(("127.0.0.1", 0))
+            self.port = free.getsockname()[1]
+        self.log = folder / "server.log"
+        with open(self.log, "w") as log:
+            self.process = subprocess.Popen([*launcher, "pvserver", f"--server-port={self.port}"], env=settings, stdout=log,
+                                            stderr=log, cwd=folder)
+        deadline = time.monotonic() + 60
+        while "Accepting connection" not in self.log.read_text():
+            if self.process.poll() is not None or time.monotonic() > deadline:
+                self.end()
+                raise RuntimeError(f"pvserver does not listen: {self.log.read_text()[-500:]}")
+            time.sleep(0.05)
+
+    def end(self):
+        """Its exit code; None where it had to be stopped."""
+        try:
+            return self.process.wait(20)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            self.process.wait()
+            return None
 
 
 def environment(home, **more):
@@ -53,26 +101,40 @@ class Batch:
 
     def draw(self, launcher=(), report=None):
         """Draws what is not drawn yet. A state at which the process ends is noted, and the others go on."""
-        words, more = command(self.program)
-        if report:
-            more = more | {"VTK_STATES_REPORT": str(report)}
+        words, more = command(self.program, launcher, report)
         settings = environment(self.folder / "home", **more)
         left = [name for name in self.names if not self.result_file(name).exists()]
         while left:
-            with open(self.folder / "log", "a") as log:
-                try:
-                    done = subprocess.run([*launcher, *words, str(HERE / "runner.py"), str(self.folder), *left],
-                                          env=settings, stdout=log, stderr=log, timeout=SECONDS, cwd=self.folder)
-                    end = f"ended with {done.returncode}"
-                except subprocess.TimeoutExpired:
-                    end = f"did not end within {SECONDS} s"
+            end = self.run_once([*words, str(HERE / "runner.py"), str(self.folder), *left], settings, launcher)
             after = [name for name in left if not self.result_file(name).exists()]
             if not after:
-                if not end.endswith(" 0"):  # all is drawn, and the process died of something later
-                    self.note(left[-1], f"the process {end} after its last state")
+                if end:  # all is drawn, and the process died of something later
+                    self.note(left[-1], f"{end} after the last state")
                 return
-            self.note(after[0], f"the process {end}; see {self.folder / 'log'}")
+            self.note(after[0], f"{end or 'the process ended'}; see {self.folder / 'log'}")
             left = after[1:]
+
+    def run_once(self, words, settings, launcher):
+        """What was wrong with the end of the process; nothing where it ended well."""
+        server = Server(launcher, self.folder, settings) if self.program == "remote" else None
+        if server:
+            settings = settings | {"VTK_STATES_SERVER": f"127.0.0.1:{server.port}"}
+        with open(self.folder / "log", "a") as log:
+            process = subprocess.Popen(words, env=settings, stdout=log, stderr=log, cwd=self.folder)
+            try:
+                code = process.wait(SECONDS)
+                end = f"the process ended with {code}" if code else ""
+            except subprocess.TimeoutExpired:
+                process.terminate()  # mpirun ends its children where it is asked to
+                try:
+                    process.wait(10)
+                except subprocess.TimeoutExpired:
+                    process.kill()
+                    process.wait()
+                end = f"the process did not end within {SECONDS} s"
+        if server and (code := server.end()) != 0:
+            end = end or f"the server ended with {code}"
+        return end
 
     def note(self, name, error):
         seen = self.result(name)

@@ -1,6 +1,6 @@
 """Draws states of ParaView and VTK with and without GLuRay and compares what they leave.
 
-    compare.py --gluray GLURAY --out FOLDER [--group GROUP] [NAME ...]
+    compare.py --gluray GLURAY --out FOLDER [--group GROUP | --label LABEL] [NAME ...]
 
 Needs an X server of its own (tests/doors/with_display.py). GROUP is a module of states/. Compared are the share of pixels
 that differ by more than 8 of 255, window depth, and, away from all surfaces, every bit. For a state that fails both
@@ -117,7 +117,8 @@ def compare_state(state, off, on, failed):
         row["beyond"], row["depth"] = max(row["beyond"], beyond), max(row["depth"], depth)
         if lines:
             wrong += keep_failure(failed, state, number, *files, lines)
-    if traced["counts"] is None and not traced["error"]:
+    # What a server counts is known when it has ended.
+    if traced["counts"] is None and not traced["error"] and state.program != "remote":
         wrong.append(f"{name}: GLuRay wrote no report while it was drawn: see {on.folder / 'log'}")
     counts = traced["counts"] or {}
     row |= {"traced": traced_share(counts), "triangles": counts.get("triangles.traced", 0) + counts.get("triangles.rasterised", 0),
@@ -126,6 +127,18 @@ def compare_state(state, off, on, failed):
         wrong.append(f"{name}: {row['traced'] or 0:.2%} of its triangles are traced, at least {state.min_share:.2%} should be; "
                      f"rasterised for: {row['reason']}")
     return row, wrong
+
+
+def print_processes(program, folder):
+    """One line for each process of several: what its report counts in all. What is wrong."""
+    reports = sorted(folder.glob("report.json*"))
+    for path in reports:
+        report = json.loads(path.read_text())
+        triangles = report["triangles"]
+        print(f"{program} {path.name}: {triangles['traced']} triangles traced, {triangles['rasterised']} rasterised, "
+              f"{report['mesh']['built']} meshes built")
+    wanted = int(program[len("mpi"):]) if program.startswith("mpi") else 1
+    return [] if len(reports) == wanted else [f"{program}: {len(reports)} reports of {wanted} processes in {folder}"]
 
 
 def print_table(rows):
@@ -141,6 +154,7 @@ def main():
     parser.add_argument("--gluray", required=True)
     parser.add_argument("--out", required=True)
     parser.add_argument("--group", default="")
+    parser.add_argument("--label", help="name of the table and of the folders, where no group gives one")
     parser.add_argument("--door", default="auto")
     parser.add_argument("names", nargs="*")
     given = parser.parse_args()
@@ -148,14 +162,14 @@ def main():
     if not states or len(states) < len(given.names):
         sys.exit(f"compare.py: no such states: {given.group} {given.names}")
     out, gluray = pathlib.Path(given.out).resolve(), str(pathlib.Path(given.gluray).resolve())
-    label = given.group or ("some" if given.names else "all")
+    label = given.label or given.group or ("some" if given.names else "all")
     failed = out / "failed"
     for state in states:
         for file in failed.glob(f"{state.name}-*.png"):
             file.unlink()
 
     rows, wrong, skipped = [], [], []
-    for program in ("pvbatch", "vtk"):
+    for program in dict.fromkeys(s.program for s in states):
         chosen = [s for s in states if s.program == program]
         if not chosen:
             continue
@@ -166,6 +180,8 @@ def main():
         except batch.Skipped as why:
             skipped.append(f"skipped: {program}: {why}")
             continue
+        if program not in ("pvbatch", "vtk"):
+            wrong += print_processes(program, on.folder)
         for state in chosen:
             row, lines = compare_state(state, off, on, failed)
             rows.append(row)

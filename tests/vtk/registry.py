@@ -19,7 +19,7 @@ STATES = {}
 class State:
     name: str
     group: str             # the module of states/ that it stands in
-    program: str           # "pvbatch" or "vtk"
+    program: str           # "pvbatch", "vtk", "mpi2", "mpi4" (pvbatch in as many processes) or "remote" (pvserver)
     draw: callable
     beyond: float          # share of a picture's pixels that may differ by more than 8 of 255
     reason: str            # why that is more than usual
@@ -29,15 +29,17 @@ class State:
 
 
 def state(program, beyond=0.0005, reason="", min_share=None, outside=True, same_depth=True):
-    """Registers the function below it. `beyond` is at most 0.005; above 0.0005 it needs a reason."""
+    """Registers the function below it, for one program or, under names of their own, for a tuple of them. `beyond` is at
+    most 0.005; above 0.0005 it needs a reason."""
     if beyond > 0.005 or (beyond > 0.0005 and not reason):
         raise ValueError(f"a tolerance of {beyond} is too much, or lacks its reason")
 
     def register(draw):
-        name, group = draw.__name__, draw.__module__
-        if name in STATES:
-            raise ValueError(f"two states are named {name}")
-        STATES[name] = State(name, group, program, draw, beyond, reason, min_share, outside, same_depth)
+        for one in program if isinstance(program, tuple) else (program,):
+            name = draw.__name__ if one == program else f"{draw.__name__}_{one}"
+            if name in STATES:
+                raise ValueError(f"two states are named {name}")
+            STATES[name] = State(name, draw.__module__, one, draw, beyond, reason, min_share, outside, same_depth)
         return draw
 
     return register

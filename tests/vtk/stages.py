@@ -1,4 +1,5 @@
 """Where a state draws: a window of ParaView's or of plain VTK's, whose pictures and depth are written to files."""
+import os
 import pathlib
 import sys
 
@@ -42,16 +43,23 @@ class Stage:
 
 
 class ParaViewStage(Stage):
+    connected = False  # to the server that VTK_STATES_SERVER names
+
     def __init__(self, folder, name):
         super().__init__(folder, name)
         import paraview.simple
         self.simple = paraview.simple
+        if "VTK_STATES_SERVER" in os.environ and not ParaViewStage.connected:
+            host, port = os.environ["VTK_STATES_SERVER"].split(":")
+            paraview.simple.Connect(host, int(port))
+            ParaViewStage.connected = True
         self.settings, self.views = {}, []
         self.view = self.new_view()
 
     def new_view(self, **properties):
         size = properties.pop("ViewSize", [WIDTH, HEIGHT])
         view = self.simple.CreateRenderView(ViewSize=size, OrientationAxesVisibility=0, **properties)
+        view.RemoteRenderThreshold = 0  # a server's data are drawn by the server
         self.views.append(view)
         return view
 
@@ -178,4 +186,4 @@ class VtkStage(Stage):
 
 
 def open_stage(program, folder, name):
-    return {"pvbatch": ParaViewStage, "vtk": VtkStage}[program](folder, name)
+    return (VtkStage if program == "vtk" else ParaViewStage)(folder, name)
