@@ -3,6 +3,7 @@
 #pragma once
 #include "gl/buffer.h"
 #include "gl/captured.h"
+#include "gl/elements.h"
 #include "gl/reasons.h"
 #include "gl/share_group.h"
 
@@ -20,6 +21,7 @@ struct ArraySource {
   const std::byte* pointer = nullptr;
   std::shared_ptr<Buffer> buffer;
   bool normalized = false;  // integers stand for fractions (normals, colours)
+  GLint location = -1;      // of shader programs' attributes
 };
 
 struct ArrayState {
@@ -37,15 +39,6 @@ struct ArrayState {
       each(*source);
     for (const ArraySource& source : texcoordsAbove) each(source);
   }
-};
-
-/// Which vertices a draw takes: `count` from `first`, or `count` indices of `type` at `indices`.
-struct Elements {
-  GLint first = 0;
-  GLsizei count = 0;
-  GLenum type = 0;                // 0: no indices
-  const void* indices = nullptr;  // memory, or an offset into the element buffer
-  GLint base = 0;                 // added to each index
 };
 
 /// Bytes of a component.

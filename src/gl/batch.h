@@ -1,10 +1,13 @@
 // Draws that wait to be traced together: one framebuffer, one camera, one depth state. GL thread.
 #pragma once
+#include "gl/programs/program_draw.h"
 #include "gl/state.h"
 #include "scene/snapshot.h"
 
 #include <memory>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 namespace gluray::gl {
 
@@ -37,10 +40,15 @@ class Batch {
   void add(scene::Instance instance, scene::Shading shading);
   /// Hands the batch over and is empty afterwards.
   scene::SnapshotPtr take();
+  /// Keeps a draw by a shader program, whose instance was added, for the case that it cannot be traced.
+  void keep(ProgramDraw draw) { programDraws_.push_back(std::move(draw)); }
+  /// Hands those over.
+  std::vector<ProgramDraw> takeProgramDraws() { return std::exchange(programDraws_, {}); }
 
  private:
   std::shared_ptr<scene::Snapshot> snapshot_;
   BatchKey key_;
+  std::vector<ProgramDraw> programDraws_;
   uint32_t drawn_ = 0;  // instances added, those that were replaced included
   std::unordered_multimap<Hash128, size_t> instancesAt_;  // geometry and its place -> instances
 };

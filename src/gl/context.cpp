@@ -270,7 +270,7 @@ void Context::present(bool rasterise) {
   const scene::SnapshotPtr snapshot = batch_.take();
   const double start = kinds() ? nowSeconds() : 0;
   syncCurrent();
-  const PresentTarget target{key.depthFunc, info_.core, rasterise};
+  const PresentTarget target{key.depthFunc, info_.core, rasterise, batch_.takeProgramDraws()};
   passes_.flushed();
   if (rasterise) countAsRasterised(*snapshot);
   const PresentResult result = presenter_.present(real, snapshot, target);

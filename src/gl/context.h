@@ -191,7 +191,7 @@ class Context {
   Reason triageProgram(PrimitiveClass kind);
   Reason triageProgram(const KnownMesh& mesh) const;
   /// Adds a mesh drawn by the current shader program to the batch.
-  void addProgramInstance(const scene::MeshPtr& mesh);
+  void addProgramInstance(const scene::MeshPtr& mesh, GLenum mode, const Elements& elements);
   /// Runs `trace`, which says whether it added a draw to the batch. A failure of ours makes the draw
   /// rasterised, not lost.
   template <class F>

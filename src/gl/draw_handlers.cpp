@@ -263,7 +263,7 @@ Reason traceProgram(Context& c, GLenum mode, const Elements& e) {
     const KnownMesh known = meshOf(c, c.attributes, mode, e);
     const Reason fine = c.triageProgram(known);
     if (fine != Reason::traced) return fine;
-    c.addProgramInstance(known.mesh);
+    c.addProgramInstance(known.mesh, mode, e);
     c.countTraced(pathOf(e), known.mesh->triangleCount);
     return fine;
   });

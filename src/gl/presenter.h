@@ -1,5 +1,6 @@
 // How a finished batch leaves the shadow GL: implemented in intercept/present/, by fakes in tests. GL thread.
 #pragma once
+#include "gl/programs/program_draw.h"
 #include "gl/real.h"
 #include "scene/snapshot.h"
 
@@ -16,7 +17,8 @@ namespace gluray::gl {
 struct PresentTarget {
   GLenum depthFunc = GL_LESS;  // LESS or LEQUAL: how the batch's depth meets the framebuffer's
   bool core = false;           // core profile: no fixed function
-  bool rasterise = false;      // the instances are to be drawn by fixed function, not traced
+  bool rasterise = false;      // the instances are to be drawn by the real OpenGL, not traced
+  std::vector<ProgramDraw> programDraws = {};  // those instances that shader programs draw
 };
 
 /// What presenting cost and did.

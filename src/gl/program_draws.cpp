@@ -20,9 +20,7 @@ void Context::readCurrentProgram() {
   readProgram(real, *group_, state.rare, textures_, program);
 }
 
-const FamilyList& Context::families() const {
-  return info_.families ? *info_.families : builtInFamilies();
-}
+const FamilyList& Context::families() const { return info_.families ? *info_.families : builtInFamilies(); }
 
 Reason Context::triageProgram(PrimitiveClass kind) {
   if (aside_) return Reason::failure;
@@ -35,6 +33,8 @@ Reason Context::triageProgram(PrimitiveClass kind) {
   if (kind == PrimitiveClass::points) return Reason::points;
   if (kind == PrimitiveClass::lines) return Reason::lines;
   if (state.raster.reason != Reason::traced) return state.raster.reason;
+  if (state.raster.alphaTest != scene::AlphaTest{}) return Reason::alphaTest;
+  if (state.program.known->program.blocks) dirty |= kProgram;  // buffers change without our taking note
   if (!info_.core && !state.clipPlanes.empty()) return Reason::program;  // programs clip in ways of their own
   if (attributes.reason != Reason::traced) return attributes.reason;
   return canTrace() ? Reason::traced : Reason::noGlsl;
@@ -81,10 +81,10 @@ Reason Context::triageProgram(const KnownMesh& known) const {
   return Reason::traced;
 }
 
-void Context::addProgramInstance(const scene::MeshPtr& mesh) {
+void Context::addProgramInstance(const scene::MeshPtr& mesh, GLenum mode, const Elements& elements) {
   const ProgramState& program = state.program;
-  // One projection serves a batch. What programs give is a product, and taken apart it differs by roundings from
-  // draw to draw; so each draw is placed by what it does to points in the end.
+  // One projection serves a batch. What programs give is a product, and taken apart it differs by roundings
+  // from draw to draw; so each draw is placed by what it does to points in the end.
   state.projection = program.eyeFromObject ? program.clipFromObject * glm::inverse(*program.eyeFromObject)
                                            : program.clipFromObject;
   BatchKey key = Batch::keyOf(state);
@@ -118,8 +118,10 @@ void Context::addProgramInstance(const scene::MeshPtr& mesh) {
   const glm::dmat4 objectFromEye = glm::inverse(state.modelview);
   for (const glm::dvec4& plane : program.clipPlanes) instance.clipPlanes.push_back(plane * objectFromEye);
   scene::Shading shading = program.shading;
-  shading.alphaTest = state.raster.alphaTest;
+  ProgramDraw kept =
+      captureProgramDraw(real, program.known->program, program.uniforms, attributes, mode, elements);
   batch_.add(std::move(instance), std::move(shading));
+  batch_.keep(std::move(kept));
   passes_.drawn(mesh, state.modelview, Passes::How::pending, isPushedBack());
   if (aside_) flush();  // the flush above failed: later draws are rasterised and must find this one drawn
 }

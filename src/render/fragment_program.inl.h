@@ -1,5 +1,5 @@
-// Colours as fragment programs compute them (scene/fragment_shading.h). Part of kernels.cpp (compiled once for each
-// instruction set).
+// Colours as fragment programs compute them (scene/fragment_shading.h). Part of kernels.cpp (compiled once
+// for each instruction set).
 #if defined(GLURAY_RENDER_FRAGMENT_PROGRAM_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_FRAGMENT_PROGRAM_INL_H_
 #undef GLURAY_RENDER_FRAGMENT_PROGRAM_INL_H_
@@ -92,19 +92,22 @@ HWY_ATTR inline void lookUpMap(const Surface& s, const Group& group, Row (&out)[
     }
   }
   const auto texel = [&](int x, int y) {
-    const size_t i = static_cast<size_t>(std::clamp(y, 0, image.height - 1)) * static_cast<size_t>(image.width) +
-                     static_cast<size_t>(std::clamp(x, 0, image.width - 1));
+    const size_t i =
+        static_cast<size_t>(std::clamp(y, 0, image.height - 1)) * static_cast<size_t>(image.width) +
+        static_cast<size_t>(std::clamp(x, 0, image.width - 1));
     return image.texels.empty() ? image.floats[i] : unpack(image.texels[i]);
   };
   const float mostX = static_cast<float>(image.width), mostY = static_cast<float>(image.height);
   for (int i = 0; i < kLanes; ++i) {
     // Comparisons that fail for NaN leave 0.
-    const float x = at[0][i] > 0 ? std::min(at[0][i], mostX) : 0, y = at[1][i] > 0 ? std::min(at[1][i], mostY) : 0;
+    const float x = at[0][i] > 0 ? std::min(at[0][i], mostX) : 0,
+                y = at[1][i] > 0 ? std::min(at[1][i], mostY) : 0;
     glm::vec4 color;
     if (map.magFilter == scene::Filter::nearest) {
       color = texel(static_cast<int>(x), static_cast<int>(y));
     } else {
-      const float fx = std::floor(x - 0.5f), fy = std::floor(y - 0.5f), wx = x - 0.5f - fx, wy = y - 0.5f - fy;
+      const float fx = std::floor(x - 0.5f), fy = std::floor(y - 0.5f), wx = x - 0.5f - fx,
+                  wy = y - 0.5f - fy;
       const int x0 = static_cast<int>(fx), y0 = static_cast<int>(fy);
       color = glm::mix(glm::mix(texel(x0, y0), texel(x0 + 1, y0), wx),
                        glm::mix(texel(x0, y0 + 1), texel(x0 + 1, y0 + 1), wx), wy);
@@ -150,9 +153,8 @@ HWY_INLINE Incoming arriving(const scene::FragmentLight& light, float coneCosine
   if (light.kind != scene::FragmentLight::positional) return {splat(light.direction), splat(1)};
   const Float3 way = sub(p, splat(light.position));
   const Float distance = hn::Sqrt(dot(way, way));
-  const Float sum =
-      hn::MulAdd(hn::MulAdd(splat(light.attenuation.z), distance, splat(light.attenuation.y)), distance,
-                 splat(light.attenuation.x));
+  const Float sum = hn::MulAdd(hn::MulAdd(splat(light.attenuation.z), distance, splat(light.attenuation.y)),
+                               distance, splat(light.attenuation.x));
   Incoming in{unit(way), hn::Div(splat(1), sum)};
   if (light.coneAngle < 90) {
     const Float cosine = dot(in.direction, splat(light.direction));
@@ -163,8 +165,8 @@ HWY_INLINE Incoming arriving(const scene::FragmentLight& light, float coneCosine
 }
 
 /// The highlight's strength before colours.
-HWY_INLINE Float highlight(const scene::FragmentShading& f, const scene::FragmentLight& light, const Float3& way,
-                           const Fragment& at, Float cosine, float shininess) {
+HWY_INLINE Float highlight(const scene::FragmentShading& f, const scene::FragmentLight& light,
+                           const Float3& way, const Fragment& at, Float cosine, float shininess) {
   if (light.kind == scene::FragmentLight::headlight) return power(cosine, splat(shininess));
   Float base;
   if (f.specular == scene::FragmentShading::Specular::half) {
@@ -192,8 +194,8 @@ HWY_INLINE Float3 phong(const Surface& s, const scene::Material& m, const Fragme
     const auto lit = hn::Gt(hn::Mul(cosine, in.factor), zero);
     specular = add(specular, scaled(splat(light.color), hn::IfThenElseZero(lit, hn::Mul(in.factor, shine))));
   }
-  const Float3 ambient = f.colorIsDiffuseOnly ? splat(glm::vec3(m.ambient))
-                                              : times(splat(glm::vec3(m.ambient)), at.color);
+  const Float3 ambient =
+      f.colorIsDiffuseOnly ? splat(glm::vec3(m.ambient)) : times(splat(glm::vec3(m.ambient)), at.color);
   const Float3 reflected = times(times(diffuse, splat(glm::vec3(m.diffuse))), at.color);
   return add(add(ambient, reflected), times(specular, splat(glm::vec3(m.specular))));
 }
@@ -212,9 +214,8 @@ HWY_INLINE Float3 microfacets(const Surface& s, const scene::Material& m, const 
   const scene::PbrSurface& pbr = f.pbr;
   const Float zero = splat(0), one = splat(1), least = splat(1e-5f);
   const auto clamped = [&](Float v) HWY_ATTR { return hn::Min(hn::Max(v, least), one); };
-  const auto mix = [&](const Float3& a, const Float3& b, float w) HWY_ATTR {
-    return add(scaled(a, splat(1 - w)), scaled(b, splat(w)));
-  };
+  const auto mix = [&](const Float3& a, const Float3& b, float w)
+                       HWY_ATTR { return add(scaled(a, splat(1 - w)), scaled(b, splat(w))); };
   const Float3 albedo = times(splat(glm::vec3(m.diffuse)), at.color);
   const Float3 f0 = mix(splat(glm::vec3(pbr.baseF0)), albedo, pbr.metallic);
   const Float grey = hn::Min(hn::Max(hn::Mul(splat(16.5f), hn::Add(hn::Add(f0.x, f0.y), f0.z)), zero), one);
@@ -233,7 +234,8 @@ HWY_INLINE Float3 microfacets(const Surface& s, const scene::Material& m, const 
       return hn::Mul(y, hn::Sqrt(hn::MulAdd(x, hn::NegMulAdd(splat(a2), x, x), splat(a2))));
     };
     const Float visibility = hn::Div(splat(0.5f), hn::Add(smith(nv, nl), smith(nl, nv)));
-    const Float away = hn::Sub(one, hl), away2 = hn::Mul(away, away), away5 = hn::Mul(hn::Mul(away2, away2), away);
+    const Float away = hn::Sub(one, hl), away2 = hn::Mul(away, away),
+                away5 = hn::Mul(hn::Mul(away2, away2), away);
     const Float3 fresnel = add(f0, scaled(sub(f90, f0), away5));
     const Float3 specular = scaled(fresnel, hn::Mul(distribution, visibility));
     const Float3 through = scaled(sub({one, one, one}, fresnel), splat((1 - pbr.metallic) * kInversePi));
@@ -246,7 +248,8 @@ HWY_INLINE Float3 microfacets(const Surface& s, const scene::Material& m, const 
   return {encoded(sum.x), encoded(sum.y), encoded(sum.z)};
 }
 
-/// Colours of the group by a fragment program, before its textures; bit i of `back`: lane i shows its back face.
+/// Colours of the group by a fragment program, before its textures; bit i of `back`: lane i shows its back
+/// face.
 HWY_ATTR inline void runProgram(const Surface& s, const Group& group, uint32_t back, bool backMaterial,
                                 LitRows& rows) {
   using Shading = scene::FragmentShading;

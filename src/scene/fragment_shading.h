@@ -1,5 +1,5 @@
-// Shading as fragment programs do it (src/gl/programs): lighting at every pixel with a normal interpolated between the
-// corners, in place of OpenGL's fixed-function equation. Colours are not clamped on the way.
+// Shading as fragment programs do it (src/gl/programs): lighting at every pixel with a normal interpolated
+// between the corners, in place of OpenGL's fixed-function equation. Colours are not clamped on the way.
 #pragma once
 #include "scene/texture.h"
 

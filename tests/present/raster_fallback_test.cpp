@@ -133,7 +133,7 @@ TEST(RasterFallback, DrawsWhatTheProgramWouldHaveDrawn) {
   g.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   g.Enable(GL_FOG), g.Enable(GL_LIGHT3), g.Enable(GL_CLIP_PLANE1), g.Enable(GL_TEXTURE_GEN_S),
       g.ShadeModel(GL_FLAT);
-  ASSERT_TRUE(drawWithFixedFunction(g, readFeatures(g), *snapshotOf(patch), GL_LEQUAL));
+  ASSERT_TRUE(drawByRealGl(g, readFeatures(g), *snapshotOf(patch), {GL_LEQUAL}));
   EXPECT_EQ(context->colors(), colors);
   EXPECT_EQ(context->depths(), depths);
 }
@@ -151,7 +151,7 @@ TEST(RasterFallback, ChangesNoQueryableState) {
   g.ViewportIndexedf(3, 1, 2, 3, 4);
   const auto before = test::queryState(g);
   const Patch patch;
-  ASSERT_TRUE(drawWithFixedFunction(g, readFeatures(g), *snapshotOf(patch), GL_LESS));
+  ASSERT_TRUE(drawByRealGl(g, readFeatures(g), *snapshotOf(patch), {GL_LESS}));
   EXPECT_EQ(test::differences(before, test::queryState(g)), std::vector<std::string>{});
 }
 

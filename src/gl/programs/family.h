@@ -1,7 +1,7 @@
-// Program families: descriptions, as data, of shader programs whose pictures we know how to trace. A family says
-// by which names of active variables a program is recognised, and which of them carry geometry, matrices,
-// material and lights. Files: spec/programs/*.toml (built in) and what --program-families adds; format:
-// docs/program-families.md.
+// Program families: descriptions, as data, of shader programs whose pictures we know how to trace. A family
+// says by which names of active variables a program is recognised, and which of them carry geometry,
+// matrices, material and lights. Files: spec/programs/*.toml (built in) and what --program-families adds;
+// format: docs/program-families.md.
 #pragma once
 #include <array>
 #include <memory>
@@ -22,7 +22,8 @@ struct FamilyValue {
 
 /// One face's reflectance. What is not given is 0 for intensities of ambient and specular, otherwise 1.
 struct FamilyMaterial {
-  FamilyValue ambientIntensity, ambientColor, diffuseIntensity, diffuseColor, specularIntensity, specularColor;
+  FamilyValue ambientIntensity, ambientColor, diffuseIntensity, diffuseColor, specularIntensity,
+      specularColor;
   FamilyValue shininess, opacity;
   bool given() const { return diffuseColor.given() || diffuseIntensity.given(); }
 };
@@ -57,9 +58,9 @@ struct Family {
   std::vector<std::string> ignored;              // may be active and mean nothing to the picture
   bool strict = true;  // an active variable that the family does not mention makes the program unknown
 
-  std::string position, normal, color, texcoord;  // attributes
+  std::string position, normal, color, texcoord;           // attributes
   std::vector<std::string> clipFromObject, eyeFromObject;  // uniforms, multiplied from left to right
-  std::string normalMatrix;                                // uniform; empty: inverse transpose of eyeFromObject
+  std::string normalMatrix;  // uniform; empty: inverse transpose of eyeFromObject
   NoNormals withoutNormals = NoNormals::refuse;
   bool flipBackFaces = false;  // back faces are lit with the reversed normal
   std::string parallelView;    // uniform, not 0: the viewer is at infinity (for triangle normals)
@@ -67,10 +68,10 @@ struct Family {
   std::string colorMap;        // sampler; looked up at the texture coordinate, gives the colour
   std::string triangleColors;  // buffer sampler: a colour a triangle
   std::string triangleNormals;
-  std::string triangleOffset;  // uniform, added to the triangle's number
-  std::string uniformColors;   // uniform, not 0: colours of the material after all
-  bool colorIsDiffuseOnly = false;      // otherwise it replaces the ambient colour, too
-  std::vector<std::string> textures;    // samplers; multiply the lit colour
+  std::string triangleOffset;         // uniform, added to the triangle's number
+  std::string uniformColors;          // uniform, not 0: colours of the material after all
+  bool colorIsDiffuseOnly = false;    // otherwise it replaces the ambient colour, too
+  std::vector<std::string> textures;  // samplers; multiply the lit colour
 
   Model model = Model::phong;
   Specular specular = Specular::reflect;

@@ -97,7 +97,8 @@ class FamilyReader {
       for (const toml::node& item : *list) add(item);
     else
       add(*node);
-    if (out.constant.empty() || out.constant.size() > 4) fail(*node, std::string(key) + " has 1 to 4 numbers");
+    if (out.constant.empty() || out.constant.size() > 4)
+      fail(*node, std::string(key) + " has 1 to 4 numbers");
   }
   /// One of several words.
   template <class Enum, size_t n>
@@ -237,11 +238,12 @@ FamilyList parseFamilies(std::string_view text, const std::string& file) {
   for (const auto& [key, node] : root) {
     const toml::array* list = node.as_array();
     if (key.str() != "family" || !list)
-      throw FamilyError(file + ":" + std::to_string(node.source().begin.line) + ": only [[family]] sections " +
-                        "are expected here");
+      throw FamilyError(file + ":" + std::to_string(node.source().begin.line) +
+                        ": only [[family]] sections " + "are expected here");
     for (const toml::node& item : *list) {
       if (!item.is_table())
-        throw FamilyError(file + ":" + std::to_string(item.source().begin.line) + ": family must be a section");
+        throw FamilyError(file + ":" + std::to_string(item.source().begin.line) +
+                          ": family must be a section");
       auto family = std::make_shared<Family>();
       FamilyReader(*item.as_table(), file, *family).read();
       families.push_back(std::move(family));

@@ -25,9 +25,11 @@ void refuseActive(const RealGl& real, const Program& p, const Family& f, std::ve
 void needMentioned(const Program& p, const Family& f, std::vector<std::string>& out) {
   if (!f.strict) return;
   for (const auto& [name, place] : p.uniforms)
-    if (!f.mentions(name)) out.push_back("has uniform " + quoted(name) + ", of which the family says nothing");
+    if (!f.mentions(name))
+      out.push_back("has uniform " + quoted(name) + ", of which the family says nothing");
   for (const auto& [name, place] : p.attributes)
-    if (!f.mentions(name)) out.push_back("has attribute " + quoted(name) + ", of which the family says nothing");
+    if (!f.mentions(name))
+      out.push_back("has attribute " + quoted(name) + ", of which the family says nothing");
 }
 
 /// What tracing needs of any program.

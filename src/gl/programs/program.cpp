@@ -42,26 +42,38 @@ void readBlockPlace(const RealGl& real, GLuint program, GLuint index, ProgramUni
 
 void readUniforms(const RealGl& real, Program& p) {
   const GLint count = ask(real, p.name, GL_ACTIVE_UNIFORMS);
-  std::vector<char> text(static_cast<size_t>(std::max(ask(real, p.name, GL_ACTIVE_UNIFORM_MAX_LENGTH), 1)) + 1);
+  std::vector<char> text(static_cast<size_t>(std::max(ask(real, p.name, GL_ACTIVE_UNIFORM_MAX_LENGTH), 1)) +
+                         1);
   for (GLuint i = 0; i < static_cast<GLuint>(count); ++i) {
     ProgramUniform u;
     GLsizei length = 0;
-    real.GetActiveUniform(p.name, i, static_cast<GLsizei>(text.size()), &length, &u.count, &u.type, text.data());
+    real.GetActiveUniform(p.name, i, static_cast<GLsizei>(text.size()), &length, &u.count, &u.type,
+                          text.data());
     const std::string full(text.data(), static_cast<size_t>(std::max(length, 0)));
     u.location = real.GetUniformLocation(p.name, full.c_str());
     if (u.location < 0) readBlockPlace(real, p.name, i, u);
-    p.uniforms[plainName(full)] = u;
+    const std::string name = plainName(full);
+    for (GLint e = 1; u.block < 0 && e < u.count; ++e)
+      u.more.push_back(real.GetUniformLocation(p.name, (name + "[" + std::to_string(e) + "]").c_str()));
+    p.blocks = p.blocks || u.block >= 0;
+    p.uniforms[name] = std::move(u);
+  }
+  for (auto& [name, u] : p.uniforms) {
+    u.first = p.uniformElements;
+    p.uniformElements += static_cast<size_t>(u.count);
   }
 }
 
 void readAttributes(const RealGl& real, Program& p) {
   const GLint count = ask(real, p.name, GL_ACTIVE_ATTRIBUTES);
-  std::vector<char> text(static_cast<size_t>(std::max(ask(real, p.name, GL_ACTIVE_ATTRIBUTE_MAX_LENGTH), 1)) + 1);
+  std::vector<char> text(static_cast<size_t>(std::max(ask(real, p.name, GL_ACTIVE_ATTRIBUTE_MAX_LENGTH), 1)) +
+                         1);
   for (GLuint i = 0; i < static_cast<GLuint>(count); ++i) {
     ProgramAttribute a;
     GLsizei length = 0;
     GLint elements = 0;
-    real.GetActiveAttrib(p.name, i, static_cast<GLsizei>(text.size()), &length, &elements, &a.type, text.data());
+    real.GetActiveAttrib(p.name, i, static_cast<GLsizei>(text.size()), &length, &elements, &a.type,
+                         text.data());
     const std::string full(text.data(), static_cast<size_t>(std::max(length, 0)));
     a.location = real.GetAttribLocation(p.name, full.c_str());
     p.attributes[plainName(full)] = a;
@@ -76,8 +88,7 @@ Program reflect(const RealGl& real, GLuint name) {
   p.linked = ask(real, name, GL_LINK_STATUS) == GL_TRUE;
   if (!p.linked) return p;
   p.geometryShader = answers(real, name, GL_GEOMETRY_VERTICES_OUT);
-  p.tessellation =
-      isPresent(real.PatchParameteri) && answers(real, name, GL_TESS_GEN_MODE);
+  p.tessellation = isPresent(real.PatchParameteri) && answers(real, name, GL_TESS_GEN_MODE);
   readUniforms(real, p);
   readAttributes(real, p);
   while (real.GetError() != GL_NO_ERROR) {}

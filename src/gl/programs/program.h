@@ -1,5 +1,5 @@
-// A linked shader program as the real OpenGL describes it: names, places and types of what is active. Read once a
-// link. GL thread, context current.
+// A linked shader program as the real OpenGL describes it: names, places and types of what is active. Read
+// once a link. GL thread, context current.
 #pragma once
 #include "gl/real.h"
 
@@ -9,14 +9,17 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace gluray::gl {
 
 /// An active uniform. Arrays go by their name without [0].
 struct ProgramUniform {
-  GLint location = -1;  // -1: in a block
+  GLint location = -1;      // -1: in a block
+  std::vector<GLint> more;  // locations of the elements after the first
   GLenum type = 0;
-  GLint count = 1;  // elements
+  GLint count = 1;   // elements
+  size_t first = 0;  // elements of all uniforms before it
   GLint block = -1, offset = 0, arrayStride = 0, matrixStride = 0;
   bool rowMajor = false;
 };
@@ -30,6 +33,8 @@ struct Program {
   GLuint name = 0;
   bool linked = false;
   bool geometryShader = false, tessellation = false;
+  bool blocks = false;         // some uniforms are in blocks
+  size_t uniformElements = 0;  // of all uniforms together
   std::map<std::string, ProgramUniform, std::less<>> uniforms;
   std::map<std::string, ProgramAttribute, std::less<>> attributes;
 
@@ -44,8 +49,8 @@ struct Program {
   bool isActive(std::string_view n) const { return uniform(n) || attribute(n); }
 };
 
-/// Asks the real OpenGL about program `name`. Errors that asking raises are taken away; the caller has saved the
-/// program's own.
+/// Asks the real OpenGL about program `name`. Errors that asking raises are taken away; the caller has saved
+/// the program's own.
 Program reflect(const RealGl& real, GLuint name);
 
 /// Whether `name` is the name of an output of the fragment shader.

@@ -1,6 +1,5 @@
 #include "gl/programs/program_state.h"
 
-#include "gl/programs/uniforms.h"
 #include "gl/share_group.h"
 #include "gl/state_queries.h"
 #include "gl/texture.h"
@@ -30,7 +29,7 @@ class ProgramReader {
         out_(out),
         program_(out.known->program),
         family_(*out.known->family),
-        uniforms_(real, program_) {}
+        uniforms_(program_, *out.uniforms) {}
 
   Reason read() {
     readTransform();
@@ -67,7 +66,9 @@ class ProgramReader {
     material.diffuse = product(m.diffuseIntensity, m.diffuseColor, 1);
     material.specular = product(m.specularIntensity, m.specularColor, m.specularColor.given() ? 1.0f : 0.0f);
     // Uniforms that the real OpenGL found to be without effect are not there.
-    const auto inactive = [&](const FamilyValue& v) { return !v.uniform.empty() && !uniforms_.has(v.uniform); };
+    const auto inactive = [&](const FamilyValue& v) {
+      return !v.uniform.empty() && !uniforms_.has(v.uniform);
+    };
     if (inactive(m.specularIntensity) && inactive(m.specularColor)) material.specular = glm::vec4(0);
     if (inactive(m.ambientIntensity) && inactive(m.ambientColor)) material.ambient = glm::vec4(0);
     material.emission = glm::vec4(0, 0, 0, 1);
@@ -109,7 +110,9 @@ class ProgramReader {
 
   scene::FragmentLight readLight(int i) {
     const FamilyLights& names = family_.lights;
-    const auto vector = [&](const std::string& name) { return glm::vec3(uniforms_.vector(numbered(name, i))); };
+    const auto vector = [&](const std::string& name) {
+      return glm::vec3(uniforms_.vector(numbered(name, i)));
+    };
     const auto has = [&](const std::string& name) { return uniforms_.has(numbered(name, i)); };
     scene::FragmentLight light;
     light.color = vector(names.color);
@@ -117,8 +120,8 @@ class ProgramReader {
       light.kind = scene::FragmentLight::directional;
       light.direction = vector(names.direction) * (names.towardsLight ? -1.0f : 1.0f);
     }
-    const bool positional =
-        names.positional.empty() ? has(names.position) : uniforms_.integer(numbered(names.positional, i)) != 0;
+    const bool positional = names.positional.empty() ? has(names.position)
+                                                     : uniforms_.integer(numbered(names.positional, i)) != 0;
     if (!positional) return light;
     light.kind = scene::FragmentLight::positional;
     light.position = vector(names.position);
@@ -135,7 +138,8 @@ class ProgramReader {
     if (!planes) return;
     // Behind the last one that counts lies memory that nobody set.
     int count = planes->count;
-    if (uniforms_.has(family_.clipPlaneCount)) count = std::min(count, uniforms_.integer(family_.clipPlaneCount));
+    if (uniforms_.has(family_.clipPlaneCount))
+      count = std::min(count, uniforms_.integer(family_.clipPlaneCount));
     for (int i = 0; i < count; ++i) out_.clipPlanes.emplace_back(uniforms_.vector(family_.clipPlanes, i));
   }
 
@@ -157,7 +161,8 @@ class ProgramReader {
       f.normals = Normals::perTriangle;
       return readBuffer(*sampler, out_.triangleNormals, out_.triangleNormalCount);
     }
-    if (!program_.attribute(family_.normal)) f.normals = Normals::triangles;
+    if (!program_.attribute(family_.normal))
+      f.normals = Normals::triangles;
     else
       out_.normal = glm::vec3(current(family_.normal));
     return Reason::traced;
@@ -193,10 +198,12 @@ class ProgramReader {
       material.diffuse =
           glm::vec4(glm::vec3(uniforms_.value(m.diffuseIntensity, glm::vec4(1))), material.diffuse.a);
       if (!family_.colorIsDiffuseOnly)
-        material.ambient = uniforms_.value(m.ambientIntensity, glm::vec4(m.ambientColor.given() ? 1.0f : 0.0f));
+        material.ambient =
+            uniforms_.value(m.ambientIntensity, glm::vec4(m.ambientColor.given() ? 1.0f : 0.0f));
     };
     replace(family_.material, out_.material.front);
-    if (f.backMaterial) f.backMaterial = false, reason = Reason::program;  // their colours are mixed otherwise
+    if (f.backMaterial)
+      f.backMaterial = false, reason = Reason::program;  // their colours are mixed otherwise
     out_.material.back = out_.material.front;
     return reason;
   }
@@ -204,11 +211,7 @@ class ProgramReader {
   const ProgramUniform* samplerNamed(const std::string& name) const {
     return name.empty() ? nullptr : program_.uniform(name);
   }
-  GLint unitOf(const ProgramUniform& sampler) const {
-    GLint unit = 0;
-    real_.GetUniformiv(program_.name, sampler.location, &unit);
-    return unit;
-  }
+  GLint unitOf(const ProgramUniform& sampler) const { return (*out_.uniforms)[sampler.first].integers[0]; }
 
   Reason readMap(const ProgramUniform& sampler) {
     scene::Texture texture;
@@ -217,7 +220,8 @@ class ProgramReader {
       return reason;
     const bool simple = (texture.target == scene::TextureTarget::texture2D ||
                          texture.target == scene::TextureTarget::texture1D) &&
-                        texture.wrapS == scene::Wrap::clampToEdge && texture.wrapT == scene::Wrap::clampToEdge &&
+                        texture.wrapS == scene::Wrap::clampToEdge &&
+                        texture.wrapT == scene::Wrap::clampToEdge &&
                         texture.mipFilter == scene::MipFilter::none && texture.magFilter == texture.minFilter;
     if (!simple) return Reason::textureFormat;
     out_.texcoord = current(family_.texcoord);
@@ -250,7 +254,8 @@ class ProgramReader {
     glm::vec4 value(0, 0, 0, 1);
     const ProgramAttribute* a = name.empty() ? nullptr : program_.attribute(name);
     if (a && a->location >= 0)
-      real_.GetVertexAttribfv(static_cast<GLuint>(a->location), GL_CURRENT_VERTEX_ATTRIB, glm::value_ptr(value));
+      real_.GetVertexAttribfv(static_cast<GLuint>(a->location), GL_CURRENT_VERTEX_ATTRIB,
+                              glm::value_ptr(value));
     return value;
   }
 
@@ -284,6 +289,7 @@ void readProgram(const RealGl& real, ShareGroup& group, const RareState& has, Te
     state.reason = Reason::programPass;
     return;
   }
+  state.uniforms = readUniforms(real, state.known->program);
   state.reason = ProgramReader(real, group, has, textures, state).read();
   if (state.reason == Reason::traced && !isSane(state)) state.reason = Reason::singularMatrix;
 }
@@ -292,6 +298,7 @@ namespace {
 
 ArraySource readGeneric(const RealGl& real, ShareGroup& group, GLint location) {
   ArraySource source;
+  source.location = location;
   const auto index = static_cast<GLuint>(location);
   const auto ask = [&](GLenum name) {
     GLint value = 0;
@@ -345,7 +352,12 @@ void readAttributes(const RealGl& real, ShareGroup& group, const KnownProgram* p
     ArraySource source = readGeneric(real, group, i);
     if (source.enabled) arrays.generic.push_back(std::move(source));
   }
-  if (!plain || !arrays.vertex.enabled || restartsPrimitives(real) || (arrays.elements && arrays.elements->foreign))
+  // Memory of the program's own may change before the draw is made.
+  const auto keep = [&](const ArraySource& s) { plain = plain && (!s.enabled || s.buffer); };
+  arrays.forEach(keep);
+  for (const ArraySource& source : arrays.generic) keep(source);
+  if (!plain || !arrays.vertex.enabled || restartsPrimitives(real) ||
+      (arrays.elements && arrays.elements->foreign))
     arrays.reason = Reason::arrayState;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include "gl/arrays.h"
 #include "gl/programs/match.h"
+#include "gl/programs/uniforms.h"
 #include "gl/reasons.h"
 #include "scene/snapshot.h"
 
@@ -20,6 +21,7 @@ struct RareState;
 /// Values of the current program's uniforms and textures in the terms of the scene.
 struct ProgramState {
   std::shared_ptr<const KnownProgram> known;  // null: not read
+  UniformValuesPtr uniforms;                  // all of them, of now
   Reason reason = Reason::program;            // why its surfaces cannot be traced, or Reason::traced
   glm::dmat4 clipFromObject{1};
   std::optional<glm::dmat4> eyeFromObject;  // where the program has one
@@ -40,8 +42,8 @@ struct ProgramState {
 void readProgram(const RealGl& real, ShareGroup& group, const RareState& has, TextureCache& textures,
                  ProgramState& state);
 
-/// The vertex arrays of a program as far as its family names them; all others that are on as ArrayState::generic.
-/// `program`: null where its family is unknown.
+/// The vertex arrays of a program as far as its family names them; all others that are on as
+/// ArrayState::generic. `program`: null where its family is unknown.
 void readAttributes(const RealGl& real, ShareGroup& group, const KnownProgram* program, ArrayState& arrays);
 
 }  // namespace gluray::gl

@@ -6,14 +6,8 @@
 #include <cstring>
 
 namespace gluray::gl {
-namespace {
 
-struct Shape {
-  int columns = 1, rows = 1;
-  bool integers = false;
-};
-
-Shape shapeOf(GLenum type) {
+UniformShape shapeOf(GLenum type) {
   switch (type) {
     case GL_FLOAT: return {1, 1};
     case GL_FLOAT_VEC2: return {1, 2};
@@ -37,80 +31,97 @@ Shape shapeOf(GLenum type) {
     case GL_INT_VEC4:
     case GL_UNSIGNED_INT_VEC4:
     case GL_BOOL_VEC4: return {1, 4, true};
-    default: return {1, 1, true};  // single integers, booleans, samplers
+    default: return {1, 1, true};
   }
+}
+
+namespace {
+
+void readPlain(const RealGl& real, const Program& program, UniformValue& value) {
+  if (shapeOf(value.type).integers)
+    real.GetUniformiv(program.name, value.location, value.integers.data());
+  else
+    real.GetUniformfv(program.name, value.location, value.floats.data());
+}
+
+/// From the buffer behind a uniform block; it stays 0 where there is none.
+void readFromBlock(const RealGl& real, const Program& program, const ProgramUniform& u, int element,
+                   UniformValue& value) {
+  GLint binding = 0, buffer = 0;
+  GLint64 start = 0;
+  real.GetActiveUniformBlockiv(program.name, static_cast<GLuint>(u.block), GL_UNIFORM_BLOCK_BINDING,
+                               &binding);
+  const auto slot = static_cast<GLuint>(binding);
+  real.GetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, slot, &buffer);
+  if (buffer == 0) return;
+  real.GetInteger64i_v(GL_UNIFORM_BUFFER_START, slot, &start);
+  const GLint saved = integer(real, GL_COPY_READ_BUFFER_BINDING);
+  real.BindBuffer(GL_COPY_READ_BUFFER, static_cast<GLuint>(buffer));
+  const UniformShape shape = shapeOf(u.type);
+  // A matrix in row-major order is stored row by row.
+  const bool transposed = u.rowMajor && shape.columns > 1;
+  const int lines = transposed ? shape.rows : shape.columns, each = transposed ? shape.columns : shape.rows;
+  for (int line = 0; line < lines; ++line) {
+    GLint words[4] = {};
+    const GLintptr at =
+        static_cast<GLintptr>(start) + u.offset + element * u.arrayStride + line * u.matrixStride;
+    real.GetBufferSubData(GL_COPY_READ_BUFFER, at, each * 4, words);
+    for (int k = 0; k < each; ++k) {
+      const auto to = static_cast<size_t>(transposed ? k * shape.rows + line : line * shape.rows + k);
+      value.integers[to] = words[k];
+      std::memcpy(&value.floats[to], &words[k], 4);
+    }
+  }
+  real.BindBuffer(GL_COPY_READ_BUFFER, static_cast<GLuint>(saved));
 }
 
 }  // namespace
 
-bool UniformReader::readBlock(const ProgramUniform& u, int element, float* out, int columns, int rows) const {
-  GLint binding = 0, buffer = 0;
-  GLint64 start = 0;
-  real_.GetActiveUniformBlockiv(program_.name, static_cast<GLuint>(u.block), GL_UNIFORM_BLOCK_BINDING, &binding);
-  const auto slot = static_cast<GLuint>(binding);
-  real_.GetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, slot, &buffer);
-  if (buffer == 0) return false;
-  real_.GetInteger64i_v(GL_UNIFORM_BUFFER_START, slot, &start);
-  const GLint saved = gl::integer(real_, GL_COPY_READ_BUFFER_BINDING);
-  real_.BindBuffer(GL_COPY_READ_BUFFER, static_cast<GLuint>(buffer));
-  const bool integers = shapeOf(u.type).integers;
-  // A matrix in row-major order is stored row by row.
-  const int lines = u.rowMajor && columns > 1 ? rows : columns, each = u.rowMajor && columns > 1 ? columns : rows;
-  for (int line = 0; line < lines; ++line) {
-    float values[4] = {};
-    const GLintptr at = static_cast<GLintptr>(start) + u.offset + element * u.arrayStride + line * u.matrixStride;
-    real_.GetBufferSubData(GL_COPY_READ_BUFFER, at, each * 4, values);
-    for (int k = 0; k < each; ++k) {
-      float v = values[k];
-      if (integers) {
-        int32_t number;
-        std::memcpy(&number, &v, 4);
-        v = static_cast<float>(number);
+UniformValuesPtr readUniforms(const RealGl& real, const Program& program) {
+  auto values = std::make_shared<UniformValues>();
+  values->reserve(program.uniformElements);
+  for (const auto& [name, uniform] : program.uniforms) {
+    for (int i = 0; i < uniform.count; ++i) {
+      UniformValue value;
+      value.type = uniform.type;
+      if (uniform.block >= 0) {
+        readFromBlock(real, program, uniform, i, value);
+      } else {
+        value.location = i == 0 ? uniform.location : uniform.more[static_cast<size_t>(i - 1)];
+        if (value.location >= 0) readPlain(real, program, value);
       }
-      const bool transposed = u.rowMajor && columns > 1;
-      out[transposed ? k * rows + line : line * rows + k] = v;
+      values->push_back(value);
     }
   }
-  real_.BindBuffer(GL_COPY_READ_BUFFER, static_cast<GLuint>(saved));
-  return true;
+  return values;
 }
 
-bool UniformReader::read(const std::string& name, int element, float* out, int& columns, int& rows) const {
+const UniformValue* UniformReader::find(const std::string& name, int element) const {
   const ProgramUniform* u = name.empty() ? nullptr : program_.uniform(name);
-  if (!u || element >= u->count) return false;
-  const Shape shape = shapeOf(u->type);
-  columns = shape.columns, rows = shape.rows;
-  if (u->block >= 0) return readBlock(*u, element, out, columns, rows);
-  GLint location = u->location;
-  if (element > 0)
-    location = real_.GetUniformLocation(program_.name, (name + "[" + std::to_string(element) + "]").c_str());
-  if (location < 0) return false;
-  if (shape.integers) {
-    GLint values[4] = {};
-    real_.GetUniformiv(program_.name, location, values);
-    std::transform(values, values + 4, out, [](GLint v) { return static_cast<float>(v); });
-  } else {
-    real_.GetUniformfv(program_.name, location, out);
-  }
-  return true;
+  if (!u || element >= u->count) return nullptr;
+  return &values_[u->first + static_cast<size_t>(element)];
 }
 
 glm::vec4 UniformReader::vector(const std::string& name, int element) const {
-  float v[16] = {};
-  int columns = 0, rows = 0;
-  read(name, element, v, columns, rows);
-  return {v[0], v[1], v[2], v[3]};
+  const UniformValue* v = find(name, element);
+  if (!v) return glm::vec4(0);
+  if (shapeOf(v->type).integers) return {v->integers[0], v->integers[1], v->integers[2], v->integers[3]};
+  return {v->floats[0], v->floats[1], v->floats[2], v->floats[3]};
 }
 
-int UniformReader::integer(const std::string& name) const { return static_cast<int>(number(name)); }
+int UniformReader::integer(const std::string& name) const {
+  const UniformValue* v = find(name, 0);
+  if (!v) return 0;
+  return shapeOf(v->type).integers ? v->integers[0] : static_cast<int>(v->floats[0]);
+}
 
 glm::mat4 UniformReader::matrix4(const std::string& name) const {
-  float v[16] = {};
-  int columns = 0, rows = 0;
   glm::mat4 m(1);
-  if (!read(name, 0, v, columns, rows) || columns < 2) return m;
-  for (int c = 0; c < columns; ++c)
-    for (int r = 0; r < rows; ++r) m[c][r] = v[c * rows + r];
+  const UniformValue* v = find(name, 0);
+  const UniformShape shape = v ? shapeOf(v->type) : UniformShape{};
+  if (shape.columns < 2) return m;
+  for (int c = 0; c < shape.columns; ++c)
+    for (int r = 0; r < shape.rows; ++r) m[c][r] = v->floats[static_cast<size_t>(c * shape.rows + r)];
   return m;
 }
 
@@ -135,7 +146,7 @@ glm::vec4 UniformReader::value(const FamilyValue& value, const glm::vec4& otherw
   const ProgramUniform* u = value.uniform.empty() ? nullptr : program_.uniform(value.uniform);
   if (!u) return otherwise;
   const glm::vec4 v = vector(value.uniform);
-  const Shape shape = shapeOf(u->type);
+  const UniformShape shape = shapeOf(u->type);
   if (shape.rows == 1) return glm::vec4(v.x);
   return shape.rows == 3 ? glm::vec4(glm::vec3(v), 1) : v;
 }

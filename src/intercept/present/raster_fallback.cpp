@@ -1,8 +1,11 @@
 #include "intercept/present/raster_fallback.h"
 
 #include "intercept/present/fixed_function.h"
+#include "intercept/present/program_replay.h"
 
 #include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
 
 namespace gluray::present {
 namespace {
@@ -28,6 +31,10 @@ class KeptMatrices {
   const gl::RealGl& real_;
   GLdouble values_[2][16];
 };
+
+bool isByProgram(const scene::Snapshot& snapshot, const scene::Instance& instance) {
+  return snapshot.shadings[instance.shading].fragment.model != scene::FragmentShading::Model::off;
+}
 
 bool attribStackHasRoom(const gl::RealGl& real) {
   GLint depth = 0, limit = 0;
@@ -86,6 +93,8 @@ void drawInstance(const gl::RealGl& real, const scene::Instance& instance) {
 
 }  // namespace
 
+namespace {
+
 bool drawWithFixedFunction(const gl::RealGl& real, const Features& features, const scene::Snapshot& snapshot,
                            GLenum depthFunc) {
   if (!features.compatibility || !attribStackHasRoom(real)) return false;
@@ -112,11 +121,24 @@ bool drawWithFixedFunction(const gl::RealGl& real, const Features& features, con
     neutralFixedFunction(real, features);
     ShadingTextures textures(real, features);
     for (const scene::Instance& instance : snapshot.instances) {
+      if (isByProgram(snapshot, instance)) continue;
       setShading(real, features, snapshot.shadings[instance.shading], textures);
       drawInstance(real, instance);
     }
   }
   real.PopAttrib();
+  return true;
+}
+
+}  // namespace
+
+bool drawByRealGl(const gl::RealGl& real, const Features& features, const scene::Snapshot& snapshot,
+                  const gl::PresentTarget& target) {
+  const bool fixedFunction =
+      std::any_of(snapshot.instances.begin(), snapshot.instances.end(),
+                  [&](const scene::Instance& instance) { return !isByProgram(snapshot, instance); });
+  if (fixedFunction && !drawWithFixedFunction(real, features, snapshot, target.depthFunc)) return false;
+  replayProgramDraws(real, features, snapshot, target.depthFunc, target.programDraws);
   return true;
 }
 

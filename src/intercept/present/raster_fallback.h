@@ -1,15 +1,16 @@
-// Draws a snapshot with the real OpenGL's fixed function: what the program would have had, for when tracing
-// fails after its draws were held back. GL thread, compatibility context current, outside glBegin/glEnd.
+// Draws a snapshot with the real OpenGL: what the program would have had, for when tracing fails after its
+// draws were held back. GL thread, outside glBegin/glEnd.
 #pragma once
+#include "gl/presenter.h"
 #include "intercept/present/state_guard.h"
 #include "scene/snapshot.h"
 
 namespace gluray::present {
 
-/// Draws every instance in order, into the framebuffer that is bound, with depth test `depthFunc`. No
-/// queryable state differs afterwards. False, with nothing drawn, where the attribute stack is full or fixed
-/// function is missing.
-bool drawWithFixedFunction(const gl::RealGl& real, const Features& features, const scene::Snapshot& snapshot,
-                           GLenum depthFunc);
+/// Draws every instance, into the framebuffer that is bound, with the target's depth function: those of fixed
+/// function in order, then those of shader programs in order. No queryable state differs afterwards. False,
+/// with nothing drawn, where the attribute stack is full or fixed function is missing and needed.
+bool drawByRealGl(const gl::RealGl& real, const Features& features, const scene::Snapshot& snapshot,
+                  const gl::PresentTarget& target);
 
 }  // namespace gluray::present

@@ -52,8 +52,7 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
     result.why = why.empty() ? "the picture could not be written back" : std::move(why);
     const PendingErrors more = takeErrors(real);
     pending.insert(pending.end(), more.begin(), more.end());
-    if (drawWithFixedFunction(real, readFeatures(real), snapshot, target.depthFunc))
-      result.outcome = PresentResult::rasterised;
+    if (drawByRealGl(real, readFeatures(real), snapshot, target)) result.outcome = PresentResult::rasterised;
     takeErrors(real);
   }
   if (!pending.empty()) result.pendingError = pending.front();

@@ -1,0 +1,16 @@
+// Which vertices a draw call takes.
+#pragma once
+#include <GL/gl.h>
+
+namespace gluray::gl {
+
+/// Which vertices a draw takes: `count` from `first`, or `count` indices of `type` at `indices`.
+struct Elements {
+  GLint first = 0;
+  GLsizei count = 0;
+  GLenum type = 0;                // 0: no indices
+  const void* indices = nullptr;  // memory, or an offset into the element buffer
+  GLint base = 0;                 // added to each index
+};
+
+}  // namespace gluray::gl

@@ -1,0 +1,60 @@
+#include "gl/programs/program_draw.h"
+
+#include "gl/arrays.h"
+#include "gl/programs/samplers.h"
+#include "gl/state_queries.h"
+
+namespace gluray::gl {
+namespace {
+
+void addArray(const RealGl& real, const ArraySource& source, std::vector<ProgramDraw::Array>& arrays) {
+  if (!source.enabled || !source.buffer) return;
+  const auto location = static_cast<GLuint>(source.location);
+  const auto ask = [&](GLenum name) {
+    GLint value = 0;
+    real.GetVertexAttribiv(location, name, &value);
+    return value;
+  };
+  ProgramDraw::Array array;
+  array.location = location;
+  array.size = source.size;
+  array.type = source.type;
+  array.normalized = source.normalized;
+  array.integer = ask(GL_VERTEX_ATTRIB_ARRAY_INTEGER) != 0;
+  array.stride = source.stride;
+  array.offset = reinterpret_cast<size_t>(source.pointer);
+  array.divisor = static_cast<GLuint>(ask(GL_VERTEX_ATTRIB_ARRAY_DIVISOR));
+  array.contents = source.buffer->read(real);
+  if (array.contents) arrays.push_back(std::move(array));
+}
+
+}  // namespace
+
+ProgramDraw captureProgramDraw(const RealGl& real, const Program& program, const UniformValuesPtr& uniforms,
+                               const ArrayState& attributes, GLenum mode, const Elements& elements) {
+  ProgramDraw draw;
+  draw.program = program.name;
+  draw.mode = mode;
+  draw.elements = elements;
+  draw.uniforms = uniforms;
+  attributes.forEach([&](const ArraySource& source) { addArray(real, source, draw.arrays); });
+  for (const ArraySource& source : attributes.generic) addArray(real, source, draw.arrays);
+  if (elements.type && attributes.elements) draw.indexContents = attributes.elements->read(real);
+  const GLint active = integer(real, GL_ACTIVE_TEXTURE);
+  for (const auto& [name, uniform] : program.uniforms) {
+    const SamplerTarget target = samplerTarget(uniform.type);
+    if (!target.binding) continue;
+    GLint unit = 0;
+    real.GetUniformiv(program.name, uniform.location, &unit);
+    real.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    draw.textures.push_back(
+        {static_cast<GLuint>(unit), target.target, static_cast<GLuint>(integer(real, target.binding))});
+  }
+  real.ActiveTexture(static_cast<GLenum>(active));
+  draw.cull = isOn(real, GL_CULL_FACE);
+  draw.cullFace = static_cast<GLenum>(integer(real, GL_CULL_FACE_MODE));
+  draw.frontFace = static_cast<GLenum>(integer(real, GL_FRONT_FACE));
+  return draw;
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,49 @@
+// A draw by a shader program as it was sent, kept while it waits in the batch: where it cannot be traced after all,
+// the real OpenGL draws it from this. GL thread.
+#pragma once
+#include "gl/buffer.h"
+#include "gl/elements.h"
+#include "gl/programs/program.h"
+#include "gl/programs/uniforms.h"
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace gluray::gl {
+
+struct ArrayState;
+
+struct ProgramDraw {
+  struct Array {
+    GLuint location = 0;
+    GLint size = 4;
+    GLenum type = GL_FLOAT;
+    bool normalized = false, integer = false;
+    GLsizei stride = 0;
+    size_t offset = 0;  // bytes into `contents`
+    GLuint divisor = 0;
+    std::shared_ptr<const BufferStorage> contents;
+  };
+  struct BoundTexture {
+    GLuint unit = 0;
+    GLenum target = 0;
+    GLuint name = 0;
+  };
+  GLuint program = 0;
+  GLenum mode = GL_TRIANGLES;
+  Elements elements;                             // `indices` an offset into `indexContents`
+  GLsizei instances = 1;
+  std::shared_ptr<const BufferStorage> indexContents;
+  std::vector<Array> arrays;
+  std::vector<BoundTexture> textures;
+  UniformValuesPtr uniforms;
+  bool cull = false;
+  GLenum cullFace = GL_BACK, frontFace = GL_CCW;
+};
+
+/// The draw that is about to be made with the current state. Every array that is on must be in a buffer.
+ProgramDraw captureProgramDraw(const RealGl& real, const Program& program, const UniformValuesPtr& uniforms,
+                               const ArrayState& attributes, GLenum mode, const Elements& elements);
+
+}  // namespace gluray::gl
