@@ -25,6 +25,8 @@ import pictures  # noqa: E402
 import registry  # noqa: E402
 
 DEPTH = 1e-4   # window depths that differ by more count as different
+# What must not be counted while only the camera moves.
+STEADY = {"mesh.built": "meshes were built", "bvh.builds": "acceleration structures were built"}
 MARGIN = 4     # pixels around surfaces that anti-aliasing may touch
 
 
@@ -123,10 +125,20 @@ def compare_state(state, off, on, failed):
     counts = traced["counts"] or {}
     row |= {"traced": traced_share(counts), "triangles": counts.get("triangles.traced", 0) + counts.get("triangles.rasterised", 0),
             "reason": main_reason(counts), "counts": counts}
+    if traced.get("steady"):
+        wrong += unsteady(name, traced["steady"])
     if state.min_share is not None and (row["traced"] or 0) < state.min_share:
         wrong.append(f"{name}: {row['traced'] or 0:.2%} of its triangles are traced, at least {state.min_share:.2%} should be; "
                      f"rasterised for: {row['reason']}")
     return row, wrong
+
+
+def unsteady(name, steady):
+    """What is wrong with the counts of frames between which only the camera moved."""
+    wrong = [f"{name}: {steady[counter]:.0f} {what} while only the camera moved" for counter, what in STEADY.items() if steady.get(counter)]
+    if not steady.get("triangles.traced"):
+        wrong.append(f"{name}: nothing was traced while the camera moved")
+    return wrong
 
 
 def print_processes(program, folder):

@@ -36,7 +36,7 @@ def changed(color=None, depth=None):
     return picture, window_depth
 
 
-def drawn(folder, shots, counts=None, error="null", text=""):
+def drawn(folder, shots, counts=None, error="null", text="", steady="null"):
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     stage = stages.Stage(folder, "state")
@@ -45,7 +45,8 @@ def drawn(folder, shots, counts=None, error="null", text=""):
     if text:
         stage.keep_text([text])
     made = batch.Batch("vtk", ["state"], folder)
-    made.result_file("state").write_text('{"seconds": 0, "error": %s, "counts": %s}' % (error, counts or '{"frames": 1}'))
+    made.result_file("state").write_text('{"seconds": 0, "error": %s, "counts": %s, "steady": %s}' %
+                                          (error, counts or '{"frames": 1}', steady))
     return made
 
 
@@ -72,6 +73,10 @@ CASES = {
     "an error": ([ball()], {"error": '"the process ended with -11"'}, {}, "ended with -11"),
     "no report": ([ball()], {"counts": "null"}, {}, "wrote no report"),
     "too little traced": ([ball()], {"counts": HALF_TRACED}, {"min_share": 0.9}, "50.00% of its triangles"),
+    "a steady orbit": ([ball()], {"steady": '{"triangles.traced": 9, "mesh.built": 0}'}, {}, None),
+    "meshes built in an orbit": ([ball()], {"steady": '{"triangles.traced": 9, "mesh.built": 2}'}, {}, "2 meshes were built"),
+    "structures built in an orbit": ([ball()], {"steady": '{"triangles.traced": 9, "bvh.builds": 1}'}, {}, "1 acceleration structures"),
+    "nothing traced in an orbit": ([ball()], {"steady": '{"triangles.traced": 0}'}, {}, "nothing was traced while"),
     "enough traced": ([ball()], {"counts": HALF_TRACED}, {"min_share": 0.4}, None),
 }
 

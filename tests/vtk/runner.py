@@ -41,7 +41,9 @@ class Counts:
             return None
 
     def fresh(self):
-        """Numbers by dotted name since the start of the process; None where no window is current."""
+        """Numbers by dotted name since the start of the process; None without a report, or where no window is current."""
+        if not self.path:
+            return None
         display, drawable = self.glx.glXGetCurrentDisplay(), self.glx.glXGetCurrentDrawable()
         if not display or not drawable:
             return None
@@ -65,7 +67,7 @@ class Counts:
         return flat
 
     def since_last(self):
-        now = self.fresh() if self.path else None
+        now = self.fresh()
         if now is None:
             return None
         seen = {name: value - self.last.get(name, 0) for name, value in now.items()}
@@ -79,17 +81,18 @@ def main():
     counts = Counts(os.environ.get("VTK_STATES_REPORT"))
     for name in sys.argv[2:]:
         (folder / f"{name}.begun").touch()
-        start, error, seen = time.monotonic(), None, None
+        start, error, seen, steady = time.monotonic(), None, None, None
         try:
             stage = stages.open_stage(states[name].program, folder, name)
+            stage.counts = counts
             try:
                 states[name].draw(stage)
-                seen = counts.since_last()
+                seen, steady = counts.since_last(), stage.steady
             finally:
                 stage.end()
         except Exception:
             error = traceback.format_exc()
-        result = {"seconds": time.monotonic() - start, "error": error, "counts": seen}
+        result = {"seconds": time.monotonic() - start, "error": error, "counts": seen, "steady": steady}
         (folder / f"{name}.json").write_text(json.dumps(result) + "\n")
     sys.stdout.flush()
 

@@ -16,6 +16,8 @@ class Stage:
 
     def __init__(self, folder, name):
         self.folder, self.name, self.count = pathlib.Path(folder), name, 0
+        self.counts = None  # runner.Counts where GLuRay counts
+        self.steady = None  # what it counted while only the camera moved
 
     def keep(self, picture, depth=None):
         """`picture`: height x width x 3 bytes, top row first."""
@@ -40,6 +42,21 @@ class Stage:
         window.GetZbufferData(0, 0, width - 1, height - 1, depth)
         self.keep(vtk_to_numpy(colors).reshape(height, width, -1)[::-1, :, :3].copy(),
                   vtk_to_numpy(depth).reshape(height, width)[::-1].copy())
+
+
+    def counted(self, render, turn, frames=5):
+        """Frames between which only the camera moves, after two that may still prepare something: `steady` says what was
+        counted during them."""
+        for _ in range(2):
+            render()
+            turn()
+        before = self.counts.fresh() if self.counts else None
+        for _ in range(frames):
+            render()
+            turn()
+        after = self.counts.fresh() if self.counts else None
+        if before and after:
+            self.steady = {name: value - before.get(name, 0) for name, value in after.items()}
 
 
 class ParaViewStage(Stage):
@@ -109,6 +126,14 @@ class ParaViewStage(Stage):
                 view.GetActiveCamera().Azimuth(degrees)
                 view.GetRenderer().ResetCameraClippingRange()
             self.shoot(view)
+
+    def steady_orbit(self):
+        def turn():
+            self.view.GetActiveCamera().Azimuth(11)
+            self.view.GetRenderer().ResetCameraClippingRange()
+
+        self.counted(lambda: self.simple.Render(self.view), turn)
+        self.shoot()
 
     def end(self):
         for view in self.views:
@@ -180,6 +205,14 @@ class VtkStage(Stage):
                     renderer.GetActiveCamera().Azimuth(degrees)
                     renderer.ResetCameraClippingRange()
             self.shoot()
+
+    def steady_orbit(self):
+        def turn():
+            self.renderer.GetActiveCamera().Azimuth(11)
+            self.renderer.ResetCameraClippingRange()
+
+        self.counted(self.window.Render, turn)
+        self.shoot()
 
     def end(self):
         self.window.Finalize()
