@@ -88,6 +88,11 @@ void addOptions(CLI::App& app, CommandLine& line) {
       ->allow_extra_args(false)
       ->check(checkQuirk)
       ->type_name("NAME=on|off");
+  app.add_option("--program-families", line.programFamilies,
+                 "Trace shader programs that FILE describes, too; docs/program-families.md has its format")
+      ->allow_extra_args(false)
+      ->check(CLI::ExistingFile)
+      ->type_name("FILE");
   app.add_option("--config", line.config, "Read settings from FILE [~/.config/gluray/gluray.toml]")
       ->type_name("FILE");
   app.add_option("--log", line.log, "Write messages to FILE instead of stderr")->type_name("FILE");

@@ -13,6 +13,7 @@ struct CommandLine {
   std::string door = "auto";                                                   // auto, vendor, preload
   std::string config, report, log, logLevel, threads, bvh, shading, renderer;  // empty: not given
   std::vector<std::string> quirks;                                             // NAME=on|off
+  std::vector<std::string> programFamilies;                                    // files
   bool off = false;
 
   // explain, doctor, quirks

@@ -47,6 +47,12 @@ void passSettings(const CommandLine& line) {
   std::string quirks = environment("GLURAY_QUIRKS");  // later ones win
   for (const std::string& quirk : line.quirks) quirks += (quirks.empty() ? "" : ",") + quirk;
   setIfGiven("GLURAY_QUIRKS", quirks);
+  std::string families;  // earlier ones win
+  for (const std::string& file : line.programFamilies)
+    families.append(families.empty() ? "" : ":").append(absolute(file));
+  const std::string more = environment("GLURAY_PROGRAM_FAMILIES");
+  if (!families.empty() && !more.empty()) families.append(":").append(more);
+  setIfGiven("GLURAY_PROGRAM_FAMILIES", families);
   std::error_code ignored;
   if (!line.report.empty())
     fs::remove(line.report, ignored);  // a report of an earlier run must not pass for this one's

@@ -3,6 +3,7 @@
 #include "base/log.h"
 #include "gl/context.h"
 #include "intercept/explanation.h"
+#include "intercept/families.h"
 #include "intercept/make_presenter.h"
 #include "intercept/orphan_gl.h"
 #include "intercept/present/frame_picture.h"
@@ -113,6 +114,7 @@ std::string text(const gl::RealGl& real, GLenum name) {
 gl::ContextInfo askInfo(const gl::RealGl& real, const std::string& version) {
   gl::ContextInfo info;
   info.settings = session().settings;
+  info.families = families();
   info.drawableSize = [] { return t_current.size ? t_current.size() : glm::ivec2(0); };
   int major = 0, minor = 0;
   if (std::sscanf(version.c_str(), "%d.%d", &major, &minor) != 2)

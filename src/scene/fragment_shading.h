@@ -26,7 +26,7 @@ struct FragmentLight {
 
 /// Microfacet reflection as VTK's physically based shading has it.
 struct PbrSurface {
-  float metallic = 0, roughness = 0.5f, baseF0 = 0.04f, occlusionStrength = 1;
+  float metallic = 0, roughness = 0.5f, baseF0 = 0.04f;
   glm::vec3 edgeTint{1}, emissive{0};
   bool operator==(const PbrSurface&) const = default;
 };

@@ -46,6 +46,7 @@ report = "/r.json"
 log = "/l.txt"
 log-level = "debug"
 quirks = "material-latch=off"
+program-families = "/a.toml:/b.toml"
 )");
   EXPECT_EQ(g_complaints, std::vector<std::string>{});
   EXPECT_EQ(session.settings.threads, 4);
@@ -57,6 +58,7 @@ quirks = "material-latch=off"
   EXPECT_EQ(session.logFile, "/l.txt");
   EXPECT_EQ(session.logLevel, "debug");
   EXPECT_FALSE(session.settings.quirks.has(Quirk::materialLatch));
+  EXPECT_EQ(session.programFamilies, "/a.toml:/b.toml");
 }
 
 TEST_F(ConfigFile, TheEnvironmentComesAfterIt) {

@@ -15,7 +15,7 @@ std::vector<std::string> g_complaints;
 Session sessionOf(std::vector<std::pair<const char*, const char*>> variables) {
   setenv("XDG_CONFIG_HOME", "/nowhere", 1);
   for (const char* name : {"CONFIG", "THREADS", "BVH", "SHADING", "RENDERER", "OFF", "REPORT", "LOG",
-                           "LOG_LEVEL", "QUIRKS", "EXPLAIN", "PICTURE"})
+                           "LOG_LEVEL", "QUIRKS", "PROGRAM_FAMILIES", "EXPLAIN", "PICTURE"})
     unsetenv((std::string("GLURAY_") + name).c_str());
   for (const auto& [name, value] : variables) setenv(name, value, 1);
   g_complaints.clear();
@@ -41,6 +41,7 @@ TEST(Environment, EveryVariableIsRead) {
                                      {"GLURAY_LOG", "/l.txt"},
                                      {"GLURAY_LOG_LEVEL", "debug"},
                                      {"GLURAY_QUIRKS", "material-latch=off"},
+                                     {"GLURAY_PROGRAM_FAMILIES", "/a.toml:/b.toml"},
                                      {"GLURAY_EXPLAIN", "100"},
                                      {"GLURAY_PICTURE", "1"}});
   EXPECT_EQ(session.settings.threads, 3);
@@ -52,6 +53,7 @@ TEST(Environment, EveryVariableIsRead) {
   EXPECT_EQ(session.logFile, "/l.txt");
   EXPECT_EQ(session.logLevel, "debug");
   EXPECT_FALSE(session.settings.quirks.has(Quirk::materialLatch));
+  EXPECT_EQ(session.programFamilies, "/a.toml:/b.toml");
   EXPECT_EQ(session.explainFrames, 100);
   EXPECT_TRUE(session.picture);
   EXPECT_TRUE(g_complaints.empty());

@@ -32,14 +32,17 @@ struct Session {
   bool off = false;        // pass every call through, for comparison
   std::string reportFile;  // JSON written at exit; empty: none
   std::string logFile;     // empty: stderr
-  int explainFrames = 0;   // `gluray explain`: frames whose draws are recorded by kind; 0: nobody explains
-  bool picture = false;    // and the last of them is kept as a picture, beside the report
+  std::string
+      programFamilies;    // files that describe shader programs, separated by ':'; empty: built-in ones alone
+  int explainFrames = 0;  // `gluray explain`: frames whose draws are recorded by kind; 0: nobody explains
+  bool picture = false;   // and the last of them is kept as a picture, beside the report
   std::string logLevel = "warning";
 };
 
 /// Reads GLURAY_THREADS, GLURAY_BVH, GLURAY_SHADING, GLURAY_RENDERER, GLURAY_OFF, GLURAY_REPORT, GLURAY_LOG,
-/// GLURAY_LOG_LEVEL, GLURAY_QUIRKS, GLURAY_EXPLAIN, GLURAY_PICTURE. An unreadable value is reported once
-/// through `complain` ("GLURAY_BVH=x: use auto, fast, full or compact") and the default kept.
+/// GLURAY_LOG_LEVEL, GLURAY_QUIRKS, GLURAY_PROGRAM_FAMILIES, GLURAY_EXPLAIN, GLURAY_PICTURE. An unreadable
+/// value is reported once through `complain` ("GLURAY_BVH=x: use auto, fast, full or compact") and the
+/// default kept.
 Session sessionFromEnvironment(void (*complain)(const std::string& line));
 
 }  // namespace gluray

@@ -28,8 +28,10 @@ struct FamilyMaterial {
   bool given() const { return diffuseColor.given() || diffuseIntensity.given(); }
 };
 
-/// Lights are numbered from 0; {} in a name stands for the number. They are on as long as `color` is active.
+/// Lights are numbered from 0; {} in a name stands for the number. They are on as long as `color` is active,
+/// or, where the family names no colour (then it is white), direction or position.
 struct FamilyLights {
+  std::string count;  // how many of them are on; empty: all
   std::string color;
   std::string direction;  // eye space, from the light to the surface, or towards it
   bool towardsLight = false;
@@ -39,7 +41,7 @@ struct FamilyLights {
 };
 
 struct FamilyPbr {
-  FamilyValue metallic, roughness, baseF0, edgeTint, occlusionStrength, emissive;
+  FamilyValue metallic, roughness, baseF0, edgeTint, emissive;
   bool given() const { return roughness.given(); }
 };
 
@@ -60,6 +62,7 @@ struct Family {
 
   std::string position, normal, color, texcoord;           // attributes
   std::vector<std::string> clipFromObject, eyeFromObject;  // uniforms, multiplied from left to right
+  std::string viewer;        // uniform: the viewer's place in the space of eyeFromObject; empty: its origin
   std::string normalMatrix;  // uniform; empty: inverse transpose of eyeFromObject
   NoNormals withoutNormals = NoNormals::refuse;
   bool flipBackFaces = false;  // back faces are lit with the reversed normal
@@ -82,7 +85,7 @@ struct Family {
   std::string clipPlanes, clipPlaneCount;  // uniform array of planes in object space, how many of them count
   FamilyValue depthOffset, depthFactor;    // added to window depth: offset, and factor times its slope
 
-  /// Every name that the family mentions, {} for the number of a light.
+  /// Every name that the family mentions, {} for the number of a light, arrays without [{}].
   std::set<std::string, std::less<>> mentioned;
   bool mentions(std::string_view name) const;
 };

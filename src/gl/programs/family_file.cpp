@@ -5,7 +5,6 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <cctype>
 
 namespace gluray::gl {
 namespace {
@@ -44,7 +43,9 @@ class FamilyReader {
     throw FamilyError(file_ + ":" + std::to_string(at.source().begin.line) + ": " + what);
   }
   void mention(const std::string& name) {
-    if (!name.empty()) family_.mentioned.insert(name);
+    if (name.empty()) return;
+    family_.mentioned.insert(name);
+    if (name.ends_with("[{}]")) family_.mentioned.insert(name.substr(0, name.size() - 4));
   }
   const toml::node* get(const char* key) {
     known_.insert(key);
@@ -137,7 +138,6 @@ class FamilyReader {
     names("any", family_.any);
     names("absent", family_.absent);
     for (const std::string& a : family_.absent) family_.mentioned.erase(a);
-    std::vector<std::string> outputs;
     names("absent_outputs", family_.absentOutputs);
     names("ignored", family_.ignored);
     flag("strict", family_.strict);
@@ -152,6 +152,7 @@ class FamilyReader {
   void readTransform() {
     names("clip_from_object", family_.clipFromObject);
     names("eye_from_object", family_.eyeFromObject);
+    name("viewer", family_.viewer);
     name("normal_matrix", family_.normalMatrix);
   }
   void readNormals() {
@@ -186,6 +187,7 @@ class FamilyReader {
     choice("specular", {{"reflect", Family::Specular::reflect}, {"half", Family::Specular::half}},
            family_.specular);
     FamilyLights& l = family_.lights;
+    name("count", l.count);
     name("color", l.color);
     name("direction", l.direction);
     flag("direction_towards_light", l.towardsLight);
@@ -201,7 +203,6 @@ class FamilyReader {
     value("roughness", p.roughness);
     value("base_f0", p.baseF0);
     value("edge_tint", p.edgeTint);
-    value("occlusion_strength", p.occlusionStrength);
     value("emissive", p.emissive);
   }
 
@@ -216,14 +217,16 @@ class FamilyReader {
 bool Family::mentions(std::string_view name) const {
   if (mentioned.contains(name)) return true;
   // "lightColor12" is mentioned as "lightColor{}".
-  const size_t digit = name.find_first_of("0123456789");
-  if (digit == std::string_view::npos) return false;
-  size_t end = digit;
-  while (end < name.size() && std::isdigit(static_cast<unsigned char>(name[end]))) ++end;
-  std::string pattern(name.substr(0, digit));
-  pattern += "{}";
-  pattern += name.substr(end);
-  return mentioned.contains(pattern);
+  const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+  for (size_t digit = 0, end = 0; digit < name.size(); digit = end + 1) {
+    digit = std::min(name.find_first_of("0123456789", digit), name.size());
+    for (end = digit; end < name.size() && isDigit(name[end]);) ++end;
+    std::string pattern(name.substr(0, digit));
+    pattern += "{}";
+    pattern += name.substr(end);
+    if (end > digit && mentioned.contains(pattern)) return true;
+  }
+  return false;
 }
 
 FamilyList parseFamilies(std::string_view text, const std::string& file) {

@@ -1,35 +1,121 @@
 #include "gl/programs/match.h"
 
 #include <algorithm>
+#include <initializer_list>
 
 namespace gluray::gl {
 namespace {
 
-std::string quoted(const std::string& name) { return "\"" + name + "\""; }
+bool isDouble(GLenum type) {
+  return type == GL_DOUBLE || (type >= GL_DOUBLE_VEC2 && type <= GL_DOUBLE_VEC4) ||
+         (type >= GL_DOUBLE_MAT2 && type <= GL_DOUBLE_MAT4x3);
+}
+
+std::string about(const char* before, const std::string& name, const std::string& after = "") {
+  std::string text = before;
+  return text.append("\"").append(name).append("\"").append(after);
+}
 
 void needActive(const Program& p, const Family& f, std::vector<std::string>& out) {
   for (const std::string& name : f.active)
-    if (!p.isActive(name)) out.push_back("lacks " + quoted(name));
+    if (!p.isActive(name)) out.push_back(about("lacks ", name));
   const auto active = [&](const std::string& name) { return p.isActive(name); };
   if (!f.any.empty() && std::none_of(f.any.begin(), f.any.end(), active))
-    out.push_back("has none of " + quoted(f.any.front()) + (f.any.size() > 1 ? " ..." : ""));
+    out.push_back(about("has none of ", f.any.front(), f.any.size() > 1 ? " ..." : ""));
 }
 
 void refuseActive(const RealGl& real, const Program& p, const Family& f, std::vector<std::string>& out) {
   for (const std::string& name : f.absent)
-    if (p.isActive(name)) out.push_back("has " + quoted(name));
+    if (p.isActive(name)) out.push_back(about("has ", name));
   for (const std::string& name : f.absentOutputs)
-    if (hasOutput(real, p, name)) out.push_back("has output " + quoted(name));
+    if (hasOutput(real, p, name)) out.push_back(about("has output ", name));
 }
 
 void needMentioned(const Program& p, const Family& f, std::vector<std::string>& out) {
   if (!f.strict) return;
   for (const auto& [name, place] : p.uniforms)
-    if (!f.mentions(name))
-      out.push_back("has uniform " + quoted(name) + ", of which the family says nothing");
+    if (!f.mentions(name)) out.push_back(about("has uniform ", name, ", of which the family says nothing"));
   for (const auto& [name, place] : p.attributes)
-    if (!f.mentions(name))
-      out.push_back("has attribute " + quoted(name) + ", of which the family says nothing");
+    if (!f.mentions(name)) out.push_back(about("has attribute ", name, ", of which the family says nothing"));
+}
+
+/// Types that a variable may have to mean what the family says.
+struct Types {
+  const char* what;
+  bool (*fit)(GLenum type);
+};
+const Types kNumber{"a number", [](GLenum t) {
+                      return t == GL_FLOAT || t == GL_INT || t == GL_UNSIGNED_INT || t == GL_BOOL;
+                    }};
+const Types kVector{"a vector",
+                    [](GLenum t) { return t == GL_FLOAT_VEC2 || t == GL_FLOAT_VEC3 || t == GL_FLOAT_VEC4; }};
+const Types kValue{"a number or vector", [](GLenum t) { return kNumber.fit(t) || kVector.fit(t); }};
+const Types kMatrix{"a mat4", [](GLenum t) { return t == GL_FLOAT_MAT4; }};
+const Types kLinear{"a mat3 or mat4", [](GLenum t) { return t == GL_FLOAT_MAT3 || t == GL_FLOAT_MAT4; }};
+const Types kImage{"a sampler", [](GLenum t) { return t == GL_SAMPLER_2D || t == GL_SAMPLER_1D; }};
+const Types kBuffer{"a samplerBuffer", [](GLenum t) { return t == GL_SAMPLER_BUFFER; }};
+
+/// Variables that are there but of another type.
+class TypeCheck {
+ public:
+  TypeCheck(const Program& p, std::vector<std::string>& out) : p_(p), out_(out) {}
+
+  void attribute(const std::string& name) const {
+    const ProgramAttribute* a = name.empty() ? nullptr : p_.attribute(name);
+    if (a && !kVector.fit(a->type)) refuse(name, kVector);
+  }
+  void uniform(const std::string& name, const Types& types) const {
+    const ProgramUniform* u = name.empty() ? nullptr : p_.uniform(name);
+    if (u && !types.fit(u->type)) refuse(name, types);
+  }
+  void uniforms(const std::vector<std::string>& names, const Types& types) const {
+    for (const std::string& name : names) uniform(name, types);
+  }
+  void values(std::initializer_list<const FamilyValue*> values) const {
+    for (const FamilyValue* v : values) uniform(v->uniform, kValue);
+  }
+  void material(const FamilyMaterial& m) const {
+    values({&m.ambientIntensity, &m.ambientColor, &m.diffuseIntensity, &m.diffuseColor, &m.specularIntensity,
+            &m.specularColor, &m.shininess, &m.opacity});
+  }
+  /// Of the first light, or of the array that holds all.
+  void light(const std::string& pattern, const Types& types) const {
+    if (pattern.ends_with("[{}]")) return uniform(pattern.substr(0, pattern.size() - 4), types);
+    const size_t at = pattern.find("{}");
+    if (at == std::string::npos) return uniform(pattern, types);
+    std::string name = pattern.substr(0, at);
+    uniform(name.append("0").append(pattern, at + 2), types);
+  }
+
+ private:
+  void refuse(const std::string& name, const Types& types) const {
+    out_.push_back(about("has ", name, std::string(", which is not ") + types.what));
+  }
+  const Program& p_;
+  std::vector<std::string>& out_;
+};
+
+void needTypes(const Program& p, const Family& f, std::vector<std::string>& out) {
+  if (!f.rasteriseBecause.empty()) return;
+  const TypeCheck check(p, out);
+  for (const std::string* name : {&f.position, &f.normal, &f.color, &f.texcoord}) check.attribute(*name);
+  check.uniforms(f.clipFromObject, kMatrix), check.uniforms(f.eyeFromObject, kMatrix);
+  check.uniform(f.normalMatrix, kLinear), check.uniform(f.viewer, kVector);
+  check.uniform(f.parallelView, kNumber), check.uniform(f.triangleOffset, kNumber);
+  check.uniform(f.uniformColors, kNumber), check.uniform(f.clipPlaneCount, kNumber);
+  check.uniform(f.clipPlanes, kVector);
+  check.uniform(f.colorMap, kImage), check.uniforms(f.textures, kImage);
+  check.uniform(f.triangleColors, kBuffer), check.uniform(f.triangleNormals, kBuffer);
+  check.material(f.material), check.material(f.backMaterial);
+  check.values({&f.pbr.metallic, &f.pbr.roughness, &f.pbr.baseF0, &f.pbr.edgeTint, &f.pbr.emissive,
+                &f.depthOffset, &f.depthFactor});
+  const FamilyLights& l = f.lights;
+  for (const std::string* name : {&l.color, &l.direction, &l.position, &l.attenuation})
+    check.light(*name, kVector);
+  for (const std::string* name : {&l.positional, &l.coneAngle, &l.exponent, &l.count})
+    check.light(*name, kNumber);
+  for (const auto& [name, uniform] : p.uniforms)
+    if (isDouble(uniform.type)) out.push_back(about("has ", name, " in double precision"));
 }
 
 /// What tracing needs of any program.
@@ -37,12 +123,12 @@ void needSources(const Program& p, const Family& f, std::vector<std::string>& ou
   if (!f.rasteriseBecause.empty()) return;
   if (p.geometryShader) out.push_back("has a geometry shader");
   if (p.tessellation) out.push_back("has tessellation shaders");
-  if (!p.attribute(f.position)) out.push_back("lacks attribute " + quoted(f.position));
+  if (!p.attribute(f.position)) out.push_back(about("lacks attribute ", f.position));
   for (const std::string& name : f.clipFromObject)
-    if (!p.uniform(name)) out.push_back("lacks uniform " + quoted(name));
+    if (!p.uniform(name)) out.push_back(about("lacks uniform ", name));
   const bool normals = p.attribute(f.normal) || p.uniform(f.triangleNormals);
   if (!normals && f.model != Family::Model::unlit && f.withoutNormals == Family::NoNormals::refuse)
-    out.push_back("lacks attribute " + quoted(f.normal));
+    out.push_back(about("lacks attribute ", f.normal));
 }
 
 }  // namespace
@@ -53,6 +139,7 @@ std::vector<std::string> obstacles(const RealGl& real, const Program& program, c
   needActive(program, family, out);
   refuseActive(real, program, family, out);
   needSources(program, family, out);
+  needTypes(program, family, out);
   needMentioned(program, family, out);
   return out;
 }
@@ -75,9 +162,11 @@ std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, c
   }
   known->why = known->program.linked ? "no family fits" : "not linked";
   if (nearest && known->program.linked) {
-    known->why += "; nearest: " + nearest->name;
-    for (size_t i = 0; i < fewest.size() && i < 4; ++i) known->why += (i ? ", " : ", but it ") + fewest[i];
-    if (fewest.size() > 4) known->why += " and " + std::to_string(fewest.size() - 4) + " more";
+    known->why.append("; nearest: ").append(nearest->name);
+    for (size_t i = 0; i < fewest.size() && i < 4; ++i)
+      known->why.append(i ? ", " : ", but it ").append(fewest[i]);
+    if (fewest.size() > 4)
+      known->why.append(" and ").append(std::to_string(fewest.size() - 4)).append(" more");
   }
   return known;
 }

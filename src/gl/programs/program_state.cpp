@@ -4,6 +4,7 @@
 #include "gl/state_queries.h"
 #include "gl/texture.h"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
@@ -50,6 +51,10 @@ class ProgramReader {
   void readTransform() {
     out_.clipFromObject = *uniforms_.product(family_.clipFromObject);
     out_.eyeFromObject = uniforms_.product(family_.eyeFromObject);
+    // Lights may be given in another space than the viewer's, such as the world; all is seen from the viewer.
+    viewer_ = glm::vec3(uniforms_.vector(family_.viewer));
+    if (out_.eyeFromObject)
+      out_.eyeFromObject = glm::translate(glm::dmat4(1), -viewer_) * *out_.eyeFromObject;
     if (uniforms_.has(family_.normalMatrix))
       out_.normalMatrix = uniforms_.matrix3(family_.normalMatrix);
     else if (out_.eyeFromObject)
@@ -66,11 +71,11 @@ class ProgramReader {
     material.diffuse = product(m.diffuseIntensity, m.diffuseColor, 1);
     material.specular = product(m.specularIntensity, m.specularColor, m.specularColor.given() ? 1.0f : 0.0f);
     // Uniforms that the real OpenGL found to be without effect are not there.
-    const auto inactive = [&](const FamilyValue& v) {
-      return !v.uniform.empty() && !uniforms_.has(v.uniform);
+    const auto isOff = [&](const FamilyValue& intensity, const FamilyValue& color) {
+      return !color.uniform.empty() && !uniforms_.has(color.uniform) && !uniforms_.has(intensity.uniform);
     };
-    if (inactive(m.specularIntensity) && inactive(m.specularColor)) material.specular = glm::vec4(0);
-    if (inactive(m.ambientIntensity) && inactive(m.ambientColor)) material.ambient = glm::vec4(0);
+    if (isOff(m.specularIntensity, m.specularColor)) material.specular = glm::vec4(0);
+    if (isOff(m.ambientIntensity, m.ambientColor)) material.ambient = glm::vec4(0);
     material.emission = glm::vec4(0, 0, 0, 1);
     material.shininess = uniforms_.number(m.shininess, 0);
     material.diffuse.a = uniforms_.number(m.opacity, 1);
@@ -91,7 +96,6 @@ class ProgramReader {
     f.pbr.roughness = uniforms_.number(family_.pbr.roughness, 0.5f);
     f.pbr.baseF0 = uniforms_.number(family_.pbr.baseF0, 0.04f);
     f.pbr.edgeTint = glm::vec3(uniforms_.value(family_.pbr.edgeTint, glm::vec4(1)));
-    f.pbr.occlusionStrength = uniforms_.number(family_.pbr.occlusionStrength, 1);
     f.pbr.emissive = glm::vec3(uniforms_.value(family_.pbr.emissive, glm::vec4(0)));
   }
 
@@ -99,13 +103,14 @@ class ProgramReader {
     const FamilyLights& names = family_.lights;
     auto& lights = out_.shading.fragment.lights;
     lights.clear();
-    if (names.color.empty()) return;
-    const bool many = names.color.find("{}") != std::string::npos;
+    const std::string& sign = !names.color.empty()       ? names.color
+                              : !names.direction.empty() ? names.direction
+                                                         : names.position;
+    const bool many = sign.find("{}") != std::string::npos;
     constexpr int kMostLights = 64;
-    for (int i = 0; i < (many ? kMostLights : 1); ++i) {
-      if (!uniforms_.has(numbered(names.color, i))) break;
-      lights.push_back(readLight(i));
-    }
+    int most = many ? kMostLights : 1;
+    if (uniforms_.has(names.count)) most = std::min(most, uniforms_.integer(names.count));
+    for (int i = 0; i < most && uniforms_.has(numbered(sign, i)); ++i) lights.push_back(readLight(i));
   }
 
   scene::FragmentLight readLight(int i) {
@@ -115,16 +120,17 @@ class ProgramReader {
     };
     const auto has = [&](const std::string& name) { return uniforms_.has(numbered(name, i)); };
     scene::FragmentLight light;
-    light.color = vector(names.color);
+    if (!names.color.empty()) light.color = vector(names.color);
     if (has(names.direction)) {
+      const glm::vec3 direction = vector(names.direction) * (names.towardsLight ? -1.0f : 1.0f);
       light.kind = scene::FragmentLight::directional;
-      light.direction = vector(names.direction) * (names.towardsLight ? -1.0f : 1.0f);
+      if (direction != glm::vec3(0)) light.direction = glm::normalize(direction);
     }
     const bool positional = names.positional.empty() ? has(names.position)
                                                      : uniforms_.integer(numbered(names.positional, i)) != 0;
     if (!positional) return light;
     light.kind = scene::FragmentLight::positional;
-    light.position = vector(names.position);
+    light.position = vector(names.position) - glm::vec3(viewer_);
     if (has(names.attenuation)) light.attenuation = vector(names.attenuation);
     if (has(names.coneAngle)) light.coneAngle = uniforms_.number(numbered(names.coneAngle, i));
     if (has(names.exponent)) light.exponent = uniforms_.number(numbered(names.exponent, i));
@@ -267,6 +273,7 @@ class ProgramReader {
   const Program& program_;
   const Family& family_;
   const UniformReader uniforms_;
+  glm::dvec3 viewer_{0};
 };
 
 bool isSane(const ProgramState& s) {

@@ -3,6 +3,7 @@
 #include "gl/state_queries.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cstring>
 
 namespace gluray::gl {
@@ -98,7 +99,12 @@ UniformValuesPtr readUniforms(const RealGl& real, const Program& program) {
 
 const UniformValue* UniformReader::find(const std::string& name, int element) const {
   const ProgramUniform* u = name.empty() ? nullptr : program_.uniform(name);
-  if (!u || element >= u->count) return nullptr;
+  if (const size_t bracket = name.rfind('['); !u && bracket != std::string::npos && name.ends_with(']')) {
+    const char *number = name.data() + bracket + 1, *end = name.data() + name.size() - 1;
+    const auto [stop, error] = std::from_chars(number, end, element);
+    if (error == std::errc() && stop == end) u = program_.uniform(std::string_view(name).substr(0, bracket));
+  }
+  if (!u || element < 0 || element >= u->count) return nullptr;
   return &values_[u->first + static_cast<size_t>(element)];
 }
 

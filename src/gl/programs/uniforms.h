@@ -38,7 +38,8 @@ class UniformReader {
  public:
   UniformReader(const Program& program, const UniformValues& values) : program_(program), values_(values) {}
 
-  bool has(const std::string& name) const { return !name.empty() && program_.uniform(name); }
+  /// Names may end with the number of an element: "lightColor[2]".
+  bool has(const std::string& name) const { return find(name, 0) != nullptr; }
   /// Components of element `element`, integers and booleans as numbers; 0 where it is not active.
   glm::vec4 vector(const std::string& name, int element = 0) const;
   float number(const std::string& name, int element = 0) const { return vector(name, element).x; }

@@ -1,0 +1,223 @@
+// Family files: what every key does, and what is said of every mistake.
+#include "gl/programs/family.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace gluray::gl {
+namespace {
+
+/// Four lines, complete.
+const std::string kLeast =
+    "[[family]]\nname = \"f\"\nmatch.active = [\"p\", \"m\"]\nvertex.position = \"p\"\n"
+    "transform.clip_from_object = \"m\"\n";
+
+Family parsed(const std::string& more = "") {
+  const FamilyList list = parseFamilies(kLeast + more, "x.toml");
+  EXPECT_EQ(list.size(), 1u);
+  return *list.at(0);
+}
+
+std::string mistake(const std::string& text) {
+  try {
+    parseFamilies(text, "x.toml");
+  } catch (const FamilyError& e) { return e.what(); }
+  return "none";
+}
+std::string mistakeIn(const std::string& line) { return mistake(kLeast + line + "\n"); }
+
+using Names = std::vector<std::string>;
+using Numbers = std::vector<float>;
+
+TEST(FamilyFile, TheLeastThereCanBe) {
+  const Family f = parsed();
+  EXPECT_EQ(f.name, "f");
+  EXPECT_EQ(f.active, (Names{"p", "m"}));
+  EXPECT_EQ(f.position, "p");
+  EXPECT_EQ(f.clipFromObject, Names{"m"});
+  EXPECT_TRUE(f.strict);
+  EXPECT_TRUE(f.rasteriseBecause.empty());
+  EXPECT_EQ(f.model, Family::Model::phong);
+  EXPECT_EQ(f.specular, Family::Specular::reflect);
+  EXPECT_EQ(f.withoutNormals, Family::NoNormals::refuse);
+  EXPECT_FALSE(f.material.given() || f.backMaterial.given() || f.pbr.given());
+  EXPECT_EQ(f.mentioned, (std::set<std::string, std::less<>>{"p", "m"}));
+}
+
+TEST(FamilyFile, MatchKeys) {
+  const Family f = parsed(
+      "match.any = \"a\"\nmatch.absent = [\"b\", \"c\"]\nmatch.absent_outputs = \"o\"\nmatch.ignored = "
+      "[\"i\"]\n"
+      "match.strict = false\nmatch.rasterise = \"why\"\n");
+  EXPECT_EQ(f.any, Names{"a"});
+  EXPECT_EQ(f.absent, (Names{"b", "c"}));
+  EXPECT_EQ(f.absentOutputs, Names{"o"});
+  EXPECT_EQ(f.ignored, Names{"i"});
+  EXPECT_FALSE(f.strict);
+  EXPECT_EQ(f.rasteriseBecause, "why");
+  EXPECT_TRUE(f.mentions("a") && f.mentions("i"));
+  EXPECT_FALSE(f.mentions("b")) << "what must be absent is not known";
+}
+
+TEST(FamilyFile, VertexAndTransformKeys) {
+  const Family f = parsed(
+      "vertex.normal = \"n\"\nvertex.color = \"c\"\nvertex.texcoord = \"t\"\n"
+      "transform.eye_from_object = [\"v\", \"w\"]\ntransform.viewer = \"eye\"\ntransform.normal_matrix = "
+      "\"nm\"\n");
+  EXPECT_EQ(f.normal, "n");
+  EXPECT_EQ(f.color, "c");
+  EXPECT_EQ(f.texcoord, "t");
+  EXPECT_EQ(f.eyeFromObject, (Names{"v", "w"}));
+  EXPECT_EQ(f.viewer, "eye");
+  EXPECT_EQ(f.normalMatrix, "nm");
+  for (const char* name : {"n", "c", "t", "v", "w", "eye", "nm"}) EXPECT_TRUE(f.mentions(name)) << name;
+}
+
+TEST(FamilyFile, NormalAndColourKeys) {
+  const Family f = parsed(
+      "normals.without = \"triangle\"\nnormals.flip_back_faces = true\nnormals.parallel_view = \"pv\"\n"
+      "normals.per_triangle = \"tn\"\ncolor.map = \"cm\"\ncolor.per_triangle = \"tc\"\n"
+      "color.triangle_offset = \"to\"\ncolor.uniform_instead = \"ui\"\ncolor.diffuse_only = true\n"
+      "color.textures = [\"t1\", \"t2\"]\n");
+  EXPECT_EQ(f.withoutNormals, Family::NoNormals::triangle);
+  EXPECT_TRUE(f.flipBackFaces);
+  EXPECT_EQ(f.parallelView, "pv");
+  EXPECT_EQ(f.triangleNormals, "tn");
+  EXPECT_EQ(f.colorMap, "cm");
+  EXPECT_EQ(f.triangleColors, "tc");
+  EXPECT_EQ(f.triangleOffset, "to");
+  EXPECT_EQ(f.uniformColors, "ui");
+  EXPECT_TRUE(f.colorIsDiffuseOnly);
+  EXPECT_EQ(f.textures, (Names{"t1", "t2"}));
+  for (const char* name : {"pv", "tn", "cm", "tc", "to", "ui", "t1", "t2"})
+    EXPECT_TRUE(f.mentions(name)) << name;
+}
+
+void expectMaterial(const FamilyMaterial& m, const std::string& prefix) {
+  EXPECT_EQ(m.ambientIntensity.uniform, prefix + "ai");
+  EXPECT_EQ(m.ambientColor.constant, (Numbers{0.1f, 0.2f, 0.3f}));
+  EXPECT_EQ(m.diffuseIntensity.constant, Numbers{1});
+  EXPECT_EQ(m.diffuseColor.uniform, prefix + "dc");
+  EXPECT_EQ(m.specularIntensity.constant, Numbers{0.5f});
+  EXPECT_EQ(m.specularColor.uniform, prefix + "sc");
+  EXPECT_EQ(m.shininess.constant, Numbers{20});
+  EXPECT_EQ(m.opacity.uniform, prefix + "o");
+  EXPECT_TRUE(m.given());
+}
+
+std::string materialText(const std::string& section, const std::string& prefix) {
+  return section + ".ambient_intensity = \"" + prefix + "ai\"\n" + section +
+         ".ambient_color = [0.1, 0.2, 0.3]\n" + section + ".diffuse_intensity = 1\n" + section +
+         ".diffuse_color = \"" + prefix + "dc\"\n" + section + ".specular_intensity = 0.5\n" + section +
+         ".specular_color = \"" + prefix + "sc\"\n" + section + ".shininess = 20\n" + section +
+         ".opacity = \"" + prefix + "o\"\n";
+}
+
+TEST(FamilyFile, MaterialKeysOfBothFaces) {
+  const Family f = parsed(materialText("material", "f") + materialText("back_material", "b"));
+  expectMaterial(f.material, "f");
+  expectMaterial(f.backMaterial, "b");
+  EXPECT_TRUE(f.mentions("fdc") && f.mentions("bo"));
+}
+
+TEST(FamilyFile, LightKeys) {
+  const Family f = parsed(
+      "lights.model = \"unlit\"\nlights.specular = \"half\"\nlights.count = \"n\"\nlights.color = \"c{}\"\n"
+      "lights.direction = \"d{}\"\nlights.direction_towards_light = true\nlights.position = \"p[{}]\"\n"
+      "lights.positional = \"l[{}].is\"\nlights.attenuation = \"a{}\"\nlights.cone_angle = \"k{}\"\n"
+      "lights.exponent = \"e{}\"\n");
+  EXPECT_EQ(f.model, Family::Model::unlit);
+  EXPECT_EQ(f.specular, Family::Specular::half);
+  EXPECT_EQ(f.lights.count, "n");
+  EXPECT_EQ(f.lights.color, "c{}");
+  EXPECT_EQ(f.lights.direction, "d{}");
+  EXPECT_TRUE(f.lights.towardsLight);
+  EXPECT_EQ(f.lights.position, "p[{}]");
+  EXPECT_EQ(f.lights.positional, "l[{}].is");
+  EXPECT_EQ(f.lights.attenuation, "a{}");
+  EXPECT_EQ(f.lights.coneAngle, "k{}");
+  EXPECT_EQ(f.lights.exponent, "e{}");
+}
+
+TEST(FamilyFile, PbrClipAndDepthKeys) {
+  const Family f = parsed(
+      "lights.model = \"pbr\"\npbr.metallic = \"m1\"\npbr.roughness = 0.25\npbr.base_f0 = \"b0\"\n"
+      "pbr.edge_tint = [1, 2, 3]\npbr.emissive = \"em\"\nclip.planes = \"cp\"\n"
+      "clip.count = \"cn\"\ndepth.offset = \"do\"\ndepth.factor = 2\n");
+  EXPECT_EQ(f.model, Family::Model::pbr);
+  EXPECT_EQ(f.pbr.metallic.uniform, "m1");
+  EXPECT_EQ(f.pbr.roughness.constant, Numbers{0.25f});
+  EXPECT_EQ(f.pbr.baseF0.uniform, "b0");
+  EXPECT_EQ(f.pbr.edgeTint.constant, (Numbers{1, 2, 3}));
+  EXPECT_EQ(f.pbr.emissive.uniform, "em");
+  EXPECT_EQ(f.clipPlanes, "cp");
+  EXPECT_EQ(f.clipPlaneCount, "cn");
+  EXPECT_EQ(f.depthOffset.uniform, "do");
+  EXPECT_EQ(f.depthFactor.constant, Numbers{2});
+}
+
+TEST(FamilyFile, SectionsMayBeWrittenInEitherWay) {
+  const FamilyList list = parseFamilies(
+      "[[family]]\nname = \"f\"\n[family.match]\nactive = [\"p\"]\n[family.vertex]\nposition = \"p\"\n"
+      "[family.transform]\nclip_from_object = \"m\"\n[[family]]\nname = \"g\"\nmatch.any = \"q\"\n"
+      "match.rasterise = \"never\"\n",
+      "x.toml");
+  ASSERT_EQ(list.size(), 2u);
+  EXPECT_EQ(list[0]->position, "p");
+  EXPECT_EQ(list[1]->name, "g");
+}
+
+TEST(FamilyFile, AnEmptyFileHasNoFamilies) { EXPECT_TRUE(parseFamilies("# nothing\n", "x.toml").empty()); }
+
+TEST(FamilyFile, NamesWithNumbersAreMentionedByTheirPattern) {
+  const Family f = parsed(
+      "lights.color = \"lightColor{}\"\nlights.direction = \"set2_light{}_way\"\nlights.position = "
+      "\"place[{}]\"\n");
+  for (const char* name :
+       {"lightColor{}", "lightColor0", "lightColor17", "set2_light3_way", "place", "place[2]"})
+    EXPECT_TRUE(f.mentions(name)) << name;
+  for (const char* name :
+       {"lightColor", "lightColor0x", "lightColour0", "set2_light_way", "set_light2_way", "0", ""})
+    EXPECT_FALSE(f.mentions(name)) << name;
+}
+
+TEST(FamilyFile, EveryMistakeHasItsLine) {
+  EXPECT_EQ(mistake("[[family]]\nmatch.active = [\"p\"]\n"), "x.toml:1: a family needs a name");
+  EXPECT_EQ(mistake("# one\n[[family]]\nname = \"f\"\n"),
+            "x.toml:2: family \"f\" needs match.active or match.any");
+  EXPECT_EQ(
+      mistake("[[family]]\nname = \"f\"\nmatch.active = \"p\"\n"),
+      "x.toml:1: family \"f\" needs vertex.position and transform.clip_from_object, or match.rasterise");
+  EXPECT_EQ(mistake("[[family]]\nname = 3\n"), "x.toml:2: name must be a text in quotes");
+  EXPECT_EQ(mistakeIn("matsch.active = [\"p\"]"), "x.toml:6: unknown key \"matsch\"");
+  EXPECT_EQ(mistakeIn("lights.colour = \"p\""), "x.toml:6: unknown key \"colour\"");
+  EXPECT_EQ(mistakeIn("lights = 3"), "x.toml:6: lights must be a section");
+  EXPECT_EQ(mistakeIn("match.strict = \"yes\""), "x.toml:6: strict must be true or false");
+  EXPECT_EQ(mistakeIn("match.absent = [\"a\", 3]"), "x.toml:6: absent must be names in quotes");
+  EXPECT_EQ(mistakeIn("vertex.normal = true"), "x.toml:6: normal must be a text in quotes");
+  EXPECT_EQ(mistakeIn("material.opacity = true"),
+            "x.toml:6: opacity must be a uniform's name, a number or a list of numbers");
+  EXPECT_EQ(mistakeIn("material.diffuse_color = [1, \"r\"]"),
+            "x.toml:6: diffuse_color must be a uniform's name, a number or a list of numbers");
+  EXPECT_EQ(mistakeIn("material.diffuse_color = []"), "x.toml:6: diffuse_color has 1 to 4 numbers");
+  EXPECT_EQ(mistakeIn("material.diffuse_color = [1, 2, 3, 4, 5]"),
+            "x.toml:6: diffuse_color has 1 to 4 numbers");
+  EXPECT_EQ(mistakeIn("lights.model = \"toon\""), "x.toml:6: model must be one of: unlit, phong, pbr");
+  EXPECT_EQ(mistakeIn("lights.specular = \"none\""), "x.toml:6: specular must be one of: reflect, half");
+  EXPECT_EQ(mistakeIn("normals.without = \"guess\""), "x.toml:6: without must be one of: refuse, triangle");
+  EXPECT_EQ(mistake("familie = 3\n"), "x.toml:1: only [[family]] sections are expected here");
+  EXPECT_EQ(mistake("family = 3\n"), "x.toml:1: only [[family]] sections are expected here");
+  EXPECT_EQ(mistake("family = [3]\n"), "x.toml:1: family must be a section");
+  EXPECT_EQ(mistakeIn("clip = = 1").rfind("x.toml:6: ", 0), 0u) << "not TOML at all";
+  EXPECT_EQ(mistakeIn("name = \"twice\"").rfind("x.toml:6: ", 0), 0u) << "TOML has each key once";
+}
+
+TEST(FamilyFile, TheBuiltInOnesAreThere) {
+  const FamilyList& all = builtInFamilies();
+  EXPECT_GE(all.size(), 8u);
+  for (const auto& family : all) EXPECT_FALSE(family->name.empty());
+}
+
+}  // namespace
+}  // namespace gluray::gl

@@ -1,0 +1,132 @@
+// Which family a program fits, on programs that are nothing but their names.
+#include "gl/programs/match.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+
+namespace gluray::gl {
+namespace {
+
+using Lines = std::vector<std::string>;
+std::map<std::string, GLint> g_outputs;
+
+/// An OpenGL that knows outputs of fragment shaders alone.
+RealGl fakeGl() {
+  RealGl real{};
+  loadRealGl(
+      real, [](void*, const char*) -> void* { return nullptr; }, nullptr);
+  real.GetFragDataLocation = [](GLuint, const GLchar* name) {
+    const auto it = g_outputs.find(name);
+    return it == g_outputs.end() ? -1 : it->second;
+  };
+  return real;
+}
+
+Program programOf(std::map<std::string, GLenum> uniforms, std::map<std::string, GLenum> attributes) {
+  Program p;
+  p.linked = true;
+  for (const auto& [name, type] : uniforms) p.uniforms[name].type = type;
+  for (const auto& [name, type] : attributes) p.attributes[name].type = type;
+  return p;
+}
+
+const char* const kFamily = R"([[family]]
+name = "f"
+match.active = ["p", "m"]
+match.absent = ["bad"]
+match.absent_outputs = ["second"]
+match.ignored = ["time"]
+vertex.position = "p"
+vertex.normal = "n"
+vertex.color = "c"
+transform.clip_from_object = "m"
+transform.eye_from_object = "v"
+transform.normal_matrix = "nm"
+color.map = "map"
+color.per_triangle = "cells"
+material.diffuse_color = "dc"
+material.shininess = 7
+lights.color = "light{}"
+lights.position = "place[{}]"
+lights.count = "lights"
+)";
+
+class Match : public testing::Test {
+ protected:
+  Match() { g_outputs = {{"color", 0}}; }
+  Lines obstaclesOf(const Program& program) const { return obstacles(real_, program, *family_); }
+  Program fitting() const {
+    return programOf({{"m", GL_FLOAT_MAT4}, {"dc", GL_FLOAT_VEC3}, {"light0", GL_FLOAT_VEC3}},
+                     {{"p", GL_FLOAT_VEC3}, {"n", GL_FLOAT_VEC3}});
+  }
+  RealGl real_ = fakeGl();
+  std::shared_ptr<const Family> family_ = parseFamilies(kFamily, "f.toml").front();
+};
+
+TEST_F(Match, FitsWithLessThanTheFamilyMentions) {
+  EXPECT_EQ(obstaclesOf(fitting()), Lines{});
+  Program p = fitting();
+  p.uniforms["time"].type = GL_FLOAT;
+  p.uniforms["light17"].type = GL_FLOAT_VEC3;
+  p.uniforms["place"].type = GL_FLOAT_VEC3;
+  p.uniforms["map"].type = GL_SAMPLER_2D;
+  p.uniforms["nm"].type = GL_FLOAT_MAT3;
+  p.attributes["c"].type = GL_FLOAT_VEC4;
+  EXPECT_EQ(obstaclesOf(p), Lines{});
+}
+
+TEST_F(Match, SaysWhatIsMissing) {
+  Program p = fitting();
+  p.linked = false;
+  EXPECT_EQ(obstaclesOf(p), Lines{"is not linked"});
+  p = fitting();
+  p.attributes.erase("n");
+  EXPECT_EQ(obstaclesOf(p), Lines{"lacks attribute \"n\""});
+  p.attributes.erase("p");
+  EXPECT_EQ(obstaclesOf(p), (Lines{"lacks \"p\"", "lacks attribute \"p\"", "lacks attribute \"n\""}));
+  p = fitting();
+  p.uniforms.erase("m");
+  EXPECT_EQ(obstaclesOf(p), (Lines{"lacks \"m\"", "lacks uniform \"m\""}));
+}
+
+TEST_F(Match, SaysWhatIsTooMuch) {
+  Program p = fitting();
+  p.uniforms["bad"].type = GL_FLOAT;
+  EXPECT_EQ(obstaclesOf(p), (Lines{"has \"bad\"", "has uniform \"bad\", of which the family says nothing"}));
+  p = fitting();
+  p.attributes["bone"].type = GL_FLOAT;
+  EXPECT_EQ(obstaclesOf(p), Lines{"has attribute \"bone\", of which the family says nothing"});
+  p = fitting();
+  p.geometryShader = p.tessellation = true;
+  EXPECT_EQ(obstaclesOf(p), (Lines{"has a geometry shader", "has tessellation shaders"}));
+  g_outputs["second"] = 1;
+  EXPECT_EQ(obstaclesOf(fitting()), Lines{"has output \"second\""});
+}
+
+TEST_F(Match, TypesMustMeanWhatTheFamilySays) {
+  const auto with = [&](const char* name, GLenum type) {
+    Program p = fitting();
+    p.uniforms[name].type = type;
+    return obstaclesOf(p);
+  };
+  EXPECT_EQ(with("m", GL_FLOAT_MAT3), Lines{"has \"m\", which is not a mat4"});
+  EXPECT_EQ(with("m", GL_FLOAT_VEC4), Lines{"has \"m\", which is not a mat4"});
+  EXPECT_EQ(with("v", GL_FLOAT_MAT4x3), Lines{"has \"v\", which is not a mat4"});
+  EXPECT_EQ(with("nm", GL_FLOAT_VEC3), Lines{"has \"nm\", which is not a mat3 or mat4"});
+  EXPECT_EQ(with("dc", GL_FLOAT_MAT3), Lines{"has \"dc\", which is not a number or vector"});
+  EXPECT_EQ(with("dc", GL_FLOAT), Lines{});
+  EXPECT_EQ(with("map", GL_INT_SAMPLER_2D), Lines{"has \"map\", which is not a sampler"});
+  EXPECT_EQ(with("cells", GL_SAMPLER_2D), Lines{"has \"cells\", which is not a samplerBuffer"});
+  EXPECT_EQ(with("light0", GL_FLOAT), Lines{"has \"light0\", which is not a vector"});
+  EXPECT_EQ(with("place", GL_FLOAT_MAT4), Lines{"has \"place\", which is not a vector"});
+  EXPECT_EQ(with("lights", GL_FLOAT_VEC2), Lines{"has \"lights\", which is not a number"});
+  EXPECT_EQ(with("time", GL_DOUBLE), Lines{"has \"time\" in double precision"});
+  Program p = fitting();
+  p.attributes["p"].type = GL_INT_VEC3;
+  EXPECT_EQ(obstaclesOf(p), Lines{"has \"p\", which is not a vector"});
+}
+
+}  // namespace
+}  // namespace gluray::gl

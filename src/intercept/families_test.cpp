@@ -1,0 +1,75 @@
+// Family files that the user names: which hold, in which order, and what is told of the others.
+#include "intercept/families.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace gluray::intercept {
+namespace {
+
+std::vector<std::string> g_complaints;
+
+class Families : public testing::Test {
+ protected:
+  Families() : folder_(testing::TempDir() + "gluray-families-" + std::to_string(getpid())) {
+    std::filesystem::create_directories(folder_);
+    g_complaints.clear();
+  }
+  ~Families() override { std::filesystem::remove_all(folder_); }
+
+  std::string file(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name) << text;
+    return (folder_ / name).string();
+  }
+  static std::shared_ptr<const gl::FamilyList> read(const std::string& files) {
+    return readFamilies(files, [](const std::string& line) { g_complaints.push_back(line); });
+  }
+  std::filesystem::path folder_;
+};
+
+std::string family(const std::string& name) {
+  return "[[family]]\nname = \"" + name + "\"\nmatch.active = [\"a\"]\nvertex.position = \"a\"\n" +
+         "transform.clip_from_object = \"m\"\n";
+}
+
+TEST_F(Families, NoFilesLeaveTheBuiltInOnes) {
+  EXPECT_EQ(read(""), nullptr);
+  EXPECT_EQ(read("::"), nullptr);
+  EXPECT_TRUE(g_complaints.empty());
+}
+
+TEST_F(Families, ComeBeforeTheBuiltInOnesInTheirOrder) {
+  const auto all = read(file("one.toml", family("1") + family("2")) + ":" + file("two.toml", family("3")));
+  ASSERT_NE(all, nullptr);
+  const gl::FamilyList& known = gl::builtInFamilies();
+  ASSERT_EQ(all->size(), 3 + known.size());
+  for (size_t i = 0; i < 3; ++i) EXPECT_EQ((*all)[i]->name, std::to_string(i + 1));
+  EXPECT_TRUE(std::equal(known.begin(), known.end(), all->begin() + 3));
+  EXPECT_TRUE(g_complaints.empty());
+}
+
+TEST_F(Families, AFileWithAMistakeIsOneLineAndAddsNothing) {
+  const std::string bad = file("bad.toml", family("1") + "\n[[family]]\nname = \"2\"\nmatsch.active = []\n");
+  const auto all = read(bad + ":" + file("good.toml", family("3")));
+  ASSERT_EQ(g_complaints.size(), 1u);
+  EXPECT_EQ(g_complaints[0].rfind(bad + ":", 0), 0u) << g_complaints[0];
+  EXPECT_EQ(g_complaints[0].find('\n'), std::string::npos);
+  ASSERT_NE(all, nullptr);
+  EXPECT_EQ(all->front()->name, "3");
+  EXPECT_EQ(all->size(), 1 + gl::builtInFamilies().size());
+}
+
+TEST_F(Families, FilesThatCannotBeReadAreTold) {
+  EXPECT_EQ(read("/nowhere/x.toml:" + folder_.string()), nullptr);
+  ASSERT_EQ(g_complaints.size(), 2u);
+  EXPECT_EQ(g_complaints[0], "/nowhere/x.toml: No such file or directory");
+  EXPECT_EQ(g_complaints[1], folder_.string() + ": Is a directory");
+}
+
+}  // namespace
+}  // namespace gluray::intercept
