@@ -49,16 +49,30 @@ std::string tracingLine(const json& report) {
          " batches, " + grouped(number(report.at("bvh"), "builds")) + " acceleration structures built\n";
 }
 
+/// Which family each program is of, and what keeps the others from being traced.
+std::string programLines(const json& programs) {
+  if (programs.empty()) return "";
+  std::string all = "\nshader programs\n";
+  for (const json& p : programs) {
+    const uint64_t traced = number(p, "traced"), rasterised = number(p, "rasterised");
+    all += "  program " + std::to_string(number(p, "name")) + ", " +
+           (p.at("family").is_null() ? "of no family" : text(p, "family")) + ": " + grouped(traced) +
+           " draws traced, " + grouped(rasterised) + " rasterised, " + grouped(number(p, "triangles")) +
+           " triangles\n";
+    if (!text(p, "why").empty()) all += wrapped(text(p, "why"), 100, "    ");
+  }
+  return all;
+}
+
 std::string contextLines(const json& contexts) {
   std::string all;
   for (const json& c : contexts)
-    all +=
-        "  " + text(c, "api") + ", " + text(c, "profile") + ", " +
-        (c.at("doubleBuffered").get<bool>() ? "double-buffered" : "single-buffered") + ", " +
-        text(c, "version") + ", " + text(c, "renderer") + ": " + grouped(number(c, "frames")) + " frames, " +
-        grouped(number(c, "traced")) + " draws traced, " + grouped(number(c, "rasterised")) + " rasterised" +
-        (text(c, "profile") == "compatibility" ? "" : "; all of it is left to the real OpenGL, uncounted") +
-        "\n";
+    all += "  " + text(c, "api") + ", " + text(c, "profile") + ", " +
+           (c.at("doubleBuffered").get<bool>() ? "double-buffered" : "single-buffered") + ", " +
+           text(c, "version") + ", " + text(c, "renderer") + ": " + grouped(number(c, "frames")) +
+           " frames, " + grouped(number(c, "traced")) + " draws traced, " + grouped(number(c, "rasterised")) +
+           " rasterised" +
+           (text(c, "profile") != "ES" ? "" : "; all of it is left to the real OpenGL, uncounted") + "\n";
   return all;
 }
 
@@ -125,9 +139,10 @@ std::string explanationText(const json& report) {
   const json& explain = report.at("explain");
   const double frames = std::max(1.0, report.at("frames").get<double>());
   return heading(report) + "\ndraws, of all frames\n" + drawTable(explain.at("kinds"), frames) +
-         tracingLine(report) + "\ncontexts, through the door " + text(report, "door") + "\n" +
-         contextLines(explain.at("contexts")) + "\nframebuffers\n" + targetLines(explain.at("framebuffers")) +
-         "\nquirks\n" + quirkLines(explain.at("quirks")) + unknownCallLines(report);
+         tracingLine(report) + programLines(explain.at("programs")) + "\ncontexts, through the door " +
+         text(report, "door") + "\n" + contextLines(explain.at("contexts")) + "\nframebuffers\n" +
+         targetLines(explain.at("framebuffers")) + "\nquirks\n" + quirkLines(explain.at("quirks")) +
+         unknownCallLines(report);
 }
 
 }  // namespace gluray::launcher

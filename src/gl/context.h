@@ -290,6 +290,8 @@ class Context {
   void clampToTarget(scene::Region& region);
   void readCurrentProgram();
   const FamilyList& families() const;
+  /// The current shader program, outside glBegin and glEnd; null: there is none.
+  const std::shared_ptr<const KnownProgram>& programInUse();
   glm::ivec2 drawableSize_{0};  // largest size that the window is known to have had
   scene::Region sizeAskedFor_;
   TextureCache textures_{*group_};

@@ -44,6 +44,12 @@ TargetUse& TargetUse::operator+=(const TargetUse& o) {
   return *this;
 }
 
+ProgramUse& ProgramUse::operator+=(const ProgramUse& o) {
+  program = o.program;
+  traced += o.traced, rasterised += o.rasterised, triangles += o.triangles;
+  return *this;
+}
+
 namespace {
 
 /// The bits of DrawState, asked of the real OpenGL: its state is always current.
@@ -134,7 +140,8 @@ void DrawKinds::exclude(double seconds) noexcept {
 }
 
 void DrawKinds::record(const RealGl& real, const TargetState& target, Reason reason, DrawPath path,
-                       PrimitiveClass primitive, uint64_t triangles) noexcept {
+                       PrimitiveClass primitive, uint64_t triangles,
+                       const std::shared_ptr<const KnownProgram>& program) noexcept {
   const std::lock_guard lock(mutex_);
   last_ = nullptr;
   if (closed_) return;
@@ -144,7 +151,9 @@ void DrawKinds::record(const RealGl& real, const TargetState& target, Reason rea
     cost.triangles += triangles;
     last_ = &cost;
     if (!open_.empty()) open_.back().cost = &cost;
-    targets_[target.framebuffer] += useOf(real, target, reason == Reason::traced);
+    const bool traced = reason == Reason::traced;
+    targets_[target.framebuffer] += useOf(real, target, traced);
+    if (program) programs_[program.get()] += {program, traced ? 1u : 0u, traced ? 0u : 1u, triangles};
   } catch (...) {  // no row
   }
 }
@@ -162,6 +171,11 @@ void DrawKinds::close() noexcept {
 KindTable DrawKinds::kinds() const {
   const std::lock_guard lock(mutex_);
   return kinds_;
+}
+
+ProgramTable DrawKinds::programs() const {
+  const std::lock_guard lock(mutex_);
+  return programs_;
 }
 
 TargetTable DrawKinds::targets() const {

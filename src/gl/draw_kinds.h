@@ -8,6 +8,7 @@
 #include <compare>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,7 @@
 namespace gluray::gl {
 
 struct TargetState;
+struct KnownProgram;
 
 /// How vertices reach OpenGL.
 enum class DrawPath : uint8_t { immediate, list, arrays, elements };
@@ -74,8 +76,17 @@ struct TargetUse {
   TargetUse& operator+=(const TargetUse& other);
 };
 
+/// A shader program that was drawn with.
+struct ProgramUse {
+  std::shared_ptr<const KnownProgram> program;
+  uint64_t traced = 0, rasterised = 0;  // draws
+  uint64_t triangles = 0;
+  ProgramUse& operator+=(const ProgramUse& other);
+};
+
 using KindTable = std::map<DrawKind, DrawCost>;
 using TargetTable = std::map<GLuint, TargetUse>;  // by name; 0 is the window
+using ProgramTable = std::map<const KnownProgram*, ProgramUse>;
 
 class DrawKinds {
  public:
@@ -87,9 +98,10 @@ class DrawKinds {
   void exclude(double seconds) noexcept;
 
   /// The draw that is open is of this kind. Reads the state that tells, so outside glBegin and glEnd only. A
-  /// failure (no memory) costs a row of the table.
+  /// failure (no memory) costs a row of the table. `program`: the one in use, or null.
   void record(const RealGl& real, const TargetState& target, Reason reason, DrawPath path,
-              PrimitiveClass primitive, uint64_t triangles) noexcept;
+              PrimitiveClass primitive, uint64_t triangles,
+              const std::shared_ptr<const KnownProgram>& program = nullptr) noexcept;
   /// More triangles of the draw recorded last.
   void addTriangles(uint64_t triangles) noexcept;
   /// Nothing is recorded from now on.
@@ -97,6 +109,7 @@ class DrawKinds {
 
   KindTable kinds() const;
   TargetTable targets() const;
+  ProgramTable programs() const;
 
  private:
   struct Open {
@@ -106,6 +119,7 @@ class DrawKinds {
   mutable std::mutex mutex_;
   KindTable kinds_;
   TargetTable targets_;
+  ProgramTable programs_;
   std::vector<Open> open_;
   DrawCost* last_ = nullptr;
   bool closed_ = false;

@@ -1,5 +1,6 @@
 #include "gl/draw_kinds.h"
 
+#include "gl/programs/match.h"
 #include "gl/state.h"
 
 #include <gtest/gtest.h>
@@ -126,6 +127,29 @@ TEST_F(DrawKindsTest, UnpairedStopsAreHarmless) {
   draw(Reason::fog, DrawPath::immediate, PrimitiveClass::surfaces, 3);
   for (int i = 0; i < 2000; ++i) kinds_.stop();
   EXPECT_EQ(kinds_.kinds().size(), 1u);
+}
+
+TEST_F(DrawKindsTest, ProgramsAreCountedApart) {
+  const auto first = std::make_shared<KnownProgram>(), second = std::make_shared<KnownProgram>();
+  const auto drawBy = [&](const std::shared_ptr<const KnownProgram>& program, Reason reason,
+                          uint64_t triangles) {
+    kinds_.record(real_, target_, reason, DrawPath::elements, PrimitiveClass::surfaces, triangles, program);
+  };
+  drawBy(first, Reason::traced, 10), drawBy(first, Reason::blend, 5), drawBy(second, Reason::program, 3);
+  drawBy(nullptr, Reason::traced, 100);
+  const ProgramTable table = kinds_.programs();
+  ASSERT_EQ(table.size(), 2u);
+  const ProgramUse &one = table.at(first.get()), &two = table.at(second.get());
+  EXPECT_EQ(one.program, first);
+  EXPECT_EQ(one.traced, 1u);
+  EXPECT_EQ(one.rasterised, 1u);
+  EXPECT_EQ(one.triangles, 15u);
+  EXPECT_EQ(two.traced, 0u);
+  EXPECT_EQ(two.rasterised, 1u);
+  ProgramUse sum;
+  sum += one, sum += one;
+  EXPECT_EQ(sum.triangles, 30u);
+  EXPECT_EQ(sum.program, first);
 }
 
 }  // namespace

@@ -16,11 +16,19 @@ void Context::readCurrentProgram() {
   const auto before = program.known;
   program.known = name ? group_->program(real, name, families()) : nullptr;
   if (program.known != before) dirty |= kAttributes;
-  if (!program.known) return;
+  if (!program.known) {
+    program.reason = Reason::program;
+    return;
+  }
   readProgram(real, *group_, state.rare, textures_, program);
 }
 
 const FamilyList& Context::families() const { return info_.families ? *info_.families : builtInFamilies(); }
+
+const std::shared_ptr<const KnownProgram>& Context::programInUse() {
+  refresh(kProgram);
+  return state.program.known;
+}
 
 Reason Context::triageProgram(PrimitiveClass kind) {
   if (aside_) return Reason::failure;

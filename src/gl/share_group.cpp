@@ -44,12 +44,4 @@ void ShareGroup::programChanged(GLuint name) {
   programs_.erase(name);
 }
 
-std::vector<std::shared_ptr<const KnownProgram>> ShareGroup::programs() {
-  const std::lock_guard lock(programsMutex_);
-  std::vector<std::shared_ptr<const KnownProgram>> all;
-  for (const auto& [name, known] : programs_)
-    if (known) all.push_back(known);
-  return all;
-}
-
 }  // namespace gluray::gl

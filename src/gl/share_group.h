@@ -96,8 +96,6 @@ class ShareGroup {
   std::shared_ptr<const KnownProgram> program(const RealGl& real, GLuint name, const FamilyList& families);
   /// It is linked anew, or gone: to be recognised again.
   void programChanged(GLuint name);
-  /// Programs recognised so far that are not traced, and why.
-  std::vector<std::shared_ptr<const KnownProgram>> programs();
 
   /// Real lists whose owner is gone; deleted by the next context of the group that is current.
   void discardRealList(GLuint id);

@@ -202,7 +202,7 @@ void Context::beforeRasterDraw(PrimitiveClass kind) {
 
 void Context::countRaster(Reason reason, DrawPath path, PrimitiveClass kind, uint64_t triangles) {
   if (kinds()) [[unlikely]]
-    kinds()->record(real, state.target, reason, path, kind, triangles);
+    kinds()->record(real, state.target, reason, path, kind, triangles, programInUse());
   ++statistics.drawsRasterised;
   ++statistics.rasterisedBecause[static_cast<size_t>(reason)];
   statistics.trianglesRasterised += triangles;
@@ -210,7 +210,8 @@ void Context::countRaster(Reason reason, DrawPath path, PrimitiveClass kind, uin
 
 void Context::countTraced(DrawPath path, uint64_t triangles) {
   if (kinds()) [[unlikely]]
-    kinds()->record(real, state.target, Reason::traced, path, PrimitiveClass::surfaces, triangles);
+    kinds()->record(real, state.target, Reason::traced, path, PrimitiveClass::surfaces, triangles,
+                    programInUse());
   ++statistics.drawsTraced;
   statistics.trianglesTraced += triangles;
 }

@@ -65,6 +65,7 @@ void addExplained(Totals& sum, const Record& record) {
   if (!info.kinds) return;
   for (const auto& [kind, cost] : info.kinds->kinds()) sum.kinds[kind] += cost;
   for (const auto& [name, use] : info.kinds->targets()) sum.targets[name] += use;
+  for (const auto& [known, use] : info.kinds->programs()) sum.programs[known] += use;
   constexpr const char* apis[] = {"GLX", "EGL", "OSMesa"};
   const bool es = record.version.starts_with("OpenGL ES");
   sum.list.push_back({apis[static_cast<int>(record.api)],

@@ -74,6 +74,7 @@ struct Totals {
   // Only where somebody explains:
   gl::KindTable kinds;
   gl::TargetTable targets;
+  gl::ProgramTable programs;
   std::vector<ContextSummary> list;
 };
 Totals totals();

@@ -1,6 +1,7 @@
 #include "intercept/explanation.h"
 
 #include "frame/tracer_info.h"
+#include "gl/programs/match.h"
 #include "intercept/session.h"
 
 #include <nlohmann/json.hpp>
@@ -44,6 +45,32 @@ json kindsOf(const gl::KindTable& table) {
                     {"count", cost.count},
                     {"triangles", cost.triangles},
                     {"ms", milliseconds(cost.seconds)}});
+  return list;
+}
+
+/// Most triangles first.
+json programsOf(const gl::ProgramTable& table) {
+  std::vector<gl::ProgramUse> uses;
+  for (const auto& [known, use] : table) uses.push_back(use);
+  std::sort(uses.begin(), uses.end(), [](const gl::ProgramUse& a, const gl::ProgramUse& b) {
+    return a.triangles != b.triangles ? a.triangles > b.triangles
+                                      : a.program->program.name < b.program->program.name;
+  });
+  json list = json::array();
+  for (const gl::ProgramUse& use : uses) {
+    const gl::KnownProgram& known = *use.program;
+    json uniforms = json::array(), attributes = json::array();
+    for (const auto& [name, place] : known.program.uniforms) uniforms.push_back(name);
+    for (const auto& [name, place] : known.program.attributes) attributes.push_back(name);
+    list.push_back({{"name", known.program.name},
+                    {"family", known.family ? json(known.family->name) : json(nullptr)},
+                    {"why", known.why},
+                    {"traced", use.traced},
+                    {"rasterised", use.rasterised},
+                    {"triangles", use.triangles},
+                    {"uniforms", std::move(uniforms)},
+                    {"attributes", std::move(attributes)}});
+  }
   return list;
 }
 
@@ -179,6 +206,7 @@ json explanation(const Totals& totals, bool complete, const std::string& base) {
   return {{"complete", complete},
           {"wantedFrames", session().explainFrames},
           {"kinds", kindsOf(totals.kinds)},
+          {"programs", programsOf(totals.programs)},
           {"framebuffers", targetsOf(totals.targets)},
           {"contexts", contextsOf(totals.list)},
           {"quirks", quirksNow()},
