@@ -21,7 +21,7 @@ def parallel_projection_no_normals(stage):
     stage.orbit()
 
 
-@state("pvbatch")
+@state("pvbatch", outside=False)  # as zoomed_far_in
 def camera_inside(stage):
     stage.show(stage.simple.Sphere(Radius=10, ThetaResolution=32, PhiResolution=32))
     stage.show(stage.simple.Box(Center=[0, 0, -5]))
@@ -46,7 +46,7 @@ def near_plane_cuts(stage):
     stage.read(stage.view.GetRenderWindow())
 
 
-@state("pvbatch")
+@state("pvbatch", outside=False)  # the corner of the orientation axes has no depth, and the surface behind it has colour
 def zoomed_far_in(stage):
     stage.show(stage.simple.Sphere(ThetaResolution=200, PhiResolution=200))
     stage.look(zoom=1)
@@ -85,7 +85,7 @@ def huge_model(stage):
     stage.orbit()
 
 
-@state("vtk")
+@state("vtk", beyond=0.005, reason="coordinates of 30,000 in a view of ten units: the real OpenGL's floats are rounded too")
 def shifted_and_scaled(stage):
     """The same data by every way that VTK moves coordinates before they go to the graphics card."""
     vtk = stage.vtk
