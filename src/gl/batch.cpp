@@ -110,4 +110,18 @@ scene::SnapshotPtr Batch::take() {
   return std::move(snapshot_);
 }
 
+bool Batch::readsImages() const {
+  return std::any_of(programDraws_.begin(), programDraws_.end(), [](const ProgramDraw& draw) {
+    return std::any_of(draw.textures.begin(), draw.textures.end(),
+                       [](const auto& t) { return t.buffer == 0; });
+  });
+}
+
+bool Batch::readsBuffer(GLuint buffer) const {
+  return std::any_of(programDraws_.begin(), programDraws_.end(), [&](const ProgramDraw& draw) {
+    return std::any_of(draw.textures.begin(), draw.textures.end(),
+                       [&](const auto& t) { return t.buffer != 0 && t.buffer == buffer; });
+  });
+}
+
 }  // namespace gluray::gl

@@ -42,6 +42,9 @@ class Batch {
   scene::SnapshotPtr take();
   /// Keeps a draw by a shader program, whose instance was added, for the case that it cannot be traced.
   void keep(ProgramDraw draw) { programDraws_.push_back(std::move(draw)); }
+  /// Whether one of those reads textures, or a buffer as a texture.
+  bool readsImages() const;
+  bool readsBuffer(GLuint buffer) const;
   /// Hands those over.
   std::vector<ProgramDraw> takeProgramDraws() { return std::exchange(programDraws_, {}); }
 

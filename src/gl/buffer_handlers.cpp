@@ -86,12 +86,14 @@ void bindBufferRange(Context& c, GLenum, GLuint, GLuint name, GLintptr, GLsizeip
 
 void deleteBuffers(Context& c, GLsizei n, const GLuint* names) {
   c.touch(kArrays);
+  for (GLsizei i = 0; names && i < n; ++i) c.contentsChange(names[i]);
   c.real.DeleteBuffers(n, names);
   for (GLsizei i = 0; i < n; ++i) c.group().buffers.erase(names[i]);
 }
 
 void bufferData(Context& c, GLenum target, GLsizeiptr size, const void* data, GLenum usage) {
   const auto buffer = bound(c, target);
+  if (buffer) c.contentsChange(buffer->name());
   if (!buffer || size < 0 || buffer->immutable || !isUsage(usage))
     return c.real.BufferData(target, size, data, usage);
   if (std::exchange(buffer->mappedBelow, false)) c.real.UnmapBuffer(target);  // new contents end a mapping
@@ -103,6 +105,7 @@ void bufferData(Context& c, GLenum target, GLsizeiptr size, const void* data, GL
 void bufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, const void* data) {
   const auto buffer = bound(c, target);
   if (!buffer) return c.real.BufferSubData(target, offset, size, data);
+  c.contentsChange(buffer->name());
   if (buffer->mapped()) return c.setError(GL_INVALID_OPERATION);
   if (buffer->mappedBelow) return c.real.BufferSubData(target, offset, size, data);  // says what is wrong
   if (buffer->immutable || buffer->foreign || !isHeldBack(target) || !buffer->read(c.real)) {
@@ -132,6 +135,7 @@ void* mapBuffer(Context& c, GLenum target, GLenum access) {
     default: return c.setError(GL_INVALID_ENUM), nullptr;
   }
   const auto buffer = bound(c, target);
+  if (buffer) c.contentsChange(buffer->name());
   if (buffer && buffer->mapped()) return c.setError(GL_INVALID_OPERATION), nullptr;
   if (isMappedBelow(c, buffer.get(), target)) {
     void* memory = c.real.MapBuffer(target, access);
@@ -144,6 +148,7 @@ void* mapBuffer(Context& c, GLenum target, GLenum access) {
 
 void* mapBufferRange(Context& c, GLenum target, GLintptr offset, GLsizeiptr length, GLbitfield access) {
   const auto buffer = bound(c, target);
+  if (buffer) c.contentsChange(buffer->name());
   if (isMappedBelow(c, buffer.get(), target)) {
     void* memory = c.real.MapBufferRange(target, offset, length, access);
     if (buffer && memory) buffer->mappedBelow = true;
@@ -216,6 +221,7 @@ void getBufferPointerv(Context& c, GLenum target, GLenum pname, void** params) {
 void copyBufferSubData(Context& c, GLenum readTarget, GLenum writeTarget, GLintptr readOffset,
                        GLintptr writeOffset, GLsizeiptr size) {
   const auto source = bound(c, readTarget), target = bound(c, writeTarget);
+  if (target) c.contentsChange(target->name());
   if (source) source->sendTo(c.real);
   if (target) target->sendTo(c.real);
   c.real.CopyBufferSubData(readTarget, writeTarget, readOffset, writeOffset, size);

@@ -111,6 +111,14 @@ class Context {
   void cleared(GLbitfield mask);
   /// Traces the pending batch and writes it into the framebuffer. Nothing to do if there is none.
   void flush() { present(false); }
+  /// Before images of textures, or a buffer's contents, change: draws that are kept with their names are
+  /// made.
+  void imagesChange() noexcept {
+    if (batch_.readsImages()) protect([&] { flush(); });
+  }
+  void contentsChange(GLuint buffer) noexcept {
+    if (batch_.readsBuffer(buffer)) protect([&] { flush(); });
+  }
   /// From now on every draw is rasterised; what was held back is given to the real OpenGL.
   void stepAside(const char* why) noexcept;
   /// For glFlush and glFinish: shows what is pending if anybody could see it before the next swap.

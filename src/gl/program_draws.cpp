@@ -21,6 +21,11 @@ void Context::readCurrentProgram() {
     return;
   }
   readProgram(real, *group_, state.rare, textures_, program);
+  // A program that was deleted lives as long as it is in use: the write-back, which uses its own, would end
+  // it.
+  GLint deleted = 0;
+  real.GetProgramiv(name, GL_DELETE_STATUS, &deleted);
+  if (deleted) program.reason = Reason::program;
 }
 
 const FamilyList& Context::families() const { return info_.families ? *info_.families : builtInFamilies(); }

@@ -147,16 +147,19 @@ uint32_t framebufferBound(Context& c) {
 }
 
 uint32_t imageChanged(Context& c, GLenum target) {
+  c.imagesChange();
   c.textures().imageChanged(c.real, target);
   return kTexture;
 }
 
 uint32_t texturesDeleted(Context& c, GLsizei n, const GLuint* names) {
+  c.imagesChange();
   for (GLsizei i = 0; names && i < n; ++i) c.textures().deleted(names[i]);
   return kTexture;
 }
 
 uint32_t imagesChanged(Context& c) {
+  c.imagesChange();
   c.textures().allImagesChanged();
   return kTexture;
 }

@@ -10,9 +10,11 @@ class TracedContext {
  public:
   /// Current in the creating thread until destroyed. Shading is per vertex, as the real OpenGL's.
   /// `presenter` stands in for the one that traces. `share` is a context whose lists and buffers it shares.
+  /// `families` are those of shader programs; null: those that are built in.
   explicit TracedContext(const ContextWish& wish = {}, Settings settings = vertexShading(),
                          std::unique_ptr<gl::Presenter> presenter = nullptr,
-                         const TracedContext* share = nullptr);
+                         const TracedContext* share = nullptr,
+                         std::shared_ptr<const gl::FamilyList> families = nullptr);
   ~TracedContext();
   TracedContext(const TracedContext&) = delete;
   TracedContext& operator=(const TracedContext&) = delete;

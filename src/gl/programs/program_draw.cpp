@@ -39,6 +39,7 @@ ProgramDraw captureProgramDraw(const RealGl& real, const Program& program, const
   draw.uniforms = uniforms;
   attributes.forEach([&](const ArraySource& source) { addArray(real, source, draw.arrays); });
   for (const ArraySource& source : attributes.generic) addArray(real, source, draw.arrays);
+  if (program.blocks) draw.blocks = readBlocks(real, program.name);
   if (elements.type && attributes.elements) draw.indexContents = attributes.elements->read(real);
   const GLint active = integer(real, GL_ACTIVE_TEXTURE);
   for (const auto& [name, uniform] : program.uniforms) {
@@ -47,8 +48,12 @@ ProgramDraw captureProgramDraw(const RealGl& real, const Program& program, const
     GLint unit = 0;
     real.GetUniformiv(program.name, uniform.location, &unit);
     real.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    draw.textures.push_back(
-        {static_cast<GLuint>(unit), target.target, static_cast<GLuint>(integer(real, target.binding))});
+    GLint buffer = 0;
+    if (target.target == GL_TEXTURE_BUFFER)
+      real.GetTexLevelParameteriv(GL_TEXTURE_BUFFER, 0, GL_TEXTURE_BUFFER_DATA_STORE_BINDING, &buffer);
+    draw.textures.push_back({static_cast<GLuint>(unit), target.target,
+                             static_cast<GLuint>(integer(real, target.binding)),
+                             static_cast<GLuint>(buffer)});
   }
   real.ActiveTexture(static_cast<GLenum>(active));
   draw.cull = isOn(real, GL_CULL_FACE);

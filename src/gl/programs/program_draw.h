@@ -1,9 +1,10 @@
-// A draw by a shader program as it was sent, kept while it waits in the batch: where it cannot be traced after all,
-// the real OpenGL draws it from this. GL thread.
+// A draw by a shader program as it was sent, kept while it waits in the batch: where it cannot be traced
+// after all, the real OpenGL draws it from this. GL thread.
 #pragma once
 #include "gl/buffer.h"
 #include "gl/elements.h"
 #include "gl/programs/program.h"
+#include "gl/programs/uniform_blocks.h"
 #include "gl/programs/uniforms.h"
 
 #include <cstddef>
@@ -29,15 +30,17 @@ struct ProgramDraw {
     GLuint unit = 0;
     GLenum target = 0;
     GLuint name = 0;
+    GLuint buffer = 0;  // of buffer textures: where their texels are
   };
   GLuint program = 0;
   GLenum mode = GL_TRIANGLES;
-  Elements elements;                             // `indices` an offset into `indexContents`
+  Elements elements;  // `indices` an offset into `indexContents`
   GLsizei instances = 1;
   std::shared_ptr<const BufferStorage> indexContents;
   std::vector<Array> arrays;
   std::vector<BoundTexture> textures;
   UniformValuesPtr uniforms;
+  std::vector<UniformBlock> blocks;
   bool cull = false;
   GLenum cullFace = GL_BACK, frontFace = GL_CCW;
 };

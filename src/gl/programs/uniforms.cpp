@@ -1,5 +1,6 @@
 #include "gl/programs/uniforms.h"
 
+#include "gl/programs/uniform_blocks.h"
 #include "gl/state_queries.h"
 
 #include <algorithm>
@@ -48,16 +49,13 @@ void readPlain(const RealGl& real, const Program& program, UniformValue& value) 
 /// From the buffer behind a uniform block; it stays 0 where there is none.
 void readFromBlock(const RealGl& real, const Program& program, const ProgramUniform& u, int element,
                    UniformValue& value) {
-  GLint binding = 0, buffer = 0;
-  GLint64 start = 0;
+  GLint binding = 0;
   real.GetActiveUniformBlockiv(program.name, static_cast<GLuint>(u.block), GL_UNIFORM_BLOCK_BINDING,
                                &binding);
-  const auto slot = static_cast<GLuint>(binding);
-  real.GetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, slot, &buffer);
-  if (buffer == 0) return;
-  real.GetInteger64i_v(GL_UNIFORM_BUFFER_START, slot, &start);
+  const BlockBinding bound = boundBlock(real, static_cast<GLuint>(binding));
+  if (bound.buffer == 0) return;
   const GLint saved = integer(real, GL_COPY_READ_BUFFER_BINDING);
-  real.BindBuffer(GL_COPY_READ_BUFFER, static_cast<GLuint>(buffer));
+  real.BindBuffer(GL_COPY_READ_BUFFER, bound.buffer);
   const UniformShape shape = shapeOf(u.type);
   // A matrix in row-major order is stored row by row.
   const bool transposed = u.rowMajor && shape.columns > 1;
@@ -65,7 +63,7 @@ void readFromBlock(const RealGl& real, const Program& program, const ProgramUnif
   for (int line = 0; line < lines; ++line) {
     GLint words[4] = {};
     const GLintptr at =
-        static_cast<GLintptr>(start) + u.offset + element * u.arrayStride + line * u.matrixStride;
+        static_cast<GLintptr>(bound.start) + u.offset + element * u.arrayStride + line * u.matrixStride;
     real.GetBufferSubData(GL_COPY_READ_BUFFER, at, each * 4, words);
     for (int k = 0; k < each; ++k) {
       const auto to = static_cast<size_t>(transposed ? k * shape.rows + line : line * shape.rows + k);

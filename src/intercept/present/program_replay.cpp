@@ -52,7 +52,8 @@ void setUniform(const RealGl& real, const UniformValue& v) {
 /// Uniform values of the program in use, as they are now, put back in the end.
 class KeptUniforms {
  public:
-  KeptUniforms(const RealGl& real, GLuint program, const gl::UniformValues& names) : real_(real), values_(names) {
+  KeptUniforms(const RealGl& real, GLuint program, const gl::UniformValues& names)
+      : real_(real), values_(names) {
     for (UniformValue& v : values_) {
       if (v.location < 0) continue;
       if (gl::shapeOf(v.type).integers)
@@ -112,6 +113,44 @@ class KeptTextures {
   const RealGl& real_;
   GLint active_ = GL_TEXTURE0;
   std::vector<ProgramDraw::BoundTexture> was_;
+};
+
+/// Contents of uniform blocks as they were, in buffers of their own; what was bound comes back.
+class KeptBlocks {
+ public:
+  KeptBlocks(const RealGl& real, const std::vector<gl::UniformBlock>& blocks) : real_(real) {
+    if (blocks.empty()) return;
+    real.GetIntegerv(GL_UNIFORM_BUFFER_BINDING, &saved_);
+    for (const gl::UniformBlock& block : blocks) {
+      was_.push_back(gl::boundBlock(real, block.binding));
+      GLuint name = 0;
+      real.GenBuffers(1, &name);
+      buffers_.push_back(name);
+      real.BindBufferBase(GL_UNIFORM_BUFFER, block.binding, name);
+      real.BufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(block.contents.size()),
+                      block.contents.data(), GL_STREAM_DRAW);
+    }
+  }
+  ~KeptBlocks() {
+    if (buffers_.empty()) return;
+    for (auto b = was_.rbegin(); b != was_.rend(); ++b) {
+      if (b->buffer == 0 || b->size == 0)
+        real_.BindBufferBase(GL_UNIFORM_BUFFER, b->binding, b->buffer);
+      else
+        real_.BindBufferRange(GL_UNIFORM_BUFFER, b->binding, b->buffer, static_cast<GLintptr>(b->start),
+                              static_cast<GLsizeiptr>(b->size));
+    }
+    real_.BindBuffer(GL_UNIFORM_BUFFER, static_cast<GLuint>(saved_));
+    real_.DeleteBuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data());
+  }
+  KeptBlocks(const KeptBlocks&) = delete;
+  KeptBlocks& operator=(const KeptBlocks&) = delete;
+
+ private:
+  const RealGl& real_;
+  GLint saved_ = 0;
+  std::vector<gl::BlockBinding> was_;
+  std::vector<GLuint> buffers_;
 };
 
 /// A vertex array object with the draw's arrays, in buffers of its own.
@@ -197,6 +236,7 @@ void replayProgramDraws(const RealGl& real, const Features& features, const scen
       real.FrontFace(draw.frontFace);
       const KeptUniforms uniforms(real, draw.program, *draw.uniforms);
       for (const UniformValue& value : *draw.uniforms) setUniform(real, value);
+      const KeptBlocks blocks(real, draw.blocks);
       const KeptTextures textures(real, draw);
       const OwnArrays arrays(real, draw);
       drawOnce(real, draw);
