@@ -2,6 +2,7 @@
 #include "gl/handlers.h"
 
 #include <cstring>
+#include <new>
 #include <utility>
 
 namespace gluray::gl {
@@ -97,7 +98,11 @@ void bufferData(Context& c, GLenum target, GLsizeiptr size, const void* data, GL
   if (!buffer || size < 0 || buffer->immutable || !isUsage(usage))
     return c.real.BufferData(target, size, data, usage);
   if (std::exchange(buffer->mappedBelow, false)) c.real.UnmapBuffer(target);  // new contents end a mapping
-  if (isHeldBack(target) && size > 0) return buffer->setData(static_cast<size_t>(size), data, usage);
+  if (isHeldBack(target) && size > 0) {
+    try {
+      return buffer->setData(static_cast<size_t>(size), data, usage);
+    } catch (const std::bad_alloc&) {}  // without a copy of ours, the real OpenGL's is the only one
+  }
   c.real.BufferData(target, size, data, usage);
   buffer->setSizeBelow(static_cast<size_t>(size), usage);
 }
@@ -108,13 +113,16 @@ void bufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, 
   c.contentsChange(buffer->name());
   if (buffer->mapped()) return c.setError(GL_INVALID_OPERATION);
   if (buffer->mappedBelow) return c.real.BufferSubData(target, offset, size, data);  // says what is wrong
-  if (buffer->immutable || buffer->foreign || !isHeldBack(target) || !buffer->read(c.real)) {
-    buffer->sendTo(c.real);
-    c.real.BufferSubData(target, offset, size, data);
-    return buffer->changedBelow();
-  }
-  if (!isRange(*buffer, offset, size)) return c.setError(GL_INVALID_VALUE);
-  if (size > 0 && data) buffer->setSubData(static_cast<size_t>(offset), static_cast<size_t>(size), data);
+  try {
+    if (!buffer->immutable && !buffer->foreign && isHeldBack(target) && buffer->read(c.real)) {
+      if (!isRange(*buffer, offset, size)) return c.setError(GL_INVALID_VALUE);
+      if (size > 0 && data) buffer->setSubData(static_cast<size_t>(offset), static_cast<size_t>(size), data);
+      return;
+    }
+  } catch (const std::bad_alloc&) {}  // without a copy of ours, the real OpenGL's is the only one
+  buffer->sendTo(c.real);
+  c.real.BufferSubData(target, offset, size, data);
+  buffer->changedBelow();
 }
 
 void bufferStorage(Context& c, GLenum target, GLsizeiptr size, const void* data, GLbitfield flags) {

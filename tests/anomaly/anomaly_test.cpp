@@ -1,7 +1,7 @@
 // Memory fails at every n-th allocation of ours: the program's picture stays what the real OpenGL would have
 // drawn. Allocations are told apart by who asks: only those made from this program's own code fail, never
 // OpenGL's or Embree's.
-#include "tests/anomaly/picture_of_all.h"
+#include "tests/anomaly/picture_by_programs.h"
 
 #include <gtest/gtest.h>
 
@@ -59,6 +59,31 @@ TEST(Anomaly, EveryAllocationMayFailOnce) {
     g_countdown = -1;
     if (!g_failed) break;  // fewer than n allocations: all have had their turn
     EXPECT_EQ(wrongPixels(expected, context.read()), 0) << "pixels, when allocation " << n << " failed";
+  }
+  EXPECT_GT(n, 50) << "allocations of ours in the whole picture";
+}
+
+TEST(Anomaly, EveryAllocationMayFailOnceWhileShaderProgramsDraw) {
+  const ContextWish wish{kSize, kSize, true, 3, 2};
+  Picture expected;
+  {
+    const auto real = OsmesaContext::create(wish);
+    drawByPrograms(real->real());
+    expected = readPicture(real->real(), kSize, kSize);
+  }
+  long n = 0;
+  for (;; ++n) {
+    TracedContext context(wish);
+    Gl gl = context.gl();
+    g_failed = false;
+    g_countdown = n;
+    drawByPrograms(gl);
+    g_countdown = -1;
+    EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR)) << "when allocation " << n << " failed";
+    EXPECT_EQ(wrongPixels(expected, context.read()), 0) << "pixels, when allocation " << n << " failed";
+    if (g_failed) continue;
+    EXPECT_EQ(context.context().statistics.drawsTraced, 5u);
+    break;  // fewer than n allocations: all have had their turn
   }
   EXPECT_GT(n, 50) << "allocations of ours in the whole picture";
 }
