@@ -168,6 +168,8 @@ def main():
     parser.add_argument("--group", default="")
     parser.add_argument("--label", help="name of the table and of the folders, where no group gives one")
     parser.add_argument("--door", default="auto")
+    parser.add_argument("--keep-shares", action="store_true",
+                        help="write to shares.json how much of each state must be traced: what is traced now, a little less")
     parser.add_argument("names", nargs="*")
     given = parser.parse_args()
     states = [s for s in registry.load().values() if (s.name in given.names if given.names else given.group in ("", s.group))]
@@ -201,6 +203,8 @@ def main():
     if rows:
         print_table(rows)
         (out / f"{label}.json").write_text(json.dumps(rows, indent=1) + "\n")
+    if given.keep_shares:
+        registry.keep_shares({row["name"]: row["traced"] for row in rows if row["traced"] is not None})
     print("\n".join(skipped + wrong))
     return 1 if wrong else 77 if not rows else 0
 

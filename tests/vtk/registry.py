@@ -9,10 +9,13 @@ Read by runner.py, inside the program that draws, and by compare.py, which runs 
 """
 import dataclasses
 import importlib
+import json
+import math
 import pathlib
 import sys
 
 STATES = {}
+SHARES = pathlib.Path(__file__).parent / "shares.json"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -23,7 +26,7 @@ class State:
     draw: callable
     beyond: float          # share of a picture's pixels that may differ by more than 8 of 255
     reason: str            # why that is more than usual
-    min_share: float       # least share of the state's opaque triangles that must be traced; None: any
+    min_share: float       # least share of the state's triangles that must be traced; None: what shares.json says, if anything
     outside: bool          # pixels away from every surface must be equal to the bit
     same_depth: bool       # depth is compared
 
@@ -52,4 +55,22 @@ def load():
         sys.path.insert(0, str(folder))
     for file in sorted(folder.glob("*.py")):
         importlib.import_module(file.stem)
+    shares = json.loads(SHARES.read_text()) if SHARES.exists() else {}
+    if not set(shares) <= set(STATES):
+        raise ValueError(f"{SHARES} names states that do not exist: {sorted(set(shares) - set(STATES))}")
+    for name, share in shares.items():
+        if STATES[name].min_share is None:
+            STATES[name] = dataclasses.replace(STATES[name], min_share=share)
     return STATES
+
+
+def keep_shares(seen):
+    """Makes what was traced now, a little less, the least that must be; states that are not in `seen` keep theirs. Of
+    states that are mostly rasterised, passes and overlays, nothing is asked."""
+    shares = json.loads(SHARES.read_text()) if SHARES.exists() else {}
+    for name, share in seen.items():
+        least = math.floor(100 * share - 1) / 100
+        shares.pop(name, None)
+        if least >= 0.5:
+            shares[name] = least
+    SHARES.write_text(json.dumps(shares, indent=0, sort_keys=True) + "\n")
