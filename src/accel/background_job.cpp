@@ -11,6 +11,14 @@
 #include <vector>
 
 namespace gluray::accel {
+namespace {
+
+constexpr time_t kExitPatience = 2;  // seconds that exit() may take longer
+
+std::atomic<bool> g_exiting{false};
+std::atomic<int> g_parked{0};  // threads that wait for the end of the process
+
+}  // namespace
 
 /// Jobs whose thread may be running, for the end of the process. Never destroyed.
 struct RunningJobs {
@@ -42,6 +50,7 @@ struct RunningJobs {
     const std::unique_lock lock(mutex, std::try_to_lock);
     if (!lock) return;
     exiting = true;
+    g_exiting = true;
     for (BackgroundJob* job : jobs) job->abandonAtExit();
   }
 };
@@ -67,6 +76,12 @@ class SignalsBlocked {
 };
 
 }  // namespace
+
+void parkAtExit() noexcept {
+  if (!g_exiting) return;
+  ++g_parked;
+  for (;;) pause();
+}
 
 BackgroundJob::~BackgroundJob() { stop(); }
 
@@ -132,10 +147,16 @@ void BackgroundJob::abandonAtExit() noexcept {
   cancel();
   const std::unique_lock lock(threadMutex_, std::try_to_lock);
   if (!lock || !thread_.joinable()) return;
-  timespec latest;
-  clock_gettime(CLOCK_REALTIME, &latest);
-  ++latest.tv_sec;
-  pthread_timedjoin_np(thread_.native_handle(), nullptr, &latest);
+  timespec now;
+  clock_gettime(CLOCK_REALTIME, &now);
+  const time_t latest = now.tv_sec + kExitPatience;
+  while (g_parked == 0 && now.tv_sec <= latest) {
+    constexpr long kNap = 1'000'000, kSecond = 1'000'000'000;  // nanoseconds
+    now.tv_nsec += kNap;
+    if (now.tv_nsec >= kSecond) now.tv_nsec -= kSecond, ++now.tv_sec;
+    if (pthread_timedjoin_np(thread_.native_handle(), nullptr, &now) == 0) break;
+    clock_gettime(CLOCK_REALTIME, &now);
+  }
   // Joined or not, nobody waits for it any more.
   static std::vector<std::thread>* ended = new std::vector<std::thread>;
   ended->push_back(std::move(thread_));

@@ -10,6 +10,10 @@
 
 namespace gluray::accel {
 
+/// For threads that work for a job inside a library which must not be left by cancelling while the process
+/// exits: once it does, never returns. Called now and then from there.
+void parkAtExit() noexcept;
+
 /// A thread for each job; none while there is nothing to do. When the process exits, a job under way is
 /// cancelled before the libraries that it uses are taken down.
 class BackgroundJob {
@@ -43,7 +47,7 @@ class BackgroundJob {
   enum class State { running, done, failed };
   void run() noexcept;
   void join() noexcept;
-  /// Cancels and waits for at most a second; then the job is left alone.
+  /// Cancels, and waits for a short time until it has ended or is parked; then it is left alone.
   void abandonAtExit() noexcept;
 
   Work work_;

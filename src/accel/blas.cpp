@@ -1,5 +1,6 @@
 #include "accel/blas.h"
 
+#include "accel/background_job.h"
 #include "accel/embree.h"
 #include "accel/error.h"
 
@@ -83,7 +84,11 @@ void Blas::build() {
 }
 
 void Blas::buildBehind(const std::atomic<bool>& cancelled) {
-  const auto goOn = [](void* flag, double) { return !static_cast<const std::atomic<bool>*>(flag)->load(); };
+  // While the process exits, TBB does not survive that its tasks are cancelled.
+  const auto goOn = [](void* flag, double) {
+    parkAtExit();
+    return !static_cast<const std::atomic<bool>*>(flag)->load();
+  };
   rtcSetSceneProgressMonitorFunction(scene_, goOn, const_cast<std::atomic<bool>*>(&cancelled));
   const BehindScope behind;
   commit();

@@ -4,6 +4,7 @@
 #include "accel/world.h"
 #include "base/clock.h"
 #include "render/float_guard.h"
+#include "render/fxaa.h"
 #include "render/tile_tracer.h"
 
 #include <mutex>
@@ -22,10 +23,7 @@ class Renderer::Engine {
 
     const render::FloatGuard guard;
     const double start = nowSeconds();
-    if (!arena_ || arenaThreads_ != snapshot.settings.threads) {
-      arena_.emplace(snapshot.settings.threads);
-      arenaThreads_ = snapshot.settings.threads;
-    }
+    prepareArena(snapshot.settings.threads);
     if (!world_) world_.emplace();
     const accel::UpdateStatistics update = world_->update(snapshot, *arena_);
     statistics.blasBuilds = update.blasBuilds;
@@ -38,7 +36,20 @@ class Renderer::Engine {
     statistics.traceSeconds = nowSeconds() - built;
   }
 
+  void antialias(const Settings& settings, const scene::Fxaa& fxaa, const uint32_t* in, int width, int height,
+                 uint32_t* out) {
+    prepareArena(settings.threads);
+    arena_->execute([&] { render::fxaa(fxaa, in, width, height, out, fxaaMemory_); });
+  }
+
  private:
+  void prepareArena(int threads) {
+    if (arena_ && arenaThreads_ == threads) return;
+    arena_.emplace(threads);
+    arenaThreads_ = threads;
+  }
+
+  render::FxaaMemory fxaaMemory_;
   std::optional<accel::Arena> arena_;
   int arenaThreads_ = 0;
   std::optional<accel::World> world_;
@@ -72,6 +83,15 @@ bool Renderer::render(const scene::Snapshot& snapshot, Image& image, FrameStatis
   } catch (...) {  // an empty line is better than an exception in the host
   }
   return false;
+}
+
+bool Renderer::antialias(const Settings& settings, const scene::Fxaa& fxaa, const uint32_t* in, int width,
+                         int height, uint32_t* out) noexcept {
+  try {
+    const std::lock_guard lock(engine_->mutex);
+    engine_->antialias(settings, fxaa, in, width, height, out);
+    return true;
+  } catch (...) { return false; }
 }
 
 }  // namespace gluray::frame

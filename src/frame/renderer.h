@@ -1,6 +1,7 @@
 // From a snapshot to an image: the only door to the ray tracer for those who intercept.
 #pragma once
 #include "base/image.h"
+#include "scene/fxaa.h"
 #include "scene/snapshot.h"
 
 #include <cstddef>
@@ -33,6 +34,11 @@ class Renderer {
   /// `error`; the image then has no meaning, and later snapshots may succeed. Any thread.
   bool render(const scene::Snapshot& snapshot, Image& image, FrameStatistics& statistics,
               std::string& error) noexcept;
+
+  /// Anti-aliases a finished picture: render::fxaa with the threads of the settings. False without memory or
+  /// threads. Any thread.
+  bool antialias(const Settings& settings, const scene::Fxaa& fxaa, const uint32_t* in, int width, int height,
+                 uint32_t* out) noexcept;
 
  private:
   class Engine;

@@ -22,13 +22,17 @@ struct ArraySource {
   std::shared_ptr<Buffer> buffer;
   bool normalized = false;  // integers stand for fractions (normals, colours)
   GLint location = -1;      // of shader programs' attributes
+  GLuint divisor = 0;       // instances an element; 0: one a vertex
 };
 
 struct ArrayState {
   ArraySource vertex, normal, color, secondaryColor, fogCoord, texcoord;
   std::vector<ArraySource> texcoordsAbove;  // of texture units 1, 2 ... up to the last that is enabled
   std::shared_ptr<Buffer> elements;         // bound to GL_ELEMENT_ARRAY_BUFFER
-  std::vector<ArraySource> generic;         // of shader programs: those on that the family does not name
+  // Of shader programs: arrays that are on and none of the above, instances' among them.
+  std::vector<ArraySource> generic;
+  std::vector<ArraySource> instanceTransform, instanceNormal;  // columns of matrices that instances have
+  ArraySource instanceColor;
   bool others = false;             // arrays that only the real OpenGL handles are on (edge flags ...)
   Reason reason = Reason::traced;  // why these arrays cannot be traced
 
@@ -61,6 +65,7 @@ class ArrayReader {
   /// Elements in the buffer; what the program's own memory holds is unknown, so there it is the largest
   /// number.
   uint32_t available() const { return available_; }
+  uint32_t divisor() const { return source_.divisor; }
   /// Element i with missing components from (0, 0, 0, 1). `i` must be available.
   void read(uint32_t i, float out[4]) const;
   const std::byte* data() const { return data_; }

@@ -198,8 +198,13 @@ class Context {
   /// The same of a surface drawn by the current shader program. Call refresh(kProgramGroups) before.
   Reason triageProgram(PrimitiveClass kind);
   Reason triageProgram(const KnownMesh& mesh) const;
-  /// Adds a mesh drawn by the current shader program to the batch.
-  void addProgramInstance(const scene::MeshPtr& mesh, GLenum mode, const Elements& elements);
+  /// The same of the instances of a draw.
+  Reason triageInstances(const Elements& elements) const;
+  /// Adds a mesh drawn by the current shader program to the batch, as often as the draw has instances.
+  void addProgramInstances(const scene::MeshPtr& mesh, GLenum mode, const Elements& elements);
+  /// Does what the draw would do where it is a full-screen pass that costs less without the real OpenGL.
+  /// False: draw it.
+  bool replacePass(GLenum mode, const Elements& elements);
   /// Runs `trace`, which says whether it added a draw to the batch. A failure of ours makes the draw
   /// rasterised, not lost.
   template <class F>
@@ -262,6 +267,8 @@ class Context {
   bool passthrough_ = false;  // we are not there: every call goes to the real OpenGL
   bool aside_ = false;        // after a failure of ours: draws are rasterised, all else goes on
   bool supportKnown_ = false, supported_ = true;
+  enum class Answer { unknown, no, yes };
+  Answer softwareBelow_ = Answer::unknown;  // the real OpenGL renders on the CPU
   GLenum error_ = GL_NO_ERROR;
 
   VertexStream stream_;
@@ -297,6 +304,9 @@ class Context {
 
   void clampToTarget(scene::Region& region);
   void readCurrentProgram();
+  bool placeProgramDraw();
+  void addInstancesOf(const scene::Instance& one, const scene::Shading& shading, const Elements& elements);
+  bool antialiasInto(GLuint attachment, glm::ivec2 size);
   const FamilyList& families() const;
   /// The current shader program, outside glBegin and glEnd; null: there is none.
   const std::shared_ptr<const KnownProgram>& programInUse();

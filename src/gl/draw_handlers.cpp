@@ -157,17 +157,10 @@ bool isIndexType(GLenum type) {
 /// Sets the error of a wrong draw; true where there is none.
 bool validate(Context& c, GLenum mode, const Elements& e) {
   if (!isMode(mode)) return c.setError(GL_INVALID_ENUM), false;
-  if (e.count < 0) return c.setError(GL_INVALID_VALUE), false;
+  if (e.count < 0 || e.instances < -1) return c.setError(GL_INVALID_VALUE), false;
   if (e.type && !isIndexType(e.type)) return c.setError(GL_INVALID_ENUM), false;
   if (c.insideBegin()) return c.misuse(), false;
   return true;
-}
-
-/// The draw by the real OpenGL.
-void rasterise(Context& c, GLenum mode, const Elements& e) {
-  if (!e.type) return c.real.DrawArrays(mode, e.first, e.count);
-  if (e.base) return c.real.DrawElementsBaseVertex(mode, e.count, e.type, e.indices, e.base);
-  c.real.DrawElements(mode, e.count, e.type, e.indices);
 }
 
 DrawPath pathOf(const Elements& e) { return e.type ? DrawPath::elements : DrawPath::arrays; }
@@ -178,9 +171,10 @@ constexpr GLsizei kSmall = 192;  // vertices: below, draws join a run instead of
 void recordDraw(Context& c, GLenum mode, const Elements& e) {
   c.refresh(kFixedArrays);
   // Without positions it may draw at the current one: the real OpenGL knows.
-  if (c.arrays.others || c.arrays.reason != Reason::traced || mode > GL_POLYGON || !c.arrays.vertex.enabled) {
+  if (e.instances >= 0 || c.arrays.others || c.arrays.reason != Reason::traced || mode > GL_POLYGON ||
+      !c.arrays.vertex.enabled) {
     c.sendBuffers();
-    return c.recordFragment([&] { rasterise(c, mode, e); });
+    return c.recordFragment([&] { drawReal(c.real, mode, e); });
   }
   if (e.count <= kSmall) return c.drawSmall(mode, vertexNumbers(c.real, c.arrays, e), pathOf(e));
   std::unique_ptr<ListOp> op;
@@ -191,7 +185,7 @@ void recordDraw(Context& c, GLenum mode, const Elements& e) {
   });
   if (captured == Reason::traced) return c.insist([&] { c.append(op); });
   c.sendBuffers();
-  c.recordFragment([&] { rasterise(c, mode, e); });
+  c.recordFragment([&] { drawReal(c.real, mode, e); });
 }
 
 /// The mesh of the draw, known or new.
@@ -261,10 +255,12 @@ Reason traceProgram(Context& c, GLenum mode, const Elements& e) {
   if (reason != Reason::traced) return reason;
   return c.attempt([&] {
     const KnownMesh known = meshOf(c, c.attributes, mode, e);
-    const Reason fine = c.triageProgram(known);
+    Reason fine = c.triageProgram(known);
+    if (fine == Reason::traced) fine = c.triageInstances(e);
     if (fine != Reason::traced) return fine;
-    c.addProgramInstance(known.mesh, mode, e);
-    c.countTraced(pathOf(e), known.mesh->triangleCount);
+    c.addProgramInstances(known.mesh, mode, e);
+    const auto instances = static_cast<uint64_t>(std::max(e.instances, 1));
+    c.countTraced(pathOf(e), known.mesh->triangleCount * instances);
     return fine;
   });
 }
@@ -274,21 +270,29 @@ void drawByProgram(Context& c, GLenum mode, const Elements& e) {
   c.closeRunIfOpen();
   const Reason reason = traceProgram(c, mode, e);
   if (reason == Reason::traced) return;
+  if (reason == Reason::programPass) {
+    bool done = false;
+    c.protect([&] { done = c.replacePass(mode, e); });
+    if (done) return;
+  }
   const PrimitiveClass kind = mode <= GL_POLYGON ? classOf(mode) : PrimitiveClass::lines;
-  c.countRaster(reason, pathOf(e), kind, countTriangles(mode, static_cast<uint64_t>(e.count)));
+  const auto instances = static_cast<uint64_t>(std::max(e.instances, 1));
+  c.countRaster(reason, pathOf(e), kind, countTriangles(mode, static_cast<uint64_t>(e.count)) * instances);
   c.beforeRasterDraw(kind);
   c.sendBuffers();
-  rasterise(c, mode, e);
+  drawReal(c.real, mode, e);
 }
 
 void draw(Context& c, GLenum mode, const Elements& e) {
-  if (!validate(c, mode, e) || e.count == 0 || e.first < 0) return;  // what lies before an array is nobody's
+  if (!validate(c, mode, e) || e.count == 0 || e.instances == 0 || e.first < 0)
+    return;  // what lies before an array is nobody's
   if (c.compiling()) return recordDraw(c, mode, e);
   const DrawTimer timer(c.kinds());
   c.refresh(kRaster);
   if (c.state.raster.program != 0 || c.info().core) return drawByProgram(c, mode, e);
   c.refresh(kDrawGroups | kFixedArrays);
-  const bool plain = mode <= GL_POLYGON && c.arrays.reason == Reason::traced && c.arrays.vertex.enabled;
+  const bool plain =
+      e.instances < 0 && mode <= GL_POLYGON && c.arrays.reason == Reason::traced && c.arrays.vertex.enabled;
   if (plain && e.count <= kSmall && c.triage(classOf(mode)) == Reason::traced) {
     const Reason joined = c.attempt([&] {
       c.drawSmall(mode, vertexNumbers(c.real, c.arrays, e), pathOf(e));
@@ -298,7 +302,8 @@ void draw(Context& c, GLenum mode, const Elements& e) {
   }
   c.closeRunIfOpen();
   // Without positions it may draw at the current one: the real OpenGL knows.
-  const Reason reason = c.arrays.vertex.enabled ? traceDraw(c, mode, e) : Reason::arrayState;
+  const bool known = c.arrays.vertex.enabled && e.instances < 0;
+  const Reason reason = known ? traceDraw(c, mode, e) : Reason::arrayState;
   if (reason == Reason::traced) return;
   const PrimitiveClass kind = mode <= GL_POLYGON ? classOf(mode) : PrimitiveClass::lines;
   if (c.arrays.vertex.enabled && c.arrays.reason == Reason::traced && c.mayMeetPasses(kind))
@@ -308,7 +313,7 @@ void draw(Context& c, GLenum mode, const Elements& e) {
   c.countRaster(reason, pathOf(e), kind, countTriangles(mode, static_cast<uint64_t>(e.count)));
   c.beforeRasterDraw(kind);
   c.sendBuffers();
-  rasterise(c, mode, e);
+  drawReal(c.real, mode, e);
 }
 
 }  // namespace
@@ -338,6 +343,39 @@ void drawRangeElementsBaseVertex(Context& c, GLenum mode, GLuint start, GLuint e
                                  GLenum type, const void* indices, GLint base) {
   if (end < start) return c.setError(GL_INVALID_VALUE);
   drawElementsBaseVertex(c, mode, count, type, indices, base);
+}
+
+void drawArraysInstanced(Context& c, GLenum mode, GLint first, GLsizei count, GLsizei instances) {
+  drawArraysInstancedBaseInstance(c, mode, first, count, instances, 0);
+}
+
+void drawArraysInstancedBaseInstance(Context& c, GLenum mode, GLint first, GLsizei count, GLsizei instances,
+                                     GLuint baseInstance) {
+  if (instances < 0) return c.setError(GL_INVALID_VALUE);
+  draw(c, mode, {first, count, 0, nullptr, 0, instances, baseInstance});
+}
+
+void drawElementsInstanced(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices,
+                           GLsizei instances) {
+  drawElementsInstancedBaseVertexBaseInstance(c, mode, count, type, indices, instances, 0, 0);
+}
+
+void drawElementsInstancedBaseVertex(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices,
+                                     GLsizei instances, GLint base) {
+  drawElementsInstancedBaseVertexBaseInstance(c, mode, count, type, indices, instances, base, 0);
+}
+
+void drawElementsInstancedBaseInstance(Context& c, GLenum mode, GLsizei count, GLenum type,
+                                       const void* indices, GLsizei instances, GLuint baseInstance) {
+  drawElementsInstancedBaseVertexBaseInstance(c, mode, count, type, indices, instances, 0, baseInstance);
+}
+
+void drawElementsInstancedBaseVertexBaseInstance(Context& c, GLenum mode, GLsizei count, GLenum type,
+                                                 const void* indices, GLsizei instances, GLint base,
+                                                 GLuint baseInstance) {
+  if (!isIndexType(type)) return c.setError(GL_INVALID_ENUM);
+  if (instances < 0) return c.setError(GL_INVALID_VALUE);
+  draw(c, mode, {0, count, type, indices, base, instances, baseInstance});
 }
 
 void multiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count, GLsizei draws) {

@@ -1,5 +1,7 @@
 // Which vertices a draw call takes.
 #pragma once
+#include "gl/real.h"
+
 #include <GL/gl.h>
 
 namespace gluray::gl {
@@ -11,6 +13,11 @@ struct Elements {
   GLenum type = 0;                // 0: no indices
   const void* indices = nullptr;  // memory, or an offset into the element buffer
   GLint base = 0;                 // added to each index
+  GLsizei instances = -1;         // -1: not an instanced draw
+  GLuint baseInstance = 0;
 };
+
+/// The draw by the real OpenGL.
+void drawReal(const RealGl& real, GLenum mode, const Elements& elements);
 
 }  // namespace gluray::gl

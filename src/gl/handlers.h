@@ -33,6 +33,18 @@ void drawElementsBaseVertex(Context& c, GLenum mode, GLsizei count, GLenum type,
                             GLint base);
 void drawRangeElementsBaseVertex(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count,
                                  GLenum type, const void* indices, GLint base);
+void drawArraysInstanced(Context& c, GLenum mode, GLint first, GLsizei count, GLsizei instances);
+void drawArraysInstancedBaseInstance(Context& c, GLenum mode, GLint first, GLsizei count, GLsizei instances,
+                                     GLuint baseInstance);
+void drawElementsInstanced(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices,
+                           GLsizei instances);
+void drawElementsInstancedBaseVertex(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices,
+                                     GLsizei instances, GLint base);
+void drawElementsInstancedBaseInstance(Context& c, GLenum mode, GLsizei count, GLenum type,
+                                       const void* indices, GLsizei instances, GLuint baseInstance);
+void drawElementsInstancedBaseVertexBaseInstance(Context& c, GLenum mode, GLsizei count, GLenum type,
+                                                 const void* indices, GLsizei instances, GLint base,
+                                                 GLuint baseInstance);
 void multiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count, GLsizei draws);
 void multiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices,
                        GLsizei draws);

@@ -2,6 +2,7 @@
 #pragma once
 #include "gl/programs/program_draw.h"
 #include "gl/real.h"
+#include "scene/fxaa.h"
 #include "scene/snapshot.h"
 
 #include <GL/gl.h>
@@ -50,6 +51,13 @@ class Presenter {
   /// Whether the write-back works with the current context (it needs shaders). Asked once per context, with
   /// it current.
   virtual bool supports(const RealGl& real, bool core, std::string& why) noexcept = 0;
+  /// Does what the program's anti-aliasing pass would do: reads the texture bound to GL_TEXTURE_2D of unit
+  /// `unit`, `size` pixels of RGBA8, and replaces with the result the draw framebuffer's colour attachment
+  /// `target`, a texture of the same size. False where nothing was done. Never throws.
+  virtual bool antialias(const RealGl&, const scene::Fxaa&, GLint /*unit*/, GLuint /*target*/,
+                         glm::ivec2 /*size*/, const Settings&) noexcept {
+    return false;
+  }
   /// What it has made in the share group. Asked when the context goes away; the group deletes it.
   virtual SharedNames takeNames() { return {}; }
   /// A context is going away; it may or may not be current. Names made for it need not be freed.

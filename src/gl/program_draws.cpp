@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace gluray::gl {
 
@@ -60,7 +61,9 @@ bool isOpaque(const ProgramState& program, const scene::Mesh& mesh) {
   const scene::FragmentShading& f = program.shading.fragment;
   if (program.material.front.diffuse.a < 1) return false;
   if (f.backMaterial && program.material.back.diffuse.a < 1) return false;
-  if (f.color == Color::vertices && !(mesh.colors ? mesh.opaqueColors : program.color.a >= 1)) return false;
+  if (f.color == Color::vertices && !program.instanceColors &&
+      !(mesh.colors ? mesh.opaqueColors : program.color.a >= 1))
+    return false;
   if (f.color == Color::map && !f.map.front().image->opaque) return false;
   if (f.color == Color::perTriangle && !program.opaqueTriangleColors) return false;
   return std::all_of(program.shading.textures.begin(), program.shading.textures.end(),
@@ -80,11 +83,60 @@ bool isAffine(const glm::dmat4& m) {
 
 }  // namespace
 
+namespace {
+
+/// Reads what instance i has of an array. False beyond its end.
+bool readOfInstance(const ArrayReader& array, const Elements& elements, uint32_t i, float out[4]) {
+  const uint32_t at = elements.baseInstance + i / std::max(array.divisor(), 1u);
+  if (at >= array.available()) return false;
+  array.read(at, out);
+  return true;
+}
+
+/// The arrays that instances take matrices and colours from.
+struct InstanceReaders {
+  InstanceReaders(const RealGl& real, const ArrayState& arrays) : color(real, arrays.instanceColor) {
+    for (const ArraySource& source : arrays.instanceTransform) transform.emplace_back(real, source);
+    for (const ArraySource& source : arrays.instanceNormal) normal.emplace_back(real, source);
+  }
+  std::vector<ArrayReader> transform, normal;
+  ArrayReader color;
+
+  /// The matrix of instance i; nullopt where the arrays end before it.
+  std::optional<glm::mat4> matrix(const Elements& elements, uint32_t i) const {
+    glm::mat4 m(1);
+    for (size_t c = 0; c < transform.size(); ++c)
+      if (!readOfInstance(transform[c], elements, i, &m[static_cast<int>(c)][0])) return std::nullopt;
+    return m;
+  }
+};
+
+}  // namespace
+
+Reason Context::triageInstances(const Elements& elements) const {
+  const InstanceReaders readers(real, attributes);
+  const bool mayBeTranslucent = readers.color.enabled() && attributes.instanceColor.size == 4 &&
+                                state.raster.unlessOpaque != Reason::traced;
+  for (uint32_t i = 0; i < static_cast<uint32_t>(std::max(elements.instances, 1)); ++i) {
+    float color[4] = {0, 0, 0, 1};
+    if (mayBeTranslucent && readOfInstance(readers.color, elements, i, color) && color[3] < 1)
+      return state.raster.unlessOpaque;
+    const auto m = readers.matrix(elements, i);
+    if (!m) return Reason::arrayState;
+    if (!isAffine(glm::dmat4(*m))) return Reason::homogeneous;
+    const glm::mat3 linear(*m);
+    if (glm::determinant(linear) == 0 && linear != glm::mat3(0)) return Reason::singularMatrix;
+  }
+  return Reason::traced;
+}
+
 Reason Context::triageProgram(const KnownMesh& known) const {
   if (known.homogeneous || !known.mesh) return Reason::homogeneous;
   const ProgramState& program = state.program;
   const uint64_t triangles = known.mesh->triangleCount;
   if (program.triangleColors && program.triangleOffset + triangles > program.triangleColorCount)
+    return Reason::arrayState;
+  if (program.triangleEdges && program.triangleOffset + triangles > program.triangleEdgeCount)
     return Reason::arrayState;
   if (program.triangleNormals && program.triangleOffset + triangles > program.triangleNormalCount)
     return Reason::arrayState;
@@ -94,7 +146,9 @@ Reason Context::triageProgram(const KnownMesh& known) const {
   return Reason::traced;
 }
 
-void Context::addProgramInstance(const scene::MeshPtr& mesh, GLenum mode, const Elements& elements) {
+/// Makes the state ready for an instance of the current program: batch, camera and matrix. False where
+/// nothing could be seen of it.
+bool Context::placeProgramDraw() {
   const ProgramState& program = state.program;
   // One projection serves a batch. What programs give is a product, and taken apart it differs by roundings
   // from draw to draw; so each draw is placed by what it does to points in the end.
@@ -103,7 +157,8 @@ void Context::addProgramInstance(const scene::MeshPtr& mesh, GLenum mode, const 
   BatchKey key = Batch::keyOf(state);
   key.offset = program.depthOffset;
   clampToTarget(key.region);
-  if (key.region.width <= 0 || key.region.height <= 0 || mesh->triangleCount == 0) return;
+  dirty |= kModelview | kProjection;  // of fixed function
+  if (key.region.width <= 0 || key.region.height <= 0) return false;
   if (!batch_.empty()) {
     const glm::dmat4 placed = glm::inverse(batch_.key().projection) * program.clipFromObject;
     if (isAffine(placed)) key.projection = batch_.key().projection;
@@ -112,8 +167,13 @@ void Context::addProgramInstance(const scene::MeshPtr& mesh, GLenum mode, const 
   state.projection = key.projection;
   state.modelview = glm::inverse(state.projection) * program.clipFromObject;
   for (int c = 0; c < 4; ++c) state.modelview[c][3] = c == 3 ? 1.0 : 0.0;
-  dirty |= kModelview | kProjection;  // of fixed function
   if (batch_.empty()) batch_.start(key, state, info_.settings, frame);
+  return true;
+}
+
+void Context::addProgramInstances(const scene::MeshPtr& mesh, GLenum mode, const Elements& elements) {
+  if (mesh->triangleCount == 0 || !placeProgramDraw()) return;
+  const ProgramState& program = state.program;
   scene::Instance instance;
   instance.mesh = mesh;
   instance.eyeFromObject = state.modelview;
@@ -124,19 +184,45 @@ void Context::addProgramInstance(const scene::MeshPtr& mesh, GLenum mode, const 
   instance.texcoord = program.texcoord;
   instance.triangleColors = program.triangleColors;
   instance.triangleNormals = program.triangleNormals;
+  instance.triangleEdges = program.triangleEdges;
   instance.triangleOffset = program.triangleOffset;
   instance.materials.push_back(program.material);
   instance.cull = state.raster.cull;
   instance.frontFaceCcw = state.raster.frontFaceCcw;
   const glm::dmat4 objectFromEye = glm::inverse(state.modelview);
   for (const glm::dvec4& plane : program.clipPlanes) instance.clipPlanes.push_back(plane * objectFromEye);
-  scene::Shading shading = program.shading;
   ProgramDraw kept =
       captureProgramDraw(real, program.known->program, program.uniforms, attributes, mode, elements);
-  batch_.add(std::move(instance), std::move(shading));
+  const bool many = !attributes.instanceTransform.empty() || attributes.instanceColor.enabled;
+  if (many) {
+    addInstancesOf(instance, program.shading, elements);
+  } else {
+    batch_.add(std::move(instance), program.shading);
+    passes_.drawn(mesh, state.modelview, Passes::How::pending, isPushedBack());
+  }
   batch_.keep(std::move(kept));
-  passes_.drawn(mesh, state.modelview, Passes::How::pending, isPushedBack());
   if (aside_) flush();  // the flush above failed: later draws are rasterised and must find this one drawn
+}
+
+void Context::addInstancesOf(const scene::Instance& one, const scene::Shading& shading,
+                             const Elements& elements) {
+  const InstanceReaders readers(real, attributes);
+  for (uint32_t i = 0; i < static_cast<uint32_t>(std::max(elements.instances, 1)); ++i) {
+    const auto own = readers.matrix(elements, i);
+    if (!own || glm::mat3(*own) == glm::mat3(0)) continue;  // nothing is seen of a point
+    scene::Instance instance = one;
+    glm::mat3 ownNormal(1);
+    for (size_t c = 0; c < readers.normal.size(); ++c) {
+      float column[4] = {};
+      readOfInstance(readers.normal[c], elements, i, column);
+      ownNormal[static_cast<int>(c)] = {column[0], column[1], column[2]};
+    }
+    if (readers.color.enabled()) readOfInstance(readers.color, elements, i, &instance.color[0]);
+    instance.eyeFromObject = one.eyeFromObject * glm::dmat4(*own);
+    instance.lightingFromObject = one.lightingFromObject * *own;
+    instance.normalMatrix = one.normalMatrix * ownNormal;
+    batch_.add(std::move(instance), shading);
+  }
 }
 
 }  // namespace gluray::gl

@@ -285,6 +285,7 @@ Reason TextureCache::buffer(const RealGl& real, ShareGroup& group, GLint unit, s
   scene::Format format = scene::Format::none;
   switch (ask(GL_TEXTURE_INTERNAL_FORMAT)) {
     case GL_RGBA8: format = scene::Format::unorm8x4, stride = 4; break;
+    case GL_R8: format = scene::Format::bits8, stride = 1; break;
     case GL_R32F: format = scene::Format::float1, stride = 4; break;
     case GL_RG32F: format = scene::Format::float2, stride = 8; break;
     case GL_RGB32F: format = scene::Format::float3, stride = 12; break;

@@ -14,6 +14,11 @@ bool trace(const scene::Snapshot& snapshot, Image& image, present::TraceCost& co
   return done;
 }
 
+bool antialias(const Settings& settings, const scene::Fxaa& fxaa, const uint32_t* in, int width, int height,
+               uint32_t* out) {
+  return frame::Renderer::shared().antialias(settings, fxaa, in, width, height, out);
+}
+
 /// The price of interception alone: no ray, no write-back.
 class NullPresenter final : public gl::Presenter {
  public:
@@ -34,7 +39,7 @@ class NullPresenter final : public gl::Presenter {
 
 std::unique_ptr<gl::Presenter> makePresenter(const Settings& settings, present::Written onWritten) {
   if (settings.renderer == Renderer::null) return std::make_unique<NullPresenter>();
-  return std::make_unique<present::TracingPresenter>(trace, std::move(onWritten));
+  return std::make_unique<present::TracingPresenter>(trace, std::move(onWritten), antialias);
 }
 
 }  // namespace gluray::intercept

@@ -8,6 +8,7 @@
 #endif
 
 #include "render/fragment.inl.h"
+#include "render/frame_data.h"
 
 #include <algorithm>
 
@@ -40,6 +41,7 @@ struct Fragment {
   Float3 toViewer;  // unit length
   Float3 normal;    // unit length, turned to the side that is lit
   Float3 color;     // what the material's colours are multiplied by
+  Float edge;       // how much of the edges' colour is seen, 0 .. 1; only where edges are painted
 };
 
 /// Colour and alpha of the lanes that a texture, the vertices or an array by triangle gives; ones where the
@@ -178,6 +180,43 @@ HWY_INLINE Float highlight(const scene::FragmentShading& f, const scene::Fragmen
   return power(base, splat(shininess));
 }
 
+/// Edges give light of their own instead of the surface's.
+HWY_INLINE void paintEdge(const scene::FragmentShading& f, const Fragment& at, Float3& ambient,
+                          Float3& diffuse) {
+  const Float rest = hn::Sub(splat(1), at.edge);
+  diffuse = scaled(diffuse, rest);
+  ambient = add(scaled(ambient, rest), scaled(splat(f.edgeColor), at.edge));
+}
+
+/// Distances in pixels from window positions x, y to the painted edges of their triangles, as shares of
+/// colour.
+HWY_ATTR inline void edgeShares(const FrameData& frame, const Surface& s, const Group& group, const float* x,
+                                const float* y, Row& out) {
+  const scene::FragmentShading& f = s.lighting->shading->fragment;
+  const glm::ivec4& view = frame.snapshot->camera.viewport;
+  const glm::dvec2 scale(view.z * 0.5, view.w * 0.5), centre(view.x + scale.x, view.y + scale.y);
+  for (int i = 0; i < kLanes; ++i) {
+    const auto flags = static_cast<uint32_t>(
+        s.instance->triangleEdges.data[s.instance->triangleOffset + group.primitive[i]]);
+    glm::dvec2 corner[3];
+    bool before = true;  // the viewer, all corners
+    for (int k = 0; k < 3; ++k) {
+      const glm::dvec4 clip = s.clipFromObject * glm::dvec4(group.position[k][0][i], group.position[k][1][i],
+                                                            group.position[k][2][i], 1);
+      before = before && clip.w > 0;
+      corner[k] = centre + scale * glm::dvec2(clip) / clip.w;
+    }
+    double nearest = 1e9;
+    for (int k = 0; k < 3 && before; ++k) {
+      if (!(flags >> k & 1)) continue;
+      const glm::dvec2 along = corner[(k + 1) % 3] - corner[k], to = glm::dvec2(x[i], y[i]) - corner[k];
+      const double length = glm::length(along);
+      if (length > 0) nearest = std::min(nearest, std::abs(along.x * to.y - along.y * to.x) / length);
+    }
+    out[i] = static_cast<float>(std::clamp(0.5 + 0.5 * f.edgeWidth - nearest, 0.0, 1.0));
+  }
+}
+
 HWY_INLINE Float3 phong(const Surface& s, const scene::Material& m, const Fragment& at) {
   const Lighting& lighting = *s.lighting;
   const scene::FragmentShading& f = lighting.shading->fragment;
@@ -194,15 +233,18 @@ HWY_INLINE Float3 phong(const Surface& s, const scene::Material& m, const Fragme
     const auto lit = hn::Gt(hn::Mul(cosine, in.factor), zero);
     specular = add(specular, scaled(splat(light.color), hn::IfThenElseZero(lit, hn::Mul(in.factor, shine))));
   }
-  const Float3 ambient =
-      f.colorIsDiffuseOnly ? splat(glm::vec3(m.ambient)) : times(splat(glm::vec3(m.ambient)), at.color);
-  const Float3 reflected = times(times(diffuse, splat(glm::vec3(m.diffuse))), at.color);
+  Float3 ambient = splat(glm::vec3(m.ambient));
+  if (!f.colorIsDiffuseOnly) ambient = times(ambient, at.color);
+  Float3 reflected = times(times(diffuse, splat(glm::vec3(m.diffuse))), at.color);
+  if (f.edges) paintEdge(f, at, ambient, reflected);
   return add(add(ambient, reflected), times(specular, splat(glm::vec3(m.specular))));
 }
 
 HWY_INLINE Float3 unlit(const scene::FragmentShading& f, const scene::Material& m, const Fragment& at) {
-  const Float3 ambient = splat(glm::vec3(m.ambient)), diffuse = times(splat(glm::vec3(m.diffuse)), at.color);
-  return add(f.colorIsDiffuseOnly ? ambient : times(ambient, at.color), diffuse);
+  Float3 ambient = splat(glm::vec3(m.ambient)), diffuse = times(splat(glm::vec3(m.diffuse)), at.color);
+  if (!f.colorIsDiffuseOnly) ambient = times(ambient, at.color);
+  if (f.edges) paintEdge(f, at, ambient, diffuse);
+  return add(ambient, diffuse);
 }
 
 /// GGX distribution, height-correlated Smith visibility, Schlick's Fresnel term, Lambert's diffuse part; the
@@ -250,8 +292,8 @@ HWY_INLINE Float3 microfacets(const Surface& s, const scene::Material& m, const 
 
 /// Colours of the group by a fragment program, before its textures; bit i of `back`: lane i shows its back
 /// face.
-HWY_ATTR inline void runProgram(const Surface& s, const Group& group, uint32_t back, bool backMaterial,
-                                LitRows& rows) {
+HWY_ATTR inline void runProgram(const FrameData& frame, const Surface& s, const Group& group, uint32_t back,
+                                bool backMaterial, const float* x, const float* y, LitRows& rows) {
   using Shading = scene::FragmentShading;
   const Shading& f = s.lighting->shading->fragment;
   const scene::Material& m = backMaterial ? s.materials[0].back : s.materials[0].front;
@@ -261,12 +303,15 @@ HWY_ATTR inline void runProgram(const Surface& s, const Group& group, uint32_t b
     lookUpMap(s, group, base);
   else
     loadBaseColor(s, group, base);
+  alignas(64) Row edges;
+  if (f.edges) edgeShares(frame, s, group, x, y, edges);
   const bool lit = f.model != Shading::Model::unlit;
   if (lit && f.normals != Shading::Normals::triangles) loadNormals(s, group, normals);
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
     const Weights weights(group, i);
     Fragment at;
     at.color = load3(base, i);
+    at.edge = f.edges ? load(edges + i) : splat(0);
     Float3 color;
     if (lit) {
       at.position = weights(pointIn(s, group, 0, i), pointIn(s, group, 1, i), pointIn(s, group, 2, i));

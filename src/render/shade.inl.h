@@ -203,10 +203,10 @@ HWY_ATTR inline void multiplyByTextures(const FrameData& frame, const Surface& s
 HWY_ATTR inline void shadeByProgram(const FrameData& frame, const Surface& s, const Group& group,
                                     uint32_t back, const float* x, const float* y, LitRows& rows) {
   const bool twoMaterials = s.lighting->shading->fragment.backMaterial && (back & group.lanes) != 0;
-  runProgram(s, group, back, false, rows);
+  runProgram(frame, s, group, back, false, x, y, rows);
   if (twoMaterials) {
     LitRows backRows;
-    runProgram(s, group, back, true, backRows);
+    runProgram(frame, s, group, back, true, x, y, backRows);
     for (uint32_t lanes = back & group.lanes; lanes; lanes &= lanes - 1) {
       const int i = std::countr_zero(lanes);
       for (int c = 0; c < 4; ++c) rows.value[c][i] = backRows.value[c][i];

@@ -21,6 +21,7 @@ enum class Format : uint8_t {
   float4,
   unorm8x4,  // four bytes, 255 = 1.0 (colours)
   uint32,    // indices and material numbers
+  bits8,     // a byte of flags
 };
 
 /// A strided array in memory that `owner` keeps alive. Element i starts at data + i*stride.

@@ -69,6 +69,7 @@ struct Instance {
   glm::mat3 normalMatrix{1};        // the program's own, for the mesh's normals and those a triangle
   Attribute triangleColors;         // float4 or unorm8x4: triangle t has element triangleOffset + t
   Attribute triangleNormals;        // float3 or float4, object space
+  Attribute triangleEdges;          // bits8: bit k, the edge from corner k to the next is painted
   uint32_t triangleOffset = 0;
   CullFace cull = CullFace::none;
   bool frontFaceCcw = true;  // GL_CCW is front

@@ -12,7 +12,11 @@ namespace gluray {
   X(materialLatch, "material-latch",                                                                       \
     "Mesa stores waiting glMaterial values twice where GL_COLOR_MATERIAL is enabled in between; they are " \
     "sent again after our own drawing, so that they wait as before",                                       \
-    "tests/reference/material_latch_test.cpp")
+    "tests/reference/material_latch_test.cpp")                                                             \
+  X(softwareFxaa, "software-fxaa",                                                                         \
+    "VTK's anti-aliasing pass (FXAA) costs software OpenGLs more than tracing a frame; it is computed "    \
+    "without them, to the same picture",                                                                   \
+    "tests/reference/fxaa_test.cpp")
 
 enum class Quirk : uint8_t {
 #define X(id, name, reason, test) id,

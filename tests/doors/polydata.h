@@ -12,7 +12,8 @@
 // clang-format off: its layout of such lists never settles
 #define POLYDATA_FUNCTIONS(X)                                                                              \
   X(AttachShader)                                                                                          \
-  X(BindBuffer) X(BindFramebuffer) X(BindTexture) X(BindVertexArray) X(BlendFuncSeparate) X(BufferData)    \
+  X(BindBuffer)                                                                                            \
+  X(BindFramebuffer) X(BindTexture) X(BindVertexArray) X(BlendFuncSeparate) X(BufferData)                  \
       X(CheckFramebufferStatus) X(Clear) X(ClearColor) X(CompileShader) X(CreateProgram) X(CreateShader)   \
           X(DepthFunc) X(DrawRangeElements) X(Enable) X(EnableVertexAttribArray) X(FramebufferTexture2D)   \
               X(GenBuffers) X(GenFramebuffers) X(GenTextures) X(GenVertexArrays) X(GetAttribLocation)      \

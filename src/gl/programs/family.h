@@ -55,13 +55,15 @@ struct Family {
 
   std::string name;
   std::string rasteriseBecause;  // not empty: programs of this family are never traced, and why
-  std::vector<std::string> active, any, absent;  // names for recognition: all of, one of, none of
-  std::vector<std::string> absentOutputs;        // of the fragment shader
-  std::vector<std::string> ignored;              // may be active and mean nothing to the picture
+  std::vector<std::string> sourceHas, sourceLacks;  // texts in the shaders' source
+  std::vector<std::string> active, any, absent;     // names for recognition: all of, one of, none of
+  std::vector<std::string> absentOutputs;           // of the fragment shader
+  std::vector<std::string> ignored;                 // may be active and mean nothing to the picture
   bool strict = true;  // an active variable that the family does not mention makes the program unknown
 
-  std::string position, normal, color, texcoord;           // attributes
-  std::vector<std::string> clipFromObject, eyeFromObject;  // uniforms, multiplied from left to right
+  std::string position, normal, color, texcoord;                 // attributes
+  std::string instanceTransform, instanceNormal, instanceColor;  // attributes that each instance has one of
+  std::vector<std::string> clipFromObject, eyeFromObject;        // uniforms, multiplied from left to right
   std::string viewer;        // uniform: the viewer's place in the space of eyeFromObject; empty: its origin
   std::string normalMatrix;  // uniform; empty: inverse transpose of eyeFromObject
   NoNormals withoutNormals = NoNormals::refuse;
@@ -82,6 +84,16 @@ struct Family {
   FamilyLights lights;
   FamilyPbr pbr;
 
+  /// Full-screen passes that we can do ourselves: a replacement, and where it finds its input and settings.
+  enum class Pass { none, fxaa };
+  Pass pass = Pass::none;
+  std::string passInput;  // sampler
+  FamilyValue relativeContrast, hardContrast, subpixelBlendLimit, subpixelContrast, endpointSearchIterations;
+
+  // Painted edges of triangles, by a geometry shader: flags a triangle, width in pixels, colour.
+  std::string edgeFlags;  // buffer sampler; bit k: the edge from corner k to the next
+  FamilyValue edgeWidth, edgeColor;
+  bool geometryShader = false;             // programs of the family have one
   std::string clipPlanes, clipPlaneCount;  // uniform array of planes in object space, how many of them count
   FamilyValue depthOffset, depthFactor;    // added to window depth: offset, and factor times its slope
 

@@ -22,6 +22,11 @@ class FamilyReader {
     if (family_.active.empty() && family_.any.empty())
       fail(*table_, "family \"" + family_.name + "\" needs match.active or match.any");
     section("vertex", [&] { readVertex(); });
+    section("instance", [&] {
+      name("transform", family_.instanceTransform);
+      name("normal_matrix", family_.instanceNormal);
+      name("color", family_.instanceColor);
+    });
     section("transform", [&] { readTransform(); });
     section("normals", [&] { readNormals(); });
     section("color", [&] { readColor(); });
@@ -31,6 +36,12 @@ class FamilyReader {
     section("pbr", [&] { readPbr(); });
     section("clip", [&] { name("planes", family_.clipPlanes), name("count", family_.clipPlaneCount); });
     section("depth", [&] { value("offset", family_.depthOffset), value("factor", family_.depthFactor); });
+    section("edges", [&] {
+      name("flags", family_.edgeFlags);
+      value("width", family_.edgeWidth);
+      value("color", family_.edgeColor);
+    });
+    section("pass", [&] { readPass(); });
     allKnown();
     const bool traced = family_.rasteriseBecause.empty();
     if (traced && (family_.position.empty() || family_.clipFromObject.empty()))
@@ -69,12 +80,16 @@ class FamilyReader {
   }
   /// One name or a list of them.
   void names(const char* key, std::vector<std::string>& out) {
+    texts(key, out);
+    for (const std::string& name : out) mention(name);
+  }
+  void texts(const char* key, std::vector<std::string>& out) {
     const toml::node* node = get(key);
     if (!node) return;
     const auto add = [&](const toml::node& item) {
       const auto value = item.value_exact<std::string>();
-      if (!value) fail(item, std::string(key) + " must be names in quotes");
-      out.push_back(*value), mention(*value);
+      if (!value) fail(item, std::string(key) + " must be texts in quotes");
+      out.push_back(*value);
     };
     if (const toml::array* list = node->as_array())
       for (const toml::node& item : *list) add(item);
@@ -136,11 +151,13 @@ class FamilyReader {
   void readMatch() {
     names("active", family_.active);
     names("any", family_.any);
-    names("absent", family_.absent);
-    for (const std::string& a : family_.absent) family_.mentioned.erase(a);
-    names("absent_outputs", family_.absentOutputs);
+    texts("source_has", family_.sourceHas);
+    texts("source_lacks", family_.sourceLacks);
+    texts("absent", family_.absent);
+    texts("absent_outputs", family_.absentOutputs);
     names("ignored", family_.ignored);
     flag("strict", family_.strict);
+    flag("geometry_shader", family_.geometryShader);
     text("rasterise", family_.rasteriseBecause);
   }
   void readVertex() {
@@ -196,6 +213,15 @@ class FamilyReader {
     name("attenuation", l.attenuation);
     name("cone_angle", l.coneAngle);
     name("exponent", l.exponent);
+  }
+  void readPass() {
+    choice("does", {{"fxaa", Family::Pass::fxaa}}, family_.pass);
+    name("input", family_.passInput);
+    value("relative_contrast", family_.relativeContrast);
+    value("hard_contrast", family_.hardContrast);
+    value("subpixel_blend_limit", family_.subpixelBlendLimit);
+    value("subpixel_contrast", family_.subpixelContrast);
+    value("endpoint_search_iterations", family_.endpointSearchIterations);
   }
   void readPbr() {
     FamilyPbr& p = family_.pbr;

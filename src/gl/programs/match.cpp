@@ -24,6 +24,47 @@ void needActive(const Program& p, const Family& f, std::vector<std::string>& out
     out.push_back(about("has none of ", f.any.front(), f.any.size() > 1 ? " ..." : ""));
 }
 
+/// GLSL without its comments.
+std::string withoutComments(const std::string& text) {
+  std::string out;
+  for (size_t i = 0; i < text.size();) {
+    if (text.compare(i, 2, "//") == 0) {
+      i = std::min(text.find('\n', i), text.size());
+    } else if (text.compare(i, 2, "/*") == 0) {
+      const size_t end = text.find("*/", i + 2);
+      i = end == std::string::npos ? text.size() : end + 2;
+    } else {
+      out += text[i++];
+    }
+  }
+  return out;
+}
+
+/// Texts of the shaders that are attached, one after the other, without comments.
+std::string sourceOf(const RealGl& real, GLuint program) {
+  GLuint shaders[8] = {};
+  GLsizei count = 0;
+  real.GetAttachedShaders(program, 8, &count, shaders);
+  std::string all;
+  for (GLsizei i = 0; i < count; ++i) {
+    GLint length = 0;
+    real.GetShaderiv(shaders[i], GL_SHADER_SOURCE_LENGTH, &length);
+    std::string text(static_cast<size_t>(std::max(length, 1)), '\0');
+    real.GetShaderSource(shaders[i], static_cast<GLsizei>(text.size()), nullptr, text.data());
+    all += withoutComments(text.c_str());
+  }
+  return all;
+}
+
+void needSource(const RealGl& real, const Program& p, const Family& f, std::vector<std::string>& out) {
+  if (f.sourceHas.empty() && f.sourceLacks.empty()) return;
+  const std::string source = sourceOf(real, p.name);
+  for (const std::string& text : f.sourceHas)
+    if (source.find(text) == std::string::npos) out.push_back(about("its source lacks ", text));
+  for (const std::string& text : f.sourceLacks)
+    if (source.find(text) != std::string::npos) out.push_back(about("its source has ", text));
+}
+
 void refuseActive(const RealGl& real, const Program& p, const Family& f, std::vector<std::string>& out) {
   for (const std::string& name : f.absent)
     if (p.isActive(name)) out.push_back(about("has ", name));
@@ -121,7 +162,8 @@ void needTypes(const Program& p, const Family& f, std::vector<std::string>& out)
 /// What tracing needs of any program.
 void needSources(const Program& p, const Family& f, std::vector<std::string>& out) {
   if (!f.rasteriseBecause.empty()) return;
-  if (p.geometryShader) out.push_back("has a geometry shader");
+  if (p.geometryShader && !f.geometryShader) out.push_back("has a geometry shader");
+  if (!p.geometryShader && f.geometryShader) out.push_back("lacks a geometry shader");
   if (p.tessellation) out.push_back("has tessellation shaders");
   if (!p.attribute(f.position)) out.push_back(about("lacks attribute ", f.position));
   for (const std::string& name : f.clipFromObject)
@@ -141,6 +183,7 @@ std::vector<std::string> obstacles(const RealGl& real, const Program& program, c
   needSources(program, family, out);
   needTypes(program, family, out);
   needMentioned(program, family, out);
+  if (out.empty()) needSource(real, program, family, out);
   return out;
 }
 

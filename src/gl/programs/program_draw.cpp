@@ -23,7 +23,7 @@ void addArray(const RealGl& real, const ArraySource& source, std::vector<Program
   array.integer = ask(GL_VERTEX_ATTRIB_ARRAY_INTEGER) != 0;
   array.stride = source.stride;
   array.offset = reinterpret_cast<size_t>(source.pointer);
-  array.divisor = static_cast<GLuint>(ask(GL_VERTEX_ATTRIB_ARRAY_DIVISOR));
+  array.divisor = source.divisor;
   array.contents = source.buffer->read(real);
   if (array.contents) arrays.push_back(std::move(array));
 }

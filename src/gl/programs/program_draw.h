@@ -35,7 +35,6 @@ struct ProgramDraw {
   GLuint program = 0;
   GLenum mode = GL_TRIANGLES;
   Elements elements;  // `indices` an offset into `indexContents`
-  GLsizei instances = 1;
   std::shared_ptr<const BufferStorage> indexContents;
   std::vector<Array> arrays;
   std::vector<BoundTexture> textures;

@@ -43,6 +43,7 @@ class ProgramReader {
     readClipPlanes();
     readDepthOffset();
     if (const Reason reason = readNormals(); reason != Reason::traced) return reason;
+    if (const Reason reason = readEdges(); reason != Reason::traced) return reason;
     if (const Reason reason = readColor(); reason != Reason::traced) return reason;
     return readTextures();
   }
@@ -174,6 +175,17 @@ class ProgramReader {
     return Reason::traced;
   }
 
+  Reason readEdges() {
+    scene::FragmentShading& f = out_.shading.fragment;
+    const ProgramUniform* sampler = samplerNamed(family_.edgeFlags);
+    f.edges = sampler != nullptr;
+    out_.triangleEdges = {};
+    if (!sampler) return Reason::traced;
+    f.edgeWidth = uniforms_.number(family_.edgeWidth, 1);
+    f.edgeColor = glm::vec3(uniforms_.value(family_.edgeColor, glm::vec4(0)));
+    return readBuffer(*sampler, out_.triangleEdges, out_.triangleEdgeCount);
+  }
+
   Reason readColor() {
     scene::FragmentShading& f = out_.shading.fragment;
     using Color = scene::FragmentShading::Color;
@@ -182,6 +194,7 @@ class ProgramReader {
     f.map.clear();
     out_.triangleColors = {};
     out_.opaqueTriangleColors = true;
+    out_.instanceColors = false;
     out_.triangleOffset = static_cast<uint32_t>(uniforms_.integer(family_.triangleOffset));
     if (uniforms_.integer(family_.uniformColors) != 0) return Reason::traced;
     Reason reason = Reason::traced;
@@ -196,6 +209,9 @@ class ProgramReader {
     } else if (!family_.color.empty() && program_.attribute(family_.color)) {
       f.color = Color::vertices;
       out_.color = current(family_.color);
+    } else if (!family_.instanceColor.empty() && program_.attribute(family_.instanceColor)) {
+      f.color = Color::vertices;
+      out_.instanceColors = true;
     } else {
       return Reason::traced;
     }
@@ -294,6 +310,8 @@ void readProgram(const RealGl& real, ShareGroup& group, const RareState& has, Te
   }
   if (!state.known->family->rasteriseBecause.empty()) {
     state.reason = Reason::programPass;
+    if (state.known->family->pass != Family::Pass::none)
+      state.uniforms = readUniforms(real, state.known->program);
     return;
   }
   state.uniforms = readUniforms(real, state.known->program);
@@ -323,13 +341,9 @@ ArraySource readGeneric(const RealGl& real, ShareGroup& group, GLint location) {
   real.GetVertexAttribPointerv(index, GL_VERTEX_ATTRIB_ARRAY_POINTER, &pointer);
   source.pointer = static_cast<const std::byte*>(pointer);
   source.buffer = bufferNamed(group, static_cast<GLuint>(ask(GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING)));
+  if (isPresent(real.VertexAttribDivisor))
+    source.divisor = static_cast<GLuint>(ask(GL_VERTEX_ATTRIB_ARRAY_DIVISOR));
   return source;
-}
-
-GLint divisorOf(const RealGl& real, GLint location) {
-  GLint divisor = 0;
-  real.GetVertexAttribiv(static_cast<GLuint>(location), GL_VERTEX_ATTRIB_ARRAY_DIVISOR, &divisor);
-  return divisor;
 }
 
 }  // namespace
@@ -345,7 +359,7 @@ void readAttributes(const RealGl& real, ShareGroup& group, const KnownProgram* p
     if (!a || a->location < 0) return;
     source = readGeneric(real, group, a->location);
     named.push_back(a->location);
-    plain = plain && isReadable(source) && divisorOf(real, a->location) == 0;
+    plain = plain && isReadable(source) && source.divisor == 0;
   };
   if (family) {
     take(family->position, arrays.vertex);
@@ -358,6 +372,23 @@ void readAttributes(const RealGl& real, ShareGroup& group, const KnownProgram* p
     if (std::find(named.begin(), named.end(), i) != named.end()) continue;
     ArraySource source = readGeneric(real, group, i);
     if (source.enabled) arrays.generic.push_back(std::move(source));
+  }
+  const auto ofInstances = [&](const std::string& name, int columns, std::vector<ArraySource>& sources) {
+    const ProgramAttribute* a = name.empty() || !family ? nullptr : program->program.attribute(name);
+    for (int i = 0; a && i < columns; ++i) {
+      const auto found = std::find_if(arrays.generic.begin(), arrays.generic.end(),
+                                      [&](const ArraySource& s) { return s.location == a->location + i; });
+      const bool fine = found != arrays.generic.end() && isReadable(*found) && found->divisor > 0;
+      plain = plain && fine;
+      if (fine) sources.push_back(*found);
+    }
+  };
+  if (family) {
+    std::vector<ArraySource> color;
+    ofInstances(family->instanceTransform, 4, arrays.instanceTransform);
+    ofInstances(family->instanceNormal, 3, arrays.instanceNormal);
+    ofInstances(family->instanceColor, 1, color);
+    if (!color.empty()) arrays.instanceColor = color.front();
   }
   // Memory of the program's own may change before the draw is made.
   const auto keep = [&](const ArraySource& s) { plain = plain && (!s.enabled || s.buffer); };

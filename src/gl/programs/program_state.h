@@ -30,10 +30,11 @@ struct ProgramState {
   scene::MaterialPair material;
   std::vector<glm::dvec4> clipPlanes;  // object space
   scene::PolygonOffset depthOffset;
-  scene::Attribute triangleColors, triangleNormals;
-  uint32_t triangleColorCount = 0, triangleNormalCount = 0, triangleOffset = 0;
+  scene::Attribute triangleColors, triangleNormals, triangleEdges;
+  uint32_t triangleColorCount = 0, triangleNormalCount = 0, triangleEdgeCount = 0, triangleOffset = 0;
   bool opaqueTriangleColors = true;
-  glm::vec4 color{1};  // of programs whose colour attribute is not an array
+  bool instanceColors = false;  // each instance brings its own
+  glm::vec4 color{1};           // of programs whose colour attribute is not an array
   glm::vec3 normal{0, 0, 1};
   glm::vec4 texcoord{0, 0, 0, 1};
 };

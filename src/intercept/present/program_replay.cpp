@@ -198,17 +198,6 @@ class OwnArrays {
   std::vector<GLuint> buffers_;
 };
 
-void drawOnce(const RealGl& real, const ProgramDraw& d) {
-  const gl::Elements& e = d.elements;
-  if (d.instances != 1) {
-    if (e.type) return real.DrawElementsInstanced(d.mode, e.count, e.type, e.indices, d.instances);
-    return real.DrawArraysInstanced(d.mode, e.first, e.count, d.instances);
-  }
-  if (!e.type) return real.DrawArrays(d.mode, e.first, e.count);
-  if (e.base) return real.DrawElementsBaseVertex(d.mode, e.count, e.type, e.indices, e.base);
-  real.DrawElements(d.mode, e.count, e.type, e.indices);
-}
-
 }  // namespace
 
 void replayProgramDraws(const RealGl& real, const Features& features, const scene::Snapshot& snapshot,
@@ -239,7 +228,7 @@ void replayProgramDraws(const RealGl& real, const Features& features, const scen
       const KeptBlocks blocks(real, draw.blocks);
       const KeptTextures textures(real, draw);
       const OwnArrays arrays(real, draw);
-      drawOnce(real, draw);
+      gl::drawReal(real, draw.mode, draw.elements);
     }
   }
   real.FrontFace(static_cast<GLenum>(frontFace));

@@ -71,6 +71,40 @@ bool TracingPresenter::written(const gl::PresentTarget& target, PendingErrors& p
   }
 }
 
+namespace {
+
+/// Whether the texture bound to GL_TEXTURE_2D is RGBA8 of that size, and its binding raised no error.
+bool isPlain(const gl::RealGl& real, glm::ivec2 size) {
+  GLint width = 0, height = 0, format = 0;
+  real.GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
+  real.GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT, &height);
+  real.GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
+  return takeErrors(real).empty() && width == size.x && height == size.y && format == GL_RGBA8;
+}
+
+}  // namespace
+
+bool TracingPresenter::antialias(const gl::RealGl& real, const scene::Fxaa& fxaa, GLint unit, GLuint target,
+                                 glm::ivec2 size, const Settings& settings) noexcept {
+  if (!antialias_) return false;
+  try {
+    const auto pixels = static_cast<size_t>(size.x) * static_cast<size_t>(size.y);
+    before_.resize(pixels), after_.resize(pixels);
+    const Features features = readFeatures(real);
+    StateGuard guard(real, features);
+    guard.plainPack();
+    guard.plainUnpack();
+    guard.activeTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    real.GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, before_.data());
+    if (!takeErrors(real).empty()) return false;
+    if (!antialias_(settings, fxaa, before_.data(), size.x, size.y, after_.data())) return false;
+    guard.texture2D(unit, target);
+    if (!isPlain(real, size)) return false;
+    real.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, after_.data());
+    return takeErrors(real).empty();
+  } catch (const std::exception&) { return false; }
+}
+
 void TracingPresenter::forget(const gl::RealGl&) noexcept {
   // Names live in the share group; other contexts of the group may still be there, this one may not be
   // current.

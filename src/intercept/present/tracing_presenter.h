@@ -21,14 +21,21 @@ using Written = std::function<void(const gl::RealGl&, const Image&)>;
 /// engine.
 using Trace = std::function<bool(const scene::Snapshot&, Image&, TraceCost&, std::string& error)>;
 
+/// Anti-aliases a picture, `in` to `out`. False on failure; never throws. frame::Renderer::antialias in the
+/// engine.
+using Antialias = std::function<bool(const Settings&, const scene::Fxaa&, const uint32_t* in, int width,
+                                     int height, uint32_t* out)>;
+
 class TracingPresenter final : public gl::Presenter {
  public:
-  explicit TracingPresenter(Trace trace, Written onWritten = {})
-      : trace_(std::move(trace)), onWritten_(std::move(onWritten)) {}
+  explicit TracingPresenter(Trace trace, Written onWritten = {}, Antialias antialias = {})
+      : trace_(std::move(trace)), onWritten_(std::move(onWritten)), antialias_(std::move(antialias)) {}
 
   gl::PresentResult present(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                             const gl::PresentTarget& target) noexcept override;
   bool supports(const gl::RealGl& real, bool core, std::string& why) noexcept override;
+  bool antialias(const gl::RealGl& real, const scene::Fxaa& fxaa, GLint unit, GLuint target, glm::ivec2 size,
+                 const Settings& settings) noexcept override;
   gl::SharedNames takeNames() override { return writeBack_ ? writeBack_->takeNames() : gl::SharedNames{}; }
   void forget(const gl::RealGl& real) noexcept override;
 
@@ -40,6 +47,8 @@ class TracingPresenter final : public gl::Presenter {
 
   Trace trace_;
   Written onWritten_;
+  Antialias antialias_;
+  std::vector<uint32_t> before_, after_;  // of anti-aliasing; memory is kept
   std::unique_ptr<WriteBack> writeBack_;
   Image image_;  // memory is kept from flush to flush
 };

@@ -1,0 +1,88 @@
+"""Run by pvbatch: contours of ParaView's Wavelet source, an orbit of the camera around them; prints one line of JSON.
+
+usage: pvbatch paraview_orbit.py ISOVALUES FRAMES SIZE [PICTURE [SOURCE]]
+SOURCE, a NIfTI or other file that ParaView reads, takes the place of the Wavelet; ISOVALUES is then one value.
+"""
+import json
+import math
+import os
+import resource
+import sys
+import time
+
+from paraview import simple
+
+
+def resident():
+    """Bytes of memory of this process."""
+    with open("/proc/self/statm") as file:
+        return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+
+
+def isosurfaces(count):
+    """Nested surfaces as in the measurements of the paper: `count` values evenly over the data's range."""
+    low, high = 33.951, 286.341
+    wavelet = simple.Wavelet()
+    wavelet.WholeExtent = [-100, 100] * 3
+    contour = simple.Contour(Input=wavelet, ContourBy=["POINTS", "RTData"])
+    contour.Isosurfaces = [low + (i + 0.5) / count * (high - low) for i in range(count)]
+    contour.UpdatePipeline()
+    return contour
+
+
+def scan(file, value):
+    """The isosurface of a scan."""
+    reader = simple.OpenDataFile(file)
+    contour = simple.Contour(Input=reader, Isosurfaces=[value])
+    contour.UpdatePipeline()
+    return contour
+
+
+def main():
+    count, frames, size = float(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3])
+    picture = sys.argv[4] if len(sys.argv) > 4 and sys.argv[4] != "-" else None
+    simple._DisableFirstRenderCameraReset()
+    view = simple.CreateView("RenderView")
+    view.ViewSize = [size, size]
+    surface = scan(sys.argv[5], count) if len(sys.argv) > 5 else isosurfaces(int(count))
+    triangles = surface.GetDataInformation().GetNumberOfCells()
+    window = view.GetRenderWindow()
+    # An empty picture first: the window and its context are there when the clock starts.
+    simple.Render(view)
+    before = resident()
+    start = time.perf_counter()
+    display = simple.Show(surface, view)
+    if len(sys.argv) <= 5:
+        simple.ColorBy(display, ("POINTS", "RTData"))
+    else:
+        display.ColorArrayName = [None, ""]
+        display.DiffuseColor = [0.95, 0.83, 0.73]
+        display.Specular = 0.3
+    simple.ResetCamera(view)
+    simple.Render(view)
+    window.WaitForCompletion()
+    first = time.perf_counter() - start
+    centre, eye = list(view.CameraFocalPoint), list(view.CameraPosition)
+    distance = math.dist(centre, eye)
+    lift = math.radians(35.26)
+    up = [0, 0, 1] if len(sys.argv) > 5 else [0, 1, 0]
+    view.CameraViewUp = up
+    times = []
+    for frame in range(frames):
+        angle = math.radians(30 + 360 * frame / max(frames, 60))
+        flat = [math.cos(lift) * math.sin(angle), math.cos(lift) * math.cos(angle)]
+        way = [flat[0], math.sin(lift), flat[1]] if up[1] else [flat[0], -flat[1], math.sin(0.2)]
+        start = time.perf_counter()
+        view.CameraPosition = [c + distance * w for c, w in zip(centre, way)]
+        simple.Render(view)
+        window.WaitForCompletion()
+        times.append(time.perf_counter() - start)
+    if picture:
+        simple.SaveScreenshot(picture, view, ImageResolution=[size, size])
+    times.sort()
+    print(json.dumps({"triangles": triangles, "first_image_s": first, "frame_s": times[len(times) // 2],
+                      "build_s": 0, "rss_bytes": resident() - before,
+                      "peak_bytes": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024}), flush=True)
+
+
+main()

@@ -1,0 +1,131 @@
+// Full-screen passes of programs that we do ourselves, because a software OpenGL takes longer over them than
+// we over the whole picture.
+#include "gl/context.h"
+#include "gl/programs/uniforms.h"
+#include "gl/state_queries.h"
+
+#include <GL/glext.h>
+
+#include <cmath>
+#include <string_view>
+
+namespace gluray::gl {
+namespace {
+
+/// Whether the draw covers the viewport with its texture, pixel by pixel: a strip of two triangles over all
+/// of it.
+bool coversViewport(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& e) {
+  if (mode != GL_TRIANGLE_STRIP || e.type || e.count != 4 || !arrays.vertex.enabled ||
+      !arrays.texcoord.enabled)
+    return false;
+  const ArrayReader position(real, arrays.vertex), texcoord(real, arrays.texcoord);
+  const auto last = static_cast<uint32_t>(e.first) + 3;
+  if (position.available() <= last || texcoord.available() <= last) return false;
+  unsigned corners = 0;
+  for (uint32_t i = static_cast<uint32_t>(e.first); i <= last; ++i) {
+    float p[4], t[4];
+    position.read(i, p), texcoord.read(i, t);
+    const bool corner = std::abs(p[0]) == 1 && std::abs(p[1]) == 1 && p[3] == 1;
+    if (!corner || t[0] != (p[0] + 1) / 2 || t[1] != (p[1] + 1) / 2) return false;
+    corners |= 1u << ((p[0] > 0 ? 1 : 0) + (p[1] > 0 ? 2 : 0));
+  }
+  return corners == 15;
+}
+
+/// Whether what a fragment program writes is what the framebuffer has afterwards.
+bool writesThrough(const RealGl& real, const RareState& has) {
+  for (const GLenum capability : {GL_DEPTH_TEST, GL_BLEND, GL_STENCIL_TEST, GL_COLOR_LOGIC_OP, GL_CULL_FACE})
+    if (isOn(real, capability)) return false;
+  if (has.framebufferSrgb && isOn(real, GL_FRAMEBUFFER_SRGB)) return false;
+  if (has.rasterizerDiscard && isOn(real, GL_RASTERIZER_DISCARD)) return false;
+  if (has.fixedFunction && isOn(real, GL_ALPHA_TEST)) return false;
+  GLboolean mask[4] = {};
+  real.GetBooleanv(GL_COLOR_WRITEMASK, mask);
+  GLint polygonMode[2] = {GL_FILL, GL_FILL};
+  real.GetIntegerv(GL_POLYGON_MODE, polygonMode);
+  return mask[0] && mask[1] && mask[2] && mask[3] && polygonMode[0] == GL_FILL;
+}
+
+bool isSoftware(const RealGl& real) {
+  const auto* name = reinterpret_cast<const char*>(real.GetString(GL_RENDERER));
+  const std::string_view renderer = name ? name : "";
+  return renderer.find("llvmpipe") != renderer.npos || renderer.find("softpipe") != renderer.npos ||
+         renderer.find("Software") != renderer.npos;
+}
+
+/// Whether the texture bound to the active unit is one level of RGBA8 of that size, whose texels at pixel
+/// centres are read as they are.
+bool isPlainInput(const RealGl& real, glm::ivec2 size) {
+  const auto level = [&](GLenum name) {
+    GLint value = 0;
+    real.GetTexLevelParameteriv(GL_TEXTURE_2D, 0, name, &value);
+    return value;
+  };
+  const auto parameter = [&](GLenum name) {
+    GLint value = 0;
+    real.GetTexParameteriv(GL_TEXTURE_2D, name, &value);
+    return value;
+  };
+  const GLint filter = parameter(GL_TEXTURE_MIN_FILTER);
+  return level(GL_TEXTURE_WIDTH) == size.x && level(GL_TEXTURE_HEIGHT) == size.y &&
+         level(GL_TEXTURE_INTERNAL_FORMAT) == GL_RGBA8 && filter == GL_LINEAR &&
+         parameter(GL_TEXTURE_MAG_FILTER) == GL_LINEAR && parameter(GL_TEXTURE_WRAP_S) == GL_CLAMP_TO_EDGE &&
+         parameter(GL_TEXTURE_WRAP_T) == GL_CLAMP_TO_EDGE && parameter(GL_TEXTURE_BASE_LEVEL) == 0;
+}
+
+}  // namespace
+
+bool Context::replacePass(GLenum mode, const Elements& elements) {
+  const ProgramState& program = state.program;
+  if (!program.known || !program.known->family || program.known->family->pass != Family::Pass::fxaa)
+    return false;
+  if (!info_.settings.quirks.has(Quirk::softwareFxaa) || aside_ || activeQueries > 0) return false;
+  if (softwareBelow_ == Answer::unknown) softwareBelow_ = isSoftware(real) ? Answer::yes : Answer::no;
+  if (softwareBelow_ == Answer::no) return false;
+  const TargetState& target = state.target;
+  if (target.reason != Reason::traced && target.reason != Reason::noDepthBuffer) return false;
+  const glm::ivec2 size(state.viewport.z, state.viewport.w);
+  const bool whole = target.framebuffer != 0 && target.samples == 1 && state.viewport.x == 0 &&
+                     state.viewport.y == 0 && size.x > 0 && size.y > 0;
+  const bool open = !state.raster.scissorTest || state.scissor == state.viewport;
+  if (!whole || !open || !writesThrough(real, state.rare) ||
+      !coversViewport(real, attributes, mode, elements))
+    return false;
+  GLint attachment = 0, type = 0, level = 0;
+  const auto ask = [&](GLenum name, GLint& value) {
+    real.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, target.drawBuffer, name, &value);
+  };
+  ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, type);
+  if (type != GL_TEXTURE) return false;
+  ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, attachment);
+  ask(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL, level);
+  return level == 0 && antialiasInto(static_cast<GLuint>(attachment), size);
+}
+
+bool Context::antialiasInto(GLuint attachment, glm::ivec2 size) {
+  const KnownProgram& known = *state.program.known;
+  const Family& family = *known.family;
+  const ProgramUniform* sampler = known.program.uniform(family.passInput);
+  if (!sampler || !state.program.uniforms) return false;
+  const UniformReader uniforms(known.program, *state.program.uniforms);
+  const GLint unit = uniforms.integer(family.passInput), active = integer(real, GL_ACTIVE_TEXTURE);
+  if (const GLenum pending = real.GetError()) setError(pending);
+  real.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  const bool sampled = isPresent(real.BindSampler) && integer(real, GL_SAMPLER_BINDING) != 0;
+  const bool plain = !sampled && isPlainInput(real, size) &&
+                     static_cast<GLuint>(integer(real, GL_TEXTURE_BINDING_2D)) != attachment;
+  real.ActiveTexture(static_cast<GLenum>(active));
+  if (!plain) return false;
+  flush();
+  scene::Fxaa fxaa;
+  fxaa.relativeContrast = uniforms.number(family.relativeContrast, fxaa.relativeContrast);
+  fxaa.hardContrast = uniforms.number(family.hardContrast, fxaa.hardContrast);
+  fxaa.subpixelBlendLimit = uniforms.number(family.subpixelBlendLimit, fxaa.subpixelBlendLimit);
+  fxaa.subpixelContrast = uniforms.number(family.subpixelContrast, fxaa.subpixelContrast);
+  fxaa.endpointSearchIterations = static_cast<int>(uniforms.number(family.endpointSearchIterations, 12));
+  if (!presenter_.antialias(real, fxaa, unit, attachment, size, info_.settings)) return false;
+  noteUse(Quirk::softwareFxaa);
+  return true;
+}
+
+}  // namespace gluray::gl
