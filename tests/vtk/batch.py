@@ -87,7 +87,8 @@ class Server:
 def environment(home, **more):
     """One renderer everywhere, no settings of the user's."""
     home.mkdir(parents=True, exist_ok=True)
-    return dict(os.environ, GALLIUM_DRIVER="llvmpipe", LIBGL_ALWAYS_SOFTWARE="1", HOME=str(home), LC_ALL="C",
+    ours = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
+    return dict(ours, GALLIUM_DRIVER="llvmpipe", LIBGL_ALWAYS_SOFTWARE="1", HOME=str(home), LC_ALL="C",
                 XDG_CACHE_HOME=os.environ.get("XDG_CACHE_HOME", os.path.expanduser("~/.cache")),
                 PYTHONDONTWRITEBYTECODE="1", **more)
 

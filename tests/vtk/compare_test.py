@@ -53,7 +53,8 @@ def drawn(folder, shots, counts=None, error="null", text="", steady="null"):
 HALF_TRACED = '{"triangles.traced": 50, "triangles.rasterised": 50, "draws.rasterised.blending": 3}'
 FEW = (slice(30, 32), slice(50, 51), (240, 150, 100))       # 2 pixels of 8000: 0.025 %
 MANY = (slice(30, 34), slice(45, 50), (240, 150, 100))      # 20 pixels
-OUTSIDE = (slice(2, 3), slice(2, 3), (21, 30, 40))          # one pixel by the least there is
+OUTSIDE = (slice(2, 3), slice(2, 3), (22, 30, 40))          # one pixel, by little
+ROUNDED = (slice(2, 9), slice(2, 9), (21, 31, 39))          # by the least there is
 DEEPER = (slice(30, 34), slice(45, 50), 0.51)
 
 # What is wrong with the second run: its pictures, further words to drawn(), to registry.State, and words that must be told.
@@ -63,6 +64,7 @@ CASES = {
     "many pixels": ([changed(MANY)], {}, {}, "differ by more than 8/255"),
     "a tolerance": ([changed(MANY)], {}, {"beyond": 0.005}, None),
     "a pixel outside": ([changed(OUTSIDE)], {}, {}, "1 pixels away from every surface"),
+    "roundings outside": ([changed(ROUNDED)], {}, {}, None),
     "a pixel outside where that is allowed": ([changed(OUTSIDE)], {}, {"outside": False}, None),
     "depth": ([changed(None, DEEPER)], {}, {}, "the depth of 0.2500%"),
     "depth that is not compared": ([changed(None, DEEPER)], {}, {"same_depth": False}, None),

@@ -27,7 +27,7 @@ class State:
     beyond: float          # share of a picture's pixels that may differ by more than 8 of 255
     reason: str            # why that is more than usual
     min_share: float       # least share of the state's triangles that must be traced; None: what shares.json says, if anything
-    outside: bool          # pixels away from every surface must be equal to the bit
+    outside: bool          # pixels away from every surface must be equal
     same_depth: bool       # depth is compared
 
 

@@ -1,4 +1,7 @@
-"""What is seen through: depth peeling, order-independent transparency, sorted blending, volumes."""
+"""What is seen through: depth peeling, order-independent transparency, sorted blending, volumes.
+
+Translucent surfaces leave no depth: where they are anti-aliased is not told from where there is nothing (outside=False).
+"""
 import numpy as np
 import shapes
 from registry import state
@@ -12,14 +15,14 @@ def three_shells(stage, **properties):
     stage.look()
 
 
-@state("pvbatch")
+@state("pvbatch", outside=False)
 def peeled(stage):
     stage.set(DepthPeeling=1, MaximumNumberOfPeels=4)
     three_shells(stage)
     stage.orbit()
 
 
-@state("pvbatch")
+@state("pvbatch", outside=False)
 def peeled_scalars(stage):
     stage.set(DepthPeeling=1, MaximumNumberOfPeels=4)
     vtk = shapes.vtk_modules()
@@ -29,14 +32,14 @@ def peeled_scalars(stage):
     stage.orbit()
 
 
-@state("pvbatch")
+@state("pvbatch", outside=False)
 def order_independent(stage):
     stage.set(DepthPeeling=0)
     three_shells(stage)
     stage.orbit()
 
 
-@state("pvbatch")
+@state("pvbatch", outside=False)
 def opaque_becomes_translucent(stage):
     """The opacity of the same representation between frames."""
     display = stage.show(stage.simple.Sphere(ThetaResolution=24, PhiResolution=24))
@@ -47,7 +50,7 @@ def opaque_becomes_translucent(stage):
         stage.shoot()
 
 
-@state("pvbatch")
+@state("pvbatch", outside=False)
 def opacity_from_color_map(stage):
     display = stage.show(stage.data(shapes.grid(shapes.vtk_modules())), color_by=("POINTS", "bump"))
     display.LookupTable.EnableOpacityMapping = 1
@@ -56,7 +59,7 @@ def opacity_from_color_map(stage):
     stage.orbit()
 
 
-@state("pvbatch")
+@state("pvbatch", outside=False)
 def opacity_from_array(stage):
     data = shapes.grid(shapes.vtk_modules())
     data.GetPointData().AddArray(shapes.array(np.linspace(0, 1, data.GetNumberOfPoints()), "veil"))
