@@ -33,7 +33,8 @@ def isosurfaces(count):
 def scan(file, value):
     """The isosurface of a scan."""
     reader = simple.OpenDataFile(file)
-    contour = simple.Contour(Input=reader, Isosurfaces=[value])
+    reader.UpdatePipeline()
+    contour = simple.Contour(Input=reader, ContourBy=["POINTS", reader.PointData[0].Name], Isosurfaces=[value])
     contour.UpdatePipeline()
     return contour
 
@@ -55,7 +56,7 @@ def main():
     if len(sys.argv) <= 5:
         simple.ColorBy(display, ("POINTS", "RTData"))
     else:
-        display.ColorArrayName = [None, ""]
+        display.ColorArrayName = [None, ""]  # one colour
         display.DiffuseColor = [0.95, 0.83, 0.73]
         display.Specular = 0.3
     simple.ResetCamera(view)

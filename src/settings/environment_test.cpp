@@ -31,6 +31,23 @@ TEST(Environment, NothingSetGivesDefaults) {
   EXPECT_TRUE(g_complaints.empty());
 }
 
+TEST(Environment, RanksOfAHostShareItsCores) {
+  EXPECT_EQ(threadsOfRank(8, 8, 1), 0);  // alone: all there are
+  EXPECT_EQ(threadsOfRank(8, 8, 2), 4);
+  EXPECT_EQ(threadsOfRank(8, 8, 3), 2);
+  EXPECT_EQ(threadsOfRank(2, 2, 4), 1);  // never none
+  EXPECT_EQ(threadsOfRank(8, 2, 4), 0);  // bound to cores of its own already
+}
+
+TEST(Environment, ARankTakesItsShareUnlessThreadsAreSet) {
+  setenv("OMPI_COMM_WORLD_LOCAL_SIZE", "1000000", 1);
+  const int share = sessionOf({}).settings.threads,
+            set = sessionOf({{"GLURAY_THREADS", "3"}}).settings.threads;
+  unsetenv("OMPI_COMM_WORLD_LOCAL_SIZE");
+  EXPECT_LE(share, 1);
+  EXPECT_EQ(set, 3);
+}
+
 TEST(Environment, EveryVariableIsRead) {
   const Session session = sessionOf({{"GLURAY_THREADS", "3"},
                                      {"GLURAY_BVH", "compact"},

@@ -16,7 +16,7 @@ namespace gluray {
   X(softwareFxaa, "software-fxaa",                                                                         \
     "VTK's anti-aliasing pass (FXAA) costs software OpenGLs more than tracing a frame; it is computed "    \
     "without them, to the same picture",                                                                   \
-    "tests/reference/fxaa_test.cpp")
+    "src/render/fxaa_test.cpp, tests/vtk (group effects)")
 
 enum class Quirk : uint8_t {
 #define X(id, name, reason, test) id,

@@ -18,7 +18,8 @@ enum class ShadingRate : uint8_t { pixel, vertex };
 enum class Renderer : uint8_t { embree, null };
 
 struct Settings {
-  int threads = 0;  // worker threads; 0 = all cores the process may use
+  int threads =
+      0;  // worker threads; 0 = all cores the process may use, shared with other MPI ranks on the host
   BvhQuality bvh = BvhQuality::automatic;
   ShadingRate shading = ShadingRate::pixel;
   Renderer renderer = Renderer::embree;
@@ -38,6 +39,10 @@ struct Session {
   bool picture = false;   // and the last of them is kept as a picture, beside the report
   std::string logLevel = "warning";
 };
+
+/// Threads of one of `ranks` processes that share `cores` cores of a host, of which this one may run on
+/// `allowed`: 0 (all it may use) where it runs alone or has cores of its own.
+int threadsOfRank(int cores, int allowed, int ranks);
 
 /// Reads GLURAY_THREADS, GLURAY_BVH, GLURAY_SHADING, GLURAY_RENDERER, GLURAY_OFF, GLURAY_REPORT, GLURAY_LOG,
 /// GLURAY_LOG_LEVEL, GLURAY_QUIRKS, GLURAY_PROGRAM_FAMILIES, GLURAY_EXPLAIN, GLURAY_PICTURE. An unreadable

@@ -194,7 +194,7 @@ TEST(FamilyFile, EveryMistakeHasItsLine) {
   EXPECT_EQ(mistakeIn("lights.colour = \"p\""), "x.toml:6: unknown key \"colour\"");
   EXPECT_EQ(mistakeIn("lights = 3"), "x.toml:6: lights must be a section");
   EXPECT_EQ(mistakeIn("match.strict = \"yes\""), "x.toml:6: strict must be true or false");
-  EXPECT_EQ(mistakeIn("match.absent = [\"a\", 3]"), "x.toml:6: absent must be names in quotes");
+  EXPECT_EQ(mistakeIn("match.absent = [\"a\", 3]"), "x.toml:6: absent must be texts in quotes");
   EXPECT_EQ(mistakeIn("vertex.normal = true"), "x.toml:6: normal must be a text in quotes");
   EXPECT_EQ(mistakeIn("material.opacity = true"),
             "x.toml:6: opacity must be a uniform's name, a number or a list of numbers");
