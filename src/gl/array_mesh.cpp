@@ -203,7 +203,11 @@ namespace {
 Hash128 hashArray(const ArraySource& source, Range range, Hash128 h) {
   if (!source.enabled) return hashBytes("-", 1, h);
   const int64_t form[] = {
-      source.size, source.type, source.stride,
+      source.size,
+      source.type,
+      source.stride,
+      source.normalized,
+      source.symmetric,
       static_cast<int64_t>(reinterpret_cast<uintptr_t>(source.buffer ? source.pointer : nullptr))};
   h = hashBytes(form, sizeof form, h);
   if (source.buffer) {

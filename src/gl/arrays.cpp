@@ -123,8 +123,8 @@ std::shared_ptr<Buffer> bufferNamed(ShareGroup& group, GLuint name) {
 }
 
 bool isReadable(const ArraySource& source) {
-  return !source.enabled || (isPlainType(source.type) && source.size >= 1 && source.size <= 4 &&
-                             !(source.buffer && source.buffer->foreign));
+  return !source.enabled || (isPlainType(source.type) && source.stride > 0 && source.size >= 1 &&
+                             source.size <= 4 && !(source.buffer && source.buffer->foreign));
 }
 
 bool restartsPrimitives(const RealGl& real) {
@@ -170,8 +170,9 @@ ArrayReader::ArrayReader(const RealGl& real, const ArraySource& source) : source
 
 namespace {
 
-/// One component as a float; GL 2.1, table 2.9 where integers stand for fractions.
-float component(const std::byte* p, GLenum type, bool normalized) {
+/// One component as a float; where integers stand for fractions, as GL 2.1, table 2.9 has it, or where
+/// `symmetric` as GL 4.2, equation 2.2.
+float component(const std::byte* p, GLenum type, bool normalized, bool symmetric) {
   const auto load = [&]<class T>(T) {
     T value;
     std::memcpy(&value, p, sizeof value);
@@ -179,6 +180,9 @@ float component(const std::byte* p, GLenum type, bool normalized) {
     if (!normalized) return static_cast<float>(value);
     constexpr double most = static_cast<double>(
         std::numeric_limits<std::make_unsigned_t<std::conditional_t<std::is_integral_v<T>, T, int>>>::max());
+    if (std::is_signed_v<T> && symmetric)
+      return static_cast<float>(
+          std::max(static_cast<double>(value) / static_cast<double>(std::numeric_limits<T>::max()), -1.0));
     if constexpr (std::is_signed_v<T>)
       return static_cast<float>((2.0 * static_cast<double>(value) + 1.0) / most);
     return static_cast<float>(static_cast<double>(value) / most);
@@ -202,7 +206,8 @@ void ArrayReader::read(uint32_t i, float out[4]) const {
   const std::byte* p = data_ + static_cast<size_t>(i) * static_cast<size_t>(source_.stride);
   const size_t step = sizeOfType(source_.type);
   for (GLint k = 0; k < source_.size; ++k)
-    out[k] = component(p + static_cast<size_t>(k) * step, source_.type, source_.normalized);
+    out[k] =
+        component(p + static_cast<size_t>(k) * step, source_.type, source_.normalized, source_.symmetric);
 }
 
 std::vector<uint32_t> vertexNumbers(const RealGl& real, const ArrayState& arrays, const Elements& elements) {

@@ -17,10 +17,11 @@ struct ArraySource {
   bool enabled = false;
   GLint size = 4;
   GLenum type = GL_FLOAT;
-  GLsizei stride = 0;  // bytes between elements, never 0
+  GLsizei stride = 0;  // bytes between elements; 0 is not readable
   const std::byte* pointer = nullptr;
   std::shared_ptr<Buffer> buffer;
   bool normalized = false;  // integers stand for fractions (normals, colours)
+  bool symmetric = false;   // and those with a sign have an exact 0 (GL 4.2)
   GLint location = -1;      // of shader programs' attributes
   GLuint divisor = 0;       // instances an element; 0: one a vertex
 };

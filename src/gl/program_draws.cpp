@@ -61,6 +61,7 @@ bool isOpaque(const ProgramState& program, const scene::Mesh& mesh) {
   const scene::FragmentShading& f = program.shading.fragment;
   if (program.material.front.diffuse.a < 1) return false;
   if (f.backMaterial && program.material.back.diffuse.a < 1) return false;
+  if (program.overridden && !(mesh.colors ? mesh.opaqueColors : program.color.a >= 1)) return false;
   if (f.color == Color::vertices && !program.instanceColors &&
       !(mesh.colors ? mesh.opaqueColors : program.color.a >= 1))
     return false;

@@ -196,7 +196,8 @@ class ProgramReader {
     out_.opaqueTriangleColors = true;
     out_.instanceColors = false;
     out_.triangleOffset = static_cast<uint32_t>(uniforms_.integer(family_.triangleOffset));
-    if (uniforms_.integer(family_.uniformColors) != 0) return Reason::traced;
+    out_.overridden = uniforms_.integer(family_.uniformColors) != 0;
+    if (out_.overridden) return readOpacityBeneath();
     Reason reason = Reason::traced;
     if (const ProgramUniform* sampler = samplerNamed(family_.triangleColors)) {
       f.color = Color::perTriangle;
@@ -228,6 +229,27 @@ class ProgramReader {
       f.backMaterial = false, reason = Reason::program;  // their colours are mixed otherwise
     out_.material.back = out_.material.front;
     return reason;
+  }
+
+  /// Colours that the material's own stand in for have their opacity still. That of vertices is the mesh's.
+  Reason readOpacityBeneath() {
+    out_.color = glm::vec4(1);
+    if (const ProgramUniform* sampler = samplerNamed(family_.triangleColors)) {
+      scene::Attribute colors;
+      uint32_t count = 0;
+      const Reason reason = readBuffer(*sampler, colors, count);
+      if (reason != Reason::traced) return reason;
+      return textures_.isOpaque(colors, count) ? Reason::traced : Reason::program;
+    }
+    if (const ProgramUniform* map = samplerNamed(family_.colorMap)) {
+      scene::Texture texture;
+      const Reason reason = textures_.bound(real_, has_, unitOf(*map), map->type, texture);
+      if (reason != Reason::traced) return reason;
+      return texture.image->opaque ? Reason::traced : Reason::program;
+    }
+    if (!family_.instanceColor.empty() && program_.attribute(family_.instanceColor)) return Reason::program;
+    if (!family_.color.empty() && program_.attribute(family_.color)) out_.color = current(family_.color);
+    return Reason::traced;
   }
 
   const ProgramUniform* samplerNamed(const std::string& name) const {
@@ -324,6 +346,7 @@ namespace {
 ArraySource readGeneric(const RealGl& real, ShareGroup& group, GLint location) {
   ArraySource source;
   source.location = location;
+  source.symmetric = true;
   const auto index = static_cast<GLuint>(location);
   const auto ask = [&](GLenum name) {
     GLint value = 0;
@@ -346,6 +369,27 @@ ArraySource readGeneric(const RealGl& real, ShareGroup& group, GLint location) {
   return source;
 }
 
+/// The array of a generic attribute. Since OpenGL 4.3 format and place are apart, and what tells the place is
+/// the binding, whichever way it was set.
+ArraySource readPlaced(const RealGl& real, ShareGroup& group, GLint location) {
+  ArraySource source = readGeneric(real, group, location);
+  if (!source.enabled || !isPresent(real.BindVertexBuffer)) return source;
+  GLint binding = 0, relative = 0, stride = 0, buffer = 0;
+  GLint64 offset = 0;
+  const auto index = static_cast<GLuint>(location);
+  real.GetVertexAttribiv(index, GL_VERTEX_ATTRIB_BINDING, &binding);
+  real.GetVertexAttribiv(index, GL_VERTEX_ATTRIB_RELATIVE_OFFSET, &relative);
+  const auto slot = static_cast<GLuint>(binding);
+  real.GetIntegeri_v(GL_VERTEX_BINDING_STRIDE, slot, &stride);
+  real.GetIntegeri_v(GL_VERTEX_BINDING_BUFFER, slot, &buffer);
+  real.GetInteger64i_v(GL_VERTEX_BINDING_OFFSET, slot, &offset);
+  if (buffer == 0) return source;  // the program's own memory
+  source.stride = stride;
+  source.pointer = reinterpret_cast<const std::byte*>(static_cast<size_t>(offset + relative));
+  source.buffer = bufferNamed(group, static_cast<GLuint>(buffer));
+  return source;
+}
+
 }  // namespace
 
 void readAttributes(const RealGl& real, ShareGroup& group, const KnownProgram* program, ArrayState& arrays) {
@@ -357,7 +401,7 @@ void readAttributes(const RealGl& real, ShareGroup& group, const KnownProgram* p
   const auto take = [&](const std::string& name, ArraySource& source) {
     const ProgramAttribute* a = name.empty() || !family ? nullptr : program->program.attribute(name);
     if (!a || a->location < 0) return;
-    source = readGeneric(real, group, a->location);
+    source = readPlaced(real, group, a->location);
     named.push_back(a->location);
     plain = plain && isReadable(source) && source.divisor == 0;
   };
@@ -370,7 +414,7 @@ void readAttributes(const RealGl& real, ShareGroup& group, const KnownProgram* p
   const GLint most = integer(real, GL_MAX_VERTEX_ATTRIBS);
   for (GLint i = 0; i < most; ++i) {
     if (std::find(named.begin(), named.end(), i) != named.end()) continue;
-    ArraySource source = readGeneric(real, group, i);
+    ArraySource source = readPlaced(real, group, i);
     if (source.enabled) arrays.generic.push_back(std::move(source));
   }
   const auto ofInstances = [&](const std::string& name, int columns, std::vector<ArraySource>& sources) {

@@ -34,6 +34,7 @@ struct ProgramState {
   uint32_t triangleColorCount = 0, triangleNormalCount = 0, triangleEdgeCount = 0, triangleOffset = 0;
   bool opaqueTriangleColors = true;
   bool instanceColors = false;  // each instance brings its own
+  bool overridden = false;      // the material's colours stand in for others
   glm::vec4 color{1};           // of programs whose colour attribute is not an array
   glm::vec3 normal{0, 0, 1};
   glm::vec4 texcoord{0, 0, 0, 1};
