@@ -165,8 +165,8 @@ void formatsAndBindingsFromAnOffset(Gl gl) {
   vertices.insert(vertices.begin(), 5, Vertex{{9000, 9000, 9000, 1}, {}, {}});
   const GLuint buffer = s.fill(vertices);
   gl.VertexAttribFormat(s.at("vertexMC"), 3, GL_SHORT, GL_FALSE, 0),
-      gl.VertexAttribBinding(s.at("vertexMC"), 2);
-  gl.BindVertexBuffer(2, buffer, 5 * sizeof(Vertex), sizeof(Vertex));
+      gl.VertexAttribBinding(s.at("vertexMC"), 7);
+  gl.BindVertexBuffer(7, buffer, 5 * sizeof(Vertex), sizeof(Vertex));
   s.draw();
 }
 

@@ -157,6 +157,35 @@ TEST(FamilyFile, PbrClipAndDepthKeys) {
   EXPECT_EQ(f.depthFactor.constant, Numbers{2});
 }
 
+TEST(FamilyFile, InstanceAndEdgeKeys) {
+  const Family f = parsed(
+      "match.geometry_shader = true\ninstance.transform = \"it\"\ninstance.normal_matrix = \"in\"\n"
+      "instance.color = \"ic\"\nedges.flags = \"ef\"\nedges.width = 2\nedges.color = \"ec\"\n");
+  EXPECT_TRUE(f.geometryShader);
+  EXPECT_EQ(f.instanceTransform, "it");
+  EXPECT_EQ(f.instanceNormal, "in");
+  EXPECT_EQ(f.instanceColor, "ic");
+  EXPECT_EQ(f.edgeFlags, "ef");
+  EXPECT_EQ(f.edgeWidth.constant, Numbers{2});
+  EXPECT_EQ(f.edgeColor.uniform, "ec");
+  for (const char* name : {"it", "in", "ic", "ef", "ec"}) EXPECT_TRUE(f.mentions(name)) << name;
+}
+
+TEST(FamilyFile, PassKeys) {
+  const Family f = parsed(
+      "pass.does = \"fxaa\"\npass.input = \"pi\"\npass.relative_contrast = \"rc\"\npass.hard_contrast = 0.5\n"
+      "pass.subpixel_blend_limit = \"sb\"\npass.subpixel_contrast = \"sc\"\n"
+      "pass.endpoint_search_iterations = 12\n");
+  EXPECT_EQ(f.pass, Family::Pass::fxaa);
+  EXPECT_EQ(f.passInput, "pi");
+  EXPECT_EQ(f.relativeContrast.uniform, "rc");
+  EXPECT_EQ(f.hardContrast.constant, Numbers{0.5f});
+  EXPECT_EQ(f.subpixelBlendLimit.uniform, "sb");
+  EXPECT_EQ(f.subpixelContrast.uniform, "sc");
+  EXPECT_EQ(f.endpointSearchIterations.constant, Numbers{12});
+  EXPECT_EQ(mistakeIn("pass.does = \"blur\""), "x.toml:6: does must be one of: fxaa");
+}
+
 TEST(FamilyFile, SectionsMayBeWrittenInEitherWay) {
   const FamilyList list = parseFamilies(
       "[[family]]\nname = \"f\"\n[family.match]\nactive = [\"p\"]\n[family.vertex]\nposition = \"p\"\n"
