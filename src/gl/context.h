@@ -304,7 +304,8 @@ class Context {
 
   void clampToTarget(scene::Region& region);
   void readCurrentProgram();
-  bool placeProgramDraw();
+  bool placeProgramDraw(const glm::dvec3& reach);
+  glm::dvec3 reachOfInstances(const scene::Mesh& mesh, const Elements& elements) const;
   void addInstancesOf(const scene::Instance& one, const scene::Shading& shading, const Elements& elements);
   bool antialiasInto(GLuint attachment, glm::ivec2 size);
   const FamilyList& families() const;

@@ -270,6 +270,12 @@ bool allOpaque(const scene::Attribute& colors, uint32_t count) {
 
 }  // namespace
 
+bool isFarAway(const scene::Mesh& mesh) {
+  constexpr float kFarthest = 1e18f;
+  const glm::vec3 reach = glm::max(glm::abs(mesh.lower), glm::abs(mesh.upper));
+  return std::max({reach.x, reach.y, reach.z}) > kFarthest;
+}
+
 void finishMesh(scene::Mesh& mesh) {
   const Bounds bounds = boundsOf(mesh);
   if (bounds.lower.x <= bounds.upper.x) mesh.lower = bounds.lower, mesh.upper = bounds.upper;

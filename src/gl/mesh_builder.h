@@ -17,6 +17,9 @@ KnownMesh buildMesh(Captured&& captured);
 /// Finds bounds, alpha and identity of `mesh`, whose arrays are set.
 void finishMesh(scene::Mesh& mesh);
 
+/// Whether vertices lie where Embree does not find them: it takes coordinates beyond 1.8e18 for mistakes.
+bool isFarAway(const scene::Mesh& mesh);
+
 /// Memory for `count` elements of T followed by 16 readable bytes, kept alive by the pointer.
 template <class T>
 std::shared_ptr<T[]> makePadded(size_t count);

@@ -1,5 +1,6 @@
 // Surfaces that shader programs draw: whether they can be traced, and how they join the batch.
 #include "gl/context.h"
+#include "gl/mesh_builder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,15 +72,17 @@ bool isOpaque(const ProgramState& program, const scene::Mesh& mesh) {
                      [](const scene::Texture& t) { return t.image->opaque; });
 }
 
-/// Whether the matrix maps points to points, w = 1 to w = 1, give or take the rounding of floats.
-bool isAffine(const glm::dmat4& m) {
-  const double scale = std::abs(m[3][3]);
-  if (!(std::abs(m[3][3] - 1) < 1e-4)) return false;
-  for (int c = 0; c < 3; ++c) {
-    const double reach = glm::length(glm::dvec3(m[c])) + glm::length(glm::dvec3(m[3]));
-    if (!(std::abs(m[c][3]) <= 1e-6 * std::max(scale, reach))) return false;
-  }
-  return true;
+/// Whether the matrix maps points as far as `reach` from the origin along each axis to points whose w is one
+/// number, give or take the rounding of floats.
+bool isAffine(const glm::dmat4& m, const glm::dvec3& reach) {
+  constexpr double kRounding = 2e-6;  // a thousandth of a pixel in a window of a thousand
+  double change = 0;
+  for (int c = 0; c < 3; ++c) change += std::abs(m[c][3]) * reach[c];
+  return m[3][3] > 0 && change <= kRounding * m[3][3];
+}
+
+glm::dvec3 reachOf(const scene::Mesh& mesh) {
+  return glm::max(glm::abs(glm::dvec3(mesh.lower)), glm::abs(glm::dvec3(mesh.upper)));
 }
 
 }  // namespace
@@ -124,7 +127,7 @@ Reason Context::triageInstances(const Elements& elements) const {
       return state.raster.unlessOpaque;
     const auto m = readers.matrix(elements, i);
     if (!m) return Reason::arrayState;
-    if (!isAffine(glm::dmat4(*m))) return Reason::homogeneous;
+    if (!isAffine(glm::dmat4(*m), glm::dvec3(1))) return Reason::homogeneous;
     const glm::mat3 linear(*m);
     if (glm::determinant(linear) == 0 && linear != glm::mat3(0)) return Reason::singularMatrix;
   }
@@ -133,6 +136,7 @@ Reason Context::triageInstances(const Elements& elements) const {
 
 Reason Context::triageProgram(const KnownMesh& known) const {
   if (known.homogeneous || !known.mesh) return Reason::homogeneous;
+  if (isFarAway(*known.mesh)) return Reason::farAway;
   const ProgramState& program = state.program;
   const uint64_t triangles = known.mesh->triangleCount;
   if (program.triangleColors && program.triangleOffset + triangles > program.triangleColorCount)
@@ -149,7 +153,7 @@ Reason Context::triageProgram(const KnownMesh& known) const {
 
 /// Makes the state ready for an instance of the current program: batch, camera and matrix. False where
 /// nothing could be seen of it.
-bool Context::placeProgramDraw() {
+bool Context::placeProgramDraw(const glm::dvec3& reach) {
   const ProgramState& program = state.program;
   // One projection serves a batch. What programs give is a product, and taken apart it differs by roundings
   // from draw to draw; so each draw is placed by what it does to points in the end.
@@ -162,18 +166,34 @@ bool Context::placeProgramDraw() {
   if (key.region.width <= 0 || key.region.height <= 0) return false;
   if (!batch_.empty()) {
     const glm::dmat4 placed = glm::inverse(batch_.key().projection) * program.clipFromObject;
-    if (isAffine(placed)) key.projection = batch_.key().projection;
+    if (isAffine(placed, reach)) key.projection = batch_.key().projection;
     if (!(batch_.key() == key)) flush();
   }
   state.projection = key.projection;
   state.modelview = glm::inverse(state.projection) * program.clipFromObject;
+  state.modelview /= state.modelview[3][3];  // the same points
   for (int c = 0; c < 4; ++c) state.modelview[c][3] = c == 3 ? 1.0 : 0.0;
   if (batch_.empty()) batch_.start(key, state, info_.settings, frame);
   return true;
 }
 
+glm::dvec3 Context::reachOfInstances(const scene::Mesh& mesh, const Elements& elements) const {
+  const InstanceReaders readers(real, attributes);
+  const glm::dvec3 own = reachOf(mesh);
+  glm::dvec3 reach(0);
+  for (uint32_t i = 0; i < static_cast<uint32_t>(std::max(elements.instances, 1)); ++i) {
+    const glm::dmat4 m(readers.matrix(elements, i).value_or(glm::mat4(1)));
+    glm::dvec3 here = glm::abs(glm::dvec3(m[3]));
+    for (int c = 0; c < 3; ++c) here += glm::abs(glm::dvec3(m[c])) * own[c];
+    reach = glm::max(reach, here);
+  }
+  return reach;
+}
+
 void Context::addProgramInstances(const scene::MeshPtr& mesh, GLenum mode, const Elements& elements) {
-  if (mesh->triangleCount == 0 || !placeProgramDraw()) return;
+  const bool many = !attributes.instanceTransform.empty() || attributes.instanceColor.enabled;
+  const glm::dvec3 reach = many ? reachOfInstances(*mesh, elements) : reachOf(*mesh);
+  if (mesh->triangleCount == 0 || !placeProgramDraw(reach)) return;
   const ProgramState& program = state.program;
   scene::Instance instance;
   instance.mesh = mesh;
@@ -194,7 +214,6 @@ void Context::addProgramInstances(const scene::MeshPtr& mesh, GLenum mode, const
   for (const glm::dvec4& plane : program.clipPlanes) instance.clipPlanes.push_back(plane * objectFromEye);
   ProgramDraw kept =
       captureProgramDraw(real, program.known->program, program.uniforms, attributes, mode, elements);
-  const bool many = !attributes.instanceTransform.empty() || attributes.instanceColor.enabled;
   if (many) {
     addInstancesOf(instance, program.shading, elements);
   } else {

@@ -1,5 +1,6 @@
 // Traced or rasterised? Each draw is asked here, and goes into the batch from here.
 #include "gl/context.h"
+#include "gl/mesh_builder.h"
 #include "gl/texture_env.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -65,6 +66,7 @@ bool isFlat(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
 
 Reason Context::triage(const KnownMesh& known, const std::vector<MaterialChange>& materials) {
   if (known.homogeneous || !known.mesh) return Reason::homogeneous;
+  if (isFarAway(*known.mesh)) return Reason::farAway;
   if (passes_.several(known.mesh->geometryId) ||
       passes_.meetsRasterised(*known.mesh, state.modelview, isPushedBack()))
     return Reason::passes;

@@ -18,29 +18,31 @@ namespace gluray::render {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Luminosity of a row's pixels.
+/// Luminosity of a row's pixels, in the order of operations that software OpenGLs have: where contrasts are
+/// equal the rounding decides.
 HWY_ATTR void luminosityOfRow(const uint32_t* pixels, size_t count, float* out) {
   const hn::ScalableTag<float> d;
   const hn::RebindToUnsigned<decltype(d)> du;
   const hn::RebindToSigned<decltype(d)> di;
   const auto byteMask = hn::Set(du, 255u);
-  const auto r = hn::Set(d, 0.299f / 255), g = hn::Set(d, 0.587f / 255), b = hn::Set(d, 0.114f / 255);
+  const auto unit = hn::Set(d, 1.0f / 255), r = hn::Set(d, 0.299f), g = hn::Set(d, 0.587f),
+             b = hn::Set(d, 0.114f);
   const size_t step = hn::Lanes(d);
   size_t i = 0;
   for (; i + step <= count; i += step) {
     const auto p = hn::LoadU(du, pixels + i);
-    const auto channel = [&](auto v)
-                             HWY_ATTR { return hn::ConvertTo(d, hn::BitCast(di, hn::And(v, byteMask))); };
-    const auto sum =
-        hn::MulAdd(channel(p), r,
-                   hn::MulAdd(channel(hn::ShiftRight<8>(p)), g, hn::Mul(channel(hn::ShiftRight<16>(p)), b)));
+    const auto channel = [&](auto v) HWY_ATTR {
+      return hn::Mul(hn::ConvertTo(d, hn::BitCast(di, hn::And(v, byteMask))), unit);
+    };
+    const auto sum = hn::Add(
+        hn::Add(hn::Mul(channel(hn::ShiftRight<16>(p)), b), hn::Mul(channel(hn::ShiftRight<8>(p)), g)),
+        hn::Mul(channel(p), r));
     hn::StoreU(sum, d, out + i);
   }
   for (; i < count; ++i) {
     const uint32_t p = pixels[i];
-    out[i] = static_cast<float>(p & 255) * (0.299f / 255) +
-             static_cast<float>(p >> 8 & 255) * (0.587f / 255) +
-             static_cast<float>(p >> 16 & 255) * (0.114f / 255);
+    const auto channel = [](uint32_t v) { return static_cast<float>(v & 255) * (1.0f / 255); };
+    out[i] = (channel(p >> 16) * 0.114f + channel(p >> 8) * 0.587f) + channel(p) * 0.299f;
   }
 }
 
@@ -92,11 +94,12 @@ class Filter {
     if (range < std::max(settings_.hardContrast, settings_.relativeContrast * most)) return pixel(x, y);
     const float ne = lum(x + 1, y - 1), se = lum(x + 1, y + 1), nw = lum(x - 1, y - 1),
                 sw = lum(x - 1, y + 1);
-    const float blend = subpixelBlend(c, n + s + w + e, range);
-    const float vertical =
-        std::abs(-2 * n + nw + ne) + 2 * std::abs(-2 * c + w + e) + std::abs(-2 * s + sw + se);
-    const float horizontal =
-        std::abs(-2 * w + nw + sw) + 2 * std::abs(-2 * c + n + s) + std::abs(-2 * e + ne + se);
+    const float ns = n + s, we = w + e, nwne = nw + ne, swse = sw + se, nwsw = nw + sw, nese = ne + se;
+    const float blend = subpixelBlend(c, ns + we, range);
+    const float rows[3] = {std::abs(-2 * n + nwne), std::abs(-2 * c + we), std::abs(-2 * s + swse)};
+    const float columns[3] = {std::abs(-2 * w + nwsw), std::abs(-2 * c + ns), std::abs(-2 * e + nese)};
+    const float vertical = ((2 * rows[1] + rows[0]) + rows[2]) / 12;
+    const float horizontal = ((2 * columns[1] + columns[0]) + columns[2]) / 12;
     const bool alongX = horizontal >= vertical;
     const float one = alongX ? n : w, other = alongX ? s : e;
     const bool towardsOne = std::abs(c - one) >= std::abs(c - other);
@@ -148,12 +151,25 @@ class Filter {
     return end;
   }
 
+  /// Whether the first of two ends is nearer. The program compares texture coordinates that it came by in
+  /// steps; among equal distances the rounding of its floats decides.
+  static bool isNearer(int at, int size, int before, int after) {
+    if (before != after) return before < after;
+    const float step = 1.0f / static_cast<float>(size), place = (static_cast<float>(at) + 0.5f) * step;
+    float n = place - step, p = place + step;
+    for (int i = 1; i < before; ++i) n -= step;
+    for (int i = 1; i < after; ++i) p += step;
+    return place - n < p - place;
+  }
+
   /// The colour between the pixel and the one across the edge.
   glm::vec3 alongEdge(int x, int y, float c, float across, bool alongX, int side) const {
     const int dx = alongX ? 1 : 0, dy = alongX ? 0 : 1, sideX = alongX ? 0 : side, sideY = alongX ? side : 0;
     const End n = follow(x, y, -dx, -dy, sideX, sideY, c, across),
               p = follow(x, y, dx, dy, sideX, sideY, c, across);
-    const End& nearest = n.distance < p.distance ? n : p;
+    const bool nIsNearest =
+        alongX ? isNearer(x, width_, n.distance, p.distance) : isNearer(y, height_, n.distance, p.distance);
+    const End& nearest = nIsNearest ? n : p;
     const glm::vec3 here = rgb(x, y);
     if (!(std::abs(nearest.luminosity - across) < std::abs(nearest.luminosity - c))) return here;
     const float offset =

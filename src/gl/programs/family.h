@@ -76,6 +76,7 @@ struct Family {
   std::string triangleOffset;         // uniform, added to the triangle's number
   std::string uniformColors;          // uniform, not 0: colours of the material after all
   bool colorIsDiffuseOnly = false;    // otherwise it replaces the ambient colour, too
+  std::string texturesOnBack;         // uniform, 0: back faces have no textures
   std::vector<std::string> textures;  // samplers; multiply the lit colour
 
   Model model = Model::phong;

@@ -186,6 +186,7 @@ class FamilyReader {
     name("uniform_instead", family_.uniformColors);
     flag("diffuse_only", family_.colorIsDiffuseOnly);
     names("textures", family_.textures);
+    name("textures_on_back_faces", family_.texturesOnBack);
   }
   void readMaterial(FamilyMaterial& m) {
     value("ambient_intensity", m.ambientIntensity);

@@ -279,6 +279,8 @@ class ProgramReader {
 
   Reason readTextures() {
     out_.shading.textures.clear();
+    if (uniforms_.has(family_.texturesOnBack) && uniforms_.integer(family_.texturesOnBack) == 0)
+      return Reason::program;
     for (const std::string& name : family_.textures) {
       const ProgramUniform* sampler = samplerNamed(name);
       if (!sampler) continue;
