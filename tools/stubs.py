@@ -103,9 +103,12 @@ def _forward(c: glxml.Command, policy: Policy, index: int) -> str:
 
 def stub(c: glxml.Command, policy: Policy, index: int) -> str:
     if policy.kind == "leaf":
-        return (f"{_signature(c)} {{\n  if (!t_thread.stream && !t_thread.context) [[unlikely]] {{\n"
-                f"    if (const RealGl* orphan = orphanGl()) orphan->{c.short}({c.arguments});\n    return;\n  }}\n"
-                f"  {leaf.body(c)}\n}}\n")
+        count = "++t_thread.directVertices, " if c.short.startswith("Vertex") and not c.short.startswith("VertexA") else ""
+        return (f"{_signature(c)} {{\n  if (!t_thread.stream) [[unlikely]] {{\n"
+                f"    if (const RealGl* below = t_thread.direct) {{\n      {count}below->{c.short}({c.arguments});\n"
+                f"      return;\n    }}\n    if (!t_thread.context) {{\n"
+                f"      if (const RealGl* orphan = orphanGl()) orphan->{c.short}({c.arguments});\n      return;\n    }}\n"
+                f"  }}\n  {leaf.body(c)}\n}}\n")
     body = {"track": _track, "own": _own}.get(policy.kind)
     text = body(c, policy) if body else _forward(c, policy, index)
     return f"{_signature(c)} {{\n  Context* ctx = t_thread.context;\n{_no_context(c)}{text}}}\n"

@@ -74,6 +74,10 @@ void addOptions(CLI::App& app, CommandLine& line) {
   app.add_option("--threads", line.threads, "Threads that trace; 0: all cores the process may use [0]")
       ->check(CLI::Range(0, 1024))
       ->type_name("N");
+  app.add_option("--engine", line.engine,
+                 "Who draws: always the ray tracer what it can, never the ray tracer, or auto: in scenes so\n"
+                 "small that the real OpenGL is faster, which is measured, that one [auto]")
+      ->check(CLI::IsMember({"auto", "always", "never"}));
   app.add_option("--bvh", line.bvh,
                  "Acceleration structures: fast (first picture soonest), full (fastest rays), compact "
                  "(least\nmemory), or auto: large ones fast at first, full as soon as those are ready [auto]")

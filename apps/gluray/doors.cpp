@@ -37,6 +37,7 @@ void passSettings(const CommandLine& line) {
   set("GLURAY_PID", std::to_string(getpid()));
   setIfGiven("GLURAY_CONFIG", absolute(line.config));
   setIfGiven("GLURAY_THREADS", line.threads);
+  setIfGiven("GLURAY_ENGINE", line.engine);
   setIfGiven("GLURAY_BVH", line.bvh);
   setIfGiven("GLURAY_SHADING", line.shading);
   setIfGiven("GLURAY_RENDERER", line.renderer);

@@ -28,10 +28,10 @@ def measure(command, environment, timeout=900):
 
 
 def measure_with_gluray(gluray, options, command, environment):
-    """The same under `gluray`; the launcher's own report is added as "report" (None where it wrote none)."""
+    """The same under `gluray`, which traces however small the scene is; the launcher's own report is added as "report" (None where it wrote none)."""
     with tempfile.TemporaryDirectory(prefix="gluray-bench-") as folder:
         report = pathlib.Path(folder) / "report.json"
-        out = measure([gluray, "--report", report, *options, "--", *command], environment)
+        out = measure([gluray, "--engine", "always", "--report", report, *options, "--", *command], environment)
         out["report"] = json.loads(report.read_text()) if report.exists() else None
         return out
 

@@ -27,6 +27,24 @@ struct BufferStorage {
   size_t size;
 };
 
+/// A flag that is counted over all buffers of the process while it is set.
+class CountedFlag {
+ public:
+  CountedFlag() = default;
+  ~CountedFlag() { *this = false; }
+  CountedFlag(const CountedFlag&) = delete;
+  CountedFlag& operator=(bool on) {
+    if (on_.exchange(on) != on) set_ += on ? 1 : -1;
+    return *this;
+  }
+  operator bool() const { return on_; }
+  static bool anySet() { return set_ > 0; }
+
+ private:
+  std::atomic<bool> on_ = false;
+  static inline std::atomic<int> set_ = 0;
+};
+
 class Buffer {
  public:
   explicit Buffer(GLuint name);
@@ -53,6 +71,8 @@ class Buffer {
   bool immutable = false;  // glBufferStorage: the real OpenGL's storage cannot be made anew
   GLenum usage() const { return usage_; }
   bool heldBack() const { return heldBack_; }
+  /// Whether any buffer of the process is.
+  static bool anyHeldBack() { return CountedFlag::anySet(); }
   uint64_t version() const { return version_; }
   bool mapped() const { return mapped_ != nullptr; }
   void* mappedPointer() const { return mapped_; }
@@ -79,9 +99,9 @@ class Buffer {
   std::shared_ptr<BufferStorage> storage_;  // null: the real OpenGL has the only copy
   size_t size_ = 0;
   GLenum usage_ = GL_STATIC_DRAW;
-  std::atomic<bool> heldBack_ = false;  // ours is newer than the real one
-  bool memoryBelow_ = false;            // the real one has memory of this size
-  std::atomic<uint64_t> version_ = 1;   // counts changes of content
+  CountedFlag heldBack_;               // ours is newer than the real one
+  bool memoryBelow_ = false;           // the real one has memory of this size
+  std::atomic<uint64_t> version_ = 1;  // counts changes of content
   void* mapped_ = nullptr;
   size_t mapOffset_ = 0, mapLength_ = 0;
   GLbitfield mapAccess_ = 0;

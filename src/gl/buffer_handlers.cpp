@@ -29,8 +29,11 @@ GLenum bindingOf(GLenum target) {
   }
 }
 
-/// Targets whose contents wait until a draw of the real OpenGL reads them.
-bool isHeldBack(GLenum target) { return target == GL_ARRAY_BUFFER || target == GL_ELEMENT_ARRAY_BUFFER; }
+/// Targets whose contents wait until a draw of the real OpenGL reads them; where it draws everything they are
+/// the real OpenGL's alone.
+bool isHeldBack(const Context& c, GLenum target) {
+  return !c.direct() && (target == GL_ARRAY_BUFFER || target == GL_ELEMENT_ARRAY_BUFFER);
+}
 
 std::shared_ptr<Buffer> named(Context& c, GLuint name) {
   if (name == 0) return nullptr;
@@ -55,7 +58,7 @@ bool isRange(const Buffer& buffer, GLintptr offset, GLsizeiptr size) {
 
 /// Whether the real OpenGL's memory is to be mapped, which then has our contents.
 bool isMappedBelow(Context& c, Buffer* buffer, GLenum target) {
-  if (buffer && !buffer->immutable && !buffer->foreign && !buffer->mappedBelow && isHeldBack(target))
+  if (buffer && !buffer->immutable && !buffer->foreign && !buffer->mappedBelow && isHeldBack(c, target))
     return false;
   if (buffer && !buffer->mapped()) buffer->sendTo(c.real), buffer->changedBelow();
   return true;
@@ -67,7 +70,7 @@ bool isUsage(GLenum usage) { return usage >= GL_STREAM_DRAW && usage <= GL_DYNAM
 
 void bindBuffer(Context& c, GLenum target, GLuint name) {
   c.real.BindBuffer(target, name);
-  if (const auto buffer = named(c, name); buffer && !isHeldBack(target)) buffer->sendTo(c.real);
+  if (const auto buffer = named(c, name); buffer && !isHeldBack(c, target)) buffer->sendTo(c.real);
   if (target == GL_ELEMENT_ARRAY_BUFFER) c.touch(kArrays);
 }
 
@@ -98,7 +101,7 @@ void bufferData(Context& c, GLenum target, GLsizeiptr size, const void* data, GL
   if (!buffer || size < 0 || buffer->immutable || !isUsage(usage))
     return c.real.BufferData(target, size, data, usage);
   if (std::exchange(buffer->mappedBelow, false)) c.real.UnmapBuffer(target);  // new contents end a mapping
-  if (isHeldBack(target) && size > 0) {
+  if (isHeldBack(c, target) && size > 0) {
     try {
       return buffer->setData(static_cast<size_t>(size), data, usage);
     } catch (const std::bad_alloc&) {}  // without a copy of ours, the real OpenGL's is the only one
@@ -114,7 +117,7 @@ void bufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, 
   if (buffer->mapped()) return c.setError(GL_INVALID_OPERATION);
   if (buffer->mappedBelow) return c.real.BufferSubData(target, offset, size, data);  // says what is wrong
   try {
-    if (!buffer->immutable && !buffer->foreign && isHeldBack(target) && buffer->read(c.real)) {
+    if (!buffer->immutable && !buffer->foreign && isHeldBack(c, target) && buffer->read(c.real)) {
       if (!isRange(*buffer, offset, size)) return c.setError(GL_INVALID_VALUE);
       if (size > 0 && data) buffer->setSubData(static_cast<size_t>(offset), static_cast<size_t>(size), data);
       return;
@@ -171,8 +174,12 @@ void* mapBufferRange(Context& c, GLenum target, GLintptr offset, GLsizeiptr leng
 
 GLboolean unmapBuffer(Context& c, GLenum target) {
   const auto buffer = bound(c, target);
-  if (buffer) buffer->mappedBelow = false;
-  if (!buffer || !buffer->mapped()) return c.real.UnmapBuffer(target);
+  const bool below = buffer && std::exchange(buffer->mappedBelow, false);
+  if (!buffer || !buffer->mapped()) {
+    const GLboolean kept = c.real.UnmapBuffer(target);
+    if (below) buffer->changedBelow();
+    return kept;
+  }
   buffer->unmap();
   return GL_TRUE;
 }

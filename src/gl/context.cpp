@@ -6,12 +6,28 @@
 
 #include <GL/gl.h>
 #include <GL/glext.h>
+#include <tbb/info.h>
 
 #include <algorithm>
 
 namespace gluray::gl {
 
 thread_local ThreadState t_thread __attribute__((tls_model("initial-exec")));
+
+namespace {
+
+/// Interception alone is priced with everything held back.
+Engine engineOf(const ContextInfo& info) {
+  const bool choice = !info.off && info.settings.renderer != Renderer::null;
+  return choice || info.settings.engine == Engine::never ? info.settings.engine : Engine::always;
+}
+
+int threadsOf(const Settings& settings) {
+  if (settings.threads > 0) return settings.threads;
+  return settings.engine == Engine::automatic ? tbb::info::default_concurrency() : 1;
+}
+
+}  // namespace
 
 std::shared_ptr<Context> Context::create(const RealGl& real, std::shared_ptr<ShareGroup> group,
                                          const ContextInfo& info, Presenter& presenter) {
@@ -25,6 +41,8 @@ Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const 
       info_(info),
       presenter_(presenter),
       passthrough_(info.off),
+      choice_(engineOf(info), threadsOf(info.settings), info.clock),
+      direct_(!passthrough_ && choice_.way() == EngineChoice::Way::direct),
       latch_(info.settings.quirks.has(Quirk::materialLatch)),
       unknownCalls_(kCommandCount) {
   ++group_->contexts;
@@ -42,7 +60,9 @@ Context::~Context() {
 
 void Context::updateAttention() {
   attention = passthrough_ || insideBegin() || runOpen_ || compiling();
-  t_thread.stream = !passthrough_ && (runOpen_ || compiling()) ? &stream_ : nullptr;
+  const bool captured = !passthrough_ && (runOpen_ || compiling());
+  t_thread.stream = captured ? &stream_ : nullptr;
+  t_thread.direct = !captured && (passthrough_ || direct_) ? &real : nullptr;
 }
 
 Gate Context::gate(bool anywhere) noexcept {
@@ -224,6 +244,8 @@ void Context::beforeSwap() {
 
 void Context::afterSwap() {
   ++statistics.frames;
+  if (direct_) ++statistics.framesDirect;
+  chooseEngine();
   ++frame;
   forgetOld();
 }
@@ -292,6 +314,7 @@ void Context::present(bool rasterise) {
 
 void Context::showIfVisible() {
   syncCurrent();
+  if (batch_.empty() && direct_ && !info_.doubleBuffered) return showDirect();
   // Single-buffered programs may have read their picture back before.
   if (batch_.empty() && !info_.doubleBuffered && work() != workForgotten_) return afterSwap();
   if (batch_.empty()) return;
@@ -303,6 +326,7 @@ void Context::showIfVisible() {
   if (object ? group_->contexts == 1 : info_.doubleBuffered && !front) return;
   flush();
   if (info_.doubleBuffered || object) return;
+  completeFrame();
   if (info_.frameEnding) info_.frameEnding();
   afterSwap();
   if (info_.frameEnded) info_.frameEnded();

@@ -5,6 +5,7 @@
 #include "gl/arrays.h"
 #include "gl/batch.h"
 #include "gl/draw_kinds.h"
+#include "gl/engine_choice.h"
 #include "gl/material_latch.h"
 #include "gl/passes.h"
 #include "gl/presenter.h"
@@ -43,6 +44,7 @@ struct ContextInfo {
   std::shared_ptr<const FamilyList> families;  // of shader programs; null: those that are built in
   /// Called before and after a frame of a single-buffered context ends. May be empty.
   std::function<void()> frameEnding, frameEnded;
+  EngineChoice::Clock clock = nowSeconds;  // measures frames
 };
 
 /// What a generated stub must do when `attention` is set.
@@ -106,8 +108,11 @@ class Context {
   /// Shows what is pending, before a buffer swap, and after it.
   void beforeSwap();
   void afterSwap();
+  /// The frame is complete and about to be shown.
+  void completeFrame();
   /// Programs that draw into memory alone may never swap or finish: clears of colour and depth are the frames
-  /// of those.
+  /// of those. Called before and after the real clear.
+  void clearing(GLbitfield mask);
   void cleared(GLbitfield mask);
   /// Traces the pending batch and writes it into the framebuffer. Nothing to do if there is none.
   void flush() { present(false); }
@@ -172,6 +177,18 @@ class Context {
     if (runOpen_) closeRun();
   }
 
+  // Frames that are left to the real OpenGL (direct.cpp).
+  /// Whether draws go to it as they come. Then nothing is read back or kept but display lists.
+  bool direct() const { return direct_; }
+  /// Whether the draw that comes goes there: it is counted and may be sent. Otherwise, because it is too
+  /// large, the rest of the frame is drawn as ever.
+  bool drawsDirectly(DrawPath path, PrimitiveClass kind, uint64_t triangles);
+  /// The first clear or draw of a frame starts its measurement.
+  void works() {
+    if (choice_.wantsStart()) [[unlikely]]
+      startMeasuring();
+  }
+
   // Lists.
   bool compiling() const { return list_ != nullptr; }
   bool executing() const { return !list_ || listMode_ == GL_COMPILE_AND_EXECUTE; }
@@ -193,11 +210,15 @@ class Context {
   /// Why a surface with this mesh cannot be traced now, or Reason::traced. Call refresh(kDrawGroups) before.
   Reason triage(PrimitiveClass kind);
   Reason triage(const KnownMesh& mesh, const std::vector<MaterialChange>& materials);
+  /// The same where everything that can be is traced.
+  Reason triageAlways(const KnownMesh& mesh, const std::vector<MaterialChange>& materials);
   /// Whether every fragment of a surface with this mesh has alpha 1.
   bool isOpaque(const KnownMesh& mesh, const std::vector<MaterialChange>& materials) const;
   /// The same of a surface drawn by the current shader program. Call refresh(kProgramGroups) before.
   Reason triageProgram(PrimitiveClass kind);
   Reason triageProgram(const KnownMesh& mesh) const;
+  /// The same where everything that can be is traced.
+  Reason triageProgramAlways(const KnownMesh& mesh) const;
   /// The same of the instances of a draw.
   Reason triageInstances(const Elements& elements) const;
   /// Adds a mesh drawn by the current shader program to the batch, as often as the draw has instances.
@@ -257,6 +278,17 @@ class Context {
   void runDetached(F&& body);
   bool canTrace();
   bool canDraw() const;
+  void startMeasuring();
+  void chooseEngine();
+  bool clearsViewport() const;
+  void setDirect(bool direct);
+  void showDirect();
+  void noteLoad(uint64_t triangles);
+  double viewportPixels() const {
+    return static_cast<double>(state.viewport.z) * static_cast<double>(state.viewport.w);
+  }
+  bool drawRunDirectly(GeometryRun& run);
+  void readSlot(Slot slot);
   void deleteDiscarded();
   /// Lets go of meshes that have not been used lately.
   void forgetOld();
@@ -265,7 +297,9 @@ class Context {
   ContextInfo info_;
   Presenter& presenter_;
   bool passthrough_ = false;  // we are not there: every call goes to the real OpenGL
-  bool aside_ = false;        // after a failure of ours: draws are rasterised, all else goes on
+  EngineChoice choice_;
+  bool direct_ = false;  // draws go to the real OpenGL as they come
+  bool aside_ = false;   // after a failure of ours: draws are rasterised, all else goes on
   bool supportKnown_ = false, supported_ = true;
   enum class Answer { unknown, no, yes };
   Answer softwareBelow_ = Answer::unknown;  // the real OpenGL renders on the CPU

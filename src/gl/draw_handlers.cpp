@@ -110,6 +110,10 @@ class ElementSender {
 
 void arrayElement(Context& c, GLint i) {
   if (c.inside() == Context::Inside::rasterised) return c.rasterElement(i);
+  if (c.direct() && !c.compiling()) {
+    c.sendBuffers();
+    return c.real.ArrayElement(i);
+  }
   c.refresh(kFixedArrays);
   // Arrays that we do not read: the real OpenGL takes over the primitive.
   if (c.arrays.others || c.arrays.reason != Reason::traced) {
@@ -164,6 +168,14 @@ bool validate(Context& c, GLenum mode, const Elements& e) {
 }
 
 DrawPath pathOf(const Elements& e) { return e.type ? DrawPath::elements : DrawPath::arrays; }
+
+PrimitiveClass kindOf(GLenum mode) { return mode <= GL_POLYGON ? classOf(mode) : PrimitiveClass::lines; }
+
+/// Triangles of the draw, all instances together.
+uint64_t trianglesOf(GLenum mode, const Elements& e) {
+  return countTriangles(mode, static_cast<uint64_t>(e.count)) *
+         static_cast<uint64_t>(std::max(e.instances, 1));
+}
 
 constexpr GLsizei kSmall = 192;  // vertices: below, draws join a run instead of becoming meshes of their own
 
@@ -275,9 +287,8 @@ void drawByProgram(Context& c, GLenum mode, const Elements& e) {
     c.protect([&] { done = c.replacePass(mode, e); });
     if (done) return;
   }
-  const PrimitiveClass kind = mode <= GL_POLYGON ? classOf(mode) : PrimitiveClass::lines;
-  const auto instances = static_cast<uint64_t>(std::max(e.instances, 1));
-  c.countRaster(reason, pathOf(e), kind, countTriangles(mode, static_cast<uint64_t>(e.count)) * instances);
+  const PrimitiveClass kind = kindOf(mode);
+  c.countRaster(reason, pathOf(e), kind, trianglesOf(mode, e));
   c.beforeRasterDraw(kind);
   c.sendBuffers();
   drawReal(c.real, mode, e);
@@ -288,6 +299,9 @@ void draw(Context& c, GLenum mode, const Elements& e) {
     return;  // what lies before an array is nobody's
   if (c.compiling()) return recordDraw(c, mode, e);
   const DrawTimer timer(c.kinds());
+  if (c.direct() && c.drawsDirectly(pathOf(e), kindOf(mode), trianglesOf(mode, e)))
+    return drawReal(c.real, mode, e);
+  c.works();
   c.refresh(kRaster);
   if (c.state.raster.program != 0 || c.info().core) return drawByProgram(c, mode, e);
   c.refresh(kDrawGroups | kFixedArrays);
@@ -305,7 +319,7 @@ void draw(Context& c, GLenum mode, const Elements& e) {
   const bool known = c.arrays.vertex.enabled && e.instances < 0;
   const Reason reason = known ? traceDraw(c, mode, e) : Reason::arrayState;
   if (reason == Reason::traced) return;
-  const PrimitiveClass kind = mode <= GL_POLYGON ? classOf(mode) : PrimitiveClass::lines;
+  const PrimitiveClass kind = kindOf(mode);
   if (c.arrays.vertex.enabled && c.arrays.reason == Reason::traced && c.mayMeetPasses(kind))
     c.protect([&] { c.meetPasses(sampleTriangles(c, mode, e)); });
   if (c.arrays.vertex.enabled && c.arrays.reason == Reason::traced && c.isPass(kind, reason))

@@ -46,7 +46,7 @@ void vertexAttribSlow(GLuint index, float x, float y, float z, float w) noexcept
 
 void Context::attribute(Slot slot, const float* values) {
   const auto keep = [&] { std::memcpy(current_[slot].data(), values, sizeOf(slot) * sizeof(float)); };
-  if (passthrough_ || info_.core) return sendAttribute(real, slot, values);
+  if (passthrough_ || info_.core || (direct_ && !compiling())) return sendAttribute(real, slot, values);
   if (inside_ == Inside::rasterised) {
     sendAttribute(real, slot, values);
     return openFragment_ ? void() : keep();
@@ -100,8 +100,17 @@ void Context::begin(GLenum mode) {
   if (compiling()) {
     if (kind != runClass_ && !stream_.empty()) closeRun();
     runClass_ = kind;
+  } else if (direct_) {
+    if (kinds()) kinds()->start();
+    drawsDirectly(DrawPath::immediate, kind, 0);  // end() knows its triangles
+    openPrimitive_ = {mode, 0, 0};
+    t_thread.directVertices = 0;
+    inside_ = Inside::rasterised;
+    real.Begin(mode);
+    return updateAttention();
   } else if (!runOpen_ || kind != runClass_) {
     if (runOpen_) closeRun();
+    works();
     refresh(kDrawGroups);
     runClass_ = kind;
     const Reason reason = triage(kind);
@@ -129,8 +138,10 @@ void Context::begin(GLenum mode) {
 }
 
 void Context::countOpenPrimitive() {
+  if (direct_) openPrimitive_.count += t_thread.directVertices;
   const uint64_t triangles = countTriangles(openPrimitive_.mode, openPrimitive_.count);
   statistics.trianglesRasterised += triangles;
+  noteLoad(triangles);
   if (!kinds()) return;
   kinds()->addTriangles(triangles);
   kinds()->stop();
@@ -313,8 +324,12 @@ void Context::material(GLenum face, GLenum pname, const float* params) {
 }
 
 const float* Context::current(Slot slot) {
-  if (dirty & kCurrent) refresh(kCurrent);
+  if (dirty & kCurrent && !direct_) refresh(kCurrent);
   if ((runOpen_ || compiling()) && stream_.has(slot)) return stream_.get(slot);
+  if (direct_) {
+    readSlot(slot);
+    latch_.restore(real);
+  }
   return current_[slot].data();
 }
 
@@ -327,30 +342,46 @@ void Context::sendCurrent() {
 
 void Context::readCurrent() {
   dirty &= ~uint32_t{kCurrent};
-  const auto get = [&](GLenum name, Slot slot) {
-    if (currentDirty_ & bit(slot)) return;  // set since then
-    real.GetFloatv(name, current_[slot].data());
-  };
-  get(GL_CURRENT_NORMAL, kNormal);
-  get(GL_CURRENT_COLOR, kColor);
-  get(GL_CURRENT_SECONDARY_COLOR, kSecondaryColor);
-  get(GL_CURRENT_FOG_COORD, kFogCoord);
-  get(GL_CURRENT_INDEX, kIndex);
-  GLboolean edge = GL_TRUE;
-  real.GetBooleanv(GL_EDGE_FLAG, &edge);
-  if (!(currentDirty_ & bit(kEdgeFlag))) current_[kEdgeFlag][0] = edge ? 1.0f : 0.0f;
-  GLint active = GL_TEXTURE0;
-  real.GetIntegerv(GL_ACTIVE_TEXTURE, &active);
-  GLint units = 1;
-  real.GetIntegerv(GL_MAX_TEXTURE_COORDS, &units);
-  for (int i = 0; i < std::min(units, 8); ++i) {
-    if (isPresent(real.ActiveTexture)) real.ActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + i));
-    get(GL_CURRENT_TEXTURE_COORDS, static_cast<Slot>(kTexCoord0 + i));
+  for (int s = kNormal; s < kSlotCount; ++s)
+    if (!(currentDirty_ & bit(static_cast<Slot>(s))))
+      readSlot(static_cast<Slot>(s));  // others: set since then
+}
+
+void Context::readSlot(Slot slot) {
+  float* value = current_[slot].data();
+  switch (slot) {
+    case kPosition:
+    case kPositionW:
+    case kMaterialNumber: return;
+    case kNormal: return real.GetFloatv(GL_CURRENT_NORMAL, value);
+    case kColor: return real.GetFloatv(GL_CURRENT_COLOR, value);
+    case kSecondaryColor: return real.GetFloatv(GL_CURRENT_SECONDARY_COLOR, value);
+    case kFogCoord: return real.GetFloatv(GL_CURRENT_FOG_COORD, value);
+    case kIndex: return real.GetFloatv(GL_CURRENT_INDEX, value);
+    case kEdgeFlag: {
+      GLboolean edge = GL_TRUE;
+      real.GetBooleanv(GL_EDGE_FLAG, &edge);
+      *value = edge ? 1.0f : 0.0f;
+      return;
+    }
+    default: break;
   }
-  if (isPresent(real.ActiveTexture)) real.ActiveTexture(static_cast<GLenum>(active));
-  for (GLuint i = 1; i < 16 && isPresent(real.GetVertexAttribfv); ++i)
-    if (!(currentDirty_ & bit(static_cast<Slot>(kGeneric1 + i - 1))))
-      real.GetVertexAttribfv(i, GL_CURRENT_VERTEX_ATTRIB, current_[kGeneric1 + i - 1].data());
+  if (slot >= kGeneric1) {
+    if (isPresent(real.GetVertexAttribfv))
+      real.GetVertexAttribfv(static_cast<GLuint>(slot - kGeneric1 + 1), GL_CURRENT_VERTEX_ATTRIB, value);
+    return;
+  }
+  GLint units = 1, active = GL_TEXTURE0;
+  real.GetIntegerv(GL_MAX_TEXTURE_COORDS, &units);
+  if (slot - kTexCoord0 >= std::max(units, 1)) return;
+  real.GetIntegerv(GL_ACTIVE_TEXTURE, &active);
+  const auto choose = [&](GLenum unit) {
+    if (isPresent(real.ActiveTexture) && static_cast<GLenum>(active) != unit) real.ActiveTexture(unit);
+  };
+  const auto unit = static_cast<GLenum>(GL_TEXTURE0 + (slot - kTexCoord0));
+  choose(unit);
+  real.GetFloatv(GL_CURRENT_TEXTURE_COORDS, value);
+  if (static_cast<GLenum>(active) != unit) real.ActiveTexture(static_cast<GLenum>(active));
 }
 
 }  // namespace gluray::gl

@@ -186,7 +186,7 @@ void Context::execute(GeometryRun& run) {
   if (insideBegin() && !run.primitives().empty()) return setError(GL_INVALID_OPERATION);
   if (!run.primitives().empty()) {
     if (runOpen_) closeRun();
-    drawListRun(run);
+    if (!direct_ || !drawRunDirectly(run)) drawListRun(run);
   }
   for (int s = kNormal; s < kSlotCount; ++s) {
     const auto slot = static_cast<Slot>(s);
@@ -198,6 +198,7 @@ void Context::execute(GeometryRun& run) {
 void Context::drawListRun(GeometryRun& run) {
   const std::lock_guard lock(run.mutex());
   const DrawTimer timer(kinds());
+  works();
   run.inherit(*this);
   refresh(kDrawGroups);
   Reason reason = triage(run.kind());

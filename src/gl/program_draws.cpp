@@ -135,6 +135,14 @@ Reason Context::triageInstances(const Elements& elements) const {
 }
 
 Reason Context::triageProgram(const KnownMesh& known) const {
+  const Reason reason = triageProgramAlways(known);
+  // One by one, however much they are in all: a surface that is drawn again is drawn in the same way.
+  const bool leave = reason == Reason::traced && choice_.way() == EngineChoice::Way::mixed &&
+                     choice_.takesAlone(known.mesh->triangleCount, viewportPixels());
+  return leave ? Reason::smallScene : reason;
+}
+
+Reason Context::triageProgramAlways(const KnownMesh& known) const {
   if (known.homogeneous || !known.mesh) return Reason::homogeneous;
   if (isFarAway(*known.mesh)) return Reason::farAway;
   const ProgramState& program = state.program;

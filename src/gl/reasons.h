@@ -50,6 +50,7 @@ namespace gluray::gl {
   X(arrayState, "vertex array form not traced")               \
   X(evaluators, "evaluators")                                 \
   X(noGlsl, "real OpenGL lacks shaders for the write-back")   \
+  X(smallScene, "small scene: the real OpenGL is faster")     \
   X(off, "switched off")                                      \
   X(failure, "GLuRay failed and stepped aside")
 

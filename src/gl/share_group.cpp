@@ -8,6 +8,7 @@
 namespace gluray::gl {
 
 bool ShareGroup::anyBuffersHeldBack() const {
+  if (!Buffer::anyHeldBack()) return false;
   const auto all = buffers.all();
   return std::any_of(all.begin(), all.end(), [](const auto& b) { return b->heldBack(); });
 }

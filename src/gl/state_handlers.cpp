@@ -12,6 +12,7 @@ namespace {
 void clearNow(Context& c, GLbitfield mask) {
   c.syncCurrent();
   c.flush();
+  c.clearing(mask);
   c.real.Clear(mask);
   c.cleared(mask);
 }

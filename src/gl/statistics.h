@@ -13,7 +13,8 @@ namespace gluray::gl {
 struct Statistics {
   using Count = Counter<uint64_t>;
   using Seconds = Counter<double>;
-  Count frames;  // buffer swaps (or finishes of single-buffered drawing)
+  Count frames;        // buffer swaps (or finishes of single-buffered drawing)
+  Count framesDirect;  // those left to the real OpenGL as they came
   Count drawsTraced, drawsRasterised;
   Count trianglesTraced, trianglesRasterised;
   std::array<Count, kReasonCount> rasterisedBecause{};  // draws, by reason

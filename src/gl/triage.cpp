@@ -65,6 +65,13 @@ bool isFlat(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
 }  // namespace
 
 Reason Context::triage(const KnownMesh& known, const std::vector<MaterialChange>& materials) {
+  const Reason reason = triageAlways(known, materials);
+  const bool leave = reason == Reason::traced && choice_.way() == EngineChoice::Way::mixed &&
+                     choice_.takes(known.mesh->triangleCount, viewportPixels());
+  return leave ? Reason::smallScene : reason;
+}
+
+Reason Context::triageAlways(const KnownMesh& known, const std::vector<MaterialChange>& materials) {
   if (known.homogeneous || !known.mesh) return Reason::homogeneous;
   if (isFarAway(*known.mesh)) return Reason::farAway;
   if (passes_.several(known.mesh->geometryId) ||
@@ -160,7 +167,8 @@ bool Context::mayMeetPasses(PrimitiveClass kind) const {
 }
 
 bool Context::isPass(PrimitiveClass kind, Reason reason) const {
-  return kind == PrimitiveClass::surfaces && (reason == Reason::colorMask || reason == Reason::passes);
+  return kind == PrimitiveClass::surfaces &&
+         (reason == Reason::colorMask || reason == Reason::passes || reason == Reason::smallScene);
 }
 
 void Context::rememberPass(const KnownMesh& known) {
@@ -208,6 +216,7 @@ void Context::countRaster(Reason reason, DrawPath path, PrimitiveClass kind, uin
   ++statistics.drawsRasterised;
   ++statistics.rasterisedBecause[static_cast<size_t>(reason)];
   statistics.trianglesRasterised += triangles;
+  noteLoad(triangles);
 }
 
 void Context::countTraced(DrawPath path, uint64_t triangles) {
@@ -216,6 +225,7 @@ void Context::countTraced(DrawPath path, uint64_t triangles) {
                     programInUse());
   ++statistics.drawsTraced;
   statistics.trianglesTraced += triangles;
+  noteLoad(triangles);
 }
 
 }  // namespace gluray::gl

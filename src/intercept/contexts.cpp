@@ -291,6 +291,9 @@ bool isCurrent(Api api, const void* handle, Drawables drawables) noexcept {
 
 void swapping(uintptr_t drawable) noexcept {
   flushCurrent();
+  guarded("cannot measure a frame", [&] {
+    if (gl::t_thread.context && t_current.drawables.draw == drawable) gl::t_thread.context->completeFrame();
+  });
   if (!session().picture) return;
   guarded("cannot take a picture", [&] {
     if (t_current.record && t_current.drawables.draw == drawable && t_current.record->context &&

@@ -51,6 +51,7 @@ json makeReport(const Totals& totals) {
       {"gl", {{"vendor", totals.vendor}, {"renderer", totals.renderer}, {"version", totals.version}}},
       {"contexts", totals.contexts},
       {"frames", s.frames},
+      {"framesDirect", s.framesDirect},
       {"flushes", s.flushes},
       {"draws", {{"traced", s.drawsTraced}, {"rasterised", reasons}}},
       {"triangles", {{"traced", s.trianglesTraced}, {"rasterised", s.trianglesRasterised}}},

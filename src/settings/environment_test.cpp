@@ -14,7 +14,7 @@ std::vector<std::string> g_complaints;
 /// The session that the given variables make; all others are unset.
 Session sessionOf(std::vector<std::pair<const char*, const char*>> variables) {
   setenv("XDG_CONFIG_HOME", "/nowhere", 1);
-  for (const char* name : {"CONFIG", "THREADS", "BVH", "SHADING", "RENDERER", "OFF", "REPORT", "LOG",
+  for (const char* name : {"CONFIG", "THREADS", "ENGINE", "BVH", "SHADING", "RENDERER", "OFF", "REPORT", "LOG",
                            "LOG_LEVEL", "QUIRKS", "PROGRAM_FAMILIES", "EXPLAIN", "PICTURE"})
     unsetenv((std::string("GLURAY_") + name).c_str());
   for (const auto& [name, value] : variables) setenv(name, value, 1);
@@ -50,6 +50,7 @@ TEST(Environment, ARankTakesItsShareUnlessThreadsAreSet) {
 
 TEST(Environment, EveryVariableIsRead) {
   const Session session = sessionOf({{"GLURAY_THREADS", "3"},
+                                     {"GLURAY_ENGINE", "always"},
                                      {"GLURAY_BVH", "compact"},
                                      {"GLURAY_SHADING", "vertex"},
                                      {"GLURAY_RENDERER", "null"},
@@ -62,6 +63,7 @@ TEST(Environment, EveryVariableIsRead) {
                                      {"GLURAY_EXPLAIN", "100"},
                                      {"GLURAY_PICTURE", "1"}});
   EXPECT_EQ(session.settings.threads, 3);
+  EXPECT_EQ(session.settings.engine, Engine::always);
   EXPECT_EQ(session.settings.bvh, BvhQuality::compact);
   EXPECT_EQ(session.settings.shading, ShadingRate::vertex);
   EXPECT_EQ(session.settings.renderer, Renderer::null);
@@ -73,6 +75,13 @@ TEST(Environment, EveryVariableIsRead) {
   EXPECT_EQ(session.programFamilies, "/a.toml:/b.toml");
   EXPECT_EQ(session.explainFrames, 100);
   EXPECT_TRUE(session.picture);
+  EXPECT_TRUE(g_complaints.empty());
+}
+
+TEST(Environment, EveryEngineHasItsWord) {
+  EXPECT_EQ(Settings{}.engine, Engine::automatic);
+  EXPECT_EQ(sessionOf({{"GLURAY_ENGINE", "auto"}}).settings.engine, Engine::automatic);
+  EXPECT_EQ(sessionOf({{"GLURAY_ENGINE", "never"}}).settings.engine, Engine::never);
   EXPECT_TRUE(g_complaints.empty());
 }
 

@@ -57,6 +57,12 @@ struct Key {
 const Key kKeys[] = {
     {"threads",
      [](Session& s, std::string_view v) { return setNumber(v, 1024, "all cores", s.settings.threads); }},
+    {"engine",
+     [](Session& s, std::string_view v) {
+       return choose<Engine>(
+           v, {{"auto", Engine::automatic}, {"always", Engine::always}, {"never", Engine::never}},
+           s.settings.engine);
+     }},
     {"bvh",
      [](Session& s, std::string_view v) {
        return choose<BvhQuality>(v,

@@ -11,6 +11,9 @@ namespace gluray {
 /// How acceleration structures are built: `fast` first picture, `full` fastest rays, `compact` least memory;
 /// `automatic`: large geometry fast, then full while frames go on, or as little as memory allows.
 enum class BvhQuality : uint8_t { automatic, fast, full, compact };
+/// Who draws: the ray tracer what it can (`always`), the real OpenGL everything (`never`), or whichever of
+/// them was measured to be faster (`automatic`).
+enum class Engine : uint8_t { automatic, always, never };
 /// Where the lighting equation is evaluated: at each pixel, or at the vertices as OpenGL does (for exact
 /// comparison).
 enum class ShadingRate : uint8_t { pixel, vertex };
@@ -20,6 +23,7 @@ enum class Renderer : uint8_t { embree, null };
 struct Settings {
   int threads =
       0;  // worker threads; 0 = all cores the process may use, shared with other MPI ranks on the host
+  Engine engine = Engine::automatic;
   BvhQuality bvh = BvhQuality::automatic;
   ShadingRate shading = ShadingRate::pixel;
   Renderer renderer = Renderer::embree;
@@ -44,7 +48,8 @@ struct Session {
 /// `allowed`: 0 (all it may use) where it runs alone or has cores of its own.
 int threadsOfRank(int cores, int allowed, int ranks);
 
-/// Reads GLURAY_THREADS, GLURAY_BVH, GLURAY_SHADING, GLURAY_RENDERER, GLURAY_OFF, GLURAY_REPORT, GLURAY_LOG,
+/// Reads GLURAY_THREADS, GLURAY_ENGINE, GLURAY_BVH, GLURAY_SHADING, GLURAY_RENDERER, GLURAY_OFF,
+/// GLURAY_REPORT, GLURAY_LOG,
 /// GLURAY_LOG_LEVEL, GLURAY_QUIRKS, GLURAY_PROGRAM_FAMILIES, GLURAY_EXPLAIN, GLURAY_PICTURE. An unreadable
 /// value is reported once through `complain` ("GLURAY_BVH=x: use auto, fast, full or compact") and the
 /// default kept.

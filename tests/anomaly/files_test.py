@@ -58,9 +58,9 @@ class Files(unittest.TestCase):
 
     def test_engine(self):
         broken = self.folder / "libgluray-engine.so"
-        self.survives(r"^gluray: .*not ray traced", GLURAY_ENGINE="/nowhere/libgluray-engine.so")
+        self.survives(r"^gluray: .*not ray traced", GLURAY_ENGINE_LIBRARY="/nowhere/libgluray-engine.so")
         broken.write_bytes(b"no library")
-        self.survives(r"^gluray: .*not ray traced", GLURAY_ENGINE=broken)
+        self.survives(r"^gluray: .*not ray traced", GLURAY_ENGINE_LIBRARY=broken)
 
 
 if __name__ == "__main__":

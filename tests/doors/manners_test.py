@@ -188,7 +188,7 @@ class Missing(Folder):
 
     def test_engine_missing(self):
         for door in ("vendor", "preload"):
-            self.survives(r"^gluray: .*not ray traced.*nowhere", door=door, GLURAY_ENGINE="/nowhere/libgluray-engine.so")
+            self.survives(r"^gluray: .*not ray traced.*nowhere", door=door, GLURAY_ENGINE_LIBRARY="/nowhere/libgluray-engine.so")
 
     def test_embree_missing(self):
         """The engine as it is, but asking for an Embree that no machine has."""
@@ -196,10 +196,10 @@ class Missing(Folder):
         text = (LIBRARIES / "libgluray-engine.so").read_bytes()
         engine.write_bytes(re.sub(rb"libembree\d\.so", b"libembreeX.so", text))
         for door in ("vendor", "preload"):
-            self.survives(r"^gluray: .*not ray traced.*libembreeX", door=door, GLURAY_ENGINE=engine)
+            self.survives(r"^gluray: .*not ray traced.*libembreeX", door=door, GLURAY_ENGINE_LIBRARY=engine)
 
     def test_engine_is_something_else(self):
-        self.survives(r"^gluray: .*no entry point", GLURAY_ENGINE="libm.so.6")
+        self.survives(r"^gluray: .*no entry point", GLURAY_ENGINE_LIBRARY="libm.so.6")
 
     def test_real_vendor_is_ourselves(self):
         done = run(CLIENTS / "door_linked_gl", LD_LIBRARY_PATH=LIBRARIES, __GLX_VENDOR_LIBRARY_NAME="gluray",

@@ -1,4 +1,5 @@
-"""Runs a command with an X server of its own: with_display.py COMMAND [ARGUMENTS]."""
+"""Runs a command with an X server of its own: with_display.py COMMAND [ARGUMENTS]. What can be traced is traced, however small
+the scene, unless GLURAY_ENGINE says otherwise."""
 import os
 import subprocess
 import sys
@@ -12,6 +13,7 @@ try:
     if not number:
         sys.exit("with_display.py: Xvfb did not start")
     os.environ["DISPLAY"] = f":{number}"
+    os.environ.setdefault("GLURAY_ENGINE", "always")
     code = subprocess.run(sys.argv[1:]).returncode
 finally:
     server.terminate()

@@ -341,7 +341,7 @@ TEST(ProgramDraws, TexturesChangeBetweenDrawAndFlush) {
 
 TEST(ProgramDraws, IndexBufferShorterThanTheDraw) {
   // What lies behind the end is undefined; nothing may be read there, and what follows is right.
-  TracedContext ours(coreWish(), Settings{});
+  TracedContext ours(coreWish(), TracedContext::tracing());
   Gl gl = ours.gl();
   const Surface surface{};
   const ProgramMesh mesh = ball(10);

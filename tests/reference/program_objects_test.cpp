@@ -165,7 +165,8 @@ TEST(ProgramObjects, TwoContextsOfAShareGroup) {
     expected = all(
         one->real(), two->real(), [&] { one->makeCurrent(); }, [&] { two->makeCurrent(); });
   }
-  TracedContext one(coreWish(), Settings{}), two(coreWish(), Settings{}, nullptr, &one);
+  TracedContext one(coreWish(), TracedContext::tracing()),
+      two(coreWish(), TracedContext::tracing(), nullptr, &one);
   const std::vector<Picture> got = all(
       one.gl(), two.gl(), [&] { one.makeCurrent(); }, [&] { two.makeCurrent(); });
   for (size_t i = 0; i < expected.size(); ++i) {

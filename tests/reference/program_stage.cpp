@@ -321,7 +321,7 @@ Outcome expectSame(const std::string& name, const DrawProgram& draw, int draws, 
     const auto real = OsmesaContext::create(wish);
     outcome.expected = drawn(real->real(), draw, expectedState, expectedError, wish);
   }
-  TracedContext ours(wish, Settings{}, nullptr, nullptr, parsed(families));
+  TracedContext ours(wish, TracedContext::tracing(), nullptr, nullptr, parsed(families));
   outcome.got = drawn(ours.gl(), draw, state, error, wish);
   outcome.statistics = ours.context().statistics;
   EXPECT_EQ(error, expectedError);
@@ -354,7 +354,7 @@ void expectSameWhenTracingFails(const std::string& name, const DrawProgram& draw
       [](const scene::Snapshot&, Image&, present::TraceCost&, std::string& why) {
         return why = "this test lets tracing fail", false;
       });
-  TracedContext ours(wish, Settings{}, std::move(fails), nullptr, parsed(families));
+  TracedContext ours(wish, TracedContext::tracing(), std::move(fails), nullptr, parsed(families));
   const Picture got = drawn(ours.gl(), draw, state, error, wish);
   EXPECT_EQ(error, expectedError);
   EXPECT_EQ(joined(differences(expectedState, state)), "");

@@ -35,7 +35,7 @@ class LastImage final : public gl::Presenter {
 class TextureCache : public testing::Test {
  protected:
   Image last;
-  TracedContext context{{64, 64}, Settings(), std::make_unique<LastImage>(last)};
+  TracedContext context{{64, 64}, TracedContext::vertexShading(), std::make_unique<LastImage>(last)};
   Gl gl = context.gl();
   GLuint texture = 0;
 

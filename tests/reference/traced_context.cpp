@@ -8,6 +8,7 @@ namespace gluray::test {
 Settings TracedContext::vertexShading() {
   Settings settings;
   settings.shading = ShadingRate::vertex;
+  settings.engine = Engine::always;
   return settings;
 }
 

@@ -61,6 +61,7 @@ TEST(Viewport, WindowIsAskedOnceABatch) {
   Regions presenter(seen);
   const auto below = OsmesaContext::create({kSize, kSize});
   gl::ContextInfo info;
+  info.settings.engine = Engine::always;
   info.drawableSize = [&] { return ++asked, glm::ivec2(width, kSize); };
   const auto context =
       gl::Context::create(below->real(), std::make_shared<gl::ShareGroup>(), info, presenter);

@@ -1,41 +1,98 @@
-"""Frame times of the recorded streams, with the real OpenGL alone and through GLuRay, in turn: the last frame of each is
-replayed again and again, as a viewer draws it. Medians; glretrace's own work is in both.
+"""Frame times of the recorded streams, with the real OpenGL alone and through GLuRay, in turn.
 
-    frame_times.py --gluray GLURAY [--frames N] [--turns N] [NAME ...]       (with an X server at hand)
+    frame_times.py --gluray GLURAY [--engine auto|always|never] [--frames N] [--turns N] [--json FILE] [NAME ...]
+
+(with an X server at hand.) The last frame of each stream is replayed again and again, as a viewer draws it. Where glretrace
+cannot do that, the frames after the first are timed: the time of the whole stream less that of its first frame. The fastest
+turn of each counts, since what else the machine does only adds; glretrace's own work is in both.
 """
 import argparse
+import json
+import os
 import pathlib
 import re
+import resource
 import statistics
 import subprocess
+import sys
+import tempfile
 
 import streams
 
 HERE = pathlib.Path(__file__).parent
+SHORT = 5  # turns for each of --turns of streams that last a moment
 
 
-def frame_ms(name, frames, before=()):
-    command = [*before, "glretrace", "--benchmark", f"--loop={frames}", str(HERE / f"{name}.trace")]
+def processor_seconds():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def replay(trace, options=(), before=()):
+    """(frames, seconds, seconds of all processors)"""
+    command = [*before, "glretrace", "--benchmark", *options, str(trace)]
+    start = processor_seconds()
     done = subprocess.run(command, capture_output=True, text=True, errors="replace", timeout=300)
     found = re.search(r"Rendered (\d+) frames in ([\d.]+) secs", done.stdout + done.stderr)
-    return float(found[2]) / int(found[1]) * 1000
+    return int(found[1]), float(found[2]), processor_seconds() - start
+
+
+def first_frame(name, folder):
+    cut = folder / f"{name}.trace"
+    subprocess.run(["apitrace", "trim", "--frames=0-0", "-o", str(cut), str(HERE / f"{name}.trace")], check=True,
+                   capture_output=True)
+    return cut
+
+
+class Stream:
+    def __init__(self, name, frames, folder):
+        self.name, self.trace, self.frames = name, HERE / f"{name}.trace", frames
+        self.repeats = replay(self.trace, ["--loop=10"])[0] >= 12
+        self.short = self.trace if self.repeats else first_frame(name, folder)
+
+    def milliseconds(self, turns, ways):
+        """For each way the time of a frame, and that of all processors; measured in turn. The first frames, in which
+        libraries are loaded and shaders built, are not what is asked for: their time is taken off."""
+        runs = [([], []) for _ in ways]
+        for _ in range(turns if self.repeats else turns * SHORT):
+            for (few, many), way in zip(runs, ways):
+                few.append(replay(self.short, ["--loop=5"] if self.repeats else [], way))
+                many.append(replay(self.trace, [f"--loop={self.frames + 5}"] if self.repeats else [], way))
+        return [[self.difference(few, many, which) for which in (1, 2)] for few, many in runs]
+
+    @staticmethod
+    def difference(few, many, which):
+        frames = max(many[0][0] - few[0][0], 1)
+        return 1000 * (min(run[which] for run in many) - min(run[which] for run in few)) / frames
 
 
 def main():
-    parser = argparse.ArgumentParser()
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--gluray", required=True)
-    parser.add_argument("--frames", type=int, default=150)
+    parser.add_argument("--engine", default="auto")
+    parser.add_argument("--frames", type=int, default=200)
     parser.add_argument("--turns", type=int, default=3)
+    parser.add_argument("--json")
     parser.add_argument("names", nargs="*")
     given = parser.parse_args()
-    print("| program | real OpenGL, ms | GLuRay, ms | ratio |\n|---|---|---|---|")
-    for name in given.names or streams.STREAMS:
-        off, on = [], []
-        for _ in range(given.turns):
-            off.append(frame_ms(name, given.frames))
-            on.append(frame_ms(name, given.frames, [given.gluray, "--"]))
-        off, on = statistics.median(off), statistics.median(on)
-        print(f"| {name} | {off:.2f} | {on:.2f} | {on / off:.2f} |", flush=True)
+    os.environ.pop("GLURAY_ENGINE", None)
+    ways = [(), (given.gluray, "--engine", given.engine, "--")]
+    rows = []
+    print("| program | real OpenGL, ms | GLuRay, ms | ratio | ratio of processor time |\n|---|---|---|---|---|")
+    with tempfile.TemporaryDirectory() as folder:
+        for name in given.names or streams.STREAMS:
+            stream = Stream(name, given.frames, pathlib.Path(folder))
+            (off, off_cpu), (on, on_cpu) = stream.milliseconds(given.turns, ways)
+            rows.append({"stream": name, "repeated": stream.repeats, "gl_ms": off, "gluray_ms": on, "ratio": on / off,
+                         "gl_processor_ms": off_cpu, "gluray_processor_ms": on_cpu, "processor_ratio": on_cpu / off_cpu})
+            print(f"| {name} | {off:.2f} | {on:.2f} | {on / off:.2f} | {on_cpu / off_cpu:.2f} |", flush=True)
+    if given.json:
+        sys.path.insert(0, str(HERE.parent.parent / "bench"))
+        from support import machine
+        result = {"how": f"tests/streams/frame_times.py --engine {given.engine} --frames {given.frames} --turns {given.turns}: "
+                         "fastest turn of the real OpenGL and of GLuRay, in turn; glretrace's own work in both",
+                  **machine.describe(HERE.parent.parent), "median_ratio": statistics.median(r["ratio"] for r in rows), "rows": rows}
+        pathlib.Path(given.json).write_text(json.dumps(result, indent=1) + "\n")
 
 
 if __name__ == "__main__":

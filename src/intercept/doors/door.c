@@ -25,7 +25,7 @@ void gluraySay(const char* line, const char* detail) {
 
 /* The engine lies beside the door. */
 static void enginePath(char* path, size_t size) {
-  const char* chosen = getenv("GLURAY_ENGINE");
+  const char* chosen = getenv("GLURAY_ENGINE_LIBRARY");
   Dl_info info;
   if (chosen && *chosen) {
     snprintf(path, size, "%s", chosen);

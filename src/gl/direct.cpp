@@ -1,0 +1,111 @@
+// Frames that are left to the real OpenGL: draws go to it as they come, and nothing is read back or kept but
+// display lists. The Context's side of EngineChoice.
+#include "gl/buffer.h"
+#include "gl/context.h"
+#include "gl/list.h"
+#include "gl/replay.h"
+
+namespace gluray::gl {
+
+void Context::startMeasuring() {
+  real.Finish();  // what is still drawn belongs to earlier frames
+  choice_.start();
+}
+
+void Context::completeFrame() {
+  if (!choice_.wantsStop()) return;
+  real.Finish();
+  choice_.stop();
+}
+
+void Context::chooseEngine() {
+  if (compiling() || insideBegin()) return;
+  protect([&] { setDirect(choice_.frameEnded() == EngineChoice::Way::direct && !passthrough_); });
+}
+
+void Context::setDirect(bool direct) {
+  if (direct == direct_) return;
+  if (direct) {
+    syncCurrent();
+    for (const auto& buffer : group_->buffers.all())
+      if (buffer) buffer->sendTo(real);
+  } else {
+    touch(kAllGroups);
+    matrixMode = 0;
+  }
+  direct_ = direct;
+  updateAttention();
+}
+
+/// Whether the scissor test lets a clear reach all that draws can.
+bool Context::clearsViewport() const {
+  if (!real.IsEnabled(GL_SCISSOR_TEST)) return true;
+  GLint box[4] = {}, viewport[4] = {};
+  real.GetIntegerv(GL_SCISSOR_BOX, box), real.GetIntegerv(GL_VIEWPORT, viewport);
+  return box[0] <= viewport[0] && box[1] <= viewport[1] && box[0] + box[2] >= viewport[0] + viewport[2] &&
+         box[1] + box[3] >= viewport[1] + viewport[3];
+}
+
+void Context::clearing(GLbitfield mask) {
+  if (!choice_.active()) return;
+  constexpr GLbitfield kWhole = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
+  if ((mask & kWhole) == kWhole && statistics.frames == 0 && clearsViewport()) {
+    completeFrame();
+    chooseEngine();
+  } else if (mask & GL_DEPTH_BUFFER_BIT) {
+    choice_.layer();
+  }
+  works();
+}
+
+void Context::noteLoad(uint64_t triangles) { choice_.drew(triangles, viewportPixels()); }
+
+bool Context::drawsDirectly(DrawPath path, PrimitiveClass kind, uint64_t triangles) {
+  refresh(kinds() ? kViewport | kTarget : kViewport);
+  if (kind == PrimitiveClass::surfaces && !choice_.takes(triangles, viewportPixels())) {
+    choice_.overflow();
+    setDirect(false);
+    return false;
+  }
+  works();
+  syncCurrent();
+  sendBuffers();
+  const Reason why = choice_.active() ? Reason::smallScene : Reason::off;
+  countRaster(kind == PrimitiveClass::lines    ? Reason::lines
+              : kind == PrimitiveClass::points ? Reason::points
+                                               : why,
+              path, kind, triangles);
+  latch_.drawn();
+  return true;
+}
+
+bool Context::drawRunDirectly(GeometryRun& run) {
+  const std::lock_guard lock(run.mutex());
+  const DrawTimer timer(kinds());
+  if (!drawsDirectly(DrawPath::list, run.kind(), run.triangles())) return false;
+  run.inherit(*this);
+  // Draws from arrays leave the current attributes alone; the list of the real OpenGL, which has glBegin,
+  // does not.
+  const SlotMask lost = run.slots() & ~run.finalSlots() & ~(bit(kPosition) | bit(kPositionW));
+  const auto eachLost = [&](auto&& body) {
+    for (int s = kNormal; s < kSlotCount; ++s)
+      if (lost & bit(static_cast<Slot>(s)) && s != kMaterialNumber) body(static_cast<Slot>(s));
+  };
+  eachLost([&](Slot slot) { readSlot(slot); });
+  if (lost) latch_.restore(real);
+  run.rasterise(*this);
+  eachLost([&](Slot slot) { sendAttribute(real, slot, current_[slot].data()); });
+  return true;
+}
+
+void Context::showDirect() {
+  if (!choice_.drawn()) return;
+  refresh(kTarget);
+  if (state.target.framebuffer != 0) return;
+  completeFrame();
+  if (info_.frameEnding) info_.frameEnding();
+  afterSwap();
+  if (info_.frameEnded) info_.frameEnded();
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,89 @@
+"""Who draws with --engine auto: engine_test.py GLURAY CLIENT (with an X server at hand).
+
+Tiny scenes go to the real OpenGL, large ones are traced from their first frame on, and the pictures stay the same."""
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SMALL, LARGE = 2000, 150000  # triangles, under 512 x 512 pixels
+REASON = "small scene: the real OpenGL is faster"
+STREAMS = pathlib.Path(__file__).parent.parent / "streams"
+
+
+def run(*command, engine=None, before=()):
+    """(lines printed, report)."""
+    environment = {k: v for k, v in os.environ.items() if k != "GLURAY_ENGINE"}
+    if engine is None:
+        done = subprocess.run([*before, *map(str, command)], capture_output=True, text=True, timeout=200, env=environment)
+        return done.stdout.split("\n")[:-1], None
+    with tempfile.TemporaryDirectory() as folder:
+        report = pathlib.Path(folder) / "report.json"
+        done = subprocess.run([GLURAY, "--engine", engine, "--shading", "vertex", "--report", report, "--", *map(str, command)],
+                              capture_output=True, text=True, timeout=200, env=environment)
+        if done.returncode:
+            raise AssertionError(f"{command} ended with {done.returncode}: {done.stderr}")
+        return done.stdout.split("\n")[:-1], json.loads(report.read_text())
+
+
+class Engine(unittest.TestCase):
+    def same_pictures(self, plain, seen):
+        self.assertEqual(len(plain), len(seen))
+        for a, b in zip(plain, seen):
+            self.assertEqual(a.split()[0], b.split()[0])
+            self.assertAlmostEqual(int(a.split()[1]) / int(b.split()[1]), 1, delta=0.002, msg="sum of colours")
+
+    def test_tiny_scene_is_left_to_the_real_opengl(self):
+        for path in ("list", "arrays", "vbo", "immediate"):
+            with self.subTest(path):
+                plain, _ = run(CLIENT, path, SMALL, 60)
+                seen, report = run(CLIENT, path, SMALL, 60, engine="auto")
+                self.same_pictures(plain, seen)
+                # Where the machine is busy with something else, a trial may trace three frames.
+                self.assertLessEqual(report["draws"]["traced"], 6)
+                self.assertEqual(set(report["draws"]["rasterised"]), {REASON})
+                self.assertGreaterEqual(report["framesDirect"], 53)
+
+    def test_large_scene_is_traced_from_its_first_frame_on(self):
+        for path in ("list", "arrays", "vbo", "immediate"):
+            with self.subTest(path):
+                plain, _ = run(CLIENT, path, LARGE, 20)
+                seen, report = run(CLIENT, path, LARGE, 20, engine="auto")
+                self.same_pictures(plain, seen)
+                self.assertEqual(report["draws"], {"traced": 20, "rasterised": {}})
+                self.assertEqual(report["framesDirect"], 0)
+
+    def test_scene_that_changes(self):
+        for path in ("list", "vbo", "immediate"):
+            with self.subTest(path):
+                scenes = (path, SMALL, 40, LARGE, 40, SMALL, 200, LARGE, 5)
+                plain, _ = run(CLIENT, *scenes)
+                seen, report = run(CLIENT, *scenes, engine="auto")
+                self.same_pictures(plain, seen)
+                self.assertGreaterEqual(report["framesDirect"], 39 + 50)
+                # What comes by glBegin is counted when it is drawn: the first frame of a larger scene is still direct.
+                self.assertGreaterEqual(report["draws"]["traced"], 40 + 5 - (2 if path == "immediate" else 0))
+
+    def test_settings(self):
+        _, report = run(CLIENT, "list", SMALL, 20, engine="always")
+        self.assertEqual(report["draws"], {"traced": 20, "rasterised": {}})
+        _, report = run(CLIENT, "list", LARGE, 20, engine="never")
+        self.assertEqual(report["draws"], {"traced": 0, "rasterised": {"switched off": 20}})
+        self.assertEqual(report["framesDirect"], 20)
+
+    def test_recorded_program(self):
+        _, report = run("glretrace", "--benchmark", "--loop=50", STREAMS / "glxgears.trace", engine="auto")
+        self.assertGreaterEqual(report["framesDirect"], 45)
+
+    def test_explanation_names_the_reason(self):
+        done = subprocess.run([GLURAY, "explain", "--engine", "auto", "--frames", "20", "--", CLIENT, "list", str(SMALL), "100"],
+                              capture_output=True, text=True, timeout=100)
+        self.assertRegex(done.stdout, f"surfaces +list .*rasterised: {REASON}")
+
+
+if __name__ == "__main__":
+    GLURAY, CLIENT = sys.argv[1:3]
+    unittest.main(argv=sys.argv[:1], verbosity=2)
