@@ -38,6 +38,15 @@ const json* pictureOf(const WatchedRun& run) {
   return nullptr;
 }
 
+/// Whether the frames of a run were those of single-buffered contexts, which end with glFlush and glFinish.
+/// GLuRay sees these only where calls pass through it.
+bool singleBuffered(const WatchedRun& run) {
+  for (const json& report : run.reports)
+    for (const json& context : report["explain"]["contexts"])
+      if (context["doubleBuffered"].get<bool>() && context["frames"].get<uint64_t>() > 0) return false;
+  return true;
+}
+
 Pixels readPicture(const json& picture, const char* suffix) {
   const std::string path = picture["file"].get<std::string>() + suffix;
   std::optional<Pixels> pixels = readNetpbm(path);
@@ -54,7 +63,10 @@ FramePictures withAndWithout(const CommandLine& line, const Program& program, co
   pictures.perPixel = sessionOf(line).settings.shading == ShadingRate::pixel;
   pictures.frame = picture["frame"], pictures.elsewhere = picture["elsewhere"];
   CommandLine plain = line;
-  plain.off = true;
+  if (singleBuffered(run))
+    plain.engine = "never";
+  else
+    plain.off = true;
   Watch wish{static_cast<int>(pictures.frame), line.restSeconds, line.limitSeconds, true, true};
   // At rest the number of frames until then may differ, as windows are uncovered and events come together.
   if (run.ending != WatchedRun::Ending::frames) wish.frames = line.frames;

@@ -314,9 +314,7 @@ void Context::present(bool rasterise) {
 
 void Context::showIfVisible() {
   syncCurrent();
-  if (batch_.empty() && direct_ && !info_.doubleBuffered) return showDirect();
-  // Single-buffered programs may have read their picture back before.
-  if (batch_.empty() && !info_.doubleBuffered && work() != workForgotten_) return afterSwap();
+  if (batch_.empty() && !info_.doubleBuffered) return showDrawn();
   if (batch_.empty()) return;
   const GLenum buffer = batch_.key().drawBuffer;
   const bool front =

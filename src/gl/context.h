@@ -282,7 +282,7 @@ class Context {
   void chooseEngine();
   bool clearsViewport() const;
   void setDirect(bool direct);
-  void showDirect();
+  void showDrawn();
   void noteLoad(uint64_t triangles);
   double viewportPixels() const {
     return static_cast<double>(state.viewport.z) * static_cast<double>(state.viewport.w);

@@ -98,10 +98,12 @@ bool Context::drawRunDirectly(GeometryRun& run) {
   return true;
 }
 
-void Context::showDirect() {
+/// glFlush or glFinish of a single-buffered program for which nothing waits to be traced: it may have read
+/// its picture back before, or all of it was rasterised.
+void Context::showDrawn() {
   if (!choice_.drawn()) return;
   refresh(kTarget);
-  if (state.target.framebuffer != 0) return;
+  if (state.target.framebuffer != 0) return work() != workForgotten_ ? afterSwap() : void();
   completeFrame();
   if (info_.frameEnding) info_.frameEnding();
   afterSwap();

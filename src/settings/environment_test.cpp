@@ -14,8 +14,8 @@ std::vector<std::string> g_complaints;
 /// The session that the given variables make; all others are unset.
 Session sessionOf(std::vector<std::pair<const char*, const char*>> variables) {
   setenv("XDG_CONFIG_HOME", "/nowhere", 1);
-  for (const char* name : {"CONFIG", "THREADS", "ENGINE", "BVH", "SHADING", "RENDERER", "OFF", "REPORT", "LOG",
-                           "LOG_LEVEL", "QUIRKS", "PROGRAM_FAMILIES", "EXPLAIN", "PICTURE"})
+  for (const char* name : {"CONFIG", "THREADS", "ENGINE", "BVH", "SHADING", "RENDERER", "OFF", "REPORT",
+                           "LOG", "LOG_LEVEL", "QUIRKS", "PROGRAM_FAMILIES", "EXPLAIN", "PICTURE"})
     unsetenv((std::string("GLURAY_") + name).c_str());
   for (const auto& [name, value] : variables) setenv(name, value, 1);
   g_complaints.clear();

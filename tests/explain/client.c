@@ -3,6 +3,7 @@
    different  with a square of 10 x 10 pixels, over what is traced, that only runs with GLuRay have
    restless   with a background that no two runs have in common
    short      ends by itself after 5 frames, with exit code 3
+   single     1000 frames without a back buffer, shown by glFlush
    still      2 frames, then nothing until it is asked to end
    The colour of what is traced follows the clock. */
 #include "../doors/x_window.h"
@@ -107,7 +108,8 @@ int main(int count, char** words) {
   const int frames = !strcmp(mode, "short") ? 5 : !strcmp(mode, "still") ? 2 : 1000;
   signal(SIGTERM, onTerminate);
   Display* display = openDisplay();
-  int wanted[] = {GLX_RGBA, GLX_DOUBLEBUFFER, GLX_RED_SIZE, 8, GLX_DEPTH_SIZE, 24, None};
+  const int single = !strcmp(mode, "single");
+  int wanted[] = {GLX_RGBA, GLX_RED_SIZE, 8, GLX_DEPTH_SIZE, 24, single ? None : GLX_DOUBLEBUFFER, None};
   XVisualInfo* visual = glXChooseVisual(display, DefaultScreen(display), wanted);
   if (!visual) return 1;
   const Window window = makeWindow(display, visual);
@@ -136,7 +138,10 @@ int main(int count, char** words) {
 
   for (int i = 0; i < frames && !asked; ++i) {
     frame(list, mode);
-    glXSwapBuffers(display, window);
+    if (single)
+      glFlush();
+    else
+      glXSwapBuffers(display, window);
     usleep(1000);
   }
   while (!strcmp(mode, "still") && !asked) usleep(10000);

@@ -174,6 +174,13 @@ class Page(Folder):
             self.assertTrue(base64.b64decode(data).startswith(b"\x89PNG"))
         self.assertNotIn("did not show the same frame", text)
 
+    def test_single_buffered_programs(self):
+        facts, text = self.page("single")
+        self.assertEqual((facts["frame"], facts["frameWithout"], facts["sameFrame"]), (20, 20, True))
+        self.assertEqual(facts["traced"] + facts["drawnOver"], TRACED_PIXELS)
+        self.assertEqual((facts["differingAtAll"], facts["outsideDiffering"]), (0, 0))
+        self.assertIn('id="without"', text)
+
     def test_differences_are_counted(self):
         facts, _ = self.page("different")
         self.assertEqual((facts["differing"], facts["differingAtAll"]), (100, 100))

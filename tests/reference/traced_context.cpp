@@ -5,6 +5,12 @@
 
 namespace gluray::test {
 
+Settings TracedContext::tracing() {
+  Settings settings;
+  settings.engine = Engine::always;
+  return settings;
+}
+
 Settings TracedContext::vertexShading() {
   Settings settings;
   settings.shading = ShadingRate::vertex;

@@ -23,6 +23,8 @@ class TracedContext {
   void makeCurrent();
 
   static Settings vertexShading();
+  /// What is usual, but that small scenes are traced, too.
+  static Settings tracing();
   /// Our functions, as table.
   static const gl::RealGl& stubs();
   /// Our functions: what the program calls.
