@@ -139,10 +139,10 @@ std::string explanationText(const json& report) {
   const json& explain = report.at("explain");
   const double frames = std::max(1.0, report.at("frames").get<double>());
   return heading(report) + "\ndraws, of all frames\n" + drawTable(explain.at("kinds"), frames) +
-         tracingLine(report) + programLines(explain.at("programs")) + "\ncontexts, through the door " +
-         text(report, "door") + "\n" + contextLines(explain.at("contexts")) + "\nframebuffers\n" +
-         targetLines(explain.at("framebuffers")) + "\nquirks\n" + quirkLines(explain.at("quirks")) +
-         unknownCallLines(report);
+         tracingLine(report) + programLines(explain.value("programs", json::array())) +
+         "\ncontexts, through the door " + text(report, "door") + "\n" +
+         contextLines(explain.at("contexts")) + "\nframebuffers\n" + targetLines(explain.at("framebuffers")) +
+         "\nquirks\n" + quirkLines(explain.at("quirks")) + unknownCallLines(report);
 }
 
 }  // namespace gluray::launcher

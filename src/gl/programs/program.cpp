@@ -1,5 +1,8 @@
 #include "gl/programs/program.h"
 
+#include "gl/extensions.h"
+#include "gl/state_queries.h"
+
 #include <algorithm>
 #include <vector>
 
@@ -82,7 +85,32 @@ void readAttributes(const RealGl& real, Program& p) {
 
 }  // namespace
 
+namespace {
+
+/// While it lives, questions that the real OpenGL refuses are not told to the program's debug callback.
+class DebugSilence {
+ public:
+  explicit DebugSilence(const RealGl& real) : real_(real) {
+    const int version = versionOf(real);
+    const bool has = version >= 43 || hasExtension(real, version, "GL_KHR_debug");
+    on_ = has && isOn(real, GL_DEBUG_OUTPUT);
+    if (on_) real.Disable(GL_DEBUG_OUTPUT);
+  }
+  ~DebugSilence() {
+    if (on_) real_.Enable(GL_DEBUG_OUTPUT);
+  }
+  DebugSilence(const DebugSilence&) = delete;
+  DebugSilence& operator=(const DebugSilence&) = delete;
+
+ private:
+  const RealGl& real_;
+  bool on_ = false;
+};
+
+}  // namespace
+
 Program reflect(const RealGl& real, GLuint name) {
+  const DebugSilence silence(real);
   Program p;
   p.name = name;
   p.linked = ask(real, name, GL_LINK_STATUS) == GL_TRUE;
