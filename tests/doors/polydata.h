@@ -9,22 +9,18 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-// clang-format off: its layout of such lists never settles
-#define POLYDATA_FUNCTIONS(X)                                                                                \
-  X(AttachShader)                                                                                            \
-  X(BindBuffer)                                                                                              \
-  X(BindFramebuffer)                                                                                         \
-  X(BindTexture)                                                                                             \
-  X(BindVertexArray)                                                                                         \
-  X(BlendFuncSeparate)                                                                                       \
-  X(BufferData) X(CheckFramebufferStatus) X(Clear) X(ClearColor) X(CompileShader) X(CreateProgram)           \
-      X(CreateShader) X(DepthFunc) X(DrawRangeElements) X(Enable) X(EnableVertexAttribArray)                 \
-          X(FramebufferTexture2D) X(GenBuffers) X(GenFramebuffers) X(GenTextures) X(GenVertexArrays)         \
-              X(GetAttribLocation) X(GetError) X(GetProgramInfoLog) X(GetProgramiv) X(GetString)             \
-                  X(GetUniformLocation) X(LinkProgram) X(PixelStorei) X(ReadPixels) X(Scissor)               \
-                      X(ShaderSource) X(TexImage2D) X(TexParameteri) X(Uniform1f) X(Uniform1i) X(Uniform3fv) \
-                          X(UniformMatrix3fv) X(UniformMatrix4fv) X(UseProgram) X(VertexAttribPointer)       \
-                              X(Viewport)
+// clang-format 14 never settles on a layout of such lists.
+// clang-format off
+#define POLYDATA_FUNCTIONS(X) \
+  X(AttachShader) X(BindBuffer) X(BindFramebuffer) X(BindTexture) X(BindVertexArray) \
+  X(BlendFuncSeparate) X(BufferData) X(CheckFramebufferStatus) X(Clear) X(ClearColor) \
+  X(CompileShader) X(CreateProgram) X(CreateShader) X(DepthFunc) X(DrawRangeElements) X(Enable) \
+  X(EnableVertexAttribArray) X(FramebufferTexture2D) X(GenBuffers) X(GenFramebuffers) \
+  X(GenTextures) X(GenVertexArrays) X(GetAttribLocation) X(GetError) X(GetProgramInfoLog) \
+  X(GetProgramiv) X(GetString) X(GetUniformLocation) X(LinkProgram) X(PixelStorei) \
+  X(ReadPixels) X(Scissor) X(ShaderSource) X(TexImage2D) X(TexParameteri) X(Uniform1f) \
+  X(Uniform1i) X(Uniform3fv) X(UniformMatrix3fv) X(UniformMatrix4fv) X(UseProgram) \
+  X(VertexAttribPointer) X(Viewport)
 // clang-format on
 
 typedef struct Functions {
