@@ -68,16 +68,22 @@ def main():
     lift = math.radians(35.26)
     up = [0, 0, 1] if len(sys.argv) > 5 else [0, 1, 0]
     view.CameraViewUp = up
-    times = []
-    for frame in range(frames):
-        angle = math.radians(30 + 360 * frame / max(frames, 60))
+
+    def place(degrees):
+        """Puts the camera on its orbit."""
+        angle = math.radians(30 + degrees)
         flat = [math.cos(lift) * math.sin(angle), math.cos(lift) * math.cos(angle)]
         way = [flat[0], math.sin(lift), flat[1]] if up[1] else [flat[0], -flat[1], math.sin(0.2)]
-        start = time.perf_counter()
         view.CameraPosition = [c + distance * w for c, w in zip(centre, way)]
+
+    times = []
+    for frame in range(frames):
+        start = time.perf_counter()
+        place(360 * frame / max(frames, 60))
         simple.Render(view)
         window.WaitForCompletion()
         times.append(time.perf_counter() - start)
+    place(0)
     if picture:
         simple.SaveScreenshot(picture, view, ImageResolution=[size, size])
     times.sort()
