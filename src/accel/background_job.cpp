@@ -14,6 +14,7 @@ namespace gluray::accel {
 namespace {
 
 constexpr time_t kExitPatience = 2;  // seconds that exit() may take longer
+constexpr useconds_t kParkingMicroseconds = 20'000;
 
 std::atomic<bool> g_exiting{false};
 std::atomic<int> g_parked{0};  // threads that wait for the end of the process
@@ -150,16 +151,22 @@ void BackgroundJob::abandonAtExit() noexcept {
   timespec now;
   clock_gettime(CLOCK_REALTIME, &now);
   const time_t latest = now.tv_sec + kExitPatience;
-  while (g_parked == 0 && now.tv_sec <= latest) {
+  bool joined = false;
+  while (!joined && g_parked == 0 && now.tv_sec <= latest) {
     constexpr long kNap = 1'000'000, kSecond = 1'000'000'000;  // nanoseconds
     now.tv_nsec += kNap;
     if (now.tv_nsec >= kSecond) now.tv_nsec -= kSecond, ++now.tv_sec;
-    if (pthread_timedjoin_np(thread_.native_handle(), nullptr, &now) == 0) break;
+    joined = pthread_timedjoin_np(thread_.native_handle(), nullptr, &now) == 0;
     clock_gettime(CLOCK_REALTIME, &now);
   }
-  // Joined or not, nobody waits for it any more.
+  // The job's other threads find out within moments, too.
+  if (!joined) usleep(kParkingMicroseconds);
+  // Nobody waits for it any more. A std::thread does not know of that join.
   static std::vector<std::thread>* ended = new std::vector<std::thread>;
-  ended->push_back(std::move(thread_));
+  if (joined)
+    ended->push_back(std::move(thread_));
+  else
+    thread_.detach();
 }
 
 }  // namespace gluray::accel
