@@ -117,6 +117,18 @@ void BlasCache::refine(const Key& key, Entry& entry, const scene::Mesh& mesh) {
   entry.built = BvhQuality::fast;
 }
 
+void BlasCache::evict() {
+  // A frame of several batches (a small view in a corner) leaves the large structure of the first idle at
+  // each of the others: it must not go for that while there is memory.
+  constexpr uint64_t kRecent = 16;  // batches
+  size_t recent = 0;
+  for (const auto& [key, entry] : entries_)
+    if (entry.lastUsed != clock_ && clock_ - entry.lastUsed < kRecent)
+      recent += entry.blas->bvhBytes() + entry.blas->pinnedBytes();
+  const bool large = idleBudgetBytes_ > 0 && recent > idleBudgetBytes_;
+  evictDownTo(large ? std::max(idleBudgetBytes_, std::min(recent, freeMemory_() / 4)) : idleBudgetBytes_);
+}
+
 bool BlasCache::evictAllIdle() {
   const bool busy = refinement_.busy();
   refinement_.stop();

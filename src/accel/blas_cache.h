@@ -26,7 +26,7 @@ class BlasCache {
   /// known.
   std::vector<BlasPtr> get(const std::vector<const scene::Mesh*>& meshes, BvhQuality);
   /// Frees idle structures beyond the budget.
-  void evict() { evictDownTo(idleBudgetBytes_); }
+  void evict();
   /// Frees every idle structure and what is being built behind; true if there were any.
   bool evictAllIdle();
 
