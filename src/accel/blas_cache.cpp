@@ -12,7 +12,10 @@
 namespace gluray::accel {
 namespace {
 constexpr uint32_t kAlone = 20000;  // triangles: below it, whole builds in parallel beat parallel builds
-}
+
+size_t sizeOf(const BlasPtr& blas) { return blas->bvhBytes() + blas->pinnedBytes(); }
+
+}  // namespace
 
 BlasCache::BlasCache(const Device& device, size_t idleBudgetBytes, FreeMemory freeMemory)
     : device_(device), idleBudgetBytes_(idleBudgetBytes), freeMemory_(freeMemory) {}
@@ -123,8 +126,7 @@ void BlasCache::evict() {
   constexpr uint64_t kRecent = 16;  // batches
   size_t recent = 0;
   for (const auto& [key, entry] : entries_)
-    if (entry.lastUsed != clock_ && clock_ - entry.lastUsed < kRecent)
-      recent += entry.blas->bvhBytes() + entry.blas->pinnedBytes();
+    if (entry.lastUsed != clock_ && clock_ - entry.lastUsed < kRecent) recent += sizeOf(entry.blas);
   const bool large = idleBudgetBytes_ > 0 && recent > idleBudgetBytes_;
   evictDownTo(large ? std::max(idleBudgetBytes_, std::min(recent, freeMemory_() / 4)) : idleBudgetBytes_);
 }
@@ -140,13 +142,12 @@ bool BlasCache::evictDownTo(size_t bytes) {
   // Geometry that is new in every frame leaves nothing but small structures behind, which fill no budget for
   // long.
   constexpr size_t kMostIdle = 2048;
-  const auto sizeOf = [](const Entry& entry) { return entry.blas->bvhBytes() + entry.blas->pinnedBytes(); };
   std::vector<std::pair<uint64_t, Key>> idle;
   size_t idleBytes = 0;
   for (const auto& [key, entry] : entries_) {
     if (entry.lastUsed == clock_) continue;
     idle.emplace_back(entry.lastUsed, key);
-    idleBytes += sizeOf(entry);
+    idleBytes += sizeOf(entry.blas);
   }
   const bool tooMany = idle.size() > kMostIdle;
   if (idleBytes <= bytes && !tooMany) return false;
@@ -156,7 +157,7 @@ bool BlasCache::evictDownTo(size_t bytes) {
     if (idleBytes <= bytes && (!tooMany || left <= kMostIdle / 2)) break;
     --left;
     const auto entry = entries_.find(key);
-    idleBytes -= sizeOf(entry->second);
+    idleBytes -= sizeOf(entry->second.blas);
     entries_.erase(entry);
   }
   return true;

@@ -193,6 +193,21 @@ TEST_F(WorldTest, IdleStructuresAreEvictedBeyondTheBudget) {
   EXPECT_GT(world.bytes(), 0u);
 }
 
+// A frame of two batches: at each the other's structure is idle.
+TEST_F(WorldTest, StructuresUsedAMomentAgoAreKeptWhileThereIsMemory) {
+  const auto first = makeSnapshot({makeMesh(squareData(0))}),
+             second = makeSnapshot({makeMesh(squareData(1))});
+  const auto buildsOfTwoFrames = [&](FreeMemory memory) {
+    World tight(1, memory);
+    uint64_t builds = 0;
+    for (const auto& snapshot : {first, second, first, second})
+      builds += tight.update(snapshot, arena).blasBuilds;
+    return builds;
+  };
+  EXPECT_EQ(buildsOfTwoFrames([] { return size_t{64} << 30; }), 2u);
+  EXPECT_EQ(buildsOfTwoFrames([] { return size_t{0}; }), 4u);
+}
+
 TEST_F(WorldTest, FilterSeesThroughCoincidentTriangles) {
   struct Reject : HitFilter {
     uint32_t primitive;
