@@ -35,20 +35,13 @@ bool isHeldBack(const Context& c, GLenum target) {
   return !c.direct() && (target == GL_ARRAY_BUFFER || target == GL_ELEMENT_ARRAY_BUFFER);
 }
 
-std::shared_ptr<Buffer> named(Context& c, GLuint name) {
-  if (name == 0) return nullptr;
-  auto buffer = c.group().buffers.find(name);
-  if (!buffer) c.group().buffers.put(name, buffer = std::make_shared<Buffer>(name));
-  return buffer;
-}
-
 /// The buffer bound to `target`, null where there is none (the real OpenGL then says what is wrong).
 std::shared_ptr<Buffer> bound(Context& c, GLenum target) {
   const GLenum query = bindingOf(target);
   if (!query) return nullptr;
   GLint name = 0;
   c.real.GetIntegerv(query, &name);
-  return named(c, static_cast<GLuint>(name));
+  return bufferNamed(c.group(), static_cast<GLuint>(name));
 }
 
 bool isRange(const Buffer& buffer, GLintptr offset, GLsizeiptr size) {
@@ -70,14 +63,15 @@ bool isUsage(GLenum usage) { return usage >= GL_STREAM_DRAW && usage <= GL_DYNAM
 
 void bindBuffer(Context& c, GLenum target, GLuint name) {
   c.real.BindBuffer(target, name);
-  if (const auto buffer = named(c, name); buffer && !isHeldBack(c, target)) buffer->sendTo(c.real);
+  if (const auto buffer = bufferNamed(c.group(), name); buffer && !isHeldBack(c, target))
+    buffer->sendTo(c.real);
   if (target == GL_ELEMENT_ARRAY_BUFFER) c.touch(kArrays);
 }
 
 namespace {
 /// Buffers at indexed targets may be written by shaders.
 void markForeign(Context& c, GLuint name) {
-  if (const auto buffer = named(c, name)) {
+  if (const auto buffer = bufferNamed(c.group(), name)) {
     buffer->sendTo(c.real);
     buffer->foreign = true;
     c.touch(kArrays);

@@ -4,6 +4,8 @@
 
 #include <GL/gl.h>
 
+#include <cstdint>
+
 namespace gluray::gl {
 
 /// Which vertices a draw takes: `count` from `first`, or `count` indices of `type` at `indices`.
@@ -15,6 +17,8 @@ struct Elements {
   GLint base = 0;                 // added to each index
   GLsizei instances = -1;         // -1: not an instanced draw
   GLuint baseInstance = 0;
+  /// How often it is made.
+  uint32_t repeats() const { return instances < 0 ? 1 : static_cast<uint32_t>(instances); }
 };
 
 /// The draw by the real OpenGL.

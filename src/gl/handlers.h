@@ -24,7 +24,7 @@ void rectdv(Context& c, const GLdouble* v1, const GLdouble* v2);
 void rectiv(Context& c, const GLint* v1, const GLint* v2);
 void rectsv(Context& c, const GLshort* v1, const GLshort* v2);
 
-// vertex arrays (draw_handlers.cpp)
+// vertex arrays (array_draws.cpp)
 void drawArrays(Context& c, GLenum mode, GLint first, GLsizei count);
 void drawElements(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices);
 void drawRangeElements(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type,

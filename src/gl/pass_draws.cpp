@@ -3,6 +3,7 @@
 #include "gl/context.h"
 #include "gl/programs/uniforms.h"
 #include "gl/state_queries.h"
+#include "gl/texture_image.h"
 
 #include <GL/glext.h>
 
@@ -56,19 +57,12 @@ bool isSoftware(const RealGl& real) {
 /// Whether the texture bound to the active unit is one level of RGBA8 of that size, whose texels at pixel
 /// centres are read as they are.
 bool isPlainInput(const RealGl& real, glm::ivec2 size) {
-  const auto level = [&](GLenum name) {
-    GLint value = 0;
-    real.GetTexLevelParameteriv(GL_TEXTURE_2D, 0, name, &value);
-    return value;
-  };
   const auto parameter = [&](GLenum name) {
     GLint value = 0;
     real.GetTexParameteriv(GL_TEXTURE_2D, name, &value);
     return value;
   };
-  const GLint filter = parameter(GL_TEXTURE_MIN_FILTER);
-  return level(GL_TEXTURE_WIDTH) == size.x && level(GL_TEXTURE_HEIGHT) == size.y &&
-         level(GL_TEXTURE_INTERNAL_FORMAT) == GL_RGBA8 && filter == GL_LINEAR &&
+  return isRgba8(real, size) && parameter(GL_TEXTURE_MIN_FILTER) == GL_LINEAR &&
          parameter(GL_TEXTURE_MAG_FILTER) == GL_LINEAR && parameter(GL_TEXTURE_WRAP_S) == GL_CLAMP_TO_EDGE &&
          parameter(GL_TEXTURE_WRAP_T) == GL_CLAMP_TO_EDGE && parameter(GL_TEXTURE_BASE_LEVEL) == 0;
 }

@@ -121,7 +121,7 @@ Reason Context::triageInstances(const Elements& elements) const {
   const InstanceReaders readers(real, attributes);
   const bool mayBeTranslucent = readers.color.enabled() && attributes.instanceColor.size == 4 &&
                                 state.raster.unlessOpaque != Reason::traced;
-  for (uint32_t i = 0; i < static_cast<uint32_t>(std::max(elements.instances, 1)); ++i) {
+  for (uint32_t i = 0; i < elements.repeats(); ++i) {
     float color[4] = {0, 0, 0, 1};
     if (mayBeTranslucent && readOfInstance(readers.color, elements, i, color) && color[3] < 1)
       return state.raster.unlessOpaque;
@@ -189,7 +189,7 @@ glm::dvec3 Context::reachOfInstances(const scene::Mesh& mesh, const Elements& el
   const InstanceReaders readers(real, attributes);
   const glm::dvec3 own = reachOf(mesh);
   glm::dvec3 reach(0);
-  for (uint32_t i = 0; i < static_cast<uint32_t>(std::max(elements.instances, 1)); ++i) {
+  for (uint32_t i = 0; i < elements.repeats(); ++i) {
     const glm::dmat4 m(readers.matrix(elements, i).value_or(glm::mat4(1)));
     glm::dvec3 here = glm::abs(glm::dvec3(m[3]));
     for (int c = 0; c < 3; ++c) here += glm::abs(glm::dvec3(m[c])) * own[c];
@@ -235,7 +235,7 @@ void Context::addProgramInstances(const scene::MeshPtr& mesh, GLenum mode, const
 void Context::addInstancesOf(const scene::Instance& one, const scene::Shading& shading,
                              const Elements& elements) {
   const InstanceReaders readers(real, attributes);
-  for (uint32_t i = 0; i < static_cast<uint32_t>(std::max(elements.instances, 1)); ++i) {
+  for (uint32_t i = 0; i < elements.repeats(); ++i) {
     const auto own = readers.matrix(elements, i);
     if (!own || glm::mat3(*own) == glm::mat3(0)) continue;  // nothing is seen of a point
     scene::Instance instance = one;

@@ -6,11 +6,15 @@
 #include "scene/texture.h"
 
 #include <GL/gl.h>
+#include <glm/glm.hpp>
 
 #include <compare>
 #include <memory>
 
 namespace gluray::gl {
+
+/// Whether level 0 of the texture bound to GL_TEXTURE_2D of the active unit is RGBA8 of that size.
+bool isRgba8(const RealGl& real, glm::ivec2 size);
 
 /// What of a bound texture is sampled.
 struct ImageRange {

@@ -7,148 +7,11 @@
 #define GLURAY_RENDER_FRAGMENT_PROGRAM_INL_H_
 #endif
 
-#include "render/fragment.inl.h"
-#include "render/frame_data.h"
-
-#include <algorithm>
+#include "render/fragment_inputs.inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
-
-HWY_INLINE Float3 cross(const Float3& a, const Float3& b) {
-  return {hn::NegMulAdd(a.z, b.y, hn::Mul(a.y, b.z)), hn::NegMulAdd(a.x, b.z, hn::Mul(a.z, b.x)),
-          hn::NegMulAdd(a.y, b.x, hn::Mul(a.x, b.y))};
-}
-HWY_INLINE Float3 times(const Float3& a, const Float3& b) {
-  return {hn::Mul(a.x, b.x), hn::Mul(a.y, b.y), hn::Mul(a.z, b.z)};
-}
-/// a where the mask is set, otherwise -a.
-HWY_INLINE Float3 signedBy(hn::Mask<FloatTag> keep, const Float3& a) {
-  const Float s = hn::IfThenElse(keep, splat(1), splat(-1));
-  return scaled(a, s);
-}
-
-/// The lanes of a vector that begins at lane i, from bits.
-HWY_INLINE hn::Mask<FloatTag> lanesAt(uint32_t lanes, int i) {
-  uint8_t bits[8] = {static_cast<uint8_t>(lanes >> i), static_cast<uint8_t>(lanes >> i >> 8)};
-  return hn::LoadMaskBits(FloatTag(), bits);
-}
-
-/// What a fragment program starts from, for one vector of lanes.
-struct Fragment {
-  Float3 position;  // the program's eye space
-  Float3 toViewer;  // unit length
-  Float3 normal;    // unit length, turned to the side that is lit
-  Float3 color;     // what the material's colours are multiplied by
-  Float edge;       // how much of the edges' colour is seen, 0 .. 1; only where edges are painted
-};
-
-/// Colour and alpha of the lanes that a texture, the vertices or an array by triangle gives; ones where the
-/// material's colour stands alone.
-HWY_ATTR inline void loadBaseColor(const Surface& s, const Group& group, Row (&out)[4]) {
-  using Color = scene::FragmentShading::Color;
-  const scene::FragmentShading& f = s.lighting->shading->fragment;
-  fillRows<4>(glm::vec4(1), out);
-  if (f.color == Color::perTriangle) {
-    for (int i = 0; i < kLanes; ++i) {
-      const glm::vec4 c =
-          scene::fetch(s.instance->triangleColors, s.instance->triangleOffset + group.primitive[i]);
-      for (int k = 0; k < 4; ++k) out[k][i] = c[k];
-    }
-  } else if (f.color == Color::vertices && !s.colorsVary) {
-    fillRows<4>(s.instance->color, out);
-  } else if (f.color == Color::vertices) {
-    alignas(64) Row corner[3][4];
-    for (int k = 0; k < 3; ++k) loadVec4(s.mesh->colors, group.vertex[k], corner[k]);
-    for (int i = 0; i < kLanes; i += lanesOfVector()) {
-      const Weights weights(group, i);
-      for (int c = 0; c < 4; ++c)
-        store(weights(load(corner[0][c] + i), load(corner[1][c] + i), load(corner[2][c] + i)), out[c] + i);
-    }
-  }
-}
-
-HWY_INLINE glm::vec4 unpack(uint32_t texel) {
-  return glm::vec4(texel & 255, texel >> 8 & 255, texel >> 16 & 255, texel >> 24) * (1.0f / 255.0f);
-}
-
-/// Looks colour maps up: clamped to the edge, one level, nearest or linear.
-HWY_ATTR inline void lookUpMap(const Surface& s, const Group& group, Row (&out)[4]) {
-  const scene::Texture& map = s.lighting->shading->fragment.map.front();
-  const scene::TextureImage& image = *map.image;
-  alignas(64) Row at[2];
-  alignas(64) Row corner[3][4];
-  for (int k = 0; k < 3; ++k) {
-    if (s.mesh->texcoords)
-      loadVec4(s.mesh->texcoords, group.vertex[k], corner[k]);
-    else
-      fillRows<4>(s.instance->texcoord, corner[k]);
-  }
-  const Float size[2] = {splat(static_cast<float>(image.width)), splat(static_cast<float>(image.height))};
-  for (int i = 0; i < kLanes; i += lanesOfVector()) {
-    const Weights weights(group, i);
-    for (int c = 0; c < 2; ++c) {
-      const Float t = weights(load(corner[0][c] + i), load(corner[1][c] + i), load(corner[2][c] + i));
-      store(hn::Mul(t, size[c]), at[c] + i);
-    }
-  }
-  const auto texel = [&](int x, int y) {
-    const size_t i =
-        static_cast<size_t>(std::clamp(y, 0, image.height - 1)) * static_cast<size_t>(image.width) +
-        static_cast<size_t>(std::clamp(x, 0, image.width - 1));
-    return image.texels.empty() ? image.floats[i] : unpack(image.texels[i]);
-  };
-  const float mostX = static_cast<float>(image.width), mostY = static_cast<float>(image.height);
-  for (int i = 0; i < kLanes; ++i) {
-    // Comparisons that fail for NaN leave 0.
-    const float x = at[0][i] > 0 ? std::min(at[0][i], mostX) : 0,
-                y = at[1][i] > 0 ? std::min(at[1][i], mostY) : 0;
-    glm::vec4 color;
-    if (map.magFilter == scene::Filter::nearest) {
-      color = texel(static_cast<int>(x), static_cast<int>(y));
-    } else {
-      const float fx = std::floor(x - 0.5f), fy = std::floor(y - 0.5f), wx = x - 0.5f - fx,
-                  wy = y - 0.5f - fy;
-      const int x0 = static_cast<int>(fx), y0 = static_cast<int>(fy);
-      color = glm::mix(glm::mix(texel(x0, y0), texel(x0 + 1, y0), wx),
-                       glm::mix(texel(x0, y0 + 1), texel(x0 + 1, y0 + 1), wx), wy);
-    }
-    for (int k = 0; k < 4; ++k) out[k][i] = color[k];
-  }
-}
-
-HWY_INLINE Float3 pointIn(const Surface& s, const Group& group, int k, int i) {
-  return transformPoint(s.instance->lightingFromObject, load3(group.position[k], i));
-}
-
-/// Normals that vertices or an array by triangle give, object space.
-HWY_ATTR inline void loadNormals(const Surface& s, const Group& group, Row (&out)[3]) {
-  if (s.lighting->shading->fragment.normals == scene::FragmentShading::Normals::perTriangle) {
-    for (int i = 0; i < kLanes; ++i) {
-      const glm::vec4 n =
-          scene::fetch(s.instance->triangleNormals, s.instance->triangleOffset + group.primitive[i]);
-      for (int k = 0; k < 3; ++k) out[k][i] = n[k];
-    }
-    return;
-  }
-  if (!s.mesh->normals) return fillRows<3>(s.instance->normal, out);
-  alignas(64) Row corner[3][3];
-  for (int k = 0; k < 3; ++k) loadVec3(s.mesh->normals, s.mesh->vertexCount, group.vertex[k], corner[k]);
-  for (int i = 0; i < kLanes; i += lanesOfVector()) {
-    const Weights weights(group, i);
-    for (int c = 0; c < 3; ++c)
-      store(weights(load(corner[0][c] + i), load(corner[1][c] + i), load(corner[2][c] + i)), out[c] + i);
-  }
-}
-
-/// The triangle's own normal, towards the viewer.
-HWY_INLINE Float3 triangleNormal(const Surface& s, const Group& group, int i, const Float3& p) {
-  const Float3 a = pointIn(s, group, 0, i);
-  const Float3 n = unit(cross(sub(pointIn(s, group, 1, i), a), sub(pointIn(s, group, 2, i), a)));
-  if (s.lighting->shading->fragment.parallelView) return signedBy(hn::Ge(n.z, splat(0)), n);
-  return signedBy(hn::Le(dot(n, p), splat(0)), n);
-}
 
 /// Direction from light to surface, and what distance and cone leave of it.
 HWY_INLINE Incoming arriving(const scene::FragmentLight& light, float coneCosine, const Float3& p) {
@@ -186,35 +49,6 @@ HWY_INLINE void paintEdge(const scene::FragmentShading& f, const Fragment& at, F
   const Float rest = hn::Sub(splat(1), at.edge);
   diffuse = scaled(diffuse, rest);
   ambient = add(scaled(ambient, rest), scaled(splat(f.edgeColor), at.edge));
-}
-
-/// Distances in pixels from window positions x, y to the painted edges of their triangles, as shares of
-/// colour.
-HWY_ATTR inline void edgeShares(const FrameData& frame, const Surface& s, const Group& group, const float* x,
-                                const float* y, Row& out) {
-  const scene::FragmentShading& f = s.lighting->shading->fragment;
-  const glm::ivec4& view = frame.snapshot->camera.viewport;
-  const glm::dvec2 scale(view.z * 0.5, view.w * 0.5), centre(view.x + scale.x, view.y + scale.y);
-  for (int i = 0; i < kLanes; ++i) {
-    const auto flags = static_cast<uint32_t>(
-        s.instance->triangleEdges.data[s.instance->triangleOffset + group.primitive[i]]);
-    glm::dvec2 corner[3];
-    bool before = true;  // the viewer, all corners
-    for (int k = 0; k < 3; ++k) {
-      const glm::dvec4 clip = s.clipFromObject * glm::dvec4(group.position[k][0][i], group.position[k][1][i],
-                                                            group.position[k][2][i], 1);
-      before = before && clip.w > 0;
-      corner[k] = centre + scale * glm::dvec2(clip) / clip.w;
-    }
-    double nearest = 1e9;
-    for (int k = 0; k < 3 && before; ++k) {
-      if (!(flags >> k & 1)) continue;
-      const glm::dvec2 along = corner[(k + 1) % 3] - corner[k], to = glm::dvec2(x[i], y[i]) - corner[k];
-      const double length = glm::length(along);
-      if (length > 0) nearest = std::min(nearest, std::abs(along.x * to.y - along.y * to.x) / length);
-    }
-    out[i] = static_cast<float>(std::clamp(0.5 + 0.5 * f.edgeWidth - nearest, 0.0, 1.0));
-  }
 }
 
 HWY_INLINE Float3 phong(const Surface& s, const scene::Material& m, const Fragment& at) {

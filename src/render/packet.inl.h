@@ -48,8 +48,7 @@ using IndexTag = hn::Rebind<uint32_t, FloatTag>;
 
 // The lanes of a vector that begins at lane i, from bits.
 HWY_INLINE hn::Mask<IndexTag> maskAt(uint32_t lanes, int i) {
-  uint8_t bits[8] = {static_cast<uint8_t>(lanes >> i), static_cast<uint8_t>(lanes >> i >> 8)};
-  return hn::LoadMaskBits(IndexTag(), bits);
+  return hn::RebindMask(IndexTag(), lanesAt(lanes, i));
 }
 HWY_INLINE uint32_t bitsAt(hn::Mask<IndexTag> mask, int i) {
   uint8_t bits[8] = {};

@@ -1,7 +1,6 @@
 #include "gl/programs/program_draw.h"
 
 #include "gl/arrays.h"
-#include "gl/programs/samplers.h"
 #include "gl/state_queries.h"
 
 namespace gluray::gl {
@@ -45,13 +44,12 @@ ProgramDraw captureProgramDraw(const RealGl& real, const Program& program, const
   for (const auto& [name, uniform] : program.uniforms) {
     const SamplerTarget target = samplerTarget(uniform.type);
     if (!target.binding) continue;
-    GLint unit = 0;
-    real.GetUniformiv(program.name, uniform.location, &unit);
+    const GLint unit = (*uniforms)[uniform.first].integers[0];
     real.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     GLint buffer = 0;
     if (target.target == GL_TEXTURE_BUFFER)
       real.GetTexLevelParameteriv(GL_TEXTURE_BUFFER, 0, GL_TEXTURE_BUFFER_DATA_STORE_BINDING, &buffer);
-    draw.textures.push_back({static_cast<GLuint>(unit), target.target,
+    draw.textures.push_back({static_cast<GLuint>(unit), target,
                              static_cast<GLuint>(integer(real, target.binding)),
                              static_cast<GLuint>(buffer)});
   }

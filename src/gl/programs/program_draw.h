@@ -4,6 +4,7 @@
 #include "gl/buffer.h"
 #include "gl/elements.h"
 #include "gl/programs/program.h"
+#include "gl/programs/samplers.h"
 #include "gl/programs/uniform_blocks.h"
 #include "gl/programs/uniforms.h"
 
@@ -28,7 +29,7 @@ struct ProgramDraw {
   };
   struct BoundTexture {
     GLuint unit = 0;
-    GLenum target = 0;
+    SamplerTarget target;
     GLuint name = 0;
     GLuint buffer = 0;  // of buffer textures: where their texels are
   };

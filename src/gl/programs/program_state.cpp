@@ -1,5 +1,6 @@
 #include "gl/programs/program_state.h"
 
+#include "gl/programs/program_lights.h"
 #include "gl/share_group.h"
 #include "gl/state_queries.h"
 #include "gl/texture.h"
@@ -11,12 +12,6 @@
 
 namespace gluray::gl {
 namespace {
-
-std::string numbered(const std::string& pattern, int number) {
-  const size_t at = pattern.find("{}");
-  if (at == std::string::npos) return pattern;
-  return pattern.substr(0, at) + std::to_string(number) + pattern.substr(at + 2);
-}
 
 /// Reads one program with the words of its family.
 class ProgramReader {
@@ -39,7 +34,7 @@ class ProgramReader {
     out_.shading.fragment.backMaterial = uniforms_.has(family_.backMaterial.diffuseColor.uniform);
     if (out_.shading.fragment.backMaterial) readMaterial(family_.backMaterial, out_.material.back);
     readModel();
-    readLights();
+    out_.shading.fragment.lights = readLights(family_.lights, uniforms_, glm::vec3(viewer_));
     readClipPlanes();
     readDepthOffset();
     if (const Reason reason = readNormals(); reason != Reason::traced) return reason;
@@ -98,44 +93,6 @@ class ProgramReader {
     f.pbr.baseF0 = uniforms_.number(family_.pbr.baseF0, 0.04f);
     f.pbr.edgeTint = glm::vec3(uniforms_.value(family_.pbr.edgeTint, glm::vec4(1)));
     f.pbr.emissive = glm::vec3(uniforms_.value(family_.pbr.emissive, glm::vec4(0)));
-  }
-
-  void readLights() {
-    const FamilyLights& names = family_.lights;
-    auto& lights = out_.shading.fragment.lights;
-    lights.clear();
-    const std::string& sign = !names.color.empty()       ? names.color
-                              : !names.direction.empty() ? names.direction
-                                                         : names.position;
-    const bool many = sign.find("{}") != std::string::npos;
-    constexpr int kMostLights = 64;
-    int most = many ? kMostLights : 1;
-    if (uniforms_.has(names.count)) most = std::min(most, uniforms_.integer(names.count));
-    for (int i = 0; i < most && uniforms_.has(numbered(sign, i)); ++i) lights.push_back(readLight(i));
-  }
-
-  scene::FragmentLight readLight(int i) {
-    const FamilyLights& names = family_.lights;
-    const auto vector = [&](const std::string& name) {
-      return glm::vec3(uniforms_.vector(numbered(name, i)));
-    };
-    const auto has = [&](const std::string& name) { return uniforms_.has(numbered(name, i)); };
-    scene::FragmentLight light;
-    if (!names.color.empty()) light.color = vector(names.color);
-    if (has(names.direction)) {
-      const glm::vec3 direction = vector(names.direction) * (names.towardsLight ? -1.0f : 1.0f);
-      light.kind = scene::FragmentLight::directional;
-      if (direction != glm::vec3(0)) light.direction = glm::normalize(direction);
-    }
-    const bool positional = names.positional.empty() ? has(names.position)
-                                                     : uniforms_.integer(numbered(names.positional, i)) != 0;
-    if (!positional) return light;
-    light.kind = scene::FragmentLight::positional;
-    light.position = vector(names.position) - glm::vec3(viewer_);
-    if (has(names.attenuation)) light.attenuation = vector(names.attenuation);
-    if (has(names.coneAngle)) light.coneAngle = uniforms_.number(numbered(names.coneAngle, i));
-    if (has(names.exponent)) light.exponent = uniforms_.number(numbered(names.exponent, i));
-    return light;
   }
 
   void readClipPlanes() {
@@ -217,14 +174,12 @@ class ProgramReader {
       return Reason::traced;
     }
     // The material's own colours give way; its intensities stay.
-    const auto replace = [&](const FamilyMaterial& m, scene::Material& material) {
-      material.diffuse =
-          glm::vec4(glm::vec3(uniforms_.value(m.diffuseIntensity, glm::vec4(1))), material.diffuse.a);
-      if (!family_.colorIsDiffuseOnly)
-        material.ambient =
-            uniforms_.value(m.ambientIntensity, glm::vec4(m.ambientColor.given() ? 1.0f : 0.0f));
-    };
-    replace(family_.material, out_.material.front);
+    const FamilyMaterial& m = family_.material;
+    scene::Material& material = out_.material.front;
+    material.diffuse =
+        glm::vec4(glm::vec3(uniforms_.value(m.diffuseIntensity, glm::vec4(1))), material.diffuse.a);
+    if (!family_.colorIsDiffuseOnly)
+      material.ambient = uniforms_.value(m.ambientIntensity, glm::vec4(m.ambientColor.given() ? 1.0f : 0.0f));
     if (f.backMaterial)
       f.backMaterial = false, reason = Reason::program;  // their colours are mixed otherwise
     out_.material.back = out_.material.front;
@@ -341,108 +296,6 @@ void readProgram(const RealGl& real, ShareGroup& group, const RareState& has, Te
   state.uniforms = readUniforms(real, state.known->program);
   state.reason = ProgramReader(real, group, has, textures, state).read();
   if (state.reason == Reason::traced && !isSane(state)) state.reason = Reason::singularMatrix;
-}
-
-namespace {
-
-ArraySource readGeneric(const RealGl& real, ShareGroup& group, GLint location) {
-  ArraySource source;
-  source.location = location;
-  source.symmetric = true;
-  const auto index = static_cast<GLuint>(location);
-  const auto ask = [&](GLenum name) {
-    GLint value = 0;
-    real.GetVertexAttribiv(index, name, &value);
-    return value;
-  };
-  source.enabled = location >= 0 && ask(GL_VERTEX_ATTRIB_ARRAY_ENABLED) != 0;
-  if (!source.enabled) return source;
-  source.size = ask(GL_VERTEX_ATTRIB_ARRAY_SIZE);
-  source.type = static_cast<GLenum>(ask(GL_VERTEX_ATTRIB_ARRAY_TYPE));
-  source.normalized = ask(GL_VERTEX_ATTRIB_ARRAY_NORMALIZED) != 0;
-  source.stride = ask(GL_VERTEX_ATTRIB_ARRAY_STRIDE);
-  if (source.stride == 0) source.stride = static_cast<GLsizei>(sizeOfType(source.type)) * source.size;
-  void* pointer = nullptr;
-  real.GetVertexAttribPointerv(index, GL_VERTEX_ATTRIB_ARRAY_POINTER, &pointer);
-  source.pointer = static_cast<const std::byte*>(pointer);
-  source.buffer = bufferNamed(group, static_cast<GLuint>(ask(GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING)));
-  if (isPresent(real.VertexAttribDivisor))
-    source.divisor = static_cast<GLuint>(ask(GL_VERTEX_ATTRIB_ARRAY_DIVISOR));
-  return source;
-}
-
-/// The array of a generic attribute. Since OpenGL 4.3 format and place are apart, and what tells the place is
-/// the binding, whichever way it was set.
-ArraySource readPlaced(const RealGl& real, ShareGroup& group, GLint location) {
-  ArraySource source = readGeneric(real, group, location);
-  if (!source.enabled || !isPresent(real.BindVertexBuffer)) return source;
-  GLint binding = 0, relative = 0, stride = 0, buffer = 0;
-  GLint64 offset = 0;
-  const auto index = static_cast<GLuint>(location);
-  real.GetVertexAttribiv(index, GL_VERTEX_ATTRIB_BINDING, &binding);
-  real.GetVertexAttribiv(index, GL_VERTEX_ATTRIB_RELATIVE_OFFSET, &relative);
-  const auto slot = static_cast<GLuint>(binding);
-  real.GetIntegeri_v(GL_VERTEX_BINDING_STRIDE, slot, &stride);
-  real.GetIntegeri_v(GL_VERTEX_BINDING_BUFFER, slot, &buffer);
-  real.GetInteger64i_v(GL_VERTEX_BINDING_OFFSET, slot, &offset);
-  if (buffer == 0) return source;  // the program's own memory
-  source.stride = stride;
-  source.pointer = reinterpret_cast<const std::byte*>(static_cast<size_t>(offset + relative));
-  source.buffer = bufferNamed(group, static_cast<GLuint>(buffer));
-  return source;
-}
-
-}  // namespace
-
-void readAttributes(const RealGl& real, ShareGroup& group, const KnownProgram* program, ArrayState& arrays) {
-  arrays = {};
-  arrays.elements = bufferNamed(group, static_cast<GLuint>(integer(real, GL_ELEMENT_ARRAY_BUFFER_BINDING)));
-  const Family* family = program ? program->family.get() : nullptr;
-  std::vector<GLint> named;
-  bool plain = true;
-  const auto take = [&](const std::string& name, ArraySource& source) {
-    const ProgramAttribute* a = name.empty() || !family ? nullptr : program->program.attribute(name);
-    if (!a || a->location < 0) return;
-    source = readPlaced(real, group, a->location);
-    named.push_back(a->location);
-    plain = plain && isReadable(source) && source.divisor == 0;
-  };
-  if (family) {
-    take(family->position, arrays.vertex);
-    take(family->normal, arrays.normal);
-    take(family->color, arrays.color);
-    take(family->texcoord, arrays.texcoord);
-  }
-  const GLint most = integer(real, GL_MAX_VERTEX_ATTRIBS);
-  for (GLint i = 0; i < most; ++i) {
-    if (std::find(named.begin(), named.end(), i) != named.end()) continue;
-    ArraySource source = readPlaced(real, group, i);
-    if (source.enabled) arrays.generic.push_back(std::move(source));
-  }
-  const auto ofInstances = [&](const std::string& name, int columns, std::vector<ArraySource>& sources) {
-    const ProgramAttribute* a = name.empty() || !family ? nullptr : program->program.attribute(name);
-    for (int i = 0; a && i < columns; ++i) {
-      const auto found = std::find_if(arrays.generic.begin(), arrays.generic.end(),
-                                      [&](const ArraySource& s) { return s.location == a->location + i; });
-      const bool fine = found != arrays.generic.end() && isReadable(*found) && found->divisor > 0;
-      plain = plain && fine;
-      if (fine) sources.push_back(*found);
-    }
-  };
-  if (family) {
-    std::vector<ArraySource> color;
-    ofInstances(family->instanceTransform, 4, arrays.instanceTransform);
-    ofInstances(family->instanceNormal, 3, arrays.instanceNormal);
-    ofInstances(family->instanceColor, 1, color);
-    if (!color.empty()) arrays.instanceColor = color.front();
-  }
-  // Memory of the program's own may change before the draw is made.
-  const auto keep = [&](const ArraySource& s) { plain = plain && (!s.enabled || s.buffer); };
-  arrays.forEach(keep);
-  for (const ArraySource& source : arrays.generic) keep(source);
-  if (!plain || !arrays.vertex.enabled || restartsPrimitives(real) ||
-      (arrays.elements && arrays.elements->foreign))
-    arrays.reason = Reason::arrayState;
 }
 
 }  // namespace gluray::gl

@@ -81,15 +81,15 @@ class KeptTextures {
     for (const ProgramDraw::BoundTexture& wanted : draw.textures) {
       GLint now = 0;
       real.ActiveTexture(GL_TEXTURE0 + wanted.unit);
-      real.GetIntegerv(bindingOf(wanted.target), &now);
+      real.GetIntegerv(wanted.target.binding, &now);
       was_.push_back({wanted.unit, wanted.target, static_cast<GLuint>(now)});
-      real.BindTexture(wanted.target, wanted.name);
+      real.BindTexture(wanted.target.target, wanted.name);
     }
   }
   ~KeptTextures() {
     for (auto t = was_.rbegin(); t != was_.rend(); ++t) {
       real_.ActiveTexture(GL_TEXTURE0 + t->unit);
-      real_.BindTexture(t->target, t->name);
+      real_.BindTexture(t->target.target, t->name);
     }
     real_.ActiveTexture(static_cast<GLenum>(active_));
   }
@@ -97,19 +97,6 @@ class KeptTextures {
   KeptTextures& operator=(const KeptTextures&) = delete;
 
  private:
-  static GLenum bindingOf(GLenum target) {
-    switch (target) {
-      case GL_TEXTURE_1D: return GL_TEXTURE_BINDING_1D;
-      case GL_TEXTURE_3D: return GL_TEXTURE_BINDING_3D;
-      case GL_TEXTURE_CUBE_MAP: return GL_TEXTURE_BINDING_CUBE_MAP;
-      case GL_TEXTURE_RECTANGLE: return GL_TEXTURE_BINDING_RECTANGLE;
-      case GL_TEXTURE_1D_ARRAY: return GL_TEXTURE_BINDING_1D_ARRAY;
-      case GL_TEXTURE_2D_ARRAY: return GL_TEXTURE_BINDING_2D_ARRAY;
-      case GL_TEXTURE_BUFFER: return GL_TEXTURE_BINDING_BUFFER;
-      case GL_TEXTURE_2D_MULTISAMPLE: return GL_TEXTURE_BINDING_2D_MULTISAMPLE;
-      default: return GL_TEXTURE_BINDING_2D;
-    }
-  }
   const RealGl& real_;
   GLint active_ = GL_TEXTURE0;
   std::vector<ProgramDraw::BoundTexture> was_;
@@ -208,15 +195,8 @@ void replayProgramDraws(const RealGl& real, const Features& features, const scen
   real.GetIntegerv(GL_CULL_FACE_MODE, &cullFace);
   {
     StateGuard guard(real, features);
-    guard.openFragmentPath();
-    guard.depthTest(depthFunc);
-    guard.depthRange(snapshot.camera.depthNear, snapshot.camera.depthFar);
-    const glm::ivec4& v = snapshot.camera.viewport;
-    guard.viewport(v.x, v.y, v.z, v.w);
-    const scene::Region& r = snapshot.region;
-    guard.scissor(r.x, r.y, r.width, r.height);
+    guard.drawInto(snapshot, depthFunc);
     guard.capability(GL_POLYGON_OFFSET_FILL, false);
-    if (features.multisample) guard.capability(GL_MULTISAMPLE, snapshot.samples > 1);
     for (const ProgramDraw& draw : draws) {
       StateGuard own(real, features);
       own.program(draw.program);

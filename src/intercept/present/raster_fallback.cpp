@@ -100,15 +100,8 @@ bool drawWithFixedFunction(const gl::RealGl& real, const Features& features, con
   if (!features.compatibility || !attribStackHasRoom(real)) return false;
   StateGuard guard(real, features);
   guard.plainUnpack();
-  guard.openFragmentPath();
+  guard.drawInto(snapshot, depthFunc);
   guard.lastVertexProvokes();
-  guard.depthTest(depthFunc);
-  guard.depthRange(snapshot.camera.depthNear, snapshot.camera.depthFar);
-  const glm::ivec4& v = snapshot.camera.viewport;
-  guard.viewport(v.x, v.y, v.z, v.w);
-  const scene::Region& r = snapshot.region;
-  guard.scissor(r.x, r.y, r.width, r.height);
-  if (features.multisample) guard.capability(GL_MULTISAMPLE, snapshot.samples > 1);
   if (features.version >= 20) guard.program(0);
   if (features.version >= 13) guard.activeTexture(GL_TEXTURE0);
   for (int unit = scene::kTextureUnits - 1; unit >= 0 && features.samplerObjects; --unit)

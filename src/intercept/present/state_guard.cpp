@@ -145,6 +145,17 @@ void StateGuard::onlySample(int sample) {
   real_.SampleMaski(0, 1u << sample);
 }
 
+void StateGuard::drawInto(const scene::Snapshot& snapshot, GLenum func) {
+  openFragmentPath();
+  depthTest(func);
+  depthRange(snapshot.camera.depthNear, snapshot.camera.depthFar);
+  const glm::ivec4& v = snapshot.camera.viewport;
+  viewport(v.x, v.y, v.z, v.w);
+  const scene::Region& r = snapshot.region;
+  scissor(r.x, r.y, r.width, r.height);
+  if (features_.multisample) capability(GL_MULTISAMPLE, snapshot.samples > 1);
+}
+
 void StateGuard::depthTest(GLenum func) {
   capability(GL_DEPTH_TEST, true);
   const GLint was = integer(GL_DEPTH_FUNC);

@@ -3,6 +3,7 @@
 // context current, outside glBegin/glEnd and outside list compilation.
 #pragma once
 #include "intercept/present/features.h"
+#include "scene/snapshot.h"
 
 #include <array>
 #include <vector>
@@ -33,6 +34,9 @@ class StateGuard {
   /// off, masks are open. Depth test, viewport and scissor are the caller's to set. sRGB encoding and
   /// dithering stay as the program has them.
   void openFragmentPath();
+  /// The open path into the region of a snapshot: its viewport, depth range and multisampling, depth test
+  /// `func`.
+  void drawInto(const scene::Snapshot& snapshot, GLenum func);
   void depthTest(GLenum func);  // test on, writes on
   void depthRange(double zNear, double zFar);
   void viewport(int x, int y, int width, int height);

@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "base/log.h"
+#include "gl/texture_image.h"
 #include "intercept/present/raster_fallback.h"
 
 #include <exception>
@@ -52,13 +53,18 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
     result.why = why.empty() ? "the picture could not be written back" : std::move(why);
     const PendingErrors more = takeErrors(real);
     pending.insert(pending.end(), more.begin(), more.end());
-    if (drawByRealGl(real, readFeatures(real), snapshot, target)) result.outcome = PresentResult::rasterised;
+    if (drawByRealGl(real, features(real), snapshot, target)) result.outcome = PresentResult::rasterised;
     takeErrors(real);
   }
   if (!pending.empty()) result.pendingError = pending.front();
   result.presentSeconds = nowSeconds() - start;
   if (result.outcome == PresentResult::traced && onWritten_) onWritten_(real, image_);
   return result;
+}
+
+const Features& TracingPresenter::features(const gl::RealGl& real) {
+  if (!features_) features_ = readFeatures(real);
+  return *features_;
 }
 
 bool TracingPresenter::written(const gl::PresentTarget& target, PendingErrors& pending,
@@ -71,27 +77,13 @@ bool TracingPresenter::written(const gl::PresentTarget& target, PendingErrors& p
   }
 }
 
-namespace {
-
-/// Whether the texture bound to GL_TEXTURE_2D is RGBA8 of that size, and its binding raised no error.
-bool isPlain(const gl::RealGl& real, glm::ivec2 size) {
-  GLint width = 0, height = 0, format = 0;
-  real.GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
-  real.GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT, &height);
-  real.GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
-  return takeErrors(real).empty() && width == size.x && height == size.y && format == GL_RGBA8;
-}
-
-}  // namespace
-
 bool TracingPresenter::antialias(const gl::RealGl& real, const scene::Fxaa& fxaa, GLint unit, GLuint target,
                                  glm::ivec2 size, const Settings& settings) noexcept {
   if (!antialias_) return false;
   try {
     const auto pixels = static_cast<size_t>(size.x) * static_cast<size_t>(size.y);
     before_.resize(pixels), after_.resize(pixels);
-    const Features features = readFeatures(real);
-    StateGuard guard(real, features);
+    StateGuard guard(real, features(real));
     guard.plainPack();
     guard.plainUnpack();
     guard.activeTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
@@ -99,7 +91,7 @@ bool TracingPresenter::antialias(const gl::RealGl& real, const scene::Fxaa& fxaa
     if (!takeErrors(real).empty()) return false;
     if (!antialias_(settings, fxaa, before_.data(), size.x, size.y, after_.data())) return false;
     guard.texture2D(unit, target);
-    if (!isPlain(real, size)) return false;
+    if (!takeErrors(real).empty() || !gl::isRgba8(real, size)) return false;
     real.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, after_.data());
     return takeErrors(real).empty();
   } catch (const std::exception&) { return false; }
@@ -109,6 +101,7 @@ void TracingPresenter::forget(const gl::RealGl&) noexcept {
   // Names live in the share group; other contexts of the group may still be there, this one may not be
   // current.
   writeBack_.reset();
+  features_.reset();
 }
 
 }  // namespace gluray::present

@@ -5,6 +5,7 @@
 #include "intercept/present/write_back.h"
 
 #include <functional>
+#include <optional>
 
 namespace gluray::present {
 
@@ -50,7 +51,9 @@ class TracingPresenter final : public gl::Presenter {
   Antialias antialias_;
   std::vector<uint32_t> before_, after_;  // of anti-aliasing; memory is kept
   std::unique_ptr<WriteBack> writeBack_;
-  Image image_;  // memory is kept from flush to flush
+  const Features& features(const gl::RealGl& real);
+  std::optional<Features> features_;  // of the context
+  Image image_;                       // memory is kept from flush to flush
 };
 
 }  // namespace gluray::present

@@ -1,0 +1,268 @@
+// Draws from vertex arrays, by fixed function and by shader programs.
+#include "base/clock.h"
+#include "gl/handlers.h"
+#include "gl/leaf.h"
+#include "gl/stub.h"
+#include <algorithm>
+#include <cstring>
+#include <span>
+
+namespace gluray::gl {
+namespace {
+
+bool isMode(GLenum mode) { return mode <= GL_POLYGON || (mode >= GL_LINES_ADJACENCY && mode <= GL_PATCHES); }
+
+bool isIndexType(GLenum type) {
+  return type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_INT;
+}
+
+/// Sets the error of a wrong draw; true where there is none.
+bool validate(Context& c, GLenum mode, const Elements& e) {
+  if (!isMode(mode)) return c.setError(GL_INVALID_ENUM), false;
+  if (e.count < 0 || e.instances < -1) return c.setError(GL_INVALID_VALUE), false;
+  if (e.type && !isIndexType(e.type)) return c.setError(GL_INVALID_ENUM), false;
+  if (c.insideBegin()) return c.misuse(), false;
+  return true;
+}
+
+DrawPath pathOf(const Elements& e) { return e.type ? DrawPath::elements : DrawPath::arrays; }
+
+PrimitiveClass kindOf(GLenum mode) { return mode <= GL_POLYGON ? classOf(mode) : PrimitiveClass::lines; }
+
+/// Triangles of the draw, all instances together.
+uint64_t trianglesOf(GLenum mode, const Elements& e) {
+  return countTriangles(mode, static_cast<uint64_t>(e.count)) * e.repeats();
+}
+
+constexpr GLsizei kSmall = 192;  // vertices: below, draws join a run instead of becoming meshes of their own
+
+/// Records a draw: dereferenced now, as display lists demand (GL 2.1, 5.4).
+void recordDraw(Context& c, GLenum mode, const Elements& e) {
+  c.refresh(kFixedArrays);
+  // Without positions it may draw at the current one: the real OpenGL knows.
+  if (e.instances >= 0 || c.arrays.others || c.arrays.reason != Reason::traced || mode > GL_POLYGON ||
+      !c.arrays.vertex.enabled) {
+    c.sendBuffers();
+    return c.recordFragment([&] { drawReal(c.real, mode, e); });
+  }
+  if (e.count <= kSmall) return c.drawSmall(mode, vertexNumbers(c.real, c.arrays, e), pathOf(e));
+  std::unique_ptr<ListOp> op;
+  const Reason captured = c.attempt([&] {
+    Captured run = capture(c.real, c.arrays, mode, e);
+    if (!run.empty()) op = std::make_unique<GeometryRun>(std::move(run), classOf(mode), c.sharedGroup());
+    return Reason::traced;
+  });
+  if (captured == Reason::traced) return c.insist([&] { c.append(op); });
+  c.sendBuffers();
+  c.recordFragment([&] { drawReal(c.real, mode, e); });
+}
+
+/// The mesh of the draw, known or new.
+KnownMesh meshOf(Context& c, const ArrayState& arrays, GLenum mode, const Elements& e) {
+  const double start = nowSeconds();
+  KnownMesh known;
+  const Hash128 content = contentOf(c.real, arrays, mode, e);
+  if (!c.group().meshes.find(content, known)) {
+    known = buildArrayMesh(c.real, arrays, mode, e);
+    c.group().meshes.put(content, known);
+    ++c.statistics.meshesBuilt;
+    if (known.mesh) c.statistics.meshBytes += known.mesh->sizeBytes;
+  }
+  c.statistics.captureSeconds += nowSeconds() - start;
+  return known;
+}
+
+/// Traces the draw if that can be right; says why not otherwise.
+Reason traceDraw(Context& c, GLenum mode, const Elements& e) {
+  if (mode > GL_POLYGON) return Reason::program;  // adjacency and patches need shaders
+  Reason reason = c.triage(classOf(mode));
+  if (reason == Reason::traced) reason = c.arrays.reason;
+  if (reason != Reason::traced) return reason;
+  return c.attempt([&] {
+    const KnownMesh known = meshOf(c, c.arrays, mode, e);
+    const Reason fine = c.triage(known, {});
+    if (fine != Reason::traced) return fine;
+    c.addInstance(known.mesh, slotsOf(c.arrays), {});
+    c.countTraced(pathOf(e), known.mesh->triangleCount);
+    return fine;
+  });
+}
+
+/// Some of the draw's triangles; where figures have more corners, three of them.
+std::vector<Triangle> sampleTriangles(const Context& c, GLenum mode, const Elements& e) {
+  constexpr GLsizei kSamples = 32;
+  const GLsizei figure = mode == GL_QUADS ? 4 : 3;
+  const GLsizei step = std::max(e.count / figure / kSamples, 1) * figure;
+  const size_t indexBytes = e.type == GL_UNSIGNED_INT ? 4 : e.type == GL_UNSIGNED_SHORT ? 2 : 1;
+  const ArrayReader reader(c.real, c.arrays.vertex);
+  std::vector<Triangle> triangles;
+  for (GLsizei at = 0; at + 2 < e.count; at += step) {
+    Elements three = e;
+    three.count = 3;
+    if (e.type)
+      three.indices = static_cast<const std::byte*>(e.indices) + static_cast<size_t>(at) * indexBytes;
+    else
+      three.first = e.first + at;
+    Triangle triangle;
+    bool exists = true;
+    const std::vector<uint32_t> numbers = vertexNumbers(c.real, c.arrays, three);
+    for (size_t k = 0; k < 3; ++k) {
+      float v[4] = {};
+      exists = exists && k < numbers.size() && numbers[k] < reader.available();
+      if (exists) reader.read(numbers[k], v);
+      triangle[k] = {v[0], v[1], v[2]};
+    }
+    if (exists) triangles.push_back(triangle);
+  }
+  return triangles;
+}
+
+/// Traces what the current shader program draws if that can be right; says why not otherwise.
+Reason traceProgram(Context& c, GLenum mode, const Elements& e) {
+  if (mode > GL_POLYGON) return Reason::program;
+  const Reason reason = c.triageProgram(classOf(mode));
+  if (reason != Reason::traced) return reason;
+  return c.attempt([&] {
+    const KnownMesh known = meshOf(c, c.attributes, mode, e);
+    Reason fine = c.triageProgram(known);
+    if (fine == Reason::traced) fine = c.triageInstances(e);
+    if (fine != Reason::traced) return fine;
+    c.addProgramInstances(known.mesh, mode, e);
+    c.countTraced(pathOf(e), uint64_t{known.mesh->triangleCount} * e.repeats());
+    return fine;
+  });
+}
+
+void drawByProgram(Context& c, GLenum mode, const Elements& e) {
+  c.refresh(kProgramGroups);
+  c.closeRunIfOpen();
+  const Reason reason = traceProgram(c, mode, e);
+  if (reason == Reason::traced) return;
+  if (reason == Reason::programPass) {
+    bool done = false;
+    c.protect([&] { done = c.replacePass(mode, e); });
+    if (done) return;
+  }
+  const PrimitiveClass kind = kindOf(mode);
+  c.countRaster(reason, pathOf(e), kind, trianglesOf(mode, e));
+  c.beforeRasterDraw(kind);
+  c.sendBuffers();
+  drawReal(c.real, mode, e);
+}
+
+void draw(Context& c, GLenum mode, const Elements& e) {
+  if (!validate(c, mode, e) || e.count == 0 || e.instances == 0 || e.first < 0)
+    return;  // what lies before an array is nobody's
+  if (c.compiling()) return recordDraw(c, mode, e);
+  const DrawTimer timer(c.kinds());
+  if (c.direct() && c.drawsDirectly(pathOf(e), kindOf(mode), trianglesOf(mode, e)))
+    return drawReal(c.real, mode, e);
+  c.works();
+  c.refresh(kRaster);
+  if (c.state.raster.program != 0 || c.info().core) return drawByProgram(c, mode, e);
+  c.refresh(kDrawGroups | kFixedArrays);
+  const bool plain =
+      e.instances < 0 && mode <= GL_POLYGON && c.arrays.reason == Reason::traced && c.arrays.vertex.enabled;
+  if (plain && e.count <= kSmall && c.triage(classOf(mode)) == Reason::traced) {
+    const Reason joined = c.attempt([&] {
+      c.drawSmall(mode, vertexNumbers(c.real, c.arrays, e), pathOf(e));
+      return Reason::traced;
+    });
+    if (joined == Reason::traced) return;
+  }
+  c.closeRunIfOpen();
+  // Without positions it may draw at the current one: the real OpenGL knows.
+  const bool known = c.arrays.vertex.enabled && e.instances < 0;
+  const Reason reason = known ? traceDraw(c, mode, e) : Reason::arrayState;
+  if (reason == Reason::traced) return;
+  const PrimitiveClass kind = kindOf(mode);
+  if (c.arrays.vertex.enabled && c.arrays.reason == Reason::traced && c.mayMeetPasses(kind))
+    c.protect([&] { c.meetPasses(sampleTriangles(c, mode, e)); });
+  if (c.arrays.vertex.enabled && c.arrays.reason == Reason::traced && c.isPass(kind, reason))
+    c.protect([&] { c.rememberPass(meshOf(c, c.arrays, mode, e)); });
+  c.countRaster(reason, pathOf(e), kind, countTriangles(mode, static_cast<uint64_t>(e.count)));
+  c.beforeRasterDraw(kind);
+  c.sendBuffers();
+  drawReal(c.real, mode, e);
+}
+
+}  // namespace
+
+void drawArrays(Context& c, GLenum mode, GLint first, GLsizei count) {
+  draw(c, mode, {first, count, 0, nullptr, 0});
+}
+
+void drawElements(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices) {
+  if (!isIndexType(type)) return c.setError(GL_INVALID_ENUM);
+  draw(c, mode, {0, count, type, indices, 0});
+}
+
+void drawRangeElements(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type,
+                       const void* indices) {
+  if (end < start) return c.setError(GL_INVALID_VALUE);
+  drawElements(c, mode, count, type, indices);
+}
+
+void drawElementsBaseVertex(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices,
+                            GLint base) {
+  if (!isIndexType(type)) return c.setError(GL_INVALID_ENUM);
+  draw(c, mode, {0, count, type, indices, base});
+}
+
+void drawRangeElementsBaseVertex(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count,
+                                 GLenum type, const void* indices, GLint base) {
+  if (end < start) return c.setError(GL_INVALID_VALUE);
+  drawElementsBaseVertex(c, mode, count, type, indices, base);
+}
+
+void drawArraysInstanced(Context& c, GLenum mode, GLint first, GLsizei count, GLsizei instances) {
+  drawArraysInstancedBaseInstance(c, mode, first, count, instances, 0);
+}
+
+void drawArraysInstancedBaseInstance(Context& c, GLenum mode, GLint first, GLsizei count, GLsizei instances,
+                                     GLuint baseInstance) {
+  if (instances < 0) return c.setError(GL_INVALID_VALUE);
+  draw(c, mode, {first, count, 0, nullptr, 0, instances, baseInstance});
+}
+
+void drawElementsInstanced(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices,
+                           GLsizei instances) {
+  drawElementsInstancedBaseVertexBaseInstance(c, mode, count, type, indices, instances, 0, 0);
+}
+
+void drawElementsInstancedBaseVertex(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices,
+                                     GLsizei instances, GLint base) {
+  drawElementsInstancedBaseVertexBaseInstance(c, mode, count, type, indices, instances, base, 0);
+}
+
+void drawElementsInstancedBaseInstance(Context& c, GLenum mode, GLsizei count, GLenum type,
+                                       const void* indices, GLsizei instances, GLuint baseInstance) {
+  drawElementsInstancedBaseVertexBaseInstance(c, mode, count, type, indices, instances, 0, baseInstance);
+}
+
+void drawElementsInstancedBaseVertexBaseInstance(Context& c, GLenum mode, GLsizei count, GLenum type,
+                                                 const void* indices, GLsizei instances, GLint base,
+                                                 GLuint baseInstance) {
+  if (!isIndexType(type)) return c.setError(GL_INVALID_ENUM);
+  if (instances < 0) return c.setError(GL_INVALID_VALUE);
+  draw(c, mode, {0, count, type, indices, base, instances, baseInstance});
+}
+
+void multiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count, GLsizei draws) {
+  if (draws < 0) return c.setError(GL_INVALID_VALUE);
+  for (GLsizei i = 0; i < draws; ++i) drawArrays(c, mode, first[i], count[i]);
+}
+
+void multiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices,
+                       GLsizei draws) {
+  if (draws < 0) return c.setError(GL_INVALID_VALUE);
+  for (GLsizei i = 0; i < draws; ++i) drawElements(c, mode, count[i], type, indices[i]);
+}
+
+void multiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* count, GLenum type,
+                                 const void* const* indices, GLsizei draws, const GLint* base) {
+  if (draws < 0) return c.setError(GL_INVALID_VALUE);
+  for (GLsizei i = 0; i < draws; ++i) drawElementsBaseVertex(c, mode, count[i], type, indices[i], base[i]);
+}
+
+}  // namespace gluray::gl

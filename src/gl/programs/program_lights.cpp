@@ -1,0 +1,55 @@
+#include "gl/programs/program_lights.h"
+
+#include <algorithm>
+#include <string>
+
+namespace gluray::gl {
+namespace {
+
+std::string numbered(const std::string& pattern, int number) {
+  const size_t at = pattern.find("{}");
+  if (at == std::string::npos) return pattern;
+  return pattern.substr(0, at) + std::to_string(number) + pattern.substr(at + 2);
+}
+
+scene::FragmentLight readLight(const FamilyLights& names, const UniformReader& uniforms, const glm::vec3& viewer,
+                               int i) {
+  const auto vector = [&](const std::string& name) {
+    return glm::vec3(uniforms.vector(numbered(name, i)));
+  };
+  const auto has = [&](const std::string& name) { return uniforms.has(numbered(name, i)); };
+  scene::FragmentLight light;
+  if (!names.color.empty()) light.color = vector(names.color);
+  if (has(names.direction)) {
+    const glm::vec3 direction = vector(names.direction) * (names.towardsLight ? -1.0f : 1.0f);
+    light.kind = scene::FragmentLight::directional;
+    if (direction != glm::vec3(0)) light.direction = glm::normalize(direction);
+  }
+  const bool positional = names.positional.empty() ? has(names.position)
+                                                   : uniforms.integer(numbered(names.positional, i)) != 0;
+  if (!positional) return light;
+  light.kind = scene::FragmentLight::positional;
+  light.position = vector(names.position) - viewer;
+  if (has(names.attenuation)) light.attenuation = vector(names.attenuation);
+  if (has(names.coneAngle)) light.coneAngle = uniforms.number(numbered(names.coneAngle, i));
+  if (has(names.exponent)) light.exponent = uniforms.number(numbered(names.exponent, i));
+  return light;
+}
+
+}  // namespace
+
+std::vector<scene::FragmentLight> readLights(const FamilyLights& names, const UniformReader& uniforms,
+                                             const glm::vec3& viewer) {
+  std::vector<scene::FragmentLight> lights;
+  const std::string& sign = !names.color.empty()       ? names.color
+                            : !names.direction.empty() ? names.direction
+                                                       : names.position;
+  const bool many = sign.find("{}") != std::string::npos;
+  constexpr int kMostLights = 64;
+  int most = many ? kMostLights : 1;
+  if (uniforms.has(names.count)) most = std::min(most, uniforms.integer(names.count));
+  for (int i = 0; i < most && uniforms.has(numbered(sign, i)); ++i) lights.push_back(readLight(names, uniforms, viewer, i));
+  return lights;
+}
+
+}  // namespace gluray::gl
