@@ -3,6 +3,7 @@
 #include "gl/handlers.h"
 #include "gl/leaf.h"
 #include "gl/stub.h"
+
 #include <algorithm>
 #include <cstring>
 #include <span>

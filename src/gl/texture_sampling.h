@@ -8,8 +8,8 @@
 
 namespace gluray::gl {
 
-/// Sampling parameters of the texture bound to `target` of the active unit. Anything but Reason::traced: one is
-/// not traced.
+/// Sampling parameters of the texture bound to `target` of the active unit. Anything but Reason::traced: one
+/// is not traced.
 Reason readSampling(const RealGl& real, const RareState& has, GLenum target, scene::Texture& texture);
 
 }  // namespace gluray::gl

@@ -1,5 +1,5 @@
-// What fragment programs start from at each hit: normals, base colours, distances to edges. Part of kernels.cpp
-// (compiled once for each instruction set).
+// What fragment programs start from at each hit: normals, base colours, distances to edges. Part of
+// kernels.cpp (compiled once for each instruction set).
 #if defined(GLURAY_RENDER_FRAGMENT_INPUTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_FRAGMENT_INPUTS_INL_H_
 #undef GLURAY_RENDER_FRAGMENT_INPUTS_INL_H_
@@ -73,47 +73,83 @@ HWY_INLINE glm::vec4 unpack(uint32_t texel) {
   return glm::vec4(texel & 255, texel >> 8 & 255, texel >> 16 & 255, texel >> 24) * (1.0f / 255.0f);
 }
 
+/// The first two components of texture coordinates.
+HWY_ATTR inline void loadVec2(const scene::Attribute& a, const uint32_t* vertex, Row* out) {
+  if (a.format == scene::Format::float1 || a.format == scene::Format::unorm8x4) {
+    for (int i = 0; i < kLanes; ++i) {
+      const glm::vec4 v = scene::fetch(a, vertex[i]);
+      out[0][i] = v.x, out[1][i] = v.y;
+    }
+    return;
+  }
+  for (int i = 0; i < kLanes; ++i) {
+    const auto* f = reinterpret_cast<const float*>(a.data + static_cast<size_t>(vertex[i]) * a.stride);
+    out[0][i] = f[0], out[1][i] = f[1];
+  }
+}
+
+/// Texels under image positions, which lie in [0, width] x [0, height].
+HWY_ATTR inline void nearestTexels(const scene::TextureImage& image, const float* x, const float* y,
+                                   Row (&out)[4]) {
+  const hn::Rebind<int32_t, FloatTag> di;
+  const auto lastColumn = hn::Set(di, image.width - 1), lastRow = hn::Set(di, image.height - 1),
+             width = hn::Set(di, image.width), byteMask = hn::Set(di, 255);
+  const auto* texels = reinterpret_cast<const int32_t*>(image.texels.data());
+  for (int i = 0; i < kLanes; i += lanesOfVector()) {
+    const auto column = hn::Min(hn::ConvertTo(di, load(x + i)), lastColumn);
+    const auto row = hn::Min(hn::ConvertTo(di, load(y + i)), lastRow);
+    const auto texel = hn::GatherIndex(di, texels, hn::Add(hn::Mul(row, width), column));
+    const auto channel = [&](auto bits) HWY_ATTR {
+      return hn::Mul(hn::ConvertTo(FloatTag(), hn::And(bits, byteMask)), splat(1.0f / 255.0f));
+    };
+    store(channel(texel), out[0] + i);
+    store(channel(hn::ShiftRight<8>(texel)), out[1] + i);
+    store(channel(hn::ShiftRight<16>(texel)), out[2] + i);
+    store(channel(hn::ShiftRight<24>(texel)), out[3] + i);
+  }
+}
+
+/// The texel under an image position, or the four around it mixed.
+inline glm::vec4 texelAt(const scene::TextureImage& image, scene::Filter filter, float x, float y) {
+  const auto texel = [&](int column, int row) {
+    const size_t i =
+        static_cast<size_t>(std::clamp(row, 0, image.height - 1)) * static_cast<size_t>(image.width) +
+        static_cast<size_t>(std::clamp(column, 0, image.width - 1));
+    return image.texels.empty() ? image.floats[i] : unpack(image.texels[i]);
+  };
+  if (filter == scene::Filter::nearest) return texel(static_cast<int>(x), static_cast<int>(y));
+  const float fx = std::floor(x - 0.5f), fy = std::floor(y - 0.5f), wx = x - 0.5f - fx, wy = y - 0.5f - fy;
+  const int x0 = static_cast<int>(fx), y0 = static_cast<int>(fy);
+  return glm::mix(glm::mix(texel(x0, y0), texel(x0 + 1, y0), wx),
+                  glm::mix(texel(x0, y0 + 1), texel(x0 + 1, y0 + 1), wx), wy);
+}
+
 /// Looks colour maps up: clamped to the edge, one level, nearest or linear.
 HWY_ATTR inline void lookUpMap(const Surface& s, const Group& group, Row (&out)[4]) {
   const scene::Texture& map = s.lighting->shading->fragment.map.front();
   const scene::TextureImage& image = *map.image;
   alignas(64) Row at[2];
-  alignas(64) Row corner[3][4];
+  alignas(64) Row corner[3][2];
   for (int k = 0; k < 3; ++k) {
     if (s.mesh->texcoords)
-      loadVec4(s.mesh->texcoords, group.vertex[k], corner[k]);
+      loadVec2(s.mesh->texcoords, group.vertex[k], corner[k]);
     else
-      fillRows<4>(s.instance->texcoord, corner[k]);
+      fillRows<2>(s.instance->texcoord, corner[k]);
   }
   const Float size[2] = {splat(static_cast<float>(image.width)), splat(static_cast<float>(image.height))};
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
     const Weights weights(group, i);
     for (int c = 0; c < 2; ++c) {
-      const Float t = weights(load(corner[0][c] + i), load(corner[1][c] + i), load(corner[2][c] + i));
-      store(hn::Mul(t, size[c]), at[c] + i);
+      const Float t =
+          hn::Mul(weights(load(corner[0][c] + i), load(corner[1][c] + i), load(corner[2][c] + i)), size[c]);
+      // A comparison fails for NaN, which leaves 0.
+      store(hn::IfThenElseZero(hn::Gt(t, splat(0)), hn::Min(t, size[c])), at[c] + i);
     }
   }
-  const auto texel = [&](int x, int y) {
-    const size_t i =
-        static_cast<size_t>(std::clamp(y, 0, image.height - 1)) * static_cast<size_t>(image.width) +
-        static_cast<size_t>(std::clamp(x, 0, image.width - 1));
-    return image.texels.empty() ? image.floats[i] : unpack(image.texels[i]);
-  };
-  const float mostX = static_cast<float>(image.width), mostY = static_cast<float>(image.height);
+  if (map.magFilter == scene::Filter::nearest && !image.texels.empty())
+    return nearestTexels(image, at[0], at[1], out);
   for (int i = 0; i < kLanes; ++i) {
-    // Comparisons that fail for NaN leave 0.
-    const float x = at[0][i] > 0 ? std::min(at[0][i], mostX) : 0,
-                y = at[1][i] > 0 ? std::min(at[1][i], mostY) : 0;
-    glm::vec4 color;
-    if (map.magFilter == scene::Filter::nearest) {
-      color = texel(static_cast<int>(x), static_cast<int>(y));
-    } else {
-      const float fx = std::floor(x - 0.5f), fy = std::floor(y - 0.5f), wx = x - 0.5f - fx,
-                  wy = y - 0.5f - fy;
-      const int x0 = static_cast<int>(fx), y0 = static_cast<int>(fy);
-      color = glm::mix(glm::mix(texel(x0, y0), texel(x0 + 1, y0), wx),
-                       glm::mix(texel(x0, y0 + 1), texel(x0 + 1, y0 + 1), wx), wy);
-    }
+    const glm::vec4 color = texelAt(image, map.magFilter, at[0][i], at[1][i]);
     for (int k = 0; k < 4; ++k) out[k][i] = color[k];
   }
 }

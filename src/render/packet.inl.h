@@ -183,8 +183,8 @@ HWY_ATTR inline void fetchVertices(const FrameData& frame, Work& work) {
     for (int k = 0; k < 3; ++k) {
       work.vertex[k][i] = vertex[k];
       hwy::Prefetch(mesh.positions.data + static_cast<size_t>(vertex[k]) * mesh.positions.stride);
-      if (mesh.normals)
-        hwy::Prefetch(mesh.normals.data + static_cast<size_t>(vertex[k]) * mesh.normals.stride);
+      for (const scene::Attribute* a : {&mesh.normals, &mesh.texcoords, &mesh.colors})
+        if (*a) hwy::Prefetch(a->data + static_cast<size_t>(vertex[k]) * a->stride);
     }
   }
 }

@@ -21,10 +21,15 @@ glm::dmat4 invert(const glm::dmat4& m, const char* what) {
   return inverse;
 }
 
+/// Where the ray through the middle of the viewport starts.
+glm::dvec4 middleOf(const RaySetup& rays, const glm::ivec4& viewport) {
+  return rays.start + (viewport.x + 0.5 * viewport.z) * rays.startX +
+         (viewport.y + 0.5 * viewport.w) * rays.startY;
+}
+
 // Of the ray through the middle of the viewport: direction as the kernels compute it, before scaling.
 double middleDirectionLength(const RaySetup& rays, const glm::ivec4& viewport) {
-  const double x = viewport.x + 0.5 * viewport.z, y = viewport.y + 0.5 * viewport.w;
-  const glm::dvec4 s = rays.start + x * rays.startX + y * rays.startY;
+  const glm::dvec4 s = middleOf(rays, viewport);
   const glm::dvec3 origin = glm::dvec3(s) / s.w;
   return glm::length((glm::dvec3(rays.step) - origin * rays.step.w) / s.w);
 }
@@ -34,15 +39,21 @@ void placeOrigins(RaySetup& rays, const glm::ivec4& viewport, const glm::vec3& l
   constexpr double kFarAway = 64;  // viewer's distance in radii of the scene
   rays.sphereCenter = 0.5 * (glm::dvec3(lower) + glm::dvec3(upper));
   rays.sphereRadius = 0.5 * glm::length(glm::dvec3(upper) - glm::dvec3(lower));
-  const double x = viewport.x + 0.5 * viewport.z, y = viewport.y + 0.5 * viewport.w;
-  const glm::dvec4 s = rays.start + x * rays.startX + y * rays.startY;
+  const glm::dvec4 s = middleOf(rays, viewport);
   const double distance = glm::length(glm::dvec3(s) / s.w - rays.sphereCenter);
   rays.startAtSphere = std::isfinite(distance) && distance > kFarAway * rays.sphereRadius;
 }
 
+// Whether w is the same in all the window, give or take the rounding of matrices that programs multiply in
+// floats: rays are off by as much as the rounding of their own origins.
+bool sameEverywhere(const RaySetup& rays, const glm::ivec4& viewport) {
+  const double change = std::abs(rays.startX.w) * viewport.z + std::abs(rays.startY.w) * viewport.w;
+  return change <= 0x1p-22 * std::abs(middleOf(rays, viewport).w);
+}
+
 // Possible where w is the same in all the window: origins and directions then need no division.
-LinearRays makeLinearRays(const RaySetup& rays, const scene::Region& region) {
-  const double w = rays.start.w, scale = rays.directionScale / w;
+LinearRays makeLinearRays(const RaySetup& rays, const glm::ivec4& viewport, const scene::Region& region) {
+  const double w = middleOf(rays, viewport).w, scale = rays.directionScale / w;
   LinearRays linear;
   linear.org = glm::dvec3(rays.start) / w;
   linear.orgX = glm::dvec3(rays.startX) / w;
@@ -54,7 +65,7 @@ LinearRays makeLinearRays(const RaySetup& rays, const scene::Region& region) {
   linear.tFar = static_cast<float>(end > 1e-12 ? 2 / (end * rays.directionScale) : HUGE_VAL);
   linear.orgStepX = glm::vec3(linear.orgX), linear.orgStepY = glm::vec3(linear.orgY);
   linear.dirStepX = glm::vec3(linear.dirX), linear.dirStepY = glm::vec3(linear.dirY);
-  linear.usable = rays.startX.w == 0 && rays.startY.w == 0 && w > 0 && !rays.startAtSphere;
+  linear.usable = sameEverywhere(rays, viewport) && w > 0 && !rays.startAtSphere;
   for (const double x : {region.x, region.x + region.width}) {
     for (const double y : {region.y, region.y + region.height}) {
       const glm::dvec3 org = glm::abs(linear.org + x * linear.orgX + y * linear.orgY);
@@ -91,7 +102,7 @@ RaySetup makeRaySetup(const scene::Snapshot& snapshot, const glm::vec3& lower, c
   const double length = middleDirectionLength(rays, camera.viewport);
   if (std::isfinite(length) && length > 0) rays.directionScale = 1.0 / length;
   placeOrigins(rays, camera.viewport, lower, upper);
-  rays.linear = makeLinearRays(rays, snapshot.region);
+  rays.linear = makeLinearRays(rays, camera.viewport, snapshot.region);
   return rays;
 }
 

@@ -12,11 +12,9 @@ std::string numbered(const std::string& pattern, int number) {
   return pattern.substr(0, at) + std::to_string(number) + pattern.substr(at + 2);
 }
 
-scene::FragmentLight readLight(const FamilyLights& names, const UniformReader& uniforms, const glm::vec3& viewer,
-                               int i) {
-  const auto vector = [&](const std::string& name) {
-    return glm::vec3(uniforms.vector(numbered(name, i)));
-  };
+scene::FragmentLight readLight(const FamilyLights& names, const UniformReader& uniforms,
+                               const glm::vec3& viewer, int i) {
+  const auto vector = [&](const std::string& name) { return glm::vec3(uniforms.vector(numbered(name, i))); };
   const auto has = [&](const std::string& name) { return uniforms.has(numbered(name, i)); };
   scene::FragmentLight light;
   if (!names.color.empty()) light.color = vector(names.color);
@@ -25,8 +23,8 @@ scene::FragmentLight readLight(const FamilyLights& names, const UniformReader& u
     light.kind = scene::FragmentLight::directional;
     if (direction != glm::vec3(0)) light.direction = glm::normalize(direction);
   }
-  const bool positional = names.positional.empty() ? has(names.position)
-                                                   : uniforms.integer(numbered(names.positional, i)) != 0;
+  const bool positional =
+      names.positional.empty() ? has(names.position) : uniforms.integer(numbered(names.positional, i)) != 0;
   if (!positional) return light;
   light.kind = scene::FragmentLight::positional;
   light.position = vector(names.position) - viewer;
@@ -48,7 +46,8 @@ std::vector<scene::FragmentLight> readLights(const FamilyLights& names, const Un
   constexpr int kMostLights = 64;
   int most = many ? kMostLights : 1;
   if (uniforms.has(names.count)) most = std::min(most, uniforms.integer(names.count));
-  for (int i = 0; i < most && uniforms.has(numbered(sign, i)); ++i) lights.push_back(readLight(names, uniforms, viewer, i));
+  for (int i = 0; i < most && uniforms.has(numbered(sign, i)); ++i)
+    lights.push_back(readLight(names, uniforms, viewer, i));
   return lights;
 }
 
