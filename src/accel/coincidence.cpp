@@ -4,14 +4,21 @@
 
 #include <algorithm>
 #include <bit>
+#include <span>
 #include <unordered_set>
 
 namespace gluray::accel {
 namespace {
 
+/// Multiplications and shifts that make every bit of the input count: triangles are many, and their corners
+/// are all that is hashed.
 uint64_t hashOf(const glm::vec3& p) {
   const glm::vec3 position = p + 0.0f;  // -0 is 0
-  return hashBytes(glm::value_ptr(position), sizeof position).low;
+  const auto bits = [&](int c) { return uint64_t{std::bit_cast<uint32_t>(position[c])}; };
+  uint64_t h = (bits(0) | bits(1) << 32) * 0x9E3779B97F4A7C15u;
+  h = (h ^ h >> 32 ^ bits(2)) * 0xD6E8FEB86659FD93u;
+  h = (h ^ h >> 32) * 0xC2B2AE3D27D4EB4Fu;
+  return h ^ h >> 29;
 }
 
 /// The same for every order of the corners; 0 where two of them are equal.
@@ -22,36 +29,49 @@ uint64_t keyOf(const scene::Mesh& mesh, uint32_t triangle) {
   return (corner[0] + corner[1] + corner[2]) | 1;
 }
 
-/// A set that may hold too much: bits set by a hash.
+/// A set that may hold too much (a Bloom filter): three bits of one word for each key.
 class BitFilter {
  public:
   explicit BitFilter(uint64_t count) : words_(std::bit_ceil(std::max<uint64_t>(count / 4, 1))) {}
-  /// Adds the key; whether it, or one that shares its bit, was there.
+  /// Has the memory that the key's bits are in brought near.
+  void prefetch(uint64_t key) const { __builtin_prefetch(&words_[indexOf(key)], 1); }
+  /// Adds the key; whether it, or others that share its bits, were there.
   bool insert(uint64_t key) {
-    uint64_t& word = wordOf(key);
-    const uint64_t bit = bitOf(key);
-    const bool there = word & bit;
-    word |= bit;
+    uint64_t& word = words_[indexOf(key)];
+    const uint64_t bits = bitsOf(key);
+    const bool there = (word & bits) == bits;
+    word |= bits;
     return there;
   }
-  bool mayHold(uint64_t key) { return wordOf(key) & bitOf(key); }
+  bool mayHold(uint64_t key) const {
+    const uint64_t bits = bitsOf(key);
+    return (words_[indexOf(key)] & bits) == bits;
+  }
 
  private:
-  uint64_t& wordOf(uint64_t key) { return words_[key >> 8 & (words_.size() - 1)]; }
-  static uint64_t bitOf(uint64_t key) { return uint64_t{1} << (key >> 1 & 63); }
-  std::vector<uint64_t> words_;  // 16 to 32 bits a key: one in 16 to 32 shares its bit
+  size_t indexOf(uint64_t key) const { return key >> 20 & (words_.size() - 1); }
+  static uint64_t bitsOf(uint64_t key) {
+    return uint64_t{1} << (key >> 1 & 63) | uint64_t{1} << (key >> 7 & 63) | uint64_t{1} << (key >> 13 & 63);
+  }
+  std::vector<uint64_t> words_;  // 16 to 32 bits a key: one in 70 to 500 shares its bits
 };
 
-/// Calls visit(key) for each triangle with area until it returns true; whether it did.
+/// Calls visit(keys) for blocks of triangles with area until it returns true; whether it did.
 template <class Visit>
-bool anyTriangle(const std::vector<const scene::Mesh*>& meshes, const std::atomic<bool>& cancelled,
-                 Visit&& visit) {
-  constexpr uint32_t kAskedEvery = 1 << 16;  // triangles
+bool anyBlock(const std::vector<const scene::Mesh*>& meshes, const std::atomic<bool>& cancelled,
+              Visit&& visit) {
+  constexpr uint32_t kBlock = 512;  // triangles: what memory is asked for meanwhile arrives
+  uint64_t keys[kBlock];
   for (const scene::Mesh* mesh : meshes)
-    for (uint32_t t = 0; t < mesh->triangleCount; ++t) {
-      if (t % kAskedEvery == 0 && cancelled) return false;
-      const uint64_t key = keyOf(*mesh, t);
-      if (key && visit(key)) return true;
+    for (uint32_t first = 0; first < mesh->triangleCount; first += kBlock) {
+      if (cancelled) return false;
+      size_t count = 0;
+      const uint32_t end = std::min(first + kBlock, mesh->triangleCount);
+      for (uint32_t t = first; t < end; ++t) {
+        keys[count] = keyOf(*mesh, t);
+        count += keys[count] != 0;
+      }
+      if (visit(std::span<const uint64_t>(keys, count))) return true;
     }
   return false;
 }
@@ -62,22 +82,34 @@ uint64_t triangleCount(const std::vector<const scene::Mesh*>& meshes) {
   return count;
 }
 
+/// Keys whose bits were taken already: all that come twice, and a few others.
+std::vector<uint64_t> suspectsOf(const std::vector<const scene::Mesh*>& meshes,
+                                 const std::atomic<bool>& cancelled) {
+  std::vector<uint64_t> suspects;
+  BitFilter seen(triangleCount(meshes));
+  anyBlock(meshes, cancelled, [&](std::span<const uint64_t> keys) {
+    for (const uint64_t key : keys) seen.prefetch(key);
+    for (const uint64_t key : keys)
+      if (seen.insert(key)) suspects.push_back(key);
+    return false;
+  });
+  return suspects;
+}
+
 }  // namespace
 
 bool anyCoincide(const std::vector<const scene::Mesh*>& meshes, const std::atomic<bool>& cancelled) {
-  // Keys whose bit is taken are suspects; a second look tells which of them come twice.
-  std::unordered_set<uint64_t> suspects;
-  BitFilter seen(triangleCount(meshes));
-  anyTriangle(meshes, cancelled, [&](uint64_t key) {
-    if (seen.insert(key)) suspects.insert(key);
-    return false;
-  });
+  const std::vector<uint64_t> suspects = suspectsOf(meshes, cancelled);
   if (suspects.empty()) return false;
+  // A second look tells which of them come twice.
   BitFilter suspected(suspects.size());
   for (const uint64_t key : suspects) suspected.insert(key);
+  const std::unordered_set<uint64_t> exactly(suspects.begin(), suspects.end());
   std::unordered_set<uint64_t> once;
-  return anyTriangle(meshes, cancelled, [&](uint64_t key) {
-    return suspected.mayHold(key) && suspects.contains(key) && !once.insert(key).second;
+  return anyBlock(meshes, cancelled, [&](std::span<const uint64_t> keys) {
+    return std::any_of(keys.begin(), keys.end(), [&](uint64_t key) {
+      return suspected.mayHold(key) && exactly.contains(key) && !once.insert(key).second;
+    });
   });
 }
 

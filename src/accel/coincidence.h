@@ -14,7 +14,7 @@ namespace gluray::accel {
 
 /// Whether two triangles of `meshes`, all in one space, have the same three corners, in whatever order.
 /// Triangles without area do not count. May say yes where two hashes of 64 bits are equal by chance. Ends
-/// early, with any answer, once `cancelled` is set. Takes some 50 ns and 3 bytes a triangle.
+/// early, with any answer, once `cancelled` is set. Takes some 30 ns and 4 bytes a triangle.
 bool anyCoincide(const std::vector<const scene::Mesh*>& meshes, const std::atomic<bool>& cancelled);
 
 /// Remembers the answers: geometry that stays is looked at once, where it is large behind the frames.
