@@ -17,11 +17,17 @@ bool isIndexType(GLenum type) {
   return type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_INT;
 }
 
-/// Sets the error of a wrong draw; true where there is none.
+/// The error of a wrong draw: of now or, where a list takes the draw, of the moment when that is called.
+void refuse(Context& c, GLenum error) {
+  if (!c.compiling() || c.insideBegin()) return c.setError(error);
+  c.record([error](Context& x) { x.setError(error); });
+}
+
+/// Refuses a wrong draw; true where it is none.
 bool validate(Context& c, GLenum mode, const Elements& e) {
-  if (!isMode(mode)) return c.setError(GL_INVALID_ENUM), false;
-  if (e.count < 0 || e.instances < -1) return c.setError(GL_INVALID_VALUE), false;
-  if (e.type && !isIndexType(e.type)) return c.setError(GL_INVALID_ENUM), false;
+  if (!isMode(mode)) return refuse(c, GL_INVALID_ENUM), false;
+  if (e.count < 0 || e.instances < -1) return refuse(c, GL_INVALID_VALUE), false;
+  if (e.type && !isIndexType(e.type)) return refuse(c, GL_INVALID_ENUM), false;
   if (c.insideBegin()) return c.misuse(), false;
   return true;
 }
@@ -194,25 +200,25 @@ void drawArrays(Context& c, GLenum mode, GLint first, GLsizei count) {
 }
 
 void drawElements(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices) {
-  if (!isIndexType(type)) return c.setError(GL_INVALID_ENUM);
+  if (!isIndexType(type)) return refuse(c, GL_INVALID_ENUM);
   draw(c, mode, {0, count, type, indices, 0});
 }
 
 void drawRangeElements(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type,
                        const void* indices) {
-  if (end < start) return c.setError(GL_INVALID_VALUE);
+  if (end < start) return refuse(c, GL_INVALID_VALUE);
   drawElements(c, mode, count, type, indices);
 }
 
 void drawElementsBaseVertex(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices,
                             GLint base) {
-  if (!isIndexType(type)) return c.setError(GL_INVALID_ENUM);
+  if (!isIndexType(type)) return refuse(c, GL_INVALID_ENUM);
   draw(c, mode, {0, count, type, indices, base});
 }
 
 void drawRangeElementsBaseVertex(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count,
                                  GLenum type, const void* indices, GLint base) {
-  if (end < start) return c.setError(GL_INVALID_VALUE);
+  if (end < start) return refuse(c, GL_INVALID_VALUE);
   drawElementsBaseVertex(c, mode, count, type, indices, base);
 }
 
@@ -222,7 +228,7 @@ void drawArraysInstanced(Context& c, GLenum mode, GLint first, GLsizei count, GL
 
 void drawArraysInstancedBaseInstance(Context& c, GLenum mode, GLint first, GLsizei count, GLsizei instances,
                                      GLuint baseInstance) {
-  if (instances < 0) return c.setError(GL_INVALID_VALUE);
+  if (instances < 0) return refuse(c, GL_INVALID_VALUE);
   draw(c, mode, {first, count, 0, nullptr, 0, instances, baseInstance});
 }
 
@@ -244,25 +250,25 @@ void drawElementsInstancedBaseInstance(Context& c, GLenum mode, GLsizei count, G
 void drawElementsInstancedBaseVertexBaseInstance(Context& c, GLenum mode, GLsizei count, GLenum type,
                                                  const void* indices, GLsizei instances, GLint base,
                                                  GLuint baseInstance) {
-  if (!isIndexType(type)) return c.setError(GL_INVALID_ENUM);
-  if (instances < 0) return c.setError(GL_INVALID_VALUE);
+  if (!isIndexType(type)) return refuse(c, GL_INVALID_ENUM);
+  if (instances < 0) return refuse(c, GL_INVALID_VALUE);
   draw(c, mode, {0, count, type, indices, base, instances, baseInstance});
 }
 
 void multiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count, GLsizei draws) {
-  if (draws < 0) return c.setError(GL_INVALID_VALUE);
+  if (draws < 0) return refuse(c, GL_INVALID_VALUE);
   for (GLsizei i = 0; i < draws; ++i) drawArrays(c, mode, first[i], count[i]);
 }
 
 void multiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices,
                        GLsizei draws) {
-  if (draws < 0) return c.setError(GL_INVALID_VALUE);
+  if (draws < 0) return refuse(c, GL_INVALID_VALUE);
   for (GLsizei i = 0; i < draws; ++i) drawElements(c, mode, count[i], type, indices[i]);
 }
 
 void multiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* count, GLenum type,
                                  const void* const* indices, GLsizei draws, const GLint* base) {
-  if (draws < 0) return c.setError(GL_INVALID_VALUE);
+  if (draws < 0) return refuse(c, GL_INVALID_VALUE);
   for (GLsizei i = 0; i < draws; ++i) drawElementsBaseVertex(c, mode, count[i], type, indices[i], base[i]);
 }
 

@@ -44,6 +44,7 @@ void copyNumbers(uint32_t* target, const uint32_t* source, size_t count, uint32_
 }
 
 void copyLarge(void* target, const void* source, size_t sizeBytes) {
+  if (sizeBytes == 0) return;  // an array that is not there has no address
   if (sizeBytes <= kPiece) {
     std::memcpy(target, source, sizeBytes);
     return;

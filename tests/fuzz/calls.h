@@ -33,8 +33,10 @@ Ops drawCalls();                                     // draws from arrays, recta
 Ops textureCalls();                                  // textures, their environment and coordinates
 Ops pixelCalls();                                    // raster position, pixels, evaluator maps
 Ops targetCalls();                                   // framebuffers, draw and read buffer
-Ops queryCalls();                                    // occlusion queries, selection, feedback
-Ops askCalls();                                      // questions whose answers are compared
-Ops frameCalls();                                    // clears, finishes, other contexts
+Ops programCalls();  // programs, their uniforms and arrays, vertex array objects
+Ops calmCalls();     // back to state in which surfaces are traced
+Ops queryCalls();    // occlusion queries, selection, feedback
+Ops askCalls();      // questions whose answers are compared
+Ops frameCalls();    // clears, finishes, other contexts
 
 }  // namespace gluray::fuzz

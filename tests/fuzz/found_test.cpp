@@ -1,4 +1,6 @@
 // What the fuzzer has found, shrunk: the same calls to a plain OpenGL and to ours, and the same answers.
+#include "gl/arrays.h"
+#include "gl/mesh_builder.h"
 #include "tests/reference/traced_context.h"
 
 #include <gtest/gtest.h>
@@ -105,6 +107,17 @@ const Found kFound[] = {
        float v[4] = {};
        gl.GetMaterialfv(GL_FRONT, GL_AMBIENT, v), a.insert(a.end(), v, v + 4), error(gl, a);
      }},
+    {"wrong draws in a list are errors when it is called",
+     [](Gl gl, Answers& a) {
+       gl.NewList(1, GL_COMPILE), gl.DrawElements(22320, 0, GL_UNSIGNED_INT, nullptr), error(gl, a);
+       gl.DrawElements(GL_TRIANGLES, 1, GL_FLOAT, nullptr), error(gl, a), gl.EndList(), error(gl, a);
+       gl.CallList(1), error(gl, a);
+     }},
+    {"a mapping of a buffer without memory",
+     [](Gl gl, Answers& a) {
+       gl.BindBuffer(GL_ARRAY_BUFFER, 6);
+       gl.MapBufferRange(GL_ARRAY_BUFFER, 0, 32, GL_MAP_WRITE_BIT), error(gl, a);
+     }},
     {"a draw without positions, in feedback",
      [](Gl gl, Answers& a) {
        static GLfloat memory[256];
@@ -129,6 +142,17 @@ TEST_P(FoundTest, AnswersAreThoseOfTheRealOne) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Fuzzer, FoundTest, testing::ValuesIn(kFound));
+
+/// An enabled array of no memory has no elements. Not drawn: the real OpenGL may read at null.
+TEST(Found, ArraysAtNull) {
+  TracedContext context({32, 32});
+  gl::ArrayState arrays;
+  arrays.vertex.enabled = arrays.color.enabled = true;
+  arrays.vertex.size = 3, arrays.vertex.stride = 12, arrays.color.stride = 16;
+  const gl::KnownMesh known =
+      gl::buildArrayMesh(context.below().real(), arrays, GL_TRIANGLES, {0, 6, 0, nullptr, 0});
+  EXPECT_EQ(known.mesh ? known.mesh->triangleCount : 0, 0u);
+}
 
 /// Programs that never swap: what they have drawn must not be kept.
 TEST(Forgetting, MeshesGoWithoutSwapOrFinish) {

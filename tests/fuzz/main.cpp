@@ -6,6 +6,9 @@
 //   OpenGL's
 //                                                                   are counted, but only deaths and hangs
 //                                                                   fail
+//   gluray_fuzz --alone 1 ...                                       ours alone, over an OpenGL that draws
+//   nothing:
+//                                                                   ten times as many calls a second
 //   gluray_fuzz --stream N                                          play and shrink the stream of one seed
 #include "tests/fuzz/session.h"
 
@@ -33,6 +36,7 @@ struct Options {
   uint64_t seed = 1, calls = 1000000, stream = 0;
   unsigned jobs = 1, failures = 1;
   bool differences = true;  // are failures
+  bool alone = false;       // over an OpenGL that draws nothing
 };
 
 /// What a worker says, in memory that it shares with its parent.
@@ -40,6 +44,8 @@ struct Progress {
   uint64_t seed = 0, calls = 0, failedCall = 0, differing = 0, skipped = 0;
   bool ours = false;  // the stream has reached our OpenGL
   bool differencesFail = true;
+  bool alone = false;
+  Drawn drawn;
   char what[4096] = {};
 };
 
@@ -52,6 +58,13 @@ Progress* sharedProgress() {
 void playOrEnd(const Stream& stream, uint64_t seed, Progress& progress, unsigned patience = kPatience) {
   progress.seed = seed;
   alarm(patience);
+  if (progress.alone) {
+    progress.ours = true;
+    const Drawn drawn = playAlone(stream);
+    progress.drawn.traced += drawn.traced, progress.drawn.byPrograms += drawn.byPrograms;
+    progress.drawn.rasterised += drawn.rasterised;
+    return void(alarm(0));
+  }
   const Outcome outcome = play(stream, seed % kStateEvery == 0, progress.ours);
   alarm(0);
   if (outcome.what.empty()) return;
@@ -87,7 +100,8 @@ std::string kindOf(int status) {
 /// Takes calls out as long as the same kind of failure stays (after Zeller's ddmin, 2002).
 class Shrinker {
  public:
-  Shrinker(Stream stream, uint64_t seed, int kind) : stream_(std::move(stream)), seed_(seed), kind_(kind) {}
+  Shrinker(Stream stream, uint64_t seed, int kind, bool alone)
+      : stream_(std::move(stream)), seed_(seed), kind_(kind), alone_(alone) {}
 
   Stream run() {
     if (!fails(stream_)) return stream_;  // does not come again: all of it
@@ -108,6 +122,7 @@ class Shrinker {
  private:
   bool fails(const Stream& stream) {
     Progress* progress = sharedProgress();
+    progress->alone = alone_;
     const int status = statusOf(inChild(true, [&] {
       playOrEnd(stream, seed_, *progress, kind_ == 256 + SIGALRM ? kShortPatience : kPatience);
     }));
@@ -118,22 +133,25 @@ class Shrinker {
   Stream stream_;
   uint64_t seed_;
   int kind_;
+  bool alone_;
 };
 
 void explain(uint64_t seed, int kind, const Progress& progress) {
   std::printf("fuzz: the stream of seed %llu %s%s%s\n", static_cast<unsigned long long>(seed),
               kindOf(kind).c_str(), kind == kDiffers ? ": " : "", kind == kDiffers ? progress.what : "");
   std::fflush(stdout);
-  const Stream small = Shrinker(makeStream(seed), seed, kind).run();
+  const Stream small = Shrinker(makeStream(seed, progress.alone), seed, kind, progress.alone).run();
   std::printf("fuzz: %zu calls are enough (absurd %u %%, small buffers %d, errors asked %d, tame %d):\n",
               small.calls.size(), small.weird, small.smallBuffers, small.askErrors, small.tame);
   std::fflush(stdout);
-  std::fputs(describe(small).c_str(), stdout);
+  std::fputs(describe(small, progress.alone).c_str(), stdout);
   std::fflush(stdout);
   Progress* last = sharedProgress();
+  last->alone = progress.alone;
   statusOf(inChild(false, [&] { playOrEnd(small, seed, *last); }));
   if (last->what[0]) std::printf("fuzz: %s\n", last->what);
-  std::printf("fuzz: again with: gluray_fuzz --stream %llu\n", static_cast<unsigned long long>(seed));
+  std::printf("fuzz: again with: gluray_fuzz%s --stream %llu\n", progress.alone ? " --alone 1" : "",
+              static_cast<unsigned long long>(seed));
   std::fflush(stdout);
 }
 
@@ -145,7 +163,7 @@ struct Worker {
 
 void work(uint64_t seed, unsigned step, uint64_t calls, Progress& progress) {
   for (; progress.calls < calls; seed += step) {
-    const Stream stream = makeStream(seed);
+    const Stream stream = makeStream(seed, progress.alone);
     playOrEnd(stream, seed, progress);
     progress.calls += stream.calls.size();
   }
@@ -160,6 +178,7 @@ int playAll(const Options& options) {
   for (unsigned i = 0; i < options.jobs; ++i) {
     workers[i].progress = sharedProgress();
     workers[i].progress->differencesFail = options.differences;
+    workers[i].progress->alone = options.alone;
     workers[i].next = options.seed + i;
     start(workers[i]);
   }
@@ -189,20 +208,26 @@ int playAll(const Options& options) {
       for (Worker& w : workers)
         if (w.pid > 0) kill(w.pid, SIGKILL);
   }
-  unsigned long long calls = 0, differing = 0, skipped = 0;
+  unsigned long long calls = 0, differing = 0, skipped = 0, traced = 0, byPrograms = 0, rasterised = 0;
   for (const Worker& w : workers) {
     calls += w.progress->calls, differing += w.progress->differing;
     skipped += w.progress->skipped;
+    traced += w.progress->drawn.traced, byPrograms += w.progress->drawn.byPrograms;
+    rasterised += w.progress->drawn.rasterised;
   }
   std::printf("fuzz: %llu calls, %u failures; %llu streams stopped the plain OpenGL by itself\n", calls,
               failures, skipped);
+  if (options.alone)
+    std::printf("fuzz: %llu draws traced, %llu of them by programs; %llu rasterised\n", traced, byPrograms,
+                rasterised);
   if (!options.differences) std::printf("fuzz: %llu streams differ from the real OpenGL\n", differing);
   return failures ? 1 : 0;
 }
 
-int playOne(uint64_t seed) {
+int playOne(uint64_t seed, bool alone) {
   Progress* progress = sharedProgress();
-  const int kind = statusOf(inChild(true, [&] { playOrEnd(makeStream(seed), seed, *progress); }));
+  progress->alone = alone;
+  const int kind = statusOf(inChild(true, [&] { playOrEnd(makeStream(seed, alone), seed, *progress); }));
   if (kind == 0)
     return std::printf("fuzz: the stream of seed %llu is fine\n", static_cast<unsigned long long>(seed)), 0;
   explain(seed, kind, *progress);
@@ -223,6 +248,8 @@ bool parse(int argc, char** argv, Options& options) {
       options.failures = std::max(1u, static_cast<unsigned>(value));
     else if (name == "--differences")
       options.differences = value != 0;
+    else if (name == "--alone")
+      options.alone = value != 0;
     else if (name == "--stream")
       options.stream = value;
     else
@@ -238,13 +265,14 @@ int main(int argc, char** argv) {
   using namespace gluray::fuzz;
   Options options;
   if (!parse(argc, argv, options)) {
-    std::fprintf(stderr,
-                 "usage: gluray_fuzz [--seed N] [--calls N] [--jobs N] [--failures N] [--differences 0] | "
-                 "--stream N\n");
+    std::fprintf(
+        stderr,
+        "usage: gluray_fuzz [--seed N] [--calls N] [--jobs N] [--failures N] [--differences 0] [--alone 1] | "
+        "--stream N\n");
     return 2;
   }
   // Compiling a shader for every combination of state would take all the time there is.
   setenv("GALLIUM_DRIVER", "softpipe", 0), setenv("DRAW_USE_LLVM", "0", 0);
   setenv("MESA_NO_ERROR", "0", 1);
-  return options.stream ? playOne(options.stream) : playAll(options);
+  return options.stream ? playOne(options.stream, options.alone) : playAll(options);
 }

@@ -87,7 +87,7 @@ class Player {
   /// Memory to read, aligned to 16 bytes, with kReach bytes behind it.
   const std::byte* read() { return &source().bytes[16 * below(64)]; }
   Sink& sink() { return sink_; }
-  void switchTo(uint32_t context) { switchTo_(context); }
+  void switchTo(uint32_t which) { switchTo_(context = which); }
 
   void answer(std::string name, std::vector<double> values) {
     answers_.push_back({call_, std::move(name), std::move(values)});
@@ -107,6 +107,9 @@ class Player {
   // What a call must know of those before it, so that neither Mesa nor time runs out (see avoided.h).
   bool compiling = false, executing = false, insideBegin = false, listCalled = false;
   int queriesActive = 0;
+  uint32_t context = 0;                                 // which of the two is current
+  std::array<GLuint, 3> programs{};                     // those made so far; 0: none yet
+  std::array<std::array<GLuint, 3>, 2> vertexArrays{};  // of each context
 
  private:
   template <class T>

@@ -1,5 +1,7 @@
 #include "tests/fuzz/session.h"
 
+#include "frame/renderer.h"
+#include "tests/fuzz/null_gl.h"
 #include "tests/reference/traced_context.h"
 #include "tests/support/gl_state.h"
 
@@ -19,7 +21,7 @@ using test::TracedContext;
 /// Two contexts that share their objects.
 class Plain {
  public:
-  Plain()
+  explicit Plain(const Stream&)
       : first_(OsmesaContext::create({kSize, kSize})),
         second_(OsmesaContext::create({kSize, kSize}, first_.get())) {}
   const gl::RealGl& gl() const { return first_->real(); }
@@ -29,20 +31,90 @@ class Plain {
   std::unique_ptr<OsmesaContext> first_, second_;
 };
 
+Settings settingsOf(const Stream& stream) {
+  Settings s = TracedContext::vertexShading();
+  s.threads = 1;
+  s.engine = stream.engine;
+  return s;
+}
+
 class Ours {
  public:
-  Ours() : first_({kSize, kSize}, settings()), second_({kSize, kSize}, settings(), nullptr, &first_) {}
+  explicit Ours(const Stream& stream)
+      : first_({kSize, kSize}, settingsOf(stream)),
+        second_({kSize, kSize}, settingsOf(stream), nullptr, &first_) {}
   ~Ours() { first_.makeCurrent(); }
   const gl::RealGl& gl() const { return first_.gl(); }
   void makeCurrent(uint32_t which) { (which ? second_ : first_).makeCurrent(); }
 
  private:
-  static Settings settings() {
-    Settings s = TracedContext::vertexShading();
-    s.threads = 1;
-    return s;
-  }
   TracedContext first_, second_;
+};
+
+Drawn g_drawn;  // by the stream that is played alone
+
+/// Traces what it is given, and forgets the picture; now and then it fails.
+class Tracer final : public gl::Presenter {
+ public:
+  gl::PresentResult present(const gl::RealGl&, const scene::SnapshotPtr& snapshot,
+                            const gl::PresentTarget& target) noexcept override {
+    gl::PresentResult result;
+    frame::FrameStatistics statistics;
+    if (target.rasterise) {
+      result.outcome = gl::PresentResult::rasterised;
+    } else if (++pictures_ % 500 != 0 &&
+               frame::Renderer::shared().render(*snapshot, image_, statistics, result.why)) {
+      result.outcome = gl::PresentResult::traced;
+      g_drawn.byPrograms += target.programDraws.size();
+    }
+    return result;
+  }
+  bool supports(const gl::RealGl&, bool, std::string&) noexcept override { return true; }
+  void forget(const gl::RealGl&) noexcept override {}
+
+ private:
+  int pictures_ = 0;
+  Image image_;
+};
+
+/// A clock that goes on by itself, so that a stream means the same each time.
+double ticks() {
+  static double now = 0;
+  return now += 0.001;
+}
+
+/// Two contexts of ours over an OpenGL that draws nothing.
+class Alone {
+ public:
+  explicit Alone(const Stream& stream) : below_{NullGl(), NullGl(&below_[0])} {
+    const auto group = std::make_shared<gl::ShareGroup>();
+    gl::ContextInfo info;
+    info.doubleBuffered = false;
+    info.settings = settingsOf(stream);
+    info.drawableSize = [] { return glm::ivec2(kSize); };
+    info.clock = ticks;
+    for (auto& context : contexts_) context = gl::Context::create(NullGl::table(), group, info, tracer_);
+    contexts_[0]->makeCurrent();
+  }
+  ~Alone() {
+    makeCurrent(0);
+    contexts_[0]->loseCurrent();
+    for (const auto& context : contexts_) {
+      g_drawn.traced += context->statistics.drawsTraced;
+      g_drawn.rasterised += context->statistics.drawsRasterised;
+    }
+  }
+  const gl::RealGl& gl() const { return TracedContext::stubs(); }
+  void makeCurrent(uint32_t which) {
+    if (gl::Context* last = gl::t_thread.context) last->loseCurrent();
+    below_[which ? 1 : 0].makeCurrent();
+    contexts_[which ? 1 : 0]->makeCurrent();
+  }
+
+ private:
+  NullGl below_[2];
+  Tracer tracer_;
+  std::shared_ptr<gl::Context> contexts_[2];
 };
 
 struct Record {
@@ -79,6 +151,7 @@ void prepare(Player& p) {
   p.fillBuffers();
   GLuint made[2];
   p.gl.GenQueries(2, made);
+  p.gl.GenVertexArrays(3, p.vertexArrays[p.context].data());
   p.gl.SelectBuffer(static_cast<GLsizei>(p.sink().selection.size()), p.sink().selection.data());
   p.gl.FeedbackBuffer(static_cast<GLsizei>(p.sink().feedback.size()), GL_3D, p.sink().feedback.data());
   p.gl.Enable(GL_DEPTH_TEST);
@@ -86,16 +159,17 @@ void prepare(Player& p) {
   p.gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
+/// `whole`: nothing is avoided.
 template <class Side>
-Record playTo(const Stream& stream, bool state) {
+Record playTo(const Stream& stream, bool state, bool whole = false) {
   auto sink = std::make_unique<Sink>();
-  Side side;
+  Side side(stream);
   Player p(side.gl(), *sink, [&](uint32_t which) { side.makeCurrent(which); });
   p.smallBuffers = stream.smallBuffers;
-  for (uint32_t context : {1u, 0u}) side.makeCurrent(context), prepare(p);
+  for (uint32_t context : {1u, 0u}) p.switchTo(context), prepare(p);
   for (size_t i = 0; i < stream.calls.size(); ++i) {
     const Call& call = stream.calls[i];
-    if (avoided(p, stream, call.op)) continue;
+    if (!whole && avoided(p, stream, call.op)) continue;
     p.start(i, call.seed, stream.weird);
     call.op->run(p);
     if (stream.askErrors && !(p.compiling && (p.insideBegin || p.executing)))
@@ -187,7 +261,13 @@ Outcome play(const Stream& stream, bool state, bool& ours) {
   return outcome;
 }
 
-std::string describe(const Stream& stream) {
+Drawn playAlone(const Stream& stream) {
+  g_drawn = {};
+  playTo<Alone>(stream, false, true);
+  return g_drawn;
+}
+
+std::string describe(const Stream& stream, bool alone) {
   // Calls that nobody answers: what is described may be what an OpenGL dies of.
   gl::RealGl nobody;
   gl::loadRealGl(
@@ -198,7 +278,7 @@ std::string describe(const Stream& stream) {
   std::string lines;
   p.log = &lines;
   for (size_t i = 0; i < stream.calls.size(); ++i) {
-    if (avoided(p, stream, stream.calls[i].op)) continue;
+    if (!alone && avoided(p, stream, stream.calls[i].op)) continue;
     lines.append("  ").append(std::to_string(i)).append(": ").append(stream.calls[i].op->name);
     p.start(i, stream.calls[i].seed, stream.weird);
     stream.calls[i].op->run(p);

@@ -1,13 +1,14 @@
 #include "tests/fuzz/stream.h"
 
 #include <array>
+#include <iterator>
 
 namespace gluray::fuzz {
 namespace {
 
 class Grammar {
  public:
-  explicit Grammar(uint64_t seed) : random_(seed) {
+  Grammar(uint64_t seed, bool alone) : random_(seed) {
     static constexpr uint32_t kWeird[] = {0, 0, 1, 2, 10};
     stream_.weird = kWeird[random_.below(std::size(kWeird))];
     stream_.smallBuffers = random_.chance(25);
@@ -15,6 +16,13 @@ class Grammar {
     stream_.tame = stream_.weird == 0 && random_.chance(50);
     if (stream_.tame) stream_.smallBuffers = false;
     stream_.attributeSize = 1 + static_cast<int>(random_.below(4));
+    if (alone) {
+      constexpr Engine kEngines[] = {Engine::always,    Engine::always, Engine::always,   Engine::always,
+                                     Engine::automatic, Engine::never,  Engine::automatic};
+      stream_.engine = kEngines[random_.below(std::size(kEngines))];
+      programs_ = random_.chance(60) ? 25 : 0;
+      calm_ = random_.chance(80) ? 20 : 0;
+    }
     length_ = 200 + random_.below(4000);
     // Each stream dwells on other things than the last.
     for (uint32_t& weight : weights_) weight = random_.chance(25) ? 0 : 1 + random_.below(10);
@@ -75,8 +83,16 @@ class Grammar {
     add(drawCalls(), few());
   }
 
+  void programs() {
+    add(programCalls(), few() + 2);
+    if (random_.chance(20)) add(bufferCalls(), few());
+    add(drawCalls(), few());
+  }
+
   void block(int depth) {
     if (depth > 3) return add(leafCalls(), few());
+    if (calm_ && random_.chance(calm_)) add(calmCalls());
+    if (programs_ && random_.chance(programs_)) return programs();
     uint32_t total = 8;
     for (uint32_t weight : weights_) total += weight;
     uint32_t ticket = random_.below(total);
@@ -105,11 +121,13 @@ class Grammar {
   Random random_;
   Stream stream_;
   size_t length_ = 0;
+  uint32_t programs_ = 0;  // percent of blocks that are about shader programs
+  uint32_t calm_ = 0;      // percent of blocks that are led back to state in which surfaces are traced
   std::array<uint32_t, kBlocks> weights_{};
 };
 
 }  // namespace
 
-Stream makeStream(uint64_t seed) { return Grammar(seed).make(); }
+Stream makeStream(uint64_t seed, bool alone) { return Grammar(seed, alone).make(); }
 
 }  // namespace gluray::fuzz

@@ -1,6 +1,7 @@
 // Streams of calls that look like programs, made from a seed: primitives, lists, arrays, state, with things
 // out of place now and then.
 #pragma once
+#include "settings/settings.h"
 #include "tests/fuzz/calls.h"
 
 #include <cstdint>
@@ -19,10 +20,12 @@ struct Stream {
   bool smallBuffers = false;  // see Player
   int attributeSize = 4;      // components of texture coordinates and generic attributes: avoided.md
   bool askErrors = false;     // glGetError after every call
-  bool tame = false;          // only what leaves a picture that can be compared
+  Engine engine = Engine::always;
+  bool tame = false;  // only what leaves a picture that can be compared
 };
 
-/// The stream of this seed, of about two thousand calls.
-Stream makeStream(uint64_t seed);
+/// The stream of this seed, of about two thousand calls. `alone`: for ours over an OpenGL that draws nothing;
+/// then shader programs are among them, and what a real one would not survive.
+Stream makeStream(uint64_t seed, bool alone);
 
 }  // namespace gluray::fuzz
