@@ -122,9 +122,20 @@ std::shared_ptr<Buffer> bufferNamed(ShareGroup& group, GLuint name) {
   return buffer;
 }
 
+bool isForeign(const ArraySource& source) {
+  return source.enabled && source.buffer && source.buffer->foreign;
+}
+
+bool anyForeign(const ArrayState& arrays) {
+  bool any = arrays.elements && arrays.elements->foreign;
+  arrays.forEach([&](const ArraySource& source) { any = any || isForeign(source); });
+  for (const ArraySource& source : arrays.generic) any = any || isForeign(source);
+  return any;
+}
+
 bool isReadable(const ArraySource& source) {
   return !source.enabled || (isPlainType(source.type) && source.stride > 0 && source.size >= 1 &&
-                             source.size <= 4 && !(source.buffer && source.buffer->foreign));
+                             source.size <= 4 && !isForeign(source));
 }
 
 bool restartsPrimitives(const RealGl& real) {
@@ -147,8 +158,9 @@ void readArrays(const RealGl& real, ShareGroup& group, ArrayState& state) {
   for (GLuint i = 0; i < 16; ++i) state.others = state.others || genericArrayOn(real, i);
   bool readable = true;
   state.forEach([&](const ArraySource& source) { readable = readable && isReadable(source); });
-  if (!readable || restartsPrimitives(real) || genericArrayOn(real, 0) ||
-      (state.elements && state.elements->foreign))
+  if (anyForeign(state))
+    state.reason = Reason::foreignBuffer;
+  else if (!readable || restartsPrimitives(real) || genericArrayOn(real, 0))
     state.reason = Reason::arrayState;
 }
 

@@ -50,6 +50,9 @@ struct ArrayState {
 size_t sizeOfType(GLenum type);
 /// Whether its elements can be read as floats.
 bool isReadable(const ArraySource& source);
+/// Whether the array, or the indices of `arrays`, lie in a buffer that is written where we take no note.
+bool isForeign(const ArraySource& source);
+bool anyForeign(const ArrayState& arrays);
 /// Whether index values end primitives.
 bool restartsPrimitives(const RealGl& real);
 /// The buffer of this name, made where it is not known yet; null for 0.

@@ -86,7 +86,7 @@ void Buffer::fetch(const RealGl& real) {
 
 std::shared_ptr<const BufferStorage> Buffer::read(const RealGl& real) {
   const std::lock_guard lock(mutex_);
-  if (!storage_) fetch(real);
+  if (!storage_ || (foreign && !heldBack_ && !mapped_)) fetch(real);
   return storage_;
 }
 

@@ -80,9 +80,12 @@ class Buffer {
   size_t mapLength() const { return mapLength_; }
   GLbitfield mapAccess() const { return mapAccess_; }
 
-  /// The real OpenGL writes into it in ways that we do not see (transform feedback, persistent mapping):
-  /// never traced.
+  /// The real OpenGL or the program writes into it in ways that we do not see (transform feedback, shader
+  /// storage, persistent mapping): never traced, and what we read of it we read anew.
   bool foreign = false;
+  /// The real OpenGL reads it without our being asked (uniform blocks, buffer textures, pixels): it gets the
+  /// contents at once.
+  bool readBelow = false;
   /// The program knows the size although our copy is gone.
   void setSizeBelow(size_t size, GLenum usage);
   /// The program has mapped the real OpenGL's memory, through a target whose contents are not held back.

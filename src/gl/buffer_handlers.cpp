@@ -31,8 +31,21 @@ GLenum bindingOf(GLenum target) {
 
 /// Targets whose contents wait until a draw of the real OpenGL reads them; where it draws everything they are
 /// the real OpenGL's alone.
-bool isHeldBack(const Context& c, GLenum target) {
+bool isHeldBack(const Context& c, GLenum target, const Buffer* buffer) {
+  if (buffer && (buffer->readBelow || buffer->foreign)) return false;
   return !c.direct() && (target == GL_ARRAY_BUFFER || target == GL_ELEMENT_ARRAY_BUFFER);
+}
+
+/// Targets whose buffers we are asked for, or that others than us have to look after.
+bool isAskedFor(GLenum target) {
+  switch (target) {
+    case GL_ARRAY_BUFFER:
+    case GL_ELEMENT_ARRAY_BUFFER:
+    case GL_COPY_READ_BUFFER:
+    case GL_COPY_WRITE_BUFFER:
+    case GL_PIXEL_PACK_BUFFER: return true;
+    default: return false;
+  }
 }
 
 /// The buffer bound to `target`, null where there is none (the real OpenGL then says what is wrong).
@@ -51,8 +64,10 @@ bool isRange(const Buffer& buffer, GLintptr offset, GLsizeiptr size) {
 
 /// Whether the real OpenGL's memory is to be mapped, which then has our contents.
 bool isMappedBelow(Context& c, Buffer* buffer, GLenum target) {
-  if (buffer && !buffer->immutable && !buffer->foreign && !buffer->mappedBelow && isHeldBack(c, target))
-    return false;
+  if (buffer && !buffer->immutable && !buffer->mappedBelow && isHeldBack(c, target, buffer)) {
+    if (!buffer->heldBack()) buffer->read(c.real);
+    if (buffer->size() > 0) return false;  // one without memory: the real OpenGL says what is wrong
+  }
   if (buffer && !buffer->mapped()) buffer->sendTo(c.real), buffer->changedBelow();
   return true;
 }
@@ -63,24 +78,12 @@ bool isUsage(GLenum usage) { return usage >= GL_STREAM_DRAW && usage <= GL_DYNAM
 
 void bindBuffer(Context& c, GLenum target, GLuint name) {
   c.real.BindBuffer(target, name);
-  if (const auto buffer = bufferNamed(c.group(), name); buffer && !isHeldBack(c, target))
+  if (const auto buffer = bufferNamed(c.group(), name); buffer && !isHeldBack(c, target, buffer.get())) {
     buffer->sendTo(c.real);
+    buffer->readBelow = buffer->readBelow || !isAskedFor(target);
+  }
   if (target == GL_ELEMENT_ARRAY_BUFFER) c.touch(kArrays);
 }
-
-namespace {
-/// Buffers at indexed targets may be written by shaders.
-void markForeign(Context& c, GLuint name) {
-  if (const auto buffer = bufferNamed(c.group(), name)) {
-    buffer->sendTo(c.real);
-    buffer->foreign = true;
-    c.touch(kArrays);
-  }
-}
-}  // namespace
-
-void bindBufferBase(Context& c, GLenum, GLuint, GLuint name) { markForeign(c, name); }
-void bindBufferRange(Context& c, GLenum, GLuint, GLuint name, GLintptr, GLsizeiptr) { markForeign(c, name); }
 
 void deleteBuffers(Context& c, GLsizei n, const GLuint* names) {
   c.touch(kArrays);
@@ -95,7 +98,7 @@ void bufferData(Context& c, GLenum target, GLsizeiptr size, const void* data, GL
   if (!buffer || size < 0 || buffer->immutable || !isUsage(usage))
     return c.real.BufferData(target, size, data, usage);
   if (std::exchange(buffer->mappedBelow, false)) c.real.UnmapBuffer(target);  // new contents end a mapping
-  if (isHeldBack(c, target) && size > 0) {
+  if (isHeldBack(c, target, buffer.get()) && size > 0) {
     try {
       return buffer->setData(static_cast<size_t>(size), data, usage);
     } catch (const std::bad_alloc&) {}  // without a copy of ours, the real OpenGL's is the only one
@@ -111,7 +114,7 @@ void bufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, 
   if (buffer->mapped()) return c.setError(GL_INVALID_OPERATION);
   if (buffer->mappedBelow) return c.real.BufferSubData(target, offset, size, data);  // says what is wrong
   try {
-    if (!buffer->immutable && !buffer->foreign && isHeldBack(c, target) && buffer->read(c.real)) {
+    if (!buffer->immutable && isHeldBack(c, target, buffer.get()) && buffer->read(c.real)) {
       if (!isRange(*buffer, offset, size)) return c.setError(GL_INVALID_VALUE);
       if (size > 0 && data) buffer->setSubData(static_cast<size_t>(offset), static_cast<size_t>(size), data);
       return;
@@ -147,7 +150,6 @@ void* mapBuffer(Context& c, GLenum target, GLenum access) {
     if (buffer && memory) buffer->mappedBelow = true;
     return memory;
   }
-  if (!buffer->heldBack()) buffer->read(c.real);
   return buffer->map(c.real, 0, buffer->size(), bits);
 }
 
@@ -159,7 +161,6 @@ void* mapBufferRange(Context& c, GLenum target, GLintptr offset, GLsizeiptr leng
     if (buffer && memory) buffer->mappedBelow = true;
     return memory;
   }
-  if (!buffer->heldBack()) buffer->read(c.real);
   if (!isRange(*buffer, offset, length)) return c.setError(GL_INVALID_VALUE), nullptr;
   if (buffer->mapped() || length == 0 || !(access & (GL_MAP_READ_BIT | GL_MAP_WRITE_BIT)))
     return c.setError(GL_INVALID_OPERATION), nullptr;
@@ -175,6 +176,7 @@ GLboolean unmapBuffer(Context& c, GLenum target) {
     return kept;
   }
   buffer->unmap();
+  if (buffer->readBelow || buffer->foreign) buffer->sendTo(c.real);
   return GL_TRUE;
 }
 
@@ -192,31 +194,39 @@ void getBufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr siz
   std::memcpy(data, buffer->read(c.real)->data + offset, static_cast<size_t>(size));
 }
 
-void getBufferParameteriv(Context& c, GLenum target, GLenum pname, GLint* params) {
-  const auto buffer = bound(c, target);
-  if (!buffer || !(buffer->heldBack() || buffer->mapped()))
-    return c.real.GetBufferParameteriv(target, pname, params);
-  const GLbitfield access = buffer->mapAccess() & (GL_MAP_READ_BIT | GL_MAP_WRITE_BIT);
+bool answers(const Buffer& buffer, GLenum pname, GLint64* value) {
+  if (!buffer.heldBack() && !buffer.mapped()) return false;
+  const GLbitfield access = buffer.mapAccess() & (GL_MAP_READ_BIT | GL_MAP_WRITE_BIT);
   switch (pname) {
-    case GL_BUFFER_SIZE: *params = static_cast<GLint>(buffer->size()); return;
-    case GL_BUFFER_USAGE: *params = static_cast<GLint>(buffer->usage()); return;
-    case GL_BUFFER_MAPPED: *params = buffer->mapped(); return;
+    case GL_BUFFER_SIZE: *value = static_cast<GLint64>(buffer.size()); return true;
+    case GL_BUFFER_USAGE: *value = buffer.usage(); return true;
+    case GL_BUFFER_MAPPED: *value = buffer.mapped(); return true;
     case GL_BUFFER_MAP_OFFSET:
-      *params = buffer->mapped() ? static_cast<GLint>(buffer->mapOffset()) : 0;
-      return;
+      *value = buffer.mapped() ? static_cast<GLint64>(buffer.mapOffset()) : 0;
+      return true;
     case GL_BUFFER_MAP_LENGTH:
-      *params = buffer->mapped() ? static_cast<GLint>(buffer->mapLength()) : 0;
-      return;
-    case GL_BUFFER_ACCESS_FLAGS:
-      *params = buffer->mapped() ? static_cast<GLint>(buffer->mapAccess()) : 0;
-      return;
+      *value = buffer.mapped() ? static_cast<GLint64>(buffer.mapLength()) : 0;
+      return true;
+    case GL_BUFFER_ACCESS_FLAGS: *value = buffer.mapped() ? buffer.mapAccess() : 0; return true;
     case GL_BUFFER_ACCESS:
-      *params = !buffer->mapped() || access == (GL_MAP_READ_BIT | GL_MAP_WRITE_BIT) ? GL_READ_WRITE
-                : access == GL_MAP_READ_BIT                                         ? GL_READ_ONLY
-                                                                                    : GL_WRITE_ONLY;
-      return;
-    default: return c.real.GetBufferParameteriv(target, pname, params);
+      *value = !buffer.mapped() || access == (GL_MAP_READ_BIT | GL_MAP_WRITE_BIT) ? GL_READ_WRITE
+               : access == GL_MAP_READ_BIT                                        ? GL_READ_ONLY
+                                                                                  : GL_WRITE_ONLY;
+      return true;
+    default: return false;
   }
+}
+
+void getBufferParameteriv(Context& c, GLenum target, GLenum pname, GLint* params) {
+  GLint64 value = 0;
+  const auto buffer = bound(c, target);
+  if (buffer && answers(*buffer, pname, &value)) return void(*params = static_cast<GLint>(value));
+  c.real.GetBufferParameteriv(target, pname, params);
+}
+
+void getBufferParameteri64v(Context& c, GLenum target, GLenum pname, GLint64* params) {
+  const auto buffer = bound(c, target);
+  if (!buffer || !answers(*buffer, pname, params)) c.real.GetBufferParameteri64v(target, pname, params);
 }
 
 void getBufferPointerv(Context& c, GLenum target, GLenum pname, void** params) {
@@ -237,10 +247,10 @@ void copyBufferSubData(Context& c, GLenum readTarget, GLenum writeTarget, GLintp
   if (target) target->changedBelow();
 }
 
-uint32_t packBufferChanged(Context& c) {
-  if (versionOf(c.real) < 21) return 0;
+uint32_t boundBufferChanged(Context& c, GLenum target) {
   c.protect([&] {
-    if (const auto buffer = bound(c, GL_PIXEL_PACK_BUFFER)) {
+    if (const auto buffer = bound(c, target)) {
+      c.contentsChange(buffer->name());
       buffer->sendTo(c.real);
       buffer->changedBelow();
     }
@@ -248,9 +258,23 @@ uint32_t packBufferChanged(Context& c) {
   return kArrays;
 }
 
+uint32_t packBufferChanged(Context& c) {
+  return versionOf(c.real) < 21 ? 0 : boundBufferChanged(c, GL_PIXEL_PACK_BUFFER);
+}
+
+uint32_t queryBufferChanged(Context& c) {
+  return versionOf(c.real) < 44 ? 0 : boundBufferChanged(c, GL_QUERY_BUFFER);
+}
+
+uint32_t boundStorageForeign(Context& c, GLenum target) {
+  const auto buffer = bound(c, target);
+  return buffer ? bufferForeign(c, buffer->name()) : 0;
+}
+
 uint32_t buffersChangedBelow(Context& c) {
   c.protect([&] {
     for (const auto& buffer : c.group().buffers.all()) {
+      c.contentsChange(buffer->name());
       buffer->sendTo(c.real);
       buffer->changedBelow();
     }

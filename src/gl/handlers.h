@@ -65,8 +65,6 @@ void useXFont(Context& c, int first, int count, int base, const std::function<vo
 
 // buffer objects (buffer_handlers.cpp)
 void bindBuffer(Context& c, GLenum target, GLuint name);
-void bindBufferBase(Context& c, GLenum target, GLuint index, GLuint name);
-void bindBufferRange(Context& c, GLenum target, GLuint index, GLuint name, GLintptr offset, GLsizeiptr size);
 void deleteBuffers(Context& c, GLsizei n, const GLuint* names);
 void bufferData(Context& c, GLenum target, GLsizeiptr size, const void* data, GLenum usage);
 void bufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, const void* data);
@@ -77,14 +75,46 @@ GLboolean unmapBuffer(Context& c, GLenum target);
 void flushMappedBufferRange(Context& c, GLenum target, GLintptr offset, GLsizeiptr length);
 void getBufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, void* data);
 void getBufferParameteriv(Context& c, GLenum target, GLenum pname, GLint* params);
+void getBufferParameteri64v(Context& c, GLenum target, GLenum pname, GLint64* params);
 void getBufferPointerv(Context& c, GLenum target, GLenum pname, void** params);
+/// What is asked of a buffer that is mapped, or whose contents the real OpenGL does not have. False for any
+/// other.
+bool answers(const Buffer& buffer, GLenum pname, GLint64* value);
 void copyBufferSubData(Context& c, GLenum readTarget, GLenum writeTarget, GLintptr readOffset,
                        GLintptr writeOffset, GLsizeiptr size);
-/// Commands that name buffers directly: the real OpenGL gets ours first and its contents are read back later.
-/// Groups to touch.
-uint32_t buffersChangedBelow(Context& c);
-/// Pixels may have been read into the buffer bound to GL_PIXEL_PACK_BUFFER. Groups to touch.
-uint32_t packBufferChanged(Context& c);
+// The real OpenGL changes buffers itself: it gets our contents first, and its own are read back later. Groups
+// to touch.
+uint32_t buffersChangedBelow(Context& c);                 // any of them
+uint32_t boundBufferChanged(Context& c, GLenum target);   // the one bound to `target`
+uint32_t packBufferChanged(Context& c);                   // pixels may have been read into it
+uint32_t queryBufferChanged(Context& c);                  // results of queries may have been
+uint32_t boundStorageForeign(Context& c, GLenum target);  // its memory belongs to others, too
+
+// buffer objects by name, or out of sight (named_buffers.cpp)
+void bindBufferBase(Context& c, GLenum target, GLuint index, GLuint name);
+void bindBufferRange(Context& c, GLenum target, GLuint index, GLuint name, GLintptr offset, GLsizeiptr size);
+void* mapNamedBuffer(Context& c, GLuint name, GLenum access);
+void* mapNamedBufferEXT(Context& c, GLuint name, GLenum access);
+void* mapNamedBufferRange(Context& c, GLuint name, GLintptr offset, GLsizeiptr length, GLbitfield access);
+void* mapNamedBufferRangeEXT(Context& c, GLuint name, GLintptr offset, GLsizeiptr length, GLbitfield access);
+GLboolean unmapNamedBuffer(Context& c, GLuint name);
+GLboolean unmapNamedBufferEXT(Context& c, GLuint name);
+void flushMappedNamedBufferRange(Context& c, GLuint name, GLintptr offset, GLsizeiptr length);
+void flushMappedNamedBufferRangeEXT(Context& c, GLuint name, GLintptr offset, GLsizeiptr length);
+void getNamedBufferPointerv(Context& c, GLuint name, GLenum pname, void** params);
+void getNamedBufferPointervEXT(Context& c, GLuint name, GLenum pname, void** params);
+void getNamedBufferParameteriv(Context& c, GLuint name, GLenum pname, GLint* params);
+void getNamedBufferParameterivEXT(Context& c, GLuint name, GLenum pname, GLint* params);
+void getNamedBufferParameteri64v(Context& c, GLuint name, GLenum pname, GLint64* params);
+// Groups to touch before and after the real OpenGL ...
+uint32_t namedBufferRead(Context& c, GLuint name);                 // reads it
+uint32_t namedBufferChanged(Context& c, GLuint name);              // writes into it
+uint32_t namedBufferReplaced(Context& c, GLuint name);             // gives it new memory
+uint32_t namedBufferCopied(Context& c, GLuint from, GLuint to);    // copies
+uint32_t namedStorage(Context& c, GLuint name, GLbitfield flags);  // gives it memory for good
+uint32_t bufferForeign(Context& c, GLuint name);                   // may write it at any time
+uint32_t buffersForeign(Context& c, GLsizei count, const GLuint* names);
+uint32_t readAsTexture(Context& c, GLuint name);  // reads it as a buffer texture
 
 // framebuffer, attributes, questions (state_handlers.cpp)
 void clear(Context& c, GLbitfield mask);

@@ -48,6 +48,7 @@ namespace gluray::gl {
   X(coincident, "coincident surfaces: drawing order decides") \
   X(passes, "drawn in several passes")                        \
   X(arrayState, "vertex array form not traced")               \
+  X(foreignBuffer, "buffer written where it is not seen")     \
   X(evaluators, "evaluators")                                 \
   X(noGlsl, "real OpenGL lacks shaders for the write-back")   \
   X(smallScene, "small scene: the real OpenGL is faster")     \

@@ -215,7 +215,8 @@ Reason TextureCache::buffer(const RealGl& real, ShareGroup& group, GLint unit, s
   }
   const auto buffer = bufferNamed(group, static_cast<GLuint>(ask(GL_TEXTURE_BUFFER_DATA_STORE_BINDING)));
   const auto storage = buffer ? buffer->read(real) : nullptr;
-  if (!storage || buffer->foreign) return Reason::textureFormat;
+  if (buffer && buffer->foreign) return Reason::foreignBuffer;
+  if (!storage) return Reason::textureFormat;
   size_t offset = 0, size = storage->size;
   if (versionOf(real) >= 43) {
     offset = static_cast<size_t>(ask(GL_TEXTURE_BUFFER_OFFSET));

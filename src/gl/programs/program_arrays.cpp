@@ -103,8 +103,9 @@ void readAttributes(const RealGl& real, ShareGroup& group, const KnownProgram* p
   const auto keep = [&](const ArraySource& s) { plain = plain && (!s.enabled || s.buffer); };
   arrays.forEach(keep);
   for (const ArraySource& source : arrays.generic) keep(source);
-  if (!plain || !arrays.vertex.enabled || restartsPrimitives(real) ||
-      (arrays.elements && arrays.elements->foreign))
+  if (anyForeign(arrays))
+    arrays.reason = Reason::foreignBuffer;
+  else if (!plain || !arrays.vertex.enabled || restartsPrimitives(real))
     arrays.reason = Reason::arrayState;
 }
 

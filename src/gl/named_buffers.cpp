@@ -1,0 +1,178 @@
+// Commands that name the buffer object they are about instead of binding it (OpenGL 4.5,
+// EXT_direct_state_access), and those by which the real OpenGL reads or writes buffers where we take no note.
+#include "gl/handlers.h"
+
+#include <utility>
+
+namespace gluray::gl {
+namespace {
+
+std::shared_ptr<Buffer> known(Context& c, GLuint name) {
+  return name ? c.group().buffers.find(name) : nullptr;
+}
+
+void markForeign(Context& c, GLuint name) {
+  c.protect([&] {
+    const auto buffer = bufferNamed(c.group(), name);
+    if (!buffer) return;
+    c.contentsChange(name);
+    buffer->sendTo(c.real);
+    buffer->foreign = true;
+    c.touch(kArrays);
+  });
+}
+
+/// `map` asks the real OpenGL.
+template <class Map>
+void* mapNamed(Context& c, GLuint name, Map&& map) {
+  const auto buffer = known(c, name);
+  if (!buffer) return map();
+  if (buffer->mapped()) return c.setError(GL_INVALID_OPERATION), nullptr;
+  namedBufferChanged(c, name);
+  void* memory = map();
+  if (memory) buffer->mappedBelow = true;
+  return memory;
+}
+
+template <class Unmap>
+GLboolean unmapNamed(Context& c, GLuint name, Unmap&& unmap) {
+  const auto buffer = known(c, name);
+  if (!buffer || !buffer->mapped()) {
+    const GLboolean kept = unmap();
+    if (buffer && std::exchange(buffer->mappedBelow, false)) buffer->changedBelow();
+    return kept;
+  }
+  buffer->unmap();
+  if (buffer->readBelow || buffer->foreign) buffer->sendTo(c.real);
+  return GL_TRUE;
+}
+
+/// Whether we answer for a buffer that is mapped here.
+bool flushes(Context& c, GLuint name) {
+  const auto buffer = known(c, name);
+  if (!buffer || !buffer->mapped()) return false;
+  if (!(buffer->mapAccess() & GL_MAP_FLUSH_EXPLICIT_BIT)) c.setError(GL_INVALID_OPERATION);
+  return true;
+}
+
+bool tellsPointer(Context& c, GLuint name, GLenum pname, void** params) {
+  const auto buffer = known(c, name);
+  if (!buffer || !buffer->mapped() || pname != GL_BUFFER_MAP_POINTER) return false;
+  *params = buffer->mappedPointer();
+  return true;
+}
+
+template <class T>
+bool tells(Context& c, GLuint name, GLenum pname, T* params) {
+  GLint64 value = 0;
+  const auto buffer = known(c, name);
+  if (!buffer || !answers(*buffer, pname, &value)) return false;
+  *params = static_cast<T>(value);
+  return true;
+}
+
+}  // namespace
+
+void* mapNamedBuffer(Context& c, GLuint name, GLenum access) {
+  return mapNamed(c, name, [&] { return c.real.MapNamedBuffer(name, access); });
+}
+void* mapNamedBufferEXT(Context& c, GLuint name, GLenum access) {
+  return mapNamed(c, name, [&] { return c.real.MapNamedBufferEXT(name, access); });
+}
+void* mapNamedBufferRange(Context& c, GLuint name, GLintptr offset, GLsizeiptr length, GLbitfield access) {
+  return mapNamed(c, name, [&] { return c.real.MapNamedBufferRange(name, offset, length, access); });
+}
+void* mapNamedBufferRangeEXT(Context& c, GLuint name, GLintptr offset, GLsizeiptr length, GLbitfield access) {
+  return mapNamed(c, name, [&] { return c.real.MapNamedBufferRangeEXT(name, offset, length, access); });
+}
+
+GLboolean unmapNamedBuffer(Context& c, GLuint name) {
+  return unmapNamed(c, name, [&] { return c.real.UnmapNamedBuffer(name); });
+}
+GLboolean unmapNamedBufferEXT(Context& c, GLuint name) {
+  return unmapNamed(c, name, [&] { return c.real.UnmapNamedBufferEXT(name); });
+}
+
+void flushMappedNamedBufferRange(Context& c, GLuint name, GLintptr offset, GLsizeiptr length) {
+  if (!flushes(c, name)) c.real.FlushMappedNamedBufferRange(name, offset, length);
+}
+void flushMappedNamedBufferRangeEXT(Context& c, GLuint name, GLintptr offset, GLsizeiptr length) {
+  if (!flushes(c, name)) c.real.FlushMappedNamedBufferRangeEXT(name, offset, length);
+}
+
+void getNamedBufferPointerv(Context& c, GLuint name, GLenum pname, void** params) {
+  if (!tellsPointer(c, name, pname, params)) c.real.GetNamedBufferPointerv(name, pname, params);
+}
+void getNamedBufferPointervEXT(Context& c, GLuint name, GLenum pname, void** params) {
+  if (!tellsPointer(c, name, pname, params)) c.real.GetNamedBufferPointervEXT(name, pname, params);
+}
+void getNamedBufferParameteriv(Context& c, GLuint name, GLenum pname, GLint* params) {
+  if (!tells(c, name, pname, params)) c.real.GetNamedBufferParameteriv(name, pname, params);
+}
+void getNamedBufferParameterivEXT(Context& c, GLuint name, GLenum pname, GLint* params) {
+  if (!tells(c, name, pname, params)) c.real.GetNamedBufferParameterivEXT(name, pname, params);
+}
+void getNamedBufferParameteri64v(Context& c, GLuint name, GLenum pname, GLint64* params) {
+  if (!tells(c, name, pname, params)) c.real.GetNamedBufferParameteri64v(name, pname, params);
+}
+
+uint32_t namedBufferRead(Context& c, GLuint name) {
+  c.protect([&] {
+    if (const auto buffer = known(c, name)) buffer->sendTo(c.real);
+  });
+  return 0;
+}
+
+uint32_t namedBufferChanged(Context& c, GLuint name) {
+  c.protect([&] {
+    const auto buffer = known(c, name);
+    if (!buffer) return;
+    c.contentsChange(name);
+    buffer->sendTo(c.real);
+    buffer->changedBelow();
+  });
+  return kArrays;
+}
+
+uint32_t namedBufferReplaced(Context& c, GLuint name) {
+  if (const auto buffer = known(c, name)) {
+    if (buffer->mapped()) buffer->unmap();  // new contents end a mapping
+    buffer->mappedBelow = false;
+  }
+  return namedBufferChanged(c, name);
+}
+
+uint32_t namedBufferCopied(Context& c, GLuint from, GLuint to) {
+  return namedBufferRead(c, from) | namedBufferChanged(c, to);
+}
+
+uint32_t namedStorage(Context& c, GLuint name, GLbitfield flags) {
+  if (const auto buffer = bufferNamed(c.group(), name)) buffer->immutable = true;
+  if (flags & GL_MAP_PERSISTENT_BIT) markForeign(c, name);
+  return namedBufferReplaced(c, name);
+}
+
+uint32_t bufferForeign(Context& c, GLuint name) {
+  markForeign(c, name);
+  return kArrays;
+}
+
+uint32_t buffersForeign(Context& c, GLsizei count, const GLuint* names) {
+  for (GLsizei i = 0; names && i < count; ++i) markForeign(c, names[i]);
+  return kArrays | kProgram;
+}
+
+uint32_t readAsTexture(Context& c, GLuint name) {
+  c.protect([&] {
+    const auto buffer = bufferNamed(c.group(), name);
+    if (!buffer) return;
+    buffer->sendTo(c.real);
+    buffer->readBelow = true;
+  });
+  return kTexture;
+}
+
+void bindBufferBase(Context& c, GLenum, GLuint, GLuint name) { markForeign(c, name); }
+void bindBufferRange(Context& c, GLenum, GLuint, GLuint name, GLintptr, GLsizeiptr) { markForeign(c, name); }
+
+}  // namespace gluray::gl
