@@ -215,21 +215,19 @@ HWY_ATTR inline void shadeByProgram(const FrameData& frame, const Surface& s, co
   if (!s.lighting->shading->textures.empty()) multiplyByTextures(frame, s, group, x, y, rows);
 }
 
-/// RGBA8 colours of the group's lanes at window positions x, y; bit i of `back`: lane i shows its back face.
-/// Lanes outside the group get colours without meaning. Returns the lanes that fail the alpha test.
+/// Colours (the first four rows) of the group's lanes at window positions x, y; bit i of `back`: lane i shows
+/// its back face. Lanes outside the group get colours without meaning. Returns the lanes that fail the alpha
+/// test.
 HWY_ATTR inline uint32_t shade(const FrameData& frame, const Surface& s, const Group& group, uint32_t back,
-                               const float* x, const float* y, uint32_t* color) {
+                               const float* x, const float* y, LitRows& rows) {
   const scene::Shading& shading = *s.lighting->shading;
   if (shading.fragment.model != scene::FragmentShading::Model::off) {
-    LitRows rows;
     shadeByProgram(frame, s, group, back, x, y, rows);
-    packColors(rows, color);
     return failingLanes(shading.alphaTest, rows) & group.lanes;
   }
   Attributes attributes;
   loadAttributes(s, group, attributes);
   if (!shading.twoSided || !shading.lighting) back = 0;
-  LitRows rows;
   const bool frontSeen = (group.lanes & ~back) != 0;
   if (frontSeen) colorSide(frame, s, group, attributes, false, rows);
   if (back) {
@@ -243,7 +241,6 @@ HWY_ATTR inline uint32_t shade(const FrameData& frame, const Surface& s, const G
   if (!shading.textures.empty()) textureLanes(frame, s, group, x, y, rows);
   if (shading.separateSpecular || shading.colorSum) addSecondary(rows);
   if (shading.fog.mode != scene::Fog::off) applyFog(shading.fog, s, group, rows);
-  packColors(rows, color);
   return failingLanes(shading.alphaTest, rows) & group.lanes;
 }
 

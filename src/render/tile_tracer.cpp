@@ -20,6 +20,10 @@ void shapeImage(const scene::Snapshot& snapshot, Image& image) {
   if (region.width > kLargestSide || region.height > kLargestSide || snapshot.samples > 64) {
     throw std::runtime_error("the region to trace is larger than any framebuffer");
   }
+  const size_t pixels = static_cast<size_t>(region.width) * static_cast<size_t>(region.height);
+  if (snapshot.layers && (snapshot.samples > 1 || snapshot.layers->opaqueDepth.size() != pixels)) {
+    throw std::runtime_error("layers need one sample a pixel, and the depth of what is opaque for each");
+  }
   image.x = region.x;
   image.y = region.y;
   image.resize(region.width, region.height, std::max(snapshot.samples, 1));

@@ -77,6 +77,18 @@ struct Instance {
       clipPlanes;  // eye space; a point p is kept where dot(plane, p) >= 0 for every plane
 };
 
+/// Surfaces that are seen through: all along a ray count, from the front backwards. A pixel becomes the sum
+/// of their colours, each times its opacity and what those before it let through; its alpha is the opacity of
+/// all.
+struct Layers {
+  /// Window depth of what is opaque, one a pixel of the region, lowest row first: what lies behind it does
+  /// not count. Negative: there is nothing opaque.
+  std::vector<float> opaqueDepth;
+  /// Surfaces whose depths differ by no more are at one place: of what each would make of the pixel, every
+  /// channel keeps the largest.
+  float tolerance = 1e-7f;
+};
+
 /// One batch: what is traced in one go and written to one framebuffer.
 struct Snapshot {
   uint64_t frame = 0;  // counts the program's frames, from 1
@@ -86,6 +98,7 @@ struct Snapshot {
   int samples = 1;                         // of the framebuffer
   std::vector<glm::vec2> samplePositions;  // in [0,1)^2 from the pixel's lower left corner, `samples` of them
   PolygonOffset polygonOffset;
+  std::shared_ptr<const Layers> layers;  // null: the nearest surface alone is seen. One sample a pixel
   bool laterWins = false;  // GL_LEQUAL: of surfaces at one place the last drawn is seen; otherwise the first
   std::vector<Shading> shadings;
   std::vector<Instance> instances;

@@ -1,0 +1,235 @@
+// A packet of rays: what it hits, and the colours and depths of its hits. Part of kernels.cpp (compiled once for
+// each instruction set).
+#if defined(GLURAY_RENDER_HITS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLURAY_RENDER_HITS_INL_H_
+#undef GLURAY_RENDER_HITS_INL_H_
+#else
+#define GLURAY_RENDER_HITS_INL_H_
+#endif
+
+#include "render/depth.inl.h"
+#include "render/shade.inl.h"
+
+#include <hwy/cache_control.h>
+
+#include <algorithm>
+#include <vector>
+
+HWY_BEFORE_NAMESPACE();
+namespace gluray::render {
+namespace HWY_NAMESPACE {
+
+/// A packet on its way from rays to pixels.
+struct Work {
+  accel::RayPacket packet;
+  alignas(64) float x[kLanes], y[kLanes];  // window positions
+  alignas(64) int32_t valid[kLanes];       // -1: to be traced
+  alignas(64) uint32_t vertex[3][kLanes];  // of the hit triangles
+  alignas(64) uint32_t color[kLanes];
+  alignas(64) float depth[kLanes];
+  uint32_t hits = 0;           // bit i: lane i hit something
+  int imageX = 0, imageY = 0;  // pixel of lane 0
+  int sample = 0;
+};
+
+// Pixel of lane i within its 4x4 block: Z order of 2x2 quads.
+constexpr int laneX(int i) { return (i & 1) + (i >> 1 & 2); }
+constexpr int laneY(int i) { return (i >> 1 & 1) + (i >> 2 & 2); }
+
+struct LaneOffsets {
+  alignas(64) float x[kLanes], y[kLanes];
+  constexpr LaneOffsets() : x(), y() {
+    for (int i = 0; i < kLanes; ++i) x[i] = static_cast<float>(laneX(i)), y[i] = static_cast<float>(laneY(i));
+  }
+};
+inline constexpr LaneOffsets kLaneOffsets;
+
+using IndexTag = hn::Rebind<uint32_t, FloatTag>;
+
+// The lanes of a vector that begins at lane i, from bits.
+HWY_INLINE hn::Mask<IndexTag> maskAt(uint32_t lanes, int i) {
+  return hn::RebindMask(IndexTag(), lanesAt(lanes, i));
+}
+HWY_INLINE uint32_t bitsAt(hn::Mask<IndexTag> mask, int i) {
+  uint8_t bits[8] = {};
+  hn::StoreMaskBits(IndexTag(), mask, bits);
+  return (bits[0] | static_cast<uint32_t>(bits[1]) << 8) << i;
+}
+
+/// Culling and the clip planes of single instances, asked of every hit; and hits that failed the alpha test.
+class RejectingFilter : public accel::HitFilter {
+ public:
+  explicit RejectingFilter(const FrameData& frame) : frame_(frame) {}
+  bool accepts(uint32_t instance, uint32_t primitive, float u, float v, int lane) const noexcept override {
+    for (const Hit& hit : failed_[lane])
+      if (hit.instance == instance && hit.primitive == primitive) return false;
+    return frame_.surfaces[instance].accepts(primitive, u, v);
+  }
+  /// The lane's ray is to go on as if its hit were not there. Returns from which distance on: others may be as
+  /// far as the hit, give or take a rounding.
+  float refuse(const accel::RayPacket& packet, int lane) {
+    constexpr float kBefore = 1 - 0x1p-20f;
+    const float passed = packet.tFar[lane] * kBefore;
+    std::erase_if(failed_[lane], [&](const Hit& hit) { return hit.distance < passed; });
+    failed_[lane].push_back({packet.instance[lane], packet.primitive[lane], packet.tFar[lane]});
+    return passed;
+  }
+
+ private:
+  struct Hit {
+    uint32_t instance, primitive;
+    float distance;
+  };
+  const FrameData& frame_;
+  std::vector<Hit> failed_[kLanes];
+};
+
+HWY_ATTR inline uint32_t lanesThatHit(const accel::RayPacket& packet, const int32_t* valid) {
+  const IndexTag d;
+  const hn::Rebind<int32_t, FloatTag> di;
+  uint32_t lanes = 0;
+  for (int i = 0; i < kLanes; i += lanesOfVector()) {
+    const auto traced = hn::BitCast(d, hn::Load(di, valid + i));
+    const auto missed = hn::Eq(hn::Load(d, packet.geometry + i), hn::Set(d, accel::kNoHit));
+    lanes |= bitsAt(hn::And(hn::Ne(traced, hn::Zero(d)), hn::Not(missed)), i);
+  }
+  return lanes;
+}
+
+// The lanes among `lanes` that hit the same instance as the first of them.
+HWY_ATTR inline void gather(const Work& work, uint32_t lanes, Group& group) {
+  const IndexTag d;
+  const accel::RayPacket& packet = work.packet;
+  const int leader = std::countr_zero(lanes);
+  group.lanes = 0;
+  for (int i = 0; i < kLanes; i += lanesOfVector()) {
+    const auto same = hn::Eq(hn::Load(d, packet.instance + i), hn::Set(d, packet.instance[leader]));
+    const auto member = hn::And(same, maskAt(lanes, i));
+    group.lanes |= bitsAt(member, i);
+    const auto take = [&](const uint32_t* from, uint32_t* to) HWY_ATTR {
+      hn::Store(hn::IfThenElse(member, hn::Load(d, from + i), hn::Set(d, from[leader])), d, to + i);
+    };
+    take(packet.primitive, group.primitive);
+    for (int k = 0; k < 3; ++k) take(work.vertex[k], group.vertex[k]);
+    const auto memberF = hn::RebindMask(FloatTag(), member);
+    store(hn::IfThenElse(memberF, load(packet.u + i), splat(packet.u[leader])), group.u + i);
+    store(hn::IfThenElse(memberF, load(packet.v + i), splat(packet.v[leader])), group.v + i);
+  }
+}
+
+// Colour and depth of `lanes` into the pixels.
+HWY_ATTR inline void merge(uint32_t lanes, const LitRows& rows, const float* depth, Work& work) {
+  const IndexTag d;
+  alignas(64) uint32_t color[kLanes];
+  packColors(rows, color);
+  for (int i = 0; i < kLanes; i += lanesOfVector()) {
+    const auto member = maskAt(lanes, i);
+    hn::Store(hn::IfThenElse(member, hn::Load(d, color + i), hn::Load(d, work.color + i)), d, work.color + i);
+    store(hn::IfThenElse(hn::RebindMask(FloatTag(), member), load(depth + i), load(work.depth + i)),
+          work.depth + i);
+  }
+}
+
+// Lanes whose hit is culled or cut away by the instance's own clip planes.
+HWY_ATTR inline uint32_t rejectedLanes(const Surface& s, const Group& group, uint32_t ccw) {
+  uint32_t rejected = ((s.cullsCcw ? ccw : 0) | (s.cullsCw ? ~ccw : 0)) & group.lanes;
+  if (!s.ownClipPlanes) return rejected;
+  for (uint32_t lanes = group.lanes & ~rejected; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    if (!s.accepts(group.primitive[i], group.u[i], group.v[i])) rejected |= 1u << i;
+  }
+  return rejected;
+}
+
+/// Depth and colour of the hits in `lanes`, given to take(lanes, colours, depths). Returns the lanes whose hit
+/// does not count: culled or cut away, which is asked only where `mayReject`, or failing the alpha test.
+template <class Take>
+HWY_ATTR uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool mayReject, const Work& work,
+                            Take&& take) {
+  uint32_t rejected = 0;
+  Group group;
+  DepthAndFacing seen;
+  LitRows rows;
+  while (lanes) {
+    gather(work, lanes, group);
+    lanes &= ~group.lanes;
+    const Surface& surface = frame.surfaces[work.packet.instance[std::countr_zero(group.lanes)]];
+    loadCorners(*surface.mesh, group);
+    computeDepth(surface, frame.depth, group, work.x, work.y, seen);
+    if (mayReject) {
+      const uint32_t now = rejectedLanes(surface, group, seen.ccw);
+      rejected |= now;
+      group.lanes &= ~now;
+      if (group.lanes == 0) continue;
+    }
+    const uint32_t back = (surface.frontIsCcw ? ~seen.ccw : seen.ccw) & group.lanes;
+    const uint32_t failing = shade(frame, surface, group, back, work.x, work.y, rows);
+    rejected |= failing;
+    group.lanes &= ~failing;
+    take(group.lanes, rows, seen.depth);
+  }
+  return rejected;
+}
+
+// First stage: what the rays hit; asks memory for the hit triangles' indices.
+HWY_ATTR inline void traceWork(const FrameData& frame, Work& work) {
+  generateRays(frame.rays, work.x, work.y, work.packet, work.valid);
+  frame.world->intersect(work.valid, work.packet);
+  work.hits = lanesThatHit(work.packet, work.valid);
+  for (uint32_t lanes = work.hits; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    const scene::Mesh& mesh = *frame.surfaces[work.packet.instance[i]].mesh;
+    if (mesh.indices) hwy::Prefetch(mesh.indices.data + static_cast<size_t>(work.packet.primitive[i]) * 12);
+  }
+}
+
+// Second stage: the vertices of the hit triangles; asks memory for their positions and normals.
+HWY_ATTR inline void fetchVertices(const FrameData& frame, Work& work) {
+  for (uint32_t lanes = work.hits; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    const scene::Mesh& mesh = *frame.surfaces[work.packet.instance[i]].mesh;
+    uint32_t vertex[3];
+    loadTriangle(mesh, work.packet.primitive[i], vertex);
+    for (int k = 0; k < 3; ++k) {
+      work.vertex[k][i] = vertex[k];
+      hwy::Prefetch(mesh.positions.data + static_cast<size_t>(vertex[k]) * mesh.positions.stride);
+      for (const scene::Attribute* a : {&mesh.normals, &mesh.texcoords, &mesh.colors})
+        if (*a) hwy::Prefetch(a->data + static_cast<size_t>(vertex[k]) * a->stride);
+    }
+  }
+}
+
+// Traces `lanes` on from behind their hits, this time asking about every hit on the way. `passed`: distances
+// that lanes are through, at first 0.
+HWY_ATTR inline void traceOn(const FrameData& frame, uint32_t lanes, RejectingFilter& filter, float* passed,
+                             Work& work) {
+  for (int i = 0; i < kLanes; ++i) work.valid[i] = lanes >> i & 1 ? -1 : 0;
+  for (; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    passed[i] = filter.refuse(work.packet, i);
+  }
+  generateRays(frame.rays, work.x, work.y, work.packet, work.valid);
+  for (int i = 0; i < kLanes; ++i) work.packet.tNear[i] = std::max(work.packet.tNear[i], passed[i]);
+  frame.world->intersect(work.valid, work.packet, &filter);
+  work.hits = lanesThatHit(work.packet, work.valid);
+  fetchVertices(frame, work);
+}
+
+// Colour and depth of the hits; where the nearest does not count, of the first behind it that does.
+HWY_ATTR inline void shadeNearest(const FrameData& frame, Work& work) {
+  const auto take = [&](uint32_t lanes, const LitRows& rows, const float* depth)
+                        HWY_ATTR { merge(lanes, rows, depth, work); };
+  uint32_t lanes = shadeHits(frame, work.hits, true, work, take);
+  if (!lanes) return;
+  RejectingFilter filter(frame);
+  alignas(64) float passed[kLanes] = {};
+  while (lanes) {
+    traceOn(frame, lanes, filter, passed, work);
+    lanes = shadeHits(frame, work.hits, false, work, take);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace gluray::render
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,123 @@
+// Surfaces that are seen through.
+#include "render/test_trace.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace gluray {
+namespace {
+
+using glm::vec4;
+
+struct Sheet {
+  float z;  // window depth is 0.5 - z/2
+  vec4 color;
+};
+
+/// Squares over the whole window, one instance each.
+scene::Snapshot sheets(const std::vector<Sheet>& all, float opaqueDepth = -1) {
+  std::vector<scene::MeshPtr> meshes;
+  for (const Sheet& sheet : all) meshes.push_back(test::makeMesh(test::squareData(sheet.z)));
+  auto s = test::makeSnapshot(meshes);
+  for (size_t i = 0; i < all.size(); ++i) {
+    s.instances[i].color = all[i].color;
+    s.instances[i].order = static_cast<uint32_t>(i);
+  }
+  auto layers = std::make_shared<scene::Layers>();
+  layers->opaqueDepth.assign(16 * 16, opaqueDepth);
+  s.layers = layers;
+  return s;
+}
+
+/// Colour under what is in front of it, as glBlendFunc would mix them in order.
+vec4 under(const vec4& front, const vec4& color) {
+  const float weight = (1 - front.a) * color.a;
+  return front + weight * vec4(glm::vec3(color), 1);
+}
+
+void expectColor(const scene::Snapshot& s, const vec4& expected) {
+  const auto traced = test::trace(s);
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x)
+      ASSERT_LE(test::difference(traced.color(x, y), glm::round(expected * 255.0f)), 1) << x << ' ' << y;
+}
+
+constexpr vec4 kRed(1, 0, 0, 0.5f), kGreen(0, 1, 0, 0.25f), kBlue(0, 0, 1, 0.75f);
+
+TEST(Layers, AreSeenFromTheFrontBackwards) {
+  const vec4 expected = under(under(under(vec4(0), kRed), kGreen), kBlue);
+  std::vector<Sheet> all{{0.8f, kRed}, {0.1f, kGreen}, {-0.7f, kBlue}};
+  do expectColor(sheets(all), expected);
+  while (std::next_permutation(all.begin(), all.end(), [](auto& a, auto& b) { return a.z < b.z; }));
+}
+
+TEST(Layers, DepthIsThatOfTheFirst) {
+  const auto traced = test::trace(sheets({{-0.5f, kGreen}, {0.5f, kRed}}));
+  EXPECT_FLOAT_EQ(traced.depth(5, 5), 0.25f);
+}
+
+TEST(Layers, NothingIsSeenBehindWhatIsOpaque) {
+  const std::vector<Sheet> all{{0.8f, kRed}, {0.1f, kGreen}, {-0.7f, kBlue}};
+  expectColor(sheets(all, 0.5f), under(under(vec4(0), kRed), kGreen));
+  expectColor(sheets(all, 0.05f), vec4(0));
+  EXPECT_FALSE(test::trace(sheets(all, 0.05f)).hit(3, 3));
+}
+
+TEST(Layers, OpaqueDepthIsThePixelsOwn) {
+  auto s = sheets({{0, kRed}});
+  auto layers = std::make_shared<scene::Layers>(*s.layers);
+  layers->opaqueDepth[7 * 16 + 3] = 0.25f;
+  s.layers = layers;
+  const auto traced = test::trace(s);
+  EXPECT_FALSE(traced.hit(3, 7));
+  EXPECT_TRUE(traced.hit(7, 3));
+}
+
+TEST(Layers, HidingAllEndsTheRay) {
+  const vec4 wall(0.2f, 0.4f, 0.6f, 1);
+  expectColor(sheets({{0.5f, kRed}, {0, wall}, {-0.5f, kBlue}}), under(under(vec4(0), kRed), wall));
+}
+
+TEST(Layers, AtOnePlaceEveryChannelKeepsTheLargest) {
+  const vec4 expected = glm::max(under(vec4(0), kRed), under(vec4(0), kBlue));
+  expectColor(sheets({{0, kRed}, {0, kBlue}}), expected);
+  expectColor(sheets({{0, kRed}, {0, kBlue}, {-0.5f, kGreen}}), under(expected, kGreen));
+}
+
+TEST(Layers, CulledOnesAreNotThere) {
+  auto s = sheets({{0.5f, kRed}, {0, kGreen}});
+  s.instances[0].cull = scene::CullFace::front;
+  expectColor(s, under(vec4(0), kGreen));
+}
+
+TEST(Layers, ManyAndThin) {
+  std::vector<Sheet> all;
+  vec4 expected(0);
+  for (int i = 0; i < 200; ++i) {
+    const vec4 color(i % 2, 0.5f, 0.25f, 0.01f);
+    all.push_back({0.9f - 0.009f * static_cast<float>(i), color});
+    expected = under(expected, color);
+  }
+  expectColor(sheets(all), expected);
+}
+
+TEST(Layers, InOneMeshToo) {
+  test::MeshData data = test::squareData(0.5f);
+  const test::MeshData behind = test::squareData(-0.5f);
+  data.positions.insert(data.positions.end(), behind.positions.begin(), behind.positions.end());
+  for (const uint32_t i : behind.indices) data.indices.push_back(i + 4);
+  auto s = sheets({{0, kRed}});
+  s.instances[0].mesh = test::makeMesh(data);
+  expectColor(s, under(under(vec4(0), kRed), kRed));
+}
+
+TEST(Layers, NeedTheirOpaqueDepths) {
+  auto s = sheets({{0, kRed}});
+  s.layers = std::make_shared<scene::Layers>();
+  EXPECT_THROW(test::trace(s), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace gluray
