@@ -92,8 +92,8 @@ class Policy(unittest.TestCase):
 class Stubs(unittest.TestCase):
     def test_forward_counts_and_keeps_order(self):
         text = stub("glDrawPixels")
-        self.assertLess(text.index("count(7)"), text.index("beforeForward(true)"))
-        self.assertLess(text.index("beforeForward(true)"), text.rindex("real.DrawPixels("))
+        self.assertLess(text.index("count(7)"), text.index("beforeForward(Context::Flush::all)"))
+        self.assertLess(text.index("beforeForward(Context::Flush::all)"), text.rindex("real.DrawPixels("))
         self.assertIn("recordFragment", text)
 
     def test_immediate_commands_are_not_compiled(self):

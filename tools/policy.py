@@ -45,7 +45,7 @@ class Policy:
             if _matches(row, command.name):
                 fields.update({k: v for k, v in row.items() if k not in ("commands", "except")})
         self.kind: str = fields.get("class", "forward")
-        self.flush: bool = fields.get("flush", self.kind == "forward")
+        self.flush: bool | str = fields.get("flush", self.kind == "forward")
         self.sync: bool = fields.get("sync", False)
         self.begin: bool = fields.get("begin", False)
         touch = fields.get("touch", ["all"] if self.kind == "forward" and self.flush else [])
@@ -65,6 +65,8 @@ def read_rows(path: pathlib.Path = POLICY) -> list[dict]:
             raise PolicyError(f"{path.name}, row of {name}: unknown field {', '.join(sorted(unknown))}")
         if row.get("class", "forward") not in CLASSES:
             raise PolicyError(f"{path.name}, row of {name}: class must be one of {', '.join(CLASSES)}")
+        if row.get("flush", True) not in (True, False, "redirect"):
+            raise PolicyError(f"{path.name}, row of {name}: flush must be true, false or \"redirect\"")
         if row.get("coverage", "traced") not in COVERAGES:
             raise PolicyError(f"{path.name}, row of {name}: coverage must be one of {', '.join(COVERAGES)}")
     return rows

@@ -66,6 +66,12 @@ def _effect(policy: Policy, handler: str, context: str) -> str:
     return " ".join(filter(None, [call if policy.handler else "", touch]))
 
 
+def _before(policy: Policy) -> str:
+    """The call that prepares for a forwarded command."""
+    how = {False: "none", True: "all", "redirect": "redirect"}[policy.flush]
+    return f"beforeForward(Context::Flush::{how});"
+
+
 def _track(c: glxml.Command, policy: Policy) -> str:
     handler, real = _call(c, "*ctx")
     if policy.immediate:
@@ -73,10 +79,10 @@ def _track(c: glxml.Command, policy: Policy) -> str:
     else:
         captures, replace = _copies(c, policy)
         late_handler, late_real = _call(c, "later", replace)
-        late_before = "later.beforeForward(true); " if policy.flush else "later.syncCurrent(); " if policy.sync else ""
+        late_before = f"later.{_before(policy)} " if policy.flush else "later.syncCurrent(); " if policy.sync else ""
         compile_case = (f"case Gate::compile: ctx->record([{', '.join(captures)}](Context& later) "
                         f"{{ {late_before}{_effect(policy, late_handler, 'later')} {late_real}; }}); return;\n      case Gate::run: break;")
-    before = "ctx->beforeForward(true); " if policy.flush else "ctx->syncCurrent(); " if policy.sync else ""
+    before = f"ctx->{_before(policy)} " if policy.flush else "ctx->syncCurrent(); " if policy.sync else ""
     return (_gate(c, policy, compile_case) + f"  {before}{_effect(policy, handler, '*ctx')}\n"
             f"  {'return ' if c.ret != 'void' else ''}{real};\n")
 
@@ -96,7 +102,7 @@ def _forward(c: glxml.Command, policy: Policy, index: int) -> str:
     # Afterwards once more: another context that reads an image or a buffer again must find it changed.
     touch = f"  ctx->touch({policy.touch.replace('{c}', '*ctx')});\n" if policy.touch else ""
     return (_gate(c, policy, compile_case) + f"  ctx->count({index});\n"
-            f"  ctx->beforeForward({'true' if policy.flush else 'false'});\n" +
+            f"  ctx->{_before(policy)}\n" +
             (f"{touch}  return {real};\n" if c.ret != "void" else
              f"{touch}  {real};\n{touch if '{c}' in policy.touch else ''}"))
 

@@ -47,6 +47,8 @@ class World {
   /// triangles coincide, the hit is on the one that the snapshot's order of drawing and depth function leave.
   void intersect(const int32_t* valid, RayPacket&, const HitFilter* filter = nullptr) const noexcept;
 
+  /// Whether triangles may lie exactly upon each other.
+  bool mayCoincide() const { return mayCoincide_; }
   /// True if there is nothing to hit.
   bool empty() const { return scene_ == nullptr; }
   /// Bytes of all structures now.

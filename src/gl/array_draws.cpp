@@ -127,14 +127,15 @@ std::vector<Triangle> sampleTriangles(const Context& c, GLenum mode, const Eleme
 /// Traces what the current shader program draws if that can be right; says why not otherwise.
 Reason traceProgram(Context& c, GLenum mode, const Elements& e) {
   if (mode > GL_POLYGON) return Reason::program;
-  const Reason reason = c.triageProgram(classOf(mode));
+  const bool peel = c.passOfProgram() == Family::Pass::peel;
+  const Reason reason = peel ? c.triagePeel(classOf(mode)) : c.triageProgram(classOf(mode));
   if (reason != Reason::traced) return reason;
   return c.attempt([&] {
     const KnownMesh known = meshOf(c, c.attributes, mode, e);
     Reason fine = c.triageProgram(known);
     if (fine == Reason::traced) fine = c.triageInstances(e);
+    if (fine == Reason::traced) fine = c.addProgramInstances(known.mesh, mode, e);
     if (fine != Reason::traced) return fine;
-    c.addProgramInstances(known.mesh, mode, e);
     c.countTraced(pathOf(e), uint64_t{known.mesh->triangleCount} * e.repeats());
     return fine;
   });
@@ -143,6 +144,11 @@ Reason traceProgram(Context& c, GLenum mode, const Elements& e) {
 void drawByProgram(Context& c, GLenum mode, const Elements& e) {
   c.refresh(kProgramGroups);
   c.closeRunIfOpen();
+  if (c.passOfProgram() == Family::Pass::peelDepths) {
+    bool held = false;
+    c.protect([&] { held = c.holdDepths(mode, e, trianglesOf(mode, e)); });
+    if (held) return;
+  }
   const Reason reason = traceProgram(c, mode, e);
   if (reason == Reason::traced) return;
   if (reason == Reason::programPass) {

@@ -60,6 +60,13 @@ void Batch::start(const BatchKey& key, const State& state, const Settings& setti
   }
 }
 
+void Batch::resume(const BatchKey& key, const scene::Snapshot& taken) {
+  key_ = key;
+  instancesAt_.clear();
+  snapshot_ = std::make_shared<scene::Snapshot>(taken);
+  drawn_ = static_cast<uint32_t>(taken.instances.size());
+}
+
 namespace {
 
 /// Whether two instances cover the same points, so that the depth function decides between them.
@@ -91,7 +98,7 @@ void Batch::add(scene::Instance instance, scene::Shading shading) {
   const auto [first, last] = instancesAt_.equal_range(place);
   for (auto it = first; it != last; ++it) {
     scene::Instance& earlier = s.instances[it->second];
-    if (!coincide(earlier, instance)) continue;
+    if (key_.layers || !coincide(earlier, instance)) continue;
     const bool firstWins = key_.depthFunc == GL_LESS;
     // Through holes that the alpha test makes the other one is seen.
     if ((firstWins ? s.shadings[earlier.shading] : shading).alphaTest != scene::AlphaTest{}) continue;

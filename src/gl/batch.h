@@ -22,6 +22,7 @@ struct BatchKey {
   scene::Region region;
   float depthNear = 0, depthFar = 1;
   scene::PolygonOffset offset;
+  bool layers = false;  // of surfaces that are seen through
   bool operator==(const BatchKey&) const = default;
 };
 
@@ -29,12 +30,18 @@ class Batch {
  public:
   bool empty() const { return !snapshot_; }
   const BatchKey& key() const { return key_; }
+  /// What has been added. Only where not empty.
+  const scene::Snapshot& waiting() const { return *snapshot_; }
 
   /// The common part of the state of now. Its region is empty where nothing could be drawn.
   static BatchKey keyOf(const State& state);
 
   /// Begins a batch. It must be empty.
   void start(const BatchKey& key, const State& state, const Settings& settings, uint64_t frame);
+  /// All of the batch's surfaces are seen through. Before the first is added.
+  void seeThrough(std::shared_ptr<const scene::Layers> layers) { snapshot_->layers = std::move(layers); }
+  /// Begins a batch with all that is in a snapshot that was taken with the same key.
+  void resume(const BatchKey& key, const scene::Snapshot& taken);
   /// Adds an instance whose eyeFromObject is set; shading is shared with earlier instances of the same
   /// shading. An equal surface drawn before is replaced, or keeps its place, as the depth function says.
   void add(scene::Instance instance, scene::Shading shading);

@@ -84,16 +84,16 @@ Gate Context::gate(bool anywhere) noexcept {
   return compiling() ? Gate::compile : Gate::run;
 }
 
-void Context::beforeForward(bool flushFirst) noexcept {
+void Context::beforeForward(Flush how) noexcept {
   // A vertex that we cannot capture (an evaluator's, say): the real OpenGL draws the primitive, from its
   // first vertex on.
   if (inside_ == Inside::captured) protect([&] { surrenderRun(); });
   if (inside_ == Inside::captured) return;
   updateAttention();
   syncCurrent();
-  if (!flushFirst) return;
+  if (how == Flush::none) return;
   protect([&] {
-    flush();
+    how == Flush::redirect ? redirect() : flush();
     sendBuffers();
   });
 }
@@ -288,14 +288,17 @@ bool Context::canTrace() {
 
 void Context::present(bool rasterise) {
   if (batch_.empty()) return;
+  if (batch_.key().layers && !layersHaveSurfaces()) return giveUpLayers();
   const BatchKey key = batch_.key();
   const scene::SnapshotPtr snapshot = batch_.take();
   const double start = kinds() ? nowSeconds() : 0;
   syncCurrent();
-  const PresentTarget target{key.depthFunc, info_.core, rasterise, batch_.takeProgramDraws()};
   passes_.flushed();
   if (rasterise) countAsRasterised(*snapshot);
-  const PresentResult result = presenter_.present(real, snapshot, target);
+  const PresentResult result =
+      key.layers ? presentLayers(snapshot, key)
+                 : presenter_.present(real, snapshot,
+                                      {key.depthFunc, info_.core, rasterise, batch_.takeProgramDraws()});
   latch_.restore(real);
   if (result.pendingError != GL_NO_ERROR) setError(result.pendingError);
   ++statistics.flushes;

@@ -8,6 +8,7 @@
 #include "gl/engine_choice.h"
 #include "gl/material_latch.h"
 #include "gl/passes.h"
+#include "gl/peeling.h"
 #include "gl/presenter.h"
 #include "gl/real.h"
 #include "gl/share_group.h"
@@ -96,7 +97,8 @@ class Context {
   }
   /// Before a command that we do not model is forwarded: attributes are sent, and the batch too if it may
   /// matter.
-  void beforeForward(bool flushFirst) noexcept;
+  enum class Flush { none, redirect, all };  // redirect: later draws go elsewhere, but nobody looks
+  void beforeForward(Flush flush) noexcept;
   void count(int command) noexcept;
   void touch(uint32_t groups) { dirty |= groups; }
 
@@ -115,7 +117,15 @@ class Context {
   void clearing(GLbitfield mask);
   void cleared(GLbitfield mask);
   /// Traces the pending batch and writes it into the framebuffer. Nothing to do if there is none.
-  void flush() { present(false); }
+  void flush() {
+    if (peeling_.stage == Peeling::Stage::depths) giveUpLayers();
+    present(false);
+  }
+  /// The same where what is drawn next goes elsewhere, but nobody looks at what was drawn so far.
+  void redirect() { present(false); }
+  /// The draw framebuffer is about to be cleared; a program to be linked anew or deleted.
+  void clearsLayers();
+  void programChanges(GLuint program) noexcept;
   /// Before images of textures, or a buffer's contents, change: draws that are kept with their names are
   /// made.
   void imagesChange() noexcept {
@@ -221,8 +231,16 @@ class Context {
   Reason triageProgramAlways(const KnownMesh& mesh) const;
   /// The same of the instances of a draw.
   Reason triageInstances(const Elements& elements) const;
-  /// Adds a mesh drawn by the current shader program to the batch, as often as the draw has instances.
-  void addProgramInstances(const scene::MeshPtr& mesh, GLenum mode, const Elements& elements);
+  /// The same of surfaces that are seen through, in the first peel. Whoever then draws otherwise makes us
+  /// give up.
+  Reason triagePeel(PrimitiveClass kind);
+  /// What the passes of the current program are for.
+  Family::Pass passOfProgram() const;
+  /// Holds back a draw of the pass before the first peel. False: draw it.
+  bool holdDepths(GLenum mode, const Elements& elements, uint64_t triangles);
+  /// Adds a mesh drawn by the current shader program to the batch, as often as the draw has instances; or
+  /// says why it cannot join the layers that are there.
+  Reason addProgramInstances(const scene::MeshPtr& mesh, GLenum mode, const Elements& elements);
   /// Does what the draw would do where it is a full-screen pass that costs less without the real OpenGL.
   /// False: draw it.
   bool replacePass(GLenum mode, const Elements& elements);
@@ -315,6 +333,7 @@ class Context {
   MaterialLatch latch_;
   Reason runReason_ = Reason::traced;  // why the run is rasterised, captured though it is
   Passes passes_;
+  Peeling peeling_;
   DrawPath runPath_ = DrawPath::immediate;  // small draws from arrays join runs
 
   std::shared_ptr<DisplayList> list_;
@@ -338,7 +357,17 @@ class Context {
 
   void clampToTarget(scene::Region& region);
   void readCurrentProgram();
-  bool placeProgramDraw(const glm::dvec3& reach);
+  enum class Placed { nowhere, inBatch, otherCamera };
+  Placed placeProgramDraw(const glm::dvec3& reach);
+  bool beginLayers();
+  bool startLayers(const BatchKey& key);
+  PresentResult presentLayers(const scene::SnapshotPtr& snapshot, const BatchKey& key);
+  bool layersHaveSurfaces() const;
+  void endLayers();
+  /// What was held back is drawn by the real OpenGL after all.
+  void giveUpLayers();
+  void layersMeetRasterDraw();
+  bool peelsIntoAll() const;
   glm::dvec3 reachOfInstances(const scene::Mesh& mesh, const Elements& elements) const;
   void addInstancesOf(const scene::Instance& one, const scene::Shading& shading, const Elements& elements);
   bool antialiasInto(GLuint attachment, glm::ivec2 size);

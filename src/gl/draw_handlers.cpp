@@ -122,7 +122,7 @@ void arrayElement(Context& c, GLint i) {
       return c.recordFragment([&] { c.real.ArrayElement(i); });
     }
     c.closeRunOutsideBegin();
-    c.beforeForward(false);
+    c.beforeForward(Context::Flush::none);
     if (c.insideBegin()) return c.rasterElement(i);
     c.sendBuffers();
     c.touch(kCurrent);

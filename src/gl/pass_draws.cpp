@@ -1,6 +1,7 @@
 // Full-screen passes of programs that we do ourselves, because a software OpenGL takes longer over them than
 // we over the whole picture.
 #include "gl/context.h"
+#include "gl/output_state.h"
 #include "gl/programs/uniforms.h"
 #include "gl/state_queries.h"
 #include "gl/texture_image.h"
@@ -31,20 +32,6 @@ bool coversViewport(const RealGl& real, const ArrayState& arrays, GLenum mode, c
     corners |= 1u << ((p[0] > 0 ? 1 : 0) + (p[1] > 0 ? 2 : 0));
   }
   return corners == 15;
-}
-
-/// Whether what a fragment program writes is what the framebuffer has afterwards.
-bool writesThrough(const RealGl& real, const RareState& has) {
-  for (const GLenum capability : {GL_DEPTH_TEST, GL_BLEND, GL_STENCIL_TEST, GL_COLOR_LOGIC_OP, GL_CULL_FACE})
-    if (isOn(real, capability)) return false;
-  if (has.framebufferSrgb && isOn(real, GL_FRAMEBUFFER_SRGB)) return false;
-  if (has.rasterizerDiscard && isOn(real, GL_RASTERIZER_DISCARD)) return false;
-  if (has.fixedFunction && isOn(real, GL_ALPHA_TEST)) return false;
-  GLboolean mask[4] = {};
-  real.GetBooleanv(GL_COLOR_WRITEMASK, mask);
-  GLint polygonMode[2] = {GL_FILL, GL_FILL};
-  real.GetIntegerv(GL_POLYGON_MODE, polygonMode);
-  return mask[0] && mask[1] && mask[2] && mask[3] && polygonMode[0] == GL_FILL;
 }
 
 bool isSoftware(const RealGl& real) {

@@ -1,6 +1,6 @@
 // How a finished batch leaves the shadow GL: implemented in intercept/present/, by fakes in tests. GL thread.
 #pragma once
-#include "gl/programs/program_draw.h"
+#include "gl/programs/held_pass.h"
 #include "gl/real.h"
 #include "scene/fxaa.h"
 #include "scene/snapshot.h"
@@ -48,6 +48,18 @@ class Presenter {
   /// Never throws.
   virtual PresentResult present(const RealGl& real, const scene::SnapshotPtr& snapshot,
                                 const PresentTarget& target) noexcept = 0;
+  /// Traces the layers of `snapshot` into `target.result`. Where that fails, or `rasterise`, the real OpenGL
+  /// makes the held passes instead. Otherwise as present().
+  virtual PresentResult presentLayers(const RealGl&, const scene::SnapshotPtr&,
+                                      const LayersTarget& /*target*/, bool /*rasterise*/) noexcept {
+    return {};
+  }
+  /// Reads red and green of level 0 of the texture bound to GL_TEXTURE_2D of unit `unit`, `size` pixels of
+  /// two floats. False where it is of another kind, or cannot be read. Never throws.
+  virtual bool readDepths(const RealGl&, GLint /*unit*/, glm::ivec2 /*size*/,
+                          std::vector<glm::vec2>& /*out*/) noexcept {
+    return false;
+  }
   /// Whether the write-back works with the current context (it needs shaders). Asked once per context, with
   /// it current.
   virtual bool supports(const RealGl& real, bool core, std::string& why) noexcept = 0;

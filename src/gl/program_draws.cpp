@@ -119,7 +119,8 @@ struct InstanceReaders {
 
 Reason Context::triageInstances(const Elements& elements) const {
   const InstanceReaders readers(real, attributes);
-  const bool mayBeTranslucent = readers.color.enabled() && attributes.instanceColor.size == 4 &&
+  const bool mayBeTranslucent = passOfProgram() != Family::Pass::peel && readers.color.enabled() &&
+                                attributes.instanceColor.size == 4 &&
                                 state.raster.unlessOpaque != Reason::traced;
   for (uint32_t i = 0; i < elements.repeats(); ++i) {
     float color[4] = {0, 0, 0, 1};
@@ -136,6 +137,7 @@ Reason Context::triageInstances(const Elements& elements) const {
 
 Reason Context::triageProgram(const KnownMesh& known) const {
   const Reason reason = triageProgramAlways(known);
+  if (passOfProgram() == Family::Pass::peel) return reason;
   // One by one, however much they are in all: a surface that is drawn again is drawn in the same way.
   const bool leave = reason == Reason::traced && choice_.way() == EngineChoice::Way::mixed &&
                      choice_.takesAlone(known.mesh->triangleCount, viewportPixels());
@@ -153,36 +155,41 @@ Reason Context::triageProgramAlways(const KnownMesh& known) const {
     return Reason::arrayState;
   if (program.triangleNormals && program.triangleOffset + triangles > program.triangleNormalCount)
     return Reason::arrayState;
-  const bool opaque = gl::isOpaque(program, *known.mesh);
+  const bool opaque = passOfProgram() == Family::Pass::peel || gl::isOpaque(program, *known.mesh);
   if (opaque) return Reason::traced;
   if (state.raster.unlessOpaque != Reason::traced) return state.raster.unlessOpaque;
   return Reason::traced;
 }
 
-/// Makes the state ready for an instance of the current program: batch, camera and matrix. False where
-/// nothing could be seen of it.
-bool Context::placeProgramDraw(const glm::dvec3& reach) {
+/// Makes the state ready for an instance of the current program: batch, camera and matrix. Nowhere: nothing
+/// could be seen of it.
+Context::Placed Context::placeProgramDraw(const glm::dvec3& reach) {
   const ProgramState& program = state.program;
   // One projection serves a batch. What programs give is a product, and taken apart it differs by roundings
   // from draw to draw; so each draw is placed by what it does to points in the end.
   state.projection = program.eyeFromObject ? program.clipFromObject * glm::inverse(*program.eyeFromObject)
                                            : program.clipFromObject;
   BatchKey key = Batch::keyOf(state);
-  key.offset = program.depthOffset;
+  key.layers = passOfProgram() == Family::Pass::peel;
+  key.offset = key.layers ? scene::PolygonOffset{} : program.depthOffset;
   clampToTarget(key.region);
   dirty |= kModelview | kProjection;  // of fixed function
-  if (key.region.width <= 0 || key.region.height <= 0) return false;
-  if (!batch_.empty()) {
-    const glm::dmat4 placed = glm::inverse(batch_.key().projection) * program.clipFromObject;
-    if (isAffine(placed, reach)) key.projection = batch_.key().projection;
-    if (!(batch_.key() == key)) flush();
+  if (key.region.width <= 0 || key.region.height <= 0) return Placed::nowhere;
+  const BatchKey* there = !batch_.empty()                 ? &batch_.key()
+                          : key.layers && peeling_.traced ? &peeling_.tracedKey
+                                                          : nullptr;
+  if (there) {
+    const glm::dmat4 placed = glm::inverse(there->projection) * program.clipFromObject;
+    if (isAffine(placed, reach)) key.projection = there->projection;
+    if (!key.layers && !(*there == key)) flush();
   }
   state.projection = key.projection;
   state.modelview = glm::inverse(state.projection) * program.clipFromObject;
   state.modelview /= state.modelview[3][3];  // the same points
   for (int c = 0; c < 4; ++c) state.modelview[c][3] = c == 3 ? 1.0 : 0.0;
+  if (key.layers) return startLayers(key) ? Placed::inBatch : Placed::otherCamera;
   if (batch_.empty()) batch_.start(key, state, info_.settings, frame);
-  return true;
+  return Placed::inBatch;
 }
 
 glm::dvec3 Context::reachOfInstances(const scene::Mesh& mesh, const Elements& elements) const {
@@ -198,10 +205,12 @@ glm::dvec3 Context::reachOfInstances(const scene::Mesh& mesh, const Elements& el
   return reach;
 }
 
-void Context::addProgramInstances(const scene::MeshPtr& mesh, GLenum mode, const Elements& elements) {
+Reason Context::addProgramInstances(const scene::MeshPtr& mesh, GLenum mode, const Elements& elements) {
   const bool many = !attributes.instanceTransform.empty() || attributes.instanceColor.enabled;
   const glm::dvec3 reach = many ? reachOfInstances(*mesh, elements) : reachOf(*mesh);
-  if (mesh->triangleCount == 0 || !placeProgramDraw(reach)) return;
+  if (mesh->triangleCount == 0) return Reason::traced;
+  if (const Placed placed = placeProgramDraw(reach); placed != Placed::inBatch)
+    return placed == Placed::nowhere ? Reason::traced : Reason::programPass;
   const ProgramState& program = state.program;
   scene::Instance instance;
   instance.mesh = mesh;
@@ -226,10 +235,11 @@ void Context::addProgramInstances(const scene::MeshPtr& mesh, GLenum mode, const
     addInstancesOf(instance, program.shading, elements);
   } else {
     batch_.add(std::move(instance), program.shading);
-    passes_.drawn(mesh, state.modelview, Passes::How::pending, isPushedBack());
+    if (!batch_.key().layers) passes_.drawn(mesh, state.modelview, Passes::How::pending, isPushedBack());
   }
   batch_.keep(std::move(kept));
   if (aside_) flush();  // the flush above failed: later draws are rasterised and must find this one drawn
+  return Reason::traced;
 }
 
 void Context::addInstancesOf(const scene::Instance& one, const scene::Shading& shading,

@@ -11,7 +11,8 @@ namespace {
 
 void clearNow(Context& c, GLbitfield mask) {
   c.syncCurrent();
-  c.flush();
+  c.clearsLayers();
+  c.redirect();
   c.clearing(mask);
   c.real.Clear(mask);
   c.cleared(mask);
@@ -166,6 +167,7 @@ uint32_t imagesChanged(Context& c) {
 }
 
 uint32_t programChanged(Context& c, GLuint program) {
+  c.programChanges(program);
   c.group().programChanged(program);
   return kRaster | kProgram | kAttributes;
 }

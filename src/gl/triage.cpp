@@ -200,6 +200,7 @@ void Context::countAsRasterised(const scene::Snapshot& snapshot) {
 }
 
 void Context::beforeRasterDraw(PrimitiveClass kind) {
+  if (peeling_.stage != Peeling::Stage::none) protect([&] { layersMeetRasterDraw(); });
   if (!batch_.empty()) {
     refresh(kRaster);
     // Lines and points on a surface have its depth: who comes later matters unless the surface was pushed

@@ -1,5 +1,5 @@
-// A packet of rays: what it hits, and the colours and depths of its hits. Part of kernels.cpp (compiled once for
-// each instruction set).
+// A packet of rays: what it hits, and the colours and depths of its hits. Part of kernels.cpp (compiled once
+// for each instruction set).
 #if defined(GLURAY_RENDER_HITS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_HITS_INL_H_
 #undef GLURAY_RENDER_HITS_INL_H_
@@ -65,8 +65,8 @@ class RejectingFilter : public accel::HitFilter {
       if (hit.instance == instance && hit.primitive == primitive) return false;
     return frame_.surfaces[instance].accepts(primitive, u, v);
   }
-  /// The lane's ray is to go on as if its hit were not there. Returns from which distance on: others may be as
-  /// far as the hit, give or take a rounding.
+  /// The lane's ray is to go on as if its hit were not there. Returns from which distance on: others may be
+  /// as far as the hit, give or take a rounding.
   float refuse(const accel::RayPacket& packet, int lane) {
     constexpr float kBefore = 1 - 0x1p-20f;
     const float passed = packet.tFar[lane] * kBefore;
@@ -141,8 +141,8 @@ HWY_ATTR inline uint32_t rejectedLanes(const Surface& s, const Group& group, uin
   return rejected;
 }
 
-/// Depth and colour of the hits in `lanes`, given to take(lanes, colours, depths). Returns the lanes whose hit
-/// does not count: culled or cut away, which is asked only where `mayReject`, or failing the alpha test.
+/// Depth and colour of the hits in `lanes`, given to take(lanes, colours, depths). Returns the lanes whose
+/// hit does not count: culled or cut away, which is asked only where `mayReject`, or failing the alpha test.
 template <class Take>
 HWY_ATTR uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool mayReject, const Work& work,
                             Take&& take) {
@@ -211,6 +211,22 @@ HWY_ATTR inline void traceOn(const FrameData& frame, uint32_t lanes, RejectingFi
   generateRays(frame.rays, work.x, work.y, work.packet, work.valid);
   for (int i = 0; i < kLanes; ++i) work.packet.tNear[i] = std::max(work.packet.tNear[i], passed[i]);
   frame.world->intersect(work.valid, work.packet, &filter);
+  work.hits = lanesThatHit(work.packet, work.valid);
+  fetchVertices(frame, work);
+}
+
+// The same where no two triangles lie upon each other, without asking.
+HWY_ATTR inline void traceBehind(const FrameData& frame, uint32_t lanes, Work& work) {
+  constexpr float kBehind = 1 + 0x1p-21f;  // the hit is not found again
+  alignas(64) float passed[kLanes];
+  for (int i = 0; i < kLanes; ++i) {
+    work.valid[i] = lanes >> i & 1 ? -1 : 0;
+    passed[i] = work.packet.tFar[i] * kBehind;
+  }
+  generateRays(frame.rays, work.x, work.y, work.packet, work.valid);
+  for (int i = 0; i < kLanes; ++i)
+    if (work.valid[i]) work.packet.tNear[i] = std::max(work.packet.tNear[i], passed[i]);
+  frame.world->intersect(work.valid, work.packet);
   work.hits = lanesThatHit(work.packet, work.valid);
   fetchVertices(frame, work);
 }

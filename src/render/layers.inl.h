@@ -1,5 +1,5 @@
-// Surfaces that are seen through (scene::Layers): all that a packet's rays hit, composited from the front. Part of
-// kernels.cpp (compiled once for each instruction set).
+// Surfaces that are seen through (scene::Layers): all that a packet's rays hit, composited from the front.
+// Part of kernels.cpp (compiled once for each instruction set).
 #if defined(GLURAY_RENDER_LAYERS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_LAYERS_INL_H_
 #undef GLURAY_RENDER_LAYERS_INL_H_
@@ -70,11 +70,16 @@ HWY_ATTR inline void shadeLayers(const FrameData& frame, const scene::Layers& la
     }
     putBehind(lanes, rows, depth, layers.tolerance, g);
   };
-  bool first = true;
-  for (uint32_t lanes = work.hits; lanes; first = false) {
-    shadeHits(frame, lanes, first, work, take);
+  const bool ask = frame.world->mayCoincide();
+  bool asked = false;
+  for (uint32_t lanes = work.hits; lanes; asked = ask) {
+    shadeHits(frame, lanes, !asked, work, take);
     lanes &= ~ended;
-    if (lanes) traceOn(frame, lanes, filter, passed, work);
+    if (!lanes) break;
+    if (ask)
+      traceOn(frame, lanes, filter, passed, work);
+    else
+      traceBehind(frame, lanes, work);
     lanes &= work.hits;
   }
   LitRows rows;

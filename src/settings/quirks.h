@@ -16,7 +16,11 @@ namespace gluray {
   X(softwareFxaa, "software-fxaa",                                                                         \
     "VTK's anti-aliasing pass (FXAA) costs software OpenGLs more than tracing a frame; it is computed "    \
     "without them, to the same picture",                                                                   \
-    "src/render/fxaa_test.cpp, tests/vtk (group effects)")
+    "src/render/fxaa_test.cpp, tests/vtk (group effects)")                                                 \
+  X(depthPeeling, "depth-peeling",                                                                         \
+    "VTK composites translucent surfaces by drawing them again for every two layers; all layers are "      \
+    "traced in one go, and the later passes find nothing left to do",                                      \
+    "tests/reference/peeling_test.cpp, tests/vtk (group translucent)")
 
 enum class Quirk : uint8_t {
 #define X(id, name, reason, test) id,

@@ -24,6 +24,8 @@ GLuint makeProgram(Gl gl, const std::string& vertex, const std::string& fragment
   };
   add(GL_VERTEX_SHADER, vertex);
   add(GL_FRAGMENT_SHADER, fragment);
+  for (GLuint i = 0; i < 3; ++i)
+    gl.BindFragDataLocation(program, i, ("fragOutput" + std::to_string(i)).c_str());
   gl.LinkProgram(program);
   GLint linked = 0;
   std::array<char, 2000> log{};

@@ -15,7 +15,10 @@ class FamilyReader {
   FamilyReader(const toml::table& table, const std::string& file, Family& family)
       : file_(file), family_(family), table_(&table) {}
 
-  void read() {
+  /// `known`: what a family may inherit from.
+  void read(const FamilyList& known) {
+    inherit(known);
+    family_.name.clear();
     text("name", family_.name);
     if (family_.name.empty()) fail(*table_, "a family needs a name");
     section("match", [&] { readMatch(); });
@@ -50,6 +53,16 @@ class FamilyReader {
   }
 
  private:
+  /// Begins with all that an earlier family says.
+  void inherit(const FamilyList& known) {
+    std::string from;
+    text("inherits", from);
+    if (from.empty()) return;
+    const auto it = std::find_if(known.begin(), known.end(), [&](const auto& f) { return f->name == from; });
+    if (it == known.end())
+      fail(*table_->get("inherits"), "there is no family \"" + from + "\" before this one");
+    family_ = **it;
+  }
   [[noreturn]] void fail(const toml::node& at, const std::string& what) const {
     throw FamilyError(file_ + ":" + std::to_string(at.source().begin.line) + ": " + what);
   }
@@ -86,6 +99,7 @@ class FamilyReader {
   void texts(const char* key, std::vector<std::string>& out) {
     const toml::node* node = get(key);
     if (!node) return;
+    out.clear();
     const auto add = [&](const toml::node& item) {
       const auto value = item.value_exact<std::string>();
       if (!value) fail(item, std::string(key) + " must be texts in quotes");
@@ -100,6 +114,7 @@ class FamilyReader {
   void value(const char* key, FamilyValue& out) {
     const toml::node* node = get(key);
     if (!node) return;
+    out = {};
     if (const auto uniform = node->value_exact<std::string>()) {
       out.uniform = *uniform;
       return mention(out.uniform);
@@ -216,8 +231,13 @@ class FamilyReader {
     name("exponent", l.exponent);
   }
   void readPass() {
-    choice("does", {{"fxaa", Family::Pass::fxaa}}, family_.pass);
+    choice("does",
+           {{"fxaa", Family::Pass::fxaa},
+            {"peel_depths", Family::Pass::peelDepths},
+            {"peel", Family::Pass::peel}},
+           family_.pass);
     name("input", family_.passInput);
+    text("output", family_.passOutput);
     value("relative_contrast", family_.relativeContrast);
     value("hard_contrast", family_.hardContrast);
     value("subpixel_blend_limit", family_.subpixelBlendLimit);
@@ -275,7 +295,7 @@ FamilyList parseFamilies(std::string_view text, const std::string& file) {
         throw FamilyError(file + ":" + std::to_string(item.source().begin.line) +
                           ": family must be a section");
       auto family = std::make_shared<Family>();
-      FamilyReader(*item.as_table(), file, *family).read();
+      FamilyReader(*item.as_table(), file, *family).read(families);
       families.push_back(std::move(family));
     }
   }

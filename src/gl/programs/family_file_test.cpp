@@ -171,6 +171,28 @@ TEST(FamilyFile, InstanceAndEdgeKeys) {
   for (const char* name : {"it", "in", "ic", "ef", "ec"}) EXPECT_TRUE(f.mentions(name)) << name;
 }
 
+TEST(FamilyFile, InheritsAndReplaces) {
+  const FamilyList all = parseFamilies(
+      "[[family]]\nname = \"first\"\nmatch.active = [\"a\", \"b\"]\nvertex.position = \"a\"\n"
+      "transform.clip_from_object = [\"b\", \"c\"]\nmaterial.opacity = \"o\"\npass.does = \"peel\"\n"
+      "[[family]]\nname = \"second\"\ninherits = \"first\"\nmatch.active = [\"d\"]\nmaterial.opacity = 0.5\n",
+      "x.toml");
+  ASSERT_EQ(all.size(), 2u);
+  const Family& f = *all[1];
+  EXPECT_EQ(f.name, "second");
+  EXPECT_EQ(f.active, std::vector<std::string>{"d"});
+  EXPECT_EQ(f.position, "a");
+  EXPECT_EQ(f.clipFromObject, (std::vector<std::string>{"b", "c"}));
+  EXPECT_TRUE(f.material.opacity.uniform.empty());
+  EXPECT_EQ(f.material.opacity.constant, Numbers{0.5f});
+  EXPECT_EQ(f.pass, Family::Pass::peel);
+  EXPECT_TRUE(f.mentions("c"));
+}
+
+TEST(FamilyFile, InheritsFromWhatIsThere) {
+  EXPECT_EQ(mistakeIn("inherits = \"ghost\""), "x.toml:6: there is no family \"ghost\" before this one");
+}
+
 TEST(FamilyFile, PassKeys) {
   const Family f = parsed(
       "pass.does = \"fxaa\"\npass.input = \"pi\"\npass.relative_contrast = \"rc\"\npass.hard_contrast = 0.5\n"
@@ -183,7 +205,7 @@ TEST(FamilyFile, PassKeys) {
   EXPECT_EQ(f.subpixelBlendLimit.uniform, "sb");
   EXPECT_EQ(f.subpixelContrast.uniform, "sc");
   EXPECT_EQ(f.endpointSearchIterations.constant, Numbers{12});
-  EXPECT_EQ(mistakeIn("pass.does = \"blur\""), "x.toml:6: does must be one of: fxaa");
+  EXPECT_EQ(mistakeIn("pass.does = \"blur\""), "x.toml:6: does must be one of: fxaa, peel_depths, peel");
 }
 
 TEST(FamilyFile, SectionsMayBeWrittenInEitherWay) {

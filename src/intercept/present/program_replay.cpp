@@ -190,26 +190,28 @@ class OwnArrays {
 void replayProgramDraws(const RealGl& real, const Features& features, const scene::Snapshot& snapshot,
                         GLenum depthFunc, const std::vector<ProgramDraw>& draws) {
   if (draws.empty()) return;
+  StateGuard guard(real, features);
+  guard.drawInto(snapshot, depthFunc);
+  guard.capability(GL_POLYGON_OFFSET_FILL, false);
+  replayProgramDraws(real, features, draws);
+}
+
+void replayProgramDraws(const RealGl& real, const Features& features, const std::vector<ProgramDraw>& draws) {
   GLint frontFace = GL_CCW, cullFace = GL_BACK;
   real.GetIntegerv(GL_FRONT_FACE, &frontFace);
   real.GetIntegerv(GL_CULL_FACE_MODE, &cullFace);
-  {
-    StateGuard guard(real, features);
-    guard.drawInto(snapshot, depthFunc);
-    guard.capability(GL_POLYGON_OFFSET_FILL, false);
-    for (const ProgramDraw& draw : draws) {
-      StateGuard own(real, features);
-      own.program(draw.program);
-      own.capability(GL_CULL_FACE, draw.cull);
-      real.CullFace(draw.cullFace);
-      real.FrontFace(draw.frontFace);
-      const KeptUniforms uniforms(real, draw.program, *draw.uniforms);
-      for (const UniformValue& value : *draw.uniforms) setUniform(real, value);
-      const KeptBlocks blocks(real, draw.blocks);
-      const KeptTextures textures(real, draw);
-      const OwnArrays arrays(real, draw);
-      gl::drawReal(real, draw.mode, draw.elements);
-    }
+  for (const ProgramDraw& draw : draws) {
+    StateGuard own(real, features);
+    own.program(draw.program);
+    own.capability(GL_CULL_FACE, draw.cull);
+    real.CullFace(draw.cullFace);
+    real.FrontFace(draw.frontFace);
+    const KeptUniforms uniforms(real, draw.program, *draw.uniforms);
+    for (const UniformValue& value : *draw.uniforms) setUniform(real, value);
+    const KeptBlocks blocks(real, draw.blocks);
+    const KeptTextures textures(real, draw);
+    const OwnArrays arrays(real, draw);
+    gl::drawReal(real, draw.mode, draw.elements);
   }
   real.FrontFace(static_cast<GLenum>(frontFace));
   real.CullFace(static_cast<GLenum>(cullFace));

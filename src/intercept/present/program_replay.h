@@ -12,5 +12,8 @@ namespace gluray::present {
 /// programs' uniforms included, as it was.
 void replayProgramDraws(const gl::RealGl& real, const Features& features, const scene::Snapshot& snapshot,
                         GLenum depthFunc, const std::vector<gl::ProgramDraw>& draws);
+/// The same into the draw framebuffer as it is, with the fragment state that is set.
+void replayProgramDraws(const gl::RealGl& real, const Features& features,
+                        const std::vector<gl::ProgramDraw>& draws);
 
 }  // namespace gluray::present

@@ -3,6 +3,7 @@
 #include "base/clock.h"
 #include "base/log.h"
 #include "gl/texture_image.h"
+#include "intercept/present/layers.h"
 #include "intercept/present/raster_fallback.h"
 
 #include <exception>
@@ -21,10 +22,13 @@ bool TracingPresenter::supports(const gl::RealGl& real, bool, std::string& why) 
   }
 }
 
-PresentResult TracingPresenter::present(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
-                                        const gl::PresentTarget& target) noexcept {
+namespace {
+
+/// What `body` results in; an exception's text where it fails.
+template <class F>
+PresentResult resultOf(F&& body) noexcept {
   try {
-    return tracedOrRasterised(real, *snapshot, target);
+    return body();
   } catch (const std::exception& e) {
     PresentResult failed;
     try {
@@ -32,6 +36,51 @@ PresentResult TracingPresenter::present(const gl::RealGl& real, const scene::Sna
     } catch (...) {}  // the general line says enough
     return failed;
   }
+}
+
+void takeCost(const TraceCost& cost, PresentResult& result) {
+  result.buildSeconds = cost.buildSeconds, result.traceSeconds = cost.traceSeconds;
+  result.blasBuilds = cost.blasBuilds, result.blasRefinements = cost.blasRefinements;
+  result.bvhBytes = cost.bvhBytes;
+}
+
+}  // namespace
+
+PresentResult TracingPresenter::present(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
+                                        const gl::PresentTarget& target) noexcept {
+  return resultOf([&] { return tracedOrRasterised(real, *snapshot, target); });
+}
+
+PresentResult TracingPresenter::presentLayers(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
+                                              const gl::LayersTarget& target, bool rasterise) noexcept {
+  return resultOf([&] { return tracedOrRasterised(real, rasterise ? nullptr : snapshot.get(), target); });
+}
+
+PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const scene::Snapshot* snapshot,
+                                                   const gl::LayersTarget& target) {
+  PresentResult result;
+  const PendingErrors pending = takeErrors(real);
+  TraceCost cost;
+  const bool traced = snapshot && trace_(*snapshot, image_, cost, result.why);
+  takeCost(cost, result);
+  const double start = nowSeconds();
+  const bool whole = traced && image_.x == 0 && image_.y == 0 && image_.width == target.size.x &&
+                     image_.height == target.size.y;
+  if (whole && writeTexture(real, features(real), target.result, target.size, image_.color.data()))
+    result.outcome = PresentResult::traced;
+  else if (drawLayers(real, features(real), target))
+    result.outcome = PresentResult::rasterised;
+  takeErrors(real);
+  if (!pending.empty()) result.pendingError = pending.front();
+  result.presentSeconds = nowSeconds() - start;
+  return result;
+}
+
+bool TracingPresenter::readDepths(const gl::RealGl& real, GLint unit, glm::ivec2 size,
+                                  std::vector<glm::vec2>& out) noexcept {
+  try {
+    return present::readDepths(real, features(real), unit, size, out);
+  } catch (const std::exception&) { return false; }
 }
 
 PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const scene::Snapshot& snapshot,
@@ -42,10 +91,7 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
   TraceCost cost;
   const bool traced =
       !target.rasterise && supports(real, target.core, why) && trace_(snapshot, image_, cost, why);
-  result.buildSeconds = cost.buildSeconds, result.traceSeconds = cost.traceSeconds;
-  result.blasBuilds = cost.blasBuilds, result.blasRefinements = cost.blasRefinements;
-  result.bvhBytes = cost.bvhBytes;
-
+  takeCost(cost, result);
   const double start = nowSeconds();
   if (traced && written(target, pending, why)) {
     result.outcome = PresentResult::traced;

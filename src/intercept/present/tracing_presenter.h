@@ -34,6 +34,10 @@ class TracingPresenter final : public gl::Presenter {
 
   gl::PresentResult present(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                             const gl::PresentTarget& target) noexcept override;
+  gl::PresentResult presentLayers(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
+                                  const gl::LayersTarget& target, bool rasterise) noexcept override;
+  bool readDepths(const gl::RealGl& real, GLint unit, glm::ivec2 size,
+                  std::vector<glm::vec2>& out) noexcept override;
   bool supports(const gl::RealGl& real, bool core, std::string& why) noexcept override;
   bool antialias(const gl::RealGl& real, const scene::Fxaa& fxaa, GLint unit, GLuint target, glm::ivec2 size,
                  const Settings& settings) noexcept override;
@@ -43,6 +47,8 @@ class TracingPresenter final : public gl::Presenter {
  private:
   gl::PresentResult tracedOrRasterised(const gl::RealGl& real, const scene::Snapshot& snapshot,
                                        const gl::PresentTarget& target);
+  gl::PresentResult tracedOrRasterised(const gl::RealGl& real, const scene::Snapshot* snapshot,
+                                       const gl::LayersTarget& target);
   /// Writes image_ into the framebuffer. False, with the reason, where it could not be.
   bool written(const gl::PresentTarget& target, PendingErrors& pending, std::string& why) noexcept;
 

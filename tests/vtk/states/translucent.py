@@ -81,7 +81,7 @@ def blended_in_order(stage):
     stage.orbit()
 
 
-@state("vtk")
+@state("vtk", outside=False)
 def rgba_at_points(stage):
     data = shapes.grid(stage.vtk)
     n = data.GetNumberOfPoints()

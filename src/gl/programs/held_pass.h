@@ -1,0 +1,35 @@
+// Passes with several outputs whose draws are held back, because all they lead to can be traced in one go. GL
+// thread.
+#pragma once
+#include "gl/programs/program_draw.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace gluray::gl {
+
+/// Draws, and what the real OpenGL needs to make them after all: without depth test, blended by GL_MAX.
+struct HeldPass {
+  struct Output {
+    GLuint texture = 0;  // GL_TEXTURE_2D; 0: the draw buffer is GL_NONE
+    GLint level = 0;
+  };
+  std::vector<Output> outputs;  // by draw buffer
+  glm::ivec4 viewport{0};
+  std::vector<ProgramDraw> draws;
+};
+
+/// Surfaces that are seen through: the two passes of a program that composites them, and where the result
+/// goes.
+struct LayersTarget {
+  HeldPass depths;                      // finds the nearest and farthest, for the program's own compositing
+  HeldPass surfaces;                    // the first peel
+  GLuint opaqueDepth = 0;               // texture that `depths` reads, and
+  std::vector<glm::vec2> opaqueDepths;  // what was in it: green the depth of what is opaque, or -1
+  GLuint result = 0;                    // RGBA8 texture: colours times opacity, and opacity
+  glm::ivec2 size{0};                   // of all these textures
+  bool written = false;                 // the result holds a traced picture
+};
+
+}  // namespace gluray::gl

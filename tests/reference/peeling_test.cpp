@@ -1,0 +1,216 @@
+// Surfaces that are seen through, composited by dual depth peeling: all layers are traced in the place of the
+// first peel; whatever comes between makes the real OpenGL draw what was held back.
+#include "tests/reference/peeler.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+namespace gluray::test {
+namespace {
+
+using Color = Surface::Color;
+using Lights = Surface::Lights;
+using Hooks = Peeler::Hooks;
+
+View placed(const glm::dvec3& at, double size = 1) {
+  View view = perspectiveView(20);
+  view.eyeFromObject = glm::scale(glm::translate(view.eyeFromObject, at), glm::dvec3(size));
+  return view;
+}
+
+Peeled seen(ProgramMesh mesh, const glm::vec3& color, float opacity, const View& view) {
+  Peeled one;
+  one.mesh = std::move(mesh);
+  one.color = color;
+  one.opacity = opacity;
+  one.view = view;
+  return one;
+}
+
+/// A ball in a ball in a ball, and something opaque that cuts through them.
+std::vector<Peeled> balls() {
+  std::vector<Peeled> all;
+  all.push_back(seen(ball(24), {1, 0.3f, 0.2f}, 0.4f, placed({0, 0, 0}, 1.1)));
+  all.push_back(seen(ball(24), {0.2f, 0.9f, 0.3f}, 0.6f, placed({0.1, 0, 0}, 0.8)));
+  all.push_back(seen(ball(24), {0.9f, 0.8f, 0.1f}, 1, placed({0.5, 0.2, 0}, 0.5)));
+  all.push_back(seen(ball(16), {0.2f, 0.3f, 1}, 0.3f, placed({-0.3, 0.2, 0.1}, 0.4)));
+  return all;
+}
+
+/// Layers are rounded to eight bits by every peel of the real OpenGL, by us once.
+constexpr scenes::Tolerance kPeelTolerance = {3, 0.004, 1e-5f,
+                                              "silhouettes of all layers; every peel rounds to eight bits"};
+
+void expectPeeled(const std::string& name, const std::vector<Peeled>& all, int draws,
+                  const std::function<Hooks(Gl, Peeler&)>& hooksOf = {}) {
+  const auto draw = [&](Gl gl) {
+    Peeler peeler(gl);
+    const Hooks hooks = hooksOf ? hooksOf(gl, peeler) : Hooks{};
+    peeler.frame(all, hooks);
+    peeler.frame(all, hooks);
+  };
+  expectBoth(name, draw, draws, {}, kPeelTolerance);
+}
+
+TEST(Peeling, AllLayersAreTracedAtOnce) { expectPeeled("balls", balls(), 2 * 4); }
+
+TEST(Peeling, ProgramsThatAreMadeBetweenThePassesChangeNothing) {
+  // The first frame makes them when it first needs them; so does this one.
+  expectBoth(
+      "one_frame", [](Gl gl) { Peeler(gl).frame(balls()); }, 4, {}, kPeelTolerance);
+}
+
+TEST(Peeling, LaterPeelsFindNothingLeft) {
+  int peels = 0;
+  const auto draw = [&](Gl gl) {
+    Peeler peeler(gl);
+    peeler.frame(balls());
+    peels = peeler.peels();
+  };
+  expectSame("peels", draw, 4, {}, kPeelTolerance);
+  EXPECT_EQ(peels, 1);
+}
+
+TEST(Peeling, ColorsOfVerticesMapsAndCells) {
+  auto all = balls();
+  all[0].surface.color = Color::vertex;
+  all[1].surface.color = Color::mapped;
+  all[3].surface.color = Color::cell;
+  all[1].before = [](Gl gl, GLuint program) { colorMap(gl, 6), setInteger(gl, program, "colortexture", 6); };
+  all[3].before = [mesh = all[3].mesh](Gl gl, GLuint program) {
+    cellColors(gl, mesh, 7), setInteger(gl, program, "textureC", 7);
+  };
+  expectPeeled("colors", all, 2 * 4);
+}
+
+TEST(Peeling, WithoutLightsAndByMicrofacets) {
+  auto all = balls();
+  all[0].surface.lights = Lights::none;
+  all[1].surface.lights = Lights::pbr;
+  all[3].surface.lights = Lights::headlight;
+  expectPeeled("lights", all, 2 * 4);
+}
+
+TEST(Peeling, SheetsWithinAnother) {
+  std::vector<Peeled> all;
+  for (int i = 0; i < 5; ++i) {
+    const float step = 0.2f * static_cast<float>(i);
+    all.push_back(seen(sheet(12), {step, 0.5f, 1 - step}, 0.25f, placed({0, 0, step})));
+  }
+  all.push_back(seen(ball(16), glm::vec3(1), 1, placed({0, 0, 0.3}, 0.4)));
+  expectPeeled("sheets", all, 2 * 6);
+}
+
+TEST(Peeling, TwoOfOnePlace) {
+  auto all = balls();
+  all[1].view = all[0].view;
+  expectPeeled("one_place", all, 2 * 4);
+}
+
+TEST(Peeling, CulledFacesAreNotSeen) {
+  auto all = balls();
+  all[0].before = [](Gl gl, GLuint) { gl.Enable(GL_CULL_FACE), gl.CullFace(GL_FRONT); };
+  all[1].before = [](Gl gl, GLuint) { gl.Disable(GL_CULL_FACE); };
+  all[2].before = all[1].before;
+  expectPeeled("culled", all, 2 * 4);
+}
+
+// --- What comes between ---------------------------------------------------------------------------------
+
+TEST(Peeling, LinesAmongThemAreDrawnByTheRealOne) {
+  auto all = balls();
+  all[1].mode = GL_LINES;
+  expectPeeled("lines", all, 2 * 1);
+}
+
+TEST(Peeling, LinesAfterSurfacesThatWaited) {
+  auto all = balls();
+  all[3].mode = GL_LINES;
+  expectPeeled("lines_last", all, 2 * 1);
+}
+
+TEST(Peeling, DepthsFoundAreReadBack) {
+  std::vector<std::vector<float>> found;
+  const auto hooks = [&](Gl gl, Peeler& peeler) {
+    return Hooks{.afterDepths = [&found, &gl, &peeler] {
+      std::vector<float> depths(size_t{2} * kProgramWidth * kProgramHeight);
+      gl.ActiveTexture(GL_TEXTURE6);
+      gl.BindTexture(GL_TEXTURE_2D, peeler.depthsFound());
+      gl.GetTexImage(GL_TEXTURE_2D, 0, GL_RG, GL_FLOAT, depths.data());
+      found.push_back(std::move(depths));
+    }};
+  };
+  expectPeeled("read_back", balls(), -1, hooks);
+  ASSERT_EQ(found.size(), 8u);  // two frames by each, twice
+  for (const auto& depths : found) {
+    size_t different = 0;
+    for (size_t i = 0; i < depths.size(); ++i) different += std::abs(depths[i] - found[0][i]) > 1e-6f;
+    EXPECT_EQ(different, 0u);
+  }
+}
+
+TEST(Peeling, ReadPixelsAfterTheFirstPeel) {
+  const auto hooks = [](Gl gl, Peeler&) {
+    return Hooks{.afterFirstPeel = [&gl] {
+      uint32_t pixel = 0;
+      gl.ReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
+    }};
+  };
+  expectPeeled("read_pixels", balls(), 2 * 4, hooks);
+}
+
+TEST(Peeling, AFlushBetweenSurfacesTracesAllOfThemAgain) {
+  const auto hooks = [](Gl gl, Peeler&) {
+    return Hooks{.betweenSurfaces = [&gl] {
+      uint32_t pixel = 0;
+      gl.ReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
+    }};
+  };
+  expectPeeled("flush_between", balls(), 2 * 4, hooks);
+}
+
+TEST(Peeling, DepthsFoundAreClearedByTheProgram) {
+  const auto hooks = [](Gl gl, Peeler&) {
+    return Hooks{.afterDepths = [&gl] {
+      gl.ClearColor(-0.4f, 0.5f, 0, 0);
+      gl.Clear(GL_COLOR_BUFFER_BIT);
+    }};
+  };
+  expectPeeled("cleared", balls(), -1, hooks);
+}
+
+TEST(Peeling, AnotherDrawReadsTheDepths) {
+  const auto hooks = [](Gl gl, Peeler& peeler) {
+    const GLuint program = makeProgram(
+        gl,
+        "#version 150\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3. : -1., gl_VertexID == 2 ? 3. : "
+        "-1., 0., 1.); }",
+        "#version 150\nuniform sampler2D depths;\nout vec4 color;\n"
+        "void main() { color = vec4(texelFetch(depths, ivec2(gl_FragCoord.xy), 0).y, 0., 0., 0.3); }");
+    return Hooks{.afterDepths = [&gl, &peeler, program] {
+      GLint now = 0, array = 0;
+      gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &now), gl.GetIntegerv(GL_VERTEX_ARRAY_BINDING, &array);
+      gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+      gl.ActiveTexture(GL_TEXTURE6);
+      gl.BindTexture(GL_TEXTURE_2D, peeler.depthsFound());
+      gl.UseProgram(program);
+      setInteger(gl, program, "depths", 6);
+      gl.DrawArrays(GL_TRIANGLES, 0, 3);
+      gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(now));
+    }};
+  };
+  expectPeeled("another_draw", balls(), -1, hooks);
+}
+
+TEST(Peeling, SwitchedOff) {
+  Settings settings = TracedContext::tracing();
+  ASSERT_TRUE(settings.quirks.set("depth-peeling", false));
+  TracedContext ours(coreWish(), settings);
+  Peeler peeler(ours.gl());
+  peeler.frame(balls());
+  EXPECT_EQ(ours.context().statistics.drawsTraced, 1u);
+  EXPECT_GT(peeler.peels(), 1);
+}
+
+}  // namespace
+}  // namespace gluray::test
