@@ -293,7 +293,7 @@ void Context::present(bool rasterise) {
   const scene::SnapshotPtr snapshot = batch_.take();
   const double start = kinds() ? nowSeconds() : 0;
   syncCurrent();
-  passes_.flushed();
+  passes_.flushed(rasterise ? nullptr : snapshot);
   if (rasterise) countAsRasterised(*snapshot);
   const PresentResult result =
       key.layers ? presentLayers(snapshot, key)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 namespace gluray::gl {
 namespace {
@@ -65,9 +66,29 @@ void Passes::drawn(const scene::MeshPtr& mesh, const glm::dmat4& eyeFromObject, 
   rasterised_ = rasterised_ || how == How::rasterised;
 }
 
-void Passes::flushed() {
-  for (auto& [place, surface] : surfaces_)
-    if (surface.how == How::pending) surface.how = How::traced;
+void Passes::flushed(const scene::SnapshotPtr& snapshot) {
+  for (auto& [place, surface] : surfaces_) {
+    if (surface.how != How::pending) continue;
+    surface.how = snapshot ? How::traced : How::rasterised;
+    surface.snapshot = snapshot;
+    rasterised_ = rasterised_ || !snapshot;
+  }
+}
+
+std::vector<scene::SnapshotPtr> Passes::takeTraced() {
+  std::vector<scene::SnapshotPtr> all;
+  for (auto& [place, surface] : surfaces_) {
+    if (!std::exchange(surface.met, false) || surface.how != How::traced) continue;
+    auto alone = std::make_shared<scene::Snapshot>(*surface.snapshot);
+    std::erase_if(alone->instances, [&](const scene::Instance& instance) {
+      return instance.mesh->geometryId != surface.mesh->geometryId ||
+             !(instance.eyeFromObject == surface.eyeFromObject);
+    });
+    surface.how = How::rasterised, rasterised_ = true;
+    surface.snapshot = nullptr;
+    if (!alone->instances.empty()) all.push_back(std::move(alone));
+  }
+  return all;
 }
 
 void Passes::clear() {
@@ -95,10 +116,11 @@ Passes::Meeting Passes::meets(const glm::dmat4& eyeFromObject, std::span<const T
   Meeting meeting = Meeting::none;
   const auto [first, last] = surfaces_.equal_range(hashOf(eyeFromObject));
   for (auto it = first; it != last; ++it) {
-    const Surface& surface = it->second;
+    Surface& surface = it->second;
     if (surface.pushedBack && !pushedBack) continue;  // as lines that are drawn over it expect
     if (!liesUpon(surface, eyeFromObject, triangles)) continue;
     remember(surface.mesh->geometryId);
+    surface.met = true;
     meeting = surface.how == How::pending || meeting == Meeting::pending ? Meeting::pending : Meeting::drawn;
   }
   return meeting;

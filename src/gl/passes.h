@@ -1,10 +1,11 @@
 // Surfaces that are drawn more than once in a layer: once traced, once by the real OpenGL (blended, with
 // GL_EQUAL, depth alone in advance ...). Passes must meet the depth that rasterising leaves, to the bit: such
-// surfaces are rasterised in every pass. Owned by Context, GL thread.
+// surfaces are rasterised in every pass, and where one was traced before its first pass came, its depth is
+// drawn again. Owned by Context, GL thread.
 #pragma once
 #include "base/hash.h"
 #include "gl/captured.h"
-#include "scene/mesh.h"
+#include "scene/snapshot.h"
 
 #include <glm/glm.hpp>
 
@@ -46,8 +47,8 @@ class Passes {
   /// A surface was drawn in this layer; `pushedBack`: by a polygon offset, so that what comes without one
   /// wins.
   void drawn(const scene::MeshPtr& mesh, const glm::dmat4& eyeFromObject, How how, bool pushedBack);
-  /// The pending batch was traced.
-  void flushed();
+  /// The pending batch was traced or, where `snapshot` is null, rasterised.
+  void flushed(const scene::SnapshotPtr& snapshot);
   /// Depth was cleared, or the frame ended: a new layer begins.
   void clear();
   /// Whether any surface of the layer was drawn with this modelview matrix.
@@ -62,6 +63,9 @@ class Passes {
   /// back further; that surface is remembered as drawn in several passes. `pending`: it still waits to be
   /// traced.
   Meeting meets(const glm::dmat4& eyeFromObject, std::span<const Triangle> triangles, bool pushedBack);
+  /// The surfaces that meets() has found to be traced already, each once: what was traced, without the rest.
+  /// They count as rasterised from then on.
+  std::vector<scene::SnapshotPtr> takeTraced();
   /// Whether the geometry was found to be drawn in several passes, in this layer or one of the last hundred.
   bool several(const Hash128& geometry);
 
@@ -71,6 +75,8 @@ class Passes {
     glm::dmat4 eyeFromObject;
     How how;
     bool pushedBack;
+    scene::SnapshotPtr snapshot = nullptr;  // that it was traced in
+    bool met = false;                       // by a pass, since takeTraced()
   };
   /// Whether one of the triangles has all its corners among the surface's.
   bool liesUpon(const Surface& surface, const glm::dmat4& eyeFromObject, std::span<const Triangle> triangles);

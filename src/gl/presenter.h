@@ -20,6 +20,9 @@ struct PresentTarget {
   bool core = false;           // core profile: no fixed function
   bool rasterise = false;      // the instances are to be drawn by the real OpenGL, not traced
   std::vector<ProgramDraw> programDraws = {};  // those instances that shader programs draw
+  // The instances were traced already: the depth of what is seen of them is made that which the real OpenGL
+  // gives them, to the bit. Fixed function alone; nothing else changes.
+  bool depthAgain = false;
 };
 
 /// What presenting cost and did.

@@ -178,6 +178,13 @@ void Context::rememberPass(const KnownMesh& known) {
 void Context::meetPasses(std::span<const Triangle> triangles) {
   protect([&] {
     if (passes_.meets(state.modelview, triangles, isPushedBack()) == Passes::Meeting::pending) present(true);
+    for (const scene::SnapshotPtr& traced : passes_.takeTraced()) {
+      syncCurrent();
+      const PresentResult result =
+          presenter_.present(real, traced, {.core = info_.core, .rasterise = true, .depthAgain = true});
+      latch_.restore(real);
+      if (result.pendingError != GL_NO_ERROR) setError(result.pendingError);
+    }
   });
 }
 

@@ -13,4 +13,9 @@ namespace gluray::present {
 bool drawByRealGl(const gl::RealGl& real, const Features& features, const scene::Snapshot& snapshot,
                   const gl::PresentTarget& target);
 
+/// Gives what is seen of the fixed-function instances, which were traced before, the depth that the real
+/// OpenGL has for them: so that passes which compare with it find it. Nothing else differs afterwards. False
+/// where that is not possible (multisampled framebuffers, no depth textures), with the depth as it was.
+bool drawDepthAgain(const gl::RealGl& real, const Features& features, const scene::Snapshot& snapshot);
+
 }  // namespace gluray::present

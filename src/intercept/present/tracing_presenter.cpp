@@ -89,6 +89,13 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
   std::string why;
   PendingErrors pending;
   TraceCost cost;
+  if (target.depthAgain) {
+    pending = takeErrors(real);
+    if (drawDepthAgain(real, features(real), snapshot)) result.outcome = PresentResult::rasterised;
+    takeErrors(real);
+    if (!pending.empty()) result.pendingError = pending.front();
+    return result;
+  }
   const bool traced =
       !target.rasterise && supports(real, target.core, why) && trace_(snapshot, image_, cost, why);
   takeCost(cost, result);
