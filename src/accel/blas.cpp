@@ -3,6 +3,9 @@
 #include "accel/background_job.h"
 #include "accel/embree.h"
 #include "accel/error.h"
+#include "accel/figure_query.h"
+
+#include <glm/gtc/type_ptr.hpp>
 
 namespace gluray::accel {
 namespace {
@@ -17,8 +20,9 @@ void checkArrays(const scene::Mesh& mesh) {
   if (mesh.indices && (mesh.indices.stride != 4 || misaligned(mesh.indices))) {
     throw Error("a mesh has indices that are not tightly packed");
   }
-  if (!mesh.indices && static_cast<uint64_t>(mesh.triangleCount) * 3 > mesh.vertexCount) {
-    throw Error("a mesh has fewer vertices than its triangles need");
+  const uint64_t corners = mesh.shape == scene::Shape::triangles ? 3 : 1;
+  if (!mesh.indices && mesh.triangleCount * corners > mesh.vertexCount) {
+    throw Error("a mesh has fewer vertices than its primitives need");
   }
 }
 
@@ -29,32 +33,41 @@ RTCSceneFlags sceneFlags(BvhQuality quality) {
   return quality == BvhQuality::compact ? flags | RTC_SCENE_FLAG_COMPACT : flags;
 }
 
+/// Embree's callback. Figures that do not exist have no bounds and are left out.
+void figureBounds(const RTCBoundsFunctionArguments* arguments) {
+  const auto& [mesh, reach] =
+      *static_cast<const std::pair<const scene::Mesh*, const FigureReach*>*>(arguments->geometryUserPtr);
+  const Box box = boundsOfFigure(*mesh, *reach, arguments->primID);
+  RTCBounds& out = *arguments->bounds_o;
+  out.lower_x = box.lower.x, out.lower_y = box.lower.y, out.lower_z = box.lower.z;
+  out.upper_x = box.upper.x, out.upper_y = box.upper.y, out.upper_z = box.upper.z;
+}
+
 }  // namespace
 
-Blas::Blas(const Device& device, IotaIndices& iota, const scene::Mesh& mesh, BvhQuality quality)
-    : device_(device), positions_(mesh.positions.owner), triangleCount_(mesh.triangleCount) {
+Hash128 Geometry::id() const {
+  if (mesh->shape == scene::Shape::triangles) return mesh->geometryId;
+  const glm::vec3* rows[] = {&reach.perRadius, &reach.alongAxis[0], &reach.alongAxis[1], &reach.alongAxis[2],
+                             &reach.perLength};
+  Hash128 id = mesh->geometryId;
+  for (const glm::vec3* row : rows) {
+    const glm::vec3 values = *row + 0.0f;  // -0 is 0
+    id = hashBytes(glm::value_ptr(values), sizeof values, id);
+  }
+  return id;
+}
+
+Blas::Blas(const Device& device, IotaIndices& iota, const Geometry& of, BvhQuality quality)
+    : device_(device), positions_(of.mesh->positions.owner), triangleCount_(of.mesh->triangleCount) {
+  const scene::Mesh& mesh = *of.mesh;
   checkArrays(mesh);
   pinnedBytes_ = static_cast<size_t>(mesh.vertexCount) * mesh.positions.stride;
-  const void* indexData = mesh.indices.data;
-  if (mesh.indices) {
-    indices_ = mesh.indices.owner;
-    pinnedBytes_ += static_cast<size_t>(mesh.triangleCount) * 12;
-  } else {
-    auto shared = iota.get(static_cast<size_t>(mesh.triangleCount) * 3);
-    indexData = shared.get();
-    indices_ = std::shared_ptr<const void>(shared, shared.get());
-  }
-
   const auto rtcQuality = quality == BvhQuality::fast ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM;
   scene_ = rtcNewScene(device.handle());
   rtcSetSceneBuildQuality(scene_, rtcQuality);
   rtcSetSceneFlags(scene_, sceneFlags(quality));
-  RTCGeometry geometry = rtcNewGeometry(device.handle(), RTC_GEOMETRY_TYPE_TRIANGLE);
+  RTCGeometry geometry = mesh.shape == scene::Shape::triangles ? triangles(iota, mesh) : figures(of);
   rtcSetGeometryBuildQuality(geometry, rtcQuality);
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.positions.data, 0,
-                             mesh.positions.stride, mesh.vertexCount);
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, indexData, 0, 12,
-                             mesh.triangleCount);
   rtcCommitGeometry(geometry);
   rtcAttachGeometryByID(scene_, geometry, 0);
   rtcReleaseGeometry(geometry);
@@ -64,6 +77,42 @@ Blas::Blas(const Device& device, IotaIndices& iota, const scene::Mesh& mesh, Bvh
     rtcReleaseScene(scene_);
     throw;
   }
+}
+
+RTCGeometryTy* Blas::triangles(IotaIndices& iota, const scene::Mesh& mesh) {
+  const void* indexData = mesh.indices.data;
+  if (mesh.indices) {
+    indices_ = mesh.indices.owner;
+    pinnedBytes_ += static_cast<size_t>(mesh.triangleCount) * 12;
+  } else {
+    auto shared = iota.get(static_cast<size_t>(mesh.triangleCount) * 3);
+    indexData = shared.get();
+    indices_ = std::shared_ptr<const void>(shared, shared.get());
+  }
+  RTCGeometry geometry = rtcNewGeometry(device_.handle(), RTC_GEOMETRY_TYPE_TRIANGLE);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.positions.data, 0,
+                             mesh.positions.stride, mesh.vertexCount);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, indexData, 0, 12,
+                             mesh.triangleCount);
+  return geometry;
+}
+
+RTCGeometryTy* Blas::figures(const Geometry& of) {
+  const scene::Mesh& mesh = *of.mesh;
+  figures_.shape = mesh.shape;
+  figures_.triangleCount = mesh.triangleCount, figures_.vertexCount = mesh.vertexCount;
+  figures_.positions = mesh.positions, figures_.indices = mesh.indices;
+  figures_.radii = mesh.radii, figures_.axes = mesh.axes, figures_.radius = mesh.radius;
+  reach_ = of.reach;
+  bounded_ = {&figures_, &reach_};
+  for (const scene::Attribute* a : {&mesh.radii, &mesh.axes})
+    if (*a) pinnedBytes_ += static_cast<size_t>(mesh.vertexCount) * a->stride;
+  RTCGeometry geometry = rtcNewGeometry(device_.handle(), RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, mesh.triangleCount);
+  rtcSetGeometryUserData(geometry, &bounded_);
+  rtcSetGeometryBoundsFunction(geometry, figureBounds, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, intersectFigures);
+  return geometry;
 }
 
 Blas::~Blas() { rtcReleaseScene(scene_); }

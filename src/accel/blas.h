@@ -1,6 +1,7 @@
 // The acceleration structure of one mesh. Made by BlasCache; read by any number of tracing threads.
 #pragma once
 #include "accel/device.h"
+#include "accel/figures.h"
 #include "accel/iota_indices.h"
 #include "scene/mesh.h"
 #include "settings/settings.h"
@@ -9,17 +10,27 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 
+struct RTCGeometryTy;
 struct RTCSceneTy;
 
 namespace gluray::accel {
 
+/// What a structure is made of. `reach` matters to meshes of figures alone.
+struct Geometry {
+  const scene::Mesh* mesh = nullptr;
+  FigureReach reach;
+  /// Equal where the structure would be.
+  Hash128 id() const;
+};
+
 /// A bottom-level structure over the positions and triangles of a mesh, which are read in place and kept
-/// alive. (primitive, u, v) of its hits hold for every mesh of equal geometryId.
+/// alive. (primitive, u, v) of its hits hold for every geometry of equal id.
 class Blas {
  public:
   /// Prepares the structure; build() makes it. Throws Error where the arrays cannot be read.
-  Blas(const Device&, IotaIndices&, const scene::Mesh&, BvhQuality);
+  Blas(const Device&, IotaIndices&, const Geometry&, BvhQuality);
   ~Blas();
   Blas(const Blas&) = delete;
   Blas& operator=(const Blas&) = delete;
@@ -39,10 +50,15 @@ class Blas {
 
  private:
   void commit();
+  RTCGeometryTy* triangles(IotaIndices&, const scene::Mesh&);
+  RTCGeometryTy* figures(const Geometry&);
 
   const Device& device_;
   RTCSceneTy* scene_ = nullptr;
   std::shared_ptr<const void> positions_, indices_;
+  scene::Mesh figures_;  // where they are none: the arrays that bounds are read from
+  FigureReach reach_;
+  std::pair<const scene::Mesh*, const FigureReach*> bounded_;  // both, for Embree's callback
   size_t bvhBytes_ = 0, pinnedBytes_ = 0;
   uint32_t triangleCount_ = 0;
 };

@@ -45,26 +45,26 @@ BlasPtr BlasCache::use(Entry& entry) {
   return entry.blas;
 }
 
-std::vector<BlasPtr> BlasCache::get(const std::vector<const scene::Mesh*>& meshes, BvhQuality quality) {
-  std::vector<BlasPtr> result(meshes.size());
+std::vector<BlasPtr> BlasCache::get(const std::vector<Geometry>& wanted, BvhQuality quality) {
+  std::vector<BlasPtr> result(wanted.size());
   std::vector<std::pair<Key, Entry>> coming;
   std::unordered_map<Key, BlasPtr, KeyHash> started;
   uint64_t waiting = 0;
-  for (size_t i = 0; i < meshes.size(); ++i) {
-    const scene::Mesh& mesh = *meshes[i];
+  for (size_t i = 0; i < wanted.size(); ++i) {
+    const scene::Mesh& mesh = *wanted[i].mesh;
     if (mesh.triangleCount == 0) continue;
-    const Key key{mesh.geometryId, quality};
+    const Key key{wanted[i].id(), quality};
     if (const auto known = entries_.find(key); known != entries_.end()) {
       result[i] = use(known->second);
       if (!refinement_.busy() && worthRefining(quality, known->second.built, known->second.frames))
-        refine(key, known->second, mesh);
+        refine(key, known->second, wanted[i]);
       continue;
     }
     BlasPtr& blas = started[key];
     if (!blas) {
-      if (started.size() == 1) waiting = trianglesWaiting(meshes, quality);
+      if (started.size() == 1) waiting = trianglesWaiting(wanted, quality);
       const BvhQuality first = firstQuality(quality, mesh.triangleCount, waiting, freeMemory_);
-      blas = std::make_shared<Blas>(device_, iota_, mesh, first);
+      blas = std::make_shared<Blas>(device_, iota_, wanted[i], first);
       coming.push_back({key, {blas, first, clock_, 1}});
     }
     result[i] = blas;
@@ -73,12 +73,11 @@ std::vector<BlasPtr> BlasCache::get(const std::vector<const scene::Mesh*>& meshe
   return result;
 }
 
-uint64_t BlasCache::trianglesWaiting(const std::vector<const scene::Mesh*>& meshes,
-                                     BvhQuality quality) const {
+uint64_t BlasCache::trianglesWaiting(const std::vector<Geometry>& wanted, BvhQuality quality) const {
   std::unordered_map<Key, uint32_t, KeyHash> waiting;
-  for (const scene::Mesh* mesh : meshes) {
-    const Key key{mesh->geometryId, quality};
-    if (!entries_.contains(key)) waiting[key] = mesh->triangleCount;
+  for (const Geometry& geometry : wanted) {
+    const Key key{geometry.id(), quality};
+    if (!entries_.contains(key)) waiting[key] = geometry.mesh->triangleCount;
   }
   return std::accumulate(waiting.begin(), waiting.end(), uint64_t{0},
                          [](uint64_t sum, const auto& mesh) { return sum + mesh.second; });
@@ -107,10 +106,10 @@ void BlasCache::build(std::vector<std::pair<Key, Entry>>& coming) {
 }
 
 // Starts the better build of what is drawn now. Where it cannot be, the fast structure has to do.
-void BlasCache::refine(const Key& key, Entry& entry, const scene::Mesh& mesh) {
+void BlasCache::refine(const Key& key, Entry& entry, const Geometry& geometry) {
   entry.built = BvhQuality::full;
-  if (!roomToRefine(mesh.triangleCount, freeMemory_)) return;
-  refined_ = std::make_shared<Blas>(device_, iota_, mesh, BvhQuality::full);
+  if (!roomToRefine(geometry.mesh->triangleCount, freeMemory_)) return;
+  refined_ = std::make_shared<Blas>(device_, iota_, geometry, BvhQuality::full);
   const auto build = [blas = refined_](const std::atomic<bool>& cancelled) {
     Arena alone(1);
     alone.execute([&] { blas->buildBehind(cancelled); });

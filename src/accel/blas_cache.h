@@ -10,7 +10,7 @@
 
 namespace gluray::accel {
 
-/// Builds each (geometryId, quality) once and keeps it while it is used. What was not used lately stays too,
+/// Builds each (geometry, quality) once and keeps it while it is used. What was not used lately stays too,
 /// as long as all such structures and the arrays they keep alive fit into `idleBudgetBytes`; beyond it the
 /// longest unused go first. Structures of quality `automatic` are exchanged for better ones, which are built
 /// while frames go on, where build_plan.h finds that worth it.
@@ -21,10 +21,10 @@ class BlasCache {
   /// Begins a frame: what is not asked for from now on is idle. Better structures that are ready take the
   /// place of those they were built for.
   void beginFrame();
-  /// Structures for `meshes` (null where a mesh has no triangles), in the same order, building those not yet
+  /// Structures for `wanted` (null where a mesh has no triangles), in the same order, building those not yet
   /// known with the threads of the current arena. Throws Error or std::bad_alloc; those already built stay
   /// known.
-  std::vector<BlasPtr> get(const std::vector<const scene::Mesh*>& meshes, BvhQuality);
+  std::vector<BlasPtr> get(const std::vector<Geometry>& wanted, BvhQuality);
   /// Frees idle structures beyond the budget.
   void evict();
   /// Frees every idle structure and what is being built behind; true if there were any.
@@ -36,13 +36,13 @@ class BlasCache {
 
  private:
   struct Key {
-    Hash128 geometryId;
+    Hash128 geometry;
     BvhQuality quality;
     bool operator==(const Key&) const = default;
   };
   struct KeyHash {
     size_t operator()(const Key& k) const noexcept {
-      return std::hash<Hash128>{}(k.geometryId) + static_cast<size_t>(k.quality);
+      return std::hash<Hash128>{}(k.geometry) + static_cast<size_t>(k.quality);
     }
   };
   struct Entry {
@@ -53,9 +53,9 @@ class BlasCache {
   };
   bool evictDownTo(size_t bytes);
   BlasPtr use(Entry& entry);
-  uint64_t trianglesWaiting(const std::vector<const scene::Mesh*>& meshes, BvhQuality) const;
+  uint64_t trianglesWaiting(const std::vector<Geometry>& wanted, BvhQuality) const;
   void build(std::vector<std::pair<Key, Entry>>& coming);
-  void refine(const Key& key, Entry& entry, const scene::Mesh& mesh);
+  void refine(const Key& key, Entry& entry, const Geometry& geometry);
 
   const Device& device_;
   size_t idleBudgetBytes_;

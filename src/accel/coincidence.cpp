@@ -118,7 +118,7 @@ std::vector<Coincidence::Group> Coincidence::groupsOf(const std::vector<scene::I
   std::unordered_map<Hash128, size_t> groupAt;
   std::unordered_set<Hash128> placed;
   for (const scene::Instance& instance : instances) {
-    if (instance.mesh->triangleCount == 0) continue;
+    if (instance.mesh->triangleCount == 0 || instance.mesh->shape != scene::Shape::triangles) continue;
     const glm::mat4 place = instance.worldFromObject + 0.0f;  // -0 is 0
     const Hash128 placeId = hashBytes(glm::value_ptr(place), sizeof place);
     const auto [at, fresh] = groupAt.try_emplace(placeId, groups.size());

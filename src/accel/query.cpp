@@ -1,8 +1,7 @@
 // Queries of World: Embree's packets, in the width that the processor handles natively.
 #include "accel/embree.h"
-#include "accel/world.h"
+#include "accel/query_state.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <cstring>
 
@@ -16,65 +15,17 @@ static_assert(offsetof(RayPacket, normalX) == offsetof(RTCRayHit16, hit.Ng_x));
 static_assert(offsetof(RayPacket, primitive) == offsetof(RTCRayHit16, hit.primID));
 static_assert(offsetof(RayPacket, instance) == offsetof(RTCRayHit16, hit.instID));
 
-/// Of hits at one distance, the one that OpenGL's depth test would leave.
-class TieBreaker {
- public:
-  explicit TieBreaker(const DrawOrder& order) : order_(order) {}
-
-  /// Whether the hit, no farther than the lane's best so far, takes its place; `distance` then becomes how
-  /// far the ray is to look on: hits as far as this one must still be asked about.
-  bool replaces(int lane, uint32_t instance, uint32_t primitive, float& distance) {
-    // Triangles with the same corners in another order are hit up to a few roundings apart; less than 24-bit
-    // depth tells apart.
-    constexpr float kFarther = 1 + 0x1p-21f;
-    Best& best = best_[lane];
-    const uint64_t rank = uint64_t{order_.ranks[instance]} << 32 | primitive;
-    const bool tie = best.found && best.distance <= distance * kFarther;
-    if (tie && (rank > best.rank) != order_.laterWins) return false;
-    best.distance = tie ? std::min(best.distance, distance) : distance;
-    best.rank = rank;
-    best.found = true;
-    distance = best.distance * kFarther;
-    return true;
-  }
-
-  /// The distances of the hits in place of how far the rays looked on.
-  void restoreDistances(RayPacket& packet) const {
-    for (int i = 0; i < kLanes; ++i)
-      if (best_[i].found) packet.tFar[i] = best_[i].distance;
-  }
-
- private:
-  struct Best {
-    uint64_t rank;
-    float distance;
-    bool found = false;
-  };
-  const DrawOrder& order_;
-  Best best_[kLanes];
-};
-
-/// What the filter callback needs; lives as long as one query.
-struct FilterState {
-  const HitFilter* filter;
-  TieBreaker* ties;
-  uint32_t aloneIndex;
-};
-
-bool counts(const FilterState& state, const RTCFilterFunctionNArguments& a, unsigned i) {
+bool counts(const QueryState& state, const RTCFilterFunctionNArguments& a, unsigned i) {
   uint32_t instance = RTCHitN_instID(a.hit, a.N, i, 0);
   if (instance == RTC_INVALID_GEOMETRY_ID) instance = state.aloneIndex;
-  const uint32_t primitive = RTCHitN_primID(a.hit, a.N, i);
   const auto lane = static_cast<int>(RTCRayN_id(a.ray, a.N, i));
-  if (state.filter &&
-      !state.filter->accepts(instance, primitive, RTCHitN_u(a.hit, a.N, i), RTCHitN_v(a.hit, a.N, i), lane))
-    return false;
-  return !state.ties || state.ties->replaces(lane, instance, primitive, RTCRayN_tfar(a.ray, a.N, i));
+  return state.counts(lane, instance, RTCHitN_primID(a.hit, a.N, i), RTCHitN_u(a.hit, a.N, i),
+                      RTCHitN_v(a.hit, a.N, i), RTCRayN_tfar(a.ray, a.N, i));
 }
 
 void onFilter(const RTCFilterFunctionNArguments* arguments) {
   const auto& state =
-      *static_cast<const FilterState*>(reinterpret_cast<const QueryContext*>(arguments->context)->user);
+      *static_cast<const QueryState*>(reinterpret_cast<const QueryContext*>(arguments->context)->user);
   for (unsigned i = 0; i < arguments->N; ++i)
     if (arguments->valid[i] == -1 && !counts(state, *arguments, i)) arguments->valid[i] = 0;
 }
@@ -115,14 +66,16 @@ void nameLoneInstance(RayPacket& packet, uint32_t index) {
 
 }  // namespace
 
-void World::intersect(const int32_t* valid, RayPacket& packet, const HitFilter* filter) const noexcept {
-  if (!filter && !mayCoincide_) {
+void World::intersect(const int32_t* valid, RayPacket& packet, const HitFilter* filter,
+                      const FigureQuery* figures) const noexcept {
+  if (!filter && !mayCoincide_ && !figures) {
     CoherentQuery query;
     intersectAll(query, scene_, device_.packetWidth(), valid, packet);
   } else {
     TieBreaker ties(order_);
-    const FilterState state{filter, mayCoincide_ ? &ties : nullptr, aloneIndex_};
-    CoherentQuery query(onFilter, &state);
+    QueryState state{filter, mayCoincide_ ? &ties : nullptr, aloneIndex_};
+    if (figures) state.figures = figures_.data(), state.rays = *figures;
+    CoherentQuery query(filter || mayCoincide_ ? onFilter : nullptr, &state);
     intersectAll(query, scene_, device_.packetWidth(), valid, packet);
     if (mayCoincide_) ties.restoreDistances(packet);
   }

@@ -25,4 +25,18 @@ struct alignas(64) RayPacket {
   uint32_t reserved[kLanes];   // later Embree versions write here
 };
 
+/// Rays of a packet in eye space, where nothing is as far from the origin as objects may be in the world. t
+/// counts as in the packet.
+struct alignas(64) PixelRays {
+  float orgX[kLanes], orgY[kLanes], orgZ[kLanes], dirX[kLanes], dirY[kLanes], dirZ[kLanes];
+  float tFar[kLanes];  // the end of the ray, whatever was hit
+};
+
+/// What figures (scene/figures.h) are met by: programs compute them for the centres of pixels, on those
+/// samples that their cards cover.
+struct FigureQuery {
+  const PixelRays* centers = nullptr;  // of the pixels that the packet's rays belong to
+  const PixelRays* samples = nullptr;  // the packet's rays
+};
+
 }  // namespace gluray::accel

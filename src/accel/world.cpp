@@ -55,14 +55,18 @@ UpdateStatistics World::update(const scene::Snapshot& snapshot, Arena& arena) {
     cache_.evict();
     if (scene_) readBounds();
     readOrder(snapshot);
+    readFigures(snapshot);
     return statistics;
   });
 }
 
 std::vector<PlacedBlas> World::place(const scene::Snapshot& snapshot) {
-  std::vector<const scene::Mesh*> meshes;
+  std::vector<Geometry> meshes;
   meshes.reserve(snapshot.instances.size());
-  for (const scene::Instance& instance : snapshot.instances) meshes.push_back(instance.mesh.get());
+  for (const scene::Instance& instance : snapshot.instances) {
+    meshes.push_back({instance.mesh.get(), {}});
+    if (instance.mesh->shape != scene::Shape::triangles) meshes.back().reach = FigureReach::of(instance);
+  }
 
   std::vector<BlasPtr> blases;
   try {
@@ -98,6 +102,15 @@ void World::readOrder(const scene::Snapshot& snapshot) {
   order_.ranks.clear();
   if (!mayCoincide_) return;
   for (const scene::Instance& instance : snapshot.instances) order_.ranks.push_back(instance.order);
+}
+
+void World::readFigures(const scene::Snapshot& snapshot) {
+  figures_.clear();
+  const auto isFigures = [](const scene::Instance& i) { return i.mesh->shape != scene::Shape::triangles; };
+  if (std::none_of(snapshot.instances.begin(), snapshot.instances.end(), isFigures)) return;
+  figures_.resize(snapshot.instances.size());
+  for (size_t i = 0; i < figures_.size(); ++i)
+    if (isFigures(snapshot.instances[i])) figures_[i] = PlacedFigures(snapshot.instances[i]);
 }
 
 }  // namespace gluray::accel

@@ -45,12 +45,16 @@ class World {
   /// Nearest hits of the lanes with valid[i] = -1 (others 0), an array aligned to 64 bytes; the packet's hit
   /// fields must be cleared (geometry = kNoHit). Hits that `filter` refuses do not count; null: all do. Where
   /// triangles coincide, the hit is on the one that the snapshot's order of drawing and depth function leave.
-  void intersect(const int32_t* valid, RayPacket&, const HitFilter* filter = nullptr) const noexcept;
+  /// Without `figures` there are none.
+  void intersect(const int32_t* valid, RayPacket&, const HitFilter* filter = nullptr,
+                 const FigureQuery* figures = nullptr) const noexcept;
 
   /// Whether triangles may lie exactly upon each other.
   bool mayCoincide() const { return mayCoincide_; }
   /// True if there is nothing to hit.
   bool empty() const { return scene_ == nullptr; }
+  /// True if some of it are figures.
+  bool hasFigures() const { return !figures_.empty(); }
   /// Bytes of all structures now.
   size_t bytes() const { return Device::bytes(); }
   size_t cachedBlases() const { return cache_.size(); }
@@ -62,6 +66,7 @@ class World {
   std::vector<PlacedBlas> place(const scene::Snapshot&);
   void readBounds();
   void readOrder(const scene::Snapshot&);
+  void readFigures(const scene::Snapshot&);
 
   Device device_;
   BlasCache cache_;
@@ -72,6 +77,7 @@ class World {
   Coincidence coincidence_;
   bool mayCoincide_ = false;  // some triangles may: hits are compared, which costs time
   DrawOrder order_;
+  std::vector<PlacedFigures> figures_;  // by instance; empty where all are triangles
   glm::vec3 lower_{0}, upper_{0};
 };
 

@@ -70,7 +70,8 @@ KnownMesh meshOf(Context& c, const ArrayState& arrays, GLenum mode, const Elemen
   KnownMesh known;
   const Hash128 content = contentOf(c.real, arrays, mode, e);
   if (!c.group().meshes.find(content, known)) {
-    known = buildArrayMesh(c.real, arrays, mode, e);
+    known = arrays.shape == scene::Shape::triangles ? buildArrayMesh(c.real, arrays, mode, e)
+                                                    : buildFigureMesh(c.real, arrays, e);
     c.group().meshes.put(content, known);
     ++c.statistics.meshesBuilt;
     if (known.mesh) c.statistics.meshBytes += known.mesh->sizeBytes;
@@ -127,9 +128,13 @@ std::vector<Triangle> sampleTriangles(const Context& c, GLenum mode, const Eleme
 /// Traces what the current shader program draws if that can be right; says why not otherwise.
 Reason traceProgram(Context& c, GLenum mode, const Elements& e) {
   if (mode > GL_POLYGON) return Reason::program;
-  const bool peel = c.passOfProgram() == Family::Pass::peel;
-  const Reason reason = peel ? c.triagePeel(classOf(mode)) : c.triageProgram(classOf(mode));
+  const bool figures = c.drawsFigures(mode), peel = c.passOfProgram() == Family::Pass::peel;
+  const PrimitiveClass kind = figures ? PrimitiveClass::surfaces : classOf(mode);
+  Reason reason = peel ? c.triagePeel(kind) : c.triageProgram(kind);
+  if (reason == Reason::traced && figures) reason = c.triageFigures();
   if (reason != Reason::traced) return reason;
+  // Surfaces drawn by a program that wants points show nothing that anybody could know.
+  if (!figures && c.attributes.shape != scene::Shape::triangles) return Reason::program;
   return c.attempt([&] {
     const KnownMesh known = meshOf(c, c.attributes, mode, e);
     Reason fine = c.triageProgram(known);
@@ -139,6 +144,16 @@ Reason traceProgram(Context& c, GLenum mode, const Elements& e) {
     c.countTraced(pathOf(e), uint64_t{known.mesh->triangleCount} * e.repeats());
     return fine;
   });
+}
+
+/// What a draw counts as: figures for a triangle each.
+struct Load {
+  PrimitiveClass kind;
+  uint64_t triangles;
+};
+Load loadOf(Context& c, GLenum mode, const Elements& e) {
+  if (c.drawsFigures(mode)) return {PrimitiveClass::surfaces, static_cast<uint64_t>(e.count) * e.repeats()};
+  return {kindOf(mode), trianglesOf(mode, e)};
 }
 
 void drawByProgram(Context& c, GLenum mode, const Elements& e) {
@@ -156,9 +171,9 @@ void drawByProgram(Context& c, GLenum mode, const Elements& e) {
     c.protect([&] { done = c.replacePass(mode, e); });
     if (done) return;
   }
-  const PrimitiveClass kind = kindOf(mode);
-  c.countRaster(reason, pathOf(e), kind, trianglesOf(mode, e));
-  c.beforeRasterDraw(kind);
+  const Load load = loadOf(c, mode, e);
+  c.countRaster(reason, pathOf(e), load.kind, load.triangles);
+  c.beforeRasterDraw(load.kind);
   c.sendBuffers();
   drawReal(c.real, mode, e);
 }
@@ -168,8 +183,10 @@ void draw(Context& c, GLenum mode, const Elements& e) {
     return;  // what lies before an array is nobody's
   if (c.compiling()) return recordDraw(c, mode, e);
   const DrawTimer timer(c.kinds());
-  if (c.direct() && c.drawsDirectly(pathOf(e), kindOf(mode), trianglesOf(mode, e)))
-    return drawReal(c.real, mode, e);
+  if (c.direct()) {
+    const Load load = loadOf(c, mode, e);
+    if (c.drawsDirectly(pathOf(e), load.kind, load.triangles)) return drawReal(c.real, mode, e);
+  }
   c.works();
   c.refresh(kRaster);
   if (c.state.raster.program != 0 || c.info().core) return drawByProgram(c, mode, e);

@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
+#include <bit>
 #include <cstring>
 
 namespace gluray::gl {
@@ -231,7 +232,14 @@ Hash128 hashArray(const ArraySource& source, Range range, Hash128 h) {
 
 Hash128 contentOf(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& e) {
   const bool buffers = allInBuffers(arrays) && (!e.type || arrays.elements);
-  const int64_t form[] = {mode, e.first, e.count, e.type, e.base, buffers};
+  const int64_t form[] = {mode,
+                          e.first,
+                          e.count,
+                          e.type,
+                          e.base,
+                          buffers,
+                          static_cast<int64_t>(arrays.shape),
+                          std::bit_cast<int32_t>(arrays.figureRadius)};
   Hash128 h = hashBytes(form, sizeof form);
   Range range;
   if (e.type && arrays.elements) {

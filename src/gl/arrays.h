@@ -6,6 +6,7 @@
 #include "gl/elements.h"
 #include "gl/reasons.h"
 #include "gl/share_group.h"
+#include "scene/mesh.h"
 
 #include <memory>
 #include <vector>
@@ -28,6 +29,9 @@ struct ArraySource {
 
 struct ArrayState {
   ArraySource vertex, normal, color, secondaryColor, fogCoord, texcoord;
+  ArraySource radius, axis;  // of figures (scene/figures.h)
+  scene::Shape shape = scene::Shape::triangles;
+  float figureRadius = 1;                   // where no array gives it
   std::vector<ArraySource> texcoordsAbove;  // of texture units 1, 2 ... up to the last that is enabled
   std::shared_ptr<Buffer> elements;         // bound to GL_ELEMENT_ARRAY_BUFFER
   // Of shader programs: arrays that are on and none of the above, instances' among them.
@@ -40,7 +44,8 @@ struct ArrayState {
   /// All of them, in a fixed order.
   template <class Each>
   void forEach(Each&& each) const {
-    for (const ArraySource* source : {&vertex, &normal, &color, &secondaryColor, &fogCoord, &texcoord})
+    for (const ArraySource* source :
+         {&vertex, &normal, &color, &secondaryColor, &fogCoord, &texcoord, &radius, &axis})
       each(*source);
     for (const ArraySource& source : texcoordsAbove) each(source);
   }
@@ -91,7 +96,10 @@ Captured capture(const RealGl& real, const ArrayState& arrays, GLenum mode, cons
 /// The mesh of a draw of surfaces; buffers are read in place where their form allows.
 KnownMesh buildArrayMesh(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements);
 
-/// Identity of what buildArrayMesh would read: versions of buffers, contents of the program's memory.
+/// The same of a draw of points, of which the program makes figures.
+KnownMesh buildFigureMesh(const RealGl& real, const ArrayState& arrays, const Elements& elements);
+
+/// Identity of what both would read: versions of buffers, contents of the program's memory.
 Hash128 contentOf(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements);
 
 /// Slots that the enabled arrays fill.

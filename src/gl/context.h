@@ -226,6 +226,10 @@ class Context {
   bool isOpaque(const KnownMesh& mesh, const std::vector<MaterialChange>& materials) const;
   /// The same of a surface drawn by the current shader program. Call refresh(kProgramGroups) before.
   Reason triageProgram(PrimitiveClass kind);
+  /// Whether the current program makes round figures of what a draw of this mode sends.
+  bool drawsFigures(GLenum mode);
+  /// The same as triageProgram, of what figures need beside.
+  Reason triageFigures();
   Reason triageProgram(const KnownMesh& mesh) const;
   /// The same where everything that can be is traced.
   Reason triageProgramAlways(const KnownMesh& mesh) const;

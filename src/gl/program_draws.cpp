@@ -37,6 +37,23 @@ const std::shared_ptr<const KnownProgram>& Context::programInUse() {
   return state.program.known;
 }
 
+bool Context::drawsFigures(GLenum mode) {
+  if (mode != GL_POINTS || !isPresent(real.UseProgram)) return false;
+  GLint name = 0;
+  real.GetIntegerv(GL_CURRENT_PROGRAM, &name);
+  if (name == 0) return false;
+  const auto known = group_->program(real, static_cast<GLuint>(name), families());
+  return known && known->family && known->family->figures.given();
+}
+
+Reason Context::triageFigures() {
+  attributes.figureRadius = state.program.figureRadius;
+  // Cards have two sides, of which one may be culled.
+  if (attributes.shape != scene::Shape::triangles && state.raster.cull != scene::CullFace::none)
+    return Reason::program;
+  return Reason::traced;
+}
+
 Reason Context::triageProgram(PrimitiveClass kind) {
   if (aside_) return Reason::failure;
   if (passthrough_) return Reason::off;
@@ -225,6 +242,7 @@ Reason Context::addProgramInstances(const scene::MeshPtr& mesh, GLenum mode, con
   instance.triangleEdges = program.triangleEdges;
   instance.triangleOffset = program.triangleOffset;
   instance.materials.push_back(program.material);
+  instance.figures = program.figures;
   instance.cull = state.raster.cull;
   instance.frontFaceCcw = state.raster.frontFaceCcw;
   const glm::dmat4 objectFromEye = glm::inverse(state.modelview);
@@ -235,7 +253,8 @@ Reason Context::addProgramInstances(const scene::MeshPtr& mesh, GLenum mode, con
     addInstancesOf(instance, program.shading, elements);
   } else {
     batch_.add(std::move(instance), program.shading);
-    if (!batch_.key().layers) passes_.drawn(mesh, state.modelview, Passes::How::pending, isPushedBack());
+    if (!batch_.key().layers && mesh->shape == scene::Shape::triangles)
+      passes_.drawn(mesh, state.modelview, Passes::How::pending, isPushedBack());
   }
   batch_.keep(std::move(kept));
   if (aside_) flush();  // the flush above failed: later draws are rasterised and must find this one drawn

@@ -139,18 +139,23 @@ HWY_ATTR inline void runProgram(const FrameData& frame, const Surface& s, const 
     loadBaseColor(s, group, base);
   alignas(64) Row edges;
   if (f.edges) edgeShares(frame, s, group, x, y, edges);
-  const bool lit = f.model != Shading::Model::unlit;
-  if (lit && f.normals != Shading::Normals::triangles) loadNormals(s, group, normals);
+  const bool lit = f.model != Shading::Model::unlit, figures = s.mesh->shape != scene::Shape::triangles;
+  if (lit && !figures && f.normals != Shading::Normals::triangles) loadNormals(s, group, normals);
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
     const Weights weights(group, i);
     Fragment at;
     at.color = load3(base, i);
+    if (figures) at.color = scaled(at.color, load(group.fade + i));
     at.edge = f.edges ? load(edges + i) : splat(0);
     Float3 color;
     if (lit) {
-      at.position = weights(pointIn(s, group, 0, i), pointIn(s, group, 1, i), pointIn(s, group, 2, i));
+      at.position = figures
+                        ? load3(group.point, i)
+                        : weights(pointIn(s, group, 0, i), pointIn(s, group, 1, i), pointIn(s, group, 2, i));
       at.toViewer = unit(scaled(at.position, splat(-1)));
-      if (f.normals == Shading::Normals::triangles) {
+      if (figures) {
+        at.normal = load3(group.normal, i);
+      } else if (f.normals == Shading::Normals::triangles) {
         at.normal = triangleNormal(s, group, i, at.position);
       } else {
         at.normal = unit(transform(s.instance->normalMatrix, load3(normals, i)));

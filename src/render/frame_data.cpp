@@ -33,6 +33,7 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
     : world(&w),
       snapshot(&s),
       rays(makeRaySetup(s, w.lower(), w.upper())),
+      eyeRays(makeEyeRays(s, rays)),
       depth(makeDepthMap(s)),
       image(&target) {
   perVertex = s.settings.shading == ShadingRate::vertex;

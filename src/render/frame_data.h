@@ -22,6 +22,7 @@ struct FrameData {
   const accel::World* world = nullptr;
   const scene::Snapshot* snapshot = nullptr;
   RaySetup rays;
+  RaySetup eyeRays;  // the same in eye space, t alike; where the former do not start at a sphere
   DepthMap depth;
   std::vector<Lighting> lightings;          // one for each of Snapshot::shadings
   std::vector<Surface> surfaces;            // one for each of Snapshot::instances

@@ -7,7 +7,7 @@
 #define GLURAY_RENDER_HITS_INL_H_
 #endif
 
-#include "render/depth.inl.h"
+#include "render/figure.inl.h"
 #include "render/shade.inl.h"
 
 #include <hwy/cache_control.h>
@@ -22,6 +22,8 @@ namespace HWY_NAMESPACE {
 /// A packet on its way from rays to pixels.
 struct Work {
   accel::RayPacket packet;
+  accel::PixelRays centers, samples;  // only where there are figures
+  accel::FigureQuery figures;
   alignas(64) float x[kLanes], y[kLanes];  // window positions
   alignas(64) int32_t valid[kLanes];       // -1: to be traced
   alignas(64) uint32_t vertex[3][kLanes];  // of the hit triangles
@@ -155,7 +157,10 @@ HWY_ATTR uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool mayReje
     lanes &= ~group.lanes;
     const Surface& surface = frame.surfaces[work.packet.instance[std::countr_zero(group.lanes)]];
     loadCorners(*surface.mesh, group);
-    computeDepth(surface, frame.depth, group, work.x, work.y, seen);
+    if (surface.mesh->shape == scene::Shape::triangles)
+      computeDepth(surface, frame.depth, group, work.x, work.y, seen);
+    else
+      computeFigures(surface, frame.depth, work.x, work.y, group, seen);
     if (mayReject) {
       const uint32_t now = rejectedLanes(surface, group, seen.ccw);
       rejected |= now;
@@ -171,10 +176,41 @@ HWY_ATTR uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool mayReje
   return rejected;
 }
 
+// Rays through window positions x, y for figures.
+HWY_ATTR inline void aimInEye(const FrameData& frame, const float* x, const float* y, accel::PixelRays& to) {
+  accel::RayPacket rays;
+  alignas(64) int32_t valid[kLanes] = {};
+  const bool inWorld = frame.rays.startAtSphere;  // then t is counted from there
+  generateRays(inWorld ? frame.rays : frame.eyeRays, x, y, rays, valid);
+  const glm::mat4 m(inWorld ? frame.snapshot->eyeFromWorld : glm::dmat4(1));
+  for (int i = 0; i < kLanes; ++i) {
+    const glm::vec3 org(m * glm::vec4(rays.orgX[i], rays.orgY[i], rays.orgZ[i], 1));
+    const glm::vec3 dir = glm::mat3(m) * glm::vec3(rays.dirX[i], rays.dirY[i], rays.dirZ[i]);
+    to.orgX[i] = org.x, to.orgY[i] = org.y, to.orgZ[i] = org.z;
+    to.dirX[i] = dir.x, to.dirY[i] = dir.y, to.dirZ[i] = dir.z;
+    to.tFar[i] = rays.tFar[i];
+  }
+}
+
+// Rays to be traced, and those that figures are met by; null where there are none.
+HWY_ATTR inline const accel::FigureQuery* aimRays(const FrameData& frame, Work& work) {
+  generateRays(frame.rays, work.x, work.y, work.packet, work.valid);
+  if (!frame.world->hasFigures()) return nullptr;
+  alignas(64) float x[kLanes], y[kLanes];
+  for (int i = 0; i < kLanes; ++i) x[i] = std::floor(work.x[i]) + 0.5f, y[i] = std::floor(work.y[i]) + 0.5f;
+  aimInEye(frame, x, y, work.centers);
+  work.figures = {&work.centers, &work.centers};
+  if (frame.samplePositions.size() > 1) {
+    aimInEye(frame, work.x, work.y, work.samples);
+    work.figures.samples = &work.samples;
+  }
+  return &work.figures;
+}
+
 // First stage: what the rays hit; asks memory for the hit triangles' indices.
 HWY_ATTR inline void traceWork(const FrameData& frame, Work& work) {
-  generateRays(frame.rays, work.x, work.y, work.packet, work.valid);
-  frame.world->intersect(work.valid, work.packet);
+  const accel::FigureQuery* figures = aimRays(frame, work);
+  frame.world->intersect(work.valid, work.packet, nullptr, figures);
   work.hits = lanesThatHit(work.packet, work.valid);
   for (uint32_t lanes = work.hits; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
@@ -208,9 +244,9 @@ HWY_ATTR inline void traceOn(const FrameData& frame, uint32_t lanes, RejectingFi
     const int i = std::countr_zero(lanes);
     passed[i] = filter.refuse(work.packet, i);
   }
-  generateRays(frame.rays, work.x, work.y, work.packet, work.valid);
+  const accel::FigureQuery* figures = aimRays(frame, work);
   for (int i = 0; i < kLanes; ++i) work.packet.tNear[i] = std::max(work.packet.tNear[i], passed[i]);
-  frame.world->intersect(work.valid, work.packet, &filter);
+  frame.world->intersect(work.valid, work.packet, &filter, figures);
   work.hits = lanesThatHit(work.packet, work.valid);
   fetchVertices(frame, work);
 }
@@ -223,10 +259,10 @@ HWY_ATTR inline void traceBehind(const FrameData& frame, uint32_t lanes, Work& w
     work.valid[i] = lanes >> i & 1 ? -1 : 0;
     passed[i] = work.packet.tFar[i] * kBehind;
   }
-  generateRays(frame.rays, work.x, work.y, work.packet, work.valid);
+  const accel::FigureQuery* figures = aimRays(frame, work);
   for (int i = 0; i < kLanes; ++i)
     if (work.valid[i]) work.packet.tNear[i] = std::max(work.packet.tNear[i], passed[i]);
-  frame.world->intersect(work.valid, work.packet);
+  frame.world->intersect(work.valid, work.packet, nullptr, figures);
   work.hits = lanesThatHit(work.packet, work.valid);
   fetchVertices(frame, work);
 }

@@ -85,24 +85,39 @@ WindowMap::WindowMap(const glm::ivec4& viewport) {
   ndcOffset = -1.0 - corner * ndcScale;
 }
 
-RaySetup makeRaySetup(const scene::Snapshot& snapshot, const glm::vec3& lower, const glm::vec3& upper) {
-  const scene::Camera& camera = snapshot.camera;
+namespace {
+
+// Starts and steps in the space that `fromClip` leads to.
+RaySetup makeSteps(const scene::Camera& camera, const glm::dmat4& fromClip) {
   const WindowMap window(camera.viewport);
-  const glm::dmat4 worldFromClip = invert(snapshot.eyeFromWorld, "the modelview matrix") *
-                                   invert(camera.clipFromEye, "the projection matrix");
   const double nearest =
       camera.depthNear <= camera.depthFar ? -1.0 : 1.0;  // NDC depth that wins the depth test
-
   RaySetup rays;
-  rays.startX = worldFromClip[0] * window.ndcScale.x;
-  rays.startY = worldFromClip[1] * window.ndcScale.y;
-  rays.start = worldFromClip * glm::dvec4(window.ndcOffset, nearest, 1.0);
-  rays.step = -nearest * worldFromClip[2];
+  rays.startX = fromClip[0] * window.ndcScale.x;
+  rays.startY = fromClip[1] * window.ndcScale.y;
+  rays.start = fromClip * glm::dvec4(window.ndcOffset, nearest, 1.0);
+  rays.step = -nearest * fromClip[2];
+  return rays;
+}
 
+}  // namespace
+
+RaySetup makeRaySetup(const scene::Snapshot& snapshot, const glm::vec3& lower, const glm::vec3& upper) {
+  const scene::Camera& camera = snapshot.camera;
+  const glm::dmat4 worldFromClip = invert(snapshot.eyeFromWorld, "the modelview matrix") *
+                                   invert(camera.clipFromEye, "the projection matrix");
+  RaySetup rays = makeSteps(camera, worldFromClip);
   const double length = middleDirectionLength(rays, camera.viewport);
   if (std::isfinite(length) && length > 0) rays.directionScale = 1.0 / length;
   placeOrigins(rays, camera.viewport, lower, upper);
   rays.linear = makeLinearRays(rays, camera.viewport, snapshot.region);
+  return rays;
+}
+
+RaySetup makeEyeRays(const scene::Snapshot& snapshot, const RaySetup& inWorld) {
+  RaySetup rays = makeSteps(snapshot.camera, invert(snapshot.camera.clipFromEye, "the projection matrix"));
+  rays.directionScale = inWorld.directionScale;
+  rays.linear = makeLinearRays(rays, snapshot.camera.viewport, snapshot.region);
   return rays;
 }
 

@@ -46,4 +46,7 @@ struct WindowMap {
 /// projection, the modelview matrix or the viewport cannot be inverted.
 RaySetup makeRaySetup(const scene::Snapshot&, const glm::vec3& lower, const glm::vec3& upper);
 
+/// The same rays in eye space, without clip planes and starting at the near plane.
+RaySetup makeEyeRays(const scene::Snapshot&, const RaySetup& inWorld);
+
 }  // namespace gluray::render

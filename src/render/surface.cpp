@@ -34,6 +34,19 @@ PlaneDepth makePlaneDepth(const View& view, const glm::dmat4& objectFromClip,
   return depth;
 }
 
+FigureSpace makeFigureSpace(const View& view, const Surface& s, const glm::dmat4& objectFromClip) {
+  const glm::dmat4 lightingFromObject(s.instance->lightingFromObject);
+  const glm::dmat4 lightingFromClip = lightingFromObject * objectFromClip;
+  const glm::dmat4 clipRows = glm::transpose(s.clipFromObject * glm::inverse(lightingFromObject));
+  FigureSpace space;
+  space.startX = lightingFromClip[0] * view.window.ndcScale.x;
+  space.startY = lightingFromClip[1] * view.window.ndcScale.y;
+  space.start = lightingFromClip * glm::dvec4(view.window.ndcOffset, -view.away, 1.0);
+  space.step = lightingFromClip[2] * view.away;
+  space.clipZ = clipRows[2], space.clipW = clipRows[3];
+  return space;
+}
+
 void prepareNormals(Surface& s, const glm::dmat3& objectFromEye) {
   s.eyeFromObjectNormal = glm::mat3(glm::transpose(objectFromEye));
   const double third = glm::length(glm::dvec3(objectFromEye[0][2], objectFromEye[1][2], objectFromEye[2][2]));
@@ -68,7 +81,8 @@ View::View(const scene::Camera& camera)
     : window(camera.viewport),
       clipFromEye(camera.clipFromEye),
       eyeFromClip(glm::inverse(camera.clipFromEye)),
-      areaSign(glm::determinant(camera.clipFromEye) < 0 ? -1.0 : 1.0) {}
+      areaSign(glm::determinant(camera.clipFromEye) < 0 ? -1.0 : 1.0),
+      away(camera.depthNear <= camera.depthFar ? 1.0 : -1.0) {}
 
 Surface makeSurface(const View& view, const scene::Instance& instance, const Lighting& lighting,
                     bool sharedClipPlanes) {
@@ -84,6 +98,7 @@ Surface makeSurface(const View& view, const scene::Instance& instance, const Lig
     throw std::runtime_error("the modelview matrix of an instance cannot be inverted");
   }
   s.depth = makePlaneDepth(view, objectFromClip, instance.eyeFromObject);
+  if (s.mesh->shape != scene::Shape::triangles) s.figures = makeFigureSpace(view, s, objectFromClip);
   // The inverse's upper left part is the inverse of the upper left part, as modelview matrices are affine.
   prepareNormals(s, glm::dmat3(objectFromEye));
   prepareMaterials(s, instance, lighting.shading->colorMaterial);
@@ -107,6 +122,10 @@ bool Surface::accepts(uint32_t primitive, float u, float v) const {
   const glm::dvec4 eye = instance->eyeFromObject * glm::dvec4(pointOf(*mesh, primitive, u, v), 1.0);
   return std::all_of(instance->clipPlanes.begin(), instance->clipPlanes.end(),
                      [&](const glm::dvec4& plane) { return glm::dot(plane, eye) >= 0; });
+}
+
+glm::vec3 Surface::centerOfFigure(const glm::vec3& object) const {
+  return scene::figureCenter(instance->lightingFromObject, object);
 }
 
 double Surface::ndcDepth(uint32_t primitive, float u, float v) const {

@@ -19,11 +19,19 @@ struct PlaneDepth {
   double areaSign = 1;
 };
 
+/// What figures need (scene/figures.h). The pixel at window position (x, y) shows the points
+/// start + x*startX + y*startY + k*step, homogeneous, of the lighting space, k growing away from the viewer.
+struct FigureSpace {
+  glm::dvec4 start{0}, startX{0}, startY{0}, step{0};
+  glm::dvec4 clipZ{0}, clipW{0, 0, 0, 1};  // rows of the matrix from lighting space to clip space
+};
+
 struct Surface {
   const scene::Instance* instance = nullptr;
   const scene::Mesh* mesh = nullptr;
   const Lighting* lighting = nullptr;
   PlaneDepth depth;
+  FigureSpace figures;  // where the mesh is not of triangles
   glm::dmat4 clipFromObject{1};
   glm::mat4 eyeFromObject{1};
   glm::mat3 eyeFromObjectNormal{1};  // inverse transpose of the modelview's upper left 3x3
@@ -41,6 +49,9 @@ struct Surface {
   bool accepts(uint32_t primitive, float u, float v) const;
   /// NDC depth of the point, from its corners.
   double ndcDepth(uint32_t primitive, float u, float v) const;
+  /// The centre, in lighting space, of a figure about this point. Not inline: kernels would fuse the
+  /// roundings that programs make.
+  glm::vec3 centerOfFigure(const glm::vec3& object) const;
   /// True if the triangle's window-space area is positive.
   bool isCcw(uint32_t primitive) const;
 };
@@ -53,6 +64,7 @@ struct View {
   WindowMap window;
   glm::dmat4 clipFromEye, eyeFromClip;
   double areaSign;  // -1 where the projection mirrors
+  double away;      // 1 where normalised depth grows away from the viewer, otherwise -1
   explicit View(const scene::Camera&);
 };
 

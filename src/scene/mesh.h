@@ -1,4 +1,4 @@
-// Triangle geometry and what is attached to its vertices, immutable once made. Built by gl/, read by accel/
+// Geometry and what is attached to its vertices, immutable once made. Built by gl/, read by accel/
 // and render/; shared between frames and threads without locks because nobody can write to it.
 #pragma once
 #include "base/hash.h"
@@ -52,15 +52,24 @@ inline glm::vec4 fetch(const Attribute& a, uint32_t i) {
   }
 }
 
+/// What the primitives of a mesh are. Other figures than triangles have one vertex each, their centre, and
+/// are round: their radius and length are measured in the space of Instance::lightingFromObject
+/// (scene/figures.h).
+enum class Shape : uint8_t { triangles, spheres, discs, cylinders };
+
 /// Triangles in object space. Triangle t has the vertices corner(t, 0..2), in winding order; OpenGL's
 /// provoking vertex (flat shading) is always the last one. `indices` absent means a soup: vertices 3t, 3t+1,
-/// 3t+2.
+/// 3t+2. Of other shapes "triangle" t is the figure about vertex corner(t, 0) = corner(t, 1) = corner(t, 2).
 struct Mesh {
   Hash128 geometryId;  // identity of positions and triangle order: the key of the acceleration structure
+  Shape shape = Shape::triangles;
   uint32_t triangleCount = 0;
-  uint32_t vertexCount = 0;               // every index is below this
-  Attribute positions;                    // float3
-  Attribute indices;                      // uint32, three a triangle, tightly packed (stride 4), or absent
+  uint32_t vertexCount = 0;  // every index is below this
+  Attribute positions;       // float3
+  Attribute indices;         // uint32, three a triangle, tightly packed (stride 4), or absent
+  Attribute radii;           // of figures: float1; absent: all have `radius`
+  Attribute axes;            // of cylinders: float3, as long as the cylinder
+  float radius = 1;
   Attribute normals;                      // float3, not necessarily of unit length
   Attribute colors;                       // float4, float3 or unorm8x4
   Attribute texcoords;                    // float1 to float4 (s, t, r, q), of texture unit 0
@@ -78,7 +87,7 @@ struct Mesh {
     return unit <= texcoordsAbove.size() && texcoordsAbove[unit - 1] ? &texcoordsAbove[unit - 1] : nullptr;
   }
   uint32_t corner(uint32_t triangle, uint32_t k) const {
-    const uint32_t i = triangle * 3 + k;
+    const uint32_t i = shape == Shape::triangles ? triangle * 3 + k : triangle;
     return indices ? reinterpret_cast<const uint32_t*>(indices.data)[i] : i;
   }
   glm::vec3 position(uint32_t vertex) const {

@@ -1,6 +1,7 @@
 // Everything one flush needs, frozen. The GL thread builds it, then gives it away: no lock guards it because
 // nobody can write to it. Unchanged meshes are shared with earlier snapshots.
 #pragma once
+#include "scene/figures.h"
 #include "scene/mesh.h"
 #include "scene/shading.h"
 #include "settings/settings.h"
@@ -71,6 +72,7 @@ struct Instance {
   Attribute triangleNormals;        // float3 or float4, object space
   Attribute triangleEdges;          // bits8: bit k, the edge from corner k to the next is painted
   uint32_t triangleOffset = 0;
+  Figures figures;  // of meshes of other shapes than triangles
   CullFace cull = CullFace::none;
   bool frontFaceCcw = true;  // GL_CCW is front
   std::vector<glm::dvec4>

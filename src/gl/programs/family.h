@@ -3,6 +3,9 @@
 // matrices, material and lights. Files: spec/programs/*.toml (built in) and what --program-families adds;
 // format: docs/program-families.md.
 #pragma once
+#include "scene/figures.h"
+#include "scene/mesh.h"
+
 #include <array>
 #include <memory>
 #include <set>
@@ -43,6 +46,18 @@ struct FamilyLights {
 struct FamilyPbr {
   FamilyValue metallic, roughness, baseF0, edgeTint, emissive;
   bool given() const { return roughness.given(); }
+};
+
+/// Round figures that the program cuts out of the cards that its geometry shader makes of points.
+struct FamilyFigures {
+  scene::Shape shape = scene::Shape::triangles;  // that: none
+  FamilyValue radius;                            // `uniform` may be an attribute's name
+  std::string axis;                              // attribute, as long as the cylinder
+  FamilyValue inside;                            // below 0: the far side of spheres is seen
+  FamilyValue radiusDivisor;
+  scene::Figures::Cards cards = scene::Figures::Cards::silhouette;
+  bool fades = false;
+  bool given() const { return shape != scene::Shape::triangles; }
 };
 
 struct Family {
@@ -99,7 +114,9 @@ struct Family {
   // Painted edges of triangles, by a geometry shader: flags a triangle, width in pixels, colour.
   std::string edgeFlags;  // buffer sampler; bit k: the edge from corner k to the next
   FamilyValue edgeWidth, edgeColor;
-  bool geometryShader = false;             // programs of the family have one
+  bool geometryShader = false;  // programs of the family have one
+  FamilyFigures figures;
+  bool clipCenters = false;  // clip planes cut figures away by their centres, or leave them whole
   std::string clipPlanes, clipPlaneCount;  // uniform array of planes in object space, how many of them count
   FamilyValue depthOffset, depthFactor;    // added to window depth: offset, and factor times its slope
 

@@ -37,7 +37,11 @@ class FamilyReader {
     section("back_material", [&] { readMaterial(family_.backMaterial); });
     section("lights", [&] { readLights(); });
     section("pbr", [&] { readPbr(); });
-    section("clip", [&] { name("planes", family_.clipPlanes), name("count", family_.clipPlaneCount); });
+    section("figures", [&] { readFigures(); });
+    section("clip", [&] {
+      name("planes", family_.clipPlanes), name("count", family_.clipPlaneCount);
+      flag("centers", family_.clipCenters);
+    });
     section("depth", [&] { value("offset", family_.depthOffset), value("factor", family_.depthFactor); });
     section("edges", [&] {
       name("flags", family_.edgeFlags);
@@ -50,6 +54,10 @@ class FamilyReader {
     if (traced && (family_.position.empty() || family_.clipFromObject.empty()))
       fail(*table_, "family \"" + family_.name +
                         "\" needs vertex.position and transform.clip_from_object, or match.rasterise");
+    if (family_.figures.given() && !family_.figures.radius.given())
+      fail(*table_, "family \"" + family_.name + "\" needs figures.radius");
+    if (family_.figures.shape == scene::Shape::cylinders && family_.figures.axis.empty())
+      fail(*table_, "family \"" + family_.name + "\" needs figures.axis");
   }
 
  private:
@@ -229,6 +237,26 @@ class FamilyReader {
     name("attenuation", l.attenuation);
     name("cone_angle", l.coneAngle);
     name("exponent", l.exponent);
+  }
+  void readFigures() {
+    using scene::Shape;
+    using Cards = scene::Figures::Cards;
+    FamilyFigures& f = family_.figures;
+    choice("shape", {{"spheres", Shape::spheres}, {"discs", Shape::discs}, {"cylinders", Shape::cylinders}},
+           f.shape);
+    if (!f.given()) fail(*table_, "figures need a shape");
+    choice("cards",
+           {{"silhouette", Cards::silhouette}, {"triangle", Cards::triangle}, {"faces", Cards::faces}},
+           f.cards);
+    if ((f.cards == Cards::faces) && f.shape != Shape::cylinders)
+      fail(*table_->get("cards"), "cards = \"faces\" are those of cylinders");
+    if (f.cards == Cards::triangle && f.shape == Shape::cylinders)
+      fail(*table_->get("cards"), "cylinders have no cards = \"triangle\"");
+    value("radius", f.radius);
+    name("axis", f.axis);
+    value("inside", f.inside);
+    value("radius_divisor", f.radiusDivisor);
+    flag("fades", f.fades);
   }
   void readPass() {
     choice("does",

@@ -45,6 +45,30 @@ TEST(FamilyFile, TheLeastThereCanBe) {
   EXPECT_EQ(f.mentioned, (std::set<std::string, std::less<>>{"p", "m"}));
 }
 
+TEST(FamilyFile, FigureKeys) {
+  const Family f = parsed(
+      "figures.shape = \"cylinders\"\nfigures.radius = \"r\"\nfigures.axis = \"a\"\nfigures.cards = "
+      "\"faces\"\n"
+      "figures.inside = \"i\"\nfigures.radius_divisor = 2\nfigures.fades = true\nclip.centers = true\n");
+  EXPECT_EQ(f.figures.shape, scene::Shape::cylinders);
+  EXPECT_EQ(f.figures.cards, scene::Figures::Cards::faces);
+  EXPECT_EQ(f.figures.radius.uniform, "r");
+  EXPECT_EQ(f.figures.axis, "a");
+  EXPECT_EQ(f.figures.inside.uniform, "i");
+  EXPECT_EQ(f.figures.radiusDivisor.constant, Numbers{2});
+  EXPECT_TRUE(f.figures.fades && f.clipCenters && f.figures.given());
+  EXPECT_TRUE(f.mentions("r") && f.mentions("a") && f.mentions("i"));
+  EXPECT_FALSE(parsed().figures.given());
+  EXPECT_NE(mistakeIn("figures.radius = 1").find("figures need a shape"), std::string::npos);
+  EXPECT_NE(mistakeIn("figures.shape = \"cubes\"").find("spheres, discs, cylinders"), std::string::npos);
+  EXPECT_NE(mistakeIn("figures.shape = \"spheres\"").find("needs figures.radius"), std::string::npos);
+  EXPECT_NE(mistakeIn("figures.shape = \"cylinders\"\nfigures.radius = 1").find("needs figures.axis"),
+            std::string::npos);
+  EXPECT_NE(mistakeIn("figures.shape = \"spheres\"\nfigures.cards = \"faces\"\nfigures.radius = 1")
+                .find("those of cylinders"),
+            std::string::npos);
+}
+
 TEST(FamilyFile, MatchKeys) {
   const Family f = parsed(
       "match.any = \"a\"\nmatch.absent = [\"b\", \"c\"]\nmatch.absent_outputs = \"o\"\nmatch.ignored = "

@@ -139,7 +139,9 @@ class TypeCheck {
 void needTypes(const Program& p, const Family& f, std::vector<std::string>& out) {
   if (!f.rasteriseBecause.empty()) return;
   const TypeCheck check(p, out);
-  for (const std::string* name : {&f.position, &f.normal, &f.color, &f.texcoord}) check.attribute(*name);
+  for (const std::string* name : {&f.position, &f.normal, &f.color, &f.texcoord, &f.figures.axis})
+    check.attribute(*name);
+  check.values({&f.figures.radius, &f.figures.inside, &f.figures.radiusDivisor});
   check.uniforms(f.clipFromObject, kMatrix), check.uniforms(f.eyeFromObject, kMatrix);
   check.uniform(f.normalMatrix, kLinear), check.uniform(f.viewer, kVector);
   check.uniform(f.parallelView, kNumber), check.uniform(f.triangleOffset, kNumber);
@@ -168,7 +170,9 @@ void needSources(const Program& p, const Family& f, std::vector<std::string>& ou
   if (!p.attribute(f.position)) out.push_back(about("lacks attribute ", f.position));
   for (const std::string& name : f.clipFromObject)
     if (!p.uniform(name)) out.push_back(about("lacks uniform ", name));
-  const bool normals = p.attribute(f.normal) || p.uniform(f.triangleNormals);
+  if (!f.figures.axis.empty() && !p.attribute(f.figures.axis))
+    out.push_back(about("lacks attribute ", f.figures.axis));
+  const bool normals = f.figures.given() || p.attribute(f.normal) || p.uniform(f.triangleNormals);
   if (!normals && f.model != Family::Model::unlit && f.withoutNormals == Family::NoNormals::refuse)
     out.push_back(about("lacks attribute ", f.normal));
 }

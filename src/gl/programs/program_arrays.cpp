@@ -75,6 +75,9 @@ void readAttributes(const RealGl& real, ShareGroup& group, const KnownProgram* p
     take(family->normal, arrays.normal);
     take(family->color, arrays.color);
     take(family->texcoord, arrays.texcoord);
+    arrays.shape = family->figures.shape;
+    take(family->figures.radius.uniform, arrays.radius);
+    take(family->figures.axis, arrays.axis);
   }
   const GLint most = integer(real, GL_MAX_VERTEX_ATTRIBS);
   for (GLint i = 0; i < most; ++i) {

@@ -35,6 +35,7 @@ class ProgramReader {
     if (out_.shading.fragment.backMaterial) readMaterial(family_.backMaterial, out_.material.back);
     readModel();
     out_.shading.fragment.lights = readLights(family_.lights, uniforms_, glm::vec3(viewer_));
+    readFigures();
     readClipPlanes();
     readDepthOffset();
     if (const Reason reason = readNormals(); reason != Reason::traced) return reason;
@@ -95,6 +96,20 @@ class ProgramReader {
     f.pbr.emissive = glm::vec3(uniforms_.value(family_.pbr.emissive, glm::vec4(0)));
   }
 
+  void readFigures() {
+    const FamilyFigures& f = family_.figures;
+    out_.figures = {};
+    if (!f.given()) return;
+    out_.figures.cards = f.cards;
+    out_.figures.fades = f.fades;
+    out_.figures.parallelView = out_.shading.fragment.parallelView;
+    out_.figures.inside = uniforms_.number(f.inside, 1) < 0;
+    out_.figures.radiusDivisor = uniforms_.number(f.radiusDivisor, 1);
+    out_.figures.axisMatrix = out_.normalMatrix;
+    const bool attribute = !f.radius.uniform.empty() && program_.attribute(f.radius.uniform);
+    out_.figureRadius = attribute ? current(f.radius.uniform).x : uniforms_.number(f.radius, 1);
+  }
+
   void readClipPlanes() {
     out_.clipPlanes.clear();
     const ProgramUniform* planes =
@@ -104,7 +119,13 @@ class ProgramReader {
     int count = planes->count;
     if (uniforms_.has(family_.clipPlaneCount))
       count = std::min(count, uniforms_.integer(family_.clipPlaneCount));
-    for (int i = 0; i < count; ++i) out_.clipPlanes.emplace_back(uniforms_.vector(family_.clipPlanes, i));
+    for (int i = 0; i < count; ++i) {
+      const glm::vec4 plane = uniforms_.vector(family_.clipPlanes, i);
+      if (family_.clipCenters)
+        out_.figures.centerPlanes.push_back(plane);
+      else
+        out_.clipPlanes.emplace_back(plane);
+    }
   }
 
   void readDepthOffset() {

@@ -1,0 +1,70 @@
+// Spheres, discs and cylinders that fragment programs make (scene/figures.h): their bounds for acceleration
+// structures, and where rays meet them. Private to accel/; any thread.
+#pragma once
+#include "accel/ray_packet.h"
+#include "base/hash.h"
+#include "scene/snapshot.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace gluray::accel {
+
+/// How far the figures of an instance reach from their centres in object space. Rounded up so that it stays
+/// the same while the camera moves, which changes the matrices by roundings.
+struct FigureReach {
+  glm::vec3 perRadius{0};  // along each axis, for a radius of 1
+  glm::mat3 alongAxis{0};  // half a cylinder's axis in object space is this times half of Mesh::axes
+  glm::vec3 perLength{0};  // what rounding may have taken from that, for a length of 1
+  bool operator==(const FigureReach&) const = default;
+  static FigureReach of(const scene::Instance&);
+};
+
+/// Lower and upper corner of figure `primitive`; lower > upper where it does not exist.
+struct Box {
+  glm::vec3 lower, upper;
+};
+Box boundsOfFigure(const scene::Mesh&, const FigureReach&, uint32_t primitive);
+
+/// The figures of one instance as rays of a snapshot meet them.
+struct PlacedFigures {
+  scene::MeshPtr mesh;  // null: triangles
+  scene::Figures look;
+  glm::mat4 lightingFromObject{1}, lightingFromEye{1};
+  PlacedFigures() = default;
+  explicit PlacedFigures(const scene::Instance&);
+};
+
+/// One of them, in the lighting space.
+struct Figure {
+  scene::Shape shape;
+  scene::Figures::Cards cards;
+  bool parallelView, inside;
+  glm::vec3 center;
+  float radius, cardRadius;
+  glm::vec3 toViewer;       // unit: the card's normal
+  glm::vec3 right, up;      // unit: the card's axes; of cylinders across and towards the back of the box
+  glm::vec3 axis{0, 0, 1};  // unit
+  float halfLength = 0;
+  /// False where the figure is not there.
+  static bool make(const PlacedFigures&, uint32_t primitive, Figure&);
+};
+
+/// A packet's pixel rays in the lighting space of one instance.
+struct alignas(64) FigureRays {
+  float org[3][kLanes], dir[3][kLanes];
+  float inverseLength[kLanes];  // of dir
+  float eye[kLanes];            // t where the ray passes the viewer
+  float tFar[kLanes];
+};
+void toLighting(const PlacedFigures&, const PixelRays&, FigureRays&);
+
+/// Which of `lanes` (bit i: lane i) meet the figure, and where: t, not before 0. What lies behind the viewer
+/// is at the far end, as programs' depths are cut to what there is. `samples`: the rays that must meet the
+/// card, which may be `rays` themselves.
+uint32_t meet(const Figure&, const FigureRays& rays, const FigureRays& samples, uint32_t lanes,
+              float (&t)[kLanes]);
+
+}  // namespace gluray::accel

@@ -1,0 +1,39 @@
+// Round figures that a fragment program cuts out of flat cards ("impostors"): what of a sphere, disc or
+// cylinder is seen. Geometry is in scene/mesh.h; centres, radii and axes act in the space of
+// Instance::lightingFromObject.
+#pragma once
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace gluray::scene {
+
+/// The viewer is at the origin, or at infinity along +z. Programs compute one point a pixel, at its centre,
+/// and only where a card of theirs is seen.
+struct Figures {
+  /// Which card that is. silhouette: one that hides nothing of the figure. triangle: the triangle about the
+  /// circle of the figure's radius in the plane through its centre that faces the viewer, one corner upwards.
+  /// faces: of the box about a cylinder, the side that faces the viewer and the end that `axis` points to.
+  enum class Cards : uint8_t { silhouette, triangle, faces };
+  Cards cards = Cards::silhouette;
+  bool parallelView = false;  // the viewer is at infinity
+  bool inside = false;        // of spheres the far side is seen, from within
+  bool fades = false;         // of discs: colours are multiplied by 1 - (distance from the centre / radius)^2
+  float radiusDivisor = 1;    // discs are this much smaller than their cards
+  /// Cylinders' axes in the lighting space: axisMatrix * axis, turned to +z; their length is that of the axis
+  /// before. They are closed at the end that this points to alone.
+  glm::mat3 axisMatrix{1};
+  /// Object space; figures whose centre is on the negative side of one of them are not there.
+  std::vector<glm::vec4> centerPlanes;
+};
+
+/// A figure's centre in lighting space, in the order and precision that programs compute it in.
+inline glm::vec3 figureCenter(const glm::mat4& lightingFromObject, const glm::vec3& p) {
+  const glm::mat4& m = lightingFromObject;
+  return {m[0].x * p.x + m[1].x * p.y + m[2].x * p.z + m[3].x,
+          m[0].y * p.x + m[1].y * p.y + m[2].y * p.z + m[3].y,
+          m[0].z * p.x + m[1].z * p.y + m[2].z * p.z + m[3].z};
+}
+
+}  // namespace gluray::scene
