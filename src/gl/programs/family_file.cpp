@@ -54,6 +54,10 @@ class FamilyReader {
     if (traced && (family_.position.empty() || family_.clipFromObject.empty()))
       fail(*table_, "family \"" + family_.name +
                         "\" needs vertex.position and transform.clip_from_object, or match.rasterise");
+    if (family_.figures.given() && !family_.clipPlanes.empty() && !family_.clipCenters)
+      fail(*table_, "family \"" + family_.name + "\": of figures, clip.planes need clip.centers = true");
+    if (family_.figures.given() && !(family_.textures.empty() && family_.edgeFlags.empty()))
+      fail(*table_, "family \"" + family_.name + "\": figures have neither textures nor edges");
     if (family_.figures.given() && !family_.figures.radius.given())
       fail(*table_, "family \"" + family_.name + "\" needs figures.radius");
     if (family_.figures.shape == scene::Shape::cylinders && family_.figures.axis.empty())

@@ -61,6 +61,10 @@ TEST(FamilyFile, FigureKeys) {
   EXPECT_FALSE(parsed().figures.given());
   EXPECT_NE(mistakeIn("figures.radius = 1").find("figures need a shape"), std::string::npos);
   EXPECT_NE(mistakeIn("figures.shape = \"cubes\"").find("spheres, discs, cylinders"), std::string::npos);
+  const std::string sphere = "figures.shape = \"spheres\"\nfigures.radius = 1\n";
+  EXPECT_EQ(mistakeIn(sphere), "none");
+  EXPECT_NE(mistakeIn(sphere + "clip.planes = \"c\"").find("clip.centers"), std::string::npos);
+  EXPECT_NE(mistakeIn(sphere + "color.textures = \"t\"").find("neither textures"), std::string::npos);
   EXPECT_NE(mistakeIn("figures.shape = \"spheres\"").find("needs figures.radius"), std::string::npos);
   EXPECT_NE(mistakeIn("figures.shape = \"cylinders\"\nfigures.radius = 1").find("needs figures.axis"),
             std::string::npos);

@@ -152,6 +152,33 @@ def spheres_recolored(stage):
 
 
 @state("vtk")
+def spheres_peeled(stage):
+    """Translucent spheres and surfaces in one peel, and opaque spheres behind them."""
+    stage.renderer.SetUseDepthPeeling(True)
+    stage.renderer.SetMaximumNumberOfPeels(8)
+    stage.window.SetAlphaBitPlanes(True)
+    stage.show(spheres(stage, 0.15))
+    stage.show(spheres(stage, 0.25)).GetProperty().SetOpacity(0.4)
+    stage.show(shapes.sphere(stage.vtk, 48, 0.45), color=(0.3, 0.5, 0.9)).GetProperty().SetOpacity(0.5)
+    stage.look()
+    stage.orbit(3)
+
+
+@state("vtk")
+def spheres_picked(stage):
+    stage.show(spheres(stage, 0.2))
+    stage.look()
+    stage.shoot()
+    for x, y in ((200, 150), (230, 120), (10, 10)):
+        picker = stage.vtk.vtkHardwareSelector()
+        picker.SetRenderer(stage.renderer)
+        picker.SetArea(x, y, x + 4, y + 4)
+        found = picker.Select()
+        stage.keep_text([str(sorted(found.GetNode(i).GetSelectionList().GetValue(0) for i in range(found.GetNumberOfNodes())))])
+    stage.shoot()
+
+
+@state("vtk")
 def spheres_steady(stage):
     stage.show(spheres(stage))
     stage.look()
