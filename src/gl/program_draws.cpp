@@ -98,6 +98,17 @@ bool isAffine(const glm::dmat4& m, const glm::dvec3& reach) {
   return m[3][3] > 0 && change <= kRounding * m[3][3];
 }
 
+/// Whether all of the mesh's bounds have positive w.
+bool isBeforeViewer(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
+  for (int corner = 0; corner < 8; ++corner) {
+    glm::dvec4 p(mesh.lower, 1);
+    for (int c = 0; c < 3; ++c)
+      if (corner >> c & 1) p[c] = mesh.upper[c];
+    if (!((clipFromObject * p).w > 0)) return false;
+  }
+  return true;
+}
+
 glm::dvec3 reachOf(const scene::Mesh& mesh) {
   return glm::max(glm::abs(glm::dvec3(mesh.lower)), glm::abs(glm::dvec3(mesh.upper)));
 }
@@ -172,6 +183,10 @@ Reason Context::triageProgramAlways(const KnownMesh& known) const {
     return Reason::arrayState;
   if (program.triangleNormals && program.triangleOffset + triangles > program.triangleNormalCount)
     return Reason::arrayState;
+  // Triangles that grow by their edges do so in the window, and to both sides.
+  if (program.triangleEdges &&
+      (state.raster.cull != scene::CullFace::none || !isBeforeViewer(*known.mesh, program.clipFromObject)))
+    return Reason::program;
   const bool opaque = passOfProgram() == Family::Pass::peel || gl::isOpaque(program, *known.mesh);
   if (opaque) return Reason::traced;
   if (state.raster.unlessOpaque != Reason::traced) return state.raster.unlessOpaque;

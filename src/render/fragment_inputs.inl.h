@@ -7,6 +7,7 @@
 #define GLURAY_RENDER_FRAGMENT_INPUTS_INL_H_
 #endif
 
+#include "render/edged_triangle.h"
 #include "render/fragment.inl.h"
 #include "render/frame_data.h"
 
@@ -186,33 +187,11 @@ HWY_INLINE Float3 triangleNormal(const Surface& s, const Group& group, int i, co
   return signedBy(hn::Le(dot(n, p), splat(0)), n);
 }
 
-/// Distances in pixels from window positions x, y to the painted edges of their triangles, as shares of
-/// colour.
+/// Shares of the edges' colour at window positions x, y.
 HWY_ATTR inline void edgeShares(const FrameData& frame, const Surface& s, const Group& group, const float* x,
                                 const float* y, Row& out) {
-  const scene::FragmentShading& f = s.lighting->shading->fragment;
-  const glm::ivec4& view = frame.snapshot->camera.viewport;
-  const glm::dvec2 scale(view.z * 0.5, view.w * 0.5), centre(view.x + scale.x, view.y + scale.y);
-  for (int i = 0; i < kLanes; ++i) {
-    const auto flags = static_cast<uint32_t>(
-        s.instance->triangleEdges.data[s.instance->triangleOffset + group.primitive[i]]);
-    glm::dvec2 corner[3];
-    bool before = true;  // the viewer, all corners
-    for (int k = 0; k < 3; ++k) {
-      const glm::dvec4 clip = s.clipFromObject * glm::dvec4(group.position[k][0][i], group.position[k][1][i],
-                                                            group.position[k][2][i], 1);
-      before = before && clip.w > 0;
-      corner[k] = centre + scale * glm::dvec2(clip) / clip.w;
-    }
-    double nearest = 1e9;
-    for (int k = 0; k < 3 && before; ++k) {
-      if (!(flags >> k & 1)) continue;
-      const glm::dvec2 along = corner[(k + 1) % 3] - corner[k], to = glm::dvec2(x[i], y[i]) - corner[k];
-      const double length = glm::length(along);
-      if (length > 0) nearest = std::min(nearest, std::abs(along.x * to.y - along.y * to.x) / length);
-    }
-    out[i] = static_cast<float>(std::clamp(0.5 + 0.5 * f.edgeWidth - nearest, 0.0, 1.0));
-  }
+  for (int i = 0; i < kLanes; ++i)
+    out[i] = EdgedTriangle(s, frame.snapshot->camera, group.primitive[i]).edgeShare({x[i], y[i]});
 }
 
 }  // namespace HWY_NAMESPACE

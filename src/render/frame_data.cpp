@@ -38,7 +38,10 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
       image(&target) {
   perVertex = s.settings.shading == ShadingRate::vertex;
   lightings.reserve(s.shadings.size());
-  for (const scene::Shading& shading : s.shadings) lightings.emplace_back(shading);
+  for (const scene::Shading& shading : s.shadings) {
+    lightings.emplace_back(shading);
+    if (shading.fragment.edges) widestEdge = std::max(widestEdge, shading.fragment.edgeWidth);
+  }
 
   const bool shared = clipPlanesShared(s.instances);
   if (shared && !s.instances.empty()) {

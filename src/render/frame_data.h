@@ -28,6 +28,7 @@ struct FrameData {
   std::vector<Surface> surfaces;            // one for each of Snapshot::instances
   std::vector<glm::dvec2> samplePositions;  // within the pixel, one a sample
   bool perVertex = false;
+  float widestEdge = 0;  // of painted edges, pixels; 0: there are none
   Image* image = nullptr;
 
   /// Prepares `snapshot`, whose instances `world` holds, to be traced into `image`, already of the right

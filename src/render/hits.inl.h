@@ -29,7 +29,9 @@ struct Work {
   alignas(64) uint32_t vertex[3][kLanes];  // of the hit triangles
   alignas(64) uint32_t color[kLanes];
   alignas(64) float depth[kLanes];
-  uint32_t hits = 0;           // bit i: lane i hit something
+  alignas(64) float edgeDepth[kLanes];
+  uint32_t hits = 0;   // bit i: lane i hit something
+  uint32_t edged = 0;  // bit i: of lane i the depth is edgeDepth, of a triangle that grew by its edges
   int imageX = 0, imageY = 0;  // pixel of lane 0
   int sample = 0;
 };
@@ -269,10 +271,13 @@ HWY_ATTR inline void traceBehind(const FrameData& frame, uint32_t lanes, Work& w
 
 // Colour and depth of the hits; where the nearest does not count, of the first behind it that does.
 HWY_ATTR inline void shadeNearest(const FrameData& frame, Work& work) {
-  const auto take = [&](uint32_t lanes, const LitRows& rows, const float* depth)
-                        HWY_ATTR { merge(lanes, rows, depth, work); };
+  const auto take = [&](uint32_t lanes, const LitRows& rows, const float* depth) HWY_ATTR {
+    merge(lanes & ~work.edged, rows, depth, work);
+    if (lanes & work.edged) merge(lanes & work.edged, rows, work.edgeDepth, work);
+  };
   uint32_t lanes = shadeHits(frame, work.hits, true, work, take);
   if (!lanes) return;
+  work.edged &= ~lanes;
   RejectingFilter filter(frame);
   alignas(64) float passed[kLanes] = {};
   while (lanes) {

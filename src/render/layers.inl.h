@@ -7,7 +7,7 @@
 #define GLURAY_RENDER_LAYERS_INL_H_
 #endif
 
-#include "render/hits.inl.h"
+#include "render/edges.inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {

@@ -41,6 +41,12 @@ HWY_ATTR inline void finishWork(const FrameData& frame, const Tile& tile, Work& 
     work.color[i] = 0;
     work.depth[i] = Image::kMiss;
   }
+  work.edged = 0;
+  if (frame.widestEdge > 0) {
+    alignas(64) int32_t valid[kLanes];
+    std::copy_n(work.valid, kLanes, valid);
+    pickEdged(frame, valid, work);
+  }
   if (work.hits && frame.snapshot->layers)
     shadeLayers(frame, *frame.snapshot->layers, work);
   else if (work.hits)

@@ -114,6 +114,7 @@ struct Family {
   // Painted edges of triangles, by a geometry shader: flags a triangle, width in pixels, colour.
   std::string edgeFlags;  // buffer sampler; bit k: the edge from corner k to the next
   FamilyValue edgeWidth, edgeColor;
+  std::string edgeViewport;     // uniform: x, y, width, height, as the shader takes the viewport to be
   bool geometryShader = false;  // programs of the family have one
   FamilyFigures figures;
   bool clipCenters = false;  // clip planes cut figures away by their centres, or leave them whole

@@ -47,6 +47,7 @@ class FamilyReader {
       name("flags", family_.edgeFlags);
       value("width", family_.edgeWidth);
       value("color", family_.edgeColor);
+      name("viewport", family_.edgeViewport);
     });
     section("pass", [&] { readPass(); });
     allKnown();

@@ -159,6 +159,12 @@ class ProgramReader {
     f.edges = sampler != nullptr;
     out_.triangleEdges = {};
     if (!sampler) return Reason::traced;
+    GLint viewport[4] = {};
+    real_.GetIntegerv(GL_VIEWPORT, viewport);
+    if (uniforms_.has(family_.edgeViewport) &&
+        uniforms_.vector(family_.edgeViewport) !=
+            glm::vec4(viewport[0], viewport[1], viewport[2], viewport[3]))
+      return Reason::program;
     f.edgeWidth = uniforms_.number(family_.edgeWidth, 1);
     f.edgeColor = glm::vec3(uniforms_.value(family_.edgeColor, glm::vec4(0)));
     return readBuffer(*sampler, out_.triangleEdges, out_.triangleEdgeCount);

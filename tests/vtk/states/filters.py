@@ -93,7 +93,7 @@ def hyper_tree_grid(stage):
     stage.orbit()
 
 
-@state("pvbatch")
+@state("pvbatch", outside=False)
 def blocks_with_own_opacity(stage):
     simple = stage.simple
     group = simple.GroupDatasets(Input=[simple.Sphere(ThetaResolution=24, PhiResolution=24), simple.Cone(Center=[1, 0, 0], Resolution=20)],

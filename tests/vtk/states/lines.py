@@ -67,6 +67,24 @@ def surface_with_wide_edges(stage):
     stage.orbit()
 
 
+@state("pvbatch", beyond=0.004, reason="slivers thinner than a pixel on the outline, which grow by a quarter of a pixel")
+def surface_with_fine_edges(stage):
+    """Triangles of few pixels: nearly everything is painted."""
+    stage.show(stage.simple.Sphere(ThetaResolution=90, PhiResolution=90), Representation="Surface With Edges", EdgeColor=[0.8, 0.1, 0.1])
+    stage.look()
+    stage.orbit()
+
+
+@state("pvbatch")
+def surface_with_edges_of_cells(stage):
+    """Boxes, whose faces are two triangles each with one edge that is not painted; close, in parallel, and cut by the near plane."""
+    stage.show(stage.simple.Wavelet(WholeExtent=[-3, 3] * 3), Representation="Surface With Edges", LineWidth=2, color_by=("POINTS", "RTData"))
+    stage.look()
+    stage.orbit()
+    stage.view.CameraParallelProjection = 1
+    stage.shoot()
+
+
 @state("pvbatch")
 def surface_with_edges_scalars(stage):
     stage.show(stage.data(shapes.grid(shapes.vtk_modules(), 12)), Representation="Surface With Edges", color_by=("POINTS", "bump"))

@@ -1,0 +1,103 @@
+// Which of the triangles near a pixel is seen where triangles grow by their painted edges
+// (render/edged_triangle.h). Part of kernels.cpp (compiled once for each instruction set).
+#if defined(GLURAY_RENDER_EDGES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLURAY_RENDER_EDGES_INL_H_
+#undef GLURAY_RENDER_EDGES_INL_H_
+#else
+#define GLURAY_RENDER_EDGES_INL_H_
+#endif
+
+#include "render/edged_triangle.h"
+#include "render/hits.inl.h"
+
+#include <span>
+
+HWY_BEFORE_NAMESPACE();
+namespace gluray::render {
+namespace HWY_NAMESPACE {
+
+/// What is seen at a lane's pixel so far.
+struct Nearest {
+  double ndc = HUGE_VAL;
+  uint32_t instance = accel::kNoHit, primitive = 0;
+};
+
+/// Puts the triangle that a ray near lane i has hit, if it grows as far as the pixel and is nearer, in the
+/// place of the lane's hit.
+HWY_ATTR inline void tryEdged(const FrameData& frame, const accel::RayPacket& probe, int i, Nearest& best,
+                              Work& work) {
+  const uint32_t instance = probe.instance[i], primitive = probe.primitive[i];
+  const Surface& surface = frame.surfaces[instance];
+  if (!surface.lighting->shading->fragment.edges) return;
+  if (instance == best.instance && primitive == best.primitive) return;
+  const EdgedTriangle triangle(surface, frame.snapshot->camera, primitive);
+  const glm::dvec2 at(work.x[i], work.y[i]);
+  if (!triangle.covers(at)) return;
+  const double ndc = triangle.ndcDepth(at), sign = frame.depth.scale < 0 ? -1 : 1;
+  if (!(sign * ndc < sign * best.ndc) && best.instance != accel::kNoHit) return;
+  best = {ndc, instance, primitive};
+  const glm::vec2 weights = triangle.weights(at);
+  work.packet.geometry[i] = probe.geometry[i];
+  work.packet.instance[i] = instance, work.packet.primitive[i] = primitive;
+  work.packet.u[i] = weights.x, work.packet.v[i] = weights.y;
+  work.edgeDepth[i] = static_cast<float>(std::clamp(ndc * frame.depth.scale + frame.depth.offset, 0.0, 1.0));
+  work.edged |= 1u << i;
+  work.hits |= 1u << i;
+}
+
+HWY_ATTR inline double ndcDepthOfHit(const FrameData& frame, const accel::RayPacket& packet, int i) {
+  const Surface& surface = frame.surfaces[packet.instance[i]];
+  if (surface.mesh->shape == scene::Shape::triangles)
+    return surface.ndcDepth(packet.primitive[i], packet.u[i], packet.v[i]);
+  const double t = packet.tFar[i];
+  const glm::dvec4 world(packet.orgX[i] + t * packet.dirX[i], packet.orgY[i] + t * packet.dirY[i],
+                         packet.orgZ[i] + t * packet.dirZ[i], 1);
+  const glm::dvec4 clip = frame.snapshot->camera.clipFromEye * (frame.snapshot->eyeFromWorld * world);
+  return clip.z / clip.w;
+}
+
+/// Looks, beside the pixels' centres, for triangles that grow as far as there.
+HWY_ATTR inline void pickEdged(const FrameData& frame, const int32_t* valid, Work& work) {
+  Nearest best[kLanes];
+  const accel::RayPacket centre = work.packet;
+  const uint32_t hits = work.hits;
+  for (uint32_t lanes = hits; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    const Surface& surface = frame.surfaces[centre.instance[i]];
+    if (!surface.lighting->shading->fragment.edges)
+      best[i] = {ndcDepthOfHit(frame, centre, i), centre.instance[i], centre.primitive[i]};
+    else
+      tryEdged(frame, centre, i, best[i], work);
+  }
+  // A quarter of the width, in every direction; what grows beyond outlines may lie behind what is seen there.
+  static constexpr glm::vec2 kWays[] = {{1, 1},    {-1, 1},    {1, -1},   {-1, -1},
+                                        {1.4f, 0}, {-1.4f, 0}, {0, 1.4f}, {0, -1.4f}};
+  constexpr float kWide = 1.5f;  // pixels
+  const bool wide = frame.widestEdge > kWide;
+  const float reach = 0.255f * frame.widestEdge;
+  Work probe;
+  initPacket(probe.packet);
+  const auto tryHits = [&] {
+    for (uint32_t lanes = probe.hits; lanes; lanes &= lanes - 1) {
+      const int i = std::countr_zero(lanes);
+      tryEdged(frame, probe.packet, i, best[i], work);
+    }
+  };
+  for (const glm::vec2& way : std::span(kWays, wide ? std::size(kWays) : 4)) {
+    for (int i = 0; i < kLanes; ++i) {
+      probe.x[i] = work.x[i] + reach * way.x, probe.y[i] = work.y[i] + reach * way.y;
+      probe.valid[i] = valid[i];
+    }
+    traceWork(frame, probe);
+    tryHits();
+    if (!wide || !probe.hits) continue;
+    traceBehind(frame, probe.hits, probe);
+    tryHits();
+  }
+  if (work.edged) fetchVertices(frame, work);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace gluray::render
+HWY_AFTER_NAMESPACE();
+#endif
