@@ -151,12 +151,16 @@ def spheres_recolored(stage):
     stage.shoot()
 
 
-@state("vtk")
+def peel(stage):
+    stage.renderer.SetUseDepthPeeling(True)
+    stage.renderer.SetMaximumNumberOfPeels(16)
+    stage.window.SetAlphaBitPlanes(True)
+
+
+@state("vtk", outside=False, reason="what is seen through has no depth")
 def spheres_peeled(stage):
     """Translucent spheres and surfaces in one peel, and opaque spheres behind them."""
-    stage.renderer.SetUseDepthPeeling(True)
-    stage.renderer.SetMaximumNumberOfPeels(8)
-    stage.window.SetAlphaBitPlanes(True)
+    peel(stage)
     stage.show(spheres(stage, 0.15))
     stage.show(spheres(stage, 0.25)).GetProperty().SetOpacity(0.4)
     stage.show(shapes.sphere(stage.vtk, 48, 0.45), color=(0.3, 0.5, 0.9)).GetProperty().SetOpacity(0.5)
@@ -257,6 +261,15 @@ def molecule(stage, settings):
     mapper.SetInputData(made)
     getattr(mapper, f"Use{settings}Settings")()
     return stage.show(mapper)
+
+
+@state("vtk", outside=False, reason="what is seen through has no depth")
+def molecule_peeled(stage):
+    peel(stage)
+    molecule(stage, "BallAndStick").GetProperty().SetOpacity(0.4)
+    stage.show(shapes.sphere(stage.vtk, 48, 1.2), color=(0.3, 0.5, 0.9))
+    stage.look()
+    stage.orbit(3)
 
 
 @state("vtk")
