@@ -57,6 +57,10 @@ GLuint boundTexture(const RealGl& real, GLint unit) {
   return static_cast<GLuint>(name);
 }
 
+uint64_t trianglesOf(const ProgramDraw& draw) {
+  return countTriangles(draw.mode, static_cast<uint64_t>(draw.elements.count)) * draw.elements.repeats();
+}
+
 }  // namespace
 
 Family::Pass Context::passOfProgram() const {
@@ -141,6 +145,9 @@ Reason Context::triagePeel(PrimitiveClass kind) {
     return Reason::programPass;  // a later peel
   if (!peelsIntoAll() || state.viewport != peeling_.target.depths.viewport) return Reason::programPass;
   LayersTarget& target = peeling_.target;
+  // Labels, which turn with the viewer: they would be new meshes in every frame.
+  const auto isQuad = [](const ProgramDraw& draw) { return trianglesOf(draw) <= 2; };
+  if (std::all_of(target.depths.draws.begin(), target.depths.draws.end(), isQuad)) return Reason::programPass;
   std::vector<HeldPass::Output> outputs = outputsOf(real);
   const GLuint result = outputOf(real, *state.program.known, outputs);
   if (result == 0 || (peeling_.stage == Stage::surfaces && result != target.result))
@@ -213,10 +220,8 @@ void Context::giveUpLayers() {
   const PresentResult result = presenter_.presentLayers(real, nullptr, target, true);
   if (result.pendingError != GL_NO_ERROR) setError(result.pendingError);
   for (const ProgramDraw& draw : target.depths.draws)
-    countRaster(
-        Reason::programPass, draw.elements.type ? DrawPath::elements : DrawPath::arrays,
-        PrimitiveClass::surfaces,
-        countTriangles(draw.mode, static_cast<uint64_t>(draw.elements.count)) * draw.elements.repeats());
+    countRaster(Reason::programPass, draw.elements.type ? DrawPath::elements : DrawPath::arrays,
+                PrimitiveClass::surfaces, trianglesOf(draw));
   endLayers();
   if (result.outcome != PresentResult::rasterised)
     stepAside(result.why.empty() ? "what was held back could not be drawn" : result.why.c_str());

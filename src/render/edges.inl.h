@@ -56,6 +56,26 @@ HWY_ATTR inline double ndcDepthOfHit(const FrameData& frame, const accel::RayPac
   return clip.z / clip.w;
 }
 
+HWY_ATTR inline void tryProbe(const FrameData& frame, const Work& probe, Nearest* best, Work& work) {
+  for (uint32_t lanes = probe.hits; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    tryEdged(frame, probe.packet, i, best[i], work);
+  }
+}
+
+/// Lanes where a probe and the pixel's centre see different things: one of them nothing, or much farther
+/// away.
+HWY_ATTR inline uint32_t lanesAtOutline(const accel::RayPacket& centre, uint32_t hits, const Work& probe) {
+  constexpr float kMuch = 0.02f;
+  uint32_t outline = hits ^ probe.hits;
+  for (uint32_t lanes = hits & probe.hits; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    const float a = centre.tFar[i], b = probe.packet.tFar[i];
+    if (std::abs(a - b) > kMuch * std::min(a, b)) outline |= 1u << i;
+  }
+  return outline;
+}
+
 /// Looks, beside the pixels' centres, for triangles that grow as far as there.
 HWY_ATTR inline void pickEdged(const FrameData& frame, const int32_t* valid, Work& work) {
   Nearest best[kLanes];
@@ -69,30 +89,32 @@ HWY_ATTR inline void pickEdged(const FrameData& frame, const int32_t* valid, Wor
     else
       tryEdged(frame, centre, i, best[i], work);
   }
-  // A quarter of the width, in every direction; what grows beyond outlines may lie behind what is seen there.
+  // A quarter of the width, in every direction.
   static constexpr glm::vec2 kWays[] = {{1, 1},    {-1, 1},    {1, -1},   {-1, -1},
                                         {1.4f, 0}, {-1.4f, 0}, {0, 1.4f}, {0, -1.4f}};
   constexpr float kWide = 1.5f;  // pixels
   const bool wide = frame.widestEdge > kWide;
   const float reach = 0.255f * frame.widestEdge;
-  Work probe;
-  initPacket(probe.packet);
-  const auto tryHits = [&] {
-    for (uint32_t lanes = probe.hits; lanes; lanes &= lanes - 1) {
-      const int i = std::countr_zero(lanes);
-      tryEdged(frame, probe.packet, i, best[i], work);
-    }
-  };
-  for (const glm::vec2& way : std::span(kWays, wide ? std::size(kWays) : 4)) {
+  Work probes[std::size(kWays)];
+  const std::span<Work> used(probes, wide ? std::size(kWays) : 4);
+  uint32_t outline = wide ? ~0u : 0u;
+  for (size_t p = 0; p < used.size(); ++p) {
+    Work& probe = used[p];
+    initPacket(probe.packet);
     for (int i = 0; i < kLanes; ++i) {
-      probe.x[i] = work.x[i] + reach * way.x, probe.y[i] = work.y[i] + reach * way.y;
+      probe.x[i] = work.x[i] + reach * kWays[p].x, probe.y[i] = work.y[i] + reach * kWays[p].y;
       probe.valid[i] = valid[i];
     }
     traceWork(frame, probe);
-    tryHits();
-    if (!wide || !probe.hits) continue;
-    traceBehind(frame, probe.hits, probe);
-    tryHits();
+    tryProbe(frame, probe, best, work);
+    outline |= lanesAtOutline(centre, hits, probe);
+  }
+  // What grows beyond an outline may lie behind what is seen there.
+  for (Work& probe : used) {
+    const uint32_t lanes = probe.hits & outline;
+    if (!lanes) continue;
+    traceBehind(frame, lanes, probe);
+    tryProbe(frame, probe, best, work);
   }
   if (work.edged) fetchVertices(frame, work);
 }
