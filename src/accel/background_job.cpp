@@ -109,7 +109,7 @@ bool BackgroundJob::start(Work work, Priority priority) noexcept {
 
 void BackgroundJob::run() noexcept {
   // On Linux the priority belongs to the thread: frames that are being traced come first.
-  constexpr int kLowPriority = 10;
+  constexpr int kLowPriority = 19;  // a sixtieth of a core that frames want as well; all of an idle one
   if (priority_ == Priority::low) setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kLowPriority);
   State end = State::failed;
   try {

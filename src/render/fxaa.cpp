@@ -81,7 +81,15 @@ namespace {
 HWY_EXPORT(luminosityOfRow);
 HWY_EXPORT(nextContrast);
 
-/// One picture and its luminosity.
+/// To the nearest whole number, halves upwards, of a number that is not negative.
+uint32_t rounded(float v) {
+  const auto whole = static_cast<uint32_t>(v);
+  return v - static_cast<float>(whole) >= 0.5f ? whole + 1 : whole;
+}
+
+/// One picture and its luminosity. `inside`: every pixel that is asked for is there; otherwise those beyond
+/// the border are the nearest within.
+template <bool inside>
 class Filter {
  public:
   Filter(const scene::Fxaa& settings, const uint32_t* in, const float* luminosity, int width, int height)
@@ -104,14 +112,15 @@ class Filter {
     const float one = alongX ? n : w, other = alongX ? s : e;
     const bool towardsOne = std::abs(c - one) >= std::abs(c - other);
     const glm::vec3 edge = alongEdge(x, y, c, towardsOne ? one : other, alongX, towardsOne ? -1 : 1);
-    const glm::vec3 result = glm::mix(edge, mean3x3(x, y), blend);
-    const glm::vec3 bytes = glm::round(glm::clamp(result, 0.0f, 1.0f) * 255.0f);
-    return static_cast<uint32_t>(bytes.r) | static_cast<uint32_t>(bytes.g) << 8 |
-           static_cast<uint32_t>(bytes.b) << 16 | (pixel(x, y) & 0xFF000000u);
+    const glm::vec3 result = blend == 0 ? edge : glm::mix(edge, mean3x3(x, y), blend);
+    const glm::vec3 bytes = glm::clamp(result, 0.0f, 1.0f) * 255.0f;
+    return rounded(bytes.r) | rounded(bytes.g) << 8 | rounded(bytes.b) << 16 | (pixel(x, y) & 0xFF000000u);
   }
 
  private:
   size_t index(int x, int y) const {
+    if constexpr (inside)
+      return static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x);
     return static_cast<size_t>(std::clamp(y, 0, height_ - 1)) * static_cast<size_t>(width_) +
            static_cast<size_t>(std::clamp(x, 0, width_ - 1));
   }
@@ -195,20 +204,26 @@ void fxaa(const scene::Fxaa& settings, const uint32_t* in, int width, int height
     for (size_t y = rows.begin(); y != rows.end(); ++y)
       HWY_DYNAMIC_DISPATCH(luminosityOfRow)(in + y * w, w, lum + y * w);
   });
-  const Filter filter(settings, in, lum, width, height);
+  const Filter<true> filter(settings, in, lum, width, height);
+  const Filter<false> atBorder(settings, in, lum, width, height);
+  const int margin = std::max(settings.endpointSearchIterations, 1) + 1;
   tbb::parallel_for(tbb::blocked_range<size_t>(0, h, kRows), [&](const auto& rows) {
     for (size_t y = rows.begin(); y != rows.end(); ++y) {
       uint32_t* to = out + y * w;
       std::copy_n(in + y * w, w, to);
       const int row = static_cast<int>(y);
-      to[0] = filter.at(0, row);
-      if (w > 1) to[w - 1] = filter.at(width - 1, row);
+      to[0] = atBorder.at(0, row);
+      if (w > 1) to[w - 1] = atBorder.at(width - 1, row);
+      const bool rowInside = row >= margin && row < height - margin;
       const float* middle = lum + y * w;
       const float *below = y > 0 ? middle - w : middle, *above = y + 1 < h ? middle + w : middle;
       for (size_t x = 1; x + 1 < w; ++x) {
         x = HWY_DYNAMIC_DISPATCH(nextContrast)(below, middle, above, x, w, settings.relativeContrast,
                                                settings.hardContrast);
-        if (x + 1 < w) to[x] = filter.at(static_cast<int>(x), row);
+        if (x + 1 >= w) break;
+        const int column = static_cast<int>(x);
+        const bool isInside = rowInside && column >= margin && column < width - margin;
+        to[x] = isInside ? filter.at(column, row) : atBorder.at(column, row);
       }
     }
   });
