@@ -77,7 +77,8 @@ void Passes::flushed(const scene::SnapshotPtr& snapshot) {
 
 std::vector<scene::SnapshotPtr> Passes::takeTraced() {
   std::vector<scene::SnapshotPtr> all;
-  for (auto& [place, surface] : surfaces_) {
+  for (auto& place : surfaces_) {
+    Surface& surface = place.second;
     if (!std::exchange(surface.met, false) || surface.how != How::traced) continue;
     auto alone = std::make_shared<scene::Snapshot>(*surface.snapshot);
     std::erase_if(alone->instances, [&](const scene::Instance& instance) {
