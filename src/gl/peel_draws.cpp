@@ -146,7 +146,9 @@ Reason Context::triagePeel(PrimitiveClass kind) {
   if (!peelsIntoAll() || state.viewport != peeling_.target.depths.viewport) return Reason::programPass;
   LayersTarget& target = peeling_.target;
   // Labels, which turn with the viewer: they would be new meshes in every frame.
-  const auto isQuad = [](const ProgramDraw& draw) { return trianglesOf(draw) <= 2; };
+  const auto isQuad = [](const ProgramDraw& draw) {
+    return draw.mode != GL_POINTS && trianglesOf(draw) <= 2;  // points may be figures
+  };
   if (std::all_of(target.depths.draws.begin(), target.depths.draws.end(), isQuad)) return Reason::programPass;
   std::vector<HeldPass::Output> outputs = outputsOf(real);
   const GLuint result = outputOf(real, *state.program.known, outputs);
