@@ -5,8 +5,6 @@ round by round, so that what else the machine does falls on all of them; figures
 bench/results/NAME.json.
 """
 import argparse
-import json
-import os
 import pathlib
 import shlex
 import sys
@@ -169,13 +167,9 @@ def run(options, argv):
             measured = suite.measure_size(size)
             result["measured"][str(size)] = measured
             result["rows"] += rows_of(size, measured, empty)
-    result["machine"]["load_after"] = os.getloadavg()[0]
     result["versions"]["renderer"] = next(iter(result["measured"].values()))[options.paths[0]]["gl"]["renderer"]
     print_table(result["rows"])
-    out = ROOT / "bench" / "results" / f"{options.name}.json"
-    out.parent.mkdir(exist_ok=True)
-    out.write_text(json.dumps(result, indent=1) + "\n")
-    print(f"written: {out.relative_to(ROOT)}")
+    machine.write(ROOT, options.name, result)
 
 
 def main(argv):

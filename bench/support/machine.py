@@ -1,5 +1,6 @@
 """What a result needs beside its numbers: the machine, the versions and the moment."""
 import datetime
+import json
 import os
 import pathlib
 import platform
@@ -49,3 +50,12 @@ def describe(root):
             "compiler": _output(shutil.which("c++") or "c++", "--version").split("\n")[0],
         },
     }
+
+
+def write(root, name, result):
+    """Writes a suite's result, with the load after it, to bench/results/NAME.json, and says so."""
+    result["machine"]["load_after"] = os.getloadavg()[0]
+    out = root / "bench" / "results" / f"{name}.json"
+    out.parent.mkdir(exist_ok=True)
+    out.write_text(json.dumps(result, indent=1) + "\n")
+    print(f"written: {out.relative_to(root)}")

@@ -1,7 +1,8 @@
 """Run by pvbatch: contours of ParaView's Wavelet source, an orbit of the camera around them; prints one line of JSON.
 
-usage: pvbatch paraview_orbit.py ISOVALUES FRAMES SIZE [PICTURE [SOURCE]]
-SOURCE, a NIfTI or other file that ParaView reads, takes the place of the Wavelet; ISOVALUES is then one value.
+usage: pvbatch paraview_orbit.py ISOVALUES FRAMES SIZE [PICTURE [LOOK or SOURCE]]
+LOOK: surface, edges or translucent. SOURCE, a NIfTI or other file that ParaView reads, takes the place of the Wavelet; ISOVALUES
+is then one value.
 """
 import json
 import math
@@ -42,10 +43,12 @@ def scan(file, value):
 def main():
     count, frames, size = float(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3])
     picture = sys.argv[4] if len(sys.argv) > 4 and sys.argv[4] != "-" else None
+    last = sys.argv[5] if len(sys.argv) > 5 else "surface"
+    look, source = (last, None) if last in ("surface", "edges", "translucent") else ("surface", last)
     simple._DisableFirstRenderCameraReset()
     view = simple.CreateView("RenderView")
     view.ViewSize = [size, size]
-    surface = scan(sys.argv[5], count) if len(sys.argv) > 5 else isosurfaces(int(count))
+    surface = scan(source, count) if source else isosurfaces(int(count))
     triangles = surface.GetDataInformation().GetNumberOfCells()
     window = view.GetRenderWindow()
     # An empty picture first: the window and its context are there when the clock starts.
@@ -53,12 +56,16 @@ def main():
     before = resident()
     start = time.perf_counter()
     display = simple.Show(surface, view)
-    if len(sys.argv) <= 5:
+    if not source:
         simple.ColorBy(display, ("POINTS", "RTData"))
     else:
         display.ColorArrayName = [None, ""]  # one colour
         display.DiffuseColor = [0.95, 0.83, 0.73]
         display.Specular = 0.3
+    if look == "edges":
+        display.Representation = "Surface With Edges"
+    elif look == "translucent":
+        display.Opacity = 0.4
     simple.ResetCamera(view)
     simple.Render(view)
     window.WaitForCompletion()
@@ -66,7 +73,7 @@ def main():
     centre, eye = list(view.CameraFocalPoint), list(view.CameraPosition)
     distance = math.dist(centre, eye)
     lift = math.radians(35.26)
-    up = [0, 0, 1] if len(sys.argv) > 5 else [0, 1, 0]
+    up = [0, 0, 1] if source else [0, 1, 0]
     view.CameraViewUp = up
 
     def place(degrees):

@@ -1,0 +1,95 @@
+"""Programs measured with their own OpenGL and with GLuRay, in turn: options, rows, table and result file of such suites."""
+import argparse
+import pathlib
+import shlex
+import sys
+
+from support import machine, programs
+from support.display import NoDisplay, display
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+
+
+def parser(suite, description, sizes, what):
+    """The options of a suite; `sizes` its usual ones in millions of `what`."""
+    options = argparse.ArgumentParser(prog=f"scripts/bench {suite}", description=description,
+                                      formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument("--sizes", default=sizes, help=what)
+    options.add_argument("--rounds", type=int, default=3, help="rounds, each measuring everything once (3)")
+    options.add_argument("--threads", type=int, default=2, help="threads of llvmpipe and GLuRay (2)")
+    options.add_argument("--size", type=int, default=1024, help="pixels of the window, both ways")
+    options.add_argument("--name", default=suite, help="name of the result file")
+    options.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="build folder")
+    options.add_argument("--xvfb", action="store_true", help="use an Xvfb even where there is a display")
+    return options
+
+
+def parse(options, argv):
+    """The given ones, sizes as whole numbers."""
+    given = options.parse_args(argv)
+    try:
+        given.sizes = [int(size) for size in given.sizes.split(",")]
+    except ValueError:
+        options.error(f"--sizes takes whole numbers of millions, not '{given.sizes}'")
+    return given
+
+
+def measure_size(options, label, plain_command, traced_command, environment):
+    """Rounds of both: (median of plain, median with GLuRay)."""
+    gluray = options.build / "apps" / "gluray" / "gluray"
+    plain, traced = [], []
+    for number in range(options.rounds):
+        print(f"{label}, round {number + 1} of {options.rounds}", file=sys.stderr, flush=True)
+        plain.append(programs.measure(plain_command, environment))
+        traced.append(programs.measure_with_gluray(gluray, ["--threads", str(options.threads)], traced_command, environment))
+    both = programs.combined(plain), programs.combined(traced)
+    both[1]["report"] = traced[-1]["report"]
+    return both
+
+
+def row_of(size, plain, traced):
+    report = traced["report"] or {}
+    draws = report.get("draws", {})
+    flushes = max(report.get("flushes", 0), 1)
+    return {"millions": size, "triangles": plain["triangles"], "gl_fps": 1 / plain["frame_s"],
+            "gluray_fps": 1 / traced["frame_s"], "gluray_over_gl": plain["frame_s"] / traced["frame_s"],
+            "gl_first_image_s": plain["first_image_s"], "gluray_first_image_s": traced["first_image_s"],
+            "gl_bytes_per_triangle": plain["rss_bytes"] / plain["triangles"],
+            "gluray_bytes_per_triangle": traced["rss_bytes"] / plain["triangles"],
+            "ms_per_picture": {part: value / flushes for part, value in report.get("ms", {}).items()},
+            "draws_traced": draws.get("traced", 0), "rasterised": draws.get("rasterised", {})}
+
+
+COLUMNS = [("Mtri", "millions", "{:d}"), ("GL fps", "gl_fps", "{:.2f}"), ("GLuRay fps", "gluray_fps", "{:.2f}"),
+           ("ratio", "gluray_over_gl", "{:.1f}"), ("first GL s", "gl_first_image_s", "{:.2f}"),
+           ("first GLuRay s", "gluray_first_image_s", "{:.2f}"), ("GL B/tri", "gl_bytes_per_triangle", "{:.0f}"),
+           ("GLuRay B/tri", "gluray_bytes_per_triangle", "{:.0f}")]
+
+
+def print_table(rows):
+    cells = [[title for title, _, _ in COLUMNS]]
+    cells += [[form.format(row[key]) for _, key, form in COLUMNS] for row in rows]
+    widths = [max(len(line[i]) for line in cells) for i in range(len(COLUMNS))]
+    for line in cells:
+        print("  ".join(text.rjust(width) for text, width in zip(line, widths)), flush=True)
+
+
+def _run(suite, options, argv, measure):
+    result = {"suite": suite, "command": f"scripts/bench {suite} " + shlex.join(argv), **machine.describe(ROOT),
+              "threads": options.threads, "rounds": options.rounds, "rows": []}
+    with display(own=options.xvfb) as name:
+        environment = {"DISPLAY": name, "LP_NUM_THREADS": str(options.threads)}
+        for size in options.sizes:
+            result["rows"].append(row_of(size, *measure(size, environment)))
+    print_table(result["rows"])
+    machine.write(ROOT, options.name, result)
+
+
+def run(suite, options, argv, measure):
+    """Measures all sizes by measure(size, environment), prints and writes what was found. The exit status."""
+    try:
+        _run(suite, options, argv, measure)
+    except (NoDisplay, programs.Failed) as error:
+        print(f"bench: {error}", file=sys.stderr)
+        return 1
+    return 0
