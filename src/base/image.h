@@ -11,20 +11,30 @@ namespace gluray {
 /// OpenGL has it.
 struct Image {
   static constexpr float kMiss = 2.0f;  // depth of a pixel that no ray hit
+  enum class Content {
+    color,  // `color`
+    wide,   // `wide`: colours as floats, beyond [0, 1] if they are so
+    sums,   // `wide`: sums over all fragments of colour times opacity, and of opacities; `through`
+  };
 
   int x = 0, y = 0;             // window coordinates of the lower left pixel
   int width = 0, height = 0;    // pixels
   int samples = 1;              // planes, one per sample of a multisampled framebuffer
   std::vector<uint32_t> color;  // RGBA8, red in the lowest byte; samples planes of width*height
   std::vector<float> depth;     // window depth in [0, 1], kMiss where nothing was hit; same shape
+  Content content = Content::color;
+  std::vector<float> wide;     // RGBA, four a pixel, same shape; empty where the content is `color`
+  std::vector<float> through;  // product of what the fragments let through, 1 - opacity; of `sums` alone
 
   /// Makes room for the given shape, reusing memory. Contents are undefined afterwards.
-  void resize(int newWidth, int newHeight, int newSamples) {
-    width = newWidth, height = newHeight, samples = newSamples;
+  void resize(int newWidth, int newHeight, int newSamples, Content newContent = Content::color) {
+    width = newWidth, height = newHeight, samples = newSamples, content = newContent;
     const auto count =
         static_cast<size_t>(width) * static_cast<size_t>(height) * static_cast<size_t>(samples);
-    color.resize(count);
+    color.resize(content == Content::color ? count : 0);
     depth.resize(count);
+    wide.resize(content == Content::color ? 0 : count * 4);
+    through.resize(content == Content::sums ? count : 0);
   }
 };
 

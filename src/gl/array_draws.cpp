@@ -125,12 +125,21 @@ std::vector<Triangle> sampleTriangles(const Context& c, GLenum mode, const Eleme
   return triangles;
 }
 
+Reason triageByPass(Context& c, PrimitiveClass kind) {
+  switch (c.layersOfProgram()) {
+    case BatchKey::Layers::peeled: return c.triagePeel(kind);
+    case BatchKey::Layers::summed: return c.triageSum(kind);
+    case BatchKey::Layers::none: break;
+  }
+  return c.triageProgram(kind);
+}
+
 /// Traces what the current shader program draws if that can be right; says why not otherwise.
 Reason traceProgram(Context& c, GLenum mode, const Elements& e) {
   if (mode > GL_POLYGON) return Reason::program;
-  const bool figures = c.drawsFigures(mode), peel = c.passOfProgram() == Family::Pass::peel;
+  const bool figures = c.drawsFigures(mode);
   const PrimitiveClass kind = figures ? PrimitiveClass::surfaces : classOf(mode);
-  Reason reason = peel ? c.triagePeel(kind) : c.triageProgram(kind);
+  Reason reason = triageByPass(c, kind);
   if (reason == Reason::traced && figures) reason = c.triageFigures();
   if (reason != Reason::traced) return reason;
   // Surfaces drawn by a program that wants points show nothing that anybody could know.

@@ -49,6 +49,7 @@ void Batch::start(const BatchKey& key, const State& state, const Settings& setti
   snapshot_->eyeFromWorld = state.modelview;
   snapshot_->region = key.region;
   snapshot_->polygonOffset = key.offset;
+  snapshot_->wideColors = state.target.wideColors;
   snapshot_->laterWins = key.depthFunc == GL_LEQUAL;
   drawn_ = 0;
   // With GL_MULTISAMPLE off all samples of a pixel get the value at its centre: one plane serves them all.
@@ -98,7 +99,7 @@ void Batch::add(scene::Instance instance, scene::Shading shading) {
   const auto [first, last] = instancesAt_.equal_range(place);
   for (auto it = first; it != last; ++it) {
     scene::Instance& earlier = s.instances[it->second];
-    if (key_.layers || !coincide(earlier, instance)) continue;
+    if (key_.layers != BatchKey::Layers::none || !coincide(earlier, instance)) continue;
     const bool firstWins = key_.depthFunc == GL_LESS;
     // Through holes that the alpha test makes the other one is seen.
     if ((firstWins ? s.shadings[earlier.shading] : shading).alphaTest != scene::AlphaTest{}) continue;

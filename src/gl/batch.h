@@ -22,7 +22,7 @@ struct BatchKey {
   scene::Region region;
   float depthNear = 0, depthFar = 1;
   scene::PolygonOffset offset;
-  bool layers = false;  // of surfaces that are seen through
+  enum class Layers : uint8_t { none, peeled, summed } layers = Layers::none;  // that are seen through
   bool operator==(const BatchKey&) const = default;
 };
 

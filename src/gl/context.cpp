@@ -288,17 +288,18 @@ bool Context::canTrace() {
 
 void Context::present(bool rasterise) {
   if (batch_.empty()) return;
-  if (batch_.key().layers && !layersHaveSurfaces()) return giveUpLayers();
   const BatchKey key = batch_.key();
+  const bool peeled = key.layers == BatchKey::Layers::peeled;
+  if (peeled && !layersHaveSurfaces()) return giveUpLayers();
   const scene::SnapshotPtr snapshot = batch_.take();
   const double start = kinds() ? nowSeconds() : 0;
   syncCurrent();
   passes_.flushed(rasterise ? nullptr : snapshot);
   if (rasterise) countAsRasterised(*snapshot);
   const PresentResult result =
-      key.layers ? presentLayers(snapshot, key)
-                 : presenter_.present(real, snapshot,
-                                      {key.depthFunc, info_.core, rasterise, batch_.takeProgramDraws()});
+      peeled ? presentLayers(snapshot, key)
+             : presenter_.present(real, snapshot,
+                                  {key.depthFunc, info_.core, rasterise, batch_.takeProgramDraws()});
   latch_.restore(real);
   if (result.pendingError != GL_NO_ERROR) setError(result.pendingError);
   ++statistics.flushes;

@@ -238,8 +238,12 @@ class Context {
   /// The same of surfaces that are seen through, in the first peel. Whoever then draws otherwise makes us
   /// give up.
   Reason triagePeel(PrimitiveClass kind);
+  /// The same of surfaces that are seen through and added up.
+  Reason triageSum(PrimitiveClass kind);
   /// What the passes of the current program are for.
   Family::Pass passOfProgram() const;
+  /// How surfaces of the current program are seen through, if they are.
+  BatchKey::Layers layersOfProgram() const;
   /// Holds back a draw of the pass before the first peel. False: draw it.
   bool holdDepths(GLenum mode, const Elements& elements, uint64_t triangles);
   /// Adds a mesh drawn by the current shader program to the batch, as often as the draw has instances; or
@@ -365,6 +369,7 @@ class Context {
   Placed placeProgramDraw(const glm::dvec3& reach);
   bool beginLayers();
   bool startLayers(const BatchKey& key);
+  bool startSums(const BatchKey& key);
   PresentResult presentLayers(const scene::SnapshotPtr& snapshot, const BatchKey& key);
   bool layersHaveSurfaces() const;
   void endLayers();

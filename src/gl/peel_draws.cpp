@@ -214,7 +214,7 @@ void Context::giveUpLayers() {
   peeling_.failed();
   LayersTarget& target = peeling_.target;
   scene::SnapshotPtr snapshot = peeling_.traced;
-  if (!batch_.empty() && batch_.key().layers) {
+  if (!batch_.empty() && batch_.key().layers == BatchKey::Layers::peeled) {
     for (ProgramDraw& draw : batch_.takeProgramDraws()) target.surfaces.draws.push_back(std::move(draw));
     snapshot = batch_.take();
   }
@@ -230,7 +230,8 @@ void Context::giveUpLayers() {
 }
 
 void Context::layersMeetRasterDraw() {
-  bool meets = peeling_.stage == Peeling::Stage::depths || (!batch_.empty() && batch_.key().layers);
+  bool meets = peeling_.stage == Peeling::Stage::depths ||
+               (!batch_.empty() && batch_.key().layers == BatchKey::Layers::peeled);
   // Once they are traced, only who joins them makes us give up.
   if (!meets)
     for (const HeldPass::Output& output : outputsOf(real)) meets |= output.texture == peeling_.target.result;

@@ -63,6 +63,12 @@ class Presenter {
                           std::vector<glm::vec2>& /*out*/) noexcept {
     return false;
   }
+  /// Reads the bound draw framebuffer's window depths in `region`, lowest row first, one sample a pixel.
+  /// False where there are none, or they cannot be read. No error may be pending. Never throws.
+  virtual bool readDepth(const RealGl&, const scene::Region& /*region*/,
+                         std::vector<float>& /*out*/) noexcept {
+    return false;
+  }
   /// Whether the write-back works with the current context (it needs shaders). Asked once per context, with
   /// it current.
   virtual bool supports(const RealGl& real, bool core, std::string& why) noexcept = 0;

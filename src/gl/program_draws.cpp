@@ -147,7 +147,7 @@ struct InstanceReaders {
 
 Reason Context::triageInstances(const Elements& elements) const {
   const InstanceReaders readers(real, attributes);
-  const bool mayBeTranslucent = passOfProgram() != Family::Pass::peel && readers.color.enabled() &&
+  const bool mayBeTranslucent = layersOfProgram() == BatchKey::Layers::none && readers.color.enabled() &&
                                 attributes.instanceColor.size == 4 &&
                                 state.raster.unlessOpaque != Reason::traced;
   for (uint32_t i = 0; i < elements.repeats(); ++i) {
@@ -165,7 +165,7 @@ Reason Context::triageInstances(const Elements& elements) const {
 
 Reason Context::triageProgram(const KnownMesh& known) const {
   const Reason reason = triageProgramAlways(known);
-  if (passOfProgram() == Family::Pass::peel) return reason;
+  if (layersOfProgram() == BatchKey::Layers::peeled) return reason;
   // One by one, however much they are in all: a surface that is drawn again is drawn in the same way.
   const bool leave = reason == Reason::traced && choice_.way() == EngineChoice::Way::mixed &&
                      choice_.takesAlone(known.mesh->triangleCount, viewportPixels());
@@ -187,7 +187,7 @@ Reason Context::triageProgramAlways(const KnownMesh& known) const {
   if (program.triangleEdges &&
       (state.raster.cull != scene::CullFace::none || !isBeforeViewer(*known.mesh, program.clipFromObject)))
     return Reason::program;
-  const bool opaque = passOfProgram() == Family::Pass::peel || gl::isOpaque(program, *known.mesh);
+  const bool opaque = layersOfProgram() != BatchKey::Layers::none || gl::isOpaque(program, *known.mesh);
   if (opaque) return Reason::traced;
   if (state.raster.unlessOpaque != Reason::traced) return state.raster.unlessOpaque;
   return Reason::traced;
@@ -202,24 +202,26 @@ Context::Placed Context::placeProgramDraw(const glm::dvec3& reach) {
   state.projection = program.eyeFromObject ? program.clipFromObject * glm::inverse(*program.eyeFromObject)
                                            : program.clipFromObject;
   BatchKey key = Batch::keyOf(state);
-  key.layers = passOfProgram() == Family::Pass::peel;
-  key.offset = key.layers ? scene::PolygonOffset{} : program.depthOffset;
+  key.layers = layersOfProgram();
+  const bool peeled = key.layers == BatchKey::Layers::peeled;
+  key.offset = peeled ? scene::PolygonOffset{} : program.depthOffset;
   clampToTarget(key.region);
   dirty |= kModelview | kProjection;  // of fixed function
   if (key.region.width <= 0 || key.region.height <= 0) return Placed::nowhere;
-  const BatchKey* there = !batch_.empty()                 ? &batch_.key()
-                          : key.layers && peeling_.traced ? &peeling_.tracedKey
-                                                          : nullptr;
+  const BatchKey* there = !batch_.empty()             ? &batch_.key()
+                          : peeled && peeling_.traced ? &peeling_.tracedKey
+                                                      : nullptr;
   if (there) {
     const glm::dmat4 placed = glm::inverse(there->projection) * program.clipFromObject;
     if (isAffine(placed, reach)) key.projection = there->projection;
-    if (!key.layers && !(*there == key)) flush();
+    if (!peeled && !(*there == key)) flush();
   }
   state.projection = key.projection;
   state.modelview = glm::inverse(state.projection) * program.clipFromObject;
   state.modelview /= state.modelview[3][3];  // the same points
   for (int c = 0; c < 4; ++c) state.modelview[c][3] = c == 3 ? 1.0 : 0.0;
-  if (key.layers) return startLayers(key) ? Placed::inBatch : Placed::otherCamera;
+  if (peeled) return startLayers(key) ? Placed::inBatch : Placed::otherCamera;
+  if (key.layers == BatchKey::Layers::summed) return startSums(key) ? Placed::inBatch : Placed::otherCamera;
   if (batch_.empty()) batch_.start(key, state, info_.settings, frame);
   return Placed::inBatch;
 }
@@ -268,7 +270,7 @@ Reason Context::addProgramInstances(const scene::MeshPtr& mesh, GLenum mode, con
     addInstancesOf(instance, program.shading, elements);
   } else {
     batch_.add(std::move(instance), program.shading);
-    if (!batch_.key().layers && mesh->shape == scene::Shape::triangles)
+    if (batch_.key().layers == BatchKey::Layers::none && mesh->shape == scene::Shape::triangles)
       passes_.drawn(mesh, state.modelview, Passes::How::pending, isPushedBack());
   }
   batch_.keep(std::move(kept));

@@ -1,4 +1,5 @@
 // Per-fragment operations and polygon state: what rules tracing out, and what tracing needs of the rest.
+#include "gl/output_state.h"
 #include "gl/state.h"
 #include "gl/state_queries.h"
 
@@ -26,19 +27,6 @@ Reason blendReason(const RealGl& real, bool& needsOpaque) {
   needsOpaque = source == GL_SRC_ALPHA || sourceAlpha == GL_SRC_ALPHA ||
                 destination == GL_ONE_MINUS_SRC_ALPHA || destinationAlpha == GL_ONE_MINUS_SRC_ALPHA;
   return Reason::traced;
-}
-
-/// State of later versions and extensions that hardly any fixed-function program sets.
-Reason rareReason(const RealGl& real, const RareState& has) {
-  if (has.depthClamp && isOn(real, GL_DEPTH_CLAMP)) return Reason::depthClamp;
-  if (has.depthBounds && isOn(real, GL_DEPTH_BOUNDS_TEST_EXT)) return Reason::depthClamp;
-  if (has.rasterizerDiscard && isOn(real, GL_RASTERIZER_DISCARD)) return Reason::transformFeedback;
-  if (has.clipControl && (integer(real, GL_CLIP_ORIGIN) != GL_LOWER_LEFT ||
-                          integer(real, GL_CLIP_DEPTH_MODE) != GL_NEGATIVE_ONE_TO_ONE))
-    return Reason::clipControl;
-  GLfloat clamp = 0;
-  if (has.offsetClamp) real.GetFloatv(GL_POLYGON_OFFSET_CLAMP, &clamp);
-  return clamp != 0 ? Reason::depthClamp : Reason::traced;
 }
 
 scene::AlphaTest readAlphaTest(const RealGl& real) {

@@ -69,6 +69,7 @@ struct TargetState {
   int samples = 1;
   glm::ivec2 size{0};  // pixels, of a framebuffer object; {0, 0}: unknown
   std::vector<glm::vec2> samplePositions;
+  bool wideColors = false;  // floats
   float depthResolution = 1.0f / 16777216.0f;
 };
 

@@ -24,17 +24,20 @@ bool isSingleDrawBuffer(GLenum buffer) {
   }
 }
 
-/// Whether the colour buffer holds normalised values of about the eight bits that the write-back delivers: of
-/// ten bits the last two are lost, a quarter of 1/255 at most.
-bool isByteColor(const RealGl& real, const TargetState& target) {
+enum class Colors { bytes, floats, others };
+
+/// What the colour buffer holds. Bytes: normalised values of about the eight bits that the write-back
+/// delivers; of ten bits the last two are lost, a quarter of 1/255 at most.
+Colors colorsOf(const RealGl& real, const TargetState& target) {
   const auto fits = [](GLint bits) { return bits == 8 || bits == 10; };
-  if (target.framebuffer == 0) return fits(integer(real, GL_RED_BITS));
+  if (target.framebuffer == 0) return fits(integer(real, GL_RED_BITS)) ? Colors::bytes : Colors::others;
   GLint type = 0, bits = 0;
   real.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, target.drawBuffer,
                                            GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
   real.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, target.drawBuffer,
                                            GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE, &bits);
-  return type == GL_UNSIGNED_NORMALIZED && fits(bits);
+  if (type == GL_FLOAT) return Colors::floats;
+  return type == GL_UNSIGNED_NORMALIZED && fits(bits) ? Colors::bytes : Colors::others;
 }
 
 /// Size of the image that is attached to the framebuffer object's draw buffer; {0, 0} where it is of a kind
@@ -76,9 +79,11 @@ void readTarget(const RealGl& real, State& state) {
   const GLint depthBits = integer(real, GL_DEPTH_BITS);
   target.depthResolution = std::ldexp(1.0f, -std::min(std::max(depthBits, 1), 24));
   if (target.reason != Reason::traced) return;
+  const Colors colors = colorsOf(real, target);
+  target.wideColors = colors == Colors::floats;
   if (depthBits == 0)
     target.reason = Reason::noDepthBuffer;
-  else if (!isByteColor(real, target) || (state.rare.framebufferSrgb && isOn(real, GL_FRAMEBUFFER_SRGB)))
+  else if (colors == Colors::others || (state.rare.framebufferSrgb && isOn(real, GL_FRAMEBUFFER_SRGB)))
     target.reason = Reason::framebuffer;
   if (target.samples > 1 && isPresent(real.GetMultisamplefv))
     for (GLuint i = 0; i < static_cast<GLuint>(target.samples); ++i)

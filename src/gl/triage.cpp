@@ -18,6 +18,7 @@ Reason Context::triage(PrimitiveClass kind) {
   if (state.raster.reason == Reason::renderMode) return Reason::renderMode;
   if (kind == PrimitiveClass::points) return Reason::points;
   if (kind == PrimitiveClass::lines) return Reason::lines;
+  if (state.target.wideColors) return Reason::framebuffer;  // fixed function cuts colours off on its way
   if (state.raster.reason != Reason::traced) return state.raster.reason;
   if (state.raster.program != 0) return Reason::program;
   if (state.raster.firstVertexProvokes && !state.shading.smooth) return Reason::provokingVertex;
@@ -213,7 +214,8 @@ void Context::beforeRasterDraw(PrimitiveClass kind) {
     // Lines and points on a surface have its depth: who comes later matters unless the surface was pushed
     // back.
     const bool coplanar = kind != PrimitiveClass::surfaces && batch_.key().offset == scene::PolygonOffset{};
-    if (!state.raster.orderFree || coplanar) flush();
+    const bool sums = batch_.key().layers == BatchKey::Layers::summed;  // their colours meet in floats
+    if (!state.raster.orderFree || coplanar || sums) flush();
   }
   syncCurrent();
 }

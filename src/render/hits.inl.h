@@ -27,7 +27,9 @@ struct Work {
   alignas(64) float x[kLanes], y[kLanes];  // window positions
   alignas(64) int32_t valid[kLanes];       // -1: to be traced
   alignas(64) uint32_t vertex[3][kLanes];  // of the hit triangles
-  alignas(64) uint32_t color[kLanes];
+  alignas(64) uint32_t color[kLanes];      // RGBA8, or
+  alignas(64) Row wide[4];                 // what the image has as floats
+  alignas(64) float through[kLanes];
   alignas(64) float depth[kLanes];
   alignas(64) float edgeDepth[kLanes];
   uint32_t hits = 0;   // bit i: lane i hit something
@@ -121,16 +123,25 @@ HWY_ATTR inline void gather(const Work& work, uint32_t lanes, Group& group) {
   }
 }
 
+// Those of `lanes` become what `from` has.
+HWY_ATTR inline void blendRow(uint32_t lanes, const float* from, float* to) {
+  for (int i = 0; i < kLanes; i += lanesOfVector())
+    store(hn::IfThenElse(lanesAt(lanes, i), load(from + i), load(to + i)), to + i);
+}
+
 // Colour and depth of `lanes` into the pixels.
-HWY_ATTR inline void merge(uint32_t lanes, const LitRows& rows, const float* depth, Work& work) {
+HWY_ATTR inline void merge(uint32_t lanes, const LitRows& rows, const float* depth, bool wide, Work& work) {
+  blendRow(lanes, depth, work.depth);
+  if (wide) {
+    for (int c = 0; c < 4; ++c) blendRow(lanes, rows.value[c], work.wide[c]);
+    return;
+  }
   const IndexTag d;
   alignas(64) uint32_t color[kLanes];
   packColors(rows, color);
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
     const auto member = maskAt(lanes, i);
     hn::Store(hn::IfThenElse(member, hn::Load(d, color + i), hn::Load(d, work.color + i)), d, work.color + i);
-    store(hn::IfThenElse(hn::RebindMask(FloatTag(), member), load(depth + i), load(work.depth + i)),
-          work.depth + i);
   }
 }
 
@@ -271,9 +282,10 @@ HWY_ATTR inline void traceBehind(const FrameData& frame, uint32_t lanes, Work& w
 
 // Colour and depth of the hits; where the nearest does not count, of the first behind it that does.
 HWY_ATTR inline void shadeNearest(const FrameData& frame, Work& work) {
+  const bool wide = frame.image->content != Image::Content::color;
   const auto take = [&](uint32_t lanes, const LitRows& rows, const float* depth) HWY_ATTR {
-    merge(lanes & ~work.edged, rows, depth, work);
-    if (lanes & work.edged) merge(lanes & work.edged, rows, work.edgeDepth, work);
+    merge(lanes & ~work.edged, rows, depth, wide, work);
+    if (lanes & work.edged) merge(lanes & work.edged, rows, work.edgeDepth, wide, work);
   };
   uint32_t lanes = shadeHits(frame, work.hits, true, work, take);
   if (!lanes) return;

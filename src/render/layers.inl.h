@@ -1,4 +1,4 @@
-// Surfaces that are seen through (scene::Layers): all that a packet's rays hit, composited from the front.
+// Surfaces that are seen through (scene::Layers): all that a packet's rays hit, composited or added up.
 // Part of kernels.cpp (compiled once for each instruction set).
 #if defined(GLURAY_RENDER_LAYERS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_LAYERS_INL_H_
@@ -37,38 +37,48 @@ HWY_ATTR inline void putBehind(uint32_t lanes, const LitRows& rows, const float*
   }
 }
 
-/// The lanes whose fragment lies behind what is opaque, and those that let nothing more through.
-HWY_ATTR inline uint32_t lanesAtEnd(const scene::Layers& layers, const FrameData& frame, const Work& work,
-                                    uint32_t lanes, const float* depth, const Gathered& g) {
-  constexpr float kNothing = 0.5f / 255;  // less is not seen
-  uint32_t ended = 0;
+/// The lanes whose fragment lies behind what is opaque.
+HWY_ATTR inline uint32_t lanesBehind(const scene::Layers& layers, const FrameData& frame, const Work& work,
+                                     uint32_t lanes, const float* depth) {
+  uint32_t behind = 0;
   for (; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
     const size_t pixel =
         static_cast<size_t>(work.imageY + laneY(i)) * static_cast<size_t>(frame.image->width) +
         static_cast<size_t>(work.imageX + laneX(i));
     const float opaque = layers.opaqueDepth[pixel];
-    if ((opaque >= 0 && depth[i] > opaque) || g.now[3][i] > 1 - kNothing) ended |= 1u << i;
+    if (opaque >= 0 && depth[i] > opaque) behind |= 1u << i;
   }
-  return ended;
+  return behind;
 }
 
-/// All hits of the packet's rays, composited. Depth is that of the first.
-HWY_ATTR inline void shadeLayers(const FrameData& frame, const scene::Layers& layers, Work& work) {
-  Gathered g;
-  for (float& place : g.place) place = -1;
+/// The lanes that let nothing more through.
+HWY_ATTR inline uint32_t lanesFull(uint32_t lanes, const Gathered& g) {
+  constexpr float kNothing = 0.5f / 255;  // less is not seen
+  uint32_t full = 0;
+  for (; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    if (g.now[3][i] > 1 - kNothing) full |= 1u << i;
+  }
+  return full;
+}
+
+/// Goes through all that the packet's rays hit before what is opaque, from the front backwards: put(lanes,
+/// colours, depths) returns the lanes that need no more. Depth becomes that of the first.
+template <class Put>
+HWY_ATTR void walkLayers(const FrameData& frame, const scene::Layers& layers, Work& work, Put&& put) {
   RejectingFilter filter(frame);
   alignas(64) float passed[kLanes] = {};
   uint32_t ended = 0;
   const auto take = [&](uint32_t lanes, const LitRows& rows, const float* depth) HWY_ATTR {
-    const uint32_t behind = lanesAtEnd(layers, frame, work, lanes, depth, g);
+    const uint32_t behind = lanesBehind(layers, frame, work, lanes, depth);
     ended |= behind;
     lanes &= ~behind;
     for (uint32_t first = lanes; first; first &= first - 1) {
       const int i = std::countr_zero(first);
       if (work.depth[i] == Image::kMiss) work.depth[i] = depth[i];
     }
-    putBehind(lanes, rows, depth, layers.tolerance, g);
+    ended |= put(lanes, rows, depth);
   };
   const bool ask = frame.world->mayCoincide();
   bool asked = false;
@@ -82,9 +92,79 @@ HWY_ATTR inline void shadeLayers(const FrameData& frame, const scene::Layers& la
       traceBehind(frame, lanes, work);
     lanes &= work.hits;
   }
+}
+
+/// All hits of the packet's rays, composited.
+HWY_ATTR inline void compositeLayers(const FrameData& frame, const scene::Layers& layers, Work& work) {
+  Gathered g;
+  for (float& place : g.place) place = -1;
+  walkLayers(frame, layers, work, [&](uint32_t lanes, const LitRows& rows, const float* depth) HWY_ATTR {
+    putBehind(lanes, rows, depth, layers.tolerance, g);
+    return lanesFull(lanes, g);
+  });
   LitRows rows;
   for (int c = 0; c < 4; ++c) std::copy_n(g.now[c], kLanes, rows.value[c]);
   packColors(rows, work.color);
+}
+
+/// Hits of one ray on an edge that two triangles share, of which only one is to count.
+class EdgeHits {
+ public:
+  /// Those of `lanes` whose hit the other triangle has had already.
+  uint32_t again(uint32_t lanes, const accel::RayPacket& packet) {
+    constexpr float kAtEdge = 1e-5f, kSamePlace = 0x1p-20f;
+    uint32_t found = 0;
+    for (; lanes; lanes &= lanes - 1) {
+      const int i = std::countr_zero(lanes);
+      const float u = packet.u[i], v = packet.v[i], distance = packet.tFar[i];
+      if (std::min({u, v, 1 - u - v}) > kAtEdge) continue;
+      const auto isOther = [&](const Hit& hit) {
+        return hit.instance == packet.instance[i] && hit.primitive != packet.primitive[i] &&
+               std::abs(hit.distance - distance) <= kSamePlace * distance;
+      };
+      std::vector<Hit>& hits = hits_[i];
+      const auto other = std::find_if(hits.begin(), hits.end(), isOther);
+      if (other == hits.end()) {
+        hits.push_back({packet.instance[i], packet.primitive[i], distance});
+        continue;
+      }
+      hits.erase(other);
+      found |= 1u << i;
+    }
+    return found;
+  }
+
+ private:
+  struct Hit {
+    uint32_t instance, primitive;
+    float distance;
+  };
+  std::vector<Hit> hits_[kLanes];
+};
+
+/// All hits of the packet's rays, added up.
+HWY_ATTR inline void sumLayers(const FrameData& frame, const scene::Layers& layers, Work& work) {
+  EdgeHits edges;
+  walkLayers(frame, layers, work, [&](uint32_t lanes, const LitRows& rows, const float*) HWY_ATTR {
+    lanes &= ~edges.again(lanes, work.packet);
+    for (int i = 0; i < kLanes; i += lanesOfVector()) {
+      const Float opacity = hn::IfThenElseZero(lanesAt(lanes, i), load(rows.value[3] + i));
+      for (int c = 0; c < 3; ++c) {
+        const Float color = hn::IfThenElseZero(lanesAt(lanes, i), load(rows.value[c] + i));
+        store(hn::MulAdd(color, opacity, load(work.wide[c] + i)), work.wide[c] + i);
+      }
+      store(hn::Add(load(work.wide[3] + i), opacity), work.wide[3] + i);
+      store(hn::NegMulAdd(load(work.through + i), opacity, load(work.through + i)), work.through + i);
+    }
+    return 0u;
+  });
+}
+
+HWY_ATTR inline void shadeLayers(const FrameData& frame, const scene::Layers& layers, Work& work) {
+  if (layers.of == scene::Layers::Of::sums)
+    sumLayers(frame, layers, work);
+  else
+    compositeLayers(frame, layers, work);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -113,6 +113,71 @@ TEST(Layers, InOneMeshToo) {
   expectColor(s, under(under(vec4(0), kRed), kRed));
 }
 
+// --- Sums --------------------------------------------------------------------------------------------------
+
+scene::Snapshot summed(const std::vector<Sheet>& all, float opaqueDepth = -1) {
+  auto s = sheets(all, opaqueDepth);
+  auto layers = std::make_shared<scene::Layers>(*s.layers);
+  layers->of = scene::Layers::Of::sums;
+  s.layers = layers;
+  return s;
+}
+
+void expectSums(const scene::Snapshot& s, const std::vector<Sheet>& counted) {
+  vec4 sums(0);
+  float through = 1;
+  for (const Sheet& sheet : counted) {
+    sums += sheet.color.a * vec4(glm::vec3(sheet.color), 1);
+    through *= 1 - sheet.color.a;
+  }
+  const Image image = test::trace(s).image;
+  ASSERT_EQ(image.content, Image::Content::sums);
+  for (size_t pixel = 0; pixel < 16 * 16; ++pixel) {
+    for (int c = 0; c < 4; ++c)
+      ASSERT_NEAR(image.wide[4 * pixel + static_cast<size_t>(c)], sums[c], 1e-5f) << pixel;
+    ASSERT_NEAR(image.through[pixel], through, 1e-5f) << pixel;
+  }
+}
+
+TEST(LayerSums, AreOfAllWhateverTheirOrder) {
+  std::vector<Sheet> all{{0.8f, kRed}, {0.1f, kGreen}, {-0.7f, kBlue}};
+  do expectSums(summed(all), all);
+  while (std::next_permutation(all.begin(), all.end(), [](auto& a, auto& b) { return a.z < b.z; }));
+}
+
+TEST(LayerSums, OfOnePlaceAllCount) {
+  const std::vector<Sheet> all{{0, kRed}, {0, kRed}, {0, kBlue}};
+  expectSums(summed(all), all);
+}
+
+TEST(LayerSums, GoOnBehindWhatHidesAll) {
+  const std::vector<Sheet> all{{0.5f, {0.2f, 0.4f, 0.6f, 1}}, {0, kRed}};
+  expectSums(summed(all), all);
+}
+
+TEST(LayerSums, EndAtWhatIsOpaque) {
+  const std::vector<Sheet> all{{0.8f, kRed}, {0.1f, kGreen}, {-0.7f, kBlue}};
+  expectSums(summed(all, 0.5f), {all[0], all[1]});
+  expectSums(summed(all, 0.05f), {});
+}
+
+TEST(LayerSums, OfNothingLetAllThrough) {
+  const Image image = test::trace(summed({})).image;
+  EXPECT_EQ(image.wide, std::vector<float>(size_t{4} * 16 * 16, 0.0f));
+  EXPECT_EQ(image.through, std::vector<float>(16 * 16, 1.0f));
+}
+
+TEST(WideColors, AreThoseOfTheNearest) {
+  auto s = sheets({{0.8f, {0.25f, 0.5f, 0.75f, 1}}, {0, kRed}});
+  s.layers.reset();
+  s.wideColors = true;
+  const Image image = test::trace(s).image;
+  ASSERT_EQ(image.content, Image::Content::wide);
+  for (size_t pixel = 0; pixel < 16 * 16; ++pixel)
+    for (size_t c = 0; c < 4; ++c)
+      ASSERT_FLOAT_EQ(image.wide[4 * pixel + c], static_cast<float>(c + 1) / 4) << pixel;
+}
+
 TEST(Layers, NeedTheirOpaqueDepths) {
   auto s = sheets({{0, kRed}});
   s.layers = std::make_shared<scene::Layers>();

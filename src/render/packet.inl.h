@@ -13,12 +13,25 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
+// The same of images of floats. `first`: the place of lane 0.
+HWY_ATTR inline void storeWide(const Work& work, const Tile& tile, size_t first, Image& image) {
+  for (int i = 0; i < kLanes; ++i) {
+    if (work.imageX + laneX(i) >= tile.x1 || work.imageY + laneY(i) >= tile.y1) continue;
+    const size_t at = first + static_cast<size_t>(laneY(i)) * static_cast<size_t>(image.width) +
+                      static_cast<size_t>(laneX(i));
+    image.depth[at] = work.depth[i];
+    for (size_t c = 0; c < 4; ++c) image.wide[4 * at + c] = work.wide[c][i];
+    if (!image.through.empty()) image.through[at] = work.through[i];
+  }
+}
+
 HWY_ATTR inline void storePixels(const Work& work, const Tile& tile, Image& image) {
   const auto width = static_cast<size_t>(image.width);
   const size_t plane = width * static_cast<size_t>(image.height) * static_cast<size_t>(work.sample);
   const size_t first = plane + static_cast<size_t>(work.imageY) * width + static_cast<size_t>(work.imageX);
-  uint32_t* color = image.color.data() + first;
   float* depth = image.depth.data() + first;
+  if (image.content != Image::Content::color) return storeWide(work, tile, first, image);
+  uint32_t* color = image.color.data() + first;
   if (work.imageX + 4 <= tile.x1 && work.imageY + 4 <= tile.y1) {
     for (int i = 0; i < kLanes; i += 2) {
       const size_t at = static_cast<size_t>(laneY(i)) * width + static_cast<size_t>(laneX(i));
@@ -40,6 +53,8 @@ HWY_ATTR inline void finishWork(const FrameData& frame, const Tile& tile, Work& 
   for (int i = 0; i < kLanes; ++i) {
     work.color[i] = 0;
     work.depth[i] = Image::kMiss;
+    work.through[i] = 1;
+    for (Row& row : work.wide) row[i] = 0;
   }
   work.edged = 0;
   if (frame.widestEdge > 0) {

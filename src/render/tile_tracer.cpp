@@ -14,6 +14,11 @@ namespace {
 constexpr int kTileSize = 32;        // pixels, a multiple of 4
 constexpr int kLargestSide = 65536;  // pixels; beyond what any framebuffer has
 
+Image::Content contentOf(const scene::Snapshot& snapshot) {
+  if (snapshot.layers && snapshot.layers->of == scene::Layers::Of::sums) return Image::Content::sums;
+  return snapshot.wideColors ? Image::Content::wide : Image::Content::color;
+}
+
 void shapeImage(const scene::Snapshot& snapshot, Image& image) {
   const scene::Region& region = snapshot.region;
   if (region.width <= 0 || region.height <= 0) throw std::runtime_error("the region to trace is empty");
@@ -26,12 +31,14 @@ void shapeImage(const scene::Snapshot& snapshot, Image& image) {
   }
   image.x = region.x;
   image.y = region.y;
-  image.resize(region.width, region.height, std::max(snapshot.samples, 1));
+  image.resize(region.width, region.height, std::max(snapshot.samples, 1), contentOf(snapshot));
 }
 
 void fillWithMisses(Image& image) {
   std::fill(image.color.begin(), image.color.end(), 0u);
   std::fill(image.depth.begin(), image.depth.end(), Image::kMiss);
+  std::fill(image.wide.begin(), image.wide.end(), 0.0f);
+  std::fill(image.through.begin(), image.through.end(), 1.0f);
 }
 
 }  // namespace

@@ -79,15 +79,22 @@ struct Instance {
       clipPlanes;  // eye space; a point p is kept where dot(plane, p) >= 0 for every plane
 };
 
-/// Surfaces that are seen through: all along a ray count, from the front backwards. A pixel becomes the sum
-/// of their colours, each times its opacity and what those before it let through; its alpha is the opacity of
-/// all.
+/// Surfaces that are seen through: all along a ray count.
 struct Layers {
+  enum class Of : uint8_t {
+    /// From the front backwards: a pixel becomes the sum of their colours, each times its opacity and what
+    /// those before it let through; its alpha is the opacity of all.
+    order,
+    /// Whatever their order: sums of what each is, for the program to make a colour of
+    /// (Image::Content::sums).
+    sums,
+  };
+  Of of = Of::order;
   /// Window depth of what is opaque, one a pixel of the region, lowest row first: what lies behind it does
   /// not count. Negative: there is nothing opaque.
   std::vector<float> opaqueDepth;
-  /// Surfaces whose depths differ by no more are at one place: of what each would make of the pixel, every
-  /// channel keeps the largest.
+  /// In order, surfaces whose depths differ by no more are at one place: of what each would make of the
+  /// pixel, every channel keeps the largest.
   float tolerance = 1e-7f;
 };
 
@@ -101,6 +108,7 @@ struct Snapshot {
   std::vector<glm::vec2> samplePositions;  // in [0,1)^2 from the pixel's lower left corner, `samples` of them
   PolygonOffset polygonOffset;
   std::shared_ptr<const Layers> layers;  // null: the nearest surface alone is seen. One sample a pixel
+  bool wideColors = false;               // the framebuffer's colours are floats, and not cut off at 0 and 1
   bool laterWins = false;  // GL_LEQUAL: of surfaces at one place the last drawn is seen; otherwise the first
   std::vector<Shading> shadings;
   std::vector<Instance> instances;

@@ -109,7 +109,7 @@ MORE = {
     "billard": wide(lambda folder: ["/usr/games/billard-gl"], "GLUT; title, drawn without depth test", 0.0, frame=30),
     "glxheads": wide(lambda folder: ["glxheads"], "Xlib alone; one flat triangle, no depth test", 0.0, frame=20, colors=2),
     "f3d": wide(lambda folder: ["f3d", "--dry-run", "--resolution=600,600", str(models.write_ply(folder / "knot.ply", **SMALL))],
-                "VTK 9; physically based, no toolkit", 0.0, rest=3.0),
+                "VTK 9; physically based, no toolkit", 0.99, rest=3.0, environment={"GLURAY_ENGINE": "always"}),
     "avogadro": wide(lambda folder: ["avogadro2", str(models.write_xyz(folder / "ball.xyz"))], "Qt 5; shaders of its own", 0.0, rest=4.0),
     "openuniverse": wide(lambda folder: ["openuniverse"], "GLUT; drawn without depth test", 0.0, frame=30),
 }

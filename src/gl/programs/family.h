@@ -103,12 +103,14 @@ struct Family {
   /// Passes that we can do ourselves, and where they find input and settings. fxaa: full-screen
   /// anti-aliasing. peelDepths and peel: surfaces that are seen through, drawn once to find the nearest and
   /// farthest of them, and then, peel by peel, to composite them (dual depth peeling): all is traced in the
-  /// first peel.
-  enum class Pass { none, fxaa, peelDepths, peel };
+  /// first peel. sum: the same without order, colours times opacity and opacities being added up (weighted
+  /// blending).
+  enum class Pass { none, fxaa, peelDepths, peel, sum };
   Pass pass = Pass::none;
   std::string passInput;   // sampler: fxaa, the picture; peelDepths, green, the depth of what is opaque, or
                            // -1; peel, what peelDepths has found
-  std::string passOutput;  // of the fragment shader: depths found; colour times opacity, and opacity
+  std::string passOutput;  // of the fragment shader: depths found; colour times opacity, and opacity;
+                           // sum, opacity in its red, the colour being the other output
   FamilyValue relativeContrast, hardContrast, subpixelBlendLimit, subpixelContrast, endpointSearchIterations;
 
   // Painted edges of triangles, by a geometry shader: flags a triangle, width in pixels, colour.

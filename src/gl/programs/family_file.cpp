@@ -267,7 +267,8 @@ class FamilyReader {
     choice("does",
            {{"fxaa", Family::Pass::fxaa},
             {"peel_depths", Family::Pass::peelDepths},
-            {"peel", Family::Pass::peel}},
+            {"peel", Family::Pass::peel},
+            {"sum", Family::Pass::sum}},
            family_.pass);
     name("input", family_.passInput);
     text("output", family_.passOutput);

@@ -60,9 +60,9 @@ void needSource(const RealGl& real, const Program& p, const Family& f, std::vect
   if (f.sourceHas.empty() && f.sourceLacks.empty()) return;
   const std::string source = sourceOf(real, p.name);
   for (const std::string& text : f.sourceHas)
-    if (source.find(text) == std::string::npos) out.push_back(about("its source lacks ", text));
+    if (source.find(text) == std::string::npos) out.push_back(about("lacks in its source ", text));
   for (const std::string& text : f.sourceLacks)
-    if (source.find(text) != std::string::npos) out.push_back(about("its source has ", text));
+    if (source.find(text) != std::string::npos) out.push_back(about("has in its source ", text));
 }
 
 void refuseActive(const RealGl& real, const Program& p, const Family& f, std::vector<std::string>& out) {

@@ -41,6 +41,7 @@ Features readFeatures(const gl::RealGl& real) {
   f.maxTextureSize = integer(real, GL_MAX_TEXTURE_SIZE);
   f.maxClipDistances = integer(real, GL_MAX_CLIP_PLANES);
   f.indexedDrawBuffers = has(30, "GL_EXT_draw_buffers2");
+  f.indexedBlending = has(40, "GL_ARB_draw_buffers_blend");
   f.indexedViewports = has(41, "GL_ARB_viewport_array");
   f.samplerObjects = has(33, "GL_ARB_sampler_objects");
   f.multisample = has(13, "GL_ARB_multisample");

@@ -14,6 +14,7 @@ struct Features {
   int maxTextureSize = 0;  // texels
   int textureUnit = 0;     // the first of two units that we use: high, so that programs rarely use them too
   bool indexedDrawBuffers = false;  // blend enable and colour mask per draw buffer
+  bool indexedBlending = false;     // blend functions and equations, too
   bool indexedViewports = false;    // viewport, scissor and depth range per viewport
   bool samplerObjects = false;
   bool multisample = false;  // GL 1.3 coverage state

@@ -192,6 +192,10 @@ void replayProgramDraws(const RealGl& real, const Features& features, const scen
   if (draws.empty()) return;
   StateGuard guard(real, features);
   guard.drawInto(snapshot, depthFunc);
+  if (snapshot.layers && snapshot.layers->of == scene::Layers::Of::sums) {
+    guard.addUp();
+    guard.depthWrites(false);
+  }
   guard.capability(GL_POLYGON_OFFSET_FILL, false);
   replayProgramDraws(real, features, draws);
 }

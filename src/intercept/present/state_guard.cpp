@@ -54,97 +54,6 @@ void StateGuard::capability(GLenum name, GLuint index, bool on) {
   }
 }
 
-void StateGuard::openFragmentPath() {
-  if (features_.rasterizerDiscard) capability(GL_RASTERIZER_DISCARD, false);
-  for (int i = 0; i < features_.maxClipDistances; ++i)
-    capability(GL_CLIP_PLANE0 + static_cast<GLenum>(i), false);
-  capability(GL_CULL_FACE, false);
-  capability(GL_POLYGON_SMOOTH, false);
-  capability(GL_STENCIL_TEST, false);
-  capability(GL_COLOR_LOGIC_OP, false);
-  if (features_.depthBounds) capability(GL_DEPTH_BOUNDS_TEST_EXT, false);
-  if (features_.compatibility) {
-    capability(GL_ALPHA_TEST, false);
-    capability(GL_POLYGON_STIPPLE, false);
-  }
-  if (features_.indexedDrawBuffers) {
-    for (int i = 0; i < features_.maxDrawBuffers; ++i) capability(GL_BLEND, static_cast<GLuint>(i), false);
-  } else {
-    capability(GL_BLEND, false);
-  }
-  GLint mode[2] = {GL_FILL, GL_FILL};
-  real_.GetIntegerv(GL_POLYGON_MODE, mode);
-  if (mode[0] != GL_FILL || (features_.compatibility && mode[1] != GL_FILL)) {
-    if (features_.compatibility) {
-      keep({[](const RealGl& r, const Undo& u) {
-              r.PolygonMode(GL_FRONT, static_cast<GLenum>(u.i[0]));
-              r.PolygonMode(GL_BACK, static_cast<GLenum>(u.i[1]));
-            },
-            0,
-            0,
-            {mode[0], mode[1]}});
-    } else {
-      keep({[](const RealGl& r, const Undo& u) {
-              r.PolygonMode(GL_FRONT_AND_BACK, static_cast<GLenum>(u.i[0]));
-            },
-            0,
-            0,
-            {mode[0]}});
-    }
-    real_.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-  }
-  colorMasks();
-  coverage();
-}
-
-void StateGuard::colorMasks() {
-  if (!features_.indexedDrawBuffers) {
-    GLboolean m[4] = {GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE};
-    real_.GetBooleanv(GL_COLOR_WRITEMASK, m);
-    if (m[0] && m[1] && m[2] && m[3]) return;
-    keep({[](const RealGl& r, const Undo& u) {
-            r.ColorMask(u.i[0] != 0, u.i[1] != 0, u.i[2] != 0, u.i[3] != 0);
-          },
-          0,
-          0,
-          {m[0], m[1], m[2], m[3]}});
-    real_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    return;
-  }
-  for (GLuint i = 0; i < static_cast<GLuint>(features_.maxDrawBuffers); ++i) {
-    GLboolean m[4] = {GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE};
-    real_.GetBooleani_v(GL_COLOR_WRITEMASK, i, m);
-    if (m[0] && m[1] && m[2] && m[3]) continue;
-    keep({[](const RealGl& r, const Undo& u) {
-            r.ColorMaski(u.index, u.i[0] != 0, u.i[1] != 0, u.i[2] != 0, u.i[3] != 0);
-          },
-          0,
-          i,
-          {m[0], m[1], m[2], m[3]}});
-    real_.ColorMaski(i, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  }
-}
-
-void StateGuard::coverage() {
-  if (!features_.multisample) return;
-  capability(GL_SAMPLE_ALPHA_TO_COVERAGE, false);
-  capability(GL_SAMPLE_ALPHA_TO_ONE, false);
-  capability(GL_SAMPLE_COVERAGE, false);
-  if (features_.sampleMask) capability(GL_SAMPLE_MASK, false);
-}
-
-void StateGuard::onlySample(int sample) {
-  GLint mask = -1;
-  real_.GetIntegeri_v(GL_SAMPLE_MASK_VALUE, 0, &mask);
-  keep({[](const RealGl& r, const Undo& u) { r.SampleMaski(0, static_cast<GLbitfield>(u.i[0])); },
-        0,
-        0,
-        {mask}});
-  capability(GL_MULTISAMPLE, true);
-  capability(GL_SAMPLE_MASK, true);
-  real_.SampleMaski(0, 1u << sample);
-}
-
 void StateGuard::drawInto(const scene::Snapshot& snapshot, GLenum func) {
   openFragmentPath();
   depthTest(func);
@@ -163,12 +72,14 @@ void StateGuard::depthTest(GLenum func) {
     keep({[](const RealGl& r, const Undo& u) { r.DepthFunc(static_cast<GLenum>(u.i[0])); }, 0, 0, {was}});
     real_.DepthFunc(func);
   }
-  GLboolean mask = GL_TRUE;
-  real_.GetBooleanv(GL_DEPTH_WRITEMASK, &mask);
-  if (!mask) {
-    keep({[](const RealGl& r, const Undo&) { r.DepthMask(GL_FALSE); }});
-    real_.DepthMask(GL_TRUE);
-  }
+  depthWrites(true);
+}
+
+void StateGuard::depthWrites(bool on) {
+  const bool was = integer(GL_DEPTH_WRITEMASK) != 0;
+  if (was == on) return;
+  keep({[](const RealGl& r, const Undo& u) { r.DepthMask(u.i[0] != 0); }, 0, 0, {was}});
+  real_.DepthMask(on);
 }
 
 void StateGuard::depthRange(double zNear, double zFar) {

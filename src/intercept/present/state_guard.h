@@ -38,6 +38,9 @@ class StateGuard {
   /// `func`.
   void drawInto(const scene::Snapshot& snapshot, GLenum func);
   void depthTest(GLenum func);  // test on, writes on
+  /// Colours are blended with what is there as gl::addsUp has it. After openFragmentPath().
+  void addUp();
+  void depthWrites(bool on);
   void depthRange(double zNear, double zFar);
   void viewport(int x, int y, int width, int height);
   void scissor(int x, int y, int width, int height);
@@ -70,6 +73,9 @@ class StateGuard {
   void pixelTransfer(GLenum name, GLfloat value);
   void plainTransfer();
   void unbindBuffer(GLenum target, GLenum binding);
+  GLint ofDrawBuffer(GLenum name, GLuint buffer) const;
+  void blendEquation(GLuint buffer);
+  void blendFactors(GLuint buffer);
   void colorMasks();
   void coverage();
   void keep(const Undo& undo) { log_.push_back(undo); }

@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "base/log.h"
+#include "gl/state_queries.h"
 #include "gl/texture_image.h"
 #include "intercept/present/layers.h"
 #include "intercept/present/raster_fallback.h"
@@ -12,10 +13,26 @@ namespace gluray::present {
 
 using gl::PresentResult;
 
+WriteBack& TracingPresenter::writeBack(const gl::RealGl& real, Image::Content content) {
+  std::unique_ptr<WriteBack>& one = writeBacks_.at(static_cast<size_t>(content));
+  if (!one) one = std::make_unique<WriteBack>(real, content);
+  return *one;
+}
+
+gl::SharedNames TracingPresenter::takeNames() {
+  gl::SharedNames all;
+  for (const std::unique_ptr<WriteBack>& one : writeBacks_) {
+    if (!one) continue;
+    const gl::SharedNames names = one->takeNames();
+    all.textures.insert(all.textures.end(), names.textures.begin(), names.textures.end());
+    all.programs.insert(all.programs.end(), names.programs.begin(), names.programs.end());
+  }
+  return all;
+}
+
 bool TracingPresenter::supports(const gl::RealGl& real, bool, std::string& why) noexcept {
   try {
-    if (!writeBack_) writeBack_ = std::make_unique<WriteBack>(real);
-    return writeBack_->ready(why);
+    return writeBack(real, Image::Content::color).ready(why);
   } catch (const std::exception& e) {
     why = e.what();
     return false;
@@ -83,6 +100,22 @@ bool TracingPresenter::readDepths(const gl::RealGl& real, GLint unit, glm::ivec2
   } catch (const std::exception&) { return false; }
 }
 
+bool TracingPresenter::readDepth(const gl::RealGl& real, const scene::Region& region,
+                                 std::vector<float>& out) noexcept {
+  try {
+    const Features& has = features(real);
+    if (!has.readFramebuffers) return false;
+    StateGuard guard(real, has);
+    guard.plainPack();
+    guard.readFrom(static_cast<GLuint>(gl::integer(real, GL_DRAW_FRAMEBUFFER_BINDING)),
+                   static_cast<GLenum>(gl::integer(real, GL_DRAW_BUFFER0)));
+    out.resize(static_cast<size_t>(region.width) * static_cast<size_t>(region.height));
+    real.ReadPixels(region.x, region.y, region.width, region.height, GL_DEPTH_COMPONENT, GL_FLOAT,
+                    out.data());
+    return takeErrors(real).empty();
+  } catch (const std::exception&) { return false; }
+}
+
 PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const scene::Snapshot& snapshot,
                                                    const gl::PresentTarget& target) {
   PresentResult result;
@@ -100,7 +133,7 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
       !target.rasterise && supports(real, target.core, why) && trace_(snapshot, image_, cost, why);
   takeCost(cost, result);
   const double start = nowSeconds();
-  if (traced && written(target, pending, why)) {
+  if (traced && written(real, target, pending, why)) {
     result.outcome = PresentResult::traced;
   } else {
     result.why = why.empty() ? "the picture could not be written back" : std::move(why);
@@ -120,10 +153,10 @@ const Features& TracingPresenter::features(const gl::RealGl& real) {
   return *features_;
 }
 
-bool TracingPresenter::written(const gl::PresentTarget& target, PendingErrors& pending,
-                               std::string& why) noexcept {
+bool TracingPresenter::written(const gl::RealGl& real, const gl::PresentTarget& target,
+                               PendingErrors& pending, std::string& why) noexcept {
   try {
-    return writeBack_->write(image_, {target.depthFunc}, pending);
+    return writeBack(real, image_.content).write(image_, {target.depthFunc}, pending);
   } catch (const std::exception& e) {  // before anything is drawn: the guard puts the state back
     why = e.what();
     return false;
@@ -153,7 +186,7 @@ bool TracingPresenter::antialias(const gl::RealGl& real, const scene::Fxaa& fxaa
 void TracingPresenter::forget(const gl::RealGl&) noexcept {
   // Names live in the share group; other contexts of the group may still be there, this one may not be
   // current.
-  writeBack_.reset();
+  for (std::unique_ptr<WriteBack>& one : writeBacks_) one.reset();
   features_.reset();
 }
 

@@ -4,7 +4,9 @@
 #include "gl/presenter.h"
 #include "intercept/present/write_back.h"
 
+#include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 
 namespace gluray::present {
@@ -41,7 +43,9 @@ class TracingPresenter final : public gl::Presenter {
   bool supports(const gl::RealGl& real, bool core, std::string& why) noexcept override;
   bool antialias(const gl::RealGl& real, const scene::Fxaa& fxaa, GLint unit, GLuint target, glm::ivec2 size,
                  const Settings& settings) noexcept override;
-  gl::SharedNames takeNames() override { return writeBack_ ? writeBack_->takeNames() : gl::SharedNames{}; }
+  bool readDepth(const gl::RealGl& real, const scene::Region& region,
+                 std::vector<float>& out) noexcept override;
+  gl::SharedNames takeNames() override;
   void forget(const gl::RealGl& real) noexcept override;
 
  private:
@@ -50,13 +54,15 @@ class TracingPresenter final : public gl::Presenter {
   gl::PresentResult tracedOrRasterised(const gl::RealGl& real, const scene::Snapshot* snapshot,
                                        const gl::LayersTarget& target);
   /// Writes image_ into the framebuffer. False, with the reason, where it could not be.
-  bool written(const gl::PresentTarget& target, PendingErrors& pending, std::string& why) noexcept;
+  bool written(const gl::RealGl& real, const gl::PresentTarget& target, PendingErrors& pending,
+               std::string& why) noexcept;
 
   Trace trace_;
   Written onWritten_;
   Antialias antialias_;
   std::vector<uint32_t> before_, after_;  // of anti-aliasing; memory is kept
-  std::unique_ptr<WriteBack> writeBack_;
+  WriteBack& writeBack(const gl::RealGl& real, Image::Content content);
+  std::array<std::unique_ptr<WriteBack>, 3> writeBacks_;  // by what images hold
   const Features& features(const gl::RealGl& real);
   std::optional<Features> features_;  // of the context
   Image image_;                       // memory is kept from flush to flush

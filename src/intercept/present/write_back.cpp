@@ -33,7 +33,7 @@ bool WriteBack::compile(std::string& why) {
 }
 
 bool WriteBack::compile(Program& program, std::string& why) const {
-  program.name = buildWriteBackProgram(real_, features_, why);
+  program.name = buildWriteBackProgram(real_, features_, content_, why);
   if (!program.name) return false;
   StateGuard guard(real_, features_);
   guard.program(program.name);
@@ -93,6 +93,19 @@ struct WriteBack::Sheet {
   std::vector<Band> bands;
 };
 
+namespace {
+
+const void* colorsFrom(const Image& image, size_t pixel) {
+  return image.content == Image::Content::color ? static_cast<const void*>(&image.color[pixel])
+                                                : &image.wide[4 * pixel];
+}
+
+const void* secondFrom(const Image& image, size_t pixel) {
+  return image.content == Image::Content::sums ? &image.through[pixel] : &image.depth[pixel];
+}
+
+}  // namespace
+
 void WriteBack::upload(const Image& image, const Sheet& sheet) const {
   const int unit = features_.textureUnit;
   const auto width = static_cast<size_t>(image.width);
@@ -101,9 +114,10 @@ void WriteBack::upload(const Image& image, const Sheet& sheet) const {
     real_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(color ? unit : unit + 1));
     for (const Band& band : sheet.bands) {
       const size_t first = plane + static_cast<size_t>(band.y) * width + static_cast<size_t>(band.x);
-      const void* pixels = color ? static_cast<const void*>(&image.color[first]) : &image.depth[first];
+      const bool bytes = color && content_ == Image::Content::color;
       real_.TexSubImage2D(GL_TEXTURE_2D, 0, band.x, band.y + sheet.row, band.width, band.height,
-                          color ? GL_RGBA : depthFormat_, color ? GL_UNSIGNED_BYTE : GL_FLOAT, pixels);
+                          color ? GL_RGBA : depthFormat_, bytes ? GL_UNSIGNED_BYTE : GL_FLOAT,
+                          color ? colorsFrom(image, first) : secondFrom(image, first));
     }
   }
 }
@@ -139,10 +153,18 @@ void WriteBack::draw(const Image& image, const Sheet& sheet) const {
   real_.End();
 }
 
+void WriteBack::openFor(StateGuard& guard, const WriteBackTarget& target) const {
+  guard.openFragmentPath();
+  guard.depthRange(0, 1);
+  if (content_ != Image::Content::sums) return guard.depthTest(target.depthFunc);
+  guard.addUp();
+  guard.capability(GL_DEPTH_TEST, false);
+}
+
 bool WriteBack::write(const Image& image, const WriteBackTarget& target, PendingErrors& pending) {
   std::string why;
   pending = takeErrors(real_);
-  if (!ready(why)) return false;
+  if (image.content != content_ || !ready(why)) return false;
   const int width = image.width, height = image.height, limit = features_.maxTextureSize;
   if (width <= 0 || height <= 0 || image.samples <= 0) return true;
   if (width > limit || height > limit) return false;
@@ -163,11 +185,10 @@ bool WriteBack::write(const Image& image, const WriteBackTarget& target, Pending
   const int unit = features_.textureUnit;
   if (!makePlane(guard, unit + 1, depth_, depthInternalFormat_, depthFormat_, GL_FLOAT, width,
                  height * planes) ||
-      !makePlane(guard, unit, color_, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height * planes))
+      !makePlane(guard, unit, color_, content_ == Image::Content::color ? GL_RGBA8 : GL_RGBA32F_ARB, GL_RGBA,
+                 GL_UNSIGNED_BYTE, width, height * planes))
     return false;
-  guard.openFragmentPath();
-  guard.depthTest(target.depthFunc);
-  guard.depthRange(0, 1);
+  openFor(guard, target);
   guard.viewport(image.x, image.y, width, height);
   guard.scissor(image.x, image.y, width, height);
   std::swap(programs_[0], programs_[1]);

@@ -19,7 +19,9 @@ struct WriteBackTarget {
 
 class WriteBack {
  public:
-  explicit WriteBack(const gl::RealGl& real) : real_(real) {}
+  /// Writes images of this content alone.
+  explicit WriteBack(const gl::RealGl& real, Image::Content content = Image::Content::color)
+      : real_(real), content_(content) {}
 
   /// Compiles the program on first use. False, with the reason, where the context cannot do it; the answer
   /// never changes.
@@ -27,9 +29,11 @@ class WriteBack {
 
   /// Writes every hit pixel (sample, where image.samples > 1) that passes the depth test, in one go over the
   /// image's rectangle, to all draw buffers. Misses stay untouched. Depth values are window depths:
-  /// glDepthRange is in them. No state that the program can query differs afterwards; errors that were
-  /// pending are moved to `pending`. False, with nothing drawn or a picture to be drawn again, where the real
-  /// OpenGL refuses.
+  /// glDepthRange is in them. Sums are added to the first two draw buffers instead, whatever the depth there,
+  /// which stays: colours times opacity and what is let through to the first's, opacities to the second's
+  /// red, by blending as gl::addsUp has it. No state that the program can query differs afterwards; errors
+  /// that were pending are moved to `pending`. False, with nothing drawn or a picture to be drawn again,
+  /// where the real OpenGL refuses.
   bool write(const Image& image, const WriteBackTarget& target, PendingErrors& pending);
 
   /// Names of what lives in the share group, which are no longer ours.
@@ -49,9 +53,11 @@ class WriteBack {
   GLuint newTextureName() const;
   struct Sheet;
   void upload(const Image& image, const Sheet& sheet) const;
+  void openFor(StateGuard& guard, const WriteBackTarget& target) const;
   void draw(const Image& image, const Sheet& sheet) const;
 
   const gl::RealGl& real_;
+  Image::Content content_;
   Features features_;
   enum class State { unknown, ready, impossible } state_ = State::unknown;
   std::string why_;

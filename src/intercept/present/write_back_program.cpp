@@ -20,6 +20,17 @@ void main() {
 }
 )";
 
+constexpr const char* kOldSums = R"(#version 110
+uniform sampler2D colorPlane, depthPlane;
+uniform vec4 place;
+void main() {
+  vec2 at = (gl_FragCoord.xy - place.xy) * place.zw;
+  vec4 sums = texture2D(colorPlane, at);
+  gl_FragData[0] = vec4(sums.rgb, 1.0 - texture2D(depthPlane, at).r);
+  gl_FragData[1] = vec4(sums.a);
+}
+)";
+
 // Two triangles a band: x, y of its lower left corner and of its upper right one, in clip space.
 constexpr const char* kCoreVertex = R"(
 uniform vec4 bands[32];
@@ -47,6 +58,18 @@ void main() {
 }
 )";
 
+constexpr const char* kCoreSums = R"(
+uniform sampler2D colorPlane, depthPlane;
+uniform vec4 place;
+out vec4 color[2];
+void main() {
+  vec2 at = (gl_FragCoord.xy - place.xy) * place.zw;
+  vec4 sums = texture(colorPlane, at);
+  color[0] = vec4(sums.rgb, 1.0 - texture(depthPlane, at).r);
+  color[1] = vec4(sums.a);
+}
+)";
+
 std::string firstLine(std::string text) {
   text.resize(std::min(text.find('\0'), text.size()));
   text.resize(std::min(text.find('\n'), text.size()));
@@ -70,12 +93,14 @@ GLuint compileShader(const gl::RealGl& real, GLenum kind, const std::string& sou
 
 }  // namespace
 
-GLuint buildWriteBackProgram(const gl::RealGl& real, const Features& features, std::string& why) {
-  std::string vertex = kOldVertex, fragment = kOldFragment;
+GLuint buildWriteBackProgram(const gl::RealGl& real, const Features& features, Image::Content content,
+                             std::string& why) {
+  const bool sums = content == Image::Content::sums;
+  std::string vertex = kOldVertex, fragment = sums ? kOldSums : kOldFragment;
   if (!features.compatibility) {
     const std::string version = "#version " + std::to_string(std::min(features.glslVersion, 150)) + "\n";
     vertex = version + kCoreVertex;
-    fragment = version + kCoreFragment;
+    fragment = version + (sums ? kCoreSums : kCoreFragment);
   }
   const GLuint vertexShader = compileShader(real, GL_VERTEX_SHADER, vertex, why);
   if (!vertexShader) return 0;

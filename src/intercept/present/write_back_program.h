@@ -1,5 +1,6 @@
 // The GLSL program of the write-back. GL thread, context current.
 #pragma once
+#include "base/image.h"
 #include "intercept/present/features.h"
 
 #include <string>
@@ -10,7 +11,8 @@ namespace gluray::present {
 /// without any vertex attribute in core contexts. Returns the program's name, or 0 with the reason. Uniforms:
 /// colorPlane and depthPlane (samplers), place = (window x, y of texel (0,0); texture coordinates of one
 /// texel), and in core contexts bands[32] = corners (left, lower, right, upper) in clip space, six vertices
-/// each.
-GLuint buildWriteBackProgram(const gl::RealGl& real, const Features& features, std::string& why);
+/// each. For sums, depthPlane is what is let through.
+GLuint buildWriteBackProgram(const gl::RealGl& real, const Features& features, Image::Content content,
+                             std::string& why);
 
 }  // namespace gluray::present

@@ -168,6 +168,16 @@ def spheres_peeled(stage):
     stage.orbit(3)
 
 
+@state("vtk", outside=False, reason="what is seen through has no depth")
+def spheres_summed(stage):
+    """The same without peeling: weighted blending."""
+    stage.show(spheres(stage, 0.15))
+    stage.show(spheres(stage, 0.25)).GetProperty().SetOpacity(0.4)
+    stage.show(shapes.sphere(stage.vtk, 48, 0.45), color=(0.3, 0.5, 0.9)).GetProperty().SetOpacity(0.5)
+    stage.look()
+    stage.orbit(3)
+
+
 @state("vtk")
 def spheres_picked(stage):
     stage.show(spheres(stage, 0.2))

@@ -40,6 +40,32 @@ def order_independent(stage):
 
 
 @state("pvbatch", outside=False)
+def order_independent_scalars(stage):
+    """Colours of points and of cells, and lines and labels among what is added up."""
+    stage.set(DepthPeeling=0)
+    vtk = shapes.vtk_modules()
+    stage.show(stage.data(shapes.grid(vtk)), color_by=("POINTS", "bump"), Opacity=0.5)
+    stage.show(stage.simple.Sphere(Radius=0.4, ThetaResolution=24, PhiResolution=24))
+    stage.show(stage.simple.Sphere(Radius=0.6, ThetaResolution=12, PhiResolution=12), Representation="Wireframe", Opacity=0.6)
+    stage.show(stage.simple.Sphere(Radius=0.5), Opacity=0.3, Interpolation="PBR", Roughness=0.4, Metallic=0.3)
+    stage.look()
+    stage.orbit()
+
+
+@state("pvbatch", outside=False)
+def order_independent_glyphs(stage):
+    stage.set(DepthPeeling=0)
+    simple = stage.simple
+    stage.show(simple.Sphere(ThetaResolution=16, PhiResolution=12), Representation="3D Glyphs", GlyphType="Cone", Opacity=0.5,
+               Scaling=1, ScaleFactor=0.3, Orient=1, SelectOrientationVectors="Normals")
+    for _ in range(2):  # at one place
+        stage.show(simple.Sphere(Radius=0.45, ThetaResolution=24, PhiResolution=24), Opacity=0.3, DiffuseColor=[0.2, 0.9, 0.3])
+    stage.show(simple.Box(XLength=0.4, YLength=0.4, ZLength=0.4))
+    stage.look()
+    stage.orbit()
+
+
+@state("pvbatch", outside=False)
 def opaque_becomes_translucent(stage):
     """The opacity of the same representation between frames."""
     display = stage.show(stage.simple.Sphere(ThetaResolution=24, PhiResolution=24))
