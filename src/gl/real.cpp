@@ -1,8 +1,10 @@
 #include "gl/real.h"
 
+#include <algorithm>
+#include <array>
 #include <cstring>
+#include <numeric>
 #include <string_view>
-#include <unordered_map>
 
 namespace gluray::gl {
 namespace {
@@ -14,23 +16,43 @@ uintptr_t doNothing() { return 0; }
 
 void* missingCommand() { return reinterpret_cast<void*>(&doNothing); }
 
+namespace {
+
+/// Numbers of commands by name. Without memory of its own: without these functions the program would show
+/// nothing.
+class CommandIndex {
+ public:
+  CommandIndex() {
+    std::iota(byName_.begin(), byName_.end(), 0);
+    std::sort(byName_.begin(), byName_.end(), [](int a, int b) { return name(a) < name(b); });
+  }
+  /// -1: there is none of that name.
+  int find(std::string_view wanted) const {
+    const auto it = std::lower_bound(byName_.begin(), byName_.end(), wanted,
+                                     [](int i, std::string_view n) { return name(i) < n; });
+    return it != byName_.end() && name(*it) == wanted ? *it : -1;
+  }
+
+ private:
+  static std::string_view name(int i) { return kCommandNames[i].name; }
+  std::array<int, kCommandCount> byName_;
+};
+
+}  // namespace
+
 void loadRealGl(RealGl& table, Lookup lookup, void* user) {
   void* pointers[kCommandCount];
-  std::unordered_map<std::string_view, int> index;
-  for (int i = 0; i < kCommandCount; ++i) {
-    pointers[i] = lookup(user, kCommandNames[i].name);
-    index.emplace(kCommandNames[i].name, i);
-  }
+  for (int i = 0; i < kCommandCount; ++i) pointers[i] = lookup(user, kCommandNames[i].name);
+  const CommandIndex index;
   for (int i = 0; i < kCommandCount; ++i) {
     if (pointers[i] || !kCommandNames[i].alias) continue;
-    const auto alias = index.find(kCommandNames[i].alias);
-    if (alias != index.end()) pointers[i] = pointers[alias->second];
+    if (const int alias = index.find(kCommandNames[i].alias); alias >= 0) pointers[i] = pointers[alias];
   }
   // Where only the alias exists (an old driver with ARB names), it serves the core name too.
   for (int i = 0; i < kCommandCount; ++i) {
     if (!pointers[i] || !kCommandNames[i].alias) continue;
-    const auto core = index.find(kCommandNames[i].alias);
-    if (core != index.end() && !pointers[core->second]) pointers[core->second] = pointers[i];
+    const int core = index.find(kCommandNames[i].alias);
+    if (core >= 0 && !pointers[core]) pointers[core] = pointers[i];
   }
   for (void*& p : pointers)
     if (!p) p = missingCommand();

@@ -1,0 +1,43 @@
+"""Failures of ours in a real process: failures_test.py GLURAY CLIENT FAILING_NEW (with an X server at hand).
+
+The engine as it is shipped is loaded into a program that has no C++ of its own. One allocation fails, each time another one,
+on the program's thread or within TBB's: the program goes on with the picture it has without us, and says so in one line.
+What works in tests that are linked with us proves nothing here: exceptions also pass through TBB, and through whichever
+C++ runtime that was loaded with."""
+import os
+import subprocess
+import sys
+import unittest
+
+SCENE = ("20000", "3")  # triangles, frames
+NUMBERS = [1, 2, 5, 10, *range(20, 181, 20)]  # some 170 are made in so many frames
+
+
+def run(path, fail_at=None):
+    environment = dict(os.environ, GLURAY_ENGINE="always", GLURAY_SHADING="vertex")
+    command = [CLIENT, path, *SCENE]
+    if fail_at is not None:
+        environment.update(LD_PRELOAD=FAILING_NEW, FAIL_AT=str(fail_at))
+        command = [GLURAY, "--", *command]
+    return subprocess.run(command, capture_output=True, text=True, timeout=100, env=environment)
+
+
+class Failures(unittest.TestCase):
+    def test_any_allocation(self):
+        aside = 0
+        for path in ("list", "vbo"):
+            plain = run(path).stdout.split()
+            for number in NUMBERS:
+                with self.subTest(path=path, number=number):
+                    done = run(path, number)
+                    self.assertEqual(done.returncode, 0, done.stderr)
+                    self.assertAlmostEqual(int(done.stdout.split()[1]) / int(plain[1]), 1, delta=0.002, msg="sum of colours")
+                    lines = done.stderr.splitlines()
+                    self.assertLessEqual(len(lines), 1, done.stderr)
+                    aside += "stepping aside" in done.stderr
+        self.assertGreater(aside, 5)  # some failures cost nothing: what was asked for can be done without
+
+
+if __name__ == "__main__":
+    GLURAY, CLIENT, FAILING_NEW = sys.argv[1:4]
+    unittest.main(argv=sys.argv[:1], verbosity=2)
