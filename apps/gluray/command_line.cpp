@@ -88,6 +88,12 @@ void addOptions(CLI::App& app, CommandLine& line) {
   app.add_option("--renderer", line.renderer,
                  "embree, or null: trace nothing, to price the interception alone [embree]")
       ->check(CLI::IsMember({"embree", "null"}));
+  app.add_option(
+         "--spp", line.spp,
+         "Samples a pixel: with more than one, edges are anti-aliased where the program's framebuffer\nis "
+         "not; 16 are good [1]")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
   app.add_option("--quirk", line.quirks, "Switch a workaround: NAME=on or NAME=off; gluray quirks lists them")
       ->allow_extra_args(false)
       ->check(checkQuirk)

@@ -11,9 +11,10 @@ struct CommandLine {
   Command command = Command::run;
   std::vector<std::string> program;  // name and arguments
   std::string door = "auto";         // auto, vendor, preload
-  std::string config, report, log, logLevel, threads, engine, bvh, shading, renderer;  // empty: not given
-  std::vector<std::string> quirks;                                                     // NAME=on|off
-  std::vector<std::string> programFamilies;                                            // files
+  std::string config, report, log, logLevel, threads, engine, bvh, shading, renderer,
+      spp;                                   // empty: not given
+  std::vector<std::string> quirks;           // NAME=on|off
+  std::vector<std::string> programFamilies;  // files
   bool off = false;
 
   // explain, doctor, quirks

@@ -41,6 +41,7 @@ void passSettings(const CommandLine& line) {
   setIfGiven("GLURAY_BVH", line.bvh);
   setIfGiven("GLURAY_SHADING", line.shading);
   setIfGiven("GLURAY_RENDERER", line.renderer);
+  setIfGiven("GLURAY_SPP", line.spp);
   setIfGiven("GLURAY_REPORT", absolute(line.report));
   setIfGiven("GLURAY_LOG", absolute(line.log));
   setIfGiven("GLURAY_LOG_LEVEL", line.logLevel);

@@ -25,9 +25,14 @@ struct Image {
   Content content = Content::color;
   std::vector<float> wide;     // RGBA, four a pixel, same shape; empty where the content is `color`
   std::vector<float> through;  // product of what the fragments let through, 1 - opacity; of `sums` alone
+  /// Where pixels are averages over samples of their own (settings: spp), misses being 0 in all channels: the
+  /// depth at their centres. `depth` is the same, or where the centre missed that of the nearest sample.
+  /// Empty where every pixel is what its centre hit.
+  std::vector<float> center;
 
   /// Makes room for the given shape, reusing memory. Contents are undefined afterwards.
-  void resize(int newWidth, int newHeight, int newSamples, Content newContent = Content::color) {
+  void resize(int newWidth, int newHeight, int newSamples, Content newContent = Content::color,
+              bool averages = false) {
     width = newWidth, height = newHeight, samples = newSamples, content = newContent;
     const auto count =
         static_cast<size_t>(width) * static_cast<size_t>(height) * static_cast<size_t>(samples);
@@ -35,6 +40,7 @@ struct Image {
     depth.resize(count);
     wide.resize(content == Content::color ? 0 : count * 4);
     through.resize(content == Content::sums ? count : 0);
+    center.resize(averages ? count : 0);
   }
 };
 

@@ -16,9 +16,10 @@ thread_local ThreadState t_thread __attribute__((tls_model("initial-exec")));
 
 namespace {
 
-/// Interception alone is priced with everything held back.
+/// Interception alone is priced with everything held back, and what the real OpenGL does not give is not to
+/// come and go.
 Engine engineOf(const ContextInfo& info) {
-  const bool choice = !info.off && info.settings.renderer != Renderer::null;
+  const bool choice = !info.off && info.settings.renderer != Renderer::null && info.settings.spp == 1;
   return choice || info.settings.engine == Engine::never ? info.settings.engine : Engine::always;
 }
 

@@ -27,6 +27,17 @@ bool clipPlanesShared(const std::vector<scene::Instance>& instances) {
                      [&](const scene::Instance& i) { return i.clipPlanes == instances.front().clipPlanes; });
 }
 
+/// The R2 sequence (M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018): the first
+/// is the centre, and any number of them are spread evenly.
+std::vector<glm::dvec2> positionsInPixel(int count) {
+  constexpr double kPlastic = 1.32471795724474602596;
+  std::vector<glm::dvec2> positions;
+  for (int i = 0; i < std::max(count, 1); ++i)
+    positions.push_back(
+        glm::fract(0.5 + static_cast<double>(i) * glm::dvec2(1 / kPlastic, 1 / (kPlastic * kPlastic))));
+  return positions;
+}
+
 }  // namespace
 
 FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& target)
@@ -59,9 +70,10 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
     surfaces[i] = makeSurface(view, instance, lightings[instance.shading], shared);
   });
 
-  samplePositions.assign(1, glm::dvec2(0.5));
+  averages = !target.center.empty();
+  samplePositions = positionsInPixel(averages ? s.settings.spp : 1);
   if (s.samples > 1) samplePositions.assign(s.samplePositions.begin(), s.samplePositions.end());
-  if (samplePositions.size() != static_cast<size_t>(std::max(s.samples, 1))) {
+  if (!averages && samplePositions.size() != static_cast<size_t>(std::max(s.samples, 1))) {
     throw std::runtime_error("the number of sample positions is not the number of samples");
   }
 }

@@ -6,6 +6,7 @@
 #include "render/surface.h"
 
 #include <array>
+#include <atomic>
 #include <vector>
 
 namespace gluray::render {
@@ -28,15 +29,20 @@ struct FrameData {
   std::vector<Surface> surfaces;            // one for each of Snapshot::instances
   std::vector<glm::dvec2> samplePositions;  // within the pixel, one a sample
   bool perVertex = false;
-  float widestEdge = 0;  // of painted edges, pixels; 0: there are none
+  bool averages = false;                         // a pixel is the average of all samples (Image::center)
+  mutable std::atomic<bool> seenThrough{false};  // averages: some hit has an alpha that is not 1
+  float widestEdge = 0;                          // of painted edges, pixels; 0: there are none
   Image* image = nullptr;
 
   /// Prepares `snapshot`, whose instances `world` holds, to be traced into `image`, already of the right
-  /// shape. All three must outlive it. Throws std::runtime_error where a matrix cannot be inverted.
+  /// shape: where that holds averages, settings.spp samples a pixel are taken. All three must outlive it.
+  /// Throws std::runtime_error where a matrix cannot be inverted.
   FrameData(const scene::Snapshot& snapshot, const accel::World& world, Image& image);
 };
 
-/// A rectangle of the image, in pixels from its lower left corner.
+constexpr int kTileSize = 32;  // pixels, a multiple of 4
+
+/// A rectangle of the image, at most kTileSize wide and high, in pixels from its lower left corner.
 struct Tile {
   int x0, y0, x1, y1;  // exclusive ends
 };

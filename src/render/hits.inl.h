@@ -210,10 +210,13 @@ HWY_ATTR inline const accel::FigureQuery* aimRays(const FrameData& frame, Work& 
   generateRays(frame.rays, work.x, work.y, work.packet, work.valid);
   if (!frame.world->hasFigures()) return nullptr;
   alignas(64) float x[kLanes], y[kLanes];
-  for (int i = 0; i < kLanes; ++i) x[i] = std::floor(work.x[i]) + 0.5f, y[i] = std::floor(work.y[i]) + 0.5f;
+  for (int i = 0; i < kLanes; ++i) {
+    x[i] = frame.averages ? work.x[i] : std::floor(work.x[i]) + 0.5f;
+    y[i] = frame.averages ? work.y[i] : std::floor(work.y[i]) + 0.5f;
+  }
   aimInEye(frame, x, y, work.centers);
   work.figures = {&work.centers, &work.centers};
-  if (frame.samplePositions.size() > 1) {
+  if (frame.samplePositions.size() > 1 && !frame.averages) {
     aimInEye(frame, work.x, work.y, work.samples);
     work.figures.samples = &work.samples;
   }

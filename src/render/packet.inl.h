@@ -7,49 +7,55 @@
 #define GLURAY_RENDER_PACKET_INL_H_
 #endif
 
-#include "render/layers.inl.h"
+#include "render/averages.inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-// The same of images of floats. `first`: the place of lane 0.
-HWY_ATTR inline void storeWide(const Work& work, const Tile& tile, size_t first, Image& image) {
+/// Calls store(place in the image, lane) for the packet's pixels within the tile.
+template <class Store>
+HWY_INLINE void eachPixel(const Work& work, const Tile& tile, const Image& image, Store&& store) {
   for (int i = 0; i < kLanes; ++i) {
-    if (work.imageX + laneX(i) >= tile.x1 || work.imageY + laneY(i) >= tile.y1) continue;
-    const size_t at = first + static_cast<size_t>(laneY(i)) * static_cast<size_t>(image.width) +
-                      static_cast<size_t>(laneX(i));
-    image.depth[at] = work.depth[i];
-    for (size_t c = 0; c < 4; ++c) image.wide[4 * at + c] = work.wide[c][i];
-    if (!image.through.empty()) image.through[at] = work.through[i];
+    const int x = work.imageX + laneX(i), y = work.imageY + laneY(i);
+    if (x >= tile.x1 || y >= tile.y1) continue;
+    const size_t row =
+        static_cast<size_t>(work.sample) * static_cast<size_t>(image.height) + static_cast<size_t>(y);
+    store(row * static_cast<size_t>(image.width) + static_cast<size_t>(x), i);
   }
 }
 
+HWY_ATTR inline void storeWide(const Work& work, const Tile& tile, Image& image) {
+  eachPixel(work, tile, image, [&](size_t at, int i) HWY_ATTR {
+    image.depth[at] = work.depth[i];
+    for (size_t c = 0; c < 4; ++c) image.wide[4 * at + c] = work.wide[c][i];
+    if (!image.through.empty()) image.through[at] = work.through[i];
+  });
+}
+
 HWY_ATTR inline void storePixels(const Work& work, const Tile& tile, Image& image) {
+  if (image.content != Image::Content::color) return storeWide(work, tile, image);
+  if (work.imageX + 4 > tile.x1 || work.imageY + 4 > tile.y1) {
+    eachPixel(work, tile, image, [&](size_t at, int i) HWY_ATTR {
+      image.color[at] = work.color[i];
+      image.depth[at] = work.depth[i];
+    });
+    return;
+  }
   const auto width = static_cast<size_t>(image.width);
   const size_t plane = width * static_cast<size_t>(image.height) * static_cast<size_t>(work.sample);
   const size_t first = plane + static_cast<size_t>(work.imageY) * width + static_cast<size_t>(work.imageX);
-  float* depth = image.depth.data() + first;
-  if (image.content != Image::Content::color) return storeWide(work, tile, first, image);
   uint32_t* color = image.color.data() + first;
-  if (work.imageX + 4 <= tile.x1 && work.imageY + 4 <= tile.y1) {
-    for (int i = 0; i < kLanes; i += 2) {
-      const size_t at = static_cast<size_t>(laneY(i)) * width + static_cast<size_t>(laneX(i));
-      std::memcpy(color + at, work.color + i, 8);
-      std::memcpy(depth + at, work.depth + i, 8);
-    }
-    return;
-  }
-  for (int i = 0; i < kLanes; ++i) {
-    if (work.imageX + laneX(i) >= tile.x1 || work.imageY + laneY(i) >= tile.y1) continue;
+  float* depth = image.depth.data() + first;
+  for (int i = 0; i < kLanes; i += 2) {
     const size_t at = static_cast<size_t>(laneY(i)) * width + static_cast<size_t>(laneX(i));
-    color[at] = work.color[i];
-    depth[at] = work.depth[i];
+    std::memcpy(color + at, work.color + i, 8);
+    std::memcpy(depth + at, work.depth + i, 8);
   }
 }
 
 // Last stage: colour and depth into the image.
-HWY_ATTR inline void finishWork(const FrameData& frame, const Tile& tile, Work& work) {
+HWY_ATTR inline void finishWork(const FrameData& frame, const Tile& tile, Work& work, Averages* averages) {
   for (int i = 0; i < kLanes; ++i) {
     work.color[i] = 0;
     work.depth[i] = Image::kMiss;
@@ -66,7 +72,10 @@ HWY_ATTR inline void finishWork(const FrameData& frame, const Tile& tile, Work& 
     shadeLayers(frame, *frame.snapshot->layers, work);
   else if (work.hits)
     shadeNearest(frame, work);
-  storePixels(work, tile, *frame.image);
+  if (averages)
+    averages->add(frame, tile, work);
+  else
+    storePixels(work, tile, *frame.image);
 }
 
 // The packet of the 4x4 pixels from image pixel (x, y) on.
@@ -91,7 +100,7 @@ HWY_ATTR inline void aim(const FrameData& frame, const Tile& tile, int x, int y,
 
 /// Three packets are under way at a time, a stage apart, so that the memory each stage needs arrives while
 /// others compute.
-HWY_ATTR void traceTile(const FrameData& frame, const Tile& tile) {
+HWY_ATTR inline void traceSamples(const FrameData& frame, const Tile& tile, Averages* averages) {
   Work works[3];
   for (Work& work : works) initPacket(work.packet);
   int count = 0;
@@ -102,13 +111,20 @@ HWY_ATTR void traceTile(const FrameData& frame, const Tile& tile) {
         aim(frame, tile, x, y, sample, back(0));
         traceWork(frame, back(0));
         if (count > 0) fetchVertices(frame, back(1));
-        if (count > 1) finishWork(frame, tile, back(2));
+        if (count > 1) finishWork(frame, tile, back(2), averages);
       }
     }
   }
   if (count > 0) fetchVertices(frame, back(1));
-  if (count > 1) finishWork(frame, tile, back(2));
-  if (count > 0) finishWork(frame, tile, back(1));
+  if (count > 1) finishWork(frame, tile, back(2), averages);
+  if (count > 0) finishWork(frame, tile, back(1), averages);
+}
+
+HWY_ATTR void traceTile(const FrameData& frame, const Tile& tile) {
+  if (!frame.averages) return traceSamples(frame, tile, nullptr);
+  Averages averages;
+  traceSamples(frame, tile, &averages);
+  averages.store(frame, tile);
 }
 
 const char* targetName() { return hwy::TargetName(HWY_TARGET); }

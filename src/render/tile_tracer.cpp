@@ -11,7 +11,6 @@
 namespace gluray::render {
 namespace {
 
-constexpr int kTileSize = 32;        // pixels, a multiple of 4
 constexpr int kLargestSide = 65536;  // pixels; beyond what any framebuffer has
 
 Image::Content contentOf(const scene::Snapshot& snapshot) {
@@ -19,7 +18,12 @@ Image::Content contentOf(const scene::Snapshot& snapshot) {
   return snapshot.wideColors ? Image::Content::wide : Image::Content::color;
 }
 
-void shapeImage(const scene::Snapshot& snapshot, Image& image) {
+/// Whether pixels are to be averages over samples that the framebuffer does not have.
+bool wantsAverages(const scene::Snapshot& snapshot) {
+  return snapshot.samples <= 1 && snapshot.settings.spp > 1;
+}
+
+void shapeImage(const scene::Snapshot& snapshot, Image& image, bool averages) {
   const scene::Region& region = snapshot.region;
   if (region.width <= 0 || region.height <= 0) throw std::runtime_error("the region to trace is empty");
   if (region.width > kLargestSide || region.height > kLargestSide || snapshot.samples > 64) {
@@ -31,12 +35,13 @@ void shapeImage(const scene::Snapshot& snapshot, Image& image) {
   }
   image.x = region.x;
   image.y = region.y;
-  image.resize(region.width, region.height, std::max(snapshot.samples, 1), contentOf(snapshot));
+  image.resize(region.width, region.height, std::max(snapshot.samples, 1), contentOf(snapshot), averages);
 }
 
 void fillWithMisses(Image& image) {
   std::fill(image.color.begin(), image.color.end(), 0u);
   std::fill(image.depth.begin(), image.depth.end(), Image::kMiss);
+  std::fill(image.center.begin(), image.center.end(), Image::kMiss);
   std::fill(image.wide.begin(), image.wide.end(), 0.0f);
   std::fill(image.through.begin(), image.through.end(), 1.0f);
 }
@@ -44,23 +49,37 @@ void fillWithMisses(Image& image) {
 }  // namespace
 
 void clearImage(const scene::Snapshot& snapshot, Image& image) {
-  shapeImage(snapshot, image);
+  shapeImage(snapshot, image, wantsAverages(snapshot));
   fillWithMisses(image);
 }
+
+namespace {
+
+/// False where averages cannot be put over what lies under them: an alpha is written that is no opacity.
+bool traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Image& image) {
+  const FrameData frame(snapshot, world, image);
+  const int columns = (image.width + kTileSize - 1) / kTileSize,
+            rows = (image.height + kTileSize - 1) / kTileSize;
+  tbb::parallel_for(0, columns * rows, [&](int index) {
+    const FloatGuard guard;
+    const int x = index % columns * kTileSize, y = index / columns * kTileSize;
+    traceTile(frame, {x, y, std::min(x + kTileSize, image.width), std::min(y + kTileSize, image.height)});
+  });
+  return snapshot.layers || !frame.seenThrough.load();
+}
+
+}  // namespace
 
 void traceImage(const scene::Snapshot& snapshot, const accel::World& world, accel::Arena& arena,
                 Image& image) {
   if (world.empty()) return clearImage(snapshot, image);
-  shapeImage(snapshot, image);
   arena.execute([&] {
-    const FrameData frame(snapshot, world, image);
-    const int columns = (image.width + kTileSize - 1) / kTileSize,
-              rows = (image.height + kTileSize - 1) / kTileSize;
-    tbb::parallel_for(0, columns * rows, [&](int index) {
-      const FloatGuard guard;
-      const int x = index % columns * kTileSize, y = index / columns * kTileSize;
-      traceTile(frame, {x, y, std::min(x + kTileSize, image.width), std::min(y + kTileSize, image.height)});
-    });
+    if (wantsAverages(snapshot)) {
+      shapeImage(snapshot, image, true);
+      if (traceTiles(snapshot, world, image)) return;
+    }
+    shapeImage(snapshot, image, false);
+    traceTiles(snapshot, world, image);
   });
 }
 

@@ -21,12 +21,12 @@ std::string choose(std::string_view value, const Choice<T> (&choices)[N], T& tar
   return "use " + words;
 }
 
-/// From 0, which means `zero`, to `largest`.
-std::string setNumber(std::string_view value, int largest, const char* zero, int& target) {
+/// From `least`, which means `what`, to `largest`.
+std::string setNumber(std::string_view value, int least, const char* what, int largest, int& target) {
   int number = -1;
   const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
-  if (error != std::errc() || end != value.data() + value.size() || number < 0 || number > largest)
-    return std::string("use a number from 0 (") + zero + ") to " + std::to_string(largest);
+  if (error != std::errc() || end != value.data() + value.size() || number < least || number > largest)
+    return "use a number from " + std::to_string(least) + " (" + what + ") to " + std::to_string(largest);
   return target = number, "";
 }
 
@@ -56,7 +56,7 @@ struct Key {
 
 const Key kKeys[] = {
     {"threads",
-     [](Session& s, std::string_view v) { return setNumber(v, 1024, "all cores", s.settings.threads); }},
+     [](Session& s, std::string_view v) { return setNumber(v, 0, "all cores", 1024, s.settings.threads); }},
     {"engine",
      [](Session& s, std::string_view v) {
        return choose<Engine>(
@@ -82,6 +82,8 @@ const Key kKeys[] = {
        return choose<Renderer>(v, {{"embree", Renderer::embree}, {"null", Renderer::null}},
                                s.settings.renderer);
      }},
+    {"spp",
+     [](Session& s, std::string_view v) { return setNumber(v, 1, "the centre", kMostSpp, s.settings.spp); }},
     {"off", [](Session& s, std::string_view v) { return setSwitch(v, s.off); }},
     {"quirks", [](Session& s, std::string_view v) { return readQuirks(v, s.settings.quirks); }},
     {"program-families", [](Session& s, std::string_view v) { return s.programFamilies = v, std::string(); }},
@@ -90,7 +92,7 @@ const Key kKeys[] = {
     {"log-level", [](Session& s, std::string_view v) { return setLogLevel(v, s.logLevel); }},
     {"explain",
      [](Session& s, std::string_view v) {
-       return setNumber(v, 1000000000, "do not explain", s.explainFrames);
+       return setNumber(v, 0, "do not explain", 1000000000, s.explainFrames);
      },
      false},
     {"picture", [](Session& s, std::string_view v) { return setSwitch(v, s.picture); }, false},

@@ -20,6 +20,8 @@ enum class ShadingRate : uint8_t { pixel, vertex };
 /// Who makes the picture: Embree, or nobody (prices interception alone: every pixel is a miss).
 enum class Renderer : uint8_t { embree, null };
 
+constexpr int kMostSpp = 1024;
+
 struct Settings {
   int threads =
       0;  // worker threads; 0 = all cores the process may use, shared with other MPI ranks on the host
@@ -27,6 +29,7 @@ struct Settings {
   BvhQuality bvh = BvhQuality::automatic;
   ShadingRate shading = ShadingRate::pixel;
   Renderer renderer = Renderer::embree;
+  int spp = 1;  // samples a pixel, where the framebuffer has one: edges are anti-aliased
   QuirkSet quirks;
   bool operator==(const Settings&) const = default;
 };
@@ -48,7 +51,7 @@ struct Session {
 /// `allowed`: 0 (all it may use) where it runs alone or has cores of its own.
 int threadsOfRank(int cores, int allowed, int ranks);
 
-/// Reads GLURAY_THREADS, GLURAY_ENGINE, GLURAY_BVH, GLURAY_SHADING, GLURAY_RENDERER, GLURAY_OFF,
+/// Reads GLURAY_THREADS, GLURAY_ENGINE, GLURAY_BVH, GLURAY_SHADING, GLURAY_RENDERER, GLURAY_SPP, GLURAY_OFF,
 /// GLURAY_REPORT, GLURAY_LOG,
 /// GLURAY_LOG_LEVEL, GLURAY_QUIRKS, GLURAY_PROGRAM_FAMILIES, GLURAY_EXPLAIN, GLURAY_PICTURE. An unreadable
 /// value is reported once through `complain` ("GLURAY_BVH=x: use auto, fast, full or compact") and the

@@ -215,9 +215,7 @@ TEST(Sums, WhereDepthIsWrittenTheRealOneDraws) {
 
 TEST(Sums, BlendedOtherwiseTheRealOneDraws) {
   auto all = balls();
-  all[1].before = [](Gl gl, GLuint) {
-    gl.BlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  };
+  all[1].before = [](Gl gl, GLuint) { gl.BlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE_MINUS_SRC_ALPHA); };
   all[3].before = [](Gl gl, GLuint) {
     gl.BlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
   };
@@ -260,7 +258,8 @@ TEST(Sums, AreFloatsOfTheSameValue) {
     gl.BindTexture(GL_TEXTURE_2D, summer.colors());
     gl.GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, sums.data());
     gl.BindTexture(GL_TEXTURE_2D, summer.opacities());
-    gl.GetTexImage(GL_TEXTURE_2D, 0, GL_RED, GL_FLOAT, sums.data() + size_t{4} * kProgramWidth * kProgramHeight);
+    gl.GetTexImage(GL_TEXTURE_2D, 0, GL_RED, GL_FLOAT,
+                   sums.data() + size_t{4} * kProgramWidth * kProgramHeight);
     found.push_back(std::move(sums));
   };
   expectSame("sum_values", draw, 4, {}, kSumTolerance);

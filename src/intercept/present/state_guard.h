@@ -40,6 +40,9 @@ class StateGuard {
   void depthTest(GLenum func);  // test on, writes on
   /// Colours are blended with what is there as gl::addsUp has it. After openFragmentPath().
   void addUp();
+  /// The same for colours that were multiplied with what they cover, their alpha.
+  void blendOver();
+  void colorWritesOff();  // after openFragmentPath()
   void depthWrites(bool on);
   void depthRange(double zNear, double zFar);
   void viewport(int x, int y, int width, int height);
@@ -75,7 +78,8 @@ class StateGuard {
   void unbindBuffer(GLenum target, GLenum binding);
   GLint ofDrawBuffer(GLenum name, GLuint buffer) const;
   void blendEquation(GLuint buffer);
-  void blendFactors(GLuint buffer);
+  void blendFactors(GLuint buffer, const std::array<GLint, 4>& wanted);
+  void blend(int drawBuffers, const std::array<GLint, 4>& factors);  // source, target; of RGB, of alpha
   void colorMasks();
   void coverage();
   void keep(const Undo& undo) { log_.push_back(undo); }

@@ -96,17 +96,34 @@ void StateGuard::onlySample(int sample) {
   real_.SampleMaski(0, 1u << sample);
 }
 
-void StateGuard::addUp() {
-  const GLuint buffers = features_.indexedBlending ? 2 : 1;
-  for (GLuint i = 0; i < buffers; ++i) {
+void StateGuard::addUp() { blend(2, {GL_ONE, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA}); }
+
+void StateGuard::blendOver() {
+  blend(features_.maxDrawBuffers, {GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA});
+}
+
+void StateGuard::blend(int drawBuffers, const std::array<GLint, 4>& factors) {
+  for (GLuint i = 0; i < static_cast<GLuint>(drawBuffers); ++i) {
     if (features_.indexedDrawBuffers)
       capability(GL_BLEND, i, true);
-    else
+    else if (i == 0)
       capability(GL_BLEND, true);
+    if (i > 0 && !features_.indexedBlending) continue;
     blendEquation(i);
-    blendFactors(i);
+    blendFactors(i, factors);
   }
-  if (features_.indexedDrawBuffers && buffers == 1) capability(GL_BLEND, 1, true);
+}
+
+void StateGuard::colorWritesOff() {
+  for (GLuint i = 0; i < static_cast<GLuint>(features_.maxDrawBuffers); ++i) {
+    if (!features_.indexedDrawBuffers) {
+      keep({[](const RealGl& r, const Undo&) { r.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE); }});
+      return real_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    }
+    keep({[](const RealGl& r, const Undo& u) { r.ColorMaski(u.index, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE); },
+          0, i});
+    real_.ColorMaski(i, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  }
 }
 
 GLint StateGuard::ofDrawBuffer(GLenum name, GLuint buffer) const {
@@ -139,31 +156,26 @@ void StateGuard::blendEquation(GLuint buffer) {
   }
 }
 
-void StateGuard::blendFactors(GLuint buffer) {
+void StateGuard::blendFactors(GLuint buffer, const std::array<GLint, 4>& wanted) {
   constexpr GLenum kNames[] = {GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA, GL_BLEND_DST_ALPHA};
-  constexpr std::array<GLint, 4> kWanted = {GL_ONE, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA};
   std::array<GLint, 4> was{};
   for (size_t i = 0; i < 4; ++i) was[i] = ofDrawBuffer(kNames[i], buffer);
-  if (was == kWanted) return;
+  if (was == wanted) return;
   const auto f = [](GLint factor) { return static_cast<GLenum>(factor); };
   if (features_.indexedBlending) {
     keep({[](const RealGl& r, const Undo& u) {
             const auto v = [&](size_t i) { return static_cast<GLenum>(u.i[i]); };
             r.BlendFuncSeparatei(u.index, v(0), v(1), v(2), v(3));
           },
-          0,
-          buffer,
-          was});
-    real_.BlendFuncSeparatei(buffer, f(kWanted[0]), f(kWanted[1]), f(kWanted[2]), f(kWanted[3]));
+          0, buffer, was});
+    real_.BlendFuncSeparatei(buffer, f(wanted[0]), f(wanted[1]), f(wanted[2]), f(wanted[3]));
   } else {
     keep({[](const RealGl& r, const Undo& u) {
             const auto v = [&](size_t i) { return static_cast<GLenum>(u.i[i]); };
             r.BlendFuncSeparate(v(0), v(1), v(2), v(3));
           },
-          0,
-          0,
-          was});
-    real_.BlendFuncSeparate(f(kWanted[0]), f(kWanted[1]), f(kWanted[2]), f(kWanted[3]));
+          0, 0, was});
+    real_.BlendFuncSeparate(f(wanted[0]), f(wanted[1]), f(wanted[2]), f(wanted[3]));
   }
 }
 

@@ -95,29 +95,32 @@ struct WriteBack::Sheet {
 
 namespace {
 
+/// What the textures of colours and of depths take.
 const void* colorsFrom(const Image& image, size_t pixel) {
   return image.content == Image::Content::color ? static_cast<const void*>(&image.color[pixel])
                                                 : &image.wide[4 * pixel];
 }
 
-const void* secondFrom(const Image& image, size_t pixel) {
+const void* secondFrom(const Image& image, size_t pixel, bool centers) {
+  if (centers) return &image.center[pixel];
   return image.content == Image::Content::sums ? &image.through[pixel] : &image.depth[pixel];
 }
 
 }  // namespace
 
-void WriteBack::upload(const Image& image, const Sheet& sheet) const {
+void WriteBack::upload(const Image& image, const Sheet& sheet, Part part) const {
   const int unit = features_.textureUnit;
   const auto width = static_cast<size_t>(image.width);
   const size_t plane = width * static_cast<size_t>(image.height) * static_cast<size_t>(sheet.sample);
   for (const bool color : {false, true}) {
+    if (color && part == Part::depths) continue;
     real_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(color ? unit : unit + 1));
     for (const Band& band : sheet.bands) {
       const size_t first = plane + static_cast<size_t>(band.y) * width + static_cast<size_t>(band.x);
       const bool bytes = color && content_ == Image::Content::color;
       real_.TexSubImage2D(GL_TEXTURE_2D, 0, band.x, band.y + sheet.row, band.width, band.height,
                           color ? GL_RGBA : depthFormat_, bytes ? GL_UNSIGNED_BYTE : GL_FLOAT,
-                          color ? colorsFrom(image, first) : secondFrom(image, first));
+                          color ? colorsFrom(image, first) : secondFrom(image, first, part == Part::depths));
     }
   }
 }
@@ -161,6 +164,19 @@ void WriteBack::openFor(StateGuard& guard, const WriteBackTarget& target) const 
   guard.capability(GL_DEPTH_TEST, false);
 }
 
+void WriteBack::writeAverages(StateGuard& guard, const Image& image, const Sheet& sheet) const {
+  upload(image, sheet, Part::colors);
+  {
+    StateGuard over(real_, features_);
+    over.depthWrites(false);
+    over.blendOver();
+    draw(image, sheet);
+  }
+  upload(image, sheet, Part::depths);
+  guard.colorWritesOff();
+  draw(image, sheet);
+}
+
 bool WriteBack::write(const Image& image, const WriteBackTarget& target, PendingErrors& pending) {
   std::string why;
   pending = takeErrors(real_);
@@ -195,11 +211,15 @@ bool WriteBack::write(const Image& image, const WriteBackTarget& target, Pending
   guard.program(programs_[0].name);
   if (!features_.compatibility) guard.vertexArray(vertexArray_);
 
+  if (!image.center.empty() && content_ != Image::Content::sums) {
+    writeAverages(guard, image, sheets.front());
+    return real_.GetError() == GL_NO_ERROR;
+  }
   // All uploads of a textureful first: an upload in between would wait for the drawing before it.
   for (size_t first = 0; first < sheets.size();) {
     size_t end = first;
     while (end < sheets.size() && sheets[end].sample / planes == sheets[first].sample / planes)
-      upload(image, sheets[end++]);
+      upload(image, sheets[end++], Part::all);
     for (; first < end; ++first) {
       if (image.samples > 1) guard.onlySample(sheets[first].sample);
       draw(image, sheets[first]);

@@ -29,11 +29,12 @@ class WriteBack {
 
   /// Writes every hit pixel (sample, where image.samples > 1) that passes the depth test, in one go over the
   /// image's rectangle, to all draw buffers. Misses stay untouched. Depth values are window depths:
-  /// glDepthRange is in them. Sums are added to the first two draw buffers instead, whatever the depth there,
-  /// which stays: colours times opacity and what is let through to the first's, opacities to the second's
-  /// red, by blending as gl::addsUp has it. No state that the program can query differs afterwards; errors
-  /// that were pending are moved to `pending`. False, with nothing drawn or a picture to be drawn again,
-  /// where the real OpenGL refuses.
+  /// glDepthRange is in them. Averages over samples (Image::center) are blended over what is there, their
+  /// alpha being what they cover, and leave the depth of their centres. Sums are added to the first two draw
+  /// buffers instead, whatever the depth there, which stays: colours times opacity and what is let through to
+  /// the first's, opacities to the second's red, by blending as gl::addsUp has it. No state that the program
+  /// can query differs afterwards; errors that were pending are moved to `pending`. False, with nothing drawn
+  /// or a picture to be drawn again, where the real OpenGL refuses.
   bool write(const Image& image, const WriteBackTarget& target, PendingErrors& pending);
 
   /// Names of what lives in the share group, which are no longer ours.
@@ -52,8 +53,10 @@ class WriteBack {
                  int width, int height);
   GLuint newTextureName() const;
   struct Sheet;
-  void upload(const Image& image, const Sheet& sheet) const;
+  enum class Part { all, colors, depths };
+  void upload(const Image& image, const Sheet& sheet, Part part) const;
   void openFor(StateGuard& guard, const WriteBackTarget& target) const;
+  void writeAverages(StateGuard& guard, const Image& image, const Sheet& sheet) const;
   void draw(const Image& image, const Sheet& sheet) const;
 
   const gl::RealGl& real_;
