@@ -34,5 +34,8 @@ def main(argv):
     def measure(size, environment):
         def command(frames):
             return ["pvbatch", SCRIPT, ISOVALUES[size], frames[size], options.size, "-", options.look]
-        return pairs.measure_size(options, f"{size}M triangles", command(GL_FRAMES), command(RAY_FRAMES), environment)
+        label = f"{size}M triangles"
+        both = pairs.measure_size(options, label, command(GL_FRAMES), command(RAY_FRAMES), environment)
+        pairs.add_stub_time(options, label, lambda n: command({size: n}), RAY_FRAMES[size], environment, both[1])
+        return both
     return pairs.run("paraview", options, argv, measure)

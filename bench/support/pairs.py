@@ -4,7 +4,7 @@ import pathlib
 import shlex
 import sys
 
-from support import machine, programs
+from support import machine, programs, stub_time
 from support.display import NoDisplay, display
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -18,6 +18,7 @@ def parser(suite, description, sizes, what):
     options.add_argument("--rounds", type=int, default=3, help="rounds, each measuring everything once (3)")
     options.add_argument("--threads", type=int, default=2, help="threads of llvmpipe and GLuRay (2)")
     options.add_argument("--size", type=int, default=1024, help="pixels of the window, both ways")
+    options.add_argument("--stub-time", action="store_true", help="measure the time in our library, too (needs perf)")
     options.add_argument("--name", default=suite, help="name of the result file")
     options.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="build folder")
     options.add_argument("--xvfb", action="store_true", help="use an Xvfb even where there is a display")
@@ -47,6 +48,16 @@ def measure_size(options, label, plain_command, traced_command, environment):
     return both
 
 
+def add_stub_time(options, label, command_of, frames, environment, traced):
+    """What the program's thread spends in our library, where --stub-time asks for it."""
+    if not options.stub_time:
+        return
+    print(f"{label}, time in our library", file=sys.stderr, flush=True)
+    gluray = options.build / "apps" / "gluray" / "gluray"
+    ms, functions = stub_time.per_frame(gluray, ["--threads", str(options.threads)], command_of, frames, environment)
+    traced["stubs"] = {"stub_ms_per_frame": ms, "stub_functions_ms": functions}
+
+
 def row_of(size, plain, traced):
     report = traced["report"] or {}
     draws = report.get("draws", {})
@@ -56,6 +67,7 @@ def row_of(size, plain, traced):
             "gl_first_image_s": plain["first_image_s"], "gluray_first_image_s": traced["first_image_s"],
             "gl_bytes_per_triangle": plain["rss_bytes"] / plain["triangles"],
             "gluray_bytes_per_triangle": traced["rss_bytes"] / plain["triangles"],
+            "megabytes_on_top": (traced["rss_bytes"] - plain["rss_bytes"]) / 1e6, **traced.get("stubs", {}),
             "ms_per_picture": {part: value / flushes for part, value in report.get("ms", {}).items()},
             "draws_traced": draws.get("traced", 0), "rasterised": draws.get("rasterised", {})}
 
@@ -63,12 +75,13 @@ def row_of(size, plain, traced):
 COLUMNS = [("Mtri", "millions", "{:d}"), ("GL fps", "gl_fps", "{:.2f}"), ("GLuRay fps", "gluray_fps", "{:.2f}"),
            ("ratio", "gluray_over_gl", "{:.1f}"), ("first GL s", "gl_first_image_s", "{:.2f}"),
            ("first GLuRay s", "gluray_first_image_s", "{:.2f}"), ("GL B/tri", "gl_bytes_per_triangle", "{:.0f}"),
-           ("GLuRay B/tri", "gluray_bytes_per_triangle", "{:.0f}")]
+           ("GLuRay B/tri", "gluray_bytes_per_triangle", "{:.0f}"), ("on top MB", "megabytes_on_top", "{:.0f}"),
+           ("stubs ms", "stub_ms_per_frame", "{:.2f}")]
 
 
 def print_table(rows):
     cells = [[title for title, _, _ in COLUMNS]]
-    cells += [[form.format(row[key]) for _, key, form in COLUMNS] for row in rows]
+    cells += [[form.format(row[key]) if key in row else "-" for _, key, form in COLUMNS] for row in rows]
     widths = [max(len(line[i]) for line in cells) for i in range(len(COLUMNS))]
     for line in cells:
         print("  ".join(text.rjust(width) for text, width in zip(line, widths)), flush=True)
@@ -89,7 +102,7 @@ def run(suite, options, argv, measure):
     """Measures all sizes by measure(size, environment), prints and writes what was found. The exit status."""
     try:
         _run(suite, options, argv, measure)
-    except (NoDisplay, programs.Failed) as error:
+    except (NoDisplay, programs.Failed, stub_time.Missing) as error:
         print(f"bench: {error}", file=sys.stderr)
         return 1
     return 0
