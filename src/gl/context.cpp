@@ -297,13 +297,17 @@ void Context::present(bool rasterise) {
   syncCurrent();
   passes_.flushed(rasterise ? nullptr : snapshot);
   if (rasterise) countAsRasterised(*snapshot);
-  const PresentResult result =
-      peeled ? presentLayers(snapshot, key)
-             : presenter_.present(real, snapshot,
-                                  {key.depthFunc, info_.core, rasterise, batch_.takeProgramDraws()});
+  const PresentResult result = peeled ? presentLayers(snapshot, key)
+                                      : presenter_.present(real, snapshot,
+                                                           {.depthFunc = key.depthFunc,
+                                                            .core = info_.core,
+                                                            .rasterise = rasterise,
+                                                            .programDraws = batch_.takeProgramDraws(),
+                                                            .mayRepeat = !choice_.wantsStop()});
   latch_.restore(real);
   if (result.pendingError != GL_NO_ERROR) setError(result.pendingError);
   ++statistics.flushes;
+  if (result.repeated) ++statistics.repeated;
   statistics.buildSeconds += result.buildSeconds;
   statistics.traceSeconds += result.traceSeconds;
   statistics.presentSeconds += result.presentSeconds;

@@ -188,6 +188,7 @@ bool Context::layersHaveSurfaces() const {
 PresentResult Context::presentLayers(const scene::SnapshotPtr& snapshot, const BatchKey& key) {
   LayersTarget& target = peeling_.target;
   for (ProgramDraw& draw : batch_.takeProgramDraws()) target.surfaces.draws.push_back(std::move(draw));
+  target.mayRepeat = !choice_.wantsStop();
   PresentResult result = presenter_.presentLayers(real, snapshot, target, false);
   if (result.outcome == PresentResult::traced) {
     noteUse(Quirk::depthPeeling);

@@ -23,6 +23,8 @@ struct PresentTarget {
   // The instances were traced already: the depth of what is seen of them is made that which the real OpenGL
   // gives them, to the bit. Fixed function alone; nothing else changes.
   bool depthAgain = false;
+  bool mayRepeat =
+      true;  // where nothing has changed the last picture may do; false: what it costs is measured
 };
 
 /// What presenting cost and did.
@@ -34,6 +36,7 @@ struct PresentResult {
   } outcome = failed;
   double buildSeconds = 0, traceSeconds = 0, presentSeconds = 0;
   uint64_t blasBuilds = 0, blasRefinements = 0, bvhBytes = 0;
+  bool repeated = false;  // nothing had changed: the picture was there
   GLenum pendingError =
       GL_NO_ERROR;  // an error of the program's that was found on the way, to be reported to it
   std::string why;  // where it was not traced: one line for the user, who has not been told yet

@@ -8,6 +8,7 @@ Statistics& Statistics::operator+=(const Statistics& o) {
   trianglesTraced += o.trianglesTraced, trianglesRasterised += o.trianglesRasterised;
   for (size_t i = 0; i < rasterisedBecause.size(); ++i) rasterisedBecause[i] += o.rasterisedBecause[i];
   flushes += o.flushes;
+  repeated += o.repeated;
   meshesBuilt += o.meshesBuilt, meshBytes += o.meshBytes;
   captureSeconds += o.captureSeconds, buildSeconds += o.buildSeconds;
   traceSeconds += o.traceSeconds, presentSeconds += o.presentSeconds;

@@ -19,6 +19,7 @@ struct Statistics {
   Count trianglesTraced, trianglesRasterised;
   std::array<Count, kReasonCount> rasterisedBecause{};  // draws, by reason
   Count flushes;                                        // batches written to a framebuffer
+  Count repeated;                                       // of them those in which nothing had changed
   Count meshesBuilt, meshBytes;
   Seconds captureSeconds, buildSeconds, traceSeconds, presentSeconds;
   Count blasBuilds, blasRefinements, bvhBytes;  // waited for; exchanged for better ones

@@ -53,6 +53,7 @@ json makeReport(const Totals& totals) {
       {"frames", s.frames},
       {"framesDirect", s.framesDirect},
       {"flushes", s.flushes},
+      {"repeated", s.repeated},
       {"draws", {{"traced", s.drawsTraced}, {"rasterised", reasons}}},
       {"triangles", {{"traced", s.trianglesTraced}, {"rasterised", s.trianglesRasterised}}},
       {"bvh", {{"builds", s.blasBuilds}, {"refined", s.blasRefinements}, {"bytes", s.bvhBytes}}},

@@ -42,8 +42,7 @@ class Averages {
     for (int y = tile.y0; y < tile.y1; ++y) {
       for (int x = tile.x0; x < tile.x1; ++x) {
         const Pixel& pixel = at(x - tile.x0, y - tile.y0);
-        const size_t i =
-            static_cast<size_t>(y) * static_cast<size_t>(image.width) + static_cast<size_t>(x);
+        const size_t i = static_cast<size_t>(y) * static_cast<size_t>(image.width) + static_cast<size_t>(x);
         image.center[i] = pixel.center;
         image.depth[i] = pixel.center != Image::kMiss ? pixel.center : pixel.nearest;
         if (!image.through.empty()) image.through[i] = pixel.through * share;

@@ -13,8 +13,8 @@ using glm::vec3;
 /// A half-plane of the window whose edge goes through (0, 0) at this angle, traced with `spp` samples.
 Image halfPlane(float angle, int spp) {
   const vec3 along(std::cos(angle), std::sin(angle), 0), into(-along.y, along.x, 0);
-  auto s = test::makeSnapshot(
-      {test::makeMesh(test::quadData(-4.0f * along, 4.0f * along, 4.0f * (along + into), 4.0f * (into - along)))});
+  auto s = test::makeSnapshot({test::makeMesh(
+      test::quadData(-4.0f * along, 4.0f * along, 4.0f * (along + into), 4.0f * (into - along)))});
   s.settings.spp = spp;
   return test::trace(s).image;
 }

@@ -26,6 +26,7 @@ struct Figures {
   glm::mat3 axisMatrix{1};
   /// Object space; figures whose centre is on the negative side of one of them are not there.
   std::vector<glm::vec4> centerPlanes;
+  bool operator==(const Figures&) const = default;
 };
 
 /// A figure's centre in lighting space, in the order and precision that programs compute it in.

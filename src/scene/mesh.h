@@ -33,6 +33,7 @@ struct Attribute {
   uint32_t stride = 0;  // bytes, a multiple of 4
   Format format = Format::none;
   explicit operator bool() const { return format != Format::none; }
+  bool operator==(const Attribute&) const = default;
 };
 
 /// Reads element i of `a`, missing components from (0, 0, 0, 1). `a` must not be absent.

@@ -33,6 +33,7 @@ struct Camera {
   // Height of a framebuffer whose rows the real OpenGL counts from the top, 0 where it counts from the
   // bottom: decides which pixels form the 2x2 quads that texture coordinates are differentiated over.
   int rowsFromTop = 0;
+  bool operator==(const Camera&) const = default;
 };
 
 /// The rectangle of pixels to trace: viewport, scissor and framebuffer intersected. Never empty in a
@@ -77,6 +78,7 @@ struct Instance {
   bool frontFaceCcw = true;  // GL_CCW is front
   std::vector<glm::dvec4>
       clipPlanes;  // eye space; a point p is kept where dot(plane, p) >= 0 for every plane
+  bool operator==(const Instance&) const = default;
 };
 
 /// Surfaces that are seen through: all along a ray count.
@@ -96,6 +98,7 @@ struct Layers {
   /// In order, surfaces whose depths differ by no more are at one place: of what each would make of the
   /// pixel, every channel keeps the largest.
   float tolerance = 1e-7f;
+  bool operator==(const Layers&) const = default;
 };
 
 /// One batch: what is traced in one go and written to one framebuffer.

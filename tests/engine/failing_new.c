@@ -27,5 +27,9 @@ static void* allocate(size_t size, const void* caller) {
   return NULL;
 }
 
-__attribute__((visibility("default"))) void* _Znwm(size_t size) { return allocate(size, __builtin_return_address(0)); }
-__attribute__((visibility("default"))) void* _Znam(size_t size) { return allocate(size, __builtin_return_address(0)); }
+__attribute__((visibility("default"))) void* _Znwm(size_t size) {
+  return allocate(size, __builtin_return_address(0));
+}
+__attribute__((visibility("default"))) void* _Znam(size_t size) {
+  return allocate(size, __builtin_return_address(0));
+}

@@ -182,6 +182,30 @@ TEST_P(WriteBackTest, AveragesAreBlendedOverAndLeaveTheDepthOfTheirCentres) {
   }
 }
 
+TEST_P(WriteBackTest, AKnownPictureIsWrittenAgainUntilAnotherIs) {
+  const Image red = checkerboard(0, 0, kSize, kSize, kRed, 0.25f), green = solid(0, 0, 20, 20, kGreen, 0.1f);
+  const auto writeNumbered = [&](const Image& image, uint64_t number) {
+    ASSERT_TRUE(writeBack_->write(image, {GL_LEQUAL, number}, pending_));
+  };
+  writeNumbered(red, 1);
+  const auto once = context_->colors();
+  for (int again = 0; again < 3; ++again) {
+    clear(0, 0, 1, 1);
+    writeNumbered(red, 1);
+    ASSERT_EQ(context_->colors(), once);
+  }
+  writeNumbered(green, 2);
+  EXPECT_EQ(at(context_->colors(), 3, 4), kGreen);
+  clear(0, 0, 1, 1);
+  writeNumbered(red, 1);
+  EXPECT_EQ(context_->colors(), once);
+  clear(0, 0, 1, 1);
+  writeNumbered(green, 0);
+  writeNumbered(red, 1);
+  EXPECT_EQ(at(context_->colors(), 3, 4), kGreen);
+  EXPECT_EQ(at(context_->colors(), 30, 40), at(once, 30, 40));
+}
+
 TEST_P(WriteBackTest, AveragesBehindWhatIsThereAreNotSeen) {
   clear(0, 1, 0, 0.2);
   write(averages(0.25f));

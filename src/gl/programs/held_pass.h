@@ -29,6 +29,7 @@ struct LayersTarget {
   std::vector<glm::vec2> opaqueDepths;  // what was in it: green the depth of what is opaque, or -1
   GLuint result = 0;                    // RGBA8 texture: colours times opacity, and opacity
   glm::ivec2 size{0};                   // of all these textures
+  bool mayRepeat = true;                // as PresentTarget's
   bool written = false;                 // the result holds a traced picture
 };
 

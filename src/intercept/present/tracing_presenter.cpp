@@ -73,17 +73,33 @@ PresentResult TracingPresenter::presentLayers(const gl::RealGl& real, const scen
   return resultOf([&] { return tracedOrRasterised(real, rasterise ? nullptr : snapshot.get(), target); });
 }
 
+const LastPictures::Picture* TracingPresenter::pictureOf(const scene::Snapshot& snapshot, bool mayRepeat,
+                                                         PresentResult& result, std::string& why) {
+  if (mayRepeat) {
+    if (const LastPictures::Picture* known = pictures_.of(snapshot)) {
+      result.repeated = true;
+      return known;
+    }
+  }
+  LastPictures::Picture& fresh = pictures_.next();
+  TraceCost cost;
+  const bool done = trace_(snapshot, fresh.image, cost, why);
+  takeCost(cost, result);
+  if (!done) return nullptr;
+  pictures_.keep(snapshot);
+  return &fresh;
+}
+
 PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const scene::Snapshot* snapshot,
                                                    const gl::LayersTarget& target) {
   PresentResult result;
   const PendingErrors pending = takeErrors(real);
-  TraceCost cost;
-  const bool traced = snapshot && trace_(*snapshot, image_, cost, result.why);
-  takeCost(cost, result);
+  const LastPictures::Picture* traced =
+      snapshot ? pictureOf(*snapshot, target.mayRepeat, result, result.why) : nullptr;
   const double start = nowSeconds();
-  const bool whole = traced && image_.x == 0 && image_.y == 0 && image_.width == target.size.x &&
-                     image_.height == target.size.y;
-  if (whole && writeTexture(real, features(real), target.result, target.size, image_.color.data()))
+  const bool whole = traced && traced->image.x == 0 && traced->image.y == 0 &&
+                     traced->image.width == target.size.x && traced->image.height == target.size.y;
+  if (whole && writeTexture(real, features(real), target.result, target.size, traced->image.color.data()))
     result.outcome = PresentResult::traced;
   else if (drawLayers(real, features(real), target))
     result.outcome = PresentResult::rasterised;
@@ -121,7 +137,6 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
   PresentResult result;
   std::string why;
   PendingErrors pending;
-  TraceCost cost;
   if (target.depthAgain) {
     pending = takeErrors(real);
     if (drawDepthAgain(real, features(real), snapshot)) result.outcome = PresentResult::rasterised;
@@ -129,11 +144,11 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
     if (!pending.empty()) result.pendingError = pending.front();
     return result;
   }
-  const bool traced =
-      !target.rasterise && supports(real, target.core, why) && trace_(snapshot, image_, cost, why);
-  takeCost(cost, result);
+  const LastPictures::Picture* traced = !target.rasterise && supports(real, target.core, why)
+                                            ? pictureOf(snapshot, target.mayRepeat, result, why)
+                                            : nullptr;
   const double start = nowSeconds();
-  if (traced && written(real, target, pending, why)) {
+  if (traced && written(real, *traced, target, pending, why)) {
     result.outcome = PresentResult::traced;
   } else {
     result.why = why.empty() ? "the picture could not be written back" : std::move(why);
@@ -144,7 +159,7 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
   }
   if (!pending.empty()) result.pendingError = pending.front();
   result.presentSeconds = nowSeconds() - start;
-  if (result.outcome == PresentResult::traced && onWritten_) onWritten_(real, image_);
+  if (result.outcome == PresentResult::traced && onWritten_) onWritten_(real, traced->image);
   return result;
 }
 
@@ -153,10 +168,12 @@ const Features& TracingPresenter::features(const gl::RealGl& real) {
   return *features_;
 }
 
-bool TracingPresenter::written(const gl::RealGl& real, const gl::PresentTarget& target,
-                               PendingErrors& pending, std::string& why) noexcept {
+bool TracingPresenter::written(const gl::RealGl& real, const LastPictures::Picture& picture,
+                               const gl::PresentTarget& target, PendingErrors& pending,
+                               std::string& why) noexcept {
   try {
-    return writeBack(real, image_.content).write(image_, {target.depthFunc}, pending);
+    return writeBack(real, picture.image.content)
+        .write(picture.image, {target.depthFunc, picture.id}, pending);
   } catch (const std::exception& e) {  // before anything is drawn: the guard puts the state back
     why = e.what();
     return false;

@@ -2,6 +2,7 @@
 // One per context. GL thread.
 #pragma once
 #include "gl/presenter.h"
+#include "intercept/present/last_pictures.h"
 #include "intercept/present/write_back.h"
 
 #include <array>
@@ -53,9 +54,9 @@ class TracingPresenter final : public gl::Presenter {
                                        const gl::PresentTarget& target);
   gl::PresentResult tracedOrRasterised(const gl::RealGl& real, const scene::Snapshot* snapshot,
                                        const gl::LayersTarget& target);
-  /// Writes image_ into the framebuffer. False, with the reason, where it could not be.
-  bool written(const gl::RealGl& real, const gl::PresentTarget& target, PendingErrors& pending,
-               std::string& why) noexcept;
+  /// Writes a picture into the framebuffer. False, with the reason, where it could not be.
+  bool written(const gl::RealGl& real, const LastPictures::Picture& picture, const gl::PresentTarget& target,
+               PendingErrors& pending, std::string& why) noexcept;
 
   Trace trace_;
   Written onWritten_;
@@ -65,7 +66,10 @@ class TracingPresenter final : public gl::Presenter {
   std::array<std::unique_ptr<WriteBack>, 3> writeBacks_;  // by what images hold
   const Features& features(const gl::RealGl& real);
   std::optional<Features> features_;  // of the context
-  Image image_;                       // memory is kept from flush to flush
+  /// The picture of the snapshot, traced or known already; null where tracing fails, with `why`.
+  const LastPictures::Picture* pictureOf(const scene::Snapshot& snapshot, bool mayRepeat,
+                                         gl::PresentResult& result, std::string& why);
+  LastPictures pictures_;
 };
 
 }  // namespace gluray::present

@@ -87,12 +87,6 @@ bool WriteBack::makePlane(StateGuard& guard, int unit, Plane& plane, GLenum inte
   return true;
 }
 
-/// One sample plane of the image: what of it was hit, and at which row of the textures it lies.
-struct WriteBack::Sheet {
-  int sample = 0, row = 0;
-  std::vector<Band> bands;
-};
-
 namespace {
 
 /// What the textures of colours and of depths take.
@@ -177,6 +171,16 @@ void WriteBack::writeAverages(StateGuard& guard, const Image& image, const Sheet
   draw(image, sheet);
 }
 
+void WriteBack::findSheets(const Image& image, int planes) {
+  sheets_.clear();
+  const size_t pixels = static_cast<size_t>(image.width) * static_cast<size_t>(image.height);
+  for (int s = 0; s < image.samples; ++s) {
+    Sheet sheet{s, s % planes * image.height,
+                hitBands(image.depth.data() + pixels * static_cast<size_t>(s), image.width, image.height)};
+    if (!sheet.bands.empty()) sheets_.push_back(std::move(sheet));
+  }
+}
+
 bool WriteBack::write(const Image& image, const WriteBackTarget& target, PendingErrors& pending) {
   std::string why;
   pending = takeErrors(real_);
@@ -188,17 +192,21 @@ bool WriteBack::write(const Image& image, const WriteBackTarget& target, Pending
 
   // Sample planes lie above each other in one texture, as many as it can hold.
   const int planes = std::min(image.samples, limit / height);
-  std::vector<Sheet> sheets;
-  for (int s = 0; s < image.samples; ++s) {
-    const size_t plane = static_cast<size_t>(width) * static_cast<size_t>(height) * static_cast<size_t>(s);
-    Sheet sheet{s, s % planes * height, hitBands(image.depth.data() + plane, width, height)};
-    if (!sheet.bands.empty()) sheets.push_back(std::move(sheet));
+  if (target.picture == 0 || target.picture != held_) {
+    held_ = 0;
+    findSheets(image, planes);
   }
-  if (sheets.empty()) return true;
-
+  if (sheets_.empty()) return true;
   StateGuard guard(real_, features_);
+  if (!writeInto(guard, image, target, planes) || real_.GetError() != GL_NO_ERROR) return held_ = 0, false;
+  const bool all = image.center.empty() && planes == image.samples;
+  held_ = all ? target.picture : 0;
+  return true;
+}
+
+bool WriteBack::writeInto(StateGuard& guard, const Image& image, const WriteBackTarget& target, int planes) {
+  const int width = image.width, height = image.height, unit = features_.textureUnit;
   guard.plainUnpack(width);
-  const int unit = features_.textureUnit;
   if (!makePlane(guard, unit + 1, depth_, depthInternalFormat_, depthFormat_, GL_FLOAT, width,
                  height * planes) ||
       !makePlane(guard, unit, color_, content_ == Image::Content::color ? GL_RGBA8 : GL_RGBA32F_ARB, GL_RGBA,
@@ -212,20 +220,20 @@ bool WriteBack::write(const Image& image, const WriteBackTarget& target, Pending
   if (!features_.compatibility) guard.vertexArray(vertexArray_);
 
   if (!image.center.empty() && content_ != Image::Content::sums) {
-    writeAverages(guard, image, sheets.front());
-    return real_.GetError() == GL_NO_ERROR;
+    writeAverages(guard, image, sheets_.front());
+    return true;
   }
   // All uploads of a textureful first: an upload in between would wait for the drawing before it.
-  for (size_t first = 0; first < sheets.size();) {
+  for (size_t first = 0; first < sheets_.size();) {
     size_t end = first;
-    while (end < sheets.size() && sheets[end].sample / planes == sheets[first].sample / planes)
-      upload(image, sheets[end++], Part::all);
+    for (; end < sheets_.size() && sheets_[end].sample / planes == sheets_[first].sample / planes; ++end)
+      if (held_ == 0) upload(image, sheets_[end], Part::all);
     for (; first < end; ++first) {
-      if (image.samples > 1) guard.onlySample(sheets[first].sample);
-      draw(image, sheets[first]);
+      if (image.samples > 1) guard.onlySample(sheets_[first].sample);
+      draw(image, sheets_[first]);
     }
   }
-  return real_.GetError() == GL_NO_ERROR;
+  return true;
 }
 
 gl::SharedNames WriteBack::takeNames() {
@@ -233,6 +241,7 @@ gl::SharedNames WriteBack::takeNames() {
   names.textures = {color_.texture, depth_.texture};  // deleting name 0 does nothing
   for (const Program& program : programs_) names.programs.push_back(program.name);
   color_ = depth_ = {};
+  held_ = 0;
   programs_ = {};
   state_ = State::unknown;
   return names;
@@ -245,6 +254,7 @@ void WriteBack::release() {
     if (program.name) real_.DeleteProgram(program.name);
   if (vertexArray_) real_.DeleteVertexArrays(1, &vertexArray_);
   color_ = depth_ = {};
+  held_ = 0;
   programs_ = {};
   vertexArray_ = 0;
   state_ = State::unknown;

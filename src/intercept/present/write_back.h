@@ -15,6 +15,7 @@ namespace gluray::present {
 /// What the write must respect besides the image's own rectangle.
 struct WriteBackTarget {
   GLenum depthFunc = GL_LEQUAL;  // GL_LESS or GL_LEQUAL: how traced pixels meet the depth that is there
+  uint64_t picture = 0;  // number of the image: the same as last time is not sent again; 0: it has none
 };
 
 class WriteBack {
@@ -52,7 +53,13 @@ class WriteBack {
   bool makePlane(StateGuard& guard, int unit, Plane& plane, GLenum internalFormat, GLenum format, GLenum type,
                  int width, int height);
   GLuint newTextureName() const;
-  struct Sheet;
+  /// One sample plane of the image: what of it was hit, and at which row of the textures it lies.
+  struct Sheet {
+    int sample = 0, row = 0;
+    std::vector<Band> bands;
+  };
+  void findSheets(const Image& image, int planes);
+  bool writeInto(StateGuard& guard, const Image& image, const WriteBackTarget& target, int planes);
   enum class Part { all, colors, depths };
   void upload(const Image& image, const Sheet& sheet, Part part) const;
   void openFor(StateGuard& guard, const WriteBackTarget& target) const;
@@ -75,6 +82,8 @@ class WriteBack {
   GLuint vertexArray_ = 0;
   GLenum depthInternalFormat_ = 0, depthFormat_ = 0;
   Plane color_, depth_;
+  std::vector<Sheet> sheets_;  // of the last image
+  uint64_t held_ = 0;          // number of the image that the textures hold; 0: none, or not all of one
 };
 
 }  // namespace gluray::present
