@@ -105,6 +105,9 @@ void addOptions(CLI::App& app, CommandLine& line) {
       ->type_name("FILE");
   app.add_option("--config", line.config, "Read settings from FILE [~/.config/gluray/gluray.toml]")
       ->type_name("FILE");
+  app.add_option("--timeline", line.timeline,
+                 "Write what each thread does when to FILE, for Perfetto or gluray timeline")
+      ->type_name("FILE");
   app.add_option("--log", line.log, "Write messages to FILE instead of stderr")->type_name("FILE");
   app.add_option("--log-level", line.logLevel, "Messages from this level on are written [warning]")
       ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"}));
@@ -120,16 +123,32 @@ bool namesCommand(int argc, char** argv, Command& command) {
   static const std::map<std::string, Command> commands = {{"run", Command::run},
                                                           {"explain", Command::explain},
                                                           {"doctor", Command::doctor},
-                                                          {"quirks", Command::quirks}};
+                                                          {"quirks", Command::quirks},
+                                                          {"timeline", Command::timeline}};
   const auto found = argc > 1 ? commands.find(argv[1]) : commands.end();
   if (found == commands.end()) return false;
   command = found->second;
   return true;
 }
 
+void describeTimeline(CLI::App& app, CommandLine& line) {
+  app.description("Prints what each thread did in a run with --timeline FILE, and draws it.");
+  app.name("gluray timeline");
+  app.add_option("FILE", line.program, "What --timeline has written")->required()->expected(1);
+  app.add_option("-o", line.chart, "Draw a chart (SVG): the whole run, and some frames from near")
+      ->type_name("CHART.svg");
+  app.add_option("--from", line.from, "The near view begins here [in the middle of the run]")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("MS");
+  app.add_option("--to", line.to, "The near view ends here [some frames later]")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("MS");
+}
+
 /// The options of a command, and what its help says.
 void describe(CLI::App& app, CommandLine& line) {
   const auto usage = [&](const char* text) { app.get_formatter()->label("OPTIONS", text); };
+  if (line.command == Command::timeline) return describeTimeline(app, line);
   if (line.command != Command::run) app.add_flag("--json", line.json, "Print JSON");
   switch (line.command) {
     case Command::run:
@@ -156,6 +175,7 @@ void describe(CLI::App& app, CommandLine& line) {
       app.name("gluray quirks");
       usage("options");
       return;
+    case Command::timeline: return;
   }
   addOptions(app, line);
 }
@@ -185,7 +205,8 @@ Parsed parse(int argc, char** argv) {
   const int first = namesCommand(argc, argv, line.command) ? 2 : 1;
   describe(app, line);
 
-  const int program = firstProgramWord(app, first, argc, argv);
+  const bool runs = line.command != Command::timeline;  // other words than options are the command's own
+  const int program = runs ? firstProgramWord(app, first, argc, argv) : argc;
   std::vector<std::string> own(argv + std::min(first, program), argv + program);
   try {
     app.parse(std::vector<std::string>(own.rbegin(), own.rend()));
@@ -199,6 +220,7 @@ Parsed parse(int argc, char** argv) {
     parsed.exitCode = complain(error.what());
     return parsed;
   }
+  if (!runs) return parsed.run = true, parsed;
   const bool dashes = program < argc && std::string(argv[program]) == "--";
   line.program.assign(argv + program + (dashes ? 1 : 0), argv + argc);
   const bool needsProgram = line.command == Command::run || line.command == Command::explain;

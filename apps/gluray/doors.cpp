@@ -43,6 +43,7 @@ void passSettings(const CommandLine& line) {
   setIfGiven("GLURAY_RENDERER", line.renderer);
   setIfGiven("GLURAY_SPP", line.spp);
   setIfGiven("GLURAY_REPORT", absolute(line.report));
+  setIfGiven("GLURAY_TIMELINE", absolute(line.timeline));
   setIfGiven("GLURAY_LOG", absolute(line.log));
   setIfGiven("GLURAY_LOG_LEVEL", line.logLevel);
   if (line.off) set("GLURAY_OFF", "1");

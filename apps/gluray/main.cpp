@@ -7,6 +7,7 @@
 #include "probe_context.h"
 #include "program.h"
 #include "quirks_list.h"
+#include "show_timeline.h"
 
 #include <cstring>
 #include <exception>
@@ -27,6 +28,7 @@ int perform(const CommandLine& line) {
     case Command::explain: return explain(line);
     case Command::doctor: return doctor(line);
     case Command::quirks: return listQuirks(line);
+    case Command::timeline: return showTimeline(line);
     default: return run(line);
   }
 }

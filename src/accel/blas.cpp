@@ -4,6 +4,7 @@
 #include "accel/embree.h"
 #include "accel/error.h"
 #include "accel/figure_query.h"
+#include "base/timeline.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -126,6 +127,7 @@ void Blas::commit() {
 }
 
 void Blas::build() {
+  const timeline::Span span("build mesh", triangleCount_);
   const size_t before = Device::bytesOfFrames();
   commit();
   const size_t after = Device::bytesOfFrames();
@@ -133,6 +135,8 @@ void Blas::build() {
 }
 
 void Blas::buildBehind(const std::atomic<bool>& cancelled) {
+  timeline::nameThread("refining");
+  const timeline::Span span("refine mesh", triangleCount_);
   // While the process exits, TBB does not survive that its tasks are cancelled.
   const auto goOn = [](void* flag, double) {
     parkAtExit();

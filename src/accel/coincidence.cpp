@@ -1,5 +1,7 @@
 #include "accel/coincidence.h"
 
+#include "base/timeline.h"
+
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
@@ -165,6 +167,8 @@ void Coincidence::lookBehind(const Group& group) {
   const auto look = [meshes = std::move(meshes), found](const std::atomic<bool>& cancelled) {
     std::vector<const scene::Mesh*> all;
     for (const scene::Mesh& mesh : meshes) all.push_back(&mesh);
+    timeline::nameThread("comparing");
+    const timeline::Span span("compare triangles");
     *found = anyCoincide(all, cancelled);
   };
   // Short, and until it has ended every ray is slower: not at low priority.

@@ -2,6 +2,7 @@
 
 #include "accel/embree.h"
 #include "accel/error.h"
+#include "base/timeline.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -51,6 +52,7 @@ bool Tlas::update(std::vector<PlacedBlas> instances) {
   }
   // Until the commit has succeeded nothing is known to be held; the geometries are then all placed again.
   std::vector<PlacedBlas> alive = std::exchange(held_, {});
+  const timeline::Span span("top level", instances.size());
   {
     const CommitScope scope;
     rtcCommitScene(scene_);

@@ -3,6 +3,7 @@
 #include "accel/arena.h"
 #include "accel/world.h"
 #include "base/clock.h"
+#include "base/timeline.h"
 #include "render/float_guard.h"
 #include "render/fxaa.h"
 #include "render/tile_tracer.h"
@@ -25,20 +26,27 @@ class Renderer::Engine {
     const double start = nowSeconds();
     prepareArena(snapshot.settings.threads);
     if (!world_) world_.emplace();
-    const accel::UpdateStatistics update = world_->update(snapshot, *arena_);
+    const accel::UpdateStatistics update = [&] {
+      const timeline::Span span("build", snapshot.instances.size());
+      return world_->update(snapshot, *arena_);
+    }();
     statistics.blasBuilds = update.blasBuilds;
     statistics.tlasBuilds = update.tlasBuilds;
     statistics.blasRefinements = update.blasRefinements;
     statistics.bvhBytes = world_->bytes();
     const double built = nowSeconds();
     statistics.buildSeconds = built - start;
-    render::traceImage(snapshot, *world_, *arena_, image);
+    {
+      const timeline::Span span("trace");
+      render::traceImage(snapshot, *world_, *arena_, image);
+    }
     statistics.traceSeconds = nowSeconds() - built;
   }
 
   void antialias(const Settings& settings, const scene::Fxaa& fxaa, const uint32_t* in, int width, int height,
                  uint32_t* out) {
     prepareArena(settings.threads);
+    const timeline::Span span("anti-alias");
     arena_->execute([&] { render::fxaa(fxaa, in, width, height, out, fxaaMemory_); });
   }
 

@@ -1,5 +1,6 @@
 // Draws from vertex arrays, by fixed function and by shader programs.
 #include "base/clock.h"
+#include "base/timeline.h"
 #include "gl/handlers.h"
 #include "gl/leaf.h"
 #include "gl/stub.h"
@@ -67,6 +68,7 @@ void recordDraw(Context& c, GLenum mode, const Elements& e) {
 /// The mesh of the draw, known or new.
 KnownMesh meshOf(Context& c, const ArrayState& arrays, GLenum mode, const Elements& e) {
   const double start = nowSeconds();
+  const timeline::Span span("capture", trianglesOf(mode, e));
   KnownMesh known;
   const Hash128 content = contentOf(c.real, arrays, mode, e);
   if (!c.group().meshes.find(content, known)) {

@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "base/log.h"
+#include "base/timeline.h"
 #include "gl/list.h"
 
 #include <GL/gl.h>
@@ -289,6 +290,8 @@ bool Context::canTrace() {
 
 void Context::present(bool rasterise) {
   if (batch_.empty()) return;
+  timeline::writeIfDue();
+  const timeline::Span span("batch", batch_.waiting().instances.size());
   const BatchKey key = batch_.key();
   const bool peeled = key.layers == BatchKey::Layers::peeled;
   if (peeled && !layersHaveSurfaces()) return giveUpLayers();

@@ -1,5 +1,6 @@
 #include "gl/mesh_builder.h"
 
+#include "base/timeline.h"
 #include "gl/parallel.h"
 #include "gl/weld.h"
 
@@ -164,6 +165,7 @@ KnownMesh buildMesh(const Captured& captured) {
     copyAttributes({captured, nullptr}, *mesh);
     mesh->triangleCount = captured.vertexCount / 3;
   } else if (isSoup(captured)) {
+    const timeline::Span span("weld", captured.vertexCount / 3);
     Welded welded = weld(captured.vertices.data(), captured.vertexCount, captured.layout.stride);
     copyAttributes({captured, &welded.source}, *mesh);
     mesh->indices = makeIndices(std::move(welded.index), mesh->sizeBytes);

@@ -1,6 +1,7 @@
 #include "intercept/contexts.h"
 
 #include "base/log.h"
+#include "base/timeline.h"
 #include "gl/context.h"
 #include "intercept/explanation.h"
 #include "intercept/families.h"
@@ -307,7 +308,7 @@ void swapped(uintptr_t drawable) noexcept {
     gl::Context* context = gl::t_thread.context;
     // Without a back buffer a swap shows nothing new: glFlush and glFinish end frames there.
     if (context && t_current.drawables.draw == drawable && context->info().doubleBuffered)
-      context->afterSwap(), countFrame();
+      context->afterSwap(), countFrame(), timeline::mark("frame");
   });
   writeReportIfDue();
 }
@@ -328,6 +329,7 @@ void drawableGoing(uintptr_t drawable) noexcept {
 
 void passThroughAfterFork() noexcept {
   g_forked = true;
+  timeline::g_recording = false;
   gl::t_thread = {};
 }
 

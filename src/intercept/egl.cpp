@@ -1,5 +1,6 @@
 // EGL with desktop OpenGL: contexts, current contexts, buffer swaps. EGL 1.5 and the extensions that show
 // pictures.
+#include "base/timeline.h"
 #include "intercept/contexts.h"
 #include "intercept/engine.h"
 #include "intercept/hook_table.h"
@@ -41,7 +42,10 @@ template <class F>
 EGLBoolean swapping(EGLSurface surface, F&& call) {
   const Outermost outermost;
   if (outermost) intercept::swapping(drawableOf(surface));
-  const EGLBoolean done = call();
+  const EGLBoolean done = [&] {
+    const timeline::Span span("swap");
+    return call();
+  }();
   if (outermost) swapped(drawableOf(surface));
   return done;
 }

@@ -1,4 +1,5 @@
 // GLX: contexts, current contexts, buffer swaps. GLX 1.4 and the extensions that show pictures.
+#include "base/timeline.h"
 #include "gl/stub.h"
 #include "intercept/contexts.h"
 #include "intercept/drawable_size.h"
@@ -58,6 +59,7 @@ auto swapping(GLXDrawable drawable, F&& call) {
   const Outermost outermost;
   if (outermost) intercept::swapping(drawable);
   const AfterSwap afterSwap{outermost, drawable};
+  const timeline::Span span("swap");
   return call();
 }
 

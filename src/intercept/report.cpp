@@ -67,26 +67,10 @@ json makeReport(const Totals& totals) {
   };
 }
 
-bool launchedProcess() {
-  const char* launched = std::getenv("GLURAY_PID");
-  return !launched || std::to_string(getpid()) == launched;
-}
-
-/// The file that this process writes, chosen at the first report.
-std::string choosePath() {
-  std::string path = session().reportFile;
-  if (launchedProcess()) return path;
-  const int fresh = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
-  if (fresh >= 0)
-    close(fresh);
-  else if (errno == EEXIST)
-    path.append(".").append(std::to_string(getpid()));
-  return path;
-}
-
+/// Chosen at the first report.
 const std::string& reportPath() {
   // Never destroyed: the exit handler that writes the last report was registered before this string was made.
-  static const std::string& path = *new std::string(choosePath());
+  static const std::string& path = *new std::string(fileOfThisProcess(session().reportFile));
   return path;
 }
 

@@ -1,7 +1,10 @@
 #include "intercept/session.h"
 
 #include "base/log.h"
+#include "base/timeline.h"
 
+#include <errno.h>
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,12 +15,8 @@
 namespace gluray::intercept {
 namespace {
 
-/// Whether this is the process that the launcher started, or there was no launcher: others keep quiet unless
-/// they log to a file.
-bool mayTalk(const Session& session) {
-  const char* launched = std::getenv("GLURAY_PID");
-  return !session.logFile.empty() || !launched || std::to_string(getpid()) == launched;
-}
+/// Processes that the launcher did not start keep quiet unless they log to a file.
+bool mayTalk(const Session& session) { return !session.logFile.empty() || launchedProcess(); }
 
 log::Level levelOf(const std::string& name) {
   static const std::vector<std::string> names = {"trace", "debug", "info", "warning", "error", "off"};
@@ -32,10 +31,26 @@ const Session* readSession() {
   log::configure(mayTalk(*session) ? levelOf(session->logLevel) : log::Level::off, session->logFile);
   for (const std::string& line : complaints) log::write(log::Level::warning, line);
   complaints.clear();
+  if (!session->timelineFile.empty()) timeline::record(fileOfThisProcess(session->timelineFile));
   return session;
 }
 
 }  // namespace
+
+bool launchedProcess() {
+  const char* launched = std::getenv("GLURAY_PID");
+  return !launched || std::to_string(getpid()) == launched;
+}
+
+std::string fileOfThisProcess(std::string path) {
+  if (launchedProcess()) return path;
+  const int fresh = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
+  if (fresh >= 0)
+    close(fresh);
+  else if (errno == EEXIST)
+    path.append(".").append(std::to_string(getpid()));
+  return path;
+}
 
 const Session& session() {
   static const Session* const once = readSession();

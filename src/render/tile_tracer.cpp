@@ -1,5 +1,6 @@
 #include "render/tile_tracer.h"
 
+#include "base/timeline.h"
 #include "render/float_guard.h"
 #include "render/kernels.h"
 
@@ -62,6 +63,8 @@ bool traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Imag
             rows = (image.height + kTileSize - 1) / kTileSize;
   tbb::parallel_for(0, columns * rows, [&](int index) {
     const FloatGuard guard;
+    timeline::nameThread("tracing");
+    const timeline::Span span("tiles", 1, true);
     const int x = index % columns * kTileSize, y = index / columns * kTileSize;
     traceTile(frame, {x, y, std::min(x + kTileSize, image.width), std::min(y + kTileSize, image.height)});
   });

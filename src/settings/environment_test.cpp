@@ -14,8 +14,9 @@ std::vector<std::string> g_complaints;
 /// The session that the given variables make; all others are unset.
 Session sessionOf(std::vector<std::pair<const char*, const char*>> variables) {
   setenv("XDG_CONFIG_HOME", "/nowhere", 1);
-  for (const char* name : {"CONFIG", "THREADS", "ENGINE", "BVH", "SHADING", "RENDERER", "SPP", "OFF",
-                           "REPORT", "LOG", "LOG_LEVEL", "QUIRKS", "PROGRAM_FAMILIES", "EXPLAIN", "PICTURE"})
+  for (const char* name :
+       {"CONFIG", "THREADS", "ENGINE", "BVH", "SHADING", "RENDERER", "SPP", "OFF", "REPORT", "TIMELINE",
+        "LOG", "LOG_LEVEL", "QUIRKS", "PROGRAM_FAMILIES", "EXPLAIN", "PICTURE"})
     unsetenv((std::string("GLURAY_") + name).c_str());
   for (const auto& [name, value] : variables) setenv(name, value, 1);
   g_complaints.clear();
@@ -57,6 +58,7 @@ TEST(Environment, EveryVariableIsRead) {
                                      {"GLURAY_SPP", "16"},
                                      {"GLURAY_OFF", "1"},
                                      {"GLURAY_REPORT", "/r.json"},
+                                     {"GLURAY_TIMELINE", "/t.json"},
                                      {"GLURAY_LOG", "/l.txt"},
                                      {"GLURAY_LOG_LEVEL", "debug"},
                                      {"GLURAY_QUIRKS", "material-latch=off"},
@@ -71,6 +73,7 @@ TEST(Environment, EveryVariableIsRead) {
   EXPECT_EQ(session.settings.spp, 16);
   EXPECT_TRUE(session.off);
   EXPECT_EQ(session.reportFile, "/r.json");
+  EXPECT_EQ(session.timelineFile, "/t.json");
   EXPECT_EQ(session.logFile, "/l.txt");
   EXPECT_EQ(session.logLevel, "debug");
   EXPECT_FALSE(session.settings.quirks.has(Quirk::materialLatch));

@@ -88,6 +88,7 @@ const Key kKeys[] = {
     {"quirks", [](Session& s, std::string_view v) { return readQuirks(v, s.settings.quirks); }},
     {"program-families", [](Session& s, std::string_view v) { return s.programFamilies = v, std::string(); }},
     {"report", [](Session& s, std::string_view v) { return s.reportFile = v, std::string(); }},
+    {"timeline", [](Session& s, std::string_view v) { return s.timelineFile = v, std::string(); }},
     {"log", [](Session& s, std::string_view v) { return s.logFile = v, std::string(); }},
     {"log-level", [](Session& s, std::string_view v) { return setLogLevel(v, s.logLevel); }},
     {"explain",

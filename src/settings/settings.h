@@ -37,9 +37,10 @@ struct Settings {
 /// What the launcher passes to the engine beside Settings; fixed for the life of the process.
 struct Session {
   Settings settings;
-  bool off = false;        // pass every call through, for comparison
-  std::string reportFile;  // JSON written at exit; empty: none
-  std::string logFile;     // empty: stderr
+  bool off = false;          // pass every call through, for comparison
+  std::string reportFile;    // JSON written at exit; empty: none
+  std::string logFile;       // empty: stderr
+  std::string timelineFile;  // what each thread does when; empty: none
   std::string
       programFamilies;    // files that describe shader programs, separated by ':'; empty: built-in ones alone
   int explainFrames = 0;  // `gluray explain`: frames whose draws are recorded by kind; 0: nobody explains
@@ -53,9 +54,9 @@ int threadsOfRank(int cores, int allowed, int ranks);
 
 /// Reads GLURAY_THREADS, GLURAY_ENGINE, GLURAY_BVH, GLURAY_SHADING, GLURAY_RENDERER, GLURAY_SPP, GLURAY_OFF,
 /// GLURAY_REPORT, GLURAY_LOG,
-/// GLURAY_LOG_LEVEL, GLURAY_QUIRKS, GLURAY_PROGRAM_FAMILIES, GLURAY_EXPLAIN, GLURAY_PICTURE. An unreadable
-/// value is reported once through `complain` ("GLURAY_BVH=x: use auto, fast, full or compact") and the
-/// default kept.
+/// GLURAY_LOG_LEVEL, GLURAY_TIMELINE, GLURAY_QUIRKS, GLURAY_PROGRAM_FAMILIES, GLURAY_EXPLAIN, GLURAY_PICTURE.
+/// An unreadable value is reported once through `complain` ("GLURAY_BVH=x: use auto, fast, full or compact")
+/// and the default kept.
 Session sessionFromEnvironment(void (*complain)(const std::string& line));
 
 }  // namespace gluray

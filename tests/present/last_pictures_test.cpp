@@ -12,7 +12,9 @@ namespace {
 
 class LastPicturesTest : public testing::Test {
  protected:
-  LastPicturesTest() : shown_(test::makeSnapshot({mesh_, test::makeMesh(test::squareData(0.5f))})) { keep(shown_); }
+  LastPicturesTest() : shown_(test::makeSnapshot({mesh_, test::makeMesh(test::squareData(0.5f))})) {
+    keep(shown_);
+  }
   uint64_t keep(const scene::Snapshot& snapshot) {
     const uint64_t id = pictures_.next().id;
     pictures_.keep(snapshot);

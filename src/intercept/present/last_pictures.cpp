@@ -18,8 +18,8 @@ bool isSameLayers(const std::shared_ptr<const scene::Layers>& a,
 /// What changes most often first. Asks for no memory.
 bool LastPictures::isSame(Entry& entry, const scene::Snapshot& s) noexcept {
   const scene::Snapshot& e = entry.shows;
-  if (!entry.whole || e.eyeFromWorld != s.eyeFromWorld || !(e.camera == s.camera) || !(e.region == s.region) ||
-      e.instances.size() != s.instances.size())
+  if (!entry.whole || e.eyeFromWorld != s.eyeFromWorld || !(e.camera == s.camera) ||
+      !(e.region == s.region) || e.instances.size() != s.instances.size())
     return false;
   for (size_t i = 0; i < s.instances.size(); ++i) {
     scene::Instance& one = entry.shows.instances[i];

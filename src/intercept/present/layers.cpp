@@ -1,5 +1,6 @@
 #include "intercept/present/layers.h"
 
+#include "base/timeline.h"
 #include "gl/state_queries.h"
 #include "intercept/present/program_replay.h"
 
@@ -137,6 +138,7 @@ bool readDepths(const RealGl& real, const Features& features, GLint unit, glm::i
 
 bool writeTexture(const RealGl& real, const Features& features, GLuint texture, glm::ivec2 size,
                   const uint32_t* pixels) {
+  const timeline::Span span("write back");
   StateGuard guard(real, features);
   guard.plainUnpack();
   guard.texture2D(0, texture);

@@ -1,5 +1,6 @@
 #include "intercept/present/write_back.h"
 
+#include "base/timeline.h"
 #include "intercept/present/write_back_program.h"
 
 #include <algorithm>
@@ -182,6 +183,7 @@ void WriteBack::findSheets(const Image& image, int planes) {
 }
 
 bool WriteBack::write(const Image& image, const WriteBackTarget& target, PendingErrors& pending) {
+  const timeline::Span span("write back");
   std::string why;
   pending = takeErrors(real_);
   if (image.content != content_ || !ready(why)) return false;

@@ -1,0 +1,200 @@
+#include "base/timeline.h"
+
+#include "base/log.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace gluray::timeline {
+namespace {
+
+constexpr int64_t kClose = 30'000;             // nanoseconds between spans that become one
+constexpr int64_t kInterval = 500'000'000;     // between two writes
+constexpr size_t kMostEvents = size_t{1} << 20;  // of a thread, until they are written: some forty megabytes
+
+struct Event {
+  const char* name;
+  int64_t start, end;  // nanoseconds; a mark's are equal
+  uint64_t amount;
+  bool joined;
+};
+
+/// What one thread does. Its own thread adds, whoever writes the file takes.
+struct Track {
+  std::mutex mutex;
+  std::deque<Event> events;
+  const char* name = nullptr;
+  bool named = false;  // the file says so
+  pid_t thread = gettid();
+  uint64_t lost = 0;
+};
+
+/// Never destroyed: threads record until the process is gone.
+struct Recorder {
+  std::mutex mutex;  // of all below, and of the file
+  std::vector<std::unique_ptr<Track>> tracks;
+  std::string file;
+  int descriptor = -1;
+  pid_t process = 0;
+  int64_t start = 0;
+  std::atomic<int64_t> nextWrite{0};
+
+  static Recorder& instance() {
+    static auto* recorder = new Recorder;
+    return *recorder;
+  }
+};
+
+int64_t now() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+thread_local Track* t_track = nullptr;  // never destroyed: threads record while they end
+
+Track& trackOfThread() {
+  if (!t_track) {
+    auto track = std::make_unique<Track>();
+    Recorder& recorder = Recorder::instance();
+    const std::lock_guard lock(recorder.mutex);
+    recorder.tracks.push_back(std::move(track));
+    t_track = recorder.tracks.back().get();
+  }
+  return *t_track;
+}
+
+void add(const Event& event) noexcept {
+  try {
+    Track& track = trackOfThread();
+    const std::lock_guard lock(track.mutex);
+    Event* last = track.events.empty() ? nullptr : &track.events.back();
+    if (event.joined && last && last->joined && last->name == event.name &&
+        event.start - last->end < kClose) {
+      last->end = event.end;
+      last->amount += event.amount;
+    } else if (track.events.size() < kMostEvents) {
+      track.events.push_back(event);
+    } else {
+      ++track.lost;
+    }
+  } catch (...) {  // without memory the picture has a gap
+  }
+}
+
+void appendEvent(std::string& out, const Recorder& recorder, const Track& track, const Event& event) {
+  char line[320];
+  const double start = static_cast<double>(event.start - recorder.start) / 1000;
+  int length = 0;
+  if (event.start == event.end)
+    length = snprintf(line, sizeof line, R"({"ph":"i","s":"p","name":"%s","pid":%d,"tid":%d,"ts":%.3f)", event.name,
+                      recorder.process, track.thread, start);
+  else
+    length = snprintf(line, sizeof line, R"({"ph":"X","name":"%s","pid":%d,"tid":%d,"ts":%.3f,"dur":%.3f)",
+                      event.name, recorder.process, track.thread, start,
+                      static_cast<double>(event.end - event.start) / 1000);
+  out.append(line, static_cast<size_t>(length));
+  if (event.amount) out.append(R"(,"args":{"n":)").append(std::to_string(event.amount)).append("}");
+  out.append("},\n");
+}
+
+/// Takes what a thread has done so far. The last span stays where it may go on.
+void take(const Recorder& recorder, Track& track, bool all, std::string& out) {
+  std::deque<Event> events;
+  {
+    const std::lock_guard lock(track.mutex);
+    events.swap(track.events);
+    if (!all && !events.empty() && events.back().joined) {
+      track.events.push_back(events.back());
+      events.pop_back();
+    }
+    if (!track.named && track.name) {
+      track.named = true;
+      out.append(R"({"ph":"M","name":"thread_name","pid":)" + std::to_string(recorder.process) + R"(,"tid":)" +
+                 std::to_string(track.thread) + R"(,"args":{"name":")" + track.name + "\"}},\n");
+    }
+  }
+  for (const Event& event : events) appendEvent(out, recorder, track, event);
+}
+
+bool openFile(Recorder& recorder) {
+  if (recorder.descriptor >= 0) return true;
+  recorder.descriptor = ::open(recorder.file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  return recorder.descriptor >= 0 && ::write(recorder.descriptor, "[\n", 2) == 2;
+}
+
+void writeOut(bool all) noexcept {
+  if (!g_recording) return;
+  try {
+    Recorder& recorder = Recorder::instance();
+    const std::lock_guard lock(recorder.mutex);
+    if (getpid() != recorder.process) return;  // forked: the file is the parent's
+    std::string out;
+    for (const std::unique_ptr<Track>& track : recorder.tracks) take(recorder, *track, all, out);
+    if (out.empty()) return;
+    if (openFile(recorder) &&
+        ::write(recorder.descriptor, out.data(), out.size()) == static_cast<ssize_t>(out.size()))
+      return;
+    g_recording = false;
+    log::write(log::Level::error, "cannot write the timeline " + recorder.file + "; recording ends");
+  } catch (...) {  // without memory the picture has a gap
+  }
+}
+
+}  // namespace
+
+void record(const std::string& file) {
+  Recorder& recorder = Recorder::instance();
+  {
+    const std::lock_guard lock(recorder.mutex);
+    recorder.file = file;
+    recorder.process = getpid();
+    recorder.start = now();
+  }
+  std::atexit([] { write(); });
+  g_recording = true;
+  nameThread("program");
+}
+
+void writeIfDue() noexcept {
+  if (!g_recording.load(std::memory_order_relaxed)) return;
+  std::atomic<int64_t>& next = Recorder::instance().nextWrite;
+  const int64_t time = now();
+  int64_t due = next;
+  if (time < due || !next.compare_exchange_strong(due, time + kInterval)) return;
+  writeOut(false);
+}
+
+void write() noexcept { writeOut(true); }
+
+void nameThread(const char* name) noexcept {
+  if (!g_recording.load(std::memory_order_relaxed)) return;
+  try {
+    Track& track = trackOfThread();
+    const std::lock_guard lock(track.mutex);
+    if (!track.name) track.name = name;
+  } catch (...) {  // it stays a number
+  }
+}
+
+void mark(const char* name) noexcept {
+  if (!g_recording.load(std::memory_order_relaxed)) return;
+  const int64_t time = now();
+  add({name, time, time, 0, false});
+}
+
+void Span::begin(const char* name, uint64_t amount, bool joined) noexcept {
+  name_ = name, amount_ = amount, joined_ = joined;
+  start_ = now();
+}
+
+void Span::end() noexcept { add({name_, start_, now(), amount_, joined_}); }
+
+}  // namespace gluray::timeline
