@@ -21,8 +21,7 @@ void checkArrays(const scene::Mesh& mesh) {
   if (mesh.indices && (mesh.indices.stride != 4 || misaligned(mesh.indices))) {
     throw Error("a mesh has indices that are not tightly packed");
   }
-  const uint64_t corners = mesh.shape == scene::Shape::triangles ? 3 : 1;
-  if (!mesh.indices && mesh.triangleCount * corners > mesh.vertexCount) {
+  if (!mesh.indices && uint64_t{mesh.triangleCount} * scene::cornersOf(mesh.shape) > mesh.vertexCount) {
     throw Error("a mesh has fewer vertices than its primitives need");
   }
 }

@@ -1,6 +1,7 @@
 #include "accel/figure_query.h"
 
 #include "accel/embree.h"
+#include "accel/pixel_figure.h"
 #include "accel/query_state.h"
 
 #include <bit>
@@ -16,6 +17,24 @@ uint32_t lanesAsked(const RTCIntersectFunctionNArguments& a, uint32_t first) {
   return lanes;
 }
 
+/// Which of `lanes` meet the figure, and where.
+uint32_t lanesThatMeet(const QueryState& state, uint32_t instance, uint32_t primitive, uint32_t lanes,
+                       float (&t)[kLanes]) {
+  const PlacedFigures& placed = state.figures[instance];
+  const FigureQuery& rays = state.rays;
+  if (scene::isSizedInPixels(placed.mesh->shape))
+    return meet(placed, primitive, rays, state.around, lanes, t);
+  Figure figure;
+  if (!Figure::make(placed, primitive, figure)) return 0;
+  const bool apart = rays.samples != rays.centers;
+  if (state.raysOf != instance) {
+    toLighting(placed, *rays.centers, state.centers);
+    if (apart) toLighting(placed, *rays.samples, state.samples);
+    state.raysOf = instance;
+  }
+  return meet(figure, state.centers, apart ? state.samples : state.centers, lanes, t);
+}
+
 }  // namespace
 
 void intersectFigures(const RTCIntersectFunctionNArguments* arguments) {
@@ -25,21 +44,11 @@ void intersectFigures(const RTCIntersectFunctionNArguments* arguments) {
   const auto& state = *static_cast<const QueryState*>(user);
   const uint32_t inside = a.context->instID[0];
   const uint32_t instance = inside == RTC_INVALID_GEOMETRY_ID ? state.aloneIndex : inside;
-  const PlacedFigures& placed = state.figures[instance];
-  Figure figure;
-  if (!Figure::make(placed, a.primID, figure)) return;
-  const bool apart = state.rays.samples != state.rays.centers;
-  if (state.raysOf != instance) {
-    toLighting(placed, *state.rays.centers, state.centers);
-    if (apart) toLighting(placed, *state.rays.samples, state.samples);
-    state.raysOf = instance;
-  }
-
   RTCRayN* ray = RTCRayHitN_RayN(a.rayhit, a.N);
   RTCHitN* hit = RTCRayHitN_HitN(a.rayhit, a.N);
   const uint32_t first = RTCRayN_id(ray, a.N, 0);
   alignas(64) float t[kLanes];
-  uint32_t met = meet(figure, state.centers, apart ? state.samples : state.centers, lanesAsked(a, first), t);
+  uint32_t met = lanesThatMeet(state, instance, a.primID, lanesAsked(a, first), t);
   for (; met; met &= met - 1) {
     const auto lane = static_cast<uint32_t>(std::countr_zero(met));
     const unsigned i = lane - first;

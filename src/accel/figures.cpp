@@ -1,5 +1,7 @@
 #include "accel/figures.h"
 
+#include "accel/pixel_figure.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,16 +16,16 @@ glm::vec3 axisOf(const scene::Mesh& mesh, uint32_t vertex) {
   return mesh.axes ? glm::vec3(scene::fetch(mesh.axes, vertex)) : glm::vec3(0, 0, 1);
 }
 
-/// The next power of 2^(1/64), so that a few roundings more or less seldom make a difference.
+}  // namespace
+
 float roundedUp(double length) {
   constexpr double kSteps = 64;
   if (!(length > 0) || !std::isfinite(length)) return 0;
   return static_cast<float>(std::exp2(std::ceil(std::log2(length * (1 + 1e-4)) * kSteps) / kSteps));
 }
 
-}  // namespace
-
-FigureReach FigureReach::of(const scene::Instance& instance) {
+FigureReach FigureReach::of(const scene::Instance& instance, const scene::Camera& camera) {
+  if (scene::isSizedInPixels(instance.mesh->shape)) return reachInPixels(instance, camera);
   FigureReach reach;
   const glm::dmat3 objectFromLighting = glm::inverse(glm::dmat3(glm::mat3(instance.lightingFromObject)));
   // |M p| <= r reaches as far along an axis as the row of M's inverse is long.
@@ -55,14 +57,27 @@ Box boundsOfFigure(const scene::Mesh& mesh, const FigureReach& reach, uint32_t p
     half += 0.5f * glm::abs(reach.alongAxis * axis) + glm::length(axis) * reach.perLength;
   }
   half += 1e-6f * glm::abs(center);
-  const float sum = half.x + half.y + half.z + center.x + center.y + center.z;
-  if (!std::isfinite(sum) || !(radius > 0)) return {glm::vec3(INFINITY), glm::vec3(-INFINITY)};
-  return {center - half, center + half};
+  const glm::vec3 other = mesh.position(mesh.corner(primitive, 1));  // of tubes
+  half += 1e-6f * glm::abs(other);
+  const Box box{glm::min(center, other) - half, glm::max(center, other) + half};
+  const glm::vec3 sum = box.lower + box.upper + center + other;
+  if (!std::isfinite(sum.x + sum.y + sum.z) || !(radius > 0))
+    return {glm::vec3(INFINITY), glm::vec3(-INFINITY)};
+  return box;
 }
 
-PlacedFigures::PlacedFigures(const scene::Instance& instance)
-    : mesh(instance.mesh), look(instance.figures), lightingFromObject(instance.lightingFromObject) {
+PlacedFigures::PlacedFigures(const scene::Instance& instance, const scene::Camera& camera)
+    : mesh(instance.mesh),
+      look(instance.figures),
+      lightingFromObject(instance.lightingFromObject),
+      clipFromObject(camera.clipFromEye * instance.eyeFromObject) {
   lightingFromEye = glm::mat4(glm::dmat4(lightingFromObject) * glm::inverse(instance.eyeFromObject));
+  const glm::dmat4 rows = glm::transpose(camera.clipFromEye);
+  clipZ = rows[2], clipW = rows[3];
+  windowHalf = 0.5 * glm::dvec2(camera.viewport.z, camera.viewport.w);
+  windowCenter = glm::dvec2(camera.viewport.x, camera.viewport.y) + windowHalf;
+  depthScale = 0.5 * (double{camera.depthFar} - camera.depthNear);
+  depthOffset = 0.5 * (double{camera.depthFar} + camera.depthNear);
 }
 
 bool Figure::make(const PlacedFigures& placed, uint32_t primitive, Figure& f) {

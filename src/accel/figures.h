@@ -1,5 +1,5 @@
 // Spheres, discs and cylinders that fragment programs make (scene/figures.h): their bounds for acceleration
-// structures, and where rays meet them. Private to accel/; any thread.
+// structures, and where rays meet them. Any thread.
 #pragma once
 #include "accel/ray_packet.h"
 #include "base/hash.h"
@@ -19,8 +19,11 @@ struct FigureReach {
   glm::mat3 alongAxis{0};  // half a cylinder's axis in object space is this times half of Mesh::axes
   glm::vec3 perLength{0};  // what rounding may have taken from that, for a length of 1
   bool operator==(const FigureReach&) const = default;
-  static FigureReach of(const scene::Instance&);
+  static FigureReach of(const scene::Instance&, const scene::Camera&);
 };
+
+/// The next power of 2^(1/64), so that a few roundings more or less seldom make a difference.
+float roundedUp(double length);
 
 /// Lower and upper corner of figure `primitive`; lower > upper where it does not exist.
 struct Box {
@@ -28,13 +31,26 @@ struct Box {
 };
 Box boundsOfFigure(const scene::Mesh&, const FigureReach&, uint32_t primitive);
 
+/// A vertex in the window, in the precision that programs have.
+struct WindowVertex {
+  float x = 0, y = 0;  // pixels
+  float ndc = 0;       // depth
+  float w = -1;        // clip space; where it is not positive the others mean nothing
+};
+
 /// The figures of one instance as rays of a snapshot meet them.
 struct PlacedFigures {
   scene::MeshPtr mesh;  // null: triangles
   scene::Figures look;
   glm::mat4 lightingFromObject{1}, lightingFromEye{1};
+  // Of figures whose size is in pixels: the window.
+  glm::dmat4 clipFromObject{1};
+  glm::dvec4 clipZ{0}, clipW{0};              // rows of clipFromEye
+  glm::dvec2 windowCenter{0}, windowHalf{1};  // of the viewport, pixels
+  double depthScale = 0.5, depthOffset = 0.5;
+  std::vector<WindowVertex> window;  // by vertex
   PlacedFigures() = default;
-  explicit PlacedFigures(const scene::Instance&);
+  PlacedFigures(const scene::Instance&, const scene::Camera&);
 };
 
 /// One of them, in the lighting space.

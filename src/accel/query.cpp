@@ -74,7 +74,10 @@ void World::intersect(const int32_t* valid, RayPacket& packet, const HitFilter* 
   } else {
     TieBreaker ties(order_);
     QueryState state{filter, mayCoincide_ ? &ties : nullptr, aloneIndex_};
-    if (figures) state.figures = figures_.data(), state.rays = *figures;
+    if (figures) {
+      state.figures = figures_.data(), state.rays = *figures;
+      if (hasPixelFigures_) state.around = WindowRectangle(*figures->samples);
+    }
     CoherentQuery query(filter || mayCoincide_ ? onFilter : nullptr, &state);
     intersectAll(query, scene_, device_.packetWidth(), valid, packet);
     if (mayCoincide_) ties.restoreDistances(packet);

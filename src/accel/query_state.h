@@ -1,6 +1,6 @@
 // What a query of World carries into Embree's callbacks. Private to accel/; lives as long as one query.
 #pragma once
-#include "accel/figures.h"
+#include "accel/pixel_figure.h"
 #include "accel/world.h"
 
 #include <algorithm>
@@ -52,6 +52,7 @@ struct QueryState {
   uint32_t aloneIndex;
   const PlacedFigures* figures = nullptr;  // by instance
   FigureQuery rays;
+  WindowRectangle around;
   // Those in the lighting space of the instance that was asked about last.
   mutable uint32_t raysOf = kNoHit;
   mutable FigureRays centers, samples;

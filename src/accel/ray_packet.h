@@ -30,6 +30,7 @@ struct alignas(64) RayPacket {
 struct alignas(64) PixelRays {
   float orgX[kLanes], orgY[kLanes], orgZ[kLanes], dirX[kLanes], dirY[kLanes], dirZ[kLanes];
   float tFar[kLanes];  // the end of the ray, whatever was hit
+  float windowX[kLanes], windowY[kLanes];
 };
 
 /// What figures (scene/figures.h) are met by: programs compute them for the centres of pixels, on those

@@ -2,6 +2,7 @@
 
 #include "accel/embree.h"
 #include "accel/error.h"
+#include "accel/pixel_figure.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +66,8 @@ std::vector<PlacedBlas> World::place(const scene::Snapshot& snapshot) {
   meshes.reserve(snapshot.instances.size());
   for (const scene::Instance& instance : snapshot.instances) {
     meshes.push_back({instance.mesh.get(), {}});
-    if (instance.mesh->shape != scene::Shape::triangles) meshes.back().reach = FigureReach::of(instance);
+    if (instance.mesh->shape != scene::Shape::triangles)
+      meshes.back().reach = FigureReach::of(instance, snapshot.camera);
   }
 
   std::vector<BlasPtr> blases;
@@ -97,7 +99,10 @@ void World::readBounds() {
 }
 
 void World::readOrder(const scene::Snapshot& snapshot) {
-  mayCoincide_ = coincidence_.possible(snapshot.instances);
+  // Programs draw the points and lines that cells share once for each of them, in colours of their own.
+  const auto repeated = [](const scene::Instance& i) { return scene::isSizedInPixels(i.mesh->shape); };
+  mayCoincide_ = coincidence_.possible(snapshot.instances) ||
+                 std::any_of(snapshot.instances.begin(), snapshot.instances.end(), repeated);
   order_.laterWins = snapshot.laterWins;
   order_.ranks.clear();
   if (!mayCoincide_) return;
@@ -106,11 +111,17 @@ void World::readOrder(const scene::Snapshot& snapshot) {
 
 void World::readFigures(const scene::Snapshot& snapshot) {
   figures_.clear();
+  hasPixelFigures_ = false;
   const auto isFigures = [](const scene::Instance& i) { return i.mesh->shape != scene::Shape::triangles; };
   if (std::none_of(snapshot.instances.begin(), snapshot.instances.end(), isFigures)) return;
   figures_.resize(snapshot.instances.size());
   for (size_t i = 0; i < figures_.size(); ++i)
-    if (isFigures(snapshot.instances[i])) figures_[i] = PlacedFigures(snapshot.instances[i]);
+    if (isFigures(snapshot.instances[i])) figures_[i] = PlacedFigures(snapshot.instances[i], snapshot.camera);
+  for (PlacedFigures& placed : figures_) {
+    if (!placed.mesh || !scene::isSizedInPixels(placed.mesh->shape)) continue;
+    placed.window = windowVertices(placed);
+    hasPixelFigures_ = true;
+  }
 }
 
 }  // namespace gluray::accel

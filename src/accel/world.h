@@ -55,6 +55,7 @@ class World {
   bool empty() const { return scene_ == nullptr; }
   /// True if some of it are figures.
   bool hasFigures() const { return !figures_.empty(); }
+  const PlacedFigures& figuresOf(uint32_t instance) const { return figures_[instance]; }
   /// Bytes of all structures now.
   size_t bytes() const { return Device::bytes(); }
   size_t cachedBlases() const { return cache_.size(); }
@@ -78,6 +79,7 @@ class World {
   bool mayCoincide_ = false;  // some triangles may: hits are compared, which costs time
   DrawOrder order_;
   std::vector<PlacedFigures> figures_;  // by instance; empty where all are triangles
+  bool hasPixelFigures_ = false;        // some of them have a size in pixels
   glm::vec3 lower_{0}, upper_{0};
 };
 

@@ -73,7 +73,7 @@ KnownMesh meshOf(Context& c, const ArrayState& arrays, GLenum mode, const Elemen
   const Hash128 content = contentOf(c.real, arrays, mode, e);
   if (!c.group().meshes.find(content, known)) {
     known = arrays.shape == scene::Shape::triangles ? buildArrayMesh(c.real, arrays, mode, e)
-                                                    : buildFigureMesh(c.real, arrays, e);
+                                                    : buildFigureMesh(c.real, arrays, mode, e);
     c.group().meshes.put(content, known);
     ++c.statistics.meshesBuilt;
     if (known.mesh) c.statistics.meshBytes += known.mesh->sizeBytes;
@@ -163,7 +163,8 @@ struct Load {
   uint64_t triangles;
 };
 Load loadOf(Context& c, GLenum mode, const Elements& e) {
-  if (c.drawsFigures(mode)) return {PrimitiveClass::surfaces, static_cast<uint64_t>(e.count) * e.repeats()};
+  const uint64_t figures = static_cast<uint64_t>(e.count) / (mode == GL_LINES ? 2 : 1) * e.repeats();
+  if (c.drawsFigures(mode)) return {PrimitiveClass::surfaces, figures};
   return {kindOf(mode), trianglesOf(mode, e)};
 }
 

@@ -9,14 +9,14 @@ namespace {
 
 Range rangeOf(const Extremes& e) { return e.least > e.most ? Range{} : Range{e.least, e.most + 1}; }
 
-/// Cuts a list of triangle corners down to triangles whose vertices all exist.
-void dropMissing(std::vector<uint32_t>& corners, uint32_t available) {
+/// Cuts a list of corners, `each` a primitive, down to primitives whose vertices all exist.
+void dropMissing(std::vector<uint32_t>& corners, uint32_t available, size_t each) {
   size_t kept = 0;
-  for (size_t t = 0; t + 2 < corners.size(); t += 3) {
-    if (std::max({corners[t], corners[t + 1], corners[t + 2]}) >= available) continue;
-    std::copy_n(corners.begin() + static_cast<ptrdiff_t>(t), 3,
-                corners.begin() + static_cast<ptrdiff_t>(kept));
-    kept += 3;
+  for (size_t t = 0; t + each <= corners.size(); t += each) {
+    const auto first = corners.begin() + static_cast<ptrdiff_t>(t);
+    if (*std::max_element(first, first + static_cast<ptrdiff_t>(each)) >= available) continue;
+    std::copy_n(first, each, corners.begin() + static_cast<ptrdiff_t>(kept));
+    kept += each;
   }
   corners.resize(kept);
 }
@@ -69,7 +69,7 @@ Triangles trianglesOf(const RealGl& real, const ArrayState& arrays, GLenum mode,
     return result;
   }
   result.numbers = cornersOf(vertexNumbers(real, arrays, e), mode);
-  dropMissing(result.numbers, available);
+  dropMissing(result.numbers, available, 3);
   result.range = rangeOf(extremesOf(result.numbers.data(), result.numbers.size()));
   result.corners = result.numbers.size();
   return result;
@@ -91,7 +91,10 @@ Taken takenBy(const RealGl& real, const ArrayState& arrays, GLenum mode, const E
   if (plain.data) taken.range = rangeOf(extremesOf(plain.data, plain.count));
   if (!plain.data || taken.range.upper == 0 || taken.range.upper > available) {
     read = vertexNumbers(real, arrays, e);
-    std::erase_if(read, [&](uint32_t i) { return i >= available; });
+    if (mode == GL_LINES)
+      dropMissing(read, available, 2);
+    else
+      std::erase_if(read, [&](uint32_t i) { return i >= available; });
     numbers = read.data(), count = read.size();
     taken.range = rangeOf(extremesOf(numbers, count));
   }

@@ -96,8 +96,9 @@ Captured capture(const RealGl& real, const ArrayState& arrays, GLenum mode, cons
 /// The mesh of a draw of surfaces; buffers are read in place where their form allows.
 KnownMesh buildArrayMesh(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements);
 
-/// The same of a draw of points, of which the program makes figures.
-KnownMesh buildFigureMesh(const RealGl& real, const ArrayState& arrays, const Elements& elements);
+/// The same of a draw of points, or of separate lines, of which the program makes figures.
+KnownMesh buildFigureMesh(const RealGl& real, const ArrayState& arrays, GLenum mode,
+                          const Elements& elements);
 
 /// Identity of what both would read: versions of buffers, contents of the program's memory.
 Hash128 contentOf(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements);

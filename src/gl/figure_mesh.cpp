@@ -1,4 +1,4 @@
-// Meshes of figures: spheres, discs and cylinders about points that a shader program draws.
+// Meshes of figures: what a shader program makes of points, or of separate lines.
 #include "gl/array_indices.h"
 #include "gl/mesh_builder.h"
 
@@ -38,13 +38,14 @@ Hash128 hashOf(const scene::Attribute& a, uint32_t count, Hash128 seed) {
 
 }  // namespace
 
-KnownMesh buildFigureMesh(const RealGl& real, const ArrayState& arrays, const Elements& elements) {
+KnownMesh buildFigureMesh(const RealGl& real, const ArrayState& arrays, GLenum mode,
+                          const Elements& elements) {
   const ArrayReader centers(real, arrays.vertex), radii(real, arrays.radius), axes(real, arrays.axis),
       colors(real, arrays.color), texcoords(real, arrays.texcoord);
   uint32_t available = centers.available();
   for (const ArrayReader* r : {&radii, &axes, &colors, &texcoords})
     if (r->enabled()) available = std::min(available, r->available());
-  const Taken taken = takenBy(real, arrays, GL_POINTS, elements, available);
+  const Taken taken = takenBy(real, arrays, mode, elements, available);
   auto mesh = std::make_shared<scene::Mesh>();
   const Range range = taken.range;
   KnownMesh result;
@@ -62,7 +63,8 @@ KnownMesh buildFigureMesh(const RealGl& real, const ArrayState& arrays, const El
   mesh->colors = copyOf(colors, range, 4, mesh->sizeBytes);
   mesh->texcoords = copyOf(texcoords, range, 4, mesh->sizeBytes);
   mesh->indices = numbersOf(taken, mesh->sizeBytes);
-  mesh->triangleCount = mesh->indices ? static_cast<uint32_t>(taken.numbers.size()) : range.count();
+  const size_t corners = mesh->indices ? taken.numbers.size() : range.count();
+  mesh->triangleCount = static_cast<uint32_t>(corners / scene::cornersOf(mesh->shape));
   mesh->radius = arrays.figureRadius;
   finishMesh(*mesh);
   const float form[] = {static_cast<float>(mesh->shape), mesh->radii ? 0 : mesh->radius};

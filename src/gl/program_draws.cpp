@@ -1,6 +1,7 @@
 // Surfaces that shader programs draw: whether they can be traced, and how they join the batch.
 #include "gl/context.h"
 #include "gl/mesh_builder.h"
+#include "gl/pixel_figures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,19 +39,23 @@ const std::shared_ptr<const KnownProgram>& Context::programInUse() {
 }
 
 bool Context::drawsFigures(GLenum mode) {
-  if (mode != GL_POINTS || !isPresent(real.UseProgram)) return false;
+  if ((mode != GL_POINTS && mode != GL_LINES) || !isPresent(real.UseProgram)) return false;
   GLint name = 0;
   real.GetIntegerv(GL_CURRENT_PROGRAM, &name);
   if (name == 0) return false;
   const auto known = group_->program(real, static_cast<GLuint>(name), families());
-  return known && known->family && known->family->figures.given();
+  if (!known || !known->family || !known->family->figures.given()) return false;
+  return (mode == GL_LINES) == (known->family->figures.shape == scene::Shape::tubes);
 }
 
 Reason Context::triageFigures() {
   attributes.figureRadius = state.program.figureRadius;
-  // Cards have two sides, of which one may be culled.
-  if (attributes.shape != scene::Shape::triangles && state.raster.cull != scene::CullFace::none)
+  if (attributes.shape == scene::Shape::triangles) return Reason::traced;
+  // Cards have two sides, of which one may be culled. Points have none.
+  if (attributes.shape != scene::Shape::beads && state.raster.cull != scene::CullFace::none)
     return Reason::program;
+  if (scene::isSizedInPixels(attributes.shape))
+    return readPixelFigures(real, info_.core, attributes.shape, state);
   return Reason::traced;
 }
 
@@ -260,7 +265,7 @@ Reason Context::addProgramInstances(const scene::MeshPtr& mesh, GLenum mode, con
   instance.triangleOffset = program.triangleOffset;
   instance.materials.push_back(program.material);
   instance.figures = program.figures;
-  instance.cull = state.raster.cull;
+  if (mesh->shape == scene::Shape::triangles) instance.cull = state.raster.cull;  // points have no faces
   instance.frontFaceCcw = state.raster.frontFaceCcw;
   const glm::dmat4 objectFromEye = glm::inverse(state.modelview);
   for (const glm::dvec4& plane : program.clipPlanes) instance.clipPlanes.push_back(plane * objectFromEye);

@@ -7,6 +7,7 @@
 #define GLURAY_RENDER_FIGURE_INL_H_
 #endif
 
+#include "accel/pixel_figure.h"
 #include "render/depth.inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -158,6 +159,35 @@ HWY_ATTR inline void computeFigures(const Surface& surface, const DepthMap& map,
     const Double ndc = hn::Div(dot(surface.figures.clipZ, point), dot(surface.figures.clipW, point));
     const Double depth = hn::MulAdd(ndc, splatDouble(map.scale), splatDouble(map.offset));
     storeFloat(hn::Min(hn::Max(depth, zero), one), out.depth + i);
+  }
+  out.ccw = surface.frontIsCcw ? ~0u : 0;
+}
+
+/// The same of beads and tubes. What is attached to a line's ends is interpolated by u.
+HWY_ATTR inline void computePixelFigures(const Surface& surface, const accel::PlacedFigures& placed,
+                                         const float* x, const float* y, Group& group, DepthAndFacing& out) {
+  for (int i = 0; i < kLanes; ++i) group.fade[i] = 1, group.u[i] = group.v[i] = 0;
+  for (uint32_t lanes = group.lanes; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    const accel::PixelFigure figure(placed, group.primitive[i]);
+    accel::PixelFigure::Shown shown;
+    figure.show({std::floor(x[i]) + 0.5, std::floor(y[i]) + 0.5}, shown);
+    glm::vec3 end[2];
+    for (int k = 0; k < 2; ++k)
+      end[k] =
+          surface.centerOfFigure({group.position[k][0][i], group.position[k][1][i], group.position[k][2][i]});
+    const auto along = static_cast<float>(shown.along);
+    const glm::vec3 point = glm::mix(end[0], end[1], along);
+    for (int c = 0; c < 3; ++c) group.point[c][i] = point[c], group.normal[c][i] = shown.normal[c];
+    group.u[i] = along;
+    out.depth[i] = static_cast<float>(shown.depth);
+  }
+  for (int i = 0; i < kLanes; ++i) {
+    if (group.lanes >> i & 1) continue;
+    const int leader = std::countr_zero(group.lanes);
+    for (int c = 0; c < 3; ++c)
+      group.point[c][i] = group.point[c][leader], group.normal[c][i] = group.normal[c][leader];
+    out.depth[i] = out.depth[leader];
   }
   out.ccw = surface.frontIsCcw ? ~0u : 0;
 }

@@ -168,10 +168,13 @@ HWY_ATTR uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool mayReje
   while (lanes) {
     gather(work, lanes, group);
     lanes &= ~group.lanes;
-    const Surface& surface = frame.surfaces[work.packet.instance[std::countr_zero(group.lanes)]];
+    const uint32_t instance = work.packet.instance[std::countr_zero(group.lanes)];
+    const Surface& surface = frame.surfaces[instance];
     loadCorners(*surface.mesh, group);
     if (surface.mesh->shape == scene::Shape::triangles)
       computeDepth(surface, frame.depth, group, work.x, work.y, seen);
+    else if (scene::isSizedInPixels(surface.mesh->shape))
+      computePixelFigures(surface, frame.world->figuresOf(instance), work.x, work.y, group, seen);
     else
       computeFigures(surface, frame.depth, work.x, work.y, group, seen);
     if (mayReject) {
@@ -202,6 +205,7 @@ HWY_ATTR inline void aimInEye(const FrameData& frame, const float* x, const floa
     to.orgX[i] = org.x, to.orgY[i] = org.y, to.orgZ[i] = org.z;
     to.dirX[i] = dir.x, to.dirY[i] = dir.y, to.dirZ[i] = dir.z;
     to.tFar[i] = rays.tFar[i];
+    to.windowX[i] = x[i], to.windowY[i] = y[i];
   }
 }
 

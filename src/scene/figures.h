@@ -1,6 +1,6 @@
 // Round figures that a fragment program cuts out of flat cards ("impostors"): what of a sphere, disc or
-// cylinder is seen. Geometry is in scene/mesh.h; centres, radii and axes act in the space of
-// Instance::lightingFromObject.
+// cylinder is seen, and points and lines of so many pixels that are shown as if they were round. Geometry is
+// in scene/mesh.h; centres, radii and axes act in the space of Instance::lightingFromObject.
 #pragma once
 #include <glm/glm.hpp>
 
@@ -25,7 +25,20 @@ struct Figures {
   /// before. They are closed at the end that this points to alone.
   glm::mat3 axisMatrix{1};
   /// Object space; figures whose centre is on the negative side of one of them are not there.
+  /// Of tubes, the planes cut the line instead, and with each of its points all that is across it.
   std::vector<glm::vec4> centerPlanes;
+
+  // Beads and tubes are flat cards of a fixed size in the window, lit as if they were round
+  // (accel/pixel_figure.h).
+  // Size in normalised device coordinates: beads' both ways; tubes' width where they run along y, and along
+  // x.
+  glm::vec2 size{0};
+  // Tubes shorter than they are wide grow by a quarter of the difference at each end.
+  bool grows = false;
+  // With b = bulge * (1 in the middle, 0 at the sides), their window depth z becomes z + b * bulgeDepth where
+  // the viewer is at infinity, otherwise bulgeDepth + (z - bulgeDepth) / (1 - b); and then, moved by
+  // `depthBias`, it is cut to [0, 1].
+  float bulge = 0, bulgeDepth = 0, depthBias = 0;
   bool operator==(const Figures&) const = default;
 };
 

@@ -53,21 +53,28 @@ inline glm::vec4 fetch(const Attribute& a, uint32_t i) {
   }
 }
 
-/// What the primitives of a mesh are. Other figures than triangles have one vertex each, their centre, and
-/// are round: their radius and length are measured in the space of Instance::lightingFromObject
-/// (scene/figures.h).
-enum class Shape : uint8_t { triangles, spheres, discs, cylinders };
+/// What the primitives of a mesh are. All but triangles are figures (scene/figures.h): spheres, discs and
+/// cylinders are round in the space of Instance::lightingFromObject and have one vertex each, their centre.
+/// Beads, about one vertex, and tubes, about a line between two, have a size in pixels.
+enum class Shape : uint8_t { triangles, spheres, discs, cylinders, beads, tubes };
+
+/// Vertices of a primitive.
+constexpr uint32_t cornersOf(Shape shape) {
+  return shape == Shape::triangles ? 3 : shape == Shape::tubes ? 2 : 1;
+}
+constexpr bool isSizedInPixels(Shape shape) { return shape == Shape::beads || shape == Shape::tubes; }
 
 /// Triangles in object space. Triangle t has the vertices corner(t, 0..2), in winding order; OpenGL's
 /// provoking vertex (flat shading) is always the last one. `indices` absent means a soup: vertices 3t, 3t+1,
-/// 3t+2. Of other shapes "triangle" t is the figure about vertex corner(t, 0) = corner(t, 1) = corner(t, 2).
+/// 3t+2. Of other shapes "triangle" t is the figure about vertex corner(t, 0), and its further corners repeat
+/// the last one that it has.
 struct Mesh {
   Hash128 geometryId;  // identity of positions and triangle order: the key of the acceleration structure
   Shape shape = Shape::triangles;
   uint32_t triangleCount = 0;
   uint32_t vertexCount = 0;  // every index is below this
   Attribute positions;       // float3
-  Attribute indices;         // uint32, three a triangle, tightly packed (stride 4), or absent
+  Attribute indices;         // uint32, cornersOf(shape) a primitive, tightly packed (stride 4), or absent
   Attribute radii;           // of figures: float1; absent: all have `radius`
   Attribute axes;            // of cylinders: float3, as long as the cylinder
   float radius = 1;
@@ -88,7 +95,7 @@ struct Mesh {
     return unit <= texcoordsAbove.size() && texcoordsAbove[unit - 1] ? &texcoordsAbove[unit - 1] : nullptr;
   }
   uint32_t corner(uint32_t triangle, uint32_t k) const {
-    const uint32_t i = shape == Shape::triangles ? triangle * 3 + k : triangle;
+    const uint32_t corners = cornersOf(shape), i = triangle * corners + (k < corners ? k : corners - 1);
     return indices ? reinterpret_cast<const uint32_t*>(indices.data)[i] : i;
   }
   glm::vec3 position(uint32_t vertex) const {

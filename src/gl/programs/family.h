@@ -57,6 +57,8 @@ struct FamilyFigures {
   FamilyValue radiusDivisor;
   scene::Figures::Cards cards = scene::Figures::Cards::silhouette;
   bool fades = false;
+  bool grows = false;                              // of tubes
+  FamilyValue size, bulge, bulgeDepth, depthBias;  // of beads and tubes: scene::Figures
   bool given() const { return shape != scene::Shape::triangles; }
 };
 

@@ -59,7 +59,11 @@ class FamilyReader {
       fail(*table_, "family \"" + family_.name + "\": of figures, clip.planes need clip.centers = true");
     if (family_.figures.given() && !(family_.textures.empty() && family_.edgeFlags.empty()))
       fail(*table_, "family \"" + family_.name + "\": figures have neither textures nor edges");
-    if (family_.figures.given() && !family_.figures.radius.given())
+    const bool pixels = scene::isSizedInPixels(family_.figures.shape);
+    if (pixels && (family_.depthOffset.given() || family_.depthFactor.given()))
+      fail(*table_,
+           "family \"" + family_.name + "\": beads and tubes have figures.depth_bias instead of depth");
+    if (family_.figures.given() && !pixels && !family_.figures.radius.given())
       fail(*table_, "family \"" + family_.name + "\" needs figures.radius");
     if (family_.figures.shape == scene::Shape::cylinders && family_.figures.axis.empty())
       fail(*table_, "family \"" + family_.name + "\" needs figures.axis");
@@ -247,7 +251,12 @@ class FamilyReader {
     using scene::Shape;
     using Cards = scene::Figures::Cards;
     FamilyFigures& f = family_.figures;
-    choice("shape", {{"spheres", Shape::spheres}, {"discs", Shape::discs}, {"cylinders", Shape::cylinders}},
+    choice("shape",
+           {{"spheres", Shape::spheres},
+            {"discs", Shape::discs},
+            {"cylinders", Shape::cylinders},
+            {"beads", Shape::beads},
+            {"tubes", Shape::tubes}},
            f.shape);
     if (!f.given()) fail(*table_, "figures need a shape");
     choice("cards",
@@ -262,6 +271,15 @@ class FamilyReader {
     value("inside", f.inside);
     value("radius_divisor", f.radiusDivisor);
     flag("fades", f.fades);
+    flag("grows", f.grows);
+    value("size", f.size);
+    value("bulge", f.bulge);
+    value("bulge_depth", f.bulgeDepth);
+    value("depth_bias", f.depthBias);
+    const bool pixels = scene::isSizedInPixels(f.shape);
+    if (pixels && !(f.bulge.given() && f.bulgeDepth.given()))
+      fail(*table_, "beads and tubes need bulge and bulge_depth");
+    if (f.size.given() != (f.shape == Shape::tubes)) fail(*table_, "tubes, and they alone, need size");
   }
   void readPass() {
     choice("does",

@@ -73,6 +73,25 @@ TEST(FamilyFile, FigureKeys) {
             std::string::npos);
 }
 
+TEST(FamilyFile, BeadsAndTubes) {
+  const std::string round = "figures.bulge = \"r\"\nfigures.bulge_depth = \"s\"\n";
+  const Family f = parsed(round +
+                          "figures.shape = \"tubes\"\nfigures.size = \"w\"\nfigures.grows = true\n"
+                          "figures.depth_bias = \"o\"\n");
+  EXPECT_EQ(f.figures.shape, scene::Shape::tubes);
+  EXPECT_EQ(f.figures.size.uniform, "w");
+  EXPECT_EQ(f.figures.bulge.uniform, "r");
+  EXPECT_EQ(f.figures.bulgeDepth.uniform, "s");
+  EXPECT_EQ(f.figures.depthBias.uniform, "o");
+  EXPECT_TRUE(f.figures.grows && f.mentions("w") && f.mentions("r") && f.mentions("s") && f.mentions("o"));
+  const std::string beads = round + "figures.shape = \"beads\"\n";
+  EXPECT_EQ(mistakeIn(beads), "none");
+  EXPECT_NE(mistakeIn(beads + "figures.size = 1").find("need size"), std::string::npos);
+  EXPECT_NE(mistakeIn(round + "figures.shape = \"tubes\"").find("need size"), std::string::npos);
+  EXPECT_NE(mistakeIn("figures.shape = \"beads\"").find("need bulge"), std::string::npos);
+  EXPECT_NE(mistakeIn(beads + "depth.offset = \"o\"").find("figures.depth_bias"), std::string::npos);
+}
+
 TEST(FamilyFile, MatchKeys) {
   const Family f = parsed(
       "match.any = \"a\"\nmatch.absent = [\"b\", \"c\"]\nmatch.absent_outputs = \"o\"\nmatch.ignored = "

@@ -141,7 +141,8 @@ void needTypes(const Program& p, const Family& f, std::vector<std::string>& out)
   const TypeCheck check(p, out);
   for (const std::string* name : {&f.position, &f.normal, &f.color, &f.texcoord, &f.figures.axis})
     check.attribute(*name);
-  check.values({&f.figures.radius, &f.figures.inside, &f.figures.radiusDivisor});
+  check.values({&f.figures.radius, &f.figures.inside, &f.figures.radiusDivisor, &f.figures.size,
+                &f.figures.bulge, &f.figures.bulgeDepth, &f.figures.depthBias});
   check.uniforms(f.clipFromObject, kMatrix), check.uniforms(f.eyeFromObject, kMatrix);
   check.uniform(f.normalMatrix, kLinear), check.uniform(f.viewer, kVector);
   check.uniform(f.parallelView, kNumber), check.uniform(f.triangleOffset, kNumber);

@@ -54,6 +54,7 @@ ProgramDraw captureProgramDraw(const RealGl& real, const Program& program, const
                              static_cast<GLuint>(buffer)});
   }
   real.ActiveTexture(static_cast<GLenum>(active));
+  real.GetFloatv(GL_POINT_SIZE, &draw.pointSize);
   draw.cull = isOn(real, GL_CULL_FACE);
   draw.cullFace = static_cast<GLenum>(integer(real, GL_CULL_FACE_MODE));
   draw.frontFace = static_cast<GLenum>(integer(real, GL_FRONT_FACE));

@@ -43,6 +43,7 @@ struct ProgramDraw {
   std::vector<UniformBlock> blocks;
   bool cull = false;
   GLenum cullFace = GL_BACK, frontFace = GL_CCW;
+  float pointSize = 1;
 };
 
 /// The draw that is about to be made with the current state. Every array that is on must be in a buffer.

@@ -107,6 +107,12 @@ class ProgramReader {
     out_.figures.radiusDivisor = uniforms_.number(f.radiusDivisor, 1);
     out_.figures.axisMatrix = out_.normalMatrix;
     const bool attribute = !f.radius.uniform.empty() && program_.attribute(f.radius.uniform);
+    out_.figures.grows = f.grows;
+    out_.figures.size = glm::vec2(uniforms_.value(f.size, glm::vec4(0)));
+    out_.figures.bulge = uniforms_.number(f.bulge, 0);
+    out_.figures.bulgeDepth = uniforms_.number(f.bulgeDepth, 0);
+    constexpr float kUnit = 1.0f / 65000.0f;  // that VTK counts in
+    out_.figures.depthBias = uniforms_.number(f.depthBias, 0) * kUnit;
     out_.figureRadius = attribute ? current(f.radius.uniform).x : uniforms_.number(f.radius, 1);
   }
 

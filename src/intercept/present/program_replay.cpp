@@ -204,11 +204,14 @@ void replayProgramDraws(const RealGl& real, const Features& features, const std:
   GLint frontFace = GL_CCW, cullFace = GL_BACK;
   real.GetIntegerv(GL_FRONT_FACE, &frontFace);
   real.GetIntegerv(GL_CULL_FACE_MODE, &cullFace);
+  GLfloat pointSize = 1;
+  real.GetFloatv(GL_POINT_SIZE, &pointSize);
   for (const ProgramDraw& draw : draws) {
     StateGuard own(real, features);
     own.program(draw.program);
     own.capability(GL_CULL_FACE, draw.cull);
     real.CullFace(draw.cullFace);
+    if (draw.mode == GL_POINTS) real.PointSize(draw.pointSize);
     real.FrontFace(draw.frontFace);
     const KeptUniforms uniforms(real, draw.program, *draw.uniforms);
     for (const UniformValue& value : *draw.uniforms) setUniform(real, value);
@@ -218,6 +221,7 @@ void replayProgramDraws(const RealGl& real, const Features& features, const std:
     gl::drawReal(real, draw.mode, draw.elements);
   }
   real.FrontFace(static_cast<GLenum>(frontFace));
+  real.PointSize(pointSize);
   real.CullFace(static_cast<GLenum>(cullFace));
 }
 

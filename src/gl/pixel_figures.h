@@ -1,0 +1,15 @@
+// Beads and tubes (scene/figures.h): what of them is OpenGL's state instead of the program's. GL thread.
+#pragma once
+#include "gl/real.h"
+#include "gl/reasons.h"
+#include "scene/mesh.h"
+
+namespace gluray::gl {
+
+struct State;
+
+/// Completes state.program.figures for a draw of figures of `shape`, whose size is in pixels; why they cannot
+/// be traced, or Reason::traced. `core`: the context has no fixed function.
+Reason readPixelFigures(const RealGl& real, bool core, scene::Shape shape, State& state);
+
+}  // namespace gluray::gl

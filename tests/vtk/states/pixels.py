@@ -1,0 +1,292 @@
+"""Lines as tubes and points as spheres, whose size is in pixels: every look that mappers give them."""
+import numpy as np
+import shapes
+from registry import state
+
+
+def tubes(stage, source=None, width=6, color=(0.9, 0.6, 0.3)):
+    """The edges of a surface as tubes."""
+    actor = stage.show(source or shapes.sphere(stage.vtk, 12), color=color)
+    look = actor.GetProperty()
+    look.SetRepresentationToWireframe()
+    look.RenderLinesAsTubesOn()
+    look.SetLineWidth(width)
+    return actor
+
+
+def beads(stage, source=None, size=9, color=(0.9, 0.6, 0.3)):
+    """The points of a surface as spheres."""
+    actor = stage.show(source or shapes.sphere(stage.vtk, 12), color=color)
+    look = actor.GetProperty()
+    look.SetRepresentationToPoints()
+    look.RenderPointsAsSpheresOn()
+    look.SetPointSize(size)
+    return actor
+
+
+def both(stage):
+    tubes(stage)
+    beads(stage, shapes.sphere(stage.vtk, 8, 0.6), size=14, color=(0.4, 0.7, 0.9))
+
+
+@state("vtk")
+def tubes_alone(stage):
+    tubes(stage)
+    stage.look()
+    stage.orbit(3)
+
+
+@state("vtk")
+def beads_alone(stage):
+    beads(stage)
+    stage.look()
+    stage.orbit(3)
+
+
+@state("vtk")
+def pixels_parallel(stage):
+    both(stage)
+    stage.renderer.GetActiveCamera().ParallelProjectionOn()
+    stage.look()
+    stage.orbit(3)
+
+
+@state("vtk")
+def pixels_upright(stage):
+    """Lines and points in the middle of pixels and on their borders."""
+    tubes(stage, shapes.grid(stage.vtk, 6), width=5)
+    beads(stage, shapes.grid(stage.vtk, 4), size=8, color=(0.4, 0.7, 0.9))
+    stage.renderer.GetActiveCamera().ParallelProjectionOn()
+    stage.renderer.ResetCamera()
+    stage.renderer.GetActiveCamera().SetParallelScale(1.5)
+    stage.orbit(2, 90)
+
+
+@state("vtk")
+def pixels_near(stage):
+    """The viewer among them: lines are cut by the near plane, or end behind the viewer."""
+    both(stage)
+    stage.look()
+    camera = stage.renderer.GetActiveCamera()
+    camera.SetPosition(0.35, 0.3, 0.45)
+    camera.SetFocalPoint(0, 0, 0)
+    camera.SetClippingRange(0.02, 5)
+    for degrees in (0, 40, 160):
+        camera.Azimuth(degrees)
+        stage.shoot()
+
+
+@state("vtk")
+def pixels_at_the_border(stage):
+    """Points with their centre outside are gone, lines are cut."""
+    both(stage)
+    stage.look(zoom=2.5)
+    stage.orbit(2)
+
+
+@state("vtk")
+def pixels_thick(stage):
+    """So thick that lines are shorter than they are wide, and grow at their ends."""
+    tubes(stage, width=25)
+    beads(stage, shapes.sphere(stage.vtk, 8, 0.6), size=40.5, color=(0.4, 0.7, 0.9))
+    stage.look()
+    stage.orbit(2)
+
+
+@state("vtk")
+def pixels_thin(stage):
+    tubes(stage, width=1.5)
+    beads(stage, shapes.sphere(stage.vtk, 8, 0.6), size=2, color=(0.4, 0.7, 0.9))
+    stage.look()
+    stage.orbit(2)
+
+
+@state("vtk")
+def pixels_clipped(stage):
+    plane = stage.vtk.vtkPlane()
+    plane.SetNormal(1, 0.3, 0.1)
+    both(stage)
+    for actor in stage.renderer.GetActors():
+        actor.GetMapper().AddClippingPlane(plane)
+    stage.look()
+    stage.orbit(3)
+
+
+@state("vtk")
+def pixels_on_surfaces(stage):
+    """Half in, half out of triangles, and of each other."""
+    both(stage)
+    stage.show(shapes.sphere(stage.vtk, 12), color=(0.3, 0.5, 0.9))
+    stage.look()
+    stage.orbit(3)
+
+
+def spirals(vtk, count=12, steps=40):
+    """Lines that have no piece in common."""
+    points, lines = vtk.vtkPoints(), vtk.vtkCellArray()
+    for i in range(count):
+        lines.InsertNextCell(steps)
+        for t in np.linspace(0, 6, steps):
+            at = (0.1 + 0.04 * i) * np.array([np.cos(t + i), np.sin(t + i)])
+            lines.InsertCellPoint(points.InsertNextPoint(*at, 0.1 * t + 0.02 * np.sin(3 * i)))
+    data = vtk.vtkPolyData()
+    data.SetPoints(points)
+    data.SetLines(lines)
+    data.GetPointData().SetScalars(shapes.array([np.sin(0.1 * i) for i in range(count * steps)], "bump"))
+    return data
+
+
+def colored(stage, add, cells):
+    data = spirals(stage.vtk) if add is tubes else shapes.grid(stage.vtk, 10)
+    if cells:
+        data.GetCellData().SetScalars(shapes.array(np.arange(data.GetNumberOfCells()) % 7, "kind"))
+    else:
+        data.GetPointData().SetActiveScalars("bump")
+    mapper = add(stage, data).GetMapper()
+    mapper.SetScalarRange(*((0, 6) if cells else (-0.5, 0.5)))
+    return mapper
+
+
+@state("vtk")
+def pixels_colored_by_points(stage):
+    colored(stage, tubes, False)
+    stage.look()
+    stage.orbit(2)
+    stage.renderer.RemoveAllViewProps()
+    colored(stage, beads, False).InterpolateScalarsBeforeMappingOn()
+    stage.orbit(2)
+    stage.renderer.RemoveAllViewProps()
+    colored(stage, tubes, False).InterpolateScalarsBeforeMappingOn()
+    stage.orbit(2)
+
+
+@state("vtk")
+def pixels_colored_by_cells(stage):
+    colored(stage, tubes, True)
+    stage.look()
+    stage.orbit(2)
+    stage.renderer.RemoveAllViewProps()
+    colored(stage, beads, True)
+    stage.orbit(2)
+
+
+@state("vtk")
+def pixels_lit_by_lamps(stage):
+    both(stage)
+    for actor in stage.renderer.GetActors():
+        actor.GetProperty().SetSpecular(0.6)
+        actor.GetProperty().SetSpecularPower(15)
+    stage.renderer.AutomaticLightCreationOff()
+    for place, cone, color in (((2, 1, 2), 180, (1, 0.8, 0.6)), ((-1, 2, 2), 40, (0.4, 0.7, 1))):
+        light = stage.vtk.vtkLight()
+        light.SetPosition(*place)
+        light.SetFocalPoint(0, 0, 0)
+        light.SetPositional(True)
+        light.SetConeAngle(cone)
+        light.SetColor(*color)
+        light.SetLightTypeToSceneLight()
+        stage.renderer.AddLight(light)
+    stage.look()
+    stage.orbit(3)
+
+
+@state("vtk")
+def pixels_without_light(stage):
+    both(stage)
+    for actor in stage.renderer.GetActors():
+        actor.GetProperty().LightingOff()
+    stage.look()
+    stage.orbit(2)
+
+
+@state("vtk")
+def pixels_scaled(stage):
+    """Neither the actor's scale nor far coordinates change their size."""
+    both(stage)
+    for actor in stage.renderer.GetActors():
+        actor.SetScale(2e3, 1e3, 5e2)
+        actor.AddPosition(1e5, -2e5, 3e4)
+        actor.RotateX(30)
+    stage.look()
+    stage.orbit(3)
+
+
+@state("vtk")
+def pixels_pushed_forward(stage):
+    """Coincident topology resolved by a constant: lines and points come forward."""
+    vtk = stage.vtk
+    mapper = vtk.vtkMapper
+    before = mapper.GetResolveCoincidentTopology()
+    mapper.SetResolveCoincidentTopologyToPolygonOffset()
+    both(stage)
+    for actor in stage.renderer.GetActors():
+        actor.GetMapper().SetRelativeCoincidentTopologyLineOffsetParameters(1, -400)
+        actor.GetMapper().SetRelativeCoincidentTopologyPointOffsetParameter(-400)
+    stage.show(shapes.sphere(vtk, 12, 0.503), color=(0.3, 0.5, 0.9))
+    stage.look()
+    stage.orbit(2)
+    mapper.SetResolveCoincidentTopology(before)
+
+
+@state("vtk")
+def tubes_multisampled(stage):
+    stage.window.SetMultiSamples(4)
+    tubes(stage)
+    stage.look()
+    stage.orbit(2)
+
+
+@state("vtk")
+def pixels_changed(stage):
+    """Size and colour change between frames, without new geometry."""
+    both(stage)
+    stage.look()
+    stage.shoot()
+    for actor in stage.renderer.GetActors():
+        actor.GetProperty().SetLineWidth(3)
+        actor.GetProperty().SetPointSize(20)
+        actor.GetProperty().SetColor(0.3, 0.8, 0.4)
+    stage.shoot()
+    stage.window.SetSize(320, 280)
+    stage.shoot()
+
+
+@state("vtk")
+def pixels_steady(stage):
+    both(stage)
+    stage.look()
+    stage.steady_orbit()
+
+
+@state("vtk")
+def pixels_picked(stage):
+    both(stage)
+    stage.look()
+    stage.shoot()
+    for x, y in ((200, 150), (230, 120), (10, 10)):
+        picker = stage.vtk.vtkHardwareSelector()
+        picker.SetRenderer(stage.renderer)
+        picker.SetArea(x, y, x + 4, y + 4)
+        found = picker.Select()
+        stage.keep_text([str(sorted(found.GetNode(i).GetSelectionList().GetValue(0) for i in range(found.GetNumberOfNodes())))])
+    stage.shoot()
+
+
+@state("vtk")
+def beads_multisampled(stage):
+    """Left to the real OpenGL."""
+    stage.window.SetMultiSamples(4)
+    beads(stage)
+    stage.look()
+    stage.orbit(2)
+
+
+@state("vtk")
+def edges_as_tubes(stage):
+    look = stage.show(shapes.sphere(stage.vtk, 12)).GetProperty()
+    look.EdgeVisibilityOn()
+    look.SetEdgeColor(0.2, 0.7, 0.3)
+    look.RenderLinesAsTubesOn()
+    look.SetLineWidth(5)
+    stage.look()
+    stage.orbit(3)
