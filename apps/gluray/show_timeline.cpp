@@ -10,7 +10,8 @@ namespace gluray::launcher {
 
 int showTimeline(const CommandLine& line) {
   const Timeline timeline = readTimeline(line.program[0]);
-  if (timeline.spans.empty()) throw std::runtime_error(line.program[0] + " holds nothing: the program drew nothing that was traced");
+  if (timeline.spans.empty())
+    throw std::runtime_error(line.program[0] + " holds nothing: the program drew nothing that was traced");
   printTimes(timeline, std::cout);
   if (line.chart.empty()) return 0;
   Stretch near = typicalFrames(timeline);

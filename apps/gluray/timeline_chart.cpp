@@ -15,8 +15,9 @@ constexpr double kLeft = 120, kWidth = 1060, kRow = 26, kLane = 9, kPanelGap = 4
 constexpr int kLanes = 2;  // spans that lie deeper share the last one
 
 /// Colours that are told apart, also by those who see fewer (P. Tol's bright and muted schemes).
-constexpr std::array<const char*, 12> kColors = {"#4477aa", "#ee6677", "#228833", "#ccbb44", "#66ccee", "#aa3377",
-                                                 "#999933", "#882255", "#44aa99", "#ddcc77", "#332288", "#bbbbbb"};
+constexpr std::array<const char*, 12> kColors = {"#4477aa", "#ee6677", "#228833", "#ccbb44",
+                                                 "#66ccee", "#aa3377", "#999933", "#882255",
+                                                 "#44aa99", "#ddcc77", "#332288", "#bbbbbb"};
 
 std::string escaped(const std::string& text) {
   std::string out;
@@ -42,7 +43,8 @@ class Panel {
   }
 
   void draw(const std::string& title) {
-    text(kLeft, top_ - 8, title + ": " + fixed(stretch_.from, 1) + " to " + fixed(stretch_.to, 1) + " ms", "start");
+    text(kLeft, top_ - 8, title + ": " + fixed(stretch_.from, 1) + " to " + fixed(stretch_.to, 1) + " ms",
+         "start");
     for (size_t i = 0; i < timeline_.tracks.size(); ++i)
       text(kLeft - 8, rowOf(i) + 15, timeline_.tracks[i].name, "end");
     for (const double frame : timeline_.frames)
@@ -71,16 +73,18 @@ class Panel {
       double& last = drawnTo.try_emplace({span.track, lane}, -1).first->second;
       if (x1 - x0 < 1 && x1 < last + 0.5) continue;
       last = std::max(x1, x0 + 0.5);
-      out_ << "<rect x=\"" << fixed(x0, 2) << "\" y=\"" << fixed(rowOf(span.track) + 3 + lane * (kLane + 1), 1)
-           << "\" width=\"" << fixed(std::max(x1 - x0, 0.5), 2) << "\" height=\"" << kLane << "\" fill=\""
-           << kColors[span.name % kColors.size()] << "\"><title>" << escaped(timeline_.names[span.name]) << ": "
-           << fixed(span.end - span.start, 3) << " ms" << (span.amount ? ", " + std::to_string(span.amount) : "")
-           << "</title></rect>\n";
+      out_ << "<rect x=\"" << fixed(x0, 2) << "\" y=\""
+           << fixed(rowOf(span.track) + 3 + lane * (kLane + 1), 1) << "\" width=\""
+           << fixed(std::max(x1 - x0, 0.5), 2) << "\" height=\"" << kLane << "\" fill=\""
+           << kColors[span.name % kColors.size()] << "\"><title>" << escaped(timeline_.names[span.name])
+           << ": " << fixed(span.end - span.start, 3) << " ms"
+           << (span.amount ? ", " + std::to_string(span.amount) : "") << "</title></rect>\n";
     }
   }
   void line(double x, const char* color, const char* opacity) {
     out_ << "<line x1=\"" << fixed(x, 1) << "\" x2=\"" << fixed(x, 1) << "\" y1=\"" << top_ << "\" y2=\""
-         << rowOf(timeline_.tracks.size()) << "\" stroke=\"" << color << "\" opacity=\"" << opacity << "\"/>\n";
+         << rowOf(timeline_.tracks.size()) << "\" stroke=\"" << color << "\" opacity=\"" << opacity
+         << "\"/>\n";
   }
   void text(double x, double y, const std::string& what, const char* anchor) {
     out_ << "<text x=\"" << fixed(x, 1) << "\" y=\"" << fixed(y, 1) << "\" text-anchor=\"" << anchor << "\">"
@@ -102,12 +106,15 @@ Stretch typicalFrames(const Timeline& timeline) {
     const size_t first = (frames.size() - kFrames) / 2;
     return {frames[first], frames[first + kFrames]};
   }
-  // Programs that never show a window have no frames: a stretch with some batches in it, from the second half.
+  // Programs that never show a window have no frames: a stretch with some batches in it, from the second
+  // half.
   std::vector<double> batches;
-  const auto batch = std::find(timeline.names.begin(), timeline.names.end(), "batch") - timeline.names.begin();
+  const auto batch =
+      std::find(timeline.names.begin(), timeline.names.end(), "batch") - timeline.names.begin();
   for (const Timeline::Span& span : timeline.spans)
     if (span.name == static_cast<size_t>(batch)) batches.push_back(span.start);
-  if (batches.size() > 2 * kFrames) return {batches[batches.size() / 2], batches[batches.size() / 2 + kFrames]};
+  if (batches.size() > 2 * kFrames)
+    return {batches[batches.size() / 2], batches[batches.size() / 2 + kFrames]};
   const double length = timeline.end - timeline.start;
   return {timeline.start + 0.45 * length, timeline.start + 0.55 * length};
 }
@@ -115,12 +122,15 @@ Stretch typicalFrames(const Timeline& timeline) {
 void writeChart(const Timeline& timeline, const Stretch& near, std::ostream& out) {
   constexpr double kTop = 60;
   const double panel = Panel::height(timeline), height = kTop + 2 * panel;
-  out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << kLeft + kWidth + 20 << "\" height=\"" << height
-      << "\" font-family=\"sans-serif\" font-size=\"11\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
+  out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << kLeft + kWidth + 20 << "\" height=\""
+      << height
+      << "\" font-family=\"sans-serif\" font-size=\"11\">\n<rect width=\"100%\" height=\"100%\" "
+         "fill=\"white\"/>\n";
   double x = kLeft;
   for (size_t i = 0; i < timeline.names.size(); ++i) {
-    out << "<rect x=\"" << x << "\" y=\"10\" width=\"10\" height=\"10\" fill=\"" << kColors[i % kColors.size()]
-        << "\"/><text x=\"" << x + 14 << "\" y=\"19\">" << escaped(timeline.names[i]) << "</text>\n";
+    out << "<rect x=\"" << x << "\" y=\"10\" width=\"10\" height=\"10\" fill=\""
+        << kColors[i % kColors.size()] << "\"/><text x=\"" << x + 14 << "\" y=\"19\">"
+        << escaped(timeline.names[i]) << "</text>\n";
     x += 26 + 6.2 * static_cast<double>(timeline.names[i].size());
   }
   Panel(timeline, {timeline.start, timeline.end}, kTop, out).draw("whole run");

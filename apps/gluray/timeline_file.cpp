@@ -66,7 +66,8 @@ class Reader {
   /// Orders spans and tracks, and finds out what lies within what.
   void finish() {
     for (Timeline::Track& track : timeline_.tracks)
-      track.name = names_.contains(track.thread) ? names_[track.thread] : "thread " + std::to_string(track.thread);
+      track.name =
+          names_.contains(track.thread) ? names_[track.thread] : "thread " + std::to_string(track.thread);
     orderTracks();
     std::vector<Timeline::Span>& spans = timeline_.spans;
     std::sort(spans.begin(), spans.end(), [](const auto& a, const auto& b) {
@@ -115,7 +116,9 @@ class Reader {
 Timeline readTimeline(const std::string& file) {
   try {
     return Reader().read(readEvents(file));
-  } catch (const json::exception&) { throw std::runtime_error(file + " is no timeline of gluray --timeline"); }
+  } catch (const json::exception&) {
+    throw std::runtime_error(file + " is no timeline of gluray --timeline");
+  }
 }
 
 }  // namespace gluray::launcher

@@ -27,7 +27,8 @@ class TimelineFile : public testing::Test {
     return "";
   }
   const std::string path_ =
-      (std::filesystem::temp_directory_path() / ("gluray-timeline-file-" + std::to_string(getpid()))).string();
+      (std::filesystem::temp_directory_path() / ("gluray-timeline-file-" + std::to_string(getpid())))
+          .string();
 };
 
 const char* const kEvents =
@@ -86,8 +87,8 @@ TEST_F(TimelineFile, BecomesAChart) {
     return found;
   };
   EXPECT_EQ(text.rfind("<svg", 0), 0u);
-  EXPECT_EQ(count("<title>batch: 5.000 ms</title>"), 2u);         // in both views
-  EXPECT_EQ(count("<title>batch: 0.500 ms</title>"), 1u);         // not from near
+  EXPECT_EQ(count("<title>batch: 5.000 ms</title>"), 2u);  // in both views
+  EXPECT_EQ(count("<title>batch: 0.500 ms</title>"), 1u);  // not from near
   EXPECT_EQ(count("<title>refine mesh: 1.000 ms, 42</title>"), 2u);
   EXPECT_EQ(count(">refining</text>"), 2u);
   EXPECT_EQ(text.substr(text.size() - 7), "</svg>\n");

@@ -66,6 +66,16 @@ void nameLoneInstance(RayPacket& packet, uint32_t index) {
 
 }  // namespace
 
+void World::ask(QueryState& state, bool filtered, const int32_t* valid, RayPacket& packet,
+                const FigureQuery* figures) const noexcept {
+  if (figures) {
+    state.figures = figures_.data(), state.rays = *figures;
+    if (hasPixelFigures_) state.around = WindowRectangle(*figures->samples);
+  }
+  CoherentQuery query(filtered ? onFilter : nullptr, &state);
+  intersectAll(query, scene_, device_.packetWidth(), valid, packet);
+}
+
 void World::intersect(const int32_t* valid, RayPacket& packet, const HitFilter* filter,
                       const FigureQuery* figures) const noexcept {
   if (!filter && !mayCoincide_ && !figures) {
@@ -74,15 +84,17 @@ void World::intersect(const int32_t* valid, RayPacket& packet, const HitFilter* 
   } else {
     TieBreaker ties(order_);
     QueryState state{filter, mayCoincide_ ? &ties : nullptr, aloneIndex_};
-    if (figures) {
-      state.figures = figures_.data(), state.rays = *figures;
-      if (hasPixelFigures_) state.around = WindowRectangle(*figures->samples);
-    }
-    CoherentQuery query(filter || mayCoincide_ ? onFilter : nullptr, &state);
-    intersectAll(query, scene_, device_.packetWidth(), valid, packet);
+    ask(state, filter || mayCoincide_, valid, packet, figures);
     if (mayCoincide_) ties.restoreDistances(packet);
   }
   if (alone_) nameLoneInstance(packet, aloneIndex_);
+}
+
+void World::intersectNext(const int32_t* valid, RayPacket& packet, NextHits& hits,
+                          const FigureQuery* figures) const noexcept {
+  QueryState state{nullptr, nullptr, aloneIndex_};
+  state.next = &hits;
+  ask(state, true, valid, packet, figures);
 }
 
 }  // namespace gluray::accel

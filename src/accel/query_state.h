@@ -1,5 +1,6 @@
 // What a query of World carries into Embree's callbacks. Private to accel/; lives as long as one query.
 #pragma once
+#include "accel/next_hits.h"
 #include "accel/pixel_figure.h"
 #include "accel/world.h"
 
@@ -56,9 +57,11 @@ struct QueryState {
   // Those in the lighting space of the instance that was asked about last.
   mutable uint32_t raysOf = kNoHit;
   mutable FigureRays centers, samples;
+  NextHits* next = nullptr;  // several hits are wanted
 
   /// Whether a hit closer than the lane's best counts; `distance` as TieBreaker::replaces.
   bool counts(int lane, uint32_t instance, uint32_t primitive, float u, float v, float& distance) const {
+    if (next) return next->add(lane, {distance, u, v, instance, primitive}, distance);
     if (filter && !filter->accepts(instance, primitive, u, v, lane)) return false;
     return !ties || ties->replaces(lane, instance, primitive, distance);
   }

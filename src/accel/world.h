@@ -33,6 +33,9 @@ struct DrawOrder {
   bool laterWins = false;
 };
 
+class NextHits;
+struct QueryState;
+
 class World {
  public:
   /// `idleBudgetBytes`, `freeMemory`: see BlasCache. Throws Error where Embree does not start.
@@ -48,6 +51,10 @@ class World {
   /// Without `figures` there are none.
   void intersect(const int32_t* valid, RayPacket&, const HitFilter* filter = nullptr,
                  const FigureQuery* figures = nullptr) const noexcept;
+
+  /// The nearest hits of each of those lanes, NextHits::kMost at most, without those that the lane is done
+  /// with; of triangles at one place all. The packet's own fields mean nothing afterwards.
+  void intersectNext(const int32_t* valid, RayPacket&, NextHits&, const FigureQuery* figures) const noexcept;
 
   /// Whether triangles may lie exactly upon each other.
   bool mayCoincide() const { return mayCoincide_; }
@@ -65,6 +72,7 @@ class World {
 
  private:
   std::vector<PlacedBlas> place(const scene::Snapshot&);
+  void ask(QueryState&, bool filtered, const int32_t* valid, RayPacket&, const FigureQuery*) const noexcept;
   void readBounds();
   void readOrder(const scene::Snapshot&);
   void readFigures(const scene::Snapshot&);

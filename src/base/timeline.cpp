@@ -15,8 +15,8 @@
 namespace gluray::timeline {
 namespace {
 
-constexpr int64_t kClose = 30'000;             // nanoseconds between spans that become one
-constexpr int64_t kInterval = 500'000'000;     // between two writes
+constexpr int64_t kClose = 30'000;               // nanoseconds between spans that become one
+constexpr int64_t kInterval = 500'000'000;       // between two writes
 constexpr size_t kMostEvents = size_t{1} << 20;  // of a thread, until they are written: some forty megabytes
 
 struct Event {
@@ -94,8 +94,8 @@ void appendEvent(std::string& out, const Recorder& recorder, const Track& track,
   const double start = static_cast<double>(event.start - recorder.start) / 1000;
   int length = 0;
   if (event.start == event.end)
-    length = snprintf(line, sizeof line, R"({"ph":"i","s":"p","name":"%s","pid":%d,"tid":%d,"ts":%.3f)", event.name,
-                      recorder.process, track.thread, start);
+    length = snprintf(line, sizeof line, R"({"ph":"i","s":"p","name":"%s","pid":%d,"tid":%d,"ts":%.3f)",
+                      event.name, recorder.process, track.thread, start);
   else
     length = snprintf(line, sizeof line, R"({"ph":"X","name":"%s","pid":%d,"tid":%d,"ts":%.3f,"dur":%.3f)",
                       event.name, recorder.process, track.thread, start,
@@ -117,8 +117,9 @@ void take(const Recorder& recorder, Track& track, bool all, std::string& out) {
     }
     if (!track.named && track.name) {
       track.named = true;
-      out.append(R"({"ph":"M","name":"thread_name","pid":)" + std::to_string(recorder.process) + R"(,"tid":)" +
-                 std::to_string(track.thread) + R"(,"args":{"name":")" + track.name + "\"}},\n");
+      out.append(R"({"ph":"M","name":"thread_name","pid":)" + std::to_string(recorder.process) +
+                 R"(,"tid":)" + std::to_string(track.thread) + R"(,"args":{"name":")" + track.name +
+                 "\"}},\n");
     }
   }
   for (const Event& event : events) appendEvent(out, recorder, track, event);

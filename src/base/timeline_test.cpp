@@ -14,7 +14,8 @@ namespace {
 
 std::string file() {
   static const std::string path =
-      (std::filesystem::temp_directory_path() / ("gluray-timeline-" + std::to_string(getpid()) + ".json")).string();
+      (std::filesystem::temp_directory_path() / ("gluray-timeline-" + std::to_string(getpid()) + ".json"))
+          .string();
   return path;
 }
 

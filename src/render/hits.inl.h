@@ -230,6 +230,12 @@ HWY_ATTR inline const accel::FigureQuery* aimRays(const FrameData& frame, Work& 
 // First stage: what the rays hit; asks memory for the hit triangles' indices.
 HWY_ATTR inline void traceWork(const FrameData& frame, Work& work) {
   const accel::FigureQuery* figures = aimRays(frame, work);
+  work.hits = 0;
+  if (frame.snapshot->layers) {  // several at a time, later
+    for (int i = 0; i < kLanes; ++i)
+      if (work.valid[i]) work.hits |= 1u << i;
+    return;
+  }
   frame.world->intersect(work.valid, work.packet, nullptr, figures);
   work.hits = lanesThatHit(work.packet, work.valid);
   for (uint32_t lanes = work.hits; lanes; lanes &= lanes - 1) {
@@ -271,7 +277,7 @@ HWY_ATTR inline void traceOn(const FrameData& frame, uint32_t lanes, RejectingFi
   fetchVertices(frame, work);
 }
 
-// The same where no two triangles lie upon each other, without asking.
+// The same without asking: of triangles that lie upon each other one is seen.
 HWY_ATTR inline void traceBehind(const FrameData& frame, uint32_t lanes, Work& work) {
   constexpr float kBehind = 1 + 0x1p-21f;  // the hit is not found again
   alignas(64) float passed[kLanes];

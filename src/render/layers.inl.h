@@ -7,6 +7,7 @@
 #define GLURAY_RENDER_LAYERS_INL_H_
 #endif
 
+#include "accel/next_hits.h"
 #include "render/edges.inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -63,12 +64,25 @@ HWY_ATTR inline uint32_t lanesFull(uint32_t lanes, const Gathered& g) {
   return full;
 }
 
+/// Makes the i-th of each lane's hits the packet's. Returns the lanes that have one.
+HWY_ATTR inline uint32_t takeHits(const accel::NextHits& hits, int i, uint32_t lanes, Work& work) {
+  uint32_t taken = 0;
+  for (; lanes; lanes &= lanes - 1) {
+    const int lane = std::countr_zero(lanes);
+    if (hits.count(lane) <= i) continue;
+    const accel::NextHits::Hit& hit = hits.at(lane, i);
+    accel::RayPacket& packet = work.packet;
+    packet.tFar[lane] = hit.distance, packet.u[lane] = hit.u, packet.v[lane] = hit.v;
+    packet.instance[lane] = hit.instance, packet.primitive[lane] = hit.primitive;
+    taken |= 1u << lane;
+  }
+  return taken;
+}
+
 /// Goes through all that the packet's rays hit before what is opaque, from the front backwards: put(lanes,
 /// colours, depths) returns the lanes that need no more. Depth becomes that of the first.
 template <class Put>
 HWY_ATTR void walkLayers(const FrameData& frame, const scene::Layers& layers, Work& work, Put&& put) {
-  RejectingFilter filter(frame);
-  alignas(64) float passed[kLanes] = {};
   uint32_t ended = 0;
   const auto take = [&](uint32_t lanes, const LitRows& rows, const float* depth) HWY_ATTR {
     const uint32_t behind = lanesBehind(layers, frame, work, lanes, depth);
@@ -80,17 +94,27 @@ HWY_ATTR void walkLayers(const FrameData& frame, const scene::Layers& layers, Wo
     }
     ended |= put(lanes, rows, depth);
   };
-  const bool ask = frame.world->mayCoincide();
-  bool asked = false;
-  for (uint32_t lanes = work.hits; lanes; asked = ask) {
-    shadeHits(frame, lanes, !asked, work, take);
-    lanes &= ~ended;
-    if (!lanes) break;
-    if (ask)
-      traceOn(frame, lanes, filter, passed, work);
-    else
-      traceBehind(frame, lanes, work);
-    lanes &= work.hits;
+  accel::NextHits hits;
+  alignas(64) float passed[kLanes] = {};
+  for (uint32_t lanes = work.hits; lanes;) {
+    for (int i = 0; i < kLanes; ++i) work.valid[i] = lanes >> i & 1 ? -1 : 0;
+    const accel::FigureQuery* figures = aimRays(frame, work);
+    for (int i = 0; i < kLanes; ++i) work.packet.tNear[i] = std::max(work.packet.tNear[i], passed[i]);
+    frame.world->intersectNext(work.valid, work.packet, hits, figures);
+    for (int i = 0; i < accel::NextHits::kMost; ++i) {
+      work.hits = takeHits(hits, i, lanes & ~ended, work);
+      if (!work.hits) break;
+      fetchVertices(frame, work);
+      shadeHits(frame, work.hits, true, work, take);
+    }
+    uint32_t more = 0;
+    for (lanes &= ~ended; lanes; lanes &= lanes - 1) {
+      const int i = std::countr_zero(lanes);
+      if (!hits.full(i)) continue;
+      passed[i] = hits.passOn(i);
+      more |= 1u << i;
+    }
+    lanes = more;
   }
 }
 

@@ -104,18 +104,19 @@ HWY_ATTR inline void traceSamples(const FrameData& frame, const Tile& tile, Aver
   Work works[3];
   for (Work& work : works) initPacket(work.packet);
   int count = 0;
+  const bool layered = frame.snapshot->layers != nullptr;  // whose hits are found in the last stage
   const auto back = [&](int stages) HWY_ATTR -> Work& { return works[(count - stages) % 3]; };
   for (int sample = 0; sample < static_cast<int>(frame.samplePositions.size()); ++sample) {
     for (int y = tile.y0; y < tile.y1; y += 4) {
       for (int x = tile.x0; x < tile.x1; x += 4, ++count) {
         aim(frame, tile, x, y, sample, back(0));
         traceWork(frame, back(0));
-        if (count > 0) fetchVertices(frame, back(1));
+        if (count > 0 && !layered) fetchVertices(frame, back(1));
         if (count > 1) finishWork(frame, tile, back(2), averages);
       }
     }
   }
-  if (count > 0) fetchVertices(frame, back(1));
+  if (count > 0 && !layered) fetchVertices(frame, back(1));
   if (count > 1) finishWork(frame, tile, back(2), averages);
   if (count > 0) finishWork(frame, tile, back(1), averages);
 }

@@ -1,0 +1,61 @@
+// Several hits of each of a packet's rays, found in one go. One per packet, its thread's own.
+#pragma once
+#include "accel/ray_packet.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace gluray::accel {
+
+class NextHits {
+ public:
+  static constexpr int kMost = 8;  // of a ray in one query
+  struct Hit {
+    float distance = 0, u = 0, v = 0;  // as in RayPacket
+    uint32_t instance = 0, primitive = 0;
+  };
+
+  int count(int lane) const { return counts_[lane]; }
+  /// The nearest first.
+  const Hit& at(int lane, int i) const { return hits_[lane][i]; }
+  /// Whether there may be more behind them.
+  bool full(int lane) const { return counts_[lane] == kMost; }
+
+  /// The lane's hits are done with and will not be found again. Returns from which distance on the next query
+  /// is to look: others may be as far as the last, give or take a rounding. Only where full.
+  float passOn(int lane) {
+    constexpr float kBefore = 1 - 0x1p-20f;
+    const float from = hits_[lane][kMost - 1].distance * kBefore;
+    std::vector<Hit>& passed = passed_[lane];
+    std::erase_if(passed, [&](const Hit& hit) { return hit.distance < from; });
+    for (const Hit& hit : hits_[lane])
+      if (hit.distance >= from) passed.push_back(hit);
+    counts_[lane] = 0;
+    return from;
+  }
+
+  /// Takes a hit that a query has found. True: the ray need not look farther than `distance`, which is set.
+  bool add(int lane, const Hit& hit, float& distance) noexcept {
+    const auto isThis = [&](const Hit& h) {
+      return h.instance == hit.instance && h.primitive == hit.primitive;
+    };
+    if (std::any_of(passed_[lane].begin(), passed_[lane].end(), isThis)) return false;
+    Hit* const hits = hits_[lane];
+    int& count = counts_[lane];
+    if (count == kMost && hit.distance >= hits[kMost - 1].distance) return false;
+    int at = std::min(count, kMost - 1);
+    for (; at > 0 && hits[at - 1].distance > hit.distance; --at) hits[at] = hits[at - 1];
+    hits[at] = hit;
+    count = std::min(count + 1, kMost);
+    if (count < kMost) return false;
+    distance = hits[kMost - 1].distance;
+    return true;
+  }
+
+ private:
+  int counts_[kLanes] = {};
+  Hit hits_[kLanes][kMost];
+  std::vector<Hit> passed_[kLanes];  // near where the next query begins
+};
+
+}  // namespace gluray::accel
