@@ -1,0 +1,65 @@
+"""What `scripts/bench compare` says: suites_test.py (no program is run)."""
+import contextlib
+import io
+import json
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+from suites import compare  # noqa: E402
+
+OLD = {"machine": {"cpu": "A", "load_before": 1}, "versions": {"source": "1"},
+       "rows": [{"millions": 1, "path": "list", "fps": 10.0, "ms": {"trace": 4.0}, "kind": "x"}, {"millions": 2, "path": "list", "fps": 5.0}]}
+NEW = {"machine": {"cpu": "B", "load_before": 2}, "versions": {"source": "1"},
+       "rows": [{"millions": 1, "path": "list", "fps": 20.0, "ms": {"trace": 1.0}, "new": 3}, {"millions": 4, "path": "list", "fps": 1.0}]}
+
+
+class Compare(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def run_with(self, *results):
+        """(exit status, standard output, standard error)."""
+        files = []
+        for i, result in enumerate(results):
+            files.append(self.folder / f"{i}.json")
+            files[-1].write_text(result if isinstance(result, str) else json.dumps(result))
+        out, err = io.StringIO(), io.StringIO()
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+            status = compare.main([str(file) for file in files])
+        return status, out.getvalue().splitlines(), err.getvalue()
+
+    def test_rows_of_one_name_are_compared(self):
+        status, out, _ = self.run_with(OLD, NEW)
+        self.assertEqual(status, 0)
+        self.assertEqual([line.split() for line in out],
+                         [["cpu:", "A", "->", "B"], ["row", "figure", "old", "new", "new/old"], ["list", "1M", "fps", "10", "20", "2.000"],
+                          ["list", "1M", "ms.trace", "4", "1", "0.250"], ["only", "in", "the", "old", "one:", "list", "2M"],
+                          ["only", "in", "the", "new", "one:", "list", "4M"]])
+
+    def test_what_was_nothing_has_no_ratio(self):
+        _, out, _ = self.run_with({"rows": [{"millions": 1, "drawn": 0}]}, {"rows": [{"millions": 1, "drawn": 3}]})
+        self.assertEqual(out[-1].split(), ["1M", "drawn", "0", "3", "-"])
+
+    def test_what_is_no_result_is_told_in_one_line(self):
+        for text in ("no json", "[]", '{"rows": 3}', "{}"):
+            status, out, err = self.run_with(OLD, text)
+            self.assertEqual((status, out, err.count("\n")), (1, [], 1), text)
+            self.assertIn("1.json is no result of scripts/bench", err)
+
+    def test_results_in_the_repository_can_all_be_compared(self):
+        for file in sorted(compare.RESULTS.glob("*.json")):
+            with self.subTest(file.name):
+                result = compare.read(file.stem)
+                lines = compare.compare(result, result)
+                self.assertGreater(len(lines), 1)
+                self.assertTrue(all(line.split()[-1] in ("1.000", "-", "new/old") for line in lines))
+
+
+if __name__ == "__main__":
+    unittest.main()
