@@ -27,7 +27,8 @@ TEST(NextHits, TheNearestAreKeptInOrder) {
   float farthest = 1000;
   for (const int i : order) {
     float distance = static_cast<float>(i);
-    if (distance < farthest && hits.add(5, hitAt(distance, static_cast<uint32_t>(i)), distance)) farthest = distance;
+    if (distance < farthest && hits.add(5, hitAt(distance, static_cast<uint32_t>(i)), distance))
+      farthest = distance;
   }
   ASSERT_EQ(hits.count(5), NextHits::kMost);
   EXPECT_TRUE(hits.full(5));
