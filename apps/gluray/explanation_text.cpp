@@ -46,7 +46,8 @@ std::string tracingLine(const json& report) {
   const auto part = [&](const char* name) { return fixed(ms.at(name).get<double>(), 3); };
   return "  tracing, ms/frame: capture " + part("capture") + ", build " + part("build") + ", trace " +
          part("trace") + ", write-back " + part("present") + "; " + grouped(number(report, "flushes")) +
-         " batches, " + grouped(number(report.at("bvh"), "builds")) + " acceleration structures built\n";
+         " batches, " + grouped(number(report, "repeated")) + " of them unchanged, " +
+         grouped(number(report.at("bvh"), "builds")) + " acceleration structures built\n";
 }
 
 /// Which family each program is of, and what keeps the others from being traced.

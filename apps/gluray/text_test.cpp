@@ -49,6 +49,7 @@ json report() {
           {"pid", 42},
           {"frames", 10},
           {"flushes", 10},
+          {"repeated", 3},
           {"door", "vendor"},
           {"triangles", {{"traced", 30000}, {"rasterised", 10000}}},
           {"bvh", {{"builds", 1}}},
@@ -88,7 +89,7 @@ draws, of all frames
   surfaces  list        10     30 000     0.200  traced                lighting
   surfaces  arrays      20     10 000     0.500  rasterised: blending  lighting, blend
   lines     glBegin     10          0     0.100  rasterised: lines
-  tracing, ms/frame: capture 0.500, build 0.250, trace 4.000, write-back 1.000; 10 batches, 1 acceleration structures built
+  tracing, ms/frame: capture 0.500, build 0.250, trace 4.000, write-back 1.000; 10 batches, 3 of them unchanged, 1 acceleration structures built
 
 contexts, through the door vendor
   GLX, compatibility, double-buffered, 4.5, llvmpipe: 10 frames, 10 draws traced, 30 rasterised

@@ -48,6 +48,7 @@ void configure(Level level, std::string_view file) {
   try {
     s.logger = makeLogger(file);
   } catch (const std::exception&) {
+    if (file.empty()) throw;
     s.logger = makeLogger({});
     s.logger->warn("cannot write the log file {}; logging to stderr", file);
   }
