@@ -26,8 +26,8 @@ void refuse(Context& c, GLenum error) {
 
 /// Refuses a wrong draw; true where it is none.
 bool validate(Context& c, GLenum mode, const Elements& e) {
-  if (!isMode(mode)) return refuse(c, GL_INVALID_ENUM), false;
   if (e.count < 0 || e.instances < -1) return refuse(c, GL_INVALID_VALUE), false;
+  if (!isMode(mode)) return refuse(c, GL_INVALID_ENUM), false;
   if (e.type && !isIndexType(e.type)) return refuse(c, GL_INVALID_ENUM), false;
   if (c.insideBegin()) return c.misuse(), false;
   return true;
@@ -191,8 +191,9 @@ void drawByProgram(Context& c, GLenum mode, const Elements& e) {
 }
 
 void draw(Context& c, GLenum mode, const Elements& e) {
-  if (!validate(c, mode, e) || e.count == 0 || e.instances == 0 || e.first < 0)
-    return;  // what lies before an array is nobody's
+  if (!validate(c, mode, e) || e.first < 0) return;  // what lies before an array is nobody's
+  // Nothing to draw, but an error where nothing could be drawn.
+  if (e.count == 0 || e.instances == 0) return c.compiling() ? void() : drawReal(c.real, mode, e);
   if (c.compiling()) return recordDraw(c, mode, e);
   const DrawTimer timer(c.kinds());
   if (c.direct()) {

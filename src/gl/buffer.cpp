@@ -30,12 +30,16 @@ void Buffer::setData(size_t size, const void* data, GLenum usage) {
   usage_ = usage;
   heldBack_ = true;
   mapped_ = nullptr;
+  mappedStorage_.reset();
   memoryBelow_ = false;
   ++version_;
 }
 
 BufferStorage& Buffer::writable() {
-  if (storage_.use_count() > 1) {
+  // Nobody draws from what is mapped for writing: the program's pointer and a command on other bytes share
+  // it.
+  const bool shared = mapped_ && mappedStorage_ == storage_ && (mapAccess_ & GL_MAP_WRITE_BIT);
+  if (storage_.use_count() > 1 && !shared) {
     auto copy = std::make_shared<BufferStorage>(size_);
     std::memcpy(copy->data, storage_->data, size_);
     storage_ = std::move(copy);
@@ -112,7 +116,7 @@ void Buffer::changedBelow() {
 void Buffer::setSizeBelow(size_t size, GLenum usage) {
   const std::lock_guard lock(mutex_);
   size_ = size, usage_ = usage, heldBack_ = false, mapped_ = nullptr;
-  storage_.reset();
+  storage_.reset(), mappedStorage_.reset();
   ++version_;
 }
 
@@ -122,6 +126,7 @@ void* Buffer::map(const RealGl& real, size_t offset, size_t length, GLbitfield a
   if (!storage_) storage_ = std::make_shared<BufferStorage>(size_);
   std::byte* data = (access & GL_MAP_WRITE_BIT) ? writable().data : storage_->data;
   mapped_ = data + offset;
+  mappedStorage_ = storage_;
   mapOffset_ = offset, mapLength_ = length, mapAccess_ = access;
   return mapped_;
 }
@@ -130,6 +135,7 @@ void Buffer::unmap() {
   const std::lock_guard lock(mutex_);
   if (mapAccess_ & GL_MAP_WRITE_BIT) heldBack_ = true, ++version_;
   mapped_ = nullptr;
+  mappedStorage_.reset();
 }
 
 }  // namespace gluray::gl

@@ -53,6 +53,10 @@ class Buffer {
   void setData(size_t size, const void* data, GLenum usage);
   /// glBufferSubData within the size.
   void setSubData(size_t offset, size_t size, const void* data);
+  /// Whether commands that read or write this range are errors because of a mapping of ours.
+  bool mappedIn(size_t offset, size_t size) const {
+    return mapped() && size > 0 && offset < mapOffset_ + mapLength_ && mapOffset_ < offset + size;
+  }
   /// The bytes, fetched from the real OpenGL where it has changed them. Null for an empty buffer.
   std::shared_ptr<const BufferStorage> read(const RealGl& real);
   /// Gives the real OpenGL our contents if it does not have them. While the buffer is mapped nobody may draw
@@ -106,6 +110,7 @@ class Buffer {
   bool memoryBelow_ = false;           // the real one has memory of this size
   std::atomic<uint64_t> version_ = 1;  // counts changes of content
   void* mapped_ = nullptr;
+  std::shared_ptr<BufferStorage> mappedStorage_;  // what the pointer points into
   size_t mapOffset_ = 0, mapLength_ = 0;
   GLbitfield mapAccess_ = 0;
 };

@@ -111,10 +111,13 @@ void bufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, 
   const auto buffer = bound(c, target);
   if (!buffer) return c.real.BufferSubData(target, offset, size, data);
   c.contentsChange(buffer->name());
-  if (buffer->mapped()) return c.setError(GL_INVALID_OPERATION);
-  if (buffer->mappedBelow) return c.real.BufferSubData(target, offset, size, data);  // says what is wrong
+  if (buffer->mapped() && !isRange(*buffer, offset, size)) return c.setError(GL_INVALID_VALUE);
+  if (buffer->mappedIn(static_cast<size_t>(offset), static_cast<size_t>(size)))
+    return c.setError(GL_INVALID_OPERATION);
+  if (buffer->mappedBelow) return c.real.BufferSubData(target, offset, size, data);  // knows the range
   try {
-    if (!buffer->immutable && isHeldBack(c, target, buffer.get()) && buffer->read(c.real)) {
+    const bool ours = buffer->mapped() || (!buffer->immutable && isHeldBack(c, target, buffer.get()));
+    if (ours && buffer->read(c.real)) {
       if (!isRange(*buffer, offset, size)) return c.setError(GL_INVALID_VALUE);
       if (size > 0 && data) buffer->setSubData(static_cast<size_t>(offset), static_cast<size_t>(size), data);
       return;
@@ -188,7 +191,8 @@ void flushMappedBufferRange(Context& c, GLenum target, GLintptr offset, GLsizeip
 
 void getBufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, void* data) {
   const auto buffer = bound(c, target);
-  if (!buffer || !buffer->heldBack()) return c.real.GetBufferSubData(target, offset, size, data);
+  if (!buffer || (!buffer->heldBack() && !buffer->mapped()))
+    return c.real.GetBufferSubData(target, offset, size, data);
   if (!isRange(*buffer, offset, size)) return c.setError(GL_INVALID_VALUE);
   if (buffer->mapped()) return c.setError(GL_INVALID_OPERATION);
   std::memcpy(data, buffer->read(c.real)->data + offset, static_cast<size_t>(size));
@@ -240,6 +244,8 @@ void getBufferPointerv(Context& c, GLenum target, GLenum pname, void** params) {
 void copyBufferSubData(Context& c, GLenum readTarget, GLenum writeTarget, GLintptr readOffset,
                        GLintptr writeOffset, GLsizeiptr size) {
   const auto source = bound(c, readTarget), target = bound(c, writeTarget);
+  // A mapping of ours the real OpenGL does not know.
+  if ((source && source->mapped()) || (target && target->mapped())) return c.setError(GL_INVALID_OPERATION);
   if (target) c.contentsChange(target->name());
   if (source) source->sendTo(c.real);
   if (target) target->sendTo(c.real);

@@ -104,6 +104,9 @@ void Context::count(int command) noexcept { ++unknownCalls_[static_cast<size_t>(
 
 void Context::setError(GLenum error) {
   if (error_ != GL_NO_ERROR) return;
+  // The real OpenGL refuses what comes inside its glBegin, this too, in its turn among other errors.
+  if (inside_ == Inside::rasterised && !openFragment_ && error == GL_INVALID_OPERATION)
+    return real.Begin(GL_POINTS);
   // Between its glBegin and glEnd the real OpenGL cannot be asked.
   const GLenum older = inside_ == Inside::rasterised ? GLenum{GL_NO_ERROR} : real.GetError();
   error_ = older != GL_NO_ERROR ? older : error;
@@ -188,10 +191,15 @@ void Context::pushAttrib(GLbitfield mask) {
 }
 
 void Context::popAttrib() {
+  const bool sent = currentDirty_ != 0;
   syncCurrent();
   if (!attribStack_.empty()) {
     const SavedAttrib saved = attribStack_.back();
     attribStack_.pop_back();
+    // Mesa 22.3 leaves what was sent after its last vertex current, unless it is asked; the draws that stood
+    // in between were held back.
+    float asked[4];
+    if (sent && (saved.mask & GL_CURRENT_BIT)) real.GetFloatv(GL_CURRENT_COLOR, asked);
     if (saved.mask & GL_LIST_BIT) listBase = saved.listBase;
     if (saved.mask & GL_TRANSFORM_BIT) matrixMode = 0;
     // A change of the draw buffer redirects what is pending.

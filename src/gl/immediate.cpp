@@ -94,8 +94,10 @@ void Context::vertex(float x, float y, float z, float w) {
 
 void Context::begin(GLenum mode) {
   if (insideBegin()) return misuse();
-  if (mode > GL_POLYGON && !(mode >= GL_LINES_ADJACENCY && mode <= GL_TRIANGLE_STRIP_ADJACENCY))
-    return setError(GL_INVALID_ENUM);
+  if (mode > GL_POLYGON && !(mode >= GL_LINES_ADJACENCY && mode <= GL_TRIANGLE_STRIP_ADJACENCY)) {
+    if (!compiling()) return setError(GL_INVALID_ENUM);
+    return record([](Context& x) { x.setError(GL_INVALID_ENUM); });
+  }
   const PrimitiveClass kind = mode > GL_POLYGON ? PrimitiveClass::lines : classOf(mode);
   if (compiling()) {
     if (kind != runClass_ && !stream_.empty()) closeRun();
@@ -263,11 +265,10 @@ void Context::surrenderRun() {
   const bool open = inside_ == Inside::captured;
   GLuint fragment = 0;
   sendBuffers();  // glArrayElement may follow
+  sendCurrent();  // not into the list
   if (compiling()) {
     fragment = real.GenLists(1);
     real.NewList(fragment, GL_COMPILE);
-  } else {
-    sendCurrent();
   }
   if (!compiling() && (!run.empty() || open)) {
     if (open && kinds()) kinds()->start();

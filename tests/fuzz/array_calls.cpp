@@ -84,11 +84,31 @@ GLenum mode(Player& p) {
                  GL_QUAD_STRIP, GL_POLYGON, GL_LINES, GL_POINTS, GL_LINE_LOOP});
 }
 
+/// What a draw from arrays leaves current is nobody's, and Mesa's lists and ours leave something else.
+void setCurrent(Player& p) {
+  constexpr GLfloat v[4] = {0.25f, 0.5f, 0.75f, 1};
+  p.gl.Normal3fv(v), p.gl.Color4fv(v), p.gl.SecondaryColor3fv(v), p.gl.FogCoordf(0.5f), p.gl.Indexf(1);
+  p.gl.EdgeFlag(GL_TRUE);
+  for (const GLenum unit : {GL_TEXTURE0, GL_TEXTURE1}) {
+    if (p.attributeSize == 1) p.gl.MultiTexCoord1fv(unit, v);
+    if (p.attributeSize == 2) p.gl.MultiTexCoord2fv(unit, v);
+    if (p.attributeSize == 3) p.gl.MultiTexCoord3fv(unit, v);
+    if (p.attributeSize == 4) p.gl.MultiTexCoord4fv(unit, v);
+  }
+  for (GLuint i = 1; i < 4; ++i) {
+    if (p.attributeSize == 1) p.gl.VertexAttrib1fv(i, v);
+    if (p.attributeSize == 2) p.gl.VertexAttrib2fv(i, v);
+    if (p.attributeSize == 3) p.gl.VertexAttrib3fv(i, v);
+    if (p.attributeSize == 4) p.gl.VertexAttrib4fv(i, v);
+  }
+}
+
 /// Draws that Mesa would not survive are left out.
 template <void (*Draw)(Player&, GLenum)>
 void draw(Player& p) {
   if (p.compiling && p.smallBuffers) return;
   Draw(p, mode(p));
+  if (p.compiling && !p.insideBegin) setCurrent(p);
 }
 
 struct Indices {

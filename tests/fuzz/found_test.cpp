@@ -125,6 +125,83 @@ const Found kFound[] = {
        gl.DrawArrays(GL_POINTS, 0, 3);
        a.push_back(static_cast<float>(gl.RenderMode(GL_RENDER)));
      }},
+    {"an instanced draw while a list is compiled is an error, and not in the list",
+     [](Gl gl, Answers& a) {
+       static GLfloat memory[256];
+       gl.FeedbackBuffer(256, GL_3D, memory);
+       gl.VertexPointer(3, GL_FLOAT, 0, kValues), gl.EnableClientState(GL_VERTEX_ARRAY);
+       for (const bool vertices : {false, true}) {
+         gl.NewList(1, GL_COMPILE);
+         if (vertices)
+           gl.Begin(GL_TRIANGLES), gl.Vertex2f(0, 0), gl.Vertex2f(0, 1), gl.Vertex2f(1, 1), gl.End();
+         gl.DrawArraysInstanced(GL_POLYGON, 0, 3, 2), error(gl, a);
+         gl.DrawElementsInstanced(GL_TRIANGLES, 3, GL_UNSIGNED_BYTE, "\0\1\2", 2), error(gl, a);
+         gl.EndList(), gl.RenderMode(GL_FEEDBACK), gl.CallList(1), error(gl, a);
+         a.push_back(static_cast<float>(gl.RenderMode(GL_RENDER))), error(gl, a);
+       }
+     }},
+    {"glPopAttrib in a list brings back what was current",
+     [](Gl gl, Answers& a) {
+       gl.NewList(1, GL_COMPILE), gl.PopAttrib(), gl.EndList();
+       gl.PushAttrib(GL_ALL_ATTRIB_BITS), gl.SecondaryColor3f(0.25f, 0.5f, 0.75f), gl.CallList(1);
+       four(gl, GL_CURRENT_SECONDARY_COLOR, a), error(gl, a);
+     }},
+    {"commands on a buffer beside the range that is mapped, and upon it",
+     [](Gl gl, Answers& a) {
+       for (const GLbitfield access : {GL_MAP_READ_BIT, GL_MAP_WRITE_BIT}) {
+         GLfloat got[4] = {};
+         gl.BindBuffer(GL_ARRAY_BUFFER, 1), gl.BindBuffer(GL_COPY_READ_BUFFER, 2);
+         gl.BufferData(GL_ARRAY_BUFFER, sizeof kValues, kValues, GL_STATIC_DRAW);
+         gl.BufferData(GL_COPY_READ_BUFFER, sizeof kValues, kValues, GL_STATIC_DRAW);
+         gl.MapBufferRange(GL_ARRAY_BUFFER, 32, 32, access), error(gl, a);
+         gl.BufferSubData(GL_ARRAY_BUFFER, 0, 32, kValues + 1), error(gl, a);
+         gl.BufferSubData(GL_ARRAY_BUFFER, 64, 32, kValues + 1), error(gl, a);
+         gl.BufferSubData(GL_ARRAY_BUFFER, 28, 8, kValues), error(gl, a);
+         gl.BufferSubData(GL_ARRAY_BUFFER, 60, 8, kValues), error(gl, a);
+         gl.GetBufferSubData(GL_ARRAY_BUFFER, 0, 16, got), error(gl, a);
+         gl.GetBufferSubData(GL_ARRAY_BUFFER, 32, 16, got), error(gl, a);
+         gl.CopyBufferSubData(GL_COPY_READ_BUFFER, GL_ARRAY_BUFFER, 0, 0, 16), error(gl, a);
+         gl.CopyBufferSubData(GL_ARRAY_BUFFER, GL_COPY_READ_BUFFER, 0, 0, 16), error(gl, a);
+         a.insert(a.end(), got, got + 4);
+         gl.UnmapBuffer(GL_ARRAY_BUFFER), gl.GetBufferSubData(GL_ARRAY_BUFFER, 0, 16, got), error(gl, a);
+         a.insert(a.end(), got, got + 4);
+       }
+     }},
+    {"glBegin of a mode that does not exist is an error when the list is called",
+     [](Gl gl, Answers& a) {
+       gl.NewList(1, GL_COMPILE), gl.Begin(8952), error(gl, a), gl.End(), gl.EndList(), error(gl, a);
+       gl.CallList(1), error(gl, a), error(gl, a);
+     }},
+    {"a vertex of an evaluator in a list, after attributes that nobody has seen yet",
+     [](Gl gl, Answers& a) {
+       gl.Begin(GL_TRIANGLES), gl.Vertex2f(0, 0), gl.Vertex2f(0, 1), gl.Vertex2f(1, 1), gl.End();
+       gl.Color4f(0.25f, 0.5f, 0.75f, 1), gl.NewList(1, GL_COMPILE), gl.Begin(GL_POINTS), gl.EvalPoint1(1);
+       gl.End(), four(gl, GL_CURRENT_COLOR, a), gl.EndList(), four(gl, GL_CURRENT_COLOR, a);
+     }},
+    {"the first of two errors in a rasterised primitive",
+     [](Gl gl, Answers& a) {
+       gl.DepthFunc(GL_GREATER), gl.Begin(GL_QUAD_STRIP), gl.Materialf(GL_FRONT, GL_SHININESS, -5);
+       gl.Begin(GL_LINES), gl.End(), error(gl, a), error(gl, a);
+       gl.Begin(GL_LINES), gl.Materialf(GL_FRONT, GL_SHININESS, -5), gl.Begin(GL_LINES), gl.End();
+       error(gl, a), error(gl, a);
+     }},
+    {"a draw of nothing into an incomplete framebuffer, and one that is wrong twice",
+     [](Gl gl, Answers& a) {
+       gl.DrawElements(18835, -3, GL_UNSIGNED_INT, nullptr), error(gl, a);
+       GLuint name = 0;
+       gl.GenFramebuffers(1, &name), gl.BindFramebuffer(GL_FRAMEBUFFER, name);
+       gl.DrawArraysInstanced(GL_TRIANGLES, 0, 30, 0), error(gl, a), gl.DrawArrays(GL_TRIANGLES, 0, 0),
+           error(gl, a);
+     }},
+    {"a buffer is mapped while a list is compiled and executed",
+     [](Gl gl, Answers& a) {
+       gl.BindBuffer(GL_ARRAY_BUFFER, 1);
+       gl.BufferData(GL_ARRAY_BUFFER, sizeof kValues, kValues, GL_STATIC_DRAW);
+       gl.NewList(1, GL_COMPILE_AND_EXECUTE);
+       gl.Normal3f(0, 0, 1), gl.Begin(GL_TRIANGLES), gl.Vertex4f(0, 0, 0, 1), gl.End();
+       a.push_back(gl.MapBuffer(GL_ARRAY_BUFFER, GL_READ_WRITE) != nullptr), error(gl, a);
+       a.push_back(gl.UnmapBuffer(GL_ARRAY_BUFFER)), gl.EndList(), error(gl, a);
+     }},
 };
 
 class FoundTest : public testing::TestWithParam<Found> {};

@@ -109,7 +109,12 @@ GLbitfield attributeBits(Player& p) {
 
 const Op kStackOps[] = {
     {"PushAttrib", 8, [](Player& p) { p.gl.PushAttrib(attributeBits(p)); }},
-    {"PopAttrib", 8, [](Player& p) { p.gl.PopAttrib(); }},
+    {"PopAttrib", 8,
+     [](Player& p) {
+       float asked[4];
+       if (!p.compiling && !p.insideBegin) p.gl.GetFloatv(GL_CURRENT_COLOR, asked);  // avoided.md
+       p.gl.PopAttrib();
+     }},
     {"PushClientAttrib", 3,
      [](Player& p) {
        p.gl.PushClientAttrib(p.pick({GL_CLIENT_PIXEL_STORE_BIT, GL_CLIENT_VERTEX_ARRAY_BIT, ~0u}));

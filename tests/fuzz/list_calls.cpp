@@ -64,6 +64,7 @@ const Op kNewListOps[] = {
        const GLuint name = p.name(kLists);
        const GLenum mode = p.pick({GL_COMPILE, GL_COMPILE, GL_COMPILE_AND_EXECUTE});
        if (p.compiling || p.insideBegin) return;
+       p.gl.Color4f(0.5f, 0.25f, 0.75f, 1);  // avoided.md
        p.compiling = true, p.executing = mode == GL_COMPILE_AND_EXECUTE;
        p.gl.NewList(name, mode);
      }},

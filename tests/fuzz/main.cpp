@@ -22,6 +22,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -97,11 +98,21 @@ std::string kindOf(int status) {
   return "ends with code " + std::to_string(status);
 }
 
+/// What differs, without the values.
+std::string differenceOf(const Progress& progress) {
+  const std::string_view what = progress.what;
+  return std::string(what.substr(0, what.find(':', what.find(':') + 1)));
+}
+
 /// Takes calls out as long as the same kind of failure stays (after Zeller's ddmin, 2002).
 class Shrinker {
  public:
-  Shrinker(Stream stream, uint64_t seed, int kind, bool alone)
-      : stream_(std::move(stream)), seed_(seed), kind_(kind), alone_(alone) {}
+  Shrinker(Stream stream, uint64_t seed, int kind, const Progress& found)
+      : stream_(std::move(stream)),
+        seed_(seed),
+        kind_(kind),
+        alone_(found.alone),
+        difference_(differenceOf(found)) {}
 
   Stream run() {
     if (!fails(stream_)) return stream_;  // does not come again: all of it
@@ -126,21 +137,22 @@ class Shrinker {
     const int status = statusOf(inChild(true, [&] {
       playOrEnd(stream, seed_, *progress, kind_ == 256 + SIGALRM ? kShortPatience : kPatience);
     }));
-    const bool ours = progress->ours;
+    const bool same = status == kind_ && progress->ours && differenceOf(*progress) == difference_;
     munmap(progress, sizeof *progress);
-    return status == kind_ && ours;
+    return same;
   }
   Stream stream_;
   uint64_t seed_;
   int kind_;
   bool alone_;
+  std::string difference_;
 };
 
 void explain(uint64_t seed, int kind, const Progress& progress) {
   std::printf("fuzz: the stream of seed %llu %s%s%s\n", static_cast<unsigned long long>(seed),
               kindOf(kind).c_str(), kind == kDiffers ? ": " : "", kind == kDiffers ? progress.what : "");
   std::fflush(stdout);
-  const Stream small = Shrinker(makeStream(seed, progress.alone), seed, kind, progress.alone).run();
+  const Stream small = Shrinker(makeStream(seed, progress.alone), seed, kind, progress).run();
   std::printf("fuzz: %zu calls are enough (absurd %u %%, small buffers %d, errors asked %d, tame %d):\n",
               small.calls.size(), small.weird, small.smallBuffers, small.askErrors, small.tame);
   std::fflush(stdout);

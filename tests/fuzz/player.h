@@ -106,6 +106,8 @@ class Player {
 
   // What a call must know of those before it, so that neither Mesa nor time runs out (see avoided.h).
   bool compiling = false, executing = false, insideBegin = false, listCalled = false;
+  bool vertexWanted = false;  // since the last one attributes were set inside glBegin
+  int attributeSize = 4;      // components of texture coordinates and generic attributes
   int queriesActive = 0;
   uint32_t context = 0;                                 // which of the two is current
   std::array<GLuint, 3> programs{};                     // those made so far; 0: none yet

@@ -132,16 +132,24 @@ int sizeOfAttribute(std::string_view name) {
   return digit == name.npos ? 0 : name[digit] - '0';
 }
 
+bool makesVertex(const Op* op) {
+  const std::string_view name = op->name;
+  return isOf(leafCalls(), op) && name.substr(0, 6) == "Vertex" && name.substr(0, 12) != "VertexAttrib";
+}
+
+/// Coordinates of glVertex*i, *s and P* reach to 2^31.
+bool isOfIntegers(std::string_view vertex) { return vertex.find_first_of("isP") != vertex.npos; }
+
 /// Whether the call is one of those that Mesa does not survive or that OpenGL leaves open here (avoided.md).
 bool avoided(const Player& p, const Stream& stream, const Op* op) {
-  if (p.executing && isOf(askCalls(), op)) return true;
+  if (p.executing && (isOf(askCalls(), op) || isOf(bufferCalls(), op))) return true;
   const bool leaf = isOf(leafCalls(), op) || isOf(attributeCalls(), op);
   if (leaf && sizeOfAttribute(op->name) != 0 && sizeOfAttribute(op->name) != stream.attributeSize)
     return true;
-  const std::string_view name = op->name;
-  const bool vertex = leaf && name.substr(0, 6) == "Vertex" && name.substr(0, 12) != "VertexAttrib";
-  if (vertex && !p.insideBegin && !p.compiling) return true;
-  if (!p.compiling || !p.insideBegin) return false;
+  if (makesVertex(op) && stream.tame && isOfIntegers(op->name)) return true;
+  if (makesVertex(op) && !p.insideBegin && !p.compiling) return true;
+  if (!p.compiling) return false;
+  if (!p.insideBegin) return isOf(endCalls(), op);
   return !leaf && !isOf(vertexCalls(), op) && !isOf(endCalls(), op);
 }
 
@@ -166,10 +174,12 @@ Record playTo(const Stream& stream, bool state, bool whole = false) {
   Side side(stream);
   Player p(side.gl(), *sink, [&](uint32_t which) { side.makeCurrent(which); });
   p.smallBuffers = stream.smallBuffers;
+  p.attributeSize = stream.attributeSize;
   for (uint32_t context : {1u, 0u}) p.switchTo(context), prepare(p);
   for (size_t i = 0; i < stream.calls.size(); ++i) {
     const Call& call = stream.calls[i];
     if (!whole && avoided(p, stream, call.op)) continue;
+    if (p.insideBegin && !isOf(endCalls(), call.op)) p.vertexWanted = !makesVertex(call.op);
     p.start(i, call.seed, stream.weird);
     call.op->run(p);
     if (stream.askErrors && !(p.compiling && (p.insideBegin || p.executing)))
@@ -275,11 +285,14 @@ std::string describe(const Stream& stream, bool alone) {
   auto sink = std::make_unique<Sink>();
   Player p(nobody, *sink, [](uint32_t) {});
   p.smallBuffers = stream.smallBuffers;
+  p.attributeSize = stream.attributeSize;
   std::string lines;
   p.log = &lines;
   for (size_t i = 0; i < stream.calls.size(); ++i) {
     if (!alone && avoided(p, stream, stream.calls[i].op)) continue;
     lines.append("  ").append(std::to_string(i)).append(": ").append(stream.calls[i].op->name);
+    if (p.insideBegin && !isOf(endCalls(), stream.calls[i].op))
+      p.vertexWanted = !makesVertex(stream.calls[i].op);
     p.start(i, stream.calls[i].seed, stream.weird);
     stream.calls[i].op->run(p);
     lines += "\n";

@@ -45,14 +45,18 @@ const Op kVertexOps[] = {
 const Op kBeginOps[] = {
     {"Begin", 1,
      [](Player& p) {
-       p.insideBegin = true;
+       p.insideBegin = p.vertexWanted = true;
        p.gl.Begin(p.pick({GL_TRIANGLES, GL_TRIANGLES, GL_TRIANGLES, GL_QUADS, GL_QUADS, GL_TRIANGLE_STRIP,
                           GL_TRIANGLE_FAN, GL_QUAD_STRIP, GL_POLYGON, GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP,
                           GL_POINTS}));
      }},
 };
 const Op kEndOps[] = {
-    {"End", 1, [](Player& p) { p.insideBegin = false, p.gl.End(); }},
+    {"End", 1,
+     [](Player& p) {
+       if (p.compiling && p.vertexWanted) p.gl.Vertex2f(0, 0);  // avoided.md
+       p.insideBegin = p.vertexWanted = false, p.gl.End();
+     }},
 };
 
 }  // namespace
