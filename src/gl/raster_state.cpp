@@ -132,6 +132,10 @@ void readRaster(const RealGl& real, State& state) {
   raster.orderFree = (raster.reason == Reason::traced || raster.reason == Reason::fog ||
                       raster.reason == Reason::program || raster.reason == Reason::renderMode) &&
                      !isOn(real, GL_BLEND);
+  // Programs of a pipeline are not looked into: they may write memory, in the order of drawing.
+  if (raster.program == 0 && raster.reason == Reason::program && isPresent(real.BindProgramPipeline) &&
+      integer(real, GL_PROGRAM_PIPELINE_BINDING) != 0)
+    raster.orderFree = false;
   if (raster.reason == Reason::traced) raster.reason = polygonReason(real, state.rare);
   raster.firstVertexProvokes =
       state.rare.provokingVertex && integer(real, GL_PROVOKING_VERTEX) != GL_LAST_VERTEX_CONVENTION;

@@ -215,7 +215,10 @@ void Context::beforeRasterDraw(PrimitiveClass kind) {
     // back.
     const bool coplanar = kind != PrimitiveClass::surfaces && batch_.key().offset == scene::PolygonOffset{};
     const bool sums = batch_.key().layers == BatchKey::Layers::summed;  // their colours meet in floats
-    if (!state.raster.orderFree || coplanar || sums) flush();
+    // What the program counts or stores depends on the depth that it meets.
+    const bool writes =
+        state.raster.program != 0 && group_->program(real, state.raster.program, families())->program.writes;
+    if (!state.raster.orderFree || coplanar || sums || writes) flush();
   }
   syncCurrent();
 }

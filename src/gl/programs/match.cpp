@@ -168,6 +168,7 @@ void needSources(const Program& p, const Family& f, std::vector<std::string>& ou
   if (p.geometryShader && !f.geometryShader) out.push_back("has a geometry shader");
   if (!p.geometryShader && f.geometryShader) out.push_back("lacks a geometry shader");
   if (p.tessellation) out.push_back("has tessellation shaders");
+  if (p.writes) out.push_back("writes into buffers or images");
   if (!p.attribute(f.position)) out.push_back(about("lacks attribute ", f.position));
   for (const std::string& name : f.clipFromObject)
     if (!p.uniform(name)) out.push_back(about("lacks uniform ", name));

@@ -99,8 +99,9 @@ TEST_F(Match, SaysWhatIsTooMuch) {
   p.attributes["bone"].type = GL_FLOAT;
   EXPECT_EQ(obstaclesOf(p), Lines{"has attribute \"bone\", of which the family says nothing"});
   p = fitting();
-  p.geometryShader = p.tessellation = true;
-  EXPECT_EQ(obstaclesOf(p), (Lines{"has a geometry shader", "has tessellation shaders"}));
+  p.geometryShader = p.tessellation = p.writes = true;
+  EXPECT_EQ(obstaclesOf(p),
+            (Lines{"has a geometry shader", "has tessellation shaders", "writes into buffers or images"}));
   g_outputs["second"] = 1;
   EXPECT_EQ(obstaclesOf(fitting()), Lines{"has output \"second\""});
 }

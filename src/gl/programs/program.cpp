@@ -107,6 +107,19 @@ class DebugSilence {
   bool on_ = false;
 };
 
+/// Whether drawing leaves more than pixels behind.
+bool writesMemory(const RealGl& real, const Program& p) {
+  for (const auto& [name, u] : p.uniforms)
+    if (u.type >= GL_IMAGE_1D && u.type <= GL_UNSIGNED_INT_IMAGE_2D_MULTISAMPLE_ARRAY) return true;
+  if (isPresent(real.GetActiveAtomicCounterBufferiv) &&
+      ask(real, p.name, GL_ACTIVE_ATOMIC_COUNTER_BUFFERS) > 0)
+    return true;
+  if (!isPresent(real.GetProgramInterfaceiv)) return false;
+  GLint blocks = 0;
+  real.GetProgramInterfaceiv(p.name, GL_SHADER_STORAGE_BLOCK, GL_ACTIVE_RESOURCES, &blocks);
+  return blocks > 0;
+}
+
 }  // namespace
 
 Program reflect(const RealGl& real, GLuint name) {
@@ -119,6 +132,7 @@ Program reflect(const RealGl& real, GLuint name) {
   p.tessellation = isPresent(real.PatchParameteri) && answers(real, name, GL_TESS_GEN_MODE);
   readUniforms(real, p);
   readAttributes(real, p);
+  p.writes = writesMemory(real, p);
   while (real.GetError() != GL_NO_ERROR) {}
   return p;
 }

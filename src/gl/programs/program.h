@@ -34,6 +34,7 @@ struct Program {
   bool linked = false;
   bool geometryShader = false, tessellation = false;
   bool blocks = false;         // some uniforms are in blocks
+  bool writes = false;         // or may: atomic counters, shader storage, images
   size_t uniformElements = 0;  // of all uniforms together
   std::map<std::string, ProgramUniform, std::less<>> uniforms;
   std::map<std::string, ProgramAttribute, std::less<>> attributes;
