@@ -126,11 +126,19 @@ bool isForeign(const ArraySource& source) {
   return source.enabled && source.buffer && source.buffer->foreign;
 }
 
-bool anyForeign(const ArrayState& arrays) {
-  bool any = arrays.elements && arrays.elements->foreign;
-  arrays.forEach([&](const ArraySource& source) { any = any || isForeign(source); });
-  for (const ArraySource& source : arrays.generic) any = any || isForeign(source);
-  return any;
+Reason foreignReason(const ArrayState& arrays) {
+  bool any = false, persistent = false;
+  const auto look = [&](const Buffer* buffer) {
+    any = any || (buffer && buffer->foreign);
+    persistent = persistent || (buffer && buffer->foreign && buffer->persistent);
+  };
+  const auto lookAt = [&](const ArraySource& source) {
+    look(source.enabled ? source.buffer.get() : nullptr);
+  };
+  look(arrays.elements.get());
+  arrays.forEach(lookAt);
+  for (const ArraySource& source : arrays.generic) lookAt(source);
+  return persistent ? Reason::persistentMapping : any ? Reason::foreignBuffer : Reason::traced;
 }
 
 bool isReadable(const ArraySource& source) {
@@ -158,8 +166,8 @@ void readArrays(const RealGl& real, ShareGroup& group, ArrayState& state) {
   for (GLuint i = 0; i < 16; ++i) state.others = state.others || genericArrayOn(real, i);
   bool readable = true;
   state.forEach([&](const ArraySource& source) { readable = readable && isReadable(source); });
-  if (anyForeign(state))
-    state.reason = Reason::foreignBuffer;
+  if (const Reason foreign = foreignReason(state); foreign != Reason::traced)
+    state.reason = foreign;
   else if (!readable || restartsPrimitives(real) || genericArrayOn(real, 0))
     state.reason = Reason::arrayState;
 }

@@ -24,6 +24,7 @@ struct ArraySource {
   bool normalized = false;  // integers stand for fractions (normals, colours)
   bool symmetric = false;   // and those with a sign have an exact 0 (GL 4.2)
   GLint location = -1;      // of shader programs' attributes
+  GLuint binding = 0;       // the same: where the buffer is bound to
   GLuint divisor = 0;       // instances an element; 0: one a vertex
 };
 
@@ -57,7 +58,8 @@ size_t sizeOfType(GLenum type);
 bool isReadable(const ArraySource& source);
 /// Whether the array, or the indices of `arrays`, lie in a buffer that is written where we take no note.
 bool isForeign(const ArraySource& source);
-bool anyForeign(const ArrayState& arrays);
+/// Why arrays cannot be traced of which a buffer is; Reason::traced where none is.
+Reason foreignReason(const ArrayState& arrays);
 /// Whether index values end primitives.
 bool restartsPrimitives(const RealGl& real);
 /// The buffer of this name, made where it is not known yet; null for 0.

@@ -87,6 +87,7 @@ class Buffer {
   /// The real OpenGL or the program writes into it in ways that we do not see (transform feedback, shader
   /// storage, persistent mapping): never traced, and what we read of it we read anew.
   bool foreign = false;
+  bool persistent = false;  // by a persistent mapping; then foreign, too
   /// The real OpenGL reads it without our being asked (uniform blocks, buffer textures, pixels): it gets the
   /// contents at once.
   bool readBelow = false;

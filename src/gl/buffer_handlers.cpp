@@ -82,14 +82,23 @@ void bindBuffer(Context& c, GLenum target, GLuint name) {
     buffer->sendTo(c.real);
     buffer->readBelow = buffer->readBelow || !isAskedFor(target);
   }
-  if (target == GL_ELEMENT_ARRAY_BUFFER) c.touch(kArrays);
+  if (target != GL_ELEMENT_ARRAY_BUFFER) return;
+  c.touch(kArrays);
+  c.attachments.set(Attachments::kElements);
 }
 
 void deleteBuffers(Context& c, GLsizei n, const GLuint* names) {
   c.touch(kArrays);
-  for (GLsizei i = 0; names && i < n; ++i) c.contentsChange(names[i]);
+  // Vertex array objects, of this context or others, may go on drawing from them.
+  const bool livesOn = c.attachments.any() || c.group().contexts > 1;
+  for (GLsizei i = 0; names && i < n; ++i) {
+    c.contentsChange(names[i]);
+    const auto buffer = c.group().buffers.find(names[i]);
+    if (buffer && livesOn) c.protect([&] { buffer->sendTo(c.real); });
+    if (buffer && livesOn) c.insist([&] { c.group().deletedBuffers.add(names[i]); });
+  }
   c.real.DeleteBuffers(n, names);
-  for (GLsizei i = 0; i < n; ++i) c.group().buffers.erase(names[i]);
+  for (GLsizei i = 0; names && i < n; ++i) c.group().buffers.erase(names[i]);
 }
 
 void bufferData(Context& c, GLenum target, GLsizeiptr size, const void* data, GLenum usage) {
@@ -134,7 +143,7 @@ void bufferStorage(Context& c, GLenum target, GLsizeiptr size, const void* data,
   if (!buffer) return;
   buffer->setSizeBelow(static_cast<size_t>(std::max<GLsizeiptr>(size, 0)), GL_DYNAMIC_DRAW);
   buffer->immutable = true;
-  if (flags & GL_MAP_PERSISTENT_BIT) buffer->foreign = true;
+  if (flags & GL_MAP_PERSISTENT_BIT) buffer->foreign = buffer->persistent = true;
 }
 
 void* mapBuffer(Context& c, GLenum target, GLenum access) {

@@ -39,6 +39,7 @@ std::shared_ptr<Context> Context::create(const RealGl& real, std::shared_ptr<Sha
 Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const ContextInfo& info,
                  Presenter& presenter)
     : real(realGl),
+      attachments(group->deletedBuffers),
       group_(std::move(group)),
       info_(info),
       presenter_(presenter),
@@ -151,10 +152,13 @@ void Context::readGroups(uint32_t stale) {
   }
   if (stale & kFixedTextures) textures_.read(real, state);
   if (stale & kClip) readClipPlanes(real, state);
-  if (stale & kTarget) readTarget(real, state);
-  if (stale & kFixedArrays) readArrays(real, *group_, arrays);
+  if (stale & kTarget) readTarget(real, group_->deletedRenderbuffers, state);
+  if (stale & kFixedArrays) readArrays(real, *group_, arrays), attachments.check(arrays);
   if (stale & (kProgram | kProgramTextures)) readCurrentProgram();
-  if (stale & kAttributes) readAttributes(real, *group_, state.program.known.get(), attributes);
+  if (stale & kAttributes) {
+    readAttributes(real, *group_, state.program.known.get(), attributes);
+    attachments.check(attributes);
+  }
   while (real.GetError() != GL_NO_ERROR) {}
   dirty &= ~stale;
 }

@@ -3,6 +3,7 @@
 // is current.
 #pragma once
 #include "gl/arrays.h"
+#include "gl/attachments.h"
 #include "gl/batch.h"
 #include "gl/draw_kinds.h"
 #include "gl/engine_choice.h"
@@ -72,6 +73,7 @@ class Context {
   State state;                  // valid where not dirty; use refresh()
   ArrayState arrays;            // the same for kFixedArrays
   ArrayState attributes;        // the same for kAttributes
+  Attachments attachments;      // buffers in vertex array objects
   Statistics statistics;
   uint64_t frame = 1;
 

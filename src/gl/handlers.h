@@ -116,6 +116,17 @@ uint32_t bufferForeign(Context& c, GLuint name);                   // may write 
 uint32_t buffersForeign(Context& c, GLsizei count, const GLuint* names);
 uint32_t readAsTexture(Context& c, GLuint name);  // reads it as a buffer texture
 
+// Vertex array objects and what is put into them; groups to touch (attachments.cpp)
+uint32_t vertexArrayBound(Context& c, GLuint array);
+uint32_t vertexArraysDeleted(Context& c, GLsizei n, const GLuint* arrays);
+uint32_t arraysPopped(Context& c);
+uint32_t attributeSet(Context& c, GLuint binding);
+uint32_t bindingsSet(Context& c, GLuint first, GLsizei count);
+uint32_t bindingsOfArraySet(Context& c, GLuint array, GLuint first, GLsizei count);
+uint32_t elementsOfArraySet(Context& c, GLuint array);
+uint32_t fixedArraySet(Context& c, GLenum array);
+uint32_t interleavedArraysSet(Context& c, GLenum format);
+
 // framebuffer, attributes, questions (state_handlers.cpp)
 void clear(Context& c, GLbitfield mask);
 void flush(Context& c);
@@ -123,6 +134,10 @@ void finish(Context& c);
 void pushAttrib(Context& c, GLbitfield mask);
 void popAttrib(Context& c);
 GLenum getError(Context& c);
+const GLubyte* getString(Context& c, GLenum name);
+const GLubyte* getStringi(Context& c, GLenum name, GLuint index);
+/// Framebuffer objects that are not bound may still hold them.
+uint32_t renderbuffersDeleted(Context& c, GLsizei n, const GLuint* names);
 void getIntegerv(Context& c, GLenum pname, GLint* data);
 void getFloatv(Context& c, GLenum pname, GLfloat* data);
 void getDoublev(Context& c, GLenum pname, GLdouble* data);

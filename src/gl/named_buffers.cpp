@@ -147,7 +147,8 @@ uint32_t namedBufferCopied(Context& c, GLuint from, GLuint to) {
 }
 
 uint32_t namedStorage(Context& c, GLuint name, GLbitfield flags) {
-  if (const auto buffer = bufferNamed(c.group(), name)) buffer->immutable = true;
+  if (const auto buffer = bufferNamed(c.group(), name))
+    buffer->immutable = true, buffer->persistent = (flags & GL_MAP_PERSISTENT_BIT) != 0;
   if (flags & GL_MAP_PERSISTENT_BIT) markForeign(c, name);
   return namedBufferReplaced(c, name);
 }

@@ -2,6 +2,7 @@
 // may be current in several threads; the objects themselves follow OpenGL's rule that programs synchronise
 // their use.
 #pragma once
+#include "gl/attachments.h"
 #include "gl/mesh_cache.h"
 #include "gl/presenter.h"
 #include "gl/programs/match.h"
@@ -86,6 +87,7 @@ class ShareGroup {
  public:
   NameTable<DisplayList> lists;
   NameTable<Buffer> buffers;
+  DeletedBuffers deletedBuffers, deletedRenderbuffers;
   MeshCache meshes;
   std::atomic<int> contexts = 0;             // alive
   std::atomic<uint64_t> textureChanges = 0;  // of texture images, by calls of any context

@@ -2,6 +2,7 @@
 // forwarded at once); this is a copy by groups, read back when a draw needs a group that calls have touched
 // since. GL thread.
 #pragma once
+#include "gl/attachments.h"
 #include "gl/extensions.h"
 #include "gl/programs/program_state.h"
 #include "gl/real.h"
@@ -96,6 +97,6 @@ void readRaster(const RealGl& real, State& state);
 void readLighting(const RealGl& real, State& state);
 void readMaterial(const RealGl& real, State& state);
 void readClipPlanes(const RealGl& real, State& state);
-void readTarget(const RealGl& real, State& state);
+void readTarget(const RealGl& real, const DeletedBuffers& deletedRenderbuffers, State& state);
 
 }  // namespace gluray::gl

@@ -1,5 +1,6 @@
 // Clears and finishes, the attribute stack, questions.
 #include "gl/handlers.h"
+#include "gl/hidden_extensions.h"
 #include "gl/stub.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -55,6 +56,8 @@ GLenum getError(Context& c) {
 
 namespace {
 
+bool hides(const Context& c) { return c.info().settings.quirks.has(Quirk::hidePersistentMapping); }
+
 /// The answers of display lists, which the real OpenGL does not know. False for any other question.
 template <class T>
 bool answer(Context& c, GLenum pname, T* data) {
@@ -63,6 +66,10 @@ bool answer(Context& c, GLenum pname, T* data) {
     case GL_LIST_BASE: value = c.listBase; break;
     case GL_LIST_INDEX: value = c.listName(); break;
     case GL_LIST_MODE: value = c.listMode(); break;
+    case GL_NUM_EXTENSIONS:
+      if (!hides(c)) return false;
+      value = static_cast<GLuint>(visibleExtensions(c.real));
+      break;
     default: return false;
   }
   if constexpr (std::is_same_v<T, GLboolean>)
@@ -73,6 +80,16 @@ bool answer(Context& c, GLenum pname, T* data) {
 }
 
 }  // namespace
+
+const GLubyte* getString(Context& c, GLenum name) {
+  const GLubyte* text = c.real.GetString(name);
+  return name == GL_EXTENSIONS && hides(c) ? withoutHidden(text) : text;
+}
+
+const GLubyte* getStringi(Context& c, GLenum name, GLuint index) {
+  if (name == GL_EXTENSIONS && hides(c)) index = realExtensionIndex(c.real, index);
+  return c.real.GetStringi(name, index);
+}
 
 void getIntegerv(Context& c, GLenum pname, GLint* data) {
   if (answer(c, pname, data)) return;

@@ -41,17 +41,20 @@ Colors colorsOf(const RealGl& real, const TargetState& target) {
 }
 
 /// Size of the image that is attached to the framebuffer object's draw buffer; {0, 0} where it is of a kind
-/// not asked about.
-glm::ivec2 attachmentSize(const RealGl& real, GLenum attachment) {
+/// not asked about. A renderbuffer that was deleted may live on there, and its name mean another one, or
+/// none, which binding it would make.
+glm::ivec2 attachmentSize(const RealGl& real, const DeletedBuffers& deleted, GLenum attachment) {
   const auto ask = [&](GLenum name) {
     GLint value = 0;
     real.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, name, &value);
     return value;
   };
   if (ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_RENDERBUFFER) return {0, 0};
+  const auto name = static_cast<GLuint>(ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
+  if (deleted.when(name) != 0) return {0, 0};
   glm::ivec2 size(0);
   const GLint bound = integer(real, GL_RENDERBUFFER_BINDING);
-  real.BindRenderbuffer(GL_RENDERBUFFER, static_cast<GLuint>(ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME)));
+  real.BindRenderbuffer(GL_RENDERBUFFER, name);
   real.GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_WIDTH, &size.x);
   real.GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_HEIGHT, &size.y);
   real.BindRenderbuffer(GL_RENDERBUFFER, static_cast<GLuint>(bound));
@@ -60,7 +63,7 @@ glm::ivec2 attachmentSize(const RealGl& real, GLenum attachment) {
 
 }  // namespace
 
-void readTarget(const RealGl& real, State& state) {
+void readTarget(const RealGl& real, const DeletedBuffers& deletedRenderbuffers, State& state) {
   TargetState& target = state.target;
   target.size = {0, 0};
   target.reason = Reason::traced;
@@ -74,7 +77,7 @@ void readTarget(const RealGl& real, State& state) {
     if (real.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
       target.reason = Reason::framebuffer;
     if (integer(real, GL_DRAW_BUFFER0 + 1) != GL_NONE) target.reason = Reason::drawBuffer;
-    target.size = attachmentSize(real, target.drawBuffer);
+    target.size = attachmentSize(real, deletedRenderbuffers, target.drawBuffer);
   }
   const GLint depthBits = integer(real, GL_DEPTH_BITS);
   target.depthResolution = std::ldexp(1.0f, -std::min(std::max(depthBits, 1), 24));

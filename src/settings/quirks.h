@@ -7,7 +7,7 @@
 
 namespace gluray {
 
-// Identifier, name, what it is for, where it is tested. All are on unless switched off.
+// Identifier, name, what it is for, where it is tested. All but those below are on unless switched off.
 #define GLURAY_QUIRKS(X)                                                                                   \
   X(materialLatch, "material-latch",                                                                       \
     "Mesa stores waiting glMaterial values twice where GL_COLOR_MATERIAL is enabled in between; they are " \
@@ -20,7 +20,12 @@ namespace gluray {
   X(depthPeeling, "depth-peeling",                                                                         \
     "VTK composites translucent surfaces by drawing them again for every two layers; all layers are "      \
     "traced in one go, and the later passes find nothing left to do",                                      \
-    "tests/reference/peeling_test.cpp, tests/vtk (group translucent)")
+    "tests/reference/peeling_test.cpp, tests/vtk (group translucent)")                                     \
+  X(hidePersistentMapping, "hide-persistent-mapping",                                                      \
+    "What is written through a persistent mapping is not seen, so that draws from it are rasterised; "     \
+    "programs that do not find GL_ARB_buffer_storage among the extensions write in ways that are seen. "   \
+    "Off unless switched on: GLuRay changes no answer unasked",                                            \
+    "tests/reference/hidden_extensions_test.cpp")
 
 enum class Quirk : uint8_t {
 #define X(id, name, reason, test) id,
@@ -47,7 +52,7 @@ class QuirkSet {
 
  private:
   static constexpr uint32_t bit(Quirk quirk) { return uint32_t{1} << static_cast<int>(quirk); }
-  uint32_t off_ = 0;
+  uint32_t off_ = bit(Quirk::hidePersistentMapping);
 };
 
 /// Reads "NAME=on|off", several separated by commas. Empty, or one line of what is wrong; then nothing of the

@@ -237,7 +237,8 @@ TEST_P(BufferWrites, AreSeenByTheNextDraw) {
   const Write& write = GetParam();
   const uint64_t traced = (write.before ? 1 : 0) + (write.traced ? 2 : 0);
   const gl::Statistics s = expectSame([&](Gl gl, Seen&) { drawTwice(gl, write); }, {.traced = traced});
-  EXPECT_EQ(s.rasterisedBecause[static_cast<size_t>(gl::Reason::foreignBuffer)],
+  EXPECT_EQ(s.rasterisedBecause[static_cast<size_t>(gl::Reason::foreignBuffer)] +
+                s.rasterisedBecause[static_cast<size_t>(gl::Reason::persistentMapping)],
             (write.before ? 0u : 1u) + (write.traced ? 0u : 2u));
 }
 

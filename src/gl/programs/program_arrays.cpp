@@ -11,6 +11,7 @@ namespace {
 ArraySource readGeneric(const RealGl& real, ShareGroup& group, GLint location) {
   ArraySource source;
   source.location = location;
+  source.binding = static_cast<GLuint>(location);
   source.symmetric = true;
   const auto index = static_cast<GLuint>(location);
   const auto ask = [&](GLenum name) {
@@ -45,6 +46,7 @@ ArraySource readPlaced(const RealGl& real, ShareGroup& group, GLint location) {
   real.GetVertexAttribiv(index, GL_VERTEX_ATTRIB_BINDING, &binding);
   real.GetVertexAttribiv(index, GL_VERTEX_ATTRIB_RELATIVE_OFFSET, &relative);
   const auto slot = static_cast<GLuint>(binding);
+  source.binding = slot;
   real.GetIntegeri_v(GL_VERTEX_BINDING_STRIDE, slot, &stride);
   real.GetIntegeri_v(GL_VERTEX_BINDING_BUFFER, slot, &buffer);
   real.GetInteger64i_v(GL_VERTEX_BINDING_OFFSET, slot, &offset);
@@ -106,8 +108,8 @@ void readAttributes(const RealGl& real, ShareGroup& group, const KnownProgram* p
   const auto keep = [&](const ArraySource& s) { plain = plain && (!s.enabled || s.buffer); };
   arrays.forEach(keep);
   for (const ArraySource& source : arrays.generic) keep(source);
-  if (anyForeign(arrays))
-    arrays.reason = Reason::foreignBuffer;
+  if (const Reason foreign = foreignReason(arrays); foreign != Reason::traced)
+    arrays.reason = foreign;
   else if (!plain || !arrays.vertex.enabled || restartsPrimitives(real))
     arrays.reason = Reason::arrayState;
 }
