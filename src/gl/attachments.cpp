@@ -109,7 +109,8 @@ uint32_t fixedArraySet(Context& c, GLenum array) {
 uint32_t interleavedArraysSet(Context& c, GLenum format) {
   if (format < GL_V2F || format > GL_T4F_C4F_N3F_V4F) return kArrays;  // an error
   const bool texcoord = format >= GL_T2F_V3F, normal = format == GL_N3F_V3F || format == GL_C4F_N3F_V3F ||
-                                                       format == GL_T2F_N3F_V3F || format >= GL_T2F_C4F_N3F_V3F;
+                                                       format == GL_T2F_N3F_V3F ||
+                                                       format >= GL_T2F_C4F_N3F_V3F;
   const bool color = (format >= GL_C4UB_V2F && format <= GL_C3F_V3F) || format == GL_C4F_N3F_V3F ||
                      format == GL_T2F_C4UB_V3F || format == GL_T2F_C3F_V3F || format >= GL_T2F_C4F_N3F_V3F;
   fixedArraySet(c, GL_VERTEX_ARRAY);

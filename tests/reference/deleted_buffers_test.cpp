@@ -62,28 +62,31 @@ const Place kPlaces[] = {
 class DeletedBuffers : public testing::TestWithParam<Place> {};
 
 void expectDeletedOneIsDrawn(const Place& place, bool drawnBefore, bool indices) {
-  const gl::Statistics s = expectSame([&](Gl gl, Seen& seen) {
-    stage(gl);
-    GLuint array = 0, buffers[2] = {};
-    gl.GenVertexArrays(1, &array), gl.GenBuffers(2, buffers);
-    fill(gl, GL_ARRAY_BUFFER, buffers[0], 0.3f);
-    gl.BindVertexArray(array), fill(gl, GL_ELEMENT_ARRAY_BUFFER, buffers[1], 0.3f);
-    place.attach(gl, array, buffers[0], buffers[1]);
-    const auto draw = [&](float x) {
-      gl.PushMatrix(), gl.Translatef(x, 0, 0), gl.Scalef(0.3f, 0.3f, 0.3f);
-      gl.DrawElements(GL_TRIANGLES, kVertices, GL_UNSIGNED_SHORT, nullptr);
-      gl.PopMatrix();
-    };
-    if (drawnBefore) draw(-0.7f);
-    gl.BindVertexArray(0);
-    const GLuint old = buffers[indices ? 1 : 0];
-    gl.DeleteBuffers(1, &old);
-    seen.push_back(gl.IsBuffer(old));
-    fill(gl, indices ? GL_ELEMENT_ARRAY_BUFFER : GL_ARRAY_BUFFER, old, 1);  // the name means another one now
-    gl.BindVertexArray(array), draw(0);
-    place.attach(gl, array, buffers[0], buffers[1]), draw(0.7f);
-    gl.Finish();
-  }, {.traced = drawnBefore ? 2u : 1u});
+  const gl::Statistics s = expectSame(
+      [&](Gl gl, Seen& seen) {
+        stage(gl);
+        GLuint array = 0, buffers[2] = {};
+        gl.GenVertexArrays(1, &array), gl.GenBuffers(2, buffers);
+        fill(gl, GL_ARRAY_BUFFER, buffers[0], 0.3f);
+        gl.BindVertexArray(array), fill(gl, GL_ELEMENT_ARRAY_BUFFER, buffers[1], 0.3f);
+        place.attach(gl, array, buffers[0], buffers[1]);
+        const auto draw = [&](float x) {
+          gl.PushMatrix(), gl.Translatef(x, 0, 0), gl.Scalef(0.3f, 0.3f, 0.3f);
+          gl.DrawElements(GL_TRIANGLES, kVertices, GL_UNSIGNED_SHORT, nullptr);
+          gl.PopMatrix();
+        };
+        if (drawnBefore) draw(-0.7f);
+        gl.BindVertexArray(0);
+        const GLuint old = buffers[indices ? 1 : 0];
+        gl.DeleteBuffers(1, &old);
+        seen.push_back(gl.IsBuffer(old));
+        fill(gl, indices ? GL_ELEMENT_ARRAY_BUFFER : GL_ARRAY_BUFFER, old,
+             1);  // the name means another one now
+        gl.BindVertexArray(array), draw(0);
+        place.attach(gl, array, buffers[0], buffers[1]), draw(0.7f);
+        gl.Finish();
+      },
+      {.traced = drawnBefore ? 2u : 1u});
   EXPECT_EQ(s.rasterisedBecause[static_cast<size_t>(gl::Reason::deletedBuffer)], 1u);
 }
 

@@ -18,7 +18,8 @@ void card(Gl gl, float z, float half) {
   std::vector<float> all;
   for (int i = 0; i < 80; ++i) {
     const float x = -0.8f + 0.02f * static_cast<float>(i), right = x + 0.02f;
-    all.insert(all.end(), {x, -half, z, right, -half, z, right, half, z, x, -half, z, right, half, z, x, half, z});
+    all.insert(all.end(),
+               {x, -half, z, right, -half, z, right, half, z, x, -half, z, right, half, z, x, half, z});
   }
   gl.EnableClientState(GL_VERTEX_ARRAY), gl.VertexPointer(3, GL_FLOAT, 0, all.data());
   gl.DrawArrays(GL_TRIANGLES, 0, 480);
@@ -60,15 +61,14 @@ struct Counter {
 void PrintTo(const Counter& c, std::ostream* out) { *out << c.name; }
 
 const Counter kCounters[] = {
-    {"AtomicCounter", GL_ATOMIC_COUNTER_BUFFER,
-     "layout(binding = 1, offset = 4) uniform atomic_uint n;", "atomicCounterIncrement(n);"},
+    {"AtomicCounter", GL_ATOMIC_COUNTER_BUFFER, "layout(binding = 1, offset = 4) uniform atomic_uint n;",
+     "atomicCounterIncrement(n);"},
     {"ShaderStorage", GL_SHADER_STORAGE_BUFFER, "layout(std430, binding = 1) buffer N { uint n[]; };",
      "atomicAdd(n[1], 1u);"},
 };
 
 GLuint countingProgram(Gl gl, const Counter& counter) {
-  const char* const vertex =
-      "#version 430 compatibility\nvoid main() { gl_Position = ftransform(); }\n";
+  const char* const vertex = "#version 430 compatibility\nvoid main() { gl_Position = ftransform(); }\n";
   return makeProgram(gl, vertex,
                      std::string("#version 430 compatibility\nlayout(early_fragment_tests) in;\n") +
                          counter.declaration + "\nvoid main() { " + counter.count +
@@ -80,36 +80,40 @@ class ShaderWrites : public testing::TestWithParam<Counter> {};
 /// A traced card hides part of what the program draws behind it: those fragments must not be counted.
 TEST_P(ShaderWrites, CountWhatIsSeenBehindWhatIsTraced) {
   for (const bool mapped : {false, true})
-    expectSame([&](Gl gl, Seen& seen) {
-      stage(gl);
-      const GLuint program = countingProgram(gl, GetParam()), buffer = numbers(gl);
-      gl.BindBufferBase(GetParam().target, 1, buffer);
-      card(gl, 0.5f, 0.4f);
-      gl.UseProgram(program), card(gl, -0.5f, 0.8f), gl.UseProgram(0);
-      card(gl, 0.6f, 0.2f);
-      gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
-      tell(gl, buffer, mapped, seen);
-      EXPECT_GT(seen[1], 100);
-    }, {.seenTolerance = 0, .traced = 2});
+    expectSame(
+        [&](Gl gl, Seen& seen) {
+          stage(gl);
+          const GLuint program = countingProgram(gl, GetParam()), buffer = numbers(gl);
+          gl.BindBufferBase(GetParam().target, 1, buffer);
+          card(gl, 0.5f, 0.4f);
+          gl.UseProgram(program), card(gl, -0.5f, 0.8f), gl.UseProgram(0);
+          card(gl, 0.6f, 0.2f);
+          gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
+          tell(gl, buffer, mapped, seen);
+          EXPECT_GT(seen[1], 100);
+        },
+        {.seenTolerance = 0, .traced = 2});
 }
 
 /// The same program twice, with the buffer written by the program in between.
 TEST_P(ShaderWrites, MeetWhatTheProgramWrites) {
-  expectSame([&](Gl gl, Seen& seen) {
-    stage(gl);
-    const GLuint program = countingProgram(gl, GetParam()), buffer = numbers(gl);
-    gl.BindBufferBase(GetParam().target, 1, buffer);
-    for (const float z : {-0.5f, 0.2f}) {
-      gl.UseProgram(program), card(gl, z, 0.6f), gl.UseProgram(0);
-      gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
-      tell(gl, buffer, false, seen);
-      const GLuint fresh = 1000;
-      gl.BindBuffer(GL_COPY_WRITE_BUFFER, buffer);
-      gl.BufferSubData(GL_COPY_WRITE_BUFFER, 4, 4, &fresh);
-      card(gl, z + 0.1f, 0.3f);
-    }
-    tell(gl, buffer, true, seen);
-  }, {.seenTolerance = 0, .traced = 2});
+  expectSame(
+      [&](Gl gl, Seen& seen) {
+        stage(gl);
+        const GLuint program = countingProgram(gl, GetParam()), buffer = numbers(gl);
+        gl.BindBufferBase(GetParam().target, 1, buffer);
+        for (const float z : {-0.5f, 0.2f}) {
+          gl.UseProgram(program), card(gl, z, 0.6f), gl.UseProgram(0);
+          gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
+          tell(gl, buffer, false, seen);
+          const GLuint fresh = 1000;
+          gl.BindBuffer(GL_COPY_WRITE_BUFFER, buffer);
+          gl.BufferSubData(GL_COPY_WRITE_BUFFER, 4, 4, &fresh);
+          card(gl, z + 0.1f, 0.3f);
+        }
+        tell(gl, buffer, true, seen);
+      },
+      {.seenTolerance = 0, .traced = 2});
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShaderWrites, testing::ValuesIn(kCounters),
@@ -182,18 +186,20 @@ TEST_P(QueryBuffers, HoldWhatTheRealOneCounts) {
   if (const auto real = OsmesaContext::create({kWidth, kHeight}); !real->real().GetQueryBufferObjectuiv)
     GTEST_SKIP() << "no query buffers";
   for (const bool mapped : {false, true})
-    expectSame([&](Gl gl, Seen& seen) {
-      stage(gl);
-      const GLuint buffer = numbers(gl);
-      GLuint query = 0;
-      gl.GenQueries(1, &query);
-      card(gl, 0.5f, 0.4f);
-      gl.BeginQuery(GL_SAMPLES_PASSED, query), card(gl, -0.5f, 0.8f), gl.EndQuery(GL_SAMPLES_PASSED);
-      card(gl, 0.6f, 0.2f);
-      GetParam().ask(gl, query, buffer);
-      tell(gl, buffer, mapped, seen);
-      EXPECT_GT(seen[1] + seen[2], 124);  // more than was there
-    }, {.seenTolerance = 0, .traced = 2});
+    expectSame(
+        [&](Gl gl, Seen& seen) {
+          stage(gl);
+          const GLuint buffer = numbers(gl);
+          GLuint query = 0;
+          gl.GenQueries(1, &query);
+          card(gl, 0.5f, 0.4f);
+          gl.BeginQuery(GL_SAMPLES_PASSED, query), card(gl, -0.5f, 0.8f), gl.EndQuery(GL_SAMPLES_PASSED);
+          card(gl, 0.6f, 0.2f);
+          GetParam().ask(gl, query, buffer);
+          tell(gl, buffer, mapped, seen);
+          EXPECT_GT(seen[1] + seen[2], 124);  // more than was there
+        },
+        {.seenTolerance = 0, .traced = 2});
 }
 
 INSTANTIATE_TEST_SUITE_P(All, QueryBuffers, testing::ValuesIn(kAskings),
