@@ -188,9 +188,10 @@ Reason Context::triageProgramAlways(const KnownMesh& known) const {
     return Reason::arrayState;
   if (program.triangleNormals && program.triangleOffset + triangles > program.triangleNormalCount)
     return Reason::arrayState;
-  // Triangles that grow by their edges do so in the window, and to both sides.
+  // Triangles that grow by their edges do so in the window: near the viewer's plane by any number of pixels.
+  // The slope of what they grow to is not that of the triangle.
   if (program.triangleEdges &&
-      (state.raster.cull != scene::CullFace::none || !isBeforeViewer(*known.mesh, program.clipFromObject)))
+      (program.depthOffset.factor != 0 || !isBeforeViewer(*known.mesh, program.clipFromObject)))
     return Reason::program;
   const bool opaque = layersOfProgram() != BatchKey::Layers::none || gl::isOpaque(program, *known.mesh);
   if (opaque) return Reason::traced;

@@ -121,5 +121,53 @@ TEST(EdgedTriangle, OthersInFrontHideThem) {
   for (int x = 8; x < 56; ++x) EXPECT_EQ(traced.color(x, 15), glm::vec4(255, 255, 255, 255));
 }
 
+int differing(const test::Traced& a, const test::Traced& b) {
+  int count = 0;
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x)
+      count += a.hit(x, y) != b.hit(x, y) ||
+               (a.hit(x, y) && (a.color(x, y) != b.color(x, y) || a.depth(x, y) != b.depth(x, y)));
+  return count;
+}
+
+TEST(EdgedTriangle, CulledOnesHideNothingAndDoNotGrow) {
+  for (const float nearer : {0.2f, -0.2f}) {
+    auto s = square(8, 7, 7, 0.1f);
+    s.instances[0].cull = scene::CullFace::back;
+    const auto alone = test::trace(s);
+    // A larger square with edges whose back is seen, before or behind the first.
+    scene::Instance other = s.instances[0];
+    const float z = -nearer;
+    other.mesh = test::makeMesh(
+        test::quadData({0.6f, -0.6f, z}, {-0.6f, -0.6f, z}, {-0.6f, 0.6f, z}, {0.6f, 0.6f, z}));
+    other.order = 1;
+    s.instances.push_back(other);
+    EXPECT_EQ(differing(test::trace(s), alone), 0);
+    s.instances[1].cull = scene::CullFace::none;
+    EXPECT_GT(differing(test::trace(s), alone), 100) << "it is there";
+  }
+}
+
+TEST(EdgedTriangle, PlanesCutThemByTheDistancesOfTheirCorners) {
+  auto s = square(8, 7, 7);
+  s.instances[0].clipPlanes = {{0, 1, 0, 0.25}};  // window y from 24 on
+  const auto traced = test::trace(s);
+  for (int x = 24; x < 40; ++x) {
+    EXPECT_FALSE(traced.hit(x, 22)) << x;
+    EXPECT_TRUE(traced.hit(x, 25)) << x;
+    EXPECT_TRUE(traced.hit(x, 48)) << "the upper side grows still";
+  }
+}
+
+TEST(EdgedTriangle, DepthIsOffsetWithThem) {
+  auto s = square(8, 7, 7, 0.5f);
+  const auto before = test::trace(s);
+  s.polygonOffset.units = 40, s.polygonOffset.resolution = 1 / 65000.0f;
+  const auto after = test::trace(s);
+  for (int x = 18; x < 46; x += 3)
+    for (const int y : {15, 20, 32})
+      EXPECT_NEAR(after.depth(x, y) - before.depth(x, y), 40 / 65000.0, 1e-6) << x << " " << y;
+}
+
 }  // namespace
 }  // namespace gluray

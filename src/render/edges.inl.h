@@ -33,14 +33,16 @@ HWY_ATTR inline void tryEdged(const FrameData& frame, const accel::RayPacket& pr
   const EdgedTriangle triangle(surface, frame.snapshot->camera, primitive);
   const glm::dvec2 at(work.x[i], work.y[i]);
   if (!triangle.covers(at)) return;
+  const glm::vec2 weights = triangle.weights(at);
+  if (frame.accepted && !surface.accepts(primitive, weights.x, weights.y)) return;
   const double ndc = triangle.ndcDepth(at), sign = frame.depth.scale < 0 ? -1 : 1;
   if (!(sign * ndc < sign * best.ndc) && best.instance != accel::kNoHit) return;
   best = {ndc, instance, primitive};
-  const glm::vec2 weights = triangle.weights(at);
   work.packet.geometry[i] = probe.geometry[i];
   work.packet.instance[i] = instance, work.packet.primitive[i] = primitive;
   work.packet.u[i] = weights.x, work.packet.v[i] = weights.y;
-  work.edgeDepth[i] = static_cast<float>(std::clamp(ndc * frame.depth.scale + frame.depth.offset, 0.0, 1.0));
+  const double depth = ndc * frame.depth.scale + frame.depth.offset + frame.depth.constant;
+  work.edgeDepth[i] = static_cast<float>(std::clamp(depth, 0.0, 1.0));
   work.edged |= 1u << i;
   work.hits |= 1u << i;
 }

@@ -38,6 +38,17 @@ std::vector<glm::dvec2> positionsInPixel(int count) {
   return positions;
 }
 
+class AcceptedHits : public accel::HitFilter {
+ public:
+  explicit AcceptedHits(const std::vector<Surface>& surfaces) : surfaces_(surfaces) {}
+  bool accepts(uint32_t instance, uint32_t primitive, float u, float v, int) const noexcept override {
+    return surfaces_[instance].accepts(primitive, u, v);
+  }
+
+ private:
+  const std::vector<Surface>& surfaces_;
+};
+
 }  // namespace
 
 FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& target)
@@ -54,7 +65,9 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
     if (shading.fragment.edges) widestEdge = std::max(widestEdge, shading.fragment.edgeWidth);
   }
 
-  const bool shared = clipPlanesShared(s.instances);
+  // Triangles that grow by their edges are cut where their corners' distances from a plane say so, not where
+  // rays are.
+  const bool shared = widestEdge == 0 && clipPlanesShared(s.instances);
   if (shared && !s.instances.empty()) {
     // A plane acts on eye coordinates; as a row vector it comes to world space by the modelview on its right.
     for (const glm::dvec4& plane : s.instances.front().clipPlanes)
@@ -69,6 +82,10 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
     if (instance.mesh->triangleCount == 0) return;
     surfaces[i] = makeSurface(view, instance, lightings[instance.shading], shared);
   });
+
+  const auto mayRefuse = [](const Surface& f) { return f.cullsCcw || f.cullsCw || f.ownClipPlanes; };
+  if (widestEdge > 0 && std::any_of(surfaces.begin(), surfaces.end(), mayRefuse))
+    accepted = std::make_unique<AcceptedHits>(surfaces);
 
   averages = !target.center.empty();
   samplePositions = positionsInPixel(averages ? s.settings.spp : 1);

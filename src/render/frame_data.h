@@ -7,6 +7,7 @@
 
 #include <array>
 #include <atomic>
+#include <memory>
 #include <vector>
 
 namespace gluray::render {
@@ -32,6 +33,9 @@ struct FrameData {
   bool averages = false;                         // a pixel is the average of all samples (Image::center)
   mutable std::atomic<bool> seenThrough{false};  // averages: some hit has an alpha that is not 1
   float widestEdge = 0;                          // of painted edges, pixels; 0: there are none
+  // Where triangles that grow by their edges may be culled or cut by planes: passes by what is. Otherwise
+  // null.
+  std::unique_ptr<const accel::HitFilter> accepted;
   Image* image = nullptr;
 
   /// Prepares `snapshot`, whose instances `world` holds, to be traced into `image`, already of the right

@@ -236,7 +236,7 @@ HWY_ATTR inline void traceWork(const FrameData& frame, Work& work) {
       if (work.valid[i]) work.hits |= 1u << i;
     return;
   }
-  frame.world->intersect(work.valid, work.packet, nullptr, figures);
+  frame.world->intersect(work.valid, work.packet, frame.accepted.get(), figures);
   work.hits = lanesThatHit(work.packet, work.valid);
   for (uint32_t lanes = work.hits; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
@@ -288,7 +288,7 @@ HWY_ATTR inline void traceBehind(const FrameData& frame, uint32_t lanes, Work& w
   const accel::FigureQuery* figures = aimRays(frame, work);
   for (int i = 0; i < kLanes; ++i)
     if (work.valid[i]) work.packet.tNear[i] = std::max(work.packet.tNear[i], passed[i]);
-  frame.world->intersect(work.valid, work.packet, nullptr, figures);
+  frame.world->intersect(work.valid, work.packet, frame.accepted.get(), figures);
   work.hits = lanesThatHit(work.packet, work.valid);
   fetchVertices(frame, work);
 }

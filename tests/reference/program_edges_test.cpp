@@ -137,14 +137,16 @@ TEST(ProgramEdges, CornersBehindTheViewerAreLeftToTheRealOne) {
       "edges_inside", [&](Gl gl) { drawEdged(gl, ball(8), 2, view); }, 0);
 }
 
-TEST(ProgramEdges, CulledOnesAreLeftToTheRealOne) {
-  expectSame(
-      "edges_culled",
-      [](Gl gl) {
-        gl.Enable(GL_CULL_FACE);
-        drawEdged(gl, ball(8), 2, perspectiveView(30));
-      },
-      0);
+TEST(ProgramEdges, CulledOnesHideNothing) {
+  for (const GLenum face : {GL_FRONT, GL_BACK}) {
+    expectSame(
+        "edges_culled",
+        [&](Gl gl) {
+          gl.Enable(GL_CULL_FACE), gl.CullFace(face);
+          drawEdged(gl, ball(8), 2, perspectiveView(30));
+        },
+        1);
+  }
 }
 
 }  // namespace

@@ -264,6 +264,67 @@ def edges_of_vtk(stage):
     stage.orbit()
 
 
+def edged(stage, source=None, width=1.5):
+    actor = stage.show(source or shapes.sphere(stage.vtk, 14))
+    look = actor.GetProperty()
+    look.EdgeVisibilityOn()
+    look.SetEdgeColor(0, 0, 0.4)
+    look.SetLineWidth(width)
+    return actor
+
+
+@state("vtk")
+def edges_culled(stage):
+    """The inside of a ball through its culled front, and the front without what is behind."""
+    look = edged(stage).GetProperty()
+    look.FrontfaceCullingOn()
+    stage.look()
+    stage.orbit(2)
+    look.FrontfaceCullingOff()
+    look.BackfaceCullingOn()
+    stage.orbit(2)
+
+
+@state("vtk")
+def edges_clipped(stage):
+    plane, other = stage.vtk.vtkPlane(), stage.vtk.vtkPlane()
+    plane.SetNormal(1, 0.4, 0.2)
+    other.SetNormal(-0.2, 1, 0)
+    other.SetOrigin(0, -0.2, 0)
+    mapper = edged(stage, width=2).GetMapper()
+    mapper.AddClippingPlane(plane)
+    stage.look()
+    stage.orbit(2)
+    mapper.AddClippingPlane(other)
+    stage.show(shapes.sphere(stage.vtk, 24, 0.3), color=(0.4, 0.7, 0.9))
+    stage.orbit(2)
+
+
+@state("vtk")
+def edges_pushed(stage):
+    """Surfaces at nearly one depth, of which the mapper moves one with edges back."""
+    mapper = stage.vtk.vtkMapper
+    before = mapper.GetResolveCoincidentTopology()
+    mapper.SetResolveCoincidentTopologyToPolygonOffset()
+    edged(stage).GetMapper().SetRelativeCoincidentTopologyPolygonOffsetParameters(0, 300)
+    stage.show(shapes.sphere(stage.vtk, 14, 0.499), color=(0.4, 0.7, 0.9))
+    stage.look()
+    stage.orbit(2)
+    mapper.SetResolveCoincidentTopology(before)
+
+
+@state("vtk")
+def edges_behind_the_viewer(stage):
+    """Left to the real OpenGL: near the viewer's plane triangles grow by any number of pixels."""
+    edged(stage, width=3)
+    stage.look()
+    camera = stage.renderer.GetActiveCamera()
+    camera.SetPosition(0.1, 0.1, 0.2)
+    camera.SetFocalPoint(0.4, 0.3, 0)
+    camera.SetClippingRange(0.01, 5)
+    stage.orbit(2)
+
+
 @state("vtk")
 def vertices_shown(stage):
     actor = stage.show(shapes.grid(stage.vtk, 10))
