@@ -55,23 +55,17 @@ namespace {
 /// The bits of DrawState, asked of the real OpenGL: its state is always current.
 class StateReader {
  public:
-  explicit StateReader(const RealGl& real) : real_(real) {}
+  StateReader(const RealGl& real, bool fixedFunction) : real_(real), fixedFunction_(fixedFunction) {}
 
   uint32_t read(const TargetState& target) {
-    const bool lit = capability(GL_LIGHTING, DrawState::lighting);
     GLint polygon[2] = {GL_FILL, GL_FILL};
     real_.GetIntegerv(GL_POLYGON_MODE, polygon);
-    put(DrawState::twoSided, lit && integer(GL_LIGHT_MODEL_TWO_SIDE));
-    put(DrawState::colorMaterial, lit && real_.IsEnabled(GL_COLOR_MATERIAL));
-    put(DrawState::flat, integer(GL_SHADE_MODEL) == GL_FLAT);
-    put(DrawState::texture, real_.IsEnabled(GL_TEXTURE_2D) || real_.IsEnabled(GL_TEXTURE_1D));
+    if (fixedFunction_) readFixedFunction();
     put(DrawState::program, isPresent(real_.UseProgram) && integer(GL_CURRENT_PROGRAM));
     capability(GL_BLEND, DrawState::blend);
-    capability(GL_ALPHA_TEST, DrawState::alphaTest);
     put(DrawState::noDepthTest, !real_.IsEnabled(GL_DEPTH_TEST));
     put(DrawState::noDepthWrites, !integer(GL_DEPTH_WRITEMASK));
     capability(GL_STENCIL_TEST, DrawState::stencil);
-    capability(GL_FOG, DrawState::fog);
     capability(GL_CULL_FACE, DrawState::cull);
     put(DrawState::polygonMode, polygon[0] != GL_FILL || polygon[1] != GL_FILL);
     capability(GL_POLYGON_OFFSET_FILL, DrawState::polygonOffset);
@@ -84,6 +78,16 @@ class StateReader {
   }
 
  private:
+  /// Core profiles would take these questions for mistakes of the program's.
+  void readFixedFunction() {
+    const bool lit = capability(GL_LIGHTING, DrawState::lighting);
+    put(DrawState::twoSided, lit && integer(GL_LIGHT_MODEL_TWO_SIDE));
+    put(DrawState::colorMaterial, lit && real_.IsEnabled(GL_COLOR_MATERIAL));
+    put(DrawState::flat, integer(GL_SHADE_MODEL) == GL_FLAT);
+    put(DrawState::texture, real_.IsEnabled(GL_TEXTURE_2D) || real_.IsEnabled(GL_TEXTURE_1D));
+    capability(GL_ALPHA_TEST, DrawState::alphaTest);
+    capability(GL_FOG, DrawState::fog);
+  }
   void put(DrawState state, bool on) {
     if (on) bits_ |= uint32_t{1} << static_cast<uint32_t>(state);
   }
@@ -98,6 +102,7 @@ class StateReader {
     return value[0];
   }
   const RealGl& real_;
+  const bool fixedFunction_;
   uint32_t bits_ = 0;
 };
 
@@ -146,7 +151,7 @@ void DrawKinds::record(const RealGl& real, const TargetState& target, Reason rea
   last_ = nullptr;
   if (closed_) return;
   try {
-    DrawCost& cost = kinds_[{primitive, path, reason, StateReader(real).read(target)}];
+    DrawCost& cost = kinds_[{primitive, path, reason, StateReader(real, fixedFunction_).read(target)}];
     ++cost.count;
     cost.triangles += triangles;
     last_ = &cost;

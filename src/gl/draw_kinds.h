@@ -90,6 +90,8 @@ using ProgramTable = std::map<const KnownProgram*, ProgramUse>;
 
 class DrawKinds {
  public:
+  /// `fixedFunction`: the context has it, and is asked for its state.
+  explicit DrawKinds(bool fixedFunction = true) : fixedFunction_(fixedFunction) {}
   /// A draw starts and ends; what is recorded in between is the draw. May nest: inner ones are not charged to
   /// outer.
   void start() noexcept;
@@ -112,6 +114,7 @@ class DrawKinds {
   ProgramTable programs() const;
 
  private:
+  const bool fixedFunction_;
   struct Open {
     double start = 0;
     DrawCost* cost = nullptr;

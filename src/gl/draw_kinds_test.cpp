@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <set>
 #include <thread>
 
@@ -14,9 +16,14 @@ namespace {
 
 std::set<GLenum> g_enabled;
 std::map<GLenum, GLint> g_integers;
+std::set<GLenum> g_asked;
 
-GLboolean isEnabled(GLenum name) { return g_enabled.count(name) != 0; }
+GLboolean isEnabled(GLenum name) {
+  g_asked.insert(name);
+  return g_enabled.count(name) != 0;
+}
 void getIntegerv(GLenum name, GLint* values) {
+  g_asked.insert(name);
   if (name == GL_VIEWPORT) {
     const GLint viewport[4] = {10, 20, 300, 200};
     std::copy_n(viewport, 4, values);
@@ -127,6 +134,22 @@ TEST_F(DrawKindsTest, UnpairedStopsAreHarmless) {
   draw(Reason::fog, DrawPath::immediate, PrimitiveClass::surfaces, 3);
   for (int i = 0; i < 2000; ++i) kinds_.stop();
   EXPECT_EQ(kinds_.kinds().size(), 1u);
+}
+
+TEST_F(DrawKindsTest, CoreProfilesAreNotAskedForFixedFunction) {
+  const std::set<GLenum> fixed = {GL_LIGHTING,   GL_LIGHT_MODEL_TWO_SIDE, GL_COLOR_MATERIAL, GL_SHADE_MODEL,
+                                  GL_TEXTURE_1D, GL_TEXTURE_2D,           GL_ALPHA_TEST,     GL_FOG};
+  const auto asked = [&](bool fixedFunction) {
+    g_asked.clear();
+    DrawKinds kinds(fixedFunction);
+    kinds.record(real_, target_, Reason::traced, DrawPath::arrays, PrimitiveClass::surfaces, 1);
+    std::set<GLenum> both;
+    std::set_intersection(g_asked.begin(), g_asked.end(), fixed.begin(), fixed.end(),
+                          std::inserter(both, both.end()));
+    return both;
+  };
+  EXPECT_GE(asked(true).size(), 5u);
+  EXPECT_EQ(asked(false), std::set<GLenum>{});
 }
 
 TEST_F(DrawKindsTest, ProgramsAreCountedApart) {

@@ -163,7 +163,7 @@ void takePicture(Record& record, GLenum buffer) {
 /// What `gluray explain` wants of the context.
 void addExplaining(Record& record, gl::ContextInfo& info) {
   if (!session().explainFrames) return;
-  info.kinds = std::make_shared<gl::DrawKinds>();
+  info.kinds = std::make_shared<gl::DrawKinds>(!info.core);
   info.frameEnded = endFrame;
   if (!session().picture || record.version.starts_with("OpenGL ES")) return;
   record.picture = std::make_unique<present::FramePicture>();
