@@ -30,6 +30,12 @@ struct Image {
   /// Empty where every pixel is what its centre hit.
   std::vector<float> center;
 
+  /// What the planes take.
+  size_t bytes() const {
+    return 4 *
+           (color.capacity() + depth.capacity() + wide.capacity() + through.capacity() + center.capacity());
+  }
+
   /// Makes room for the given shape, reusing memory. Contents are undefined afterwards.
   void resize(int newWidth, int newHeight, int newSamples, Content newContent = Content::color,
               bool averages = false) {

@@ -102,6 +102,21 @@ TEST_F(LastPicturesTest, SeveralOfAFrameAreHeldAndTheOldestGoes) {
   EXPECT_TRUE(pictures_.of(others[2]));
 }
 
+TEST_F(LastPicturesTest, OfLargeOnesTheLastAloneIsHeld) {
+  constexpr int kSide = 2560;  // 52 MB, more than half of the budget
+  scene::Snapshot other = shown_;
+  for (int i = 1; i < 6; ++i) {
+    other.camera.viewport.x = i;
+    LastPictures::Picture& picture = pictures_.next();
+    picture.image.resize(kSide, kSide, 1);
+    pictures_.keep(other);
+    EXPECT_TRUE(pictures_.of(other));
+  }
+  EXPECT_LE(pictures_.bytes(), LastPictures::kBudget);
+  other.camera.viewport.x = 4;
+  EXPECT_FALSE(pictures_.of(other));
+}
+
 TEST_F(LastPicturesTest, MeshesAreNotKeptAlive) {
   const std::weak_ptr<const scene::Mesh> gone = mesh_;
   mesh_.reset();

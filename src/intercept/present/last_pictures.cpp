@@ -42,9 +42,24 @@ const LastPictures::Picture* LastPictures::of(const scene::Snapshot& snapshot) n
   return nullptr;
 }
 
+size_t LastPictures::bytes() const noexcept {
+  size_t bytes = 0;
+  for (const Entry& entry : entries_) bytes += entry.picture.image.bytes();
+  return bytes;
+}
+
+void LastPictures::keepWithinBudget() noexcept {
+  if (bytes() <= kBudget) return;
+  for (Entry& entry : entries_)
+    if (&entry != next_) entry = {};
+}
+
 LastPictures::Picture& LastPictures::next() noexcept {
-  next_ = &*std::min_element(entries_.begin(), entries_.end(),
-                             [](const Entry& a, const Entry& b) { return a.used < b.used; });
+  keepWithinBudget();
+  const bool one = next_ && next_->picture.image.bytes() > kBudget / 2;
+  if (!one)
+    next_ = &*std::min_element(entries_.begin(), entries_.end(),
+                               [](const Entry& a, const Entry& b) { return a.used < b.used; });
   next_->whole = false;
   next_->shows = {};
   next_->meshes.clear();

@@ -12,6 +12,9 @@ namespace gluray::present {
 
 class LastPictures {
  public:
+  /// Bytes of pictures beyond which only the last is held: of a window of 4K, for instance.
+  static constexpr size_t kBudget = size_t{96} << 20;
+
   struct Picture {
     Image image;
     uint64_t id = 0;  // never 0 for a whole picture, and never the same for two
@@ -22,6 +25,7 @@ class LastPictures {
   Picture& next() noexcept;
   /// What next() gave holds the picture of `snapshot` now. Its meshes are not kept alive.
   void keep(const scene::Snapshot& snapshot) noexcept;
+  size_t bytes() const noexcept;  // of all pictures
 
  private:
   struct Entry {
@@ -31,6 +35,7 @@ class LastPictures {
     scene::Snapshot shows;  // without meshes
     std::vector<std::weak_ptr<const scene::Mesh>> meshes;
   };
+  void keepWithinBudget() noexcept;
   static bool isSame(Entry& entry, const scene::Snapshot& snapshot) noexcept;
 
   std::array<Entry, 3> entries_;
