@@ -17,8 +17,8 @@ RAY_FRAMES = {1: 60, 4: 40, 16: 30, 32: 24}
 
 def arguments(argv):
     parser = pairs.parser("paraview", __doc__, "1,4,16", "millions of triangles (1,4,16; also 32)")
-    parser.add_argument("--look", choices=["surface", "edges", "translucent"], default="surface",
-                        help="how the surfaces are drawn (surface); translucent: opacity 0.4, depth peeling")
+    parser.add_argument("--look", choices=["surface", "edges", "translucent", "summed"], default="surface",
+                        help="how the surfaces are drawn (surface); translucent: opacity 0.4, depth peeling; summed: the same without peeling")
     options = pairs.parse(parser, argv)
     if any(size not in ISOVALUES for size in options.sizes):
         parser.error(f"sizes are {', '.join(map(str, ISOVALUES))}")

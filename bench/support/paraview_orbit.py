@@ -1,7 +1,7 @@
 """Run by pvbatch: contours of ParaView's Wavelet source, an orbit of the camera around them; prints one line of JSON.
 
 usage: pvbatch paraview_orbit.py ISOVALUES FRAMES SIZE [PICTURE [LOOK or SOURCE]]
-LOOK: surface, edges or translucent. SOURCE, a NIfTI or other file that ParaView reads, takes the place of the Wavelet; ISOVALUES
+LOOK: surface, edges, translucent (peeled) or summed (translucent without peeling). SOURCE, a NIfTI or other file that ParaView reads, takes the place of the Wavelet; ISOVALUES
 is then one value.
 """
 import json
@@ -44,7 +44,7 @@ def main():
     count, frames, size = float(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3])
     picture = sys.argv[4] if len(sys.argv) > 4 and sys.argv[4] != "-" else None
     last = sys.argv[5] if len(sys.argv) > 5 else "surface"
-    look, source = (last, None) if last in ("surface", "edges", "translucent") else ("surface", last)
+    look, source = (last, None) if last in ("surface", "edges", "translucent", "summed") else ("surface", last)
     simple._DisableFirstRenderCameraReset()
     view = simple.CreateView("RenderView")
     view.ViewSize = [size, size]
@@ -64,8 +64,9 @@ def main():
         display.Specular = 0.3
     if look == "edges":
         display.Representation = "Surface With Edges"
-    elif look == "translucent":
+    elif look in ("translucent", "summed"):
         display.Opacity = 0.4
+        simple.GetSettingsProxy("RenderViewSettings").DepthPeeling = int(look == "translucent")
     simple.ResetCamera(view)
     simple.Render(view)
     window.WaitForCompletion()
