@@ -187,6 +187,7 @@ def actors_come_and_go(stage):
 
 @state("vtk")
 def mapper_shared_by_actors(stage):
+    """VTK deletes the buffer of normals that flat actors do not want, while the array object that it draws them with holds it."""
     vtk = stage.vtk
     mapper = stage.mapper(shapes.sphere(vtk, 24))
     for i in range(5):
