@@ -55,8 +55,9 @@ def hidden_lines(stage):
     stage.orbit()
 
 
-@state("pvbatch")
+@state("pvbatch", outside=False)
 def tone_mapped(stage):
+    """Into floats; the pass leaves no depth, so that where there is nothing cannot be told."""
     ball(stage)
     stage.view.UseToneMapping = 1
     stage.orbit()
