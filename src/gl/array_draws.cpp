@@ -1,6 +1,7 @@
 // Draws from vertex arrays, by fixed function and by shader programs.
 #include "base/clock.h"
 #include "base/timeline.h"
+#include "gl/array_indices.h"
 #include "gl/handlers.h"
 #include "gl/leaf.h"
 #include "gl/stub.h"
@@ -98,35 +99,6 @@ Reason traceDraw(Context& c, GLenum mode, const Elements& e) {
   });
 }
 
-/// Some of the draw's triangles; where figures have more corners, three of them.
-std::vector<Triangle> sampleTriangles(const Context& c, GLenum mode, const Elements& e) {
-  constexpr GLsizei kSamples = 32;
-  const GLsizei figure = mode == GL_QUADS ? 4 : 3;
-  const GLsizei step = std::max(e.count / figure / kSamples, 1) * figure;
-  const size_t indexBytes = e.type == GL_UNSIGNED_INT ? 4 : e.type == GL_UNSIGNED_SHORT ? 2 : 1;
-  const ArrayReader reader(c.real, c.arrays.vertex);
-  std::vector<Triangle> triangles;
-  for (GLsizei at = 0; at + 2 < e.count; at += step) {
-    Elements three = e;
-    three.count = 3;
-    if (e.type)
-      three.indices = static_cast<const std::byte*>(e.indices) + static_cast<size_t>(at) * indexBytes;
-    else
-      three.first = e.first + at;
-    Triangle triangle;
-    bool exists = true;
-    const std::vector<uint32_t> numbers = vertexNumbers(c.real, c.arrays, three);
-    for (size_t k = 0; k < 3; ++k) {
-      float v[4] = {};
-      exists = exists && k < numbers.size() && numbers[k] < reader.available();
-      if (exists) reader.read(numbers[k], v);
-      triangle[k] = {v[0], v[1], v[2]};
-    }
-    if (exists) triangles.push_back(triangle);
-  }
-  return triangles;
-}
-
 Reason triageByPass(Context& c, PrimitiveClass kind) {
   switch (c.layersOfProgram()) {
     case BatchKey::Layers::peeled: return c.triagePeel(kind);
@@ -220,7 +192,7 @@ void draw(Context& c, GLenum mode, const Elements& e) {
   if (reason == Reason::traced) return;
   const PrimitiveClass kind = kindOf(mode);
   if (c.arrays.vertex.enabled && c.arrays.reason == Reason::traced && c.mayMeetPasses(kind))
-    c.protect([&] { c.meetPasses(sampleTriangles(c, mode, e)); });
+    c.protect([&] { c.meetPasses(sampleTriangles(c.real, c.arrays, mode, e)); });
   if (c.arrays.vertex.enabled && c.arrays.reason == Reason::traced && c.isPass(kind, reason))
     c.protect([&] { c.rememberPass(meshOf(c, c.arrays, mode, e)); });
   c.countRaster(reason, pathOf(e), kind, countTriangles(mode, static_cast<uint64_t>(e.count)));

@@ -121,4 +121,33 @@ Order orderOf(const RealGl& real, const ArrayState& arrays, GLenum mode, const E
           hashLarge(numbers.data(), numbers.size() * sizeof(uint32_t), seed)};
 }
 
+std::vector<Triangle> sampleTriangles(const RealGl& real, const ArrayState& arrays, GLenum mode,
+                                      const Elements& e) {
+  constexpr GLsizei kSamples = 32;
+  const GLsizei figure = mode == GL_QUADS ? 4 : 3;
+  const GLsizei step = std::max(e.count / figure / kSamples, 1) * figure;
+  const size_t indexBytes = e.type == GL_UNSIGNED_INT ? 4 : e.type == GL_UNSIGNED_SHORT ? 2 : 1;
+  const ArrayReader reader(real, arrays.vertex);
+  std::vector<Triangle> triangles;
+  for (GLsizei at = 0; at + 2 < e.count; at += step) {
+    Elements three = e;
+    three.count = 3;
+    if (e.type)
+      three.indices = static_cast<const std::byte*>(e.indices) + static_cast<size_t>(at) * indexBytes;
+    else
+      three.first = e.first + at;
+    Triangle triangle;
+    bool exists = true;
+    const std::vector<uint32_t> numbers = vertexNumbers(real, arrays, three);
+    for (size_t k = 0; k < 3; ++k) {
+      float v[4] = {};
+      exists = exists && k < numbers.size() && numbers[k] < reader.available();
+      if (exists) reader.read(numbers[k], v);
+      triangle[k] = {v[0], v[1], v[2]};
+    }
+    if (exists) triangles.push_back(triangle);
+  }
+  return triangles;
+}
+
 }  // namespace gluray::gl

@@ -2,6 +2,7 @@
 // possible. GL thread.
 #pragma once
 #include "gl/arrays.h"
+#include "gl/passes.h"
 
 #include <memory>
 #include <vector>
@@ -51,5 +52,9 @@ struct Order {
 };
 Order orderOf(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements,
               Hash128 seed);
+
+/// Some triangles of a draw by fixed function; where figures have more corners, three of them.
+std::vector<Triangle> sampleTriangles(const RealGl& real, const ArrayState& arrays, GLenum mode,
+                                      const Elements& elements);
 
 }  // namespace gluray::gl

@@ -379,6 +379,7 @@ class Context {
   void giveUpLayers();
   void layersMeetRasterDraw();
   bool peelsIntoAll() const;
+  Reason triageSeenThrough(PrimitiveClass kind);  // what triagePeel() and triageSum() have in common
   glm::dvec3 reachOfInstances(const scene::Mesh& mesh, const Elements& elements) const;
   void addInstancesOf(const scene::Instance& one, const scene::Shading& shading, const Elements& elements);
   bool antialiasInto(GLuint attachment, glm::ivec2 size);

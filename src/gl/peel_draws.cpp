@@ -132,14 +132,7 @@ Reason Context::triagePeel(PrimitiveClass kind) {
   using Stage = Peeling::Stage;
   if (aside_) return Reason::failure;
   if (peeling_.stage == Stage::none || activeQueries > 0) return Reason::programPass;
-  // What keeps the program from being traced says more than what kind of primitive it draws.
-  if (state.program.reason != Reason::traced) return state.program.reason;
-  if (kind == PrimitiveClass::points) return Reason::points;
-  if (kind == PrimitiveClass::lines) return Reason::lines;
-  if (attributes.reason != Reason::traced) return attributes.reason;
-  if (!info_.core && !state.clipPlanes.empty()) return Reason::program;
-  if (state.program.known->program.blocks) dirty |= kProgram;
-  if (const GLenum pending = real.GetError()) setError(pending);
+  if (const Reason reason = triageSeenThrough(kind); reason != Reason::traced) return reason;
   const GLint unit = inputUnit(state.program);
   if (unit < 0 || boundTexture(real, unit) != peeling_.depthsFound)
     return Reason::programPass;  // a later peel

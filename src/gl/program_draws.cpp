@@ -1,11 +1,10 @@
 // Surfaces that shader programs draw: whether they can be traced, and how they join the batch.
+#include "gl/affine.h"
 #include "gl/context.h"
 #include "gl/mesh_builder.h"
 #include "gl/pixel_figures.h"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 
 namespace gluray::gl {
 
@@ -94,15 +93,6 @@ bool isOpaque(const ProgramState& program, const scene::Mesh& mesh) {
                      [](const scene::Texture& t) { return t.image->opaque; });
 }
 
-/// Whether the matrix maps points as far as `reach` from the origin along each axis to points whose w is one
-/// number, give or take the rounding of floats.
-bool isAffine(const glm::dmat4& m, const glm::dvec3& reach) {
-  constexpr double kRounding = 2e-6;  // a thousandth of a pixel in a window of a thousand
-  double change = 0;
-  for (int c = 0; c < 3; ++c) change += std::abs(m[c][3]) * reach[c];
-  return m[3][3] > 0 && change <= kRounding * m[3][3];
-}
-
 /// Whether all of the mesh's bounds have positive w.
 bool isBeforeViewer(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
   for (int corner = 0; corner < 8; ++corner) {
@@ -114,59 +104,7 @@ bool isBeforeViewer(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
   return true;
 }
 
-glm::dvec3 reachOf(const scene::Mesh& mesh) {
-  return glm::max(glm::abs(glm::dvec3(mesh.lower)), glm::abs(glm::dvec3(mesh.upper)));
-}
-
 }  // namespace
-
-namespace {
-
-/// Reads what instance i has of an array. False beyond its end.
-bool readOfInstance(const ArrayReader& array, const Elements& elements, uint32_t i, float out[4]) {
-  const uint32_t at = elements.baseInstance + i / std::max(array.divisor(), 1u);
-  if (at >= array.available()) return false;
-  array.read(at, out);
-  return true;
-}
-
-/// The arrays that instances take matrices and colours from.
-struct InstanceReaders {
-  InstanceReaders(const RealGl& real, const ArrayState& arrays) : color(real, arrays.instanceColor) {
-    for (const ArraySource& source : arrays.instanceTransform) transform.emplace_back(real, source);
-    for (const ArraySource& source : arrays.instanceNormal) normal.emplace_back(real, source);
-  }
-  std::vector<ArrayReader> transform, normal;
-  ArrayReader color;
-
-  /// The matrix of instance i; nullopt where the arrays end before it.
-  std::optional<glm::mat4> matrix(const Elements& elements, uint32_t i) const {
-    glm::mat4 m(1);
-    for (size_t c = 0; c < transform.size(); ++c)
-      if (!readOfInstance(transform[c], elements, i, &m[static_cast<int>(c)][0])) return std::nullopt;
-    return m;
-  }
-};
-
-}  // namespace
-
-Reason Context::triageInstances(const Elements& elements) const {
-  const InstanceReaders readers(real, attributes);
-  const bool mayBeTranslucent = layersOfProgram() == BatchKey::Layers::none && readers.color.enabled() &&
-                                attributes.instanceColor.size == 4 &&
-                                state.raster.unlessOpaque != Reason::traced;
-  for (uint32_t i = 0; i < elements.repeats(); ++i) {
-    float color[4] = {0, 0, 0, 1};
-    if (mayBeTranslucent && readOfInstance(readers.color, elements, i, color) && color[3] < 1)
-      return state.raster.unlessOpaque;
-    const auto m = readers.matrix(elements, i);
-    if (!m) return Reason::arrayState;
-    if (!isAffine(glm::dmat4(*m), glm::dvec3(1))) return Reason::homogeneous;
-    const glm::mat3 linear(*m);
-    if (glm::determinant(linear) == 0 && linear != glm::mat3(0)) return Reason::singularMatrix;
-  }
-  return Reason::traced;
-}
 
 Reason Context::triageProgram(const KnownMesh& known) const {
   const Reason reason = triageProgramAlways(known);
@@ -232,19 +170,6 @@ Context::Placed Context::placeProgramDraw(const glm::dvec3& reach) {
   return Placed::inBatch;
 }
 
-glm::dvec3 Context::reachOfInstances(const scene::Mesh& mesh, const Elements& elements) const {
-  const InstanceReaders readers(real, attributes);
-  const glm::dvec3 own = reachOf(mesh);
-  glm::dvec3 reach(0);
-  for (uint32_t i = 0; i < elements.repeats(); ++i) {
-    const glm::dmat4 m(readers.matrix(elements, i).value_or(glm::mat4(1)));
-    glm::dvec3 here = glm::abs(glm::dvec3(m[3]));
-    for (int c = 0; c < 3; ++c) here += glm::abs(glm::dvec3(m[c])) * own[c];
-    reach = glm::max(reach, here);
-  }
-  return reach;
-}
-
 Reason Context::addProgramInstances(const scene::MeshPtr& mesh, GLenum mode, const Elements& elements) {
   const bool many = !attributes.instanceTransform.empty() || attributes.instanceColor.enabled;
   const glm::dvec3 reach = many ? reachOfInstances(*mesh, elements) : reachOf(*mesh);
@@ -282,27 +207,6 @@ Reason Context::addProgramInstances(const scene::MeshPtr& mesh, GLenum mode, con
   batch_.keep(std::move(kept));
   if (aside_) flush();  // the flush above failed: later draws are rasterised and must find this one drawn
   return Reason::traced;
-}
-
-void Context::addInstancesOf(const scene::Instance& one, const scene::Shading& shading,
-                             const Elements& elements) {
-  const InstanceReaders readers(real, attributes);
-  for (uint32_t i = 0; i < elements.repeats(); ++i) {
-    const auto own = readers.matrix(elements, i);
-    if (!own || glm::mat3(*own) == glm::mat3(0)) continue;  // nothing is seen of a point
-    scene::Instance instance = one;
-    glm::mat3 ownNormal(1);
-    for (size_t c = 0; c < readers.normal.size(); ++c) {
-      float column[4] = {};
-      readOfInstance(readers.normal[c], elements, i, column);
-      ownNormal[static_cast<int>(c)] = {column[0], column[1], column[2]};
-    }
-    if (readers.color.enabled()) readOfInstance(readers.color, elements, i, &instance.color[0]);
-    instance.eyeFromObject = one.eyeFromObject * glm::dmat4(*own);
-    instance.lightingFromObject = one.lightingFromObject * *own;
-    instance.normalMatrix = one.normalMatrix * ownNormal;
-    batch_.add(std::move(instance), shading);
-  }
 }
 
 }  // namespace gluray::gl

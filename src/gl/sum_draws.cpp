@@ -21,10 +21,7 @@ BatchKey::Layers Context::layersOfProgram() const {
   }
 }
 
-Reason Context::triageSum(PrimitiveClass kind) {
-  if (aside_) return Reason::failure;
-  if (passthrough_) return Reason::off;
-  if (activeQueries > 0) return Reason::query;
+Reason Context::triageSeenThrough(PrimitiveClass kind) {
   // What keeps the program from being traced says more than what kind of primitive it draws.
   if (state.program.reason != Reason::traced) return state.program.reason;
   if (kind == PrimitiveClass::points) return Reason::points;
@@ -33,6 +30,14 @@ Reason Context::triageSum(PrimitiveClass kind) {
   if (!info_.core && !state.clipPlanes.empty()) return Reason::program;
   if (state.program.known->program.blocks) dirty |= kProgram;
   if (const GLenum pending = real.GetError()) setError(pending);
+  return Reason::traced;
+}
+
+Reason Context::triageSum(PrimitiveClass kind) {
+  if (aside_) return Reason::failure;
+  if (passthrough_) return Reason::off;
+  if (activeQueries > 0) return Reason::query;
+  if (const Reason reason = triageSeenThrough(kind); reason != Reason::traced) return reason;
   const TargetState& target = state.target;
   if (target.framebuffer == 0 || target.samples > 1 || !addsUp(real, state.rare, state.raster))
     return Reason::programPass;

@@ -8,7 +8,7 @@
 #endif
 
 #include "render/edged_triangle.h"
-#include "render/hits.inl.h"
+#include "render/trace.inl.h"
 
 #include <span>
 

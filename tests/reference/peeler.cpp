@@ -1,6 +1,9 @@
 #include "tests/reference/peeler.h"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
+
+#include <utility>
 
 namespace gluray::test {
 namespace {
@@ -64,6 +67,30 @@ GLuint screenProgram(Gl gl, const std::string& body) {
 }
 
 }  // namespace
+
+View placed(const glm::dvec3& at, double size) {
+  View view = perspectiveView(20);
+  view.eyeFromObject = glm::scale(glm::translate(view.eyeFromObject, at), glm::dvec3(size));
+  return view;
+}
+
+Peeled seen(ProgramMesh mesh, const glm::vec3& color, float opacity, const View& view) {
+  Peeled one;
+  one.mesh = std::move(mesh);
+  one.color = color;
+  one.opacity = opacity;
+  one.view = view;
+  return one;
+}
+
+std::vector<Peeled> balls() {
+  std::vector<Peeled> all;
+  all.push_back(seen(ball(24), {1, 0.3f, 0.2f}, 0.4f, placed({0, 0, 0}, 1.1)));
+  all.push_back(seen(ball(24), {0.2f, 0.9f, 0.3f}, 0.6f, placed({0.1, 0, 0}, 0.8)));
+  all.push_back(seen(ball(24), {0.9f, 0.8f, 0.1f}, 1, placed({0.5, 0.2, 0}, 0.5)));
+  all.push_back(seen(ball(16), {0.2f, 0.3f, 1}, 0.3f, placed({-0.3, 0.2, 0.1}, 0.4)));
+  return all;
+}
 
 Peeler::Peeler(Gl gl) : gl_(gl) {
   gl.GenFramebuffers(1, &framebuffer_);

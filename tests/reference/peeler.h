@@ -20,6 +20,12 @@ struct Peeled {
   std::function<void(Gl, GLuint program)> before = {};  // called before each of its draws
 };
 
+/// A view with the object moved and scaled.
+View placed(const glm::dvec3& at, double size = 1);
+Peeled seen(ProgramMesh mesh, const glm::vec3& color, float opacity, const View& view);
+/// A ball in a ball in a ball, and something opaque that cuts through them.
+std::vector<Peeled> balls();
+
 class Peeler {
  public:
   explicit Peeler(Gl gl);

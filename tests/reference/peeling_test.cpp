@@ -12,31 +12,6 @@ using Color = Surface::Color;
 using Lights = Surface::Lights;
 using Hooks = Peeler::Hooks;
 
-View placed(const glm::dvec3& at, double size = 1) {
-  View view = perspectiveView(20);
-  view.eyeFromObject = glm::scale(glm::translate(view.eyeFromObject, at), glm::dvec3(size));
-  return view;
-}
-
-Peeled seen(ProgramMesh mesh, const glm::vec3& color, float opacity, const View& view) {
-  Peeled one;
-  one.mesh = std::move(mesh);
-  one.color = color;
-  one.opacity = opacity;
-  one.view = view;
-  return one;
-}
-
-/// A ball in a ball in a ball, and something opaque that cuts through them.
-std::vector<Peeled> balls() {
-  std::vector<Peeled> all;
-  all.push_back(seen(ball(24), {1, 0.3f, 0.2f}, 0.4f, placed({0, 0, 0}, 1.1)));
-  all.push_back(seen(ball(24), {0.2f, 0.9f, 0.3f}, 0.6f, placed({0.1, 0, 0}, 0.8)));
-  all.push_back(seen(ball(24), {0.9f, 0.8f, 0.1f}, 1, placed({0.5, 0.2, 0}, 0.5)));
-  all.push_back(seen(ball(16), {0.2f, 0.3f, 1}, 0.3f, placed({-0.3, 0.2, 0.1}, 0.4)));
-  return all;
-}
-
 /// Layers are rounded to eight bits by every peel of the real OpenGL, by us once.
 constexpr scenes::Tolerance kPeelTolerance = {3, 0.004, 1e-5f,
                                               "silhouettes of all layers; every peel rounds to eight bits"};

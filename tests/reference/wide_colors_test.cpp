@@ -13,21 +13,6 @@ namespace {
 using Color = Surface::Color;
 using Lights = Surface::Lights;
 
-View placed(const glm::dvec3& at, double size = 1) {
-  View view = perspectiveView(20);
-  view.eyeFromObject = glm::scale(glm::translate(view.eyeFromObject, at), glm::dvec3(size));
-  return view;
-}
-
-Peeled seen(ProgramMesh mesh, const glm::vec3& color, float opacity, const View& view) {
-  Peeled one;
-  one.mesh = std::move(mesh);
-  one.color = color;
-  one.opacity = opacity;
-  one.view = view;
-  return one;
-}
-
 GLuint texture(Gl gl, GLenum internalFormat) {
   GLuint name = 0;
   gl.GenTextures(1, &name);
@@ -142,15 +127,6 @@ class Summer {
   Gl gl_;
   GLuint below_ = 0, sums_ = 0, colors_ = 0, opacities_ = 0, over_ = 0, none_ = 0;
 };
-
-std::vector<Peeled> balls() {
-  std::vector<Peeled> all;
-  all.push_back(seen(ball(24), {1, 0.3f, 0.2f}, 0.4f, placed({0, 0, 0}, 1.1)));
-  all.push_back(seen(ball(24), {0.2f, 0.9f, 0.3f}, 0.6f, placed({0.1, 0, 0}, 0.8)));
-  all.push_back(seen(ball(24), {0.9f, 0.8f, 0.1f}, 1, placed({0.5, 0.2, 0}, 0.5)));
-  all.push_back(seen(ball(16), {0.2f, 0.3f, 1}, 0.3f, placed({-0.3, 0.2, 0.1}, 0.4)));
-  return all;
-}
 
 constexpr scenes::Tolerance kSumTolerance = {2, 0.004, 1e-5f, "silhouettes of all layers"};
 

@@ -1,0 +1,140 @@
+// What a packet's rays hit, and the colours of the nearest hits that count. Part of kernels.cpp (compiled
+// once for each instruction set).
+#if defined(GLURAY_RENDER_TRACE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLURAY_RENDER_TRACE_INL_H_
+#undef GLURAY_RENDER_TRACE_INL_H_
+#else
+#define GLURAY_RENDER_TRACE_INL_H_
+#endif
+
+#include "render/hits.inl.h"
+
+#include <hwy/cache_control.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace gluray::render {
+namespace HWY_NAMESPACE {
+
+// Rays through window positions x, y for figures.
+HWY_ATTR inline void aimInEye(const FrameData& frame, const float* x, const float* y, accel::PixelRays& to) {
+  accel::RayPacket rays;
+  alignas(64) int32_t valid[kLanes] = {};
+  const bool inWorld = frame.rays.startAtSphere;  // then t is counted from there
+  generateRays(inWorld ? frame.rays : frame.eyeRays, x, y, rays, valid);
+  const glm::mat4 m(inWorld ? frame.snapshot->eyeFromWorld : glm::dmat4(1));
+  for (int i = 0; i < kLanes; ++i) {
+    const glm::vec3 org(m * glm::vec4(rays.orgX[i], rays.orgY[i], rays.orgZ[i], 1));
+    const glm::vec3 dir = glm::mat3(m) * glm::vec3(rays.dirX[i], rays.dirY[i], rays.dirZ[i]);
+    to.orgX[i] = org.x, to.orgY[i] = org.y, to.orgZ[i] = org.z;
+    to.dirX[i] = dir.x, to.dirY[i] = dir.y, to.dirZ[i] = dir.z;
+    to.tFar[i] = rays.tFar[i];
+    to.windowX[i] = x[i], to.windowY[i] = y[i];
+  }
+}
+
+// Rays to be traced, and those that figures are met by; null where there are none.
+HWY_ATTR inline const accel::FigureQuery* aimRays(const FrameData& frame, Work& work) {
+  generateRays(frame.rays, work.x, work.y, work.packet, work.valid);
+  if (!frame.world->hasFigures()) return nullptr;
+  alignas(64) float x[kLanes], y[kLanes];
+  for (int i = 0; i < kLanes; ++i) {
+    x[i] = frame.averages ? work.x[i] : std::floor(work.x[i]) + 0.5f;
+    y[i] = frame.averages ? work.y[i] : std::floor(work.y[i]) + 0.5f;
+  }
+  aimInEye(frame, x, y, work.centers);
+  work.figures = {&work.centers, &work.centers};
+  if (frame.samplePositions.size() > 1 && !frame.averages) {
+    aimInEye(frame, work.x, work.y, work.samples);
+    work.figures.samples = &work.samples;
+  }
+  return &work.figures;
+}
+
+// First stage: what the rays hit; asks memory for the hit triangles' indices.
+HWY_ATTR inline void traceWork(const FrameData& frame, Work& work) {
+  const accel::FigureQuery* figures = aimRays(frame, work);
+  work.hits = 0;
+  if (frame.snapshot->layers) {  // several at a time, later
+    for (int i = 0; i < kLanes; ++i)
+      if (work.valid[i]) work.hits |= 1u << i;
+    return;
+  }
+  frame.world->intersect(work.valid, work.packet, frame.accepted.get(), figures);
+  work.hits = lanesThatHit(work.packet, work.valid);
+  for (uint32_t lanes = work.hits; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    const scene::Mesh& mesh = *frame.surfaces[work.packet.instance[i]].mesh;
+    if (mesh.indices) hwy::Prefetch(mesh.indices.data + static_cast<size_t>(work.packet.primitive[i]) * 12);
+  }
+}
+
+// Second stage: the vertices of the hit triangles; asks memory for their positions and normals.
+HWY_ATTR inline void fetchVertices(const FrameData& frame, Work& work) {
+  for (uint32_t lanes = work.hits; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    const scene::Mesh& mesh = *frame.surfaces[work.packet.instance[i]].mesh;
+    uint32_t vertex[3];
+    loadTriangle(mesh, work.packet.primitive[i], vertex);
+    for (int k = 0; k < 3; ++k) {
+      work.vertex[k][i] = vertex[k];
+      hwy::Prefetch(mesh.positions.data + static_cast<size_t>(vertex[k]) * mesh.positions.stride);
+      for (const scene::Attribute* a : {&mesh.normals, &mesh.texcoords, &mesh.colors})
+        if (*a) hwy::Prefetch(a->data + static_cast<size_t>(vertex[k]) * a->stride);
+    }
+  }
+}
+
+// Traces `lanes` on from behind their hits, this time asking about every hit on the way. `passed`: distances
+// that lanes are through, at first 0.
+HWY_ATTR inline void traceOn(const FrameData& frame, uint32_t lanes, RejectingFilter& filter, float* passed,
+                             Work& work) {
+  for (int i = 0; i < kLanes; ++i) work.valid[i] = lanes >> i & 1 ? -1 : 0;
+  for (; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    passed[i] = filter.refuse(work.packet, i);
+  }
+  const accel::FigureQuery* figures = aimRays(frame, work);
+  for (int i = 0; i < kLanes; ++i) work.packet.tNear[i] = std::max(work.packet.tNear[i], passed[i]);
+  frame.world->intersect(work.valid, work.packet, &filter, figures);
+  work.hits = lanesThatHit(work.packet, work.valid);
+  fetchVertices(frame, work);
+}
+
+// The same without asking: of triangles that lie upon each other one is seen.
+HWY_ATTR inline void traceBehind(const FrameData& frame, uint32_t lanes, Work& work) {
+  constexpr float kBehind = 1 + 0x1p-21f;  // the hit is not found again
+  alignas(64) float passed[kLanes];
+  for (int i = 0; i < kLanes; ++i) {
+    work.valid[i] = lanes >> i & 1 ? -1 : 0;
+    passed[i] = work.packet.tFar[i] * kBehind;
+  }
+  const accel::FigureQuery* figures = aimRays(frame, work);
+  for (int i = 0; i < kLanes; ++i)
+    if (work.valid[i]) work.packet.tNear[i] = std::max(work.packet.tNear[i], passed[i]);
+  frame.world->intersect(work.valid, work.packet, frame.accepted.get(), figures);
+  work.hits = lanesThatHit(work.packet, work.valid);
+  fetchVertices(frame, work);
+}
+
+// Colour and depth of the hits; where the nearest does not count, of the first behind it that does.
+HWY_ATTR inline void shadeNearest(const FrameData& frame, Work& work) {
+  const bool wide = frame.image->content != Image::Content::color;
+  const auto take = [&](uint32_t lanes, const LitRows& rows, const float* depth) HWY_ATTR {
+    merge(lanes & ~work.edged, rows, depth, wide, work);
+    if (lanes & work.edged) merge(lanes & work.edged, rows, work.edgeDepth, wide, work);
+  };
+  uint32_t lanes = shadeHits(frame, work.hits, true, work, take);
+  if (!lanes) return;
+  work.edged &= ~lanes;
+  RejectingFilter filter(frame);
+  alignas(64) float passed[kLanes] = {};
+  while (lanes) {
+    traceOn(frame, lanes, filter, passed, work);
+    lanes = shadeHits(frame, work.hits, false, work, take);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace gluray::render
+HWY_AFTER_NAMESPACE();
+#endif
