@@ -185,6 +185,15 @@ class VtkStage(Stage):
         (renderer or self.renderer).AddActor(actor)
         return actor
 
+    def keep_selected(self, *places):
+        """Numbers that VTK's selector finds in squares of five pixels, each from its lower left corner."""
+        for x, y in places:
+            picker = self.vtk.vtkHardwareSelector()
+            picker.SetRenderer(self.renderer)
+            picker.SetArea(x, y, x + 4, y + 4)
+            found = picker.Select()
+            self.keep_text([str(sorted(found.GetNode(i).GetSelectionList().GetValue(0) for i in range(found.GetNumberOfNodes())))])
+
     def look(self, azimuth=30, elevation=25, zoom=1.0, renderer=None):
         renderer = renderer or self.renderer
         renderer.ResetCamera()

@@ -263,12 +263,7 @@ def pixels_picked(stage):
     both(stage)
     stage.look()
     stage.shoot()
-    for x, y in ((200, 150), (230, 120), (10, 10)):
-        picker = stage.vtk.vtkHardwareSelector()
-        picker.SetRenderer(stage.renderer)
-        picker.SetArea(x, y, x + 4, y + 4)
-        found = picker.Select()
-        stage.keep_text([str(sorted(found.GetNode(i).GetSelectionList().GetValue(0) for i in range(found.GetNumberOfNodes())))])
+    stage.keep_selected((200, 150), (230, 120), (10, 10))
     stage.shoot()
 
 
