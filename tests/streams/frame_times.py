@@ -4,7 +4,8 @@
 
 (with an X server at hand.) The last frame of each stream is replayed again and again, as a viewer draws it. Where glretrace
 cannot do that, the frames after the first are timed: the time of the whole stream less that of its first frame. The fastest
-turn of each counts, since what else the machine does only adds; glretrace's own work is in both.
+turn of each counts, since what else the machine does only adds; glretrace's own work is in both. NAME is a stream of this
+folder, or the path of another recording without its ".trace": one of many frames, where ours are too short to tell.
 """
 import argparse
 import json
@@ -37,18 +38,17 @@ def replay(trace, options=(), before=()):
     return int(found[1]), float(found[2]), processor_seconds() - start
 
 
-def first_frame(name, folder):
-    cut = folder / f"{name}.trace"
-    subprocess.run(["apitrace", "trim", "--frames=0-0", "-o", str(cut), str(HERE / f"{name}.trace")], check=True,
-                   capture_output=True)
+def first_frame(trace, folder):
+    cut = folder / trace.name
+    subprocess.run(["apitrace", "trim", "--frames=0-0", "-o", str(cut), str(trace)], check=True, capture_output=True)
     return cut
 
 
 class Stream:
     def __init__(self, name, frames, folder):
         self.name, self.trace, self.frames = name, HERE / f"{name}.trace", frames
-        self.repeats = replay(self.trace, ["--loop=10"])[0] >= 12
-        self.short = self.trace if self.repeats else first_frame(name, folder)
+        self.repeats = replay(self.trace, ["--loop=10"])[0] > replay(self.trace)[0]
+        self.short = self.trace if self.repeats else first_frame(self.trace, folder)
 
     def milliseconds(self, turns, ways):
         """For each way the time of a frame, and that of all processors; measured in turn. The first frames, in which
