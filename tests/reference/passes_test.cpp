@@ -17,11 +17,19 @@ using namespace scenes;
 
 constexpr int kWidth = 160, kHeight = 120;
 
-/// A sphere, and over it a tint where `tinted`; a label in between where `labelled`.
-void drawFrame(Gl gl, bool tinted, bool labelled) {
+/// A sphere, and over it a tint where `tinted`; a label in between where `labelled`; a card hides a part of
+/// it where `hidden`.
+void drawFrame(Gl gl, bool tinted, bool labelled, bool hidden = false) {
   begin(gl, kWidth, kHeight);
   camera(gl, kWidth, kHeight);
   keyLight(gl);
+  if (hidden) {
+    paint(gl, 0.2f, 0.7f, 0.3f);
+    gl.PushMatrix();
+    gl.Translatef(0.3f, 0.3f, 1.2f), gl.Rotatef(25, 1, 1, 1), gl.Scalef(0.4f, 0.4f, 0.4f);
+    send(gl, sheet(4));
+    gl.PopMatrix();
+  }
   paint(gl, 0.3f, 0.5f, 0.7f);
   const Model m = sphere(24, 36);
   send(gl, m);
@@ -87,6 +95,63 @@ TEST(Passes, DepthThatIsDrawnAgainLeavesTheStateAlone) {
   const Comparison c = compare(expected.second, got.second, {});
   EXPECT_TRUE(c.accepted) << c.text;
 }
+
+/// Four samples a pixel; bound, and complete.
+void multisampledFramebuffer(Gl gl, GLenum depthFormat) {
+  GLuint framebuffer = 0, images[2] = {};
+  gl.GenFramebuffers(1, &framebuffer), gl.GenRenderbuffers(2, images);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  const auto attach = [&](GLuint image, GLenum format, GLenum attachment) {
+    gl.BindRenderbuffer(GL_RENDERBUFFER, image);
+    gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, 4, format, kWidth, kHeight);
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, image);
+  };
+  attach(images[0], GL_RGBA8, GL_COLOR_ATTACHMENT0);
+  attach(images[1], depthFormat,
+         depthFormat == GL_DEPTH24_STENCIL8 ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT);
+  ASSERT_EQ(gl.CheckFramebufferStatus(GL_FRAMEBUFFER), static_cast<GLenum>(GL_FRAMEBUFFER_COMPLETE));
+}
+
+/// What is seen of the framebuffer that is bound, copied to the window. Where the stage stands between the
+/// samples of a pixel, which of them gives the depth is not said: colours alone.
+Picture resolved(Gl gl) {
+  GLint framebuffer = 0;
+  gl.GetIntegerv(GL_FRAMEBUFFER_BINDING, &framebuffer);
+  gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  gl.BlitFramebuffer(0, 0, kWidth, kHeight, 0, 0, kWidth, kHeight, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  Picture picture = readPicture(gl, kWidth, kHeight);
+  picture.depths.assign(picture.depths.size(), 1.0f);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(framebuffer));
+  return picture;
+}
+
+void expectFirstFrame(GLenum depthFormat, bool perSample) {
+  const auto draw = [&](Gl gl) {
+    multisampledFramebuffer(gl, depthFormat);
+    perSample ? gl.Enable(GL_MULTISAMPLE) : gl.Disable(GL_MULTISAMPLE);
+    drawFrame(gl, true, true, true);
+    EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+    GlState state = queryState(gl);
+    return std::make_pair(std::move(state), resolved(gl));
+  };
+  const auto real = OsmesaContext::create({kWidth, kHeight});
+  const auto expected = draw(real->real());
+  TracedContext ours({kWidth, kHeight});
+  const auto got = draw(ours.gl());
+  EXPECT_EQ(ours.context().statistics.drawsTraced, 2u);
+  for (const std::string& line : differences(expected.first, got.first)) ADD_FAILURE() << line;
+  const Tolerance outlines{2, 0.02, 1e-5f, "we shade at each sample, the real OpenGL once a pixel"};
+  const Comparison c = compare(expected.second, got.second, perSample ? outlines : Tolerance{});
+  EXPECT_TRUE(c.accepted) << c.text;
+  if (!c.accepted) writeFailure(TEST_OUTPUT "/passes", "multisampled", expected.second, got.second);
+}
+
+TEST(Passes, FindTheDepthOfEverySample) { expectFirstFrame(GL_DEPTH24_STENCIL8, true); }
+TEST(Passes, FindTheDepthOfEverySampleWithoutStencil) { expectFirstFrame(GL_DEPTH_COMPONENT24, true); }
+TEST(Passes, FindTheDepthOfEverySampleIn32Bits) { expectFirstFrame(GL_DEPTH_COMPONENT32, true); }
+TEST(Passes, FindTheDepthOfEverySampleInFloats) { expectFirstFrame(GL_DEPTH_COMPONENT32F, true); }
+TEST(Passes, FindTheDepthOfPixelsThatIgnoreTheirSamples) { expectFirstFrame(GL_DEPTH24_STENCIL8, false); }
 
 }  // namespace
 }  // namespace gluray::test

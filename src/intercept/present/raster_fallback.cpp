@@ -93,16 +93,8 @@ void drawInstance(const gl::RealGl& real, const scene::Instance& instance) {
 
 }  // namespace
 
-namespace {
-
-/// What the depth of surfaces that were traced is drawn again with.
-struct DepthPass {
-  GLuint program = 0, depth = 0;  // depth: a texture of the depth that is there
-};
-
-/// With `again`, depth alone.
 bool drawWithFixedFunction(const gl::RealGl& real, const Features& features, const scene::Snapshot& snapshot,
-                           GLenum depthFunc, const DepthPass* again = nullptr) {
+                           GLenum depthFunc, const DepthPass* again) {
   if (!features.compatibility || !attribStackHasRoom(real)) return false;
   StateGuard guard(real, features);
   guard.plainUnpack();
@@ -112,7 +104,11 @@ bool drawWithFixedFunction(const gl::RealGl& real, const Features& features, con
   if (features.version >= 13) guard.activeTexture(GL_TEXTURE0);
   for (int unit = scene::kTextureUnits - 1; unit >= 0 && features.samplerObjects; --unit)
     guard.texture2D(unit, 0);
-  if (again) guard.texture2D(0, again->depth);
+  if (again && again->sample >= 0) guard.onlySample(again->sample);
+  if (again && again->multisampled)
+    guard.textureMultisample(0, again->depth);
+  else if (again)
+    guard.texture2D(0, again->depth);
 
   real.PushAttrib(GL_ALL_ATTRIB_BITS);
   {
@@ -131,8 +127,6 @@ bool drawWithFixedFunction(const gl::RealGl& real, const Features& features, con
   return true;
 }
 
-}  // namespace
-
 bool drawByRealGl(const gl::RealGl& real, const Features& features, const scene::Snapshot& snapshot,
                   const gl::PresentTarget& target) {
   const bool fixedFunction =
@@ -141,83 +135,6 @@ bool drawByRealGl(const gl::RealGl& real, const Features& features, const scene:
   if (fixedFunction && !drawWithFixedFunction(real, features, snapshot, target.depthFunc)) return false;
   replayProgramDraws(real, features, snapshot, target.depthFunc, target.programDraws);
   return true;
-}
-
-namespace {
-
-/// Vertices go the way of fixed function, so that they land where they do without us. What differs from the
-/// depth that is there by more than tracing and rasterising do is hidden.
-constexpr const char* kSeenAlone = R"(#version 110
-uniform sampler2D before;
-uniform vec4 place;
-void main() {
-  float there = texture2D(before, (gl_FragCoord.xy - place.xy) * place.zw).r;
-  if (abs(gl_FragCoord.z - there) > 0.00002) discard;
-  gl_FragColor = vec4(0.0);
-}
-)";
-
-GLuint buildSeenAlone(const gl::RealGl& real) {
-  const GLuint shader = real.CreateShader(GL_FRAGMENT_SHADER);
-  real.ShaderSource(shader, 1, &kSeenAlone, nullptr);
-  real.CompileShader(shader);
-  const GLuint program = real.CreateProgram();
-  real.AttachShader(program, shader);
-  real.LinkProgram(program);
-  real.DeleteShader(shader);
-  GLint linked = GL_FALSE;
-  real.GetProgramiv(program, GL_LINK_STATUS, &linked);
-  if (linked) return program;
-  real.DeleteProgram(program);
-  return 0;
-}
-
-/// Copies the depth of the region into a new texture; 0 where the real OpenGL refuses.
-GLuint copyDepth(const gl::RealGl& real, const Features& features, const scene::Region& region) {
-  GLint framebuffer = 0, buffer = 0, samples = 0;
-  if (features.readFramebuffers) real.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
-  real.GetIntegerv(GL_DRAW_BUFFER, &buffer);
-  real.GetIntegerv(GL_SAMPLES, &samples);
-  if (samples > 1) return 0;
-  StateGuard guard(real, features);
-  guard.plainPack();  // depth as it is, whatever the program has scaled it by
-  guard.readFrom(static_cast<GLuint>(framebuffer), static_cast<GLenum>(buffer));
-  GLuint name = 0;
-  real.GenTextures(1, &name);
-  guard.texture2D(0, name);
-  for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    real.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-  real.CopyTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, region.x, region.y, region.width, region.height,
-                      0);
-  if (takeErrors(real).empty()) return name;
-  real.DeleteTextures(1, &name);
-  return 0;
-}
-
-}  // namespace
-
-bool drawDepthAgain(const gl::RealGl& real, const Features& features, const scene::Snapshot& snapshot) {
-  if (!features.compatibility || features.version < 20 || snapshot.region.width <= 0) return false;
-  DepthPass again;
-  again.depth = copyDepth(real, features, snapshot.region);
-  if (again.depth) again.program = buildSeenAlone(real);
-  bool drawn = again.program != 0;
-  if (drawn) {
-    {
-      StateGuard guard(real, features);
-      guard.program(again.program);
-      real.Uniform4f(real.GetUniformLocation(again.program, "place"), static_cast<GLfloat>(snapshot.region.x),
-                     static_cast<GLfloat>(snapshot.region.y),
-                     1.0f / static_cast<GLfloat>(snapshot.region.width),
-                     1.0f / static_cast<GLfloat>(snapshot.region.height));
-    }
-    // The second time for the nearest, where several surfaces are that near to what is seen.
-    for (const GLenum func : {GL_ALWAYS, GL_LESS})
-      drawn = drawn && drawWithFixedFunction(real, features, snapshot, func, &again);
-  }
-  if (again.program) real.DeleteProgram(again.program);
-  if (again.depth) real.DeleteTextures(1, &again.depth);
-  return drawn;
 }
 
 }  // namespace gluray::present

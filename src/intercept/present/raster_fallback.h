@@ -13,9 +13,15 @@ namespace gluray::present {
 bool drawByRealGl(const gl::RealGl& real, const Features& features, const scene::Snapshot& snapshot,
                   const gl::PresentTarget& target);
 
-/// Gives what is seen of the fixed-function instances, which were traced before, the depth that the real
-/// OpenGL has for them: so that passes which compare with it find it. Nothing else differs afterwards. False
-/// where that is not possible (multisampled framebuffers, no depth textures), with the depth as it was.
-bool drawDepthAgain(const gl::RealGl& real, const Features& features, const scene::Snapshot& snapshot);
+/// What the depth of surfaces that were traced is drawn again with (depth_again.cpp).
+struct DepthPass {
+  GLuint program = 0, depth = 0;  // depth: a texture of the depth that is there
+  bool multisampled = false;      // is the texture
+  int sample = -1;                // the only one to be written; -1: all
+};
+
+/// The fixed-function instances alone. With `again`, depth alone. False, with nothing drawn, as above.
+bool drawWithFixedFunction(const gl::RealGl& real, const Features& features, const scene::Snapshot& snapshot,
+                           GLenum depthFunc, const DepthPass* again = nullptr);
 
 }  // namespace gluray::present

@@ -249,20 +249,27 @@ void StateGuard::activeTexture(GLenum unit) {
   real_.ActiveTexture(unit);
 }
 
-void StateGuard::texture2D(int unit, GLuint texture) {
+void StateGuard::texture(int unit, GLenum target, GLenum binding, GLuint texture) {
   const GLenum name = GL_TEXTURE0 + static_cast<GLenum>(unit);
   activeTexture(name);
-  const GLint was = integer(GL_TEXTURE_BINDING_2D);
-  if (was != static_cast<GLint>(texture)) {
-    keep({[](const RealGl& r, const Undo& u) {
-            r.ActiveTexture(u.name);
-            r.BindTexture(GL_TEXTURE_2D, static_cast<GLuint>(u.i[0]));
-          },
-          name,
-          0,
-          {was}});
-    real_.BindTexture(GL_TEXTURE_2D, texture);
-  }
+  const GLint was = integer(binding);
+  if (was == static_cast<GLint>(texture)) return;
+  keep({[](const RealGl& r, const Undo& u) {
+          r.ActiveTexture(u.name);
+          r.BindTexture(u.index, static_cast<GLuint>(u.i[0]));
+        },
+        name,
+        target,
+        {was}});
+  real_.BindTexture(target, texture);
+}
+
+void StateGuard::textureMultisample(int unit, GLuint name) {
+  texture(unit, GL_TEXTURE_2D_MULTISAMPLE, GL_TEXTURE_BINDING_2D_MULTISAMPLE, name);
+}
+
+void StateGuard::texture2D(int unit, GLuint name) {
+  texture(unit, GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D, name);
   if (!features_.samplerObjects) return;
   const GLint sampler = integer(GL_SAMPLER_BINDING);
   if (sampler == 0) return;

@@ -57,7 +57,8 @@ class StateGuard {
   void readFrom(GLuint framebuffer, GLenum buffer);
   void activeTexture(GLenum unit);
   void texture2D(int unit, GLuint texture);  // also makes `unit` active and frees it of sampler objects
-  void program(GLuint program);              // transform feedback is paused meanwhile
+  void textureMultisample(int unit, GLuint texture);
+  void program(GLuint program);  // transform feedback is paused meanwhile
   void vertexArray(GLuint array);
   void lastVertexProvokes();
   /// Only sample `sample` is written; may be called again for the next sample.
@@ -75,6 +76,7 @@ class StateGuard {
   void pixelStore(GLenum name, GLint value);
   void pixelTransfer(GLenum name, GLfloat value);
   void plainTransfer();
+  void texture(int unit, GLenum target, GLenum binding, GLuint texture);
   void unbindBuffer(GLenum target, GLenum binding);
   GLint ofDrawBuffer(GLenum name, GLuint buffer) const;
   void blendEquation(GLuint buffer);

@@ -4,6 +4,7 @@
 #include "base/log.h"
 #include "gl/state_queries.h"
 #include "gl/texture_image.h"
+#include "intercept/present/depth_again.h"
 #include "intercept/present/layers.h"
 #include "intercept/present/raster_fallback.h"
 
