@@ -4,6 +4,7 @@
 #include "bench/client/paths.h"
 #include "bench/client/window.h"
 #include "bench/data/isosurface.h"
+#include "bench/data/mesh_file.h"
 #include "bench/data/orbit.h"
 #include "bench/data/png.h"
 #include "bench/data/report.h"
@@ -13,6 +14,7 @@
 #include <GL/gl.h>
 #include <malloc.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -27,20 +29,22 @@ using Clock = std::chrono::steady_clock;
 
 struct Options {
   double millionTriangles = 1;
-  std::string path = "list", dump;
+  std::string path = "list", dump, mesh;
   int frames = 20, orbitFrames = 0;
-  double settleSeconds = 0;
+  double settleSeconds = 0, warmSeconds = 0, seconds = 0, distance = kDistance;
   bool orbit = false;
 };
 
-TriangleMesh makeMesh(double millionTriangles) {
+TriangleMesh makeMesh(const Options& options) {
+  if (!options.mesh.empty()) return readMesh(options.mesh);
+  const double millionTriangles = options.millionTriangles;
   if (millionTriangles <= 0) return {};
   const Volume volume = wavelet();
   const auto [low, high] = volume.range();
   return isosurfaces(volume, evenIsovalues(low, high, waveletSurfaces(millionTriangles)));
 }
 
-void setState() {
+void setState(double distance) {
   glClearColor(kBackground[0], kBackground[1], kBackground[2], 1);
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_LIGHTING);
@@ -50,37 +54,49 @@ void setState() {
   const float towardsViewer[] = {0, 0, 1, 0};
   glLightfv(GL_LIGHT0, GL_POSITION, towardsViewer);
   glMatrixMode(GL_PROJECTION);
-  const double half = kNear * std::tan(kViewAngle / 2 * M_PI / 180);
-  glFrustum(-half, half, -half, half, kNear, kFar);
+  const auto [nearest, farthest] = depthRange(distance);
+  const double half = nearest * std::tan(kViewAngle / 2 * M_PI / 180);
+  glFrustum(-half, half, -half, half, nearest, farthest);
   glMatrixMode(GL_MODELVIEW);
 }
 
-void drawFrame(DrawPath& path, int frame, int frames) {
+void drawFrame(DrawPath& path, int frame, int frames, double distance) {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  glLoadMatrixd(eyeFromWorld(orbitPose(frame, frames)).data());
+  glLoadMatrixd(eyeFromWorld(orbitPose(frame, frames, distance)).data());
   path.draw();
 }
 
 /// Ten frames a second for a while, as a program that hardly moves; not measured.
-void settle(DrawPath& path, Window& window, const Options& options) {
+void settle(DrawPath& path, Window& window, const Options& options, double seconds) {
   const Clock::time_point start = Clock::now();
-  while (Seconds(Clock::now() - start).count() < options.settleSeconds) {
+  while (Seconds(Clock::now() - start).count() < seconds) {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    drawFrame(path, 0, options.orbitFrames);
+    drawFrame(path, 0, options.orbitFrames, options.distance);
     window.swapAndFinish();
   }
 }
 
+/// How many frames, at most as many as asked for and at least two, take about so many seconds: one is drawn
+/// to find out.
+int framesWithin(DrawPath& path, Window& window, const Options& options) {
+  if (options.seconds <= 0) return options.frames;
+  const Clock::time_point start = Clock::now();
+  drawFrame(path, 1, std::max(options.frames, 2), options.distance);
+  window.swapAndFinish();
+  const double one = Seconds(Clock::now() - start).count();
+  return std::min(options.frames, std::max(2, int(std::lround(options.seconds / std::max(one, 1e-4)))));
+}
+
 /// Draws the first view once more and writes the back buffer.
-void dump(DrawPath& path, const std::string& file) {
-  drawFrame(path, 0, 0);
+void dump(DrawPath& path, const std::string& file, double distance) {
+  drawFrame(path, 0, 0, distance);
   std::vector<uint8_t> pixels(size_t(kImageSize) * kImageSize * 4);
   glReadPixels(0, 0, kImageSize, kImageSize, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
   writePng(pictureFromGl(kImageSize, kImageSize, pixels), file);
 }
 
-void run(const Options& options) {
-  TriangleMesh mesh = makeMesh(options.millionTriangles);
+void run(Options options) {
+  TriangleMesh mesh = makeMesh(options);
   Measurement m{.program = "client",
                 .path = options.path,
                 .renderer = {},
@@ -88,27 +104,31 @@ void run(const Options& options) {
                 .frameSeconds = {}};
   Window window(kImageSize);
   m.renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  setState();
+  setState(options.distance);
   window.swapAndFinish();
 
   const Clock::time_point start = Clock::now();
   const std::unique_ptr<DrawPath> path = makePath(options.path, std::move(mesh));
-  drawFrame(*path, 0, options.orbitFrames);
+  drawFrame(*path, 0, options.orbitFrames, options.distance);
   window.swapAndFinish();
   Clock::time_point last = Clock::now();
   m.firstImageSeconds = Seconds(last - start).count();
 
+  settle(*path, window, options, options.warmSeconds);
+  options.frames = framesWithin(*path, window, options);
+  if (options.orbit) options.orbitFrames = options.frames;
+  last = Clock::now();
   for (int frame = 1; frame <= options.frames; ++frame) {
-    drawFrame(*path, options.orbit ? frame : 0, options.orbitFrames);
+    drawFrame(*path, options.orbit ? frame : 0, options.orbitFrames, options.distance);
     window.swapAndFinish();
     const Clock::time_point now = Clock::now();
     m.frameSeconds.push_back(Seconds(now - last).count());
     last = now;
   }
-  settle(*path, window, options);
+  settle(*path, window, options, options.settleSeconds);
   malloc_trim(0);
   const ResidentBytes resident = residentBytes();
-  if (!options.dump.empty()) dump(*path, options.dump);
+  if (!options.dump.empty()) dump(*path, options.dump, options.distance);
   if (const GLenum error = glGetError()) throw std::runtime_error("OpenGL error " + std::to_string(error));
   std::printf("%s\n", jsonLine(m, resident).c_str());
 }
@@ -122,8 +142,15 @@ int main(int argc, char** argv) {
   app.add_option("--triangles", options.millionTriangles, "millions of triangles, about; 0: an empty scene")
       ->check(CLI::Range(0.0, 256.0));
   app.add_option("--path", options.path, "how the mesh reaches OpenGL")->check(CLI::IsMember(pathNames()));
+  app.add_option("--mesh", options.mesh, "draw the mesh of this file (gluray-bench-paper-data writes some)");
+  app.add_option("--distance", options.distance, "of the camera from the middle; the data reach to 173.3")
+      ->check(CLI::Range(1.0, 10000.0));
   app.add_option("--frames", options.frames, "frames to measure after the first")
       ->check(CLI::Range(0, 1000000));
+  app.add_option("--seconds", options.seconds, "measure no more frames than take so long, but two")
+      ->check(CLI::Range(0.0, 10000.0));
+  app.add_option("--warm", options.warmSeconds, "seconds of idle drawing before frames are measured")
+      ->check(CLI::Range(0.0, 1000.0));
   app.add_option("--settle", options.settleSeconds, "seconds of idle drawing before memory is read")
       ->check(CLI::Range(0.0, 1000.0));
   app.add_flag("--orbit", options.orbit, "the camera goes once around in these frames; else it stands still");

@@ -32,7 +32,9 @@ struct PlaneNumbers {
 /// Marching cubes of one surface, layer by layer; layers are independent of one another.
 class Surface {
  public:
-  Surface(const Volume& volume, float isovalue) : volume_(volume), isovalue_(isovalue) {}
+  /// Planes beyond `last` serve gradients alone.
+  Surface(const Volume& volume, float isovalue, int last)
+      : volume_(volume), isovalue_(isovalue), last_(last) {}
 
   Layer count(int z) const;
   void emit(int z, const Layer& layer, const Layer* above, TriangleMesh& mesh) const;
@@ -56,6 +58,7 @@ class Surface {
 
   const Volume& volume_;
   float isovalue_;
+  int last_;
 };
 
 template <typename Visit>
@@ -73,7 +76,7 @@ void Surface::forPlaneEdges(int z, const Visit& visit) const {
 
 template <typename Visit>
 void Surface::forUpEdges(int z, const Visit& visit) const {
-  if (z + 1 >= volume_.size[2]) return;
+  if (z >= last_) return;
   for (int y = 0; y < volume_.size[1]; ++y) {
     const float* row = volume_.values.data() + volume_.rowIndex(y, z);
     const float* up = volume_.values.data() + volume_.rowIndex(y, z + 1);
@@ -84,7 +87,7 @@ void Surface::forUpEdges(int z, const Visit& visit) const {
 
 template <typename Visit>
 void Surface::forCells(int z, const Visit& visit) const {
-  if (z + 1 >= volume_.size[2]) return;
+  if (z >= last_) return;
   for (int y = 0; y + 1 < volume_.size[1]; ++y) {
     const float* rows[4];
     for (int r = 0; r < 4; ++r) rows[r] = volume_.values.data() + volume_.rowIndex(y + (r & 1), z + (r >> 1));
@@ -190,19 +193,19 @@ Layer placeLayers(std::vector<Layer>& layers) {
   return total;
 }
 
-}  // namespace
-
-TriangleMesh isosurfaces(const Volume& volume, const std::vector<float>& isovalues,
-                         const Progress& progress) {
-  const int depth = volume.size[2];
+/// The surfaces between two planes of the volume, those included.
+TriangleMesh between(int first, int last, const Volume& volume, const std::vector<float>& isovalues,
+                     const Progress& progress) {
+  const int depth = last - first + 1;
   const size_t layerCount = size_t(depth) * isovalues.size();
   std::vector<Layer> layers(layerCount);
   std::atomic<size_t> done{0};
   const auto finished = [&] {
     if (progress) progress(double(++done) / double(2 * layerCount));
   };
+  const auto surface = [&](size_t i) { return Surface(volume, isovalues[i / size_t(depth)], last); };
   tbb::parallel_for(size_t(0), layerCount, [&](size_t i) {
-    layers[i] = Surface(volume, isovalues[i / size_t(depth)]).count(int(i % size_t(depth)));
+    layers[i] = surface(i).count(first + int(i % size_t(depth)));
     finished();
   });
 
@@ -215,12 +218,35 @@ TriangleMesh isosurfaces(const Volume& volume, const std::vector<float>& isovalu
   mesh.indices.resize(3 * total.firstTriangle);
 
   tbb::parallel_for(size_t(0), layerCount, [&](size_t i) {
-    const int z = int(i % size_t(depth));
-    Surface(volume, isovalues[i / size_t(depth)])
-        .emit(z, layers[i], z + 1 < depth ? &layers[i + 1] : nullptr, mesh);
+    const int z = first + int(i % size_t(depth));
+    surface(i).emit(z, layers[i], z < last ? &layers[i + 1] : nullptr, mesh);
     finished();
   });
   return mesh;
+}
+
+}  // namespace
+
+TriangleMesh isosurfaces(const Volume& volume, const std::vector<float>& isovalues,
+                         const Progress& progress) {
+  return between(0, volume.size[2] - 1, volume, isovalues, progress);
+}
+
+TriangleMesh isosurfaceInSlabs(const std::array<int, 3>& size, const FillPlane& fill, float isovalue,
+                               int thickness) {
+  std::vector<TriangleMesh> slabs;
+  for (int first = 0; first + 1 < size[2]; first += thickness) {
+    const int last = std::min(first + thickness, size[2] - 1);
+    const int lowest = std::max(first - 1, 0), highest = std::min(last + 1, size[2] - 1);
+    Volume slab;
+    slab.size = {size[0], size[1], highest - lowest + 1};
+    slab.origin = {0, 0, float(lowest)};
+    slab.values.resize(slab.rowIndex(0, slab.size[2]));
+    tbb::parallel_for(0, slab.size[2],
+                      [&](int z) { fill(lowest + z, slab.values.data() + slab.rowIndex(0, z)); });
+    slabs.push_back(between(first - lowest, last - lowest, slab, {isovalue}, {}));
+  }
+  return joined(std::move(slabs));
 }
 
 }  // namespace gluray::bench

@@ -3,6 +3,7 @@
 #include "bench/data/triangle_mesh.h"
 #include "bench/data/volume.h"
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -18,5 +19,15 @@ using Progress = std::function<void(double done)>;
 /// Lorensen and Cline, Marching Cubes, 1987; see cube_cases.h for what differs.
 TriangleMesh isosurfaces(const Volume& volume, const std::vector<float>& isovalues,
                          const Progress& progress = {});
+
+/// Fills one plane of a grid, z = `plane`: size[0] * size[1] values, x fastest. Called on all threads at
+/// once.
+using FillPlane = std::function<void(int plane, float* values)>;
+
+/// The surface value = isovalue of a grid too large for memory, in units of its cells: point (x, y, z) lies
+/// at (x, y, z). `thickness` layers of cells at a time are filled and meshed, the planes between them twice;
+/// where two such slabs meet they have the same vertices and normals, each its own. Otherwise as above.
+TriangleMesh isosurfaceInSlabs(const std::array<int, 3>& size, const FillPlane& fill, float isovalue,
+                               int thickness = 64);
 
 }  // namespace gluray::bench

@@ -1,10 +1,11 @@
 #include "bench/data/orbit.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gluray::bench {
 
-CameraPose orbitPose(int frame, int frames) {
+CameraPose orbitPose(int frame, int frames, double distance) {
   const double azimuth = M_PI / 4 + (frames > 0 ? 2 * M_PI * frame / frames : 0.0);
   const double elevation = 35.26 * M_PI / 180;
   const double ca = std::cos(azimuth), sa = std::sin(azimuth), ce = std::cos(elevation),
@@ -13,8 +14,13 @@ CameraPose orbitPose(int frame, int frames) {
   pose.backward = {ce * sa, se, ce * ca};
   pose.right = {ca, 0, -sa};
   pose.up = {-se * sa, ce, -se * ca};
-  pose.eye = {kDistance * pose.backward[0], kDistance * pose.backward[1], kDistance * pose.backward[2]};
+  pose.eye = {distance * pose.backward[0], distance * pose.backward[1], distance * pose.backward[2]};
   return pose;
+}
+
+DepthRange depthRange(double distance) {
+  if (distance == kDistance) return {kNear, kFar};
+  return {std::max(distance - kDataReach, 0.01 * distance), distance + kDataReach};
 }
 
 std::array<double, 16> eyeFromWorld(const CameraPose& pose) {

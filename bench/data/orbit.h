@@ -10,6 +10,7 @@ inline constexpr int kImageSize = 1024;           // pixels, both ways
 inline constexpr double kViewAngle = 30;          // degrees, both ways: the image is square
 inline constexpr double kDistance = 669.2;        // world units
 inline constexpr double kNear = 480, kFar = 860;  // world units; the data lies within 173.3 of the origin
+inline constexpr double kDataReach = 173.3;
 inline constexpr std::array<float, 3> kBackground{0.32f, 0.34f, 0.43f};
 inline constexpr std::array<float, 3> kDiffuse{0.80f, 0.62f, 0.36f};
 
@@ -19,7 +20,13 @@ struct CameraPose {
 };
 
 /// Pose of one of `frames` frames that go once around, beginning at azimuth 45 degrees; +y is up.
-CameraPose orbitPose(int frame, int frames);
+CameraPose orbitPose(int frame, int frames, double distance = kDistance);
+
+/// Nearest and farthest depth of the data from a camera so far from the origin; kNear and kFar at kDistance.
+struct DepthRange {
+  double nearest, farthest;
+};
+DepthRange depthRange(double distance);
 
 /// eyeFromWorld of a pose, column by column as OpenGL takes it.
 std::array<double, 16> eyeFromWorld(const CameraPose& pose);

@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 
 namespace gluray::bench {
@@ -48,6 +49,25 @@ bool writeBody(const TriangleMesh& mesh, FILE* file) {
 }
 
 }  // namespace
+
+TriangleMesh joined(std::vector<TriangleMesh> meshes) {
+  size_t vertices = 0, indices = 0;
+  for (const TriangleMesh& mesh : meshes) vertices += mesh.positions.size(), indices += mesh.indices.size();
+  if (vertices > std::numeric_limits<uint32_t>::max())
+    throw std::runtime_error("the mesh has more vertices than its indices can tell");
+  TriangleMesh out;
+  out.positions.reserve(vertices + 2);
+  out.normals.reserve(vertices);
+  out.indices.reserve(indices);
+  for (TriangleMesh& mesh : meshes) {
+    const auto before = uint32_t(out.positions.size());
+    out.positions.insert(out.positions.end(), mesh.positions.begin(), mesh.positions.end());
+    out.normals.insert(out.normals.end(), mesh.normals.begin(), mesh.normals.end());
+    for (const uint32_t index : mesh.indices) out.indices.push_back(before + index);
+    mesh = {};
+  }
+  return out;
+}
 
 void writePly(const TriangleMesh& mesh, const std::string& path) {
   const std::string draft = path + ".part";

@@ -41,6 +41,10 @@ struct TriangleMesh {
   size_t triangleCount() const { return indices.size() / 3; }
 };
 
+/// All of them in one mesh, in their order; each is freed once it is there. Throws std::runtime_error where
+/// they have more than 2^32 vertices.
+TriangleMesh joined(std::vector<TriangleMesh> meshes);
+
 /// Writes a binary little-endian PLY: x y z nx ny nz as floats, triangles as vertex_indices. A file of that
 /// name is replaced only once all is written. Throws std::runtime_error with one clear line when it cannot be
 /// written.
