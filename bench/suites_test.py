@@ -53,9 +53,9 @@ class Compare(unittest.TestCase):
             self.assertIn("1.json is no result of scripts/bench", err)
 
     def test_results_in_the_repository_can_all_be_compared(self):
-        for file in sorted(compare.RESULTS.glob("*.json")):
+        for file in sorted(compare.RESULTS.rglob("*.json")):
             with self.subTest(file.name):
-                result = compare.read(file.stem)
+                result = compare.read(str(file.relative_to(compare.RESULTS).with_suffix("")))
                 lines = compare.compare(result, result)
                 self.assertGreater(len(lines), 1)
                 self.assertTrue(all(line.split()[-1] in ("1.000", "-", "new/old") for line in lines))

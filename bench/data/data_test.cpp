@@ -1,6 +1,7 @@
 // The benchmark's data: the Wavelet's known range, and meshes with known topology, orientation and area.
 #include "bench/data/cube_cases.h"
 #include "bench/data/isosurface.h"
+#include "bench/data/report.h"
 #include "bench/data/wavelet.h"
 
 #include <gtest/gtest.h>
@@ -144,6 +145,13 @@ TEST(Wavelet, ThreeSurfacesAre870ThousandTriangles) {
   const auto [low, high] = field.range();
   const TriangleMesh mesh = isosurfaces(field, evenIsovalues(low, high, 3));
   EXPECT_NEAR(double(mesh.triangleCount()), 0.87e6, 0.01e6);
+}
+
+TEST(Report, QuartilesLieBetweenValues) {
+  EXPECT_EQ(quartiles({}), (std::pair{0.0, 0.0}));
+  EXPECT_EQ(quartiles({3}), (std::pair{3.0, 3.0}));
+  EXPECT_EQ(quartiles({5, 1, 2, 4, 3}), (std::pair{2.0, 4.0}));
+  EXPECT_EQ(quartiles({4, 1, 2, 3}), (std::pair{1.75, 3.25}));
 }
 
 TEST(Volume, RefinementKeepsPointsAndReproducesQuadratics) {

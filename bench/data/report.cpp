@@ -14,6 +14,18 @@ double median(std::vector<double> values) {
   return values.size() % 2 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
+std::pair<double, double> quartiles(std::vector<double> values) {
+  if (values.empty()) return {0, 0};
+  std::sort(values.begin(), values.end());
+  const auto at = [&](double share) {
+    const double place = share * double(values.size() - 1);
+    const auto low = static_cast<size_t>(place);
+    const size_t high = std::min(low + 1, values.size() - 1);
+    return values[low] + (place - double(low)) * (values[high] - values[low]);
+  };
+  return {at(0.25), at(0.75)};
+}
+
 ResidentBytes residentBytes() {
   ResidentBytes out;
   std::ifstream status("/proc/self/status");
@@ -26,12 +38,15 @@ ResidentBytes residentBytes() {
 }
 
 std::string jsonLine(const Measurement& m, const ResidentBytes& resident) {
+  const auto [low, high] = quartiles(m.frameSeconds);
   const nlohmann::json line = {{"program", m.program},
                                {"path", m.path},
                                {"renderer", m.renderer},
                                {"triangles", m.triangles},
                                {"first_image_s", m.firstImageSeconds},
                                {"frame_s", median(m.frameSeconds)},
+                               {"frame_low_s", low},
+                               {"frame_high_s", high},
                                {"frames", m.frameSeconds.size()},
                                {"build_s", m.buildSeconds},
                                {"rss_bytes", resident.now},

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gluray::bench {
@@ -17,13 +18,17 @@ struct Measurement {
 /// The middle value; the mean of the middle two of an even number; 0 of none.
 double median(std::vector<double> values);
 
+/// First and third quartile, between two values where they fall there; zeros of none.
+std::pair<double, double> quartiles(std::vector<double> values);
+
 /// Resident memory of this process in bytes, now and at its highest; zeros where /proc is not mounted.
 struct ResidentBytes {
   size_t now = 0, highest = 0;
 };
 ResidentBytes residentBytes();
 
-/// One line of JSON: program, path, renderer, triangles, first_image_s, frame_s (median), frames, build_s,
+/// One line of JSON: program, path, renderer, triangles, first_image_s, frame_s (median), frame_low_s and
+/// frame_high_s (quartiles), frames, build_s,
 /// rss_bytes, peak_bytes.
 std::string jsonLine(const Measurement& measurement, const ResidentBytes& resident);
 

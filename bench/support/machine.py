@@ -16,12 +16,12 @@ def _output(*command):
         return ""
 
 
-def _field(path, name):
+def field(path, name):
     match = re.search(rf"^{name}\s*:\s*(.+)$", pathlib.Path(path).read_text(), re.MULTILINE)
     return match.group(1) if match else "unknown"
 
 
-def _package_version(*names):
+def package_version(*names):
     """Version of the first of these Debian packages that is installed."""
     for name in names:
         version = _output("dpkg-query", "-W", "-f=${Version}", name)
@@ -36,17 +36,17 @@ def describe(root):
     return {
         "date": datetime.datetime.now(datetime.timezone.utc).isoformat(timespec="seconds"),
         "machine": {
-            "cpu": _field("/proc/cpuinfo", "model name"),
+            "cpu": field("/proc/cpuinfo", "model name"),
             "cores": len(os.sched_getaffinity(0)),
-            "memory": _field("/proc/meminfo", "MemTotal"),
+            "memory": field("/proc/meminfo", "MemTotal"),
             "load_before": os.getloadavg()[0],
             "system": platform.platform(),
         },
         "versions": {
             "source": _output(*git, "rev-parse", "--short", "HEAD") or "unknown",
             "source_modified": bool(_output(*git, "status", "--porcelain", "--untracked-files=no")),
-            "embree": _package_version("libembree4-4", "libembree3-3"),
-            "mesa": _package_version("libgl1-mesa-dri"),
+            "embree": package_version("libembree4-4", "libembree3-3"),
+            "mesa": package_version("libgl1-mesa-dri"),
             "compiler": _output(shutil.which("c++") or "c++", "--version").split("\n")[0],
         },
     }

@@ -68,7 +68,7 @@ def row_of(size, plain, traced):
             "gl_bytes_per_triangle": plain["rss_bytes"] / plain["triangles"],
             "gluray_bytes_per_triangle": traced["rss_bytes"] / plain["triangles"],
             "megabytes_on_top": (traced["rss_bytes"] - plain["rss_bytes"]) / 1e6, **traced.get("stubs", {}),
-            "ms_per_picture": {part: value / flushes for part, value in report.get("ms", {}).items()},
+            "ms_per_picture": {part: value * report.get("frames", 0) / flushes for part, value in report.get("ms", {}).items()},
             "draws_traced": draws.get("traced", 0), "rasterised": draws.get("rasterised", {})}
 
 

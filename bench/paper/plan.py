@@ -1,0 +1,113 @@
+"""What the paper's evaluation measures, and what of it fits this machine.
+
+A row is a data set in a program; each is measured with every engine, round by round.
+"""
+import dataclasses
+import math
+
+# The paper's Table 1: frames a second of a node with 8 cores of 2009 (7 threads trace), Mesa with one thread, a GPU of 2008.
+PAPER_TABLE = {
+    "PV-Wavelet": {"millions": 16, "gluray": 12.33, "mesa": 0.13, "gpu": 1.22},
+    "VI-Wavelet": {"millions": 16, "gluray": 9.69, "mesa": 0.085, "gpu": 0.79},
+    "PV-VPIC": {"millions": 102, "gluray": 5.02, "mesa": 0.026, "gpu": 0.08},
+    "VI-VPIC": {"millions": 102, "gluray": 2.55, "mesa": 0.012, "gpu": 0.069},
+    "EnSight-VPIC": {"millions": 102, "gluray": 6.94, "mesa": 0.02, "gpu": 0.23},
+    "PV-RMI": {"millions": 316, "gluray": 2.53, "mesa": 0.014, "gpu": 0.027},
+    "PV-RMO": {"millions": 316, "gluray": 3.22, "mesa": 0.009, "gpu": 0.026},
+    "VAPOR-Star": {"millions": 86, "gluray": 2.39, "mesa": 0.025, "gpu": 0.67},
+}
+# Bytes a triangle that a program needs with the hungriest engine, mesh included, and those it needs anyway; measured, rounded up.
+BYTES = {"ParaView": 250, "VTK": 230, "list": 140, "elements": 140, "immediate": 120}
+FIXED_BYTES = 1e9
+FAR, CLOSE = 669.2, 150.0  # distances of the camera
+SMALL_SCALE = 1 / 40
+SMALL_SWEEP, FULL_SWEEP = (1, 4, 16), (1, 2, 4, 8, 16, 32, 64, 128, 256)
+LARGE = 8  # millions from which the small version measures one round
+TIMELINE_MILLIONS = 8  # of the paper's Figure 9
+
+
+@dataclasses.dataclass(frozen=True)
+class Row:
+    scene: str      # PV-Wavelet ...: the paper's name of it, or Wavelet for those of its Figure 7 alone
+    program: str    # ParaView, VTK or client
+    path: str       # of the client: how it hands the mesh over; otherwise the program's own
+    data: str       # what gluray-bench-paper-data makes
+    millions: float  # of triangles, about
+    distance: float = FAR
+
+    @property
+    def name(self):
+        return f"{self.scene} {self.program} {self.path} {self.millions:g}M"
+
+    @property
+    def needs_bytes(self):
+        return FIXED_BYTES + self.millions * 1e6 * BYTES[self.program if self.program != "client" else self.path]
+
+
+# Which program stands for which of the paper's, and how it draws.
+TABLE = {
+    "PV-Wavelet": ("ParaView", "buffers", "wavelet", FAR),
+    "VI-Wavelet": ("VTK", "buffers", "wavelet", FAR),
+    "PV-VPIC": ("ParaView", "buffers", "plasma", FAR),
+    "VI-VPIC": ("VTK", "buffers", "plasma", FAR),
+    "EnSight-VPIC": ("client", "immediate", "plasma", FAR),
+    "PV-RMI": ("ParaView", "buffers", "mixing", CLOSE),
+    "PV-RMO": ("ParaView", "buffers", "mixing", FAR),
+    "VAPOR-Star": ("client", "elements", "star", FAR),
+}
+
+
+def rounded(millions):
+    """Two digits are enough for a size that was asked for."""
+    return float(f"{millions:.2g}") if millions < 100 else round(millions)
+
+
+def fitting(row, memory_bytes):
+    """The row, at half the size as often as it takes to fit; None where 50,000 triangles do not."""
+    while row.needs_bytes > memory_bytes:
+        if row.millions < 0.1:
+            return None
+        row = dataclasses.replace(row, millions=rounded(row.millions / 2))
+    return row
+
+
+def rows(scale, sweep, memory_bytes):
+    """(rows, lines about what does not fit): first the sweep of Figure 7, then Table 1."""
+    planned, notes = [], []
+    for millions in sweep:
+        for row in (Row("Wavelet", "client", "list", "wavelet", millions),
+                    Row("PV-Wavelet", *TABLE["PV-Wavelet"][:3], millions)):
+            if row.needs_bytes <= memory_bytes:
+                planned.append(row)
+            else:
+                notes.append(f"{row.name} is left out: it needs about {row.needs_bytes / 1e9:.0f} GB")
+    for scene, (program, path, data, distance) in TABLE.items():
+        # The Wavelet is small enough to be always that of the paper, if the sweep goes as far.
+        asked = min(PAPER_TABLE[scene]["millions"], max(sweep)) if data == "wavelet" else PAPER_TABLE[scene]["millions"] * scale
+        row = Row(scene, program, path, data, rounded(asked), distance)
+        fits = fitting(row, memory_bytes)
+        if fits is None:
+            notes.append(f"{row.name} is left out: there is no memory for it")
+        elif fits not in planned:
+            planned.append(fits)
+        if fits and fits != row:
+            notes.append(f"{row.name} is measured with {fits.millions:g}M: it needs about {row.needs_bytes / 1e9:.0f} GB")
+    return planned, notes
+
+
+def rounds_of(row, rounds, full):
+    return rounds if full or row.millions < LARGE else 1
+
+
+def warm_seconds(millions):
+    """How long GLuRay may draw before it is measured: until the better acceleration structure is there."""
+    return 1 + 0.35 * millions
+
+
+def guess_seconds(row, engine, threads):
+    """Roughly how long a measurement takes; what has been measured says how wrong this is."""
+    start = {"ParaView": 3.0, "VTK": 1.0, "client": 0.3}[row.program] + row.millions * 0.1
+    if engine in ("gluray", "auto"):
+        return start + warm_seconds(row.millions) + 0.2 * row.millions + 2
+    frame = max(0.25 * row.millions / (1 if engine == "mesa1" else min(threads, 3)), 0.05)
+    return start + 2 * frame + max(2 * frame, 2) + math.log2(1 + row.millions)

@@ -1,0 +1,300 @@
+"""The paper's evaluation without its measurements: what is planned, kept, told and drawn (no program is measured)."""
+import contextlib
+import io
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import types
+import unittest
+
+sys.dont_write_bytecode = True
+BENCH = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(BENCH))
+from paper import engines, page, plan, results, store  # noqa: E402
+from suites import compare  # noqa: E402
+from suites import paper as suite  # noqa: E402
+from support import programs  # noqa: E402
+
+PLENTY = 1e15
+
+
+def measurement(frame_s, triangles=1000, report=None, **more):
+    return {"frame_s": frame_s, "frame_low_s": 0.9 * frame_s, "frame_high_s": 1.2 * frame_s, "frames": 10, "triangles": triangles,
+            "first_image_s": 2 * frame_s, "rss_bytes": 5, "report": report, **more}
+
+
+TRACED = {"draws": {"traced": 7, "rasterised": {"lines": 2}}}
+
+
+def result_of(rows):
+    return {"rows": rows, "date": "today", "command": "scripts/bench paper", "threads": 2, "rounds": 1, "gpu": "none", "notes": ["a note"],
+            "machine": {"cpu": "A CPU", "cores": 2, "memory": "8 kB", "system": "Linux", "load_before": 0.0},
+            "versions": {"source": "abc", "source_modified": False, "embree": "e", "mesa": "m"}}
+
+
+def small_rows():
+    """Rows as a small run has them: speed by size, the paper's size of the Wavelet among them."""
+    rows = []
+    for millions, ours, one, both in ((1, 0.02, 0.2, 0.1), (4, 0.04, 1, 0.5), (16, 0.08, 4, 2)):
+        measured = {"gluray": [measurement(ours, millions * 10**6, TRACED)], "mesa1": [measurement(one, millions * 10**6)],
+                    "mesa": [measurement(both, millions * 10**6)]}
+        rows += [results.row_of(plan.Row("Wavelet", "client", "list", "wavelet", millions), measured),
+                 results.row_of(plan.Row("PV-Wavelet", "ParaView", "buffers", "wavelet", millions), measured)]
+        rows += results.build_rows(plan.Row("Wavelet", "client", "list", "wavelet", millions), {
+            quality: {"build_s": seconds * millions, "first_image_s": 1, "triangles": millions * 10**6, "bvh_bytes": 70e6 * millions}
+            for quality, seconds in (("fast", 0.05), ("full", 0.15))})
+    return rows
+
+
+class Plan(unittest.TestCase):
+    def test_names_of_the_small_version_are_stable(self):
+        rows, notes = plan.rows(plan.SMALL_SCALE, plan.SMALL_SWEEP, PLENTY)
+        self.assertEqual(notes, [])
+        self.assertEqual([row.name for row in rows], [
+            "Wavelet client list 1M", "PV-Wavelet ParaView buffers 1M", "Wavelet client list 4M", "PV-Wavelet ParaView buffers 4M",
+            "Wavelet client list 16M", "PV-Wavelet ParaView buffers 16M", "VI-Wavelet VTK buffers 16M", "PV-VPIC ParaView buffers 2.6M",
+            "VI-VPIC VTK buffers 2.6M", "EnSight-VPIC client immediate 2.6M", "PV-RMI ParaView buffers 7.9M", "PV-RMO ParaView buffers 7.9M",
+            "VAPOR-Star client elements 2.1M"])
+
+    def test_the_full_version_has_the_papers_sizes(self):
+        rows, _ = plan.rows(1, plan.FULL_SWEEP, PLENTY)
+        for row in rows:
+            if row.scene in plan.PAPER_TABLE and row.data != "wavelet":
+                self.assertEqual(row.millions, plan.PAPER_TABLE[row.scene]["millions"])
+        self.assertIn(plan.Row("Wavelet", "client", "list", "wavelet", 256), rows)
+        self.assertEqual(len(rows), len(set(rows)))
+
+    def test_what_does_not_fit_is_smaller_or_left_out_and_told(self):
+        rows, notes = plan.rows(1, plan.FULL_SWEEP, 20e9)
+        self.assertTrue(all(row.needs_bytes <= 20e9 for row in rows))
+        by_scene = {row.scene: row for row in rows}
+        self.assertEqual(by_scene["PV-RMI"].millions, 40)  # 316 halved three times: to two digits
+        self.assertEqual(by_scene["PV-RMI"].millions, by_scene["PV-RMO"].millions)
+        self.assertNotIn(256, [row.millions for row in rows])
+        self.assertTrue(any("Wavelet client list 256M is left out" in note for note in notes), notes)
+        self.assertTrue(any("PV-RMI ParaView buffers 316M is measured with 40M" in note for note in notes), notes)
+        self.assertEqual(plan.rows(1, (1,), 1e6)[0], [])
+
+    def test_large_rows_of_the_small_version_are_measured_once(self):
+        small, large = plan.Row("a", "client", "list", "wavelet", 4), plan.Row("a", "client", "list", "wavelet", 16)
+        self.assertEqual([plan.rounds_of(small, 2, False), plan.rounds_of(large, 2, False), plan.rounds_of(large, 3, True)], [2, 1, 3])
+
+
+class InFolder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+
+class Kept(InFolder):
+    def test_what_was_kept_is_known_again_by_the_same_build_alone(self):
+        file = self.folder / "deep" / "kept.jsonl"
+        first = store.Store(file, "build 1")
+        first.keep("a", {"x": 1})
+        first.keep("b", {"x": 2})
+        again = store.Store(file, "build 1")
+        self.assertEqual((again["a"], again["b"], "c" in again, again.others), ({"x": 1}, {"x": 2}, False, 0))
+        other = store.Store(file, "build 2")
+        self.assertEqual(("a" in other, other.others), (False, 2))
+        self.assertNotIn("a", store.Store(file, "build 1", fresh=True))
+        self.assertNotIn("a", store.Store(file, "build 1"))
+
+    def test_a_line_cut_short_is_no_measurement_and_spoils_no_other(self):
+        file = self.folder / "kept.jsonl"
+        store.Store(file, "s").keep("a", {"x": 1})
+        with file.open("a") as out:
+            out.write('{"stamp": "s", "key": "b", "meas')
+        store.Store(file, "s").keep("c", {"x": 3})
+        again = store.Store(file, "s")
+        self.assertEqual(sorted(again.known), ["a", "c"])
+
+    def test_stamps_tell_builds_and_machines_apart(self):
+        file = self.folder / "engine"
+        file.write_bytes(b"one")
+        stamps = [store.stamp_of([file], cpu="a"), store.stamp_of([file], cpu="b")]
+        file.write_bytes(b"two")
+        stamps.append(store.stamp_of([file], cpu="a"))
+        self.assertEqual(len(set(stamps)), 3)
+        self.assertEqual(stamps[2], store.stamp_of([file], cpu="a"))
+
+
+class FakeEngines:
+    """Measures at once; may be told to fail or to be interrupted at a call."""
+
+    def __init__(self, folder, at=None, error=None):
+        self.calls, self.folder, self.at, self.error = [], folder, at, error
+
+    def mesh_file(self, _row):
+        return self.folder / "there.mesh"
+
+    def measure(self, row, engine):
+        self.calls.append(f"{row.name} {engine}")
+        if len(self.calls) == self.at:
+            raise self.error
+        return measurement(0.1 if engine == "gluray" else 0.4, report=TRACED)
+
+    def measure_build(self, row, quality):
+        self.calls.append(f"{row.name} {quality}")
+        return {"build_s": 1, "first_image_s": 2, "triangles": 1000, "bvh_bytes": 60000}
+
+
+class Resume(InFolder):
+    ROWS = [plan.Row("Wavelet", "client", "list", "wavelet", 1), plan.Row("PV-RMI", "ParaView", "buffers", "mixing", 2)]
+
+    def setUp(self):
+        super().setUp()
+        (self.folder / "there.mesh").write_bytes(b"")
+        self.options = types.SimpleNamespace(rounds=2, full=False, threads=2, build=self.folder, timeout=9)
+
+    def run_with(self, fake):
+        run = suite.Run(self.options, store.Store(self.folder / "kept.jsonl", "s"), fake, ["gluray", "mesa1"])
+        with contextlib.redirect_stderr(io.StringIO()):
+            run.measure(self.ROWS)
+        return run
+
+    def test_engines_take_turns_round_by_round(self):
+        fake = FakeEngines(self.folder)
+        self.run_with(fake)
+        one, two = (row.name for row in self.ROWS)
+        self.assertEqual(fake.calls, [f"{one} gluray", f"{one} mesa1", f"{one} gluray", f"{one} mesa1", f"{two} gluray", f"{two} mesa1",
+                                      f"{two} gluray", f"{two} mesa1", f"{one} fast", f"{one} full"])
+
+    def test_an_interrupted_run_goes_on_where_it_was(self):
+        first = FakeEngines(self.folder, 4, KeyboardInterrupt())
+        with self.assertRaises(KeyboardInterrupt):
+            self.run_with(first)
+        second = FakeEngines(self.folder)
+        run = self.run_with(second)
+        self.assertEqual(len(second.calls), 7)
+        self.assertEqual(second.calls[0], first.calls[3])
+        self.assertEqual([row["scene"] for row in run.rows(self.ROWS)], ["Wavelet", "PV-RMI", "build", "build"])
+        third = FakeEngines(self.folder)
+        self.run_with(third)
+        self.assertEqual(third.calls, [])
+
+    def test_what_fails_is_told_and_the_rest_goes_on(self):
+        run = self.run_with(FakeEngines(self.folder, 1, programs.Failed("exit code 9: it\nwith more")))
+        rows = list(run.rows(self.ROWS))
+        self.assertEqual(rows[0]["gluray"]["rounds"], 1)
+        self.assertEqual(rows[1]["gluray"]["rounds"], 2)
+        self.assertEqual(run.notes, ["Wavelet client list 1M gluray 0 failed: exit code 9: it"])
+
+
+class Rows(unittest.TestCase):
+    def test_medians_and_spread_over_rounds(self):
+        row = results.row_of(plan.Row("PV-RMI", "ParaView", "buffers", "mixing", 2.0),
+                             {"gluray": [measurement(0.1, report=TRACED), measurement(0.3, report=TRACED), measurement(0.2, report=TRACED)],
+                              "mesa1": [measurement(2.0)]})
+        self.assertAlmostEqual(row["gluray"]["fps"], 5)
+        self.assertAlmostEqual(row["gluray"]["fps_low"], 1 / 0.36)
+        self.assertAlmostEqual(row["gluray"]["fps_high"], 1 / 0.09)
+        self.assertAlmostEqual(row["gluray_over_mesa1"], 10)
+        self.assertEqual((row["gluray"]["frames"], row["rasterised"], row["millions"]), (30, {"lines": 2}, 2))
+        self.assertNotIn("gluray_over_mesa", row)
+
+    def test_of_several_sizes_table_one_has_the_papers(self):
+        rows = small_rows()
+        self.assertEqual(results.table_rows(rows)["PV-Wavelet"]["millions"], 16)
+        self.assertEqual(results.table_rows([row for row in rows if row["millions"] < 16])["PV-Wavelet"]["millions"], 4)
+        self.assertEqual(list(results.table_rows(rows)), ["PV-Wavelet"])
+
+    def test_compare_reads_them_and_no_two_have_one_name(self):
+        result = result_of(small_rows())
+        names = [compare.name_of(row) for row in result["rows"]]
+        self.assertEqual(len(names), len(set(names)))
+        lines = [line.split() for line in compare.compare(result, result)]
+        self.assertIn(["ParaView", "PV-Wavelet", "buffers", "16M", "gluray.fps", "12.5", "12.5", "1.000"], lines)
+        self.assertIn(["client", "build", "full", "4M", "build_s", "0.6", "0.6", "1.000"], lines)
+
+
+class Page(unittest.TestCase):
+    def test_the_papers_figures_stand_beside_ours(self):
+        text = page.page(result_of(small_rows()), {"figure7": "f/figure7.svg"})
+        self.assertIn("| PV-Wavelet | 16 | 12.3 | 0.13 | 1.22 | 94.8 | 16.0 | 12.5 (10.4 to 13.9) | 0.25 (0.208 to 0.278) | 0.5 (0.417 to 0.556) "
+                      "| 50 | 25 |", text)
+        self.assertIn("| 4.00 | 25 (20.8 to 27.8) | 1 (0.833 to 1.11) | 2 (1.67 to 2.22) | 25 | 12.5 | 0.08 | 2 |", text)
+        self.assertIn("| 16.00 | 0.8 | 2.4 | 70 | 70 | 4 | 2 |", text)
+        self.assertIn("](f/figure7.svg)", text)
+        self.assertNotIn("figure8.svg", text)
+        self.assertIn("- a note.", text)
+        self.assertIn("  - lines (ParaView, client)", text)
+
+    def test_a_row_that_was_not_traced_is_no_comparison(self):
+        row = results.row_of(plan.Row("PV-RMI", "ParaView", "buffers", "mixing", 2), {"gluray": [measurement(0.1, report={"draws": {"traced": 0}})]})
+        self.assertIn("PV-RMI, ParaView, 2M: nothing was traced", page.page(result_of([row]), {}))
+
+    def test_the_papers_ratios_are_those_of_its_table(self):
+        said = {"PV-Wavelet": 94.85, "VI-Wavelet": 113.99, "PV-VPIC": 193.08, "VI-VPIC": 212.49, "EnSight-VPIC": 347.15, "PV-RMI": 180.71,
+                "PV-RMO": 357.78, "VAPOR-Star": 95.60}
+        for name, ratio in said.items():
+            with self.subTest(name):
+                self.assertAlmostEqual(plan.PAPER_TABLE[name]["gluray"] / plan.PAPER_TABLE[name]["mesa"] / ratio, 1, delta=0.002)
+
+
+class Figures(InFolder):
+    def test_they_are_drawn_and_the_same_again(self):
+        file = self.folder / "r.json"
+        file.write_text(json.dumps(result_of(small_rows())))
+        for python in suite.PYTHONS:
+            if pathlib.Path(python).exists() and subprocess.run([python, "-c", "import matplotlib"], capture_output=True, check=False).returncode == 0:
+                break
+        else:
+            self.skipTest("no matplotlib")
+        drawn = []
+        for part in ("a", "b"):
+            (self.folder / part).mkdir()
+            done = subprocess.run([python, BENCH / "paper" / "figures.py", file, self.folder / part], capture_output=True, text=True, check=False)
+            self.assertEqual((done.returncode, done.stdout.split()), (0, ["table1", "figure7", "figure8"]), done.stderr)
+            drawn.append({path.name: path.read_bytes() for path in (self.folder / part).glob("*.svg")})
+        self.assertEqual(drawn[0], drawn[1])
+        self.assertTrue(all(text.startswith(b"<?xml") for text in drawn[0].values()))
+
+
+class Gpu(InFolder):
+    def told(self, answer):
+        program = self.folder / "glxinfo"
+        program.write_text(f"#!/bin/sh\ncat <<'END'\n{answer}\nEND\n")
+        program.chmod(0o755)
+        path = os.environ["PATH"]
+        os.environ["PATH"] = f"{self.folder}:{path}"
+        self.addCleanup(os.environ.__setitem__, "PATH", path)
+        return engines.gpu_renderer(":9")
+
+    def test_software_is_no_gpu(self):
+        self.assertEqual(self.told("OpenGL renderer string: llvmpipe (LLVM 15)")[0], None)
+        self.assertEqual(self.told("Error: unable to open display")[0], None)
+
+    def test_a_gpu_is_named(self):
+        self.assertEqual(self.told("OpenGL vendor string: x\nOpenGL renderer string: NVIDIA H200/PCIe"), ("NVIDIA H200/PCIe", None))
+
+
+class Interrupted(InFolder):
+    def test_nothing_is_left_running(self):
+        """What the measured program has started ends with us, too."""
+        pid_file = self.folder / "pid"
+        line = f"import signal; signal.signal(signal.SIGINT, signal.default_int_handler); from support import programs; programs.run(['sh', '-c', 'sleep 60 & echo $! >{pid_file}; wait'], {{}}, 50)"
+        ours = subprocess.Popen([sys.executable, "-c", line], cwd=BENCH, stderr=subprocess.DEVNULL)
+        self.addCleanup(ours.kill)
+        deadline = time.monotonic() + 20
+        while not (pid_file.exists() and pid_file.read_text().strip()) and time.monotonic() < deadline:
+            time.sleep(0.02)
+        ours.send_signal(signal.SIGINT)
+        ours.wait(20)
+        stat = pathlib.Path(f"/proc/{pid_file.read_text().strip()}/stat")
+        while stat.exists() and stat.read_text().split()[2] != "Z" and time.monotonic() < deadline:
+            time.sleep(0.02)
+        self.assertTrue(not stat.exists() or stat.read_text().split()[2] == "Z")
+
+    def test_what_takes_too_long_fails(self):
+        with self.assertRaises(programs.Failed):
+            programs.run(["sleep", "30"], {}, 0.2)
+
+
+if __name__ == "__main__":
+    unittest.main()
