@@ -119,7 +119,8 @@ Line streamline(const Field& field, const Point& seed, double step, int segments
 Line resampled(const Line& line, int segments) {
   if (line.size() < 2) return line;
   std::vector<double> reached{0};
-  for (size_t i = 1; i < line.size(); ++i) reached.push_back(reached.back() + length(minus(line[i], line[i - 1])));
+  for (size_t i = 1; i < line.size(); ++i)
+    reached.push_back(reached.back() + length(minus(line[i], line[i - 1])));
   Line out;
   size_t piece = 0;
   for (int i = 0; i <= segments; ++i) {

@@ -30,7 +30,8 @@ size_t tubeTriangles(size_t segments, int sides);
 /// Closed tubes with `sides` sides, sides >= 3, around the lines, one after the other in one mesh; lines of
 /// fewer than two points, or two of them in a row that are the same, have none. The rings are carried along
 /// without twist. Throws std::runtime_error where
-/// there are more than 2^32 vertices. Source: Wang, Juettler, Zheng and Liu, Computation of Rotation Minimizing Frames, 2008.
+/// there are more than 2^32 vertices. Source: Wang, Juettler, Zheng and Liu, Computation of Rotation
+/// Minimizing Frames, 2008.
 TriangleMesh tubes(const std::vector<Line>& lines, double radius, int sides);
 
 }  // namespace gluray::bench

@@ -1,7 +1,9 @@
-// Lines through fields whose lines are known; tubes with known counts, volume and topology; waves, mesh files.
+// Lines through fields whose lines are known; tubes with known counts, volume and topology; waves, mesh
+// files.
+#include "bench/data/tubes.h"
+
 #include "bench/data/isosurface.h"
 #include "bench/data/mesh_file.h"
-#include "bench/data/tubes.h"
 #include "bench/data/waves.h"
 
 #include <gtest/gtest.h>
@@ -82,8 +84,7 @@ TEST(Tubes, AreClosedAndHaveTheirVolume) {
 
 TEST(Tubes, KeepTheirRingsAcrossAndUntwisted) {
   Line helix;
-  for (int i = 0; i <= 400; ++i)
-    helix.push_back({3 * std::cos(0.05 * i), 0.05 * i, 3 * std::sin(0.05 * i)});
+  for (int i = 0; i <= 400; ++i) helix.push_back({3 * std::cos(0.05 * i), 0.05 * i, 3 * std::sin(0.05 * i)});
   const TriangleMesh mesh = tubes({helix}, 0.2, 5);
   EXPECT_EQ(openEdges(mesh), 0u);
   const double length = 400 * 0.05 * std::hypot(3.0, 1.0);
@@ -151,9 +152,7 @@ TEST(IsosurfaceInSlabs, IsTheOneOfTheWholeGrid) {
     const Vertex &n = want.normals[want.indices[i]], &m = got.normals[got.indices[i]];
     ASSERT_TRUE(a.x == b.x && a.y == b.y) << i;
     ASSERT_NEAR(a.z, b.z, 2e-6) << i;  // rounded from another plane
-    if (a.z == std::floor(a.z)) {
-      ASSERT_EQ(a.z, b.z) << "a crack between slabs";
-    }
+    if (a.z == std::floor(a.z)) { ASSERT_EQ(a.z, b.z) << "a crack between slabs"; }
     ASSERT_TRUE(n.x == m.x && n.y == m.y && n.z == m.z) << i;
   }
 }

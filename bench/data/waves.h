@@ -30,8 +30,8 @@ std::vector<Wave> waves(int count, double lowest, double highest, double slope, 
 class WaveRows {
  public:
   /// The grid's points lie at origin + spacing * (x, y, z), as in a Volume of `size`.
-  WaveRows(const std::vector<Wave>& waves, const std::array<int, 3>& size,
-           const std::array<float, 3>& origin, const std::array<float, 3>& spacing);
+  WaveRows(const std::vector<Wave>& waves, const std::array<int, 3>& size, const std::array<float, 3>& origin,
+           const std::array<float, 3>& spacing);
   /// The sum at the points (0, y, z) ... (size[0] - 1, y, z).
   void row(int y, int z, std::vector<float>& out) const;
 

@@ -8,8 +8,8 @@
 namespace gluray::bench {
 namespace {
 
-constexpr float kHalfWidth = 115;  // world units
-constexpr double kTrianglesPerColumn = 12.75;         // measured: of the surface, for each column of cells
+constexpr float kHalfWidth = 115;              // world units
+constexpr double kTrianglesPerColumn = 12.75;  // measured: of the surface, for each column of cells
 
 /// Long swells of the surface, the same at every height.
 std::vector<Wave> swells() {

@@ -10,17 +10,17 @@ namespace gluray::bench {
 inline constexpr double kReach = 173.3;  // world units
 
 /// In place of the paper's Richtmyer-Meshkov instability (316 million triangles): one surface between two
-/// fluids that mix, about level, with bubbles, spikes and drops of down to a hundredth of its width; it is open
-/// at its sides.
+/// fluids that mix, about level, with bubbles, spikes and drops of down to a hundredth of its width; it is
+/// open at its sides.
 TriangleMesh mixingInterface(double millionTriangles);
 
 /// In place of the paper's VPIC plasma (102 million): two sheets of a current that tears itself apart, an
 /// isosurface with four tenths of the triangles, and tubes along the magnetic field around it with the rest.
 TriangleMesh plasma(double millionTriangles);
 
-/// In place of the paper's star (86 million): tubes along the magnetic field outside a sphere, that of a dipole
-/// and of spots in its surface. 86 million triangles are 48,000 tubes of 149 pieces and six sides; others
-/// have tubes in proportion.
+/// In place of the paper's star (86 million): tubes along the magnetic field outside a sphere, that of a
+/// dipole and of spots in its surface. 86 million triangles are 48,000 tubes of 149 pieces and six sides;
+/// others have tubes in proportion.
 TriangleMesh star(double millionTriangles);
 
 /// Moves a mesh in units of a grid's cells to where the grid lies: its first point at origin, others in steps
