@@ -5,6 +5,7 @@
 #include "gl/arrays.h"
 #include "gl/attachments.h"
 #include "gl/batch.h"
+#include "gl/depth_copy.h"
 #include "gl/draw_kinds.h"
 #include "gl/engine_choice.h"
 #include "gl/material_latch.h"
@@ -254,6 +255,8 @@ class Context {
   /// Does what the draw would do where it is a full-screen pass that costs less without the real OpenGL.
   /// False: draw it.
   bool replacePass(GLenum mode, const Elements& elements);
+  /// A glBlitFramebuffer, after everything pending was flushed.
+  void blit(Blit blit);
   /// Runs `trace`, which says whether it added a draw to the batch. A failure of ours makes the draw
   /// rasterised, not lost.
   template <class F>
@@ -382,7 +385,8 @@ class Context {
   Reason triageSeenThrough(PrimitiveClass kind);  // what triagePeel() and triageSum() have in common
   glm::dvec3 reachOfInstances(const scene::Mesh& mesh, const Elements& elements) const;
   void addInstancesOf(const scene::Instance& one, const scene::Shading& shading, const Elements& elements);
-  bool antialiasInto(GLuint attachment, glm::ivec2 size);
+  bool isSoftwareBelow();
+  bool antialiasInto(GLuint attachment, const scene::Region& region);
   const FamilyList& families() const;
   /// The current shader program, outside glBegin and glEnd; null: there is none.
   const std::shared_ptr<const KnownProgram>& programInUse();

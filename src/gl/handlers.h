@@ -51,6 +51,10 @@ void multiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum typ
 void multiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* count, GLenum type,
                                  const void* const* indices, GLsizei draws, const GLint* base);
 
+// framebuffers (blits.cpp)
+void blitFramebuffer(Context& c, GLint fromX0, GLint fromY0, GLint fromX1, GLint fromY1, GLint toX0,
+                     GLint toY0, GLint toX1, GLint toY1, GLbitfield mask, GLenum filter);
+
 // display lists (list_handlers.cpp)
 void newList(Context& c, GLuint name, GLenum mode);
 void endList(Context& c);
@@ -159,6 +163,10 @@ uint32_t textureAttached(Context& c, GLuint texture);
 uint32_t framebufferBound(Context& c);
 /// Texture images may have changed. Groups to touch.
 uint32_t imagesChanged(Context& c);
+// What sets stencil values, or lets later draws set them. Groups to touch.
+uint32_t capabilityEnabled(Context& c, GLenum capability);
+uint32_t stencilSent(Context& c, GLenum format, const void* pixels);  // if those are stencil values
+uint32_t stencilSet(Context& c);
 /// The same for the texture bound to `target` alone, and for textures that are deleted.
 uint32_t imageChanged(Context& c, GLenum target);
 uint32_t texturesDeleted(Context& c, GLsizei n, const GLuint* names);

@@ -294,6 +294,7 @@ void Context::surrenderRun() {
 }
 
 void Context::appendFragment(GLuint realList) {
+  stencilSet(*this);  // nobody knows what is in it
   std::unique_ptr<ListOp> op;
   insist([&] { op = std::make_unique<FragmentOp>(realList, group_); });
   insist([&] { append(op); });

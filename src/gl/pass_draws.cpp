@@ -56,18 +56,22 @@ bool isPlainInput(const RealGl& real, glm::ivec2 size) {
 
 }  // namespace
 
+bool Context::isSoftwareBelow() {
+  if (softwareBelow_ == Answer::unknown) softwareBelow_ = isSoftware(real) ? Answer::yes : Answer::no;
+  return softwareBelow_ == Answer::yes;
+}
+
 bool Context::replacePass(GLenum mode, const Elements& elements) {
   const ProgramState& program = state.program;
   if (!program.known || !program.known->family || program.known->family->pass != Family::Pass::fxaa)
     return false;
   if (!info_.settings.quirks.has(Quirk::softwareFxaa) || aside_ || activeQueries > 0) return false;
-  if (softwareBelow_ == Answer::unknown) softwareBelow_ = isSoftware(real) ? Answer::yes : Answer::no;
-  if (softwareBelow_ == Answer::no) return false;
+  if (!isSoftwareBelow()) return false;
   const TargetState& target = state.target;
   if (target.reason != Reason::traced && target.reason != Reason::noDepthBuffer) return false;
-  const glm::ivec2 size(state.viewport.z, state.viewport.w);
-  const bool whole = target.framebuffer != 0 && target.samples == 1 && state.viewport.x == 0 &&
-                     state.viewport.y == 0 && size.x > 0 && size.y > 0;
+  const scene::Region region{state.viewport.x, state.viewport.y, state.viewport.z, state.viewport.w};
+  const bool whole = target.framebuffer != 0 && target.samples == 1 && region.x >= 0 && region.y >= 0 &&
+                     region.width > 0 && region.height > 0;
   const bool open = !state.raster.scissorTest || state.scissor == state.viewport;
   if (!whole || !open || !writesThrough(real, state.rare) ||
       !coversViewport(real, attributes, mode, elements))
@@ -80,10 +84,10 @@ bool Context::replacePass(GLenum mode, const Elements& elements) {
   if (type != GL_TEXTURE) return false;
   ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, attachment);
   ask(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL, level);
-  return level == 0 && antialiasInto(static_cast<GLuint>(attachment), size);
+  return level == 0 && antialiasInto(static_cast<GLuint>(attachment), region);
 }
 
-bool Context::antialiasInto(GLuint attachment, glm::ivec2 size) {
+bool Context::antialiasInto(GLuint attachment, const scene::Region& region) {
   const KnownProgram& known = *state.program.known;
   const Family& family = *known.family;
   const ProgramUniform* sampler = known.program.uniform(family.passInput);
@@ -93,7 +97,7 @@ bool Context::antialiasInto(GLuint attachment, glm::ivec2 size) {
   if (const GLenum pending = real.GetError()) setError(pending);
   real.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
   const bool sampled = isPresent(real.BindSampler) && integer(real, GL_SAMPLER_BINDING) != 0;
-  const bool plain = !sampled && isPlainInput(real, size) &&
+  const bool plain = !sampled && isPlainInput(real, {region.width, region.height}) &&
                      static_cast<GLuint>(integer(real, GL_TEXTURE_BINDING_2D)) != attachment;
   real.ActiveTexture(static_cast<GLenum>(active));
   if (!plain) return false;
@@ -104,7 +108,7 @@ bool Context::antialiasInto(GLuint attachment, glm::ivec2 size) {
   fxaa.subpixelBlendLimit = uniforms.number(family.subpixelBlendLimit, fxaa.subpixelBlendLimit);
   fxaa.subpixelContrast = uniforms.number(family.subpixelContrast, fxaa.subpixelContrast);
   fxaa.endpointSearchIterations = static_cast<int>(uniforms.number(family.endpointSearchIterations, 12));
-  if (!presenter_.antialias(real, fxaa, unit, attachment, size, info_.settings)) return false;
+  if (!presenter_.antialias(real, fxaa, unit, attachment, region, info_.settings)) return false;
   noteUse(Quirk::softwareFxaa);
   return true;
 }

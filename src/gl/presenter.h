@@ -76,10 +76,10 @@ class Presenter {
   /// it current.
   virtual bool supports(const RealGl& real, bool core, std::string& why) noexcept = 0;
   /// Does what the program's anti-aliasing pass would do: reads the texture bound to GL_TEXTURE_2D of unit
-  /// `unit`, `size` pixels of RGBA8, and replaces with the result the draw framebuffer's colour attachment
-  /// `target`, a texture of the same size. False where nothing was done. Never throws.
+  /// `unit`, RGBA8 of the region's size, and replaces with the result that region of the draw framebuffer's
+  /// colour attachment `target`, a texture. False where nothing was done. Never throws.
   virtual bool antialias(const RealGl&, const scene::Fxaa&, GLint /*unit*/, GLuint /*target*/,
-                         glm::ivec2 /*size*/, const Settings&) noexcept {
+                         const scene::Region&, const Settings&) noexcept {
     return false;
   }
   /// What it has made in the share group. Asked when the context goes away; the group deletes it.

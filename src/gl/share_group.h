@@ -91,6 +91,8 @@ class ShareGroup {
   MeshCache meshes;
   std::atomic<int> contexts = 0;             // alive
   std::atomic<uint64_t> textureChanges = 0;  // of texture images, by calls of any context
+  std::atomic<bool> stencilsSet =
+      false;  // possibly, in any image; until then OpenGL leaves open what is there
 
   bool anyBuffersHeldBack() const;
 

@@ -1,6 +1,7 @@
 // Clears and finishes, the attribute stack, questions.
 #include "gl/handlers.h"
 #include "gl/hidden_extensions.h"
+#include "gl/state_queries.h"
 #include "gl/stub.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -14,6 +15,7 @@ void clearNow(Context& c, GLbitfield mask) {
   c.syncCurrent();
   c.clearsLayers();
   c.redirect();
+  if (mask & GL_STENCIL_BUFFER_BIT) stencilSet(c);
   c.clearing(mask);
   c.real.Clear(mask);
   c.cleared(mask);
@@ -177,7 +179,23 @@ uint32_t texturesDeleted(Context& c, GLsizei n, const GLuint* names) {
   return kTexture;
 }
 
+uint32_t stencilSet(Context& c) {
+  c.group().stencilsSet = true;
+  return 0;
+}
+
+uint32_t stencilSent(Context& c, GLenum format, const void* pixels) {
+  if (format != GL_DEPTH_STENCIL && format != GL_STENCIL_INDEX) return 0;
+  return pixels || integer(c.real, GL_PIXEL_UNPACK_BUFFER_BINDING) != 0 ? stencilSet(c) : 0;
+}
+
+uint32_t capabilityEnabled(Context& c, GLenum capability) {
+  if (capability == GL_STENCIL_TEST) stencilSet(c);
+  return groupsOfCapability(capability);
+}
+
 uint32_t imagesChanged(Context& c) {
+  stencilSet(c);
   c.imagesChange();
   c.textures().allImagesChanged();
   return kTexture;

@@ -222,6 +222,11 @@ bool isRgba8(const RealGl& real, glm::ivec2 size) {
   return level.width == size.x && level.height == size.y && level.format == GL_RGBA8;
 }
 
+bool holdsRgba8(const RealGl& real, glm::ivec2 size) {
+  const LevelSize level = sizeOf(real, GL_TEXTURE_2D, 0);
+  return level.width >= size.x && level.height >= size.y && level.format == GL_RGBA8;
+}
+
 ImageRange rangeOf(const RealGl& real, const RareState& has, GLenum target, bool mipmapped) {
   ImageRange range;
   range.base = parameter(real, target, GL_TEXTURE_BASE_LEVEL, 0);

@@ -15,6 +15,8 @@ namespace gluray::gl {
 
 /// Whether level 0 of the texture bound to GL_TEXTURE_2D of the active unit is RGBA8 of that size.
 bool isRgba8(const RealGl& real, glm::ivec2 size);
+/// The same, of that size or larger.
+bool holdsRgba8(const RealGl& real, glm::ivec2 size);
 
 /// What of a bound texture is sampled.
 struct ImageRange {

@@ -8,23 +8,27 @@
 namespace gluray {
 
 // Identifier, name, what it is for, where it is tested. All but those below are on unless switched off.
-#define GLURAY_QUIRKS(X)                                                                                   \
-  X(materialLatch, "material-latch",                                                                       \
-    "Mesa stores waiting glMaterial values twice where GL_COLOR_MATERIAL is enabled in between; they are " \
-    "sent again after our own drawing, so that they wait as before",                                       \
-    "tests/reference/material_latch_test.cpp")                                                             \
-  X(softwareFxaa, "software-fxaa",                                                                         \
-    "VTK's anti-aliasing pass (FXAA) costs software OpenGLs more than tracing a frame; it is computed "    \
-    "without them, to the same picture",                                                                   \
-    "src/render/fxaa_test.cpp, tests/vtk (group effects)")                                                 \
-  X(depthPeeling, "depth-peeling",                                                                         \
-    "VTK composites translucent surfaces by drawing them again for every two layers; all layers are "      \
-    "traced in one go, and the later passes find nothing left to do",                                      \
-    "tests/reference/peeling_test.cpp, tests/vtk (group translucent)")                                     \
-  X(hidePersistentMapping, "hide-persistent-mapping",                                                      \
-    "What is written through a persistent mapping is not seen, so that draws from it are rasterised; "     \
-    "programs that do not find GL_ARB_buffer_storage among the extensions write in ways that are seen. "   \
-    "Off unless switched on: GLuRay changes no answer unasked",                                            \
+#define GLURAY_QUIRKS(X)                                                                                    \
+  X(materialLatch, "material-latch",                                                                        \
+    "Mesa stores waiting glMaterial values twice where GL_COLOR_MATERIAL is enabled in between; they are "  \
+    "sent again after our own drawing, so that they wait as before",                                        \
+    "tests/reference/material_latch_test.cpp")                                                              \
+  X(softwareFxaa, "software-fxaa",                                                                          \
+    "VTK's anti-aliasing pass (FXAA) costs software OpenGLs more than tracing a frame; it is computed "     \
+    "without them, to the same picture",                                                                    \
+    "src/render/fxaa_test.cpp, tests/vtk (group effects)")                                                  \
+  X(softwareDepthBlit, "software-depth-blit",                                                               \
+    "Mesa's llvmpipe blits depth by drawing it, which takes ten times as long as copying it; where a blit " \
+    "neither moves, scales nor cuts it, it is copied",                                                      \
+    "tests/reference/depth_blit_test.cpp")                                                                  \
+  X(depthPeeling, "depth-peeling",                                                                          \
+    "VTK composites translucent surfaces by drawing them again for every two layers; all layers are "       \
+    "traced in one go, and the later passes find nothing left to do",                                       \
+    "tests/reference/peeling_test.cpp, tests/vtk (group translucent)")                                      \
+  X(hidePersistentMapping, "hide-persistent-mapping",                                                       \
+    "What is written through a persistent mapping is not seen, so that draws from it are rasterised; "      \
+    "programs that do not find GL_ARB_buffer_storage among the extensions write in ways that are seen. "    \
+    "Off unless switched on: GLuRay changes no answer unasked",                                             \
     "tests/reference/hidden_extensions_test.cpp")
 
 enum class Quirk : uint8_t {

@@ -14,6 +14,7 @@
 
 #include <fcntl.h>
 #include <sys/mman.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -30,7 +31,9 @@ namespace gluray::fuzz {
 namespace {
 
 constexpr int kDiffers = 3;
-constexpr unsigned kPatience = 30, kShortPatience = 6;  // seconds for one stream; where it is known to hang
+// Seconds of processor time for one stream; where it is known to hang. By the clock ten times as long: other
+// work on the machine is no hang.
+constexpr unsigned kPatience = 30, kShortPatience = 6;
 constexpr uint64_t kStateEvery = 16;
 
 struct Options {
@@ -55,19 +58,26 @@ Progress* sharedProgress() {
   return p == MAP_FAILED ? nullptr : new (p) Progress;
 }
 
+/// Ends this process where it goes on for longer. 0: for ever.
+void allow(unsigned patience) {
+  const itimerval processor{{}, {static_cast<time_t>(patience), 0}};
+  setitimer(ITIMER_PROF, &processor, nullptr);
+  alarm(10 * patience);
+}
+
 /// Plays one stream in this process; ends it where the answers differ.
 void playOrEnd(const Stream& stream, uint64_t seed, Progress& progress, unsigned patience = kPatience) {
   progress.seed = seed;
-  alarm(patience);
+  allow(patience);
   if (progress.alone) {
     progress.ours = true;
     const Drawn drawn = playAlone(stream);
     progress.drawn.traced += drawn.traced, progress.drawn.byPrograms += drawn.byPrograms;
     progress.drawn.rasterised += drawn.rasterised;
-    return void(alarm(0));
+    return void(allow(0));
   }
   const Outcome outcome = play(stream, seed % kStateEvery == 0, progress.ours);
-  alarm(0);
+  allow(0);
   if (outcome.what.empty()) return;
   if (!progress.differencesFail) return void(++progress.differing);
   std::snprintf(progress.what, sizeof progress.what, "%s", outcome.what.c_str());
@@ -93,7 +103,7 @@ int statusOf(pid_t child) {
 
 std::string kindOf(int status) {
   if (status == kDiffers) return "differs";
-  if (status == 256 + SIGALRM) return "hangs";
+  if (status == 256 + SIGALRM || status == 256 + SIGPROF) return "hangs";
   if (status > 256) return std::string("dies of ") + strsignal(status - 256);
   return "ends with code " + std::to_string(status);
 }
@@ -135,7 +145,8 @@ class Shrinker {
     Progress* progress = sharedProgress();
     progress->alone = alone_;
     const int status = statusOf(inChild(true, [&] {
-      playOrEnd(stream, seed_, *progress, kind_ == 256 + SIGALRM ? kShortPatience : kPatience);
+      playOrEnd(stream, seed_, *progress,
+                kind_ == 256 + SIGALRM || kind_ == 256 + SIGPROF ? kShortPatience : kPatience);
     }));
     const bool same = status == kind_ && progress->ours && differenceOf(*progress) == difference_;
     munmap(progress, sizeof *progress);

@@ -182,10 +182,10 @@ bool TracingPresenter::written(const gl::RealGl& real, const LastPictures::Pictu
 }
 
 bool TracingPresenter::antialias(const gl::RealGl& real, const scene::Fxaa& fxaa, GLint unit, GLuint target,
-                                 glm::ivec2 size, const Settings& settings) noexcept {
+                                 const scene::Region& region, const Settings& settings) noexcept {
   if (!antialias_) return false;
   try {
-    const auto pixels = static_cast<size_t>(size.x) * static_cast<size_t>(size.y);
+    const auto pixels = static_cast<size_t>(region.width) * static_cast<size_t>(region.height);
     before_.resize(pixels), after_.resize(pixels);
     StateGuard guard(real, features(real));
     guard.plainPack();
@@ -193,10 +193,13 @@ bool TracingPresenter::antialias(const gl::RealGl& real, const scene::Fxaa& fxaa
     guard.activeTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     real.GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, before_.data());
     if (!takeErrors(real).empty()) return false;
-    if (!antialias_(settings, fxaa, before_.data(), size.x, size.y, after_.data())) return false;
+    if (!antialias_(settings, fxaa, before_.data(), region.width, region.height, after_.data())) return false;
     guard.texture2D(unit, target);
-    if (!takeErrors(real).empty() || !gl::isRgba8(real, size)) return false;
-    real.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, after_.data());
+    if (!takeErrors(real).empty() ||
+        !gl::holdsRgba8(real, {region.x + region.width, region.y + region.height}))
+      return false;
+    real.TexSubImage2D(GL_TEXTURE_2D, 0, region.x, region.y, region.width, region.height, GL_RGBA,
+                       GL_UNSIGNED_BYTE, after_.data());
     return takeErrors(real).empty();
   } catch (const std::exception&) { return false; }
 }

@@ -42,8 +42,8 @@ class TracingPresenter final : public gl::Presenter {
   bool readDepths(const gl::RealGl& real, GLint unit, glm::ivec2 size,
                   std::vector<glm::vec2>& out) noexcept override;
   bool supports(const gl::RealGl& real, bool core, std::string& why) noexcept override;
-  bool antialias(const gl::RealGl& real, const scene::Fxaa& fxaa, GLint unit, GLuint target, glm::ivec2 size,
-                 const Settings& settings) noexcept override;
+  bool antialias(const gl::RealGl& real, const scene::Fxaa& fxaa, GLint unit, GLuint target,
+                 const scene::Region& region, const Settings& settings) noexcept override;
   bool readDepth(const gl::RealGl& real, const scene::Region& region,
                  std::vector<float>& out) noexcept override;
   gl::SharedNames takeNames() override;

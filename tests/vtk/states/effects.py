@@ -144,6 +144,19 @@ def fxaa_of_vtk(stage):
 
 
 @state("vtk")
+def fxaa_of_two_views(stage):
+    """Each view's pass is over its part of the picture."""
+    stage.renderer.SetViewport(0, 0, 0.5, 0.7)
+    beside = stage.new_renderer((0.5, 0.2, 1, 1))
+    for renderer in (stage.renderer, beside):
+        renderer.UseFXAAOn()
+        stage.show(shapes.sphere(stage.vtk, 32), renderer=renderer)
+    stage.look()
+    beside.ResetCamera()
+    stage.orbit()
+
+
+@state("vtk")
 def custom_shader(stage):
     """Code of the program's own within VTK's shader: nobody knows what it says."""
     actor = stage.show(shapes.sphere(stage.vtk, 32))
