@@ -1,4 +1,4 @@
-"""What `scripts/bench compare` says: suites_test.py (no program is run)."""
+"""What `scripts/bench compare` says and `scripts/bench micro` makes of its figures (no program is run)."""
 import contextlib
 import io
 import json
@@ -9,7 +9,8 @@ import unittest
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
-from suites import compare  # noqa: E402
+from suites import compare, micro  # noqa: E402
+from support import programs  # noqa: E402
 
 OLD = {"machine": {"cpu": "A", "load_before": 1}, "versions": {"source": "1"},
        "rows": [{"millions": 1, "path": "list", "fps": 10.0, "ms": {"trace": 4.0}, "kind": "x"}, {"millions": 2, "path": "list", "fps": 5.0}]}
@@ -59,6 +60,26 @@ class Compare(unittest.TestCase):
                 lines = compare.compare(result, result)
                 self.assertGreater(len(lines), 1)
                 self.assertTrue(all(line.split()[-1] in ("1.000", "-", "new/old") for line in lines))
+
+
+class Micro(unittest.TestCase):
+    @staticmethod
+    def said(name, *rates, **more):
+        return [{"name": name, "run_name": name, "run_type": "iteration", "items_per_second": rate, **more} for rate in rates] + [
+            {"name": f"{name}_mean", "run_name": name, "run_type": "aggregate", "items_per_second": 1}]
+
+    def test_rates_become_the_units_people_ask_for(self):
+        runs = (self.said("door/vertex_call/iterations:10/manual_time", 5e8, 1e9, 2.5e8) + self.said("build/fast/manual_time", 2e7) +
+                self.said("trace/frame/real_time", 50.0) + self.said("write_back/depth/real_time", 500.0))
+        rows = {row["scene"]: row for row in micro.rows_of({"benchmarks": runs}, "GLuRay")}
+        self.assertEqual(rows["door/vertex_call"], {"scene": "door/vertex_call", "path": "GLuRay", "ns_per_call": 2.0, "ns_per_call_low": 1.0,
+                                                    "ns_per_call_high": 4.0})
+        self.assertEqual((rows["build/fast"]["mtri_per_s"], rows["write_back/depth"]["ms"]), (20.0, 2.0))
+        self.assertAlmostEqual(rows["trace/frame"]["mray_per_s"], 52.4288)
+
+    def test_a_benchmark_that_failed_is_no_figure(self):
+        with self.assertRaises(programs.Failed):
+            list(micro.rows_of({"benchmarks": self.said("write_back/depth", 1.0, error_occurred=True, error_message="refused")}, "GLuRay"))
 
 
 if __name__ == "__main__":

@@ -7,6 +7,7 @@
 #include "bench/data/png.h"
 #include "bench/data/report.h"
 #include "bench/data/wavelet.h"
+#include "bench/render/wavelet_snapshot.h"
 #include "frame/renderer.h"
 
 #include <CLI/CLI.hpp>
@@ -29,45 +30,9 @@ struct Options {
   bool noBare = false, instances = false;
 };
 
-scene::Attribute attribute(const void* data, uint32_t stride, scene::Format format) {
-  // Not owned: the mesh outlives the renderer.
-  return {std::shared_ptr<const void>(std::shared_ptr<const void>(), data),
-          static_cast<const std::byte*>(data), stride, format};
-}
-
-scene::MeshPtr toScene(const bench::TriangleMesh& mesh) {
-  auto out = std::make_shared<scene::Mesh>();
-  out->geometryId = {1, mesh.triangleCount()};
-  out->triangleCount = static_cast<uint32_t>(mesh.triangleCount());
-  out->vertexCount = static_cast<uint32_t>(mesh.normals.size());
-  out->positions = attribute(mesh.positions.data(), sizeof(bench::Vertex), scene::Format::float3);
-  out->normals = attribute(mesh.normals.data(), sizeof(bench::Vertex), scene::Format::float3);
-  out->indices = attribute(mesh.indices.data(), 4, scene::Format::uint32);
-  return out;
-}
-
-// The bare loop's picture: light along the view axis, diffuse material, black background.
-scene::Snapshot makeSnapshot(const scene::MeshPtr& mesh, const Options& options) {
-  scene::Snapshot s;
-  s.frame = 1;
-  s.camera.viewport = {0, 0, bench::kImageSize, bench::kImageSize};
-  s.region = {0, 0, bench::kImageSize, bench::kImageSize};
-  const double f = 1 / std::tan(bench::kViewAngle / 2 * M_PI / 180), n = bench::kNear, e = bench::kFar;
-  s.camera.clipFromEye =
-      glm::dmat4(f, 0, 0, 0, 0, f, 0, 0, 0, 0, -(e + n) / (e - n), -1, 0, 0, -2 * e * n / (e - n), 0);
-  scene::Shading shading;
-  shading.lighting = true;
-  shading.normalize = true;
-  scene::Light light;
-  light.diffuse = glm::vec4(1);
-  shading.lights = {light};
-  s.shadings = {shading};
-  scene::Instance instance;
-  instance.mesh = mesh;
-  scene::Material material;
-  material.ambient = material.diffuse = {bench::kDiffuse[0], bench::kDiffuse[1], bench::kDiffuse[2], 1};
-  instance.materials = {{material, material}};
-  s.instances = {instance};
+// The bare loop's picture, as the options have it.
+scene::Snapshot snapshotOf(const Options& options, const bench::TriangleMesh& mesh) {
+  scene::Snapshot s = bench::waveletSnapshot(mesh);
   s.settings.threads = options.threads;
   s.settings.bvh = options.quality == "fast"      ? BvhQuality::fast
                    : options.quality == "compact" ? BvhQuality::compact
@@ -75,12 +40,6 @@ scene::Snapshot makeSnapshot(const scene::MeshPtr& mesh, const Options& options)
   s.settings.shading = options.shading == "vertex" ? ShadingRate::vertex : ShadingRate::pixel;
   if (options.instances) s.instances[0].worldFromObject[3] = {1e-3f, 0, 0, 1};
   return s;
-}
-
-void look(scene::Snapshot& s, const bench::CameraPose& pose) {
-  const auto m = bench::eyeFromWorld(pose);
-  for (int i = 0; i < 16; ++i) s.eyeFromWorld[i / 4][i % 4] = m[static_cast<size_t>(i)];
-  s.instances[0].eyeFromObject = s.eyeFromWorld * glm::dmat4(s.instances[0].worldFromObject);
 }
 
 double seconds(Clock::time_point since) {
@@ -98,7 +57,7 @@ void run(const Options& options) {
   if (!options.noBare) bare = std::make_unique<bench::BareScene>(mesh, options.quality, threads);
 
   frame::Renderer renderer;
-  scene::Snapshot snapshot = makeSnapshot(toScene(mesh), options);
+  scene::Snapshot snapshot = snapshotOf(options, mesh);
   std::vector<uint8_t> pixels(size_t{bench::kImageSize} * bench::kImageSize * 4);
   Image image;
   frame::FrameStatistics statistics;
@@ -110,7 +69,7 @@ void run(const Options& options) {
     Clock::time_point start = Clock::now();
     if (bare) bare->render(pose, pixels);
     if (frame > 0) bareSeconds.push_back(seconds(start));
-    look(snapshot, pose);
+    bench::lookFrom(snapshot, pose);
     start = Clock::now();
     if (!renderer.render(snapshot, image, statistics, error)) throw std::runtime_error(error);
     if (frame > 0)

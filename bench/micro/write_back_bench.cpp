@@ -1,0 +1,82 @@
+// Putting a traced picture of 1024x1024 pixels into the program's framebuffer, over an OpenGL in memory.
+#include "bench/micro/micro_mesh.h"
+#include "bench/render/wavelet_snapshot.h"
+#include "frame/renderer.h"
+#include "intercept/present/write_back.h"
+#include "tests/support/osmesa_context.h"
+
+#include <GL/glext.h>
+#include <benchmark/benchmark.h>
+
+namespace {
+
+using namespace gluray;
+
+/// What a frame of the Wavelet looks like: half of its pixels are hits.
+const Image& picture() {
+  static const Image image = [] {
+    scene::Snapshot s = bench::waveletSnapshot(bench::microMesh());
+    bench::lookFrom(s, bench::orbitPose(0, 0));
+    frame::Renderer renderer;
+    frame::FrameStatistics statistics;
+    std::string error;
+    Image out;
+    renderer.render(s, out, statistics, error);
+    return out;
+  }();
+  return image;
+}
+
+/// A framebuffer of the benchmark's size with colour alone.
+void bindColorOnly(const gl::RealGl& gl) {
+  GLuint framebuffer = 0, color = 0;
+  gl.GenFramebuffers(1, &framebuffer);
+  gl.GenRenderbuffers(1, &color);
+  gl.BindRenderbuffer(GL_RENDERBUFFER, color);
+  gl.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, bench::kImageSize, bench::kImageSize);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
+}
+
+enum class Case { depth, noDepthBuffer, unchanged };
+
+void writeBack(benchmark::State& state, Case which) {
+  const auto context = test::OsmesaContext::create({bench::kImageSize, bench::kImageSize});
+  if (!context) return state.SkipWithError("no OpenGL in memory");
+  const gl::RealGl& gl = context->real();
+  if (which == Case::noDepthBuffer) bindColorOnly(gl);
+  gl.Enable(GL_DEPTH_TEST);
+  present::WriteBack writer(gl);
+  present::PendingErrors pending;
+  std::string why;
+  if (!writer.ready(why)) return state.SkipWithError(why.c_str());
+  uint64_t number = 0;
+  for (auto _ : state) {
+    state.PauseTiming();
+    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    gl.Finish();
+    state.ResumeTiming();
+    const uint64_t name = which == Case::unchanged ? 1 : ++number;
+    if (!writer.write(picture(), {.picture = name}, pending)) return state.SkipWithError("refused");
+    gl.Finish();
+  }
+  state.SetItemsProcessed(state.iterations());
+  writer.release();
+}
+BENCHMARK_CAPTURE(writeBack, depth, Case::depth)
+    ->Name("write_back/depth")
+    ->UseRealTime()
+    ->Iterations(50)
+    ->Repetitions(5);
+BENCHMARK_CAPTURE(writeBack, none, Case::noDepthBuffer)
+    ->Name("write_back/no_depth_buffer")
+    ->UseRealTime()
+    ->Iterations(50)
+    ->Repetitions(5);
+BENCHMARK_CAPTURE(writeBack, same, Case::unchanged)
+    ->Name("write_back/unchanged")
+    ->UseRealTime()
+    ->Iterations(50)
+    ->Repetitions(5);
+
+}  // namespace
