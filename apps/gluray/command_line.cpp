@@ -40,6 +40,10 @@ void addRunOptions(CLI::App& app, CommandLine& line) {
   app.add_option("--report", line.report,
                  "Write what was traced and what was not, and why, to FILE (JSON) at exit")
       ->type_name("FILE");
+  app.add_flag(
+      "--hud", line.hud,
+      "Show frames a second, triangles, what of them is traced, and whether acceleration structures\n"
+      "are being improved, in the lower left corner of the window");
   app.add_flag("--off", line.off, "Pass every call through to the real OpenGL, for comparison");
 }
 

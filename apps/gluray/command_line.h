@@ -15,7 +15,7 @@ struct CommandLine {
       spp;                                   // empty: not given
   std::vector<std::string> quirks;           // NAME=on|off
   std::vector<std::string> programFamilies;  // files
-  bool off = false;
+  bool off = false, hud = false;
 
   // explain, doctor, quirks
   bool json = false;

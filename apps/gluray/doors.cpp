@@ -46,6 +46,7 @@ void passSettings(const CommandLine& line) {
   setIfGiven("GLURAY_TIMELINE", absolute(line.timeline));
   setIfGiven("GLURAY_LOG", absolute(line.log));
   setIfGiven("GLURAY_LOG_LEVEL", line.logLevel);
+  if (line.hud) set("GLURAY_HUD", "1");
   if (line.off) set("GLURAY_OFF", "1");
   std::string quirks = environment("GLURAY_QUIRKS");  // later ones win
   for (const std::string& quirk : line.quirks) quirks += (quirks.empty() ? "" : ",") + quirk;

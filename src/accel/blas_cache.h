@@ -32,6 +32,7 @@ class BlasCache {
 
   uint64_t builds() const { return builds_; }            // that a frame waited for, since the start
   uint64_t refinements() const { return refinements_; }  // better structures put in place, since the start
+  bool refining() const { return refinement_.busy(); }   // one is being built
   size_t size() const { return entries_.size(); }
 
  private:

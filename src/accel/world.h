@@ -66,6 +66,8 @@ class World {
   /// Bytes of all structures now.
   size_t bytes() const { return Device::bytes(); }
   size_t cachedBlases() const { return cache_.size(); }
+  /// Whether a better structure is being built behind the frames.
+  bool refining() const { return cache_.refining(); }
   /// Bounding box of everything, world space. Only where not empty.
   glm::vec3 lower() const { return lower_; }
   glm::vec3 upper() const { return upper_; }

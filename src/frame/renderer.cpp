@@ -34,6 +34,7 @@ class Renderer::Engine {
     statistics.tlasBuilds = update.tlasBuilds;
     statistics.blasRefinements = update.blasRefinements;
     statistics.bvhBytes = world_->bytes();
+    statistics.blasRefining = world_->refining();
     const double built = nowSeconds();
     statistics.buildSeconds = built - start;
     {

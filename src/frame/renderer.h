@@ -17,6 +17,7 @@ struct FrameStatistics {
   uint64_t blasBuilds = 0, tlasBuilds = 0;  // that this render waited for
   uint64_t blasRefinements = 0;             // structures exchanged for better ones that were built meanwhile
   size_t bvhBytes = 0;                      // of all acceleration structures, now
+  bool blasRefining = false;                // a better one is being built
 };
 
 /// Renders one snapshot at a time; other threads wait. Acceleration structures live on between frames.

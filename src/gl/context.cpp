@@ -329,6 +329,7 @@ void Context::present(bool rasterise) {
   statistics.blasBuilds += result.blasBuilds;
   statistics.blasRefinements += result.blasRefinements;
   statistics.bvhBytes = result.bvhBytes;
+  statistics.blasRefining = result.blasRefining;
   if (kinds()) [[unlikely]]
     kinds()->exclude(nowSeconds() - start);
   const auto wanted = rasterise ? PresentResult::rasterised : PresentResult::traced;

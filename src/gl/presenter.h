@@ -36,7 +36,8 @@ struct PresentResult {
   } outcome = failed;
   double buildSeconds = 0, traceSeconds = 0, presentSeconds = 0;
   uint64_t blasBuilds = 0, blasRefinements = 0, bvhBytes = 0;
-  bool repeated = false;  // nothing had changed: the picture was there
+  bool blasRefining = false;  // a better acceleration structure is being built
+  bool repeated = false;      // nothing had changed: the picture was there
   GLenum pendingError =
       GL_NO_ERROR;  // an error of the program's that was found on the way, to be reported to it
   std::string why;  // where it was not traced: one line for the user, who has not been told yet

@@ -13,6 +13,7 @@ Statistics& Statistics::operator+=(const Statistics& o) {
   captureSeconds += o.captureSeconds, buildSeconds += o.buildSeconds;
   traceSeconds += o.traceSeconds, presentSeconds += o.presentSeconds;
   blasBuilds += o.blasBuilds, blasRefinements += o.blasRefinements;
+  if (o.blasRefining > blasRefining) blasRefining = o.blasRefining;
   if (o.bvhBytes > bvhBytes) bvhBytes = o.bvhBytes;  // one renderer serves all contexts
   return *this;
 }

@@ -23,6 +23,7 @@ struct Statistics {
   Count meshesBuilt, meshBytes;
   Seconds captureSeconds, buildSeconds, traceSeconds, presentSeconds;
   Count blasBuilds, blasRefinements, bvhBytes;  // waited for; exchanged for better ones
+  Count blasRefining;                           // a better one was being built at the last flush: 1
 
   Statistics& operator+=(const Statistics& other);
 };

@@ -5,6 +5,7 @@
 #include "gl/context.h"
 #include "intercept/explanation.h"
 #include "intercept/families.h"
+#include "intercept/hud.h"
 #include "intercept/make_presenter.h"
 #include "intercept/orphan_gl.h"
 #include "intercept/present/frame_picture.h"
@@ -29,6 +30,7 @@ struct Record {
   std::shared_ptr<gl::ShareGroup> group;
   std::unique_ptr<gl::Presenter> presenter;        // outlives the context, which uses it
   std::unique_ptr<present::FramePicture> picture;  // where pictures are wanted; outlives the context, too
+  std::unique_ptr<Hud> hud;                        // where one is wanted
   std::shared_ptr<gl::Context> context;            // null until first current, or where it could not be made
   bool tried = false;
   const void* display = nullptr;
@@ -93,6 +95,8 @@ Record::~Record() {
   Registry& r = registry();
   const std::lock_guard lock(r.mutex);
   add(r.dead, *this);
+  r.dead.statistics.blasRefining = 0;
+  if (hud) group->discard(hud->takeNames());
 }
 
 /// Runs `body`; a failure of ours costs this thread its context: the program goes on with the real OpenGL.
@@ -195,6 +199,18 @@ void makeContext(Record& record, Api api) {
   record.context = std::move(context);
 }
 
+/// Shows the figures over the frame that is about to be shown, where nothing of the program's would notice.
+void drawHud(Record& record) {
+  gl::Context& context = *record.context;
+  if (context.passthrough() || context.insideBegin() || context.activeQueries > 0) return;
+  GLint mode = GL_RENDER;
+  if (!context.info().core) context.real.GetIntegerv(GL_RENDER_MODE, &mode);
+  if (mode != GL_RENDER) return;
+  if (!record.hud) record.hud = std::make_unique<Hud>(context.real);
+  const GLenum pending = record.hud->draw(totals().statistics, nowSeconds());
+  if (pending != GL_NO_ERROR) context.setError(pending);
+}
+
 std::shared_ptr<Record> newRecord(const Key& share) {
   auto record = std::make_shared<Record>();
   const auto it = registry().records.find(share);
@@ -295,11 +311,15 @@ void swapping(uintptr_t drawable) noexcept {
   guarded("cannot measure a frame", [&] {
     if (gl::t_thread.context && t_current.drawables.draw == drawable) gl::t_thread.context->completeFrame();
   });
-  if (!session().picture) return;
+  if (!session().picture && !session().hud) return;
+  if (!t_current.record || t_current.drawables.draw != drawable || !t_current.record->context ||
+      !t_current.record->context->info().doubleBuffered)
+    return;
   guarded("cannot take a picture", [&] {
-    if (t_current.record && t_current.drawables.draw == drawable && t_current.record->context &&
-        t_current.record->context->info().doubleBuffered)
-      takePicture(*t_current.record, GL_BACK);
+    if (session().picture) takePicture(*t_current.record, GL_BACK);
+  });
+  guarded("cannot show figures", [&] {
+    if (session().hud) drawHud(*t_current.record);
   });
 }
 

@@ -9,8 +9,8 @@ namespace {
 bool trace(const scene::Snapshot& snapshot, Image& image, present::TraceCost& cost, std::string& error) {
   frame::FrameStatistics statistics;
   const bool done = frame::Renderer::shared().render(snapshot, image, statistics, error);
-  cost = {statistics.buildSeconds, statistics.traceSeconds, statistics.blasBuilds, statistics.blasRefinements,
-          statistics.bvhBytes};
+  cost = {statistics.buildSeconds,    statistics.traceSeconds, statistics.blasBuilds,
+          statistics.blasRefinements, statistics.bvhBytes,     statistics.blasRefining};
   return done;
 }
 

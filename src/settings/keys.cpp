@@ -84,6 +84,7 @@ const Key kKeys[] = {
      }},
     {"spp",
      [](Session& s, std::string_view v) { return setNumber(v, 1, "the centre", kMostSpp, s.settings.spp); }},
+    {"hud", [](Session& s, std::string_view v) { return setSwitch(v, s.hud); }},
     {"off", [](Session& s, std::string_view v) { return setSwitch(v, s.off); }},
     {"quirks", [](Session& s, std::string_view v) { return readQuirks(v, s.settings.quirks); }},
     {"program-families", [](Session& s, std::string_view v) { return s.programFamilies = v, std::string(); }},

@@ -38,6 +38,7 @@ struct Settings {
 struct Session {
   Settings settings;
   bool off = false;          // pass every call through, for comparison
+  bool hud = false;          // figures in a corner of the window
   std::string reportFile;    // JSON written at exit; empty: none
   std::string logFile;       // empty: stderr
   std::string timelineFile;  // what each thread does when; empty: none
@@ -52,11 +53,10 @@ struct Session {
 /// `allowed`: 0 (all it may use) where it runs alone or has cores of its own.
 int threadsOfRank(int cores, int allowed, int ranks);
 
-/// Reads GLURAY_THREADS, GLURAY_ENGINE, GLURAY_BVH, GLURAY_SHADING, GLURAY_RENDERER, GLURAY_SPP, GLURAY_OFF,
-/// GLURAY_REPORT, GLURAY_LOG,
-/// GLURAY_LOG_LEVEL, GLURAY_TIMELINE, GLURAY_QUIRKS, GLURAY_PROGRAM_FAMILIES, GLURAY_EXPLAIN, GLURAY_PICTURE.
-/// An unreadable value is reported once through `complain` ("GLURAY_BVH=x: use auto, fast, full or compact")
-/// and the default kept.
+/// Reads GLURAY_THREADS, GLURAY_ENGINE, GLURAY_BVH, GLURAY_SHADING, GLURAY_RENDERER, GLURAY_SPP, GLURAY_HUD,
+/// GLURAY_OFF, GLURAY_REPORT, GLURAY_LOG, GLURAY_LOG_LEVEL, GLURAY_TIMELINE, GLURAY_QUIRKS,
+/// GLURAY_PROGRAM_FAMILIES, GLURAY_EXPLAIN, GLURAY_PICTURE. An unreadable value is reported once through
+/// `complain` ("GLURAY_BVH=x: use auto, fast, full or compact") and the default kept.
 Session sessionFromEnvironment(void (*complain)(const std::string& line));
 
 }  // namespace gluray

@@ -44,10 +44,10 @@ class Launcher(Folder):
         self.assertEqual((done.stdout, done.stderr), ("--bvh slow --help\n", ""))
 
     def test_settings_reach_the_environment(self):
-        done = run(GLURAY, "--threads=3", "--bvh", "compact", "--shading", "vertex", "--renderer", "null", "--spp", "4", "--log-level",
+        done = run(GLURAY, "--threads=3", "--bvh", "compact", "--shading", "vertex", "--renderer", "null", "--spp", "4", "--hud", "--log-level",
                    "debug", "--report", "r.json", "--", "sh", "-c",
-                   "echo $GLURAY_THREADS $GLURAY_BVH $GLURAY_SHADING $GLURAY_RENDERER $GLURAY_SPP $GLURAY_LOG_LEVEL $GLURAY_REPORT")
-        self.assertEqual(done.stdout, f"3 compact vertex null 4 debug {os.getcwd()}/r.json\n")
+                   "echo $GLURAY_THREADS $GLURAY_BVH $GLURAY_SHADING $GLURAY_RENDERER $GLURAY_SPP $GLURAY_HUD $GLURAY_LOG_LEVEL $GLURAY_REPORT")
+        self.assertEqual(done.stdout, f"3 compact vertex null 4 1 debug {os.getcwd()}/r.json\n")
 
     def test_pid_is_kept(self):
         done = run(GLURAY, "sh", "-c", 'test "$GLURAY_PID" = $$')

@@ -95,6 +95,7 @@ class StateLeakTest : public testing::TestWithParam<ContextWish> {
     ASSERT_TRUE(writeBack.write(image, {}, pending));
     EXPECT_EQ(test::differences(before, test::queryState(gl)), std::vector<std::string>{});
     ASSERT_TRUE(writeBack.write(image, {GL_LESS}, pending));
+    if (image.samples == 1) { ASSERT_TRUE(writeBack.write(image, {.over = GL_FRONT}, pending)); }
     EXPECT_EQ(test::differences(before, test::queryState(gl)), std::vector<std::string>{});
     RecordProperty("names", static_cast<int>(before.size()));
   }

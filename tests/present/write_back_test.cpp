@@ -117,6 +117,41 @@ TEST_P(WriteBackTest, MergesWithWhatWasDrawnBefore) {
   EXPECT_NEAR(at(context_->depths(), 40, 5), 0.5f, 1e-7f);
 }
 
+TEST_P(WriteBackTest, OverAFinishedPictureHidesWhateverIsThereAndLeavesItsDepth) {
+  clear(0, 1, 0, 0.25);
+  const auto before = context_->depths();
+  const Image image = solid(8, 8, 16, 8, kRed, 0.5f);  // behind what is there
+  std::string why;
+  ASSERT_TRUE(writeBack_->ready(why)) << why;
+  ASSERT_TRUE(writeBack_->write(image, {.over = GL_FRONT}, pending_));
+  const auto colors = context_->colors();
+  EXPECT_EQ(at(colors, 8, 8), kRed);
+  EXPECT_EQ(at(colors, 23, 15), kRed);
+  EXPECT_EQ(at(colors, 24, 8), kGreen);
+  EXPECT_EQ(at(colors, 8, 16), kGreen);
+  EXPECT_EQ(context_->depths(), before);
+}
+
+TEST_P(WriteBackTest, OverTheWindowWhicheverFramebufferIsBound) {
+  const auto& g = gl();
+  if (!gl::isPresent(g.BindFramebuffer)) GTEST_SKIP() << "no framebuffer objects";
+  GLuint framebuffer = 0, color = 0;
+  g.GenFramebuffers(1, &framebuffer), g.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  g.GenRenderbuffers(1, &color), g.BindRenderbuffer(GL_RENDERBUFFER, color);
+  g.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, kSize, kSize);
+  g.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
+  clear(0, 1, 0, 1);
+  std::string why;
+  ASSERT_TRUE(writeBack_->ready(why)) << why;
+  ASSERT_TRUE(writeBack_->write(solid(8, 8, 16, 8, kRed, 0), {.over = GL_FRONT}, pending_));
+  GLint bound = 0;
+  g.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  EXPECT_EQ(bound, static_cast<GLint>(framebuffer));
+  EXPECT_EQ(at(context_->colors(), 8, 8), kGreen);
+  g.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  EXPECT_EQ(at(context_->colors(), 8, 8), kRed);
+}
+
 TEST_P(WriteBackTest, EqualDepthObeysTheDepthFunction) {
   clear(0, 1, 0, 0.5);
   const float stored = context_->depths()[0];

@@ -225,6 +225,20 @@ void StateGuard::unbindBuffer(GLenum target, GLenum binding) {
   real_.BindBuffer(target, 0);
 }
 
+void StateGuard::drawToWindow(GLenum buffer) {
+  if (features_.readFramebuffers) {
+    const GLint bound = integer(GL_DRAW_FRAMEBUFFER_BINDING);
+    const auto rebind = [](const RealGl& r, const Undo& u) {
+      r.BindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(u.i[0]));
+    };
+    if (bound != 0) keep({rebind, 0, 0, {bound}}), real_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  }
+  const GLint was = integer(GL_DRAW_BUFFER);
+  if (was == static_cast<GLint>(buffer)) return;
+  keep({[](const RealGl& r, const Undo& u) { r.DrawBuffer(static_cast<GLenum>(u.i[0])); }, 0, 0, {was}});
+  real_.DrawBuffer(buffer);
+}
+
 void StateGuard::readFrom(GLuint framebuffer, GLenum buffer) {
   const GLint bound = features_.readFramebuffers ? integer(GL_READ_FRAMEBUFFER_BINDING) : 0;
   if (features_.readFramebuffers && bound != static_cast<GLint>(framebuffer)) {

@@ -53,6 +53,8 @@ class StateGuard {
   void plainUnpack(int rowLength = 0);
   /// Pixels read into client memory, values as they are, tightly packed.
   void plainPack();
+  /// Draws go to the window's `buffer`.
+  void drawToWindow(GLenum buffer);
   /// Reads come from `buffer` of `framebuffer`.
   void readFrom(GLuint framebuffer, GLenum buffer);
   void activeTexture(GLenum unit);

@@ -60,6 +60,7 @@ void takeCost(const TraceCost& cost, PresentResult& result) {
   result.buildSeconds = cost.buildSeconds, result.traceSeconds = cost.traceSeconds;
   result.blasBuilds = cost.blasBuilds, result.blasRefinements = cost.blasRefinements;
   result.bvhBytes = cost.bvhBytes;
+  result.blasRefining = cost.blasRefining;
 }
 
 }  // namespace

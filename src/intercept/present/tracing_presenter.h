@@ -16,6 +16,7 @@ namespace gluray::present {
 struct TraceCost {
   double buildSeconds = 0, traceSeconds = 0;
   uint64_t blasBuilds = 0, blasRefinements = 0, bvhBytes = 0;
+  bool blasRefining = false;
 };
 
 /// Told of every picture that has just been written into the bound framebuffer.

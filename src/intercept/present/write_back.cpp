@@ -154,8 +154,9 @@ void WriteBack::draw(const Image& image, const Sheet& sheet) const {
 void WriteBack::openFor(StateGuard& guard, const WriteBackTarget& target) const {
   guard.openFragmentPath();
   guard.depthRange(0, 1);
-  if (content_ != Image::Content::sums) return guard.depthTest(target.depthFunc);
-  guard.addUp();
+  const bool sums = content_ == Image::Content::sums;
+  if (!sums && !target.over) return guard.depthTest(target.depthFunc);
+  if (sums) guard.addUp();
   guard.capability(GL_DEPTH_TEST, false);
 }
 
@@ -214,6 +215,7 @@ bool WriteBack::writeInto(StateGuard& guard, const Image& image, const WriteBack
       !makePlane(guard, unit, color_, content_ == Image::Content::color ? GL_RGBA8 : GL_RGBA32F_ARB, GL_RGBA,
                  GL_UNSIGNED_BYTE, width, height * planes))
     return false;
+  if (target.over) guard.drawToWindow(target.over);
   openFor(guard, target);
   guard.viewport(image.x, image.y, width, height);
   guard.scissor(image.x, image.y, width, height);
