@@ -7,6 +7,11 @@
 #include <new>
 
 namespace gluray::gl {
+namespace {
+
+std::atomic<uint64_t> g_bytesSent{0};
+
+}  // namespace
 
 BufferStorage::BufferStorage(size_t sizeBytes)
     : data(static_cast<std::byte*>(std::malloc(sizeBytes + 16))), size(sizeBytes) {
@@ -94,6 +99,8 @@ std::shared_ptr<const BufferStorage> Buffer::read(const RealGl& real) {
   return storage_;
 }
 
+uint64_t Buffer::bytesSent() { return g_bytesSent.load(std::memory_order_relaxed); }
+
 void Buffer::sendTo(const RealGl& real) {
   if (!heldBack_) return;
   const std::lock_guard lock(mutex_);
@@ -102,6 +109,7 @@ void Buffer::sendTo(const RealGl& real) {
   // Who draws from it although it is mapped gets something; drivers have been seen to read at null.
   real.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(size_), mapped_ ? nullptr : storage_->data,
                   usage_);
+  if (!mapped_) g_bytesSent.fetch_add(size_, std::memory_order_relaxed);
   memoryBelow_ = true;
   heldBack_ = mapped_ != nullptr;
 }

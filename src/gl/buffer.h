@@ -77,6 +77,8 @@ class Buffer {
   bool heldBack() const { return heldBack_; }
   /// Whether any buffer of the process is.
   static bool anyHeldBack() { return CountedFlag::anySet(); }
+  /// Bytes that sendTo() has given the real OpenGL since the process began. Any thread.
+  static uint64_t bytesSent();
   uint64_t version() const { return version_; }
   bool mapped() const { return mapped_ != nullptr; }
   void* mappedPointer() const { return mapped_; }

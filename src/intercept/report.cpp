@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "base/log.h"
+#include "gl/buffer.h"
 #include "intercept/contexts.h"
 #include "intercept/explanation.h"
 #include "intercept/session.h"
@@ -58,6 +59,7 @@ json makeReport(const Totals& totals) {
       {"triangles", {{"traced", s.trianglesTraced}, {"rasterised", s.trianglesRasterised}}},
       {"bvh", {{"builds", s.blasBuilds}, {"refined", s.blasRefinements}, {"bytes", s.bvhBytes}}},
       {"mesh", {{"built", s.meshesBuilt}, {"bytes", s.meshBytes}}},
+      {"buffers", {{"bytesSent", gl::Buffer::bytesSent()}}},
       {"ms",
        {{"capture", s.captureSeconds * perFrame},
         {"build", s.buildSeconds * perFrame},

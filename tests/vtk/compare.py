@@ -128,16 +128,19 @@ def compare_state(state, off, on, failed):
     row |= {"traced": traced_share(counts), "triangles": counts.get("triangles.traced", 0) + counts.get("triangles.rasterised", 0),
             "reason": main_reason(counts), "counts": counts}
     if traced.get("steady"):
-        wrong += unsteady(name, traced["steady"])
+        wrong += unsteady(state, traced["steady"])
     if state.min_share is not None and (row["traced"] or 0) < state.min_share:
         wrong.append(f"{name}: {row['traced'] or 0:.2%} of its triangles are traced, at least {state.min_share:.2%} should be; "
                      f"rasterised for: {row['reason']}")
     return row, wrong
 
 
-def unsteady(name, steady):
+def unsteady(state, steady):
     """What is wrong with the counts of frames between which only the camera moved."""
+    name = state.name
     wrong = [f"{name}: {steady[counter]:.0f} {what} while only the camera moved" for counter, what in STEADY.items() if steady.get(counter)]
+    if (sent := steady.get("buffers.bytesSent", 0)) > state.sends:
+        wrong.append(f"{name}: {sent:.0f} bytes of buffers were sent to the real OpenGL while only the camera moved, {state.sends} at most")
     if not steady.get("triangles.traced"):
         wrong.append(f"{name}: nothing was traced while the camera moved")
     return wrong

@@ -29,9 +29,10 @@ class State:
     min_share: float       # least share of the state's triangles that must be traced; None: what shares.json says, if anything
     outside: bool          # pixels away from every surface must be equal
     same_depth: bool       # depth is compared
+    sends: int             # most bytes of buffers that the real OpenGL is sent while only the camera moves
 
 
-def state(program, beyond=0.0005, reason="", min_share=None, outside=True, same_depth=True):
+def state(program, beyond=0.0005, reason="", min_share=None, outside=True, same_depth=True, sends=0):
     """Registers the function below it, for one program or, under names of their own, for a tuple of them. `beyond` is at
     most 0.005; above 0.0005 it needs a reason."""
     if beyond > 0.005 or (beyond > 0.0005 and not reason):
@@ -42,7 +43,7 @@ def state(program, beyond=0.0005, reason="", min_share=None, outside=True, same_
             name = draw.__name__ if one == program else f"{draw.__name__}_{one}"
             if name in STATES:
                 raise ValueError(f"two states are named {name}")
-            STATES[name] = State(name, draw.__module__, one, draw, beyond, reason, min_share, outside, same_depth)
+            STATES[name] = State(name, draw.__module__, one, draw, beyond, reason, min_share, outside, same_depth, sends)
         return draw
 
     return register

@@ -24,8 +24,9 @@ def steady_cell_scalars(stage):
     stage.steady_orbit()
 
 
-@state("pvbatch")
+@state("pvbatch", sends=30000)
 def steady_with_overlays(stage):
+    """Axes and text, which VTK makes anew for each view."""
     display = stage.show(stage.data(shapes.grid(shapes.vtk_modules())), color_by=("POINTS", "bump"))
     display.SetScalarBarVisibility(stage.view, True)
     stage.view.OrientationAxesVisibility = 1
