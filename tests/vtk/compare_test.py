@@ -78,6 +78,8 @@ CASES = {
     "a steady orbit": ([ball()], {"steady": '{"triangles.traced": 9, "mesh.built": 0}'}, {}, None),
     "meshes built in an orbit": ([ball()], {"steady": '{"triangles.traced": 9, "mesh.built": 2}'}, {}, "2 meshes were built"),
     "structures built in an orbit": ([ball()], {"steady": '{"triangles.traced": 9, "bvh.builds": 1}'}, {}, "1 acceleration structures"),
+    "buffers sent in an orbit": ([ball()], {"steady": '{"triangles.traced": 9, "buffers.bytesSent": 64}'}, {}, "64 bytes of buffers"),
+    "buffers that may be sent": ([ball()], {"steady": '{"triangles.traced": 9, "buffers.bytesSent": 64}'}, {"sends": 64}, None),
     "nothing traced in an orbit": ([ball()], {"steady": '{"triangles.traced": 0}'}, {}, "nothing was traced while"),
     "enough traced": ([ball()], {"counts": HALF_TRACED}, {"min_share": 0.4}, None),
 }
@@ -90,7 +92,7 @@ def main():
         off = drawn(place / "off", [ball()])
         on = drawn(place / "on", shots, **seen)
         state = registry.State(**{"name": "state", "group": "none", "program": "vtk", "draw": None, "beyond": 0.0005, "reason": "",
-                                  "min_share": None, "outside": True, "same_depth": True, **asked})
+                                  "min_share": None, "outside": True, "same_depth": True, "sends": 0, **asked})
         _, wrong = compare.compare_state(state, off, on, place / "failed")
         if expected is None and wrong:
             failures.append(f"{name}: blamed for {wrong}")
