@@ -123,13 +123,13 @@ std::shared_ptr<Buffer> bufferNamed(ShareGroup& group, GLuint name) {
 }
 
 bool isForeign(const ArraySource& source) {
-  return source.enabled && source.buffer && source.buffer->foreign;
+  return source.enabled && source.buffer && (source.buffer->foreign || source.buffer->mappedBelow);
 }
 
 Reason foreignReason(const ArrayState& arrays) {
   bool any = false, persistent = false;
   const auto look = [&](const Buffer* buffer) {
-    any = any || (buffer && buffer->foreign);
+    any = any || (buffer && (buffer->foreign || buffer->mappedBelow));
     persistent = persistent || (buffer && buffer->foreign && buffer->persistent);
   };
   const auto lookAt = [&](const ArraySource& source) {

@@ -83,6 +83,11 @@ class CopyBinding {
 }  // namespace
 
 void Buffer::fetch(const RealGl& real) {
+  if (mappedBelow) {  // cannot be read, and to draw from it is an error: an empty mesh
+    storage_ = std::make_shared<BufferStorage>(size_);
+    std::memset(storage_->data, 0, size_);
+    return;
+  }
   const CopyBinding binding(real, name_);
   GLint size = 0;  // asked, because commands that we do not model may have set it
   real.GetBufferParameteriv(GL_ARRAY_BUFFER, GL_BUFFER_SIZE, &size);

@@ -72,6 +72,12 @@ bool isMappedBelow(Context& c, Buffer* buffer, GLenum target) {
   return true;
 }
 
+/// What arrays read changes with it: nothing while it is mapped.
+void setMappedBelow(Context& c, Buffer& buffer, bool mapped) {
+  buffer.mappedBelow = mapped;
+  c.touch(kArrays);
+}
+
 bool isUsage(GLenum usage) { return usage >= GL_STREAM_DRAW && usage <= GL_DYNAMIC_COPY && (usage & 3) != 3; }
 
 }  // namespace
@@ -106,7 +112,10 @@ void bufferData(Context& c, GLenum target, GLsizeiptr size, const void* data, GL
   if (buffer) c.contentsChange(buffer->name());
   if (!buffer || size < 0 || buffer->immutable || !isUsage(usage))
     return c.real.BufferData(target, size, data, usage);
-  if (std::exchange(buffer->mappedBelow, false)) c.real.UnmapBuffer(target);  // new contents end a mapping
+  if (buffer->mappedBelow) {  // new contents end a mapping
+    c.real.UnmapBuffer(target);
+    setMappedBelow(c, *buffer, false);
+  }
   if (isHeldBack(c, target, buffer.get()) && size > 0) {
     try {
       return buffer->setData(static_cast<size_t>(size), data, usage);
@@ -159,7 +168,7 @@ void* mapBuffer(Context& c, GLenum target, GLenum access) {
   if (buffer && buffer->mapped()) return c.setError(GL_INVALID_OPERATION), nullptr;
   if (isMappedBelow(c, buffer.get(), target)) {
     void* memory = c.real.MapBuffer(target, access);
-    if (buffer && memory) buffer->mappedBelow = true;
+    if (buffer && memory) setMappedBelow(c, *buffer, true);
     return memory;
   }
   return buffer->map(c.real, 0, buffer->size(), bits);
@@ -170,7 +179,7 @@ void* mapBufferRange(Context& c, GLenum target, GLintptr offset, GLsizeiptr leng
   if (buffer) c.contentsChange(buffer->name());
   if (isMappedBelow(c, buffer.get(), target)) {
     void* memory = c.real.MapBufferRange(target, offset, length, access);
-    if (buffer && memory) buffer->mappedBelow = true;
+    if (buffer && memory) setMappedBelow(c, *buffer, true);
     return memory;
   }
   if (!isRange(*buffer, offset, length)) return c.setError(GL_INVALID_VALUE), nullptr;
@@ -181,7 +190,8 @@ void* mapBufferRange(Context& c, GLenum target, GLintptr offset, GLsizeiptr leng
 
 GLboolean unmapBuffer(Context& c, GLenum target) {
   const auto buffer = bound(c, target);
-  const bool below = buffer && std::exchange(buffer->mappedBelow, false);
+  const bool below = buffer && buffer->mappedBelow;
+  if (below) setMappedBelow(c, *buffer, false);
   if (!buffer || !buffer->mapped()) {
     const GLboolean kept = c.real.UnmapBuffer(target);
     if (below) buffer->changedBelow();

@@ -34,7 +34,9 @@ void invalidUnit() noexcept {
 void vertexAttribSlow(GLuint index, float x, float y, float z, float w) noexcept {
   Context* c = t_thread.context;
   if (!c) return;
-  if (c->passthrough() || c->info().core)
+  // A wrong index is refused by the real OpenGL in its turn among other errors, where those are its own.
+  const bool below = index != 0 && c->inside() == Context::Inside::rasterised;
+  if (c->passthrough() || c->info().core || below)
     c->real.VertexAttrib4f(index, x, y, z, w);
   else if (index == 0)
     vertex(x, y, z, w);

@@ -30,7 +30,7 @@ void* mapNamed(Context& c, GLuint name, Map&& map) {
   if (buffer->mapped()) return c.setError(GL_INVALID_OPERATION), nullptr;
   namedBufferChanged(c, name);
   void* memory = map();
-  if (memory) buffer->mappedBelow = true;
+  if (memory) buffer->mappedBelow = true, c.touch(kArrays);
   return memory;
 }
 
@@ -39,7 +39,7 @@ GLboolean unmapNamed(Context& c, GLuint name, Unmap&& unmap) {
   const auto buffer = known(c, name);
   if (!buffer || !buffer->mapped()) {
     const GLboolean kept = unmap();
-    if (buffer && std::exchange(buffer->mappedBelow, false)) buffer->changedBelow();
+    if (buffer && std::exchange(buffer->mappedBelow, false)) buffer->changedBelow(), c.touch(kArrays);
     return kept;
   }
   buffer->unmap();

@@ -202,6 +202,32 @@ const Found kFound[] = {
        a.push_back(gl.MapBuffer(GL_ARRAY_BUFFER, GL_READ_WRITE) != nullptr), error(gl, a);
        a.push_back(gl.UnmapBuffer(GL_ARRAY_BUFFER)), gl.EndList(), error(gl, a);
      }},
+    {"a draw with an array in a mapped buffer",
+     [](Gl gl, Answers& a) {
+       std::array<GLfloat, 1024> many{};
+       for (size_t i = 0; i < many.size(); ++i) many[i] = static_cast<float>(i * 7919 % 101) / 50 - 1;
+       gl.Enable(GL_DEPTH_TEST);
+       gl.VertexPointer(3, GL_FLOAT, 0, many.data()), gl.EnableClientState(GL_VERTEX_ARRAY);
+       gl.BindBuffer(GL_ARRAY_BUFFER, 5);
+       gl.BufferData(GL_ARRAY_BUFFER, sizeof many, many.data(), GL_STATIC_DRAW);
+       gl.TexCoordPointer(2, GL_FLOAT, 0, nullptr);
+       gl.BindBuffer(GL_COPY_READ_BUFFER, 5);
+       for (const bool before : {true, false}) {
+         if (before) gl.MapBuffer(GL_COPY_READ_BUFFER, GL_WRITE_ONLY);
+         gl.EnableClientState(GL_TEXTURE_COORD_ARRAY);
+         gl.DrawArrays(GL_TRIANGLES, 0, 30);
+         if (!before) gl.MapBuffer(GL_COPY_READ_BUFFER, GL_WRITE_ONLY);
+         gl.DrawArrays(GL_TRIANGLES, 30, 30), error(gl, a);
+         gl.UnmapBuffer(GL_COPY_READ_BUFFER), gl.DrawArrays(GL_TRIANGLES, 60, 30), error(gl, a);
+       }
+     }},
+    {"a question inside glBegin, before an attribute that does not exist",
+     [](Gl gl, Answers& a) {
+       for (const GLenum mode : {GL_LINE_LOOP, GL_TRIANGLES}) {
+         gl.Begin(mode), error(gl, a), gl.VertexAttrib2f(16, 1, 2), gl.End(), error(gl, a), error(gl, a);
+         gl.Begin(mode), gl.VertexAttrib2f(16, 1, 2), error(gl, a), gl.End(), error(gl, a), error(gl, a);
+       }
+     }},
 };
 
 class FoundTest : public testing::TestWithParam<Found> {};

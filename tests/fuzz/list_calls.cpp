@@ -54,8 +54,15 @@ const Op kListOps[] = {
        p.gl.DeleteLists(first, p.count(3));
      }},
     {"GenLists", 2,
-     [](Player& p) { p.answer("GenLists", {static_cast<double>(p.gl.GenLists(p.count(2)))}); }},
-    {"IsList", 2, [](Player& p) { p.answer("IsList", {static_cast<double>(p.gl.IsList(p.name(kLists)))}); }},
+     [](Player& p) {
+       const GLsizei count = p.count(2);
+       if (!p.executing) p.answer("GenLists", {static_cast<double>(p.gl.GenLists(count))});
+     }},
+    {"IsList", 2,
+     [](Player& p) {
+       const GLuint name = p.name(kLists);
+       if (!p.executing) p.answer("IsList", {static_cast<double>(p.gl.IsList(name))});
+     }},
 };
 
 const Op kNewListOps[] = {
@@ -92,7 +99,7 @@ const Op kEndListOps[] = {
        if (p.insideBegin) return;
        // Attributes that are new in the middle of a primitive: Mesa then finds errors that nobody made.
        while (p.executing && p.gl.GetError() != GL_NO_ERROR) continue;
-       p.compiling = p.executing = p.listCalled = false;
+       p.compiling = p.executing = p.listCalled = p.grown = false;
      }},
 };
 

@@ -172,7 +172,9 @@ void explain(uint64_t seed, int kind, const Progress& progress) {
   Progress* last = sharedProgress();
   last->alone = progress.alone;
   statusOf(inChild(false, [&] { playOrEnd(small, seed, *last); }));
-  if (last->what[0]) std::printf("fuzz: %s\n", last->what);
+  if (last->what[0])
+    std::printf("fuzz: call %llu of these: %s\n", static_cast<unsigned long long>(last->failedCall),
+                last->what);
   std::printf("fuzz: again with: gluray_fuzz%s --stream %llu\n", progress.alone ? " --alone 1" : "",
               static_cast<unsigned long long>(seed));
   std::fflush(stdout);
@@ -253,6 +255,10 @@ int playOne(uint64_t seed, bool alone) {
   const int kind = statusOf(inChild(true, [&] { playOrEnd(makeStream(seed, alone), seed, *progress); }));
   if (kind == 0)
     return std::printf("fuzz: the stream of seed %llu is fine\n", static_cast<unsigned long long>(seed)), 0;
+  if (!progress->ours)
+    return std::printf("fuzz: the stream of seed %llu stops the plain OpenGL by itself\n",
+                       static_cast<unsigned long long>(seed)),
+           0;
   explain(seed, kind, *progress);
   return 1;
 }

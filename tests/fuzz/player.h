@@ -106,6 +106,7 @@ class Player {
 
   // What a call must know of those before it, so that neither Mesa nor time runs out (see avoided.h).
   bool compiling = false, executing = false, insideBegin = false, listCalled = false;
+  bool grown = false;  // the list has a primitive whose vertices are not all made of the same (avoided.md)
   bool vertexWanted = false;  // since the last one attributes were set inside glBegin
   int attributeSize = 4;      // components of texture coordinates and generic attributes
   int queriesActive = 0;

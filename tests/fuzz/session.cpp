@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
+#include <set>
 #include <sstream>
 #include <string_view>
 
@@ -146,12 +147,32 @@ bool avoided(const Player& p, const Stream& stream, const Op* op) {
   const bool leaf = isOf(leafCalls(), op) || isOf(attributeCalls(), op);
   if (leaf && sizeOfAttribute(op->name) != 0 && sizeOfAttribute(op->name) != stream.attributeSize)
     return true;
+  if (leaf && std::string_view(op->name).substr(0, 7) == "ColorP3") return true;
   if (makesVertex(op) && stream.tame && isOfIntegers(op->name)) return true;
   if (makesVertex(op) && !p.insideBegin && !p.compiling) return true;
   if (!p.compiling) return false;
+  if (p.grown && isOf(drawCalls(), op)) return true;
   if (!p.insideBegin) return isOf(endCalls(), op);
   return !leaf && !isOf(vertexCalls(), op) && !isOf(endCalls(), op);
 }
+
+/// Notes where a primitive of a list has vertices of several sizes, or attributes that its first vertex
+/// lacks.
+class Growth {
+ public:
+  void look(Player& p, const Op* op) {
+    const bool leaf = isOf(leafCalls(), op) || isOf(attributeCalls(), op) || isOf(vertexCalls(), op);
+    if (!p.compiling || !p.insideBegin) return known_.clear(), void(vertices_ = 0);
+    if (!leaf) return;
+    const bool fresh = known_.insert(op).second;
+    p.grown = p.grown || (fresh && vertices_ > 0);
+    vertices_ += makesVertex(op);
+  }
+
+ private:
+  std::set<const Op*> known_;
+  int vertices_ = 0;
+};
 
 /// A context that calls can be made in: arrays that point at memory, depth test.
 void prepare(Player& p) {
@@ -176,9 +197,11 @@ Record playTo(const Stream& stream, bool state, bool whole = false) {
   p.smallBuffers = stream.smallBuffers;
   p.attributeSize = stream.attributeSize;
   for (uint32_t context : {1u, 0u}) p.switchTo(context), prepare(p);
+  Growth growth;
   for (size_t i = 0; i < stream.calls.size(); ++i) {
     const Call& call = stream.calls[i];
     if (!whole && avoided(p, stream, call.op)) continue;
+    growth.look(p, call.op);
     if (p.insideBegin && !isOf(endCalls(), call.op)) p.vertexWanted = !makesVertex(call.op);
     p.start(i, call.seed, stream.weird);
     call.op->run(p);
@@ -222,7 +245,20 @@ Outcome compareAnswers(const std::vector<Answer>& expected, const std::vector<An
   return {"different numbers of answers", 0};
 }
 
-Outcome compareState(const test::GlState& expected, const test::GlState& got) {
+/// Attributes given as integers become floats by a product or a quotient: OpenGL asks for one part in 10^5
+/// (2.1, 2.1.1). Everything else is compared to the bit.
+void forgiveRounding(const test::GlState& expected, test::GlState& got) {
+  for (auto& [name, values] : got) {
+    const auto other = expected.find(name);
+    if (name.find("CURRENT_") == name.npos || other == expected.end()) continue;
+    if (std::equal(values.begin(), values.end(), other->second.begin(), other->second.end(),
+                   [](double a, double b) { return std::abs(a - b) <= 1e-6 * std::abs(a); }))
+      values = other->second;
+  }
+}
+
+Outcome compareState(const test::GlState& expected, test::GlState got) {
+  forgiveRounding(expected, got);
   std::string all;
   for (const std::string& line : test::differences(expected, got))
     if (line.find("pointer") == line.npos && line.find("POINTER") == line.npos) all += "\n  " + line;
@@ -288,8 +324,10 @@ std::string describe(const Stream& stream, bool alone) {
   p.attributeSize = stream.attributeSize;
   std::string lines;
   p.log = &lines;
+  Growth growth;
   for (size_t i = 0; i < stream.calls.size(); ++i) {
     if (!alone && avoided(p, stream, stream.calls[i].op)) continue;
+    growth.look(p, stream.calls[i].op);
     lines.append("  ").append(std::to_string(i)).append(": ").append(stream.calls[i].op->name);
     if (p.insideBegin && !isOf(endCalls(), stream.calls[i].op))
       p.vertexWanted = !makesVertex(stream.calls[i].op);
