@@ -86,15 +86,15 @@ class Progress:
 class Run:
     """Measures what is not known yet; every measurement is kept at once."""
 
-    def __init__(self, options, kept, engine_set, names):
-        self.options, self.kept, self.engines, self.names = options, kept, engine_set, names
+    def __init__(self, options, kept, engine_set, names, memory_bytes=float("inf")):
+        self.options, self.kept, self.engines, self.names, self.memory = options, kept, engine_set, names, memory_bytes
         self.notes = []
 
     def jobs(self, rows):
         """(key, what it is called, guessed seconds, how to measure it) in the order of measuring."""
         for row in rows:
             for number in range(plan.rounds_of(row, self.options.rounds, self.options.full)):
-                for engine in self.names:
+                for engine in [name for name in self.names if row.engine_needs(name) <= self.memory]:
                     yield (f"{row.name} {engine} {number}", row, plan.guess_seconds(row, engine, self.options.threads),
                            lambda row=row, engine=engine: self.engines.measure(row, engine))
         for row in rows:
@@ -175,7 +175,7 @@ def publish(options, result):
 
 
 def prepare(options, display_name):
-    """(engines, their names, rows, lines about what is left out, the GPU's name or why there is none)."""
+    """(engines, their names, rows, lines about what is left out, the GPU's name or why there is none, bytes of memory)."""
     engine_set = engines.Engines(options, display_name, options.work / "data")
     for file in engine_set.needed():
         if not file.exists():
@@ -195,7 +195,7 @@ def prepare(options, display_name):
             rows = [row for row in rows if row.program != program]
     if options.rows:
         rows = [row for row in rows if any(part in row.name for part in options.rows.split(","))]
-    return engine_set, names, rows, notes, gpu
+    return engine_set, names, rows, notes, gpu, memory
 
 
 def timeline_millions(options):
@@ -218,14 +218,14 @@ def timeline(options, engine_set, run):
 
 
 def measure(options, argv, display_name):
-    engine_set, names, rows, notes, gpu = prepare(options, display_name)
+    engine_set, names, rows, notes, gpu, memory = prepare(options, display_name)
     for note in notes:
         print(note, file=sys.stderr)
     what = {"threads": options.threads, "seconds": options.seconds, "frames": options.frames, "cpu": machine.field("/proc/cpuinfo", "model name")}
     kept = store.Store(options.work / f"{options.name}.jsonl", store.stamp_of(engine_set.needed(), **what), options.fresh)
     if kept.others:
         print(f"{kept.others} measurements of another build or machine do not count", file=sys.stderr)
-    run = Run(options, kept, engine_set, names)
+    run = Run(options, kept, engine_set, names, memory)
     if options.plan:
         jobs = [job for job in run.jobs(rows) if job[0] not in kept]
         print("\n".join(f"{guess:6.0f} s  {key}" for key, _, guess, _ in jobs))
