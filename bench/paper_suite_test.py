@@ -236,6 +236,12 @@ class Page(unittest.TestCase):
         self.assertIn("- a note.", text)
         self.assertIn("  - lines (ParaView, client)", text)
 
+    def test_a_busy_machine_is_told(self):
+        result = result_of(small_rows())
+        self.assertNotIn("busy", page.page(result, {}))
+        result["machine"]["load_before"] = 5.3
+        self.assertIn("The machine was busy when the run began (load 5.3)", page.page(result, {}))
+
     def test_a_row_that_was_not_traced_is_no_comparison(self):
         row = results.row_of(plan.Row("PV-RMI", "ParaView", "buffers", "mixing", 2), {"gluray": [measurement(0.1, report={"draws": {"traced": 0}})]})
         self.assertIn("PV-RMI, ParaView, 2M: nothing was traced", page.page(result_of([row]), {}))

@@ -3,6 +3,7 @@ from paper import plan
 from paper.engines import TITLES
 from paper.results import sweep_rows, table_rows
 
+BUSY = 1.0  # load from which figures mean little
 STANDS_FOR = {
     "PV-Wavelet": "ParaView 5.11; the paper: ParaView 3.11",
     "VI-Wavelet": "VTK 9.1 alone; the paper: VisIt 2.4, which draws with VTK",
@@ -120,6 +121,8 @@ def page(result, pictures):
     lines += [f"ParaView from its start, {result.get('timeline_millions', plan.TIMELINE_MILLIONS):g} million triangles of the Wavelet (the paper: 8): "
               "`gluray --timeline`, `gluray timeline`.", ""]
     lines += ["## What the figures do not say", ""]
+    if machine["load_before"] > BUSY:
+        lines.append(f"- The machine was busy when the run began (load {machine['load_before']:.1f}): its figures are no measure of speed.")
     lines += [f"- {note}." for note in result["notes"]] + list(not_traced(rows))
     left = reasons(rows)
     if left:

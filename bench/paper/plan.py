@@ -17,7 +17,8 @@ PAPER_TABLE = {
     "VAPOR-Star": {"millions": 86, "gluray": 2.39, "mesa": 0.025, "gpu": 0.67},
 }
 # Bytes a triangle that a program needs with GLuRay and with Mesa, mesh included, and those it needs anyway; measured, rounded up.
-BYTES = {"ParaView": (250, 200), "VTK": (230, 200), "list": (110, 140), "elements": (110, 140), "immediate": (120, 120), "vbo": (75, 135)}
+BYTES = {"ParaView": (250, 200), "VTK": (230, 200), "list": (140, 140), "elements": (170, 140), "immediate": (220, 130),
+         "vbo": (75, 135)}
 FIXED_BYTES = 1e9
 FAR, CLOSE = 669.2, 150.0  # distances of the camera
 SMALL_SCALE = 1 / 40

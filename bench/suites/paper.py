@@ -31,7 +31,7 @@ def arguments(argv):
     parser.add_argument("--scale", type=float, help="sizes of Table 1, by those of the paper (small: 1/40, full: 1)")
     parser.add_argument("--sizes", help="millions of triangles of Figures 7 and 8, for instance 1,4")
     parser.add_argument("--engines", default="gluray,mesa1,mesa,gpu", help=f"some of {','.join(engines.NAMES)} (all but auto)")
-    parser.add_argument("--rows", help="only rows whose name contains one of these, for instance PV-RMI,Star")
+    parser.add_argument("--rows", help="measure only rows whose name contains one of these, for instance PV-RMI,Star; what is known of the others is told, too")
     parser.add_argument("--rounds", type=int, help="rounds, each measuring every engine once (small: 2, and 1 from 8 million on; full: 3)")
     parser.add_argument("--seconds", type=float, help="how long frames of one measurement take, but two at least (small: 1.5; full: 5)")
     parser.add_argument("--frames", type=int, default=120, help="frames of one measurement at most")
@@ -193,8 +193,6 @@ def prepare(options, display_name):
         if not shutil.which(needs):
             notes.append(f"{program} is left out: {needs} is missing")
             rows = [row for row in rows if row.program != program]
-    if options.rows:
-        rows = [row for row in rows if any(part in row.name for part in options.rows.split(","))]
     return engine_set, names, rows, notes, gpu, memory
 
 
@@ -226,14 +224,15 @@ def measure(options, argv, display_name):
     if kept.others:
         print(f"{kept.others} measurements of another build or machine do not count", file=sys.stderr)
     run = Run(options, kept, engine_set, names, memory)
+    wanted = [row for row in rows if not options.rows or any(part in row.name for part in options.rows.split(","))]
     if options.plan:
-        jobs = [job for job in run.jobs(rows) if job[0] not in kept]
+        jobs = [job for job in run.jobs(wanted) if job[0] not in kept]
         print("\n".join(f"{guess:6.0f} s  {key}" for key, _, guess, _ in jobs))
         print(f"about {sum(job[2] for job in jobs) / 60:.0f} minutes")
         return
     result = {"suite": "paper", "command": ("scripts/bench paper " + shlex.join(argv)).strip(), **machine.describe(ROOT)}
     result["versions"]["paraview"] = machine.package_version("python3-paraview")
-    run.measure(rows)
+    run.measure(wanted)
     if "gluray" in names and not options.rows:
         timeline(options, engine_set, run)
     size = sum(file.stat().st_size for file in (options.work / "data").glob("*.mesh"))
