@@ -111,7 +111,7 @@ def rounds_of(row, rounds, full):
 
 def warm_seconds(millions):
     """How long GLuRay may draw before it is measured: until the better acceleration structure is there."""
-    return 1 + 0.35 * millions
+    return 1 + 0.6 * millions
 
 
 def guess_seconds(row, engine, threads):
