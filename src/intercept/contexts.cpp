@@ -1,22 +1,13 @@
 #include "intercept/contexts.h"
 
-#include "base/log.h"
 #include "base/timeline.h"
-#include "gl/context.h"
-#include "intercept/explanation.h"
+#include "intercept/context_record.h"
 #include "intercept/families.h"
-#include "intercept/hud.h"
-#include "intercept/make_presenter.h"
 #include "intercept/orphan_gl.h"
-#include "intercept/present/frame_picture.h"
-#include "intercept/report.h"
 #include "intercept/session.h"
 
-#include <dlfcn.h>
-
 #include <atomic>
-#include <cstring>
-#include <exception>
+#include <cstdio>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -24,91 +15,7 @@
 namespace gluray::intercept {
 namespace {
 
-using Key = std::pair<Api, const void*>;
-
-struct Record {
-  std::shared_ptr<gl::ShareGroup> group;
-  std::unique_ptr<gl::Presenter> presenter;        // outlives the context, which uses it
-  std::unique_ptr<present::FramePicture> picture;  // where pictures are wanted; outlives the context, too
-  std::unique_ptr<Hud> hud;                        // where one is wanted
-  std::shared_ptr<gl::Context> context;            // null until first current, or where it could not be made
-  bool tried = false;
-  const void* display = nullptr;
-  std::string vendor, renderer, version;
-  Api api = Api::glx;
-
-  ~Record();
-};
-
-/// Never destroyed: programs call OpenGL while they exit.
-struct Registry {
-  std::mutex mutex;
-  std::map<Key, std::shared_ptr<Record>> records;
-  Totals dead;
-};
-
-Registry& registry() {
-  static auto* r = new Registry;
-  return *r;
-}
-
-struct Current {
-  std::shared_ptr<Record> record;
-  Key key{};
-  Drawables drawables;
-  AskSize size;
-};
-thread_local Current t_current;
-bool g_forked = false;
-std::atomic<uint64_t> g_frames{0};
-
-void addExplained(Totals& sum, const Record& record) {
-  const gl::ContextInfo& info = record.context->info();
-  const gl::Statistics& s = record.context->statistics;
-  if (!info.kinds) return;
-  for (const auto& [kind, cost] : info.kinds->kinds()) sum.kinds[kind] += cost;
-  for (const auto& [name, use] : info.kinds->targets()) sum.targets[name] += use;
-  for (const auto& [known, use] : info.kinds->programs()) sum.programs[known] += use;
-  constexpr const char* apis[] = {"GLX", "EGL", "OSMesa"};
-  const bool es = record.version.starts_with("OpenGL ES");
-  sum.list.push_back({apis[static_cast<int>(record.api)],
-                      es          ? "ES"
-                      : info.core ? "core"
-                                  : "compatibility",
-                      record.version, record.renderer, info.doubleBuffered, s.frames, s.drawsTraced,
-                      s.drawsRasterised});
-}
-
-void add(Totals& sum, const Record& record) {
-  if (!record.context) return;
-  ++sum.contexts;
-  sum.statistics += record.context->statistics;
-  const auto& calls = record.context->unknownCalls();
-  for (size_t i = 0; i < calls.size(); ++i)
-    if (calls[i]) sum.unknownCalls[gl::kCommandNames[i].name] += calls[i];
-  if (sum.renderer.empty())
-    sum.vendor = record.vendor, sum.renderer = record.renderer, sum.version = record.version;
-  addExplained(sum, record);
-}
-
-Record::~Record() {
-  Registry& r = registry();
-  const std::lock_guard lock(r.mutex);
-  add(r.dead, *this);
-  r.dead.statistics.blasRefining = 0;
-  if (hud) group->discard(hud->takeNames());
-}
-
-/// Runs `body`; a failure of ours costs this thread its context: the program goes on with the real OpenGL.
-template <class F>
-void guarded(const char* what, F&& body) noexcept {
-  if (g_forked) return;
-  try {
-    body();
-  } catch (const std::exception& e) {
-    log::once(log::Level::error, what, std::string(what) + ": " + e.what());
-  } catch (...) { log::once(log::Level::error, what, what); }
-}
+std::atomic<bool> g_forked = false;
 
 std::string text(const gl::RealGl& real, GLenum name) {
   const auto* s = reinterpret_cast<const char*>(real.GetString(name));
@@ -121,7 +28,7 @@ gl::ContextInfo askInfo(const gl::RealGl& real, const std::string& version) {
   gl::ContextInfo info;
   info.settings = session().settings;
   info.families = families();
-  info.drawableSize = [] { return t_current.size ? t_current.size() : glm::ivec2(0); };
+  info.drawableSize = [] { return current().size ? current().size() : glm::ivec2(0); };
   int major = 0, minor = 0;
   if (std::sscanf(version.c_str(), "%d.%d", &major, &minor) != 2)
     info.core = info.off = true;  // "OpenGL ES ..."
@@ -135,50 +42,6 @@ gl::ContextInfo askInfo(const gl::RealGl& real, const std::string& version) {
   if ((flags & GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT) || (profile & GL_CONTEXT_CORE_PROFILE_BIT))
     info.core = true;
   return info;
-}
-
-/// A frame has ended: counted, and told to the clock that `gluray explain` preloads.
-void countFrame() noexcept {
-  using Tell = void (*)();
-  static const auto tell =
-      reinterpret_cast<Tell>(session().explainFrames ? dlsym(RTLD_DEFAULT, "glurayFrameEnded") : nullptr);
-  ++g_frames;
-  if (tell) tell();
-}
-
-void endFrame() noexcept {
-  countFrame();
-  writeReportIfDue();
-}
-
-/// Keeps the picture of the frame that is about to be shown from `buffer` of the window.
-void takePicture(Record& record, GLenum buffer) {
-  if (!record.picture || !record.context) return;
-  glm::ivec2 size = t_current.size ? t_current.size() : glm::ivec2(0);
-  if (size.x <= 0 || size.y <= 0) {
-    GLint viewport[4] = {};
-    record.context->real.GetIntegerv(GL_VIEWPORT, viewport);
-    size = {viewport[0] + viewport[2], viewport[1] + viewport[3]};
-  }
-  if (size.x > 0 && size.y > 0)
-    keepPicture(record.picture->take(record.context->real, buffer, size.x, size.y, g_frames + 1));
-}
-
-/// What `gluray explain` wants of the context.
-void addExplaining(Record& record, gl::ContextInfo& info) {
-  if (!session().explainFrames) return;
-  info.kinds = std::make_shared<gl::DrawKinds>(!info.core);
-  info.frameEnded = endFrame;
-  if (!session().picture || record.version.starts_with("OpenGL ES")) return;
-  record.picture = std::make_unique<present::FramePicture>();
-  info.frameEnding = [&record] { takePicture(record, GL_FRONT); };
-}
-
-present::Written noteWritten(const Record& record) {
-  if (!record.picture) return {};
-  return [picture = record.picture.get()](const gl::RealGl& real, const Image& image) {
-    guarded("cannot note what was traced", [&] { picture->written(real, image); });
-  };
 }
 
 void makeContext(Record& record, Api api) {
@@ -199,18 +62,6 @@ void makeContext(Record& record, Api api) {
   record.context = std::move(context);
 }
 
-/// Shows the figures over the frame that is about to be shown, where nothing of the program's would notice.
-void drawHud(Record& record) {
-  gl::Context& context = *record.context;
-  if (context.passthrough() || context.insideBegin() || context.activeQueries > 0) return;
-  GLint mode = GL_RENDER;
-  if (!context.info().core) context.real.GetIntegerv(GL_RENDER_MODE, &mode);
-  if (mode != GL_RENDER) return;
-  if (!record.hud) record.hud = std::make_unique<Hud>(context.real);
-  const GLenum pending = record.hud->draw(totals().statistics, nowSeconds());
-  if (pending != GL_NO_ERROR) context.setError(pending);
-}
-
 std::shared_ptr<Record> newRecord(const Key& share) {
   auto record = std::make_shared<Record>();
   const auto it = registry().records.find(share);
@@ -220,6 +71,24 @@ std::shared_ptr<Record> newRecord(const Key& share) {
 }
 
 }  // namespace
+
+Registry& registry() {
+  static auto* r = new Registry;
+  return *r;
+}
+
+Current& current() {
+  static thread_local Current one;
+  return one;
+}
+
+Record::~Record() {
+  Registry& r = registry();
+  const std::lock_guard lock(r.mutex);
+  addTo(r.dead, *this);
+  r.dead.statistics.blasRefining = 0;
+  if (hud) group->discard(hud->takeNames());
+}
 
 void contextCreated(Api api, const void* handle, const void* share, const void* display) noexcept {
   if (!handle) return;
@@ -279,7 +148,7 @@ void textureImageBound() noexcept {
 
 void stayCurrent() noexcept {
   guarded("cannot stay in a context", [] {
-    if (t_current.record && t_current.record->context) t_current.record->context->makeCurrent();
+    if (current().record && current().record->context) current().record->context->makeCurrent();
   });
 }
 
@@ -295,7 +164,7 @@ void becameCurrent(Api api, const void* handle, Drawables drawables, AskSize siz
       if (!slot) slot = newRecord({});  // made by a way we do not see
       record = slot;
     }
-    t_current = {record, {api, handle}, drawables, std::move(size)};
+    current() = {record, {api, handle}, drawables, std::move(size)};
     if (!record) return;
     if (!record->tried) makeContext(*record, api);
     if (record->context) record->context->makeCurrent();
@@ -303,48 +172,11 @@ void becameCurrent(Api api, const void* handle, Drawables drawables, AskSize siz
 }
 
 bool isCurrent(Api api, const void* handle, Drawables drawables) noexcept {
-  return handle && t_current.key == Key{api, handle} && t_current.drawables == drawables;
-}
-
-void swapping(uintptr_t drawable) noexcept {
-  flushCurrent();
-  guarded("cannot measure a frame", [&] {
-    if (gl::t_thread.context && t_current.drawables.draw == drawable) gl::t_thread.context->completeFrame();
-  });
-  if (!session().picture && !session().hud) return;
-  if (!t_current.record || t_current.drawables.draw != drawable || !t_current.record->context ||
-      !t_current.record->context->info().doubleBuffered)
-    return;
-  guarded("cannot take a picture", [&] {
-    if (session().picture) takePicture(*t_current.record, GL_BACK);
-  });
-  guarded("cannot show figures", [&] {
-    if (session().hud) drawHud(*t_current.record);
-  });
-}
-
-void swapped(uintptr_t drawable) noexcept {
-  guarded("cannot end a frame", [&] {
-    gl::Context* context = gl::t_thread.context;
-    // Without a back buffer a swap shows nothing new: glFlush and glFinish end frames there.
-    if (context && t_current.drawables.draw == drawable && context->info().doubleBuffered)
-      context->afterSwap(), countFrame(), timeline::mark("frame");
-  });
-  writeReportIfDue();
-}
-
-uint64_t framesEnded() noexcept { return g_frames; }
-
-void closeKinds() noexcept {
-  guarded("cannot end the explanation", [] {
-    const std::lock_guard lock(registry().mutex);
-    for (const auto& [key, record] : registry().records)
-      if (record->context && record->context->kinds()) record->context->kinds()->close();
-  });
+  return handle && current().key == Key{api, handle} && current().drawables == drawables;
 }
 
 void drawableGoing(uintptr_t drawable) noexcept {
-  if (t_current.drawables.draw == drawable) flushCurrent();
+  if (current().drawables.draw == drawable) flushCurrent();
 }
 
 void passThroughAfterFork() noexcept {
@@ -354,13 +186,5 @@ void passThroughAfterFork() noexcept {
 }
 
 bool isForkedChild() noexcept { return g_forked; }
-
-Totals totals() {
-  Registry& r = registry();
-  const std::lock_guard lock(r.mutex);
-  Totals sum = r.dead;
-  for (const auto& [key, record] : r.records) add(sum, *record);
-  return sum;
-}
 
 }  // namespace gluray::intercept

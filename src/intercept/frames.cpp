@@ -1,0 +1,104 @@
+// The end of a frame: counted, kept as a picture, written over with figures.
+#include "base/clock.h"
+#include "base/timeline.h"
+#include "intercept/context_record.h"
+#include "intercept/explanation.h"
+#include "intercept/report.h"
+#include "intercept/session.h"
+
+#include <dlfcn.h>
+
+#include <atomic>
+
+namespace gluray::intercept {
+namespace {
+
+std::atomic<uint64_t> g_frames{0};
+
+/// A frame has ended: counted, and told to the clock that `gluray explain` preloads.
+void countFrame() noexcept {
+  using Tell = void (*)();
+  static const auto tell =
+      reinterpret_cast<Tell>(session().explainFrames ? dlsym(RTLD_DEFAULT, "glurayFrameEnded") : nullptr);
+  ++g_frames;
+  if (tell) tell();
+}
+
+void endFrame() noexcept {
+  countFrame();
+  writeReportIfDue();
+}
+
+/// Keeps the picture of the frame that is about to be shown from `buffer` of the window.
+void takePicture(Record& record, GLenum buffer) {
+  if (!record.picture || !record.context) return;
+  glm::ivec2 size = current().size ? current().size() : glm::ivec2(0);
+  if (size.x <= 0 || size.y <= 0) {
+    GLint viewport[4] = {};
+    record.context->real.GetIntegerv(GL_VIEWPORT, viewport);
+    size = {viewport[0] + viewport[2], viewport[1] + viewport[3]};
+  }
+  if (size.x > 0 && size.y > 0)
+    keepPicture(record.picture->take(record.context->real, buffer, size.x, size.y, g_frames + 1));
+}
+
+/// Shows the figures over the frame that is about to be shown, where nothing of the program's would notice.
+void drawHud(Record& record) {
+  gl::Context& context = *record.context;
+  if (context.passthrough() || context.insideBegin() || context.activeQueries > 0) return;
+  GLint mode = GL_RENDER;
+  if (!context.info().core) context.real.GetIntegerv(GL_RENDER_MODE, &mode);
+  if (mode != GL_RENDER) return;
+  if (!record.hud) record.hud = std::make_unique<Hud>(context.real);
+  const GLenum pending = record.hud->draw(totals().statistics, nowSeconds());
+  if (pending != GL_NO_ERROR) context.setError(pending);
+}
+
+}  // namespace
+
+void addExplaining(Record& record, gl::ContextInfo& info) {
+  if (!session().explainFrames) return;
+  info.kinds = std::make_shared<gl::DrawKinds>(!info.core);
+  info.frameEnded = endFrame;
+  if (!session().picture || record.version.starts_with("OpenGL ES")) return;
+  record.picture = std::make_unique<present::FramePicture>();
+  info.frameEnding = [&record] { takePicture(record, GL_FRONT); };
+}
+
+present::Written noteWritten(const Record& record) {
+  if (!record.picture) return {};
+  return [picture = record.picture.get()](const gl::RealGl& real, const Image& image) {
+    guarded("cannot note what was traced", [&] { picture->written(real, image); });
+  };
+}
+
+void swapping(uintptr_t drawable) noexcept {
+  flushCurrent();
+  guarded("cannot measure a frame", [&] {
+    if (gl::t_thread.context && current().drawables.draw == drawable) gl::t_thread.context->completeFrame();
+  });
+  if (!session().picture && !session().hud) return;
+  if (!current().record || current().drawables.draw != drawable || !current().record->context ||
+      !current().record->context->info().doubleBuffered)
+    return;
+  guarded("cannot take a picture", [&] {
+    if (session().picture) takePicture(*current().record, GL_BACK);
+  });
+  guarded("cannot show figures", [&] {
+    if (session().hud) drawHud(*current().record);
+  });
+}
+
+void swapped(uintptr_t drawable) noexcept {
+  guarded("cannot end a frame", [&] {
+    gl::Context* context = gl::t_thread.context;
+    // Without a back buffer a swap shows nothing new: glFlush and glFinish end frames there.
+    if (context && current().drawables.draw == drawable && context->info().doubleBuffered)
+      context->afterSwap(), countFrame(), timeline::mark("frame");
+  });
+  writeReportIfDue();
+}
+
+uint64_t framesEnded() noexcept { return g_frames; }
+
+}  // namespace gluray::intercept
