@@ -5,6 +5,7 @@ by more than 2 of 255 off edges. Edges (pixels.edges) are judged by the eye, bec
 there is within what OpenGL leaves open (GL 2.1, 3.5.1); their share is printed.
 """
 import dataclasses
+import os
 import pathlib
 import shutil
 import subprocess
@@ -12,7 +13,8 @@ import subprocess
 import models
 
 HACKS = pathlib.Path("/usr/libexec/xscreensaver")
-HERE = pathlib.Path(__file__).parent
+HERE = pathlib.Path(__file__).resolve().parent
+HOME = os.path.expanduser("~")  # programs are given another one
 
 
 @dataclasses.dataclass
@@ -81,6 +83,18 @@ def medit(folder):
     return ["ffmedit", str(models.write_mesh(folder / "knot.mesh", **SMALL))]
 
 
+def mayavi(folder):
+    """Without its package, which conflicts with ParaView's VTK, from one that is unpacked aside."""
+    script = ["/usr/bin/python3", str(HERE / "mayavi_scene.py")]
+    if shutil.which("mayavi2"):
+        return script
+    unpacked = subprocess.run([str(HERE / "unpack_mayavi2")], capture_output=True, text=True, env=dict(os.environ, HOME=HOME))
+    if unpacked.returncode:
+        print(unpacked.stderr.strip())
+        return ["mayavi2"]
+    return ["env", f"PYTHONPATH={unpacked.stdout.strip()}", *script]
+
+
 PIVY = "/usr/share/doc/python3-pivy/examples/Mentor/02.4.Examiner.py"
 
 MORE = {
@@ -110,6 +124,7 @@ MORE = {
     "glxheads": wide(lambda folder: ["glxheads"], "Xlib alone; one flat triangle, no depth test", 0.0, frame=20, colors=2),
     "f3d": wide(lambda folder: ["f3d", "--dry-run", "--resolution=600,600", str(models.write_ply(folder / "knot.ply", **SMALL))],
                 "VTK 9; physically based, no toolkit", 0.99, rest=3.0, environment={"GLURAY_ENGINE": "always"}),
+    "mayavi2": wide(mayavi, "VTK 9 from Python; what it does not trace are its colour bar and full-screen passes", 0.97, rest=4.0),
     "avogadro": wide(lambda folder: ["avogadro2", str(models.write_xyz(folder / "ball.xyz"))], "Qt 5; shaders of its own", 0.0, rest=4.0),
     "openuniverse": wide(lambda folder: ["openuniverse"], "GLUT; drawn without depth test", 0.0, frame=30),
 }
