@@ -98,7 +98,7 @@ class Run:
                     yield (f"{row.name} {engine} {number}", row, plan.guess_seconds(row, engine, self.options.threads),
                            lambda row=row, engine=engine: self.engines.measure(row, engine))
         for row in rows:
-            if row.scene == "Wavelet" and "gluray" in self.names:
+            if row.scene == "Wavelet" and "gluray" in self.names and row.build_needs <= self.memory:
                 for quality in ("fast", "full"):
                     yield (f"{row.name} build {quality}", row, 2 + 0.6 * row.millions,
                            lambda row=row, quality=quality: self.engines.measure_build(row, quality))
