@@ -83,7 +83,7 @@ class Plan(unittest.TestCase):
         self.assertEqual(plan.rows(1, (1,), 1e6)[0], [])
 
     def test_large_rows_of_the_small_version_are_measured_once(self):
-        small, large = plan.Row("a", "client", "list", "wavelet", 4), plan.Row("a", "client", "list", "wavelet", 16)
+        small, large = plan.Row("a", "client", "list", "wavelet", 2), plan.Row("a", "client", "list", "wavelet", 4)
         self.assertEqual([plan.rounds_of(small, 2, False), plan.rounds_of(large, 2, False), plan.rounds_of(large, 3, True)], [2, 1, 3])
 
 

@@ -24,7 +24,7 @@ FIXED_BYTES = 1e9
 FAR, CLOSE = 669.2, 150.0  # distances of the camera
 SMALL_SCALE = 1 / 40
 SMALL_SWEEP, FULL_SWEEP = (1, 4, 16), (1, 2, 4, 8, 16, 32, 64, 128, 256)
-LARGE = 8  # millions from which the small version measures one round
+LARGE = 4  # millions from which the small version measures one round
 TIMELINE_MILLIONS = 8  # of the paper's Figure 9
 
 

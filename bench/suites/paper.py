@@ -32,7 +32,7 @@ def arguments(argv):
     parser.add_argument("--sizes", help="millions of triangles of Figures 7 and 8, for instance 1,4")
     parser.add_argument("--engines", default="gluray,mesa1,mesa,gpu", help=f"some of {','.join(engines.NAMES)} (all but auto)")
     parser.add_argument("--rows", help="measure only rows whose name contains one of these, for instance PV-RMI,Star; what is known of the others is told, too")
-    parser.add_argument("--rounds", type=int, help="rounds, each measuring every engine once (small: 2, and 1 from 8 million on; full: 3)")
+    parser.add_argument("--rounds", type=int, help="rounds, each measuring every engine once (small: 2, and 1 from 4 million on; full: 3)")
     parser.add_argument("--seconds", type=float, help="how long frames of one measurement take, but two at least (small: 1.5; full: 5)")
     parser.add_argument("--frames", type=int, default=120, help="frames of one measurement at most")
     parser.add_argument("--threads", type=int, default=len(os.sched_getaffinity(0)), help="of GLuRay and of Mesa (all)")
