@@ -68,7 +68,7 @@ def _effect(policy: Policy, handler: str, context: str) -> str:
 
 def _before(policy: Policy) -> str:
     """The call that prepares for a forwarded command."""
-    how = {False: "none", True: "all", "redirect": "redirect"}[policy.flush]
+    how = {False: "none", True: "all", "redirect": "redirect", "leave": "leave"}[policy.flush]
     return f"beforeForward(Context::Flush::{how});"
 
 

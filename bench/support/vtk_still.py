@@ -1,6 +1,6 @@
 """Run by python3 with VTK: a sphere, drawn so many times turned by a degree each, and so many times unchanged; prints one line of JSON.
 
-usage: vtk_still.py RESOLUTION FRAMES
+usage: vtk_still.py RESOLUTION FRAMES [SAMPLES]
 """
 import json
 import sys
@@ -18,7 +18,7 @@ def main():
     actor.SetMapper(mapper)
     renderer, window = vtk.vtkRenderer(), vtk.vtkRenderWindow()
     window.SetSize(1024, 1024)
-    window.SetMultiSamples(0)
+    window.SetMultiSamples(int(sys.argv[3]) if len(sys.argv) > 3 else 0)
     window.AddRenderer(renderer)
     renderer.AddActor(actor)
     renderer.ResetCamera()

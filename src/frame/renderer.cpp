@@ -6,6 +6,7 @@
 #include "base/timeline.h"
 #include "render/float_guard.h"
 #include "render/fxaa.h"
+#include "render/resolve.h"
 #include "render/tile_tracer.h"
 
 #include <mutex>
@@ -49,6 +50,12 @@ class Renderer::Engine {
     prepareArena(settings.threads);
     const timeline::Span span("anti-alias");
     arena_->execute([&] { render::fxaa(fxaa, in, width, height, out, fxaaMemory_); });
+  }
+
+  void resolve(const Settings& settings, const scene::Resolve& how, const Image& samples, Image& out) {
+    prepareArena(settings.threads);
+    const timeline::Span span("resolve");
+    arena_->execute([&] { render::resolve(how, samples, out); });
   }
 
  private:
@@ -99,6 +106,15 @@ bool Renderer::antialias(const Settings& settings, const scene::Fxaa& fxaa, cons
   try {
     const std::lock_guard lock(engine_->mutex);
     engine_->antialias(settings, fxaa, in, width, height, out);
+    return true;
+  } catch (...) { return false; }
+}
+
+bool Renderer::resolve(const Settings& settings, const scene::Resolve& how, const Image& samples,
+                       Image& out) noexcept {
+  try {
+    const std::lock_guard lock(engine_->mutex);
+    engine_->resolve(settings, how, samples, out);
     return true;
   } catch (...) { return false; }
 }

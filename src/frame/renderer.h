@@ -2,6 +2,7 @@
 #pragma once
 #include "base/image.h"
 #include "scene/fxaa.h"
+#include "scene/resolve.h"
 #include "scene/snapshot.h"
 
 #include <cstddef>
@@ -40,6 +41,9 @@ class Renderer {
   /// threads. Any thread.
   bool antialias(const Settings& settings, const scene::Fxaa& fxaa, const uint32_t* in, int width, int height,
                  uint32_t* out) noexcept;
+  /// The same of pixels out of samples: render::resolve.
+  bool resolve(const Settings& settings, const scene::Resolve& how, const Image& samples,
+               Image& out) noexcept;
 
  private:
   class Engine;

@@ -125,8 +125,8 @@ bool Batch::readsImages() const {
   });
 }
 
-bool Batch::readsBuffer(GLuint buffer) const {
-  return std::any_of(programDraws_.begin(), programDraws_.end(), [&](const ProgramDraw& draw) {
+bool readsBuffer(const std::vector<ProgramDraw>& draws, GLuint buffer) {
+  return std::any_of(draws.begin(), draws.end(), [&](const ProgramDraw& draw) {
     return std::any_of(draw.textures.begin(), draw.textures.end(),
                        [&](const auto& t) { return t.buffer != 0 && t.buffer == buffer; });
   });

@@ -26,6 +26,9 @@ struct BatchKey {
   bool operator==(const BatchKey&) const = default;
 };
 
+/// Whether one of the draws reads a buffer as a texture.
+bool readsBuffer(const std::vector<ProgramDraw>& draws, GLuint buffer);
+
 class Batch {
  public:
   bool empty() const { return !snapshot_; }
@@ -51,7 +54,7 @@ class Batch {
   void keep(ProgramDraw draw) { programDraws_.push_back(std::move(draw)); }
   /// Whether one of those reads textures, or a buffer as a texture.
   bool readsImages() const;
-  bool readsBuffer(GLuint buffer) const;
+  bool readsBuffer(GLuint buffer) const { return gl::readsBuffer(programDraws_, buffer); }
   /// Hands those over.
   std::vector<ProgramDraw> takeProgramDraws() { return std::exchange(programDraws_, {}); }
 

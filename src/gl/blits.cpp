@@ -34,9 +34,13 @@ void blitFramebuffer(Context& c, GLint fromX0, GLint fromY0, GLint fromX1, GLint
     c.record([](Context& later) { later.touch(framebufferBound(later)); });
     return;
   }
-  c.beforeForward(Context::Flush::all);
   c.touch(framebufferBound(c));
-  c.blit(blit);
+  bool resolved = false;
+  c.protect([&] { resolved = c.resolveByBlit(blit); });
+  if (!resolved) {
+    c.beforeBlit();
+    c.blit(blit);
+  }
   c.touch(framebufferBound(c));  // another context that reads an image again must find it changed
 }
 

@@ -96,7 +96,11 @@ void Context::beforeForward(Flush how) noexcept {
   syncCurrent();
   if (how == Flush::none) return;
   protect([&] {
-    how == Flush::redirect ? redirect() : flush();
+    switch (how) {
+      case Flush::leave: leave(); break;
+      case Flush::redirect: redirect(); break;
+      default: flush();
+    }
     sendBuffers();
   });
 }
@@ -252,7 +256,7 @@ void Context::loseCurrent() {
 void Context::beforeSwap() {
   protect([&] {
     if (runOpen_) closeRun();
-    flush();
+    flushBatch();  // what waits for being resolved is not in the window
   });
 }
 
@@ -319,17 +323,9 @@ void Context::present(bool rasterise) {
                                                             .rasterise = rasterise,
                                                             .programDraws = batch_.takeProgramDraws(),
                                                             .mayRepeat = !choice_.wantsStop()});
+  unresolved_.cleared = {};
   latch_.restore(real);
-  if (result.pendingError != GL_NO_ERROR) setError(result.pendingError);
-  ++statistics.flushes;
-  if (result.repeated) ++statistics.repeated;
-  statistics.buildSeconds += result.buildSeconds;
-  statistics.traceSeconds += result.traceSeconds;
-  statistics.presentSeconds += result.presentSeconds;
-  statistics.blasBuilds += result.blasBuilds;
-  statistics.blasRefinements += result.blasRefinements;
-  statistics.bvhBytes = result.bvhBytes;
-  statistics.blasRefining = result.blasRefining;
+  takeResult(result);
   if (kinds()) [[unlikely]]
     kinds()->exclude(nowSeconds() - start);
   const auto wanted = rasterise ? PresentResult::rasterised : PresentResult::traced;
@@ -337,8 +333,24 @@ void Context::present(bool rasterise) {
     stepAside(result.why.empty() ? "the ray tracer could not make a picture" : result.why.c_str());
 }
 
+/// `known`: the picture was shown before, elsewhere.
+void Context::takeResult(const PresentResult& result, bool known) {
+  if (result.pendingError != GL_NO_ERROR) setError(result.pendingError);
+  statistics.presentSeconds += result.presentSeconds;
+  if (!known) ++statistics.flushes;
+  if (!known && result.repeated) ++statistics.repeated;
+  statistics.buildSeconds += result.buildSeconds;
+  statistics.traceSeconds += result.traceSeconds;
+  statistics.blasBuilds += result.blasBuilds;
+  statistics.blasRefinements += result.blasRefinements;
+  if (known && result.repeated) return;
+  statistics.bvhBytes = result.bvhBytes;
+  statistics.blasRefining = result.blasRefining;
+}
+
 void Context::showIfVisible() {
   syncCurrent();
+  if (unresolved_.waiting && group_->contexts > 1) protect([&] { settle(); });
   if (batch_.empty() && !info_.doubleBuffered) return showDrawn();
   if (batch_.empty()) return;
   const GLenum buffer = batch_.key().drawBuffer;

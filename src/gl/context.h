@@ -18,6 +18,7 @@
 #include "gl/statistics.h"
 #include "gl/texture.h"
 #include "gl/thread_state.h"
+#include "gl/unresolved.h"
 #include "gl/vertex_stream.h"
 
 #include <exception>
@@ -100,7 +101,9 @@ class Context {
   }
   /// Before a command that we do not model is forwarded: attributes are sent, and the batch too if it may
   /// matter.
-  enum class Flush { none, redirect, all };  // redirect: later draws go elsewhere, but nobody looks
+  /// leave: later draws go to another framebuffer, but nobody looks; redirect: so they do, or what pending
+  /// draws need changes.
+  enum class Flush { none, leave, redirect, all };
   void beforeForward(Flush flush) noexcept;
   void count(int command) noexcept;
   void touch(uint32_t groups) { dirty |= groups; }
@@ -121,21 +124,33 @@ class Context {
   void cleared(GLbitfield mask);
   /// Traces the pending batch and writes it into the framebuffer. Nothing to do if there is none.
   void flush() {
-    if (peeling_.stage == Peeling::Stage::depths) giveUpLayers();
-    present(false);
+    settle();
+    flushBatch();
   }
   /// The same where what is drawn next goes elsewhere, but nobody looks at what was drawn so far.
-  void redirect() { present(false); }
+  void redirect() {
+    settle();
+    present(false);
+  }
+  /// The same where another framebuffer is bound: the batch may wait for being resolved.
+  void leave();
+  /// Before the draw framebuffer is cleared: as redirect(), but that what the clear hides is let go. What is
+  /// clean then, for cleanIs() after the real clear.
+  Unresolved::Cleared beforeClear(GLbitfield mask);
+  void cleanIs(const Unresolved::Cleared& cleared) {
+    unresolved_.cleared = direct_ ? Unresolved::Cleared{} : cleared;
+  }
   /// The draw framebuffer is about to be cleared; a program to be linked anew or deleted.
   void clearsLayers();
   void programChanges(GLuint program) noexcept;
   /// Before images of textures, or a buffer's contents, change: draws that are kept with their names are
   /// made.
   void imagesChange() noexcept {
-    if (batch_.readsImages()) protect([&] { flush(); });
+    if (batch_.readsImages() || unresolved_.waiting) protect([&] { flush(); });
   }
   void contentsChange(GLuint buffer) noexcept {
-    if (batch_.readsBuffer(buffer)) protect([&] { flush(); });
+    const bool waits = unresolved_.waiting && readsBuffer(unresolved_.waiting->draws, buffer);
+    if (waits || batch_.readsBuffer(buffer)) protect([&] { flush(); });
   }
   /// From now on every draw is rasterised; what was held back is given to the real OpenGL.
   void stepAside(const char* why) noexcept;
@@ -255,7 +270,10 @@ class Context {
   /// Does what the draw would do where it is a full-screen pass that costs less without the real OpenGL.
   /// False: draw it.
   bool replacePass(GLenum mode, const Elements& elements);
-  /// A glBlitFramebuffer, after everything pending was flushed.
+  /// Does what the blit would do where it resolves a picture that waits. False: beforeBlit(), then blit().
+  bool resolveByBlit(const Blit& blit);
+  void beforeBlit() noexcept;
+  /// A glBlitFramebuffer, after what it may look at was flushed.
   void blit(Blit blit);
   /// Runs `trace`, which says whether it added a draw to the batch. A failure of ours makes the draw
   /// rasterised, not lost.
@@ -295,6 +313,11 @@ class Context {
   void countOpenPrimitive();
   void drawRun();
   void present(bool rasterise);
+  void flushBatch() {
+    if (peeling_.stage == Peeling::Stage::depths) giveUpLayers();
+    present(false);
+  }
+  void takeResult(const PresentResult& result, bool known = false);
   void countAsRasterised(const scene::Snapshot& snapshot);
   KnownMesh meshOfRun();
   void recordRun();
@@ -347,6 +370,7 @@ class Context {
   Reason runReason_ = Reason::traced;  // why the run is rasterised, captured though it is
   Passes passes_;
   Peeling peeling_;
+  Unresolved unresolved_;
   DrawPath runPath_ = DrawPath::immediate;  // small draws from arrays join runs
 
   std::shared_ptr<DisplayList> list_;
@@ -387,6 +411,20 @@ class Context {
   void addInstancesOf(const scene::Instance& one, const scene::Shading& shading, const Elements& elements);
   bool isSoftwareBelow();
   bool antialiasInto(GLuint attachment, const scene::Region& region);
+  // Pictures that wait for being resolved (resolve_draws.cpp).
+  Unresolved::Cleared clearedBy(GLbitfield mask);
+  void clearsSamples(const Unresolved::Cleared& cleared);
+  /// Writes what waits into its framebuffer.
+  void settle();
+  bool readsSamples();
+  bool blitsSamples();
+  void samplesMeetRasterDraw();
+  bool resolveInto(ResolveTarget& target);
+  bool resolveByProgram(GLuint texture, const scene::Region& region);
+  /// Before a batch starts, or a draw meets earlier ones, in the draw framebuffer of now.
+  void settleBelow(int samples) {
+    if (unresolved_.waiting && samples > 1) settle();
+  }
   const FamilyList& families() const;
   /// The current shader program, outside glBegin and glEnd; null: there is none.
   const std::shared_ptr<const KnownProgram>& programInUse();

@@ -25,6 +25,7 @@ void Context::chooseEngine() {
 
 void Context::setDirect(bool direct) {
   if (direct == direct_) return;
+  settle();
   if (direct) {
     syncCurrent();
     for (const auto& buffer : group_->buffers.all())

@@ -62,11 +62,12 @@ bool Context::isSoftwareBelow() {
 }
 
 bool Context::replacePass(GLenum mode, const Elements& elements) {
-  const ProgramState& program = state.program;
-  if (!program.known || !program.known->family || program.known->family->pass != Family::Pass::fxaa)
+  const Family::Pass pass = passOfProgram();
+  const bool resolves = pass == Family::Pass::resolve;
+  if (!resolves && pass != Family::Pass::fxaa) return false;
+  if (!info_.settings.quirks.has(resolves ? Quirk::softwareResolve : Quirk::softwareFxaa) || aside_ ||
+      activeQueries > 0 || !isSoftwareBelow())
     return false;
-  if (!info_.settings.quirks.has(Quirk::softwareFxaa) || aside_ || activeQueries > 0) return false;
-  if (!isSoftwareBelow()) return false;
   const TargetState& target = state.target;
   if (target.reason != Reason::traced && target.reason != Reason::noDepthBuffer) return false;
   const scene::Region region{state.viewport.x, state.viewport.y, state.viewport.z, state.viewport.w};
@@ -84,7 +85,9 @@ bool Context::replacePass(GLenum mode, const Elements& elements) {
   if (type != GL_TEXTURE) return false;
   ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, attachment);
   ask(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL, level);
-  return level == 0 && antialiasInto(static_cast<GLuint>(attachment), region);
+  if (level != 0) return false;
+  const auto texture = static_cast<GLuint>(attachment);
+  return resolves ? resolveByProgram(texture, region) : antialiasInto(texture, region);
 }
 
 bool Context::antialiasInto(GLuint attachment, const scene::Region& region) {

@@ -3,6 +3,7 @@
 #include "gl/programs/held_pass.h"
 #include "gl/real.h"
 #include "scene/fxaa.h"
+#include "scene/resolve.h"
 #include "scene/snapshot.h"
 
 #include <GL/gl.h>
@@ -25,6 +26,17 @@ struct PresentTarget {
   bool depthAgain = false;
   bool mayRepeat =
       true;  // where nothing has changed the last picture may do; false: what it costs is measured
+};
+
+/// Where the pixels go that the samples of a picture come to.
+struct ResolveTarget {
+  scene::Resolve how;
+  bool core = false;  // core profile
+  bool colors = true, depths = true;
+  /// RGBA8 texture of the resolved size that takes the colours; 0: the bound draw framebuffer does. Depths go
+  /// there.
+  GLuint texture = 0;
+  bool mayRepeat = true;  // as PresentTarget's
 };
 
 /// What presenting cost and did.
@@ -59,6 +71,12 @@ class Presenter {
   /// makes the held passes instead. Otherwise as present().
   virtual PresentResult presentLayers(const RealGl&, const scene::SnapshotPtr&,
                                       const LayersTarget& /*target*/, bool /*rasterise*/) noexcept {
+    return {};
+  }
+  /// Traces `snapshot`, whose framebuffer is multisampled, and writes the pixels it comes to into another,
+  /// over all that is there. Otherwise as present(); not traced: nothing was drawn.
+  virtual PresentResult resolve(const RealGl&, const scene::SnapshotPtr&,
+                                const ResolveTarget& /*target*/) noexcept {
     return {};
   }
   /// Reads red and green of level 0 of the texture bound to GL_TEXTURE_2D of unit `unit`, `size` pixels of

@@ -166,7 +166,10 @@ Context::Placed Context::placeProgramDraw(const glm::dvec3& reach) {
   for (int c = 0; c < 4; ++c) state.modelview[c][3] = c == 3 ? 1.0 : 0.0;
   if (peeled) return startLayers(key) ? Placed::inBatch : Placed::otherCamera;
   if (key.layers == BatchKey::Layers::summed) return startSums(key) ? Placed::inBatch : Placed::otherCamera;
-  if (batch_.empty()) batch_.start(key, state, info_.settings, frame);
+  if (batch_.empty()) {
+    settleBelow(key.samples);
+    batch_.start(key, state, info_.settings, frame);
+  }
   return Placed::inBatch;
 }
 

@@ -14,11 +14,12 @@ namespace {
 void clearNow(Context& c, GLbitfield mask) {
   c.syncCurrent();
   c.clearsLayers();
-  c.redirect();
+  const Unresolved::Cleared clean = c.beforeClear(mask);
   if (mask & GL_STENCIL_BUFFER_BIT) stencilSet(c);
   c.clearing(mask);
   c.real.Clear(mask);
   c.cleared(mask);
+  c.cleanIs(clean);
 }
 
 }  // namespace

@@ -124,7 +124,10 @@ void Context::addInstance(const scene::MeshPtr& mesh, SlotMask slots,
   clampToTarget(key.region);
   if (key.region.width <= 0 || key.region.height <= 0 || mesh->triangleCount == 0) return;
   if (!batch_.empty() && !(batch_.key() == key)) flush();
-  if (batch_.empty()) batch_.start(key, state, info_.settings, frame);
+  if (batch_.empty()) {
+    settleBelow(key.samples);
+    batch_.start(key, state, info_.settings, frame);
+  }
   scene::Instance instance;
   instance.mesh = mesh;
   instance.eyeFromObject = state.modelview;
@@ -178,6 +181,7 @@ void Context::rememberPass(const KnownMesh& known) {
 
 void Context::meetPasses(std::span<const Triangle> triangles) {
   protect([&] {
+    settleBelow(state.target.samples);
     if (passes_.meets(state.modelview, triangles, isPushedBack()) == Passes::Meeting::pending) present(true);
     for (const scene::SnapshotPtr& traced : passes_.takeTraced()) {
       syncCurrent();
@@ -208,6 +212,7 @@ void Context::countAsRasterised(const scene::Snapshot& snapshot) {
 }
 
 void Context::beforeRasterDraw(PrimitiveClass kind) {
+  if (unresolved_.any()) protect([&] { samplesMeetRasterDraw(); });
   if (peeling_.stage != Peeling::Stage::none) protect([&] { layersMeetRasterDraw(); });
   if (!batch_.empty()) {
     refresh(kRaster);

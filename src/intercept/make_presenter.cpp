@@ -19,6 +19,10 @@ bool antialias(const Settings& settings, const scene::Fxaa& fxaa, const uint32_t
   return frame::Renderer::shared().antialias(settings, fxaa, in, width, height, out);
 }
 
+bool resolve(const Settings& settings, const scene::Resolve& how, const Image& samples, Image& out) {
+  return frame::Renderer::shared().resolve(settings, how, samples, out);
+}
+
 /// The price of interception alone: no ray, no write-back.
 class NullPresenter final : public gl::Presenter {
  public:
@@ -39,7 +43,7 @@ class NullPresenter final : public gl::Presenter {
 
 std::unique_ptr<gl::Presenter> makePresenter(const Settings& settings, present::Written onWritten) {
   if (settings.renderer == Renderer::null) return std::make_unique<NullPresenter>();
-  return std::make_unique<present::TracingPresenter>(trace, std::move(onWritten), antialias);
+  return std::make_unique<present::TracingPresenter>(trace, std::move(onWritten), antialias, resolve);
 }
 
 }  // namespace gluray::intercept

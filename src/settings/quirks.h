@@ -21,6 +21,11 @@ namespace gluray {
     "Mesa's llvmpipe blits depth by drawing it, which takes ten times as long as copying it; where a blit " \
     "neither moves, scales nor cuts it, it is copied",                                                      \
     "tests/reference/depth_blit_test.cpp")                                                                  \
+  X(softwareResolve, "software-resolve",                                                                    \
+    "Multisampled framebuffers, which VTK has in windows, cost software OpenGLs more than tracing all "     \
+    "their samples; where nothing but traced surfaces is in one, the pixels it is resolved to are made "    \
+    "without it",                                                                                           \
+    "tests/reference/resolve_test.cpp, tests/vtk (group effects)")                                          \
   X(depthPeeling, "depth-peeling",                                                                          \
     "VTK composites translucent surfaces by drawing them again for every two layers; all layers are "       \
     "traced in one go, and the later passes find nothing left to do",                                       \

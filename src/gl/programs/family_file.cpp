@@ -286,10 +286,13 @@ class FamilyReader {
            {{"fxaa", Family::Pass::fxaa},
             {"peel_depths", Family::Pass::peelDepths},
             {"peel", Family::Pass::peel},
-            {"sum", Family::Pass::sum}},
+            {"sum", Family::Pass::sum},
+            {"resolve", Family::Pass::resolve}},
            family_.pass);
     name("input", family_.passInput);
     text("output", family_.passOutput);
+    value("samples", family_.passSamples);
+    value("gamma", family_.passGamma);
     value("relative_contrast", family_.relativeContrast);
     value("hard_contrast", family_.hardContrast);
     value("subpixel_blend_limit", family_.subpixelBlendLimit);

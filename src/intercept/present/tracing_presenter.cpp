@@ -175,7 +175,7 @@ bool TracingPresenter::written(const gl::RealGl& real, const LastPictures::Pictu
                                std::string& why) noexcept {
   try {
     return writeBack(real, picture.image.content)
-        .write(picture.image, {target.depthFunc, picture.id}, pending);
+        .write(picture.image, {.depthFunc = target.depthFunc, .picture = picture.id}, pending);
   } catch (const std::exception& e) {  // before anything is drawn: the guard puts the state back
     why = e.what();
     return false;

@@ -31,15 +31,25 @@ using Trace = std::function<bool(const scene::Snapshot&, Image&, TraceCost&, std
 using Antialias = std::function<bool(const Settings&, const scene::Fxaa&, const uint32_t* in, int width,
                                      int height, uint32_t* out)>;
 
+/// Makes pixels of the samples of a picture. False on failure; never throws. frame::Renderer::resolve in the
+/// engine.
+using Resolve = std::function<bool(const Settings&, const scene::Resolve&, const Image& samples, Image& out)>;
+
 class TracingPresenter final : public gl::Presenter {
  public:
-  explicit TracingPresenter(Trace trace, Written onWritten = {}, Antialias antialias = {})
-      : trace_(std::move(trace)), onWritten_(std::move(onWritten)), antialias_(std::move(antialias)) {}
+  explicit TracingPresenter(Trace trace, Written onWritten = {}, Antialias antialias = {},
+                            Resolve resolve = {})
+      : trace_(std::move(trace)),
+        onWritten_(std::move(onWritten)),
+        antialias_(std::move(antialias)),
+        resolve_(std::move(resolve)) {}
 
   gl::PresentResult present(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                             const gl::PresentTarget& target) noexcept override;
   gl::PresentResult presentLayers(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                                   const gl::LayersTarget& target, bool rasterise) noexcept override;
+  gl::PresentResult resolve(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
+                            const gl::ResolveTarget& target) noexcept override;
   bool readDepths(const gl::RealGl& real, GLint unit, glm::ivec2 size,
                   std::vector<glm::vec2>& out) noexcept override;
   bool supports(const gl::RealGl& real, bool core, std::string& why) noexcept override;
@@ -62,6 +72,15 @@ class TracingPresenter final : public gl::Presenter {
   Trace trace_;
   Written onWritten_;
   Antialias antialias_;
+  Resolve resolve_;
+  gl::PresentResult resolved(const gl::RealGl& real, const scene::Snapshot& snapshot,
+                             const gl::ResolveTarget& target);
+  struct Pixels {
+    uint64_t of = 0;  // number of the picture; 0: none
+    scene::Resolve how;
+    Image image;
+  };
+  Pixels pixels_;                         // made last: a program may want its colours and its depths in turn
   std::vector<uint32_t> before_, after_;  // of anti-aliasing; memory is kept
   WriteBack& writeBack(const gl::RealGl& real, Image::Content content);
   std::array<std::unique_ptr<WriteBack>, 3> writeBacks_;  // by what images hold

@@ -115,7 +115,8 @@ void WriteBack::upload(const Image& image, const Sheet& sheet, Part part) const 
       const bool bytes = color && content_ == Image::Content::color;
       real_.TexSubImage2D(GL_TEXTURE_2D, 0, band.x, band.y + sheet.row, band.width, band.height,
                           color ? GL_RGBA : depthFormat_, bytes ? GL_UNSIGNED_BYTE : GL_FLOAT,
-                          color ? colorsFrom(image, first) : secondFrom(image, first, part == Part::depths));
+                          color ? colorsFrom(image, first)
+                                : secondFrom(image, first, part == Part::depths && !image.center.empty()));
     }
   }
 }
@@ -154,8 +155,9 @@ void WriteBack::draw(const Image& image, const Sheet& sheet) const {
 void WriteBack::openFor(StateGuard& guard, const WriteBackTarget& target) const {
   guard.openFragmentPath();
   guard.depthRange(0, 1);
+  if (!target.colors) guard.colorWritesOff();
   const bool sums = content_ == Image::Content::sums;
-  if (!sums && !target.over) return guard.depthTest(target.depthFunc);
+  if (!sums && !target.over && target.depths) return guard.depthTest(target.depthFunc);
   if (sums) guard.addUp();
   guard.capability(GL_DEPTH_TEST, false);
 }
@@ -202,7 +204,7 @@ bool WriteBack::write(const Image& image, const WriteBackTarget& target, Pending
   if (sheets_.empty()) return true;
   StateGuard guard(real_, features_);
   if (!writeInto(guard, image, target, planes) || real_.GetError() != GL_NO_ERROR) return held_ = 0, false;
-  const bool all = image.center.empty() && planes == image.samples;
+  const bool all = image.center.empty() && planes == image.samples && target.colors;
   held_ = all ? target.picture : 0;
   return true;
 }
@@ -231,7 +233,7 @@ bool WriteBack::writeInto(StateGuard& guard, const Image& image, const WriteBack
   for (size_t first = 0; first < sheets_.size();) {
     size_t end = first;
     for (; end < sheets_.size() && sheets_[end].sample / planes == sheets_[first].sample / planes; ++end)
-      if (held_ == 0) upload(image, sheets_[end], Part::all);
+      if (held_ == 0) upload(image, sheets_[end], target.colors ? Part::all : Part::depths);
     for (; first < end; ++first) {
       if (image.samples > 1) guard.onlySample(sheets_[first].sample);
       draw(image, sheets_[first]);

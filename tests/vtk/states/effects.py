@@ -39,6 +39,16 @@ def multisampled_vtk(stage):
     stage.orbit()
 
 
+@state("vtk", same_depth=False)
+def multisampled_surfaces(stage):
+    """Nothing but traced surfaces: the pixels are made without the multisampled framebuffer."""
+    stage.window.SetMultiSamples(4)
+    stage.show(shapes.sphere(stage.vtk, 32))
+    stage.show(stage.vtk.vtkConeSource(), color=(0.3, 0.5, 0.9), at=(0.6, 0.2, 0.3))
+    stage.look()
+    stage.orbit()
+
+
 @state("pvbatch")
 def ambient_occlusion(stage):
     simple = stage.simple
