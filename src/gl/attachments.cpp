@@ -16,20 +16,38 @@ void Attachments::set(GLuint array, GLuint place) {
   } catch (const std::bad_alloc&) {}  // then it is taken for old
 }
 
-bool Attachments::mayBeDeleted(GLuint place, const Buffer* buffer) const {
-  if (!buffer) return false;
-  const uint64_t deleted = deleted_.when(buffer->name());
+void Attachments::setTarget(GLenum target) {
+  if (deleted_.now() == 0) return;
+  try {
+    targets_[target] = deleted_.now() + 1;
+  } catch (const std::bad_alloc&) {}  // then it is taken for old
+}
+
+bool Attachments::mayBeDeleted(GLuint place, GLuint name) const {
+  const uint64_t deleted = name == 0 ? 0 : deleted_.when(name);
   if (deleted == 0) return false;
   const auto it = when_.find(bound_);
   return it == when_.end() || place >= kPlaces || it->second[place] <= deleted;
 }
 
+bool Attachments::mayBeDeletedAt(GLenum target, GLuint name) const {
+  if (deleted_.now() == 0 || name == 0) return false;
+  if (target == GL_ELEMENT_ARRAY_BUFFER) return mayBeDeleted(kElements, name);
+  const uint64_t deleted = deleted_.when(name);
+  if (deleted == 0) return false;
+  const auto it = targets_.find(target);
+  return it == targets_.end() || it->second <= deleted;
+}
+
 void Attachments::check(ArrayState& arrays) const {
   if (deleted_.now() == 0) return;
-  bool any = mayBeDeleted(kElements, arrays.elements.get());
+  const auto name = [](const std::shared_ptr<Buffer>& buffer) { return buffer ? buffer->name() : 0; };
+  // Places that are not kept, such as bindings and units beyond those that most have, count as old for good
+  // once the name was deleted: then the real OpenGL draws, which knows.
+  bool any = mayBeDeleted(kElements, name(arrays.elements));
   const auto look = [&](const ArraySource& source, GLuint place) {
     if (!source.enabled) return;
-    any = any || mayBeDeleted(source.location >= 0 ? source.binding : place, source.buffer.get());
+    any = any || mayBeDeleted(source.location >= 0 ? source.binding : place, name(source.buffer));
   };
   look(arrays.vertex, kVertex), look(arrays.normal, kNormal), look(arrays.color, kColor);
   look(arrays.secondaryColor, kSecondaryColor), look(arrays.fogCoord, kFogCoord);

@@ -63,16 +63,23 @@ class Attachments {
   /// What the bound one holds may be older than it looks, or it is gone.
   void forget() { when_.erase(bound_); }
   void forget(GLuint array) { when_.erase(array); }
+  /// The same of a target that is no part of vertex array objects: a buffer that another context deletes
+  /// stays bound to it.
+  void setTarget(GLenum target);
+  /// Whether what is bound to `target`, GL_ELEMENT_ARRAY_BUFFER too, may be a deleted buffer that had the
+  /// name before. What was bound in other ways than by glBindBuffer (glBindBufferBase ...) is taken for old.
+  bool mayBeDeletedAt(GLenum target, GLuint name) const;
   /// Refuses arrays of the bound one that may lie in deleted buffers: Reason::deletedBuffer.
   void check(ArrayState& arrays) const;
 
  private:
-  bool mayBeDeleted(GLuint place, const Buffer* buffer) const;
+  bool mayBeDeleted(GLuint place, GLuint name) const;
 
   const DeletedBuffers& deleted_;
   GLuint bound_ = 0;
   bool any_ = false;
   std::unordered_map<GLuint, std::array<uint64_t, kPlaces>> when_;  // 0: before the first deletion
+  std::unordered_map<GLenum, uint64_t> targets_;                    // likewise
 };
 
 }  // namespace gluray::gl

@@ -1,5 +1,7 @@
 #include "gl/buffer.h"
 
+#include "gl/extensions.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cstdlib>
@@ -64,19 +66,25 @@ void Buffer::setSubData(size_t offset, size_t size, const void* data) {
 
 namespace {
 
-/// Binds a buffer where no draw looks, for the life of the object.
+/// Binds a buffer where no draw looks, for the life of the object: where there is one, to a target that
+/// hardly a program uses. What is bound there comes back by its name, so not a buffer that another context
+/// has deleted.
 class CopyBinding {
  public:
-  CopyBinding(const RealGl& real, GLuint name) : real_(real) {
-    real.GetIntegerv(GL_ARRAY_BUFFER_BINDING, &saved_);
-    real.BindBuffer(GL_ARRAY_BUFFER, name);
+  CopyBinding(const RealGl& real, GLuint name)
+      : real_(real), target_(versionOf(real) >= 31 ? GL_COPY_WRITE_BUFFER : GL_ARRAY_BUFFER) {
+    real.GetIntegerv(target_ == GL_ARRAY_BUFFER ? GL_ARRAY_BUFFER_BINDING : GL_COPY_WRITE_BUFFER_BINDING,
+                     &saved_);
+    real.BindBuffer(target_, name);
   }
-  ~CopyBinding() { real_.BindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(saved_)); }
+  ~CopyBinding() { real_.BindBuffer(target_, static_cast<GLuint>(saved_)); }
   CopyBinding(const CopyBinding&) = delete;
   CopyBinding& operator=(const CopyBinding&) = delete;
+  GLenum target() const { return target_; }
 
  private:
   const RealGl& real_;
+  GLenum target_;
   GLint saved_ = 0;
 };
 
@@ -90,11 +98,11 @@ void Buffer::fetch(const RealGl& real) {
   }
   const CopyBinding binding(real, name_);
   GLint size = 0;  // asked, because commands that we do not model may have set it
-  real.GetBufferParameteriv(GL_ARRAY_BUFFER, GL_BUFFER_SIZE, &size);
+  real.GetBufferParameteriv(binding.target(), GL_BUFFER_SIZE, &size);
   size_ = static_cast<size_t>(std::max(size, 0));
   if (size_ == 0) return;
   auto storage = std::make_shared<BufferStorage>(size_);
-  real.GetBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(size_), storage->data);
+  real.GetBufferSubData(binding.target(), 0, static_cast<GLsizeiptr>(size_), storage->data);
   storage_ = std::move(storage);
 }
 
@@ -112,7 +120,7 @@ void Buffer::sendTo(const RealGl& real) {
   if (!heldBack_ || (mapped_ && memoryBelow_)) return;
   const CopyBinding binding(real, name_);
   // Who draws from it although it is mapped gets something; drivers have been seen to read at null.
-  real.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(size_), mapped_ ? nullptr : storage_->data,
+  real.BufferData(binding.target(), static_cast<GLsizeiptr>(size_), mapped_ ? nullptr : storage_->data,
                   usage_);
   if (!mapped_) g_bytesSent.fetch_add(size_, std::memory_order_relaxed);
   memoryBelow_ = true;

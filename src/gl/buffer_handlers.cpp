@@ -48,13 +48,22 @@ bool isAskedFor(GLenum target) {
   }
 }
 
-/// The buffer bound to `target`, null where there is none (the real OpenGL then says what is wrong).
+/// The buffer bound to `target`, null where there is none (the real OpenGL then says what is wrong), or where
+/// it may be one that another context has deleted, which the real OpenGL alone knows then. Its name may mean
+/// another one now, or it is that one after all: of that our copy is given up.
 std::shared_ptr<Buffer> bound(Context& c, GLenum target) {
   const GLenum query = bindingOf(target);
   if (!query) return nullptr;
   GLint name = 0;
   c.real.GetIntegerv(query, &name);
-  return bufferNamed(c.group(), static_cast<GLuint>(name));
+  if (!c.attachments.mayBeDeletedAt(target, static_cast<GLuint>(name)))
+    return bufferNamed(c.group(), static_cast<GLuint>(name));
+  if (const auto buffer = c.group().buffers.find(static_cast<GLuint>(name))) {
+    c.contentsChange(buffer->name());
+    buffer->sendTo(c.real);
+    buffer->changedBelow();
+  }
+  return nullptr;
 }
 
 bool isRange(const Buffer& buffer, GLintptr offset, GLsizeiptr size) {
@@ -88,7 +97,7 @@ void bindBuffer(Context& c, GLenum target, GLuint name) {
     buffer->sendTo(c.real);
     buffer->readBelow = buffer->readBelow || !isAskedFor(target);
   }
-  if (target != GL_ELEMENT_ARRAY_BUFFER) return;
+  if (target != GL_ELEMENT_ARRAY_BUFFER) return c.attachments.setTarget(target);
   c.touch(kArrays);
   c.attachments.set(Attachments::kElements);
 }

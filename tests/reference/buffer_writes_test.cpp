@@ -1,6 +1,7 @@
 // Vertex buffers, index buffers, uniform blocks and buffer textures whose contents change in every way that
 // OpenGL has, between two draws from them: by copies, by name, through mappings, by the GPU.
 #include "tests/reference/program_stage.h"
+#include "tests/reference/triangle_field.h"
 #include "tests/reference/twenty_points.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -11,21 +12,8 @@
 namespace gluray::test {
 namespace {
 
+using namespace triangle_field;
 using namespace twenty_points;
-
-/// A field of triangles, more than are taken one by one; `shape` tells two fields apart.
-constexpr int kTriangles = 100;
-constexpr GLsizei kVertices = 3 * kTriangles;
-std::vector<float> field(float shape) {
-  std::vector<float> all;
-  for (int i = 0; i < kTriangles; ++i) {
-    const float x = 0.2f * static_cast<float>(i % 10) - 1, y = 0.2f * static_cast<float>(i / 10) - 1;
-    const float z = shape * 0.1f * static_cast<float>(i % 3);
-    all.insert(all.end(), {x, y, z, x + 0.18f, y + 0.05f * shape, z, x + 0.05f, y + 0.18f, z});
-  }
-  return all;
-}
-constexpr GLsizeiptr kBytes = kVertices * 3 * sizeof(float);
 
 /// How the contents of `buffer` become those of field(1).
 struct Write {

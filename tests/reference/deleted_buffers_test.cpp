@@ -1,29 +1,22 @@
 // Buffers that are deleted while a vertex array object that is not bound, or another context's, still holds
 // them: they live on there (OpenGL 4.6, 5.1.2 and 5.1.3), and their names may mean other buffers by then.
 #include "tests/reference/program_stage.h"
+#include "tests/reference/triangle_field.h"
 #include "tests/reference/twenty_points.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstring>
+
 namespace gluray::test {
 namespace {
 
+using namespace triangle_field;
 using namespace twenty_points;
 
-/// More triangles than are taken one by one; `lean` tells two fields apart.
-constexpr int kTriangles = 100;
-constexpr GLsizei kVertices = 3 * kTriangles;
-constexpr GLsizeiptr kBytes = kVertices * 3 * sizeof(float), kIndexBytes = kVertices * sizeof(GLushort);
+constexpr GLsizeiptr kIndexBytes = kVertices * sizeof(GLushort);
 
-std::vector<float> field(float lean) {
-  std::vector<float> all;
-  for (int i = 0; i < kTriangles; ++i) {
-    const float x = 0.2f * static_cast<float>(i % 10) - 1, y = 0.2f * static_cast<float>(i / 10) - 1;
-    const float z = lean * 0.1f * static_cast<float>(i % 3);
-    all.insert(all.end(), {x, y, z, x + 0.18f, y + 0.05f * lean, z, x + 0.05f, y + 0.18f, z});
-  }
-  return all;
-}
 /// Every triangle, or every second one twice.
 std::vector<GLushort> order(int step) {
   std::vector<GLushort> all;
@@ -169,6 +162,61 @@ TEST_P(DeletedProgramBuffers, LiveOnInAVertexArrayObject) {
 
 INSTANTIATE_TEST_SUITE_P(All, DeletedProgramBuffers, testing::ValuesIn(kProgramPlaces),
                          [](const auto& info) { return std::string(info.param.name); });
+
+// --- Buffers that another context has bound when they are deleted
+// --------------------------------------------
+
+class BoundElsewhere : public testing::TestWithParam<GLenum> {};
+
+using Contents = std::array<float, 4>;
+
+/// One context has a buffer bound, the other deletes it and gives its name to a new one; both are written to.
+/// What is in them, and errors.
+template <class MakeCurrent>
+std::vector<float> writeBoth(const gl::RealGl* const (&contexts)[2], MakeCurrent makeCurrent, GLenum target) {
+  constexpr GLuint kName = 7;
+  std::vector<float> seen;
+  const auto fill = [](Gl gl, GLenum at, const Contents& c) {
+    gl.BufferData(at, sizeof c, c.data(), GL_STATIC_DRAW);
+  };
+  const auto ask = [&](Gl gl, GLenum at) {
+    Contents c{};
+    gl.GetBufferSubData(at, 0, sizeof c, c.data());
+    seen.insert(seen.end(), c.begin(), c.end()), seen.push_back(static_cast<float>(gl.GetError()));
+  };
+  Gl first = *contexts[0], second = *contexts[1];
+  makeCurrent(0), first.BindBuffer(target, kName), fill(first, target, {1, 2, 3, 4});
+  makeCurrent(1), second.BindBuffer(target, kName), ask(second, target);
+  makeCurrent(0), first.DeleteBuffers(1, &kName), first.BindBuffer(target, kName);
+  fill(first, target, {5, 6, 7, 8});
+  const Contents part{10, 20};
+  makeCurrent(1), second.BufferSubData(target, 4, 8, part.data()), ask(second, target);
+  if (void* mapped = second.MapBuffer(target, GL_WRITE_ONLY)) std::memcpy(mapped, part.data(), 4);
+  second.UnmapBuffer(target), ask(second, target);
+  makeCurrent(0), ask(first, target), first.BufferSubData(target, 8, 8, part.data()), ask(first, target);
+  makeCurrent(1), fill(second, target, {0.5f, 0.25f, 1, 2}), ask(second, target);
+  second.BindBuffer(target, kName), ask(second, target), fill(second, target, {9, 9, 9, 9});
+  makeCurrent(0), ask(first, target);
+  return seen;
+}
+
+TEST_P(BoundElsewhere, IsNotTheOneThatHasItsNameNow) {
+  std::vector<float> expected, got;
+  {
+    const auto a = OsmesaContext::create({32, 32}), b = OsmesaContext::create({32, 32}, a.get());
+    expected = writeBoth(
+        {&a->real(), &b->real()}, [&](int i) { (i ? b : a)->makeCurrent(); }, GetParam());
+  }
+  TracedContext a({32, 32}), b({32, 32}, TracedContext::vertexShading(), nullptr, &a);
+  got = writeBoth(
+      {&a.gl(), &b.gl()}, [&](int i) { (i ? b : a).makeCurrent(); }, GetParam());
+  a.makeCurrent();
+  EXPECT_EQ(got, expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BoundElsewhere,
+                         testing::Values(GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER, GL_COPY_READ_BUFFER,
+                                         GL_UNIFORM_BUFFER));
 
 // --- Renderbuffers and textures in framebuffer objects that are not bound ----------------------------------
 
