@@ -1,6 +1,6 @@
 // Round figures that programs cut out of cards, not as VTK writes them: what the section [figures] of family
 // files says, each on a program that computes just that.
-#include "tests/reference/program_stage.h"
+#include "tests/reference/own_figures.h"
 
 #include <gtest/gtest.h>
 
@@ -38,13 +38,7 @@ const std::string kFragmentHead =
     "  vec3 m = o - center;\n";
 
 const std::string kFamilyHead =
-    "[[family]]\nname = \"own\"\nmatch.active = [\"place\", \"modelview\", \"projection\"]\n"
-    "match.geometry_shader = true\nvertex.position = \"place\"\nvertex.color = \"paint\"\n"
-    "transform.clip_from_object = [\"projection\", \"modelview\"]\ntransform.eye_from_object = "
-    "\"modelview\"\n"
-    "transform.normal_matrix = \"modelview\"\nnormals.parallel_view = \"ortho\"\n"
-    "material.ambient_intensity = 0.2\nmaterial.ambient_color = 1\nmaterial.diffuse_intensity = 0.8\n"
-    "lights.direction = \"sun\"\n";
+    kOwnFamily + "match.geometry_shader = true\ntransform.normal_matrix = \"modelview\"\n";
 
 struct Case {
   const char *name, *fragment, *family;
@@ -84,62 +78,23 @@ const Case kCases[] = {
     {"cylinders_parallel", kCylinder, kCylinderFamily, true, true},
 };
 
-GLuint link(Gl gl, const std::string& fragment) {
-  const GLuint program = gl.CreateProgram();
-  const std::pair<GLenum, std::string> parts[] = {
-      {GL_VERTEX_SHADER, kVertex}, {GL_GEOMETRY_SHADER, kGeometry}, {GL_FRAGMENT_SHADER, fragment}};
-  for (const auto& [kind, text] : parts) {
-    const GLuint shader = gl.CreateShader(kind);
-    const char* source = text.c_str();
-    gl.ShaderSource(shader, 1, &source, nullptr), gl.CompileShader(shader), gl.AttachShader(program, shader);
-    GLchar log[2000] = {};
-    gl.GetShaderInfoLog(shader, sizeof log, nullptr, log);
-    EXPECT_STREQ(log, "");
-  }
-  gl.LinkProgram(program);
-  return program;
-}
-
-constexpr int kFigures = 60;
-
 void drawCase(Gl gl, const Case& c) {
-  const GLuint program = link(gl, kFragmentHead + c.fragment);
-  std::vector<float> places, ways, sizes, paints;
+  const GLuint program = linkFigures(gl, kVertex, kGeometry, kFragmentHead + c.fragment);
+  std::vector<float> ways, sizes;
   for (int i = 0; i < kFigures; ++i) {
     const auto t = static_cast<float>(i);
-    for (const float v : {std::sin(1.7f * t), std::sin(2.3f * t + 1), std::cos(0.9f * t)})
-      places.push_back(v);
     for (const float v : {std::sin(t), std::cos(3 * t), std::sin(2 * t)}) ways.push_back(0.4f * v);
-    for (const float v : {1.0f, 0.5f + 0.5f * std::sin(t), 0.3f}) paints.push_back(v);
     sizes.push_back(0.08f + 0.03f * std::sin(5 * t));
   }
-  GLuint array = 0;
-  gl.GenVertexArrays(1, &array), gl.BindVertexArray(array);
-  const auto add = [&](const char* name, GLint size, const std::vector<float>& values) {
-    const GLint at = gl.GetAttribLocation(program, name);
-    if (at < 0) return;
-    GLuint buffer = 0;
-    gl.GenBuffers(1, &buffer), gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
-    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(4 * values.size()), values.data(), GL_STATIC_DRAW);
-    gl.EnableVertexAttribArray(static_cast<GLuint>(at));
-    gl.VertexAttribPointer(static_cast<GLuint>(at), size, GL_FLOAT, false, 0, nullptr);
-  };
-  add("place", 3, places), add("way", 3, ways), add("size", 1, sizes), add("paint", 3, paints);
+  placeFigures(gl, program);
+  addFigureValues(gl, program, "way", 3, ways), addFigureValues(gl, program, "size", 1, sizes);
   beginFrame(gl);
   gl.UseProgram(program);
-  const View view = c.parallel ? parallelView(35) : perspectiveView(35);
-  setMat4(gl, program, "projection", glm::mat4(view.clipFromEye));
-  setMat4(gl, program, "modelview", glm::mat4(view.eyeFromObject));
-  setInteger(gl, program, "ortho", c.parallel);
-  setVec3(gl, program, "sun", glm::normalize(glm::vec3(-0.3f, -0.5f, -1)));
+  lookAtFigures(gl, program, c.parallel ? parallelView(35) : perspectiveView(35), c.parallel);
   if (!c.indices) return gl.DrawArrays(GL_POINTS, 5, kFigures - 5);
   std::vector<GLushort> numbers;
   for (int i = 0; i < kFigures; i += 2) numbers.push_back(static_cast<GLushort>(kFigures - 1 - i));
-  GLuint buffer = 0;
-  gl.GenBuffers(1, &buffer), gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
-  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(2 * numbers.size()), numbers.data(),
-                GL_STATIC_DRAW);
-  gl.DrawElements(GL_POINTS, static_cast<GLsizei>(numbers.size()), GL_UNSIGNED_SHORT, nullptr);
+  drawNumbered(gl, GL_POINTS, numbers);
 }
 
 class ProgramFigures : public testing::TestWithParam<Case> {};

@@ -1,10 +1,8 @@
 // Beads and tubes, not as VTK writes them: what the section [figures] of family files says of points and
 // lines of so many pixels, each on a program that computes just that.
-#include "tests/reference/program_stage.h"
+#include "tests/reference/own_figures.h"
 
 #include <gtest/gtest.h>
-
-#include <cmath>
 
 namespace gluray::test {
 namespace {
@@ -43,13 +41,7 @@ const char* const kBeadFragment =
     "  if (q > 1.0) discard; float thick = sqrt(1.0 - q); show(vec3(p, thick), tint + 0.0 * eye, thick); }\n";
 
 const std::string kFamily =
-    "[[family]]\nname = \"own\"\nmatch.active = [\"place\", \"modelview\", \"projection\"]\n"
-    "vertex.position = \"place\"\nvertex.color = \"paint\"\n"
-    "transform.clip_from_object = [\"projection\", \"modelview\"]\ntransform.eye_from_object = "
-    "\"modelview\"\n"
-    "normals.parallel_view = \"ortho\"\nmaterial.ambient_intensity = 0.2\nmaterial.ambient_color = 1\n"
-    "material.diffuse_intensity = 0.8\nlights.direction = \"sun\"\n"
-    "figures.bulge = \"bulge\"\nfigures.bulge_depth = \"pole\"\nfigures.depth_bias = \"bias\"\n";
+    kOwnFamily + "figures.bulge = \"bulge\"\nfigures.bulge_depth = \"pole\"\nfigures.depth_bias = \"bias\"\n";
 const std::string kTubeFamily =
     "match.geometry_shader = true\nfigures.shape = \"tubes\"\nfigures.size = \"wide\"\nfigures.grows = "
     "true\n";
@@ -72,31 +64,8 @@ const Case kCases[] = {
     {"beads_by_number", false, false, 5, 0, 33},
 };
 
-constexpr int kPoints = 60;
-
-GLuint link(Gl gl, bool tubes) {
-  const GLuint program = gl.CreateProgram();
-  const std::string fragment = kFragmentHead + (tubes ? kTubeFragment : kBeadFragment);
-  const std::pair<GLenum, const char*> parts[] = {{GL_VERTEX_SHADER, kVertex},
-                                                  {GL_FRAGMENT_SHADER, fragment.c_str()},
-                                                  {GL_GEOMETRY_SHADER, kTubeGeometry}};
-  for (const auto& [kind, text] : parts) {
-    if (kind == GL_GEOMETRY_SHADER && !tubes) continue;
-    const GLuint shader = gl.CreateShader(kind);
-    gl.ShaderSource(shader, 1, &text, nullptr), gl.CompileShader(shader), gl.AttachShader(program, shader);
-    GLchar log[2000] = {};
-    gl.GetShaderInfoLog(shader, sizeof log, nullptr, log);
-    EXPECT_STREQ(log, "");
-  }
-  gl.LinkProgram(program);
-  return program;
-}
-
 void setLook(Gl gl, GLuint program, const Case& c, const View& view) {
-  setMat4(gl, program, "projection", glm::mat4(view.clipFromEye));
-  setMat4(gl, program, "modelview", glm::mat4(view.eyeFromObject));
-  setInteger(gl, program, "ortho", c.parallel);
-  setVec3(gl, program, "sun", glm::normalize(glm::vec3(-0.3f, -0.5f, -1)));
+  lookAtFigures(gl, program, view, c.parallel);
   const double zz = view.clipFromEye[2][2];
   setFloat(gl, program, "bulge", static_cast<float>(c.pixels / (kProgramWidth * view.clipFromEye[0][0])));
   setFloat(gl, program, "pole", static_cast<float>(c.parallel ? zz : 0.5 - 0.5 * zz));
@@ -107,39 +76,17 @@ void setLook(Gl gl, GLuint program, const Case& c, const View& view) {
 }
 
 GLuint drawCase(Gl gl, const Case& c) {
-  const GLuint program = link(gl, c.tubes);
-  std::vector<float> places, paints;
-  for (int i = 0; i < kPoints; ++i) {
-    const auto t = static_cast<float>(i);
-    for (const float v : {std::sin(1.7f * t), std::sin(2.3f * t + 1), std::cos(0.9f * t)})
-      places.push_back(v);
-    for (const float v : {1.0f, 0.5f + 0.5f * std::sin(t), 0.3f}) paints.push_back(v);
-  }
-  GLuint array = 0;
-  gl.GenVertexArrays(1, &array), gl.BindVertexArray(array);
-  const auto add = [&](const char* name, const std::vector<float>& values) {
-    const auto at = static_cast<GLuint>(gl.GetAttribLocation(program, name));
-    GLuint buffer = 0;
-    gl.GenBuffers(1, &buffer), gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
-    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(4 * values.size()), values.data(), GL_STATIC_DRAW);
-    gl.EnableVertexAttribArray(at), gl.VertexAttribPointer(at, 3, GL_FLOAT, false, 0, nullptr);
-  };
-  add("place", places), add("paint", paints);
+  const GLuint program = linkFigures(gl, kVertex, c.tubes ? kTubeGeometry : "",
+                                     kFragmentHead + (c.tubes ? kTubeFragment : kBeadFragment));
+  placeFigures(gl, program);
   beginFrame(gl);
   gl.UseProgram(program);
   setLook(gl, program, c, c.parallel ? parallelView(35) : perspectiveView(35));
   const GLenum mode = c.tubes ? GL_LINES : GL_POINTS;
-  if (!c.numbers) {
-    gl.DrawArrays(mode, 4, kPoints - 4);
-    return program;
-  }
+  if (!c.numbers) return gl.DrawArrays(mode, 4, kFigures - 4), program;
   std::vector<GLushort> numbers;
-  for (int i = 0; i < c.numbers; ++i) numbers.push_back(static_cast<GLushort>(7 * i % kPoints));
-  GLuint buffer = 0;
-  gl.GenBuffers(1, &buffer), gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
-  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(2 * numbers.size()), numbers.data(),
-                GL_STATIC_DRAW);
-  gl.DrawElements(mode, c.numbers, GL_UNSIGNED_SHORT, nullptr);
+  for (int i = 0; i < c.numbers; ++i) numbers.push_back(static_cast<GLushort>(7 * i % kFigures));
+  drawNumbered(gl, mode, numbers);
   return program;
 }
 
@@ -192,7 +139,7 @@ TEST(ProgramPixelFigure, TheViewerTurnsAndNothingIsBuilt) {
         for (int i = 0; i < 5; ++i) {
           gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
           setLook(gl, program, tubes, perspectiveView(35 + 20 * i));
-          gl.DrawArrays(GL_LINES, 4, kPoints - 4);
+          gl.DrawArrays(GL_LINES, 4, kFigures - 4);
         }
       },
       6, coreWish(), kProgramTolerance, familyOf(tubes));

@@ -21,7 +21,7 @@ def parallel_projection_no_normals(stage):
     stage.orbit()
 
 
-@state("pvbatch", outside=False)  # as zoomed_far_in
+@state("pvbatch")
 def camera_inside(stage):
     stage.show(stage.simple.Sphere(Radius=10, ThetaResolution=32, PhiResolution=32))
     stage.show(stage.simple.Box(Center=[0, 0, -5]))
@@ -85,7 +85,7 @@ def huge_model(stage):
     stage.orbit()
 
 
-@state("vtk", beyond=0.005, reason="coordinates of 30,000 in a view of ten units: the real OpenGL's floats are rounded too")
+@state("vtk", beyond=0.0025, reason="coordinates of 30,000 in a view of ten units: the real OpenGL's floats are rounded too")
 def shifted_and_scaled(stage):
     """The same data by every way that VTK moves coordinates before they go to the graphics card."""
     vtk = stage.vtk

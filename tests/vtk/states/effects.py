@@ -23,14 +23,14 @@ def fxaa_on(stage):
     stage.orbit()
 
 
-@state("pvbatch", beyond=0.005, reason="samples of edge pixels lie where the real OpenGL puts them", same_depth=False)
+@state("pvbatch", same_depth=False)
 def multisampled(stage):
     stage.view.MultiSamples = 4
     ball(stage)
     stage.orbit()
 
 
-@state("vtk", beyond=0.005, reason="samples of edge pixels lie where the real OpenGL puts them", same_depth=False)
+@state("vtk", same_depth=False)
 def multisampled_vtk(stage):
     stage.window.SetMultiSamples(4)
     stage.show(shapes.sphere(stage.vtk, 32))

@@ -24,9 +24,9 @@ def beads(stage, source=None, size=9, color=(0.9, 0.6, 0.3)):
     return actor
 
 
-def both(stage):
-    tubes(stage)
-    beads(stage, shapes.sphere(stage.vtk, 8, 0.6), size=14, color=(0.4, 0.7, 0.9))
+def both(stage, width=6, size=14):
+    tubes(stage, width=width)
+    beads(stage, shapes.sphere(stage.vtk, 8, 0.6), size=size, color=(0.4, 0.7, 0.9))
 
 
 @state("vtk")
@@ -87,16 +87,14 @@ def pixels_at_the_border(stage):
 @state("vtk")
 def pixels_thick(stage):
     """So thick that lines are shorter than they are wide, and grow at their ends."""
-    tubes(stage, width=25)
-    beads(stage, shapes.sphere(stage.vtk, 8, 0.6), size=40.5, color=(0.4, 0.7, 0.9))
+    both(stage, width=25, size=40.5)
     stage.look()
     stage.orbit(2)
 
 
 @state("vtk")
 def pixels_thin(stage):
-    tubes(stage, width=1.5)
-    beads(stage, shapes.sphere(stage.vtk, 8, 0.6), size=2, color=(0.4, 0.7, 0.9))
+    both(stage, width=1.5, size=2)
     stage.look()
     stage.orbit(2)
 
