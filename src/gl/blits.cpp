@@ -41,6 +41,7 @@ void blitFramebuffer(Context& c, GLint fromX0, GLint fromY0, GLint fromX1, GLint
     c.beforeBlit();
     c.blit(blit);
   }
+  c.forgetClear();
   c.touch(framebufferBound(c));  // another context that reads an image again must find it changed
 }
 

@@ -101,6 +101,7 @@ void Context::beforeForward(Flush how) noexcept {
       case Flush::redirect: redirect(); break;
       default: flush();
     }
+    forgetClear();
     sendBuffers();
   });
 }
@@ -250,6 +251,7 @@ void Context::loseCurrent() {
     syncCurrent();
     flush();
   });
+  forgetClear();
   if (t_thread.context == this) t_thread = {};
 }
 
@@ -278,6 +280,7 @@ void Context::forgetOld() {
 
 void Context::cleared(GLbitfield mask) {
   if (mask & GL_DEPTH_BUFFER_BIT) passes_.clear();
+  noteClear(mask);
   constexpr GLbitfield kWhole = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
   if ((mask & kWhole) != kWhole || work() == workForgotten_) return;
   const int patience = statistics.frames > 0 ? 64 : 4;
@@ -316,13 +319,16 @@ void Context::present(bool rasterise) {
   syncCurrent();
   passes_.flushed(rasterise ? nullptr : snapshot);
   if (rasterise) countAsRasterised(*snapshot);
+  const std::optional<ClearedTarget> under = rasterise ? std::nullopt : clearedUnder(*snapshot, key);
+  forgetClear();
   const PresentResult result = peeled ? presentLayers(snapshot, key)
                                       : presenter_.present(real, snapshot,
                                                            {.depthFunc = key.depthFunc,
                                                             .core = info_.core,
                                                             .rasterise = rasterise,
                                                             .programDraws = batch_.takeProgramDraws(),
-                                                            .mayRepeat = !choice_.wantsStop()});
+                                                            .mayRepeat = !choice_.wantsStop(),
+                                                            .cleared = under});
   unresolved_.cleared = {};
   latch_.restore(real);
   takeResult(result);

@@ -122,6 +122,8 @@ class Context {
   /// of those. Called before and after the real clear.
   void clearing(GLbitfield mask);
   void cleared(GLbitfield mask);
+  /// Something may have been drawn, or sent, into the draw framebuffer.
+  void forgetClear() { cleared_.reset(); }
   /// Traces the pending batch and writes it into the framebuffer. Nothing to do if there is none.
   void flush() {
     settle();
@@ -392,6 +394,9 @@ class Context {
   std::vector<SavedAttrib> attribStack_;
   GLint deepestAttrib_ = 0;  // 0: not known yet
 
+  std::optional<ClearedTarget> cleared_;  // the draw framebuffer, if it is worth knowing
+  void noteClear(GLbitfield mask);
+  std::optional<ClearedTarget> clearedUnder(const scene::Snapshot& snapshot, const BatchKey& key);
   void clampToTarget(scene::Region& region);
   void readCurrentProgram();
   enum class Placed { nowhere, inBatch, otherCamera };

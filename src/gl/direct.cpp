@@ -62,6 +62,7 @@ void Context::clearing(GLbitfield mask) {
 void Context::noteLoad(uint64_t triangles) { choice_.drew(triangles, viewportPixels()); }
 
 bool Context::drawsDirectly(DrawPath path, PrimitiveClass kind, uint64_t triangles) {
+  forgetClear();
   refresh(kinds() ? kViewport | kTarget : kViewport);
   if (kind == PrimitiveClass::surfaces && !choice_.takes(triangles, viewportPixels())) {
     choice_.overflow();

@@ -105,6 +105,7 @@ bool Context::antialiasInto(GLuint attachment, const scene::Region& region) {
   real.ActiveTexture(static_cast<GLenum>(active));
   if (!plain) return false;
   flush();
+  forgetClear();
   scene::Fxaa fxaa;
   fxaa.relativeContrast = uniforms.number(family.relativeContrast, fxaa.relativeContrast);
   fxaa.hardContrast = uniforms.number(family.hardContrast, fxaa.hardContrast);

@@ -204,6 +204,7 @@ void Context::endLayers() {
 
 void Context::giveUpLayers() {
   if (peeling_.stage == Peeling::Stage::none) return;
+  forgetClear();
   peeling_.stage = Peeling::Stage::none;
   peeling_.failed();
   LayersTarget& target = peeling_.target;

@@ -9,10 +9,20 @@
 #include <GL/gl.h>
 #include <glm/glm.hpp>
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace gluray::gl {
+
+/// What a framebuffer object was last cleared to as a whole, depth to 1, nothing having been drawn or sent
+/// into it since.
+struct ClearedTarget {
+  GLuint framebuffer = 0;
+  scene::Region region;          // pixels
+  std::array<float, 4> color{};  // as given to glClearColor
+};
 
 /// What the write-back must know about the framebuffer beside the snapshot. The framebuffer itself is bound
 /// when present() is called.
@@ -26,6 +36,9 @@ struct PresentTarget {
   bool depthAgain = false;
   bool mayRepeat =
       true;  // where nothing has changed the last picture may do; false: what it costs is measured
+  /// What lies under the whole region of the snapshot, if that is known and pictures may be sent instead of
+  /// drawn; no stencil value in the framebuffer matters then.
+  std::optional<ClearedTarget> cleared = {};
 };
 
 /// Where the pixels go that the samples of a picture come to.

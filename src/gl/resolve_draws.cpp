@@ -179,6 +179,7 @@ bool Context::resolveInto(ResolveTarget& target) {
   target.how.farthest = farthestHit(waiting.key.depthFunc, waiting.cleared.depthResolution);
   target.mayRepeat = waiting.traced || !choice_.wantsStop();
   if (const GLenum pending = real.GetError()) setError(pending);
+  forgetClear();
   const PresentResult result = presenter_.resolve(real, waiting.snapshot, target);
   latch_.restore(real);
   if (result.outcome != PresentResult::traced) return false;

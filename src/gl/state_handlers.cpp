@@ -159,6 +159,7 @@ uint32_t matrixGroups(Context& c) {
 }
 
 uint32_t textureAttached(Context& c, GLuint texture) {
+  c.forgetClear();
   c.textures().attached(texture);
   return kTarget | kTexture;
 }
@@ -169,12 +170,14 @@ uint32_t framebufferBound(Context& c) {
 }
 
 uint32_t imageChanged(Context& c, GLenum target) {
+  c.forgetClear();
   c.imagesChange();
   c.textures().imageChanged(c.real, target);
   return kTexture;
 }
 
 uint32_t texturesDeleted(Context& c, GLsizei n, const GLuint* names) {
+  c.forgetClear();
   c.imagesChange();
   for (GLsizei i = 0; names && i < n; ++i) c.textures().deleted(names[i]);
   return kTexture;
@@ -196,6 +199,7 @@ uint32_t capabilityEnabled(Context& c, GLenum capability) {
 }
 
 uint32_t imagesChanged(Context& c) {
+  c.forgetClear();
   stencilSet(c);
   c.imagesChange();
   c.textures().allImagesChanged();

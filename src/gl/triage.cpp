@@ -225,6 +225,7 @@ void Context::beforeRasterDraw(PrimitiveClass kind) {
         state.raster.program != 0 && group_->program(real, state.raster.program, families())->program.writes;
     if (!state.raster.orderFree || coplanar || sums || writes) flush();
   }
+  forgetClear();
   syncCurrent();
 }
 

@@ -17,6 +17,11 @@ namespace gluray {
     "VTK's anti-aliasing pass (FXAA) costs software OpenGLs more than tracing a frame; it is computed "     \
     "without them, to the same picture",                                                                    \
     "src/render/fxaa_test.cpp, tests/vtk (group effects)")                                                  \
+  X(softwarePut, "software-put",                                                                            \
+    "Mesa's llvmpipe takes milliseconds to draw a traced picture with its depth; where a framebuffer "      \
+    "object "                                                                                               \
+    "holds nothing but what it was cleared to, the picture is sent into its textures",                      \
+    "tests/reference/texture_put_test.cpp")                                                                 \
   X(softwareDepthBlit, "software-depth-blit",                                                               \
     "Mesa's llvmpipe blits depth by drawing it, which takes ten times as long as copying it; where a blit " \
     "neither moves, scales nor cuts it, it is copied",                                                      \

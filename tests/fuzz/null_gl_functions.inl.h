@@ -268,10 +268,12 @@ void addState(NullFunctions& functions) {
   IS(ColorMaterial, [](E f, E p) {
     put(GL_COLOR_MATERIAL_FACE, {double(f)}), put(GL_COLOR_MATERIAL_PARAMETER, {double(p)});
   });
-  IS(LightModelfv, [](E n, const F* v) { now().values[n] = Values(v, v + parametersOf(n)); });
+  // Of a name that is none of theirs they read one number at most, whatever it means elsewhere.
+  IS(LightModelfv,
+     [](E n, const F* v) { now().values[n] = Values(v, v + (n == GL_LIGHT_MODEL_AMBIENT ? 4 : 1)); });
   IS(LightModelf, [](E n, F v) { put(n, {v}); });
   IS(LightModeli, [](E n, GLint v) { put(n, {double(v)}); });
-  IS(Fogfv, [](E n, const F* v) { now().values[n] = Values(v, v + parametersOf(n)); });
+  IS(Fogfv, [](E n, const F* v) { now().values[n] = Values(v, v + (n == GL_FOG_COLOR ? 4 : 1)); });
 }
 
 void addValues(NullFunctions& functions) {

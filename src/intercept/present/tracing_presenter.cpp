@@ -174,6 +174,10 @@ bool TracingPresenter::written(const gl::RealGl& real, const LastPictures::Pictu
                                const gl::PresentTarget& target, PendingErrors& pending,
                                std::string& why) noexcept {
   try {
+    if (target.cleared && put_.put(real, features(real), picture.image, *target.cleared, pending)) {
+      noteUse(Quirk::softwarePut);
+      return true;
+    }
     return writeBack(real, picture.image.content)
         .write(picture.image, {.depthFunc = target.depthFunc, .picture = picture.id}, pending);
   } catch (const std::exception& e) {  // before anything is drawn: the guard puts the state back

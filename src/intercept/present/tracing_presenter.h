@@ -3,6 +3,7 @@
 #pragma once
 #include "gl/presenter.h"
 #include "intercept/present/last_pictures.h"
+#include "intercept/present/texture_put.h"
 #include "intercept/present/write_back.h"
 
 #include <array>
@@ -84,6 +85,7 @@ class TracingPresenter final : public gl::Presenter {
   std::vector<uint32_t> before_, after_;  // of anti-aliasing; memory is kept
   WriteBack& writeBack(const gl::RealGl& real, Image::Content content);
   std::array<std::unique_ptr<WriteBack>, 3> writeBacks_;  // by what images hold
+  TexturePut put_;
   const Features& features(const gl::RealGl& real);
   std::optional<Features> features_;  // of the context
   /// The picture of the snapshot, traced or known already; null where tracing fails, with `why`.

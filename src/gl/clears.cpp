@@ -1,0 +1,61 @@
+// What is known of a framebuffer that was cleared as a whole.
+#include "gl/context.h"
+#include "gl/state_queries.h"
+
+#include <GL/glext.h>
+
+#include <limits>
+
+namespace gluray::gl {
+namespace {
+
+constexpr GLbitfield kColorAndDepth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
+
+bool writesAll(const RealGl& real) {
+  GLboolean color[4] = {}, depth = GL_FALSE;
+  real.GetBooleanv(GL_COLOR_WRITEMASK, color);
+  real.GetBooleanv(GL_DEPTH_WRITEMASK, &depth);
+  return color[0] && color[1] && color[2] && color[3] && depth;
+}
+
+scene::Region clearedRegion(const RealGl& real) {
+  if (!isOn(real, GL_SCISSOR_TEST))
+    return {0, 0, std::numeric_limits<int>::max(), std::numeric_limits<int>::max()};
+  GLint box[4] = {};
+  real.GetIntegerv(GL_SCISSOR_BOX, box);
+  return {box[0], box[1], box[2], box[3]};
+}
+
+/// In 64 bits: regions may be as large as numbers are.
+bool contains(const scene::Region& outer, const scene::Region& inner) {
+  const auto end = [](int start, int size) { return int64_t{start} + size; };
+  return outer.x <= inner.x && outer.y <= inner.y && end(inner.x, inner.width) <= end(outer.x, outer.width) &&
+         end(inner.y, inner.height) <= end(outer.y, outer.height);
+}
+
+}  // namespace
+
+void Context::noteClear(GLbitfield mask) {
+  forgetClear();
+  if ((mask & kColorAndDepth) != kColorAndDepth || !info_.settings.quirks.has(Quirk::softwarePut)) return;
+  if (direct_ || aside_ || activeQueries > 0 || !isPresent(real.BindFramebuffer) || !isSoftwareBelow())
+    return;
+  const GLint framebuffer = integer(real, GL_DRAW_FRAMEBUFFER_BINDING);
+  GLdouble depth = 0;
+  real.GetDoublev(GL_DEPTH_CLEAR_VALUE, &depth);
+  if (framebuffer == 0 || depth != 1 || !writesAll(real)) return;
+  if (state.rare.rasterizerDiscard && isOn(real, GL_RASTERIZER_DISCARD)) return;
+  ClearedTarget cleared{static_cast<GLuint>(framebuffer), clearedRegion(real), {}};
+  real.GetFloatv(GL_COLOR_CLEAR_VALUE, cleared.color.data());
+  cleared_ = cleared;
+}
+
+std::optional<ClearedTarget> Context::clearedUnder(const scene::Snapshot& snapshot, const BatchKey& key) {
+  if (!cleared_ || key.framebuffer != cleared_->framebuffer || key.depthFunc != GL_LEQUAL ||
+      key.layers != BatchKey::Layers::none || snapshot.samples != 1 || group_->stencilsSet ||
+      !contains(cleared_->region, snapshot.region))
+    return std::nullopt;
+  return cleared_;
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,135 @@
+// Pictures that are sent into textures are those that would have been drawn.
+#include "intercept/present/texture_put.h"
+
+#include "intercept/present/write_back.h"
+#include "tests/support/osmesa_context.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace gluray::present {
+namespace {
+
+constexpr int kSize = 64;
+
+struct Target {
+  GLuint framebuffer = 0;
+};
+
+Target make(const gl::RealGl& g, GLenum depthFormat) {
+  Target t;
+  GLuint textures[2] = {};
+  g.GenTextures(2, textures);
+  g.BindTexture(GL_TEXTURE_2D, textures[0]);
+  g.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kSize, kSize, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  g.BindTexture(GL_TEXTURE_2D, textures[1]);
+  const bool packed = depthFormat == GL_DEPTH24_STENCIL8;
+  g.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(depthFormat), kSize, kSize, 0,
+               packed ? GL_DEPTH_STENCIL : GL_DEPTH_COMPONENT,
+               packed ? GLenum{GL_UNSIGNED_INT_24_8} : GLenum{GL_FLOAT}, nullptr);
+  g.BindTexture(GL_TEXTURE_2D, 0);
+  g.GenFramebuffers(1, &t.framebuffer), g.BindFramebuffer(GL_FRAMEBUFFER, t.framebuffer);
+  g.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, textures[0], 0);
+  g.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, textures[1], 0);
+  g.ClearColor(0.2f, 0.4f, 0.61f, 0.5f), g.ClearDepth(1);
+  g.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  return t;
+}
+
+/// Hits of all kinds of depth in a corner of the framebuffer, misses among them.
+Image noise(unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> depth(0, 1);
+  Image image;
+  image.x = 5, image.y = 9;
+  image.resize(50, 40, 1);
+  for (size_t i = 0; i < image.color.size(); ++i) {
+    image.color[i] = static_cast<uint32_t>(random());
+    const uint32_t kind = random() % 8;
+    image.depth[i] = kind == 0   ? Image::kMiss
+                     : kind == 1 ? 1.0f - depth(random) * 0x1p-20f  // where a projection puts most of a scene
+                     : kind == 2 ? static_cast<float>((random() % 16777216) / 16777215.0)
+                     : kind == 3
+                         ? static_cast<float>((random() % 16777215 + 0.5) / 16777215.0)  // between two
+                         : depth(random);
+  }
+  image.depth[0] = 0, image.depth[1] = 1;
+  return image;
+}
+
+struct Read {
+  std::vector<uint32_t> colors, depths;
+  bool operator==(const Read&) const = default;
+};
+
+Read read(const gl::RealGl& g) {
+  Read r{std::vector<uint32_t>(kSize * kSize), std::vector<uint32_t>(kSize * kSize)};
+  g.ReadPixels(0, 0, kSize, kSize, GL_RGBA, GL_UNSIGNED_BYTE, r.colors.data());
+  g.ReadPixels(0, 0, kSize, kSize, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, r.depths.data());
+  return r;
+}
+
+gl::ClearedTarget clearedOf(const Target& t) {
+  return {t.framebuffer, {0, 0, kSize, kSize}, {0.2f, 0.4f, 0.61f, 0.5f}};
+}
+
+class TexturePutTest : public testing::TestWithParam<std::pair<GLenum, test::ContextWish>> {};
+
+TEST_P(TexturePutTest, IsWhatWouldHaveBeenDrawn) {
+  const auto [format, wish] = GetParam();
+  const auto context = test::OsmesaContext::create(wish);
+  ASSERT_TRUE(context);
+  const gl::RealGl& g = context->real();
+  const Features features = readFeatures(g);
+  g.DepthFunc(GL_LEQUAL), g.Enable(GL_DEPTH_TEST);
+  WriteBack writeBack(g);
+  TexturePut put;
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    const Image image = noise(seed);
+    PendingErrors pending;
+    make(g, format);
+    ASSERT_TRUE(writeBack.write(image, {GL_LEQUAL}, pending));
+    const Read drawn = read(g);
+    const Target target = make(g, format);
+    ASSERT_TRUE(put.put(g, features, image, clearedOf(target), pending));
+    EXPECT_EQ(read(g), drawn) << "seed " << seed;
+    EXPECT_TRUE(pending.empty());
+    EXPECT_EQ(g.GetError(), GLenum{GL_NO_ERROR});
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, TexturePutTest,
+                         testing::Values(std::pair(GLenum{GL_DEPTH24_STENCIL8}, test::ContextWish{}),
+                                         std::pair(GLenum{GL_DEPTH_COMPONENT32F}, test::ContextWish{}),
+                                         std::pair(GLenum{GL_DEPTH24_STENCIL8},
+                                                   test::ContextWish{.core = true, .major = 3, .minor = 2})));
+
+TEST(TexturePut, RefusesWhatItDoesNotKnow) {
+  const auto context = test::OsmesaContext::create();
+  ASSERT_TRUE(context);
+  const gl::RealGl& g = context->real();
+  const Features features = readFeatures(g);
+  PendingErrors pending;
+  TexturePut put;
+  for (const GLenum format : {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32}) {
+    const Target other = make(g, format);
+    EXPECT_FALSE(put.put(g, features, noise(1), clearedOf(other), pending));
+  }
+  const Target target = make(g, GL_DEPTH24_STENCIL8);
+  Image large = noise(1);
+  large.x = 20;  // beyond the texture
+  EXPECT_FALSE(put.put(g, features, large, clearedOf(target), pending));
+  Image averages = noise(1);
+  averages.center = averages.depth;
+  EXPECT_FALSE(put.put(g, features, averages, clearedOf(target), pending));
+  GLuint renderbuffer = 0;
+  g.GenRenderbuffers(1, &renderbuffer), g.BindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
+  g.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, kSize, kSize);
+  g.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, renderbuffer);
+  EXPECT_FALSE(put.put(g, features, noise(1), clearedOf(target), pending));
+  EXPECT_EQ(g.GetError(), GLenum{GL_NO_ERROR});
+}
+
+}  // namespace
+}  // namespace gluray::present
