@@ -29,7 +29,7 @@ std::vector<std::string> hudLines(const HudFigures& figures);
 
 class Hud {
  public:
-  explicit Hud(const gl::RealGl& real) : real_(real), writeBack_(real) {}
+  explicit Hud(const gl::RealGl& real) : writeBack_(real) {}
 
   /// Draws over the finished frame in the back buffer, just before it is shown. `now` are the sums over all
   /// contexts, `seconds` any clock. No state that the program can query differs afterwards, and no depth. The
@@ -38,7 +38,6 @@ class Hud {
   gl::SharedNames takeNames() { return writeBack_.takeNames(); }
 
  private:
-  const gl::RealGl& real_;
   present::WriteBack writeBack_;
   std::optional<gl::Statistics> since_;
   double sinceSeconds_ = 0, lastSeconds_ = 0;
