@@ -6,6 +6,7 @@
 
 #include <GL/gl.h>
 #include <GL/glext.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <bit>
@@ -71,13 +72,13 @@ uint32_t TexturePut::bitsOf(const gl::RealGl& real, StateGuard& guard, const Att
   return bits_;
 }
 
-void TexturePut::fill(const Image& image, const Band& band, uint32_t background, bool floats) {
-  const auto width = static_cast<size_t>(band.width), pixels = width * static_cast<size_t>(band.height);
-  colors_.resize(pixels), depths_.resize(pixels);
+void TexturePut::fill(const Image& image, const Part& part, uint32_t background, bool floats) {
+  const Band& band = part.band;
+  const auto width = static_cast<size_t>(band.width);
   for (int row = 0; row < band.height; ++row) {
     const size_t from = static_cast<size_t>(band.y + row) * static_cast<size_t>(image.width) +
                         static_cast<size_t>(band.x),
-                 to = static_cast<size_t>(row) * width;
+                 to = part.first + static_cast<size_t>(row) * width;
     const uint32_t* color = &image.color[from];
     const float* depth = &image.depth[from];
     uint32_t *toColor = &colors_[to], *toDepth = &depths_[to];
@@ -90,16 +91,29 @@ void TexturePut::fill(const Image& image, const Band& band, uint32_t background,
   }
 }
 
-void TexturePut::send(const gl::RealGl& real, const Features& features, const Band& at, bool floats) const {
+void TexturePut::send(const gl::RealGl& real, const Features& features, const Image& image, const Part& part,
+                      bool floats) const {
+  const Band& at = part.band;
   const auto one = [&](int unit, GLenum format, GLenum type, const void* data) {
     real.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    real.TexSubImage2D(GL_TEXTURE_2D, 0, at.x, at.y, at.width, at.height, format, type, data);
+    real.TexSubImage2D(GL_TEXTURE_2D, 0, image.x + at.x, image.y + at.y, at.width, at.height, format, type,
+                       data);
   };
-  one(features.textureUnit, GL_RGBA, GL_UNSIGNED_BYTE, colors_.data());
+  one(features.textureUnit, GL_RGBA, GL_UNSIGNED_BYTE, &colors_[part.first]);
   if (floats)
-    one(features.textureUnit + 1, GL_DEPTH_COMPONENT, GL_FLOAT, depths_.data());
+    one(features.textureUnit + 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depths_[part.first]);
   else
-    one(features.textureUnit + 1, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, depths_.data());
+    one(features.textureUnit + 1, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, &depths_[part.first]);
+}
+
+void TexturePut::findParts(const Image& image) {
+  parts_.clear();
+  size_t pixels = 0;
+  for (const Band& band : hitBands(image.depth.data(), image.width, image.height)) {
+    parts_.push_back({band, pixels});
+    pixels += static_cast<size_t>(band.width) * static_cast<size_t>(band.height);
+  }
+  if (colors_.size() < pixels) colors_.resize(pixels), depths_.resize(pixels);
 }
 
 bool TexturePut::put(const gl::RealGl& real, const Features& features, const Image& image,
@@ -114,10 +128,9 @@ bool TexturePut::put(const gl::RealGl& real, const Features& features, const Ima
   if (!takeErrors(real).empty()) return color_.reset(), false;
   guard.plainUnpack();
   const bool floats = to->depthFormat == GL_DEPTH_COMPONENT32F;
-  for (const Band& band : hitBands(image.depth.data(), image.width, image.height)) {
-    fill(image, band, background, floats);
-    send(real, features, {image.x + band.x, image.y + band.y, band.width, band.height}, floats);
-  }
+  findParts(image);
+  tbb::parallel_for(size_t{0}, parts_.size(), [&](size_t i) { fill(image, parts_[i], background, floats); });
+  for (const Part& part : parts_) send(real, features, image, part, floats);
   return takeErrors(real).empty();
 }
 

@@ -35,10 +35,18 @@ class TexturePut {
                                    const Image& image) const;
   uint32_t bitsOf(const gl::RealGl& real, StateGuard& guard, const Attached& to,
                   const gl::ClearedTarget& cleared);
-  void fill(const Image& image, const Band& band, uint32_t background, bool floats);
-  void send(const gl::RealGl& real, const Features& features, const Band& at, bool floats) const;
+  /// A band of the picture, and where its pixels begin in what is sent.
+  struct Part {
+    Band band;
+    size_t first = 0;
+  };
+  void findParts(const Image& image);
+  void fill(const Image& image, const Part& part, uint32_t background, bool floats);
+  void send(const gl::RealGl& real, const Features& features, const Image& image, const Part& part,
+            bool floats) const;
 
-  std::vector<uint32_t> colors_, depths_;      // of a band; memory is kept
+  std::vector<Part> parts_;
+  std::vector<uint32_t> colors_, depths_;      // of all parts; memory is kept
   std::optional<std::array<float, 4>> color_;  // that was last cleared to
   uint32_t bits_ = 0;                          // and what framebuffers of RGBA8 hold of it
 };
