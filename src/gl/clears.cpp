@@ -1,30 +1,14 @@
-// What is known of a framebuffer that was cleared as a whole.
+#include "gl/clears.h"
+
 #include "gl/context.h"
 #include "gl/state_queries.h"
 
 #include <GL/glext.h>
 
-#include <limits>
-
 namespace gluray::gl {
 namespace {
 
 constexpr GLbitfield kColorAndDepth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
-
-bool writesAll(const RealGl& real) {
-  GLboolean color[4] = {}, depth = GL_FALSE;
-  real.GetBooleanv(GL_COLOR_WRITEMASK, color);
-  real.GetBooleanv(GL_DEPTH_WRITEMASK, &depth);
-  return color[0] && color[1] && color[2] && color[3] && depth;
-}
-
-scene::Region clearedRegion(const RealGl& real) {
-  if (!isOn(real, GL_SCISSOR_TEST))
-    return {0, 0, std::numeric_limits<int>::max(), std::numeric_limits<int>::max()};
-  GLint box[4] = {};
-  real.GetIntegerv(GL_SCISSOR_BOX, box);
-  return {box[0], box[1], box[2], box[3]};
-}
 
 /// In 64 bits: regions may be as large as numbers are.
 bool contains(const scene::Region& outer, const scene::Region& inner) {
@@ -35,17 +19,25 @@ bool contains(const scene::Region& outer, const scene::Region& inner) {
 
 }  // namespace
 
+bool clearsAll(const RealGl& real, const RareState& has) {
+  GLboolean color[4] = {}, depth = GL_FALSE;
+  GLdouble value = 0;
+  real.GetBooleanv(GL_COLOR_WRITEMASK, color);
+  real.GetBooleanv(GL_DEPTH_WRITEMASK, &depth);
+  real.GetDoublev(GL_DEPTH_CLEAR_VALUE, &value);
+  return color[0] && color[1] && color[2] && color[3] && depth && value == 1 &&
+         !(has.rasterizerDiscard && isOn(real, GL_RASTERIZER_DISCARD));
+}
+
 void Context::noteClear(GLbitfield mask) {
   forgetClear();
   if ((mask & kColorAndDepth) != kColorAndDepth || !info_.settings.quirks.has(Quirk::softwarePut)) return;
   if (direct_ || aside_ || activeQueries > 0 || !isPresent(real.BindFramebuffer) || !isSoftwareBelow())
     return;
   const GLint framebuffer = integer(real, GL_DRAW_FRAMEBUFFER_BINDING);
-  GLdouble depth = 0;
-  real.GetDoublev(GL_DEPTH_CLEAR_VALUE, &depth);
-  if (framebuffer == 0 || depth != 1 || !writesAll(real)) return;
-  if (state.rare.rasterizerDiscard && isOn(real, GL_RASTERIZER_DISCARD)) return;
-  ClearedTarget cleared{static_cast<GLuint>(framebuffer), clearedRegion(real), {}};
+  if (framebuffer == 0 || !clearsAll(real, state.rare)) return;
+  const glm::ivec4 box = scissorBox(real);
+  ClearedTarget cleared{static_cast<GLuint>(framebuffer), {box.x, box.y, box.z, box.w}, {}};
   real.GetFloatv(GL_COLOR_CLEAR_VALUE, cleared.color.data());
   cleared_ = cleared;
 }

@@ -8,9 +8,7 @@ namespace gluray::gl {
 namespace {
 
 GLint attachment(const RealGl& real, GLenum target, GLenum pname) {
-  GLint value = 0;
-  real.GetFramebufferAttachmentParameteriv(target, GL_DEPTH_ATTACHMENT, pname, &value);
-  return value;
+  return attachmentValue(real, target, GL_DEPTH_ATTACHMENT, pname);
 }
 
 /// What is attached for depth. Its target is a guess for textures: another kind is refused by the copy.
@@ -44,9 +42,7 @@ bool staysInPlace(const Blit& b) {
 }
 
 bool isScissored(const RealGl& real, const Blit& b) {
-  if (!isOn(real, GL_SCISSOR_TEST)) return false;
-  GLint box[4]{};
-  real.GetIntegerv(GL_SCISSOR_BOX, box);
+  const glm::ivec4 box = scissorBox(real);
   return b.toX0 < box[0] || b.toY0 < box[1] || b.toX1 > box[0] + box[2] || b.toY1 > box[1] + box[3];
 }
 

@@ -1,4 +1,5 @@
 // Multisampled framebuffers that are cleared, traced into and resolved: the Context's side of Unresolved.
+#include "gl/clears.h"
 #include "gl/context.h"
 #include "gl/programs/uniforms.h"
 #include "gl/state_queries.h"
@@ -7,17 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace gluray::gl {
 namespace {
-
-GLint attachmentValue(const RealGl& real, GLenum target, GLenum attachment, GLenum name) {
-  GLint value = 0;
-  real.GetFramebufferAttachmentParameteriv(target, attachment, name, &value);
-  return value;
-}
 
 Unresolved::Attachment attachmentOf(const RealGl& real, GLenum target, GLenum attachment) {
   const auto type =
@@ -25,24 +19,6 @@ Unresolved::Attachment attachmentOf(const RealGl& real, GLenum target, GLenum at
   if (type == GL_NONE) return {};
   return {type, static_cast<GLuint>(
                     attachmentValue(real, target, attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME))};
-}
-
-glm::ivec4 scissorBox(const RealGl& real) {
-  constexpr int kAll = std::numeric_limits<int>::max() / 2;
-  glm::ivec4 box(0, 0, kAll, kAll);
-  if (isOn(real, GL_SCISSOR_TEST)) real.GetIntegerv(GL_SCISSOR_BOX, &box.x);
-  return box;
-}
-
-/// Whether glClear writes colour and depth, to depth 1.
-bool clearsAll(const RealGl& real, const RareState& has) {
-  GLboolean colors[4] = {}, depth = GL_FALSE;
-  GLfloat depthValue = 0;
-  real.GetBooleanv(GL_COLOR_WRITEMASK, colors);
-  real.GetBooleanv(GL_DEPTH_WRITEMASK, &depth);
-  real.GetFloatv(GL_DEPTH_CLEAR_VALUE, &depthValue);
-  return std::all_of(colors, colors + 4, [](GLboolean c) { return c == GL_TRUE; }) && depth &&
-         depthValue == 1 && !(has.rasterizerDiscard && isOn(real, GL_RASTERIZER_DISCARD));
 }
 
 /// RGBA8, halves to even numbers as software OpenGLs have it.

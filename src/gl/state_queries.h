@@ -3,6 +3,9 @@
 #include "gl/real.h"
 
 #include <GL/gl.h>
+#include <glm/glm.hpp>
+
+#include <limits>
 
 namespace gluray::gl {
 
@@ -13,5 +16,20 @@ inline GLint integer(const RealGl& real, GLenum name) {
 }
 
 inline bool isOn(const RealGl& real, GLenum capability) { return real.IsEnabled(capability) == GL_TRUE; }
+
+/// Of what is attached to the framebuffer object bound to `target`.
+inline GLint attachmentValue(const RealGl& real, GLenum target, GLenum attachment, GLenum name) {
+  GLint value = 0;
+  real.GetFramebufferAttachmentParameteriv(target, attachment, name, &value);
+  return value;
+}
+
+/// x, y, width and height of what the scissor test lets through: nearly all there is where it is off.
+inline glm::ivec4 scissorBox(const RealGl& real) {
+  constexpr int kAll = std::numeric_limits<int>::max() / 2;
+  glm::ivec4 box(0, 0, kAll, kAll);
+  if (isOn(real, GL_SCISSOR_TEST)) real.GetIntegerv(GL_SCISSOR_BOX, &box.x);
+  return box;
+}
 
 }  // namespace gluray::gl

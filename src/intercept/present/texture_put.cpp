@@ -15,9 +15,7 @@ namespace gluray::present {
 namespace {
 
 GLint ask(const gl::RealGl& real, GLenum attachment, GLenum name) {
-  GLint value = 0;
-  real.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, name, &value);
-  return value;
+  return gl::attachmentValue(real, GL_DRAW_FRAMEBUFFER, attachment, name);
 }
 
 /// The texture whose level 0 is attached, or 0.
