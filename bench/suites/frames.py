@@ -10,7 +10,8 @@ import shlex
 import sys
 
 from support import machine, programs
-from support.display import NoDisplay, display
+from support.display import display
+from support.telling import status_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 PATHS = ["list", "elements", "vbo", "arrays", "immediate"]
@@ -172,12 +173,14 @@ def run(options, argv):
     machine.write(ROOT, options.name, result)
 
 
-def main(argv):
-    options = arguments(argv)
+def measured_to_the_end(options, argv):
+    """run(), whose line on the terminal is ended whatever happens."""
     try:
         run(options, argv)
-    except (NoDisplay, programs.Failed) as error:
+    finally:
         progress(None)
-        print(f"bench: {error}", file=sys.stderr)
-        return 1
-    return 0
+
+
+def main(argv):
+    options = arguments(argv)
+    return status_of(lambda: measured_to_the_end(options, argv))

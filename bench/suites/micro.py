@@ -10,10 +10,10 @@ import os
 import pathlib
 import shlex
 import statistics
-import sys
 
 from support import machine, programs
-from support.display import NoDisplay, display
+from support.display import display
+from support.telling import status_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 PIXELS = 1024 * 1024
@@ -98,9 +98,4 @@ def run(options, argv):
 
 def main(argv):
     options = arguments(argv)
-    try:
-        run(options, argv)
-    except (NoDisplay, programs.Failed) as error:
-        print(f"bench: {error}", file=sys.stderr)
-        return 1
-    return 0
+    return status_of(lambda: run(options, argv))

@@ -5,7 +5,8 @@ import shlex
 import sys
 
 from support import machine, programs, stub_time
-from support.display import NoDisplay, display
+from support.display import display
+from support.telling import status_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 
@@ -100,9 +101,4 @@ def _run(suite, options, argv, measure):
 
 def run(suite, options, argv, measure):
     """Measures all sizes by measure(size, environment), prints and writes what was found. The exit status."""
-    try:
-        _run(suite, options, argv, measure)
-    except (NoDisplay, programs.Failed, stub_time.Missing) as error:
-        print(f"bench: {error}", file=sys.stderr)
-        return 1
-    return 0
+    return status_of(lambda: _run(suite, options, argv, measure), stub_time.Missing)
