@@ -23,6 +23,7 @@ struct Image {
   std::vector<uint32_t> color;  // RGBA8, red in the lowest byte; samples planes of width*height
   std::vector<float> depth;     // window depth in [0, 1], kMiss where nothing was hit; same shape
   Content content = Content::color;
+  uint32_t missColor = 0;      // what misses have in `color`; set before tracing. Of `center`'s pictures: 0
   std::vector<float> wide;     // RGBA, four a pixel, same shape; empty where the content is `color`
   std::vector<float> through;  // product of what the fragments let through, 1 - opacity; of `sums` alone
   /// Where pixels are averages over samples of their own (settings: spp), misses being 0 in all channels: the

@@ -63,6 +63,24 @@ TEST(Renderer, EmptySceneIsAllMisses) {
   }
 }
 
+TEST(Renderer, MissesHaveTheColourAskedFor) {
+  frame::Renderer renderer;
+  test::MeshData data;
+  data.positions = {{-1, -1, 0}, {1, -1, 0}, {-1, 1, 0}};  // the lower left half of the window
+  for (const auto& snapshot : {makeSnapshot({makeMesh(data)}), makeSnapshot({})}) {
+    Image image;
+    image.missColor = 0x12345678;
+    frame::FrameStatistics statistics;
+    std::string error;
+    ASSERT_TRUE(renderer.render(snapshot, image, statistics, error)) << error;
+    for (size_t i = 0; i < image.color.size(); ++i) {
+      if (image.depth[i] != Image::kMiss) continue;
+      ASSERT_EQ(image.color[i], 0x12345678u) << i;
+    }
+    EXPECT_EQ(image.color[255], 0x12345678u);
+  }
+}
+
 TEST(Renderer, NullRendererMissesEverything) {
   frame::Renderer renderer;
   auto snapshot = makeSnapshot({makeMesh(test::squareData())});

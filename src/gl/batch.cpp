@@ -118,8 +118,10 @@ scene::SnapshotPtr Batch::take() {
   return std::move(snapshot_);
 }
 
-bool Batch::readsImages() const {
-  return std::any_of(programDraws_.begin(), programDraws_.end(), [](const ProgramDraw& draw) {
+bool Batch::readsImages() const { return readImages(programDraws_); }
+
+bool readImages(const std::vector<ProgramDraw>& draws) {
+  return std::any_of(draws.begin(), draws.end(), [](const ProgramDraw& draw) {
     return std::any_of(draw.textures.begin(), draw.textures.end(),
                        [](const auto& t) { return t.buffer == 0; });
   });

@@ -26,8 +26,9 @@ struct BatchKey {
   bool operator==(const BatchKey&) const = default;
 };
 
-/// Whether one of the draws reads a buffer as a texture.
+/// Whether one of the draws reads a buffer as a texture; whether one reads textures, or a buffer as one.
 bool readsBuffer(const std::vector<ProgramDraw>& draws, GLuint buffer);
+bool readImages(const std::vector<ProgramDraw>& draws);
 
 class Batch {
  public:
@@ -35,6 +36,7 @@ class Batch {
   const BatchKey& key() const { return key_; }
   /// What has been added. Only where not empty.
   const scene::Snapshot& waiting() const { return *snapshot_; }
+  scene::SnapshotPtr pending() const { return snapshot_; }
 
   /// The common part of the state of now. Its region is empty where nothing could be drawn.
   static BatchKey keyOf(const State& state);

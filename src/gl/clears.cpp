@@ -5,10 +5,15 @@
 
 #include <GL/glext.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace gluray::gl {
 namespace {
 
 constexpr GLbitfield kColorAndDepth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
+
+}  // namespace
 
 /// In 64 bits: regions may be as large as numbers are.
 bool contains(const scene::Region& outer, const scene::Region& inner) {
@@ -17,7 +22,10 @@ bool contains(const scene::Region& outer, const scene::Region& inner) {
          end(inner.y, inner.height) <= end(outer.y, outer.height);
 }
 
-}  // namespace
+float farthestHit(GLenum depthFunc, float resolution) {
+  if (depthFunc == GL_LEQUAL) return 1;
+  return std::min(std::nextafter(1.0f, 0.0f), 1 - resolution / 2);
+}
 
 bool clearsAll(const RealGl& real, const RareState& has) {
   GLboolean color[4] = {}, depth = GL_FALSE;
@@ -31,11 +39,12 @@ bool clearsAll(const RealGl& real, const RareState& has) {
 
 void Context::noteClear(GLbitfield mask) {
   forgetClear();
-  if ((mask & kColorAndDepth) != kColorAndDepth || !info_.settings.quirks.has(Quirk::softwarePut)) return;
-  if (direct_ || aside_ || activeQueries > 0 || !isPresent(real.BindFramebuffer) || !isSoftwareBelow())
+  if ((mask & kColorAndDepth) != kColorAndDepth || direct_ || aside_ || activeQueries > 0 ||
+      !isSoftwareBelow())
     return;
-  const GLint framebuffer = integer(real, GL_DRAW_FRAMEBUFFER_BINDING);
-  if (framebuffer == 0 || !clearsAll(real, state.rare)) return;
+  const GLint framebuffer = isPresent(real.BindFramebuffer) ? integer(real, GL_DRAW_FRAMEBUFFER_BINDING) : 0;
+  const Quirk use = framebuffer == 0 ? Quirk::softwareShow : Quirk::softwarePut;
+  if (!info_.settings.quirks.has(use) || !clearsAll(real, state.rare)) return;
   const glm::ivec4 box = scissorBox(real);
   ClearedTarget cleared{static_cast<GLuint>(framebuffer), {box.x, box.y, box.z, box.w}, {}};
   real.GetFloatv(GL_COLOR_CLEAR_VALUE, cleared.color.data());
@@ -43,9 +52,9 @@ void Context::noteClear(GLbitfield mask) {
 }
 
 std::optional<ClearedTarget> Context::clearedUnder(const scene::Snapshot& snapshot, const BatchKey& key) {
-  if (!cleared_ || key.framebuffer != cleared_->framebuffer || key.depthFunc != GL_LEQUAL ||
-      key.layers != BatchKey::Layers::none || snapshot.samples != 1 || group_->stencilsSet ||
-      !contains(cleared_->region, snapshot.region))
+  if (!cleared_ || key.framebuffer == 0 || key.framebuffer != cleared_->framebuffer ||
+      key.depthFunc != GL_LEQUAL || key.layers != BatchKey::Layers::none || snapshot.samples != 1 ||
+      group_->stencilsSet || !contains(cleared_->region, snapshot.region))
     return std::nullopt;
   return cleared_;
 }

@@ -2,10 +2,18 @@
 #pragma once
 #include "gl/extensions.h"
 #include "gl/real.h"
+#include "scene/snapshot.h"
 
 namespace gluray::gl {
 
 /// Whether a glClear of colour and depth now writes all of both, within the scissor box, and depth 1.
 bool clearsAll(const RealGl& real, const RareState& has);
+
+/// Whether all of `inner` lies in `outer`.
+bool contains(const scene::Region& outer, const scene::Region& inner);
+
+/// Window depth beyond which a hit does not pass the test, GL_LESS or GL_LEQUAL, against depth 1 as a buffer
+/// of that resolution has them.
+float farthestHit(GLenum depthFunc, float resolution);
 
 }  // namespace gluray::gl

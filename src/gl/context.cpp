@@ -258,11 +258,13 @@ void Context::loseCurrent() {
 void Context::beforeSwap() {
   protect([&] {
     if (runOpen_) closeRun();
+    settleShown();
     flushBatch();  // what waits for being resolved is not in the window
   });
 }
 
 void Context::afterSwap() {
+  forgetClear();  // nobody knows what the back buffer holds
   ++statistics.frames;
   if (direct_) ++statistics.framesDirect;
   chooseEngine();

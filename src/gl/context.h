@@ -14,6 +14,7 @@
 #include "gl/presenter.h"
 #include "gl/real.h"
 #include "gl/share_group.h"
+#include "gl/shown.h"
 #include "gl/state.h"
 #include "gl/statistics.h"
 #include "gl/texture.h"
@@ -116,6 +117,11 @@ class Context {
   /// Shows what is pending, before a buffer swap, and after it.
   void beforeSwap();
   void afterSwap();
+  /// Whether all that a swap would show are a clear and what is pending.
+  bool mayShowDirectly() noexcept;
+  /// Then, instead of both beforeSwap() and the swap of a window of this size: traces what is pending and
+  /// gives the picture to `show`. False: nothing was shown.
+  bool showDirectly(glm::ivec2 window, const ShowPicture& show) noexcept;
   /// The frame is complete and about to be shown.
   void completeFrame();
   /// Programs that draw into memory alone may never swap or finish: clears of colour and depth are the frames
@@ -148,11 +154,13 @@ class Context {
   /// Before images of textures, or a buffer's contents, change: draws that are kept with their names are
   /// made.
   void imagesChange() noexcept {
-    if (batch_.readsImages() || unresolved_.waiting) protect([&] { flush(); });
+    const bool shown = shown_.waiting && readImages(shown_.waiting->draws);
+    if (batch_.readsImages() || unresolved_.waiting || shown) protect([&] { flush(); });
   }
   void contentsChange(GLuint buffer) noexcept {
     const bool waits = unresolved_.waiting && readsBuffer(unresolved_.waiting->draws, buffer);
-    if (waits || batch_.readsBuffer(buffer)) protect([&] { flush(); });
+    const bool shown = shown_.waiting && readsBuffer(shown_.waiting->draws, buffer);
+    if (waits || shown || batch_.readsBuffer(buffer)) protect([&] { flush(); });
   }
   /// From now on every draw is rasterised; what was held back is given to the real OpenGL.
   void stepAside(const char* why) noexcept;
@@ -373,6 +381,7 @@ class Context {
   Passes passes_;
   Peeling peeling_;
   Unresolved unresolved_;
+  Shown shown_;
   DrawPath runPath_ = DrawPath::immediate;  // small draws from arrays join runs
 
   std::shared_ptr<DisplayList> list_;
@@ -429,7 +438,15 @@ class Context {
   /// Before a batch starts, or a draw meets earlier ones, in the draw framebuffer of now.
   void settleBelow(int samples) {
     if (unresolved_.waiting && samples > 1) settle();
+    settleShownBelow();
   }
+  /// Presents what was held back, into the framebuffer of its time. `known`: its picture is.
+  void presentLate(const BatchKey& key, const scene::SnapshotPtr& snapshot, std::vector<ProgramDraw> draws,
+                   bool known);
+  // Pictures that are shown before they are in the back buffer (shown_draws.cpp).
+  void clearsShown(GLbitfield mask);
+  void settleShown();
+  void settleShownBelow();  // where the window is drawn into
   const FamilyList& families() const;
   /// The current shader program, outside glBegin and glEnd; null: there is none.
   const std::shared_ptr<const KnownProgram>& programInUse();

@@ -1,5 +1,6 @@
 // How a finished batch leaves the shadow GL: implemented in intercept/present/, by fakes in tests. GL thread.
 #pragma once
+#include "base/image.h"
 #include "gl/programs/held_pass.h"
 #include "gl/real.h"
 #include "scene/fxaa.h"
@@ -10,6 +11,7 @@
 #include <glm/glm.hpp>
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,6 +41,25 @@ struct PresentTarget {
   /// What lies under the whole region of the snapshot, if that is known and pictures may be sent instead of
   /// drawn; no stencil value in the framebuffer matters then.
   std::optional<ClearedTarget> cleared = {};
+};
+
+/// A picture for the window, which holds nothing else but what it was cleared to: misses have that colour,
+/// and so has the rest of the window. Hits beyond the window depth `farthest` count as misses. The lower left
+/// pixel is image.x, image.y of the window. Pictures of the same number are the same.
+struct ShownPicture {
+  const Image& image;
+  float farthest;
+  uint64_t number;
+};
+/// Shows one. False where it could not: the window is as it was.
+using ShowPicture = std::function<bool(const ShownPicture&)>;
+
+struct ShowTarget {
+  ClearedTarget cleared;  // the window
+  float farthest = 1;
+  bool core = false;      // core profile
+  bool mayRepeat = true;  // as PresentTarget's
+  const ShowPicture& show;
 };
 
 /// Where the pixels go that the samples of a picture come to.
@@ -84,6 +105,12 @@ class Presenter {
   /// makes the held passes instead. Otherwise as present().
   virtual PresentResult presentLayers(const RealGl&, const scene::SnapshotPtr&,
                                       const LayersTarget& /*target*/, bool /*rasterise*/) noexcept {
+    return {};
+  }
+  /// Traces `snapshot` and has its picture shown in the place of what is in the back buffer, which stays as
+  /// it is. Otherwise as present(); not traced: nothing was shown.
+  virtual PresentResult show(const RealGl&, const scene::SnapshotPtr&,
+                             const ShowTarget& /*target*/) noexcept {
     return {};
   }
   /// Traces `snapshot`, whose framebuffer is multisampled, and writes the pixels it comes to into another,

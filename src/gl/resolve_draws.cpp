@@ -43,13 +43,6 @@ bool isSampledPerSample(GLenum type) {
   }
 }
 
-/// Window depth beyond which a hit does not pass the test against depth 1, as a buffer of that resolution has
-/// them.
-float farthestHit(GLenum depthFunc, float resolution) {
-  if (depthFunc == GL_LEQUAL) return 1;
-  return std::min(std::nextafter(1.0f, 0.0f), 1 - resolution / 2);
-}
-
 }  // namespace
 
 Unresolved::Cleared Context::clearedBy(GLbitfield mask) {
@@ -88,6 +81,7 @@ void Context::clearsSamples(const Unresolved::Cleared& cleared) {
 Unresolved::Cleared Context::beforeClear(GLbitfield mask) {
   const Unresolved::Cleared clean = clearedBy(mask);
   present(false);
+  clearsShown(mask);
   clearsSamples(clean);
   return clean;
 }
@@ -111,23 +105,30 @@ void Context::leave() {
 }
 
 void Context::settle() {
+  settleShown();
   unresolved_.cleared = {};
   if (!unresolved_.waiting) return;
   Unresolved::Waiting waiting = std::move(*unresolved_.waiting);
   unresolved_.waiting.reset();
-  const auto bound = static_cast<GLuint>(integer(real, GL_DRAW_FRAMEBUFFER_BINDING));
+  presentLate(waiting.key, waiting.snapshot, std::move(waiting.draws), waiting.traced);
+}
+
+void Context::presentLate(const BatchKey& key, const scene::SnapshotPtr& snapshot,
+                          std::vector<ProgramDraw> draws, bool known) {
+  const bool objects = isPresent(real.BindFramebuffer);
+  const GLuint bound = objects ? static_cast<GLuint>(integer(real, GL_DRAW_FRAMEBUFFER_BINDING)) : 0;
   const bool encodes = state.rare.framebufferSrgb && isOn(real, GL_FRAMEBUFFER_SRGB);
   if (encodes) real.Disable(GL_FRAMEBUFFER_SRGB);  // as it was when the program drew
-  if (bound != waiting.key.framebuffer) real.BindFramebuffer(GL_DRAW_FRAMEBUFFER, waiting.key.framebuffer);
-  const PresentResult result = presenter_.present(real, waiting.snapshot,
-                                                  {.depthFunc = waiting.key.depthFunc,
+  if (bound != key.framebuffer) real.BindFramebuffer(GL_DRAW_FRAMEBUFFER, key.framebuffer);
+  const PresentResult result = presenter_.present(real, snapshot,
+                                                  {.depthFunc = key.depthFunc,
                                                    .core = info_.core,
-                                                   .programDraws = std::move(waiting.draws),
-                                                   .mayRepeat = waiting.traced || !choice_.wantsStop()});
-  if (bound != waiting.key.framebuffer) real.BindFramebuffer(GL_DRAW_FRAMEBUFFER, bound);
+                                                   .programDraws = std::move(draws),
+                                                   .mayRepeat = known || !choice_.wantsStop()});
+  if (bound != key.framebuffer) real.BindFramebuffer(GL_DRAW_FRAMEBUFFER, bound);
   if (encodes) real.Enable(GL_FRAMEBUFFER_SRGB);
   latch_.restore(real);
-  takeResult(result, waiting.traced);
+  takeResult(result, known);
   if (result.outcome != PresentResult::traced)
     stepAside(result.why.empty() ? "the ray tracer could not make a picture" : result.why.c_str());
 }
@@ -142,6 +143,7 @@ bool Context::readsSamples() {
 }
 
 void Context::samplesMeetRasterDraw() {
+  settleShownBelow();
   unresolved_.cleared = {};
   if (!unresolved_.waiting) return;
   refresh(kTarget | kRaster);
@@ -253,6 +255,7 @@ void Context::beforeBlit() noexcept {
     syncCurrent();
     flushBatch();
     if (unresolved_.waiting && blitsSamples()) settle();
+    settleShown();
     unresolved_.cleared = {};
     sendBuffers();
   });

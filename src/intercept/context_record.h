@@ -6,6 +6,7 @@
 #include "intercept/hud.h"
 #include "intercept/make_presenter.h"
 #include "intercept/present/frame_picture.h"
+#include "intercept/show.h"
 
 #include <exception>
 #include <map>
@@ -23,7 +24,8 @@ struct Record {
   std::unique_ptr<gl::Presenter> presenter;        // outlives the context, which uses it
   std::unique_ptr<present::FramePicture> picture;  // where pictures are wanted; outlives the context, too
   std::unique_ptr<Hud> hud;                        // where one is wanted
-  std::shared_ptr<gl::Context> context;            // null until first current, or where it could not be made
+  WindowOfContext window;
+  std::shared_ptr<gl::Context> context;  // null until first current, or where it could not be made
   bool tried = false;
   const void* display = nullptr;
   std::string vendor, renderer, version;

@@ -5,6 +5,7 @@
 #include "intercept/drawable_size.h"
 #include "intercept/engine.h"
 #include "intercept/hook_table.h"
+#include "intercept/show.h"
 
 #include <GL/glx.h>
 #include <GL/glxext.h>
@@ -48,7 +49,7 @@ Bool makingCurrent(Display* dpy, GLXDrawable draw, GLXDrawable read, GLXContext 
 
 /// Runs `call`, which shows the back buffer of `drawable`.
 template <class F>
-auto swapping(GLXDrawable drawable, F&& call) {
+auto swapping(const Outermost& outermost, GLXDrawable drawable, F&& call) {
   struct AfterSwap {
     const Outermost& outermost;
     GLXDrawable drawable;
@@ -56,7 +57,6 @@ auto swapping(GLXDrawable drawable, F&& call) {
       if (outermost) swapped(drawable);
     }
   };
-  const Outermost outermost;
   if (outermost) intercept::swapping(drawable);
   const AfterSwap afterSwap{outermost, drawable};
   const timeline::Span span("swap");
@@ -120,12 +120,15 @@ struct Glx {
 
   static void swapBuffers(Display* dpy, GLXDrawable drawable) {
     REAL(D, decltype(&glXSwapBuffers), "glXSwapBuffers");
-    swapping(drawable, [&] { real(dpy, drawable); });
+    const Outermost outermost;
+    if (outermost && shownDirectly(dpy, drawable)) return swapped(drawable);
+    swapping(outermost, drawable, [&] { real(dpy, drawable); });
   }
   static int64_t swapBuffersMsc(Display* dpy, GLXDrawable drawable, int64_t target, int64_t divisor,
                                 int64_t remainder) {
     REAL(D, PFNGLXSWAPBUFFERSMSCOMLPROC, "glXSwapBuffersMscOML");
-    return swapping(drawable, [&] { return real(dpy, drawable, target, divisor, remainder); });
+    const Outermost outermost;
+    return swapping(outermost, drawable, [&] { return real(dpy, drawable, target, divisor, remainder); });
   }
   static void copySubBuffer(Display* dpy, GLXDrawable drawable, int x, int y, int width, int height) {
     REAL(D, PFNGLXCOPYSUBBUFFERMESAPROC, "glXCopySubBufferMESA");

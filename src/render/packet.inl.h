@@ -56,8 +56,9 @@ HWY_ATTR inline void storePixels(const Work& work, const Tile& tile, Image& imag
 
 // Last stage: colour and depth into the image.
 HWY_ATTR inline void finishWork(const FrameData& frame, const Tile& tile, Work& work, Averages* averages) {
+  const uint32_t missColor = averages ? 0 : frame.image->missColor;
   for (int i = 0; i < kLanes; ++i) {
-    work.color[i] = 0;
+    work.color[i] = missColor;
     work.depth[i] = Image::kMiss;
     work.through[i] = 1;
     for (Row& row : work.wide) row[i] = 0;

@@ -40,7 +40,7 @@ void shapeImage(const scene::Snapshot& snapshot, Image& image, bool averages) {
 }
 
 void fillWithMisses(Image& image) {
-  std::fill(image.color.begin(), image.color.end(), 0u);
+  std::fill(image.color.begin(), image.color.end(), image.center.empty() ? image.missColor : 0u);
   std::fill(image.depth.begin(), image.depth.end(), Image::kMiss);
   std::fill(image.center.begin(), image.center.end(), Image::kMiss);
   std::fill(image.wide.begin(), image.wide.end(), 0.0f);

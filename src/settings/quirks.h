@@ -22,6 +22,10 @@ namespace gluray {
     "object "                                                                                               \
     "holds nothing but what it was cleared to, the picture is sent into its textures",                      \
     "tests/reference/texture_put_test.cpp")                                                                 \
+  X(softwareShow, "software-show",                                                                          \
+    "Mesa's llvmpipe takes milliseconds to draw a traced picture into a window's back buffer and to show "  \
+    "that; where a window holds nothing but what it was cleared to, the X server gets the picture from us", \
+    "tests/doors/show_test.py")                                                                             \
   X(softwareDepthBlit, "software-depth-blit",                                                               \
     "Mesa's llvmpipe blits depth by drawing it, which takes ten times as long as copying it; where a blit " \
     "neither moves, scales nor cuts it, it is copied",                                                      \

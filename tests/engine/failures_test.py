@@ -13,8 +13,8 @@ SCENE = ("20000", "3")  # triangles, frames
 NUMBERS = [1, 2, 5, 10, *range(20, 181, 20)]  # some 170 are made in so many frames
 
 
-def run(path, fail_at=None):
-    environment = dict(os.environ, GLURAY_ENGINE="always", GLURAY_SHADING="vertex")
+def run(path, fail_at=None, quirks=""):
+    environment = dict(os.environ, GLURAY_ENGINE="always", GLURAY_SHADING="vertex", GLURAY_QUIRKS=quirks)
     command = [CLIENT, path, *SCENE]
     if fail_at is not None:
         environment.update(LD_PRELOAD=FAILING_NEW, FAIL_AT=str(fail_at))
@@ -24,18 +24,20 @@ def run(path, fail_at=None):
 
 class Failures(unittest.TestCase):
     def test_any_allocation(self):
-        aside = 0
-        for path in ("list", "vbo"):
+        aside = {}
+        # Pictures that could not be shown past the back buffer are tried once more: most failures cost nothing then.
+        for path, quirks in (("list", "software-show=off"), ("vbo", "software-show=on")):
+            aside[path] = 0
             plain = run(path).stdout.split()
             for number in NUMBERS:
                 with self.subTest(path=path, number=number):
-                    done = run(path, number)
+                    done = run(path, number, quirks)
                     self.assertEqual(done.returncode, 0, done.stderr)
                     self.assertAlmostEqual(int(done.stdout.split()[1]) / int(plain[1]), 1, delta=0.002, msg="sum of colours")
                     lines = done.stderr.splitlines()
                     self.assertLessEqual(len(lines), 1, done.stderr)
-                    aside += "stepping aside" in done.stderr
-        self.assertGreater(aside, 5)  # some failures cost nothing: what was asked for can be done without
+                    aside[path] += "stepping aside" in done.stderr
+        self.assertGreater(aside["list"], 3, aside)  # some failures cost nothing: what was asked for can be done without
 
 
 if __name__ == "__main__":

@@ -20,7 +20,7 @@ PresentResult TracingPresenter::resolved(const gl::RealGl& real, const scene::Sn
                                          const gl::ResolveTarget& target) {
   PresentResult result;
   if (!resolve_ || !supports(real, target.core, result.why)) return result;
-  const LastPictures::Picture* traced = pictureOf(snapshot, target.mayRepeat, result, result.why);
+  const LastPictures::Picture* traced = pictureOf(snapshot, target.mayRepeat, {}, result, result.why);
   if (!traced || traced->image.content != Image::Content::color || !traced->image.center.empty())
     return result;
   const double start = nowSeconds();

@@ -31,8 +31,6 @@ GLint ofLevel(const gl::RealGl& real, GLenum name) {
   return value;
 }
 
-bool isHit(float depth) { return depth <= 1.0f; }
-
 }  // namespace
 
 uint32_t depth24(float depth) {
@@ -45,8 +43,8 @@ uint32_t depth24(float depth) {
 std::optional<TexturePut::Attached> TexturePut::attached(const gl::RealGl& real, StateGuard& guard,
                                                          const Features& features, const Image& image) const {
   Attached to;
-  to.colorBuffer = static_cast<GLenum>(gl::integer(real, GL_DRAW_BUFFER0));
-  to.color = textureAt(real, to.colorBuffer), to.depth = textureAt(real, GL_DEPTH_ATTACHMENT);
+  to.color = textureAt(real, static_cast<GLenum>(gl::integer(real, GL_DRAW_BUFFER0)));
+  to.depth = textureAt(real, GL_DEPTH_ATTACHMENT);
   if (!to.color || !to.depth || !takeErrors(real).empty()) return std::nullopt;
   const glm::ivec2 end(image.x + image.width, image.y + image.height);
   guard.texture2D(features.textureUnit, to.color);  // an error where it is of another kind
@@ -60,75 +58,50 @@ std::optional<TexturePut::Attached> TexturePut::attached(const gl::RealGl& real,
   return known ? std::optional(to) : std::nullopt;
 }
 
-uint32_t TexturePut::bitsOf(const gl::RealGl& real, StateGuard& guard, const Attached& to,
-                            const gl::ClearedTarget& cleared) {
-  if (color_ == cleared.color) return bits_;
-  guard.plainPack();
-  guard.readFrom(cleared.framebuffer, to.colorBuffer);
-  real.ReadPixels(cleared.region.x, cleared.region.y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &bits_);
-  color_ = cleared.color;
-  return bits_;
-}
-
-void TexturePut::fill(const Image& image, const Part& part, uint32_t background, bool floats) {
-  const Band& band = part.band;
-  const auto width = static_cast<size_t>(band.width);
-  for (int row = 0; row < band.height; ++row) {
-    const size_t from = static_cast<size_t>(band.y + row) * static_cast<size_t>(image.width) +
-                        static_cast<size_t>(band.x),
-                 to = part.first + static_cast<size_t>(row) * width;
-    const uint32_t* color = &image.color[from];
-    const float* depth = &image.depth[from];
-    uint32_t *toColor = &colors_[to], *toDepth = &depths_[to];
-    for (size_t i = 0; i < width; ++i) toColor[i] = isHit(depth[i]) ? color[i] : background;
+void TexturePut::fillDepths(const Image& image, const Band& band, bool floats) {
+  const auto width = static_cast<size_t>(image.width), count = static_cast<size_t>(band.width);
+  for (int y = band.y; y < band.y + band.height; ++y) {
+    const size_t first = static_cast<size_t>(y) * width + static_cast<size_t>(band.x);
+    const float* from = &image.depth[first];
+    uint32_t* to = &depths_[first];
     if (floats) {
-      for (size_t i = 0; i < width; ++i) toDepth[i] = std::bit_cast<uint32_t>(std::min(depth[i], 1.0f));
+      for (size_t i = 0; i < count; ++i) to[i] = std::bit_cast<uint32_t>(std::min(from[i], 1.0f));
     } else {  // stencil values are the lowest eight bits
-      for (size_t i = 0; i < width; ++i) toDepth[i] = depth24(std::min(depth[i], 1.0f)) << 8;
+      for (size_t i = 0; i < count; ++i) to[i] = depth24(std::min(from[i], 1.0f)) << 8;
     }
   }
 }
 
-void TexturePut::send(const gl::RealGl& real, const Features& features, const Image& image, const Part& part,
+void TexturePut::send(const gl::RealGl& real, const Features& features, const Image& image, const Band& band,
                       bool floats) const {
-  const Band& at = part.band;
+  const size_t first =
+      static_cast<size_t>(band.y) * static_cast<size_t>(image.width) + static_cast<size_t>(band.x);
   const auto one = [&](int unit, GLenum format, GLenum type, const void* data) {
     real.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    real.TexSubImage2D(GL_TEXTURE_2D, 0, image.x + at.x, image.y + at.y, at.width, at.height, format, type,
-                       data);
+    real.TexSubImage2D(GL_TEXTURE_2D, 0, image.x + band.x, image.y + band.y, band.width, band.height, format,
+                       type, data);
   };
-  one(features.textureUnit, GL_RGBA, GL_UNSIGNED_BYTE, &colors_[part.first]);
+  one(features.textureUnit, GL_RGBA, GL_UNSIGNED_BYTE, &image.color[first]);
   if (floats)
-    one(features.textureUnit + 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depths_[part.first]);
+    one(features.textureUnit + 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depths_[first]);
   else
-    one(features.textureUnit + 1, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, &depths_[part.first]);
-}
-
-void TexturePut::findParts(const Image& image) {
-  parts_.clear();
-  size_t pixels = 0;
-  for (const Band& band : hitBands(image.depth.data(), image.width, image.height)) {
-    parts_.push_back({band, pixels});
-    pixels += static_cast<size_t>(band.width) * static_cast<size_t>(band.height);
-  }
-  if (colors_.size() < pixels) colors_.resize(pixels), depths_.resize(pixels);
+    one(features.textureUnit + 1, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, &depths_[first]);
 }
 
 bool TexturePut::put(const gl::RealGl& real, const Features& features, const Image& image,
-                     const gl::ClearedTarget& cleared, PendingErrors& pending) {
+                     PendingErrors& pending) {
   if (image.samples != 1 || image.content != Image::Content::color || !image.center.empty()) return false;
   const timeline::Span span("put");
   pending = takeErrors(real);
   StateGuard guard(real, features);
   const std::optional<Attached> to = attached(real, guard, features, image);
   if (!to) return false;
-  const uint32_t background = bitsOf(real, guard, *to, cleared);
-  if (!takeErrors(real).empty()) return color_.reset(), false;
-  guard.plainUnpack();
+  guard.plainUnpack(image.width);
   const bool floats = to->depthFormat == GL_DEPTH_COMPONENT32F;
-  findParts(image);
-  tbb::parallel_for(size_t{0}, parts_.size(), [&](size_t i) { fill(image, parts_[i], background, floats); });
-  for (const Part& part : parts_) send(real, features, image, part, floats);
+  const std::vector<Band> bands = hitBands(image.depth.data(), image.width, image.height);
+  if (depths_.size() < image.depth.size()) depths_.resize(image.depth.size());
+  tbb::parallel_for(size_t{0}, bands.size(), [&](size_t i) { fillDepths(image, bands[i], floats); });
+  for (const Band& band : bands) send(real, features, image, band, floats);
   return takeErrors(real).empty();
 }
 

@@ -7,7 +7,6 @@
 #include "intercept/present/hit_bands.h"
 #include "intercept/present/state_guard.h"
 
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -18,37 +17,24 @@ uint32_t depth24(float depth);
 
 class TexturePut {
  public:
-  /// Puts the image into the bound draw framebuffer's textures, as WriteBack::write() would have drawn it
-  /// with GL_LEQUAL over what `cleared` says. False where textures are of other kinds, or something went
-  /// wrong: then what was put so far may be drawn over. Errors that were pending are moved to `pending`. No
-  /// state that the program can query differs afterwards.
-  bool put(const gl::RealGl& real, const Features& features, const Image& image,
-           const gl::ClearedTarget& cleared, PendingErrors& pending);
+  /// Puts the image, whose misses have the cleared colour, into the bound draw framebuffer's textures, as
+  /// WriteBack::write() would have drawn it with GL_LEQUAL over a depth of 1. False where textures are of
+  /// other kinds, or something went wrong: then what was put so far may be drawn over. Errors that were
+  /// pending are moved to `pending`. No state that the program can query differs afterwards.
+  bool put(const gl::RealGl& real, const Features& features, const Image& image, PendingErrors& pending);
 
  private:
   struct Attached {
     GLuint color = 0, depth = 0;  // textures
-    GLenum colorBuffer = 0;
-    GLenum depthFormat = 0;  // GL_DEPTH24_STENCIL8 or GL_DEPTH_COMPONENT32F
+    GLenum depthFormat = 0;       // GL_DEPTH24_STENCIL8 or GL_DEPTH_COMPONENT32F
   };
   std::optional<Attached> attached(const gl::RealGl& real, StateGuard& guard, const Features& features,
                                    const Image& image) const;
-  uint32_t bitsOf(const gl::RealGl& real, StateGuard& guard, const Attached& to,
-                  const gl::ClearedTarget& cleared);
-  /// A band of the picture, and where its pixels begin in what is sent.
-  struct Part {
-    Band band;
-    size_t first = 0;
-  };
-  void findParts(const Image& image);
-  void fill(const Image& image, const Part& part, uint32_t background, bool floats);
-  void send(const gl::RealGl& real, const Features& features, const Image& image, const Part& part,
+  void fillDepths(const Image& image, const Band& band, bool floats);
+  void send(const gl::RealGl& real, const Features& features, const Image& image, const Band& band,
             bool floats) const;
 
-  std::vector<Part> parts_;
-  std::vector<uint32_t> colors_, depths_;      // of all parts; memory is kept
-  std::optional<std::array<float, 4>> color_;  // that was last cleared to
-  uint32_t bits_ = 0;                          // and what framebuffers of RGBA8 hold of it
+  std::vector<uint32_t> depths_;  // as sent, the image's shape; memory is kept
 };
 
 }  // namespace gluray::present

@@ -76,14 +76,15 @@ PresentResult TracingPresenter::presentLayers(const gl::RealGl& real, const scen
 }
 
 const LastPictures::Picture* TracingPresenter::pictureOf(const scene::Snapshot& snapshot, bool mayRepeat,
+                                                         std::optional<uint32_t> missColor,
                                                          PresentResult& result, std::string& why) {
-  if (mayRepeat) {
-    if (const LastPictures::Picture* known = pictures_.of(snapshot)) {
-      result.repeated = true;
-      return known;
-    }
+  const LastPictures::Picture* const known = mayRepeat ? pictures_.of(snapshot) : nullptr;
+  if (known && (!missColor || known->image.missColor == *missColor)) {
+    result.repeated = true;
+    return known;
   }
   LastPictures::Picture& fresh = pictures_.next();
+  fresh.image.missColor = missColor.value_or(0);
   TraceCost cost;
   const bool done = trace_(snapshot, fresh.image, cost, why);
   takeCost(cost, result);
@@ -97,7 +98,7 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
   PresentResult result;
   const PendingErrors pending = takeErrors(real);
   const LastPictures::Picture* traced =
-      snapshot ? pictureOf(*snapshot, target.mayRepeat, result, result.why) : nullptr;
+      snapshot ? pictureOf(*snapshot, target.mayRepeat, 0u, result, result.why) : nullptr;
   const double start = nowSeconds();
   const bool whole = traced && traced->image.x == 0 && traced->image.y == 0 &&
                      traced->image.width == target.size.x && traced->image.height == target.size.y;
@@ -146,9 +147,12 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
     if (!pending.empty()) result.pendingError = pending.front();
     return result;
   }
-  const LastPictures::Picture* traced = !target.rasterise && supports(real, target.core, why)
-                                            ? pictureOf(snapshot, target.mayRepeat, result, why)
-                                            : nullptr;
+  const LastPictures::Picture* traced = nullptr;
+  if (!target.rasterise && supports(real, target.core, why)) {
+    const std::optional<uint32_t> under =
+        target.cleared ? clearedObject_.bits(real, features(real), *target.cleared, pending) : std::nullopt;
+    traced = pictureOf(snapshot, target.mayRepeat, under, result, why);
+  }
   const double start = nowSeconds();
   if (traced && written(real, *traced, target, pending, why)) {
     result.outcome = PresentResult::traced;
@@ -165,6 +169,26 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
   return result;
 }
 
+PresentResult TracingPresenter::show(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
+                                     const gl::ShowTarget& target) noexcept {
+  return resultOf([&] {
+    PresentResult result;
+    PendingErrors pending;
+    const std::optional<uint32_t> background =
+        clearedWindow_.bits(real, features(real), target.cleared, pending);
+    if (!pending.empty()) result.pendingError = pending.front();
+    if (!background) return result;
+    const LastPictures::Picture* traced =
+        pictureOf(*snapshot, target.mayRepeat, background, result, result.why);
+    if (!traced || traced->image.content != Image::Content::color || !traced->image.center.empty())
+      return result;
+    const double start = nowSeconds();
+    if (target.show({traced->image, target.farthest, traced->id})) result.outcome = PresentResult::traced;
+    result.presentSeconds = nowSeconds() - start;
+    return result;
+  });
+}
+
 const Features& TracingPresenter::features(const gl::RealGl& real) {
   if (!features_) features_ = readFeatures(real);
   return *features_;
@@ -174,12 +198,15 @@ bool TracingPresenter::written(const gl::RealGl& real, const LastPictures::Pictu
                                const gl::PresentTarget& target, PendingErrors& pending,
                                std::string& why) noexcept {
   try {
-    if (target.cleared && put_.put(real, features(real), picture.image, *target.cleared, pending)) {
-      noteUse(Quirk::softwarePut);
-      return true;
-    }
-    return writeBack(real, picture.image.content)
-        .write(picture.image, {.depthFunc = target.depthFunc, .picture = picture.id}, pending);
+    PendingErrors more;
+    const bool sent = target.cleared && put_.put(real, features(real), picture.image, more);
+    pending.insert(pending.end(), more.begin(), more.end());
+    if (sent) return noteUse(Quirk::softwarePut), true;
+    const bool drawn =
+        writeBack(real, picture.image.content)
+            .write(picture.image, {.depthFunc = target.depthFunc, .picture = picture.id}, more);
+    pending.insert(pending.end(), more.begin(), more.end());
+    return drawn;
   } catch (const std::exception& e) {  // before anything is drawn: the guard puts the state back
     why = e.what();
     return false;

@@ -2,6 +2,7 @@
 // One per context. GL thread.
 #pragma once
 #include "gl/presenter.h"
+#include "intercept/present/cleared_color.h"
 #include "intercept/present/last_pictures.h"
 #include "intercept/present/texture_put.h"
 #include "intercept/present/write_back.h"
@@ -49,6 +50,8 @@ class TracingPresenter final : public gl::Presenter {
                             const gl::PresentTarget& target) noexcept override;
   gl::PresentResult presentLayers(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                                   const gl::LayersTarget& target, bool rasterise) noexcept override;
+  gl::PresentResult show(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
+                         const gl::ShowTarget& target) noexcept override;
   gl::PresentResult resolve(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                             const gl::ResolveTarget& target) noexcept override;
   bool readDepths(const gl::RealGl& real, GLint unit, glm::ivec2 size,
@@ -86,11 +89,14 @@ class TracingPresenter final : public gl::Presenter {
   WriteBack& writeBack(const gl::RealGl& real, Image::Content content);
   std::array<std::unique_ptr<WriteBack>, 3> writeBacks_;  // by what images hold
   TexturePut put_;
+  ClearedColor clearedWindow_, clearedObject_;
   const Features& features(const gl::RealGl& real);
   std::optional<Features> features_;  // of the context
-  /// The picture of the snapshot, traced or known already; null where tracing fails, with `why`.
+  /// The picture of the snapshot, traced or known already, with misses in `missColor` where one is given;
+  /// null where tracing fails, with `why`.
   const LastPictures::Picture* pictureOf(const scene::Snapshot& snapshot, bool mayRepeat,
-                                         gl::PresentResult& result, std::string& why);
+                                         std::optional<uint32_t> missColor, gl::PresentResult& result,
+                                         std::string& why);
   LastPictures pictures_;
 };
 

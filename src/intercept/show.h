@@ -1,0 +1,19 @@
+// Frames that are shown without a swap of the real OpenGL's. The thread that the context is current in.
+#pragma once
+#include "intercept/window_put.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace gluray::intercept {
+
+/// How a context's pictures get into its window.
+struct WindowOfContext {
+  uintptr_t drawable = 0;  // that was tried
+  std::unique_ptr<WindowPut> put;
+};
+
+/// Before a swap of `drawable`: true where the frame has been shown, and the swap is not to be made.
+bool shownDirectly(_XDisplay* display, uintptr_t drawable) noexcept;
+
+}  // namespace gluray::intercept

@@ -1,0 +1,57 @@
+#include "intercept/xcb.h"
+
+#include <dlfcn.h>
+
+namespace gluray::intercept {
+namespace {
+
+template <class Pointer>
+void find(void* library, const char* name, Pointer*& pointer) {
+  pointer = library ? reinterpret_cast<Pointer*>(dlsym(library, name)) : nullptr;
+}
+
+}  // namespace
+
+Xcb::Xcb() {
+  void* const bridge = dlopen("libX11-xcb.so.1", RTLD_LAZY | RTLD_LOCAL);
+  find(bridge, "XGetXCBConnection", connectionOf);
+  void* const core = dlopen("libxcb.so.1", RTLD_LAZY | RTLD_LOCAL);
+  find(core, "xcb_get_geometry", askGeometry);
+  find(core, "xcb_get_geometry_reply", geometry);
+  find(core, "xcb_get_window_attributes", askWindow);
+  find(core, "xcb_get_window_attributes_reply", window);
+  find(core, "xcb_get_setup", setup);
+  find(core, "xcb_setup_roots_iterator", roots);
+  find(core, "xcb_screen_next", nextRoot);
+  find(core, "xcb_screen_allowed_depths_iterator", depths);
+  find(core, "xcb_depth_next", nextDepth);
+  find(core, "xcb_depth_visuals_iterator", visuals);
+  find(core, "xcb_visualtype_next", nextVisual);
+  find(core, "xcb_setup_pixmap_formats", formats);
+  find(core, "xcb_setup_pixmap_formats_length", formatCount);
+  find(core, "xcb_generate_id", newId);
+  find(core, "xcb_create_gc_checked", createGc);
+  find(core, "xcb_free_gc", freeGc);
+  find(core, "xcb_request_check", check);
+  find(core, "xcb_flush", flush);
+  find(core, "xcb_get_extension_data", extension);
+  void* const shm = dlopen("libxcb-shm.so.0", RTLD_LAZY | RTLD_LOCAL);
+  find(shm, "xcb_shm_id", shmId);
+  find(shm, "xcb_shm_attach_checked", attach);
+  find(shm, "xcb_shm_detach", detach);
+  find(shm, "xcb_shm_put_image_checked", putImage);
+  void* const glx = dlopen("libxcb-glx.so.0", RTLD_LAZY | RTLD_LOCAL);
+  find(glx, "xcb_glx_get_drawable_attributes", askAttributes);
+  find(glx, "xcb_glx_get_drawable_attributes_reply", attributes);
+  find(glx, "xcb_glx_get_drawable_attributes_attribs", list);
+}
+
+/// What comes with a library is there with one of its functions.
+bool Xcb::canPut() const { return connectionOf && flush && putImage; }
+
+const Xcb& xcb() {
+  static const Xcb once;
+  return once;
+}
+
+}  // namespace gluray::intercept

@@ -1,0 +1,69 @@
+// The X server's functions that we call, found when needed: programs that draw without an X server may have
+// none of these libraries. XCB hands errors to who asked, where Xlib ends the program. Any thread.
+#pragma once
+#include <xcb/glx.h>
+#include <xcb/shm.h>
+#include <xcb/xcb.h>
+
+#include <cstdlib>
+#include <memory>
+
+/// Xlib's Display; its header has macros of common words.
+struct _XDisplay;
+
+namespace gluray::intercept {
+
+/// Null where the library does not exist.
+struct Xcb {
+  xcb_connection_t* (*connectionOf)(_XDisplay*);
+  decltype(xcb_get_geometry)* askGeometry;
+  decltype(xcb_get_geometry_reply)* geometry;
+  decltype(xcb_get_window_attributes)* askWindow;
+  decltype(xcb_get_window_attributes_reply)* window;
+  decltype(xcb_get_setup)* setup;
+  decltype(xcb_setup_roots_iterator)* roots;
+  decltype(xcb_screen_next)* nextRoot;
+  decltype(xcb_screen_allowed_depths_iterator)* depths;
+  decltype(xcb_depth_next)* nextDepth;
+  decltype(xcb_depth_visuals_iterator)* visuals;
+  decltype(xcb_visualtype_next)* nextVisual;
+  decltype(xcb_setup_pixmap_formats)* formats;
+  decltype(xcb_setup_pixmap_formats_length)* formatCount;
+  decltype(xcb_generate_id)* newId;
+  decltype(xcb_create_gc_checked)* createGc;
+  decltype(xcb_free_gc)* freeGc;
+  decltype(xcb_request_check)* check;
+  decltype(xcb_flush)* flush;
+  decltype(xcb_get_extension_data)* extension;
+  xcb_extension_t* shmId;
+  decltype(xcb_shm_attach_checked)* attach;
+  decltype(xcb_shm_detach)* detach;
+  decltype(xcb_shm_put_image_checked)* putImage;
+  decltype(xcb_glx_get_drawable_attributes)* askAttributes;
+  decltype(xcb_glx_get_drawable_attributes_reply)* attributes;
+  decltype(xcb_glx_get_drawable_attributes_attribs)* list;
+
+  Xcb();
+  /// Whether all that pictures are shown with is there.
+  bool canPut() const;
+};
+
+const Xcb& xcb();
+
+struct Freed {
+  void operator()(void* reply) const { std::free(reply); }
+};
+template <class Reply>
+using ReplyPtr = std::unique_ptr<Reply, Freed>;
+
+/// The reply to `cookie`, or null where the server answered with an error.
+template <class Reply, class Cookie>
+ReplyPtr<Reply> replyTo(Reply* (*wait)(xcb_connection_t*, Cookie, xcb_generic_error_t**),
+                        xcb_connection_t* connection, Cookie cookie) {
+  xcb_generic_error_t* error = nullptr;
+  ReplyPtr<Reply> reply(wait(connection, cookie, &error));
+  std::free(error);
+  return reply;
+}
+
+}  // namespace gluray::intercept

@@ -1,0 +1,267 @@
+/* show_client: what a window shows, frame after frame, and what is in its buffers, written to standard output
+ * as PPMs. Frames that hold a clear and surfaces alone, and all that can come after such a frame. Needs an X
+ * server. */
+#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+#include <GL/glx.h>
+#include <X11/Xlib.h>
+#include <X11/Xutil.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { kMost = 320 };
+static Display* display;
+static Window window;
+static XVisualInfo* visual;
+static GLXContext context;
+static int width = 200, height = 150;
+
+static void writePicture(const unsigned char* rgb, int w, int h) {
+  printf("P6\n%d %d\n255\n", w, h);
+  fwrite(rgb, 3, (size_t)(w * h), stdout);
+}
+
+/* What the user sees. */
+static void window_shows(void) {
+  static unsigned char rgb[kMost * kMost * 3];
+  XSync(display, False);
+  XImage* image = XGetImage(display, window, 0, 0, (unsigned)width, (unsigned)height, AllPlanes, ZPixmap);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const unsigned long pixel = XGetPixel(image, x, y);
+      unsigned char* to = rgb + 3 * (y * width + x);
+      to[0] = (unsigned char)(pixel >> 16), to[1] = (unsigned char)(pixel >> 8), to[2] = (unsigned char)pixel;
+    }
+  XDestroyImage(image);
+  writePicture(rgb, width, height);
+}
+
+/* What the program reads: colours, and the higher bytes of depths. */
+static void buffer_holds(void) {
+  static unsigned char rgb[kMost * kMost * 3];
+  static unsigned depth[kMost * kMost];
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, rgb);
+  writePicture(rgb, width, height);
+  glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, depth);
+  for (int i = 0; i < width * height; ++i)
+    for (int c = 0; c < 3; ++c) rgb[3 * i + c] = (unsigned char)(depth[i] >> (24 - 8 * c));
+  writePicture(rgb, width, height);
+}
+
+static void swap(void) { glXSwapBuffers(display, window); }
+
+static void clear(void) {
+  glClearColor(0.2f, 0.35f, 0.5f, 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+/* Two triangles that cut each other. */
+static void surface(float turn) {
+  glMatrixMode(GL_MODELVIEW);
+  glLoadIdentity();
+  glRotatef(turn, 0.2f, 1, 0.1f);
+  glBegin(GL_TRIANGLES);
+  for (int k = 0; k < 2; ++k) {
+    const float side = k ? 1 : -1;
+    glColor3f(0.9f, 0.3f + 0.2f * side, 0.2f), glVertex3f(-0.7f, -0.6f, 0.4f * side);
+    glColor3f(0.2f, 0.8f, 0.3f), glVertex3f(0.6f, -0.7f, 0.1f);
+    glColor3f(0.3f, 0.3f, 0.9f), glVertex3f(0.1f * side, 0.7f, -0.3f * side);
+  }
+  glEnd();
+}
+
+static void frame(float turn) { clear(), surface(turn), swap(); }
+
+/* Lines in space: pixels depend on the depth that is there. */
+static void lines(void) {
+  glColor3f(1, 1, 1);
+  glBegin(GL_LINES);
+  for (int i = -5; i < 6; ++i) {
+    glVertex3f(0.15f * (float)i, -0.9f, -0.6f), glVertex3f(-0.15f * (float)i, 0.9f, 0.6f);
+    glVertex3f(-0.9f, 0.15f * (float)i, 0.6f), glVertex3f(0.9f, -0.15f * (float)i, -0.6f);
+  }
+  glEnd();
+}
+
+static void moving(void) {
+  for (int i = 0; i < 4; ++i) frame(20.0f * (float)i), window_shows();
+}
+static void unchanged(void) {
+  for (int i = 0; i < 3; ++i) frame(30), window_shows();
+}
+static void swapped_again(void) { frame(10), swap(), window_shows(); }
+static void read_afterwards(void) {
+  frame(15), buffer_holds(), window_shows();
+  surface(60), swap(), window_shows();
+}
+static void drawn_over(void) {
+  frame(25);
+  surface(70), lines(), swap(), window_shows();
+  buffer_holds();
+}
+static void lines_over(void) { frame(35), lines(), swap(), window_shows(); }
+static void depth_cleared(void) {
+  frame(45), glClear(GL_DEPTH_BUFFER_BIT), surface(110), swap(), window_shows();
+}
+static void colour_cleared(void) { frame(55), glClear(GL_COLOR_BUFFER_BIT), lines(), swap(), window_shows(); }
+static void part_cleared(void) {
+  frame(65);
+  glEnable(GL_SCISSOR_TEST), glScissor(40, 30, 90, 60);
+  clear(), surface(0);
+  glDisable(GL_SCISSOR_TEST);
+  swap(), window_shows();
+}
+static void masked_clear(void) {
+  frame(12);
+  glColorMask(GL_TRUE, GL_FALSE, GL_TRUE, GL_TRUE), clear(), glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  surface(75), swap(), window_shows();
+}
+static void smaller_viewport(void) {
+  glViewport(30, 20, 111, 77), frame(40), window_shows();
+  glViewport(-30, -20, 300, 180), frame(40), window_shows(), buffer_holds();
+  glViewport(0, 0, width, height);
+}
+static void far_plane(void) {
+  for (int k = 0; k < 2; ++k) {
+    glDepthFunc(k ? GL_LEQUAL : GL_LESS);
+    clear();
+    glLoadIdentity();
+    glBegin(GL_TRIANGLES);
+    glColor3f(1, 0, 0), glVertex3f(-1, -1, 1), glVertex3f(1, -1, 1), glVertex3f(0, 1, 0.9999f);
+    glEnd();
+    swap(), window_shows(), buffer_holds();
+  }
+  glDepthFunc(GL_LESS);
+}
+static void copied(void) {
+  frame(50);
+  GLuint texture = 0;
+  glGenTextures(1, &texture), glBindTexture(GL_TEXTURE_2D, texture);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, 0, 0, 128, 128, 0);
+  clear(), glLoadIdentity(), glEnable(GL_TEXTURE_2D), glColor3f(1, 1, 1);
+  glBegin(GL_QUADS);
+  glTexCoord2f(0, 0), glVertex2f(-0.8f, -0.8f), glTexCoord2f(1, 0), glVertex2f(0.8f, -0.8f);
+  glTexCoord2f(1, 1), glVertex2f(0.8f, 0.8f), glTexCoord2f(0, 1), glVertex2f(-0.8f, 0.8f);
+  glEnd();
+  glDisable(GL_TEXTURE_2D), swap(), window_shows();
+  glDeleteTextures(1, &texture);
+}
+static void blitted(void) {
+  GLuint objects[2], framebuffer = 0;
+  glGenRenderbuffers(2, objects), glGenFramebuffers(1, &framebuffer);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  for (int k = 0; k < 2; ++k) {
+    glBindRenderbuffer(GL_RENDERBUFFER, objects[k]);
+    glRenderbufferStorage(GL_RENDERBUFFER, k ? GL_DEPTH24_STENCIL8 : GL_RGBA8, width, height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, k ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                              objects[k]);
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, 0), frame(80);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer), clear();
+  glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer), buffer_holds();
+  surface(5);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  glBlitFramebuffer(0, 0, 100, 100, 50, 40, 150, 140, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, 0), swap(), window_shows();
+  glDeleteFramebuffers(1, &framebuffer), glDeleteRenderbuffers(2, objects);
+}
+static void other_context(void) {
+  GLXContext other = glXCreateContext(display, visual, NULL, True);
+  frame(85), window_shows();
+  glXMakeCurrent(display, window, other), glEnable(GL_DEPTH_TEST), lines(), swap(), window_shows();
+  frame(20), window_shows();
+  glXMakeCurrent(display, window, context), lines(), swap(), window_shows();
+  glXDestroyContext(display, other);
+}
+static void other_window(void) {
+  Window first = window;
+  XSetWindowAttributes attributes = {.override_redirect = True,
+                                     .colormap = XCreateColormap(display, first, visual->visual, AllocNone)};
+  const Window another =
+      XCreateWindow(display, DefaultRootWindow(display), 300, 0, 200, 150, 0, visual->depth, InputOutput,
+                    visual->visual, CWBorderPixel | CWColormap | CWOverrideRedirect, &attributes);
+  XMapWindow(display, another);
+  for (int i = 0; i < 5; ++i) {
+    window = i % 2 ? another : first;
+    glXMakeCurrent(display, window, context), frame(17.0f * (float)i), window_shows();
+  }
+  window = first, glXMakeCurrent(display, first, context);
+  lines(), swap(), window_shows();
+  XDestroyWindow(display, another);
+}
+static void resized(void) {
+  frame(33);
+  for (int i = 0; i < 3; ++i) {
+    width = 200 + 60 * (i % 2), height = 150 + 40 * i;
+    XResizeWindow(display, window, (unsigned)width, (unsigned)height), XSync(display, False);
+    glViewport(0, 0, width, height);
+    frame(33), frame(34), window_shows(), buffer_holds();
+    frame(35), lines(), swap(), window_shows();
+  }
+}
+static void on_and_on(void) { /* a program that never clears all: soon it is left alone */
+  for (int i = 0; i < 12; ++i) {
+    frame(9.0f * (float)i);
+    if (i % 5 != 4) lines(), swap();
+    window_shows();
+  }
+}
+static void queried(void) {
+  GLuint query = 0, samples = 0;
+  glGenQueries(1, &query);
+  frame(3);
+  glBeginQuery(GL_SAMPLES_PASSED, query), surface(3), lines(), glEndQuery(GL_SAMPLES_PASSED);
+  glGetQueryObjectuiv(query, GL_QUERY_RESULT, &samples);
+  swap(), window_shows(), buffer_holds();
+  glDeleteQueries(1, &query);
+}
+static void errors_kept(void) {
+  glEnable(0x1234), frame(21), window_shows();
+  if (glGetError() != GL_INVALID_ENUM || glGetError() != GL_NO_ERROR)
+    fprintf(stderr, "error lost\n"), exit(1);
+}
+
+static const struct {
+  const char* name;
+  void (*run)(void);
+} kCases[] = {
+#define CASE(name) \
+  { #name, name }
+    CASE(moving),       CASE(unchanged),    CASE(swapped_again),    CASE(read_afterwards),
+    CASE(drawn_over),   CASE(lines_over),   CASE(depth_cleared),    CASE(colour_cleared),
+    CASE(part_cleared), CASE(masked_clear), CASE(smaller_viewport), CASE(far_plane),
+    CASE(copied),       CASE(blitted),      CASE(other_context),    CASE(other_window),
+    CASE(resized),      CASE(on_and_on),    CASE(queried),          CASE(errors_kept),
+};
+
+int main(int argc, char** argv) {
+  static int wanted[] = {GLX_RGBA, GLX_DOUBLEBUFFER, GLX_DEPTH_SIZE, 24, None};
+  display = XOpenDisplay(NULL);
+  visual = display ? glXChooseVisual(display, DefaultScreen(display), wanted) : NULL;
+  if (!visual) return fprintf(stderr, "no display, or no visual\n"), 1;
+  XSetWindowAttributes attributes = {
+      .override_redirect = True,
+      .colormap = XCreateColormap(display, DefaultRootWindow(display), visual->visual, AllocNone)};
+  window = XCreateWindow(display, DefaultRootWindow(display), 0, 0, (unsigned)width, (unsigned)height, 0,
+                         visual->depth, InputOutput, visual->visual,
+                         CWBorderPixel | CWColormap | CWOverrideRedirect, &attributes);
+  XMapWindow(display, window), XSync(display, False);
+  context = glXCreateContext(display, visual, NULL, True);
+  if (!glXMakeCurrent(display, window, context)) return fprintf(stderr, "no context\n"), 1;
+  glEnable(GL_DEPTH_TEST);
+  for (size_t i = 0; i < sizeof kCases / sizeof kCases[0]; ++i)
+    if (argc > 1 && strcmp(argv[1], kCases[i].name) == 0) {
+      frame(90);
+      kCases[i].run();
+      XDestroyWindow(display, window);
+      XCloseDisplay(display); /* with the context current */
+      return 0;
+    }
+  for (size_t i = 0; i < sizeof kCases / sizeof kCases[0]; ++i) fprintf(stderr, "%s\n", kCases[i].name);
+  return 2;
+}
