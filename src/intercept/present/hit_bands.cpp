@@ -32,21 +32,29 @@ int lastHit(const float* row, int limit, int width) {
 
 }  // namespace
 
-std::vector<Band> hitBands(const float* depth, int width, int height) {
+int rowsOfBands(int height) {
   constexpr int kLeastRows = 16;
-  const int rows = std::max(kLeastRows, (height + kMaxBands - 1) / kMaxBands);
+  return std::max(kLeastRows, (height + kMaxBands - 1) / kMaxBands);
+}
+
+Band hitBand(const float* depth, int width, int height, int y) {
+  const int count = std::min(rowsOfBands(height), height - y);
+  int left = width, right = 0;
+  for (int r = y; r < y + count; ++r) {
+    const float* row = depth + static_cast<size_t>(r) * static_cast<size_t>(width);
+    // Only what lies outside the band so far is looked at.
+    left = firstHit(row, left);
+    const int known = std::max(right, left), last = lastHit(row, known, width);
+    if (last > known) right = last;
+  }
+  return {left, y, std::max(right - left, 0), count};
+}
+
+std::vector<Band> hitBands(const float* depth, int width, int height) {
   std::vector<Band> bands;
-  for (int y = 0; y < height; y += rows) {
-    const int count = std::min(rows, height - y);
-    int left = width, right = 0;
-    for (int r = y; r < y + count; ++r) {
-      const float* row = depth + static_cast<size_t>(r) * static_cast<size_t>(width);
-      // Only what lies outside the band so far is looked at.
-      left = firstHit(row, left);
-      const int known = std::max(right, left), last = lastHit(row, known, width);
-      if (last > known) right = last;
-    }
-    if (left < right) bands.push_back({left, y, right - left, count});
+  for (int y = 0; y < height; y += rowsOfBands(height)) {
+    const Band band = hitBand(depth, width, height, y);
+    if (band.width > 0) bands.push_back(band);
   }
   return bands;
 }

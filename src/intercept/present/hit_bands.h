@@ -10,9 +10,13 @@ struct Band {
   bool operator==(const Band&) const = default;
 };
 
+inline constexpr int kMaxBands = 32;
+/// Rows of a band, all but the last, in a picture of that height.
+int rowsOfBands(int height);
+/// The band that begins at row `y`, a multiple of those: without columns where nothing in it was hit.
+Band hitBand(const float* depth, int width, int height, int y);
 /// At most `kMaxBands` bands, lowest first, that cover every pixel of `depth` (width*height window depths)
 /// that was hit, that is, whose depth is at most 1. Bands without hits are left out.
-inline constexpr int kMaxBands = 32;
 std::vector<Band> hitBands(const float* depth, int width, int height);
 
 }  // namespace gluray::present

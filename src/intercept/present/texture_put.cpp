@@ -9,6 +9,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 namespace gluray::present {
@@ -98,10 +99,17 @@ bool TexturePut::put(const gl::RealGl& real, const Features& features, const Ima
   if (!to) return false;
   guard.plainUnpack(image.width);
   const bool floats = to->depthFormat == GL_DEPTH_COMPONENT32F;
-  const std::vector<Band> bands = hitBands(image.depth.data(), image.width, image.height);
   if (depths_.size() < image.depth.size()) depths_.resize(image.depth.size());
-  tbb::parallel_for(size_t{0}, bands.size(), [&](size_t i) { fillDepths(image, bands[i], floats); });
-  for (const Band& band : bands) send(real, features, image, band, floats);
+  const int rows = rowsOfBands(image.height), count = (image.height + rows - 1) / rows;
+  std::array<Band, kMaxBands> bands;
+  tbb::parallel_for(0, count, [&](int i) {  // each depth is read once
+    Band& band = bands[static_cast<size_t>(i)];
+    band = hitBand(image.depth.data(), image.width, image.height, i * rows);
+    if (band.width > 0) fillDepths(image, band, floats);
+  });
+  for (int i = 0; i < count; ++i)
+    if (const Band& band = bands[static_cast<size_t>(i)]; band.width > 0)
+      send(real, features, image, band, floats);
   return takeErrors(real).empty();
 }
 
