@@ -5,6 +5,10 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cmath>
+#include <memory>
+#include <vector>
+
 namespace {
 
 using namespace gluray;
@@ -38,6 +42,43 @@ BENCHMARK_CAPTURE(build, full, BvhQuality::full)
     ->UseManualTime()
     ->Iterations(3)
     ->Repetitions(5);
+
+/// The same triangles at other places, with room behind for Embree's wide loads.
+scene::MeshPtr moved(const scene::Mesh& mesh, float time) {
+  auto positions = std::make_shared<std::vector<glm::vec3>>(mesh.vertexCount + 2);
+  for (uint32_t v = 0; v < mesh.vertexCount; ++v) {
+    const glm::vec3 p(scene::fetch(mesh.positions, v));
+    (*positions)[v] = p + 4.0f * glm::vec3(std::sin(0.02f * p.y + time), std::sin(0.03f * p.z + time), 0);
+  }
+  auto result = std::make_shared<scene::Mesh>(mesh);
+  result->geometryId = hashBytes(positions->data(), positions->size() * sizeof(glm::vec3));
+  result->positions.data = reinterpret_cast<const std::byte*>(positions->data());
+  result->positions.stride = sizeof(glm::vec3);
+  result->positions.owner = std::move(positions);
+  return result;
+}
+
+/// A mesh that moves: what its structure takes in each frame.
+void follow(benchmark::State& state) {
+  scene::Snapshot s = snapshot(BvhQuality::automatic);
+  const scene::MeshPtr mesh = s.instances[0].mesh;
+  frame::Renderer renderer;
+  frame::FrameStatistics statistics;
+  Image image;
+  std::string error;
+  int step = 0;
+  const auto next = [&] {
+    s.instances[0].mesh = moved(*mesh, 0.05f * static_cast<float>(step++));
+    return renderer.render(s, image, statistics, error);
+  };
+  for (int i = 0; i < 6; ++i) next();  // until it is known to move
+  for (auto _ : state) {
+    if (!next()) return state.SkipWithError(error.c_str());
+    state.SetIterationTime(statistics.buildSeconds);
+  }
+  state.SetItemsProcessed(state.iterations() * int64_t(mesh->triangleCount));
+}
+BENCHMARK(follow)->Name("build/moving")->UseManualTime()->Iterations(12)->Repetitions(5);
 
 void trace(benchmark::State& state) {
   scene::Snapshot s = snapshot(BvhQuality::full);

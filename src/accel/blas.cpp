@@ -8,6 +8,8 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <cstring>
+
 namespace gluray::accel {
 namespace {
 
@@ -58,16 +60,66 @@ Hash128 Geometry::id() const {
 }
 
 Blas::Blas(const Device& device, IotaIndices& iota, const Geometry& of, BvhQuality quality)
-    : device_(device), positions_(of.mesh->positions.owner), triangleCount_(of.mesh->triangleCount) {
+    : Blas(device, iota, of, quality, false) {}
+
+BlasPtr Blas::createToRefit(const Device& device, IotaIndices& iota, const Geometry& of) {
+  BlasPtr blas(new Blas(device, iota, of, BvhQuality::fast, true));
+  if (allInReach(*of.mesh)) blas->neighbours_ = std::make_unique<Neighbours>(*of.mesh);
+  return blas;
+}
+
+BlasPtr Blas::createRefitted(Blas& from, const scene::Mesh& mesh) { return BlasPtr(new Blas(from, mesh)); }
+
+Blas::Blas(Blas& from, const scene::Mesh& mesh)
+    : device_(from.device_),
+      scene_(from.scene_),
+      indices_(from.indices_),
+      bvhBytes_(from.bvhBytes_),
+      triangleCount_(from.triangleCount_),
+      vertexCount_(from.vertexCount_),
+      indexData_(from.indexData_),
+      neighbours_(std::move(from.neighbours_)) {
+  rtcRetainScene(scene_);
+  const RTCGeometry geometry = rtcGetGeometry(scene_, 0);
+  setPositions(geometry, mesh);
+  rtcCommitGeometry(geometry);
+}
+
+void Blas::setPositions(RTCGeometryTy* geometry, const scene::Mesh& mesh) {
+  positions_ = mesh.positions.owner;
+  pinnedBytes_ = static_cast<size_t>(mesh.vertexCount) * mesh.positions.stride +
+                 (indexData_ ? static_cast<size_t>(mesh.triangleCount) * 12 : 0);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.positions.data, 0,
+                             mesh.positions.stride, mesh.vertexCount);
+}
+
+bool Blas::hasTopologyOf(const scene::Mesh& mesh) const {
+  if (figuresOnly_ || mesh.shape != scene::Shape::triangles || mesh.triangleCount != triangleCount_ ||
+      mesh.vertexCount != vertexCount_ || !mesh.indices != !indexData_)
+    return false;
+  return !indexData_ || mesh.indices.data == indexData_ ||
+         std::memcmp(mesh.indices.data, indexData_, static_cast<size_t>(triangleCount_) * 12) == 0;
+}
+
+double Blas::spreadIn(const scene::Mesh& mesh) const {
+  return neighbours_ && allInReach(mesh) ? neighbours_->spreadIn(mesh) : 0;
+}
+
+Blas::Blas(const Device& device, IotaIndices& iota, const Geometry& of, BvhQuality quality, bool toRefit)
+    : device_(device),
+      positions_(of.mesh->positions.owner),
+      triangleCount_(of.mesh->triangleCount),
+      vertexCount_(of.mesh->vertexCount),
+      figuresOnly_(of.mesh->shape != scene::Shape::triangles) {
   const scene::Mesh& mesh = *of.mesh;
   checkArrays(mesh);
   pinnedBytes_ = static_cast<size_t>(mesh.vertexCount) * mesh.positions.stride;
   const auto rtcQuality = quality == BvhQuality::fast ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM;
   scene_ = rtcNewScene(device.handle());
   rtcSetSceneBuildQuality(scene_, rtcQuality);
-  rtcSetSceneFlags(scene_, sceneFlags(quality));
+  rtcSetSceneFlags(scene_, toRefit ? sceneFlags(quality) | RTC_SCENE_FLAG_DYNAMIC : sceneFlags(quality));
   RTCGeometry geometry = mesh.shape == scene::Shape::triangles ? triangles(iota, mesh) : figures(of);
-  rtcSetGeometryBuildQuality(geometry, rtcQuality);
+  rtcSetGeometryBuildQuality(geometry, toRefit ? RTC_BUILD_QUALITY_REFIT : rtcQuality);
   rtcCommitGeometry(geometry);
   rtcAttachGeometryByID(scene_, geometry, 0);
   rtcReleaseGeometry(geometry);
@@ -83,15 +135,14 @@ RTCGeometryTy* Blas::triangles(IotaIndices& iota, const scene::Mesh& mesh) {
   const void* indexData = mesh.indices.data;
   if (mesh.indices) {
     indices_ = mesh.indices.owner;
-    pinnedBytes_ += static_cast<size_t>(mesh.triangleCount) * 12;
+    indexData_ = mesh.indices.data;
   } else {
     auto shared = iota.get(static_cast<size_t>(mesh.triangleCount) * 3);
     indexData = shared.get();
     indices_ = std::shared_ptr<const void>(shared, shared.get());
   }
   RTCGeometry geometry = rtcNewGeometry(device_.handle(), RTC_GEOMETRY_TYPE_TRIANGLE);
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.positions.data, 0,
-                             mesh.positions.stride, mesh.vertexCount);
+  setPositions(geometry, mesh);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, indexData, 0, 12,
                              mesh.triangleCount);
   return geometry;
@@ -130,7 +181,7 @@ void Blas::build() {
   const size_t before = Device::bytesOfFrames();
   commit();
   const size_t after = Device::bytesOfFrames();
-  bvhBytes_ = after > before ? after - before : 0;
+  bvhBytes_ += after > before ? after - before : 0;
 }
 
 void Blas::buildBehind(const std::atomic<bool>& cancelled) {

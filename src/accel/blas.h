@@ -1,5 +1,6 @@
 // The acceleration structure of one mesh. Made by BlasCache; read by any number of tracing threads.
 #pragma once
+#include "accel/deformation.h"
 #include "accel/device.h"
 #include "accel/figures.h"
 #include "accel/iota_indices.h"
@@ -25,12 +26,20 @@ struct Geometry {
   Hash128 id() const;
 };
 
+class Blas;
+using BlasPtr = std::shared_ptr<Blas>;
+
 /// A bottom-level structure over the positions and triangles of a mesh, which are read in place and kept
 /// alive. (primitive, u, v) of its hits hold for every geometry of equal id.
 class Blas {
  public:
   /// Prepares the structure; build() makes it. Throws Error where the arrays cannot be read.
   Blas(const Device&, IotaIndices&, const Geometry&, BvhQuality);
+  /// The same of triangles that can be adjusted to other positions later: of middling quality.
+  static BlasPtr createToRefit(const Device&, IotaIndices&, const Geometry&);
+  /// `from`, made to be adjusted and of no use from now on, to be built for the positions of a mesh that has
+  /// its topology.
+  static BlasPtr createRefitted(Blas& from, const scene::Mesh&);
   ~Blas();
   Blas(const Blas&) = delete;
   Blas& operator=(const Blas&) = delete;
@@ -47,9 +56,17 @@ class Blas {
   size_t bvhBytes() const { return bvhBytes_; }
   size_t pinnedBytes() const { return pinnedBytes_; }
   uint32_t triangleCount() const { return triangleCount_; }
+  /// Whether it holds triangles of the same vertices as the mesh. Compares all indices.
+  bool hasTopologyOf(const scene::Mesh&) const;
+  /// How far its triangles have moved apart in the mesh, which has its topology; 0: it cannot be adjusted to
+  /// that.
+  double spreadIn(const scene::Mesh&) const;
 
  private:
   void commit();
+  Blas(Blas& from, const scene::Mesh&);
+  Blas(const Device&, IotaIndices&, const Geometry&, BvhQuality, bool toRefit);
+  void setPositions(RTCGeometryTy*, const scene::Mesh&);
   RTCGeometryTy* triangles(IotaIndices&, const scene::Mesh&);
   RTCGeometryTy* figures(const Geometry&);
 
@@ -60,8 +77,10 @@ class Blas {
   FigureReach reach_;
   std::pair<const scene::Mesh*, const FigureReach*> bounded_;  // both, for Embree's callback
   size_t bvhBytes_ = 0, pinnedBytes_ = 0;
-  uint32_t triangleCount_ = 0;
+  uint32_t triangleCount_ = 0, vertexCount_ = 0;
+  const void* indexData_ = nullptr;  // of triangles; null: they are a soup
+  bool figuresOnly_ = false;
+  std::unique_ptr<Neighbours> neighbours_;  // where it can be adjusted
 };
-using BlasPtr = std::shared_ptr<Blas>;
 
 }  // namespace gluray::accel

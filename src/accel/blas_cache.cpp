@@ -63,14 +63,65 @@ std::vector<BlasPtr> BlasCache::get(const std::vector<Geometry>& wanted, BvhQual
     BlasPtr& blas = started[key];
     if (!blas) {
       if (started.size() == 1) waiting = trianglesWaiting(wanted, quality);
-      const BvhQuality first = firstQuality(quality, mesh.triangleCount, waiting, freeMemory_);
-      blas = std::make_shared<Blas>(device_, iota_, wanted[i], first);
+      BvhQuality first = firstQuality(quality, mesh.triangleCount, waiting, freeMemory_);
+      blas = deformed(wanted[i], wanted, quality);
+      if (blas)
+        first = BvhQuality::fast;
+      else
+        blas = std::make_shared<Blas>(device_, iota_, wanted[i], first);
       coming.push_back({key, {blas, first, clock_, 1}});
     }
     result[i] = blas;
   }
   build(coming);
   return result;
+}
+
+/// The structure of the latest positions of the mesh that nobody draws any more; entries_.end(): there is
+/// none.
+BlasCache::Entries::iterator BlasCache::formerOf(const scene::Mesh& mesh, const std::vector<Geometry>& wanted,
+                                                 BvhQuality quality) {
+  constexpr uint64_t kRecent = 16, kMoving = 4;  // batches
+  std::vector<Entries::iterator> idle;
+  for (auto it = entries_.begin(); it != entries_.end(); ++it) {
+    const Entry& entry = it->second;
+    if (it->first.quality == quality && entry.lastUsed != clock_ && clock_ - entry.lastUsed <= kRecent &&
+        entry.frames <= kMoving && entry.blas->triangleCount() == mesh.triangleCount)
+      idle.push_back(it);
+  }
+  std::sort(idle.begin(), idle.end(),
+            [](const auto& a, const auto& b) { return a->second.lastUsed > b->second.lastUsed; });
+  const auto fits = [&](const Entries::iterator& it) {
+    const bool comes = std::any_of(wanted.begin(), wanted.end(), [&](const Geometry& g) {
+      return g.mesh->geometryId == it->first.geometry;
+    });
+    return !comes && it->second.blas->hasTopologyOf(mesh);
+  };
+  const auto found = std::find_if(idle.begin(), idle.end(), fits);
+  return found == idle.end() ? entries_.end() : *found;
+}
+
+BlasPtr BlasCache::deformed(const Geometry& geometry, const std::vector<Geometry>& wanted,
+                            BvhQuality quality) {
+  const scene::Mesh& mesh = *geometry.mesh;
+  const bool wantsBest = quality == BvhQuality::full || quality == BvhQuality::compact;
+  if (wantsBest || mesh.shape != scene::Shape::triangles || mesh.triangleCount < Deformations::kLeast)
+    return nullptr;
+  if (std::find(left_.begin(), left_.end(), mesh.geometryId) != left_.end()) {
+    deformations_.comesAround(mesh);
+    return nullptr;
+  }
+  const auto former = formerOf(mesh, wanted, quality);
+  if (former == entries_.end()) return nullptr;
+  switch (deformations_.next(mesh, former->second.blas->spreadIn(mesh))) {
+    case Deformations::Step::build: return nullptr;
+    case Deformations::Step::buildToRefit: return Blas::createToRefit(device_, iota_, geometry);
+    case Deformations::Step::refit: break;
+  }
+  const BlasPtr adjusted = Blas::createRefitted(*former->second.blas, mesh);
+  left_[refits_++ % left_.size()] = former->first.geometry;
+  entries_.erase(former);
+  return adjusted;
 }
 
 uint64_t BlasCache::trianglesWaiting(const std::vector<Geometry>& wanted, BvhQuality quality) const {

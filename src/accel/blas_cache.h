@@ -4,7 +4,9 @@
 #include "accel/background_job.h"
 #include "accel/blas.h"
 #include "accel/build_plan.h"
+#include "accel/deformation.h"
 
+#include <array>
 #include <unordered_map>
 #include <vector>
 
@@ -31,6 +33,7 @@ class BlasCache {
   bool evictAllIdle();
 
   uint64_t builds() const { return builds_; }            // that a frame waited for, since the start
+  uint64_t refits() const { return refits_; }            // of those, adjusted ones of earlier positions
   uint64_t refinements() const { return refinements_; }  // better structures put in place, since the start
   bool refining() const { return refinement_.busy(); }   // one is being built
   size_t size() const { return entries_.size(); }
@@ -56,16 +59,22 @@ class BlasCache {
   BlasPtr use(Entry& entry);
   uint64_t trianglesWaiting(const std::vector<Geometry>& wanted, BvhQuality) const;
   void build(std::vector<std::pair<Key, Entry>>& coming);
+  using Entries = std::unordered_map<Key, Entry, KeyHash>;
+  Entries::iterator formerOf(const scene::Mesh&, const std::vector<Geometry>& wanted, BvhQuality);
+  /// The structure to be built for a mesh that moves; null: it is to be built like any other.
+  BlasPtr deformed(const Geometry&, const std::vector<Geometry>& wanted, BvhQuality);
   void refine(const Key& key, Entry& entry, const Geometry& geometry);
 
   const Device& device_;
   size_t idleBudgetBytes_;
   FreeMemory freeMemory_;
   IotaIndices iota_;
-  std::unordered_map<Key, Entry, KeyHash> entries_;
-  uint64_t clock_ = 0, builds_ = 0, refinements_ = 0;
-  Key refining_{};   // what the job builds for
-  BlasPtr refined_;  // what it builds
+  Entries entries_;
+  uint64_t clock_ = 0, builds_ = 0, refits_ = 0, refinements_ = 0;
+  Deformations deformations_;
+  std::array<Hash128, 64> left_{};  // geometries whose structures were adjusted to others, the last ones
+  Key refining_{};                  // what the job builds for
+  BlasPtr refined_;                 // what it builds
   BackgroundJob refinement_;
 };
 

@@ -33,11 +33,12 @@ UpdateStatistics World::update(const scene::Snapshot& snapshot, Arena& arena) {
   return arena.execute([&] {
     UpdateStatistics statistics;
     const uint64_t before = cache_.builds();
-    const uint64_t refined = cache_.refinements();
+    const uint64_t refits = cache_.refits(), refined = cache_.refinements();
     scene_ = nullptr;
     cache_.beginFrame();
     std::vector<PlacedBlas> placed = place(snapshot);
     statistics.blasBuilds = cache_.builds() - before;
+    statistics.blasRefits = cache_.refits() - refits;
     statistics.blasRefinements = cache_.refinements() - refined;
 
     const auto filled = [](const PlacedBlas& p) { return p.blas != nullptr; };

@@ -16,6 +16,7 @@ namespace gluray::accel {
 
 struct UpdateStatistics {
   uint64_t blasBuilds = 0, tlasBuilds = 0;  // by this call
+  uint64_t blasRefits = 0;                  // of the builds: adjusted from earlier positions of a mesh
   uint64_t blasRefinements = 0;             // structures exchanged for better ones, built since the last call
 };
 
