@@ -3,10 +3,13 @@
 #include "bench/render/wavelet_snapshot.h"
 #include "frame/renderer.h"
 #include "intercept/present/write_back.h"
+#include "intercept/window_put.h"
 #include "tests/support/osmesa_context.h"
 
 #include <GL/glext.h>
 #include <benchmark/benchmark.h>
+
+#include <vector>
 
 namespace {
 
@@ -78,5 +81,15 @@ BENCHMARK_CAPTURE(writeBack, same, Case::unchanged)
     ->UseRealTime()
     ->Iterations(50)
     ->Repetitions(5);
+
+/// The picture as a window takes it, before the X server is asked.
+void fillWindow(benchmark::State& state) {
+  std::vector<uint32_t> pixels(size_t{bench::kImageSize} * bench::kImageSize);
+  const float farthest = 1 - 0x1p-25f;
+  for (auto _ : state)
+    intercept::fillWindow({picture(), farthest, 1}, {bench::kImageSize, bench::kImageSize}, pixels.data());
+  state.SetItemsProcessed(state.iterations());
+}
+BENCHMARK(fillWindow)->Name("write_back/window")->UseRealTime()->Iterations(200)->Repetitions(5);
 
 }  // namespace
