@@ -18,8 +18,8 @@
 
 namespace gluray::gl {
 
-/// What a framebuffer object was last cleared to as a whole, depth to 1, nothing having been drawn or sent
-/// into it since.
+/// What a framebuffer (0: the window) was last cleared to as a whole, depth to 1, nothing having been drawn
+/// or sent into it since.
 struct ClearedTarget {
   GLuint framebuffer = 0;
   scene::Region region;          // pixels

@@ -31,7 +31,7 @@ bool Context::mayShowDirectly() noexcept {
 bool Context::showDirectly(glm::ivec2 window, const ShowPicture& show) noexcept {
   return protect([&] {
     if (!contains(cleared_->region, {0, 0, window.x, window.y})) return false;
-    settle();
+    settleShown();
     refresh(kTarget);
     timeline::writeIfDue();
     const timeline::Span span("batch", batch_.waiting().instances.size());

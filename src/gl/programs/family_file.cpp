@@ -1,8 +1,7 @@
 // Family files: TOML to Family.
 #include "gl/programs/built_in_families.gen.h"
 #include "gl/programs/family.h"
-
-#include <toml++/toml.h>
+#include "gl/programs/family_table.h"
 
 #include <algorithm>
 
@@ -10,20 +9,20 @@ namespace gluray::gl {
 namespace {
 
 /// Reads one [[family]] table. Every key that is asked for is known; others are mistakes.
-class FamilyReader {
+class FamilyReader : FamilyTable {
  public:
   FamilyReader(const toml::table& table, const std::string& file, Family& family)
-      : file_(file), family_(family), table_(&table) {}
+      : FamilyTable(table, file, family.mentioned), family_(family) {}
 
   /// `known`: what a family may inherit from.
   void read(const FamilyList& known) {
     inherit(known);
     family_.name.clear();
     text("name", family_.name);
-    if (family_.name.empty()) fail(*table_, "a family needs a name");
+    if (family_.name.empty()) fail(here(), "a family needs a name");
     section("match", [&] { readMatch(); });
     if (family_.active.empty() && family_.any.empty())
-      fail(*table_, "family \"" + family_.name + "\" needs match.active or match.any");
+      fail(here(), "family \"" + family_.name + "\" needs match.active or match.any");
     section("vertex", [&] { readVertex(); });
     section("instance", [&] {
       name("transform", family_.instanceTransform);
@@ -53,20 +52,20 @@ class FamilyReader {
     allKnown();
     const bool traced = family_.rasteriseBecause.empty();
     if (traced && (family_.position.empty() || family_.clipFromObject.empty()))
-      fail(*table_, "family \"" + family_.name +
-                        "\" needs vertex.position and transform.clip_from_object, or match.rasterise");
+      fail(here(), "family \"" + family_.name +
+                       "\" needs vertex.position and transform.clip_from_object, or match.rasterise");
     if (family_.figures.given() && !family_.clipPlanes.empty() && !family_.clipCenters)
-      fail(*table_, "family \"" + family_.name + "\": of figures, clip.planes need clip.centers = true");
+      fail(here(), "family \"" + family_.name + "\": of figures, clip.planes need clip.centers = true");
     if (family_.figures.given() && !(family_.textures.empty() && family_.edgeFlags.empty()))
-      fail(*table_, "family \"" + family_.name + "\": figures have neither textures nor edges");
+      fail(here(), "family \"" + family_.name + "\": figures have neither textures nor edges");
     const bool pixels = scene::isSizedInPixels(family_.figures.shape);
     if (pixels && (family_.depthOffset.given() || family_.depthFactor.given()))
-      fail(*table_,
+      fail(here(),
            "family \"" + family_.name + "\": beads and tubes have figures.depth_bias instead of depth");
     if (family_.figures.given() && !pixels && !family_.figures.radius.given())
-      fail(*table_, "family \"" + family_.name + "\" needs figures.radius");
+      fail(here(), "family \"" + family_.name + "\" needs figures.radius");
     if (family_.figures.shape == scene::Shape::cylinders && family_.figures.axis.empty())
-      fail(*table_, "family \"" + family_.name + "\" needs figures.axis");
+      fail(here(), "family \"" + family_.name + "\" needs figures.axis");
   }
 
  private:
@@ -76,110 +75,9 @@ class FamilyReader {
     text("inherits", from);
     if (from.empty()) return;
     const auto it = std::find_if(known.begin(), known.end(), [&](const auto& f) { return f->name == from; });
-    if (it == known.end())
-      fail(*table_->get("inherits"), "there is no family \"" + from + "\" before this one");
+    if (it == known.end()) fail(at("inherits"), "there is no family \"" + from + "\" before this one");
     family_ = **it;
   }
-  [[noreturn]] void fail(const toml::node& at, const std::string& what) const {
-    throw FamilyError(file_ + ":" + std::to_string(at.source().begin.line) + ": " + what);
-  }
-  void mention(const std::string& name) {
-    if (name.empty()) return;
-    family_.mentioned.insert(name);
-    if (name.ends_with("[{}]")) family_.mentioned.insert(name.substr(0, name.size() - 4));
-  }
-  const toml::node* get(const char* key) {
-    known_.insert(key);
-    return table_->get(key);
-  }
-  /// A text without meaning as a name.
-  void text(const char* key, std::string& out) {
-    const toml::node* node = get(key);
-    if (!node) return;
-    const auto value = node->value_exact<std::string>();
-    if (!value) fail(*node, std::string(key) + " must be a text in quotes");
-    out = *value;
-  }
-  void name(const char* key, std::string& out) { text(key, out), mention(out); }
-  void flag(const char* key, bool& out) {
-    const toml::node* node = get(key);
-    if (!node) return;
-    const auto value = node->value_exact<bool>();
-    if (!value) fail(*node, std::string(key) + " must be true or false");
-    out = *value;
-  }
-  /// One name or a list of them.
-  void names(const char* key, std::vector<std::string>& out) {
-    texts(key, out);
-    for (const std::string& name : out) mention(name);
-  }
-  void texts(const char* key, std::vector<std::string>& out) {
-    const toml::node* node = get(key);
-    if (!node) return;
-    out.clear();
-    const auto add = [&](const toml::node& item) {
-      const auto value = item.value_exact<std::string>();
-      if (!value) fail(item, std::string(key) + " must be texts in quotes");
-      out.push_back(*value);
-    };
-    if (const toml::array* list = node->as_array())
-      for (const toml::node& item : *list) add(item);
-    else
-      add(*node);
-  }
-  /// A uniform's name, a number, or a list of numbers.
-  void value(const char* key, FamilyValue& out) {
-    const toml::node* node = get(key);
-    if (!node) return;
-    out = {};
-    if (const auto uniform = node->value_exact<std::string>()) {
-      out.uniform = *uniform;
-      return mention(out.uniform);
-    }
-    const auto add = [&](const toml::node& item) {
-      const auto number = item.value<double>();
-      if (!number) fail(item, std::string(key) + " must be a uniform's name, a number or a list of numbers");
-      out.constant.push_back(static_cast<float>(*number));
-    };
-    if (const toml::array* list = node->as_array())
-      for (const toml::node& item : *list) add(item);
-    else
-      add(*node);
-    if (out.constant.empty() || out.constant.size() > 4)
-      fail(*node, std::string(key) + " has 1 to 4 numbers");
-  }
-  /// One of several words.
-  template <class Enum, size_t n>
-  void choice(const char* key, const std::pair<const char*, Enum> (&words)[n], Enum& out) {
-    std::string word;
-    text(key, word);
-    if (word.empty()) return;
-    std::string all;
-    for (const auto& [name, value] : words) {
-      if (word == name) return void(out = value);
-      all += (all.empty() ? "" : ", ") + std::string(name);
-    }
-    fail(*table_->get(key), std::string(key) + " must be one of: " + all);
-  }
-  template <class Read>
-  void section(const char* key, Read&& readIt) {
-    const toml::node* node = get(key);
-    if (!node) return;
-    const toml::table* inner = node->as_table();
-    if (!inner) fail(*node, std::string(key) + " must be a section");
-    const toml::table* outer = std::exchange(table_, inner);
-    std::set<std::string, std::less<>> known;
-    known_.swap(known);
-    readIt();
-    allKnown();
-    known_.swap(known);
-    table_ = outer;
-  }
-  void allKnown() const {
-    for (const auto& [key, node] : *table_)
-      if (!known_.contains(key.str())) fail(node, "unknown key \"" + std::string(key.str()) + "\"");
-  }
-
   void readMatch() {
     names("active", family_.active);
     names("any", family_.any);
@@ -258,14 +156,14 @@ class FamilyReader {
             {"beads", Shape::beads},
             {"tubes", Shape::tubes}},
            f.shape);
-    if (!f.given()) fail(*table_, "figures need a shape");
+    if (!f.given()) fail(here(), "figures need a shape");
     choice("cards",
            {{"silhouette", Cards::silhouette}, {"triangle", Cards::triangle}, {"faces", Cards::faces}},
            f.cards);
     if ((f.cards == Cards::faces) && f.shape != Shape::cylinders)
-      fail(*table_->get("cards"), "cards = \"faces\" are those of cylinders");
+      fail(at("cards"), "cards = \"faces\" are those of cylinders");
     if (f.cards == Cards::triangle && f.shape == Shape::cylinders)
-      fail(*table_->get("cards"), "cylinders have no cards = \"triangle\"");
+      fail(at("cards"), "cylinders have no cards = \"triangle\"");
     value("radius", f.radius);
     name("axis", f.axis);
     value("inside", f.inside);
@@ -278,8 +176,8 @@ class FamilyReader {
     value("depth_bias", f.depthBias);
     const bool pixels = scene::isSizedInPixels(f.shape);
     if (pixels && !(f.bulge.given() && f.bulgeDepth.given()))
-      fail(*table_, "beads and tubes need bulge and bulge_depth");
-    if (f.size.given() != (f.shape == Shape::tubes)) fail(*table_, "tubes, and they alone, need size");
+      fail(here(), "beads and tubes need bulge and bulge_depth");
+    if (f.size.given() != (f.shape == Shape::tubes)) fail(here(), "tubes, and they alone, need size");
   }
   void readPass() {
     choice("does",
@@ -308,10 +206,7 @@ class FamilyReader {
     value("emissive", p.emissive);
   }
 
-  const std::string& file_;
   Family& family_;
-  const toml::table* table_;
-  std::set<std::string, std::less<>> known_;
 };
 
 }  // namespace

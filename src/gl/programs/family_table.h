@@ -1,0 +1,77 @@
+// Family files word by word: a table of TOML, whose every key must be one that is asked for. Private to
+// family_file.cpp.
+#pragma once
+#include "gl/programs/family.h"
+
+#include <toml++/toml.h>
+
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gluray::gl {
+
+/// Reads a table and its sections. What is wrong is thrown as FamilyError with file and line.
+class FamilyTable {
+ protected:
+  using Names = decltype(Family::mentioned);
+  /// Names of variables are added to `mentioned`.
+  FamilyTable(const toml::table& table, const std::string& file, Names& mentioned)
+      : file_(file), mentioned_(mentioned), table_(&table) {}
+
+  [[noreturn]] void fail(const toml::node& at, const std::string& what) const;
+  const toml::node& here() const { return *table_; }  // the section that is read
+  const toml::node& at(const char* key) const { return *table_->get(key); }
+
+  /// A text without meaning as a name; several, or one.
+  void text(const char* key, std::string& out);
+  void texts(const char* key, std::vector<std::string>& out);
+  /// A variable's name; several, or one.
+  void name(const char* key, std::string& out) { text(key, out), mention(out); }
+  void names(const char* key, std::vector<std::string>& out);
+  void flag(const char* key, bool& out);
+  /// A uniform's name, a number, or a list of numbers.
+  void value(const char* key, FamilyValue& out);
+  /// One of several words.
+  template <class Enum, size_t n>
+  void choice(const char* key, const std::pair<const char*, Enum> (&words)[n], Enum& out) {
+    std::string word;
+    text(key, word);
+    if (word.empty()) return;
+    std::string all;
+    for (const auto& [name, value] : words) {
+      if (word == name) return void(out = value);
+      all += (all.empty() ? "" : ", ") + std::string(name);
+    }
+    fail(at(key), std::string(key) + " must be one of: " + all);
+  }
+  /// Calls readIt() within the section, if there is one.
+  template <class Read>
+  void section(const char* key, Read&& readIt) {
+    const toml::node* node = get(key);
+    if (!node) return;
+    const toml::table* inner = node->as_table();
+    if (!inner) fail(*node, std::string(key) + " must be a section");
+    const toml::table* outer = std::exchange(table_, inner);
+    std::set<std::string, std::less<>> known;
+    known_.swap(known);
+    readIt();
+    allKnown();
+    known_.swap(known);
+    table_ = outer;
+  }
+  /// Keys that nobody has asked for are mistakes.
+  void allKnown() const;
+
+ private:
+  void mention(const std::string& name);
+  const toml::node* get(const char* key);
+
+  const std::string& file_;
+  Names& mentioned_;
+  const toml::table* table_;
+  std::set<std::string, std::less<>> known_;
+};
+
+}  // namespace gluray::gl
