@@ -154,11 +154,19 @@ struct Glx {
     context->protect([&] { gl::useXFont(*context, first, count, listBase, make); });
   }
 
+  static GLXWindow createWindow(Display* dpy, GLXFBConfig config, Window window, const int* attributes) {
+    REAL(D, decltype(&glXCreateWindow), "glXCreateWindow");
+    const Outermost outermost;
+    const GLXWindow name = real(dpy, config, window, attributes);
+    if (outermost && name) glxWindowMade(name, window);
+    return name;
+  }
   static void destroyWindow(Display* dpy, GLXWindow window) {
     REAL(D, decltype(&glXDestroyWindow), "glXDestroyWindow");
     const Outermost outermost;
     if (outermost) drawableGoing(window);
     real(dpy, window);
+    if (outermost) glxWindowGone(window);
   }
   static void destroyPbuffer(Display* dpy, GLXPbuffer pbuffer) {
     REAL(D, decltype(&glXDestroyPbuffer), "glXDestroyPbuffer");
@@ -200,6 +208,7 @@ struct Glx {
         HOOK("glXWaitGL", waitGl),
         HOOK("glXBindTexImageEXT", bindTexImage),
         HOOK("glXUseXFont", useXFont),
+        HOOK("glXCreateWindow", createWindow),
         HOOK("glXDestroyWindow", destroyWindow),
         HOOK("glXDestroyPbuffer", destroyPbuffer),
         HOOK("glXDestroyPixmap", destroyPixmap),

@@ -3,14 +3,28 @@
 #include "intercept/context_record.h"
 #include "intercept/session.h"
 
+#include <map>
+#include <mutex>
+
 namespace gluray::intercept {
 namespace {
 
+struct Names {
+  std::mutex mutex;
+  std::map<uintptr_t, uintptr_t> windows;
+};
+/// Never destroyed: programs call GLX while they exit.
+Names& names() {
+  static auto* n = new Names;
+  return *n;
+}
+
 WindowPut* putInto(_XDisplay* display, uintptr_t drawable, WindowOfContext& window) {
-  if (window.drawable != drawable || (window.put && !window.put->isFor(display, drawable))) {
+  const uintptr_t shown = windowOf(drawable);
+  if (window.drawable != shown || (window.put && !window.put->isFor(display, shown))) {
     if (window.put) window.put->close();
-    window.put = WindowPut::create(display, drawable);
-    window.drawable = drawable;
+    window.put = WindowPut::create(display, shown);
+    window.drawable = shown;
   }
   return window.put.get();
 }
@@ -27,6 +41,24 @@ bool show(_XDisplay* display, uintptr_t drawable, Record& record) {
 }
 
 }  // namespace
+
+void glxWindowMade(uintptr_t name, uintptr_t window) noexcept {
+  guarded("cannot remember a window", [&] {
+    const std::lock_guard lock(names().mutex);
+    names().windows[name] = window;
+  });
+}
+
+void glxWindowGone(uintptr_t name) noexcept {
+  const std::lock_guard lock(names().mutex);
+  names().windows.erase(name);
+}
+
+uintptr_t windowOf(uintptr_t drawable) noexcept {
+  const std::lock_guard lock(names().mutex);
+  const auto known = names().windows.find(drawable);
+  return known == names().windows.end() ? drawable : known->second;
+}
 
 bool shownDirectly(_XDisplay* display, uintptr_t drawable) noexcept {
   bool shown = false;

@@ -13,6 +13,12 @@ struct WindowOfContext {
   std::unique_ptr<WindowPut> put;
 };
 
+/// GLX has given a window of the X server another name, which then goes. Any thread.
+void glxWindowMade(uintptr_t name, uintptr_t window) noexcept;
+void glxWindowGone(uintptr_t name) noexcept;
+/// The X server's name of a drawable of GLX.
+uintptr_t windowOf(uintptr_t drawable) noexcept;
+
 /// Before a swap of `drawable`: true where the frame has been shown, and the swap is not to be made.
 bool shownDirectly(_XDisplay* display, uintptr_t drawable) noexcept;
 

@@ -220,6 +220,29 @@ static void queried(void) {
   swap(), window_shows(), buffer_holds();
   glDeleteQueries(1, &query);
 }
+static void glx_window(void) { /* GLX 1.3 has names of its own */
+  static const int wanted[] = {GLX_DOUBLEBUFFER, True, GLX_DEPTH_SIZE, 24, None};
+  int count = 0;
+  GLXFBConfig* configs = glXChooseFBConfig(display, DefaultScreen(display), wanted, &count);
+  GLXFBConfig same = NULL;
+  for (int i = 0; i < count && !same; ++i) {
+    XVisualInfo* its = glXGetVisualFromFBConfig(display, configs[i]);
+    if (its && its->visualid == visual->visualid) same = configs[i];
+    if (its) XFree(its);
+  }
+  if (!same) fprintf(stderr, "no such configuration\n"), exit(1);
+  glXMakeCurrent(display, None, NULL), glXDestroyContext(display, context);
+  context = glXCreateNewContext(display, same, GLX_RGBA_TYPE, NULL, True);
+  const GLXWindow named = glXCreateWindow(display, same, window, NULL);
+  if (!glXMakeContextCurrent(display, named, named, context)) fprintf(stderr, "not current\n"), exit(1);
+  glEnable(GL_DEPTH_TEST);
+  for (int i = 0; i < 3; ++i) {
+    clear(), surface(40.0f * (float)i), glXSwapBuffers(display, named), window_shows();
+  }
+  surface(10), glXSwapBuffers(display, named), window_shows();
+  glXMakeCurrent(display, window, context), glXDestroyWindow(display, named);
+  frame(50), window_shows();
+}
 static void errors_kept(void) {
   glEnable(0x1234), frame(21), window_shows();
   if (glGetError() != GL_INVALID_ENUM || glGetError() != GL_NO_ERROR)
@@ -236,7 +259,8 @@ static const struct {
     CASE(drawn_over),   CASE(lines_over),   CASE(depth_cleared),    CASE(colour_cleared),
     CASE(part_cleared), CASE(masked_clear), CASE(smaller_viewport), CASE(far_plane),
     CASE(copied),       CASE(blitted),      CASE(other_context),    CASE(other_window),
-    CASE(resized),      CASE(on_and_on),    CASE(queried),          CASE(errors_kept),
+    CASE(resized),      CASE(on_and_on),    CASE(queried),          CASE(glx_window),
+    CASE(errors_kept),
 };
 
 int main(int argc, char** argv) {
