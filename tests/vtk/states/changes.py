@@ -157,6 +157,20 @@ def points_moved_in_place(stage):
 
 
 @state("vtk")
+def surface_that_moves(stage):
+    """Large enough, and long enough, for its acceleration structure to be adjusted rather than built."""
+    data = shapes.grid(stage.vtk, count=100)
+    x, y = np.meshgrid(np.linspace(-1, 1, 100), np.linspace(-1, 1, 100))
+    stage.show(data)
+    stage.look()
+    for step in range(9):
+        z = 0.25 * np.sin(4 * x + 0.3 * step) * np.cos(3 * y)
+        data.GetPoints().SetData(shapes.array(np.stack([x, y, z], -1).reshape(-1, 3), "Points", np.float32))
+        data.Modified()
+        stage.shoot()
+
+
+@state("vtk")
 def scalars_changed_in_place(stage):
     data = shapes.grid(stage.vtk)
     data.GetPointData().SetActiveScalars("bump")
