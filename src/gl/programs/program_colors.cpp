@@ -1,0 +1,104 @@
+// Where a shader program's colours come from.
+#include "gl/programs/program_reader.h"
+
+#include <utility>
+
+namespace gluray::gl {
+
+Reason ProgramReader::readColor() {
+  scene::FragmentShading& f = out_.shading.fragment;
+  using Color = scene::FragmentShading::Color;
+  f.color = Color::material;
+  f.colorIsDiffuseOnly = family_.colorIsDiffuseOnly;
+  f.map.clear();
+  out_.triangleColors = {};
+  out_.opaqueTriangleColors = true;
+  out_.instanceColors = false;
+  out_.triangleOffset = static_cast<uint32_t>(uniforms_.integer(family_.triangleOffset));
+  out_.overridden = uniforms_.integer(family_.uniformColors) != 0;
+  if (out_.overridden) return readOpacityBeneath();
+  Reason reason = Reason::traced;
+  if (const ProgramUniform* sampler = samplerNamed(family_.triangleColors)) {
+    f.color = Color::perTriangle;
+    reason = readBuffer(*sampler, out_.triangleColors, out_.triangleColorCount);
+    if (reason == Reason::traced)
+      out_.opaqueTriangleColors = textures_.isOpaque(out_.triangleColors, out_.triangleColorCount);
+  } else if (const ProgramUniform* map = samplerNamed(family_.colorMap)) {
+    f.color = Color::map;
+    reason = readMap(*map);
+  } else if (!family_.color.empty() && program_.attribute(family_.color)) {
+    f.color = Color::vertices;
+    out_.color = current(family_.color);
+  } else if (!family_.instanceColor.empty() && program_.attribute(family_.instanceColor)) {
+    f.color = Color::vertices;
+    out_.instanceColors = true;
+  } else {
+    return Reason::traced;
+  }
+  // The material's own colours give way; its intensities stay.
+  const FamilyMaterial& m = family_.material;
+  scene::Material& material = out_.material.front;
+  material.diffuse =
+      glm::vec4(glm::vec3(uniforms_.value(m.diffuseIntensity, glm::vec4(1))), material.diffuse.a);
+  if (!family_.colorIsDiffuseOnly)
+    material.ambient = uniforms_.value(m.ambientIntensity, glm::vec4(m.ambientColor.given() ? 1.0f : 0.0f));
+  if (f.backMaterial) f.backMaterial = false, reason = Reason::program;  // their colours are mixed otherwise
+  out_.material.back = out_.material.front;
+  return reason;
+}
+
+Reason ProgramReader::readOpacityBeneath() {
+  out_.color = glm::vec4(1);
+  if (const ProgramUniform* sampler = samplerNamed(family_.triangleColors)) {
+    scene::Attribute colors;
+    uint32_t count = 0;
+    const Reason reason = readBuffer(*sampler, colors, count);
+    if (reason != Reason::traced) return reason;
+    return textures_.isOpaque(colors, count) ? Reason::traced : Reason::program;
+  }
+  if (const ProgramUniform* map = samplerNamed(family_.colorMap)) {
+    scene::Texture texture;
+    const Reason reason = textures_.bound(real_, has_, unitOf(*map), map->type, texture);
+    if (reason != Reason::traced) return reason;
+    return texture.image->opaque ? Reason::traced : Reason::program;
+  }
+  if (!family_.instanceColor.empty() && program_.attribute(family_.instanceColor)) return Reason::program;
+  if (!family_.color.empty() && program_.attribute(family_.color)) out_.color = current(family_.color);
+  return Reason::traced;
+}
+
+Reason ProgramReader::readMap(const ProgramUniform& sampler) {
+  scene::Texture texture;
+  if (const Reason reason = textures_.bound(real_, has_, unitOf(sampler), sampler.type, texture);
+      reason != Reason::traced)
+    return reason;
+  const bool simple = (texture.target == scene::TextureTarget::texture2D ||
+                       texture.target == scene::TextureTarget::texture1D) &&
+                      texture.wrapS == scene::Wrap::clampToEdge &&
+                      texture.wrapT == scene::Wrap::clampToEdge &&
+                      texture.mipFilter == scene::MipFilter::none && texture.magFilter == texture.minFilter;
+  if (!simple) return Reason::textureFormat;
+  out_.texcoord = current(family_.texcoord);
+  out_.shading.fragment.map.push_back(std::move(texture));
+  return Reason::traced;
+}
+
+Reason ProgramReader::readTextures() {
+  out_.shading.textures.clear();
+  if (uniforms_.has(family_.texturesOnBack) && uniforms_.integer(family_.texturesOnBack) == 0)
+    return Reason::program;
+  for (const std::string& name : family_.textures) {
+    const ProgramUniform* sampler = samplerNamed(name);
+    if (!sampler) continue;
+    scene::Texture texture;
+    const Reason reason = textures_.bound(real_, has_, unitOf(*sampler), sampler->type, texture);
+    if (reason != Reason::traced) return reason;
+    texture.env = scene::TexEnv::modulate;
+    texture.unit = 0;  // all look at the family's one coordinate
+    out_.texcoord = current(family_.texcoord);
+    out_.shading.textures.push_back(std::move(texture));
+  }
+  return Reason::traced;
+}
+
+}  // namespace gluray::gl

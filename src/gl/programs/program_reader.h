@@ -1,0 +1,62 @@
+// Reads one shader program's uniforms, textures and attributes with the words of its family. Private to
+// program_state.cpp and program_colors.cpp. GL thread.
+#pragma once
+#include "gl/programs/program_state.h"
+#include "gl/programs/uniforms.h"
+#include "gl/share_group.h"
+#include "gl/texture.h"
+
+#include <string>
+
+namespace gluray::gl {
+
+/// Of one program, once.
+class ProgramReader {
+ public:
+  ProgramReader(const RealGl& real, ShareGroup& group, const RareState& has, TextureCache& textures,
+                ProgramState& out)
+      : real_(real),
+        group_(group),
+        has_(has),
+        textures_(textures),
+        out_(out),
+        program_(out.known->program),
+        family_(*out.known->family),
+        uniforms_(program_, *out.uniforms) {}
+
+  Reason read();
+
+ private:
+  void readTransform();
+  void readMaterial(const FamilyMaterial& m, scene::Material& material);
+  void readModel();
+  void readFigures();
+  void readClipPlanes();
+  void readDepthOffset();
+  Reason readNormals();
+  Reason readEdges();
+  Reason readColor();
+  /// Colours that the material's own stand in for have their opacity still. That of vertices is the mesh's.
+  Reason readOpacityBeneath();
+  const ProgramUniform* samplerNamed(const std::string& name) const {
+    return name.empty() ? nullptr : program_.uniform(name);
+  }
+  GLint unitOf(const ProgramUniform& sampler) const { return (*out_.uniforms)[sampler.first].integers[0]; }
+  Reason readMap(const ProgramUniform& sampler);
+  Reason readBuffer(const ProgramUniform& sampler, scene::Attribute& attribute, uint32_t& count);
+  Reason readTextures();
+  /// What an attribute is where it is not an array.
+  glm::vec4 current(const std::string& name) const;
+
+  const RealGl& real_;
+  ShareGroup& group_;
+  const RareState& has_;
+  TextureCache& textures_;
+  ProgramState& out_;
+  const Program& program_;
+  const Family& family_;
+  const UniformReader uniforms_;
+  glm::dvec3 viewer_{0};
+};
+
+}  // namespace gluray::gl
