@@ -18,7 +18,7 @@ Examples:
   gluray osgviewer head.obj
   gluray --report run.json -- meshlab model.ply    report what was traced when the program ends
   gluray --off osgviewer head.obj                  the real OpenGL, for comparison
-  gluray --threads 4 --bvh compact paraview        four threads, least memory
+  gluray --threads 4 --bvh least paraview          four threads, least memory
   gluray explain --html page.html glxgears         what was traced, what was not and why
   gluray doctor osgviewer                          what will work, before it is started
 
@@ -84,8 +84,9 @@ void addOptions(CLI::App& app, CommandLine& line) {
       ->check(CLI::IsMember({"auto", "always", "never"}));
   app.add_option("--bvh", line.bvh,
                  "Acceleration structures: fast (first picture soonest), full (fastest rays), compact "
-                 "(least\nmemory), or auto: large ones fast at first, full as soon as those are ready [auto]")
-      ->check(CLI::IsMember({"auto", "fast", "full", "compact"}));
+                 "(half the\nmemory), least (a quarter), or auto: large ones fast at first, full as soon as "
+                 "those are\nready, smaller ones where memory is short [auto]")
+      ->check(CLI::IsMember({"auto", "fast", "full", "compact", "least"}));
   app.add_option("--shading", line.shading,
                  "Where lighting is evaluated: pixel, or vertex as OpenGL does, for an exact match [pixel]")
       ->check(CLI::IsMember({"pixel", "vertex"}));

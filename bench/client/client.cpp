@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <thread>
 
 namespace {
@@ -42,6 +43,21 @@ TriangleMesh makeMesh(const Options& options) {
   const Volume volume = wavelet();
   const auto [low, high] = volume.range();
   return isosurfaces(volume, evenIsovalues(low, high, waveletSurfaces(millionTriangles)));
+}
+
+/// The isosurfaces, some millions of triangles at a time.
+MeshPieces makePieces(const Options& options) {
+  const auto volume = std::make_shared<const Volume>(wavelet());
+  const auto [low, high] = volume->range();
+  const std::vector<float> all = evenIsovalues(low, high, waveletSurfaces(options.millionTriangles));
+  const auto forEach = [volume, all](const std::function<void(const TriangleMesh&)>& take) {
+    constexpr size_t kSurfaces = 14;  // 4 million triangles
+    for (size_t first = 0; first < all.size(); first += kSurfaces) {
+      const auto end = all.begin() + ptrdiff_t(std::min(first + kSurfaces, all.size()));
+      take(isosurfaces(*volume, {all.begin() + ptrdiff_t(first), end}));
+    }
+  };
+  return {sizeOfIsosurfaces(*volume, all), forEach};
 }
 
 void setState(double distance) {
@@ -96,19 +112,25 @@ void dump(DrawPath& path, const std::string& file, double distance) {
 }
 
 void run(Options options) {
-  TriangleMesh mesh = makeMesh(options);
+  const bool inPieces = takesPieces(options.path);
+  TriangleMesh mesh = inPieces ? TriangleMesh{} : makeMesh(options);
+  const MeshPieces pieces = inPieces ? makePieces(options) : MeshPieces{};
   Measurement m{.program = "client",
                 .path = options.path,
                 .renderer = {},
-                .triangles = mesh.triangleCount(),
+                .triangles = mesh.triangleCount() + pieces.size.triangles,
                 .frameSeconds = {}};
   Window window(kImageSize);
   m.renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
   setState(options.distance);
   window.swapAndFinish();
+  malloc_trim(0);
+  m.ownBytes = residentBytes().now;
+  forgetHighest();
 
   const Clock::time_point start = Clock::now();
-  const std::unique_ptr<DrawPath> path = makePath(options.path, std::move(mesh));
+  const std::unique_ptr<DrawPath> path =
+      inPieces ? makePath(options.path, pieces) : makePath(options.path, std::move(mesh));
   drawFrame(*path, 0, options.orbitFrames, options.distance);
   window.swapAndFinish();
   Clock::time_point last = Clock::now();

@@ -9,12 +9,22 @@
 namespace gluray::bench {
 namespace {
 
-void sendCorners(const TriangleMesh& mesh) {
-  glBegin(GL_TRIANGLES);
+void sendVertices(const TriangleMesh& mesh) {
   for (const uint32_t index : mesh.indices) {
     glNormal3fv(&mesh.normals[index].x);
     glVertex3fv(&mesh.positions[index].x);
   }
+}
+
+void sendCorners(const TriangleMesh& mesh) {
+  glBegin(GL_TRIANGLES);
+  sendVertices(mesh);
+  glEnd();
+}
+
+void sendPieces(const MeshPieces& pieces) {
+  glBegin(GL_TRIANGLES);
+  pieces.forEach(sendVertices);
   glEnd();
 }
 
@@ -35,7 +45,8 @@ void sendIndexed(const TriangleMesh& mesh) {
 
 class ListPath : public DrawPath {
  public:
-  ListPath(TriangleMesh mesh, void (*send)(const TriangleMesh&)) : list_(glGenLists(1)) {
+  template <typename Geometry>
+  ListPath(Geometry mesh, void (*send)(const Geometry&)) : list_(glGenLists(1)) {
     glNewList(list_, GL_COMPILE);
     send(mesh);
     glEndList();
@@ -65,6 +76,21 @@ class BufferPath : public DrawPath {
     upload(GL_ARRAY_BUFFER, buffers_[1], mesh.normals);
     upload(GL_ELEMENT_ARRAY_BUFFER, buffers_[2], mesh.indices);
   }
+  explicit BufferPath(const MeshPieces& pieces) : indexCount_(3 * pieces.size.triangles) {
+    glGenBuffers(3, buffers_);
+    makeRoom(GL_ARRAY_BUFFER, buffers_[0], pieces.size.vertices * sizeof(Vertex));
+    makeRoom(GL_ARRAY_BUFFER, buffers_[1], pieces.size.vertices * sizeof(Vertex));
+    makeRoom(GL_ELEMENT_ARRAY_BUFFER, buffers_[2], indexCount_ * sizeof(uint32_t));
+    size_t vertices = 0, indices = 0;
+    pieces.forEach([&](const TriangleMesh& piece) {
+      fill(GL_ARRAY_BUFFER, buffers_[0], vertices, piece.positions);
+      fill(GL_ARRAY_BUFFER, buffers_[1], vertices, piece.normals);
+      LargeArray<uint32_t> numbers = piece.indices;
+      for (uint32_t& number : numbers) number += uint32_t(vertices);
+      fill(GL_ELEMENT_ARRAY_BUFFER, buffers_[2], indices, numbers);
+      vertices += piece.positions.size(), indices += numbers.size();
+    });
+  }
   ~BufferPath() override { glDeleteBuffers(3, buffers_); }
   void draw() override {
     // The pointers are latched one by one: each takes the buffer bound at its call.
@@ -83,6 +109,16 @@ class BufferPath : public DrawPath {
     glBindBuffer(target, buffer);
     glBufferData(target, GLsizeiptr(data.size() * sizeof(T)), data.data(), GL_STATIC_DRAW);
   }
+  static void makeRoom(GLenum target, GLuint buffer, size_t bytes) {
+    glBindBuffer(target, buffer);
+    glBufferData(target, GLsizeiptr(bytes), nullptr, GL_STATIC_DRAW);
+  }
+  /// Elements from number `first` on.
+  template <typename T>
+  static void fill(GLenum target, GLuint buffer, size_t first, const LargeArray<T>& data) {
+    glBindBuffer(target, buffer);
+    glBufferSubData(target, GLintptr(first * sizeof(T)), GLsizeiptr(data.size() * sizeof(T)), data.data());
+  }
   size_t indexCount_;
   GLuint buffers_[3] = {};
 };
@@ -96,17 +132,29 @@ std::unique_ptr<DrawPath> makeUnchecked(const std::string& name, TriangleMesh&& 
   throw std::runtime_error("no path '" + name + "'");
 }
 
+std::unique_ptr<DrawPath> checked(std::unique_ptr<DrawPath> path) {
+  if (glGetError() == GL_OUT_OF_MEMORY) throw std::runtime_error("OpenGL has no memory for the mesh");
+  return path;
+}
+
 }  // namespace
 
 const std::vector<std::string>& pathNames() {
-  static const std::vector<std::string> names{"list", "elements", "vbo", "arrays", "immediate"};
+  static const std::vector<std::string> names{"list",      "elements",   "vbo",        "arrays",
+                                              "immediate", "vbo-pieces", "list-pieces"};
   return names;
 }
 
+bool takesPieces(const std::string& name) { return name == "vbo-pieces" || name == "list-pieces"; }
+
 std::unique_ptr<DrawPath> makePath(const std::string& name, TriangleMesh&& mesh) {
-  std::unique_ptr<DrawPath> path = makeUnchecked(name, std::move(mesh));
-  if (glGetError() == GL_OUT_OF_MEMORY) throw std::runtime_error("OpenGL has no memory for the mesh");
-  return path;
+  return checked(makeUnchecked(name, std::move(mesh)));
+}
+
+std::unique_ptr<DrawPath> makePath(const std::string& name, const MeshPieces& pieces) {
+  if (name == "vbo-pieces") return checked(std::make_unique<BufferPath>(pieces));
+  if (name == "list-pieces") return checked(std::make_unique<ListPath>(pieces, sendPieces));
+  throw std::runtime_error("path '" + name + "' takes no pieces");
 }
 
 }  // namespace gluray::bench

@@ -1,7 +1,8 @@
 // The ways a fixed-function program hands its mesh to OpenGL.
 #pragma once
-#include "bench/data/triangle_mesh.h"
+#include "bench/data/isosurface.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,11 +22,23 @@ class DrawPath {
 ///   vbo        glDrawElements from buffer objects
 ///   arrays     glDrawElements from client arrays, every frame
 ///   immediate  glBegin, glNormal3fv, glVertex3fv for every corner, every frame
+/// and, of a mesh that never lies in the program's memory as a whole:
+///   vbo-pieces   glBufferData without data, then glBufferSubData for each piece
+///   list-pieces  as list, the pieces one after the other between one glBegin and glEnd
 const std::vector<std::string>& pathNames();
+bool takesPieces(const std::string& name);
 
 /// Hands the mesh to OpenGL. Paths that leave all of it there (list, elements, vbo) free the mesh at once;
 /// the others keep it and read it in every draw. Throws std::runtime_error for an unknown name or where
 /// OpenGL is out of memory.
 std::unique_ptr<DrawPath> makePath(const std::string& name, TriangleMesh&& mesh);
+
+/// A mesh that is made piece by piece; each piece counts its vertices from 0.
+struct MeshPieces {
+  MeshSize size;
+  std::function<void(const std::function<void(const TriangleMesh&)>&)> forEach;
+};
+/// The same for the paths that take pieces.
+std::unique_ptr<DrawPath> makePath(const std::string& name, const MeshPieces& pieces);
 
 }  // namespace gluray::bench

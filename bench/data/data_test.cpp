@@ -129,6 +129,16 @@ TEST(Isosurface, SeveralSurfacesFollowOneAnother) {
     ASSERT_EQ(both.indices[first.indices.size() + i], second.indices[i] + first.positions.size());
 }
 
+TEST(Isosurface, ItsSizeIsKnownInAdvance) {
+  const Volume field = sphereField(17, 0.7f);
+  const std::vector<float> isovalues{-0.3f, 0, 0.31f};
+  const TriangleMesh mesh = isosurfaces(field, isovalues);
+  const MeshSize size = sizeOfIsosurfaces(field, isovalues);
+  EXPECT_GT(size.triangles, 0u);
+  EXPECT_EQ(size.vertices, mesh.positions.size());
+  EXPECT_EQ(size.triangles, mesh.triangleCount());
+}
+
 TEST(Isosurface, NothingOutsideTheRange) {
   EXPECT_EQ(isosurfaces(sphereField(11, 0.7f), {5.0f}).triangleCount(), 0u);
   EXPECT_EQ(isosurfaces(sphereField(11, 0.7f), {}).positions.size(), 0u);

@@ -232,6 +232,16 @@ TriangleMesh isosurfaces(const Volume& volume, const std::vector<float>& isovalu
   return between(0, volume.size[2] - 1, volume, isovalues, progress);
 }
 
+MeshSize sizeOfIsosurfaces(const Volume& volume, const std::vector<float>& isovalues) {
+  const auto depth = size_t(volume.size[2]);
+  std::atomic<size_t> vertices{0}, triangles{0};
+  tbb::parallel_for(size_t(0), depth * isovalues.size(), [&](size_t i) {
+    const Layer layer = Surface(volume, isovalues[i / depth], volume.size[2] - 1).count(int(i % depth));
+    vertices += layer.planeVertices + layer.upVertices, triangles += layer.triangles;
+  });
+  return {vertices, triangles};
+}
+
 TriangleMesh isosurfaceInSlabs(const std::array<int, 3>& size, const FillPlane& fill, float isovalue,
                                int thickness) {
   std::vector<TriangleMesh> slabs;

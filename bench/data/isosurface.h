@@ -20,6 +20,12 @@ using Progress = std::function<void(double done)>;
 TriangleMesh isosurfaces(const Volume& volume, const std::vector<float>& isovalues,
                          const Progress& progress = {});
 
+/// How large the mesh is that isosurfaces() makes.
+struct MeshSize {
+  size_t vertices = 0, triangles = 0;
+};
+MeshSize sizeOfIsosurfaces(const Volume& volume, const std::vector<float>& isovalues);
+
 /// Fills one plane of a grid, z = `plane`: size[0] * size[1] values, x fastest. Called on all threads at
 /// once.
 using FillPlane = std::function<void(int plane, float* values)>;

@@ -32,10 +32,13 @@ ResidentBytes residentBytes() {
   for (std::string word; status >> word;) {
     size_t kib = 0;
     if (word == "VmRSS:" && status >> kib) out.now = kib * 1024;
+    if (word == "RssAnon:" && status >> kib) out.anonymous = kib * 1024;
     if (word == "VmHWM:" && status >> kib) out.highest = kib * 1024;
   }
   return out;
 }
+
+void forgetHighest() { std::ofstream("/proc/self/clear_refs") << "5"; }
 
 std::string jsonLine(const Measurement& m, const ResidentBytes& resident) {
   const auto [low, high] = quartiles(m.frameSeconds);
@@ -50,7 +53,9 @@ std::string jsonLine(const Measurement& m, const ResidentBytes& resident) {
                                {"frames", m.frameSeconds.size()},
                                {"build_s", m.buildSeconds},
                                {"rss_bytes", resident.now},
-                               {"peak_bytes", resident.highest}};
+                               {"rss_anon_bytes", resident.anonymous},
+                               {"peak_bytes", resident.highest},
+                               {"own_bytes", m.ownBytes}};
   return line.dump();
 }
 

@@ -13,6 +13,7 @@ struct Measurement {
   double firstImageSeconds = 0;  // from the first use of the geometry to the first finished frame
   std::vector<double> frameSeconds;
   double buildSeconds = 0;  // of an acceleration structure, where the program builds one itself
+  size_t ownBytes = 0;  // resident before the geometry was handed over: the program's own, its mesh included
 };
 
 /// The middle value; the mean of the middle two of an even number; 0 of none.
@@ -21,15 +22,17 @@ double median(std::vector<double> values);
 /// First and third quartile, between two values where they fall there; zeros of none.
 std::pair<double, double> quartiles(std::vector<double> values);
 
-/// Resident memory of this process in bytes, now and at its highest; zeros where /proc is not mounted.
+/// Resident memory of this process in bytes: now, of it what no file holds, and the highest since the start
+/// or forgetHighest(). Zeros where /proc is not mounted.
 struct ResidentBytes {
-  size_t now = 0, highest = 0;
+  size_t now = 0, anonymous = 0, highest = 0;
 };
 ResidentBytes residentBytes();
+/// From now on `highest` counts anew, where the system lets us.
+void forgetHighest();
 
 /// One line of JSON: program, path, renderer, triangles, first_image_s, frame_s (median), frame_low_s and
-/// frame_high_s (quartiles), frames, build_s,
-/// rss_bytes, peak_bytes.
+/// frame_high_s (quartiles), frames, build_s, rss_bytes, rss_anon_bytes, peak_bytes, own_bytes.
 std::string jsonLine(const Measurement& measurement, const ResidentBytes& resident);
 
 }  // namespace gluray::bench

@@ -7,31 +7,50 @@ import signal
 import statistics
 import subprocess
 import tempfile
+import time
 
 
 class Failed(RuntimeError):
     """A program ended badly or printed no measurement."""
 
 
-def run(command, environment, timeout):
+def free_bytes():
+    """Memory that programs may still take, as the system sees it."""
+    for line in pathlib.Path("/proc/meminfo").read_text().splitlines():
+        if line.startswith("MemAvailable:"):
+            return int(line.split()[1]) * 1024
+    return float("inf")
+
+
+def _communicate(program, command, timeout, least_free):
+    end = time.monotonic() + timeout
+    while True:
+        try:
+            return program.communicate(timeout=0.2 if least_free else timeout)
+        except subprocess.TimeoutExpired as error:
+            if time.monotonic() >= end:
+                raise Failed(f"more than {timeout} s: {' '.join(map(str, command))}") from error
+            if free_bytes() < least_free:
+                raise Failed(f"the machine ran out of memory: {' '.join(map(str, command))}") from error
+
+
+def run(command, environment, timeout, least_free=0):
     """Runs `command` with `environment` added to ours, in a process group of its own that ends with us: (exit code, stdout,
-    stderr). Failed where it takes longer than `timeout` seconds."""
+    stderr). Failed where it takes longer than `timeout` seconds, or leaves the machine less than `least_free` bytes."""
     with subprocess.Popen([str(part) for part in command], env={**os.environ, **environment}, text=True, stdin=subprocess.DEVNULL,
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True) as program:
         try:
-            out, err = program.communicate(timeout=timeout)
+            out, err = _communicate(program, command, timeout, least_free)
             return program.returncode, out, err
-        except subprocess.TimeoutExpired as error:
-            raise Failed(f"more than {timeout} s: {' '.join(map(str, command))}") from error
         finally:
             with contextlib.suppress(ProcessLookupError):  # what it started, too; also where we are interrupted
                 os.killpg(program.pid, signal.SIGKILL)
 
 
-def measure(command, environment, timeout=900):
-    """Runs `command` with `environment` added to ours; returns its measurement as a dictionary."""
+def measure(command, environment, timeout=900, least_free=0):
+    """Runs `command` with `environment` added to ours; returns its measurement as a dictionary. Otherwise as run()."""
     line = " ".join(str(part) for part in command)
-    code, out, err = run(command, environment, timeout)
+    code, out, err = run(command, environment, timeout, least_free)
     if code != 0:
         raise Failed(f"exit code {code}: {line}\n{err.strip()}")
     try:
@@ -40,11 +59,11 @@ def measure(command, environment, timeout=900):
         raise Failed(f"no measurement from: {line}\n{out}{err}") from error
 
 
-def measure_with_gluray(gluray, options, command, environment, engine="always", timeout=900):
+def measure_with_gluray(gluray, options, command, environment, engine="always", timeout=900, least_free=0):
     """The same under `gluray`, which traces however small the scene is; the launcher's own report is added as "report" (None where it wrote none)."""
     with tempfile.TemporaryDirectory(prefix="gluray-bench-") as folder:
         report = pathlib.Path(folder) / "report.json"
-        out = measure([gluray, "--engine", engine, "--report", report, *options, "--", *command], environment, timeout)
+        out = measure([gluray, "--engine", engine, "--report", report, *options, "--", *command], environment, timeout, least_free)
         out["report"] = json.loads(report.read_text()) if report.exists() else None
         return out
 

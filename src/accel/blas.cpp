@@ -32,7 +32,8 @@ void checkArrays(const scene::Mesh& mesh) {
 // by OpenGL.
 RTCSceneFlags sceneFlags(BvhQuality quality) {
   const RTCSceneFlags flags = RTC_SCENE_FLAG_ROBUST | kFilterInQuery;
-  return quality == BvhQuality::compact ? flags | RTC_SCENE_FLAG_COMPACT : flags;
+  const bool small = quality == BvhQuality::compact || quality == BvhQuality::least;
+  return small ? flags | RTC_SCENE_FLAG_COMPACT : flags;
 }
 
 /// Embree's callback. Figures that do not exist have no bounds and are left out.
@@ -118,7 +119,10 @@ Blas::Blas(const Device& device, IotaIndices& iota, const Geometry& of, BvhQuali
   scene_ = rtcNewScene(device.handle());
   rtcSetSceneBuildQuality(scene_, rtcQuality);
   rtcSetSceneFlags(scene_, toRefit ? sceneFlags(quality) | RTC_SCENE_FLAG_DYNAMIC : sceneFlags(quality));
-  RTCGeometry geometry = mesh.shape == scene::Shape::triangles ? triangles(iota, mesh) : figures(of);
+  RTCGeometry geometry = nullptr;
+  if (mesh.shape != scene::Shape::triangles) geometry = figures(of);
+  if (!geometry && quality == BvhQuality::least) geometry = clusters(mesh);
+  if (!geometry) geometry = triangles(iota, mesh);
   rtcSetGeometryBuildQuality(geometry, toRefit ? RTC_BUILD_QUALITY_REFIT : rtcQuality);
   rtcCommitGeometry(geometry);
   rtcAttachGeometryByID(scene_, geometry, 0);
@@ -163,6 +167,19 @@ RTCGeometryTy* Blas::figures(const Geometry& of) {
   rtcSetGeometryUserData(geometry, &bounded_);
   rtcSetGeometryBoundsFunction(geometry, figureBounds, nullptr);
   rtcSetGeometryIntersectFunction(geometry, intersectFigures);
+  return geometry;
+}
+
+RTCGeometryTy* Blas::clusters(const scene::Mesh& mesh) {
+  auto clusters = std::make_unique<Clusters>(mesh);
+  if (!clusters->pay()) return nullptr;
+  clusters_ = std::move(clusters);
+  if (mesh.indices) pinnedBytes_ += static_cast<size_t>(mesh.triangleCount) * 12;
+  RTCGeometry geometry = rtcNewGeometry(device_.handle(), RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, clusters_->count());
+  rtcSetGeometryUserData(geometry, clusters_.get());
+  rtcSetGeometryBoundsFunction(geometry, clusterBounds, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, intersectClusters);
   return geometry;
 }
 

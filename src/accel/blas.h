@@ -1,5 +1,6 @@
 // The acceleration structure of one mesh. Made by BlasCache; read by any number of tracing threads.
 #pragma once
+#include "accel/clusters.h"
 #include "accel/deformation.h"
 #include "accel/device.h"
 #include "accel/figures.h"
@@ -69,6 +70,8 @@ class Blas {
   void setPositions(RTCGeometryTy*, const scene::Mesh&);
   RTCGeometryTy* triangles(IotaIndices&, const scene::Mesh&);
   RTCGeometryTy* figures(const Geometry&);
+  /// Null where clusters do not pay.
+  RTCGeometryTy* clusters(const scene::Mesh&);
 
   const Device& device_;
   RTCSceneTy* scene_ = nullptr;
@@ -76,6 +79,7 @@ class Blas {
   scene::Mesh figures_;  // where they are none: the arrays that bounds are read from
   FigureReach reach_;
   std::pair<const scene::Mesh*, const FigureReach*> bounded_;  // both, for Embree's callback
+  std::unique_ptr<Clusters> clusters_;                         // where they are what the structure is made of
   size_t bvhBytes_ = 0, pinnedBytes_ = 0;
   uint32_t triangleCount_ = 0, vertexCount_ = 0;
   const void* indexData_ = nullptr;  // of triangles; null: they are a soup

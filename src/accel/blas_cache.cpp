@@ -45,7 +45,16 @@ BlasPtr BlasCache::use(Entry& entry) {
   return entry.blas;
 }
 
-std::vector<BlasPtr> BlasCache::get(const std::vector<Geometry>& wanted, BvhQuality quality) {
+bool BlasCache::thriftHelps(const std::vector<Geometry>& wanted, BvhQuality quality) const {
+  return quality != BvhQuality::least &&
+         std::any_of(wanted.begin(), wanted.end(), [&](const Geometry& geometry) {
+           return geometry.mesh->shape == scene::Shape::triangles &&
+                  thriftyQuality(quality, geometry.mesh->triangleCount) == BvhQuality::least &&
+                  !entries_.contains({geometry.id(), quality});
+         });
+}
+
+std::vector<BlasPtr> BlasCache::get(const std::vector<Geometry>& wanted, BvhQuality quality, bool thrifty) {
   std::vector<BlasPtr> result(wanted.size());
   std::vector<std::pair<Key, Entry>> coming;
   std::unordered_map<Key, BlasPtr, KeyHash> started;
@@ -63,8 +72,10 @@ std::vector<BlasPtr> BlasCache::get(const std::vector<Geometry>& wanted, BvhQual
     BlasPtr& blas = started[key];
     if (!blas) {
       if (started.size() == 1) waiting = trianglesWaiting(wanted, quality);
-      BvhQuality first = firstQuality(quality, mesh.triangleCount, waiting, freeMemory_);
-      blas = deformed(wanted[i], wanted, quality);
+      BvhQuality first = thrifty ? thriftyQuality(quality, mesh.triangleCount)
+                                 : firstQuality(quality, mesh.triangleCount, waiting, freeMemory_);
+      const bool roomy = first == BvhQuality::fast || first == BvhQuality::full;
+      if (roomy && !thrifty) blas = deformed(wanted[i], wanted, quality);
       if (blas)
         first = BvhQuality::fast;
       else
@@ -104,7 +115,7 @@ BlasCache::Entries::iterator BlasCache::formerOf(const scene::Mesh& mesh, const 
 BlasPtr BlasCache::deformed(const Geometry& geometry, const std::vector<Geometry>& wanted,
                             BvhQuality quality) {
   const scene::Mesh& mesh = *geometry.mesh;
-  const bool wantsBest = quality == BvhQuality::full || quality == BvhQuality::compact;
+  const bool wantsBest = quality != BvhQuality::automatic && quality != BvhQuality::fast;
   if (wantsBest || mesh.shape != scene::Shape::triangles || mesh.triangleCount < Deformations::kLeast)
     return nullptr;
   if (std::find(left_.begin(), left_.end(), mesh.geometryId) != left_.end()) {

@@ -25,8 +25,10 @@ class BlasCache {
   void beginFrame();
   /// Structures for `wanted` (null where a mesh has no triangles), in the same order, building those not yet
   /// known with the threads of the current arena. Throws Error or std::bad_alloc; those already built stay
-  /// known.
-  std::vector<BlasPtr> get(const std::vector<Geometry>& wanted, BvhQuality);
+  /// known. `thrifty`: what is built now takes as little memory as can be, whatever its quality was to be.
+  std::vector<BlasPtr> get(const std::vector<Geometry>& wanted, BvhQuality, bool thrifty = false);
+  /// Whether that makes a difference to any that are not known yet.
+  bool thriftHelps(const std::vector<Geometry>& wanted, BvhQuality) const;
   /// Frees idle structures beyond the budget.
   void evict();
   /// Frees every idle structure and what is being built behind; true if there were any.

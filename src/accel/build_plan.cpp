@@ -5,8 +5,8 @@
 namespace gluray::accel {
 namespace {
 
-// Bytes a triangle at the moment of greatest need, measured on isosurfaces of 1 to 16 million triangles.
-constexpr size_t kFastBytes = 100, kFullBytes = 110;
+// Bytes a triangle at the moment of greatest need, measured on isosurfaces of 1 to 64 million triangles.
+constexpr size_t kFastBytes = 100, kFullBytes = 110, kCompactBytes = 42;
 // The rest of the process and the machine needs some memory too.
 constexpr size_t kReserve = size_t{256} << 20;
 // Two threads build this many in 20 ms as full and in 5 ms as fast: below it nobody sees the difference.
@@ -19,10 +19,16 @@ constexpr uint64_t kSmall = 20'000;
 BvhQuality firstQuality(BvhQuality wanted, uint64_t triangles, uint64_t waiting, FreeMemory freeMemory) {
   if (wanted != BvhQuality::automatic) return wanted;
   if (waiting < kMuch || triangles < kSmall) return BvhQuality::full;
-  const size_t free = freeMemory(), room = free - std::min(free, kReserve);
+  const size_t free = freeMemory(), room = (free - std::min(free, kReserve)) / 2;
   // Better structures are built one after the other, each beside all the fast ones.
   if (room >= waiting * kFastBytes + triangles * kFullBytes) return BvhQuality::fast;
-  return room >= waiting * kFullBytes ? BvhQuality::full : BvhQuality::compact;
+  if (room >= waiting * kFullBytes) return BvhQuality::full;
+  return room >= waiting * kCompactBytes ? BvhQuality::compact : BvhQuality::least;
+}
+
+BvhQuality thriftyQuality(BvhQuality wanted, uint64_t triangles) {
+  if (triangles >= kSmall) return BvhQuality::least;
+  return wanted == BvhQuality::automatic ? BvhQuality::full : wanted;
 }
 
 bool worthRefining(BvhQuality wanted, BvhQuality held, uint64_t frames) {

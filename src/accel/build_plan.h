@@ -11,10 +11,14 @@ namespace gluray::accel {
 using FreeMemory = size_t (*)();
 
 /// Quality of the structure that a mesh of `triangles` gets for its first picture when the user wants
-/// `wanted` and `waiting` triangles, these included, wait for structures of their own. For `automatic`, much
-/// geometry is built fast where memory holds the better structures beside the fast ones; otherwise as the
-/// best that fits.
+/// `wanted` and `waiting` triangles, these included, wait for structures of their own. For `automatic`, half
+/// of the free memory may be taken, the rest being the program's: much geometry is built fast where the
+/// better structures fit beside the fast ones, otherwise as the best that fits, in the end as runs of
+/// triangles (clusters.h).
 BvhQuality firstQuality(BvhQuality wanted, uint64_t triangles, uint64_t waiting, FreeMemory freeMemory);
+
+/// The same where an attempt has run out of memory.
+BvhQuality thriftyQuality(BvhQuality wanted, uint64_t triangles);
 
 /// Whether a structure of quality `held`, used in `frames` frames, is worth building again as `full`.
 bool worthRefining(BvhQuality wanted, BvhQuality held, uint64_t frames);

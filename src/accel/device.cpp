@@ -19,12 +19,14 @@ std::atomic<int> commitsToFail{0}, commitsToSpare{0};
 std::atomic<int> failingCommits{0};  // commits in flight that were chosen to fail
 
 bool onMemory(void*, ssize_t bytes, bool) {
+  // What is refused, before it is allocated, is never given back.
+  if (bytes > 0 && failingCommits.load(std::memory_order_relaxed) > 0) return false;
   heldBytes.fetch_add(bytes, std::memory_order_relaxed);
   if (t_behind) {
     behindBytes.fetch_add(bytes, std::memory_order_relaxed);
     t_behindBytes += bytes;
   }
-  return bytes <= 0 || failingCommits.load(std::memory_order_relaxed) == 0;
+  return true;
 }
 
 const char* describe(RTCError error) {

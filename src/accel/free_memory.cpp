@@ -1,11 +1,14 @@
 #include "accel/free_memory.h"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <charconv>
 #include <fstream>
 #include <iterator>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace gluray::accel {
 namespace {
@@ -58,6 +61,20 @@ size_t leftInGroups() {
   return least;
 }
 
+/// What the limits of the process leave of its address space and of its data.
+size_t leftInLimits() {
+  size_t least = kUnlimited;
+  std::string status;
+  for (const auto& [which, name] : {std::pair{RLIMIT_AS, "VmSize"}, std::pair{RLIMIT_DATA, "VmData"}}) {
+    rlimit limit;
+    if (getrlimit(which, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) continue;
+    if (status.empty()) status = contents("/proc/self/status");
+    const size_t used = numberBehind(status, name, 0) * 1024;
+    least = std::min<size_t>(least, limit.rlim_cur - std::min<size_t>(limit.rlim_cur, used));
+  }
+  return least;
+}
+
 }  // namespace
 
 size_t numberBehind(std::string_view text, std::string_view name, size_t otherwise) {
@@ -73,7 +90,7 @@ size_t numberBehind(std::string_view text, std::string_view name, size_t otherwi
 size_t freeMemory() noexcept {
   try {
     const size_t kilobytes = numberBehind(contents("/proc/meminfo"), "MemAvailable", kUnlimited / 1024);
-    return std::min(kilobytes * 1024, leftInGroups());
+    return std::min({kilobytes * 1024, leftInGroups(), leftInLimits()});
   } catch (...) { return kUnlimited; }
 }
 

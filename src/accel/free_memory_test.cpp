@@ -3,6 +3,7 @@
 #include "accel/build_plan.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <fstream>
 #include <sstream>
@@ -28,12 +29,26 @@ TEST(FreeMemory, IsBetweenNothingAndTheMachine) {
   EXPECT_LE(freeMemory(), total);
 }
 
+TEST(FreeMemory, LimitsOfTheProcessCount) {
+  for (const auto which : {RLIMIT_AS, RLIMIT_DATA}) {
+    rlimit saved;
+    ASSERT_EQ(getrlimit(which, &saved), 0);
+    rlimit limited = saved;
+    limited.rlim_cur = 1;  // less than is in use: nothing is left
+    ASSERT_EQ(setrlimit(which, &limited), 0);
+    const size_t left = freeMemory();
+    ASSERT_EQ(setrlimit(which, &saved), 0);
+    EXPECT_EQ(left, 0u);
+  }
+  EXPECT_GT(freeMemory(), 0u);
+}
+
 size_t none() { return 0; }
 size_t oneGigabyte() { return size_t{1} << 30; }
 size_t plenty() { return size_t{1} << 40; }
 
 TEST(BuildPlan, TheUsersWishComesFirst) {
-  for (const BvhQuality wish : {BvhQuality::fast, BvhQuality::full, BvhQuality::compact})
+  for (const BvhQuality wish : {BvhQuality::fast, BvhQuality::full, BvhQuality::compact, BvhQuality::least})
     EXPECT_EQ(firstQuality(wish, 5'000'000, 5'000'000, none), wish);
 }
 
@@ -42,10 +57,19 @@ TEST(BuildPlan, AutomaticLooksAtSizeAndMemory) {
   EXPECT_EQ(firstQuality(kAuto, 5'000, 5'000, plenty), BvhQuality::full);
   EXPECT_EQ(firstQuality(kAuto, 5'000, 5'000'000, plenty), BvhQuality::full);
   EXPECT_EQ(firstQuality(kAuto, 50'000, 5'000'000, plenty), BvhQuality::fast);
-  EXPECT_EQ(firstQuality(kAuto, 3'000'000, 3'000'000, oneGigabyte), BvhQuality::fast);
-  EXPECT_EQ(firstQuality(kAuto, 6'000'000, 6'000'000, oneGigabyte), BvhQuality::full);
+  EXPECT_EQ(firstQuality(kAuto, 1'500'000, 1'500'000, oneGigabyte), BvhQuality::fast);
+  EXPECT_EQ(firstQuality(kAuto, 3'000'000, 3'000'000, oneGigabyte), BvhQuality::full);
   EXPECT_EQ(firstQuality(kAuto, 9'000'000, 9'000'000, oneGigabyte), BvhQuality::compact);
-  EXPECT_EQ(firstQuality(kAuto, 5'000'000, 5'000'000, none), BvhQuality::compact);
+  EXPECT_EQ(firstQuality(kAuto, 12'000'000, 12'000'000, oneGigabyte), BvhQuality::least);
+  EXPECT_EQ(firstQuality(kAuto, 5'000'000, 5'000'000, none), BvhQuality::least);
+  EXPECT_EQ(firstQuality(kAuto, 5'000, 5'000'000, none), BvhQuality::full);
+}
+
+TEST(BuildPlan, ThriftIsForWhatIsLarge) {
+  EXPECT_EQ(thriftyQuality(BvhQuality::full, 1'000'000), BvhQuality::least);
+  EXPECT_EQ(thriftyQuality(BvhQuality::automatic, 1'000'000), BvhQuality::least);
+  EXPECT_EQ(thriftyQuality(BvhQuality::compact, 100), BvhQuality::compact);
+  EXPECT_EQ(thriftyQuality(BvhQuality::automatic, 100), BvhQuality::full);
 }
 
 TEST(BuildPlan, OnlyFastStructuresOfSettledGeometryAreBuiltAgain) {

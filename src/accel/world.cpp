@@ -3,6 +3,7 @@
 #include "accel/embree.h"
 #include "accel/error.h"
 #include "accel/pixel_figure.h"
+#include "base/log.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,15 +72,7 @@ std::vector<PlacedBlas> World::place(const scene::Snapshot& snapshot) {
       meshes.back().reach = FigureReach::of(instance, snapshot.camera);
   }
 
-  std::vector<BlasPtr> blases;
-  try {
-    blases = cache_.get(meshes, snapshot.settings.bvh);
-  } catch (const std::exception&) {
-    // Memory held for what is no longer drawn is given back before we give up.
-    if (!cache_.evictAllIdle()) throw;
-    blases = cache_.get(meshes, snapshot.settings.bvh);
-  }
-
+  std::vector<BlasPtr> blases = structures(meshes, snapshot.settings.bvh);
   std::vector<PlacedBlas> placed(blases.size());
   for (size_t i = 0; i < blases.size(); ++i) {
     placed[i] = {std::move(blases[i]), snapshot.instances[i].worldFromObject};
@@ -88,6 +81,20 @@ std::vector<PlacedBlas> World::place(const scene::Snapshot& snapshot) {
     }
   }
   return placed;
+}
+
+std::vector<BlasPtr> World::structures(const std::vector<Geometry>& meshes, BvhQuality quality) {
+  try {
+    return cache_.get(meshes, quality);
+  } catch (const std::exception&) {
+    // Memory held for what is no longer drawn is given back before we build anything coarser, or give up.
+    if (cache_.evictAllIdle()) try {
+        return cache_.get(meshes, quality);
+      } catch (const std::exception&) {}
+    if (!cache_.thriftHelps(meshes, quality)) throw;
+  }
+  log::once(log::Level::info, "thrift", "little memory: large meshes are traced in coarser structures");
+  return cache_.get(meshes, quality, true);
 }
 
 void World::readBounds() {

@@ -75,6 +75,7 @@ class World {
 
  private:
   std::vector<PlacedBlas> place(const scene::Snapshot&);
+  std::vector<BlasPtr> structures(const std::vector<Geometry>&, BvhQuality);
   void ask(QueryState&, bool filtered, const int32_t* valid, RayPacket&, const FigureQuery*) const noexcept;
   void readBounds();
   void readOrder(const scene::Snapshot&);

@@ -352,7 +352,7 @@ void Context::takeResult(const PresentResult& result, bool known) {
   statistics.blasBuilds += result.blasBuilds;
   statistics.blasRefinements += result.blasRefinements;
   if (known && result.repeated) return;
-  statistics.bvhBytes = result.bvhBytes;
+  if (!result.repeated) statistics.bvhBytes = result.bvhBytes;  // nobody asked for a known picture
   statistics.blasRefining = result.blasRefining;
 }
 

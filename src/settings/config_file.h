@@ -12,8 +12,8 @@ std::string configFile();
 
 /// Takes over what `file` sets. What cannot be read is told through `complain`, one line each with file and
 /// line number
-/// ("gluray.toml:3: bvh = quick: use auto, fast, full or compact"), and left as it was. A file that is not
-/// there is told only where `wanted`.
+/// ("gluray.toml:3: bvh = quick: use auto, fast, full, compact or least"), and left as it was. A file that is
+/// not there is told only where `wanted`.
 void readConfigFile(const std::string& file, bool wanted, Session& session,
                     void (*complain)(const std::string& line));
 

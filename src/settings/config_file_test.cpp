@@ -78,7 +78,7 @@ TEST_F(ConfigFile, WrongLinesAreToldWithTheirNumberAndTheOthersHold) {
   const auto told = [](const std::string& line) {
     return std::find(g_complaints.begin(), g_complaints.end(), line) != g_complaints.end();
   };
-  EXPECT_TRUE(told(file() + ":2: bvh = quick: use auto, fast, full or compact"));
+  EXPECT_TRUE(told(file() + ":2: bvh = quick: use auto, fast, full, compact or least"));
   EXPECT_TRUE(told(file() + ":3: no setting is called 'explain'"));
   EXPECT_TRUE(told(file() + ":4: shading: use a string, a whole number, true or false"));
   EXPECT_TRUE(told(file() + ":5: off = maybe: use 0, 1, false or true"));

@@ -97,6 +97,7 @@ TEST(Environment, EveryBvhQualityHasItsWord) {
   EXPECT_EQ(sessionOf({{"GLURAY_BVH", "auto"}}).settings.bvh, BvhQuality::automatic);
   EXPECT_EQ(sessionOf({{"GLURAY_BVH", "fast"}}).settings.bvh, BvhQuality::fast);
   EXPECT_EQ(sessionOf({{"GLURAY_BVH", "full"}}).settings.bvh, BvhQuality::full);
+  EXPECT_EQ(sessionOf({{"GLURAY_BVH", "least"}}).settings.bvh, BvhQuality::least);
   EXPECT_TRUE(g_complaints.empty());
 }
 
@@ -107,7 +108,7 @@ TEST(Environment, UnreadableValuesAreToldAndLeftAtTheirDefaults) {
   EXPECT_EQ(session.logLevel, "warning");
   ASSERT_EQ(g_complaints.size(), 3u);
   EXPECT_EQ(g_complaints[0], "GLURAY_THREADS=many: use a number from 0 (all cores) to 1024");
-  EXPECT_EQ(g_complaints[1], "GLURAY_BVH=quick: use auto, fast, full or compact");
+  EXPECT_EQ(g_complaints[1], "GLURAY_BVH=quick: use auto, fast, full, compact or least");
   EXPECT_EQ(g_complaints[2], "GLURAY_LOG_LEVEL=loud: use trace, debug, info, warning, error or off");
 }
 

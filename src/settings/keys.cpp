@@ -69,7 +69,8 @@ const Key kKeys[] = {
                                  {{"auto", BvhQuality::automatic},
                                   {"fast", BvhQuality::fast},
                                   {"full", BvhQuality::full},
-                                  {"compact", BvhQuality::compact}},
+                                  {"compact", BvhQuality::compact},
+                                  {"least", BvhQuality::least}},
                                  s.settings.bvh);
      }},
     {"shading",

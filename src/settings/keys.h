@@ -14,8 +14,8 @@ std::span<const std::string_view> settingKeys();
 /// Whether `key` is a setting that a configuration file may hold; the others belong to one run.
 bool isForFiles(std::string_view key);
 
-/// Sets what `key` names to what `value` says. Returns what would have been right ("use auto, fast, full or
-/// compact") where the value cannot be read, and leaves the session as it was.
+/// Sets what `key` names to what `value` says. Returns what would have been right ("use auto, fast, full,
+/// compact or least") where the value cannot be read, and leaves the session as it was.
 std::string setSetting(Session& session, std::string_view key, std::string_view value);
 
 }  // namespace gluray

@@ -8,9 +8,10 @@
 
 namespace gluray {
 
-/// How acceleration structures are built: `fast` first picture, `full` fastest rays, `compact` least memory;
-/// `automatic`: large geometry fast, then full while frames go on, or as little as memory allows.
-enum class BvhQuality : uint8_t { automatic, fast, full, compact };
+/// How acceleration structures are built: `fast` first picture, `full` fastest rays, `compact` half the
+/// memory, `least` a quarter; `automatic`: large geometry fast, then full while frames go on, or as memory
+/// allows.
+enum class BvhQuality : uint8_t { automatic, fast, full, compact, least };
 /// Who draws: the ray tracer what it can (`always`), the real OpenGL everything (`never`), or whichever of
 /// them was measured to be faster (`automatic`).
 enum class Engine : uint8_t { automatic, always, never };
@@ -56,7 +57,7 @@ int threadsOfRank(int cores, int allowed, int ranks);
 /// Reads GLURAY_THREADS, GLURAY_ENGINE, GLURAY_BVH, GLURAY_SHADING, GLURAY_RENDERER, GLURAY_SPP, GLURAY_HUD,
 /// GLURAY_OFF, GLURAY_REPORT, GLURAY_LOG, GLURAY_LOG_LEVEL, GLURAY_TIMELINE, GLURAY_QUIRKS,
 /// GLURAY_PROGRAM_FAMILIES, GLURAY_EXPLAIN, GLURAY_PICTURE. An unreadable value is reported once through
-/// `complain` ("GLURAY_BVH=x: use auto, fast, full or compact") and the default kept.
+/// `complain` ("GLURAY_BVH=x: use auto, fast, full, compact or least") and the default kept.
 Session sessionFromEnvironment(void (*complain)(const std::string& line));
 
 }  // namespace gluray
