@@ -99,6 +99,10 @@ void addOptions(CLI::App& app, CommandLine& line) {
          "not; 16 are good [1]")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
+  app.add_option("--lag", line.lag,
+                 "on: trace frames while the program prepares the next one, and show them then;\n"
+                 "auto: while frames follow each other [off]")
+      ->check(CLI::IsMember({"off", "on", "auto"}));
   app.add_option("--quirk", line.quirks, "Switch a workaround: NAME=on or NAME=off; gluray quirks lists them")
       ->allow_extra_args(false)
       ->check(checkQuirk)

@@ -11,8 +11,8 @@ struct CommandLine {
   Command command = Command::run;
   std::vector<std::string> program;  // name and arguments
   std::string door = "auto";         // auto, vendor, preload
-  std::string config, report, timeline, log, logLevel, threads, engine, bvh, shading, renderer,
-      spp;                                   // empty: not given
+  std::string config, report, timeline, log, logLevel, threads, engine, bvh, shading, renderer, spp,
+      lag;                                   // empty: not given
   std::vector<std::string> quirks;           // NAME=on|off
   std::vector<std::string> programFamilies;  // files
   bool off = false, hud = false;

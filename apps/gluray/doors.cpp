@@ -42,6 +42,7 @@ void passSettings(const CommandLine& line) {
   setIfGiven("GLURAY_SHADING", line.shading);
   setIfGiven("GLURAY_RENDERER", line.renderer);
   setIfGiven("GLURAY_SPP", line.spp);
+  setIfGiven("GLURAY_LAG", line.lag);
   setIfGiven("GLURAY_REPORT", absolute(line.report));
   setIfGiven("GLURAY_TIMELINE", absolute(line.timeline));
   setIfGiven("GLURAY_LOG", absolute(line.log));

@@ -128,6 +128,16 @@ std::string heading(const json& report) {
          (percent < 0 ? "" : ", " + fixed(percent, 1) + " % of " + grouped(all) + " triangles traced") + "\n";
 }
 
+/// Frames that were shown later, and why others were not; nothing where none may be.
+std::string lagLine(const json& report) {
+  const json lag = report.value("lag", json::object());
+  if (!lag.value("on", false)) return "";
+  std::string others;
+  for (const auto& [why, frames] : lag.at("atOnce").items())
+    others += (others.empty() ? "; at once: " : ", ") + grouped(frames.get<uint64_t>()) + " (" + why + ")";
+  return "\nframe lag: " + grouped(number(lag, "later")) + " frames were shown later" + others + "\n";
+}
+
 }  // namespace
 
 double tracedPercent(const json& report) {
@@ -140,7 +150,7 @@ std::string explanationText(const json& report) {
   const json& explain = report.at("explain");
   const double frames = std::max(1.0, report.at("frames").get<double>());
   return heading(report) + "\ndraws, of all frames\n" + drawTable(explain.at("kinds"), frames) +
-         tracingLine(report) + programLines(explain.value("programs", json::array())) +
+         tracingLine(report) + lagLine(report) + programLines(explain.value("programs", json::array())) +
          "\ncontexts, through the door " + text(report, "door") + "\n" +
          contextLines(explain.at("contexts")) + "\nframebuffers\n" + targetLines(explain.at("framebuffers")) +
          "\nquirks\n" + quirkLines(explain.at("quirks")) + unknownCallLines(report);

@@ -18,6 +18,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <exception>
 #include <memory>
 #include <thread>
@@ -34,6 +35,7 @@ struct Options {
   int frames = 20, orbitFrames = 0;
   double settleSeconds = 0, warmSeconds = 0, seconds = 0, distance = kDistance;
   bool orbit = false;
+  double computeMs = -1, waitMs = -1;  // own work before each frame; negative: none, and frames are finished
 };
 
 TriangleMesh makeMesh(const Options& options) {
@@ -80,6 +82,20 @@ void drawFrame(DrawPath& path, int frame, int frames, double distance) {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glLoadMatrixd(eyeFromWorld(orbitPose(frame, frames, distance)).data());
   path.draw();
+}
+
+/// What an ordinary program does between frames: it computes, or waits for something. Then it draws, swaps
+/// and goes on.
+void workBetweenFrames(const Options& options) {
+  if (options.waitMs > 0)
+    std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(options.waitMs));
+  if (options.computeMs <= 0) return;
+  timespec now{};
+  const auto cpuMs = [&] {
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return double(now.tv_sec) * 1e3 + double(now.tv_nsec) / 1e6;
+  };
+  for (const double end = cpuMs() + options.computeMs; cpuMs() < end;) {}
 }
 
 /// Ten frames a second for a while, as a program that hardly moves; not measured.
@@ -139,10 +155,15 @@ void run(Options options) {
   settle(*path, window, options, options.warmSeconds);
   options.frames = framesWithin(*path, window, options);
   if (options.orbit) options.orbitFrames = options.frames;
+  const bool works = options.computeMs >= 0 || options.waitMs >= 0;
   last = Clock::now();
   for (int frame = 1; frame <= options.frames; ++frame) {
+    workBetweenFrames(options);
     drawFrame(*path, options.orbit ? frame : 0, options.orbitFrames, options.distance);
-    window.swapAndFinish();
+    if (works && frame < options.frames)
+      window.swap();
+    else
+      window.swapAndFinish();
     const Clock::time_point now = Clock::now();
     m.frameSeconds.push_back(Seconds(now - last).count());
     last = now;
@@ -176,6 +197,11 @@ int main(int argc, char** argv) {
   app.add_option("--settle", options.settleSeconds, "seconds of idle drawing before memory is read")
       ->check(CLI::Range(0.0, 1000.0));
   app.add_flag("--orbit", options.orbit, "the camera goes once around in these frames; else it stands still");
+  app.add_option("--compute", options.computeMs,
+                 "milliseconds of processor time of its own before each frame")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--wait", options.waitMs, "milliseconds of waiting before each frame")
+      ->check(CLI::NonNegativeNumber);
   app.add_option("--dump", options.dump, "write the first view as PNG");
   CLI11_PARSE(app, argc, argv);
   options.orbitFrames = options.orbit ? options.frames : 0;

@@ -47,8 +47,10 @@ Window::Window(int size) : handles_(std::make_unique<Handles>()) {
 
 Window::~Window() = default;
 
+void Window::swap() { glXSwapBuffers(handles_->display, handles_->window); }
+
 void Window::swapAndFinish() {
-  glXSwapBuffers(handles_->display, handles_->window);
+  swap();
   glFinish();
 }
 

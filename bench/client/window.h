@@ -14,6 +14,8 @@ class Window {
   Window& operator=(const Window&) = delete;
   /// Shows the back buffer and waits until all commands have been carried out.
   void swapAndFinish();
+  /// Shows the back buffer and goes on.
+  void swap();
 
  private:
   struct Handles;  // Xlib's types stay out of this header: its macros collide with other libraries' names

@@ -54,6 +54,7 @@ class Batch {
   scene::SnapshotPtr take();
   /// Keeps a draw by a shader program, whose instance was added, for the case that it cannot be traced.
   void keep(ProgramDraw draw) { programDraws_.push_back(std::move(draw)); }
+  const std::vector<ProgramDraw>& programDraws() const { return programDraws_; }
   /// Whether one of those reads textures, or a buffer as a texture.
   bool readsImages() const;
   bool readsBuffer(GLuint buffer) const { return gl::readsBuffer(programDraws_, buffer); }

@@ -267,6 +267,7 @@ void Context::afterSwap() {
   forgetClear();  // nobody knows what the back buffer holds
   ++statistics.frames;
   if (direct_) ++statistics.framesDirect;
+  beganSeconds = 0;
   chooseEngine();
   ++frame;
   forgetOld();
@@ -310,6 +311,7 @@ bool Context::canTrace() {
 }
 
 void Context::present(bool rasterise) {
+  showLagged();
   if (batch_.empty()) return;
   timeline::writeIfDue();
   const timeline::Span span("batch", batch_.waiting().instances.size());
@@ -354,6 +356,19 @@ void Context::takeResult(const PresentResult& result, bool known) {
   if (known && result.repeated) return;
   if (!result.repeated) statistics.bvhBytes = result.bvhBytes;  // nobody asked for a known picture
   statistics.blasRefining = result.blasRefining;
+}
+
+void Context::imagesChange() noexcept {
+  const bool shown = shown_.waiting && readImages(shown_.waiting->draws);
+  const bool lags = lagged_ && readImages(lagged_->draws);
+  if (batch_.readsImages() || unresolved_.waiting || shown || lags) protect([&] { flush(); });
+}
+
+void Context::contentsChange(GLuint buffer) noexcept {
+  const bool waits = unresolved_.waiting && readsBuffer(unresolved_.waiting->draws, buffer);
+  const bool shown = shown_.waiting && readsBuffer(shown_.waiting->draws, buffer);
+  const bool lags = lagged_ && readsBuffer(lagged_->draws, buffer);
+  if (waits || shown || lags || batch_.readsBuffer(buffer)) protect([&] { flush(); });
 }
 
 void Context::showIfVisible() {

@@ -8,6 +8,7 @@
 #include "gl/depth_copy.h"
 #include "gl/draw_kinds.h"
 #include "gl/engine_choice.h"
+#include "gl/lagged_frame.h"
 #include "gl/material_latch.h"
 #include "gl/passes.h"
 #include "gl/peeling.h"
@@ -79,6 +80,7 @@ class Context {
   Attachments attachments;      // buffers in vertex array objects
   Statistics statistics;
   uint64_t frame = 1;
+  double beganSeconds = 0;  // when this frame was first seen to clear or draw; 0: not yet
 
   // --- for generated stubs
   // -------------------------------------------------------------------------------------------
@@ -122,6 +124,12 @@ class Context {
   /// Then, instead of both beforeSwap() and the swap of a window of this size: traces what is pending and
   /// gives the picture to `show`. False: nothing was shown.
   bool showDirectly(glm::ivec2 window, const ShowPicture& show) noexcept;
+  /// In place of both where the frame can be shown later: it is traced meanwhile. Otherwise says why not.
+  LagRefusal lag(const LagWindow& window) noexcept;
+  /// Shows such a frame, before the window's buffers are looked at or drawn into.
+  void showLagged();
+  /// Whether a clear may come after that, too: then it is not to be made.
+  bool clearsLater(GLbitfield mask);
   /// The frame is complete and about to be shown.
   void completeFrame();
   /// Programs that draw into memory alone may never swap or finish: clears of colour and depth are the frames
@@ -153,15 +161,8 @@ class Context {
   void programChanges(GLuint program) noexcept;
   /// Before images of textures, or a buffer's contents, change: draws that are kept with their names are
   /// made.
-  void imagesChange() noexcept {
-    const bool shown = shown_.waiting && readImages(shown_.waiting->draws);
-    if (batch_.readsImages() || unresolved_.waiting || shown) protect([&] { flush(); });
-  }
-  void contentsChange(GLuint buffer) noexcept {
-    const bool waits = unresolved_.waiting && readsBuffer(unresolved_.waiting->draws, buffer);
-    const bool shown = shown_.waiting && readsBuffer(shown_.waiting->draws, buffer);
-    if (waits || shown || batch_.readsBuffer(buffer)) protect([&] { flush(); });
-  }
+  void imagesChange() noexcept;
+  void contentsChange(GLuint buffer) noexcept;
   /// From now on every draw is rasterised; what was held back is given to the real OpenGL.
   void stepAside(const char* why) noexcept;
   /// For glFlush and glFinish: shows what is pending if anybody could see it before the next swap.
@@ -382,6 +383,11 @@ class Context {
   Peeling peeling_;
   Unresolved unresolved_;
   Shown shown_;
+  std::optional<LaggedFrame> lagged_;
+  LagRefusal whyNotLag(GLenum buffer) const;
+  void noteBegin();
+  bool showsDirectly(const LaggedFrame& frame);
+  PresentResult presentLagged(LaggedFrame& frame);
   DrawPath runPath_ = DrawPath::immediate;  // small draws from arrays join runs
 
   std::shared_ptr<DisplayList> list_;

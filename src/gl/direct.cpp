@@ -8,6 +8,7 @@
 namespace gluray::gl {
 
 void Context::startMeasuring() {
+  showLagged();
   real.Finish();  // what is still drawn belongs to earlier frames
   choice_.start();
 }
@@ -25,6 +26,7 @@ void Context::chooseEngine() {
 
 void Context::setDirect(bool direct) {
   if (direct == direct_) return;
+  showLagged();
   settle();
   if (direct) {
     syncCurrent();
@@ -62,6 +64,7 @@ void Context::clearing(GLbitfield mask) {
 void Context::noteLoad(uint64_t triangles) { choice_.drew(triangles, viewportPixels()); }
 
 bool Context::drawsDirectly(DrawPath path, PrimitiveClass kind, uint64_t triangles) {
+  if (lagged_) protect([&] { showLagged(); });
   forgetClear();
   refresh(kinds() ? kViewport | kTarget : kViewport);
   if (kind == PrimitiveClass::surfaces && !choice_.takes(triangles, viewportPixels())) {

@@ -266,6 +266,7 @@ void Context::surrenderRun() {
   Captured& run = stream_.captured();
   const bool open = inside_ == Inside::captured;
   GLuint fragment = 0;
+  if (!compiling()) showLagged();
   sendBuffers();  // glArrayElement may follow
   sendCurrent();  // not into the list
   if (compiling()) {

@@ -11,6 +11,7 @@
 #include <glm/glm.hpp>
 
 #include <array>
+#include <chrono>
 #include <functional>
 #include <optional>
 #include <string>
@@ -94,6 +95,33 @@ struct SharedNames {
   std::vector<GLuint> lists, textures, programs;
 };
 
+/// A clear of the window's whole back buffer, as it was asked for.
+struct WindowClear {
+  GLbitfield mask = 0;
+  std::array<GLfloat, 4> color{};
+  GLdouble depth = 1;
+  GLint stencil = 0;
+};
+
+/// What becomes of a picture that is traced ahead and that nobody presents.
+struct Overdue {
+  glm::ivec2 size{0};       // of the window in pixels
+  GLenum buffer = GL_BACK;  // of it, where the picture goes
+  std::chrono::steady_clock::duration after{};
+  /// Shows the whole window: `size` pixels, RGBA8, bottom row first. Called by a thread of ours, `after` that
+  /// time or when it is traced, whichever is later; while it runs present() waits. Empty: it waits for ever.
+  std::function<void(const uint32_t* pixels)> show;
+};
+
+struct AheadTarget {
+  GLenum depthFunc = GL_LESS;
+  std::optional<ClearedTarget> cleared = {};  // the window, where it holds nothing else
+  float farthest = 1;                         // then, as ShownPicture's
+  Overdue overdue = {};
+};
+
+enum class LagRefusal : uint8_t;
+
 class Presenter {
  public:
   virtual ~Presenter() = default;
@@ -141,6 +169,15 @@ class Presenter {
                          const scene::Region&, const Settings&) noexcept {
     return false;
   }
+  /// Begins to trace `snapshot`, whose framebuffer is the window's back buffer, while the program goes on;
+  /// the next present() shall be of it, or dropAhead(). Says why it does not, LagRefusal::none if it does.
+  /// The snapshot is not changed any more.
+  virtual LagRefusal traceAhead(const RealGl&, const scene::SnapshotPtr&, const AheadTarget&) noexcept;
+  /// Nobody wants the picture that is traced ahead.
+  virtual void dropAhead() noexcept {}
+  /// Clears the window's back buffer as `clear` says, whatever the state. Returns an error of the program's
+  /// that was pending.
+  virtual GLenum clear(const RealGl&, const WindowClear& /*clear*/) noexcept { return GL_NO_ERROR; }
   /// What it has made in the share group. Asked when the context goes away; the group deletes it.
   virtual SharedNames takeNames() { return {}; }
   /// A context is going away; it may or may not be current. Names made for it need not be freed.

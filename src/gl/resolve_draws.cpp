@@ -87,6 +87,7 @@ Unresolved::Cleared Context::beforeClear(GLbitfield mask) {
 }
 
 void Context::leave() {
+  showLagged();
   const Unresolved::Cleared& cleared = unresolved_.cleared;
   if (batch_.empty()) return;
   const BatchKey& key = batch_.key();
@@ -151,6 +152,7 @@ void Context::samplesMeetRasterDraw() {
 }
 
 bool Context::resolveInto(ResolveTarget& target) {
+  showLagged();
   Unresolved::Waiting& waiting = *unresolved_.waiting;
   target.core = info_.core;
   target.how.background = waiting.cleared.background;

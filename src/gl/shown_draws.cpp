@@ -68,6 +68,7 @@ void Context::clearsShown(GLbitfield mask) {
 }
 
 void Context::settleShown() {
+  showLagged();
   if (!shown_.waiting) return;
   Shown::Waiting waiting = std::move(*shown_.waiting);
   shown_.waiting.reset();

@@ -14,10 +14,12 @@ namespace {
 void clearNow(Context& c, GLbitfield mask) {
   c.syncCurrent();
   c.clearsLayers();
-  const Unresolved::Cleared clean = c.beforeClear(mask);
+  bool later = false;
+  c.protect([&] { later = c.clearsLater(mask); });
+  const Unresolved::Cleared clean = later ? Unresolved::Cleared{} : c.beforeClear(mask);
   if (mask & GL_STENCIL_BUFFER_BIT) stencilSet(c);
   c.clearing(mask);
-  c.real.Clear(mask);
+  if (!later) c.real.Clear(mask);
   c.cleared(mask);
   c.cleanIs(clean);
 }
@@ -36,6 +38,7 @@ void flush(Context& c) {
 }
 
 void finish(Context& c) {
+  c.protect([&] { c.showLagged(); });
   c.showIfVisible();
   c.textures().finished();
   c.real.Finish();

@@ -212,6 +212,7 @@ void Context::countAsRasterised(const scene::Snapshot& snapshot) {
 }
 
 void Context::beforeRasterDraw(PrimitiveClass kind) {
+  if (lagged_) protect([&] { showLagged(); });
   if (unresolved_.any() || shown_.waiting) protect([&] { samplesMeetRasterDraw(); });
   if (peeling_.stage != Peeling::Stage::none) protect([&] { layersMeetRasterDraw(); });
   if (!batch_.empty()) {

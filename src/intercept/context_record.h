@@ -4,6 +4,7 @@
 #include "gl/context.h"
 #include "intercept/contexts.h"
 #include "intercept/hud.h"
+#include "intercept/lag.h"
 #include "intercept/make_presenter.h"
 #include "intercept/present/frame_picture.h"
 #include "intercept/show.h"
@@ -24,6 +25,7 @@ struct Record {
   std::unique_ptr<gl::Presenter> presenter;        // outlives the context, which uses it
   std::unique_ptr<present::FramePicture> picture;  // where pictures are wanted; outlives the context, too
   std::unique_ptr<Hud> hud;                        // where one is wanted
+  LagPtr lag;                                      // where frames may lag
   WindowOfContext window;
   std::shared_ptr<gl::Context> context;  // null until first current, or where it could not be made
   bool tried = false;

@@ -96,6 +96,7 @@ void swapped(uintptr_t drawable) noexcept {
     if (context && current().drawables.draw == drawable && context->info().doubleBuffered)
       context->afterSwap(), countFrame(), timeline::mark("frame");
   });
+  noteSwap();
   writeReportIfDue();
 }
 

@@ -5,6 +5,7 @@
 #include "intercept/drawable_size.h"
 #include "intercept/engine.h"
 #include "intercept/hook_table.h"
+#include "intercept/lag.h"
 #include "intercept/show.h"
 
 #include <GL/glx.h>
@@ -121,7 +122,8 @@ struct Glx {
   static void swapBuffers(Display* dpy, GLXDrawable drawable) {
     REAL(D, decltype(&glXSwapBuffers), "glXSwapBuffers");
     const Outermost outermost;
-    if (outermost && shownDirectly(dpy, drawable)) return swapped(drawable);
+    if (outermost && (swapsLater(dpy, drawable, real) || shownDirectly(dpy, drawable)))
+      return swapped(drawable);
     swapping(outermost, drawable, [&] { real(dpy, drawable); });
   }
   static int64_t swapBuffersMsc(Display* dpy, GLXDrawable drawable, int64_t target, int64_t divisor,
@@ -129,6 +131,21 @@ struct Glx {
     REAL(D, PFNGLXSWAPBUFFERSMSCOMLPROC, "glXSwapBuffersMscOML");
     const Outermost outermost;
     return swapping(outermost, drawable, [&] { return real(dpy, drawable, target, divisor, remainder); });
+  }
+  static Bool waitForSbc(Display* dpy, GLXDrawable drawable, int64_t target, int64_t* ust, int64_t* msc,
+                         int64_t* sbc) {
+    REAL(D, PFNGLXWAITFORSBCOMLPROC, "glXWaitForSbcOML");
+    return afterFlush([&] { return real(dpy, drawable, target, ust, msc, sbc); });
+  }
+  static Bool getSyncValues(Display* dpy, GLXDrawable drawable, int64_t* ust, int64_t* msc, int64_t* sbc) {
+    REAL(D, PFNGLXGETSYNCVALUESOMLPROC, "glXGetSyncValuesOML");
+    return afterFlush([&] { return real(dpy, drawable, ust, msc, sbc); });
+  }
+  /// Programs that ask to be told of swaps wait for that before they go on.
+  static void selectEvent(Display* dpy, GLXDrawable drawable, unsigned long mask) {
+    REAL(D, decltype(&glXSelectEvent), "glXSelectEvent");
+    if (mask & GLX_BUFFER_SWAP_COMPLETE_INTEL_MASK) neverLag();
+    afterFlush([&] { real(dpy, drawable, mask); });
   }
   static void copySubBuffer(Display* dpy, GLXDrawable drawable, int x, int y, int width, int height) {
     REAL(D, PFNGLXCOPYSUBBUFFERMESAPROC, "glXCopySubBufferMESA");
@@ -204,6 +221,9 @@ struct Glx {
         HOOK("glXMakeCurrentReadSGI", makeCurrentRead),
         HOOK("glXSwapBuffers", swapBuffers),
         HOOK("glXSwapBuffersMscOML", swapBuffersMsc),
+        HOOK("glXWaitForSbcOML", waitForSbc),
+        HOOK("glXGetSyncValuesOML", getSyncValues),
+        HOOK("glXSelectEvent", selectEvent),
         HOOK("glXCopySubBufferMESA", copySubBuffer),
         HOOK("glXWaitGL", waitGl),
         HOOK("glXBindTexImageEXT", bindTexImage),

@@ -5,6 +5,7 @@
 #include "gl/buffer.h"
 #include "intercept/contexts.h"
 #include "intercept/explanation.h"
+#include "intercept/lag.h"
 #include "intercept/session.h"
 
 #include <errno.h>
@@ -37,6 +38,18 @@ namespace {
 
 using nlohmann::json;
 
+json lagReport() {
+  const LagCounts counts = lagCounts();
+  json because = json::object();
+  for (int i = 1; i < gl::kLagRefusals; ++i)
+    if (const uint64_t frames = counts.because[static_cast<size_t>(i)])
+      because[std::string(gl::describe(static_cast<gl::LagRefusal>(i)))] = frames;
+  return {{"on", session().lag != LagMode::off},
+          {"later", counts.later},
+          {"shownByUs", counts.shownByUs},
+          {"atOnce", because}};
+}
+
 json makeReport(const Totals& totals) {
   const gl::Statistics& s = totals.statistics;
   const double perFrame = s.frames ? 1000.0 / static_cast<double>(uint64_t{s.frames}) : 0;
@@ -55,6 +68,7 @@ json makeReport(const Totals& totals) {
       {"framesDirect", s.framesDirect},
       {"flushes", s.flushes},
       {"repeated", s.repeated},
+      {"lag", lagReport()},
       {"draws", {{"traced", s.drawsTraced}, {"rasterised", reasons}}},
       {"triangles", {{"traced", s.trianglesTraced}, {"rasterised", s.trianglesRasterised}}},
       {"bvh", {{"builds", s.blasBuilds}, {"refined", s.blasRefinements}, {"bytes", s.bvhBytes}}},

@@ -19,6 +19,8 @@ Names& names() {
   return *n;
 }
 
+}  // namespace
+
 WindowPut* putInto(_XDisplay* display, uintptr_t drawable, WindowOfContext& window) {
   const uintptr_t shown = windowOf(drawable);
   if (window.drawable != shown || (window.put && !window.put->isFor(display, shown))) {
@@ -28,6 +30,8 @@ WindowPut* putInto(_XDisplay* display, uintptr_t drawable, WindowOfContext& wind
   }
   return window.put.get();
 }
+
+namespace {
 
 bool show(_XDisplay* display, uintptr_t drawable, Record& record) {
   WindowPut* const put = putInto(display, drawable, record.window);

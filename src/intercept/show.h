@@ -18,6 +18,8 @@ void glxWindowMade(uintptr_t name, uintptr_t window) noexcept;
 void glxWindowGone(uintptr_t name) noexcept;
 /// The X server's name of a drawable of GLX.
 uintptr_t windowOf(uintptr_t drawable) noexcept;
+/// What puts pictures into the drawable; null where nothing can. Of the window's context's thread.
+WindowPut* putInto(_XDisplay* display, uintptr_t drawable, WindowOfContext& window);
 
 /// Before a swap of `drawable`: true where the frame has been shown, and the swap is not to be made.
 bool shownDirectly(_XDisplay* display, uintptr_t drawable) noexcept;

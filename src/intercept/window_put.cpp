@@ -8,16 +8,10 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <bit>
 #include <exception>
 
 namespace gluray::intercept {
 namespace {
-
-/// Red and blue change places.
-constexpr uint32_t bgra(uint32_t rgba) {
-  return (rgba & 0xff00ff00u) | (rgba & 0xffu) << 16 | (rgba >> 16 & 0xffu);
-}
 
 void fillRow(const gl::ShownPicture& picture, int y, int width, uint32_t* out) {
   const Image& image = picture.image;
@@ -37,29 +31,6 @@ void fillRow(const gl::ShownPicture& picture, int y, int width, uint32_t* out) {
   for (size_t i = 0; i < count; ++i)
     out[from + static_cast<int>(i)] = bgra(depth[i] <= farthest ? color[i] : background);
   std::fill(out + to, out + width, back);
-}
-
-const xcb_visualtype_t* visualOf(const xcb_setup_t* setup, xcb_visualid_t id) {
-  for (auto root = xcb().roots(setup); root.rem; xcb().nextRoot(&root))
-    for (auto depth = xcb().depths(root.data); depth.rem; xcb().nextDepth(&depth))
-      for (auto visual = xcb().visuals(depth.data); visual.rem; xcb().nextVisual(&visual))
-        if (visual.data->visual_id == id) return visual.data;
-  return nullptr;
-}
-
-/// Whether a pixel of that depth is a word of 32 bits, as this machine has them.
-bool hasWords(const xcb_setup_t* setup, uint8_t depth) {
-  static_assert(std::endian::native == std::endian::little);
-  if (setup->image_byte_order != XCB_IMAGE_ORDER_LSB_FIRST) return false;
-  const xcb_format_t *begin = xcb().formats(setup), *end = begin + xcb().formatCount(setup);
-  return std::any_of(begin, end, [&](const xcb_format_t& f) {
-    return f.depth == depth && f.bits_per_pixel == 32 && f.scanline_pad == 32;
-  });
-}
-
-bool hasKnownColors(const xcb_visualtype_t* visual) {
-  return visual && visual->_class == XCB_VISUAL_CLASS_TRUE_COLOR && visual->red_mask == 0xff0000 &&
-         visual->green_mask == 0xff00 && visual->blue_mask == 0xff;
 }
 
 }  // namespace
@@ -82,9 +53,7 @@ std::unique_ptr<WindowPut> WindowPut::create(_XDisplay* display, uintptr_t drawa
   const auto geometry = replyTo(xcb().geometry, connection, xcb().askGeometry(connection, window));
   const xcb_query_extension_reply_t* const shm = xcb().extension(connection, xcb().shmId);
   if (!attributes || !geometry || !shm || !shm->present) return nullptr;
-  const xcb_setup_t* const setup = xcb().setup(connection);
-  if (!hasWords(setup, geometry->depth) || !hasKnownColors(visualOf(setup, attributes->visual)))
-    return nullptr;
+  if (!hasPlainPixels(connection, geometry->depth, attributes->visual)) return nullptr;
   std::unique_ptr<WindowPut> put(new WindowPut(display, connection, window, geometry->depth));
   return put->makeContext() && put->reserve(1) ? std::move(put) : nullptr;
 } catch (const std::exception&) { return nullptr; }

@@ -5,6 +5,7 @@
 #include <xcb/shm.h>
 #include <xcb/xcb.h>
 
+#include <cstdint>
 #include <cstdlib>
 #include <memory>
 
@@ -16,6 +17,11 @@ namespace gluray::intercept {
 /// Null where the library does not exist.
 struct Xcb {
   xcb_connection_t* (*connectionOf)(_XDisplay*);
+  decltype(xcb_connect)* connect;
+  decltype(xcb_disconnect)* disconnect;
+  decltype(xcb_connection_has_error)* failed;
+  decltype(xcb_put_image_checked)* putWords;
+  decltype(xcb_get_maximum_request_length)* longestRequest;
   decltype(xcb_get_geometry)* askGeometry;
   decltype(xcb_get_geometry_reply)* geometry;
   decltype(xcb_get_window_attributes)* askWindow;
@@ -49,6 +55,15 @@ struct Xcb {
 };
 
 const Xcb& xcb();
+
+/// Whether pixels of that depth and visual are words of 32 bits as this machine has them, eight bits each of
+/// red, green and blue, blue lowest.
+bool hasPlainPixels(xcb_connection_t* connection, uint8_t depth, xcb_visualid_t visual);
+
+/// Red and blue change places.
+constexpr uint32_t bgra(uint32_t rgba) {
+  return (rgba & 0xff00ff00u) | (rgba & 0xffu) << 16 | (rgba >> 16 & 0xffu);
+}
 
 struct Freed {
   void operator()(void* reply) const { std::free(reply); }

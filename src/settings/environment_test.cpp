@@ -56,6 +56,7 @@ TEST(Environment, EveryVariableIsRead) {
                                      {"GLURAY_SHADING", "vertex"},
                                      {"GLURAY_RENDERER", "null"},
                                      {"GLURAY_SPP", "16"},
+                                     {"GLURAY_LAG", "auto"},
                                      {"GLURAY_HUD", "1"},
                                      {"GLURAY_OFF", "1"},
                                      {"GLURAY_REPORT", "/r.json"},
@@ -73,6 +74,7 @@ TEST(Environment, EveryVariableIsRead) {
   EXPECT_EQ(session.settings.renderer, Renderer::null);
   EXPECT_EQ(session.settings.spp, 16);
   EXPECT_TRUE(session.off);
+  EXPECT_EQ(session.lag, LagMode::automatic);
   EXPECT_TRUE(session.hud);
   EXPECT_EQ(session.reportFile, "/r.json");
   EXPECT_EQ(session.timelineFile, "/t.json");

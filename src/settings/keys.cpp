@@ -85,6 +85,11 @@ const Key kKeys[] = {
      }},
     {"spp",
      [](Session& s, std::string_view v) { return setNumber(v, 1, "the centre", kMostSpp, s.settings.spp); }},
+    {"lag",
+     [](Session& s, std::string_view v) {
+       return choose<LagMode>(v, {{"off", LagMode::off}, {"on", LagMode::on}, {"auto", LagMode::automatic}},
+                              s.lag);
+     }},
     {"hud", [](Session& s, std::string_view v) { return setSwitch(v, s.hud); }},
     {"off", [](Session& s, std::string_view v) { return setSwitch(v, s.off); }},
     {"quirks", [](Session& s, std::string_view v) { return readQuirks(v, s.settings.quirks); }},

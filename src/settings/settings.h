@@ -21,6 +21,10 @@ enum class ShadingRate : uint8_t { pixel, vertex };
 /// Who makes the picture: Embree, or nobody (prices interception alone: every pixel is a miss).
 enum class Renderer : uint8_t { embree, null };
 
+/// Whether frames are traced while the program prepares the next one and shown then: never, always where it
+/// can be, or while frames follow each other.
+enum class LagMode : uint8_t { off, on, automatic };
+
 constexpr int kMostSpp = 1024;
 
 struct Settings {
@@ -38,7 +42,8 @@ struct Settings {
 /// What the launcher passes to the engine beside Settings; fixed for the life of the process.
 struct Session {
   Settings settings;
-  bool off = false;          // pass every call through, for comparison
+  bool off = false;  // pass every call through, for comparison
+  LagMode lag = LagMode::off;
   bool hud = false;          // figures in a corner of the window
   std::string reportFile;    // JSON written at exit; empty: none
   std::string logFile;       // empty: stderr
@@ -54,8 +59,8 @@ struct Session {
 /// `allowed`: 0 (all it may use) where it runs alone or has cores of its own.
 int threadsOfRank(int cores, int allowed, int ranks);
 
-/// Reads GLURAY_THREADS, GLURAY_ENGINE, GLURAY_BVH, GLURAY_SHADING, GLURAY_RENDERER, GLURAY_SPP, GLURAY_HUD,
-/// GLURAY_OFF, GLURAY_REPORT, GLURAY_LOG, GLURAY_LOG_LEVEL, GLURAY_TIMELINE, GLURAY_QUIRKS,
+/// Reads GLURAY_THREADS, GLURAY_ENGINE, GLURAY_BVH, GLURAY_SHADING, GLURAY_RENDERER, GLURAY_SPP, GLURAY_LAG,
+/// GLURAY_HUD, GLURAY_OFF, GLURAY_REPORT, GLURAY_LOG, GLURAY_LOG_LEVEL, GLURAY_TIMELINE, GLURAY_QUIRKS,
 /// GLURAY_PROGRAM_FAMILIES, GLURAY_EXPLAIN, GLURAY_PICTURE. An unreadable value is reported once through
 /// `complain` ("GLURAY_BVH=x: use auto, fast, full, compact or least") and the default kept.
 Session sessionFromEnvironment(void (*complain)(const std::string& line));

@@ -78,7 +78,8 @@ PresentResult TracingPresenter::presentLayers(const gl::RealGl& real, const scen
 const LastPictures::Picture* TracingPresenter::pictureOf(const scene::Snapshot& snapshot, bool mayRepeat,
                                                          std::optional<uint32_t> missColor,
                                                          PresentResult& result, std::string& why) {
-  const LastPictures::Picture* const known = mayRepeat ? pictures_.of(snapshot) : nullptr;
+  const bool ahead = ahead_ && ahead_->has(snapshot);
+  const LastPictures::Picture* const known = mayRepeat && !ahead ? pictures_.of(snapshot) : nullptr;
   if (known && (!missColor || known->image.missColor == *missColor)) {
     result.repeated = true;
     return known;
@@ -86,7 +87,7 @@ const LastPictures::Picture* TracingPresenter::pictureOf(const scene::Snapshot& 
   LastPictures::Picture& fresh = pictures_.next();
   fresh.image.missColor = missColor.value_or(0);
   TraceCost cost;
-  const bool done = trace_(snapshot, fresh.image, cost, why);
+  const bool done = ahead ? ahead_->take(fresh.image, cost, why) : trace_(snapshot, fresh.image, cost, why);
   takeCost(cost, result);
   if (!done) return nullptr;
   pictures_.keep(snapshot);
@@ -180,7 +181,8 @@ PresentResult TracingPresenter::show(const gl::RealGl& real, const scene::Snapsh
     if (!background) return result;
     const LastPictures::Picture* traced =
         pictureOf(*snapshot, target.mayRepeat, background, result, result.why);
-    if (!traced || traced->image.content != Image::Content::color || !traced->image.center.empty())
+    if (!traced || traced->image.content != Image::Content::color || !traced->image.center.empty() ||
+        traced->image.missColor != *background)
       return result;
     const double start = nowSeconds();
     if (target.show({traced->image, target.farthest, traced->id})) result.outcome = PresentResult::traced;

@@ -5,6 +5,7 @@
 #include "intercept/present/cleared_color.h"
 #include "intercept/present/last_pictures.h"
 #include "intercept/present/texture_put.h"
+#include "intercept/present/trace_ahead.h"
 #include "intercept/present/write_back.h"
 
 #include <array>
@@ -14,19 +15,8 @@
 
 namespace gluray::present {
 
-/// What one tracing cost.
-struct TraceCost {
-  double buildSeconds = 0, traceSeconds = 0;
-  uint64_t blasBuilds = 0, blasRefinements = 0, bvhBytes = 0;
-  bool blasRefining = false;
-};
-
 /// Told of every picture that has just been written into the bound framebuffer.
 using Written = std::function<void(const gl::RealGl&, const Image&)>;
-
-/// Traces a snapshot. False with one line of reason on failure; never throws. frame::Renderer::render in the
-/// engine.
-using Trace = std::function<bool(const scene::Snapshot&, Image&, TraceCost&, std::string& error)>;
 
 /// Anti-aliases a picture, `in` to `out`. False on failure; never throws. frame::Renderer::antialias in the
 /// engine.
@@ -61,6 +51,10 @@ class TracingPresenter final : public gl::Presenter {
                  const scene::Region& region, const Settings& settings) noexcept override;
   bool readDepth(const gl::RealGl& real, const scene::Region& region,
                  std::vector<float>& out) noexcept override;
+  gl::LagRefusal traceAhead(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
+                            const gl::AheadTarget& target) noexcept override;
+  void dropAhead() noexcept override;
+  GLenum clear(const gl::RealGl& real, const gl::WindowClear& clear) noexcept override;
   gl::SharedNames takeNames() override;
   void forget(const gl::RealGl& real) noexcept override;
 
@@ -98,6 +92,7 @@ class TracingPresenter final : public gl::Presenter {
                                          std::optional<uint32_t> missColor, gl::PresentResult& result,
                                          std::string& why);
   LastPictures pictures_;
+  std::unique_ptr<TraceAhead> ahead_;  // where frames lag
 };
 
 }  // namespace gluray::present

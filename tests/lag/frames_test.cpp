@@ -1,0 +1,306 @@
+// Frame lag: whatever a program does between a swap and the next, each frame is shown once, in order, as it
+// was when it was swapped.
+#include "tests/lag/lag_stage.h"
+#include "tests/reference/triangle_field.h"
+#include "tests/support/gl_state.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+
+namespace gluray::test {
+namespace {
+
+using gl::LagRefusal;
+using Gl = const gl::RealGl&;
+using triangle_field::field, triangle_field::kBytes, triangle_field::kVertices;
+constexpr int kFrames = 6;
+
+void plainFrame(Gl gl, int frame) { beginLagFrame(gl, frame), drawRing(gl, frame); }
+
+TEST(Lag, EachSwapShowsTheFrameBefore) {
+  const Shown shown = expectSameFrames("plain", plainFrame, kFrames, kFrames);
+  for (size_t i = 0; i < shown.shownAtSwap.size(); ++i) EXPECT_EQ(shown.shownAtSwap[i], i);
+}
+
+TEST(Lag, WhatIsRasterisedBelongsToTheSameFrame) {
+  expectSameFrames(
+      "overlay",
+      [](Gl gl, int frame) {
+        beginLagFrame(gl, frame);
+        drawFrameNumber(gl, frame);
+        drawRing(gl, frame);
+      },
+      kFrames, kFrames);
+}
+
+TEST(Lag, OverlaysOnTopAreShownAtOnce) {
+  const Shown shown = expectSameFrames(
+      "on top",
+      [](Gl gl, int frame) {
+        beginLagFrame(gl, frame);
+        drawRing(gl, frame);
+        gl.Disable(GL_DEPTH_TEST);
+        drawFrameNumber(gl, frame);
+        gl.Enable(GL_DEPTH_TEST);
+      },
+      kFrames, 0);
+  EXPECT_EQ(shown.swaps.back(), LagRefusal::nothingToDo);
+}
+
+TEST(Lag, FramesThatRepeatAreShownAtOnce) {
+  const Shown shown = expectSameFrames(
+      "repeated", [](Gl gl, int frame) { plainFrame(gl, frame / 2); }, kFrames, 3);
+  EXPECT_EQ(shown.swaps[1], LagRefusal::repeated);
+}
+
+TEST(Lag, FramesDrawnOverTheLastOne) {
+  expectSameFrames(
+      "over the last",
+      [](Gl gl, int frame) {
+        if (frame == 0) beginLagFrame(gl, frame);
+        drawRing(gl, frame);
+      },
+      kFrames, kFrames);
+}
+
+TEST(Lag, ClearsOfAPartComeInOrder) {
+  expectSameFrames(
+      "part",
+      [](Gl gl, int frame) {
+        beginLagFrame(gl, frame);
+        gl.Enable(GL_SCISSOR_TEST), gl.Scissor(10, 10, 30, 20);
+        gl.ClearColor(1, 1, 1, 1), gl.Clear(GL_COLOR_BUFFER_BIT);
+        gl.Disable(GL_SCISSOR_TEST);
+        gl.ColorMask(GL_TRUE, GL_FALSE, GL_FALSE, GL_TRUE);
+        gl.Clear(GL_COLOR_BUFFER_BIT);
+        gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        drawRing(gl, frame);
+      },
+      kFrames, kFrames);
+}
+
+TEST(Lag, ClearsOfEachBufferWithChangingValues) {
+  expectSameFrames(
+      "one by one",
+      [](Gl gl, int frame) {
+        beginLagFrame(gl, frame);
+        gl.ClearDepth(0.9), gl.Clear(GL_DEPTH_BUFFER_BIT);
+        gl.ClearColor(0, 1, 0.1f * static_cast<float>(frame), 1), gl.Clear(GL_COLOR_BUFFER_BIT);
+        gl.ClearColor(1, 0, 0, 0), gl.ClearDepth(1);
+        gl.Enable(GL_SCISSOR_TEST), gl.Scissor(3, 3, 1, 1);
+        gl.DepthMask(GL_FALSE), gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        gl.Disable(GL_SCISSOR_TEST);
+        gl.DepthMask(GL_TRUE), gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        drawRing(gl, frame);
+      },
+      kFrames, kFrames);
+}
+
+TEST(Lag, WhatIsSetAfterAClearDoesNotChangeIt) {
+  LagOptions options;
+  options.afterSwap = [](Gl gl, int) {
+    gl.ClearColor(0, 0, 1, 1), gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    gl.Enable(GL_SCISSOR_TEST), gl.Scissor(0, 0, 5, 5);
+    gl.ColorMask(GL_FALSE, GL_TRUE, GL_FALSE, GL_TRUE), gl.DepthMask(GL_FALSE);
+    gl.ClearColor(1, 1, 1, 1), gl.ClearDepth(0.1);
+    std::vector<uint32_t> pixel(1);
+    gl.ReadPixels(kLagWidth - 1, kLagHeight - 1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel.data());
+    EXPECT_EQ(pixel[0], 0xffff0000u);
+    EXPECT_TRUE(gl.IsEnabled(GL_SCISSOR_TEST));
+    std::array<GLboolean, 4> mask{};
+    gl.GetBooleanv(GL_COLOR_WRITEMASK, mask.data());
+    EXPECT_EQ(mask, (std::array<GLboolean, 4>{GL_FALSE, GL_TRUE, GL_FALSE, GL_TRUE}));
+    std::array<GLfloat, 4> color{};
+    gl.GetFloatv(GL_COLOR_CLEAR_VALUE, color.data());
+    EXPECT_EQ(color, (std::array<GLfloat, 4>{1, 1, 1, 1}));
+    gl.Disable(GL_SCISSOR_TEST), gl.DepthMask(GL_TRUE), gl.ClearDepth(1);
+    gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  };
+  expectSameFrames("state after", plainFrame, kFrames, kFrames, options);
+}
+
+TEST(Lag, ReadsSeeTheFrameThatWasSwapped) {
+  for (const bool readFirst : {true, false}) {
+    std::vector<Picture> read;
+    LagOptions options;
+    options.afterSwap = [&](Gl gl, int) {
+      if (!readFirst) gl.Finish();
+      read.push_back(readPicture(gl, kLagWidth, kLagHeight));
+    };
+    const Shown shown = play(plainFrame, kFrames, options);
+    EXPECT_EQ(read, shown.frames);
+    for (size_t i = 0; i < shown.shownAtSwap.size(); ++i) EXPECT_EQ(shown.shownAtSwap[i], i);
+  }
+}
+
+TEST(Lag, CopiesSeeTheFrameThatWasSwapped) {
+  LagOptions options;
+  std::vector<std::vector<uint32_t>> copies;
+  options.afterSwap = [&](Gl gl, int) {
+    GLuint name = 0;
+    gl.GenTextures(1, &name);
+    gl.BindTexture(GL_TEXTURE_2D, name);
+    gl.CopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 0, 0, kLagWidth, kLagHeight, 0);
+    copies.emplace_back(static_cast<size_t>(kLagWidth) * kLagHeight);
+    gl.GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, copies.back().data());
+    gl.DeleteTextures(1, &name);
+  };
+  const Shown shown = expectSameFrames("copies", plainFrame, kFrames, kFrames, options);
+  ASSERT_EQ(copies.size() % kFrames, 0u);
+  for (size_t i = 0; i < kFrames; ++i) EXPECT_EQ(copies[copies.size() - kFrames + i], shown.frames[i].colors);
+}
+
+/// What changes after the swap was drawn as it was.
+TEST(Lag, ListsBuffersAndTexturesChangeBehindTheSwap) {
+  GLuint list = 0, buffer = 0, texture = 0;
+  const auto texel = [](int frame) {
+    return static_cast<GLuint>(0xff000000u | static_cast<unsigned>(40 * frame) << 8 | 200u);
+  };
+  const auto draw = [&](Gl gl, int frame) {
+    beginLagFrame(gl, frame);
+    list = gl.GenLists(1);
+    gl.NewList(list, GL_COMPILE), drawRing(gl, frame), gl.EndList();
+    gl.CallList(list);
+    const std::vector<float> triangles = field(1.0f + static_cast<float>(frame % 3));
+    gl.GenBuffers(1, &buffer);
+    gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+    gl.BufferData(GL_ARRAY_BUFFER, kBytes, triangles.data(), GL_STREAM_DRAW);
+    gl.EnableClientState(GL_VERTEX_ARRAY), gl.VertexPointer(3, GL_FLOAT, 0, nullptr);
+    gl.GenTextures(1, &texture);
+    gl.BindTexture(GL_TEXTURE_2D, texture);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    const GLuint color = texel(frame);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, &color);
+    gl.Enable(GL_TEXTURE_2D), gl.Disable(GL_LIGHTING), gl.Color3f(1, 1, 1);
+    gl.PushMatrix(), gl.Translatef(0, 0, -4);
+    gl.DrawArrays(GL_TRIANGLES, 0, kVertices);
+    gl.PopMatrix();
+    gl.Disable(GL_TEXTURE_2D), gl.Enable(GL_LIGHTING);
+  };
+  LagOptions options;
+  options.afterSwap = [&](Gl gl, int) {
+    const GLuint white = ~0u;
+    const std::vector<float> nothing(3 * kVertices);
+    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &white);
+    gl.BufferSubData(GL_ARRAY_BUFFER, 0, kBytes, nothing.data());
+    gl.DeleteBuffers(1, &buffer), gl.DeleteTextures(1, &texture), gl.DeleteLists(list, 1);
+    gl.Enable(GL_FRAMEBUFFER_SRGB), gl.Disable(GL_FRAMEBUFFER_SRGB);
+  };
+  expectSameFrames("changes", draw, kFrames, kFrames, options);
+}
+
+TEST(Lag, AFrameThatCannotBeTracedIsRasterisedInOrder) {
+  for (const int failing : {0, 2}) {
+    LagOptions options;
+    std::atomic<int> asked{0};
+    options.trace = [&](const scene::Snapshot& snapshot, Image& image, present::TraceCost& cost,
+                        std::string& why) {
+      if (asked++ != failing) return traceByRenderer(snapshot, image, cost, why);
+      return why = "it fails in this test", false;
+    };
+    const Shown shown = play(plainFrame, kFrames, options);
+    EXPECT_LE(asked, failing + 2);  // the next frame waits already
+    expectClose("failing", playReal(plainFrame, kFrames), shown.frames);
+  }
+}
+
+TEST(Lag, FramesOfAWindowThatIsGoneAreNotShown) {
+  bool there = true;
+  LagOptions options;
+  options.stands = [&] { return there; };
+  options.afterSwap = [&](Gl, int frame) { there = frame != 2; };
+  const Shown shown = play(plainFrame, kFrames, options);
+  LagOptions plainly;
+  plainly.lag = false;
+  std::vector<Picture> plain = play(plainFrame, kFrames, plainly).frames;
+  plain.erase(plain.begin() + 2);
+  EXPECT_EQ(shown.frames, plain);
+}
+
+TEST(Lag, QueriesAndOtherFramebuffersAreShownAtOnce) {
+  const Shown shown = expectSameFrames(
+      "query",
+      [](Gl gl, int frame) {
+        GLuint query = 0, samples = 0;
+        beginLagFrame(gl, frame);
+        gl.GenQueries(1, &query);
+        gl.BeginQuery(GL_SAMPLES_PASSED, query);
+        drawRing(gl, frame);
+        gl.EndQuery(GL_SAMPLES_PASSED);
+        gl.GetQueryObjectuiv(query, GL_QUERY_RESULT, &samples);
+        EXPECT_GT(samples, 0u);
+        gl.DeleteQueries(1, &query);
+      },
+      kFrames, 0);
+  EXPECT_EQ(shown.swaps.front(), LagRefusal::nothingToDo);
+}
+
+TEST(Lag, StateIsThatOfTheProgram) {
+  const auto draw = [](Gl gl) {
+    for (int frame = 0; frame < 2; ++frame) plainFrame(gl, frame);
+  };
+  const auto real = OsmesaContext::create({kLagWidth, kLagHeight});
+  draw(real->real());
+  const GlState expected = queryState(real->real());
+  GlState got;
+  LagOptions options;
+  options.afterSwap = [&](Gl gl, int frame) {
+    if (frame == 1) got = queryState(gl);
+  };
+  play(plainFrame, 2, options);
+  std::vector<std::string> lines = differences(expected, got);
+  std::erase_if(lines, [](const std::string& line) {  // addresses differ from run to run
+    return line.find("pointer") != line.npos || line.find("POINTER") != line.npos;
+  });
+  EXPECT_EQ(lines, std::vector<std::string>{});
+}
+
+TEST(Lag, WithoutTheProgramTheNewestFrameIsShownWhole) {
+  struct Late {
+    std::mutex mutex;
+    std::condition_variable came;
+    std::vector<uint32_t> pixels;
+  } late;
+  LagOptions options;
+  options.overdue = [&](const uint32_t* pixels) {
+    const std::lock_guard lock(late.mutex);
+    late.pixels.assign(pixels, pixels + static_cast<size_t>(kLagWidth) * kLagHeight);
+    late.came.notify_all();
+  };
+  std::vector<std::vector<uint32_t>> shownLate;
+  options.afterSwap = [&](Gl, int) {
+    std::unique_lock lock(late.mutex);
+    EXPECT_TRUE(late.came.wait_for(lock, std::chrono::seconds(60), [&] { return !late.pixels.empty(); }));
+    shownLate.push_back(std::exchange(late.pixels, {}));
+  };
+  const auto draw = [](Gl gl, int frame) {
+    beginLagFrame(gl, frame);
+    drawFrameNumber(gl, frame);
+    drawRing(gl, frame);
+  };
+  const Shown shown = play(draw, kFrames, options);
+  ASSERT_EQ(shown.frames.size(), shownLate.size());
+  for (size_t i = 0; i < shownLate.size(); ++i) EXPECT_EQ(shownLate[i], shown.frames[i].colors) << i;
+}
+
+TEST(Lag, AContextMayGoWithAFrame) {
+  TracedContext ours({kLagWidth, kLagHeight});
+  plainFrame(ours.gl(), 0);
+  gl::LagWindow window;
+  int swaps = 0;
+  window.stands = [] { return true; };
+  window.swap = [&] { ++swaps; };
+  window.overdue.buffer = GL_FRONT;
+  EXPECT_EQ(gl::t_thread.context->lag(window), LagRefusal::none);
+  EXPECT_EQ(swaps, 0);
+  gl::t_thread.context->loseCurrent();
+  EXPECT_EQ(swaps, 1);
+}
+
+}  // namespace
+}  // namespace gluray::test

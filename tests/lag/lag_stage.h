@@ -1,0 +1,58 @@
+// A program of a double-buffered window whose swaps may be made later, without a window: every frame that is
+// shown is kept. The real OpenGL's own frames of the same calls are what they must be.
+#pragma once
+#include "intercept/present/tracing_presenter.h"
+#include "tests/reference/traced_context.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace gluray::test {
+
+inline constexpr int kLagWidth = 96, kLagHeight = 72;
+/// The calls of one frame, from 0.
+using DrawFrame = std::function<void(const gl::RealGl&, int frame)>;
+
+struct Shown {
+  std::vector<Picture> frames;        // in the order they were shown
+  std::vector<gl::LagRefusal> swaps;  // what became of each swap
+  std::vector<size_t> shownAtSwap;    // how many frames had been shown when it returned
+  std::vector<std::string> errors;
+};
+
+struct LagOptions {
+  bool lag = true;
+  Settings settings = TracedContext::vertexShading();
+  std::function<bool()> stands = [] { return true; };      // the window
+  std::function<void(const uint32_t*)> overdue = nullptr;  // shows a frame without the program
+  std::function<void(const gl::RealGl&, int)> afterSwap;   // calls after the swap of a frame
+  present::Trace trace;                                    // in place of the ray tracer
+};
+
+/// The ray tracer.
+bool traceByRenderer(const scene::Snapshot& snapshot, Image& image, present::TraceCost& cost,
+                     std::string& why);
+
+/// Draws `count` frames through ours; what is not shown by then is shown by glFinish.
+Shown play(const DrawFrame& draw, int count, const LagOptions& options = {});
+/// The same by the real OpenGL alone.
+std::vector<Picture> playReal(const DrawFrame& draw, int count);
+
+/// Expects the same number of pictures, and each within the scenes' tolerance.
+void expectClose(const std::string& name, const std::vector<Picture>& expected,
+                 const std::vector<Picture>& got);
+
+/// Expects the same frames in the same order as without lag, to the bit, and those of the real OpenGL within
+/// the scenes' tolerance; and that `later` of the swaps came later.
+Shown expectSameFrames(const std::string& name, const DrawFrame& draw, int count, int later,
+                       const LagOptions& options = {});
+
+/// A lit ring, turned by some degrees a frame, sent by glBegin.
+void drawRing(const gl::RealGl& gl, int frame);
+/// Depth test, camera, light, and a clear of all.
+void beginLagFrame(const gl::RealGl& gl, int frame);
+/// A rectangle of two lines' width at the left, by lines, which the real OpenGL draws.
+void drawFrameNumber(const gl::RealGl& gl, int frame);
+
+}  // namespace gluray::test
