@@ -3,8 +3,10 @@
 #include "intercept/context_record.h"
 #include "intercept/session.h"
 
+#include <cstddef>
 #include <map>
 #include <mutex>
+#include <new>
 
 namespace gluray::intercept {
 namespace {
@@ -13,9 +15,11 @@ struct Names {
   std::mutex mutex;
   std::map<uintptr_t, uintptr_t> windows;
 };
-/// Never destroyed: programs call GLX while they exit.
+/// Never destroyed: programs call GLX while they exit. Asks for no memory: it may be called for the first
+/// time when there is none.
 Names& names() {
-  static auto* n = new Names;
+  alignas(Names) static std::byte memory[sizeof(Names)];
+  static Names* const n = new (memory) Names;
   return *n;
 }
 
