@@ -52,7 +52,7 @@ class Files(unittest.TestCase):
         file = self.folder / "gluray/gluray.toml"
         file.parent.mkdir()
         file.write_text("threads = 2\nbvh = 'slow'\n")
-        self.survives("^gluray: " + re.escape(str(file)) + ":2: bvh = slow: use auto, fast, full or compact$")
+        self.survives("^gluray: " + re.escape(str(file)) + ":2: bvh = slow: use auto, fast, full, compact or least$")
         file.write_text("threads = = 2\n")
         self.survives("^gluray: " + re.escape(str(file)) + ":1: ")
 

@@ -207,7 +207,7 @@ class Missing(Folder):
         self.assertIn("the real OpenGL is GLuRay itself", done.stderr)
 
     def test_bad_setting_is_one_line(self):
-        self.survives(r"^gluray: GLURAY_BVH=slow: use auto, fast, full or compact$", GLURAY_BVH="slow")
+        self.survives(r"^gluray: GLURAY_BVH=slow: use auto, fast, full, compact or least$", GLURAY_BVH="slow")
 
 
 class Fonts(unittest.TestCase):
