@@ -97,7 +97,7 @@ class Lag {
     window.overdue.size = size;
     window.show = [=, &to = record.window](const gl::ShownPicture& picture) {
       WindowPut* const put = putInto(display, drawable, to);
-      return put && put->size().x > 0 && put->put(picture);
+      return put && to.isKnown(put->size()) && put->put(picture);
     };
     if (!painter_) return LagRefusal::none;
     window.overdue.after = kOverdue;

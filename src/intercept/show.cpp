@@ -29,6 +29,7 @@ WindowPut* putInto(_XDisplay* display, uintptr_t drawable, WindowOfContext& wind
   const uintptr_t shown = windowOf(drawable);
   if (window.drawable != shown || (window.put && !window.put->isFor(display, shown))) {
     if (window.put) window.put->close();
+    window.swapped = {0, 0};
     window.put = WindowPut::create(display, shown);
     window.drawable = shown;
   }
@@ -41,7 +42,7 @@ bool show(_XDisplay* display, uintptr_t drawable, Record& record) {
   WindowPut* const put = putInto(display, drawable, record.window);
   if (!put) return false;
   const glm::ivec2 size = put->size();
-  if (size.x > 0 &&
+  if (record.window.isKnown(size) &&
       record.context->showDirectly(size, [&](const gl::ShownPicture& p) { return put->put(p); }))
     return true;
   if (size.x == 0) record.window.put.reset();  // not tried again

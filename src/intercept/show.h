@@ -11,6 +11,14 @@ namespace gluray::intercept {
 struct WindowOfContext {
   uintptr_t drawable = 0;  // that was tried
   std::unique_ptr<WindowPut> put;
+  glm::ivec2 swapped{0};  // size of the window at the last swap that the real OpenGL had to make
+  /// Whether the real OpenGL knows a window of that size: it looks after a swap alone, and would go on with
+  /// buffers of another size. False: it is to make this swap.
+  bool isKnown(glm::ivec2 size) {
+    const bool known = size == swapped && size.x > 0;
+    swapped = size;
+    return known;
+  }
 };
 
 /// GLX has given a window of the X server another name, which then goes. Any thread.

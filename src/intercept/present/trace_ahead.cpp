@@ -27,7 +27,10 @@ bool TraceAhead::start(scene::SnapshotPtr snapshot, uint32_t missColor, Late lat
   const bool runs = !ended_;
   lock.unlock();
   changed_.notify_all();
-  if (!runs && !startThread()) return state_ = State::empty, false;
+  if (!runs && !startThread()) {
+    lock.lock();
+    return state_ = State::empty, false;
+  }
   snapshot_ = std::move(snapshot);
   return true;
 }
@@ -103,8 +106,12 @@ bool TraceAhead::wait() {
 bool TraceAhead::take(Image& image, TraceCost& cost, std::string& error) {
   const scene::SnapshotPtr snapshot = snapshot_;
   const bool ran = wait();
-  // The process exits, and the thread has left without it.
-  if (!ran) return state_ = State::empty, trace_(*snapshot, image, cost, error);
+  std::unique_lock lock(mutex_);
+  if (!ran) {  // the process exits, and the thread has left without it
+    state_ = State::empty;
+    lock.unlock();
+    return trace_(*snapshot, image, cost, error);
+  }
   cost = cost_;
   const bool done = std::exchange(state_, State::empty) == State::done;
   if (done)
@@ -117,6 +124,7 @@ bool TraceAhead::take(Image& image, TraceCost& cost, std::string& error) {
 void TraceAhead::drop() noexcept {
   if (!snapshot_) return;
   wait();
+  const std::lock_guard lock(mutex_);
   state_ = State::empty;
 }
 
