@@ -27,14 +27,36 @@ float farthestHit(GLenum depthFunc, float resolution) {
   return std::min(std::nextafter(1.0f, 0.0f), 1 - resolution / 2);
 }
 
+bool clearsInFull(const RealGl& real, const RareState& has, GLbitfield mask) {
+  if (has.rasterizerDiscard && isOn(real, GL_RASTERIZER_DISCARD)) return false;
+  if (mask & GL_COLOR_BUFFER_BIT) {
+    GLboolean open[4] = {};
+    real.GetBooleanv(GL_COLOR_WRITEMASK, open);
+    if (!open[0] || !open[1] || !open[2] || !open[3]) return false;
+  }
+  if (mask & GL_DEPTH_BUFFER_BIT && integer(real, GL_DEPTH_WRITEMASK) == 0) return false;
+  constexpr GLint kStencilBits = 0xff;
+  return !(mask & GL_STENCIL_BUFFER_BIT) ||
+         (integer(real, GL_STENCIL_WRITEMASK) & kStencilBits) == kStencilBits;
+}
+
 bool clearsAll(const RealGl& real, const RareState& has) {
-  GLboolean color[4] = {}, depth = GL_FALSE;
-  GLdouble value = 0;
-  real.GetBooleanv(GL_COLOR_WRITEMASK, color);
-  real.GetBooleanv(GL_DEPTH_WRITEMASK, &depth);
-  real.GetDoublev(GL_DEPTH_CLEAR_VALUE, &value);
-  return color[0] && color[1] && color[2] && color[3] && depth && value == 1 &&
-         !(has.rasterizerDiscard && isOn(real, GL_RASTERIZER_DISCARD));
+  GLdouble depth = 0;
+  real.GetDoublev(GL_DEPTH_CLEAR_VALUE, &depth);
+  return depth == 1 && clearsInFull(real, has, kColorAndDepth);
+}
+
+bool clearsWindow(const RealGl& real, const RareState& has, GLbitfield mask) {
+  return !isOn(real, GL_SCISSOR_TEST) && clearsInFull(real, has, mask);
+}
+
+WindowClear windowClear(const RealGl& real, GLbitfield mask) {
+  WindowClear clear;
+  clear.mask = mask;
+  real.GetFloatv(GL_COLOR_CLEAR_VALUE, clear.color.data());
+  real.GetDoublev(GL_DEPTH_CLEAR_VALUE, &clear.depth);
+  real.GetIntegerv(GL_STENCIL_CLEAR_VALUE, &clear.stencil);
+  return clear;
 }
 
 void Context::noteClear(GLbitfield mask) {

@@ -5,7 +5,6 @@
 #include "gl/clears.h"
 #include "gl/context.h"
 #include "gl/state_queries.h"
-#include "gl/window_clear.h"
 
 #include <GL/glext.h>
 

@@ -1,5 +1,6 @@
 #include "intercept/window_painter.h"
 
+#include "intercept/present/pixel_rows.h"
 #include "intercept/xcb.h"
 
 #include <algorithm>
@@ -57,7 +58,7 @@ class XcbPainter final : public WindowPainter {
       const int count = std::min(rows, size.y - top);
       for (int row = 0; row < count; ++row) {
         const uint32_t* const from = pixels + width * static_cast<size_t>(size.y - 1 - top - row);
-        std::transform(from, from + width, rows_.data() + width * static_cast<size_t>(row), bgra);
+        std::transform(from, from + width, rows_.data() + width * static_cast<size_t>(row), present::bgra);
       }
       done = succeeded(xcb().putWords(connection_, XCB_IMAGE_FORMAT_Z_PIXMAP, window_, context_,
                                       static_cast<uint16_t>(size.x), static_cast<uint16_t>(count), 0,

@@ -1,6 +1,7 @@
 #include "intercept/window_put.h"
 
 #include "base/timeline.h"
+#include "intercept/present/pixel_rows.h"
 
 #include <sys/ipc.h>
 #include <sys/shm.h>
@@ -15,7 +16,7 @@ namespace {
 
 void fillRow(const gl::ShownPicture& picture, int y, int width, uint32_t* out) {
   const Image& image = picture.image;
-  const uint32_t background = image.missColor, back = bgra(background);
+  const uint32_t background = image.missColor, back = present::bgra(background);
   const int from = std::clamp(image.x, 0, width),
             to = std::clamp(image.x + image.width, from, std::max(from, width));
   if (y < image.y || y >= image.y + image.height || from == to) {
@@ -25,11 +26,8 @@ void fillRow(const gl::ShownPicture& picture, int y, int width, uint32_t* out) {
   std::fill(out, out + from, back);
   const size_t first = static_cast<size_t>(y - image.y) * static_cast<size_t>(image.width) +
                        static_cast<size_t>(from - image.x);
-  const uint32_t* color = &image.color[first];
-  const float *depth = &image.depth[first], farthest = picture.farthest;
-  const auto count = static_cast<size_t>(to - from);
-  for (size_t i = 0; i < count; ++i)
-    out[from + static_cast<int>(i)] = bgra(depth[i] <= farthest ? color[i] : background);
+  present::toWindow(&image.color[first], &image.depth[first], picture.farthest, background,
+                    static_cast<size_t>(to - from), out + from);
   std::fill(out + to, out + width, back);
 }
 

@@ -60,11 +60,6 @@ const Xcb& xcb();
 /// red, green and blue, blue lowest.
 bool hasPlainPixels(xcb_connection_t* connection, uint8_t depth, xcb_visualid_t visual);
 
-/// Red and blue change places.
-constexpr uint32_t bgra(uint32_t rgba) {
-  return (rgba & 0xff00ff00u) | (rgba & 0xffu) << 16 | (rgba >> 16 & 0xffu);
-}
-
 struct Freed {
   void operator()(void* reply) const { std::free(reply); }
 };

@@ -1,36 +1,11 @@
 #include "intercept/present/hit_bands.h"
 
+#include "intercept/present/pixel_rows.h"
+
 #include <algorithm>
 #include <cstddef>
 
 namespace gluray::present {
-namespace {
-
-constexpr int kBlock = 16;  // pixels looked at together
-
-bool anyHit(const float* depth) {
-  int hits = 0;
-  for (int i = 0; i < kBlock; ++i) hits |= depth[i] <= 1.0f;
-  return hits != 0;
-}
-
-/// Column of the first hit left of `limit`, or `limit`.
-int firstHit(const float* row, int limit) {
-  int x = 0;
-  while (x + kBlock <= limit && !anyHit(row + x)) x += kBlock;
-  while (x < limit && !(row[x] <= 1.0f)) ++x;
-  return x;
-}
-
-/// One past the column of the last hit from `limit` on, or `limit`.
-int lastHit(const float* row, int limit, int width) {
-  int x = width;
-  while (x - kBlock >= limit && !anyHit(row + x - kBlock)) x -= kBlock;
-  while (x > limit && !(row[x - 1] <= 1.0f)) --x;
-  return x;
-}
-
-}  // namespace
 
 int rowsOfBands(int height) {
   constexpr int kLeastRows = 16;
@@ -43,9 +18,10 @@ Band hitBand(const float* depth, int width, int height, int y) {
   for (int r = y; r < y + count; ++r) {
     const float* row = depth + static_cast<size_t>(r) * static_cast<size_t>(width);
     // Only what lies outside the band so far is looked at.
-    left = firstHit(row, left);
-    const int known = std::max(right, left), last = lastHit(row, known, width);
-    if (last > known) right = last;
+    left = static_cast<int>(firstHit(row, static_cast<size_t>(left)));
+    const int known = std::max(right, left);
+    const auto last = static_cast<int>(endOfHits(row + known, static_cast<size_t>(width - known)));
+    if (last > 0) right = known + last;
   }
   return {left, y, std::max(right - left, 0), count};
 }

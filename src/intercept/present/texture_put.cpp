@@ -3,6 +3,7 @@
 #include "base/timeline.h"
 #include "gl/state_queries.h"
 #include "gl/texture_image.h"
+#include "intercept/present/pixel_rows.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 
 namespace gluray::present {
 namespace {
@@ -34,13 +34,6 @@ GLint ofLevel(const gl::RealGl& real, GLenum name) {
 
 }  // namespace
 
-uint32_t depth24(float depth) {
-  const float scaled = depth * 16777215.0f;
-  // From 2^23 on floats are whole numbers; below, adding that much rounds as the processor does, to even.
-  const float whole = scaled < 0x1p23f ? (scaled + 0x1p23f) - 0x1p23f : scaled;
-  return static_cast<uint32_t>(static_cast<int32_t>(whole));
-}
-
 std::optional<TexturePut::Attached> TexturePut::attached(const gl::RealGl& real, StateGuard& guard,
                                                          const Features& features, const Image& image) const {
   Attached to;
@@ -63,13 +56,7 @@ void TexturePut::fillDepths(const Image& image, const Band& band, bool floats) {
   const auto width = static_cast<size_t>(image.width), count = static_cast<size_t>(band.width);
   for (int y = band.y; y < band.y + band.height; ++y) {
     const size_t first = static_cast<size_t>(y) * width + static_cast<size_t>(band.x);
-    const float* from = &image.depth[first];
-    uint32_t* to = &depths_[first];
-    if (floats) {
-      for (size_t i = 0; i < count; ++i) to[i] = std::bit_cast<uint32_t>(std::min(from[i], 1.0f));
-    } else {  // stencil values are the lowest eight bits
-      for (size_t i = 0; i < count; ++i) to[i] = depth24(std::min(from[i], 1.0f)) << 8;
-    }
+    (floats ? toDepthFloat : toDepth24)(&image.depth[first], count, &depths_[first]);  // stencil values are 0
   }
 }
 

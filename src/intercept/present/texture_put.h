@@ -12,9 +12,6 @@
 
 namespace gluray::present {
 
-/// Depth as a buffer of 24 bits holds it: rounded as llvmpipe does, whose product is a float.
-uint32_t depth24(float depth);
-
 class TexturePut {
  public:
   /// Puts the image, whose misses have the cleared colour, into the bound draw framebuffer's textures, as
