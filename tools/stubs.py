@@ -68,7 +68,8 @@ def _effect(policy: Policy, handler: str, context: str) -> str:
 
 def _before(policy: Policy) -> str:
     """The call that prepares for a forwarded command."""
-    how = {False: "none", True: "all", "redirect": "redirect", "leave": "leave"}[policy.flush]
+    how = {False: "none", True: "all", "redirect": "redirect", "leave": "leave",
+           "look": "look"}[policy.flush]
     return f"beforeForward(Context::Flush::{how});"
 
 
@@ -95,7 +96,7 @@ def _own(c: glxml.Command, policy: Policy) -> str:
 
 def _forward(c: glxml.Command, policy: Policy, index: int) -> str:
     _, real = _call(c, "*ctx")
-    images = "imageChanged(" in policy.touch or "imagesChanged(" in policy.touch
+    images = any(call in policy.touch for call in ("imageChanged(", "imagesChanged(", "imageCopied("))
     later = " ctx->record([](Context& later) { later.touch(imagesChanged(later)); });" if images else ""
     compile_case = RUN if policy.immediate else (
         f"case Gate::compile: ctx->recordFragment([&] {{ {real}; }});{later} return;\n      case Gate::run: break;")

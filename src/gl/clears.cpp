@@ -60,7 +60,8 @@ WindowClear windowClear(const RealGl& real, GLbitfield mask) {
 }
 
 void Context::noteClear(GLbitfield mask) {
-  forgetClear();
+  cleared_.reset();
+  if (mask & GL_COLOR_BUFFER_BIT && info_.settings.spp > 1 && !direct_) smooth_.clear(real, state.rare);
   if ((mask & kColorAndDepth) != kColorAndDepth || direct_ || aside_ || activeQueries > 0 ||
       !isSoftwareBelow())
     return;

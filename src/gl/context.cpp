@@ -96,12 +96,14 @@ void Context::beforeForward(Flush how) noexcept {
   syncCurrent();
   if (how == Flush::none) return;
   protect([&] {
+    if (how == Flush::look) return flush(), sendBuffers();
     switch (how) {
       case Flush::leave: leave(); break;
       case Flush::redirect: redirect(); break;
       default: flush();
     }
-    forgetClear();
+    if (how == Flush::all) forgetClear();
+    cleared_.reset();  // later draws may go to another buffer of the framebuffer
     sendBuffers();
   });
 }
@@ -324,6 +326,7 @@ void Context::present(bool rasterise) {
   passes_.flushed(rasterise ? nullptr : snapshot);
   if (rasterise) countAsRasterised(*snapshot);
   const std::optional<ClearedTarget> under = rasterise ? std::nullopt : clearedUnder(*snapshot, key);
+  const Smooth smooth = smooth_;
   forgetClear();
   const PresentResult result = peeled ? presentLayers(snapshot, key)
                                       : presenter_.present(real, snapshot,
@@ -333,6 +336,10 @@ void Context::present(bool rasterise) {
                                                             .programDraws = batch_.takeProgramDraws(),
                                                             .mayRepeat = !choice_.wantsStop(),
                                                             .cleared = under});
+  if (result.averages) {
+    smooth_ = smooth;
+    smooth_.wrote(key.framebuffer, key.drawBuffer);
+  }
   unresolved_.cleared = {};
   latch_.restore(real);
   takeResult(result);

@@ -5,6 +5,7 @@
 #include "gl/arrays.h"
 #include "gl/attachments.h"
 #include "gl/batch.h"
+#include "gl/context_info.h"
 #include "gl/depth_copy.h"
 #include "gl/draw_kinds.h"
 #include "gl/engine_choice.h"
@@ -16,6 +17,7 @@
 #include "gl/real.h"
 #include "gl/share_group.h"
 #include "gl/shown.h"
+#include "gl/smooth.h"
 #include "gl/state.h"
 #include "gl/statistics.h"
 #include "gl/texture.h"
@@ -37,21 +39,6 @@ namespace gluray::gl {
 class DisplayList;
 class ListOp;
 class GeometryRun;
-
-struct ContextInfo {
-  bool core = false;           // core profile: no fixed function
-  bool doubleBuffered = true;  // otherwise glFlush and glFinish show the picture
-  bool off = false;            // pass every call through
-  Settings settings;
-  /// Width and height of the window or pixmap that the context draws into, in pixels; {0, 0} if that is
-  /// unknown. May be slow: asked only where a viewport is larger than what was known. Empty: never known.
-  std::function<glm::ivec2()> drawableSize;
-  std::shared_ptr<DrawKinds> kinds;            // takes what is drawn, by kind; null: nobody explains
-  std::shared_ptr<const FamilyList> families;  // of shader programs; null: those that are built in
-  /// Called before and after a frame of a single-buffered context ends. May be empty.
-  std::function<void()> frameEnding, frameEnded;
-  EngineChoice::Clock clock = nowSeconds;  // measures frames
-};
 
 /// What a generated stub must do when `attention` is set.
 enum class Gate {
@@ -104,9 +91,9 @@ class Context {
   }
   /// Before a command that we do not model is forwarded: attributes are sent, and the batch too if it may
   /// matter.
-  /// leave: later draws go to another framebuffer, but nobody looks; redirect: so they do, or what pending
-  /// draws need changes.
-  enum class Flush { none, leave, redirect, all };
+  /// look: it draws nothing, but looks at what was drawn; leave: later draws go to another framebuffer, but
+  /// nobody looks; redirect: so they do, or what pending draws need changes.
+  enum class Flush { none, look, leave, redirect, all };
   void beforeForward(Flush flush) noexcept;
   void count(int command) noexcept;
   void touch(uint32_t groups) { dirty |= groups; }
@@ -137,7 +124,11 @@ class Context {
   void clearing(GLbitfield mask);
   void cleared(GLbitfield mask);
   /// Something may have been drawn, or sent, into the draw framebuffer.
-  void forgetClear() { cleared_.reset(); }
+  void forgetClear() { cleared_.reset(), smooth_ = {}; }
+  /// The same of the texture bound to `target`, which may be attached to the framebuffer.
+  void imageSent(GLenum target);
+  /// A part of the framebuffer's picture has been copied into it.
+  uint32_t copied(GLenum target, GLint level, glm::ivec2 offset, const scene::Region& from);
   /// Traces the pending batch and writes it into the framebuffer. Nothing to do if there is none.
   void flush() {
     settle();
@@ -411,6 +402,7 @@ class Context {
 
   std::optional<ClearedTarget> cleared_;  // the draw framebuffer, if it is worth knowing
   void noteClear(GLbitfield mask);
+  Smooth smooth_;
   std::optional<ClearedTarget> clearedUnder(const scene::Snapshot& snapshot, const BatchKey& key);
   void clampToTarget(scene::Region& region);
   void readCurrentProgram();
@@ -430,7 +422,7 @@ class Context {
   glm::dvec3 reachOfInstances(const scene::Mesh& mesh, const Elements& elements) const;
   void addInstancesOf(const scene::Instance& one, const scene::Shading& shading, const Elements& elements);
   bool isSoftwareBelow();
-  bool antialiasInto(GLuint attachment, const scene::Region& region);
+  bool antialiasInto(GLuint attachment, const scene::Region& region, bool instead);
   // Pictures that wait for being resolved (resolve_draws.cpp).
   Unresolved::Cleared clearedBy(GLbitfield mask);
   void clearsSamples(const Unresolved::Cleared& cleared);

@@ -169,6 +169,7 @@ uint32_t stencilSent(Context& c, GLenum format, const void* pixels);  // if thos
 uint32_t stencilSet(Context& c);
 /// The same for the texture bound to `target` alone, and for textures that are deleted.
 uint32_t imageChanged(Context& c, GLenum target);
+uint32_t imageCopied(Context& c, GLenum target, GLint level, glm::ivec2 offset, const scene::Region& from);
 uint32_t texturesDeleted(Context& c, GLsizei n, const GLuint* names);
 
 }  // namespace gluray::gl

@@ -1,6 +1,7 @@
 // Full-screen passes of programs that we do ourselves, because a software OpenGL takes longer over them than
 // we over the whole picture.
 #include "gl/context.h"
+#include "gl/handlers.h"
 #include "gl/output_state.h"
 #include "gl/programs/uniforms.h"
 #include "gl/state_queries.h"
@@ -65,9 +66,11 @@ bool Context::replacePass(GLenum mode, const Elements& elements) {
   const Family::Pass pass = passOfProgram();
   const bool resolves = pass == Family::Pass::resolve;
   if (!resolves && pass != Family::Pass::fxaa) return false;
-  if (!info_.settings.quirks.has(resolves ? Quirk::softwareResolve : Quirk::softwareFxaa) || aside_ ||
-      activeQueries > 0 || !isSoftwareBelow())
-    return false;
+  const QuirkSet& quirks = info_.settings.quirks;
+  const bool instead =
+      quirks.has(resolves ? Quirk::softwareResolve : Quirk::softwareFxaa) && isSoftwareBelow();
+  const bool smooth = !resolves && smooth_.copied() && quirks.has(Quirk::sppFxaa);
+  if (!(instead || smooth) || aside_ || activeQueries > 0) return false;
   const TargetState& target = state.target;
   if (target.reason != Reason::traced && target.reason != Reason::noDepthBuffer) return false;
   const scene::Region region{state.viewport.x, state.viewport.y, state.viewport.z, state.viewport.w};
@@ -87,10 +90,10 @@ bool Context::replacePass(GLenum mode, const Elements& elements) {
   ask(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL, level);
   if (level != 0) return false;
   const auto texture = static_cast<GLuint>(attachment);
-  return resolves ? resolveByProgram(texture, region) : antialiasInto(texture, region);
+  return resolves ? resolveByProgram(texture, region) : antialiasInto(texture, region, instead);
 }
 
-bool Context::antialiasInto(GLuint attachment, const scene::Region& region) {
+bool Context::antialiasInto(GLuint attachment, const scene::Region& region, bool instead) {
   const KnownProgram& known = *state.program.known;
   const Family& family = *known.family;
   const ProgramUniform* sampler = known.program.uniform(family.passInput);
@@ -100,10 +103,13 @@ bool Context::antialiasInto(GLuint attachment, const scene::Region& region) {
   if (const GLenum pending = real.GetError()) setError(pending);
   real.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
   const bool sampled = isPresent(real.BindSampler) && integer(real, GL_SAMPLER_BINDING) != 0;
-  const bool plain = !sampled && isPlainInput(real, {region.width, region.height}) &&
-                     static_cast<GLuint>(integer(real, GL_TEXTURE_BINDING_2D)) != attachment;
+  const auto input = static_cast<GLuint>(integer(real, GL_TEXTURE_BINDING_2D));
+  const bool plain = !sampled && isPlainInput(real, {region.width, region.height}) && input != attachment;
   real.ActiveTexture(static_cast<GLenum>(active));
   if (!plain) return false;
+  if (batch_.empty() && smooth_.isCopy(input, region, state.target.framebuffer, state.target.drawBuffer))
+    return noteUse(Quirk::sppFxaa), true;  // the pass would put smooth pixels in their own place
+  if (!instead) return false;
   flush();
   forgetClear();
   scene::Fxaa fxaa;
@@ -115,6 +121,19 @@ bool Context::antialiasInto(GLuint attachment, const scene::Region& region) {
   if (!presenter_.antialias(real, fxaa, unit, attachment, region, info_.settings)) return false;
   noteUse(Quirk::softwareFxaa);
   return true;
+}
+
+void Context::imageSent(GLenum target) {
+  Smooth smooth = smooth_;
+  forgetClear();
+  smooth.send(real, textures_, target);
+  smooth_ = smooth;
+}
+
+uint32_t Context::copied(GLenum target, GLint level, glm::ivec2 offset, const scene::Region& from) {
+  const uint32_t groups = imageChanged(*this, target);
+  smooth_.copy(real, target, level, offset, from);
+  return groups;
 }
 
 }  // namespace gluray::gl

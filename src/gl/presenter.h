@@ -85,6 +85,7 @@ struct PresentResult {
   uint64_t blasBuilds = 0, blasRefinements = 0, bvhBytes = 0;
   bool blasRefining = false;  // a better acceleration structure is being built
   bool repeated = false;      // nothing had changed: the picture was there
+  bool averages = false;      // pixels are averages of several rays
   GLenum pendingError =
       GL_NO_ERROR;  // an error of the program's that was found on the way, to be reported to it
   std::string why;  // where it was not traced: one line for the user, who has not been told yet

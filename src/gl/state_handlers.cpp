@@ -173,10 +173,14 @@ uint32_t framebufferBound(Context& c) {
 }
 
 uint32_t imageChanged(Context& c, GLenum target) {
-  c.forgetClear();
+  c.imageSent(target);
   c.imagesChange();
   c.textures().imageChanged(c.real, target);
   return kTexture;
+}
+
+uint32_t imageCopied(Context& c, GLenum target, GLint level, glm::ivec2 offset, const scene::Region& from) {
+  return c.copied(target, level, offset, from);
 }
 
 uint32_t texturesDeleted(Context& c, GLsizei n, const GLuint* names) {

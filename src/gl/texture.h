@@ -27,6 +27,8 @@ class TextureCache {
   /// bound.
   void attached(GLuint name) noexcept;
   void framebufferBound();
+  /// Whether that was ever so of a texture.
+  bool mayBeAttached(GLuint name) const { return forgotten_ || attached_.contains(name); }
   /// What was drawn into textures is finished for other contexts, too.
   void finished();
 

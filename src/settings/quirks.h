@@ -17,6 +17,10 @@ namespace gluray {
     "VTK's anti-aliasing pass (FXAA) costs software OpenGLs more than tracing a frame; it is computed "     \
     "without them, to the same picture",                                                                    \
     "src/render/fxaa_test.cpp, tests/vtk (group effects)")                                                  \
+  X(sppFxaa, "spp-fxaa",                                                                                    \
+    "VTK's anti-aliasing pass (FXAA) blurs pictures whose edges --spp has made smooth already; over "       \
+    "nothing but those it is left out",                                                                     \
+    "tests/reference/smooth_test.cpp")                                                                      \
   X(softwarePut, "software-put",                                                                            \
     "Mesa's llvmpipe takes milliseconds to draw a traced picture with its depth; where a framebuffer "      \
     "object "                                                                                               \

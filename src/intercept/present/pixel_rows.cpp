@@ -32,8 +32,7 @@ HWY_ATTR size_t endOfHits(const float* depth, size_t count) {
   const hn::ScalableTag<float> d;
   const auto farthest = hn::Set(d, 1.0f);
   const size_t step = hn::Lanes(d);
-  while (count >= step &&
-         hn::AllFalse(d, hn::Le(hn::LoadU(d, depth + count - step), farthest)))
+  while (count >= step && hn::AllFalse(d, hn::Le(hn::LoadU(d, depth + count - step), farthest)))
     count -= step;
   while (count > 0 && !(depth[count - 1] <= 1.0f)) --count;
   return count;

@@ -1,5 +1,5 @@
-// Rows of traced pixels, looked at and turned into what framebuffers and windows hold, several pixels at a time
-// (compiled once for each instruction set). Depths are window depths, of misses Image::kMiss.
+// Rows of traced pixels, looked at and turned into what framebuffers and windows hold, several pixels at a
+// time (compiled once for each instruction set). Depths are window depths, of misses Image::kMiss.
 #pragma once
 #include <cstddef>
 #include <cstdint>

@@ -68,8 +68,7 @@ TEST(PixelRows, DepthsOfFloatsKeepTheirBits) {
   const std::vector<float> depths = someDepths(1);
   std::vector<uint32_t> stored(kMost);
   toDepthFloat(depths.data(), kMost, stored.data());
-  for (size_t i = 0; i < kMost; ++i)
-    EXPECT_EQ(stored[i], std::bit_cast<uint32_t>(std::min(depths[i], 1.0f)));
+  for (size_t i = 0; i < kMost; ++i) EXPECT_EQ(stored[i], std::bit_cast<uint32_t>(std::min(depths[i], 1.0f)));
 }
 
 TEST(PixelRows, WindowsShowColorsWhereDepthsAreNear) {

@@ -157,6 +157,7 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
   const double start = nowSeconds();
   if (traced && written(real, *traced, target, pending, why)) {
     result.outcome = PresentResult::traced;
+    result.averages = !traced->image.center.empty();
   } else {
     result.why = why.empty() ? "the picture could not be written back" : std::move(why);
     const PendingErrors more = takeErrors(real);
