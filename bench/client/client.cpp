@@ -2,6 +2,7 @@
 // knows nothing of GLuRay: it draws isosurfaces of the Wavelet with plain OpenGL 1.5 and prints what it
 // measured as a line of JSON.
 #include "bench/client/paths.h"
+#include "bench/client/scene.h"
 #include "bench/client/window.h"
 #include "bench/data/isosurface.h"
 #include "bench/data/mesh_file.h"
@@ -16,7 +17,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <exception>
@@ -63,19 +63,9 @@ MeshPieces makePieces(const Options& options) {
 }
 
 void setState(double distance) {
-  glClearColor(kBackground[0], kBackground[1], kBackground[2], 1);
-  glEnable(GL_DEPTH_TEST);
-  glEnable(GL_LIGHTING);
-  glEnable(GL_LIGHT0);
+  setScene(distance);
   const float diffuse[] = {kDiffuse[0], kDiffuse[1], kDiffuse[2], 1};
   glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, diffuse);
-  const float towardsViewer[] = {0, 0, 1, 0};
-  glLightfv(GL_LIGHT0, GL_POSITION, towardsViewer);
-  glMatrixMode(GL_PROJECTION);
-  const auto [nearest, farthest] = depthRange(distance);
-  const double half = nearest * std::tan(kViewAngle / 2 * M_PI / 180);
-  glFrustum(-half, half, -half, half, nearest, farthest);
-  glMatrixMode(GL_MODELVIEW);
 }
 
 void drawFrame(DrawPath& path, int frame, int frames, double distance) {

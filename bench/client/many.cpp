@@ -1,5 +1,6 @@
 // gluray-bench-many: programs of many small things, by plain OpenGL 1.1: thousands of meshes, a hundred
 // thousand places of one mesh, lists that live for one frame. Prints frame times as a line of JSON.
+#include "bench/client/scene.h"
 #include "bench/client/window.h"
 #include "bench/data/orbit.h"
 #include "bench/data/report.h"
@@ -116,18 +117,6 @@ Kind kindOf(const std::string& name) {
   return {100, kThousand, oneFrameLists};
 }
 
-void setState() {
-  glClearColor(kBackground[0], kBackground[1], kBackground[2], 1);
-  for (const GLenum switched : {GL_DEPTH_TEST, GL_LIGHTING, GL_LIGHT0}) glEnable(switched);
-  const float towardsViewer[] = {0, 0, 1, 0};
-  glLightfv(GL_LIGHT0, GL_POSITION, towardsViewer);
-  glMatrixMode(GL_PROJECTION);
-  const auto [nearest, farthest] = depthRange(kDistance);
-  const double half = nearest * std::tan(kViewAngle / 2 * M_PI / 180);
-  glFrustum(-half, half, -half, half, nearest, farthest);
-  glMatrixMode(GL_MODELVIEW);
-}
-
 void run(const Options& options) {
   const Kind kind = kindOf(options.kind);
   const int count = options.count > 0 ? options.count : kind.count;
@@ -137,7 +126,7 @@ void run(const Options& options) {
                 .renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER)),
                 .triangles = size_t(count) * 2 * size_t(kind.side) * size_t(kind.side - 1),
                 .frameSeconds = {}};
-  setState();
+  setScene(kDistance);
   window.swapAndFinish();
   m.ownBytes = residentBytes().now;
   const Clock::time_point start = Clock::now();

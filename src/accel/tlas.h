@@ -29,6 +29,8 @@ class Tlas {
   /// Makes the structure hold `instances` and nothing else; hits bear indices into it. Does nothing if they
   /// are what it holds. True if it had to build. Throws Error; the next call then builds anew.
   bool update(std::vector<PlacedBlas> instances);
+  /// What it holds; empty where that is not known.
+  const std::vector<PlacedBlas>& held() const { return held_; }
   RTCSceneTy* scene() const { return scene_; }
 
  private:

@@ -25,6 +25,21 @@ bool placeable(const glm::mat4& m) {
   return volume > 1e-6 * glm::length(x) * glm::length(y) * glm::length(z) && volume > 1e-36;
 }
 
+/// Largest size of an element.
+double largest(const glm::dvec3& v) {
+  const glm::dvec3 size = glm::abs(v);
+  return std::max({size.x, size.y, size.z});
+}
+double largest(const glm::dmat3& m) { return std::max({largest(m[0]), largest(m[1]), largest(m[2])}); }
+
+/// Whether all elements of two affine transforms are within `linear` of each other, translations `along`.
+bool isNear(const glm::mat4& a, const glm::mat4& b, double linear, double along) {
+  for (int c = 0; c < 4; ++c)
+    for (int r = 0; r < 3; ++r)
+      if (!(std::abs(double{a[c][r]} - double{b[c][r]}) <= (c < 3 ? linear : along))) return false;
+  return true;
+}
+
 }  // namespace
 
 World::World(size_t idleBudgetBytes, FreeMemory freeMemory)
@@ -52,7 +67,8 @@ UpdateStatistics World::update(const scene::Snapshot& snapshot, Arena& arena) {
       aloneIndex_ = static_cast<uint32_t>(first - placed.begin());
       scene_ = alone_->scene();
     } else if (!empty) {
-      statistics.tlasBuilds = tlas_.update(std::move(placed)) ? 1 : 0;
+      keepPlaces(snapshot, placed);
+      if (tlas_.update(std::move(placed))) statistics.tlasBuilds = 1, apart_ = false;
       scene_ = tlas_.scene();
     }
     cache_.evict();
@@ -97,6 +113,26 @@ std::vector<BlasPtr> World::structures(const std::vector<Geometry>& meshes, BvhQ
   return cache_.get(meshes, quality, true);
 }
 
+/// OpenGL keeps the product of camera and place as floats: turned back into places they differ from frame to
+/// frame by what is rounded, a thousandth of a pixel. Without this, every instance would be placed anew while
+/// the camera moves. All or none: surfaces in one place must not come apart.
+void World::keepPlaces(const scene::Snapshot& snapshot, std::vector<PlacedBlas>& placed) const {
+  constexpr double kRounded = 0x1p-22;  // of the largest element: twice the distance of two floats
+  const std::vector<PlacedBlas>& held = tlas_.held();
+  if (held.size() != placed.size()) return;
+  const double camera = largest(glm::dvec3(snapshot.eyeFromWorld[3]));
+  const double back = 3 * largest(glm::inverse(glm::dmat3(snapshot.eyeFromWorld)));
+  for (size_t i = 0; i < placed.size(); ++i) {
+    if (placed[i] == held[i]) continue;
+    if (placed[i].blas != held[i].blas) return;
+    const glm::dmat4& inEye = snapshot.instances[i].eyeFromObject;
+    const double linear = kRounded * back * largest(glm::dmat3(inEye));
+    const double along = kRounded * back * (camera + largest(glm::dvec3(inEye[3])));
+    if (!isNear(placed[i].worldFromObject, held[i].worldFromObject, linear, along)) return;
+  }
+  placed = held;
+}
+
 void World::readBounds() {
   RTCBounds bounds;
   rtcGetSceneBounds(scene_, &bounds);
@@ -109,8 +145,10 @@ void World::readBounds() {
 void World::readOrder(const scene::Snapshot& snapshot) {
   // Programs draw the points and lines that cells share once for each of them, in colours of their own.
   const auto repeated = [](const scene::Instance& i) { return scene::isSizedInPixels(i.mesh->shape); };
-  mayCoincide_ = coincidence_.possible(snapshot.instances) ||
-                 std::any_of(snapshot.instances.begin(), snapshot.instances.end(), repeated);
+  const bool known = !alone_ && apart_;
+  mayCoincide_ = !known && (coincidence_.possible(snapshot.instances) ||
+                            std::any_of(snapshot.instances.begin(), snapshot.instances.end(), repeated));
+  if (!alone_) apart_ = !mayCoincide_;
   order_.laterWins = snapshot.laterWins;
   order_.ranks.clear();
   if (!mayCoincide_) return;

@@ -74,6 +74,8 @@ class World {
   glm::vec3 upper() const { return upper_; }
 
  private:
+  /// Where no instance has moved further than matrices of floats are rounded, all stay where they are held.
+  void keepPlaces(const scene::Snapshot& snapshot, std::vector<PlacedBlas>& placed) const;
   std::vector<PlacedBlas> place(const scene::Snapshot&);
   std::vector<BlasPtr> structures(const std::vector<Geometry>&, BvhQuality);
   void ask(QueryState&, bool filtered, const int32_t* valid, RayPacket&, const FigureQuery*) const noexcept;
@@ -89,6 +91,7 @@ class World {
   uint32_t aloneIndex_ = 0;
   Coincidence coincidence_;
   bool mayCoincide_ = false;  // some triangles may: hits are compared, which costs time
+  bool apart_ = false;        // none of what the top level holds may
   DrawOrder order_;
   std::vector<PlacedFigures> figures_;  // by instance; empty where all are triangles
   bool hasPixelFigures_ = false;        // some of them have a size in pixels

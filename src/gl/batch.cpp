@@ -40,13 +40,14 @@ BatchKey Batch::keyOf(const State& state) {
 void Batch::start(const BatchKey& key, const State& state, const Settings& settings, uint64_t frame) {
   key_ = key;
   instancesAt_.clear();
-  snapshot_ = std::make_shared<scene::Snapshot>();
+  snapshot_ = memory_.make();
   snapshot_->frame = frame;
   snapshot_->settings = settings;
   snapshot_->camera = {state.projection, state.viewport, state.depthNear, state.depthFar};
   // Windows are counted from the top; that the viewport reaches it is a guess that hardly matters.
   if (key.framebuffer == 0) snapshot_->camera.rowsFromTop = state.viewport.y + state.viewport.w;
   snapshot_->eyeFromWorld = state.modelview;
+  worldFromEye_ = glm::inverse(state.modelview);
   snapshot_->region = key.region;
   snapshot_->polygonOffset = key.offset;
   snapshot_->wideColors = state.target.wideColors;
@@ -64,7 +65,9 @@ void Batch::start(const BatchKey& key, const State& state, const Settings& setti
 void Batch::resume(const BatchKey& key, const scene::Snapshot& taken) {
   key_ = key;
   instancesAt_.clear();
-  snapshot_ = std::make_shared<scene::Snapshot>(taken);
+  snapshot_ = memory_.make();
+  *snapshot_ = taken;
+  worldFromEye_ = glm::inverse(taken.eyeFromWorld);
   drawn_ = static_cast<uint32_t>(taken.instances.size());
 }
 
@@ -92,7 +95,7 @@ void Batch::add(scene::Instance instance, scene::Shading shading) {
   instance.order = drawn_++;
   instance.worldFromObject = instance.eyeFromObject == s.eyeFromWorld
                                  ? glm::mat4(1)
-                                 : glm::mat4(glm::inverse(s.eyeFromWorld) * instance.eyeFromObject);
+                                 : glm::mat4(worldFromEye_ * instance.eyeFromObject);
   // By place too: programs draw the same geometry thousands of times.
   const glm::dmat4 matrix = instance.eyeFromObject + 0.0;  // -0 is 0
   const Hash128 place = hashBytes(&matrix, sizeof matrix, instance.mesh->geometryId);

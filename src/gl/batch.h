@@ -1,10 +1,12 @@
 // Draws that wait to be traced together: one framebuffer, one camera, one depth state. GL thread.
 #pragma once
 #include "gl/programs/program_draw.h"
+#include "gl/snapshot_memory.h"
 #include "gl/state.h"
 #include "scene/snapshot.h"
 
 #include <memory>
+#include <memory_resource>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -63,10 +65,13 @@ class Batch {
 
  private:
   std::shared_ptr<scene::Snapshot> snapshot_;
+  glm::dmat4 worldFromEye_{1};  // of that
   BatchKey key_;
   std::vector<ProgramDraw> programDraws_;
   uint32_t drawn_ = 0;  // instances added, those that were replaced included
-  std::unordered_multimap<Hash128, size_t> instancesAt_;  // geometry and its place -> instances
+  SnapshotMemory memory_;
+  std::pmr::unsynchronized_pool_resource blocks_;  // thousands of small ones a frame, again and again
+  std::pmr::unordered_multimap<Hash128, size_t> instancesAt_{&blocks_};  // geometry and place -> instances
 };
 
 }  // namespace gluray::gl

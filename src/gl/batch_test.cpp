@@ -22,15 +22,13 @@ State stateWith(GLenum depthFunc) {
   return state;
 }
 
-Batch started(const State& state) {
-  Batch batch;
-  batch.start(Batch::keyOf(state), state, {}, 1);
-  return batch;
-}
+struct Started : Batch {
+  explicit Started(const State& state) { start(keyOf(state), state, {}, 1); }
+};
 
 TEST(Batch, LaterOfTwoEqualSurfacesWinsUnderLequalAndEarlierUnderLess) {
   for (const GLenum func : {GL_LEQUAL, GL_LESS}) {
-    Batch batch = started(stateWith(func));
+    Started batch(stateWith(func));
     scene::Instance first = instanceOf(1), second = instanceOf(1);
     first.color = {1, 0, 0, 1}, second.color = {0, 1, 0, 1};
     batch.add(first, {});
@@ -43,7 +41,7 @@ TEST(Batch, LaterOfTwoEqualSurfacesWinsUnderLequalAndEarlierUnderLess) {
 }
 
 TEST(Batch, EqualMeshesInOtherPlacesAreInstances) {
-  Batch batch = started(stateWith(GL_LESS));
+  Started batch(stateWith(GL_LESS));
   batch.add(instanceOf(1, 0), {});
   batch.add(instanceOf(1, 5), {});
   const auto snapshot = batch.take();
@@ -55,7 +53,7 @@ TEST(Batch, EqualMeshesInOtherPlacesAreInstances) {
 }
 
 TEST(Batch, SharesEqualShadings) {
-  Batch batch = started(stateWith(GL_LESS));
+  Started batch(stateWith(GL_LESS));
   scene::Shading lit;
   lit.lighting = true;
   batch.add(instanceOf(1), {});

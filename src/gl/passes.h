@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <memory_resource>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -83,8 +84,9 @@ class Passes {
   void remember(const Hash128& geometry);
   const VertexSet& verticesOf(const scene::Mesh& mesh);
 
-  std::unordered_multimap<Hash128, Surface> surfaces_;  // by matrix
-  bool rasterised_ = false;                             // some of them were
+  std::pmr::unsynchronized_pool_resource blocks_;  // thousands of small ones a frame, again and again
+  std::pmr::unordered_multimap<Hash128, Surface> surfaces_{&blocks_};  // by matrix
+  bool rasterised_ = false;                                            // some of them were
   uint64_t layer_ = 0;
   std::unordered_map<Hash128, uint64_t> metIn_;  // geometry -> last layer in which a pass met it
   std::unordered_map<Hash128, std::unique_ptr<VertexSet>> vertices_;  // by geometry
