@@ -13,21 +13,6 @@
 namespace gluray::accel {
 namespace {
 
-void checkArrays(const scene::Mesh& mesh) {
-  const auto misaligned = [](const scene::Attribute& a) {
-    return reinterpret_cast<uintptr_t>(a.data) % 4 != 0 || a.stride % 4 != 0;
-  };
-  if (!mesh.positions || mesh.positions.format != scene::Format::float3 || misaligned(mesh.positions)) {
-    throw Error("a mesh has positions that are not three aligned floats");
-  }
-  if (mesh.indices && (mesh.indices.stride != 4 || misaligned(mesh.indices))) {
-    throw Error("a mesh has indices that are not tightly packed");
-  }
-  if (!mesh.indices && uint64_t{mesh.triangleCount} * scene::cornersOf(mesh.shape) > mesh.vertexCount) {
-    throw Error("a mesh has fewer vertices than its primitives need");
-  }
-}
-
 // Robust: rays through shared edges never slip between triangles, as no pixel of a closed surface is left out
 // by OpenGL.
 RTCSceneFlags sceneFlags(BvhQuality quality) {
@@ -47,6 +32,21 @@ void figureBounds(const RTCBoundsFunctionArguments* arguments) {
 }
 
 }  // namespace
+
+void checkArrays(const scene::Mesh& mesh) {
+  const auto misaligned = [](const scene::Attribute& a) {
+    return reinterpret_cast<uintptr_t>(a.data) % 4 != 0 || a.stride % 4 != 0;
+  };
+  if (!mesh.positions || mesh.positions.format != scene::Format::float3 || misaligned(mesh.positions)) {
+    throw Error("a mesh has positions that are not three aligned floats");
+  }
+  if (mesh.indices && (mesh.indices.stride != 4 || misaligned(mesh.indices))) {
+    throw Error("a mesh has indices that are not tightly packed");
+  }
+  if (!mesh.indices && uint64_t{mesh.triangleCount} * scene::cornersOf(mesh.shape) > mesh.vertexCount) {
+    throw Error("a mesh has fewer vertices than its primitives need");
+  }
+}
 
 Hash128 Geometry::id() const {
   if (mesh->shape == scene::Shape::triangles) return mesh->geometryId;
@@ -121,7 +121,8 @@ Blas::Blas(const Device& device, IotaIndices& iota, const Geometry& of, BvhQuali
   rtcSetSceneFlags(scene_, toRefit ? sceneFlags(quality) | RTC_SCENE_FLAG_DYNAMIC : sceneFlags(quality));
   RTCGeometry geometry = nullptr;
   if (mesh.shape != scene::Shape::triangles) geometry = figures(of);
-  if (!geometry && quality == BvhQuality::least) geometry = clusters(mesh);
+  if (!geometry && quality == BvhQuality::least) geometry = clusters(mesh, Clusters::Aim::memory);
+  if (!geometry && quality == BvhQuality::fast && !toRefit) geometry = clusters(mesh, Clusters::Aim::speed);
   if (!geometry) geometry = triangles(iota, mesh);
   rtcSetGeometryBuildQuality(geometry, toRefit ? RTC_BUILD_QUALITY_REFIT : rtcQuality);
   rtcCommitGeometry(geometry);
@@ -170,10 +171,11 @@ RTCGeometryTy* Blas::figures(const Geometry& of) {
   return geometry;
 }
 
-RTCGeometryTy* Blas::clusters(const scene::Mesh& mesh) {
-  auto clusters = std::make_unique<Clusters>(mesh);
+RTCGeometryTy* Blas::clusters(const scene::Mesh& mesh, Clusters::Aim aim) {
+  auto clusters = std::make_unique<Clusters>(mesh, aim);
   if (!clusters->pay()) return nullptr;
   clusters_ = std::move(clusters);
+  indexData_ = mesh.indices.data;
   if (mesh.indices) pinnedBytes_ += static_cast<size_t>(mesh.triangleCount) * 12;
   RTCGeometry geometry = rtcNewGeometry(device_.handle(), RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryUserPrimitiveCount(geometry, clusters_->count());
@@ -190,6 +192,7 @@ void Blas::commit() {
     const CommitScope scope;
     rtcCommitScene(scene_);
   }
+  if (clusters_) clusters_->forgetBoxes();
   device_.check("the acceleration structure of a mesh cannot be built");
 }
 

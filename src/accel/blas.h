@@ -27,6 +27,9 @@ struct Geometry {
   Hash128 id() const;
 };
 
+/// Throws Error where the arrays of a mesh cannot be read in place.
+void checkArrays(const scene::Mesh&);
+
 class Blas;
 using BlasPtr = std::shared_ptr<Blas>;
 
@@ -71,7 +74,7 @@ class Blas {
   RTCGeometryTy* triangles(IotaIndices&, const scene::Mesh&);
   RTCGeometryTy* figures(const Geometry&);
   /// Null where clusters do not pay.
-  RTCGeometryTy* clusters(const scene::Mesh&);
+  RTCGeometryTy* clusters(const scene::Mesh&, Clusters::Aim);
 
   const Device& device_;
   RTCSceneTy* scene_ = nullptr;

@@ -1,12 +1,14 @@
 #include "accel/blas_cache.h"
 
 #include "accel/arena.h"
+#include "accel/clusters.h"
 #include "accel/huge_pages.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <numeric>
+#include <unordered_set>
 #include <utility>
 
 namespace gluray::accel {
@@ -58,7 +60,7 @@ std::vector<BlasPtr> BlasCache::get(const std::vector<Geometry>& wanted, BvhQual
   std::vector<BlasPtr> result(wanted.size());
   std::vector<std::pair<Key, Entry>> coming;
   std::unordered_map<Key, BlasPtr, KeyHash> started;
-  uint64_t waiting = 0;
+  Waiting waiting;
   for (size_t i = 0; i < wanted.size(); ++i) {
     const scene::Mesh& mesh = *wanted[i].mesh;
     if (mesh.triangleCount == 0) continue;
@@ -71,7 +73,7 @@ std::vector<BlasPtr> BlasCache::get(const std::vector<Geometry>& wanted, BvhQual
     }
     BlasPtr& blas = started[key];
     if (!blas) {
-      if (started.size() == 1) waiting = trianglesWaiting(wanted, quality);
+      if (started.size() == 1) waiting = waitingOf(wanted, quality);
       BvhQuality first = thrifty ? thriftyQuality(quality, mesh.triangleCount)
                                  : firstQuality(quality, mesh.triangleCount, waiting, freeMemory_);
       const bool roomy = first == BvhQuality::fast || first == BvhQuality::full;
@@ -135,14 +137,18 @@ BlasPtr BlasCache::deformed(const Geometry& geometry, const std::vector<Geometry
   return adjusted;
 }
 
-uint64_t BlasCache::trianglesWaiting(const std::vector<Geometry>& wanted, BvhQuality quality) const {
-  std::unordered_map<Key, uint32_t, KeyHash> waiting;
+Waiting BlasCache::waitingOf(const std::vector<Geometry>& wanted, BvhQuality quality) const {
+  std::unordered_set<Key, KeyHash> counted;
+  Waiting waiting;
   for (const Geometry& geometry : wanted) {
     const Key key{geometry.id(), quality};
-    if (!entries_.contains(key)) waiting[key] = geometry.mesh->triangleCount;
+    if (geometry.mesh->triangleCount == 0 || entries_.contains(key) || !counted.insert(key).second) continue;
+    checkArrays(*geometry.mesh);
+    waiting.triangles += geometry.mesh->triangleCount;
+    if (Clusters::likely(*geometry.mesh, Clusters::Aim::speed))
+      waiting.inRuns += geometry.mesh->triangleCount;
   }
-  return std::accumulate(waiting.begin(), waiting.end(), uint64_t{0},
-                         [](uint64_t sum, const auto& mesh) { return sum + mesh.second; });
+  return waiting;
 }
 
 void BlasCache::build(std::vector<std::pair<Key, Entry>>& coming) {

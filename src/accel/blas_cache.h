@@ -59,7 +59,7 @@ class BlasCache {
   };
   bool evictDownTo(size_t bytes);
   BlasPtr use(Entry& entry);
-  uint64_t trianglesWaiting(const std::vector<Geometry>& wanted, BvhQuality) const;
+  Waiting waitingOf(const std::vector<Geometry>& wanted, BvhQuality) const;
   void build(std::vector<std::pair<Key, Entry>>& coming);
   using Entries = std::unordered_map<Key, Entry, KeyHash>;
   Entries::iterator formerOf(const scene::Mesh&, const std::vector<Geometry>& wanted, BvhQuality);

@@ -6,7 +6,7 @@ namespace gluray::accel {
 namespace {
 
 // Bytes a triangle at the moment of greatest need, measured on isosurfaces of 1 to 64 million triangles.
-constexpr size_t kFastBytes = 100, kFullBytes = 110, kCompactBytes = 42;
+constexpr size_t kFastBytes = 100, kRunBytes = 56, kFullBytes = 110, kCompactBytes = 42;
 // The rest of the process and the machine needs some memory too.
 constexpr size_t kReserve = size_t{256} << 20;
 // Two threads build this many in 20 ms as full and in 5 ms as fast: below it nobody sees the difference.
@@ -16,14 +16,16 @@ constexpr uint64_t kSmall = 20'000;
 
 }  // namespace
 
-BvhQuality firstQuality(BvhQuality wanted, uint64_t triangles, uint64_t waiting, FreeMemory freeMemory) {
+BvhQuality firstQuality(BvhQuality wanted, uint64_t triangles, const Waiting& waiting,
+                        FreeMemory freeMemory) {
   if (wanted != BvhQuality::automatic) return wanted;
-  if (waiting < kMuch || triangles < kSmall) return BvhQuality::full;
+  if (waiting.triangles < kMuch || triangles < kSmall) return BvhQuality::full;
   const size_t free = freeMemory(), room = (free - std::min(free, kReserve)) / 2;
+  const uint64_t fast = waiting.inRuns * kRunBytes + (waiting.triangles - waiting.inRuns) * kFastBytes;
   // Better structures are built one after the other, each beside all the fast ones.
-  if (room >= waiting * kFastBytes + triangles * kFullBytes) return BvhQuality::fast;
-  if (room >= waiting * kFullBytes) return BvhQuality::full;
-  return room >= waiting * kCompactBytes ? BvhQuality::compact : BvhQuality::least;
+  if (room >= fast + triangles * kFullBytes) return BvhQuality::fast;
+  if (room >= waiting.triangles * kFullBytes) return BvhQuality::full;
+  return room >= waiting.triangles * kCompactBytes ? BvhQuality::compact : BvhQuality::least;
 }
 
 BvhQuality thriftyQuality(BvhQuality wanted, uint64_t triangles) {

@@ -10,12 +10,18 @@ namespace gluray::accel {
 /// Bytes that may still be allocated. Asking takes some 0.1 ms.
 using FreeMemory = size_t (*)();
 
+/// What waits for structures of its own.
+struct Waiting {
+  uint64_t triangles = 0;
+  uint64_t inRuns = 0;  // of those, in meshes that fast structures hold as runs (clusters.h)
+};
+
 /// Quality of the structure that a mesh of `triangles` gets for its first picture when the user wants
-/// `wanted` and `waiting` triangles, these included, wait for structures of their own. For `automatic`, half
+/// `wanted` and `waiting`, this mesh included, waits. For `automatic`, half
 /// of the free memory may be taken, the rest being the program's: much geometry is built fast where the
 /// better structures fit beside the fast ones, otherwise as the best that fits, in the end as runs of
 /// triangles (clusters.h).
-BvhQuality firstQuality(BvhQuality wanted, uint64_t triangles, uint64_t waiting, FreeMemory freeMemory);
+BvhQuality firstQuality(BvhQuality wanted, uint64_t triangles, const Waiting& waiting, FreeMemory freeMemory);
 
 /// The same where an attempt has run out of memory.
 BvhQuality thriftyQuality(BvhQuality wanted, uint64_t triangles);

@@ -82,20 +82,22 @@ struct OddTriangles final : HitFilter {
   }
 };
 
-struct ClustersTest : testing::Test {
+struct ClustersTest : testing::TestWithParam<BvhQuality> {
   Arena arena{2};
   World clusters, triangles;
+  const Clusters::Aim aim = GetParam() == BvhQuality::fast ? Clusters::Aim::speed : Clusters::Aim::memory;
   alignas(64) int32_t valid[kLanes];
   int hits = 0;
 
   ClustersTest() { std::fill_n(valid, kLanes, -1); }
 
   void show(scene::Snapshot snapshot) {
-    snapshot.settings.bvh = BvhQuality::least;
+    snapshot.settings.bvh = GetParam();
     clusters.update(snapshot, arena);
     snapshot.settings.bvh = BvhQuality::compact;
     triangles.update(snapshot, arena);
-    for (const scene::Instance& instance : snapshot.instances) EXPECT_TRUE(Clusters(*instance.mesh).pay());
+    for (const scene::Instance& instance : snapshot.instances)
+      EXPECT_TRUE(Clusters(*instance.mesh, aim).pay());
   }
 
   void compare(const HitFilter* filter) {
@@ -123,16 +125,21 @@ struct ClustersTest : testing::Test {
   }
 };
 
-TEST_F(ClustersTest, HoldEveryTriangleOnce) {
+TEST_P(ClustersTest, HoldEveryTriangleOnce) {
   const auto mesh = makeMesh(sheets());
-  const Clusters clusters(*mesh);
+  const Clusters clusters(*mesh, aim);
   EXPECT_TRUE(clusters.pay());
+  EXPECT_TRUE(Clusters::likely(*mesh, aim));
+  Clusters computed(*mesh, aim);
+  computed.forgetBoxes();
   EXPECT_EQ(clusters.first(0), 0u);
   EXPECT_EQ(clusters.first(clusters.count()), mesh->triangleCount);
   for (uint32_t c = 0; c < clusters.count(); ++c) {
-    const Box box = clusters.boxOf(c);
+    const Box box = clusters.boxOf(c), again = computed.boxOf(c);
+    ASSERT_EQ(box.lower, again.lower);
+    ASSERT_EQ(box.upper, again.upper);
     ASSERT_LT(clusters.first(c), clusters.first(c + 1));
-    ASSERT_LE(clusters.first(c + 1) - clusters.first(c), Clusters::kMost);
+    ASSERT_LE(clusters.first(c + 1) - clusters.first(c), 8u);
     for (uint32_t t = clusters.first(c); t < clusters.first(c + 1); ++t)
       for (uint32_t k = 0; k < 3; ++k) {
         const glm::vec3 p = mesh->position(mesh->corner(t, k));
@@ -141,22 +148,23 @@ TEST_F(ClustersTest, HoldEveryTriangleOnce) {
   }
 }
 
-TEST_F(ClustersTest, NeighboursFarApartStayApart) {
-  const Clusters clusters(*makeMesh(shuffled(sheets())));
-  EXPECT_FALSE(clusters.pay());
+TEST_P(ClustersTest, NeighboursFarApartStayApart) {
+  const auto mesh = makeMesh(shuffled(sheets()));
+  EXPECT_FALSE(Clusters(*mesh, aim).pay());
+  EXPECT_FALSE(Clusters::likely(*mesh, aim));
 }
 
-TEST_F(ClustersTest, FindWhatTrianglesFind) {
+TEST_P(ClustersTest, FindWhatTrianglesFind) {
   show(makeSnapshot({makeMesh(sheets())}));
   compare(nullptr);
 }
 
-TEST_F(ClustersTest, FindItInSoup) {
+TEST_P(ClustersTest, FindItInSoup) {
   show(makeSnapshot({makeMesh(soupOf(sheets()))}));
   compare(nullptr);
 }
 
-TEST_F(ClustersTest, FindItInMovedInstances) {
+TEST_P(ClustersTest, FindItInMovedInstances) {
   const auto mesh = makeMesh(sheets());
   auto snapshot = makeSnapshot({mesh, mesh});
   snapshot.instances[1].worldFromObject[3] = {0.3f, 0.1f, 0.05f, 1};
@@ -164,13 +172,13 @@ TEST_F(ClustersTest, FindItInMovedInstances) {
   compare(nullptr);
 }
 
-TEST_F(ClustersTest, AskTheFilter) {
+TEST_P(ClustersTest, AskTheFilter) {
   show(makeSnapshot({makeMesh(sheets())}));
   const OddTriangles odd;
   compare(&odd);
 }
 
-TEST_F(ClustersTest, LeaveTheSameOfCoincidingTriangles) {
+TEST_P(ClustersTest, LeaveTheSameOfCoincidingTriangles) {
   const auto mesh = makeMesh(sheets());
   auto snapshot = makeSnapshot({mesh, mesh});
   snapshot.instances[1].order = 1;
@@ -182,7 +190,7 @@ TEST_F(ClustersTest, LeaveTheSameOfCoincidingTriangles) {
   }
 }
 
-TEST_F(ClustersTest, FindAllHitsOfARay) {
+TEST_P(ClustersTest, FindAllHitsOfARay) {
   show(makeSnapshot({makeMesh(sheets())}));
   int found = 0;
   for (uint32_t number = 0; number < 200; ++number) {
@@ -199,14 +207,14 @@ TEST_F(ClustersTest, FindAllHitsOfARay) {
   EXPECT_GT(found, 4000);
 }
 
-TEST_F(ClustersTest, TrianglesThatAreNotFiniteAreLeftOut) {
+TEST_P(ClustersTest, TrianglesThatAreNotFiniteAreLeftOut) {
   MeshData data = sheets();
   for (size_t i = 7; i < data.positions.size() / 2; i += 50) data.positions[i].z = i % 2 ? NAN : INFINITY;
   show(makeSnapshot({makeMesh(data)}));
   compare(nullptr);
 }
 
-TEST_F(ClustersTest, TakeThePlaceOfWhatDoesNotFitIntoMemory) {
+TEST_P(ClustersTest, TakeThePlaceOfWhatDoesNotFitIntoMemory) {
   MeshData data;
   for (int copy = 0; copy < 2; ++copy) {  // 32,768 triangles
     const MeshData part = sheets();
@@ -238,6 +246,11 @@ TEST_F(ClustersTest, TakeThePlaceOfWhatDoesNotFitIntoMemory) {
         std::any_of(packet.geometry, packet.geometry + kLanes, [](uint32_t g) { return g != kNoHit; }));
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Structures, ClustersTest, testing::Values(BvhQuality::least, BvhQuality::fast),
+                         [](const auto& quality) {
+                           return quality.param == BvhQuality::least ? "least" : "fast";
+                         });
 
 }  // namespace
 }  // namespace gluray::accel

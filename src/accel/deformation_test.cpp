@@ -78,11 +78,13 @@ struct DeformationTest : testing::TestWithParam<bool> {
   Arena arena{2};
   World world;
   uint64_t refits = 0, builds = 0;
+  BvhQuality bvh = BvhQuality::automatic;
 
   /// Rays hit the same as in a world that has seen nothing else.
   void expectTrue(const MeshData& data, glm::mat4 place = glm::mat4(1)) {
     auto snapshot = makeSnapshot({makeMesh(data)});
     snapshot.instances[0].worldFromObject = place;
+    snapshot.settings.bvh = bvh;
     const UpdateStatistics statistics = world.update(snapshot, arena);
     refits += statistics.blasRefits, builds += statistics.blasBuilds;
     World fresh;
@@ -95,6 +97,13 @@ TEST_P(DeformationTest, MovingSheetsAreAdjusted) {
   for (int i = 0; i < 12; ++i) expectTrue(sheet(0.2f * static_cast<float>(i), GetParam()));
   EXPECT_EQ(refits, 8u);  // one mesh, two that may have been all, one that is built to be adjusted
   EXPECT_EQ(builds, 12u);
+}
+
+TEST_P(DeformationTest, FastStructuresOfRunsGiveWayToAdjustedOnes) {
+  bvh = BvhQuality::fast;
+  EXPECT_TRUE(Clusters(*makeMesh(sheet(0, GetParam())), Clusters::Aim::speed).pay());
+  for (int i = 0; i < 12; ++i) expectTrue(sheet(0.2f * static_cast<float>(i), GetParam()));
+  EXPECT_EQ(refits, 8u);
 }
 
 TEST_P(DeformationTest, UnderATransformToo) {

@@ -56,20 +56,24 @@ size_t plenty() { return size_t{1} << 40; }
 
 TEST(BuildPlan, TheUsersWishComesFirst) {
   for (const BvhQuality wish : {BvhQuality::fast, BvhQuality::full, BvhQuality::compact, BvhQuality::least})
-    EXPECT_EQ(firstQuality(wish, 5'000'000, 5'000'000, none), wish);
+    EXPECT_EQ(firstQuality(wish, 5'000'000, {5'000'000, 0}, none), wish);
 }
 
 TEST(BuildPlan, AutomaticLooksAtSizeAndMemory) {
-  constexpr auto kAuto = BvhQuality::automatic;
-  EXPECT_EQ(firstQuality(kAuto, 5'000, 5'000, plenty), BvhQuality::full);
-  EXPECT_EQ(firstQuality(kAuto, 5'000, 5'000'000, plenty), BvhQuality::full);
-  EXPECT_EQ(firstQuality(kAuto, 50'000, 5'000'000, plenty), BvhQuality::fast);
-  EXPECT_EQ(firstQuality(kAuto, 1'500'000, 1'500'000, oneGigabyte), BvhQuality::fast);
-  EXPECT_EQ(firstQuality(kAuto, 3'000'000, 3'000'000, oneGigabyte), BvhQuality::full);
-  EXPECT_EQ(firstQuality(kAuto, 9'000'000, 9'000'000, oneGigabyte), BvhQuality::compact);
-  EXPECT_EQ(firstQuality(kAuto, 12'000'000, 12'000'000, oneGigabyte), BvhQuality::least);
-  EXPECT_EQ(firstQuality(kAuto, 5'000'000, 5'000'000, none), BvhQuality::least);
-  EXPECT_EQ(firstQuality(kAuto, 5'000, 5'000'000, none), BvhQuality::full);
+  const auto first = [](uint64_t triangles, uint64_t waiting, FreeMemory memory, bool runs = false) {
+    return firstQuality(BvhQuality::automatic, triangles, {waiting, runs ? waiting : 0}, memory);
+  };
+  EXPECT_EQ(first(5'000, 5'000, plenty), BvhQuality::full);
+  EXPECT_EQ(first(5'000, 5'000'000, plenty), BvhQuality::full);
+  EXPECT_EQ(first(50'000, 5'000'000, plenty), BvhQuality::fast);
+  EXPECT_EQ(first(1'500'000, 1'500'000, oneGigabyte), BvhQuality::fast);
+  EXPECT_EQ(first(2'400'000, 2'400'000, oneGigabyte), BvhQuality::full);
+  EXPECT_EQ(first(2'400'000, 2'400'000, oneGigabyte, true), BvhQuality::fast);
+  EXPECT_EQ(first(3'000'000, 3'000'000, oneGigabyte, true), BvhQuality::full);
+  EXPECT_EQ(first(9'000'000, 9'000'000, oneGigabyte), BvhQuality::compact);
+  EXPECT_EQ(first(12'000'000, 12'000'000, oneGigabyte), BvhQuality::least);
+  EXPECT_EQ(first(5'000'000, 5'000'000, none), BvhQuality::least);
+  EXPECT_EQ(first(5'000, 5'000'000, none), BvhQuality::full);
 }
 
 TEST(BuildPlan, ThriftIsForWhatIsLarge) {

@@ -6,8 +6,11 @@
 namespace gluray::gl {
 namespace {
 
-constexpr uint32_t kPairs = 1u << 16;  // half a megabyte, which stays in the caches
+constexpr uint32_t kPairs = 1u << 16;  // a megabyte, which stays in the caches
 constexpr uint32_t kNone = ~0u;
+
+uint32_t pairOf(uint64_t hash) { return static_cast<uint32_t>(hash >> 40) & (kPairs - 1); }
+uint32_t tagOf(uint64_t hash) { return static_cast<uint32_t>(hash); }
 
 /// S: floats a vertex, or 0 where only `stride` knows.
 template <uint32_t S>
@@ -17,7 +20,7 @@ struct Vertices {
   uint32_t floats() const { return S ? S : stride; }
   float* operator[](uint32_t i) const { return data + size_t{i} * floats(); }
 
-  uint32_t hash(const float* v) const {
+  uint64_t hash(const float* v) const {
     uint64_t h = 0x9E3779B97F4A7C15ull;
     uint32_t i = 0;
     for (; i + 2 <= floats(); i += 2) {
@@ -31,37 +34,53 @@ struct Vertices {
       std::memcpy(&last, v + i, sizeof last);
       h = (h ^ last) * 0xD6E8FEB86659FD93ull;
     }
-    return static_cast<uint32_t>(h >> 40) & (kPairs - 1);
+    return h;
+  }
+  void fetch(uint32_t i) const {
+    const float* v = (*this)[i];
+    __builtin_prefetch(v);
+    __builtin_prefetch(v + floats() - 1);
   }
   bool equal(const float* a, const float* b) const {
     return std::memcmp(a, b, floats() * sizeof(float)) == 0;
   }
 };
 
+/// The vertices that an entry tells of are far apart in memory: tables and vertices are fetched for many
+/// vertices at a time, and vertices are looked at only where tags are equal.
 template <uint32_t S>
-uint32_t weldInto(uint32_t* table, const Vertices<S>& vertices, uint32_t kept, uint32_t end,
+uint32_t weldInto(WeldEntry* table, const Vertices<S>& vertices, uint32_t kept, uint32_t end,
                   uint32_t* index) {
-  constexpr uint32_t kAhead = 16;  // vertices whose table entries are fetched in advance
-  uint32_t pairs[kAhead];
+  constexpr uint32_t kAhead = 32;  // vertices
+  uint64_t hashes[kAhead];
   const uint32_t first = kept;
   for (uint32_t start = first; start < end; start += kAhead) {
     const uint32_t count = std::min(kAhead, end - start);
     for (uint32_t k = 0; k < count; ++k) {
-      pairs[k] = 2 * vertices.hash(vertices[start + k]);
-      __builtin_prefetch(table + pairs[k]);
+      hashes[k] = vertices.hash(vertices[start + k]);
+      __builtin_prefetch(table + 2 * pairOf(hashes[k]));
+    }
+    for (uint32_t k = 0; k < count; ++k) {
+      const WeldEntry* pair = table + 2 * pairOf(hashes[k]);
+      for (const WeldEntry* entry : {pair, pair + 1})
+        if (entry->tag == tagOf(hashes[k]) && entry->vertex != kNone) vertices.fetch(entry->vertex);
     }
     for (uint32_t k = 0; k < count; ++k) {
       const float* v = vertices[start + k];
-      uint32_t* pair = table + pairs[k];
-      if (pair[0] != kNone && vertices.equal(vertices[pair[0]], v)) {
-      } else if (pair[1] != kNone && vertices.equal(vertices[pair[1]], v)) {
+      const uint32_t tag = tagOf(hashes[k]);
+      WeldEntry* pair = table + 2 * pairOf(hashes[k]);
+      const auto holds = [&](const WeldEntry& entry) {
+        return entry.tag == tag && entry.vertex != kNone && vertices.equal(vertices[entry.vertex], v);
+      };
+      if (holds(pair[0])) {
+      } else if (holds(pair[1])) {
         std::swap(pair[0], pair[1]);
       } else {
         if (kept != start + k) std::memcpy(vertices[kept], v, vertices.floats() * sizeof(float));
         pair[1] = pair[0];
-        pair[0] = kept++;
+        pair[0] = {kept++, tag};
       }
-      *index++ = pair[0];
+      *index++ = pair[0].vertex;
     }
   }
   return kept;
@@ -73,7 +92,7 @@ uint32_t StreamWelder::weld(float* vertices, uint32_t stride, uint32_t kept, uin
                             GrowingArray<uint32_t>& indices) {
   if (table_.empty()) {
     table_.resize(2 * kPairs);
-    std::fill(table_.begin(), table_.end(), kNone);
+    std::fill(table_.begin(), table_.end(), WeldEntry{kNone, 0});
   }
   const size_t before = indices.size();
   indices.grow(before + (end - kept));

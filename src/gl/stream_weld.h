@@ -6,6 +6,11 @@
 
 namespace gluray::gl {
 
+/// A vertex that was kept, and bits of its hash.
+struct WeldEntry {
+  uint32_t vertex, tag;
+};
+
 /// Remembers the vertices kept lately. Those that come again within some ten thousand others are always
 /// found where meshes are sent in any order that keeps neighbours near each other.
 class StreamWelder {
@@ -19,7 +24,7 @@ class StreamWelder {
   void forget() { table_.release(); }
 
  private:
-  GrowingArray<uint32_t> table_;  // pairs of vertex numbers, the one used last first
+  GrowingArray<WeldEntry> table_;  // in pairs, the one used last first
 };
 
 }  // namespace gluray::gl
