@@ -61,9 +61,7 @@ class Suite:
         self.gluray = options.build / "apps" / "gluray" / "gluray"
         self.gluray_options = ["--threads", str(options.threads), "--bvh", options.bvh]
         self.environment = {"DISPLAY": display_name, "LP_NUM_THREADS": str(options.threads)}
-        for program in [self.client, self.bare] + ([] if options.no_gluray else [self.gluray]):
-            if not program.exists():
-                raise programs.Failed(f"{program} is missing: run scripts/build release first")
+        programs.require(self.client, self.bare, *([] if options.no_gluray else [self.gluray]))
 
     def measure_gl(self, size, path):
         frames = 6 if self.options.quick else GL_FRAMES.get(size, 20)

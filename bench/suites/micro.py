@@ -81,9 +81,7 @@ def print_table(rows):
 def run(options, argv):
     folder = options.build / "bench" / "micro"
     gluray = options.build / "apps" / "gluray" / "gluray"
-    for program in (folder / "gluray-bench-micro", folder / "gluray-bench-door", gluray):
-        if not program.exists():
-            raise programs.Failed(f"{program} is missing: run scripts/build release first")
+    programs.require(folder / "gluray-bench-micro", folder / "gluray-bench-door", gluray)
     result = {"suite": "micro", "command": ("scripts/bench micro " + shlex.join(argv)).strip(), **machine.describe(ROOT), "rows": []}
     with display(own=options.xvfb) as name:
         environment = {"DISPLAY": name, "LP_NUM_THREADS": str(options.threads)}

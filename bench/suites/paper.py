@@ -177,9 +177,7 @@ def publish(options, result):
 def prepare(options, display_name):
     """(engines, their names, rows, lines about what is left out, the GPU's name or why there is none, bytes of memory)."""
     engine_set = engines.Engines(options, display_name, options.work / "data")
-    for file in engine_set.needed():
-        if not file.exists():
-            raise programs.Failed(f"{file} is missing: run scripts/build release first")
+    programs.require(*engine_set.needed())
     names, gpu = list(options.engines), "not asked for"
     if "gpu" in names:
         renderer, why = engines.gpu_renderer(display_name)

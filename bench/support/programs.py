@@ -3,6 +3,7 @@ import contextlib
 import json
 import os
 import pathlib
+import shutil
 import signal
 import statistics
 import subprocess
@@ -34,9 +35,18 @@ def _communicate(program, command, timeout, least_free):
                 raise Failed(f"the machine ran out of memory: {' '.join(map(str, command))}") from error
 
 
+def require(*programs):
+    """Failed, with one line that says what to do, unless all are there."""
+    for program in programs:
+        if not (os.path.isfile(program) or shutil.which(str(program))):
+            raise Failed(f"{program} is missing: run scripts/build release first")
+
+
 def run(command, environment, timeout, least_free=0):
     """Runs `command` with `environment` added to ours, in a process group of its own that ends with us: (exit code, stdout,
-    stderr). Failed where it takes longer than `timeout` seconds, or leaves the machine less than `least_free` bytes."""
+    stderr). Failed where there is no such program, it takes longer than `timeout` seconds, or it leaves the machine less than
+    `least_free` bytes."""
+    require(command[0])
     with subprocess.Popen([str(part) for part in command], env={**os.environ, **environment}, text=True, stdin=subprocess.DEVNULL,
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True) as program:
         try:

@@ -1,5 +1,6 @@
 #include "accel/coincidence.h"
 
+#include "accel/test_rays.h"
 #include "accel/test_scene.h"
 #include "accel/world.h"
 
@@ -7,7 +8,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <thread>
 
 namespace gluray::accel {
@@ -111,17 +111,7 @@ TEST(CoincidenceThread, LargeMeshesAreLookedAtBehind) {
 
 /// Instance that a ray down -z at (x, y) hits, for every lane of the packet the same.
 uint32_t seenAt(const World& world, float x, float y) {
-  RayPacket packet{};
-  alignas(64) int32_t valid[kLanes];
-  for (int i = 0; i < kLanes; ++i) {
-    packet.orgX[i] = x, packet.orgY[i] = y, packet.orgZ[i] = 10, packet.dirZ[i] = -1;
-    packet.tFar[i] = std::numeric_limits<float>::infinity();
-    packet.mask[i] = ~0u;
-    packet.geometry[i] = packet.instance[i] = kNoHit;
-    packet.id[i] = static_cast<uint32_t>(i);
-    valid[i] = -1;
-  }
-  world.intersect(valid, packet);
+  const RayPacket packet = test::shot(world, test::raysDown(x, y));
   for (int i = 1; i < kLanes; ++i) EXPECT_EQ(packet.instance[i], packet.instance[0]);
   return packet.instance[0];
 }
@@ -170,13 +160,7 @@ TEST(DrawOrder, WithinAMeshLaterTrianglesAreLater) {
   for (const bool laterWins : {false, true}) {
     snapshot.laterWins = laterWins;
     world.update(snapshot, arena);
-    RayPacket packet{};
-    alignas(64) int32_t valid[kLanes] = {-1};
-    packet.orgX[0] = 0.5f, packet.orgY[0] = -0.5f, packet.orgZ[0] = 10, packet.dirZ[0] = -1;
-    packet.tFar[0] = std::numeric_limits<float>::infinity();
-    packet.mask[0] = ~0u;
-    packet.geometry[0] = kNoHit;
-    world.intersect(valid, packet);
+    const RayPacket packet = test::shot(world, test::raysDown(0.5f, -0.5f));
     EXPECT_EQ(packet.primitive[0], laterWins ? 2u : 0u);
   }
 }

@@ -2,6 +2,7 @@
 // fresh ones.
 #include "accel/deformation.h"
 
+#include "accel/test_rays.h"
 #include "accel/test_scene.h"
 #include "accel/world.h"
 
@@ -43,19 +44,8 @@ MeshData sheet(float time, bool soup = false) {
 std::vector<std::pair<float, uint32_t>> seen(const World& world) {
   std::vector<std::pair<float, uint32_t>> result;
   for (int k = 0; k < 60; ++k) {
-    RayPacket packet{};
-    alignas(64) int32_t valid[kLanes];
-    for (int i = 0; i < kLanes; ++i) {
-      packet.orgX[i] = -1.0513f + 0.03497f * static_cast<float>(k),
-      packet.orgY[i] = -1.0307f + 0.13711f * static_cast<float>(i);
-      packet.orgZ[i] = 10, packet.dirZ[i] = -1;
-      packet.tFar[i] = std::numeric_limits<float>::infinity();
-      packet.mask[i] = ~0u;
-      packet.geometry[i] = packet.instance[i] = kNoHit;
-      packet.id[i] = static_cast<uint32_t>(i);
-      valid[i] = -1;
-    }
-    world.intersect(valid, packet);
+    const float x = -1.0513f + 0.03497f * static_cast<float>(k);
+    const RayPacket packet = test::shot(world, test::raysDown(x, -1.0307f, 0, 0.13711f));
     for (int i = 0; i < kLanes; ++i)
       result.emplace_back(packet.tFar[i], packet.geometry[i] == kNoHit ? kNoHit : packet.primitive[i]);
   }

@@ -1,5 +1,6 @@
 // Better structures built behind the frames: run under the thread sanitizer too.
 #include "accel/device.h"
+#include "accel/test_rays.h"
 #include "accel/test_scene.h"
 #include "accel/world.h"
 
@@ -7,7 +8,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <thread>
 
 namespace gluray::accel {
@@ -35,14 +35,7 @@ scene::MeshPtr sheet(float phase = 0, int side = kSide) {
 
 /// Distance from height 10 down to what lies at (x, y); infinity where nothing does.
 float depthAt(const World& world, float x, float y) {
-  RayPacket packet{};
-  alignas(64) int32_t valid[kLanes] = {-1};
-  packet.orgX[0] = x, packet.orgY[0] = y, packet.orgZ[0] = 10, packet.dirZ[0] = -1;
-  packet.tFar[0] = std::numeric_limits<float>::infinity();
-  packet.mask[0] = ~0u;
-  packet.geometry[0] = kNoHit;
-  world.intersect(valid, packet);
-  return packet.tFar[0];
+  return test::shot(world, test::raysDown(x, y)).tFar[0];
 }
 
 size_t plenty() { return size_t{64} << 30; }

@@ -109,7 +109,8 @@ std::vector<BlasPtr> World::structures(const std::vector<Geometry>& meshes, BvhQ
       } catch (const std::exception&) {}
     if (!cache_.thriftHelps(meshes, quality)) throw;
   }
-  log::once(log::Level::info, "thrift", "little memory: large meshes are traced in coarser structures");
+  log::once(log::Level::warning, "thrift",
+            "memory has run out: large meshes are traced in coarser structures (see --bvh), somewhat slower");
   return cache_.get(meshes, quality, true);
 }
 

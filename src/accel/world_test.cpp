@@ -1,6 +1,7 @@
 #include "accel/world.h"
 
 #include "accel/error.h"
+#include "accel/test_rays.h"
 #include "accel/test_scene.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -17,24 +18,8 @@ using test::makeSnapshot;
 using test::MeshData;
 using test::squareData;
 
-// A packet of 16 rays down -z from (x, y, 10); hits in the packet.
 RayPacket shoot(const World& world, float x, float y, const HitFilter* filter = nullptr) {
-  RayPacket packet{};
-  alignas(64) int32_t valid[kLanes];
-  for (int i = 0; i < kLanes; ++i) {
-    packet.orgX[i] = x, packet.orgY[i] = y, packet.orgZ[i] = 10;
-    packet.dirZ[i] = -1;
-    packet.tFar[i] = std::numeric_limits<float>::infinity();
-    packet.mask[i] = ~0u;
-    packet.geometry[i] = packet.instance[i] = kNoHit;
-    packet.id[i] = static_cast<uint32_t>(i);
-    valid[i] = -1;
-  }
-  if (filter)
-    world.intersect(valid, packet, filter);
-  else
-    world.intersect(valid, packet);
-  return packet;
+  return test::shot(world, test::raysDown(x, y), filter);
 }
 
 bool hits(const World& world, float x, float y) { return shoot(world, x, y).geometry[0] != kNoHit; }

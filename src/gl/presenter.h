@@ -51,6 +51,7 @@ struct ShownPicture {
   const Image& image;
   float farthest;
   uint64_t number;
+  int threads = 0;  // that may work on it; 0: all
 };
 /// Shows one. False where it could not: the window is as it was.
 using ShowPicture = std::function<bool(const ShownPicture&)>;

@@ -1,12 +1,11 @@
 #include "intercept/window_put.h"
 
+#include "accel/workers.h"
 #include "base/timeline.h"
 #include "intercept/present/pixel_rows.h"
 
 #include <sys/ipc.h>
 #include <sys/shm.h>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <exception>
@@ -35,8 +34,9 @@ void fillRow(const gl::ShownPicture& picture, int y, int width, uint32_t* out) {
 
 void fillWindow(const gl::ShownPicture& picture, glm::ivec2 size, uint32_t* pixels) {
   constexpr int kRows = 32;  // at a time
-  tbb::parallel_for(tbb::blocked_range<int>(0, size.y, kRows), [&](const auto& rows) {
-    for (int row = rows.begin(); row < rows.end(); ++row)
+  accel::forEachPart(picture.threads, (size.y + kRows - 1) / kRows, [&](int part) {
+    const int first = part * kRows, end = std::min(first + kRows, size.y);
+    for (int row = first; row < end; ++row)
       fillRow(picture, size.y - 1 - row, size.x,
               pixels + static_cast<size_t>(row) * static_cast<size_t>(size.x));
   });

@@ -3,6 +3,8 @@
  * Frame n is cleared to a red of 20 + 10 n. After each swap, and while it rests, the client looks at its
  * window through X; a frame that it has not seen before is written to standard output as PPM, after a line
  * "N" that names it. */
+#include "tests/doors/ring.h"
+
 #include <GL/gl.h>
 #include <GL/glx.h>
 #include <X11/Xlib.h>
@@ -78,28 +80,13 @@ static int look(void) {
 }
 
 static void draw(int frame) {
-  const GLfloat toViewer[4] = {0.5f, 0.7f, 1, 0}, color[4] = {0.9f, 0.6f, 0.2f, 1};
-  glViewport(0, 0, kWidth, kHeight);
   glClearColor((GLfloat)(kFirstRed + kStep * frame) / 255, 0.1f, 0.3f, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  glMatrixMode(GL_PROJECTION), glLoadIdentity();
-  glFrustum(-0.133, 0.133, -0.1, 0.1, 0.3, 20);
-  glMatrixMode(GL_MODELVIEW), glLoadIdentity();
-  glEnable(GL_DEPTH_TEST), glEnable(GL_LIGHTING), glEnable(GL_LIGHT0);
-  glLightfv(GL_LIGHT0, GL_POSITION, toViewer);
-  glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, color);
-  glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);
-  glTranslatef(0, 0, -4), glRotatef(25, 1, 0, 0), glRotatef(15 * (GLfloat)frame, 0, 1, 0);
+  setRingView(kWidth, kHeight, 15 * (float)frame);
   glBegin(GL_LINES); /* of the real OpenGL, in the same frame */
   glVertex3f(-1.5f, 0, 0), glVertex3f(-1.5f, 0.1f * (GLfloat)frame, 0);
   glEnd();
-  glBegin(GL_QUAD_STRIP);
-  for (int i = 0; i <= 40; ++i) {
-    const float t = 2 * (float)M_PI * (float)i / 40;
-    glNormal3f(cosf(t), 0, sinf(t));
-    glVertex3f(cosf(t), -0.5f, sinf(t)), glVertex3f(cosf(t), 0.4f + 0.2f * sinf(3 * t), sinf(t));
-  }
-  glEnd();
+  sendRing();
 }
 
 static void frames(int from, int to) {

@@ -98,7 +98,7 @@ TEST_P(TexturePutTest, IsWhatWouldHaveBeenDrawn) {
     ASSERT_TRUE(background);
     for (size_t i = 0; i < image.color.size(); ++i)
       if (image.depth[i] == Image::kMiss) image.color[i] = *background;
-    ASSERT_TRUE(put.put(g, features, image, pending));
+    ASSERT_TRUE(put.put(g, features, image, 2, pending));
     EXPECT_EQ(read(g), drawn) << "seed " << seed;
     EXPECT_TRUE(pending.empty());
     EXPECT_EQ(g.GetError(), GLenum{GL_NO_ERROR});
@@ -120,20 +120,20 @@ TEST(TexturePut, RefusesWhatItDoesNotKnow) {
   TexturePut put;
   for (const GLenum format : {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32}) {
     make(g, format);
-    EXPECT_FALSE(put.put(g, features, noise(1), pending));
+    EXPECT_FALSE(put.put(g, features, noise(1), 2, pending));
   }
   make(g, GL_DEPTH24_STENCIL8);
   Image large = noise(1);
   large.x = 20;  // beyond the texture
-  EXPECT_FALSE(put.put(g, features, large, pending));
+  EXPECT_FALSE(put.put(g, features, large, 2, pending));
   Image averages = noise(1);
   averages.center = averages.depth;
-  EXPECT_FALSE(put.put(g, features, averages, pending));
+  EXPECT_FALSE(put.put(g, features, averages, 2, pending));
   GLuint renderbuffer = 0;
   g.GenRenderbuffers(1, &renderbuffer), g.BindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
   g.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, kSize, kSize);
   g.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, renderbuffer);
-  EXPECT_FALSE(put.put(g, features, noise(1), pending));
+  EXPECT_FALSE(put.put(g, features, noise(1), 2, pending));
   EXPECT_EQ(g.GetError(), GLenum{GL_NO_ERROR});
 }
 

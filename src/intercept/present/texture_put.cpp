@@ -1,5 +1,6 @@
 #include "intercept/present/texture_put.h"
 
+#include "accel/workers.h"
 #include "base/timeline.h"
 #include "gl/state_queries.h"
 #include "gl/texture_image.h"
@@ -7,7 +8,6 @@
 
 #include <GL/gl.h>
 #include <GL/glext.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -76,7 +76,7 @@ void TexturePut::send(const gl::RealGl& real, const Features& features, const Im
     one(features.textureUnit + 1, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, &depths_[first]);
 }
 
-bool TexturePut::put(const gl::RealGl& real, const Features& features, const Image& image,
+bool TexturePut::put(const gl::RealGl& real, const Features& features, const Image& image, int threads,
                      PendingErrors& pending) {
   if (image.samples != 1 || image.content != Image::Content::color || !image.center.empty()) return false;
   const timeline::Span span("put");
@@ -89,7 +89,7 @@ bool TexturePut::put(const gl::RealGl& real, const Features& features, const Ima
   if (depths_.size() < image.depth.size()) depths_.resize(image.depth.size());
   const int rows = rowsOfBands(image.height), count = (image.height + rows - 1) / rows;
   std::array<Band, kMaxBands> bands;
-  tbb::parallel_for(0, count, [&](int i) {  // each depth is read once
+  accel::forEachPart(threads, count, [&](int i) {  // each depth is read once
     Band& band = bands[static_cast<size_t>(i)];
     band = hitBand(image.depth.data(), image.width, image.height, i * rows);
     if (band.width > 0) fillDepths(image, band, floats);

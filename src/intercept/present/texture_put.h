@@ -17,8 +17,10 @@ class TexturePut {
   /// Puts the image, whose misses have the cleared colour, into the bound draw framebuffer's textures, as
   /// WriteBack::write() would have drawn it with GL_LEQUAL over a depth of 1. False where textures are of
   /// other kinds, or something went wrong: then what was put so far may be drawn over. Errors that were
-  /// pending are moved to `pending`. No state that the program can query differs afterwards.
-  bool put(const gl::RealGl& real, const Features& features, const Image& image, PendingErrors& pending);
+  /// pending are moved to `pending`. Works on as many threads as `threads` says (0: all). No state that the
+  /// program can query differs afterwards.
+  bool put(const gl::RealGl& real, const Features& features, const Image& image, int threads,
+           PendingErrors& pending);
 
  private:
   struct Attached {

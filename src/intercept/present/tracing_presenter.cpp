@@ -155,7 +155,7 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
     traced = pictureOf(snapshot, target.mayRepeat, under, result, why);
   }
   const double start = nowSeconds();
-  if (traced && written(real, *traced, target, pending, why)) {
+  if (traced && written(real, *traced, snapshot.settings.threads, target, pending, why)) {
     result.outcome = PresentResult::traced;
     result.averages = !traced->image.center.empty();
   } else {
@@ -186,7 +186,8 @@ PresentResult TracingPresenter::show(const gl::RealGl& real, const scene::Snapsh
         traced->image.missColor != *background)
       return result;
     const double start = nowSeconds();
-    if (target.show({traced->image, target.farthest, traced->id})) result.outcome = PresentResult::traced;
+    if (target.show({traced->image, target.farthest, traced->id, snapshot->settings.threads}))
+      result.outcome = PresentResult::traced;
     result.presentSeconds = nowSeconds() - start;
     return result;
   });
@@ -197,12 +198,12 @@ const Features& TracingPresenter::features(const gl::RealGl& real) {
   return *features_;
 }
 
-bool TracingPresenter::written(const gl::RealGl& real, const LastPictures::Picture& picture,
+bool TracingPresenter::written(const gl::RealGl& real, const LastPictures::Picture& picture, int threads,
                                const gl::PresentTarget& target, PendingErrors& pending,
                                std::string& why) noexcept {
   try {
     PendingErrors more;
-    const bool sent = target.cleared && put_.put(real, features(real), picture.image, more);
+    const bool sent = target.cleared && put_.put(real, features(real), picture.image, threads, more);
     pending.insert(pending.end(), more.begin(), more.end());
     if (sent) return noteUse(Quirk::softwarePut), true;
     const bool drawn =
