@@ -2,6 +2,7 @@
 #include "bench/micro/micro_mesh.h"
 #include "bench/render/wavelet_snapshot.h"
 #include "frame/renderer.h"
+#include "intercept/present/texture_put.h"
 #include "intercept/present/write_back.h"
 #include "intercept/window_put.h"
 #include "tests/support/osmesa_context.h"
@@ -81,6 +82,44 @@ BENCHMARK_CAPTURE(writeBack, same, Case::unchanged)
     ->UseRealTime()
     ->Iterations(50)
     ->Repetitions(5);
+
+/// A framebuffer of the benchmark's size with the textures that ParaView has.
+void bindTextures(const gl::RealGl& gl) {
+  constexpr int kSize = bench::kImageSize;
+  GLuint framebuffer = 0, textures[2] = {};
+  gl.GenTextures(2, textures);
+  gl.BindTexture(GL_TEXTURE_2D, textures[0]);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kSize, kSize, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  gl.BindTexture(GL_TEXTURE_2D, textures[1]);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH24_STENCIL8, kSize, kSize, 0, GL_DEPTH_STENCIL,
+                GL_UNSIGNED_INT_24_8, nullptr);
+  gl.BindTexture(GL_TEXTURE_2D, 0);
+  gl.GenFramebuffers(1, &framebuffer);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, textures[0], 0);
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, textures[1], 0);
+}
+
+/// The picture sent into textures that hold nothing but a clear.
+void send(benchmark::State& state) {
+  const auto context = test::OsmesaContext::create({bench::kImageSize, bench::kImageSize});
+  if (!context) return state.SkipWithError("no OpenGL in memory");
+  const gl::RealGl& gl = context->real();
+  bindTextures(gl);
+  const present::Features features = present::readFeatures(gl);
+  present::TexturePut put;
+  present::PendingErrors pending;
+  for (auto _ : state) {
+    state.PauseTiming();
+    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    gl.Finish();
+    state.ResumeTiming();
+    if (!put.put(gl, features, picture(), 0, pending)) return state.SkipWithError("refused");
+    gl.Finish();
+  }
+  state.SetItemsProcessed(state.iterations());
+}
+BENCHMARK(send)->Name("write_back/sent")->UseRealTime()->Iterations(100)->Repetitions(5);
 
 /// The picture as a window takes it, before the X server is asked.
 void fillWindow(benchmark::State& state) {
