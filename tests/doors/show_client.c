@@ -90,7 +90,7 @@ static void moving(void) {
   for (int i = 0; i < 4; ++i) frame(20.0f * (float)i), window_shows();
 }
 static void unchanged(void) {
-  for (int i = 0; i < 3; ++i) frame(30), window_shows();
+  for (int i = 0; i < 3; ++i) frame(90), window_shows(); /* as the frame before, which was swapped */
 }
 static void swapped_again(void) { frame(10), swap(), window_shows(); }
 static void read_afterwards(void) {

@@ -5,7 +5,9 @@
 PROGRAM CASE draws and writes what its window shows and what it reads as PPMs to standard output; without a case it names
 them all. Needs an X server (with_display.py).
 """
+import json
 import os
+import pathlib
 import subprocess
 import sys
 import tempfile
@@ -35,10 +37,10 @@ def different(a, b):
 
 def problems_of(gluray, door, program, case):
     """What is wrong in one case, a line each."""
-    with tempfile.NamedTemporaryFile() as log:
+    with tempfile.NamedTemporaryFile() as log, tempfile.NamedTemporaryFile() as report:
         def traced(quirk):
-            got, _ = run([gluray, "--door", door, "--engine", "always", "--quirk", f"software-show={quirk}", "--",
-                          program, case], GLURAY_LOG=log.name, GLURAY_LOG_LEVEL="info")
+            got, _ = run([gluray, "--door", door, "--engine", "always", "--quirk", f"software-show={quirk}",
+                          "--report", report.name, "--", program, case], GLURAY_LOG=log.name, GLURAY_LOG_LEVEL="info")
             return got
         without, real = traced("off"), run([program, case])[0]
         if b"software-show is at work" in log.read():
@@ -47,6 +49,8 @@ def problems_of(gluray, door, program, case):
         log.seek(0)
         if b"software-show is at work" not in log.read():
             yield "the quirk has done nothing"
+        if case == "unchanged" and json.loads(pathlib.Path(report.name).read_text())["repeated"] < 2:
+            yield "frames in which nothing changes are traced again"
     if len(shown) != len(without) or len(shown) != len(real) or not shown:
         yield f"{len(shown)} pictures, {len(without)} without the quirk, {len(real)} without GLuRay"
     for i, (a, b, c) in enumerate(zip(shown, without, real)):

@@ -102,6 +102,20 @@ TEST_F(LastPicturesTest, SeveralOfAFrameAreHeldAndTheOldestGoes) {
   EXPECT_TRUE(pictures_.of(others[2]));
 }
 
+TEST_F(LastPicturesTest, OfSeveralOfOneSnapshotTheOneWithTheRightMissesIsFound) {
+  for (const uint32_t color : {7u, 9u}) {
+    pictures_.next().image.missColor = color;
+    pictures_.keep(shown_);
+  }
+  const auto* seven = pictures_.of(shown_, 7);
+  const auto* nine = pictures_.of(shown_, 9);
+  ASSERT_TRUE(seven && nine);
+  EXPECT_EQ(seven->image.missColor, 7u);
+  EXPECT_EQ(nine->image.missColor, 9u);
+  EXPECT_FALSE(pictures_.of(shown_, 8));
+  EXPECT_TRUE(pictures_.of(shown_));
+}
+
 TEST_F(LastPicturesTest, OfLargeOnesTheLastAloneIsHeld) {
   constexpr int kSide = 2560;  // 52 MB, more than half of the budget
   scene::Snapshot other = shown_;

@@ -41,10 +41,10 @@ LagRefusal TracingPresenter::traceAhead(const gl::RealGl& real, const scene::Sna
   try {
     std::string why;
     if (!supports(real, false, why)) return LagRefusal::failure;
-    if (pictures_.of(*snapshot)) return LagRefusal::repeated;
     std::optional<uint32_t> background;
     PendingErrors none;  // the caller has asked
     if (target.cleared) background = clearedWindow_.bits(real, features(real), *target.cleared, none);
+    if (pictures_.of(*snapshot, background)) return LagRefusal::repeated;
     if (!ahead_) ahead_ = std::make_unique<TraceAhead>(trace_);
     TraceAhead::Late late;
     late.due = TraceAhead::Clock::now() + target.overdue.after;

@@ -33,8 +33,10 @@ bool LastPictures::isSame(Entry& entry, const scene::Snapshot& s) noexcept {
          e.shadings == s.shadings && e.settings == s.settings && isSameLayers(e.layers, s.layers);
 }
 
-const LastPictures::Picture* LastPictures::of(const scene::Snapshot& snapshot) noexcept {
+const LastPictures::Picture* LastPictures::of(const scene::Snapshot& snapshot,
+                                              std::optional<uint32_t> missColor) noexcept {
   for (Entry& entry : entries_) {
+    if (missColor && entry.picture.image.missColor != *missColor) continue;
     if (!isSame(entry, snapshot)) continue;
     entry.used = ++uses_;
     return &entry.picture;

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace gluray::present {
@@ -19,8 +20,9 @@ class LastPictures {
     Image image;
     uint64_t id = 0;  // never 0 for a whole picture, and never the same for two
   };
-  /// The picture of an earlier snapshot that shows the same; null: there is none. Valid until next().
-  const Picture* of(const scene::Snapshot& snapshot) noexcept;
+  /// The picture of an earlier snapshot that shows the same, its misses in `missColor` where one is given;
+  /// null: there is none. Valid until next().
+  const Picture* of(const scene::Snapshot& snapshot, std::optional<uint32_t> missColor = {}) noexcept;
   /// Memory for another picture, in the place of the one that was asked for longest ago.
   Picture& next() noexcept;
   /// What next() gave holds the picture of `snapshot` now. Its meshes are not kept alive.

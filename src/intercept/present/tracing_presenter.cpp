@@ -79,8 +79,7 @@ const LastPictures::Picture* TracingPresenter::pictureOf(const scene::Snapshot& 
                                                          std::optional<uint32_t> missColor,
                                                          PresentResult& result, std::string& why) {
   const bool ahead = ahead_ && ahead_->has(snapshot);
-  const LastPictures::Picture* const known = mayRepeat && !ahead ? pictures_.of(snapshot) : nullptr;
-  if (known && (!missColor || known->image.missColor == *missColor)) {
+  if (const auto* known = mayRepeat && !ahead ? pictures_.of(snapshot, missColor) : nullptr) {
     result.repeated = true;
     return known;
   }
