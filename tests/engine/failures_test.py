@@ -10,7 +10,7 @@ import sys
 import unittest
 
 SCENE = ("20000", "3")  # triangles, frames
-NUMBERS = [1, 2, 5, 10, *range(20, 181, 20)]  # some 170 are made in so many frames
+NUMBERS = [1, 2, 5, 10, *range(30, 241, 15)]  # some 240 are made in so many frames
 
 
 def run(path, fail_at=None, quirks=""):
@@ -37,7 +37,8 @@ class Failures(unittest.TestCase):
                     lines = done.stderr.splitlines()
                     self.assertLessEqual(len(lines), 1, done.stderr)
                     aside[path] += "stepping aside" in done.stderr
-        self.assertGreater(aside["list"], 3, aside)  # some failures cost nothing: what was asked for can be done without
+        # Half of them cost nothing: what was asked for can be done without. Which ones differs from run to run.
+        self.assertGreater(aside["list"], 3, aside)
 
 
 if __name__ == "__main__":
