@@ -67,8 +67,8 @@ UpdateStatistics World::update(const scene::Snapshot& snapshot, Arena& arena) {
       aloneIndex_ = static_cast<uint32_t>(first - placed.begin());
       scene_ = alone_->scene();
     } else if (!empty) {
-      keepPlaces(snapshot, placed);
-      if (tlas_.update(std::move(placed))) statistics.tlasBuilds = 1, apart_ = false;
+      const bool stay = stayPlaced(snapshot, placed);
+      if (!stay && tlas_.update(std::move(placed))) statistics.tlasBuilds = 1, apart_ = false;
       scene_ = tlas_.scene();
     }
     cache_.evict();
@@ -117,21 +117,21 @@ std::vector<BlasPtr> World::structures(const std::vector<Geometry>& meshes, BvhQ
 /// OpenGL keeps the product of camera and place as floats: turned back into places they differ from frame to
 /// frame by what is rounded, a thousandth of a pixel. Without this, every instance would be placed anew while
 /// the camera moves. All or none: surfaces in one place must not come apart.
-void World::keepPlaces(const scene::Snapshot& snapshot, std::vector<PlacedBlas>& placed) const {
+bool World::stayPlaced(const scene::Snapshot& snapshot, const std::vector<PlacedBlas>& placed) const {
   constexpr double kRounded = 0x1p-22;  // of the largest element: twice the distance of two floats
   const std::vector<PlacedBlas>& held = tlas_.held();
-  if (held.size() != placed.size()) return;
+  if (held.size() != placed.size()) return false;
   const double camera = largest(glm::dvec3(snapshot.eyeFromWorld[3]));
   const double back = 3 * largest(glm::inverse(glm::dmat3(snapshot.eyeFromWorld)));
   for (size_t i = 0; i < placed.size(); ++i) {
     if (placed[i] == held[i]) continue;
-    if (placed[i].blas != held[i].blas) return;
+    if (placed[i].blas != held[i].blas) return false;
     const glm::dmat4& inEye = snapshot.instances[i].eyeFromObject;
     const double linear = kRounded * back * largest(glm::dmat3(inEye));
     const double along = kRounded * back * (camera + largest(glm::dvec3(inEye[3])));
-    if (!isNear(placed[i].worldFromObject, held[i].worldFromObject, linear, along)) return;
+    if (!isNear(placed[i].worldFromObject, held[i].worldFromObject, linear, along)) return false;
   }
-  placed = held;
+  return true;
 }
 
 void World::readBounds() {

@@ -74,8 +74,8 @@ class World {
   glm::vec3 upper() const { return upper_; }
 
  private:
-  /// Where no instance has moved further than matrices of floats are rounded, all stay where they are held.
-  void keepPlaces(const scene::Snapshot& snapshot, std::vector<PlacedBlas>& placed) const;
+  /// Whether the top level holds these, none of them further from its place than matrices of floats are rounded.
+  bool stayPlaced(const scene::Snapshot& snapshot, const std::vector<PlacedBlas>& placed) const;
   std::vector<PlacedBlas> place(const scene::Snapshot&);
   std::vector<BlasPtr> structures(const std::vector<Geometry>&, BvhQuality);
   void ask(QueryState&, bool filtered, const int32_t* valid, RayPacket&, const FigureQuery*) const noexcept;

@@ -102,7 +102,7 @@ void Context::beforeForward(Flush how) noexcept {
       case Flush::redirect: redirect(); break;
       default: flush();
     }
-    if (how == Flush::all) forgetClear();
+    if (how == Flush::all) smooth_ = {};
     cleared_.reset();  // later draws may go to another buffer of the framebuffer
     sendBuffers();
   });

@@ -127,8 +127,8 @@ class Context {
   void forgetClear() { cleared_.reset(), smooth_ = {}; }
   /// The same of the texture bound to `target`, which may be attached to the framebuffer.
   void imageSent(GLenum target);
-  /// A part of the framebuffer's picture has been copied into it.
-  uint32_t copied(GLenum target, GLint level, glm::ivec2 offset, const scene::Region& from);
+  /// After that, where it was a part of the framebuffer's picture that was copied.
+  void imageCopied(GLenum target, GLint level, glm::ivec2 offset, const scene::Region& from);
   /// Traces the pending batch and writes it into the framebuffer. Nothing to do if there is none.
   void flush() {
     settle();

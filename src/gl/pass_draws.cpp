@@ -1,7 +1,6 @@
 // Full-screen passes of programs that we do ourselves, because a software OpenGL takes longer over them than
 // we over the whole picture.
 #include "gl/context.h"
-#include "gl/handlers.h"
 #include "gl/output_state.h"
 #include "gl/programs/uniforms.h"
 #include "gl/state_queries.h"
@@ -124,16 +123,12 @@ bool Context::antialiasInto(GLuint attachment, const scene::Region& region, bool
 }
 
 void Context::imageSent(GLenum target) {
-  Smooth smooth = smooth_;
-  forgetClear();
-  smooth.send(real, textures_, target);
-  smooth_ = smooth;
+  cleared_.reset();
+  smooth_.send(real, textures_, target);
 }
 
-uint32_t Context::copied(GLenum target, GLint level, glm::ivec2 offset, const scene::Region& from) {
-  const uint32_t groups = imageChanged(*this, target);
+void Context::imageCopied(GLenum target, GLint level, glm::ivec2 offset, const scene::Region& from) {
   smooth_.copy(real, target, level, offset, from);
-  return groups;
 }
 
 }  // namespace gluray::gl

@@ -180,7 +180,9 @@ uint32_t imageChanged(Context& c, GLenum target) {
 }
 
 uint32_t imageCopied(Context& c, GLenum target, GLint level, glm::ivec2 offset, const scene::Region& from) {
-  return c.copied(target, level, offset, from);
+  const uint32_t groups = imageChanged(c, target);
+  c.imageCopied(target, level, offset, from);
+  return groups;
 }
 
 uint32_t texturesDeleted(Context& c, GLsizei n, const GLuint* names) {
