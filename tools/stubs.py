@@ -68,8 +68,9 @@ def _effect(policy: Policy, handler: str, context: str) -> str:
 
 def _before(policy: Policy) -> str:
     """The call that prepares for a forwarded command."""
-    how = {False: "none", True: "all", "redirect": "redirect", "leave": "leave",
-           "look": "look"}[policy.flush]
+    if policy.flush == "leave":
+        return "beforeForward(flushToBind(*ctx, target, framebuffer));"
+    how = {False: "none", True: "all", "redirect": "redirect", "look": "look"}[policy.flush]
     return f"beforeForward(Context::Flush::{how});"
 
 

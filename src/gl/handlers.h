@@ -158,6 +158,9 @@ void matrixMode(Context& c, GLenum mode);
 uint32_t matrixGroups(Context& c);
 /// A program is linked anew or deleted. Groups to touch.
 uint32_t programChanged(Context& c, GLuint program);
+/// What a binding asks of pending draws: nothing where `framebuffer` is bound to `target` already, as
+/// toolkits do before every swap.
+Context::Flush flushToBind(Context& c, GLenum target, GLuint framebuffer);
 /// A texture is attached to a framebuffer, another framebuffer is bound. Groups to touch.
 uint32_t textureAttached(Context& c, GLuint texture);
 uint32_t framebufferBound(Context& c);

@@ -167,6 +167,16 @@ uint32_t textureAttached(Context& c, GLuint texture) {
   return kTarget | kTexture;
 }
 
+Context::Flush flushToBind(Context& c, GLenum target, GLuint framebuffer) {
+  const auto isBound = [&](GLenum binding) {
+    return static_cast<GLuint>(integer(c.real, binding)) == framebuffer;
+  };
+  const bool draws = target != GL_READ_FRAMEBUFFER, reads = target != GL_DRAW_FRAMEBUFFER;
+  const bool bound = c.state.rare.framebufferObjects && (!draws || isBound(GL_DRAW_FRAMEBUFFER_BINDING)) &&
+                     (!reads || isBound(GL_READ_FRAMEBUFFER_BINDING));
+  return bound ? Context::Flush::none : Context::Flush::leave;
+}
+
 uint32_t framebufferBound(Context& c) {
   c.textures().framebufferBound();
   return kTarget | kTexture;

@@ -6,6 +6,7 @@
 #include "tests/doors/ring.h"
 
 #include <GL/gl.h>
+#include <GL/glext.h>
 #include <GL/glx.h>
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
@@ -104,6 +105,20 @@ static void rest(int last) {
   fprintf(stderr, "rest %.0f ms\n", milliseconds() - start);
 }
 
+/* As toolkits do: the window's framebuffer is bound again before every swap. */
+static void binds(int count) {
+  void (*const bind)(GLenum, GLuint) =
+      (void (*)(GLenum, GLuint))glXGetProcAddress((const GLubyte*)"glBindFramebuffer");
+  for (int frame = 0; frame < count; ++frame) {
+    draw(frame);
+    bind(GL_FRAMEBUFFER, 0);
+    glXSwapBuffers(g_display, g_window);
+    look();
+  }
+  glFinish();
+  look();
+}
+
 static void finished(int count) {
   frames(0, count);
   glFinish();
@@ -189,6 +204,7 @@ int main(int argc, char** argv) {
     const char* name;
     void (*run)(int count);
   } habits[] = {{"finished", finished},
+                {"binds", binds},
                 {"still", still},
                 {"leaves", leaves},
                 {"destroys-window", destroysWindow},

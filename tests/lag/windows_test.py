@@ -57,6 +57,9 @@ class Lag(unittest.TestCase):
         ours, _ = self.expect("finished", FRAMES - 1)
         self.assertGreaterEqual(len(ours), FRAMES - 1)  # those that are looked at in time
 
+    def test_binding_what_is_bound_shows_nothing(self):
+        self.expect("binds", FRAMES - 1)
+
     def test_off_is_off(self):
         _, lag = self.run_client("finished")
         self.assertEqual((lag["later"], lag["atOnce"]), (0, {}))

@@ -1,4 +1,5 @@
-// What the capture does not take: evaluators inside glBegin, textures that drawing changes.
+// What the capture does not take, or not at once: evaluators inside glBegin, textures that drawing changes,
+// framebuffers.
 #include "tests/reference/traced_context.h"
 
 #include <gtest/gtest.h>
@@ -75,6 +76,59 @@ TEST(CaptureLimits, TextureThatWasDrawnIsReadAgain) {
   TracedContext ours({kSize, kSize});
   EXPECT_EQ(texturedByDrawing(ours.gl()), texturedByDrawing(real->real()));
   EXPECT_EQ(ours.context().statistics.drawsTraced, 2u);
+}
+
+void triangleAt(Gl gl, float x) {
+  gl.Begin(GL_TRIANGLES), gl.Vertex3f(x, -0.5f, 0.2f), gl.Vertex3f(x + 0.4f, -0.5f, 0),
+      gl.Vertex3f(x, 0.5f, 0.1f), gl.End();
+}
+
+/// Two triangles into a framebuffer object with depth, and what another one shows; `between` comes after the
+/// first.
+Picture inObject(Gl gl, void (*between)(Gl, GLuint)) {
+  GLuint objects[2], buffers[4];
+  gl.GenFramebuffers(2, objects), gl.GenRenderbuffers(4, buffers);
+  for (int i = 0; i < 2; ++i) {
+    gl.BindFramebuffer(GL_FRAMEBUFFER, objects[i]);
+    for (int k = 0; k < 2; ++k) {
+      gl.BindRenderbuffer(GL_RENDERBUFFER, buffers[2 * i + k]);
+      gl.RenderbufferStorage(GL_RENDERBUFFER, k ? GL_DEPTH_COMPONENT24 : GL_RGBA8, kSize, kSize);
+      gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, k ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0,
+                                 GL_RENDERBUFFER, buffers[2 * i + k]);
+    }
+    gl.Enable(GL_DEPTH_TEST), gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  }
+  triangleAt(gl, -0.9f);
+  between(gl, objects[1]);
+  triangleAt(gl, 0.3f);
+  return readPicture(gl, kSize, kSize);
+}
+
+TEST(CaptureLimits, OnlyAnotherFramebufferEndsABatch) {
+  const struct {
+    void (*between)(Gl, GLuint);
+    uint64_t flushes;
+  } cases[] = {
+      {[](Gl gl, GLuint bound) { gl.BindFramebuffer(GL_FRAMEBUFFER, bound); }, 1},
+      {[](Gl gl, GLuint bound) { gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, bound); }, 1},
+      {[](Gl gl, GLuint bound) {
+         gl.BindFramebuffer(GL_FRAMEBUFFER, 0), gl.BindFramebuffer(GL_FRAMEBUFFER, bound);
+       },
+       2},
+      {[](Gl gl, GLuint bound) {
+         gl.BindFramebuffer(GL_READ_FRAMEBUFFER, 0), gl.BindFramebuffer(GL_FRAMEBUFFER, bound);
+       },
+       2},
+  };
+  for (const auto& c : cases) {
+    const auto real = OsmesaContext::create({kSize, kSize});
+    TracedContext ours({kSize, kSize});
+    const Picture expected = inObject(real->real(), c.between), got = inObject(ours.gl(), c.between);
+    size_t different = 0;
+    for (size_t i = 0; i < got.colors.size(); ++i) different += got.colors[i] != expected.colors[i];
+    EXPECT_LE(different, got.colors.size() / 100) << &c - cases;
+    EXPECT_EQ(ours.context().statistics.flushes, c.flushes) << &c - cases;
+  }
 }
 
 TEST(CaptureLimits, UnusualSamplingIsRasterised) {
