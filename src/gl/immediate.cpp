@@ -180,8 +180,12 @@ void Context::end() {
   record([error](Context& x) { x.setError(error); }, true);
 }
 
+// Vertices. What comes in every frame is captured and compared sooner than welded, but memory is for runs of
+// a gigabyte or so.
+static constexpr uint32_t kWorthWelding = 1u << 16, kTooLarge = 56'000'000;
+
 void Context::startRun() {
-  stream_.start(bit(kPosition), current_, compiling());
+  stream_.start(bit(kPosition), current_, compiling() ? kWorthWelding : kTooLarge);
   inherited_.clear();
   runPath_ = DrawPath::immediate;
   runReason_ = Reason::traced;

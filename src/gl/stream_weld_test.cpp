@@ -11,6 +11,7 @@
 namespace gluray::gl {
 namespace {
 
+constexpr uint32_t kNever = VertexStream::kNever, kWeldFrom = 1u << 16;
 constexpr uint32_t kSide = 180;  // squares a side: corners enough to be welded while they arrive
 
 /// Calls send(x, y) for every corner of a grid of squares, two triangles each.
@@ -37,9 +38,9 @@ void sendGrid(VertexStream& stream, uint32_t side) {
   });
 }
 
-Captured grid(uint32_t side, bool welding, SlotMask slots = bit(kPosition) | bit(kNormal)) {
+Captured grid(uint32_t side, uint32_t weldFrom, SlotMask slots = bit(kPosition) | bit(kNormal)) {
   VertexStream stream;
-  stream.start(slots, initialSlotValues(), welding);
+  stream.start(slots, initialSlotValues(), weldFrom);
   stream.begin(GL_TRIANGLES);
   sendGrid(stream, side);
   stream.end();
@@ -61,7 +62,7 @@ TEST(StreamWeld, LargeSoupsAreWeldedWhileTheyArrive) {
   for (const SlotMask slots :
        {bit(kPosition), bit(kPosition) | bit(kNormal), bit(kPosition) | bit(kNormal) | bit(kColor),
         bit(kPosition) | bit(kFogCoord)}) {
-    const Captured soup = grid(kSide, false, slots), welded = grid(kSide, true, slots);
+    const Captured soup = grid(kSide, kNever, slots), welded = grid(kSide, kWeldFrom, slots);
     EXPECT_TRUE(soup.indices.empty());
     EXPECT_EQ(welded.indices.size(), 6u * kSide * kSide);
     EXPECT_EQ(welded.vertexCount, (kSide + 1) * (kSide + 1));
@@ -70,13 +71,23 @@ TEST(StreamWeld, LargeSoupsAreWeldedWhileTheyArrive) {
   }
 }
 
-TEST(StreamWeld, SmallSoupsAreLeftAlone) { EXPECT_TRUE(grid(20, true).indices.empty()); }
+TEST(StreamWeld, SmallSoupsAreLeftAlone) {
+  EXPECT_TRUE(grid(20, kWeldFrom).indices.empty());
+  EXPECT_TRUE(grid(kSide, 1'000'000).indices.empty());
+}
+
+TEST(StreamWeld, WhatHasArrivedBeforeIsWeldedToo) {
+  const Captured soup = grid(kSide, kNever), welded = grid(kSide, 6 * kSide * kSide - 1000);
+  EXPECT_EQ(welded.indices.size(), 6u * kSide * kSide);
+  EXPECT_EQ(welded.vertexCount, (kSide + 1) * (kSide + 1));
+  EXPECT_EQ(expanded(welded), expanded(soup));
+}
 
 TEST(StreamWeld, IncompleteTrianglesAreDropped) {
   for (const uint32_t extra : {1u, 2u})
     for (const bool numbered : {false, true}) {
       VertexStream stream;
-      stream.start(bit(kPosition), initialSlotValues(), true);
+      stream.start(bit(kPosition), initialSlotValues(), kWeldFrom);
       stream.begin(GL_TRIANGLES);
       sendGrid(stream, kSide);
       for (uint32_t i = 0; i < extra; ++i) stream.vertexSlow(-5, static_cast<float>(i), 0, 1);
@@ -96,7 +107,7 @@ TEST(StreamWeld, IncompleteTrianglesAreDropped) {
 TEST(StreamWeld, OtherFiguresFollow) {
   VertexStream plain, welding;
   for (VertexStream* stream : {&plain, &welding}) {
-    stream->start(bit(kPosition), initialSlotValues(), stream == &welding);
+    stream->start(bit(kPosition), initialSlotValues(), stream == &welding ? kWeldFrom : kNever);
     stream->begin(GL_TRIANGLES), sendGrid(*stream, kSide), stream->end();
     stream->begin(GL_TRIANGLE_STRIP), sendGrid(*stream, 3), stream->end();
     stream->begin(GL_TRIANGLES), sendGrid(*stream, kSide), stream->end();
@@ -110,7 +121,7 @@ TEST(StreamWeld, OtherFiguresFollow) {
 
 TEST(StreamWeld, ASlotSetLaterEndsTheWelding) {
   VertexStream stream;
-  stream.start(bit(kPosition), initialSlotValues(), true);
+  stream.start(bit(kPosition), initialSlotValues(), kWeldFrom);
   stream.begin(GL_TRIANGLES), sendGrid(stream, kSide), stream.end();
   const uint32_t before = stream.captured().vertexCount;
   const float earlier[4] = {0, 0, 1, 0};
@@ -128,7 +139,7 @@ TEST(StreamWeld, ASlotSetLaterEndsTheWelding) {
 }
 
 TEST(StreamWeld, MeshesTakeTheArraysOver) {
-  Captured soup = grid(kSide, false), welded = grid(kSide, true);
+  Captured soup = grid(kSide, kNever), welded = grid(kSide, kWeldFrom);
   const KnownMesh expected = buildMesh(soup), got = buildMesh(std::move(welded));
   ASSERT_TRUE(got.mesh);
   EXPECT_EQ(welded.vertices.data(), nullptr);

@@ -6,13 +6,13 @@
 
 namespace gluray::gl {
 namespace {
-constexpr uint32_t kMost = 1u << 30;                             // vertices in a run
-constexpr uint32_t kWorthWelding = 1u << 16, kPiece = 1u << 13;  // vertices: a piece stays in the caches
+constexpr uint32_t kMost = 1u << 30;   // vertices in a run
+constexpr uint32_t kPiece = 1u << 13;  // vertices: such a piece stays in the caches
 }  // namespace
 
-void VertexStream::start(SlotMask mask, const SlotValues& current, bool welding) {
+void VertexStream::start(SlotMask mask, const SlotValues& current, uint32_t weldFrom) {
   captured_.clear();
-  welding_ = welding;
+  weldFrom_ = weldFrom;
   kept_ = 0;
   welder_.forget();
   captured_.layout = VertexLayout::of(mask);
@@ -36,13 +36,16 @@ void VertexStream::begin(GLenum mode) {
 
 void VertexStream::stopWelding() {
   numberAll();
-  welding_ = false;
+  weldFrom_ = kNever;
   welder_.forget();
 }
 
+/// Vertices at which those that have arrived are welded.
+uint32_t VertexStream::nextWeld() const { return kept_ > 0 ? kept_ + kPiece : weldFrom_; }
+
 void VertexStream::updateLimit() {
   size_t fitting = std::min<size_t>(kMost, captured_.vertices.capacity() / captured_.layout.stride);
-  if (welding_) fitting = std::min<size_t>(fitting, kept_ > 0 ? kept_ + kPiece : kWorthWelding);
+  if (welds()) fitting = std::min<size_t>(fitting, nextWeld());
   room_ = static_cast<uint32_t>(fitting);
   limit_ = insidePrimitive_ && !has(kPositionW) ? room_ : 0;
 }
@@ -98,7 +101,7 @@ void VertexStream::weldArrived() {
 // Gives numbers to the vertices that have arrived, where others have them.
 void VertexStream::numberAll() {
   if (captured_.indices.empty() || kept_ == captured_.vertexCount) return;
-  if (welding_) {
+  if (welds()) {
     weldArrived();
   } else {
     const size_t before = captured_.indices.size();
@@ -113,7 +116,7 @@ void VertexStream::numberAll() {
 void VertexStream::grow() {
   constexpr uint32_t kFirst = 1024;
   if (sent() >= kMost) throw std::bad_alloc();
-  if (welding_ && captured_.vertexCount >= std::max(kWorthWelding, kept_ + kPiece)) weldArrived();
+  if (welds() && captured_.vertexCount >= nextWeld()) weldArrived();
   const uint32_t stored = captured_.vertexCount, stride = captured_.layout.stride;
   if (size_t{stored + kPiece} * stride > captured_.vertices.capacity())
     captured_.vertices.reserve(size_t{std::max(kFirst, std::min(kMost, stored * 2))} * stride);

@@ -10,10 +10,12 @@ namespace gluray::gl {
 
 class VertexStream {
  public:
+  static constexpr uint32_t kNever = ~0u;
+
   /// Starts an empty run that has the slots of `mask`, with `current` values for those not set before the
-  /// first vertex. With `welding`, equal vertices of many separate triangles are found while they arrive; the
-  /// capture then has indices.
-  void start(SlotMask mask, const SlotValues& current, bool welding = false);
+  /// first vertex. If it comes to `weldFrom` vertices, all of separate triangles, equal ones are found from
+  /// then on while they arrive; the capture then has indices.
+  void start(SlotMask mask, const SlotValues& current, uint32_t weldFrom = kNever);
 
   bool has(Slot slot) const { return captured_.layout.has(slot); }
   bool insidePrimitive() const { return insidePrimitive_; }
@@ -74,13 +76,15 @@ class VertexStream {
   void grow();
   void updateLimit();
   void relayout(SlotMask mask);
+  bool welds() const { return weldFrom_ != kNever; }
+  uint32_t nextWeld() const;
   void weldArrived();
   void numberAll();
   void stopWelding();
 
   Captured captured_;
-  bool welding_ = false;  // vertices may still be welded
-  uint32_t kept_ = 0;     // vertices that indices refer to; those behind have arrived since
+  uint32_t weldFrom_ = kNever;
+  uint32_t kept_ = 0;  // vertices that indices refer to; those behind have arrived since
   StreamWelder welder_;
   float* cursor_ = nullptr;
   uint32_t room_ = 0;   // vertices that fit before grow() must be called
