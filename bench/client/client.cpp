@@ -88,12 +88,13 @@ void workBetweenFrames(const Options& options) {
   for (const double end = cpuMs() + options.computeMs; cpuMs() < end;) {}
 }
 
-/// Ten frames a second for a while, as a program that hardly moves; not measured.
+/// Ten frames a second for a while, as a program that hardly moves; not measured. No two in a row are the
+/// same, so that what was built behind them comes in.
 void settle(DrawPath& path, Window& window, const Options& options, double seconds) {
   const Clock::time_point start = Clock::now();
-  while (Seconds(Clock::now() - start).count() < seconds) {
+  for (int i = 0; Seconds(Clock::now() - start).count() < seconds; ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    drawFrame(path, 0, options.orbitFrames, options.distance);
+    drawFrame(path, i, options.orbitFrames, options.distance);
     window.swapAndFinish();
   }
 }

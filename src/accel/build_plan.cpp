@@ -22,8 +22,10 @@ BvhQuality firstQuality(BvhQuality wanted, uint64_t triangles, const Waiting& wa
   if (waiting.triangles < kMuch || triangles < kSmall) return BvhQuality::full;
   const size_t free = freeMemory(), room = (free - std::min(free, kReserve)) / 2;
   const uint64_t fast = waiting.inRuns * kRunBytes + (waiting.triangles - waiting.inRuns) * kFastBytes;
-  // Better structures are built one after the other, each beside all the fast ones.
-  if (room >= fast + triangles * kFullBytes) return BvhQuality::fast;
+  // Runs need half of what anything else as quick would. Better structures are built one after the other,
+  // each beside all the fast ones.
+  const bool runs = waiting.inRuns == waiting.triangles;
+  if (room >= (runs ? fast : fast + triangles * kFullBytes)) return BvhQuality::fast;
   if (room >= waiting.triangles * kFullBytes) return BvhQuality::full;
   return room >= waiting.triangles * kCompactBytes ? BvhQuality::compact : BvhQuality::least;
 }
@@ -39,7 +41,7 @@ bool worthRefining(BvhQuality wanted, BvhQuality held, uint64_t frames) {
 }
 
 bool roomToRefine(uint64_t triangles, FreeMemory freeMemory) {
-  return freeMemory() >= kReserve + triangles * kFullBytes;
+  return freeMemory() / 3 >= triangles * kFullBytes;
 }
 
 }  // namespace gluray::accel

@@ -9,7 +9,7 @@
 namespace gluray::accel {
 namespace {
 
-// The times are those of docs/adr/0026.
+// Measured in docs/adr/0022 and 0026.
 constexpr ClusterLimits limitsOf(Clusters::Aim aim) {
   return aim == Clusters::Aim::memory ? ClusterLimits{8, 3} : ClusterLimits{4, 2};
 }

@@ -69,7 +69,8 @@ TEST(BuildPlan, AutomaticLooksAtSizeAndMemory) {
   EXPECT_EQ(first(1'500'000, 1'500'000, oneGigabyte), BvhQuality::fast);
   EXPECT_EQ(first(2'400'000, 2'400'000, oneGigabyte), BvhQuality::full);
   EXPECT_EQ(first(2'400'000, 2'400'000, oneGigabyte, true), BvhQuality::fast);
-  EXPECT_EQ(first(3'000'000, 3'000'000, oneGigabyte, true), BvhQuality::full);
+  EXPECT_EQ(first(6'000'000, 6'000'000, oneGigabyte, true), BvhQuality::fast);
+  EXPECT_EQ(first(9'000'000, 9'000'000, oneGigabyte, true), BvhQuality::compact);
   EXPECT_EQ(first(9'000'000, 9'000'000, oneGigabyte), BvhQuality::compact);
   EXPECT_EQ(first(12'000'000, 12'000'000, oneGigabyte), BvhQuality::least);
   EXPECT_EQ(first(5'000'000, 5'000'000, none), BvhQuality::least);
@@ -88,8 +89,8 @@ TEST(BuildPlan, OnlyFastStructuresOfSettledGeometryAreBuiltAgain) {
   EXPECT_FALSE(worthRefining(BvhQuality::automatic, BvhQuality::fast, 1));
   EXPECT_FALSE(worthRefining(BvhQuality::automatic, BvhQuality::compact, 10));
   EXPECT_FALSE(worthRefining(BvhQuality::fast, BvhQuality::fast, 10));
-  EXPECT_TRUE(roomToRefine(1'000'000, oneGigabyte));
-  EXPECT_FALSE(roomToRefine(10'000'000, oneGigabyte));
+  EXPECT_TRUE(roomToRefine(3'000'000, oneGigabyte));
+  EXPECT_FALSE(roomToRefine(4'000'000, oneGigabyte));
 }
 
 }  // namespace

@@ -74,7 +74,8 @@ class World {
   glm::vec3 upper() const { return upper_; }
 
  private:
-  /// Whether the top level holds these, none of them further from its place than matrices of floats are rounded.
+  /// Whether the top level holds these, none of them further from its place than matrices of floats are
+  /// rounded.
   bool stayPlaced(const scene::Snapshot& snapshot, const std::vector<PlacedBlas>& placed) const;
   std::vector<PlacedBlas> place(const scene::Snapshot&);
   std::vector<BlasPtr> structures(const std::vector<Geometry>&, BvhQuality);
