@@ -1,15 +1,11 @@
 #include "gl/context.h"
 
-#include "base/clock.h"
-#include "base/log.h"
-#include "base/timeline.h"
-#include "gl/list.h"
-
 #include <GL/gl.h>
 #include <GL/glext.h>
 #include <tbb/info.h>
 
-#include <algorithm>
+#include <exception>
+#include <utility>
 
 namespace gluray::gl {
 
@@ -142,7 +138,7 @@ void Context::readGroups(uint32_t stale) {
   if (const GLenum pending = real.GetError()) setError(pending);
   if (!state.rare.asked) state.rare = readRareState(real);
   state.rare.fixedFunction = !info_.core;
-  if (stale & kCurrent) readCurrent();
+  if (stale & kCurrent) current_.read(real);
   syncCurrent();
   if (stale & kModelview) readModelview(real, state);
   if (stale & kProjection) readProjection(real, state);
@@ -168,56 +164,6 @@ void Context::readGroups(uint32_t stale) {
   }
   while (real.GetError() != GL_NO_ERROR) {}
   dirty &= ~stale;
-}
-
-namespace {
-
-/// State groups that an attribute group of glPushAttrib holds.
-uint32_t groupsOfAttrib(GLbitfield mask) {
-  if (mask == GL_ALL_ATTRIB_BITS) return kAttribGroups;
-  uint32_t groups = 0;
-  if (mask & GL_CURRENT_BIT) groups |= kCurrent | kMaterial;
-  if (mask & GL_LIGHTING_BIT) groups |= kLighting | kMaterial;
-  if (mask & GL_ENABLE_BIT) groups |= kRaster | kLighting | kMaterial | kTexture | kClip;
-  if (mask & GL_TRANSFORM_BIT) groups |= kLighting | kClip | kRaster;  // depth clamp
-  if (mask & GL_VIEWPORT_BIT) groups |= kViewport;
-  if (mask & GL_SCISSOR_BIT) groups |= kViewport | kRaster;
-  if (mask & GL_TEXTURE_BIT) groups |= kTexture;
-  if (mask & GL_FOG_BIT) groups |= kRaster | kLighting;  // colour sum
-  if (mask & GL_COLOR_BUFFER_BIT) groups |= kRaster | kTarget;
-  if (mask & (GL_POLYGON_BIT | GL_POLYGON_STIPPLE_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT |
-              GL_MULTISAMPLE_BIT))
-    groups |= kRaster;
-  return groups;
-}
-
-}  // namespace
-
-void Context::pushAttrib(GLbitfield mask) {
-  syncCurrent();
-  real.PushAttrib(mask);
-  if (deepestAttrib_ == 0) real.GetIntegerv(GL_MAX_ATTRIB_STACK_DEPTH, &deepestAttrib_);
-  if (attribStack_.size() >= static_cast<size_t>(deepestAttrib_)) return;  // the real one refused, too
-  attribStack_.push_back({mask, listBase});
-}
-
-void Context::popAttrib() {
-  const bool sent = currentDirty_ != 0;
-  syncCurrent();
-  if (!attribStack_.empty()) {
-    const SavedAttrib saved = attribStack_.back();
-    attribStack_.pop_back();
-    // Mesa 22.3 leaves what was sent after its last vertex current, unless it is asked; the draws that stood
-    // in between were held back.
-    float asked[4];
-    if (sent && (saved.mask & GL_CURRENT_BIT)) real.GetFloatv(GL_CURRENT_COLOR, asked);
-    if (saved.mask & GL_LIST_BIT) listBase = saved.listBase;
-    if (saved.mask & GL_TRANSFORM_BIT) matrixMode = 0;
-    // A change of the draw buffer redirects what is pending.
-    if (saved.mask & GL_COLOR_BUFFER_BIT) flush();
-    touch(groupsOfAttrib(saved.mask));
-  }
-  real.PopAttrib();
 }
 
 void Context::sendBuffers() {
@@ -298,117 +244,6 @@ void Context::deleteDiscarded() {
   for (const GLuint id : names.programs) real.DeleteProgram(id);
   if (!names.textures.empty())
     real.DeleteTextures(static_cast<GLsizei>(names.textures.size()), names.textures.data());
-}
-
-bool Context::canTrace() {
-  if (!supportKnown_) {
-    supportKnown_ = true;
-    std::string why;
-    supported_ = presenter_.supports(real, info_.core, why);
-    if (!supported_)
-      log::once(log::Level::warning, "support",
-                "this OpenGL cannot show traced pictures (" + why + "): the program draws as without GLuRay");
-  }
-  return supported_;
-}
-
-void Context::present(bool rasterise) {
-  showLagged();
-  if (batch_.empty()) return;
-  timeline::writeIfDue();
-  const timeline::Span span("batch", batch_.waiting().instances.size());
-  const BatchKey key = batch_.key();
-  const bool peeled = key.layers == BatchKey::Layers::peeled;
-  if (peeled && !layersHaveSurfaces()) return giveUpLayers();
-  const scene::SnapshotPtr snapshot = batch_.take();
-  const double start = kinds() ? nowSeconds() : 0;
-  syncCurrent();
-  passes_.flushed(rasterise ? nullptr : snapshot);
-  if (rasterise) countAsRasterised(*snapshot);
-  const std::optional<ClearedTarget> under = rasterise ? std::nullopt : clearedUnder(*snapshot, key);
-  const Smooth smooth = smooth_;
-  forgetClear();
-  const PresentResult result = peeled ? presentLayers(snapshot, key)
-                                      : presenter_.present(real, snapshot,
-                                                           {.depthFunc = key.depthFunc,
-                                                            .core = info_.core,
-                                                            .rasterise = rasterise,
-                                                            .programDraws = batch_.takeProgramDraws(),
-                                                            .mayRepeat = !choice_.wantsStop(),
-                                                            .cleared = under});
-  if (result.averages) {
-    smooth_ = smooth;
-    smooth_.wrote(key.framebuffer, key.drawBuffer);
-  }
-  unresolved_.cleared = {};
-  latch_.restore(real);
-  takeResult(result);
-  if (kinds()) [[unlikely]]
-    kinds()->exclude(nowSeconds() - start);
-  const auto wanted = rasterise ? PresentResult::rasterised : PresentResult::traced;
-  if (result.outcome != wanted)
-    stepAside(result.why.empty() ? "the ray tracer could not make a picture" : result.why.c_str());
-}
-
-/// `known`: the picture was shown before, elsewhere.
-void Context::takeResult(const PresentResult& result, bool known) {
-  if (result.pendingError != GL_NO_ERROR) setError(result.pendingError);
-  statistics.presentSeconds += result.presentSeconds;
-  if (!known) ++statistics.flushes;
-  if (!known && result.repeated) ++statistics.repeated;
-  statistics.buildSeconds += result.buildSeconds;
-  statistics.traceSeconds += result.traceSeconds;
-  statistics.blasBuilds += result.blasBuilds;
-  statistics.blasRefinements += result.blasRefinements;
-  if (known && result.repeated) return;
-  if (!result.repeated) statistics.bvhBytes = result.bvhBytes;  // nobody asked for a known picture
-  statistics.blasRefining = result.blasRefining;
-}
-
-void Context::imagesChange() noexcept {
-  const bool shown = shown_.waiting && readImages(shown_.waiting->draws);
-  const bool lags = lagged_ && readImages(lagged_->draws);
-  if (batch_.readsImages() || unresolved_.waiting || shown || lags) protect([&] { flush(); });
-}
-
-void Context::contentsChange(GLuint buffer) noexcept {
-  const bool waits = unresolved_.waiting && readsBuffer(unresolved_.waiting->draws, buffer);
-  const bool shown = shown_.waiting && readsBuffer(shown_.waiting->draws, buffer);
-  const bool lags = lagged_ && readsBuffer(lagged_->draws, buffer);
-  if (waits || shown || lags || batch_.readsBuffer(buffer)) protect([&] { flush(); });
-}
-
-void Context::showIfVisible() {
-  syncCurrent();
-  if (unresolved_.waiting && group_->contexts > 1) protect([&] { settle(); });
-  if (batch_.empty() && !info_.doubleBuffered) return showDrawn();
-  if (batch_.empty()) return;
-  const GLenum buffer = batch_.key().drawBuffer;
-  const bool front =
-      buffer == GL_FRONT || buffer == GL_FRONT_LEFT || buffer == GL_FRONT_AND_BACK || buffer == GL_LEFT;
-  // What a framebuffer object holds is seen by nobody but contexts that share its images.
-  const bool object = batch_.key().framebuffer != 0;
-  if (object ? group_->contexts == 1 : info_.doubleBuffered && !front) return;
-  flush();
-  if (info_.doubleBuffered || object) return;
-  completeFrame();
-  if (info_.frameEnding) info_.frameEnding();
-  afterSwap();
-  if (info_.frameEnded) info_.frameEnded();
-}
-
-void Context::stepAside(const char* why) noexcept {
-  try {
-    if (!aside_)
-      log::write(log::Level::warning,
-                 std::string("stepping aside, the program draws as without GLuRay from here on: ") + why);
-    aside_ = true;
-    // What was held back is drawn by the real OpenGL, in order, so that nothing is missing from the picture.
-    flush();
-    if (runOpen_ || (compiling() && !stream_.empty())) surrenderRun();
-  } catch (...) {  // nothing more can be done; the real OpenGL goes on without these vertices
-  }
-  updateAttention();
 }
 
 }  // namespace gluray::gl

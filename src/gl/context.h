@@ -6,6 +6,7 @@
 #include "gl/attachments.h"
 #include "gl/batch.h"
 #include "gl/context_info.h"
+#include "gl/current_values.h"
 #include "gl/depth_copy.h"
 #include "gl/draw_kinds.h"
 #include "gl/engine_choice.h"
@@ -86,8 +87,8 @@ class Context {
   template <class F>
   void insist(F&& body) noexcept;
   void syncCurrent() {
-    if (currentDirty_) [[unlikely]]
-      sendCurrent();
+    if (current_.anyUnsent()) [[unlikely]]
+      current_.send(real);
   }
   /// Before a command that we do not model is forwarded: attributes are sent, and the batch too if it may
   /// matter.
@@ -310,7 +311,6 @@ class Context {
   Context(const RealGl& real, std::shared_ptr<ShareGroup> group, const ContextInfo& info,
           Presenter& presenter);
   void updateAttention();
-  void sendCurrent();
   void startRun();
   void countOpenPrimitive();
   void drawRun();
@@ -326,7 +326,6 @@ class Context {
   void keepRunValues();
   void sendRunValues();
   void addSlotToRun(Slot slot);
-  void readCurrent();
   void surrenderRun();
   void drawListRun(GeometryRun& run);
   void applyMaterial(const MaterialChange& change);
@@ -344,7 +343,6 @@ class Context {
     return static_cast<double>(state.viewport.z) * static_cast<double>(state.viewport.w);
   }
   bool drawRunDirectly(GeometryRun& run);
-  void readSlot(Slot slot);
   void deleteDiscarded();
   /// Lets go of meshes that have not been used lately.
   void forgetOld();
@@ -366,8 +364,7 @@ class Context {
   bool runOpen_ = false;       // stream_ holds an immediate-mode run
   Primitive openPrimitive_{};  // of a rasterised glBegin: mode and vertices so far
   PrimitiveClass runClass_ = PrimitiveClass::surfaces;
-  SlotValues current_ = initialSlotValues();
-  SlotMask currentDirty_ = 0;  // slots that are newer here than in the real OpenGL
+  CurrentValues current_;
   MaterialLatch latch_;
   Reason runReason_ = Reason::traced;  // why the run is rasterised, captured though it is
   Passes passes_;

@@ -96,10 +96,10 @@ bool Context::drawRunDirectly(GeometryRun& run) {
     for (int s = kNormal; s < kSlotCount; ++s)
       if (lost & bit(static_cast<Slot>(s)) && s != kMaterialNumber) body(static_cast<Slot>(s));
   };
-  eachLost([&](Slot slot) { readSlot(slot); });
+  eachLost([&](Slot slot) { current_.read(real, slot); });
   if (lost) latch_.restore(real);
   run.rasterise(*this);
-  eachLost([&](Slot slot) { sendAttribute(real, slot, current_[slot].data()); });
+  eachLost([&](Slot slot) { sendAttribute(real, slot, current_[slot]); });
   return true;
 }
 

@@ -135,7 +135,7 @@ void arrayElement(Context& c, GLint i) {
 void Context::drawSmall(GLenum mode, const std::vector<uint32_t>& vertices, DrawPath path) {
   // Draws from arrays leave the current attributes as they were.
   const SlotMask slots = slotsOf(arrays) & ~bit(kPosition);
-  SlotValues before = current_;
+  SlotValues before = current_.all();
   for (int s = kNormal; s < kSlotCount; ++s)
     if (slots & bit(static_cast<Slot>(s)))
       std::memcpy(before[static_cast<size_t>(s)].data(), current(static_cast<Slot>(s)),

@@ -14,6 +14,13 @@
 #include <cstring>
 
 namespace gluray::gl {
+namespace {
+
+// Vertices. What comes in every frame is captured and compared sooner than welded, but memory is for runs of
+// a gigabyte or so.
+constexpr uint32_t kWorthWelding = 1u << 16, kTooLarge = 56'000'000;
+
+}  // namespace
 
 namespace leaf {
 
@@ -47,19 +54,17 @@ void vertexAttribSlow(GLuint index, float x, float y, float z, float w) noexcept
 }  // namespace leaf
 
 void Context::attribute(Slot slot, const float* values) {
-  const auto keep = [&] { std::memcpy(current_[slot].data(), values, sizeOf(slot) * sizeof(float)); };
   if (passthrough_ || info_.core || (direct_ && !compiling())) return sendAttribute(real, slot, values);
   if (inside_ == Inside::rasterised) {
     sendAttribute(real, slot, values);
-    return openFragment_ ? void() : keep();
+    return openFragment_ ? void() : current_.keep(slot, values);
   }
   if (runOpen_ || compiling()) {
     if (!stream_.has(slot)) addSlotToRun(slot);
     return stream_.set(slot, values);
   }
   if (dirty & kCurrent) refresh(kCurrent);
-  keep();
-  currentDirty_ |= bit(slot);
+  current_.set(slot, values);
   if (slot == kColor && state.shading.colorMaterial != scene::ColorMaterial{}) dirty |= kMaterial;
 }
 
@@ -180,12 +185,8 @@ void Context::end() {
   record([error](Context& x) { x.setError(error); }, true);
 }
 
-// Vertices. What comes in every frame is captured and compared sooner than welded, but memory is for runs of
-// a gigabyte or so.
-static constexpr uint32_t kWorthWelding = 1u << 16, kTooLarge = 56'000'000;
-
 void Context::startRun() {
-  stream_.start(bit(kPosition), current_, compiling() ? kWorthWelding : kTooLarge);
+  stream_.start(bit(kPosition), current_.all(), compiling() ? kWorthWelding : kTooLarge);
   inherited_.clear();
   runPath_ = DrawPath::immediate;
   runReason_ = Reason::traced;
@@ -208,12 +209,11 @@ void Context::keepRunValues() {
   for (int s = kNormal; s < kSlotCount; ++s) {
     const auto slot = static_cast<Slot>(s);
     if (!stream_.has(slot) || slot == kMaterialNumber) continue;
-    std::memcpy(current_[slot].data(), stream_.get(slot), sizeOf(slot) * sizeof(float));
-    currentDirty_ |= bit(slot);
+    current_.set(slot, stream_.get(slot));
     if (slot == kColor && state.shading.colorMaterial != scene::ColorMaterial{}) dirty |= kMaterial;
   }
   if (const MaterialChange* last = stream_.lastMaterial()) {
-    sendCurrent();
+    current_.send(real);
     sendMaterial(real, *last);
     if (!insideBegin()) latch_.letGo(real);
     dirty |= kMaterial;
@@ -271,8 +271,8 @@ void Context::surrenderRun() {
   const bool open = inside_ == Inside::captured;
   GLuint fragment = 0;
   if (!compiling()) showLagged();
-  sendBuffers();  // glArrayElement may follow
-  sendCurrent();  // not into the list
+  sendBuffers();        // glArrayElement may follow
+  current_.send(real);  // not into the list
   if (compiling()) {
     fragment = real.GenLists(1);
     real.NewList(fragment, GL_COMPILE);
@@ -286,7 +286,7 @@ void Context::surrenderRun() {
   if (!compiling()) {
     if (open) openPrimitive_ = stream_.openPrimitive();
     keepRunValues();
-    sendCurrent();  // legal inside glBegin too: what was set since the last vertex
+    current_.send(real);  // legal inside glBegin too: what was set since the last vertex
   } else {
     sendRunValues();
     if (!open) real.EndList();
@@ -336,61 +336,10 @@ const float* Context::current(Slot slot) {
   if (dirty & kCurrent && !direct_) refresh(kCurrent);
   if ((runOpen_ || compiling()) && stream_.has(slot)) return stream_.get(slot);
   if (direct_) {
-    readSlot(slot);
+    current_.read(real, slot);
     latch_.restore(real);
   }
-  return current_[slot].data();
-}
-
-void Context::sendCurrent() {
-  const SlotMask slots = std::exchange(currentDirty_, 0);
-  for (int s = kNormal; s < kSlotCount; ++s)
-    if (slots & bit(static_cast<Slot>(s)))
-      sendAttribute(real, static_cast<Slot>(s), current_[static_cast<size_t>(s)].data());
-}
-
-void Context::readCurrent() {
-  dirty &= ~uint32_t{kCurrent};
-  for (int s = kNormal; s < kSlotCount; ++s)
-    if (!(currentDirty_ & bit(static_cast<Slot>(s))))
-      readSlot(static_cast<Slot>(s));  // others: set since then
-}
-
-void Context::readSlot(Slot slot) {
-  float* value = current_[slot].data();
-  switch (slot) {
-    case kPosition:
-    case kPositionW:
-    case kMaterialNumber: return;
-    case kNormal: return real.GetFloatv(GL_CURRENT_NORMAL, value);
-    case kColor: return real.GetFloatv(GL_CURRENT_COLOR, value);
-    case kSecondaryColor: return real.GetFloatv(GL_CURRENT_SECONDARY_COLOR, value);
-    case kFogCoord: return real.GetFloatv(GL_CURRENT_FOG_COORD, value);
-    case kIndex: return real.GetFloatv(GL_CURRENT_INDEX, value);
-    case kEdgeFlag: {
-      GLboolean edge = GL_TRUE;
-      real.GetBooleanv(GL_EDGE_FLAG, &edge);
-      *value = edge ? 1.0f : 0.0f;
-      return;
-    }
-    default: break;
-  }
-  if (slot >= kGeneric1) {
-    if (isPresent(real.GetVertexAttribfv))
-      real.GetVertexAttribfv(static_cast<GLuint>(slot - kGeneric1 + 1), GL_CURRENT_VERTEX_ATTRIB, value);
-    return;
-  }
-  GLint units = 1, active = GL_TEXTURE0;
-  real.GetIntegerv(GL_MAX_TEXTURE_COORDS, &units);
-  if (slot - kTexCoord0 >= std::max(units, 1)) return;
-  real.GetIntegerv(GL_ACTIVE_TEXTURE, &active);
-  const auto choose = [&](GLenum unit) {
-    if (isPresent(real.ActiveTexture) && static_cast<GLenum>(active) != unit) real.ActiveTexture(unit);
-  };
-  const auto unit = static_cast<GLenum>(GL_TEXTURE0 + (slot - kTexCoord0));
-  choose(unit);
-  real.GetFloatv(GL_CURRENT_TEXTURE_COORDS, value);
-  if (static_cast<GLenum>(active) != unit) real.ActiveTexture(static_cast<GLenum>(active));
+  return current_[slot];
 }
 
 }  // namespace gluray::gl

@@ -126,7 +126,7 @@ void Context::append(std::unique_ptr<ListOp>& op) {
 void Context::recordRun() {
   Captured run = stream_.take();
   if (run.empty() && run.layout.mask == bit(kPosition)) return;
-  SlotValues finals = current_;
+  SlotValues finals = current_.all();
   for (int s = kNormal; s < kSlotCount; ++s)
     if (run.layout.has(static_cast<Slot>(s)))
       std::memcpy(finals[static_cast<size_t>(s)].data(), stream_.get(run.layout, static_cast<Slot>(s)),
@@ -163,7 +163,7 @@ void Context::endList() {
   list_.reset();
   listName_ = 0;
   listMode_ = 0;
-  stream_.start(bit(kPosition), current_);
+  stream_.start(bit(kPosition), current_.all());
   updateAttention();
 }
 
@@ -221,7 +221,7 @@ void Context::drawListRun(GeometryRun& run) {
   beforeRasterDraw(run.kind());
   run.rasterise(*this);
   // The real OpenGL now has the run's last attributes current: they are sent again where ours differ.
-  currentDirty_ |= run.slots() & ~(bit(kPosition) | bit(kPositionW) | bit(kMaterialNumber));
+  current_.lost(run.slots() & ~(bit(kPosition) | bit(kPositionW) | bit(kMaterialNumber)));
   touch(kMaterial);
 }
 

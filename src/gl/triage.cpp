@@ -131,7 +131,7 @@ void Context::addInstance(const scene::MeshPtr& mesh, SlotMask slots,
   scene::Instance instance;
   instance.mesh = mesh;
   instance.eyeFromObject = state.modelview;
-  const auto value = [&](Slot slot) { return current_[slot].data(); };
+  const auto value = [&](Slot slot) { return current_[slot]; };
   if (!(slots & bit(kColor)))
     instance.color = {value(kColor)[0], value(kColor)[1], value(kColor)[2], value(kColor)[3]};
   if (!(slots & bit(kNormal))) instance.normal = {value(kNormal)[0], value(kNormal)[1], value(kNormal)[2]};

@@ -1,0 +1,58 @@
+// glPushAttrib and glPopAttrib: what we keep beside the real OpenGL's stack.
+#include "gl/context.h"
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+namespace gluray::gl {
+namespace {
+
+/// State groups that an attribute group of glPushAttrib holds.
+uint32_t groupsOfAttrib(GLbitfield mask) {
+  if (mask == GL_ALL_ATTRIB_BITS) return kAttribGroups;
+  uint32_t groups = 0;
+  if (mask & GL_CURRENT_BIT) groups |= kCurrent | kMaterial;
+  if (mask & GL_LIGHTING_BIT) groups |= kLighting | kMaterial;
+  if (mask & GL_ENABLE_BIT) groups |= kRaster | kLighting | kMaterial | kTexture | kClip;
+  if (mask & GL_TRANSFORM_BIT) groups |= kLighting | kClip | kRaster;  // depth clamp
+  if (mask & GL_VIEWPORT_BIT) groups |= kViewport;
+  if (mask & GL_SCISSOR_BIT) groups |= kViewport | kRaster;
+  if (mask & GL_TEXTURE_BIT) groups |= kTexture;
+  if (mask & GL_FOG_BIT) groups |= kRaster | kLighting;  // colour sum
+  if (mask & GL_COLOR_BUFFER_BIT) groups |= kRaster | kTarget;
+  if (mask & (GL_POLYGON_BIT | GL_POLYGON_STIPPLE_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT |
+              GL_MULTISAMPLE_BIT))
+    groups |= kRaster;
+  return groups;
+}
+
+}  // namespace
+
+void Context::pushAttrib(GLbitfield mask) {
+  syncCurrent();
+  real.PushAttrib(mask);
+  if (deepestAttrib_ == 0) real.GetIntegerv(GL_MAX_ATTRIB_STACK_DEPTH, &deepestAttrib_);
+  if (attribStack_.size() >= static_cast<size_t>(deepestAttrib_)) return;  // the real one refused, too
+  attribStack_.push_back({mask, listBase});
+}
+
+void Context::popAttrib() {
+  const bool sent = current_.anyUnsent();
+  syncCurrent();
+  if (!attribStack_.empty()) {
+    const SavedAttrib saved = attribStack_.back();
+    attribStack_.pop_back();
+    // Mesa 22.3 leaves what was sent after its last vertex current, unless it is asked; the draws that stood
+    // in between were held back.
+    float asked[4];
+    if (sent && (saved.mask & GL_CURRENT_BIT)) real.GetFloatv(GL_CURRENT_COLOR, asked);
+    if (saved.mask & GL_LIST_BIT) listBase = saved.listBase;
+    if (saved.mask & GL_TRANSFORM_BIT) matrixMode = 0;
+    // A change of the draw buffer redirects what is pending.
+    if (saved.mask & GL_COLOR_BUFFER_BIT) flush();
+    touch(groupsOfAttrib(saved.mask));
+  }
+  real.PopAttrib();
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,126 @@
+// From the pending batch to the framebuffer: when, and what comes of it.
+#include "base/clock.h"
+#include "base/log.h"
+#include "base/timeline.h"
+#include "gl/context.h"
+
+#include <GL/gl.h>
+
+#include <exception>
+#include <optional>
+#include <string>
+
+namespace gluray::gl {
+
+bool Context::canTrace() {
+  if (!supportKnown_) {
+    supportKnown_ = true;
+    std::string why;
+    supported_ = presenter_.supports(real, info_.core, why);
+    if (!supported_)
+      log::once(log::Level::warning, "support",
+                "this OpenGL cannot show traced pictures (" + why + "): the program draws as without GLuRay");
+  }
+  return supported_;
+}
+
+void Context::present(bool rasterise) {
+  showLagged();
+  if (batch_.empty()) return;
+  timeline::writeIfDue();
+  const timeline::Span span("batch", batch_.waiting().instances.size());
+  const BatchKey key = batch_.key();
+  const bool peeled = key.layers == BatchKey::Layers::peeled;
+  if (peeled && !layersHaveSurfaces()) return giveUpLayers();
+  const scene::SnapshotPtr snapshot = batch_.take();
+  const double start = kinds() ? nowSeconds() : 0;
+  syncCurrent();
+  passes_.flushed(rasterise ? nullptr : snapshot);
+  if (rasterise) countAsRasterised(*snapshot);
+  const std::optional<ClearedTarget> under = rasterise ? std::nullopt : clearedUnder(*snapshot, key);
+  const Smooth smooth = smooth_;
+  forgetClear();
+  const PresentResult result = peeled ? presentLayers(snapshot, key)
+                                      : presenter_.present(real, snapshot,
+                                                           {.depthFunc = key.depthFunc,
+                                                            .core = info_.core,
+                                                            .rasterise = rasterise,
+                                                            .programDraws = batch_.takeProgramDraws(),
+                                                            .mayRepeat = !choice_.wantsStop(),
+                                                            .cleared = under});
+  if (result.averages) {
+    smooth_ = smooth;
+    smooth_.wrote(key.framebuffer, key.drawBuffer);
+  }
+  unresolved_.cleared = {};
+  latch_.restore(real);
+  takeResult(result);
+  if (kinds()) [[unlikely]]
+    kinds()->exclude(nowSeconds() - start);
+  const auto wanted = rasterise ? PresentResult::rasterised : PresentResult::traced;
+  if (result.outcome != wanted)
+    stepAside(result.why.empty() ? "the ray tracer could not make a picture" : result.why.c_str());
+}
+
+/// `known`: the picture was shown before, elsewhere.
+void Context::takeResult(const PresentResult& result, bool known) {
+  if (result.pendingError != GL_NO_ERROR) setError(result.pendingError);
+  statistics.presentSeconds += result.presentSeconds;
+  if (!known) ++statistics.flushes;
+  if (!known && result.repeated) ++statistics.repeated;
+  statistics.buildSeconds += result.buildSeconds;
+  statistics.traceSeconds += result.traceSeconds;
+  statistics.blasBuilds += result.blasBuilds;
+  statistics.blasRefinements += result.blasRefinements;
+  if (known && result.repeated) return;
+  if (!result.repeated) statistics.bvhBytes = result.bvhBytes;  // nobody asked for a known picture
+  statistics.blasRefining = result.blasRefining;
+}
+
+void Context::imagesChange() noexcept {
+  const bool shown = shown_.waiting && readImages(shown_.waiting->draws);
+  const bool lags = lagged_ && readImages(lagged_->draws);
+  if (batch_.readsImages() || unresolved_.waiting || shown || lags) protect([&] { flush(); });
+}
+
+void Context::contentsChange(GLuint buffer) noexcept {
+  const bool waits = unresolved_.waiting && readsBuffer(unresolved_.waiting->draws, buffer);
+  const bool shown = shown_.waiting && readsBuffer(shown_.waiting->draws, buffer);
+  const bool lags = lagged_ && readsBuffer(lagged_->draws, buffer);
+  if (waits || shown || lags || batch_.readsBuffer(buffer)) protect([&] { flush(); });
+}
+
+void Context::showIfVisible() {
+  syncCurrent();
+  if (unresolved_.waiting && group_->contexts > 1) protect([&] { settle(); });
+  if (batch_.empty() && !info_.doubleBuffered) return showDrawn();
+  if (batch_.empty()) return;
+  const GLenum buffer = batch_.key().drawBuffer;
+  const bool front =
+      buffer == GL_FRONT || buffer == GL_FRONT_LEFT || buffer == GL_FRONT_AND_BACK || buffer == GL_LEFT;
+  // What a framebuffer object holds is seen by nobody but contexts that share its images.
+  const bool object = batch_.key().framebuffer != 0;
+  if (object ? group_->contexts == 1 : info_.doubleBuffered && !front) return;
+  flush();
+  if (info_.doubleBuffered || object) return;
+  completeFrame();
+  if (info_.frameEnding) info_.frameEnding();
+  afterSwap();
+  if (info_.frameEnded) info_.frameEnded();
+}
+
+void Context::stepAside(const char* why) noexcept {
+  try {
+    if (!aside_)
+      log::write(log::Level::warning,
+                 std::string("stepping aside, the program draws as without GLuRay from here on: ") + why);
+    aside_ = true;
+    // What was held back is drawn by the real OpenGL, in order, so that nothing is missing from the picture.
+    flush();
+    if (runOpen_ || (compiling() && !stream_.empty())) surrenderRun();
+  } catch (...) {  // nothing more can be done; the real OpenGL goes on without these vertices
+  }
+  updateAttention();
+}
+
+}  // namespace gluray::gl
