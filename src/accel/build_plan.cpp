@@ -24,7 +24,7 @@ BvhQuality firstQuality(BvhQuality wanted, uint64_t triangles, const Waiting& wa
   const uint64_t fast = waiting.inRuns * kRunBytes + (waiting.triangles - waiting.inRuns) * kFastBytes;
   // Runs need half of what anything else as quick would. Better structures are built one after the other,
   // each beside all the fast ones.
-  const bool runs = waiting.inRuns == waiting.triangles;
+  const bool runs = waiting.inRuns >= waiting.triangles / 8 * 7;
   if (room >= (runs ? fast : fast + triangles * kFullBytes)) return BvhQuality::fast;
   if (room >= waiting.triangles * kFullBytes) return BvhQuality::full;
   return room >= waiting.triangles * kCompactBytes ? BvhQuality::compact : BvhQuality::least;

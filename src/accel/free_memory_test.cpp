@@ -71,6 +71,11 @@ TEST(BuildPlan, AutomaticLooksAtSizeAndMemory) {
   EXPECT_EQ(first(2'400'000, 2'400'000, oneGigabyte, true), BvhQuality::fast);
   EXPECT_EQ(first(6'000'000, 6'000'000, oneGigabyte, true), BvhQuality::fast);
   EXPECT_EQ(first(9'000'000, 9'000'000, oneGigabyte, true), BvhQuality::compact);
+  const auto firstOf = [](const Waiting& waiting) {
+    return firstQuality(BvhQuality::automatic, 3'000'000, waiting, oneGigabyte);
+  };
+  EXPECT_EQ(firstOf({3'100'000, 3'000'000}), BvhQuality::fast) << "small meshes beside a large one";
+  EXPECT_EQ(firstOf({3'100'000, 1'500'000}), BvhQuality::full);
   EXPECT_EQ(first(9'000'000, 9'000'000, oneGigabyte), BvhQuality::compact);
   EXPECT_EQ(first(12'000'000, 12'000'000, oneGigabyte), BvhQuality::least);
   EXPECT_EQ(first(5'000'000, 5'000'000, none), BvhQuality::least);
