@@ -9,7 +9,7 @@
 
 namespace gluray::gl {
 
-thread_local ThreadState t_thread __attribute__((tls_model("initial-exec")));
+constinit thread_local ThreadState t_thread __attribute__((tls_model("initial-exec")));
 
 namespace {
 

@@ -13,13 +13,12 @@ namespace gluray::gl::leaf {
 void slowAttribute(Slot slot, const float* values) noexcept;
 void slowVertex(float x, float y, float z, float w) noexcept;
 
-template <size_t N>
-inline void attribute(Slot slot, const float (&values)[N]) {
+inline void attribute(Slot slot, float x, float y = 0, float z = 0, float w = 0) {
   VertexStream* stream = t_thread.stream;
   if (stream && stream->has(slot)) [[likely]]
-    stream->set(slot, values);
-  else
-    slowAttribute(slot, values);
+    return stream->set(slot, x, y, z, w);
+  const float values[] = {x, y, z, w};
+  slowAttribute(slot, values);
 }
 
 inline void vertex(float x, float y, float z = 0, float w = 1) {
@@ -29,18 +28,18 @@ inline void vertex(float x, float y, float z = 0, float w = 1) {
   else
     slowVertex(x, y, z, w);
 }
-inline void normal(float x, float y, float z) { attribute(kNormal, {x, y, z, 0}); }
-inline void color(float r, float g, float b, float a = 1) { attribute(kColor, {r, g, b, a}); }
-inline void secondaryColor(float r, float g, float b) { attribute(kSecondaryColor, {r, g, b, 1}); }
-inline void fogCoord(float f) { attribute(kFogCoord, {f, 0, 0, 0}); }
-inline void index(float i) { attribute(kIndex, {i, 0, 0, 0}); }
-inline void edgeFlag(bool flag) { attribute(kEdgeFlag, {flag ? 1.0f : 0.0f, 0, 0, 0}); }
+inline void normal(float x, float y, float z) { attribute(kNormal, x, y, z); }
+inline void color(float r, float g, float b, float a = 1) { attribute(kColor, r, g, b, a); }
+inline void secondaryColor(float r, float g, float b) { attribute(kSecondaryColor, r, g, b, 1); }
+inline void fogCoord(float f) { attribute(kFogCoord, f); }
+inline void index(float i) { attribute(kIndex, i); }
+inline void edgeFlag(bool flag) { attribute(kEdgeFlag, flag ? 1.0f : 0.0f); }
 
 /// `unit` counts from 0; units that do not exist set GL_INVALID_ENUM.
 void invalidUnit() noexcept;
 inline void texCoord(GLuint unit, float s, float t = 0, float r = 0, float q = 1) {
   if (unit < 8) [[likely]]
-    attribute(static_cast<Slot>(kTexCoord0 + unit), {s, t, r, q});
+    attribute(static_cast<Slot>(kTexCoord0 + unit), s, t, r, q);
   else
     invalidUnit();
 }
@@ -49,7 +48,7 @@ inline void texCoord(GLuint unit, float s, float t = 0, float r = 0, float q = 1
 void vertexAttribSlow(GLuint index, float x, float y, float z, float w) noexcept;
 inline void vertexAttrib(GLuint i, float x, float y = 0, float z = 0, float w = 1) {
   if (i > 0 && i < 16) [[likely]]
-    attribute(static_cast<Slot>(kGeneric1 + (i - 1)), {x, y, z, w});
+    attribute(static_cast<Slot>(kGeneric1 + (i - 1)), x, y, z, w);
   else
     vertexAttribSlow(i, x, y, z, w);
 }

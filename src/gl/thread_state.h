@@ -17,6 +17,7 @@ struct ThreadState {
   uint32_t directVertices = 0;     // that went there
 };
 
-extern thread_local ThreadState t_thread __attribute__((tls_model("initial-exec")));
+// constinit: otherwise every use asks first whether it has been initialised.
+extern constinit thread_local ThreadState t_thread __attribute__((tls_model("initial-exec")));
 
 }  // namespace gluray::gl

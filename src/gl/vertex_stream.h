@@ -32,8 +32,11 @@ class VertexStream {
     float* v = cursor_;
     v[0] = x, v[1] = y, v[2] = z;
     const uint32_t stride = captured_.layout.stride;
-    for (uint32_t i = 3; i < stride; i += 4)
-      std::memcpy(v + i, template_ + i, 16);  // may write into the slack behind
+    // Single floats, as they were set: the processor hands on what has just been stored only where a load
+    // asks for no more than one store has written. May write into the slack behind.
+    const volatile float* const rest = template_;
+    v[3] = rest[3], v[4] = rest[4], v[5] = rest[5];
+    for (uint32_t i = 6; i < stride; ++i) v[i] = rest[i];
     cursor_ = v + stride;
     ++captured_.vertexCount;
   }
@@ -44,6 +47,13 @@ class VertexStream {
   /// Sets a slot that the layout has. `values` holds as many floats as the slot.
   void set(Slot slot, const float* values) {
     std::memcpy(template_ + captured_.layout.offset[slot], values, sizeOf(slot) * 4);
+  }
+  /// The same of as many of these as the slot has.
+  void set(Slot slot, float x, float y, float z, float w) {
+    float* const to = template_ + captured_.layout.offset[slot];
+    to[0] = x;
+    if (sizeOf(slot) > 1) to[1] = y, to[2] = z;
+    if (sizeOf(slot) > 3) to[3] = w;
   }
   const float* get(Slot slot) const { return get(captured_.layout, slot); }
   /// The same for the layout of a run that was taken just now.
