@@ -70,7 +70,7 @@ class Suite:
     def measure_gluray(self, size, path):
         frames = 24 if self.options.quick else RAY_FRAMES.get(size, 20)
         # What is built while frames go on must be in its place before frames are measured and memory is read.
-        warm = ["--warm", 2 + size] if self.options.bvh == "auto" and size > 0 else []
+        warm = ["--warm", 2 + 2 * size] if self.options.bvh == "auto" and size > 0 else []
         return programs.measure_with_gluray(self.gluray, self.gluray_options, self._client(size, path, frames) + warm,
                                             self.environment)
 

@@ -41,7 +41,7 @@ bool worthRefining(BvhQuality wanted, BvhQuality held, uint64_t frames) {
 }
 
 bool roomToRefine(uint64_t triangles, FreeMemory freeMemory) {
-  return freeMemory() / 3 >= triangles * kFullBytes;
+  return freeMemory() / 5 * 2 >= triangles * kFullBytes;
 }
 
 }  // namespace gluray::accel

@@ -29,7 +29,8 @@ BvhQuality thriftyQuality(BvhQuality wanted, uint64_t triangles);
 /// Whether a structure of quality `held`, used in `frames` frames, is worth building again as `full`.
 bool worthRefining(BvhQuality wanted, BvhQuality held, uint64_t frames);
 
-/// Whether the full structure can be built while the fast one stays: it may take a third of the free memory.
+/// Whether the full structure can be built while the fast one stays: it may take two fifths of the free
+/// memory.
 bool roomToRefine(uint64_t triangles, FreeMemory freeMemory);
 
 }  // namespace gluray::accel
