@@ -92,7 +92,7 @@ def run(options, argv):
                     measured = programs.measure(command, environment, timeout=1800, least_free=LEAST_FREE)
                 else:
                     measured = programs.measure_with_gluray(gluray, ["--threads", options.threads, "--bvh", kind],
-                                                            [*command, "--settle", min(2 + size, 30)], environment, timeout=1800, least_free=LEAST_FREE)
+                                                            [*command, "--settle", min(2 + 2 * size, 100)], environment, timeout=1800, least_free=LEAST_FREE)
                 result["rows"].append(row_of(size, path, kind, measured))
                 print_table(result["rows"][-1:])
     print_table(result["rows"])
