@@ -1,10 +1,10 @@
 // Pictures of figures against closed forms, and the same from every instruction set.
 #include "render/kernels.h"
+#include "render/test_targets.h"
 #include "render/test_trace.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <cmath>
 
@@ -107,14 +107,6 @@ TEST(Figure, OneColourAndDepthInAllSamplesOfAPixel) {
 }
 
 TEST(Figure, EveryInstructionSetAgrees) {
-  struct Restore {
-    ~Restore() { use(0); }
-    static void use(int64_t targets) {
-      hwy::SetSupportedTargetsForTest(targets);
-      hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    }
-  } restore;
-  const int64_t supported = hwy::SupportedTargets();
   for (const Shape shape : {Shape::spheres, Shape::discs, Shape::cylinders}) {
     for (const auto cards : {scene::Figures::Cards::silhouette, scene::Figures::Cards::triangle}) {
       scene::Snapshot s = snapshotOf(shape);
@@ -122,10 +114,8 @@ TEST(Figure, EveryInstructionSetAgrees) {
                                          ? scene::Figures::Cards::faces
                                          : cards;
       s.instances[0].figures.fades = true;
-      Restore::use(0);
       const test::Traced best = test::trace(s);
-      for (int64_t rest = supported; rest; rest &= rest - 1) {
-        Restore::use(rest & -rest);
+      test::withEachTarget([&](int64_t) {
         SCOPED_TRACE(render::kernelTarget());
         const test::Traced traced = test::trace(s);
         int differing = 0, hits = 0;
@@ -142,7 +132,7 @@ TEST(Figure, EveryInstructionSetAgrees) {
         }
         EXPECT_GT(hits, 100);
         EXPECT_LE(differing, 1) << "fused multiply-adds decide otherwise on a silhouette";
-      }
+      });
     }
   }
 }

@@ -13,6 +13,13 @@ struct FxaaMemory {
   std::vector<float> luminosity;
 };
 
+/// RGBA8 pixels with red in the lowest byte and their luminosity, lowest row first.
+struct FxaaPicture {
+  const uint32_t* pixels;
+  const float* luminosity;
+  int width, height;
+};
+
 /// Anti-aliases `in` into `out`: RGBA8 with red in the lowest byte, width*height pixels, lowest row first.
 /// Pixels beyond the border repeat those at it. Runs on the threads of the calling arena.
 void fxaa(const scene::Fxaa& settings, const uint32_t* in, int width, int height, uint32_t* out,

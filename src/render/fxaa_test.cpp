@@ -1,10 +1,14 @@
-// Anti-aliasing of finished pictures: known answers.
+// Anti-aliasing of finished pictures: known answers, and the same from every instruction set.
 #include "render/fxaa.h"
+
+#include "render/reference_fxaa.h"
+#include "render/test_targets.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <functional>
+#include <random>
 #include <vector>
 
 namespace gluray::render {
@@ -101,6 +105,48 @@ TEST(Fxaa, BordersRepeat) {
     fxaa({}, picture.data(), w, h, out.data(), memory);
     for (const uint32_t pixel : out) EXPECT_LE(redOf(pixel), 250);
   }
+}
+
+// Slanted edges, dots, stairs and noise of few steps (in which distances and contrasts are often equal), on
+// pictures narrower and wider than vectors and than what is filtered at once.
+std::vector<uint32_t> scribble(int width, int height, uint32_t seed) {
+  std::mt19937 random(seed);
+  std::vector<uint32_t> picture;
+  const double slope = static_cast<double>(random() % 400) / 100 - 2;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const bool side = y * slope + x > 0.4 * width, dot = random() % 29 == 0, noisy = x > 0.7 * width;
+      const uint32_t base = side ? 0x80C8B478u : 0x401E3C0Au;
+      const uint32_t some = (random() % 4) * 0x00401020u;
+      picture.push_back(noisy ? 0xFF000000u + some : dot ? base ^ 0x00FFFFFFu : base);
+    }
+  return picture;
+}
+
+void expectAsReference(int width, int height, const scene::Fxaa& settings, uint32_t seed) {
+  const auto picture = scribble(width, height, seed);
+  const ReferenceFxaa reference(settings, picture.data(), width, height);
+  std::vector<uint32_t> out(picture.size());
+  FxaaMemory memory;
+  fxaa(settings, picture.data(), width, height, out.data(), memory);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      ASSERT_EQ(out[static_cast<size_t>(y * width + x)], reference.at(x, y))
+          << width << "x" << height << " at " << x << ", " << y;
+}
+
+TEST(Fxaa, EveryInstructionSetDoesAsTheProgram) {
+  scene::Fxaa edges, few, none;
+  edges.subpixelContrast = 0.99f;
+  few.endpointSearchIterations = 3;
+  none.endpointSearchIterations = 0;
+  test::withEachTarget([&](int64_t target) {
+    SCOPED_TRACE(hwy::TargetName(target));
+    uint32_t seed = 1;
+    for (const auto& [width, height] : {std::pair{1, 1}, {2, 3}, {15, 4}, {17, 40}, {67, 41}, {700, 30}})
+      for (const scene::Fxaa& settings : {scene::Fxaa{}, edges, few, none})
+        expectAsReference(width, height, settings, seed++);
+  });
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 // Every instruction set that this processor has gives the same picture.
 #include "render/kernels.h"
 
+#include "render/test_targets.h"
 #include "render/test_trace.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <bit>
 #include <set>
@@ -54,25 +54,13 @@ scene::Snapshot richScene(ShadingRate rate) {
   return s;
 }
 
-struct RestoreTargets {
-  ~RestoreTargets() { use(0); }
-  static void use(int64_t targets) {
-    hwy::SetSupportedTargetsForTest(targets);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  }
-};
-
 TEST(Kernels, EveryInstructionSetAgrees) {
-  const RestoreTargets restore;
-  const int64_t supported = hwy::SupportedTargets();
   for (const ShadingRate rate : {ShadingRate::pixel, ShadingRate::vertex}) {
     const auto snapshot = richScene(rate);
-    RestoreTargets::use(0);
     const test::Traced best = test::trace(snapshot);
     std::set<std::string> seen{render::kernelTarget()};
-    for (int64_t rest = supported; rest; rest &= rest - 1) {
-      RestoreTargets::use(rest & -rest);
-      if (!seen.insert(render::kernelTarget()).second) continue;
+    test::withEachTarget([&](int64_t) {
+      if (!seen.insert(render::kernelTarget()).second) return;
       SCOPED_TRACE(render::kernelTarget());
       const test::Traced traced = test::trace(snapshot);
       int differing = 0;
@@ -85,7 +73,7 @@ TEST(Kernels, EveryInstructionSetAgrees) {
         }
       }
       EXPECT_EQ(differing, 0);
-    }
+    });
   }
 }
 

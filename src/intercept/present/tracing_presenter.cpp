@@ -221,7 +221,7 @@ bool TracingPresenter::antialias(const gl::RealGl& real, const scene::Fxaa& fxaa
   if (!antialias_) return false;
   try {
     const auto pixels = static_cast<size_t>(region.width) * static_cast<size_t>(region.height);
-    before_.resize(pixels), after_.resize(pixels);
+    if (before_.size() < pixels) before_.resize(pixels), after_.resize(pixels);
     StateGuard guard(real, features(real));
     guard.plainPack();
     guard.plainUnpack();

@@ -1,0 +1,34 @@
+// Instruction sets in tests: each that the processor has, one after another.
+#pragma once
+#include <hwy/targets.h>
+
+#include <cstdint>
+
+namespace gluray::test {
+
+/// Lets the vectorised code use but these instruction sets (Highway's bits; 0: whatever there is) and gives
+/// all back in the end.
+class Targets {
+ public:
+  Targets() = default;
+  Targets(const Targets&) = delete;
+  Targets& operator=(const Targets&) = delete;
+  ~Targets() { use(0); }
+  void use(int64_t targets) {
+    hwy::SetSupportedTargetsForTest(targets);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  }
+};
+
+/// Calls `body(target)` with every supported instruction set in use, the best first.
+template <class Body>
+void withEachTarget(const Body& body) {
+  Targets targets;
+  for (int64_t rest = hwy::SupportedTargets(); rest; rest &= rest - 1) {
+    const int64_t target = rest & -rest;
+    targets.use(target);
+    body(target);
+  }
+}
+
+}  // namespace gluray::test
