@@ -81,7 +81,7 @@ def measure_with_gluray(gluray, options, command, environment, engine="always", 
 def combined(rounds):
     """One measurement from several rounds of the same program: medians of times, the largest memory."""
     out = dict(rounds[0])
-    for key in ("first_image_s", "frame_s", "build_s"):
+    for key in {"first_image_s", "early_frame_s", "frame_s", "build_s"} & rounds[0].keys():
         out[key] = statistics.median(r[key] for r in rounds)
     for key in ("rss_bytes", "peak_bytes"):
         out[key] = max(r[key] for r in rounds)
