@@ -1,9 +1,9 @@
 #include "accel/blas.h"
 
-#include "accel/background_job.h"
 #include "accel/embree.h"
 #include "accel/error.h"
 #include "accel/figure_query.h"
+#include "base/background_job.h"
 #include "base/timeline.h"
 
 #include <glm/gtc/type_ptr.hpp>

@@ -1,10 +1,10 @@
 // Acceleration structures of meshes, found again by what the geometry is. Owned by World; one thread at a
 // time.
 #pragma once
-#include "accel/background_job.h"
 #include "accel/blas.h"
 #include "accel/build_plan.h"
 #include "accel/deformation.h"
+#include "base/background_job.h"
 
 #include <array>
 #include <unordered_map>
@@ -38,6 +38,7 @@ class BlasCache {
   uint64_t refits() const { return refits_; }            // of those, adjusted ones of earlier positions
   uint64_t refinements() const { return refinements_; }  // better structures put in place, since the start
   bool refining() const { return refinement_.busy(); }   // one is being built
+  bool refined() const { return refinement_.done(); }    // one waits for the next frame
   size_t size() const { return entries_.size(); }
 
  private:

@@ -1,7 +1,7 @@
 // Whether triangles of a frame lie exactly upon each other, so that the order of drawing decides which is
 // seen. Owned by World; one thread at a time.
 #pragma once
-#include "accel/background_job.h"
+#include "base/background_job.h"
 #include "base/hash.h"
 #include "scene/snapshot.h"
 

@@ -5,6 +5,7 @@
 #include <tbb/info.h>
 
 #include <exception>
+#include <thread>
 #include <utility>
 
 namespace gluray::gl {
@@ -25,6 +26,13 @@ int threadsOf(const Settings& settings) {
   return settings.engine == Engine::automatic ? tbb::info::default_concurrency() : 1;
 }
 
+/// Large runs are welded on a second thread if the user lets us have one.
+VertexStream::Welding weldingOf(const Settings& settings) {
+  const unsigned threads =
+      settings.threads > 0 ? static_cast<unsigned>(settings.threads) : std::thread::hardware_concurrency();
+  return threads > 1 ? VertexStream::Welding::behind : VertexStream::Welding::here;
+}
+
 }  // namespace
 
 std::shared_ptr<Context> Context::create(const RealGl& real, std::shared_ptr<ShareGroup> group,
@@ -42,6 +50,7 @@ Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const 
       passthrough_(info.off),
       choice_(engineOf(info), threadsOf(info.settings), info.clock),
       direct_(!passthrough_ && choice_.way() == EngineChoice::Way::direct),
+      welding_(weldingOf(info.settings)),
       latch_(info.settings.quirks.has(Quirk::materialLatch)),
       unknownCalls_(kCommandCount) {
   ++group_->contexts;

@@ -359,6 +359,7 @@ class Context {
   Answer softwareBelow_ = Answer::unknown;  // the real OpenGL renders on the CPU
   GLenum error_ = GL_NO_ERROR;
 
+  VertexStream::Welding welding_;
   VertexStream stream_;
   Inside inside_ = Inside::nothing;
   bool runOpen_ = false;       // stream_ holds an immediate-mode run

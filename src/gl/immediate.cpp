@@ -186,7 +186,7 @@ void Context::end() {
 }
 
 void Context::startRun() {
-  stream_.start(bit(kPosition), current_.all(), compiling() ? kWorthWelding : kTooLarge);
+  stream_.start(bit(kPosition), current_.all(), compiling() ? kWorthWelding : kTooLarge, welding_);
   inherited_.clear();
   runPath_ = DrawPath::immediate;
   runReason_ = Reason::traced;

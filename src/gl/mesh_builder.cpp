@@ -254,10 +254,10 @@ Hash128 geometryIdentity(const scene::Mesh& mesh) {
   std::vector<Hash128> hashes(blocks);
   tbb::parallel_for(uint32_t{0}, blocks, [&](uint32_t b) {
     const uint32_t first = b * kTriangles, last = std::min(mesh.triangleCount, first + kTriangles);
-    std::vector<glm::vec3> corners;
-    corners.reserve(size_t{last - first} * 3);
+    std::vector<glm::vec3> corners(size_t{last - first} * 3);
+    glm::vec3* corner = corners.data();
     for (uint32_t t = first; t < last; ++t)
-      for (uint32_t k = 0; k < 3; ++k) corners.push_back(mesh.position(mesh.corner(t, k)));
+      for (uint32_t k = 0; k < 3; ++k) *corner++ = mesh.position(mesh.corner(t, k));
     hashes[b] = hashBytes(corners.data(), corners.size() * sizeof(glm::vec3));
   });
   return hashBytes(hashes.data(), hashes.size() * sizeof(Hash128), {mesh.triangleCount, 0});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <type_traits>
 
 namespace gluray::gl {
 namespace {
@@ -13,12 +14,12 @@ uint32_t pairOf(uint64_t hash) { return static_cast<uint32_t>(hash >> 40) & (kPa
 uint32_t tagOf(uint64_t hash) { return static_cast<uint32_t>(hash); }
 
 /// S: floats a vertex, or 0 where only `stride` knows.
-template <uint32_t S>
+template <uint32_t S, class Float = float>
 struct Vertices {
-  float* data;
+  Float* data;
   uint32_t stride;
   uint32_t floats() const { return S ? S : stride; }
-  float* operator[](uint32_t i) const { return data + size_t{i} * floats(); }
+  Float* operator[](uint32_t i) const { return data + size_t{i} * floats(); }
 
   uint64_t hash(const float* v) const {
     uint64_t h = 0x9E3779B97F4A7C15ull;
@@ -49,15 +50,14 @@ struct Vertices {
 /// The vertices that an entry tells of are far apart in memory: tables and vertices are fetched for many
 /// vertices at a time, and vertices are looked at only where tags are equal.
 template <uint32_t S>
-uint32_t weldInto(WeldEntry* table, const Vertices<S>& vertices, uint32_t kept, uint32_t end,
-                  uint32_t* index) {
+uint32_t weldInto(WeldEntry* table, const Vertices<S>& vertices, uint32_t kept,
+                  const Vertices<S, const float>& arrived, uint32_t end, uint32_t* index) {
   constexpr uint32_t kAhead = 32;  // vertices
   uint64_t hashes[kAhead];
-  const uint32_t first = kept;
-  for (uint32_t start = first; start < end; start += kAhead) {
+  for (uint32_t start = 0; start < end; start += kAhead) {
     const uint32_t count = std::min(kAhead, end - start);
     for (uint32_t k = 0; k < count; ++k) {
-      hashes[k] = vertices.hash(vertices[start + k]);
+      hashes[k] = vertices.hash(arrived[start + k]);
       __builtin_prefetch(table + 2 * pairOf(hashes[k]));
     }
     for (uint32_t k = 0; k < count; ++k) {
@@ -66,7 +66,7 @@ uint32_t weldInto(WeldEntry* table, const Vertices<S>& vertices, uint32_t kept, 
         if (entry->tag == tagOf(hashes[k]) && entry->vertex != kNone) vertices.fetch(entry->vertex);
     }
     for (uint32_t k = 0; k < count; ++k) {
-      const float* v = vertices[start + k];
+      const float* v = arrived[start + k];
       const uint32_t tag = tagOf(hashes[k]);
       WeldEntry* pair = table + 2 * pairOf(hashes[k]);
       const auto holds = [&](const WeldEntry& entry) {
@@ -76,7 +76,7 @@ uint32_t weldInto(WeldEntry* table, const Vertices<S>& vertices, uint32_t kept, 
       } else if (holds(pair[1])) {
         std::swap(pair[0], pair[1]);
       } else {
-        if (kept != start + k) std::memcpy(vertices[kept], v, vertices.floats() * sizeof(float));
+        if (vertices[kept] != v) std::memcpy(vertices[kept], v, vertices.floats() * sizeof(float));
         pair[1] = pair[0];
         pair[0] = {kept++, tag};
       }
@@ -88,20 +88,23 @@ uint32_t weldInto(WeldEntry* table, const Vertices<S>& vertices, uint32_t kept, 
 
 }  // namespace
 
-uint32_t StreamWelder::weld(float* vertices, uint32_t stride, uint32_t kept, uint32_t end,
-                            GrowingArray<uint32_t>& indices) {
+uint32_t StreamWelder::weld(float* vertices, uint32_t stride, uint32_t kept, const float* arrived,
+                            uint32_t count, GrowingArray<uint32_t>& indices) {
   if (table_.empty()) {
     table_.resize(2 * kPairs);
     std::fill(table_.begin(), table_.end(), WeldEntry{kNone, 0});
   }
   const size_t before = indices.size();
-  indices.grow(before + (end - kept));
-  uint32_t* index = indices.data() + before;
+  indices.grow(before + count);
+  const auto weldAs = [&]<uint32_t S>(std::integral_constant<uint32_t, S>) {
+    return weldInto<S>(table_.data(), {vertices, stride}, kept, {arrived, stride}, count,
+                       indices.data() + before);
+  };
   switch (stride) {
-    case 3: return weldInto<3>(table_.data(), {vertices, stride}, kept, end, index);
-    case 6: return weldInto<6>(table_.data(), {vertices, stride}, kept, end, index);
-    case 10: return weldInto<10>(table_.data(), {vertices, stride}, kept, end, index);
-    default: return weldInto<0>(table_.data(), {vertices, stride}, kept, end, index);
+    case 3: return weldAs(std::integral_constant<uint32_t, 3>());
+    case 6: return weldAs(std::integral_constant<uint32_t, 6>());
+    case 10: return weldAs(std::integral_constant<uint32_t, 10>());
+    default: return weldAs(std::integral_constant<uint32_t, 0>());
   }
 }
 

@@ -1,4 +1,5 @@
-// Finds equal vertices while they are captured, so that a large triangle soup never exists whole. GL thread.
+// Finds equal vertices while they are captured, so that a large triangle soup never exists whole. One
+// thread at a time.
 #pragma once
 #include "gl/growing_array.h"
 
@@ -15,11 +16,11 @@ struct WeldEntry {
 /// found where meshes are sent in any order that keeps neighbours near each other.
 class StreamWelder {
  public:
-  /// Vertices [kept, end) of `vertices`, `stride` floats each, have just arrived behind those kept before.
-  /// Moves the new ones among them down, appends for each the number that it has now to `indices`, and
-  /// returns how many are kept. The stride must stay the same until forget(). Throws std::bad_alloc, with
-  /// nothing changed.
-  uint32_t weld(float* vertices, uint32_t stride, uint32_t kept, uint32_t end,
+  /// `count` vertices of `stride` floats have `arrived`: behind the `kept` of `vertices`, or elsewhere; there
+  /// is room for them behind those kept. Moves the new ones among them there, appends for each the number
+  /// that it has now to `indices`, and returns how many are kept. The stride must stay the same until
+  /// forget(). Throws std::bad_alloc, with nothing changed.
+  uint32_t weld(float* vertices, uint32_t stride, uint32_t kept, const float* arrived, uint32_t count,
                 GrowingArray<uint32_t>& indices);
   void forget() { table_.release(); }
 

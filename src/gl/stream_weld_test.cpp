@@ -4,13 +4,20 @@
 #include "gl/vertex_stream.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <exception>
+#include <fstream>
+#include <new>
 #include <vector>
 
 namespace gluray::gl {
 namespace {
 
+using Welding = VertexStream::Welding;
 constexpr uint32_t kNever = VertexStream::kNever, kWeldFrom = 1u << 16;
 constexpr uint32_t kSide = 180;  // squares a side: corners enough to be welded while they arrive
 
@@ -38,9 +45,10 @@ void sendGrid(VertexStream& stream, uint32_t side) {
   });
 }
 
-Captured grid(uint32_t side, uint32_t weldFrom, SlotMask slots = bit(kPosition) | bit(kNormal)) {
+Captured grid(uint32_t side, uint32_t weldFrom, SlotMask slots = bit(kPosition) | bit(kNormal),
+              Welding where = Welding::here) {
   VertexStream stream;
-  stream.start(slots, initialSlotValues(), weldFrom);
+  stream.start(slots, initialSlotValues(), weldFrom, where);
   stream.begin(GL_TRIANGLES);
   sendGrid(stream, side);
   stream.end();
@@ -58,11 +66,16 @@ std::vector<float> expanded(const Captured& c) {
   return floats;
 }
 
-TEST(StreamWeld, LargeSoupsAreWeldedWhileTheyArrive) {
+/// On the calling thread, and on another.
+class StreamWeld : public testing::TestWithParam<Welding> {};
+INSTANTIATE_TEST_SUITE_P(Ways, StreamWeld, testing::Values(Welding::here, Welding::behind),
+                         [](const auto& way) { return way.param == Welding::here ? "here" : "behind"; });
+
+TEST_P(StreamWeld, LargeSoupsAreWeldedWhileTheyArrive) {
   for (const SlotMask slots :
        {bit(kPosition), bit(kPosition) | bit(kNormal), bit(kPosition) | bit(kNormal) | bit(kColor),
         bit(kPosition) | bit(kFogCoord)}) {
-    const Captured soup = grid(kSide, kNever, slots), welded = grid(kSide, kWeldFrom, slots);
+    const Captured soup = grid(kSide, kNever, slots), welded = grid(kSide, kWeldFrom, slots, GetParam());
     EXPECT_TRUE(soup.indices.empty());
     EXPECT_EQ(welded.indices.size(), 6u * kSide * kSide);
     EXPECT_EQ(welded.vertexCount, (kSide + 1) * (kSide + 1));
@@ -71,23 +84,23 @@ TEST(StreamWeld, LargeSoupsAreWeldedWhileTheyArrive) {
   }
 }
 
-TEST(StreamWeld, SmallSoupsAreLeftAlone) {
+TEST(StreamWelder, SmallSoupsAreLeftAlone) {
   EXPECT_TRUE(grid(20, kWeldFrom).indices.empty());
   EXPECT_TRUE(grid(kSide, 1'000'000).indices.empty());
 }
 
-TEST(StreamWeld, WhatHasArrivedBeforeIsWeldedToo) {
+TEST(StreamWelder, WhatHasArrivedBeforeIsWeldedToo) {
   const Captured soup = grid(kSide, kNever), welded = grid(kSide, 6 * kSide * kSide - 1000);
   EXPECT_EQ(welded.indices.size(), 6u * kSide * kSide);
   EXPECT_EQ(welded.vertexCount, (kSide + 1) * (kSide + 1));
   EXPECT_EQ(expanded(welded), expanded(soup));
 }
 
-TEST(StreamWeld, IncompleteTrianglesAreDropped) {
+TEST_P(StreamWeld, IncompleteTrianglesAreDropped) {
   for (const uint32_t extra : {1u, 2u})
     for (const bool numbered : {false, true}) {
       VertexStream stream;
-      stream.start(bit(kPosition), initialSlotValues(), kWeldFrom);
+      stream.start(bit(kPosition), initialSlotValues(), kWeldFrom, GetParam());
       stream.begin(GL_TRIANGLES);
       sendGrid(stream, kSide);
       for (uint32_t i = 0; i < extra; ++i) stream.vertexSlow(-5, static_cast<float>(i), 0, 1);
@@ -104,10 +117,10 @@ TEST(StreamWeld, IncompleteTrianglesAreDropped) {
     }
 }
 
-TEST(StreamWeld, OtherFiguresFollow) {
+TEST_P(StreamWeld, OtherFiguresFollow) {
   VertexStream plain, welding;
   for (VertexStream* stream : {&plain, &welding}) {
-    stream->start(bit(kPosition), initialSlotValues(), stream == &welding ? kWeldFrom : kNever);
+    stream->start(bit(kPosition), initialSlotValues(), stream == &welding ? kWeldFrom : kNever, GetParam());
     stream->begin(GL_TRIANGLES), sendGrid(*stream, kSide), stream->end();
     stream->begin(GL_TRIANGLE_STRIP), sendGrid(*stream, 3), stream->end();
     stream->begin(GL_TRIANGLES), sendGrid(*stream, kSide), stream->end();
@@ -119,9 +132,9 @@ TEST(StreamWeld, OtherFiguresFollow) {
   EXPECT_EQ(buildMesh(expected).mesh->geometryId, buildMesh(got).mesh->geometryId);
 }
 
-TEST(StreamWeld, ASlotSetLaterEndsTheWelding) {
+TEST_P(StreamWeld, ASlotSetLaterEndsTheWelding) {
   VertexStream stream;
-  stream.start(bit(kPosition), initialSlotValues(), kWeldFrom);
+  stream.start(bit(kPosition), initialSlotValues(), kWeldFrom, GetParam());
   stream.begin(GL_TRIANGLES), sendGrid(stream, kSide), stream.end();
   const uint32_t before = stream.captured().vertexCount;
   const float earlier[4] = {0, 0, 1, 0};
@@ -138,8 +151,9 @@ TEST(StreamWeld, ASlotSetLaterEndsTheWelding) {
   }
 }
 
-TEST(StreamWeld, MeshesTakeTheArraysOver) {
-  Captured soup = grid(kSide, kNever), welded = grid(kSide, kWeldFrom);
+TEST_P(StreamWeld, MeshesTakeTheArraysOver) {
+  Captured soup = grid(kSide, kNever),
+           welded = grid(kSide, kWeldFrom, bit(kPosition) | bit(kNormal), GetParam());
   const KnownMesh expected = buildMesh(soup), got = buildMesh(std::move(welded));
   ASSERT_TRUE(got.mesh);
   EXPECT_EQ(welded.vertices.data(), nullptr);
@@ -157,7 +171,7 @@ TEST(StreamWeld, MeshesTakeTheArraysOver) {
     }
 }
 
-TEST(StreamWeld, VerticesFarApartInTimeMayStayDouble) {
+TEST(StreamWelder, VerticesFarApartInTimeMayStayDouble) {
   StreamWelder welder;
   GrowingArray<uint32_t> indices;
   GrowingArray<float> vertices;
@@ -166,10 +180,113 @@ TEST(StreamWeld, VerticesFarApartInTimeMayStayDouble) {
   for (uint32_t i = 0; i < kCount; ++i)
     for (uint32_t k = 0; k < 3; ++k)
       vertices[size_t{i} * 3 + k] = static_cast<float>((i % (kCount / 2)) * (k + 1));
-  const uint32_t kept = welder.weld(vertices.data(), 3, 0, kCount, indices);
+  const uint32_t kept = welder.weld(vertices.data(), 3, 0, vertices.data(), kCount, indices);
   EXPECT_GE(kept, kCount / 2);
   for (uint32_t i = 0; i < kCount; ++i)
     ASSERT_EQ(vertices[size_t{indices[i]} * 3 + 1], static_cast<float>((i % (kCount / 2)) * 2));
+}
+
+// Looked at, added to, aborted and begun again at every place within the pieces.
+TEST_P(StreamWeld, RunsMayBeLookedAtWhileTheyArrive) {
+  const Captured soup = grid(kSide, kNever);
+  VertexStream stream;
+  for (const uint32_t step : {1000u, 8192u, 9001u, 50'000u}) {
+    stream.start(bit(kPosition) | bit(kNormal), initialSlotValues(), kWeldFrom, GetParam());
+    stream.begin(GL_TRIANGLES);
+    sendGrid(stream, kSide);  // given up
+    stream.start(bit(kPosition) | bit(kNormal), initialSlotValues(), kWeldFrom, GetParam());
+    EXPECT_TRUE(stream.empty());
+    stream.begin(GL_TRIANGLES);
+    uint32_t sent = 0;
+    forEachCorner(kSide, [&](uint32_t x, uint32_t y) {
+      const float normal[3] = {height(x, y), 0, 1};
+      stream.set(kNormal, normal);
+      stream.vertexSlow(static_cast<float>(x), static_cast<float>(y), height(y, x), 1);
+      ASSERT_EQ(stream.openPrimitive().count, ++sent);
+      if (sent % step == 0) { ASSERT_GT(stream.captured().vertexCount, 0u); }
+    });
+    stream.end();
+    EXPECT_FALSE(stream.empty());
+    const Captured c = stream.take();
+    EXPECT_EQ(c.primitives, soup.primitives);
+    EXPECT_EQ(c.vertexCount, (kSide + 1) * (kSide + 1));
+    EXPECT_EQ(expanded(c), expanded(soup));
+    EXPECT_TRUE(stream.empty());
+  }
+}
+
+/// What `body` returns in a forked child; -1 where it takes a minute or dies.
+template <class Body>
+int inChild(Body&& body) {
+  const pid_t child = fork();
+  if (child == 0) {
+    alarm(60);
+    _exit(body());
+  }
+  int status = 0;
+  return waitpid(child, &status, 0) == child && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kMemoryCanBeLimited = false;  // sanitizers reserve most of the address space
+#else
+constexpr bool kMemoryCanBeLimited = true;
+#endif
+
+void limitMemory(rlim_t moreBytes) {
+  std::ifstream file("/proc/self/statm");
+  rlim_t pages = 0;
+  file >> pages;
+  rlimit limit{};
+  getrlimit(RLIMIT_AS, &limit);
+  limit.rlim_cur = moreBytes ? pages * static_cast<rlim_t>(getpagesize()) + moreBytes : limit.rlim_max;
+  setrlimit(RLIMIT_AS, &limit);
+}
+
+TEST(WeldBehind, NothingIsLostWhereMemoryIsShortForAWhile) {
+  if (!kMemoryCanBeLimited) GTEST_SKIP() << "not with sanitizers";
+  constexpr uint32_t kLarge = 600;
+  const Captured soup = grid(kLarge, kNever, bit(kPosition));
+  const auto shortOfMemory = [&] {
+    VertexStream stream;
+    stream.start(bit(kPosition), initialSlotValues(), kWeldFrom, Welding::behind);
+    stream.begin(GL_TRIANGLES);
+    uint32_t sent = 0, failures = 0;
+    forEachCorner(kLarge, [&](uint32_t x, uint32_t y) {
+      if (++sent == 2 * kWeldFrom) limitMemory(1 << 20);
+      const auto send = [&] {
+        stream.vertexSlow(static_cast<float>(x), static_cast<float>(y), height(y, x), 1);
+      };
+      try {
+        send();
+      } catch (const std::bad_alloc&) {
+        ++failures;
+        limitMemory(0);
+        send();
+      }
+    });
+    stream.end();
+    return failures == 1 && expanded(stream.take()) == expanded(soup) ? 7 : 1;
+  };
+  EXPECT_EQ(inChild(shortOfMemory), 7);
+}
+
+TEST(WeldBehind, AForkedChildRefusesRatherThanWaits) {
+  VertexStream stream;
+  stream.start(bit(kPosition), initialSlotValues(), kWeldFrom, Welding::behind);
+  stream.begin(GL_TRIANGLES);
+  sendGrid(stream, kSide);
+  const auto goOn = [&] {
+    try {
+      stream.captured();
+    } catch (const std::exception&) {
+      stream.start(bit(kPosition), initialSlotValues());
+      return 7;
+    }
+    return 1;
+  };
+  EXPECT_EQ(inChild(goOn), 7);
+  EXPECT_EQ(stream.captured().indices.size(), 6u * kSide * kSide);  // the parent goes on
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
 #include "gl/vertex_stream.h"
 
 #include <algorithm>
+#include <cstring>
 #include <new>
 #include <numeric>
+#include <utility>
 
 namespace gluray::gl {
 namespace {
@@ -10,10 +12,12 @@ constexpr uint32_t kMost = 1u << 30;   // vertices in a run
 constexpr uint32_t kPiece = 1u << 13;  // vertices: such a piece stays in the caches
 }  // namespace
 
-void VertexStream::start(SlotMask mask, const SlotValues& current, uint32_t weldFrom) {
+void VertexStream::start(SlotMask mask, const SlotValues& current, uint32_t weldFrom, Welding where) {
+  behind_.drop();
   captured_.clear();
   weldFrom_ = weldFrom;
-  kept_ = 0;
+  where_ = where;
+  kept_ = numbered_ = 0;
   welder_.forget();
   captured_.layout = VertexLayout::of(mask);
   insidePrimitive_ = false;
@@ -41,7 +45,7 @@ void VertexStream::stopWelding() {
 }
 
 /// Vertices at which those that have arrived are welded.
-uint32_t VertexStream::nextWeld() const { return kept_ > 0 ? kept_ + kPiece : weldFrom_; }
+uint32_t VertexStream::nextWeld() const { return behind_.active() || kept_ > 0 ? kept_ + kPiece : weldFrom_; }
 
 void VertexStream::updateLimit() {
   size_t fitting = std::min<size_t>(kMost, captured_.vertices.capacity() / captured_.layout.stride);
@@ -80,8 +84,10 @@ void VertexStream::end() {
   const uint32_t count = completeVertices(mode_, sent() - first_), extra = sent() - first_ - count;
   // Extra vertices that have numbers already stay, without anybody to refer to them.
   const uint32_t arrived = std::min(extra, captured_.vertexCount - kept_);
+  if (extra > arrived) bringBack();
   captured_.vertexCount -= arrived;
   captured_.indices.resize(captured_.indices.size() - (extra - arrived));
+  numbered_ -= extra - arrived;
   cursor_ = captured_.vertex(captured_.vertexCount);
   if (count == 0) return;
   // Separate figures of one kind that follow each other are one primitive.
@@ -93,13 +99,54 @@ void VertexStream::end() {
 }
 
 void VertexStream::weldArrived() {
-  kept_ = welder_.weld(captured_.vertices.data(), captured_.layout.stride, kept_, captured_.vertexCount,
-                       captured_.indices);
+  kept_ = welder_.weld(captured_.vertices.data(), captured_.layout.stride, kept_, captured_.vertex(kept_),
+                       captured_.vertexCount - kept_, captured_.indices);
   captured_.vertexCount = kept_;
+  numbered_ = static_cast<uint32_t>(captured_.indices.size());
+}
+
+// The first vertices are welded here, whatever comes then elsewhere if it can be.
+void VertexStream::weldBehind() {
+  if (behind_.active()) {
+    const uint32_t count = captured_.vertexCount;
+    if (behind_.hand(captured_.vertices, count)) {
+      numbered_ += count;
+      captured_.vertexCount = 0;
+      return;
+    }
+    where_ = Welding::here;
+    bringBack();
+  }
+  weldArrived();
+  if (where_ == Welding::here) return;
+  WeldBehind::Run run{std::move(captured_.vertices), std::move(captured_.indices), std::move(welder_), kept_};
+  if (behind_.start(run, captured_.layout.stride, kPiece, captured_.vertices)) {
+    captured_.vertexCount = kept_ = 0;
+    return;
+  }
+  captured_.vertices = std::move(run.vertices), captured_.indices = std::move(run.indices);
+  welder_ = std::move(run.welder);
+  where_ = Welding::here;
+}
+
+// Waits for what the other thread welds; what has arrived since is behind it then.
+void VertexStream::bringBack() {
+  if (!behind_.active()) return;
+  const uint32_t arrived = captured_.vertexCount;
+  WeldBehind::Run run = behind_.finish(arrived);
+  const GrowingArray<float> piece = std::exchange(captured_.vertices, std::move(run.vertices));
+  captured_.indices = std::move(run.indices), welder_ = std::move(run.welder);
+  kept_ = run.kept;
+  captured_.vertexCount = kept_ + arrived;
+  std::memcpy(captured_.vertex(kept_), piece.data(),
+              size_t{arrived} * captured_.layout.stride * sizeof(float));
+  cursor_ = captured_.vertex(captured_.vertexCount);
+  updateLimit();
 }
 
 // Gives numbers to the vertices that have arrived, where others have them.
 void VertexStream::numberAll() {
+  bringBack();
   if (captured_.indices.empty() || kept_ == captured_.vertexCount) return;
   if (welds()) {
     weldArrived();
@@ -108,6 +155,7 @@ void VertexStream::numberAll() {
     captured_.indices.grow(before + (captured_.vertexCount - kept_));
     std::iota(captured_.indices.begin() + before, captured_.indices.end(), kept_);
     kept_ = captured_.vertexCount;
+    numbered_ = static_cast<uint32_t>(captured_.indices.size());
   }
   cursor_ = captured_.vertex(captured_.vertexCount);
   updateLimit();
@@ -116,7 +164,7 @@ void VertexStream::numberAll() {
 void VertexStream::grow() {
   constexpr uint32_t kFirst = 1024;
   if (sent() >= kMost) throw std::bad_alloc();
-  if (welds() && captured_.vertexCount >= nextWeld()) weldArrived();
+  if (welds() && captured_.vertexCount >= nextWeld()) weldBehind();
   const uint32_t stored = captured_.vertexCount, stride = captured_.layout.stride;
   if (size_t{stored + kPiece} * stride > captured_.vertices.capacity())
     captured_.vertices.reserve(size_t{std::max(kFirst, std::min(kMost, stored * 2))} * stride);
@@ -173,7 +221,7 @@ Captured VertexStream::take() {
   captured_ = {};
   cursor_ = nullptr;
   limit_ = room_ = 0;
-  kept_ = 0;
+  kept_ = numbered_ = 0;
   welder_.forget();
   return result;
 }

@@ -1,8 +1,10 @@
 // Collects the vertices between glBegin and glEnd, over as many pairs as share their state ("a run").
-// Used by the GL thread that owns the context. The inline part is the leaf path.
+// Used by the GL thread that owns the context; a thread of WeldBehind may help. The inline part is the leaf
+// path.
 #pragma once
 #include "gl/captured.h"
 #include "gl/stream_weld.h"
+#include "gl/weld_behind.h"
 
 #include <cstring>
 
@@ -11,15 +13,17 @@ namespace gluray::gl {
 class VertexStream {
  public:
   static constexpr uint32_t kNever = ~0u;
+  enum class Welding { here, behind };  // on the calling thread, or on another where there is one
 
   /// Starts an empty run that has the slots of `mask`, with `current` values for those not set before the
   /// first vertex. If it comes to `weldFrom` vertices, all of separate triangles, equal ones are found from
   /// then on while they arrive; the capture then has indices.
-  void start(SlotMask mask, const SlotValues& current, uint32_t weldFrom = kNever);
+  void start(SlotMask mask, const SlotValues& current, uint32_t weldFrom = kNever,
+             Welding where = Welding::here);
 
   bool has(Slot slot) const { return captured_.layout.has(slot); }
   bool insidePrimitive() const { return insidePrimitive_; }
-  bool empty() const { return captured_.vertexCount == 0; }
+  bool empty() const { return sent() == 0; }
   const VertexLayout& layout() const { return captured_.layout; }
 
   void begin(GLenum mode);
@@ -80,22 +84,25 @@ class VertexStream {
 
  private:
   /// Vertices since the start, those that were found again included: what primitives count.
-  uint32_t sent() const {
-    return captured_.vertexCount - kept_ + static_cast<uint32_t>(captured_.indices.size());
-  }
+  uint32_t sent() const { return captured_.vertexCount - kept_ + numbered_; }
   void grow();
   void updateLimit();
   void relayout(SlotMask mask);
   bool welds() const { return weldFrom_ != kNever; }
   uint32_t nextWeld() const;
   void weldArrived();
+  void weldBehind();
+  void bringBack();
   void numberAll();
   void stopWelding();
 
-  Captured captured_;
+  Captured captured_;  // while another thread welds, vertices of the piece that arrives
   uint32_t weldFrom_ = kNever;
-  uint32_t kept_ = 0;  // vertices that indices refer to; those behind have arrived since
+  Welding where_ = Welding::here;
+  uint32_t kept_ = 0;      // vertices that indices refer to; those behind have arrived since
+  uint32_t numbered_ = 0;  // vertices sent that have indices, or get them from the other thread
   StreamWelder welder_;
+  WeldBehind behind_;
   float* cursor_ = nullptr;
   uint32_t room_ = 0;   // vertices that fit before grow() must be called
   uint32_t limit_ = 0;  // the same for the leaf path; 0 while it must not append

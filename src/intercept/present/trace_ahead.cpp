@@ -39,7 +39,7 @@ bool TraceAhead::startThread() {
   thread_.stop();
   ended_ = false;
   if (thread_.start([this](const std::atomic<bool>& cancelled) { run(cancelled); },
-                    accel::BackgroundJob::Priority::usual))
+                    BackgroundJob::Priority::usual))
     return true;
   ended_ = true;
   return false;

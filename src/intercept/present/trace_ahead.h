@@ -2,7 +2,7 @@
 // first picture and ends after a while without any. GL thread, one per context; overdue pictures are shown by
 // that thread.
 #pragma once
-#include "accel/background_job.h"
+#include "base/background_job.h"
 #include "intercept/present/trace.h"
 
 #include <atomic>
@@ -60,7 +60,7 @@ class TraceAhead {
   Image image_;
   TraceCost cost_;
   std::string error_;
-  accel::BackgroundJob thread_;  // the last: it ends before the rest goes
+  BackgroundJob thread_;  // the last: it ends before the rest goes
 };
 
 }  // namespace gluray::present

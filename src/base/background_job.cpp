@@ -1,4 +1,4 @@
-#include "accel/background_job.h"
+#include "base/background_job.h"
 
 #include <pthread.h>
 #include <sys/resource.h>
@@ -10,7 +10,7 @@
 #include <ctime>
 #include <vector>
 
-namespace gluray::accel {
+namespace gluray {
 namespace {
 
 constexpr time_t kExitPatience = 2;  // seconds that exit() may take longer
@@ -122,9 +122,9 @@ void BackgroundJob::run() noexcept {
 
 BackgroundJob::Outcome BackgroundJob::poll() noexcept {
   if (!work_ || state_.load(std::memory_order_acquire) == State::running) return Outcome::none;
-  const bool done = state_ == State::done && !cancelled_;
+  const Outcome outcome = done() ? Outcome::done : Outcome::failed;
   join();
-  return done ? Outcome::done : Outcome::failed;
+  return outcome;
 }
 
 void BackgroundJob::stop() noexcept {
@@ -169,4 +169,4 @@ void BackgroundJob::abandonAtExit() noexcept {
     thread_.detach();
 }
 
-}  // namespace gluray::accel
+}  // namespace gluray

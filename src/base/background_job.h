@@ -1,5 +1,5 @@
-// Work of accel/ behind the frames' back: one job at a time in a thread, of low priority unless it is short.
-// The thread that renders frames makes all calls.
+// Work behind the frames' back: one job at a time in a thread, of low priority unless it is short.
+// One thread makes all calls.
 #pragma once
 #include <sys/types.h>
 
@@ -8,7 +8,7 @@
 #include <mutex>
 #include <thread>
 
-namespace gluray::accel {
+namespace gluray {
 
 /// For threads that work for a job inside a library which must not be left by cancelling while the process
 /// exits: once it does, never returns. Called now and then from there.
@@ -30,6 +30,8 @@ class BackgroundJob {
 
   /// Whether a job was started that poll() has not reported yet.
   bool busy() const { return static_cast<bool>(work_); }
+  /// Whether poll() would report that one is done.
+  bool done() const { return work_ && !cancelled_ && state_.load(std::memory_order_acquire) == State::done; }
   enum class Priority { low, usual };  // low: frames that are traced meanwhile come first
   /// Starts `work`. Only where not busy. False where no thread can be had.
   bool start(Work work, Priority priority = Priority::low) noexcept;
@@ -59,4 +61,4 @@ class BackgroundJob {
   std::atomic<State> state_{State::failed};
 };
 
-}  // namespace gluray::accel
+}  // namespace gluray
