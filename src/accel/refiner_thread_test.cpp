@@ -80,6 +80,19 @@ TEST_F(Refinement, BetterStructureTakesThePlaceOfTheFastOne) {
   EXPECT_EQ(world.cachedBlases(), 1u);
 }
 
+TEST_F(Refinement, OneThatIsReadyWaitsForTheNextFrame) {
+  World world(0, plenty);
+  const auto snapshot = test::makeSnapshot({sheet()});
+  while (!world.refining()) ASSERT_EQ(world.update(snapshot, arena).blasRefinements, 0u);
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (!world.refined()) {
+    ASSERT_LT(std::chrono::steady_clock::now(), deadline);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  EXPECT_EQ(world.update(snapshot, arena).blasRefinements, 1u);
+  EXPECT_FALSE(world.refined());
+}
+
 TEST_F(Refinement, InstancesAreMovedToTheBetterStructure) {
   World world(0, plenty);
   const auto mesh = sheet();

@@ -69,6 +69,8 @@ class World {
   size_t cachedBlases() const { return cache_.size(); }
   /// Whether a better structure is being built behind the frames.
   bool refining() const { return cache_.refining(); }
+  /// Whether the next update() puts one in its place.
+  bool refined() const { return cache_.refined(); }
   /// Bounding box of everything, world space. Only where not empty.
   glm::vec3 lower() const { return lower_; }
   glm::vec3 upper() const { return upper_; }

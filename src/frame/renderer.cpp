@@ -45,6 +45,8 @@ class Renderer::Engine {
     statistics.traceSeconds = nowSeconds() - built;
   }
 
+  bool improves() const { return world_ && world_->refined(); }
+
   void antialias(const Settings& settings, const scene::Fxaa& fxaa, const uint32_t* in, int width, int height,
                  uint32_t* out) {
     prepareArena(settings.threads);
@@ -99,6 +101,11 @@ bool Renderer::render(const scene::Snapshot& snapshot, Image& image, FrameStatis
   } catch (...) {  // an empty line is better than an exception in the host
   }
   return false;
+}
+
+bool Renderer::improves() const noexcept {
+  const std::unique_lock lock(engine_->mutex, std::try_to_lock);
+  return lock && engine_->improves();
 }
 
 bool Renderer::antialias(const Settings& settings, const scene::Fxaa& fxaa, const uint32_t* in, int width,

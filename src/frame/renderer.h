@@ -37,6 +37,10 @@ class Renderer {
   bool render(const scene::Snapshot& snapshot, Image& image, FrameStatistics& statistics,
               std::string& error) noexcept;
 
+  /// Whether a better acceleration structure is ready, which the next render() puts in the place of the one
+  /// there. False while another thread is in the renderer. Any thread.
+  bool improves() const noexcept;
+
   /// Anti-aliases a finished picture: render::fxaa with the threads of the settings. False without memory or
   /// threads. Any thread.
   bool antialias(const Settings& settings, const scene::Fxaa& fxaa, const uint32_t* in, int width, int height,

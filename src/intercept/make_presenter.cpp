@@ -23,6 +23,8 @@ bool resolve(const Settings& settings, const scene::Resolve& how, const Image& s
   return frame::Renderer::shared().resolve(settings, how, samples, out);
 }
 
+bool improves() { return frame::Renderer::shared().improves(); }
+
 /// The price of interception alone: no ray, no write-back.
 class NullPresenter final : public gl::Presenter {
  public:
@@ -43,7 +45,8 @@ class NullPresenter final : public gl::Presenter {
 
 std::unique_ptr<gl::Presenter> makePresenter(const Settings& settings, present::Written onWritten) {
   if (settings.renderer == Renderer::null) return std::make_unique<NullPresenter>();
-  return std::make_unique<present::TracingPresenter>(trace, std::move(onWritten), antialias, resolve);
+  return std::make_unique<present::TracingPresenter>(present::Tracer{trace, antialias, resolve, improves},
+                                                     std::move(onWritten));
 }
 
 }  // namespace gluray::intercept

@@ -35,9 +35,9 @@ bool traceByRenderer(const scene::Snapshot& snapshot, Image& image, present::Tra
 
 Shown play(const DrawFrame& draw, int count, const LagOptions& options) {
   Shown shown;
-  TracedContext ours(
-      {kLagWidth, kLagHeight}, options.settings,
-      std::make_unique<present::TracingPresenter>(options.trace ? options.trace : traceByRenderer));
+  TracedContext ours({kLagWidth, kLagHeight}, options.settings,
+                     std::make_unique<present::TracingPresenter>(
+                         present::Tracer{options.trace ? options.trace : traceByRenderer}));
   gl::Context& context = *gl::t_thread.context;
   const auto swap = [&] { shown.frames.push_back(readPicture(ours.below().real(), kLagWidth, kLagHeight)); };
   for (int frame = 0; frame < count; ++frame) {

@@ -353,9 +353,9 @@ void expectSameWhenTracingFails(const std::string& name, const DrawProgram& draw
     expected = drawn(real->real(), draw, expectedState, expectedError, wish);
   }
   auto fails = std::make_unique<present::TracingPresenter>(
-      [](const scene::Snapshot&, Image&, present::TraceCost&, std::string& why) {
+      present::Tracer{[](const scene::Snapshot&, Image&, present::TraceCost&, std::string& why) {
         return why = "this test lets tracing fail", false;
-      });
+      }});
   TracedContext ours(wish, TracedContext::tracing(), std::move(fails), nullptr, parsed(families));
   const Picture got = drawn(ours.gl(), draw, state, error, wish);
   EXPECT_EQ(error, expectedError);

@@ -64,9 +64,9 @@ TEST_P(SceneTest, LooksLikeTheRealOneWhenTracingFails) {
   const scenes::Scene& scene = *GetParam();
   const Picture expected = drawReal(scene);
   auto fails = std::make_unique<present::TracingPresenter>(
-      [](const scene::Snapshot&, Image&, present::TraceCost&, std::string& error) {
+      present::Tracer{[](const scene::Snapshot&, Image&, present::TraceCost&, std::string& error) {
         return error = "this test lets tracing fail", false;
-      });
+      }});
   TracedContext ours({kWidth, kHeight}, TracedContext::vertexShading(), std::move(fails));
   scene.draw(ours.gl(), kWidth, kHeight);
   const Picture got = ours.read();

@@ -45,7 +45,7 @@ LagRefusal TracingPresenter::traceAhead(const gl::RealGl& real, const scene::Sna
     PendingErrors none;  // the caller has asked
     if (target.cleared) background = clearedWindow_.bits(real, features(real), *target.cleared, none);
     if (pictures_.of(*snapshot, background)) return LagRefusal::repeated;
-    if (!ahead_) ahead_ = std::make_unique<TraceAhead>(trace_);
+    if (!ahead_) ahead_ = std::make_unique<TraceAhead>(tracer_.trace);
     TraceAhead::Late late;
     late.due = TraceAhead::Clock::now() + target.overdue.after;
     if (target.overdue.show && background) {

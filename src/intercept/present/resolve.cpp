@@ -19,7 +19,7 @@ PresentResult TracingPresenter::resolve(const gl::RealGl& real, const scene::Sna
 PresentResult TracingPresenter::resolved(const gl::RealGl& real, const scene::Snapshot& snapshot,
                                          const gl::ResolveTarget& target) {
   PresentResult result;
-  if (!resolve_ || !supports(real, target.core, result.why)) return result;
+  if (!tracer_.resolve || !supports(real, target.core, result.why)) return result;
   const LastPictures::Picture* traced = pictureOf(snapshot, target.mayRepeat, {}, result, result.why);
   if (!traced || traced->image.content != Image::Content::color || !traced->image.center.empty())
     return result;
@@ -28,7 +28,7 @@ PresentResult TracingPresenter::resolved(const gl::RealGl& real, const scene::Sn
   if (!target.colors) known.gamma = target.how.gamma;  // depths are the same
   if (pixels_.of != traced->id || !(known == target.how)) {
     pixels_.of = 0;
-    if (!resolve_(snapshot.settings, target.how, traced->image, pixels_.image)) return result;
+    if (!tracer_.resolve(snapshot.settings, target.how, traced->image, pixels_.image)) return result;
     pixels_.of = traced->id, pixels_.how = target.how;
   }
   PendingErrors pending = takeErrors(real);

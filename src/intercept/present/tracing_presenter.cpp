@@ -79,14 +79,17 @@ const LastPictures::Picture* TracingPresenter::pictureOf(const scene::Snapshot& 
                                                          std::optional<uint32_t> missColor,
                                                          PresentResult& result, std::string& why) {
   const bool ahead = ahead_ && ahead_->has(snapshot);
-  if (const auto* known = mayRepeat && !ahead ? pictures_.of(snapshot, missColor) : nullptr) {
+  // What was built better takes twice the memory until something is traced.
+  const bool repeats = mayRepeat && !ahead && !(tracer_.improves && tracer_.improves());
+  if (const auto* known = repeats ? pictures_.of(snapshot, missColor) : nullptr) {
     result.repeated = true;
     return known;
   }
   LastPictures::Picture& fresh = pictures_.next();
   fresh.image.missColor = missColor.value_or(0);
   TraceCost cost;
-  const bool done = ahead ? ahead_->take(fresh.image, cost, why) : trace_(snapshot, fresh.image, cost, why);
+  const bool done =
+      ahead ? ahead_->take(fresh.image, cost, why) : tracer_.trace(snapshot, fresh.image, cost, why);
   takeCost(cost, result);
   if (!done) return nullptr;
   pictures_.keep(snapshot);
@@ -218,7 +221,7 @@ bool TracingPresenter::written(const gl::RealGl& real, const LastPictures::Pictu
 
 bool TracingPresenter::antialias(const gl::RealGl& real, const scene::Fxaa& fxaa, GLint unit, GLuint target,
                                  const scene::Region& region, const Settings& settings) noexcept {
-  if (!antialias_) return false;
+  if (!tracer_.antialias) return false;
   try {
     const auto pixels = static_cast<size_t>(region.width) * static_cast<size_t>(region.height);
     if (before_.size() < pixels) before_.resize(pixels), after_.resize(pixels);
@@ -228,7 +231,8 @@ bool TracingPresenter::antialias(const gl::RealGl& real, const scene::Fxaa& fxaa
     guard.activeTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     real.GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, before_.data());
     if (!takeErrors(real).empty()) return false;
-    if (!antialias_(settings, fxaa, before_.data(), region.width, region.height, after_.data())) return false;
+    if (!tracer_.antialias(settings, fxaa, before_.data(), region.width, region.height, after_.data()))
+      return false;
     guard.texture2D(unit, target);
     if (!takeErrors(real).empty() ||
         !gl::holdsRgba8(real, {region.x + region.width, region.y + region.height}))

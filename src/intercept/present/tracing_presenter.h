@@ -18,23 +18,10 @@ namespace gluray::present {
 /// Told of every picture that has just been written into the bound framebuffer.
 using Written = std::function<void(const gl::RealGl&, const Image&)>;
 
-/// Anti-aliases a picture, `in` to `out`. False on failure; never throws. frame::Renderer::antialias in the
-/// engine.
-using Antialias = std::function<bool(const Settings&, const scene::Fxaa&, const uint32_t* in, int width,
-                                     int height, uint32_t* out)>;
-
-/// Makes pixels of the samples of a picture. False on failure; never throws. frame::Renderer::resolve in the
-/// engine.
-using Resolve = std::function<bool(const Settings&, const scene::Resolve&, const Image& samples, Image& out)>;
-
 class TracingPresenter final : public gl::Presenter {
  public:
-  explicit TracingPresenter(Trace trace, Written onWritten = {}, Antialias antialias = {},
-                            Resolve resolve = {})
-      : trace_(std::move(trace)),
-        onWritten_(std::move(onWritten)),
-        antialias_(std::move(antialias)),
-        resolve_(std::move(resolve)) {}
+  explicit TracingPresenter(Tracer tracer, Written onWritten = {})
+      : tracer_(std::move(tracer)), onWritten_(std::move(onWritten)) {}
 
   gl::PresentResult present(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                             const gl::PresentTarget& target) noexcept override;
@@ -67,10 +54,8 @@ class TracingPresenter final : public gl::Presenter {
   bool written(const gl::RealGl& real, const LastPictures::Picture& picture, int threads,
                const gl::PresentTarget& target, PendingErrors& pending, std::string& why) noexcept;
 
-  Trace trace_;
+  Tracer tracer_;
   Written onWritten_;
-  Antialias antialias_;
-  Resolve resolve_;
   gl::PresentResult resolved(const gl::RealGl& real, const scene::Snapshot& snapshot,
                              const gl::ResolveTarget& target);
   struct Pixels {
