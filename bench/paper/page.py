@@ -100,8 +100,8 @@ def page(result, pictures):
         return [f"![{caption}]({pictures[name]})", ""] if name in pictures else []
     lines = [
         "# The paper's evaluation, repeated", "",
-        "`scripts/bench paper` writes this page and the figures in `bench/results/paper`; `--full` goes to the paper's sizes as far as",
-        "memory goes. [ADR 0019](adr/0019-the-papers-evaluation.md) tells what stands for what.", "",
+        "`scripts/bench paper` measures at a fortieth of the paper's sizes and writes docs/paper-evaluation.md; with `--full` it goes as far as",
+        "memory does and writes docs/paper-evaluation-full.md. [ADR 0019](adr/0019-the-papers-evaluation.md) tells what stands for what.", "",
         f"Measured {result['date']} by `{result['command']}`:", f"{machine['cpu']}, {machine['cores']} cores, {machine['memory']} of memory,",
         f"{machine['system']}, load {machine['load_before']:.1f} before and {machine.get('load_after', 0):.1f} after; GLuRay "
         f"{versions['source']}{' with changes' if versions['source_modified'] else ''}, {versions['embree']}, {versions['mesa']},",

@@ -1,8 +1,8 @@
 """the paper's evaluation, repeated: its Table 1 and Figures 7, 8 and 9
 
 Data of the kinds that the paper used, made here, in ParaView, VTK and our client; GLuRay, Mesa with one and with all threads,
-and the GPU's OpenGL where the display has one, in turn. Writes bench/results/paper/NAME.json with the figures as SVG, and
-docs/paper-evaluation.md. What has been measured is kept: a run that was ended goes on where it was; another build begins anew.
+and the GPU's OpenGL where the display has one, in turn. Writes bench/results/paper/small.json with the figures as SVG, and
+docs/paper-evaluation.md; --full beside them, in paper/full and docs/paper-evaluation-full.md. What has been measured is kept: a run that was ended goes on where it was; another build begins anew.
 The small version, a fortieth of the paper's sizes, takes up to ten minutes on two cores; --full takes hours and goes as far as
 memory does.
 """
@@ -43,8 +43,8 @@ def arguments(argv):
     parser.add_argument("--plan", action="store_true", help="print what would be measured, and end")
     parser.add_argument("--draw", action="store_true", help="draw and write the page from the kept result again, and end")
     parser.add_argument("--name", default="small", help="name of the result file (small; full: full)")
-    parser.add_argument("--out", type=pathlib.Path, default=ROOT / "bench" / "results" / "paper", help="folder of result and figures")
-    parser.add_argument("--page", type=pathlib.Path, default=ROOT / "docs" / "paper-evaluation.md", help="the Markdown page")
+    parser.add_argument("--out", type=pathlib.Path, help="folder of result and figures (bench/results/paper; full: its folder full)")
+    parser.add_argument("--page", type=pathlib.Path, help="the Markdown page (docs/paper-evaluation.md; full: docs/paper-evaluation-full.md)")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="build folder")
     parser.add_argument("--xvfb", action="store_true", help="use an Xvfb even where there is a display")
     options = parser.parse_args(argv)
@@ -60,6 +60,9 @@ def arguments(argv):
     options.seconds = options.seconds or (5 if options.full else 1.5)
     if options.full and options.name == "small":
         options.name = "full"
+    results_folder = ROOT / "bench" / "results" / "paper"
+    options.out = options.out or (results_folder / "full" if options.full else results_folder)
+    options.page = options.page or ROOT / "docs" / ("paper-evaluation-full.md" if options.full else "paper-evaluation.md")
     options.work = options.build / "bench" / "paper" / "work"
     return options
 
@@ -231,6 +234,9 @@ def measure(options, argv, display_name):
     result = {"suite": "paper", "command": ("scripts/bench paper " + shlex.join(argv)).strip(), **machine.describe(ROOT)}
     result["versions"]["paraview"] = machine.package_version("python3-paraview")
     run.measure(wanted)
+    missing = sorted({row.name for key, row, _, _ in run.jobs(rows) if key not in kept})
+    if missing:
+        notes.append(f"not measured yet, the same command goes on: {', '.join(missing)}")
     if "gluray" in names and not options.rows:
         timeline(options, engine_set, run)
     size = sum(file.stat().st_size for file in (options.work / "data").glob("*.mesh"))

@@ -8,10 +8,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <fstream>
 #include <new>
+#include <random>
 #include <vector>
 
 namespace gluray::gl {
@@ -212,6 +214,41 @@ TEST_P(StreamWeld, RunsMayBeLookedAtWhileTheyArrive) {
     EXPECT_EQ(c.vertexCount, (kSide + 1) * (kSide + 1));
     EXPECT_EQ(expanded(c), expanded(soup));
     EXPECT_TRUE(stream.empty());
+  }
+}
+
+/// Vertices of a walk that often comes back to where it was, in primitives of all kinds, looked at now and
+/// then.
+Captured walk(Welding where, uint32_t seed) {
+  constexpr GLenum kModes[] = {GL_TRIANGLES, GL_TRIANGLES, GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_QUADS};
+  std::mt19937 random(seed);
+  VertexStream stream;
+  stream.start(bit(kPosition), initialSlotValues(), 5000, where);
+  const uint32_t kinds = random() % 2 ? 3 : 5, addsAt = random() % 12;
+  uint32_t place = 0;
+  for (uint32_t figure = 0; figure < 12; ++figure) {
+    const float up[4] = {0, 0, 1, 0};
+    if (figure == addsAt) stream.addSlot(kNormal, up);
+    stream.begin(kModes[random() % kinds]);
+    for (uint32_t i = random() % 30'000; i > 0; --i) {
+      place = random() % 3 ? place + 1 : place - std::min<uint32_t>(place, random() % 50);
+      stream.vertexSlow(static_cast<float>(place), static_cast<float>(place % 7), 0, 1);
+      if (random() % 40'000 == 0) stream.captured();
+    }
+    stream.end();
+  }
+  return stream.take();
+}
+
+TEST(WeldBehind, GivesWhatTheCallingThreadWouldWhateverComes) {
+  for (uint32_t seed = 1; seed <= 15; ++seed) {
+    const Captured here = walk(Welding::here, seed), behind = walk(Welding::behind, seed);
+    ASSERT_EQ(behind.primitives, here.primitives) << seed;
+    ASSERT_EQ(behind.vertexCount, here.vertexCount) << seed;
+    ASSERT_TRUE(
+        std::equal(behind.indices.begin(), behind.indices.end(), here.indices.begin(), here.indices.end()))
+        << seed;
+    ASSERT_EQ(expanded(behind), expanded(here)) << seed;
   }
 }
 

@@ -99,9 +99,10 @@ bool WeldBehind::start(Run& run, uint32_t stride, uint32_t pieceVertices,
     memory.reserve(size_t{pieceVertices} * stride);
     for (State::Piece& p : state->ring) p.vertices.reserve(size_t{pieceVertices} * stride);
     state->stride = stride;
+    BackgroundJob::Work work = [s = state.get()](const std::atomic<bool>& cancelled) { s->work(cancelled); };
     std::swap(state->run, run);
-    const auto work = [s = state.get()](const std::atomic<bool>& cancelled) { s->work(cancelled); };
-    if (!state->job.start(work, BackgroundJob::Priority::usual)) return std::swap(state->run, run), false;
+    if (!state->job.start(std::move(work), BackgroundJob::Priority::usual))
+      return std::swap(state->run, run), false;
     piece = std::move(memory);
     state_ = std::move(state);
     return true;
