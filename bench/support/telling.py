@@ -1,14 +1,25 @@
-"""What a suite says where it cannot measure."""
+"""What a suite says where it cannot measure, or is ended."""
+import signal
 import sys
 
 from support import programs
 from support.display import NoDisplay
 
 
+def _interrupted(number, _frame):
+    raise KeyboardInterrupt(number)
+
+
 def status_of(run, *others):
-    """run()'s end as an exit status: 0, or 1 and one line where a display, a program or, by `others`, something else is missing."""
+    """run()'s end as an exit status: 0, or 1 and one line where a display, a program or, by `others`, something else is missing;
+    130 where it is ended by a signal, once the programs that it has started are gone."""
+    for number in (signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, _interrupted)
     try:
         run()
+    except KeyboardInterrupt:
+        print("bench: ended; nothing is written", file=sys.stderr)
+        return 130
     except (NoDisplay, programs.Failed, *others) as error:
         print(f"bench: {error}", file=sys.stderr)
         return 1
