@@ -2,7 +2,8 @@
 
 Data of the kinds that the paper used, made here, in ParaView, VTK and our client; GLuRay, Mesa with one and with all threads,
 and the GPU's OpenGL where the display has one, in turn. Writes bench/results/paper/small.json with the figures as SVG, and
-docs/paper-evaluation.md; --full beside them, in paper/full and docs/paper-evaluation-full.md. What has been measured is kept: a run that was ended goes on where it was; another build begins anew.
+docs/paper-evaluation.md; --full beside them, in paper/full and docs/paper-evaluation-full.md. What has been measured is kept: a
+run that was ended goes on where it was; another build begins anew.
 The small version, a fortieth of the paper's sizes, takes up to ten minutes on two cores; --full takes hours and goes as far as
 memory does.
 """
@@ -12,7 +13,6 @@ import os
 import pathlib
 import shlex
 import shutil
-import signal
 import subprocess
 import sys
 import time
@@ -20,6 +20,7 @@ import time
 from paper import engines, page, plan, results, store
 from support import machine, programs
 from support.display import NoDisplay, display
+from support.telling import end_by_exception
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 PYTHONS = (sys.executable, "/usr/bin/python3")  # where matplotlib may be
@@ -216,6 +217,17 @@ def timeline(options, engine_set, run):
         run.notes.append("Figure 9 could not be drawn")
 
 
+def told(argv):
+    """The options without the build folder: where it is says nothing, and which build it was stands beside them."""
+    rest, out = iter(argv), []
+    for option in rest:
+        if option == "--build":
+            next(rest, None)
+        elif not option.startswith("--build="):
+            out.append(option)
+    return out
+
+
 def measure(options, argv, display_name):
     engine_set, names, rows, notes, gpu, memory = prepare(options, display_name)
     for note in notes:
@@ -231,7 +243,9 @@ def measure(options, argv, display_name):
         print("\n".join(f"{guess:6.0f} s  {key}" for key, _, guess, _ in jobs))
         print(f"about {sum(job[2] for job in jobs) / 60:.0f} minutes")
         return
-    result = {"suite": "paper", "command": ("scripts/bench paper " + shlex.join(argv)).strip(), **machine.describe(ROOT)}
+    result = {"suite": "paper", "command": ("scripts/bench paper " + shlex.join(told(argv))).strip(), **machine.describe(ROOT)}
+    if options.rows:
+        notes.append("rows that --rows does not name were measured before, by the same command without it")
     result["versions"]["paraview"] = machine.package_version("python3-paraview")
     run.measure(wanted)
     missing = sorted({row.name for key, row, _, _ in run.jobs(rows) if key not in kept})
@@ -249,18 +263,13 @@ def measure(options, argv, display_name):
     publish(options, result)
 
 
-def interrupted(number, _frame):
-    raise KeyboardInterrupt(number)
-
-
 def main(argv):
     options = arguments(argv)
     if options.clean:
         shutil.rmtree(options.work, ignore_errors=True)
         print(f"deleted: {os.path.relpath(options.work, ROOT)}")
         return 0
-    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):  # SIGINT is ignored where a shell started us behind
-        signal.signal(number, interrupted)
+    end_by_exception()
     try:
         if options.draw:
             publish(options, json.loads((options.out / f"{options.name}.json").read_text()))

@@ -65,7 +65,7 @@ def row_of(size, plain, traced):
     flushes = max(report.get("flushes", 0), 1)
     return {"millions": size, "triangles": plain["triangles"], "gl_fps": 1 / plain["frame_s"],
             "gluray_fps": 1 / traced["frame_s"], "gluray_over_gl": plain["frame_s"] / traced["frame_s"],
-            "gluray_early_fps": 1 / traced.get("early_frame_s", traced["frame_s"]),
+            **({"gluray_early_fps": 1 / traced["early_frame_s"]} if "early_frame_s" in traced else {}),
             "gl_first_image_s": plain["first_image_s"], "gluray_first_image_s": traced["first_image_s"],
             "gl_bytes_per_triangle": plain["rss_bytes"] / plain["triangles"],
             "gluray_bytes_per_triangle": traced["rss_bytes"] / plain["triangles"],

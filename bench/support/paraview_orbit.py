@@ -42,6 +42,36 @@ def scan(file, value):
     return contour
 
 
+def orbit(view, up):
+    """A function that puts the camera on its orbit, at an angle in degrees from where it begins."""
+    centre, eye = list(view.CameraFocalPoint), list(view.CameraPosition)
+    distance = math.dist(centre, eye)
+    lift = math.radians(35.26)
+    view.CameraViewUp = up
+
+    def place(degrees):
+        angle = math.radians(30 + degrees)
+        flat = [math.cos(lift) * math.sin(angle), math.cos(lift) * math.cos(angle)]
+        way = [flat[0], math.sin(lift), flat[1]] if up[1] else [flat[0], -flat[1], math.sin(0.2)]
+        view.CameraPosition = [c + distance * w for c, w in zip(centre, way)]
+    return place
+
+
+def style(display, look, source):
+    """How the surface is drawn."""
+    if not source:
+        simple.ColorBy(display, ("POINTS", "RTData"))
+    else:
+        display.ColorArrayName = [None, ""]  # one colour
+        display.DiffuseColor = [0.95, 0.83, 0.73]
+        display.Specular = 0.3
+    if look == "edges":
+        display.Representation = "Surface With Edges"
+    elif look in ("translucent", "summed"):
+        display.Opacity = 0.4
+        simple.GetSettingsProxy("RenderViewSettings").DepthPeeling = int(look == "translucent")
+
+
 def main():
     count, frames, size = float(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3])
     picture = sys.argv[4] if len(sys.argv) > 4 and sys.argv[4] != "-" else None
@@ -59,33 +89,12 @@ def main():
     before = resident()
     start = time.perf_counter()
     display = simple.Show(surface, view)
-    if not source:
-        simple.ColorBy(display, ("POINTS", "RTData"))
-    else:
-        display.ColorArrayName = [None, ""]  # one colour
-        display.DiffuseColor = [0.95, 0.83, 0.73]
-        display.Specular = 0.3
-    if look == "edges":
-        display.Representation = "Surface With Edges"
-    elif look in ("translucent", "summed"):
-        display.Opacity = 0.4
-        simple.GetSettingsProxy("RenderViewSettings").DepthPeeling = int(look == "translucent")
+    style(display, look, source)
     simple.ResetCamera(view)
     simple.Render(view)
     window.WaitForCompletion()
     first = time.perf_counter() - start
-    centre, eye = list(view.CameraFocalPoint), list(view.CameraPosition)
-    distance = math.dist(centre, eye)
-    lift = math.radians(35.26)
-    up = [0, 0, 1] if source else [0, 1, 0]
-    view.CameraViewUp = up
-
-    def place(degrees):
-        """Puts the camera on its orbit."""
-        angle = math.radians(30 + degrees)
-        flat = [math.cos(lift) * math.sin(angle), math.cos(lift) * math.cos(angle)]
-        way = [flat[0], math.sin(lift), flat[1]] if up[1] else [flat[0], -flat[1], math.sin(0.2)]
-        view.CameraPosition = [c + distance * w for c, w in zip(centre, way)]
+    place = orbit(view, [0, 0, 1] if source else [0, 1, 0])
 
     def frame_time(number):
         """Seconds that one frame of the orbit takes."""
@@ -102,7 +111,7 @@ def main():
     place(0)
     if picture:
         simple.SaveScreenshot(picture, view, ImageResolution=[size, size])
-    print(json.dumps({"triangles": triangles, "first_image_s": first, "early_frame_s": statistics.median(early or times),
+    print(json.dumps({"triangles": triangles, "first_image_s": first, **({"early_frame_s": statistics.median(early)} if early else {}),
                       "frame_s": statistics.median(times), "build_s": 0, "rss_bytes": resident() - before,
                       "peak_bytes": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024}), flush=True)
 

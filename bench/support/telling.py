@@ -10,11 +10,16 @@ def _interrupted(number, _frame):
     raise KeyboardInterrupt(number)
 
 
+def end_by_exception():
+    """From now on signals that end us raise KeyboardInterrupt, so that the programs that were started end, too."""
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):  # SIGINT is ignored where a shell started us behind
+        signal.signal(number, _interrupted)
+
+
 def status_of(run, *others):
     """run()'s end as an exit status: 0, or 1 and one line where a display, a program or, by `others`, something else is missing;
     130 where it is ended by a signal, once the programs that it has started are gone."""
-    for number in (signal.SIGTERM, signal.SIGHUP):
-        signal.signal(number, _interrupted)
+    end_by_exception()
     try:
         run()
     except KeyboardInterrupt:
