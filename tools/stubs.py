@@ -82,7 +82,7 @@ def _track(c: glxml.Command, policy: Policy) -> str:
         captures, replace = _copies(c, policy)
         late_handler, late_real = _call(c, "later", replace)
         late_before = f"later.{_before(policy)} " if policy.flush else "later.syncCurrent(); " if policy.sync else ""
-        compile_case = (f"case Gate::compile: ctx->record([{', '.join(captures)}](Context& later) "
+        compile_case = (f"case Gate::compile: ctx->lists.record([{', '.join(captures)}](Context& later) "
                         f"{{ {late_before}{_effect(policy, late_handler, 'later')} {late_real}; }}); return;\n      case Gate::run: break;")
     before = f"ctx->{_before(policy)} " if policy.flush else "ctx->syncCurrent(); " if policy.sync else ""
     return (_gate(c, policy, compile_case) + f"  {before}{_effect(policy, handler, '*ctx')}\n"
@@ -98,9 +98,9 @@ def _own(c: glxml.Command, policy: Policy) -> str:
 def _forward(c: glxml.Command, policy: Policy, index: int) -> str:
     _, real = _call(c, "*ctx")
     images = any(call in policy.touch for call in ("imageChanged(", "imagesChanged(", "imageCopied("))
-    later = " ctx->record([](Context& later) { later.touch(imagesChanged(later)); });" if images else ""
+    later = " ctx->lists.record([](Context& later) { later.touch(imagesChanged(later)); });" if images else ""
     compile_case = RUN if policy.immediate else (
-        f"case Gate::compile: ctx->recordFragment([&] {{ {real}; }});{later} return;\n      case Gate::run: break;")
+        f"case Gate::compile: ctx->lists.recordFragment([&] {{ {real}; }});{later} return;\n      case Gate::run: break;")
     # Afterwards once more: another context that reads an image or a buffer again must find it changed.
     touch = f"  ctx->touch({policy.touch.replace('{c}', '*ctx')});\n" if policy.touch else ""
     return (_gate(c, policy, compile_case) + f"  ctx->count({index});\n"

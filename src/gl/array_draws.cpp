@@ -2,6 +2,7 @@
 #include "base/clock.h"
 #include "base/timeline.h"
 #include "gl/array_indices.h"
+#include "gl/geometry_run.h"
 #include "gl/handlers.h"
 #include "gl/leaf.h"
 #include "gl/stub.h"
@@ -22,7 +23,7 @@ bool isIndexType(GLenum type) {
 /// The error of a wrong draw: of now or, where a list takes the draw, of the moment when that is called.
 void refuse(Context& c, GLenum error) {
   if (!c.compiling() || c.insideBegin()) return c.setError(error);
-  c.record([error](Context& x) { x.setError(error); });
+  c.lists.record([error](Context& x) { x.setError(error); });
 }
 
 /// Refuses a wrong draw; true where it is none.
@@ -30,7 +31,7 @@ bool validate(Context& c, GLenum mode, const Elements& e) {
   if (e.count < 0 || e.instances < -1) return refuse(c, GL_INVALID_VALUE), false;
   if (!isMode(mode)) return refuse(c, GL_INVALID_ENUM), false;
   if (e.type && !isIndexType(e.type)) return refuse(c, GL_INVALID_ENUM), false;
-  if (c.insideBegin()) return c.misuse(), false;
+  if (c.insideBegin()) return c.lists.misuse(), false;
   return true;
 }
 
@@ -52,18 +53,18 @@ void recordDraw(Context& c, GLenum mode, const Elements& e) {
   if (e.instances >= 0 || c.arrays.others || c.arrays.reason != Reason::traced || mode > GL_POLYGON ||
       !c.arrays.vertex.enabled) {
     c.sendBuffers();
-    return c.recordFragment([&] { drawReal(c.real, mode, e); });
+    return c.lists.recordFragment([&] { drawReal(c.real, mode, e); });
   }
-  if (e.count <= kSmall) return c.drawSmall(mode, vertexNumbers(c.real, c.arrays, e), pathOf(e));
+  if (e.count <= kSmall) return c.immediate.drawSmall(mode, vertexNumbers(c.real, c.arrays, e), pathOf(e));
   std::unique_ptr<ListOp> op;
   const Reason captured = c.attempt([&] {
     Captured run = capture(c.real, c.arrays, mode, e);
     if (!run.empty()) op = std::make_unique<GeometryRun>(std::move(run), classOf(mode), c.sharedGroup());
     return Reason::traced;
   });
-  if (captured == Reason::traced) return c.insist([&] { c.append(op); });
+  if (captured == Reason::traced) return c.insist([&] { c.lists.append(op); });
   c.sendBuffers();
-  c.recordFragment([&] { drawReal(c.real, mode, e); });
+  c.lists.recordFragment([&] { drawReal(c.real, mode, e); });
 }
 
 /// The mesh of the draw, known or new.
@@ -100,9 +101,9 @@ Reason traceDraw(Context& c, GLenum mode, const Elements& e) {
 }
 
 Reason triageByPass(Context& c, PrimitiveClass kind) {
-  switch (c.layersOfProgram()) {
-    case BatchKey::Layers::peeled: return c.triagePeel(kind);
-    case BatchKey::Layers::summed: return c.triageSum(kind);
+  switch (layersOf(c.state.program)) {
+    case BatchKey::Layers::peeled: return c.layers.triagePeel(kind);
+    case BatchKey::Layers::summed: return c.layers.triageSum(kind);
     case BatchKey::Layers::none: break;
   }
   return c.triageProgram(kind);
@@ -142,10 +143,10 @@ Load loadOf(Context& c, GLenum mode, const Elements& e) {
 
 void drawByProgram(Context& c, GLenum mode, const Elements& e) {
   c.refresh(kProgramGroups);
-  c.closeRunIfOpen();
-  if (c.passOfProgram() == Family::Pass::peelDepths) {
+  c.immediate.closeRunIfOpen();
+  if (passOf(c.state.program) == Family::Pass::peelDepths) {
     bool held = false;
-    c.protect([&] { held = c.holdDepths(mode, e, trianglesOf(mode, e)); });
+    c.protect([&] { held = c.layers.holdDepths(mode, e, trianglesOf(mode, e)); });
     if (held) return;
   }
   const Reason reason = traceProgram(c, mode, e);
@@ -180,12 +181,12 @@ void draw(Context& c, GLenum mode, const Elements& e) {
       e.instances < 0 && mode <= GL_POLYGON && c.arrays.reason == Reason::traced && c.arrays.vertex.enabled;
   if (plain && e.count <= kSmall && c.triage(classOf(mode)) == Reason::traced) {
     const Reason joined = c.attempt([&] {
-      c.drawSmall(mode, vertexNumbers(c.real, c.arrays, e), pathOf(e));
+      c.immediate.drawSmall(mode, vertexNumbers(c.real, c.arrays, e), pathOf(e));
       return Reason::traced;
     });
     if (joined == Reason::traced) return;
   }
-  c.closeRunIfOpen();
+  c.immediate.closeRunIfOpen();
   // Without positions it may draw at the current one: the real OpenGL knows.
   const bool known = c.arrays.vertex.enabled && e.instances < 0;
   const Reason reason = known ? traceDraw(c, mode, e) : Reason::arrayState;

@@ -1,4 +1,5 @@
-// glPushAttrib and glPopAttrib: what we keep beside the real OpenGL's stack.
+#include "gl/attrib_stack.h"
+
 #include "gl/context.h"
 
 #include <GL/gl.h>
@@ -28,31 +29,31 @@ uint32_t groupsOfAttrib(GLbitfield mask) {
 
 }  // namespace
 
-void Context::pushAttrib(GLbitfield mask) {
-  syncCurrent();
-  real.PushAttrib(mask);
-  if (deepestAttrib_ == 0) real.GetIntegerv(GL_MAX_ATTRIB_STACK_DEPTH, &deepestAttrib_);
-  if (attribStack_.size() >= static_cast<size_t>(deepestAttrib_)) return;  // the real one refused, too
-  attribStack_.push_back({mask, listBase});
+void AttribStack::push(GLbitfield mask) {
+  c_.syncCurrent();
+  c_.real.PushAttrib(mask);
+  if (deepest_ == 0) c_.real.GetIntegerv(GL_MAX_ATTRIB_STACK_DEPTH, &deepest_);
+  if (saved_.size() >= static_cast<size_t>(deepest_)) return;  // the real one refused, too
+  saved_.push_back({mask, c_.lists.base});
 }
 
-void Context::popAttrib() {
-  const bool sent = current_.anyUnsent();
-  syncCurrent();
-  if (!attribStack_.empty()) {
-    const SavedAttrib saved = attribStack_.back();
-    attribStack_.pop_back();
+void AttribStack::pop() {
+  const bool sent = c_.current.anyUnsent();
+  c_.syncCurrent();
+  if (!saved_.empty()) {
+    const Saved saved = saved_.back();
+    saved_.pop_back();
     // Mesa 22.3 leaves what was sent after its last vertex current, unless it is asked; the draws that stood
     // in between were held back.
     float asked[4];
-    if (sent && (saved.mask & GL_CURRENT_BIT)) real.GetFloatv(GL_CURRENT_COLOR, asked);
-    if (saved.mask & GL_LIST_BIT) listBase = saved.listBase;
-    if (saved.mask & GL_TRANSFORM_BIT) matrixMode = 0;
+    if (sent && (saved.mask & GL_CURRENT_BIT)) c_.real.GetFloatv(GL_CURRENT_COLOR, asked);
+    if (saved.mask & GL_LIST_BIT) c_.lists.base = saved.listBase;
+    if (saved.mask & GL_TRANSFORM_BIT) c_.matrixMode = 0;
     // A change of the draw buffer redirects what is pending.
-    if (saved.mask & GL_COLOR_BUFFER_BIT) flush();
-    touch(groupsOfAttrib(saved.mask));
+    if (saved.mask & GL_COLOR_BUFFER_BIT) c_.flush();
+    c_.touch(groupsOfAttrib(saved.mask));
   }
-  real.PopAttrib();
+  c_.real.PopAttrib();
 }
 
 }  // namespace gluray::gl

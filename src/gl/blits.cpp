@@ -30,8 +30,8 @@ void blitFramebuffer(Context& c, GLint fromX0, GLint fromY0, GLint fromX1, GLint
                      GLint toY0, GLint toX1, GLint toY1, GLbitfield mask, GLenum filter) {
   const Blit blit{fromX0, fromY0, fromX1, fromY1, toX0, toY0, toX1, toY1, mask, filter};
   if (c.compiling()) {
-    c.recordFragment([&] { blitAsIs(c.real, blit); });
-    c.record([](Context& later) { later.touch(framebufferBound(later)); });
+    c.lists.recordFragment([&] { blitAsIs(c.real, blit); });
+    c.lists.record([](Context& later) { later.touch(framebufferBound(later)); });
     return;
   }
   c.touch(framebufferBound(c));

@@ -44,14 +44,17 @@ Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const 
                  Presenter& presenter)
     : real(realGl),
       attachments(group->deletedBuffers),
+      latch(info.settings.quirks.has(Quirk::materialLatch)),
+      immediate(*this, weldingOf(info.settings)),
+      lists(*this),
+      attribStack(*this),
+      layers(*this),
       group_(std::move(group)),
       info_(info),
       presenter_(presenter),
       passthrough_(info.off),
       choice_(engineOf(info), threadsOf(info.settings), info.clock),
       direct_(!passthrough_ && choice_.way() == EngineChoice::Way::direct),
-      welding_(weldingOf(info.settings)),
-      latch_(info.settings.quirks.has(Quirk::materialLatch)),
       unknownCalls_(kCommandCount) {
   ++group_->contexts;
   updateAttention();
@@ -67,9 +70,9 @@ Context::~Context() {
 }
 
 void Context::updateAttention() {
-  attention = passthrough_ || insideBegin() || runOpen_ || compiling();
-  const bool captured = !passthrough_ && (runOpen_ || compiling());
-  t_thread.stream = captured ? &stream_ : nullptr;
+  attention = passthrough_ || insideBegin() || immediate.runOpen() || compiling();
+  const bool captured = !passthrough_ && (immediate.runOpen() || compiling());
+  t_thread.stream = captured ? &immediate.stream() : nullptr;
   t_thread.direct = !captured && (passthrough_ || direct_) ? &real : nullptr;
 }
 
@@ -78,7 +81,7 @@ Gate Context::gate(bool anywhere) noexcept {
   if (anywhere) return compiling() && !insideBegin() ? Gate::compile : Gate::run;
   if (insideBegin()) {
     if (compiling() && !executing()) return Gate::compile;  // no glBegin has been executed
-    if (inside_ == Inside::rasterised && !openFragment_) {
+    if (immediate.realInsideBegin()) {
       // The real OpenGL refuses it, in its turn among other errors.
       touch(kAllGroups);
       return Gate::forward;
@@ -88,15 +91,15 @@ Gate Context::gate(bool anywhere) noexcept {
   }
   // A command that is not compiled leaves the run of a list open only if it cannot look at what the run has
   // set.
-  if (runOpen_ || (compiling() && executing())) protect([&] { closeRun(); });
+  if (immediate.runOpen() || (compiling() && executing())) protect([&] { immediate.closeRun(); });
   return compiling() ? Gate::compile : Gate::run;
 }
 
 void Context::beforeForward(Flush how) noexcept {
   // A vertex that we cannot capture (an evaluator's, say): the real OpenGL draws the primitive, from its
   // first vertex on.
-  if (inside_ == Inside::captured) protect([&] { surrenderRun(); });
-  if (inside_ == Inside::captured) return;
+  if (immediate.inside() == Immediate::Inside::captured) protect([&] { immediate.surrender(); });
+  if (immediate.inside() == Immediate::Inside::captured) return;
   updateAttention();
   syncCurrent();
   if (how == Flush::none) return;
@@ -118,18 +121,11 @@ void Context::count(int command) noexcept { ++unknownCalls_[static_cast<size_t>(
 void Context::setError(GLenum error) {
   if (error_ != GL_NO_ERROR) return;
   // The real OpenGL refuses what comes inside its glBegin, this too, in its turn among other errors.
-  if (inside_ == Inside::rasterised && !openFragment_ && error == GL_INVALID_OPERATION)
-    return real.Begin(GL_POINTS);
+  if (immediate.realInsideBegin() && error == GL_INVALID_OPERATION) return real.Begin(GL_POINTS);
   // Between its glBegin and glEnd the real OpenGL cannot be asked.
-  const GLenum older = inside_ == Inside::rasterised ? GLenum{GL_NO_ERROR} : real.GetError();
+  const GLenum older =
+      immediate.inside() == Immediate::Inside::rasterised ? GLenum{GL_NO_ERROR} : real.GetError();
   error_ = older != GL_NO_ERROR ? older : error;
-}
-
-void Context::misuse(GLenum error) {
-  if (!compiling() || executing())
-    setError(error);
-  else if (misused_ == GL_NO_ERROR)
-    misused_ = error;
 }
 
 GLenum Context::takeError() {
@@ -147,7 +143,7 @@ void Context::readGroups(uint32_t stale) {
   if (const GLenum pending = real.GetError()) setError(pending);
   if (!state.rare.asked) state.rare = readRareState(real);
   state.rare.fixedFunction = !info_.core;
-  if (stale & kCurrent) current_.read(real);
+  if (stale & kCurrent) current.read(real);
   syncCurrent();
   if (stale & kModelview) readModelview(real, state);
   if (stale & kProjection) readProjection(real, state);
@@ -158,9 +154,9 @@ void Context::readGroups(uint32_t stale) {
   const bool recolored = (stale & kLighting) && state.shading.colorMaterial != scene::ColorMaterial{};
   if ((stale & kMaterial) || recolored) {
     readMaterial(real, state);
-    latch_.drawn();
+    latch.drawn();
   } else if (stale & kCurrent) {
-    latch_.restore(real);
+    latch.restore(real);
   }
   if (stale & kFixedTextures) textures_.read(real, state);
   if (stale & kClip) readClipPlanes(real, state);
@@ -204,7 +200,7 @@ void Context::makeCurrent() {
 
 void Context::loseCurrent() {
   protect([&] {
-    if (runOpen_) closeRun();
+    immediate.closeRunIfOpen();
     syncCurrent();
     flush();
   });
@@ -214,7 +210,7 @@ void Context::loseCurrent() {
 
 void Context::beforeSwap() {
   protect([&] {
-    if (runOpen_) closeRun();
+    immediate.closeRunIfOpen();
     settleShown();
     flushBatch();  // what waits for being resolved is not in the window
   });

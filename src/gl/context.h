@@ -4,16 +4,19 @@
 #pragma once
 #include "gl/arrays.h"
 #include "gl/attachments.h"
+#include "gl/attrib_stack.h"
 #include "gl/batch.h"
 #include "gl/context_info.h"
 #include "gl/current_values.h"
 #include "gl/depth_copy.h"
 #include "gl/draw_kinds.h"
 #include "gl/engine_choice.h"
+#include "gl/immediate.h"
 #include "gl/lagged_frame.h"
+#include "gl/layer_draws.h"
+#include "gl/list_compiler.h"
 #include "gl/material_latch.h"
 #include "gl/passes.h"
-#include "gl/peeling.h"
 #include "gl/presenter.h"
 #include "gl/real.h"
 #include "gl/share_group.h"
@@ -24,7 +27,6 @@
 #include "gl/texture.h"
 #include "gl/thread_state.h"
 #include "gl/unresolved.h"
-#include "gl/vertex_stream.h"
 
 #include <exception>
 #include <functional>
@@ -36,10 +38,6 @@
 #include <vector>
 
 namespace gluray::gl {
-
-class DisplayList;
-class ListOp;
-class GeometryRun;
 
 /// What a generated stub must do when `attention` is set.
 enum class Gate {
@@ -66,6 +64,12 @@ class Context {
   ArrayState arrays;            // the same for kFixedArrays
   ArrayState attributes;        // the same for kAttributes
   Attachments attachments;      // buffers in vertex array objects
+  CurrentValues current;        // the same for kCurrent
+  MaterialLatch latch;
+  Immediate immediate;
+  ListCompiler lists;
+  AttribStack attribStack;
+  LayerDraws layers;
   Statistics statistics;
   uint64_t frame = 1;
   double beganSeconds = 0;  // when this frame was first seen to clear or draw; 0: not yet
@@ -75,11 +79,6 @@ class Context {
   /// `anywhere`: the command is legal between glBegin and glEnd and deals with runs and lists itself.
   Gate gate(bool anywhere = false) noexcept;
   bool passthrough() const { return passthrough_; }
-  /// Takes a call into the list under construction. `anywhere`: it may be executed between glBegin and glEnd.
-  template <class F>
-  void record(F&& call, bool anywhere = false);
-  template <class F>
-  void recordFragment(F&& call);
   template <class F>
   auto protect(F&& body) noexcept -> decltype(body());
   /// protect(), and once more where a failure came before `body` was done: a capture that failed has become a
@@ -87,8 +86,8 @@ class Context {
   template <class F>
   void insist(F&& body) noexcept;
   void syncCurrent() {
-    if (current_.anyUnsent()) [[unlikely]]
-      current_.send(real);
+    if (current.anyUnsent()) [[unlikely]]
+      current.send(real);
   }
   /// Before a command that we do not model is forwarded: attributes are sent, and the batch too if it may
   /// matter.
@@ -135,6 +134,11 @@ class Context {
     settle();
     flushBatch();
   }
+  /// The same of the batch alone, not of pictures that wait for being resolved.
+  void flushBatch() {
+    if (layers.holdsDepths()) layers.giveUp();
+    present(false);
+  }
   /// The same where what is drawn next goes elsewhere, but nobody looks at what was drawn so far.
   void redirect() {
     settle();
@@ -148,15 +152,13 @@ class Context {
   void cleanIs(const Unresolved::Cleared& cleared) {
     unresolved_.cleared = direct_ ? Unresolved::Cleared{} : cleared;
   }
-  /// The draw framebuffer is about to be cleared; a program to be linked anew or deleted.
-  void clearsLayers();
-  void programChanges(GLuint program) noexcept;
   /// Before images of textures, or a buffer's contents, change: draws that are kept with their names are
   /// made.
   void imagesChange() noexcept;
   void contentsChange(GLuint buffer) noexcept;
   /// From now on every draw is rasterised; what was held back is given to the real OpenGL.
   void stepAside(const char* why) noexcept;
+  bool aside() const { return aside_; }
   /// For glFlush and glFinish: shows what is pending if anybody could see it before the next swap.
   void showIfVisible();
   /// Calls of commands that we do not model, by index into kCommandNames.
@@ -167,46 +169,22 @@ class Context {
   // --------------------------------------------------------------------------------------------------
   /// The first error since the program asked stays, ours or the real OpenGL's.
   void setError(GLenum error);
-  /// A command that is wrong inside the glBegin that is compiled: an error of the moment when the list is
-  /// called. Elsewhere one of now.
-  void misuse(GLenum error = GL_INVALID_OPERATION);
   GLenum takeError();
   ShareGroup& group() { return *group_; }
   const std::shared_ptr<ShareGroup>& sharedGroup() const { return group_; }
   TextureCache& textures() { return textures_; }
   Batch& batch() { return batch_; }
+  Presenter& presenter() { return presenter_; }
 
   /// Reads `groups` back where they changed.
   void refresh(uint32_t groups) noexcept;
   void readGroups(uint32_t groups);
 
-  enum class Inside { nothing, captured, rasterised };
-  Inside inside() const { return inside_; }
-  bool insideBegin() const { return inside_ != Inside::nothing; }
-  void begin(GLenum mode);
-  void end();
-  void attribute(Slot slot, const float* values);
-  void vertex(float x, float y, float z, float w);
-  void material(GLenum face, GLenum pname, const float* params);
-  /// A primitive of few vertices from the enabled arrays, joined to the run as if sent by glBegin. False
-  /// where it was rasterised.
-  void drawSmall(GLenum mode, const std::vector<uint32_t>& vertices, DrawPath path);
-  /// The same inside a rasterised glBegin.
-  void rasterElement(GLint i) {
-    ++openPrimitive_.count;
-    real.ArrayElement(i);
-  }
-  /// Current value of an attribute, from wherever it is newest.
-  const float* current(Slot slot);
-
-  /// Ends the run of glBegin/glEnd pairs that is being captured and draws or records it.
-  void closeRun();
-  void closeRunOutsideBegin() {
-    if (!insideBegin()) closeRunIfOpen();
-  }
-  void closeRunIfOpen() {
-    if (runOpen_) closeRun();
-  }
+  bool insideBegin() const { return immediate.insideBegin(); }
+  bool compiling() const { return lists.compiling(); }
+  bool executing() const { return lists.executing(); }
+  /// Tells stubs what they are to do, after any of these has changed.
+  void updateAttention();
 
   // Frames that are left to the real OpenGL (direct.cpp).
   /// Whether draws go to it as they come. Then nothing is read back or kept but display lists.
@@ -219,25 +197,17 @@ class Context {
     if (choice_.wantsStart()) [[unlikely]]
       startMeasuring();
   }
+  /// Whether this frame's duration is measured, so that nothing may be shown again or later.
+  bool measured() const { return choice_.wantsStop(); }
+  /// Whether a surface of so many triangles is left to the real OpenGL, however much there is in all.
+  bool leavesAlone(uint64_t triangles) const {
+    return choice_.way() == EngineChoice::Way::mixed && choice_.takesAlone(triangles, viewportPixels());
+  }
 
-  // Lists.
-  bool compiling() const { return list_ != nullptr; }
-  bool executing() const { return !list_ || listMode_ == GL_COMPILE_AND_EXECUTE; }
-  void newList(GLuint name, GLenum mode);
-  void endList();
-  void callList(GLuint name);
-  GLuint listName() const { return listName_; }
-  GLenum listMode() const { return listMode_; }
-  GLuint listBase = 0;
   int activeQueries = 0;  // queries and conditional renderings that count or guard draws
   GLenum matrixMode = 0;  // 0: ask the real OpenGL
-  /// Takes `op` into the list under construction, and executes it where the mode says so. Null is ignored.
-  void append(std::unique_ptr<ListOp>& op);
-  /// The same for a list of the real OpenGL.
-  void appendFragment(GLuint realList);
-  /// Draws a captured run, traced or by the real OpenGL, and leaves its last attributes current.
-  void execute(GeometryRun& run);
-
+  /// Whether pictures of ours can be shown by this OpenGL.
+  bool canTrace();
   /// Why a surface with this mesh cannot be traced now, or Reason::traced. Call refresh(kDrawGroups) before.
   Reason triage(PrimitiveClass kind);
   Reason triage(const KnownMesh& mesh, const std::vector<MaterialChange>& materials);
@@ -256,17 +226,6 @@ class Context {
   Reason triageProgramAlways(const KnownMesh& mesh) const;
   /// The same of the instances of a draw.
   Reason triageInstances(const Elements& elements) const;
-  /// The same of surfaces that are seen through, in the first peel. Whoever then draws otherwise makes us
-  /// give up.
-  Reason triagePeel(PrimitiveClass kind);
-  /// The same of surfaces that are seen through and added up.
-  Reason triageSum(PrimitiveClass kind);
-  /// What the passes of the current program are for.
-  Family::Pass passOfProgram() const;
-  /// How surfaces of the current program are seen through, if they are.
-  BatchKey::Layers layersOfProgram() const;
-  /// Holds back a draw of the pass before the first peel. False: draw it.
-  bool holdDepths(GLenum mode, const Elements& elements, uint64_t triangles);
   /// Adds a mesh drawn by the current shader program to the batch, as often as the draw has instances; or
   /// says why it cannot join the layers that are there.
   Reason addProgramInstances(const scene::MeshPtr& mesh, GLenum mode, const Elements& elements);
@@ -298,51 +257,29 @@ class Context {
   bool isPushedBack() const;
   void countRaster(Reason reason, DrawPath path, PrimitiveClass kind, uint64_t triangles);
   void countTraced(DrawPath path, uint64_t triangles);
+  /// What was counted as traced was drawn by the real OpenGL in the end.
+  void countAsRasterised(const scene::Snapshot& snapshot);
+  /// Both count these; so does the end of a primitive that the real OpenGL was given.
+  void noteLoad(uint64_t triangles);
   /// Who takes draws by kind; null: nobody.
   DrawKinds* kinds() const { return info_.kinds.get(); }
   /// Gives the real OpenGL the contents of buffers that its draws may read.
   void sendBuffers();
-  /// glPushAttrib and glPopAttrib: what we keep beside the real OpenGL's stack.
-  void pushAttrib(GLbitfield mask);
-  void popAttrib();
   bool hasPending() const { return !batch_.empty(); }
 
  private:
   Context(const RealGl& real, std::shared_ptr<ShareGroup> group, const ContextInfo& info,
           Presenter& presenter);
-  void updateAttention();
-  void startRun();
-  void countOpenPrimitive();
-  void drawRun();
   void present(bool rasterise);
-  void flushBatch() {
-    if (peeling_.stage == Peeling::Stage::depths) giveUpLayers();
-    present(false);
-  }
   void takeResult(const PresentResult& result, bool known = false);
-  void countAsRasterised(const scene::Snapshot& snapshot);
-  KnownMesh meshOfRun();
-  void recordRun();
-  void keepRunValues();
-  void sendRunValues();
-  void addSlotToRun(Slot slot);
-  void surrenderRun();
-  void drawListRun(GeometryRun& run);
-  void applyMaterial(const MaterialChange& change);
-  template <class F>
-  void runDetached(F&& body);
-  bool canTrace();
-  bool canDraw() const;
   void startMeasuring();
   void chooseEngine();
   bool clearsViewport() const;
   void setDirect(bool direct);
   void showDrawn();
-  void noteLoad(uint64_t triangles);
   double viewportPixels() const {
     return static_cast<double>(state.viewport.z) * static_cast<double>(state.viewport.w);
   }
-  bool drawRunDirectly(GeometryRun& run);
   void deleteDiscarded();
   /// Lets go of meshes that have not been used lately.
   void forgetOld();
@@ -359,17 +296,7 @@ class Context {
   Answer softwareBelow_ = Answer::unknown;  // the real OpenGL renders on the CPU
   GLenum error_ = GL_NO_ERROR;
 
-  VertexStream::Welding welding_;
-  VertexStream stream_;
-  Inside inside_ = Inside::nothing;
-  bool runOpen_ = false;       // stream_ holds an immediate-mode run
-  Primitive openPrimitive_{};  // of a rasterised glBegin: mode and vertices so far
-  PrimitiveClass runClass_ = PrimitiveClass::surfaces;
-  CurrentValues current_;
-  MaterialLatch latch_;
-  Reason runReason_ = Reason::traced;  // why the run is rasterised, captured though it is
   Passes passes_;
-  Peeling peeling_;
   Unresolved unresolved_;
   Shown shown_;
   std::optional<LaggedFrame> lagged_;
@@ -377,26 +304,10 @@ class Context {
   void noteBegin();
   bool showsDirectly(const LaggedFrame& frame);
   PresentResult presentLagged(LaggedFrame& frame);
-  DrawPath runPath_ = DrawPath::immediate;  // small draws from arrays join runs
-
-  std::shared_ptr<DisplayList> list_;
-  GLuint openFragment_ = 0;  // real list that takes the rest of a primitive that was given up
-  GLuint listName_ = 0;
-  GLenum listMode_ = 0;
-  GLenum misused_ = GL_NO_ERROR;  // by the first wrong command inside the glBegin that is compiled
-  int listDepth_ = 0;
-  std::vector<InheritedSlot> inherited_;
   int clears_ = 0;              // of colour and depth since forgetOld()
   uint64_t workForgotten_ = 0;  // work() at that time
   /// Grows with everything that is drawn and may be kept: pictures, and meshes that were never traced.
   uint64_t work() const { return statistics.flushes + statistics.meshesBuilt; }
-
-  struct SavedAttrib {
-    GLbitfield mask;
-    GLuint listBase;
-  };
-  std::vector<SavedAttrib> attribStack_;
-  GLint deepestAttrib_ = 0;  // 0: not known yet
 
   std::optional<ClearedTarget> cleared_;  // the draw framebuffer, if it is worth knowing
   void noteClear(GLbitfield mask);
@@ -406,17 +317,6 @@ class Context {
   void readCurrentProgram();
   enum class Placed { nowhere, inBatch, otherCamera };
   Placed placeProgramDraw(const glm::dvec3& reach);
-  bool beginLayers();
-  bool startLayers(const BatchKey& key);
-  bool startSums(const BatchKey& key);
-  PresentResult presentLayers(const scene::SnapshotPtr& snapshot, const BatchKey& key);
-  bool layersHaveSurfaces() const;
-  void endLayers();
-  /// What was held back is drawn by the real OpenGL after all.
-  void giveUpLayers();
-  void layersMeetRasterDraw();
-  bool peelsIntoAll() const;
-  Reason triageSeenThrough(PrimitiveClass kind);  // what triagePeel() and triageSum() have in common
   glm::dvec3 reachOfInstances(const scene::Mesh& mesh, const Elements& elements) const;
   void addInstancesOf(const scene::Instance& one, const scene::Shading& shading, const Elements& elements);
   bool isSoftwareBelow();

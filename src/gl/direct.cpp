@@ -2,8 +2,6 @@
 // display lists. The Context's side of EngineChoice.
 #include "gl/buffer.h"
 #include "gl/context.h"
-#include "gl/list.h"
-#include "gl/replay.h"
 
 namespace gluray::gl {
 
@@ -80,26 +78,7 @@ bool Context::drawsDirectly(DrawPath path, PrimitiveClass kind, uint64_t triangl
               : kind == PrimitiveClass::points ? Reason::points
                                                : why,
               path, kind, triangles);
-  latch_.drawn();
-  return true;
-}
-
-bool Context::drawRunDirectly(GeometryRun& run) {
-  const std::lock_guard lock(run.mutex());
-  const DrawTimer timer(kinds());
-  if (!drawsDirectly(DrawPath::list, run.kind(), run.triangles())) return false;
-  run.inherit(*this);
-  // Draws from arrays leave the current attributes alone; the list of the real OpenGL, which has glBegin,
-  // does not.
-  const SlotMask lost = run.slots() & ~run.finalSlots() & ~(bit(kPosition) | bit(kPositionW));
-  const auto eachLost = [&](auto&& body) {
-    for (int s = kNormal; s < kSlotCount; ++s)
-      if (lost & bit(static_cast<Slot>(s)) && s != kMaterialNumber) body(static_cast<Slot>(s));
-  };
-  eachLost([&](Slot slot) { current_.read(real, slot); });
-  if (lost) latch_.restore(real);
-  run.rasterise(*this);
-  eachLost([&](Slot slot) { sendAttribute(real, slot, current_[slot]); });
+  latch.drawn();
   return true;
 }
 

@@ -11,12 +11,12 @@
 namespace gluray::gl {
 
 void begin(Context& c, GLenum mode) {
-  c.insist([&] { c.begin(mode); });
+  c.insist([&] { c.immediate.begin(mode); });
 }
-void end(Context& c) { c.end(); }
+void end(Context& c) { c.immediate.end(); }
 
 void materialfv(Context& c, GLenum face, GLenum pname, const GLfloat* params) {
-  c.material(face, pname, params);
+  c.immediate.material(face, pname, params);
 }
 
 namespace {
@@ -24,15 +24,15 @@ namespace {
 template <class F>
 void unmodelled(Context& c, F&& call) {
   if (!c.compiling()) return call();
-  if (c.insideBegin()) return c.misuse(GL_INVALID_ENUM);
-  c.recordFragment(call);
+  if (c.insideBegin()) return c.lists.misuse(GL_INVALID_ENUM);
+  c.lists.recordFragment(call);
 }
 }  // namespace
 
 void materialf(Context& c, GLenum face, GLenum pname, GLfloat param) {
   if (pname != GL_SHININESS)  // an error, in the real OpenGL's opinion of it
     return unmodelled(c, [&] { c.real.Materialf(face, pname, param); });
-  c.material(face, pname, &param);
+  c.immediate.material(face, pname, &param);
 }
 
 void materiali(Context& c, GLenum face, GLenum pname, GLint param) {
@@ -45,14 +45,14 @@ void materialiv(Context& c, GLenum face, GLenum pname, const GLint* params) {
   for (size_t i = 0; i < materialParams(pname); ++i)  // colours map linearly, GL 2.1 table 2.9
     values[i] = pname == GL_SHININESS ? static_cast<GLfloat>(params[i])
                                       : static_cast<GLfloat>((2.0 * params[i] + 1.0) / 4294967295.0);
-  c.material(face, pname, values);
+  c.immediate.material(face, pname, values);
 }
 
 void rectf(Context& c, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
-  if (c.insideBegin()) return c.misuse();
-  c.begin(GL_POLYGON);
+  if (c.insideBegin()) return c.lists.misuse();
+  c.immediate.begin(GL_POLYGON);
   leaf::vertex(x1, y1), leaf::vertex(x2, y1), leaf::vertex(x2, y2), leaf::vertex(x1, y2);
-  c.end();
+  c.immediate.end();
 }
 namespace {
 template <class T>
@@ -109,7 +109,7 @@ class ElementSender {
 }  // namespace
 
 void arrayElement(Context& c, GLint i) {
-  if (c.inside() == Context::Inside::rasterised) return c.rasterElement(i);
+  if (c.immediate.inside() == Immediate::Inside::rasterised) return c.immediate.rasterElement(i);
   if (c.direct() && !c.compiling()) {
     c.sendBuffers();
     return c.real.ArrayElement(i);
@@ -119,11 +119,11 @@ void arrayElement(Context& c, GLint i) {
   if (c.arrays.others || c.arrays.reason != Reason::traced) {
     if (!c.insideBegin() && c.compiling()) {
       c.sendBuffers();
-      return c.recordFragment([&] { c.real.ArrayElement(i); });
+      return c.lists.recordFragment([&] { c.real.ArrayElement(i); });
     }
-    c.closeRunOutsideBegin();
+    c.immediate.closeRunOutsideBegin();
     c.beforeForward(Context::Flush::none);
-    if (c.insideBegin()) return c.rasterElement(i);
+    if (c.insideBegin()) return c.immediate.rasterElement(i);
     c.sendBuffers();
     c.touch(kCurrent);
     return c.real.ArrayElement(i);
@@ -132,17 +132,17 @@ void arrayElement(Context& c, GLint i) {
   send(static_cast<uint32_t>(i));
 }
 
-void Context::drawSmall(GLenum mode, const std::vector<uint32_t>& vertices, DrawPath path) {
+void Immediate::drawSmall(GLenum mode, const std::vector<uint32_t>& vertices, DrawPath path) {
   // Draws from arrays leave the current attributes as they were.
-  const SlotMask slots = slotsOf(arrays) & ~bit(kPosition);
-  SlotValues before = current_.all();
+  const SlotMask slots = slotsOf(c_.arrays) & ~bit(kPosition);
+  SlotValues before = c_.current.all();
   for (int s = kNormal; s < kSlotCount; ++s)
     if (slots & bit(static_cast<Slot>(s)))
       std::memcpy(before[static_cast<size_t>(s)].data(), current(static_cast<Slot>(s)),
                   sizeOf(static_cast<Slot>(s)) * 4);
   begin(mode);
-  if (stream_.empty()) runPath_ = path;
-  const ElementSender send(*this);
+  if (stream_.empty()) path_ = path;
+  const ElementSender send(c_);
   for (const uint32_t i : vertices) send(i);
   end();
   for (int s = kNormal; s < kSlotCount; ++s)

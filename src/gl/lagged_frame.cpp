@@ -36,10 +36,10 @@ LagRefusal Context::whyNotLag(GLenum buffer) const {
   const BatchKey& key = batch_.key();
   const bool right = key.drawBuffer == buffer || (buffer == GL_BACK && key.drawBuffer == GL_BACK_LEFT);
   if (key.framebuffer != 0 || !right || key.samples > 1) return LagRefusal::target;
-  if (direct_ || choice_.wantsStop()) return LagRefusal::measured;
+  if (direct_ || measured()) return LagRefusal::measured;
   // Draws by programs keep the names of textures and buffers, which other contexts may change.
-  if (activeQueries > 0 || key.layers != BatchKey::Layers::none || peeling_.stage != Peeling::Stage::none ||
-      unresolved_.waiting || compiling() || (!batch_.programDraws().empty() && group_->contexts > 1))
+  if (activeQueries > 0 || key.layers != BatchKey::Layers::none || layers.pending() || unresolved_.waiting ||
+      compiling() || (!batch_.programDraws().empty() && group_->contexts > 1))
     return LagRefusal::state;
   return aside_ || passthrough_ ? LagRefusal::failure : LagRefusal::none;
 }
@@ -52,7 +52,7 @@ LagRefusal Context::lag(const LagWindow& window) noexcept {
   LagRefusal refusal = LagRefusal::failure;
   protect([&] {
     if (insideBegin()) return;
-    if (runOpen_) closeRun();
+    immediate.closeRunIfOpen();
     settleShown();
     refusal = whyNotLag(window.overdue.buffer);
     if (refusal != LagRefusal::none) return;
@@ -81,7 +81,7 @@ bool Context::showsDirectly(const LaggedFrame& frame) {
   if (!frame.cleared || frame.clears.empty() || (frame.clears.front().mask & kBoth) != kBoth) return false;
   const PresentResult result = presenter_.show(
       real, frame.snapshot, {*frame.cleared, frame.farthest, info_.core, true, frame.window.show});
-  latch_.restore(real);
+  latch.restore(real);
   if (result.outcome != PresentResult::traced) return false;
   takeResult(result);
   noteUse(Quirk::softwareShow);
@@ -95,7 +95,7 @@ PresentResult Context::presentLagged(LaggedFrame& frame) {
       real, frame.snapshot,
       {.depthFunc = frame.key.depthFunc, .core = info_.core, .programDraws = std::move(frame.draws)});
   if (encodes) real.Enable(GL_FRAMEBUFFER_SRGB);
-  latch_.restore(real);
+  latch.restore(real);
   takeResult(result);
   frame.window.swap();
   return result;

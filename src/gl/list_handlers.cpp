@@ -9,19 +9,20 @@
 namespace gluray::gl {
 
 void newList(Context& c, GLuint name, GLenum mode) {
-  c.insist([&] { c.newList(name, mode); });
+  c.insist([&] { c.lists.newList(name, mode); });
 }
 void endList(Context& c) {
-  c.insist([&] { c.endList(); });
+  c.insist([&] { c.lists.endList(); });
 }
 
 void callList(Context& c, GLuint name) {
   // Inside glBegin of a list the called list's attributes and vertices become part of the primitive.
   if (c.compiling() && !c.insideBegin()) {
-    return c.record([name](Context& x) { name ? x.callList(name) : x.setError(GL_INVALID_VALUE); }, true);
+    return c.lists.record(
+        [name](Context& x) { name ? x.lists.callList(name) : x.setError(GL_INVALID_VALUE); }, true);
   }
   if (name == 0) return c.setError(GL_INVALID_VALUE);  // as Mesa has it; the specification is silent
-  c.callList(name);
+  c.lists.callList(name);
 }
 
 namespace {
@@ -60,10 +61,10 @@ void callLists(Context& c, GLsizei n, GLenum type, const void* names) {
   c.insist([&] { offsets.resize(static_cast<size_t>(n)); });
   for (size_t i = 0; i < offsets.size(); ++i) offsets[i] = listOffset(type, names, i);
   const auto call = [offsets = std::move(offsets)](Context& x) {
-    const GLuint base = x.listBase;  // of the moment of the call, whatever the lists do to it
-    for (const GLuint offset : offsets) x.callList(base + offset);
+    const GLuint base = x.lists.base;  // of the moment of the call, whatever the lists do to it
+    for (const GLuint offset : offsets) x.lists.callList(base + offset);
   };
-  if (c.compiling() && !c.insideBegin()) return c.record(call, true);
+  if (c.compiling() && !c.insideBegin()) return c.lists.record(call, true);
   call(c);
 }
 
@@ -82,8 +83,8 @@ GLboolean isList(Context& c, GLuint name) {
 }
 
 void listBase(Context& c, GLuint base) {
-  if (c.compiling()) return c.record([base](Context& x) { x.listBase = base; });
-  c.listBase = base;
+  if (c.compiling()) return c.lists.record([base](Context& x) { x.lists.base = base; });
+  c.lists.base = base;
 }
 
 void useXFont(Context& c, int first, int count, int base, const std::function<void(int realBase)>& make) {

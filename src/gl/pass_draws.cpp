@@ -62,7 +62,7 @@ bool Context::isSoftwareBelow() {
 }
 
 bool Context::replacePass(GLenum mode, const Elements& elements) {
-  const Family::Pass pass = passOfProgram();
+  const Family::Pass pass = passOf(state.program);
   const bool resolves = pass == Family::Pass::resolve;
   if (!resolves && pass != Family::Pass::fxaa) return false;
   const QuirkSet& quirks = info_.settings.quirks;

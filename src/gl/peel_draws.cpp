@@ -1,5 +1,6 @@
-// Passes of dual depth peeling: the Context's side of Peeling.
+// Passes of dual depth peeling, and what holds for all layers.
 #include "gl/context.h"
+#include "gl/layer_draws.h"
 #include "gl/output_state.h"
 #include "gl/programs/uniforms.h"
 #include "gl/state_queries.h"
@@ -63,31 +64,42 @@ uint64_t trianglesOf(const ProgramDraw& draw) {
 
 }  // namespace
 
-Family::Pass Context::passOfProgram() const {
-  const auto& known = state.program.known;
-  return known && known->family ? known->family->pass : Family::Pass::none;
+Family::Pass passOf(const ProgramState& program) {
+  return program.known && program.known->family ? program.known->family->pass : Family::Pass::none;
+}
+
+BatchKey::Layers layersOf(const ProgramState& program) {
+  switch (passOf(program)) {
+    case Family::Pass::peel: return BatchKey::Layers::peeled;
+    case Family::Pass::sum: return BatchKey::Layers::summed;
+    default: return BatchKey::Layers::none;
+  }
+}
+
+bool LayerDraws::start(const BatchKey& key) {
+  return key.layers == BatchKey::Layers::peeled ? startPeeled(key) : startSums(key);
 }
 
 /// Whether draws of now fill a framebuffer object of the viewport's size and keep the largest values.
-bool Context::peelsIntoAll() const {
-  const bool open = !state.raster.scissorTest || state.scissor == state.viewport;
-  return open && state.target.framebuffer != 0 && state.target.samples == 1 && state.viewport.x == 0 &&
-         state.viewport.y == 0 && state.viewport.z > 0 && state.viewport.w > 0 &&
-         keepsLargest(real, state.rare);
+bool LayerDraws::peelsIntoAll() const {
+  const bool open = !c_.state.raster.scissorTest || c_.state.scissor == c_.state.viewport;
+  return open && c_.state.target.framebuffer != 0 && c_.state.target.samples == 1 &&
+         c_.state.viewport.x == 0 && c_.state.viewport.y == 0 && c_.state.viewport.z > 0 &&
+         c_.state.viewport.w > 0 && keepsLargest(c_.real, c_.state.rare);
 }
 
-bool Context::beginLayers() {
-  const ProgramState& program = state.program;
+bool LayerDraws::beginHolding() {
+  const ProgramState& program = c_.state.program;
   const GLint unit = inputUnit(program);
   if (unit < 0 || !peelsIntoAll() || !peeling_.mayBegin()) return false;
   LayersTarget target;
-  target.depths.outputs = outputsOf(real);
-  target.depths.viewport = state.viewport;
-  target.size = {state.viewport.z, state.viewport.w};
-  target.opaqueDepth = boundTexture(real, unit);
-  const GLuint found = outputOf(real, *program.known, target.depths.outputs);
+  target.depths.outputs = outputsOf(c_.real);
+  target.depths.viewport = c_.state.viewport;
+  target.size = {c_.state.viewport.z, c_.state.viewport.w};
+  target.opaqueDepth = boundTexture(c_.real, unit);
+  const GLuint found = outputOf(c_.real, *program.known, target.depths.outputs);
   if (found == 0 || target.opaqueDepth == 0 ||
-      !presenter_.readDepths(real, unit, target.size, target.opaqueDepths))
+      !c_.presenter().readDepths(c_.real, unit, target.size, target.opaqueDepths))
     return false;
   // What the program leaves undefined elsewhere must not come later than it would have.
   for (HeldPass::Output& output : target.depths.outputs)
@@ -103,73 +115,83 @@ bool Context::beginLayers() {
   return true;
 }
 
-bool Context::holdDepths(GLenum mode, const Elements& elements, uint64_t triangles) {
+bool LayerDraws::holdDepths(GLenum mode, const Elements& elements, uint64_t triangles) {
   using Stage = Peeling::Stage;
-  if (aside_ || passthrough_ || activeQueries > 0 || !info_.settings.quirks.has(Quirk::depthPeeling) ||
-      !canTrace())
+  if (c_.aside() || c_.passthrough() || c_.activeQueries > 0 ||
+      !c_.info().settings.quirks.has(Quirk::depthPeeling) || !c_.canTrace())
     return false;
-  if (attributes.reason != Reason::traced || !state.program.uniforms) return false;
-  if (const GLenum pending = real.GetError()) setError(pending);
+  if (c_.attributes.reason != Reason::traced || !c_.state.program.uniforms) return false;
+  if (const GLenum pending = c_.real.GetError()) c_.setError(pending);
   if (peeling_.stage == Stage::surfaces) {
-    present(false);
-    endLayers();
+    c_.flushBatch();
+    end();
   }
   if (peeling_.stage == Stage::none) {
-    const bool small =
-        choice_.way() == EngineChoice::Way::mixed && choice_.takesAlone(triangles, viewportPixels());
-    if (small || !beginLayers()) return false;
-  } else if (!peelsIntoAll() || peeling_.target.depths.viewport != state.viewport ||
-             peeling_.depthsFound != outputOf(real, *state.program.known, outputsOf(real))) {
+    if (c_.leavesAlone(triangles) || !beginHolding()) return false;
+  } else if (!peelsIntoAll() || peeling_.target.depths.viewport != c_.state.viewport ||
+             peeling_.depthsFound != outputOf(c_.real, *c_.state.program.known, outputsOf(c_.real))) {
     return false;
   }
-  const ProgramState& program = state.program;
+  const ProgramState& program = c_.state.program;
   peeling_.target.depths.draws.push_back(
-      captureProgramDraw(real, program.known->program, program.uniforms, attributes, mode, elements));
+      captureProgramDraw(c_.real, program.known->program, program.uniforms, c_.attributes, mode, elements));
   return true;
 }
 
-Reason Context::triagePeel(PrimitiveClass kind) {
+Reason LayerDraws::triageSeenThrough(PrimitiveClass kind) {
+  // What keeps the program from being traced says more than what kind of primitive it draws.
+  if (c_.state.program.reason != Reason::traced) return c_.state.program.reason;
+  if (kind == PrimitiveClass::points) return Reason::points;
+  if (kind == PrimitiveClass::lines) return Reason::lines;
+  if (c_.attributes.reason != Reason::traced) return c_.attributes.reason;
+  if (!c_.info().core && !c_.state.clipPlanes.empty()) return Reason::program;
+  if (c_.state.program.known->program.blocks) c_.dirty |= kProgram;
+  if (const GLenum pending = c_.real.GetError()) c_.setError(pending);
+  return Reason::traced;
+}
+
+Reason LayerDraws::triagePeel(PrimitiveClass kind) {
   using Stage = Peeling::Stage;
-  if (aside_) return Reason::failure;
-  if (peeling_.stage == Stage::none || activeQueries > 0) return Reason::programPass;
+  if (c_.aside()) return Reason::failure;
+  if (peeling_.stage == Stage::none || c_.activeQueries > 0) return Reason::programPass;
   if (const Reason reason = triageSeenThrough(kind); reason != Reason::traced) return reason;
-  const GLint unit = inputUnit(state.program);
-  if (unit < 0 || boundTexture(real, unit) != peeling_.depthsFound)
+  const GLint unit = inputUnit(c_.state.program);
+  if (unit < 0 || boundTexture(c_.real, unit) != peeling_.depthsFound)
     return Reason::programPass;  // a later peel
-  if (!peelsIntoAll() || state.viewport != peeling_.target.depths.viewport) return Reason::programPass;
+  if (!peelsIntoAll() || c_.state.viewport != peeling_.target.depths.viewport) return Reason::programPass;
   LayersTarget& target = peeling_.target;
   // Labels, which turn with the viewer: they would be new meshes in every frame.
   const auto isQuad = [](const ProgramDraw& draw) {
     return draw.mode != GL_POINTS && trianglesOf(draw) <= 2;  // points may be figures
   };
   if (std::all_of(target.depths.draws.begin(), target.depths.draws.end(), isQuad)) return Reason::programPass;
-  std::vector<HeldPass::Output> outputs = outputsOf(real);
-  const GLuint result = outputOf(real, *state.program.known, outputs);
+  std::vector<HeldPass::Output> outputs = outputsOf(c_.real);
+  const GLuint result = outputOf(c_.real, *c_.state.program.known, outputs);
   if (result == 0 || (peeling_.stage == Stage::surfaces && result != target.result))
     return Reason::programPass;
   target.result = result;
   target.surfaces.outputs = std::move(outputs);
-  target.surfaces.viewport = state.viewport;
+  target.surfaces.viewport = c_.state.viewport;
   peeling_.stage = Stage::surfaces;
   return Reason::traced;
 }
 
-bool Context::startLayers(const BatchKey& key) {
-  if (!batch_.empty()) return batch_.key() == key;
+bool LayerDraws::startPeeled(const BatchKey& key) {
+  if (!c_.batch().empty()) return c_.batch().key() == key;
   if (peeling_.traced) {
     if (!(peeling_.tracedKey == key)) return false;
-    batch_.resume(key, *peeling_.traced);
+    c_.batch().resume(key, *peeling_.traced);
   } else {
-    batch_.start(key, state, info_.settings, frame);
-    batch_.seeThrough(peeling_.layers);
+    c_.batch().start(key, c_.state, c_.info().settings, c_.frame);
+    c_.batch().seeThrough(peeling_.layers);
   }
   return true;
 }
 
 /// Whether there is more among them than pictures with holes, such as labels: those are to be as sharp as
 /// ever.
-bool Context::layersHaveSurfaces() const {
-  const scene::Snapshot& s = batch_.waiting();
+bool LayerDraws::haveSurfaces() const {
+  const scene::Snapshot& s = c_.batch().waiting();
   const auto isPicture = [&](const scene::Instance& instance) {
     const auto& textures = s.shadings[instance.shading].textures;
     return std::any_of(textures.begin(), textures.end(),
@@ -178,11 +200,11 @@ bool Context::layersHaveSurfaces() const {
   return !std::all_of(s.instances.begin(), s.instances.end(), isPicture);
 }
 
-PresentResult Context::presentLayers(const scene::SnapshotPtr& snapshot, const BatchKey& key) {
+PresentResult LayerDraws::present(const scene::SnapshotPtr& snapshot, const BatchKey& key) {
   LayersTarget& target = peeling_.target;
-  for (ProgramDraw& draw : batch_.takeProgramDraws()) target.surfaces.draws.push_back(std::move(draw));
-  target.mayRepeat = !choice_.wantsStop();
-  PresentResult result = presenter_.presentLayers(real, snapshot, target, false);
+  for (ProgramDraw& draw : c_.batch().takeProgramDraws()) target.surfaces.draws.push_back(std::move(draw));
+  target.mayRepeat = !c_.measured();
+  PresentResult result = c_.presenter().presentLayers(c_.real, snapshot, target, false);
   if (result.outcome == PresentResult::traced) {
     noteUse(Quirk::depthPeeling);
     target.written = true;
@@ -190,62 +212,63 @@ PresentResult Context::presentLayers(const scene::SnapshotPtr& snapshot, const B
     peeling_.traced = snapshot;
     peeling_.succeeded();
   } else {
-    endLayers();
+    end();
   }
   return result;
 }
 
-void Context::endLayers() {
+void LayerDraws::end() {
   peeling_.stage = Peeling::Stage::none;
   peeling_.target = {};
   peeling_.layers.reset();
   peeling_.traced.reset();
 }
 
-void Context::giveUpLayers() {
+void LayerDraws::giveUp() {
   if (peeling_.stage == Peeling::Stage::none) return;
-  forgetClear();
+  c_.forgetClear();
   peeling_.stage = Peeling::Stage::none;
   peeling_.failed();
   LayersTarget& target = peeling_.target;
   scene::SnapshotPtr snapshot = peeling_.traced;
-  if (!batch_.empty() && batch_.key().layers == BatchKey::Layers::peeled) {
-    for (ProgramDraw& draw : batch_.takeProgramDraws()) target.surfaces.draws.push_back(std::move(draw));
-    snapshot = batch_.take();
+  if (!c_.batch().empty() && c_.batch().key().layers == BatchKey::Layers::peeled) {
+    for (ProgramDraw& draw : c_.batch().takeProgramDraws()) target.surfaces.draws.push_back(std::move(draw));
+    snapshot = c_.batch().take();
   }
-  if (snapshot) countAsRasterised(*snapshot);
-  const PresentResult result = presenter_.presentLayers(real, nullptr, target, true);
-  if (result.pendingError != GL_NO_ERROR) setError(result.pendingError);
+  if (snapshot) c_.countAsRasterised(*snapshot);
+  const PresentResult result = c_.presenter().presentLayers(c_.real, nullptr, target, true);
+  if (result.pendingError != GL_NO_ERROR) c_.setError(result.pendingError);
   for (const ProgramDraw& draw : target.depths.draws)
-    countRaster(Reason::programPass, draw.elements.type ? DrawPath::elements : DrawPath::arrays,
-                PrimitiveClass::surfaces, trianglesOf(draw));
-  endLayers();
+    c_.countRaster(Reason::programPass, draw.elements.type ? DrawPath::elements : DrawPath::arrays,
+                   PrimitiveClass::surfaces, trianglesOf(draw));
+  end();
   if (result.outcome != PresentResult::rasterised)
-    stepAside(result.why.empty() ? "what was held back could not be drawn" : result.why.c_str());
+    c_.stepAside(result.why.empty() ? "what was held back could not be drawn" : result.why.c_str());
 }
 
-void Context::layersMeetRasterDraw() {
+void LayerDraws::meetRasterDraw() {
   bool meets = peeling_.stage == Peeling::Stage::depths ||
-               (!batch_.empty() && batch_.key().layers == BatchKey::Layers::peeled);
+               (!c_.batch().empty() && c_.batch().key().layers == BatchKey::Layers::peeled);
   // Once they are traced, only who joins them makes us give up.
   if (!meets)
-    for (const HeldPass::Output& output : outputsOf(real)) meets |= output.texture == peeling_.target.result;
+    for (const HeldPass::Output& output : outputsOf(c_.real))
+      meets |= output.texture == peeling_.target.result;
   if (meets)
-    giveUpLayers();
+    giveUp();
   else
-    endLayers();
+    end();
 }
 
-void Context::clearsLayers() {
+void LayerDraws::clearing() {
   if (peeling_.stage != Peeling::Stage::depths) return;
-  for (const HeldPass::Output& output : outputsOf(real))
-    if (output.texture == peeling_.depthsFound) return giveUpLayers();
+  for (const HeldPass::Output& output : outputsOf(c_.real))
+    if (output.texture == peeling_.depthsFound) return giveUp();
 }
 
-void Context::programChanges(GLuint program) noexcept {
+void LayerDraws::programChanges(GLuint program) noexcept {
   const auto& held = peeling_.target.depths.draws;
   if (std::any_of(held.begin(), held.end(), [&](const ProgramDraw& draw) { return draw.program == program; }))
-    protect([&] { giveUpLayers(); });
+    c_.protect([&] { giveUp(); });
 }
 
 }  // namespace gluray::gl

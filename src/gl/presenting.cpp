@@ -31,7 +31,7 @@ void Context::present(bool rasterise) {
   const timeline::Span span("batch", batch_.waiting().instances.size());
   const BatchKey key = batch_.key();
   const bool peeled = key.layers == BatchKey::Layers::peeled;
-  if (peeled && !layersHaveSurfaces()) return giveUpLayers();
+  if (peeled && !layers.haveSurfaces()) return layers.giveUp();
   const scene::SnapshotPtr snapshot = batch_.take();
   const double start = kinds() ? nowSeconds() : 0;
   syncCurrent();
@@ -40,20 +40,20 @@ void Context::present(bool rasterise) {
   const std::optional<ClearedTarget> under = rasterise ? std::nullopt : clearedUnder(*snapshot, key);
   const Smooth smooth = smooth_;
   forgetClear();
-  const PresentResult result = peeled ? presentLayers(snapshot, key)
+  const PresentResult result = peeled ? layers.present(snapshot, key)
                                       : presenter_.present(real, snapshot,
                                                            {.depthFunc = key.depthFunc,
                                                             .core = info_.core,
                                                             .rasterise = rasterise,
                                                             .programDraws = batch_.takeProgramDraws(),
-                                                            .mayRepeat = !choice_.wantsStop(),
+                                                            .mayRepeat = !measured(),
                                                             .cleared = under});
   if (result.averages) {
     smooth_ = smooth;
     smooth_.wrote(key.framebuffer, key.drawBuffer);
   }
   unresolved_.cleared = {};
-  latch_.restore(real);
+  latch.restore(real);
   takeResult(result);
   if (kinds()) [[unlikely]]
     kinds()->exclude(nowSeconds() - start);
@@ -117,7 +117,7 @@ void Context::stepAside(const char* why) noexcept {
     aside_ = true;
     // What was held back is drawn by the real OpenGL, in order, so that nothing is missing from the picture.
     flush();
-    if (runOpen_ || (compiling() && !stream_.empty())) surrenderRun();
+    if (immediate.runOpen() || (compiling() && !immediate.stream().empty())) immediate.surrender();
   } catch (...) {  // nothing more can be done; the real OpenGL goes on without these vertices
   }
   updateAttention();

@@ -108,10 +108,9 @@ bool isBeforeViewer(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
 
 Reason Context::triageProgram(const KnownMesh& known) const {
   const Reason reason = triageProgramAlways(known);
-  if (layersOfProgram() == BatchKey::Layers::peeled) return reason;
+  if (layersOf(state.program) == BatchKey::Layers::peeled) return reason;
   // One by one, however much they are in all: a surface that is drawn again is drawn in the same way.
-  const bool leave = reason == Reason::traced && choice_.way() == EngineChoice::Way::mixed &&
-                     choice_.takesAlone(known.mesh->triangleCount, viewportPixels());
+  const bool leave = reason == Reason::traced && leavesAlone(known.mesh->triangleCount);
   return leave ? Reason::smallScene : reason;
 }
 
@@ -131,7 +130,7 @@ Reason Context::triageProgramAlways(const KnownMesh& known) const {
   if (program.triangleEdges &&
       (program.depthOffset.factor != 0 || !isBeforeViewer(*known.mesh, program.clipFromObject)))
     return Reason::program;
-  const bool opaque = layersOfProgram() != BatchKey::Layers::none || gl::isOpaque(program, *known.mesh);
+  const bool opaque = layersOf(state.program) != BatchKey::Layers::none || gl::isOpaque(program, *known.mesh);
   if (opaque) return Reason::traced;
   if (state.raster.unlessOpaque != Reason::traced) return state.raster.unlessOpaque;
   return Reason::traced;
@@ -146,15 +145,13 @@ Context::Placed Context::placeProgramDraw(const glm::dvec3& reach) {
   state.projection = program.eyeFromObject ? program.clipFromObject * glm::inverse(*program.eyeFromObject)
                                            : program.clipFromObject;
   BatchKey key = Batch::keyOf(state);
-  key.layers = layersOfProgram();
+  key.layers = layersOf(state.program);
   const bool peeled = key.layers == BatchKey::Layers::peeled;
   key.offset = peeled ? scene::PolygonOffset{} : program.depthOffset;
   clampToTarget(key.region);
   dirty |= kModelview | kProjection;  // of fixed function
   if (key.region.width <= 0 || key.region.height <= 0) return Placed::nowhere;
-  const BatchKey* there = !batch_.empty()             ? &batch_.key()
-                          : peeled && peeling_.traced ? &peeling_.tracedKey
-                                                      : nullptr;
+  const BatchKey* there = !batch_.empty() ? &batch_.key() : peeled ? layers.tracedKey() : nullptr;
   if (there) {
     const glm::dmat4 placed = glm::inverse(there->projection) * program.clipFromObject;
     if (isAffine(placed, reach)) key.projection = there->projection;
@@ -164,8 +161,7 @@ Context::Placed Context::placeProgramDraw(const glm::dvec3& reach) {
   state.modelview = glm::inverse(state.projection) * program.clipFromObject;
   state.modelview /= state.modelview[3][3];  // the same points
   for (int c = 0; c < 4; ++c) state.modelview[c][3] = c == 3 ? 1.0 : 0.0;
-  if (peeled) return startLayers(key) ? Placed::inBatch : Placed::otherCamera;
-  if (key.layers == BatchKey::Layers::summed) return startSums(key) ? Placed::inBatch : Placed::otherCamera;
+  if (key.layers != BatchKey::Layers::none) return layers.start(key) ? Placed::inBatch : Placed::otherCamera;
   if (batch_.empty()) {
     settleBelow(key.samples);
     batch_.start(key, state, info_.settings, frame);

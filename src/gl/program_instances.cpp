@@ -40,8 +40,8 @@ struct InstanceReaders {
 
 Reason Context::triageInstances(const Elements& elements) const {
   const InstanceReaders readers(real, attributes);
-  const bool mayBeTranslucent = layersOfProgram() == BatchKey::Layers::none && readers.color.enabled() &&
-                                attributes.instanceColor.size == 4 &&
+  const bool mayBeTranslucent = layersOf(state.program) == BatchKey::Layers::none &&
+                                readers.color.enabled() && attributes.instanceColor.size == 4 &&
                                 state.raster.unlessOpaque != Reason::traced;
   for (uint32_t i = 0; i < elements.repeats(); ++i) {
     float color[4] = {0, 0, 0, 1};

@@ -125,10 +125,10 @@ void Context::presentLate(const BatchKey& key, const scene::SnapshotPtr& snapsho
                                                   {.depthFunc = key.depthFunc,
                                                    .core = info_.core,
                                                    .programDraws = std::move(draws),
-                                                   .mayRepeat = known || !choice_.wantsStop()});
+                                                   .mayRepeat = known || !measured()});
   if (bound != key.framebuffer) real.BindFramebuffer(GL_DRAW_FRAMEBUFFER, bound);
   if (encodes) real.Enable(GL_FRAMEBUFFER_SRGB);
-  latch_.restore(real);
+  latch.restore(real);
   takeResult(result, known);
   if (result.outcome != PresentResult::traced)
     stepAside(result.why.empty() ? "the ray tracer could not make a picture" : result.why.c_str());
@@ -157,11 +157,11 @@ bool Context::resolveInto(ResolveTarget& target) {
   target.core = info_.core;
   target.how.background = waiting.cleared.background;
   target.how.farthest = farthestHit(waiting.key.depthFunc, waiting.cleared.depthResolution);
-  target.mayRepeat = waiting.traced || !choice_.wantsStop();
+  target.mayRepeat = waiting.traced || !measured();
   if (const GLenum pending = real.GetError()) setError(pending);
   forgetClear();
   const PresentResult result = presenter_.resolve(real, waiting.snapshot, target);
-  latch_.restore(real);
+  latch.restore(real);
   if (result.outcome != PresentResult::traced) return false;
   takeResult(result, waiting.traced);
   waiting.traced = true;

@@ -17,7 +17,7 @@ constexpr int kMostInVain = 3, kPause = 120;  // frames
 
 bool Context::mayShowDirectly() noexcept {
   return protect([&] {
-    if (runOpen_) closeRun();
+    immediate.closeRunIfOpen();
     if (batch_.empty() || !cleared_ || cleared_->framebuffer != 0) return false;
     if (shown_.pause > 0) return --shown_.pause, false;
     const BatchKey& key = batch_.key();
@@ -38,9 +38,9 @@ bool Context::showDirectly(glm::ivec2 window, const ShowPicture& show) noexcept 
     const BatchKey key = batch_.key();
     syncCurrent();
     const ShowTarget target{*cleared_, farthestHit(key.depthFunc, state.target.depthResolution), info_.core,
-                            !choice_.wantsStop(), show};
+                            !measured(), show};
     const PresentResult result = presenter_.show(real, batch_.pending(), target);
-    latch_.restore(real);
+    latch.restore(real);
     if (result.outcome != PresentResult::traced) {  // it waits still; what was traced is known
       statistics.buildSeconds += result.buildSeconds;
       statistics.traceSeconds += result.traceSeconds;

@@ -13,7 +13,7 @@ namespace {
 
 void clearNow(Context& c, GLbitfield mask) {
   c.syncCurrent();
-  c.clearsLayers();
+  c.layers.clearing();
   bool later = false;
   c.protect([&] { later = c.clearsLater(mask); });
   const Unresolved::Cleared clean = later ? Unresolved::Cleared{} : c.beforeClear(mask);
@@ -27,7 +27,7 @@ void clearNow(Context& c, GLbitfield mask) {
 }  // namespace
 
 void clear(Context& c, GLbitfield mask) {
-  if (c.compiling()) return c.record([mask](Context& x) { clearNow(x, mask); });
+  if (c.compiling()) return c.lists.record([mask](Context& x) { clearNow(x, mask); });
   clearNow(c, mask);
 }
 
@@ -45,13 +45,13 @@ void finish(Context& c) {
 }
 
 void pushAttrib(Context& c, GLbitfield mask) {
-  if (c.compiling()) return c.record([mask](Context& x) { x.pushAttrib(mask); });
-  c.pushAttrib(mask);
+  if (c.compiling()) return c.lists.record([mask](Context& x) { x.attribStack.push(mask); });
+  c.attribStack.push(mask);
 }
 
 void popAttrib(Context& c) {
-  if (c.compiling()) return c.record([](Context& x) { x.popAttrib(); });
-  c.popAttrib();
+  if (c.compiling()) return c.lists.record([](Context& x) { x.attribStack.pop(); });
+  c.attribStack.pop();
 }
 
 GLenum getError(Context& c) {
@@ -69,9 +69,9 @@ template <class T>
 bool answer(Context& c, GLenum pname, T* data) {
   GLuint value = 0;
   switch (pname) {
-    case GL_LIST_BASE: value = c.listBase; break;
-    case GL_LIST_INDEX: value = c.listName(); break;
-    case GL_LIST_MODE: value = c.listMode(); break;
+    case GL_LIST_BASE: value = c.lists.base; break;
+    case GL_LIST_INDEX: value = c.lists.name(); break;
+    case GL_LIST_MODE: value = c.lists.mode(); break;
     case GL_NUM_EXTENSIONS:
       if (!hides(c)) return false;
       value = static_cast<GLuint>(visibleExtensions(c.real));
@@ -226,7 +226,7 @@ uint32_t imagesChanged(Context& c) {
 }
 
 uint32_t programChanged(Context& c, GLuint program) {
-  c.programChanges(program);
+  c.layers.programChanges(program);
   c.group().programChanged(program);
   return kRaster | kProgram | kAttributes;
 }

@@ -12,21 +12,21 @@
 namespace gluray::gl {
 
 template <class F>
-void Context::record(F&& call, bool anywhere) {
-  if (insideBegin()) return misuse();
+void ListCompiler::record(F&& call, bool anywhere) {
+  if (c_.insideBegin()) return misuse();
   std::unique_ptr<ListOp> op;
-  insist([&] { op = std::make_unique<CallOp<std::decay_t<F>>>(call, anywhere); });
-  insist([&] { append(op); });
+  c_.insist([&] { op = std::make_unique<CallOp<std::decay_t<F>>>(call, anywhere); });
+  c_.insist([&] { append(op); });
 }
 
 template <class F>
-void Context::recordFragment(F&& call) {
-  if (insideBegin()) return misuse();
-  const GLuint id = real.GenLists(1);
-  if (!id) return setError(GL_OUT_OF_MEMORY);
-  real.NewList(id, GL_COMPILE);
+void ListCompiler::recordFragment(F&& call) {
+  if (c_.insideBegin()) return misuse();
+  const GLuint id = c_.real.GenLists(1);
+  if (!id) return c_.setError(GL_OUT_OF_MEMORY);
+  c_.real.NewList(id, GL_COMPILE);
   call();
-  real.EndList();
+  c_.real.EndList();
   appendFragment(id);
 }
 

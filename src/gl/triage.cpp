@@ -90,7 +90,7 @@ Reason Context::triageAlways(const KnownMesh& known, const std::vector<MaterialC
 
 bool Context::isOpaque(const KnownMesh& known, const std::vector<MaterialChange>& materials) const {
   const bool vertices = !usesVertexAlpha(state.shading) ||
-                        (known.mesh->colors ? known.mesh->opaqueColors : current_[kColor][3] >= 1.0f);
+                        (known.mesh->colors ? known.mesh->opaqueColors : current[kColor][3] >= 1.0f);
   const auto opaque = [&](const scene::MaterialPair& m) { return gl::isOpaque(state.shading, m); };
   return vertices && opaque(state.material) &&
          std::all_of(
@@ -131,7 +131,7 @@ void Context::addInstance(const scene::MeshPtr& mesh, SlotMask slots,
   scene::Instance instance;
   instance.mesh = mesh;
   instance.eyeFromObject = state.modelview;
-  const auto value = [&](Slot slot) { return current_[slot]; };
+  const auto value = [&](Slot slot) { return current[slot]; };
   if (!(slots & bit(kColor)))
     instance.color = {value(kColor)[0], value(kColor)[1], value(kColor)[2], value(kColor)[3]};
   if (!(slots & bit(kNormal))) instance.normal = {value(kNormal)[0], value(kNormal)[1], value(kNormal)[2]};
@@ -187,7 +187,7 @@ void Context::meetPasses(std::span<const Triangle> triangles) {
       syncCurrent();
       const PresentResult result =
           presenter_.present(real, traced, {.core = info_.core, .rasterise = true, .depthAgain = true});
-      latch_.restore(real);
+      latch.restore(real);
       if (result.pendingError != GL_NO_ERROR) setError(result.pendingError);
     }
   });
@@ -214,7 +214,7 @@ void Context::countAsRasterised(const scene::Snapshot& snapshot) {
 void Context::beforeRasterDraw(PrimitiveClass kind) {
   if (lagged_) protect([&] { showLagged(); });
   if (unresolved_.any() || shown_.waiting) protect([&] { samplesMeetRasterDraw(); });
-  if (peeling_.stage != Peeling::Stage::none) protect([&] { layersMeetRasterDraw(); });
+  if (layers.pending()) protect([&] { layers.meetRasterDraw(); });
   if (!batch_.empty()) {
     refresh(kRaster);
     // Lines and points on a surface have its depth: who comes later matters unless the surface was pushed

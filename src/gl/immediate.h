@@ -1,0 +1,87 @@
+// What is sent by glBegin, glVertex and glEnd: captured in runs of as many pairs as share their state, or
+// left to the real OpenGL. A part of each Context, for stubs and handlers on its thread.
+#pragma once
+#include "gl/captured.h"
+#include "gl/draw_kinds.h"
+#include "gl/mesh_cache.h"
+#include "gl/reasons.h"
+#include "gl/vertex_stream.h"
+
+#include <GL/gl.h>
+
+#include <vector>
+
+namespace gluray::gl {
+
+class Context;
+
+class Immediate {
+ public:
+  Immediate(Context& context, VertexStream::Welding welding) : c_(context), welding_(welding) {}
+  Immediate(const Immediate&) = delete;
+  Immediate& operator=(const Immediate&) = delete;
+
+  enum class Inside { nothing, captured, rasterised };
+  Inside inside() const { return inside_; }
+  bool insideBegin() const { return inside_ != Inside::nothing; }
+  /// Whether the real OpenGL is between glBegin and glEnd of the program, rather than compiling them.
+  bool realInsideBegin() const { return inside_ == Inside::rasterised && !openFragment_; }
+
+  void begin(GLenum mode);
+  void end();
+  void attribute(Slot slot, const float* values);
+  void vertex(float x, float y, float z, float w);
+  void material(GLenum face, GLenum pname, const float* params);
+  /// A primitive of few vertices from the enabled arrays, joined to the run as if sent by glBegin. False
+  /// where it was rasterised.
+  void drawSmall(GLenum mode, const std::vector<uint32_t>& vertices, DrawPath path);
+  /// The same inside a rasterised glBegin.
+  void rasterElement(GLint i);
+  /// Current value of an attribute, from wherever it is newest.
+  const float* current(Slot slot);
+
+  // Runs. Outside lists a run is open from its first glBegin on; a list that is compiled always has one.
+  bool runOpen() const { return open_; }
+  /// Ends the run that is being captured and draws or records it.
+  void closeRun();
+  void closeRunOutsideBegin() {
+    if (!insideBegin()) closeRunIfOpen();
+  }
+  void closeRunIfOpen() {
+    if (open_) closeRun();
+  }
+  /// Gives the run, and the primitive that is open, to the real OpenGL.
+  void surrender();
+
+  // For the list compiler.
+  VertexStream& stream() { return stream_; }
+  /// Whether the run has vertices, or attributes that the list leaves behind.
+  bool holdsAnything() const { return !stream_.empty() || stream_.layout().mask != bit(kPosition); }
+  void startRun();
+  void recordRun();
+  /// No run is captured any more.
+  void idle();
+
+ private:
+  bool canDraw() const;
+  void countOpenPrimitive();
+  void addSlotToRun(Slot slot);
+  void drawRun();
+  KnownMesh meshOfRun();
+  void keepRunValues();
+  void sendRunValues();
+
+  Context& c_;
+  VertexStream::Welding welding_;
+  VertexStream stream_;
+  Inside inside_ = Inside::nothing;
+  bool open_ = false;                                // stream_ holds a run outside lists
+  PrimitiveClass class_ = PrimitiveClass::surfaces;  // of the run
+  Reason reason_ = Reason::traced;                   // why the run is rasterised, captured though it is
+  DrawPath path_ = DrawPath::immediate;              // small draws from arrays join runs
+  Primitive openPrimitive_{};                        // of a rasterised glBegin: mode and vertices so far
+  GLuint openFragment_ = 0;               // real list that takes the rest of a primitive that was given up
+  std::vector<InheritedSlot> inherited_;  // by the run of a list
+};
+
+}  // namespace gluray::gl

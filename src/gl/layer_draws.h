@@ -1,0 +1,65 @@
+// Draws of surfaces that are seen through: peeled in depth order (peel_draws.cpp) or added up without order
+// (sum_draws.cpp). A part of each Context, GL thread.
+#pragma once
+#include "gl/batch.h"
+#include "gl/draw_kinds.h"
+#include "gl/peeling.h"
+#include "gl/presenter.h"
+#include "gl/reasons.h"
+
+namespace gluray::gl {
+
+class Context;
+struct Elements;
+
+/// What passes of the program are for, and how surfaces that it draws are seen through, if they are.
+Family::Pass passOf(const ProgramState& program);
+BatchKey::Layers layersOf(const ProgramState& program);
+
+class LayerDraws {
+ public:
+  explicit LayerDraws(Context& context) : c_(context) {}
+  LayerDraws(const LayerDraws&) = delete;
+  LayerDraws& operator=(const LayerDraws&) = delete;
+
+  /// Why a surface of the current program cannot be traced in the first peel, or Reason::traced. Whoever then
+  /// draws otherwise makes us give up. Call refresh(kProgramGroups) before.
+  Reason triagePeel(PrimitiveClass kind);
+  /// The same of surfaces that are added up.
+  Reason triageSum(PrimitiveClass kind);
+  /// Holds back a draw of the pass before the first peel. False: draw it.
+  bool holdDepths(GLenum mode, const Elements& elements, uint64_t triangles);
+  /// Begins a batch of layers, or finds that the one which waits may take more. False: it may not.
+  bool start(const BatchKey& key);
+
+  /// Whether draws are held back, or others may join what has been traced.
+  bool pending() const { return peeling_.stage != Peeling::Stage::none; }
+  bool holdsDepths() const { return peeling_.stage == Peeling::Stage::depths; }
+  /// Of the layers that are shown already, if there are any.
+  const BatchKey* tracedKey() const { return peeling_.traced ? &peeling_.tracedKey : nullptr; }
+  /// Whether there is more in the batch than pictures with holes, such as labels: those are to be as sharp as
+  /// ever.
+  bool haveSurfaces() const;
+  /// Traces the batch's layers into the program's textures.
+  PresentResult present(const scene::SnapshotPtr& snapshot, const BatchKey& key);
+  /// What was held back is drawn by the real OpenGL after all.
+  void giveUp();
+
+  /// Before a rasterised draw, a clear of the draw framebuffer, and a program that is linked anew or deleted.
+  void meetRasterDraw();
+  void clearing();
+  void programChanges(GLuint program) noexcept;
+
+ private:
+  bool peelsIntoAll() const;
+  bool beginHolding();
+  bool startPeeled(const BatchKey& key);
+  bool startSums(const BatchKey& key);
+  void end();
+  Reason triageSeenThrough(PrimitiveClass kind);  // what both kinds have in common
+
+  Context& c_;
+  Peeling peeling_;
+};
+
+}  // namespace gluray::gl
