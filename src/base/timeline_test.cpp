@@ -79,18 +79,19 @@ TEST_F(Timeline, WhatIsWrittenIsNotWrittenAgain) {
 }
 
 TEST_F(Timeline, ThreadsRecordWhileItIsWritten) {
-  std::atomic<bool> stop{false};
+  constexpr size_t kSpans = 1000, kWrites = 20;
+  std::atomic<bool> done{false};
   std::thread busy([&] {
-    while (!stop) {
+    for (size_t i = 0; i < kSpans; ++i) {
       const Span span("busy");
-      std::this_thread::sleep_for(std::chrono::microseconds(20));
+      std::this_thread::yield();
     }
+    done = true;
   });
-  for (int i = 0; i < 20; ++i) write(), std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  stop = true;
+  for (size_t i = 0; i < kWrites || !done; ++i) write();
   busy.join();
   write();
-  EXPECT_GT(count(textOf(file()), R"("name":"busy")"), 20u);
+  EXPECT_EQ(count(textOf(file()), R"("name":"busy")"), kSpans);
 }
 
 }  // namespace

@@ -106,24 +106,24 @@ Reason triageByPass(Context& c, PrimitiveClass kind) {
     case BatchKey::Layers::summed: return c.layers.triageSum(kind);
     case BatchKey::Layers::none: break;
   }
-  return c.triageProgram(kind);
+  return c.programs.triage(kind);
 }
 
 /// Traces what the current shader program draws if that can be right; says why not otherwise.
 Reason traceProgram(Context& c, GLenum mode, const Elements& e) {
   if (mode > GL_POLYGON) return Reason::program;
-  const bool figures = c.drawsFigures(mode);
+  const bool figures = c.programs.drawsFigures(mode);
   const PrimitiveClass kind = figures ? PrimitiveClass::surfaces : classOf(mode);
   Reason reason = triageByPass(c, kind);
-  if (reason == Reason::traced && figures) reason = c.triageFigures();
+  if (reason == Reason::traced && figures) reason = c.programs.triageFigures();
   if (reason != Reason::traced) return reason;
   // Surfaces drawn by a program that wants points show nothing that anybody could know.
   if (!figures && c.attributes.shape != scene::Shape::triangles) return Reason::program;
   return c.attempt([&] {
     const KnownMesh known = meshOf(c, c.attributes, mode, e);
-    Reason fine = c.triageProgram(known);
-    if (fine == Reason::traced) fine = c.triageInstances(e);
-    if (fine == Reason::traced) fine = c.addProgramInstances(known.mesh, mode, e);
+    Reason fine = c.programs.triage(known);
+    if (fine == Reason::traced) fine = c.programs.triageInstances(e);
+    if (fine == Reason::traced) fine = c.programs.add(known.mesh, mode, e);
     if (fine != Reason::traced) return fine;
     c.countTraced(pathOf(e), uint64_t{known.mesh->triangleCount} * e.repeats());
     return fine;
@@ -137,7 +137,7 @@ struct Load {
 };
 Load loadOf(Context& c, GLenum mode, const Elements& e) {
   const uint64_t figures = static_cast<uint64_t>(e.count) / (mode == GL_LINES ? 2 : 1) * e.repeats();
-  if (c.drawsFigures(mode)) return {PrimitiveClass::surfaces, figures};
+  if (c.programs.drawsFigures(mode)) return {PrimitiveClass::surfaces, figures};
   return {kindOf(mode), trianglesOf(mode, e)};
 }
 

@@ -36,7 +36,7 @@ void blitFramebuffer(Context& c, GLint fromX0, GLint fromY0, GLint fromX1, GLint
   }
   c.touch(framebufferBound(c));
   bool resolved = false;
-  c.protect([&] { resolved = c.resolveByBlit(blit); });
+  c.protect([&] { resolved = c.resolves.byBlit(blit); });
   if (!resolved) {
     c.beforeBlit();
     c.blit(blit);

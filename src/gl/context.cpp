@@ -49,6 +49,9 @@ Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const 
       lists(*this),
       attribStack(*this),
       layers(*this),
+      resolves(*this),
+      window(*this),
+      programs(*this),
       group_(std::move(group)),
       info_(info),
       presenter_(presenter),
@@ -162,7 +165,7 @@ void Context::readGroups(uint32_t stale) {
   if (stale & kClip) readClipPlanes(real, state);
   if (stale & kTarget) readTarget(real, group_->deletedRenderbuffers, state);
   if (stale & kFixedArrays) readArrays(real, *group_, arrays), attachments.check(arrays);
-  if (stale & (kProgram | kProgramTextures)) readCurrentProgram();
+  if (stale & (kProgram | kProgramTextures)) programs.read();
   if (stale & kAttributes) {
     readAttributes(real, *group_, state.program.known.get(), attributes);
     attachments.check(attributes);
@@ -211,7 +214,7 @@ void Context::loseCurrent() {
 void Context::beforeSwap() {
   protect([&] {
     immediate.closeRunIfOpen();
-    settleShown();
+    window.settle();
     flushBatch();  // what waits for being resolved is not in the window
   });
 }
@@ -227,7 +230,7 @@ void Context::afterSwap() {
 }
 
 void Context::forgetOld() {
-  passes_.clear();
+  passes.clear();
   clears_ = 0;
   workForgotten_ = work();
   group_->meshes.advance();
@@ -235,7 +238,7 @@ void Context::forgetOld() {
 }
 
 void Context::cleared(GLbitfield mask) {
-  if (mask & GL_DEPTH_BUFFER_BIT) passes_.clear();
+  if (mask & GL_DEPTH_BUFFER_BIT) passes.clear();
   noteClear(mask);
   constexpr GLbitfield kWhole = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
   if ((mask & kWhole) != kWhole || work() == workForgotten_) return;

@@ -12,21 +12,21 @@
 #include "gl/draw_kinds.h"
 #include "gl/engine_choice.h"
 #include "gl/immediate.h"
-#include "gl/lagged_frame.h"
 #include "gl/layer_draws.h"
 #include "gl/list_compiler.h"
 #include "gl/material_latch.h"
 #include "gl/passes.h"
 #include "gl/presenter.h"
+#include "gl/program_draws.h"
 #include "gl/real.h"
+#include "gl/resolve_draws.h"
 #include "gl/share_group.h"
-#include "gl/shown.h"
 #include "gl/smooth.h"
 #include "gl/state.h"
 #include "gl/statistics.h"
 #include "gl/texture.h"
 #include "gl/thread_state.h"
-#include "gl/unresolved.h"
+#include "gl/window_frames.h"
 
 #include <exception>
 #include <functional>
@@ -64,12 +64,18 @@ class Context {
   ArrayState arrays;            // the same for kFixedArrays
   ArrayState attributes;        // the same for kAttributes
   Attachments attachments;      // buffers in vertex array objects
-  CurrentValues current;        // the same for kCurrent
+  CurrentValues current;        // current attributes: ours, or after refresh(kCurrent)
   MaterialLatch latch;
+  Passes passes;
+  // Parts that have rules of their own. Each knows this context; what they share is here.
   Immediate immediate;
   ListCompiler lists;
   AttribStack attribStack;
   LayerDraws layers;
+  ResolveDraws resolves;
+  WindowFrames window;
+  ProgramDraws programs;
+
   Statistics statistics;
   uint64_t frame = 1;
   double beganSeconds = 0;  // when this frame was first seen to clear or draw; 0: not yet
@@ -106,23 +112,14 @@ class Context {
   /// Shows what is pending, before a buffer swap, and after it.
   void beforeSwap();
   void afterSwap();
-  /// Whether all that a swap would show are a clear and what is pending.
-  bool mayShowDirectly() noexcept;
-  /// Then, instead of both beforeSwap() and the swap of a window of this size: traces what is pending and
-  /// gives the picture to `show`. False: nothing was shown.
-  bool showDirectly(glm::ivec2 window, const ShowPicture& show) noexcept;
-  /// In place of both where the frame can be shown later: it is traced meanwhile. Otherwise says why not.
-  LagRefusal lag(const LagWindow& window) noexcept;
-  /// Shows such a frame, before the window's buffers are looked at or drawn into.
-  void showLagged();
-  /// Whether a clear may come after that, too: then it is not to be made.
-  bool clearsLater(GLbitfield mask);
   /// The frame is complete and about to be shown.
   void completeFrame();
   /// Programs that draw into memory alone may never swap or finish: clears of colour and depth are the frames
   /// of those. Called before and after the real clear.
   void clearing(GLbitfield mask);
   void cleared(GLbitfield mask);
+  /// What the draw framebuffer is known to hold, where it is but a clear.
+  const std::optional<ClearedTarget>& clearedTarget() const { return cleared_; }
   /// Something may have been drawn, or sent, into the draw framebuffer.
   void forgetClear() { cleared_.reset(), smooth_ = {}; }
   /// The same of the texture bound to `target`, which may be attached to the framebuffer.
@@ -147,11 +144,16 @@ class Context {
   /// The same where another framebuffer is bound: the batch may wait for being resolved.
   void leave();
   /// Before the draw framebuffer is cleared: as redirect(), but that what the clear hides is let go. What is
-  /// clean then, for cleanIs() after the real clear.
+  /// clean then, for ResolveDraws::cleanIs() after the real clear.
   Unresolved::Cleared beforeClear(GLbitfield mask);
-  void cleanIs(const Unresolved::Cleared& cleared) {
-    unresolved_.cleared = direct_ ? Unresolved::Cleared{} : cleared;
-  }
+  /// Writes pictures that wait elsewhere into their framebuffers: all, or those that a draw of now may meet.
+  void settle();
+  void settleBelow(int samples);
+  /// Presents what was held back, into the framebuffer of its time. `known`: its picture is.
+  void presentLate(const BatchKey& key, const scene::SnapshotPtr& snapshot, std::vector<ProgramDraw> draws,
+                   bool known);
+  /// Counts what came of a picture. `known`: it was shown before, elsewhere.
+  void takeResult(const PresentResult& result, bool known = false);
   /// Before images of textures, or a buffer's contents, change: draws that are kept with their names are
   /// made.
   void imagesChange() noexcept;
@@ -199,6 +201,7 @@ class Context {
   }
   /// Whether this frame's duration is measured, so that nothing may be shown again or later.
   bool measured() const { return choice_.wantsStop(); }
+  bool startsMeasuring() const { return choice_.wantsStart(); }
   /// Whether a surface of so many triangles is left to the real OpenGL, however much there is in all.
   bool leavesAlone(uint64_t triangles) const {
     return choice_.way() == EngineChoice::Way::mixed && choice_.takesAlone(triangles, viewportPixels());
@@ -206,36 +209,18 @@ class Context {
 
   int activeQueries = 0;  // queries and conditional renderings that count or guard draws
   GLenum matrixMode = 0;  // 0: ask the real OpenGL
+  /// Whether the real OpenGL renders on the CPU.
+  bool isSoftwareBelow();
   /// Whether pictures of ours can be shown by this OpenGL.
   bool canTrace();
   /// Why a surface with this mesh cannot be traced now, or Reason::traced. Call refresh(kDrawGroups) before.
   Reason triage(PrimitiveClass kind);
   Reason triage(const KnownMesh& mesh, const std::vector<MaterialChange>& materials);
-  /// The same where everything that can be is traced.
-  Reason triageAlways(const KnownMesh& mesh, const std::vector<MaterialChange>& materials);
-  /// Whether every fragment of a surface with this mesh has alpha 1.
-  bool isOpaque(const KnownMesh& mesh, const std::vector<MaterialChange>& materials) const;
-  /// The same of a surface drawn by the current shader program. Call refresh(kProgramGroups) before.
-  Reason triageProgram(PrimitiveClass kind);
-  /// Whether the current program makes round figures of what a draw of this mode sends.
-  bool drawsFigures(GLenum mode);
-  /// The same as triageProgram, of what figures need beside.
-  Reason triageFigures();
-  Reason triageProgram(const KnownMesh& mesh) const;
-  /// The same where everything that can be is traced.
-  Reason triageProgramAlways(const KnownMesh& mesh) const;
-  /// The same of the instances of a draw.
-  Reason triageInstances(const Elements& elements) const;
-  /// Adds a mesh drawn by the current shader program to the batch, as often as the draw has instances; or
-  /// says why it cannot join the layers that are there.
-  Reason addProgramInstances(const scene::MeshPtr& mesh, GLenum mode, const Elements& elements);
   /// Does what the draw would do where it is a full-screen pass that costs less without the real OpenGL.
   /// False: draw it.
   bool replacePass(GLenum mode, const Elements& elements);
-  /// Does what the blit would do where it resolves a picture that waits. False: beforeBlit(), then blit().
-  bool resolveByBlit(const Blit& blit);
+  /// A glBlitFramebuffer that ResolveDraws::byBlit() does not do, after beforeBlit().
   void beforeBlit() noexcept;
-  /// A glBlitFramebuffer, after what it may look at was flushed.
   void blit(Blit blit);
   /// Runs `trace`, which says whether it added a draw to the batch. A failure of ours makes the draw
   /// rasterised, not lost.
@@ -253,6 +238,8 @@ class Context {
   /// rememberPass().
   bool isPass(PrimitiveClass kind, Reason reason) const;
   void rememberPass(const KnownMesh& known);
+  /// Cuts off what lies beyond the draw framebuffer.
+  void clampToTarget(scene::Region& region);
   /// Whether surfaces are drawn with a polygon offset away from the viewer.
   bool isPushedBack() const;
   void countRaster(Reason reason, DrawPath path, PrimitiveClass kind, uint64_t triangles);
@@ -265,13 +252,18 @@ class Context {
   DrawKinds* kinds() const { return info_.kinds.get(); }
   /// Gives the real OpenGL the contents of buffers that its draws may read.
   void sendBuffers();
-  bool hasPending() const { return !batch_.empty(); }
 
  private:
   Context(const RealGl& real, std::shared_ptr<ShareGroup> group, const ContextInfo& info,
           Presenter& presenter);
   void present(bool rasterise);
-  void takeResult(const PresentResult& result, bool known = false);
+  /// triage() where everything that can be is traced.
+  Reason triageAlways(const KnownMesh& mesh, const std::vector<MaterialChange>& materials);
+  /// Whether every fragment of a surface with this mesh has alpha 1.
+  bool isOpaque(const KnownMesh& mesh, const std::vector<MaterialChange>& materials) const;
+  void noteClear(GLbitfield mask);
+  std::optional<ClearedTarget> clearedUnder(const scene::Snapshot& snapshot, const BatchKey& key);
+  bool antialiasInto(GLuint attachment, const scene::Region& region, bool instead);
   void startMeasuring();
   void chooseEngine();
   bool clearsViewport() const;
@@ -280,6 +272,8 @@ class Context {
   double viewportPixels() const {
     return static_cast<double>(state.viewport.z) * static_cast<double>(state.viewport.w);
   }
+  /// Grows with everything that is drawn and may be kept: pictures, and meshes that were never traced.
+  uint64_t work() const { return statistics.flushes + statistics.meshesBuilt; }
   void deleteDiscarded();
   /// Lets go of meshes that have not been used lately.
   void forgetOld();
@@ -296,56 +290,10 @@ class Context {
   Answer softwareBelow_ = Answer::unknown;  // the real OpenGL renders on the CPU
   GLenum error_ = GL_NO_ERROR;
 
-  Passes passes_;
-  Unresolved unresolved_;
-  Shown shown_;
-  std::optional<LaggedFrame> lagged_;
-  LagRefusal whyNotLag(GLenum buffer) const;
-  void noteBegin();
-  bool showsDirectly(const LaggedFrame& frame);
-  PresentResult presentLagged(LaggedFrame& frame);
-  int clears_ = 0;              // of colour and depth since forgetOld()
-  uint64_t workForgotten_ = 0;  // work() at that time
-  /// Grows with everything that is drawn and may be kept: pictures, and meshes that were never traced.
-  uint64_t work() const { return statistics.flushes + statistics.meshesBuilt; }
-
+  int clears_ = 0;                        // of colour and depth since forgetOld()
+  uint64_t workForgotten_ = 0;            // work() at that time
   std::optional<ClearedTarget> cleared_;  // the draw framebuffer, if it is worth knowing
-  void noteClear(GLbitfield mask);
   Smooth smooth_;
-  std::optional<ClearedTarget> clearedUnder(const scene::Snapshot& snapshot, const BatchKey& key);
-  void clampToTarget(scene::Region& region);
-  void readCurrentProgram();
-  enum class Placed { nowhere, inBatch, otherCamera };
-  Placed placeProgramDraw(const glm::dvec3& reach);
-  glm::dvec3 reachOfInstances(const scene::Mesh& mesh, const Elements& elements) const;
-  void addInstancesOf(const scene::Instance& one, const scene::Shading& shading, const Elements& elements);
-  bool isSoftwareBelow();
-  bool antialiasInto(GLuint attachment, const scene::Region& region, bool instead);
-  // Pictures that wait for being resolved (resolve_draws.cpp).
-  Unresolved::Cleared clearedBy(GLbitfield mask);
-  void clearsSamples(const Unresolved::Cleared& cleared);
-  /// Writes what waits into its framebuffer.
-  void settle();
-  bool readsSamples();
-  bool blitsSamples();
-  void samplesMeetRasterDraw();
-  bool resolveInto(ResolveTarget& target);
-  bool resolveByProgram(GLuint texture, const scene::Region& region);
-  /// Before a batch starts, or a draw meets earlier ones, in the draw framebuffer of now.
-  void settleBelow(int samples) {
-    if (unresolved_.waiting && samples > 1) settle();
-    settleShownBelow();
-  }
-  /// Presents what was held back, into the framebuffer of its time. `known`: its picture is.
-  void presentLate(const BatchKey& key, const scene::SnapshotPtr& snapshot, std::vector<ProgramDraw> draws,
-                   bool known);
-  // Pictures that are shown before they are in the back buffer (shown_draws.cpp).
-  void clearsShown(GLbitfield mask);
-  void settleShown();
-  void settleShownBelow();  // where the window is drawn into
-  const FamilyList& families() const;
-  /// The current shader program, outside glBegin and glEnd; null: there is none.
-  const std::shared_ptr<const KnownProgram>& programInUse();
   glm::ivec2 drawableSize_{0};  // largest size that the window is known to have had
   scene::Region sizeAskedFor_;
   TextureCache textures_{*group_};

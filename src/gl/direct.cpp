@@ -6,7 +6,7 @@
 namespace gluray::gl {
 
 void Context::startMeasuring() {
-  showLagged();
+  window.showLagged();
   real.Finish();  // what is still drawn belongs to earlier frames
   choice_.start();
 }
@@ -24,7 +24,7 @@ void Context::chooseEngine() {
 
 void Context::setDirect(bool direct) {
   if (direct == direct_) return;
-  showLagged();
+  window.showLagged();
   settle();
   if (direct) {
     syncCurrent();
@@ -62,7 +62,7 @@ void Context::clearing(GLbitfield mask) {
 void Context::noteLoad(uint64_t triangles) { choice_.drew(triangles, viewportPixels()); }
 
 bool Context::drawsDirectly(DrawPath path, PrimitiveClass kind, uint64_t triangles) {
-  if (lagged_) protect([&] { showLagged(); });
+  if (window.lags()) protect([&] { window.showLagged(); });
   forgetClear();
   refresh(kinds() ? kViewport | kTarget : kViewport);
   if (kind == PrimitiveClass::surfaces && !choice_.takes(triangles, viewportPixels())) {

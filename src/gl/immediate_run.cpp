@@ -128,7 +128,7 @@ void Immediate::surrender() {
   Captured& run = stream_.captured();
   const bool open = inside_ == Inside::captured;
   GLuint fragment = 0;
-  if (!c_.compiling()) c_.showLagged();
+  if (!c_.compiling()) c_.window.showLagged();
   c_.sendBuffers();          // glArrayElement may follow
   c_.current.send(c_.real);  // not into the list
   if (c_.compiling()) {

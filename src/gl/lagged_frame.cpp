@@ -5,6 +5,7 @@
 #include "gl/clears.h"
 #include "gl/context.h"
 #include "gl/state_queries.h"
+#include "gl/window_frames.h"
 
 #include <GL/glext.h>
 
@@ -31,87 +32,88 @@ std::string_view describe(LagRefusal refusal) {
   return kWords.at(static_cast<size_t>(refusal));
 }
 
-LagRefusal Context::whyNotLag(GLenum buffer) const {
-  if (batch_.empty()) return direct_ ? LagRefusal::measured : LagRefusal::nothingToDo;
-  const BatchKey& key = batch_.key();
+LagRefusal WindowFrames::whyNotLag(GLenum buffer) const {
+  if (c_.batch().empty()) return c_.direct() ? LagRefusal::measured : LagRefusal::nothingToDo;
+  const BatchKey& key = c_.batch().key();
   const bool right = key.drawBuffer == buffer || (buffer == GL_BACK && key.drawBuffer == GL_BACK_LEFT);
   if (key.framebuffer != 0 || !right || key.samples > 1) return LagRefusal::target;
-  if (direct_ || measured()) return LagRefusal::measured;
+  if (c_.direct() || c_.measured()) return LagRefusal::measured;
   // Draws by programs keep the names of textures and buffers, which other contexts may change.
-  if (activeQueries > 0 || key.layers != BatchKey::Layers::none || layers.pending() || unresolved_.waiting ||
-      compiling() || (!batch_.programDraws().empty() && group_->contexts > 1))
+  if (c_.activeQueries > 0 || key.layers != BatchKey::Layers::none || c_.layers.pending() ||
+      c_.resolves.waits() || c_.compiling() ||
+      (!c_.batch().programDraws().empty() && c_.group().contexts > 1))
     return LagRefusal::state;
-  return aside_ || passthrough_ ? LagRefusal::failure : LagRefusal::none;
+  return c_.aside() || c_.passthrough() ? LagRefusal::failure : LagRefusal::none;
 }
 
-void Context::noteBegin() {
-  if (beganSeconds == 0) beganSeconds = nowSeconds();
+void WindowFrames::noteBegin() {
+  if (c_.beganSeconds == 0) c_.beganSeconds = nowSeconds();
 }
 
-LagRefusal Context::lag(const LagWindow& window) noexcept {
+LagRefusal WindowFrames::lag(const LagWindow& window) noexcept {
   LagRefusal refusal = LagRefusal::failure;
-  protect([&] {
-    if (insideBegin()) return;
-    immediate.closeRunIfOpen();
-    settleShown();
+  c_.protect([&] {
+    if (c_.insideBegin()) return;
+    c_.immediate.closeRunIfOpen();
+    settle();
     refusal = whyNotLag(window.overdue.buffer);
     if (refusal != LagRefusal::none) return;
-    if (const GLenum pending = real.GetError()) setError(pending);
-    LaggedFrame frame{batch_.key(), batch_.pending(), {}, window, {}, 1, {}};
+    if (const GLenum pending = c_.real.GetError()) c_.setError(pending);
+    LaggedFrame frame{c_.batch().key(), c_.batch().pending(), {}, window, {}, 1, {}};
     const glm::ivec2 size = window.overdue.size;
-    if (window.show && mayShowDirectly() && contains(cleared_->region, {0, 0, size.x, size.y})) {
-      refresh(kTarget);
-      frame.cleared = cleared_;
-      frame.farthest = farthestHit(frame.key.depthFunc, state.target.depthResolution);
+    if (window.show && mayShowDirectly() && contains(c_.clearedTarget()->region, {0, 0, size.x, size.y})) {
+      c_.refresh(kTarget);
+      frame.cleared = c_.clearedTarget();
+      frame.farthest = farthestHit(frame.key.depthFunc, c_.state.target.depthResolution);
     }
-    refusal = presenter_.traceAhead(real, frame.snapshot,
-                                    {frame.key.depthFunc, frame.cleared, frame.farthest, window.overdue});
+    refusal = c_.presenter().traceAhead(c_.real, frame.snapshot,
+                                        {frame.key.depthFunc, frame.cleared, frame.farthest, window.overdue});
     if (refusal != LagRefusal::none) return;
     lagged_ = std::move(frame);
-    batch_.take();
-    lagged_->draws = batch_.takeProgramDraws();
-    real.Flush();  // what else the frame holds is drawn meanwhile
+    c_.batch().take();
+    lagged_->draws = c_.batch().takeProgramDraws();
+    c_.real.Flush();  // what else the frame holds is drawn meanwhile
   });
   return refusal;
 }
 
 /// Shows a frame without the back buffer, where that is cleared next and held nothing else.
-bool Context::showsDirectly(const LaggedFrame& frame) {
+bool WindowFrames::showsDirectly(const LaggedFrame& frame) {
   constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
   if (!frame.cleared || frame.clears.empty() || (frame.clears.front().mask & kBoth) != kBoth) return false;
-  const PresentResult result = presenter_.show(
-      real, frame.snapshot, {*frame.cleared, frame.farthest, info_.core, true, frame.window.show});
-  latch.restore(real);
+  const PresentResult result = c_.presenter().show(
+      c_.real, frame.snapshot, {*frame.cleared, frame.farthest, c_.info().core, true, frame.window.show});
+  c_.latch.restore(c_.real);
   if (result.outcome != PresentResult::traced) return false;
-  takeResult(result);
+  c_.takeResult(result);
   noteUse(Quirk::softwareShow);
   return true;
 }
 
-PresentResult Context::presentLagged(LaggedFrame& frame) {
-  const bool encodes = state.rare.framebufferSrgb && isOn(real, GL_FRAMEBUFFER_SRGB);
-  if (encodes) real.Disable(GL_FRAMEBUFFER_SRGB);  // as it was when the program drew
-  const PresentResult result = presenter_.present(
-      real, frame.snapshot,
-      {.depthFunc = frame.key.depthFunc, .core = info_.core, .programDraws = std::move(frame.draws)});
-  if (encodes) real.Enable(GL_FRAMEBUFFER_SRGB);
-  latch.restore(real);
-  takeResult(result);
+PresentResult WindowFrames::presentLagged(LaggedFrame& frame) {
+  const bool encodes = c_.state.rare.framebufferSrgb && isOn(c_.real, GL_FRAMEBUFFER_SRGB);
+  if (encodes) c_.real.Disable(GL_FRAMEBUFFER_SRGB);  // as it was when the program drew
+  const PresentResult result = c_.presenter().present(
+      c_.real, frame.snapshot,
+      {.depthFunc = frame.key.depthFunc, .core = c_.info().core, .programDraws = std::move(frame.draws)});
+  if (encodes) c_.real.Enable(GL_FRAMEBUFFER_SRGB);
+  c_.latch.restore(c_.real);
+  c_.takeResult(result);
   frame.window.swap();
   return result;
 }
 
-void Context::showLagged() {
+void WindowFrames::showLagged() {
   if (!lagged_) return;
   noteBegin();
   const timeline::Span span("show lagged", lagged_->snapshot->instances.size());
   LaggedFrame frame = std::move(*lagged_);
   lagged_.reset();
-  const double start = kinds() ? nowSeconds() : 0;
-  syncCurrent();
+  const double start = c_.kinds() ? nowSeconds() : 0;
+  c_.syncCurrent();
   PresentResult result;
   if (!frame.window.stands()) {
-    presenter_.dropAhead();
+    c_.presenter().dropAhead();
     result.outcome = PresentResult::traced;  // nobody would have seen it
   } else if (!showsDirectly(frame)) {
     result = presentLagged(frame);
@@ -119,22 +121,22 @@ void Context::showLagged() {
     result.outcome = PresentResult::traced;
   }
   for (const WindowClear& clear : frame.clears)
-    if (const GLenum pending = presenter_.clear(real, clear)) setError(pending);
-  if (kinds()) [[unlikely]]
-    kinds()->exclude(nowSeconds() - start);
+    if (const GLenum pending = c_.presenter().clear(c_.real, clear)) c_.setError(pending);
+  if (c_.kinds()) [[unlikely]]
+    c_.kinds()->exclude(nowSeconds() - start);
   if (result.outcome != PresentResult::traced)
-    stepAside(result.why.empty() ? "the ray tracer could not make a picture" : result.why.c_str());
+    c_.stepAside(result.why.empty() ? "the ray tracer could not make a picture" : result.why.c_str());
 }
 
-bool Context::clearsLater(GLbitfield mask) {
+bool WindowFrames::clearsLater(GLbitfield mask) {
   constexpr GLbitfield kKnown = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
   constexpr size_t kMostClears = 8;
   noteBegin();
-  if (!lagged_ || !batch_.empty() || mask == 0 || mask & ~kKnown || direct_ || aside_ ||
-      choice_.wantsStart() || activeQueries > 0 || lagged_->clears.size() >= kMostClears)
+  if (!lagged_ || !c_.batch().empty() || mask == 0 || mask & ~kKnown || c_.direct() || c_.aside() ||
+      c_.startsMeasuring() || c_.activeQueries > 0 || lagged_->clears.size() >= kMostClears)
     return false;
-  if (!clearsWindow(real, state.rare, mask)) return false;
-  lagged_->clears.push_back(windowClear(real, mask));
+  if (!clearsWindow(c_.real, c_.state.rare, mask)) return false;
+  lagged_->clears.push_back(windowClear(c_.real, mask));
   return true;
 }
 

@@ -63,12 +63,12 @@ bool Context::isSoftwareBelow() {
 
 bool Context::replacePass(GLenum mode, const Elements& elements) {
   const Family::Pass pass = passOf(state.program);
-  const bool resolves = pass == Family::Pass::resolve;
-  if (!resolves && pass != Family::Pass::fxaa) return false;
+  const bool resolving = pass == Family::Pass::resolve;
+  if (!resolving && pass != Family::Pass::fxaa) return false;
   const QuirkSet& quirks = info_.settings.quirks;
   const bool instead =
-      quirks.has(resolves ? Quirk::softwareResolve : Quirk::softwareFxaa) && isSoftwareBelow();
-  const bool smooth = !resolves && smooth_.copied() && quirks.has(Quirk::sppFxaa);
+      quirks.has(resolving ? Quirk::softwareResolve : Quirk::softwareFxaa) && isSoftwareBelow();
+  const bool smooth = !resolving && smooth_.copied() && quirks.has(Quirk::sppFxaa);
   if (!(instead || smooth) || aside_ || activeQueries > 0) return false;
   const TargetState& target = state.target;
   if (target.reason != Reason::traced && target.reason != Reason::noDepthBuffer) return false;
@@ -89,7 +89,7 @@ bool Context::replacePass(GLenum mode, const Elements& elements) {
   ask(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL, level);
   if (level != 0) return false;
   const auto texture = static_cast<GLuint>(attachment);
-  return resolves ? resolveByProgram(texture, region) : antialiasInto(texture, region, instead);
+  return resolving ? resolves.byProgram(texture, region) : antialiasInto(texture, region, instead);
 }
 
 bool Context::antialiasInto(GLuint attachment, const scene::Region& region, bool instead) {

@@ -3,8 +3,10 @@
 #include "base/log.h"
 #include "base/timeline.h"
 #include "gl/context.h"
+#include "gl/state_queries.h"
 
 #include <GL/gl.h>
+#include <GL/glext.h>
 
 #include <exception>
 #include <optional>
@@ -25,7 +27,7 @@ bool Context::canTrace() {
 }
 
 void Context::present(bool rasterise) {
-  showLagged();
+  window.showLagged();
   if (batch_.empty()) return;
   timeline::writeIfDue();
   const timeline::Span span("batch", batch_.waiting().instances.size());
@@ -35,7 +37,7 @@ void Context::present(bool rasterise) {
   const scene::SnapshotPtr snapshot = batch_.take();
   const double start = kinds() ? nowSeconds() : 0;
   syncCurrent();
-  passes_.flushed(rasterise ? nullptr : snapshot);
+  passes.flushed(rasterise ? nullptr : snapshot);
   if (rasterise) countAsRasterised(*snapshot);
   const std::optional<ClearedTarget> under = rasterise ? std::nullopt : clearedUnder(*snapshot, key);
   const Smooth smooth = smooth_;
@@ -52,7 +54,7 @@ void Context::present(bool rasterise) {
     smooth_ = smooth;
     smooth_.wrote(key.framebuffer, key.drawBuffer);
   }
-  unresolved_.cleared = {};
+  resolves.cleanIs({});
   latch.restore(real);
   takeResult(result);
   if (kinds()) [[unlikely]]
@@ -62,7 +64,6 @@ void Context::present(bool rasterise) {
     stepAside(result.why.empty() ? "the ray tracer could not make a picture" : result.why.c_str());
 }
 
-/// `known`: the picture was shown before, elsewhere.
 void Context::takeResult(const PresentResult& result, bool known) {
   if (result.pendingError != GL_NO_ERROR) setError(result.pendingError);
   statistics.presentSeconds += result.presentSeconds;
@@ -77,22 +78,71 @@ void Context::takeResult(const PresentResult& result, bool known) {
   statistics.blasRefining = result.blasRefining;
 }
 
+void Context::settle() {
+  window.settle();
+  resolves.settle();
+}
+
+void Context::settleBelow(int samples) {
+  if (resolves.waits() && samples > 1) settle();
+  window.settleBelow();
+}
+
+void Context::leave() {
+  window.showLagged();
+  if (!batch_.empty() && !resolves.hold()) present(false);
+}
+
+Unresolved::Cleared Context::beforeClear(GLbitfield mask) {
+  const Unresolved::Cleared clean = resolves.clearedBy(mask);
+  present(false);
+  window.clears(mask);
+  resolves.clears(clean);
+  return clean;
+}
+
+void Context::beforeBlit() noexcept {
+  protect([&] {
+    syncCurrent();
+    flushBatch();
+    resolves.meetBlit();
+    window.settle();
+    sendBuffers();
+  });
+}
+
+void Context::presentLate(const BatchKey& key, const scene::SnapshotPtr& snapshot,
+                          std::vector<ProgramDraw> draws, bool known) {
+  const bool objects = isPresent(real.BindFramebuffer);
+  const GLuint bound = objects ? static_cast<GLuint>(integer(real, GL_DRAW_FRAMEBUFFER_BINDING)) : 0;
+  const bool encodes = state.rare.framebufferSrgb && isOn(real, GL_FRAMEBUFFER_SRGB);
+  if (encodes) real.Disable(GL_FRAMEBUFFER_SRGB);  // as it was when the program drew
+  if (bound != key.framebuffer) real.BindFramebuffer(GL_DRAW_FRAMEBUFFER, key.framebuffer);
+  const PresentResult result = presenter_.present(real, snapshot,
+                                                  {.depthFunc = key.depthFunc,
+                                                   .core = info_.core,
+                                                   .programDraws = std::move(draws),
+                                                   .mayRepeat = known || !measured()});
+  if (bound != key.framebuffer) real.BindFramebuffer(GL_DRAW_FRAMEBUFFER, bound);
+  if (encodes) real.Enable(GL_FRAMEBUFFER_SRGB);
+  latch.restore(real);
+  takeResult(result, known);
+  if (result.outcome != PresentResult::traced)
+    stepAside(result.why.empty() ? "the ray tracer could not make a picture" : result.why.c_str());
+}
+
 void Context::imagesChange() noexcept {
-  const bool shown = shown_.waiting && readImages(shown_.waiting->draws);
-  const bool lags = lagged_ && readImages(lagged_->draws);
-  if (batch_.readsImages() || unresolved_.waiting || shown || lags) protect([&] { flush(); });
+  if (batch_.readsImages() || resolves.waits() || window.readsImages()) protect([&] { flush(); });
 }
 
 void Context::contentsChange(GLuint buffer) noexcept {
-  const bool waits = unresolved_.waiting && readsBuffer(unresolved_.waiting->draws, buffer);
-  const bool shown = shown_.waiting && readsBuffer(shown_.waiting->draws, buffer);
-  const bool lags = lagged_ && readsBuffer(lagged_->draws, buffer);
-  if (waits || shown || lags || batch_.readsBuffer(buffer)) protect([&] { flush(); });
+  if (resolves.readsBuffer(buffer) || window.readsBuffer(buffer) || batch_.readsBuffer(buffer))
+    protect([&] { flush(); });
 }
 
 void Context::showIfVisible() {
   syncCurrent();
-  if (unresolved_.waiting && group_->contexts > 1) protect([&] { settle(); });
+  if (resolves.waits() && group_->contexts > 1) protect([&] { settle(); });
   if (batch_.empty() && !info_.doubleBuffered) return showDrawn();
   if (batch_.empty()) return;
   const GLenum buffer = batch_.key().drawBuffer;

@@ -1,4 +1,5 @@
-// Surfaces that shader programs draw: whether they can be traced, and how they join the batch.
+#include "gl/program_draws.h"
+
 #include "gl/affine.h"
 #include "gl/context.h"
 #include "gl/mesh_builder.h"
@@ -8,72 +9,75 @@
 
 namespace gluray::gl {
 
-void Context::readCurrentProgram() {
-  ProgramState& program = state.program;
-  const GLuint name = isPresent(real.UseProgram) ? [&] {
+void ProgramDraws::read() {
+  ProgramState& program = c_.state.program;
+  const GLuint name = isPresent(c_.real.UseProgram) ? [&] {
     GLint current = 0;
-    real.GetIntegerv(GL_CURRENT_PROGRAM, &current);
+    c_.real.GetIntegerv(GL_CURRENT_PROGRAM, &current);
     return static_cast<GLuint>(current);
   }() : 0;
   const auto before = program.known;
-  program.known = name ? group_->program(real, name, families()) : nullptr;
-  if (program.known != before) dirty |= kAttributes;
+  program.known = name ? known(name) : nullptr;
+  if (program.known != before) c_.dirty |= kAttributes;
   if (!program.known) {
     program.reason = Reason::program;
     return;
   }
-  readProgram(real, *group_, state.rare, textures_, program);
+  readProgram(c_.real, c_.group(), c_.state.rare, c_.textures(), program);
   // A program that was deleted lives as long as it is in use: the write-back, which uses its own, would end
   // it.
   GLint deleted = 0;
-  real.GetProgramiv(name, GL_DELETE_STATUS, &deleted);
+  c_.real.GetProgramiv(name, GL_DELETE_STATUS, &deleted);
   if (deleted) program.reason = Reason::program;
 }
 
-const FamilyList& Context::families() const { return info_.families ? *info_.families : builtInFamilies(); }
-
-const std::shared_ptr<const KnownProgram>& Context::programInUse() {
-  refresh(kProgram);
-  return state.program.known;
+std::shared_ptr<const KnownProgram> ProgramDraws::known(GLuint name) {
+  return c_.group().program(c_.real, name, c_.info().families ? *c_.info().families : builtInFamilies());
 }
 
-bool Context::drawsFigures(GLenum mode) {
-  if ((mode != GL_POINTS && mode != GL_LINES) || !isPresent(real.UseProgram)) return false;
+const std::shared_ptr<const KnownProgram>& ProgramDraws::inUse() {
+  c_.refresh(kProgram);
+  return c_.state.program.known;
+}
+
+bool ProgramDraws::drawsFigures(GLenum mode) {
+  if ((mode != GL_POINTS && mode != GL_LINES) || !isPresent(c_.real.UseProgram)) return false;
   GLint name = 0;
-  real.GetIntegerv(GL_CURRENT_PROGRAM, &name);
+  c_.real.GetIntegerv(GL_CURRENT_PROGRAM, &name);
   if (name == 0) return false;
-  const auto known = group_->program(real, static_cast<GLuint>(name), families());
-  if (!known || !known->family || !known->family->figures.given()) return false;
-  return (mode == GL_LINES) == (known->family->figures.shape == scene::Shape::tubes);
+  const auto program = known(static_cast<GLuint>(name));
+  if (!program || !program->family || !program->family->figures.given()) return false;
+  return (mode == GL_LINES) == (program->family->figures.shape == scene::Shape::tubes);
 }
 
-Reason Context::triageFigures() {
-  attributes.figureRadius = state.program.figureRadius;
-  if (attributes.shape == scene::Shape::triangles) return Reason::traced;
+Reason ProgramDraws::triageFigures() {
+  c_.attributes.figureRadius = c_.state.program.figureRadius;
+  if (c_.attributes.shape == scene::Shape::triangles) return Reason::traced;
   // Cards have two sides, of which one may be culled. Points have none.
-  if (attributes.shape != scene::Shape::beads && state.raster.cull != scene::CullFace::none)
+  if (c_.attributes.shape != scene::Shape::beads && c_.state.raster.cull != scene::CullFace::none)
     return Reason::program;
-  if (scene::isSizedInPixels(attributes.shape))
-    return readPixelFigures(real, info_.core, attributes.shape, state);
+  if (scene::isSizedInPixels(c_.attributes.shape))
+    return readPixelFigures(c_.real, c_.info().core, c_.attributes.shape, c_.state);
   return Reason::traced;
 }
 
-Reason Context::triageProgram(PrimitiveClass kind) {
-  if (aside_) return Reason::failure;
-  if (passthrough_) return Reason::off;
-  if (activeQueries > 0) return Reason::query;
-  if (state.target.reason != Reason::traced) return state.target.reason;
-  if (state.raster.reason == Reason::renderMode) return Reason::renderMode;
+Reason ProgramDraws::triage(PrimitiveClass kind) {
+  if (c_.aside()) return Reason::failure;
+  if (c_.passthrough()) return Reason::off;
+  if (c_.activeQueries > 0) return Reason::query;
+  if (c_.state.target.reason != Reason::traced) return c_.state.target.reason;
+  if (c_.state.raster.reason == Reason::renderMode) return Reason::renderMode;
   // What keeps the program from being traced says more than what kind of primitive it draws.
-  if (state.program.reason != Reason::traced) return state.program.reason;
+  if (c_.state.program.reason != Reason::traced) return c_.state.program.reason;
   if (kind == PrimitiveClass::points) return Reason::points;
   if (kind == PrimitiveClass::lines) return Reason::lines;
-  if (state.raster.reason != Reason::traced) return state.raster.reason;
-  if (state.raster.alphaTest != scene::AlphaTest{}) return Reason::alphaTest;
-  if (state.program.known->program.blocks) dirty |= kProgram;  // buffers change without our taking note
-  if (!info_.core && !state.clipPlanes.empty()) return Reason::program;  // programs clip in ways of their own
-  if (attributes.reason != Reason::traced) return attributes.reason;
-  return canTrace() ? Reason::traced : Reason::noGlsl;
+  if (c_.state.raster.reason != Reason::traced) return c_.state.raster.reason;
+  if (c_.state.raster.alphaTest != scene::AlphaTest{}) return Reason::alphaTest;
+  if (c_.state.program.known->program.blocks) c_.dirty |= kProgram;  // buffers change without our taking note
+  if (!c_.info().core && !c_.state.clipPlanes.empty())
+    return Reason::program;  // programs clip in ways of their own
+  if (c_.attributes.reason != Reason::traced) return c_.attributes.reason;
+  return c_.canTrace() ? Reason::traced : Reason::noGlsl;
 }
 
 namespace {
@@ -106,18 +110,18 @@ bool isBeforeViewer(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
 
 }  // namespace
 
-Reason Context::triageProgram(const KnownMesh& known) const {
-  const Reason reason = triageProgramAlways(known);
-  if (layersOf(state.program) == BatchKey::Layers::peeled) return reason;
+Reason ProgramDraws::triage(const KnownMesh& known) const {
+  const Reason reason = triageAlways(known);
+  if (layersOf(c_.state.program) == BatchKey::Layers::peeled) return reason;
   // One by one, however much they are in all: a surface that is drawn again is drawn in the same way.
-  const bool leave = reason == Reason::traced && leavesAlone(known.mesh->triangleCount);
+  const bool leave = reason == Reason::traced && c_.leavesAlone(known.mesh->triangleCount);
   return leave ? Reason::smallScene : reason;
 }
 
-Reason Context::triageProgramAlways(const KnownMesh& known) const {
+Reason ProgramDraws::triageAlways(const KnownMesh& known) const {
   if (known.homogeneous || !known.mesh) return Reason::homogeneous;
   if (isFarAway(*known.mesh)) return Reason::farAway;
-  const ProgramState& program = state.program;
+  const ProgramState& program = c_.state.program;
   const uint64_t triangles = known.mesh->triangleCount;
   if (program.triangleColors && program.triangleOffset + triangles > program.triangleColorCount)
     return Reason::arrayState;
@@ -130,55 +134,57 @@ Reason Context::triageProgramAlways(const KnownMesh& known) const {
   if (program.triangleEdges &&
       (program.depthOffset.factor != 0 || !isBeforeViewer(*known.mesh, program.clipFromObject)))
     return Reason::program;
-  const bool opaque = layersOf(state.program) != BatchKey::Layers::none || gl::isOpaque(program, *known.mesh);
+  const bool opaque =
+      layersOf(c_.state.program) != BatchKey::Layers::none || gl::isOpaque(program, *known.mesh);
   if (opaque) return Reason::traced;
-  if (state.raster.unlessOpaque != Reason::traced) return state.raster.unlessOpaque;
+  if (c_.state.raster.unlessOpaque != Reason::traced) return c_.state.raster.unlessOpaque;
   return Reason::traced;
 }
 
 /// Makes the state ready for an instance of the current program: batch, camera and matrix. Nowhere: nothing
 /// could be seen of it.
-Context::Placed Context::placeProgramDraw(const glm::dvec3& reach) {
-  const ProgramState& program = state.program;
+ProgramDraws::Placed ProgramDraws::place(const glm::dvec3& reach) {
+  const ProgramState& program = c_.state.program;
   // One projection serves a batch. What programs give is a product, and taken apart it differs by roundings
   // from draw to draw; so each draw is placed by what it does to points in the end.
-  state.projection = program.eyeFromObject ? program.clipFromObject * glm::inverse(*program.eyeFromObject)
-                                           : program.clipFromObject;
-  BatchKey key = Batch::keyOf(state);
-  key.layers = layersOf(state.program);
+  c_.state.projection = program.eyeFromObject ? program.clipFromObject * glm::inverse(*program.eyeFromObject)
+                                              : program.clipFromObject;
+  BatchKey key = Batch::keyOf(c_.state);
+  key.layers = layersOf(c_.state.program);
   const bool peeled = key.layers == BatchKey::Layers::peeled;
   key.offset = peeled ? scene::PolygonOffset{} : program.depthOffset;
-  clampToTarget(key.region);
-  dirty |= kModelview | kProjection;  // of fixed function
+  c_.clampToTarget(key.region);
+  c_.dirty |= kModelview | kProjection;  // of fixed function
   if (key.region.width <= 0 || key.region.height <= 0) return Placed::nowhere;
-  const BatchKey* there = !batch_.empty() ? &batch_.key() : peeled ? layers.tracedKey() : nullptr;
+  const BatchKey* there = !c_.batch().empty() ? &c_.batch().key() : peeled ? c_.layers.tracedKey() : nullptr;
   if (there) {
     const glm::dmat4 placed = glm::inverse(there->projection) * program.clipFromObject;
     if (isAffine(placed, reach)) key.projection = there->projection;
-    if (!peeled && !(*there == key)) flush();
+    if (!peeled && !(*there == key)) c_.flush();
   }
-  state.projection = key.projection;
-  state.modelview = glm::inverse(state.projection) * program.clipFromObject;
-  state.modelview /= state.modelview[3][3];  // the same points
-  for (int c = 0; c < 4; ++c) state.modelview[c][3] = c == 3 ? 1.0 : 0.0;
-  if (key.layers != BatchKey::Layers::none) return layers.start(key) ? Placed::inBatch : Placed::otherCamera;
-  if (batch_.empty()) {
-    settleBelow(key.samples);
-    batch_.start(key, state, info_.settings, frame);
+  c_.state.projection = key.projection;
+  c_.state.modelview = glm::inverse(c_.state.projection) * program.clipFromObject;
+  c_.state.modelview /= c_.state.modelview[3][3];  // the same points
+  for (int c = 0; c < 4; ++c) c_.state.modelview[c][3] = c == 3 ? 1.0 : 0.0;
+  if (key.layers != BatchKey::Layers::none)
+    return c_.layers.start(key) ? Placed::inBatch : Placed::otherCamera;
+  if (c_.batch().empty()) {
+    c_.settleBelow(key.samples);
+    c_.batch().start(key, c_.state, c_.info().settings, c_.frame);
   }
   return Placed::inBatch;
 }
 
-Reason Context::addProgramInstances(const scene::MeshPtr& mesh, GLenum mode, const Elements& elements) {
-  const bool many = !attributes.instanceTransform.empty() || attributes.instanceColor.enabled;
+Reason ProgramDraws::add(const scene::MeshPtr& mesh, GLenum mode, const Elements& elements) {
+  const bool many = !c_.attributes.instanceTransform.empty() || c_.attributes.instanceColor.enabled;
   const glm::dvec3 reach = many ? reachOfInstances(*mesh, elements) : reachOf(*mesh);
   if (mesh->triangleCount == 0) return Reason::traced;
-  if (const Placed placed = placeProgramDraw(reach); placed != Placed::inBatch)
+  if (const Placed placed = place(reach); placed != Placed::inBatch)
     return placed == Placed::nowhere ? Reason::traced : Reason::programPass;
-  const ProgramState& program = state.program;
+  const ProgramState& program = c_.state.program;
   scene::Instance instance;
   instance.mesh = mesh;
-  instance.eyeFromObject = state.modelview;
+  instance.eyeFromObject = c_.state.modelview;
   instance.lightingFromObject = glm::mat4(program.eyeFromObject.value_or(glm::dmat4(1)));
   instance.normalMatrix = program.normalMatrix;
   instance.color = program.color;
@@ -190,21 +196,22 @@ Reason Context::addProgramInstances(const scene::MeshPtr& mesh, GLenum mode, con
   instance.triangleOffset = program.triangleOffset;
   instance.materials.push_back(program.material);
   instance.figures = program.figures;
-  if (mesh->shape == scene::Shape::triangles) instance.cull = state.raster.cull;  // points have no faces
-  instance.frontFaceCcw = state.raster.frontFaceCcw;
-  const glm::dmat4 objectFromEye = glm::inverse(state.modelview);
+  if (mesh->shape == scene::Shape::triangles) instance.cull = c_.state.raster.cull;  // points have no faces
+  instance.frontFaceCcw = c_.state.raster.frontFaceCcw;
+  const glm::dmat4 objectFromEye = glm::inverse(c_.state.modelview);
   for (const glm::dvec4& plane : program.clipPlanes) instance.clipPlanes.push_back(plane * objectFromEye);
   ProgramDraw kept =
-      captureProgramDraw(real, program.known->program, program.uniforms, attributes, mode, elements);
+      captureProgramDraw(c_.real, program.known->program, program.uniforms, c_.attributes, mode, elements);
   if (many) {
     addInstancesOf(instance, program.shading, elements);
   } else {
-    batch_.add(std::move(instance), program.shading);
-    if (batch_.key().layers == BatchKey::Layers::none && mesh->shape == scene::Shape::triangles)
-      passes_.drawn(mesh, state.modelview, Passes::How::pending, isPushedBack());
+    c_.batch().add(std::move(instance), program.shading);
+    if (c_.batch().key().layers == BatchKey::Layers::none && mesh->shape == scene::Shape::triangles)
+      c_.passes.drawn(mesh, c_.state.modelview, Passes::How::pending, c_.isPushedBack());
   }
-  batch_.keep(std::move(kept));
-  if (aside_) flush();  // the flush above failed: later draws are rasterised and must find this one drawn
+  c_.batch().keep(std::move(kept));
+  if (c_.aside())
+    c_.flush();  // the flush above failed: later draws are rasterised and must find this one drawn
   return Reason::traced;
 }
 

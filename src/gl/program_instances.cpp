@@ -1,6 +1,7 @@
 // Instances of what shader programs draw: matrices, normals and colours from arrays with a divisor.
 #include "gl/affine.h"
 #include "gl/context.h"
+#include "gl/program_draws.h"
 
 #include <algorithm>
 #include <optional>
@@ -38,15 +39,15 @@ struct InstanceReaders {
 
 }  // namespace
 
-Reason Context::triageInstances(const Elements& elements) const {
-  const InstanceReaders readers(real, attributes);
-  const bool mayBeTranslucent = layersOf(state.program) == BatchKey::Layers::none &&
-                                readers.color.enabled() && attributes.instanceColor.size == 4 &&
-                                state.raster.unlessOpaque != Reason::traced;
+Reason ProgramDraws::triageInstances(const Elements& elements) const {
+  const InstanceReaders readers(c_.real, c_.attributes);
+  const bool mayBeTranslucent = layersOf(c_.state.program) == BatchKey::Layers::none &&
+                                readers.color.enabled() && c_.attributes.instanceColor.size == 4 &&
+                                c_.state.raster.unlessOpaque != Reason::traced;
   for (uint32_t i = 0; i < elements.repeats(); ++i) {
     float color[4] = {0, 0, 0, 1};
     if (mayBeTranslucent && readOfInstance(readers.color, elements, i, color) && color[3] < 1)
-      return state.raster.unlessOpaque;
+      return c_.state.raster.unlessOpaque;
     const auto m = readers.matrix(elements, i);
     if (!m) return Reason::arrayState;
     if (!isAffine(glm::dmat4(*m), glm::dvec3(1))) return Reason::homogeneous;
@@ -56,8 +57,8 @@ Reason Context::triageInstances(const Elements& elements) const {
   return Reason::traced;
 }
 
-glm::dvec3 Context::reachOfInstances(const scene::Mesh& mesh, const Elements& elements) const {
-  const InstanceReaders readers(real, attributes);
+glm::dvec3 ProgramDraws::reachOfInstances(const scene::Mesh& mesh, const Elements& elements) const {
+  const InstanceReaders readers(c_.real, c_.attributes);
   const glm::dvec3 own = reachOf(mesh);
   glm::dvec3 reach(0);
   for (uint32_t i = 0; i < elements.repeats(); ++i) {
@@ -69,9 +70,9 @@ glm::dvec3 Context::reachOfInstances(const scene::Mesh& mesh, const Elements& el
   return reach;
 }
 
-void Context::addInstancesOf(const scene::Instance& one, const scene::Shading& shading,
-                             const Elements& elements) {
-  const InstanceReaders readers(real, attributes);
+void ProgramDraws::addInstancesOf(const scene::Instance& one, const scene::Shading& shading,
+                                  const Elements& elements) {
+  const InstanceReaders readers(c_.real, c_.attributes);
   for (uint32_t i = 0; i < elements.repeats(); ++i) {
     const auto own = readers.matrix(elements, i);
     if (!own || glm::mat3(*own) == glm::mat3(0)) continue;  // nothing is seen of a point
@@ -86,7 +87,7 @@ void Context::addInstancesOf(const scene::Instance& one, const scene::Shading& s
     instance.eyeFromObject = one.eyeFromObject * glm::dmat4(*own);
     instance.lightingFromObject = one.lightingFromObject * *own;
     instance.normalMatrix = one.normalMatrix * ownNormal;
-    batch_.add(std::move(instance), shading);
+    c_.batch().add(std::move(instance), shading);
   }
 }
 

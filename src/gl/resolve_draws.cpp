@@ -1,4 +1,5 @@
-// Multisampled framebuffers that are cleared, traced into and resolved: the Context's side of Unresolved.
+#include "gl/resolve_draws.h"
+
 #include "gl/clears.h"
 #include "gl/context.h"
 #include "gl/programs/uniforms.h"
@@ -45,155 +46,131 @@ bool isSampledPerSample(GLenum type) {
 
 }  // namespace
 
-Unresolved::Cleared Context::clearedBy(GLbitfield mask) {
+Unresolved::Cleared ResolveDraws::clearedBy(GLbitfield mask) {
   constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
-  if ((mask & kBoth) != kBoth || direct_ || aside_ || passthrough_ || activeQueries > 0 ||
-      group_->contexts != 1 || !info_.settings.quirks.has(Quirk::softwareResolve) || !isSoftwareBelow())
+  if ((mask & kBoth) != kBoth || c_.direct() || c_.aside() || c_.passthrough() || c_.activeQueries > 0 ||
+      c_.group().contexts != 1 || !c_.info().settings.quirks.has(Quirk::softwareResolve) ||
+      !c_.isSoftwareBelow())
     return {};
-  refresh(kTarget);
-  const TargetState& target = state.target;
+  c_.refresh(kTarget);
+  const TargetState& target = c_.state.target;
   if (target.framebuffer == 0 || target.samples <= 1 || target.reason != Reason::traced ||
-      target.wideColors || !clearsAll(real, state.rare))
+      target.wideColors || !clearsAll(c_.real, c_.state.rare))
     return {};
   for (const GLenum size : {GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE, GL_FRAMEBUFFER_ATTACHMENT_ALPHA_SIZE})
-    if (attachmentValue(real, GL_DRAW_FRAMEBUFFER, target.drawBuffer, size) != 8) return {};
+    if (attachmentValue(c_.real, GL_DRAW_FRAMEBUFFER, target.drawBuffer, size) != 8) return {};
   return {target.framebuffer,
           target.drawBuffer,
-          attachmentOf(real, GL_DRAW_FRAMEBUFFER, target.drawBuffer),
-          attachmentOf(real, GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT),
-          scissorBox(real),
-          clearColor(real),
+          attachmentOf(c_.real, GL_DRAW_FRAMEBUFFER, target.drawBuffer),
+          attachmentOf(c_.real, GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT),
+          scissorBox(c_.real),
+          clearColor(c_.real),
           target.depthResolution};
 }
 
-void Context::clearsSamples(const Unresolved::Cleared& cleared) {
-  if (!unresolved_.waiting) return;
-  const Unresolved::Cleared& waits = unresolved_.waiting->cleared;
+void ResolveDraws::clears(const Unresolved::Cleared& cleared) {
+  if (!held_.waiting) return;
+  const Unresolved::Cleared& waits = held_.waiting->cleared;
   if (cleared.framebuffer == waits.framebuffer && cleared.drawBuffer == waits.drawBuffer &&
       cleared.covers(waits.box)) {
-    unresolved_.waiting.reset();  // nobody will see it
+    held_.waiting.reset();  // nobody will see it
     return;
   }
-  refresh(kTarget);
-  if (state.target.samples > 1) settle();
+  c_.refresh(kTarget);
+  if (c_.state.target.samples > 1) c_.settle();
 }
 
-Unresolved::Cleared Context::beforeClear(GLbitfield mask) {
-  const Unresolved::Cleared clean = clearedBy(mask);
-  present(false);
-  clearsShown(mask);
-  clearsSamples(clean);
-  return clean;
-}
-
-void Context::leave() {
-  showLagged();
-  const Unresolved::Cleared& cleared = unresolved_.cleared;
-  if (batch_.empty()) return;
-  const BatchKey& key = batch_.key();
+bool ResolveDraws::hold() {
+  const Unresolved::Cleared& cleared = held_.cleared;
+  const BatchKey& key = c_.batch().key();
   const scene::Region& r = key.region;
-  const bool waits =
-      cleared.framebuffer != 0 && key.framebuffer == cleared.framebuffer &&
-      key.drawBuffer == cleared.drawBuffer && key.samples > 1 && key.layers == BatchKey::Layers::none &&
-      (key.depthFunc == GL_LEQUAL || key.depthFunc == GL_LESS) && !aside_ && !direct_ && activeQueries == 0 &&
-      group_->contexts == 1 && !batch_.waiting().wideColors && cleared.covers({r.x, r.y, r.width, r.height});
-  if (!waits) return present(false);
+  const bool waits = cleared.framebuffer != 0 && key.framebuffer == cleared.framebuffer &&
+                     key.drawBuffer == cleared.drawBuffer && key.samples > 1 &&
+                     key.layers == BatchKey::Layers::none &&
+                     (key.depthFunc == GL_LEQUAL || key.depthFunc == GL_LESS) && !c_.aside() &&
+                     !c_.direct() && c_.activeQueries == 0 && c_.group().contexts == 1 &&
+                     !c_.batch().waiting().wideColors && cleared.covers({r.x, r.y, r.width, r.height});
+  if (!waits) return false;
   const Unresolved::Cleared kept = cleared;
-  settle();
-  Unresolved::Waiting waiting{kept, key, batch_.take(), batch_.takeProgramDraws()};
-  passes_.flushed(waiting.snapshot);
-  unresolved_.waiting = std::move(waiting);
+  c_.settle();
+  Unresolved::Waiting waiting{kept, key, c_.batch().take(), c_.batch().takeProgramDraws()};
+  c_.passes.flushed(waiting.snapshot);
+  held_.waiting = std::move(waiting);
+  return true;
 }
 
-void Context::settle() {
-  settleShown();
-  unresolved_.cleared = {};
-  if (!unresolved_.waiting) return;
-  Unresolved::Waiting waiting = std::move(*unresolved_.waiting);
-  unresolved_.waiting.reset();
-  presentLate(waiting.key, waiting.snapshot, std::move(waiting.draws), waiting.traced);
+void ResolveDraws::settle() {
+  held_.cleared = {};
+  if (!held_.waiting) return;
+  Unresolved::Waiting waiting = std::move(*held_.waiting);
+  held_.waiting.reset();
+  c_.presentLate(waiting.key, waiting.snapshot, std::move(waiting.draws), waiting.traced);
 }
 
-void Context::presentLate(const BatchKey& key, const scene::SnapshotPtr& snapshot,
-                          std::vector<ProgramDraw> draws, bool known) {
-  const bool objects = isPresent(real.BindFramebuffer);
-  const GLuint bound = objects ? static_cast<GLuint>(integer(real, GL_DRAW_FRAMEBUFFER_BINDING)) : 0;
-  const bool encodes = state.rare.framebufferSrgb && isOn(real, GL_FRAMEBUFFER_SRGB);
-  if (encodes) real.Disable(GL_FRAMEBUFFER_SRGB);  // as it was when the program drew
-  if (bound != key.framebuffer) real.BindFramebuffer(GL_DRAW_FRAMEBUFFER, key.framebuffer);
-  const PresentResult result = presenter_.present(real, snapshot,
-                                                  {.depthFunc = key.depthFunc,
-                                                   .core = info_.core,
-                                                   .programDraws = std::move(draws),
-                                                   .mayRepeat = known || !measured()});
-  if (bound != key.framebuffer) real.BindFramebuffer(GL_DRAW_FRAMEBUFFER, bound);
-  if (encodes) real.Enable(GL_FRAMEBUFFER_SRGB);
-  latch.restore(real);
-  takeResult(result, known);
-  if (result.outcome != PresentResult::traced)
-    stepAside(result.why.empty() ? "the ray tracer could not make a picture" : result.why.c_str());
+void ResolveDraws::meetBlit() {
+  if (held_.waiting && blitsSamples()) c_.settle();
+  held_.cleared = {};
 }
 
-bool Context::readsSamples() {
-  const GLuint name = state.raster.program;
+bool ResolveDraws::readsSamples() {
+  const GLuint name = c_.state.raster.program;
   if (name == 0)
-    return isPresent(real.BindProgramPipeline) && integer(real, GL_PROGRAM_PIPELINE_BINDING) != 0;
-  const Program& program = group_->program(real, name, families())->program;
+    return isPresent(c_.real.BindProgramPipeline) && integer(c_.real, GL_PROGRAM_PIPELINE_BINDING) != 0;
+  const Program& program = c_.programs.known(name)->program;
   return program.writes || std::any_of(program.uniforms.begin(), program.uniforms.end(),
                                        [](const auto& u) { return isSampledPerSample(u.second.type); });
 }
 
-void Context::samplesMeetRasterDraw() {
-  settleShownBelow();
-  unresolved_.cleared = {};
-  if (!unresolved_.waiting) return;
-  refresh(kTarget | kRaster);
-  if (state.target.samples > 1 || readsSamples()) settle();
+void ResolveDraws::meetRasterDraw() {
+  held_.cleared = {};
+  if (!held_.waiting) return;
+  c_.refresh(kTarget | kRaster);
+  if (c_.state.target.samples > 1 || readsSamples()) c_.settle();
 }
 
-bool Context::resolveInto(ResolveTarget& target) {
-  showLagged();
-  Unresolved::Waiting& waiting = *unresolved_.waiting;
-  target.core = info_.core;
+bool ResolveDraws::into(ResolveTarget& target) {
+  c_.window.showLagged();
+  Unresolved::Waiting& waiting = *held_.waiting;
+  target.core = c_.info().core;
   target.how.background = waiting.cleared.background;
   target.how.farthest = farthestHit(waiting.key.depthFunc, waiting.cleared.depthResolution);
-  target.mayRepeat = waiting.traced || !measured();
-  if (const GLenum pending = real.GetError()) setError(pending);
-  forgetClear();
-  const PresentResult result = presenter_.resolve(real, waiting.snapshot, target);
-  latch.restore(real);
+  target.mayRepeat = waiting.traced || !c_.measured();
+  if (const GLenum pending = c_.real.GetError()) c_.setError(pending);
+  c_.forgetClear();
+  const PresentResult result = c_.presenter().resolve(c_.real, waiting.snapshot, target);
+  c_.latch.restore(c_.real);
   if (result.outcome != PresentResult::traced) return false;
-  takeResult(result, waiting.traced);
+  c_.takeResult(result, waiting.traced);
   waiting.traced = true;
   noteUse(Quirk::softwareResolve);
   return true;
 }
 
-bool Context::resolveByProgram(GLuint texture, const scene::Region& region) {
-  if (!unresolved_.waiting || region.x != 0 || region.y != 0) return false;
+bool ResolveDraws::byProgram(GLuint texture, const scene::Region& region) {
+  if (!held_.waiting || region.x != 0 || region.y != 0) return false;
   const glm::ivec2 size(region.width, region.height);
-  const Unresolved::Waiting& waiting = *unresolved_.waiting;
-  const KnownProgram& known = *state.program.known;
+  const Unresolved::Waiting& waiting = *held_.waiting;
+  const KnownProgram& known = *c_.state.program.known;
   const Family& family = *known.family;
   const ProgramUniform* sampler = known.program.uniform(family.passInput);
-  if (!sampler || sampler->type != GL_SAMPLER_2D_MULTISAMPLE || !state.program.uniforms) return false;
-  const UniformReader uniforms(known.program, *state.program.uniforms);
+  if (!sampler || sampler->type != GL_SAMPLER_2D_MULTISAMPLE || !c_.state.program.uniforms) return false;
+  const UniformReader uniforms(known.program, *c_.state.program.uniforms);
   const int samples = static_cast<int>(uniforms.number(family.passSamples, 0));
   if (samples != waiting.key.samples || !waiting.cleared.covers({0, 0, size.x, size.y})) return false;
-  const GLint active = integer(real, GL_ACTIVE_TEXTURE);
-  real.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(uniforms.integer(family.passInput)));
-  const auto bound = static_cast<GLuint>(integer(real, GL_TEXTURE_BINDING_2D_MULTISAMPLE));
+  const GLint active = integer(c_.real, GL_ACTIVE_TEXTURE);
+  c_.real.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(uniforms.integer(family.passInput)));
+  const auto bound = static_cast<GLuint>(integer(c_.real, GL_TEXTURE_BINDING_2D_MULTISAMPLE));
   glm::ivec2 boundSize(0);
-  real.GetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_WIDTH, &boundSize.x);
-  real.GetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_HEIGHT, &boundSize.y);
-  real.ActiveTexture(static_cast<GLenum>(active));
+  c_.real.GetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_WIDTH, &boundSize.x);
+  c_.real.GetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_HEIGHT, &boundSize.y);
+  c_.real.ActiveTexture(static_cast<GLenum>(active));
   if (waiting.cleared.color != Unresolved::Attachment{GL_TEXTURE, bound} || boundSize != size) return false;
   ResolveTarget target;
   target.how.size = size;
   target.how.gamma = uniforms.number(family.passGamma, 1);
   target.depths = false;
   target.texture = texture;
-  return resolveInto(target);
+  return into(target);
 }
 
 namespace {
@@ -214,53 +191,42 @@ bool haveEqualDepths(const RealGl& real) {
 
 }  // namespace
 
-bool Context::resolveByBlit(const Blit& b) {
+bool ResolveDraws::byBlit(const Blit& b) {
   const bool colors = b.mask & GL_COLOR_BUFFER_BIT, depths = b.mask & GL_DEPTH_BUFFER_BIT;
-  const auto& waiting = unresolved_.waiting;
+  const auto& waiting = held_.waiting;
   const glm::ivec4 from(b.fromX0, b.fromY0, b.fromX1, b.fromY1), to(b.toX0, b.toY0, b.toX1, b.toY1);
   if (!waiting || b.mask & ~GLbitfield{GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT} || !(colors || depths) ||
-      from != to || to.x != 0 || to.y != 0 || to.z <= 0 || to.w <= 0 || activeQueries > 0 ||
+      from != to || to.x != 0 || to.y != 0 || to.z <= 0 || to.w <= 0 || c_.activeQueries > 0 ||
       (b.filter != GL_NEAREST && (b.filter != GL_LINEAR || depths)))
     return false;
   const Unresolved::Cleared& cleared = waiting->cleared;
-  refresh(kTarget);
-  const TargetState& target = state.target;
+  c_.refresh(kTarget);
+  const TargetState& target = c_.state.target;
   const bool usable = target.reason == Reason::traced || (target.reason == Reason::noDepthBuffer && !depths);
   if (!usable || target.samples > 1 || target.wideColors || target.framebuffer == cleared.framebuffer ||
       (depths && target.framebuffer == 0) || !cleared.covers(to))
     return false;
-  if (static_cast<GLuint>(integer(real, GL_READ_FRAMEBUFFER_BINDING)) != cleared.framebuffer ||
-      static_cast<GLenum>(integer(real, GL_READ_BUFFER)) != cleared.drawBuffer)
+  if (static_cast<GLuint>(integer(c_.real, GL_READ_FRAMEBUFFER_BINDING)) != cleared.framebuffer ||
+      static_cast<GLenum>(integer(c_.real, GL_READ_BUFFER)) != cleared.drawBuffer)
     return false;
-  const glm::ivec4 open = scissorBox(real);
+  const glm::ivec4 open = scissorBox(c_.real);
   if (open.x > 0 || open.y > 0 || open.x + open.z < to.z || open.y + open.w < to.w ||
-      (depths && !haveEqualDepths(real)))
+      (depths && !haveEqualDepths(c_.real)))
     return false;
   ResolveTarget resolved;
   resolved.how.size = {to.z, to.w};
   resolved.colors = colors, resolved.depths = depths;
-  return resolveInto(resolved);
+  return into(resolved);
 }
 
-bool Context::blitsSamples() {
-  refresh(kTarget);
-  if (state.target.samples > 1) return true;
-  if (integer(real, GL_READ_FRAMEBUFFER_BINDING) == 0) return false;
-  const Unresolved::Cleared& cleared = unresolved_.waiting->cleared;
-  const auto buffer = static_cast<GLenum>(integer(real, GL_READ_BUFFER));
-  const bool color = buffer != GL_NONE && attachmentOf(real, GL_READ_FRAMEBUFFER, buffer) == cleared.color;
-  return color || attachmentOf(real, GL_READ_FRAMEBUFFER, GL_DEPTH_ATTACHMENT) == cleared.depth;
-}
-
-void Context::beforeBlit() noexcept {
-  protect([&] {
-    syncCurrent();
-    flushBatch();
-    if (unresolved_.waiting && blitsSamples()) settle();
-    settleShown();
-    unresolved_.cleared = {};
-    sendBuffers();
-  });
+bool ResolveDraws::blitsSamples() {
+  c_.refresh(kTarget);
+  if (c_.state.target.samples > 1) return true;
+  if (integer(c_.real, GL_READ_FRAMEBUFFER_BINDING) == 0) return false;
+  const Unresolved::Cleared& cleared = held_.waiting->cleared;
+  const auto buffer = static_cast<GLenum>(integer(c_.real, GL_READ_BUFFER));
+  const bool color = buffer != GL_NONE && attachmentOf(c_.real, GL_READ_FRAMEBUFFER, buffer) == cleared.color;
+  return color || attachmentOf(c_.real, GL_READ_FRAMEBUFFER, GL_DEPTH_ATTACHMENT) == cleared.depth;
 }
 
 }  // namespace gluray::gl

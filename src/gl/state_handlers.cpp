@@ -15,13 +15,13 @@ void clearNow(Context& c, GLbitfield mask) {
   c.syncCurrent();
   c.layers.clearing();
   bool later = false;
-  c.protect([&] { later = c.clearsLater(mask); });
+  c.protect([&] { later = c.window.clearsLater(mask); });
   const Unresolved::Cleared clean = later ? Unresolved::Cleared{} : c.beforeClear(mask);
   if (mask & GL_STENCIL_BUFFER_BIT) stencilSet(c);
   c.clearing(mask);
   if (!later) c.real.Clear(mask);
   c.cleared(mask);
-  c.cleanIs(clean);
+  c.resolves.cleanIs(c.direct() ? Unresolved::Cleared{} : clean);
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ void flush(Context& c) {
 }
 
 void finish(Context& c) {
-  c.protect([&] { c.showLagged(); });
+  c.protect([&] { c.window.showLagged(); });
   c.showIfVisible();
   c.textures().finished();
   c.real.Finish();

@@ -75,8 +75,8 @@ Reason Context::triage(const KnownMesh& known, const std::vector<MaterialChange>
 Reason Context::triageAlways(const KnownMesh& known, const std::vector<MaterialChange>& materials) {
   if (known.homogeneous || !known.mesh) return Reason::homogeneous;
   if (isFarAway(*known.mesh)) return Reason::farAway;
-  if (passes_.several(known.mesh->geometryId) ||
-      passes_.meetsRasterised(*known.mesh, state.modelview, isPushedBack()))
+  if (passes.several(known.mesh->geometryId) ||
+      passes.meetsRasterised(*known.mesh, state.modelview, isPushedBack()))
     return Reason::passes;
   if (isFlat(*known.mesh, state.projection * state.modelview)) return Reason::flat;
   if (state.raster.unlessOpaque == Reason::traced && state.raster.alphaTest == scene::AlphaTest{})
@@ -159,7 +159,7 @@ void Context::addInstance(const scene::MeshPtr& mesh, SlotMask slots,
   // Without colours or materials at its vertices the surface has the current material, however it came about.
   if (!(slots & bit(kColor)) && materials.empty()) shading.colorMaterial = {};
   batch_.add(std::move(instance), std::move(shading));
-  passes_.drawn(mesh, state.modelview, Passes::How::pending, isPushedBack());
+  passes.drawn(mesh, state.modelview, Passes::How::pending, isPushedBack());
   if (aside_) flush();  // the flush above failed: later draws are rasterised and must find this one drawn
 }
 
@@ -167,7 +167,7 @@ bool Context::mayMeetPasses(PrimitiveClass kind) const {
   const RasterState& raster = state.raster;
   const bool tested = raster.reason != Reason::renderMode && raster.reason != Reason::noDepthTest &&
                       raster.depthFunc != GL_ALWAYS && raster.depthFunc != GL_NEVER;
-  return kind == PrimitiveClass::surfaces && tested && !aside_ && passes_.anyUnder(state.modelview);
+  return kind == PrimitiveClass::surfaces && tested && !aside_ && passes.anyUnder(state.modelview);
 }
 
 bool Context::isPass(PrimitiveClass kind, Reason reason) const {
@@ -176,14 +176,14 @@ bool Context::isPass(PrimitiveClass kind, Reason reason) const {
 }
 
 void Context::rememberPass(const KnownMesh& known) {
-  if (known.mesh) passes_.drawn(known.mesh, state.modelview, Passes::How::rasterised, isPushedBack());
+  if (known.mesh) passes.drawn(known.mesh, state.modelview, Passes::How::rasterised, isPushedBack());
 }
 
 void Context::meetPasses(std::span<const Triangle> triangles) {
   protect([&] {
     settleBelow(state.target.samples);
-    if (passes_.meets(state.modelview, triangles, isPushedBack()) == Passes::Meeting::pending) present(true);
-    for (const scene::SnapshotPtr& traced : passes_.takeTraced()) {
+    if (passes.meets(state.modelview, triangles, isPushedBack()) == Passes::Meeting::pending) present(true);
+    for (const scene::SnapshotPtr& traced : passes.takeTraced()) {
       syncCurrent();
       const PresentResult result =
           presenter_.present(real, traced, {.core = info_.core, .rasterise = true, .depthAgain = true});
@@ -212,8 +212,9 @@ void Context::countAsRasterised(const scene::Snapshot& snapshot) {
 }
 
 void Context::beforeRasterDraw(PrimitiveClass kind) {
-  if (lagged_) protect([&] { showLagged(); });
-  if (unresolved_.any() || shown_.waiting) protect([&] { samplesMeetRasterDraw(); });
+  if (window.lags()) protect([&] { window.showLagged(); });
+  if (window.shows()) protect([&] { window.settleBelow(); });
+  if (resolves.any()) protect([&] { resolves.meetRasterDraw(); });
   if (layers.pending()) protect([&] { layers.meetRasterDraw(); });
   if (!batch_.empty()) {
     refresh(kRaster);
@@ -222,8 +223,7 @@ void Context::beforeRasterDraw(PrimitiveClass kind) {
     const bool coplanar = kind != PrimitiveClass::surfaces && batch_.key().offset == scene::PolygonOffset{};
     const bool sums = batch_.key().layers == BatchKey::Layers::summed;  // their colours meet in floats
     // What the program counts or stores depends on the depth that it meets.
-    const bool writes =
-        state.raster.program != 0 && group_->program(real, state.raster.program, families())->program.writes;
+    const bool writes = state.raster.program != 0 && programs.known(state.raster.program)->program.writes;
     if (!state.raster.orderFree || coplanar || sums || writes) flush();
   }
   forgetClear();
@@ -232,7 +232,7 @@ void Context::beforeRasterDraw(PrimitiveClass kind) {
 
 void Context::countRaster(Reason reason, DrawPath path, PrimitiveClass kind, uint64_t triangles) {
   if (kinds()) [[unlikely]]
-    kinds()->record(real, state.target, reason, path, kind, triangles, programInUse());
+    kinds()->record(real, state.target, reason, path, kind, triangles, programs.inUse());
   ++statistics.drawsRasterised;
   ++statistics.rasterisedBecause[static_cast<size_t>(reason)];
   statistics.trianglesRasterised += triangles;
@@ -242,7 +242,7 @@ void Context::countRaster(Reason reason, DrawPath path, PrimitiveClass kind, uin
 void Context::countTraced(DrawPath path, uint64_t triangles) {
   if (kinds()) [[unlikely]]
     kinds()->record(real, state.target, Reason::traced, path, PrimitiveClass::surfaces, triangles,
-                    programInUse());
+                    programs.inUse());
   ++statistics.drawsTraced;
   statistics.trianglesTraced += triangles;
   noteLoad(triangles);

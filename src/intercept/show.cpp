@@ -43,7 +43,7 @@ bool show(_XDisplay* display, uintptr_t drawable, Record& record) {
   if (!put) return false;
   const glm::ivec2 size = put->size();
   if (record.window.isKnown(size) &&
-      record.context->showDirectly(size, [&](const gl::ShownPicture& p) { return put->put(p); }))
+      record.context->window.showDirectly(size, [&](const gl::ShownPicture& p) { return put->put(p); }))
     return true;
   if (size.x == 0) record.window.put.reset();  // not tried again
   return false;
@@ -78,7 +78,7 @@ bool shownDirectly(_XDisplay* display, uintptr_t drawable) noexcept {
       !record->context->info().doubleBuffered)
     return false;
   guarded("cannot show a picture", [&] {
-    if (!record->context->mayShowDirectly() || !show(display, drawable, *record)) return;
+    if (!record->context->window.mayShowDirectly() || !show(display, drawable, *record)) return;
     shown = true;
     record->context->completeFrame();
   });

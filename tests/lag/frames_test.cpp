@@ -296,7 +296,7 @@ TEST(Lag, AContextMayGoWithAFrame) {
   window.stands = [] { return true; };
   window.swap = [&] { ++swaps; };
   window.overdue.buffer = GL_FRONT;
-  EXPECT_EQ(gl::t_thread.context->lag(window), LagRefusal::none);
+  EXPECT_EQ(gl::t_thread.context->window.lag(window), LagRefusal::none);
   EXPECT_EQ(swaps, 0);
   gl::t_thread.context->loseCurrent();
   EXPECT_EQ(swaps, 1);

@@ -43,7 +43,7 @@ Shown play(const DrawFrame& draw, int count, const LagOptions& options) {
   for (int frame = 0; frame < count; ++frame) {
     draw(ours.gl(), frame);
     const gl::LagRefusal refusal =
-        options.lag ? context.lag(windowOf(options, swap)) : gl::LagRefusal::single;
+        options.lag ? context.window.lag(windowOf(options, swap)) : gl::LagRefusal::single;
     if (refusal != gl::LagRefusal::none) context.beforeSwap(), swap();
     context.afterSwap();
     shown.swaps.push_back(refusal);
