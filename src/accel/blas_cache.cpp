@@ -8,12 +8,14 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 #include <unordered_set>
 #include <utility>
 
 namespace gluray::accel {
 namespace {
 constexpr uint32_t kAlone = 20000;  // triangles: below it, whole builds in parallel beat parallel builds
+constexpr uint64_t kRecent = 16;    // batches in which what was used is expected to be used again
 
 size_t sizeOf(const BlasPtr& blas) { return blas->bvhBytes() + blas->pinnedBytes(); }
 
@@ -82,7 +84,8 @@ std::vector<BlasPtr> BlasCache::get(const std::vector<Geometry>& wanted, BvhQual
         first = BvhQuality::fast;
       else
         blas = std::make_shared<Blas>(device_, iota_, wanted[i], first);
-      coming.push_back({key, {blas, first, clock_, 1}});
+      const bool returns = std::find(freed_.begin(), freed_.end(), key.geometry) != freed_.end();
+      coming.push_back({key, {blas, first, clock_, 1, returns}});
     }
     result[i] = blas;
   }
@@ -94,7 +97,7 @@ std::vector<BlasPtr> BlasCache::get(const std::vector<Geometry>& wanted, BvhQual
 /// none.
 BlasCache::Entries::iterator BlasCache::formerOf(const scene::Mesh& mesh, const std::vector<Geometry>& wanted,
                                                  BvhQuality quality) {
-  constexpr uint64_t kRecent = 16, kMoving = 4;  // batches
+  constexpr uint64_t kMoving = 4;  // batches
   std::vector<Entries::iterator> idle;
   for (auto it = entries_.begin(); it != entries_.end(); ++it) {
     const Entry& entry = it->second;
@@ -187,15 +190,28 @@ void BlasCache::refine(const Key& key, Entry& entry, const Geometry& geometry) {
   entry.built = BvhQuality::fast;
 }
 
+// A frame of several batches (a small view in a corner) leaves the large structures of the others idle at
+// each: they must not go for that while there is memory. But of geometry that is new in every frame only the
+// last is worth keeping.
 void BlasCache::evict() {
-  // A frame of several batches (a small view in a corner) leaves the large structure of the first idle at
-  // each of the others: it must not go for that while there is memory.
-  constexpr uint64_t kRecent = 16;  // batches
-  size_t recent = 0;
+  if (idleBudgetBytes_ == 0) return void(evictDownTo(0));
+  uint64_t latest = 0;
   for (const auto& [key, entry] : entries_)
-    if (entry.lastUsed != clock_ && clock_ - entry.lastUsed < kRecent) recent += sizeOf(entry.blas);
-  const bool large = idleBudgetBytes_ > 0 && recent > idleBudgetBytes_;
-  evictDownTo(large ? std::max(idleBudgetBytes_, std::min(recent, freeMemory_() / 4)) : idleBudgetBytes_);
+    if (entry.lastUsed != clock_) latest = std::max(latest, entry.lastUsed);
+  size_t recent = 0, needed = 0;
+  for (auto& [key, entry] : entries_) {
+    const bool isRecent = entry.lastUsed != clock_ && clock_ - entry.lastUsed < kRecent;
+    entry.needed = isRecent && (entry.lastUsed == latest || entry.returns);
+    if (isRecent) recent += sizeOf(entry.blas);
+    if (entry.needed) needed += sizeOf(entry.blas);
+  }
+  size_t most = idleBudgetBytes_;
+  if (recent > most) {
+    const size_t free = freeMemory_();
+    most = std::max(most, std::min(recent, free / 4));
+    if (needed <= free) most = std::max(most, needed);
+  }
+  evictDownTo(most);
 }
 
 bool BlasCache::evictAllIdle() {
@@ -209,22 +225,25 @@ bool BlasCache::evictDownTo(size_t bytes) {
   // Geometry that is new in every frame leaves nothing but small structures behind, which fill no budget for
   // long.
   constexpr size_t kMostIdle = 2048;
-  std::vector<std::pair<uint64_t, Key>> idle;
+  std::vector<std::tuple<bool, uint64_t, Key>> idle;  // in the order in which they go
   size_t idleBytes = 0;
   for (const auto& [key, entry] : entries_) {
     if (entry.lastUsed == clock_) continue;
-    idle.emplace_back(entry.lastUsed, key);
+    idle.emplace_back(entry.needed, entry.lastUsed, key);
     idleBytes += sizeOf(entry.blas);
   }
   const bool tooMany = idle.size() > kMostIdle;
   if (idleBytes <= bytes && !tooMany) return false;
-  std::sort(idle.begin(), idle.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::sort(idle.begin(), idle.end(), [](const auto& a, const auto& b) {
+    return std::pair(std::get<0>(a), std::get<1>(a)) < std::pair(std::get<0>(b), std::get<1>(b));
+  });
   size_t left = idle.size();
-  for (const auto& [lastUsed, key] : idle) {
+  for (const auto& [needed, lastUsed, key] : idle) {
     if (idleBytes <= bytes && (!tooMany || left <= kMostIdle / 2)) break;
     --left;
     const auto entry = entries_.find(key);
     idleBytes -= sizeOf(entry->second.blas);
+    if (clock_ - lastUsed < kRecent) freed_[freedCount_++ % freed_.size()] = key.geometry;
     entries_.erase(entry);
   }
   return true;

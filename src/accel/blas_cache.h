@@ -14,8 +14,9 @@ namespace gluray::accel {
 
 /// Builds each (geometry, quality) once and keeps it while it is used. What was not used lately stays too,
 /// as long as all such structures and the arrays they keep alive fit into `idleBudgetBytes`; beyond it the
-/// longest unused go first. Structures of quality `automatic` are exchanged for better ones, which are built
-/// while frames go on, where build_plan.h finds that worth it.
+/// longest unused go first, but those of the batch before, and those that were missed before, last: they may
+/// stay while as much memory is free. Structures of quality `automatic` are exchanged for better ones, which
+/// are built while frames go on, where build_plan.h finds that worth it.
 class BlasCache {
  public:
   BlasCache(const Device&, size_t idleBudgetBytes, FreeMemory);
@@ -57,6 +58,8 @@ class BlasCache {
     BvhQuality built = BvhQuality::full;  // never automatic
     uint64_t lastUsed = 0;                // clock
     uint64_t frames = 0;                  // in which it was used
+    bool returns = false;                 // it was freed and asked for again soon
+    bool needed = false;                  // evict(): it is idle for the moment, by all that is known
   };
   bool evictDownTo(size_t bytes);
   BlasPtr use(Entry& entry);
@@ -75,9 +78,11 @@ class BlasCache {
   Entries entries_;
   uint64_t clock_ = 0, builds_ = 0, refits_ = 0, refinements_ = 0;
   Deformations deformations_;
-  std::array<Hash128, 64> left_{};  // geometries whose structures were adjusted to others, the last ones
-  Key refining_{};                  // what the job builds for
-  BlasPtr refined_;                 // what it builds
+  std::array<Hash128, 64> left_{};   // geometries whose structures were adjusted to others, the last ones
+  std::array<Hash128, 64> freed_{};  // geometries whose structures went soon after their use, the last ones
+  size_t freedCount_ = 0;
+  Key refining_{};   // what the job builds for
+  BlasPtr refined_;  // what it builds
   BackgroundJob refinement_;
 };
 

@@ -1,5 +1,6 @@
 #include "accel/world.h"
 
+#include "accel/blas.h"
 #include "accel/error.h"
 #include "accel/test_rays.h"
 #include "accel/test_scene.h"
@@ -254,6 +255,29 @@ TEST_F(WorldTest, StructuresUsedAMomentAgoAreKeptWhileThereIsMemory) {
   };
   EXPECT_EQ(buildsOfTwoFrames([] { return size_t{64} << 30; }), 2u);
   EXPECT_EQ(buildsOfTwoFrames([] { return size_t{0}; }), 4u);
+}
+
+// Too large for the share of memory that anything recent may have, but not too large for the memory.
+TEST_F(WorldTest, StructuresThatAreMissedInEveryFrameAreKept) {
+  static size_t free;
+  const auto mesh = makeMesh(squareData(0));
+  Device device;
+  IotaIndices iota;
+  Blas blas(device, iota, {mesh.get(), {}}, BvhQuality::full);
+  blas.build();
+  free = 3 * (blas.bvhBytes() + blas.pinnedBytes());
+  World tight(1, [] { return free; });
+  for (const int batches : {2, 3}) {
+    uint64_t builds = 0;
+    for (int frame = 0; frame < 4; ++frame) {
+      builds = 0;
+      for (int i = 0; i < batches; ++i)
+        builds += tight.update(makeSnapshot({makeMesh(squareData(i))}), arena).blasBuilds;
+    }
+    EXPECT_EQ(builds, 0u) << batches << " batches a frame";
+  }
+  for (int i = 3; i < 20; ++i) tight.update(makeSnapshot({makeMesh(squareData(i))}), arena);
+  EXPECT_LE(tight.cachedBlases(), 4u) << "geometry that is new in every frame";
 }
 
 TEST_F(WorldTest, FilterSeesThroughCoincidentTriangles) {
