@@ -6,6 +6,7 @@
 #include "gl/mesh_cache.h"
 #include "gl/reasons.h"
 #include "gl/vertex_stream.h"
+#include "gl/when_to_weld.h"
 
 #include <GL/gl.h>
 
@@ -73,6 +74,7 @@ class Immediate {
 
   Context& c_;
   VertexStream::Welding welding_;
+  WhenToWeld weld_;
   VertexStream stream_;
   Inside inside_ = Inside::nothing;
   bool open_ = false;                                // stream_ holds a run outside lists

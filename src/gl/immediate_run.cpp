@@ -11,16 +11,10 @@
 #include <utility>
 
 namespace gluray::gl {
-namespace {
-
-// Vertices. What comes in every frame is captured and compared sooner than welded, but memory is for runs of
-// a gigabyte or so.
-constexpr uint32_t kWorthWelding = 1u << 16, kTooLarge = 56'000'000;
-
-}  // namespace
 
 void Immediate::startRun() {
-  stream_.start(bit(kPosition), c_.current.all(), c_.compiling() ? kWorthWelding : kTooLarge, welding_);
+  stream_.start(bit(kPosition), c_.current.all(), c_.compiling() ? weld_.inList() : weld_.inFrame(),
+                welding_);
   inherited_.clear();
   path_ = DrawPath::immediate;
   reason_ = Reason::traced;
@@ -96,6 +90,7 @@ KnownMesh Immediate::meshOfRun() {
 void Immediate::drawRun() {
   const Captured& run = stream_.captured();
   if (run.empty()) return;
+  weld_.sawRun(run.indices.empty() ? run.vertexCount : run.indices.size());
   const DrawTimer timer(c_.kinds());
   const Reason reason = c_.attempt([&] {
     if (c_.aside()) return Reason::failure;
