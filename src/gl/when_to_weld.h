@@ -5,8 +5,8 @@
 namespace gluray::gl {
 
 /// Lists are drawn again and again: welding pays. What comes in every frame is captured and compared sooner
-/// than welded, but memory is for runs of a gigabyte or so: what exceeds that is welded, and its like in later
-/// frames from the beginning, while it arrives.
+/// than welded, but memory is for runs of a gigabyte or so: what exceeds that is welded, and its like in
+/// later frames from the beginning, while it arrives.
 class WhenToWeld {
  public:
   static constexpr uint32_t kWorthWelding = 1u << 16, kTooLarge = 56'000'000;  // vertices
