@@ -14,8 +14,9 @@
 
 namespace gluray::accel {
 namespace {
-constexpr uint32_t kAlone = 20000;  // triangles: below it, whole builds in parallel beat parallel builds
-constexpr uint64_t kRecent = 16;    // batches in which what was used is expected to be used again
+constexpr uint32_t kAlone = 20000;     // triangles: below it, whole builds in parallel beat parallel builds
+constexpr uint64_t kRecent = 16;       // batches in which what was used is expected to be used again,
+constexpr uint64_t kLongFrame = 1024;  // or so many if they belong to this frame and the one before
 
 size_t sizeOf(const BlasPtr& blas) { return blas->bvhBytes() + blas->pinnedBytes(); }
 
@@ -24,9 +25,10 @@ size_t sizeOf(const BlasPtr& blas) { return blas->bvhBytes() + blas->pinnedBytes
 BlasCache::BlasCache(const Device& device, size_t idleBudgetBytes, FreeMemory freeMemory)
     : device_(device), idleBudgetBytes_(idleBudgetBytes), freeMemory_(freeMemory) {}
 
-void BlasCache::beginFrame() {
-  constexpr uint64_t kGone = 16;  // frames without use after which nothing better is built any more
+void BlasCache::beginBatch(uint64_t frame) {
+  constexpr uint64_t kGone = 16;  // batches without use after which nothing better is built any more
   ++clock_;
+  if (frame != frame_) frame_ = frame, ++frames_;
   if (!refinement_.busy()) return;
   const auto found = entries_.find(refining_);
   if (found == entries_.end() || clock_ - found->second.lastUsed > kGone) refinement_.cancel();
@@ -44,8 +46,9 @@ void BlasCache::beginFrame() {
 }
 
 BlasPtr BlasCache::use(Entry& entry) {
-  if (entry.lastUsed != clock_) ++entry.frames;
+  if (entry.lastUsed != clock_) ++entry.batches;
   entry.lastUsed = clock_;
+  entry.lastFrame = frames_;
   return entry.blas;
 }
 
@@ -69,7 +72,7 @@ std::vector<BlasPtr> BlasCache::get(const std::vector<Geometry>& wanted, BvhQual
     const Key key{wanted[i].id(), quality};
     if (const auto known = entries_.find(key); known != entries_.end()) {
       result[i] = use(known->second);
-      if (!refinement_.busy() && worthRefining(quality, known->second.built, known->second.frames))
+      if (!refinement_.busy() && worthRefining(quality, known->second.built, known->second.batches))
         refine(key, known->second, wanted[i]);
       continue;
     }
@@ -85,7 +88,7 @@ std::vector<BlasPtr> BlasCache::get(const std::vector<Geometry>& wanted, BvhQual
       else
         blas = std::make_shared<Blas>(device_, iota_, wanted[i], first);
       const bool returns = std::find(freed_.begin(), freed_.end(), key.geometry) != freed_.end();
-      coming.push_back({key, {blas, first, clock_, 1, returns}});
+      coming.push_back({key, {blas, first, clock_, frames_, 1, returns}});
     }
     result[i] = blas;
   }
@@ -102,7 +105,7 @@ BlasCache::Entries::iterator BlasCache::formerOf(const scene::Mesh& mesh, const 
   for (auto it = entries_.begin(); it != entries_.end(); ++it) {
     const Entry& entry = it->second;
     if (it->first.quality == quality && entry.lastUsed != clock_ && clock_ - entry.lastUsed <= kRecent &&
-        entry.frames <= kMoving && entry.blas->triangleCount() == mesh.triangleCount)
+        entry.batches <= kMoving && entry.blas->triangleCount() == mesh.triangleCount)
       idle.push_back(it);
   }
   std::sort(idle.begin(), idle.end(),
@@ -190,6 +193,11 @@ void BlasCache::refine(const Key& key, Entry& entry, const Geometry& geometry) {
   entry.built = BvhQuality::fast;
 }
 
+bool BlasCache::isRecent(const Entry& entry) const {
+  const uint64_t batches = clock_ - entry.lastUsed;
+  return batches < kRecent || (batches < kLongFrame && frames_ - entry.lastFrame <= 1);
+}
+
 // A frame of several batches (a small view in a corner) leaves the large structures of the others idle at
 // each: they must not go for that while there is memory. But of geometry that is new in every frame only the
 // last is worth keeping.
@@ -200,9 +208,9 @@ void BlasCache::evict() {
     if (entry.lastUsed != clock_) latest = std::max(latest, entry.lastUsed);
   size_t recent = 0, needed = 0;
   for (auto& [key, entry] : entries_) {
-    const bool isRecent = entry.lastUsed != clock_ && clock_ - entry.lastUsed < kRecent;
-    entry.needed = isRecent && (entry.lastUsed == latest || entry.returns);
-    if (isRecent) recent += sizeOf(entry.blas);
+    const bool recently = entry.lastUsed != clock_ && isRecent(entry);
+    entry.needed = recently && (entry.lastUsed == latest || entry.returns);
+    if (recently) recent += sizeOf(entry.blas);
     if (entry.needed) needed += sizeOf(entry.blas);
   }
   size_t most = idleBudgetBytes_;
@@ -243,7 +251,7 @@ bool BlasCache::evictDownTo(size_t bytes) {
     --left;
     const auto entry = entries_.find(key);
     idleBytes -= sizeOf(entry->second.blas);
-    if (clock_ - lastUsed < kRecent) freed_[freedCount_++ % freed_.size()] = key.geometry;
+    if (isRecent(entry->second)) freed_[freedCount_++ % freed_.size()] = key.geometry;
     entries_.erase(entry);
   }
   return true;

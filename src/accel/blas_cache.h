@@ -21,9 +21,9 @@ class BlasCache {
  public:
   BlasCache(const Device&, size_t idleBudgetBytes, FreeMemory);
 
-  /// Begins a frame: what is not asked for from now on is idle. Better structures that are ready take the
-  /// place of those they were built for.
-  void beginFrame();
+  /// Begins a batch of the program's frame of this number: what is not asked for from now on is idle. Better
+  /// structures that are ready take the place of those they were built for.
+  void beginBatch(uint64_t frame);
   /// Structures for `wanted` (null where a mesh has no triangles), in the same order, building those not yet
   /// known with the threads of the current arena. Throws Error or std::bad_alloc; those already built stay
   /// known. `thrifty`: what is built now takes as little memory as can be, whatever its quality was to be.
@@ -55,14 +55,15 @@ class BlasCache {
   };
   struct Entry {
     BlasPtr blas;
-    BvhQuality built = BvhQuality::full;  // never automatic
-    uint64_t lastUsed = 0;                // clock
-    uint64_t frames = 0;                  // in which it was used
-    bool returns = false;                 // it was freed and asked for again soon
-    bool needed = false;                  // evict(): it is idle for the moment, by all that is known
+    BvhQuality built = BvhQuality::full;   // never automatic
+    uint64_t lastUsed = 0, lastFrame = 0;  // clock_ and frames_ of that time
+    uint64_t batches = 0;                  // in which it was used
+    bool returns = false;                  // it was freed and asked for again soon
+    bool needed = false;                   // evict(): it is idle for the moment, by all that is known
   };
   bool evictDownTo(size_t bytes);
   BlasPtr use(Entry& entry);
+  bool isRecent(const Entry& entry) const;
   Waiting waitingOf(const std::vector<Geometry>& wanted, BvhQuality) const;
   void build(std::vector<std::pair<Key, Entry>>& coming);
   using Entries = std::unordered_map<Key, Entry, KeyHash>;
@@ -76,7 +77,9 @@ class BlasCache {
   FreeMemory freeMemory_;
   IotaIndices iota_;
   Entries entries_;
-  uint64_t clock_ = 0, builds_ = 0, refits_ = 0, refinements_ = 0;
+  uint64_t clock_ = 0;               // batches
+  uint64_t frame_ = 0, frames_ = 0;  // the program's number of this one, and how often it has changed
+  uint64_t builds_ = 0, refits_ = 0, refinements_ = 0;
   Deformations deformations_;
   std::array<Hash128, 64> left_{};   // geometries whose structures were adjusted to others, the last ones
   std::array<Hash128, 64> freed_{};  // geometries whose structures went soon after their use, the last ones

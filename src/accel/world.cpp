@@ -51,7 +51,7 @@ UpdateStatistics World::update(const scene::Snapshot& snapshot, Arena& arena) {
     const uint64_t before = cache_.builds();
     const uint64_t refits = cache_.refits(), refined = cache_.refinements();
     scene_ = nullptr;
-    cache_.beginFrame();
+    cache_.beginBatch(snapshot.frame);
     std::vector<PlacedBlas> placed = place(snapshot);
     statistics.blasBuilds = cache_.builds() - before;
     statistics.blasRefits = cache_.refits() - refits;

@@ -265,18 +265,25 @@ TEST_F(WorldTest, StructuresThatAreMissedInEveryFrameAreKept) {
   IotaIndices iota;
   Blas blas(device, iota, {mesh.get(), {}}, BvhQuality::full);
   blas.build();
-  free = 3 * (blas.bvhBytes() + blas.pinnedBytes());
   World tight(1, [] { return free; });
-  for (const int batches : {2, 3}) {
+  uint64_t frame = 0;
+  const auto buildsOfFrame = [&](int batches, int firstMesh = 0) {
     uint64_t builds = 0;
-    for (int frame = 0; frame < 4; ++frame) {
-      builds = 0;
-      for (int i = 0; i < batches; ++i)
-        builds += tight.update(makeSnapshot({makeMesh(squareData(i))}), arena).blasBuilds;
+    ++frame;
+    for (int i = 0; i < batches; ++i) {
+      auto snapshot = makeSnapshot({makeMesh(squareData(firstMesh + i))});
+      snapshot.frame = frame;
+      builds += tight.update(snapshot, arena).blasBuilds;
     }
-    EXPECT_EQ(builds, 0u) << batches << " batches a frame";
+    return builds;
+  };
+  for (const int batches : {2, 3, 30}) {
+    free = (batches + 1) * (blas.bvhBytes() + blas.pinnedBytes());
+    for (int i = 0; i < 3; ++i) buildsOfFrame(batches);
+    EXPECT_EQ(buildsOfFrame(batches), 0u) << batches << " batches a frame";
   }
-  for (int i = 3; i < 20; ++i) tight.update(makeSnapshot({makeMesh(squareData(i))}), arena);
+  free = 3 * (blas.bvhBytes() + blas.pinnedBytes());
+  for (int i = 0; i < 20; ++i) buildsOfFrame(1, 30 + i);
   EXPECT_LE(tight.cachedBlases(), 4u) << "geometry that is new in every frame";
 }
 
