@@ -1,6 +1,5 @@
 #include "accel/world.h"
 
-#include "accel/blas.h"
 #include "accel/error.h"
 #include "accel/test_rays.h"
 #include "accel/test_scene.h"
@@ -229,62 +228,6 @@ TEST_F(WorldTest, FailedCommitsMayBeTriedAgain) {
   EXPECT_THROW(update(snapshot), Error);  // of the top level
   EXPECT_EQ(update(snapshot).tlasBuilds, 1u);
   EXPECT_TRUE(hits(world, 5, 0.5f));
-}
-
-TEST_F(WorldTest, IdleStructuresAreEvictedBeyondTheBudget) {
-  World small(0);
-  small.update(makeSnapshot({makeMesh(squareData(0))}), arena);
-  small.update(makeSnapshot({makeMesh(squareData(1))}), arena);
-  EXPECT_EQ(small.cachedBlases(), 1u);
-  update(makeSnapshot({makeMesh(squareData(0))}));
-  update(makeSnapshot({makeMesh(squareData(1))}));
-  EXPECT_EQ(world.cachedBlases(), 2u);
-  EXPECT_GT(world.bytes(), 0u);
-}
-
-// A frame of two batches: at each the other's structure is idle.
-TEST_F(WorldTest, StructuresUsedAMomentAgoAreKeptWhileThereIsMemory) {
-  const auto first = makeSnapshot({makeMesh(squareData(0))}),
-             second = makeSnapshot({makeMesh(squareData(1))});
-  const auto buildsOfTwoFrames = [&](FreeMemory memory) {
-    World tight(1, memory);
-    uint64_t builds = 0;
-    for (const auto& snapshot : {first, second, first, second})
-      builds += tight.update(snapshot, arena).blasBuilds;
-    return builds;
-  };
-  EXPECT_EQ(buildsOfTwoFrames([] { return size_t{64} << 30; }), 2u);
-  EXPECT_EQ(buildsOfTwoFrames([] { return size_t{0}; }), 4u);
-}
-
-// Too large for the share of memory that anything recent may have, but not too large for the memory.
-TEST_F(WorldTest, StructuresThatAreMissedInEveryFrameAreKept) {
-  static size_t free;
-  const auto mesh = makeMesh(squareData(0));
-  Device device;
-  IotaIndices iota;
-  Blas blas(device, iota, {mesh.get(), {}}, BvhQuality::full);
-  blas.build();
-  World tight(1, [] { return free; });
-  uint64_t frame = 0;
-  const auto buildsOfFrame = [&](int batches, int firstMesh = 0) {
-    uint64_t builds = 0;
-    ++frame;
-    for (int i = 0; i < batches; ++i) {
-      auto snapshot = makeSnapshot({makeMesh(squareData(firstMesh + i))});
-      snapshot.frame = frame;
-      builds += tight.update(snapshot, arena).blasBuilds;
-    }
-    return builds;
-  };
-  for (const int batches : {2, 3, 30}) {
-    free = (batches + 1) * (blas.bvhBytes() + blas.pinnedBytes());
-    for (int i = 0; i < 3; ++i) buildsOfFrame(batches);
-    EXPECT_EQ(buildsOfFrame(batches), 0u) << batches << " batches a frame";
-  }
-  free = 3 * (blas.bvhBytes() + blas.pinnedBytes());
-  for (int i = 0; i < 20; ++i) buildsOfFrame(1, 30 + i);
-  EXPECT_LE(tight.cachedBlases(), 4u) << "geometry that is new in every frame";
 }
 
 TEST_F(WorldTest, FilterSeesThroughCoincidentTriangles) {

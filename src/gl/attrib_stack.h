@@ -1,19 +1,17 @@
 // glPushAttrib and glPopAttrib: what we keep beside the real OpenGL's stack. A part of each Context, GL
 // thread.
 #pragma once
+#include "gl/context_part.h"
+
 #include <GL/gl.h>
 
 #include <vector>
 
 namespace gluray::gl {
 
-class Context;
-
-class AttribStack {
+class AttribStack : public ContextPart {
  public:
-  explicit AttribStack(Context& context) : c_(context) {}
-  AttribStack(const AttribStack&) = delete;
-  AttribStack& operator=(const AttribStack&) = delete;
+  using ContextPart::ContextPart;
 
   void push(GLbitfield mask);
   void pop();
@@ -24,7 +22,6 @@ class AttribStack {
     GLuint listBase;
   };
 
-  Context& c_;
   std::vector<Saved> saved_;
   GLint deepest_ = 0;  // 0: not known yet
 };

@@ -53,6 +53,10 @@ void Immediate::attribute(Slot slot, const float* values) {
     return stream_.set(slot, values);
   }
   if (c_.dirty & kCurrent) c_.refresh(kCurrent);
+  setCurrent(slot, values);
+}
+
+void Immediate::setCurrent(Slot slot, const float* values) {
   c_.current.set(slot, values);
   if (slot == kColor && c_.state.shading.colorMaterial != scene::ColorMaterial{}) c_.dirty |= kMaterial;
 }
@@ -107,7 +111,7 @@ void Immediate::begin(GLenum mode) {
     c_.real.Begin(mode);
     return c_.updateAttention();
   } else if (!open_ || kind != class_) {
-    if (open_) closeRun();
+    closeRunIfOpen();
     c_.works();
     c_.refresh(kDrawGroups);
     class_ = kind;

@@ -2,6 +2,7 @@
 // left to the real OpenGL. A part of each Context, for stubs and handlers on its thread.
 #pragma once
 #include "gl/captured.h"
+#include "gl/context_part.h"
 #include "gl/draw_kinds.h"
 #include "gl/mesh_cache.h"
 #include "gl/reasons.h"
@@ -14,13 +15,9 @@
 
 namespace gluray::gl {
 
-class Context;
-
-class Immediate {
+class Immediate : public ContextPart {
  public:
-  Immediate(Context& context, VertexStream::Welding welding) : c_(context), welding_(welding) {}
-  Immediate(const Immediate&) = delete;
-  Immediate& operator=(const Immediate&) = delete;
+  Immediate(Context& context, VertexStream::Welding welding) : ContextPart(context), welding_(welding) {}
 
   enum class Inside { nothing, captured, rasterised };
   Inside inside() const { return inside_; }
@@ -33,10 +30,9 @@ class Immediate {
   void attribute(Slot slot, const float* values);
   void vertex(float x, float y, float z, float w);
   void material(GLenum face, GLenum pname, const float* params);
-  /// A primitive of few vertices from the enabled arrays, joined to the run as if sent by glBegin. False
-  /// where it was rasterised.
+  /// A primitive of few vertices from the enabled arrays, joined to the run as if sent by glBegin.
   void drawSmall(GLenum mode, const std::vector<uint32_t>& vertices, DrawPath path);
-  /// The same inside a rasterised glBegin.
+  /// glArrayElement inside a rasterised glBegin.
   void rasterElement(GLint i);
   /// Current value of an attribute, from wherever it is newest.
   const float* current(Slot slot);
@@ -64,6 +60,8 @@ class Immediate {
   void idle();
 
  private:
+  /// An attribute that the real OpenGL does not have yet.
+  void setCurrent(Slot slot, const float* values);
   bool canDraw() const;
   void countOpenPrimitive();
   void addSlotToRun(Slot slot);
@@ -72,7 +70,6 @@ class Immediate {
   void keepRunValues();
   void sendRunValues();
 
-  Context& c_;
   VertexStream::Welding welding_;
   WhenToWeld weld_;
   VertexStream stream_;

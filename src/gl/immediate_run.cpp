@@ -60,9 +60,7 @@ void Immediate::recordRun() {
 void Immediate::keepRunValues() {
   for (int s = kNormal; s < kSlotCount; ++s) {
     const auto slot = static_cast<Slot>(s);
-    if (!stream_.has(slot) || slot == kMaterialNumber) continue;
-    c_.current.set(slot, stream_.get(slot));
-    if (slot == kColor && c_.state.shading.colorMaterial != scene::ColorMaterial{}) c_.dirty |= kMaterial;
+    if (stream_.has(slot) && slot != kMaterialNumber) setCurrent(slot, stream_.get(slot));
   }
   if (const MaterialChange* last = stream_.lastMaterial()) {
     c_.current.send(c_.real);

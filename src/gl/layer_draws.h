@@ -2,6 +2,7 @@
 // (sum_draws.cpp). A part of each Context, GL thread.
 #pragma once
 #include "gl/batch.h"
+#include "gl/context_part.h"
 #include "gl/draw_kinds.h"
 #include "gl/peeling.h"
 #include "gl/presenter.h"
@@ -9,18 +10,15 @@
 
 namespace gluray::gl {
 
-class Context;
 struct Elements;
 
 /// What passes of the program are for, and how surfaces that it draws are seen through, if they are.
 Family::Pass passOf(const ProgramState& program);
 BatchKey::Layers layersOf(const ProgramState& program);
 
-class LayerDraws {
+class LayerDraws : public ContextPart {
  public:
-  explicit LayerDraws(Context& context) : c_(context) {}
-  LayerDraws(const LayerDraws&) = delete;
-  LayerDraws& operator=(const LayerDraws&) = delete;
+  using ContextPart::ContextPart;
 
   /// Why a surface of the current program cannot be traced in the first peel, or Reason::traced. Whoever then
   /// draws otherwise makes us give up. Call refresh(kProgramGroups) before.
@@ -58,7 +56,6 @@ class LayerDraws {
   void end();
   Reason triageSeenThrough(PrimitiveClass kind);  // what both kinds have in common
 
-  Context& c_;
   Peeling peeling_;
 };
 

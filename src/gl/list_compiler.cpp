@@ -38,7 +38,7 @@ void ListCompiler::append(std::unique_ptr<ListOp>& op) {
   list_->makeRoom();
   ListOp& appended = *op;
   list_->append(std::move(op));
-  if (executing()) runDetached([&] { appended.execute(c_); });
+  executeAdded(appended);
 }
 
 void ListCompiler::misuse(GLenum error) {

@@ -2,6 +2,7 @@
 // handlers on its thread.
 #pragma once
 #include "gl/captured.h"
+#include "gl/context_part.h"
 #include "gl/draw_kinds.h"
 
 #include <GL/gl.h>
@@ -11,16 +12,13 @@
 
 namespace gluray::gl {
 
-class Context;
 class DisplayList;
 class GeometryRun;
 class ListOp;
 
-class ListCompiler {
+class ListCompiler : public ContextPart {
  public:
-  explicit ListCompiler(Context& context) : c_(context) {}
-  ListCompiler(const ListCompiler&) = delete;
-  ListCompiler& operator=(const ListCompiler&) = delete;
+  using ContextPart::ContextPart;
 
   void newList(GLuint name, GLenum mode);
   void endList();
@@ -48,7 +46,7 @@ class ListCompiler {
   /// The same of a run that has ended, whose vertices are left alone where it fails. Not executed.
   GeometryRun& add(Captured&& run, const SlotValues& finals, std::vector<InheritedSlot>&& inherited,
                    PrimitiveClass kind);
-  /// Executes what add() gave, where the mode says so.
+  /// Executes what has been taken into the list, where the mode says so.
   void executeAdded(ListOp& op);
 
   /// A command that is wrong inside the glBegin that is compiled: an error of the moment when the list is
@@ -61,7 +59,6 @@ class ListCompiler {
   template <class F>
   void runDetached(F&& body);
 
-  Context& c_;
   std::shared_ptr<DisplayList> list_;
   GLuint name_ = 0;
   GLenum mode_ = 0;

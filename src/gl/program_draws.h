@@ -2,6 +2,7 @@
 // Context, GL thread.
 #pragma once
 #include "gl/array_indices.h"
+#include "gl/context_part.h"
 #include "gl/draw_kinds.h"
 #include "gl/mesh_cache.h"
 #include "gl/reasons.h"
@@ -14,14 +15,11 @@
 
 namespace gluray::gl {
 
-class Context;
 struct KnownProgram;
 
-class ProgramDraws {
+class ProgramDraws : public ContextPart {
  public:
-  explicit ProgramDraws(Context& context) : c_(context) {}
-  ProgramDraws(const ProgramDraws&) = delete;
-  ProgramDraws& operator=(const ProgramDraws&) = delete;
+  using ContextPart::ContextPart;
 
   /// What is known of a program that is linked; null where it is not.
   std::shared_ptr<const KnownProgram> known(GLuint name);
@@ -49,8 +47,6 @@ class ProgramDraws {
   Placed place(const glm::dvec3& reach);
   glm::dvec3 reachOfInstances(const scene::Mesh& mesh, const Elements& elements) const;
   void addInstancesOf(const scene::Instance& one, const scene::Shading& shading, const Elements& elements);
-
-  Context& c_;
 };
 
 }  // namespace gluray::gl

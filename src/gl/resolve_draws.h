@@ -1,5 +1,6 @@
 // Multisampled framebuffers that are cleared, traced into and resolved. A part of each Context, GL thread.
 #pragma once
+#include "gl/context_part.h"
 #include "gl/draw_kinds.h"
 #include "gl/presenter.h"
 #include "gl/unresolved.h"
@@ -8,14 +9,11 @@
 
 namespace gluray::gl {
 
-class Context;
 struct Blit;
 
-class ResolveDraws {
+class ResolveDraws : public ContextPart {
  public:
-  explicit ResolveDraws(Context& context) : c_(context) {}
-  ResolveDraws(const ResolveDraws&) = delete;
-  ResolveDraws& operator=(const ResolveDraws&) = delete;
+  using ContextPart::ContextPart;
 
   /// What a clear will leave clean: for clears() before the real one, and cleanIs() after it.
   Unresolved::Cleared clearedBy(GLbitfield mask);
@@ -43,7 +41,6 @@ class ResolveDraws {
   bool blitsSamples();
   bool into(ResolveTarget& target);
 
-  Context& c_;
   Unresolved held_;
 };
 

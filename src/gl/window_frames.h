@@ -2,6 +2,7 @@
 // (shown_draws.cpp), or while the program prepares the next one (lagged_frame.cpp). A part of each Context,
 // GL thread.
 #pragma once
+#include "gl/context_part.h"
 #include "gl/lagged_frame.h"
 #include "gl/shown.h"
 
@@ -12,13 +13,9 @@
 
 namespace gluray::gl {
 
-class Context;
-
-class WindowFrames {
+class WindowFrames : public ContextPart {
  public:
-  explicit WindowFrames(Context& context) : c_(context) {}
-  WindowFrames(const WindowFrames&) = delete;
-  WindowFrames& operator=(const WindowFrames&) = delete;
+  using ContextPart::ContextPart;
 
   // --- for intercept/, before a swap
   /// Whether all that it would show are a clear and what is pending.
@@ -52,7 +49,6 @@ class WindowFrames {
   bool showsDirectly(const LaggedFrame& frame);
   PresentResult presentLagged(LaggedFrame& frame);
 
-  Context& c_;
   Shown shown_;
   std::optional<LaggedFrame> lagged_;
 };
