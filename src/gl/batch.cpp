@@ -22,6 +22,7 @@ BatchKey Batch::keyOf(const State& state) {
   key.depthFunc = state.raster.depthFunc;
   key.samples = state.target.samples;
   key.multisample = state.raster.multisample;
+  key.colorWrites = state.raster.colorWrites;
   key.projection = state.projection;
   key.viewport = state.viewport;
   key.depthNear = state.depthNear, key.depthFar = state.depthFar;
@@ -51,6 +52,7 @@ void Batch::start(const BatchKey& key, const State& state, const Settings& setti
   snapshot_->region = key.region;
   snapshot_->polygonOffset = key.offset;
   snapshot_->wideColors = state.target.wideColors;
+  snapshot_->colorWrites = key.colorWrites;
   snapshot_->laterWins = key.depthFunc == GL_LEQUAL;
   drawn_ = 0;
   // With GL_MULTISAMPLE off all samples of a pixel get the value at its centre: one plane serves them all.

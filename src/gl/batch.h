@@ -24,6 +24,7 @@ struct BatchKey {
   scene::Region region;
   float depthNear = 0, depthFar = 1;
   scene::PolygonOffset offset;
+  scene::ColorWrites colorWrites;
   enum class Layers : uint8_t { none, peeled, summed } layers = Layers::none;  // that are seen through
   bool operator==(const BatchKey&) const = default;
 };

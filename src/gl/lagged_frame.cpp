@@ -36,7 +36,7 @@ LagRefusal WindowFrames::whyNotLag(GLenum buffer) const {
   if (c_.batch().empty()) return c_.direct() ? LagRefusal::measured : LagRefusal::nothingToDo;
   const BatchKey& key = c_.batch().key();
   const bool right = key.drawBuffer == buffer || (buffer == GL_BACK && key.drawBuffer == GL_BACK_LEFT);
-  if (key.framebuffer != 0 || !right || key.samples > 1) return LagRefusal::target;
+  if (key.framebuffer != 0 || !right || key.samples > 1 || !key.colorWrites.all()) return LagRefusal::target;
   if (c_.direct() || c_.measured()) return LagRefusal::measured;
   // Draws by programs keep the names of textures and buffers, which other contexts may change.
   if (c_.activeQueries > 0 || key.layers != BatchKey::Layers::none || c_.layers.pending() ||

@@ -10,9 +10,9 @@
 namespace gluray::gl {
 namespace {
 
-/// Why blending rules tracing out; sets `needsOpaque` where it does not for opaque surfaces.
-Reason blendReason(const RealGl& real, bool& needsOpaque) {
-  needsOpaque = false;
+/// Why blending rules tracing out. Where it does not, opaque surfaces replace what is there, all of it or the
+/// colours alone: unlessOpaque says what holds for others, and colorWrites.alpha what becomes of alpha.
+Reason blendReason(const RealGl& real, RasterState& raster) {
   if (!isOn(real, GL_BLEND)) return Reason::traced;
   const auto source = integer(real, GL_BLEND_SRC_RGB), destination = integer(real, GL_BLEND_DST_RGB);
   const auto sourceAlpha = integer(real, GL_BLEND_SRC_ALPHA),
@@ -22,10 +22,13 @@ Reason blendReason(const RealGl& real, bool& needsOpaque) {
     return Reason::blend;
   const auto isOne = [](GLint f) { return f == GL_ONE || f == GL_SRC_ALPHA; };
   const auto isZero = [](GLint f) { return f == GL_ZERO || f == GL_ONE_MINUS_SRC_ALPHA; };
-  if (!isOne(source) || !isZero(destination) || !isOne(sourceAlpha) || !isZero(destinationAlpha))
-    return Reason::blend;
-  needsOpaque = source == GL_SRC_ALPHA || sourceAlpha == GL_SRC_ALPHA ||
-                destination == GL_ONE_MINUS_SRC_ALPHA || destinationAlpha == GL_ONE_MINUS_SRC_ALPHA;
+  if (!isOne(source) || !isZero(destination)) return Reason::blend;
+  const bool keepsAlpha = sourceAlpha == GL_ZERO && destinationAlpha == GL_ONE;
+  if (!keepsAlpha && (!isOne(sourceAlpha) || !isZero(destinationAlpha))) return Reason::blend;
+  if (keepsAlpha) raster.colorWrites.alpha = false;
+  if (source == GL_SRC_ALPHA || sourceAlpha == GL_SRC_ALPHA || destination == GL_ONE_MINUS_SRC_ALPHA ||
+      destinationAlpha == GL_ONE_MINUS_SRC_ALPHA)
+    raster.unlessOpaque = Reason::blend;
   return Reason::traced;
 }
 
@@ -80,7 +83,8 @@ Reason fragmentReason(const RealGl& real, const RareState& has, RasterState& ras
   if (!integer(real, GL_DEPTH_WRITEMASK)) return Reason::depthMask;
   GLboolean mask[4] = {};
   real.GetBooleanv(GL_COLOR_WRITEMASK, mask);
-  if (!mask[0] || !mask[1] || !mask[2] || !mask[3]) return Reason::colorMask;
+  if (!mask[0] && !mask[1] && !mask[2] && !mask[3]) return Reason::colorMask;
+  raster.colorWrites = {mask[0] != 0, mask[1] != 0, mask[2] != 0, mask[3] != 0};
   if (isOn(real, GL_STENCIL_TEST)) return Reason::stencil;
   if (isOn(real, GL_COLOR_LOGIC_OP)) return Reason::logicOp;
   if (const Reason fog = fogReason(real, has); fog != Reason::traced) return fog;
@@ -94,10 +98,7 @@ Reason fragmentReason(const RealGl& real, const RareState& has, RasterState& ras
       isOn(real, GL_SAMPLE_ALPHA_TO_ONE) || (has.sampleMask && isOn(real, GL_SAMPLE_MASK)))
     return Reason::multisampleState;
   if (const Reason rare = rareReason(real, has); rare != Reason::traced) return rare;
-  bool needsOpaque = false;
-  const Reason blend = blendReason(real, needsOpaque);
-  if (needsOpaque) raster.unlessOpaque = Reason::blend;
-  return blend;
+  return blendReason(real, raster);
 }
 
 Reason polygonReason(const RealGl& real, const RareState& has) {
@@ -125,6 +126,7 @@ void readRaster(const RealGl& real, State& state) {
   raster.depthFunc = static_cast<GLenum>(integer(real, GL_DEPTH_FUNC));
   raster.scissorTest = isOn(real, GL_SCISSOR_TEST);
   raster.unlessOpaque = Reason::traced;
+  raster.colorWrites = {};
   raster.program = isPresent(real.UseProgram) ? static_cast<GLuint>(integer(real, GL_CURRENT_PROGRAM)) : 0;
   raster.reason = fragmentReason(real, state.rare, raster);
   // A draw that tests and writes depth, and replaces colour, meets pending traced surfaces in the depth

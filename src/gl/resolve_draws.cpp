@@ -86,7 +86,7 @@ bool ResolveDraws::hold() {
   const scene::Region& r = key.region;
   const bool waits = cleared.framebuffer != 0 && key.framebuffer == cleared.framebuffer &&
                      key.drawBuffer == cleared.drawBuffer && key.samples > 1 &&
-                     key.layers == BatchKey::Layers::none &&
+                     key.layers == BatchKey::Layers::none && key.colorWrites.all() &&
                      (key.depthFunc == GL_LEQUAL || key.depthFunc == GL_LESS) && !c_.aside() &&
                      !c_.direct() && c_.activeQueries == 0 && c_.group().contexts == 1 &&
                      !c_.batch().waiting().wideColors && cleared.covers({r.x, r.y, r.width, r.height});

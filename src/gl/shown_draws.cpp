@@ -24,7 +24,7 @@ bool WindowFrames::mayShowDirectly() noexcept {
     const BatchKey& key = c_.batch().key();
     return key.framebuffer == 0 && key.drawBuffer == GL_BACK && key.samples == 1 &&
            key.layers == BatchKey::Layers::none && (key.depthFunc == GL_LEQUAL || key.depthFunc == GL_LESS) &&
-           !c_.batch().waiting().wideColors &&
+           !c_.batch().waiting().wideColors && key.colorWrites.all() &&
            contains(c_.clearedTarget()->region, c_.batch().waiting().region) && !c_.passthrough() &&
            !c_.insideBegin() && !c_.aside() && !c_.direct() && c_.activeQueries == 0;
   });

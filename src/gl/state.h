@@ -50,6 +50,7 @@ struct RasterState {
   GLuint program = 0;                    // current shader program
   Reason reason = Reason::traced;        // why surfaces cannot be traced whatever their vertices, or `traced`
   Reason unlessOpaque = Reason::traced;  // why surfaces cannot be traced whose alpha is not 1, or `traced`
+  scene::ColorWrites colorWrites;        // what glColorMask, or blending, lets through
   bool scissorTest = false;
   GLenum depthFunc = GL_LESS;
   bool orderFree = false;            // rasterised draws merge with pending traced ones in any order

@@ -224,7 +224,9 @@ void Context::beforeRasterDraw(PrimitiveClass kind) {
     const bool sums = batch_.key().layers == BatchKey::Layers::summed;  // their colours meet in floats
     // What the program counts or stores depends on the depth that it meets.
     const bool writes = state.raster.program != 0 && programs.known(state.raster.program)->program.writes;
-    if (!state.raster.orderFree || coplanar || sums || writes) flush();
+    // A channel that one of the two leaves alone has what the other one, or an earlier one, left there.
+    const bool channels = !(state.raster.colorWrites == batch_.key().colorWrites);
+    if (!state.raster.orderFree || coplanar || sums || writes || channels) flush();
   }
   forgetClear();
   syncCurrent();

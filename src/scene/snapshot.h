@@ -43,6 +43,13 @@ struct Region {
   bool operator==(const Region&) const = default;
 };
 
+/// Channels of the framebuffer's colours that are written; the others keep what is there.
+struct ColorWrites {
+  bool red = true, green = true, blue = true, alpha = true;
+  bool all() const { return red && green && blue && alpha; }
+  bool operator==(const ColorWrites&) const = default;
+};
+
 /// A mesh placed in the scene, with the state it was drawn with.
 /// "World" is the object space of the snapshot's first instance, so that moving the camera changes
 /// eyeFromWorld alone.
@@ -112,6 +119,7 @@ struct Snapshot {
   PolygonOffset polygonOffset;
   std::shared_ptr<const Layers> layers;  // null: the nearest surface alone is seen. One sample a pixel
   bool wideColors = false;               // the framebuffer's colours are floats, and not cut off at 0 and 1
+  ColorWrites colorWrites;               // not used for tracing: of where the picture goes
   bool laterWins = false;  // GL_LEQUAL: of surfaces at one place the last drawn is seen; otherwise the first
   std::vector<Shading> shadings;
   std::vector<Instance> instances;

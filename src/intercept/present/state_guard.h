@@ -42,7 +42,7 @@ class StateGuard {
   void addUp();
   /// The same for colours that were multiplied with what they cover, their alpha.
   void blendOver();
-  void colorWritesOff();  // after openFragmentPath()
+  void colorWrites(const scene::ColorWrites& on);  // to all draw buffers; after openFragmentPath()
   void depthWrites(bool on);
   void depthRange(double zNear, double zFar);
   void viewport(int x, int y, int width, int height);

@@ -114,15 +114,16 @@ void StateGuard::blend(int drawBuffers, const std::array<GLint, 4>& factors) {
   }
 }
 
-void StateGuard::colorWritesOff() {
+void StateGuard::colorWrites(const scene::ColorWrites& on) {
+  if (on.all()) return;
   for (GLuint i = 0; i < static_cast<GLuint>(features_.maxDrawBuffers); ++i) {
     if (!features_.indexedDrawBuffers) {
       keep({[](const RealGl& r, const Undo&) { r.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE); }});
-      return real_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+      return real_.ColorMask(on.red, on.green, on.blue, on.alpha);
     }
     keep({[](const RealGl& r, const Undo& u) { r.ColorMaski(u.index, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE); },
           0, i});
-    real_.ColorMaski(i, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    real_.ColorMaski(i, on.red, on.green, on.blue, on.alpha);
   }
 }
 

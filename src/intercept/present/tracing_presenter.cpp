@@ -157,7 +157,7 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
     traced = pictureOf(snapshot, target.mayRepeat, under, result, why);
   }
   const double start = nowSeconds();
-  if (traced && written(real, *traced, snapshot.settings.threads, target, pending, why)) {
+  if (traced && written(real, *traced, snapshot, target, pending, why)) {
     result.outcome = PresentResult::traced;
     result.averages = !traced->image.center.empty();
   } else {
@@ -200,17 +200,18 @@ const Features& TracingPresenter::features(const gl::RealGl& real) {
   return *features_;
 }
 
-bool TracingPresenter::written(const gl::RealGl& real, const LastPictures::Picture& picture, int threads,
-                               const gl::PresentTarget& target, PendingErrors& pending,
-                               std::string& why) noexcept {
+bool TracingPresenter::written(const gl::RealGl& real, const LastPictures::Picture& picture,
+                               const scene::Snapshot& snapshot, const gl::PresentTarget& target,
+                               PendingErrors& pending, std::string& why) noexcept {
   try {
     PendingErrors more;
-    const bool sent = target.cleared && put_.put(real, features(real), picture.image, threads, more);
+    const bool sent =
+        target.cleared && put_.put(real, features(real), picture.image, snapshot.settings.threads, more);
     pending.insert(pending.end(), more.begin(), more.end());
     if (sent) return noteUse(Quirk::softwarePut), true;
-    const bool drawn =
-        writeBack(real, picture.image.content)
-            .write(picture.image, {.depthFunc = target.depthFunc, .picture = picture.id}, more);
+    const WriteBackTarget into{
+        .depthFunc = target.depthFunc, .picture = picture.id, .colorWrites = snapshot.colorWrites};
+    const bool drawn = writeBack(real, picture.image.content).write(picture.image, into, more);
     pending.insert(pending.end(), more.begin(), more.end());
     return drawn;
   } catch (const std::exception& e) {  // before anything is drawn: the guard puts the state back

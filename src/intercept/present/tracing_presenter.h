@@ -51,7 +51,7 @@ class TracingPresenter final : public gl::Presenter {
   gl::PresentResult tracedOrRasterised(const gl::RealGl& real, const scene::Snapshot* snapshot,
                                        const gl::LayersTarget& target);
   /// Writes a picture into the framebuffer. False, with the reason, where it could not be.
-  bool written(const gl::RealGl& real, const LastPictures::Picture& picture, int threads,
+  bool written(const gl::RealGl& real, const LastPictures::Picture& picture, const scene::Snapshot& snapshot,
                const gl::PresentTarget& target, PendingErrors& pending, std::string& why) noexcept;
 
   Tracer tracer_;

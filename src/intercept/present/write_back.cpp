@@ -9,6 +9,12 @@
 
 namespace gluray::present {
 
+namespace {
+
+constexpr scene::ColorWrites kNoColors{false, false, false, false};
+
+}  // namespace
+
 bool WriteBack::ready(std::string& why) {
   if (state_ == State::unknown) {
     features_ = readFeatures(real_);
@@ -155,7 +161,7 @@ void WriteBack::draw(const Image& image, const Sheet& sheet) const {
 void WriteBack::openFor(StateGuard& guard, const WriteBackTarget& target) const {
   guard.openFragmentPath();
   guard.depthRange(0, 1);
-  if (!target.colors) guard.colorWritesOff();
+  guard.colorWrites(target.colors ? target.colorWrites : kNoColors);
   const bool sums = content_ == Image::Content::sums;
   if (!sums && !target.over && target.depths) return guard.depthTest(target.depthFunc);
   if (sums) guard.addUp();
@@ -171,7 +177,7 @@ void WriteBack::writeAverages(StateGuard& guard, const Image& image, const Sheet
     draw(image, sheet);
   }
   upload(image, sheet, Part::depths);
-  guard.colorWritesOff();
+  guard.colorWrites(kNoColors);
   draw(image, sheet);
 }
 

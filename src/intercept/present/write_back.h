@@ -17,7 +17,8 @@ struct WriteBackTarget {
   GLenum depthFunc = GL_LEQUAL;  // how traced pixels meet the depth that is there
   uint64_t picture = 0;  // number of the image: the same as last time is not sent again; 0: it has none
   GLenum over = 0;       // into this buffer of the window instead, over everything there; its depth stays
-  bool colors = true, depths = true;  // what is written; without depths none is tested
+  bool colors = true, depths = true;    // what is written; without depths none is tested
+  scene::ColorWrites colorWrites = {};  // of the colours
 };
 
 class WriteBack {
