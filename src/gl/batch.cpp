@@ -23,6 +23,7 @@ BatchKey Batch::keyOf(const State& state) {
   key.samples = state.target.samples;
   key.multisample = state.raster.multisample;
   key.colorWrites = state.raster.colorWrites;
+  key.encodes = state.target.encodes;
   key.projection = state.projection;
   key.viewport = state.viewport;
   key.depthNear = state.depthNear, key.depthFar = state.depthFar;
@@ -51,7 +52,8 @@ void Batch::start(const BatchKey& key, const State& state, const Settings& setti
   worldFromEye_ = glm::inverse(state.modelview);
   snapshot_->region = key.region;
   snapshot_->polygonOffset = key.offset;
-  snapshot_->wideColors = state.target.wideColors;
+  snapshot_->encodes = key.encodes;
+  snapshot_->wideColors = state.target.wideColors || key.encodes;
   snapshot_->colorWrites = key.colorWrites;
   snapshot_->laterWins = key.depthFunc == GL_LEQUAL;
   drawn_ = 0;

@@ -25,6 +25,7 @@ struct BatchKey {
   float depthNear = 0, depthFar = 1;
   scene::PolygonOffset offset;
   scene::ColorWrites colorWrites;
+  bool encodes = false;                                                        // GL_FRAMEBUFFER_SRGB
   enum class Layers : uint8_t { none, peeled, summed } layers = Layers::none;  // that are seen through
   bool operator==(const BatchKey&) const = default;
 };

@@ -77,7 +77,8 @@ void Context::noteClear(GLbitfield mask) {
 std::optional<ClearedTarget> Context::clearedUnder(const scene::Snapshot& snapshot, const BatchKey& key) {
   if (!cleared_ || key.framebuffer == 0 || key.framebuffer != cleared_->framebuffer ||
       key.depthFunc != GL_LEQUAL || key.layers != BatchKey::Layers::none || snapshot.samples != 1 ||
-      !key.colorWrites.all() || group_->stencilsSet || !contains(cleared_->region, snapshot.region))
+      !key.colorWrites.all() || key.encodes || group_->stencilsSet ||
+      !contains(cleared_->region, snapshot.region))
     return std::nullopt;
   return cleared_;
 }

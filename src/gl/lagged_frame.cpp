@@ -36,7 +36,8 @@ LagRefusal WindowFrames::whyNotLag(GLenum buffer) const {
   if (c_.batch().empty()) return c_.direct() ? LagRefusal::measured : LagRefusal::nothingToDo;
   const BatchKey& key = c_.batch().key();
   const bool right = key.drawBuffer == buffer || (buffer == GL_BACK && key.drawBuffer == GL_BACK_LEFT);
-  if (key.framebuffer != 0 || !right || key.samples > 1 || !key.colorWrites.all()) return LagRefusal::target;
+  if (key.framebuffer != 0 || !right || key.samples > 1 || !key.colorWrites.all() || key.encodes)
+    return LagRefusal::target;
   if (c_.direct() || c_.measured()) return LagRefusal::measured;
   // Draws by programs keep the names of textures and buffers, which other contexts may change.
   if (c_.activeQueries > 0 || key.layers != BatchKey::Layers::none || c_.layers.pending() ||
@@ -91,12 +92,9 @@ bool WindowFrames::showsDirectly(const LaggedFrame& frame) {
 }
 
 PresentResult WindowFrames::presentLagged(LaggedFrame& frame) {
-  const bool encodes = c_.state.rare.framebufferSrgb && isOn(c_.real, GL_FRAMEBUFFER_SRGB);
-  if (encodes) c_.real.Disable(GL_FRAMEBUFFER_SRGB);  // as it was when the program drew
   const PresentResult result = c_.presenter().present(
       c_.real, frame.snapshot,
       {.depthFunc = frame.key.depthFunc, .core = c_.info().core, .programDraws = std::move(frame.draws)});
-  if (encodes) c_.real.Enable(GL_FRAMEBUFFER_SRGB);
   c_.latch.restore(c_.real);
   c_.takeResult(result);
   frame.window.swap();

@@ -115,8 +115,6 @@ void Context::presentLate(const BatchKey& key, const scene::SnapshotPtr& snapsho
                           std::vector<ProgramDraw> draws, bool known) {
   const bool objects = isPresent(real.BindFramebuffer);
   const GLuint bound = objects ? static_cast<GLuint>(integer(real, GL_DRAW_FRAMEBUFFER_BINDING)) : 0;
-  const bool encodes = state.rare.framebufferSrgb && isOn(real, GL_FRAMEBUFFER_SRGB);
-  if (encodes) real.Disable(GL_FRAMEBUFFER_SRGB);  // as it was when the program drew
   if (bound != key.framebuffer) real.BindFramebuffer(GL_DRAW_FRAMEBUFFER, key.framebuffer);
   const PresentResult result = presenter_.present(real, snapshot,
                                                   {.depthFunc = key.depthFunc,
@@ -124,7 +122,6 @@ void Context::presentLate(const BatchKey& key, const scene::SnapshotPtr& snapsho
                                                    .programDraws = std::move(draws),
                                                    .mayRepeat = known || !measured()});
   if (bound != key.framebuffer) real.BindFramebuffer(GL_DRAW_FRAMEBUFFER, bound);
-  if (encodes) real.Enable(GL_FRAMEBUFFER_SRGB);
   latch.restore(real);
   takeResult(result, known);
   if (result.outcome != PresentResult::traced)

@@ -51,6 +51,7 @@ uint32_t groupsOfCapability(GLenum capability) {
     case GL_FOG:
     case GL_MULTISAMPLE:
     case GL_DITHER: return kRaster;
+    case GL_FRAMEBUFFER_SRGB: return kTarget;
     case GL_PRIMITIVE_RESTART:
     case GL_PRIMITIVE_RESTART_FIXED_INDEX: return kArrays;
     default: return kRaster | kTexture | kLighting;

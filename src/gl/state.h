@@ -72,6 +72,7 @@ struct TargetState {
   glm::ivec2 size{0};  // pixels, of a framebuffer object; {0, 0}: unknown
   std::vector<glm::vec2> samplePositions;
   bool wideColors = false;  // floats
+  bool encodes = false;     // GL_FRAMEBUFFER_SRGB: colours may be encoded on their way
   float depthResolution = 1.0f / 16777216.0f;
 };
 

@@ -71,6 +71,7 @@ void readTarget(const RealGl& real, const DeletedBuffers& deletedRenderbuffers, 
   target.framebuffer = objects ? static_cast<GLuint>(integer(real, GL_DRAW_FRAMEBUFFER_BINDING)) : 0;
   target.drawBuffer = static_cast<GLenum>(integer(real, GL_DRAW_BUFFER));
   target.samples = std::max(1, integer(real, GL_SAMPLES));
+  target.encodes = state.rare.framebufferSrgb && isOn(real, GL_FRAMEBUFFER_SRGB);
   target.samplePositions.assign(static_cast<size_t>(target.samples), glm::vec2(0.5f));
   if (!isSingleDrawBuffer(target.drawBuffer)) target.reason = Reason::drawBuffer;
   if (target.framebuffer != 0) {
@@ -86,7 +87,7 @@ void readTarget(const RealGl& real, const DeletedBuffers& deletedRenderbuffers, 
   target.wideColors = colors == Colors::floats;
   if (depthBits == 0)
     target.reason = Reason::noDepthBuffer;
-  else if (colors == Colors::others || (state.rare.framebufferSrgb && isOn(real, GL_FRAMEBUFFER_SRGB)))
+  else if (colors == Colors::others)
     target.reason = Reason::framebuffer;
   if (target.samples > 1 && isPresent(real.GetMultisamplefv))
     for (GLuint i = 0; i < static_cast<GLuint>(target.samples); ++i)

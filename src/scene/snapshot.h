@@ -118,9 +118,11 @@ struct Snapshot {
   std::vector<glm::vec2> samplePositions;  // in [0,1)^2 from the pixel's lower left corner, `samples` of them
   PolygonOffset polygonOffset;
   std::shared_ptr<const Layers> layers;  // null: the nearest surface alone is seen. One sample a pixel
-  bool wideColors = false;               // the framebuffer's colours are floats, and not cut off at 0 and 1
-  ColorWrites colorWrites;               // not used for tracing: of where the picture goes
-  bool laterWins = false;  // GL_LEQUAL: of surfaces at one place the last drawn is seen; otherwise the first
+  bool wideColors = false;               // colours are handed over as floats, and not cut off at 0 and 1
+  bool encodes =
+      false;  // GL_FRAMEBUFFER_SRGB was on; then colours are wide, and the real OpenGL encodes them
+  ColorWrites colorWrites;  // not used for tracing: of where the picture goes
+  bool laterWins = false;   // GL_LEQUAL: of surfaces at one place the last drawn is seen; otherwise the first
   std::vector<Shading> shadings;
   std::vector<Instance> instances;
   Settings settings;

@@ -1,4 +1,5 @@
-// Surfaces of which the framebuffer takes some channels alone: glColorMask, and blending that keeps its alpha.
+// Surfaces of which the framebuffer takes some channels alone: glColorMask, and blending that keeps its
+// alpha.
 #include "scenes/stage.h"
 #include "tests/reference/traced_context.h"
 #include "tests/support/gl_state.h"
@@ -182,6 +183,52 @@ TEST(Channels, ComeBackWhereTheRealOpenGlDrawsInOurPlace) {
     const Seen got = seenBy(ours.gl(), several);
     const Comparison c = compare(expected.picture, got.picture, {});
     EXPECT_TRUE(c.accepted) << c.text;
+  }
+}
+
+/// A framebuffer object of colours that are encoded as sRGB where GL_FRAMEBUFFER_SRGB is on.
+void encodedFramebuffer(Gl gl, GLenum format) {
+  GLuint framebuffer = 0, images[2] = {};
+  gl.GenFramebuffers(1, &framebuffer), gl.GenRenderbuffers(2, images);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  const auto attach = [&](GLuint image, GLenum internalFormat, GLenum attachment) {
+    gl.BindRenderbuffer(GL_RENDERBUFFER, image);
+    gl.RenderbufferStorage(GL_RENDERBUFFER, internalFormat, kWidth, kHeight);
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, image);
+  };
+  attach(images[0], format, GL_COLOR_ATTACHMENT0);
+  attach(images[1], GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT);
+  ASSERT_EQ(gl.CheckFramebufferStatus(GL_FRAMEBUFFER), static_cast<GLenum>(GL_FRAMEBUFFER_COMPLETE));
+}
+
+TEST(Channels, AreEncodedAsTheFramebufferHasIt) {
+  for (const GLenum format : {GL_SRGB8_ALPHA8, GL_RGBA8}) {
+    const auto draw = [&](Gl gl) {
+      encodedFramebuffer(gl, format);
+      gl.Enable(GL_FRAMEBUFFER_SRGB);
+      stage(gl);
+      ball(gl, -0.3f, 0, {0.9f, 0.3f, 0.2f, 1});
+      ball(gl, 0.4f, 0.5f, {0.1f, 0.4f, 0.9f, 1});
+    };
+    expectEqual(format == GL_RGBA8 ? "linear" : "srgb", draw, 2);
+  }
+}
+
+TEST(Channels, AreEncodedAsItWasWhenTheyWereDrawn) {
+  for (const bool first : {false, true}) {
+    const auto draw = [&](Gl gl) {
+      encodedFramebuffer(gl, GL_SRGB8_ALPHA8);
+      stage(gl);
+      const auto encode = [&](bool on) {
+        on ? gl.Enable(GL_FRAMEBUFFER_SRGB) : gl.Disable(GL_FRAMEBUFFER_SRGB);
+      };
+      encode(first);
+      ball(gl, -0.3f, 0, {0.9f, 0.3f, 0.2f, 1});
+      encode(!first);
+      ball(gl, 0.4f, 0.5f, {0.1f, 0.4f, 0.9f, 1});
+      encode(first);
+    };
+    expectEqual(first ? "encoded first" : "encoded second", draw, 2);
   }
 }
 

@@ -53,6 +53,7 @@ Features readFeatures(const gl::RealGl& real) {
   f.readFramebuffers =
       has(30, "GL_ARB_framebuffer_object") || hasExtension(real, v, "GL_EXT_framebuffer_blit");
   f.depthBounds = hasExtension(real, v, "GL_EXT_depth_bounds_test");
+  f.encoding = has(30, "GL_ARB_framebuffer_sRGB") || has(30, "GL_EXT_framebuffer_sRGB");
   f.floatTextures = has(30, "GL_ARB_texture_float");
   f.redFloatTextures = v >= 30 || (f.floatTextures && hasExtension(real, v, "GL_ARB_texture_rg"));
   return f;

@@ -57,6 +57,7 @@ void StateGuard::capability(GLenum name, GLuint index, bool on) {
 void StateGuard::drawInto(const scene::Snapshot& snapshot, GLenum func) {
   openFragmentPath();
   colorWrites(snapshot.colorWrites);
+  encoding(snapshot.encodes);
   depthTest(func);
   depthRange(snapshot.camera.depthNear, snapshot.camera.depthFar);
   const glm::ivec4& v = snapshot.camera.viewport;

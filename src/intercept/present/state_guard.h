@@ -43,6 +43,7 @@ class StateGuard {
   /// The same for colours that were multiplied with what they cover, their alpha.
   void blendOver();
   void colorWrites(const scene::ColorWrites& on);  // to all draw buffers; after openFragmentPath()
+  void encoding(bool on);                          // GL_FRAMEBUFFER_SRGB
   void depthWrites(bool on);
   void depthRange(double zNear, double zFar);
   void viewport(int x, int y, int width, int height);

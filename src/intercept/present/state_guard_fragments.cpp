@@ -114,6 +114,10 @@ void StateGuard::blend(int drawBuffers, const std::array<GLint, 4>& factors) {
   }
 }
 
+void StateGuard::encoding(bool on) {
+  if (features_.encoding) capability(GL_FRAMEBUFFER_SRGB, on);
+}
+
 void StateGuard::colorWrites(const scene::ColorWrites& on) {
   if (on.all()) return;
   for (GLuint i = 0; i < static_cast<GLuint>(features_.maxDrawBuffers); ++i) {

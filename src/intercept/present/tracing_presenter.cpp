@@ -209,8 +209,10 @@ bool TracingPresenter::written(const gl::RealGl& real, const LastPictures::Pictu
         target.cleared && put_.put(real, features(real), picture.image, snapshot.settings.threads, more);
     pending.insert(pending.end(), more.begin(), more.end());
     if (sent) return noteUse(Quirk::softwarePut), true;
-    const WriteBackTarget into{
-        .depthFunc = target.depthFunc, .picture = picture.id, .colorWrites = snapshot.colorWrites};
+    const WriteBackTarget into{.depthFunc = target.depthFunc,
+                               .picture = picture.id,
+                               .colorWrites = snapshot.colorWrites,
+                               .encodes = snapshot.encodes};
     const bool drawn = writeBack(real, picture.image.content).write(picture.image, into, more);
     pending.insert(pending.end(), more.begin(), more.end());
     return drawn;

@@ -161,6 +161,7 @@ void WriteBack::draw(const Image& image, const Sheet& sheet) const {
 void WriteBack::openFor(StateGuard& guard, const WriteBackTarget& target) const {
   guard.openFragmentPath();
   guard.depthRange(0, 1);
+  if (target.encodes) guard.encoding(*target.encodes);
   guard.colorWrites(target.colors ? target.colorWrites : kNoColors);
   const bool sums = content_ == Image::Content::sums;
   if (!sums && !target.over && target.depths) return guard.depthTest(target.depthFunc);

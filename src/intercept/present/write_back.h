@@ -8,6 +8,7 @@
 #include "intercept/present/state_guard.h"
 
 #include <array>
+#include <optional>
 #include <string>
 
 namespace gluray::present {
@@ -19,6 +20,7 @@ struct WriteBackTarget {
   GLenum over = 0;       // into this buffer of the window instead, over everything there; its depth stays
   bool colors = true, depths = true;    // what is written; without depths none is tested
   scene::ColorWrites colorWrites = {};  // of the colours
+  std::optional<bool> encodes = {};     // GL_FRAMEBUFFER_SRGB; null: as the program has it
 };
 
 class WriteBack {
