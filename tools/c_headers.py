@@ -6,6 +6,8 @@ import re
 
 import glxml
 
+OSMESA = pathlib.Path(__file__).resolve().parent.parent / "src" / "intercept" / "osmesa_api.h"
+
 PROTOTYPE = r"\b{export}\s+([\w\s\*]+?)\s*{call}\s+(\w+)\s*\(([^)]*)\)\s*;"
 
 
@@ -17,14 +19,14 @@ def _parameter(text: str, position: int) -> glxml.Param:
     return glxml.Param(kind, match.group(2), None)
 
 
-def prototypes(header: str, export: str, call: str) -> list[glxml.Command]:
+def prototypes(header: str | pathlib.Path, export: str, call: str) -> list[glxml.Command]:
     """Every function that the header (relative to /usr/include) declares as `export RETURN call NAME (...)`."""
     text = re.sub(r"/\*.*?\*/", " ", pathlib.Path("/usr/include", header).read_text(), flags=re.S)
     found = {}
     for ret, name, parameters in re.findall(PROTOTYPE.format(export=export, call=call), text):
         parts = [] if parameters.strip() == "void" else parameters.split(",")
         params = tuple(_parameter(part, i) for i, part in enumerate(parts))
-        found[name] = glxml.Command(name, " ".join(ret.split()), params, None, (header,))
+        found[name] = glxml.Command(name, " ".join(ret.split()), params, None, (str(header),))
     return sorted(found.values(), key=lambda c: c.name)
 
 
@@ -34,4 +36,4 @@ def egl() -> list[glxml.Command]:
 
 
 def osmesa() -> list[glxml.Command]:
-    return prototypes("GL/osmesa.h", "GLAPI", "GLAPIENTRY")
+    return prototypes(OSMESA, "GLAPI", "GLAPIENTRY")

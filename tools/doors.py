@@ -42,6 +42,16 @@ def _c_type(text: str) -> str:
     return BY_NAME[plain]
 
 
+def _is_known(c: glxml.Command) -> bool:
+    """Whether the calling convention of all its types is known. A newer header may have commands of which it is not: doors do
+    without them, so the program gets the real ones."""
+    kinds = [c.ret, *(p.type for p in c.params)]
+    try:
+        return not UNKNOWN_TO_ANY_HEADER.intersection(kinds) and all(_c_type(kind) for kind in kinds)
+    except KeyError:
+        return False
+
+
 def _entry(c: glxml.Command, index: int) -> str:
     types = [_c_type(p.type) for p in c.params]
     declared = ", ".join(f"{t} {chr(97 + i)}" if i < 26 else f"{t} a{i}" for i, t in enumerate(types)) or "void"
@@ -55,7 +65,7 @@ def _entry(c: glxml.Command, index: int) -> str:
 
 
 def _file(commands: list[glxml.Command], exported: bool) -> str:
-    known = [c for c in commands if not any(p.type in UNKNOWN_TO_ANY_HEADER for p in c.params)]
+    known = [c for c in commands if _is_known(c)]
     known.sort(key=lambda c: c.name)
     offsets, names, position = [], [], 0
     for c in known:

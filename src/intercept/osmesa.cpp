@@ -2,8 +2,7 @@
 #include "intercept/contexts.h"
 #include "intercept/engine.h"
 #include "intercept/hook_table.h"
-
-#include <GL/osmesa.h>
+#include "intercept/osmesa_api.h"
 
 namespace gluray::intercept {
 namespace {

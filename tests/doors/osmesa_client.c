@@ -1,7 +1,6 @@
 /* OpenGL into memory: OSMesa. A finished frame is a glFinish; there is no swap. */
+#include "intercept/osmesa_api.h"
 #include "workload.h"
-
-#include <GL/osmesa.h>
 
 static unsigned char pixels[kWindowSize * kWindowSize * 4];
 

@@ -1,13 +1,14 @@
 /* Loads OpenGL as VTK 9.4 does: nothing is linked; the libraries of GLX, EGL and OSMesa are opened in turn
    until one gives a context, and glad fetches every function. Argument: auto, or the one to be used: glx,
    egl, osmesa. Then draws a mesh as VTK's polydata mapper does and writes the pictures to standard output. */
+#define GL_GLEXT_PROTOTYPES /* before the first gl.h, for polydata.h */
+#include "intercept/osmesa_api.h"
 #include "polydata.h"
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <GL/glx.h>
 #include <GL/glxext.h>
-#include <GL/osmesa.h>
 #include <dlfcn.h>
 #include <string.h>
 

@@ -1,19 +1,9 @@
 // Every scene, drawn by the real OpenGL and through ours: the same colours and depths.
 #include "intercept/present/tracing_presenter.h"
-#include "tests/reference/traced_context.h"
-
-#include <gtest/gtest.h>
+#include "tests/reference/drawn_scene.h"
 
 namespace gluray::test {
 namespace {
-
-constexpr int kWidth = 320, kHeight = 240;
-
-Picture drawReal(const scenes::Scene& scene) {
-  const auto context = OsmesaContext::create({kWidth, kHeight});
-  scene.draw(context->real(), kWidth, kHeight);
-  return readPicture(context->real(), kWidth, kHeight);
-}
 
 std::string reasons(const gl::Statistics& s) {
   std::string text;
@@ -43,19 +33,6 @@ TEST_P(SceneTest, LooksLikeTheRealOne) {
   if (!c.accepted) writeFailure(TEST_OUTPUT, scene.name, expected, got);
 }
 
-std::vector<const scenes::Scene*> pointers(std::span<const scenes::Scene> list) {
-  std::vector<const scenes::Scene*> all;
-  for (const scenes::Scene& scene : list) all.push_back(&scene);
-  return all;
-}
-
-std::string nameOf(const testing::TestParamInfo<const scenes::Scene*>& info) {
-  std::string name = info.param->name;
-  for (char& c : name)
-    if (c == '-') c = '_';
-  return name;
-}
-
 INSTANTIATE_TEST_SUITE_P(Scenes, SceneTest, testing::ValuesIn(pointers(scenes::scenes())), nameOf);
 
 /// Tracing fails at the first flush: fixed function draws what was held back, and the real OpenGL all that
@@ -74,31 +51,6 @@ TEST_P(SceneTest, LooksLikeTheRealOneWhenTracingFails) {
   EXPECT_TRUE(c.accepted) << c.text;
   if (!c.accepted) writeFailure(TEST_OUTPUT, std::string("failing-") + scene.name, expected, got);
 }
-
-class VariantTest : public testing::TestWithParam<const scenes::Scene*> {};
-
-Picture drawTraced(const scenes::Scene& scene, uint64_t& draws) {
-  TracedContext ours({kWidth, kHeight});
-  scene.draw(ours.gl(), kWidth, kHeight);
-  Picture picture = ours.read();
-  draws = ours.context().statistics.drawsTraced;
-  return picture;
-}
-
-TEST_P(VariantTest, EqualsTheFirstToTheBit) {
-  const scenes::Scene& first = scenes::variants().front();
-  uint64_t draws = 0;
-  static const Picture expected = drawTraced(first, draws);
-  const Picture got = drawTraced(*GetParam(), draws);
-  EXPECT_GT(draws, 0u) << "nothing was traced";
-  const Comparison c = compare(expected, got, {0, 0, 0, "none"});
-  EXPECT_TRUE(expected == got) << c.text;
-  const Comparison real = compare(drawReal(first), got, first.tolerance);
-  EXPECT_TRUE(real.accepted) << "against the real OpenGL: " << real.text;
-  if (!(expected == got)) writeFailure(TEST_OUTPUT, GetParam()->name, expected, got);
-}
-
-INSTANTIATE_TEST_SUITE_P(Variants, VariantTest, testing::ValuesIn(pointers(scenes::variants())), nameOf);
 
 TEST(Harness, TwoRealContextsAgreeToTheBit) {
   for (const char* name : {"directional-light", "texture-linear", "multisampled", "selection"})

@@ -1,6 +1,6 @@
 #include "tests/support/osmesa_context.h"
 
-#include <GL/osmesa.h>
+#include "intercept/osmesa_api.h"
 
 namespace gluray::test {
 

@@ -163,7 +163,7 @@ class Batch:
 
 
 def versions():
-    done = subprocess.run(["dpkg-query", "-W", "paraview", "python3-paraview", "libvtk9.1", "libgl1-mesa-dri"],
+    done = subprocess.run(["dpkg-query", "-W", "paraview", "python3-paraview", "libvtk[0-9]*", "libgl1-mesa-dri"],
                           capture_output=True, text=True)
     return done.stdout
 

@@ -1,0 +1,33 @@
+// One scene sent by every path that OpenGL has: the same picture to the bit.
+#include "tests/reference/drawn_scene.h"
+
+namespace gluray::test {
+namespace {
+
+class VariantTest : public testing::TestWithParam<const scenes::Scene*> {};
+
+Picture drawTraced(const scenes::Scene& scene, uint64_t& draws) {
+  TracedContext ours({kWidth, kHeight});
+  scene.draw(ours.gl(), kWidth, kHeight);
+  Picture picture = ours.read();
+  draws = ours.context().statistics.drawsTraced;
+  return picture;
+}
+
+TEST_P(VariantTest, EqualsTheFirstToTheBit) {
+  const scenes::Scene& first = scenes::variants().front();
+  uint64_t draws = 0;
+  static const Picture expected = drawTraced(first, draws);
+  const Picture got = drawTraced(*GetParam(), draws);
+  EXPECT_GT(draws, 0u) << "nothing was traced";
+  const Comparison c = compare(expected, got, {0, 0, 0, "none"});
+  EXPECT_TRUE(expected == got) << c.text;
+  const Comparison real = compare(drawReal(first), got, first.tolerance);
+  EXPECT_TRUE(real.accepted) << "against the real OpenGL: " << real.text;
+  if (!(expected == got)) writeFailure(TEST_OUTPUT, GetParam()->name, expected, got);
+}
+
+INSTANTIATE_TEST_SUITE_P(Variants, VariantTest, testing::ValuesIn(pointers(scenes::variants())), nameOf);
+
+}  // namespace
+}  // namespace gluray::test
