@@ -5,12 +5,12 @@
 
 namespace gluray::gl {
 
-/// Of the depth buffer; 0 where there is none. Raises no error. `fixedFunction`: the context has it, so is not
-/// of a core profile.
+/// Of the depth buffer; 0 where there is none. Raises no error. `fixedFunction`: the context has it, so is
+/// not of a core profile.
 GLint depthBits(const RealGl& real, bool fixedFunction);
 
-/// Of the red part of the colour buffer that `drawBuffer` names (as glDrawBuffer does); 0 where there is none.
-/// Raises no error.
+/// Of the red part of the colour buffer that `drawBuffer` names (as glDrawBuffer does); 0 where there is
+/// none. Raises no error.
 GLint redBits(const RealGl& real, GLenum drawBuffer, bool fixedFunction);
 
 }  // namespace gluray::gl

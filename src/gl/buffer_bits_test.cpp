@@ -44,7 +44,8 @@ void APIENTRY getAttachment(GLenum, GLenum attachment, GLenum name, GLint* value
 
 RealGl table() {
   RealGl real;
-  loadRealGl(real, [](void*, const char*) -> void* { return nullptr; }, nullptr);
+  loadRealGl(
+      real, [](void*, const char*) -> void* { return nullptr; }, nullptr);
   real.GetIntegerv = getInteger;
   real.GetFramebufferAttachmentParameteriv = getAttachment;
   return real;
