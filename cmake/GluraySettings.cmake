@@ -1,4 +1,4 @@
-# Compiler settings shared by every target: C++20, position independent, hidden symbols, warnings as errors.
+# Compiler settings shared by every target: C++20, position independent, hidden symbols, warnings (errors where GLURAY_WERROR).
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)

@@ -1,6 +1,7 @@
 // Surfaces that are seen through and added up without order (weighted blending, scene::Layers::Of::sums).
 // Nothing needs to be held back: what is traced is added to what is there, and real
 // draws may come before and after.
+#include "gl/buffer_bits.h"
 #include "gl/context.h"
 #include "gl/layer_draws.h"
 #include "gl/output_state.h"
@@ -33,7 +34,7 @@ bool LayerDraws::startSums(const BatchKey& key) {
   auto layers = std::make_shared<scene::Layers>();
   layers->of = scene::Layers::Of::sums;
   const auto pixels = static_cast<size_t>(key.region.width) * static_cast<size_t>(key.region.height);
-  if (integer(c_.real, GL_DEPTH_BITS) == 0) {
+  if (depthBits(c_.real, !c_.info().core) == 0) {
     layers->opaqueDepth.assign(pixels, -1.0f);
   } else {
     if (!c_.presenter().readDepth(c_.real, key.region, layers->opaqueDepth)) return false;

@@ -1,4 +1,5 @@
 // The framebuffer that draws go to.
+#include "gl/buffer_bits.h"
 #include "gl/state.h"
 #include "gl/state_queries.h"
 
@@ -28,9 +29,10 @@ enum class Colors { bytes, floats, others };
 
 /// What the colour buffer holds. Bytes: normalised values of about the eight bits that the write-back
 /// delivers; of ten bits the last two are lost, a quarter of 1/255 at most.
-Colors colorsOf(const RealGl& real, const TargetState& target) {
+Colors colorsOf(const RealGl& real, const TargetState& target, bool fixedFunction) {
   const auto fits = [](GLint bits) { return bits == 8 || bits == 10; };
-  if (target.framebuffer == 0) return fits(integer(real, GL_RED_BITS)) ? Colors::bytes : Colors::others;
+  if (target.framebuffer == 0)
+    return fits(redBits(real, target.drawBuffer, fixedFunction)) ? Colors::bytes : Colors::others;
   GLint type = 0, bits = 0;
   real.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, target.drawBuffer,
                                            GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
@@ -80,10 +82,10 @@ void readTarget(const RealGl& real, const DeletedBuffers& deletedRenderbuffers, 
     if (integer(real, GL_DRAW_BUFFER0 + 1) != GL_NONE) target.reason = Reason::drawBuffer;
     target.size = attachmentSize(real, deletedRenderbuffers, target.drawBuffer);
   }
-  const GLint depthBits = integer(real, GL_DEPTH_BITS);
+  const GLint depthBits = gl::depthBits(real, state.rare.fixedFunction);
   target.depthResolution = std::ldexp(1.0f, -std::min(std::max(depthBits, 1), 24));
   if (target.reason != Reason::traced) return;
-  const Colors colors = colorsOf(real, target);
+  const Colors colors = colorsOf(real, target, state.rare.fixedFunction);
   target.wideColors = colors == Colors::floats;
   if (depthBits == 0)
     target.reason = Reason::noDepthBuffer;

@@ -2,7 +2,45 @@
 
 #include "intercept/osmesa_api.h"
 
+#include <GL/glext.h>
+
+#include <utility>
+
 namespace gluray::test {
+namespace {
+
+/// The function of this name, of the type that RealGl has for it.
+template <class Function>
+Function osmesaFunction(const char* name) {
+  return reinterpret_cast<Function>(OSMesaGetProcAddress(name));
+}
+
+thread_local GLenum g_refused = GL_NO_ERROR;
+
+/// Refuses what core profiles do not have, as the specification and Mesa 25 do; Mesa 22 answers.
+void APIENTRY strictGetIntegerv(GLenum name, GLint* value) {
+  switch (name) {
+    case GL_RED_BITS:
+    case GL_GREEN_BITS:
+    case GL_BLUE_BITS:
+    case GL_ALPHA_BITS:
+    case GL_DEPTH_BITS:
+    case GL_STENCIL_BITS: g_refused = GL_INVALID_ENUM; return;
+    default: {
+      static const auto real = osmesaFunction<decltype(gl::RealGl::GetIntegerv)>("glGetIntegerv");
+      real(name, value);
+    }
+  }
+}
+
+GLenum APIENTRY strictGetError() {
+  static const auto real = osmesaFunction<decltype(gl::RealGl::GetError)>("glGetError");
+  const GLenum below = real();
+  const GLenum refused = std::exchange(g_refused, GLenum{GL_NO_ERROR});
+  return below != GL_NO_ERROR ? below : refused;
+}
+
+}  // namespace
 
 std::unique_ptr<OsmesaContext> OsmesaContext::create(const ContextWish& wish, const OsmesaContext* share) {
   std::vector<int> attributes = {
@@ -27,6 +65,10 @@ std::unique_ptr<OsmesaContext> OsmesaContext::create(const ContextWish& wish, co
   gl::loadRealGl(
       context->real_,
       [](void*, const char* name) { return reinterpret_cast<void*>(OSMesaGetProcAddress(name)); }, nullptr);
+  if (wish.core) {
+    context->real_.GetIntegerv = strictGetIntegerv;
+    context->real_.GetError = strictGetError;
+  }
   return context;
 }
 

@@ -1,5 +1,6 @@
 #include "intercept/present/frame_picture.h"
 
+#include "gl/buffer_bits.h"
 #include "intercept/present/state_guard.h"
 
 #include <GL/gl.h>
@@ -83,7 +84,7 @@ void FramePicture::written(const gl::RealGl& real, const Image& image) {
     readPixels(real, box, GL_RGBA, GL_UNSIGNED_BYTE, color);
     readPixels(real, box, GL_DEPTH_COMPONENT, GL_FLOAT, depth);
   }
-  const int depthBits = std::clamp(integer(real, GL_DEPTH_BITS), 1, 24);
+  const int depthBits = std::clamp(gl::depthBits(real, known.compatibility), 1, 24);
   const float step = std::ldexp(2.0f, -depthBits);
   resize(box.x + box.width, box.y + box.height);
   for (int y = 0; y < box.height; ++y)
