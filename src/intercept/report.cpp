@@ -1,15 +1,14 @@
-#include "intercept/report.h"
-
 #include "base/clock.h"
+#include "base/files.h"
 #include "base/log.h"
 #include "gl/buffer.h"
 #include "intercept/contexts.h"
 #include "intercept/explanation.h"
 #include "intercept/lag.h"
+#include "intercept/report.h"
 #include "intercept/session.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <nlohmann/json.hpp>
 #include <pthread.h>
 #include <signal.h>
@@ -90,16 +89,11 @@ const std::string& reportPath() {
   return path;
 }
 
-/// Readers never see half a report: it is written beside the file and renamed.
-void writeText(const std::string& text) {
-  const std::string& path = reportPath();
-  const std::string draft = path + ".new";
-  const int file = open(draft.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  const bool written =
-      file >= 0 && write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size());
-  if (file >= 0) close(file);
-  if (!written || rename(draft.c_str(), path.c_str()) != 0)
-    log::once(log::Level::error, "report", "cannot write the report " + path);
+void writeText(const json& report) {
+  // Programs and drivers may name themselves in anything.
+  const std::string text = report.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+  if (const std::string why = files::replace(reportPath(), text); !why.empty())
+    log::once(log::Level::error, "report", "cannot write the report " + reportPath() + ": " + why);
 }
 
 constexpr double kInterval = 0.1;  // seconds; a report costs about a tenth of a millisecond
@@ -118,7 +112,7 @@ struct Reporter {
     if (sum.contexts != 0 || launchedProcess()) {
       json report = makeReport(sum);
       if (session().explainFrames) report["explain"] = explanation(sum, complete, reportPath());
-      writeText(report.dump(2) + "\n");
+      writeText(report);
     }
     next = nowSeconds() + kInterval;
   }

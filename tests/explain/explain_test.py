@@ -202,7 +202,13 @@ class Page(Folder):
 
     def test_pages_that_cannot_be_written(self):
         done = gluray("explain", "--frames", 3, "--html", "/dev/null/page.html", CLIENT)
-        self.assertEqual((done.returncode, done.stderr), (1, "gluray: cannot write /dev/null/page.html\n"))
+        self.assertEqual((done.returncode, done.stderr), (1, "gluray: cannot write /dev/null/page.html: Not a directory\n"))
+
+    def test_pages_on_standard_output(self):
+        done = gluray("explain", "--frames", 3, "--html", "-", CLIENT)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue(done.stdout.startswith("<!DOCTYPE html>") and done.stdout.endswith("</html>\n"))
+        self.assertIn("triangles traced", done.stderr)
 
     def test_the_programs_output_is_not_in_the_json(self):
         done = gluray("explain", "--json", "--frames", 3, CLIENT)
