@@ -13,15 +13,16 @@ import tempfile
 # What each room under src/ may include beside itself.
 ALLOWED = {
     "base": set(),
+    "parallel": {"base"},
     "settings": {"base"},
     "scene": {"base", "settings"},
-    "gl": {"base", "settings", "scene"},
-    "accel": {"base", "settings", "scene"},
-    "render": {"base", "settings", "scene", "accel"},
-    "frame": {"base", "settings", "scene", "accel", "render"},
+    "gl": {"base", "settings", "scene", "parallel"},
+    "accel": {"base", "settings", "scene", "parallel"},
+    "render": {"base", "settings", "scene", "parallel", "accel"},
+    "frame": {"base", "settings", "scene", "parallel", "accel", "render"},
     "control": {"base", "settings"},
     "dist": {"base", "settings", "scene", "accel", "render", "frame"},
-    "intercept": {"base", "settings", "scene", "gl", "accel", "render", "frame", "control", "dist"},
+    "intercept": {"base", "settings", "scene", "parallel", "gl", "accel", "render", "frame", "control", "dist"},
 }
 # Name of the monopoly, the headers it covers, the folders that hold it. Tests beside the code are bound like the code.
 MONOPOLIES = [

@@ -1,5 +1,6 @@
 #include "command_line.h"
 
+#include "say.h"
 #include "settings/quirks.h"
 
 #include <CLI/CLI.hpp>
@@ -37,8 +38,9 @@ std::string checkQuirk(const std::string& text) {
 }
 
 void addRunOptions(CLI::App& app, CommandLine& line) {
-  app.add_option("--report", line.report,
-                 "Write what was traced and what was not, and why, to FILE (JSON) at exit")
+  app.add_option(
+         "--report", line.report,
+         "Write what was traced and what was not, and why, to FILE (JSON), also while the program runs")
       ->type_name("FILE");
   app.add_flag(
       "--hud", line.hud,
@@ -123,7 +125,7 @@ void addOptions(CLI::App& app, CommandLine& line) {
 }
 
 int complain(const std::string& what) {
-  std::cerr << "gluray: " << what << "; see gluray --help\n";
+  say(what + "; see gluray --help");
   return kUsageError;
 }
 

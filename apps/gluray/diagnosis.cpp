@@ -1,5 +1,6 @@
 #include "diagnosis.h"
 
+#include "base/printable.h"
 #include "text_table.h"
 
 #include <algorithm>
@@ -32,9 +33,9 @@ std::string Diagnosis::text() const {
     head.resize(topic + 2, ' ');
     head += wordOf(finding.health);
     head.resize(indent.size(), ' ');
-    const std::string lines = wrapped(finding.text, kWidth, indent);
+    const std::string lines = wrapped(printable(finding.text), kWidth, indent);
     all += head + lines.substr(std::min(indent.size(), lines.size()));
-    if (!finding.mend.empty()) all += indent + "mend: " + finding.mend + "\n";
+    if (!finding.mend.empty()) all += indent + "mend: " + printable(finding.mend) + "\n";
   }
   constexpr const char* kSums[] = {"all is well", "it works, with a limitation", "it will not work"};
   return all + "\n" + kSums[exitCode()] + "\n";

@@ -2,6 +2,7 @@
 
 #include "doctor_machine.h"
 #include "doctor_program.h"
+#include "say.h"
 
 #include <iostream>
 
@@ -13,7 +14,7 @@ int doctor(const CommandLine& line) {
   examineMachine(diagnosis);
   if (whole) examineDrawing(line, diagnosis);
   if (!line.program.empty()) examineProgram(line, diagnosis);
-  std::cout << (line.json ? diagnosis.json().dump(2) + "\n" : diagnosis.text());
+  std::cout << (line.json ? jsonText(diagnosis.json()) + "\n" : diagnosis.text());
   return diagnosis.exitCode();
 }
 

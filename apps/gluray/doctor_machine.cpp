@@ -136,6 +136,16 @@ void reportPicture(const json& report, Diagnosis& diagnosis) {
     diagnosis.broken("test picture", "not traced: " + rasterReason(report));
 }
 
+void reportWay(const json& report, Diagnosis& diagnosis) {
+  const std::string driver = report.value("walkedPast", std::string());
+  if (!driver.empty())
+    diagnosis.limited("door",
+                      "walked past: the gl functions that the dynamic linker finds first are those of the "
+                      "driver (" +
+                          driver + "), so that what plug-ins link is not seen, and pictures may be wrong",
+                      "take the driver out of LD_PRELOAD, or try --door preload");
+}
+
 /// What the probe met, as GLX or EGL.
 void reportProbe(const std::string& api, const Said& said, const std::string& folder, Diagnosis& diagnosis) {
   const std::string topic = api == "glx" ? "OpenGL (GLX)" : "OpenGL (EGL)";
@@ -155,6 +165,7 @@ void reportProbe(const std::string& api, const Said& said, const std::string& fo
     return diagnosis.broken("engine", "OpenGL works, but GLuRay saw no context of the test program");
   reportTracer(report, diagnosis);
   reportPicture(report, diagnosis);
+  reportWay(report, diagnosis);
 }
 
 double gigabytes(const std::string& name) {

@@ -1,5 +1,6 @@
 #include "doors.h"
 
+#include "base/files.h"
 #include "intercept/probe/real_vendor.h"
 
 #include <unistd.h>
@@ -31,7 +32,9 @@ void setIfGiven(const char* name, const std::string& value) {
 }
 
 /// The program may change its directory: files are named absolutely.
-std::string absolute(const std::string& file) { return file.empty() ? file : fs::absolute(file).string(); }
+std::string absolute(const std::string& file) {
+  return file.empty() || files::isStream(file) ? file : fs::absolute(file).string();
+}
 
 void passSettings(const CommandLine& line) {
   set("GLURAY_PID", std::to_string(getpid()));
@@ -58,9 +61,8 @@ void passSettings(const CommandLine& line) {
   const std::string more = environment("GLURAY_PROGRAM_FAMILIES");
   if (!families.empty() && !more.empty()) families.append(":").append(more);
   setIfGiven("GLURAY_PROGRAM_FAMILIES", families);
-  std::error_code ignored;
   if (!line.report.empty())
-    fs::remove(line.report, ignored);  // a report of an earlier run must not pass for this one's
+    files::removeOld(line.report);  // a report of an earlier run must not pass for this one's
 }
 
 std::string openVendorDoor(const std::string& directory) {

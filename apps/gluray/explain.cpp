@@ -1,12 +1,14 @@
 #include "explain.h"
 
+#include "base/files.h"
+#include "base/printable.h"
 #include "doors.h"
 #include "explanation_text.h"
 #include "html_page.h"
 #include "launch.h"
+#include "say.h"
 #include "watched_run.h"
 
-#include <fstream>
 #include <iostream>
 #include <stdexcept>
 
@@ -81,13 +83,6 @@ FramePictures withAndWithout(const CommandLine& line, const Program& program, co
   return pictures;
 }
 
-void writeFile(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary | std::ios::trunc);
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error("cannot write " + path);
-}
-
 /// Writes the page, and says what it shows.
 json makePage(const CommandLine& line, const Program& program, const WatchedRun& run,
               const std::string& text) {
@@ -117,19 +112,20 @@ int explain(const CommandLine& line) {
     if (run.ending == WatchedRun::Ending::byItself && run.exitCode >= kNotExecutable &&
         run.exitCode <= kNotFound)
       return run.exitCode;
-    std::cerr << "gluray: " << line.program[0]
-              << " showed no frame of an OpenGL context that GLuRay could see (" << endingText(run, line)
-              << "); gluray doctor " << line.program[0] << " may say why\n";
+    say(line.program[0] + " showed no frame of an OpenGL context that GLuRay could see (" +
+        endingText(run, line) + "); gluray doctor " + line.program[0] + " may say why");
     return 1;
   }
   const std::string text = textOf(run, line);
-  if (!line.json) std::cout << text << std::flush;
+  // A page that goes to standard output is alone there.
+  const bool pageIsOut = files::isOutput(line.html);
+  if (!line.json) (pageIsOut ? std::cerr : std::cout) << text << std::flush;
   json all = {{"command", line.program}, {"ending", endingText(run, line)}, {"processes", run.reports}};
   if (!line.html.empty()) {
     all["page"] = makePage(line, program, run, text);
-    if (!line.json) std::cout << "the page is " << line.html << "\n";
+    if (!line.json && !pageIsOut) std::cout << "the page is " << printable(line.html) << "\n";
   }
-  if (line.json) std::cout << all.dump(2) << "\n";
+  if (line.json) (pageIsOut ? std::cerr : std::cout) << jsonText(all) << "\n";
   return 0;
 }
 

@@ -1,5 +1,6 @@
 #include "explanation_text.h"
 
+#include "base/printable.h"
 #include "text_table.h"
 
 #include <algorithm>
@@ -11,11 +12,13 @@ namespace {
 using nlohmann::json;
 
 uint64_t number(const json& object, const char* name) { return object.at(name).get<uint64_t>(); }
-std::string text(const json& object, const char* name) { return object.at(name).get<std::string>(); }
+std::string text(const json& object, const char* name) {
+  return printable(object.at(name).get<std::string>());
+}
 
 std::string joined(const json& words) {
   std::string all;
-  for (const json& word : words) all += (all.empty() ? "" : ", ") + word.get<std::string>();
+  for (const json& word : words) all += (all.empty() ? "" : ", ") + printable(word.get<std::string>());
   return all;
 }
 
@@ -128,6 +131,17 @@ std::string heading(const json& report) {
          (percent < 0 ? "" : ", " + fixed(percent, 1) + " % of " + grouped(all) + " triangles traced") + "\n";
 }
 
+/// Where calls may have gone to the driver unseen; nothing where none could.
+std::string walkedPastLines(const json& report) {
+  const std::string driver = printable(report.value("walkedPast", std::string()));
+  if (driver.empty()) return "";
+  return "\ncalls that go past GLuRay\n" +
+         wrapped("the gl functions that the dynamic linker finds first are those of the driver (" + driver +
+                     "): what libraries link that were loaded later goes to the real OpenGL unseen, and the "
+                     "picture may be wrong",
+                 100, "  ");
+}
+
 /// Frames that were shown later, and why others were not; nothing where none may be.
 std::string lagLine(const json& report) {
   const json lag = report.value("lag", json::object());
@@ -152,8 +166,9 @@ std::string explanationText(const json& report) {
   return heading(report) + "\ndraws, of all frames\n" + drawTable(explain.at("kinds"), frames) +
          tracingLine(report) + lagLine(report) + programLines(explain.value("programs", json::array())) +
          "\ncontexts, through the door " + text(report, "door") + "\n" +
-         contextLines(explain.at("contexts")) + "\nframebuffers\n" + targetLines(explain.at("framebuffers")) +
-         "\nquirks\n" + quirkLines(explain.at("quirks")) + unknownCallLines(report);
+         contextLines(explain.at("contexts")) + walkedPastLines(report) + "\nframebuffers\n" +
+         targetLines(explain.at("framebuffers")) + "\nquirks\n" + quirkLines(explain.at("quirks")) +
+         unknownCallLines(report);
 }
 
 }  // namespace gluray::launcher

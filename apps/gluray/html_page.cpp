@@ -1,5 +1,6 @@
 #include "html_page.h"
 
+#include "base/printable.h"
 #include "text_table.h"
 
 namespace gluray::launcher {
@@ -114,7 +115,8 @@ nlohmann::json pictureFacts(const FramePictures& p) {
 }
 
 std::string htmlPage(const std::string& command, const std::string& text, const FramePictures& p) {
-  std::string page = std::string(kHead) + "<h1>gluray explain <code>" + escaped(command) + "</code></h1>\n";
+  std::string page =
+      std::string(kHead) + "<h1>gluray explain <code>" + escaped(printable(command)) + "</code></h1>\n";
   const Comparison c = p.without ? compare(p.with, *p.without, p.origin) : Comparison{};
   if (!p.without)
     page += warning("There is no picture without GLuRay: the second run of the program showed none.");

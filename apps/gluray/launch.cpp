@@ -1,6 +1,7 @@
 #include "launch.h"
 
 #include "doors.h"
+#include "say.h"
 
 #include <signal.h>
 #include <sys/wait.h>
@@ -10,24 +11,20 @@
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
-#include <iostream>
 #include <thread>
 #include <vector>
 
 namespace gluray::launcher {
 
 int failToStart(const std::string& program, int error) {
-  std::cerr << "gluray: " << program << ": " << (error == ENOENT ? "program not found" : std::strerror(error))
-            << "\n";
+  say(program + ": " + (error == ENOENT ? "program not found" : std::strerror(error)));
   return error == ENOENT ? kNotFound : kNotExecutable;
 }
 
 int becomeProgram(const CommandLine& line, const Program& program) {
   if (program.usesX && !std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY"))
-    std::cerr << "gluray: DISPLAY is not set; without a screen, try: xvfb-run -s '-screen 0 1280x1024x24' "
-                 "gluray ...\n";
-  if (const std::string why = openDoors(line, program); !why.empty())
-    std::cerr << "gluray: not ray traced: " << why << "\n";
+    say("DISPLAY is not set; without a screen, try: xvfb-run -s '-screen 0 1280x1024x24' gluray ...");
+  if (const std::string why = openDoors(line, program); !why.empty()) say("not ray traced: " + why);
 
   std::vector<char*> arguments;
   for (const std::string& word : line.program) arguments.push_back(const_cast<char*>(word.c_str()));

@@ -7,11 +7,11 @@
 #include "probe_context.h"
 #include "program.h"
 #include "quirks_list.h"
+#include "say.h"
 #include "show_timeline.h"
 
 #include <cstring>
 #include <exception>
-#include <iostream>
 
 namespace {
 
@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
   try {
     return perform(parsed.commandLine);
   } catch (const std::exception& e) {
-    std::cerr << "gluray: " << e.what() << "\n";
+    say(e.what());
     return 1;
   }
 }

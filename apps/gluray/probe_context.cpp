@@ -17,7 +17,7 @@ constexpr int kSize = 64, kFrames = 2;
 /// A library that was opened by hand: the launcher links none of OpenGL's.
 class Library {
  public:
-  explicit Library(const char* name) : handle_(dlopen(name, RTLD_NOW | RTLD_GLOBAL)) {
+  explicit Library(const char* name) : handle_(dlopen(name, RTLD_NOW | RTLD_LOCAL)) {
     if (!handle_) throw std::runtime_error(dlerror());
   }
   template <class F>

@@ -1,6 +1,7 @@
 #include "quirks_list.h"
 
 #include "doors.h"
+#include "say.h"
 #include "settings/quirks.h"
 #include "text_table.h"
 
@@ -23,7 +24,7 @@ int listQuirks(const CommandLine& line) {
               << wrapped(std::string(text.reason), 76, "  ") << "  switch: gluray --quirk " << text.name
               << (quirks.has(quirk) ? "=off" : "=on") << " ...\n  test: " << text.test << "\n";
   }
-  if (line.json) std::cout << list.dump(2) << "\n";
+  if (line.json) std::cout << jsonText(list) << "\n";
   return 0;
 }
 

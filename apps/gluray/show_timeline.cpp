@@ -1,9 +1,12 @@
 #include "show_timeline.h"
 
+#include "base/files.h"
+#include "base/printable.h"
+#include "say.h"
 #include "timeline_chart.h"
 
-#include <fstream>
 #include <iostream>
+#include <sstream>
 #include <stdexcept>
 
 namespace gluray::launcher {
@@ -12,17 +15,17 @@ int showTimeline(const CommandLine& line) {
   const Timeline timeline = readTimeline(line.program[0]);
   if (timeline.spans.empty())
     throw std::runtime_error(line.program[0] + " holds nothing: the program drew nothing that was traced");
-  printTimes(timeline, std::cout);
+  // A chart that goes to standard output is alone there.
+  printTimes(timeline, files::isOutput(line.chart) ? std::cerr : std::cout);
   if (line.chart.empty()) return 0;
   Stretch near = typicalFrames(timeline);
   if (line.from >= 0) near.from = line.from;
   if (line.to >= 0) near.to = line.to;
   if (!(near.from < near.to)) throw std::runtime_error("--from must be before --to");
-  std::ofstream out(line.chart);
-  writeChart(timeline, near, out);
-  out.close();
-  if (!out) throw std::runtime_error("cannot write " + line.chart);
-  std::cout << "written: " << line.chart << "\n";
+  std::ostringstream chart;
+  writeChart(timeline, near, chart);
+  writeFile(line.chart, chart.str());
+  if (!files::isOutput(line.chart)) std::cout << "written: " << printable(line.chart) << "\n";
   return 0;
 }
 

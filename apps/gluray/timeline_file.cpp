@@ -1,11 +1,11 @@
 #include "timeline_file.h"
 
+#include "base/files.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
-#include <sstream>
 #include <stdexcept>
 
 namespace gluray::launcher {
@@ -15,11 +15,10 @@ using nlohmann::json;
 
 /// The array of events. The end of a file may be missing: a comma, the bracket, half an event.
 json readEvents(const std::string& file) {
-  std::ifstream in(file);
-  if (!in) throw std::runtime_error("cannot read " + file);
-  std::ostringstream text;
-  text << in.rdbuf();
-  std::string all = text.str();
+  constexpr size_t kMost = size_t{4} << 30;
+  const files::Content content = files::read(file, kMost);
+  if (!content.why.empty()) throw std::runtime_error("cannot read " + file + ": " + content.why);
+  const std::string& all = content.text;
   json events = json::parse(all, nullptr, false);
   if (events.is_array()) return events;
   const size_t last = all.rfind("},\n");

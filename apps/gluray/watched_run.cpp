@@ -1,5 +1,6 @@
 #include "watched_run.h"
 
+#include "base/files.h"
 #include "doors.h"
 #include "launch.h"
 
@@ -74,7 +75,7 @@ class Reports {
     std::error_code ignored;
     for (const auto& entry : fs::directory_iterator(folder_, ignored)) {
       const std::string name = entry.path().filename();
-      if (!name.starts_with("report.json") || name.ends_with(".new") || name.ends_with("pm")) continue;
+      if (!name.starts_with("report.json") || name.ends_with("pm")) continue;
       const fs::file_time_type written = fs::last_write_time(entry.path(), ignored);
       Known& known = known_[name];
       if (known.written == written) continue;
@@ -120,7 +121,7 @@ class RestDetector {
   bool atRest(const Reports& reports) {
     constexpr double kIdle = 0.2;  // of one core
     if (seconds_ <= 0) return false;
-    const auto frames = reports.sum<uint64_t>([](const json& r) { return r["frames"].get<uint64_t>(); });
+    const uint64_t frames = drawn(reports);
     const double time = now();
     if (frames == 0 || frames != frames_) return begin(reports, frames, time);
     if (time - since_ < seconds_) return false;
@@ -129,6 +130,16 @@ class RestDetector {
   }
 
  private:
+  /// Frames; of programs that end none, draws.
+  static uint64_t drawn(const Reports& reports) {
+    const auto frames = reports.sum<uint64_t>([](const json& r) { return r["frames"].get<uint64_t>(); });
+    if (frames > 0) return frames;
+    return reports.sum<uint64_t>([](const json& r) {
+      uint64_t draws = r["draws"]["traced"].get<uint64_t>();
+      for (const auto& [reason, count] : r["draws"]["rasterised"].items()) draws += count.get<uint64_t>();
+      return draws;
+    });
+  }
   static double worked(const Reports& reports) {
     return reports.sum<double>([](const json& r) { return processorSeconds(r["pid"].get<int>()); });
   }
@@ -189,7 +200,7 @@ WatchedRun watch(const CommandLine& given, const Program& program, const Watch& 
   const StopSignals signals;
   Child child(line, program, [&] {
     prepareEnvironment(wish);
-    if (line.json) dup2(STDERR_FILENO, STDOUT_FILENO);  // ours is JSON alone
+    if (line.json || files::isOutput(line.html)) dup2(STDERR_FILENO, STDOUT_FILENO);  // ours is pure
   });
   Reports reports(folder);
   WatchedRun run;

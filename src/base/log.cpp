@@ -1,10 +1,10 @@
 #include "base/log.h"
 
-#include <spdlog/sinks/basic_file_sink.h>
-#include <spdlog/sinks/stdout_sinks.h>
-#include <spdlog/spdlog.h>
+#include "base/files.h"
+#include "base/printable.h"
 
-#include <memory>
+#include <unistd.h>
+
 #include <mutex>
 #include <set>
 #include <string>
@@ -14,7 +14,7 @@ namespace {
 
 struct State {
   std::mutex mutex;
-  std::shared_ptr<spdlog::logger> logger;
+  int descriptor = STDERR_FILENO;
   Level level = Level::warning;
   std::set<std::string, std::less<>> said;
 };
@@ -24,19 +24,9 @@ State& state() {
   return *s;
 }
 
-spdlog::level::level_enum toSpdlog(Level level) { return static_cast<spdlog::level::level_enum>(level); }
-
-std::shared_ptr<spdlog::logger> makeLogger(std::string_view file) {
-  spdlog::sink_ptr sink;
-  if (file.empty())
-    sink = std::make_shared<spdlog::sinks::stderr_sink_mt>();
-  else
-    sink = std::make_shared<spdlog::sinks::basic_file_sink_mt>(std::string(file));
-  auto logger = std::make_shared<spdlog::logger>("gluray", std::move(sink));
-  logger->set_pattern("gluray: %v");
-  logger->set_level(spdlog::level::trace);
-  logger->flush_on(spdlog::level::trace);
-  return logger;
+/// One line in one piece, so that lines of several processes do not mix.
+void writeLine(int descriptor, std::string_view message) {
+  files::writeAll(descriptor, "gluray: " + printable(message) + "\n");
 }
 
 }  // namespace
@@ -45,13 +35,14 @@ void configure(Level level, std::string_view file) {
   State& s = state();
   const std::lock_guard lock(s.mutex);
   s.level = level;
-  try {
-    s.logger = makeLogger(file);
-  } catch (const std::exception&) {
-    if (file.empty()) throw;
-    s.logger = makeLogger({});
-    s.logger->warn("cannot write the log file {}; logging to stderr", file);
-  }
+  s.descriptor = STDERR_FILENO;
+  if (file.empty()) return;
+  const std::string path(file);
+  const files::Opened opened = files::append(path);
+  if (opened.descriptor >= 0)
+    s.descriptor = opened.descriptor;
+  else
+    writeLine(STDERR_FILENO, "cannot write the log file " + path + ": " + opened.why + "; logging to stderr");
 }
 
 void write(Level level, std::string_view message) noexcept {
@@ -59,8 +50,7 @@ void write(Level level, std::string_view message) noexcept {
     State& s = state();
     const std::lock_guard lock(s.mutex);
     if (level < s.level || level == Level::off) return;
-    if (!s.logger) s.logger = makeLogger({});
-    s.logger->log(toSpdlog(level), message);
+    writeLine(s.descriptor, message);
   } catch (...) {  // a log line is never worth a failure
   }
 }

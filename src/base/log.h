@@ -7,10 +7,10 @@ namespace gluray::log {
 
 enum class Level { trace, debug, info, warning, error, off };
 
-/// What is written from now on. `file` empty: stderr.
+/// What is written from now on. `file` empty: stderr. To a file it is appended.
 void configure(Level level, std::string_view file);
 
-/// Writes one line "gluray: MESSAGE" if `level` is wanted. Never throws.
+/// Writes one line "gluray: MESSAGE", controls escaped, if `level` is wanted. Never throws.
 void write(Level level, std::string_view message) noexcept;
 
 /// Writes `message` the first time only; `key` says which messages are the same.

@@ -1,8 +1,8 @@
 #include "base/timeline.h"
 
+#include "base/files.h"
 #include "base/log.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -10,6 +10,7 @@
 #include <deque>
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 namespace gluray::timeline {
@@ -42,6 +43,7 @@ struct Recorder {
   std::vector<std::unique_ptr<Track>> tracks;
   std::string file;
   int descriptor = -1;
+  std::string why;  // the file cannot be opened
   pid_t process = 0;
   int64_t start = 0;
   std::atomic<int64_t> nextWrite{0};
@@ -127,8 +129,10 @@ void take(const Recorder& recorder, Track& track, bool all, std::string& out) {
 
 bool openFile(Recorder& recorder) {
   if (recorder.descriptor >= 0) return true;
-  recorder.descriptor = ::open(recorder.file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  return recorder.descriptor >= 0 && ::write(recorder.descriptor, "[\n", 2) == 2;
+  files::Opened opened = files::start(recorder.file);
+  recorder.descriptor = opened.descriptor;
+  recorder.why = std::move(opened.why);
+  return recorder.descriptor >= 0 && files::writeAll(recorder.descriptor, "[\n");
 }
 
 void writeOut(bool all) noexcept {
@@ -140,11 +144,10 @@ void writeOut(bool all) noexcept {
     std::string out;
     for (const std::unique_ptr<Track>& track : recorder.tracks) take(recorder, *track, all, out);
     if (out.empty()) return;
-    if (openFile(recorder) &&
-        ::write(recorder.descriptor, out.data(), out.size()) == static_cast<ssize_t>(out.size()))
-      return;
+    if (openFile(recorder) && files::writeAll(recorder.descriptor, out)) return;
     g_recording = false;
-    log::write(log::Level::error, "cannot write the timeline " + recorder.file + "; recording ends");
+    log::write(log::Level::error, "cannot write the timeline " + recorder.file +
+                                      (recorder.why.empty() ? "" : ": " + recorder.why) + "; recording ends");
   } catch (...) {  // without memory the picture has a gap
   }
 }

@@ -3,15 +3,13 @@
 #include "gl/mesh_builder.h"
 #include "gl/parallel.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
-
 #include <bit>
 #include <cstring>
 
 namespace gluray::gl {
 namespace {
+
+constexpr size_t kGrain = 1 << 14;  // elements
 
 struct Readers {
   Readers(const RealGl& real, const ArrayState& arrays)
@@ -63,14 +61,15 @@ void copyElements(const ArrayReader& reader, const ArraySource& source, Range ra
   const auto stride = static_cast<size_t>(source.stride);
   if (plain && step == floats && stride == floats * sizeof(float))
     return copyLarge(target, reader.data() + range.lower * stride, size_t{range.count()} * stride);
-  tbb::parallel_for(tbb::blocked_range<uint32_t>(0, range.count(), 1 << 14), [&](const auto& part) {
-    for (uint32_t i = part.begin(); i != part.end(); ++i) {
+  forPieces(range.count(), kGrain, [&](size_t first, size_t last) {
+    for (size_t i = first; i < last; ++i) {
+      const uint32_t element = range.lower + static_cast<uint32_t>(i);
       float value[4];
       if (plain)
-        std::memcpy(value, reader.data() + (range.lower + i) * stride, floats * sizeof(float));
+        std::memcpy(value, reader.data() + element * stride, floats * sizeof(float));
       else
-        reader.read(range.lower + i, value);
-      std::memcpy(target + size_t{i} * step, value, floats * sizeof(float));
+        reader.read(element, value);
+      std::memcpy(target + i * step, value, floats * sizeof(float));
     }
   });
 }
@@ -97,12 +96,12 @@ scene::Attribute attribute(const ArrayReader& reader, const ArraySource& source,
 
 bool anyOtherW(const ArrayReader& reader, const ArraySource& source, Range range) {
   if (source.size < 4) return false;
-  return tbb::parallel_reduce(
-      tbb::blocked_range<uint32_t>(range.lower, range.upper, 1 << 14), false,
-      [&](const auto& part, bool found) {
-        for (uint32_t i = part.begin(); i != part.end() && !found; ++i) {
+  return reducePieces(
+      range.count(), kGrain, false,
+      [&](size_t first, size_t last, bool found) {
+        for (size_t i = first; i < last && !found; ++i) {
           float v[4];
-          reader.read(i, v);
+          reader.read(range.lower + static_cast<uint32_t>(i), v);
           found = v[3] != 1.0f;
         }
         return found;

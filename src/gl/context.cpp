@@ -1,5 +1,7 @@
 #include "gl/context.h"
 
+#include "parallel/arena.h"
+
 #include <GL/gl.h>
 #include <GL/glext.h>
 #include <tbb/info.h>
@@ -60,6 +62,7 @@ Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const 
       direct_(!passthrough_ && choice_.way() == EngineChoice::Way::direct),
       unknownCalls_(kCommandCount) {
   ++group_->contexts;
+  setSharedThreads(info.settings.threads);
   updateAttention();
 }
 

@@ -4,10 +4,6 @@
 #include "gl/parallel.h"
 #include "gl/weld.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -41,9 +37,9 @@ scene::Attribute copySlot(const Selection& vertices, Slot slot, scene::Format fo
   const uint32_t floats = sizeOf(slot), offset = vertices.captured.layout.offset[slot],
                  count = vertices.count();
   const auto data = makePadded<float>(size_t{count} * floats);
-  tbb::parallel_for(tbb::blocked_range<uint32_t>(0, count, kGrain), [&](const auto& range) {
-    for (uint32_t i = range.begin(); i != range.end(); ++i)
-      std::memcpy(&data[size_t{i} * floats], vertices[i] + offset, floats * 4);
+  forPieces(count, kGrain, [&](size_t first, size_t last) {
+    for (size_t i = first; i < last; ++i)
+      std::memcpy(&data[i * floats], vertices[static_cast<uint32_t>(i)] + offset, floats * 4);
   });
   sizeBytes += size_t{count} * floats * 4;
   return {data, reinterpret_cast<const std::byte*>(data.get()), floats * 4, format};
@@ -231,11 +227,11 @@ struct Bounds {
 };
 
 Bounds boundsOf(const scene::Mesh& mesh) {
-  return tbb::parallel_reduce(
-      tbb::blocked_range<uint32_t>(0, mesh.vertexCount, kGrain), Bounds{},
-      [&](const auto& range, Bounds b) {
-        for (uint32_t i = range.begin(); i != range.end(); ++i) {
-          const glm::vec3 p = mesh.position(i);
+  return reducePieces(
+      mesh.vertexCount, kGrain, Bounds{},
+      [&](size_t first, size_t last, Bounds b) {
+        for (size_t i = first; i < last; ++i) {
+          const glm::vec3 p = mesh.position(static_cast<uint32_t>(i));
           if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) b.join({p, p});
         }
         return b;
@@ -252,13 +248,16 @@ Hash128 geometryIdentity(const scene::Mesh& mesh) {
   constexpr uint32_t kTriangles = 1 << 14;
   const uint32_t blocks = (mesh.triangleCount + kTriangles - 1) / kTriangles;
   std::vector<Hash128> hashes(blocks);
-  tbb::parallel_for(uint32_t{0}, blocks, [&](uint32_t b) {
+  const auto hashBlock = [&](uint32_t b) {
     const uint32_t first = b * kTriangles, last = std::min(mesh.triangleCount, first + kTriangles);
     std::vector<glm::vec3> corners(size_t{last - first} * 3);
     glm::vec3* corner = corners.data();
     for (uint32_t t = first; t < last; ++t)
       for (uint32_t k = 0; k < 3; ++k) *corner++ = mesh.position(mesh.corner(t, k));
     hashes[b] = hashBytes(corners.data(), corners.size() * sizeof(glm::vec3));
+  };
+  forPieces(blocks, 1, [&](size_t b, size_t last) {
+    for (; b < last; ++b) hashBlock(static_cast<uint32_t>(b));
   });
   return hashBytes(hashes.data(), hashes.size() * sizeof(Hash128), {mesh.triangleCount, 0});
 }

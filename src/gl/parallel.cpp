@@ -1,9 +1,5 @@
 #include "gl/parallel.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
-
 #include <algorithm>
 #include <cstring>
 #include <vector>
@@ -17,18 +13,18 @@ Hash128 hashLarge(const void* data, size_t sizeBytes, Hash128 seed) {
   if (sizeBytes <= kPiece) return hashBytes(data, sizeBytes, seed);
   const auto* bytes = static_cast<const std::byte*>(data);
   std::vector<Hash128> pieces((sizeBytes + kPiece - 1) / kPiece);
-  tbb::parallel_for(size_t{0}, pieces.size(), [&](size_t i) {
-    const size_t first = i * kPiece;
-    pieces[i] = hashBytes(bytes + first, std::min(kPiece, sizeBytes - first));
+  forPieces(pieces.size(), 1, [&](size_t first, size_t last) {
+    for (size_t i = first; i < last; ++i)
+      pieces[i] = hashBytes(bytes + i * kPiece, std::min(kPiece, sizeBytes - i * kPiece));
   });
   return hashBytes(pieces.data(), pieces.size() * sizeof(Hash128), seed);
 }
 
 Extremes extremesOf(const uint32_t* numbers, size_t count) {
-  return tbb::parallel_reduce(
-      tbb::blocked_range<size_t>(0, count, kPiece / sizeof(uint32_t)), Extremes{},
-      [&](const auto& range, Extremes e) {
-        for (size_t i = range.begin(); i != range.end(); ++i)
+  return reducePieces(
+      count, kPiece / sizeof(uint32_t), Extremes{},
+      [&](size_t first, size_t last, Extremes e) {
+        for (size_t i = first; i < last; ++i)
           e.least = std::min(e.least, numbers[i]), e.most = std::max(e.most, numbers[i]);
         return e;
       },
@@ -38,20 +34,15 @@ Extremes extremesOf(const uint32_t* numbers, size_t count) {
 }
 
 void copyNumbers(uint32_t* target, const uint32_t* source, size_t count, uint32_t lower) {
-  tbb::parallel_for(tbb::blocked_range<size_t>(0, count, kPiece / sizeof(uint32_t)), [&](const auto& range) {
-    for (size_t i = range.begin(); i != range.end(); ++i) target[i] = source[i] - lower;
+  forPieces(count, kPiece / sizeof(uint32_t), [&](size_t first, size_t last) {
+    for (size_t i = first; i < last; ++i) target[i] = source[i] - lower;
   });
 }
 
 void copyLarge(void* target, const void* source, size_t sizeBytes) {
-  if (sizeBytes == 0) return;  // an array that is not there has no address
-  if (sizeBytes <= kPiece) {
-    std::memcpy(target, source, sizeBytes);
-    return;
-  }
-  tbb::parallel_for(tbb::blocked_range<size_t>(0, sizeBytes, kPiece), [&](const auto& range) {
-    std::memcpy(static_cast<std::byte*>(target) + range.begin(),
-                static_cast<const std::byte*>(source) + range.begin(), range.size());
+  forPieces(sizeBytes, kPiece, [&](size_t first, size_t last) {
+    std::memcpy(static_cast<std::byte*>(target) + first, static_cast<const std::byte*>(source) + first,
+                last - first);
   });
 }
 

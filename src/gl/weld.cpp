@@ -1,6 +1,6 @@
 #include "gl/weld.h"
 
-#include <tbb/parallel_for.h>
+#include "gl/parallel.h"
 
 #include <algorithm>
 #include <bit>
@@ -58,15 +58,18 @@ Welded weld(const float* vertices, uint32_t count, uint32_t stride) {
   const uint32_t step = kBlock - kBlock / 4;
   for (uint32_t first = 0; first < count; first += step)
     blocks.push_back({first, std::min(step, count - first), {}});
-  tbb::parallel_for(size_t{0}, blocks.size(),
-                    [&](size_t b) { weldBlock(vertices, stride, blocks[b], result.index.data()); });
+  forPieces(blocks.size(), 1, [&](size_t b, size_t last) {
+    for (; b < last; ++b) weldBlock(vertices, stride, blocks[b], result.index.data());
+  });
   std::vector<uint32_t> base(blocks.size() + 1, 0);
   for (size_t b = 0; b < blocks.size(); ++b)
     base[b + 1] = base[b] + static_cast<uint32_t>(blocks[b].source.size());
   result.source.resize(base.back());
-  tbb::parallel_for(size_t{0}, blocks.size(), [&](size_t b) {
-    for (uint32_t i = 0; i < blocks[b].count; ++i) result.index[blocks[b].first + i] += base[b];
-    std::copy(blocks[b].source.begin(), blocks[b].source.end(), result.source.begin() + base[b]);
+  forPieces(blocks.size(), 1, [&](size_t b, size_t last) {
+    for (; b < last; ++b) {
+      for (uint32_t i = 0; i < blocks[b].count; ++i) result.index[blocks[b].first + i] += base[b];
+      std::copy(blocks[b].source.begin(), blocks[b].source.end(), result.source.begin() + base[b]);
+    }
   });
   return result;
 }

@@ -4,6 +4,7 @@
 #include "intercept/context_record.h"
 #include "intercept/families.h"
 #include "intercept/orphan_gl.h"
+#include "intercept/report.h"
 #include "intercept/session.h"
 
 #include <atomic>
@@ -166,7 +167,10 @@ void becameCurrent(Api api, const void* handle, Drawables drawables, AskSize siz
     }
     current() = {record, {api, handle}, drawables, std::move(size)};
     if (!record) return;
-    if (!record->tried) makeContext(*record, api);
+    if (!record->tried) {
+      makeContext(*record, api);
+      watchForReport();
+    }
     if (record->context) record->context->makeCurrent();
   });
 }

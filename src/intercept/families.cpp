@@ -1,26 +1,20 @@
 #include "intercept/families.h"
 
+#include "base/files.h"
 #include "base/log.h"
 #include "intercept/session.h"
 
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
+#include <utility>
 
 namespace gluray::intercept {
 namespace {
 
 std::string contentsOf(const std::string& file) {
-  std::error_code ignored;
-  const bool folder = std::filesystem::is_directory(file, ignored);
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  if (in && !folder) text << in.rdbuf();
-  if (folder) errno = EISDIR;
-  if (folder || !in || in.bad()) throw gl::FamilyError(file + ": " + std::strerror(errno));
-  return text.str();
+  constexpr size_t kMost = size_t{16} << 20;
+  files::Content content = files::read(file, kMost);
+  if (!content.why.empty()) throw gl::FamilyError(file + ": " + content.why);
+  return std::move(content.text);
 }
 
 }  // namespace

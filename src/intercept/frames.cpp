@@ -57,9 +57,9 @@ void drawHud(Record& record) {
 }  // namespace
 
 void addExplaining(Record& record, gl::ContextInfo& info) {
+  if (!session().reportFile.empty()) info.frameEnded = endFrame;
   if (!session().explainFrames) return;
   info.kinds = std::make_shared<gl::DrawKinds>(!info.core);
-  info.frameEnded = endFrame;
   if (!session().picture || record.version.starts_with("OpenGL ES")) return;
   record.picture = std::make_unique<present::FramePicture>();
   info.frameEnding = [&record] { takePicture(record, GL_FRONT); };

@@ -1,20 +1,22 @@
 #include "intercept/report.h"
 
 #include "base/clock.h"
+#include "base/files.h"
 #include "base/log.h"
 #include "gl/buffer.h"
 #include "intercept/contexts.h"
 #include "intercept/explanation.h"
 #include "intercept/lag.h"
 #include "intercept/session.h"
+#include "intercept/walked_past.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <nlohmann/json.hpp>
 #include <pthread.h>
 #include <signal.h>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -90,26 +92,35 @@ const std::string& reportPath() {
   return path;
 }
 
-/// Readers never see half a report: it is written beside the file and renamed.
-void writeText(const std::string& text) {
-  const std::string& path = reportPath();
-  const std::string draft = path + ".new";
-  const int file = open(draft.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  const bool written =
-      file >= 0 && write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size());
-  if (file >= 0) close(file);
-  if (!written || rename(draft.c_str(), path.c_str()) != 0)
-    log::once(log::Level::error, "report", "cannot write the report " + path);
+void writeText(const json& report) {
+  // Programs and drivers may name themselves in anything.
+  const std::string text = report.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+  if (const std::string why = files::replace(reportPath(), text); !why.empty())
+    log::once(log::Level::error, "report", "cannot write the report " + reportPath() + ": " + why);
 }
 
 constexpr double kInterval = 0.1;  // seconds; a report costs about a tenth of a millisecond
+constexpr double kQuiet = 1;       // seconds without a frame after which what is drawn counts by itself
+constexpr int kAtOnce = 32;  // first frames that are written at once: short programs may end by a signal
 
-/// What the reporting threads share. Never destroyed: the late one may outlive the program's exit handlers.
+/// What the program has done, as far as it is worth a new report.
+auto progress(const Totals& sum) {
+  const gl::Statistics& s = sum.statistics;
+  return std::array<uint64_t, 5>{static_cast<uint64_t>(sum.contexts), s.frames, s.flushes, s.drawsTraced,
+                                 s.drawsRasterised};
+}
+
+/// What the program's threads, the watcher and the exit handler share. Never destroyed: the watcher may
+/// outlive the exit handlers.
 struct Reporter {
   std::mutex mutex;
-  Totals latest;      // as of the last buffer swap
-  double next = 0;    // when the next report is due
-  bool late = false;  // writeLate() is on its way
+  Totals latest;           // as of the last frame
+  std::string walkedPast;  // as of then
+  bool waiting = false;    // that is not in the file
+  std::array<uint64_t, 5> written{};
+  double next = 0, lastFrame = 0;  // when a report is due, when a frame ended
+  int atOnce = kAtOnce;
+  bool watched = false;
   bool ended = false;
   bool complete = false;  // all frames that were to be explained are there; later ones change nothing
 
@@ -117,9 +128,12 @@ struct Reporter {
   void write(const Totals& sum) {
     if (sum.contexts != 0 || launchedProcess()) {
       json report = makeReport(sum);
+      report["walkedPast"] = walkedPast;
       if (session().explainFrames) report["explain"] = explanation(sum, complete, reportPath());
-      writeText(report.dump(2) + "\n");
+      writeText(report);
     }
+    waiting = false;
+    written = progress(sum);
     next = nowSeconds() + kInterval;
   }
 };
@@ -129,36 +143,68 @@ Reporter& reporter() {
   return *r;
 }
 
+/// exit() may have been called by a signal handler in the middle of a report: nobody is waited for for ever.
+bool lockInTime(std::mutex& mutex) {
+  constexpr int kPatience = 1000;  // milliseconds
+  for (int i = 0; i < kPatience; ++i) {
+    if (mutex.try_lock()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return false;
+}
+
 /// Runs `body` with the reporter locked; a failure costs a report, nothing else.
 template <class F>
-void reporting(F&& body) noexcept {
+void reporting(F&& body, bool atExit = false) noexcept {
   try {
     Reporter& r = reporter();
-    const std::lock_guard lock(r.mutex);
+    if (!atExit)
+      r.mutex.lock();
+    else if (!lockInTime(r.mutex))
+      return;
+    const std::lock_guard lock(r.mutex, std::adopt_lock);
     body(r);
   } catch (const std::exception& e) {
     log::once(log::Level::error, "report", std::string("no report: ") + e.what());
   }
 }
 
-/// Writes what the last swaps counted that came too soon after a report to be written at once.
-void writeLate() noexcept {
-  std::this_thread::sleep_for(std::chrono::duration<double>(kInterval));
-  reporting([](Reporter& r) {
-    r.late = false;
-    if (!r.ended && !r.complete) r.write(r.latest);
-  });
+/// Whether reports are written while the program runs: those on standard output are written once.
+bool writesMeanwhile() {
+  const std::string& file = session().reportFile;
+  return !file.empty() && !files::isStream(file) && !isForkedChild();
 }
 
-/// Starts writeLate() in a thread that the program's signal handlers never run in.
-void startLate() {
+/// What the last frames counted that ended too soon after a report to be written at once, and what is drawn
+/// by programs that end no frames.
+void lookAfter(Reporter& r) {
+  if (r.waiting) return r.write(r.latest);
+  if (nowSeconds() < r.lastFrame + kQuiet) return;
+  const Totals now = totals();
+  if (progress(now) != r.written) r.write(now);
+}
+
+/// Until the exit handlers run, or all is there that was to be explained.
+void watch() noexcept {
+  for (bool goOn = true; goOn;) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(kInterval));
+    reporting([&](Reporter& r) {
+      goOn = !r.ended && !r.complete;
+      if (goOn) lookAfter(r);
+    });
+  }
+}
+
+/// Starts watch() in a thread that the program's signal handlers never run in. The mutex is held.
+void startWatching(Reporter& r) {
+  if (r.watched) return;
   sigset_t all, before;
   sigfillset(&all);
   pthread_sigmask(SIG_SETMASK, &all, &before);
   try {
-    std::thread(writeLate).detach();
-    reporter().late = true;
-  } catch (const std::exception&) {  // the next swap tries again
+    std::thread(watch).detach();
+    r.watched = true;
+  } catch (const std::exception&) {  // the next frame tries again
   }
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
@@ -167,24 +213,39 @@ void startLate() {
 
 void writeReport() noexcept {
   if (isForkedChild()) return;
-  reporting([](Reporter& r) {
-    r.ended = true;
-    if (!r.complete) r.write(totals());
-  });
+  reporting(
+      [](Reporter& r) {
+        r.ended = true;
+        if (r.complete) return;
+        r.walkedPast = walkedPast();
+        r.write(totals());
+      },
+      /*atExit=*/true);
+}
+
+void watchForReport() noexcept {
+  if (writesMeanwhile())
+    reporting([](Reporter& r) {
+      r.walkedPast = walkedPast();
+      startWatching(r);
+    });
 }
 
 void writeReportIfDue() noexcept {
-  if (session().reportFile.empty() || isForkedChild()) return;
+  if (!writesMeanwhile()) return;
   reporting([](Reporter& r) {
     if (r.complete) return;
     const int wanted = session().explainFrames;
     r.complete = wanted && framesEnded() >= static_cast<uint64_t>(wanted);
     if (r.complete) closeKinds();
     r.latest = totals();
-    if (r.complete || nowSeconds() >= r.next)
-      r.write(r.latest);
-    else if (!r.late)
-      startLate();
+    r.lastFrame = nowSeconds();
+    const bool now = r.complete || r.lastFrame >= r.next || (!wanted && r.atOnce > 0);
+    if (now || !r.waiting) r.walkedPast = walkedPast();
+    r.waiting = true;
+    if (now) r.write(r.latest);
+    if (r.atOnce > 0) --r.atOnce;
+    startWatching(r);
   });
 }
 

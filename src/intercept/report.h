@@ -1,5 +1,6 @@
-// The report at exit: what was traced, what was not and why, and what it cost. Registered with atexit by the
-// engine.
+// The report: what was traced, what was not and why, and what it cost. Written while the program runs, so
+// that one that ends by a signal leaves a report of its last frames (docs/adr/0032), and at exit, for which
+// the engine registers it.
 #pragma once
 
 namespace gluray::intercept {
@@ -9,8 +10,12 @@ namespace gluray::intercept {
 /// silent in forked children.
 void writeReport() noexcept;
 
-/// The same, at most ten times a second: a program that is killed leaves a report all the same. Called after
-/// buffer swaps; what the last of them counted is written a moment later by a thread of its own.
+/// A context has been made. From now on a thread of its own looks ten times a second for what no frame has
+/// written: the last frames of a program that has come to rest, and what is drawn by programs that end none.
+/// Called outside of all locks. Does nothing where no report is wanted.
+void watchForReport() noexcept;
+
+/// A frame has ended. Writes the same, at most ten times a second but for the first frames.
 void writeReportIfDue() noexcept;
 
 }  // namespace gluray::intercept

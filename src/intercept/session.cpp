@@ -1,10 +1,9 @@
 #include "intercept/session.h"
 
+#include "base/files.h"
 #include "base/log.h"
 #include "base/timeline.h"
 
-#include <errno.h>
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -43,12 +42,8 @@ bool launchedProcess() {
 }
 
 std::string fileOfThisProcess(std::string path) {
-  if (launchedProcess()) return path;
-  const int fresh = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
-  if (fresh >= 0)
-    close(fresh);
-  else if (errno == EEXIST)
-    path.append(".").append(std::to_string(getpid()));
+  if (launchedProcess() || files::isStream(path) || !files::obstacle(path).empty()) return path;
+  if (!files::claim(path)) path.append(".").append(std::to_string(getpid()));
   return path;
 }
 

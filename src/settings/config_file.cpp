@@ -1,15 +1,12 @@
 #include "settings/config_file.h"
 
+#include "base/files.h"
 #include "settings/keys.h"
 
 #include <toml++/toml.h>
 
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
+#include <string>
 
 namespace gluray {
 namespace {
@@ -59,18 +56,14 @@ std::string configFile() {
 void readConfigFile(const std::string& file, bool wanted, Session& session,
                     void (*complain)(const std::string& line)) {
   if (file.empty()) return;
-  std::error_code ignored;
-  const bool folder = std::filesystem::is_directory(file, ignored);
-  std::ifstream in(file);
-  std::ostringstream text;
-  if (in && !folder) text << in.rdbuf();
-  if (folder) in.setstate(std::ios::failbit), errno = EISDIR;
-  if (!in || in.bad()) {
-    if (wanted || errno != ENOENT) complain(file + ": " + std::strerror(errno));
+  constexpr size_t kMost = size_t{16} << 20;
+  const files::Content content = files::read(file, kMost);
+  if (!content.why.empty()) {
+    if (wanted || !content.missing) complain(file + ": " + content.why);
     return;
   }
   try {
-    take(file, toml::parse(text.str()), session, complain);
+    take(file, toml::parse(content.text), session, complain);
   } catch (const toml::parse_error& error) {
     complain(place(file, error.source()) + std::string(error.description()));
   }

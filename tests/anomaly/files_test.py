@@ -34,10 +34,10 @@ class Files(unittest.TestCase):
         self.survives("")
 
     def test_report(self):
-        self.survives(r"^gluray: cannot write the report /proc/nowhere/r.json$", "--report", "/proc/nowhere/r.json")
+        self.survives(r"^gluray: cannot write the report /proc/nowhere/r.json: No such file or directory$", "--report", "/proc/nowhere/r.json")
 
     def test_log(self):
-        self.survives(r"^gluray: cannot write the log file /proc/nowhere/l.txt; logging to stderr$", "--log", "/proc/nowhere/l.txt")
+        self.survives(r"^gluray: cannot write the log file /proc/nowhere/l.txt: No such file or directory; logging to stderr$", "--log", "/proc/nowhere/l.txt")
 
     def test_log_is_a_folder(self):
         self.survives(r"^gluray: cannot write the log file", "--log", self.folder)
@@ -47,6 +47,28 @@ class Files(unittest.TestCase):
 
     def test_configuration_that_is_a_folder(self):
         self.survives(r"^gluray: .*: Is a directory$", "--config", self.folder)
+
+    def test_what_is_read_is_never_waited_for(self):
+        fifo = self.folder / "fifo"
+        os.mkfifo(fifo)
+        for option in ("--config", "--program-families"):
+            self.survives(f"^gluray: {fifo}: it is a FIFO, not a regular file$", option, fifo)
+            self.survives("^gluray: /dev/zero: it is a device, not a regular file$", option, "/dev/zero")
+
+    def test_timeline(self):
+        fifo = self.folder / "fifo"
+        os.mkfifo(fifo)
+        self.survives("^gluray: cannot write the timeline .*/fifo: it is a FIFO, not a regular file; recording ends$", "--timeline", fifo)
+        self.assertTrue(fifo.is_fifo())
+
+    def test_log_is_a_device(self):
+        self.survives("^gluray: cannot write the log file /dev/full: it is a device, not a regular file; logging to stderr$", "--log", "/dev/full")
+        self.survives("", "--log", "/dev/null")
+
+    def test_controls_are_not_sent_to_the_terminal(self):
+        self.survives(r"^gluray: /nowhere/\\x1b\[31m\\nred\\u202e: No such file or directory$", "--config", "/nowhere/\x1b[31m\nred\u202e")
+        self.survives(r"^gluray: GLURAY_BVH=\\x07: use ", GLURAY_BVH="\x07")
+        self.survives(r"^gluray: .*not ray traced.*/nowhere/\\x1b\[31m", GLURAY_ENGINE_LIBRARY="/nowhere/\x1b[31m")
 
     def test_configuration_that_is_wrong(self):
         file = self.folder / "gluray/gluray.toml"

@@ -149,7 +149,50 @@ class Report(Folder):
     def test_unwritable_report_is_one_line(self):
         done = run(GLURAY, "--report", "/nowhere/r.json", CLIENTS / "door_linked_gl")
         self.assertEqual(done.returncode, 0)
-        self.assertEqual(done.stderr, "gluray: cannot write the report /nowhere/r.json\n")
+        self.assertEqual(done.stderr, "gluray: cannot write the report /nowhere/r.json: No such file or directory\n")
+
+    def test_what_is_no_file_is_left_alone(self):
+        victim, folder, fifo = self.folder / "victim", self.folder / "folder", self.folder / "fifo"
+        victim.write_text("precious")
+        folder.mkdir()
+        os.mkfifo(fifo)
+        (self.folder / "link").symlink_to(victim)
+        (self.folder / "r.json.new").symlink_to(victim)
+        for path, why in ((folder, "Is a directory"), (fifo, "it is a FIFO, not a regular file"), (self.folder / "link", "it is a symbolic link"),
+                          ("/dev/full", "it is a device")):
+            before = os.lstat(path)
+            for words in ((), ("sh", "-c", '"$0"; true')):  # the launched program, and one that it starts
+                done = run(GLURAY, "--report", path, "--log", self.folder / "log", *words, CLIENTS / "door_linked_gl")
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+            after = os.lstat(path)
+            self.assertEqual((after.st_ino, after.st_mode), (before.st_ino, before.st_mode))
+            told = (self.folder / "log").read_text().splitlines()
+            self.assertTrue(all(line.startswith(f"gluray: cannot write the report {path}: {why}") for line in told), told)
+            (self.folder / "log").unlink()
+        self.assertEqual(run(GLURAY, "--report", self.folder / "r.json", CLIENTS / "door_linked_gl").returncode, 0)
+        self.assertEqual(victim.read_text(), "precious")
+        self.assertEqual({p.name for p in self.folder.iterdir()}, {"victim", "folder", "fifo", "link", "r.json", "r.json.new"})
+
+    def test_report_on_standard_output(self):
+        for name in ("-", "/dev/stdout"):
+            done = run(GLURAY, "--report", name, CLIENTS / "door_linked_gl")
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertEqual(json.loads(done.stdout[done.stdout.index("{"):])["frames"], 10)
+        self.assertIn('"frames": 10', run(GLURAY, "--report", "/dev/stderr", CLIENTS / "door_linked_gl").stderr)
+
+    def test_report_to_nowhere(self):
+        done = run(GLURAY, "--report", "/dev/null", CLIENTS / "door_linked_gl")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_programs_with_odd_names(self):
+        program = os.fsencode(self.folder / "odd") + b"\xff\x1b[31m"
+        shutil.copy(CLIENTS / "door_linked_gl", program)
+        report = self.folder / "r.json"
+        done = subprocess.run([GLURAY, "--report", report, program], capture_output=True, timeout=100)
+        self.assertEqual((done.returncode, done.stderr), (0, b""))
+        self.assertEqual(json.loads(report.read_text())["frames"], 10)
+        done = subprocess.run([GLURAY, b"no\xff\x1b[31m\nprogram"], capture_output=True, timeout=100)
+        self.assertEqual((done.returncode, done.stderr), (127, b"gluray: no\\xff\\x1b[31m\\nprogram: program not found\n"))
 
     def test_child_of_a_script_reports_in_its_place(self):
         report = self.folder / "r.json"
@@ -208,6 +251,25 @@ class Missing(Folder):
 
     def test_bad_setting_is_one_line(self):
         self.survives(r"^gluray: GLURAY_BVH=slow: use auto, fast, full, compact or least$", GLURAY_BVH="slow")
+
+
+class Memory(unittest.TestCase):
+    def limited(self, kilobytes, door):
+        return run("sh", "-c", f'ulimit -v {kilobytes}; exec "$@"', "sh", GLURAY, "--door", door, CLIENTS / "door_linked_gl", GLURAY_THREADS=2)
+
+    def test_little_address_space(self):
+        """The engine stays away where it would not have room. (Below 600 MB Mesa alone crashes now and then.)"""
+        shy = "gluray: OpenGL is not ray traced in this program: the limit of its address space (ulimit -v) leaves less than 512 MB\n"
+        for door in ("vendor", "preload"):
+            for kilobytes in (270_000, 300_000, 330_000):
+                self.assertTrue(self.limited(kilobytes, door).stderr.startswith(shy))
+            done = self.limited(640_000, door)
+            self.assertEqual((done.returncode, done.stderr), (0, shy))
+            for kilobytes in (760_000, 850_000, 1_000_000, 4_000_000):
+                done = self.limited(kilobytes, door)
+                self.assertEqual(done.returncode, 0, f"{kilobytes} kB, {door}: {done.stderr}")
+                self.assertLessEqual(len(done.stderr.splitlines()), 1, done.stderr)
+            self.assertEqual(done.stderr, "")
 
 
 class Fonts(unittest.TestCase):

@@ -5,6 +5,10 @@
    short      ends by itself after 5 frames, with exit code 3
    single     1000 frames without a back buffer, shown by glFlush
    still      2 frames, then nothing until it is asked to end
+   front      1000 frames in the front buffer of a double-buffered window, shown by glFlush
+   unseen     1000 frames that nobody shows: the program reads them
+   killed     5 frames, and then it kills itself
+   front and unseen do not ask to be told when they are to end.
    The colour of what is traced follows the clock. */
 #include "../doors/x_window.h"
 
@@ -105,8 +109,10 @@ static void frame(GLuint list, const char* mode) {
 
 int main(int count, char** words) {
   const char* mode = count > 1 ? words[1] : "plain";
-  const int frames = !strcmp(mode, "short") ? 5 : !strcmp(mode, "still") ? 2 : 1000;
-  signal(SIGTERM, onTerminate);
+  const int killed = !strcmp(mode, "killed"), front = !strcmp(mode, "front"),
+            unseen = !strcmp(mode, "unseen");
+  const int frames = !strcmp(mode, "short") || killed ? 5 : !strcmp(mode, "still") ? 2 : 1000;
+  if (!front && !unseen) signal(SIGTERM, onTerminate);
   Display* display = openDisplay();
   const int single = !strcmp(mode, "single");
   int wanted[] = {GLX_RGBA, GLX_RED_SIZE, 8, GLX_DEPTH_SIZE, 24, single ? None : GLX_DOUBLEBUFFER, None};
@@ -136,14 +142,19 @@ int main(int count, char** words) {
   glEnd();
   glEndList();
 
+  if (front) glDrawBuffer(GL_FRONT);
   for (int i = 0; i < frames && !asked; ++i) {
+    unsigned char pixel[4];
     frame(list, mode);
-    if (single)
+    if (single || front)
       glFlush();
+    else if (unseen)
+      glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
     else
       glXSwapBuffers(display, window);
     usleep(1000);
   }
+  if (killed) raise(SIGKILL);
   while (!strcmp(mode, "still") && !asked) usleep(10000);
   if (asked) {
     printf("asked to end\n");

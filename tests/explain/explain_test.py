@@ -16,6 +16,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 GLURAY, CLIENTS = (pathlib.Path(p).resolve() for p in sys.argv[1:3])
@@ -152,6 +153,70 @@ class Ending(Folder):
         self.assertEqual([p.name for p in self.folder.iterdir()], ["page.html"])
 
 
+class NeverSwapping(Folder):
+    """Programs that end no frame, or end by a signal, are reported and explained all the same."""
+
+    def killed(self, mode, enough):
+        """The report that a program leaves that is killed as soon as there is enough in it."""
+        report, seen = self.folder / "r.json", {}
+        program = subprocess.Popen([GLURAY, "--report", report, CLIENT, mode], stdout=subprocess.DEVNULL)
+        self.addCleanup(program.wait)
+        self.addCleanup(program.kill)
+        deadline = time.monotonic() + 60
+        while not (seen and enough(seen)) and time.monotonic() < deadline:
+            time.sleep(0.02)
+            seen = json.loads(report.read_text()) if report.exists() else {}
+        program.kill()
+        program.wait()
+        self.assertEqual([p.name for p in self.folder.iterdir() if not p.name.startswith(".gluray-")], ["r.json"])
+        return json.loads(report.read_text())
+
+    def test_single_buffered(self):
+        report = self.killed("single", lambda r: r["frames"] > 40)
+        self.assertGreater(report["frames"], 40)
+        self.assertGreater(report["draws"]["traced"], 3 * 40)
+
+    def test_front_buffer_and_nothing_shown(self):
+        for mode in ("front", "unseen"):
+            report = self.killed(mode, lambda r: r["draws"]["traced"] > 30)
+            self.assertGreater(report["draws"]["traced"], 30, mode)
+
+    def test_the_last_frames_of_short_programs(self):
+        report = self.folder / "r.json"
+        done = gluray("--report", report, CLIENT, "killed")
+        self.assertEqual(done.returncode, -9)
+        self.assertEqual(json.loads(report.read_text())["frames"], 5)
+
+    def test_explained(self):
+        for mode in ("front", "unseen"):
+            [process] = explained("--seconds", 3, CLIENT, mode)["processes"]
+            kinds = {(k["primitive"], k["path"]): k for k in process["explain"]["kinds"]}
+            self.assertGreater(kinds["surfaces", "elements"]["count"], 10)
+            self.assertTrue(kinds["surfaces", "elements"]["traced"])
+
+
+class WalkedPast(unittest.TestCase):
+    def test_nothing_is_said_where_no_call_goes_past(self):
+        for door in ("vendor", "preload"):
+            [process] = explained("--frames", 3, "--door", door, CLIENT)["processes"]
+            self.assertEqual(process["walkedPast"], "")
+        self.assertNotIn("go past", gluray("explain", "--frames", 3, CLIENT).stdout)
+
+    def test_a_driver_that_is_preloaded(self):
+        driver = subprocess.run(["sh", "-c", "LD_PRELOAD=libGLX_mesa.so.0 ldd /bin/true"], capture_output=True, text=True).stdout
+        library = re.search(r"(/\S*libGLX_mesa\.so\S*)", driver)
+        names = subprocess.run(["nm", "-D", library.group(1)], capture_output=True, text=True).stdout if library else ""
+        if " glDrawArrays\n" not in names:
+            self.skipTest("there is no driver that exports gl functions")
+        host = [CLIENTS.parent / "doors" / "door_host", next((CLIENTS.parent / "doors").glob("libdoor_plugin.so")), "lazy"]
+        done = gluray("explain", "--", *host, LD_PRELOAD=library.group(1))
+        self.assertIn("calls that go past GLuRay", done.stdout, done.stderr)
+        self.assertIn("libGLX_mesa", done.stdout)
+        said = gluray("doctor", LD_PRELOAD=library.group(1))
+        self.assertEqual(said.returncode, 1, said.stdout)
+        self.assertIn("walked past", said.stdout)
+
+
 class Page(Folder):
     def page(self, mode, frames=20):
         file = self.folder / "page.html"
@@ -202,7 +267,13 @@ class Page(Folder):
 
     def test_pages_that_cannot_be_written(self):
         done = gluray("explain", "--frames", 3, "--html", "/dev/null/page.html", CLIENT)
-        self.assertEqual((done.returncode, done.stderr), (1, "gluray: cannot write /dev/null/page.html\n"))
+        self.assertEqual((done.returncode, done.stderr), (1, "gluray: cannot write /dev/null/page.html: Not a directory\n"))
+
+    def test_pages_on_standard_output(self):
+        done = gluray("explain", "--frames", 3, "--html", "-", CLIENT)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue(done.stdout.startswith("<!DOCTYPE html>") and done.stdout.endswith("</html>\n"))
+        self.assertIn("triangles traced", done.stderr)
 
     def test_the_programs_output_is_not_in_the_json(self):
         done = gluray("explain", "--json", "--frames", 3, CLIENT)

@@ -1,14 +1,17 @@
 #define _GNU_SOURCE
 #include "intercept/doors/door.h"
 
+#include "base/printable.h"
 #include "intercept/doors/door_table.h"
 
 #include <dlfcn.h>
+#include <fcntl.h>
 #include <limits.h>
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 static pthread_once_t engineOnce = PTHREAD_ONCE_INIT;
@@ -17,10 +20,10 @@ static int engineFailed;
 
 void gluraySay(const char* line, const char* detail) {
   char text[1024];
-  const int length =
-      snprintf(text, sizeof text, "gluray: %s%s%s\n", line, detail ? ": " : "", detail ? detail : "");
-  const size_t bytes = length < (int)sizeof text ? (size_t)length : sizeof text - 1;
-  if (write(STDERR_FILENO, text, bytes) < 0) return; /* nobody to tell */
+  size_t length = (size_t)snprintf(text, sizeof text, "gluray: %s%s", line, detail ? ": " : "");
+  if (detail) length += glurayPrintable(text + length, sizeof text - length, detail, strlen(detail));
+  text[length] = '\n';
+  if (write(STDERR_FILENO, text, length + 1) < 0) return; /* nobody to tell */
 }
 
 /* The engine lies beside the door. */
@@ -38,25 +41,54 @@ static void enginePath(char* path, size_t size) {
            info.dli_fname);
 }
 
-static void giveUp(const char* why) {
-  gluraySay("OpenGL is not ray traced in this program; reinstall GLuRay and its libraries, or run without it",
-            why);
+static void giveUp(const char* what, const char* why) {
+  gluraySay(what, why);
   __atomic_store_n(&engineFailed, 1, __ATOMIC_RELEASE);
+}
+
+static void cannotLoad(const char* why) {
+  giveUp("OpenGL is not ray traced in this program; reinstall GLuRay and its libraries, or run without it",
+         why);
+}
+
+/* Address space that the process has mapped, in bytes; 0: unknown. */
+static unsigned long long mappedBytes(void) {
+  char text[64];
+  const int file = open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
+  const ssize_t length = file >= 0 ? read(file, text, sizeof text - 1) : -1;
+  if (file >= 0) close(file);
+  if (length <= 0) return 0;
+  text[length] = 0;
+  return strtoull(text, NULL, 10) * (unsigned long long)sysconf(_SC_PAGESIZE);
+}
+
+/* Whether a limit (ulimit -v) leaves the engine so little address space that libraries which do not survive
+   that, the real OpenGL's compiler among them, would meet its end. */
+static int addressSpaceIsShort(void) {
+  const unsigned long long least = 512ull << 20;
+  struct rlimit limit;
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return 0;
+  return limit.rlim_cur < mappedBytes() + least;
 }
 
 static void loadEngine(void) {
   char path[PATH_MAX];
+  if (addressSpaceIsShort()) {
+    giveUp("OpenGL is not ray traced in this program",
+           "the limit of its address space (ulimit -v) leaves less than 512 MB");
+    return;
+  }
   enginePath(path, sizeof path);
   void* library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
   if (!library) {
-    giveUp(dlerror());
+    cannotLoad(dlerror());
     return;
   }
   GlurayEngineEntry entry = (GlurayEngineEntry)dlsym(library, GLURAY_ENGINE_ENTRY);
   const char* why = "the engine has no entry point";
   const GlurayEngine* loaded = entry ? entry(&glurayDoor, &why) : NULL;
   if (!loaded) {
-    giveUp(why);
+    cannotLoad(why);
     return;
   }
   __atomic_store_n(&engine, loaded, __ATOMIC_RELEASE);

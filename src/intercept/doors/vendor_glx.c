@@ -2,6 +2,7 @@
    "gluray"
    (__GLX_VENDOR_LIBRARY_NAME). libGLX loads vendors in its constructor, so nothing here may touch the X
    server. */
+#include "intercept/doors/dispatch_first.h"
 #include "intercept/doors/door.h"
 #include "intercept/doors/door_table.h"
 
@@ -12,10 +13,20 @@
 #include <string.h>
 
 static __GLXapiImports real;
+static void* vendor; /* the real one's library */
 
+static void* ofVendor(const GLubyte* name) { return real.getProcAddress ? real.getProcAddress(name) : NULL; }
+
+/* Asked for what is about to be called. */
 static void* realProc(const char* name, int api) {
   (void)api;
-  return real.getProcAddress ? real.getProcAddress((const GLubyte*)name) : NULL;
+  glurayDispatchFirst(vendor);
+  return ofVendor((const GLubyte*)name);
+}
+
+static Bool isScreenSupported(Display* display, int screen) {
+  glurayDispatchFirst(vendor);
+  return real.isScreenSupported(display, screen);
 }
 
 const GlurayDoor glurayDoor = {GLURAY_DOOR_ABI, sizeof(GlurayDoor), GLURAY_DOOR_VENDOR_GLX, realProc};
@@ -24,7 +35,7 @@ const GlurayDoor glurayDoor = {GLURAY_DOOR_ABI, sizeof(GlurayDoor), GLURAY_DOOR_
  * it starts. */
 static void* getProcAddress(const GLubyte* procName) {
   const char* name = (const char*)procName;
-  void* function = realProc(name, GLURAY_API_GLX);
+  void* function = ofVendor(procName); /* libGLX's constructor asks, too: nothing else is done here */
   if (!function) return NULL;
   const int entry = glurayFind(name);
   if (entry >= 0) return glurayJumps[entry];
@@ -50,17 +61,16 @@ static void* openRealVendor(void) {
 /* A program may close libGL and open it again: libGLX then starts anew, while we and the real vendor stay in
    memory. Mesa takes its exports at its first start only, so it gets a copy of ours that is kept up to date,
    and its imports are remembered. */
-static int startRealVendor(uint32_t version, const __GLXapiExports* exports, __GLXvendorInfo* vendor,
+static int startRealVendor(uint32_t version, const __GLXapiExports* exports, __GLXvendorInfo* info,
                            const __GLXapiImports* imports) {
-  static void* handle;
   static __GLXapiExports lasting;
   if (GLX_VENDOR_ABI_GET_MAJOR_VERSION(version) != GLX_VENDOR_ABI_MAJOR_VERSION ||
       version < GLX_VENDOR_ABI_VERSION) {
     gluraySay("libglvnd is too old; use gluray --door preload", NULL);
     return 0; /* its structures are smaller than those we were compiled for */
   }
-  if (!handle) handle = openRealVendor();
-  __PFNGLXMAINPROC realMain = handle ? (__PFNGLXMAINPROC)dlsym(handle, __GLX_MAIN_PROTO_NAME) : NULL;
+  if (!vendor) vendor = openRealVendor();
+  __PFNGLXMAINPROC realMain = vendor ? (__PFNGLXMAINPROC)dlsym(vendor, __GLX_MAIN_PROTO_NAME) : NULL;
   if (!realMain) return 0;
   if (glurayIsOurs((const void*)realMain)) {
     gluraySay("the real OpenGL is GLuRay itself; GLURAY_REAL_GLX must name another vendor", NULL);
@@ -68,16 +78,17 @@ static int startRealVendor(uint32_t version, const __GLXapiExports* exports, __G
   }
   __GLXapiImports filled = *imports;
   lasting = *exports;
-  if (!realMain(version, &lasting, vendor, &filled)) return 0;
+  if (!realMain(version, &lasting, info, &filled)) return 0;
   if (filled.getProcAddress) real = filled;
   return real.getProcAddress != NULL;
 }
 
 __attribute__((visibility("default"))) Bool __glx_Main(uint32_t version, const __GLXapiExports* exports,
-                                                       __GLXvendorInfo* vendor, __GLXapiImports* imports) {
-  if (!startRealVendor(version, exports, vendor, imports)) return False;
+                                                       __GLXvendorInfo* info, __GLXapiImports* imports) {
+  if (!startRealVendor(version, exports, info, imports)) return False;
   *imports = real;
   imports->getProcAddress = getProcAddress;
+  imports->isScreenSupported = isScreenSupported;
   /* A vendor that patches libglvnd's entry points would lead calls past us. */
   imports->isPatchSupported = NULL;
   imports->initiatePatch = NULL;

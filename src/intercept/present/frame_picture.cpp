@@ -1,5 +1,6 @@
 #include "intercept/present/frame_picture.h"
 
+#include "base/files.h"
 #include "gl/buffer_bits.h"
 #include "intercept/present/state_guard.h"
 
@@ -8,8 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <fstream>
+#include <string>
 
 namespace gluray::present {
 namespace {
@@ -124,7 +124,7 @@ Picture FramePicture::take(const gl::RealGl& real, GLenum buffer, int width, int
 
 namespace {
 
-/// Writes a file of the Netpbm family, beside its place first: readers never see half of it.
+/// Writes a file of the Netpbm family.
 bool writeRows(const std::string& path, const char* magic, const Picture& picture, int channels,
                const auto& valueOf) {
   std::string rows;
@@ -134,11 +134,8 @@ bool writeRows(const std::string& path, const char* magic, const Picture& pictur
       for (int c = 0; c < channels; ++c)
         rows.push_back(static_cast<char>(valueOf(
             static_cast<size_t>(y) * static_cast<size_t>(picture.width) + static_cast<size_t>(x), c)));
-  const std::string draft = path + ".new";
-  std::ofstream file(draft, std::ios::binary | std::ios::trunc);
-  file << magic << "\n" << picture.width << " " << picture.height << "\n255\n" << rows;
-  file.close();
-  return file && std::rename(draft.c_str(), path.c_str()) == 0;
+  const std::string size = std::to_string(picture.width) + " " + std::to_string(picture.height);
+  return files::replace(path, magic + ("\n" + size) + "\n255\n" + rows).empty();
 }
 
 }  // namespace

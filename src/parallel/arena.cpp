@@ -1,12 +1,14 @@
-#include "accel/arena.h"
+#include "parallel/arena.h"
 
 #include <tbb/info.h>
 #include <tbb/task_scheduler_observer.h>
 
 #include <algorithm>
+#include <atomic>
 #include <csignal>
+#include <mutex>
 
-namespace gluray::accel {
+namespace gluray {
 
 // A host's signal handler must never run on a thread that the host knows nothing of.
 class Arena::Observer : public tbb::task_scheduler_observer {
@@ -32,4 +34,33 @@ Arena::Arena(int threads)
 
 Arena::~Arena() = default;
 
-}  // namespace gluray::accel
+namespace {
+
+struct Shared {
+  std::mutex mutex;
+  std::shared_ptr<Arena> arena;  // of the last call
+  int threads = 0;               // of that arena
+  std::atomic<int> usual{0};
+};
+Shared& shared() {
+  static auto* one = new Shared;  // never destroyed: hosts call us while they exit
+  return *one;
+}
+
+}  // namespace
+
+std::shared_ptr<Arena> sharedArena(int threads) {
+  Shared& s = shared();
+  const std::lock_guard lock(s.mutex);
+  if (!s.arena || s.threads != threads) {
+    s.arena = std::make_shared<Arena>(threads);
+    s.threads = threads;
+  }
+  return s.arena;
+}
+
+void setSharedThreads(int threads) noexcept { shared().usual = threads; }
+
+std::shared_ptr<Arena> sharedArena() { return sharedArena(shared().usual); }
+
+}  // namespace gluray

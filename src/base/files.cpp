@@ -1,0 +1,174 @@
+#include "base/files.h"
+
+#include <fcntl.h>
+#include <sys/random.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <system_error>
+#include <utility>
+
+namespace gluray::files {
+namespace {
+
+constexpr mode_t kMode = 0644;
+
+std::string reason(int error) { return std::error_code(error, std::generic_category()).message(); }
+
+/// Why something of this kind is no file to us; empty: it is one.
+std::string kindProblem(mode_t mode) {
+  if (S_ISREG(mode)) return "";
+  if (S_ISDIR(mode)) return reason(EISDIR);
+  const char* kind = S_ISLNK(mode)    ? "a symbolic link"
+                     : S_ISFIFO(mode) ? "a FIFO"
+                     : S_ISSOCK(mode) ? "a socket"
+                                      : "a device";
+  return std::string("it is ") + kind + ", not a regular file";
+}
+
+/// The descriptor of the stream that `path` means; -1: none.
+int streamOf(const std::string& path) {
+  if (path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1")
+    return STDOUT_FILENO;
+  if (path == "/dev/stderr" || path == "/dev/fd/2" || path == "/proc/self/fd/2") return STDERR_FILENO;
+  return -1;
+}
+
+bool isNull(const std::string& path) {
+  struct stat status {};
+  return lstat(path.c_str(), &status) == 0 && S_ISCHR(status.st_mode) && status.st_rdev == makedev(1, 3);
+}
+
+Opened opened(int descriptor) { return {descriptor, descriptor < 0 ? reason(errno) : ""}; }
+
+/// A file beside `path` that nobody else has, and its name.
+std::pair<Opened, std::string> openDraft(const std::string& path, mode_t mode) {
+  constexpr int kAttempts = 16;
+  const std::string folder = path.substr(0, path.rfind('/') + 1);
+  for (int i = 0;; ++i) {
+    uint64_t number = 0;
+    if (getrandom(&number, sizeof number, GRND_NONBLOCK) < 0)
+      number = static_cast<uint64_t>(getpid()) << 32 | static_cast<uint64_t>(i);
+    char name[40];
+    snprintf(name, sizeof name, ".gluray-%016llx", static_cast<unsigned long long>(number));
+    std::string draft = folder + name;
+    const int file = open(draft.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
+    if (file >= 0 || errno != EEXIST || i == kAttempts) return {opened(file), std::move(draft)};
+  }
+}
+
+/// What stands under the name, and whether it may be replaced: permissions of a new file, or why not.
+std::pair<mode_t, std::string> inspect(const std::string& path) {
+  struct stat status {};
+  if (lstat(path.c_str(), &status) != 0) return {kMode, errno == ENOENT ? "" : reason(errno)};
+  if (std::string why = kindProblem(status.st_mode); !why.empty()) return {0, std::move(why)};
+  if (faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) return {0, reason(errno)};
+  return {status.st_mode & 0666, ""};
+}
+
+/// Puts a draft that is open as `file` in its place; the draft goes where that fails.
+std::string place(const std::string& draft, const std::string& path) {
+  if (rename(draft.c_str(), path.c_str()) == 0) return "";
+  std::string why = reason(errno);
+  unlink(draft.c_str());
+  return why;
+}
+
+}  // namespace
+
+bool isStream(const std::string& path) { return streamOf(path) >= 0 || isNull(path); }
+
+bool isOutput(const std::string& path) { return streamOf(path) == STDOUT_FILENO; }
+
+bool writeAll(int descriptor, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t written = write(descriptor, content.data(), content.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    content.remove_prefix(static_cast<size_t>(written));
+  }
+  return true;
+}
+
+std::string replace(const std::string& path, std::string_view content) {
+  if (const int stream = streamOf(path); stream >= 0) return writeAll(stream, content) ? "" : reason(errno);
+  if (isNull(path)) return "";
+  const auto [mode, problem] = inspect(path);
+  if (!problem.empty()) return problem;
+  const auto [file, draft] = openDraft(path, mode);
+  if (file.descriptor < 0) return file.why;
+  std::string why = writeAll(file.descriptor, content) ? "" : reason(errno);
+  if (close(file.descriptor) != 0 && why.empty()) why = reason(errno);
+  if (why.empty()) return place(draft, path);
+  unlink(draft.c_str());
+  return why;
+}
+
+Opened start(const std::string& path) {
+  if (const int stream = streamOf(path); stream >= 0) return {stream, ""};
+  if (isNull(path)) return opened(open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  auto [mode, problem] = inspect(path);
+  if (!problem.empty()) return {-1, std::move(problem)};
+  auto [file, draft] = openDraft(path, mode);
+  if (file.descriptor < 0) return file;
+  if (std::string why = place(draft, path); !why.empty()) {
+    close(file.descriptor);
+    return {-1, std::move(why)};
+  }
+  return file;
+}
+
+Opened append(const std::string& path) {
+  if (const int stream = streamOf(path); stream >= 0) return {stream, ""};
+  if (isNull(path)) return opened(open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  if (std::string problem = inspect(path).second; !problem.empty()) return {-1, std::move(problem)};
+  const int flags = O_WRONLY | O_APPEND | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
+  const int file = open(path.c_str(), flags, kMode);
+  if (file < 0) return opened(file);
+  struct stat status {};  // what stands there may be another thing by now
+  std::string problem = fstat(file, &status) != 0 ? reason(errno) : kindProblem(status.st_mode);
+  if (problem.empty()) return {file, ""};
+  close(file);
+  return {-1, std::move(problem)};
+}
+
+bool claim(const std::string& path) {
+  const int fresh = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kMode);
+  if (fresh >= 0) close(fresh);
+  return fresh >= 0 || errno != EEXIST;
+}
+
+std::string obstacle(const std::string& path) { return isStream(path) ? "" : inspect(path).second; }
+
+void removeOld(const std::string& path) {
+  struct stat status {};
+  if (isStream(path)) return;
+  if (lstat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode)) unlink(path.c_str());
+}
+
+Content read(const std::string& path, size_t mostBytes) {
+  struct stat status {};  // asked before, as some devices do something when they are opened, and after
+  if (stat(path.c_str(), &status) != 0) return {"", reason(errno), errno == ENOENT};
+  if (std::string why = kindProblem(status.st_mode); !why.empty()) return {"", std::move(why), false};
+  const int file = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+  if (file < 0) return {"", reason(errno), errno == ENOENT};
+  Content content;
+  content.why = fstat(file, &status) != 0 ? reason(errno) : kindProblem(status.st_mode);
+  char piece[1 << 14];
+  for (ssize_t bytes = 1; content.why.empty() && bytes != 0;) {
+    bytes = ::read(file, piece, sizeof piece);
+    if (bytes < 0 && errno != EINTR) content.why = reason(errno);
+    if (bytes > 0) content.text.append(piece, static_cast<size_t>(bytes));
+    if (content.text.size() > mostBytes)
+      content.why = "it is larger than " + std::to_string(mostBytes) + " bytes";
+  }
+  close(file);
+  if (!content.why.empty()) content.text.clear();
+  return content;
+}
+
+}  // namespace gluray::files

@@ -1,0 +1,21 @@
+#define _GNU_SOURCE
+#include "intercept/doors/dispatch_first.h"
+
+#include <dlfcn.h>
+#include <stddef.h>
+
+/* libglvnd's library of that name, or null: programs may carry one of their own. */
+static void* ofDispatch(const char* name) {
+  void* library = dlopen(name, RTLD_LAZY | RTLD_LOCAL);
+  return library && dlsym(library, "__glDispatchInit") ? library : NULL;
+}
+
+/* Nobody waits for another thread in here: whoever loads a library may hold the dynamic linker's lock. */
+void glurayDispatchFirst(void* vendor) {
+  static int done;
+  if (!vendor || __atomic_load_n(&done, __ATOMIC_ACQUIRE)) return;
+  const char* const libraries[] = {"libGL.so.1", "libOpenGL.so.0"};
+  for (int i = 0; i < 2 && dlsym(vendor, "glDrawArrays"); ++i)
+    if (ofDispatch(libraries[i])) dlopen(libraries[i], RTLD_LAZY | RTLD_GLOBAL);
+  __atomic_store_n(&done, 1, __ATOMIC_RELEASE);
+}
