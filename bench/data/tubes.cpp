@@ -117,7 +117,7 @@ Line streamline(const Field& field, const Point& seed, double step, int segments
 }
 
 Line resampled(const Line& line, int segments) {
-  if (line.size() < 2) return line;
+  if (line.size() < 2) return line.empty() ? Line{} : Line{line.front()};
   std::vector<double> reached{0};
   for (size_t i = 1; i < line.size(); ++i)
     reached.push_back(reached.back() + length(minus(line[i], line[i - 1])));
