@@ -40,12 +40,12 @@ const json* pictureOf(const WatchedRun& run) {
   return nullptr;
 }
 
-/// Whether the frames of a run were those of single-buffered contexts, which end with glFlush and glFinish.
-/// GLuRay sees these only where calls pass through it.
-bool singleBuffered(const WatchedRun& run) {
+/// Whether the frames of a run were those of single-buffered contexts or front buffers, which end with
+/// glFlush and glFinish. GLuRay sees these only where calls pass through it.
+bool neverSwapped(const WatchedRun& run) {
   for (const json& report : run.reports)
     for (const json& context : report["explain"]["contexts"])
-      if (context["doubleBuffered"].get<bool>() && context["frames"].get<uint64_t>() > 0) return false;
+      if (context["doubleBuffered"].get<bool>() && context["swaps"].get<bool>()) return false;
   return true;
 }
 
@@ -65,7 +65,7 @@ FramePictures withAndWithout(const CommandLine& line, const Program& program, co
   pictures.perPixel = sessionOf(line).settings.shading == ShadingRate::pixel;
   pictures.frame = picture["frame"], pictures.elsewhere = picture["elsewhere"];
   CommandLine plain = line;
-  if (singleBuffered(run))
+  if (neverSwapped(run))
     plain.engine = "never";
   else
     plain.off = true;

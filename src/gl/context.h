@@ -269,6 +269,7 @@ class Context {
   bool clearsViewport() const;
   void setDirect(bool direct);
   void showDrawn();
+  void showFront();
   double viewportPixels() const {
     return static_cast<double>(state.viewport.z) * static_cast<double>(state.viewport.w);
   }
@@ -290,6 +291,7 @@ class Context {
   Answer softwareBelow_ = Answer::unknown;  // the real OpenGL renders on the CPU
   GLenum error_ = GL_NO_ERROR;
 
+  uint64_t drawsInFront_ = 0;             // draws until the last frame in the front buffer
   int clears_ = 0;                        // of colour and depth since forgetOld()
   uint64_t workForgotten_ = 0;            // work() at that time
   std::optional<ClearedTarget> cleared_;  // the draw framebuffer, if it is worth knowing

@@ -137,19 +137,34 @@ void Context::contentsChange(GLuint buffer) noexcept {
     protect([&] { flush(); });
 }
 
+static bool isFront(GLenum buffer) {
+  return buffer == GL_FRONT || buffer == GL_FRONT_LEFT || buffer == GL_FRONT_AND_BACK || buffer == GL_LEFT;
+}
+
+/// glFlush or glFinish of a double-buffered program. Where it never swaps, its frames are what it draws into
+/// the front buffer; for reports alone, as others do not end there.
+void Context::showFront() {
+  if (!info_.frameEnded || statistics.frames > 0) return;
+  const uint64_t draws = statistics.drawsTraced + statistics.drawsRasterised;
+  if (draws == drawsInFront_) return;
+  refresh(kTarget);
+  if (state.target.framebuffer != 0 || !isFront(state.target.drawBuffer)) return;
+  drawsInFront_ = draws;
+  if (info_.frameEnding) info_.frameEnding();
+  ++statistics.framesInFront;
+  info_.frameEnded();
+}
+
 void Context::showIfVisible() {
   syncCurrent();
   if (resolves.waits() && group_->contexts > 1) protect([&] { settle(); });
-  if (batch_.empty() && !info_.doubleBuffered) return showDrawn();
-  if (batch_.empty()) return;
-  const GLenum buffer = batch_.key().drawBuffer;
-  const bool front =
-      buffer == GL_FRONT || buffer == GL_FRONT_LEFT || buffer == GL_FRONT_AND_BACK || buffer == GL_LEFT;
+  if (batch_.empty()) return info_.doubleBuffered ? showFront() : showDrawn();
   // What a framebuffer object holds is seen by nobody but contexts that share its images.
   const bool object = batch_.key().framebuffer != 0;
-  if (object ? group_->contexts == 1 : info_.doubleBuffered && !front) return;
+  if (object ? group_->contexts == 1 : info_.doubleBuffered && !isFront(batch_.key().drawBuffer)) return;
   flush();
-  if (info_.doubleBuffered || object) return;
+  if (object) return;
+  if (info_.doubleBuffered) return showFront();
   completeFrame();
   if (info_.frameEnding) info_.frameEnding();
   afterSwap();

@@ -13,7 +13,9 @@ namespace gluray::gl {
 struct Statistics {
   using Count = Counter<uint64_t>;
   using Seconds = Counter<double>;
-  Count frames;        // buffer swaps (or finishes of single-buffered drawing)
+  Count frames;         // buffer swaps (or finishes of single-buffered drawing)
+  Count framesInFront;  // of double-buffered contexts that do not swap: glFlush or glFinish after drawing
+                        // into the front buffer; counted where somebody wants to know, and not among `frames`
   Count framesDirect;  // those left to the real OpenGL as they came
   Count drawsTraced, drawsRasterised;
   Count trianglesTraced, trianglesRasterised;

@@ -62,7 +62,9 @@ bool isForkedChild() noexcept;
 struct ContextSummary {
   std::string api, profile, version, renderer;
   bool doubleBuffered = true;
-  uint64_t frames = 0, drawsTraced = 0, drawsRasterised = 0;
+  uint64_t frames = 0;
+  bool swaps = false;
+  uint64_t drawsTraced = 0, drawsRasterised = 0;
 };
 
 /// What all contexts did, dead ones included.

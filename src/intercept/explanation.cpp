@@ -95,6 +95,7 @@ json contextsOf(const std::vector<ContextSummary>& contexts) {
                     {"renderer", c.renderer},
                     {"doubleBuffered", c.doubleBuffered},
                     {"frames", c.frames},
+                    {"swaps", c.swaps},
                     {"traced", c.drawsTraced},
                     {"rasterised", c.drawsRasterised}});
   return list;

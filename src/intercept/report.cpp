@@ -54,7 +54,8 @@ json lagReport() {
 
 json makeReport(const Totals& totals) {
   const gl::Statistics& s = totals.statistics;
-  const double perFrame = s.frames ? 1000.0 / static_cast<double>(uint64_t{s.frames}) : 0;
+  const uint64_t frames = s.frames + s.framesInFront;
+  const double perFrame = frames ? 1000.0 / static_cast<double>(frames) : 0;
   json reasons = json::object();
   for (int i = 0; i < gl::kReasonCount; ++i)
     if (s.rasterisedBecause[i])
@@ -66,7 +67,7 @@ json makeReport(const Totals& totals) {
       {"off", session().off},
       {"gl", {{"vendor", totals.vendor}, {"renderer", totals.renderer}, {"version", totals.version}}},
       {"contexts", totals.contexts},
-      {"frames", s.frames},
+      {"frames", frames},
       {"framesDirect", s.framesDirect},
       {"flushes", s.flushes},
       {"repeated", s.repeated},

@@ -176,10 +176,14 @@ class NeverSwapping(Folder):
         self.assertGreater(report["frames"], 40)
         self.assertGreater(report["draws"]["traced"], 3 * 40)
 
-    def test_front_buffer_and_nothing_shown(self):
-        for mode in ("front", "unseen"):
-            report = self.killed(mode, lambda r: r["draws"]["traced"] > 30)
-            self.assertGreater(report["draws"]["traced"], 30, mode)
+    def test_front_buffer(self):
+        report = self.killed("front", lambda r: r["frames"] > 40)
+        self.assertGreater(report["frames"], 40)
+
+    def test_nothing_shown(self):
+        report = self.killed("unseen", lambda r: r["draws"]["traced"] > 30)
+        self.assertGreater(report["draws"]["traced"], 30)
+        self.assertEqual(report["frames"], 0)
 
     def test_the_last_frames_of_short_programs(self):
         report = self.folder / "r.json"
@@ -188,8 +192,12 @@ class NeverSwapping(Folder):
         self.assertEqual(json.loads(report.read_text())["frames"], 5)
 
     def test_explained(self):
+        [process] = explained("--frames", 25, CLIENT, "front")["processes"]
+        self.assertEqual(process["frames"], 25)
+        [context] = process["explain"]["contexts"]
+        self.assertEqual((context["frames"], context["doubleBuffered"], context["swaps"]), (25, True, False))
         for mode in ("front", "unseen"):
-            [process] = explained("--seconds", 3, CLIENT, mode)["processes"]
+            [process] = explained("--frames", 10000, "--seconds", 3, CLIENT, mode)["processes"]
             kinds = {(k["primitive"], k["path"]): k for k in process["explain"]["kinds"]}
             self.assertGreater(kinds["surfaces", "elements"]["count"], 10)
             self.assertTrue(kinds["surfaces", "elements"]["traced"])
@@ -245,6 +253,12 @@ class Page(Folder):
         self.assertEqual(facts["traced"] + facts["drawnOver"], TRACED_PIXELS)
         self.assertEqual((facts["differingAtAll"], facts["outsideDiffering"]), (0, 0))
         self.assertIn('id="without"', text)
+
+    def test_front_buffers(self):
+        facts, _ = self.page("front")
+        self.assertEqual((facts["frame"], facts["frameWithout"], facts["sameFrame"]), (20, 20, True))
+        self.assertEqual(facts["traced"] + facts["drawnOver"], TRACED_PIXELS)
+        self.assertEqual((facts["differingAtAll"], facts["outsideDiffering"]), (0, 0))
 
     def test_differences_are_counted(self):
         facts, _ = self.page("different")
