@@ -72,6 +72,9 @@ struct TargetState {
   std::vector<glm::vec2> samplePositions;
   bool wideColors = false;  // floats
   float depthResolution = 1.0f / 16777216.0f;
+  // What glPolygonOffset counts in; depthFloats: the last digit of depth, which is kept as floats.
+  float offsetUnit = 1.0f / 8388608.0f;
+  bool depthFloats = false;
 };
 
 struct State {
