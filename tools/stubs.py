@@ -50,8 +50,9 @@ def _gate(c: glxml.Command, policy: Policy, compile_case: str) -> str:
     done = "" if returns else " return;"
     nothing = "return {};" if returns else "return;"
     _, real = _call(c, "*ctx")
+    how = "true" if policy.begin else "false, false" if policy.immediate else ""
     return (f"  if (ctx->attention) [[unlikely]] {{\n"
-            f"    switch (ctx->gate({'true' if policy.begin else ''})) {{\n"
+            f"    switch (ctx->gate({how})) {{\n"
             f"      case Gate::forward: {returns}{real};{done}\n"
             f"      case Gate::refuse: {nothing}\n"
             f"      {compile_case}\n    }}\n  }}\n")
@@ -82,7 +83,9 @@ def _track(c: glxml.Command, policy: Policy) -> str:
         captures, replace = _copies(c, policy)
         late_handler, late_real = _call(c, "later", replace)
         late_before = f"later.{_before(policy)} " if policy.flush else "later.syncCurrent(); " if policy.sync else ""
-        compile_case = (f"case Gate::compile: ctx->lists.record([{', '.join(captures)}](Context& later) "
+        fragment = (f"if ({policy.fragment}) return ctx->lists.recordFragment([&] {{ {real}; }});\n        "
+                    if policy.fragment else "")
+        compile_case = (f"case Gate::compile: {fragment}ctx->lists.record([{', '.join(captures)}](Context& later) "
                         f"{{ {late_before}{_effect(policy, late_handler, 'later')} {late_real}; }}); return;\n      case Gate::run: break;")
     before = f"ctx->{_before(policy)} " if policy.flush else "ctx->syncCurrent(); " if policy.sync else ""
     return (_gate(c, policy, compile_case) + f"  {before}{_effect(policy, handler, '*ctx')}\n"

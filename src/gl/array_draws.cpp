@@ -22,7 +22,8 @@ bool isIndexType(GLenum type) {
 
 /// The error of a wrong draw: of now or, where a list takes the draw, of the moment when that is called.
 void refuse(Context& c, GLenum error) {
-  if (!c.compiling() || c.insideBegin()) return c.setError(error);
+  if (c.insideBegin()) return c.lists.misuse(error);
+  if (!c.compiling()) return c.setError(error);
   c.lists.record([error](Context& x) { x.setError(error); });
 }
 
@@ -264,20 +265,33 @@ void drawElementsInstancedBaseVertexBaseInstance(Context& c, GLenum mode, GLsize
   draw(c, mode, {0, count, type, indices, base, instances, baseInstance});
 }
 
+namespace {
+
+/// Refuses many draws at once where one of them is wrong, or would be if there were any; true where none is.
+bool validate(Context& c, GLenum mode, const GLsizei* count, GLsizei draws) {
+  if (draws < 0 || std::any_of(count, count + draws, [](GLsizei n) { return n < 0; }))
+    return refuse(c, GL_INVALID_VALUE), false;
+  return validate(c, mode, Elements{});
+}
+
+}  // namespace
+
 void multiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count, GLsizei draws) {
-  if (draws < 0) return refuse(c, GL_INVALID_VALUE);
+  if (!validate(c, mode, count, draws)) return;
   for (GLsizei i = 0; i < draws; ++i) drawArrays(c, mode, first[i], count[i]);
 }
 
 void multiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices,
                        GLsizei draws) {
-  if (draws < 0) return refuse(c, GL_INVALID_VALUE);
+  if (!isIndexType(type)) return refuse(c, GL_INVALID_ENUM);
+  if (!validate(c, mode, count, draws)) return;
   for (GLsizei i = 0; i < draws; ++i) drawElements(c, mode, count[i], type, indices[i]);
 }
 
 void multiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* count, GLenum type,
                                  const void* const* indices, GLsizei draws, const GLint* base) {
-  if (draws < 0) return refuse(c, GL_INVALID_VALUE);
+  if (!isIndexType(type)) return refuse(c, GL_INVALID_ENUM);
+  if (!validate(c, mode, count, draws)) return;
   for (GLsizei i = 0; i < draws; ++i) drawElementsBaseVertex(c, mode, count[i], type, indices[i], base[i]);
 }
 

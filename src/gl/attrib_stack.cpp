@@ -38,15 +38,10 @@ void AttribStack::push(GLbitfield mask) {
 }
 
 void AttribStack::pop() {
-  const bool sent = c_.current.anyUnsent();
   c_.syncCurrent();
   if (!saved_.empty()) {
     const Saved saved = saved_.back();
     saved_.pop_back();
-    // Mesa 22.3 leaves what was sent after its last vertex current, unless it is asked; the draws that stood
-    // in between were held back.
-    float asked[4];
-    if (sent && (saved.mask & GL_CURRENT_BIT)) c_.real.GetFloatv(GL_CURRENT_COLOR, asked);
     if (saved.mask & GL_LIST_BIT) c_.lists.base = saved.listBase;
     if (saved.mask & GL_TRANSFORM_BIT) c_.matrixMode = 0;
     // A change of the draw buffer redirects what is pending.

@@ -35,7 +35,8 @@ BatchKey Batch::keyOf(const State& state) {
     key.region = intersect({r.x, r.y, r.width, r.height}, state.scissor);
   }
   if (state.raster.offsetFill)
-    key.offset = {state.raster.offsetFactor, state.raster.offsetUnits, state.target.depthResolution};
+    key.offset = {state.raster.offsetFactor, state.raster.offsetUnits, state.target.offsetUnit, false,
+                  state.target.depthFloats};
   return key;
 }
 

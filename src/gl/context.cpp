@@ -82,7 +82,7 @@ void Context::updateAttention() {
   t_thread.direct = !captured && (passthrough_ || direct_) ? &real : nullptr;
 }
 
-Gate Context::gate(bool anywhere) noexcept {
+Gate Context::gate(bool anywhere, bool compiled) noexcept {
   if (passthrough_) return Gate::forward;
   if (anywhere) return compiling() && !insideBegin() ? Gate::compile : Gate::run;
   if (insideBegin()) {
@@ -92,7 +92,7 @@ Gate Context::gate(bool anywhere) noexcept {
       touch(kAllGroups);
       return Gate::forward;
     }
-    setError(GL_INVALID_OPERATION);
+    compiled ? lists.misuse() : setError(GL_INVALID_OPERATION);
     return Gate::refuse;
   }
   // A command that is not compiled leaves the run of a list open only if it cannot look at what the run has
@@ -129,8 +129,8 @@ void Context::setError(GLenum error) {
   // The real OpenGL refuses what comes inside its glBegin, this too, in its turn among other errors.
   if (immediate.realInsideBegin() && error == GL_INVALID_OPERATION) return real.Begin(GL_POINTS);
   // Between its glBegin and glEnd the real OpenGL cannot be asked.
-  const GLenum older =
-      immediate.inside() == Immediate::Inside::rasterised ? GLenum{GL_NO_ERROR} : real.GetError();
+  const bool inside = immediate.inside() == Immediate::Inside::rasterised || immediate.executedInside();
+  const GLenum older = inside ? GLenum{GL_NO_ERROR} : real.GetError();
   error_ = older != GL_NO_ERROR ? older : error;
 }
 

@@ -83,7 +83,8 @@ class Context {
   // --- for generated stubs
   // -------------------------------------------------------------------------------------------
   /// `anywhere`: the command is legal between glBegin and glEnd and deals with runs and lists itself.
-  Gate gate(bool anywhere = false) noexcept;
+  /// `compiled`: lists take it.
+  Gate gate(bool anywhere = false, bool compiled = true) noexcept;
   bool passthrough() const { return passthrough_; }
   template <class F>
   auto protect(F&& body) noexcept -> decltype(body());

@@ -15,6 +15,11 @@ void CurrentValues::send(const RealGl& real) {
   for (int s = kNormal; s < kSlotCount; ++s)
     if (slots & bit(static_cast<Slot>(s)))
       sendAttribute(real, static_cast<Slot>(s), (*this)[static_cast<Slot>(s)]);
+  waiting_ = waiting_ || slots != 0;
+  if (!std::exchange(drawn_, false)) return;
+  float asked[4];
+  real.GetFloatv(GL_CURRENT_COLOR, asked);
+  waiting_ = false;
 }
 
 void CurrentValues::read(const RealGl& real) {

@@ -30,8 +30,12 @@ void unmodelled(Context& c, F&& call) {
 }  // namespace
 
 void materialf(Context& c, GLenum face, GLenum pname, GLfloat param) {
-  if (pname != GL_SHININESS)  // an error, in the real OpenGL's opinion of it
-    return unmodelled(c, [&] { c.real.Materialf(face, pname, param); });
+  // Mesa makes a vector of one value where the specification has an error: the real OpenGL's opinion counts.
+  // In primitives of lists, where it cannot be asked, Mesa's does.
+  const GLfloat values[4] = {param, 0, 0, 0};
+  if (pname != GL_SHININESS && c.compiling() && c.insideBegin())
+    return c.immediate.material(face, pname, values);
+  if (pname != GL_SHININESS) return unmodelled(c, [&] { c.real.Materialf(face, pname, param); });
   c.immediate.material(face, pname, &param);
 }
 

@@ -10,10 +10,8 @@
 #include <utility>
 
 namespace gluray::gl {
-namespace {
 
-/// What a run leaves as the current materials.
-void apply(Context& context, const MaterialChange& change) {
+void applyMaterials(Context& context, const MaterialChange& change) {
   const auto each = [&](GLenum face, const scene::Material& m, uint16_t set) {
     if (set & MaterialChange::ambient) context.immediate.material(face, GL_AMBIENT, &m.ambient.x);
     if (set & MaterialChange::diffuse) context.immediate.material(face, GL_DIFFUSE, &m.diffuse.x);
@@ -24,8 +22,6 @@ void apply(Context& context, const MaterialChange& change) {
   each(GL_FRONT, change.values.front, change.front);
   each(GL_BACK, change.values.back, change.back);
 }
-
-}  // namespace
 
 GeometryRun::GeometryRun(Captured captured, const SlotValues& finals, std::vector<InheritedSlot> inherited,
                          PrimitiveClass kind, std::weak_ptr<ShareGroup> group)
@@ -109,7 +105,10 @@ void GeometryRun::execute(Context& context) {
     const auto slot = static_cast<Slot>(s);
     if (finalSlots_ & bit(slot)) context.immediate.attribute(slot, finals_[slot].data());
   }
-  if (!captured_.materials.empty()) apply(context, captured_.materials.back());
+  if (!captured_.materials.empty()) applyMaterials(context, captured_.materials.back());
+  if (captured_.primitives.empty()) return;
+  context.current.drawn();
+  if (!captured_.materials.empty()) context.latch.letGo(context.real);
 }
 
 void GeometryRun::draw(Context& context) {

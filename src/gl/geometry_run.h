@@ -10,6 +10,9 @@
 
 namespace gluray::gl {
 
+/// glMaterial for every parameter that `change` holds.
+void applyMaterials(Context& context, const MaterialChange& change);
+
 /// A run of glBegin/glEnd pairs inside a list, with the attributes it leaves behind.
 class GeometryRun final : public ListOp {
  public:

@@ -9,6 +9,8 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
+#include <cstring>
+
 namespace gluray::gl {
 namespace leaf {
 
@@ -46,18 +48,28 @@ void Immediate::attribute(Slot slot, const float* values) {
     return sendAttribute(c_.real, slot, values);
   if (inside_ == Inside::rasterised) {
     sendAttribute(c_.real, slot, values);
-    return openFragment_ ? void() : c_.current.keep(slot, values);
+    if (openFragment_) return;
+    c_.current.keep(slot, values);
+    return noteColor(slot);
   }
   if (open_ || c_.compiling()) {
     if (!stream_.has(slot)) addSlotToRun(slot);
     return stream_.set(slot, values);
   }
   if (c_.dirty & kCurrent) c_.refresh(kCurrent);
+  // Colours count even where they are the same: the material may have changed in between.
+  if (slot != kColor && std::memcmp(c_.current[slot], values, sizeOf(slot) * sizeof(float)) == 0) return;
   setCurrent(slot, values);
 }
 
 void Immediate::setCurrent(Slot slot, const float* values) {
+  if (c_.current.anyDrawn()) c_.current.send(c_.real);
   c_.current.set(slot, values);
+  noteColor(slot);
+}
+
+/// GL_COLOR_MATERIAL: the material follows the colour.
+void Immediate::noteColor(Slot slot) {
   if (slot == kColor && c_.state.shading.colorMaterial != scene::ColorMaterial{}) c_.dirty |= kMaterial;
 }
 
@@ -157,7 +169,8 @@ bool Immediate::canDraw() const {
 void Immediate::end() {
   if (!insideBegin() && c_.compiling()) {  // of the caller's glBegin
     closeRun();
-    return c_.lists.record([](Context& x) { x.immediate.end(); }, true);
+    c_.lists.record([](Context& x) { x.immediate.end(); }, true);
+    return recordMisuse();
   }
   if (!insideBegin()) return c_.setError(GL_INVALID_OPERATION);
   if (inside_ == Inside::rasterised) {
@@ -172,6 +185,11 @@ void Immediate::end() {
   }
   inside_ = Inside::nothing;
   c_.updateAttention();
+  recordMisuse();
+}
+
+/// The error of a wrong command inside the primitive of a list, behind the primitive.
+void Immediate::recordMisuse() {
   const GLenum error = c_.lists.takeMisuse();
   if (error == GL_NO_ERROR) return;
   closeRun();
@@ -186,8 +204,10 @@ void Immediate::material(GLenum face, GLenum pname, const float* params) {
   if (c_.compiling() && !insideBegin() && !c_.passthrough() && (!known || refused))
     return c_.lists.recordFragment([&] { c_.real.Materialfv(face, pname, params); });
   if (c_.compiling() && inside_ == Inside::captured && !known) return c_.lists.misuse(GL_INVALID_ENUM);
-  if (c_.passthrough() || inside_ == Inside::rasterised || !known)
+  if (c_.passthrough() || inside_ == Inside::rasterised || !known) {
+    if (!openFragment_) c_.dirty |= kMaterial;
     return c_.real.Materialfv(face, pname, params);
+  }
   if (refused) return c_.lists.misuse(GL_INVALID_VALUE);
   if (!open_ && !c_.compiling()) {
     c_.syncCurrent();

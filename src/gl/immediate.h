@@ -11,6 +11,7 @@
 
 #include <GL/gl.h>
 
+#include <utility>
 #include <vector>
 
 namespace gluray::gl {
@@ -23,7 +24,12 @@ class Immediate : public ContextPart {
   Inside inside() const { return inside_; }
   bool insideBegin() const { return inside_ != Inside::nothing; }
   /// Whether the real OpenGL is between glBegin and glEnd of the program, rather than compiling them.
-  bool realInsideBegin() const { return inside_ == Inside::rasterised && !openFragment_; }
+  bool realInsideBegin() const {
+    return (inside_ == Inside::rasterised && !openFragment_) || executedInside();
+  }
+  /// Whether what a list that is compiled has executed so far is inside a glBegin, as far as the list goes it
+  /// is not.
+  bool executedInside() const { return executed_ != Inside::nothing; }
 
   void begin(GLenum mode);
   void end();
@@ -56,13 +62,21 @@ class Immediate : public ContextPart {
   bool holdsAnything() const { return !stream_.empty() || stream_.layout().mask != bit(kPosition); }
   void startRun();
   void recordRun();
+  /// Records the run and the primitive that is open, whose rest is recorded call by call.
+  void loosen();
+  // What is executed while a list is compiled goes on where it was left, ends for now, is left.
+  void resumeExecuted() { inside_ = std::exchange(executed_, Inside::nothing); }
+  void settleExecuted() { inside_ == Inside::captured ? surrender() : closeRunIfOpen(); }
+  void leaveExecuted();
   /// No run is captured any more.
   void idle();
 
  private:
   /// An attribute that the real OpenGL does not have yet.
   void setCurrent(Slot slot, const float* values);
+  void noteColor(Slot slot);
   bool canDraw() const;
+  void recordMisuse();
   void countOpenPrimitive();
   void addSlotToRun(Slot slot);
   void drawRun();
@@ -79,6 +93,7 @@ class Immediate : public ContextPart {
   Reason reason_ = Reason::traced;                   // why the run is rasterised, captured though it is
   DrawPath path_ = DrawPath::immediate;              // small draws from arrays join runs
   Primitive openPrimitive_{};                        // of a rasterised glBegin: mode and vertices so far
+  Inside executed_ = Inside::nothing;     // while a list is compiled, of what it has executed so far
   GLuint openFragment_ = 0;               // real list that takes the rest of a primitive that was given up
   std::vector<InheritedSlot> inherited_;  // by the run of a list
 };

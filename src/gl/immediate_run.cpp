@@ -2,8 +2,10 @@
 #include "base/clock.h"
 #include "gl/context.h"
 #include "gl/geometry_run.h"
+#include "gl/loose_run.h"
 #include "gl/mesh_builder.h"
 #include "gl/replay.h"
+#include "gl/stub.h"
 
 #include <GL/gl.h>
 
@@ -30,10 +32,12 @@ void Immediate::closeRun() {
   open_ = false;
   drawRun();
   keepRunValues();
+  c_.current.drawn();
   c_.updateAttention();
 }
 
 void Immediate::idle() {
+  resumeExecuted();
   stream_.start(bit(kPosition), c_.current.all());
   c_.updateAttention();
 }
@@ -55,6 +59,27 @@ void Immediate::recordRun() {
   }
   inherited_.clear();
   c_.lists.executeAdded(*recorded);
+}
+
+void Immediate::loosen() {
+  const Primitive open = stream_.openPrimitive();
+  Captured run = stream_.take();
+  SlotValues finals = c_.current.all();
+  for (int s = kNormal; s < kSlotCount; ++s)
+    if (run.layout.has(static_cast<Slot>(s)))
+      std::memcpy(finals[static_cast<size_t>(s)].data(), stream_.get(run.layout, static_cast<Slot>(s)),
+                  sizeOf(static_cast<Slot>(s)) * 4);
+  std::unique_ptr<ListOp> op =
+      std::make_unique<LooseRun>(std::move(run), open, finals, std::move(inherited_));
+  inside_ = Inside::nothing;
+  startRun();
+  c_.lists.append(op);
+  recordMisuse();
+}
+
+void Immediate::leaveExecuted() {
+  executed_ = inside_ == Inside::rasterised ? inside_ : Inside::nothing;
+  inside_ = Inside::nothing;
 }
 
 void Immediate::keepRunValues() {

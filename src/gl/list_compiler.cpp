@@ -16,14 +16,16 @@ namespace gluray::gl {
 template <class F>
 void ListCompiler::runDetached(F&& body) {
   auto compiled = std::exchange(list_, nullptr);
+  c_.immediate.resumeExecuted();
   c_.updateAttention();
   const auto restore = [&] {
     list_ = std::move(compiled);
+    c_.immediate.leaveExecuted();
     c_.immediate.startRun();
   };
   try {
     body();
-    c_.immediate.closeRunIfOpen();
+    c_.immediate.settleExecuted();
   } catch (...) {
     restore();
     throw;
@@ -42,10 +44,8 @@ void ListCompiler::append(std::unique_ptr<ListOp>& op) {
 }
 
 void ListCompiler::misuse(GLenum error) {
-  if (!compiling() || executing())
-    c_.setError(error);
-  else if (misused_ == GL_NO_ERROR)
-    misused_ = error;
+  if (executing()) c_.setError(error);
+  if (compiling() && misused_ == GL_NO_ERROR) misused_ = error;
 }
 
 GLenum ListCompiler::takeMisuse() { return std::exchange(misused_, GL_NO_ERROR); }
@@ -83,7 +83,10 @@ void ListCompiler::newList(GLuint name, GLenum mode) {
 }
 
 void ListCompiler::endList() {
-  if (!compiling() || c_.insideBegin()) return c_.setError(GL_INVALID_OPERATION);
+  if (!compiling()) return c_.setError(GL_INVALID_OPERATION);
+  if (executing() && (c_.insideBegin() || c_.immediate.executedInside())) c_.setError(GL_INVALID_OPERATION);
+  if (c_.immediate.inside() == Immediate::Inside::captured) c_.immediate.loosen();
+  if (c_.insideBegin()) c_.immediate.end();  // in a fragment, which cannot stay open
   c_.immediate.recordRun();
   c_.group().lists.put(name_, list_);
   list_.reset();
@@ -97,6 +100,10 @@ void ListCompiler::callList(GLuint name) {
   const auto list = c_.group().lists.find(name);
   if (!list || depth_ >= kDeepest) return;
   c_.immediate.closeRunOutsideBegin();
+  if (depth_ == 0 && !c_.insideBegin() && !c_.direct()) {
+    c_.current.store(c_.real);
+    c_.latch.called(c_.real);
+  }
   ++depth_;
   try {
     list->execute(c_);

@@ -49,8 +49,8 @@ class ListCompiler : public ContextPart {
   /// Executes what has been taken into the list, where the mode says so.
   void executeAdded(ListOp& op);
 
-  /// A command that is wrong inside the glBegin that is compiled: an error of the moment when the list is
-  /// called. Elsewhere one of now.
+  /// A command that is wrong inside a glBegin: an error of now, but where that is only compiled, and of the
+  /// moment when the list is called.
   void misuse(GLenum error = GL_INVALID_OPERATION);
   /// That error, at the end of the primitive.
   GLenum takeMisuse();

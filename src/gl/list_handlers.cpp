@@ -15,9 +15,21 @@ void endList(Context& c) {
   c.insist([&] { c.lists.endList(); });
 }
 
+namespace {
+
+/// Whether calls are taken into the list that is compiled: inside its glBegin too, whose vertices are then
+/// sent one by one, as the list that is called may be another one by then. In a primitive that the real
+/// OpenGL compiles, what is called becomes part of it.
+bool recordsCalls(Context& c) {
+  if (!c.compiling()) return false;
+  if (c.immediate.inside() == Immediate::Inside::captured) c.insist([&] { c.immediate.loosen(); });
+  return !c.insideBegin();
+}
+
+}  // namespace
+
 void callList(Context& c, GLuint name) {
-  // Inside glBegin of a list the called list's attributes and vertices become part of the primitive.
-  if (c.compiling() && !c.insideBegin()) {
+  if (recordsCalls(c)) {
     return c.lists.record(
         [name](Context& x) { name ? x.lists.callList(name) : x.setError(GL_INVALID_VALUE); }, true);
   }
@@ -64,7 +76,7 @@ void callLists(Context& c, GLsizei n, GLenum type, const void* names) {
     const GLuint base = x.lists.base;  // of the moment of the call, whatever the lists do to it
     for (const GLuint offset : offsets) x.lists.callList(base + offset);
   };
-  if (c.compiling() && !c.insideBegin()) return c.lists.record(call, true);
+  if (recordsCalls(c)) return c.lists.record(call, true);
   call(c);
 }
 

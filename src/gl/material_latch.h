@@ -19,6 +19,12 @@ class MaterialLatch {
   /// Materials were sent that belong to vertices of before: the real OpenGL stores them and is done with
   /// them.
   void letGo(const RealGl& real) const;
+  /// glCallList: the real OpenGL stores what waits, and is done with it at its next change of state.
+  void called(const RealGl& real) {
+    if (!waiting_.front && !waiting_.back) return;
+    letGo(real);
+    drawn();
+  }
   /// A draw: the real OpenGL has stored what was waiting.
   void drawn() { waiting_ = {}; }
   /// After a question or a draw of ours: what was waiting waits again.

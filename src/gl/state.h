@@ -74,6 +74,9 @@ struct TargetState {
   bool wideColors = false;  // floats
   bool encodes = false;     // GL_FRAMEBUFFER_SRGB: colours may be encoded on their way
   float depthResolution = 1.0f / 16777216.0f;
+  // What glPolygonOffset counts in; depthFloats: the last digit of depth, which is kept as floats.
+  float offsetUnit = 1.0f / 8388608.0f;
+  bool depthFloats = false;
 };
 
 struct State {

@@ -56,7 +56,8 @@ void popAttrib(Context& c) {
 
 GLenum getError(Context& c) {
   const bool compiledOnly = c.compiling() && !c.executing();
-  if (c.insideBegin() && !compiledOnly) return c.setError(GL_INVALID_OPERATION), GLenum{GL_NO_ERROR};
+  const bool inside = c.insideBegin() || c.immediate.executedInside();
+  if (inside && !compiledOnly) return c.setError(GL_INVALID_OPERATION), GLenum{GL_NO_ERROR};
   return c.takeError();
 }
 

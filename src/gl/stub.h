@@ -21,7 +21,7 @@ void ListCompiler::record(F&& call, bool anywhere) {
 
 template <class F>
 void ListCompiler::recordFragment(F&& call) {
-  if (c_.insideBegin()) return misuse();
+  if (c_.insideBegin() || c_.immediate.executedInside()) return misuse();
   const GLuint id = c_.real.GenLists(1);
   if (!id) return c_.setError(GL_OUT_OF_MEMORY);
   c_.real.NewList(id, GL_COMPILE);

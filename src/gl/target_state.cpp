@@ -63,6 +63,18 @@ glm::ivec2 attachmentSize(const RealGl& real, const DeletedBuffers& deleted, GLe
   return size;
 }
 
+/// Whether depth is kept as floats, which windows do not have.
+bool keepsFloats(const RealGl& real, GLuint framebuffer) {
+  if (framebuffer == 0) return false;
+  const auto ask = [&](GLenum name) {
+    GLint value = 0;
+    real.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, name, &value);
+    return value;
+  };
+  return ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE &&
+         ask(GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
+}
+
 }  // namespace
 
 void readTarget(const RealGl& real, const DeletedBuffers& deletedRenderbuffers, State& state) {
@@ -84,7 +96,12 @@ void readTarget(const RealGl& real, const DeletedBuffers& deletedRenderbuffers, 
   }
   const GLint depthBits = gl::depthBits(real, state.rare.fixedFunction);
   target.depthResolution = std::ldexp(1.0f, -std::min(std::max(depthBits, 1), 24));
+  // OpenGL leaves the unit to the implementation. Mesa takes two steps, for its drivers and its own
+  // rasterizers.
+  target.offsetUnit = std::ldexp(2.0f, -std::max(depthBits, 1));
+  target.depthFloats = false;
   if (target.reason != Reason::traced) return;
+  target.depthFloats = depthBits > 0 && keepsFloats(real, target.framebuffer);
   const Colors colors = colorsOf(real, target, state.rare.fixedFunction);
   target.wideColors = colors == Colors::floats;
   if (depthBits == 0)

@@ -248,6 +248,7 @@ void Context::countTraced(DrawPath path, uint64_t triangles) {
   ++statistics.drawsTraced;
   statistics.trianglesTraced += triangles;
   noteLoad(triangles);
+  current.drawn();
 }
 
 }  // namespace gluray::gl

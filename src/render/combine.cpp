@@ -74,7 +74,10 @@ glm::vec4 applyEnvironment(const scene::Texture& t, const CombineInputs& in, glm
   const float modulated = hasAlpha ? af * as : af;
   switch (t.env) {
     case TexEnv::replace: return {hasColor ? cs : cf, hasAlpha ? as : af};
-    case TexEnv::decal: return {hasAlpha ? glm::mix(cf, cs, as) : cs, af};
+    case TexEnv::decal:
+      // Undefined for all but RGB and RGBA (GL 2.1, table 3.22): the incoming colour, as in Mesa.
+      if (format == BaseFormat::rgb) return {cs, af};
+      return {format == BaseFormat::rgba ? glm::mix(cf, cs, as) : cf, af};
     case TexEnv::blend:
       return {hasColor ? cf * (1.0f - cs) + cc * cs : cf,
               intensity ? af * (1 - as) + t.envColor.a * as : modulated};

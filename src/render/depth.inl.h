@@ -46,6 +46,19 @@ struct DepthAndFacing {
   uint32_t ccw = 0;                 // bit i: lane i's triangle is counterclockwise in the window
 };
 
+/// What polygon offset adds in a depth buffer of floats to the triangles of the lanes from `first` on.
+HWY_ATTR inline Double floatOffsets(const Surface& surface, const DepthMap& map, const Group& group,
+                                    int first) {
+  const DoubleTag d;
+  alignas(64) double offsets[8] = {};
+  for (int k = 0; k < static_cast<int>(hn::Lanes(d)); ++k) {
+    if (!(group.lanes >> (first + k) & 1)) continue;
+    const glm::dvec2 depths = surface.ndcDepths(group.primitive[first + k]);
+    offsets[k] = map.constantOf(depths.x, depths.y) - map.constant;
+  }
+  return hn::Load(d, offsets);
+}
+
 /// Depth at window positions x, y of the planes of the group's triangles, exactly as OpenGL interpolates it,
 /// through glDepthRange and glPolygonOffset (GL 2.1, 3.5.5). Lanes outside the group hold no meaning.
 HWY_ATTR inline void computeDepth(const Surface& surface, const DepthMap& map, const Group& group,
@@ -70,6 +83,7 @@ HWY_ATTR inline void computeDepth(const Surface& surface, const DepthMap& map, c
       const Double steepest = hn::Mul(slope, hn::Set(d, std::abs(map.scale)));
       depth = hn::Add(depth, hn::MulAdd(steepest, hn::Set(d, map.slopeFactor), hn::Set(d, map.constant)));
     }
+    if (map.floatUnits != 0) depth = hn::Add(depth, floatOffsets(surface, map, group, i));
     storeFloat(hn::Min(hn::Max(depth, hn::Zero(d)), one), out.depth + i);
 
     uint8_t bits[8] = {};
@@ -81,7 +95,9 @@ HWY_ATTR inline void computeDepth(const Surface& surface, const DepthMap& map, c
   for (doubtful &= group.lanes; doubtful; doubtful &= doubtful - 1) {
     const int i = std::countr_zero(doubtful);
     const double ndc = std::clamp(surface.ndcDepth(group.primitive[i], group.u[i], group.v[i]), -1.0, 1.0);
-    out.depth[i] = static_cast<float>(std::clamp(ndc * map.scale + map.offset + map.constant, 0.0, 1.0));
+    const glm::dvec2 depths = surface.ndcDepths(group.primitive[i]);
+    const double offset = map.offset + map.constantOf(depths.x, depths.y);
+    out.depth[i] = static_cast<float>(std::clamp(ndc * map.scale + offset, 0.0, 1.0));
   }
 }
 

@@ -86,6 +86,17 @@ TEST(Depth, InfiniteFarPlane) {
   expectPlane(planeScene(glm::infinitePerspective(0.9, 1.0, 0.5), {0.1, 0.2}, -40, 200), {0.1, 0.2}, -40);
 }
 
+TEST(Depth, InfiniteFarPlaneInReversedRange) {
+  auto s = planeScene(glm::infinitePerspective(0.9, 1.0, 0.5), {0.1, 0.2}, -40, 200);
+  const auto nearer = planeScene(glm::infinitePerspective(0.9, 1.0, 0.5), {0.1, 0.2}, -10, 200);
+  s.instances.push_back(nearer.instances[0]);
+  s.camera.depthNear = 1, s.camera.depthFar = 0;
+  expectPlane(s, {0.1, 0.2}, -40);
+  // A projection that ends beyond infinity, as programs make it so that nothing is lost there to rounding.
+  s.camera.clipFromEye = glm::tweakedInfinitePerspective(0.9, 1.0, 0.5, 1e-6);
+  expectPlane(s, {0.1, 0.2}, -40);
+}
+
 TEST(Depth, Range) {
   auto s = planeScene(kPerspective, {0.3, 0.1}, -15, 100);
   s.camera.depthNear = 0.25f, s.camera.depthFar = 0.75f;
@@ -144,6 +155,21 @@ TEST(Depth, PolygonOffsetIsClamped) {
   EXPECT_EQ(trace(s).depth(16, 16), 1.0f);
   s.polygonOffset = {0, -1e9f, 1};
   EXPECT_EQ(trace(s).depth(16, 16), 0.0f);
+}
+
+TEST(Depth, PolygonOffsetOfFloats) {
+  // The last digit of the triangle's largest depth, whichever depth the pixel has.
+  const struct {
+    float left, right;  // z of the square's sides; the window depth is 0.5 - z/2
+    double digit;
+  } cases[] = {{0.9f, 0.9f, 0x1p-28}, {0.2f, 0.2f, 0x1p-25}, {-0.7f, -0.7f, 0x1p-24}, {0.9f, 0.2f, 0x1p-25}};
+  for (const auto& [left, right, digit] : cases) {
+    auto s = makeSnapshot(
+        {makeMesh(test::quadData({-1, -1, left}, {1, -1, right}, {1, 1, right}, {-1, 1, left}))});
+    const float plain = trace(s).depth(2, 8);
+    s.polygonOffset.units = 65536, s.polygonOffset.floats = true;
+    EXPECT_NEAR(trace(s).depth(2, 8) - plain, 65536 * digit, kTolerance) << left << ' ' << right;
+  }
 }
 
 TEST(Depth, InstancesAgreeWithTheirModelview) {

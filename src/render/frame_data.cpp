@@ -18,7 +18,10 @@ DepthMap makeDepthMap(const scene::Snapshot& snapshot) {
   map.offset = 0.5 * (f + n);
   map.slopeFactor = offset.factor;
   map.euclidean = offset.euclidean;
-  map.constant = static_cast<double>(offset.units) * offset.resolution;
+  if (offset.floats)
+    map.floatUnits = offset.units;
+  else
+    map.constant = static_cast<double>(offset.units) * offset.resolution;
   return map;
 }
 
@@ -50,6 +53,13 @@ class AcceptedHits : public accel::HitFilter {
 };
 
 }  // namespace
+
+double DepthMap::constantOf(double ndc, double further) const {
+  if (floatUnits == 0) return constant;
+  const double largest = std::max(ndc * scale, further * scale) + offset;
+  if (!(largest > 0)) return constant;
+  return constant + floatUnits * std::ldexp(1.0, std::ilogb(static_cast<float>(largest)) - 23);
+}
 
 FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& target)
     : world(&w),

@@ -18,6 +18,9 @@ struct DepthMap {
   double slopeFactor = 0,
          constant = 0;     // polygon offset: slopeFactor * steepest window-space slope + constant
   bool euclidean = false;  // the slope is the length of both directions' instead
+  double floatUnits = 0;   // beside the constant, so many last digits of a triangle's largest depth, a float
+  /// What polygon offset adds to all of a triangle, whose normalised depths reach from `ndc` to `further`.
+  double constantOf(double ndc, double further) const;
 };
 
 struct FrameData {

@@ -87,6 +87,14 @@ WindowMap::WindowMap(const glm::ivec4& viewport) {
 
 namespace {
 
+// Rays cannot start at infinity, where a reversed glDepthRange has them start if the projection reaches so
+// far: they do before, where depth is all but the same.
+void startInSight(RaySetup& rays, const glm::ivec4& viewport) {
+  constexpr double kNearlyInfinite = 0x1p-30;  // of the w at the other end; less would shake the origins
+  const double w = middleOf(rays, viewport).w, end = w + 2 * rays.step.w, least = kNearlyInfinite * end;
+  if (end > 0 && w < least) rays.start += (least - w) / rays.step.w * rays.step;
+}
+
 // Starts and steps in the space that `fromClip` leads to.
 RaySetup makeSteps(const scene::Camera& camera, const glm::dmat4& fromClip) {
   const WindowMap window(camera.viewport);
@@ -97,6 +105,7 @@ RaySetup makeSteps(const scene::Camera& camera, const glm::dmat4& fromClip) {
   rays.startY = fromClip[1] * window.ndcScale.y;
   rays.start = fromClip * glm::dvec4(window.ndcOffset, nearest, 1.0);
   rays.step = -nearest * fromClip[2];
+  startInSight(rays, camera.viewport);
   return rays;
 }
 

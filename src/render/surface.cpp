@@ -133,4 +133,15 @@ double Surface::ndcDepth(uint32_t primitive, float u, float v) const {
   return clip.z / clip.w;
 }
 
+glm::dvec2 Surface::ndcDepths(uint32_t primitive) const {
+  glm::dvec2 range(1, -1);
+  for (const glm::vec2 corner : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(0, 1)}) {
+    const glm::dvec4 clip = clipFromObject * glm::dvec4(pointOf(*mesh, primitive, corner.x, corner.y), 1.0);
+    // What lies behind the viewer is cut off at the near plane.
+    const double depth = clip.w > 0 ? std::clamp(clip.z / clip.w, -1.0, 1.0) : -1.0;
+    range = {std::min(range.x, depth), std::max(range.y, depth)};
+  }
+  return range;
+}
+
 }  // namespace gluray::render

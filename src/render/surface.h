@@ -49,6 +49,8 @@ struct Surface {
   bool accepts(uint32_t primitive, float u, float v) const;
   /// NDC depth of the point, from its corners.
   double ndcDepth(uint32_t primitive, float u, float v) const;
+  /// Smallest and largest NDC depth of what the view volume leaves of the triangle.
+  glm::dvec2 ndcDepths(uint32_t primitive) const;
   /// The centre, in lighting space, of a figure about this point. Not inline: kernels would fuse the
   /// roundings that programs make.
   glm::vec3 centerOfFigure(const glm::vec3& object) const;

@@ -16,12 +16,14 @@ namespace gluray::scene {
 
 enum class CullFace : uint8_t { none, front, back, both };
 
-/// glPolygonOffset of a batch: window depth is moved by factor*m + units*r (GL 2.1, 3.5.5), r = `resolution`,
-/// m the larger of the slopes along x and y, or the length of both where a fragment program offsets itself.
+/// glPolygonOffset of a batch: window depth is moved by factor*m + units*r (GL 2.1, 3.5.5), m the larger of
+/// the slopes along x and y, or the length of both where a fragment program offsets itself. r is
+/// `resolution`, or in a depth buffer of floats the last digit of a triangle's largest depth z: 2^(exponent
+/// of z - 23).
 struct PolygonOffset {
   float factor = 0, units = 0;
-  float resolution = 1.0f / 16777216.0f;  // smallest resolvable depth difference of the framebuffer
-  bool euclidean = false;
+  float resolution = 1.0f / 16777216.0f;
+  bool euclidean = false, floats = false;
   bool operator==(const PolygonOffset&) const = default;
 };
 

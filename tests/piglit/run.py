@@ -1,0 +1,135 @@
+"""Piglit's tests of OpenGL 1.x, each run plain and under GLuRay with everything traced that can be: none that passes plain may be
+lost. Run with a display: run.py --gluray LAUNCHER --out FOLDER [--list] [NAME ...]; a NAME is a part of tests' names.
+
+Every result is a test's or a subtest's. What is lost is printed and kept in FOLDER with the output of both runs; the exit status is
+1 then, and 77 where piglit is not installed. A test that seems lost is run once more by itself: machines under load are slow."""
+import argparse
+import ast
+import concurrent.futures
+import dataclasses
+import glob
+import gzip
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import xml.etree.ElementTree
+
+VERSIONS = re.compile(r"spec@!opengl 1\.[0-5]@")
+AT_ONCE = 2
+TIMEOUT = 120  # seconds; what neither run ends within is no result
+KEPT = 4000    # characters of output, from its end
+
+# Why a test's results are not compared.
+LEFT_OUT = {
+}
+
+
+@dataclasses.dataclass
+class Test:
+    name: str
+    command: list
+
+
+def installation():
+    """Where Debian's package piglit is; None where it is not."""
+    found = glob.glob("/usr/lib/*/piglit/bin")
+    return pathlib.Path(found[0]).parent if found else None
+
+
+def tests(root):
+    """All tests of OpenGL 1.x, sorted by name."""
+    with gzip.open(root / "tests/quick_gl.xml.gz") as packed:
+        tree = xml.etree.ElementTree.parse(packed)
+    found = []
+    for node in tree.getroot().iter("Test"):
+        options = {o.get("name"): o.get("value") for o in node.iter("option")}
+        if node.get("type") != "gl" or not VERSIONS.match(node.get("name")) or node.get("name") in LEFT_OUT:
+            continue
+        words = ast.literal_eval(options["command"])
+        program = root / "bin" / pathlib.Path(words[0]).name
+        concurrent = options.get("run_concurrent") == "True"
+        if program.exists():
+            found.append(Test(node.get("name"), [str(program), *words[1:], "-auto", *(["-fbo"] if concurrent else [])]))
+    return sorted(found, key=lambda t: t.name)
+
+
+def results(output, status, name):
+    """The results that the output of a test tells, by name. How it ended is one of them."""
+    found = {}
+    for line in output.splitlines():
+        if not line.startswith("PIGLIT: {"):
+            continue
+        try:
+            told = json.loads(line[len("PIGLIT: "):])
+        except ValueError:
+            continue
+        for subtest, result in told.get("subtest", {}).items():
+            found[f"{name}@{subtest}"] = result
+        if "result" in told:
+            found[name] = told["result"]
+    found.setdefault(name, "timeout" if status is None else "crash" if status < 0 else "nothing")
+    return found
+
+
+def run(test, prefix, root):
+    """The results of one run, and its output. Its process group is ended with it."""
+    environment = dict(os.environ, PIGLIT_SOURCE_DIR=str(root), PIGLIT_BUILD_DIR=str(root), PIGLIT_NO_FAST_SKIP="1")
+    process = subprocess.Popen([*prefix, *test.command], cwd=root, env=environment, text=True, errors="replace",
+                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True)
+    try:
+        output, _ = process.communicate(timeout=TIMEOUT)
+        status = process.returncode
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, 9)
+        output, _ = process.communicate()
+        status = None
+    return results(output, status, test.name), output
+
+
+def compare(test, prefix, root):
+    """How many results the test has, those that are lost, and both outputs."""
+    plain, expected = run(test, [], root)
+    ours, output = run(test, prefix, root)
+    good = [name for name, result in plain.items() if result in ("pass", "warn")]
+    lost = [f"{name}: {plain[name]}, then {ours.get(name, 'nothing')}" for name in good
+            if ours.get(name) not in ("pass", "warn")]
+    return len(plain), sorted(lost), f"{expected[-KEPT:]}\n--- with GLuRay ---\n{output[-KEPT:]}"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--gluray", required=True)
+    parser.add_argument("--out", type=pathlib.Path, required=True)
+    parser.add_argument("--list", action="store_true")
+    parser.add_argument("names", nargs="*")
+    options = parser.parse_args()
+    root = installation()
+    if not root:
+        print("piglit is not installed (scripts/setup --all)")
+        return 77
+    chosen = [t for t in tests(root) if not options.names or any(n in t.name for n in options.names)]
+    if options.list:
+        print("\n".join(" ".join([t.name, "=", *t.command]) for t in chosen))
+        return 0
+    options.out.mkdir(parents=True, exist_ok=True)
+    prefix = [str(pathlib.Path(options.gluray).resolve()), "--engine", "always"]
+    with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
+        done = list(pool.map(lambda t: compare(t, prefix, root), chosen))
+    total, failed = sum(count for count, _, _ in done), []
+    for test, (_, lost, _) in zip(chosen, done):
+        if not lost:
+            continue
+        _, again, output = compare(test, prefix, root)
+        if again:
+            failed += again
+            (options.out / (re.sub(r"\W+", "_", test.name) + ".txt")).write_text(output)
+    print("\n".join(failed))
+    print(f"{len(chosen)} tests, {total} results, {len(failed)} lost")
+    return 1 if failed or not chosen else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
