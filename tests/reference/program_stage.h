@@ -17,7 +17,7 @@ using Gl = const gl::RealGl&;
 struct Surface {
   enum class Color { uniform, vertex, mapped, cell };
   enum class Normals { vertex, cell, triangle };
-  enum class Lights { none, headlight, directional, positional, pbr };
+  enum class Lights { none, headlight, directional, positional, pbr, pbrHeadlight };
   Color color = Color::uniform;
   Normals normals = Normals::vertex;
   Lights lights = Lights::directional;

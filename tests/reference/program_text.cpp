@@ -79,6 +79,11 @@ const char* const kPbrLight =
     "  specular = SpecularIsotropic(NdH, NdV, NdL, HdL, roughness, F0, F90, F);\n"
     "  diffuse = (1.0 - metallic) * (1.0 - F) * DiffuseLambert(albedo);\n"
     "  Lo += radiance * (diffuse + specular) * NdL;\n";
+/// Of a light in the viewer's place alone: L = V = H.
+const char* const kPbrHeadlight =
+    "  specular = SpecularIsotropic(NdV, NdV, NdV, 1.0, roughness, F0, F90, F);\n"
+    "  diffuse = (1.0 - metallic) * (1.0 - F) * DiffuseLambert(albedo);\n  radiance = lightColor0;\n"
+    "  Lo += radiance * (diffuse + specular) * NdV;\n";
 const char* const kPbrEnd =
     "  vec3 ambient = vec3(0.0);\n  vec3 color = ambient + Lo;\n  color = mix(color, color * ao, "
     "aoStrengthUniform);\n"
@@ -105,7 +110,7 @@ std::string uniformText(const Surface& s) {
   if (s.lights > Surface::Lights::headlight)
     text += repeated(s.lightCount, "uniform vec3 lightColor@;\nuniform vec3 lightDirectionVC@;\n");
   if (s.lights == Surface::Lights::positional) text += repeated(s.lightCount, positional);
-  if (s.lights == Surface::Lights::pbr)
+  if (s.lights >= Surface::Lights::pbr)
     text += std::string(
                 "uniform float metallicUniform;\nuniform float roughnessUniform;\nuniform float "
                 "aoStrengthUniform;\n"
@@ -188,6 +193,7 @@ std::string lightText(const Surface& s) {
       return std::string("  vec3 vertLightDirectionVC;\n  float attenuation;\n") + kPhongStart +
              repeated(s.lightCount, kPositional) + kPhongEnd;
     case Surface::Lights::pbr: return kPbrStart + repeated(s.lightCount, kPbrLight) + kPbrEnd;
+    case Surface::Lights::pbrHeadlight: return std::string(kPbrStart) + kPbrHeadlight + kPbrEnd;
   }
   return "";
 }

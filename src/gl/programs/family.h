@@ -34,6 +34,9 @@ struct FamilyMaterial {
 /// Lights are numbered from 0; {} in a name stands for the number. They are on as long as `color` is active,
 /// or, where the family names no colour (then it is white), direction or position.
 struct FamilyLights {
+  /// Where lights with neither direction nor position are: at infinity behind the viewer, or in the viewer's
+  /// place.
+  enum class Headlight { infinite, viewer };
   std::string count;  // how many of them are on; empty: all
   std::string color;
   std::string direction;  // eye space, from the light to the surface, or towards it
@@ -41,6 +44,7 @@ struct FamilyLights {
   std::string position;    // eye space
   std::string positional;  // not 0: the light has a position, otherwise a direction alone
   std::string attenuation, coneAngle, exponent;
+  Headlight headlight = Headlight::infinite;
 };
 
 struct FamilyPbr {

@@ -139,6 +139,9 @@ class FamilyReader : FamilyTable {
     name("color", l.color);
     name("direction", l.direction);
     flag("direction_towards_light", l.towardsLight);
+    choice("headlight",
+           {{"infinite", FamilyLights::Headlight::infinite}, {"viewer", FamilyLights::Headlight::viewer}},
+           l.headlight);
     name("position", l.position);
     name("positional", l.positional);
     name("attenuation", l.attenuation);

@@ -173,7 +173,8 @@ TEST(FamilyFile, LightKeys) {
       "lights.model = \"unlit\"\nlights.specular = \"half\"\nlights.count = \"n\"\nlights.color = \"c{}\"\n"
       "lights.direction = \"d{}\"\nlights.direction_towards_light = true\nlights.position = \"p[{}]\"\n"
       "lights.positional = \"l[{}].is\"\nlights.attenuation = \"a{}\"\nlights.cone_angle = \"k{}\"\n"
-      "lights.exponent = \"e{}\"\n");
+      "lights.exponent = \"e{}\"\nlights.headlight = \"viewer\"\n");
+  EXPECT_EQ(f.lights.headlight, FamilyLights::Headlight::viewer);
   EXPECT_EQ(f.model, Family::Model::unlit);
   EXPECT_EQ(f.specular, Family::Specular::half);
   EXPECT_EQ(f.lights.count, "n");

@@ -25,8 +25,11 @@ scene::FragmentLight readLight(const FamilyLights& names, const UniformReader& u
   }
   const bool positional =
       names.positional.empty() ? has(names.position) : uniforms.integer(numbered(names.positional, i)) != 0;
-  if (!positional) return light;
+  const bool atViewer = names.headlight == FamilyLights::Headlight::viewer &&
+                        light.kind == scene::FragmentLight::headlight && !has(names.position);
+  if (!positional && !atViewer) return light;
   light.kind = scene::FragmentLight::positional;
+  if (atViewer) return light;  // the viewer is the origin
   light.position = vector(names.position) - viewer;
   if (has(names.attenuation)) light.attenuation = vector(names.attenuation);
   if (has(names.coneAngle)) light.coneAngle = uniforms.number(numbered(names.coneAngle, i));
