@@ -63,11 +63,13 @@ void makeContext(Record& record, Api api) {
   record.context = std::move(context);
 }
 
+/// The registry is locked, and records lock it when they go: where memory runs out, none may exist yet.
 std::shared_ptr<Record> newRecord(const Key& share) {
-  auto record = std::make_shared<Record>();
   const auto it = registry().records.find(share);
-  record->group =
+  auto group =
       share.second && it != registry().records.end() ? it->second->group : std::make_shared<gl::ShareGroup>();
+  auto record = std::make_shared<Record>();
+  record->group = std::move(group);
   return record;
 }
 
@@ -94,9 +96,9 @@ Record::~Record() {
 void contextCreated(Api api, const void* handle, const void* share, const void* display) noexcept {
   if (!handle) return;
   guarded("cannot follow a new context", [&] {
-    std::shared_ptr<Record> old;  // destroyed outside the lock
+    std::shared_ptr<Record> old, record;  // destroyed outside the lock
     const std::lock_guard lock(registry().mutex);
-    auto record = newRecord({api, share});
+    record = newRecord({api, share});
     record->display = display;
     old = std::exchange(registry().records[{api, handle}], std::move(record));
   });
@@ -161,9 +163,11 @@ void becameCurrent(Api api, const void* handle, Drawables drawables, AskSize siz
     t_orphanGl = handle ? &realGl(api) : nullptr;
     if (handle) {
       const std::lock_guard lock(registry().mutex);
-      auto& slot = registry().records[{api, handle}];
-      if (!slot) slot = newRecord({});  // made by a way we do not see
-      record = slot;
+      const auto it = registry().records.find({api, handle});
+      if (it != registry().records.end())
+        record = it->second;
+      else  // made by a way we do not see
+        registry().records[{api, handle}] = record = newRecord({});
     }
     current() = {record, {api, handle}, drawables, std::move(size)};
     if (!record) return;
