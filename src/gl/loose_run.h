@@ -8,8 +8,8 @@
 
 namespace gluray::gl {
 
-/// A run of glBegin/glEnd pairs whose last glEnd is missing: what follows is whatever comes after it where the
-/// list is called. Sent call by call, as the program sent it.
+/// A run of glBegin/glEnd pairs whose last glEnd is missing: what follows is whatever comes after it where
+/// the list is called. Sent call by call, as the program sent it.
 class LooseRun final : public ListOp {
  public:
   /// `open`: the primitive without an end. `finals`: values of all slots of the run after its last vertex.
