@@ -1,6 +1,6 @@
-// Values that the real OpenGL stores with the vertices it draws, where the draws were held back: materials and
-// colours inside glBegin, GL_COLOR_MATERIAL that changes what the colour sets, glPopAttrib. The same calls to a
-// plain OpenGL and to ours, and the same answers and pixels.
+// Values that the real OpenGL stores with the vertices it draws, where the draws were held back: materials
+// and colours inside glBegin, GL_COLOR_MATERIAL that changes what the colour sets, glPopAttrib. The same
+// calls to a plain OpenGL and to ours, and the same answers and pixels.
 #include "tests/reference/traced_context.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Primitives that are spread over display lists, and errors inside glBegin of lists: the same calls to a plain
-// OpenGL and to ours, and the same errors and pixels.
+// Primitives that are spread over display lists, and errors inside glBegin of lists: the same calls to a
+// plain OpenGL and to ours, and the same errors and pixels.
 #include "tests/reference/traced_context.h"
 
 #include <gtest/gtest.h>
@@ -65,9 +65,8 @@ const Case kCases[] = {
     {"a list called inside glBegin of a list",
      [](Gl gl, Errors& e) {
        list(gl, 1, GL_COMPILE, [&] { gl.Color3f(0, 1, 0), corners(gl, 1, 2); });
-       list(gl, 2, GL_COMPILE, [&] {
-         gl.Begin(GL_TRIANGLES), corners(gl, 0, 1), gl.CallList(1), corners(gl, 2, 3), gl.End();
-       });
+       list(gl, 2, GL_COMPILE,
+            [&] { gl.Begin(GL_TRIANGLES), corners(gl, 0, 1), gl.CallList(1), corners(gl, 2, 3), gl.End(); });
        gl.CallList(2), error(gl, e);
      }},
     {"that is another one by the time of the call",
@@ -101,9 +100,8 @@ const Case kCases[] = {
      }},
     {"one value for a colour, inside glBegin of a list",
      [](Gl gl, Errors& e) {
-       list(gl, 1, GL_COMPILE, [&] {
-         gl.Begin(GL_TRIANGLES), gl.Materialf(GL_FRONT, GL_DIFFUSE, 0.5f), corners(gl), gl.End();
-       });
+       list(gl, 1, GL_COMPILE,
+            [&] { gl.Begin(GL_TRIANGLES), gl.Materialf(GL_FRONT, GL_DIFFUSE, 0.5f), corners(gl), gl.End(); });
        error(gl, e), gl.CallList(1), error(gl, e);
      }},
     {"glEndList inside glBegin of the program",
