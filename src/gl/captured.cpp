@@ -101,6 +101,9 @@ void forEachTriangle(const Primitive& p, Emit&& emit) {
       for (uint32_t i = 1; i + 1 < n; ++i) emit(i, i + 1, 0);
       break;
     case GL_QUADS:
+      // As llvmpipe splits quads with indices, of lists, and of draws that reach out of view or are cut by a
+      // plane. Others it splits from the first corner to the third (seen in 22.3); a mesh that outlives the
+      // camera cannot follow.
       for (uint32_t i = 0; i + 3 < n; i += 4) emit(i, i + 1, i + 3), emit(i + 1, i + 2, i + 3);
       break;
     case GL_QUAD_STRIP:  // quad i has the corners 2i, 2i+1, 2i+3, 2i+2, and 2i+3 provokes
