@@ -46,10 +46,24 @@ struct DepthAndFacing {
   uint32_t ccw = 0;                 // bit i: lane i's triangle is counterclockwise in the window
 };
 
+/// Depth of a point of a triangle that is seen edge-on.
+HWY_INLINE float depthFromCorners(const Surface& surface, const DepthMap& map, uint32_t primitive, float u,
+                                  float v) {
+  const double ndc = std::clamp(surface.ndcDepth(primitive, u, v), -1.0, 1.0);
+  return static_cast<float>(std::clamp(ndc * map.scale + map.offset + map.constant, 0.0, 1.0));
+}
+
+/// The planes of a group's triangles over the window, for depths elsewhere in the pixel.
+struct PlaneRows {
+  alignas(64) double ndc[kLanes], slopeX[kLanes], slopeY[kLanes];  // NDC depth, and a pixel further
+  alignas(64) double offset[kLanes];                               // window depth: the polygon offset
+};
+
 /// Depth at window positions x, y of the planes of the group's triangles, exactly as OpenGL interpolates it,
 /// through glDepthRange and glPolygonOffset (GL 2.1, 3.5.5). Lanes outside the group hold no meaning.
 HWY_ATTR inline void computeDepth(const Surface& surface, const DepthMap& map, const Group& group,
-                                  const float* x, const float* y, DepthAndFacing& out) {
+                                  const float* x, const float* y, DepthAndFacing& out,
+                                  PlaneRows* planes = nullptr) {
   const DoubleTag d;
   const Double one = hn::Set(d, 1.0), minusOne = hn::Set(d, -1.0);
   const bool hasOffset = map.slopeFactor != 0 || map.constant != 0;
@@ -69,6 +83,15 @@ HWY_ATTR inline void computeDepth(const Surface& surface, const DepthMap& map, c
                                          : hn::Max(hn::Abs(slopeX), hn::Abs(slopeY));
       const Double steepest = hn::Mul(slope, hn::Set(d, std::abs(map.scale)));
       depth = hn::Add(depth, hn::MulAdd(steepest, hn::Set(d, map.slopeFactor), hn::Set(d, map.constant)));
+      if (planes)
+        hn::Store(hn::MulAdd(steepest, hn::Set(d, map.slopeFactor), hn::Set(d, map.constant)), d,
+                  planes->offset + i);
+    } else if (planes) {
+      hn::Store(hn::Zero(d), d, planes->offset + i);
+    }
+    if (planes) {
+      hn::Store(ndc, d, planes->ndc + i);
+      hn::Store(slopeX, d, planes->slopeX + i), hn::Store(slopeY, d, planes->slopeY + i);
     }
     storeFloat(hn::Min(hn::Max(depth, hn::Zero(d)), one), out.depth + i);
 
@@ -80,8 +103,7 @@ HWY_ATTR inline void computeDepth(const Surface& surface, const DepthMap& map, c
   }
   for (doubtful &= group.lanes; doubtful; doubtful &= doubtful - 1) {
     const int i = std::countr_zero(doubtful);
-    const double ndc = std::clamp(surface.ndcDepth(group.primitive[i], group.u[i], group.v[i]), -1.0, 1.0);
-    out.depth[i] = static_cast<float>(std::clamp(ndc * map.scale + map.offset + map.constant, 0.0, 1.0));
+    out.depth[i] = depthFromCorners(surface, map, group.primitive[i], group.u[i], group.v[i]);
   }
 }
 
