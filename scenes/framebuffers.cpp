@@ -105,9 +105,7 @@ void multisampled(Gl gl, int width, int height) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-constexpr Tolerance kSamples{2, 0.01, 1e-5f,
-                             "the real OpenGL shades a triangle once a pixel, at its centre, we at each "
-                             "sample: at outlines that differs"};
+constexpr Tolerance kSamples{2, 0.002, 1e-5f, "outlines fall on either side of a sample"};
 
 constexpr Scene kScenes[] = {
     {"front-buffer", frontBuffer},

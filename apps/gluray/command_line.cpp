@@ -90,8 +90,9 @@ void addOptions(CLI::App& app, CommandLine& line) {
                  "those are\nready, smaller ones where memory is short [auto]")
       ->check(CLI::IsMember({"auto", "fast", "full", "compact", "least"}));
   app.add_option("--shading", line.shading,
-                 "Where lighting is evaluated: pixel, or vertex as OpenGL does, for an exact match [pixel]")
-      ->check(CLI::IsMember({"pixel", "vertex"}));
+                 "Where lighting is evaluated: pixel, sample (every one of multisampled windows), or vertex "
+                 "as\nOpenGL does, for an exact match [pixel]")
+      ->check(CLI::IsMember({"pixel", "sample", "vertex"}));
   app.add_option("--renderer", line.renderer,
                  "embree, or null: trace nothing, to price the interception alone [embree]")
       ->check(CLI::IsMember({"embree", "null"}));

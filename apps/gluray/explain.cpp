@@ -62,7 +62,7 @@ FramePictures withAndWithout(const CommandLine& line, const Program& program, co
   FramePictures pictures;
   pictures.with = readPicture(picture, ".ppm");
   pictures.origin = readPicture(picture, ".origin.pgm");
-  pictures.perPixel = sessionOf(line).settings.shading == ShadingRate::pixel;
+  pictures.perPixel = sessionOf(line).settings.shading != ShadingRate::vertex;
   pictures.frame = picture["frame"], pictures.elsewhere = picture["elsewhere"];
   CommandLine plain = line;
   if (neverSwapped(run))

@@ -59,13 +59,29 @@ HWY_ATTR inline Double floatOffsets(const Surface& surface, const DepthMap& map,
   return hn::Load(d, offsets);
 }
 
+/// Depth of a point of a triangle that is seen edge-on.
+HWY_INLINE float depthFromCorners(const Surface& surface, const DepthMap& map, uint32_t primitive, float u,
+                                  float v) {
+  const double ndc = std::clamp(surface.ndcDepth(primitive, u, v), -1.0, 1.0);
+  const glm::dvec2 depths = surface.ndcDepths(primitive);
+  const double offset = map.offset + map.constantOf(depths.x, depths.y);
+  return static_cast<float>(std::clamp(ndc * map.scale + offset, 0.0, 1.0));
+}
+
+/// The planes of a group's triangles over the window, for depths elsewhere in the pixel.
+struct PlaneRows {
+  alignas(64) double ndc[kLanes], slopeX[kLanes], slopeY[kLanes];  // NDC depth, and a pixel further
+  alignas(64) double offset[kLanes];                               // window depth: the polygon offset
+};
+
 /// Depth at window positions x, y of the planes of the group's triangles, exactly as OpenGL interpolates it,
 /// through glDepthRange and glPolygonOffset (GL 2.1, 3.5.5). Lanes outside the group hold no meaning.
 HWY_ATTR inline void computeDepth(const Surface& surface, const DepthMap& map, const Group& group,
-                                  const float* x, const float* y, DepthAndFacing& out) {
+                                  const float* x, const float* y, DepthAndFacing& out,
+                                  PlaneRows* planes = nullptr) {
   const DoubleTag d;
   const Double one = hn::Set(d, 1.0), minusOne = hn::Set(d, -1.0);
-  const bool hasOffset = map.slopeFactor != 0 || map.constant != 0;
+  const bool hasOffset = map.slopeFactor != 0 || map.constant != 0 || map.floatUnits != 0;
   uint32_t doubtful = 0;  // lanes whose triangle is seen edge-on
   out.ccw = 0;
   for (int i = 0; i < kLanes; i += static_cast<int>(hn::Lanes(d))) {
@@ -77,13 +93,19 @@ HWY_ATTR inline void computeDepth(const Surface& surface, const DepthMap& map, c
     const Double atOrigin = hn::Mul(dot(plane, surface.depth.a), inverse);
     const Double ndc = hn::MulAdd(loadDouble(x + i), slopeX, hn::MulAdd(loadDouble(y + i), slopeY, atOrigin));
     Double depth = hn::MulAdd(ndc, hn::Set(d, map.scale), hn::Set(d, map.offset));
+    Double offset = hn::Zero(d);
     if (hasOffset) {
       const Double slope = map.euclidean ? hn::Sqrt(hn::MulAdd(slopeX, slopeX, hn::Mul(slopeY, slopeY)))
                                          : hn::Max(hn::Abs(slopeX), hn::Abs(slopeY));
       const Double steepest = hn::Mul(slope, hn::Set(d, std::abs(map.scale)));
-      depth = hn::Add(depth, hn::MulAdd(steepest, hn::Set(d, map.slopeFactor), hn::Set(d, map.constant)));
+      offset = hn::MulAdd(steepest, hn::Set(d, map.slopeFactor), hn::Set(d, map.constant));
+      if (map.floatUnits != 0) offset = hn::Add(offset, floatOffsets(surface, map, group, i));
+      depth = hn::Add(depth, offset);
     }
-    if (map.floatUnits != 0) depth = hn::Add(depth, floatOffsets(surface, map, group, i));
+    if (planes) {
+      hn::Store(ndc, d, planes->ndc + i), hn::Store(offset, d, planes->offset + i);
+      hn::Store(slopeX, d, planes->slopeX + i), hn::Store(slopeY, d, planes->slopeY + i);
+    }
     storeFloat(hn::Min(hn::Max(depth, hn::Zero(d)), one), out.depth + i);
 
     uint8_t bits[8] = {};
@@ -94,10 +116,7 @@ HWY_ATTR inline void computeDepth(const Surface& surface, const DepthMap& map, c
   }
   for (doubtful &= group.lanes; doubtful; doubtful &= doubtful - 1) {
     const int i = std::countr_zero(doubtful);
-    const double ndc = std::clamp(surface.ndcDepth(group.primitive[i], group.u[i], group.v[i]), -1.0, 1.0);
-    const glm::dvec2 depths = surface.ndcDepths(group.primitive[i]);
-    const double offset = map.offset + map.constantOf(depths.x, depths.y);
-    out.depth[i] = static_cast<float>(std::clamp(ndc * map.scale + offset, 0.0, 1.0));
+    out.depth[i] = depthFromCorners(surface, map, group.primitive[i], group.u[i], group.v[i]);
   }
 }
 

@@ -30,6 +30,10 @@ bool clipPlanesShared(const std::vector<scene::Instance>& instances) {
                      [&](const scene::Instance& i) { return i.clipPlanes == instances.front().clipPlanes; });
 }
 
+bool isProgram(const scene::Shading& shading) {
+  return shading.fragment.model != scene::FragmentShading::Model::off;
+}
+
 /// The R2 sequence (M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018): the first
 /// is the centre, and any number of them are spread evenly.
 std::vector<glm::dvec2> positionsInPixel(int count) {
@@ -69,6 +73,7 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
       depth(makeDepthMap(s)),
       image(&target) {
   perVertex = s.settings.shading == ShadingRate::vertex;
+  oncePerPixel = s.samples > 1 && s.settings.shading != ShadingRate::sample;
   lightings.reserve(s.shadings.size());
   for (const scene::Shading& shading : s.shadings) {
     lightings.emplace_back(shading);
@@ -76,8 +81,9 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
   }
 
   // Triangles that grow by their edges are cut where their corners' distances from a plane say so, not where
-  // rays are.
-  const bool shared = widestEdge == 0 && clipPlanesShared(s.instances);
+  // rays are. Fragment programs discard what is cut away where they are run.
+  const bool discarded = oncePerPixel && std::any_of(s.shadings.begin(), s.shadings.end(), isProgram);
+  const bool shared = widestEdge == 0 && !discarded && clipPlanesShared(s.instances);
   if (shared && !s.instances.empty()) {
     // A plane acts on eye coordinates; as a row vector it comes to world space by the modelview on its right.
     for (const glm::dvec4& plane : s.instances.front().clipPlanes)
@@ -96,6 +102,8 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
   const auto mayRefuse = [](const Surface& f) { return f.cullsCcw || f.cullsCw || f.ownClipPlanes; };
   if (widestEdge > 0 && std::any_of(surfaces.begin(), surfaces.end(), mayRefuse))
     accepted = std::make_unique<AcceptedHits>(surfaces);
+
+  ownPlanes = std::any_of(surfaces.begin(), surfaces.end(), [](const Surface& f) { return f.ownClipPlanes; });
 
   averages = !target.center.empty();
   samplePositions = positionsInPixel(averages ? s.settings.spp : 1);

@@ -33,6 +33,8 @@ struct FrameData {
   std::vector<Surface> surfaces;            // one for each of Snapshot::instances
   std::vector<glm::dvec2> samplePositions;  // within the pixel, one a sample
   bool perVertex = false;
+  bool oncePerPixel = false;                     // of several samples: surfaces are shaded at pixels' centres
+  bool ownPlanes = false;                        // some surface has clip planes of its own
   bool averages = false;                         // a pixel is the average of all samples (Image::center)
   mutable std::atomic<bool> seenThrough{false};  // averages: some hit has an alpha that is not 1
   float widestEdge = 0;                          // of painted edges, pixels; 0: there are none

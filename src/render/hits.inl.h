@@ -60,14 +60,33 @@ HWY_INLINE uint32_t bitsAt(hn::Mask<IndexTag> mask, int i) {
   return (bits[0] | static_cast<uint32_t>(bits[1]) << 8) << i;
 }
 
+/// Centres of a packet's pixels in the window.
+struct Centers {
+  alignas(64) float x[kLanes], y[kLanes];
+};
+
+/// Whether culling and the instance's own clip planes leave a hit: fixed function cuts triangles off,
+/// programs discard fragments, at the centres of pixels where these are given.
+inline bool isLeft(const FrameData& frame, uint32_t instance, uint32_t primitive, float u, float v,
+                   const Centers* centers, int lane) {
+  const Surface& surface = frame.surfaces[instance];
+  const bool program = surface.lighting->shading->fragment.model != scene::FragmentShading::Model::off;
+  if (!centers || !program || !surface.ownClipPlanes) return surface.accepts(primitive, u, v);
+  const WindowMap map(frame.snapshot->camera.viewport);
+  const glm::dvec2 ndc = glm::dvec2(centers->x[lane], centers->y[lane]) * map.ndcScale + map.ndcOffset;
+  const glm::vec2 weights = surface.weightsAt(primitive, ndc);
+  return surface.accepts(primitive, weights.x, weights.y);
+}
+
 /// Culling and the clip planes of single instances, asked of every hit; and hits that failed the alpha test.
 class RejectingFilter : public accel::HitFilter {
  public:
-  explicit RejectingFilter(const FrameData& frame) : frame_(frame) {}
+  explicit RejectingFilter(const FrameData& frame, const Centers* centers = nullptr)
+      : frame_(frame), centers_(centers) {}
   bool accepts(uint32_t instance, uint32_t primitive, float u, float v, int lane) const noexcept override {
     for (const Hit& hit : failed_[lane])
       if (hit.instance == instance && hit.primitive == primitive) return false;
-    return frame_.surfaces[instance].accepts(primitive, u, v);
+    return isLeft(frame_, instance, primitive, u, v, centers_, lane);
   }
   /// The lane's ray is to go on as if its hit were not there. Returns from which distance on: others may be
   /// as far as the hit, give or take a rounding.
@@ -85,6 +104,7 @@ class RejectingFilter : public accel::HitFilter {
     float distance;
   };
   const FrameData& frame_;
+  const Centers* centers_;
   std::vector<Hit> failed_[kLanes];
 };
 

@@ -128,6 +128,20 @@ glm::vec3 Surface::centerOfFigure(const glm::vec3& object) const {
   return scene::figureCenter(instance->lightingFromObject, object);
 }
 
+glm::vec2 Surface::weightsAt(uint32_t primitive, const glm::dvec2& ndc) const {
+  glm::dvec3 clip[3];  // x, y, w
+  for (uint32_t k = 0; k < 3; ++k) {
+    const glm::dvec4 c = clipFromObject * glm::dvec4(mesh->position(mesh->corner(primitive, k)), 1.0);
+    clip[k] = {c.x, c.y, c.w};
+  }
+  const glm::dvec3 at(ndc, 1.0);
+  const glm::dvec3 edge(glm::dot(glm::cross(clip[1], clip[2]), at),
+                        glm::dot(glm::cross(clip[2], clip[0]), at),
+                        glm::dot(glm::cross(clip[0], clip[1]), at));
+  const double sum = edge.x + edge.y + edge.z;
+  return sum != 0 ? glm::vec2(edge.y / sum, edge.z / sum) : glm::vec2(0);
+}
+
 double Surface::ndcDepth(uint32_t primitive, float u, float v) const {
   const glm::dvec4 clip = clipFromObject * glm::dvec4(pointOf(*mesh, primitive, u, v), 1.0);
   return clip.z / clip.w;

@@ -47,6 +47,9 @@ struct Surface {
 
   /// True if neither culling nor the instance's own clip planes remove the point (primitive, u, v).
   bool accepts(uint32_t primitive, float u, float v) const;
+  /// Weights of corners 1 and 2 where the plane of a triangle is seen at an NDC position; (0, 0) where it is
+  /// not.
+  glm::vec2 weightsAt(uint32_t primitive, const glm::dvec2& ndc) const;
   /// NDC depth of the point, from its corners.
   double ndcDepth(uint32_t primitive, float u, float v) const;
   /// Smallest and largest NDC depth of what the view volume leaves of the triangle.

@@ -69,8 +69,8 @@ HWY_ATTR inline void traceWork(const FrameData& frame, Work& work) {
 }
 
 // Second stage: the vertices of the hit triangles; asks memory for their positions and normals.
-HWY_ATTR inline void fetchVertices(const FrameData& frame, Work& work) {
-  for (uint32_t lanes = work.hits; lanes; lanes &= lanes - 1) {
+HWY_ATTR inline void fetchVertices(const FrameData& frame, uint32_t lanes, Work& work) {
+  for (; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
     const scene::Mesh& mesh = *frame.surfaces[work.packet.instance[i]].mesh;
     uint32_t vertex[3];
@@ -82,6 +82,10 @@ HWY_ATTR inline void fetchVertices(const FrameData& frame, Work& work) {
         if (*a) hwy::Prefetch(a->data + static_cast<size_t>(vertex[k]) * a->stride);
     }
   }
+}
+
+HWY_ATTR inline void fetchVertices(const FrameData& frame, Work& work) {
+  fetchVertices(frame, work.hits, work);
 }
 
 // Traces `lanes` on from behind their hits, this time asking about every hit on the way. `passed`: distances

@@ -48,8 +48,9 @@ struct FragmentShading {
   std::vector<FragmentLight> lights;
   std::vector<Texture> map;  // Color::map: one texture, looked up at the coordinates of unit 0
   PbrSurface pbr;
-  bool edges = false;   // triangle edges are painted, those that Instance::triangleEdges has a bit for
-  float edgeWidth = 1;  // pixels
+  bool writesDepth = false;  // gl_FragDepth: one depth for all samples of a pixel
+  bool edges = false;        // triangle edges are painted, those that Instance::triangleEdges has a bit for
+  float edgeWidth = 1;       // pixels
   glm::vec3 edgeColor{0};
   bool operator==(const FragmentShading&) const = default;
 };

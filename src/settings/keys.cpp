@@ -75,8 +75,10 @@ const Key kKeys[] = {
      }},
     {"shading",
      [](Session& s, std::string_view v) {
-       return choose<ShadingRate>(v, {{"pixel", ShadingRate::pixel}, {"vertex", ShadingRate::vertex}},
-                                  s.settings.shading);
+       return choose<ShadingRate>(
+           v,
+           {{"pixel", ShadingRate::pixel}, {"vertex", ShadingRate::vertex}, {"sample", ShadingRate::sample}},
+           s.settings.shading);
      }},
     {"renderer",
      [](Session& s, std::string_view v) {

@@ -15,9 +15,10 @@ enum class BvhQuality : uint8_t { automatic, fast, full, compact, least };
 /// Who draws: the ray tracer what it can (`always`), the real OpenGL everything (`never`), or whichever of
 /// them was measured to be faster (`automatic`).
 enum class Engine : uint8_t { automatic, always, never };
-/// Where the lighting equation is evaluated: at each pixel, or at the vertices as OpenGL does (for exact
-/// comparison).
-enum class ShadingRate : uint8_t { pixel, vertex };
+/// Where the lighting equation is evaluated: once a pixel for each surface that it shows, at the pixel's
+/// centre; at the vertices as OpenGL's fixed function does (for exact comparison), the rest as `pixel`; or at
+/// every sample of multisampled framebuffers.
+enum class ShadingRate : uint8_t { pixel, vertex, sample };
 /// Who makes the picture: Embree, or nobody (prices interception alone: every pixel is a miss).
 enum class Renderer : uint8_t { embree, null };
 

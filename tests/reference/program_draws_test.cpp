@@ -203,7 +203,8 @@ GLuint texture(Gl gl, GLenum target, GLenum format, GLenum kind, GLenum type) {
 }
 
 /// Draws into a framebuffer object with textures, then copies colour and depth into the window.
-void drawInto(Gl gl, GLenum target, GLenum depthFormat) {
+void drawInto(Gl gl, GLenum target, GLenum depthFormat,
+              const Surface& surface = {.color = Color::vertex, .lightCount = 2}) {
   const bool stencil = depthFormat == GL_DEPTH24_STENCIL8;
   GLuint framebuffers[2] = {};
   gl.GenFramebuffers(2, framebuffers);
@@ -219,11 +220,12 @@ void drawInto(Gl gl, GLenum target, GLenum depthFormat) {
   };
   attach(framebuffers[1], GL_TEXTURE_2D);
   attach(framebuffers[0], target);
-  const Surface surface{.color = Color::vertex, .lightCount = 2};
-  const ProgramMesh mesh = ball(20);
+  const ProgramMesh mesh = surface.color == Color::mapped ? sheet(20) : ball(20);
   const GLuint program = makeProgram(gl, surface);
   const Upload up = upload(gl, mesh, program);
   beginFrame(gl);
+  gl.UseProgram(program);
+  if (surface.color == Color::mapped) colorMap(gl, 3), setInteger(gl, program, "colortexture", 3);
   drawSurface(gl, program, up, mesh, placed({-0.4, 0, 0}, 0.8), surface);
   drawSurface(gl, program, up, mesh, placed({0.5, 0, 0.3}, 0.7), surface);
   GLuint from = framebuffers[0];
@@ -245,10 +247,18 @@ TEST(ProgramDraws, FramebufferWithDepthOf32Bits) {
   expectBoth(
       "fbo32", [](Gl gl) { drawInto(gl, GL_TEXTURE_2D, GL_DEPTH_COMPONENT32); }, 2);
 }
+/// Depth of a pixel that is resolved is any of its samples'.
+constexpr scenes::Tolerance kManySamples{2, 0.002, 2e-2f, "silhouettes fall on either side of a sample"};
 TEST(ProgramDraws, FramebufferWithFourSamples) {
-  // Depth of a pixel that is resolved is any of its samples'.
-  expectBoth("fbo4x", [](Gl gl) { drawInto(gl, GL_TEXTURE_2D_MULTISAMPLE, GL_DEPTH24_STENCIL8); }, 2, {},
-             {8, 0.02, 2e-2f, "silhouettes have samples in other places"});
+  expectBoth(
+      "fbo4x", [](Gl gl) { drawInto(gl, GL_TEXTURE_2D_MULTISAMPLE, GL_DEPTH24_STENCIL8); }, 2, {},
+      kManySamples);
+}
+TEST(ProgramDraws, MultisampledSurfacesAreShadedOnceAPixel) {
+  const Surface surface{.color = Color::mapped, .lights = Surface::Lights::none};
+  expectBoth(
+      "fbo4x_mapped", [&](Gl gl) { drawInto(gl, GL_TEXTURE_2D_MULTISAMPLE, GL_DEPTH24_STENCIL8, surface); },
+      2, {}, kManySamples);
 }
 
 TEST(ProgramDraws, IncompleteFramebufferDrawsNothing) {

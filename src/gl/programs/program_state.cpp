@@ -118,6 +118,8 @@ void ProgramReader::readClipPlanes() {
 
 void ProgramReader::readDepthOffset() {
   out_.depthOffset = {};
+  const auto writes = [&](const FamilyValue& v) { return !v.constant.empty() || uniforms_.has(v.uniform); };
+  out_.shading.fragment.writesDepth = writes(family_.depthOffset) || writes(family_.depthFactor);
   if (!family_.depthOffset.given() && !family_.depthFactor.given()) return;
   // VTK counts in units of 1/65000.
   out_.depthOffset = {uniforms_.number(family_.depthFactor, 0), uniforms_.number(family_.depthOffset, 0),
