@@ -1,0 +1,131 @@
+// GLSL cut into statements: what is a statement, what is left out, and what counts as the same.
+#include "gl/programs/glsl_statements.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace gluray::gl {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+Texts cut(std::string text) {
+  std::vector<std::string_view> statements;
+  cutStatements({text.data(), text.size()}, statements);
+  return {statements.begin(), statements.end()};
+}
+/// What main is cut into that holds `text`.
+Texts body(const std::string& text) { return cut("void main() {\n" + text + "\n}\n"); }
+
+TEST(GlslStatements, CommentsAndWhiteSpaceMeanNothing) {
+  EXPECT_EQ(body("  a /* b */ = // c\n  d\t+ e ;"), Texts{"a=d+e;"});
+  EXPECT_EQ(body("vec3   a  =  b . xyz;"), Texts{"vec3 a=b.xyz;"});
+  EXPECT_EQ(body("a = b /* not ended"), Texts{"a=b"});
+  EXPECT_EQ(body("return\n  a;"), Texts{"return a;"});
+  EXPECT_EQ(body("a \\\n = b;"), Texts{"a=b;"});
+  EXPECT_EQ(cut(""), Texts{});
+}
+
+TEST(GlslStatements, NumbersHaveOneForm) {
+  for (const char* half : {"0.5", ".5", "0.50", ".500f", "00.5", "0.5F"})
+    EXPECT_EQ(body(std::string("a=") + half + ";"), Texts{"a=.5;"}) << half;
+  for (const char* zero : {"0.0", "0.", ".0", "0.0f", "00.00"})
+    EXPECT_EQ(body(std::string("a=") + zero + ";"), Texts{"a=0.;"}) << zero;
+  for (const char* two : {"2.0", "2.", "2.00f"})
+    EXPECT_EQ(body(std::string("a=") + two + ";"), Texts{"a=2.;"}) << two;
+  for (const char* other : {"1e-5", "1.0e5", "10", "0", "0x0F", "2u", "20.25", "65000"})
+    EXPECT_EQ(body(std::string("a=") + other + ";"), Texts{std::string("a=") + other + ";"}) << other;
+  EXPECT_EQ(body("a=b-1.0;"), Texts{"a=b-1.;"});
+  EXPECT_EQ(body("a=v2.x;"), Texts{"a=v2.x;"}) << "a name, not a number";
+}
+
+TEST(GlslStatements, ConditionsGoWithAllThatIsInThem) {
+  EXPECT_EQ(body("if (a) { b = 1; c = 2; } d = 3;"), (Texts{"if(a){b=1;c=2;}", "d=3;"}));
+  EXPECT_EQ(body("if (a) { b; }\n else\n { c; } d;"), (Texts{"if(a){b;}else{c;}", "d;"}));
+  EXPECT_EQ(body("if (a) b; else if (c) d; else e; f;"), (Texts{"if(a)b;else if(c)d;else e;", "f;"}));
+  EXPECT_EQ(body("while (a) { b; } c;"), (Texts{"while(a){b;}", "c;"}));
+  EXPECT_EQ(body("do { b; } while (a); c;"), (Texts{"do{b;}while(a);", "c;"}));
+  EXPECT_EQ(body("{ a; b; } c;"), (Texts{"{a;b;}", "c;"}));
+}
+
+TEST(GlslStatements, LoopsAreAListOfStatements) {
+  EXPECT_EQ(body("for (int i = 0; i < 3; ++i) { a; if (b) c; } d;"),
+            (Texts{"for(int i=0;i<3;++i){", "a;", "if(b)c;", "d;"}));
+  EXPECT_EQ(body("for (;;) { for (;;) { a; } } b;"), (Texts{"for(;;){", "for(;;){", "a;", "b;"}));
+  EXPECT_EQ(body("for (;;) a; b;"), (Texts{"for(;;)a;", "b;"}));
+  EXPECT_EQ(body("for (;;) { a; } }\nfloat f() { return 1.0; }\nvoid g() {"),
+            (Texts{"for(;;){", "a;", "float f(){return 1.;}", "void g(){}"}))
+      << "main has ended";
+}
+
+TEST(GlslStatements, FunctionsAreOne) {
+  EXPECT_EQ(cut("float f(float x) { if (x > 0.0) { return x; } else { return 1.0; } }\nvec2 g(in vec2 a);"),
+            (Texts{"float f(float x){if(x>0.){return x;}else{return 1.;}}", "vec2 g(in vec2 a);"}));
+  EXPECT_EQ(cut("void main()\n{\n}\nvoid later() { a; }"), Texts{"void later(){a;}"});
+  EXPECT_EQ(cut("struct S { vec3 a; };\nS s;"), (Texts{"struct S{vec3 a;};", "S s;"}));
+}
+
+TEST(GlslStatements, WhatCannotChangeWhatIsComputedIsLeftOut) {
+  EXPECT_EQ(
+      cut("#version 150\n#extension all : enable\n#pragma optimize(on)\n#line 3\nprecision highp float;\n"),
+      Texts{});
+  EXPECT_EQ(cut("in vec4 a;\nout highp vec3 b[6], c;\nattribute vec3 d;\nvarying vec2 e;\n"), Texts{});
+  EXPECT_EQ(cut("uniform mat4 m;\nuniform float a = 3.0;\nlayout(location = 3) uniform vec3 lightColor0;\n"),
+            Texts{});
+  for (const std::string text : {"flat in int a;", "noperspective out vec4 a[3];", "layout(triangles)in;",
+                                 "layout(location=1)out vec4 a;", "uniform B{vec4 a;};", "out B{vec4 a;}b;",
+                                 "const float a=1.;", "vec3 a;", "invariant gl_Position;"})
+    EXPECT_EQ(cut(text + "\n"), Texts{text});
+}
+
+TEST(GlslStatements, DirectivesAreStatementsWhereverTheyStand) {
+  EXPECT_EQ(cut("#ifdef A\n  # define  B  c // d\n#else // e\n#endif\n"),
+            (Texts{"#ifdef A", "#define B c", "#else", "#endif"}));
+  EXPECT_EQ(cut("#define A \\\n b\nvec3 c;"), (Texts{"#define A b", "vec3 c;"}));
+  EXPECT_EQ(body("a;\n#if 0\nb;\n#endif\n"), (Texts{"a;", "#if 0", "b;", "#endif"}));
+  EXPECT_EQ(body("if (a) {\n#ifdef B\nc;\n#endif\n}"), Texts{"if(a){\n#ifdef B\nc;\n#endif\n}"});
+  EXPECT_EQ(cut("#define A"), Texts{"#define A"}) << "the text ends with it";
+}
+
+TEST(GlslStatements, TheNumberOfTheOnlyLightMeansNothing) {
+  EXPECT_EQ(body("a += lightColor0 * b;"), Texts{"a+=lightColor#*b;"});
+  EXPECT_EQ(body("a += lightColor12 * lightWay12.x + b1;"), Texts{"a+=lightColor#*lightWay#.x+b1;"});
+  EXPECT_EQ(body("a += lightColor0 * lightWay1;"), Texts{"a+=lightColor0*lightWay1;"}) << "two lights";
+  EXPECT_EQ(body("light1 = lightness;"), Texts{"light#=lightness;"});
+}
+
+TEST(GlslStatements, AnyTextIsCutWithinItsBounds) {
+  for (const char* text : {"}",
+                           "}}}",
+                           "{",
+                           "(",
+                           ")",
+                           "void main(",
+                           "void main() {",
+                           "void main() { }",
+                           "else",
+                           "#",
+                           "#\n#",
+                           "/",
+                           "/*",
+                           "//",
+                           "\\",
+                           "\\\n",
+                           ".",
+                           "1.",
+                           "1e",
+                           "0x",
+                           "for(",
+                           "for(;;){",
+                           "a;else b;",
+                           ";;;",
+                           "\"'@$\x80\xff"}) {
+    cut(text);
+    body(text);
+  }
+}
+
+}  // namespace
+}  // namespace gluray::gl
