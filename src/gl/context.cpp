@@ -234,6 +234,7 @@ void Context::afterSwap() {
 
 void Context::forgetOld() {
   passes.clear();
+  sheets.clear();
   clears_ = 0;
   workForgotten_ = work();
   group_->meshes.advance();
@@ -241,7 +242,7 @@ void Context::forgetOld() {
 }
 
 void Context::cleared(GLbitfield mask) {
-  if (mask & GL_DEPTH_BUFFER_BIT) passes.clear();
+  if (mask & GL_DEPTH_BUFFER_BIT) passes.clear(), sheets.clear();
   noteClear(mask);
   constexpr GLbitfield kWhole = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
   if ((mask & kWhole) != kWhole || work() == workForgotten_) return;

@@ -18,9 +18,11 @@
 #include "gl/passes.h"
 #include "gl/presenter.h"
 #include "gl/program_draws.h"
+#include "gl/ray_precision.h"
 #include "gl/real.h"
 #include "gl/resolve_draws.h"
 #include "gl/share_group.h"
+#include "gl/sheets.h"
 #include "gl/smooth.h"
 #include "gl/state.h"
 #include "gl/statistics.h"
@@ -67,6 +69,8 @@ class Context {
   CurrentValues current;        // current attributes: ours, or after refresh(kCurrent)
   MaterialLatch latch;
   Passes passes;
+  Sheets sheets;
+  RayPrecision precision;
   // Parts that have rules of their own. Each knows this context; what they share is here.
   Immediate immediate;
   ListCompiler lists;
@@ -241,6 +245,8 @@ class Context {
   void rememberPass(const KnownMesh& known);
   /// Cuts off what lies beyond the draw framebuffer.
   void clampToTarget(scene::Region& region);
+  /// Where a draw that moves depth by `offset` puts its mesh now.
+  SheetPlace sheetPlace(const glm::dmat4& clipFromObject, scene::PolygonOffset offset) const;
   /// Whether surfaces are drawn with a polygon offset away from the viewer.
   bool isPushedBack() const;
   void countRaster(Reason reason, DrawPath path, PrimitiveClass kind, uint64_t triangles);

@@ -111,8 +111,13 @@ bool isBeforeViewer(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
 }  // namespace
 
 Reason ProgramDraws::triage(const KnownMesh& known) const {
-  const Reason reason = triageAlways(known);
-  if (layersOf(c_.state.program) == BatchKey::Layers::peeled) return reason;
+  Reason reason = triageAlways(known);
+  const ProgramState& program = c_.state.program;
+  if (layersOf(program) == BatchKey::Layers::peeled) return reason;
+  const bool single = reason == Reason::traced && layersOf(program) == BatchKey::Layers::none &&
+                      c_.attributes.instanceTransform.empty();
+  if (single && c_.sheets.meets(known.mesh, c_.sheetPlace(program.clipFromObject, program.depthOffset)))
+    reason = Reason::coincident;
   // One by one, however much they are in all: a surface that is drawn again is drawn in the same way.
   const bool leave = reason == Reason::traced && c_.leavesAlone(known.mesh->triangleCount);
   return leave ? Reason::smallScene : reason;
@@ -122,6 +127,10 @@ Reason ProgramDraws::triageAlways(const KnownMesh& known) const {
   if (known.homogeneous || !known.mesh) return Reason::homogeneous;
   if (isFarAway(*known.mesh)) return Reason::farAway;
   const ProgramState& program = c_.state.program;
+  const glm::ivec4& viewport = c_.state.viewport;
+  if (c_.attributes.instanceTransform.empty() &&
+      c_.precision.isTooLarge(*known.mesh, program.clipFromObject, {viewport.z, viewport.w}))
+    return Reason::tooLarge;
   const uint64_t triangles = known.mesh->triangleCount;
   if (program.triangleColors && program.triangleOffset + triangles > program.triangleColorCount)
     return Reason::arrayState;

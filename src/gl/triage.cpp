@@ -66,7 +66,11 @@ bool isFlat(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
 }  // namespace
 
 Reason Context::triage(const KnownMesh& known, const std::vector<MaterialChange>& materials) {
-  const Reason reason = triageAlways(known, materials);
+  Reason reason = triageAlways(known, materials);
+  const auto place = [&] {
+    return sheetPlace(state.projection * state.modelview, Batch::keyOf(state).offset);
+  };
+  if (reason == Reason::traced && sheets.meets(known.mesh, place())) reason = Reason::coincident;
   const bool leave = reason == Reason::traced && choice_.way() == EngineChoice::Way::mixed &&
                      choice_.takes(known.mesh->triangleCount, viewportPixels());
   return leave ? Reason::smallScene : reason;
@@ -75,10 +79,13 @@ Reason Context::triage(const KnownMesh& known, const std::vector<MaterialChange>
 Reason Context::triageAlways(const KnownMesh& known, const std::vector<MaterialChange>& materials) {
   if (known.homogeneous || !known.mesh) return Reason::homogeneous;
   if (isFarAway(*known.mesh)) return Reason::farAway;
+  const glm::dmat4 clipFromObject = state.projection * state.modelview;
+  if (precision.isTooLarge(*known.mesh, clipFromObject, {state.viewport.z, state.viewport.w}))
+    return Reason::tooLarge;
   if (passes.several(known.mesh->geometryId) ||
       passes.meetsRasterised(*known.mesh, state.modelview, isPushedBack()))
     return Reason::passes;
-  if (isFlat(*known.mesh, state.projection * state.modelview)) return Reason::flat;
+  if (isFlat(*known.mesh, clipFromObject)) return Reason::flat;
   if (state.raster.unlessOpaque == Reason::traced && state.raster.alphaTest == scene::AlphaTest{})
     return Reason::traced;
   if (isOpaque(known, materials)) return Reason::traced;
@@ -86,6 +93,11 @@ Reason Context::triageAlways(const KnownMesh& known, const std::vector<MaterialC
   // GL tests once a pixel, at its centre; we would once a sample.
   const bool perSample = state.raster.multisample && state.target.samples > 1;
   return perSample ? Reason::alphaTest : Reason::traced;
+}
+
+SheetPlace Context::sheetPlace(const glm::dmat4& clipFromObject, scene::PolygonOffset offset) const {
+  offset.resolution = state.target.depthResolution;
+  return {state.target.framebuffer, state.viewport, clipFromObject, offset};
 }
 
 bool Context::isOpaque(const KnownMesh& known, const std::vector<MaterialChange>& materials) const {
@@ -214,6 +226,8 @@ void Context::countAsRasterised(const scene::Snapshot& snapshot) {
 void Context::beforeRasterDraw(PrimitiveClass kind) {
   if (window.lags()) protect([&] { window.showLagged(); });
   if (window.shows()) protect([&] { window.settleBelow(); });
+  // What was to be traced before it was known to lie in one plane with this draw is rasterised with it.
+  if (sheets.takeFound()) protect([&] { present(true); });
   if (resolves.any()) protect([&] { resolves.meetRasterDraw(); });
   if (layers.pending()) protect([&] { layers.meetRasterDraw(); });
   if (!batch_.empty()) {

@@ -1,0 +1,89 @@
+#include "gl/ray_precision.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace gluray::gl {
+namespace {
+
+constexpr double kRounding = 0x1p-24;  // of a float, of its size
+constexpr double kMostPixels = 0.1;
+
+glm::dvec3 rowOf(const glm::dmat4& m, int row) { return {m[0][row], m[1][row], m[2][row]}; }
+
+/// How many pixels the distance 1 has at most where clip w is 1, inside the viewport.
+double pixelsAtOne(const glm::dmat4& clipFromObject, glm::ivec2 viewport) {
+  const auto length = [&](int row) { return glm::length(rowOf(clipFromObject, row)); };
+  const double w = length(3);
+  return 0.5 * std::max((length(0) + w) * viewport.x, (length(1) + w) * viewport.y);
+}
+
+/// Clip w of the mesh's nearest point, at least; 0 where it may be behind the viewer.
+double nearestW(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
+  const glm::dvec3 lower(mesh.lower), upper(mesh.upper), row = rowOf(clipFromObject, 3);
+  const double middle = glm::dot(row, 0.5 * (lower + upper)) + clipFromObject[3][3];
+  return std::max(middle - glm::dot(glm::abs(row), 0.5 * (upper - lower)), 0.0);
+}
+
+/// Clip w of the nearest point of a triangle that lies in the view volume; infinite where none does.
+double nearestSeenW(const std::array<glm::dvec4, 3>& triangle) {
+  std::vector<glm::dvec4> polygon(triangle.begin(), triangle.end()), kept;
+  for (int plane = 0; plane < 6 && !polygon.empty(); ++plane) {
+    const auto inside = [&](const glm::dvec4& p) { return p.w + (plane & 1 ? -1 : 1) * p[plane / 2]; };
+    kept.clear();
+    for (size_t i = 0; i < polygon.size(); ++i) {
+      const glm::dvec4 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+      const double da = inside(a), db = inside(b);
+      if (da >= 0) kept.push_back(a);
+      if ((da < 0) != (db < 0)) kept.push_back(glm::mix(a, b, da / (da - db)));
+    }
+    polygon.swap(kept);
+  }
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const glm::dvec4& p : polygon) nearest = std::min(nearest, p.w);
+  return nearest;
+}
+
+}  // namespace
+
+bool RayPrecision::isTooLarge(const scene::Mesh& mesh, const glm::dmat4& clipFromObject,
+                              glm::ivec2 viewport) {
+  if (mesh.shape != scene::Shape::triangles || mesh.triangleCount == 0) return false;
+  const double perSize = kRounding * pixelsAtOne(clipFromObject, viewport);  // where w is 1
+  const auto tooLarge = [&](double size, double w) { return !(perSize * size < kMostPixels * w); };
+  if (!tooLarge(glm::length(glm::dvec3(mesh.upper) - glm::dvec3(mesh.lower)), nearestW(mesh, clipFromObject)))
+    return false;
+  for (const Large& large : largestOf(mesh)) {
+    std::array<glm::dvec4, 3> corners;
+    for (uint32_t k = 0; k < 3; ++k)
+      corners[k] = clipFromObject * glm::dvec4(mesh.position(mesh.corner(large.triangle, k)), 1);
+    const double nearest = nearestSeenW(corners);
+    if (std::isfinite(nearest) && tooLarge(large.size, nearest)) return true;
+  }
+  return false;
+}
+
+const std::vector<RayPrecision::Large>& RayPrecision::largestOf(const scene::Mesh& mesh) {
+  constexpr size_t kMostKnown = 4096;
+  if (largest_.size() > kMostKnown) largest_.clear();
+  const auto known = largest_.find(mesh.geometryId);
+  if (known != largest_.end()) return known->second;
+  const auto larger = [](const Large& a, const Large& b) { return a.size > b.size; };
+  std::vector<Large> all;  // a heap whose first is the smallest
+  for (uint32_t t = 0; t < mesh.triangleCount; ++t) {
+    double size = 0;
+    for (uint32_t k = 0; k < 3; ++k)
+      size = std::max(size, double{glm::distance(mesh.position(mesh.corner(t, k)),
+                                                 mesh.position(mesh.corner(t, (k + 1) % 3)))});
+    if (all.size() == kMostLooked && size <= all.front().size) continue;
+    if (all.size() == kMostLooked) std::pop_heap(all.begin(), all.end(), larger), all.pop_back();
+    all.push_back({t, size});
+    std::push_heap(all.begin(), all.end(), larger);
+  }
+  std::sort(all.begin(), all.end(), larger);
+  return largest_.emplace(mesh.geometryId, std::move(all)).first->second;
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,70 @@
+// Flat surfaces ("sheets") of different draws that lie in one plane and overlap in the window. Which of them
+// OpenGL shows depends on their order and on how its rasteriser rounds depths that it computes from other
+// vertices, so rays cannot tell: both are rasterised. Owned by Context, GL thread.
+#pragma once
+#include "base/hash.h"
+#include "scene/snapshot.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace gluray::gl {
+
+/// Where a draw puts its mesh.
+struct SheetPlace {
+  uint32_t framebuffer = 0;
+  glm::ivec4 viewport{0};
+  glm::dmat4 clipFromObject{1};
+  scene::PolygonOffset offset;  // `resolution`: also that of the framebuffer
+};
+
+class Sheets {
+ public:
+  /// Whether `mesh`, which is about to be drawn and could be traced, is a sheet that overlaps another of the
+  /// layer in its plane, or was found to be one in the last hundred layers. Triangles that are equal do not
+  /// count: their depths are. Meshes of more than kMostTriangles, and sheets after the first kMostSheets of a
+  /// layer, are not looked at.
+  bool meets(const scene::MeshPtr& mesh, const SheetPlace& place);
+  /// Whether something drawn in this layer was found to meet a sheet for the first time, since the last call.
+  bool takeFound() { return std::exchange(found_, false); }
+  /// Depth was cleared, or the frame ended: a new layer begins.
+  void clear();
+
+  static constexpr uint32_t kMostTriangles = 4096;
+  static constexpr size_t kMostSheets = 512;
+
+ private:
+  /// In normalised device coordinates; depth is x*plane.x + y*plane.y + plane.z.
+  struct Sheet {
+    scene::MeshPtr mesh;
+    SheetPlace place;
+    glm::dvec3 plane;
+    glm::dvec2 lower, upper;
+    bool before = true;  // all of it is before the viewer
+  };
+  using Corners = std::array<glm::dvec3, 3>;
+
+  static std::optional<Sheet> placed(const scene::MeshPtr& mesh, const SheetPlace& place,
+                                     const glm::dvec4& plane);
+  static Corners corners(const Sheet& sheet, uint32_t triangle);
+  static bool overlap(const Sheet& a, const Sheet& b);
+  /// The plane of a mesh, object space; nothing where it is none.
+  const std::optional<glm::dvec4>& planeOf(const scene::Mesh& mesh);
+  void remember(const Hash128& geometry);
+  bool isRemembered(const Hash128& geometry);
+
+  std::vector<Sheet> sheets_;  // of this layer
+  bool found_ = false;
+  uint64_t layer_ = 0;
+  std::unordered_map<Hash128, uint64_t> metIn_;                    // geometry -> last layer
+  std::unordered_map<Hash128, std::optional<glm::dvec4>> planes_;  // by geometry
+};
+
+}  // namespace gluray::gl
