@@ -27,6 +27,7 @@ namespace gluray::gl {
   X(polygonStipple, "polygon stipple")                                       \
   X(polygonSmooth, "polygon smoothing")                                      \
   X(program, "vertex or fragment program")                                   \
+  X(programCode, "program with statements that its family does not know")    \
   X(programPass, "program that is never traced")                             \
   X(textureUnits, "texture unit beyond the eighth")                          \
   X(textureEnv, "texture environment not traced")                            \

@@ -32,13 +32,11 @@ std::shared_ptr<const gl::FamilyList> readFamilies(const std::string& files,
   for (std::string file; std::getline(names, file, ':');) {
     if (file.empty()) continue;
     try {
-      const gl::FamilyList more = gl::parseFamilies(contentsOf(file), file);
-      all.insert(all.end(), more.begin(), more.end());
+      all.append(gl::parseFamilies(contentsOf(file), file));
     } catch (const gl::FamilyError& error) { complain(error.what()); }
   }
   if (all.empty()) return nullptr;
-  const gl::FamilyList& known = gl::builtInFamilies();
-  all.insert(all.end(), known.begin(), known.end());
+  all.append(gl::builtInFamilies());
   return std::make_shared<const gl::FamilyList>(std::move(all));
 }
 

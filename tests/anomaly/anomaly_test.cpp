@@ -73,7 +73,7 @@ TEST(Anomaly, EveryAllocationMayFailOnceWhileShaderProgramsDraw) {
   }
   long n = 0;
   for (;; ++n) {
-    TracedContext context(wish);
+    TracedContext context(wish, TracedContext::vertexShading(), nullptr, nullptr, nullptr);
     Gl gl = context.gl();
     g_failed = false;
     g_countdown = n;

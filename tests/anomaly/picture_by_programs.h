@@ -11,19 +11,30 @@ inline constexpr const char* kSurfaceVertex =
     "void main() { vertexColorVSOutput = scalarColor; gl_Position = MCDCMatrix * vertexMC; }\n";
 inline constexpr const char* kSurfaceFragment =
     "#version 150\nin vec4 vertexColorVSOutput;\nout vec4 fragOutput0;\nuniform float ambientIntensity;\n"
-    "uniform vec3 diffuseColorUniform;\nuniform float diffuseIntensity;\nuniform bool OverridesColor;\n"
-    "void main() { vec3 c = diffuseIntensity * vertexColorVSOutput.rgb;\n"
-    "  if (OverridesColor) c = diffuseIntensity * diffuseColorUniform;\n"
-    "  fragOutput0 = vec4(ambientIntensity * vertexColorVSOutput.rgb + c, 1); }\n";
+    "uniform vec3 ambientColorUniform;\nuniform vec3 diffuseColorUniform;\nuniform float diffuseIntensity;\n"
+    "uniform float opacityUniform;\nuniform bool OverridesColor;\n"
+    "void main() {\n  vec3 ambientColor = ambientIntensity * vertexColorVSOutput.rgb;\n"
+    "  vec3 diffuseColor = diffuseIntensity * vertexColorVSOutput.rgb;\n"
+    "  float opacity = opacityUniform * vertexColorVSOutput.a;\n"
+    "  if (OverridesColor) {\n    ambientColor = ambientColorUniform * ambientIntensity;\n"
+    "    diffuseColor = diffuseColorUniform * diffuseIntensity; }\n"
+    "  fragOutput0 = vec4(ambientColor + diffuseColor, opacity); }\n";
 inline constexpr const char* kCellVertex =
     "#version 150\nin vec4 vertexMC;\nuniform mat4 MCDCMatrix;\nvoid main() { gl_Position = MCDCMatrix * "
     "vertexMC; }\n";
 inline constexpr const char* kCellFragment =
-    "#version 150\nout vec4 fragOutput0;\nuniform samplerBuffer textureC;\nuniform int PrimitiveIDOffset;\n"
-    "uniform vec3 diffuseColorUniform;\nuniform float diffuseIntensity;\nuniform bool OverridesColor;\n"
-    "void main() { vec3 c = texelFetch(textureC, gl_PrimitiveID + PrimitiveIDOffset).rgb * "
-    "diffuseIntensity;\n"
-    "  if (OverridesColor) c = diffuseIntensity * diffuseColorUniform;\n  fragOutput0 = vec4(c, 1); }\n";
+    "#version 150\n#define texelFetchBuffer texelFetch\nout vec4 fragOutput0;\nuniform samplerBuffer "
+    "textureC;\n"
+    "uniform int PrimitiveIDOffset;\nuniform float ambientIntensity;\nuniform vec3 ambientColorUniform;\n"
+    "uniform vec3 diffuseColorUniform;\nuniform float diffuseIntensity;\nuniform float opacityUniform;\n"
+    "uniform bool OverridesColor;\n"
+    "void main() {\n  vec4 texColor = texelFetchBuffer(textureC, gl_PrimitiveID + PrimitiveIDOffset);\n"
+    "  vec3 ambientColor = ambientIntensity * texColor.rgb;\n"
+    "  vec3 diffuseColor = diffuseIntensity * texColor.rgb;\n"
+    "  float opacity = opacityUniform * texColor.a;\n"
+    "  if (OverridesColor) {\n    ambientColor = ambientColorUniform * ambientIntensity;\n"
+    "    diffuseColor = diffuseColorUniform * diffuseIntensity; }\n"
+    "  fragOutput0 = vec4(ambientColor + diffuseColor, opacity); }\n";
 
 inline GLuint linked(Gl gl, const char* vertex, const char* fragment) {
   const GLuint program = gl.CreateProgram();
@@ -36,7 +47,8 @@ inline GLuint linked(Gl gl, const char* vertex, const char* fragment) {
   gl.BindAttribLocation(program, 0, "vertexMC"), gl.BindAttribLocation(program, 1, "scalarColor");
   gl.LinkProgram(program);
   gl.UseProgram(program);
-  gl.Uniform1f(gl.GetUniformLocation(program, "diffuseIntensity"), 1);
+  for (const char* name : {"diffuseIntensity", "opacityUniform"})
+    gl.Uniform1f(gl.GetUniformLocation(program, name), 1);
   return program;
 }
 

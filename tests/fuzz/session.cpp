@@ -92,6 +92,7 @@ class Alone {
     gl::ContextInfo info;
     info.doubleBuffered = false;
     info.settings = settingsOf(stream);
+    info.families = test::familiesOfTests();
     info.drawableSize = [] { return glm::ivec2(kSize); };
     info.clock = ticks;
     for (auto& context : contexts_) context = gl::Context::create(NullGl::table(), group, info, tracer_);

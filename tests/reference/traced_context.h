@@ -1,6 +1,7 @@
 // A context of the shadow GL over a real one in memory: what a program meets behind a door, without the door.
 #pragma once
 #include "gl/context.h"
+#include "tests/support/imitated_code.h"
 #include "tests/support/osmesa_context.h"
 #include "tests/support/picture.h"
 
@@ -10,11 +11,11 @@ class TracedContext {
  public:
   /// Current in the creating thread until destroyed. Shading is per vertex, as the real OpenGL's.
   /// `presenter` stands in for the one that traces. `share` is a context whose lists and buffers it shares.
-  /// `families` are those of shader programs; null: those that are built in.
+  /// `families` are those of shader programs; null: those that are built in, read when they are needed.
   explicit TracedContext(const ContextWish& wish = {}, Settings settings = vertexShading(),
                          std::unique_ptr<gl::Presenter> presenter = nullptr,
                          const TracedContext* share = nullptr,
-                         std::shared_ptr<const gl::FamilyList> families = nullptr);
+                         std::shared_ptr<const gl::FamilyList> families = familiesOfTests());
   ~TracedContext();
   TracedContext(const TracedContext&) = delete;
   TracedContext& operator=(const TracedContext&) = delete;

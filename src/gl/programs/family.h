@@ -3,6 +3,7 @@
 // matrices, material and lights. Files: spec/programs/*.toml (built in) and what --program-families adds;
 // format: docs/program-families.md.
 #pragma once
+#include "gl/programs/known_code.h"
 #include "scene/figures.h"
 #include "scene/mesh.h"
 
@@ -76,6 +77,7 @@ struct Family {
   std::vector<std::string> active, any, absent;     // names for recognition: all of, one of, none of
   std::vector<std::string> absentOutputs;           // of the fragment shader
   std::vector<std::string> ignored;                 // may be active and mean nothing to the picture
+  std::vector<std::string> code;  // sections that have all of its statements; empty: any code
   bool strict = true;  // an active variable that the family does not mention makes the program unknown
 
   std::string position, normal, color, texcoord;                 // attributes
@@ -131,8 +133,21 @@ struct Family {
   bool mentions(std::string_view name) const;
 };
 
-/// Families, the first that fits wins.
-using FamilyList = std::vector<std::shared_ptr<const Family>>;
+/// Families, the first that fits wins, and the code that they know.
+struct FamilyList {
+  std::vector<std::shared_ptr<const Family>> families;
+  CodeSections code;
+
+  /// Adds those of `more` behind these; sections of the same name become one.
+  void append(const FamilyList& more);
+  bool empty() const { return families.empty() && code.empty(); }
+  size_t size() const { return families.size(); }
+  auto begin() const { return families.begin(); }
+  auto end() const { return families.end(); }
+  const std::shared_ptr<const Family>& front() const { return families.front(); }
+  const std::shared_ptr<const Family>& at(size_t i) const { return families.at(i); }
+  const std::shared_ptr<const Family>& operator[](size_t i) const { return families[i]; }
+};
 
 /// What is wrong with a family file, in one line with file and line number.
 struct FamilyError : std::runtime_error {

@@ -15,7 +15,7 @@ class FamilyReader : FamilyTable {
       : FamilyTable(table, file, family.mentioned), family_(family) {}
 
   /// `known`: what a family may inherit from.
-  void read(const FamilyList& known) {
+  void read(const std::vector<std::shared_ptr<const Family>>& known) {
     inherit(known);
     family_.name.clear();
     text("name", family_.name);
@@ -70,7 +70,7 @@ class FamilyReader : FamilyTable {
 
  private:
   /// Begins with all that an earlier family says.
-  void inherit(const FamilyList& known) {
+  void inherit(const std::vector<std::shared_ptr<const Family>>& known) {
     std::string from;
     text("inherits", from);
     if (from.empty()) return;
@@ -83,12 +83,18 @@ class FamilyReader : FamilyTable {
     names("any", family_.any);
     texts("source_has", family_.sourceHas);
     texts("source_lacks", family_.sourceLacks);
+    readCode();
     texts("absent", family_.absent);
     texts("absent_outputs", family_.absentOutputs);
     names("ignored", family_.ignored);
     flag("strict", family_.strict);
     flag("geometry_shader", family_.geometryShader);
     text("rasterise", family_.rasteriseBecause);
+  }
+  /// "any" is what families say that hold whatever else the program computes.
+  void readCode() {
+    texts("code", family_.code);
+    if (family_.code == std::vector<std::string>{"any"}) family_.code.clear();
   }
   void readVertex() {
     name("position", family_.position);
@@ -226,8 +232,50 @@ bool Family::mentions(std::string_view name) const {
   return false;
 }
 
+namespace {
+
+/// Reads one [[code]] table: a section's name and statements.
+class CodeReader : FamilyTable {
+ public:
+  CodeReader(const toml::table& table, const std::string& file) : FamilyTable(table, file, none_) {}
+
+  void read(CodeSections& sections) {
+    std::string name, statements;
+    text("name", name), text("statements", statements);
+    if (name.empty()) fail(here(), "code needs a name");
+    if (name == "any") fail(at("name"), "code cannot be named \"any\"");
+    if (statements.empty()) fail(here(), "code \"" + name + "\" needs statements");
+    allKnown();
+    sections[name].add(std::move(statements));
+  }
+
+ private:
+  Names none_;
+};
+
+/// Calls read(table) for each [[key]] section.
+template <class Read>
+void eachSection(const toml::node& node, const std::string& file, const char* key, Read&& read) {
+  const auto fail = [&](const toml::node& at, const std::string& what) {
+    throw FamilyError(file + ":" + std::to_string(at.source().begin.line) + ": " + what);
+  };
+  const toml::array* list = node.as_array();
+  if (!list) fail(node, "only [[family]] and [[code]] sections are expected here");
+  for (const toml::node& item : *list) {
+    if (!item.is_table()) fail(item, std::string(key) + " must be a section");
+    read(*item.as_table());
+  }
+}
+
+}  // namespace
+
+void FamilyList::append(const FamilyList& more) {
+  families.insert(families.end(), more.families.begin(), more.families.end());
+  for (const auto& [name, known] : more.code) code[name].add(known);
+}
+
 FamilyList parseFamilies(std::string_view text, const std::string& file) {
-  FamilyList families;
+  FamilyList list;
   toml::table root;
   try {
     root = toml::parse(text, file);
@@ -236,27 +284,27 @@ FamilyList parseFamilies(std::string_view text, const std::string& file) {
                       std::string(e.description()));
   }
   for (const auto& [key, node] : root) {
-    const toml::array* list = node.as_array();
-    if (key.str() != "family" || !list)
+    if (key.str() == "family") {
+      eachSection(node, file, "family", [&](const toml::table& table) {
+        auto family = std::make_shared<Family>();
+        FamilyReader(table, file, *family).read(list.families);
+        list.families.push_back(std::move(family));
+      });
+    } else if (key.str() == "code") {
+      eachSection(node, file, "code",
+                  [&](const toml::table& table) { CodeReader(table, file).read(list.code); });
+    } else {
       throw FamilyError(file + ":" + std::to_string(node.source().begin.line) +
-                        ": only [[family]] sections " + "are expected here");
-    for (const toml::node& item : *list) {
-      if (!item.is_table())
-        throw FamilyError(file + ":" + std::to_string(item.source().begin.line) +
-                          ": family must be a section");
-      auto family = std::make_shared<Family>();
-      FamilyReader(*item.as_table(), file, *family).read(families);
-      families.push_back(std::move(family));
+                        ": only [[family]] and [[code]] sections are expected here");
     }
   }
-  return families;
+  return list;
 }
 
 const FamilyList& builtInFamilies() {
   static const FamilyList families = [] {
     FamilyList all;
-    for (const auto& [file, text] : kBuiltInFamilyFiles)
-      for (auto& family : parseFamilies(text, file)) all.push_back(family);
+    for (const auto& [file, text] : kBuiltInFamilyFiles) all.append(parseFamilies(text, file));
     return all;
   }();
   return families;

@@ -1,5 +1,7 @@
 #include "gl/programs/match.h"
 
+#include "gl/programs/program_source.h"
+
 #include <algorithm>
 #include <initializer_list>
 
@@ -24,45 +26,23 @@ void needActive(const Program& p, const Family& f, std::vector<std::string>& out
     out.push_back(about("has none of ", f.any.front(), f.any.size() > 1 ? " ..." : ""));
 }
 
-/// GLSL without its comments.
-std::string withoutComments(const std::string& text) {
-  std::string out;
-  for (size_t i = 0; i < text.size();) {
-    if (text.compare(i, 2, "//") == 0) {
-      i = std::min(text.find('\n', i), text.size());
-    } else if (text.compare(i, 2, "/*") == 0) {
-      const size_t end = text.find("*/", i + 2);
-      i = end == std::string::npos ? text.size() : end + 2;
-    } else {
-      out += text[i++];
-    }
-  }
-  return out;
-}
-
-/// Texts of the shaders that are attached, one after the other, without comments.
-std::string sourceOf(const RealGl& real, GLuint program) {
-  GLuint shaders[8] = {};
-  GLsizei count = 0;
-  real.GetAttachedShaders(program, 8, &count, shaders);
-  std::string all;
-  for (GLsizei i = 0; i < count; ++i) {
-    GLint length = 0;
-    real.GetShaderiv(shaders[i], GL_SHADER_SOURCE_LENGTH, &length);
-    std::string text(static_cast<size_t>(std::max(length, 1)), '\0');
-    real.GetShaderSource(shaders[i], static_cast<GLsizei>(text.size()), nullptr, text.data());
-    all += withoutComments(text.c_str());
-  }
-  return all;
-}
-
-void needSource(const RealGl& real, const Program& p, const Family& f, std::vector<std::string>& out) {
+void needSource(ProgramSource& program, const Family& f, std::vector<std::string>& out) {
   if (f.sourceHas.empty() && f.sourceLacks.empty()) return;
-  const std::string source = sourceOf(real, p.name);
+  const std::string& source = program.text();
   for (const std::string& text : f.sourceHas)
     if (source.find(text) == std::string::npos) out.push_back(about("lacks in its source ", text));
   for (const std::string& text : f.sourceLacks)
     if (source.find(text) != std::string::npos) out.push_back(about("has in its source ", text));
+}
+
+/// Statements that none of the family's sections of code has.
+void needCode(ProgramSource& program, const Family& f, const CodeSections& code,
+              std::vector<std::string>& out) {
+  if (f.code.empty()) return;
+  const std::vector<std::string_view>& statements = program.statements();
+  if (statements.empty()) out.push_back("has no source that could be read");
+  for (const std::string_view statement : unknownStatements(statements, code, f.code))
+    out.push_back(about("has the unknown statement ", std::string(statement)));
 }
 
 void refuseActive(const RealGl& real, const Program& p, const Family& f, std::vector<std::string>& out) {
@@ -181,33 +161,54 @@ void needSources(const Program& p, const Family& f, std::vector<std::string>& ou
 
 }  // namespace
 
-std::vector<std::string> obstacles(const RealGl& real, const Program& program, const Family& family) {
+namespace {
+
+/// `unknown`: whether it is statements alone that keep the program from being one of the family.
+std::vector<std::string> obstacles(const RealGl& real, const Program& program, const Family& family,
+                                   const CodeSections& code, ProgramSource& source, bool& unknown) {
   std::vector<std::string> out;
+  unknown = false;
   if (!program.linked) return {"is not linked"};
   needActive(program, family, out);
   refuseActive(real, program, family, out);
   needSources(program, family, out);
   needTypes(program, family, out);
   needMentioned(program, family, out);
-  if (out.empty()) needSource(real, program, family, out);
+  if (out.empty()) needSource(source, family, out);
+  if (!out.empty()) return out;
+  needCode(source, family, code, out);
+  unknown = !out.empty();
   return out;
+}
+
+}  // namespace
+
+std::vector<std::string> obstacles(const RealGl& real, const Program& program, const Family& family,
+                                   const CodeSections& code) {
+  ProgramSource source(real, program.name);
+  bool unknown = false;
+  return obstacles(real, program, family, code, source, unknown);
 }
 
 std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, const FamilyList& families) {
   auto known = std::make_shared<KnownProgram>();
   known->program = reflect(real, name);
+  ProgramSource source(real, name);
   std::vector<std::string> fewest;
   const Family* nearest = nullptr;
   for (const auto& family : families) {
-    const std::vector<std::string> found = obstacles(real, known->program, *family);
+    bool unknown = false;
+    std::vector<std::string> found = obstacles(real, known->program, *family, families.code, source, unknown);
     if (found.empty()) {
       known->family = family;
       known->why = family->rasteriseBecause;
       return known;
     }
-    // A family that is never traced tells nobody what to change.
-    if (family->rasteriseBecause.empty() && (!nearest || found.size() < fewest.size()))
-      nearest = family.get(), fewest = found;
+    // A family that is never traced tells nobody what to change; one that fits but for statements says most.
+    if (!family->rasteriseBecause.empty()) continue;
+    if (!nearest || unknown > known->unknownCode ||
+        (unknown == known->unknownCode && found.size() < fewest.size()))
+      nearest = family.get(), fewest = std::move(found), known->unknownCode = unknown;
   }
   known->why = known->program.linked ? "no family fits" : "not linked";
   if (nearest && known->program.linked) {

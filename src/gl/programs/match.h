@@ -13,11 +13,13 @@ namespace gluray::gl {
 struct KnownProgram {
   Program program;
   std::shared_ptr<const Family> family;  // null: none fits
-  std::string why;  // of programs that are not traced, for the user: "family X: lacks uniform y"
+  std::string why;           // of programs that are not traced, for the user: "family X: lacks uniform y"
+  bool unknownCode = false;  // a family fits but for statements that it does not know
 };
 
-/// What keeps `program` from being one of `family`; empty where nothing does.
-std::vector<std::string> obstacles(const RealGl& real, const Program& program, const Family& family);
+/// What keeps `program` from being one of `family`, which knows sections of `code`; empty where nothing does.
+std::vector<std::string> obstacles(const RealGl& real, const Program& program, const Family& family,
+                                   const CodeSections& code = {});
 
 /// Reads the program and finds its family.
 std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, const FamilyList& families);

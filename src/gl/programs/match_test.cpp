@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 
@@ -12,7 +13,9 @@ namespace {
 using Lines = std::vector<std::string>;
 std::map<std::string, GLint> g_outputs;
 
-/// An OpenGL that knows outputs of fragment shaders alone.
+/// An OpenGL that knows outputs of fragment shaders and sources alone.
+std::vector<std::string> g_shaders;  // texts of those that are attached
+
 RealGl fakeGl() {
   RealGl real{};
   loadRealGl(
@@ -20,6 +23,18 @@ RealGl fakeGl() {
   real.GetFragDataLocation = [](GLuint, const GLchar* name) {
     const auto it = g_outputs.find(name);
     return it == g_outputs.end() ? -1 : it->second;
+  };
+  real.GetAttachedShaders = [](GLuint, GLsizei most, GLsizei* count, GLuint* names) {
+    *count = std::min(most, static_cast<GLsizei>(g_shaders.size()));
+    for (GLsizei i = 0; i < *count; ++i) names[i] = static_cast<GLuint>(i);
+  };
+  real.GetShaderiv = [](GLuint shader, GLenum, GLint* length) {
+    *length = static_cast<GLint>(g_shaders.at(shader).size() + 1);
+  };
+  real.GetShaderSource = [](GLuint shader, GLsizei size, GLsizei* length, GLchar* text) {
+    *length = std::min(size - 1, static_cast<GLsizei>(g_shaders.at(shader).size()));
+    g_shaders.at(shader).copy(text, static_cast<size_t>(*length));
+    text[*length] = 0;
   };
   return real;
 }
@@ -55,7 +70,7 @@ lights.count = "lights"
 
 class Match : public testing::Test {
  protected:
-  Match() { g_outputs = {{"color", 0}}; }
+  Match() { g_outputs = {{"color", 0}}, g_shaders.clear(); }
   Lines obstaclesOf(const Program& program) const { return obstacles(real_, program, *family_); }
   Program fitting() const {
     return programOf({{"m", GL_FLOAT_MAT4}, {"dc", GL_FLOAT_VEC3}, {"light0", GL_FLOAT_VEC3}},
@@ -127,6 +142,30 @@ TEST_F(Match, TypesMustMeanWhatTheFamilySays) {
   Program p = fitting();
   p.attributes["p"].type = GL_INT_VEC3;
   EXPECT_EQ(obstaclesOf(p), Lines{"has \"p\", which is not a vector"});
+}
+
+TEST_F(Match, StatementsMustBeKnown) {
+  const FamilyList list = parseFamilies(std::string(kFamily) + R"(match.code = ["one", "two"]
+[[code]]
+name = "one"
+statements = "color = vec4(light0, 1.0);"
+[[code]]
+name = "two"
+statements = "if (color.a < 0.5) discard; gl_Position = m * p;"
+)",
+                                        "f.toml");
+  const auto found = [&] { return obstacles(real_, fitting(), *list.front(), list.code); };
+  EXPECT_EQ(found(), Lines{"has no source that could be read"});
+  g_shaders = {"#version 150\nin vec4 p; uniform mat4 m;\nvoid main() { gl_Position = m*p; }",
+               "uniform vec3 light3; out vec4 color; void main() { color = vec4(light3, 1); }"};
+  EXPECT_EQ(found(), Lines{"has the unknown statement \"color=vec4(light#,1);\""}) << "1 is not 1.0";
+  g_shaders[1] = "void main() { // all is known\n color = vec4(light3, 1.); if (color.a < .5) discard; }";
+  EXPECT_EQ(found(), Lines{});
+  g_shaders[1] += " float f() { return 1.0; }";
+  EXPECT_EQ(found(), Lines{"has the unknown statement \"float f(){return 1.;}\""});
+  g_shaders[1] = "void main() { color.r = 1.0; color.r = 1.0; color.g = 2.0; }";
+  EXPECT_EQ(found(), (Lines{"has the unknown statement \"color.r=1.;\"",
+                            "has the unknown statement \"color.g=2.;\""}));
 }
 
 }  // namespace

@@ -186,7 +186,7 @@ bool isSane(const ProgramState& s) {
 void readProgram(const RealGl& real, ShareGroup& group, const RareState& has, TextureCache& textures,
                  ProgramState& state) {
   if (!state.known->family) {
-    state.reason = Reason::program;
+    state.reason = state.known->unknownCode ? Reason::programCode : Reason::program;
     return;
   }
   if (!state.known->family->rasteriseBecause.empty()) {

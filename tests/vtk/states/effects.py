@@ -186,3 +186,60 @@ def displaced_by_shader(stage):
         "  vertexVCVSOutput = MCVCMatrix * moved;\n  gl_Position = MCDCMatrix * moved;\n", False)
     stage.look()
     stage.orbit()
+
+
+def replaced(stage, place, text, vertex=False, first=False):
+    """A sphere whose shader has `text` behind `place`, which needs no variable that VTK's own code has not.
+
+    `first`: put there before VTK's code, whose place it leaves in front of `text`.
+    """
+    shader = stage.show(shapes.sphere(stage.vtk, 32)).GetShaderProperty()
+    add = shader.AddVertexShaderReplacement if vertex else shader.AddFragmentShaderReplacement
+    add(place, first, f"{place}\n  {text}\n", False)
+    stage.look()
+    stage.orbit()
+
+
+@state("vtk")
+def colors_replaced_by_shader(stage):
+    replaced(stage, "//VTK::Color::Impl", "diffuseColor = abs(normalize(vertexVC.xyz));", first=True)
+
+
+@state("vtk")
+def light_replaced_by_shader(stage):
+    replaced(stage, "//VTK::Light::Impl", "fragOutput0.rgb = vec3(1.0, 0.0, 0.0);")
+
+
+@state("vtk")
+def half_replaced_by_shader(stage):
+    replaced(stage, "//VTK::Light::Impl", "if (gl_FragCoord.x < 150.0) fragOutput0.rgb = fragOutput0.gbr * 0.5;")
+
+
+@state("vtk")
+def stripes_discarded_by_shader(stage):
+    replaced(stage, "//VTK::Light::Impl", "if (mod(floor(gl_FragCoord.x / 8.0), 2.0) < 1.0) discard;")
+
+
+@state("vtk")
+def normals_turned_by_shader(stage):
+    replaced(stage, "//VTK::Normal::Impl", "normalVCVSOutput = normalVCVSOutput.zxy;", vertex=True)
+
+
+@state("vtk")
+def program_of_lines_for_triangles(stage):
+    """A surface and a wireframe by one mapper: in later frames VTK draws the surface by the lines' program."""
+    source, clean = stage.vtk.vtkCubeSource(), stage.vtk.vtkPolyData()
+    source.Update()
+    clean.SetPoints(source.GetOutput().GetPoints())
+    clean.SetPolys(source.GetOutput().GetPolys())
+    mapper = stage.vtk.vtkPolyDataMapper()
+    mapper.SetInputData(clean)
+    for wireframe in (False, True):
+        actor = stage.vtk.vtkActor()
+        actor.SetMapper(mapper)
+        if wireframe:
+            actor.GetProperty().SetRepresentationToWireframe()
+            actor.GetProperty().SetColor(0, 0, 0)
+        stage.renderer.AddActor(actor)
+    stage.look()
+    stage.orbit()

@@ -1,0 +1,57 @@
+#include "gl/programs/known_code.h"
+
+#include "gl/programs/glsl_statements.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace gluray::gl {
+namespace {
+
+bool isBefore(const Hash128& a, const Hash128& b) {
+  return a.high != b.high ? a.high < b.high : a.low < b.low;
+}
+
+}  // namespace
+
+void KnownCode::add(std::string text) {
+  std::vector<std::string_view> statements;
+  statements.reserve(256);
+  cutStatements({text.data(), text.size()}, statements);
+  statements_.reserve(statements_.size() + statements.size());
+  for (const std::string_view statement : statements) statements_.push_back(hashOf(statement));
+  sort();
+}
+
+void KnownCode::add(const KnownCode& more) {
+  statements_.insert(statements_.end(), more.statements_.begin(), more.statements_.end());
+  sort();
+}
+
+void KnownCode::sort() {
+  std::sort(statements_.begin(), statements_.end(), isBefore);
+  statements_.erase(std::unique(statements_.begin(), statements_.end()), statements_.end());
+}
+
+bool KnownCode::has(Hash128 statement) const {
+  return std::binary_search(statements_.begin(), statements_.end(), statement, isBefore);
+}
+
+std::vector<std::string_view> unknownStatements(std::span<const std::string_view> statements,
+                                                const CodeSections& sections,
+                                                const std::vector<std::string>& names) {
+  std::vector<const KnownCode*> known;
+  known.reserve(names.size());
+  for (const std::string& name : names)
+    if (const auto it = sections.find(name); it != sections.end()) known.push_back(&it->second);
+  std::vector<std::string_view> unknown;
+  for (const std::string_view statement : statements) {
+    const Hash128 hash = hashOf(statement);
+    const auto has = [&](const KnownCode* code) { return code->has(hash); };
+    if (std::any_of(known.begin(), known.end(), has)) continue;
+    if (std::find(unknown.begin(), unknown.end(), statement) == unknown.end()) unknown.push_back(statement);
+  }
+  return unknown;
+}
+
+}  // namespace gluray::gl

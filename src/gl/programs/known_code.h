@@ -1,0 +1,38 @@
+// Statements of shaders whose effect families describe, in named sections: a program that has others computes
+// something that nobody has told us. Format: docs/program-families.md. Any thread.
+#pragma once
+#include "base/hash.h"
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gluray::gl {
+
+/// Statements in the normal form of glsl_statements.h.
+class KnownCode {
+ public:
+  /// Adds all statements of `text`.
+  void add(std::string text);
+  void add(const KnownCode& more);
+  bool has(Hash128 statement) const;
+  size_t size() const { return statements_.size(); }
+
+ private:
+  void sort();
+  std::vector<Hash128> statements_;  // sorted
+};
+
+/// Sections of known code by name.
+using CodeSections = std::map<std::string, KnownCode, std::less<>>;
+
+inline Hash128 hashOf(std::string_view statement) { return hashBytes(statement.data(), statement.size()); }
+
+/// Those of `statements` that none of the sections `names` has, each of them once, in their order.
+std::vector<std::string_view> unknownStatements(std::span<const std::string_view> statements,
+                                                const CodeSections& sections,
+                                                const std::vector<std::string>& names);
+
+}  // namespace gluray::gl

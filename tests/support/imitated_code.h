@@ -1,0 +1,60 @@
+// Statements of the tests' programs that are not VTK's own words, though they compute what VTK's programs do:
+// to be among those that VTK's families know.
+#pragma once
+#include "gl/programs/family.h"
+
+#include <memory>
+
+namespace gluray::test {
+
+inline constexpr const char* kImitatedCode = R"toml(
+[[code]]
+name = "VTK"
+statements = '''
+float sf = df > 0.0 ? pow(df, specularPower) : 0.0;
+fragOutput0 = fragOutput0 * vec4(texture(actortexture, tcoordVCVSOutput).rgb, 1.0);
+vec4 texColor = vertexColorVSOutput;
+vec4 texColor = texelFetch(textureC, gl_PrimitiveID + PrimitiveIDOffset);
+vec3 normalVCVSOutput = texelFetch(textureN, gl_PrimitiveID + PrimitiveIDOffset).xyz;
+vec3 ambientColor, diffuseColor, specularColor;
+float opacity, specularPower;
+if (gl_FrontFacing) {
+  ambientColor = ambientIntensity * ambientColorUniform;
+  diffuseColor = diffuseIntensity * diffuseColorUniform;
+  opacity = opacityUniform;
+  specularColor = specularIntensity * specularColorUniform;
+  specularPower = specularPowerUniform;
+} else {
+  ambientColor = ambientIntensityBF * ambientColorUniformBF;
+  diffuseColor = diffuseIntensityBF * diffuseColorUniformBF;
+  opacity = opacityUniformBF;
+  specularColor = specularIntensityBF * specularColorUniformBF;
+  specularPower = specularPowerUniformBF;
+}
+for (int planeNum = 0; planeNum < numClipPlanes; planeNum++)
+  clipDistancesVSOutput[planeNum] = dot(clipPlanes[planeNum], vertexMC);
+for (int planeNum = 0; planeNum < numClipPlanes; planeNum++)
+  if (clipDistancesVSOutput[planeNum] < 0.0) discard;
+gl_FragDepth = gl_FragCoord.z;
+gl_FragDepth = gl_FragDepth + cFactor*cscale + 1.0*cOffset/65000;
+'''
+[[code]]
+name = "VTK physically based"
+statements = '''
+float NdL, NdH, HdL;
+vec3 ambient = vec3(0.0);
+vec3 color = ambient + Lo;
+'''
+)toml";
+
+/// The families that are built in, which know the tests' code as well.
+inline std::shared_ptr<const gl::FamilyList> familiesOfTests() {
+  static const auto families = [] {
+    auto all = std::make_shared<gl::FamilyList>(gl::parseFamilies(kImitatedCode, "imitated_code.h"));
+    all->append(gl::builtInFamilies());
+    return all;
+  }();
+  return families;
+}
+
+}  // namespace gluray::test
