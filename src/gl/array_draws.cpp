@@ -22,7 +22,8 @@ bool isIndexType(GLenum type) {
 
 /// The error of a wrong draw: of now or, where a list takes the draw, of the moment when that is called.
 void refuse(Context& c, GLenum error) {
-  if (c.insideBegin()) return c.lists.misuse(error);
+  // Inside glBegin that is the first error, but where lists are compiled.
+  if (c.insideBegin()) return c.lists.misuse(c.compiling() ? error : GL_INVALID_OPERATION);
   if (!c.compiling()) return c.setError(error);
   c.lists.record([error](Context& x) { x.setError(error); });
 }

@@ -117,6 +117,8 @@ const Case kCases[] = {
        list(gl, 1, GL_COMPILE, [&] { gl.Begin(0x1234), gl.End(); }), error(gl, e);
        gl.CallList(1), error(gl, e);
      }},
+    {"a draw of no mode inside glBegin",
+     [](Gl gl, Errors& e) { gl.Begin(GL_POLYGON), gl.DrawArrays(0x4219, 0, 3), gl.End(), error(gl, e); }},
     {"many draws of no mode",
      [](Gl gl, Errors& e) { gl.MultiDrawArrays(0x1234, nullptr, nullptr, 0), error(gl, e); }},
     {"many draws of a negative number",
