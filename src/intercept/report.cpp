@@ -210,31 +210,42 @@ void startWatching(Reporter& r) {
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 
+/// walkedPast() for the report. Asked before the reporter is locked: it takes the dynamic linker's lock,
+/// which a thread that loads a library may hold while it waits for the reporter.
+std::string walkedPastNow() noexcept {
+  try {
+    return walkedPast();
+  } catch (const std::exception&) { return {}; }  // no memory: the next report has it
+}
+
 }  // namespace
 
 void writeReport() noexcept {
   if (isForkedChild()) return;
+  const std::string past = walkedPastNow();
   reporting(
-      [](Reporter& r) {
+      [&](Reporter& r) {
         r.ended = true;
         if (r.complete) return;
-        r.walkedPast = walkedPast();
+        r.walkedPast = past;
         r.write(totals());
       },
       /*atExit=*/true);
 }
 
 void watchForReport() noexcept {
-  if (writesMeanwhile())
-    reporting([](Reporter& r) {
-      r.walkedPast = walkedPast();
-      startWatching(r);
-    });
+  if (!writesMeanwhile()) return;
+  const std::string past = walkedPastNow();
+  reporting([&](Reporter& r) {
+    r.walkedPast = past;
+    startWatching(r);
+  });
 }
 
 void writeReportIfDue() noexcept {
   if (!writesMeanwhile()) return;
-  reporting([](Reporter& r) {
+  const std::string past = walkedPastNow();
+  reporting([&](Reporter& r) {
     if (r.complete) return;
     const int wanted = session().explainFrames;
     r.complete = wanted && framesEnded() >= static_cast<uint64_t>(wanted);
@@ -242,7 +253,7 @@ void writeReportIfDue() noexcept {
     r.latest = totals();
     r.lastFrame = nowSeconds();
     const bool now = r.complete || r.lastFrame >= r.next || (!wanted && r.atOnce > 0);
-    if (now || !r.waiting) r.walkedPast = walkedPast();
+    r.walkedPast = past;
     r.waiting = true;
     if (now) r.write(r.latest);
     if (r.atOnce > 0) --r.atOnce;

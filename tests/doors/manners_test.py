@@ -255,7 +255,8 @@ class Missing(Folder):
 
 class Memory(unittest.TestCase):
     def limited(self, kilobytes, door):
-        return run("sh", "-c", f'ulimit -v {kilobytes}; exec "$@"', "sh", GLURAY, "--door", door, CLIENTS / "door_linked_gl", GLURAY_THREADS=2)
+        return run("sh", "-c", f'ulimit -v {kilobytes}; exec "$@"', "sh", GLURAY, "--door", door, CLIENTS / "door_linked_gl", GLURAY_THREADS=2,
+                   LP_NUM_THREADS=2, MALLOC_ARENA_MAX=2)  # as much memory on any number of cores
 
     def test_little_address_space(self):
         """The engine stays away where it would not have room. (Below 600 MB Mesa alone crashes now and then.)"""

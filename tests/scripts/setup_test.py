@@ -19,7 +19,8 @@ STAND_INS = {
 done | sed 's/ $//'""",
     "apt-cache": r"""case $1 in
   pkgnames) cat "$ROOT/known" "$ROOT/removed" | grep "^$2" ;;
-  policy) if grep -qxF "$2" "$ROOT/known"; then echo "$2:"; echo "  Installed: (none)"; echo "  Candidate: 1.0"
+  policy) if grep -qxF "$2" "$ROOT/known"; then echo "$2:"; echo "  Installed: (none)"; echo "  Candidate: 1.0"; sleep 0.01
+            printf '%s\n' "  Version table:" "     1.0 500" "        500 http://mirror stable/main Packages" || exit 100
           elif grep -qxF "$2" "$ROOT/removed"; then echo "$2:"; echo "  Candidate: (none)"; fi ;;
   show) echo "N: anything" >&2 ;;
 esac""",
