@@ -14,7 +14,8 @@ uint32_t groupsOfAttrib(GLbitfield mask) {
   uint32_t groups = 0;
   if (mask & GL_CURRENT_BIT) groups |= kCurrent | kMaterial;
   if (mask & GL_LIGHTING_BIT) groups |= kLighting | kMaterial;
-  if (mask & GL_ENABLE_BIT) groups |= kRaster | kLighting | kMaterial | kTexture | kClip;
+  if (mask & GL_ENABLE_BIT)  // sRGB encoding, too
+    groups |= kRaster | kLighting | kMaterial | kTexture | kClip | kTarget;
   if (mask & GL_TRANSFORM_BIT) groups |= kLighting | kClip | kRaster;  // depth clamp
   if (mask & GL_VIEWPORT_BIT) groups |= kViewport;
   if (mask & GL_SCISSOR_BIT) groups |= kViewport | kRaster;

@@ -69,8 +69,13 @@ void Immediate::loosen() {
     if (run.layout.has(static_cast<Slot>(s)))
       std::memcpy(finals[static_cast<size_t>(s)].data(), stream_.get(run.layout, static_cast<Slot>(s)),
                   sizeOf(static_cast<Slot>(s)) * 4);
-  std::unique_ptr<ListOp> op =
-      std::make_unique<LooseRun>(std::move(run), open, finals, std::move(inherited_));
+  std::unique_ptr<ListOp> op;
+  try {
+    op = std::make_unique<LooseRun>(std::move(run), open, finals, std::move(inherited_));
+  } catch (...) {
+    stream_.captured() = std::move(run);  // not yet moved from
+    throw;
+  }
   inside_ = Inside::nothing;
   startRun();
   c_.lists.append(op);

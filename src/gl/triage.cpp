@@ -90,7 +90,7 @@ Reason Context::triageAlways(const KnownMesh& known, const std::vector<MaterialC
     return Reason::traced;
   if (isOpaque(known, materials)) return Reason::traced;
   if (state.raster.unlessOpaque != Reason::traced) return state.raster.unlessOpaque;
-  // GL tests once a pixel, at its centre; we would once a sample.
+  // OpenGL tests once a pixel, at its centre; `--shading sample` does once a sample.
   const bool perSample = state.raster.multisample && state.target.samples > 1;
   return perSample ? Reason::alphaTest : Reason::traced;
 }
@@ -227,7 +227,9 @@ void Context::beforeRasterDraw(PrimitiveClass kind) {
   if (window.lags()) protect([&] { window.showLagged(); });
   if (window.shows()) protect([&] { window.settleBelow(); });
   // What was to be traced before it was known to lie in one plane with this draw is rasterised with it.
-  if (sheets.takeFound()) protect([&] { present(true); });
+  if (sheets.takeFound() && !batch_.empty() && batch_.key().layers == BatchKey::Layers::none &&
+      batch_.key().framebuffer == state.target.framebuffer)
+    protect([&] { present(true); });
   if (resolves.any()) protect([&] { resolves.meetRasterDraw(); });
   if (layers.pending()) protect([&] { layers.meetRasterDraw(); });
   if (!batch_.empty()) {

@@ -232,5 +232,20 @@ TEST(Channels, AreEncodedAsItWasWhenTheyWereDrawn) {
   }
 }
 
+TEST(Channels, AreEncodedAsThePoppedStateHasIt) {
+  for (const GLbitfield group : {GL_ENABLE_BIT, GL_COLOR_BUFFER_BIT, GL_ALL_ATTRIB_BITS}) {
+    const auto draw = [&](Gl gl) {
+      encodedFramebuffer(gl, GL_SRGB8_ALPHA8);
+      stage(gl);
+      gl.PushAttrib(group);
+      gl.Enable(GL_FRAMEBUFFER_SRGB);
+      ball(gl, -0.3f, 0, {0.9f, 0.3f, 0.2f, 1});
+      gl.PopAttrib();
+      ball(gl, 0.4f, 0.5f, {0.1f, 0.4f, 0.9f, 1});
+    };
+    expectEqual("popped " + std::to_string(group), draw, 2);
+  }
+}
+
 }  // namespace
 }  // namespace gluray::test

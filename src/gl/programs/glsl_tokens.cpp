@@ -13,9 +13,8 @@ bool GlslTokens::skip() {
     } else if (c == '/' && peek(1) == '/') {
       while (at_ < text_.size() && peek() != '\n') ++at_;
     } else if (c == '/' && peek(1) == '*') {
-      const std::string_view rest(text_.data() + at_ + 2, text_.size() - at_ - 2);
-      const size_t end = rest.find("*/");
-      at_ = end == std::string_view::npos ? text_.size() : at_ + 2 + end + 2;
+      const size_t end = text_.find("*/", at_ + 2);
+      at_ = end == std::string_view::npos ? text_.size() : end + 2;
     } else if (c == '\n') {
       if (directive_) return true;
       lineStart_ = true;
@@ -46,12 +45,12 @@ std::string_view GlslTokens::next() {
   if (isDigit(c) || (c == '.' && isDigit(peek(1)))) return number(from);
   if (isWordPart(c)) return word(from);
   ++at_;
-  return {text_.data() + from, 1};
+  return text_.substr(from, 1);
 }
 
 std::string_view GlslTokens::word(size_t from) {
   while (isWordPart(peek())) ++at_;
-  return {text_.data() + from, at_ - from};
+  return text_.substr(from, at_ - from);
 }
 
 /// Decimal fractions lose zeros at both ends and their suffix; whole numbers, hexadecimal ones and those with
@@ -62,22 +61,15 @@ std::string_view GlslTokens::number(size_t from) {
     exponent = peek() == 'e' || peek() == 'E';
     ++at_;
   }
-  char* begin = text_.data() + from;
-  char* end = text_.data() + at_;
-  char* point = std::find(begin, end, '.');
-  const auto isPlain = [](char c) { return isDigit(c) || c == '.'; };
-  char* plain = std::find_if_not(begin, end, isPlain);
-  const bool suffixed = plain == end - 1 && (*plain == 'f' || *plain == 'F');
-  if (point == end || (plain != end && !suffixed)) return {begin, at_ - from};
-  end = plain;
-  while (end > point + 1 && end[-1] == '0') --end;
-  while (begin < point && *begin == '0') ++begin;
-  if (begin == point && end == point + 1) {  // nothing is left but the point
-    char* zero = text_.data() + from;        // which had a digit beside it
-    zero[0] = '0', zero[1] = '.';
-    return {zero, 2};
-  }
-  return {begin, static_cast<size_t>(end - begin)};
+  std::string_view token = text_.substr(from, at_ - from);
+  const size_t point = token.find('.'), plain = std::min(token.find_first_not_of("0123456789."), token.size());
+  const bool suffixed = plain + 1 == token.size() && (token[plain] == 'f' || token[plain] == 'F');
+  if (point == token.npos || (plain < token.size() && !suffixed)) return token;
+  size_t begin = 0, end = plain;
+  while (end > point + 1 && token[end - 1] == '0') --end;
+  while (begin < point && token[begin] == '0') ++begin;
+  if (begin == point && end == point + 1) return "0.";  // nothing is left but the point
+  return token.substr(begin, end - begin);
 }
 
 }  // namespace gluray::gl
