@@ -40,6 +40,20 @@ TEST(RayPrecision, IsThatOfTheNearestPointThatIsSeen) {
       *mesh, projection * glm::lookAt(glm::dvec3(0, 0, 1), {0, 0, 2}, {0, 1, 0}), kViewport));
 }
 
+TEST(RayPrecision, NothingIsSeenBeforeTheNearPlane) {
+  const glm::dmat4 eyeFromObject =
+      glm::lookAt(glm::dvec3(0, 0, 1), glm::dvec3(1, 1, 0.9), glm::dvec3(0, 0, 1));
+  scene::Mesh mesh = *square(50);  // a floor under the viewer
+  RayPrecision precision;
+  EXPECT_FALSE(precision.isTooLarge(mesh, glm::perspective(0.8, 1.5, 0.1, 1e7) * eyeFromObject, kViewport));
+  EXPECT_FALSE(
+      precision.isTooLarge(mesh, glm::infinitePerspective(0.8, 1.5, 0.1) * eyeFromObject, kViewport));
+  // Its bounds say so: not one triangle is read.
+  mesh.geometryId.low += 1;
+  mesh.positions.data = nullptr;
+  EXPECT_FALSE(precision.isTooLarge(mesh, glm::perspective(0.8, 1.5, 0.1, 1e7) * eyeFromObject, kViewport));
+}
+
 TEST(RayPrecision, SmallTrianglesOfALargeMeshAreFine) {
   RayPrecision precision;
   std::vector<glm::vec3> corners;

@@ -7,7 +7,6 @@
 
 #include <glm/glm.hpp>
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -36,9 +35,13 @@ class Sheets {
   bool takeFound() { return std::exchange(found_, false); }
   /// Depth was cleared, or the frame ended: a new layer begins.
   void clear();
+  /// Triangles that were read, and pairs of them that were compared, to tell sheets of this layer apart.
+  uint64_t work() const { return work_; }
 
   static constexpr uint32_t kMostTriangles = 4096;
   static constexpr size_t kMostSheets = 512;
+  /// Of a layer. Beyond it sheets whose bounds overlap in one plane are taken for overlapping.
+  static constexpr uint64_t kMostWork = 1 << 20;
 
  private:
   /// In normalised device coordinates; depth is x*plane.x + y*plane.y + plane.z.
@@ -46,15 +49,22 @@ class Sheets {
     scene::MeshPtr mesh;
     SheetPlace place;
     glm::dvec3 plane;
-    glm::dvec2 lower, upper;
-    bool before = true;  // all of it is before the viewer
+    glm::ivec2 axes;           // of object space: the two coordinates that tell points of its plane apart
+    glm::dmat3 clipFromPlane;  // x, y and w from these two and 1
+    glm::dvec2 lower, upper;   // it reaches no farther inside the viewport
+    bool before = true;        // all of it is before the viewer
   };
-  using Corners = std::array<glm::dvec3, 3>;
+  struct Piece;
+  struct Common;
 
   static std::optional<Sheet> placed(const scene::MeshPtr& mesh, const SheetPlace& place,
                                      const glm::dvec4& plane);
-  static Corners corners(const Sheet& sheet, uint32_t triangle);
-  static bool overlap(const Sheet& a, const Sheet& b);
+  /// The triangles of `sheet` that reach into `common`, whose plane has `commonFromPlane`.
+  static std::vector<Piece> piecesOf(const Sheet& sheet, const glm::dmat3& commonFromPlane,
+                                     const Common& common);
+  bool overlap(const Sheet& a, const Sheet& b);
+  /// Whether some triangle of `a` overlaps one of `b` that is not equal.
+  bool anyOverlap(std::vector<Piece> a, std::vector<Piece> b);
   /// The plane of a mesh, object space; nothing where it is none.
   const std::optional<glm::dvec4>& planeOf(const scene::Mesh& mesh);
   void remember(const Hash128& geometry);
@@ -62,7 +72,7 @@ class Sheets {
 
   std::vector<Sheet> sheets_;  // of this layer
   bool found_ = false;
-  uint64_t layer_ = 0;
+  uint64_t layer_ = 0, work_ = 0;
   std::unordered_map<Hash128, uint64_t> metIn_;                    // geometry -> last layer
   std::unordered_map<Hash128, std::optional<glm::dvec4>> planes_;  // by geometry
 };

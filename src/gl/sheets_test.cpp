@@ -85,6 +85,65 @@ TEST(Sheets, SurfacesThatAreNotFlatAreNone) {
   EXPECT_FALSE(sheets.meets(rectangle({-1, -1}, {1, 1}), here()));
 }
 
+/// A square about a lattice point of the map, of 8x8 pairs of triangles.
+scene::MeshPtr tile(glm::ivec2 at, double turned) {
+  const glm::dmat4 mapFromTiles = glm::rotate(glm::dmat4(1), turned, glm::dvec3(0, 0, 1));
+  std::vector<glm::vec3> corners;
+  const auto add = [&](int x, int y) {
+    corners.emplace_back(mapFromTiles * glm::dvec4(0.025 * (8 * at.x + x), 0.025 * (8 * at.y + y), 0, 1));
+  };
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x)
+      add(x, y), add(x + 1, y), add(x + 1, y + 1), add(x, y), add(x + 1, y + 1), add(x, y + 1);
+  return test::meshOf(corners);
+}
+
+/// All 20x20 of them, placed by their vertices or as glTranslatef places them.
+void drawTiles(Sheets& sheets, double turned, bool ownMatrices) {
+  const glm::mat4 mapFromTiles(glm::rotate(glm::dmat4(1), turned, glm::dvec3(0, 0, 1)));
+  for (int y = -10; y < 10; ++y) {
+    for (int x = -10; x < 10; ++x) {
+      const glm::vec3 by = 0.2f * glm::vec3(glm::ivec3(x, y, 0));
+      const glm::dmat4 moved(glm::translate(mapFromTiles, by));
+      EXPECT_FALSE(ownMatrices ? sheets.meets(tile({0, 0}, 0), here(moved))
+                               : sheets.meets(tile({x, y}, turned), here()))
+          << x << ' ' << y;
+    }
+  }
+}
+
+TEST(Sheets, TilesOfATiltedMapAreToldApartByFewTriangles) {
+  // Bounds of about 1,600 pairs meet in the window: 26 million pairs of triangles.
+  for (const bool ownMatrices : {false, true}) {
+    for (const double turned : {0.0, 0.7}) {
+      Sheets sheets;
+      drawTiles(sheets, turned, ownMatrices);
+      // Bounds along axes of the map tell tiles apart; those of vertices that are turned do not.
+      const bool byBounds = ownMatrices || turned == 0;
+      EXPECT_LE(sheets.work(), byBounds ? 0u : 700'000u) << ownMatrices << ' ' << turned;
+      EXPECT_TRUE(sheets.meets(rectangle({-0.5f, -0.5f}, {0.2f, 0.3f}), here())) << "what lies on them";
+    }
+  }
+}
+
+TEST(Sheets, BeyondTheirWorkTheirBoundsDecide) {
+  // Combs whose teeth stand between each other's: triangles that are long do not tell themselves apart.
+  const auto comb = [](float from) {
+    std::vector<glm::vec3> corners;
+    for (int i = 0; i < 2000; ++i) {
+      const float y = from + static_cast<float>(i) * 1e-3f - 1;
+      corners.insert(corners.end(), {{-1, y, 0}, {1, y, 0}, {1, y + 4e-4f, 0}});
+    }
+    return test::meshOf(corners);
+  };
+  Sheets sheets;
+  EXPECT_FALSE(sheets.meets(comb(0), here()));
+  EXPECT_TRUE(sheets.meets(comb(5e-4f), here()));
+  EXPECT_LT(sheets.work(), Sheets::kMostWork + 50000);
+  sheets.clear();
+  EXPECT_EQ(sheets.work(), 0u);
+}
+
 TEST(Sheets, ThatReachBehindTheViewerMeetByTheirBounds) {
   Sheets sheets;
   EXPECT_FALSE(sheets.meets(rectangle({-100, -100}, {100, 100}), here()));

@@ -59,6 +59,7 @@ struct NullGl::Objects {
   std::map<GLuint, Texture> textures;
   std::map<GLuint, NullProgram> programs;
   std::map<GLuint, std::string> shaders;  // their text
+  std::map<GLuint, GLenum> shaderTypes;
   GLuint nextName = 1000, nextList = 1;
 };
 

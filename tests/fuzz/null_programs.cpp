@@ -163,6 +163,14 @@ void APIENTRY getShaderSource(GLuint shader, GLsizei size, GLsizei* length, GLch
   if (length) *length = static_cast<GLsizei>(copied);
 }
 
+void APIENTRY getShaderiv(GLuint shader, GLenum what, GLint* out) {
+  switch (what) {
+    case GL_SHADER_SOURCE_LENGTH: *out = static_cast<GLint>(now().objects->shaders[shader].size()) + 1; break;
+    case GL_SHADER_TYPE: *out = static_cast<GLint>(now().objects->shaderTypes[shader]); break;
+    default: *out = GL_TRUE;
+  }
+}
+
 void APIENTRY getAttachedShaders(GLuint name, GLsizei most, GLsizei* count, GLuint* out) {
   const auto& shaders = program(name).shaders;
   const size_t n = std::min(shaders.size(), static_cast<size_t>(std::max(most, 0)));
@@ -175,13 +183,12 @@ void APIENTRY getAttachedShaders(GLuint name, GLsizei most, GLsizei* count, GLui
 void addPrograms(NullFunctions& functions) {
   using F = GLfloat;
   IS(CreateProgram, []() -> GLuint { return program(now().objects->nextName), now().objects->nextName++; });
-  IS(CreateShader, [](GLenum) -> GLuint { return now().objects->nextName++; });
+  IS(CreateShader, [](GLenum type) -> GLuint {
+    return now().objects->shaderTypes[now().objects->nextName] = type, now().objects->nextName++;
+  });
   IS(ShaderSource, shaderSource);
   IS(GetShaderSource, getShaderSource);
-  IS(GetShaderiv, [](GLuint shader, GLenum what, GLint* out) {
-    *out = what == GL_SHADER_SOURCE_LENGTH ? static_cast<GLint>(now().objects->shaders[shader].size()) + 1
-                                           : GL_TRUE;
-  });
+  IS(GetShaderiv, getShaderiv);
   IS(AttachShader, [](GLuint name, GLuint shader) { program(name).shaders.push_back(shader); });
   IS(DetachShader, [](GLuint name, GLuint shader) { std::erase(program(name).shaders, shader); });
   IS(GetAttachedShaders, getAttachedShaders);

@@ -63,9 +63,10 @@ void eachLight(std::string_view s, Each&& each) {
   }
 }
 
-/// The number of the only light that a statement speaks of reads "#". Returns the statement's length after
-/// that.
-size_t unnumberLight(char* text, size_t size) {
+/// The number of the only light that the statement which begins at `start` speaks of reads "#".
+void unnumberLight(std::string& code, size_t start) {
+  char* const text = code.data() + start;
+  const size_t size = code.size() - start;
   const std::string_view s(text, size);
   std::string_view only;
   bool several = false;
@@ -74,7 +75,7 @@ size_t unnumberLight(char* text, size_t size) {
     several = several || (!only.empty() && only != digits);
     only = digits;
   });
-  if (only.empty() || several) return size;
+  if (only.empty() || several) return;
   size_t to = 0, from = 0;
   const auto keep = [&](size_t end) {
     std::memmove(text + to, text + from, end - from);
@@ -87,13 +88,14 @@ size_t unnumberLight(char* text, size_t size) {
     from = end;
   });
   keep(size);
-  return to;
+  code.resize(start + to);
 }
 
-/// Writes tokens back in front of the text they come from, statement by statement.
+/// Appends tokens to `code`, statement by statement, and where each statement ends to `ends`.
 class Cutter {
  public:
-  Cutter(std::span<char> text, std::vector<std::string_view>& out) : text_(text), tokens_(text), out_(out) {}
+  Cutter(std::string_view text, std::string& code, std::vector<size_t>& ends)
+      : tokens_(text), code_(code), ends_(ends), start_(code.size()) {}
 
   void cut() {
     for (std::string_view t = tokens_.next(); !t.empty(); t = tokens_.next()) {
@@ -113,16 +115,15 @@ class Cutter {
   }
 
  private:
-  bool isEmpty() const { return to_ == start_; }
-  std::string_view statement() const { return {text_.data() + start_, to_ - start_}; }
+  bool isEmpty() const { return code_.size() == start_; }
+  std::string_view statement() const { return std::string_view(code_).substr(start_); }
 
   /// Tokens are parted where they would run into one another, or by `space`.
   void add(std::string_view token, bool space) {
-    const bool words = to_ > start_ && isWordPart(text_[to_ - 1]) && isWordPart(token[0]);
-    const bool number = to_ > start_ && text_[to_ - 1] == '.' && isDigit(token[0]);
-    if (words || number || space) text_[to_++] = ' ';
-    std::memmove(text_.data() + to_, token.data(), token.size());
-    to_ += token.size();
+    const bool words = !isEmpty() && isWordPart(code_.back()) && isWordPart(token[0]);
+    const bool number = !isEmpty() && code_.back() == '.' && isDigit(token[0]);
+    if (words || number || space) code_ += ' ';
+    code_ += token;
   }
   /// "#define name text": one space after what was defined keeps macros with arguments apart from those
   /// without.
@@ -149,33 +150,34 @@ class Cutter {
     body_ = body_ || afterParenthesis;
     if (startsWith(statement(), "for(")) return ++loops_, finish(), true;
     if (inMain_ || !startsWith(statement(), "void main(")) return false;
-    inMain_ = true, braces_ = 0, to_ = start_;
+    inMain_ = true, braces_ = 0, code_.resize(start_);
     return true;
   }
   void finish() {
     parentheses_ = braces_ = 0;
     body_ = ended_ = false;
     if (isEmpty()) return;
-    if (matters(statement(), !inMain_)) {
-      const size_t size = unnumberLight(text_.data() + start_, to_ - start_);
-      out_.emplace_back(text_.data() + start_, size);
-      start_ += size;
-    }
-    to_ = start_;
+    if (!matters(statement(), !inMain_)) return code_.resize(start_);
+    unnumberLight(code_, start_);
+    ends_.push_back(start_ = code_.size());
   }
 
-  std::span<char> text_;
   GlslTokens tokens_;
-  std::vector<std::string_view>& out_;
-  size_t start_ = 0, to_ = 0;  // of the statement that is being written
+  std::string& code_;
+  std::vector<size_t>& ends_;
+  size_t start_;  // of the statement that is being written
   int parentheses_ = 0, braces_ = 0, loops_ = 0;
   bool inMain_ = false, body_ = false, ended_ = false, parenthesisClosed_ = false;
 };
 
 }  // namespace
 
-void cutStatements(std::span<char> text, std::vector<std::string_view>& statements) {
-  Cutter(text, statements).cut();
+void GlslStatements::cut(std::string_view text) {
+  // One allocation for all: a token is no longer than what it was read from and gets one character before it
+  // at most, a space, or a line feed before "#"; the line feed at the end may come from nothing.
+  code_.reserve(code_.size() + 2 * text.size() + 1);
+  ends_.reserve(ends_.size() + 256);
+  Cutter(text, code_, ends_).cut();
 }
 
 }  // namespace gluray::gl

@@ -11,10 +11,15 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-Texts cut(std::string text) {
-  std::vector<std::string_view> statements;
-  cutStatements({text.data(), text.size()}, statements);
-  return {statements.begin(), statements.end()};
+/// Cuts a copy that has nothing behind it, so that a sanitizer sees what is read beyond the end.
+Texts cut(const std::string& text) {
+  std::vector<char> exact(text.begin(), text.end());
+  exact.shrink_to_fit();
+  GlslStatements statements;
+  statements.cut({exact.data(), exact.size()});
+  Texts texts;
+  for (size_t i = 0; i < statements.size(); ++i) texts.emplace_back(statements[i]);
+  return texts;
 }
 /// What main is cut into that holds `text`.
 Texts body(const std::string& text) { return cut("void main() {\n" + text + "\n}\n"); }
@@ -96,6 +101,31 @@ TEST(GlslStatements, TheNumberOfTheOnlyLightMeansNothing) {
   EXPECT_EQ(body("light1 = lightness;"), Texts{"light#=lightness;"});
 }
 
+// Texts whose normal form is longer than they are.
+TEST(GlslStatements, StatementsMayGrow) {
+  EXPECT_EQ(cut("return.0;"), Texts{"return 0.;"});
+  EXPECT_EQ(cut("#if !defined(A)\n#endif\n"), (Texts{"#if ! defined(A)", "#endif"}));
+  EXPECT_EQ(cut("#if(A)"), Texts{"#if ( A)"});
+  EXPECT_EQ(cut("#define A+1"), Texts{"#define A +1"});
+  EXPECT_EQ(cut("void f(){\n#ifdef A\n#ifdef B\na;\n#endif\n#endif"),
+            Texts{"void f(){\n#ifdef A\n\n#ifdef B\na;\n#endif\n\n#endif\n"});
+  EXPECT_EQ(cut("f(){#"), Texts{"f(){#"}) << "not where a line begins";
+  EXPECT_EQ(cut("a\n#"), Texts{"a\n#\n"});
+}
+
+TEST(GlslStatements, TextsAreCutOneAfterTheOther) {
+  GlslStatements statements;
+  statements.cut("void main() { a; for (;;) {"), statements.cut("#define A"), statements.cut("");
+  const std::string names(10000, 'b');  // more than there was room for
+  statements.cut(names + ";c;");
+  ASSERT_EQ(statements.size(), 5u);
+  EXPECT_EQ(statements[0], "a;");
+  EXPECT_EQ(statements[1], "for(;;){");
+  EXPECT_EQ(statements[2], "#define A");
+  EXPECT_EQ(statements[3], names + ";");
+  EXPECT_EQ(statements[4], "c;");
+}
+
 TEST(GlslStatements, AnyTextIsCutWithinItsBounds) {
   for (const char* text : {"}",
                            "}}}",
@@ -121,9 +151,18 @@ TEST(GlslStatements, AnyTextIsCutWithinItsBounds) {
                            "for(;;){",
                            "a;else b;",
                            ";;;",
+                           "return.0;",
+                           ".0.0.0",
+                           "#if !defined(A)\n#endif\n",
+                           "#if(A)",
+                           "#define A+1",
+                           "#a\n#b\n#c",
+                           "f(){\n#ifdef A\n#ifdef B\na=.0;\n#endif\n#endif\n}",
+                           "f(){\n#\n#\n#\n#",
                            "\"'@$\x80\xff"}) {
-    cut(text);
-    body(text);
+    const std::string spaces(1000, ' ');
+    EXPECT_EQ(cut(text), cut(spaces + text)) << text;
+    EXPECT_EQ(body(text), body(spaces + text)) << text;
   }
 }
 

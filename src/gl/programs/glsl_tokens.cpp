@@ -62,7 +62,8 @@ std::string_view GlslTokens::number(size_t from) {
     ++at_;
   }
   std::string_view token = text_.substr(from, at_ - from);
-  const size_t point = token.find('.'), plain = std::min(token.find_first_not_of("0123456789."), token.size());
+  const size_t point = token.find('.'),
+               plain = std::min(token.find_first_not_of("0123456789."), token.size());
   const bool suffixed = plain + 1 == token.size() && (token[plain] == 'f' || token[plain] == 'F');
   if (point == token.npos || (plain < token.size() && !suffixed)) return token;
   size_t begin = 0, end = plain;

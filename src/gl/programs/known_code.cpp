@@ -1,7 +1,5 @@
 #include "gl/programs/known_code.h"
 
-#include "gl/programs/glsl_statements.h"
-
 #include <algorithm>
 #include <utility>
 
@@ -14,12 +12,11 @@ bool isBefore(const Hash128& a, const Hash128& b) {
 
 }  // namespace
 
-void KnownCode::add(std::string text) {
-  std::vector<std::string_view> statements;
-  statements.reserve(256);
-  cutStatements({text.data(), text.size()}, statements);
+void KnownCode::add(std::string_view text) {
+  GlslStatements statements;
+  statements.cut(text);
   statements_.reserve(statements_.size() + statements.size());
-  for (const std::string_view statement : statements) statements_.push_back(hashOf(statement));
+  for (size_t i = 0; i < statements.size(); ++i) statements_.push_back(hashOf(statements[i]));
   sort();
 }
 
@@ -37,7 +34,7 @@ bool KnownCode::has(Hash128 statement) const {
   return std::binary_search(statements_.begin(), statements_.end(), statement, isBefore);
 }
 
-std::vector<std::string_view> unknownStatements(std::span<const std::string_view> statements,
+std::vector<std::string_view> unknownStatements(const GlslStatements& statements,
                                                 const CodeSections& sections,
                                                 const std::vector<std::string>& names) {
   std::vector<const KnownCode*> known;
@@ -45,7 +42,8 @@ std::vector<std::string_view> unknownStatements(std::span<const std::string_view
   for (const std::string& name : names)
     if (const auto it = sections.find(name); it != sections.end()) known.push_back(&it->second);
   std::vector<std::string_view> unknown;
-  for (const std::string_view statement : statements) {
+  for (size_t i = 0; i < statements.size(); ++i) {
+    const std::string_view statement = statements[i];
     const Hash128 hash = hashOf(statement);
     const auto has = [&](const KnownCode* code) { return code->has(hash); };
     if (std::any_of(known.begin(), known.end(), has)) continue;

@@ -2,9 +2,9 @@
 // something that nobody has told us. Format: docs/program-families.md. Any thread.
 #pragma once
 #include "base/hash.h"
+#include "gl/programs/glsl_statements.h"
 
 #include <map>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,7 +15,7 @@ namespace gluray::gl {
 class KnownCode {
  public:
   /// Adds all statements of `text`.
-  void add(std::string text);
+  void add(std::string_view text);
   void add(const KnownCode& more);
   bool has(Hash128 statement) const;
   size_t size() const { return statements_.size(); }
@@ -31,7 +31,7 @@ using CodeSections = std::map<std::string, KnownCode, std::less<>>;
 inline Hash128 hashOf(std::string_view statement) { return hashBytes(statement.data(), statement.size()); }
 
 /// Those of `statements` that none of the sections `names` has, each of them once, in their order.
-std::vector<std::string_view> unknownStatements(std::span<const std::string_view> statements,
+std::vector<std::string_view> unknownStatements(const GlslStatements& statements,
                                                 const CodeSections& sections,
                                                 const std::vector<std::string>& names);
 

@@ -39,9 +39,9 @@ void needSource(ProgramSource& program, const Family& f, std::vector<std::string
 void needCode(ProgramSource& program, const Family& f, const CodeSections& code,
               std::vector<std::string>& out) {
   if (f.code.empty()) return;
-  const std::vector<std::string_view>& statements = program.statements();
-  if (statements.empty()) out.push_back("has no source that could be read");
-  for (const std::string_view statement : unknownStatements(statements, code, f.code))
+  if (!program.isWhole(f.geometryShader) || program.statements().size() == 0)
+    return out.push_back("has no source that could be read");
+  for (const std::string_view statement : unknownStatements(program.statements(), code, f.code))
     out.push_back(about("has the unknown statement ", std::string(statement)));
 }
 

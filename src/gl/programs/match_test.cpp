@@ -13,9 +13,14 @@ namespace {
 using Lines = std::vector<std::string>;
 std::map<std::string, GLint> g_outputs;
 
-/// An OpenGL that knows outputs of fragment shaders and sources alone.
-std::vector<std::string> g_shaders;  // texts of those that are attached
+struct FakeShader {
+  GLenum type;
+  std::string text;
+  bool hasText = true;
+};
+std::vector<FakeShader> g_shaders;  // those that are attached
 
+/// An OpenGL that knows outputs of fragment shaders and sources alone.
 RealGl fakeGl() {
   RealGl real{};
   loadRealGl(
@@ -28,12 +33,17 @@ RealGl fakeGl() {
     *count = std::min(most, static_cast<GLsizei>(g_shaders.size()));
     for (GLsizei i = 0; i < *count; ++i) names[i] = static_cast<GLuint>(i);
   };
-  real.GetShaderiv = [](GLuint shader, GLenum, GLint* length) {
-    *length = static_cast<GLint>(g_shaders.at(shader).size() + 1);
+  real.GetProgramiv = [](GLuint, GLenum what, GLint* count) {
+    *count = what == GL_ATTACHED_SHADERS ? static_cast<GLint>(g_shaders.size()) : 0;
+  };
+  real.GetShaderiv = [](GLuint name, GLenum what, GLint* value) {
+    const FakeShader& shader = g_shaders.at(name);
+    const size_t length = shader.hasText ? shader.text.size() + 1 : 0;
+    *value = what == GL_SHADER_TYPE ? static_cast<GLint>(shader.type) : static_cast<GLint>(length);
   };
   real.GetShaderSource = [](GLuint shader, GLsizei size, GLsizei* length, GLchar* text) {
-    *length = std::min(size - 1, static_cast<GLsizei>(g_shaders.at(shader).size()));
-    g_shaders.at(shader).copy(text, static_cast<size_t>(*length));
+    *length = std::min(size - 1, static_cast<GLsizei>(g_shaders.at(shader).text.size()));
+    g_shaders.at(shader).text.copy(text, static_cast<size_t>(*length));
     text[*length] = 0;
   };
   return real;
@@ -75,6 +85,13 @@ class Match : public testing::Test {
   Program fitting() const {
     return programOf({{"m", GL_FLOAT_MAT4}, {"dc", GL_FLOAT_VEC3}, {"light0", GL_FLOAT_VEC3}},
                      {{"p", GL_FLOAT_VEC3}, {"n", GL_FLOAT_VEC3}});
+  }
+  /// Attaches a vertex and a fragment shader whose statements kCode has; returns the latter's text.
+  static std::string& attachBoth() {
+    g_shaders = {
+        {GL_VERTEX_SHADER, "#version 150\nin vec4 p; uniform mat4 m;\nvoid main() { gl_Position = m*p; }"},
+        {GL_FRAGMENT_SHADER, "void main() { color = vec4(light3, 1.); }"}};
+    return g_shaders[1].text;
   }
   RealGl real_ = fakeGl();
   std::shared_ptr<const Family> family_ = parseFamilies(kFamily, "f.toml").front();
@@ -144,28 +161,75 @@ TEST_F(Match, TypesMustMeanWhatTheFamilySays) {
   EXPECT_EQ(obstaclesOf(p), Lines{"has \"p\", which is not a vector"});
 }
 
-TEST_F(Match, StatementsMustBeKnown) {
-  const FamilyList list = parseFamilies(std::string(kFamily) + R"(match.code = ["one", "two"]
+const char* const kCode = R"(match.code = ["one", "two"]
 [[code]]
 name = "one"
 statements = "color = vec4(light0, 1.0);"
 [[code]]
 name = "two"
 statements = "if (color.a < 0.5) discard; gl_Position = m * p;"
-)",
-                                        "f.toml");
+)";
+
+TEST_F(Match, StatementsMustBeKnown) {
+  const FamilyList list = parseFamilies(std::string(kFamily) + kCode, "f.toml");
   const auto found = [&] { return obstacles(real_, fitting(), *list.front(), list.code); };
   EXPECT_EQ(found(), Lines{"has no source that could be read"});
-  g_shaders = {"#version 150\nin vec4 p; uniform mat4 m;\nvoid main() { gl_Position = m*p; }",
-               "uniform vec3 light3; out vec4 color; void main() { color = vec4(light3, 1); }"};
+  std::string& fragment = attachBoth();
+  fragment = "uniform vec3 light3; out vec4 color; void main() { color = vec4(light3, 1); }";
   EXPECT_EQ(found(), Lines{"has the unknown statement \"color=vec4(light#,1);\""}) << "1 is not 1.0";
-  g_shaders[1] = "void main() { // all is known\n color = vec4(light3, 1.); if (color.a < .5) discard; }";
+  fragment = "void main() { // all is known\n color = vec4(light3, 1.); if (color.a < .5) discard; }";
   EXPECT_EQ(found(), Lines{});
-  g_shaders[1] += " float f() { return 1.0; }";
+  fragment += " float f() { return 1.0; }";
   EXPECT_EQ(found(), Lines{"has the unknown statement \"float f(){return 1.;}\""});
-  g_shaders[1] = "void main() { color.r = 1.0; color.r = 1.0; color.g = 2.0; }";
+  fragment = "void main() { color.r = 1.0; color.r = 1.0; color.g = 2.0; }";
   EXPECT_EQ(found(), (Lines{"has the unknown statement \"color.r=1.;\"",
                             "has the unknown statement \"color.g=2.;\""}));
+}
+
+TEST_F(Match, SourcesMustBeReadAsAWhole) {
+  const FamilyList list = parseFamilies(std::string(kFamily) + kCode, "f.toml");
+  const auto found = [&] { return obstacles(real_, fitting(), *list.front(), list.code); };
+  const Lines unread{"has no source that could be read"};
+  const auto without = [&](size_t shader) {
+    attachBoth();
+    g_shaders.erase(g_shaders.begin() + static_cast<std::ptrdiff_t>(shader));
+    return found();
+  };
+  attachBoth();
+  EXPECT_EQ(found(), Lines{});
+  EXPECT_EQ(without(0), unread) << "the vertex shader is detached";
+  EXPECT_EQ(without(1), unread) << "the fragment shader is detached";
+  for (const size_t shader : {0u, 1u}) {
+    attachBoth(), g_shaders[shader].hasText = false;
+    EXPECT_EQ(found(), unread) << "no source, as after glShaderBinary";
+    attachBoth(), g_shaders[shader].text.clear();
+    EXPECT_EQ(found(), unread) << "an empty text says nothing of what is computed";
+  }
+  attachBoth(), g_shaders[0].text = g_shaders[1].text = "void main() {}";
+  EXPECT_EQ(found(), unread) << "texts that were given after linking";
+  attachBoth(), g_shaders.push_back({GL_FRAGMENT_SHADER, "", false});
+  EXPECT_EQ(found(), unread) << "of one of two";
+  attachBoth(), g_shaders.push_back({GL_FRAGMENT_SHADER, "float f() { return 1.0; }"});
+  EXPECT_EQ(found(), Lines{"has the unknown statement \"float f(){return 1.;}\""});
+  attachBoth(), g_shaders.resize(32, g_shaders[1]);
+  EXPECT_EQ(found(), Lines{});
+  g_shaders.push_back({GL_FRAGMENT_SHADER, "float f() { return 1.0; }"});
+  EXPECT_EQ(found(), unread) << "more shaders than are read";
+  attachBoth();
+  real_.GetProgramiv = [](GLuint, GLenum, GLint* count) { *count = 3; };
+  EXPECT_EQ(found(), unread) << "a shader that OpenGL does not name";
+}
+
+TEST_F(Match, GeometryShadersMustBeReadToo) {
+  const FamilyList list =
+      parseFamilies(std::string(kFamily) + "match.geometry_shader = true\n" + kCode, "f.toml");
+  Program program = fitting();
+  program.geometryShader = true;
+  const auto found = [&] { return obstacles(real_, program, *list.front(), list.code); };
+  attachBoth();
+  EXPECT_EQ(found(), Lines{"has no source that could be read"});
+  g_shaders.push_back({GL_GEOMETRY_SHADER, "layout(points) in;"});
+  EXPECT_EQ(found(), Lines{"has the unknown statement \"layout(points)in;\""});
 }
 
 }  // namespace

@@ -1,13 +1,12 @@
 #include "gl/programs/program_source.h"
 
-#include "gl/programs/glsl_statements.h"
-
 #include <algorithm>
+#include <string_view>
 
 namespace gluray::gl {
 namespace {
 
-constexpr GLsizei kShaders = 8;  // more than there are stages
+constexpr GLsizei kShaders = 32;  // a stage may have several; a program with more is not read as a whole
 
 /// Appends GLSL without its comments.
 void appendWithoutComments(std::string_view text, std::string& out) {
@@ -25,49 +24,62 @@ void appendWithoutComments(std::string_view text, std::string& out) {
 
 }  // namespace
 
-/// Calls each(shader, bytes of its text).
-template <class Each>
-void ProgramSource::eachShader(Each&& each) const {
+void ProgramSource::read() {
+  if (isRead_) return;
+  source_.clear(), shaders_.clear(), shaders_.reserve(kShaders);
   GLuint shaders[kShaders] = {};
+  GLint attached = 0;
   GLsizei count = 0;
+  real_.GetProgramiv(program_, GL_ATTACHED_SHADERS, &attached);
   real_.GetAttachedShaders(program_, kShaders, &count, shaders);
-  for (GLsizei i = 0; i < count; ++i) {
-    GLint length = 0;
-    real_.GetShaderiv(shaders[i], GL_SHADER_SOURCE_LENGTH, &length);
-    if (length > 0) each(shaders[i], static_cast<size_t>(length));
-  }
+  count = std::clamp(count, 0, kShaders);
+  allRead_ = count == attached;
+  for (GLsizei i = 0; i < count; ++i) allRead_ = readShader(shaders[i]) && allRead_;
+  isRead_ = true;
+}
+
+/// Whether there was a text, and all of it could be read.
+bool ProgramSource::readShader(GLuint shader) {
+  GLint type = 0, length = 0;  // which counts the 0 at the end
+  real_.GetShaderiv(shader, GL_SHADER_TYPE, &type);
+  real_.GetShaderiv(shader, GL_SHADER_SOURCE_LENGTH, &length);
+  if (length <= 0) return false;
+  const size_t begin = source_.size();
+  GLsizei written = 0;
+  source_.resize(begin + static_cast<size_t>(length));
+  real_.GetShaderSource(shader, length, &written, source_.data() + begin);
+  source_.resize(begin + static_cast<size_t>(std::clamp(written, 0, length - 1)));
+  shaders_.push_back({static_cast<GLenum>(type), begin, source_.size()});
+  return written == length - 1;  // else another thread has given it another text
+}
+
+bool ProgramSource::has(GLenum type) const {
+  const auto is = [&](const Shader& s) { return s.type == type && s.end > s.begin; };
+  return std::any_of(shaders_.begin(), shaders_.end(), is);
+}
+
+bool ProgramSource::isWhole(bool geometry) {
+  read();
+  return allRead_ && has(GL_VERTEX_SHADER) && has(GL_FRAGMENT_SHADER) &&
+         (!geometry || has(GL_GEOMETRY_SHADER));
 }
 
 const std::string& ProgramSource::text() {
   if (hasText_) return text_;
-  size_t all = 0;
-  eachShader([&](GLuint, size_t length) { all += length; });
-  text_.clear(), text_.reserve(all);
-  std::string one;
-  eachShader([&](GLuint shader, size_t length) {
-    one.resize(length);
-    GLsizei written = 0;
-    real_.GetShaderSource(shader, static_cast<GLsizei>(length), &written, one.data());
-    appendWithoutComments({one.data(), static_cast<size_t>(written)}, text_);
-  });
+  read();
+  text_.clear(), text_.reserve(source_.size());
+  for (const Shader& s : shaders_)
+    appendWithoutComments(std::string_view(source_).substr(s.begin, s.end - s.begin), text_);
   hasText_ = true;
   return text_;
 }
 
-const std::vector<std::string_view>& ProgramSource::statements() {
+const GlslStatements& ProgramSource::statements() {
   if (hasStatements_) return statements_;
-  size_t all = 0;
-  eachShader([&](GLuint, size_t length) { all += length; });
-  code_.resize(all);
-  statements_.clear(), statements_.reserve(256);
-  size_t at = 0;
-  eachShader([&](GLuint shader, size_t length) {
-    GLsizei written = 0;
-    if (at + length > all) return;  // another thread has given it another text
-    real_.GetShaderSource(shader, static_cast<GLsizei>(length), &written, code_.data() + at);
-    cutStatements({code_.data() + at, static_cast<size_t>(written)}, statements_);
-    at += length;
-  });
+  read();
+  statements_ = {};
+  for (const Shader& s : shaders_)
+    statements_.cut(std::string_view(source_).substr(s.begin, s.end - s.begin));
   hasStatements_ = true;
   return statements_;
 }

@@ -1,10 +1,10 @@
 // The source of a program's shaders, asked of the real OpenGL when it is first needed. GL thread, context
 // current.
 #pragma once
+#include "gl/programs/glsl_statements.h"
 #include "gl/real.h"
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace gluray::gl {
@@ -15,18 +15,27 @@ class ProgramSource {
 
   /// Texts of the shaders that are attached, one after the other, without comments.
   const std::string& text();
-  /// The same as statements (glsl_statements.h); empty where no shader is attached.
-  const std::vector<std::string_view>& statements();
+  /// The same as statements; empty where no shader is attached.
+  const GlslStatements& statements();
+  /// Whether the text of every attached shader could be read, and one of them is a vertex shader, one a
+  /// fragment shader, and where `geometry` is true one a geometry shader.
+  bool isWhole(bool geometry);
 
  private:
-  template <class Each>
-  void eachShader(Each&& each) const;
+  struct Shader {
+    GLenum type;
+    size_t begin, end;  // of its text
+  };
+  void read();
+  bool readShader(GLuint shader);
+  bool has(GLenum type) const;
 
   const RealGl& real_;
   GLuint program_;
-  bool hasText_ = false, hasStatements_ = false;
-  std::string text_, code_;  // code_: what statements_ are views of
-  std::vector<std::string_view> statements_;
+  bool isRead_ = false, allRead_ = false, hasText_ = false, hasStatements_ = false;
+  std::string source_, text_;  // source_: as it was given, one shader after the other
+  std::vector<Shader> shaders_;
+  GlslStatements statements_;
 };
 
 }  // namespace gluray::gl
