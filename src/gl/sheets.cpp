@@ -142,7 +142,6 @@ std::optional<Sheets::Sheet> Sheets::placed(const scene::MeshPtr& mesh, const Sh
 
 std::vector<Sheets::Piece> Sheets::piecesOf(const Sheet& sheet, const glm::dmat3& commonFromPlane,
                                             const Common& common) {
-  const Box2 window{glm::dvec2(-1), glm::dvec2(1)};
   std::vector<Piece> pieces;
   for (uint32_t t = 0; t < sheet.mesh->triangleCount; ++t) {
     Corners at;
@@ -159,7 +158,7 @@ std::vector<Sheets::Piece> Sheets::piecesOf(const Sheet& sheet, const glm::dmat3
       piece.at[k] = glm::dvec3(p) / p.w;
       piece.box.add(glm::dvec2(piece.at[k]));
     }
-    if (piece.box.meets(window, glm::dvec2(0))) pieces.push_back(piece);
+    pieces.push_back(piece);
   }
   return pieces;
 }
