@@ -104,7 +104,7 @@ MORE = {
     "freefem": wide(lambda folder: ["FreeFem++", str(models.write_edp(folder / "plot.edp"))], "GLUT", 0.98, colors=10),
     "sumo": wide(lambda folder: ["sumo-gui", "-n", str(models.write_road_net(folder / "net.xml"))], "FOX; flat layers", 0.0),
     "dangerball": wide(hack("dangerball"), "lists", 1.0, frame=20),
-    "glplanet": wide(hack("glplanet"), "EGL; night side and atmosphere blended", 0.33, frame=20),
+    "glplanet": wide(hack("glplanet"), "EGL; day and night in other channels, atmosphere blended", 0.66, frame=20),
     "atlantis": wide(hack("atlantis"), "immediate mode, texture coordinate generation", 0.9, frame=20),
     "gltext": wide(hack("gltext", "--text", "GLuRay"), "immediate mode", 1.0, frame=60),
     "pipes": wide(hack("pipes"), "lists, drawn over several frames", 1.0, frame=20),
