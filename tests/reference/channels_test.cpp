@@ -233,7 +233,8 @@ TEST(Channels, AreEncodedAsItWasWhenTheyWereDrawn) {
 }
 
 TEST(Channels, AreEncodedAsThePoppedStateHasIt) {
-  for (const GLbitfield group : {GL_ENABLE_BIT, GL_COLOR_BUFFER_BIT, GL_ALL_ATTRIB_BITS}) {
+  for (const GLbitfield group :
+       {GLbitfield{GL_ENABLE_BIT}, GLbitfield{GL_COLOR_BUFFER_BIT}, GLbitfield{GL_ALL_ATTRIB_BITS}}) {
     const auto draw = [&](Gl gl) {
       encodedFramebuffer(gl, GL_SRGB8_ALPHA8);
       stage(gl);
