@@ -1,5 +1,6 @@
 // Family files: TOML to Family.
 #include "gl/programs/built_in_families.gen.h"
+#include "gl/programs/code_sections.h"
 #include "gl/programs/family.h"
 #include "gl/programs/family_table.h"
 
@@ -237,45 +238,19 @@ bool Family::mentions(std::string_view name) const {
 
 namespace {
 
-/// Reads one [[code]] table: a section's name and statements.
-class CodeReader : FamilyTable {
- public:
-  CodeReader(const toml::table& table, const std::string& file) : FamilyTable(table, file, none_) {}
+[[noreturn]] void fail(const toml::node& at, const std::string& file, const std::string& what) {
+  throw FamilyError(file + ":" + std::to_string(at.source().begin.line) + ": " + what);
+}
 
-  void read(CodeSections& sections) {
-    std::string name, statements;
-    text("name", name), text("statements", statements);
-    if (name.empty()) fail(here(), "code needs a name");
-    if (name == "any") fail(at("name"), "code cannot be named \"any\"");
-    if (statements.empty()) fail(here(), "code \"" + name + "\" needs statements");
-    allKnown();
-    sections[name].add(std::move(statements));
-  }
-
- private:
-  Names none_;
-};
-
-/// Calls read(table) for each [[key]] section.
-template <class Read>
-void eachSection(const toml::node& node, const std::string& file, const char* key, Read&& read) {
-  const auto fail = [&](const toml::node& at, const std::string& what) {
-    throw FamilyError(file + ":" + std::to_string(at.source().begin.line) + ": " + what);
-  };
-  const toml::array* list = node.as_array();
-  if (!list) fail(node, "only [[family]] and [[code]] sections are expected here");
-  for (const toml::node& item : *list) {
-    if (!item.is_table()) fail(item, std::string(key) + " must be a section");
-    read(*item.as_table());
-  }
+/// Reads one [[family]] or [[code]] section into `list`.
+void readSection(std::string_view key, const toml::table& table, const std::string& file, FamilyList& list) {
+  if (key == "code") return readCode(table, file, list.code);
+  auto family = std::make_shared<Family>();
+  FamilyReader(table, file, *family).read(list.families);
+  list.families.push_back(std::move(family));
 }
 
 }  // namespace
-
-void FamilyList::append(const FamilyList& more) {
-  families.insert(families.end(), more.families.begin(), more.families.end());
-  for (const auto& [name, known] : more.code) code[name].add(known);
-}
 
 FamilyList parseFamilies(std::string_view text, const std::string& file) {
   FamilyList list;
@@ -287,18 +262,12 @@ FamilyList parseFamilies(std::string_view text, const std::string& file) {
                       std::string(e.description()));
   }
   for (const auto& [key, node] : root) {
-    if (key.str() == "family") {
-      eachSection(node, file, "family", [&](const toml::table& table) {
-        auto family = std::make_shared<Family>();
-        FamilyReader(table, file, *family).read(list.families);
-        list.families.push_back(std::move(family));
-      });
-    } else if (key.str() == "code") {
-      eachSection(node, file, "code",
-                  [&](const toml::table& table) { CodeReader(table, file).read(list.code); });
-    } else {
-      throw FamilyError(file + ":" + std::to_string(node.source().begin.line) +
-                        ": only [[family]] and [[code]] sections are expected here");
+    const toml::array* sections = node.as_array();
+    if (!sections || (key != "family" && key != "code"))
+      fail(node, file, "only [[family]] and [[code]] sections are expected here");
+    for (const toml::node& section : *sections) {
+      if (!section.is_table()) fail(section, file, std::string(key) + " must be a section");
+      readSection(key, *section.as_table(), file, list);
     }
   }
   return list;

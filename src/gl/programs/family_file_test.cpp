@@ -1,5 +1,6 @@
 // Family files: what every key does, and what is said of every mistake.
 #include "gl/programs/family.h"
+#include "gl/programs/test_family_text.h"
 
 #include <gtest/gtest.h>
 
@@ -8,23 +9,12 @@
 namespace gluray::gl {
 namespace {
 
-/// Four lines, complete.
-const std::string kLeast =
-    "[[family]]\nname = \"f\"\nmatch.active = [\"p\", \"m\"]\nvertex.position = \"p\"\n"
-    "transform.clip_from_object = \"m\"\n";
-
 Family parsed(const std::string& more = "") {
   const FamilyList list = parseFamilies(kLeast + more, "x.toml");
   EXPECT_EQ(list.size(), 1u);
   return *list.at(0);
 }
 
-std::string mistake(const std::string& text) {
-  try {
-    parseFamilies(text, "x.toml");
-  } catch (const FamilyError& e) { return e.what(); }
-  return "none";
-}
 std::string mistakeIn(const std::string& line) { return mistake(kLeast + line + "\n"); }
 
 using Names = std::vector<std::string>;
@@ -311,48 +301,6 @@ TEST(FamilyFile, EveryMistakeHasItsLine) {
   EXPECT_EQ(mistake("family = [3]\n"), "x.toml:1: family must be a section");
   EXPECT_EQ(mistakeIn("clip = = 1").rfind("x.toml:6: ", 0), 0u) << "not TOML at all";
   EXPECT_EQ(mistakeIn("name = \"twice\"").rfind("x.toml:6: ", 0), 0u) << "TOML has each key once";
-}
-
-TEST(FamilyFile, CodeIsNamedSectionsOfStatements) {
-  const FamilyList list = parseFamilies(kLeast +
-                                            "match.code = [\"one\", \"two\"]\n"
-                                            "[[code]]\nname = \"one\"\nstatements = \"a = 1.0; b = 2.0;\"\n"
-                                            "[[code]]\nname = \"one\"\nstatements = \"b = 2.; c;\"\n",
-                                        "x.toml");
-  EXPECT_EQ(list.at(0)->code, (Names{"one", "two"}));
-  ASSERT_EQ(list.code.size(), 1u);
-  EXPECT_EQ(list.code.at("one").size(), 3u);
-  EXPECT_TRUE(list.code.at("one").has(hashOf("a=1.;")));
-  EXPECT_FALSE(list.code.at("one").has(hashOf("a=2.;")));
-  EXPECT_TRUE(parsed().code.empty());
-  EXPECT_TRUE(parsed("match.code = \"any\"\n").code.empty());
-
-  EXPECT_EQ(mistake("[[code]]\nstatements = \"a;\"\n"), "x.toml:1: code needs a name");
-  EXPECT_EQ(mistake("[[code]]\nname = \"a\"\n"), "x.toml:1: code \"a\" needs statements");
-  EXPECT_EQ(mistake("[[code]]\nname = \"any\"\nstatements = \"a;\"\n"),
-            "x.toml:2: code cannot be named \"any\"");
-  EXPECT_EQ(mistake("[[code]]\nname = \"a\"\nstatements = \"a;\"\nfor = 1\n"),
-            "x.toml:4: unknown key \"for\"");
-  EXPECT_EQ(mistake("code = 3\n"), "x.toml:1: only [[family]] and [[code]] sections are expected here");
-}
-
-TEST(FamilyFile, ListsAreJoined) {
-  FamilyList list = parseFamilies(kLeast + "[[code]]\nname = \"one\"\nstatements = \"a;\"\n", "x.toml");
-  list.append(parseFamilies("[[code]]\nname = \"one\"\nstatements = \"b;\"\n", "y.toml"));
-  list.append(parseFamilies(kLeast, "z.toml"));
-  EXPECT_EQ(list.size(), 2u);
-  EXPECT_EQ(list.code.at("one").size(), 2u);
-}
-
-/// Families that are traced know all statements of their programs, from sections that are there.
-TEST(FamilyFile, TheBuiltInOnesKnowTheirCode) {
-  const FamilyList& all = builtInFamilies();
-  for (const auto& family : all) {
-    if (!family->rasteriseBecause.empty()) continue;
-    EXPECT_FALSE(family->code.empty()) << family->name;
-    for (const std::string& name : family->code)
-      EXPECT_TRUE(all.code.contains(name)) << family->name << ": " << name;
-  }
 }
 
 TEST(FamilyFile, TheBuiltInOnesAreThere) {

@@ -1,0 +1,15 @@
+// [[code]] sections of family files. Private to family_file.cpp.
+#pragma once
+#include "gl/programs/known_code.h"
+
+#include <toml++/toml.h>
+
+#include <string>
+
+namespace gluray::gl {
+
+/// Adds the statements of one section to those of its name. What is wrong is thrown as FamilyError with file
+/// and line.
+void readCode(const toml::table& table, const std::string& file, CodeSections& sections);
+
+}  // namespace gluray::gl

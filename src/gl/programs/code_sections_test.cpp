@@ -1,0 +1,56 @@
+// [[code]] sections of family files, and which of them families name.
+#include "gl/programs/family.h"
+#include "gl/programs/test_family_text.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace gluray::gl {
+namespace {
+
+TEST(CodeSections, CodeIsNamedSectionsOfStatements) {
+  const FamilyList list = parseFamilies(kLeast +
+                                            "match.code = [\"one\", \"two\"]\n"
+                                            "[[code]]\nname = \"one\"\nstatements = \"a = 1.0; b = 2.0;\"\n"
+                                            "[[code]]\nname = \"one\"\nstatements = \"b = 2.; c;\"\n",
+                                        "x.toml");
+  EXPECT_EQ(list.at(0)->code, (std::vector<std::string>{"one", "two"}));
+  ASSERT_EQ(list.code.size(), 1u);
+  EXPECT_EQ(list.code.at("one").size(), 3u);
+  EXPECT_TRUE(list.code.at("one").has(hashOf("a=1.;")));
+  EXPECT_FALSE(list.code.at("one").has(hashOf("a=2.;")));
+  EXPECT_TRUE(parseFamilies(kLeast, "x.toml").at(0)->code.empty());
+  EXPECT_TRUE(parseFamilies(kLeast + "match.code = \"any\"\n", "x.toml").at(0)->code.empty());
+
+  EXPECT_EQ(mistake("[[code]]\nstatements = \"a;\"\n"), "x.toml:1: code needs a name");
+  EXPECT_EQ(mistake("[[code]]\nname = \"a\"\n"), "x.toml:1: code \"a\" needs statements");
+  EXPECT_EQ(mistake("[[code]]\nname = \"any\"\nstatements = \"a;\"\n"),
+            "x.toml:2: code cannot be named \"any\"");
+  EXPECT_EQ(mistake("[[code]]\nname = \"a\"\nstatements = \"a;\"\nfor = 1\n"),
+            "x.toml:4: unknown key \"for\"");
+  EXPECT_EQ(mistake("code = 3\n"), "x.toml:1: only [[family]] and [[code]] sections are expected here");
+}
+
+TEST(CodeSections, ListsAreJoined) {
+  FamilyList list = parseFamilies(kLeast + "[[code]]\nname = \"one\"\nstatements = \"a;\"\n", "x.toml");
+  list.append(parseFamilies("[[code]]\nname = \"one\"\nstatements = \"b;\"\n", "y.toml"));
+  list.append(parseFamilies(kLeast, "z.toml"));
+  EXPECT_EQ(list.size(), 2u);
+  EXPECT_EQ(list.code.at("one").size(), 2u);
+}
+
+/// Families that are traced know all statements of their programs, from sections that are there.
+TEST(CodeSections, TheBuiltInOnesKnowTheirCode) {
+  const FamilyList& all = builtInFamilies();
+  for (const auto& family : all) {
+    if (!family->rasteriseBecause.empty()) continue;
+    EXPECT_FALSE(family->code.empty()) << family->name;
+    for (const std::string& name : family->code)
+      EXPECT_TRUE(all.code.contains(name)) << family->name << ": " << name;
+  }
+}
+
+}  // namespace
+}  // namespace gluray::gl

@@ -1,0 +1,22 @@
+// What tests of family files share.
+#pragma once
+#include "gl/programs/family.h"
+
+#include <string>
+
+namespace gluray::gl {
+
+/// Four lines, complete.
+inline const std::string kLeast =
+    "[[family]]\nname = \"f\"\nmatch.active = [\"p\", \"m\"]\nvertex.position = \"p\"\n"
+    "transform.clip_from_object = \"m\"\n";
+
+/// What parseFamilies() finds wrong with the file x.toml.
+inline std::string mistake(const std::string& text) {
+  try {
+    parseFamilies(text, "x.toml");
+  } catch (const FamilyError& e) { return e.what(); }
+  return "none";
+}
+
+}  // namespace gluray::gl
