@@ -1,6 +1,7 @@
 // Surfaces of which the framebuffer takes some channels alone: glColorMask, and blending that keeps its
 // alpha.
 #include "scenes/stage.h"
+#include "tests/reference/framebuffer.h"
 #include "tests/reference/traced_context.h"
 #include "tests/support/gl_state.h"
 
@@ -45,8 +46,9 @@ Seen seenBy(Gl gl, const Draw& draw) {
   return {readPicture(gl, kWidth, kHeight), std::move(state)};
 }
 
-/// Draws with and without us: equal pictures, alpha included, and equal state. `traced`: draws of ours.
-void expectEqual(const std::string& name, const Draw& draw, uint64_t traced) {
+/// Draws with and without us: equal pictures, alpha included, and equal state. Returns how many draws were
+/// traced.
+uint64_t compareBoth(const std::string& name, const Draw& draw) {
   SCOPED_TRACE(name);
   Seen expected;
   {
@@ -55,11 +57,15 @@ void expectEqual(const std::string& name, const Draw& draw, uint64_t traced) {
   }
   TracedContext ours({kWidth, kHeight});
   const Seen got = seenBy(ours.gl(), draw);
-  EXPECT_EQ(ours.context().statistics.drawsTraced, traced);
   for (const std::string& line : differences(expected.state, got.state)) ADD_FAILURE() << line;
   const Comparison c = compare(expected.picture, got.picture, {});
   EXPECT_TRUE(c.accepted) << c.text;
   if (!c.accepted) writeFailure(TEST_OUTPUT "/channels", name, expected.picture, got.picture);
+  return ours.context().statistics.drawsTraced;
+}
+
+void expectEqual(const std::string& name, const Draw& draw, uint64_t traced) {
+  EXPECT_EQ(compareBoth(name, draw), traced) << name;
 }
 
 struct Mask {
@@ -136,24 +142,22 @@ TEST(Channels, OfRasterisedDrawsKeepTheirOrderToo) {
   expectEqual("before", before, 1);
 }
 
+/// Blended so that alpha is kept; the second ball has this one.
+void blended(Gl gl, float alpha) {
+  gl.Enable(GL_BLEND);
+  gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+  ball(gl, -0.3f, 0, {0.9f, 0.3f, 0.2f, 1});
+  ball(gl, 0.4f, 0.5f, {0.1f, 0.4f, 0.9f, alpha});
+}
+
 TEST(Channels, KeepTheirAlphaWhereBlendingKeepsIt) {
-  const auto draw = [](Gl gl) {
-    gl.Enable(GL_BLEND);
-    gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-    ball(gl, -0.3f, 0, {0.9f, 0.3f, 0.2f, 1});
-    ball(gl, 0.4f, 0.5f, {0.1f, 0.4f, 0.9f, 1});
-  };
-  expectEqual("kept alpha", draw, 2);
+  expectEqual(
+      "kept alpha", [](Gl gl) { blended(gl, 1); }, 2);
 }
 
 TEST(Channels, OfSurfacesThatAreSeenThroughAreBlended) {
-  const auto draw = [](Gl gl) {
-    gl.Enable(GL_BLEND);
-    gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-    ball(gl, -0.3f, 0, {0.9f, 0.3f, 0.2f, 1});
-    ball(gl, 0.4f, 0.5f, {0.1f, 0.4f, 0.9f, 0.5f});
-  };
-  expectEqual("translucent", draw, 1);
+  expectEqual(
+      "translucent", [](Gl gl) { blended(gl, 0.5f); }, 1);
 }
 
 TEST(Channels, ComeBackWhereTheRealOpenGlDrawsInOurPlace) {
@@ -173,38 +177,14 @@ TEST(Channels, ComeBackWhereTheRealOpenGlDrawsInOurPlace) {
         gl.Finish();
       }
     };
-    SCOPED_TRACE(frames);
-    Seen expected;
-    {
-      const auto real = OsmesaContext::create({kWidth, kHeight});
-      expected = seenBy(real->real(), several);
-    }
-    TracedContext ours({kWidth, kHeight});
-    const Seen got = seenBy(ours.gl(), several);
-    const Comparison c = compare(expected.picture, got.picture, {});
-    EXPECT_TRUE(c.accepted) << c.text;
+    compareBoth("passes " + std::to_string(frames), several);
   }
-}
-
-/// A framebuffer object of colours that are encoded as sRGB where GL_FRAMEBUFFER_SRGB is on.
-void encodedFramebuffer(Gl gl, GLenum format) {
-  GLuint framebuffer = 0, images[2] = {};
-  gl.GenFramebuffers(1, &framebuffer), gl.GenRenderbuffers(2, images);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  const auto attach = [&](GLuint image, GLenum internalFormat, GLenum attachment) {
-    gl.BindRenderbuffer(GL_RENDERBUFFER, image);
-    gl.RenderbufferStorage(GL_RENDERBUFFER, internalFormat, kWidth, kHeight);
-    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, image);
-  };
-  attach(images[0], format, GL_COLOR_ATTACHMENT0);
-  attach(images[1], GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT);
-  ASSERT_EQ(gl.CheckFramebufferStatus(GL_FRAMEBUFFER), static_cast<GLenum>(GL_FRAMEBUFFER_COMPLETE));
 }
 
 TEST(Channels, AreEncodedAsTheFramebufferHasIt) {
   for (const GLenum format : {GL_SRGB8_ALPHA8, GL_RGBA8}) {
     const auto draw = [&](Gl gl) {
-      encodedFramebuffer(gl, format);
+      bindNewFramebuffer(gl, {kWidth, kHeight}, format, GL_DEPTH_COMPONENT24);
       gl.Enable(GL_FRAMEBUFFER_SRGB);
       stage(gl);
       ball(gl, -0.3f, 0, {0.9f, 0.3f, 0.2f, 1});
@@ -217,7 +197,7 @@ TEST(Channels, AreEncodedAsTheFramebufferHasIt) {
 TEST(Channels, AreEncodedAsItWasWhenTheyWereDrawn) {
   for (const bool first : {false, true}) {
     const auto draw = [&](Gl gl) {
-      encodedFramebuffer(gl, GL_SRGB8_ALPHA8);
+      bindNewFramebuffer(gl, {kWidth, kHeight}, GL_SRGB8_ALPHA8, GL_DEPTH_COMPONENT24);
       stage(gl);
       const auto encode = [&](bool on) {
         on ? gl.Enable(GL_FRAMEBUFFER_SRGB) : gl.Disable(GL_FRAMEBUFFER_SRGB);
@@ -236,7 +216,7 @@ TEST(Channels, AreEncodedAsThePoppedStateHasIt) {
   for (const GLbitfield group :
        {GLbitfield{GL_ENABLE_BIT}, GLbitfield{GL_COLOR_BUFFER_BIT}, GLbitfield{GL_ALL_ATTRIB_BITS}}) {
     const auto draw = [&](Gl gl) {
-      encodedFramebuffer(gl, GL_SRGB8_ALPHA8);
+      bindNewFramebuffer(gl, {kWidth, kHeight}, GL_SRGB8_ALPHA8, GL_DEPTH_COMPONENT24);
       stage(gl);
       gl.PushAttrib(group);
       gl.Enable(GL_FRAMEBUFFER_SRGB);

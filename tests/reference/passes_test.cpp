@@ -1,6 +1,7 @@
 // Surfaces drawn in several passes over many frames: rasterised while the passes come, traced again
 // afterwards.
 #include "scenes/stage.h"
+#include "tests/reference/framebuffer.h"
 #include "tests/reference/traced_context.h"
 #include "tests/support/gl_state.h"
 
@@ -96,22 +97,6 @@ TEST(Passes, DepthThatIsDrawnAgainLeavesTheStateAlone) {
   EXPECT_TRUE(c.accepted) << c.text;
 }
 
-/// Four samples a pixel; bound, and complete.
-void multisampledFramebuffer(Gl gl, GLenum depthFormat) {
-  GLuint framebuffer = 0, images[2] = {};
-  gl.GenFramebuffers(1, &framebuffer), gl.GenRenderbuffers(2, images);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  const auto attach = [&](GLuint image, GLenum format, GLenum attachment) {
-    gl.BindRenderbuffer(GL_RENDERBUFFER, image);
-    gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, 4, format, kWidth, kHeight);
-    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, image);
-  };
-  attach(images[0], GL_RGBA8, GL_COLOR_ATTACHMENT0);
-  attach(images[1], depthFormat,
-         depthFormat == GL_DEPTH24_STENCIL8 ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT);
-  ASSERT_EQ(gl.CheckFramebufferStatus(GL_FRAMEBUFFER), static_cast<GLenum>(GL_FRAMEBUFFER_COMPLETE));
-}
-
 /// What is seen of the framebuffer that is bound, copied to the window. Where the stage stands between the
 /// samples of a pixel, which of them gives the depth is not said: colours alone.
 Picture resolved(Gl gl) {
@@ -128,7 +113,7 @@ Picture resolved(Gl gl) {
 
 void expectFirstFrame(GLenum depthFormat, bool perSample) {
   const auto draw = [&](Gl gl) {
-    multisampledFramebuffer(gl, depthFormat);
+    bindNewFramebuffer(gl, {kWidth, kHeight}, GL_RGBA8, depthFormat, 4);
     perSample ? gl.Enable(GL_MULTISAMPLE) : gl.Disable(GL_MULTISAMPLE);
     drawFrame(gl, true, true, true);
     EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));

@@ -1,4 +1,5 @@
 // What glPolygonOffset counts in, by the format of the depth buffer: the depths of a plain OpenGL and ours.
+#include "tests/reference/framebuffer.h"
 #include "tests/reference/traced_context.h"
 
 #include <gtest/gtest.h>
@@ -13,16 +14,7 @@ constexpr int kSize = 16;
 /// Depths in the middle of surfaces here and there, moved by units alone, in a framebuffer object of
 /// `format`.
 std::vector<float> depths(const gl::RealGl& gl, GLenum format) {
-  GLuint framebuffer = 0, buffers[2] = {};
-  gl.GenFramebuffers(1, &framebuffer), gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  gl.GenRenderbuffers(2, buffers);
-  const auto attach = [&](GLuint buffer, GLenum attachment, GLenum storage) {
-    gl.BindRenderbuffer(GL_RENDERBUFFER, buffer);
-    gl.RenderbufferStorage(GL_RENDERBUFFER, storage, kSize, kSize);
-    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
-  };
-  attach(buffers[0], GL_COLOR_ATTACHMENT0, GL_RGBA8), attach(buffers[1], GL_DEPTH_ATTACHMENT, format);
-  EXPECT_EQ(gl.CheckFramebufferStatus(GL_FRAMEBUFFER), static_cast<GLenum>(GL_FRAMEBUFFER_COMPLETE));
+  bindNewFramebuffer(gl, {kSize, kSize}, GL_RGBA8, format);
   gl.Viewport(0, 0, kSize, kSize), gl.Enable(GL_DEPTH_TEST), gl.Enable(GL_POLYGON_OFFSET_FILL);
   std::vector<float> found;
   for (const float units : {0.0f, 3.0f, 60000.0f, -70000.0f})
