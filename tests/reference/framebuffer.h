@@ -9,8 +9,8 @@
 
 namespace gluray::test {
 
-/// Makes one of `size` pixels with a colour and a depth buffer of these formats, and binds it. `samples` 0: it
-/// is not multisampled.
+/// Makes one of `size` pixels with a colour and a depth buffer of these formats, and binds it. `samples` 0:
+/// it is not multisampled.
 inline void bindNewFramebuffer(const gl::RealGl& gl, glm::ivec2 size, GLenum color, GLenum depth,
                                GLsizei samples = 0) {
   GLuint framebuffer = 0, images[2] = {};
@@ -25,8 +25,7 @@ inline void bindNewFramebuffer(const gl::RealGl& gl, glm::ivec2 size, GLenum col
     gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, image);
   };
   attach(images[0], color, GL_COLOR_ATTACHMENT0);
-  attach(images[1], depth,
-         depth == GL_DEPTH24_STENCIL8 ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT);
+  attach(images[1], depth, depth == GL_DEPTH24_STENCIL8 ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT);
   ASSERT_EQ(gl.CheckFramebufferStatus(GL_FRAMEBUFFER), static_cast<GLenum>(GL_FRAMEBUFFER_COMPLETE));
 }
 
