@@ -176,7 +176,10 @@ def main():
     parser.add_argument("--seconds", type=float, default=6, help="time of one turn of osgviewer")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="build folder")
     parser.add_argument("--gluray", type=pathlib.Path, help="launcher to use instead of the build folder's")
+    parser.add_argument("--check-options", action="store_true", help=argparse.SUPPRESS)  # for scripts/demo, before it builds
     options = parser.parse_args()
+    if options.check_options:
+        return 0
     try:
         if options.osg:
             Demo(options).run()
