@@ -9,7 +9,7 @@ import unittest
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
-from suites import compare, micro  # noqa: E402
+from suites import compare, micro, versions  # noqa: E402
 from support import programs  # noqa: E402
 
 OLD = {"machine": {"cpu": "A", "load_before": 1}, "versions": {"source": "1"},
@@ -80,6 +80,25 @@ class Micro(unittest.TestCase):
     def test_a_benchmark_that_failed_is_no_figure(self):
         with self.assertRaises(programs.Failed):
             list(micro.rows_of({"benchmarks": self.said("write_back/depth", 1.0, error_occurred=True, error_message="refused")}, "GLuRay"))
+
+
+class Versions(unittest.TestCase):
+    def test_a_row_holds_medians_and_their_ratio(self):
+        row = versions.row_of("x", [{"ms": 10.0}, {"ms": 30.0}, {"ms": 20.0}], [{"ms": 10.0}, {"ms": 9.0}, {"ms": 50.0}])
+        self.assertEqual((row["old"]["ms"], row["new"]["ms"], row["new_over_old"]["ms"]), (20.0, 10.0, 0.5))
+
+    def test_builds_take_turns(self):
+        class Program:
+            name = "x"
+            ran = []
+
+            def measure(self, gluray, _options):
+                self.ran.append(gluray.parts[0])
+                return {"ms": 1.0}
+        program = Program()
+        with contextlib.redirect_stderr(io.StringIO()):
+            versions.measure(program, versions.arguments(["old", "new", "--rounds", "3"]))
+        self.assertEqual(program.ran, ["old", "new", "new", "old", "old", "new"])
 
 
 if __name__ == "__main__":

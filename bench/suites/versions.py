@@ -1,0 +1,159 @@
+"""two builds of GLuRay in turn: scripts/bench versions OLD NEW
+
+OLD and NEW are build folders. In each round every program runs once with each build, and whichever ran first in one round runs
+second in the next, so that what else the machine does falls on both. Figures are medians of the rounds; NEW/OLD below 1 is
+faster. Results go to bench/results/NAME.json. What a program needs and this machine lacks is left out, with a line that says so.
+"""
+import argparse
+import json
+import os
+import pathlib
+import shlex
+import shutil
+import statistics
+import sys
+import tempfile
+
+from support import machine, programs
+from support.display import display
+from support.telling import status_of
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+SUPPORT = ROOT / "bench" / "support"
+STREAMS = ROOT / "tests" / "streams"
+GROUPS = ["frames", "paraview", "multisampled", "small_scenes"]
+PATHS = ["list", "elements", "vbo", "arrays", "immediate"]
+LOOKS = ["surface", "edges", "translucent", "summed"]
+
+
+def arguments(argv):
+    parser = argparse.ArgumentParser(prog="scripts/bench versions", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("old", type=pathlib.Path)
+    parser.add_argument("new", type=pathlib.Path)
+    parser.add_argument("--groups", default=",".join(GROUPS), help=f"some of {','.join(GROUPS)} (all)")
+    parser.add_argument("--sizes", default="1,4", help="millions of triangles of the group frames (1,4)")
+    parser.add_argument("--rounds", type=int, default=5, help="rounds, each measuring everything once with each build (5)")
+    parser.add_argument("--threads", type=int, default=2, help="threads of GLuRay and of llvmpipe (2)")
+    parser.add_argument("--name", default="versions", help="name of the result file")
+    parser.add_argument("--xvfb", action="store_true", help="use an Xvfb even where there is a display")
+    options = parser.parse_args(argv)
+    options.groups = options.groups.split(",")
+    if not set(options.groups) <= set(GROUPS):
+        parser.error(f"groups are {', '.join(GROUPS)}")
+    try:
+        options.sizes = [int(size) for size in options.sizes.split(",")]
+    except ValueError:
+        parser.error(f"--sizes takes whole numbers of millions, not '{options.sizes}'")
+    return options
+
+
+class Program:
+    """A command whose frame times are measured under one build or the other."""
+
+    def __init__(self, name, command, read):
+        self.name, self.command, self.read = name, command, read
+
+    def measure(self, gluray, options):
+        """{figure: milliseconds} of one run."""
+        line = [gluray, "--engine", "always", "--threads", options.threads, "--", *self.command]
+        return self.read(programs.measure(line, {}))
+
+
+def frame_and_first(said):
+    return {"frame_ms": 1000 * said["frame_s"], "first_image_ms": 1000 * said["first_image_s"]}
+
+
+def moving_and_unchanged(said):
+    return {"moving_ms": statistics.median(said["moving_ms"]), "unchanged_ms": statistics.median(said["unchanged_ms"])}
+
+
+class Replay:
+    """A recorded stream, timed as tests/streams/frame_times.py does it."""
+
+    def __init__(self, name, stream):
+        self.name, self.stream = name, stream
+
+    def measure(self, gluray, _options):
+        [(frame_ms, _)] = self.stream.milliseconds(1, [(gluray, "--engine", "auto", "--")])
+        return {"frame_ms": frame_ms}
+
+
+def programs_of(options, folder):
+    """What is to be measured, group by group."""
+    if "frames" in options.groups:
+        client = options.new / "bench" / "client" / "gluray-bench-client"
+        programs.require(client)
+        for size in options.sizes:
+            for path in PATHS:
+                yield Program(f"frames {size}M {path}", [client, "--triangles", size, "--path", path, "--frames", 48 if size > 1 else 72,
+                                                         "--orbit", "--warm", 2 + 2 * size], frame_and_first)
+    if "paraview" in options.groups and there("pvbatch", "paraview"):
+        for look in LOOKS:
+            yield Program(f"paraview 1M {look}", ["pvbatch", SUPPORT / "paraview_orbit.py", 3, 60, 1024, "-", look, 4], frame_and_first)
+    if "multisampled" in options.groups:
+        for samples in (0, 4, 8):
+            yield Program(f"VTK 1M, {samples} samples a pixel", ["/usr/bin/python3", SUPPORT / "vtk_still.py", 700, 20, samples], moving_and_unchanged)
+    if "small_scenes" in options.groups and there("apitrace", "small_scenes"):
+        sys.path.insert(0, str(STREAMS))
+        import frame_times
+        import streams
+        for name in streams.STREAMS:
+            yield Replay(name, frame_times.Stream(name, 200, folder))
+
+
+def there(program, group):
+    found = shutil.which(program) is not None
+    if not found:
+        print(f"bench: {program} is missing, the group {group} is left out: run scripts/setup", file=sys.stderr)
+    return found
+
+
+def row_of(name, old, new):
+    """Medians of both builds' rounds, and the ratio of each figure."""
+    def medians(rounds):
+        return {key: statistics.median(figures[key] for figures in rounds) for key in rounds[0]}
+    before, after = medians(old), medians(new)
+    return {"program": name, "old": before, "new": after, "rounds": {"old": old, "new": new},
+            "new_over_old": {key: after[key] / before[key] for key in before}}
+
+
+def measure(program, options):
+    runs = {options.old: [], options.new: []}
+    for number in range(options.rounds):
+        print(f"{program.name}, round {number + 1} of {options.rounds}", file=sys.stderr, flush=True)
+        for build in [options.old, options.new][::-1 if number % 2 else 1]:
+            runs[build].append(program.measure(build / "apps" / "gluray" / "gluray", options))
+    return row_of(program.name, runs[options.old], runs[options.new])
+
+
+def print_row(row):
+    for key, ratio in row["new_over_old"].items():
+        print(f"{row['program']:34} {key:15} {row['old'][key]:9.2f} {row['new'][key]:9.2f} {ratio:8.3f}", flush=True)
+
+
+def version(build):
+    """The commit that a build folder's source tree is at."""
+    return machine.describe(build.resolve().parent.parent)["versions"]["source"]
+
+
+def run(options, argv):
+    for build in (options.old, options.new):
+        programs.require(build / "apps" / "gluray" / "gluray")
+    result = {"suite": "versions", "command": "scripts/bench versions " + shlex.join(argv), **machine.describe(ROOT),
+              "old": version(options.old), "new": version(options.new), "threads": options.threads, "rounds": options.rounds, "rows": []}
+    print(f"{'program':34} {'figure':15} {'old':>9} {'new':>9} {'new/old':>8}")
+    with display(own=options.xvfb) as name, tempfile.TemporaryDirectory(prefix="gluray-bench-") as folder:
+        os.environ.update({"DISPLAY": name, "LP_NUM_THREADS": str(options.threads)})
+        for program in programs_of(options, pathlib.Path(folder)):
+            result["rows"].append(measure(program, options))
+            print_row(result["rows"][-1])
+    ratios = [ratio for row in result["rows"] for ratio in row["new_over_old"].values()]
+    result["median_ratio"] = statistics.median(ratios)
+    print(f"median of the ratios: {result['median_ratio']:.3f}")
+    machine.write(ROOT, options.name, result)
+
+
+def main(argv):
+    options = arguments(argv)
+    return status_of(lambda: run(options, argv), json.JSONDecodeError)
