@@ -95,11 +95,11 @@ def traced_share(counts):
     return traced / (traced + rasterised) if traced + rasterised else None
 
 
-def main_reason(counts):
-    """The reason for which most draws were rasterised."""
+def reasons(counts):
+    """What draws were rasterised for, the most frequent reason first."""
     start = "draws.rasterised."
     draws = {name[len(start):]: count for name, count in counts.items() if name.startswith(start)}
-    return max(draws, key=draws.get) if draws else ""
+    return sorted(draws, key=draws.get, reverse=True)
 
 
 def compare_state(state, off, on, failed):
@@ -126,12 +126,12 @@ def compare_state(state, off, on, failed):
         wrong.append(f"{name}: GLuRay wrote no report while it was drawn: see {on.folder / 'log'}")
     counts = traced["counts"] or {}
     row |= {"traced": traced_share(counts), "triangles": counts.get("triangles.traced", 0) + counts.get("triangles.rasterised", 0),
-            "reason": main_reason(counts), "counts": counts}
+            "reasons": reasons(counts), "counts": counts}
     if traced.get("steady"):
         wrong += unsteady(state, traced["steady"])
     if state.min_share is not None and (row["traced"] or 0) < state.min_share:
         wrong.append(f"{name}: {row['traced'] or 0:.2%} of its triangles are traced, at least {state.min_share:.2%} should be; "
-                     f"rasterised for: {row['reason']}")
+                     f"rasterised for: {'; '.join(row['reasons'])}")
     return row, wrong
 
 
@@ -163,7 +163,7 @@ def print_table(rows):
     for row in rows:
         share = "-" if row["traced"] is None else f"{row['traced']:.1%}"
         print(f"{row['name']:36} {row['program']:8} {row['pictures']:8} {row['beyond']:8.4%} {row['depth']:8.4%} {share:>8} "
-              f"{row['triangles']:10.0f} {row['seconds']:8.2f}  {row['reason']}")
+              f"{row['triangles']:10.0f} {row['seconds']:8.2f}  {'; '.join(row['reasons'][:1])}")
 
 
 def main():
