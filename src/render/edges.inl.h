@@ -11,6 +11,7 @@
 #include "render/trace.inl.h"
 
 #include <span>
+#include <tuple>
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
@@ -21,6 +22,23 @@ struct Nearest {
   double ndc = HUGE_VAL;
   uint32_t instance = accel::kNoHit, primitive = 0;
 };
+
+/// The step of the depth buffer that a depth is rounded to.
+HWY_ATTR inline double stepOf(const FrameData& frame, double ndc) {
+  const double depth = ndc * frame.depth.scale + frame.depth.offset + frame.depth.constant;
+  return std::round(std::clamp(depth, 0.0, 1.0) / frame.snapshot->polygonOffset.resolution);
+}
+
+/// Whether OpenGL's depth test prefers a triangle at normalised depth `ndc` to the nearest so far. Neighbours
+/// in one plane grow over each other at equal depths: there the order of drawing decides.
+HWY_ATTR inline bool isSeenBefore(const FrameData& frame, double ndc, uint32_t instance, uint32_t primitive,
+                                  const Nearest& best) {
+  if (best.instance == accel::kNoHit) return true;
+  const double step = stepOf(frame, ndc), bestStep = stepOf(frame, best.ndc);
+  if (step != bestStep) return step < bestStep;
+  const bool later = std::tie(instance, primitive) > std::tie(best.instance, best.primitive);
+  return later == frame.snapshot->laterWins;
+}
 
 /// Puts the triangle that a ray near lane i has hit, if it grows as far as the pixel and is nearer, in the
 /// place of the lane's hit.
@@ -35,8 +53,8 @@ HWY_ATTR inline void tryEdged(const FrameData& frame, const accel::RayPacket& pr
   if (!triangle.covers(at)) return;
   const glm::vec2 weights = triangle.weights(at);
   if (frame.accepted && !surface.accepts(primitive, weights.x, weights.y)) return;
-  const double ndc = triangle.ndcDepth(at), sign = frame.depth.scale < 0 ? -1 : 1;
-  if (!(sign * ndc < sign * best.ndc) && best.instance != accel::kNoHit) return;
+  const double ndc = triangle.ndcDepth(at);
+  if (!isSeenBefore(frame, ndc, instance, primitive, best)) return;
   best = {ndc, instance, primitive};
   work.packet.geometry[i] = probe.geometry[i];
   work.packet.instance[i] = instance, work.packet.primitive[i] = primitive;

@@ -273,6 +273,37 @@ def edged(stage, source=None, width=1.5):
     return actor
 
 
+def plane_with_edges(stage, samples):
+    """Neighbours in one plane that the viewer faces: where they grow over each other their depths are equal."""
+    vtk = stage.vtk
+    source = vtk.vtkPlaneSource()
+    source.SetResolution(10, 10)
+    edged(stage, source, 1)
+    stage.window.SetMultiSamples(samples)
+
+
+@state("vtk")
+def edges_facing(stage):
+    plane_with_edges(stage, 0)
+    stage.renderer.ResetCamera()
+    stage.orbit(2)
+
+
+@state("vtk")
+def edges_facing_multisampled(stage):
+    plane_with_edges(stage, 4)
+    stage.renderer.ResetCamera()
+    stage.orbit(2)
+
+
+@state("vtk")
+def edges_multisampled(stage):
+    edged(stage)
+    stage.window.SetMultiSamples(4)
+    stage.look()
+    stage.orbit()
+
+
 @state("vtk")
 def edges_culled(stage):
     """The inside of a ball through its culled front, and the front without what is behind."""
