@@ -46,7 +46,7 @@ Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const 
                  Presenter& presenter)
     : real(realGl),
       attachments(group->deletedBuffers),
-      latch(info.settings.quirks.has(Quirk::materialLatch)),
+      latch(info.settings.quirks.has(Quirk::materialLatch) && MaterialLatch::isIn(realGl)),
       immediate(*this, weldingOf(info.settings)),
       lists(*this),
       attribStack(*this),

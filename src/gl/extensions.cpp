@@ -18,6 +18,13 @@ int parseVersion(const GLubyte* text, int scale) {
 
 int versionOf(const RealGl& real) { return parseVersion(real.GetString(GL_VERSION), 10); }
 
+int mesaVersionOf(const GLubyte* text) {
+  constexpr std::string_view kName = " Mesa ";
+  const std::string_view all = text ? reinterpret_cast<const char*>(text) : "";
+  const size_t at = all.find(kName);
+  return at == all.npos ? 0 : parseVersion(text + at + kName.size(), 100);
+}
+
 bool hasExtension(const RealGl& real, int version, std::string_view name) {
   if (version >= 30) {
     GLint count = 0;

@@ -12,6 +12,8 @@ namespace gluray::gl {
 int parseVersion(const GLubyte* text, int scale);
 /// 10 * major + minor.
 int versionOf(const RealGl& real);
+/// "4.5 (Compatibility Profile) Mesa 22.3.6" -> 2203, 100 * major + minor of Mesa; 0 where it is not Mesa.
+int mesaVersionOf(const GLubyte* text);
 /// Whether the current context's extension list has `name` ("GL_ARB_texture_rg").
 bool hasExtension(const RealGl& real, int version, std::string_view name);
 

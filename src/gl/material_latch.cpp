@@ -1,5 +1,6 @@
 #include "gl/material_latch.h"
 
+#include "gl/extensions.h"
 #include "gl/replay.h"
 #include "gl/state.h"
 #include "settings/quirks.h"
@@ -19,6 +20,11 @@ uint16_t kept(uint16_t set, const scene::Material& values, const scene::Material
 }
 
 }  // namespace
+
+bool MaterialLatch::isIn(const RealGl& real) {
+  const int mesa = mesaVersionOf(real.GetString(GL_VERSION));
+  return mesa > 0 && mesa < 2300;
+}
 
 void MaterialLatch::letGo(const RealGl& real) const {
   if (!on_) return;

@@ -169,7 +169,7 @@ void Context::addInstance(const scene::MeshPtr& mesh, SlotMask slots,
   shading.textures = state.textures;
   shading.alphaTest = state.raster.alphaTest;
   // Without colours or materials at its vertices the surface has the current material, however it came about.
-  if (!(slots & bit(kColor)) && materials.empty()) shading.colorMaterial = {};
+  if (latch.isOn() && !(slots & bit(kColor)) && materials.empty()) shading.colorMaterial = {};
   batch_.add(std::move(instance), std::move(shading));
   passes.drawn(mesh, state.modelview, Passes::How::pending, isPushedBack());
   if (aside_) flush();  // the flush above failed: later draws are rasterised and must find this one drawn

@@ -10,8 +10,8 @@ namespace gluray {
 // Identifier, name, what it is for, where it is tested. All but those below are on unless switched off.
 #define GLURAY_QUIRKS(X)                                                                                    \
   X(materialLatch, "material-latch",                                                                        \
-    "Mesa stores waiting glMaterial values twice where GL_COLOR_MATERIAL is enabled in between; they are "  \
-    "sent again after our own drawing, so that they wait as before",                                        \
+    "Mesa before 23 stores waiting glMaterial values twice where GL_COLOR_MATERIAL is enabled in between; " \
+    "they are sent again after our own drawing, so that they wait as before",                               \
     "tests/reference/material_latch_test.cpp")                                                              \
   X(softwareFxaa, "software-fxaa",                                                                          \
     "VTK's anti-aliasing pass (FXAA) costs software OpenGLs more than tracing a frame; it is computed "     \

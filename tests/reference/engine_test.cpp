@@ -133,15 +133,33 @@ TEST_P(EngineTest, ItsPictureStaysWhileTheEngineChanges) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, EngineTest, testing::ValuesIn(allScenes()), nameOf);
 
+/// Whether vertices of a list take colours from its caller until the list sets one. Mesa 25.0 gives those of
+/// the triangle that is open then the list's colour, against the specification.
+bool listsInherit(Gl gl) {
+  gl.NewList(2, GL_COMPILE);
+  gl.Begin(GL_TRIANGLES);
+  gl.Vertex3f(-1, -1, 0), gl.Vertex3f(1, -1, 0), gl.Color3f(0, 0, 1), gl.Vertex3f(0, 1, 0);
+  gl.End();
+  gl.EndList();
+  scenes::begin(gl, kWidth, kHeight);
+  gl.Color3f(1, 0, 0);
+  gl.CallList(2);
+  uint32_t nearCaller = 0;
+  gl.ReadPixels(kWidth / 4, kHeight / 8, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &nearCaller);
+  return (nearCaller & 255) > 100;
+}
+
 /// One frame of a program that never swaps, by a list, arrays in a buffer and glBegin.
 struct Mixture {
   std::vector<GLfloat> triangle = {-0.5f, 0, 0.3f, 0.5f, 0, 0.2f, 0, 0.8f, 0.1f};
   GLuint buffer = 0;
   bool large = false;
+  bool inherits = true;
 
   void setUp(Gl gl) {
     gl.NewList(1, GL_COMPILE);
     gl.Begin(GL_TRIANGLES);
+    if (!inherits) gl.Color3f(1, 1, 0);
     gl.Vertex3f(-1, -1, 0), gl.Vertex3f(0, -1, 0.1f), gl.Color3f(0, 1, 1), gl.Vertex3f(-0.5f, 0, 0.2f);
     gl.End();
     gl.EndList();
@@ -153,7 +171,8 @@ struct Mixture {
     gl.Enable(GL_DEPTH_TEST);
     gl.MatrixMode(GL_MODELVIEW), gl.LoadIdentity();
     gl.Color3f(1, 0.1f * static_cast<float>(number % 10), 0);
-    gl.CallList(1);  // its first two vertices have the colour of the moment, all that follows the last one's
+    // Its first two vertices inherit the colour of the moment; all that follows has the last one's.
+    gl.CallList(1);
     gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
     triangle[0] = -0.5f - 0.03f * static_cast<float>(number % 10);
     const auto bytes = static_cast<GLsizeiptr>(triangle.size() * sizeof(GLfloat));
@@ -180,10 +199,10 @@ struct Mixture {
 
 TEST(Engine, PictureIsRightAcrossChangesInBothDirections) {
   const auto real = OsmesaContext::create({kWidth, kHeight});
-  Mixture theirs;
+  Mixture theirs, mine;
+  theirs.inherits = mine.inherits = listsInherit(real->real());
   theirs.setUp(real->real());
   TracedContext ours({kWidth, kHeight}, withEngine(Engine::automatic));
-  Mixture mine;
   mine.setUp(ours.gl());
   const gl::Statistics& s = ours.context().statistics;
   int changes = 0, checked = 0;
