@@ -14,6 +14,7 @@ import sys
 import tempfile
 
 DIFFERENT, SHARE = 8, 0.005
+SKIPPED = 77
 
 
 def pictures(data: bytes) -> list[tuple[int, int, bytes]]:
@@ -42,7 +43,10 @@ def main() -> int:
 
     def run(*arguments: str) -> list[tuple[int, int, bytes]]:
         done = subprocess.run([options.gluray, *arguments, "--", *options.program], stdout=subprocess.PIPE,
-                              timeout=100, check=True)
+                              timeout=100)
+        if done.returncode == SKIPPED and "--off" in arguments:  # the OpenGL below has no such windows
+            sys.exit(SKIPPED)
+        done.check_returncode()
         return pictures(done.stdout)
 
     plain = run("--off")

@@ -27,7 +27,7 @@ static Window sizedWindow(int width, int height) {
 static int openWindow(int* attributes) {
   g_display = openDisplay();
   g_visual = glXChooseVisual(g_display, DefaultScreen(g_display), attributes);
-  if (!g_visual) return fprintf(stderr, "no such visual\n"), 0;
+  if (!g_visual) fprintf(stderr, "the display has no such visual\n"), exit(77);
   g_context = glXCreateContext(g_display, g_visual, NULL, True);
   g_window = sizedWindow(kWidth, kHeight);
   return glXMakeCurrent(g_display, g_window, g_context);
