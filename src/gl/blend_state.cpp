@@ -40,9 +40,9 @@ std::optional<scene::Blending::Part> readPart(const RealGl& real, GLenum equatio
 
 }  // namespace
 
-std::optional<scene::Blending> readBlending(const RealGl& real) {
+std::optional<scene::Blending> readBlending(const RealGl& real, bool writesDepth) {
   scene::Blending blending;
-  blending.writesDepth = integer(real, GL_DEPTH_WRITEMASK) != 0;
+  blending.writesDepth = writesDepth;
   if (!isOn(real, GL_BLEND)) return blending;
   const auto rgb = readPart(real, GL_BLEND_EQUATION_RGB, GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB);
   const auto alpha = readPart(real, GL_BLEND_EQUATION_ALPHA, GL_BLEND_SRC_ALPHA, GL_BLEND_DST_ALPHA);

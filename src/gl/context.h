@@ -211,10 +211,8 @@ class Context {
   bool leavesAlone(uint64_t triangles) const {
     return choice_.way() == EngineChoice::Way::mixed && choice_.takesAlone(triangles, viewportPixels());
   }
-  /// The same of surfaces that are blended in the order of drawing, in frames of any kind.
-  bool leavesLayers(uint64_t triangles) const {
-    return choice_.active() && choice_.takesAlone(triangles, viewportPixels());
-  }
+  /// The same of surfaces that are blended in the order of drawing.
+  bool leavesLayers(uint64_t triangles) const { return choice_.takesLayers(triangles, viewportPixels()); }
 
   int activeQueries = 0;  // queries and conditional renderings that count or guard draws
   GLenum matrixMode = 0;  // 0: ask the real OpenGL

@@ -61,10 +61,12 @@ bool LayerDraws::leavesDrawn(uint64_t triangles) {
     frame_ = c_.frame;
     lastDrawn_ = std::exchange(drawn_, {});
   }
-  const uint64_t usual = lastDrawn_.triangles / std::max<uint64_t>(lastDrawn_.batches, 1);
   drawn_.triangles += triangles;
-  if (c_.batch().empty() || c_.batch().key().layers != BatchKey::Layers::drawn) ++drawn_.batches;
-  return c_.leavesLayers(std::max(triangles, usual));
+  const uint64_t number = c_.statistics.drawsTraced + c_.statistics.drawsRasterised;
+  const scene::Blending& blending = *c_.state.raster.layers;
+  if (drawn_.runs == 0 || number != drawnLast_ + 1 || !(blending == drawnBy_)) ++drawn_.runs;
+  drawnLast_ = number, drawnBy_ = blending;
+  return c_.leavesLayers(std::max(triangles, lastDrawn_.triangles / std::max<uint64_t>(lastDrawn_.runs, 1)));
 }
 
 bool LayerDraws::readUnder() {

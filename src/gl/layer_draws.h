@@ -68,11 +68,15 @@ class LayerDraws : public ContextPart {
   Reason triageSeenThrough(PrimitiveClass kind);  // what both kinds have in common
 
   Peeling peeling_;
-  struct Drawn {  // in a frame
-    uint64_t triangles = 0, batches = 0;
+  /// Surfaces of a frame that could be blended in the order of drawing, traced or not.
+  struct Drawn {
+    uint64_t triangles = 0;
+    uint64_t runs = 0;  // of such draws, one after the other, of one state
   };
   Drawn drawn_, lastDrawn_;
-  uint64_t frame_ = 0;  // that drawn_ is of
+  uint64_t frame_ = 0;      // that drawn_ is of
+  uint64_t drawnLast_ = 0;  // the last one: number of the draw
+  scene::Blending drawnBy_;
 };
 
 }  // namespace gluray::gl

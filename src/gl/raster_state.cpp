@@ -98,7 +98,7 @@ Reason fragmentReason(const RealGl& real, const RareState& has, RasterState& ras
       isOn(real, GL_SAMPLE_ALPHA_TO_ONE) || (has.sampleMask && isOn(real, GL_SAMPLE_MASK)))
     return Reason::multisampleState;
   if (const Reason rare = rareReason(real, has); rare != Reason::traced) return rare;
-  if (!integer(real, GL_DEPTH_WRITEMASK)) return Reason::depthMask;
+  if (!raster.writesDepth) return Reason::depthMask;
   return blendReason(real, raster);
 }
 
@@ -125,6 +125,7 @@ scene::CullFace readCull(const RealGl& real) {
 void readRaster(const RealGl& real, State& state) {
   RasterState& raster = state.raster;
   raster.depthFunc = static_cast<GLenum>(integer(real, GL_DEPTH_FUNC));
+  raster.writesDepth = integer(real, GL_DEPTH_WRITEMASK) != 0;
   raster.scissorTest = isOn(real, GL_SCISSOR_TEST);
   raster.unlessOpaque = Reason::traced;
   raster.colorWrites = {};
@@ -134,7 +135,7 @@ void readRaster(const RealGl& real, State& state) {
   // buffer.
   raster.orderFree = (raster.reason == Reason::traced || raster.reason == Reason::fog ||
                       raster.reason == Reason::program || raster.reason == Reason::renderMode) &&
-                     !isOn(real, GL_BLEND) && integer(real, GL_DEPTH_WRITEMASK) != 0;
+                     !isOn(real, GL_BLEND) && raster.writesDepth;
   // Programs of a pipeline are not looked into: they may write memory, in the order of drawing.
   if (raster.program == 0 && raster.reason == Reason::program && isPresent(real.BindProgramPipeline) &&
       integer(real, GL_PROGRAM_PIPELINE_BINDING) != 0)
@@ -144,7 +145,8 @@ void readRaster(const RealGl& real, State& state) {
   const Reason polygon =
       blended || raster.reason == Reason::traced ? polygonReason(real, state.rare) : Reason::traced;
   if (raster.reason == Reason::traced) raster.reason = polygon;
-  raster.layers = blended && polygon == Reason::traced ? readBlending(real) : std::nullopt;
+  raster.layers =
+      blended && polygon == Reason::traced ? readBlending(real, raster.writesDepth) : std::nullopt;
   raster.firstVertexProvokes =
       state.rare.provokingVertex && integer(real, GL_PROVOKING_VERTEX) != GL_LAST_VERTEX_CONVENTION;
   raster.multisample = isOn(real, GL_MULTISAMPLE);

@@ -54,6 +54,7 @@ struct RasterState {
   scene::ColorWrites colorWrites;        // what glColorMask, or blending, lets through
   bool scissorTest = false;
   GLenum depthFunc = GL_LESS;
+  bool writesDepth = true;
   bool orderFree = false;  // rasterised draws merge with pending traced ones in any order
   /// Where surfaces cannot be traced because of blending or of depth that is not written: how they change
   /// what is there, if they can be traced as layers in the order of drawing.

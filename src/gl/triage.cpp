@@ -195,7 +195,7 @@ bool Context::mayMeetPasses(PrimitiveClass kind) const {
 }
 
 bool Context::isPass(PrimitiveClass kind, Reason reason) const {
-  return kind == PrimitiveClass::surfaces && state.raster.reason != Reason::depthMask &&
+  return kind == PrimitiveClass::surfaces && state.raster.writesDepth &&
          (reason == Reason::colorMask || reason == Reason::passes || reason == Reason::smallScene);
 }
 

@@ -1,9 +1,9 @@
-// Known answers of blending at eight bits a channel.
-#include "render/blend.h"
+// Known answers of blending at eight bits a channel: one surface over a framebuffer of one colour.
+#include "render/test_trace.h"
 
 #include <gtest/gtest.h>
 
-namespace gluray::render {
+namespace gluray {
 namespace {
 
 using scene::BlendEquation;
@@ -14,11 +14,26 @@ constexpr uint32_t rgba(uint32_t r, uint32_t g, uint32_t b, uint32_t a) {
   return r | g << 8 | b << 16 | a << 24;
 }
 
-scene::Blending by(Factor source, Factor destination, BlendEquation equation = BlendEquation::add) {
+Blending by(Factor source, Factor destination, BlendEquation equation = BlendEquation::add) {
   Blending blending;
   blending.rgb = blending.alpha = {equation, source, destination};
   blending.constant = {0.2f, 0.4f, 0.6f, 0.8f};
   return blending;
+}
+
+uint32_t blended(const Blending& blending, const scene::ColorWrites& writes, uint32_t source,
+                 uint32_t there) {
+  auto s = test::makeSnapshot({test::makeMesh(test::squareData(0))});
+  s.instances[0].color =
+      glm::vec4(source & 255, source >> 8 & 255, source >> 16 & 255, source >> 24) / 255.0f;
+  s.colorWrites = writes;
+  auto layers = std::make_shared<scene::Layers>();
+  layers->of = scene::Layers::Of::drawn;
+  layers->opaqueDepth.assign(16 * 16, 1.0f);
+  layers->colors.assign(16 * 16, there);
+  layers->blending = blending;
+  s.layers = layers;
+  return test::trace(s).image.color[5 * 16 + 7];
 }
 
 uint32_t result(const Blending& blending, uint32_t source = rgba(200, 100, 50, 51),
@@ -71,4 +86,4 @@ TEST(Blend, LeavesTheAlphaOfFramebuffersWithoutOne) {
 }
 
 }  // namespace
-}  // namespace gluray::render
+}  // namespace gluray

@@ -7,24 +7,12 @@
 #define GLURAY_RENDER_DRAWN_LAYERS_INL_H_
 #endif
 
-#include "render/blend.h"
+#include "render/blend.inl.h"
 #include "render/layers.inl.h"
-
-#include <tuple>
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
-
-/// A fragment of one of a packet's pixels.
-struct DrawnFragment {
-  uint32_t lane, order, primitive;  // order: of its instance
-  uint32_t color;                   // RGBA8
-  float depth;
-  bool operator<(const DrawnFragment& o) const {
-    return std::tie(lane, order, primitive) < std::tie(o.lane, o.order, o.primitive);
-  }
-};
 
 /// The depth test as a framebuffer of so many steps does it. Depths that come to one step are equal; those
 /// that were rounded on their way through floats are within a quarter of the finest.
@@ -51,8 +39,8 @@ class DrawnDepthTest {
 };
 
 /// Everything that the packet's rays hit and that may pass the depth test.
-HWY_ATTR inline void gatherDrawn(const FrameData& frame, const scene::Layers& layers, Work& work,
-                                 std::vector<DrawnFragment>& fragments) {
+HWY_ATTR inline void gatherDrawn(const FrameData& frame, const scene::Layers& layers, Work& work) {
+  work.fragments.clear();
   const scene::Snapshot& s = *frame.snapshot;
   // Along a ray depth grows, but for what offsets add to single triangles.
   const bool grows = s.polygonOffset == scene::PolygonOffset{} && s.camera.depthNear <= s.camera.depthFar;
@@ -66,8 +54,8 @@ HWY_ATTR inline void gatherDrawn(const FrameData& frame, const scene::Layers& la
     packColors(rows, colors);
     for (; lanes; lanes &= lanes - 1) {
       const int i = std::countr_zero(lanes);
-      const uint32_t order = frame.surfaces[work.packet.instance[i]].instance->order;
-      fragments.push_back({static_cast<uint32_t>(i), order, work.packet.primitive[i], colors[i], depth[i]});
+      const uint64_t order = frame.surfaces[work.packet.instance[i]].instance->order;
+      work.fragments.add(i, {order << 32 | work.packet.primitive[i], depth[i], colors[i]});
     }
     return 0u;
   });
@@ -75,24 +63,40 @@ HWY_ATTR inline void gatherDrawn(const FrameData& frame, const scene::Layers& la
 
 /// Colour and depth as they are when all fragments have been drawn; where none has passed, a miss.
 HWY_ATTR inline void blendLayers(const FrameData& frame, const scene::Layers& layers, Work& work) {
-  std::vector<DrawnFragment> fragments;
-  gatherDrawn(frame, layers, work, fragments);
-  std::sort(fragments.begin(), fragments.end());
-  for (float& depth : work.depth) depth = Image::kMiss;
+  const uint32_t lanes = work.hits;
+  gatherDrawn(frame, layers, work);
+  work.fragments.sort();
   const DrawnDepthTest test(layers.depthSteps, frame.snapshot->laterWins);
-  for (auto f = fragments.begin(); f != fragments.end();) {
-    const auto lane = static_cast<int>(f->lane);
-    const size_t pixel = pixelOf(frame, work, lane);
-    float depth = layers.opaqueDepth[pixel];
-    uint32_t color = layers.colors[pixel];
-    bool drawn = false;
-    for (; f != fragments.end() && f->lane == static_cast<uint32_t>(lane); ++f) {
-      if (!test.passes(f->depth, depth)) continue;
-      color = blended(layers.blending, frame.snapshot->colorWrites, f->color, color);
-      if (layers.blending.writesDepth) depth = test.stored(f->depth);
-      drawn = true;
+  alignas(64) Row there[4] = {};
+  alignas(64) float stored[kLanes] = {}, depth[kLanes] = {};
+  alignas(64) uint32_t color[kLanes] = {};
+  for (uint32_t rest = lanes; rest; rest &= rest - 1) {
+    const int i = std::countr_zero(rest);
+    const size_t pixel = pixelOf(frame, work, i);
+    stored[i] = layers.opaqueDepth[pixel];
+    for (int c = 0; c < 4; ++c)
+      there[c][i] = static_cast<float>(layers.colors[pixel] >> (8 * c) & 255) * (1.0f / 255);
+  }
+  uint32_t drawn = 0;
+  for (size_t n = 0;; ++n) {
+    const uint32_t any = work.fragments.nth(n, depth, color);
+    if (!any) break;
+    uint32_t passing = 0;
+    for (uint32_t rest = any; rest; rest &= rest - 1) {
+      const int i = std::countr_zero(rest);
+      if (!test.passes(depth[i], stored[i])) continue;
+      passing |= 1u << i;
+      if (layers.blending.writesDepth) stored[i] = test.stored(depth[i]);
     }
-    if (drawn) work.color[lane] = color, work.depth[lane] = depth;
+    if (passing) blendRows(layers.blending, frame.snapshot->colorWrites, passing, color, there);
+    drawn |= passing;
+  }
+  LitRows rows;
+  for (int c = 0; c < 4; ++c) std::copy_n(there[c], kLanes, rows.value[c]);
+  packColors(rows, color);
+  for (int i = 0; i < kLanes; ++i) {
+    work.depth[i] = Image::kMiss;
+    if (drawn >> i & 1) work.color[i] = color[i], work.depth[i] = stored[i];
   }
 }
 

@@ -94,7 +94,7 @@ class Table(Folder):
         done = gluray("explain", "--frames", 10, CLIENT)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertRegex(done.stdout, r"surfaces +elements +10 +2 000 +[\d.]+ +traced")
-        self.assertRegex(done.stdout, r"surfaces +arrays +10 +60 +[\d.]+ +rasterised: blending +blend")
+        self.assertRegex(done.stdout, r"surfaces +arrays +10 +60 +[\d.]+ +rasterised: polygon stipple +blend")
         self.assertRegex(done.stdout, r"lines +glBegin +10 +0 +[\d.]+ +rasterised: lines")
         self.assertIn("10 frames, 97.2 % of 2 140 triangles traced", done.stdout)
 

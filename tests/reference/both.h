@@ -20,15 +20,12 @@ struct BothStage {
   std::string folder;
   Draw prepare;  // before each
   scenes::Tolerance tolerance = {};
+  Settings settings = TracedContext::vertexShading();
 };
 
-/// What was drawn of it.
-struct Counted {
-  uint64_t traced = 0, rasterised = 0;
-};
-
-inline Counted compareBoth(const BothStage& stage, const std::string& name, const Draw& draw,
-                           std::unique_ptr<gl::Presenter> presenter = nullptr) {
+/// Returns what ours counted.
+inline gl::Statistics compareBoth(const BothStage& stage, const std::string& name, const Draw& draw,
+                                  std::unique_ptr<gl::Presenter> presenter = nullptr) {
   SCOPED_TRACE(name);
   const auto seenBy = [&](scenes::Gl gl) {
     stage.prepare(gl);
@@ -41,14 +38,13 @@ inline Counted compareBoth(const BothStage& stage, const std::string& name, cons
     const auto real = OsmesaContext::create({stage.width, stage.height});
     return seenBy(real->real());
   }();
-  TracedContext ours({stage.width, stage.height}, TracedContext::vertexShading(), std::move(presenter));
+  TracedContext ours({stage.width, stage.height}, stage.settings, std::move(presenter));
   const auto got = seenBy(ours.gl());
   for (const std::string& line : differences(expected.second, got.second)) ADD_FAILURE() << line;
   const Comparison c = compare(expected.first, got.first, stage.tolerance);
   EXPECT_TRUE(c.accepted) << c.text;
   if (!c.accepted) writeFailure(TEST_OUTPUT "/" + stage.folder, name, expected.first, got.first);
-  const auto& statistics = ours.context().statistics;
-  return {statistics.drawsTraced, statistics.drawsRasterised};
+  return ours.context().statistics;
 }
 
 }  // namespace gluray::test

@@ -28,9 +28,9 @@ BothStage theStage() {
 
 /// All that it draws is traced.
 void expectTraced(const std::string& name, const Draw& draw, uint64_t traced) {
-  const Counted counted = compareBoth(theStage(), name, draw);
-  EXPECT_EQ(counted.traced, traced) << name;
-  EXPECT_EQ(counted.rasterised, 0u) << name;
+  const gl::Statistics counted = compareBoth(theStage(), name, draw);
+  EXPECT_EQ(counted.drawsTraced, traced) << name;
+  EXPECT_EQ(counted.drawsRasterised, 0u) << name;
 }
 
 struct Ball {
@@ -161,7 +161,7 @@ TEST(DrawnLayers, MeetFramebuffersOfManyFormats) {
           for (const Ball& b : kBalls) ball(gl, {b.x, b.z, {b.color[0], b.color[1], b.color[2], 0.7f}});
         };
         const std::string name = std::string(format.name) + " " + f.name + (writes ? " writing" : "");
-        EXPECT_EQ(compareBoth(stage, name, draw).traced, 4u) << name;
+        EXPECT_EQ(compareBoth(stage, name, draw).drawsTraced, 4u) << name;
       }
     }
   }
@@ -175,7 +175,7 @@ TEST(DrawnLayers, AreLeftAloneWhereTheFramebufferIsOfAnotherKind) {
       blendOver(gl);
       for (const Ball& b : kBalls) ball(gl, {b.x, b.z, {b.color[0], b.color[1], b.color[2], 0.7f}});
     };
-    EXPECT_EQ(compareBoth(theStage(), "format " + std::to_string(format), draw).traced, 0u);
+    EXPECT_EQ(compareBoth(theStage(), "format " + std::to_string(format), draw).drawsTraced, 0u);
   }
 }
 
@@ -282,7 +282,7 @@ TEST(DrawnLayers, AreCutByPlanesScissorAndViewport) {
 }
 
 TEST(DrawnLayers, OfDepthRangesOneOfThemTurnedRound) {
-  for (const auto [zNear, zFar] : {std::pair(0.2, 0.7), std::pair(1.0, 0.0), std::pair(0.5, 0.5)}) {
+  for (const auto& [zNear, zFar] : {std::pair(0.2, 0.7), std::pair(1.0, 0.0), std::pair(0.5, 0.5)}) {
     const auto draw = [&](Gl gl) {
       blendOver(gl);
       gl.DepthRange(zNear, zFar);
@@ -351,7 +351,7 @@ TEST(DrawnLayers, MeetLinesBetweenThem) {
     gl.End();
     ball(gl, kBalls[0]);
   };
-  EXPECT_EQ(compareBoth(theStage(), "lines", draw).traced, 2u);
+  EXPECT_EQ(compareBoth(theStage(), "lines", draw).drawsTraced, 2u);
 }
 
 TEST(DrawnLayers, AreThereAfterSwapsAndReads) {
@@ -371,6 +371,47 @@ TEST(DrawnLayers, AreThereAfterSwapsAndReads) {
     }
   };
   expectTraced("frames", draw, 9);
+}
+
+TEST(DrawnLayers, OfFewTrianglesAreLeftToTheRealOne) {
+  BothStage stage = theStage();
+  stage.settings.engine = Engine::automatic;
+  const auto draw = [](Gl gl) {
+    blendOver(gl);
+    gl.DepthMask(GL_FALSE);
+    ball(gl, kBalls[0]);
+    material(gl, GL_FRONT_AND_BACK, GL_DIFFUSE, kBalls[1].color);
+    send(gl, sphere(340, 340));  // 230,000 triangles
+  };
+  const gl::Statistics counted = compareBoth(stage, "few", draw);
+  EXPECT_EQ(counted.drawsTraced, 1u);
+  EXPECT_EQ(counted.rasterisedBecause[static_cast<size_t>(gl::Reason::smallScene)], 1u);
+}
+
+/// Many small ones that wait together are not few, once a frame has shown it.
+TEST(DrawnLayers, OfManyDrawsAreTracedTogether) {
+  BothStage stage = theStage();
+  stage.settings.engine = Engine::automatic;
+  const auto draw = [&](Gl gl) {
+    gl.NewList(1, GL_COMPILE), send(gl, sphere(160, 160)), gl.EndList();  // 50,000 triangles
+    for (int frame = 0; frame < 2; ++frame) {
+      stage.prepare(gl);
+      blendOver(gl);
+      gl.DepthMask(GL_FALSE);
+      for (int i = 0; i < 5; ++i) {
+        const auto at = 0.2f * static_cast<float>(i);
+        gl.PushMatrix();
+        gl.Translatef(at - 0.4f, 0, 0.4f - at);
+        material(gl, GL_FRONT_AND_BACK, GL_DIFFUSE, {at, 0.7f, 0.3f, 0.4f});
+        gl.CallList(1);
+        gl.PopMatrix();
+      }
+      gl.DepthMask(GL_TRUE);
+      gl.DepthMask(GL_TRUE);
+      gl.Finish();  // ends the frame
+    }
+  };
+  EXPECT_EQ(compareBoth(stage, "many", draw).drawsTraced, 5u);
 }
 
 TEST(DrawnLayers, AreDrawnByTheRealOneWhereTracingFails) {
