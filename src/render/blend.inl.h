@@ -9,16 +9,29 @@
 
 #include "render/fragment_inputs.inl.h"
 
+#include <cmath>
+
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-/// A fragment's colour and the framebuffer's, in [0, 1].
+/// A fragment's colour and the framebuffer's: whole numbers from 0 to 255.
 struct BlendInput {
   Float source[4], there[4];
 };
 
-HWY_INLINE Float oneMinus(Float v) { return hn::Sub(splat(1), v); }
+HWY_INLINE Float oneMinus(Float v) { return hn::Sub(splat(255), v); }
+
+HWY_INLINE Float byteOf(float value) { return splat(std::round(value * 255)); }
+
+/// a * b / 255, rounded. OpenGL leaves that to the implementation: this is what Mesa's rasteriser does
+/// (lp_build_mul_norm), of 65,536 products 24 are one less than the nearest. Over many thin layers other
+/// roundings would add up.
+HWY_INLINE Float productOf(Float a, Float b) {
+  const Float product = hn::Mul(a, b), share = splat(1.0f / 256);
+  const Float more = hn::Add(hn::Floor(hn::Mul(product, share)), splat(128));
+  return hn::Floor(hn::Mul(hn::Add(product, more), share));
+}
 
 /// What a factor is for channel c.
 HWY_ATTR inline Float blendFactor(scene::BlendFactor factor, const BlendInput& in, const glm::vec4& constant,
@@ -26,7 +39,7 @@ HWY_ATTR inline Float blendFactor(scene::BlendFactor factor, const BlendInput& i
   using Factor = scene::BlendFactor;
   switch (factor) {
     case Factor::zero: return splat(0);
-    case Factor::one: return splat(1);
+    case Factor::one: return splat(255);
     case Factor::sourceColor: return in.source[c];
     case Factor::oneMinusSourceColor: return oneMinus(in.source[c]);
     case Factor::sourceAlpha: return in.source[3];
@@ -35,21 +48,22 @@ HWY_ATTR inline Float blendFactor(scene::BlendFactor factor, const BlendInput& i
     case Factor::oneMinusDestinationAlpha: return oneMinus(in.there[3]);
     case Factor::destinationColor: return in.there[c];
     case Factor::oneMinusDestinationColor: return oneMinus(in.there[c]);
-    case Factor::sourceAlphaSaturate: return c == 3 ? splat(1) : hn::Min(in.source[3], oneMinus(in.there[3]));
-    case Factor::constantColor: return splat(constant[c]);
-    case Factor::oneMinusConstantColor: return splat(1 - constant[c]);
-    case Factor::constantAlpha: return splat(constant.a);
-    case Factor::oneMinusConstantAlpha: return splat(1 - constant.a);
+    case Factor::sourceAlphaSaturate:
+      return c == 3 ? splat(255) : hn::Min(in.source[3], oneMinus(in.there[3]));
+    case Factor::constantColor: return byteOf(constant[c]);
+    case Factor::oneMinusConstantColor: return oneMinus(byteOf(constant[c]));
+    case Factor::constantAlpha: return byteOf(constant.a);
+    case Factor::oneMinusConstantAlpha: return oneMinus(byteOf(constant.a));
   }
-  return splat(1);
+  return splat(255);
 }
 
-/// Channel c of the result, rounded to eight bits.
+/// Channel c of the result.
 HWY_ATTR inline Float blendChannel(const scene::Blending& blending, const BlendInput& in, int c) {
   const scene::Blending::Part& part = c < 3 ? blending.rgb : blending.alpha;
   const Float s = in.source[c], d = in.there[c];
   const auto weighted = [&](Float v, scene::BlendFactor factor)
-                            HWY_ATTR { return hn::Mul(v, blendFactor(factor, in, blending.constant, c)); };
+                            HWY_ATTR { return productOf(v, blendFactor(factor, in, blending.constant, c)); };
   const auto combined = [&]() HWY_ATTR {
     switch (part.equation) {
       case scene::BlendEquation::min: return hn::Min(s, d);
@@ -62,10 +76,11 @@ HWY_ATTR inline Float blendChannel(const scene::Blending& blending, const BlendI
     }
     return hn::Add(weighted(s, part.source), weighted(d, part.destination));
   };
-  return hn::Mul(hn::Round(hn::Mul(clamp01(combined()), splat(255))), splat(1.0f / 255));
+  return hn::Clamp(combined(), splat(0), splat(255));
 }
 
-/// Blends RGBA8 colours `source` with the rows `there` in `lanes`, in the channels that are written.
+/// Blends RGBA8 colours `source` with the rows `there`, from 0 to 255, in `lanes`, in the channels that are
+/// written.
 HWY_ATTR inline void blendRows(const scene::Blending& blending, const scene::ColorWrites& writes,
                                uint32_t lanes, const uint32_t* source, Row (&there)[4]) {
   const hn::Rebind<uint32_t, FloatTag> du;
@@ -75,7 +90,7 @@ HWY_ATTR inline void blendRows(const scene::Blending& blending, const scene::Col
     const auto bits = hn::Load(du, source + i);
     const auto channel = [&](auto shifted) HWY_ATTR {
       const auto byte = hn::And(shifted, hn::Set(du, 255));
-      return hn::Mul(hn::ConvertTo(FloatTag(), hn::BitCast(di, byte)), splat(1.0f / 255));
+      return hn::ConvertTo(FloatTag(), hn::BitCast(di, byte));
     };
     BlendInput in{{channel(bits), channel(hn::ShiftRight<8>(bits)), channel(hn::ShiftRight<16>(bits)),
                    channel(hn::ShiftRight<24>(bits))},

@@ -46,7 +46,7 @@ TEST(Blend, OfFactors) {
   EXPECT_EQ(result(by(Factor::zero, Factor::one)), rgba(10, 20, 240, 102));
   EXPECT_EQ(result(by(Factor::one, Factor::one)), rgba(210, 120, 255, 153));
   EXPECT_EQ(result(by(Factor::sourceAlpha, Factor::oneMinusSourceAlpha)), rgba(48, 36, 202, 92));
-  EXPECT_EQ(result(by(Factor::destinationAlpha, Factor::oneMinusDestinationAlpha)), rgba(86, 52, 164, 82));
+  EXPECT_EQ(result(by(Factor::destinationAlpha, Factor::oneMinusDestinationAlpha)), rgba(86, 52, 164, 81));
   EXPECT_EQ(result(by(Factor::destinationColor, Factor::zero)), rgba(8, 8, 47, 20));
   EXPECT_EQ(result(by(Factor::zero, Factor::oneMinusSourceColor)), rgba(2, 12, 193, 82));
   EXPECT_EQ(result(by(Factor::sourceAlphaSaturate, Factor::zero)), rgba(40, 20, 10, 51));
@@ -59,6 +59,12 @@ TEST(Blend, OfEquations) {
   EXPECT_EQ(result(by(Factor::one, Factor::one, BlendEquation::reverseSubtract)), rgba(0, 0, 190, 51));
   EXPECT_EQ(result(by(Factor::zero, Factor::zero, BlendEquation::min)), rgba(10, 20, 50, 51));
   EXPECT_EQ(result(by(Factor::zero, Factor::zero, BlendEquation::max)), rgba(200, 100, 240, 102));
+}
+
+/// 26 * 152 and 229 * 152, divided by 255, are 15.498 and 136.502, of which the second is rounded down.
+TEST(Blend, RoundsEachProductAsMesaDoes) {
+  const Blending blending = by(Factor::sourceAlpha, Factor::oneMinusSourceAlpha);
+  EXPECT_EQ(result(blending, rgba(152, 0, 9, 26), rgba(152, 152, 0, 0)) & 0xffffffu, rgba(151, 136, 1, 0));
 }
 
 TEST(Blend, OfAlphaApart) {

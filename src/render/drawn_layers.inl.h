@@ -74,8 +74,7 @@ HWY_ATTR inline void blendLayers(const FrameData& frame, const scene::Layers& la
     const int i = std::countr_zero(rest);
     const size_t pixel = pixelOf(frame, work, i);
     stored[i] = layers.opaqueDepth[pixel];
-    for (int c = 0; c < 4; ++c)
-      there[c][i] = static_cast<float>(layers.colors[pixel] >> (8 * c) & 255) * (1.0f / 255);
+    for (int c = 0; c < 4; ++c) there[c][i] = static_cast<float>(layers.colors[pixel] >> (8 * c) & 255);
   }
   uint32_t drawn = 0;
   for (size_t n = 0;; ++n) {
@@ -91,12 +90,11 @@ HWY_ATTR inline void blendLayers(const FrameData& frame, const scene::Layers& la
     if (passing) blendRows(layers.blending, frame.snapshot->colorWrites, passing, color, there);
     drawn |= passing;
   }
-  LitRows rows;
-  for (int c = 0; c < 4; ++c) std::copy_n(there[c], kLanes, rows.value[c]);
-  packColors(rows, color);
   for (int i = 0; i < kLanes; ++i) {
     work.depth[i] = Image::kMiss;
-    if (drawn >> i & 1) work.color[i] = color[i], work.depth[i] = stored[i];
+    if (!(drawn >> i & 1)) continue;
+    work.color[i] = 0, work.depth[i] = stored[i];
+    for (int c = 0; c < 4; ++c) work.color[i] |= static_cast<uint32_t>(there[c][i]) << (8 * c);
   }
 }
 

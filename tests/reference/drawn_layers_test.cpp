@@ -1,59 +1,13 @@
 // Fixed-function surfaces that are blended in the order of drawing, with and without depth writes.
-#include "intercept/present/tracing_presenter.h"
-#include "scenes/stage.h"
-#include "tests/reference/both.h"
-#include "tests/reference/framebuffer.h"
-
-#include <GL/glext.h>
+#include "tests/reference/drawn_layers_stage.h"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
-#include <vector>
 
 namespace gluray::test {
 namespace {
 
-using namespace scenes;
-
-constexpr int kWidth = 120, kHeight = 90;
-
-BothStage theStage() {
-  return {kWidth, kHeight, "drawn_layers", [](Gl gl) {
-            begin(gl, kWidth, kHeight, {0.4f, 0.6f, 0.2f, 0.5f});
-            camera(gl, kWidth, kHeight);
-            keyLight(gl);
-          }};
-}
-
-/// All that it draws is traced.
-void expectTraced(const std::string& name, const Draw& draw, uint64_t traced) {
-  const gl::Statistics counted = compareBoth(theStage(), name, draw);
-  EXPECT_EQ(counted.drawsTraced, traced) << name;
-  EXPECT_EQ(counted.drawsRasterised, 0u) << name;
-}
-
-struct Ball {
-  float x, z;
-  Color color;
-  float size = 0.8f;
-};
-
-void ball(Gl gl, const Ball& b) {
-  paint(gl, b.color[0], b.color[1], b.color[2]);
-  material(gl, GL_FRONT_AND_BACK, GL_DIFFUSE, b.color);
-  sendAt(gl, sphere(16, 24), b.x, 0, b.z, b.size);
-}
-
-/// Left and near, in the middle, right and far; the last is opaque.
-const std::array<Ball, 3> kBalls = {Ball{-0.5f, 0.6f, {0.9f, 0.2f, 0.1f, 0.3f}},
-                                    Ball{0, 0, {0.2f, 0.8f, 0.3f, 0.6f}},
-                                    Ball{0.5f, -0.6f, {0.2f, 0.3f, 0.9f, 1}}};
-
-void blendOver(Gl gl) {
-  gl.Enable(GL_BLEND);
-  gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-}
+using namespace drawn_layers;
 
 TEST(DrawnLayers, AreBlendedInEveryOrder) {
   std::array<size_t, 3> order{};
@@ -97,38 +51,6 @@ TEST(DrawnLayers, AndOpaqueOnesTakeTurns) {
   expectTraced("turns", draw, 4);
 }
 
-struct Function {
-  const char* name;
-  GLenum source, destination, sourceAlpha, destinationAlpha;
-  GLenum equation = GL_FUNC_ADD, equationAlpha = GL_FUNC_ADD;
-};
-
-const Function kFunctions[] = {
-    {"add", GL_ONE, GL_ONE, GL_ONE, GL_ONE},
-    {"weighted add", GL_SRC_ALPHA, GL_ONE, GL_SRC_ALPHA, GL_ONE},
-    {"premultiplied", GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA},
-    {"alpha apart", GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA},
-    {"alpha kept", GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE},
-    {"filter", GL_DST_COLOR, GL_ZERO, GL_ZERO, GL_ONE},
-    {"filter from here", GL_ZERO, GL_SRC_COLOR, GL_ONE, GL_ZERO},
-    {"screen", GL_ONE_MINUS_DST_COLOR, GL_ONE, GL_ONE, GL_ONE_MINUS_SRC_COLOR},
-    {"by what is there", GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA, GL_DST_ALPHA, GL_ONE},
-    {"saturate", GL_SRC_ALPHA_SATURATE, GL_ONE, GL_SRC_ALPHA_SATURATE, GL_ONE},
-    {"constant", GL_CONSTANT_COLOR, GL_ONE_MINUS_CONSTANT_COLOR, GL_CONSTANT_ALPHA,
-     GL_ONE_MINUS_CONSTANT_ALPHA},
-    {"constant alpha", GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA, GL_ONE, GL_ZERO},
-    {"smallest", GL_ONE, GL_ONE, GL_ONE, GL_ONE, GL_MIN, GL_MAX},
-    {"difference", GL_SRC_ALPHA, GL_ONE, GL_ONE, GL_ONE, GL_FUNC_SUBTRACT, GL_FUNC_ADD},
-    {"other difference", GL_SRC_ALPHA, GL_ONE, GL_ZERO, GL_ONE, GL_FUNC_REVERSE_SUBTRACT, GL_FUNC_ADD},
-};
-
-void blendBy(Gl gl, const Function& f) {
-  gl.Enable(GL_BLEND);
-  gl.BlendColor(0.3f, 0.6f, 0.8f, 0.4f);
-  gl.BlendEquationSeparate(f.equation, f.equationAlpha);
-  gl.BlendFuncSeparate(f.source, f.destination, f.sourceAlpha, f.destinationAlpha);
-}
-
 TEST(DrawnLayers, AreBlendedByEveryFunction) {
   for (const Function& f : kFunctions) {
     const auto draw = [&](Gl gl) {
@@ -136,59 +58,6 @@ TEST(DrawnLayers, AreBlendedByEveryFunction) {
       for (const Ball& b : kBalls) ball(gl, {b.x, b.z, {b.color[0], b.color[1], b.color[2], 0.7f}});
     };
     expectTraced(f.name, draw, 3);
-  }
-}
-
-TEST(DrawnLayers, MeetFramebuffersOfManyFormats) {
-  const struct {
-    const char* name;
-    GLenum color, depth;
-  } formats[] = {
-      {"rgba8 d24", GL_RGBA8, GL_DEPTH_COMPONENT24},   {"rgba8 d16", GL_RGBA8, GL_DEPTH_COMPONENT16},
-      {"rgba8 d32f", GL_RGBA8, GL_DEPTH_COMPONENT32F}, {"rgba8 d24s8", GL_RGBA8, GL_DEPTH24_STENCIL8},
-      {"rgb8 d24", GL_RGB8, GL_DEPTH_COMPONENT24},     {"srgb8 d24", GL_SRGB8_ALPHA8, GL_DEPTH_COMPONENT24}};
-  for (const auto& format : formats) {
-    for (const Function& f : {kFunctions[1], kFunctions[2], kFunctions[8]}) {
-      for (const bool writes : {true, false}) {
-        BothStage stage = theStage();
-        stage.tolerance.depth = format.depth == GL_DEPTH_COMPONENT16 ? 2.0f / 65535 : 1e-5f;  // a step
-        const auto draw = [&](Gl gl) {
-          bindNewFramebuffer(gl, {kWidth, kHeight}, format.color, format.depth);
-          stage.prepare(gl);
-          ball(gl, {0, -0.3f, {0.7f, 0.7f, 0.2f, 1}});
-          blendBy(gl, f);
-          gl.DepthMask(writes);
-          for (const Ball& b : kBalls) ball(gl, {b.x, b.z, {b.color[0], b.color[1], b.color[2], 0.7f}});
-        };
-        const std::string name = std::string(format.name) + " " + f.name + (writes ? " writing" : "");
-        EXPECT_EQ(compareBoth(stage, name, draw).drawsTraced, 4u) << name;
-      }
-    }
-  }
-}
-
-TEST(DrawnLayers, AreLeftAloneWhereTheFramebufferIsOfAnotherKind) {
-  for (const GLenum format : {GL_RGB10_A2, GL_RGBA16F, GL_RGBA16, GL_RGB565}) {
-    const auto draw = [&](Gl gl) {
-      bindNewFramebuffer(gl, {kWidth, kHeight}, format, GL_DEPTH_COMPONENT24);
-      theStage().prepare(gl);
-      blendOver(gl);
-      for (const Ball& b : kBalls) ball(gl, {b.x, b.z, {b.color[0], b.color[1], b.color[2], 0.7f}});
-    };
-    EXPECT_EQ(compareBoth(theStage(), "format " + std::to_string(format), draw).drawsTraced, 0u);
-  }
-}
-
-TEST(DrawnLayers, TakeTheChannelsThatAreWritten) {
-  const GLboolean masks[][4] = {{1, 0, 1, 1}, {0, 1, 0, 0}, {1, 1, 1, 0}, {0, 0, 0, 1}};
-  for (const auto& mask : masks) {
-    const auto draw = [&](Gl gl) {
-      blendBy(gl, kFunctions[8]);
-      gl.ColorMask(mask[0], mask[1], mask[2], mask[3]);
-      for (const Ball& b : kBalls) ball(gl, {b.x, b.z, {b.color[0], b.color[1], b.color[2], 0.7f}});
-    };
-    expectTraced("mask " + std::to_string(mask[0]) + std::to_string(mask[1]) + std::to_string(mask[3]), draw,
-                 3);
   }
 }
 
@@ -245,6 +114,45 @@ TEST(DrawnLayers, OfOneDrawKeepTheOrderOfTheirTriangles) {
   }
 }
 
+/// The order of triangles survives every structure that rays go through.
+TEST(DrawnLayers, AreTheSameInEveryStructure) {
+  for (const BvhQuality bvh :
+       {BvhQuality::automatic, BvhQuality::fast, BvhQuality::full, BvhQuality::compact, BvhQuality::least}) {
+    for (const bool writes : {true, false}) {
+      BothStage stage = theStage();
+      stage.settings.bvh = bvh;
+      const auto draw = [&](Gl gl) {
+        blendOver(gl);
+        gl.DepthMask(writes);
+        gl.Rotatef(35, 1, 0, 0);
+        paint(gl, 0.8f, 0.5f, 0.2f);
+        material(gl, GL_FRONT_AND_BACK, GL_DIFFUSE, {0.8f, 0.5f, 0.2f, 0.45f});
+        send(gl, torus(0.9f, 0.35f, 60, 32));
+        gl.Rotatef(50, 0, 1, 0);
+        send(gl, torus(0.9f, 0.35f, 60, 32));
+      };
+      const std::string name =
+          "structure " + std::to_string(static_cast<int>(bvh)) + (writes ? " writing" : "");
+      EXPECT_EQ(compareBoth(stage, name, draw).drawsTraced, 2u) << name;
+    }
+  }
+}
+
+/// More than rays gather in one go, at places that are all but the same.
+TEST(DrawnLayers, OfManyAreAllBlended) {
+  for (const bool writes : {true, false}) {
+    const auto draw = [&](Gl gl) {
+      blendOver(gl);
+      gl.DepthMask(writes);
+      for (int i = 0; i < 40; ++i) {
+        const auto at = static_cast<float>(i * 7 % 40);
+        ball(gl, {0, 0, {at / 40, 0.5f, 1 - at / 40, 0.08f}, 0.5f + 0.01f * at});
+      }
+    };
+    expectTraced(writes ? "many writing" : "many", draw, 40);
+  }
+}
+
 TEST(DrawnLayers, OfListsAndArrays) {
   const Model model = torus(0.9f, 0.35f, 30, 16);
   for (const bool list : {true, false}) {
@@ -261,49 +169,6 @@ TEST(DrawnLayers, OfListsAndArrays) {
     };
     expectTraced(list ? "list" : "array", draw, 1);
   }
-}
-
-TEST(DrawnLayers, AreCutByPlanesScissorAndViewport) {
-  const auto draw = [](Gl gl) {
-    blendOver(gl);
-    const GLdouble plane[] = {1, 0.5, 0.2, 0.1};
-    gl.ClipPlane(GL_CLIP_PLANE0, plane);
-    gl.Enable(GL_CLIP_PLANE0);
-    ball(gl, kBalls[0]);
-    gl.Disable(GL_CLIP_PLANE0);
-    gl.Enable(GL_SCISSOR_TEST), gl.Scissor(30, 10, 50, 60);
-    ball(gl, kBalls[1]);
-    gl.Viewport(-20, 5, 130, 70);
-    ball(gl, {0.4f, 0.2f, {0.3f, 0.3f, 0.9f, 0.6f}});
-    gl.Disable(GL_SCISSOR_TEST);
-    gl.Viewport(0, 0, kWidth, kHeight);
-  };
-  expectTraced("cut", draw, 3);
-}
-
-TEST(DrawnLayers, OfDepthRangesOneOfThemTurnedRound) {
-  for (const auto& [zNear, zFar] : {std::pair(0.2, 0.7), std::pair(1.0, 0.0), std::pair(0.5, 0.5)}) {
-    const auto draw = [&](Gl gl) {
-      blendOver(gl);
-      gl.DepthRange(zNear, zFar);
-      for (const Ball& b : kBalls) ball(gl, {b.x, b.z, {b.color[0], b.color[1], b.color[2], 0.7f}});
-    };
-    expectTraced("range " + std::to_string(zNear), draw, 3);
-  }
-}
-
-TEST(DrawnLayers, OfSurfacesThatAreMovedInDepth) {
-  const auto draw = [](Gl gl) {
-    ball(gl, {0, 0, {0.9f, 0.9f, 0.8f, 1}});
-    blendOver(gl);
-    gl.Enable(GL_POLYGON_OFFSET_FILL);
-    gl.PolygonOffset(-2, -40);
-    gl.DepthMask(GL_FALSE);
-    ball(gl, {0.02f, -0.02f, {0.9f, 0.2f, 0.1f, 0.5f}});
-    gl.PolygonOffset(3, 60);
-    ball(gl, {-0.05f, 0.05f, {0.1f, 0.2f, 0.9f, 0.5f}});
-  };
-  expectTraced("moved", draw, 3);
 }
 
 TEST(DrawnLayers, OverTheSameSurface) {
@@ -338,39 +203,6 @@ TEST(DrawnLayers, FadeIntoFogAndFailAlphaTests) {
     gl.End();
   };
   expectTraced("fog", draw, 2);
-}
-
-TEST(DrawnLayers, MeetLinesBetweenThem) {
-  const auto draw = [](Gl gl) {
-    blendOver(gl);
-    gl.DepthMask(GL_FALSE);
-    ball(gl, kBalls[1]);
-    gl.LineWidth(3);
-    gl.Begin(GL_LINES);
-    gl.Vertex3f(-1, -0.5f, 0.9f), gl.Vertex3f(1, 0.5f, 0.9f);
-    gl.End();
-    ball(gl, kBalls[0]);
-  };
-  EXPECT_EQ(compareBoth(theStage(), "lines", draw).drawsTraced, 2u);
-}
-
-TEST(DrawnLayers, AreThereAfterSwapsAndReads) {
-  const auto draw = [](Gl gl) {
-    for (int frame = 0; frame < 3; ++frame) {
-      theStage().prepare(gl);
-      gl.Disable(GL_BLEND), gl.DepthMask(GL_TRUE);
-      ball(gl, {0, 0, {0.7f, 0.7f, 0.2f, 1}});
-      blendOver(gl);
-      gl.DepthMask(GL_FALSE);
-      ball(gl, kBalls[0]);
-      uint32_t pixel = 0;
-      gl.ReadPixels(60, 45, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
-      ball(gl, kBalls[1]);
-      gl.DepthMask(GL_TRUE);
-      gl.Finish();
-    }
-  };
-  expectTraced("frames", draw, 9);
 }
 
 TEST(DrawnLayers, OfFewTrianglesAreLeftToTheRealOne) {
@@ -412,27 +244,6 @@ TEST(DrawnLayers, OfManyDrawsAreTracedTogether) {
     }
   };
   EXPECT_EQ(compareBoth(stage, "many", draw).drawsTraced, 5u);
-}
-
-TEST(DrawnLayers, AreDrawnByTheRealOneWhereTracingFails) {
-  const Function& f = kFunctions[10];
-  for (const bool writes : {true, false}) {
-    const auto draw = [&](Gl gl) {
-      ball(gl, {0, 0.1f, {0.7f, 0.7f, 0.2f, 1}});
-      blendBy(gl, f);
-      gl.DepthMask(writes);
-      for (const Ball& b : kBalls) ball(gl, b);
-      gl.BlendEquation(GL_FUNC_ADD), gl.BlendFunc(GL_ZERO, GL_ONE), gl.DepthMask(GL_TRUE);
-    };
-    int pictures = 0;
-    auto fails = std::make_unique<present::TracingPresenter>(
-        present::Tracer{[&](const scene::Snapshot&, Image&, present::TraceCost&, std::string& why) {
-          ++pictures;
-          return why = "this test lets tracing fail", false;
-        }});
-    compareBoth(theStage(), writes ? "failing, writing" : "failing", draw, std::move(fails));
-    EXPECT_GT(pictures, 0);
-  }
 }
 
 }  // namespace
