@@ -106,7 +106,8 @@ Reason triageByPass(Context& c, PrimitiveClass kind) {
   switch (layersOf(c.state.program)) {
     case BatchKey::Layers::peeled: return c.layers.triagePeel(kind);
     case BatchKey::Layers::summed: return c.layers.triageSum(kind);
-    case BatchKey::Layers::none: break;
+    case BatchKey::Layers::none:
+    case BatchKey::Layers::drawn: break;
   }
   return c.programs.triage(kind);
 }

@@ -57,6 +57,13 @@ void Batch::start(const BatchKey& key, const State& state, const Settings& setti
   snapshot_->wideColors = state.target.wideColors || key.encodes;
   snapshot_->colorWrites = key.colorWrites;
   snapshot_->laterWins = key.depthFunc == GL_LEQUAL;
+  if (key.layers == BatchKey::Layers::drawn) {
+    auto layers = std::make_shared<scene::Layers>();
+    layers->of = scene::Layers::Of::drawn;
+    layers->blending = key.blending;
+    layers->depthSteps = key.depthSteps;
+    snapshot_->layers = std::move(layers);
+  }
   drawn_ = 0;
   // With GL_MULTISAMPLE off all samples of a pixel get the value at its centre: one plane serves them all.
   if (key.multisample) {

@@ -25,8 +25,10 @@ struct BatchKey {
   float depthNear = 0, depthFar = 1;
   scene::PolygonOffset offset;
   scene::ColorWrites colorWrites;
-  bool encodes = false;                                                        // GL_FRAMEBUFFER_SRGB
-  enum class Layers : uint8_t { none, peeled, summed } layers = Layers::none;  // that are seen through
+  bool encodes = false;                                                               // GL_FRAMEBUFFER_SRGB
+  enum class Layers : uint8_t { none, peeled, summed, drawn } layers = Layers::none;  // that are seen through
+  scene::Blending blending;  // of layers that are blended in the order of drawing
+  double depthSteps = 0;     // the same: scene::Layers
   bool operator==(const BatchKey&) const = default;
 };
 
@@ -49,6 +51,11 @@ class Batch {
   void start(const BatchKey& key, const State& state, const Settings& settings, uint64_t frame);
   /// All of the batch's surfaces are seen through. Before the first is added.
   void seeThrough(std::shared_ptr<const scene::Layers> layers) { snapshot_->layers = std::move(layers); }
+  /// The same afterwards, of those that are blended in the order of drawing. They reach no farther than
+  /// `region`.
+  void seeThrough(std::shared_ptr<const scene::Layers> layers, const scene::Region& region) {
+    snapshot_->layers = std::move(layers), snapshot_->region = region;
+  }
   /// Begins a batch with all that is in a snapshot that was taken with the same key.
   void resume(const BatchKey& key, const scene::Snapshot& taken);
   /// Adds an instance whose eyeFromObject is set; shading is shared with earlier instances of the same

@@ -211,6 +211,8 @@ class Context {
   bool leavesAlone(uint64_t triangles) const {
     return choice_.way() == EngineChoice::Way::mixed && choice_.takesAlone(triangles, viewportPixels());
   }
+  /// The same of surfaces that are blended in the order of drawing.
+  bool leavesLayers(uint64_t triangles) const { return choice_.takesLayers(triangles, viewportPixels()); }
 
   int activeQueries = 0;  // queries and conditional renderings that count or guard draws
   GLenum matrixMode = 0;  // 0: ask the real OpenGL
@@ -267,7 +269,9 @@ class Context {
   /// triage() where everything that can be is traced.
   Reason triageAlways(const KnownMesh& mesh, const std::vector<MaterialChange>& materials);
   /// Whether every fragment of a surface with this mesh has alpha 1.
-  bool isOpaque(const KnownMesh& mesh, const std::vector<MaterialChange>& materials) const;
+  bool isOpaque(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const;
+  /// Whether one that can be traced is a layer, blended in the order of drawing (LayerDraws::mayBeDrawn()).
+  bool isLayer(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const;
   void noteClear(GLbitfield mask);
   std::optional<ClearedTarget> clearedUnder(const scene::Snapshot& snapshot, const BatchKey& key);
   bool antialiasInto(GLuint attachment, const scene::Region& region, bool instead);

@@ -64,6 +64,13 @@ bool EngineChoice::takes(uint64_t triangles, double viewportPixels) const {
   return takesAlone(triangles + (inAll ? static_cast<uint64_t>(frame_.triangles) : 0), viewportPixels);
 }
 
+bool EngineChoice::takesLayers(uint64_t triangles, double viewportPixels) const {
+  // Each hit of a ray costs about what the first does: three closed surfaces, of a million triangles and as
+  // many pixels, take a rasteriser on the same cores as long.
+  constexpr double kAlways = 200000, kPerPixel = 1;
+  return active_ && static_cast<double>(triangles) <= std::max(kAlways, kPerPixel * viewportPixels);
+}
+
 void EngineChoice::overflow() {
   overflowed_ = true;
   way_ = Way::mixed;

@@ -52,6 +52,9 @@ class EngineChoice {
   bool takes(uint64_t triangles, double viewportPixels) const;
   /// The same, whatever has been drawn before.
   bool takesAlone(uint64_t triangles, double viewportPixels) const;
+  /// Whether it takes so many triangles of surfaces that are blended in the order of drawing, which wait to
+  /// be traced together, in frames of any kind.
+  bool takesLayers(uint64_t triangles, double viewportPixels) const;
   /// It does not take one in a direct frame: the rest of the frame is mixed.
   void overflow();
 

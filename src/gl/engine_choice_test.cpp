@@ -207,6 +207,15 @@ TEST(EngineChoice, DrawsOfTheFirstFrameAreTakenUntilTheirSumIsTooMuch) {
   EXPECT_FALSE(p.choice.takes(most, pixels));
 }
 
+TEST(EngineChoice, TakesFewLayersInFramesOfAnyKind) {
+  constexpr double kPixels = 1000000;
+  const EngineChoice choice(Engine::automatic, 4);
+  EXPECT_TRUE(choice.takesLayers(2, 100));
+  EXPECT_TRUE(choice.takesLayers(900000, kPixels));
+  EXPECT_FALSE(choice.takesLayers(1100000, kPixels));
+  EXPECT_FALSE(EngineChoice(Engine::always, 4).takesLayers(2, kPixels));
+}
+
 TEST(EngineChoice, FasterMachineAfterwardsIsNoticed) {
   // Something else kept the cores busy while the trial ran.
   Program p;

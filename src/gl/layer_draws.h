@@ -1,5 +1,5 @@
-// Draws of surfaces that are seen through: peeled in depth order (peel_draws.cpp) or added up without order
-// (sum_draws.cpp). A part of each Context, GL thread.
+// Draws of surfaces that are seen through: peeled in depth order (peel_draws.cpp), added up without order
+// (sum_draws.cpp) or blended in the order of drawing (drawn_layers.cpp). A part of each Context, GL thread.
 #pragma once
 #include "gl/batch.h"
 #include "gl/context_part.h"
@@ -43,6 +43,17 @@ class LayerDraws : public ContextPart {
   /// What was held back is drawn by the real OpenGL after all.
   void giveUp();
 
+  /// Whether fixed-function surfaces that are not opaque, or that leave no depth, can be traced in the state
+  /// of now, in the order of drawing.
+  bool mayBeDrawn() const;
+  /// Whether such a surface of so many triangles, which is about to be drawn, is left to the real OpenGL
+  /// because that is faster.
+  bool leavesDrawn(uint64_t triangles);
+  /// Makes a batch's key that of such surfaces.
+  void describe(BatchKey& key) const;
+  /// Before such a batch is taken: reads what it is drawn over. False where that cannot be read.
+  bool readUnder();
+
   /// Before a rasterised draw, a clear of the draw framebuffer, and a program that is linked anew or deleted.
   void meetRasterDraw();
   void clearing();
@@ -57,6 +68,15 @@ class LayerDraws : public ContextPart {
   Reason triageSeenThrough(PrimitiveClass kind);  // what both kinds have in common
 
   Peeling peeling_;
+  /// Surfaces of a frame that could be blended in the order of drawing, traced or not.
+  struct Drawn {
+    uint64_t triangles = 0;
+    uint64_t runs = 0;  // of such draws, one after the other, of one state
+  };
+  Drawn drawn_, lastDrawn_;
+  uint64_t frame_ = 0;      // that drawn_ is of
+  uint64_t drawnLast_ = 0;  // the last one: number of the draw
+  scene::Blending drawnBy_;
 };
 
 }  // namespace gluray::gl

@@ -161,6 +161,11 @@ class Presenter {
                          std::vector<float>& /*out*/) noexcept {
     return false;
   }
+  /// The same of its colours, RGBA8 with red in the lowest byte, as they are kept.
+  virtual bool readColors(const RealGl&, const scene::Region& /*region*/,
+                          std::vector<uint32_t>& /*out*/) noexcept {
+    return false;
+  }
   /// Whether the write-back works with the current context (it needs shaders). Asked once per context, with
   /// it current.
   virtual bool supports(const RealGl& real, bool core, std::string& why) noexcept = 0;

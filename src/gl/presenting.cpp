@@ -34,6 +34,7 @@ void Context::present(bool rasterise) {
   const BatchKey key = batch_.key();
   const bool peeled = key.layers == BatchKey::Layers::peeled;
   if (peeled && !layers.haveSurfaces()) return layers.giveUp();
+  if (key.layers == BatchKey::Layers::drawn && !rasterise) rasterise = !layers.readUnder();
   const scene::SnapshotPtr snapshot = batch_.take();
   const double start = kinds() ? nowSeconds() : 0;
   syncCurrent();

@@ -1,4 +1,5 @@
 // Per-fragment operations and polygon state: what rules tracing out, and what tracing needs of the rest.
+#include "gl/blend_state.h"
 #include "gl/output_state.h"
 #include "gl/state.h"
 #include "gl/state_queries.h"
@@ -80,7 +81,6 @@ Reason fragmentReason(const RealGl& real, const RareState& has, RasterState& ras
   if (has.fixedFunction && integer(real, GL_RENDER_MODE) != GL_RENDER) return Reason::renderMode;
   if (!isOn(real, GL_DEPTH_TEST)) return Reason::noDepthTest;
   if (raster.depthFunc != GL_LESS && raster.depthFunc != GL_LEQUAL) return Reason::depthFunc;
-  if (!integer(real, GL_DEPTH_WRITEMASK)) return Reason::depthMask;
   GLboolean mask[4] = {};
   real.GetBooleanv(GL_COLOR_WRITEMASK, mask);
   if (!mask[0] && !mask[1] && !mask[2] && !mask[3]) return Reason::colorMask;
@@ -98,6 +98,7 @@ Reason fragmentReason(const RealGl& real, const RareState& has, RasterState& ras
       isOn(real, GL_SAMPLE_ALPHA_TO_ONE) || (has.sampleMask && isOn(real, GL_SAMPLE_MASK)))
     return Reason::multisampleState;
   if (const Reason rare = rareReason(real, has); rare != Reason::traced) return rare;
+  if (!raster.writesDepth) return Reason::depthMask;
   return blendReason(real, raster);
 }
 
@@ -124,6 +125,7 @@ scene::CullFace readCull(const RealGl& real) {
 void readRaster(const RealGl& real, State& state) {
   RasterState& raster = state.raster;
   raster.depthFunc = static_cast<GLenum>(integer(real, GL_DEPTH_FUNC));
+  raster.writesDepth = integer(real, GL_DEPTH_WRITEMASK) != 0;
   raster.scissorTest = isOn(real, GL_SCISSOR_TEST);
   raster.unlessOpaque = Reason::traced;
   raster.colorWrites = {};
@@ -133,12 +135,18 @@ void readRaster(const RealGl& real, State& state) {
   // buffer.
   raster.orderFree = (raster.reason == Reason::traced || raster.reason == Reason::fog ||
                       raster.reason == Reason::program || raster.reason == Reason::renderMode) &&
-                     !isOn(real, GL_BLEND);
+                     !isOn(real, GL_BLEND) && raster.writesDepth;
   // Programs of a pipeline are not looked into: they may write memory, in the order of drawing.
   if (raster.program == 0 && raster.reason == Reason::program && isPresent(real.BindProgramPipeline) &&
       integer(real, GL_PROGRAM_PIPELINE_BINDING) != 0)
     raster.orderFree = false;
-  if (raster.reason == Reason::traced) raster.reason = polygonReason(real, state.rare);
+  const bool blended = raster.reason == Reason::depthMask || raster.reason == Reason::blend ||
+                       (raster.reason == Reason::traced && raster.unlessOpaque != Reason::traced);
+  const Reason polygon =
+      blended || raster.reason == Reason::traced ? polygonReason(real, state.rare) : Reason::traced;
+  if (raster.reason == Reason::traced) raster.reason = polygon;
+  raster.layers =
+      blended && polygon == Reason::traced ? readBlending(real, raster.writesDepth) : std::nullopt;
   raster.firstVertexProvokes =
       state.rare.provokingVertex && integer(real, GL_PROVOKING_VERTEX) != GL_LAST_VERTEX_CONVENTION;
   raster.multisample = isOn(real, GL_MULTISAMPLE);

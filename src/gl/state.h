@@ -13,6 +13,7 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace gluray::gl {
@@ -53,7 +54,11 @@ struct RasterState {
   scene::ColorWrites colorWrites;        // what glColorMask, or blending, lets through
   bool scissorTest = false;
   GLenum depthFunc = GL_LESS;
-  bool orderFree = false;            // rasterised draws merge with pending traced ones in any order
+  bool writesDepth = true;
+  bool orderFree = false;  // rasterised draws merge with pending traced ones in any order
+  /// Where surfaces cannot be traced because of blending or of depth that is not written: how they change
+  /// what is there, if they can be traced as layers in the order of drawing.
+  std::optional<scene::Blending> layers;
   bool firstVertexProvokes = false;  // matters where shading is flat
   bool multisample = true;
   scene::AlphaTest alphaTest;
@@ -72,7 +77,10 @@ struct TargetState {
   glm::ivec2 size{0};  // pixels, of a framebuffer object; {0, 0}: unknown
   std::vector<glm::vec2> samplePositions;
   bool wideColors = false;  // floats
-  bool encodes = false;     // GL_FRAMEBUFFER_SRGB: colours may be encoded on their way
+  bool blendable = false;  // one buffer of eight bits for red, green, blue and, if `alpha`, alpha; one sample
+  bool alpha = true;
+  double depthSteps = 0;  // from depth 0 to 1; 0: floats
+  bool encodes = false;   // GL_FRAMEBUFFER_SRGB: colours may be encoded on their way
   float depthResolution = 1.0f / 16777216.0f;
   // What glPolygonOffset counts in; depthFloats: the last digit of depth, which is kept as floats.
   float offsetUnit = 1.0f / 8388608.0f;

@@ -19,7 +19,7 @@ Reason Context::triage(PrimitiveClass kind) {
   if (kind == PrimitiveClass::points) return Reason::points;
   if (kind == PrimitiveClass::lines) return Reason::lines;
   if (state.target.wideColors) return Reason::framebuffer;  // fixed function cuts colours off on its way
-  if (state.raster.reason != Reason::traced) return state.raster.reason;
+  if (state.raster.reason != Reason::traced && !layers.mayBeDrawn()) return state.raster.reason;
   if (state.raster.program != 0) return Reason::program;
   if (state.raster.firstVertexProvokes && !state.shading.smooth) return Reason::provokingVertex;
   if (state.textureReason != Reason::traced) return state.textureReason;
@@ -71,8 +71,11 @@ Reason Context::triage(const KnownMesh& known, const std::vector<MaterialChange>
     return sheetPlace(state.projection * state.modelview, Batch::keyOf(state).offset);
   };
   if (reason == Reason::traced && sheets.meets(known.mesh, place())) reason = Reason::coincident;
-  const bool leave = reason == Reason::traced && choice_.way() == EngineChoice::Way::mixed &&
-                     choice_.takes(known.mesh->triangleCount, viewportPixels());
+  if (reason != Reason::traced) return reason;
+  if (isLayer(*known.mesh, materials))
+    return layers.leavesDrawn(known.mesh->triangleCount) ? Reason::smallScene : Reason::traced;
+  const bool leave =
+      choice_.way() == EngineChoice::Way::mixed && choice_.takes(known.mesh->triangleCount, viewportPixels());
   return leave ? Reason::smallScene : reason;
 }
 
@@ -88,8 +91,8 @@ Reason Context::triageAlways(const KnownMesh& known, const std::vector<MaterialC
   if (isFlat(*known.mesh, clipFromObject)) return Reason::flat;
   if (state.raster.unlessOpaque == Reason::traced && state.raster.alphaTest == scene::AlphaTest{})
     return Reason::traced;
-  if (isOpaque(known, materials)) return Reason::traced;
-  if (state.raster.unlessOpaque != Reason::traced) return state.raster.unlessOpaque;
+  if (isOpaque(*known.mesh, materials)) return Reason::traced;
+  if (state.raster.unlessOpaque != Reason::traced && !layers.mayBeDrawn()) return state.raster.unlessOpaque;
   // OpenGL tests once a pixel, at its centre; `--shading sample` does once a sample.
   const bool perSample = state.raster.multisample && state.target.samples > 1;
   return perSample ? Reason::alphaTest : Reason::traced;
@@ -100,9 +103,15 @@ SheetPlace Context::sheetPlace(const glm::dmat4& clipFromObject, scene::PolygonO
   return {state.target.framebuffer, state.viewport, clipFromObject, offset};
 }
 
-bool Context::isOpaque(const KnownMesh& known, const std::vector<MaterialChange>& materials) const {
-  const bool vertices = !usesVertexAlpha(state.shading) ||
-                        (known.mesh->colors ? known.mesh->opaqueColors : current[kColor][3] >= 1.0f);
+bool Context::isLayer(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const {
+  const RasterState& raster = state.raster;
+  return raster.reason != Reason::traced ||
+         (raster.unlessOpaque != Reason::traced && !isOpaque(mesh, materials));
+}
+
+bool Context::isOpaque(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const {
+  const bool vertices =
+      !usesVertexAlpha(state.shading) || (mesh.colors ? mesh.opaqueColors : current[kColor][3] >= 1.0f);
   const auto opaque = [&](const scene::MaterialPair& m) { return gl::isOpaque(state.shading, m); };
   return vertices && opaque(state.material) &&
          std::all_of(
@@ -135,6 +144,8 @@ void Context::addInstance(const scene::MeshPtr& mesh, SlotMask slots,
   BatchKey key = Batch::keyOf(state);
   clampToTarget(key.region);
   if (key.region.width <= 0 || key.region.height <= 0 || mesh->triangleCount == 0) return;
+  const bool layer = isLayer(*mesh, materials);
+  if (layer) layers.describe(key);
   if (!batch_.empty() && !(batch_.key() == key)) flush();
   if (batch_.empty()) {
     settleBelow(key.samples);
@@ -171,7 +182,8 @@ void Context::addInstance(const scene::MeshPtr& mesh, SlotMask slots,
   // Without colours or materials at its vertices the surface has the current material, however it came about.
   if (latch.isOn() && !(slots & bit(kColor)) && materials.empty()) shading.colorMaterial = {};
   batch_.add(std::move(instance), std::move(shading));
-  passes.drawn(mesh, state.modelview, Passes::How::pending, isPushedBack());
+  if (!layer || key.blending.writesDepth)
+    passes.drawn(mesh, state.modelview, Passes::How::pending, isPushedBack());
   if (aside_) flush();  // the flush above failed: later draws are rasterised and must find this one drawn
 }
 
@@ -183,7 +195,7 @@ bool Context::mayMeetPasses(PrimitiveClass kind) const {
 }
 
 bool Context::isPass(PrimitiveClass kind, Reason reason) const {
-  return kind == PrimitiveClass::surfaces &&
+  return kind == PrimitiveClass::surfaces && state.raster.writesDepth &&
          (reason == Reason::colorMask || reason == Reason::passes || reason == Reason::smallScene);
 }
 
@@ -227,7 +239,8 @@ void Context::beforeRasterDraw(PrimitiveClass kind) {
   if (window.lags()) protect([&] { window.showLagged(); });
   if (window.shows()) protect([&] { window.settleBelow(); });
   // What was to be traced before it was known to lie in one plane with this draw is rasterised with it.
-  if (sheets.takeFound() && !batch_.empty() && batch_.key().layers == BatchKey::Layers::none &&
+  if (sheets.takeFound() && !batch_.empty() &&
+      (batch_.key().layers == BatchKey::Layers::none || batch_.key().layers == BatchKey::Layers::drawn) &&
       batch_.key().framebuffer == state.target.framebuffer)
     protect([&] { present(true); });
   if (resolves.any()) protect([&] { resolves.meetRasterDraw(); });
@@ -237,12 +250,14 @@ void Context::beforeRasterDraw(PrimitiveClass kind) {
     // Lines and points on a surface have its depth: who comes later matters unless the surface was pushed
     // back.
     const bool coplanar = kind != PrimitiveClass::surfaces && batch_.key().offset == scene::PolygonOffset{};
-    const bool sums = batch_.key().layers == BatchKey::Layers::summed;  // their colours meet in floats
+    // Colours of sums meet in floats; those of drawn layers, in their order.
+    const bool seenThrough =
+        batch_.key().layers == BatchKey::Layers::summed || batch_.key().layers == BatchKey::Layers::drawn;
     // What the program counts or stores depends on the depth that it meets.
     const bool writes = state.raster.program != 0 && programs.known(state.raster.program)->program.writes;
     // A channel that one of the two leaves alone has what the other one, or an earlier one, left there.
     const bool channels = !(state.raster.colorWrites == batch_.key().colorWrites);
-    if (!state.raster.orderFree || coplanar || sums || writes || channels) flush();
+    if (!state.raster.orderFree || coplanar || seenThrough || writes || channels) flush();
   }
   forgetClear();
   syncCurrent();

@@ -7,7 +7,7 @@
 #define GLURAY_RENDER_AVERAGES_INL_H_
 #endif
 
-#include "render/layers.inl.h"
+#include "render/drawn_layers.inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {

@@ -7,6 +7,7 @@
 #define GLURAY_RENDER_HITS_INL_H_
 #endif
 
+#include "render/drawn_fragments.h"
 #include "render/figure.inl.h"
 #include "render/shade.inl.h"
 
@@ -30,8 +31,9 @@ struct Work {
   alignas(64) float through[kLanes];
   alignas(64) float depth[kLanes];
   alignas(64) float edgeDepth[kLanes];
-  uint32_t hits = 0;   // bit i: lane i hit something
-  uint32_t edged = 0;  // bit i: of lane i the depth is edgeDepth, of a triangle that grew by its edges
+  DrawnFragments fragments;  // only of layers that are blended in the order of drawing
+  uint32_t hits = 0;         // bit i: lane i hit something
+  uint32_t edged = 0;        // bit i: of lane i the depth is edgeDepth, of a triangle that grew by its edges
   int imageX = 0, imageY = 0;  // pixel of lane 0
   int sample = 0;
 };

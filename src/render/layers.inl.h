@@ -38,17 +38,20 @@ HWY_ATTR inline void putBehind(uint32_t lanes, const LitRows& rows, const float*
   }
 }
 
-/// The lanes whose fragment lies behind what is opaque.
+/// A lane's place in the image.
+inline size_t pixelOf(const FrameData& frame, const Work& work, int lane) {
+  return static_cast<size_t>(work.imageY + laneY(lane)) * static_cast<size_t>(frame.image->width) +
+         static_cast<size_t>(work.imageX + laneX(lane));
+}
+
+/// The lanes whose fragment lies behind what is opaque, by more than `reach`.
 HWY_ATTR inline uint32_t lanesBehind(const scene::Layers& layers, const FrameData& frame, const Work& work,
-                                     uint32_t lanes, const float* depth) {
+                                     uint32_t lanes, const float* depth, float reach = 0) {
   uint32_t behind = 0;
   for (; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
-    const size_t pixel =
-        static_cast<size_t>(work.imageY + laneY(i)) * static_cast<size_t>(frame.image->width) +
-        static_cast<size_t>(work.imageX + laneX(i));
-    const float opaque = layers.opaqueDepth[pixel];
-    if (opaque >= 0 && depth[i] > opaque) behind |= 1u << i;
+    const float opaque = layers.opaqueDepth[pixelOf(frame, work, i)];
+    if (opaque >= 0 && depth[i] > opaque + reach) behind |= 1u << i;
   }
   return behind;
 }
@@ -79,13 +82,14 @@ HWY_ATTR inline uint32_t takeHits(const accel::NextHits& hits, int i, uint32_t l
   return taken;
 }
 
-/// Goes through all that the packet's rays hit before what is opaque, from the front backwards: put(lanes,
-/// colours, depths) returns the lanes that need no more. Depth becomes that of the first.
-template <class Put>
-HWY_ATTR void walkLayers(const FrameData& frame, const scene::Layers& layers, Work& work, Put&& put) {
+/// Goes through all that the packet's rays hit, from the front backwards: end(lanes, depths) returns the
+/// lanes that have come to their end before this hit, put(lanes, colours, depths) those that need no more.
+/// Depth becomes that of the first.
+template <class End, class Put>
+HWY_ATTR void walkLayers(const FrameData& frame, Work& work, End&& end, Put&& put) {
   uint32_t ended = 0;
   const auto take = [&](uint32_t lanes, const LitRows& rows, const float* depth) HWY_ATTR {
-    const uint32_t behind = lanesBehind(layers, frame, work, lanes, depth);
+    const uint32_t behind = end(lanes, depth);
     ended |= behind;
     lanes &= ~behind;
     for (uint32_t first = lanes; first; first &= first - 1) {
@@ -122,7 +126,9 @@ HWY_ATTR void walkLayers(const FrameData& frame, const scene::Layers& layers, Wo
 HWY_ATTR inline void compositeLayers(const FrameData& frame, const scene::Layers& layers, Work& work) {
   Gathered g;
   for (float& place : g.place) place = -1;
-  walkLayers(frame, layers, work, [&](uint32_t lanes, const LitRows& rows, const float* depth) HWY_ATTR {
+  const auto end = [&](uint32_t lanes, const float* depth)
+                       HWY_ATTR { return lanesBehind(layers, frame, work, lanes, depth); };
+  walkLayers(frame, work, end, [&](uint32_t lanes, const LitRows& rows, const float* depth) HWY_ATTR {
     putBehind(lanes, rows, depth, layers.tolerance, g);
     return lanesFull(lanes, g);
   });
@@ -169,7 +175,9 @@ class EdgeHits {
 /// All hits of the packet's rays, added up.
 HWY_ATTR inline void sumLayers(const FrameData& frame, const scene::Layers& layers, Work& work) {
   EdgeHits edges;
-  walkLayers(frame, layers, work, [&](uint32_t lanes, const LitRows& rows, const float*) HWY_ATTR {
+  const auto end = [&](uint32_t lanes, const float* depth)
+                       HWY_ATTR { return lanesBehind(layers, frame, work, lanes, depth); };
+  walkLayers(frame, work, end, [&](uint32_t lanes, const LitRows& rows, const float*) HWY_ATTR {
     lanes &= ~edges.again(lanes, work.packet);
     for (int i = 0; i < kLanes; i += lanesOfVector()) {
       const Float opacity = hn::IfThenElseZero(lanesAt(lanes, i), load(rows.value[3] + i));
@@ -182,13 +190,6 @@ HWY_ATTR inline void sumLayers(const FrameData& frame, const scene::Layers& laye
     }
     return 0u;
   });
-}
-
-HWY_ATTR inline void shadeLayers(const FrameData& frame, const scene::Layers& layers, Work& work) {
-  if (layers.of == scene::Layers::Of::sums)
-    sumLayers(frame, layers, work);
-  else
-    compositeLayers(frame, layers, work);
 }
 
 }  // namespace HWY_NAMESPACE

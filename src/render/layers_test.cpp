@@ -113,6 +113,66 @@ TEST(Layers, InOneMeshToo) {
   expectColor(s, under(under(vec4(0), kRed), kRed));
 }
 
+// --- In the order of drawing
+// ---------------------------------------------------------------------------------
+
+uint32_t bits(const vec4& color) {
+  const glm::uvec4 c(glm::round(color * 255.0f));
+  return c.r | c.g << 8 | c.b << 16 | c.a << 24;
+}
+
+/// Sheets over a framebuffer of one colour and depth.
+scene::Snapshot drawn(const std::vector<Sheet>& all, bool writesDepth, const vec4& there, float depth = 1) {
+  auto s = sheets(all, depth);
+  auto layers = std::make_shared<scene::Layers>(*s.layers);
+  layers->of = scene::Layers::Of::drawn;
+  layers->colors.assign(16 * 16, bits(there));
+  layers->blending.writesDepth = writesDepth;
+  layers->blending.rgb.source = scene::BlendFactor::sourceAlpha;
+  layers->blending.rgb.destination = scene::BlendFactor::oneMinusSourceAlpha;
+  layers->blending.alpha = layers->blending.rgb;
+  layers->depthSteps = 0xFFFFFF;
+  s.layers = layers;
+  return s;
+}
+
+vec4 over(const vec4& there, const vec4& color) { return color * color.a + there * (1 - color.a); }
+
+TEST(DrawnLayers, ComeInTheirOrderWhereverTheyAre) {
+  const vec4 there(0.2f, 0.4f, 0.6f, 1);
+  std::vector<Sheet> all{{0.8f, kRed}, {0.1f, kGreen}, {-0.7f, kBlue}};
+  do {
+    vec4 expected = there;
+    for (const Sheet& sheet : all) expected = over(expected, sheet.color);
+    expectColor(drawn(all, false, there), expected);
+  } while (std::next_permutation(all.begin(), all.end(), [](auto& a, auto& b) { return a.z < b.z; }));
+}
+
+TEST(DrawnLayers, HideWhatComesLaterWhereTheyLeaveDepth) {
+  const vec4 there(0.2f, 0.4f, 0.6f, 1);
+  const Sheet nearer{0.8f, kRed}, farther{-0.7f, kBlue};
+  expectColor(drawn({nearer, farther}, true, there), over(there, kRed));
+  expectColor(drawn({farther, nearer}, true, there), over(over(there, kBlue), kRed));
+  EXPECT_FLOAT_EQ(test::trace(drawn({farther, nearer}, true, there)).depth(2, 2), 0.1f);
+}
+
+TEST(DrawnLayers, OfOneDepthAreComparedAsTheFramebufferKeepsIt) {
+  const vec4 there(0.2f, 0.4f, 0.6f, 1);
+  const std::vector<Sheet> all{{0, kRed}, {1e-8f, kBlue}};
+  auto s = drawn(all, true, there);
+  expectColor(s, over(there, kRed));
+  s.laterWins = true;
+  expectColor(s, over(over(there, kRed), kBlue));
+}
+
+TEST(DrawnLayers, BehindWhatIsThereAreNotSeen) {
+  const vec4 there(0.2f, 0.4f, 0.6f, 1);
+  const std::vector<Sheet> all{{0.8f, kRed}, {0, kGreen}, {-0.7f, kBlue}};
+  expectColor(drawn(all, false, there, 0.6f), over(over(there, kRed), kGreen));
+  EXPECT_FALSE(test::trace(drawn(all, false, there, 0.05f)).hit(3, 3));
+  EXPECT_FALSE(test::trace(drawn({{0, kRed}}, false, there, 0.5f)).hit(3, 3)) << "GL_LESS";
+}
+
 // --- Sums --------------------------------------------------------------------------------------------------
 
 scene::Snapshot summed(const std::vector<Sheet>& all, float opaqueDepth = -1) {

@@ -19,9 +19,17 @@ Image::Content contentOf(const scene::Snapshot& snapshot) {
   return snapshot.wideColors ? Image::Content::wide : Image::Content::color;
 }
 
-/// Whether pixels are to be averages over samples that the framebuffer does not have.
+bool areDrawn(const scene::Layers* layers) { return layers && layers->of == scene::Layers::Of::drawn; }
+
+/// Whether pixels are to be averages over samples that the framebuffer does not have. What is blended with
+/// the framebuffer's colours, one by one, has as many samples as it has.
 bool wantsAverages(const scene::Snapshot& snapshot) {
-  return snapshot.samples <= 1 && snapshot.settings.spp > 1;
+  return snapshot.samples <= 1 && snapshot.settings.spp > 1 && !areDrawn(snapshot.layers.get());
+}
+
+/// Whether layers have what they need of every pixel.
+bool arePixels(const scene::Layers& layers, size_t pixels) {
+  return layers.opaqueDepth.size() == pixels && (!areDrawn(&layers) || layers.colors.size() == pixels);
 }
 
 void shapeImage(const scene::Snapshot& snapshot, Image& image, bool averages) {
@@ -31,7 +39,7 @@ void shapeImage(const scene::Snapshot& snapshot, Image& image, bool averages) {
     throw std::runtime_error("the region to trace is larger than any framebuffer");
   }
   const size_t pixels = static_cast<size_t>(region.width) * static_cast<size_t>(region.height);
-  if (snapshot.layers && (snapshot.samples > 1 || snapshot.layers->opaqueDepth.size() != pixels)) {
+  if (snapshot.layers && (snapshot.samples > 1 || !arePixels(*snapshot.layers, pixels))) {
     throw std::runtime_error("layers need one sample a pixel, and the depth of what is opaque for each");
   }
   image.x = region.x;

@@ -1,6 +1,7 @@
 // Everything one flush needs, frozen. The GL thread builds it, then gives it away: no lock guards it because
 // nobody can write to it. Unchanged meshes are shared with earlier snapshots.
 #pragma once
+#include "scene/blending.h"
 #include "scene/figures.h"
 #include "scene/mesh.h"
 #include "scene/shading.h"
@@ -99,14 +100,21 @@ struct Layers {
     /// Whatever their order: sums of what each is, for the program to make a colour of
     /// (Image::Content::sums).
     sums,
+    /// In the order of drawing, as OpenGL blends them: each fragment that passes the depth test changes the
+    /// colour that is there and, where depth is written, the depth that those after it are tested against.
+    drawn,
   };
   Of of = Of::order;
   /// Window depth of what is opaque, one a pixel of the region, lowest row first: what lies behind it does
-  /// not count. Negative: there is nothing opaque.
+  /// not count. Negative: there is nothing opaque. Of `drawn`: the framebuffer's depth, before them.
   std::vector<float> opaqueDepth;
   /// In order, surfaces whose depths differ by no more are at one place: of what each would make of the
   /// pixel, every channel keeps the largest.
   float tolerance = 1e-7f;
+  // Of `drawn` alone.
+  std::vector<uint32_t> colors;  // the framebuffer's, before them: RGBA8, one a pixel, like opaqueDepth
+  Blending blending;
+  double depthSteps = 0;  // from depth 0 to 1, as the framebuffer keeps it; 0: floats
   bool operator==(const Layers&) const = default;
 };
 
@@ -123,7 +131,7 @@ struct Snapshot {
   bool wideColors = false;               // colours are handed over as floats, and not cut off at 0 and 1
   bool encodes =
       false;  // GL_FRAMEBUFFER_SRGB was on; then colours are wide, and the real OpenGL encodes them
-  ColorWrites colorWrites;  // not used for tracing: of where the picture goes
+  ColorWrites colorWrites;  // of where the picture goes; used for tracing layers of kind `drawn` alone
   bool laterWins = false;   // GL_LEQUAL: of surfaces at one place the last drawn is seen; otherwise the first
   std::vector<Shading> shadings;
   std::vector<Instance> instances;

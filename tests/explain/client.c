@@ -64,18 +64,20 @@ static void grid(void) {
   glDisableClientState(GL_VERTEX_ARRAY);
 }
 
-/* 3 quads by glDrawArrays, blended, 32 x 32 pixels over the traced quad. */
+/* 3 quads by glDrawArrays, blended and with a stipple of ones, 32 x 32 pixels over the traced quad. */
 static void glass(void) {
   static const GLfloat corners[4][3] = {{16, 16, -0.1f}, {48, 16, -0.1f}, {48, 48, -0.2f}, {16, 48, -0.2f}};
   static GLfloat quads[12][3];
   for (int i = 0; i < 12; ++i) memcpy(quads[i], corners[i % 4], sizeof quads[i]);
   glEnable(GL_BLEND);
+  glEnable(GL_POLYGON_STIPPLE);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glColor4f(1, 1, 1, 0.5f);
   glEnableClientState(GL_VERTEX_ARRAY);
   glVertexPointer(3, GL_FLOAT, 0, quads);
   glDrawArrays(GL_QUADS, 0, 12);
   glDisableClientState(GL_VERTEX_ARRAY);
+  glDisable(GL_POLYGON_STIPPLE);
   glDisable(GL_BLEND);
 }
 

@@ -2,8 +2,8 @@
 
     explain_test.py GLURAY CLIENTS_DIRECTORY [unittest arguments]
 
-The client's frame (client.c): 2 triangles by glBegin, 6 in a list and 200 by glDrawElements, all traced; 3 blended quads by
-glDrawArrays; 4 lines. Traced are 128 x 128 + 3 x 20 x 20 + 64 x 64 pixels, of which 32 x 32 are blended over.
+The client's frame (client.c): 2 triangles by glBegin, 6 in a list and 200 by glDrawElements, all traced; 3 blended and
+stippled quads by glDrawArrays; 4 lines. Traced are 128 x 128 + 3 x 20 x 20 + 64 x 64 pixels, of which 32 x 32 are blended over.
 """
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class Table(Folder):
         self.assertEqual(len(kinds), 5, kinds)
         expected = {("surfaces", "glBegin"): (1, 2, "traced", []), ("surfaces", "list"): (1, 6, "traced", []),
                     ("surfaces", "elements"): (1, 200, "traced", []),
-                    ("surfaces", "arrays"): (1, 6, "blending", ["blend"]), ("lines", "glBegin"): (1, 0, "lines", [])}
+                    ("surfaces", "arrays"): (1, 6, "polygon stipple", ["blend"]), ("lines", "glBegin"): (1, 0, "lines", [])}
         for kind, (count, triangles, reason, state) in expected.items():
             seen = kinds[kind]
             self.assertEqual((seen["count"], seen["triangles"], seen["reason"], seen["state"]),
@@ -94,7 +94,7 @@ class Table(Folder):
         done = gluray("explain", "--frames", 10, CLIENT)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertRegex(done.stdout, r"surfaces +elements +10 +2 000 +[\d.]+ +traced")
-        self.assertRegex(done.stdout, r"surfaces +arrays +10 +60 +[\d.]+ +rasterised: blending +blend")
+        self.assertRegex(done.stdout, r"surfaces +arrays +10 +60 +[\d.]+ +rasterised: polygon stipple +blend")
         self.assertRegex(done.stdout, r"lines +glBegin +10 +0 +[\d.]+ +rasterised: lines")
         self.assertIn("10 frames, 97.2 % of 2 140 triangles traced", done.stdout)
 

@@ -157,7 +157,7 @@ TEST(Channels, KeepTheirAlphaWhereBlendingKeepsIt) {
 
 TEST(Channels, OfSurfacesThatAreSeenThroughAreBlended) {
   expectEqual(
-      "translucent", [](Gl gl) { blended(gl, 0.5f); }, 1);
+      "translucent", [](Gl gl) { blended(gl, 0.5f); }, 2);
 }
 
 TEST(Channels, ComeBackWhereTheRealOpenGlDrawsInOurPlace) {

@@ -65,7 +65,7 @@ void materialInside(Gl gl, GLenum mode, Answers& answers) {
   gl.Vertex3f(0.9f, 0.9f, 0), gl.Materialfv(GL_FRONT, GL_DIFFUSE, kGreen);
   gl.Vertex3f(0.9f, 0.8f, 0), gl.Vertex3f(0.8f, 0.8f, 0);
   gl.End();
-  gl.Disable(GL_BLEND);
+  gl.Disable(GL_COLOR_LOGIC_OP);
   triangle(gl, 0), middle(gl, answers), current(gl, answers);
 }
 
@@ -75,7 +75,7 @@ void colorInside(Gl gl, GLenum mode, Answers& answers) {
   gl.Enable(GL_COLOR_MATERIAL), gl.Color4fv(kRed);
   triangle(gl, 0.9f);
   corner(gl, mode, kGreen);
-  gl.Disable(GL_BLEND);
+  gl.Disable(GL_COLOR_LOGIC_OP);
   triangle(gl, 0), middle(gl, answers), current(gl, answers);
 }
 
@@ -109,16 +109,12 @@ void popped(Gl gl, GLbitfield mask, int between, Answers& answers) {
 std::vector<Case> everyCase() {
   std::vector<Case> cases = {
       {"material in lines", [](Gl gl, Answers& a) { materialInside(gl, GL_LINE_STRIP, a); }},
-      {"material in blended triangles",
-       [](Gl gl, Answers& a) {
-         gl.Enable(GL_BLEND), gl.BlendFunc(GL_ONE, GL_ONE), materialInside(gl, GL_TRIANGLES, a);
-       }},
+      {"material in triangles of a logic operation",
+       [](Gl gl, Answers& a) { gl.Enable(GL_COLOR_LOGIC_OP), materialInside(gl, GL_TRIANGLES, a); }},
       {"colour in lines", [](Gl gl, Answers& a) { colorInside(gl, GL_LINE_STRIP, a); }},
       {"colour in points", [](Gl gl, Answers& a) { colorInside(gl, GL_POINTS, a); }},
-      {"colour in blended quads",
-       [](Gl gl, Answers& a) {
-         gl.Enable(GL_BLEND), gl.BlendFunc(GL_ONE, GL_ONE), colorInside(gl, GL_QUADS, a);
-       }},
+      {"colour in quads of a logic operation",
+       [](Gl gl, Answers& a) { gl.Enable(GL_COLOR_LOGIC_OP), colorInside(gl, GL_QUADS, a); }},
       {"colour of a draw without colours is stored with it",
        [](Gl gl, Answers& a) {
          gl.Enable(GL_DEPTH_TEST), gl.Enable(GL_COLOR_MATERIAL), gl.Color4fv(kGreen);

@@ -138,5 +138,19 @@ TEST(Passes, FindTheDepthOfEverySampleIn32Bits) { expectFirstFrame(GL_DEPTH_COMP
 TEST(Passes, FindTheDepthOfEverySampleInFloats) { expectFirstFrame(GL_DEPTH_COMPONENT32F, true); }
 TEST(Passes, FindTheDepthOfPixelsThatIgnoreTheirSamples) { expectFirstFrame(GL_DEPTH24_STENCIL8, false); }
 
+/// As occlusion culling draws its boxes: they leave nothing behind.
+TEST(Passes, AreNoneThatWriteNeitherColorNorDepth) {
+  const TracedContext ours({kWidth, kHeight});
+  const Gl gl = ours.gl();
+  begin(gl, kWidth, kHeight), camera(gl, kWidth, kHeight), keyLight(gl);
+  const Model model = sphere(24, 36);
+  gl.ColorMask(0, 0, 0, 0), gl.DepthMask(0);
+  send(gl, model);
+  gl.ColorMask(1, 1, 1, 1), gl.DepthMask(1);
+  send(gl, model);
+  gl.Finish();
+  EXPECT_EQ(ours.context().statistics.drawsTraced, 1u);
+}
+
 }  // namespace
 }  // namespace gluray::test

@@ -92,7 +92,7 @@ TEST(TwentyPoints, P16TransparencyOverTheTracedPicture) {
     gl.Enable(GL_ALPHA_TEST), gl.AlphaFunc(GL_GREATER, 0.3f);
     sendAt(gl, sphere(10, 16), -0.9f, -0.5f, 0.5f, 0.3f);
   });
-  EXPECT_EQ(s.drawsTraced, 3u);
+  EXPECT_EQ(s.drawsTraced, 7u);
 }
 
 TEST(TwentyPoints, P17CoplanarLinesWin) {

@@ -54,6 +54,19 @@ void setUpCamera(const gl::RealGl& real, const scene::Snapshot& snapshot) {
   }
 }
 
+/// Of layers that are blended in the order of drawing.
+void setBlending(const gl::RealGl& real, const scene::Blending& blending) {
+  const auto name = [](auto value) { return static_cast<GLenum>(value); };
+  const auto &rgb = blending.rgb, &alpha = blending.alpha;
+  real.Enable(GL_BLEND);
+  real.BlendEquationSeparate(name(rgb.equation), name(alpha.equation));
+  real.BlendFuncSeparate(name(rgb.source), name(rgb.destination), name(alpha.source),
+                         name(alpha.destination));
+  if (gl::isPresent(real.BlendColor))
+    real.BlendColor(blending.constant.r, blending.constant.g, blending.constant.b, blending.constant.a);
+  real.DepthMask(blending.writesDepth);
+}
+
 void sendVertex(const gl::RealGl& real, const scene::Instance& instance, uint32_t vertex,
                 uint32_t& material) {
   const scene::Mesh& mesh = *instance.mesh;
@@ -115,7 +128,10 @@ bool drawWithFixedFunction(const gl::RealGl& real, const Features& features, con
     const KeptMatrices matrices(real);
     setUpCamera(real, snapshot);
     neutralFixedFunction(real, features);
-    if (again) real.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    if (again)
+      real.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    else if (snapshot.layers && snapshot.layers->of == scene::Layers::Of::drawn)
+      setBlending(real, snapshot.layers->blending);
     ShadingTextures textures(real, features);
     for (const scene::Instance& instance : snapshot.instances) {
       if (isByProgram(snapshot, instance)) continue;

@@ -122,8 +122,8 @@ bool TracingPresenter::readDepths(const gl::RealGl& real, GLint unit, glm::ivec2
   } catch (const std::exception&) { return false; }
 }
 
-bool TracingPresenter::readDepth(const gl::RealGl& real, const scene::Region& region,
-                                 std::vector<float>& out) noexcept {
+bool TracingPresenter::readPixels(const gl::RealGl& real, const scene::Region& region, GLenum format,
+                                  GLenum type, void* out) noexcept {
   try {
     const Features& has = features(real);
     if (!has.readFramebuffers) return false;
@@ -131,11 +131,32 @@ bool TracingPresenter::readDepth(const gl::RealGl& real, const scene::Region& re
     guard.plainPack();
     guard.readFrom(static_cast<GLuint>(gl::integer(real, GL_DRAW_FRAMEBUFFER_BINDING)),
                    static_cast<GLenum>(gl::integer(real, GL_DRAW_BUFFER0)));
-    out.resize(static_cast<size_t>(region.width) * static_cast<size_t>(region.height));
-    real.ReadPixels(region.x, region.y, region.width, region.height, GL_DEPTH_COMPONENT, GL_FLOAT,
-                    out.data());
+    real.ReadPixels(region.x, region.y, region.width, region.height, format, type, out);
     return takeErrors(real).empty();
   } catch (const std::exception&) { return false; }
+}
+
+namespace {
+
+/// Makes room for a value a pixel. False where there is no memory.
+template <class T>
+bool makeRoom(const scene::Region& region, std::vector<T>& out) noexcept {
+  try {
+    out.resize(static_cast<size_t>(region.width) * static_cast<size_t>(region.height));
+    return true;
+  } catch (const std::exception&) { return false; }
+}
+
+}  // namespace
+
+bool TracingPresenter::readDepth(const gl::RealGl& real, const scene::Region& region,
+                                 std::vector<float>& out) noexcept {
+  return makeRoom(region, out) && readPixels(real, region, GL_DEPTH_COMPONENT, GL_FLOAT, out.data());
+}
+
+bool TracingPresenter::readColors(const gl::RealGl& real, const scene::Region& region,
+                                  std::vector<uint32_t>& out) noexcept {
+  return makeRoom(region, out) && readPixels(real, region, GL_RGBA, GL_UNSIGNED_BYTE, out.data());
 }
 
 PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const scene::Snapshot& snapshot,
@@ -209,10 +230,14 @@ bool TracingPresenter::written(const gl::RealGl& real, const LastPictures::Pictu
         target.cleared && put_.put(real, features(real), picture.image, snapshot.settings.threads, more);
     pending.insert(pending.end(), more.begin(), more.end());
     if (sent) return noteUse(Quirk::softwarePut), true;
-    const WriteBackTarget into{.depthFunc = target.depthFunc,
-                               .picture = picture.id,
-                               .colorWrites = snapshot.colorWrites,
-                               .encodes = snapshot.encodes};
+    WriteBackTarget into{.depthFunc = target.depthFunc,
+                         .picture = picture.id,
+                         .colorWrites = snapshot.colorWrites,
+                         .encodes = snapshot.encodes};
+    if (snapshot.layers && snapshot.layers->of == scene::Layers::Of::drawn) {  // the test is behind them
+      into.depthFunc = GL_ALWAYS;
+      into.depths = snapshot.layers->blending.writesDepth;
+    }
     const bool drawn = writeBack(real, picture.image.content).write(picture.image, into, more);
     pending.insert(pending.end(), more.begin(), more.end());
     return drawn;

@@ -38,6 +38,8 @@ class TracingPresenter final : public gl::Presenter {
                  const scene::Region& region, const Settings& settings) noexcept override;
   bool readDepth(const gl::RealGl& real, const scene::Region& region,
                  std::vector<float>& out) noexcept override;
+  bool readColors(const gl::RealGl& real, const scene::Region& region,
+                  std::vector<uint32_t>& out) noexcept override;
   gl::LagRefusal traceAhead(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                             const gl::AheadTarget& target) noexcept override;
   void dropAhead() noexcept override;
@@ -69,6 +71,8 @@ class TracingPresenter final : public gl::Presenter {
   std::array<std::unique_ptr<WriteBack>, 3> writeBacks_;  // by what images hold
   TexturePut put_;
   ClearedColor clearedWindow_, clearedObject_;
+  bool readPixels(const gl::RealGl& real, const scene::Region& region, GLenum format, GLenum type,
+                  void* out) noexcept;
   const Features& features(const gl::RealGl& real);
   std::optional<Features> features_;  // of the context
   /// The picture of the snapshot, traced or known already, with misses in `missColor` where one is given;

@@ -1,0 +1,44 @@
+// Fragments of surfaces that are blended in the order of drawing, gathered for the pixels of a packet. Used
+// by the kernels on tracing threads.
+#pragma once
+#include "accel/ray_packet.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace gluray::render {
+
+struct DrawnFragment {
+  uint64_t order;  // of its instance, then of its triangle
+  float depth;
+  uint32_t color;  // RGBA8
+  bool operator<(const DrawnFragment& o) const { return order < o.order; }
+};
+
+/// Those of each pixel. Keeps its memory.
+class DrawnFragments {
+ public:
+  void clear() {
+    for (std::vector<DrawnFragment>& all : of_) all.clear();
+  }
+  void add(int lane, const DrawnFragment& fragment) { of_[lane].push_back(fragment); }
+  void sort() {
+    for (std::vector<DrawnFragment>& all : of_) std::sort(all.begin(), all.end());
+  }
+  /// The n-th of each pixel, in lanes that have one; those lanes are returned.
+  uint32_t nth(size_t n, float* depth, uint32_t* color) const {
+    uint32_t lanes = 0;
+    for (int i = 0; i < accel::kLanes; ++i) {
+      if (of_[i].size() <= n) continue;
+      lanes |= 1u << i;
+      depth[i] = of_[i][n].depth, color[i] = of_[i][n].color;
+    }
+    return lanes;
+  }
+
+ private:
+  std::vector<DrawnFragment> of_[accel::kLanes];
+};
+
+}  // namespace gluray::render
