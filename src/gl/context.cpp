@@ -245,7 +245,10 @@ void Context::forgetOld() {
 }
 
 void Context::cleared(GLbitfield mask) {
-  if (mask & GL_DEPTH_BUFFER_BIT) passes.clear(), sheets.clear();
+  if (mask & GL_DEPTH_BUFFER_BIT) {
+    if (passes.anyByProgram()) refresh(kTarget);
+    passes.clear(state.target.framebuffer), sheets.clear();
+  }
   noteClear(mask);
   constexpr GLbitfield kWhole = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
   if ((mask & kWhole) != kWhole || work() == workForgotten_) return;
