@@ -160,6 +160,7 @@ void drawByProgram(Context& c, GLenum mode, const Elements& e) {
     if (done) return;
   }
   const Load load = loadOf(c, mode, e);
+  c.protect([&] { c.programs.meetPasses(load.kind, mode, e); });
   c.countRaster(reason, pathOf(e), load.kind, load.triangles);
   c.beforeRasterDraw(load.kind);
   c.sendBuffers();

@@ -147,7 +147,10 @@ void Context::refresh(uint32_t groups) noexcept {
 void Context::readGroups(uint32_t stale) {
   // A question that the real OpenGL refuses after all sets an error; the program must see its own only.
   if (const GLenum pending = real.GetError()) setError(pending);
-  if (!state.rare.asked) state.rare = readRareState(real);
+  if (!state.rare.asked) {
+    state.rare = readRareState(real);
+    state.rare.fogsWholeSum = state.rare.fogsWholeSum && info_.settings.quirks.has(Quirk::fogSum);
+  }
   state.rare.fixedFunction = !info_.core;
   if (stale & kCurrent) current.read(real);
   syncCurrent();
@@ -242,7 +245,10 @@ void Context::forgetOld() {
 }
 
 void Context::cleared(GLbitfield mask) {
-  if (mask & GL_DEPTH_BUFFER_BIT) passes.clear(), sheets.clear();
+  if (mask & GL_DEPTH_BUFFER_BIT) {
+    if (passes.anyByProgram()) refresh(kTarget);
+    passes.clear(state.target.framebuffer), sheets.clear();
+  }
   noteClear(mask);
   constexpr GLbitfield kWhole = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
   if ((mask & kWhole) != kWhole || work() == workForgotten_) return;

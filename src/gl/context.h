@@ -139,12 +139,12 @@ class Context {
   /// The same of the batch alone, not of pictures that wait for being resolved.
   void flushBatch() {
     if (layers.holdsDepths()) layers.giveUp();
-    present(false);
+    present();
   }
   /// The same where what is drawn next goes elsewhere, but nobody looks at what was drawn so far.
   void redirect() {
     settle();
-    present(false);
+    present();
   }
   /// The same where another framebuffer is bound: the batch may wait for being resolved.
   void leave();
@@ -241,6 +241,10 @@ class Context {
   /// depth those left. Its triangles are then to be shown to meetPasses(), before beforeRasterDraw().
   bool mayMeetPasses(PrimitiveClass kind) const;
   void meetPasses(std::span<const Triangle> triangles);
+  /// The surfaces that were found to have another pass get the depth of the real OpenGL.
+  void rasteriseMet(Passes::Meeting meeting);
+  /// Whether surfaces are compared with the depth that is there.
+  bool meetsDepth(PrimitiveClass kind) const;
   /// Whether a rasterised draw leaves depth for passes that come: after meetPasses() it is then given to
   /// rememberPass().
   bool isPass(PrimitiveClass kind, Reason reason) const;
@@ -254,7 +258,7 @@ class Context {
   void countRaster(Reason reason, DrawPath path, PrimitiveClass kind, uint64_t triangles);
   void countTraced(DrawPath path, uint64_t triangles);
   /// What was counted as traced was drawn by the real OpenGL in the end.
-  void countAsRasterised(const scene::Snapshot& snapshot);
+  void countAsRasterised(const scene::Snapshot& snapshot, Reason reason);
   /// Both count these; so does the end of a primitive that the real OpenGL was given.
   void noteLoad(uint64_t triangles);
   /// Who takes draws by kind; null: nobody.
@@ -265,7 +269,8 @@ class Context {
  private:
   Context(const RealGl& real, std::shared_ptr<ShareGroup> group, const ContextInfo& info,
           Presenter& presenter);
-  void present(bool rasterise);
+  /// Traces the batch or, for a reason, has the real OpenGL draw it.
+  void present(Reason reason = Reason::traced);
   /// triage() where everything that can be is traced.
   Reason triageAlways(const KnownMesh& mesh, const std::vector<MaterialChange>& materials);
   /// Whether every fragment of a surface with this mesh has alpha 1.

@@ -27,6 +27,7 @@ struct RareState {
   bool textureTypes = false, textureSwizzle = false, textureStorage = false, textureSrgb = false;
   bool anisotropy = false, seamlessCubes = false;
   bool assemblyPrograms = false, secondaryColor = false, fogCoord = false;
+  bool fogsWholeSum = false;  // quirk fog-sum
 };
 
 /// Asks the current context. Raises no GL error.

@@ -14,6 +14,9 @@ Hash128 hashOf(const glm::dmat4& matrix) {
   return hashBytes(glm::value_ptr(m), sizeof m);
 }
 
+/// Of what shader programs draw into a framebuffer.
+Hash128 placeIn(uint32_t framebuffer) { return hashBytes(&framebuffer, sizeof framebuffer); }
+
 constexpr uint32_t kSamples = 32;
 
 }  // namespace
@@ -66,6 +69,14 @@ void Passes::drawn(const scene::MeshPtr& mesh, const glm::dmat4& eyeFromObject, 
   rasterised_ = rasterised_ || how == How::rasterised;
 }
 
+void Passes::drawnByProgram(const scene::MeshPtr& mesh, const glm::dmat4& eyeFromObject,
+                            const glm::dmat4& clipFromObject, uint32_t framebuffer, bool pushedBack) {
+  Surface surface{mesh, eyeFromObject, How::pending, pushedBack};
+  surface.clipFromObject = clipFromObject;
+  surfaces_.emplace(placeIn(framebuffer), std::move(surface));
+  byProgram_ = true;
+}
+
 void Passes::flushed(const scene::SnapshotPtr& snapshot) {
   for (auto& [place, surface] : surfaces_) {
     if (surface.how != How::pending) continue;
@@ -75,8 +86,8 @@ void Passes::flushed(const scene::SnapshotPtr& snapshot) {
   }
 }
 
-std::vector<scene::SnapshotPtr> Passes::takeTraced() {
-  std::vector<scene::SnapshotPtr> all;
+std::vector<DepthAgain> Passes::takeTraced() {
+  std::vector<DepthAgain> all;
   for (auto& place : surfaces_) {
     Surface& surface = place.second;
     if (!std::exchange(surface.met, false) || surface.how != How::traced) continue;
@@ -87,16 +98,28 @@ std::vector<scene::SnapshotPtr> Passes::takeTraced() {
     });
     surface.how = How::rasterised, rasterised_ = true;
     surface.snapshot = nullptr;
-    if (!alone->instances.empty()) all.push_back(std::move(alone));
+    if (!alone->instances.empty()) all.push_back({std::move(alone), surface.mesh, surface.clipFromObject});
   }
   return all;
 }
 
-void Passes::clear() {
+void Passes::clear(std::optional<uint32_t> framebuffer) {
   if (surfaces_.empty()) return;
-  surfaces_.clear();
-  rasterised_ = false;
   ++layer_;
+  if (!byProgram_ || !framebuffer) {
+    surfaces_.clear();
+    rasterised_ = byProgram_ = false;
+    return;
+  }
+  const Hash128 place = placeIn(*framebuffer);
+  std::erase_if(surfaces_, [&](const auto& one) { return !one.second.clipFromObject || one.first == place; });
+  byProgram_ = !surfaces_.empty();
+}
+
+bool Passes::anyByProgram(uint32_t framebuffer, uint64_t triangles) const {
+  const auto [first, last] = surfaces_.equal_range(placeIn(framebuffer));
+  return std::any_of(first, last,
+                     [&](const auto& one) { return one.second.mesh->triangleCount == triangles; });
 }
 
 bool Passes::anyUnder(const glm::dmat4& eyeFromObject) const {
@@ -105,8 +128,11 @@ bool Passes::anyUnder(const glm::dmat4& eyeFromObject) const {
 
 bool Passes::liesUpon(const Surface& surface, const glm::dmat4& eyeFromObject,
                       std::span<const Triangle> triangles) {
-  if (!(surface.eyeFromObject == eyeFromObject)) return false;
-  const VertexSet& vertices = verticesOf(*surface.mesh);
+  return surface.eyeFromObject == eyeFromObject && holdsSome(*surface.mesh, triangles);
+}
+
+bool Passes::holdsSome(const scene::Mesh& mesh, std::span<const Triangle> triangles) {
+  const VertexSet& vertices = verticesOf(mesh);
   return std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
     return std::all_of(t.begin(), t.end(), [&](const glm::vec3& p) { return vertices.mayHold(p); });
   });
@@ -121,8 +147,27 @@ Passes::Meeting Passes::meets(const glm::dmat4& eyeFromObject, std::span<const T
     if (surface.pushedBack && !pushedBack) continue;  // as lines that are drawn over it expect
     if (!liesUpon(surface, eyeFromObject, triangles)) continue;
     remember(surface.mesh->geometryId);
-    surface.met = true;
-    meeting = surface.how == How::pending || meeting == Meeting::pending ? Meeting::pending : Meeting::drawn;
+    meeting = meet(surface, meeting);
+  }
+  return meeting;
+}
+
+Passes::Meeting Passes::meet(Surface& surface, Meeting before) {
+  surface.met = true;
+  return surface.how == How::pending || before == Meeting::pending ? Meeting::pending : Meeting::drawn;
+}
+
+Passes::Meeting Passes::meetsProgram(uint32_t framebuffer, std::span<const Triangle> triangles,
+                                     uint64_t count, const glm::dmat4* clipFromObject, bool pushedBack) {
+  Meeting meeting = Meeting::none;
+  const auto [first, last] = surfaces_.equal_range(placeIn(framebuffer));
+  for (auto it = first; it != last; ++it) {
+    Surface& surface = it->second;
+    if (surface.mesh->triangleCount != count || (surface.pushedBack && !pushedBack)) continue;
+    if (clipFromObject && !(*clipFromObject == *surface.clipFromObject)) continue;
+    if (!holdsSome(*surface.mesh, triangles)) continue;
+    remember(surface.mesh->geometryId);
+    meeting = meet(surface, meeting);
   }
   return meeting;
 }

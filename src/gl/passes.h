@@ -1,7 +1,9 @@
 // Surfaces that are drawn more than once in a layer: once traced, once by the real OpenGL (blended, with
 // GL_EQUAL, depth alone in advance ...). Passes must meet the depth that rasterising leaves, to the bit: such
 // surfaces are rasterised in every pass, and where one was traced before its first pass came, its depth is
-// drawn again. Owned by Context, GL thread.
+// drawn again. What fixed function draws is known by its modelview matrix; what shader programs draw, by the
+// framebuffer and the number of triangles, since a program that is not known has its matrices anywhere. Owned
+// by Context, GL thread.
 #pragma once
 #include "base/hash.h"
 #include "gl/captured.h"
@@ -13,6 +15,7 @@
 #include <cstdint>
 #include <memory>
 #include <memory_resource>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -42,16 +45,30 @@ class VertexSet {
   glm::vec3 lower_, upper_;
 };
 
+/// A surface whose depth is to be drawn again.
+struct DepthAgain {
+  scene::SnapshotPtr snapshot;  // what was traced, without other surfaces
+  scene::MeshPtr mesh;
+  std::optional<glm::dmat4> clipFromObject;  // of a shader program that took this matrix
+};
+
 class Passes {
  public:
   enum class How : uint8_t { pending, traced, rasterised };  // pending: in a batch that waits to be traced
   /// A surface was drawn in this layer; `pushedBack`: by a polygon offset, so that what comes without one
   /// wins.
   void drawn(const scene::MeshPtr& mesh, const glm::dmat4& eyeFromObject, How how, bool pushedBack);
+  /// The same of a surface that a shader program draws, into `framebuffer`; it waits to be traced.
+  void drawnByProgram(const scene::MeshPtr& mesh, const glm::dmat4& eyeFromObject,
+                      const glm::dmat4& clipFromObject, uint32_t framebuffer, bool pushedBack);
   /// The pending batch was traced or, where `snapshot` is null, rasterised.
   void flushed(const scene::SnapshotPtr& snapshot);
-  /// Depth was cleared, or the frame ended: a new layer begins.
-  void clear();
+  /// Depth of `framebuffer` was cleared, or the frame ended: a new layer begins.
+  void clear(std::optional<uint32_t> framebuffer = {});
+  /// Whether shader programs have drawn surfaces of the layer.
+  bool anyByProgram() const { return byProgram_; }
+  /// Whether one of these, in `framebuffer`, has so many triangles.
+  bool anyByProgram(uint32_t framebuffer, uint64_t triangles) const;
   /// Whether any surface of the layer was drawn with this modelview matrix.
   bool anyUnder(const glm::dmat4& eyeFromObject) const;
 
@@ -64,9 +81,13 @@ class Passes {
   /// back further; that surface is remembered as drawn in several passes. `pending`: it still waits to be
   /// traced.
   Meeting meets(const glm::dmat4& eyeFromObject, std::span<const Triangle> triangles, bool pushedBack);
-  /// The surfaces that meets() has found to be traced already, each once: what was traced, without the rest.
-  /// They count as rasterised from then on.
-  std::vector<scene::SnapshotPtr> takeTraced();
+  /// The same of what a shader program is about to draw: some triangles of `count`, and where it puts them,
+  /// if that is known.
+  Meeting meetsProgram(uint32_t framebuffer, std::span<const Triangle> triangles, uint64_t count,
+                       const glm::dmat4* clipFromObject, bool pushedBack);
+  /// The surfaces that these have found to be traced already, each once. They count as rasterised from then
+  /// on.
+  std::vector<DepthAgain> takeTraced();
   /// Whether the geometry was found to be drawn in several passes, in this layer or one of the last hundred.
   bool several(const Hash128& geometry);
 
@@ -76,17 +97,21 @@ class Passes {
     glm::dmat4 eyeFromObject;
     How how;
     bool pushedBack;
-    scene::SnapshotPtr snapshot = nullptr;  // that it was traced in
-    bool met = false;                       // by a pass, since takeTraced()
+    scene::SnapshotPtr snapshot = nullptr;          // that it was traced in
+    bool met = false;                               // by a pass, since takeTraced()
+    std::optional<glm::dmat4> clipFromObject = {};  // of a shader program
   };
   /// Whether one of the triangles has all its corners among the surface's.
   bool liesUpon(const Surface& surface, const glm::dmat4& eyeFromObject, std::span<const Triangle> triangles);
+  bool holdsSome(const scene::Mesh& mesh, std::span<const Triangle> triangles);
+  static Meeting meet(Surface& surface, Meeting before);
   void remember(const Hash128& geometry);
   const VertexSet& verticesOf(const scene::Mesh& mesh);
 
   std::pmr::unsynchronized_pool_resource blocks_;  // thousands of small ones a frame, again and again
   std::pmr::unordered_multimap<Hash128, Surface> surfaces_{&blocks_};  // by matrix
   bool rasterised_ = false;                                            // some of them were
+  bool byProgram_ = false;                                             // some are of shader programs
   uint64_t layer_ = 0;
   std::unordered_map<Hash128, uint64_t> metIn_;  // geometry -> last layer in which a pass met it
   std::unordered_map<Hash128, std::unique_ptr<VertexSet>> vertices_;  // by geometry

@@ -37,6 +37,11 @@ struct PresentTarget {
   // The instances were traced already: the depth of what is seen of them is made that which the real OpenGL
   // gives them, to the bit. Fixed function alone; nothing else changes.
   bool depthAgain = false;
+  /// Then: or this mesh alone, which a shader program put there by a matrix.
+  struct ByMatrix {
+    scene::MeshPtr mesh;
+    glm::dmat4 clipFromObject{1};
+  } byMatrix = {};
   bool mayRepeat =
       true;  // where nothing has changed the last picture may do; false: what it costs is measured
   /// What lies under the whole region of the snapshot, if that is known and pictures may be sent instead of
@@ -87,6 +92,7 @@ struct PresentResult {
   bool blasRefining = false;  // a better acceleration structure is being built
   bool repeated = false;      // nothing had changed: the picture was there
   bool averages = false;      // pixels are averages of several rays
+  bool declined = false;  // rasterised because the program would have drawn another picture than all layers
   GLenum pendingError =
       GL_NO_ERROR;  // an error of the program's that was found on the way, to be reported to it
   std::string why;  // where it was not traced: one line for the user, who has not been told yet

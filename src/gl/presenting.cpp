@@ -26,7 +26,8 @@ bool Context::canTrace() {
   return supported_;
 }
 
-void Context::present(bool rasterise) {
+void Context::present(Reason reason) {
+  const bool rasterise = reason != Reason::traced;
   window.showLagged();
   if (batch_.empty()) return;
   timeline::writeIfDue();
@@ -39,7 +40,7 @@ void Context::present(bool rasterise) {
   const double start = kinds() ? nowSeconds() : 0;
   syncCurrent();
   passes.flushed(rasterise ? nullptr : snapshot);
-  if (rasterise) countAsRasterised(*snapshot);
+  if (rasterise) countAsRasterised(*snapshot, reason);
   const std::optional<ClearedTarget> under = rasterise ? std::nullopt : clearedUnder(*snapshot, key);
   const Smooth smooth = smooth_;
   forgetClear();
@@ -60,7 +61,9 @@ void Context::present(bool rasterise) {
   takeResult(result);
   if (kinds()) [[unlikely]]
     kinds()->exclude(nowSeconds() - start);
-  const auto wanted = rasterise ? PresentResult::rasterised : PresentResult::traced;
+  const bool declined = result.declined && result.outcome == PresentResult::rasterised;
+  if (declined) countAsRasterised(*snapshot, Reason::programPass);
+  const auto wanted = rasterise || declined ? PresentResult::rasterised : PresentResult::traced;
   if (result.outcome != wanted)
     stepAside(result.why.empty() ? "the ray tracer could not make a picture" : result.why.c_str());
 }
@@ -91,12 +94,12 @@ void Context::settleBelow(int samples) {
 
 void Context::leave() {
   window.showLagged();
-  if (!batch_.empty() && !resolves.hold()) present(false);
+  if (!batch_.empty() && !resolves.hold()) present();
 }
 
 Unresolved::Cleared Context::beforeClear(GLbitfield mask) {
   const Unresolved::Cleared clean = resolves.clearedBy(mask);
-  present(false);
+  present();
   window.clears(mask);
   resolves.clears(clean);
   return clean;

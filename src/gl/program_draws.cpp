@@ -1,6 +1,7 @@
 #include "gl/program_draws.h"
 
 #include "gl/affine.h"
+#include "gl/array_indices.h"
 #include "gl/context.h"
 #include "gl/mesh_builder.h"
 #include "gl/pixel_figures.h"
@@ -82,6 +83,32 @@ Reason ProgramDraws::triage(PrimitiveClass kind) {
 
 namespace {
 
+/// What is added to the depths of what the program draws: by itself, or by OpenGL where it does not write
+/// them.
+scene::PolygonOffset offsetOf(const State& state, scene::Shape shape) {
+  const ProgramState& program = state.program;
+  if (program.depthOffset != scene::PolygonOffset{}) return program.depthOffset;
+  return shape == scene::Shape::triangles ? Batch::keyOf(state).offset : scene::PolygonOffset{};
+}
+
+/// Whether OpenGL adds an offset where the program has the last word about depth.
+bool offsetsProgramDepth(const State& state, scene::Shape shape) {
+  const RasterState& raster = state.raster;
+  if (!raster.offsetFill || (raster.offsetFactor == 0 && raster.offsetUnits == 0)) return false;
+  return shape == scene::Shape::triangles &&
+         (state.program.shading.fragment.writesDepth || layersOf(state.program) != BatchKey::Layers::none);
+}
+
+/// Whether some buffer of the arrays may not be asked for.
+bool haveUnreadableBuffers(const ArrayState& arrays) {
+  return arrays.reason == Reason::deletedBuffer || arrays.reason == Reason::foreignBuffer ||
+         arrays.reason == Reason::persistentMapping;
+}
+
+bool isPushedBack(const scene::PolygonOffset& offset) {
+  return offset.factor >= 0 && offset.units >= 0 && offset.factor + offset.units > 0;
+}
+
 bool isOpaque(const ProgramState& program, const scene::Mesh& mesh) {
   using Color = scene::FragmentShading::Color;
   const scene::FragmentShading& f = program.shading.fragment;
@@ -116,7 +143,8 @@ Reason ProgramDraws::triage(const KnownMesh& known) const {
   if (layersOf(program) == BatchKey::Layers::peeled) return reason;
   const bool single = reason == Reason::traced && layersOf(program) == BatchKey::Layers::none &&
                       c_.attributes.instanceTransform.empty();
-  if (single && c_.sheets.meets(known.mesh, c_.sheetPlace(program.clipFromObject, program.depthOffset)))
+  if (single && c_.sheets.meets(known.mesh,
+                                c_.sheetPlace(program.clipFromObject, offsetOf(c_.state, known.mesh->shape))))
     reason = Reason::coincident;
   // One by one, however much they are in all: a surface that is drawn again is drawn in the same way.
   const bool leave = reason == Reason::traced && c_.leavesAlone(known.mesh->triangleCount);
@@ -126,11 +154,14 @@ Reason ProgramDraws::triage(const KnownMesh& known) const {
 Reason ProgramDraws::triageAlways(const KnownMesh& known) const {
   if (known.homogeneous || !known.mesh) return Reason::homogeneous;
   if (isFarAway(*known.mesh)) return Reason::farAway;
+  if (offsetsProgramDepth(c_.state, known.mesh->shape)) return Reason::program;
   const ProgramState& program = c_.state.program;
   const glm::ivec4& viewport = c_.state.viewport;
   if (c_.attributes.instanceTransform.empty() &&
       c_.precision.isTooLarge(*known.mesh, program.clipFromObject, {viewport.z, viewport.w}))
     return Reason::tooLarge;
+  if (layersOf(program) == BatchKey::Layers::none && c_.passes.several(known.mesh->geometryId))
+    return Reason::passes;
   const uint64_t triangles = known.mesh->triangleCount;
   if (program.triangleColors && program.triangleOffset + triangles > program.triangleColorCount)
     return Reason::arrayState;
@@ -140,8 +171,8 @@ Reason ProgramDraws::triageAlways(const KnownMesh& known) const {
     return Reason::arrayState;
   // Triangles that grow by their edges do so in the window: near the viewer's plane by any number of pixels.
   // The slope of what they grow to is not that of the triangle.
-  if (program.triangleEdges &&
-      (program.depthOffset.factor != 0 || !isBeforeViewer(*known.mesh, program.clipFromObject)))
+  if (program.triangleEdges && (offsetOf(c_.state, known.mesh->shape).factor != 0 ||
+                                !isBeforeViewer(*known.mesh, program.clipFromObject)))
     return Reason::program;
   const bool opaque =
       layersOf(c_.state.program) != BatchKey::Layers::none || gl::isOpaque(program, *known.mesh);
@@ -152,7 +183,7 @@ Reason ProgramDraws::triageAlways(const KnownMesh& known) const {
 
 /// Makes the state ready for an instance of the current program: batch, camera and matrix. Nowhere: nothing
 /// could be seen of it.
-ProgramDraws::Placed ProgramDraws::place(const glm::dvec3& reach) {
+ProgramDraws::Placed ProgramDraws::place(scene::Shape shape, const glm::dvec3& reach) {
   const ProgramState& program = c_.state.program;
   // One projection serves a batch. What programs give is a product, and taken apart it differs by roundings
   // from draw to draw; so each draw is placed by what it does to points in the end.
@@ -161,7 +192,7 @@ ProgramDraws::Placed ProgramDraws::place(const glm::dvec3& reach) {
   BatchKey key = Batch::keyOf(c_.state);
   key.layers = layersOf(c_.state.program);
   const bool peeled = key.layers == BatchKey::Layers::peeled;
-  key.offset = peeled ? scene::PolygonOffset{} : program.depthOffset;
+  key.offset = peeled ? scene::PolygonOffset{} : offsetOf(c_.state, shape);
   c_.clampToTarget(key.region);
   c_.dirty |= kModelview | kProjection;  // of fixed function
   if (key.region.width <= 0 || key.region.height <= 0) return Placed::nowhere;
@@ -184,11 +215,33 @@ ProgramDraws::Placed ProgramDraws::place(const glm::dvec3& reach) {
   return Placed::inBatch;
 }
 
+void ProgramDraws::meetPasses(PrimitiveClass kind, GLenum mode, const Elements& elements) {
+  if (!c_.passes.anyByProgram() || mode < GL_TRIANGLES || mode > GL_POLYGON || !c_.meetsDepth(kind)) return;
+  const uint32_t framebuffer = c_.state.target.framebuffer;
+  const uint64_t count = countTriangles(mode, static_cast<uint64_t>(elements.count));
+  if (!c_.passes.anyByProgram(framebuffer, count) || haveUnreadableBuffers(c_.attributes)) return;
+  const ProgramState& program = c_.state.program;
+  const bool placed = program.known && program.known->family && program.reason == Reason::traced;
+  const auto meet = [&](const ArraySource& source) {
+    if (!source.enabled || !source.buffer || source.divisor != 0 || source.size < 3 || !isReadable(source))
+      return;
+    ArrayState positions;
+    positions.vertex = source;
+    positions.elements = c_.attributes.elements;
+    c_.rasteriseMet(c_.passes.meetsProgram(framebuffer, sampleTriangles(c_.real, positions, mode, elements),
+                                           count, placed ? &program.clipFromObject : nullptr,
+                                           isPushedBack(offsetOf(c_.state, c_.attributes.shape))));
+  };
+  c_.settleBelow(c_.state.target.samples);
+  meet(c_.attributes.vertex);
+  for (const ArraySource& source : c_.attributes.generic) meet(source);
+}
+
 Reason ProgramDraws::add(const scene::MeshPtr& mesh, GLenum mode, const Elements& elements) {
   const bool many = !c_.attributes.instanceTransform.empty() || c_.attributes.instanceColor.enabled;
   const glm::dvec3 reach = many ? reachOfInstances(*mesh, elements) : reachOf(*mesh);
   if (mesh->triangleCount == 0) return Reason::traced;
-  if (const Placed placed = place(reach); placed != Placed::inBatch)
+  if (const Placed placed = place(mesh->shape, reach); placed != Placed::inBatch)
     return placed == Placed::nowhere ? Reason::traced : Reason::programPass;
   const ProgramState& program = c_.state.program;
   scene::Instance instance;
@@ -216,7 +269,8 @@ Reason ProgramDraws::add(const scene::MeshPtr& mesh, GLenum mode, const Elements
   } else {
     c_.batch().add(std::move(instance), program.shading);
     if (c_.batch().key().layers == BatchKey::Layers::none && mesh->shape == scene::Shape::triangles)
-      c_.passes.drawn(mesh, c_.state.modelview, Passes::How::pending, c_.isPushedBack());
+      c_.passes.drawnByProgram(mesh, c_.state.modelview, program.clipFromObject, c_.state.target.framebuffer,
+                               isPushedBack(c_.batch().key().offset));
   }
   c_.batch().keep(std::move(kept));
   if (c_.aside())

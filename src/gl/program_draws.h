@@ -40,11 +40,14 @@ class ProgramDraws : public ContextPart {
   /// Adds a mesh to the batch, as often as the draw has instances; or says why it cannot join the layers that
   /// are there.
   Reason add(const scene::MeshPtr& mesh, GLenum mode, const Elements& elements);
+  /// Before a surface is rasterised: surfaces upon which it lies, and which were or are to be traced, get the
+  /// depth of the real OpenGL.
+  void meetPasses(PrimitiveClass kind, GLenum mode, const Elements& elements);
 
  private:
   Reason triageAlways(const KnownMesh& mesh) const;  // where everything that can be is traced
   enum class Placed { nowhere, inBatch, otherCamera };
-  Placed place(const glm::dvec3& reach);
+  Placed place(scene::Shape shape, const glm::dvec3& reach);
   glm::dvec3 reachOfInstances(const scene::Mesh& mesh, const Elements& elements) const;
   void addInstancesOf(const scene::Instance& one, const scene::Shading& shading, const Elements& elements);
 };

@@ -60,6 +60,7 @@ scene::Fog readFog(const RealGl& real, const RareState& has) {
     default: fog.mode = scene::Fog::exp; break;
   }
   fog.fromCoordinates = has.fogCoord && integer(real, GL_FOG_COORD_SRC) == GL_FOG_COORD;
+  fog.clampsSum = !has.fogsWholeSum;
   real.GetFloatv(GL_FOG_DENSITY, &fog.density);
   real.GetFloatv(GL_FOG_START, &fog.start);
   real.GetFloatv(GL_FOG_END, &fog.end);

@@ -188,10 +188,14 @@ void Context::addInstance(const scene::MeshPtr& mesh, SlotMask slots,
 }
 
 bool Context::mayMeetPasses(PrimitiveClass kind) const {
+  return meetsDepth(kind) && passes.anyUnder(state.modelview);
+}
+
+bool Context::meetsDepth(PrimitiveClass kind) const {
   const RasterState& raster = state.raster;
   const bool tested = raster.reason != Reason::renderMode && raster.reason != Reason::noDepthTest &&
                       raster.depthFunc != GL_ALWAYS && raster.depthFunc != GL_NEVER;
-  return kind == PrimitiveClass::surfaces && tested && !aside_ && passes.anyUnder(state.modelview);
+  return kind == PrimitiveClass::surfaces && tested && !aside_;
 }
 
 bool Context::isPass(PrimitiveClass kind, Reason reason) const {
@@ -206,15 +210,20 @@ void Context::rememberPass(const KnownMesh& known) {
 void Context::meetPasses(std::span<const Triangle> triangles) {
   protect([&] {
     settleBelow(state.target.samples);
-    if (passes.meets(state.modelview, triangles, isPushedBack()) == Passes::Meeting::pending) present(true);
-    for (const scene::SnapshotPtr& traced : passes.takeTraced()) {
-      syncCurrent();
-      const PresentResult result =
-          presenter_.present(real, traced, {.core = info_.core, .rasterise = true, .depthAgain = true});
-      latch.restore(real);
-      if (result.pendingError != GL_NO_ERROR) setError(result.pendingError);
-    }
+    rasteriseMet(passes.meets(state.modelview, triangles, isPushedBack()));
   });
+}
+
+void Context::rasteriseMet(Passes::Meeting meeting) {
+  if (meeting == Passes::Meeting::pending) present(Reason::passes);
+  for (const DepthAgain& again : passes.takeTraced()) {
+    syncCurrent();
+    PresentTarget target{.core = info_.core, .rasterise = true, .depthAgain = true};
+    if (again.clipFromObject) target.byMatrix = {again.mesh, *again.clipFromObject};
+    const PresentResult result = presenter_.present(real, again.snapshot, target);
+    latch.restore(real);
+    if (result.pendingError != GL_NO_ERROR) setError(result.pendingError);
+  }
 }
 
 bool Context::isPushedBack() const {
@@ -223,7 +232,7 @@ bool Context::isPushedBack() const {
          raster.offsetUnits >= 0 && raster.offsetFactor + raster.offsetUnits > 0;
 }
 
-void Context::countAsRasterised(const scene::Snapshot& snapshot) {
+void Context::countAsRasterised(const scene::Snapshot& snapshot, Reason reason) {
   uint64_t triangles = 0;
   for (const scene::Instance& instance : snapshot.instances) triangles += instance.mesh->triangleCount;
   const uint64_t draws = std::min<uint64_t>(snapshot.instances.size(), statistics.drawsTraced);
@@ -231,7 +240,7 @@ void Context::countAsRasterised(const scene::Snapshot& snapshot) {
   statistics.drawsTraced -= draws;
   statistics.trianglesTraced -= triangles;
   statistics.drawsRasterised += draws;
-  statistics.rasterisedBecause[static_cast<size_t>(Reason::passes)] += draws;
+  statistics.rasterisedBecause[static_cast<size_t>(reason)] += draws;
   statistics.trianglesRasterised += triangles;
 }
 
@@ -242,7 +251,7 @@ void Context::beforeRasterDraw(PrimitiveClass kind) {
   if (sheets.takeFound() && !batch_.empty() &&
       (batch_.key().layers == BatchKey::Layers::none || batch_.key().layers == BatchKey::Layers::drawn) &&
       batch_.key().framebuffer == state.target.framebuffer)
-    protect([&] { present(true); });
+    protect([&] { present(Reason::coincident); });
   if (resolves.any()) protect([&] { resolves.meetRasterDraw(); });
   if (layers.pending()) protect([&] { layers.meetRasterDraw(); });
   if (!batch_.empty()) {

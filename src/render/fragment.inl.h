@@ -97,8 +97,9 @@ HWY_ATTR inline void applyFog(const scene::Fog& fog, const Surface& s, const Gro
       distance = weights(load(coordinates[0] + i), load(coordinates[1] + i), load(coordinates[2] + i));
     const Float factor = fogFactor(fog, distance);
     for (int c = 0; c < 3; ++c) {
-      const Float color = clamp01(load(rows.value[c] + i)), background = splat(fog.color[c]);
-      store(hn::MulAdd(factor, hn::Sub(color, background), background), rows.value[c] + i);
+      const Float color = load(rows.value[c] + i), background = splat(fog.color[c]);
+      const Float kept = fog.clampsSum ? clamp01(color) : color;
+      store(clamp01(hn::MulAdd(factor, hn::Sub(kept, background), background)), rows.value[c] + i);
     }
   }
 }

@@ -167,10 +167,12 @@ HWY_ATTR inline void textureLanes(const FrameData& frame, const Surface& s, cons
 }
 
 // Secondary colour added to the primary, GL 2.1, 3.9.
-HWY_ATTR inline void addSecondary(LitRows& rows) {
+HWY_ATTR inline void addSecondary(bool clamps, LitRows& rows) {
   for (int i = 0; i < kLanes; i += lanesOfVector())
-    for (int c = 0; c < 3; ++c)
-      store(clamp01(hn::Add(load(rows.value[c] + i), load(rows.value[4 + c] + i))), rows.value[c] + i);
+    for (int c = 0; c < 3; ++c) {
+      const Float sum = hn::Add(load(rows.value[c] + i), load(rows.value[4 + c] + i));
+      store(clamps ? clamp01(sum) : sum, rows.value[c] + i);
+    }
 }
 
 // RGBA8 with red in the lowest byte.
@@ -239,8 +241,9 @@ HWY_ATTR inline uint32_t shade(const FrameData& frame, const Surface& s, const G
     }
   }
   if (!shading.textures.empty()) textureLanes(frame, s, group, x, y, rows);
-  if (shading.separateSpecular || shading.colorSum) addSecondary(rows);
-  if (shading.fog.mode != scene::Fog::off) applyFog(shading.fog, s, group, rows);
+  const bool fogged = shading.fog.mode != scene::Fog::off;
+  if (shading.separateSpecular || shading.colorSum) addSecondary(!fogged || shading.fog.clampsSum, rows);
+  if (fogged) applyFog(shading.fog, s, group, rows);
   return failingLanes(shading.alphaTest, rows) & group.lanes;
 }
 

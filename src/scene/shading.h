@@ -50,6 +50,7 @@ struct Fog {
   float density = 1;         // exp, exp2
   float start = 0, end = 1;  // linear
   glm::vec3 color{0};
+  bool clampsSum = true;  // the sum of primary and secondary colour is clamped before it fades (GL 2.1, 3.9)
   bool fromCoordinates = false;  // GL_FOG_COORD: by the vertices' fog coordinates instead of the distance
   bool operator==(const Fog&) const = default;
 };

@@ -13,6 +13,10 @@ namespace gluray {
     "Mesa before 23 stores waiting glMaterial values twice where GL_COLOR_MATERIAL is enabled in between; " \
     "they are sent again after our own drawing, so that they wait as before",                               \
     "tests/reference/material_latch_test.cpp")                                                              \
+  X(fogSum, "fog-sum",                                                                                      \
+    "Mesa does not clamp the sum of primary and secondary colour before it fades into fog; nor do we "      \
+    "above Mesa",                                                                                           \
+    "tests/reference/fog_test.cpp")                                                                         \
   X(softwareFxaa, "software-fxaa",                                                                          \
     "VTK's anti-aliasing pass (FXAA) costs software OpenGLs more than tracing a frame; it is computed "     \
     "without them, to the same picture",                                                                    \

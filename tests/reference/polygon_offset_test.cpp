@@ -1,9 +1,11 @@
 // What glPolygonOffset counts in, by the format of the depth buffer: the depths of a plain OpenGL and ours.
 #include "tests/reference/framebuffer.h"
+#include "tests/reference/program_stage.h"
 #include "tests/reference/traced_context.h"
 
 #include <gtest/gtest.h>
 
+#include <string>
 #include <vector>
 
 namespace gluray::test {
@@ -42,6 +44,97 @@ TEST(PolygonOffset, UnitsAreThoseOfTheDepthBuffer) {
     for (size_t i = 0; i < expected.size(); ++i)
       EXPECT_NEAR(ours[i], expected[i], 3e-7f) << "format " << format << ", number " << i;
   }
+}
+
+/// Formats of the depth buffer; 0: the window's.
+constexpr GLenum kFormats[] = {0, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32, GL_DEPTH_COMPONENT32F};
+
+struct Offset {
+  float factor, units;
+};
+std::string nameOf(const Offset& offset, GLenum format) {
+  return std::to_string(offset.factor) + "_" + std::to_string(offset.units) + "_" + std::to_string(format);
+}
+
+/// Into the window, or a framebuffer object whose depth has this format.
+void into(Gl gl, GLenum format) {
+  if (format) bindNewFramebuffer(gl, {kProgramWidth, kProgramHeight}, GL_RGBA8, format);
+}
+
+/// Two sheets, `degrees` apart, the second one moved by the offset of OpenGL.
+void drawMoved(Gl gl, const Surface& surface, const Offset& offset, double degrees = 30) {
+  const GLuint program = makeProgram(gl, surface);
+  const ProgramMesh mesh = sheet(12);
+  const Upload up = upload(gl, mesh, program);
+  beginFrame(gl);
+  drawSurface(gl, program, up, mesh, perspectiveView(20), surface);
+  gl.Enable(GL_POLYGON_OFFSET_FILL), gl.PolygonOffset(offset.factor, offset.units);
+  drawSurface(gl, program, up, mesh, perspectiveView(20 + degrees), surface);
+  gl.Disable(GL_POLYGON_OFFSET_FILL);
+}
+
+TEST(PolygonOffset, MovesWhatProgramsDraw) {
+  for (const Offset& offset : {Offset{2, 0}, {-3, 0}, {0, 90000}, {1.5f, -120000}})
+    for (const GLenum format : kFormats)
+      expectBoth(
+          "offset" + nameOf(offset, format), [&](Gl gl) { into(gl, format), drawMoved(gl, {}, offset); }, 2);
+}
+
+/// A decal: the same triangles in other colours, before the surface or behind it.
+TEST(PolygonOffset, DecalsLieBeforeTheirSurface) {
+  const Surface surface{.color = Surface::Color::vertex};
+  for (const Offset& offset : {Offset{-1, -1}, {-1, 0}, {1, 1}})
+    for (const GLenum format : kFormats)
+      expectBoth(
+          "decal" + nameOf(offset, format),
+          [&](Gl gl) { into(gl, format), drawMoved(gl, surface, offset, 0); }, -1);
+}
+
+/// Surfaces of a program that nobody knows beside one that is traced, both moved.
+TEST(PolygonOffset, AppliesBesideWhatIsRasterised) {
+  for (const GLenum format : kFormats)
+    expectBoth(
+        "beside" + std::to_string(format),
+        [&](Gl gl) {
+          into(gl, format);
+          const ProgramMesh flat = sheet(12), round = ball(16);
+          const GLuint program = makeProgram(gl, Surface{}), unknown = makeUnknownProgram(gl);
+          const Upload flatUp = upload(gl, flat, program), roundUp = upload(gl, round, unknown);
+          beginFrame(gl);
+          gl.Enable(GL_POLYGON_OFFSET_FILL), gl.PolygonOffset(2, 50000);
+          drawByUnknown(gl, unknown, roundUp, round, perspectiveView(20));
+          drawSurface(gl, program, flatUp, flat, perspectiveView(20), {});
+          gl.PolygonOffset(-2, -40000);
+          drawSurface(gl, program, flatUp, flat, perspectiveView(80), {});
+          gl.Disable(GL_POLYGON_OFFSET_FILL);
+        },
+        2);
+}
+
+/// The program's own offset, with a clamp, is there again after draws were made for it.
+TEST(PolygonOffset, KeepsTheClampOfTheProgram) {
+  expectBoth(
+      "clamp",
+      [](Gl gl) {
+        drawMoved(gl, {}, {1, 1000});
+        gl.PolygonOffsetClamp(3, 4, 0.01f);
+        gl.Finish();
+        GLfloat clamp = 0;
+        gl.GetFloatv(GL_POLYGON_OFFSET_CLAMP, &clamp);
+        EXPECT_EQ(clamp, 0.01f);
+      },
+      2, coreWish(4, 5));
+}
+
+/// Its shader writes depth: whether what OpenGL adds is in it is for OpenGL to say.
+TEST(PolygonOffset, OfProgramsThatWriteDepthIsLeftToTheRealOne) {
+  const Surface surface{.depthOffset = true};
+  expectSame(
+      "offset_twice",
+      [&](Gl gl) {
+        drawMoved(gl, surface, {2, 90000});
+      },
+      1);
 }
 
 }  // namespace

@@ -276,6 +276,21 @@ void drawSurface(Gl gl, GLuint program, const Upload& up, const ProgramMesh& mes
                        GL_UNSIGNED_INT, nullptr);
 }
 
+GLuint makeUnknownProgram(Gl gl) {
+  return makeProgram(gl,
+                     "#version 150\nin vec4 vertexMC;\nuniform mat4 MCDCMatrix;\n"
+                     "void main()\n{\n  gl_Position = MCDCMatrix * vertexMC;\n}\n",
+                     "#version 150\nout vec4 color;\nvoid main()\n{\n"
+                     "  color = vec4(fract(gl_FragCoord.xy / 37.0), 0.2, 1.0);\n}\n");
+}
+
+void drawByUnknown(Gl gl, GLuint program, const Upload& up, const ProgramMesh& mesh, const View& view) {
+  gl.UseProgram(program);
+  setMat4(gl, program, "MCDCMatrix", glm::mat4(view.clipFromEye * view.eyeFromObject));
+  gl.BindVertexArray(up.array);
+  gl.DrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
+}
+
 namespace {
 
 std::string joined(const std::vector<std::string>& lines) {

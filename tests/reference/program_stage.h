@@ -84,6 +84,10 @@ void beginFrame(Gl gl);
 void drawSurface(Gl gl, GLuint program, const Upload& up, const ProgramMesh& mesh, const View& view,
                  const Surface& surface);
 
+/// A program of no family: its colours stripe the window. It puts vertices into place as the others do.
+GLuint makeUnknownProgram(Gl gl);
+void drawByUnknown(Gl gl, GLuint program, const Upload& up, const ProgramMesh& mesh, const View& view);
+
 inline constexpr int kProgramWidth = 200, kProgramHeight = 150;
 /// Lighting at each pixel on both sides: edges remain, and one of 255 by rounding.
 inline constexpr scenes::Tolerance kProgramTolerance = {

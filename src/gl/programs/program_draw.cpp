@@ -55,6 +55,9 @@ ProgramDraw captureProgramDraw(const RealGl& real, const Program& program, const
   }
   real.ActiveTexture(static_cast<GLenum>(active));
   real.GetFloatv(GL_POINT_SIZE, &draw.pointSize);
+  draw.offset = isOn(real, GL_POLYGON_OFFSET_FILL);
+  real.GetFloatv(GL_POLYGON_OFFSET_FACTOR, &draw.offsetFactor);
+  real.GetFloatv(GL_POLYGON_OFFSET_UNITS, &draw.offsetUnits);
   draw.cull = isOn(real, GL_CULL_FACE);
   draw.cullFace = static_cast<GLenum>(integer(real, GL_CULL_FACE_MODE));
   draw.frontFace = static_cast<GLenum>(integer(real, GL_FRONT_FACE));

@@ -44,6 +44,8 @@ struct ProgramDraw {
   bool cull = false;
   GLenum cullFace = GL_BACK, frontFace = GL_CCW;
   float pointSize = 1;
+  bool offset = false;  // GL_POLYGON_OFFSET_FILL
+  float offsetFactor = 0, offsetUnits = 0;
 };
 
 /// The draw that is about to be made with the current state. Every array that is on must be in a buffer.

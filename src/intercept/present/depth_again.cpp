@@ -2,6 +2,9 @@
 
 #include "gl/state_queries.h"
 #include "intercept/present/raster_fallback.h"
+#include "intercept/present/triangle_array.h"
+
+#include <functional>
 
 namespace gluray::present {
 namespace {
@@ -37,14 +40,54 @@ void main() {
 }
 )";
 
-GLuint buildProgram(const RealGl& real, const char* source) {
-  const GLuint shader = real.CreateShader(GL_FRAGMENT_SHADER);
-  real.ShaderSource(shader, 1, &source, nullptr);
-  real.CompileShader(shader);
+/// For surfaces that a shader program puts into place as this one does: to the bit, as compilers treat the
+/// two alike.
+constexpr const char* kByMatrix = R"(#version 150
+in vec4 vertexMC;
+uniform mat4 MCDCMatrix;
+void main() { gl_Position = MCDCMatrix * vertexMC; }
+)";
+
+constexpr const char* kMatrixSeenAlone = R"(#version 150
+uniform sampler2D before;
+uniform vec4 place;
+out vec4 color;
+void main() {
+  float there = texelFetch(before, ivec2(gl_FragCoord.xy - place.xy), 0).r;
+  if (abs(gl_FragCoord.z - there) > 0.00002) discard;
+  color = vec4(0.0);
+}
+)";
+
+constexpr const char* kMatrixSamplesSeenAlone = R"(#version 150
+uniform sampler2DMS before;
+uniform vec4 place;
+uniform vec2 shift;
+uniform float slack;
+uniform int sampleAt;
+out vec4 color;
+void main() {
+  vec2 slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z));
+  float depth = gl_FragCoord.z + dot(slope, shift), most = 0.00002 + slack * dot(abs(slope), vec2(1.0));
+  float there = texelFetch(before, ivec2(gl_FragCoord.xy - place.xy), sampleAt).r;
+  if (abs(depth - there) > most) discard;
+  color = vec4(0.0);
+}
+)";
+
+/// `vertex`: null where vertices go the way of fixed function.
+GLuint buildProgram(const RealGl& real, const char* vertex, const char* fragment) {
   const GLuint program = real.CreateProgram();
-  real.AttachShader(program, shader);
+  const auto attach = [&](GLenum kind, const char* source) {
+    const GLuint shader = real.CreateShader(kind);
+    real.ShaderSource(shader, 1, &source, nullptr);
+    real.CompileShader(shader);
+    real.AttachShader(program, shader);
+    real.DeleteShader(shader);
+  };
+  if (vertex) attach(GL_VERTEX_SHADER, vertex), real.BindAttribLocation(program, 0, "vertexMC");
+  attach(GL_FRAGMENT_SHADER, fragment);
   real.LinkProgram(program);
-  real.DeleteShader(shader);
   GLint linked = GL_FALSE;
   real.GetProgramiv(program, GL_LINK_STATUS, &linked);
   if (linked) return program;
@@ -157,34 +200,42 @@ void tellSample(const RealGl& real, const Features& features, GLuint program, in
   real.Uniform1i(real.GetUniformLocation(program, "sampleAt"), sample);
 }
 
+/// Draws the depth of the surfaces, with this depth function.
+using DrawDepth = std::function<bool(GLenum func, const DepthPass& pass)>;
+
 /// The second time for the nearest, where several surfaces are that near to what is seen.
-bool drawTwice(const RealGl& real, const Features& features, const scene::Snapshot& snapshot,
-               const DepthPass& pass) {
+bool drawTwice(const DrawDepth& draw, const DepthPass& pass) {
   for (const GLenum func : {GL_ALWAYS, GL_LESS})
-    if (!drawWithFixedFunction(real, features, snapshot, func, &pass)) return false;
+    if (!draw(func, pass)) return false;
   return true;
 }
 
 /// Where the program has switched multisampling off the snapshot has one sample, and all of a pixel's get
 /// what is at its centre: the first stands for them. (Mesa 22.3 takes the depth from elsewhere in the pixel.)
 bool drawSamples(const RealGl& real, const Features& features, const scene::Snapshot& snapshot,
-                 DepthPass pass) {
+                 const DrawDepth& draw, DepthPass pass) {
   if (snapshot.samples <= 1) {
     tellSample(real, features, pass.program, 0, {}, 0.5f);
-    return drawTwice(real, features, snapshot, pass);
+    return drawTwice(draw, pass);
   }
   for (int& i = pass.sample = 0; i < snapshot.samples; ++i) {
     const glm::vec2 shift = snapshot.samplePositions[static_cast<size_t>(i)] - 0.5f;
     tellSample(real, features, pass.program, i, shift, 0);
-    if (!drawTwice(real, features, snapshot, pass)) return false;
+    if (!drawTwice(draw, pass)) return false;
   }
   return true;
 }
 
-}  // namespace
+/// What draws the surfaces, and the sources of its program for one sample and for several.
+struct Drawer {
+  const char* vertex;  // null: fixed function
+  const char* single;
+  const char* samples;
+  DrawDepth draw;
+};
 
-bool drawDepthAgain(const RealGl& real, const Features& features, const scene::Snapshot& snapshot) {
-  if (!features.compatibility || features.version < 20 || snapshot.region.width <= 0) return false;
+bool drawAgain(const RealGl& real, const Features& features, const scene::Snapshot& snapshot,
+               const Drawer& drawer) {
   const GLint samples = gl::integer(real, GL_SAMPLES);
   DepthPass again;
   again.multisampled = samples > 1;
@@ -193,15 +244,37 @@ bool drawDepthAgain(const RealGl& real, const Features& features, const scene::S
                                    : copyDepth(real, features, snapshot.region);
   if (!again.depth) return false;
   bool drawn = false;
-  again.program = buildProgram(real, again.multisampled ? kSamplesSeenAlone : kSeenAlone);
+  again.program = buildProgram(real, drawer.vertex, again.multisampled ? drawer.samples : drawer.single);
   if (again.program) {
     tell(real, features, again.program, snapshot.region);
-    drawn = again.multisampled ? drawSamples(real, features, snapshot, again)
-                               : drawTwice(real, features, snapshot, again);
+    drawn = again.multisampled ? drawSamples(real, features, snapshot, drawer.draw, again)
+                               : drawTwice(drawer.draw, again);
     real.DeleteProgram(again.program);
   }
   real.DeleteTextures(1, &again.depth);
   return drawn;
+}
+
+}  // namespace
+
+bool drawDepthAgain(const RealGl& real, const Features& features, const scene::Snapshot& snapshot) {
+  if (!features.compatibility || features.version < 20 || snapshot.region.width <= 0) return false;
+  const auto draw = [&](GLenum func, const DepthPass& pass) {
+    return drawWithFixedFunction(real, features, snapshot, func, &pass);
+  };
+  return drawAgain(real, features, snapshot, {nullptr, kSeenAlone, kSamplesSeenAlone, draw});
+}
+
+bool drawDepthAgain(const RealGl& real, const Features& features, const scene::Snapshot& snapshot,
+                    const gl::PresentTarget::ByMatrix& surface) {
+  if (features.version < 32 || snapshot.region.width <= 0 || snapshot.polygonOffset != scene::PolygonOffset{})
+    return false;
+  const TriangleArray triangles(real, features, *surface.mesh);
+  const auto draw = [&](GLenum func, const DepthPass& pass) {
+    triangles.draw(snapshot, surface.clipFromObject, func, pass);
+    return true;
+  };
+  return drawAgain(real, features, snapshot, {kByMatrix, kMatrixSeenAlone, kMatrixSamplesSeenAlone, draw});
 }
 
 }  // namespace gluray::present

@@ -1,6 +1,7 @@
 // The depth of surfaces that were traced, drawn once more by the real OpenGL, so that later passes over them
 // meet it to the bit (gl/passes.h). GL thread, outside glBegin/glEnd.
 #pragma once
+#include "gl/presenter.h"
 #include "intercept/present/features.h"
 #include "scene/snapshot.h"
 
@@ -10,5 +11,9 @@ namespace gluray::present {
 /// OpenGL has for them. Nothing else differs afterwards. False where that is not possible (no depth textures
 /// of the framebuffer's kind), with the depth as it was.
 bool drawDepthAgain(const gl::RealGl& real, const Features& features, const scene::Snapshot& snapshot);
+
+/// The same of one mesh, which a shader program put into the snapshot's region by a matrix.
+bool drawDepthAgain(const gl::RealGl& real, const Features& features, const scene::Snapshot& snapshot,
+                    const gl::PresentTarget::ByMatrix& surface);
 
 }  // namespace gluray::present

@@ -24,6 +24,7 @@ struct Features {
   bool debugOutput = false;
   bool readFramebuffers = false;  // one framebuffer to read from beside the one to draw into
   bool depthBounds = false;
+  bool offsetClamp = false;       // glPolygonOffsetClamp
   bool encoding = false;          // GL_FRAMEBUFFER_SRGB
   bool rectangles = false;        // GL_TEXTURE_RECTANGLE
   bool redFloatTextures = false;  // R32F

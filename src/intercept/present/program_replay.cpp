@@ -196,7 +196,6 @@ void replayProgramDraws(const RealGl& real, const Features& features, const scen
     guard.addUp();
     guard.depthWrites(false);
   }
-  guard.capability(GL_POLYGON_OFFSET_FILL, false);
   replayProgramDraws(real, features, draws);
 }
 
@@ -210,6 +209,10 @@ void replayProgramDraws(const RealGl& real, const Features& features, const std:
     StateGuard own(real, features);
     own.program(draw.program);
     own.capability(GL_CULL_FACE, draw.cull);
+    if (draw.offset)
+      own.polygonOffset(draw.offsetFactor, draw.offsetUnits);
+    else
+      own.capability(GL_POLYGON_OFFSET_FILL, false);
     real.CullFace(draw.cullFace);
     if (draw.mode == GL_POINTS) real.PointSize(draw.pointSize);
     real.FrontFace(draw.frontFace);

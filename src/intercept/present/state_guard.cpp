@@ -84,6 +84,26 @@ void StateGuard::depthWrites(bool on) {
   real_.DepthMask(on);
 }
 
+void StateGuard::polygonOffset(float factor, float units) {
+  capability(GL_POLYGON_OFFSET_FILL, true);
+  GLdouble before[3] = {};  // factor, units, clamp
+  real_.GetDoublev(GL_POLYGON_OFFSET_FACTOR, &before[0]);
+  real_.GetDoublev(GL_POLYGON_OFFSET_UNITS, &before[1]);
+  if (features_.offsetClamp) real_.GetDoublev(GL_POLYGON_OFFSET_CLAMP, &before[2]);
+  keep({[](const RealGl& r, const Undo& u) {
+          const auto value = [&](size_t i) { return static_cast<GLfloat>(u.d[i]); };
+          if (u.d[2] != 0)
+            r.PolygonOffsetClamp(value(0), value(1), value(2));
+          else
+            r.PolygonOffset(value(0), value(1));
+        },
+        0,
+        0,
+        {},
+        {before[0], before[1], before[2]}});
+  real_.PolygonOffset(factor, units);
+}
+
 void StateGuard::depthRange(double zNear, double zFar) {
   GLdouble range[2] = {0, 1};
   if (features_.indexedViewports) {

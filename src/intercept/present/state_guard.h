@@ -46,6 +46,8 @@ class StateGuard {
   void encoding(bool on);                          // GL_FRAMEBUFFER_SRGB
   void depthWrites(bool on);
   void depthRange(double zNear, double zFar);
+  /// GL_POLYGON_OFFSET_FILL is on, without a clamp.
+  void polygonOffset(float factor, float units);
   void viewport(int x, int y, int width, int height);
   void scissor(int x, int y, int width, int height);
   void scissorOff();

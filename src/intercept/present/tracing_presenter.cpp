@@ -166,7 +166,9 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
   PendingErrors pending;
   if (target.depthAgain) {
     pending = takeErrors(real);
-    if (drawDepthAgain(real, features(real), snapshot)) result.outcome = PresentResult::rasterised;
+    const bool drawn = target.byMatrix.mesh ? drawDepthAgain(real, features(real), snapshot, target.byMatrix)
+                                            : drawDepthAgain(real, features(real), snapshot);
+    if (drawn) result.outcome = PresentResult::rasterised;
     takeErrors(real);
     if (!pending.empty()) result.pendingError = pending.front();
     return result;
