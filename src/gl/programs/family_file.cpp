@@ -13,7 +13,7 @@ namespace {
 class FamilyReader : FamilyTable {
  public:
   FamilyReader(const toml::table& table, const std::string& file, Family& family)
-      : FamilyTable(table, file, family.mentioned), family_(family) {}
+      : FamilyTable(table, file, family.mentioned, family.alternatives), family_(family) {}
 
   /// `known`: what a family may inherit from.
   void read(const std::vector<std::shared_ptr<const Family>>& known) {
@@ -47,6 +47,8 @@ class FamilyReader : FamilyTable {
       name("flags", family_.edgeFlags);
       value("width", family_.edgeWidth);
       value("color", family_.edgeColor);
+      value("opacity", family_.edgeOpacity);
+      choice("corners", {{"move", true}, {"stay", false}}, family_.edgesGrow);
       name("viewport", family_.edgeViewport);
     });
     section("pass", [&] { readPass(); });
@@ -88,6 +90,7 @@ class FamilyReader : FamilyTable {
     texts("absent", family_.absent);
     texts("absent_outputs", family_.absentOutputs);
     names("ignored", family_.ignored);
+    neutralValues("neutral", family_.neutral);
     flag("strict", family_.strict);
     flag("geometry_shader", family_.geometryShader);
     text("rasterise", family_.rasteriseBecause);
@@ -95,6 +98,7 @@ class FamilyReader : FamilyTable {
   /// "any" is what families say that hold whatever else the program computes.
   void readCode() {
     texts("code", family_.code);
+    if (has("code")) family_.codeAt = placeOf(at("code"));
     if (family_.code == std::vector<std::string>{"any"}) family_.code.clear();
   }
   void readVertex() {
@@ -118,6 +122,8 @@ class FamilyReader : FamilyTable {
   }
   void readColor() {
     name("map", family_.colorMap);
+    name("map_texcoord", family_.mapTexcoord);
+    name("texcoord_matrix", family_.texcoordMatrix);
     name("per_triangle", family_.triangleColors);
     name("triangle_offset", family_.triangleOffset);
     name("uniform_instead", family_.uniformColors);
@@ -277,6 +283,7 @@ const FamilyList& builtInFamilies() {
   static const FamilyList families = [] {
     FamilyList all;
     for (const auto& [file, text] : kBuiltInFamilyFiles) all.append(parseFamilies(text, file));
+    needSections(all, all.code);
     return all;
   }();
   return families;

@@ -13,6 +13,7 @@
 namespace gluray::gl {
 
 Reason ProgramReader::read() {
+  if (const Reason reason = checkNeutral(); reason != Reason::traced) return reason;
   readTransform();
   readMaterial(family_.material, out_.material.front);
   out_.material.back = out_.material.front;
@@ -25,8 +26,19 @@ Reason ProgramReader::read() {
   readDepthOffset();
   if (const Reason reason = readNormals(); reason != Reason::traced) return reason;
   if (const Reason reason = readEdges(); reason != Reason::traced) return reason;
+  if (const Reason reason = readTexcoordMatrix(); reason != Reason::traced) return reason;
   if (const Reason reason = readColor(); reason != Reason::traced) return reason;
   return readTextures();
+}
+
+Reason ProgramReader::checkNeutral() {
+  for (const auto& [name, value] : family_.neutral) {
+    const std::string now = uniforms_.unlike(name, value);
+    if (!now.empty())
+      return refuse("uniform \"" + name + "\" is " + now + ", and the family knows it as " +
+                    (value.empty() ? "the identity" : inWords(value)) + " alone");
+  }
+  return Reason::traced;
 }
 
 void ProgramReader::readTransform() {
@@ -153,8 +165,10 @@ Reason ProgramReader::readEdges() {
   real_.GetIntegerv(GL_VIEWPORT, viewport);
   if (uniforms_.has(family_.edgeViewport) &&
       uniforms_.vector(family_.edgeViewport) != glm::vec4(viewport[0], viewport[1], viewport[2], viewport[3]))
-    return Reason::program;
+    return refuse("uniform \"" + family_.edgeViewport + "\" is not the viewport");
   f.edgeWidth = uniforms_.number(family_.edgeWidth, 1);
+  f.edgesGrow = family_.edgesGrow;
+  f.edgeOpacity = uniforms_.number(family_.edgeOpacity, 1);
   f.edgeColor = glm::vec3(uniforms_.value(family_.edgeColor, glm::vec4(0)));
   return readBuffer(*sampler, out_.triangleEdges, out_.triangleEdgeCount);
 }
@@ -187,6 +201,7 @@ bool isSane(const ProgramState& s) {
 
 void readProgram(const RealGl& real, ShareGroup& group, const RareState& has, TextureCache& textures,
                  ProgramState& state) {
+  state.why.clear();
   if (!state.known->family) {
     state.reason = state.known->unknownCode ? Reason::programCode : Reason::program;
     return;
