@@ -56,7 +56,7 @@ Reason ProgramDraws::triageFigures() {
   // Cards have two sides, of which one may be culled. Points have none.
   if (c_.attributes.shape != scene::Shape::beads && c_.state.raster.cull != scene::CullFace::none)
     return Reason::program;
-  if (scene::isSizedInPixels(c_.attributes.shape))
+  if (scene::isInWindow(c_.attributes.shape))
     return readPixelFigures(c_.real, c_.info().core, c_.attributes.shape, c_.state);
   return Reason::traced;
 }

@@ -65,6 +65,9 @@ struct FamilyFigures {
   bool fades = false;
   bool grows = false;                              // of tubes
   FamilyValue size, bulge, bulgeDepth, depthBias;  // of beads and tubes: scene::Figures
+  FamilyValue scale;                               // times the radius; splats
+  FamilyValue cardScale;                           // of splats' cards, in radii
+  std::string projection;                          // uniform matrix that splats are projected by
   bool given() const { return shape != scene::Shape::triangles; }
 };
 

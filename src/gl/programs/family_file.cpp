@@ -65,6 +65,11 @@ class FamilyReader : FamilyTable {
     if (pixels && (family_.depthOffset.given() || family_.depthFactor.given()))
       fail(here(),
            "family \"" + family_.name + "\": beads and tubes have figures.depth_bias instead of depth");
+    const bool splats = family_.figures.shape == scene::Shape::splats;
+    if (splats && (family_.depthOffset.given() || family_.depthFactor.given()))
+      fail(here(), "family \"" + family_.name + "\": splats have figures.depth_bias instead of depth");
+    if (splats == family_.figures.projection.empty())
+      fail(here(), "family \"" + family_.name + "\": splats, and they alone, need figures.projection");
     if (family_.figures.given() && !pixels && !family_.figures.radius.given())
       fail(here(), "family \"" + family_.name + "\" needs figures.radius");
     if (family_.figures.shape == scene::Shape::cylinders && family_.figures.axis.empty())
@@ -170,7 +175,8 @@ class FamilyReader : FamilyTable {
             {"discs", Shape::discs},
             {"cylinders", Shape::cylinders},
             {"beads", Shape::beads},
-            {"tubes", Shape::tubes}},
+            {"tubes", Shape::tubes},
+            {"splats", Shape::splats}},
            f.shape);
     if (!f.given()) fail(here(), "figures need a shape");
     choice("cards",
@@ -190,6 +196,9 @@ class FamilyReader : FamilyTable {
     value("bulge", f.bulge);
     value("bulge_depth", f.bulgeDepth);
     value("depth_bias", f.depthBias);
+    value("scale", f.scale);
+    value("card_scale", f.cardScale);
+    name("projection", f.projection);
     const bool pixels = scene::isSizedInPixels(f.shape);
     if (pixels && !(f.bulge.given() && f.bulgeDepth.given()))
       fail(here(), "beads and tubes need bulge and bulge_depth");

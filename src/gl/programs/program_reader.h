@@ -35,7 +35,8 @@ class ProgramReader {
   void readTransform();
   void readMaterial(const FamilyMaterial& m, scene::Material& material);
   void readModel();
-  void readFigures();
+  Reason readFigures();
+  Reason readSplats();
   void readClipPlanes();
   void readDepthOffset();
   Reason readNormals();

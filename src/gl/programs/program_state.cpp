@@ -21,7 +21,7 @@ Reason ProgramReader::read() {
   if (out_.shading.fragment.backMaterial) readMaterial(family_.backMaterial, out_.material.back);
   readModel();
   out_.shading.fragment.lights = readLights(family_.lights, uniforms_, glm::vec3(viewer_));
-  readFigures();
+  if (const Reason reason = readFigures(); reason != Reason::traced) return reason;
   readClipPlanes();
   readDepthOffset();
   if (const Reason reason = readNormals(); reason != Reason::traced) return reason;
@@ -91,10 +91,10 @@ void ProgramReader::readModel() {
   f.pbr.emissive = glm::vec3(uniforms_.value(family_.pbr.emissive, glm::vec4(0)));
 }
 
-void ProgramReader::readFigures() {
+Reason ProgramReader::readFigures() {
   const FamilyFigures& f = family_.figures;
   out_.figures = {};
-  if (!f.given()) return;
+  if (!f.given()) return Reason::traced;
   out_.figures.cards = f.cards;
   out_.figures.fades = f.fades;
   out_.figures.parallelView = out_.shading.fragment.parallelView;
@@ -109,6 +109,21 @@ void ProgramReader::readFigures() {
   constexpr float kUnit = 1.0f / 65000.0f;  // that VTK counts in
   out_.figures.depthBias = uniforms_.number(f.depthBias, 0) * kUnit;
   out_.figureRadius = attribute ? current(f.radius.uniform).x : uniforms_.number(f.radius, 1);
+  return f.shape == scene::Shape::splats ? readSplats() : Reason::traced;
+}
+
+Reason ProgramReader::readSplats() {
+  const FamilyFigures& f = family_.figures;
+  const glm::mat4 projection = uniforms_.matrix4(f.projection);
+  out_.figures.size = {projection[0].x, projection[1].y};
+  const float scale = uniforms_.number(f.scale, 1);
+  if (!(scale > 0)) return refuse("uniform \"" + f.scale.uniform + "\" is not above 0");
+  out_.figures.radiusDivisor = 1 / scale;
+  // Smaller cards would cut the ellipse.
+  if (!(uniforms_.number(f.cardScale, 1) >= 1))
+    return refuse("uniform \"" + f.cardScale.uniform + "\" is below 1");
+  if (!out_.eyeFromObject) return Reason::program;
+  return Reason::traced;
 }
 
 void ProgramReader::readClipPlanes() {
