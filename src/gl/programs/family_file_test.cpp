@@ -109,6 +109,23 @@ TEST(FamilyFile, NeutralValues) {
   EXPECT_EQ(mistakeIn("match.neutral.m = []"), "x.toml:6: m has 1 to 16 numbers");
 }
 
+TEST(FamilyFile, Splats) {
+  const std::string least = "figures.shape = \"splats\"\nfigures.radius = \"r\"\n";
+  const Family f =
+      parsed(least + "figures.projection = \"pm\"\nfigures.scale = \"s\"\nfigures.card_scale = \"c\"\n");
+  EXPECT_EQ(f.figures.shape, scene::Shape::splats);
+  EXPECT_EQ(f.figures.projection, "pm");
+  EXPECT_EQ(f.figures.scale.uniform, "s");
+  EXPECT_EQ(f.figures.cardScale.uniform, "c");
+  EXPECT_TRUE(f.mentions("pm") && f.mentions("s") && f.mentions("c"));
+  EXPECT_NE(mistakeIn(least).find("need figures.projection"), std::string::npos);
+  const std::string bead = "figures.shape = \"beads\"\nfigures.bulge = 1\nfigures.bulge_depth = 1\n";
+  EXPECT_NE(mistakeIn(bead + "figures.projection = \"pm\"").find("need figures.projection"),
+            std::string::npos);
+  EXPECT_NE(mistakeIn(least + "figures.projection = \"pm\"\ndepth.offset = 1").find("figures.depth_bias"),
+            std::string::npos);
+}
+
 TEST(FamilyFile, MatchKeys) {
   const Family f = parsed(
       "match.any = \"a\"\nmatch.absent = [\"b\", \"c\"]\nmatch.absent_outputs = \"o\"\nmatch.ignored = "
