@@ -63,7 +63,8 @@ std::string programLines(const json& programs) {
            (p.at("family").is_null() ? "of no family" : text(p, "family")) + ": " + grouped(traced) +
            " draws traced, " + grouped(rasterised) + " rasterised, " + grouped(number(p, "triangles")) +
            " triangles\n";
-    if (!text(p, "why").empty()) all += wrapped(text(p, "why"), 100, "    ");
+    for (const char* key : {"why", "note"})
+      if (!text(p, key).empty()) all += wrapped(text(p, key), 100, "    ");
   }
   return all;
 }

@@ -50,8 +50,8 @@ void checkArrays(const scene::Mesh& mesh) {
 
 Hash128 Geometry::id() const {
   if (mesh->shape == scene::Shape::triangles) return mesh->geometryId;
-  const glm::vec3* rows[] = {&reach.perRadius, &reach.alongAxis[0], &reach.alongAxis[1], &reach.alongAxis[2],
-                             &reach.perLength};
+  const glm::vec3* rows[] = {&reach.perRadius,    &reach.alongAxis[0], &reach.alongAxis[1],
+                             &reach.alongAxis[2], &reach.perLength,    &reach.further};
   Hash128 id = mesh->geometryId;
   for (const glm::vec3* row : rows) {
     const glm::vec3 values = *row + 0.0f;  // -0 is 0

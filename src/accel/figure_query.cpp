@@ -22,8 +22,7 @@ uint32_t lanesThatMeet(const QueryState& state, uint32_t instance, uint32_t prim
                        float (&t)[kLanes]) {
   const PlacedFigures& placed = state.figures[instance];
   const FigureQuery& rays = state.rays;
-  if (scene::isSizedInPixels(placed.mesh->shape))
-    return meet(placed, primitive, rays, state.around, lanes, t);
+  if (scene::isInWindow(placed.mesh->shape)) return meet(placed, primitive, rays, state.around, lanes, t);
   Figure figure;
   if (!Figure::make(placed, primitive, figure)) return 0;
   const bool apart = rays.samples != rays.centers;

@@ -26,6 +26,7 @@ float roundedUp(double length) {
 
 FigureReach FigureReach::of(const scene::Instance& instance, const scene::Camera& camera) {
   if (scene::isSizedInPixels(instance.mesh->shape)) return reachInPixels(instance, camera);
+  if (instance.mesh->shape == scene::Shape::splats) return reachOfSplats(instance, camera);
   FigureReach reach;
   const glm::dmat3 objectFromLighting = glm::inverse(glm::dmat3(glm::mat3(instance.lightingFromObject)));
   // |M p| <= r reaches as far along an axis as the row of M's inverse is long.
@@ -56,7 +57,7 @@ Box boundsOfFigure(const scene::Mesh& mesh, const FigureReach& reach, uint32_t p
     const glm::vec3 axis = axisOf(mesh, vertex);
     half += 0.5f * glm::abs(reach.alongAxis * axis) + glm::length(axis) * reach.perLength;
   }
-  half += 1e-6f * glm::abs(center);
+  half += reach.further + 1e-6f * glm::abs(center);
   const glm::vec3 other = mesh.position(mesh.corner(primitive, 1));  // of tubes
   half += 1e-6f * glm::abs(other);
   const Box box{glm::min(center, other) - half, glm::max(center, other) + half};

@@ -18,6 +18,7 @@ struct FigureReach {
   glm::vec3 perRadius{0};  // along each axis, for a radius of 1
   glm::mat3 alongAxis{0};  // half a cylinder's axis in object space is this times half of Mesh::axes
   glm::vec3 perLength{0};  // what rounding may have taken from that, for a length of 1
+  glm::vec3 further{0};    // whatever the radius
   bool operator==(const FigureReach&) const = default;
   static FigureReach of(const scene::Instance&, const scene::Camera&);
 };

@@ -32,6 +32,7 @@ float pixelReach(const PlacedFigures& placed) {
 /// Whether the figure may reach any of the positions: most of those whose bounds rays meet do not.
 bool mayMeet(const PlacedFigures& placed, uint32_t primitive, const WindowRectangle& r) {
   const scene::Mesh& mesh = *placed.mesh;
+  if (mesh.shape == scene::Shape::splats) return placed.window[mesh.corner(primitive, 0)].w > 0;
   const WindowVertex &a = placed.window[mesh.corner(primitive, 0)],
                      &b = placed.window[mesh.corner(primitive, 1)];
   if (!(a.w > 0 && b.w > 0)) return mesh.shape == scene::Shape::tubes;
@@ -75,6 +76,8 @@ PixelFigure::PixelFigure(const PlacedFigures& placed, uint32_t primitive) : plac
   wholly_ = end_[0].w > 0 && end_[1].w > 0;
   if (placed.mesh->shape == scene::Shape::beads)
     makeBead(vertex_[0]);
+  else if (placed.mesh->shape == scene::Shape::splats)
+    makeSplat(vertex_[0]);
   else if (wholly_)
     makeTube();
   else
@@ -87,6 +90,31 @@ void PixelFigure::makeBead(uint32_t vertex) {
   exists_ = wholly_ && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w &&
             std::abs(clip.z) <= clip.w && !isCutAway(0);
   pixels_ = std::max(1.0, double{placed_.look.size.x} * placed_.windowHalf.x);
+}
+
+void PixelFigure::makeSplat(uint32_t vertex) {
+  constexpr double kFarthest = 1.3, kAcross = 1e-6;
+  const scene::Mesh& mesh = *placed_.mesh;
+  const scene::Figures& f = placed_.look;
+  const glm::dvec4 clip = placed_.clipFromObject * glm::dvec4(mesh.position(vertex), 1);
+  exists_ = wholly_ && std::abs(clip.x) <= kFarthest * clip.w && std::abs(clip.y) <= kFarthest * clip.w &&
+            std::abs(clip.z) <= clip.w && !isCutAway(0);
+  const double radius =
+      double{mesh.radii ? scene::fetch(mesh.radii, vertex).x : mesh.radius} / f.radiusDivisor;
+  const glm::dvec3 p(scene::figureCenter(placed_.lightingFromObject, mesh.position(vertex)));
+  const glm::dmat3 w = glm::transpose(glm::dmat3(glm::mat3(placed_.lightingFromObject)));
+  // Rows of J W.
+  glm::dvec3 x = double{f.size.x} * w[0], y = double{f.size.y} * w[1];
+  if (!f.parallelView)
+    x = (x - f.size.x * p.x / p.z * w[2]) / p.z, y = (y - f.size.y * p.y / p.z * w[2]) / p.z;
+  const double r2 = radius * radius, across = r2 * glm::dot(x, y);
+  const double off = std::abs(across) > kAcross ? across : 0.0;
+  const glm::dvec2 half = placed_.windowHalf;
+  const glm::dmat2 c(r2 * glm::dot(x, x) * half.x * half.x, off * half.x * half.y, off * half.x * half.y,
+                     r2 * glm::dot(y, y) * half.y * half.y);
+  const double determinant = glm::determinant(c);
+  exists_ = exists_ && determinant > 0 && std::isfinite(determinant);
+  if (exists_) inverse_ = glm::inverse(c);
 }
 
 void PixelFigure::makeTube() {
@@ -153,6 +181,7 @@ bool PixelFigure::coversBead(const glm::dvec2& at) const {
 bool PixelFigure::covers(const glm::dvec2& at) const {
   if (!exists_) return false;
   if (placed_.mesh->shape == scene::Shape::beads) return coversBead(at);
+  if (placed_.mesh->shape == scene::Shape::splats) return true;  // what of the card is seen is told by show()
   if (wholly_) {
     for (const Side& s : side_) {
       const double inside = s.dx * (at.y * kSteps - s.y) - s.dy * (at.x * kSteps - s.x);
@@ -216,6 +245,17 @@ glm::vec3 PixelFigure::outwards() const {
 }
 
 bool PixelFigure::show(const glm::dvec2& at, Shown& shown) const {
+  if (placed_.mesh->shape == scene::Shape::splats) {
+    const glm::dvec2 from = at - windowOf(end_[0]);
+    const double share = glm::dot(from, inverse_ * from);
+    if (!(share <= 1)) return false;
+    shown.normal = {0, 0, 1};
+    shown.along = 0;
+    shown.fade = placed_.look.fades ? static_cast<float>(1 - share) : 1.0f;
+    const double depth = end_[0].ndc * placed_.depthScale + placed_.depthOffset;
+    shown.depth = std::clamp(depth + placed_.look.depthBias, 0.0, 1.0);
+    return true;
+  }
   if (placed_.mesh->shape == scene::Shape::beads) {
     const glm::dvec2 from = (at - windowOf(end_[0])) * (2 / pixels_);
     const double length2 = glm::dot(from, from);
@@ -246,7 +286,7 @@ WindowRectangle::WindowRectangle(const PixelRays& rays)
 
 uint32_t PixelFigure::nearby(const PixelRays& rays, uint32_t lanes) const {
   if (!exists_) return 0;
-  if (!wholly_ || placed_.mesh->shape == scene::Shape::beads) return lanes;
+  if (!wholly_ || placed_.mesh->shape != scene::Shape::tubes) return lanes;
   // Places on the card from differences to the first position, which floats hold well.
   constexpr double kPixels = 0.02;  // snapping and rounding move sides by less
   const glm::dvec2 start(rays.windowX[0], rays.windowY[0]);

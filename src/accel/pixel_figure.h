@@ -1,6 +1,7 @@
-// Beads and tubes (scene/figures.h) in the window: points and lines so many pixels wide, of which a fragment
-// program makes something round. What they cover, and what light and depth are computed from, are as the
-// program has them. Any thread; used by accel/ to find them and by render/ to show them.
+// Beads, tubes and splats (scene/figures.h) in the window: points and lines so many pixels wide, of which a
+// fragment program makes something round, and ellipses. What they cover, and what light and depth are
+// computed from, are as the program has them. Any thread; used by accel/ to find them and by render/ to show
+// them.
 #pragma once
 #include "accel/figures.h"
 
@@ -28,7 +29,8 @@ class PixelFigure {
   struct Shown {
     double depth = 0;     // window, [0, 1]
     double along = 0;     // of a tube: the place on the line, 0 at its first end, 1 at its second
-    glm::vec3 normal{0};  // unit, lighting space
+    glm::vec3 normal{0};  // unit, lighting space; of splats towards the viewer
+    float fade = 1;       // of splats: see scene::Figures::fades
   };
   /// Whether its card covers a window position. Corners are snapped to 1/256 pixel as rasterisers do, and
   /// what lies exactly on a side belongs to the left and the lower ones.
@@ -44,6 +46,7 @@ class PixelFigure {
 
  private:
   void makeBead(uint32_t vertex);
+  void makeSplat(uint32_t vertex);
   void makeTube();
   void makeBehindViewer();
   void makeSides();
@@ -63,7 +66,8 @@ class PixelFigure {
   bool exists_ = false, wholly_ = true;  // wholly_: before the viewer
   uint32_t vertex_[2];
   WindowVertex end_[2];
-  double pixels_ = 1;  // of beads
+  double pixels_ = 1;      // of beads
+  glm::dmat2 inverse_{1};  // of splats: of C, in pixels
   // Tubes before the viewer: parallelograms of corner_ + along*along_ + aside*aside_.
   glm::dvec2 corner_{0}, along_{0}, aside_{0};
   struct Side {
@@ -83,11 +87,14 @@ class PixelFigure {
 uint32_t meet(const PlacedFigures&, uint32_t primitive, const FigureQuery&, const WindowRectangle& around,
               uint32_t lanes, float (&t)[kLanes]);
 
-/// Where the vertices of beads and tubes are in the window, four numbers each.
+/// Where the vertices of beads, tubes and splats are in the window, four numbers each.
 std::vector<WindowVertex> windowVertices(const PlacedFigures&);
 
 /// How far the beads and tubes of an instance reach from their points and lines in object space, whatever the
 /// camera does but come nearer.
 FigureReach reachInPixels(const scene::Instance&, const scene::Camera&);
+
+/// The same of splats, whose reach grows with their radius.
+FigureReach reachOfSplats(const scene::Instance&, const scene::Camera&);
 
 }  // namespace gluray::accel

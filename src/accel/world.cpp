@@ -144,8 +144,9 @@ void World::readBounds() {
 }
 
 void World::readOrder(const scene::Snapshot& snapshot) {
-  // Programs draw the points and lines that cells share once for each of them, in colours of their own.
-  const auto repeated = [](const scene::Instance& i) { return scene::isSizedInPixels(i.mesh->shape); };
+  // Programs draw the points and lines that cells share once for each of them, in colours of their own;
+  // splats are flat, and overlap where they are equally far away.
+  const auto repeated = [](const scene::Instance& i) { return scene::isInWindow(i.mesh->shape); };
   const bool known = !alone_ && apart_;
   mayCoincide_ = !known && (coincidence_.possible(snapshot.instances) ||
                             std::any_of(snapshot.instances.begin(), snapshot.instances.end(), repeated));
@@ -165,7 +166,7 @@ void World::readFigures(const scene::Snapshot& snapshot) {
   for (size_t i = 0; i < figures_.size(); ++i)
     if (isFigures(snapshot.instances[i])) figures_[i] = PlacedFigures(snapshot.instances[i], snapshot.camera);
   for (PlacedFigures& placed : figures_) {
-    if (!placed.mesh || !scene::isSizedInPixels(placed.mesh->shape)) continue;
+    if (!placed.mesh || !scene::isInWindow(placed.mesh->shape)) continue;
     placed.window = windowVertices(placed);
     hasPixelFigures_ = true;
   }

@@ -47,6 +47,7 @@ TargetUse& TargetUse::operator+=(const TargetUse& o) {
 ProgramUse& ProgramUse::operator+=(const ProgramUse& o) {
   program = o.program;
   traced += o.traced, rasterised += o.rasterised, triangles += o.triangles;
+  if (!o.why.empty()) why = o.why;
   return *this;
 }
 
@@ -146,7 +147,7 @@ void DrawKinds::exclude(double seconds) noexcept {
 
 void DrawKinds::record(const RealGl& real, const TargetState& target, Reason reason, DrawPath path,
                        PrimitiveClass primitive, uint64_t triangles,
-                       const std::shared_ptr<const KnownProgram>& program) noexcept {
+                       const std::shared_ptr<const KnownProgram>& program, const std::string& why) noexcept {
   const std::lock_guard lock(mutex_);
   last_ = nullptr;
   if (closed_) return;
@@ -158,7 +159,7 @@ void DrawKinds::record(const RealGl& real, const TargetState& target, Reason rea
     if (!open_.empty()) open_.back().cost = &cost;
     const bool traced = reason == Reason::traced;
     targets_[target.framebuffer] += useOf(real, target, traced);
-    if (program) programs_[program.get()] += {program, traced ? 1u : 0u, traced ? 0u : 1u, triangles};
+    if (program) programs_[program.get()] += {program, traced ? 1u : 0u, traced ? 0u : 1u, triangles, why};
   } catch (...) {  // no row
   }
 }

@@ -81,6 +81,7 @@ struct ProgramUse {
   std::shared_ptr<const KnownProgram> program;
   uint64_t traced = 0, rasterised = 0;  // draws
   uint64_t triangles = 0;
+  std::string why;  // of the last draw that was refused for a value of the program's
   ProgramUse& operator+=(const ProgramUse& other);
 };
 
@@ -100,10 +101,12 @@ class DrawKinds {
   void exclude(double seconds) noexcept;
 
   /// The draw that is open is of this kind. Reads the state that tells, so outside glBegin and glEnd only. A
-  /// failure (no memory) costs a row of the table. `program`: the one in use, or null.
+  /// failure (no memory) costs a row of the table. `program`: the one in use, or null. `why`:
+  /// ProgramState::why.
   void record(const RealGl& real, const TargetState& target, Reason reason, DrawPath path,
               PrimitiveClass primitive, uint64_t triangles,
-              const std::shared_ptr<const KnownProgram>& program = nullptr) noexcept;
+              const std::shared_ptr<const KnownProgram>& program = nullptr,
+              const std::string& why = {}) noexcept;
   /// More triangles of the draw recorded last.
   void addTriangles(uint64_t triangles) noexcept;
   /// Nothing is recorded from now on.

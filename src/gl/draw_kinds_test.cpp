@@ -169,6 +169,10 @@ TEST_F(DrawKindsTest, ProgramsAreCountedApart) {
   EXPECT_EQ(one.triangles, 15u);
   EXPECT_EQ(two.traced, 0u);
   EXPECT_EQ(two.rasterised, 1u);
+  kinds_.record(real_, target_, Reason::programValue, DrawPath::elements, PrimitiveClass::surfaces, 1, second,
+                "uniform is 2");
+  drawBy(second, Reason::traced, 1);
+  EXPECT_EQ(kinds_.programs().at(second.get()).why, "uniform is 2");
   ProgramUse sum;
   sum += one, sum += one;
   EXPECT_EQ(sum.triangles, 30u);

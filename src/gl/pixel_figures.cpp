@@ -41,10 +41,23 @@ bool depthFits(const State& state) {
   return std::abs(end - f.bulgeDepth) <= kRounding * std::abs(end);
 }
 
+/// Bias alone moves splats, towards the viewer, and cards of one depth have no slope that an offset could
+/// follow.
+Reason checkSplats(const State& state) {
+  const scene::Figures& f = state.program.figures;
+  const glm::dmat4 rows = glm::transpose(state.program.clipFromObject);
+  const bool parallel = glm::dvec3(rows[3]) == glm::dvec3(0);
+  const bool sane = f.size.x != 0 && f.size.y != 0 && std::isfinite(f.size.x + f.size.y);
+  return parallel == f.parallelView && sane && f.depthBias <= 0 && !state.raster.offsetFill ? Reason::traced
+                                                                                            : Reason::program;
+}
+
 }  // namespace
 
 Reason readPixelFigures(const RealGl& real, bool core, scene::Shape shape, State& state) {
-  if (state.depthNear != 0 || state.depthFar != 1 || !depthFits(state)) return Reason::program;
+  if (state.depthNear != 0 || state.depthFar != 1) return Reason::program;
+  if (shape == scene::Shape::splats) return checkSplats(state);
+  if (!depthFits(state)) return Reason::program;
   if (shape == scene::Shape::beads) return readPointSize(real, core, state);
   const glm::vec2 size = state.program.figures.size;
   if (!(size.x > 0 && size.y > 0) || !std::isfinite(size.x + size.y)) return Reason::program;

@@ -57,7 +57,7 @@ Reason ProgramDraws::triageFigures() {
   // Cards have two sides, of which one may be culled. Points have none.
   if (c_.attributes.shape != scene::Shape::beads && c_.state.raster.cull != scene::CullFace::none)
     return Reason::program;
-  if (scene::isSizedInPixels(c_.attributes.shape))
+  if (scene::isInWindow(c_.attributes.shape))
     return readPixelFigures(c_.real, c_.info().core, c_.attributes.shape, c_.state);
   return Reason::traced;
 }
@@ -170,9 +170,10 @@ Reason ProgramDraws::triageAlways(const KnownMesh& known) const {
   if (program.triangleNormals && program.triangleOffset + triangles > program.triangleNormalCount)
     return Reason::arrayState;
   // Triangles that grow by their edges do so in the window: near the viewer's plane by any number of pixels.
-  // The slope of what they grow to is not that of the triangle.
-  if (program.triangleEdges && (offsetOf(c_.state, known.mesh->shape).factor != 0 ||
-                                !isBeforeViewer(*known.mesh, program.clipFromObject)))
+  // The slope of what they grow to is not that of the triangle. Distances to edges with a corner behind the
+  // viewer are no distances.
+  const bool tilted = offsetOf(c_.state, known.mesh->shape).factor != 0 && program.shading.fragment.edgesGrow;
+  if (program.triangleEdges && (tilted || !isBeforeViewer(*known.mesh, program.clipFromObject)))
     return Reason::program;
   const bool opaque =
       layersOf(c_.state.program) != BatchKey::Layers::none || gl::isOpaque(program, *known.mesh);
@@ -252,6 +253,7 @@ Reason ProgramDraws::add(const scene::MeshPtr& mesh, GLenum mode, const Elements
   instance.color = program.color;
   instance.normal = program.normal;
   instance.texcoord = program.texcoord;
+  if (program.texcoordAbove != glm::vec4(0, 0, 0, 1)) instance.texcoordsAbove = {program.texcoordAbove};
   instance.triangleColors = program.triangleColors;
   instance.triangleNormals = program.triangleNormals;
   instance.triangleEdges = program.triangleEdges;

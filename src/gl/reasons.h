@@ -28,6 +28,7 @@ namespace gluray::gl {
   X(polygonSmooth, "polygon smoothing")                                      \
   X(program, "vertex or fragment program")                                   \
   X(programCode, "program with statements that its family does not know")    \
+  X(programValue, "program with a value that its family does not cover")     \
   X(programPass, "program that is never traced")                             \
   X(textureUnits, "texture unit beyond the eighth")                          \
   X(textureEnv, "texture environment not traced")                            \

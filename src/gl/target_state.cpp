@@ -113,7 +113,7 @@ void readTarget(const RealGl& real, const DeletedBuffers& deletedRenderbuffers, 
   // OpenGL leaves the unit to the implementation. Mesa takes two steps, for its drivers and its own
   // rasterizers.
   target.offsetUnit = std::ldexp(2.0f, -std::max(depthBits, 1));
-  target.depthFloats = false;
+  target.depthFloats = target.wideColors = false;
   if (target.reason != Reason::traced) return;
   target.depthFloats = depthBits > 0 && keepsFloats(real, target.framebuffer);
   const Colors colors = colorsOf(real, target, state.rare.fixedFunction);

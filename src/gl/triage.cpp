@@ -273,8 +273,10 @@ void Context::beforeRasterDraw(PrimitiveClass kind) {
 }
 
 void Context::countRaster(Reason reason, DrawPath path, PrimitiveClass kind, uint64_t triangles) {
-  if (kinds()) [[unlikely]]
-    kinds()->record(real, state.target, reason, path, kind, triangles, programs.inUse());
+  if (kinds()) [[unlikely]] {
+    const auto& program = programs.inUse();
+    kinds()->record(real, state.target, reason, path, kind, triangles, program, state.program.why);
+  }
   ++statistics.drawsRasterised;
   ++statistics.rasterisedBecause[static_cast<size_t>(reason)];
   statistics.trianglesRasterised += triangles;

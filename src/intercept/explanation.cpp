@@ -64,7 +64,8 @@ json programsOf(const gl::ProgramTable& table) {
     for (const auto& [name, place] : known.program.attributes) attributes.push_back(name);
     list.push_back({{"name", known.program.name},
                     {"family", known.family ? json(known.family->name) : json(nullptr)},
-                    {"why", known.why},
+                    {"why", known.why.empty() ? use.why : known.why},
+                    {"note", known.note},
                     {"traced", use.traced},
                     {"rasterised", use.rasterised},
                     {"triangles", use.triangles},

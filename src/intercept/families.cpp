@@ -6,6 +6,7 @@
 
 #include <sstream>
 #include <utility>
+#include <vector>
 
 namespace gluray::intercept {
 namespace {
@@ -17,18 +18,38 @@ std::string contentsOf(const std::string& file) {
   return std::move(content.text);
 }
 
+/// Families may name sections of code of all files. True where one named a section that there is not.
+bool dropOneThatLacksCode(std::vector<gl::FamilyList>& lists, void (*complain)(const std::string& line)) {
+  if (lists.empty()) return false;
+  gl::FamilyList all = gl::builtInFamilies();
+  for (const gl::FamilyList& list : lists) all.append(list);
+  for (auto list = lists.begin(); list != lists.end(); ++list) {
+    try {
+      gl::needSections(*list, all.code);
+    } catch (const gl::FamilyError& error) {
+      complain(error.what());
+      lists.erase(list);
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 std::shared_ptr<const gl::FamilyList> readFamilies(const std::string& files,
                                                    void (*complain)(const std::string& line)) {
-  gl::FamilyList all;
+  std::vector<gl::FamilyList> lists;
   std::istringstream names(files);
   for (std::string file; std::getline(names, file, ':');) {
     if (file.empty()) continue;
     try {
-      all.append(gl::parseFamilies(contentsOf(file), file));
+      lists.push_back(gl::parseFamilies(contentsOf(file), file));
     } catch (const gl::FamilyError& error) { complain(error.what()); }
   }
+  while (dropOneThatLacksCode(lists, complain)) {}
+  gl::FamilyList all;
+  for (const gl::FamilyList& list : lists) all.append(list);
   if (all.empty()) return nullptr;
   all.append(gl::builtInFamilies());
   return std::make_shared<const gl::FamilyList>(std::move(all));

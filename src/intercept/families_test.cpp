@@ -54,6 +54,30 @@ TEST_F(Families, ComeBeforeTheBuiltInOnesInTheirOrder) {
   EXPECT_TRUE(g_complaints.empty());
 }
 
+TEST_F(Families, SectionsOfCodeMayBeInAnyFile) {
+  const std::string named = family("1") + "match.code = [\"VTK\", \"theirs\"]\n";
+  const std::string one = file("one.toml", named);
+  EXPECT_EQ(read(one), nullptr);
+  ASSERT_EQ(g_complaints.size(), 1u);
+  EXPECT_EQ(g_complaints[0].rfind(one + ":6: there is no [[code]] section \"theirs\"", 0), 0u)
+      << g_complaints[0];
+  g_complaints.clear();
+  const auto all = read(one + ":" + file("two.toml", "[[code]]\nname = \"theirs\"\nstatements = \"a;\"\n"));
+  ASSERT_NE(all, nullptr);
+  EXPECT_TRUE(g_complaints.empty());
+  EXPECT_EQ(all->front()->name, "1");
+}
+
+TEST_F(Families, WithoutAFileItsSectionsAreMissedElsewhere) {
+  const std::string two =
+      family("2") + "match.code = \"ghost\"\n[[code]]\nname = \"of two\"\nstatements = \"a;\"\n";
+  const auto all = read(file("one.toml", family("1") + "match.code = \"of two\"\n") + ":" +
+                        file("two.toml", two) + ":" + file("three.toml", family("3")));
+  ASSERT_NE(all, nullptr);
+  EXPECT_EQ(g_complaints.size(), 2u);
+  EXPECT_EQ(all->front()->name, "3");
+}
+
 TEST_F(Families, AFileWithAMistakeIsOneLineAndAddsNothing) {
   const std::string bad = file("bad.toml", family("1") + "\n[[family]]\nname = \"2\"\nmatsch.active = []\n");
   const auto all = read(bad + ":" + file("good.toml", family("3")));

@@ -23,6 +23,7 @@ EdgedTriangle::EdgedTriangle(const Surface& surface, const scene::Camera& camera
   const auto flags = static_cast<uint32_t>(
       instance.triangleEdges.data[static_cast<size_t>(instance.triangleOffset) + primitive]);
   width_ = f.edgeWidth;
+  opacity_ = f.edgeOpacity;
   for (uint32_t k = 0; k < 3; ++k) {
     const glm::dvec4 clip =
         surface.clipFromObject * glm::dvec4(surface.mesh->position(surface.mesh->corner(primitive, k)), 1);
@@ -37,7 +38,7 @@ EdgedTriangle::EdgedTriangle(const Surface& surface, const scene::Camera& camera
     inward_[k] = turn * glm::dvec2(-along.y, along.x);
   }
   for (int k = 0; k < 3; ++k)
-    moved_[k] = corner_[k] - 0.25 * width_ * unit(inward_[(k + 2) % 3] + inward_[k]);
+    moved_[k] = corner_[k] - (f.edgesGrow ? 0.25 * width_ : 0.0) * unit(inward_[(k + 2) % 3] + inward_[k]);
   area_ = cross(moved_[1] - moved_[0], moved_[2] - moved_[0]);
 }
 
@@ -70,7 +71,7 @@ glm::vec2 EdgedTriangle::weights(const glm::dvec2& at) const {
 float EdgedTriangle::edgeShare(const glm::dvec2& at) const {
   double nearest = HUGE_VAL;
   for (int k = 0; k < 3; ++k) nearest = std::min(nearest, distance(k, at) + (hidden_[k] ? width_ : 0));
-  return static_cast<float>(std::clamp(0.5 + 0.5 * width_ - nearest, 0.0, 1.0));
+  return opacity_ * static_cast<float>(std::clamp(0.5 + 0.5 * width_ - nearest, 0.0, 1.0));
 }
 
 }  // namespace gluray::render

@@ -1,6 +1,7 @@
 // Triangles with painted edges, as a geometry shader makes them of those that the program draws: corners
 // moved outwards in the window by up to a quarter of the lines' width, at their old depths, so that lines on
-// outlines are seen whole. Made by the kernels for single pixels.
+// outlines are seen whole (scene::FragmentShading::edgesGrow), or left where they are. Made by the kernels
+// for single pixels.
 #pragma once
 #include "render/surface.h"
 
@@ -35,6 +36,7 @@ class EdgedTriangle {
   glm::dvec2 inward_[3];             // unit normals of the edges from corner k to the next
   double depth_[3], w_[3];
   bool hidden_[3];
+  float opacity_ = 1;
   double width_ = 1, area_ = 0;  // of the moved triangle, twice
 };
 

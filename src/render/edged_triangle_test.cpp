@@ -55,6 +55,25 @@ TEST(EdgedTriangle, GrowsByAQuarterOfTheWidthAtEachCorner) {
   EXPECT_FALSE(t.covers({30, 14.9}));
 }
 
+TEST(EdgedTriangle, CornersMayStay) {
+  scene::Snapshot still = square(4, 7, 7);
+  still.shadings[0].fragment.edgesGrow = false;
+  const Stage stage(still);
+  const EdgedTriangle t = stage.triangle(0);
+  EXPECT_TRUE(t.covers({47.99, 16.01}));
+  EXPECT_FALSE(t.covers({48.01, 16.01}));
+  EXPECT_FALSE(t.covers({30, 15.99}));
+  EXPECT_FLOAT_EQ(t.edgeShare({30, 18}), 0.5f) << "painted as wide as ever within";
+}
+
+TEST(EdgedTriangle, OpacityIsTheLargestShare) {
+  scene::Snapshot faint = square(4, 7, 7);
+  faint.shadings[0].fragment.edgeOpacity = 0.25f;
+  const Stage stage(faint);
+  EXPECT_FLOAT_EQ(stage.triangle(0).edgeShare({30, 16}), 0.25f);
+  EXPECT_FLOAT_EQ(stage.triangle(0).edgeShare({30, 18}), 0.125f);
+}
+
 TEST(EdgedTriangle, EdgesThatAreNotPaintedKeepHalfAPixel) {
   const Stage painted(square(8, 7, 7)), hidden(square(8, 3, 7));
   const D2 beyondDiagonal = D2(32, 32) + 0.7 * std::sqrt(0.5) * D2(-1, 1);

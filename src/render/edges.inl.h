@@ -40,13 +40,18 @@ HWY_ATTR inline bool isSeenBefore(const FrameData& frame, double ndc, uint32_t i
   return later == frame.snapshot->laterWins;
 }
 
+inline bool growsByEdges(const Surface& surface) {
+  const scene::FragmentShading& f = surface.lighting->shading->fragment;
+  return f.edges && f.edgesGrow;
+}
+
 /// Puts the triangle that a ray near lane i has hit, if it grows as far as the pixel and is nearer, in the
 /// place of the lane's hit.
 HWY_ATTR inline void tryEdged(const FrameData& frame, const accel::RayPacket& probe, int i, Nearest& best,
                               Work& work) {
   const uint32_t instance = probe.instance[i], primitive = probe.primitive[i];
   const Surface& surface = frame.surfaces[instance];
-  if (!surface.lighting->shading->fragment.edges) return;
+  if (!growsByEdges(surface)) return;
   if (instance == best.instance && primitive == best.primitive) return;
   const EdgedTriangle triangle(surface, frame.snapshot->camera, primitive);
   const glm::dvec2 at(work.x[i], work.y[i]);
@@ -104,7 +109,7 @@ HWY_ATTR inline void pickEdged(const FrameData& frame, const int32_t* valid, Wor
   for (uint32_t lanes = hits; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
     const Surface& surface = frame.surfaces[centre.instance[i]];
-    if (!surface.lighting->shading->fragment.edges)
+    if (!growsByEdges(surface))
       best[i] = {ndcDepthOfHit(frame, centre, i), centre.instance[i], centre.primitive[i]};
     else
       tryEdged(frame, centre, i, best[i], work);

@@ -163,7 +163,7 @@ HWY_ATTR inline void computeFigures(const Surface& surface, const DepthMap& map,
   out.ccw = surface.frontIsCcw ? ~0u : 0;
 }
 
-/// The same of beads and tubes. What is attached to a line's ends is interpolated by u.
+/// The same of beads, tubes and splats. What is attached to a line's ends is interpolated by u.
 HWY_ATTR inline void computePixelFigures(const Surface& surface, const accel::PlacedFigures& placed,
                                          const float* x, const float* y, Group& group, DepthAndFacing& out) {
   for (int i = 0; i < kLanes; ++i) group.fade[i] = 1, group.u[i] = group.v[i] = 0;
@@ -180,6 +180,7 @@ HWY_ATTR inline void computePixelFigures(const Surface& surface, const accel::Pl
     const glm::vec3 point = glm::mix(end[0], end[1], along);
     for (int c = 0; c < 3; ++c) group.point[c][i] = point[c], group.normal[c][i] = shown.normal[c];
     group.u[i] = along;
+    group.fade[i] = shown.fade;
     out.depth[i] = static_cast<float>(shown.depth);
   }
   for (int i = 0; i < kLanes; ++i) {

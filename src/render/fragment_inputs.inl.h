@@ -125,6 +125,15 @@ inline glm::vec4 texelAt(const scene::TextureImage& image, scene::Filter filter,
                   glm::mix(texel(x0, y0 + 1), texel(x0 + 1, y0 + 1), wx), wy);
 }
 
+/// (s, t) of a corner each by the matrix, which does not divide.
+HWY_ATTR inline void moveTexcoords(const glm::mat4& m, Row (&corner)[2]) {
+  for (int i = 0; i < kLanes; i += lanesOfVector()) {
+    const Float s = load(corner[0] + i), t = load(corner[1] + i);
+    for (int c = 0; c < 2; ++c)
+      store(hn::MulAdd(splat(m[0][c]), s, hn::MulAdd(splat(m[1][c]), t, splat(m[3][c]))), corner[c] + i);
+  }
+}
+
 /// Looks colour maps up: clamped to the edge, one level, nearest or linear.
 HWY_ATTR inline void lookUpMap(const Surface& s, const Group& group, Row (&out)[4]) {
   const scene::Texture& map = s.lighting->shading->fragment.map.front();
@@ -136,6 +145,7 @@ HWY_ATTR inline void lookUpMap(const Surface& s, const Group& group, Row (&out)[
       loadVec2(s.mesh->texcoords, group.vertex[k], corner[k]);
     else
       fillRows<2>(s.instance->texcoord, corner[k]);
+    if (map.textureMatrix != glm::mat4(1)) moveTexcoords(map.textureMatrix, corner[k]);
   }
   const Float size[2] = {splat(static_cast<float>(image.width)), splat(static_cast<float>(image.height))};
   for (int i = 0; i < kLanes; i += lanesOfVector()) {

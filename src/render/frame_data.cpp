@@ -77,7 +77,8 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
   lightings.reserve(s.shadings.size());
   for (const scene::Shading& shading : s.shadings) {
     lightings.emplace_back(shading);
-    if (shading.fragment.edges) widestEdge = std::max(widestEdge, shading.fragment.edgeWidth);
+    if (shading.fragment.edges && shading.fragment.edgesGrow)
+      widestEdge = std::max(widestEdge, shading.fragment.edgeWidth);
   }
 
   // Triangles that grow by their edges are cut where their corners' distances from a plane say so, not where

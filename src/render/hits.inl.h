@@ -193,7 +193,7 @@ HWY_ATTR uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool mayReje
     loadCorners(*surface.mesh, group);
     if (surface.mesh->shape == scene::Shape::triangles)
       computeDepth(surface, frame.depth, group, work.x, work.y, seen);
-    else if (scene::isSizedInPixels(surface.mesh->shape))
+    else if (scene::isInWindow(surface.mesh->shape))
       computePixelFigures(surface, frame.world->figuresOf(instance), work.x, work.y, group, seen);
     else
       computeFigures(surface, frame.depth, work.x, work.y, group, seen);

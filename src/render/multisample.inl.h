@@ -133,7 +133,7 @@ HWY_ATTR inline void locate(const FrameData& frame, uint32_t instance, size_t fi
     return;
   }
   shown.oneDepth = true;
-  if (scene::isSizedInPixels(s.mesh->shape))
+  if (scene::isInWindow(s.mesh->shape))
     computePixelFigures(s, frame.world->figuresOf(instance), centers.x, centers.y, shown.group, shown.seen);
   else
     computeFigures(s, frame.depth, centers.x, centers.y, shown.group, shown.seen);

@@ -19,8 +19,9 @@ struct Figures {
   Cards cards = Cards::silhouette;
   bool parallelView = false;  // the viewer is at infinity
   bool inside = false;        // of spheres the far side is seen, from within
-  bool fades = false;         // of discs: colours are multiplied by 1 - (distance from the centre / radius)^2
-  float radiusDivisor = 1;    // discs are this much smaller than their cards
+  bool fades =
+      false;  // of discs and splats: colours are multiplied by 1 - (distance from the centre / radius)^2
+  float radiusDivisor = 1;  // discs are this much smaller than their cards
   /// Cylinders' axes in the lighting space: axisMatrix * axis, turned to +z; their length is that of the axis
   /// before. They are closed at the end that this points to alone.
   glm::mat3 axisMatrix{1};
@@ -28,10 +29,18 @@ struct Figures {
   /// Of tubes, the planes cut the line instead, and with each of its points all that is across it.
   std::vector<glm::vec4> centerPlanes;
 
+  // A splat is what becomes of a ball of its radius, in object space, by lightingFromObject and an affine
+  // approximation of the projection about its centre ("EWA Splatting", Zwicker et al. 2002, equation 29):
+  //   C = J W W^T J^T, J = [s.x/z, 0, -s.x x/z^2; 0, s.y/z, -s.y y/z^2] (of a viewer at infinity [s.x, 0, 0;
+  //   0, s.y, 0])
+  // with s = `size`; entries beside the diagonal of at most 1e-6 count as 0. Positions p in normalised device
+  // coordinates, from the centre's, with p^T C^-1 p <= 1 are covered, all at the centre's depth and
+  // `depthBias`. Those whose centre is more than 1.3 away from the middle of the window are not there.
+
   // Beads and tubes are flat cards of a fixed size in the window, lit as if they were round
   // (accel/pixel_figure.h).
-  // Size in normalised device coordinates: beads' both ways; tubes' width where they run along y, and along
-  // x.
+  // Size in normalised device coordinates (of splats: see above): beads' both ways; tubes' width where they
+  // run along y, and along x.
   glm::vec2 size{0};
   // Tubes shorter than they are wide grow by a quarter of the difference at each end.
   bool grows = false;

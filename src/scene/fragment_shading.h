@@ -46,11 +46,14 @@ struct FragmentShading {
   bool parallelView = false;   // triangle normals face +z instead of the viewer's place
   bool backMaterial = false;   // back faces have MaterialPair::back
   std::vector<FragmentLight> lights;
-  std::vector<Texture> map;  // Color::map: one texture, looked up at the coordinates of unit 0
+  std::vector<Texture> map;  // Color::map: one texture, looked up at the coordinates of unit 0; its matrix is
+                             // applied to s and t alone
   PbrSurface pbr;
   bool writesDepth = false;  // gl_FragDepth: one depth for all samples of a pixel
   bool edges = false;        // triangle edges are painted, those that Instance::triangleEdges has a bit for
+  bool edgesGrow = true;     // and triangles grow with them (render/edged_triangle.h)
   float edgeWidth = 1;       // pixels
+  float edgeOpacity = 1;     // the largest share of the edges' colour
   glm::vec3 edgeColor{0};
   bool operator==(const FragmentShading&) const = default;
 };

@@ -107,7 +107,7 @@ class Rings(unittest.TestCase):
         near = self.folder / "near.toml"
         near.write_text(FAMILY.read_text().replace('material.shininess = "shininess"', "material.shininess = 3"))
         program = self.explained("--program-families", near)
-        self.assertEqual(program["why"], 'no family fits; nearest: rings, but it has uniform "shininess", '
+        self.assertEqual(program["why"], 'no family fits; nearest: rings, but it has uniform "shininess" (float), '
                          "of which the family says nothing")
 
     def test_the_table_of_explain_has_them_too(self):

@@ -90,6 +90,33 @@ TEST(Peeling, CulledFacesAreNotSeen) {
   expectPeeled("culled", all, 2 * 4);
 }
 
+/// As f3d draws: what is opaque goes into a framebuffer of floats, which is cleared right before the peels.
+TEST(Peeling, AFramebufferOfFloatsIsClearedBefore) {
+  auto all = balls();
+  GLuint framebuffer = 0;
+  all[0].before = [&framebuffer](Gl gl, GLuint) {
+    GLint bound = 0, texture = 0;
+    GLfloat color[4] = {};
+    gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound), gl.GetIntegerv(GL_TEXTURE_BINDING_2D, &texture);
+    gl.GetFloatv(GL_COLOR_CLEAR_VALUE, color);
+    GLuint textures[2] = {};
+    gl.GenFramebuffers(1, &framebuffer), gl.GenTextures(2, textures);
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    const auto attach = [&](GLuint name, GLenum attachment, GLint internal, GLenum format) {
+      gl.BindTexture(GL_TEXTURE_2D, name);
+      gl.TexImage2D(GL_TEXTURE_2D, 0, internal, 16, 16, 0, format, GL_FLOAT, nullptr);
+      gl.FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, attachment, GL_TEXTURE_2D, name, 0);
+    };
+    attach(textures[0], GL_COLOR_ATTACHMENT0, GL_RGBA32F, GL_RGBA);
+    attach(textures[1], GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT);
+    gl.ClearColor(0, 0, 0, 0), gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    gl.ClearColor(color[0], color[1], color[2], color[3]);
+    gl.BindTexture(GL_TEXTURE_2D, static_cast<GLuint>(texture));
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(bound));
+  };
+  expectPeeled("floats_before", all, 2 * 4);
+}
+
 // --- What comes between ---------------------------------------------------------------------------------
 
 TEST(Peeling, LinesAmongThemAreDrawnByTheRealOne) {

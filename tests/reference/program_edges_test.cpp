@@ -49,23 +49,46 @@ const char* const kPainting =
     "  diffuseColor = mix(diffuseColor, vec3(0.0), emix);\n"
     "  ambientColor = mix( ambientColor, edgeColor, emix);\n";
 
-std::string edgedFragmentText() {
+/// Which of VTK's ways: 9.1's, 9.3's with an opacity, and since 9.4 corners that stay.
+enum class Way { opaque, faint, corners };
+
+std::string without(std::string text, const std::string& from, const std::string& to) {
+  const size_t start = text.find(from), end = text.find(to, start);
+  EXPECT_NE(end, std::string::npos);
+  return text.erase(start, end - start);
+}
+
+std::string geometryText(Way way) {
+  if (way != Way::corners) return kGeometry;
+  std::string text = without(kGeometry, "  vec2 offsets[3];", "  float edgeValues");
+  text = without(text, "    gl_Position.xy = ", "    EmitVertex");
+  return text.replace(text.find("out vec4 edgeEqn"), 3, "noperspective out");
+}
+
+std::string edgedFragmentText(Way way) {
   std::string text = fragmentText(Surface{.lightCount = 2});
   for (size_t at = 0; (at = text.find("VCVSOutput", at)) != std::string::npos; at += 10)
     text.replace(at, 10, "VCGSOutput");
   text.insert(text.find("void main()"),
               "in vec4 edgeEqn[3];\nuniform float lineWidth;\nuniform vec3 edgeColor;\n");
-  return text.insert(text.find("  vec3 normalVCGSOutput = normalize"), kPainting);
+  if (way != Way::opaque) text.insert(text.find("void main()"), "uniform float edgeOpacity;\n");
+  if (way == Way::corners) text.replace(text.find("in vec4 edgeEqn"), 2, "noperspective in");
+  std::string painting = kPainting;
+  for (size_t at = 0; way != Way::opaque && (at = painting.find(", emix)", at)) != std::string::npos;
+       at += 10)
+    painting.replace(at, 7, ", emix * edgeOpacity)");
+  return text.insert(text.find("  vec3 normalVCGSOutput = normalize"), painting);
 }
 
 /// Compiles and links the three shaders.
-GLuint makeEdged(Gl gl) {
+GLuint makeEdged(Gl gl, Way way) {
   const GLuint program =
       makeProgram(gl, vertexText(Surface{.lightCount = 2}), fragmentText(Surface{.lightCount = 2}));
   GLuint shaders[2] = {};
   gl.GetAttachedShaders(program, 2, nullptr, shaders);
   for (const GLuint shader : shaders) gl.DetachShader(program, shader);
-  const std::string texts[] = {vertexText(Surface{.lightCount = 2}), kGeometry, edgedFragmentText()};
+  const std::string texts[] = {vertexText(Surface{.lightCount = 2}), geometryText(way),
+                               edgedFragmentText(way)};
   const GLenum kinds[] = {GL_VERTEX_SHADER, GL_GEOMETRY_SHADER, GL_FRAGMENT_SHADER};
   for (int i = 0; i < 3; ++i) {
     const GLuint shader = gl.CreateShader(kinds[i]);
@@ -93,8 +116,9 @@ void edgeFlags(Gl gl, const std::vector<uint8_t>& flags, int unit) {
 }
 
 /// Draws the mesh with edges of that width; every third triangle lacks one of them.
-void drawEdged(Gl gl, const ProgramMesh& mesh, float width, const View& view) {
-  const GLuint program = makeEdged(gl);
+void drawEdged(Gl gl, const ProgramMesh& mesh, float width, const View& view, Way way = Way::opaque,
+               float opacity = 1) {
+  const GLuint program = makeEdged(gl, way);
   const Upload up = upload(gl, mesh, program);
   std::vector<uint8_t> flags(mesh.triangles(), 7);
   for (size_t i = 0; i < flags.size(); i += 3) flags[i] = static_cast<uint8_t>(7 ^ 1 << i % 3);
@@ -104,6 +128,7 @@ void drawEdged(Gl gl, const ProgramMesh& mesh, float width, const View& view) {
   setAll(gl, program, view, Surface{.lightCount = 2});
   setInteger(gl, program, "edgeTexture", 2);
   setFloat(gl, program, "lineWidth", width);
+  setFloat(gl, program, "edgeOpacity", opacity);
   setVec3(gl, program, "edgeColor", {0.8f, 0.1f, 0.1f});
   const GLint location = gl.GetUniformLocation(program, "vpDims");
   const GLfloat viewport[] = {0, 0, kProgramWidth, kProgramHeight};
@@ -128,6 +153,20 @@ TEST(ProgramEdges, WideLinesGrowBeyondTheOutline) {
 TEST(ProgramEdges, InParallelProjection) {
   expectBoth(
       "edges_parallel", [](Gl gl) { drawEdged(gl, ball(10), 2, parallelView(50)); }, 1, {}, kEdgeTolerance);
+}
+
+TEST(ProgramEdges, Faint) {
+  for (const float opacity : {1.0f, 0.4f, 0.0f})
+    expectBoth(
+        "edges_faint", [&](Gl gl) { drawEdged(gl, sheet(8), 3, perspectiveView(30), Way::faint, opacity); },
+        1, {}, kEdgeTolerance);
+}
+
+TEST(ProgramEdges, BetweenCornersThatStay) {
+  for (const float width : {1.0f, 4.0f})
+    for (const View& view : {perspectiveView(30), parallelView(50)})
+      expectBoth(
+          "edges_staying", [&](Gl gl) { drawEdged(gl, ball(8), width, view, Way::corners, 0.7f); }, 1);
 }
 
 TEST(ProgramEdges, CornersBehindTheViewerAreLeftToTheRealOne) {

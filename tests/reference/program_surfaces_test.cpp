@@ -40,6 +40,12 @@ void pushed(Gl gl, GLuint program) {
 void pulled(Gl gl, GLuint program) { setFloat(gl, program, "cOffset", -400); }
 void halfRange(Gl gl, GLuint) { gl.DepthRange(0.25, 0.5); }
 void scissored(Gl gl, GLuint) { gl.Enable(GL_SCISSOR_TEST), gl.Scissor(60, 40, 70, 90); }
+void setTcMatrix(Gl gl, GLuint program, const glm::mat4& m) { setMat4(gl, program, "tcMatrix", m); }
+void unitTcMatrix(Gl gl, GLuint program) { setTcMatrix(gl, program, glm::mat4(1)); }
+/// Turned, stretched, moved; halved by w.
+void movedTcMatrix(Gl gl, GLuint program) {
+  setTcMatrix(gl, program, glm::mat4(0.9f, 0.8f, 0, 0, -1.1f, 1.3f, 0, 0, 0, 0, 1, 0, 0.6f, -0.2f, 0, 2));
+}
 void noMaterial(Gl gl, GLuint program) {
   for (const char* name : {"ambientIntensity", "diffuseIntensity", "specularIntensity"})
     setFloat(gl, program, name, 0);
@@ -96,6 +102,25 @@ const Case kCases[] = {
     {"offset_none", {.depthOffset = true}},
     {"actor_texture", {.actorTexture = true}, false},
     {"actor_texture_and_vertex_colors", {.color = Color::vertex, .actorTexture = true}, false},
+    {"mapped_9_3", {.color = Color::mapped, .colorTcoord = true}, false},
+    {"mapped_9_3_unlit", {.color = Color::mapped, .lights = Lights::none, .colorTcoord = true}, false},
+    {"mapped_9_3_and_texture", {.color = Color::mapped, .actorTexture = true, .colorTcoord = true}, false},
+    {"tc_matrix_identity",
+     {.color = Color::mapped, .colorTcoord = true, .tcoordMatrix = true},
+     false,
+     false,
+     unitTcMatrix},
+    {"tc_matrix",
+     {.color = Color::mapped, .colorTcoord = true, .tcoordMatrix = true},
+     false,
+     false,
+     movedTcMatrix},
+    {"tc_matrix_of_both",
+     {.color = Color::mapped, .actorTexture = true, .colorTcoord = true, .tcoordMatrix = true},
+     false,
+     false,
+     movedTcMatrix},
+    {"tc_matrix_of_texture", {.actorTexture = true, .tcoordMatrix = true}, false, false, movedTcMatrix},
     {"depth_range", {}, true, false, halfRange},
     {"scissor", {}, true, false, scissored},
     {"black", {}, true, false, noMaterial},
@@ -159,6 +184,26 @@ TEST(ProgramSurfaces, TranslucentColorsBeneathOthersShowThrough) {
           setAll(gl, program, perspectiveView(25), surface);
           overrideColors(gl, program);
           gl.DrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
+        },
+        0);
+  }
+}
+
+/// A matrix that divides by another w at each vertex, and one that makes w 0.
+TEST(ProgramSurfaces, TexcoordMatricesThatDivideAreLeftToTheRealOne) {
+  for (const float w : {1.0f, 0.0f}) {
+    const Case c{"tc_matrix_divides", {.actorTexture = true, .tcoordMatrix = true}, false};
+    expectSame(
+        c.name,
+        [&](Gl gl) {
+          Case now = c;
+          now.prepare = w == 0 ? [](Gl g, GLuint program) { setTcMatrix(g, program, glm::mat4(0)); }
+                               : [](Gl g, GLuint program) {
+                                   glm::mat4 m(1);
+                                   m[0].w = 0.5f;
+                                   setTcMatrix(g, program, m);
+                                 };
+          drawCase(gl, now);
         },
         0);
   }

@@ -90,6 +90,18 @@ const char* const kPbrEnd =
     "  color += emissiveColor;\n  color = pow(color, vec3(1.0/2.2));\n  fragOutput0 = vec4(color, "
     "opacity);\n";
 
+bool hasColorTcoord(const Surface& s) { return s.color == Surface::Color::mapped && s.colorTcoord; }
+bool hasTcoord(const Surface& s) {
+  return s.actorTexture || (s.color == Surface::Color::mapped && !s.colorTcoord);
+}
+
+/// Statements that give the vertex program's output `name` + VCVSOutput from attribute `name`.
+std::string tcoordText(const Surface& s, const std::string& name) {
+  if (!s.tcoordMatrix) return "  " + name + "VCVSOutput = " + name + ";\n";
+  return "  vec4 " + name + "Tmp = tcMatrix*vec4(" + name + ",0.0,1.0);\n  " + name + "VCVSOutput = " + name +
+         "Tmp.xy/" + name + "Tmp.w;\n";
+}
+
 std::string uniformText(const Surface& s) {
   const std::string positional =
       "uniform vec3 lightPositionVC@;\nuniform vec3 lightAttenuation@;\nuniform float lightConeAngle@;\n"
@@ -122,7 +134,8 @@ std::string uniformText(const Surface& s) {
   if (s.color == Surface::Color::cell) text += "uniform samplerBuffer textureC;\n";
   if (s.color == Surface::Color::mapped) text += "uniform sampler2D colortexture;\n";
   if (s.color == Surface::Color::vertex) text += "in vec4 vertexColorVSOutput;\n";
-  if (s.actorTexture || s.color == Surface::Color::mapped) text += "in vec2 tcoordVCVSOutput;\n";
+  if (hasTcoord(s)) text += "in vec2 tcoordVCVSOutput;\n";
+  if (hasColorTcoord(s)) text += "in vec2 colorTCoordVCVSOutput;\n";
   if (s.normals == Surface::Normals::cell)
     text += "uniform samplerBuffer textureN;\nuniform mat3 normalMatrix;\n";
   if (s.normals == Surface::Normals::vertex) text += "in vec3 normalVCVSOutput;\n";
@@ -149,7 +162,9 @@ std::string colorText(const Surface& s) {
       "    diffuseColor = diffuseColorUniform * diffuseIntensity; }\n";
   std::string texel;
   if (s.color == Surface::Color::cell) texel = "texelFetch(textureC, gl_PrimitiveID + PrimitiveIDOffset)";
-  if (s.color == Surface::Color::mapped) texel = "texture(colortexture, tcoordVCVSOutput.st)";
+  if (s.color == Surface::Color::mapped)
+    texel =
+        std::string("texture(colortexture, ") + (s.colorTcoord ? "colorTCoord" : "tcoord") + "VCVSOutput.st)";
   if (s.color == Surface::Color::vertex) texel = "vertexColorVSOutput";
   if (texel.empty())
     return material +
@@ -203,13 +218,14 @@ std::string lightText(const Surface& s) {
 std::string vertexText(const Surface& s) {
   const bool normals = s.normals == Surface::Normals::vertex;
   const bool colors = s.color == Surface::Color::vertex;
-  const bool texcoords = s.color == Surface::Color::mapped || s.actorTexture;
   std::string text = s.version +
                      "in vec4 vertexMC;\nout vec4 vertexVCVSOutput;\nuniform mat4 MCDCMatrix;\n"
                      "uniform mat4 MCVCMatrix;\n";
   if (normals) text += "in vec3 normalMC;\nuniform mat3 normalMatrix;\nout vec3 normalVCVSOutput;\n";
   if (colors) text += "in vec4 scalarColor;\nout vec4 vertexColorVSOutput;\n";
-  if (texcoords) text += "in vec2 tcoord;\nout vec2 tcoordVCVSOutput;\n";
+  if (hasTcoord(s)) text += "in vec2 tcoord;\nout vec2 tcoordVCVSOutput;\n";
+  if (hasColorTcoord(s)) text += "in vec2 colorTCoord;\nout vec2 colorTCoordVCVSOutput;\n";
+  if (s.tcoordMatrix) text += "uniform mat4 tcMatrix;\n";
   if (s.clipPlanes)
     text += "uniform int numClipPlanes;\nuniform vec4 clipPlanes[6];\nout float clipDistancesVSOutput[6];\n";
   text += "void main()\n{\n";
@@ -218,7 +234,8 @@ std::string vertexText(const Surface& s) {
         "  for (int planeNum = 0; planeNum < numClipPlanes; planeNum++)\n"
         "    clipDistancesVSOutput[planeNum] = dot(clipPlanes[planeNum], vertexMC);\n";
   if (colors) text += "  vertexColorVSOutput = scalarColor;\n";
-  if (texcoords) text += "  tcoordVCVSOutput = tcoord;\n";
+  if (hasTcoord(s)) text += tcoordText(s, "tcoord");
+  if (hasColorTcoord(s)) text += tcoordText(s, "colorTCoord");
   if (normals) text += "  normalVCVSOutput = normalMatrix * normalMC;\n";
   return text + "  vertexVCVSOutput = MCVCMatrix * vertexMC;\n  gl_Position = MCDCMatrix * vertexMC;\n}\n";
 }

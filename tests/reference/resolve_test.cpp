@@ -17,9 +17,9 @@ constexpr GLbitfield kColor = GL_COLOR_BUFFER_BIT, kDepth = GL_DEPTH_BUFFER_BIT;
 constexpr scenes::Tolerance kResolveTolerance = {3, 0.004, 1e-5f,
                                                  "silhouettes; lighting at samples, not at centres"};
 
-/// VTK's pass that averages samples (vtkOpenGLRenderWindow of 9.1), of `only` one of them where that is not
-/// negative.
-std::string resolveText(int only = -1) {
+/// VTK's pass that averages samples (vtkOpenGLRenderWindow of 9.1; newer ones call `sample` sampleValue), of
+/// `only` one of them where that is not negative.
+std::string resolveText(int only = -1, const std::string& sample = "sample") {
   const std::string first = only < 0 ? "0" : std::to_string(only),
                     end = only < 0 ? "samplecount" : std::to_string(only + 1);
   return "#version 150\nin vec2 texCoord;\nuniform sampler2DMS tex;\nuniform int samplecount;\n"
@@ -28,8 +28,10 @@ std::string resolveText(int only = -1) {
          "  vec3 accumulate = vec3(0.0,0.0,0.0);\n  float alpha = 0.0;\n  for (int i = " +
          first + "; i < " + end +
          "; i++) {\n"
-         "    vec4 sample = texelFetch(tex, itexcoords, i);\n"
-         "    accumulate += pow(sample.rgb, vec3(gamma));\n    alpha += sample.a;\n  }\n"
+         "    vec4 " +
+         sample + " = texelFetch(tex, itexcoords, i);\n    accumulate += pow(" + sample +
+         ".rgb, vec3(gamma));\n    alpha += " + sample +
+         ".a;\n  }\n"
          "  accumulate /= float(samplecount);\n"
          "  fragOutput0 = vec4(pow(accumulate, vec3(1.0/gamma)), alpha/float(samplecount));\n}\n";
 }
@@ -37,6 +39,9 @@ std::string resolveText(int only = -1) {
 const std::string kPassVertex =
     "#version 150\nin vec4 ndCoordIn;\nin vec2 texCoordIn;\nout vec2 texCoord;\n"
     "void main() { gl_Position = ndCoordIn; texCoord = texCoordIn; }\n";
+
+/// A strip of four corners: place and texture coordinates.
+const std::vector<GLfloat> kPassData = {-1, -1, 0, 0, 1, -1, 1, 0, -1, 1, 0, 1, 1, 1, 1, 1};
 
 /// A multisampled framebuffer object and a plain one, and something to draw.
 struct Stage {
@@ -136,6 +141,11 @@ struct Stage {
     gl.ActiveTexture(GL_TEXTURE0);
     gl.BindVertexArray(0);
   }
+  /// By a program that averages in other words.
+  void resolveBy(const std::string& fragment) {
+    average = simple(kPassVertex, fragment, kPassData, {"ndCoordIn", "texCoordIn"}, 2);
+    resolve();
+  }
   /// A line of the real OpenGL's across the picture, in what is bound.
   void line() const {
     gl.UseProgram(flat.program);
@@ -171,8 +181,7 @@ struct Stage {
     return result;
   }
   Simple pass(int only) const {
-    return simple(kPassVertex, resolveText(only), {-1, -1, 0, 0, 1, -1, 1, 0, -1, 1, 0, 1, 1, 1, 1, 1},
-                  {"ndCoordIn", "texCoordIn"}, 2);
+    return simple(kPassVertex, resolveText(only), kPassData, {"ndCoordIn", "texCoordIn"}, 2);
   }
   Simple average = pass(-1), second = pass(2);
   Simple flat = simple("#version 150\nin vec4 at;\nvoid main() { gl_Position = at; }\n",
@@ -182,10 +191,10 @@ struct Stage {
 
 /// The real OpenGL's picture of `plain`, `ours` of `traced` draws, where `resolves` were made without it.
 void expectResolves(const std::string& name, uint64_t resolves, int traced,
-                    const std::function<void(const Stage&)>& draw, bool textures = true,
+                    const std::function<void(Stage&)>& draw, bool textures = true,
                     const scenes::Tolerance& tolerance = kResolveTolerance) {
   const auto all = [&](Gl gl) {
-    const Stage stage(gl, textures);
+    Stage stage(gl, textures);
     draw(stage);
     gl.BindFramebuffer(GL_FRAMEBUFFER, stage.plain);
   };
@@ -208,6 +217,19 @@ TEST(Resolve, ByBlitsOfColorsAndDepths) {
 
 TEST(Resolve, ByVtksPass) {
   expectResolves("pass", 2, 1, [](const Stage& s) { s.frame(), s.resolve(), s.blit(kDepth); });
+}
+
+TEST(Resolve, ByNewerWordsOfVtks) {
+  expectResolves("newer", 2, 1,
+                 [](Stage& s) { s.frame(), s.resolveBy(resolveText(-1, "sampleValue")), s.blit(kDepth); });
+}
+
+TEST(Resolve, WhatComputesSomethingElseIsNotVtks) {
+  expectResolves("darker", 0, 1, [](Stage& s) {
+    std::string text = resolveText();
+    text.insert(text.find("  fragOutput0"), "  accumulate *= 0.5;\n");
+    s.frame(), s.resolveBy(text);
+  });
 }
 
 TEST(Resolve, FrameAfterFrame) {

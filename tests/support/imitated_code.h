@@ -45,6 +45,13 @@ float NdL, NdH, HdL;
 vec3 ambient = vec3(0.0);
 vec3 color = ambient + Lo;
 '''
+[[code]]
+name = "VTK anti-aliasing"
+statements = '''
+tc = texCoordIn;
+if (EndpointSearchIterations < 0 || InvTexSize.x < 0.0) discard;
+gl_FragColor = vec4(1.0 - texture2D(Input, tc).rgb, 1.0);
+'''
 )toml";
 
 /// The families that are built in, which know the tests' code as well.

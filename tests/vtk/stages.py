@@ -9,6 +9,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "live"))
 import pictures  # noqa: E402
 
 WIDTH, HEIGHT = 400, 300
+NEWER = {"Position": "Translation"}  # what ParaView 5.13 calls a representation's properties
 
 
 class Stage:
@@ -91,7 +92,8 @@ class ParaViewStage(Stage):
         """The representation of `source`. `color_by`: ("POINTS" or "CELLS", array)."""
         display = self.simple.Show(source, view or self.view)
         for name, value in properties.items():
-            setattr(display, name, value)
+            newer = NEWER.get(name)
+            setattr(display, newer if newer in display.ListProperties() else name, value)
         if color_by:
             self.simple.ColorBy(display, color_by)
             display.RescaleTransferFunctionToDataRange(True, False)

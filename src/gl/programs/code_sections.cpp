@@ -7,26 +7,40 @@ namespace {
 
 class CodeReader : FamilyTable {
  public:
-  CodeReader(const toml::table& table, const std::string& file) : FamilyTable(table, file, none_) {}
+  CodeReader(const toml::table& table, const std::string& file)
+      : FamilyTable(table, file, none_, noAlternatives_) {}
 
   void read(CodeSections& sections) {
-    std::string name, statements;
-    text("name", name), text("statements", statements);
+    std::string name, statements, note;
+    text("name", name), text("statements", statements), text("note", note);
     if (name.empty()) fail(here(), "code needs a name");
     if (name == "any") fail(at("name"), "code cannot be named \"any\"");
     if (statements.empty()) fail(here(), "code \"" + name + "\" needs statements");
     allKnown();
-    sections[name].add(statements);
+    KnownCode& section = sections[name];
+    section.add(statements);
+    if (section.note.empty()) section.note = note;
   }
 
  private:
   Names none_;
+  Alternatives noAlternatives_;
 };
 
 }  // namespace
 
 void readCode(const toml::table& table, const std::string& file, CodeSections& sections) {
   CodeReader(table, file).read(sections);
+}
+
+void needSections(const FamilyList& list, const CodeSections& known) {
+  std::string all;
+  for (const auto& [name, section] : known) all += (all.empty() ? "\"" : ", \"") + name + "\"";
+  for (const auto& family : list)
+    for (const std::string& name : family->code)
+      if (!known.contains(name))
+        throw FamilyError(family->codeAt + ": there is no [[code]] section \"" + name + "\"" +
+                          (all.empty() ? "" : "; there are " + all));
 }
 
 void FamilyList::append(const FamilyList& more) {

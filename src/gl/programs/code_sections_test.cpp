@@ -41,11 +41,44 @@ TEST(CodeSections, ListsAreJoined) {
   EXPECT_EQ(list.code.at("one").size(), 2u);
 }
 
-/// Families that are traced know all statements of their programs, from sections that are there.
+TEST(CodeSections, SectionsThatFamiliesNameMustBeThere) {
+  const std::string code = "match.code = [\"one\", \"tow\"]\n[[code]]\nname = \"one\"\nstatements = \"a;\"\n";
+  FamilyList list = parseFamilies(kLeast + code, "x.toml");
+  const auto wrong = [&](const CodeSections& known) -> std::string {
+    try {
+      needSections(list, known);
+    } catch (const FamilyError& e) { return e.what(); }
+    return "none";
+  };
+  EXPECT_EQ(wrong(list.code), "x.toml:6: there is no [[code]] section \"tow\"; there are \"one\"");
+  EXPECT_EQ(wrong({}), "x.toml:6: there is no [[code]] section \"one\"");
+  CodeSections more = list.code;
+  more["tow"].add("b;");
+  EXPECT_EQ(wrong(more), "none") << "other files may have it";
+}
+
+TEST(CodeSections, NotesAreOnProgramsWithTheStatements) {
+  const FamilyList list = parseFamilies(
+      "[[code]]\nname = \"one\"\nnote = \"n1\"\nstatements = \"a = 1.0;\"\n"
+      "[[code]]\nname = \"two\"\nnote = \"n2\"\nstatements = \"b = 1.0;\"\n",
+      "x.toml");
+  const auto notes = [&](const char* text, const std::vector<std::string>& names) {
+    GlslStatements statements;
+    statements.cut(text);
+    return notesOn(statements, list.code, names);
+  };
+  EXPECT_EQ(notes("a = 1.;", {"one", "two"}), "n1");
+  EXPECT_EQ(notes("a = 1.; b = 1.;", {"one", "two"}), "n1; n2");
+  EXPECT_EQ(notes("a = 1.;", {"two"}), "");
+}
+
+/// Families that are traced, or whose passes we do, know all statements of their programs, from sections that
+/// are there.
 TEST(CodeSections, TheBuiltInOnesKnowTheirCode) {
   const FamilyList& all = builtInFamilies();
   for (const auto& family : all) {
-    if (!family->rasteriseBecause.empty()) continue;
+    const bool ours = family->pass == Family::Pass::fxaa || family->pass == Family::Pass::resolve;
+    if (!family->rasteriseBecause.empty() && !ours) continue;
     EXPECT_FALSE(family->code.empty()) << family->name;
     for (const std::string& name : family->code)
       EXPECT_TRUE(all.code.contains(name)) << family->name << ": " << name;

@@ -8,6 +8,7 @@
 #include "scene/mesh.h"
 
 #include <array>
+#include <map>
 #include <memory>
 #include <set>
 #include <stdexcept>
@@ -64,8 +65,18 @@ struct FamilyFigures {
   bool fades = false;
   bool grows = false;                              // of tubes
   FamilyValue size, bulge, bulgeDepth, depthBias;  // of beads and tubes: scene::Figures
+  FamilyValue scale;                               // times the radius; splats
+  FamilyValue cardScale;                           // of splats' cards, in radii
+  std::string projection;                          // uniform matrix that splats are projected by
   bool given() const { return shape != scene::Shape::triangles; }
 };
+
+/// Names that stand for one variable of a family: those that a program may have instead, the best first.
+using Alternatives = std::map<std::string, std::vector<std::string>, std::less<>>;
+
+/// Uniforms without effect while they have one value: numbers, column by column. One number is that of all
+/// components; none is the identity matrix.
+using NeutralValues = std::map<std::string, std::vector<float>, std::less<>>;
 
 struct Family {
   enum class Model { unlit, phong, pbr };
@@ -81,7 +92,9 @@ struct Family {
   std::vector<std::string> active, any, absent;     // names for recognition: all of, one of, none of
   std::vector<std::string> absentOutputs;           // of the fragment shader
   std::vector<std::string> ignored;                 // may be active and mean nothing to the picture
+  NeutralValues neutral;          // mean nothing to the picture while they have these values
   std::vector<std::string> code;  // sections that have all of its statements; empty: any code
+  std::string codeAt;             // file and line that name them
   bool strict = true;  // an active variable that the family does not mention makes the program unknown
 
   std::string position, normal, color, texcoord;                 // attributes
@@ -94,6 +107,8 @@ struct Family {
   std::string parallelView;    // uniform, not 0: the viewer is at infinity (for triangle normals)
 
   std::string colorMap;        // sampler; looked up at the texture coordinate, gives the colour
+  std::string mapTexcoord;     // attribute where the map is looked up instead; empty: the texture coordinate
+  std::string texcoordMatrix;  // uniform, applied to all texture coordinates before they are interpolated
   std::string triangleColors;  // buffer sampler: a colour a triangle
   std::string triangleNormals;
   std::string triangleOffset;         // uniform, added to the triangle's number
@@ -124,7 +139,8 @@ struct Family {
 
   // Painted edges of triangles, by a geometry shader: flags a triangle, width in pixels, colour.
   std::string edgeFlags;  // buffer sampler; bit k: the edge from corner k to the next
-  FamilyValue edgeWidth, edgeColor;
+  FamilyValue edgeWidth, edgeColor, edgeOpacity;
+  bool edgesGrow = true;        // corners are moved outwards; otherwise they stay
   std::string edgeViewport;     // uniform: x, y, width, height, as the shader takes the viewport to be
   bool geometryShader = false;  // programs of the family have one
   FamilyFigures figures;
@@ -134,6 +150,7 @@ struct Family {
 
   /// Every name that the family mentions, {} for the number of a light, arrays without [{}].
   std::set<std::string, std::less<>> mentioned;
+  Alternatives alternatives;  // of names in `mentioned`
   bool mentions(std::string_view name) const;
 };
 
@@ -160,6 +177,9 @@ struct FamilyError : std::runtime_error {
 
 /// Reads a family file's text; `file` names it in errors. Throws FamilyError.
 FamilyList parseFamilies(std::string_view text, const std::string& file);
+
+/// Throws FamilyError, with file and line, where a family of `list` names a section that is not in `known`.
+void needSections(const FamilyList& list, const CodeSections& known);
 
 /// The families that are built in.
 const FamilyList& builtInFamilies();

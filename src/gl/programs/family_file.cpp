@@ -13,7 +13,7 @@ namespace {
 class FamilyReader : FamilyTable {
  public:
   FamilyReader(const toml::table& table, const std::string& file, Family& family)
-      : FamilyTable(table, file, family.mentioned), family_(family) {}
+      : FamilyTable(table, file, family.mentioned, family.alternatives), family_(family) {}
 
   /// `known`: what a family may inherit from.
   void read(const std::vector<std::shared_ptr<const Family>>& known) {
@@ -47,6 +47,8 @@ class FamilyReader : FamilyTable {
       name("flags", family_.edgeFlags);
       value("width", family_.edgeWidth);
       value("color", family_.edgeColor);
+      value("opacity", family_.edgeOpacity);
+      choice("corners", {{"move", true}, {"stay", false}}, family_.edgesGrow);
       name("viewport", family_.edgeViewport);
     });
     section("pass", [&] { readPass(); });
@@ -63,6 +65,11 @@ class FamilyReader : FamilyTable {
     if (pixels && (family_.depthOffset.given() || family_.depthFactor.given()))
       fail(here(),
            "family \"" + family_.name + "\": beads and tubes have figures.depth_bias instead of depth");
+    const bool splats = family_.figures.shape == scene::Shape::splats;
+    if (splats && (family_.depthOffset.given() || family_.depthFactor.given()))
+      fail(here(), "family \"" + family_.name + "\": splats have figures.depth_bias instead of depth");
+    if (splats == family_.figures.projection.empty())
+      fail(here(), "family \"" + family_.name + "\": splats, and they alone, need figures.projection");
     if (family_.figures.given() && !pixels && !family_.figures.radius.given())
       fail(here(), "family \"" + family_.name + "\" needs figures.radius");
     if (family_.figures.shape == scene::Shape::cylinders && family_.figures.axis.empty())
@@ -88,6 +95,7 @@ class FamilyReader : FamilyTable {
     texts("absent", family_.absent);
     texts("absent_outputs", family_.absentOutputs);
     names("ignored", family_.ignored);
+    neutralValues("neutral", family_.neutral);
     flag("strict", family_.strict);
     flag("geometry_shader", family_.geometryShader);
     text("rasterise", family_.rasteriseBecause);
@@ -95,6 +103,7 @@ class FamilyReader : FamilyTable {
   /// "any" is what families say that hold whatever else the program computes.
   void readCode() {
     texts("code", family_.code);
+    if (has("code")) family_.codeAt = placeOf(at("code"));
     if (family_.code == std::vector<std::string>{"any"}) family_.code.clear();
   }
   void readVertex() {
@@ -118,6 +127,8 @@ class FamilyReader : FamilyTable {
   }
   void readColor() {
     name("map", family_.colorMap);
+    name("map_texcoord", family_.mapTexcoord);
+    name("texcoord_matrix", family_.texcoordMatrix);
     name("per_triangle", family_.triangleColors);
     name("triangle_offset", family_.triangleOffset);
     name("uniform_instead", family_.uniformColors);
@@ -164,7 +175,8 @@ class FamilyReader : FamilyTable {
             {"discs", Shape::discs},
             {"cylinders", Shape::cylinders},
             {"beads", Shape::beads},
-            {"tubes", Shape::tubes}},
+            {"tubes", Shape::tubes},
+            {"splats", Shape::splats}},
            f.shape);
     if (!f.given()) fail(here(), "figures need a shape");
     choice("cards",
@@ -184,6 +196,9 @@ class FamilyReader : FamilyTable {
     value("bulge", f.bulge);
     value("bulge_depth", f.bulgeDepth);
     value("depth_bias", f.depthBias);
+    value("scale", f.scale);
+    value("card_scale", f.cardScale);
+    name("projection", f.projection);
     const bool pixels = scene::isSizedInPixels(f.shape);
     if (pixels && !(f.bulge.given() && f.bulgeDepth.given()))
       fail(here(), "beads and tubes need bulge and bulge_depth");
@@ -277,6 +292,7 @@ const FamilyList& builtInFamilies() {
   static const FamilyList families = [] {
     FamilyList all;
     for (const auto& [file, text] : kBuiltInFamilyFiles) all.append(parseFamilies(text, file));
+    needSections(all, all.code);
     return all;
   }();
   return families;

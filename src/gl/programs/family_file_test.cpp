@@ -82,6 +82,50 @@ TEST(FamilyFile, BeadsAndTubes) {
   EXPECT_NE(mistakeIn(beads + "depth.offset = \"o\"").find("figures.depth_bias"), std::string::npos);
 }
 
+TEST(FamilyFile, WhereANameStandsItsAlternativesMayStandToo) {
+  const Family f = parsed(
+      "vertex.normal = [\"n\", \"normal\", \"n3\"]\nmaterial.opacity = [\"o\", \"alpha\"]\n"
+      "transform.eye_from_object = [\"v\", [\"w\", \"world\"]]\nmatch.ignored = [[\"i\", \"j\"]]\n");
+  EXPECT_EQ(f.normal, "n");
+  EXPECT_EQ(f.material.opacity.uniform, "o");
+  EXPECT_EQ(f.eyeFromObject, (Names{"v", "w"}));
+  EXPECT_EQ(f.ignored, Names{"i"});
+  const Alternatives expected{{"n", {"normal", "n3"}}, {"o", {"alpha"}}, {"w", {"world"}}, {"i", {"j"}}};
+  EXPECT_EQ(f.alternatives, expected);
+  EXPECT_FALSE(f.mentions("alpha")) << "only in place of what it stands for";
+  EXPECT_EQ(mistakeIn("lights.color = [\"l{}\", \"k{}\"]"),
+            "x.toml:6: color: names with {} have no alternatives");
+  EXPECT_EQ(mistakeIn("vertex.normal = [\"n\", 3]"),
+            "x.toml:6: normal must be a name in quotes, or a list of such names");
+}
+
+TEST(FamilyFile, NeutralValues) {
+  const Family f = parsed("match.neutral = { one = 1, v = [1, 0.5], m = \"identity\" }\n");
+  EXPECT_EQ(f.neutral, (NeutralValues{{"one", {1}}, {"v", {1, 0.5f}}, {"m", {}}}));
+  EXPECT_TRUE(f.mentions("one") && f.mentions("v") && f.mentions("m"));
+  EXPECT_EQ(mistakeIn("match.neutral = 1"), "x.toml:6: neutral must be a section");
+  EXPECT_EQ(mistakeIn("match.neutral.m = \"unit\""),
+            "x.toml:6: m must be \"identity\", a number or a list of numbers");
+  EXPECT_EQ(mistakeIn("match.neutral.m = []"), "x.toml:6: m has 1 to 16 numbers");
+}
+
+TEST(FamilyFile, Splats) {
+  const std::string least = "figures.shape = \"splats\"\nfigures.radius = \"r\"\n";
+  const Family f =
+      parsed(least + "figures.projection = \"pm\"\nfigures.scale = \"s\"\nfigures.card_scale = \"c\"\n");
+  EXPECT_EQ(f.figures.shape, scene::Shape::splats);
+  EXPECT_EQ(f.figures.projection, "pm");
+  EXPECT_EQ(f.figures.scale.uniform, "s");
+  EXPECT_EQ(f.figures.cardScale.uniform, "c");
+  EXPECT_TRUE(f.mentions("pm") && f.mentions("s") && f.mentions("c"));
+  EXPECT_NE(mistakeIn(least).find("need figures.projection"), std::string::npos);
+  const std::string bead = "figures.shape = \"beads\"\nfigures.bulge = 1\nfigures.bulge_depth = 1\n";
+  EXPECT_NE(mistakeIn(bead + "figures.projection = \"pm\"").find("need figures.projection"),
+            std::string::npos);
+  EXPECT_NE(mistakeIn(least + "figures.projection = \"pm\"\ndepth.offset = 1").find("figures.depth_bias"),
+            std::string::npos);
+}
+
 TEST(FamilyFile, MatchKeys) {
   const Family f = parsed(
       "match.any = \"a\"\nmatch.absent = [\"b\", \"c\"]\nmatch.absent_outputs = \"o\"\nmatch.ignored = "
@@ -116,7 +160,9 @@ TEST(FamilyFile, NormalAndColourKeys) {
       "normals.without = \"triangle\"\nnormals.flip_back_faces = true\nnormals.parallel_view = \"pv\"\n"
       "normals.per_triangle = \"tn\"\ncolor.map = \"cm\"\ncolor.per_triangle = \"tc\"\n"
       "color.triangle_offset = \"to\"\ncolor.uniform_instead = \"ui\"\ncolor.diffuse_only = true\n"
-      "color.textures = [\"t1\", \"t2\"]\n");
+      "color.textures = [\"t1\", \"t2\"]\ncolor.map_texcoord = \"mt\"\ncolor.texcoord_matrix = \"tm\"\n");
+  EXPECT_EQ(f.mapTexcoord, "mt");
+  EXPECT_EQ(f.texcoordMatrix, "tm");
   EXPECT_EQ(f.withoutNormals, Family::NoNormals::triangle);
   EXPECT_TRUE(f.flipBackFaces);
   EXPECT_EQ(f.parallelView, "pv");
@@ -198,7 +244,11 @@ TEST(FamilyFile, PbrClipAndDepthKeys) {
 TEST(FamilyFile, InstanceAndEdgeKeys) {
   const Family f = parsed(
       "match.geometry_shader = true\ninstance.transform = \"it\"\ninstance.normal_matrix = \"in\"\n"
-      "instance.color = \"ic\"\nedges.flags = \"ef\"\nedges.width = 2\nedges.color = \"ec\"\n");
+      "instance.color = \"ic\"\nedges.flags = \"ef\"\nedges.width = 2\nedges.color = \"ec\"\n"
+      "edges.opacity = \"eo\"\nedges.corners = \"stay\"\n");
+  EXPECT_EQ(f.edgeOpacity.uniform, "eo");
+  EXPECT_FALSE(f.edgesGrow);
+  EXPECT_TRUE(parsed().edgesGrow);
   EXPECT_TRUE(f.geometryShader);
   EXPECT_EQ(f.instanceTransform, "it");
   EXPECT_EQ(f.instanceNormal, "in");
@@ -285,7 +335,8 @@ TEST(FamilyFile, EveryMistakeHasItsLine) {
   EXPECT_EQ(mistakeIn("lights = 3"), "x.toml:6: lights must be a section");
   EXPECT_EQ(mistakeIn("match.strict = \"yes\""), "x.toml:6: strict must be true or false");
   EXPECT_EQ(mistakeIn("match.absent = [\"a\", 3]"), "x.toml:6: absent must be texts in quotes");
-  EXPECT_EQ(mistakeIn("vertex.normal = true"), "x.toml:6: normal must be a text in quotes");
+  EXPECT_EQ(mistakeIn("vertex.normal = true"),
+            "x.toml:6: normal must be a name in quotes, or a list of such names");
   EXPECT_EQ(mistakeIn("material.opacity = true"),
             "x.toml:6: opacity must be a uniform's name, a number or a list of numbers");
   EXPECT_EQ(mistakeIn("material.diffuse_color = [1, \"r\"]"),

@@ -1,5 +1,7 @@
 #include "gl/programs/family_table.h"
 
+#include <algorithm>
+
 namespace gluray::gl {
 namespace {
 
@@ -14,7 +16,11 @@ void eachOf(const toml::node& node, Add&& add) {
 }  // namespace
 
 void FamilyTable::fail(const toml::node& at, const std::string& what) const {
-  throw FamilyError(file_ + ":" + std::to_string(at.source().begin.line) + ": " + what);
+  throw FamilyError(placeOf(at) + ": " + what);
+}
+
+std::string FamilyTable::placeOf(const toml::node& node) const {
+  return file_ + ":" + std::to_string(node.source().begin.line);
 }
 
 void FamilyTable::mention(const std::string& name) {
@@ -47,9 +53,35 @@ void FamilyTable::texts(const char* key, std::vector<std::string>& out) {
   });
 }
 
+/// Of a list, the first name; the others become its alternatives.
+std::string FamilyTable::nameIn(const char* key, const toml::node& node) {
+  std::vector<std::string> names;
+  eachOf(node, [&](const toml::node& item) {
+    const auto one = item.value_exact<std::string>();
+    if (!one) fail(item, std::string(key) + " must be a name in quotes, or a list of such names");
+    names.push_back(*one);
+  });
+  if (names.empty()) return "";
+  mention(names.front());
+  const auto numbered = [](const std::string& name) { return name.find("{}") != std::string::npos; };
+  if (names.size() > 1 && std::any_of(names.begin(), names.end(), numbered))
+    fail(node, std::string(key) + ": names with {} have no alternatives");
+  for (size_t i = 1; i < names.size(); ++i) {
+    std::vector<std::string>& others = alternatives_[names.front()];
+    if (std::find(others.begin(), others.end(), names[i]) == others.end()) others.push_back(names[i]);
+  }
+  return names.front();
+}
+
+void FamilyTable::name(const char* key, std::string& out) {
+  if (const toml::node* node = get(key)) out = nameIn(key, *node);
+}
+
 void FamilyTable::names(const char* key, std::vector<std::string>& out) {
-  texts(key, out);
-  for (const std::string& name : out) mention(name);
+  const toml::node* node = get(key);
+  if (!node) return;
+  out.clear();
+  eachOf(*node, [&](const toml::node& item) { out.push_back(nameIn(key, item)); });
 }
 
 void FamilyTable::flag(const char* key, bool& out) {
@@ -64,16 +96,38 @@ void FamilyTable::value(const char* key, FamilyValue& out) {
   const toml::node* node = get(key);
   if (!node) return;
   out = {};
-  if (const auto uniform = node->value_exact<std::string>()) {
-    out.uniform = *uniform;
-    return mention(out.uniform);
-  }
-  eachOf(*node, [&](const toml::node& item) {
+  const toml::array* list = node->as_array();
+  if (list ? !list->empty() && list->front().is_string() : node->is_string())
+    return void(out.uniform = nameIn(key, *node));
+  out.constant = numbersIn(key, *node, 4);
+}
+
+std::vector<float> FamilyTable::numbersIn(const char* key, const toml::node& node, size_t most) {
+  std::vector<float> numbers;
+  eachOf(node, [&](const toml::node& item) {
     const auto number = item.value<double>();
     if (!number) fail(item, std::string(key) + " must be a uniform's name, a number or a list of numbers");
-    out.constant.push_back(static_cast<float>(*number));
+    numbers.push_back(static_cast<float>(*number));
   });
-  if (out.constant.empty() || out.constant.size() > 4) fail(*node, std::string(key) + " has 1 to 4 numbers");
+  if (numbers.empty() || numbers.size() > most)
+    fail(node, std::string(key) + " has 1 to " + std::to_string(most) + " numbers");
+  return numbers;
+}
+
+void FamilyTable::neutralValues(const char* key, NeutralValues& out) {
+  const toml::node* node = get(key);
+  if (!node) return;
+  if (!node->is_table()) fail(*node, std::string(key) + " must be a section");
+  for (const auto& [name, value] : *node->as_table()) {
+    const std::string uniform(name.str());
+    mention(uniform);
+    if (value.value_exact<std::string>() == "identity")
+      out[uniform].clear();
+    else if (value.is_string())
+      fail(value, uniform + " must be \"identity\", a number or a list of numbers");
+    else
+      out[uniform] = numbersIn(uniform.c_str(), value, 16);
+  }
 }
 
 void FamilyTable::allKnown() const {

@@ -16,23 +16,27 @@ namespace gluray::gl {
 class FamilyTable {
  protected:
   using Names = decltype(Family::mentioned);
-  /// Names of variables are added to `mentioned`.
-  FamilyTable(const toml::table& table, const std::string& file, Names& mentioned)
-      : file_(file), mentioned_(mentioned), table_(&table) {}
+  /// Names of variables are added to `mentioned`, their alternatives to `alternatives`.
+  FamilyTable(const toml::table& table, const std::string& file, Names& mentioned, Alternatives& alternatives)
+      : file_(file), mentioned_(mentioned), alternatives_(alternatives), table_(&table) {}
 
   [[noreturn]] void fail(const toml::node& at, const std::string& what) const;
   const toml::node& here() const { return *table_; }  // the section that is read
+  bool has(const char* key) const { return table_->contains(key); }
   const toml::node& at(const char* key) const { return *table_->get(key); }
+  std::string placeOf(const toml::node& node) const;  // "FILE:LINE"
 
   /// A text without meaning as a name; several, or one.
   void text(const char* key, std::string& out);
   void texts(const char* key, std::vector<std::string>& out);
-  /// A variable's name; several, or one.
-  void name(const char* key, std::string& out) { text(key, out), mention(out); }
+  /// A variable's name, or a list: that and its alternatives. names(): several of them, or one name.
+  void name(const char* key, std::string& out);
   void names(const char* key, std::vector<std::string>& out);
   void flag(const char* key, bool& out);
-  /// A uniform's name, a number, or a list of numbers.
+  /// A uniform's name or a list of alternatives, a number, or a list of numbers.
   void value(const char* key, FamilyValue& out);
+  /// A section of names with the values at which they have no effect.
+  void neutralValues(const char* key, NeutralValues& out);
   /// One of several words.
   template <class Enum, size_t n>
   void choice(const char* key, const std::pair<const char*, Enum> (&words)[n], Enum& out) {
@@ -66,10 +70,13 @@ class FamilyTable {
 
  private:
   void mention(const std::string& name);
+  std::string nameIn(const char* key, const toml::node& node);
+  std::vector<float> numbersIn(const char* key, const toml::node& node, size_t most);
   const toml::node* get(const char* key);
 
   const std::string& file_;
   Names& mentioned_;
+  Alternatives& alternatives_;
   const toml::table* table_;
   std::set<std::string, std::less<>> known_;
 };

@@ -21,6 +21,7 @@ void KnownCode::add(std::string_view text) {
 }
 
 void KnownCode::add(const KnownCode& more) {
+  if (note.empty()) note = more.note;
   statements_.insert(statements_.end(), more.statements_.begin(), more.statements_.end());
   sort();
 }
@@ -50,6 +51,19 @@ std::vector<std::string_view> unknownStatements(const GlslStatements& statements
     if (std::find(unknown.begin(), unknown.end(), statement) == unknown.end()) unknown.push_back(statement);
   }
   return unknown;
+}
+
+std::string notesOn(const GlslStatements& statements, const CodeSections& sections,
+                    const std::vector<std::string>& names) {
+  std::string notes;
+  for (const std::string& name : names) {
+    const auto it = sections.find(name);
+    if (it == sections.end() || it->second.note.empty()) continue;
+    bool found = false;
+    for (size_t i = 0; i < statements.size() && !found; ++i) found = it->second.has(hashOf(statements[i]));
+    if (found) notes.append(notes.empty() ? "" : "; ").append(it->second.note);
+  }
+  return notes;
 }
 
 }  // namespace gluray::gl

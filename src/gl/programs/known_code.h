@@ -19,6 +19,8 @@ class KnownCode {
   void add(const KnownCode& more);
   bool has(Hash128 statement) const;
   size_t size() const { return statements_.size(); }
+  /// What users are to know of programs that have one of these statements; empty: nothing.
+  std::string note;
 
  private:
   void sort();
@@ -34,5 +36,9 @@ inline Hash128 hashOf(std::string_view statement) { return hashBytes(statement.d
 std::vector<std::string_view> unknownStatements(const GlslStatements& statements,
                                                 const CodeSections& sections,
                                                 const std::vector<std::string>& names);
+
+/// Notes of those sections of `names` of which there are statements, one after the other.
+std::string notesOn(const GlslStatements& statements, const CodeSections& sections,
+                    const std::vector<std::string>& names);
 
 }  // namespace gluray::gl

@@ -1,5 +1,6 @@
 #include "gl/programs/match.h"
 
+#include "gl/programs/glsl_types.h"
 #include "gl/programs/program_source.h"
 
 #include <algorithm>
@@ -54,10 +55,14 @@ void refuseActive(const RealGl& real, const Program& p, const Family& f, std::ve
 
 void needMentioned(const Program& p, const Family& f, std::vector<std::string>& out) {
   if (!f.strict) return;
-  for (const auto& [name, place] : p.uniforms)
-    if (!f.mentions(name)) out.push_back(about("has uniform ", name, ", of which the family says nothing"));
-  for (const auto& [name, place] : p.attributes)
-    if (!f.mentions(name)) out.push_back(about("has attribute ", name, ", of which the family says nothing"));
+  const auto check = [&](const char* kind, const std::string& name, GLenum type) {
+    const auto isTaken = [&](const auto& pair) { return pair.second == name; };
+    if (f.mentions(name) || std::any_of(p.renamed.begin(), p.renamed.end(), isTaken)) return;
+    const std::string after = " (" + std::string(glslName(type)) + "), of which the family says nothing";
+    out.push_back(about(kind, name, after));
+  };
+  for (const auto& [name, uniform] : p.uniforms) check("has uniform ", name, uniform.type);
+  for (const auto& [name, attribute] : p.attributes) check("has attribute ", name, attribute.type);
 }
 
 /// Types that a variable may have to mean what the family says.
@@ -72,6 +77,7 @@ const Types kVector{"a vector",
                     [](GLenum t) { return t == GL_FLOAT_VEC2 || t == GL_FLOAT_VEC3 || t == GL_FLOAT_VEC4; }};
 const Types kValue{"a number or vector", [](GLenum t) { return kNumber.fit(t) || kVector.fit(t); }};
 const Types kMatrix{"a mat4", [](GLenum t) { return t == GL_FLOAT_MAT4; }};
+const Types kPlain{"a number, vector or matrix", [](GLenum t) { return glslName(t).find("sampler") != 0; }};
 const Types kLinear{"a mat3 or mat4", [](GLenum t) { return t == GL_FLOAT_MAT3 || t == GL_FLOAT_MAT4; }};
 const Types kImage{"a sampler", [](GLenum t) { return t == GL_SAMPLER_2D || t == GL_SAMPLER_1D; }};
 const Types kBuffer{"a samplerBuffer", [](GLenum t) { return t == GL_SAMPLER_BUFFER; }};
@@ -119,15 +125,21 @@ class TypeCheck {
 void needTypes(const Program& p, const Family& f, std::vector<std::string>& out) {
   if (!f.rasteriseBecause.empty()) return;
   const TypeCheck check(p, out);
-  for (const std::string* name : {&f.position, &f.normal, &f.color, &f.texcoord, &f.figures.axis})
+  for (const std::string* name :
+       {&f.position, &f.normal, &f.color, &f.texcoord, &f.mapTexcoord, &f.figures.axis})
     check.attribute(*name);
+  for (const auto& [name, value] : f.neutral) check.uniform(name, kPlain);
   check.values({&f.figures.radius, &f.figures.inside, &f.figures.radiusDivisor, &f.figures.size,
-                &f.figures.bulge, &f.figures.bulgeDepth, &f.figures.depthBias});
+                &f.figures.bulge, &f.figures.bulgeDepth, &f.figures.depthBias, &f.figures.scale,
+                &f.figures.cardScale});
+  check.uniform(f.figures.projection, kMatrix);
   check.uniforms(f.clipFromObject, kMatrix), check.uniforms(f.eyeFromObject, kMatrix);
   check.uniform(f.normalMatrix, kLinear), check.uniform(f.viewer, kVector);
   check.uniform(f.parallelView, kNumber), check.uniform(f.triangleOffset, kNumber);
   check.uniform(f.uniformColors, kNumber), check.uniform(f.clipPlaneCount, kNumber);
   check.uniform(f.clipPlanes, kVector);
+  check.uniform(f.texcoordMatrix, kMatrix);
+  check.values({&f.edgeWidth, &f.edgeColor, &f.edgeOpacity});
   check.uniform(f.colorMap, kImage), check.uniforms(f.textures, kImage);
   check.uniform(f.triangleColors, kBuffer), check.uniform(f.triangleNormals, kBuffer);
   check.material(f.material), check.material(f.backMaterial);
@@ -152,6 +164,8 @@ void needSources(const Program& p, const Family& f, std::vector<std::string>& ou
   if (!p.attribute(f.position)) out.push_back(about("lacks attribute ", f.position));
   for (const std::string& name : f.clipFromObject)
     if (!p.uniform(name)) out.push_back(about("lacks uniform ", name));
+  if (!f.figures.projection.empty() && !p.uniform(f.figures.projection))
+    out.push_back(about("lacks uniform ", f.figures.projection));
   if (!f.figures.axis.empty() && !p.attribute(f.figures.axis))
     out.push_back(about("lacks attribute ", f.figures.axis));
   const bool normals = f.figures.given() || p.attribute(f.normal) || p.uniform(f.triangleNormals);
@@ -183,8 +197,21 @@ std::vector<std::string> obstacles(const RealGl& real, const Program& program, c
 
 }  // namespace
 
-std::vector<std::string> obstacles(const RealGl& real, const Program& program, const Family& family,
+std::map<std::string, std::string, std::less<>> renamedBy(const Program& program, const Family& family) {
+  std::map<std::string, std::string, std::less<>> renamed;
+  const auto has = [&](const std::string& name) {
+    return program.uniforms.contains(name) || program.attributes.contains(name);
+  };
+  for (const auto& [name, others] : family.alternatives) {
+    const auto other = has(name) ? others.end() : std::find_if(others.begin(), others.end(), has);
+    if (other != others.end()) renamed[name] = *other;
+  }
+  return renamed;
+}
+
+std::vector<std::string> obstacles(const RealGl& real, Program program, const Family& family,
                                    const CodeSections& code) {
+  program.renamed = renamedBy(program, family);
   ProgramSource source(real, program.name);
   bool unknown = false;
   return obstacles(real, program, family, code, source, unknown);
@@ -198,10 +225,13 @@ std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, c
   const Family* nearest = nullptr;
   for (const auto& family : families) {
     bool unknown = false;
+    known->program.renamed = renamedBy(known->program, *family);
     std::vector<std::string> found = obstacles(real, known->program, *family, families.code, source, unknown);
     if (found.empty()) {
       known->family = family;
       known->why = family->rasteriseBecause;
+      known->unknownCode = false;
+      if (!family->code.empty()) known->note = notesOn(source.statements(), families.code, family->code);
       return known;
     }
     // A family that is never traced tells nobody what to change; one that fits but for statements says most.
@@ -210,6 +240,7 @@ std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, c
         (unknown == known->unknownCode && found.size() < fewest.size()))
       nearest = family.get(), fewest = std::move(found), known->unknownCode = unknown;
   }
+  known->program.renamed.clear();
   known->why = known->program.linked ? "no family fits" : "not linked";
   if (nearest && known->program.linked) {
     known->why.append("; nearest: ").append(nearest->name);
@@ -217,6 +248,10 @@ std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, c
       known->why.append(i ? ", " : ", but it ").append(fewest[i]);
     if (fewest.size() > 4)
       known->why.append(" and ").append(std::to_string(fewest.size() - 4)).append(" more");
+    if (known->unknownCode)
+      known->why.append("; what of it changes nothing can be added to [[code]] section \"")
+          .append(nearest->code.back())
+          .append("\" by a file for --program-families");
   }
   return known;
 }

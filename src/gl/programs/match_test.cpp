@@ -126,10 +126,11 @@ TEST_F(Match, SaysWhatIsMissing) {
 TEST_F(Match, SaysWhatIsTooMuch) {
   Program p = fitting();
   p.uniforms["bad"].type = GL_FLOAT;
-  EXPECT_EQ(obstaclesOf(p), (Lines{"has \"bad\"", "has uniform \"bad\", of which the family says nothing"}));
+  EXPECT_EQ(obstaclesOf(p),
+            (Lines{"has \"bad\"", "has uniform \"bad\" (float), of which the family says nothing"}));
   p = fitting();
   p.attributes["bone"].type = GL_FLOAT;
-  EXPECT_EQ(obstaclesOf(p), Lines{"has attribute \"bone\", of which the family says nothing"});
+  EXPECT_EQ(obstaclesOf(p), Lines{"has attribute \"bone\" (float), of which the family says nothing"});
   p = fitting();
   p.geometryShader = p.tessellation = p.writes = true;
   EXPECT_EQ(obstaclesOf(p),
@@ -159,6 +160,37 @@ TEST_F(Match, TypesMustMeanWhatTheFamilySays) {
   Program p = fitting();
   p.attributes["p"].type = GL_INT_VEC3;
   EXPECT_EQ(obstaclesOf(p), Lines{"has \"p\", which is not a vector"});
+}
+
+TEST_F(Match, AlternativesStandForNamesThatAreNotThere) {
+  std::string text = kFamily;
+  text.replace(text.find("\"p\"\nvertex.normal"), 3, "[\"p\", \"place2\", \"place3\"]");
+  text.replace(text.find("= \"map\""), 7, "= [\"map\", \"colors\"]");
+  const auto family = parseFamilies(text, "f.toml").front();
+  Program p = fitting();
+  p.attributes.erase("p"), p.attributes["place3"].type = GL_FLOAT_VEC3;
+  p.uniforms["colors"].type = GL_SAMPLER_2D;
+  EXPECT_EQ(obstacles(real_, p, *family), Lines{});
+  p.renamed = renamedBy(p, *family);
+  EXPECT_EQ(p.attribute("p"), &p.attributes.at("place3"));
+  EXPECT_EQ(p.uniform("map"), &p.uniforms.at("colors"));
+  p.attributes["place2"].type = GL_FLOAT_VEC3;
+  EXPECT_EQ(obstacles(real_, p, *family),
+            Lines{"has attribute \"place3\" (vec3), of which the family says nothing"})
+      << "the first that is there stands for the name, and no other";
+  p.attributes["p"].type = GL_FLOAT_VEC3, p.attributes.erase("place2"), p.attributes.erase("place3");
+  p.uniforms["colors"].type = GL_FLOAT_MAT4;
+  EXPECT_EQ(obstacles(real_, p, *family), Lines{"has \"map\", which is not a sampler"});
+}
+
+TEST_F(Match, RecognisedProgramsKeepWhatIsRenamedByTheirFamilyAlone) {
+  FamilyList list = parseFamilies(
+      "[[family]]\nname = \"far\"\nmatch.active = [\"p\", \"q\"]\nvertex.position = [\"q\", \"n\"]\n"
+      "transform.clip_from_object = \"m\"\n",
+      "f.toml");
+  const Program p = fitting();
+  EXPECT_FALSE(renamedBy(p, *list.front()).empty());
+  EXPECT_TRUE(renamedBy(p, *family_).empty());
 }
 
 const char* const kCode = R"(match.code = ["one", "two"]

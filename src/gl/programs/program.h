@@ -38,16 +38,24 @@ struct Program {
   size_t uniformElements = 0;  // of all uniforms together
   std::map<std::string, ProgramUniform, std::less<>> uniforms;
   std::map<std::string, ProgramAttribute, std::less<>> attributes;
+  /// Names that its family uses, and those that the program has in their place.
+  std::map<std::string, std::string, std::less<>> renamed;
 
   const ProgramUniform* uniform(std::string_view n) const {
-    const auto it = uniforms.find(n);
+    const auto it = uniforms.find(hereFor(n));
     return it == uniforms.end() ? nullptr : &it->second;
   }
   const ProgramAttribute* attribute(std::string_view n) const {
-    const auto it = attributes.find(n);
+    const auto it = attributes.find(hereFor(n));
     return it == attributes.end() ? nullptr : &it->second;
   }
   bool isActive(std::string_view n) const { return uniform(n) || attribute(n); }
+
+ private:
+  std::string_view hereFor(std::string_view n) const {
+    const auto it = renamed.find(n);
+    return it == renamed.end() ? n : std::string_view(it->second);
+  }
 };
 
 /// Asks the real OpenGL about program `name`. Errors that asking raises are taken away; the caller has saved

@@ -59,6 +59,16 @@ ArraySource readPlaced(const RealGl& real, ShareGroup& group, GLint location) {
 
 }  // namespace
 
+const std::string& mapTexcoord(const Program& program, const Family& family) {
+  return program.attribute(family.mapTexcoord) ? family.mapTexcoord : family.texcoord;
+}
+
+bool hasTwoTexcoords(const Program& program, const Family& family) {
+  const ProgramAttribute* map = program.attribute(mapTexcoord(program, family));
+  const ProgramAttribute* textures = program.attribute(family.texcoord);
+  return map && textures && map->location != textures->location;
+}
+
 void readAttributes(const RealGl& real, ShareGroup& group, const KnownProgram* program, ArrayState& arrays) {
   arrays = {};
   arrays.elements = bufferNamed(group, static_cast<GLuint>(integer(real, GL_ELEMENT_ARRAY_BUFFER_BINDING)));
@@ -76,7 +86,10 @@ void readAttributes(const RealGl& real, ShareGroup& group, const KnownProgram* p
     take(family->position, arrays.vertex);
     take(family->normal, arrays.normal);
     take(family->color, arrays.color);
-    take(family->texcoord, arrays.texcoord);
+    const bool two = hasTwoTexcoords(program->program, *family);
+    const bool mapped = two || !program->program.attribute(family->texcoord);
+    take(mapped ? mapTexcoord(program->program, *family) : family->texcoord, arrays.texcoord);
+    if (two) arrays.texcoordsAbove.resize(1), take(family->texcoord, arrays.texcoordsAbove.front());
     arrays.shape = family->figures.shape;
     take(family->figures.radius.uniform, arrays.radius);
     take(family->figures.axis, arrays.axis);

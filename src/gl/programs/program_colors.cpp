@@ -42,7 +42,9 @@ Reason ProgramReader::readColor() {
       glm::vec4(glm::vec3(uniforms_.value(m.diffuseIntensity, glm::vec4(1))), material.diffuse.a);
   if (!family_.colorIsDiffuseOnly)
     material.ambient = uniforms_.value(m.ambientIntensity, glm::vec4(m.ambientColor.given() ? 1.0f : 0.0f));
-  if (f.backMaterial) f.backMaterial = false, reason = Reason::program;  // their colours are mixed otherwise
+  if (f.backMaterial && reason == Reason::traced)  // their colours are mixed otherwise
+    reason = refuse("back faces have a material of their own, and front faces other colours than theirs");
+  f.backMaterial = false;
   out_.material.back = out_.material.front;
   return reason;
 }
@@ -67,6 +69,17 @@ Reason ProgramReader::readOpacityBeneath() {
   return Reason::traced;
 }
 
+/// What is divided by w at the vertices and then interpolated is the same everywhere where w is constant.
+Reason ProgramReader::readTexcoordMatrix() {
+  texcoordMatrix_ = uniforms_.matrix4(family_.texcoordMatrix);
+  const glm::mat4& m = texcoordMatrix_;
+  // Coordinates are (s, t, 0, 1).
+  if (m[0].w != 0 || m[1].w != 0 || !(m[3].w != 0))
+    return refuse("matrix \"" + family_.texcoordMatrix + "\" divides texture coordinates");
+  if (m[3].w != 1) texcoordMatrix_ /= m[3].w;
+  return Reason::traced;
+}
+
 Reason ProgramReader::readMap(const ProgramUniform& sampler) {
   scene::Texture texture;
   if (const Reason reason = textures_.bound(real_, has_, unitOf(sampler), sampler.type, texture);
@@ -78,7 +91,8 @@ Reason ProgramReader::readMap(const ProgramUniform& sampler) {
                       texture.wrapT == scene::Wrap::clampToEdge &&
                       texture.mipFilter == scene::MipFilter::none && texture.magFilter == texture.minFilter;
   if (!simple) return Reason::textureFormat;
-  out_.texcoord = current(family_.texcoord);
+  out_.texcoord = current(mapTexcoord(program_, family_));
+  texture.textureMatrix = texcoordMatrix_;
   out_.shading.fragment.map.push_back(std::move(texture));
   return Reason::traced;
 }
@@ -86,7 +100,8 @@ Reason ProgramReader::readMap(const ProgramUniform& sampler) {
 Reason ProgramReader::readTextures() {
   out_.shading.textures.clear();
   if (uniforms_.has(family_.texturesOnBack) && uniforms_.integer(family_.texturesOnBack) == 0)
-    return Reason::program;
+    return refuse("uniform \"" + family_.texturesOnBack + "\" is 0: textures on front faces alone");
+  const bool second = hasTwoTexcoords(program_, family_);
   for (const std::string& name : family_.textures) {
     const ProgramUniform* sampler = samplerNamed(name);
     if (!sampler) continue;
@@ -94,8 +109,9 @@ Reason ProgramReader::readTextures() {
     const Reason reason = textures_.bound(real_, has_, unitOf(*sampler), sampler->type, texture);
     if (reason != Reason::traced) return reason;
     texture.env = scene::TexEnv::modulate;
-    texture.unit = 0;  // all look at the family's one coordinate
-    out_.texcoord = current(family_.texcoord);
+    texture.unit = second ? 1 : 0;  // where arrays have the family's coordinate
+    texture.textureMatrix = texcoordMatrix_;
+    (second ? out_.texcoordAbove : out_.texcoord) = current(family_.texcoord);
     out_.shading.textures.push_back(std::move(texture));
   }
   return Reason::traced;

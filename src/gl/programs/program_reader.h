@@ -7,6 +7,7 @@
 #include "gl/texture.h"
 
 #include <string>
+#include <utility>
 
 namespace gluray::gl {
 
@@ -27,10 +28,15 @@ class ProgramReader {
   Reason read();
 
  private:
+  /// Refuses the draw for what the user is told.
+  Reason refuse(std::string why) { return out_.why = std::move(why), Reason::programValue; }
+  /// Values of uniforms that the family knows with these alone.
+  Reason checkNeutral();
   void readTransform();
   void readMaterial(const FamilyMaterial& m, scene::Material& material);
   void readModel();
-  void readFigures();
+  Reason readFigures();
+  Reason readSplats();
   void readClipPlanes();
   void readDepthOffset();
   Reason readNormals();
@@ -42,6 +48,7 @@ class ProgramReader {
     return name.empty() ? nullptr : program_.uniform(name);
   }
   GLint unitOf(const ProgramUniform& sampler) const { return (*out_.uniforms)[sampler.first].integers[0]; }
+  Reason readTexcoordMatrix();
   Reason readMap(const ProgramUniform& sampler);
   Reason readBuffer(const ProgramUniform& sampler, scene::Attribute& attribute, uint32_t& count);
   Reason readTextures();
@@ -57,6 +64,7 @@ class ProgramReader {
   const Family& family_;
   const UniformReader uniforms_;
   glm::dvec3 viewer_{0};
+  glm::mat4 texcoordMatrix_{1};
 };
 
 }  // namespace gluray::gl

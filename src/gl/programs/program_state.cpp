@@ -13,6 +13,7 @@
 namespace gluray::gl {
 
 Reason ProgramReader::read() {
+  if (const Reason reason = checkNeutral(); reason != Reason::traced) return reason;
   readTransform();
   readMaterial(family_.material, out_.material.front);
   out_.material.back = out_.material.front;
@@ -20,13 +21,24 @@ Reason ProgramReader::read() {
   if (out_.shading.fragment.backMaterial) readMaterial(family_.backMaterial, out_.material.back);
   readModel();
   out_.shading.fragment.lights = readLights(family_.lights, uniforms_, glm::vec3(viewer_));
-  readFigures();
+  if (const Reason reason = readFigures(); reason != Reason::traced) return reason;
   readClipPlanes();
   readDepthOffset();
   if (const Reason reason = readNormals(); reason != Reason::traced) return reason;
   if (const Reason reason = readEdges(); reason != Reason::traced) return reason;
+  if (const Reason reason = readTexcoordMatrix(); reason != Reason::traced) return reason;
   if (const Reason reason = readColor(); reason != Reason::traced) return reason;
   return readTextures();
+}
+
+Reason ProgramReader::checkNeutral() {
+  for (const auto& [name, value] : family_.neutral) {
+    const std::string now = uniforms_.unlike(name, value);
+    if (!now.empty())
+      return refuse("uniform \"" + name + "\" is " + now + ", and the family knows it as " +
+                    (value.empty() ? "the identity" : inWords(value)) + " alone");
+  }
+  return Reason::traced;
 }
 
 void ProgramReader::readTransform() {
@@ -79,10 +91,10 @@ void ProgramReader::readModel() {
   f.pbr.emissive = glm::vec3(uniforms_.value(family_.pbr.emissive, glm::vec4(0)));
 }
 
-void ProgramReader::readFigures() {
+Reason ProgramReader::readFigures() {
   const FamilyFigures& f = family_.figures;
   out_.figures = {};
-  if (!f.given()) return;
+  if (!f.given()) return Reason::traced;
   out_.figures.cards = f.cards;
   out_.figures.fades = f.fades;
   out_.figures.parallelView = out_.shading.fragment.parallelView;
@@ -97,6 +109,21 @@ void ProgramReader::readFigures() {
   constexpr float kUnit = 1.0f / 65000.0f;  // that VTK counts in
   out_.figures.depthBias = uniforms_.number(f.depthBias, 0) * kUnit;
   out_.figureRadius = attribute ? current(f.radius.uniform).x : uniforms_.number(f.radius, 1);
+  return f.shape == scene::Shape::splats ? readSplats() : Reason::traced;
+}
+
+Reason ProgramReader::readSplats() {
+  const FamilyFigures& f = family_.figures;
+  const glm::mat4 projection = uniforms_.matrix4(f.projection);
+  out_.figures.size = {projection[0].x, projection[1].y};
+  const float scale = uniforms_.number(f.scale, 1);
+  if (!(scale > 0)) return refuse("uniform \"" + f.scale.uniform + "\" is not above 0");
+  out_.figures.radiusDivisor = 1 / scale;
+  // Smaller cards would cut the ellipse.
+  if (!(uniforms_.number(f.cardScale, 1) >= 1))
+    return refuse("uniform \"" + f.cardScale.uniform + "\" is below 1");
+  if (!out_.eyeFromObject) return Reason::program;
+  return Reason::traced;
 }
 
 void ProgramReader::readClipPlanes() {
@@ -153,8 +180,10 @@ Reason ProgramReader::readEdges() {
   real_.GetIntegerv(GL_VIEWPORT, viewport);
   if (uniforms_.has(family_.edgeViewport) &&
       uniforms_.vector(family_.edgeViewport) != glm::vec4(viewport[0], viewport[1], viewport[2], viewport[3]))
-    return Reason::program;
+    return refuse("uniform \"" + family_.edgeViewport + "\" is not the viewport");
   f.edgeWidth = uniforms_.number(family_.edgeWidth, 1);
+  f.edgesGrow = family_.edgesGrow;
+  f.edgeOpacity = uniforms_.number(family_.edgeOpacity, 1);
   f.edgeColor = glm::vec3(uniforms_.value(family_.edgeColor, glm::vec4(0)));
   return readBuffer(*sampler, out_.triangleEdges, out_.triangleEdgeCount);
 }
@@ -187,6 +216,7 @@ bool isSane(const ProgramState& s) {
 
 void readProgram(const RealGl& real, ShareGroup& group, const RareState& has, TextureCache& textures,
                  ProgramState& state) {
+  state.why.clear();
   if (!state.known->family) {
     state.reason = state.known->unknownCode ? Reason::programCode : Reason::program;
     return;

@@ -23,6 +23,7 @@ struct ProgramState {
   std::shared_ptr<const KnownProgram> known;  // null: not read
   UniformValuesPtr uniforms;                  // all of them, of now
   Reason reason = Reason::program;            // why its surfaces cannot be traced, or Reason::traced
+  std::string why;                            // the same in the program's own words, where there are such
   glm::dmat4 clipFromObject{1};
   std::optional<glm::dmat4> eyeFromObject;  // where the program has one
   glm::mat3 normalMatrix{1};
@@ -39,8 +40,14 @@ struct ProgramState {
   bool overridden = false;      // the material's colours stand in for others
   glm::vec4 color{1};           // of programs whose colour attribute is not an array
   glm::vec3 normal{0, 0, 1};
-  glm::vec4 texcoord{0, 0, 0, 1};
+  glm::vec4 texcoord{0, 0, 0, 1}, texcoordAbove{0, 0, 0, 1};  // the latter of hasTwoTexcoords()
 };
+
+/// The attribute where the colour map is looked up.
+const std::string& mapTexcoord(const Program& program, const Family& family);
+/// Whether colour map and textures are looked up at different attributes: then the map's are coordinates 0,
+/// and the textures' coordinates 1.
+bool hasTwoTexcoords(const Program& program, const Family& family);
 
 /// Reads program `known` into `state`. Textures are looked up in `textures`.
 void readProgram(const RealGl& real, ShareGroup& group, const RareState& has, TextureCache& textures,

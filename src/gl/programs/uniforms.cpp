@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstring>
+#include <sstream>
 
 namespace gluray::gl {
 
@@ -139,6 +140,34 @@ std::optional<glm::dmat4> UniformReader::product(const std::vector<std::string>&
     m = m * glm::dmat4(matrix4(name));
   }
   return m;
+}
+
+std::string inWords(const std::vector<float>& numbers) {
+  std::ostringstream text;
+  for (size_t i = 0; i < numbers.size(); ++i)
+    text << (i ? ", " : numbers.size() > 1 ? "(" : "") << numbers[i];
+  if (numbers.size() > 1) text << ")";
+  return text.str();
+}
+
+std::string UniformReader::unlike(const std::string& name, const std::vector<float>& neutral) const {
+  const ProgramUniform* u = name.empty() ? nullptr : program_.uniform(name);
+  for (int element = 0; u && element < u->count; ++element) {
+    const UniformValue& v = *find(name, element);
+    const UniformShape shape = shapeOf(v.type);
+    std::vector<float> now;
+    bool same = neutral.size() <= 1 || neutral.size() == static_cast<size_t>(shape.columns * shape.rows);
+    for (int i = 0; i < shape.columns * shape.rows; ++i) {
+      const auto at = static_cast<size_t>(i);
+      now.push_back(shape.integers ? static_cast<float>(v.integers[at]) : v.floats[at]);
+      const float identity = i / shape.rows == i % shape.rows ? 1.0f : 0.0f;
+      const float wanted =
+          neutral.empty() ? identity : neutral[neutral.size() == 1 ? 0 : at % neutral.size()];
+      same = same && now.back() == wanted;
+    }
+    if (!same) return inWords(now);
+  }
+  return "";
 }
 
 glm::vec4 UniformReader::value(const FamilyValue& value, const glm::vec4& otherwise) const {

@@ -9,7 +9,9 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <string>
 #include <unordered_map>
+#include <vector>
 
 namespace gluray::gl {
 
@@ -29,6 +31,9 @@ struct UniformShape {
   bool integers = false;
 };
 UniformShape shapeOf(GLenum type);
+
+/// Numbers as the user is told them: "2" or "(1, 0.5)".
+std::string inWords(const std::vector<float>& numbers);
 
 /// Every element of every active uniform, in the order of Program::uniforms.
 UniformValuesPtr readUniforms(const RealGl& real, const Program& program);
@@ -52,6 +57,9 @@ class UniformReader {
   /// A constant or a uniform; `otherwise` where the family has none or it is not active. A single number
   /// fills all components.
   glm::vec4 value(const FamilyValue& value, const glm::vec4& otherwise) const;
+  /// What `name` is, in words, where that is not `neutral` (Family::neutral); empty where it is or not
+  /// active.
+  std::string unlike(const std::string& name, const std::vector<float>& neutral) const;
   float number(const FamilyValue& v, float otherwise) const { return value(v, glm::vec4(otherwise)).x; }
 
  private:

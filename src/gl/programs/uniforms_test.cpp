@@ -61,6 +61,20 @@ TEST_F(Uniforms, VectorsAndNumbers) {
   EXPECT_EQ(reader().vector("i").x, 101);
 }
 
+TEST_F(Uniforms, ValuesThatAreNotNeutralAreNamed) {
+  add("f", GL_FLOAT), add("v", GL_FLOAT_VEC2), add("i", GL_INT), add("m", GL_FLOAT_MAT2);
+  EXPECT_EQ(reader().unlike("f", {1}), "");
+  EXPECT_EQ(reader().unlike("f", {2}), "1");
+  EXPECT_EQ(reader().unlike("v", {1, 2}), "");
+  EXPECT_EQ(reader().unlike("v", {1}), "(1, 2)") << "one number is that of all components";
+  EXPECT_EQ(reader().unlike("v", {1, 2, 3}), "(1, 2)");
+  EXPECT_EQ(reader().unlike("i", {101}), "");
+  EXPECT_EQ(reader().unlike("m", {}), "(1, 2, 3, 4)");
+  values_.back().floats = {1, 0, 0, 1};
+  EXPECT_EQ(reader().unlike("m", {}), "") << "the identity";
+  EXPECT_EQ(reader().unlike("none", {5}), "") << "what is not active has no effect";
+}
+
 TEST_F(Uniforms, WhatIsNotActiveIsNothing) {
   EXPECT_FALSE(reader().has("v"));
   EXPECT_FALSE(reader().has(""));
