@@ -1,5 +1,6 @@
 #include "gl/draw_kinds.h"
 
+#include "base/clock.h"
 #include "gl/programs/match.h"
 #include "gl/state.h"
 
@@ -97,6 +98,7 @@ TEST_F(DrawKindsTest, TargetsAreCounted) {
 
 TEST_F(DrawKindsTest, InnerDrawsAndExcludedTimeAreNotChargedToOuterOnes) {
   const auto sleep = [] { std::this_thread::sleep_for(std::chrono::milliseconds(30)); };
+  const double start = nowSeconds();
   {
     const DrawTimer outer(&kinds_);
     {
@@ -108,9 +110,13 @@ TEST_F(DrawKindsTest, InnerDrawsAndExcludedTimeAreNotChargedToOuterOnes) {
     sleep();
     draw(Reason::traced, DrawPath::arrays, PrimitiveClass::surfaces, 1);
   }
+  const double all = nowSeconds() - start;
   const KindTable table = kinds_.kinds();
-  EXPECT_GE(table.at({PrimitiveClass::lines, DrawPath::immediate, Reason::lines, 0}).seconds, 0.029);
-  EXPECT_LT(table.at({PrimitiveClass::surfaces, DrawPath::arrays, Reason::traced, 0}).seconds, 0.029);
+  const double inner = table.at({PrimitiveClass::lines, DrawPath::immediate, Reason::lines, 0}).seconds;
+  const double outer = table.at({PrimitiveClass::surfaces, DrawPath::arrays, Reason::traced, 0}).seconds;
+  EXPECT_GE(inner, 0.029);
+  EXPECT_GE(outer, 0.0);
+  EXPECT_LE(inner + outer, all - 0.029) << "however long the machine took";
 }
 
 TEST_F(DrawKindsTest, LateTrianglesBelongToTheDrawRecordedLast) {

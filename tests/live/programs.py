@@ -52,8 +52,8 @@ PROGRAMS = {
     "geomview": Program(lambda folder: ["geomview", "-nopanels", "-wpos", "600,500", str(models.write_off(
         folder / "knot.off", around=150, across=20))], "flat facets: steps between them are edges too, though weaker "
                         "than what counts as one", beyond=1e-4),
-    "meshlab": Program(lambda folder: ["meshlab", str(models.write_ply(folder / "knot.ply"))], "lighting at the vertices; its window "
-                       "shows frame rates and times as text, and paints a backdrop", traced=0.95, rest=4.0, colors=800),
+    "meshlab": Program(lambda folder: ["meshlab", str(models.write_ply(folder / "knot.ply"))], "flat facets, as above; its window "
+                       "shows frame rates and times as text, and paints a backdrop", beyond=1e-4, traced=0.95, rest=4.0, colors=800),
     "superquadrics": Program(hack("superquadrics"), "lighting at the vertices", frame=40),
     "molecule": Program(hack("molecule", "--no-shells", "--no-labels"), "lighting at the vertices", frame=40),
     "pyopengl": Program(lambda folder: ["/usr/bin/python3", str(HERE / "pyopengl_scene.py")], "lighting at the vertices"),
