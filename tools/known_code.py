@@ -105,7 +105,7 @@ def main():
     parser.add_argument("--with", dest="texts", nargs="+", default=[])
     parser.add_argument("folders", nargs="+", type=pathlib.Path)
     given = parser.parse_args()
-    sections = re.findall(r"^statements = '''\n(.*?)^'''$", given.code.read_text(), re.S | re.M)
+    sections = re.findall(r"^(?:statements|blocks) = '''\n(.*?)^'''$", given.code.read_text(), re.S | re.M)
     known = {statement for section in sections for statement in statements(section)}
     programs = {file.read_text(errors="replace") for folder in given.folders for file in sorted(folder.glob("*.shader_test"))}
     if not programs:

@@ -75,20 +75,20 @@ struct Case {
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
 const Case kCases[] = {
-    {"splats"},
-    {"splats_parallel", true},
-    {"splats_stretched", false, {1.5f, 0.4f, 0.8f}},
-    {"splats_parallel_stretched", true, {1.5f, 0.4f, 0.8f}},
+    {.name = "splats"},
+    {.name = "splats_parallel", .parallel = true},
+    {.name = "splats_stretched", .stretch = {1.5f, 0.4f, 0.8f}},
+    {.name = "splats_parallel_stretched", .parallel = true, .stretch = {1.5f, 0.4f, 0.8f}},
     // Off the middle they are as much longer as they are aside.
-    {"splats_wide_angle", false, glm::vec3(1), 0.2f, 110},
+    {.name = "splats_wide_angle", .radius = 0.2f, .field = 110},
     // Covariances beside the diagonal below 1e-6.
-    {"splats_small", false, {2, 0.5f, 1}, 0.006f},
-    {"splats_offset", .offset = -8},
-    {"splats_parallel_offset", true, .offset = -8},
-    {"splats_in_one_plane", .flat = true},
-    {"splats_lowpass", .lowpass = 0.01f, .draws = 0},
-    {"splats_cut_by_their_cards", .bounds = 0.7f, .draws = 0},
-    {"splats_pushed_back", .offset = 5, .draws = 0},
+    {.name = "splats_small", .stretch = {2, 0.5f, 1}, .radius = 0.006f},
+    {.name = "splats_offset", .offset = -8},
+    {.name = "splats_parallel_offset", .parallel = true, .offset = -8},
+    {.name = "splats_in_one_plane", .flat = true},
+    {.name = "splats_lowpass", .lowpass = 0.01f, .draws = 0},
+    {.name = "splats_cut_by_their_cards", .bounds = 0.7f, .draws = 0},
+    {.name = "splats_pushed_back", .offset = 5, .draws = 0},
 };
 
 void drawCase(Gl gl, const Case& c) {

@@ -142,21 +142,17 @@ std::string uniformText(const Surface& s) {
   return text + "in vec4 vertexVCVSOutput;\nout vec4 fragOutput0;\n";
 }
 
+const char* const kBackMaterial =
+    "  if (gl_FrontFacing == false) {\n    ambientColor = ambientIntensityBF * ambientColorUniformBF;\n"
+    "    diffuseColor = diffuseIntensityBF * diffuseColorUniformBF;\n"
+    "    specularColor = specularIntensityBF * specularColorUniformBF;\n"
+    "    specularPower = specularPowerUniformBF;\n    opacity = opacityUniformBF; }\n";
+
 /// Which value an unlit colour begins with.
 std::string colorText(const Surface& s) {
   const std::string material =
       "  vec3 specularColor = specularIntensity * specularColorUniform;\n"
       "  float specularPower = specularPowerUniform;\n";
-  if (s.backMaterial)
-    return "  vec3 ambientColor, diffuseColor, specularColor;\n  float opacity, specularPower;\n"
-           "  if (gl_FrontFacing) {\n    ambientColor = ambientIntensity * ambientColorUniform;\n"
-           "    diffuseColor = diffuseIntensity * diffuseColorUniform;\n    opacity = opacityUniform;\n"
-           "    specularColor = specularIntensity * specularColorUniform;\n    specularPower = "
-           "specularPowerUniform; }\n"
-           "  else {\n    ambientColor = ambientIntensityBF * ambientColorUniformBF;\n"
-           "    diffuseColor = diffuseIntensityBF * diffuseColorUniformBF;\n    opacity = opacityUniformBF;\n"
-           "    specularColor = specularIntensityBF * specularColorUniformBF;\n"
-           "    specularPower = specularPowerUniformBF; }\n";
   const std::string override =
       "  if (OverridesColor) {\n    ambientColor = ambientColorUniform * ambientIntensity;\n"
       "    diffuseColor = diffuseColorUniform * diffuseIntensity; }\n";
@@ -171,7 +167,7 @@ std::string colorText(const Surface& s) {
            "  vec3 ambientColor = ambientIntensity * ambientColorUniform;\n"
            "  vec3 diffuseColor = diffuseIntensity * diffuseColorUniform;\n  float opacity = "
            "opacityUniform;\n" +
-           override;
+           override + (s.backMaterial ? kBackMaterial : "");
   return material + "  vec4 texColor = " + texel +
          ";\n  vec3 ambientColor = ambientIntensity * texColor.rgb;\n"
          "  vec3 diffuseColor = diffuseIntensity * texColor.rgb;\n  float opacity = opacityUniform * "
@@ -198,8 +194,7 @@ std::string lightText(const Surface& s) {
   switch (s.lights) {
     case Surface::Lights::none: return "  fragOutput0 = vec4(ambientColor + diffuseColor, opacity);\n";
     case Surface::Lights::headlight:
-      return "  float df = max(0.0, normalVCVSOutput.z);\n  float sf = df > 0.0 ? pow(df, specularPower) : "
-             "0.0;\n"
+      return "  float df = max(0.000001, normalVCVSOutput.z);\n  float sf = pow(df, specularPower);\n"
              "  vec3 diffuse = df * diffuseColor * lightColor0;\n"
              "  vec3 specular = sf * specularColor * lightColor0;\n"
              "  fragOutput0 = vec4(ambientColor + diffuse + specular, opacity);\n";
@@ -250,9 +245,8 @@ std::string fragmentText(const Surface& s) {
     text += "  vec3 fdx = dFdx(vertexVC.xyz);\n  vec3 fdy = dFdy(vertexVC.xyz);\n";
   if (s.depthOffset)
     text +=
-        "  gl_FragDepth = gl_FragCoord.z;\n"
         "  float cscale = length(vec2(dFdx(gl_FragCoord.z),dFdy(gl_FragCoord.z)));\n"
-        "  gl_FragDepth = gl_FragDepth + cFactor*cscale + 1.0*cOffset/65000;\n";
+        "  gl_FragDepth = gl_FragCoord.z + cFactor*cscale + 1.0*cOffset/65000;\n";
   text += colorText(s);
   if (s.lights != Surface::Lights::none) text += normalText(s);
   text += lightText(s);

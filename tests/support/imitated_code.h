@@ -11,39 +11,31 @@ inline constexpr const char* kImitatedCode = R"toml(
 [[code]]
 name = "VTK"
 statements = '''
-float sf = df > 0.0 ? pow(df, specularPower) : 0.0;
 fragOutput0 = fragOutput0 * vec4(texture(actortexture, tcoordVCVSOutput).rgb, 1.0);
 vec4 texColor = vertexColorVSOutput;
 vec4 texColor = texelFetch(textureC, gl_PrimitiveID + PrimitiveIDOffset);
-vec3 normalVCVSOutput = texelFetch(textureN, gl_PrimitiveID + PrimitiveIDOffset).xyz;
-vec3 ambientColor, diffuseColor, specularColor;
-float opacity, specularPower;
-if (gl_FrontFacing) {
-  ambientColor = ambientIntensity * ambientColorUniform;
-  diffuseColor = diffuseIntensity * diffuseColorUniform;
-  opacity = opacityUniform;
-  specularColor = specularIntensity * specularColorUniform;
-  specularPower = specularPowerUniform;
-} else {
-  ambientColor = ambientIntensityBF * ambientColorUniformBF;
-  diffuseColor = diffuseIntensityBF * diffuseColorUniformBF;
-  opacity = opacityUniformBF;
-  specularColor = specularIntensityBF * specularColorUniformBF;
-  specularPower = specularPowerUniformBF;
-}
 for (int planeNum = 0; planeNum < numClipPlanes; planeNum++)
   clipDistancesVSOutput[planeNum] = dot(clipPlanes[planeNum], vertexMC);
 for (int planeNum = 0; planeNum < numClipPlanes; planeNum++)
   if (clipDistancesVSOutput[planeNum] < 0.0) discard;
-gl_FragDepth = gl_FragCoord.z;
-gl_FragDepth = gl_FragDepth + cFactor*cscale + 1.0*cOffset/65000;
+'''
+blocks = '''
+vec3 normalVCVSOutput = texelFetch(textureN, gl_PrimitiveID + PrimitiveIDOffset).xyz;
+normalVCVSOutput = normalize(normalMatrix * normalVCVSOutput);
+if (gl_FrontFacing == false) { normalVCVSOutput = -normalVCVSOutput; }
 '''
 [[code]]
 name = "VTK physically based"
 statements = '''
 float NdL, NdH, HdL;
 vec3 ambient = vec3(0.0);
+'''
+blocks = '''
 vec3 color = ambient + Lo;
+color = mix(color, color * ao, aoStrengthUniform);
+color += emissiveColor;
+color = pow(color, vec3(1.0/2.2));
+fragOutput0 = vec4(color, opacity);
 '''
 [[code]]
 name = "VTK anti-aliasing"

@@ -88,12 +88,15 @@ class ParaViewStage(Stage):
             self.settings.setdefault(name, proxy.GetProperty(name).GetData())
             setattr(proxy, name, value)
 
-    def show(self, source, view=None, color_by=None, **properties):
-        """The representation of `source`. `color_by`: ("POINTS" or "CELLS", array)."""
-        display = self.simple.Show(source, view or self.view)
+    def change(self, display, **properties):
         for name, value in properties.items():
             newer = NEWER.get(name)
             setattr(display, newer if newer in display.ListProperties() else name, value)
+
+    def show(self, source, view=None, color_by=None, **properties):
+        """The representation of `source`. `color_by`: ("POINTS" or "CELLS", array)."""
+        display = self.simple.Show(source, view or self.view)
+        self.change(display, **properties)
         if color_by:
             self.simple.ColorBy(display, color_by)
             display.RescaleTransferFunctionToDataRange(True, False)

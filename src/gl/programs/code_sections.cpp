@@ -11,14 +11,18 @@ class CodeReader : FamilyTable {
       : FamilyTable(table, file, none_, noAlternatives_) {}
 
   void read(CodeSections& sections) {
-    std::string name, statements, note;
-    text("name", name), text("statements", statements), text("note", note);
+    std::string name, statements, blocks, note;
+    std::vector<std::string> written;
+    text("name", name), text("statements", statements), text("blocks", blocks), text("note", note);
+    texts("written", written);
     if (name.empty()) fail(here(), "code needs a name");
     if (name == "any") fail(at("name"), "code cannot be named \"any\"");
-    if (statements.empty()) fail(here(), "code \"" + name + "\" needs statements");
     allKnown();
     KnownCode& section = sections[name];
-    section.add(statements);
+    const size_t before = section.size();
+    section.add(statements), section.addBlocks(blocks);
+    for (const std::string& variable : written) section.addWritten(variable);
+    if (before == 0 && section.size() == 0) fail(here(), "code \"" + name + "\" needs statements or blocks");
     if (section.note.empty()) section.note = note;
   }
 

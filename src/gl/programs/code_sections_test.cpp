@@ -25,12 +25,24 @@ TEST(CodeSections, CodeIsNamedSectionsOfStatements) {
   EXPECT_TRUE(parseFamilies(kLeast + "match.code = \"any\"\n", "x.toml").at(0)->code.empty());
 
   EXPECT_EQ(mistake("[[code]]\nstatements = \"a;\"\n"), "x.toml:1: code needs a name");
-  EXPECT_EQ(mistake("[[code]]\nname = \"a\"\n"), "x.toml:1: code \"a\" needs statements");
+  EXPECT_EQ(mistake("[[code]]\nname = \"a\"\n"), "x.toml:1: code \"a\" needs statements or blocks");
   EXPECT_EQ(mistake("[[code]]\nname = \"any\"\nstatements = \"a;\"\n"),
             "x.toml:2: code cannot be named \"any\"");
   EXPECT_EQ(mistake("[[code]]\nname = \"a\"\nstatements = \"a;\"\nfor = 1\n"),
             "x.toml:4: unknown key \"for\"");
   EXPECT_EQ(mistake("code = 3\n"), "x.toml:1: only [[family]] and [[code]] sections are expected here");
+}
+
+TEST(CodeSections, BlocksAndWrittenNames) {
+  FamilyList list = parseFamilies(
+      kLeast + "[[code]]\nname = \"one\"\nblocks = \"a; b;\\n\\n\\nb; c;\"\nwritten = [\"v\", \"w\"]\n",
+      "x.toml");
+  EXPECT_EQ(list.code.at("one").size(), 3u);
+  EXPECT_EQ(list.code.at("one").blocks().size(), 2u);
+  list.append(parseFamilies("[[code]]\nname = \"one\"\nblocks = \"d;\"\nwritten = \"x\"\n", "y.toml"));
+  EXPECT_EQ(list.code.at("one").size(), 4u);
+  EXPECT_EQ(list.code.at("one").blocks().size(), 3u);
+  EXPECT_EQ(list.code.at("one").written(), (std::set<std::string>{"v", "w", "x"}));
 }
 
 TEST(CodeSections, ListsAreJoined) {

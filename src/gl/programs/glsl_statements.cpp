@@ -1,9 +1,11 @@
 #include "gl/programs/glsl_statements.h"
 
+#include "base/hash.h"
 #include "gl/programs/glsl_tokens.h"
 
 #include <algorithm>
 #include <cstring>
+#include <unordered_set>
 #include <utility>
 
 namespace gluray::gl {
@@ -91,11 +93,12 @@ void unnumberLight(std::string& code, size_t start) {
   code.resize(start + to);
 }
 
-/// Appends tokens to `code`, statement by statement, and where each statement ends to `ends`.
+/// Appends tokens to `code`, statement by statement, where each statement ends to `ends`, and whether it
+/// stood there before to `repeated`.
 class Cutter {
  public:
-  Cutter(std::string_view text, std::string& code, std::vector<size_t>& ends)
-      : tokens_(text), code_(code), ends_(ends), start_(code.size()) {}
+  Cutter(std::string_view text, std::string& code, std::vector<size_t>& ends, std::vector<bool>& repeated)
+      : tokens_(text), code_(code), ends_(ends), repeated_(repeated), start_(code.size()) {}
 
   void cut() {
     for (std::string_view t = tokens_.next(); !t.empty(); t = tokens_.next()) {
@@ -158,6 +161,8 @@ class Cutter {
     body_ = ended_ = false;
     if (isEmpty()) return;
     if (!matters(statement(), !inMain_)) return code_.resize(start_);
+    const std::string_view s = statement();
+    repeated_.push_back(!seen_.insert(hashBytes(s.data(), s.size()).low).second);
     unnumberLight(code_, start_);
     ends_.push_back(start_ = code_.size());
   }
@@ -165,7 +170,9 @@ class Cutter {
   GlslTokens tokens_;
   std::string& code_;
   std::vector<size_t>& ends_;
-  size_t start_;  // of the statement that is being written
+  std::vector<bool>& repeated_;
+  std::unordered_set<uint64_t> seen_;  // statements of this text
+  size_t start_;                       // of the statement that is being written
   int parentheses_ = 0, braces_ = 0, loops_ = 0;
   bool inMain_ = false, body_ = false, ended_ = false, parenthesisClosed_ = false;
 };
@@ -177,7 +184,7 @@ void GlslStatements::cut(std::string_view text) {
   // at most, a space, or a line feed before "#"; the line feed at the end may come from nothing.
   code_.reserve(code_.size() + 2 * text.size() + 1);
   ends_.reserve(ends_.size() + 256);
-  Cutter(text, code_, ends_).cut();
+  Cutter(text, code_, ends_, repeated_).cut();
 }
 
 }  // namespace gluray::gl

@@ -21,6 +21,8 @@ class GlslStatements {
  public:
   /// Appends the statements of one shader's text.
   void cut(std::string_view text);
+  /// Whether statement i stood in the same shader's text before, with the same numbers of lights.
+  bool isRepeated(size_t i) const { return repeated_[i]; }
   size_t size() const { return ends_.size(); }
   /// Valid until cut() is called again.
   std::string_view operator[](size_t i) const {
@@ -31,6 +33,7 @@ class GlslStatements {
  private:
   std::string code_;  // the statements, one behind the other
   std::vector<size_t> ends_;
+  std::vector<bool> repeated_;
 };
 
 }  // namespace gluray::gl

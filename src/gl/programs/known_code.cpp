@@ -1,10 +1,22 @@
 #include "gl/programs/known_code.h"
 
+#include "gl/programs/glsl_tokens.h"
+
 #include <algorithm>
+#include <map>
+#include <set>
 #include <utility>
 
 namespace gluray::gl {
 namespace {
+
+std::vector<const KnownCode*> named(const CodeSections& sections, const std::vector<std::string>& names) {
+  std::vector<const KnownCode*> known;
+  known.reserve(names.size());
+  for (const std::string& name : names)
+    if (const auto it = sections.find(name); it != sections.end()) known.push_back(&it->second);
+  return known;
+}
 
 bool isBefore(const Hash128& a, const Hash128& b) {
   return a.high != b.high ? a.high < b.high : a.low < b.low;
@@ -20,8 +32,24 @@ void KnownCode::add(std::string_view text) {
   sort();
 }
 
+void KnownCode::addBlocks(std::string_view text) {
+  while (!text.empty()) {
+    const size_t end = std::min(text.find("\n\n"), text.size());
+    GlslStatements statements;
+    statements.cut(text.substr(0, end));
+    std::vector<Hash128> block;
+    for (size_t i = 0; i < statements.size(); ++i) block.push_back(hashOf(statements[i]));
+    statements_.insert(statements_.end(), block.begin(), block.end());
+    if (!block.empty()) blocks_.push_back(std::move(block));
+    text.remove_prefix(std::min(end + 2, text.size()));
+  }
+  sort();
+}
+
 void KnownCode::add(const KnownCode& more) {
   if (note.empty()) note = more.note;
+  blocks_.insert(blocks_.end(), more.blocks_.begin(), more.blocks_.end());
+  written_.insert(more.written_.begin(), more.written_.end());
   statements_.insert(statements_.end(), more.statements_.begin(), more.statements_.end());
   sort();
 }
@@ -38,10 +66,7 @@ bool KnownCode::has(Hash128 statement) const {
 std::vector<std::string_view> unknownStatements(const GlslStatements& statements,
                                                 const CodeSections& sections,
                                                 const std::vector<std::string>& names) {
-  std::vector<const KnownCode*> known;
-  known.reserve(names.size());
-  for (const std::string& name : names)
-    if (const auto it = sections.find(name); it != sections.end()) known.push_back(&it->second);
+  const std::vector<const KnownCode*> known = named(sections, names);
   std::vector<std::string_view> unknown;
   for (size_t i = 0; i < statements.size(); ++i) {
     const std::string_view statement = statements[i];
@@ -51,6 +76,108 @@ std::vector<std::string_view> unknownStatements(const GlslStatements& statements
     if (std::find(unknown.begin(), unknown.end(), statement) == unknown.end()) unknown.push_back(statement);
   }
   return unknown;
+}
+
+namespace {
+
+/// The blocks that begin with a statement, and all statements of blocks.
+class Blocks {
+ public:
+  explicit Blocks(const std::vector<const KnownCode*>& known) {
+    for (const KnownCode* code : known) {
+      for (const std::vector<Hash128>& block : code->blocks()) {
+        byFirst_.emplace(block.front(), &block);
+        members_.insert(block.begin(), block.end());
+      }
+    }
+  }
+  bool has(const Hash128& statement) const { return members_.contains(statement); }
+  /// How many statements from `i` on are a whole block, the longest there is; 0: none.
+  size_t lengthAt(const std::vector<Hash128>& statements, size_t i) const {
+    size_t longest = 0;
+    const auto [begin, end] = byFirst_.equal_range(statements[i]);
+    for (auto it = begin; it != end; ++it) {
+      const std::vector<Hash128>& block = *it->second;
+      const bool fits =
+          block.size() <= statements.size() - i &&
+          std::equal(block.begin(), block.end(), statements.begin() + static_cast<std::ptrdiff_t>(i));
+      if (fits) longest = std::max(longest, block.size());
+    }
+    return longest;
+  }
+
+ private:
+  using Before = decltype(&isBefore);
+  std::multimap<Hash128, const std::vector<Hash128>*, Before> byFirst_{isBefore};
+  std::set<Hash128, Before> members_{isBefore};
+};
+
+/// Whether a statement that stands twice computes something twice.
+bool computes(std::string_view statement) {
+  return statement[0] != '#' && statement.substr(0, 4) != "for(" &&
+         statement.find('=') != std::string_view::npos;
+}
+
+/// Whether the name at `at`, `size` long, is written there: "name[i].xy=", "vec3 name=".
+bool isWrite(std::string_view statement, size_t at, size_t size) {
+  size_t end = at + size;
+  const auto isPlace = [](char c) { return c == '.' || c == '[' || c == ']' || isWordPart(c); };
+  while (end < statement.size() && isPlace(statement[end])) ++end;
+  return end < statement.size() && statement[end] == '=' && statement.substr(end, 2) != "==";
+}
+
+enum class Use { none, read, written };
+
+/// What a statement does with a name: one that reads it writes nothing that others did not.
+Use useOf(std::string_view name, std::string_view statement) {
+  Use use = Use::none;
+  for (size_t at = statement.find(name); at != std::string_view::npos; at = statement.find(name, at + 1)) {
+    const size_t end = at + name.size();
+    if ((at > 0 && isWordPart(statement[at - 1])) || (end < statement.size() && isWordPart(statement[end])))
+      continue;
+    if (!isWrite(statement, at, name.size())) return Use::read;
+    use = Use::written;
+  }
+  return use;
+}
+
+}  // namespace
+
+std::vector<std::string_view> strayStatements(const GlslStatements& statements, const CodeSections& sections,
+                                              const std::vector<std::string>& names) {
+  const std::vector<const KnownCode*> known = named(sections, names);
+  const Blocks blocks(known);
+  std::vector<Hash128> hashes;
+  for (size_t i = 0; i < statements.size(); ++i) hashes.push_back(hashOf(statements[i]));
+  std::vector<std::string_view> stray;
+  for (size_t i = 0; i < hashes.size(); ++i) {
+    const bool inBlock = blocks.has(hashes[i]);
+    const size_t length = inBlock ? blocks.lengthAt(hashes, i) : 0;
+    if (length > 0) {
+      i += length - 1;
+      continue;
+    }
+    const auto has = [&](const KnownCode* code) { return code->has(hashes[i]); };
+    const bool again = !inBlock && statements.isRepeated(i) && computes(statements[i]) &&
+                       std::any_of(known.begin(), known.end(), has);
+    if ((inBlock || again) && std::find(stray.begin(), stray.end(), statements[i]) == stray.end())
+      stray.push_back(statements[i]);
+  }
+  return stray;
+}
+
+std::vector<std::string> unwrittenNames(const GlslStatements& statements, const CodeSections& sections,
+                                        const std::vector<std::string>& names) {
+  std::vector<std::string> unwritten;
+  std::set<std::string> all;
+  for (const KnownCode* code : named(sections, names))
+    all.insert(code->written().begin(), code->written().end());
+  for (const std::string& name : all) {
+    bool uses[3] = {};
+    for (size_t i = 0; i < statements.size(); ++i) uses[static_cast<int>(useOf(name, statements[i]))] = true;
+    if (uses[static_cast<int>(Use::read)] && !uses[static_cast<int>(Use::written)]) unwritten.push_back(name);
+  }
+  return unwritten;
 }
 
 std::string notesOn(const GlslStatements& statements, const CodeSections& sections,

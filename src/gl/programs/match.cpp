@@ -44,6 +44,11 @@ void needCode(ProgramSource& program, const Family& f, const CodeSections& code,
     return out.push_back("has no source that could be read");
   for (const std::string_view statement : unknownStatements(program.statements(), code, f.code))
     out.push_back(about("has the unknown statement ", std::string(statement)));
+  for (const std::string_view statement : strayStatements(program.statements(), code, f.code))
+    out.push_back(about("has the statement ", std::string(statement),
+                        " twice, or without what belongs before and behind it"));
+  for (const std::string& name : unwrittenNames(program.statements(), code, f.code))
+    out.push_back(about("reads ", name, ", which it does not write"));
 }
 
 void refuseActive(const RealGl& real, const Program& p, const Family& f, std::vector<std::string>& out) {

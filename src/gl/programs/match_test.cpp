@@ -218,6 +218,21 @@ TEST_F(Match, StatementsMustBeKnown) {
                             "has the unknown statement \"color.g=2.;\""}));
 }
 
+TEST_F(Match, BlocksMustBeWhole) {
+  const FamilyList list = parseFamilies(
+      std::string(kFamily) +
+          "match.code = \"one\"\n[[code]]\nname = \"one\"\nblocks = \"c = 1.0; d = c;\"\nwritten = \"v\"\n"
+          "statements = \"gl_Position = m * p; color = v; v = p;\"\n",
+      "f.toml");
+  std::string& fragment = attachBoth();
+  const auto found = [&] { return obstacles(real_, fitting(), *list.front(), list.code); };
+  fragment = "void main() { c = 1.0; d = c; }";
+  EXPECT_EQ(found(), Lines{});
+  fragment = "void main() { d = c; color = v; }";
+  EXPECT_EQ(found(), (Lines{"has the statement \"d=c;\" twice, or without what belongs before and behind it",
+                            "reads \"v\", which it does not write"}));
+}
+
 TEST_F(Match, SourcesMustBeReadAsAWhole) {
   const FamilyList list = parseFamilies(std::string(kFamily) + kCode, "f.toml");
   const auto found = [&] { return obstacles(real_, fitting(), *list.front(), list.code); };

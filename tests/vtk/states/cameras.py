@@ -85,7 +85,7 @@ def huge_model(stage):
     stage.orbit()
 
 
-@state("vtk", beyond=0.0025, reason="coordinates of 30,000 in a view of ten units: the real OpenGL's floats are rounded too")
+@state("vtk", beyond=0.0025, reason="coordinates of 10,000 in a view of ten units: the real OpenGL's floats are rounded too")
 def shifted_and_scaled(stage):
     """The same data by every way that VTK moves coordinates before they go to the graphics card."""
     vtk = stage.vtk
@@ -93,7 +93,7 @@ def shifted_and_scaled(stage):
     for i, mode in enumerate(modes):
         data = shapes.grid(vtk, 16)
         move = vtk.vtkTransform()
-        move.Translate(2.2 * i + 3e4, 0, 0)
+        move.Translate(2.2 * i + 1e4, 0, 0)
         move.Scale(1, 1, 0.5 + i)
         moved = vtk.vtkTransformPolyDataFilter()
         moved.SetTransform(move)

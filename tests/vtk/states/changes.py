@@ -115,7 +115,7 @@ def moved_actor(stage):
     stage.show(stage.simple.Box(), DiffuseColor=[0.4, 0.7, 0.3])
     stage.look()
     for i in range(3):
-        display.Position, display.Orientation, display.Scale = [0.4 * i, 0.1, 0.2], [20 * i, 10, 0], [1, 1 + 0.3 * i, 1]
+        stage.change(display, Position=[0.4 * i, 0.1, 0.2], Orientation=[20 * i, 10, 0], Scale=[1, 1 + 0.3 * i, 1])
         stage.shoot()
 
 

@@ -209,21 +209,31 @@ def pixels_scaled(stage):
     stage.orbit(3)
 
 
-@state("vtk")
-def pixels_pushed_forward(stage):
-    """Coincident topology resolved by a constant: lines and points come forward."""
+def pushed_forward(stage, slope):
     vtk = stage.vtk
     mapper = vtk.vtkMapper
     before = mapper.GetResolveCoincidentTopology()
     mapper.SetResolveCoincidentTopologyToPolygonOffset()
     both(stage)
     for actor in stage.renderer.GetActors():
-        actor.GetMapper().SetRelativeCoincidentTopologyLineOffsetParameters(1, -400)
+        actor.GetMapper().SetRelativeCoincidentTopologyLineOffsetParameters(slope, -400)
         actor.GetMapper().SetRelativeCoincidentTopologyPointOffsetParameter(-400)
     stage.show(shapes.sphere(vtk, 12, 0.503), color=(0.3, 0.5, 0.9))
     stage.look()
     stage.orbit(2)
     mapper.SetResolveCoincidentTopology(before)
+
+
+@state("vtk")
+def pixels_pushed_forward(stage):
+    """Coincident topology resolved by a constant: lines and points come forward."""
+    pushed_forward(stage, 0)
+
+
+@state("vtk")
+def pixels_pushed_by_their_slope(stage):
+    """VTK takes the slope of gl_FragDepth before it writes it: left to the real OpenGL."""
+    pushed_forward(stage, 1)
 
 
 @state("vtk")

@@ -1,0 +1,77 @@
+// What programs must hold beside known statements: whole blocks, nothing twice, and what others read.
+#include "gl/programs/known_code.h"
+
+#include <gtest/gtest.h>
+
+namespace gluray::gl {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+class KnownCodeTest : public testing::Test {
+ protected:
+  KnownCodeTest() {
+    sections_["one"].add("float a; d = a; d = light0; f(); for (i = 0; i < 3; ++i) { }");
+    sections_["one"].addBlocks(
+        "a = 1.0;\nb = a;\nc = light0;\n\na = 1.0;\nb = a;\n\nfloat q = b;\nq *= 2.0;\n");
+    sections_["one"].addWritten("vOut");
+  }
+  Texts stray(const std::string& main) {
+    GlslStatements statements;
+    statements.cut("void main() {" + main + "}");
+    const auto found = strayStatements(statements, sections_, {"one", "none"});
+    return Texts(found.begin(), found.end());
+  }
+  Texts unwritten(const std::string& first, const std::string& second) {
+    GlslStatements statements;
+    statements.cut("void main() {" + first + "}"), statements.cut("void main() {" + second + "}");
+    return unwrittenNames(statements, sections_, {"one"});
+  }
+  CodeSections sections_;
+};
+
+TEST_F(KnownCodeTest, StatementsOfBlocksAreKnown) {
+  GlslStatements statements;
+  statements.cut("void main() { a = 1.; b = a; c = light3; }");
+  EXPECT_TRUE(unknownStatements(statements, sections_, {"one"}).empty());
+}
+
+TEST_F(KnownCodeTest, BlocksAreThereAsAWhole) {
+  EXPECT_EQ(stray("a = 1.; b = a; c = light3; d = a;"), Texts{});
+  EXPECT_EQ(stray("a = 1.; b = a; c = light3; a = 1.; b = a; c = light4;"), Texts{})
+      << "a block of each light";
+  EXPECT_EQ(stray("a = 1.; b = a;"), Texts{}) << "a shorter one";
+  EXPECT_EQ(stray("float q = b; q *= 2.;"), Texts{});
+}
+
+TEST_F(KnownCodeTest, PartsOfBlocksAreStray) {
+  EXPECT_EQ(stray("a = 1.; c = light3;"), (Texts{"a=1.;", "c=light#;"}));
+  EXPECT_EQ(stray("float q = b;"), Texts{"float q=b;"});
+  EXPECT_EQ(stray("float q = b; q *= 2.; q *= 2.;"), Texts{"q*=2.;"});
+  EXPECT_EQ(stray("b = a; a = 1.;"), (Texts{"b=a;", "a=1.;"})) << "in another order";
+  EXPECT_EQ(stray("a = 1.; d = a; b = a;"), (Texts{"a=1.;", "b=a;"})) << "with something between";
+}
+
+TEST_F(KnownCodeTest, NothingIsComputedTwice) {
+  EXPECT_EQ(stray("d = a; float a; d = a;"), Texts{"d=a;"});
+  EXPECT_EQ(stray("d = light1; d = light2;"), Texts{}) << "of two lights";
+  EXPECT_EQ(stray("f(); f(); for (i = 0; i < 3; ++i) { } for (i = 0; i < 3; ++i) { }"), Texts{});
+}
+
+TEST_F(KnownCodeTest, UnknownStatementsAreNotStrayAsWell) { EXPECT_EQ(stray("z = 1.; z = 1.;"), Texts{}); }
+
+TEST_F(KnownCodeTest, WhatIsReadIsWrittenBefore) {
+  EXPECT_EQ(unwritten("vOut = x;", "vec3 n = vOut;"), Texts{});
+  EXPECT_EQ(unwritten("vOut[i].xy = x;", "vec3 n = vOut;"), Texts{});
+  EXPECT_EQ(unwritten("if (c) { vOut = x; } else { vOut = y; }", "vec3 n = vOut;"), Texts{});
+  EXPECT_EQ(unwritten("x = y;", "vec3 vOut = cross(x, y); if (c) { vOut = -vOut; }"), Texts{})
+      << "another one";
+  EXPECT_EQ(unwritten("x = y;", "vec3 n = vOut;"), Texts{"vOut"});
+  EXPECT_EQ(unwritten("vOut2 = x; xvOut = y;", "vec3 n = vOut;"), Texts{"vOut"});
+  EXPECT_EQ(unwritten("x = y;", "vec3 vOut = normalize(vOut); if (c) { vOut = -vOut; }"), Texts{"vOut"});
+  EXPECT_EQ(unwritten("if (vOut == x) y = 1.;", "z = 1.;"), Texts{"vOut"});
+  EXPECT_EQ(unwritten("x = y;", "y = x;"), Texts{});
+}
+
+}  // namespace
+}  // namespace gluray::gl
