@@ -9,6 +9,8 @@
 #include "say.h"
 #include "watched_run.h"
 
+#include <string.h>
+
 #include <iostream>
 #include <stdexcept>
 
@@ -29,8 +31,11 @@ std::string endingText(const WatchedRun& run, const CommandLine& line) {
     case WatchedRun::Ending::rest: return "ended at rest: it drew nothing new";
     case WatchedRun::Ending::limit: return "ended when its time was over";
     case WatchedRun::Ending::stopped: return "ended by you";
-    default: return "it ended by itself, with exit code " + std::to_string(run.exitCode);
+    default: break;
   }
+  if (run.signal != 0)
+    return "it ended by signal " + std::to_string(run.signal) + " (" + strsignal(run.signal) + ")";
+  return "it ended by itself, with exit code " + std::to_string(run.exitCode);
 }
 
 /// The picture of a run: of the process that showed most frames.

@@ -4,6 +4,7 @@
 #include "program.h"
 
 #include <sys/types.h>
+#include <sys/wait.h>
 
 #include <functional>
 
@@ -33,6 +34,8 @@ class Child {
   void end();
   /// The exit code as a shell has it; 128 + the signal that ended it.
   int exitCode() const;
+  /// The signal that ended it; 0: none did.
+  int signal() const { return WIFSIGNALED(status_) ? WTERMSIG(status_) : 0; }
 
  private:
   void takeTerminal(pid_t group) const;

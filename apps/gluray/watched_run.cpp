@@ -210,6 +210,7 @@ WatchedRun watch(const CommandLine& given, const Program& program, const Watch& 
   // written.
   reports.read();
   run.exitCode = child.exitCode();
+  run.signal = child.signal();
   run.reports = reports.all();
   return run;
 }

@@ -31,6 +31,7 @@ struct Watch {
 
 struct WatchedRun {
   enum class Ending { byItself, frames, rest, limit, stopped } ending = Ending::byItself;
+  int signal = 0;                       // that ended it; 0: none
   int exitCode = 0;                     // of the program where it ended by itself
   std::vector<nlohmann::json> reports;  // of processes that had a context; most frames first
 };

@@ -22,4 +22,15 @@ inline glm::dvec3 reachOf(const scene::Mesh& mesh) {
   return glm::max(glm::abs(glm::dvec3(mesh.lower)), glm::abs(glm::dvec3(mesh.upper)));
 }
 
+/// Whether all of the mesh's bounds have positive w.
+inline bool isBeforeViewer(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
+  for (int corner = 0; corner < 8; ++corner) {
+    glm::dvec4 p(mesh.lower, 1);
+    for (int c = 0; c < 3; ++c)
+      if (corner >> c & 1) p[c] = mesh.upper[c];
+    if (!((clipFromObject * p).w > 0)) return false;
+  }
+  return true;
+}
+
 }  // namespace gluray::gl

@@ -125,7 +125,7 @@ Reason traceProgram(Context& c, GLenum mode, const Elements& e) {
   return c.attempt([&] {
     const KnownMesh known = meshOf(c, c.attributes, mode, e);
     Reason fine = c.programs.triage(known);
-    if (fine == Reason::traced) fine = c.programs.triageInstances(e);
+    if (fine == Reason::traced) fine = c.programs.triageInstances(*known.mesh, e);
     if (fine == Reason::traced) fine = c.programs.add(known.mesh, mode, e);
     if (fine != Reason::traced) return fine;
     c.countTraced(pathOf(e), uint64_t{known.mesh->triangleCount} * e.repeats());

@@ -124,17 +124,6 @@ bool isOpaque(const ProgramState& program, const scene::Mesh& mesh) {
                      [](const scene::Texture& t) { return t.image->opaque; });
 }
 
-/// Whether all of the mesh's bounds have positive w.
-bool isBeforeViewer(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
-  for (int corner = 0; corner < 8; ++corner) {
-    glm::dvec4 p(mesh.lower, 1);
-    for (int c = 0; c < 3; ++c)
-      if (corner >> c & 1) p[c] = mesh.upper[c];
-    if (!((clipFromObject * p).w > 0)) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 Reason ProgramDraws::triage(const KnownMesh& known) const {

@@ -36,7 +36,7 @@ class ProgramDraws : public ContextPart {
   Reason triage(const KnownMesh& mesh) const;
   /// The same of what figures need beside, and of the instances of a draw.
   Reason triageFigures();
-  Reason triageInstances(const Elements& elements) const;
+  Reason triageInstances(const scene::Mesh& mesh, const Elements& elements) const;
   /// Adds a mesh to the batch, as often as the draw has instances; or says why it cannot join the layers that
   /// are there.
   Reason add(const scene::MeshPtr& mesh, GLenum mode, const Elements& elements);

@@ -39,7 +39,7 @@ struct InstanceReaders {
 
 }  // namespace
 
-Reason ProgramDraws::triageInstances(const Elements& elements) const {
+Reason ProgramDraws::triageInstances(const scene::Mesh& mesh, const Elements& elements) const {
   const InstanceReaders readers(c_.real, c_.attributes);
   const bool mayBeTranslucent = layersOf(c_.state.program) == BatchKey::Layers::none &&
                                 readers.color.enabled() && c_.attributes.instanceColor.size == 4 &&
@@ -52,6 +52,10 @@ Reason ProgramDraws::triageInstances(const Elements& elements) const {
     if (!m) return Reason::arrayState;
     if (!isAffine(glm::dmat4(*m), glm::dvec3(1))) return Reason::homogeneous;
     const glm::mat3 linear(*m);
+    // Edges are painted in the window: as for one alone (triageAlways()).
+    if (c_.state.program.triangleEdges &&
+        !isBeforeViewer(mesh, c_.state.program.clipFromObject * glm::dmat4(*m)))
+      return Reason::program;
     if (glm::determinant(linear) == 0 && linear != glm::mat3(0)) return Reason::singularMatrix;
   }
   return Reason::traced;

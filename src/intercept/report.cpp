@@ -252,7 +252,7 @@ void writeReportIfDue() noexcept {
     if (r.complete) closeKinds();
     r.latest = totals();
     r.lastFrame = nowSeconds();
-    const bool now = r.complete || r.lastFrame >= r.next || (!wanted && r.atOnce > 0);
+    const bool now = r.complete || r.lastFrame >= r.next || r.atOnce > 0;
     r.walkedPast = past;
     r.waiting = true;
     if (now) r.write(r.latest);

@@ -1,4 +1,4 @@
-/* A program whose frames are known to the pixel: client MODE.
+/* A program whose frames are known to the pixel: client MODE [SIGNAL].
    plain      1000 frames
    different  with a square of 10 x 10 pixels, over what is traced, that only runs with GLuRay have
    restless   with a background that no two runs have in common
@@ -7,13 +7,17 @@
    still      2 frames, then nothing until it is asked to end
    front      1000 frames in the front buffer of a double-buffered window, shown by glFlush
    unseen     1000 frames that nobody shows: the program reads them
-   killed     5 frames, and then it kills itself
+   killed     5 frames, and then it ends by the signal whose number is the next word
+   unshown    a frame that nobody shows, two seconds, and then the same
+   signals    5 frames, and then it prints whether each signal has a handler
    front and unseen do not ask to be told when they are to end.
    The colour of what is traced follows the clock. */
 #include "../doors/x_window.h"
 
 #include <GL/glx.h>
 #include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/random.h>
 #include <sys/time.h>
@@ -109,12 +113,33 @@ static void frame(GLuint list, const char* mode) {
   }
 }
 
+/* As the kernel or another process ends programs; SIGSEGV by what causes it. */
+static void endBy(int number) {
+  if (number == SIGSEGV) *(volatile int*)NULL = 1;
+  raise(number);
+}
+
+static void printHandlers(void) {
+  for (int number = 1; number < NSIG; ++number) {
+    struct sigaction action;
+    if (sigaction(number, NULL, &action)) continue;
+    printf("signal %d: %s\n", number,
+           action.sa_handler == SIG_DFL   ? "default"
+           : action.sa_handler == SIG_IGN ? "ignored"
+                                          : "handled");
+  }
+}
+
 int main(int count, char** words) {
   const char* mode = count > 1 ? words[1] : "plain";
-  const int killed = !strcmp(mode, "killed"), front = !strcmp(mode, "front"),
+  const int killed = !strcmp(mode, "killed"), unshown = !strcmp(mode, "unshown"),
+            signals = !strcmp(mode, "signals"), front = !strcmp(mode, "front"),
             unseen = !strcmp(mode, "unseen");
-  const int frames = !strcmp(mode, "short") || killed ? 5 : !strcmp(mode, "still") ? 2 : 1000;
-  if (!front && !unseen) signal(SIGTERM, onTerminate);
+  const int frames = !strcmp(mode, "short") || killed || signals ? 5
+                     : unshown                                   ? 1
+                     : !strcmp(mode, "still")                    ? 2
+                                                                 : 1000;
+  if (!front && !unseen && !killed && !unshown && !signals) signal(SIGTERM, onTerminate);
   Display* display = openDisplay();
   const int single = !strcmp(mode, "single");
   int wanted[] = {GLX_RGBA, GLX_RED_SIZE, 8, GLX_DEPTH_SIZE, 24, single ? None : GLX_DOUBLEBUFFER, None};
@@ -150,13 +175,15 @@ int main(int count, char** words) {
     frame(list, mode);
     if (single || front)
       glFlush();
-    else if (unseen)
+    else if (unseen || unshown)
       glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
     else
       glXSwapBuffers(display, window);
     usleep(1000);
   }
-  if (killed) raise(SIGKILL);
+  if (unshown) sleep(2);
+  if (killed || unshown) endBy(count > 2 ? atoi(words[2]) : SIGKILL);
+  if (signals) printHandlers();
   while (!strcmp(mode, "still") && !asked) usleep(10000);
   if (asked) {
     printf("asked to end\n");

@@ -13,6 +13,7 @@ import os
 import pathlib
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -23,14 +24,16 @@ GLURAY, CLIENTS = (pathlib.Path(p).resolve() for p in sys.argv[1:3])
 CLIENT = CLIENTS / "explain_client"
 TRACED_PIXELS, GLASS_PIXELS = 128 * 128 + 3 * 20 * 20 + 64 * 64, 32 * 32
 
+ENDS = (signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGSEGV, signal.SIGABRT, signal.SIGKILL)
 
-def gluray(*words, **environment):
+
+def gluray(*words, cwd=None, **environment):
     return subprocess.run([str(GLURAY), *map(str, words)], env={**os.environ, **environment}, capture_output=True,
-                          text=True, timeout=100)
+                          text=True, timeout=100, cwd=cwd)
 
 
-def explained(*words, **environment):
-    done = gluray("explain", "--json", *words, **environment)
+def explained(*words, cwd=None, **environment):
+    done = gluray("explain", "--json", *words, cwd=cwd, **environment)
     if done.returncode != 0:
         raise AssertionError(f"exit code {done.returncode}\n{done.stdout}{done.stderr}")
     return json.loads(done.stdout)
@@ -186,10 +189,40 @@ class NeverSwapping(Folder):
         self.assertEqual(report["frames"], 0)
 
     def test_the_last_frames_of_short_programs(self):
-        report = self.folder / "r.json"
-        done = gluray("--report", report, CLIENT, "killed")
-        self.assertEqual(done.returncode, -9)
-        self.assertEqual(json.loads(report.read_text())["frames"], 5)
+        for door in ("vendor", "preload"):
+            for number in ENDS:
+                with self.subTest(signal=number, door=door):
+                    report = self.folder / f"{door}{number}.json"
+                    done = gluray("--door", door, "--report", report, CLIENT, "killed", int(number), cwd=self.folder)
+                    self.assertEqual(done.returncode, -number, done.stderr)
+                    self.assertEqual(json.loads(report.read_text())["frames"], 5)
+
+    def test_what_nobody_has_shown(self):
+        for number in ENDS:
+            with self.subTest(signal=number):
+                report = self.folder / f"{number}.json"
+                done = gluray("--report", report, CLIENT, "unshown", int(number), cwd=self.folder)
+                self.assertEqual(done.returncode, -number, done.stderr)
+                found = json.loads(report.read_text())
+                self.assertEqual((found["frames"], found["draws"]["traced"]), (0, 3))
+
+    def test_signals_stay_the_programs(self):
+        words = ("--report", self.folder / "r.json", CLIENT, "signals")
+        handlers = [[line for line in gluray(*more, *words).stdout.splitlines() if line.startswith("signal")]
+                    for more in ((), ("--off",))]
+        self.assertGreater(len(handlers[0]), 30)
+        self.assertEqual(handlers[0], handlers[1])
+
+    def test_explained_to_a_sudden_end(self):
+        for number in ENDS:
+            with self.subTest(signal=number):
+                all = explained("--frames", 1000, CLIENT, "killed", int(number), cwd=self.folder)
+                self.assertEqual(all["ending"], f"it ended by signal {int(number)} ({signal.strsignal(number)})")
+                [process] = all["processes"]
+                self.assertEqual(process["frames"], 5)
+                kinds = {(k["primitive"], k["path"]): k for k in process["explain"]["kinds"]}
+                self.assertEqual(kinds["surfaces", "elements"]["count"], 5)
+                self.assertTrue(kinds["surfaces", "elements"]["traced"])
 
     def test_explained(self):
         [process] = explained("--frames", 25, CLIENT, "front")["processes"]

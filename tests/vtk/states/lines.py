@@ -389,3 +389,57 @@ def verts_lines_and_polygons(stage):
     actor.GetProperty().SetPointSize(6)
     stage.look()
     stage.orbit()
+
+
+@state("vtk")
+def edges_unlit(stage):
+    edged(stage).GetProperty().LightingOff()
+    stage.look()
+    stage.orbit(2)
+    edged(stage, shapes.grid(stage.vtk, 10), width=3).GetProperty().LightingOff()
+    stage.orbit(2)
+
+
+def glyphs(stage, edges=True, lit=True):
+    vtk = stage.vtk
+    data = shapes.grid(vtk, 3)
+    data.GetPointData().SetActiveScalars("bump")
+    mapper = vtk.vtkGlyph3DMapper()
+    mapper.SetInputData(data)
+    stage.kept = shapes.sphere(vtk, 10)
+    mapper.SetSourceConnection(stage.kept.GetOutputPort())
+    mapper.SetScaleFactor(0.6)
+    mapper.SetScaleModeToNoDataScaling()
+    mapper.SetScalarRange(-1, 1)
+    look = stage.show(mapper).GetProperty()
+    look.SetEdgeVisibility(edges)
+    look.SetEdgeColor(0, 0, 0.4)
+    look.SetLighting(lit)
+    stage.look()
+    stage.orbit(3)
+
+
+@state("vtk")
+def glyph_mapper_edges(stage):
+    glyphs(stage)
+
+
+@state("vtk")
+def glyph_mapper_unlit(stage):
+    glyphs(stage, edges=False, lit=False)
+
+
+@state("vtk")
+def glyph_mapper_edges_unlit(stage):
+    glyphs(stage, lit=False)
+
+
+@state("vtk")
+def glyph_mapper_edges_behind_the_viewer(stage):
+    """Left to the real OpenGL where some glyph has a corner behind the viewer."""
+    glyphs(stage)
+    camera = stage.renderer.GetActiveCamera()
+    camera.SetPosition(0.2, 0.1, 0.15)
+    camera.SetFocalPoint(0.6, 0.5, 0)
+    camera.SetClippingRange(0.01, 5)
+    stage.orbit(2)
