@@ -1,11 +1,20 @@
 // A traced picture: colour and depth of a rectangle of the framebuffer. Made by render/, read by
 // intercept/present.
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace gluray {
+
+/// Of surfaces that are seen through, composited: how many pixels have n >= 2 layers one behind the other,
+/// those that are not seen any more left out. The last number stands for all that are larger.
+struct LayerCounts {
+  static constexpr size_t kMost = 64;
+  std::array<uint32_t, kMost> open{};    // pixels with nothing opaque behind the layers
+  std::array<uint32_t, kMost> before{};  // pixels with something opaque behind them
+};
 
 /// Colour and window depth of `width` x `height` pixels (per sample where multisampled), bottom row first, as
 /// OpenGL has it.
@@ -30,6 +39,7 @@ struct Image {
   /// depth at their centres. `depth` is the same, or where the centre missed that of the nearest sample.
   /// Empty where every pixel is what its centre hit.
   std::vector<float> center;
+  LayerCounts layers;
 
   /// What the planes take.
   size_t bytes() const {

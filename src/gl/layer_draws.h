@@ -65,6 +65,8 @@ class LayerDraws : public ContextPart {
   bool startPeeled(const BatchKey& key);
   bool startSums(const BatchKey& key);
   void end();
+  PeelWatch& watchOf(GLuint framebuffer);
+  void countHeldDepths();
   Reason triageSeenThrough(PrimitiveClass kind);  // what both kinds have in common
 
   Peeling peeling_;

@@ -110,6 +110,7 @@ bool LayerDraws::beginHolding() {
   peeling_.target = std::move(target);
   peeling_.layers = std::move(layers);
   peeling_.depthsFound = found;
+  peeling_.framebuffer = c_.state.target.framebuffer;
   peeling_.traced.reset();
   peeling_.stage = Peeling::Stage::depths;
   return true;
@@ -117,6 +118,7 @@ bool LayerDraws::beginHolding() {
 
 bool LayerDraws::holdDepths(GLenum mode, const Elements& elements, uint64_t triangles) {
   using Stage = Peeling::Stage;
+  watchOf(c_.state.target.framebuffer).begin();
   if (c_.aside() || c_.passthrough() || c_.activeQueries > 0 ||
       !c_.info().settings.quirks.has(Quirk::depthPeeling) || !c_.canTrace())
     return false;
@@ -153,9 +155,10 @@ Reason LayerDraws::triageSeenThrough(PrimitiveClass kind) {
 Reason LayerDraws::triagePeel(PrimitiveClass kind) {
   using Stage = Peeling::Stage;
   if (c_.aside()) return Reason::failure;
+  const GLint unit = inputUnit(c_.state.program);
+  if (unit >= 0) watchOf(c_.state.target.framebuffer).drawn(boundTexture(c_.real, unit));
   if (peeling_.stage == Stage::none || c_.activeQueries > 0) return Reason::programPass;
   if (const Reason reason = triageSeenThrough(kind); reason != Reason::traced) return reason;
-  const GLint unit = inputUnit(c_.state.program);
   if (unit < 0 || boundTexture(c_.real, unit) != peeling_.depthsFound)
     return Reason::programPass;  // a later peel
   if (!peelsIntoAll() || c_.state.viewport != peeling_.target.depths.viewport) return Reason::programPass;
@@ -204,6 +207,8 @@ PresentResult LayerDraws::present(const scene::SnapshotPtr& snapshot, const Batc
   LayersTarget& target = peeling_.target;
   for (ProgramDraw& draw : c_.batch().takeProgramDraws()) target.surfaces.draws.push_back(std::move(draw));
   target.mayRepeat = !c_.measured();
+  PeelWatch& peels = watchOf(peeling_.framebuffer);
+  target.limits = peels.limits();
   PresentResult result = c_.presenter().presentLayers(c_.real, snapshot, target, false);
   if (result.outcome == PresentResult::traced) {
     noteUse(Quirk::depthPeeling);
@@ -211,10 +216,21 @@ PresentResult LayerDraws::present(const scene::SnapshotPtr& snapshot, const Batc
     peeling_.tracedKey = key;
     peeling_.traced = snapshot;
     peeling_.succeeded();
+    peels.traced();
   } else {
+    if (result.declined) {
+      if (peels.declined(*result.declined)) peeling_.failed();
+      countHeldDepths();
+    }
     end();
   }
   return result;
+}
+
+PeelWatch& LayerDraws::watchOf(GLuint framebuffer) {
+  constexpr size_t kMost = 64;
+  if (peeling_.watches.size() >= kMost && !peeling_.watches.contains(framebuffer)) peeling_.watches.clear();
+  return peeling_.watches[framebuffer];
 }
 
 void LayerDraws::end() {
@@ -224,23 +240,29 @@ void LayerDraws::end() {
   peeling_.traced.reset();
 }
 
+/// The held draws of the first pass were made by the real OpenGL.
+void LayerDraws::countHeldDepths() {
+  for (const ProgramDraw& draw : peeling_.target.depths.draws)
+    c_.countRaster(Reason::programPass, draw.elements.type ? DrawPath::elements : DrawPath::arrays,
+                   PrimitiveClass::surfaces, trianglesOf(draw));
+}
+
 void LayerDraws::giveUp() {
   if (peeling_.stage == Peeling::Stage::none) return;
   c_.forgetClear();
   peeling_.stage = Peeling::Stage::none;
   peeling_.failed();
+  watchOf(peeling_.framebuffer).gaveUp();
   LayersTarget& target = peeling_.target;
   scene::SnapshotPtr snapshot = peeling_.traced;
   if (!c_.batch().empty() && c_.batch().key().layers == BatchKey::Layers::peeled) {
     for (ProgramDraw& draw : c_.batch().takeProgramDraws()) target.surfaces.draws.push_back(std::move(draw));
     snapshot = c_.batch().take();
   }
-  if (snapshot) c_.countAsRasterised(*snapshot);
+  if (snapshot) c_.countAsRasterised(*snapshot, Reason::programPass);
   const PresentResult result = c_.presenter().presentLayers(c_.real, nullptr, target, true);
   if (result.pendingError != GL_NO_ERROR) c_.setError(result.pendingError);
-  for (const ProgramDraw& draw : target.depths.draws)
-    c_.countRaster(Reason::programPass, draw.elements.type ? DrawPath::elements : DrawPath::arrays,
-                   PrimitiveClass::surfaces, trianglesOf(draw));
+  countHeldDepths();
   end();
   if (result.outcome != PresentResult::rasterised)
     c_.stepAside(result.why.empty() ? "what was held back could not be drawn" : result.why.c_str());

@@ -3,11 +3,13 @@
 // all layers in the place of the first peel and leave nothing to later ones. Owned by Context, GL thread.
 #pragma once
 #include "gl/batch.h"
+#include "gl/peel_limits.h"
 #include "gl/programs/held_pass.h"
 #include "scene/snapshot.h"
 
 #include <algorithm>
 #include <memory>
+#include <unordered_map>
 
 namespace gluray::gl {
 
@@ -19,10 +21,12 @@ struct Peeling {
   };
   Stage stage = Stage::none;
   LayersTarget target;
+  GLuint framebuffer = 0;  // that both passes are drawn into
   GLuint depthsFound = 0;  // texture that the first pass writes and the first peel reads
   std::shared_ptr<const scene::Layers> layers;
   BatchKey tracedKey;
-  scene::SnapshotPtr traced;  // what the result shows already; more may join
+  scene::SnapshotPtr traced;                      // what the result shows already; more may join
+  std::unordered_map<GLuint, PeelWatch> watches;  // by framebuffer
 
   /// What was held back had to be drawn after all: for a while, and each time longer, nothing is.
   void failed() {

@@ -92,7 +92,8 @@ struct PresentResult {
   bool blasRefining = false;  // a better acceleration structure is being built
   bool repeated = false;      // nothing had changed: the picture was there
   bool averages = false;      // pixels are averages of several rays
-  bool declined = false;  // rasterised because the program would have drawn another picture than all layers
+  /// Rasterised because the program's peels may not show all layers: how many there are.
+  std::optional<LayerCounts> declined;
   GLenum pendingError =
       GL_NO_ERROR;  // an error of the program's that was found on the way, to be reported to it
   std::string why;  // where it was not traced: one line for the user, who has not been told yet

@@ -27,7 +27,6 @@ bool Context::canTrace() {
 }
 
 void Context::present(Reason reason) {
-  const bool rasterise = reason != Reason::traced;
   window.showLagged();
   if (batch_.empty()) return;
   timeline::writeIfDue();
@@ -35,7 +34,9 @@ void Context::present(Reason reason) {
   const BatchKey key = batch_.key();
   const bool peeled = key.layers == BatchKey::Layers::peeled;
   if (peeled && !layers.haveSurfaces()) return layers.giveUp();
-  if (key.layers == BatchKey::Layers::drawn && !rasterise) rasterise = !layers.readUnder();
+  if (key.layers == BatchKey::Layers::drawn && reason == Reason::traced && !layers.readUnder())
+    reason = Reason::framebuffer;
+  const bool rasterise = reason != Reason::traced;
   const scene::SnapshotPtr snapshot = batch_.take();
   const double start = kinds() ? nowSeconds() : 0;
   syncCurrent();

@@ -37,7 +37,9 @@ struct FrameData {
   bool ownPlanes = false;                        // some surface has clip planes of its own
   bool averages = false;                         // a pixel is the average of all samples (Image::center)
   mutable std::atomic<bool> seenThrough{false};  // averages: some hit has an alpha that is not 1
-  float widestEdge = 0;                          // of painted edges, pixels; 0: there are none
+  // Layers: LayerCounts::open and ::before.
+  mutable std::array<std::array<std::atomic<uint32_t>, LayerCounts::kMost>, 2> layerCounts{};
+  float widestEdge = 0;  // of painted edges, pixels; 0: there are none
   // Where triangles that grow by their edges may be culled or cut by planes: passes by what is. Otherwise
   // null.
   std::unique_ptr<const accel::HitFilter> accepted;

@@ -19,6 +19,7 @@ struct Gathered {
   alignas(64) Row before[4] = {};  // the fragments at one place, which are under way
   alignas(64) Row now[4] = {};     // with them
   float place[kLanes];             // their depth
+  uint8_t places[kLanes] = {};     // how many there were
 };
 
 /// Puts the fragments of `lanes` behind what is there.
@@ -29,6 +30,7 @@ HWY_ATTR inline void putBehind(uint32_t lanes, const LitRows& rows, const float*
     if (!(std::abs(depth[i] - g.place[i]) <= tolerance)) {
       for (int c = 0; c < 4; ++c) g.before[c][i] = g.now[c][i];
       g.place[i] = depth[i];
+      if (g.places[i] + 1u < LayerCounts::kMost) ++g.places[i];
     }
     const float weight = (1 - g.before[3][i]) * rows.value[3][i];
     for (int c = 0; c < 4; ++c) {
@@ -122,6 +124,23 @@ HWY_ATTR void walkLayers(const FrameData& frame, Work& work, End&& end, Put&& pu
   }
 }
 
+/// Counts the layers of the packet's pixels; mostly they have the same number.
+HWY_ATTR inline void countLayers(const FrameData& frame, const scene::Layers& layers, const Work& work,
+                                 const Gathered& g) {
+  for (int i = 0; i < kLanes;) {
+    const uint8_t places = g.places[i];
+    if (places < 2) {
+      ++i;
+      continue;
+    }
+    const bool before = layers.opaqueDepth[pixelOf(frame, work, i)] >= 0;
+    uint32_t same = 1;
+    for (++i; i < kLanes && g.places[i] == places; ++i, ++same)
+      if ((layers.opaqueDepth[pixelOf(frame, work, i)] >= 0) != before) break;
+    frame.layerCounts[before][places].fetch_add(same, std::memory_order_relaxed);
+  }
+}
+
 /// All hits of the packet's rays, composited.
 HWY_ATTR inline void compositeLayers(const FrameData& frame, const scene::Layers& layers, Work& work) {
   Gathered g;
@@ -132,6 +151,7 @@ HWY_ATTR inline void compositeLayers(const FrameData& frame, const scene::Layers
     putBehind(lanes, rows, depth, layers.tolerance, g);
     return lanesFull(lanes, g);
   });
+  countLayers(frame, layers, work, g);
   LitRows rows;
   for (int c = 0; c < 4; ++c) std::copy_n(g.now[c], kLanes, rows.value[c]);
   packColors(rows, work.color);

@@ -45,6 +45,7 @@ void shapeImage(const scene::Snapshot& snapshot, Image& image, bool averages) {
   image.x = region.x;
   image.y = region.y;
   image.resize(region.width, region.height, std::max(snapshot.samples, 1), contentOf(snapshot), averages);
+  image.layers = {};
 }
 
 void fillWithMisses(Image& image) {
@@ -76,6 +77,8 @@ bool traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Imag
     const int x = index % columns * kTileSize, y = index / columns * kTileSize;
     traceTile(frame, {x, y, std::min(x + kTileSize, image.width), std::min(y + kTileSize, image.height)});
   });
+  for (size_t n = 0; n < LayerCounts::kMost; ++n)
+    image.layers.open[n] = frame.layerCounts[0][n], image.layers.before[n] = frame.layerCounts[1][n];
   return snapshot.layers || !frame.seenThrough.load();
 }
 

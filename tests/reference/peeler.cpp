@@ -108,8 +108,8 @@ Peeler::Peeler(Gl gl) : gl_(gl) {
   copyDepth_ = screenProgram(gl,
                              "uniform sampler2D oTex;\nout vec4 fragOutput0;\nout vec4 fragOutput1;\n"
                              "void main()\n{\n  float d = texture(oTex, texCoord).r;\n"
-                             "  fragOutput0 = vec4(-1.);\n"
-                             "  fragOutput1 = vec4(-1., d == 1. ? -1. : d, 0., 0.);\n}\n");
+                             "  if (d == 1.) { discard; }\n"
+                             "  fragOutput0 = fragOutput1 = vec4(-1., d, 0., 0.);\n}\n");
   blendBack_ = screenProgram(gl,
                              "uniform sampler2D newPeel;\nout vec4 fragOutput0;\n"
                              "void main()\n{\n  vec4 f = texture(newPeel, texCoord);\n"
@@ -191,7 +191,7 @@ void Peeler::drawAll(Stage stage, const std::vector<Peeled>& all, const std::fun
   for (size_t i = 0; i < all.size(); ++i) {
     if ((all[i].opacity == 1) != (stage == kOpaque)) continue;
     if (!first && between) between();
-    draw(stage, all[i], i);
+    draw(stage, all[i], firstNumber_ + i);
     first = false;
   }
 }
@@ -218,7 +218,16 @@ bool Peeler::peel(const std::vector<Peeled>& all, Texture front, Texture frontNe
   gl_.EndQuery(GL_SAMPLES_PASSED);
   GLuint written = 0;
   gl_.GetQueryObjectuiv(query_, GL_QUERY_RESULT, &written);
-  return written > 0;
+  return written > threshold;
+}
+
+void Peeler::showLimits() {
+  std::vector<Peeled> small;
+  for (int i = 0; i < 2 * mostPeels; ++i)
+    small.push_back(seen(sheet(2), glm::vec3(0.5f), 0.1f, placed({0, 0, 0.1 * i}, 0.1)));
+  firstNumber_ = 1000;
+  frame(small);
+  firstNumber_ = 0;
 }
 
 void Peeler::frame(const std::vector<Peeled>& all, const Hooks& hooks) {

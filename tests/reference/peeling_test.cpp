@@ -21,6 +21,7 @@ void expectPeeled(const std::string& name, const std::vector<Peeled>& all, int d
   const auto draw = [&](Gl gl) {
     Peeler peeler(gl);
     const Hooks hooks = hooksOf ? hooksOf(gl, peeler) : Hooks{};
+    peeler.showLimits();
     peeler.frame(all, hooks);
     peeler.frame(all, hooks);
   };
@@ -32,18 +33,62 @@ TEST(Peeling, AllLayersAreTracedAtOnce) { expectPeeled("balls", balls(), 2 * 4);
 TEST(Peeling, ProgramsThatAreMadeBetweenThePassesChangeNothing) {
   // The first frame makes them when it first needs them; so does this one.
   expectBoth(
-      "one_frame", [](Gl gl) { Peeler(gl).frame(balls()); }, 4, {}, kPeelTolerance);
+      "one_frame",
+      [](Gl gl) {
+        Peeler peeler(gl);
+        peeler.showLimits();
+        peeler.frame(balls());
+      },
+      4, {}, kPeelTolerance);
 }
 
 TEST(Peeling, LaterPeelsFindNothingLeft) {
   int peels = 0;
   const auto draw = [&](Gl gl) {
     Peeler peeler(gl);
+    peeler.showLimits();
     peeler.frame(balls());
     peels = peeler.peels();
   };
   expectSame("peels", draw, 4, {}, kPeelTolerance);
   EXPECT_EQ(peels, 1);
+}
+
+/// Sheets one behind the other, `step` apart, the nearest first.
+std::vector<Peeled> row(int count, float opacity, double step) {
+  std::vector<Peeled> all;
+  for (int i = 0; i < count; ++i) {
+    const float x = static_cast<float>(i) / static_cast<float>(count);
+    all.push_back(seen(sheet(12), {x, 0.5f, 1 - x}, opacity, placed({0, 0, 0.6 - step * i}, 0.7)));
+  }
+  return all;
+}
+
+TEST(Peeling, ProgramsStopAfterTheNearestLayerWhereAllLiesBeforeSomethingOpaque) {
+  auto all = row(4, 0.4f, 0.2);
+  all.push_back(seen(sheet(4), glm::vec3(0.8f), 1, placed({0, 0, -3}, 3)));
+  const auto draw = [&](Gl gl) {
+    Peeler peeler(gl);
+    for (int frame = 0; frame < 3; ++frame) peeler.frame(all);
+    EXPECT_EQ(peeler.peels(), 1);
+  };
+  expectSame("before_opaque", draw, 3, {}, kPeelTolerance);
+}
+
+TEST(Peeling, MoreLayersThanTheProgramPeelsAreNotAllShown) {
+  const auto all = row(12, 0.2f, 0.1);
+  const auto draw = [&](int most, GLuint threshold) {
+    return [&, most, threshold](Gl gl) {
+      Peeler peeler(gl);
+      peeler.mostPeels = most, peeler.threshold = threshold;
+      for (int frame = 0; frame < 3; ++frame) peeler.frame(all);
+    };
+  };
+  expectSame("few_peels", draw(4, 0), 0, {}, kPeelTolerance);
+  expectSame("high_threshold", draw(20, 4000), 0, {}, kPeelTolerance);
+  // The first frame shows how many peels the program draws.
+  expectSame("many_peels", draw(20, 0), 2 * 12, {}, kPeelTolerance);
+  expectSame("low_threshold", draw(20, 50), 2 * 12, {}, kPeelTolerance);
 }
 
 TEST(Peeling, ColorsOfVerticesMapsAndCells) {
@@ -209,6 +254,7 @@ TEST(Peeling, SwitchedOff) {
   ASSERT_TRUE(settings.quirks.set("depth-peeling", false));
   TracedContext ours(coreWish(), settings);
   Peeler peeler(ours.gl());
+  peeler.showLimits();
   peeler.frame(balls());
   EXPECT_EQ(ours.context().statistics.drawsTraced, 1u);
   EXPECT_GT(peeler.peels(), 1);

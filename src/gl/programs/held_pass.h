@@ -1,6 +1,7 @@
 // Passes with several outputs whose draws are held back, because all they lead to can be traced in one go. GL
 // thread.
 #pragma once
+#include "gl/peel_limits.h"
 #include "gl/programs/program_draw.h"
 
 #include <glm/glm.hpp>
@@ -31,6 +32,7 @@ struct LayersTarget {
   glm::ivec2 size{0};                   // of all these textures
   bool mayRepeat = true;                // as PresentTarget's
   bool written = false;                 // the result holds a traced picture
+  PeelLimits limits;                    // of the program's peels
 };
 
 }  // namespace gluray::gl

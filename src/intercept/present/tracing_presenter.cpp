@@ -105,7 +105,10 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
   const double start = nowSeconds();
   const bool whole = traced && traced->image.x == 0 && traced->image.y == 0 &&
                      traced->image.width == target.size.x && traced->image.height == target.size.y;
-  if (whole && writeTexture(real, features(real), target.result, target.size, traced->image.color.data()))
+  if (whole && !gl::showsAll(target.limits, traced->image.layers, target.opaqueDepths.size()))
+    result.declined = traced->image.layers;
+  if (whole && !result.declined &&
+      writeTexture(real, features(real), target.result, target.size, traced->image.color.data()))
     result.outcome = PresentResult::traced;
   else if (drawLayers(real, features(real), target))
     result.outcome = PresentResult::rasterised;

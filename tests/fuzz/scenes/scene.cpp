@@ -42,6 +42,7 @@ void Scene::draw() {
   const auto background = dice_.color();
   gl_.ClearColor(background[0], background[1], background[2], 1);
   gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+  gl_.Materialf(GL_FRONT_AND_BACK, GL_SHININESS, 8);  // 0: avoided.md
   for (GLuint name = 1; name < 3; ++name) texture(name);
   camera(), lights();
   const uint32_t objects = 2 + dice_.below(6);
