@@ -85,8 +85,8 @@ Reason ProgramReader::readMap(const ProgramUniform& sampler) {
 
 Reason ProgramReader::readTextures() {
   out_.shading.textures.clear();
-  if (uniforms_.has(family_.texturesOnBack) && uniforms_.integer(family_.texturesOnBack) == 0)
-    return Reason::program;
+  out_.shading.fragment.texturesOnBack =
+      !uniforms_.has(family_.texturesOnBack) || uniforms_.integer(family_.texturesOnBack) != 0;
   for (const std::string& name : family_.textures) {
     const ProgramUniform* sampler = samplerNamed(name);
     if (!sampler) continue;
