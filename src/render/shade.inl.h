@@ -191,9 +191,9 @@ HWY_ATTR inline void packColors(const LitRows& rows, uint32_t* color) {
 // What the textures of a fragment program leave of its colour: factors, so that bright colours are not cut
 // off in between.
 HWY_ATTR inline void multiplyByTextures(const FrameData& frame, const Surface& s, const Group& group,
-                                        const float* x, const float* y, LitRows& rows) {
+                                        uint32_t lanes, const float* x, const float* y, LitRows& rows) {
   TexturedTriangle triangle(s, frame.snapshot->camera);
-  for (uint32_t lanes = group.lanes; lanes; lanes &= lanes - 1) {
+  for (; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
     const glm::vec4 factor =
         triangle.color(group.primitive[i], group.u[i], group.v[i], {x[i], y[i]}, glm::vec4(1));
@@ -214,7 +214,8 @@ HWY_ATTR inline void shadeByProgram(const FrameData& frame, const Surface& s, co
       for (int c = 0; c < 4; ++c) rows.value[c][i] = backRows.value[c][i];
     }
   }
-  if (!s.lighting->shading->textures.empty()) multiplyByTextures(frame, s, group, x, y, rows);
+  const uint32_t textured = s.lighting->shading->fragment.texturesOnBack ? group.lanes : group.lanes & ~back;
+  if (!s.lighting->shading->textures.empty()) multiplyByTextures(frame, s, group, textured, x, y, rows);
 }
 
 /// Colours (the first four rows) of the group's lanes at window positions x, y; bit i of `back`: lane i shows

@@ -45,6 +45,7 @@ struct FragmentShading {
   bool flipBackFaces = false;  // back faces have the reversed normal
   bool parallelView = false;   // triangle normals face +z instead of the viewer's place
   bool backMaterial = false;   // back faces have MaterialPair::back
+  bool texturesOnBack = true;  // back faces have textures
   std::vector<FragmentLight> lights;
   std::vector<Texture> map;  // Color::map: one texture, looked up at the coordinates of unit 0; its matrix is
                              // applied to s and t alone

@@ -99,8 +99,8 @@ Reason ProgramReader::readMap(const ProgramUniform& sampler) {
 
 Reason ProgramReader::readTextures() {
   out_.shading.textures.clear();
-  if (uniforms_.has(family_.texturesOnBack) && uniforms_.integer(family_.texturesOnBack) == 0)
-    return refuse("uniform \"" + family_.texturesOnBack + "\" is 0: textures on front faces alone");
+  out_.shading.fragment.texturesOnBack =
+      !uniforms_.has(family_.texturesOnBack) || uniforms_.integer(family_.texturesOnBack) != 0;
   const bool second = hasTwoTexcoords(program_, family_);
   for (const std::string& name : family_.textures) {
     const ProgramUniform* sampler = samplerNamed(name);

@@ -165,3 +165,28 @@ def thousand_small_actors(stage):
         actor.RotateZ(i)
     stage.look()
     stage.orbit()
+
+
+@state("vtk")
+def textures_in_front(stage):
+    """Textures on front faces alone, of an open ball."""
+    vtk = stage.vtk
+    stage.kept = vtk.vtkSphereSource()
+    stage.kept.SetThetaResolution(32), stage.kept.SetPhiResolution(32), stage.kept.SetEndTheta(220)
+    stage.places = vtk.vtkTextureMapToSphere()
+    stage.places.SetInputConnection(stage.kept.GetOutputPort())
+    stage.places.Update()
+    picture = vtk.vtkImageCanvasSource2D()
+    picture.SetScalarTypeToUnsignedChar(), picture.SetNumberOfScalarComponents(3), picture.SetExtent(0, 15, 0, 15, 0, 0)
+    for x in range(0, 16, 4):
+        for y in range(0, 16, 4):
+            picture.SetDrawColor(40 + 14 * x, 250 - 12 * y, 255 if (x + y) % 8 else 60)
+            picture.FillBox(x, x + 3, y, y + 3)
+    picture.Update()
+    texture = vtk.vtkTexture()
+    texture.SetInputData(picture.GetOutput())
+    actor = stage.show(stage.places.GetOutput())
+    actor.SetTexture(texture)
+    actor.GetProperty().ShowTexturesOnBackfaceOff()
+    stage.look()
+    stage.orbit(4)
