@@ -170,8 +170,10 @@ void drawByProgram(Context& c, GLenum mode, const Elements& e) {
 void draw(Context& c, GLenum mode, const Elements& e) {
   if (!validate(c, mode, e) || e.first < 0) return;  // what lies before an array is nobody's
   // Nothing to draw, but an error where nothing could be drawn.
-  if (e.count == 0 || e.instances == 0) return c.compiling() ? void() : drawReal(c.real, mode, e);
-  if (c.compiling()) return recordDraw(c, mode, e);
+  const bool empty = e.count == 0 || e.instances == 0;
+  // Instanced draws are errors in lists, empty ones too.
+  if (c.compiling()) return empty && e.instances < 0 ? void() : recordDraw(c, mode, e);
+  if (empty) return drawReal(c.real, mode, e);
   const DrawTimer timer(c.kinds());
   if (c.direct()) {
     const Load load = loadOf(c, mode, e);

@@ -104,6 +104,10 @@ std::vector<DepthAgain> Passes::takeTraced() {
 }
 
 void Passes::clear(std::optional<uint32_t> framebuffer) {
+  if (framebuffer)
+    std::erase_if(rasterisedByProgram_, [&](const Rasterised& r) { return r.framebuffer == *framebuffer; });
+  else
+    rasterisedByProgram_.clear();
   if (surfaces_.empty()) return;
   ++layer_;
   if (!byProgram_ || !framebuffer) {
@@ -191,6 +195,25 @@ void Passes::remember(const Hash128& geometry) {
   constexpr size_t kMost = 4096;  // more are old ones that are drawn no more
   if (metIn_.size() > kMost) metIn_.clear();
   metIn_[geometry] = layer_;
+}
+
+void Passes::rasterisedByProgram(uint32_t framebuffer, uint64_t count, std::vector<Triangle> triangles,
+                                 const glm::dmat4* clipFromObject, bool pushedBack) {
+  if (rasterisedByProgram_.size() >= kMostRasterised || triangles.empty()) return;
+  Rasterised r{framebuffer, count, std::move(triangles), {}, pushedBack};
+  if (clipFromObject) r.clipFromObject = *clipFromObject;
+  rasterisedByProgram_.push_back(std::move(r));
+}
+
+bool Passes::meetsRasterised(uint32_t framebuffer, const scene::Mesh& mesh, const glm::dmat4& clipFromObject,
+                             bool pushedBack) {
+  const auto meets = [&](const Rasterised& r) {
+    return r.framebuffer == framebuffer && r.count == mesh.triangleCount && (pushedBack || !r.pushedBack) &&
+           (!r.clipFromObject || *r.clipFromObject == clipFromObject) && holdsSome(mesh, r.triangles);
+  };
+  if (!std::any_of(rasterisedByProgram_.begin(), rasterisedByProgram_.end(), meets)) return false;
+  remember(mesh.geometryId);
+  return true;
 }
 
 bool Passes::several(const Hash128& geometry) {

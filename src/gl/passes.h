@@ -66,7 +66,7 @@ class Passes {
   /// Depth of `framebuffer` was cleared, or the frame ended: a new layer begins.
   void clear(std::optional<uint32_t> framebuffer = {});
   /// Whether shader programs have drawn surfaces of the layer.
-  bool anyByProgram() const { return byProgram_; }
+  bool anyByProgram() const { return byProgram_ || !rasterisedByProgram_.empty(); }
   /// Whether one of these, in `framebuffer`, has so many triangles.
   bool anyByProgram(uint32_t framebuffer, uint64_t triangles) const;
   /// Whether any surface of the layer was drawn with this modelview matrix.
@@ -85,8 +85,16 @@ class Passes {
   /// if that is known.
   Meeting meetsProgram(uint32_t framebuffer, std::span<const Triangle> triangles, uint64_t count,
                        const glm::dmat4* clipFromObject, bool pushedBack);
-  /// The surfaces that these have found to be traced already, each once. They count as rasterised from then
-  /// on.
+  /// A shader program's draw of `count` triangles, some of which are given, is rasterised into `framebuffer`
+  /// and leaves depth.
+  void rasterisedByProgram(uint32_t framebuffer, uint64_t count, std::vector<Triangle> triangles,
+                           const glm::dmat4* clipFromObject, bool pushedBack);
+  /// Whether a surface that a shader program is about to draw lies upon one of these; it is remembered as
+  /// drawn in several passes.
+  bool meetsRasterised(uint32_t framebuffer, const scene::Mesh& mesh, const glm::dmat4& clipFromObject,
+                       bool pushedBack);
+  /// The surfaces that meets() and meetsProgram() have found to be traced already, each once. They count as
+  /// rasterised from then on.
   std::vector<DepthAgain> takeTraced();
   /// Whether the geometry was found to be drawn in several passes, in this layer or one of the last hundred.
   bool several(const Hash128& geometry);
@@ -101,6 +109,14 @@ class Passes {
     bool met = false;                               // by a pass, since takeTraced()
     std::optional<glm::dmat4> clipFromObject = {};  // of a shader program
   };
+  struct Rasterised {
+    uint32_t framebuffer;
+    uint64_t count;
+    std::vector<Triangle> triangles;
+    std::optional<glm::dmat4> clipFromObject;  // if it is known
+    bool pushedBack;
+  };
+  static constexpr size_t kMostRasterised = 1024;  // in a layer
   /// Whether one of the triangles has all its corners among the surface's.
   bool liesUpon(const Surface& surface, const glm::dmat4& eyeFromObject, std::span<const Triangle> triangles);
   bool holdsSome(const scene::Mesh& mesh, std::span<const Triangle> triangles);
@@ -112,6 +128,7 @@ class Passes {
   std::pmr::unordered_multimap<Hash128, Surface> surfaces_{&blocks_};  // by matrix
   bool rasterised_ = false;                                            // some of them were
   bool byProgram_ = false;                                             // some are of shader programs
+  std::vector<Rasterised> rasterisedByProgram_;
   uint64_t layer_ = 0;
   std::unordered_map<Hash128, uint64_t> metIn_;  // geometry -> last layer in which a pass met it
   std::unordered_map<Hash128, std::unique_ptr<VertexSet>> vertices_;  // by geometry

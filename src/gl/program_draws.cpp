@@ -5,6 +5,7 @@
 #include "gl/context.h"
 #include "gl/mesh_builder.h"
 #include "gl/pixel_figures.h"
+#include "gl/state_queries.h"
 
 #include <algorithm>
 
@@ -149,8 +150,7 @@ Reason ProgramDraws::triageAlways(const KnownMesh& known) const {
   if (c_.attributes.instanceTransform.empty() &&
       c_.precision.isTooLarge(*known.mesh, program.clipFromObject, {viewport.z, viewport.w}))
     return Reason::tooLarge;
-  if (layersOf(program) == BatchKey::Layers::none && c_.passes.several(known.mesh->geometryId))
-    return Reason::passes;
+  if (layersOf(program) == BatchKey::Layers::none && isOneOfPasses(*known.mesh)) return Reason::passes;
   const uint64_t triangles = known.mesh->triangleCount;
   if (program.triangleColors && program.triangleOffset + triangles > program.triangleColorCount)
     return Reason::arrayState;
@@ -169,6 +169,12 @@ Reason ProgramDraws::triageAlways(const KnownMesh& known) const {
   if (opaque) return Reason::traced;
   if (c_.state.raster.unlessOpaque != Reason::traced) return c_.state.raster.unlessOpaque;
   return Reason::traced;
+}
+
+bool ProgramDraws::isOneOfPasses(const scene::Mesh& mesh) const {
+  return c_.passes.several(mesh.geometryId) ||
+         c_.passes.meetsRasterised(c_.state.target.framebuffer, mesh, c_.state.program.clipFromObject,
+                                   isPushedBack(offsetOf(c_.state, mesh.shape)));
 }
 
 /// Makes the state ready for an instance of the current program: batch, camera and matrix. Nowhere: nothing
@@ -205,26 +211,37 @@ ProgramDraws::Placed ProgramDraws::place(scene::Shape shape, const glm::dvec3& r
   return Placed::inBatch;
 }
 
-void ProgramDraws::meetPasses(PrimitiveClass kind, GLenum mode, const Elements& elements) {
-  if (!c_.passes.anyByProgram() || mode < GL_TRIANGLES || mode > GL_POLYGON || !c_.meetsDepth(kind)) return;
-  const uint32_t framebuffer = c_.state.target.framebuffer;
-  const uint64_t count = countTriangles(mode, static_cast<uint64_t>(elements.count));
-  if (!c_.passes.anyByProgram(framebuffer, count) || haveUnreadableBuffers(c_.attributes)) return;
-  const ProgramState& program = c_.state.program;
-  const bool placed = program.known && program.known->family && program.reason == Reason::traced;
-  const auto meet = [&](const ArraySource& source) {
+std::vector<std::vector<Triangle>> ProgramDraws::sampleArrays(GLenum mode, const Elements& elements) const {
+  std::vector<std::vector<Triangle>> samples;
+  const auto sample = [&](const ArraySource& source) {
     if (!source.enabled || !source.buffer || source.divisor != 0 || source.size < 3 || !isReadable(source))
       return;
     ArrayState positions;
     positions.vertex = source;
     positions.elements = c_.attributes.elements;
-    c_.rasteriseMet(c_.passes.meetsProgram(framebuffer, sampleTriangles(c_.real, positions, mode, elements),
-                                           count, placed ? &program.clipFromObject : nullptr,
-                                           isPushedBack(offsetOf(c_.state, c_.attributes.shape))));
+    samples.push_back(sampleTriangles(c_.real, positions, mode, elements));
   };
-  c_.settleBelow(c_.state.target.samples);
-  meet(c_.attributes.vertex);
-  for (const ArraySource& source : c_.attributes.generic) meet(source);
+  sample(c_.attributes.vertex);
+  for (const ArraySource& source : c_.attributes.generic) sample(source);
+  return samples;
+}
+
+void ProgramDraws::meetPasses(PrimitiveClass kind, GLenum mode, const Elements& elements) {
+  if (mode < GL_TRIANGLES || mode > GL_POLYGON || !c_.meetsDepth(kind)) return;
+  const uint32_t framebuffer = c_.state.target.framebuffer;
+  const uint64_t count = countTriangles(mode, static_cast<uint64_t>(elements.count));
+  const bool meets = c_.passes.anyByProgram(framebuffer, count),
+             leaves = integer(c_.real, GL_DEPTH_WRITEMASK) != 0;
+  if (!(meets || leaves) || haveUnreadableBuffers(c_.attributes)) return;
+  const ProgramState& program = c_.state.program;
+  const bool placed = program.known && program.known->family && program.reason == Reason::traced;
+  const bool pushedBack = isPushedBack(offsetOf(c_.state, c_.attributes.shape));
+  if (meets) c_.settleBelow(c_.state.target.samples);
+  const glm::dmat4* matrix = placed ? &program.clipFromObject : nullptr;
+  for (std::vector<Triangle>& samples : sampleArrays(mode, elements)) {
+    if (meets) c_.rasteriseMet(c_.passes.meetsProgram(framebuffer, samples, count, matrix, pushedBack));
+    if (leaves) c_.passes.rasterisedByProgram(framebuffer, count, std::move(samples), matrix, pushedBack);
+  }
 }
 
 Reason ProgramDraws::add(const scene::MeshPtr& mesh, GLenum mode, const Elements& elements) {

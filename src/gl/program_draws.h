@@ -46,6 +46,9 @@ class ProgramDraws : public ContextPart {
 
  private:
   Reason triageAlways(const KnownMesh& mesh) const;  // where everything that can be is traced
+  bool isOneOfPasses(const scene::Mesh& mesh) const;
+  /// Some triangles of each array that may hold positions.
+  std::vector<std::vector<Triangle>> sampleArrays(GLenum mode, const Elements& elements) const;
   enum class Placed { nowhere, inBatch, otherCamera };
   Placed place(scene::Shape shape, const glm::dvec3& reach);
   glm::dvec3 reachOfInstances(const scene::Mesh& mesh, const Elements& elements) const;

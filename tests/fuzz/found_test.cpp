@@ -135,6 +135,8 @@ const Found kFound[] = {
          if (vertices)
            gl.Begin(GL_TRIANGLES), gl.Vertex2f(0, 0), gl.Vertex2f(0, 1), gl.Vertex2f(1, 1), gl.End();
          gl.DrawArraysInstanced(GL_POLYGON, 0, 3, 2), error(gl, a);
+         gl.DrawElementsInstanced(GL_TRIANGLES, 0, GL_UNSIGNED_BYTE, nullptr, 2), error(gl, a);
+         gl.DrawArraysInstanced(GL_TRIANGLES, 0, 3, 0), error(gl, a);
          gl.DrawElementsInstanced(GL_TRIANGLES, 3, GL_UNSIGNED_BYTE, "\0\1\2", 2), error(gl, a);
          gl.EndList(), gl.RenderMode(GL_FEEDBACK), gl.CallList(1), error(gl, a);
          a.push_back(static_cast<float>(gl.RenderMode(GL_RENDER))), error(gl, a);

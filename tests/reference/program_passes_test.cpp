@@ -53,6 +53,27 @@ TEST(ProgramPasses, OfSeveralSamples) {
         -1);
 }
 
+/// The pass of nobody's program comes first: depth in advance.
+TEST(ProgramPasses, TheRasterisedPassComesFirst) {
+  for (const int frames : {1, 3})
+    for (const bool colors : {false, true})
+      expectSame(
+          "passes_first" + std::to_string(frames) + std::to_string(colors),
+          [&](Gl gl) {
+            const ProgramMesh round = ball(24);
+            const GLuint program = makeProgram(gl, Surface{}), before = makeUnknownProgram(gl);
+            const Upload up = upload(gl, round, program), beforeUp = upload(gl, round, before);
+            for (int i = 0; i < frames; ++i) {
+              beginFrame(gl);
+              gl.ColorMask(colors, colors, colors, colors);
+              drawByUnknown(gl, before, beforeUp, round, perspectiveView(20));
+              gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+              drawSurface(gl, program, up, round, perspectiveView(20), {});
+            }
+          },
+          0);
+}
+
 TEST(ProgramPasses, AnotherSurfaceStaysTraced) {
   const Outcome o = expectSame(
       "passes_other", [&](Gl gl) { drawFrames(gl, 4, false, GL_LEQUAL); }, -1);

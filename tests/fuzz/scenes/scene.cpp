@@ -166,6 +166,9 @@ void Scene::object() {
     sendShape(gl_, shape, Sending::begin, dice_);
     gl_.EndList();
     gl_.Translatef(dice_.real(-1, 1), 0, 0), gl_.CallList(lists_);
+    // Its last colour: see sendShape().
+    GLfloat asked[4];
+    gl_.GetFloatv(GL_CURRENT_COLOR, asked);
   } else {
     sendShape(gl_, shape, static_cast<Sending>(how), dice_);
   }
