@@ -141,10 +141,9 @@ struct Stage {
     gl.ActiveTexture(GL_TEXTURE0);
     gl.BindVertexArray(0);
   }
-  /// By a program that averages in other words.
-  void resolveBy(const std::string& fragment) {
+  /// From now on by a program that averages in other words.
+  void averageBy(const std::string& fragment) {
     average = simple(kPassVertex, fragment, kPassData, {"ndCoordIn", "texCoordIn"}, 2);
-    resolve();
   }
   /// A line of the real OpenGL's across the picture, in what is bound.
   void line() const {
@@ -220,15 +219,18 @@ TEST(Resolve, ByVtksPass) {
 }
 
 TEST(Resolve, ByNewerWordsOfVtks) {
-  expectResolves("newer", 2, 1,
-                 [](Stage& s) { s.frame(), s.resolveBy(resolveText(-1, "sampleValue")), s.blit(kDepth); });
+  expectResolves("newer", 2, 1, [](Stage& s) {
+    s.averageBy(resolveText(-1, "sampleValue"));
+    s.frame(), s.resolve(), s.blit(kDepth);
+  });
 }
 
 TEST(Resolve, WhatComputesSomethingElseIsNotVtks) {
   expectResolves("darker", 0, 1, [](Stage& s) {
     std::string text = resolveText();
     text.insert(text.find("  fragOutput0"), "  accumulate *= 0.5;\n");
-    s.frame(), s.resolveBy(text);
+    s.averageBy(text);
+    s.frame(), s.resolve();
   });
 }
 
