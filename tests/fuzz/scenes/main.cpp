@@ -1,10 +1,10 @@
 // Random scenes, each drawn by the real OpenGL and through ours: the same answers, colours and depths. Prints
 // the seeds of those that differ, and keeps their pictures.
 //   gluray_fuzz_scenes [--seed N] [--scenes N] [--out FOLDER]
+#include "tests/fuzz/scenes/outcome.h"
 #include "tests/fuzz/scenes/scene.h"
 #include "tests/reference/traced_context.h"
 
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -14,38 +14,20 @@ namespace gluray::fuzz {
 namespace {
 
 using test::OsmesaContext;
-using test::Picture;
 using test::TracedContext;
 
-/// Lighting at vertices is rounded differently here and there; edges fall to either side.
-constexpr scenes::Tolerance kTolerance = {6, 0.03, 3e-5f, "edges of many small triangles"};
-
-bool same(const std::vector<float>& a, const std::vector<float>& b) {
-  bool equal = a.size() == b.size();
-  for (size_t i = 0; equal && i < a.size(); ++i) equal = std::abs(a[i] - b[i]) <= 1e-5f;
-  return equal;
-}
-
 /// Empty where both OpenGLs agree about the scene.
-std::string difference(uint64_t seed, const std::string& folder) {
-  std::vector<float> expected, got;
+std::string differenceOf(uint64_t seed, const std::string& folder) {
   const auto real = OsmesaContext::create({kSceneSize, kSceneSize});
-  drawScene(real->real(), seed, expected);
-  const Picture plain = test::readPicture(real->real(), kSceneSize, kSceneSize);
+  const Outcome expected = outcomeOf(real->real(), seed);
   const TracedContext ours({kSceneSize, kSceneSize});
-  drawScene(ours.gl(), seed, got);
-  const Picture traced = ours.read();
-  if (!same(expected, got)) return "answers differ";
-  const test::Comparison c = compare(plain, traced, kTolerance);
-  if (c.accepted) return "";
-  if (!folder.empty()) test::writeFailure(folder, std::to_string(seed), plain, traced);
-  return c.text;
+  return difference(seed, expected, outcomeOf(ours.gl(), seed), folder);
 }
 
 int run(uint64_t first, uint64_t count, const std::string& folder) {
   uint64_t differing = 0;
   for (uint64_t seed = first; seed < first + count; ++seed) {
-    const std::string why = difference(seed, folder);
+    const std::string why = differenceOf(seed, folder);
     if (why.empty()) continue;
     ++differing;
     std::printf("scene %llu: %s\n", static_cast<unsigned long long>(seed), why.c_str());

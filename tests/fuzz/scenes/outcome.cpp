@@ -1,0 +1,80 @@
+#include "tests/fuzz/scenes/outcome.h"
+
+#include "tests/fuzz/scenes/scene.h"
+
+#include <GL/gl.h>
+
+#include <cmath>
+#include <fstream>
+
+namespace gluray::fuzz {
+namespace {
+
+/// Lighting at vertices is rounded differently here and there; edges fall to either side.
+constexpr scenes::Tolerance kTolerance = {6, 0.03, 3e-5f, "edges of many small triangles"};
+constexpr size_t kPixels = size_t{kSceneSize} * kSceneSize;
+
+bool same(const std::vector<float>& a, const std::vector<float>& b) {
+  bool equal = a.size() == b.size();
+  for (size_t i = 0; equal && i < a.size(); ++i) equal = std::abs(a[i] - b[i]) <= 1e-5f;
+  return equal;
+}
+
+test::Picture emptyPicture() {
+  return {kSceneSize, kSceneSize, std::vector<uint32_t>(kPixels), std::vector<float>(kPixels)};
+}
+
+std::string fileOf(const std::string& folder, uint64_t seed) {
+  return folder + "/" + std::to_string(seed) + ".outcome";
+}
+
+}  // namespace
+
+Outcome outcomeOf(const gl::RealGl& gl, uint64_t seed) {
+  Outcome outcome{{}, emptyPicture()};
+  drawScene(gl, seed, outcome.answers);
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl.ReadPixels(0, 0, kSceneSize, kSceneSize, GL_RGBA, GL_UNSIGNED_BYTE, outcome.picture.colors.data());
+  gl.ReadPixels(0, 0, kSceneSize, kSceneSize, GL_DEPTH_COMPONENT, GL_FLOAT, outcome.picture.depths.data());
+  return outcome;
+}
+
+std::string difference(uint64_t seed, const Outcome& expected, const Outcome& got,
+                       const std::string& folder) {
+  if (!same(expected.answers, got.answers)) return "answers differ";
+  const test::Comparison c = test::compare(expected.picture, got.picture, kTolerance);
+  if (c.accepted) return "";
+  if (!folder.empty()) test::writeFailure(folder, std::to_string(seed), expected.picture, got.picture);
+  return c.text;
+}
+
+bool save(const std::string& folder, uint64_t seed, const Outcome& outcome) {
+  std::ofstream out(fileOf(folder, seed), std::ios::binary);
+  const auto put = [&](const void* data, size_t bytes) {
+    out.write(static_cast<const char*>(data), static_cast<std::streamsize>(bytes));
+  };
+  const uint64_t answers = outcome.answers.size();
+  put(&answers, sizeof answers);
+  put(outcome.answers.data(), answers * sizeof(float));
+  put(outcome.picture.colors.data(), kPixels * sizeof(uint32_t));
+  put(outcome.picture.depths.data(), kPixels * sizeof(float));
+  return out.good();
+}
+
+bool load(const std::string& folder, uint64_t seed, Outcome& outcome) {
+  constexpr uint64_t kMostAnswers = 1 << 20;
+  std::ifstream in(fileOf(folder, seed), std::ios::binary);
+  const auto get = [&](void* data, size_t bytes) {
+    in.read(static_cast<char*>(data), static_cast<std::streamsize>(bytes));
+  };
+  uint64_t answers = 0;
+  get(&answers, sizeof answers);
+  if (!in || answers > kMostAnswers) return false;
+  outcome = {std::vector<float>(answers), emptyPicture()};
+  get(outcome.answers.data(), answers * sizeof(float));
+  get(outcome.picture.colors.data(), kPixels * sizeof(uint32_t));
+  get(outcome.picture.depths.data(), kPixels * sizeof(float));
+  return in.good();
+}
+
+}  // namespace gluray::fuzz
