@@ -50,12 +50,30 @@ void apply(scene::Material& base, const scene::Material& values, uint16_t set) {
 
 }  // namespace
 
+uint16_t sameParameters(const scene::Material& a, const scene::Material& b) {
+  uint16_t same = 0;
+  if (a.ambient == b.ambient) same |= MaterialChange::ambient;
+  if (a.diffuse == b.diffuse) same |= MaterialChange::diffuse;
+  if (a.specular == b.specular) same |= MaterialChange::specular;
+  if (a.emission == b.emission) same |= MaterialChange::emission;
+  if (a.shininess == b.shininess) same |= MaterialChange::shininess;
+  return same;
+}
+
 bool MaterialChange::set(GLenum face, GLenum pname, const float* params) {
   if (face != GL_FRONT && face != GL_BACK && face != GL_FRONT_AND_BACK) return false;
   bool known = true;
   if (face != GL_BACK) known = setParameter(values.front, front, pname, params);
   if (face != GL_FRONT) known = setParameter(values.back, back, pname, params);
   return known;
+}
+
+MaterialChange MaterialChange::since(const MaterialChange& earlier) const {
+  MaterialChange result = *this;
+  result.front &=
+      static_cast<uint16_t>(~(earlier.front & sameParameters(values.front, earlier.values.front)));
+  result.back &= static_cast<uint16_t>(~(earlier.back & sameParameters(values.back, earlier.values.back)));
+  return result;
 }
 
 scene::MaterialPair MaterialChange::appliedTo(const scene::MaterialPair& base) const {

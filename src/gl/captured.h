@@ -43,13 +43,19 @@ constexpr PrimitiveClass classOf(GLenum mode) {
 struct MaterialChange {
   enum Parameter : uint16_t { ambient = 1, diffuse = 2, specular = 4, emission = 8, shininess = 16 };
   uint16_t front = 0, back = 0;  // Parameters that were set
+  bool outside = false;          // the last of the calls was made in a list, outside glBegin and glEnd
   scene::MaterialPair values;
   bool operator==(const MaterialChange&) const = default;
   /// Sets `pname` of `face`; false where they are not enumerants that glMaterial takes.
   bool set(GLenum face, GLenum pname, const float* params);
+  /// What it sets that `earlier`, which it was made from, did not set or set to other values.
+  MaterialChange since(const MaterialChange& earlier) const;
   /// `base` with the changes made.
   scene::MaterialPair appliedTo(const scene::MaterialPair& base) const;
 };
+
+/// Those of MaterialChange::Parameter that have the same value in both.
+uint16_t sameParameters(const scene::Material& a, const scene::Material& b);
 
 struct Captured {
   VertexLayout layout;

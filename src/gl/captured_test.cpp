@@ -60,6 +60,19 @@ TEST(Captured, HashTellsAnyChangeApart) {
   EXPECT_NE(moved.hash(), base);
 }
 
+TEST(MaterialChange, SinceAnEarlierOneIsWhatIsNew) {
+  const float red[4] = {1, 0, 0, 1}, blue[4] = {0, 0, 1, 1};
+  MaterialChange earlier;
+  earlier.set(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, red);
+  MaterialChange later = earlier;
+  later.set(GL_FRONT, GL_DIFFUSE, blue), later.set(GL_BACK, GL_EMISSION, red);
+  const MaterialChange since = later.since(earlier);
+  EXPECT_EQ(since.front, MaterialChange::diffuse);
+  EXPECT_EQ(since.values.front.diffuse, glm::vec4(0, 0, 1, 1));
+  EXPECT_EQ(since.back, MaterialChange::emission);
+  EXPECT_EQ(later.since({}).front, later.front);
+}
+
 TEST(MaterialChange, AppliesOnlyWhatWasSet) {
   MaterialChange change;
   const float red[4] = {1, 0, 0, 1}, shine = 7;

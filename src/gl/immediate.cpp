@@ -217,6 +217,7 @@ void Immediate::material(GLenum face, GLenum pname, const float* params) {
   }
   if (const MaterialChange* last = stream_.lastMaterial()) change = *last;
   change.set(face, pname, params);
+  change.outside = c_.compiling() && !insideBegin();
   if (!stream_.has(kMaterialNumber)) addSlotToRun(kMaterialNumber);
   // addSlotToRun may have ended the run of a list: the change then starts afresh, on top of what the ended
   // run leaves.

@@ -35,15 +35,6 @@ void sendFace(const RealGl& real, GLenum face, const scene::Material& m, uint16_
   if (set & MaterialChange::shininess) real.Materialf(face, GL_SHININESS, m.shininess);
 }
 
-/// Calls glBegin, each(vertex number) for the primitive's vertices, glEnd.
-template <class Each>
-void sendPrimitive(const RealGl& real, const Primitive& primitive, const uint32_t* indices, Each&& each) {
-  real.Begin(primitive.mode);
-  for (uint32_t i = 0; i < primitive.count; ++i)
-    each(indices ? indices[primitive.first + i] : primitive.first + i);
-  real.End();
-}
-
 }  // namespace
 
 void sendMaterial(const RealGl& real, const MaterialChange& change) {
@@ -53,56 +44,112 @@ void sendMaterial(const RealGl& real, const MaterialChange& change) {
 
 namespace {
 
-/// Sends single vertices of a capture with all they carry.
-class VertexSender {
+/// Sends changes of material between vertices. Those that were made outside glBegin and glEnd are sent
+/// outside: within a primitive, lists of Mesa store parameters too that follow the colour
+/// (GL_COLOR_MATERIAL).
+class MaterialSender {
  public:
-  VertexSender(const RealGl& real, const Captured& captured) : real_(real), captured_(captured) {}
+  MaterialSender(const RealGl& real, std::span<const MaterialChange> changes)
+      : real_(real), changes_(changes) {}
 
-  void operator()(uint32_t i) {
+  /// glBegin. `number` is the change that its first vertex has, 0 where there is none.
+  void begin(GLenum mode, uint32_t number) {
+    mode_ = mode;
+    send(lastOutside(number));
+    real_.Begin(mode);
+  }
+  /// The change that the next vertex has.
+  void vertex(uint32_t number) {
+    if (number == sent_) return;
+    if (const uint32_t outside = lastOutside(number)) {
+      real_.End();
+      send(outside);
+      real_.Begin(mode_);
+    }
+    send(number);
+  }
+
+ private:
+  /// The last one before `number`, or that one, that was made outside and has not been sent.
+  uint32_t lastOutside(uint32_t number) const {
+    while (number > sent_ && !changes_[number - 1].outside) --number;
+    return number > sent_ ? number : 0;
+  }
+  void send(uint32_t number) {
+    if (number == 0 || number == sent_) return;
+    const MaterialChange& change = changes_[number - 1];
+    sendMaterial(real_, sent_ ? change.since(changes_[sent_ - 1]) : change);
+    sent_ = number;
+  }
+
+  const RealGl& real_;
+  std::span<const MaterialChange> changes_;
+  GLenum mode_ = GL_POINTS;
+  uint32_t sent_ = 0;
+};
+
+/// Calls glBegin and each(vertex number) for the primitive's vertices, with the materials that they have.
+template <class MaterialOf, class Each>
+void sendOpen(MaterialSender& materials, const Primitive& primitive, const uint32_t* indices,
+              MaterialOf&& materialOf, Each&& each) {
+  const auto vertexOf = [&](uint32_t i) {
+    return indices ? indices[primitive.first + i] : primitive.first + i;
+  };
+  materials.begin(primitive.mode, primitive.count > 0 ? materialOf(vertexOf(0)) : 0);
+  for (uint32_t i = 0; i < primitive.count; ++i) {
+    materials.vertex(materialOf(vertexOf(i)));
+    each(vertexOf(i));
+  }
+}
+
+/// Sends primitives of a capture, with all that their vertices carry.
+class CaptureSender {
+ public:
+  CaptureSender(const RealGl& real, const Captured& captured)
+      : real_(real), captured_(captured), materials_(real, captured.materials) {}
+
+  void sendOpen(const Primitive& primitive) {
+    const uint32_t* indices = captured_.indices.empty() ? nullptr : captured_.indices.data();
+    gl::sendOpen(
+        materials_, primitive, indices, [&](uint32_t i) { return materialOf(i); },
+        [&](uint32_t i) { sendVertex(captured_.vertex(i)); });
+  }
+
+ private:
+  uint32_t materialOf(uint32_t i) const {
+    if (!captured_.layout.has(kMaterialNumber)) return 0;
+    return static_cast<uint32_t>(captured_.vertex(i)[captured_.layout.offset[kMaterialNumber]]);
+  }
+  void sendVertex(const float* v) const {
     const VertexLayout& layout = captured_.layout;
-    const float* v = captured_.vertex(i);
-    if (layout.has(kMaterialNumber))
-      sendMaterialNumber(static_cast<uint32_t>(v[layout.offset[kMaterialNumber]]));
     for (int s = kNormal; s < kSlotCount; ++s)
       if (layout.has(static_cast<Slot>(s))) sendAttribute(real_, static_cast<Slot>(s), v + layout.offset[s]);
     real_.Vertex4f(v[0], v[1], v[2], layout.has(kPositionW) ? v[layout.offset[kPositionW]] : 1.0f);
   }
 
- private:
-  void sendMaterialNumber(uint32_t number) {
-    if (number != material_ && number > 0) sendMaterial(real_, captured_.materials[number - 1]);
-    material_ = number;
-  }
   const RealGl& real_;
   const Captured& captured_;
-  uint32_t material_ = 0;
+  MaterialSender materials_;
 };
 
 }  // namespace
 
 void replay(const RealGl& real, const Captured& captured) {
-  VertexSender send(real, captured);
-  const uint32_t* indices = captured.indices.empty() ? nullptr : captured.indices.data();
-  for (const Primitive& p : captured.primitives) sendPrimitive(real, p, indices, send);
+  CaptureSender sender(real, captured);
+  for (const Primitive& p : captured.primitives) sender.sendOpen(p), real.End();
 }
 
 void replayOpen(const RealGl& real, const Captured& captured, const Primitive& open) {
-  VertexSender send(real, captured);
-  const uint32_t* indices = captured.indices.empty() ? nullptr : captured.indices.data();
-  real.Begin(open.mode);
-  for (uint32_t i = open.first; i < open.first + open.count; ++i) send(indices ? indices[i] : i);
+  CaptureSender(real, captured).sendOpen(open);
 }
 
 void replay(const RealGl& real, const scene::Mesh& mesh, std::span<const Primitive> primitives,
             std::span<const MaterialChange> materials) {
-  uint32_t material = 0;
+  const auto materialOf = [&](uint32_t i) {
+    if (!mesh.materials) return 0u;
+    return *reinterpret_cast<const uint32_t*>(mesh.materials.data + size_t{i} * mesh.materials.stride);
+  };
   const auto send = [&](uint32_t i) {
-    if (mesh.materials) {
-      const uint32_t next =
-          *reinterpret_cast<const uint32_t*>(mesh.materials.data + size_t{i} * mesh.materials.stride);
-      if (next != material && next > 0) sendMaterial(real, materials[next - 1]);
-      material = next;
-    }
     if (mesh.normals) real.Normal3fv(glm::value_ptr(scene::fetch(mesh.normals, i)));
     if (mesh.colors) real.Color4fv(glm::value_ptr(scene::fetch(mesh.colors, i)));
     if (mesh.secondaryColors) real.SecondaryColor3fv(glm::value_ptr(scene::fetch(mesh.secondaryColors, i)));
@@ -117,7 +164,8 @@ void replay(const RealGl& real, const scene::Mesh& mesh, std::span<const Primiti
   // came.
   const bool welded = primitives.size() == 1 && primitives[0].mode == GL_TRIANGLES && mesh.indices;
   const auto* indices = welded ? reinterpret_cast<const uint32_t*>(mesh.indices.data) : nullptr;
-  for (const Primitive& p : primitives) sendPrimitive(real, p, indices, send);
+  MaterialSender sender(real, materials);
+  for (const Primitive& p : primitives) sendOpen(sender, p, indices, materialOf, send), real.End();
 }
 
 }  // namespace gluray::gl
