@@ -12,7 +12,8 @@ namespace {
 using Gl = const gl::RealGl&;
 
 constexpr int kSize = 32;
-constexpr GLfloat kOrange[4] = {0.9f, 0.5f, 0.1f, 1}, kBlue[4] = {0.1f, 0.2f, 0.9f, 1},
+// None lies between two of 255 steps.
+constexpr GLfloat kOrange[4] = {0.8f, 0.4f, 0.2f, 1}, kBlue[4] = {0.2f, 0.4f, 0.8f, 1},
                   kWhite[4] = {1, 1, 1, 1};
 
 void material(Gl gl, GLenum name, const GLfloat* value) { gl.Materialfv(GL_FRONT_AND_BACK, name, value); }
