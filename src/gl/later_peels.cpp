@@ -54,9 +54,7 @@ bool reads(const ProgramDraw& draw, GLuint texture) {
 
 }  // namespace
 
-bool LayerDraws::mayAsk() const {
-  return c_.info().core && behindOf(peeling_.target) != 0;
-}
+bool LayerDraws::mayAsk() const { return c_.info().core && behindOf(peeling_.target) != 0; }
 
 void LayerDraws::ask(PresentResult& result) {
   peeling_.stage = Peeling::Stage::peels;
@@ -87,10 +85,11 @@ bool LayerDraws::holdLater(GLenum mode, const Elements& elements) {
   glm::ivec4 now(0);
   c_.real.GetIntegerv(GL_VIEWPORT, &now.x);
   const glm::ivec4 box = scissorBox(c_.real);
-  const bool known = c_.state.program.known && (c_.activeQueries == 1 ? isInBuffers(c_.attributes, elements)
-                                                                   : c_.attributes.reason == Reason::traced);
-  const bool open = now == viewport && contains({box.x, box.y, box.z, box.w},
-                                                {viewport.x, viewport.y, viewport.z, viewport.w});
+  const bool known =
+      c_.state.program.known &&
+      (c_.activeQueries == 1 ? isInBuffers(c_.attributes, elements) : c_.attributes.reason == Reason::traced);
+  const bool open = now == viewport &&
+                    contains({box.x, box.y, box.z, box.w}, {viewport.x, viewport.y, viewport.z, viewport.w});
   if (const GLenum pending = c_.real.GetError()) c_.setError(pending);
   if (known && open && (c_.activeQueries == 1 ? addBlended(mode, elements) : addPeel(mode, elements)))
     return true;
@@ -127,11 +126,13 @@ bool LayerDraws::addBlended(GLenum mode, const Elements& elements) {
   const auto pixels = surelyWritten(peeling_.counts, peeling_.peel);
   if (peeling_.blended || !pixels || peeling_.query != GL_SAMPLES_PASSED || !putsOver(c_.real, c_.state.rare))
     return false;
-  HeldPass pass{.outputs = outputsOf(c_.real), .viewport = peeling_.target.depths.viewport, .blend = HeldPass::Blend::over};
+  HeldPass pass{.outputs = outputsOf(c_.real),
+                .viewport = peeling_.target.depths.viewport,
+                .blend = HeldPass::Blend::over};
   if (pass.outputs.size() != 1 || pass.outputs[0].texture == peeling_.behind) return false;
   const Program& program = c_.state.program.known->program;
-  pass.draws.push_back(captureProgramDraw(c_.real, program, readUniforms(c_.real, program), c_.attributes, mode,
-                                          elements));
+  pass.draws.push_back(
+      captureProgramDraw(c_.real, program, readUniforms(c_.real, program), c_.attributes, mode, elements));
   if (!reads(pass.draws[0], peeling_.behind) ||
       !c_.presenter().countPixels(c_.real, pass, peeling_.behind, peeling_.target.size, *pixels))
     return false;
@@ -144,11 +145,13 @@ bool LayerDraws::clearsLater(GLbitfield mask) noexcept {
   if (!asks()) return false;
   bool held = false;
   c_.protect([&] {
-    HeldPass pass{.outputs = outputsOf(c_.real), .viewport = peeling_.target.depths.viewport, .clear = glm::vec4(0)};
+    HeldPass pass{
+        .outputs = outputsOf(c_.real), .viewport = peeling_.target.depths.viewport, .clear = glm::vec4(0)};
     const glm::ivec4 box = scissorBox(c_.real);
     const scene::Region all{0, 0, peeling_.target.size.x, peeling_.target.size.y};
-    held = mask == GL_COLOR_BUFFER_BIT && c_.activeQueries == 0 && peeling_.blended && !pass.outputs.empty() &&
-           contains({box.x, box.y, box.z, box.w}, all) && clearsInFull(c_.real, c_.state.rare, mask);
+    held = mask == GL_COLOR_BUFFER_BIT && c_.activeQueries == 0 && peeling_.blended &&
+           !pass.outputs.empty() && contains({box.x, box.y, box.z, box.w}, all) &&
+           clearsInFull(c_.real, c_.state.rare, mask);
     if (!held) return giveUp();
     c_.real.GetFloatv(GL_COLOR_CLEAR_VALUE, &pass.clear->x);
     peeling_.target.later.push_back(std::move(pass));

@@ -33,8 +33,8 @@ class LayerDraws : public ContextPart {
   /// Whether draws are held back, or others may join what has been traced.
   bool pending() const { return peeling_.stage != Peeling::Stage::none; }
   bool holdsDepths() const { return peeling_.stage == Peeling::Stage::depths; }
-  /// Whether layers are traced that wait until it is known how many peels the program draws; what it clears and
-  /// draws meanwhile is held back.
+  /// Whether layers are traced that wait until it is known how many peels the program draws; what it clears
+  /// and draws meanwhile is held back.
   bool asks() const { return peeling_.stage == Peeling::Stage::peels; }
   /// Then: holds back a draw of a later peel, or of what is counted. False: it is to be drawn
   /// or traced, nothing of that kind is held any more.

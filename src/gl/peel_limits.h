@@ -1,4 +1,5 @@
-// How many dual depth peels show all layers, and what programs count meanwhile to know when to end. GL thread.
+// How many dual depth peels show all layers, and what programs count meanwhile to know when to end. GL
+// thread.
 #pragma once
 #include "base/image.h"
 

@@ -23,15 +23,15 @@ struct Peeling {
   GLuint depthsFound = 0;  // texture that the first pass writes and the first peel reads
   std::shared_ptr<const scene::Layers> layers;
   BatchKey tracedKey;
-  scene::SnapshotPtr traced;                      // what the result shows already; more may join
+  scene::SnapshotPtr traced;  // what the result shows already; more may join
 
   // Stage::peels.
   LayerCounts counts;
-  uint32_t peel = 1;      // the newest
-  GLuint input = 0;       // texture that it reads depths from
-  GLuint behind = 0;      // texture that its farthest layers go to, and
-  bool blended = false;   // whether they were put over those before
-  GLenum query = 0;       // that is active: its target
+  uint32_t peel = 1;     // the newest
+  GLuint input = 0;      // texture that it reads depths from
+  GLuint behind = 0;     // texture that its farthest layers go to, and
+  bool blended = false;  // whether they were put over those before
+  GLenum query = 0;      // that is active: its target
   GLuint queryName = 0;
 
   /// What was held back had to be drawn after all: for a while, and each time longer, nothing is.

@@ -134,7 +134,8 @@ void Context::presentLate(const BatchKey& key, const scene::SnapshotPtr& snapsho
 }
 
 void Context::imagesChange() noexcept {
-  if (layers.asks() || batch_.readsImages() || resolves.waits() || window.readsImages()) protect([&] { flush(); });
+  if (layers.asks() || batch_.readsImages() || resolves.waits() || window.readsImages())
+    protect([&] { flush(); });
 }
 
 void Context::contentsChange(GLuint buffer) noexcept {

@@ -38,7 +38,8 @@ struct LayersTarget {
   glm::ivec2 size{0};                   // of all these textures
   bool mayRepeat = true;                // as PresentTarget's
   bool written = false;                 // the result holds a traced picture
-  bool mayAsk = false;  // picture and later peels may wait until it is known how many the program draws. Then:
+  bool mayAsk =
+      false;  // picture and later peels may wait until it is known how many the program draws. Then:
   std::vector<uint32_t> picture;  // traced, and not yet in `result`, which is that of the newest peel
   std::vector<HeldPass> later;    // what the program cleared and drew after the first peel
 };

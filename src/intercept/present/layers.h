@@ -21,8 +21,8 @@ bool writeTexture(const gl::RealGl& real, const Features& features, GLuint textu
 /// Takes an earlier picture out of the result.
 bool clearResult(const gl::RealGl& real, const Features& features, const gl::LayersTarget& target);
 
-/// Puts the picture that waits into the newest peel's result; of what came after the first peel only clears are
-/// made.
+/// Puts the picture that waits into the newest peel's result; of what came after the first peel only clears
+/// are made.
 bool showPicture(const gl::RealGl& real, const Features& features, const gl::LayersTarget& target);
 
 /// gl::Presenter::countPixels.

@@ -121,7 +121,7 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
   if (waits || (!target.picture.empty() && showPicture(real, features(real), target)))
     result.outcome = PresentResult::traced;
   else if (whole && !result.layers &&
-      writeTexture(real, features(real), target.result, target.size, traced->image.color.data()))
+           writeTexture(real, features(real), target.result, target.size, traced->image.color.data()))
     result.outcome = PresentResult::traced;
   else if (drawLayers(real, features(real), target))
     result.outcome = PresentResult::rasterised;
