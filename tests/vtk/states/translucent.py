@@ -51,7 +51,7 @@ def first_picture_of_six_balls(stage):
 
 @state("vtk", outside=False)
 def six_balls_in_few_peels(stage):
-    six_balls(stage, 3)
+    six_balls(stage, 1)
 
 
 @state("vtk", outside=False)
