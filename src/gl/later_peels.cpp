@@ -69,10 +69,12 @@ void LayerDraws::ask(PresentResult& result) {
 /// Whether what is drawn now belongs to the first peel, of which a part was traced because a program was made
 /// meanwhile.
 bool LayerDraws::joinsFirstPeel() const {
-  const GLint unit = inputUnit(c_.state.program);
-  return peeling_.target.later.empty() && c_.activeQueries == 0 &&
-         passOf(c_.state.program) == Family::Pass::peel && c_.state.program.reason == Reason::traced &&
-         unit >= 0 && boundTexture(c_.real, unit) == peeling_.depthsFound;
+  const ProgramState& program = c_.state.program;
+  if (!peeling_.target.later.empty() || c_.activeQueries > 0 || passOf(program) != Family::Pass::peel ||
+      program.reason != Reason::traced)
+    return false;
+  const GLint unit = inputUnit(program);
+  return unit >= 0 && boundTexture(c_.real, unit) == peeling_.depthsFound;
 }
 
 bool LayerDraws::holdLater(GLenum mode, const Elements& elements) {
@@ -162,8 +164,8 @@ bool LayerDraws::clearsLater(GLbitfield mask) noexcept {
 void LayerDraws::queryBegins(GLenum target, GLuint name) {
   if (holdsDepths()) return giveUp();
   if (!asks()) return;
-  peeling_.query = target, peeling_.queryName = name;
   if (c_.activeQueries > 0) return giveUp();
+  peeling_.query = target, peeling_.queryName = name;
   if (showsAll(peeling_.peel, peeling_.counts, peeling_.target.opaqueDepths.size()))
     showWaiting();
   else if (!surelyWritten(peeling_.counts, peeling_.peel))
