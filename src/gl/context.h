@@ -140,6 +140,7 @@ class Context {
   void flushBatch() {
     if (layers.holdsDepths()) layers.giveUp();
     present();
+    if (layers.asks()) layers.giveUp();
   }
   /// The same where what is drawn next goes elsewhere, but nobody looks at what was drawn so far.
   void redirect() {

@@ -33,6 +33,16 @@ class LayerDraws : public ContextPart {
   /// Whether draws are held back, or others may join what has been traced.
   bool pending() const { return peeling_.stage != Peeling::Stage::none; }
   bool holdsDepths() const { return peeling_.stage == Peeling::Stage::depths; }
+  /// Whether layers are traced that wait until it is known how many peels the program draws; what it clears
+  /// and draws meanwhile is held back.
+  bool asks() const { return peeling_.stage == Peeling::Stage::peels; }
+  /// Then: holds back a draw of a later peel, or of what is counted. False: it is to be drawn
+  /// or traced, nothing of that kind is held any more.
+  bool holdLater(GLenum mode, const Elements& elements);
+  /// And a clear. False: make it.
+  bool clearsLater(GLbitfield mask) noexcept;
+  /// Before a query that counts draws.
+  void queryBegins(GLenum target, GLuint name);
   /// Of the layers that are shown already, if there are any.
   const BatchKey* tracedKey() const { return peeling_.traced ? &peeling_.tracedKey : nullptr; }
   /// Whether there is more in the batch than pictures with holes, such as labels: those are to be as sharp as
@@ -64,9 +74,14 @@ class LayerDraws : public ContextPart {
   bool beginHolding();
   bool startPeeled(const BatchKey& key);
   bool startSums(const BatchKey& key);
+  bool mayAsk() const;
+  bool joinsFirstPeel() const;
+  void ask(PresentResult& result);
+  bool addPeel(GLenum mode, const Elements& elements);
+  bool addBlended(GLenum mode, const Elements& elements);
+  void showWaiting();
   void end();
-  PeelWatch& watchOf(GLuint framebuffer);
-  void countHeldDepths();
+  void countHeld();
   Reason triageSeenThrough(PrimitiveClass kind);  // what both kinds have in common
 
   Peeling peeling_;

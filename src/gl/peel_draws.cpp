@@ -2,6 +2,7 @@
 #include "gl/context.h"
 #include "gl/layer_draws.h"
 #include "gl/output_state.h"
+#include "gl/peel_outputs.h"
 #include "gl/programs/uniforms.h"
 #include "gl/state_queries.h"
 
@@ -12,51 +13,6 @@
 
 namespace gluray::gl {
 namespace {
-
-constexpr GLuint kMostOutputs = 8;
-
-/// Where the draw framebuffer's colours go; empty where that is not to textures alone.
-std::vector<HeldPass::Output> outputsOf(const RealGl& real) {
-  std::vector<HeldPass::Output> outputs;
-  for (GLuint i = 0; i < kMostOutputs; ++i) {
-    const auto buffer = static_cast<GLenum>(integer(real, GL_DRAW_BUFFER0 + i));
-    outputs.emplace_back();
-    if (buffer == GL_NONE) continue;
-    const auto ask = [&](GLenum name) {
-      GLint value = 0;
-      real.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, buffer, name, &value);
-      return value;
-    };
-    if (ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_TEXTURE) return {};
-    outputs.back() = {static_cast<GLuint>(ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME)),
-                      ask(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL)};
-  }
-  while (!outputs.empty() && outputs.back().texture == 0) outputs.pop_back();
-  return outputs;
-}
-
-/// The texture that the program's output goes to; 0: none, or not its level 0.
-GLuint outputOf(const RealGl& real, const KnownProgram& known, const std::vector<HeldPass::Output>& outputs) {
-  const GLint location = real.GetFragDataLocation(known.program.name, known.family->passOutput.c_str());
-  if (location < 0 || static_cast<size_t>(location) >= outputs.size()) return 0;
-  const HeldPass::Output& output = outputs[static_cast<size_t>(location)];
-  return output.level == 0 ? output.texture : 0;
-}
-
-/// Unit that the family's input is looked up on; -1: none.
-GLint inputUnit(const ProgramState& program) {
-  const ProgramUniform* sampler = program.known->program.uniform(program.known->family->passInput);
-  if (!sampler || sampler->type != GL_SAMPLER_2D || !program.uniforms) return -1;
-  return (*program.uniforms)[sampler->first].integers[0];
-}
-
-GLuint boundTexture(const RealGl& real, GLint unit) {
-  const GLint active = integer(real, GL_ACTIVE_TEXTURE);
-  real.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-  const GLint name = integer(real, GL_TEXTURE_BINDING_2D);
-  real.ActiveTexture(static_cast<GLenum>(active));
-  return static_cast<GLuint>(name);
-}
 
 uint64_t trianglesOf(const ProgramDraw& draw) {
   return countTriangles(draw.mode, static_cast<uint64_t>(draw.elements.count)) * draw.elements.repeats();
@@ -110,7 +66,6 @@ bool LayerDraws::beginHolding() {
   peeling_.target = std::move(target);
   peeling_.layers = std::move(layers);
   peeling_.depthsFound = found;
-  peeling_.framebuffer = c_.state.target.framebuffer;
   peeling_.traced.reset();
   peeling_.stage = Peeling::Stage::depths;
   return true;
@@ -118,13 +73,12 @@ bool LayerDraws::beginHolding() {
 
 bool LayerDraws::holdDepths(GLenum mode, const Elements& elements, uint64_t triangles) {
   using Stage = Peeling::Stage;
-  watchOf(c_.state.target.framebuffer).begin();
   if (c_.aside() || c_.passthrough() || c_.activeQueries > 0 ||
       !c_.info().settings.quirks.has(Quirk::depthPeeling) || !c_.canTrace())
     return false;
   if (c_.attributes.reason != Reason::traced || !c_.state.program.uniforms) return false;
   if (const GLenum pending = c_.real.GetError()) c_.setError(pending);
-  if (peeling_.stage == Stage::surfaces) {
+  if (peeling_.stage == Stage::surfaces || peeling_.stage == Stage::peels) {
     c_.flushBatch();
     end();
   }
@@ -156,7 +110,6 @@ Reason LayerDraws::triagePeel(PrimitiveClass kind) {
   using Stage = Peeling::Stage;
   if (c_.aside()) return Reason::failure;
   const GLint unit = inputUnit(c_.state.program);
-  if (unit >= 0) watchOf(c_.state.target.framebuffer).drawn(boundTexture(c_.real, unit));
   if (peeling_.stage == Stage::none || c_.activeQueries > 0) return Reason::programPass;
   if (const Reason reason = triageSeenThrough(kind); reason != Reason::traced) return reason;
   if (unit < 0 || boundTexture(c_.real, unit) != peeling_.depthsFound)
@@ -207,30 +160,22 @@ PresentResult LayerDraws::present(const scene::SnapshotPtr& snapshot, const Batc
   LayersTarget& target = peeling_.target;
   for (ProgramDraw& draw : c_.batch().takeProgramDraws()) target.surfaces.draws.push_back(std::move(draw));
   target.mayRepeat = !c_.measured();
-  PeelWatch& peels = watchOf(peeling_.framebuffer);
-  target.limits = peels.limits();
+  target.mayAsk = mayAsk();
   PresentResult result = c_.presenter().presentLayers(c_.real, snapshot, target, false);
   if (result.outcome == PresentResult::traced) {
     noteUse(Quirk::depthPeeling);
-    target.written = true;
     peeling_.tracedKey = key;
     peeling_.traced = snapshot;
-    peeling_.succeeded();
-    peels.traced();
+    target.written = result.picture.empty();
+    target.written ? peeling_.succeeded() : ask(result);
   } else {
-    if (result.declined) {
-      if (peels.declined(*result.declined)) peeling_.failed();
-      countHeldDepths();
+    if (result.layers) {
+      peeling_.failed();
+      countHeld();
     }
     end();
   }
   return result;
-}
-
-PeelWatch& LayerDraws::watchOf(GLuint framebuffer) {
-  constexpr size_t kMost = 64;
-  if (peeling_.watches.size() >= kMost && !peeling_.watches.contains(framebuffer)) peeling_.watches.clear();
-  return peeling_.watches[framebuffer];
 }
 
 void LayerDraws::end() {
@@ -240,20 +185,27 @@ void LayerDraws::end() {
   peeling_.traced.reset();
 }
 
-/// The held draws of the first pass were made by the real OpenGL.
-void LayerDraws::countHeldDepths() {
-  for (const ProgramDraw& draw : peeling_.target.depths.draws)
-    c_.countRaster(Reason::programPass, draw.elements.type ? DrawPath::elements : DrawPath::arrays,
-                   PrimitiveClass::surfaces, trianglesOf(draw));
+/// Held draws that no picture was made of were made by the real OpenGL.
+void LayerDraws::countHeld() {
+  const auto count = [&](const HeldPass& pass) {
+    for (const ProgramDraw& draw : pass.draws)
+      c_.countRaster(Reason::programPass, draw.elements.type ? DrawPath::elements : DrawPath::arrays,
+                     PrimitiveClass::surfaces, trianglesOf(draw));
+  };
+  count(peeling_.target.depths);
+  std::for_each(peeling_.target.later.begin(), peeling_.target.later.end(), count);
 }
 
 void LayerDraws::giveUp() {
   if (peeling_.stage == Peeling::Stage::none) return;
   c_.forgetClear();
+  // What is made now is not what the program counts. So far there is nothing to count.
+  const bool counts = asks() && c_.activeQueries > 0;
+  if (counts) c_.real.EndQuery(peeling_.query);
   peeling_.stage = Peeling::Stage::none;
   peeling_.failed();
-  watchOf(peeling_.framebuffer).gaveUp();
   LayersTarget& target = peeling_.target;
+  target.picture.clear();
   scene::SnapshotPtr snapshot = peeling_.traced;
   if (!c_.batch().empty() && c_.batch().key().layers == BatchKey::Layers::peeled) {
     for (ProgramDraw& draw : c_.batch().takeProgramDraws()) target.surfaces.draws.push_back(std::move(draw));
@@ -262,14 +214,15 @@ void LayerDraws::giveUp() {
   if (snapshot) c_.countAsRasterised(*snapshot, Reason::programPass);
   const PresentResult result = c_.presenter().presentLayers(c_.real, nullptr, target, true);
   if (result.pendingError != GL_NO_ERROR) c_.setError(result.pendingError);
-  countHeldDepths();
+  countHeld();
+  if (counts) c_.real.BeginQuery(peeling_.query, peeling_.queryName);
   end();
   if (result.outcome != PresentResult::rasterised)
     c_.stepAside(result.why.empty() ? "what was held back could not be drawn" : result.why.c_str());
 }
 
 void LayerDraws::meetRasterDraw() {
-  bool meets = peeling_.stage == Peeling::Stage::depths ||
+  bool meets = peeling_.stage == Peeling::Stage::depths || asks() ||
                (!c_.batch().empty() && c_.batch().key().layers == BatchKey::Layers::peeled);
   // Once they are traced, only who joins them makes us give up.
   if (!meets)
@@ -288,8 +241,13 @@ void LayerDraws::clearing() {
 }
 
 void LayerDraws::programChanges(GLuint program) noexcept {
-  const auto& held = peeling_.target.depths.draws;
-  if (std::any_of(held.begin(), held.end(), [&](const ProgramDraw& draw) { return draw.program == program; }))
+  const auto draws = [&](const HeldPass& pass) {
+    return std::any_of(pass.draws.begin(), pass.draws.end(),
+                       [&](const ProgramDraw& draw) { return draw.program == program; });
+  };
+  const LayersTarget& target = peeling_.target;
+  if (draws(target.depths) ||
+      (asks() && (draws(target.surfaces) || std::any_of(target.later.begin(), target.later.end(), draws))))
     c_.protect([&] { giveUp(); });
 }
 

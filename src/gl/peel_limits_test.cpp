@@ -30,42 +30,22 @@ TEST(PeelLimits, FarthestLayersThatPeelsWrite) {
   EXPECT_EQ(writtenBehind(before(3, 10), 2), 10u);
 }
 
-TEST(PeelLimits, OnePeelIsCertain) {
-  EXPECT_TRUE(showsAll({}, open(2, 5000), kPixels));
-  EXPECT_FALSE(showsAll({}, open(3, 5000), kPixels));
-  EXPECT_FALSE(showsAll({}, before(2, 5000), kPixels));
-  EXPECT_TRUE(showsAll({}, open(3, 100), kPixels));
+TEST(PeelLimits, PeelsThatShowAll) {
+  EXPECT_TRUE(showsAll(1, open(2, 5000), kPixels));
+  EXPECT_FALSE(showsAll(1, open(3, 5000), kPixels));
+  EXPECT_TRUE(showsAll(2, open(4, 5000), kPixels));
+  EXPECT_FALSE(showsAll(5, open(12, 5000), kPixels));
+  EXPECT_TRUE(showsAll(6, open(12, 5000), kPixels));
+  // The opaque depth takes the place of a layer.
+  EXPECT_FALSE(showsAll(1, before(2, 5000), kPixels));
+  EXPECT_TRUE(showsAll(2, before(3, 5000), kPixels));
+  EXPECT_TRUE(showsAll(1, open(3, 100), kPixels));
 }
 
-TEST(PeelLimits, PeelsEndWhereTooLittleWasWritten) {
-  const PeelLimits all{20, 32};
-  EXPECT_TRUE(showsAll(all, open(12, 5000), kPixels));
-  // Everything lies before something opaque: nothing is written behind, and the first peel is the last.
-  EXPECT_FALSE(showsAll(all, before(2, 5000), kPixels));
-  EXPECT_FALSE(showsAll({20, 6000}, open(4, 5000), kPixels));
-  EXPECT_FALSE(showsAll({2, 32}, open(6, 5000), kPixels));
-  LayerCounts both = before(2, 5000);
-  both.open[2] = 100;
-  EXPECT_TRUE(showsAll(all, both, kPixels));
-}
-
-TEST(PeelWatch, LearnsFromFramesThatTheProgramDraws) {
-  PeelWatch watch;
-  watch.begin();
-  EXPECT_FALSE(watch.declined(open(4, 5000)));
-  for (const GLuint texture : {7, 7, 8, 7}) watch.drawn(texture);
-  EXPECT_EQ(watch.limits(), (PeelLimits{3, 5000}));
-  EXPECT_TRUE(showsAll(watch.limits(), open(4, 5000), kPixels));
-}
-
-TEST(PeelWatch, SaysWhereNothingWasLearned) {
-  PeelWatch watch;
-  for (const bool again : {false, true, true}) {
-    watch.begin();
-    EXPECT_EQ(watch.declined(open(8, 5000)), again);
-    watch.drawn(7);  // the program wants no more than one
-  }
-  EXPECT_FALSE(showsAll(watch.limits(), open(8, 5000), kPixels));
+TEST(PeelLimits, SilhouettesAreNotSure) {
+  EXPECT_EQ(surelyWritten(open(4, 5000), 2), 5000u);
+  EXPECT_EQ(surelyWritten(open(4, 31), 2), std::nullopt);
+  EXPECT_EQ(surelyWritten(before(4, 5000), 1), std::nullopt);
 }
 
 }  // namespace

@@ -3,13 +3,11 @@
 // all layers in the place of the first peel and leave nothing to later ones. Owned by Context, GL thread.
 #pragma once
 #include "gl/batch.h"
-#include "gl/peel_limits.h"
 #include "gl/programs/held_pass.h"
 #include "scene/snapshot.h"
 
 #include <algorithm>
 #include <memory>
-#include <unordered_map>
 
 namespace gluray::gl {
 
@@ -18,15 +16,23 @@ struct Peeling {
     none,
     depths,    // draws of the first pass are held back
     surfaces,  // and so are those of the first peel, or they have been traced
+    peels,     // they are traced, but not shown before it is known how many peels the program draws
   };
   Stage stage = Stage::none;
   LayersTarget target;
-  GLuint framebuffer = 0;  // that both passes are drawn into
   GLuint depthsFound = 0;  // texture that the first pass writes and the first peel reads
   std::shared_ptr<const scene::Layers> layers;
   BatchKey tracedKey;
-  scene::SnapshotPtr traced;                      // what the result shows already; more may join
-  std::unordered_map<GLuint, PeelWatch> watches;  // by framebuffer
+  scene::SnapshotPtr traced;  // what the result shows already; more may join
+
+  // Stage::peels.
+  LayerCounts counts;
+  uint32_t peel = 1;     // the newest
+  GLuint input = 0;      // texture that it reads depths from
+  GLuint behind = 0;     // texture that its farthest layers go to, and
+  bool blended = false;  // whether they were put over those before
+  GLenum query = 0;      // that is active: its target
+  GLuint queryName = 0;
 
   /// What was held back had to be drawn after all: for a while, and each time longer, nothing is.
   void failed() {

@@ -92,8 +92,9 @@ struct PresentResult {
   bool blasRefining = false;  // a better acceleration structure is being built
   bool repeated = false;      // nothing had changed: the picture was there
   bool averages = false;      // pixels are averages of several rays
-  /// Rasterised because the program's peels may not show all layers: how many there are.
-  std::optional<LayerCounts> declined;
+  /// One peel would not show all layers: how many there are. Rasterised, or the picture waits.
+  std::optional<LayerCounts> layers;
+  std::vector<uint32_t> picture;
   GLenum pendingError =
       GL_NO_ERROR;  // an error of the program's that was found on the way, to be reported to it
   std::string why;  // where it was not traced: one line for the user, who has not been told yet
@@ -138,8 +139,8 @@ class Presenter {
   /// Never throws.
   virtual PresentResult present(const RealGl& real, const scene::SnapshotPtr& snapshot,
                                 const PresentTarget& target) noexcept = 0;
-  /// Traces the layers of `snapshot` into `target.result`. Where that fails, or `rasterise`, the real OpenGL
-  /// makes the held passes instead. Otherwise as present().
+  /// Traces the layers of `snapshot` into `target.result`, or puts there the picture that waits. Where that
+  /// fails, or `rasterise`, the real OpenGL makes the held passes instead. Otherwise as present().
   virtual PresentResult presentLayers(const RealGl&, const scene::SnapshotPtr&,
                                       const LayersTarget& /*target*/, bool /*rasterise*/) noexcept {
     return {};
@@ -155,6 +156,12 @@ class Presenter {
   virtual PresentResult resolve(const RealGl&, const scene::SnapshotPtr&,
                                 const ResolveTarget& /*target*/) noexcept {
     return {};
+  }
+  /// Makes a pass for its fragments to be counted alone, where the texture that it reads has so many pixels
+  /// that are not 0. False where that is not possible. Never throws.
+  virtual bool countPixels(const RealGl&, const HeldPass&, GLuint /*texture*/, glm::ivec2 /*size*/,
+                           uint64_t /*pixels*/) noexcept {
+    return false;
   }
   /// Reads red and green of level 0 of the texture bound to GL_TEXTURE_2D of unit `unit`, `size` pixels of
   /// two floats. False where it is of another kind, or cannot be read. Never throws.

@@ -62,7 +62,7 @@ void Context::present(Reason reason) {
   takeResult(result);
   if (kinds()) [[unlikely]]
     kinds()->exclude(nowSeconds() - start);
-  const bool declined = result.declined && result.outcome == PresentResult::rasterised;
+  const bool declined = result.layers && result.outcome == PresentResult::rasterised;
   if (declined) countAsRasterised(*snapshot, Reason::programPass);
   const auto wanted = rasterise || declined ? PresentResult::rasterised : PresentResult::traced;
   if (result.outcome != wanted)
@@ -134,7 +134,8 @@ void Context::presentLate(const BatchKey& key, const scene::SnapshotPtr& snapsho
 }
 
 void Context::imagesChange() noexcept {
-  if (batch_.readsImages() || resolves.waits() || window.readsImages()) protect([&] { flush(); });
+  if (layers.asks() || batch_.readsImages() || resolves.waits() || window.readsImages())
+    protect([&] { flush(); });
 }
 
 void Context::contentsChange(GLuint buffer) noexcept {

@@ -14,6 +14,7 @@ namespace {
 void clearNow(Context& c, GLbitfield mask) {
   c.syncCurrent();
   c.layers.clearing();
+  if (c.layers.clearsLater(mask)) return;
   bool later = false;
   c.protect([&] { later = c.window.clearsLater(mask); });
   const Unresolved::Cleared clean = later ? Unresolved::Cleared{} : c.beforeClear(mask);
@@ -137,8 +138,12 @@ void endGuard(Context& c) { c.activeQueries = std::max(0, c.activeQueries - 1); 
 
 }  // namespace
 
-void beginQuery(Context& c, GLenum target, GLuint) { c.activeQueries += countsDraws(target); }
-void beginQueryIndexed(Context& c, GLenum target, GLuint, GLuint) { c.activeQueries += countsDraws(target); }
+void beginQuery(Context& c, GLenum target, GLuint id) {
+  if (!countsDraws(target)) return;
+  if (c.layers.pending()) c.protect([&] { c.layers.queryBegins(target, id); });
+  ++c.activeQueries;
+}
+void beginQueryIndexed(Context& c, GLenum target, GLuint, GLuint id) { beginQuery(c, target, id); }
 void endQuery(Context& c, GLenum target) {
   if (countsDraws(target)) endGuard(c);
 }

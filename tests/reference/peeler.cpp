@@ -191,7 +191,7 @@ void Peeler::drawAll(Stage stage, const std::vector<Peeled>& all, const std::fun
   for (size_t i = 0; i < all.size(); ++i) {
     if ((all[i].opacity == 1) != (stage == kOpaque)) continue;
     if (!first && between) between();
-    draw(stage, all[i], firstNumber_ + i);
+    draw(stage, all[i], i);
     first = false;
   }
 }
@@ -218,16 +218,8 @@ bool Peeler::peel(const std::vector<Peeled>& all, Texture front, Texture frontNe
   gl_.EndQuery(GL_SAMPLES_PASSED);
   GLuint written = 0;
   gl_.GetQueryObjectuiv(query_, GL_QUERY_RESULT, &written);
+  written_.push_back(written);
   return written > threshold;
-}
-
-void Peeler::showLimits() {
-  std::vector<Peeled> small;
-  for (int i = 0; i < 2 * mostPeels; ++i)
-    small.push_back(seen(sheet(2), glm::vec3(0.5f), 0.1f, placed({0, 0, 0.1 * i}, 0.1)));
-  firstNumber_ = 1000;
-  frame(small);
-  firstNumber_ = 0;
 }
 
 void Peeler::frame(const std::vector<Peeled>& all, const Hooks& hooks) {
@@ -252,6 +244,7 @@ void Peeler::frame(const std::vector<Peeled>& all, const Hooks& hooks) {
   if (hooks.afterDepths) hooks.afterDepths();
   Texture front = kFrontA, frontNext = kFrontB, depths = kDepthB, depthsNext = kDepthA;
   peels_ = 0;
+  written_.clear();
   bool more = true;
   while (more && peels_ < mostPeels) {
     more = peel(all, front, frontNext, depths, depthsNext, hooks);

@@ -36,11 +36,10 @@ class Peeler {
   };
   /// Draws what is opaque (opacity 1) and composites the rest.
   void frame(const std::vector<Peeled>& all, const Hooks& hooks = {});
-  /// A frame of small layers one behind the other: in it is seen how many peels the program draws, and that
-  /// it goes on while there is anything left.
-  void showLimits();
   /// Peels that the last frame drew.
   int peels() const { return peels_; }
+  /// Pixels that each of them wrote at the back.
+  const std::vector<GLuint>& written() const { return written_; }
   GLuint depthsFound() const { return textures_[kDepthB]; }
   GLuint result() const { return textures_[kFrontB]; }
   int mostPeels = 4;
@@ -67,7 +66,7 @@ class Peeler {
   GLuint copyDepth_ = 0, blendBack_ = 0, merge_ = 0;
   std::map<std::pair<int, size_t>, Ready> ready_;  // by stage and number of the surface
   int peels_ = 0;
-  size_t firstNumber_ = 0;
+  std::vector<GLuint> written_;
 };
 
 }  // namespace gluray::test

@@ -6,6 +6,8 @@
 
 #include <GL/glext.h>
 
+#include <algorithm>
+
 namespace gluray::present {
 namespace {
 
@@ -98,8 +100,17 @@ class EarlierDepths {
   std::vector<glm::vec2> now_;
 };
 
+/// All draw buffers, with masks and scissor as they are.
+void clearAll(const RealGl& real, const glm::vec4& color) {
+  glm::vec4 was(0);
+  real.GetFloatv(GL_COLOR_CLEAR_VALUE, &was.x);
+  real.ClearColor(color.r, color.g, color.b, color.a);
+  real.Clear(GL_COLOR_BUFFER_BIT);
+  real.ClearColor(was.r, was.g, was.b, was.a);
+}
+
 bool drawPass(const RealGl& real, const Features& features, const HeldPass& pass) {
-  if (pass.draws.empty()) return true;
+  if (pass.draws.empty() && !pass.clear) return true;
   const OwnFramebuffer framebuffer(real, pass);
   if (!framebuffer.complete()) return false;
   StateGuard guard(real, features);
@@ -107,6 +118,13 @@ bool drawPass(const RealGl& real, const Features& features, const HeldPass& pass
   guard.capability(GL_DEPTH_TEST, false);
   guard.viewport(pass.viewport.x, pass.viewport.y, pass.viewport.z, pass.viewport.w);
   guard.scissorOff();
+  if (pass.clear) clearAll(real, *pass.clear);
+  if (pass.draws.empty()) return true;
+  if (pass.blend == HeldPass::Blend::over) {
+    guard.blendOver();
+    replayProgramDraws(real, features, pass.draws);
+    return true;
+  }
   const KeepLargest blending(real);
   replayProgramDraws(real, features, pass.draws);
   return true;
@@ -147,16 +165,53 @@ bool writeTexture(const RealGl& real, const Features& features, GLuint texture, 
   return takeErrors(real).empty();
 }
 
+bool clearResult(const RealGl& real, const Features& features, const gl::LayersTarget& target) {
+  const std::vector<uint32_t> nothing(target.opaqueDepths.size());
+  return writeTexture(real, features, target.result, target.size, nothing.data());
+}
+
 bool drawLayers(const RealGl& real, const Features& features, const gl::LayersTarget& target) {
-  if (target.written) {
-    const std::vector<uint32_t> nothing(target.opaqueDepths.size());
-    if (!writeTexture(real, features, target.result, target.size, nothing.data())) return false;
-  }
+  if (target.written && !clearResult(real, features, target)) return false;
   {
     const EarlierDepths depths(real, features, target);
     if (!drawPass(real, features, target.depths)) return false;
   }
-  return drawPass(real, features, target.surfaces);
+  if (!drawPass(real, features, target.surfaces)) return false;
+  return std::all_of(target.later.begin(), target.later.end(),
+                     [&](const HeldPass& pass) { return drawPass(real, features, pass); });
+}
+
+bool showPicture(const RealGl& real, const Features& features, const gl::LayersTarget& target) {
+  for (const HeldPass& pass : target.later)
+    if (pass.clear && !drawPass(real, features, pass)) return false;
+  return writeTexture(real, features, target.result, target.size, target.picture.data());
+}
+
+bool countPixels(const RealGl& real, const Features& features, const HeldPass& pass, GLuint texture,
+                 glm::ivec2 size, uint64_t pixels) {
+  std::vector<uint32_t> was(static_cast<size_t>(size.x) * static_cast<size_t>(size.y)), marks(was.size());
+  {
+    StateGuard guard(real, features);
+    guard.plainPack();
+    guard.texture2D(0, texture);
+    if (!gl::isRgba8(real, size)) return false;
+    real.GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, was.data());
+  }
+  if (pixels > marks.size()) return false;
+  std::fill_n(marks.begin(), pixels, ~uint32_t{0});
+  if (!writeTexture(real, features, texture, size, marks.data())) return false;
+  {
+    const OwnFramebuffer framebuffer(real, pass);
+    if (!framebuffer.complete()) return false;
+    StateGuard guard(real, features);
+    guard.openFragmentPath();
+    guard.capability(GL_DEPTH_TEST, false);
+    guard.viewport(pass.viewport.x, pass.viewport.y, pass.viewport.z, pass.viewport.w);
+    guard.scissorOff();
+    guard.colorWrites({false, false, false, false});
+    replayProgramDraws(real, features, pass.draws);
+  }
+  return writeTexture(real, features, texture, size, was.data()) && takeErrors(real).empty();
 }
 
 }  // namespace gluray::present

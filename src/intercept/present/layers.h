@@ -18,7 +18,18 @@ bool readDepths(const gl::RealGl& real, const Features& features, GLint unit, gl
 bool writeTexture(const gl::RealGl& real, const Features& features, GLuint texture, glm::ivec2 size,
                   const uint32_t* pixels);
 
-/// Makes both held passes by the real OpenGL. False where their framebuffers are not complete any more.
+/// Takes an earlier picture out of the result.
+bool clearResult(const gl::RealGl& real, const Features& features, const gl::LayersTarget& target);
+
+/// Puts the picture that waits into the newest peel's result; of what came after the first peel only clears
+/// are made.
+bool showPicture(const gl::RealGl& real, const Features& features, const gl::LayersTarget& target);
+
+/// gl::Presenter::countPixels.
+bool countPixels(const gl::RealGl& real, const Features& features, const gl::HeldPass& pass, GLuint texture,
+                 glm::ivec2 size, uint64_t pixels);
+
+/// Makes all held passes by the real OpenGL. False where their framebuffers are not complete any more.
 bool drawLayers(const gl::RealGl& real, const Features& features, const gl::LayersTarget& target);
 
 }  // namespace gluray::present

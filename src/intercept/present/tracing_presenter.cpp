@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "base/log.h"
+#include "gl/peel_limits.h"
 #include "gl/state_queries.h"
 #include "gl/texture_image.h"
 #include "intercept/present/depth_again.h"
@@ -75,6 +76,13 @@ PresentResult TracingPresenter::presentLayers(const gl::RealGl& real, const scen
   return resultOf([&] { return tracedOrRasterised(real, rasterise ? nullptr : snapshot.get(), target); });
 }
 
+bool TracingPresenter::countPixels(const gl::RealGl& real, const gl::HeldPass& pass, GLuint texture,
+                                   glm::ivec2 size, uint64_t pixels) noexcept {
+  try {
+    return present::countPixels(real, features(real), pass, texture, size, pixels);
+  } catch (const std::exception&) { return false; }
+}
+
 const LastPictures::Picture* TracingPresenter::pictureOf(const scene::Snapshot& snapshot, bool mayRepeat,
                                                          std::optional<uint32_t> missColor,
                                                          PresentResult& result, std::string& why) {
@@ -105,10 +113,15 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
   const double start = nowSeconds();
   const bool whole = traced && traced->image.x == 0 && traced->image.y == 0 &&
                      traced->image.width == target.size.x && traced->image.height == target.size.y;
-  if (whole && !gl::showsAll(target.limits, traced->image.layers, target.opaqueDepths.size()))
-    result.declined = traced->image.layers;
-  if (whole && !result.declined &&
-      writeTexture(real, features(real), target.result, target.size, traced->image.color.data()))
+  if (whole && !gl::showsAll(1, traced->image.layers, target.opaqueDepths.size()))
+    result.layers = traced->image.layers;
+  const bool waits = result.layers && target.mayAsk && gl::surelyWritten(*result.layers, 1) &&
+                     (!target.written || clearResult(real, features(real), target));
+  if (waits) result.picture = traced->image.color;
+  if (waits || (!target.picture.empty() && showPicture(real, features(real), target)))
+    result.outcome = PresentResult::traced;
+  else if (whole && !result.layers &&
+           writeTexture(real, features(real), target.result, target.size, traced->image.color.data()))
     result.outcome = PresentResult::traced;
   else if (drawLayers(real, features(real), target))
     result.outcome = PresentResult::rasterised;

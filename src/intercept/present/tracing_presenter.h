@@ -31,6 +31,8 @@ class TracingPresenter final : public gl::Presenter {
                          const gl::ShowTarget& target) noexcept override;
   gl::PresentResult resolve(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                             const gl::ResolveTarget& target) noexcept override;
+  bool countPixels(const gl::RealGl& real, const gl::HeldPass& pass, GLuint texture, glm::ivec2 size,
+                   uint64_t pixels) noexcept override;
   bool readDepths(const gl::RealGl& real, GLint unit, glm::ivec2 size,
                   std::vector<glm::vec2>& out) noexcept override;
   bool supports(const gl::RealGl& real, bool core, std::string& why) noexcept override;

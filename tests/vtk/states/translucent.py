@@ -32,6 +32,33 @@ def peeled_scalars(stage):
     stage.orbit()
 
 
+def six_balls(stage, peels, ratio=0):
+    """One picture of twelve layers, of which so many peels are drawn, or until one writes less than a share of the pixels."""
+    for i in range(6):
+        stage.show(shapes.sphere(stage.vtk, 16, 0.5), at=(0.1 * i, 0, i), color=(i % 2, i / 6, 1 - i / 6)).GetProperty().SetOpacity(0.2)
+    stage.window.SetAlphaBitPlanes(True)
+    stage.renderer.UseDepthPeelingOn()
+    stage.renderer.SetMaximumNumberOfPeels(peels)
+    stage.renderer.SetOcclusionRatio(ratio)
+    stage.look()
+    stage.shoot()
+
+
+@state("vtk", outside=False)
+def first_picture_of_six_balls(stage):
+    six_balls(stage, 20)
+
+
+@state("vtk", outside=False)
+def six_balls_in_few_peels(stage):
+    six_balls(stage, 1)
+
+
+@state("vtk", outside=False)
+def six_balls_by_occlusion_ratio(stage):
+    six_balls(stage, 20, 0.1)
+
+
 @state("pvbatch", outside=False)
 def order_independent(stage):
     stage.set(DepthPeeling=0)
