@@ -203,8 +203,8 @@ HWY_ATTR uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool mayReje
       group.lanes &= ~now;
       if (group.lanes == 0) continue;
     }
-    // Rays pass beside their samples (ray_setup.cpp); texels may be much smaller than pixels.
-    if (surface.mesh->shape == scene::Shape::triangles && !surface.lighting->shading->textures.empty())
+    // Rays pass beside their samples (ray_setup.cpp).
+    if (surface.mesh->shape == scene::Shape::triangles)
       moveInPlanes(surface, WindowMap(frame.snapshot->camera.viewport), work.x, work.y, group);
     const uint32_t back = (surface.frontIsCcw ? ~seen.ccw : seen.ccw) & group.lanes;
     const uint32_t failing = shade(frame, surface, group, back, work.x, work.y, rows);
