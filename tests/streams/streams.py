@@ -28,7 +28,7 @@ STREAMS = {
     "pivy": Stream(1, 1),
     "3depict": Stream(1, 1),
     "superquadrics": Stream(1, 1),
-    "glplanet": Stream(0.66, 2),  # day and night go to other channels, so are two batches; the atmosphere is blended
+    "glplanet": Stream(0.99, 3),  # day and night go to other channels, the atmosphere is blended: three batches
     "atlantis": Stream(0.98, 2),  # a layer without depth test cuts the frame in two
     "gltext": Stream(1, 1),
     "pipes": Stream(1, 1),
