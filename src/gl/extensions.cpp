@@ -72,8 +72,7 @@ RareState readRareState(const RealGl& real) {
   rare.assemblyPrograms = hasExtension(real, version, "GL_ARB_vertex_program");
   rare.secondaryColor = has(14, "GL_EXT_secondary_color");
   rare.fogCoord = has(14, "GL_EXT_fog_coord");
-  const auto* text = reinterpret_cast<const char*>(real.GetString(GL_VERSION));
-  rare.fogsWholeSum = text && std::string_view(text).find("Mesa") != std::string_view::npos;
+  rare.fogsWholeSum = mesaVersionOf(real.GetString(GL_VERSION)) > 0;
   return rare;
 }
 
