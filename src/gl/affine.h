@@ -1,9 +1,12 @@
-// Matrices of what shader programs draw: whether they keep points finite. Any thread.
+// Matrices of what is drawn: whether they keep points finite, and where they put the bounds of meshes. Any
+// thread.
 #pragma once
 #include "scene/mesh.h"
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace gluray::gl {
@@ -22,15 +25,22 @@ inline glm::dvec3 reachOf(const scene::Mesh& mesh) {
   return glm::max(glm::abs(glm::dvec3(mesh.lower)), glm::abs(glm::dvec3(mesh.upper)));
 }
 
-/// Whether all of the mesh's bounds have positive w.
-inline bool isBeforeViewer(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
-  for (int corner = 0; corner < 8; ++corner) {
+/// The eight corners of the mesh's bounds, in clip space.
+inline std::array<glm::dvec4, 8> boundsInClip(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
+  std::array<glm::dvec4, 8> corners;
+  for (size_t corner = 0; corner < corners.size(); ++corner) {
     glm::dvec4 p(mesh.lower, 1);
     for (int c = 0; c < 3; ++c)
       if (corner >> c & 1) p[c] = mesh.upper[c];
-    if (!((clipFromObject * p).w > 0)) return false;
+    corners[corner] = clipFromObject * p;
   }
-  return true;
+  return corners;
+}
+
+/// Whether all of the mesh's bounds have positive w.
+inline bool isBeforeViewer(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
+  const auto corners = boundsInClip(mesh, clipFromObject);
+  return std::all_of(corners.begin(), corners.end(), [](const glm::dvec4& p) { return p.w > 0; });
 }
 
 }  // namespace gluray::gl

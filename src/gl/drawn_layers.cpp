@@ -1,5 +1,6 @@
 // Surfaces that are blended in the order of drawing (scene::Layers::Of::drawn, ADR 0038): fixed function with
 // blending on, or without depth writes. What they are drawn over is read when their batch is presented.
+#include "gl/affine.h"
 #include "gl/context.h"
 #include "gl/layer_draws.h"
 
@@ -13,13 +14,8 @@ namespace {
 
 /// The pixels of `region` that an instance may reach: those of its mesh's bounds.
 scene::Region reachedBy(const scene::Snapshot& s, const scene::Instance& instance) {
-  const glm::dmat4 clipFromObject = s.camera.clipFromEye * instance.eyeFromObject;
-  const scene::Mesh& mesh = *instance.mesh;
   glm::dvec2 lower(INFINITY), upper(-INFINITY);
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec4 p(corner & 1 ? mesh.upper.x : mesh.lower.x, corner & 2 ? mesh.upper.y : mesh.lower.y,
-                       corner & 4 ? mesh.upper.z : mesh.lower.z, 1);
-    const glm::dvec4 clip = clipFromObject * p;
+  for (const glm::dvec4& clip : boundsInClip(*instance.mesh, s.camera.clipFromEye * instance.eyeFromObject)) {
     if (!(clip.w > 0)) return s.region;  // behind the viewer
     const glm::dvec2 ndc = glm::dvec2(clip) / clip.w;
     lower = glm::min(lower, ndc), upper = glm::max(upper, ndc);

@@ -109,9 +109,9 @@ Reason LayerDraws::triageSeenThrough(PrimitiveClass kind) {
 Reason LayerDraws::triagePeel(PrimitiveClass kind) {
   using Stage = Peeling::Stage;
   if (c_.aside()) return Reason::failure;
-  const GLint unit = inputUnit(c_.state.program);
   if (peeling_.stage == Stage::none || c_.activeQueries > 0) return Reason::programPass;
   if (const Reason reason = triageSeenThrough(kind); reason != Reason::traced) return reason;
+  const GLint unit = inputUnit(c_.state.program);
   if (unit < 0 || boundTexture(c_.real, unit) != peeling_.depthsFound)
     return Reason::programPass;  // a later peel
   if (!peelsIntoAll() || c_.state.viewport != peeling_.target.depths.viewport) return Reason::programPass;

@@ -106,10 +106,6 @@ bool haveUnreadableBuffers(const ArrayState& arrays) {
          arrays.reason == Reason::persistentMapping;
 }
 
-bool isPushedBack(const scene::PolygonOffset& offset) {
-  return offset.factor >= 0 && offset.units >= 0 && offset.factor + offset.units > 0;
-}
-
 bool isOpaque(const ProgramState& program, const scene::Mesh& mesh) {
   using Color = scene::FragmentShading::Color;
   const scene::FragmentShading& f = program.shading.fragment;
@@ -174,7 +170,7 @@ Reason ProgramDraws::triageAlways(const KnownMesh& known) const {
 bool ProgramDraws::isOneOfPasses(const scene::Mesh& mesh) const {
   return c_.passes.several(mesh.geometryId) ||
          c_.passes.meetsRasterised(c_.state.target.framebuffer, mesh, c_.state.program.clipFromObject,
-                                   isPushedBack(offsetOf(c_.state, mesh.shape)));
+                                   offsetOf(c_.state, mesh.shape).pushesBack());
 }
 
 /// Makes the state ready for an instance of the current program: batch, camera and matrix. Nowhere: nothing
@@ -235,7 +231,7 @@ void ProgramDraws::meetPasses(PrimitiveClass kind, GLenum mode, const Elements& 
   if (!(meets || leaves) || haveUnreadableBuffers(c_.attributes)) return;
   const ProgramState& program = c_.state.program;
   const bool placed = program.known && program.known->family && program.reason == Reason::traced;
-  const bool pushedBack = isPushedBack(offsetOf(c_.state, c_.attributes.shape));
+  const bool pushedBack = offsetOf(c_.state, c_.attributes.shape).pushesBack();
   if (meets) c_.settleBelow(c_.state.target.samples);
   const glm::dmat4* matrix = placed ? &program.clipFromObject : nullptr;
   for (std::vector<Triangle>& samples : sampleArrays(mode, elements)) {
@@ -278,7 +274,7 @@ Reason ProgramDraws::add(const scene::MeshPtr& mesh, GLenum mode, const Elements
     c_.batch().add(std::move(instance), program.shading);
     if (c_.batch().key().layers == BatchKey::Layers::none && mesh->shape == scene::Shape::triangles)
       c_.passes.drawnByProgram(mesh, c_.state.modelview, program.clipFromObject, c_.state.target.framebuffer,
-                               isPushedBack(c_.batch().key().offset));
+                               c_.batch().key().offset.pushesBack());
   }
   c_.batch().keep(std::move(kept));
   if (c_.aside())

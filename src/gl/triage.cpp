@@ -228,8 +228,8 @@ void Context::rasteriseMet(Passes::Meeting meeting) {
 
 bool Context::isPushedBack() const {
   const RasterState& raster = state.raster;
-  return raster.offsetFill && raster.reason != Reason::polygonMode && raster.offsetFactor >= 0 &&
-         raster.offsetUnits >= 0 && raster.offsetFactor + raster.offsetUnits > 0;
+  const scene::PolygonOffset offset{.factor = raster.offsetFactor, .units = raster.offsetUnits};
+  return raster.offsetFill && raster.reason != Reason::polygonMode && offset.pushesBack();
 }
 
 void Context::countAsRasterised(const scene::Snapshot& snapshot, Reason reason) {

@@ -25,6 +25,8 @@ struct PolygonOffset {
   float factor = 0, units = 0;
   float resolution = 1.0f / 16777216.0f;
   bool euclidean = false, floats = false;
+  /// Whether it moves everything away from the viewer, if anything.
+  bool pushesBack() const { return factor >= 0 && units >= 0 && factor + units > 0; }
   bool operator==(const PolygonOffset&) const = default;
 };
 

@@ -62,12 +62,11 @@ class FamilyReader : FamilyTable {
     if (family_.figures.given() && !(family_.textures.empty() && family_.edgeFlags.empty()))
       fail(here(), "family \"" + family_.name + "\": figures have neither textures nor edges");
     const bool pixels = scene::isSizedInPixels(family_.figures.shape);
-    if (pixels && (family_.depthOffset.given() || family_.depthFactor.given()))
-      fail(here(),
-           "family \"" + family_.name + "\": beads and tubes have figures.depth_bias instead of depth");
+    if (scene::isInWindow(family_.figures.shape) &&
+        (family_.depthOffset.given() || family_.depthFactor.given()))
+      fail(here(), "family \"" + family_.name +
+                       "\": beads, tubes and splats have figures.depth_bias instead of depth");
     const bool splats = family_.figures.shape == scene::Shape::splats;
-    if (splats && (family_.depthOffset.given() || family_.depthFactor.given()))
-      fail(here(), "family \"" + family_.name + "\": splats have figures.depth_bias instead of depth");
     if (splats == family_.figures.projection.empty())
       fail(here(), "family \"" + family_.name + "\": splats, and they alone, need figures.projection");
     if (family_.figures.given() && !pixels && !family_.figures.radius.given())

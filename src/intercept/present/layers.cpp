@@ -7,6 +7,7 @@
 #include <GL/glext.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace gluray::present {
 namespace {
@@ -109,8 +110,9 @@ void clearAll(const RealGl& real, const glm::vec4& color) {
   real.ClearColor(was.r, was.g, was.b, was.a);
 }
 
-bool drawPass(const RealGl& real, const Features& features, const HeldPass& pass) {
-  if (pass.draws.empty() && !pass.clear) return true;
+/// Calls draw(guard) with the framebuffer and the state of a held pass. False where they cannot be had.
+template <class Draw>
+bool inPass(const RealGl& real, const Features& features, const HeldPass& pass, Draw&& draw) {
   const OwnFramebuffer framebuffer(real, pass);
   if (!framebuffer.complete()) return false;
   StateGuard guard(real, features);
@@ -118,16 +120,22 @@ bool drawPass(const RealGl& real, const Features& features, const HeldPass& pass
   guard.capability(GL_DEPTH_TEST, false);
   guard.viewport(pass.viewport.x, pass.viewport.y, pass.viewport.z, pass.viewport.w);
   guard.scissorOff();
-  if (pass.clear) clearAll(real, *pass.clear);
-  if (pass.draws.empty()) return true;
-  if (pass.blend == HeldPass::Blend::over) {
-    guard.blendOver();
-    replayProgramDraws(real, features, pass.draws);
-    return true;
-  }
-  const KeepLargest blending(real);
-  replayProgramDraws(real, features, pass.draws);
+  draw(guard);
   return true;
+}
+
+bool drawPass(const RealGl& real, const Features& features, const HeldPass& pass) {
+  if (pass.draws.empty() && !pass.clear) return true;
+  return inPass(real, features, pass, [&](StateGuard& guard) {
+    if (pass.clear) clearAll(real, *pass.clear);
+    if (pass.draws.empty()) return;
+    std::optional<KeepLargest> largest;
+    if (pass.blend == HeldPass::Blend::over)
+      guard.blendOver();
+    else
+      largest.emplace(real);
+    replayProgramDraws(real, features, pass.draws);
+  });
 }
 
 bool isTwoFloats(const RealGl& real, glm::ivec2 size) {
@@ -200,18 +208,11 @@ bool countPixels(const RealGl& real, const Features& features, const HeldPass& p
   if (pixels > marks.size()) return false;
   std::fill_n(marks.begin(), pixels, ~uint32_t{0});
   if (!writeTexture(real, features, texture, size, marks.data())) return false;
-  {
-    const OwnFramebuffer framebuffer(real, pass);
-    if (!framebuffer.complete()) return false;
-    StateGuard guard(real, features);
-    guard.openFragmentPath();
-    guard.capability(GL_DEPTH_TEST, false);
-    guard.viewport(pass.viewport.x, pass.viewport.y, pass.viewport.z, pass.viewport.w);
-    guard.scissorOff();
+  const bool counted = inPass(real, features, pass, [&](StateGuard& guard) {
     guard.colorWrites({false, false, false, false});
     replayProgramDraws(real, features, pass.draws);
-  }
-  return writeTexture(real, features, texture, size, was.data()) && takeErrors(real).empty();
+  });
+  return writeTexture(real, features, texture, size, was.data()) && counted && takeErrors(real).empty();
 }
 
 }  // namespace gluray::present
