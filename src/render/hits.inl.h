@@ -203,6 +203,9 @@ HWY_ATTR uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool mayReje
       group.lanes &= ~now;
       if (group.lanes == 0) continue;
     }
+    // Rays pass beside their samples (ray_setup.cpp).
+    if (surface.mesh->shape == scene::Shape::triangles)
+      moveInPlanes(surface, WindowMap(frame.snapshot->camera.viewport), work.x, work.y, group);
     const uint32_t back = (surface.frontIsCcw ? ~seen.ccw : seen.ccw) & group.lanes;
     const uint32_t failing = shade(frame, surface, group, back, work.x, work.y, rows);
     rejected |= failing;
