@@ -152,6 +152,7 @@ void drawByProgram(Context& c, GLenum mode, const Elements& e) {
     c.protect([&] { held = c.layers.holdDepths(mode, e, trianglesOf(mode, e)); });
     if (held) return;
   }
+  if (c.layers.drawsNothing()) return;
   if (c.layers.asks()) {
     bool held = false;
     c.protect([&] { held = c.layers.holdLater(mode, e); });

@@ -47,6 +47,15 @@ bool isInBuffers(const ArrayState& arrays, const Elements& elements) {
                      [](const ArraySource& source) { return source.buffer != nullptr; });
 }
 
+/// Where the newest peel goes, the first one or a later one.
+const std::vector<HeldPass::Output>& newestOutputs(const LayersTarget& target) {
+  const auto isPeel = [](const HeldPass& pass) {
+    return !pass.clear && pass.blend == HeldPass::Blend::largest;
+  };
+  const auto newest = std::find_if(target.later.rbegin(), target.later.rend(), isPeel);
+  return newest == target.later.rend() ? target.surfaces.outputs : newest->outputs;
+}
+
 bool reads(const ProgramDraw& draw, GLuint texture) {
   return std::any_of(draw.textures.begin(), draw.textures.end(),
                      [&](const ProgramDraw::BoundTexture& t) { return t.name == texture; });
@@ -93,6 +102,12 @@ bool LayerDraws::holdLater(GLenum mode, const Elements& elements) {
   const bool open = now == viewport &&
                     contains({box.x, box.y, box.z, box.w}, {viewport.x, viewport.y, viewport.z, viewport.w});
   if (const GLenum pending = c_.real.GetError()) c_.setError(pending);
+  if (open && blendsRest()) {
+    peeling_.usual = peeling_.peel;
+    if (!traceAgain(peeling_.peel) || !showWaiting()) return false;
+    peeling_.emptied = boundTexture(c_.real, inputUnit(c_.state.program));
+    return true;
+  }
   if (known && open && (c_.activeQueries == 1 ? addBlended(mode, elements) : addPeel(mode, elements)))
     return true;
   giveUp();
@@ -143,6 +158,46 @@ bool LayerDraws::addBlended(GLenum mode, const Elements& elements) {
   return true;
 }
 
+/// Whether what is drawn now is what the newest peel has left, over its farthest layers.
+bool LayerDraws::blendsRest() const {
+  const ProgramState& program = c_.state.program;
+  if (!peeling_.blended || c_.activeQueries > 0 || passOf(program) != Family::Pass::peelRest ||
+      !putsOver(c_.real, c_.state.rare) || outputsOf(c_.real) != peeling_.target.later.back().outputs)
+    return false;
+  const GLint unit = inputUnit(program);
+  const GLuint input = unit < 0 ? 0 : boundTexture(c_.real, unit);
+  const std::vector<HeldPass::Output>& newest = newestOutputs(peeling_.target);
+  return input != 0 && input != peeling_.target.result && input != peeling_.behind &&
+         std::find(newest.begin(), newest.end(), HeldPass::Output{input, 0}) != newest.end();
+}
+
+bool LayerDraws::drawsNothing() {
+  if (!peeling_.emptied) return false;
+  const ProgramState& program = c_.state.program;
+  const bool rest = c_.activeQueries == 0 && passOf(program) == Family::Pass::peelRest;
+  if (!rest || boundTexture(c_.real, inputUnit(program)) != peeling_.emptied) peeling_.emptied = 0;
+  return peeling_.emptied != 0;
+}
+
+/// The picture that waits becomes that of so many peels (scene::Layers::peels). False where it cannot, and
+/// nothing waits any more.
+bool LayerDraws::traceAgain(uint32_t peels) {
+  if (peeling_.layers->peels == peels) return true;
+  auto layers = std::make_shared<scene::Layers>(*peeling_.layers);
+  layers->peels = peels;
+  auto snapshot = std::make_shared<scene::Snapshot>(*peeling_.traced);
+  snapshot->layers = layers;
+  PresentResult result = c_.presenter().traceLayers(snapshot, peeling_.target);
+  if (result.outcome != PresentResult::traced) {
+    giveUp();
+    return false;
+  }
+  peeling_.layers = std::move(layers);
+  peeling_.traced = std::move(snapshot);
+  peeling_.target.picture = std::move(result.picture);
+  return true;
+}
+
 bool LayerDraws::clearsLater(GLbitfield mask) noexcept {
   if (!asks()) return false;
   bool held = false;
@@ -166,19 +221,22 @@ void LayerDraws::queryBegins(GLenum target, GLuint name) {
   if (!asks()) return;
   if (c_.activeQueries > 0) return giveUp();
   peeling_.query = target, peeling_.queryName = name;
-  if (showsAll(peeling_.peel, peeling_.counts, peeling_.target.opaqueDepths.size()))
-    showWaiting();
-  else if (!surelyWritten(peeling_.counts, peeling_.peel))
+  if (showsAll(peeling_.peel, peeling_.counts, peeling_.target.opaqueDepths.size())) {
+    // Of more peels than the picture's, all count.
+    if (peeling_.layers->peels >= peeling_.peel || traceAgain(0)) showWaiting();
+  } else if (!surelyWritten(peeling_.counts, peeling_.peel))
     giveUp();
 }
 
-/// The program has drawn as many peels as show all layers.
-void LayerDraws::showWaiting() {
+/// The program has drawn as many peels as show all layers, or is about to draw what they have left. False:
+/// everything was drawn by the real OpenGL.
+bool LayerDraws::showWaiting() {
   peeling_.stage = Peeling::Stage::none;
   c_.forgetClear();
   const PresentResult result = c_.presenter().presentLayers(c_.real, nullptr, peeling_.target, false);
   if (result.pendingError != GL_NO_ERROR) c_.setError(result.pendingError);
-  if (result.outcome == PresentResult::traced) {
+  const bool shown = result.outcome == PresentResult::traced;
+  if (shown) {
     peeling_.succeeded();
   } else {
     if (peeling_.traced) c_.countAsRasterised(*peeling_.traced, Reason::programPass);
@@ -186,6 +244,7 @@ void LayerDraws::showWaiting() {
     c_.stepAside(result.why.empty() ? "layers that were traced could not be shown" : result.why.c_str());
   }
   end();
+  return shown;
 }
 
 }  // namespace gluray::gl

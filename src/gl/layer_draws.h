@@ -39,6 +39,8 @@ class LayerDraws : public ContextPart {
   /// Then: holds back a draw of a later peel, or of what is counted. False: it is to be drawn
   /// or traced, nothing of that kind is held any more.
   bool holdLater(GLenum mode, const Elements& elements);
+  /// After such a picture was shown: whether the draw is what peels have left, of which there is nothing.
+  bool drawsNothing();
   /// And a clear. False: make it.
   bool clearsLater(GLbitfield mask) noexcept;
   /// Before a query that counts draws.
@@ -79,7 +81,9 @@ class LayerDraws : public ContextPart {
   void ask(PresentResult& result);
   bool addPeel(GLenum mode, const Elements& elements);
   bool addBlended(GLenum mode, const Elements& elements);
-  void showWaiting();
+  bool blendsRest() const;
+  bool traceAgain(uint32_t peels);
+  bool showWaiting();
   void end();
   void countHeld();
   Reason triageSeenThrough(PrimitiveClass kind);  // what both kinds have in common

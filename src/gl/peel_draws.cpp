@@ -63,6 +63,7 @@ bool LayerDraws::beginHolding() {
   auto layers = std::make_shared<scene::Layers>();
   layers->opaqueDepth.reserve(target.opaqueDepths.size());
   for (const glm::vec2& depths : target.opaqueDepths) layers->opaqueDepth.push_back(depths.y);
+  layers->peels = peeling_.usual;
   peeling_.target = std::move(target);
   peeling_.layers = std::move(layers);
   peeling_.depthsFound = found;
@@ -235,6 +236,7 @@ void LayerDraws::meetRasterDraw() {
 }
 
 void LayerDraws::clearing() {
+  peeling_.emptied = 0;
   if (peeling_.stage != Peeling::Stage::depths) return;
   for (const HeldPass::Output& output : outputsOf(c_.real))
     if (output.texture == peeling_.depthsFound) return giveUp();

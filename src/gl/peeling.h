@@ -31,7 +31,11 @@ struct Peeling {
   GLuint input = 0;      // texture that it reads depths from
   GLuint behind = 0;     // texture that its farthest layers go to, and
   bool blended = false;  // whether they were put over those before
-  GLenum query = 0;      // that is active: its target
+  /// After how many peels the program last blended what was left, 0 if never: probably it does again.
+  uint32_t usual = 0;
+  /// Texture of the depths between which such a draw finds nothing, all being shown; 0: none.
+  GLuint emptied = 0;
+  GLenum query = 0;  // that is active: its target
   GLuint queryName = 0;
 
   /// What was held back had to be drawn after all: for a while, and each time longer, nothing is.

@@ -145,6 +145,10 @@ class Presenter {
                                       const LayersTarget& /*target*/, bool /*rasterise*/) noexcept {
     return {};
   }
+  /// Traces layers alone: their picture is in the result, as where presentLayers() lets it wait.
+  virtual PresentResult traceLayers(const scene::SnapshotPtr&, const LayersTarget& /*target*/) noexcept {
+    return {};
+  }
   /// Traces `snapshot` and has its picture shown in the place of what is in the back buffer, which stays as
   /// it is. Otherwise as present(); not traced: nothing was shown.
   virtual PresentResult show(const RealGl&, const scene::SnapshotPtr&,

@@ -9,6 +9,7 @@
 
 #include "render/drawn_fragments.h"
 #include "render/figure.inl.h"
+#include "render/peeled_layers.h"
 #include "render/shade.inl.h"
 
 #include <algorithm>
@@ -32,6 +33,7 @@ struct Work {
   alignas(64) float depth[kLanes];
   alignas(64) float edgeDepth[kLanes];
   DrawnFragments fragments;  // only of layers that are blended in the order of drawing
+  PeeledLayers peeled;       // only of layers that are peeled so many times
   uint32_t hits = 0;         // bit i: lane i hit something
   uint32_t edged = 0;        // bit i: of lane i the depth is edgeDepth, of a triangle that grew by its edges
   int imageX = 0, imageY = 0;  // pixel of lane 0

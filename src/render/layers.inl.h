@@ -141,17 +141,59 @@ HWY_ATTR inline void countLayers(const FrameData& frame, const scene::Layers& la
   }
 }
 
+/// The fragments of `lanes` among those of their pixels, before they are put behind what is there.
+HWY_ATTR inline void keepLayers(const FrameData& frame, uint32_t lanes, const LitRows& rows,
+                                const float* depth, float tolerance, const Gathered& g, Work& work) {
+  for (; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    const uint64_t order = frame.surfaces[work.packet.instance[i]].instance->order;
+    const float opacity = rows.value[3][i];
+    const PeeledLayer layer{
+        order << 32 | work.packet.primitive[i],
+        {rows.value[0][i] * opacity, rows.value[1][i] * opacity, rows.value[2][i] * opacity, opacity}};
+    if (std::abs(depth[i] - g.place[i]) <= tolerance)
+      work.peeled.join(i, layer);
+    else
+      work.peeled.add(i, layer);
+  }
+}
+
+/// The lanes whose peels let something through: what lies behind may be drawn over what lies before it.
+inline uint32_t lanesWithRest(uint32_t lanes, uint32_t peels, const Work& work) {
+  uint32_t rest = 0;
+  for (; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    if (work.peeled.count(i) > peels) rest |= 1u << i;
+  }
+  return rest;
+}
+
+/// Pixels with more layers than the peels take.
+HWY_ATTR inline void mixRest(const FrameData& frame, const scene::Layers& layers, Work& work, Gathered& g) {
+  for (int i = 0; i < kLanes; ++i) {
+    if (work.peeled.count(i) <= layers.peels) continue;
+    const bool before = layers.opaqueDepth[pixelOf(frame, work, i)] >= 0;
+    const size_t nearest = layers.peels, farthest = nearest - before;
+    if (work.peeled.count(i) <= nearest + farthest + 1) continue;  // one alone has no order
+    const std::array<float, 4> mixed = work.peeled.mixed(i, nearest, farthest);
+    for (size_t c = 0; c < 4; ++c) g.now[c][i] = mixed[c];
+  }
+}
+
 /// All hits of the packet's rays, composited.
 HWY_ATTR inline void compositeLayers(const FrameData& frame, const scene::Layers& layers, Work& work) {
   Gathered g;
   for (float& place : g.place) place = -1;
+  if (layers.peels) work.peeled.clear();
   const auto end = [&](uint32_t lanes, const float* depth)
                        HWY_ATTR { return lanesBehind(layers, frame, work, lanes, depth); };
   walkLayers(frame, work, end, [&](uint32_t lanes, const LitRows& rows, const float* depth) HWY_ATTR {
+    if (layers.peels) keepLayers(frame, lanes, rows, depth, layers.tolerance, g, work);
     putBehind(lanes, rows, depth, layers.tolerance, g);
-    return lanesFull(lanes, g);
+    return lanesFull(layers.peels ? lanes & ~lanesWithRest(lanes, layers.peels, work) : lanes, g);
   });
   countLayers(frame, layers, work, g);
+  if (layers.peels) mixRest(frame, layers, work, g);
   LitRows rows;
   for (int c = 0; c < 4; ++c) std::copy_n(g.now[c], kLanes, rows.value[c]);
   packColors(rows, work.color);

@@ -113,6 +113,10 @@ struct Layers {
   /// In order, surfaces whose depths differ by no more are at one place: of what each would make of the
   /// pixel, every channel keeps the largest.
   float tolerance = 1e-7f;
+  /// In order: 0, or after how many dual depth peels the program blends what is left in the order of drawing.
+  /// Each peel takes a pixel's nearest layer and its farthest; the first one finds what is opaque in the
+  /// place of the farthest.
+  uint32_t peels = 0;
   // Of `drawn` alone.
   std::vector<uint32_t> colors;  // the framebuffer's, before them: RGBA8, one a pixel, like opaqueDepth
   Blending blending;

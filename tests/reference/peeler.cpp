@@ -35,6 +35,12 @@ const char* const kPeelLate =
     "    fragOutput1.a = 1. - (front.a * (1. - frag.a));\n    }\n"
     "  else\n    {\n    frag.rgb *= frag.a;\n    fragOutput0 = frag;\n    }\n";
 
+const char* const kRestEarly =
+    "  gl_FragDepth = gl_FragCoord.z;\n  ivec2 pixelCoord = ivec2(gl_FragCoord.xy);\n"
+    "  vec2 minMaxDepth = texelFetch(lastDepthPeel, pixelCoord, 0).xy;\n"
+    "  float minDepth = -minMaxDepth.x;\n  float maxDepth = minMaxDepth.y;\n"
+    "  if (gl_FragDepth < minDepth || gl_FragDepth > maxDepth)\n    {\n    discard;\n    }\n";
+
 std::string inserted(std::string text, const std::string& before, const std::string& what) {
   const size_t at = text.find(before);
   EXPECT_NE(at, std::string::npos);
@@ -56,6 +62,23 @@ std::string peelText(const Surface& surface) {
   const std::string start = "  vec4 vertexVC = vertexVCVSOutput;\n";
   text.insert(text.find(start) + start.size(), kPeelEarly);
   return text.insert(text.rfind('}'), kPeelLate);
+}
+
+std::string restText(const Surface& surface) {
+  std::string text = fragmentText(surface);
+  text = inserted(std::move(text), "void main()", "uniform sampler2D lastDepthPeel;\n");
+  const std::string start = "  vec4 vertexVC = vertexVCVSOutput;\n";
+  text.insert(text.find(start) + start.size(), kRestEarly);
+  return text.insert(text.rfind('}'), "  fragOutput0.rgb *= fragOutput0.a;\n");
+}
+
+std::string textOf(Peeler::Stage stage, const Surface& surface) {
+  switch (stage) {
+    case Peeler::kDepths: return depthsText(surface);
+    case Peeler::kPeel: return peelText(surface);
+    case Peeler::kRest: return restText(surface);
+    default: return fragmentText(surface);
+  }
 }
 
 const char* const kScreenVertex =
@@ -168,9 +191,8 @@ void Peeler::draw(Stage stage, const Peeled& one, size_t number) {
   Ready& ready = ready_[{stage, number}];
   if (!ready.program) {
     const std::string vertex = vertexText(one.surface);
-    ready.program = stage == kOpaque   ? makeProgram(gl_, one.surface)
-                    : stage == kDepths ? makeProgram(gl_, vertex, depthsText(one.surface))
-                                       : makeProgram(gl_, vertex, peelText(one.surface));
+    ready.program = stage == kOpaque ? makeProgram(gl_, one.surface)
+                                     : makeProgram(gl_, vertex, textOf(stage, one.surface));
     ready.upload = upload(gl_, one.mesh, ready.program);
   }
   gl_.UseProgram(ready.program);
@@ -249,6 +271,13 @@ void Peeler::frame(const std::vector<Peeled>& all, const Hooks& hooks) {
   while (more && peels_ < mostPeels) {
     more = peel(all, front, frontNext, depths, depthsNext, hooks);
     std::swap(front, frontNext), std::swap(depths, depthsNext);
+  }
+  if (blendsRest && written_.back() > 0) {
+    gl_.BlendEquation(GL_FUNC_ADD);
+    gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    attach({kBack});
+    bind(5, depths);
+    drawAll(kRest, all);
   }
   gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
   bind(4, front), bind(5, kBack);

@@ -45,8 +45,11 @@ class Peeler {
   int mostPeels = 4;
   GLuint threshold = 0;  // a peel that wrote so many pixels at the back, or fewer, is the last
 
+  bool blendsRest = false;  // what peels have left, in the order of drawing, as VTK does
+
+  enum Stage { kOpaque, kDepths, kPeel, kRest };
+
  private:
-  enum Stage { kOpaque, kDepths, kPeel };
   enum Texture { kBackTemp, kBack, kFrontA, kFrontB, kDepthA, kDepthB, kOpaqueDepth, kTextures };
   struct Ready {
     GLuint program = 0;

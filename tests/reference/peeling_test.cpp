@@ -92,6 +92,45 @@ TEST(Peeling, MoreLayersThanTheProgramPeelsAreNotAllShown) {
   expectSame("low_threshold", draw(20, 50), 3 * 12, {}, kPeelTolerance);
 }
 
+/// Colours and opacities that show in which order they came, drawn neither from the front nor from behind.
+std::vector<Peeled> shuffled() {
+  std::vector<Peeled> all;
+  for (int i = 0; i < 10; ++i) {
+    const int at = i * 7 % 10;
+    const glm::vec3 color(i % 2, 0.1f * static_cast<float>(at), i % 3 == 0);
+    all.push_back(seen(sheet(12), color, 0.2f + 0.1f * static_cast<float>(i % 3),
+                       placed({0.03 * i, 0.02 * at, 0.6 - 0.12 * at}, 0.7)));
+  }
+  return all;
+}
+
+TEST(Peeling, WhatPeelsLeaveIsBlendedInTheOrderOfDrawing) {
+  const auto all = shuffled();
+  const auto draw = [&](Gl gl) {
+    Peeler peeler(gl);
+    peeler.blendsRest = true;
+    // The first frame of each shows what the one before did not tell.
+    for (const int most : {1, 1, 3, 2, 20, 2}) {
+      peeler.mostPeels = most;
+      peeler.frame(all);
+    }
+  };
+  expectSame("rest", draw, 6 * 10, {}, kPeelTolerance);
+}
+
+TEST(Peeling, WhatIsLeftBeforeSomethingOpaqueInAPart) {
+  auto all = shuffled();
+  all.push_back(seen(sheet(4), glm::vec3(0.8f), 1, placed({1, 0, -3}, 1.2)));
+  const auto draw = [&](Gl gl) {
+    Peeler peeler(gl);
+    peeler.blendsRest = true;
+    peeler.mostPeels = 2;
+    for (int frame = 0; frame < 3; ++frame) peeler.frame(all);
+    EXPECT_EQ(peeler.peels(), 2);
+  };
+  expectSame("rest_before_opaque", draw, 3 * 10 + 3, {}, kPeelTolerance);
+}
+
 TEST(Peeling, ColorsOfVerticesMapsAndCells) {
   auto all = balls();
   all[0].surface.color = Color::vertex;

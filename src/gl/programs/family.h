@@ -126,12 +126,13 @@ struct Family {
   /// Passes that we can do ourselves, and where they find input and settings. fxaa: full-screen
   /// anti-aliasing. peelDepths and peel: surfaces that are seen through, drawn once to find the nearest and
   /// farthest of them, and then, peel by peel, to composite them (dual depth peeling): all is traced in the
-  /// first peel. sum: the same without order, colours times opacity and opacities being added up (weighted
-  /// blending). resolve: full-screen averages over the samples of a multisampled texture.
-  enum class Pass { none, fxaa, peelDepths, peel, sum, resolve };
+  /// first peel. peelRest: afterwards, what peels have left, in the order of drawing. sum: the same without
+  /// order, colours times opacity and opacities being added up (weighted blending). resolve: full-screen
+  /// averages over the samples of a multisampled texture.
+  enum class Pass { none, fxaa, peelDepths, peel, peelRest, sum, resolve };
   Pass pass = Pass::none;
   std::string passInput;   // sampler: fxaa and resolve, the picture; peelDepths, green, the depth of what is
-                           // opaque, or -1; peel, what peelDepths has found
+                           // opaque, or -1; peel, what peelDepths has found; peelRest, what peels have left
   std::string passOutput;  // of the fragment shader: depths found; colour times opacity, and opacity;
                            // sum, opacity in its red, the colour being the other output
   FamilyValue passSamples, passGamma;  // of resolve: how many; averages are of colours to this power

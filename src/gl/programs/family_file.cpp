@@ -208,6 +208,7 @@ class FamilyReader : FamilyTable {
            {{"fxaa", Family::Pass::fxaa},
             {"peel_depths", Family::Pass::peelDepths},
             {"peel", Family::Pass::peel},
+            {"peel_rest", Family::Pass::peelRest},
             {"sum", Family::Pass::sum},
             {"resolve", Family::Pass::resolve}},
            family_.pass);

@@ -294,7 +294,7 @@ TEST(FamilyFile, PassKeys) {
   EXPECT_EQ(f.subpixelContrast.uniform, "sc");
   EXPECT_EQ(f.endpointSearchIterations.constant, Numbers{12});
   EXPECT_EQ(mistakeIn("pass.does = \"blur\""),
-            "x.toml:6: does must be one of: fxaa, peel_depths, peel, sum, resolve");
+            "x.toml:6: does must be one of: fxaa, peel_depths, peel, peel_rest, sum, resolve");
 }
 
 TEST(FamilyFile, SectionsMayBeWrittenInEitherWay) {

@@ -64,6 +64,11 @@ void takeCost(const TraceCost& cost, PresentResult& result) {
   result.blasRefining = cost.blasRefining;
 }
 
+/// Whether an image has the shape of the target's textures.
+bool fills(const Image& image, const gl::LayersTarget& target) {
+  return image.x == 0 && image.y == 0 && image.width == target.size.x && image.height == target.size.y;
+}
+
 }  // namespace
 
 PresentResult TracingPresenter::present(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
@@ -74,6 +79,19 @@ PresentResult TracingPresenter::present(const gl::RealGl& real, const scene::Sna
 PresentResult TracingPresenter::presentLayers(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                                               const gl::LayersTarget& target, bool rasterise) noexcept {
   return resultOf([&] { return tracedOrRasterised(real, rasterise ? nullptr : snapshot.get(), target); });
+}
+
+PresentResult TracingPresenter::traceLayers(const scene::SnapshotPtr& snapshot,
+                                            const gl::LayersTarget& target) noexcept {
+  return resultOf([&] {
+    PresentResult result;
+    const LastPictures::Picture* traced = pictureOf(*snapshot, target.mayRepeat, 0u, result, result.why);
+    if (!traced || !fills(traced->image, target)) return result;
+    result.layers = traced->image.layers;
+    result.picture = traced->image.color;
+    result.outcome = PresentResult::traced;
+    return result;
+  });
 }
 
 bool TracingPresenter::countPixels(const gl::RealGl& real, const gl::HeldPass& pass, GLuint texture,
@@ -111,8 +129,7 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
   const LastPictures::Picture* traced =
       snapshot ? pictureOf(*snapshot, target.mayRepeat, 0u, result, result.why) : nullptr;
   const double start = nowSeconds();
-  const bool whole = traced && traced->image.x == 0 && traced->image.y == 0 &&
-                     traced->image.width == target.size.x && traced->image.height == target.size.y;
+  const bool whole = traced && fills(traced->image, target);
   if (whole && !gl::showsAll(1, traced->image.layers, target.opaqueDepths.size()))
     result.layers = traced->image.layers;
   const bool waits = result.layers && target.mayAsk && gl::surelyWritten(*result.layers, 1) &&

@@ -27,6 +27,8 @@ class TracingPresenter final : public gl::Presenter {
                             const gl::PresentTarget& target) noexcept override;
   gl::PresentResult presentLayers(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                                   const gl::LayersTarget& target, bool rasterise) noexcept override;
+  gl::PresentResult traceLayers(const scene::SnapshotPtr& snapshot,
+                                const gl::LayersTarget& target) noexcept override;
   gl::PresentResult show(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                          const gl::ShowTarget& target) noexcept override;
   gl::PresentResult resolve(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
