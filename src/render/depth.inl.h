@@ -120,6 +120,40 @@ HWY_ATTR inline void computeDepth(const Surface& surface, const DepthMap& map, c
   }
 }
 
+/// Moves the group's points to where the planes of its triangles are seen at window positions x, y: weights
+/// of the corners in perspective are, up to a factor, the edge functions there (Olano and Greer, 1997).
+HWY_ATTR inline void moveInPlanes(const Surface& s, const WindowMap& map, const float* x, const float* y,
+                                  Group& group) {
+  const DoubleTag d;
+  const glm::dmat4 m = glm::transpose(s.clipFromObject);
+  const glm::dvec4 rows[3] = {m[0], m[1], m[3]};  // x, y, w
+  for (int i = 0; i < kLanes; i += static_cast<int>(hn::Lanes(d))) {
+    Double clip[3][3];
+    for (int k = 0; k < 3; ++k) {
+      Double p[3];
+      for (int c = 0; c < 3; ++c) p[c] = loadDouble(group.position[k][c] + i);
+      for (int c = 0; c < 3; ++c) clip[k][c] = hn::Add(dot3(p, rows[c]), hn::Set(d, rows[c].w));
+    }
+    const Double windowX =
+        hn::MulAdd(loadDouble(x + i), hn::Set(d, map.ndcScale.x), hn::Set(d, map.ndcOffset.x));
+    const Double windowY =
+        hn::MulAdd(loadDouble(y + i), hn::Set(d, map.ndcScale.y), hn::Set(d, map.ndcOffset.y));
+    Double edge[3];
+    for (int k = 0; k < 3; ++k) {
+      const Double(&a)[3] = clip[(k + 1) % 3], (&b)[3] = clip[(k + 2) % 3];
+      edge[k] = hn::MulAdd(windowX, hn::MulSub(a[1], b[2], hn::Mul(a[2], b[1])),
+                           hn::MulAdd(windowY, hn::MulSub(a[2], b[0], hn::Mul(a[0], b[2])),
+                                      hn::MulSub(a[0], b[1], hn::Mul(a[1], b[0]))));
+    }
+    const Double sum = hn::Add(hn::Add(edge[0], edge[1]), edge[2]);
+    // Where the plane is not seen there, comparisons fail and the points stay where they are.
+    const Double u = hn::Div(edge[1], sum), v = hn::Div(edge[2], sum), most = hn::Set(d, 1e6);
+    const auto usable = hn::And(hn::Lt(hn::Abs(u), most), hn::Lt(hn::Abs(v), most));
+    storeFloat(hn::IfThenElse(usable, u, loadDouble(group.u + i)), group.u + i);
+    storeFloat(hn::IfThenElse(usable, v, loadDouble(group.v + i)), group.v + i);
+  }
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace gluray::render
 HWY_AFTER_NAMESPACE();

@@ -70,10 +70,16 @@ HWY_ATTR inline void tryEdged(const FrameData& frame, const accel::RayPacket& pr
   work.hits |= 1u << i;
 }
 
-HWY_ATTR inline double ndcDepthOfHit(const FrameData& frame, const accel::RayPacket& packet, int i) {
+/// Of the hit of lane i, at the sample, a window position: rays pass beside it (ray_setup.cpp).
+HWY_ATTR inline double ndcDepthOfHit(const FrameData& frame, const accel::RayPacket& packet, int i,
+                                     const glm::dvec2& sample) {
   const Surface& surface = frame.surfaces[packet.instance[i]];
-  if (surface.mesh->shape == scene::Shape::triangles)
-    return surface.ndcDepth(packet.primitive[i], packet.u[i], packet.v[i]);
+  if (surface.mesh->shape == scene::Shape::triangles) {
+    const WindowMap map(frame.snapshot->camera.viewport);
+    const glm::dvec2 ndc = sample * map.ndcScale + map.ndcOffset;
+    const glm::vec2 weights = surface.weightsAt(packet.primitive[i], ndc);
+    return surface.ndcDepth(packet.primitive[i], weights.x, weights.y);
+  }
   const double t = packet.tFar[i];
   const glm::dvec4 world(packet.orgX[i] + t * packet.dirX[i], packet.orgY[i] + t * packet.dirY[i],
                          packet.orgZ[i] + t * packet.dirZ[i], 1);
@@ -110,7 +116,8 @@ HWY_ATTR inline void pickEdged(const FrameData& frame, const int32_t* valid, Wor
     const int i = std::countr_zero(lanes);
     const Surface& surface = frame.surfaces[centre.instance[i]];
     if (!growsByEdges(surface))
-      best[i] = {ndcDepthOfHit(frame, centre, i), centre.instance[i], centre.primitive[i]};
+      best[i] = {ndcDepthOfHit(frame, centre, i, {work.x[i], work.y[i]}), centre.instance[i],
+                 centre.primitive[i]};
     else
       tryEdged(frame, centre, i, best[i], work);
   }

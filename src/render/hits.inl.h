@@ -178,6 +178,17 @@ HWY_ATTR inline uint32_t rejectedLanes(const Surface& s, const Group& group, uin
   return rejected;
 }
 
+/// Rays pass beside their samples (ray_setup.cpp): moves the group's points there. Triangles that grew by
+/// their edges are at their samples already.
+HWY_ATTR inline void moveToSamples(const FrameData& frame, const Surface& surface, const Work& work,
+                                   Group& group) {
+  alignas(64) Row u, v;
+  const uint32_t edged = work.edged & group.lanes;
+  if (edged) std::copy_n(group.u, kLanes, u), std::copy_n(group.v, kLanes, v);
+  moveInPlanes(surface, WindowMap(frame.snapshot->camera.viewport), work.x, work.y, group);
+  if (edged) blendRow(edged, u, group.u), blendRow(edged, v, group.v);
+}
+
 /// Depth and colour of the hits in `lanes`, given to take(lanes, colours, depths). Returns the lanes whose
 /// hit does not count: culled or cut away, which is asked only where `mayReject`, or failing the alpha test.
 template <class Take>
@@ -205,6 +216,7 @@ HWY_ATTR uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool mayReje
       group.lanes &= ~now;
       if (group.lanes == 0) continue;
     }
+    if (surface.mesh->shape == scene::Shape::triangles) moveToSamples(frame, surface, work, group);
     const uint32_t back = (surface.frontIsCcw ? ~seen.ccw : seen.ccw) & group.lanes;
     const uint32_t failing = shade(frame, surface, group, back, work.x, work.y, rows);
     rejected |= failing;

@@ -14,41 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-/// Moves the group's points to where the planes of its triangles are seen at pixels' centres: weights of the
-/// corners in perspective are, up to a factor, the edge functions there (Olano and Greer, 1997).
-HWY_ATTR inline void moveToCenters(const Surface& s, const WindowMap& map, const Centers& centers,
-                                   Group& group) {
-  const DoubleTag d;
-  const glm::dmat4 m = glm::transpose(s.clipFromObject);
-  const glm::dvec4 rows[3] = {m[0], m[1], m[3]};  // x, y, w
-  for (int i = 0; i < kLanes; i += static_cast<int>(hn::Lanes(d))) {
-    Double clip[3][3];
-    for (int k = 0; k < 3; ++k) {
-      Double p[3];
-      for (int c = 0; c < 3; ++c) p[c] = loadDouble(group.position[k][c] + i);
-      for (int c = 0; c < 3; ++c) clip[k][c] = hn::Add(dot3(p, rows[c]), hn::Set(d, rows[c].w));
-    }
-    const Double x =
-        hn::MulAdd(loadDouble(centers.x + i), hn::Set(d, map.ndcScale.x), hn::Set(d, map.ndcOffset.x));
-    const Double y =
-        hn::MulAdd(loadDouble(centers.y + i), hn::Set(d, map.ndcScale.y), hn::Set(d, map.ndcOffset.y));
-    Double edge[3];
-    for (int k = 0; k < 3; ++k) {
-      const Double(&a)[3] = clip[(k + 1) % 3], (&b)[3] = clip[(k + 2) % 3];
-      edge[k] = hn::MulAdd(x, hn::MulSub(a[1], b[2], hn::Mul(a[2], b[1])),
-                           hn::MulAdd(y, hn::MulSub(a[2], b[0], hn::Mul(a[0], b[2])),
-                                      hn::MulSub(a[0], b[1], hn::Mul(a[1], b[0]))));
-    }
-    const Double sum = hn::Add(hn::Add(edge[0], edge[1]), edge[2]);
-    // Where the plane is not seen at the centre, comparisons fail and the points stay where they are.
-    const Double u = hn::Div(edge[1], sum), v = hn::Div(edge[2], sum), most = hn::Set(d, 1e6);
-    const auto usable = hn::And(hn::Lt(hn::Abs(u), most), hn::Lt(hn::Abs(v), most));
-    storeFloat(hn::IfThenElse(usable, u, loadDouble(group.u + i)), group.u + i);
-    storeFloat(hn::IfThenElse(usable, v, loadDouble(group.v + i)), group.v + i);
-  }
-}
-
-/// The same of triangles that grew by their edges; the depth there.
+/// What moveInPlanes does, for triangles that grew by their edges; the depth there.
 HWY_ATTR inline void moveEdgedToCenters(const FrameData& frame, const Surface& s, const Centers& centers,
                                         uint32_t lanes, Group& group, float* depth) {
   const DepthMap& map = frame.depth;
@@ -127,7 +93,7 @@ HWY_ATTR inline void locate(const FrameData& frame, uint32_t instance, size_t fi
   shown.oneDepth = s.lighting->shading->fragment.writesDepth;
   if (s.mesh->shape == scene::Shape::triangles) {
     const uint32_t edged = block.samples[first].edged & shown.group.lanes;
-    moveToCenters(s, WindowMap(frame.snapshot->camera.viewport), centers, shown.group);
+    moveInPlanes(s, WindowMap(frame.snapshot->camera.viewport), centers.x, centers.y, shown.group);
     computeDepth(s, frame.depth, shown.group, centers.x, centers.y, shown.seen, &shown.planes);
     moveEdgedToCenters(frame, s, centers, edged, shown.group, shown.seen.depth);
     return;

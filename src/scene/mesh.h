@@ -47,7 +47,7 @@ inline glm::vec4 fetch(const Attribute& a, uint32_t i) {
     case Format::float4: return {f[0], f[1], f[2], f[3]};
     case Format::unorm8x4: {
       const auto* b = reinterpret_cast<const uint8_t*>(p);
-      return glm::vec4(b[0], b[1], b[2], b[3]) * (1.0f / 255.0f);
+      return glm::vec4(b[0], b[1], b[2], b[3]) / 255.0f;  // as GL 2.1, table 2.9, divides
     }
     default: return {0, 0, 0, 1};
   }
