@@ -182,7 +182,7 @@ HWY_ATTR inline uint32_t rejectedLanes(const Surface& s, const Group& group, uin
 /// their edges are at their samples already.
 HWY_ATTR inline void moveToSamples(const FrameData& frame, const Surface& surface, const Work& work,
                                    Group& group) {
-  alignas(64) Row u, v;
+  alignas(64) Row u{}, v{};
   const uint32_t edged = work.edged & group.lanes;
   if (edged) std::copy_n(group.u, kLanes, u), std::copy_n(group.v, kLanes, v);
   moveInPlanes(surface, WindowMap(frame.snapshot->camera.viewport), work.x, work.y, group);
