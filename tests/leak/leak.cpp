@@ -151,7 +151,7 @@ int run(int frames, const std::function<void(int, int)>& draw) {
     draw(frames * step / kSteps, frames * (step + 1) / kSteps);
     resident.push_back(residentBytes());
   }
-  const double warm = middle({resident.begin() + 20, resident.begin() + 30});
+  const double warm = middle({resident.begin() + 40, resident.begin() + 50});
   const double last = middle({resident.end() - 10, resident.end()});
   const double growth = last / warm - 1;
   std::printf("leak: %d frames, %.2f MB after warming up, %.2f MB at the end, growth %+.2f %%\n", frames,

@@ -89,6 +89,9 @@ TEST(MaterialLatch, ColorMaterialHasTheLastWord) {
   const GLfloat white[4] = {1, 1, 1, 1};
   for (const GLfloat* color : {kBright, white}) {
     const auto real = OsmesaContext::create({kSize, kSize});
+    // White is the current colour already: what stays then depends, in Mesa from 23 on, on vertices that wait
+    // (docs/distributions.md).
+    if (color == white && !gl::MaterialLatch::isIn(real->real())) continue;
     const auto expected = replaced(real->real(), color);
     TracedContext ours({kSize, kSize});
     EXPECT_EQ(replaced(ours.gl(), color), expected);
