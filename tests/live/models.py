@@ -112,9 +112,12 @@ def write_road_net(path):
     return path
 
 
+BUCKY = "/usr/share/doc/drawxtl/examples/bucky.str"
+
+
 def copy_bucky(path):
     """DRAWxtl's own example of a molecule: it writes beside what it reads."""
-    path.write_bytes(pathlib.Path("/usr/share/doc/drawxtl/examples/bucky.str").read_bytes())
+    path.write_bytes(pathlib.Path(BUCKY).read_bytes())
     return path
 
 

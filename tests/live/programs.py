@@ -30,6 +30,7 @@ class Program:
     rest: float = 2.0            # seconds without a change that count as rest
     colors: int = 64             # a picture with fewer has not loaded its model yet
     environment: dict = dataclasses.field(default_factory=dict)
+    needs: tuple = ()            # programs and files that the command takes, beside its first word
 
 
 def osgviewer(name, material=True):
@@ -95,6 +96,12 @@ def mayavi(folder):
     return ["env", f"PYTHONPATH={unpacked.stdout.strip()}", *script]
 
 
+def f3d(folder):
+    """Without configuration files, for which the option has two names."""
+    own_look = "--no-config" if "--no-config" in subprocess.run(["f3d", "--help"], capture_output=True, text=True).stdout else "--dry-run"
+    return ["f3d", own_look, "--resolution=600,600", str(models.write_ply(folder / "knot.ply", **SMALL))]
+
+
 PIVY = "/usr/share/doc/python3-pivy/examples/Mentor/02.4.Examiner.py"
 
 MORE = {
@@ -102,7 +109,8 @@ MORE = {
     "openscad": wide(openscad, "Qt 5; CSG in passes with a stencil", 0.0, rest=3.0),
     "ffmedit": wide(medit, "GLUT; a second pass as wireframe", 0.49),
     "freefem": wide(lambda folder: ["FreeFem++", str(models.write_edp(folder / "plot.edp"))], "GLUT", 0.98, colors=10),
-    "sumo": wide(lambda folder: ["sumo-gui", "-n", str(models.write_road_net(folder / "net.xml"))], "FOX; flat layers", 0.0),
+    "sumo": wide(lambda folder: ["sumo-gui", "-n", str(models.write_road_net(folder / "net.xml"))], "FOX; flat layers", 0.0,
+                 needs=("netgenerate",)),
     "dangerball": wide(hack("dangerball"), "lists", 1.0, frame=20),
     "glplanet": wide(hack("glplanet"), "EGL; day and night in other channels, atmosphere blended", 0.66, frame=20),
     "atlantis": wide(hack("atlantis"), "immediate mode, texture coordinate generation", 0.9, frame=20),
@@ -111,27 +119,31 @@ MORE = {
     "hilbert": wide(hack("hilbert"), "lists", 1.0, frame=20),
     "mm3d": wide(lambda folder: ["mm3d", str(models.write_obj(folder / "knot.obj", True))], "Qt 5, four views", 0.99, rest=3.0),
     "gdis": wide(lambda folder: ["gdis", str(models.write_xyz(folder / "ball.xyz"))], "GTK 2", 0.99, rest=3.0),
-    "drawxtl": wide(lambda folder: ["DRAWxtl55", str(models.copy_bucky(folder / "bucky.str"))], "FLTK; names in lists", 1.0),
+    "drawxtl": wide(lambda folder: ["DRAWxtl55", str(models.copy_bucky(folder / "bucky.str"))], "FLTK; names in lists", 1.0,
+                    needs=(models.BUCKY,)),
     "evolver": wide(lambda folder: ["sh", "-c", f"(cat {models.write_evolver(folder / 'cube.fe')[1]}; sleep 100) | "
-                    f"evolver-ogl-d {folder / 'cube.fe'}"], "GLUT", 1.0, colors=8),
+                    f"evolver-ogl-d {folder / 'cube.fe'}"], "GLUT", 1.0, colors=8, needs=("evolver-ogl-d",)),
     "gmsh": wide(lambda folder: ["gmsh", "-nopopup", "-setnumber", "Mesh.SurfaceFaces", "1", "-setnumber", "Mesh.SurfaceEdges", "0",
                  str(models.write_stl(folder / "knot.stl", **SMALL))], "FLTK, client arrays", 0.99, rest=3.0),
     "xcrysden": wide(lambda folder: ["xcrysden", "--xsf", str(models.write_xsf(folder / "salt.xsf"))], "Tk", 1.0, rest=4.0),
     "v_sim": wide(lambda folder: ["v_sim", str(models.write_v_sim(folder / "grid.ascii"))], "GTK 3; fog", 0.9, rest=4.0),
-    "pivy": wide(lambda folder: ["/usr/bin/python3", PIVY], "Coin, Qt 5", 1.0, rest=3.0, colors=20),
+    "pivy": wide(lambda folder: ["/usr/bin/python3", PIVY], "Coin, Qt 5", 1.0, rest=3.0, colors=20, needs=(PIVY,)),
     "3depict": wide(lambda folder: ["3depict"], "wxWidgets", 1.0, rest=4.0),
     "billard": wide(lambda folder: ["/usr/games/billard-gl"], "GLUT; title, drawn without depth test", 0.0, frame=30),
     "glxheads": wide(lambda folder: ["glxheads"], "Xlib alone; one flat triangle, no depth test", 0.0, frame=20, colors=2),
-    "f3d": wide(lambda folder: ["f3d", "--dry-run", "--resolution=600,600", str(models.write_ply(folder / "knot.ply", **SMALL))],
-                "VTK 9; physically based, no toolkit", 0.99, rest=3.0, environment={"GLURAY_ENGINE": "always"}),
+    "f3d": wide(f3d, "VTK 9; physically based, no toolkit; later versions draw full-screen quads in every frame", 0.95, rest=3.0, environment={"GLURAY_ENGINE": "always"}, needs=("f3d",)),
     "mayavi2": wide(mayavi, "VTK 9 from Python; what it does not trace are its colour bar and full-screen passes", 0.97, rest=4.0),
     "avogadro": wide(lambda folder: ["avogadro2", str(models.write_xyz(folder / "ball.xyz"))], "Qt 5; shaders of its own", 0.0, rest=4.0),
     "openuniverse": wide(lambda folder: ["openuniverse"], "GLUT; drawn without depth test", 0.0, frame=30),
 }
 
 
-def missing(command):
-    """Why the command cannot run here, or None."""
+def missing(program, folder):
+    """Why the program cannot run here, or None. Its command may write into the folder."""
+    for need in program.needs:
+        if not (shutil.which(need) or os.path.exists(need)):
+            return f"{need} is not installed"
+    command = program.command(folder)
     if not shutil.which(command[0]):
         return f"{command[0]} is not installed"
     if command[0] == "/usr/bin/python3":

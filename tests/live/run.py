@@ -137,7 +137,7 @@ def main():
     given = parser.parse_args()
     program = (programs.PROGRAMS | programs.MORE)[given.name]
     with tempfile.TemporaryDirectory() as folder:
-        why = programs.missing(program.command(pathlib.Path(folder)))
+        why = programs.missing(program, pathlib.Path(folder))
     if why:
         print(f"skipped: {why}")
         return 77

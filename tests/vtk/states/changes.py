@@ -137,7 +137,7 @@ def level_of_detail(stage):
 def window_size(stage):
     stage.show(stage.simple.Sphere(ThetaResolution=32, PhiResolution=32))
     stage.look()
-    for size in ([400, 300], [200, 260], [500, 120], [400, 300]):
+    for size in ([400, 300], [200, 250], [500, 120], [400, 300]):
         stage.view.ViewSize = size
         stage.shoot()
 
