@@ -74,7 +74,9 @@ def cull_front(stage):
 def texture(stage):
     simple = stage.simple
     sphere = simple.TextureMaptoSphere(simple.Sphere(ThetaResolution=32, PhiResolution=32), PreventSeam=0)
-    stage.show(sphere, Texture=simple.CreateTexture(str(shapes.checkers(stage.folder / "checkers.png"))))
+    image = simple.CreateTexture(str(shapes.checkers(stage.folder / "checkers.png")))
+    image.GetClientSideObject().GetInputAlgorithm().Update()  # pvbatch 5.13 does not read it by itself
+    stage.show(sphere, Texture=image)
     stage.look()
     stage.orbit()
 
