@@ -74,9 +74,12 @@ def cull_front(stage):
 def texture(stage):
     simple = stage.simple
     sphere = simple.TextureMaptoSphere(simple.Sphere(ThetaResolution=32, PhiResolution=32), PreventSeam=0)
-    image = simple.CreateTexture(str(shapes.checkers(stage.folder / "checkers.png")))
-    image.GetClientSideObject().GetInputAlgorithm().Update()  # pvbatch 5.13 does not read it by itself
+    from vtkmodules.vtkIOImage import vtkPNGReader  # there where a program of VTK runs
+    file = str(shapes.checkers(stage.folder / "checkers.png"))
+    image, reader = simple.CreateTexture(file), vtkPNGReader()
     stage.show(sphere, Texture=image)
+    reader.SetFileName(file)
+    image.GetClientSideObject().SetInputConnection(reader.GetOutputPort())  # pvbatch 5.13 does not read it by itself
     stage.look()
     stage.orbit()
 
