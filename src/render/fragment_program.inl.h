@@ -92,7 +92,8 @@ HWY_INLINE Float3 microfacets(const Surface& s, const scene::Material& m, const 
   const auto clamped = [&](Float v) HWY_ATTR { return hn::Min(hn::Max(v, least), one); };
   const auto mix = [&](const Float3& a, const Float3& b, float w)
                        HWY_ATTR { return add(scaled(a, splat(1 - w)), scaled(b, splat(w))); };
-  const Float3 albedo = times(splat(glm::vec3(m.diffuse)), at.color);
+  Float3 albedo = times(splat(glm::vec3(m.diffuse)), at.color);
+  if (f.edges) albedo = scaled(albedo, hn::Sub(one, at.edge));  // nothing is made of their colour
   const Float3 f0 = mix(splat(glm::vec3(pbr.baseF0)), albedo, pbr.metallic);
   const Float grey = hn::Min(hn::Max(hn::Mul(splat(16.5f), hn::Add(hn::Add(f0.x, f0.y), f0.z)), zero), one);
   const Float3 f90 = mix({grey, grey, grey}, splat(pbr.edgeTint), pbr.metallic);

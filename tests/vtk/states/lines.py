@@ -400,6 +400,19 @@ def edges_unlit(stage):
     stage.orbit(2)
 
 
+@state("vtk")
+def edges_physically_based(stage):
+    for metallic in 0, 0.7:
+        actor = edged(stage)
+        actor.SetPosition(2 * metallic, 0, 0)
+        look = actor.GetProperty()
+        look.SetInterpolationToPBR()
+        look.SetMetallic(metallic)
+        look.SetRoughness(0.4)
+    stage.look()
+    stage.orbit(3)
+
+
 def glyphs(stage, edges=True, lit=True):
     vtk = stage.vtk
     data = shapes.grid(vtk, 3)
