@@ -232,12 +232,12 @@ void Context::afterSwap() {
   beganSeconds = 0;
   chooseEngine();
   ++frame;
+  passes.clear();
+  sheets.clear();
   forgetOld();
 }
 
 void Context::forgetOld() {
-  passes.clear();
-  sheets.clear();
   clears_ = 0;
   workForgotten_ = work();
   group_->meshes.advance();
@@ -253,7 +253,9 @@ void Context::cleared(GLbitfield mask) {
   constexpr GLbitfield kWhole = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
   if ((mask & kWhole) != kWhole || work() == workForgotten_) return;
   const int patience = statistics.frames > 0 ? 64 : 4;
-  if (++clears_ >= patience) forgetOld();
+  if (++clears_ < patience) return;
+  forgetOld();
+  passes.forgetMany();  // those of framebuffers whose depth is never cleared
 }
 
 void Context::deleteDiscarded() {

@@ -120,6 +120,11 @@ void Passes::clear(std::optional<uint32_t> framebuffer) {
   byProgram_ = !surfaces_.empty();
 }
 
+void Passes::forgetMany() {
+  constexpr size_t kMany = 65536;
+  if (surfaces_.size() > kMany) clear();
+}
+
 bool Passes::anyByProgram(uint32_t framebuffer, uint64_t triangles) const {
   const auto [first, last] = surfaces_.equal_range(placeIn(framebuffer));
   return std::any_of(first, last,

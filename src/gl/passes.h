@@ -65,6 +65,8 @@ class Passes {
   void flushed(const scene::SnapshotPtr& snapshot);
   /// Depth of `framebuffer` was cleared, or the frame ended: a new layer begins.
   void clear(std::optional<uint32_t> framebuffer = {});
+  /// Forgets the layer where it has more surfaces than frames have: nobody may ever clear its depth.
+  void forgetMany();
   /// Whether shader programs have drawn surfaces of the layer.
   bool anyByProgram() const { return byProgram_ || !rasterisedByProgram_.empty(); }
   /// Whether one of these, in `framebuffer`, has so many triangles.

@@ -53,6 +53,31 @@ TEST(ProgramPasses, OfSeveralSamples) {
         -1);
 }
 
+/// As a shadow map is made for each of many lights, before anything was ever swapped.
+TEST(ProgramPasses, MeetItAfterOtherFramebuffersWereClearedAndDrawnTo) {
+  expectSame(
+      "passes_shadow_maps",
+      [&](Gl gl) {
+        const ProgramMesh round = ball(24);
+        const GLuint program = makeProgram(gl, Surface{}), again = makeUnknownProgram(gl);
+        const Upload up = upload(gl, round, program), againUp = upload(gl, round, again);
+        const View view = perspectiveView(20);
+        beginFrame(gl);
+        drawSurface(gl, program, up, round, view, {});
+        bindNewFramebuffer(gl, {64, 64}, GL_RGBA8, GL_DEPTH_COMPONENT24);
+        gl.Viewport(0, 0, 64, 64);
+        for (int light = 0; light < 8; ++light) {
+          gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+          drawSurface(gl, program, up, round, perspectiveView(20.0f + static_cast<float>(light)), {});
+        }
+        gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+        gl.Viewport(0, 0, kProgramWidth, kProgramHeight);
+        gl.DepthFunc(GL_LEQUAL);
+        drawByUnknown(gl, again, againUp, round, view);
+      },
+      -1);
+}
+
 /// The pass of nobody's program comes first: depth in advance.
 TEST(ProgramPasses, TheRasterisedPassComesFirst) {
   for (const int frames : {1, 3})
