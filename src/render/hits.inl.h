@@ -184,6 +184,7 @@ HWY_ATTR inline void moveToSamples(const FrameData& frame, const Surface& surfac
                                    Group& group) {
   alignas(64) Row u{}, v{};
   const uint32_t edged = work.edged & group.lanes;
+  if (edged == group.lanes) return;
   if (edged) std::copy_n(group.u, kLanes, u), std::copy_n(group.v, kLanes, v);
   moveInPlanes(surface, WindowMap(frame.snapshot->camera.viewport), work.x, work.y, group);
   if (edged) blendRow(edged, u, group.u), blendRow(edged, v, group.v);
