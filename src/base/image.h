@@ -8,8 +8,9 @@
 
 namespace gluray {
 
-/// Of surfaces that are seen through, composited: how many pixels have n >= 2 layers one behind the other,
-/// those that are not seen any more left out. The last number stands for all that are larger.
+/// Of surfaces that are seen through, composited: how many pixels have n >= 2 layers one behind the other.
+/// Those that are not seen any more are left out, but where only some are peeled (scene::Layers::peels). The
+/// last number stands for all that are larger.
 struct LayerCounts {
   static constexpr size_t kMost = 64;
   std::array<uint32_t, kMost> open{};    // pixels with nothing opaque behind the layers

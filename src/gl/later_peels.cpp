@@ -82,8 +82,7 @@ bool LayerDraws::joinsFirstPeel() const {
   if (!peeling_.target.later.empty() || c_.activeQueries > 0 || passOf(program) != Family::Pass::peel ||
       program.reason != Reason::traced)
     return false;
-  const GLint unit = inputUnit(program);
-  return unit >= 0 && boundTexture(c_.real, unit) == peeling_.depthsFound;
+  return inputTexture(c_.real, program) == peeling_.depthsFound;
 }
 
 bool LayerDraws::holdLater(GLenum mode, const Elements& elements) {
@@ -105,7 +104,7 @@ bool LayerDraws::holdLater(GLenum mode, const Elements& elements) {
   if (open && blendsRest()) {
     peeling_.usual = peeling_.peel;
     if (!traceAgain(peeling_.peel) || !showWaiting()) return false;
-    peeling_.emptied = boundTexture(c_.real, inputUnit(c_.state.program));
+    peeling_.emptied = inputTexture(c_.real, c_.state.program);
     return true;
   }
   if (known && open && (c_.activeQueries == 1 ? addBlended(mode, elements) : addPeel(mode, elements)))
@@ -118,10 +117,9 @@ bool LayerDraws::addPeel(GLenum mode, const Elements& elements) {
   const ProgramState& program = c_.state.program;
   if (c_.activeQueries > 0 || passOf(program) != Family::Pass::peel || !program.uniforms || !peelsIntoAll())
     return false;
-  const GLint unit = inputUnit(program);
   std::vector<HeldPass::Output> outputs = outputsOf(c_.real);
   const GLuint result = outputOf(c_.real, *program.known, outputs);
-  const GLuint input = unit < 0 ? 0 : boundTexture(c_.real, unit);
+  const GLuint input = inputTexture(c_.real, program);
   if (result == 0 || input == 0) return false;
   std::vector<HeldPass>& later = peeling_.target.later;
   if (peeling_.blended) {
@@ -164,8 +162,7 @@ bool LayerDraws::blendsRest() const {
   if (!peeling_.blended || c_.activeQueries > 0 || passOf(program) != Family::Pass::peelRest ||
       !putsOver(c_.real, c_.state.rare) || outputsOf(c_.real) != peeling_.target.later.back().outputs)
     return false;
-  const GLint unit = inputUnit(program);
-  const GLuint input = unit < 0 ? 0 : boundTexture(c_.real, unit);
+  const GLuint input = inputTexture(c_.real, program);
   const std::vector<HeldPass::Output>& newest = newestOutputs(peeling_.target);
   return input != 0 && input != peeling_.target.result && input != peeling_.behind &&
          std::find(newest.begin(), newest.end(), HeldPass::Output{input, 0}) != newest.end();
@@ -175,7 +172,7 @@ bool LayerDraws::drawsNothing() {
   if (!peeling_.emptied) return false;
   const ProgramState& program = c_.state.program;
   const bool rest = c_.activeQueries == 0 && passOf(program) == Family::Pass::peelRest;
-  if (!rest || boundTexture(c_.real, inputUnit(program)) != peeling_.emptied) peeling_.emptied = 0;
+  if (!rest || inputTexture(c_.real, program) != peeling_.emptied) peeling_.emptied = 0;
   return peeling_.emptied != 0;
 }
 

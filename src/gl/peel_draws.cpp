@@ -52,7 +52,7 @@ bool LayerDraws::beginHolding() {
   target.depths.outputs = outputsOf(c_.real);
   target.depths.viewport = c_.state.viewport;
   target.size = {c_.state.viewport.z, c_.state.viewport.w};
-  target.opaqueDepth = boundTexture(c_.real, unit);
+  target.opaqueDepth = inputTexture(c_.real, program);
   const GLuint found = outputOf(c_.real, *program.known, target.depths.outputs);
   if (found == 0 || target.opaqueDepth == 0 ||
       !c_.presenter().readDepths(c_.real, unit, target.size, target.opaqueDepths))
@@ -112,8 +112,7 @@ Reason LayerDraws::triagePeel(PrimitiveClass kind) {
   if (c_.aside()) return Reason::failure;
   if (peeling_.stage == Stage::none || c_.activeQueries > 0) return Reason::programPass;
   if (const Reason reason = triageSeenThrough(kind); reason != Reason::traced) return reason;
-  const GLint unit = inputUnit(c_.state.program);
-  if (unit < 0 || boundTexture(c_.real, unit) != peeling_.depthsFound)
+  if (inputTexture(c_.real, c_.state.program) != peeling_.depthsFound)
     return Reason::programPass;  // a later peel
   if (!peelsIntoAll() || c_.state.viewport != peeling_.target.depths.viewport) return Reason::programPass;
   LayersTarget& target = peeling_.target;

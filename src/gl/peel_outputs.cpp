@@ -41,7 +41,9 @@ GLint inputUnit(const ProgramState& program) {
   return (*program.uniforms)[sampler->first].integers[0];
 }
 
-GLuint boundTexture(const RealGl& real, GLint unit) {
+GLuint inputTexture(const RealGl& real, const ProgramState& program) {
+  const GLint unit = inputUnit(program);
+  if (unit < 0) return 0;
   const GLint active = integer(real, GL_ACTIVE_TEXTURE);
   real.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
   const GLint name = integer(real, GL_TEXTURE_BINDING_2D);

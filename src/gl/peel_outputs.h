@@ -17,6 +17,7 @@ GLuint outputOf(const RealGl& real, const KnownProgram& known, const std::vector
 /// Unit that the family's input is looked up on; -1: none.
 GLint inputUnit(const ProgramState& program);
 
-GLuint boundTexture(const RealGl& real, GLint unit);
+/// The texture that is bound there; 0: none, or no unit.
+GLuint inputTexture(const RealGl& real, const ProgramState& program);
 
 }  // namespace gluray::gl

@@ -76,8 +76,7 @@ HWY_ATTR inline double ndcDepthOfHit(const FrameData& frame, const accel::RayPac
   const Surface& surface = frame.surfaces[packet.instance[i]];
   if (surface.mesh->shape == scene::Shape::triangles) {
     const WindowMap map(frame.snapshot->camera.viewport);
-    const glm::dvec2 ndc = sample * map.ndcScale + map.ndcOffset;
-    const glm::vec2 weights = surface.weightsAt(packet.primitive[i], ndc);
+    const glm::vec2 weights = surface.weightsAt(packet.primitive[i], map.ndcOf(sample));
     return surface.ndcDepth(packet.primitive[i], weights.x, weights.y);
   }
   const double t = packet.tFar[i];

@@ -77,7 +77,7 @@ inline bool isLeft(const FrameData& frame, uint32_t instance, uint32_t primitive
   const bool program = surface.lighting->shading->fragment.model != scene::FragmentShading::Model::off;
   if (!centers || !program || !surface.ownClipPlanes) return surface.accepts(primitive, u, v);
   const WindowMap map(frame.snapshot->camera.viewport);
-  const glm::dvec2 ndc = glm::dvec2(centers->x[lane], centers->y[lane]) * map.ndcScale + map.ndcOffset;
+  const glm::dvec2 ndc = map.ndcOf({centers->x[lane], centers->y[lane]});
   const glm::vec2 weights = surface.weightsAt(primitive, ndc);
   return surface.accepts(primitive, weights.x, weights.y);
 }
@@ -182,12 +182,14 @@ HWY_ATTR inline uint32_t rejectedLanes(const Surface& s, const Group& group, uin
 /// their edges are at their samples already.
 HWY_ATTR inline void moveToSamples(const FrameData& frame, const Surface& surface, const Work& work,
                                    Group& group) {
-  alignas(64) Row u{}, v{};
+  const WindowMap map(frame.snapshot->camera.viewport);
   const uint32_t edged = work.edged & group.lanes;
+  if (edged == 0) return moveInPlanes(surface, map, work.x, work.y, group);
   if (edged == group.lanes) return;
-  if (edged) std::copy_n(group.u, kLanes, u), std::copy_n(group.v, kLanes, v);
-  moveInPlanes(surface, WindowMap(frame.snapshot->camera.viewport), work.x, work.y, group);
-  if (edged) blendRow(edged, u, group.u), blendRow(edged, v, group.v);
+  alignas(64) Row u{}, v{};
+  std::copy_n(group.u, kLanes, u), std::copy_n(group.v, kLanes, v);
+  moveInPlanes(surface, map, work.x, work.y, group);
+  blendRow(edged, u, group.u), blendRow(edged, v, group.v);
 }
 
 /// Depth and colour of the hits in `lanes`, given to take(lanes, colours, depths). Returns the lanes whose

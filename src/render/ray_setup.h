@@ -40,6 +40,7 @@ constexpr double kLargestRay = 1e18;  // Embree's limit on the coordinates of or
 struct WindowMap {
   glm::dvec2 ndcScale, ndcOffset;
   explicit WindowMap(const glm::ivec4& viewport);
+  glm::dvec2 ndcOf(const glm::dvec2& window) const { return window * ndcScale + ndcOffset; }
 };
 
 /// Rays of the snapshot's camera for a world within the given bounds. Throws std::runtime_error where the

@@ -131,7 +131,7 @@ MORE = {
     "3depict": wide(lambda folder: ["3depict"], "wxWidgets", 1.0, rest=4.0),
     "billard": wide(lambda folder: ["/usr/games/billard-gl"], "GLUT; title, drawn without depth test", 0.0, frame=30),
     "glxheads": wide(lambda folder: ["glxheads"], "Xlib alone; one flat triangle, no depth test", 0.0, frame=20, colors=2),
-    "f3d": wide(f3d, "VTK 9; physically based, no toolkit; later versions draw full-screen quads in every frame", 0.95, rest=3.0, environment={"GLURAY_ENGINE": "always"}, needs=("f3d",)),
+    "f3d": wide(f3d, "VTK 9; physically based, no toolkit; later versions draw full-screen quads in every frame", 0.98, rest=3.0, environment={"GLURAY_ENGINE": "always"}, needs=("f3d",)),
     "mayavi2": wide(mayavi, "VTK 9 from Python; what it does not trace are its colour bar and full-screen passes", 0.97, rest=4.0),
     "avogadro": wide(lambda folder: ["avogadro2", str(models.write_xyz(folder / "ball.xyz"))], "Qt 5; shaders of its own", 0.0, rest=4.0),
     "openuniverse": wide(lambda folder: ["openuniverse"], "GLUT; drawn without depth test", 0.0, frame=30),

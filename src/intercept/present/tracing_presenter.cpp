@@ -2,11 +2,11 @@
 
 #include "base/clock.h"
 #include "base/log.h"
-#include "gl/peel_limits.h"
 #include "gl/state_queries.h"
 #include "gl/texture_image.h"
 #include "intercept/present/depth_again.h"
 #include "intercept/present/layers.h"
+#include "intercept/present/present_result.h"
 #include "intercept/present/raster_fallback.h"
 
 #include <exception>
@@ -43,20 +43,6 @@ bool TracingPresenter::supports(const gl::RealGl& real, bool, std::string& why) 
 
 namespace {
 
-/// What `body` results in; an exception's text where it fails.
-template <class F>
-PresentResult resultOf(F&& body) noexcept {
-  try {
-    return body();
-  } catch (const std::exception& e) {
-    PresentResult failed;
-    try {
-      failed.why = e.what();
-    } catch (...) {}  // the general line says enough
-    return failed;
-  }
-}
-
 void takeCost(const TraceCost& cost, PresentResult& result) {
   result.buildSeconds = cost.buildSeconds, result.traceSeconds = cost.traceSeconds;
   result.blasBuilds = cost.blasBuilds, result.blasRefinements = cost.blasRefinements;
@@ -64,41 +50,11 @@ void takeCost(const TraceCost& cost, PresentResult& result) {
   result.blasRefining = cost.blasRefining;
 }
 
-/// Whether an image has the shape of the target's textures.
-bool fills(const Image& image, const gl::LayersTarget& target) {
-  return image.x == 0 && image.y == 0 && image.width == target.size.x && image.height == target.size.y;
-}
-
 }  // namespace
 
 PresentResult TracingPresenter::present(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                                         const gl::PresentTarget& target) noexcept {
   return resultOf([&] { return tracedOrRasterised(real, *snapshot, target); });
-}
-
-PresentResult TracingPresenter::presentLayers(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
-                                              const gl::LayersTarget& target, bool rasterise) noexcept {
-  return resultOf([&] { return tracedOrRasterised(real, rasterise ? nullptr : snapshot.get(), target); });
-}
-
-PresentResult TracingPresenter::traceLayers(const scene::SnapshotPtr& snapshot,
-                                            const gl::LayersTarget& target) noexcept {
-  return resultOf([&] {
-    PresentResult result;
-    const LastPictures::Picture* traced = pictureOf(*snapshot, target.mayRepeat, 0u, result, result.why);
-    if (!traced || !fills(traced->image, target)) return result;
-    result.layers = traced->image.layers;
-    result.picture = traced->image.color;
-    result.outcome = PresentResult::traced;
-    return result;
-  });
-}
-
-bool TracingPresenter::countPixels(const gl::RealGl& real, const gl::HeldPass& pass, GLuint texture,
-                                   glm::ivec2 size, uint64_t pixels) noexcept {
-  try {
-    return present::countPixels(real, features(real), pass, texture, size, pixels);
-  } catch (const std::exception&) { return false; }
 }
 
 const LastPictures::Picture* TracingPresenter::pictureOf(const scene::Snapshot& snapshot, bool mayRepeat,
@@ -120,39 +76,6 @@ const LastPictures::Picture* TracingPresenter::pictureOf(const scene::Snapshot& 
   if (!done) return nullptr;
   pictures_.keep(snapshot);
   return &fresh;
-}
-
-PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const scene::Snapshot* snapshot,
-                                                   const gl::LayersTarget& target) {
-  PresentResult result;
-  const PendingErrors pending = takeErrors(real);
-  const LastPictures::Picture* traced =
-      snapshot ? pictureOf(*snapshot, target.mayRepeat, 0u, result, result.why) : nullptr;
-  const double start = nowSeconds();
-  const bool whole = traced && fills(traced->image, target);
-  if (whole && !gl::showsAll(1, traced->image.layers, target.opaqueDepths.size()))
-    result.layers = traced->image.layers;
-  const bool waits = result.layers && target.mayAsk && gl::surelyWritten(*result.layers, 1) &&
-                     (!target.written || clearResult(real, features(real), target));
-  if (waits) result.picture = traced->image.color;
-  if (waits || (!target.picture.empty() && showPicture(real, features(real), target)))
-    result.outcome = PresentResult::traced;
-  else if (whole && !result.layers &&
-           writeTexture(real, features(real), target.result, target.size, traced->image.color.data()))
-    result.outcome = PresentResult::traced;
-  else if (drawLayers(real, features(real), target))
-    result.outcome = PresentResult::rasterised;
-  takeErrors(real);
-  if (!pending.empty()) result.pendingError = pending.front();
-  result.presentSeconds = nowSeconds() - start;
-  return result;
-}
-
-bool TracingPresenter::readDepths(const gl::RealGl& real, GLint unit, glm::ivec2 size,
-                                  std::vector<glm::vec2>& out) noexcept {
-  try {
-    return present::readDepths(real, features(real), unit, size, out);
-  } catch (const std::exception&) { return false; }
 }
 
 bool TracingPresenter::readPixels(const gl::RealGl& real, const scene::Region& region, GLenum format,

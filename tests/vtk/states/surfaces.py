@@ -74,7 +74,7 @@ def cull_front(stage):
 def texture(stage):
     simple = stage.simple
     sphere = simple.TextureMaptoSphere(simple.Sphere(ThetaResolution=32, PhiResolution=32), PreventSeam=0)
-    from vtkmodules.vtkIOImage import vtkPNGReader  # there where a program of VTK runs
+    from vtkmodules.vtkIOImage import vtkPNGReader  # not there where the states are listed
     file = str(shapes.checkers(stage.folder / "checkers.png"))
     image, reader = simple.CreateTexture(file), vtkPNGReader()
     stage.show(sphere, Texture=image)

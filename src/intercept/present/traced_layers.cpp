@@ -1,0 +1,78 @@
+// TracingPresenter: surfaces that are seen through, traced into textures of the program.
+#include "base/clock.h"
+#include "gl/peel_limits.h"
+#include "intercept/present/layers.h"
+#include "intercept/present/present_result.h"
+#include "intercept/present/tracing_presenter.h"
+
+namespace gluray::present {
+
+using gl::PresentResult;
+
+namespace {
+
+/// Whether an image has the shape of the target's textures.
+bool fills(const Image& image, const gl::LayersTarget& target) {
+  return image.x == 0 && image.y == 0 && image.width == target.size.x && image.height == target.size.y;
+}
+
+}  // namespace
+
+PresentResult TracingPresenter::presentLayers(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
+                                              const gl::LayersTarget& target, bool rasterise) noexcept {
+  return resultOf([&] { return tracedOrRasterised(real, rasterise ? nullptr : snapshot.get(), target); });
+}
+
+PresentResult TracingPresenter::traceLayers(const scene::SnapshotPtr& snapshot,
+                                            const gl::LayersTarget& target) noexcept {
+  return resultOf([&] {
+    PresentResult result;
+    const LastPictures::Picture* traced = pictureOf(*snapshot, target.mayRepeat, 0u, result, result.why);
+    if (!traced || !fills(traced->image, target)) return result;
+    result.picture = traced->image.color;
+    result.outcome = PresentResult::traced;
+    return result;
+  });
+}
+
+bool TracingPresenter::countPixels(const gl::RealGl& real, const gl::HeldPass& pass, GLuint texture,
+                                   glm::ivec2 size, uint64_t pixels) noexcept {
+  try {
+    return present::countPixels(real, features(real), pass, texture, size, pixels);
+  } catch (const std::exception&) { return false; }
+}
+
+PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const scene::Snapshot* snapshot,
+                                                   const gl::LayersTarget& target) {
+  PresentResult result;
+  const PendingErrors pending = takeErrors(real);
+  const LastPictures::Picture* traced =
+      snapshot ? pictureOf(*snapshot, target.mayRepeat, 0u, result, result.why) : nullptr;
+  const double start = nowSeconds();
+  const bool whole = traced && fills(traced->image, target);
+  if (whole && !gl::showsAll(1, traced->image.layers, target.opaqueDepths.size()))
+    result.layers = traced->image.layers;
+  const bool waits = result.layers && target.mayAsk && gl::surelyWritten(*result.layers, 1) &&
+                     (!target.written || clearResult(real, features(real), target));
+  if (waits) result.picture = traced->image.color;
+  if (waits || (!target.picture.empty() && showPicture(real, features(real), target)))
+    result.outcome = PresentResult::traced;
+  else if (whole && !result.layers &&
+           writeTexture(real, features(real), target.result, target.size, traced->image.color.data()))
+    result.outcome = PresentResult::traced;
+  else if (drawLayers(real, features(real), target))
+    result.outcome = PresentResult::rasterised;
+  takeErrors(real);
+  if (!pending.empty()) result.pendingError = pending.front();
+  result.presentSeconds = nowSeconds() - start;
+  return result;
+}
+
+bool TracingPresenter::readDepths(const gl::RealGl& real, GLint unit, glm::ivec2 size,
+                                  std::vector<glm::vec2>& out) noexcept {
+  try {
+    return present::readDepths(real, features(real), unit, size, out);
+  } catch (const std::exception&) { return false; }
+}
+
+}  // namespace gluray::present
