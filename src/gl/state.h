@@ -77,10 +77,11 @@ struct TargetState {
   glm::ivec2 size{0};  // pixels, of a framebuffer object; {0, 0}: unknown
   std::vector<glm::vec2> samplePositions;
   bool wideColors = false;  // floats
-  bool blendable = false;  // one buffer of eight bits for red, green, blue and, if `alpha`, alpha; one sample
+  bool eightBits = false;  // for red, green, blue and, if `alpha`, alpha; asked where there is fixed function
   bool alpha = true;
-  double depthSteps = 0;  // from depth 0 to 1; 0: floats
-  bool encodes = false;   // GL_FRAMEBUFFER_SRGB: colours may be encoded on their way
+  bool blendable = false;  // one buffer of eight bits, one sample a pixel
+  double depthSteps = 0;   // from depth 0 to 1; 0: floats
+  bool encodes = false;    // GL_FRAMEBUFFER_SRGB: colours may be encoded on their way
   float depthResolution = 1.0f / 16777216.0f;
   // What glPolygonOffset counts in; depthFloats: the last digit of depth, which is kept as floats.
   float offsetUnit = 1.0f / 8388608.0f;

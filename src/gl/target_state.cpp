@@ -42,17 +42,18 @@ Colors colorsOf(const RealGl& real, const TargetState& target, bool fixedFunctio
   return type == GL_UNSIGNED_NORMALIZED && fits(bits) ? Colors::bytes : Colors::others;
 }
 
-/// Whether what is drawn can be blended by us with what is read back: TargetState::blendable.
-void readBlendable(const RealGl& real, bool fixedFunction, TargetState& target) {
+/// The colour buffer's bits, and whether what is drawn can be blended by us with what is read back.
+void readColorBits(const RealGl& real, bool fixedFunction, TargetState& target) {
   const GLenum buffer = target.drawBuffer;
   const bool single = target.framebuffer != 0 || (buffer != GL_FRONT_AND_BACK && buffer != GL_LEFT);
-  target.blendable = false;
-  if (!fixedFunction || !single || target.samples > 1 || target.wideColors || target.encodes) return;
+  target.eightBits = target.blendable = false;
+  if (!fixedFunction || target.wideColors) return;
   const auto is8 = [&](GLenum name) { return integer(real, name) == 8; };
   const GLint alpha = integer(real, GL_ALPHA_BITS);
   target.alpha = alpha != 0;
-  target.blendable =
+  target.eightBits =
       is8(GL_RED_BITS) && is8(GL_GREEN_BITS) && is8(GL_BLUE_BITS) && (alpha == 0 || alpha == 8);
+  target.blendable = target.eightBits && single && target.samples == 1 && !target.encodes;
 }
 
 /// Size of the image that is attached to the framebuffer object's draw buffer; {0, 0} where it is of a kind
@@ -94,7 +95,7 @@ void readTarget(const RealGl& real, const DeletedBuffers& deletedRenderbuffers, 
   TargetState& target = state.target;
   target.size = {0, 0};
   target.reason = Reason::traced;
-  target.blendable = false;
+  target.eightBits = target.blendable = false;
   const bool objects = state.rare.framebufferObjects;
   target.framebuffer = objects ? static_cast<GLuint>(integer(real, GL_DRAW_FRAMEBUFFER_BINDING)) : 0;
   target.drawBuffer = static_cast<GLenum>(integer(real, GL_DRAW_BUFFER));
@@ -119,7 +120,7 @@ void readTarget(const RealGl& real, const DeletedBuffers& deletedRenderbuffers, 
   const Colors colors = colorsOf(real, target, state.rare.fixedFunction);
   target.wideColors = colors == Colors::floats;
   target.depthSteps = target.depthFloats ? 0 : std::ldexp(1.0, depthBits) - 1;
-  readBlendable(real, state.rare.fixedFunction, target);
+  readColorBits(real, state.rare.fixedFunction, target);
   if (depthBits == 0)
     target.reason = Reason::noDepthBuffer;
   else if (colors == Colors::others)

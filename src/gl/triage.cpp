@@ -179,6 +179,8 @@ void Context::addInstance(const scene::MeshPtr& mesh, SlotMask slots,
   scene::Shading shading = state.shading;
   shading.textures = state.textures;
   shading.alphaTest = state.raster.alphaTest;
+  shading.alphaTest.asBytes =
+      shading.alphaTest.function != scene::AlphaTest::always && state.target.eightBits;
   // Without colours or materials at its vertices the surface has the current material, however it came about.
   if (latch.isOn() && !(slots & bit(kColor)) && materials.empty()) shading.colorMaterial = {};
   batch_.add(std::move(instance), std::move(shading));

@@ -18,22 +18,28 @@ struct DoublePlane {
   Double n[3], w;
 };
 
-HWY_INLINE DoublePlane planeOfCorners(const Group& group, int i) {
-  const DoubleTag d;
-  Double p[3][3];
-  for (int k = 0; k < 3; ++k) {
-    for (int c = 0; c < 3; ++c) p[k][c] = loadDouble(group.position[k][c] + i);
+/// Triangles: their first corner, and the edges from there to the other two.
+struct DoubleTriangle {
+  Double corner[3], edge[2][3];
+};
+
+HWY_INLINE DoubleTriangle cornersOf(const Group& group, int i) {
+  DoubleTriangle t;
+  for (int c = 0; c < 3; ++c) {
+    t.corner[c] = loadDouble(group.position[0][c] + i);
+    for (int k = 0; k < 2; ++k) t.edge[k][c] = hn::Sub(loadDouble(group.position[k + 1][c] + i), t.corner[c]);
   }
-  Double a[3], b[3];
-  for (int c = 0; c < 3; ++c) a[c] = hn::Sub(p[1][c], p[0][c]), b[c] = hn::Sub(p[2][c], p[0][c]);
+  return t;
+}
+
+HWY_INLINE DoublePlane planeOf(const DoubleTriangle& t) {
   DoublePlane plane;
   for (int c = 0; c < 3; ++c) {
     const int y = (c + 1) % 3, z = (c + 2) % 3;
-    plane.n[c] = hn::MulSub(a[y], b[z], hn::Mul(a[z], b[y]));
+    plane.n[c] = hn::MulSub(t.edge[0][y], t.edge[1][z], hn::Mul(t.edge[0][z], t.edge[1][y]));
   }
-  plane.w =
-      hn::Neg(hn::MulAdd(plane.n[0], p[0][0], hn::MulAdd(plane.n[1], p[0][1], hn::Mul(plane.n[2], p[0][2]))));
-  (void)d;
+  plane.w = hn::Neg(hn::MulAdd(plane.n[0], t.corner[0],
+                               hn::MulAdd(plane.n[1], t.corner[1], hn::Mul(plane.n[2], t.corner[2]))));
   return plane;
 }
 
@@ -44,6 +50,7 @@ HWY_INLINE Double dot(const DoublePlane& plane, const glm::dvec4& v) {
 struct DepthAndFacing {
   alignas(64) float depth[kLanes];  // window, [0, 1]
   uint32_t ccw = 0;                 // bit i: lane i's triangle is counterclockwise in the window
+  alignas(64) Row u, v;             // of triangles: the point where the plane is seen, as Group's
 };
 
 /// What polygon offset adds in a depth buffer of floats to the triangles of the lanes from `first` on.
@@ -74,24 +81,76 @@ struct PlaneRows {
   alignas(64) double offset[kLanes];                               // window depth: the polygon offset
 };
 
+/// Where lines of sight through window positions lie: the object-space points p with dot(x, p) = 0 and
+/// dot(y, p) = 0.
+class Sights {
+ public:
+  Sights(const Surface& s, const glm::ivec4& viewport)
+      : window_(viewport), rows_(glm::transpose(s.clipFromObject)) {}
+
+  /// The point of each triangle's plane that is seen at window positions x, y, as weights u, v of the second
+  /// and the third corner. Weights in perspective are, up to a factor, edge functions (Olano and Greer,
+  /// 1997). Lanes whose plane is not seen there keep the weights they have.
+  HWY_INLINE void weights(const DoubleTriangle& t, Double x, Double y, float* u, float* v) const {
+    const DoubleTag d;
+    const Double ndcX = hn::MulAdd(x, hn::Set(d, window_.ndcScale.x), hn::Set(d, window_.ndcOffset.x));
+    const Double ndcY = hn::MulAdd(y, hn::Set(d, window_.ndcScale.y), hn::Set(d, window_.ndcOffset.y));
+    const Line a = line(0, ndcX), b = line(1, ndcY);
+    const Double a0 = hn::Add(along(a, t.corner), a.w), b0 = hn::Add(along(b, t.corner), b.w);
+    const Double a1 = along(a, t.edge[0]), b1 = along(b, t.edge[0]);
+    const Double a2 = along(a, t.edge[1]), b2 = along(b, t.edge[1]);
+    const Double inverse = hn::Div(hn::Set(d, 1.0), hn::MulSub(a1, b2, hn::Mul(a2, b1)));
+    const Double second = hn::Mul(hn::MulSub(a2, b0, hn::Mul(a0, b2)), inverse);
+    const Double third = hn::Mul(hn::MulSub(a0, b1, hn::Mul(a1, b0)), inverse);
+    const Double most = hn::Set(d, 1e6);  // comparisons fail for NaN
+    const auto seen = hn::And(hn::Lt(hn::Abs(second), most), hn::Lt(hn::Abs(third), most));
+    storeFloat(hn::IfThenElse(seen, second, loadDouble(u)), u);
+    storeFloat(hn::IfThenElse(seen, third, loadDouble(v)), v);
+  }
+
+ private:
+  struct Line {
+    Double n[3], w;
+  };
+  HWY_INLINE Line line(int axis, Double ndc) const {
+    const DoubleTag d;
+    Line out;
+    for (int c = 0; c < 3; ++c)
+      out.n[c] = hn::NegMulAdd(ndc, hn::Set(d, rows_[3][c]), hn::Set(d, rows_[axis][c]));
+    out.w = hn::NegMulAdd(ndc, hn::Set(d, rows_[3].w), hn::Set(d, rows_[axis].w));
+    return out;
+  }
+  HWY_INLINE static Double along(const Line& line, const Double (&v)[3]) {
+    return hn::MulAdd(line.n[0], v[0], hn::MulAdd(line.n[1], v[1], hn::Mul(line.n[2], v[2])));
+  }
+  WindowMap window_;
+  glm::dmat4 rows_;
+};
+
 /// Depth at window positions x, y of the planes of the group's triangles, exactly as OpenGL interpolates it,
-/// through glDepthRange and glPolygonOffset (GL 2.1, 3.5.5). Lanes outside the group hold no meaning.
-HWY_ATTR inline void computeDepth(const Surface& surface, const DepthMap& map, const Group& group,
+/// through glDepthRange and glPolygonOffset (GL 2.1, 3.5.5); and the points seen there. Lanes outside the
+/// group hold no meaning.
+HWY_ATTR inline void computeDepth(const FrameData& frame, const Surface& surface, const Group& group,
                                   const float* x, const float* y, DepthAndFacing& out,
                                   PlaneRows* planes = nullptr) {
+  const DepthMap& map = frame.depth;
+  const Sights sights(surface, frame.snapshot->camera.viewport);
   const DoubleTag d;
   const Double one = hn::Set(d, 1.0), minusOne = hn::Set(d, -1.0);
   const bool hasOffset = map.slopeFactor != 0 || map.constant != 0 || map.floatUnits != 0;
   uint32_t doubtful = 0;  // lanes whose triangle is seen edge-on
   out.ccw = 0;
+  std::copy_n(group.u, kLanes, out.u), std::copy_n(group.v, kLanes, out.v);
   for (int i = 0; i < kLanes; i += static_cast<int>(hn::Lanes(d))) {
-    const DoublePlane plane = planeOfCorners(group, i);
+    const DoubleTriangle triangle = cornersOf(group, i);
+    const DoublePlane plane = planeOf(triangle);
+    const Double windowX = loadDouble(x + i), windowY = loadDouble(y + i);
     const Double b = dot(plane, surface.depth.b);
     const Double inverse = hn::Div(minusOne, b);
     const Double slopeX = hn::Mul(dot(plane, surface.depth.aX), inverse);
     const Double slopeY = hn::Mul(dot(plane, surface.depth.aY), inverse);
     const Double atOrigin = hn::Mul(dot(plane, surface.depth.a), inverse);
-    const Double ndc = hn::MulAdd(loadDouble(x + i), slopeX, hn::MulAdd(loadDouble(y + i), slopeY, atOrigin));
+    const Double ndc = hn::MulAdd(windowX, slopeX, hn::MulAdd(windowY, slopeY, atOrigin));
     Double depth = hn::MulAdd(ndc, hn::Set(d, map.scale), hn::Set(d, map.offset));
     Double offset = hn::Zero(d);
     if (hasOffset) {
@@ -107,6 +166,7 @@ HWY_ATTR inline void computeDepth(const Surface& surface, const DepthMap& map, c
       hn::Store(slopeX, d, planes->slopeX + i), hn::Store(slopeY, d, planes->slopeY + i);
     }
     storeFloat(hn::Min(hn::Max(depth, hn::Zero(d)), one), out.depth + i);
+    sights.weights(triangle, windowX, windowY, out.u + i, out.v + i);
 
     uint8_t bits[8] = {};
     hn::StoreMaskBits(d, hn::Gt(hn::Mul(b, hn::Set(d, surface.depth.areaSign)), hn::Zero(d)), bits);
@@ -117,40 +177,6 @@ HWY_ATTR inline void computeDepth(const Surface& surface, const DepthMap& map, c
   for (doubtful &= group.lanes; doubtful; doubtful &= doubtful - 1) {
     const int i = std::countr_zero(doubtful);
     out.depth[i] = depthFromCorners(surface, map, group.primitive[i], group.u[i], group.v[i]);
-  }
-}
-
-/// Moves the group's points to where the planes of its triangles are seen at window positions x, y: weights
-/// of the corners in perspective are, up to a factor, the edge functions there (Olano and Greer, 1997).
-HWY_ATTR inline void moveInPlanes(const Surface& s, const WindowMap& map, const float* x, const float* y,
-                                  Group& group) {
-  const DoubleTag d;
-  const glm::dmat4 m = glm::transpose(s.clipFromObject);
-  const glm::dvec4 rows[3] = {m[0], m[1], m[3]};  // x, y, w
-  for (int i = 0; i < kLanes; i += static_cast<int>(hn::Lanes(d))) {
-    Double clip[3][3];
-    for (int k = 0; k < 3; ++k) {
-      Double p[3];
-      for (int c = 0; c < 3; ++c) p[c] = loadDouble(group.position[k][c] + i);
-      for (int c = 0; c < 3; ++c) clip[k][c] = hn::Add(dot3(p, rows[c]), hn::Set(d, rows[c].w));
-    }
-    const Double windowX =
-        hn::MulAdd(loadDouble(x + i), hn::Set(d, map.ndcScale.x), hn::Set(d, map.ndcOffset.x));
-    const Double windowY =
-        hn::MulAdd(loadDouble(y + i), hn::Set(d, map.ndcScale.y), hn::Set(d, map.ndcOffset.y));
-    Double edge[3];
-    for (int k = 0; k < 3; ++k) {
-      const Double(&a)[3] = clip[(k + 1) % 3], (&b)[3] = clip[(k + 2) % 3];
-      edge[k] = hn::MulAdd(windowX, hn::MulSub(a[1], b[2], hn::Mul(a[2], b[1])),
-                           hn::MulAdd(windowY, hn::MulSub(a[2], b[0], hn::Mul(a[0], b[2])),
-                                      hn::MulSub(a[0], b[1], hn::Mul(a[1], b[0]))));
-    }
-    const Double sum = hn::Add(hn::Add(edge[0], edge[1]), edge[2]);
-    // Where the plane is not seen there, comparisons fail and the points stay where they are.
-    const Double u = hn::Div(edge[1], sum), v = hn::Div(edge[2], sum), most = hn::Set(d, 1e6);
-    const auto usable = hn::And(hn::Lt(hn::Abs(u), most), hn::Lt(hn::Abs(v), most));
-    storeFloat(hn::IfThenElse(usable, u, loadDouble(group.u + i)), group.u + i);
-    storeFloat(hn::IfThenElse(usable, v, loadDouble(group.v + i)), group.v + i);
   }
 }
 

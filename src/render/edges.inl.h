@@ -8,36 +8,17 @@
 #endif
 
 #include "render/edged_triangle.h"
-#include "render/trace.inl.h"
+#include "render/nearest.inl.h"
 
 #include <span>
-#include <tuple>
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-/// What is seen at a lane's pixel so far.
-struct Nearest {
-  double ndc = HUGE_VAL;
-  uint32_t instance = accel::kNoHit, primitive = 0;
-};
-
-/// The step of the depth buffer that a depth is rounded to.
-HWY_ATTR inline double stepOf(const FrameData& frame, double ndc) {
-  const double depth = ndc * frame.depth.scale + frame.depth.offset + frame.depth.constant;
-  return std::round(std::clamp(depth, 0.0, 1.0) / frame.snapshot->polygonOffset.resolution);
-}
-
-/// Whether OpenGL's depth test prefers a triangle at normalised depth `ndc` to the nearest so far. Neighbours
-/// in one plane grow over each other at equal depths: there the order of drawing decides.
-HWY_ATTR inline bool isSeenBefore(const FrameData& frame, double ndc, uint32_t instance, uint32_t primitive,
-                                  const Nearest& best) {
-  if (best.instance == accel::kNoHit) return true;
-  const double step = stepOf(frame, ndc), bestStep = stepOf(frame, best.ndc);
-  if (step != bestStep) return step < bestStep;
-  const bool later = std::tie(instance, primitive) > std::tie(best.instance, best.primitive);
-  return later == frame.snapshot->laterWins;
+/// Window depth; the triangle's own polygon offset is not in it.
+inline double depthOf(const FrameData& frame, double ndc) {
+  return ndc * frame.depth.scale + frame.depth.offset + frame.depth.constant;
 }
 
 inline bool growsByEdges(const Surface& surface) {
@@ -58,13 +39,13 @@ HWY_ATTR inline void tryEdged(const FrameData& frame, const accel::RayPacket& pr
   if (!triangle.covers(at)) return;
   const glm::vec2 weights = triangle.weights(at);
   if (frame.accepted && !surface.accepts(primitive, weights.x, weights.y)) return;
-  const double ndc = triangle.ndcDepth(at);
-  if (!isSeenBefore(frame, ndc, instance, primitive, best)) return;
-  best = {ndc, instance, primitive};
+  const double depth = depthOf(frame, triangle.ndcDepth(at));
+  const Nearest next{stepOf(frame, depth), instance, primitive};
+  if (!isSeenBefore(frame, next, best)) return;
+  best = next;
   work.packet.geometry[i] = probe.geometry[i];
   work.packet.instance[i] = instance, work.packet.primitive[i] = primitive;
   work.packet.u[i] = weights.x, work.packet.v[i] = weights.y;
-  const double depth = ndc * frame.depth.scale + frame.depth.offset + frame.depth.constant;
   work.edgeDepth[i] = static_cast<float>(std::clamp(depth, 0.0, 1.0));
   work.edged |= 1u << i;
   work.hits |= 1u << i;
@@ -114,11 +95,12 @@ HWY_ATTR inline void pickEdged(const FrameData& frame, const int32_t* valid, Wor
   for (uint32_t lanes = hits; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
     const Surface& surface = frame.surfaces[centre.instance[i]];
-    if (!growsByEdges(surface))
-      best[i] = {ndcDepthOfHit(frame, centre, i, {work.x[i], work.y[i]}), centre.instance[i],
-                 centre.primitive[i]};
-    else
+    if (growsByEdges(surface)) {
       tryEdged(frame, centre, i, best[i], work);
+      continue;
+    }
+    const double depth = depthOf(frame, ndcDepthOfHit(frame, centre, i, {work.x[i], work.y[i]}));
+    best[i] = {stepOf(frame, depth), centre.instance[i], centre.primitive[i]};
   }
   // A quarter of the width, in every direction.
   static constexpr glm::vec2 kWays[] = {{1, 1},    {-1, 1},    {1, -1},   {-1, -1},

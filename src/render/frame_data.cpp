@@ -101,7 +101,8 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
   });
 
   const auto mayRefuse = [](const Surface& f) { return f.cullsCcw || f.cullsCw || f.ownClipPlanes; };
-  if (widestEdge > 0 && std::any_of(surfaces.begin(), surfaces.end(), mayRefuse))
+  slopeOffset = depth.slopeFactor != 0 && depth.scale != 0 && !s.layers;
+  if ((widestEdge > 0 || slopeOffset) && std::any_of(surfaces.begin(), surfaces.end(), mayRefuse))
     accepted = std::make_unique<AcceptedHits>(surfaces);
 
   ownPlanes = std::any_of(surfaces.begin(), surfaces.end(), [](const Surface& f) { return f.ownClipPlanes; });

@@ -39,9 +39,10 @@ struct FrameData {
   mutable std::atomic<bool> seenThrough{false};  // averages: some hit has an alpha that is not 1
   // Layers: LayerCounts::open and ::before.
   mutable std::array<std::array<std::atomic<uint32_t>, LayerCounts::kMost>, 2> layerCounts{};
-  float widestEdge = 0;  // of painted edges, pixels; 0: there are none
-  // Where triangles that grow by their edges may be culled or cut by planes: passes by what is. Otherwise
-  // null.
+  float widestEdge = 0;      // of painted edges, pixels; 0: there are none
+  bool slopeOffset = false;  // depths are moved by triangles' slopes: the nearest hit may not be what is seen
+  // Where hits are compared before they are shaded (edges that grow, slopeOffset) and some may be culled or
+  // cut by planes: passes by what is. Otherwise null.
   std::unique_ptr<const accel::HitFilter> accepted;
   Image* image = nullptr;
 

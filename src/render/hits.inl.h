@@ -178,18 +178,23 @@ HWY_ATTR inline uint32_t rejectedLanes(const Surface& s, const Group& group, uin
   return rejected;
 }
 
-/// Rays pass beside their samples (ray_setup.cpp): moves the group's points there. Triangles that grew by
-/// their edges are at their samples already.
-HWY_ATTR inline void moveToSamples(const FrameData& frame, const Surface& surface, const Work& work,
-                                   Group& group) {
-  const WindowMap map(frame.snapshot->camera.viewport);
-  const uint32_t edged = work.edged & group.lanes;
-  if (edged == 0) return moveInPlanes(surface, map, work.x, work.y, group);
-  if (edged == group.lanes) return;
-  alignas(64) Row u{}, v{};
-  std::copy_n(group.u, kLanes, u), std::copy_n(group.v, kLanes, v);
-  moveInPlanes(surface, map, work.x, work.y, group);
-  blendRow(edged, u, group.u), blendRow(edged, v, group.v);
+/// Rays pass beside their samples (ray_setup.cpp): moves the group's points to what is seen at the samples.
+/// Triangles that grew by their edges are there already.
+HWY_ATTR inline void moveToSamples(const DepthAndFacing& seen, uint32_t edged, Group& group) {
+  blendRow(~edged, seen.u, group.u), blendRow(~edged, seen.v, group.v);
+}
+
+/// What a group's surface is at window positions x, y.
+HWY_ATTR inline void locateHits(const FrameData& frame, uint32_t instance, const float* x, const float* y,
+                                Group& group, DepthAndFacing& seen) {
+  const Surface& surface = frame.surfaces[instance];
+  loadCorners(*surface.mesh, group);
+  if (surface.mesh->shape == scene::Shape::triangles)
+    computeDepth(frame, surface, group, x, y, seen);
+  else if (scene::isInWindow(surface.mesh->shape))
+    computePixelFigures(surface, frame.world->figuresOf(instance), x, y, group, seen);
+  else
+    computeFigures(surface, frame.depth, x, y, group, seen);
 }
 
 /// Depth and colour of the hits in `lanes`, given to take(lanes, colours, depths). Returns the lanes whose
@@ -206,20 +211,14 @@ HWY_ATTR uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool mayReje
     lanes &= ~group.lanes;
     const uint32_t instance = work.packet.instance[std::countr_zero(group.lanes)];
     const Surface& surface = frame.surfaces[instance];
-    loadCorners(*surface.mesh, group);
-    if (surface.mesh->shape == scene::Shape::triangles)
-      computeDepth(surface, frame.depth, group, work.x, work.y, seen);
-    else if (scene::isInWindow(surface.mesh->shape))
-      computePixelFigures(surface, frame.world->figuresOf(instance), work.x, work.y, group, seen);
-    else
-      computeFigures(surface, frame.depth, work.x, work.y, group, seen);
+    locateHits(frame, instance, work.x, work.y, group, seen);
     if (mayReject) {
       const uint32_t now = rejectedLanes(surface, group, seen.ccw);
       rejected |= now;
       group.lanes &= ~now;
       if (group.lanes == 0) continue;
     }
-    if (surface.mesh->shape == scene::Shape::triangles) moveToSamples(frame, surface, work, group);
+    if (surface.mesh->shape == scene::Shape::triangles) moveToSamples(seen, work.edged, group);
     const uint32_t back = (surface.frontIsCcw ? ~seen.ccw : seen.ccw) & group.lanes;
     const uint32_t failing = shade(frame, surface, group, back, work.x, work.y, rows);
     rejected |= failing;

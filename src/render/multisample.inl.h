@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-/// What moveInPlanes does, for triangles that grew by their edges; the depth there.
+/// What moveToSamples does, for triangles that grew by their edges; the depth there.
 HWY_ATTR inline void moveEdgedToCenters(const FrameData& frame, const Surface& s, const Centers& centers,
                                         uint32_t lanes, Group& group, float* depth) {
   const DepthMap& map = frame.depth;
@@ -93,8 +93,8 @@ HWY_ATTR inline void locate(const FrameData& frame, uint32_t instance, size_t fi
   shown.oneDepth = s.lighting->shading->fragment.writesDepth;
   if (s.mesh->shape == scene::Shape::triangles) {
     const uint32_t edged = block.samples[first].edged & shown.group.lanes;
-    moveInPlanes(s, WindowMap(frame.snapshot->camera.viewport), centers.x, centers.y, shown.group);
-    computeDepth(s, frame.depth, shown.group, centers.x, centers.y, shown.seen, &shown.planes);
+    computeDepth(frame, s, shown.group, centers.x, centers.y, shown.seen, &shown.planes);
+    moveToSamples(shown.seen, 0, shown.group);
     moveEdgedToCenters(frame, s, centers, edged, shown.group, shown.seen.depth);
     return;
   }
@@ -153,6 +153,7 @@ HWY_ATTR inline void shareBlock(const FrameData& frame, SampleBlock& block) {
       std::copy_n(work.valid, kLanes, valid);
       pickEdged(frame, valid, work);
     }
+    if (frame.slopeOffset) pickLeastDepth(frame, block.centers, work);
     block.failed[s] = frame.ownPlanes ? cutLanes(frame, block.centers, work) : 0;
     block.open[s] = work.hits & ~block.failed[s];
   }

@@ -117,7 +117,7 @@ TEST(Multisample, WhatIsCulledShowsWhatLiesBehind) {
   // The same by the alpha test, which fails for the first.
   s.instances[0].cull = scene::CullFace::none;
   s.instances[0].color.a = 0.2f;
-  s.shadings[0].alphaTest = {scene::AlphaTest::greater, 0.5f};
+  s.shadings[0].alphaTest = {.function = scene::AlphaTest::greater, .reference = 0.5f};
   for (const float depth : trace(s).image.depth) ASSERT_FLOAT_EQ(depth, 0.75f);
 }
 

@@ -33,6 +33,15 @@ HWY_ATTR inline void aim(const FrameData& frame, const Tile& tile, int x, int y,
   work.sample = sample;
 }
 
+HWY_ATTR inline Centers centersOf(const Work& work) {
+  Centers centers;
+  for (int i = 0; i < kLanes; ++i) {
+    centers.x[i] = std::floor(work.x[i]) + 0.5f;
+    centers.y[i] = std::floor(work.y[i]) + 0.5f;
+  }
+  return centers;
+}
+
 // What pixels are that nothing is seen at.
 HWY_ATTR inline void clearPixels(uint32_t missColor, Work& work) {
   for (int i = 0; i < kLanes; ++i) {

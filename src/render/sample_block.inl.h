@@ -9,6 +9,7 @@
 
 #include "render/edges.inl.h"
 #include "render/pixels.inl.h"
+#include "render/slope_offset.inl.h"
 
 #include <memory>
 #include <utility>
@@ -109,10 +110,7 @@ HWY_ATTR inline void traceBlock(const FrameData& frame, const Tile& tile, int x,
     aim(frame, tile, x, y, static_cast<int>(s), block.samples[s]);
     traceWork(frame, block.samples[s]);
   }
-  for (int i = 0; i < kLanes; ++i) {
-    block.centers.x[i] = std::floor(block.samples[0].x[i]) + 0.5f;
-    block.centers.y[i] = std::floor(block.samples[0].y[i]) + 0.5f;
-  }
+  block.centers = centersOf(block.samples[0]);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -56,10 +56,12 @@ struct Fog {
 };
 
 /// GL_ALPHA_TEST: fragments whose alpha fails the comparison with `reference` are not there (GL 2.1, 4.1.4).
+/// Both are compared in the framebuffer's precision.
 struct AlphaTest {
   enum Function : uint8_t { always, never, less, lessOrEqual, equal, greaterOrEqual, greater, notEqual };
   Function function = always;
-  float reference = 0;  // 0 .. 1
+  bool asBytes = false;  // that precision is 8 bits; otherwise floats
+  float reference = 0;   // 0 .. 1
   bool operator==(const AlphaTest&) const = default;
 };
 

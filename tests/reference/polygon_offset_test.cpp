@@ -3,8 +3,10 @@
 #include "tests/reference/program_stage.h"
 #include "tests/reference/traced_context.h"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -124,6 +126,54 @@ TEST(PolygonOffset, KeepsTheClampOfTheProgram) {
         EXPECT_EQ(clamp, 0.01f);
       },
       2, coreWish(4, 5));
+}
+
+/// Three balls within one another whose corners have unlike colours: where they are steep, along silhouettes,
+/// what lies behind may come before them.
+void drawBalls(Gl gl, const Surface& surface, const std::function<void(GLuint)>& set) {
+  const GLuint program = makeProgram(gl, surface);
+  const ProgramMesh mesh = ball(14);
+  const Upload up = upload(gl, mesh, program);
+  beginFrame(gl);
+  gl.UseProgram(program);
+  if (set) set(program);
+  for (const double size : {1.0, 0.96, 0.8}) {
+    View view = perspectiveView(20 + 90 * size);
+    view.eyeFromObject = glm::scale(view.eyeFromObject, glm::dvec3(size));
+    drawSurface(gl, program, up, mesh, view, surface);
+  }
+}
+
+constexpr scenes::Tolerance kFewPixels{2, 0.0004, 1e-5f,
+                                       "silhouettes fall on either side of a pixel's centre"};
+constexpr Surface kUnlike{.color = Surface::Color::vertex, .lights = Surface::Lights::none};
+
+TEST(PolygonOffset, ByFactorsDecidesWhichSideOfASilhouetteIsSeen) {
+  for (const float factor : {0.5f, 3.0f, 12.0f, -1.0f, -3.0f})
+    for (const bool cull : {false, true}) {
+      const std::string name = "balls" + std::to_string(factor) + (cull ? "_culled" : "");
+      expectBoth(
+          name,
+          [&](Gl gl) {
+            gl.Enable(GL_POLYGON_OFFSET_FILL), gl.PolygonOffset(factor, 1);
+            if (cull) gl.Enable(GL_CULL_FACE);
+            drawBalls(gl, kUnlike, {});
+            gl.Disable(GL_POLYGON_OFFSET_FILL), gl.Disable(GL_CULL_FACE);
+          },
+          3, {}, kFewPixels);
+    }
+}
+
+TEST(PolygonOffset, ByFactorsOfProgramsDecidesTheSame) {
+  Surface surface = kUnlike;
+  surface.depthOffset = true;
+  for (const float factor : {2.0f, 8.0f, -4.0f})
+    expectBoth(
+        "program_balls" + std::to_string(factor),
+        [&](Gl gl) {
+          drawBalls(gl, surface, [&](GLuint program) { setFloat(gl, program, "cFactor", factor); });
+        },
+        3, {}, kFewPixels);
 }
 
 /// Its shader writes depth: whether what OpenGL adds is in it is for OpenGL to say.
