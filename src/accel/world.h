@@ -7,6 +7,7 @@
 #include "accel/free_memory.h"
 #include "accel/ray_packet.h"
 #include "accel/tlas.h"
+#include "accel/triangle_sizes.h"
 #include "scene/snapshot.h"
 
 #include <memory>
@@ -74,6 +75,8 @@ class World {
   /// Bounding box of everything, world space. Only where not empty.
   glm::vec3 lower() const { return lower_; }
   glm::vec3 upper() const { return upper_; }
+  /// The longest edge of a mesh's triangles, object space; 0 of figures. Looks at each mesh once.
+  float longestEdge(const scene::Mesh& mesh) const { return sizes_.longestEdge(mesh); }
 
  private:
   /// Whether the top level holds these, none of them further from its place than matrices of floats are
@@ -88,6 +91,7 @@ class World {
 
   Device device_;
   BlasCache cache_;
+  mutable TriangleSizes sizes_;
   Tlas tlas_;
   RTCSceneTy* scene_ = nullptr;  // what rays are traced in: the top level, or a lone mesh without transform
   BlasPtr alone_;

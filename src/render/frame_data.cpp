@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace gluray::render {
@@ -34,6 +35,8 @@ bool isProgram(const scene::Shading& shading) {
   return shading.fragment.model != scene::FragmentShading::Model::off;
 }
 
+bool writesDepth(const scene::Shading& shading) { return shading.fragment.writesDepth; }
+
 /// The R2 sequence (M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018): the first
 /// is the centre, and any number of them are spread evenly.
 std::vector<glm::dvec2> positionsInPixel(int count) {
@@ -43,6 +46,32 @@ std::vector<glm::dvec2> positionsInPixel(int count) {
     positions.push_back(
         glm::fract(0.5 + static_cast<double>(i) * glm::dvec2(1 / kPlastic, 1 / (kPlastic * kPlastic))));
   return positions;
+}
+
+/// How much longer a vector may become at most: the root of an upper bound for the largest eigenvalue of m^T
+/// m.
+double stretchOf(const glm::dmat3& m) {
+  const glm::dmat3 squared = glm::transpose(m) * m;
+  double most = 0;
+  for (int c = 0; c < 3; ++c) most = std::max(most, glm::dot(glm::abs(squared[c]), glm::dvec3(1)));
+  return std::sqrt(most);
+}
+
+/// FrameData::leastDepthReach. A triangle's slope is its depth by its width in the window: that of one which
+/// is drawn so many pixels nearer than it is reaches at most so far as its longest edge, times these pixels,
+/// by that width.
+double reachOfLeastDepth(const FrameData& frame, bool atCenters) {
+  constexpr double kHalfDiagonal = 0.7072;  // of a pixel: from a sample to the centre
+  constexpr double kThinnest = 0.1;         // pixels; of thinner triangles hardly a sample is covered
+  if (frame.depth.floatUnits != 0) return std::numeric_limits<double>::infinity();
+  const double nearer = (atCenters ? kHalfDiagonal : 0) - frame.depth.slopeFactor;
+  if (nearer <= 0) return 0;
+  double longest = 0;
+  for (const scene::Instance& instance : frame.snapshot->instances) {
+    longest = std::max(
+        longest, stretchOf(glm::dmat3(instance.eyeFromObject)) * frame.world->longestEdge(*instance.mesh));
+  }
+  return longest * nearer / kThinnest;
 }
 
 class AcceptedHits : public accel::HitFilter {
@@ -101,8 +130,14 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
   });
 
   const auto mayRefuse = [](const Surface& f) { return f.cullsCcw || f.cullsCw || f.ownClipPlanes; };
-  slopeOffset = depth.slopeFactor != 0 && depth.scale != 0 && !s.layers;
-  if ((widestEdge > 0 || slopeOffset) && std::any_of(surfaces.begin(), surfaces.end(), mayRefuse))
+  const bool atCenters = oncePerPixel && std::any_of(s.shadings.begin(), s.shadings.end(), writesDepth);
+  leastDepth = (depth.slopeFactor != 0 || atCenters) && depth.scale != 0 && !s.layers;
+  if (leastDepth) {
+    leastDepthReach = reachOfLeastDepth(*this, atCenters);
+    const glm::dmat4 rows = glm::transpose(s.camera.clipFromEye * s.eyeFromWorld);
+    clipZ = rows[2], clipW = rows[3];
+  }
+  if ((widestEdge > 0 || leastDepth) && std::any_of(surfaces.begin(), surfaces.end(), mayRefuse))
     accepted = std::make_unique<AcceptedHits>(surfaces);
 
   ownPlanes = std::any_of(surfaces.begin(), surfaces.end(), [](const Surface& f) { return f.ownClipPlanes; });

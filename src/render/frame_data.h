@@ -39,9 +39,12 @@ struct FrameData {
   mutable std::atomic<bool> seenThrough{false};  // averages: some hit has an alpha that is not 1
   // Layers: LayerCounts::open and ::before.
   mutable std::array<std::array<std::atomic<uint32_t>, LayerCounts::kMost>, 2> layerCounts{};
-  float widestEdge = 0;      // of painted edges, pixels; 0: there are none
-  bool slopeOffset = false;  // depths are moved by triangles' slopes: the nearest hit may not be what is seen
-  // Where hits are compared before they are shaded (edges that grow, slopeOffset) and some may be culled or
+  float widestEdge = 0;     // of painted edges, pixels; 0: there are none
+  bool leastDepth = false;  // depths are moved by triangles' slopes: the nearest hit may not be what is seen
+  // leastDepth: how far behind what is seen something may lie that comes before it, in eye space.
+  double leastDepthReach = 0;
+  glm::dvec4 clipZ{0}, clipW{0};  // leastDepth: rows of the matrix from world to clip space
+  // Where hits are compared before they are shaded (edges that grow, leastDepth) and some may be culled or
   // cut by planes: passes by what is. Otherwise null.
   std::unique_ptr<const accel::HitFilter> accepted;
   Image* image = nullptr;

@@ -22,7 +22,7 @@ HWY_ATTR inline void finishWork(const FrameData& frame, const Tile& tile, Work& 
     std::copy_n(work.valid, kLanes, valid);
     pickEdged(frame, valid, work);
   }
-  if (frame.slopeOffset) pickLeastDepth(frame, centersOf(work), work);
+  if (frame.leastDepth) pickLeastDepth(frame, centersOf(work), work);
   if (work.hits && frame.snapshot->layers)
     shadeLayers(frame, *frame.snapshot->layers, work);
   else if (work.hits)

@@ -8,8 +8,8 @@
 #endif
 
 #include "render/edges.inl.h"
+#include "render/least_depth.inl.h"
 #include "render/pixels.inl.h"
-#include "render/slope_offset.inl.h"
 
 #include <memory>
 #include <utility>

@@ -144,6 +144,12 @@ void drawBalls(Gl gl, const Surface& surface, const std::function<void(GLuint)>&
   }
 }
 
+GLuint bound(Gl gl) {
+  GLint name = 0;
+  gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &name);
+  return static_cast<GLuint>(name);
+}
+
 constexpr scenes::Tolerance kFewPixels{2, 0.0004, 1e-5f,
                                        "silhouettes fall on either side of a pixel's centre"};
 constexpr Surface kUnlike{.color = Surface::Color::vertex, .lights = Surface::Lights::none};
@@ -174,6 +180,32 @@ TEST(PolygonOffset, ByFactorsOfProgramsDecidesTheSame) {
           drawBalls(gl, surface, [&](GLuint program) { setFloat(gl, program, "cFactor", factor); });
         },
         3, {}, kFewPixels);
+}
+
+/// The depth that a program writes is that of the pixel's centre for all samples.
+TEST(PolygonOffset, OfProgramsInMultisampledFramebuffers) {
+  // Depth of a pixel that is resolved is any of its samples'.
+  constexpr scenes::Tolerance kResolved{2, 0.0004, 2e-2f, "silhouettes fall on either side of a sample"};
+  Surface surface = kUnlike;
+  surface.depthOffset = true;
+  const glm::ivec2 size(kProgramWidth, kProgramHeight);
+  for (const float factor : {0.0f, 0.5f, 4.0f, -1.0f})
+    expectBoth(
+        "samples_balls" + std::to_string(factor),
+        [&](Gl gl) {
+          bindNewFramebuffer(gl, size, GL_RGBA8, GL_DEPTH_COMPONENT24, 4);
+          const GLuint samples = bound(gl);
+          drawBalls(gl, surface, [&](GLuint program) {
+            setFloat(gl, program, "cFactor", factor), setFloat(gl, program, "cOffset", 5);
+          });
+          bindNewFramebuffer(gl, size, GL_RGBA8, GL_DEPTH_COMPONENT24);
+          const GLuint resolved = bound(gl);
+          gl.BindFramebuffer(GL_READ_FRAMEBUFFER, samples);
+          gl.BlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y,
+                             GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+          gl.BindFramebuffer(GL_FRAMEBUFFER, resolved);
+        },
+        3, {}, kResolved);
 }
 
 /// Its shader writes depth: whether what OpenGL adds is in it is for OpenGL to say.

@@ -1,0 +1,58 @@
+// All hits of a packet's rays, in no order. One per packet, its thread's own.
+#pragma once
+#include "accel/world.h"
+#include "render/frame_data.h"
+
+#include <cstddef>
+#include <new>
+#include <vector>
+
+namespace gluray::render {
+
+class CollectedHits {
+ public:
+  void clear() {
+    for (std::vector<Hit>& hits : of_) hits.clear();
+  }
+  /// A hit for which there is no memory does not count.
+  void add(int lane, uint32_t instance, uint32_t primitive, float u, float v) noexcept {
+    try {
+      of_[lane].push_back({instance, primitive, u, v});
+    } catch (const std::bad_alloc&) {}
+  }
+  /// Makes the n-th hit of each lane the packet's, but for its distance. Returns the lanes that have one.
+  uint32_t take(size_t n, accel::RayPacket& packet) const {
+    uint32_t lanes = 0;
+    for (int i = 0; i < accel::kLanes; ++i) {
+      if (n >= of_[i].size()) continue;
+      const Hit& hit = of_[i][n];
+      packet.instance[i] = hit.instance, packet.primitive[i] = hit.primitive;
+      packet.u[i] = hit.u, packet.v[i] = hit.v;
+      lanes |= 1u << i;
+    }
+    return lanes;
+  }
+
+ private:
+  struct Hit {
+    uint32_t instance, primitive;
+    float u, v;
+  };
+  std::vector<Hit> of_[accel::kLanes];
+};
+
+/// Collects what culling and the clip planes of single instances leave, and lets rays go on.
+class CollectingFilter : public accel::HitFilter {
+ public:
+  CollectingFilter(const FrameData& frame, CollectedHits& hits) : frame_(frame), hits_(hits) {}
+  bool accepts(uint32_t instance, uint32_t primitive, float u, float v, int lane) const noexcept override {
+    if (frame_.surfaces[instance].accepts(primitive, u, v)) hits_.add(lane, instance, primitive, u, v);
+    return false;
+  }
+
+ private:
+  const FrameData& frame_;
+  CollectedHits& hits_;
+};
+
+}  // namespace gluray::render
