@@ -209,6 +209,30 @@ TEST(ProgramSurfaces, TexcoordMatricesThatDivideAreLeftToTheRealOne) {
   }
 }
 
+/// VTK names textures of properties as its user does.
+TEST(ProgramSurfaces, ATextureMayHaveAnyName) {
+  const Surface surface{.actorTexture = true};
+  const auto draw = [&](Gl gl, bool twice) {
+    std::string fragment = fragmentText(surface);
+    const std::string name = "actortexture";
+    for (size_t at = fragment.find(name); at != std::string::npos; at = fragment.find(name, at))
+      fragment.replace(at, name.size(), "bricks");
+    if (twice) fragment.replace(fragment.find("texture(bricks"), 14, "0.5 * texture(bricks");
+    const ProgramMesh mesh = sheet(24);
+    const GLuint program = makeProgram(gl, vertexText(surface), fragment);
+    upload(gl, mesh, program);
+    beginFrame(gl);
+    gl.UseProgram(program);
+    chequers(gl, 4), setInteger(gl, program, "bricks", 4);
+    setAll(gl, program, perspectiveView(25), surface);
+    gl.DrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
+  };
+  expectBoth(
+      "texture_named", [&](Gl gl) { draw(gl, false); }, 1);
+  expectSame(
+      "texture_named_otherwise", [&](Gl gl) { draw(gl, true); }, 0);
+}
+
 /// The kinds of contexts that programs meet VTK in.
 class ProgramContext : public testing::TestWithParam<ContextWish> {};
 

@@ -116,6 +116,7 @@ struct Family {
   bool colorIsDiffuseOnly = false;    // otherwise it replaces the ambient colour, too
   std::string texturesOnBack;         // uniform, 0: back faces have no textures
   std::vector<std::string> textures;  // samplers; multiply the lit colour
+  std::string anyTexture;             // one of them; a sampler2D of any other name may stand for it
 
   Model model = Model::phong;
   Specular specular = Specular::reflect;

@@ -133,6 +133,9 @@ class FamilyReader : FamilyTable {
     name("uniform_instead", family_.uniformColors);
     flag("diffuse_only", family_.colorIsDiffuseOnly);
     names("textures", family_.textures);
+    name("any_texture", family_.anyTexture);
+    if (!family_.anyTexture.empty() && std::ranges::count(family_.textures, family_.anyTexture) == 0)
+      fail(at("any_texture"), "any_texture is none of the textures");
     name("textures_on_back_faces", family_.texturesOnBack);
   }
   void readMaterial(FamilyMaterial& m) {

@@ -160,7 +160,8 @@ TEST(FamilyFile, NormalAndColourKeys) {
       "normals.without = \"triangle\"\nnormals.flip_back_faces = true\nnormals.parallel_view = \"pv\"\n"
       "normals.per_triangle = \"tn\"\ncolor.map = \"cm\"\ncolor.per_triangle = \"tc\"\n"
       "color.triangle_offset = \"to\"\ncolor.uniform_instead = \"ui\"\ncolor.diffuse_only = true\n"
-      "color.textures = [\"t1\", \"t2\"]\ncolor.map_texcoord = \"mt\"\ncolor.texcoord_matrix = \"tm\"\n");
+      "color.textures = [\"t1\", \"t2\"]\ncolor.any_texture = \"t2\"\ncolor.map_texcoord = "
+      "\"mt\"\ncolor.texcoord_matrix = \"tm\"\n");
   EXPECT_EQ(f.mapTexcoord, "mt");
   EXPECT_EQ(f.texcoordMatrix, "tm");
   EXPECT_EQ(f.withoutNormals, Family::NoNormals::triangle);
@@ -173,6 +174,9 @@ TEST(FamilyFile, NormalAndColourKeys) {
   EXPECT_EQ(f.uniformColors, "ui");
   EXPECT_TRUE(f.colorIsDiffuseOnly);
   EXPECT_EQ(f.textures, (Names{"t1", "t2"}));
+  EXPECT_EQ(f.anyTexture, "t2");
+  EXPECT_EQ(mistakeIn("color.textures = \"t1\"\ncolor.any_texture = \"t3\"\n"),
+            "x.toml:7: any_texture is none of the textures");
   for (const char* name : {"pv", "tn", "cm", "tc", "to", "ui", "t1", "t2"})
     EXPECT_TRUE(f.mentions(name)) << name;
 }

@@ -97,8 +97,14 @@ void unnumberLight(std::string& code, size_t start) {
 /// stood there before to `repeated`.
 class Cutter {
  public:
-  Cutter(std::string_view text, std::string& code, std::vector<size_t>& ends, std::vector<bool>& repeated)
-      : tokens_(text), code_(code), ends_(ends), repeated_(repeated), start_(code.size()) {}
+  Cutter(std::string_view text, const GlslStatements::Renamed& renamed, std::string& code,
+         std::vector<size_t>& ends, std::vector<bool>& repeated)
+      : tokens_(text),
+        renamed_(renamed),
+        code_(code),
+        ends_(ends),
+        repeated_(repeated),
+        start_(code.size()) {}
 
   void cut() {
     for (std::string_view t = tokens_.next(); !t.empty(); t = tokens_.next()) {
@@ -111,7 +117,7 @@ class Cutter {
       }
       const bool directive = isEmpty() && tokens_.isDirective();
       if (!isEmpty() && tokens_.isDirective()) add("\n", false);
-      add(t, false);
+      add(t == renamed_.from ? renamed_.to : t, false);
       directive ? addDirective() : count(t);
     }
     finish();
@@ -168,6 +174,7 @@ class Cutter {
   }
 
   GlslTokens tokens_;
+  const GlslStatements::Renamed& renamed_;
   std::string& code_;
   std::vector<size_t>& ends_;
   std::vector<bool>& repeated_;
@@ -179,12 +186,13 @@ class Cutter {
 
 }  // namespace
 
-void GlslStatements::cut(std::string_view text) {
-  // One allocation for all: a token is no longer than what it was read from and gets one character before it
-  // at most, a space, or a line feed before "#"; the line feed at the end may come from nothing.
+void GlslStatements::cut(std::string_view text, const Renamed& renamed) {
+  // One allocation for all, unless names grow: a token is no longer than what it was read from and gets one
+  // character before it at most, a space, or a line feed before "#"; the line feed at the end may come from
+  // nothing.
   code_.reserve(code_.size() + 2 * text.size() + 1);
   ends_.reserve(ends_.size() + 256);
-  Cutter(text, code_, ends_, repeated_).cut();
+  Cutter(text, renamed, code_, ends_, repeated_).cut();
 }
 
 }  // namespace gluray::gl

@@ -19,8 +19,13 @@ namespace gluray::gl {
 /// numbered: in a statement that speaks of one light alone ("lightColor3") its number reads "#".
 class GlslStatements {
  public:
+  /// A name that reads as another.
+  struct Renamed {
+    std::string from, to;
+    bool operator==(const Renamed&) const = default;
+  };
   /// Appends the statements of one shader's text.
-  void cut(std::string_view text);
+  void cut(std::string_view text, const Renamed& renamed = {});
   /// Whether statement i stood in the same shader's text before, with the same numbers of lights.
   bool isRepeated(size_t i) const { return repeated_[i]; }
   size_t size() const { return ends_.size(); }

@@ -33,6 +33,13 @@ TEST(GlslStatements, CommentsAndWhiteSpaceMeanNothing) {
   EXPECT_EQ(cut(""), Texts{});
 }
 
+TEST(GlslStatements, ANameMayReadAsAnother) {
+  GlslStatements statements;
+  statements.cut("void main() { a = texture(mine, t) + mine2 * b.mine; }", {"mine", "theirs"});
+  ASSERT_EQ(statements.size(), 1u);
+  EXPECT_EQ(statements[0], "a=texture(theirs,t)+mine2*b.theirs;");
+}
+
 TEST(GlslStatements, NumbersHaveOneForm) {
   for (const char* half : {"0.5", ".5", "0.50", ".500f", "00.5", "0.5F"})
     EXPECT_EQ(body(std::string("a=") + half + ";"), Texts{"a=.5;"}) << half;

@@ -36,18 +36,25 @@ void needSource(ProgramSource& program, const Family& f, std::vector<std::string
     if (source.find(text) != std::string::npos) out.push_back(about("has in its source ", text));
 }
 
+/// The program's statements, as the family names its textures.
+const GlslStatements& statementsFor(const Family& f, const Program& p, ProgramSource& source) {
+  const auto other = p.renamed.find(f.anyTexture);
+  return other == p.renamed.end() ? source.statements() : source.statements({other->second, other->first});
+}
+
 /// Statements that none of the family's sections of code has.
-void needCode(ProgramSource& program, const Family& f, const CodeSections& code,
+void needCode(const Program& program, ProgramSource& source, const Family& f, const CodeSections& code,
               std::vector<std::string>& out) {
   if (f.code.empty()) return;
-  if (!program.isWhole(f.geometryShader) || program.statements().size() == 0)
+  const GlslStatements& statements = statementsFor(f, program, source);
+  if (!source.isWhole(f.geometryShader) || statements.size() == 0)
     return out.push_back("has no source that could be read");
-  for (const std::string_view statement : unknownStatements(program.statements(), code, f.code))
+  for (const std::string_view statement : unknownStatements(statements, code, f.code))
     out.push_back(about("has the unknown statement ", std::string(statement)));
-  for (const std::string_view statement : strayStatements(program.statements(), code, f.code))
+  for (const std::string_view statement : strayStatements(statements, code, f.code))
     out.push_back(about("has the statement ", std::string(statement),
                         " twice, or without what belongs before and behind it"));
-  for (const std::string& name : unwrittenNames(program.statements(), code, f.code))
+  for (const std::string& name : unwrittenNames(statements, code, f.code))
     out.push_back(about("reads ", name, ", which it does not write"));
 }
 
@@ -58,11 +65,27 @@ void refuseActive(const RealGl& real, const Program& p, const Family& f, std::ve
     if (hasOutput(real, p, name)) out.push_back(about("has output ", name));
 }
 
+/// Whether the family speaks of a variable, by its own name or another.
+bool isKnown(const std::string& name, const Family& f, const Renames& renamed) {
+  const auto isTaken = [&](const auto& pair) { return pair.second == name; };
+  return f.mentions(name) || std::any_of(renamed.begin(), renamed.end(), isTaken);
+}
+
+/// The sampler2D that the family does not speak of; null where there is none, or are several.
+const std::string* onlyUnknownTexture(const Program& p, const Family& f, const Renames& renamed) {
+  const std::string* only = nullptr;
+  for (const auto& [name, uniform] : p.uniforms) {
+    if (uniform.type != GL_SAMPLER_2D || isKnown(name, f, renamed)) continue;
+    if (only) return nullptr;
+    only = &name;
+  }
+  return only;
+}
+
 void needMentioned(const Program& p, const Family& f, std::vector<std::string>& out) {
   if (!f.strict) return;
   const auto check = [&](const char* kind, const std::string& name, GLenum type) {
-    const auto isTaken = [&](const auto& pair) { return pair.second == name; };
-    if (f.mentions(name) || std::any_of(p.renamed.begin(), p.renamed.end(), isTaken)) return;
+    if (isKnown(name, f, p.renamed)) return;
     const std::string after = " (" + std::string(glslName(type)) + "), of which the family says nothing";
     out.push_back(about(kind, name, after));
   };
@@ -195,15 +218,15 @@ std::vector<std::string> obstacles(const RealGl& real, const Program& program, c
   needMentioned(program, family, out);
   if (out.empty()) needSource(source, family, out);
   if (!out.empty()) return out;
-  needCode(source, family, code, out);
+  needCode(program, source, family, code, out);
   unknown = !out.empty();
   return out;
 }
 
 }  // namespace
 
-std::map<std::string, std::string, std::less<>> renamedBy(const Program& program, const Family& family) {
-  std::map<std::string, std::string, std::less<>> renamed;
+Renames renamedBy(const Program& program, const Family& family) {
+  Renames renamed;
   const auto has = [&](const std::string& name) {
     return program.uniforms.contains(name) || program.attributes.contains(name);
   };
@@ -211,6 +234,9 @@ std::map<std::string, std::string, std::less<>> renamedBy(const Program& program
     const auto other = has(name) ? others.end() : std::find_if(others.begin(), others.end(), has);
     if (other != others.end()) renamed[name] = *other;
   }
+  if (!family.anyTexture.empty() && !has(family.anyTexture))
+    if (const std::string* other = onlyUnknownTexture(program, family, renamed))
+      renamed[family.anyTexture] = *other;
   return renamed;
 }
 
@@ -236,7 +262,8 @@ std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, c
       known->family = family;
       known->why = family->rasteriseBecause;
       known->unknownCode = false;
-      if (!family->code.empty()) known->note = notesOn(source.statements(), families.code, family->code);
+      if (!family->code.empty())
+        known->note = notesOn(statementsFor(*family, known->program, source), families.code, family->code);
       return known;
     }
     // A family that is never traced tells nobody what to change; one that fits but for statements says most.

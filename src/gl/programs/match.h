@@ -19,8 +19,9 @@ struct KnownProgram {
   bool unknownCode = false;  // a family fits but for statements that it does not know
 };
 
-/// For each name of the family that the program lacks, the first of its alternatives that the program has.
-std::map<std::string, std::string, std::less<>> renamedBy(const Program& program, const Family& family);
+/// For each name of the family that the program lacks, the first of its alternatives that the program has;
+/// for Family::anyTexture the program's only other texture.
+Renames renamedBy(const Program& program, const Family& family);
 
 /// What keeps `program` from being one of `family`, which knows sections of `code`; empty where nothing does.
 std::vector<std::string> obstacles(const RealGl& real, Program program, const Family& family,

@@ -202,6 +202,31 @@ name = "two"
 statements = "if (color.a < 0.5) discard; gl_Position = m * p;"
 )";
 
+TEST_F(Match, ATextureMayHaveAnyName) {
+  const FamilyList list = parseFamilies(std::string(kFamily) +
+                                            "color.textures = \"t1\"\ncolor.any_texture = \"t1\"\n"
+                                            "match.code = \"one\"\n[[code]]\nname = \"one\"\n"
+                                            "statements = \"color = texture(t1, p); gl_Position = m * p;\"\n",
+                                        "f.toml");
+  std::string& fragment = attachBoth();
+  const auto found = [&](const Program& p) { return obstacles(real_, p, *list.front(), list.code); };
+  Program p = fitting();
+  p.uniforms["bricks"].type = GL_SAMPLER_2D;
+  fragment = "void main() { color = texture(bricks, p); }";
+  EXPECT_EQ(found(p), Lines{});
+  fragment = "void main() { color = 2. * texture(bricks, p); }";
+  EXPECT_EQ(found(p), Lines{"has the unknown statement \"color=2.*texture(t1,p);\""});
+  fragment = "float t1; void main() { color = texture(bricks, p); }";
+  EXPECT_EQ(found(p).size(), 2u) << "the family's name means something else";
+
+  p.uniforms["t1"].type = GL_SAMPLER_2D;
+  EXPECT_EQ(found(p), Lines{"has uniform \"bricks\" (sampler2D), of which the family says nothing"});
+  p.uniforms.erase("t1"), p.uniforms["wood"].type = GL_SAMPLER_2D;
+  EXPECT_EQ(found(p).size(), 2u) << "which of them is the one?";
+  p.uniforms.erase("wood"), p.uniforms["bricks"].type = GL_SAMPLER_CUBE;
+  EXPECT_EQ(found(p).size(), 1u);
+}
+
 TEST_F(Match, StatementsMustBeKnown) {
   const FamilyList list = parseFamilies(std::string(kFamily) + kCode, "f.toml");
   const auto found = [&] { return obstacles(real_, fitting(), *list.front(), list.code); };

@@ -29,6 +29,9 @@ struct ProgramAttribute {
   GLenum type = 0;
 };
 
+/// Names that a family uses, and those that a program has in their place.
+using Renames = std::map<std::string, std::string, std::less<>>;
+
 struct Program {
   GLuint name = 0;
   bool linked = false;
@@ -38,8 +41,7 @@ struct Program {
   size_t uniformElements = 0;  // of all uniforms together
   std::map<std::string, ProgramUniform, std::less<>> uniforms;
   std::map<std::string, ProgramAttribute, std::less<>> attributes;
-  /// Names that its family uses, and those that the program has in their place.
-  std::map<std::string, std::string, std::less<>> renamed;
+  Renames renamed;  // by its family
 
   const ProgramUniform* uniform(std::string_view n) const {
     const auto it = uniforms.find(hereFor(n));

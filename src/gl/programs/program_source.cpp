@@ -74,13 +74,15 @@ const std::string& ProgramSource::text() {
   return text_;
 }
 
-const GlslStatements& ProgramSource::statements() {
-  if (hasStatements_) return statements_;
+const GlslStatements& ProgramSource::statements(const GlslStatements::Renamed& renamed) {
+  if (hasStatements_ && renamed_ == renamed) return statements_;
+  const bool clear = renamed.to.empty() || text().find(renamed.to) == std::string::npos;
   read();
   statements_ = {};
   for (const Shader& s : shaders_)
-    statements_.cut(std::string_view(source_).substr(s.begin, s.end - s.begin));
-  hasStatements_ = true;
+    statements_.cut(std::string_view(source_).substr(s.begin, s.end - s.begin),
+                    clear ? renamed : GlslStatements::Renamed{});
+  hasStatements_ = true, renamed_ = renamed;
   return statements_;
 }
 

@@ -15,8 +15,9 @@ class ProgramSource {
 
   /// Texts of the shaders that are attached, one after the other, without comments.
   const std::string& text();
-  /// The same as statements; empty where no shader is attached.
-  const GlslStatements& statements();
+  /// The same as statements; empty where no shader is attached. A name may read as another one that the text
+  /// does not have. Valid until they are asked for with another name.
+  const GlslStatements& statements(const GlslStatements::Renamed& renamed = {});
   /// Whether the text of every attached shader could be read, and one of them is a vertex shader, one a
   /// fragment shader, and where `geometry` is true one a geometry shader.
   bool isWhole(bool geometry);
@@ -36,6 +37,7 @@ class ProgramSource {
   std::string source_, text_;  // source_: as it was given, one shader after the other
   std::vector<Shader> shaders_;
   GlslStatements statements_;
+  GlslStatements::Renamed renamed_;
 };
 
 }  // namespace gluray::gl
