@@ -1,4 +1,4 @@
-// All hits of a packet's rays, in no order. One per packet, its thread's own.
+// All hits of a packet's rays, in no order. One a thread.
 #pragma once
 #include "accel/world.h"
 #include "render/frame_data.h"

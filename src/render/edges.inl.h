@@ -17,7 +17,7 @@ namespace gluray::render {
 namespace HWY_NAMESPACE {
 
 /// Window depth; the triangle's own polygon offset is not in it.
-inline double depthOf(const FrameData& frame, double ndc) {
+HWY_ATTR inline double depthOf(const FrameData& frame, double ndc) {
   return ndc * frame.depth.scale + frame.depth.offset + frame.depth.constant;
 }
 
@@ -40,7 +40,7 @@ HWY_ATTR inline void tryEdged(const FrameData& frame, const accel::RayPacket& pr
   const glm::vec2 weights = triangle.weights(at);
   if (frame.accepted && !surface.accepts(primitive, weights.x, weights.y)) return;
   const double depth = depthOf(frame, triangle.ndcDepth(at));
-  const Nearest next{stepOf(frame, depth), instance, primitive};
+  const Nearest next{depth, instance, primitive};
   if (!isSeenBefore(frame, next, best)) return;
   best = next;
   work.packet.geometry[i] = probe.geometry[i];
@@ -100,7 +100,7 @@ HWY_ATTR inline void pickEdged(const FrameData& frame, const int32_t* valid, Wor
       continue;
     }
     const double depth = depthOf(frame, ndcDepthOfHit(frame, centre, i, {work.x[i], work.y[i]}));
-    best[i] = {stepOf(frame, depth), centre.instance[i], centre.primitive[i]};
+    best[i] = {depth, centre.instance[i], centre.primitive[i]};
   }
   // A quarter of the width, in every direction.
   static constexpr glm::vec2 kWays[] = {{1, 1},    {-1, 1},    {1, -1},   {-1, -1},

@@ -7,7 +7,6 @@
 #define GLURAY_RENDER_HITS_INL_H_
 #endif
 
-#include "render/collected_hits.h"
 #include "render/drawn_fragments.h"
 #include "render/figure.inl.h"
 #include "render/peeled_layers.h"
@@ -35,7 +34,6 @@ struct Work {
   alignas(64) float edgeDepth[kLanes];
   DrawnFragments fragments;  // only of layers that are blended in the order of drawing
   PeeledLayers peeled;       // only of layers that are peeled so many times
-  CollectedHits behind;      // only where depths are compared that triangles' slopes move
   uint32_t hits = 0;         // bit i: lane i hit something
   uint32_t edged = 0;        // bit i: of lane i the depth is edgeDepth, of a triangle that grew by its edges
   int imageX = 0, imageY = 0;  // pixel of lane 0

@@ -9,6 +9,7 @@
 #define GLURAY_RENDER_LEAST_DEPTH_INL_H_
 #endif
 
+#include "render/collected_hits.h"
 #include "render/nearest.inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -51,7 +52,8 @@ inline float reachOf(const FrameData& frame, const accel::RayPacket& rays, int i
 }
 
 /// Traces the lanes that have hit something on from there, and collects all that may come before it.
-HWY_ATTR inline void collectBehind(const FrameData& frame, const float* least, Work& work) {
+HWY_ATTR inline void collectBehind(const FrameData& frame, const float* least, CollectedHits& behind,
+                                   Work& work) {
   constexpr float kBehind = 1 + 0x1p-21f;  // the hit is not found again
   alignas(64) float passed[kLanes];
   for (int i = 0; i < kLanes; ++i) {
@@ -66,29 +68,29 @@ HWY_ATTR inline void collectBehind(const FrameData& frame, const float* least, W
     rays.tFar[i] = reachOf(frame, rays, i, least[i]);
     if (!(rays.tNear[i] < rays.tFar[i])) work.valid[i] = 0;
   }
-  work.behind.clear();
-  const CollectingFilter filter(frame, work.behind);
+  behind.clear();
+  const CollectingFilter filter(frame, behind);
   frame.world->intersect(work.valid, rays, &filter, figures);
 }
 
-/// Makes the hit of each lane that of the least depth.
-HWY_ATTR inline void pickLeastDepth(const FrameData& frame, const Centers& centers, Work& work) {
+/// Makes the hit of each lane that of the least depth. `behind` is for the hits in question.
+HWY_ATTR inline void pickLeastDepth(const FrameData& frame, const Centers& centers, CollectedHits& behind,
+                                    Work& work) {
   const uint32_t hits = work.hits;
   if (!hits) return;
   alignas(64) Row depth = {}, least;
   fetchVertices(frame, work);
   depthsOfHits(frame, hits, centers, work, least);
   accel::RayPacket best = work.packet;
-  collectBehind(frame, least, work);
-  for (size_t n = 0; (work.hits = work.behind.take(n, work.packet)) != 0; ++n) {
+  collectBehind(frame, least, behind, work);
+  for (size_t n = 0; (work.hits = behind.take(n, work.packet)) != 0; ++n) {
     fetchVertices(frame, work);
     depthsOfHits(frame, work.hits, centers, work, depth);
     for (uint32_t lanes = work.hits; lanes; lanes &= lanes - 1) {
       const int i = std::countr_zero(lanes);
       const accel::RayPacket& hit = work.packet;
-      const Nearest next{stepOf(frame, depth[i]), hit.instance[i], hit.primitive[i]};
-      if (!isSeenBefore(frame, next, {stepOf(frame, least[i]), best.instance[i], best.primitive[i]}))
-        continue;
+      const Nearest next{depth[i], hit.instance[i], hit.primitive[i]};
+      if (!isSeenBefore(frame, next, {least[i], best.instance[i], best.primitive[i]})) continue;
       least[i] = depth[i];
       best.u[i] = hit.u[i], best.v[i] = hit.v[i];
       best.instance[i] = hit.instance[i], best.primitive[i] = hit.primitive[i];

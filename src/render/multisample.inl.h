@@ -153,7 +153,7 @@ HWY_ATTR inline void shareBlock(const FrameData& frame, SampleBlock& block) {
       std::copy_n(work.valid, kLanes, valid);
       pickEdged(frame, valid, work);
     }
-    if (frame.leastDepth) pickLeastDepth(frame, block.centers, work);
+    if (frame.leastDepth) pickLeastDepth(frame, block.centers, block.behind, work);
     block.failed[s] = frame.ownPlanes ? cutLanes(frame, block.centers, work) : 0;
     block.open[s] = work.hits & ~block.failed[s];
   }

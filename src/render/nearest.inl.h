@@ -17,20 +17,19 @@ namespace HWY_NAMESPACE {
 
 /// What is seen at a lane's pixel so far.
 struct Nearest {
-  double step = HUGE_VAL;  // of the depth buffer
+  double depth = HUGE_VAL;  // window, not clamped
   uint32_t instance = accel::kNoHit, primitive = 0;
 };
 
-/// The step of the depth buffer that a window depth is rounded to.
-inline double stepOf(const FrameData& frame, double depth) {
-  return std::round(std::clamp(depth, 0.0, 1.0) / frame.snapshot->polygonOffset.resolution);
-}
-
-/// Whether OpenGL's depth test prefers a triangle to the nearest so far. At equal depths the order of drawing
-/// decides.
-inline bool isSeenBefore(const FrameData& frame, const Nearest& next, const Nearest& best) {
+/// Whether OpenGL's depth test prefers a triangle to the nearest so far. Where the depth buffer rounds both
+/// to one step, the order of drawing decides.
+HWY_ATTR inline bool isSeenBefore(const FrameData& frame, const Nearest& next, const Nearest& best) {
   if (best.instance == accel::kNoHit) return true;
-  if (next.step != best.step) return next.step < best.step;
+  const double depth = std::clamp(next.depth, 0.0, 1.0), bestDepth = std::clamp(best.depth, 0.0, 1.0);
+  const double step = frame.snapshot->polygonOffset.resolution;
+  if (std::abs(depth - bestDepth) > step) return depth < bestDepth;
+  const double steps = std::round(depth / step), bestSteps = std::round(bestDepth / step);
+  if (steps != bestSteps) return steps < bestSteps;
   const bool later = std::tie(next.instance, next.primitive) > std::tie(best.instance, best.primitive);
   return later == frame.snapshot->laterWins;
 }

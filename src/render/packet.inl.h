@@ -15,14 +15,15 @@ namespace gluray::render {
 namespace HWY_NAMESPACE {
 
 // Last stage: colour and depth into the image.
-HWY_ATTR inline void finishWork(const FrameData& frame, const Tile& tile, Work& work, Averages* averages) {
+HWY_ATTR inline void finishWork(const FrameData& frame, const Tile& tile, Work& work, CollectedHits& behind,
+                                Averages* averages) {
   clearPixels(averages ? 0 : frame.image->missColor, work);
   if (frame.widestEdge > 0) {
     alignas(64) int32_t valid[kLanes];
     std::copy_n(work.valid, kLanes, valid);
     pickEdged(frame, valid, work);
   }
-  if (frame.leastDepth) pickLeastDepth(frame, centersOf(work), work);
+  if (frame.leastDepth) pickLeastDepth(frame, centersOf(work), behind, work);
   if (work.hits && frame.snapshot->layers)
     shadeLayers(frame, *frame.snapshot->layers, work);
   else if (work.hits)
@@ -37,6 +38,7 @@ HWY_ATTR inline void finishWork(const FrameData& frame, const Tile& tile, Work& 
 /// others compute.
 HWY_ATTR inline void traceSamples(const FrameData& frame, const Tile& tile, Averages* averages) {
   Work works[3];
+  CollectedHits behind;  // of one packet at a time
   for (Work& work : works) initPacket(work.packet);
   int count = 0;
   const bool layered = frame.snapshot->layers != nullptr;  // whose hits are found in the last stage
@@ -47,13 +49,13 @@ HWY_ATTR inline void traceSamples(const FrameData& frame, const Tile& tile, Aver
         aim(frame, tile, x, y, sample, back(0));
         traceWork(frame, back(0));
         if (count > 0 && !layered) fetchVertices(frame, back(1));
-        if (count > 1) finishWork(frame, tile, back(2), averages);
+        if (count > 1) finishWork(frame, tile, back(2), behind, averages);
       }
     }
   }
   if (count > 0 && !layered) fetchVertices(frame, back(1));
-  if (count > 1) finishWork(frame, tile, back(2), averages);
-  if (count > 0) finishWork(frame, tile, back(1), averages);
+  if (count > 1) finishWork(frame, tile, back(2), behind, averages);
+  if (count > 0) finishWork(frame, tile, back(1), behind, averages);
 }
 
 HWY_ATTR void traceTile(const FrameData& frame, const Tile& tile) {

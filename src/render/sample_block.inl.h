@@ -27,6 +27,7 @@ struct Distances {
 struct SampleBlock {
   std::vector<Work> samples;
   Centers centers;
+  CollectedHits behind;  // of one sample at a time
   // By sample; bit i: lane i.
   std::vector<uint32_t> open;    // shows something that is not shaded yet
   std::vector<uint32_t> failed;  // shows something that turned out not to count
