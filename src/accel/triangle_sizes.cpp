@@ -13,12 +13,12 @@ namespace {
 float longestSquared(const scene::Mesh& mesh, uint32_t triangle) {
   glm::vec3 p[3];
   for (uint32_t k = 0; k < 3; ++k) p[k] = mesh.position(mesh.corner(triangle, k));
-  float longest = 0;
+  float squared = 0;
   for (int k = 0; k < 3; ++k) {
     const glm::vec3 edge = p[(k + 1) % 3] - p[k];
-    longest = std::max(longest, glm::dot(edge, edge));  // NaN: stays
+    squared = std::max(squared, glm::dot(edge, edge));  // which keeps the first where the second is no number
   }
-  return longest;
+  return squared;
 }
 
 }  // namespace

@@ -81,8 +81,8 @@ struct PlaneRows {
   alignas(64) double offset[kLanes];                               // window depth: the polygon offset
 };
 
-/// Where lines of sight through window positions lie: the object-space points p with dot(x, p) = 0 and
-/// dot(y, p) = 0.
+/// What is seen at window positions: two planes in object space meet in a line of sight, one of all that has
+/// the window's x, one of all that has its y.
 class Sights {
  public:
   Sights(const Surface& s, const glm::ivec4& viewport)
@@ -95,7 +95,7 @@ class Sights {
     const DoubleTag d;
     const Double ndcX = hn::MulAdd(x, hn::Set(d, window_.ndcScale.x), hn::Set(d, window_.ndcOffset.x));
     const Double ndcY = hn::MulAdd(y, hn::Set(d, window_.ndcScale.y), hn::Set(d, window_.ndcOffset.y));
-    const Line a = line(0, ndcX), b = line(1, ndcY);
+    const DoublePlane a = planeAt(0, ndcX), b = planeAt(1, ndcY);
     const Double a0 = hn::Add(along(a, t.corner), a.w), b0 = hn::Add(along(b, t.corner), b.w);
     const Double a1 = along(a, t.edge[0]), b1 = along(b, t.edge[0]);
     const Double a2 = along(a, t.edge[1]), b2 = along(b, t.edge[1]);
@@ -109,19 +109,17 @@ class Sights {
   }
 
  private:
-  struct Line {
-    Double n[3], w;
-  };
-  HWY_INLINE Line line(int axis, Double ndc) const {
+  /// The plane of all points with this x or y.
+  HWY_INLINE DoublePlane planeAt(int axis, Double ndc) const {
     const DoubleTag d;
-    Line out;
+    DoublePlane plane;
     for (int c = 0; c < 3; ++c)
-      out.n[c] = hn::NegMulAdd(ndc, hn::Set(d, rows_[3][c]), hn::Set(d, rows_[axis][c]));
-    out.w = hn::NegMulAdd(ndc, hn::Set(d, rows_[3].w), hn::Set(d, rows_[axis].w));
-    return out;
+      plane.n[c] = hn::NegMulAdd(ndc, hn::Set(d, rows_[3][c]), hn::Set(d, rows_[axis][c]));
+    plane.w = hn::NegMulAdd(ndc, hn::Set(d, rows_[3].w), hn::Set(d, rows_[axis].w));
+    return plane;
   }
-  HWY_INLINE static Double along(const Line& line, const Double (&v)[3]) {
-    return hn::MulAdd(line.n[0], v[0], hn::MulAdd(line.n[1], v[1], hn::Mul(line.n[2], v[2])));
+  HWY_INLINE static Double along(const DoublePlane& plane, const Double (&v)[3]) {
+    return hn::MulAdd(plane.n[0], v[0], hn::MulAdd(plane.n[1], v[1], hn::Mul(plane.n[2], v[2])));
   }
   WindowMap window_;
   glm::dmat4 rows_;

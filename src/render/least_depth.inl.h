@@ -73,11 +73,13 @@ HWY_ATTR inline void collectBehind(const FrameData& frame, const float* least, C
   frame.world->intersect(work.valid, rays, &filter, figures);
 }
 
-/// Makes the hit of each lane that of the least depth. `behind` is for the hits in question.
+/// Makes the hit of each lane that of the least depth, but for triangles that grew by their edges. `behind`
+/// is for the hits in question.
 HWY_ATTR inline void pickLeastDepth(const FrameData& frame, const Centers& centers, CollectedHits& behind,
                                     Work& work) {
-  const uint32_t hits = work.hits;
+  const uint32_t all = work.hits, hits = all & ~work.edged;
   if (!hits) return;
+  work.hits = hits;
   alignas(64) Row depth = {}, least;
   fetchVertices(frame, work);
   depthsOfHits(frame, hits, centers, work, least);
@@ -97,7 +99,7 @@ HWY_ATTR inline void pickLeastDepth(const FrameData& frame, const Centers& cente
     }
   }
   work.packet = best;
-  work.hits = hits;
+  work.hits = all;
   fetchVertices(frame, work);
 }
 
