@@ -6,7 +6,7 @@ import re
 
 import glxml
 
-OSMESA = pathlib.Path(__file__).resolve().parent.parent / "src" / "intercept" / "osmesa_api.h"
+OSMESA = pathlib.Path(__file__).resolve().parent.parent / "src" / "intercept" / "window_systems" / "osmesa_api.h"
 
 PROTOTYPE = r"\b{export}\s+([\w\s\*]+?)\s*{call}\s+(\w+)\s*\(([^)]*)\)\s*;"
 

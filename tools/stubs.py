@@ -132,7 +132,7 @@ def shards(commands: list[glxml.Command], table: dict[str, Policy], canonical: d
     own = [c for c in commands if canonical[c.name] == c.name]
     for i, c in enumerate(own):
         files[i * SHARDS // len(own)].append(stub(c, table[c.name], index[c.name]))
-    head = '#include "intercept/stub_support.h"\n\nnamespace gluray::intercept::stubs {\n\nusing namespace gl;\n\n'
+    head = '#include "intercept/stubs/stub_support.h"\n\nnamespace gluray::intercept::stubs {\n\nusing namespace gl;\n\n'
     return [head + "\n".join(texts) + "\n}  // namespace gluray::intercept::stubs\n" for texts in files]
 
 
@@ -149,7 +149,7 @@ def lookup(commands: list[glxml.Command], canonical: dict[str, str]) -> str:
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-#include "intercept/stub_proc.h"
+#include "intercept/stubs/stub_proc.h"
 
 namespace gluray::intercept {{
 namespace stubs {{

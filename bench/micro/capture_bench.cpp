@@ -1,8 +1,8 @@
 // What the program's thread pays for vertices: the engine's functions, the stream below them, and knowing a
 // run again.
 #include "bench/micro/micro_mesh.h"
-#include "gl/vertex_stream.h"
-#include "tests/reference/traced_context.h"
+#include "gl/capture/vertex_stream.h"
+#include "tests/support/traced_context.h"
 
 #include <benchmark/benchmark.h>
 

@@ -26,7 +26,7 @@ void build(benchmark::State& state, BvhQuality quality) {
   std::string error;
   for (auto _ : state) {
     frame::Renderer renderer;  // knows no structure yet
-    frame::FrameStatistics statistics;
+    scene::TraceCost statistics;
     if (!renderer.render(s, image, statistics, error)) return state.SkipWithError(error.c_str());
     state.SetIterationTime(statistics.buildSeconds);
   }
@@ -63,7 +63,7 @@ void follow(benchmark::State& state) {
   scene::Snapshot s = snapshot(BvhQuality::automatic);
   const scene::MeshPtr mesh = s.instances[0].mesh;
   frame::Renderer renderer;
-  frame::FrameStatistics statistics;
+  scene::TraceCost statistics;
   Image image;
   std::string error;
   int step = 0;
@@ -83,7 +83,7 @@ BENCHMARK(follow)->Name("build/moving")->UseManualTime()->Iterations(12)->Repeti
 void trace(benchmark::State& state) {
   scene::Snapshot s = snapshot(BvhQuality::full);
   frame::Renderer renderer;
-  frame::FrameStatistics statistics;
+  scene::TraceCost statistics;
   Image image;
   std::string error;
   if (!renderer.render(s, image, statistics, error)) return state.SkipWithError(error.c_str());

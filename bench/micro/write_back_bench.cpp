@@ -2,9 +2,9 @@
 #include "bench/micro/micro_mesh.h"
 #include "bench/render/wavelet_snapshot.h"
 #include "frame/renderer.h"
-#include "intercept/present/texture_put.h"
-#include "intercept/present/write_back.h"
-#include "intercept/window_put.h"
+#include "intercept/present/write_back/texture_upload.h"
+#include "intercept/present/write_back/write_back.h"
+#include "intercept/windows/shm_window.h"
 #include "tests/support/osmesa_context.h"
 
 #include <GL/glext.h>
@@ -22,7 +22,7 @@ const Image& picture() {
     scene::Snapshot s = bench::waveletSnapshot(bench::microMesh());
     bench::lookFrom(s, bench::orbitPose(0, 0));
     frame::Renderer renderer;
-    frame::FrameStatistics statistics;
+    scene::TraceCost statistics;
     std::string error;
     Image out;
     renderer.render(s, out, statistics, error);

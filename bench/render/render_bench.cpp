@@ -60,7 +60,7 @@ void run(const Options& options) {
   scene::Snapshot snapshot = snapshotOf(options, mesh);
   std::vector<uint8_t> pixels(size_t{bench::kImageSize} * bench::kImageSize * 4);
   Image image;
-  frame::FrameStatistics statistics;
+  scene::TraceCost statistics;
   std::string error;
   std::vector<double> bareSeconds, ourSeconds;
   double build = 0;

@@ -1,7 +1,7 @@
 // What a query of World carries into Embree's callbacks. Private to accel/; lives as long as one query.
 #pragma once
+#include "accel/impostors/pixel_impostor.h"
 #include "accel/next_hits.h"
-#include "accel/pixel_figure.h"
 #include "accel/world.h"
 
 #include <algorithm>

@@ -33,7 +33,7 @@ struct alignas(64) PixelRays {
   float windowX[kLanes], windowY[kLanes];
 };
 
-/// What figures (scene/figures.h) are met by: programs compute them for the centres of pixels, on those
+/// What figures (scene/impostors.h) are met by: programs compute them for the centres of pixels, on those
 /// samples that their cards cover.
 struct FigureQuery {
   const PixelRays* centers = nullptr;  // of the pixels that the packet's rays belong to

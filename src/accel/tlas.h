@@ -1,7 +1,7 @@
 // The instances of a frame over their meshes' structures. Owned by World; read by any number of tracing
 // threads.
 #pragma once
-#include "accel/blas.h"
+#include "accel/meshes/blas.h"
 
 #include <glm/glm.hpp>
 

@@ -2,7 +2,7 @@
 
 #include "accel/embree.h"
 #include "accel/error.h"
-#include "accel/pixel_figure.h"
+#include "accel/impostors/pixel_impostor.h"
 #include "base/log.h"
 
 #include <algorithm>

@@ -2,12 +2,12 @@
 // calls update() between frames; render/ then queries it from all tracing threads.
 #pragma once
 #include "accel/arena.h"
-#include "accel/blas_cache.h"
-#include "accel/coincidence.h"
-#include "accel/free_memory.h"
+#include "accel/memory/free_memory.h"
+#include "accel/meshes/blas_cache.h"
+#include "accel/meshes/coincidence.h"
+#include "accel/meshes/triangle_sizes.h"
 #include "accel/ray_packet.h"
 #include "accel/tlas.h"
-#include "accel/triangle_sizes.h"
 #include "scene/snapshot.h"
 
 #include <memory>

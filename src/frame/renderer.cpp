@@ -4,9 +4,9 @@
 #include "accel/world.h"
 #include "base/clock.h"
 #include "base/timeline.h"
+#include "render/film/fxaa.h"
+#include "render/film/resolve.h"
 #include "render/float_guard.h"
-#include "render/fxaa.h"
-#include "render/resolve.h"
 #include "render/tile_tracer.h"
 
 #include <mutex>
@@ -19,8 +19,8 @@ class Renderer::Engine {
  public:
   std::mutex mutex;
 
-  void render(const scene::Snapshot& snapshot, Image& image, FrameStatistics& statistics) {
-    statistics = {};
+  void render(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost) {
+    cost = {};
     if (snapshot.settings.renderer == gluray::Renderer::null) return render::clearImage(snapshot, image);
 
     const render::FloatGuard guard;
@@ -31,18 +31,18 @@ class Renderer::Engine {
       const timeline::Span span("build", snapshot.instances.size());
       return world_->update(snapshot, *arena_);
     }();
-    statistics.blasBuilds = update.blasBuilds;
-    statistics.tlasBuilds = update.tlasBuilds;
-    statistics.blasRefinements = update.blasRefinements;
-    statistics.bvhBytes = world_->bytes();
-    statistics.blasRefining = world_->refining();
+    cost.blasBuilds = update.blasBuilds;
+    cost.tlasBuilds = update.tlasBuilds;
+    cost.blasRefinements = update.blasRefinements;
+    cost.bvhBytes = world_->bytes();
+    cost.blasRefining = world_->refining();
     const double built = nowSeconds();
-    statistics.buildSeconds = built - start;
+    cost.buildSeconds = built - start;
     {
       const timeline::Span span("trace");
       render::traceImage(snapshot, *world_, *arena_, image);
     }
-    statistics.traceSeconds = nowSeconds() - built;
+    cost.traceSeconds = nowSeconds() - built;
   }
 
   bool improves() const { return world_ && world_->refined(); }
@@ -81,12 +81,12 @@ Renderer& Renderer::shared() {
   return *renderer;
 }
 
-bool Renderer::render(const scene::Snapshot& snapshot, Image& image, FrameStatistics& statistics,
+bool Renderer::render(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
                       std::string& error) noexcept {
   const char* reason = "unknown failure while tracing";
   try {
     const std::lock_guard lock(engine_->mutex);
-    engine_->render(snapshot, image, statistics);
+    engine_->render(snapshot, image, cost);
     return true;
   } catch (const std::bad_alloc&) {
     reason = "out of memory while tracing";

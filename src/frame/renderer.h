@@ -4,22 +4,13 @@
 #include "scene/fxaa.h"
 #include "scene/resolve.h"
 #include "scene/snapshot.h"
+#include "scene/trace_cost.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
 
 namespace gluray::frame {
-
-/// What one render cost.
-struct FrameStatistics {
-  double buildSeconds = 0, traceSeconds = 0;
-  uint64_t blasBuilds = 0, tlasBuilds = 0;  // that this render waited for
-  uint64_t blasRefinements = 0;             // structures exchanged for better ones that were built meanwhile
-  size_t bvhBytes = 0;                      // of all acceleration structures, now
-  bool blasRefining = false;                // a better one is being built
-};
 
 /// Renders one snapshot at a time; other threads wait. Acceleration structures live on between frames.
 class Renderer {
@@ -34,7 +25,7 @@ class Renderer {
 
   /// Traces `snapshot` into `image`, which takes the region's shape. False on any failure, with one line in
   /// `error`; the image then has no meaning, and later snapshots may succeed. Any thread.
-  bool render(const scene::Snapshot& snapshot, Image& image, FrameStatistics& statistics,
+  bool render(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
               std::string& error) noexcept;
 
   /// Whether a better acceleration structure is ready, which the next render() puts in the place of the one

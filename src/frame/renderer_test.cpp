@@ -21,7 +21,7 @@ using test::makeSnapshot;
 
 struct Rendered {
   Image image;
-  frame::FrameStatistics statistics;
+  scene::TraceCost statistics;
   std::string error;
   bool ok = false;
   float depth(int x, int y) const { return image.depth[static_cast<size_t>(y * image.width + x)]; }
@@ -70,7 +70,7 @@ TEST(Renderer, MissesHaveTheColourAskedFor) {
   for (const auto& snapshot : {makeSnapshot({makeMesh(data)}), makeSnapshot({})}) {
     Image image;
     image.missColor = 0x12345678;
-    frame::FrameStatistics statistics;
+    scene::TraceCost statistics;
     std::string error;
     ASSERT_TRUE(renderer.render(snapshot, image, statistics, error)) << error;
     for (size_t i = 0; i < image.color.size(); ++i) {

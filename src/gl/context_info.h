@@ -1,9 +1,9 @@
 // What a context is made with.
 #pragma once
 #include "base/clock.h"
-#include "gl/draw_kinds.h"
-#include "gl/engine_choice.h"
+#include "gl/draws/draw_kinds.h"
 #include "gl/programs/family.h"
+#include "gl/window/engine_choice.h"
 #include "settings/settings.h"
 
 #include <glm/glm.hpp>

@@ -1,6 +1,6 @@
 #include "gl/share_group.h"
 
-#include "gl/buffer.h"
+#include "gl/buffers/buffer.h"
 
 #include <algorithm>
 #include <utility>

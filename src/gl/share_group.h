@@ -2,9 +2,9 @@
 // may be current in several threads; the objects themselves follow OpenGL's rule that programs synchronise
 // their use.
 #pragma once
-#include "gl/attachments.h"
-#include "gl/mesh_cache.h"
-#include "gl/presenter.h"
+#include "gl/batch/presenter.h"
+#include "gl/buffers/attachments.h"
+#include "gl/capture/mesh_cache.h"
 #include "gl/programs/match.h"
 
 #include <GL/gl.h>

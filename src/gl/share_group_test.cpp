@@ -1,6 +1,6 @@
 #include "gl/share_group.h"
 
-#include "gl/list.h"
+#include "gl/lists/list.h"
 
 #include <gtest/gtest.h>
 

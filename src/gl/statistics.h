@@ -2,7 +2,7 @@
 // any thread, meanwhile or at exit.
 #pragma once
 #include "gl/counter.h"
-#include "gl/reasons.h"
+#include "gl/draws/reasons.h"
 
 #include <array>
 #include <cstdint>

@@ -1,9 +1,9 @@
 // What generated stubs need of the shadow GL: the context, its gate, recording and protection.
 #pragma once
+#include "gl/capture/vertex_attribute_calls.h"
 #include "gl/handlers.h"
-#include "gl/leaf.h"
-#include "gl/list.h"
-#include "gl/param_counts.h"
+#include "gl/lists/list.h"
+#include "gl/lists/param_counts.h"
 
 #include <exception>
 #include <new>

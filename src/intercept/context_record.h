@@ -3,11 +3,11 @@
 #include "base/log.h"
 #include "gl/context.h"
 #include "intercept/contexts.h"
-#include "intercept/hud.h"
-#include "intercept/lag.h"
 #include "intercept/make_presenter.h"
-#include "intercept/present/frame_picture.h"
-#include "intercept/show.h"
+#include "intercept/present/read_back/frame_picture.h"
+#include "intercept/reports/hud.h"
+#include "intercept/windows/lag.h"
+#include "intercept/windows/present_without_swap.h"
 
 #include <exception>
 #include <map>

@@ -3,9 +3,9 @@
 #include "base/timeline.h"
 #include "intercept/context_record.h"
 #include "intercept/families.h"
-#include "intercept/orphan_gl.h"
-#include "intercept/report.h"
+#include "intercept/reports/report.h"
 #include "intercept/session.h"
+#include "intercept/stubs/orphan_gl.h"
 
 #include <atomic>
 #include <cstdio>

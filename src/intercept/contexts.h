@@ -1,9 +1,9 @@
 // Every OpenGL context of the process and which thread has it current. Hooks of GLX, EGL and OSMesa call
 // these around the real functions; none of them throws. Any thread.
 #pragma once
-#include "gl/draw_kinds.h"
+#include "gl/draws/draw_kinds.h"
 #include "gl/statistics.h"
-#include "intercept/real_functions.h"
+#include "intercept/window_systems/real_functions.h"
 
 #include <glm/glm.hpp>
 

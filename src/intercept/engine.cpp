@@ -2,10 +2,10 @@
 #include "intercept/engine.h"
 
 #include "intercept/contexts.h"
-#include "intercept/explanation.h"
-#include "intercept/report.h"
+#include "intercept/reports/explanation.h"
+#include "intercept/reports/report.h"
 #include "intercept/session.h"
-#include "intercept/stub_proc.h"
+#include "intercept/stubs/stub_proc.h"
 
 #include <pthread.h>
 

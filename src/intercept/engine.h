@@ -1,7 +1,7 @@
 // Functions of the window system APIs that we stand in for, by name. Doors ask through the engine's entry
 // point.
 #pragma once
-#include "intercept/real_functions.h"
+#include "intercept/window_systems/real_functions.h"
 
 namespace gluray::intercept {
 

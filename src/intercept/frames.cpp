@@ -2,8 +2,8 @@
 #include "base/clock.h"
 #include "base/timeline.h"
 #include "intercept/context_record.h"
-#include "intercept/explanation.h"
-#include "intercept/report.h"
+#include "intercept/reports/explanation.h"
+#include "intercept/reports/report.h"
 #include "intercept/session.h"
 
 #include <dlfcn.h>

@@ -6,12 +6,8 @@
 namespace gluray::intercept {
 namespace {
 
-bool trace(const scene::Snapshot& snapshot, Image& image, present::TraceCost& cost, std::string& error) {
-  frame::FrameStatistics statistics;
-  const bool done = frame::Renderer::shared().render(snapshot, image, statistics, error);
-  cost = {statistics.buildSeconds,    statistics.traceSeconds, statistics.blasBuilds,
-          statistics.blasRefinements, statistics.bvhBytes,     statistics.blasRefining};
-  return done;
+bool trace(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error) {
+  return frame::Renderer::shared().render(snapshot, image, cost, error);
 }
 
 bool antialias(const Settings& settings, const scene::Fxaa& fxaa, const uint32_t* in, int width, int height,
@@ -45,7 +41,7 @@ class NullPresenter final : public gl::Presenter {
 
 std::unique_ptr<gl::Presenter> makePresenter(const Settings& settings, present::Written onWritten) {
   if (settings.renderer == Renderer::null) return std::make_unique<NullPresenter>();
-  return std::make_unique<present::TracingPresenter>(present::Tracer{trace, antialias, resolve, improves},
+  return std::make_unique<present::TracingPresenter>(frame::Tracer{trace, antialias, resolve, improves},
                                                      std::move(onWritten));
 }
 

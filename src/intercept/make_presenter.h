@@ -1,6 +1,6 @@
 // Joins the ray tracer to the write-back: what a context of the shadow GL gets to make its pictures with.
 #pragma once
-#include "gl/presenter.h"
+#include "gl/batch/presenter.h"
 #include "intercept/present/tracing_presenter.h"
 #include "settings/settings.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 #include "accel/world.h"
 #include "base/image.h"
-#include "render/surface.h"
+#include "render/local/surface.h"
 
 #include <array>
 #include <atomic>

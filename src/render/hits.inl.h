@@ -7,10 +7,10 @@
 #define GLURAY_RENDER_HITS_INL_H_
 #endif
 
-#include "render/drawn_fragments.h"
-#include "render/figure.inl.h"
-#include "render/peeled_layers.h"
-#include "render/shade.inl.h"
+#include "render/layers/drawn_fragments.h"
+#include "render/layers/peeled_layers.h"
+#include "render/local/shade.inl.h"
+#include "render/visibility/impostor.inl.h"
 
 #include <algorithm>
 #include <vector>

@@ -7,8 +7,8 @@
 #define GLURAY_RENDER_PACKET_INL_H_
 #endif
 
-#include "render/averages.inl.h"
-#include "render/multisample.inl.h"
+#include "render/film/averages.inl.h"
+#include "render/visibility/multisample.inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {

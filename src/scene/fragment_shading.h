@@ -52,7 +52,7 @@ struct FragmentShading {
   PbrSurface pbr;
   bool writesDepth = false;  // gl_FragDepth: one depth for all samples of a pixel
   bool edges = false;        // triangle edges are painted, those that Instance::triangleEdges has a bit for
-  bool edgesGrow = true;     // and triangles grow with them (render/edged_triangle.h)
+  bool edgesGrow = true;     // and triangles grow with them (render/visibility/edged_triangle.h)
   float edgeWidth = 1;       // pixels
   float edgeOpacity = 1;     // the largest share of the edges' colour
   glm::vec3 edgeColor{0};

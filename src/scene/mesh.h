@@ -53,7 +53,7 @@ inline glm::vec4 fetch(const Attribute& a, uint32_t i) {
   }
 }
 
-/// What the primitives of a mesh are. All but triangles are figures (scene/figures.h): spheres, discs and
+/// What the primitives of a mesh are. All but triangles are figures (scene/impostors.h): spheres, discs and
 /// cylinders are round in the space of Instance::lightingFromObject and have one vertex each, their centre.
 /// Beads, about one vertex, and tubes, about a line between two, have a size in pixels. Splats, about one
 /// vertex with a radius, are ellipses in the window.
@@ -64,7 +64,7 @@ constexpr uint32_t cornersOf(Shape shape) {
   return shape == Shape::triangles ? 3 : shape == Shape::tubes ? 2 : 1;
 }
 constexpr bool isSizedInPixels(Shape shape) { return shape == Shape::beads || shape == Shape::tubes; }
-/// What these cover is computed in the window (accel/pixel_figure.h).
+/// What these cover is computed in the window (accel/impostors/pixel_impostor.h).
 constexpr bool isInWindow(Shape shape) { return isSizedInPixels(shape) || shape == Shape::splats; }
 
 /// Triangles in object space. Triangle t has the vertices corner(t, 0..2), in winding order; OpenGL's

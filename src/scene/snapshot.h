@@ -2,7 +2,7 @@
 // nobody can write to it. Unchanged meshes are shared with earlier snapshots.
 #pragma once
 #include "scene/blending.h"
-#include "scene/figures.h"
+#include "scene/impostors.h"
 #include "scene/mesh.h"
 #include "scene/shading.h"
 #include "settings/settings.h"

@@ -1,7 +1,7 @@
 // A picture by every way of sending geometry, and its comparison with the real OpenGL's. The program under
 // test allocates nothing itself: static data and no containers.
 #pragma once
-#include "tests/reference/traced_context.h"
+#include "tests/support/traced_context.h"
 
 namespace gluray::test::anomaly {
 

@@ -2,7 +2,7 @@
 // X11's macros take names away from whom they precede.
 // clang-format off
 #include <gtest/gtest.h>
-#include "intercept/drawable_size.h"
+#include "intercept/window_systems/drawable_size.h"
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
 // clang-format on

@@ -10,7 +10,7 @@ import sys
 
 from compare_pictures import pictures
 
-GROUND = bytes((0x18, 0x20, 0x30))  # src/intercept/present/text_image.h
+GROUND = bytes((0x18, 0x20, 0x30))  # src/intercept/present/read_back/text_image.h
 CORNER, LEAST = 8, 500              # where it begins; pixels of its ground
 
 

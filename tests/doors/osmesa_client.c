@@ -1,5 +1,5 @@
 /* OpenGL into memory: OSMesa. A finished frame is a glFinish; there is no swap. */
-#include "intercept/osmesa_api.h"
+#include "intercept/window_systems/osmesa_api.h"
 #include "workload.h"
 
 static unsigned char pixels[kWindowSize * kWindowSize * 4];

@@ -2,7 +2,7 @@
    until one gives a context, and glad fetches every function. Argument: auto, or the one to be used: glx,
    egl, osmesa. Then draws a mesh as VTK's polydata mapper does and writes the pictures to standard output. */
 #define GL_GLEXT_PROTOTYPES /* before the first gl.h, for polydata.h */
-#include "intercept/osmesa_api.h"
+#include "intercept/window_systems/osmesa_api.h"
 #include "polydata.h"
 
 #include <EGL/egl.h>

@@ -1,7 +1,7 @@
 // What the fuzzer has found, shrunk: the same calls to a plain OpenGL and to ours, and the same answers.
-#include "gl/arrays.h"
-#include "gl/mesh_builder.h"
-#include "tests/reference/traced_context.h"
+#include "gl/arrays/arrays.h"
+#include "gl/capture/mesh_builder.h"
+#include "tests/support/traced_context.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 
 #include "frame/renderer.h"
 #include "tests/fuzz/null_gl.h"
-#include "tests/reference/traced_context.h"
 #include "tests/support/gl_state.h"
+#include "tests/support/traced_context.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +60,7 @@ class Tracer final : public gl::Presenter {
   gl::PresentResult present(const gl::RealGl&, const scene::SnapshotPtr& snapshot,
                             const gl::PresentTarget& target) noexcept override {
     gl::PresentResult result;
-    frame::FrameStatistics statistics;
+    scene::TraceCost statistics;
     if (target.rasterise) {
       result.outcome = gl::PresentResult::rasterised;
     } else if (++pictures_ % 500 != 0 &&

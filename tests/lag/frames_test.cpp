@@ -198,7 +198,7 @@ TEST(Lag, AFrameThatCannotBeTracedIsRasterisedInOrder) {
   for (const int failing : {0, 2}) {
     LagOptions options;
     std::atomic<int> asked{0};
-    options.trace = [&](const scene::Snapshot& snapshot, Image& image, present::TraceCost& cost,
+    options.trace = [&](const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
                         std::string& why) {
       if (asked++ != failing) return traceByRenderer(snapshot, image, cost, why);
       return why = "it fails in this test", false;

@@ -25,19 +25,16 @@ gl::LagWindow windowOf(const LagOptions& options, const std::function<void()>& s
 
 }  // namespace
 
-bool traceByRenderer(const scene::Snapshot& snapshot, Image& image, present::TraceCost& cost,
+bool traceByRenderer(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
                      std::string& why) {
-  frame::FrameStatistics statistics;
-  const bool done = frame::Renderer::shared().render(snapshot, image, statistics, why);
-  cost.traceSeconds = statistics.traceSeconds;
-  return done;
+  return frame::Renderer::shared().render(snapshot, image, cost, why);
 }
 
 Shown play(const DrawFrame& draw, int count, const LagOptions& options) {
   Shown shown;
   TracedContext ours({kLagWidth, kLagHeight}, options.settings,
                      std::make_unique<present::TracingPresenter>(
-                         present::Tracer{options.trace ? options.trace : traceByRenderer}));
+                         frame::Tracer{options.trace ? options.trace : traceByRenderer}));
   gl::Context& context = *gl::t_thread.context;
   const auto swap = [&] { shown.frames.push_back(readPicture(ours.below().real(), kLagWidth, kLagHeight)); };
   for (int frame = 0; frame < count; ++frame) {

@@ -2,7 +2,7 @@
 // shown is kept. The real OpenGL's own frames of the same calls are what they must be.
 #pragma once
 #include "intercept/present/tracing_presenter.h"
-#include "tests/reference/traced_context.h"
+#include "tests/support/traced_context.h"
 
 #include <functional>
 #include <string>
@@ -27,12 +27,11 @@ struct LagOptions {
   std::function<bool()> stands = [] { return true; };      // the window
   std::function<void(const uint32_t*)> overdue = nullptr;  // shows a frame without the program
   std::function<void(const gl::RealGl&, int)> afterSwap;   // calls after the swap of a frame
-  present::Trace trace;                                    // in place of the ray tracer
+  frame::Trace trace;                                      // in place of the ray tracer
 };
 
 /// The ray tracer.
-bool traceByRenderer(const scene::Snapshot& snapshot, Image& image, present::TraceCost& cost,
-                     std::string& why);
+bool traceByRenderer(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& why);
 
 /// Draws `count` frames through ours; what is not shown by then is shown by glFinish.
 Shown play(const DrawFrame& draw, int count, const LagOptions& options = {});

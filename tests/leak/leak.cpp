@@ -2,7 +2,7 @@
 // contexts, each frame with geometry that was never seen before, traced at a small size. Resident memory must
 // not grow.
 //   gluray_leak FRAMES [plain]     plain: the real OpenGL alone, to know what it keeps itself
-#include "tests/reference/traced_context.h"
+#include "tests/support/traced_context.h"
 
 #include <malloc.h>
 #include <unistd.h>

@@ -1,7 +1,7 @@
 // Pictures of frames say what of them was traced, and taking them leaves no trace in the state.
-#include "intercept/present/frame_picture.h"
+#include "intercept/present/read_back/frame_picture.h"
 
-#include "intercept/present/write_back.h"
+#include "intercept/present/write_back/write_back.h"
 #include "tests/support/gl_state.h"
 #include "tests/support/osmesa_context.h"
 

@@ -1,5 +1,5 @@
 // A snapshot drawn by fixed function equals what a program draws with the same state, and leaves no trace.
-#include "intercept/present/raster_fallback.h"
+#include "intercept/present/raster/raster_fallback.h"
 
 #include "intercept/present/tracing_presenter.h"
 #include "tests/support/gl_state.h"
@@ -161,7 +161,7 @@ TEST(RasterFallback, StandsInWhenTracingFails) {
   const auto context = test::OsmesaContext::create({kSize, kSize});
   const auto& g = context->real();
   g.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  TracingPresenter presenter({[](const scene::Snapshot&, Image&, TraceCost&, std::string& error) {
+  TracingPresenter presenter({[](const scene::Snapshot&, Image&, scene::TraceCost&, std::string& error) {
     return error = "out of memory", false;
   }});
   g.Enable(0xdead);
@@ -177,17 +177,18 @@ TEST(RasterFallback, TracedPicturesAreWrittenBack) {
   const auto context = test::OsmesaContext::create({kSize, kSize});
   const auto& g = context->real();
   g.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  TracingPresenter presenter({[](const scene::Snapshot& s, Image& image, TraceCost& cost, std::string&) {
-    image.x = s.region.x, image.y = s.region.y;
-    image.resize(s.region.width, s.region.height, 1);
-    image.color.assign(image.color.size(), 0xff00ff00u);
-    image.depth.assign(image.depth.size(), 0.5f);
-    cost.blasBuilds = 3;
-    return true;
-  }});
+  TracingPresenter presenter(
+      {[](const scene::Snapshot& s, Image& image, scene::TraceCost& cost, std::string&) {
+        image.x = s.region.x, image.y = s.region.y;
+        image.resize(s.region.width, s.region.height, 1);
+        image.color.assign(image.color.size(), 0xff00ff00u);
+        image.depth.assign(image.depth.size(), 0.5f);
+        cost.blasBuilds = 3;
+        return true;
+      }});
   const auto result = presenter.present(g, snapshotOf(patch), {GL_LESS, false});
   EXPECT_EQ(result.outcome, gl::PresentResult::traced);
-  EXPECT_EQ(result.blasBuilds, 3u);
+  EXPECT_EQ(result.cost.blasBuilds, 3u);
   const auto colors = context->colors();
   EXPECT_EQ(std::count(colors.begin(), colors.end(), 0xff00ff00u), 40 * 50);
 }
@@ -197,14 +198,15 @@ TEST(TracingPresenter, UnchangedFramesAreTracedOnceMoreForABetterStructure) {
   const auto context = test::OsmesaContext::create({kSize, kSize});
   int traced = 0;
   bool better = false;
-  TracingPresenter presenter({.trace =
-                                  [&](const scene::Snapshot& s, Image& image, TraceCost&, std::string&) {
-                                    image.resize(s.region.width, s.region.height, 1);
-                                    ++traced;
-                                    better = false;  // it is in its place now
-                                    return true;
-                                  },
-                              .improves = [&] { return better; }});
+  TracingPresenter presenter(
+      {.trace =
+           [&](const scene::Snapshot& s, Image& image, scene::TraceCost&, std::string&) {
+             image.resize(s.region.width, s.region.height, 1);
+             ++traced;
+             better = false;  // it is in its place now
+             return true;
+           },
+       .improves = [&] { return better; }});
   const auto snapshot = snapshotOf(patch);
   const auto frame = [&] { return presenter.present(context->real(), snapshot, {GL_LESS, false}).repeated; };
   EXPECT_FALSE(frame());

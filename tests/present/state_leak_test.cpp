@@ -1,5 +1,5 @@
 // A write-back changes nothing that a program can ask about, whatever the program had set.
-#include "intercept/present/write_back.h"
+#include "intercept/present/write_back/write_back.h"
 #include "tests/support/gl_state.h"
 #include "tests/support/osmesa_context.h"
 

@@ -1,5 +1,5 @@
 // Text as pictures.
-#include "intercept/present/text_image.h"
+#include "intercept/present/read_back/text_image.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,7 @@
 // Pictures that are sent into textures are those that would have been drawn.
-#include "intercept/present/texture_put.h"
-
-#include "intercept/present/cleared_color.h"
-#include "intercept/present/write_back.h"
+#include "intercept/present/write_back/cleared_color.h"
+#include "intercept/present/write_back/texture_upload.h"
+#include "intercept/present/write_back/write_back.h"
 #include "tests/support/osmesa_context.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // The write-back puts exactly the hit pixels into whatever framebuffer is bound, merged by depth.
-#include "intercept/present/write_back.h"
+#include "intercept/present/write_back/write_back.h"
 
 #include "tests/support/osmesa_context.h"
 

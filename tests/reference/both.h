@@ -1,8 +1,8 @@
 // Draws with the real OpenGL and with ours in front of it, and compares colours, alpha, depth and state.
 #pragma once
 #include "scenes/scene.h"
-#include "tests/reference/traced_context.h"
 #include "tests/support/gl_state.h"
+#include "tests/support/traced_context.h"
 
 #include <gtest/gtest.h>
 

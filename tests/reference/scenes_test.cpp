@@ -1,6 +1,6 @@
 // Every scene, drawn by the real OpenGL and through ours: the same colours and depths.
 #include "intercept/present/tracing_presenter.h"
-#include "tests/reference/drawn_scene.h"
+#include "tests/reference/layers/drawn_scene.h"
 
 namespace gluray::test {
 namespace {
@@ -41,7 +41,7 @@ TEST_P(SceneTest, LooksLikeTheRealOneWhenTracingFails) {
   const scenes::Scene& scene = *GetParam();
   const Picture expected = drawReal(scene);
   auto fails = std::make_unique<present::TracingPresenter>(
-      present::Tracer{[](const scene::Snapshot&, Image&, present::TraceCost&, std::string& error) {
+      frame::Tracer{[](const scene::Snapshot&, Image&, scene::TraceCost&, std::string& error) {
         return error = "this test lets tracing fail", false;
       }});
   TracedContext ours({kWidth, kHeight}, TracedContext::vertexShading(), std::move(fails));

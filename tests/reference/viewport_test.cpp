@@ -1,5 +1,5 @@
 // Only pixels that exist are traced: viewports may be larger than what is drawn into.
-#include "tests/reference/traced_context.h"
+#include "tests/support/traced_context.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "tests/support/osmesa_context.h"
 
-#include "intercept/osmesa_api.h"
+#include "intercept/window_systems/osmesa_api.h"
 
 #include <GL/glext.h>
 

@@ -1,6 +1,6 @@
 // Contexts current in several threads at once: of one share group, or of none. Run by the thread sanitizer;
 // every picture is checked as well.
-#include "tests/reference/traced_context.h"
+#include "tests/support/traced_context.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 // format: docs/program-families.md.
 #pragma once
 #include "gl/programs/known_code.h"
-#include "scene/figures.h"
+#include "scene/impostors.h"
 #include "scene/mesh.h"
 
 #include <array>

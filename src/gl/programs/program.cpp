@@ -1,7 +1,7 @@
 #include "gl/programs/program.h"
 
-#include "gl/extensions.h"
-#include "gl/state_queries.h"
+#include "gl/state/extensions.h"
+#include "gl/state/state_queries.h"
 
 #include <algorithm>
 #include <vector>

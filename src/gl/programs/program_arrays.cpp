@@ -1,7 +1,7 @@
 // Vertex arrays of shader programs.
 #include "gl/programs/program_state.h"
 #include "gl/share_group.h"
-#include "gl/state_queries.h"
+#include "gl/state/state_queries.h"
 
 #include <algorithm>
 

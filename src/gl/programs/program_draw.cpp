@@ -1,7 +1,7 @@
 #include "gl/programs/program_draw.h"
 
-#include "gl/arrays.h"
-#include "gl/state_queries.h"
+#include "gl/arrays/arrays.h"
+#include "gl/state/state_queries.h"
 
 namespace gluray::gl {
 namespace {

@@ -1,8 +1,8 @@
 // A draw by a shader program as it was sent, kept while it waits in the batch: where it cannot be traced
 // after all, the real OpenGL draws it from this. GL thread.
 #pragma once
-#include "gl/buffer.h"
-#include "gl/elements.h"
+#include "gl/arrays/elements.h"
+#include "gl/buffers/buffer.h"
 #include "gl/programs/program.h"
 #include "gl/programs/samplers.h"
 #include "gl/programs/uniform_blocks.h"

@@ -4,7 +4,7 @@
 #include "gl/programs/program_state.h"
 #include "gl/programs/uniforms.h"
 #include "gl/share_group.h"
-#include "gl/texture.h"
+#include "gl/textures/texture.h"
 
 #include <string>
 #include <utility>

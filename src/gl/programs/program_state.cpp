@@ -2,7 +2,7 @@
 
 #include "gl/programs/program_lights.h"
 #include "gl/programs/program_reader.h"
-#include "gl/state_queries.h"
+#include "gl/state/state_queries.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>

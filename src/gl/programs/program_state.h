@@ -1,9 +1,9 @@
 // What the current shader program draws with, read from the real OpenGL when a draw needs it. GL thread.
 #pragma once
-#include "gl/arrays.h"
+#include "gl/arrays/arrays.h"
+#include "gl/draws/reasons.h"
 #include "gl/programs/match.h"
 #include "gl/programs/uniforms.h"
-#include "gl/reasons.h"
 #include "scene/snapshot.h"
 
 #include <glm/glm.hpp>

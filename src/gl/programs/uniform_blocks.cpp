@@ -1,6 +1,6 @@
 #include "gl/programs/uniform_blocks.h"
 
-#include "gl/state_queries.h"
+#include "gl/state/state_queries.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "gl/programs/uniforms.h"
 
 #include "gl/programs/uniform_blocks.h"
-#include "gl/state_queries.h"
+#include "gl/state/state_queries.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,6 +1,6 @@
 #include "intercept/present/features.h"
 
-#include "gl/extensions.h"
+#include "gl/state/extensions.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #include "intercept/present/layers.h"
 
 #include "base/timeline.h"
-#include "gl/state_queries.h"
-#include "intercept/present/program_replay.h"
+#include "gl/state/state_queries.h"
+#include "intercept/present/raster/program_replay.h"
 
 #include <GL/glext.h>
 

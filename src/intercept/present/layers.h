@@ -2,8 +2,8 @@
 // own passes where they cannot be traced. GL thread, context current; all state is put back.
 #pragma once
 #include "gl/programs/held_pass.h"
-#include "gl/texture_image.h"
-#include "intercept/present/state_guard.h"
+#include "gl/textures/texture_image.h"
+#include "intercept/present/write_back/state_guard.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,6 +1,6 @@
 // What presenting results in where something is thrown. GL thread.
 #pragma once
-#include "gl/presenter.h"
+#include "gl/batch/presenter.h"
 
 #include <exception>
 

@@ -1,9 +1,9 @@
-// TracingPresenter: surfaces that are seen through, traced into textures of the program.
+#include "intercept/present/traced_layers.h"
+
 #include "base/clock.h"
-#include "gl/peel_limits.h"
+#include "gl/layers/peel_limits.h"
 #include "intercept/present/layers.h"
 #include "intercept/present/present_result.h"
-#include "intercept/present/tracing_presenter.h"
 
 namespace gluray::present {
 
@@ -18,16 +18,17 @@ bool fills(const Image& image, const gl::LayersTarget& target) {
 
 }  // namespace
 
-PresentResult TracingPresenter::presentLayers(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
-                                              const gl::LayersTarget& target, bool rasterise) noexcept {
+PresentResult TracedLayers::present(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
+                                    const gl::LayersTarget& target, bool rasterise) noexcept {
   return resultOf([&] { return tracedOrRasterised(real, rasterise ? nullptr : snapshot.get(), target); });
 }
 
-PresentResult TracingPresenter::traceLayers(const scene::SnapshotPtr& snapshot,
-                                            const gl::LayersTarget& target) noexcept {
+PresentResult TracedLayers::trace(const scene::SnapshotPtr& snapshot,
+                                  const gl::LayersTarget& target) noexcept {
   return resultOf([&] {
     PresentResult result;
-    const LastPictures::Picture* traced = pictureOf(*snapshot, target.mayRepeat, 0u, result, result.why);
+    const frame::LastPictures::Picture* traced =
+        shared_.of(*snapshot, target.mayRepeat, 0u, result, result.why);
     if (!traced || !fills(traced->image, target)) return result;
     result.picture = traced->image.color;
     result.outcome = PresentResult::traced;
@@ -35,32 +36,32 @@ PresentResult TracingPresenter::traceLayers(const scene::SnapshotPtr& snapshot,
   });
 }
 
-bool TracingPresenter::countPixels(const gl::RealGl& real, const gl::HeldPass& pass, GLuint texture,
-                                   glm::ivec2 size, uint64_t pixels) noexcept {
+bool TracedLayers::countPixels(const gl::RealGl& real, const gl::HeldPass& pass, GLuint texture,
+                               glm::ivec2 size, uint64_t pixels) noexcept {
   try {
-    return present::countPixels(real, features(real), pass, texture, size, pixels);
+    return present::countPixels(real, shared_.features(real), pass, texture, size, pixels);
   } catch (const std::exception&) { return false; }
 }
 
-PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const scene::Snapshot* snapshot,
-                                                   const gl::LayersTarget& target) {
+PresentResult TracedLayers::tracedOrRasterised(const gl::RealGl& real, const scene::Snapshot* snapshot,
+                                               const gl::LayersTarget& target) {
   PresentResult result;
   const PendingErrors pending = takeErrors(real);
-  const LastPictures::Picture* traced =
-      snapshot ? pictureOf(*snapshot, target.mayRepeat, 0u, result, result.why) : nullptr;
+  const frame::LastPictures::Picture* traced =
+      snapshot ? shared_.of(*snapshot, target.mayRepeat, 0u, result, result.why) : nullptr;
   const double start = nowSeconds();
   const bool whole = traced && fills(traced->image, target);
   if (whole && !gl::showsAll(1, traced->image.layers, target.opaqueDepths.size()))
     result.layers = traced->image.layers;
   const bool waits = result.layers && target.mayAsk && gl::surelyWritten(*result.layers, 1) &&
-                     (!target.written || clearResult(real, features(real), target));
+                     (!target.written || clearResult(real, shared_.features(real), target));
   if (waits) result.picture = traced->image.color;
-  if (waits || (!target.picture.empty() && showPicture(real, features(real), target)))
+  if (waits || (!target.picture.empty() && showPicture(real, shared_.features(real), target)))
     result.outcome = PresentResult::traced;
   else if (whole && !result.layers &&
-           writeTexture(real, features(real), target.result, target.size, traced->image.color.data()))
+           writeTexture(real, shared_.features(real), target.result, target.size, traced->image.color.data()))
     result.outcome = PresentResult::traced;
-  else if (drawLayers(real, features(real), target))
+  else if (drawLayers(real, shared_.features(real), target))
     result.outcome = PresentResult::rasterised;
   takeErrors(real);
   if (!pending.empty()) result.pendingError = pending.front();
@@ -68,10 +69,10 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
   return result;
 }
 
-bool TracingPresenter::readDepths(const gl::RealGl& real, GLint unit, glm::ivec2 size,
-                                  std::vector<glm::vec2>& out) noexcept {
+bool TracedLayers::readDepths(const gl::RealGl& real, GLint unit, glm::ivec2 size,
+                              std::vector<glm::vec2>& out) noexcept {
   try {
-    return present::readDepths(real, features(real), unit, size, out);
+    return present::readDepths(real, shared_.features(real), unit, size, out);
   } catch (const std::exception&) { return false; }
 }
 

@@ -3,7 +3,7 @@
 //   gluray_fuzz_scenes [--seed N] [--scenes N] [--out FOLDER]
 #include "tests/fuzz/scenes/outcome.h"
 #include "tests/fuzz/scenes/scene.h"
-#include "tests/reference/traced_context.h"
+#include "tests/support/traced_context.h"
 
 #include <cstdio>
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // One scene sent by every path that OpenGL has: the same picture to the bit.
-#include "tests/reference/drawn_scene.h"
+#include "tests/reference/layers/drawn_scene.h"
 
 namespace gluray::test {
 namespace {

@@ -1,0 +1,98 @@
+#include "accel/blocks/triangle_block_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace gluray::accel {
+namespace {
+
+constexpr float kFarthest = 1.844e18f;  // Embree leaves out what lies beyond
+constexpr Box kNothing{glm::vec3(1), glm::vec3(-1)};
+using Four = float __attribute__((vector_size(16)));  // x, y, z, 0
+
+struct Grown {
+  Four lower = Four{} + INFINITY, upper = Four{} - INFINITY;
+  void join(Four p) { lower = p < lower ? p : lower, upper = p > upper ? p : upper; }
+  void join(const Grown& o) { join(o.lower), join(o.upper); }
+  float halfArea() const {
+    const Four d = upper - lower;
+    return d[0] * (d[1] + d[2]) + d[1] * d[2];
+  }
+};
+
+// Sixteen bytes may be read at each position, as Embree does.
+Four positionOf(const TriangleRun& run, size_t corner) {
+  const size_t vertex = run.indices ? run.indices[corner] : corner;
+  Four p;
+  std::memcpy(&p, run.positions + vertex * run.stride, sizeof p);
+  p[3] = 0;
+  return p;
+}
+
+/// False where some vertex is not to be traced.
+bool join(const TriangleRun& run, uint32_t triangle, Grown& box) {
+  const size_t corner = size_t{triangle} * 3;
+  const Four a = positionOf(run, corner), b = positionOf(run, corner + 1), c = positionOf(run, corner + 2);
+  const auto near = [](Four p) { return (p < kFarthest) & (p > -kFarthest); };
+  const auto all = near(a) & near(b) & near(c);
+  if (!(all[0] & all[1] & all[2])) return false;
+  box.join(a), box.join(b), box.join(c);
+  return true;
+}
+
+/// Embree asks boxes of user geometry without the care that it takes with triangles: rays from as far away
+/// as a hundred times the extent of a million such clusters must not slip by.
+Box widened(const Grown& grown) {
+  constexpr float kOwn = 0x1p-6f, kPlace = 0x1p-20f;
+  const glm::vec3 lower(grown.lower[0], grown.lower[1], grown.lower[2]);
+  const glm::vec3 upper(grown.upper[0], grown.upper[1], grown.upper[2]);
+  const glm::vec3 farthest = glm::max(glm::abs(lower), glm::abs(upper));
+  const float margin =
+      kOwn * glm::length(upper - lower) + kPlace * std::max({farthest.x, farthest.y, farthest.z});
+  return {lower - margin, upper + margin};
+}
+
+}  // namespace
+
+void findClusters(const TriangleRun& run, const ClusterLimits& limits, std::vector<uint32_t>& first,
+                  std::vector<Box>* boxes) {
+  Grown box;
+  float sum = 0;       // of the areas of their boxes
+  uint32_t count = 0;  // triangles in it; 0: none that another may join
+  uint32_t begun = run.first;
+  const auto add = [&]() {
+    first.push_back(begun);
+    if (boxes) boxes->push_back(count ? widened(box) : kNothing);
+  };
+  for (uint32_t t = run.first; t < run.end; ++t) {
+    Grown own;
+    const bool exists = join(run, t, own);
+    const float area = exists ? own.halfArea() : 0;
+    if (exists && count > 0 && count < limits.most) {
+      Grown both = box;
+      both.join(own);
+      if (both.halfArea() <= limits.looser * (sum + area)) {
+        box = both;
+        sum += area;
+        ++count;
+        continue;
+      }
+    }
+    if (t > run.first) add();
+    begun = t;
+    box = own;
+    sum = area;
+    count = exists ? 1 : 0;
+  }
+  if (run.end > run.first) add();
+}
+
+Box boxOfCluster(const TriangleRun& run) {
+  Grown box;
+  for (uint32_t t = run.first; t < run.end; ++t)
+    if (!join(run, t, box)) return kNothing;
+  return widened(box);
+}
+
+}  // namespace gluray::accel

@@ -1,0 +1,256 @@
+// Clusters of triangles: they hold every triangle once, and rays find in them what they find in Embree's
+// triangles.
+#include "accel/blocks/triangle_blocks.h"
+
+#include "accel/device.h"
+#include "accel/error.h"
+#include "accel/next_hits.h"
+#include "accel/test_scene.h"
+#include "accel/world.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gluray::accel {
+namespace {
+
+using test::makeMesh;
+using test::makeSnapshot;
+using test::MeshData;
+
+constexpr uint32_t kSide = 64;  // cells
+
+/// Two layers of a bumpy sheet over [-1, 1]^2, row by row.
+MeshData sheets() {
+  MeshData data;
+  for (int layer = 0; layer < 2; ++layer) {
+    const auto first = static_cast<uint32_t>(data.positions.size());
+    for (uint32_t y = 0; y <= kSide; ++y)
+      for (uint32_t x = 0; x <= kSide; ++x) {
+        const float u = 2 * static_cast<float>(x) / kSide - 1, v = 2 * static_cast<float>(y) / kSide - 1;
+        data.positions.push_back(
+            {u, v, 0.2f * std::sin(9 * u) * std::cos(7 * v) - static_cast<float>(layer)});
+      }
+    for (uint32_t y = 0; y < kSide; ++y)
+      for (uint32_t x = 0; x < kSide; ++x) {
+        const uint32_t a = first + y * (kSide + 1) + x, b = a + 1, c = a + kSide + 1, d = c + 1;
+        data.indices.insert(data.indices.end(), {a, b, d, a, d, c});
+      }
+  }
+  return data;
+}
+
+/// The triangles of `data` in an order that has no neighbours.
+MeshData shuffled(const MeshData& data) {
+  MeshData other = data;
+  const size_t count = data.indices.size() / 3;
+  for (size_t t = 0; t < count; ++t)
+    std::copy_n(data.indices.begin() + static_cast<ptrdiff_t>((t * 4099 % count) * 3), 3,
+                other.indices.begin() + static_cast<ptrdiff_t>(t * 3));
+  return other;
+}
+
+MeshData soupOf(const MeshData& data) {
+  MeshData soup;
+  for (const uint32_t i : data.indices) soup.positions.push_back(data.positions[i]);
+  return soup;
+}
+
+/// Packet `number` of rays through the sheets, slightly aslant.
+RayPacket packetOf(uint32_t number) {
+  RayPacket packet{};
+  for (int i = 0; i < kLanes; ++i) {
+    const uint32_t ray = number * kLanes + static_cast<uint32_t>(i);
+    packet.orgX[i] = 2.1f * std::fmod(static_cast<float>(ray) * 0.6180339f, 1.0f) - 1.05f;
+    packet.orgY[i] = 2.1f * std::fmod(static_cast<float>(ray) * 0.7548776f, 1.0f) - 1.05f;
+    packet.orgZ[i] = 3;
+    packet.dirX[i] = 0.05f, packet.dirY[i] = -0.03f, packet.dirZ[i] = -1;
+    packet.tFar[i] = std::numeric_limits<float>::infinity();
+    packet.mask[i] = ~0u;
+    packet.geometry[i] = packet.instance[i] = kNoHit;
+    packet.id[i] = static_cast<uint32_t>(i);
+  }
+  return packet;
+}
+
+struct OddTriangles final : HitFilter {
+  bool accepts(uint32_t, uint32_t primitive, float, float, int) const noexcept override {
+    return primitive % 2;
+  }
+};
+
+struct ClustersTest : testing::TestWithParam<BvhQuality> {
+  Arena arena{2};
+  World clusters, triangles;
+  const Clusters::Aim aim = GetParam() == BvhQuality::fast ? Clusters::Aim::speed : Clusters::Aim::memory;
+  alignas(64) int32_t valid[kLanes];
+  int hits = 0;
+
+  ClustersTest() { std::fill_n(valid, kLanes, -1); }
+
+  void show(scene::Snapshot snapshot) {
+    snapshot.settings.bvh = GetParam();
+    clusters.update(snapshot, arena);
+    snapshot.settings.bvh = BvhQuality::compact;
+    triangles.update(snapshot, arena);
+    for (const scene::Instance& instance : snapshot.instances)
+      EXPECT_TRUE(Clusters(*instance.mesh, aim).pay());
+  }
+
+  void compare(const HitFilter* filter) {
+    for (uint32_t number = 0; number < 500; ++number) {
+      RayPacket a = packetOf(number), b = packetOf(number);
+      clusters.intersect(valid, a, filter);
+      triangles.intersect(valid, b, filter);
+      for (int i = 0; i < kLanes; ++i) compare(a, b, i);
+    }
+    EXPECT_GT(hits, 4000);
+  }
+
+  void compare(const RayPacket& a, const RayPacket& b, int i) {
+    ASSERT_EQ(a.geometry[i] == kNoHit, b.geometry[i] == kNoHit);
+    EXPECT_EQ(a.tFar[i], b.tFar[i]);
+    if (b.geometry[i] == kNoHit) return;
+    ++hits;
+    EXPECT_EQ(a.instance[i], b.instance[i]);
+    if (a.primitive[i] != b.primitive[i]) return;  // an edge, hit at one distance
+    EXPECT_EQ(a.u[i], b.u[i]);
+    EXPECT_EQ(a.v[i], b.v[i]);
+    EXPECT_EQ(a.normalX[i], b.normalX[i]);
+    EXPECT_EQ(a.normalY[i], b.normalY[i]);
+    EXPECT_EQ(a.normalZ[i], b.normalZ[i]);
+  }
+};
+
+TEST_P(ClustersTest, HoldEveryTriangleOnce) {
+  const auto mesh = makeMesh(sheets());
+  const Clusters clusters(*mesh, aim);
+  EXPECT_TRUE(clusters.pay());
+  EXPECT_TRUE(Clusters::likely(*mesh, aim));
+  Clusters computed(*mesh, aim);
+  computed.forgetBoxes();
+  EXPECT_EQ(clusters.first(0), 0u);
+  EXPECT_EQ(clusters.first(clusters.count()), mesh->triangleCount);
+  for (uint32_t c = 0; c < clusters.count(); ++c) {
+    const Box box = clusters.boxOf(c), again = computed.boxOf(c);
+    ASSERT_EQ(box.lower, again.lower);
+    ASSERT_EQ(box.upper, again.upper);
+    ASSERT_LT(clusters.first(c), clusters.first(c + 1));
+    ASSERT_LE(clusters.first(c + 1) - clusters.first(c), aim == Clusters::Aim::memory ? 8u : 4u);
+    for (uint32_t t = clusters.first(c); t < clusters.first(c + 1); ++t)
+      for (uint32_t k = 0; k < 3; ++k) {
+        const glm::vec3 p = mesh->position(mesh->corner(t, k));
+        ASSERT_TRUE(glm::all(glm::lessThan(box.lower, p)) && glm::all(glm::lessThan(p, box.upper)));
+      }
+  }
+}
+
+TEST_P(ClustersTest, NeighboursFarApartStayApart) {
+  const auto mesh = makeMesh(shuffled(sheets()));
+  EXPECT_FALSE(Clusters(*mesh, aim).pay());
+  EXPECT_FALSE(Clusters::likely(*mesh, aim));
+}
+
+TEST_P(ClustersTest, FindWhatTrianglesFind) {
+  show(makeSnapshot({makeMesh(sheets())}));
+  compare(nullptr);
+}
+
+TEST_P(ClustersTest, FindItInSoup) {
+  show(makeSnapshot({makeMesh(soupOf(sheets()))}));
+  compare(nullptr);
+}
+
+TEST_P(ClustersTest, FindItInMovedInstances) {
+  const auto mesh = makeMesh(sheets());
+  auto snapshot = makeSnapshot({mesh, mesh});
+  snapshot.instances[1].worldFromObject[3] = {0.3f, 0.1f, 0.05f, 1};
+  show(snapshot);
+  compare(nullptr);
+}
+
+TEST_P(ClustersTest, AskTheFilter) {
+  show(makeSnapshot({makeMesh(sheets())}));
+  const OddTriangles odd;
+  compare(&odd);
+}
+
+TEST_P(ClustersTest, LeaveTheSameOfCoincidingTriangles) {
+  const auto mesh = makeMesh(sheets());
+  auto snapshot = makeSnapshot({mesh, mesh});
+  snapshot.instances[1].order = 1;
+  for (const bool laterWins : {false, true}) {
+    snapshot.laterWins = laterWins;
+    show(snapshot);
+    ASSERT_TRUE(clusters.mayCoincide());
+    compare(nullptr);
+  }
+}
+
+TEST_P(ClustersTest, FindAllHitsOfARay) {
+  show(makeSnapshot({makeMesh(sheets())}));
+  int found = 0;
+  for (uint32_t number = 0; number < 200; ++number) {
+    RayPacket a = packetOf(number), b = packetOf(number);
+    NextHits all, expected;
+    clusters.intersectNext(valid, a, all, nullptr);
+    triangles.intersectNext(valid, b, expected, nullptr);
+    for (int i = 0; i < kLanes; ++i) {
+      ASSERT_EQ(all.count(i), expected.count(i));
+      for (int k = 0; k < all.count(i); ++k, ++found)
+        EXPECT_EQ(all.at(i, k).distance, expected.at(i, k).distance);
+    }
+  }
+  EXPECT_GT(found, 4000);
+}
+
+TEST_P(ClustersTest, TrianglesThatAreNotFiniteAreLeftOut) {
+  MeshData data = sheets();
+  for (size_t i = 7; i < data.positions.size() / 2; i += 50) data.positions[i].z = i % 2 ? NAN : INFINITY;
+  show(makeSnapshot({makeMesh(data)}));
+  compare(nullptr);
+}
+
+TEST_P(ClustersTest, TakeThePlaceOfWhatDoesNotFitIntoMemory) {
+  MeshData data;
+  for (int copy = 0; copy < 2; ++copy) {  // 32,768 triangles
+    const MeshData part = sheets();
+    const auto first = static_cast<uint32_t>(data.positions.size());
+    for (const glm::vec3& p : part.positions) data.positions.push_back(p - glm::vec3(0, 0, 2 * copy));
+    for (const uint32_t i : part.indices) data.indices.push_back(first + i);
+  }
+  auto snapshot = makeSnapshot({makeMesh(data)});
+  const auto bytesOf = [&](World& world) {
+    const size_t before = world.bytes();
+    EXPECT_EQ(world.update(snapshot, arena).blasBuilds, 1u);
+    return world.bytes() - before;
+  };
+  World least;
+  snapshot.settings.bvh = BvhQuality::least;
+  const size_t leastBytes = bytesOf(least);
+  for (const BvhQuality wanted :
+       {BvhQuality::automatic, BvhQuality::fast, BvhQuality::full, BvhQuality::compact}) {
+    World world;
+    snapshot.settings.bvh = wanted;
+    failNextCommits(2);
+    EXPECT_THROW(world.update(snapshot, arena), Error);  // the coarser one fails, too
+    failNextCommits(1);
+    EXPECT_LT(bytesOf(world), leastBytes + leastBytes / 4) << "larger than the one asked for";
+    EXPECT_EQ(commitsStillToFail(), 0);
+    RayPacket packet = packetOf(3);
+    world.intersect(valid, packet);
+    EXPECT_TRUE(
+        std::any_of(packet.geometry, packet.geometry + kLanes, [](uint32_t g) { return g != kNoHit; }));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Structures, ClustersTest, testing::Values(BvhQuality::least, BvhQuality::fast),
+                         [](const auto& quality) {
+                           return quality.param == BvhQuality::least ? "least" : "fast";
+                         });
+
+}  // namespace
+}  // namespace gluray::accel

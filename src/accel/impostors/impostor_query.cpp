@@ -1,0 +1,66 @@
+#include "accel/impostors/impostor_query.h"
+
+#include "accel/embree.h"
+#include "accel/impostors/pixel_impostor.h"
+#include "accel/query_state.h"
+
+#include <bit>
+
+namespace gluray::accel {
+namespace {
+
+/// Lanes of the packet that Embree asks about. Its rays are some of them, side by side.
+uint32_t lanesAsked(const RTCIntersectFunctionNArguments& a, uint32_t first) {
+  uint32_t lanes = 0;
+  for (unsigned i = 0; i < a.N; ++i)
+    if (a.valid[i] == -1) lanes |= 1u << (first + i);
+  return lanes;
+}
+
+/// Which of `lanes` meet the figure, and where.
+uint32_t lanesThatMeet(const QueryState& state, uint32_t instance, uint32_t primitive, uint32_t lanes,
+                       float (&t)[kLanes]) {
+  const PlacedFigures& placed = state.figures[instance];
+  const FigureQuery& rays = state.rays;
+  if (scene::isInWindow(placed.mesh->shape)) return meet(placed, primitive, rays, state.around, lanes, t);
+  Figure figure;
+  if (!Figure::make(placed, primitive, figure)) return 0;
+  const bool apart = rays.samples != rays.centers;
+  if (state.raysOf != instance) {
+    toLighting(placed, *rays.centers, state.centers);
+    if (apart) toLighting(placed, *rays.samples, state.samples);
+    state.raysOf = instance;
+  }
+  return meet(figure, state.centers, apart ? state.samples : state.centers, lanes, t);
+}
+
+}  // namespace
+
+void intersectFigures(const RTCIntersectFunctionNArguments* arguments) {
+  const RTCIntersectFunctionNArguments& a = *arguments;
+  const void* user = reinterpret_cast<const QueryContext*>(a.context)->user;
+  if (!user || !static_cast<const QueryState*>(user)->figures) return;
+  const auto& state = *static_cast<const QueryState*>(user);
+  const uint32_t inside = a.context->instID[0];
+  const uint32_t instance = inside == RTC_INVALID_GEOMETRY_ID ? state.aloneIndex : inside;
+  RTCRayN* ray = RTCRayHitN_RayN(a.rayhit, a.N);
+  RTCHitN* hit = RTCRayHitN_HitN(a.rayhit, a.N);
+  const uint32_t first = RTCRayN_id(ray, a.N, 0);
+  alignas(64) float t[kLanes];
+  uint32_t met = lanesThatMeet(state, instance, a.primID, lanesAsked(a, first), t);
+  for (; met; met &= met - 1) {
+    const auto lane = static_cast<uint32_t>(std::countr_zero(met));
+    const unsigned i = lane - first;
+    float distance = t[lane];
+    if (!(distance >= RTCRayN_tnear(ray, a.N, i) && distance < RTCRayN_tfar(ray, a.N, i))) continue;
+    if (!state.counts(static_cast<int>(lane), instance, a.primID, 0, 0, distance)) continue;
+    RTCRayN_tfar(ray, a.N, i) = distance;
+    RTCHitN_Ng_x(hit, a.N, i) = RTCHitN_Ng_y(hit, a.N, i) = RTCHitN_Ng_z(hit, a.N, i) = 0;
+    RTCHitN_u(hit, a.N, i) = RTCHitN_v(hit, a.N, i) = 0;
+    RTCHitN_primID(hit, a.N, i) = a.primID;
+    RTCHitN_geomID(hit, a.N, i) = a.geomID;
+    RTCHitN_instID(hit, a.N, i, 0) = inside;
+  }
+}
+
+}  // namespace gluray::accel

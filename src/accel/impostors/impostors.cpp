@@ -1,0 +1,115 @@
+#include "accel/impostors/impostors.h"
+
+#include "accel/impostors/pixel_impostor.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gluray::accel {
+namespace {
+
+float radiusOf(const scene::Mesh& mesh, uint32_t vertex) {
+  return mesh.radii ? scene::fetch(mesh.radii, vertex).x : mesh.radius;
+}
+
+glm::vec3 axisOf(const scene::Mesh& mesh, uint32_t vertex) {
+  return mesh.axes ? glm::vec3(scene::fetch(mesh.axes, vertex)) : glm::vec3(0, 0, 1);
+}
+
+}  // namespace
+
+float roundedUp(double length) {
+  constexpr double kSteps = 64;
+  if (!(length > 0) || !std::isfinite(length)) return 0;
+  return static_cast<float>(std::exp2(std::ceil(std::log2(length * (1 + 1e-4)) * kSteps) / kSteps));
+}
+
+FigureReach FigureReach::of(const scene::Instance& instance, const scene::Camera& camera) {
+  if (scene::isSizedInPixels(instance.mesh->shape)) return reachInPixels(instance, camera);
+  if (instance.mesh->shape == scene::Shape::splats) return reachOfSplats(instance, camera);
+  FigureReach reach;
+  const glm::dmat3 objectFromLighting = glm::inverse(glm::dmat3(glm::mat3(instance.lightingFromObject)));
+  // |M p| <= r reaches as far along an axis as the row of M's inverse is long.
+  const glm::dmat3 rows = glm::transpose(objectFromLighting);
+  double largest = 1 / double{instance.figures.radiusDivisor};
+  if (instance.figures.cards == scene::Figures::Cards::triangle)
+    largest = std::min(largest, 2.0);  // its corners
+  for (int c = 0; c < 3; ++c) reach.perRadius[c] = roundedUp(glm::length(rows[c]) * largest);
+  if (instance.mesh->shape != scene::Shape::cylinders) return reach;
+  const glm::dmat3 axes = objectFromLighting * glm::dmat3(instance.figures.axisMatrix);
+  double most = 0;
+  for (int c = 0; c < 3; ++c)
+    for (int r = 0; r < 3; ++r) most = std::max(most, std::abs(axes[c][r]));
+  const double step = std::exp2(std::ceil(std::log2(std::max(most, 1e-30) * (1 + 1e-4))) - 10);
+  for (int c = 0; c < 3; ++c)
+    for (int r = 0; r < 3; ++r)
+      reach.alongAxis[c][r] = static_cast<float>(std::round(axes[c][r] / step) * step);
+  reach.perLength = glm::vec3(static_cast<float>(step));
+  return reach;
+}
+
+Box boundsOfFigure(const scene::Mesh& mesh, const FigureReach& reach, uint32_t primitive) {
+  const uint32_t vertex = mesh.corner(primitive, 0);
+  const float radius = radiusOf(mesh, vertex);
+  const glm::vec3 center = mesh.position(vertex);
+  glm::vec3 half = radius * reach.perRadius;
+  if (mesh.shape == scene::Shape::cylinders) {
+    const glm::vec3 axis = axisOf(mesh, vertex);
+    half += 0.5f * glm::abs(reach.alongAxis * axis) + glm::length(axis) * reach.perLength;
+  }
+  half += reach.further + 1e-6f * glm::abs(center);
+  const glm::vec3 other = mesh.position(mesh.corner(primitive, 1));  // of tubes
+  half += 1e-6f * glm::abs(other);
+  const Box box{glm::min(center, other) - half, glm::max(center, other) + half};
+  const glm::vec3 sum = box.lower + box.upper + center + other;
+  if (!std::isfinite(sum.x + sum.y + sum.z) || !(radius > 0))
+    return {glm::vec3(INFINITY), glm::vec3(-INFINITY)};
+  return box;
+}
+
+PlacedFigures::PlacedFigures(const scene::Instance& instance, const scene::Camera& camera)
+    : mesh(instance.mesh),
+      look(instance.figures),
+      lightingFromObject(instance.lightingFromObject),
+      clipFromObject(camera.clipFromEye * instance.eyeFromObject) {
+  lightingFromEye = glm::mat4(glm::dmat4(lightingFromObject) * glm::inverse(instance.eyeFromObject));
+  const glm::dmat4 rows = glm::transpose(camera.clipFromEye);
+  clipZ = rows[2], clipW = rows[3];
+  windowHalf = 0.5 * glm::dvec2(camera.viewport.z, camera.viewport.w);
+  windowCenter = glm::dvec2(camera.viewport.x, camera.viewport.y) + windowHalf;
+  depthScale = 0.5 * (double{camera.depthFar} - camera.depthNear);
+  depthOffset = 0.5 * (double{camera.depthFar} + camera.depthNear);
+}
+
+bool Figure::make(const PlacedFigures& placed, uint32_t primitive, Figure& f) {
+  const scene::Mesh& mesh = *placed.mesh;
+  const uint32_t vertex = mesh.corner(primitive, 0);
+  const glm::vec4 position(mesh.position(vertex), 1);
+  for (const glm::vec4& plane : placed.look.centerPlanes)
+    if (glm::dot(plane, position) < 0) return false;
+  f.shape = mesh.shape;
+  f.cards = placed.look.cards;
+  f.parallelView = placed.look.parallelView;
+  f.inside = placed.look.inside;
+  f.center = scene::figureCenter(placed.lightingFromObject, mesh.position(vertex));
+  f.cardRadius = radiusOf(mesh, vertex);
+  f.radius = f.cardRadius / placed.look.radiusDivisor;
+  f.toViewer = f.parallelView ? glm::vec3(0, 0, 1) : glm::normalize(-f.center);
+  if (mesh.shape == scene::Shape::cylinders) {
+    const glm::vec3 axis = axisOf(mesh, vertex);
+    f.halfLength = 0.5f * glm::length(axis);
+    f.axis = placed.look.axisMatrix * glm::normalize(axis);
+    if (f.axis.z < 0) f.axis = -f.axis;
+    const bool endOn = std::abs(glm::dot(f.toViewer, f.axis)) == 1;
+    f.right = glm::normalize(endOn ? glm::cross(glm::vec3(0, 1, 0), f.axis) : glm::cross(f.axis, f.toViewer));
+    f.up = endOn ? glm::cross(f.right, f.axis) : glm::cross(f.axis, f.right);
+  } else if (f.parallelView) {
+    f.right = {1, 0, 0}, f.up = {0, 1, 0};
+  } else {
+    f.up = glm::normalize(glm::cross(f.toViewer, glm::vec3(1, 0, 0)));
+    f.right = glm::cross(f.up, f.toViewer);
+  }
+  return true;
+}
+
+}  // namespace gluray::accel

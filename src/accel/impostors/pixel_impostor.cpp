@@ -1,0 +1,339 @@
+#include "accel/impostors/pixel_impostor.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace gluray::accel {
+namespace {
+
+constexpr double kSteps = 256;  // of a pixel: what rasterisers round corners to
+
+/// To the nearest whole number; as large ones have no fraction they stay.
+double rounded(double v) {
+  constexpr double kWhole = 0x1.8p52;
+  return std::abs(v) < 0x1p50 ? (v + kWhole) - kWhole : v;
+}
+glm::dvec2 rounded(const glm::dvec2& v) { return {rounded(v.x), rounded(v.y)}; }
+
+double turn(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
+
+glm::dvec2 windowOf(const WindowVertex& v) { return {v.x, v.y}; }
+
+/// Pixels that a figure reaches at most from its point or line.
+float pixelReach(const PlacedFigures& placed) {
+  const glm::vec2 size = placed.look.size * glm::vec2(placed.windowHalf);
+  return placed.look.grows ? 0.5f * glm::length(size) : 0.5f * std::max({size.x, size.y, 1.0f});
+}
+
+/// Whether the figure may reach any of the positions: most of those whose bounds rays meet do not.
+bool mayMeet(const PlacedFigures& placed, uint32_t primitive, const WindowRectangle& r) {
+  const scene::Mesh& mesh = *placed.mesh;
+  if (mesh.shape == scene::Shape::splats) return placed.window[mesh.corner(primitive, 0)].w > 0;
+  const WindowVertex &a = placed.window[mesh.corner(primitive, 0)],
+                     &b = placed.window[mesh.corner(primitive, 1)];
+  if (!(a.w > 0 && b.w > 0)) return mesh.shape == scene::Shape::tubes;
+  // Ends grow by a multiple that depends on how much farther away the other end is.
+  const float grown = placed.look.grows ? 1 + std::max(b.w / a.w, 1.0f) : 1;
+  const float reach = pixelReach(placed) * grown + 0.01f;
+  if (std::min(a.x, b.x) - reach > r.right || std::max(a.x, b.x) + reach < r.left ||
+      std::min(a.y, b.y) - reach > r.upper || std::max(a.y, b.y) + reach < r.lower)
+    return false;
+  const float x = b.x - a.x, y = b.y - a.y;
+  const float off = std::abs(x * (0.5f * (r.lower + r.upper) - a.y) - y * (0.5f * (r.left + r.right) - a.x));
+  // The rectangle reaches as far across the line as this, times the line's length.
+  const float across = 0.5f * (std::abs(x) * (r.upper - r.lower) + std::abs(y) * (r.right - r.left));
+  return off <= (across + reach * std::sqrt(x * x + y * y)) * 1.001f + 0.01f ||
+         mesh.shape == scene::Shape::beads;
+}
+
+}  // namespace
+
+std::vector<WindowVertex> windowVertices(const PlacedFigures& placed) {
+  const scene::Mesh& mesh = *placed.mesh;
+  std::vector<WindowVertex> result(mesh.vertexCount);
+  tbb::parallel_for(tbb::blocked_range<uint32_t>(0, mesh.vertexCount, 4096), [&](const auto& range) {
+    for (uint32_t i = range.begin(); i < range.end(); ++i) {
+      const glm::dvec4 clip = placed.clipFromObject * glm::dvec4(mesh.position(i), 1);
+      if (!(clip.w > 0)) continue;
+      const glm::dvec3 ndc = glm::dvec3(clip) / clip.w;
+      const glm::vec2 at(placed.windowCenter + placed.windowHalf * glm::dvec2(ndc));
+      if (std::isfinite(at.x + at.y))
+        result[i] = {at.x, at.y, static_cast<float>(ndc.z), static_cast<float>(clip.w)};
+    }
+  });
+  return result;
+}
+
+PixelFigure::PixelFigure(const PlacedFigures& placed, uint32_t primitive) : placed_(placed) {
+  for (uint32_t k = 0; k < 2; ++k) {
+    vertex_[k] = placed.mesh->corner(primitive, k);
+    end_[k] = placed.window[vertex_[k]];
+  }
+  wholly_ = end_[0].w > 0 && end_[1].w > 0;
+  if (placed.mesh->shape == scene::Shape::beads)
+    makeBead(vertex_[0]);
+  else if (placed.mesh->shape == scene::Shape::splats)
+    makeSplat(vertex_[0]);
+  else if (wholly_)
+    makeTube();
+  else
+    makeBehindViewer();
+}
+
+void PixelFigure::makeBead(uint32_t vertex) {
+  // Points are clipped as points: with their centre all of them is gone.
+  const glm::dvec4 clip = placed_.clipFromObject * glm::dvec4(placed_.mesh->position(vertex), 1);
+  exists_ = wholly_ && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w &&
+            std::abs(clip.z) <= clip.w && !isCutAway(0);
+  pixels_ = std::max(1.0, double{placed_.look.size.x} * placed_.windowHalf.x);
+}
+
+void PixelFigure::makeSplat(uint32_t vertex) {
+  constexpr double kFarthest = 1.3, kAcross = 1e-6;
+  const scene::Mesh& mesh = *placed_.mesh;
+  const scene::Figures& f = placed_.look;
+  const glm::dvec4 clip = placed_.clipFromObject * glm::dvec4(mesh.position(vertex), 1);
+  exists_ = wholly_ && std::abs(clip.x) <= kFarthest * clip.w && std::abs(clip.y) <= kFarthest * clip.w &&
+            std::abs(clip.z) <= clip.w && !isCutAway(0);
+  const double radius =
+      double{mesh.radii ? scene::fetch(mesh.radii, vertex).x : mesh.radius} / f.radiusDivisor;
+  const glm::dvec3 p(scene::figureCenter(placed_.lightingFromObject, mesh.position(vertex)));
+  const glm::dmat3 w = glm::transpose(glm::dmat3(glm::mat3(placed_.lightingFromObject)));
+  // Rows of J W.
+  glm::dvec3 x = double{f.size.x} * w[0], y = double{f.size.y} * w[1];
+  if (!f.parallelView)
+    x = (x - f.size.x * p.x / p.z * w[2]) / p.z, y = (y - f.size.y * p.y / p.z * w[2]) / p.z;
+  const double r2 = radius * radius, across = r2 * glm::dot(x, y);
+  const double off = std::abs(across) > kAcross ? across : 0.0;
+  const glm::dvec2 half = placed_.windowHalf;
+  const glm::dmat2 c(r2 * glm::dot(x, x) * half.x * half.x, off * half.x * half.y, off * half.x * half.y,
+                     r2 * glm::dot(y, y) * half.y * half.y);
+  const double determinant = glm::determinant(c);
+  exists_ = exists_ && determinant > 0 && std::isfinite(determinant);
+  if (exists_) inverse_ = glm::inverse(c);
+}
+
+void PixelFigure::makeTube() {
+  const glm::dvec2 half = placed_.windowHalf, size(placed_.look.size);
+  const glm::dvec2 ends[] = {windowOf(end_[0]), windowOf(end_[1])};
+  glm::dvec2 along = (ends[1] - ends[0]) / half;
+  const double length = glm::length(along);
+  if (!(length > 0)) return;
+  along /= length;
+  across_ = {-along.y, along.x};
+  const double longer = placed_.look.grows ? 0.25 * std::max(0.0, glm::length(size) - length) : 0.0;
+  aside_ = half * size * across_ * -1.0;
+  corner_ = ends[0] - half * along * (longer * (double{end_[1].w} / end_[0].w)) - 0.5 * aside_;
+  along_ = ends[1] + half * along * longer - 0.5 * aside_ - corner_;
+  exists_ = turn(along_, aside_) != 0;
+}
+
+void PixelFigure::makeSides() {
+  const glm::dvec2 around[] = {corner_, corner_ + aside_, corner_ + aside_ + along_, corner_ + along_};
+  glm::dvec2 at[4];
+  for (int k = 0; k < 4; ++k) at[k] = rounded(around[k] * kSteps);
+  const double area = turn(at[1] - at[0], at[2] - at[0]) + turn(at[2] - at[0], at[3] - at[0]);
+  if (area == 0) exists_ = false;
+  for (int k = 0; k < 4; ++k) {
+    const glm::dvec2 from = at[k], way = (at[(k + 1) % 4] - from) * (area < 0 ? -1.0 : 1.0);
+    side_[k] = {from.x, from.y, way.x, way.y, way.y < 0 || (way.y == 0 && way.x > 0)};
+  }
+}
+
+void PixelFigure::makeBehindViewer() {
+  glm::dvec4 clip[2];
+  for (int k = 0; k < 2; ++k)
+    clip[k] = placed_.clipFromObject * glm::dvec4(placed_.mesh->position(vertex_[k]), 1);
+  const glm::dvec2 size(placed_.look.size);
+  glm::dvec2 along = glm::dvec2(clip[1]) / clip[1].w - glm::dvec2(clip[0]) / clip[0].w;
+  const double length = glm::length(along);
+  if (!(length > 0) || !std::isfinite(length)) return;
+  along /= length;
+  across_ = {-along.y, along.x};
+  const double missing = placed_.look.grows ? std::max(0.0, glm::length(size) - length) : 0.0;
+  const glm::dvec2 longer = along * (0.25 * missing * clip[1].w);
+  glm::dvec3 corners[4];
+  for (int j = 0; j < 4; ++j) {
+    const int end = j / 2;
+    const glm::dvec2 aside = size * across_ * ((j % 2 == 0 ? 0.5 : -0.5) * clip[end].w);
+    corners[j] = glm::dvec3(glm::dvec2(clip[end]) + (end == 0 ? -longer : longer) + aside, clip[end].w);
+    z_[j] = clip[end].z;
+  }
+  const glm::dvec2 scale = 1.0 / placed_.windowHalf, offset = -placed_.windowCenter * scale;
+  const glm::dmat3 ndcFromWindow(glm::dvec3(scale.x, 0, 0), glm::dvec3(0, scale.y, 0), glm::dvec3(offset, 1));
+  for (int h = 0; h < 2; ++h) {
+    half_[h] = glm::inverse(glm::dmat3(corners[h], corners[h + 1], corners[h + 2])) * ndcFromWindow;
+    hasHalf_[h] = std::isfinite(glm::determinant(half_[h]));
+    exists_ = exists_ || hasHalf_[h];
+  }
+}
+
+bool PixelFigure::coversBead(const glm::dvec2& at) const {
+  const double width = rounded(pixels_ * kSteps);
+  const glm::dvec2 inside = at * kSteps - rounded(windowOf(end_[0]) * kSteps) + 0.5 * width;
+  return inside.x >= 0 && inside.x < width && inside.y >= 0 && inside.y < width;
+}
+
+bool PixelFigure::covers(const glm::dvec2& at) const {
+  if (!exists_) return false;
+  if (placed_.mesh->shape == scene::Shape::beads) return coversBead(at);
+  if (placed_.mesh->shape == scene::Shape::splats) return true;  // what of the card is seen is told by show()
+  if (wholly_) {
+    for (const Side& s : side_) {
+      const double inside = s.dx * (at.y * kSteps - s.y) - s.dy * (at.x * kSteps - s.x);
+      if (!(inside > 0 || (inside == 0 && s.owned))) return false;
+    }
+  }
+  const OnCard on = onCard(at);
+  return on.inside && on.ndc >= -1 && on.ndc <= 1;
+}
+
+PixelFigure::OnCard PixelFigure::onCard(const glm::dvec2& at) const {
+  if (!wholly_) return onHalf(at);
+  const double area = turn(along_, aside_);
+  const glm::dvec2 from = at - corner_;
+  const double along = turn(from, aside_) / area, aside = turn(along_, from) / area;
+  const double w0 = end_[0].w, w1 = end_[1].w, sum = (1 - along) / w0 + along / w1;
+  // The card is drawn as two triangles, each with a perspective of its own.
+  const double side = along + aside <= 1 ? 1 - 2 * aside / (w0 * sum) : 2 * (1 - aside) / (w1 * sum) - 1;
+  const double first = end_[0].ndc, second = end_[1].ndc;
+  return {along / (w1 * sum), side, first + along * (second - first), true};
+}
+
+PixelFigure::OnCard PixelFigure::onHalf(const glm::dvec2& at) const {
+  const glm::dvec3 p(at, 1);
+  const auto least = [](const glm::dvec3& v) { return std::min({v.x, v.y, v.z}); };
+  const glm::dvec3 first = half_[0] * p, second = half_[1] * p;
+  const int h = !hasHalf_[1] || (hasHalf_[0] && least(first) >= least(second)) ? 0 : 1;
+  const glm::dvec3 w = h == 0 ? first : second;
+  constexpr double kEnd[] = {0, 0, 1, 1}, kSide[] = {1, -1, 1, -1};
+  const auto mixed = [&](const double* of) { return w.x * of[h] + w.y * of[h + 1] + w.z * of[h + 2]; };
+  const double sum = w.x + w.y + w.z;
+  return {mixed(kEnd) / sum, mixed(kSide) / sum, mixed(z_), least(w) >= 0};
+}
+
+double PixelFigure::depthOf(double ndc, double round) const {
+  const scene::Figures& f = placed_.look;
+  const double z = ndc * placed_.depthScale + placed_.depthOffset, b = round * f.bulge;
+  const double depth = f.parallelView ? z + b * f.bulgeDepth : f.bulgeDepth + (z - f.bulgeDepth) / (1 - b);
+  return std::clamp(depth + f.depthBias, 0.0, 1.0);
+}
+
+bool PixelFigure::isCutAway(double along) const {
+  const scene::Mesh& mesh = *placed_.mesh;
+  if (placed_.look.centerPlanes.empty()) return false;
+  const glm::dvec3 first(mesh.position(vertex_[0])), second(mesh.position(vertex_[1]));
+  const glm::dvec4 p(glm::mix(first, second, along), 1);
+  for (const glm::vec4& plane : placed_.look.centerPlanes)
+    if (glm::dot(glm::dvec4(plane), p) < 0) return true;
+  return false;
+}
+
+glm::vec3 PixelFigure::outwards() const {
+  if (hasOutwards_) return outwards_;
+  const auto center = [&](int k) {
+    return scene::figureCenter(placed_.lightingFromObject, placed_.mesh->position(vertex_[k]));
+  };
+  outwards_ = glm::normalize(glm::cross(glm::normalize(center(1) - center(0)), glm::vec3(across_, 0)));
+  outwards_ *= glm::sign(outwards_.z);
+  hasOutwards_ = true;
+  return outwards_;
+}
+
+bool PixelFigure::show(const glm::dvec2& at, Shown& shown) const {
+  if (placed_.mesh->shape == scene::Shape::splats) {
+    const glm::dvec2 from = at - windowOf(end_[0]);
+    const double share = glm::dot(from, inverse_ * from);
+    if (!(share <= 1)) return false;
+    shown.normal = {0, 0, 1};
+    shown.along = 0;
+    shown.fade = placed_.look.fades ? static_cast<float>(1 - share) : 1.0f;
+    const double depth = end_[0].ndc * placed_.depthScale + placed_.depthOffset;
+    shown.depth = std::clamp(depth + placed_.look.depthBias, 0.0, 1.0);
+    return true;
+  }
+  if (placed_.mesh->shape == scene::Shape::beads) {
+    const glm::dvec2 from = (at - windowOf(end_[0])) * (2 / pixels_);
+    const double length2 = glm::dot(from, from);
+    if (!(length2 <= 1)) return false;
+    shown.normal = glm::vec3(glm::dvec3(from, std::sqrt(1 - length2)));
+    shown.along = 0;
+    shown.depth = depthOf(end_[0].ndc, shown.normal.z);
+    return true;
+  }
+  const OnCard on = onCard(at);
+  if (isCutAway(on.along)) return false;
+  const double round = std::sqrt(std::max(0.0, 1 - on.side * on.side));
+  const glm::vec3 out = outwards();
+  shown.along = on.along;
+  shown.normal = glm::normalize(glm::vec3(across_ * on.side, 0) + out * static_cast<float>(round));
+  // Tubes that run away from the viewer bulge as far as those do at sixty degrees.
+  shown.depth = depthOf(on.ndc, round / std::clamp(double{out.z}, 0.5, 1.0));
+  return std::isfinite(out.z);
+}
+
+WindowRectangle::WindowRectangle(const PixelRays& rays)
+    : left(rays.windowX[0]), right(left), lower(rays.windowY[0]), upper(lower) {
+  for (int i = 1; i < kLanes; ++i) {
+    left = std::min(left, rays.windowX[i]), right = std::max(right, rays.windowX[i]);
+    lower = std::min(lower, rays.windowY[i]), upper = std::max(upper, rays.windowY[i]);
+  }
+}
+
+uint32_t PixelFigure::nearby(const PixelRays& rays, uint32_t lanes) const {
+  if (!exists_) return 0;
+  if (!wholly_ || placed_.mesh->shape != scene::Shape::tubes) return lanes;
+  // Places on the card from differences to the first position, which floats hold well.
+  constexpr double kPixels = 0.02;  // snapping and rounding move sides by less
+  const glm::dvec2 start(rays.windowX[0], rays.windowY[0]);
+  const double area = turn(along_, aside_);
+  const auto alongX = static_cast<float>(aside_.y / area), alongY = static_cast<float>(-aside_.x / area),
+             asideX = static_cast<float>(-along_.y / area), asideY = static_cast<float>(along_.x / area),
+             along = static_cast<float>(turn(start - corner_, aside_) / area) - 0.5f,
+             aside = static_cast<float>(turn(along_, start - corner_) / area) - 0.5f,
+             mostAlong = static_cast<float>(0.5 + kPixels * glm::length(aside_ / area)),
+             mostAside = static_cast<float>(0.5 + kPixels * glm::length(along_ / area));
+  float outside[kLanes];
+  for (int i = 0; i < kLanes; ++i) {
+    const float x = rays.windowX[i] - rays.windowX[0], y = rays.windowY[i] - rays.windowY[0];
+    outside[i] = std::max(std::abs(along + x * alongX + y * alongY) - mostAlong,
+                          std::abs(aside + x * asideX + y * asideY) - mostAside);
+  }
+  uint32_t near = 0;
+  for (int i = 0; i < kLanes; ++i) near |= (outside[i] <= 0 ? 1u : 0u) << i;
+  return near & lanes;
+}
+
+uint32_t meet(const PlacedFigures& placed, uint32_t primitive, const FigureQuery& rays,
+              const WindowRectangle& around, uint32_t lanes, float (&t)[kLanes]) {
+  if (!mayMeet(placed, primitive, around)) return 0;
+  const PixelRays &centers = *rays.centers, &samples = *rays.samples;
+  PixelFigure figure(placed, primitive);
+  lanes = figure.nearby(samples, lanes);
+  if (!lanes) return 0;
+  figure.prepare();
+  uint32_t met = 0;
+  PixelFigure::Shown shown;
+  for (; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    if (!figure.covers({samples.windowX[i], samples.windowY[i]}) ||
+        !figure.show({centers.windowX[i], centers.windowY[i]}, shown))
+      continue;
+    // The point of the ray that has this depth.
+    const glm::dvec4 org(centers.orgX[i], centers.orgY[i], centers.orgZ[i], 1),
+        dir(centers.dirX[i], centers.dirY[i], centers.dirZ[i], 0);
+    const double ndc = (shown.depth - placed.depthOffset) / placed.depthScale;
+    const double at = (ndc * glm::dot(placed.clipW, org) - glm::dot(placed.clipZ, org)) /
+                      (glm::dot(placed.clipZ, dir) - ndc * glm::dot(placed.clipW, dir));
+    const double end = std::min<double>(centers.tFar[i], 1e30) * (1 - 0x1p-20);
+    t[i] = static_cast<float>(std::isnan(at) ? end : std::clamp(at, 0.0, end));
+    met |= 1u << i;
+  }
+  return met;
+}
+
+}  // namespace gluray::accel

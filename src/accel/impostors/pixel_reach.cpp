@@ -1,0 +1,116 @@
+// How far figures that are so many pixels wide reach in space, for every turn of the camera.
+#include "accel/impostors/pixel_impostor.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gluray::accel {
+namespace {
+
+/// Where all vertices of an instance are before the viewer, whatever the turn.
+struct Range {
+  glm::dmat4 lightingFromObject, clipFromLighting, lightingFromClip, rows;  // rows: of clipFromLighting
+  glm::dvec3 middle{0};
+  double radius = 0;    // of a sphere about all vertices, in lighting space
+  double farthest = 0;  // clip w
+  double depthScale = 0.5;
+
+  Range(const scene::Instance& instance, const scene::Camera& camera)
+      : lightingFromObject(instance.lightingFromObject),
+        clipFromLighting(camera.clipFromEye * instance.eyeFromObject * glm::inverse(lightingFromObject)),
+        lightingFromClip(glm::inverse(clipFromLighting)),
+        rows(glm::transpose(clipFromLighting)),
+        depthScale(0.5 * std::abs(double{camera.depthFar} - camera.depthNear)) {
+    const scene::Mesh& mesh = *instance.mesh;
+    middle = glm::dvec3(lightingFromObject * glm::dvec4(0.5f * (mesh.lower + mesh.upper), 1));
+    for (int i = 0; i < 8; ++i) {
+      const glm::dvec3 corner(i & 1 ? mesh.upper.x : mesh.lower.x, i & 2 ? mesh.upper.y : mesh.lower.y,
+                              i & 4 ? mesh.upper.z : mesh.lower.z);
+      radius =
+          std::max(radius, glm::distance(middle, glm::dvec3(lightingFromObject * glm::dvec4(corner, 1))));
+    }
+    farthest = std::abs(glm::dot(rows[3], glm::dvec4(middle, 1))) + glm::length(glm::dvec3(rows[3])) * radius;
+  }
+  glm::dvec3 z() const { return glm::dvec3(lightingFromClip[2]); }
+  /// The largest distance from the viewer.
+  double away() const { return glm::distance(middle, z() / lightingFromClip[2].w) + radius; }
+  /// How far points move by `bias` of their window depth.
+  double movedBy(float bias, bool parallel) const {
+    if (parallel) return std::abs(bias) / depthScale * glm::length(z());
+    const glm::dvec3 depthRow(rows[2]), wRow(rows[3]);
+    const double a = glm::dot(depthRow, wRow) / glm::dot(wRow, wRow);
+    const double b = rows[2].w - a * rows[3].w;  // NDC depth is a + b/w
+    return away() * farthest * std::abs(bias) / (depthScale * std::max(std::abs(b), 1e-30));
+  }
+};
+
+/// As the camera comes nearer, structures are built anew at every such step, and serve all turns between.
+double inSteps(double reach) {
+  constexpr double kStepsAnOctave = 4;
+  return std::exp2(std::ceil(std::log2(reach * (1 + 1e-3)) * kStepsAnOctave) / kStepsAnOctave);
+}
+
+/// |M p| <= 1 reaches as far along an axis as the row of M's inverse is long.
+glm::dvec3 perUnit(const glm::dmat4& lightingFromObject) {
+  const glm::dmat3 rows = glm::transpose(glm::inverse(glm::dmat3(lightingFromObject)));
+  return {glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2])};
+}
+
+/// The most that a matrix stretches anything, or a little more.
+double largestStretch(const glm::dmat3& m) {
+  const glm::dvec3 squares(glm::dot(m[0], m[0]), glm::dot(m[1], m[1]), glm::dot(m[2], m[2]));
+  const double largest = std::max({squares.x, squares.y, squares.z});
+  const double across = std::max(
+      {std::abs(glm::dot(m[0], m[1])), std::abs(glm::dot(m[0], m[2])), std::abs(glm::dot(m[1], m[2]))});
+  // By Gershgorin's theorem about M^T M.
+  return std::sqrt(largest + 2 * across);
+}
+
+}  // namespace
+
+FigureReach reachOfSplats(const scene::Instance& instance, const scene::Camera& camera) {
+  const scene::Figures& f = instance.figures;
+  const Range range(instance, camera);
+  // Aside of the middle, what lies along the view is seen beside the centre: in the centre's plane by the
+  // tangent of the angle from the middle.
+  constexpr double kFarthest = 1.3;
+  const glm::dvec2 tangents = kFarthest / glm::abs(glm::dvec2(f.size));
+  const double slanted = f.parallelView ? 1 : std::sqrt(1 + glm::dot(tangents, tangents));
+  const double reach =
+      largestStretch(glm::dmat3(range.lightingFromObject)) * slanted / double{f.radiusDivisor} * (1 + 1e-4);
+  const glm::dvec3 unit = perUnit(range.lightingFromObject);
+  FigureReach result;
+  for (int c = 0; c < 3; ++c) {
+    result.perRadius[c] = roundedUp(unit[c] * reach);
+    if (f.depthBias != 0)
+      result.further[c] = roundedUp(unit[c] * inSteps(range.movedBy(f.depthBias, f.parallelView)));
+  }
+  return result;
+}
+
+FigureReach reachInPixels(const scene::Instance& instance, const scene::Camera& camera) {
+  const scene::Figures& f = instance.figures;
+  const bool tubes = instance.mesh->shape == scene::Shape::tubes;
+  const Range range(instance, camera);
+  const glm::dmat4& lightingFromClip = range.lightingFromClip;
+  const double farthest = range.farthest;
+  // In the window: half a card, and what lines grow by at their ends.
+  const glm::dvec2 size(f.size);
+  const glm::dvec2 unit(glm::length(glm::dvec3(lightingFromClip[0])),
+                        glm::length(glm::dvec3(lightingFromClip[1])));
+  const double aside = farthest * std::max(unit.x * size.x, unit.y * size.y) * 0.5;
+  const double grown = f.grows ? farthest * std::max(unit.x, unit.y) * glm::length(size) * 0.25 : 0.0;
+  // Towards the viewer: most in the middle, where nothing is aside.
+  const double bulge = (tubes ? 2 : 1) * double{f.bulge};
+  const double out = f.parallelView
+                         ? std::abs(bulge * f.bulgeDepth) / range.depthScale * glm::length(range.z())
+                         : bulge * range.away();
+  const double moved = range.movedBy(f.depthBias, f.parallelView);
+  const double reach = inSteps(std::max(aside, out) + 0.05 * std::min(aside, out) + grown + moved);
+  const glm::dvec3 unit3 = perUnit(range.lightingFromObject);
+  FigureReach result;
+  for (int c = 0; c < 3; ++c) result.perRadius[c] = roundedUp(unit3[c] * reach);
+  return result;
+}
+
+}  // namespace gluray::accel

@@ -1,0 +1,222 @@
+#include "accel/meshes/blas.h"
+
+#include "accel/embree.h"
+#include "accel/error.h"
+#include "accel/impostors/impostor_query.h"
+#include "base/background_job.h"
+#include "base/timeline.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <cstring>
+
+namespace gluray::accel {
+namespace {
+
+// Robust: rays through shared edges never slip between triangles, as no pixel of a closed surface is left out
+// by OpenGL.
+RTCSceneFlags sceneFlags(BvhQuality quality) {
+  const RTCSceneFlags flags = RTC_SCENE_FLAG_ROBUST | kFilterInQuery;
+  const bool small = quality == BvhQuality::compact || quality == BvhQuality::least;
+  return small ? flags | RTC_SCENE_FLAG_COMPACT : flags;
+}
+
+/// Embree's callback. Figures that do not exist have no bounds and are left out.
+void figureBounds(const RTCBoundsFunctionArguments* arguments) {
+  const auto& [mesh, reach] =
+      *static_cast<const std::pair<const scene::Mesh*, const FigureReach*>*>(arguments->geometryUserPtr);
+  const Box box = boundsOfFigure(*mesh, *reach, arguments->primID);
+  RTCBounds& out = *arguments->bounds_o;
+  out.lower_x = box.lower.x, out.lower_y = box.lower.y, out.lower_z = box.lower.z;
+  out.upper_x = box.upper.x, out.upper_y = box.upper.y, out.upper_z = box.upper.z;
+}
+
+}  // namespace
+
+void checkArrays(const scene::Mesh& mesh) {
+  const auto misaligned = [](const scene::Attribute& a) {
+    return reinterpret_cast<uintptr_t>(a.data) % 4 != 0 || a.stride % 4 != 0;
+  };
+  if (!mesh.positions || mesh.positions.format != scene::Format::float3 || misaligned(mesh.positions)) {
+    throw Error("a mesh has positions that are not three aligned floats");
+  }
+  if (mesh.indices && (mesh.indices.stride != 4 || misaligned(mesh.indices))) {
+    throw Error("a mesh has indices that are not tightly packed");
+  }
+  if (!mesh.indices && uint64_t{mesh.triangleCount} * scene::cornersOf(mesh.shape) > mesh.vertexCount) {
+    throw Error("a mesh has fewer vertices than its primitives need");
+  }
+}
+
+Hash128 Geometry::id() const {
+  if (mesh->shape == scene::Shape::triangles) return mesh->geometryId;
+  const glm::vec3* rows[] = {&reach.perRadius,    &reach.alongAxis[0], &reach.alongAxis[1],
+                             &reach.alongAxis[2], &reach.perLength,    &reach.further};
+  Hash128 id = mesh->geometryId;
+  for (const glm::vec3* row : rows) {
+    const glm::vec3 values = *row + 0.0f;  // -0 is 0
+    id = hashBytes(glm::value_ptr(values), sizeof values, id);
+  }
+  return id;
+}
+
+Blas::Blas(const Device& device, IotaIndices& iota, const Geometry& of, BvhQuality quality)
+    : Blas(device, iota, of, quality, false) {}
+
+BlasPtr Blas::createToRefit(const Device& device, IotaIndices& iota, const Geometry& of) {
+  BlasPtr blas(new Blas(device, iota, of, BvhQuality::fast, true));
+  if (allInReach(*of.mesh)) blas->neighbours_ = std::make_unique<Neighbours>(*of.mesh);
+  return blas;
+}
+
+BlasPtr Blas::createRefitted(Blas& from, const scene::Mesh& mesh) { return BlasPtr(new Blas(from, mesh)); }
+
+Blas::Blas(Blas& from, const scene::Mesh& mesh)
+    : device_(from.device_),
+      scene_(from.scene_),
+      indices_(from.indices_),
+      bvhBytes_(from.bvhBytes_),
+      triangleCount_(from.triangleCount_),
+      vertexCount_(from.vertexCount_),
+      indexData_(from.indexData_),
+      neighbours_(std::move(from.neighbours_)) {
+  rtcRetainScene(scene_);
+  const RTCGeometry geometry = rtcGetGeometry(scene_, 0);
+  setPositions(geometry, mesh);
+  rtcCommitGeometry(geometry);
+}
+
+void Blas::setPositions(RTCGeometryTy* geometry, const scene::Mesh& mesh) {
+  positions_ = mesh.positions.owner;
+  pinnedBytes_ = static_cast<size_t>(mesh.vertexCount) * mesh.positions.stride +
+                 (indexData_ ? static_cast<size_t>(mesh.triangleCount) * 12 : 0);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.positions.data, 0,
+                             mesh.positions.stride, mesh.vertexCount);
+}
+
+bool Blas::hasTopologyOf(const scene::Mesh& mesh) const {
+  if (figuresOnly_ || mesh.shape != scene::Shape::triangles || mesh.triangleCount != triangleCount_ ||
+      mesh.vertexCount != vertexCount_ || !mesh.indices != !indexData_)
+    return false;
+  return !indexData_ || mesh.indices.data == indexData_ ||
+         std::memcmp(mesh.indices.data, indexData_, static_cast<size_t>(triangleCount_) * 12) == 0;
+}
+
+double Blas::spreadIn(const scene::Mesh& mesh) const {
+  return neighbours_ && allInReach(mesh) ? neighbours_->spreadIn(mesh) : 0;
+}
+
+Blas::Blas(const Device& device, IotaIndices& iota, const Geometry& of, BvhQuality quality, bool toRefit)
+    : device_(device),
+      positions_(of.mesh->positions.owner),
+      triangleCount_(of.mesh->triangleCount),
+      vertexCount_(of.mesh->vertexCount),
+      figuresOnly_(of.mesh->shape != scene::Shape::triangles) {
+  const scene::Mesh& mesh = *of.mesh;
+  checkArrays(mesh);
+  pinnedBytes_ = static_cast<size_t>(mesh.vertexCount) * mesh.positions.stride;
+  const auto rtcQuality = quality == BvhQuality::fast ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM;
+  scene_ = rtcNewScene(device.handle());
+  rtcSetSceneBuildQuality(scene_, rtcQuality);
+  rtcSetSceneFlags(scene_, toRefit ? sceneFlags(quality) | RTC_SCENE_FLAG_DYNAMIC : sceneFlags(quality));
+  RTCGeometry geometry = nullptr;
+  if (mesh.shape != scene::Shape::triangles) geometry = figures(of);
+  if (!geometry && quality == BvhQuality::least) geometry = clusters(mesh, Clusters::Aim::memory);
+  if (!geometry && quality == BvhQuality::fast && !toRefit) geometry = clusters(mesh, Clusters::Aim::speed);
+  if (!geometry) geometry = triangles(iota, mesh);
+  rtcSetGeometryBuildQuality(geometry, toRefit ? RTC_BUILD_QUALITY_REFIT : rtcQuality);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometryByID(scene_, geometry, 0);
+  rtcReleaseGeometry(geometry);
+  try {
+    device.check("a mesh cannot be read in place");
+  } catch (...) {
+    rtcReleaseScene(scene_);
+    throw;
+  }
+}
+
+RTCGeometryTy* Blas::triangles(IotaIndices& iota, const scene::Mesh& mesh) {
+  const void* indexData = mesh.indices.data;
+  if (mesh.indices) {
+    indices_ = mesh.indices.owner;
+    indexData_ = mesh.indices.data;
+  } else {
+    auto shared = iota.get(static_cast<size_t>(mesh.triangleCount) * 3);
+    indexData = shared.get();
+    indices_ = std::shared_ptr<const void>(shared, shared.get());
+  }
+  RTCGeometry geometry = rtcNewGeometry(device_.handle(), RTC_GEOMETRY_TYPE_TRIANGLE);
+  setPositions(geometry, mesh);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, indexData, 0, 12,
+                             mesh.triangleCount);
+  return geometry;
+}
+
+RTCGeometryTy* Blas::figures(const Geometry& of) {
+  const scene::Mesh& mesh = *of.mesh;
+  figures_.shape = mesh.shape;
+  figures_.triangleCount = mesh.triangleCount, figures_.vertexCount = mesh.vertexCount;
+  figures_.positions = mesh.positions, figures_.indices = mesh.indices;
+  figures_.radii = mesh.radii, figures_.axes = mesh.axes, figures_.radius = mesh.radius;
+  reach_ = of.reach;
+  bounded_ = {&figures_, &reach_};
+  for (const scene::Attribute* a : {&mesh.radii, &mesh.axes})
+    if (*a) pinnedBytes_ += static_cast<size_t>(mesh.vertexCount) * a->stride;
+  RTCGeometry geometry = rtcNewGeometry(device_.handle(), RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, mesh.triangleCount);
+  rtcSetGeometryUserData(geometry, &bounded_);
+  rtcSetGeometryBoundsFunction(geometry, figureBounds, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, intersectFigures);
+  return geometry;
+}
+
+RTCGeometryTy* Blas::clusters(const scene::Mesh& mesh, Clusters::Aim aim) {
+  auto clusters = std::make_unique<Clusters>(mesh, aim);
+  if (!clusters->pay()) return nullptr;
+  clusters_ = std::move(clusters);
+  indexData_ = mesh.indices.data;
+  if (mesh.indices) pinnedBytes_ += static_cast<size_t>(mesh.triangleCount) * 12;
+  RTCGeometry geometry = rtcNewGeometry(device_.handle(), RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, clusters_->count());
+  rtcSetGeometryUserData(geometry, clusters_.get());
+  rtcSetGeometryBoundsFunction(geometry, clusterBounds, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, intersectClusters);
+  return geometry;
+}
+
+Blas::~Blas() { rtcReleaseScene(scene_); }
+
+void Blas::commit() {
+  {
+    const CommitScope scope;
+    rtcCommitScene(scene_);
+  }
+  if (clusters_) clusters_->forgetBoxes();
+  device_.check("the acceleration structure of a mesh cannot be built");
+}
+
+void Blas::build() {
+  const timeline::Span span("build mesh", triangleCount_);
+  const size_t before = Device::bytesOfFrames();
+  commit();
+  const size_t after = Device::bytesOfFrames();
+  bvhBytes_ += after > before ? after - before : 0;
+}
+
+void Blas::buildBehind(const std::atomic<bool>& cancelled) {
+  timeline::nameThread("refining");
+  const timeline::Span span("refine mesh", triangleCount_);
+  // While the process exits, TBB does not survive that its tasks are cancelled.
+  const auto goOn = [](void* flag, double) {
+    parkAtExit();
+    return !static_cast<const std::atomic<bool>*>(flag)->load();
+  };
+  rtcSetSceneProgressMonitorFunction(scene_, goOn, const_cast<std::atomic<bool>*>(&cancelled));
+  const BehindScope behind;
+  commit();
+  rtcSetSceneProgressMonitorFunction(scene_, nullptr, nullptr);
+  bvhBytes_ = behind.bytes();
+}
+
+}  // namespace gluray::accel

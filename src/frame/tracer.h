@@ -1,0 +1,40 @@
+// What makes pictures of snapshots, for those who present them.
+#pragma once
+#include "base/image.h"
+#include "scene/fxaa.h"
+#include "scene/resolve.h"
+#include "scene/snapshot.h"
+#include "scene/trace_cost.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace gluray::frame {
+
+/// Traces a snapshot. False with one line of reason on failure; never throws. frame::Renderer::render in the
+/// engine. Any thread.
+using Trace = std::function<bool(const scene::Snapshot&, Image&, scene::TraceCost&, std::string& error)>;
+
+/// Anti-aliases a picture, `in` to `out`. False on failure; never throws. frame::Renderer::antialias in the
+/// engine.
+using Antialias = std::function<bool(const Settings&, const scene::Fxaa&, const uint32_t* in, int width,
+                                     int height, uint32_t* out)>;
+
+/// Makes pixels of the samples of a picture. False on failure; never throws. frame::Renderer::resolve in the
+/// engine.
+using Resolve = std::function<bool(const Settings&, const scene::Resolve&, const Image& samples, Image& out)>;
+
+/// Whether tracing once more makes room or pictures to come sooner, though nothing has changed; never throws.
+/// frame::Renderer::improves in the engine.
+using Improves = std::function<bool()>;
+
+/// All of these; what is not there is not done.
+struct Tracer {
+  Trace trace;
+  Antialias antialias = {};
+  Resolve resolve = {};
+  Improves improves = {};
+};
+
+}  // namespace gluray::frame

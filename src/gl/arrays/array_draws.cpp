@@ -1,0 +1,309 @@
+// Draws from vertex arrays, by fixed function and by shader programs.
+#include "base/clock.h"
+#include "base/timeline.h"
+#include "gl/arrays/array_indices.h"
+#include "gl/capture/vertex_attribute_calls.h"
+#include "gl/handlers.h"
+#include "gl/lists/geometry_run.h"
+#include "gl/stub.h"
+
+#include <algorithm>
+#include <cstring>
+#include <span>
+
+namespace gluray::gl {
+namespace {
+
+bool isMode(GLenum mode) { return mode <= GL_POLYGON || (mode >= GL_LINES_ADJACENCY && mode <= GL_PATCHES); }
+
+bool isIndexType(GLenum type) {
+  return type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_INT;
+}
+
+/// The error of a wrong draw: of now or, where a list takes the draw, of the moment when that is called.
+void refuse(Context& c, GLenum error) {
+  // Inside glBegin that is the first error, but where lists are compiled.
+  if (c.insideBegin()) return c.lists.misuse(c.compiling() ? error : GL_INVALID_OPERATION);
+  if (!c.compiling()) return c.setError(error);
+  c.lists.record([error](Context& x) { x.setError(error); });
+}
+
+/// Refuses a wrong draw; true where it is none.
+bool validate(Context& c, GLenum mode, const Elements& e) {
+  if (e.count < 0 || e.instances < -1) return refuse(c, GL_INVALID_VALUE), false;
+  if (!isMode(mode)) return refuse(c, GL_INVALID_ENUM), false;
+  if (e.type && !isIndexType(e.type)) return refuse(c, GL_INVALID_ENUM), false;
+  if (c.insideBegin()) return c.lists.misuse(), false;
+  return true;
+}
+
+DrawPath pathOf(const Elements& e) { return e.type ? DrawPath::elements : DrawPath::arrays; }
+
+PrimitiveClass kindOf(GLenum mode) { return mode <= GL_POLYGON ? classOf(mode) : PrimitiveClass::lines; }
+
+/// Triangles of the draw, all instances together.
+uint64_t trianglesOf(GLenum mode, const Elements& e) {
+  return countTriangles(mode, static_cast<uint64_t>(e.count)) * e.repeats();
+}
+
+constexpr GLsizei kSmall = 192;  // vertices: below, draws join a run instead of becoming meshes of their own
+
+/// Records a draw: dereferenced now, as display lists demand (GL 2.1, 5.4).
+void recordDraw(Context& c, GLenum mode, const Elements& e) {
+  c.refresh(kFixedArrays);
+  // Without positions it may draw at the current one: the real OpenGL knows.
+  if (e.instances >= 0 || c.arrays.others || c.arrays.reason != Reason::traced || mode > GL_POLYGON ||
+      !c.arrays.vertex.enabled) {
+    c.sendBuffers();
+    return c.lists.recordFragment([&] { drawReal(c.real, mode, e); });
+  }
+  if (e.count <= kSmall) return c.immediate.drawSmall(mode, vertexNumbers(c.real, c.arrays, e), pathOf(e));
+  std::unique_ptr<ListOp> op;
+  const Reason captured = c.attempt([&] {
+    Captured run = capture(c.real, c.arrays, mode, e);
+    if (!run.empty()) op = std::make_unique<GeometryRun>(std::move(run), classOf(mode), c.sharedGroup());
+    return Reason::traced;
+  });
+  if (captured == Reason::traced) return c.insist([&] { c.lists.append(op); });
+  c.sendBuffers();
+  c.lists.recordFragment([&] { drawReal(c.real, mode, e); });
+}
+
+/// The mesh of the draw, known or new.
+KnownMesh meshOf(Context& c, const ArrayState& arrays, GLenum mode, const Elements& e) {
+  const double start = nowSeconds();
+  const timeline::Span span("capture", trianglesOf(mode, e));
+  KnownMesh known;
+  const Hash128 content = contentOf(c.real, arrays, mode, e);
+  if (!c.group().meshes.find(content, known)) {
+    known = arrays.shape == scene::Shape::triangles ? buildArrayMesh(c.real, arrays, mode, e)
+                                                    : buildFigureMesh(c.real, arrays, mode, e);
+    c.group().meshes.put(content, known);
+    ++c.statistics.meshesBuilt;
+    if (known.mesh) c.statistics.meshBytes += known.mesh->sizeBytes;
+  }
+  c.statistics.captureSeconds += nowSeconds() - start;
+  return known;
+}
+
+/// Traces the draw if that can be right; says why not otherwise.
+Reason traceDraw(Context& c, GLenum mode, const Elements& e) {
+  if (mode > GL_POLYGON) return Reason::program;  // adjacency and patches need shaders
+  Reason reason = c.triage(classOf(mode));
+  if (reason == Reason::traced) reason = c.arrays.reason;
+  if (reason != Reason::traced) return reason;
+  return c.attempt([&] {
+    const KnownMesh known = meshOf(c, c.arrays, mode, e);
+    const Reason fine = c.triage(known, {});
+    if (fine != Reason::traced) return fine;
+    c.addInstance(known.mesh, slotsOf(c.arrays), {});
+    c.countTraced(pathOf(e), known.mesh->triangleCount);
+    return fine;
+  });
+}
+
+Reason triageByPass(Context& c, PrimitiveClass kind) {
+  switch (layersOf(c.state.program)) {
+    case BatchKey::Layers::peeled: return c.layers.triagePeel(kind);
+    case BatchKey::Layers::summed: return c.layers.triageSum(kind);
+    case BatchKey::Layers::none:
+    case BatchKey::Layers::drawn: break;
+  }
+  return c.programs.triage(kind);
+}
+
+/// Traces what the current shader program draws if that can be right; says why not otherwise.
+Reason traceProgram(Context& c, GLenum mode, const Elements& e) {
+  if (mode > GL_POLYGON) return Reason::program;
+  const bool figures = c.programs.drawsFigures(mode);
+  const PrimitiveClass kind = figures ? PrimitiveClass::surfaces : classOf(mode);
+  Reason reason = triageByPass(c, kind);
+  if (reason == Reason::traced && figures) reason = c.programs.triageFigures();
+  if (reason != Reason::traced) return reason;
+  // Surfaces drawn by a program that wants points show nothing that anybody could know.
+  if (!figures && c.attributes.shape != scene::Shape::triangles) return Reason::program;
+  return c.attempt([&] {
+    const KnownMesh known = meshOf(c, c.attributes, mode, e);
+    Reason fine = c.programs.triage(known);
+    if (fine == Reason::traced) fine = c.programs.triageInstances(*known.mesh, e);
+    if (fine == Reason::traced) fine = c.programs.add(known.mesh, mode, e);
+    if (fine != Reason::traced) return fine;
+    c.countTraced(pathOf(e), uint64_t{known.mesh->triangleCount} * e.repeats());
+    return fine;
+  });
+}
+
+/// What a draw counts as: figures for a triangle each.
+struct Load {
+  PrimitiveClass kind;
+  uint64_t triangles;
+};
+Load loadOf(Context& c, GLenum mode, const Elements& e) {
+  const uint64_t figures = static_cast<uint64_t>(e.count) / (mode == GL_LINES ? 2 : 1) * e.repeats();
+  if (c.programs.drawsFigures(mode)) return {PrimitiveClass::surfaces, figures};
+  return {kindOf(mode), trianglesOf(mode, e)};
+}
+
+void drawByProgram(Context& c, GLenum mode, const Elements& e) {
+  c.refresh(kProgramGroups);
+  c.immediate.closeRunIfOpen();
+  if (passOf(c.state.program) == Family::Pass::peelDepths) {
+    bool held = false;
+    c.protect([&] { held = c.layers.holdDepths(mode, e, trianglesOf(mode, e)); });
+    if (held) return;
+  }
+  if (c.layers.drawsNothing()) return;
+  if (c.layers.asks()) {
+    bool held = false;
+    c.protect([&] { held = c.layers.holdLater(mode, e); });
+    if (held) return;
+  }
+  const Reason reason = traceProgram(c, mode, e);
+  if (reason == Reason::traced) return;
+  if (reason == Reason::programPass) {
+    bool done = false;
+    c.protect([&] { done = c.replacePass(mode, e); });
+    if (done) return;
+  }
+  const Load load = loadOf(c, mode, e);
+  c.protect([&] { c.programs.meetPasses(load.kind, mode, e); });
+  c.countRaster(reason, pathOf(e), load.kind, load.triangles);
+  c.beforeRasterDraw(load.kind);
+  c.sendBuffers();
+  drawReal(c.real, mode, e);
+}
+
+void draw(Context& c, GLenum mode, const Elements& e) {
+  if (!validate(c, mode, e) || e.first < 0) return;  // what lies before an array is nobody's
+  // Nothing to draw, but an error where nothing could be drawn.
+  const bool empty = e.count == 0 || e.instances == 0;
+  // Instanced draws are errors in lists, empty ones too.
+  if (c.compiling()) return empty && e.instances < 0 ? void() : recordDraw(c, mode, e);
+  if (empty) return drawReal(c.real, mode, e);
+  const DrawTimer timer(c.kinds());
+  if (c.direct()) {
+    const Load load = loadOf(c, mode, e);
+    if (c.drawsDirectly(pathOf(e), load.kind, load.triangles)) return drawReal(c.real, mode, e);
+  }
+  c.works();
+  c.refresh(kRaster);
+  if (c.state.raster.program != 0 || c.info().core) return drawByProgram(c, mode, e);
+  c.refresh(kDrawGroups | kFixedArrays);
+  const bool plain =
+      e.instances < 0 && mode <= GL_POLYGON && c.arrays.reason == Reason::traced && c.arrays.vertex.enabled;
+  if (plain && e.count <= kSmall && c.triage(classOf(mode)) == Reason::traced) {
+    const Reason joined = c.attempt([&] {
+      c.immediate.drawSmall(mode, vertexNumbers(c.real, c.arrays, e), pathOf(e));
+      return Reason::traced;
+    });
+    if (joined == Reason::traced) return;
+  }
+  c.immediate.closeRunIfOpen();
+  // Without positions it may draw at the current one: the real OpenGL knows.
+  const bool known = c.arrays.vertex.enabled && e.instances < 0;
+  const Reason reason = known ? traceDraw(c, mode, e) : Reason::arrayState;
+  if (reason == Reason::traced) return;
+  const PrimitiveClass kind = kindOf(mode);
+  if (c.arrays.vertex.enabled && c.arrays.reason == Reason::traced && c.mayMeetPasses(kind))
+    c.protect([&] { c.meetPasses(sampleTriangles(c.real, c.arrays, mode, e)); });
+  if (c.arrays.vertex.enabled && c.arrays.reason == Reason::traced && c.isPass(kind, reason))
+    c.protect([&] { c.rememberPass(meshOf(c, c.arrays, mode, e)); });
+  c.countRaster(reason, pathOf(e), kind, countTriangles(mode, static_cast<uint64_t>(e.count)));
+  c.beforeRasterDraw(kind);
+  c.sendBuffers();
+  drawReal(c.real, mode, e);
+}
+
+}  // namespace
+
+void drawArrays(Context& c, GLenum mode, GLint first, GLsizei count) {
+  draw(c, mode, {first, count, 0, nullptr, 0});
+}
+
+void drawElements(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices) {
+  if (!isIndexType(type)) return refuse(c, GL_INVALID_ENUM);
+  draw(c, mode, {0, count, type, indices, 0});
+}
+
+void drawRangeElements(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type,
+                       const void* indices) {
+  if (end < start) return refuse(c, GL_INVALID_VALUE);
+  drawElements(c, mode, count, type, indices);
+}
+
+void drawElementsBaseVertex(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices,
+                            GLint base) {
+  if (!isIndexType(type)) return refuse(c, GL_INVALID_ENUM);
+  draw(c, mode, {0, count, type, indices, base});
+}
+
+void drawRangeElementsBaseVertex(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count,
+                                 GLenum type, const void* indices, GLint base) {
+  if (end < start) return refuse(c, GL_INVALID_VALUE);
+  drawElementsBaseVertex(c, mode, count, type, indices, base);
+}
+
+void drawArraysInstanced(Context& c, GLenum mode, GLint first, GLsizei count, GLsizei instances) {
+  drawArraysInstancedBaseInstance(c, mode, first, count, instances, 0);
+}
+
+void drawArraysInstancedBaseInstance(Context& c, GLenum mode, GLint first, GLsizei count, GLsizei instances,
+                                     GLuint baseInstance) {
+  if (instances < 0) return refuse(c, GL_INVALID_VALUE);
+  draw(c, mode, {first, count, 0, nullptr, 0, instances, baseInstance});
+}
+
+void drawElementsInstanced(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices,
+                           GLsizei instances) {
+  drawElementsInstancedBaseVertexBaseInstance(c, mode, count, type, indices, instances, 0, 0);
+}
+
+void drawElementsInstancedBaseVertex(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices,
+                                     GLsizei instances, GLint base) {
+  drawElementsInstancedBaseVertexBaseInstance(c, mode, count, type, indices, instances, base, 0);
+}
+
+void drawElementsInstancedBaseInstance(Context& c, GLenum mode, GLsizei count, GLenum type,
+                                       const void* indices, GLsizei instances, GLuint baseInstance) {
+  drawElementsInstancedBaseVertexBaseInstance(c, mode, count, type, indices, instances, 0, baseInstance);
+}
+
+void drawElementsInstancedBaseVertexBaseInstance(Context& c, GLenum mode, GLsizei count, GLenum type,
+                                                 const void* indices, GLsizei instances, GLint base,
+                                                 GLuint baseInstance) {
+  if (!isIndexType(type)) return refuse(c, GL_INVALID_ENUM);
+  if (instances < 0) return refuse(c, GL_INVALID_VALUE);
+  draw(c, mode, {0, count, type, indices, base, instances, baseInstance});
+}
+
+namespace {
+
+/// Refuses many draws at once where one of them is wrong, or would be if there were any; true where none is.
+bool validate(Context& c, GLenum mode, const GLsizei* count, GLsizei draws) {
+  if (draws < 0 || std::any_of(count, count + draws, [](GLsizei n) { return n < 0; }))
+    return refuse(c, GL_INVALID_VALUE), false;
+  return validate(c, mode, Elements{});
+}
+
+}  // namespace
+
+void multiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count, GLsizei draws) {
+  if (!validate(c, mode, count, draws)) return;
+  for (GLsizei i = 0; i < draws; ++i) drawArrays(c, mode, first[i], count[i]);
+}
+
+void multiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices,
+                       GLsizei draws) {
+  if (!isIndexType(type)) return refuse(c, GL_INVALID_ENUM);
+  if (!validate(c, mode, count, draws)) return;
+  for (GLsizei i = 0; i < draws; ++i) drawElements(c, mode, count[i], type, indices[i]);
+}
+
+void multiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* count, GLenum type,
+                                 const void* const* indices, GLsizei draws, const GLint* base) {
+  if (!isIndexType(type)) return refuse(c, GL_INVALID_ENUM);
+  if (!validate(c, mode, count, draws)) return;
+  for (GLsizei i = 0; i < draws; ++i) drawElementsBaseVertex(c, mode, count[i], type, indices[i], base[i]);
+}
+
+}  // namespace gluray::gl

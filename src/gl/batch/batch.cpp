@@ -1,0 +1,152 @@
+#include "gl/batch/batch.h"
+
+#include <algorithm>
+
+namespace gluray::gl {
+namespace {
+
+scene::Region intersect(glm::ivec4 a, glm::ivec4 b) {
+  const int x0 = std::max(a.x, b.x), y0 = std::max(a.y, b.y);
+  const int64_t x1 = std::min(int64_t{a.x} + a.z, int64_t{b.x} + b.z),
+                y1 = std::min(int64_t{a.y} + a.w, int64_t{b.y} + b.w);
+  return {x0, y0, static_cast<int>(std::max<int64_t>(0, x1 - x0)),
+          static_cast<int>(std::max<int64_t>(0, y1 - y0))};
+}
+
+}  // namespace
+
+BatchKey Batch::keyOf(const State& state) {
+  BatchKey key;
+  key.framebuffer = state.target.framebuffer;
+  key.drawBuffer = state.target.drawBuffer;
+  key.depthFunc = state.raster.depthFunc;
+  key.samples = state.target.samples;
+  key.multisample = state.raster.multisample;
+  key.colorWrites = state.raster.colorWrites;
+  key.encodes = state.target.encodes;
+  key.projection = state.projection;
+  key.viewport = state.viewport;
+  key.depthNear = state.depthNear, key.depthFar = state.depthFar;
+  constexpr int kLargest =
+      16384;  // framebuffers are no larger; keeps absurd viewports from asking for absurd pictures
+  key.region = intersect(state.viewport, {0, 0, kLargest, kLargest});
+  if (state.raster.scissorTest) {
+    const scene::Region& r = key.region;
+    key.region = intersect({r.x, r.y, r.width, r.height}, state.scissor);
+  }
+  if (state.raster.offsetFill)
+    key.offset = {state.raster.offsetFactor, state.raster.offsetUnits, state.target.offsetUnit, false,
+                  state.target.depthFloats};
+  return key;
+}
+
+void Batch::start(const BatchKey& key, const State& state, const Settings& settings, uint64_t frame) {
+  key_ = key;
+  instancesAt_.clear();
+  snapshot_ = memory_.make();
+  snapshot_->frame = frame;
+  snapshot_->settings = settings;
+  snapshot_->camera = {state.projection, state.viewport, state.depthNear, state.depthFar};
+  // Windows are counted from the top; that the viewport reaches it is a guess that hardly matters.
+  if (key.framebuffer == 0) snapshot_->camera.rowsFromTop = state.viewport.y + state.viewport.w;
+  snapshot_->eyeFromWorld = state.modelview;
+  worldFromEye_ = glm::inverse(state.modelview);
+  snapshot_->region = key.region;
+  snapshot_->polygonOffset = key.offset;
+  snapshot_->encodes = key.encodes;
+  snapshot_->wideColors = state.target.wideColors || key.encodes;
+  snapshot_->colorWrites = key.colorWrites;
+  snapshot_->laterWins = key.depthFunc == GL_LEQUAL;
+  if (key.layers == BatchKey::Layers::drawn) {
+    auto layers = std::make_shared<scene::Layers>();
+    layers->of = scene::Layers::Of::drawn;
+    layers->blending = key.blending;
+    layers->depthSteps = key.depthSteps;
+    snapshot_->layers = std::move(layers);
+  }
+  drawn_ = 0;
+  // With GL_MULTISAMPLE off all samples of a pixel get the value at its centre: one plane serves them all.
+  if (key.multisample) {
+    snapshot_->samples = state.target.samples;
+    snapshot_->samplePositions = state.target.samplePositions;
+  } else {
+    snapshot_->samplePositions = {glm::vec2(0.5f)};
+  }
+}
+
+void Batch::resume(const BatchKey& key, const scene::Snapshot& taken) {
+  key_ = key;
+  instancesAt_.clear();
+  snapshot_ = memory_.make();
+  *snapshot_ = taken;
+  worldFromEye_ = glm::inverse(taken.eyeFromWorld);
+  drawn_ = static_cast<uint32_t>(taken.instances.size());
+}
+
+namespace {
+
+/// Whether two instances cover the same points, so that the depth function decides between them.
+bool coincide(const scene::Instance& a, const scene::Instance& b) {
+  return a.mesh->geometryId == b.mesh->geometryId && a.eyeFromObject == b.eyeFromObject && a.cull == b.cull &&
+         a.frontFaceCcw == b.frontFaceCcw && a.clipPlanes == b.clipPlanes;
+}
+
+uint32_t indexOfShading(std::vector<scene::Shading>& shadings, scene::Shading&& shading) {
+  // Programs go back and forth between few states; the latest are the likeliest.
+  constexpr size_t kLookBack = 16;
+  for (size_t i = shadings.size(); i-- > 0 && shadings.size() - i <= kLookBack;)
+    if (shadings[i] == shading) return static_cast<uint32_t>(i);
+  shadings.push_back(std::move(shading));
+  return static_cast<uint32_t>(shadings.size() - 1);
+}
+
+}  // namespace
+
+void Batch::add(scene::Instance instance, scene::Shading shading) {
+  scene::Snapshot& s = *snapshot_;
+  instance.order = drawn_++;
+  instance.worldFromObject = instance.eyeFromObject == s.eyeFromWorld
+                                 ? glm::mat4(1)
+                                 : glm::mat4(worldFromEye_ * instance.eyeFromObject);
+  // By place too: programs draw the same geometry thousands of times.
+  const glm::dmat4 matrix = instance.eyeFromObject + 0.0;  // -0 is 0
+  const Hash128 place = hashBytes(&matrix, sizeof matrix, instance.mesh->geometryId);
+  const auto [first, last] = instancesAt_.equal_range(place);
+  for (auto it = first; it != last; ++it) {
+    scene::Instance& earlier = s.instances[it->second];
+    if (key_.layers != BatchKey::Layers::none || !coincide(earlier, instance)) continue;
+    const bool firstWins = key_.depthFunc == GL_LESS;
+    // Through holes that the alpha test makes the other one is seen.
+    if ((firstWins ? s.shadings[earlier.shading] : shading).alphaTest != scene::AlphaTest{}) continue;
+    if (firstWins) return;
+    instance.shading = indexOfShading(s.shadings, std::move(shading));
+    earlier = std::move(instance);
+    return;
+  }
+  instance.shading = indexOfShading(s.shadings, std::move(shading));
+  instancesAt_.emplace(place, s.instances.size());
+  s.instances.push_back(std::move(instance));
+}
+
+scene::SnapshotPtr Batch::take() {
+  instancesAt_.clear();
+  return std::move(snapshot_);
+}
+
+bool Batch::readsImages() const { return readImages(programDraws_); }
+
+bool readImages(const std::vector<ProgramDraw>& draws) {
+  return std::any_of(draws.begin(), draws.end(), [](const ProgramDraw& draw) {
+    return std::any_of(draw.textures.begin(), draw.textures.end(),
+                       [](const auto& t) { return t.buffer == 0; });
+  });
+}
+
+bool readsBuffer(const std::vector<ProgramDraw>& draws, GLuint buffer) {
+  return std::any_of(draws.begin(), draws.end(), [&](const ProgramDraw& draw) {
+    return std::any_of(draw.textures.begin(), draw.textures.end(),
+                       [&](const auto& t) { return t.buffer != 0 && t.buffer == buffer; });
+  });
+}
+
+}  // namespace gluray::gl

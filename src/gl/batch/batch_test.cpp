@@ -1,0 +1,91 @@
+#include "gl/batch/batch.h"
+
+#include <gtest/gtest.h>
+
+namespace gluray::gl {
+namespace {
+
+scene::Instance instanceOf(uint64_t geometry, double x = 0) {
+  auto mesh = std::make_shared<scene::Mesh>();
+  mesh->geometryId = {geometry, 0};
+  scene::Instance instance;
+  instance.mesh = mesh;
+  instance.eyeFromObject[3][0] = x;
+  instance.materials.resize(1);
+  return instance;
+}
+
+State stateWith(GLenum depthFunc) {
+  State state;
+  state.viewport = {0, 0, 100, 50};
+  state.raster.depthFunc = depthFunc;
+  return state;
+}
+
+struct Started : Batch {
+  explicit Started(const State& state) { start(keyOf(state), state, {}, 1); }
+};
+
+TEST(Batch, LaterOfTwoEqualSurfacesWinsUnderLequalAndEarlierUnderLess) {
+  for (const GLenum func : {GL_LEQUAL, GL_LESS}) {
+    Started batch(stateWith(func));
+    scene::Instance first = instanceOf(1), second = instanceOf(1);
+    first.color = {1, 0, 0, 1}, second.color = {0, 1, 0, 1};
+    batch.add(first, {});
+    batch.add(instanceOf(2), {});
+    batch.add(second, {});
+    const auto snapshot = batch.take();
+    ASSERT_EQ(snapshot->instances.size(), 2u);
+    EXPECT_EQ(snapshot->instances[0].color, func == GL_LESS ? first.color : second.color);
+  }
+}
+
+TEST(Batch, EqualMeshesInOtherPlacesAreInstances) {
+  Started batch(stateWith(GL_LESS));
+  batch.add(instanceOf(1, 0), {});
+  batch.add(instanceOf(1, 5), {});
+  const auto snapshot = batch.take();
+  ASSERT_EQ(snapshot->instances.size(), 2u);
+  EXPECT_EQ(snapshot->instances[0].worldFromObject, glm::mat4(1))
+      << "the first instance's object space is the world";
+  EXPECT_FLOAT_EQ(snapshot->instances[1].worldFromObject[3][0], 5);
+  EXPECT_TRUE(batch.empty());
+}
+
+TEST(Batch, SharesEqualShadings) {
+  Started batch(stateWith(GL_LESS));
+  scene::Shading lit;
+  lit.lighting = true;
+  batch.add(instanceOf(1), {});
+  batch.add(instanceOf(2), lit);
+  batch.add(instanceOf(3), {});
+  const auto snapshot = batch.take();
+  EXPECT_EQ(snapshot->shadings.size(), 2u);
+  EXPECT_EQ(snapshot->instances[2].shading, snapshot->instances[0].shading);
+}
+
+TEST(Batch, RegionIsViewportAndScissorWithinReason) {
+  State state = stateWith(GL_LESS);
+  EXPECT_EQ(Batch::keyOf(state).region, (scene::Region{0, 0, 100, 50}));
+  state.raster.scissorTest = true;
+  state.scissor = {90, -5, 100, 10};
+  EXPECT_EQ(Batch::keyOf(state).region, (scene::Region{90, 0, 10, 5}));
+  state.scissor = {200, 0, 10, 10};
+  EXPECT_EQ(Batch::keyOf(state).region.width, 0);
+  state.raster.scissorTest = false;
+  state.viewport = {-2000000000, 0, 2147483647, 2147483647};
+  EXPECT_LE(Batch::keyOf(state).region.width, 16384);
+}
+
+TEST(Batch, ChangesOfStateMakeAnotherKey) {
+  const State base = stateWith(GL_LESS);
+  State offset = base, range = base, projection = base;
+  offset.raster.offsetFill = true, offset.raster.offsetFactor = 1;
+  range.depthFar = 0.5f;
+  projection.projection[0][0] = 2;
+  for (const State* s : {&offset, &range, &projection}) EXPECT_FALSE(Batch::keyOf(*s) == Batch::keyOf(base));
+  EXPECT_TRUE(Batch::keyOf(stateWith(GL_LESS)) == Batch::keyOf(base));
+}
+
+}  // namespace
+}  // namespace gluray::gl

@@ -1,0 +1,33 @@
+// What presenting a batch cost and did. GL thread.
+#pragma once
+#include "base/image.h"
+#include "scene/trace_cost.h"
+
+#include <GL/gl.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gluray::gl {
+
+struct PresentResult {
+  enum Outcome {
+    traced,      // colour and depth are in the framebuffer
+    rasterised,  // tracing failed; the same instances were drawn by the real OpenGL
+    failed,      // neither was possible
+  } outcome = failed;
+  scene::TraceCost cost;
+  double presentSeconds = 0;
+  bool repeated = false;  // nothing had changed: the picture was there
+  bool averages = false;  // pixels are averages of several rays
+  /// One peel would not show all layers: how many there are. Rasterised, or the picture waits.
+  std::optional<LayerCounts> layers;
+  std::vector<uint32_t> picture;
+  GLenum pendingError =
+      GL_NO_ERROR;  // an error of the program's that was found on the way, to be reported to it
+  std::string why;  // where it was not traced: one line for the user, who has not been told yet
+};
+
+}  // namespace gluray::gl

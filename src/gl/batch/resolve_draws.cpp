@@ -1,0 +1,232 @@
+#include "gl/batch/resolve_draws.h"
+
+#include "gl/context.h"
+#include "gl/programs/uniforms.h"
+#include "gl/state/state_queries.h"
+#include "gl/window/clears.h"
+
+#include <GL/glext.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace gluray::gl {
+namespace {
+
+Unresolved::Attachment attachmentOf(const RealGl& real, GLenum target, GLenum attachment) {
+  const auto type =
+      static_cast<GLenum>(attachmentValue(real, target, attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE));
+  if (type == GL_NONE) return {};
+  return {type, static_cast<GLuint>(
+                    attachmentValue(real, target, attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME))};
+}
+
+/// RGBA8, halves to even numbers as software OpenGLs have it.
+uint32_t clearColor(const RealGl& real) {
+  GLfloat color[4] = {};
+  real.GetFloatv(GL_COLOR_CLEAR_VALUE, color);
+  uint32_t result = 0;
+  for (int c = 0; c < 4; ++c)
+    result |= static_cast<uint32_t>(std::lrint(std::clamp(color[c], 0.0f, 1.0f) * 255)) << (8 * c);
+  return result;
+}
+
+bool isSampledPerSample(GLenum type) {
+  switch (type) {
+    case GL_SAMPLER_2D_MULTISAMPLE:
+    case GL_INT_SAMPLER_2D_MULTISAMPLE:
+    case GL_UNSIGNED_INT_SAMPLER_2D_MULTISAMPLE:
+    case GL_SAMPLER_2D_MULTISAMPLE_ARRAY:
+    case GL_INT_SAMPLER_2D_MULTISAMPLE_ARRAY:
+    case GL_UNSIGNED_INT_SAMPLER_2D_MULTISAMPLE_ARRAY: return true;
+    default: return false;
+  }
+}
+
+}  // namespace
+
+Unresolved::Cleared ResolveDraws::clearedBy(GLbitfield mask) {
+  constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
+  if ((mask & kBoth) != kBoth || c_.direct() || c_.aside() || c_.passthrough() || c_.activeQueries > 0 ||
+      c_.group().contexts != 1 || !c_.info().settings.quirks.has(Quirk::softwareResolve) ||
+      !c_.isSoftwareBelow())
+    return {};
+  c_.refresh(kTarget);
+  const TargetState& target = c_.state.target;
+  if (target.framebuffer == 0 || target.samples <= 1 || target.reason != Reason::traced ||
+      target.wideColors || !clearsAll(c_.real, c_.state.rare))
+    return {};
+  for (const GLenum size : {GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE, GL_FRAMEBUFFER_ATTACHMENT_ALPHA_SIZE})
+    if (attachmentValue(c_.real, GL_DRAW_FRAMEBUFFER, target.drawBuffer, size) != 8) return {};
+  return {target.framebuffer,
+          target.drawBuffer,
+          attachmentOf(c_.real, GL_DRAW_FRAMEBUFFER, target.drawBuffer),
+          attachmentOf(c_.real, GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT),
+          scissorBox(c_.real),
+          clearColor(c_.real),
+          target.depthResolution};
+}
+
+void ResolveDraws::clears(const Unresolved::Cleared& cleared) {
+  if (!held_.waiting) return;
+  const Unresolved::Cleared& waits = held_.waiting->cleared;
+  if (cleared.framebuffer == waits.framebuffer && cleared.drawBuffer == waits.drawBuffer &&
+      cleared.covers(waits.box)) {
+    held_.waiting.reset();  // nobody will see it
+    return;
+  }
+  c_.refresh(kTarget);
+  if (c_.state.target.samples > 1) c_.settle();
+}
+
+bool ResolveDraws::hold() {
+  const Unresolved::Cleared& cleared = held_.cleared;
+  const BatchKey& key = c_.batch().key();
+  const scene::Region& r = key.region;
+  const bool waits = cleared.framebuffer != 0 && key.framebuffer == cleared.framebuffer &&
+                     key.drawBuffer == cleared.drawBuffer && key.samples > 1 &&
+                     key.layers == BatchKey::Layers::none && key.colorWrites.all() &&
+                     (key.depthFunc == GL_LEQUAL || key.depthFunc == GL_LESS) && !c_.aside() &&
+                     !c_.direct() && c_.activeQueries == 0 && c_.group().contexts == 1 &&
+                     !c_.batch().waiting().wideColors && cleared.covers({r.x, r.y, r.width, r.height});
+  if (!waits) return false;
+  const Unresolved::Cleared kept = cleared;
+  c_.settle();
+  Unresolved::Waiting waiting{kept, key, c_.batch().take(), c_.batch().takeProgramDraws()};
+  c_.passes.flushed(waiting.snapshot);
+  held_.waiting = std::move(waiting);
+  return true;
+}
+
+void ResolveDraws::settle() {
+  held_.cleared = {};
+  if (!held_.waiting) return;
+  Unresolved::Waiting waiting = std::move(*held_.waiting);
+  held_.waiting.reset();
+  c_.presentLate(waiting.key, waiting.snapshot, std::move(waiting.draws), waiting.traced);
+}
+
+void ResolveDraws::meetBlit() {
+  if (held_.waiting && blitsSamples()) c_.settle();
+  held_.cleared = {};
+}
+
+bool ResolveDraws::readsSamples() {
+  const GLuint name = c_.state.raster.program;
+  if (name == 0)
+    return isPresent(c_.real.BindProgramPipeline) && integer(c_.real, GL_PROGRAM_PIPELINE_BINDING) != 0;
+  const Program& program = c_.programs.known(name)->program;
+  return program.writes || std::any_of(program.uniforms.begin(), program.uniforms.end(),
+                                       [](const auto& u) { return isSampledPerSample(u.second.type); });
+}
+
+void ResolveDraws::meetRasterDraw() {
+  held_.cleared = {};
+  if (!held_.waiting) return;
+  c_.refresh(kTarget | kRaster);
+  if (c_.state.target.samples > 1 || readsSamples()) c_.settle();
+}
+
+bool ResolveDraws::into(ResolveTarget& target) {
+  c_.window.showLagged();
+  Unresolved::Waiting& waiting = *held_.waiting;
+  target.core = c_.info().core;
+  target.how.background = waiting.cleared.background;
+  target.how.farthest = farthestHit(waiting.key.depthFunc, waiting.cleared.depthResolution);
+  target.mayRepeat = waiting.traced || !c_.measured();
+  if (const GLenum pending = c_.real.GetError()) c_.setError(pending);
+  c_.forgetClear();
+  const PresentResult result = c_.presenter().resolve(c_.real, waiting.snapshot, target);
+  c_.latch.restore(c_.real);
+  if (result.outcome != PresentResult::traced) return false;
+  c_.takeResult(result, waiting.traced);
+  waiting.traced = true;
+  noteUse(Quirk::softwareResolve);
+  return true;
+}
+
+bool ResolveDraws::byProgram(GLuint texture, const scene::Region& region) {
+  if (!held_.waiting || region.x != 0 || region.y != 0) return false;
+  const glm::ivec2 size(region.width, region.height);
+  const Unresolved::Waiting& waiting = *held_.waiting;
+  const KnownProgram& known = *c_.state.program.known;
+  const Family& family = *known.family;
+  const ProgramUniform* sampler = known.program.uniform(family.passInput);
+  if (!sampler || sampler->type != GL_SAMPLER_2D_MULTISAMPLE || !c_.state.program.uniforms) return false;
+  const UniformReader uniforms(known.program, *c_.state.program.uniforms);
+  const int samples = static_cast<int>(uniforms.number(family.passSamples, 0));
+  if (samples != waiting.key.samples || !waiting.cleared.covers({0, 0, size.x, size.y})) return false;
+  const GLint active = integer(c_.real, GL_ACTIVE_TEXTURE);
+  c_.real.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(uniforms.integer(family.passInput)));
+  const auto bound = static_cast<GLuint>(integer(c_.real, GL_TEXTURE_BINDING_2D_MULTISAMPLE));
+  glm::ivec2 boundSize(0);
+  c_.real.GetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_WIDTH, &boundSize.x);
+  c_.real.GetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_HEIGHT, &boundSize.y);
+  c_.real.ActiveTexture(static_cast<GLenum>(active));
+  if (waiting.cleared.color != Unresolved::Attachment{GL_TEXTURE, bound} || boundSize != size) return false;
+  ResolveTarget target;
+  target.how.size = size;
+  target.how.gamma = uniforms.number(family.passGamma, 1);
+  target.depths = false;
+  target.texture = texture;
+  return into(target);
+}
+
+namespace {
+
+/// Whether a blit of depths from the bound framebuffers is one that the real OpenGL would make.
+bool haveEqualDepths(const RealGl& real) {
+  const auto equal = [&](GLenum name) {
+    return attachmentValue(real, GL_READ_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, name) ==
+           attachmentValue(real, GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, name);
+  };
+  const auto stencil = [&](GLenum framebuffer) {
+    return attachmentOf(real, framebuffer, GL_STENCIL_ATTACHMENT).type != GL_NONE;
+  };
+  return attachmentOf(real, GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT).type != GL_NONE &&
+         equal(GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE) && equal(GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) &&
+         stencil(GL_READ_FRAMEBUFFER) == stencil(GL_DRAW_FRAMEBUFFER);
+}
+
+}  // namespace
+
+bool ResolveDraws::byBlit(const Blit& b) {
+  const bool colors = b.mask & GL_COLOR_BUFFER_BIT, depths = b.mask & GL_DEPTH_BUFFER_BIT;
+  const auto& waiting = held_.waiting;
+  const glm::ivec4 from(b.fromX0, b.fromY0, b.fromX1, b.fromY1), to(b.toX0, b.toY0, b.toX1, b.toY1);
+  if (!waiting || b.mask & ~GLbitfield{GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT} || !(colors || depths) ||
+      from != to || to.x != 0 || to.y != 0 || to.z <= 0 || to.w <= 0 || c_.activeQueries > 0 ||
+      (b.filter != GL_NEAREST && (b.filter != GL_LINEAR || depths)))
+    return false;
+  const Unresolved::Cleared& cleared = waiting->cleared;
+  c_.refresh(kTarget);
+  const TargetState& target = c_.state.target;
+  const bool usable = target.reason == Reason::traced || (target.reason == Reason::noDepthBuffer && !depths);
+  if (!usable || target.samples > 1 || target.wideColors || target.framebuffer == cleared.framebuffer ||
+      (depths && target.framebuffer == 0) || !cleared.covers(to))
+    return false;
+  if (static_cast<GLuint>(integer(c_.real, GL_READ_FRAMEBUFFER_BINDING)) != cleared.framebuffer ||
+      static_cast<GLenum>(integer(c_.real, GL_READ_BUFFER)) != cleared.drawBuffer)
+    return false;
+  const glm::ivec4 open = scissorBox(c_.real);
+  if (open.x > 0 || open.y > 0 || open.x + open.z < to.z || open.y + open.w < to.w ||
+      (depths && !haveEqualDepths(c_.real)))
+    return false;
+  ResolveTarget resolved;
+  resolved.how.size = {to.z, to.w};
+  resolved.colors = colors, resolved.depths = depths;
+  return into(resolved);
+}
+
+bool ResolveDraws::blitsSamples() {
+  c_.refresh(kTarget);
+  if (c_.state.target.samples > 1) return true;
+  if (integer(c_.real, GL_READ_FRAMEBUFFER_BINDING) == 0) return false;
+  const Unresolved::Cleared& cleared = held_.waiting->cleared;
+  const auto buffer = static_cast<GLenum>(integer(c_.real, GL_READ_BUFFER));
+  const bool color = buffer != GL_NONE && attachmentOf(c_.real, GL_READ_FRAMEBUFFER, buffer) == cleared.color;
+  return color || attachmentOf(c_.real, GL_READ_FRAMEBUFFER, GL_DEPTH_ATTACHMENT) == cleared.depth;
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,30 @@
+#include "gl/batch/snapshot_memory.h"
+
+namespace gluray::gl {
+
+// Keeps the larger memory of the two, emptied.
+template <class T>
+void SnapshotMemory::Store<T>::take(std::vector<T>& used, size_t count) {
+  if (used.capacity() > spare.capacity()) spare.swap(used);
+  idle = count > spare.capacity() / 4 ? 0 : idle + 1;
+  if (idle > kPatience) std::vector<T>().swap(spare), idle = 0;
+}
+
+std::shared_ptr<scene::Snapshot> SnapshotMemory::make() {
+  const auto giveBack = [kept = kept_](scene::Snapshot* used) {
+    const std::unique_ptr<scene::Snapshot> end(used);
+    const size_t instances = used->instances.size(), shadings = used->shadings.size();
+    used->instances.clear();  // meshes are let go at once, and before the lock
+    used->shadings.clear();
+    const std::lock_guard lock(kept->mutex);
+    kept->instances.take(used->instances, instances);
+    kept->shadings.take(used->shadings, shadings);
+  };
+  std::shared_ptr<scene::Snapshot> made(new scene::Snapshot, giveBack);
+  const std::lock_guard lock(kept_->mutex);
+  made->instances.swap(kept_->instances.spare);
+  made->shadings.swap(kept_->shadings.spare);
+  return made;
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,162 @@
+#include "gl/buffers/buffer.h"
+
+#include "gl/state/extensions.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+
+namespace gluray::gl {
+namespace {
+
+std::atomic<uint64_t> g_bytesSent{0};
+
+}  // namespace
+
+BufferStorage::BufferStorage(size_t sizeBytes)
+    : data(static_cast<std::byte*>(std::malloc(sizeBytes + 16))), size(sizeBytes) {
+  if (!data) throw std::bad_alloc();
+  std::memset(data + size, 0, 16);
+}
+
+BufferStorage::~BufferStorage() { std::free(data); }
+
+Buffer::Buffer(GLuint name) : name_(name) {
+  static std::atomic<uint64_t> next{1};
+  serial_ = next++;
+}
+
+void Buffer::setData(size_t size, const void* data, GLenum usage) {
+  auto storage = std::make_shared<BufferStorage>(size);
+  if (data) std::memcpy(storage->data, data, size);
+  const std::lock_guard lock(mutex_);
+  storage_ = std::move(storage);
+  size_ = size;
+  usage_ = usage;
+  heldBack_ = true;
+  mapped_ = nullptr;
+  mappedStorage_.reset();
+  memoryBelow_ = false;
+  ++version_;
+}
+
+BufferStorage& Buffer::writable() {
+  // Nobody draws from what is mapped for writing: the program's pointer and a command on other bytes share
+  // it.
+  const bool shared = mapped_ && mappedStorage_ == storage_ && (mapAccess_ & GL_MAP_WRITE_BIT);
+  if (storage_.use_count() > 1 && !shared) {
+    auto copy = std::make_shared<BufferStorage>(size_);
+    std::memcpy(copy->data, storage_->data, size_);
+    storage_ = std::move(copy);
+  } else {
+    // The last mesh that read it in another thread has let go: its reads come before our writes.
+    const std::shared_ptr<BufferStorage> acquired = storage_;
+  }
+  heldBack_ = true;
+  ++version_;
+  return *storage_;
+}
+
+void Buffer::setSubData(size_t offset, size_t size, const void* data) {
+  const std::lock_guard lock(mutex_);
+  std::memcpy(writable().data + offset, data, size);
+}
+
+namespace {
+
+/// Binds a buffer where no draw looks, for the life of the object: where there is one, to a target that
+/// hardly a program uses. What is bound there comes back by its name, so not a buffer that another context
+/// has deleted.
+class CopyBinding {
+ public:
+  CopyBinding(const RealGl& real, GLuint name)
+      : real_(real), target_(versionOf(real) >= 31 ? GL_COPY_WRITE_BUFFER : GL_ARRAY_BUFFER) {
+    real.GetIntegerv(target_ == GL_ARRAY_BUFFER ? GL_ARRAY_BUFFER_BINDING : GL_COPY_WRITE_BUFFER_BINDING,
+                     &saved_);
+    real.BindBuffer(target_, name);
+  }
+  ~CopyBinding() { real_.BindBuffer(target_, static_cast<GLuint>(saved_)); }
+  CopyBinding(const CopyBinding&) = delete;
+  CopyBinding& operator=(const CopyBinding&) = delete;
+  GLenum target() const { return target_; }
+
+ private:
+  const RealGl& real_;
+  GLenum target_;
+  GLint saved_ = 0;
+};
+
+}  // namespace
+
+void Buffer::fetch(const RealGl& real) {
+  if (mappedBelow) {  // cannot be read, and to draw from it is an error: an empty mesh
+    storage_ = std::make_shared<BufferStorage>(size_);
+    std::memset(storage_->data, 0, size_);
+    return;
+  }
+  const CopyBinding binding(real, name_);
+  GLint size = 0;  // asked, because commands that we do not model may have set it
+  real.GetBufferParameteriv(binding.target(), GL_BUFFER_SIZE, &size);
+  size_ = static_cast<size_t>(std::max(size, 0));
+  if (size_ == 0) return;
+  auto storage = std::make_shared<BufferStorage>(size_);
+  real.GetBufferSubData(binding.target(), 0, static_cast<GLsizeiptr>(size_), storage->data);
+  storage_ = std::move(storage);
+}
+
+std::shared_ptr<const BufferStorage> Buffer::read(const RealGl& real) {
+  const std::lock_guard lock(mutex_);
+  if (!storage_ || (foreign && !heldBack_ && !mapped_)) fetch(real);
+  return storage_;
+}
+
+uint64_t Buffer::bytesSent() { return g_bytesSent.load(std::memory_order_relaxed); }
+
+void Buffer::sendTo(const RealGl& real) {
+  if (!heldBack_) return;
+  const std::lock_guard lock(mutex_);
+  if (!heldBack_ || (mapped_ && memoryBelow_)) return;
+  const CopyBinding binding(real, name_);
+  // Who draws from it although it is mapped gets something; drivers have been seen to read at null.
+  real.BufferData(binding.target(), static_cast<GLsizeiptr>(size_), mapped_ ? nullptr : storage_->data,
+                  usage_);
+  if (!mapped_) g_bytesSent.fetch_add(size_, std::memory_order_relaxed);
+  memoryBelow_ = true;
+  heldBack_ = mapped_ != nullptr;
+}
+
+void Buffer::changedBelow() {
+  const std::lock_guard lock(mutex_);
+  if (mapped_) return;
+  storage_.reset();
+  ++version_;
+}
+
+void Buffer::setSizeBelow(size_t size, GLenum usage) {
+  const std::lock_guard lock(mutex_);
+  size_ = size, usage_ = usage, heldBack_ = false, mapped_ = nullptr;
+  storage_.reset(), mappedStorage_.reset();
+  ++version_;
+}
+
+void* Buffer::map(const RealGl& real, size_t offset, size_t length, GLbitfield access) {
+  const std::lock_guard lock(mutex_);
+  if (!storage_ && size_ > 0) fetch(real);
+  if (!storage_) storage_ = std::make_shared<BufferStorage>(size_);
+  std::byte* data = (access & GL_MAP_WRITE_BIT) ? writable().data : storage_->data;
+  mapped_ = data + offset;
+  mappedStorage_ = storage_;
+  mapOffset_ = offset, mapLength_ = length, mapAccess_ = access;
+  return mapped_;
+}
+
+void Buffer::unmap() {
+  const std::lock_guard lock(mutex_);
+  if (mapAccess_ & GL_MAP_WRITE_BIT) heldBack_ = true, ++version_;
+  mapped_ = nullptr;
+  mappedStorage_.reset();
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,170 @@
+#include "gl/capture/captured_vertices.h"
+
+#include "parallel/loops.h"
+
+#include <GL/glext.h>
+
+#include <bit>
+
+namespace gluray::gl {
+
+VertexLayout VertexLayout::of(SlotMask mask) {
+  VertexLayout layout;
+  layout.mask = mask | bit(kPosition);
+  layout.stride = 3;
+  for (int s = kPosition + 1; s < kSlotCount; ++s) {
+    const auto slot = static_cast<Slot>(s);
+    if (!layout.has(slot)) continue;
+    layout.offset[slot] = layout.stride;
+    layout.stride = static_cast<uint8_t>(layout.stride + sizeOf(slot));
+  }
+  return layout;
+}
+
+namespace {
+
+/// One parameter of one material. False where `pname` is none.
+bool setParameter(scene::Material& material, uint16_t& set, GLenum pname, const float* p) {
+  const glm::vec4 color = pname == GL_SHININESS ? glm::vec4(0) : glm::vec4(p[0], p[1], p[2], p[3]);
+  switch (pname) {
+    case GL_AMBIENT: material.ambient = color, set |= MaterialChange::ambient; return true;
+    case GL_DIFFUSE: material.diffuse = color, set |= MaterialChange::diffuse; return true;
+    case GL_SPECULAR: material.specular = color, set |= MaterialChange::specular; return true;
+    case GL_EMISSION: material.emission = color, set |= MaterialChange::emission; return true;
+    case GL_SHININESS: material.shininess = p[0], set |= MaterialChange::shininess; return true;
+    case GL_AMBIENT_AND_DIFFUSE:
+      material.ambient = material.diffuse = color;
+      set |= MaterialChange::ambient | MaterialChange::diffuse;
+      return true;
+    default: return false;
+  }
+}
+
+void apply(scene::Material& base, const scene::Material& values, uint16_t set) {
+  if (set & MaterialChange::ambient) base.ambient = values.ambient;
+  if (set & MaterialChange::diffuse) base.diffuse = values.diffuse;
+  if (set & MaterialChange::specular) base.specular = values.specular;
+  if (set & MaterialChange::emission) base.emission = values.emission;
+  if (set & MaterialChange::shininess) base.shininess = values.shininess;
+}
+
+}  // namespace
+
+uint16_t sameParameters(const scene::Material& a, const scene::Material& b) {
+  uint16_t same = 0;
+  if (a.ambient == b.ambient) same |= MaterialChange::ambient;
+  if (a.diffuse == b.diffuse) same |= MaterialChange::diffuse;
+  if (a.specular == b.specular) same |= MaterialChange::specular;
+  if (a.emission == b.emission) same |= MaterialChange::emission;
+  if (a.shininess == b.shininess) same |= MaterialChange::shininess;
+  return same;
+}
+
+bool MaterialChange::set(GLenum face, GLenum pname, const float* params) {
+  if (face != GL_FRONT && face != GL_BACK && face != GL_FRONT_AND_BACK) return false;
+  bool known = true;
+  if (face != GL_BACK) known = setParameter(values.front, front, pname, params);
+  if (face != GL_FRONT) known = setParameter(values.back, back, pname, params);
+  return known;
+}
+
+MaterialChange MaterialChange::since(const MaterialChange& earlier) const {
+  MaterialChange result = *this;
+  result.front &=
+      static_cast<uint16_t>(~(earlier.front & sameParameters(values.front, earlier.values.front)));
+  result.back &= static_cast<uint16_t>(~(earlier.back & sameParameters(values.back, earlier.values.back)));
+  return result;
+}
+
+scene::MaterialPair MaterialChange::appliedTo(const scene::MaterialPair& base) const {
+  scene::MaterialPair result = base;
+  apply(result.front, values.front, front);
+  apply(result.back, values.back, back);
+  return result;
+}
+
+Hash128 Captured::hash() const {
+  Hash128 h = hashLarge(vertices.data(), size_t{vertexCount} * layout.stride * sizeof(float),
+                        {layout.mask, vertexCount});
+  h = hashBytes(primitives.data(), primitives.size() * sizeof(Primitive), h);
+  return indices.empty() ? h : hashLarge(indices.data(), indices.size() * sizeof(uint32_t), h);
+}
+
+void Captured::clear() {
+  layout = {};
+  vertexCount = 0;
+  primitives.clear();
+  indices.clear();
+  materials.clear();
+}
+
+namespace {
+
+/// Calls emit(a, b, c) with positions within the primitive for each of its triangles, the provoking vertex
+/// last.
+template <class Emit>
+void forEachTriangle(const Primitive& p, Emit&& emit) {
+  const uint32_t n = p.count;
+  switch (p.mode) {
+    case GL_TRIANGLES:
+      for (uint32_t i = 0; i + 2 < n; i += 3) emit(i, i + 1, i + 2);
+      break;
+    case GL_TRIANGLE_STRIP:
+      for (uint32_t i = 0; i + 2 < n; ++i) i % 2 ? emit(i + 1, i, i + 2) : emit(i, i + 1, i + 2);
+      break;
+    case GL_TRIANGLE_FAN:
+      for (uint32_t i = 1; i + 1 < n; ++i) emit(0, i, i + 1);
+      break;
+    case GL_POLYGON:  // the first vertex provokes
+      for (uint32_t i = 1; i + 1 < n; ++i) emit(i, i + 1, 0);
+      break;
+    case GL_QUADS:
+      // As llvmpipe splits quads with indices, of lists, and of draws that reach out of view or are cut by a
+      // plane. Others it splits from the first corner to the third (seen in 22.3); a mesh that outlives the
+      // camera cannot follow.
+      for (uint32_t i = 0; i + 3 < n; i += 4) emit(i, i + 1, i + 3), emit(i + 1, i + 2, i + 3);
+      break;
+    case GL_QUAD_STRIP:  // quad i has the corners 2i, 2i+1, 2i+3, 2i+2, and 2i+3 provokes
+      for (uint32_t i = 0; i + 3 < n; i += 2) emit(i, i + 1, i + 3), emit(i + 2, i, i + 3);
+      break;
+    default: break;
+  }
+}
+
+}  // namespace
+
+std::vector<uint32_t> triangulate(const Captured& captured) {
+  std::vector<uint32_t> triangles;
+  triangles.reserve(countTriangles(captured) * 3 + 4);  // meshes need readable bytes behind
+  for (const Primitive& p : captured.primitives) {
+    const auto vertexOf = [&](uint32_t i) {
+      return captured.indices.empty() ? p.first + i : captured.indices[p.first + i];
+    };
+    forEachTriangle(p, [&](uint32_t a, uint32_t b, uint32_t c) {
+      triangles.insert(triangles.end(), {vertexOf(a), vertexOf(b), vertexOf(c)});
+    });
+  }
+  return triangles;
+}
+
+uint64_t countTriangles(GLenum mode, uint64_t count) {
+  switch (mode) {
+    case GL_TRIANGLES: return count / 3;
+    case GL_QUADS: return count / 4 * 2;
+    case GL_QUAD_STRIP: return count < 4 ? 0 : (count / 2 - 1) * 2;
+    case GL_TRIANGLE_STRIP:
+    case GL_TRIANGLE_FAN:
+    case GL_POLYGON: return count < 3 ? 0 : count - 2;
+    case GL_TRIANGLES_ADJACENCY: return count / 6;
+    case GL_TRIANGLE_STRIP_ADJACENCY: return count < 6 ? 0 : count / 2 - 2;
+    default: return 0;
+  }
+}
+
+uint64_t countTriangles(const Captured& captured) {
+  uint64_t count = 0;
+  for (const Primitive& p : captured.primitives) count += countTriangles(p.mode, p.count);
+  return count;
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,287 @@
+#include "gl/capture/mesh_builder.h"
+
+#include "base/timeline.h"
+#include "gl/capture/weld.h"
+#include "parallel/loops.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+namespace gluray::gl {
+
+template <class T>
+std::shared_ptr<T[]> makePadded(size_t count) {
+  return std::make_shared_for_overwrite<T[]>(count + (16 + sizeof(T) - 1) / sizeof(T));
+}
+template std::shared_ptr<float[]> makePadded<float>(size_t);
+template std::shared_ptr<uint32_t[]> makePadded<uint32_t>(size_t);
+
+namespace {
+
+constexpr size_t kGrain = 1 << 16;
+
+/// Positions in the captured vertices of mesh vertex i: the vertex itself, or its representative after
+/// welding.
+struct Selection {
+  const Captured& captured;
+  const GrowingArray<uint32_t>* source;  // null: all vertices in order
+  uint32_t count() const { return source ? static_cast<uint32_t>(source->size()) : captured.vertexCount; }
+  const float* operator[](uint32_t i) const { return captured.vertex(source ? (*source)[i] : i); }
+};
+
+/// Copies one slot into an array of its own.
+scene::Attribute copySlot(const Selection& vertices, Slot slot, scene::Format format, size_t& sizeBytes) {
+  const uint32_t floats = sizeOf(slot), offset = vertices.captured.layout.offset[slot],
+                 count = vertices.count();
+  const auto data = makePadded<float>(size_t{count} * floats);
+  forPieces(count, kGrain, [&](size_t first, size_t last) {
+    for (size_t i = first; i < last; ++i)
+      std::memcpy(&data[i * floats], vertices[static_cast<uint32_t>(i)] + offset, floats * 4);
+  });
+  sizeBytes += size_t{count} * floats * 4;
+  return {data, reinterpret_cast<const std::byte*>(data.get()), floats * 4, format};
+}
+
+/// Colours as bytes where bytes hold them exactly, which halves the memory of coloured surfaces and more.
+scene::Attribute copyColors(const Selection& vertices, size_t& sizeBytes) {
+  const uint32_t offset = vertices.captured.layout.offset[kColor], count = vertices.count();
+  const auto asByte = [](float c) {
+    return static_cast<uint32_t>(std::lround(std::clamp(c, 0.0f, 1.0f) * 255.0f));
+  };
+  for (uint32_t i = 0; i < count; ++i) {
+    const float* c = vertices[i] + offset;
+    for (int k = 0; k < 4; ++k)
+      if (!(static_cast<float>(asByte(c[k])) * (1.0f / 255.0f) == c[k] ||
+            static_cast<float>(asByte(c[k])) / 255.0f == c[k]))
+        return copySlot(vertices, kColor, scene::Format::float4, sizeBytes);
+  }
+  const auto data = makePadded<uint32_t>(count);
+  for (uint32_t i = 0; i < count; ++i) {
+    const float* c = vertices[i] + offset;
+    data[i] = asByte(c[0]) | asByte(c[1]) << 8 | asByte(c[2]) << 16 | asByte(c[3]) << 24;
+  }
+  sizeBytes += size_t{count} * 4;
+  return {data, reinterpret_cast<const std::byte*>(data.get()), 4, scene::Format::unorm8x4};
+}
+
+scene::Attribute copyMaterials(const Selection& vertices, size_t& sizeBytes) {
+  const uint32_t offset = vertices.captured.layout.offset[kMaterialNumber], count = vertices.count();
+  const auto data = makePadded<uint32_t>(count);
+  for (uint32_t i = 0; i < count; ++i) data[i] = static_cast<uint32_t>(vertices[i][offset]);
+  sizeBytes += size_t{count} * 4;
+  return {data, reinterpret_cast<const std::byte*>(data.get()), 4, scene::Format::uint32};
+}
+
+/// Indices in memory that the mesh takes over.
+scene::Attribute makeIndices(GrowingArray<uint32_t> corners, size_t& sizeBytes) {
+  corners.shrink(corners.size());
+  sizeBytes += corners.size() * 4;
+  const auto data = std::make_shared<GrowingArray<uint32_t>>(std::move(corners));
+  return {data, reinterpret_cast<const std::byte*>(data->data()), 4, scene::Format::uint32};
+}
+
+scene::Attribute makeIndices(std::vector<uint32_t> corners, size_t& sizeBytes) {
+  corners.reserve(corners.size() + 4);  // 16 readable bytes behind
+  sizeBytes += corners.size() * 4;
+  const auto data = std::make_shared<std::vector<uint32_t>>(std::move(corners));
+  return {data, reinterpret_cast<const std::byte*>(data->data()), 4, scene::Format::uint32};
+}
+
+GrowingArray<uint32_t> copyOf(const GrowingArray<uint32_t>& numbers) {
+  GrowingArray<uint32_t> copy;
+  copy.resize(numbers.size());
+  copyLarge(copy.data(), numbers.data(), numbers.size() * sizeof(uint32_t));
+  return copy;
+}
+
+/// Whether the capture is one run of separate triangles.
+bool isTriangles(const Captured& c) {
+  return c.primitives.size() == 1 && c.primitives[0].mode == GL_TRIANGLES && c.primitives[0].first == 0;
+}
+
+/// The same, vertex after vertex.
+bool isSoup(const Captured& c) { return c.indices.empty() && isTriangles(c); }
+
+/// Whether a mesh can read the vertices where they are, and nothing in them is in vain.
+bool isReadable(const VertexLayout& layout) {
+  return (layout.mask &
+          ~(bit(kPosition) | bit(kNormal) | bit(kSecondaryColor) | bit(kFogCoord) | kTexCoordSlots)) == 0;
+}
+
+/// Texture coordinates of units 1 and up: makeOne(slot) for each that the layout has.
+template <class MakeOne>
+std::vector<scene::Attribute> texcoordsAbove(const VertexLayout& layout, MakeOne&& makeOne) {
+  std::vector<scene::Attribute> all;
+  for (uint32_t unit = 1; unit < 8; ++unit) {
+    if (!layout.has(texCoordSlot(unit))) continue;
+    all.resize(unit);
+    all.back() = makeOne(texCoordSlot(unit));
+  }
+  return all;
+}
+
+bool hasOtherW(const Captured& c) {
+  if (!c.layout.has(kPositionW)) return false;
+  for (uint32_t i = 0; i < c.vertexCount; ++i)
+    if (c.vertex(i)[c.layout.offset[kPositionW]] != 1.0f) return true;
+  return false;
+}
+
+void copyAttributes(const Selection& vertices, scene::Mesh& mesh) {
+  const VertexLayout& layout = vertices.captured.layout;
+  mesh.vertexCount = vertices.count();
+  mesh.positions = copySlot(vertices, kPosition, scene::Format::float3, mesh.sizeBytes);
+  if (layout.has(kNormal)) mesh.normals = copySlot(vertices, kNormal, scene::Format::float3, mesh.sizeBytes);
+  if (layout.has(kColor)) mesh.colors = copyColors(vertices, mesh.sizeBytes);
+  if (layout.has(kSecondaryColor))
+    mesh.secondaryColors = copySlot(vertices, kSecondaryColor, scene::Format::float3, mesh.sizeBytes);
+  if (layout.has(kFogCoord))
+    mesh.fogCoords = copySlot(vertices, kFogCoord, scene::Format::float1, mesh.sizeBytes);
+  if (layout.has(kTexCoord0))
+    mesh.texcoords = copySlot(vertices, kTexCoord0, scene::Format::float4, mesh.sizeBytes);
+  mesh.texcoordsAbove = texcoordsAbove(
+      layout, [&](Slot s) { return copySlot(vertices, s, scene::Format::float4, mesh.sizeBytes); });
+  if (layout.has(kMaterialNumber)) mesh.materials = copyMaterials(vertices, mesh.sizeBytes);
+}
+
+}  // namespace
+
+KnownMesh buildMesh(const Captured& captured) {
+  constexpr uint32_t kWorthWelding = 3000;  // vertices
+  KnownMesh result;
+  if (hasOtherW(captured)) {
+    result.homogeneous = true;
+    return result;
+  }
+  auto mesh = std::make_shared<scene::Mesh>();
+  if (isSoup(captured) && captured.vertexCount < kWorthWelding) {
+    copyAttributes({captured, nullptr}, *mesh);
+    mesh->triangleCount = captured.vertexCount / 3;
+  } else if (isSoup(captured)) {
+    const timeline::Span span("weld", captured.vertexCount / 3);
+    Welded welded = weld(captured.vertices.data(), captured.vertexCount, captured.layout.stride);
+    copyAttributes({captured, &welded.source}, *mesh);
+    mesh->indices = makeIndices(std::move(welded.index), mesh->sizeBytes);
+    mesh->triangleCount = captured.vertexCount / 3;
+  } else if (isTriangles(captured)) {
+    copyAttributes({captured, nullptr}, *mesh);
+    mesh->indices = makeIndices(copyOf(captured.indices), mesh->sizeBytes);
+    mesh->triangleCount = static_cast<uint32_t>(captured.indices.size() / 3);
+  } else {
+    std::vector<uint32_t> triangles = triangulate(captured);
+    mesh->triangleCount = static_cast<uint32_t>(triangles.size() / 3);
+    copyAttributes({captured, nullptr}, *mesh);
+    mesh->indices = makeIndices(std::move(triangles), mesh->sizeBytes);
+  }
+  finishMesh(*mesh);
+  result.mesh = std::move(mesh);
+  return result;
+}
+
+KnownMesh buildMesh(Captured&& captured) {
+  const bool asIs = isTriangles(captured) && !captured.indices.empty() && isReadable(captured.layout);
+  if (!asIs) return buildMesh(std::as_const(captured));
+  struct Taken {
+    GrowingArray<float> vertices;
+    GrowingArray<uint32_t> indices;
+  };
+  const auto taken = std::make_shared<Taken>();
+  const VertexLayout& layout = captured.layout;
+  captured.vertices.shrink(size_t{captured.vertexCount} * layout.stride);
+  captured.indices.shrink(captured.indices.size());
+  auto mesh = std::make_shared<scene::Mesh>();
+  const auto slot = [&](Slot s, scene::Format format) -> scene::Attribute {
+    if (!layout.has(s)) return {};
+    const float* first = captured.vertices.data() + layout.offset[s];
+    return {taken, reinterpret_cast<const std::byte*>(first), layout.stride * uint32_t{sizeof(float)},
+            format};
+  };
+  mesh->vertexCount = captured.vertexCount;
+  mesh->triangleCount = static_cast<uint32_t>(captured.indices.size() / 3);
+  mesh->positions = slot(kPosition, scene::Format::float3);
+  mesh->normals = slot(kNormal, scene::Format::float3);
+  mesh->secondaryColors = slot(kSecondaryColor, scene::Format::float3);
+  mesh->fogCoords = slot(kFogCoord, scene::Format::float1);
+  mesh->texcoords = slot(kTexCoord0, scene::Format::float4);
+  mesh->texcoordsAbove = texcoordsAbove(layout, [&](Slot s) { return slot(s, scene::Format::float4); });
+  mesh->indices = {taken, reinterpret_cast<const std::byte*>(captured.indices.data()), 4,
+                   scene::Format::uint32};
+  mesh->sizeBytes = captured.sizeBytes();
+  finishMesh(*mesh);
+  // Moving the arrays leaves their elements where they are; nothing can fail from here on.
+  taken->vertices = std::move(captured.vertices);
+  taken->indices = std::move(captured.indices);
+  KnownMesh result;
+  result.mesh = std::move(mesh);
+  return result;
+}
+
+namespace {
+
+struct Bounds {
+  glm::vec3 lower{INFINITY}, upper{-INFINITY};
+  void join(const Bounds& o) { lower = glm::min(lower, o.lower), upper = glm::max(upper, o.upper); }
+};
+
+Bounds boundsOf(const scene::Mesh& mesh) {
+  return reducePieces(
+      mesh.vertexCount, kGrain, Bounds{},
+      [&](size_t first, size_t last, Bounds b) {
+        for (size_t i = first; i < last; ++i) {
+          const glm::vec3 p = mesh.position(static_cast<uint32_t>(i));
+          if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) b.join({p, p});
+        }
+        return b;
+      },
+      [](Bounds a, const Bounds& b) {
+        a.join(b);
+        return a;
+      });
+}
+
+/// Identity of positions and triangle order, the same however vertices are shared: the corners' positions in
+/// order, hashed in blocks on all cores.
+Hash128 geometryIdentity(const scene::Mesh& mesh) {
+  constexpr uint32_t kTriangles = 1 << 14;
+  const uint32_t blocks = (mesh.triangleCount + kTriangles - 1) / kTriangles;
+  std::vector<Hash128> hashes(blocks);
+  const auto hashBlock = [&](uint32_t b) {
+    const uint32_t first = b * kTriangles, last = std::min(mesh.triangleCount, first + kTriangles);
+    std::vector<glm::vec3> corners(size_t{last - first} * 3);
+    glm::vec3* corner = corners.data();
+    for (uint32_t t = first; t < last; ++t)
+      for (uint32_t k = 0; k < 3; ++k) *corner++ = mesh.position(mesh.corner(t, k));
+    hashes[b] = hashBytes(corners.data(), corners.size() * sizeof(glm::vec3));
+  };
+  forPieces(blocks, 1, [&](size_t b, size_t last) {
+    for (; b < last; ++b) hashBlock(static_cast<uint32_t>(b));
+  });
+  return hashBytes(hashes.data(), hashes.size() * sizeof(Hash128), {mesh.triangleCount, 0});
+}
+
+bool allOpaque(const scene::Attribute& colors, uint32_t count) {
+  if (!colors || colors.format == scene::Format::float3) return true;
+  for (uint32_t i = 0; i < count; ++i)
+    if (scene::fetch(colors, i).a != 1.0f) return false;
+  return true;
+}
+
+}  // namespace
+
+bool isFarAway(const scene::Mesh& mesh) {
+  constexpr float kFarthest = 1e18f;
+  const glm::vec3 reach = glm::max(glm::abs(mesh.lower), glm::abs(mesh.upper));
+  return std::max({reach.x, reach.y, reach.z}) > kFarthest;
+}
+
+void finishMesh(scene::Mesh& mesh) {
+  const Bounds bounds = boundsOf(mesh);
+  if (bounds.lower.x <= bounds.upper.x) mesh.lower = bounds.lower, mesh.upper = bounds.upper;
+  mesh.geometryId = geometryIdentity(mesh);
+  mesh.opaqueColors = allOpaque(mesh.colors, mesh.vertexCount);
+}
+
+}  // namespace gluray::gl

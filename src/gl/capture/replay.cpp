@@ -1,0 +1,171 @@
+#include "gl/capture/replay.h"
+
+#include <GL/glext.h>
+#include <glm/gtc/type_ptr.hpp>
+
+namespace gluray::gl {
+
+void sendAttribute(const RealGl& real, Slot slot, const float* v) {
+  switch (slot) {
+    case kPosition:
+    case kPositionW:
+    case kMaterialNumber: break;
+    case kNormal: real.Normal3fv(v); break;
+    case kColor: real.Color4fv(v); break;
+    case kSecondaryColor: real.SecondaryColor3fv(v); break;
+    case kFogCoord: real.FogCoordfv(v); break;
+    case kEdgeFlag: real.EdgeFlag(v[0] != 0 ? GL_TRUE : GL_FALSE); break;
+    case kIndex: real.Indexf(v[0]); break;
+    case kTexCoord0: real.TexCoord4fv(v); break;
+    default:
+      if (slot < kGeneric1)
+        real.MultiTexCoord4fv(static_cast<GLenum>(GL_TEXTURE0 + (slot - kTexCoord0)), v);
+      else
+        real.VertexAttrib4fv(static_cast<GLuint>(slot - kGeneric1 + 1), v);
+  }
+}
+
+namespace {
+
+void sendFace(const RealGl& real, GLenum face, const scene::Material& m, uint16_t set) {
+  if (set & MaterialChange::ambient) real.Materialfv(face, GL_AMBIENT, glm::value_ptr(m.ambient));
+  if (set & MaterialChange::diffuse) real.Materialfv(face, GL_DIFFUSE, glm::value_ptr(m.diffuse));
+  if (set & MaterialChange::specular) real.Materialfv(face, GL_SPECULAR, glm::value_ptr(m.specular));
+  if (set & MaterialChange::emission) real.Materialfv(face, GL_EMISSION, glm::value_ptr(m.emission));
+  if (set & MaterialChange::shininess) real.Materialf(face, GL_SHININESS, m.shininess);
+}
+
+}  // namespace
+
+void sendMaterial(const RealGl& real, const MaterialChange& change) {
+  sendFace(real, GL_FRONT, change.values.front, change.front);
+  sendFace(real, GL_BACK, change.values.back, change.back);
+}
+
+namespace {
+
+/// Sends changes of material between vertices. Those that were made outside glBegin and glEnd are sent
+/// outside: within a primitive, lists of Mesa store parameters too that follow the colour
+/// (GL_COLOR_MATERIAL).
+class MaterialSender {
+ public:
+  MaterialSender(const RealGl& real, std::span<const MaterialChange> changes)
+      : real_(real), changes_(changes) {}
+
+  /// glBegin. `number` is the change that its first vertex has, 0 where there is none.
+  void begin(GLenum mode, uint32_t number) {
+    mode_ = mode;
+    send(lastOutside(number));
+    real_.Begin(mode);
+  }
+  /// The change that the next vertex has.
+  void vertex(uint32_t number) {
+    if (number == sent_) return;
+    if (const uint32_t outside = lastOutside(number)) {
+      real_.End();
+      send(outside);
+      real_.Begin(mode_);
+    }
+    send(number);
+  }
+
+ private:
+  /// The last one before `number`, or that one, that was made outside and has not been sent.
+  uint32_t lastOutside(uint32_t number) const {
+    while (number > sent_ && !changes_[number - 1].outside) --number;
+    return number > sent_ ? number : 0;
+  }
+  void send(uint32_t number) {
+    if (number == 0 || number == sent_) return;
+    const MaterialChange& change = changes_[number - 1];
+    sendMaterial(real_, sent_ ? change.since(changes_[sent_ - 1]) : change);
+    sent_ = number;
+  }
+
+  const RealGl& real_;
+  std::span<const MaterialChange> changes_;
+  GLenum mode_ = GL_POINTS;
+  uint32_t sent_ = 0;
+};
+
+/// Calls glBegin and each(vertex number) for the primitive's vertices, with the materials that they have.
+template <class MaterialOf, class Each>
+void sendOpen(MaterialSender& materials, const Primitive& primitive, const uint32_t* indices,
+              MaterialOf&& materialOf, Each&& each) {
+  const auto vertexOf = [&](uint32_t i) {
+    return indices ? indices[primitive.first + i] : primitive.first + i;
+  };
+  materials.begin(primitive.mode, primitive.count > 0 ? materialOf(vertexOf(0)) : 0);
+  for (uint32_t i = 0; i < primitive.count; ++i) {
+    materials.vertex(materialOf(vertexOf(i)));
+    each(vertexOf(i));
+  }
+}
+
+/// Sends primitives of a capture, with all that their vertices carry.
+class CaptureSender {
+ public:
+  CaptureSender(const RealGl& real, const Captured& captured)
+      : real_(real), captured_(captured), materials_(real, captured.materials) {}
+
+  void sendOpen(const Primitive& primitive) {
+    const uint32_t* indices = captured_.indices.empty() ? nullptr : captured_.indices.data();
+    gl::sendOpen(
+        materials_, primitive, indices, [&](uint32_t i) { return materialOf(i); },
+        [&](uint32_t i) { sendVertex(captured_.vertex(i)); });
+  }
+
+ private:
+  uint32_t materialOf(uint32_t i) const {
+    if (!captured_.layout.has(kMaterialNumber)) return 0;
+    return static_cast<uint32_t>(captured_.vertex(i)[captured_.layout.offset[kMaterialNumber]]);
+  }
+  void sendVertex(const float* v) const {
+    const VertexLayout& layout = captured_.layout;
+    for (int s = kNormal; s < kSlotCount; ++s)
+      if (layout.has(static_cast<Slot>(s))) sendAttribute(real_, static_cast<Slot>(s), v + layout.offset[s]);
+    real_.Vertex4f(v[0], v[1], v[2], layout.has(kPositionW) ? v[layout.offset[kPositionW]] : 1.0f);
+  }
+
+  const RealGl& real_;
+  const Captured& captured_;
+  MaterialSender materials_;
+};
+
+}  // namespace
+
+void replay(const RealGl& real, const Captured& captured) {
+  CaptureSender sender(real, captured);
+  for (const Primitive& p : captured.primitives) sender.sendOpen(p), real.End();
+}
+
+void replayOpen(const RealGl& real, const Captured& captured, const Primitive& open) {
+  CaptureSender(real, captured).sendOpen(open);
+}
+
+void replay(const RealGl& real, const scene::Mesh& mesh, std::span<const Primitive> primitives,
+            std::span<const MaterialChange> materials) {
+  const auto materialOf = [&](uint32_t i) {
+    if (!mesh.materials) return 0u;
+    return *reinterpret_cast<const uint32_t*>(mesh.materials.data + size_t{i} * mesh.materials.stride);
+  };
+  const auto send = [&](uint32_t i) {
+    if (mesh.normals) real.Normal3fv(glm::value_ptr(scene::fetch(mesh.normals, i)));
+    if (mesh.colors) real.Color4fv(glm::value_ptr(scene::fetch(mesh.colors, i)));
+    if (mesh.secondaryColors) real.SecondaryColor3fv(glm::value_ptr(scene::fetch(mesh.secondaryColors, i)));
+    if (mesh.fogCoords) real.FogCoordfv(glm::value_ptr(scene::fetch(mesh.fogCoords, i)));
+    if (mesh.texcoords) real.TexCoord4fv(glm::value_ptr(scene::fetch(mesh.texcoords, i)));
+    for (uint32_t unit = 1; unit <= mesh.texcoordsAbove.size(); ++unit)
+      if (const scene::Attribute* texcoords = mesh.texcoordsOf(unit))
+        sendAttribute(real, texCoordSlot(unit), glm::value_ptr(scene::fetch(*texcoords, i)));
+    real.Vertex3fv(glm::value_ptr(mesh.position(i)));
+  };
+  // Welded triangles are replayed through their indices; everything else kept its vertices in the order they
+  // came.
+  const bool welded = primitives.size() == 1 && primitives[0].mode == GL_TRIANGLES && mesh.indices;
+  const auto* indices = welded ? reinterpret_cast<const uint32_t*>(mesh.indices.data) : nullptr;
+  MaterialSender sender(real, materials);
+  for (const Primitive& p : primitives) sendOpen(sender, p, indices, materialOf, send), real.End();
+}
+
+}  // namespace gluray::gl

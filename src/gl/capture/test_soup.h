@@ -1,0 +1,60 @@
+// Grids of triangles sent by glBegin, for tests of welding.
+#pragma once
+#include "gl/capture/vertex_stream.h"
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace gluray::gl::test {
+
+using Welding = VertexStream::Welding;
+inline constexpr uint32_t kNever = VertexStream::kNever, kWeldFrom = 1u << 16;
+inline constexpr uint32_t kSide = 180;  // squares a side: corners enough to be welded while they arrive
+
+/// Calls send(x, y) for every corner of a grid of squares, two triangles each.
+template <class Send>
+void forEachCorner(uint32_t side, Send&& send) {
+  for (uint32_t y = 0; y < side; ++y)
+    for (uint32_t x = 0; x < side; ++x) {
+      send(x, y), send(x + 1, y), send(x + 1, y + 1);
+      send(x, y), send(x + 1, y + 1), send(x, y + 1);
+    }
+}
+
+inline float height(uint32_t x, uint32_t y) { return std::sin(static_cast<float>(x * 31 + y)); }
+
+inline void sendGrid(VertexStream& stream, uint32_t side) {
+  forEachCorner(side, [&](uint32_t x, uint32_t y) {
+    const float normal[3] = {height(x, y), 0, 1};
+    if (stream.has(kNormal)) stream.set(kNormal, normal);
+    // As the leaf path does.
+    if (stream.hasRoom())
+      stream.vertex(static_cast<float>(x), static_cast<float>(y), height(y, x));
+    else
+      stream.vertexSlow(static_cast<float>(x), static_cast<float>(y), height(y, x), 1);
+  });
+}
+
+inline Captured grid(uint32_t side, uint32_t weldFrom, SlotMask slots = bit(kPosition) | bit(kNormal),
+                     Welding where = Welding::here) {
+  VertexStream stream;
+  stream.start(slots, initialSlotValues(), weldFrom, where);
+  stream.begin(GL_TRIANGLES);
+  sendGrid(stream, side);
+  stream.end();
+  return stream.take();
+}
+
+/// The vertices as they were sent, through the indices where there are any.
+inline std::vector<float> expanded(const Captured& c) {
+  std::vector<float> floats;
+  for (const Primitive& p : c.primitives)
+    for (uint32_t i = p.first; i < p.first + p.count; ++i) {
+      const float* v = c.vertex(c.indices.empty() ? i : c.indices[i]);
+      floats.insert(floats.end(), v, v + c.layout.stride);
+    }
+  return floats;
+}
+
+}  // namespace gluray::gl::test

@@ -1,0 +1,275 @@
+#include "gl/draws/coplanar_surfaces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace gluray::gl {
+namespace {
+
+constexpr double kNarrow = 1e-5;  // NDC; what overlaps by less covers no sample that anybody would miss
+
+glm::dvec3 position(const scene::Mesh& mesh, uint32_t triangle, uint32_t k) {
+  return glm::dvec3(mesh.position(mesh.corner(triangle, k)));
+}
+
+/// The plane that all corners lie in but for roundings of their coordinates.
+std::optional<glm::dvec4> findPlane(const scene::Mesh& mesh) {
+  glm::dvec3 normal(0);
+  for (uint32_t t = 0; t < mesh.triangleCount && normal == glm::dvec3(0); ++t) {
+    const glm::dvec3 p = position(mesh, t, 0);
+    normal = glm::cross(position(mesh, t, 1) - p, position(mesh, t, 2) - p);
+  }
+  if (!(glm::length(normal) > 0)) return std::nullopt;
+  normal = glm::normalize(normal);
+  const glm::dvec3 origin = position(mesh, 0, 0);
+  const glm::dvec3 reach = glm::max(glm::abs(glm::dvec3(mesh.lower)), glm::abs(glm::dvec3(mesh.upper)));
+  const double rounding = 1e-6 * (reach.x + reach.y + reach.z);
+  for (uint32_t t = 0; t < mesh.triangleCount; ++t)
+    for (uint32_t k = 0; k < 3; ++k)
+      if (!(std::abs(glm::dot(normal, position(mesh, t, k) - origin)) <= rounding)) return std::nullopt;
+  return glm::dvec4(normal, -glm::dot(normal, origin));
+}
+
+using Corners = std::array<glm::dvec3, 3>;
+
+/// Whether some edge of `a` has all of `b` beyond it, in the window.
+bool isApart(const Corners& a, const Corners& b) {
+  for (size_t k = 0; k < 3; ++k) {
+    const glm::dvec2 start(a[k]), edge = glm::dvec2(a[(k + 1) % 3]) - start;
+    const auto beside = [&](const glm::dvec3& p) {
+      return edge.x * (p.y - start.y) - edge.y * (p.x - start.x);
+    };
+    const double side = beside(a[(k + 2) % 3]) < 0 ? -1 : 1;
+    const double most = std::max({side * beside(b[0]), side * beside(b[1]), side * beside(b[2])});
+    if (most <= 0 || most * most <= kNarrow * kNarrow * glm::dot(edge, edge)) return true;
+  }
+  return false;
+}
+
+/// Whether the corners are the same, in whatever order.
+bool isSame(const Corners& a, const Corners& b) {
+  return std::all_of(a.begin(), a.end(),
+                     [&](const glm::dvec3& p) { return std::find(b.begin(), b.end(), p) != b.end(); });
+}
+
+struct Box2 {
+  glm::dvec2 lower{std::numeric_limits<double>::infinity()};
+  glm::dvec2 upper{-std::numeric_limits<double>::infinity()};
+  void add(const glm::dvec2& p) { lower = glm::min(lower, p), upper = glm::max(upper, p); }
+  /// Whether they share more than `narrow` in both directions.
+  bool meets(const Box2& other, const glm::dvec2& narrow) const {
+    const glm::dvec2 size = glm::min(upper, other.upper) - glm::max(lower, other.lower);
+    return size.x > narrow.x && size.y > narrow.y;
+  }
+};
+
+/// The bounds of a mesh in two of its coordinates.
+Box2 boundsOf(const scene::Mesh& mesh, const glm::ivec2& axes) {
+  return {{mesh.lower[axes.x], mesh.lower[axes.y]}, {mesh.upper[axes.x], mesh.upper[axes.y]}};
+}
+
+std::array<glm::dvec3, 4> cornersOf(const Box2& box) {
+  return {glm::dvec3(box.lower, 1), glm::dvec3(box.upper, 1), glm::dvec3(box.lower.x, box.upper.y, 1),
+          glm::dvec3(box.upper.x, box.lower.y, 1)};
+}
+
+/// The two coordinates that tell points of a plane apart best.
+glm::ivec2 axesOf(const glm::dvec4& plane) {
+  const glm::dvec3 n = glm::abs(glm::dvec3(plane));
+  if (n.x >= n.y && n.x >= n.z) return {1, 2};
+  return n.y >= n.z ? glm::ivec2(0, 2) : glm::ivec2(0, 1);
+}
+
+/// Clip x, y and w of the point of `plane` that has the coordinates s and t: from (s, t, 1).
+glm::dmat3 fromPlane(const glm::dmat4& clipFromObject, const glm::dvec4& plane, const glm::ivec2& axes) {
+  const int third = 3 - axes.x - axes.y;
+  const auto column = [&](int axis) {
+    const glm::dvec4 c = clipFromObject[axis] - clipFromObject[third] * (plane[axis] / plane[third]);
+    return glm::dvec3(c.x, c.y, c.w);
+  };
+  return {column(axes.x), column(axes.y), column(3)};
+}
+
+}  // namespace
+
+/// A triangle in normalised device coordinates.
+struct Sheets::Piece {
+  Corners at;
+  Box2 box;
+};
+
+/// What the bounds of two sheets have in common, in the coordinates of the first one's plane: neighbours that
+/// touch share nothing there, however the plane is tilted in the window.
+struct Sheets::Common {
+  Box2 box;
+  glm::dvec2 narrow{0};
+};
+
+std::optional<Sheets::Sheet> Sheets::placed(const scene::MeshPtr& mesh, const SheetPlace& place,
+                                            const glm::dvec4& plane) {
+  const glm::dvec4 clip = glm::transpose(glm::inverse(place.clipFromObject)) * plane;
+  const glm::ivec2 axes = axesOf(plane);
+  Sheet sheet{mesh,
+              place,
+              {-clip.x / clip.z, -clip.y / clip.z, -clip.w / clip.z},
+              axes,
+              fromPlane(place.clipFromObject, plane, axes),
+              glm::dvec2(-1),
+              glm::dvec2(1)};
+  // Seen edge-on it covers nothing.
+  for (int c = 0; c < 3; ++c)
+    if (!(std::abs(sheet.plane[c]) < 1e9)) return std::nullopt;
+  Box2 box;
+  const auto add = [&](const glm::dvec3& p) {
+    sheet.before = sheet.before && p.z > 0;
+    box.add(glm::dvec2(p) / p.z);
+  };
+  for (const glm::dvec3& corner : cornersOf(boundsOf(*mesh, axes))) add(sheet.clipFromPlane * corner);
+  if (!sheet.before) {  // the triangles may be, where their bounds are not
+    sheet.before = true, box = {};
+    for (uint32_t i = 0; i < 3 * mesh->triangleCount && sheet.before; ++i) {
+      const glm::dvec4 p = place.clipFromObject * glm::dvec4(position(*mesh, i / 3, i % 3), 1);
+      add({p.x, p.y, p.w});
+    }
+  }
+  if (sheet.before)
+    sheet.lower = glm::max(sheet.lower, box.lower), sheet.upper = glm::min(sheet.upper, box.upper);
+  if (!(sheet.lower.x < sheet.upper.x && sheet.lower.y < sheet.upper.y)) return std::nullopt;
+  return sheet;
+}
+
+std::vector<Sheets::Piece> Sheets::piecesOf(const Sheet& sheet, const glm::dmat3& commonFromPlane,
+                                            const Common& common) {
+  std::vector<Piece> pieces;
+  for (uint32_t t = 0; t < sheet.mesh->triangleCount; ++t) {
+    Corners at;
+    Box2 box;
+    for (uint32_t k = 0; k < 3; ++k) {
+      at[k] = position(*sheet.mesh, t, k);
+      const glm::dvec3 p = commonFromPlane * glm::dvec3(at[k][sheet.axes.x], at[k][sheet.axes.y], 1);
+      box.add(glm::dvec2(p) / p.z);
+    }
+    if (!box.meets(common.box, glm::min(common.narrow, 0.5 * (box.upper - box.lower)))) continue;
+    Piece piece;
+    for (size_t k = 0; k < 3; ++k) {
+      const glm::dvec4 p = sheet.place.clipFromObject * glm::dvec4(at[k], 1);
+      piece.at[k] = glm::dvec3(p) / p.w;
+      piece.box.add(glm::dvec2(piece.at[k]));
+    }
+    pieces.push_back(piece);
+  }
+  return pieces;
+}
+
+bool Sheets::overlap(const Sheet& a, const Sheet& b) {
+  const glm::dvec2 lower = glm::max(a.lower, b.lower), upper = glm::min(a.upper, b.upper);
+  if (!(lower.x + kNarrow < upper.x && lower.y + kNarrow < upper.y)) return false;
+  if (a.place.framebuffer != b.place.framebuffer || a.place.viewport != b.place.viewport) return false;
+  if (!(a.place.offset == b.place.offset)) return false;
+  // Eight steps of 24 bits, or four of what is coarser: as far as rasterisers round.
+  const double most = std::max(0x1p-20, 8.0 * double{a.place.offset.resolution});
+  const glm::dvec3 apart = a.plane - b.plane;
+  for (const double x : {lower.x, upper.x})
+    for (const double y : {lower.y, upper.y})
+      if (!(std::abs(apart.x * x + apart.y * y + apart.z) <= most)) return false;
+  // All their triangles are equal.
+  if (a.mesh->geometryId == b.mesh->geometryId && a.place.clipFromObject == b.place.clipFromObject)
+    return false;
+  if (!a.before || !b.before) return true;
+
+  const bool same = a.clipFromPlane == b.clipFromPlane && a.axes == b.axes;
+  const glm::dmat3 aFromB = same ? glm::dmat3(1) : glm::inverse(a.clipFromPlane) * b.clipFromPlane;
+  const Box2 first = boundsOf(*a.mesh, a.axes);
+  Box2 second;
+  for (const glm::dvec3& corner : cornersOf(boundsOf(*b.mesh, b.axes))) {
+    const glm::dvec3 p = aFromB * corner;
+    if (!(p.z > 0)) return true;  // under another projection: seldom
+    second.add(glm::dvec2(p) / p.z);
+  }
+  // Matrices of floats put neighbours that touch about so far over each other.
+  constexpr double kRounding = 1e-5;
+  Common common{{glm::max(first.lower, second.lower), glm::min(first.upper, second.upper)}};
+  common.narrow = kRounding * glm::min(first.upper - first.lower, second.upper - second.lower);
+  if (!first.meets(second, common.narrow)) return false;
+  work_ += uint64_t{a.mesh->triangleCount} + b.mesh->triangleCount;
+  if (work_ > kMostWork) return true;
+  return anyOverlap(piecesOf(a, glm::dmat3(1), common), piecesOf(b, aFromB, common));
+}
+
+/// A line sweeps over both from the left; what it crosses is open.
+bool Sheets::anyOverlap(std::vector<Piece> a, std::vector<Piece> b) {
+  const auto isBefore = [](const Piece& p, const Piece& q) { return p.box.lower.x < q.box.lower.x; };
+  std::sort(a.begin(), a.end(), isBefore), std::sort(b.begin(), b.end(), isBefore);
+  std::vector<const Piece*> openA, openB;
+  for (size_t i = 0, j = 0; i < a.size() || j < b.size();) {
+    const bool first = j == b.size() || (i < a.size() && isBefore(a[i], b[j]));
+    const Piece& piece = first ? a[i++] : b[j++];
+    std::vector<const Piece*>& others = first ? openB : openA;
+    work_ += others.size();
+    if (work_ > kMostWork) return true;
+    std::erase_if(others, [&](const Piece* p) { return p->box.upper.x <= piece.box.lower.x + kNarrow; });
+    for (const Piece* other : others) {
+      if (!piece.box.meets(other->box, glm::dvec2(kNarrow))) continue;
+      work_ += 8;  // as long as comparing so many boxes takes
+      if (!isApart(piece.at, other->at) && !isApart(other->at, piece.at) && !isSame(piece.at, other->at))
+        return true;
+    }
+    (first ? openA : openB).push_back(&piece);
+  }
+  return false;
+}
+
+bool Sheets::meets(const scene::MeshPtr& mesh, const SheetPlace& place) {
+  if (mesh->shape != scene::Shape::triangles || mesh->triangleCount == 0 ||
+      mesh->triangleCount > kMostTriangles || sheets_.size() >= kMostSheets)
+    return false;
+  const std::optional<glm::dvec4>& plane = planeOf(*mesh);
+  if (!plane) return false;
+  std::optional<Sheet> sheet = placed(mesh, place, *plane);
+  if (!sheet) return false;
+  bool met = isRemembered(mesh->geometryId), metNow = false;
+  for (const Sheet& other : sheets_) {
+    // Where both met others in this layer, nothing more is to be found.
+    if (metNow && isRemembered(other.mesh->geometryId) && metIn_[other.mesh->geometryId] == layer_) continue;
+    if (!overlap(other, *sheet)) continue;
+    found_ = found_ || !met || !isRemembered(other.mesh->geometryId);
+    met = metNow = true;
+    remember(other.mesh->geometryId), remember(mesh->geometryId);
+  }
+  sheets_.push_back(std::move(*sheet));
+  return met;
+}
+
+void Sheets::clear() {
+  if (sheets_.empty()) return;
+  sheets_.clear();
+  work_ = 0;
+  ++layer_;
+}
+
+void Sheets::remember(const Hash128& geometry) {
+  constexpr size_t kMost = 4096;  // more are old ones that are drawn no more
+  if (metIn_.size() > kMost) metIn_.clear();
+  metIn_[geometry] = layer_;
+}
+
+bool Sheets::isRemembered(const Hash128& geometry) {
+  constexpr uint64_t kRemembered = 100;  // layers
+  const auto met = metIn_.find(geometry);
+  if (met == metIn_.end()) return false;
+  if (layer_ <= met->second + kRemembered) return true;
+  metIn_.erase(met);
+  return false;
+}
+
+const std::optional<glm::dvec4>& Sheets::planeOf(const scene::Mesh& mesh) {
+  constexpr size_t kMost = 4096;
+  if (planes_.size() > kMost) planes_.clear();
+  const auto known = planes_.find(mesh.geometryId);
+  if (known != planes_.end()) return known->second;
+  return planes_.emplace(mesh.geometryId, findPlane(mesh)).first->second;
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,154 @@
+#include "gl/draws/coplanar_surfaces.h"
+
+#include "gl/capture/test_mesh.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+namespace gluray::gl {
+namespace {
+
+const glm::dmat4 kView = glm::perspective(0.8, 1.5, 1.0, 20.0) *
+                         glm::lookAt(glm::dvec3(3, 2, 6), glm::dvec3(0), glm::dvec3(0, 1, 0));
+
+SheetPlace here(const glm::dmat4& objectFromObject = glm::dmat4(1)) {
+  return {0, {0, 0, 300, 200}, kView * objectFromObject, {}};
+}
+
+scene::MeshPtr rectangle(glm::vec2 lower, glm::vec2 upper, float z = 0) {
+  const glm::vec3 a(lower, z), b(upper.x, lower.y, z), c(upper, z), d(lower.x, upper.y, z);
+  return test::meshOf({a, b, c, a, c, d});
+}
+
+TEST(Sheets, MeetWhereTheyOverlapInOnePlane) {
+  Sheets sheets;
+  EXPECT_FALSE(sheets.meets(rectangle({-1, -1}, {1, 1}), here()));
+  EXPECT_FALSE(sheets.meets(rectangle({1, -1}, {2, 1}), here())) << "a neighbour";
+  EXPECT_FALSE(sheets.meets(rectangle({-1, -1}, {1, 1}, 0.01f), here())) << "in front";
+  EXPECT_FALSE(sheets.takeFound());
+  EXPECT_TRUE(sheets.meets(rectangle({-0.5f, -0.5f}, {0.2f, 3}), here()));
+  EXPECT_TRUE(sheets.takeFound());
+  EXPECT_FALSE(sheets.takeFound());
+}
+
+TEST(Sheets, MeetAcrossMatrices) {
+  Sheets sheets;
+  const glm::dmat4 turned =
+      glm::translate(glm::rotate(glm::dmat4(1), 0.3, glm::dvec3(0, 0, 1)), {0.1, 0.2, 0.5});
+  EXPECT_FALSE(sheets.meets(rectangle({-1, -1}, {1, 1}, 0.5f), here()));
+  EXPECT_TRUE(sheets.meets(rectangle({-1, -1}, {1, 1}), here(turned)));
+  EXPECT_FALSE(sheets.meets(rectangle({-1, -1}, {1, 1}, 1), here(turned)));
+}
+
+TEST(Sheets, TrianglesThatAreEqualDoNotCount) {
+  Sheets sheets;
+  const scene::MeshPtr all = rectangle({-1, -1}, {1, 1});
+  EXPECT_FALSE(sheets.meets(all, here()));
+  EXPECT_FALSE(sheets.meets(all, here()));
+  EXPECT_FALSE(sheets.meets(test::meshOf({{1, 1, 0}, {-1, -1, 0}, {1, -1, 0}}), here()));
+  EXPECT_TRUE(sheets.meets(test::meshOf({{1, 1, 0}, {-1, -1, 0}, {0.9f, -1, 0}}), here()));
+}
+
+TEST(Sheets, OffsetsViewportsAndFramebuffersKeepThemApart) {
+  const scene::MeshPtr first = rectangle({-1, -1}, {1, 1}), second = rectangle({-0.5f, -0.5f}, {0.2f, 3});
+  SheetPlace pushed = here(), otherWindow = here(), otherViewport = here();
+  pushed.offset.units = 2;
+  otherWindow.framebuffer = 7;
+  otherViewport.viewport.x = 300;
+  for (const SheetPlace& place : {pushed, otherWindow, otherViewport}) {
+    Sheets sheets;
+    EXPECT_FALSE(sheets.meets(first, here()));
+    EXPECT_FALSE(sheets.meets(second, place));
+  }
+}
+
+TEST(Sheets, AreKnownForAHundredLayers) {
+  Sheets sheets;
+  const scene::MeshPtr first = rectangle({-1, -1}, {1, 1}), second = rectangle({-0.5f, -0.5f}, {0.2f, 3});
+  sheets.meets(first, here()), sheets.meets(second, here());
+  EXPECT_TRUE(sheets.takeFound());
+  sheets.clear();
+  EXPECT_TRUE(sheets.meets(first, here()));
+  EXPECT_TRUE(sheets.meets(second, here()));
+  EXPECT_FALSE(sheets.takeFound()) << "nothing waits to be traced";
+  for (int layer = 0; layer < 101; ++layer) {
+    sheets.clear();
+    EXPECT_EQ(sheets.meets(first, here()), layer < 100) << layer;
+  }
+}
+
+TEST(Sheets, SurfacesThatAreNotFlatAreNone) {
+  Sheets sheets;
+  const std::vector<glm::vec3> bent = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0},
+                                       {-1, -1, 0}, {1, 1, 0},  {-1, 1, 0.01f}};
+  EXPECT_FALSE(sheets.meets(test::meshOf(bent), here()));
+  EXPECT_FALSE(sheets.meets(rectangle({-1, -1}, {1, 1}), here()));
+}
+
+/// A square about a lattice point of the map, of 8x8 pairs of triangles.
+scene::MeshPtr tile(glm::ivec2 at, double turned) {
+  const glm::dmat4 mapFromTiles = glm::rotate(glm::dmat4(1), turned, glm::dvec3(0, 0, 1));
+  std::vector<glm::vec3> corners;
+  const auto add = [&](int x, int y) {
+    corners.emplace_back(mapFromTiles * glm::dvec4(0.025 * (8 * at.x + x), 0.025 * (8 * at.y + y), 0, 1));
+  };
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x)
+      add(x, y), add(x + 1, y), add(x + 1, y + 1), add(x, y), add(x + 1, y + 1), add(x, y + 1);
+  return test::meshOf(corners);
+}
+
+/// All 20x20 of them, placed by their vertices or as glTranslatef places them.
+void drawTiles(Sheets& sheets, double turned, bool ownMatrices) {
+  const glm::mat4 mapFromTiles(glm::rotate(glm::dmat4(1), turned, glm::dvec3(0, 0, 1)));
+  for (int y = -10; y < 10; ++y) {
+    for (int x = -10; x < 10; ++x) {
+      const glm::vec3 by = 0.2f * glm::vec3(glm::ivec3(x, y, 0));
+      const glm::dmat4 moved(glm::translate(mapFromTiles, by));
+      EXPECT_FALSE(ownMatrices ? sheets.meets(tile({0, 0}, 0), here(moved))
+                               : sheets.meets(tile({x, y}, turned), here()))
+          << x << ' ' << y;
+    }
+  }
+}
+
+TEST(Sheets, TilesOfATiltedMapAreToldApartByFewTriangles) {
+  // Bounds of about 1,600 pairs meet in the window: 26 million pairs of triangles.
+  for (const bool ownMatrices : {false, true}) {
+    for (const double turned : {0.0, 0.7}) {
+      Sheets sheets;
+      drawTiles(sheets, turned, ownMatrices);
+      // Bounds along axes of the map tell tiles apart; those of vertices that are turned do not.
+      const bool byBounds = ownMatrices || turned == 0;
+      EXPECT_LE(sheets.work(), byBounds ? 0u : 700'000u) << ownMatrices << ' ' << turned;
+      EXPECT_TRUE(sheets.meets(rectangle({-0.5f, -0.5f}, {0.2f, 0.3f}), here())) << "what lies on them";
+    }
+  }
+}
+
+TEST(Sheets, BeyondTheirWorkTheirBoundsDecide) {
+  // Combs whose teeth stand between each other's: triangles that are long do not tell themselves apart.
+  const auto comb = [](float from) {
+    std::vector<glm::vec3> corners;
+    for (int i = 0; i < 2000; ++i) {
+      const float y = from + static_cast<float>(i) * 1e-3f - 1;
+      corners.insert(corners.end(), {{-1, y, 0}, {1, y, 0}, {1, y + 4e-4f, 0}});
+    }
+    return test::meshOf(corners);
+  };
+  Sheets sheets;
+  EXPECT_FALSE(sheets.meets(comb(0), here()));
+  EXPECT_TRUE(sheets.meets(comb(5e-4f), here()));
+  EXPECT_LT(sheets.work(), Sheets::kMostWork + 50000);
+  sheets.clear();
+  EXPECT_EQ(sheets.work(), 0u);
+}
+
+TEST(Sheets, ThatReachBehindTheViewerMeetByTheirBounds) {
+  Sheets sheets;
+  EXPECT_FALSE(sheets.meets(rectangle({-100, -100}, {100, 100}), here()));
+  EXPECT_TRUE(sheets.meets(rectangle({-0.5f, -0.5f}, {0.2f, 3}), here()));
+}
+
+}  // namespace
+}  // namespace gluray::gl

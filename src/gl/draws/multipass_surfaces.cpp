@@ -1,0 +1,242 @@
+#include "gl/draws/multipass_surfaces.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+namespace gluray::gl {
+namespace {
+
+Hash128 hashOf(const glm::dmat4& matrix) {
+  const glm::dmat4 m = matrix + 0.0;  // -0 is 0
+  return hashBytes(glm::value_ptr(m), sizeof m);
+}
+
+/// Of what shader programs draw into a framebuffer.
+Hash128 placeIn(uint32_t framebuffer) { return hashBytes(&framebuffer, sizeof framebuffer); }
+
+constexpr uint32_t kSamples = 32;
+
+}  // namespace
+
+std::vector<Triangle> sampleTriangles(const Captured& captured) {
+  const std::vector<uint32_t> corners = triangulate(captured);
+  const size_t step = std::max<size_t>(corners.size() / 3 / kSamples, 1) * 3;
+  const auto position = [&](uint32_t i) {
+    const float* v = captured.vertex(i);
+    return glm::vec3(v[0], v[1], v[2]);
+  };
+  std::vector<Triangle> triangles;
+  for (size_t at = 0; at + 2 < corners.size(); at += step)
+    triangles.push_back({position(corners[at]), position(corners[at + 1]), position(corners[at + 2])});
+  return triangles;
+}
+
+std::vector<Triangle> sampleTriangles(const scene::Mesh& mesh) {
+  std::vector<Triangle> triangles;
+  const uint32_t step = std::max(mesh.triangleCount / kSamples, 1u);
+  for (uint32_t t = 0; t < mesh.triangleCount; t += step)
+    triangles.push_back({mesh.position(mesh.corner(t, 0)), mesh.position(mesh.corner(t, 1)),
+                         mesh.position(mesh.corner(t, 2))});
+  return triangles;
+}
+
+VertexSet::VertexSet(const scene::Mesh& mesh)
+    : words_(std::bit_ceil(mesh.vertexCount / 4 + 1)), lower_(mesh.lower), upper_(mesh.upper) {
+  for (uint32_t i = 0; i < mesh.vertexCount; ++i) {
+    const Place place = placeOf(mesh.position(i));
+    words_[place.word] |= place.bits;
+  }
+}
+
+bool VertexSet::mayHold(const glm::vec3& point) const {
+  if (glm::any(glm::lessThan(point, lower_)) || glm::any(glm::greaterThan(point, upper_))) return false;
+  const Place place = placeOf(point);
+  return (words_[place.word] & place.bits) == place.bits;
+}
+
+VertexSet::Place VertexSet::placeOf(const glm::vec3& point) const {
+  const glm::vec3 p = point + 0.0f;  // -0 is 0
+  const uint64_t hash = hashBytes(glm::value_ptr(p), sizeof p).low;
+  return {static_cast<size_t>(hash >> 12) & (words_.size() - 1),
+          uint64_t{1} << (hash & 63) | uint64_t{1} << (hash >> 6 & 63)};
+}
+
+void Passes::drawn(const scene::MeshPtr& mesh, const glm::dmat4& eyeFromObject, How how, bool pushedBack) {
+  surfaces_.emplace(hashOf(eyeFromObject), Surface{mesh, eyeFromObject, how, pushedBack});
+  rasterised_ = rasterised_ || how == How::rasterised;
+}
+
+void Passes::drawnByProgram(const scene::MeshPtr& mesh, const glm::dmat4& eyeFromObject,
+                            const glm::dmat4& clipFromObject, uint32_t framebuffer, bool pushedBack) {
+  Surface surface{mesh, eyeFromObject, How::pending, pushedBack};
+  surface.clipFromObject = clipFromObject;
+  surfaces_.emplace(placeIn(framebuffer), std::move(surface));
+  byProgram_ = true;
+}
+
+void Passes::flushed(const scene::SnapshotPtr& snapshot) {
+  for (auto& [place, surface] : surfaces_) {
+    if (surface.how != How::pending) continue;
+    surface.how = snapshot ? How::traced : How::rasterised;
+    surface.snapshot = snapshot;
+    rasterised_ = rasterised_ || !snapshot;
+  }
+}
+
+std::vector<DepthAgain> Passes::takeTraced() {
+  std::vector<DepthAgain> all;
+  for (auto& place : surfaces_) {
+    Surface& surface = place.second;
+    if (!std::exchange(surface.met, false) || surface.how != How::traced) continue;
+    auto alone = std::make_shared<scene::Snapshot>(*surface.snapshot);
+    std::erase_if(alone->instances, [&](const scene::Instance& instance) {
+      return instance.mesh->geometryId != surface.mesh->geometryId ||
+             !(instance.eyeFromObject == surface.eyeFromObject);
+    });
+    surface.how = How::rasterised, rasterised_ = true;
+    surface.snapshot = nullptr;
+    if (!alone->instances.empty()) all.push_back({std::move(alone), surface.mesh, surface.clipFromObject});
+  }
+  return all;
+}
+
+void Passes::clear(std::optional<uint32_t> framebuffer) {
+  if (framebuffer)
+    std::erase_if(rasterisedByProgram_, [&](const Rasterised& r) { return r.framebuffer == *framebuffer; });
+  else
+    rasterisedByProgram_.clear();
+  if (surfaces_.empty()) return;
+  ++layer_;
+  if (!byProgram_ || !framebuffer) {
+    surfaces_.clear();
+    rasterised_ = byProgram_ = false;
+    return;
+  }
+  const Hash128 place = placeIn(*framebuffer);
+  std::erase_if(surfaces_, [&](const auto& one) { return !one.second.clipFromObject || one.first == place; });
+  byProgram_ = !surfaces_.empty();
+}
+
+void Passes::forgetMany() {
+  constexpr size_t kMany = 65536;
+  if (surfaces_.size() > kMany) clear();
+}
+
+bool Passes::anyByProgram(uint32_t framebuffer, uint64_t triangles) const {
+  const auto [first, last] = surfaces_.equal_range(placeIn(framebuffer));
+  return std::any_of(first, last,
+                     [&](const auto& one) { return one.second.mesh->triangleCount == triangles; });
+}
+
+bool Passes::anyUnder(const glm::dmat4& eyeFromObject) const {
+  return !surfaces_.empty() && surfaces_.contains(hashOf(eyeFromObject));
+}
+
+bool Passes::liesUpon(const Surface& surface, const glm::dmat4& eyeFromObject,
+                      std::span<const Triangle> triangles) {
+  return surface.eyeFromObject == eyeFromObject && holdsSome(*surface.mesh, triangles);
+}
+
+bool Passes::holdsSome(const scene::Mesh& mesh, std::span<const Triangle> triangles) {
+  const VertexSet& vertices = verticesOf(mesh);
+  return std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
+    return std::all_of(t.begin(), t.end(), [&](const glm::vec3& p) { return vertices.mayHold(p); });
+  });
+}
+
+Passes::Meeting Passes::meets(const glm::dmat4& eyeFromObject, std::span<const Triangle> triangles,
+                              bool pushedBack) {
+  Meeting meeting = Meeting::none;
+  const auto [first, last] = surfaces_.equal_range(hashOf(eyeFromObject));
+  for (auto it = first; it != last; ++it) {
+    Surface& surface = it->second;
+    if (surface.pushedBack && !pushedBack) continue;  // as lines that are drawn over it expect
+    if (!liesUpon(surface, eyeFromObject, triangles)) continue;
+    remember(surface.mesh->geometryId);
+    meeting = meet(surface, meeting);
+  }
+  return meeting;
+}
+
+Passes::Meeting Passes::meet(Surface& surface, Meeting before) {
+  surface.met = true;
+  return surface.how == How::pending || before == Meeting::pending ? Meeting::pending : Meeting::drawn;
+}
+
+Passes::Meeting Passes::meetsProgram(uint32_t framebuffer, std::span<const Triangle> triangles,
+                                     uint64_t count, const glm::dmat4* clipFromObject, bool pushedBack) {
+  Meeting meeting = Meeting::none;
+  const auto [first, last] = surfaces_.equal_range(placeIn(framebuffer));
+  for (auto it = first; it != last; ++it) {
+    Surface& surface = it->second;
+    if (surface.mesh->triangleCount != count || (surface.pushedBack && !pushedBack)) continue;
+    if (clipFromObject && !(*clipFromObject == *surface.clipFromObject)) continue;
+    if (!holdsSome(*surface.mesh, triangles)) continue;
+    remember(surface.mesh->geometryId);
+    meeting = meet(surface, meeting);
+  }
+  return meeting;
+}
+
+bool Passes::meetsRasterised(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject, bool pushedBack) {
+  if (!rasterised_ || !anyUnder(eyeFromObject)) return false;
+  const std::vector<Triangle> triangles = sampleTriangles(mesh);
+  const auto [first, last] = surfaces_.equal_range(hashOf(eyeFromObject));
+  for (auto it = first; it != last; ++it) {
+    if (it->second.how != How::rasterised || it->second.pushedBack != pushedBack ||
+        !liesUpon(it->second, eyeFromObject, triangles))
+      continue;
+    remember(it->second.mesh->geometryId);
+    remember(mesh.geometryId);
+    return true;
+  }
+  return false;
+}
+
+void Passes::remember(const Hash128& geometry) {
+  constexpr size_t kMost = 4096;  // more are old ones that are drawn no more
+  if (metIn_.size() > kMost) metIn_.clear();
+  metIn_[geometry] = layer_;
+}
+
+void Passes::rasterisedByProgram(uint32_t framebuffer, uint64_t count, std::vector<Triangle> triangles,
+                                 const glm::dmat4* clipFromObject, bool pushedBack) {
+  if (rasterisedByProgram_.size() >= kMostRasterised || triangles.empty()) return;
+  Rasterised r{framebuffer, count, std::move(triangles), {}, pushedBack};
+  if (clipFromObject) r.clipFromObject = *clipFromObject;
+  rasterisedByProgram_.push_back(std::move(r));
+}
+
+bool Passes::meetsRasterised(uint32_t framebuffer, const scene::Mesh& mesh, const glm::dmat4& clipFromObject,
+                             bool pushedBack) {
+  const auto meets = [&](const Rasterised& r) {
+    return r.framebuffer == framebuffer && r.count == mesh.triangleCount && (pushedBack || !r.pushedBack) &&
+           (!r.clipFromObject || *r.clipFromObject == clipFromObject) && holdsSome(mesh, r.triangles);
+  };
+  if (!std::any_of(rasterisedByProgram_.begin(), rasterisedByProgram_.end(), meets)) return false;
+  remember(mesh.geometryId);
+  return true;
+}
+
+bool Passes::several(const Hash128& geometry) {
+  constexpr uint64_t kRemembered = 100;  // layers: some seconds, or a few frames of many layers
+  if (metIn_.empty()) return false;
+  const auto met = metIn_.find(geometry);
+  if (met == metIn_.end()) return false;
+  if (layer_ <= met->second + kRemembered) return true;
+  metIn_.erase(met);
+  return false;
+}
+
+const VertexSet& Passes::verticesOf(const scene::Mesh& mesh) {
+  constexpr size_t kKept = 64;
+  if (vertices_.size() >= kKept && !vertices_.contains(mesh.geometryId)) vertices_.clear();
+  std::unique_ptr<VertexSet>& set = vertices_[mesh.geometryId];
+  if (!set) set = std::make_unique<VertexSet>(mesh);
+  return *set;
+}
+
+}  // namespace gluray::gl

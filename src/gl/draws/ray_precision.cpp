@@ -1,0 +1,113 @@
+#include "gl/draws/ray_precision.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace gluray::gl {
+namespace {
+
+constexpr double kRounding = 0x1p-24;  // of a float, of its size
+constexpr double kMostPixels = 0.1;
+
+glm::dvec3 rowOf(const glm::dmat4& m, int row) { return {m[0][row], m[1][row], m[2][row]}; }
+
+/// How many pixels the distance 1 has at most where clip w is 1, inside the viewport.
+double pixelsAtOne(const glm::dmat4& clipFromObject, glm::ivec2 viewport) {
+  const auto length = [&](int row) { return glm::length(rowOf(clipFromObject, row)); };
+  const double w = length(3);
+  return 0.5 * std::max((length(0) + w) * viewport.x, (length(1) + w) * viewport.y);
+}
+
+/// Clip w of the nearest point of the view volume; 0 where that is unknown. Its inverse is linear in
+/// normalised device coordinates, by the last row of the inverse matrix, so that a corner has the largest.
+double nearestViewW(const glm::dmat4& clipFromObject) {
+  const glm::dmat4 inverse = glm::inverse(clipFromObject);
+  const double most =
+      std::abs(inverse[0][3]) + std::abs(inverse[1][3]) + std::abs(inverse[2][3]) + inverse[3][3];
+  return most > 0 && std::isfinite(most) ? 1 / most : 0;
+}
+
+/// Clip w of the nearest point of the mesh that can be seen, at least; 0 where that is unknown.
+double nearestW(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
+  const glm::dvec3 lower(mesh.lower), upper(mesh.upper), row = rowOf(clipFromObject, 3);
+  const double middle = glm::dot(row, 0.5 * (lower + upper)) + clipFromObject[3][3];
+  return std::max(middle - glm::dot(glm::abs(row), 0.5 * (upper - lower)), nearestViewW(clipFromObject));
+}
+
+/// A triangle of which planes cut pieces off: each plane adds one corner at most.
+struct Polygon {
+  std::array<glm::dvec4, 9> corners;
+  size_t size = 0;
+  void add(const glm::dvec4& p) {
+    if (size < corners.size()) corners[size++] = p;  // more come from roundings alone
+  }
+};
+
+/// Clip w of the nearest point of a triangle that lies in the view volume; infinite where none does.
+double nearestSeenW(const std::array<glm::dvec4, 3>& triangle) {
+  Polygon polygon;
+  for (const glm::dvec4& p : triangle) polygon.add(p);
+  for (int plane = 0; plane < 6 && polygon.size > 0; ++plane) {
+    const auto inside = [&](const glm::dvec4& p) { return p.w + (plane & 1 ? -1 : 1) * p[plane / 2]; };
+    Polygon kept;
+    for (size_t i = 0; i < polygon.size; ++i) {
+      const glm::dvec4 &a = polygon.corners[i], &b = polygon.corners[(i + 1) % polygon.size];
+      const double da = inside(a), db = inside(b);
+      if (da >= 0) kept.add(a);
+      if ((da < 0) != (db < 0)) kept.add(glm::mix(a, b, da / (da - db)));
+    }
+    polygon = kept;
+  }
+  double nearest = std::numeric_limits<double>::infinity();
+  for (size_t i = 0; i < polygon.size; ++i) nearest = std::min(nearest, polygon.corners[i].w);
+  return nearest;
+}
+
+}  // namespace
+
+bool RayPrecision::isTooLarge(const scene::Mesh& mesh, const glm::dmat4& clipFromObject,
+                              glm::ivec2 viewport) {
+  if (mesh.shape != scene::Shape::triangles || mesh.triangleCount == 0) return false;
+  const double perSize = kRounding * pixelsAtOne(clipFromObject, viewport);  // where w is 1
+  const auto tooLarge = [&](double size, double w) { return !(perSize * size < kMostPixels * w); };
+  const double least = nearestW(mesh, clipFromObject);
+  if (!tooLarge(glm::length(glm::dvec3(mesh.upper) - glm::dvec3(mesh.lower)), least)) return false;
+  for (const Large& large : largestOf(mesh)) {
+    if (!tooLarge(large.size, least)) return false;  // nor is any that follows
+    std::array<glm::dvec4, 3> corners;
+    for (uint32_t k = 0; k < 3; ++k)
+      corners[k] = clipFromObject * glm::dvec4(mesh.position(mesh.corner(large.triangle, k)), 1);
+    const double nearest = nearestSeenW(corners);
+    if (std::isfinite(nearest) && tooLarge(large.size, nearest)) return true;
+  }
+  return false;
+}
+
+const std::vector<RayPrecision::Large>& RayPrecision::largestOf(const scene::Mesh& mesh) {
+  constexpr size_t kMostKnown = 4096;
+  if (largest_.size() > kMostKnown) largest_.clear();
+  const auto known = largest_.find(mesh.geometryId);
+  if (known != largest_.end()) return known->second;
+  const auto larger = [](const Large& a, const Large& b) { return a.size > b.size; };
+  const auto squared = [](const glm::vec3& edge) {
+    const glm::dvec3 e(edge);
+    return glm::dot(e, e);
+  };
+  std::vector<Large> all;  // a heap whose first is the smallest; sizes are squared until it is sorted
+  for (uint32_t t = 0; t < mesh.triangleCount; ++t) {
+    const glm::vec3 a = mesh.position(mesh.corner(t, 0)), b = mesh.position(mesh.corner(t, 1)),
+                    c = mesh.position(mesh.corner(t, 2));
+    const double size = std::max({0.0, squared(b - a), squared(c - b), squared(a - c)});
+    if (all.size() == kMostLooked && size <= all.front().size) continue;
+    if (all.size() == kMostLooked) std::pop_heap(all.begin(), all.end(), larger), all.pop_back();
+    all.push_back({t, size});
+    std::push_heap(all.begin(), all.end(), larger);
+  }
+  std::sort(all.begin(), all.end(), larger);
+  for (Large& large : all) large.size = std::sqrt(large.size);
+  return largest_.emplace(mesh.geometryId, std::move(all)).first->second;
+}
+
+}  // namespace gluray::gl

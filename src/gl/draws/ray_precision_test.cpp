@@ -1,0 +1,70 @@
+#include "gl/draws/ray_precision.h"
+
+#include "gl/capture/test_mesh.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+namespace gluray::gl {
+namespace {
+
+const glm::ivec2 kViewport(300, 200);
+const glm::dmat4 kParallel = glm::ortho(-5.0, 5.0, -5.0, 5.0, -100.0, 100.0);
+
+scene::MeshPtr square(float size) {
+  return test::meshOf({{-size, -size, 0}, {size, -size, 0}, {size, size, 0}});
+}
+
+TEST(RayPrecision, DependsOnHowMuchLargerTrianglesAreThanPixels) {
+  RayPrecision precision;
+  EXPECT_FALSE(precision.isTooLarge(*square(5), kParallel, kViewport));
+  EXPECT_FALSE(precision.isTooLarge(*square(5000), kParallel, kViewport));
+  EXPECT_TRUE(precision.isTooLarge(*square(1e6f), kParallel, kViewport));
+  // Scaled down by the program it is no larger than others.
+  EXPECT_FALSE(precision.isTooLarge(*square(1e6f), glm::scale(kParallel, glm::dvec3(1e-5)), kViewport));
+}
+
+TEST(RayPrecision, IsThatOfTheNearestPointThatIsSeen) {
+  RayPrecision precision;
+  const glm::dmat4 projection = glm::perspective(0.8, 1.5, 0.1, 1e7);
+  const scene::MeshPtr mesh = square(1e5f);
+  const auto seenFrom = [&](double distance) {
+    return precision.isTooLarge(*mesh, glm::translate(projection, {0, 0, -distance}), kViewport);
+  };
+  EXPECT_TRUE(seenFrom(1));
+  EXPECT_FALSE(seenFrom(1e5));
+  // A floor near the viewer, and one that lies behind.
+  EXPECT_TRUE(precision.isTooLarge(
+      *mesh, projection * glm::lookAt(glm::dvec3(0, 0, 1), {1, 1, 0.9}, {0, 0, 1}), kViewport));
+  EXPECT_FALSE(precision.isTooLarge(
+      *mesh, projection * glm::lookAt(glm::dvec3(0, 0, 1), {0, 0, 2}, {0, 1, 0}), kViewport));
+}
+
+TEST(RayPrecision, NothingIsSeenBeforeTheNearPlane) {
+  const glm::dmat4 eyeFromObject =
+      glm::lookAt(glm::dvec3(0, 0, 1), glm::dvec3(1, 1, 0.9), glm::dvec3(0, 0, 1));
+  scene::Mesh mesh = *square(50);  // a floor under the viewer
+  RayPrecision precision;
+  EXPECT_FALSE(precision.isTooLarge(mesh, glm::perspective(0.8, 1.5, 0.1, 1e7) * eyeFromObject, kViewport));
+  EXPECT_FALSE(
+      precision.isTooLarge(mesh, glm::infinitePerspective(0.8, 1.5, 0.1) * eyeFromObject, kViewport));
+  // Its bounds say so: not one triangle is read.
+  mesh.geometryId.low += 1;
+  mesh.positions.data = nullptr;
+  EXPECT_FALSE(precision.isTooLarge(mesh, glm::perspective(0.8, 1.5, 0.1, 1e7) * eyeFromObject, kViewport));
+}
+
+TEST(RayPrecision, SmallTrianglesOfALargeMeshAreFine) {
+  RayPrecision precision;
+  std::vector<glm::vec3> corners;
+  for (int i = 0; i < 2000; ++i) {
+    const auto at = static_cast<float>(i - 1000) * 1000;
+    corners.insert(corners.end(), {{at, 0, 0}, {at + 1, 0, 0}, {at, 1, 0}});
+  }
+  EXPECT_FALSE(precision.isTooLarge(*test::meshOf(corners), kParallel, kViewport));
+  corners.insert(corners.end(), {{-1e6f, -1, 0}, {1e6f, -1, 0}, {1e6f, 1, 0}});
+  EXPECT_TRUE(precision.isTooLarge(*test::meshOf(corners), kParallel, kViewport));
+}
+
+}  // namespace
+}  // namespace gluray::gl

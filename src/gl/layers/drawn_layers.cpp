@@ -1,0 +1,83 @@
+// Surfaces that are blended in the order of drawing (scene::Layers::Of::drawn, ADR 0038): fixed function with
+// blending on, or without depth writes. What they are drawn over is read when their batch is presented.
+#include "gl/context.h"
+#include "gl/draws/affine.h"
+#include "gl/layers/layer_draws.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace gluray::gl {
+namespace {
+
+/// The pixels of `region` that an instance may reach: those of its mesh's bounds.
+scene::Region reachedBy(const scene::Snapshot& s, const scene::Instance& instance) {
+  glm::dvec2 lower(INFINITY), upper(-INFINITY);
+  for (const glm::dvec4& clip : boundsInClip(*instance.mesh, s.camera.clipFromEye * instance.eyeFromObject)) {
+    if (!(clip.w > 0)) return s.region;  // behind the viewer
+    const glm::dvec2 ndc = glm::dvec2(clip) / clip.w;
+    lower = glm::min(lower, ndc), upper = glm::max(upper, ndc);
+  }
+  const glm::dvec2 origin(s.camera.viewport.x, s.camera.viewport.y),
+      size(s.camera.viewport.z, s.camera.viewport.w);
+  const auto window = [&](const glm::dvec2& ndc) { return origin + (ndc * 0.5 + 0.5) * size; };
+  constexpr double kRounding = 1;  // pixels
+  const glm::dvec2 first(s.region.x, s.region.y), last = first + glm::dvec2(s.region.width, s.region.height);
+  const glm::dvec2 from = glm::clamp(glm::floor(window(lower)) - kRounding, first, last),
+                   to = glm::clamp(glm::ceil(window(upper)) + kRounding, first, last);
+  if (!(from.x < to.x && from.y < to.y)) return {};
+  return {static_cast<int>(from.x), static_cast<int>(from.y), static_cast<int>(to.x - from.x),
+          static_cast<int>(to.y - from.y)};
+}
+
+scene::Region united(const scene::Region& a, const scene::Region& b) {
+  if (a.width <= 0) return b;
+  if (b.width <= 0) return a;
+  const int x = std::min(a.x, b.x), y = std::min(a.y, b.y);
+  return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
+}
+
+}  // namespace
+
+bool LayerDraws::mayBeDrawn() const {
+  return c_.state.raster.layers.has_value() && c_.state.target.blendable;
+}
+
+void LayerDraws::describe(BatchKey& key) const {
+  key.layers = BatchKey::Layers::drawn;
+  key.blending = *c_.state.raster.layers;
+  key.blending.hasAlpha = c_.state.target.alpha;
+  key.depthSteps = c_.state.target.depthSteps;
+}
+
+bool LayerDraws::leavesDrawn(uint64_t triangles) {
+  if (frame_ != c_.frame) {
+    frame_ = c_.frame;
+    lastDrawn_ = std::exchange(drawn_, {});
+  }
+  drawn_.triangles += triangles;
+  const uint64_t number = c_.statistics.drawsTraced + c_.statistics.drawsRasterised;
+  const scene::Blending& blending = *c_.state.raster.layers;
+  if (drawn_.runs == 0 || number != drawnLast_ + 1 || !(blending == drawnBy_)) ++drawn_.runs;
+  drawnLast_ = number, drawnBy_ = blending;
+  return c_.leavesLayers(std::max(triangles, lastDrawn_.triangles / std::max<uint64_t>(lastDrawn_.runs, 1)));
+}
+
+bool LayerDraws::readUnder() {
+  if (const GLenum pending = c_.real.GetError()) c_.setError(pending);
+  const scene::Snapshot& waiting = c_.batch().waiting();
+  scene::Region region;
+  for (const scene::Instance& instance : waiting.instances)
+    region = united(region, reachedBy(waiting, instance));
+  if (region.width <= 0) region = {waiting.region.x, waiting.region.y, 1, 1};  // nothing is seen of them
+  auto layers = std::make_shared<scene::Layers>(*waiting.layers);
+  if (!c_.presenter().reader().readDepth(c_.real, region, layers->opaqueDepth) ||
+      !c_.presenter().reader().readColors(c_.real, region, layers->colors))
+    return false;
+  c_.batch().seeThrough(std::move(layers), region);
+  return true;
+}
+
+}  // namespace gluray::gl

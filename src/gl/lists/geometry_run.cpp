@@ -1,0 +1,163 @@
+#include "gl/lists/geometry_run.h"
+
+#include "gl/capture/mesh_builder.h"
+#include "gl/capture/replay.h"
+#include "gl/context.h"
+
+#include <GL/gl.h>
+
+#include <cstring>
+#include <utility>
+
+namespace gluray::gl {
+
+void applyMaterials(Context& context, const MaterialChange& change) {
+  const auto each = [&](GLenum face, const scene::Material& m, uint16_t set) {
+    if (set & MaterialChange::ambient) context.immediate.material(face, GL_AMBIENT, &m.ambient.x);
+    if (set & MaterialChange::diffuse) context.immediate.material(face, GL_DIFFUSE, &m.diffuse.x);
+    if (set & MaterialChange::specular) context.immediate.material(face, GL_SPECULAR, &m.specular.x);
+    if (set & MaterialChange::emission) context.immediate.material(face, GL_EMISSION, &m.emission.x);
+    if (set & MaterialChange::shininess) context.immediate.material(face, GL_SHININESS, &m.shininess);
+  };
+  each(GL_FRONT, change.values.front, change.front);
+  each(GL_BACK, change.values.back, change.back);
+}
+
+GeometryRun::GeometryRun(Captured captured, const SlotValues& finals, std::vector<InheritedSlot> inherited,
+                         PrimitiveClass kind, std::weak_ptr<ShareGroup> group)
+    : captured_(std::move(captured)),
+      layout_(captured_.layout),
+      finalSlots_(layout_.mask & ~(bit(kPosition) | bit(kPositionW) | bit(kMaterialNumber))),
+      finals_(finals),
+      inherited_(std::move(inherited)),
+      kind_(kind),
+      group_(std::move(group)),
+      triangles_(countTriangles(captured_)) {}
+
+GeometryRun::GeometryRun(Captured captured, PrimitiveClass kind, std::weak_ptr<ShareGroup> group)
+    : captured_(std::move(captured)),
+      layout_(captured_.layout),
+      finals_(initialSlotValues()),
+      kind_(kind),
+      group_(std::move(group)),
+      triangles_(countTriangles(captured_)) {}
+
+GeometryRun::~GeometryRun() { dropRealList(); }
+
+void GeometryRun::dropRealList() {
+  if (!realList_) return;
+  if (const auto group = group_.lock()) group->discardRealList(realList_);
+  realList_ = 0;
+}
+
+void GeometryRun::inherit(Context& context) {
+  for (const InheritedSlot& inherited : inherited_) {
+    const float* value = context.immediate.current(inherited.slot);
+    const size_t bytes = sizeOf(inherited.slot) * sizeof(float);
+    const uint32_t offset = layout_.offset[inherited.slot];
+    if (std::memcmp(captured_.vertex(0) + offset, value, bytes) == 0) continue;
+    for (uint32_t i = 0; i < inherited.vertices; ++i) std::memcpy(captured_.vertex(i) + offset, value, bytes);
+    meshBuilt_ = false;
+    dropRealList();
+  }
+}
+
+const KnownMesh& GeometryRun::mesh(Context& context) {
+  if (meshBuilt_) return mesh_;
+  // The mesh replays the run as well, unless the run has what meshes do not carry.
+  const bool reproducible = inherited_.empty() && (layout_.mask & ~kTracedSlots) == 0 &&
+                            (captured_.indices.empty() || (captured_.primitives.size() == 1 &&
+                                                           captured_.primitives[0].mode == GL_TRIANGLES));
+  mesh_ = reproducible ? buildMesh(std::move(captured_)) : buildMesh(captured_);
+  meshBuilt_ = true;
+  ++context.statistics.meshesBuilt;
+  if (mesh_.mesh) context.statistics.meshBytes += mesh_.mesh->sizeBytes;
+  if (reproducible && mesh_.mesh) {
+    captured_.vertices.release();
+    captured_.indices.release();
+    verticesReleased_ = true;
+  }
+  return mesh_;
+}
+
+void GeometryRun::rasterise(Context& context) {
+  if (!realList_) {
+    realList_ = context.real.GenLists(1);
+    context.real.NewList(realList_, GL_COMPILE);
+    if (verticesReleased_)
+      replay(context.real, *mesh_.mesh, captured_.primitives, captured_.materials);
+    else
+      replay(context.real, captured_);
+    context.real.EndList();
+    // The real list holds the vertices of lines and points; nobody will ask for a mesh of them.
+    if (kind_ != PrimitiveClass::surfaces && inherited_.empty()) captured_.vertices.release();
+  }
+  context.real.CallList(realList_);
+}
+
+void GeometryRun::execute(Context& context) {
+  if (context.insideBegin() && !captured_.primitives.empty()) return context.setError(GL_INVALID_OPERATION);
+  if (!captured_.primitives.empty()) {
+    context.immediate.closeRunIfOpen();
+    if (!context.direct() || !drawDirectly(context)) draw(context);
+  }
+  for (int s = kNormal; s < kSlotCount; ++s) {
+    const auto slot = static_cast<Slot>(s);
+    if (finalSlots_ & bit(slot)) context.immediate.attribute(slot, finals_[slot].data());
+  }
+  if (!captured_.materials.empty()) applyMaterials(context, captured_.materials.back());
+  if (captured_.primitives.empty()) return;
+  context.current.drawn();
+  if (!captured_.materials.empty()) context.latch.letGo(context.real);
+}
+
+void GeometryRun::draw(Context& context) {
+  const std::lock_guard lock(mutex_);
+  const DrawTimer timer(context.kinds());
+  context.works();
+  inherit(context);
+  context.refresh(kDrawGroups);
+  Reason reason = context.triage(kind_);
+  if (reason == Reason::traced) {
+    reason = context.attempt([&] {
+      const KnownMesh& known = mesh(context);
+      const Reason fine = context.triage(known, captured_.materials);
+      if (fine == Reason::traced) context.addInstance(known.mesh, layout_.mask, captured_.materials);
+      return fine;
+    });
+  }
+  if (reason == Reason::traced) return context.countTraced(DrawPath::list, triangles_);
+  if (context.mayMeetPasses(kind_) || context.isPass(kind_, reason))
+    context.protect([&] {
+      const KnownMesh& known = mesh(context);
+      if (known.mesh) context.meetPasses(sampleTriangles(*known.mesh));
+      if (context.isPass(kind_, reason)) context.rememberPass(known);
+    });
+  context.countRaster(reason, DrawPath::list, kind_, triangles_);
+  context.beforeRasterDraw(kind_);
+  rasterise(context);
+  // The real OpenGL now has the run's last attributes current: they are sent again where ours differ.
+  context.current.lost(layout_.mask & ~(bit(kPosition) | bit(kPositionW) | bit(kMaterialNumber)));
+  context.touch(kMaterial);
+}
+
+bool GeometryRun::drawDirectly(Context& context) {
+  const std::lock_guard lock(mutex_);
+  const DrawTimer timer(context.kinds());
+  if (!context.drawsDirectly(DrawPath::list, kind_, triangles_)) return false;
+  inherit(context);
+  // Draws from arrays leave the current attributes alone; the list of the real OpenGL, which has glBegin,
+  // does not.
+  const SlotMask lost = layout_.mask & ~finalSlots_ & ~(bit(kPosition) | bit(kPositionW));
+  const auto eachLost = [&](auto&& body) {
+    for (int s = kNormal; s < kSlotCount; ++s)
+      if (lost & bit(static_cast<Slot>(s)) && s != kMaterialNumber) body(static_cast<Slot>(s));
+  };
+  eachLost([&](Slot slot) { context.current.read(context.real, slot); });
+  if (lost) context.latch.restore(context.real);
+  rasterise(context);
+  eachLost([&](Slot slot) { sendAttribute(context.real, slot, context.current[slot]); });
+  return true;
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,15 @@
+// Beads and tubes (scene/impostors.h): what of them is OpenGL's state instead of the program's. GL thread.
+#pragma once
+#include "gl/draws/reasons.h"
+#include "gl/real.h"
+#include "scene/mesh.h"
+
+namespace gluray::gl {
+
+struct State;
+
+/// Completes state.program.figures for a draw of figures of `shape`, which are computed in the window; why
+/// they cannot be traced, or Reason::traced. `core`: the context has no fixed function.
+Reason readPixelFigures(const RealGl& real, bool core, scene::Shape shape, State& state);
+
+}  // namespace gluray::gl

@@ -1,0 +1,58 @@
+// Surfaces that shader programs draw: whether they can be traced, and how they join the batch. A part of each
+// Context, GL thread.
+#pragma once
+#include "gl/arrays/array_indices.h"
+#include "gl/capture/mesh_cache.h"
+#include "gl/context_part.h"
+#include "gl/draws/draw_kinds.h"
+#include "gl/draws/reasons.h"
+#include "scene/snapshot.h"
+
+#include <GL/gl.h>
+#include <glm/glm.hpp>
+
+#include <memory>
+
+namespace gluray::gl {
+
+struct KnownProgram;
+
+class ProgramDraws : public ContextPart {
+ public:
+  using ContextPart::ContextPart;
+
+  /// What is known of a program that is linked; null where it is not.
+  std::shared_ptr<const KnownProgram> known(GLuint name);
+  /// The current program, outside glBegin and glEnd; null: there is none.
+  const std::shared_ptr<const KnownProgram>& inUse();
+  /// Reads the current program and its uniforms into the state.
+  void read();
+  /// Whether the current program makes round figures of what a draw of this mode sends.
+  bool drawsFigures(GLenum mode);
+
+  /// Why a surface of the current program cannot be traced now, or Reason::traced. Call
+  /// refresh(kProgramGroups) before.
+  Reason triage(PrimitiveClass kind);
+  Reason triage(const KnownMesh& mesh) const;
+  /// The same of what figures need beside, and of the instances of a draw.
+  Reason triageFigures();
+  Reason triageInstances(const scene::Mesh& mesh, const Elements& elements) const;
+  /// Adds a mesh to the batch, as often as the draw has instances; or says why it cannot join the layers that
+  /// are there.
+  Reason add(const scene::MeshPtr& mesh, GLenum mode, const Elements& elements);
+  /// Before a surface is rasterised: surfaces upon which it lies, and which were or are to be traced, get the
+  /// depth of the real OpenGL.
+  void meetPasses(PrimitiveClass kind, GLenum mode, const Elements& elements);
+
+ private:
+  Reason triageAlways(const KnownMesh& mesh) const;  // where everything that can be is traced
+  bool isOneOfPasses(const scene::Mesh& mesh) const;
+  /// Some triangles of each array that may hold positions.
+  std::vector<std::vector<Triangle>> sampleArrays(GLenum mode, const Elements& elements) const;
+  enum class Placed { nowhere, inBatch, otherCamera };
+  Placed place(scene::Shape shape, const glm::dvec3& reach);
+  glm::dvec3 reachOfInstances(const scene::Mesh& mesh, const Elements& elements) const;
+  void addInstancesOf(const scene::Instance& one, const scene::Shading& shading, const Elements& elements);
+};
+
+}  // namespace gluray::gl

@@ -1,0 +1,45 @@
+#include "gl/state/buffer_bits.h"
+
+#include "gl/state/state_queries.h"
+
+#include <GL/glext.h>
+
+namespace gluray::gl {
+namespace {
+
+/// Asking for a size where nothing is attached is an error, so its type is asked first.
+GLint sizeOf(const RealGl& real, GLenum attachment, GLenum name) {
+  if (attachmentValue(real, GL_DRAW_FRAMEBUFFER, attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) ==
+      GL_NONE)
+    return 0;
+  return attachmentValue(real, GL_DRAW_FRAMEBUFFER, attachment, name);
+}
+
+/// What the default framebuffer's buffers are called when they are asked about as attachments.
+GLenum attachmentOfWindow(GLenum drawBuffer) {
+  switch (drawBuffer) {
+    case GL_BACK:
+    case GL_BACK_LEFT: return GL_BACK_LEFT;
+    case GL_BACK_RIGHT: return GL_BACK_RIGHT;
+    case GL_FRONT_RIGHT: return GL_FRONT_RIGHT;
+    default: return GL_FRONT_LEFT;
+  }
+}
+
+}  // namespace
+
+GLint depthBits(const RealGl& real, bool fixedFunction) {
+  if (fixedFunction) return integer(real, GL_DEPTH_BITS);
+  const bool window = integer(real, GL_DRAW_FRAMEBUFFER_BINDING) == 0;
+  return sizeOf(real, window ? GL_DEPTH : GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
+}
+
+GLint redBits(const RealGl& real, GLenum drawBuffer, bool fixedFunction) {
+  if (drawBuffer == GL_NONE) return 0;
+  if (fixedFunction) return integer(real, GL_RED_BITS);
+  const bool window = integer(real, GL_DRAW_FRAMEBUFFER_BINDING) == 0;
+  return sizeOf(real, window ? attachmentOfWindow(drawBuffer) : drawBuffer,
+                GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE);
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,79 @@
+#include "gl/state/extensions.h"
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include <cstdlib>
+
+namespace gluray::gl {
+
+/// "4.5 (Compatibility Profile) Mesa" -> major * scale + minor; 0 where there is no such string.
+int parseVersion(const GLubyte* text, int scale) {
+  if (!text) return 0;
+  char* end = nullptr;
+  const long major = std::strtol(reinterpret_cast<const char*>(text), &end, 10);
+  const long minor = *end == '.' ? std::strtol(end + 1, nullptr, 10) : 0;
+  return static_cast<int>(major * scale + minor);
+}
+
+int versionOf(const RealGl& real) { return parseVersion(real.GetString(GL_VERSION), 10); }
+
+int mesaVersionOf(const GLubyte* text) {
+  constexpr std::string_view kName = " Mesa ";
+  const std::string_view all = text ? reinterpret_cast<const char*>(text) : "";
+  const size_t at = all.find(kName);
+  return at == all.npos ? 0 : parseVersion(text + at + kName.size(), 100);
+}
+
+bool hasExtension(const RealGl& real, int version, std::string_view name) {
+  if (version >= 30) {
+    GLint count = 0;
+    real.GetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (int i = 0; i < count; ++i) {
+      const auto* text =
+          reinterpret_cast<const char*>(real.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));
+      if (text && name == text) return true;
+    }
+    return false;
+  }
+  const auto* text = reinterpret_cast<const char*>(real.GetString(GL_EXTENSIONS));
+  const std::string_view all = text ? text : "";
+  for (size_t at = all.find(name); at != all.npos; at = all.find(name, at + 1)) {
+    const size_t end = at + name.size();
+    if ((at == 0 || all[at - 1] == ' ') && (end == all.size() || all[end] == ' ')) return true;
+  }
+  return false;
+}
+
+RareState readRareState(const RealGl& real) {
+  const int version = versionOf(real);
+  const auto has = [&](int since, std::string_view extension) {
+    return version >= since || hasExtension(real, version, extension);
+  };
+  RareState rare;
+  rare.asked = true;
+  rare.framebufferObjects = has(30, "GL_ARB_framebuffer_object") || has(30, "GL_EXT_framebuffer_object");
+  rare.rasterizerDiscard = has(30, "GL_EXT_transform_feedback");
+  rare.framebufferSrgb = has(30, "GL_ARB_framebuffer_sRGB") || has(30, "GL_EXT_framebuffer_sRGB");
+  rare.depthClamp = has(32, "GL_ARB_depth_clamp");
+  rare.depthBounds = hasExtension(real, version, "GL_EXT_depth_bounds_test");
+  rare.clipControl = has(45, "GL_ARB_clip_control");
+  rare.provokingVertex = has(32, "GL_ARB_provoking_vertex") || has(32, "GL_EXT_provoking_vertex");
+  rare.offsetClamp = has(46, "GL_ARB_polygon_offset_clamp") || has(46, "GL_EXT_polygon_offset_clamp");
+  rare.fogDistance = hasExtension(real, version, "GL_NV_fog_distance");
+  rare.sampleMask = has(32, "GL_ARB_texture_multisample");
+  rare.rectangles = has(31, "GL_ARB_texture_rectangle");
+  rare.textureTypes = has(30, "GL_ARB_texture_float");
+  rare.textureSwizzle = has(33, "GL_ARB_texture_swizzle") || has(33, "GL_EXT_texture_swizzle");
+  rare.textureStorage = version >= 43;  // with GL_TEXTURE_IMMUTABLE_LEVELS
+  rare.textureSrgb = hasExtension(real, version, "GL_EXT_texture_sRGB_decode");
+  rare.anisotropy = has(46, "GL_EXT_texture_filter_anisotropic");
+  rare.seamlessCubes = has(32, "GL_ARB_seamless_cube_map");
+  rare.assemblyPrograms = hasExtension(real, version, "GL_ARB_vertex_program");
+  rare.secondaryColor = has(14, "GL_EXT_secondary_color");
+  rare.fogCoord = has(14, "GL_EXT_fog_coord");
+  rare.fogsWholeSum = mesaVersionOf(real.GetString(GL_VERSION)) > 0;
+  return rare;
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,116 @@
+// What the next draw needs to know of the GL state. The real OpenGL keeps the state (every state call is
+// forwarded at once); this is a copy by groups, read back when a draw needs a group that calls have touched
+// since. GL thread.
+#pragma once
+#include "gl/buffers/attachments.h"
+#include "gl/draws/reasons.h"
+#include "gl/programs/program_state.h"
+#include "gl/real.h"
+#include "gl/state/extensions.h"
+#include "scene/snapshot.h"
+
+#include <GL/gl.h>
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace gluray::gl {
+
+/// Groups of state that are read back together. spec/policy.toml names them for each command.
+enum StateGroup : uint32_t {
+  kModelview = 1 << 0,
+  kProjection = 1 << 1,
+  kViewport = 1 << 2,  // viewport, depth range, scissor box
+  kRaster = 1 << 3,    // per-fragment operations and polygon state, with their enables
+  kLighting = 1 << 4,  // lights, light model, shade model, colour material, normalisation
+  kMaterial = 1 << 5,
+  kFixedTextures = 1 << 6,  // texture units of fixed function
+  kClip = 1 << 7,           // clip planes
+  kTarget = 1 << 8,         // draw framebuffer and draw buffer
+  kFixedArrays = 1 << 9,    // vertex array pointers and enables, of fixed function
+  kCurrent = 1 << 10,       // current vertex attributes were changed other than by attribute calls
+  kAttributes = 1 << 11,    // vertex arrays of shader programs
+  kProgram = 1 << 12,       // the current shader program and its uniforms
+  kArrays = kFixedArrays | kAttributes,
+  kProgramTextures = 1 << 13,  // what samplers of shader programs read
+  kTexture = kFixedTextures | kProgramTextures,
+  kAllGroups = (1 << 14) - 1
+};
+/// Groups that core profiles do not have.
+constexpr uint32_t kFixedFunction =
+    kModelview | kProjection | kLighting | kMaterial | kFixedTextures | kClip | kFixedArrays | kCurrent;
+
+/// Groups that glEnable and glDisable of this capability touch.
+uint32_t groupsOfCapability(GLenum capability);
+/// Groups that glPopAttrib may touch.
+constexpr uint32_t kAttribGroups = kAllGroups & ~uint32_t{kArrays | kProjection};
+
+struct RasterState {
+  GLuint program = 0;                    // current shader program
+  Reason reason = Reason::traced;        // why surfaces cannot be traced whatever their vertices, or `traced`
+  Reason unlessOpaque = Reason::traced;  // why surfaces cannot be traced whose alpha is not 1, or `traced`
+  scene::ColorWrites colorWrites;        // what glColorMask, or blending, lets through
+  bool scissorTest = false;
+  GLenum depthFunc = GL_LESS;
+  bool writesDepth = true;
+  bool orderFree = false;  // rasterised draws merge with pending traced ones in any order
+  /// Where surfaces cannot be traced because of blending or of depth that is not written: how they change
+  /// what is there, if they can be traced as layers in the order of drawing.
+  std::optional<scene::Blending> layers;
+  bool firstVertexProvokes = false;  // matters where shading is flat
+  bool multisample = true;
+  scene::AlphaTest alphaTest;
+  scene::CullFace cull = scene::CullFace::none;
+  bool frontFaceCcw = true;
+  bool offsetFill = false;
+  float offsetFactor = 0, offsetUnits = 0;
+};
+
+/// The framebuffer that draws go to.
+struct TargetState {
+  Reason reason = Reason::traced;
+  GLuint framebuffer = 0;
+  GLenum drawBuffer = GL_BACK;
+  int samples = 1;
+  glm::ivec2 size{0};  // pixels, of a framebuffer object; {0, 0}: unknown
+  std::vector<glm::vec2> samplePositions;
+  bool wideColors = false;  // floats
+  bool eightBits = false;  // for red, green, blue and, if `alpha`, alpha; asked where there is fixed function
+  bool alpha = true;
+  bool blendable = false;  // one buffer of eight bits, one sample a pixel
+  double depthSteps = 0;   // from depth 0 to 1; 0: floats
+  bool encodes = false;    // GL_FRAMEBUFFER_SRGB: colours may be encoded on their way
+  float depthResolution = 1.0f / 16777216.0f;
+  // What glPolygonOffset counts in; depthFloats: the last digit of depth, which is kept as floats.
+  float offsetUnit = 1.0f / 8388608.0f;
+  bool depthFloats = false;
+};
+
+struct State {
+  RareState rare;
+  glm::dmat4 modelview{1}, projection{1};
+  bool modelviewInvertible = true, projectionInvertible = true;
+  glm::ivec4 viewport{0, 0, 1, 1}, scissor{0, 0, 1, 1};
+  float depthNear = 0, depthFar = 1;
+  RasterState raster;
+  scene::Shading shading;  // without textures and alpha test
+  scene::MaterialPair material;
+  Reason textureReason = Reason::traced;
+  std::vector<scene::Texture> textures;  // of the enabled units
+  std::vector<glm::dvec4> clipPlanes;    // eye space, enabled ones
+  TargetState target;
+  ProgramState program;  // where raster.program is not 0
+};
+
+void readModelview(const RealGl& real, State& state);
+void readProjection(const RealGl& real, State& state);
+void readViewport(const RealGl& real, State& state);
+void readRaster(const RealGl& real, State& state);
+void readLighting(const RealGl& real, State& state);
+void readMaterial(const RealGl& real, State& state);
+void readClipPlanes(const RealGl& real, State& state);
+void readTarget(const RealGl& real, const DeletedBuffers& deletedRenderbuffers, State& state);
+
+}  // namespace gluray::gl

@@ -1,0 +1,240 @@
+// Clears and finishes, the attribute stack, questions.
+#include "gl/handlers.h"
+#include "gl/state/hidden_extensions.h"
+#include "gl/state/state_queries.h"
+#include "gl/stub.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+
+namespace gluray::gl {
+namespace {
+
+void clearNow(Context& c, GLbitfield mask) {
+  c.syncCurrent();
+  c.layers.clearing();
+  if (c.layers.clearsLater(mask)) return;
+  bool later = false;
+  c.protect([&] { later = c.window.clearsLater(mask); });
+  const Unresolved::Cleared clean = later ? Unresolved::Cleared{} : c.beforeClear(mask);
+  if (mask & GL_STENCIL_BUFFER_BIT) stencilSet(c);
+  c.clearing(mask);
+  if (!later) c.real.Clear(mask);
+  c.cleared(mask);
+  c.resolves.cleanIs(c.direct() ? Unresolved::Cleared{} : clean);
+}
+
+}  // namespace
+
+void clear(Context& c, GLbitfield mask) {
+  if (c.compiling()) return c.lists.record([mask](Context& x) { clearNow(x, mask); });
+  clearNow(c, mask);
+}
+
+void flush(Context& c) {
+  c.showIfVisible();
+  c.textures().finished();
+  c.real.Flush();
+}
+
+void finish(Context& c) {
+  c.protect([&] { c.window.showLagged(); });
+  c.showIfVisible();
+  c.textures().finished();
+  c.real.Finish();
+}
+
+void pushAttrib(Context& c, GLbitfield mask) {
+  if (c.compiling()) return c.lists.record([mask](Context& x) { x.attribStack.push(mask); });
+  c.attribStack.push(mask);
+}
+
+void popAttrib(Context& c) {
+  if (c.compiling()) return c.lists.record([](Context& x) { x.attribStack.pop(); });
+  c.attribStack.pop();
+}
+
+GLenum getError(Context& c) {
+  const bool compiledOnly = c.compiling() && !c.executing();
+  const bool inside = c.insideBegin() || c.immediate.executedInside();
+  if (inside && !compiledOnly) return c.setError(GL_INVALID_OPERATION), GLenum{GL_NO_ERROR};
+  return c.takeError();
+}
+
+namespace {
+
+bool hides(const Context& c) { return c.info().settings.quirks.has(Quirk::hidePersistentMapping); }
+
+/// The answers of display lists, which the real OpenGL does not know. False for any other question.
+template <class T>
+bool answer(Context& c, GLenum pname, T* data) {
+  GLuint value = 0;
+  switch (pname) {
+    case GL_LIST_BASE: value = c.lists.base; break;
+    case GL_LIST_INDEX: value = c.lists.name(); break;
+    case GL_LIST_MODE: value = c.lists.mode(); break;
+    case GL_NUM_EXTENSIONS:
+      if (!hides(c)) return false;
+      value = static_cast<GLuint>(visibleExtensions(c.real));
+      break;
+    default: return false;
+  }
+  if constexpr (std::is_same_v<T, GLboolean>)
+    *data = value ? GL_TRUE : GL_FALSE;
+  else
+    *data = static_cast<T>(value);
+  return true;
+}
+
+}  // namespace
+
+const GLubyte* getString(Context& c, GLenum name) {
+  const GLubyte* text = c.real.GetString(name);
+  return name == GL_EXTENSIONS && hides(c) ? withoutHidden(text) : text;
+}
+
+const GLubyte* getStringi(Context& c, GLenum name, GLuint index) {
+  if (name == GL_EXTENSIONS && hides(c)) index = realExtensionIndex(c.real, index);
+  return c.real.GetStringi(name, index);
+}
+
+void getIntegerv(Context& c, GLenum pname, GLint* data) {
+  if (answer(c, pname, data)) return;
+  c.syncCurrent();
+  c.real.GetIntegerv(pname, data);
+}
+
+void getFloatv(Context& c, GLenum pname, GLfloat* data) {
+  if (answer(c, pname, data)) return;
+  c.syncCurrent();
+  c.real.GetFloatv(pname, data);
+}
+
+void getDoublev(Context& c, GLenum pname, GLdouble* data) {
+  if (answer(c, pname, data)) return;
+  c.syncCurrent();
+  c.real.GetDoublev(pname, data);
+}
+
+void getBooleanv(Context& c, GLenum pname, GLboolean* data) {
+  if (answer(c, pname, data)) return;
+  c.syncCurrent();
+  c.real.GetBooleanv(pname, data);
+}
+
+void getInteger64v(Context& c, GLenum pname, GLint64* data) {
+  if (answer(c, pname, data)) return;
+  c.syncCurrent();
+  c.real.GetInteger64v(pname, data);
+}
+
+namespace {
+
+/// Whether a query looks at what draws do; timers and time stamps do not.
+bool countsDraws(GLenum target) { return target != GL_TIME_ELAPSED && target != GL_TIMESTAMP; }
+
+void endGuard(Context& c) { c.activeQueries = std::max(0, c.activeQueries - 1); }
+
+}  // namespace
+
+void beginQuery(Context& c, GLenum target, GLuint id) {
+  if (!countsDraws(target)) return;
+  if (c.layers.pending()) c.protect([&] { c.layers.queryBegins(target, id); });
+  ++c.activeQueries;
+}
+void beginQueryIndexed(Context& c, GLenum target, GLuint, GLuint id) { beginQuery(c, target, id); }
+void endQuery(Context& c, GLenum target) {
+  if (countsDraws(target)) endGuard(c);
+}
+void endQueryIndexed(Context& c, GLenum target, GLuint) { endQuery(c, target); }
+void beginConditionalRender(Context& c, GLuint, GLenum) { ++c.activeQueries; }
+void endConditionalRender(Context& c) { endGuard(c); }
+
+void matrixMode(Context& c, GLenum mode) { c.matrixMode = mode; }
+
+uint32_t matrixGroups(Context& c) {
+  if (c.matrixMode == 0) {
+    GLint mode = GL_MODELVIEW;
+    c.real.GetIntegerv(GL_MATRIX_MODE, &mode);
+    c.matrixMode = static_cast<GLenum>(mode);
+  }
+  switch (c.matrixMode) {
+    case GL_MODELVIEW: return kModelview;
+    case GL_PROJECTION: return kProjection;
+    case GL_TEXTURE: return kTexture;
+    default: return kModelview | kProjection | kTexture;  // the program set a mode that does not exist
+  }
+}
+
+uint32_t textureAttached(Context& c, GLuint texture) {
+  c.forgetClear();
+  c.textures().attached(texture);
+  return kTarget | kTexture;
+}
+
+Context::Flush flushToBind(Context& c, GLenum target, GLuint framebuffer) {
+  const auto isBound = [&](GLenum binding) {
+    return static_cast<GLuint>(integer(c.real, binding)) == framebuffer;
+  };
+  const bool draws = target != GL_READ_FRAMEBUFFER, reads = target != GL_DRAW_FRAMEBUFFER;
+  const bool bound = c.state.rare.framebufferObjects && (!draws || isBound(GL_DRAW_FRAMEBUFFER_BINDING)) &&
+                     (!reads || isBound(GL_READ_FRAMEBUFFER_BINDING));
+  return bound ? Context::Flush::none : Context::Flush::leave;
+}
+
+uint32_t framebufferBound(Context& c) {
+  c.textures().framebufferBound();
+  return kTarget | kTexture;
+}
+
+uint32_t imageChanged(Context& c, GLenum target) {
+  c.imageSent(target);
+  c.imagesChange();
+  c.textures().imageChanged(c.real, target);
+  return kTexture;
+}
+
+uint32_t imageCopied(Context& c, GLenum target, GLint level, glm::ivec2 offset, const scene::Region& from) {
+  const uint32_t groups = imageChanged(c, target);
+  c.imageCopied(target, level, offset, from);
+  return groups;
+}
+
+uint32_t texturesDeleted(Context& c, GLsizei n, const GLuint* names) {
+  c.forgetClear();
+  c.imagesChange();
+  for (GLsizei i = 0; names && i < n; ++i) c.textures().deleted(names[i]);
+  return kTexture;
+}
+
+uint32_t stencilSet(Context& c) {
+  c.group().stencilsSet = true;
+  return 0;
+}
+
+uint32_t stencilSent(Context& c, GLenum format, const void* pixels) {
+  if (format != GL_DEPTH_STENCIL && format != GL_STENCIL_INDEX) return 0;
+  return pixels || integer(c.real, GL_PIXEL_UNPACK_BUFFER_BINDING) != 0 ? stencilSet(c) : 0;
+}
+
+uint32_t capabilityEnabled(Context& c, GLenum capability) {
+  if (capability == GL_STENCIL_TEST) stencilSet(c);
+  return groupsOfCapability(capability);
+}
+
+uint32_t imagesChanged(Context& c) {
+  c.forgetClear();
+  stencilSet(c);
+  c.imagesChange();
+  c.textures().allImagesChanged();
+  return kTexture;
+}
+
+uint32_t programChanged(Context& c, GLuint program) {
+  c.layers.programChanges(program);
+  c.group().programChanged(program);
+  return kRaster | kProgram | kAttributes;
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,135 @@
+// The framebuffer that draws go to.
+#include "gl/state/buffer_bits.h"
+#include "gl/state/state.h"
+#include "gl/state/state_queries.h"
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gluray::gl {
+namespace {
+
+bool isSingleDrawBuffer(GLenum buffer) {
+  switch (buffer) {
+    case GL_FRONT:
+    case GL_BACK:
+    case GL_FRONT_LEFT:
+    case GL_BACK_LEFT:
+    case GL_FRONT_AND_BACK:
+    case GL_LEFT: return true;
+    default: return buffer >= GL_COLOR_ATTACHMENT0 && buffer < GL_COLOR_ATTACHMENT0 + 16;
+  }
+}
+
+enum class Colors { bytes, floats, others };
+
+/// What the colour buffer holds. Bytes: normalised values of about the eight bits that the write-back
+/// delivers; of ten bits the last two are lost, a quarter of 1/255 at most.
+Colors colorsOf(const RealGl& real, const TargetState& target, bool fixedFunction) {
+  const auto fits = [](GLint bits) { return bits == 8 || bits == 10; };
+  if (target.framebuffer == 0)
+    return fits(redBits(real, target.drawBuffer, fixedFunction)) ? Colors::bytes : Colors::others;
+  GLint type = 0, bits = 0;
+  real.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, target.drawBuffer,
+                                           GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
+  real.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, target.drawBuffer,
+                                           GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE, &bits);
+  if (type == GL_FLOAT) return Colors::floats;
+  return type == GL_UNSIGNED_NORMALIZED && fits(bits) ? Colors::bytes : Colors::others;
+}
+
+/// The colour buffer's bits, and whether what is drawn can be blended by us with what is read back.
+void readColorBits(const RealGl& real, bool fixedFunction, TargetState& target) {
+  const GLenum buffer = target.drawBuffer;
+  const bool single = target.framebuffer != 0 || (buffer != GL_FRONT_AND_BACK && buffer != GL_LEFT);
+  target.eightBits = target.blendable = false;
+  if (!fixedFunction || target.wideColors) return;
+  const auto is8 = [&](GLenum name) { return integer(real, name) == 8; };
+  const GLint alpha = integer(real, GL_ALPHA_BITS);
+  target.alpha = alpha != 0;
+  target.eightBits =
+      is8(GL_RED_BITS) && is8(GL_GREEN_BITS) && is8(GL_BLUE_BITS) && (alpha == 0 || alpha == 8);
+  target.blendable = target.eightBits && single && target.samples == 1 && !target.encodes;
+}
+
+/// Size of the image that is attached to the framebuffer object's draw buffer; {0, 0} where it is of a kind
+/// not asked about. A renderbuffer that was deleted may live on there, and its name mean another one, or
+/// none, which binding it would make.
+glm::ivec2 attachmentSize(const RealGl& real, const DeletedBuffers& deleted, GLenum attachment) {
+  const auto ask = [&](GLenum name) {
+    GLint value = 0;
+    real.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, name, &value);
+    return value;
+  };
+  if (ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_RENDERBUFFER) return {0, 0};
+  const auto name = static_cast<GLuint>(ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
+  if (deleted.when(name) != 0) return {0, 0};
+  glm::ivec2 size(0);
+  const GLint bound = integer(real, GL_RENDERBUFFER_BINDING);
+  real.BindRenderbuffer(GL_RENDERBUFFER, name);
+  real.GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_WIDTH, &size.x);
+  real.GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_HEIGHT, &size.y);
+  real.BindRenderbuffer(GL_RENDERBUFFER, static_cast<GLuint>(bound));
+  return size;
+}
+
+/// Whether depth is kept as floats, which windows do not have.
+bool keepsFloats(const RealGl& real, GLuint framebuffer) {
+  if (framebuffer == 0) return false;
+  const auto ask = [&](GLenum name) {
+    GLint value = 0;
+    real.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, name, &value);
+    return value;
+  };
+  return ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE &&
+         ask(GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
+}
+
+}  // namespace
+
+void readTarget(const RealGl& real, const DeletedBuffers& deletedRenderbuffers, State& state) {
+  TargetState& target = state.target;
+  target.size = {0, 0};
+  target.reason = Reason::traced;
+  target.eightBits = target.blendable = false;
+  const bool objects = state.rare.framebufferObjects;
+  target.framebuffer = objects ? static_cast<GLuint>(integer(real, GL_DRAW_FRAMEBUFFER_BINDING)) : 0;
+  target.drawBuffer = static_cast<GLenum>(integer(real, GL_DRAW_BUFFER));
+  target.samples = std::max(1, integer(real, GL_SAMPLES));
+  target.encodes = state.rare.framebufferSrgb && isOn(real, GL_FRAMEBUFFER_SRGB);
+  target.samplePositions.assign(static_cast<size_t>(target.samples), glm::vec2(0.5f));
+  if (!isSingleDrawBuffer(target.drawBuffer)) target.reason = Reason::drawBuffer;
+  if (target.framebuffer != 0) {
+    if (real.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+      target.reason = Reason::framebuffer;
+    if (integer(real, GL_DRAW_BUFFER0 + 1) != GL_NONE) target.reason = Reason::drawBuffer;
+    target.size = attachmentSize(real, deletedRenderbuffers, target.drawBuffer);
+  }
+  const GLint depthBits = gl::depthBits(real, state.rare.fixedFunction);
+  target.depthResolution = std::ldexp(1.0f, -std::min(std::max(depthBits, 1), 24));
+  // OpenGL leaves the unit to the implementation. Mesa takes two steps, for its drivers and its own
+  // rasterizers.
+  target.offsetUnit = std::ldexp(2.0f, -std::max(depthBits, 1));
+  target.depthFloats = target.wideColors = false;
+  if (target.reason != Reason::traced) return;
+  target.depthFloats = depthBits > 0 && keepsFloats(real, target.framebuffer);
+  const Colors colors = colorsOf(real, target, state.rare.fixedFunction);
+  target.wideColors = colors == Colors::floats;
+  target.depthSteps = target.depthFloats ? 0 : std::ldexp(1.0, depthBits) - 1;
+  readColorBits(real, state.rare.fixedFunction, target);
+  if (depthBits == 0)
+    target.reason = Reason::noDepthBuffer;
+  else if (colors == Colors::others)
+    target.reason = Reason::framebuffer;
+  if (target.samples > 1 && isPresent(real.GetMultisamplefv))
+    for (GLuint i = 0; i < static_cast<GLuint>(target.samples); ++i)
+      real.GetMultisamplefv(GL_SAMPLE_POSITION, i, glm::value_ptr(target.samplePositions[i]));
+  else if (target.samples > 1)
+    target.reason = Reason::framebuffer;
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,37 @@
+// Texture images read back from the real OpenGL. GL thread.
+#pragma once
+#include "gl/draws/reasons.h"
+#include "gl/real.h"
+#include "gl/state/extensions.h"
+#include "scene/texture.h"
+
+#include <GL/gl.h>
+#include <glm/glm.hpp>
+
+#include <compare>
+#include <memory>
+
+namespace gluray::gl {
+
+/// Whether level 0 of the texture bound to GL_TEXTURE_2D of the active unit is RGBA8 of that size.
+bool isRgba8(const RealGl& real, glm::ivec2 size);
+/// The same, of that size or larger.
+bool holdsRgba8(const RealGl& real, glm::ivec2 size);
+
+/// What of a bound texture is sampled.
+struct ImageRange {
+  GLint base = 0;      // level
+  int levels = 0;      // from the base level on; 0: the texture is incomplete (GL 2.1, 3.8.10)
+  bool decode = true;  // sRGB texels are decoded
+  GLenum depthMode = GL_LUMINANCE;
+  auto operator<=>(const ImageRange&) const = default;
+};
+
+/// The levels that the texture bound to `target` of the active unit is sampled from, `mipmapped` or not.
+ImageRange rangeOf(const RealGl& real, const RareState& has, GLenum target, bool mipmapped);
+
+/// Reads them. Null with a reason where they cannot be traced.
+std::shared_ptr<const scene::TextureImage> readImage(const RealGl& real, const RareState& has, GLenum target,
+                                                     const ImageRange& range, Reason& reason);
+
+}  // namespace gluray::gl

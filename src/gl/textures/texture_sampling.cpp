@@ -1,0 +1,94 @@
+#include "gl/textures/texture_sampling.h"
+
+#include "gl/state/state_queries.h"
+
+#include <GL/glext.h>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <cstring>
+#include <optional>
+
+namespace gluray::gl {
+namespace {
+
+std::optional<scene::Wrap> toWrap(GLint mode) {
+  switch (mode) {
+    case GL_REPEAT: return scene::Wrap::repeat;
+    case GL_CLAMP: return scene::Wrap::clamp;
+    case GL_CLAMP_TO_EDGE: return scene::Wrap::clampToEdge;
+    case GL_CLAMP_TO_BORDER: return scene::Wrap::clampToBorder;
+    case GL_MIRRORED_REPEAT: return scene::Wrap::mirroredRepeat;
+    case GL_MIRROR_CLAMP_EXT: return scene::Wrap::mirrorClamp;
+    case GL_MIRROR_CLAMP_TO_EDGE: return scene::Wrap::mirrorClampToEdge;
+    case GL_MIRROR_CLAMP_TO_BORDER_EXT: return scene::Wrap::mirrorClampToBorder;
+    default: return std::nullopt;
+  }
+}
+
+scene::Filter toFilter(GLint mode) {
+  const bool nearest =
+      mode == GL_NEAREST || mode == GL_NEAREST_MIPMAP_NEAREST || mode == GL_NEAREST_MIPMAP_LINEAR;
+  return nearest ? scene::Filter::nearest : scene::Filter::linear;
+}
+
+scene::MipFilter toMipFilter(GLint mode) {
+  switch (mode) {
+    case GL_NEAREST_MIPMAP_NEAREST:
+    case GL_LINEAR_MIPMAP_NEAREST: return scene::MipFilter::nearest;
+    case GL_NEAREST_MIPMAP_LINEAR:
+    case GL_LINEAR_MIPMAP_LINEAR: return scene::MipFilter::linear;
+    default: return scene::MipFilter::none;
+  }
+}
+
+scene::LodRule lodRuleOf(const RealGl& real) {
+  const auto* name = reinterpret_cast<const char*>(real.GetString(GL_RENDERER));
+  return name && std::strstr(name, "llvmpipe") ? scene::LodRule::llvmpipe : scene::LodRule::specified;
+}
+
+/// Level of detail: bias of unit and texture, limits.
+void readLod(const RealGl& real, const RareState& has, GLenum target, scene::Texture& texture) {
+  GLfloat unit = 0, own = 0;
+  if (has.fixedFunction) real.GetTexEnvfv(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, &unit);
+  real.GetTexParameterfv(target, GL_TEXTURE_LOD_BIAS, &own);
+  GLfloat most = 16;
+  real.GetFloatv(GL_MAX_TEXTURE_LOD_BIAS, &most);
+  texture.lodBias = std::clamp(unit + own, -most, most);
+  real.GetTexParameterfv(target, GL_TEXTURE_MIN_LOD, &texture.minLod);
+  real.GetTexParameterfv(target, GL_TEXTURE_MAX_LOD, &texture.maxLod);
+  texture.lodRule = lodRuleOf(real);
+}
+
+}  // namespace
+
+Reason readSampling(const RealGl& real, const RareState& has, GLenum target, scene::Texture& texture) {
+  const auto parameter = [&](GLenum name, GLint usual) {
+    real.GetTexParameteriv(target, name, &usual);
+    return usual;
+  };
+  const auto s = toWrap(parameter(GL_TEXTURE_WRAP_S, GL_REPEAT)),
+             t = toWrap(parameter(GL_TEXTURE_WRAP_T, GL_REPEAT)),
+             r = toWrap(parameter(GL_TEXTURE_WRAP_R, GL_REPEAT));
+  if (!s || !t || !r) return Reason::textureFormat;
+  texture.wrapS = *s, texture.wrapT = *t, texture.wrapR = *r;
+  texture.magFilter = toFilter(parameter(GL_TEXTURE_MAG_FILTER, GL_LINEAR));
+  const GLint min = parameter(GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  texture.minFilter = toFilter(min);
+  texture.mipFilter = toMipFilter(min);
+  real.GetTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, glm::value_ptr(texture.borderColor));
+  readLod(real, has, target, texture);
+  GLfloat anisotropy = 1;
+  if (has.anisotropy) real.GetTexParameterfv(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, &anisotropy);
+  if (anisotropy > 1) return Reason::textureAnisotropy;
+  const bool seamless =
+      target == GL_TEXTURE_CUBE_MAP && has.seamlessCubes && real.IsEnabled(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  const bool swizzled = has.textureSwizzle && (parameter(GL_TEXTURE_SWIZZLE_R, GL_RED) != GL_RED ||
+                                               parameter(GL_TEXTURE_SWIZZLE_G, GL_GREEN) != GL_GREEN ||
+                                               parameter(GL_TEXTURE_SWIZZLE_B, GL_BLUE) != GL_BLUE ||
+                                               parameter(GL_TEXTURE_SWIZZLE_A, GL_ALPHA) != GL_ALPHA);
+  const bool plain = !seamless && !swizzled && parameter(GL_TEXTURE_COMPARE_MODE, GL_NONE) == GL_NONE;
+  return plain ? Reason::traced : Reason::textureFormat;
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,55 @@
+#include "intercept/present/presented_pictures.h"
+
+#include <exception>
+
+namespace gluray::present {
+
+const frame::LastPictures::Picture* PresentedPictures::of(const scene::Snapshot& snapshot, bool mayRepeat,
+                                                          std::optional<uint32_t> missColor,
+                                                          gl::PresentResult& result, std::string& why) {
+  frame::Pictures::Result got = pictures.of(snapshot, mayRepeat, missColor);
+  result.cost = got.cost;
+  result.repeated = got.repeated;
+  if (!got.picture) why = std::move(got.why);
+  return got.picture;
+}
+
+const Features& PresentedPictures::features(const gl::RealGl& real) {
+  if (!features_) features_ = readFeatures(real);
+  return *features_;
+}
+
+WriteBack& PresentedPictures::writeBack(const gl::RealGl& real, Image::Content content) {
+  std::unique_ptr<WriteBack>& one = writeBacks_.at(static_cast<size_t>(content));
+  if (!one) one = std::make_unique<WriteBack>(real, content);
+  return *one;
+}
+
+bool PresentedPictures::supported(const gl::RealGl& real, std::string& why) noexcept {
+  try {
+    return writeBack(real, Image::Content::color).ready(why);
+  } catch (const std::exception& e) {
+    why = e.what();
+    return false;
+  }
+}
+
+gl::SharedNames PresentedPictures::takeNames() {
+  gl::SharedNames all;
+  for (const std::unique_ptr<WriteBack>& one : writeBacks_) {
+    if (!one) continue;
+    const gl::SharedNames names = one->takeNames();
+    all.textures.insert(all.textures.end(), names.textures.begin(), names.textures.end());
+    all.programs.insert(all.programs.end(), names.programs.begin(), names.programs.end());
+  }
+  return all;
+}
+
+void PresentedPictures::forget() noexcept {
+  // Names live in the share group; other contexts of the group may still be there, this one may not be
+  // current.
+  for (std::unique_ptr<WriteBack>& one : writeBacks_) one.reset();
+  features_.reset();
+}
+
+}  // namespace gluray::present

@@ -1,0 +1,280 @@
+#include "intercept/present/raster/depth_redraw.h"
+
+#include "gl/state/state_queries.h"
+#include "intercept/present/raster/raster_fallback.h"
+#include "intercept/present/raster/triangle_array.h"
+
+#include <functional>
+
+namespace gluray::present {
+namespace {
+
+using gl::RealGl;
+
+/// Vertices go the way of fixed function, so that they land where they do without us. What differs from the
+/// depth that is there by more than tracing and rasterising do is hidden.
+constexpr const char* kSeenAlone = R"(#version 110
+uniform sampler2D before;
+uniform vec4 place;
+void main() {
+  float there = texture2D(before, (gl_FragCoord.xy - place.xy) * place.zw).r;
+  if (abs(gl_FragCoord.z - there) > 0.00002) discard;
+  gl_FragColor = vec4(0.0);
+}
+)";
+
+/// Of one sample, which lies `shift` from the pixel's centre, where the fragment's own depth is; `slack`: so
+/// many pixels from there at most.
+constexpr const char* kSamplesSeenAlone = R"(#version 150 compatibility
+uniform sampler2DMS before;
+uniform vec4 place;
+uniform vec2 shift;
+uniform float slack;
+uniform int sampleAt;
+void main() {
+  vec2 slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z));
+  float depth = gl_FragCoord.z + dot(slope, shift), most = 0.00002 + slack * dot(abs(slope), vec2(1.0));
+  float there = texelFetch(before, ivec2(gl_FragCoord.xy - place.xy), sampleAt).r;
+  if (abs(depth - there) > most) discard;
+  gl_FragColor = vec4(0.0);
+}
+)";
+
+/// For surfaces that a shader program puts into place as this one does: to the bit, as compilers treat the
+/// two alike.
+constexpr const char* kByMatrix = R"(#version 150
+in vec4 vertexMC;
+uniform mat4 MCDCMatrix;
+void main() { gl_Position = MCDCMatrix * vertexMC; }
+)";
+
+constexpr const char* kMatrixSeenAlone = R"(#version 150
+uniform sampler2D before;
+uniform vec4 place;
+out vec4 color;
+void main() {
+  float there = texelFetch(before, ivec2(gl_FragCoord.xy - place.xy), 0).r;
+  if (abs(gl_FragCoord.z - there) > 0.00002) discard;
+  color = vec4(0.0);
+}
+)";
+
+constexpr const char* kMatrixSamplesSeenAlone = R"(#version 150
+uniform sampler2DMS before;
+uniform vec4 place;
+uniform vec2 shift;
+uniform float slack;
+uniform int sampleAt;
+out vec4 color;
+void main() {
+  vec2 slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z));
+  float depth = gl_FragCoord.z + dot(slope, shift), most = 0.00002 + slack * dot(abs(slope), vec2(1.0));
+  float there = texelFetch(before, ivec2(gl_FragCoord.xy - place.xy), sampleAt).r;
+  if (abs(depth - there) > most) discard;
+  color = vec4(0.0);
+}
+)";
+
+/// `vertex`: null where vertices go the way of fixed function.
+GLuint buildProgram(const RealGl& real, const char* vertex, const char* fragment) {
+  const GLuint program = real.CreateProgram();
+  const auto attach = [&](GLenum kind, const char* source) {
+    const GLuint shader = real.CreateShader(kind);
+    real.ShaderSource(shader, 1, &source, nullptr);
+    real.CompileShader(shader);
+    real.AttachShader(program, shader);
+    real.DeleteShader(shader);
+  };
+  if (vertex) attach(GL_VERTEX_SHADER, vertex), real.BindAttribLocation(program, 0, "vertexMC");
+  attach(GL_FRAGMENT_SHADER, fragment);
+  real.LinkProgram(program);
+  GLint linked = GL_FALSE;
+  real.GetProgramiv(program, GL_LINK_STATUS, &linked);
+  if (linked) return program;
+  real.DeleteProgram(program);
+  return 0;
+}
+
+/// Copies the depth of the region into a new texture; 0 where the real OpenGL refuses.
+GLuint copyDepth(const RealGl& real, const Features& features, const scene::Region& region) {
+  GLint framebuffer = 0, buffer = 0;
+  if (features.readFramebuffers) real.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
+  real.GetIntegerv(GL_DRAW_BUFFER, &buffer);
+  StateGuard guard(real, features);
+  guard.plainPack();  // depth as it is, whatever the program has scaled it by
+  guard.readFrom(static_cast<GLuint>(framebuffer), static_cast<GLenum>(buffer));
+  GLuint name = 0;
+  real.GenTextures(1, &name);
+  guard.texture2D(0, name);
+  for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    real.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+  real.CopyTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, region.x, region.y, region.width, region.height,
+                      0);
+  if (takeErrors(real).empty()) return name;
+  real.DeleteTextures(1, &name);
+  return 0;
+}
+
+/// A framebuffer object of our own, without colours, to copy into; what is drawn into is read from. What was
+/// bound comes back.
+class CopyFramebuffer {
+ public:
+  explicit CopyFramebuffer(const RealGl& real)
+      : real_(real),
+        drawn_(gl::integer(real, GL_DRAW_FRAMEBUFFER_BINDING)),
+        read_(gl::integer(real, GL_READ_FRAMEBUFFER_BINDING)) {
+    real.BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(drawn_));
+    real.GenFramebuffers(1, &name_);
+    real.BindFramebuffer(GL_DRAW_FRAMEBUFFER, name_);
+    real.DrawBuffer(GL_NONE);
+  }
+  ~CopyFramebuffer() {
+    real_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(drawn_));
+    real_.BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read_));
+    real_.DeleteFramebuffers(1, &name_);
+  }
+  CopyFramebuffer(const CopyFramebuffer&) = delete;
+  CopyFramebuffer& operator=(const CopyFramebuffer&) = delete;
+
+ private:
+  const RealGl& real_;
+  GLint drawn_, read_;
+  GLuint name_ = 0;
+};
+
+struct DepthFormat {
+  GLenum format, attachment;
+};
+
+/// Copies every sample's depth into the texture that is bound, of this format.
+bool copySamplesInto(const RealGl& real, GLuint texture, const DepthFormat& as, const scene::Region& region,
+                     GLsizei samples) {
+  real.TexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples, as.format, region.width, region.height,
+                             GL_TRUE);
+  const CopyFramebuffer framebuffer(real);
+  real.FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, as.attachment, GL_TEXTURE_2D_MULTISAMPLE, texture, 0);
+  real.BlitFramebuffer(region.x, region.y, region.x + region.width, region.y + region.height, 0, 0,
+                       region.width, region.height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  return takeErrors(real).empty();
+}
+
+/// The same as copyDepth() of every sample. Samples are only copied between depths of one format, and that of
+/// a window cannot be asked for: the first that is accepted is it.
+GLuint copyDepthOfSamples(const RealGl& real, const Features& features, const scene::Region& region,
+                          GLsizei samples) {
+  constexpr DepthFormat kFormats[] = {
+      {GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT},  {GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT},
+      {GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT}, {GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT},
+      {GL_DEPTH_COMPONENT32, GL_DEPTH_ATTACHMENT},         {GL_DEPTH_COMPONENT16, GL_DEPTH_ATTACHMENT}};
+  StateGuard guard(real, features);
+  guard.scissorOff();
+  for (const DepthFormat& format : kFormats) {
+    GLuint name = 0;
+    real.GenTextures(1, &name);
+    {
+      StateGuard bound(real, features);
+      bound.textureMultisample(0, name);
+      if (copySamplesInto(real, name, format, region, samples)) return name;
+    }
+    real.DeleteTextures(1, &name);
+  }
+  return 0;
+}
+
+/// What the depth pass is told about the copy.
+void tell(const RealGl& real, const Features& features, GLuint program, const scene::Region& region) {
+  StateGuard guard(real, features);
+  guard.program(program);
+  real.Uniform4f(real.GetUniformLocation(program, "place"), static_cast<GLfloat>(region.x),
+                 static_cast<GLfloat>(region.y), 1.0f / static_cast<GLfloat>(region.width),
+                 1.0f / static_cast<GLfloat>(region.height));
+}
+
+/// ... and about the sample that it looks at.
+void tellSample(const RealGl& real, const Features& features, GLuint program, int sample, glm::vec2 shift,
+                float slack) {
+  StateGuard guard(real, features);
+  guard.program(program);
+  real.Uniform2f(real.GetUniformLocation(program, "shift"), shift.x, shift.y);
+  real.Uniform1f(real.GetUniformLocation(program, "slack"), slack);
+  real.Uniform1i(real.GetUniformLocation(program, "sampleAt"), sample);
+}
+
+/// Draws the depth of the surfaces, with this depth function.
+using DrawDepth = std::function<bool(GLenum func, const DepthPass& pass)>;
+
+/// The second time for the nearest, where several surfaces are that near to what is seen.
+bool drawTwice(const DrawDepth& draw, const DepthPass& pass) {
+  for (const GLenum func : {GL_ALWAYS, GL_LESS})
+    if (!draw(func, pass)) return false;
+  return true;
+}
+
+/// Where the program has switched multisampling off the snapshot has one sample, and all of a pixel's get
+/// what is at its centre: the first stands for them. (Mesa 22.3 takes the depth from elsewhere in the pixel.)
+bool drawSamples(const RealGl& real, const Features& features, const scene::Snapshot& snapshot,
+                 const DrawDepth& draw, DepthPass pass) {
+  if (snapshot.samples <= 1) {
+    tellSample(real, features, pass.program, 0, {}, 0.5f);
+    return drawTwice(draw, pass);
+  }
+  for (int& i = pass.sample = 0; i < snapshot.samples; ++i) {
+    const glm::vec2 shift = snapshot.samplePositions[static_cast<size_t>(i)] - 0.5f;
+    tellSample(real, features, pass.program, i, shift, 0);
+    if (!drawTwice(draw, pass)) return false;
+  }
+  return true;
+}
+
+/// What draws the surfaces, and the sources of its program for one sample and for several.
+struct Drawer {
+  const char* vertex;  // null: fixed function
+  const char* single;
+  const char* samples;
+  DrawDepth draw;
+};
+
+bool drawAgain(const RealGl& real, const Features& features, const scene::Snapshot& snapshot,
+               const Drawer& drawer) {
+  const GLint samples = gl::integer(real, GL_SAMPLES);
+  DepthPass again;
+  again.multisampled = samples > 1;
+  if (again.multisampled && (features.version < 32 || !features.sampleMask || samples > 32)) return false;
+  again.depth = again.multisampled ? copyDepthOfSamples(real, features, snapshot.region, samples)
+                                   : copyDepth(real, features, snapshot.region);
+  if (!again.depth) return false;
+  bool drawn = false;
+  again.program = buildProgram(real, drawer.vertex, again.multisampled ? drawer.samples : drawer.single);
+  if (again.program) {
+    tell(real, features, again.program, snapshot.region);
+    drawn = again.multisampled ? drawSamples(real, features, snapshot, drawer.draw, again)
+                               : drawTwice(drawer.draw, again);
+    real.DeleteProgram(again.program);
+  }
+  real.DeleteTextures(1, &again.depth);
+  return drawn;
+}
+
+}  // namespace
+
+bool drawDepthAgain(const RealGl& real, const Features& features, const scene::Snapshot& snapshot) {
+  if (!features.compatibility || features.version < 20 || snapshot.region.width <= 0) return false;
+  const auto draw = [&](GLenum func, const DepthPass& pass) {
+    return drawWithFixedFunction(real, features, snapshot, func, &pass);
+  };
+  return drawAgain(real, features, snapshot, {nullptr, kSeenAlone, kSamplesSeenAlone, draw});
+}
+
+bool drawDepthAgain(const RealGl& real, const Features& features, const scene::Snapshot& snapshot,
+                    const gl::PresentTarget::ByMatrix& surface) {
+  if (features.version < 32 || snapshot.region.width <= 0 || snapshot.polygonOffset != scene::PolygonOffset{})
+    return false;
+  const TriangleArray triangles(real, features, *surface.mesh);
+  const auto draw = [&](GLenum func, const DepthPass& pass) {
+    triangles.draw(snapshot, surface.clipFromObject, func, pass);
+    return true;
+  };
+  return drawAgain(real, features, snapshot, {kByMatrix, kMatrixSeenAlone, kMatrixSamplesSeenAlone, draw});
+}
+
+}  // namespace gluray::present

@@ -1,0 +1,46 @@
+#include "intercept/present/read_back/buffer_reader.h"
+
+#include "gl/state/state_queries.h"
+#include "intercept/present/write_back/state_guard.h"
+
+#include <exception>
+
+namespace gluray::present {
+namespace {
+
+/// Makes room for a value a pixel. False where there is no memory.
+template <class T>
+bool makeRoom(const scene::Region& region, std::vector<T>& out) noexcept {
+  try {
+    out.resize(static_cast<size_t>(region.width) * static_cast<size_t>(region.height));
+    return true;
+  } catch (const std::exception&) { return false; }
+}
+
+}  // namespace
+
+bool BufferReader::read(const gl::RealGl& real, const scene::Region& region, GLenum format, GLenum type,
+                        void* out) noexcept {
+  try {
+    const Features& has = shared_.features(real);
+    if (!has.readFramebuffers) return false;
+    StateGuard guard(real, has);
+    guard.plainPack();
+    guard.readFrom(static_cast<GLuint>(gl::integer(real, GL_DRAW_FRAMEBUFFER_BINDING)),
+                   static_cast<GLenum>(gl::integer(real, GL_DRAW_BUFFER0)));
+    real.ReadPixels(region.x, region.y, region.width, region.height, format, type, out);
+    return takeErrors(real).empty();
+  } catch (const std::exception&) { return false; }
+}
+
+bool BufferReader::readDepth(const gl::RealGl& real, const scene::Region& region,
+                             std::vector<float>& out) noexcept {
+  return makeRoom(region, out) && read(real, region, GL_DEPTH_COMPONENT, GL_FLOAT, out.data());
+}
+
+bool BufferReader::readColors(const gl::RealGl& real, const scene::Region& region,
+                              std::vector<uint32_t>& out) noexcept {
+  return makeRoom(region, out) && read(real, region, GL_RGBA, GL_UNSIGNED_BYTE, out.data());
+}
+
+}  // namespace gluray::present

@@ -1,0 +1,45 @@
+#include "intercept/present/read_back/window_buffers.h"
+
+#include "gl/state/state_queries.h"
+#include "intercept/present/write_back/state_guard.h"
+
+#include <array>
+
+namespace gluray::present {
+
+bool readWindow(const gl::RealGl& real, const Features& features, glm::ivec2 size, GLenum buffer,
+                frame::WindowContent& out) {
+  if (size.x <= 0 || size.y <= 0) return false;
+  out.width = size.x, out.height = size.y;
+  const auto pixels = static_cast<size_t>(size.x) * static_cast<size_t>(size.y);
+  out.colors.resize(pixels), out.depths.resize(pixels);
+  StateGuard guard(real, features);
+  guard.plainPack();
+  guard.readFrom(0, buffer);
+  real.ReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, out.colors.data());
+  real.ReadPixels(0, 0, size.x, size.y, GL_DEPTH_COMPONENT, GL_FLOAT, out.depths.data());
+  return takeErrors(real).empty();
+}
+
+void clearWindow(const gl::RealGl& real, const Features& features, const gl::WindowClear& clear) {
+  StateGuard guard(real, features);
+  guard.openFragmentPath();
+  guard.scissorOff();
+  guard.depthWrites(true);
+  std::array<GLfloat, 4> color{};
+  GLdouble depth = 1;
+  real.GetFloatv(GL_COLOR_CLEAR_VALUE, color.data());
+  real.GetDoublev(GL_DEPTH_CLEAR_VALUE, &depth);
+  const GLint stencil = gl::integer(real, GL_STENCIL_CLEAR_VALUE),
+              mask = gl::integer(real, GL_STENCIL_WRITEMASK);
+  const bool stencils = clear.mask & GL_STENCIL_BUFFER_BIT;
+  real.ClearColor(clear.color[0], clear.color[1], clear.color[2], clear.color[3]);
+  real.ClearDepth(clear.depth);
+  if (stencils) real.ClearStencil(clear.stencil), real.StencilMaskSeparate(GL_FRONT, ~0u);
+  real.Clear(clear.mask);
+  if (stencils) real.ClearStencil(stencil), real.StencilMaskSeparate(GL_FRONT, static_cast<GLuint>(mask));
+  real.ClearColor(color[0], color[1], color[2], color[3]);
+  real.ClearDepth(depth);
+}
+
+}  // namespace gluray::present

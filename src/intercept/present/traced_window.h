@@ -1,0 +1,23 @@
+// Pictures that reach a window in other ways than by a swap: shown at once, or traced while the program
+// prepares its next frame (frame lag). GL thread.
+#pragma once
+#include "gl/window/window_presenter.h"
+#include "intercept/present/presented_pictures.h"
+
+namespace gluray::present {
+
+class TracedWindow final : public gl::WindowPresenter {
+ public:
+  explicit TracedWindow(PresentedPictures& shared) : shared_(shared) {}
+  gl::PresentResult show(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
+                         const gl::ShowTarget& target) noexcept override;
+  gl::LagRefusal traceAhead(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
+                            const gl::AheadTarget& target) noexcept override;
+  void dropAhead() noexcept override;
+  GLenum clear(const gl::RealGl& real, const gl::WindowClear& clear) noexcept override;
+
+ private:
+  PresentedPictures& shared_;
+};
+
+}  // namespace gluray::present

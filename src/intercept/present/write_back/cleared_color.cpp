@@ -1,0 +1,23 @@
+#include "intercept/present/write_back/cleared_color.h"
+
+#include "gl/state/state_queries.h"
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+namespace gluray::present {
+
+std::optional<uint32_t> ClearedColor::bits(const gl::RealGl& real, const Features& features,
+                                           const gl::ClearedTarget& cleared, PendingErrors& pending) {
+  if (color_ == cleared.color) return bits_;
+  pending = takeErrors(real);
+  StateGuard guard(real, features);
+  guard.plainPack();
+  guard.readFrom(cleared.framebuffer, static_cast<GLenum>(gl::integer(real, GL_DRAW_BUFFER)));
+  real.ReadPixels(cleared.region.x, cleared.region.y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &bits_);
+  if (!takeErrors(real).empty()) return color_.reset(), std::nullopt;
+  color_ = cleared.color;
+  return bits_;
+}
+
+}  // namespace gluray::present

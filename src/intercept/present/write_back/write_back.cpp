@@ -1,0 +1,277 @@
+#include "intercept/present/write_back/write_back.h"
+
+#include "base/timeline.h"
+#include "intercept/present/write_back/write_back_program.h"
+
+#include <algorithm>
+#include <mutex>
+#include <utility>
+
+namespace gluray::present {
+
+namespace {
+
+constexpr scene::ColorWrites kNoColors{false, false, false, false};
+
+}  // namespace
+
+bool WriteBack::ready(std::string& why) {
+  if (state_ == State::unknown) {
+    features_ = readFeatures(real_);
+    state_ = compile(why_) ? State::ready : State::impossible;
+  }
+  why = why_;
+  return state_ == State::ready;
+}
+
+bool WriteBack::compile(std::string& why) {
+  if (features_.glslVersion < 110) return why = "the real OpenGL has no GLSL", false;
+  if (features_.redFloatTextures) {
+    depthInternalFormat_ = GL_R32F, depthFormat_ = GL_RED;
+  } else if (features_.floatTextures) {
+    depthInternalFormat_ = GL_LUMINANCE32F_ARB, depthFormat_ = GL_LUMINANCE;
+  } else {
+    return why = "the real OpenGL has no float textures", false;
+  }
+  for (Program& program : programs_)
+    if (!compile(program, why)) return false;
+  if (!features_.compatibility) real_.GenVertexArrays(1, &vertexArray_);
+  return true;
+}
+
+bool WriteBack::compile(Program& program, std::string& why) const {
+  program.name = buildWriteBackProgram(real_, features_, content_, why);
+  if (!program.name) return false;
+  StateGuard guard(real_, features_);
+  guard.program(program.name);
+  program.place = real_.GetUniformLocation(program.name, "place");
+  program.bands = real_.GetUniformLocation(program.name, "bands");
+  real_.Uniform1i(real_.GetUniformLocation(program.name, "colorPlane"), features_.textureUnit);
+  real_.Uniform1i(real_.GetUniformLocation(program.name, "depthPlane"), features_.textureUnit + 1);
+  return true;
+}
+
+GLuint WriteBack::newTextureName() const {
+  GLuint name = 0;
+  if (!features_.compatibility) {
+    real_.GenTextures(1, &name);
+    return name;
+  }
+  // Compatibility contexts let a program bind names that it never asked for, small ones as a rule. Ours come
+  // from the end of the range. From the very end in each name space: Mesa goes on after the largest name in
+  // use as long as there are any, and programs use names as array indices.
+  for (name = 0xFFFFFFFEu; real_.IsTexture(name);) --name;
+  return name;
+}
+
+bool WriteBack::makePlane(StateGuard& guard, int unit, Plane& plane, GLenum internalFormat, GLenum format,
+                          GLenum type, int width, int height) {
+  const bool fresh = plane.texture == 0;
+  if (fresh) {
+    // Taken by the binding: contexts of other threads may share the name space.
+    static std::mutex naming;
+    const std::lock_guard lock(naming);
+    plane.texture = newTextureName();
+    guard.texture2D(unit, plane.texture);
+  } else {
+    guard.texture2D(unit, plane.texture);
+  }
+  if (fresh) {
+    for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+      real_.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+    for (GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+      real_.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+  }
+  if (width <= plane.width && height <= plane.height) return true;
+  const int newWidth = std::max(width, plane.width), newHeight = std::max(height, plane.height);
+  real_.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internalFormat), newWidth, newHeight, 0, format, type,
+                   nullptr);
+  if (real_.GetError() != GL_NO_ERROR) {
+    plane.width = plane.height = 0;
+    return false;
+  }
+  plane.width = newWidth, plane.height = newHeight;
+  return true;
+}
+
+namespace {
+
+/// What the textures of colours and of depths take.
+const void* colorsFrom(const Image& image, size_t pixel) {
+  return image.content == Image::Content::color ? static_cast<const void*>(&image.color[pixel])
+                                                : &image.wide[4 * pixel];
+}
+
+const void* secondFrom(const Image& image, size_t pixel, bool centers) {
+  if (centers) return &image.center[pixel];
+  return image.content == Image::Content::sums ? &image.through[pixel] : &image.depth[pixel];
+}
+
+}  // namespace
+
+void WriteBack::upload(const Image& image, const Sheet& sheet, Part part) const {
+  const int unit = features_.textureUnit;
+  const auto width = static_cast<size_t>(image.width);
+  const size_t plane = width * static_cast<size_t>(image.height) * static_cast<size_t>(sheet.sample);
+  for (const bool color : {false, true}) {
+    if (color && part == Part::depths) continue;
+    real_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(color ? unit : unit + 1));
+    for (const frame::Band& band : sheet.bands) {
+      const size_t first = plane + static_cast<size_t>(band.y) * width + static_cast<size_t>(band.x);
+      const bool bytes = color && content_ == Image::Content::color;
+      real_.TexSubImage2D(GL_TEXTURE_2D, 0, band.x, band.y + sheet.row, band.width, band.height,
+                          color ? GL_RGBA : depthFormat_, bytes ? GL_UNSIGNED_BYTE : GL_FLOAT,
+                          color ? colorsFrom(image, first)
+                                : secondFrom(image, first, part == Part::depths && !image.center.empty()));
+    }
+  }
+}
+
+void WriteBack::draw(const Image& image, const Sheet& sheet) const {
+  real_.Uniform4f(programs_[0].place, static_cast<GLfloat>(image.x),
+                  static_cast<GLfloat>(image.y - sheet.row), 1.0f / static_cast<GLfloat>(color_.width),
+                  1.0f / static_cast<GLfloat>(color_.height));
+  GLfloat corners[frame::kMaxBands][4];  // left, lower, right, upper in clip space
+  const auto clip = [](int at, int size) {
+    return 2.0f * static_cast<float>(at) / static_cast<float>(size) - 1.0f;
+  };
+  int count = 0;
+  for (const frame::Band& b : sheet.bands) {
+    GLfloat* c = corners[count++];
+    c[0] = clip(b.x, image.width), c[1] = clip(b.y, image.height);
+    c[2] = clip(b.x + b.width, image.width), c[3] = clip(b.y + b.height, image.height);
+  }
+  if (!features_.compatibility) {
+    real_.Uniform4fv(programs_[0].bands, count, corners[0]);
+    real_.DrawArrays(GL_TRIANGLES, 0, 6 * count);
+    return;
+  }
+  // glVertex alone changes no current value, and needs no array state.
+  real_.Begin(GL_QUADS);
+  for (int i = 0; i < count; ++i) {
+    const GLfloat* c = corners[i];
+    real_.Vertex2f(c[0], c[1]);
+    real_.Vertex2f(c[2], c[1]);
+    real_.Vertex2f(c[2], c[3]);
+    real_.Vertex2f(c[0], c[3]);
+  }
+  real_.End();
+}
+
+void WriteBack::openFor(StateGuard& guard, const WriteBackTarget& target) const {
+  guard.openFragmentPath();
+  guard.depthRange(0, 1);
+  if (target.encodes) guard.encoding(*target.encodes);
+  guard.colorWrites(target.colors ? target.colorWrites : kNoColors);
+  const bool sums = content_ == Image::Content::sums;
+  if (!sums && !target.over && target.depths) return guard.depthTest(target.depthFunc);
+  if (sums) guard.addUp();
+  guard.capability(GL_DEPTH_TEST, false);
+}
+
+void WriteBack::writeAverages(StateGuard& guard, const Image& image, const Sheet& sheet) const {
+  upload(image, sheet, Part::colors);
+  {
+    StateGuard over(real_, features_);
+    over.depthWrites(false);
+    over.blendOver();
+    draw(image, sheet);
+  }
+  upload(image, sheet, Part::depths);
+  guard.colorWrites(kNoColors);
+  draw(image, sheet);
+}
+
+void WriteBack::findSheets(const Image& image, int planes) {
+  sheets_.clear();
+  const size_t pixels = static_cast<size_t>(image.width) * static_cast<size_t>(image.height);
+  for (int s = 0; s < image.samples; ++s) {
+    Sheet sheet{
+        s, s % planes * image.height,
+        frame::hitBands(image.depth.data() + pixels * static_cast<size_t>(s), image.width, image.height)};
+    if (!sheet.bands.empty()) sheets_.push_back(std::move(sheet));
+  }
+}
+
+bool WriteBack::write(const Image& image, const WriteBackTarget& target, PendingErrors& pending) {
+  const timeline::Span span("write back");
+  std::string why;
+  pending = takeErrors(real_);
+  if (image.content != content_ || !ready(why)) return false;
+  const int width = image.width, height = image.height, limit = features_.maxTextureSize;
+  if (width <= 0 || height <= 0 || image.samples <= 0) return true;
+  if (width > limit || height > limit) return false;
+  if (image.samples > 1 && (!features_.sampleMask || image.samples > 32)) return false;
+
+  // Sample planes lie above each other in one texture, as many as it can hold.
+  const int planes = std::min(image.samples, limit / height);
+  if (target.picture == 0 || target.picture != held_) {
+    held_ = 0;
+    findSheets(image, planes);
+  }
+  if (sheets_.empty()) return true;
+  StateGuard guard(real_, features_);
+  if (!writeInto(guard, image, target, planes) || real_.GetError() != GL_NO_ERROR) return held_ = 0, false;
+  const bool all = image.center.empty() && planes == image.samples && target.colors;
+  held_ = all ? target.picture : 0;
+  return true;
+}
+
+bool WriteBack::writeInto(StateGuard& guard, const Image& image, const WriteBackTarget& target, int planes) {
+  const int width = image.width, height = image.height, unit = features_.textureUnit;
+  guard.plainUnpack(width);
+  if (!makePlane(guard, unit + 1, depth_, depthInternalFormat_, depthFormat_, GL_FLOAT, width,
+                 height * planes) ||
+      !makePlane(guard, unit, color_, content_ == Image::Content::color ? GL_RGBA8 : GL_RGBA32F_ARB, GL_RGBA,
+                 GL_UNSIGNED_BYTE, width, height * planes))
+    return false;
+  if (target.over) guard.drawToWindow(target.over);
+  openFor(guard, target);
+  guard.viewport(image.x, image.y, width, height);
+  guard.scissor(image.x, image.y, width, height);
+  std::swap(programs_[0], programs_[1]);
+  guard.program(programs_[0].name);
+  if (!features_.compatibility) guard.vertexArray(vertexArray_);
+
+  if (!image.center.empty() && content_ != Image::Content::sums) {
+    writeAverages(guard, image, sheets_.front());
+    return true;
+  }
+  // All uploads of a textureful first: an upload in between would wait for the drawing before it.
+  for (size_t first = 0; first < sheets_.size();) {
+    size_t end = first;
+    for (; end < sheets_.size() && sheets_[end].sample / planes == sheets_[first].sample / planes; ++end)
+      if (held_ == 0) upload(image, sheets_[end], target.colors ? Part::all : Part::depths);
+    for (; first < end; ++first) {
+      if (image.samples > 1) guard.onlySample(sheets_[first].sample);
+      draw(image, sheets_[first]);
+    }
+  }
+  return true;
+}
+
+gl::SharedNames WriteBack::takeNames() {
+  gl::SharedNames names;
+  names.textures = {color_.texture, depth_.texture};  // deleting name 0 does nothing
+  for (const Program& program : programs_) names.programs.push_back(program.name);
+  color_ = depth_ = {};
+  held_ = 0;
+  programs_ = {};
+  state_ = State::unknown;
+  return names;
+}
+
+void WriteBack::release() {
+  if (color_.texture) real_.DeleteTextures(1, &color_.texture);
+  if (depth_.texture) real_.DeleteTextures(1, &depth_.texture);
+  for (const Program& program : programs_)
+    if (program.name) real_.DeleteProgram(program.name);
+  if (vertexArray_) real_.DeleteVertexArrays(1, &vertexArray_);
+  color_ = depth_ = {};
+  held_ = 0;
+  programs_ = {};
+  vertexArray_ = 0;
+  state_ = State::unknown;
+}
+
+}  // namespace gluray::present

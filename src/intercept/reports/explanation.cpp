@@ -1,0 +1,220 @@
+#include "intercept/reports/explanation.h"
+
+#include "frame/tracer_info.h"
+#include "gl/programs/match.h"
+#include "intercept/session.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <initializer_list>
+#include <iterator>
+#include <mutex>
+#include <optional>
+#include <set>
+
+namespace gluray::intercept {
+namespace {
+
+using nlohmann::json;
+
+/// Never destroyed: programs call OpenGL while they exit.
+struct Notes {
+  std::mutex mutex;
+  std::set<std::string> unknownFunctions;
+  std::optional<present::Picture> picture;  // not yet in files
+  json pictureText;
+};
+
+Notes& notes() {
+  static auto* n = new Notes;
+  return *n;
+}
+
+double milliseconds(double seconds) { return 1000.0 * seconds; }
+
+json kindsOf(const gl::KindTable& table) {
+  json list = json::array();
+  for (const auto& [kind, cost] : table)
+    list.push_back({{"primitive", gl::describe(kind.primitive)},
+                    {"path", gl::describe(kind.path)},
+                    {"state", gl::describeStates(kind.state)},
+                    {"traced", kind.reason == gl::Reason::traced},
+                    {"reason", gl::describe(kind.reason)},
+                    {"count", cost.count},
+                    {"triangles", cost.triangles},
+                    {"ms", milliseconds(cost.seconds)}});
+  return list;
+}
+
+/// Most triangles first.
+json programsOf(const gl::ProgramTable& table) {
+  std::vector<gl::ProgramUse> uses;
+  for (const auto& [known, use] : table) uses.push_back(use);
+  std::sort(uses.begin(), uses.end(), [](const gl::ProgramUse& a, const gl::ProgramUse& b) {
+    return a.triangles != b.triangles ? a.triangles > b.triangles
+                                      : a.program->program.name < b.program->program.name;
+  });
+  json list = json::array();
+  for (const gl::ProgramUse& use : uses) {
+    const gl::KnownProgram& known = *use.program;
+    json uniforms = json::array(), attributes = json::array();
+    for (const auto& [name, place] : known.program.uniforms) uniforms.push_back(name);
+    for (const auto& [name, place] : known.program.attributes) attributes.push_back(name);
+    list.push_back({{"name", known.program.name},
+                    {"family", known.family ? json(known.family->name) : json(nullptr)},
+                    {"why", known.why.empty() ? use.why : known.why},
+                    {"note", known.note},
+                    {"traced", use.traced},
+                    {"rasterised", use.rasterised},
+                    {"triangles", use.triangles},
+                    {"uniforms", std::move(uniforms)},
+                    {"attributes", std::move(attributes)}});
+  }
+  return list;
+}
+
+json targetsOf(const gl::TargetTable& table) {
+  json list = json::array();
+  for (const auto& [name, use] : table)
+    list.push_back({{"name", name},
+                    {"width", use.width},
+                    {"height", use.height},
+                    {"samples", use.samples},
+                    {"traced", use.traced},
+                    {"rasterised", use.rasterised}});
+  return list;
+}
+
+json contextsOf(const std::vector<ContextSummary>& contexts) {
+  json list = json::array();
+  for (const ContextSummary& c : contexts)
+    list.push_back({{"api", c.api},
+                    {"profile", c.profile},
+                    {"version", c.version},
+                    {"renderer", c.renderer},
+                    {"doubleBuffered", c.doubleBuffered},
+                    {"frames", c.frames},
+                    {"swaps", c.swaps},
+                    {"traced", c.drawsTraced},
+                    {"rasterised", c.drawsRasterised}});
+  return list;
+}
+
+json quirksNow() {
+  json list = json::array();
+  for (int i = 0; i < kQuirkCount; ++i) {
+    const auto quirk = static_cast<Quirk>(i);
+    list.push_back({{"name", describe(quirk).name},
+                    {"on", session().settings.quirks.has(quirk)},
+                    {"uses", useCount(quirk)},
+                    {"reason", describe(quirk).reason}});
+  }
+  return list;
+}
+
+/// Files that this process has mapped and whose names begin with one of `starts`.
+std::set<std::string> mappedFiles(std::initializer_list<std::string_view> starts) {
+  std::set<std::string> files;
+  std::ifstream maps("/proc/self/maps");
+  for (std::string line; std::getline(maps, line);) {
+    const size_t path = line.find('/');
+    if (path == line.npos) continue;
+    const std::string name = line.substr(line.rfind('/') + 1);
+    if (std::any_of(starts.begin(), starts.end(),
+                    [&](std::string_view start) { return name.starts_with(start); }))
+      files.insert(line.substr(path));
+  }
+  return files;
+}
+
+/// Names of functions that lie in the file of libglvnd's dispatch library.
+std::set<std::string> dispatchNames() {
+  std::set<std::string> names;
+  for (const std::string& file : mappedFiles({"libGLdispatch.so"})) {
+    std::ifstream stream(file, std::ios::binary);
+    for (std::string name; std::getline(stream, name, '\0');)
+      if (name.starts_with("gl")) names.insert(name);
+  }
+  return names;
+}
+
+/// libglvnd asks for every function that it has heard of, whatever the program wants; what remains was asked
+/// for by the program.
+json askedByProgram(const std::set<std::string>& names) {
+  static const std::set<std::string>& known = *new std::set<std::string>(dispatchNames());
+  json asked = json::array();
+  for (const std::string& name : names)
+    if (!known.count(name)) asked.push_back(name);
+  return asked;
+}
+
+json machine() {
+  const frame::TracerInfo info = frame::tracerInfo(session().settings.threads);
+  return {{"embree", info.embree},   {"tbb", info.tbb},
+          {"kernels", info.kernels}, {"rayPacket", info.rayPacket},
+          {"threads", info.threads}, {"libraries", mappedFiles({"libembree", "libtbb"})},
+          {"problem", info.problem}};
+}
+
+uint64_t countOf(const present::Picture& picture, present::PixelOrigin origin) {
+  return static_cast<uint64_t>(std::count(picture.origin.begin(), picture.origin.end(), origin));
+}
+
+json pictureText(const present::Picture& picture, const std::string& base) {
+  return {{"frame", picture.frame},
+          {"width", picture.width},
+          {"height", picture.height},
+          {"traced", countOf(picture, present::PixelOrigin::traced)},
+          {"drawnOver", countOf(picture, present::PixelOrigin::drawnOver)},
+          {"elsewhere", picture.elsewhere},
+          {"file", base}};
+}
+
+json newestPicture(const std::string& base) {
+  Notes& n = notes();
+  const std::lock_guard lock(n.mutex);
+  if (n.picture && present::writePicture(*n.picture, base)) n.pictureText = pictureText(*n.picture, base);
+  n.picture.reset();
+  return n.pictureText;
+}
+
+}  // namespace
+
+void noteUnknownFunction(const char* name) noexcept {
+  constexpr size_t kMost = 1000;
+  try {
+    Notes& n = notes();
+    const std::lock_guard lock(n.mutex);
+    if (n.unknownFunctions.size() < kMost) n.unknownFunctions.insert(name);
+  } catch (...) {  // an unmentioned name
+  }
+}
+
+void keepPicture(present::Picture picture) {
+  Notes& n = notes();
+  const std::lock_guard lock(n.mutex);
+  n.picture = std::move(picture);
+}
+
+json explanation(const Totals& totals, bool complete, const std::string& base) {
+  static const json& onceMachine = *new json(machine());
+  std::set<std::string> unknown;
+  {
+    const std::lock_guard lock(notes().mutex);
+    unknown = notes().unknownFunctions;
+  }
+  return {{"complete", complete},
+          {"wantedFrames", session().explainFrames},
+          {"kinds", kindsOf(totals.kinds)},
+          {"programs", programsOf(totals.programs)},
+          {"framebuffers", targetsOf(totals.targets)},
+          {"contexts", contextsOf(totals.list)},
+          {"quirks", quirksNow()},
+          {"unknownFunctions", askedByProgram(unknown)},
+          {"machine", onceMachine},
+          {"picture", newestPicture(base)}};
+}
+
+}  // namespace gluray::intercept

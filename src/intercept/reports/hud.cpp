@@ -1,0 +1,92 @@
+#include "intercept/reports/hud.h"
+
+#include "intercept/present/read_back/text_image.h"
+
+#include <GL/gl.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace gluray::intercept {
+namespace {
+
+constexpr int kFromCorner = 8;  // pixels
+constexpr double kEvery = 0.5;  // seconds that a text stays
+constexpr double kPause = 1;    // without a frame: what follows is counted anew
+
+/// "875 K": three digits, so that the eye has something to hold on to.
+std::string rounded(double value) {
+  const char* unit = "";
+  for (const char* larger : {" K", " M", " G"}) {
+    if (value < 999.5) break;
+    value /= 1000, unit = larger;
+  }
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*f%s",
+                value < 9.995 && *unit   ? 2
+                : value < 99.95 && *unit ? 1
+                                         : 0,
+                value, unit);
+  return text;
+}
+
+std::string rate(const HudFigures& f) {
+  char text[48];
+  const double frames = static_cast<double>(f.frames);
+  std::snprintf(text, sizeof text, "%.1f FPS  %.1f MS", frames / f.seconds, 1000 * f.seconds / frames);
+  return text;
+}
+
+std::string share(const HudFigures& f) {
+  // Where toolkits compose windows, frames are theirs, and triangles another context's.
+  if (f.traced == 0 && f.framesDirect > 0) return "BY OPENGL";
+  const uint64_t all = f.traced + f.rasterised;
+  if (all == 0) return "NOTHING DRAWN";
+  // Never "100 %" where something is not traced.
+  const double percent = 100 * static_cast<double>(f.traced) / static_cast<double>(all);
+  char text[32];
+  std::snprintf(text, sizeof text, "%.0f %% TRACED", f.rasterised == 0 ? 100 : std::floor(percent));
+  return text;
+}
+
+}  // namespace
+
+HudFigures between(const gl::Statistics& before, const gl::Statistics& now, double seconds) {
+  HudFigures f;
+  f.seconds = seconds;
+  f.frames = now.frames - before.frames, f.framesDirect = now.framesDirect - before.framesDirect;
+  f.traced = now.trianglesTraced - before.trianglesTraced;
+  f.rasterised = now.trianglesRasterised - before.trianglesRasterised;
+  f.flushes = now.flushes - before.flushes, f.repeated = now.repeated - before.repeated;
+  f.bvhBytes = now.bvhBytes, f.refining = now.blasRefining != 0;
+  return f;
+}
+
+std::vector<std::string> hudLines(const HudFigures& f) {
+  if (f.frames == 0 || f.seconds <= 0) return {"GLURAY"};
+  const double triangles = static_cast<double>(f.traced + f.rasterised) / static_cast<double>(f.frames);
+  std::vector<std::string> lines{rate(f), rounded(triangles) + " TRIANGLES, " + share(f)};
+  if (f.bvhBytes) lines.push_back("BVH " + rounded(static_cast<double>(f.bvhBytes)) + "B");
+  if (f.bvhBytes && f.refining) lines.back() += ", IMPROVING";
+  if (f.bvhBytes && f.flushes && f.repeated == f.flushes) lines.back() += ", NOTHING CHANGED";
+  return lines;
+}
+
+GLenum Hud::draw(const gl::Statistics& now, double seconds) {
+  if (!since_ || seconds - lastSeconds_ > kPause) {
+    since_ = now, sinceSeconds_ = seconds;
+  } else if (seconds - sinceSeconds_ >= kEvery) {
+    lines_ = hudLines(between(*since_, now, seconds - sinceSeconds_));
+    ++picture_;
+    since_ = now, sinceSeconds_ = seconds;
+  }
+  lastSeconds_ = seconds;
+  if (lines_.empty()) lines_ = hudLines({}), ++picture_;
+  present::drawText(lines_, {}, image_);
+  image_.x = image_.y = kFromCorner;
+  present::PendingErrors pending;
+  writeBack_.write(image_, {.picture = picture_, .over = GL_BACK}, pending);
+  return pending.empty() ? GLenum{GL_NO_ERROR} : pending.front();
+}
+
+}  // namespace gluray::intercept

@@ -1,0 +1,264 @@
+#include "intercept/reports/report.h"
+
+#include "base/clock.h"
+#include "base/files.h"
+#include "base/log.h"
+#include "gl/buffers/buffer.h"
+#include "intercept/contexts.h"
+#include "intercept/reports/explanation.h"
+#include "intercept/session.h"
+#include "intercept/window_systems/bypassed_doors.h"
+#include "intercept/windows/lag.h"
+
+#include <errno.h>
+#include <nlohmann/json.hpp>
+#include <pthread.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace gluray::gl {
+
+/// How the library of JSON finds the number in a counter.
+template <class T>
+void to_json(nlohmann::json& json, const Counter<T>& counter) {
+  json = T{counter};
+}
+
+}  // namespace gluray::gl
+
+namespace gluray::intercept {
+namespace {
+
+using nlohmann::json;
+
+json lagReport() {
+  const LagCounts counts = lagCounts();
+  json because = json::object();
+  for (int i = 1; i < gl::kLagRefusals; ++i)
+    if (const uint64_t frames = counts.because[static_cast<size_t>(i)])
+      because[std::string(gl::describe(static_cast<gl::LagRefusal>(i)))] = frames;
+  return {{"on", session().lag != LagMode::off},
+          {"later", counts.later},
+          {"shownByUs", counts.shownByUs},
+          {"atOnce", because}};
+}
+
+json makeReport(const Totals& totals) {
+  const gl::Statistics& s = totals.statistics;
+  const uint64_t frames = s.frames + s.framesInFront;
+  const double perFrame = frames ? 1000.0 / static_cast<double>(frames) : 0;
+  json reasons = json::object();
+  for (int i = 0; i < gl::kReasonCount; ++i)
+    if (s.rasterisedBecause[i])
+      reasons[std::string(describe(static_cast<gl::Reason>(i)))] = s.rasterisedBecause[i];
+  return {
+      {"program", program_invocation_name},
+      {"pid", getpid()},
+      {"door", openDoorNames()},
+      {"off", session().off},
+      {"gl", {{"vendor", totals.vendor}, {"renderer", totals.renderer}, {"version", totals.version}}},
+      {"contexts", totals.contexts},
+      {"frames", frames},
+      {"framesDirect", s.framesDirect},
+      {"flushes", s.flushes},
+      {"repeated", s.repeated},
+      {"lag", lagReport()},
+      {"draws", {{"traced", s.drawsTraced}, {"rasterised", reasons}}},
+      {"triangles", {{"traced", s.trianglesTraced}, {"rasterised", s.trianglesRasterised}}},
+      {"bvh", {{"builds", s.blasBuilds}, {"refined", s.blasRefinements}, {"bytes", s.bvhBytes}}},
+      {"mesh", {{"built", s.meshesBuilt}, {"bytes", s.meshBytes}}},
+      {"buffers", {{"bytesSent", gl::Buffer::bytesSent()}}},
+      {"ms",
+       {{"capture", s.captureSeconds * perFrame},
+        {"build", s.buildSeconds * perFrame},
+        {"trace", s.traceSeconds * perFrame},
+        {"present", s.presentSeconds * perFrame}}},
+      {"unknownCalls", totals.unknownCalls},
+  };
+}
+
+/// Chosen at the first report.
+const std::string& reportPath() {
+  // Never destroyed: the exit handler that writes the last report was registered before this string was made.
+  static const std::string& path = *new std::string(fileOfThisProcess(session().reportFile));
+  return path;
+}
+
+void writeText(const json& report) {
+  // Programs and drivers may name themselves in anything.
+  const std::string text = report.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+  if (const std::string why = files::replace(reportPath(), text); !why.empty())
+    log::once(log::Level::error, "report", "cannot write the report " + reportPath() + ": " + why);
+}
+
+constexpr double kInterval = 0.1;  // seconds; a report costs about a tenth of a millisecond
+constexpr double kQuiet = 1;       // seconds without a frame after which what is drawn counts by itself
+constexpr int kAtOnce = 32;  // first frames that are written at once: short programs may end by a signal
+
+/// What the program has done, as far as it is worth a new report.
+auto progress(const Totals& sum) {
+  const gl::Statistics& s = sum.statistics;
+  return std::array<uint64_t, 5>{static_cast<uint64_t>(sum.contexts), s.frames, s.flushes, s.drawsTraced,
+                                 s.drawsRasterised};
+}
+
+/// What the program's threads, the watcher and the exit handler share. Never destroyed: the watcher may
+/// outlive the exit handlers.
+struct Reporter {
+  std::mutex mutex;
+  Totals latest;           // as of the last frame
+  std::string walkedPast;  // as of then
+  bool waiting = false;    // that is not in the file
+  std::array<uint64_t, 5> written{};
+  double next = 0, lastFrame = 0;  // when a report is due, when a frame ended
+  int atOnce = kAtOnce;
+  bool watched = false;
+  bool ended = false;
+  bool complete = false;  // all frames that were to be explained are there; later ones change nothing
+
+  /// What `sum` says goes into the file. The mutex is held.
+  void write(const Totals& sum) {
+    if (sum.contexts != 0 || launchedProcess()) {
+      json report = makeReport(sum);
+      report["walkedPast"] = walkedPast;
+      if (session().explainFrames) report["explain"] = explanation(sum, complete, reportPath());
+      writeText(report);
+    }
+    waiting = false;
+    written = progress(sum);
+    next = nowSeconds() + kInterval;
+  }
+};
+
+Reporter& reporter() {
+  static auto* r = new Reporter;
+  return *r;
+}
+
+/// exit() may have been called by a signal handler in the middle of a report: nobody is waited for for ever.
+bool lockInTime(std::mutex& mutex) {
+  constexpr int kPatience = 1000;  // milliseconds
+  for (int i = 0; i < kPatience; ++i) {
+    if (mutex.try_lock()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return false;
+}
+
+/// Runs `body` with the reporter locked; a failure costs a report, nothing else.
+template <class F>
+void reporting(F&& body, bool atExit = false) noexcept {
+  try {
+    Reporter& r = reporter();
+    if (!atExit)
+      r.mutex.lock();
+    else if (!lockInTime(r.mutex))
+      return;
+    const std::lock_guard lock(r.mutex, std::adopt_lock);
+    body(r);
+  } catch (const std::exception& e) {
+    log::once(log::Level::error, "report", std::string("no report: ") + e.what());
+  }
+}
+
+/// Whether reports are written while the program runs: those on standard output are written once.
+bool writesMeanwhile() {
+  const std::string& file = session().reportFile;
+  return !file.empty() && !files::isStream(file) && !isForkedChild();
+}
+
+/// What the last frames counted that ended too soon after a report to be written at once, and what is drawn
+/// by programs that end no frames.
+void lookAfter(Reporter& r) {
+  if (r.waiting) return r.write(r.latest);
+  if (nowSeconds() < r.lastFrame + kQuiet) return;
+  const Totals now = totals();
+  if (progress(now) != r.written) r.write(now);
+}
+
+/// Until the exit handlers run, or all is there that was to be explained.
+void watch() noexcept {
+  for (bool goOn = true; goOn;) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(kInterval));
+    reporting([&](Reporter& r) {
+      goOn = !r.ended && !r.complete;
+      if (goOn) lookAfter(r);
+    });
+  }
+}
+
+/// Starts watch() in a thread that the program's signal handlers never run in. The mutex is held.
+void startWatching(Reporter& r) {
+  if (r.watched) return;
+  sigset_t all, before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  try {
+    std::thread(watch).detach();
+    r.watched = true;
+  } catch (const std::exception&) {  // the next frame tries again
+  }
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+}
+
+/// walkedPast() for the report. Asked before the reporter is locked: it takes the dynamic linker's lock,
+/// which a thread that loads a library may hold while it waits for the reporter.
+std::string walkedPastNow() noexcept {
+  try {
+    return walkedPast();
+  } catch (const std::exception&) { return {}; }  // no memory: the next report has it
+}
+
+}  // namespace
+
+void writeReport() noexcept {
+  if (isForkedChild()) return;
+  const std::string past = walkedPastNow();
+  reporting(
+      [&](Reporter& r) {
+        r.ended = true;
+        if (r.complete) return;
+        r.walkedPast = past;
+        r.write(totals());
+      },
+      /*atExit=*/true);
+}
+
+void watchForReport() noexcept {
+  if (!writesMeanwhile()) return;
+  const std::string past = walkedPastNow();
+  reporting([&](Reporter& r) {
+    r.walkedPast = past;
+    startWatching(r);
+  });
+}
+
+void writeReportIfDue() noexcept {
+  if (!writesMeanwhile()) return;
+  const std::string past = walkedPastNow();
+  reporting([&](Reporter& r) {
+    if (r.complete) return;
+    const int wanted = session().explainFrames;
+    r.complete = wanted && framesEnded() >= static_cast<uint64_t>(wanted);
+    if (r.complete) closeKinds();
+    r.latest = totals();
+    r.lastFrame = nowSeconds();
+    const bool now = r.complete || r.lastFrame >= r.next || r.atOnce > 0;
+    r.walkedPast = past;
+    r.waiting = true;
+    if (now) r.write(r.latest);
+    if (r.atOnce > 0) --r.atOnce;
+    startWatching(r);
+  });
+}
+
+}  // namespace gluray::intercept

@@ -1,0 +1,87 @@
+#include "intercept/windows/background_window.h"
+
+#include "frame/pixel_rows.h"
+#include "intercept/window_systems/xcb.h"
+
+#include <algorithm>
+#include <exception>
+#include <vector>
+
+namespace gluray::intercept {
+namespace {
+
+class XcbPainter final : public WindowPainter {
+ public:
+  XcbPainter(const std::string& display, uint32_t window)
+      : connection_(xcb().connect(display.c_str(), nullptr)), window_(window) {}
+  ~XcbPainter() override { xcb().disconnect(connection_); }
+
+  bool ready() {
+    if (xcb().failed(connection_)) return false;
+    const auto geometry = askGeometry();
+    const auto attributes = replyTo(xcb().window, connection_, xcb().askWindow(connection_, window_));
+    if (!geometry || !attributes || !hasPlainPixels(connection_, geometry->depth, attributes->visual))
+      return false;
+    depth_ = geometry->depth;
+    context_ = xcb().newId(connection_);
+    return succeeded(xcb().createGc(connection_, context_, window_, 0, nullptr));
+  }
+
+  bool paint(const uint32_t* pixels, glm::ivec2 size) noexcept override {
+    try {
+      const auto geometry = askGeometry();
+      return geometry && geometry->width == size.x && geometry->height == size.y && put(pixels, size);
+    } catch (const std::exception&) { return false; }
+  }
+
+ private:
+  ReplyPtr<xcb_get_geometry_reply_t> askGeometry() const {
+    return replyTo(xcb().geometry, connection_, xcb().askGeometry(connection_, window_));
+  }
+
+  bool succeeded(xcb_void_cookie_t cookie) const {
+    xcb_generic_error_t* const error = xcb().check(connection_, cookie);
+    std::free(error);
+    return !error;
+  }
+
+  /// The server's rows go from the top down, as many to a request as it takes.
+  bool put(const uint32_t* pixels, glm::ivec2 size) {
+    constexpr size_t kHeader = 64, kUnit = 4;  // bytes; requests are counted in units
+    const auto width = static_cast<size_t>(size.x);
+    const size_t most = xcb().longestRequest(connection_) * kUnit - kHeader;
+    const int rows = static_cast<int>(std::min(most / (width * kUnit), static_cast<size_t>(size.y)));
+    if (rows < 1) return false;
+    rows_.resize(width * static_cast<size_t>(rows));
+    bool done = true;
+    for (int top = 0; top < size.y && done; top += rows) {
+      const int count = std::min(rows, size.y - top);
+      for (int row = 0; row < count; ++row) {
+        const uint32_t* const from = pixels + width * static_cast<size_t>(size.y - 1 - top - row);
+        std::transform(from, from + width, rows_.data() + width * static_cast<size_t>(row), frame::bgra);
+      }
+      done = succeeded(xcb().putWords(connection_, XCB_IMAGE_FORMAT_Z_PIXMAP, window_, context_,
+                                      static_cast<uint16_t>(size.x), static_cast<uint16_t>(count), 0,
+                                      static_cast<int16_t>(top), 0, depth_,
+                                      static_cast<uint32_t>(width * kUnit * static_cast<size_t>(count)),
+                                      reinterpret_cast<const uint8_t*>(rows_.data())));
+    }
+    return done;
+  }
+
+  xcb_connection_t* connection_;
+  uint32_t window_;
+  xcb_gcontext_t context_ = 0;
+  uint8_t depth_ = 0;
+  std::vector<uint32_t> rows_;  // memory is kept
+};
+
+}  // namespace
+
+std::unique_ptr<WindowPainter> WindowPainter::open(const std::string& display, uint32_t window) {
+  if (!xcb().connectionOf || !xcb().putWords) return nullptr;
+  auto painter = std::make_unique<XcbPainter>(display, window);
+  return painter->ready() ? std::move(painter) : nullptr;
+}
+
+}  // namespace gluray::intercept

@@ -1,0 +1,172 @@
+#include "intercept/windows/lag.h"
+
+#include "base/clock.h"
+#include "base/timeline.h"
+#include "intercept/context_record.h"
+#include "intercept/session.h"
+#include "intercept/window_systems/drawable_size.h"
+#include "intercept/windows/background_window.h"
+#include "intercept/windows/following_frames.h"
+
+#include <GL/glx.h>
+#include <dlfcn.h>
+
+#include <atomic>
+#include <chrono>
+#include <map>
+#include <mutex>
+
+namespace gluray::intercept {
+
+using gl::LagRefusal;
+
+namespace {
+
+using namespace std::chrono_literals;
+constexpr auto kOverdue = 25ms;  // without a sign of the program after a swap we show the frame ourselves
+
+std::atomic<bool> g_never{false};
+std::atomic<uint64_t> g_later{0}, g_shownByUs{0};
+std::array<std::atomic<uint64_t>, gl::kLagRefusals> g_because{};
+
+/// Set when the program closes its connection: no window of it is there any more.
+using Closed = std::shared_ptr<std::atomic<bool>>;
+
+struct Displays {
+  std::mutex mutex;
+  std::map<Display*, Closed> open;
+
+  static Displays& instance() {
+    static auto* displays = new Displays;
+    return *displays;
+  }
+};
+
+int closing(Display* display, XExtCodes*) {
+  Displays& displays = Displays::instance();
+  const std::lock_guard lock(displays.mutex);
+  if (const auto it = displays.open.find(display); it != displays.open.end()) {
+    *it->second = true;
+    displays.open.erase(it);
+  }
+  return 0;
+}
+
+/// Whether the connection was closed, from now on. Null where nobody would tell.
+Closed watch(Display* display) {
+  using AddExtension = XExtCodes* (*)(Display*);
+  using SetClose = int (*(*)(Display*, int, int (*)(Display*, XExtCodes*)))(Display*, XExtCodes*);
+  static void* const library = dlopen("libX11.so.6", RTLD_LAZY | RTLD_LOCAL);
+  static const auto add = reinterpret_cast<AddExtension>(library ? dlsym(library, "XAddExtension") : nullptr);
+  static const auto set = reinterpret_cast<SetClose>(library ? dlsym(library, "XESetCloseDisplay") : nullptr);
+  if (!add || !set) return nullptr;
+  Displays& displays = Displays::instance();
+  {
+    const std::lock_guard lock(displays.mutex);
+    if (const auto it = displays.open.find(display); it != displays.open.end()) return it->second;
+  }
+  const XExtCodes* codes = add(display);  // takes the connection's own lock
+  if (!codes) return nullptr;
+  set(display, codes->extension, closing);
+  const std::lock_guard lock(displays.mutex);
+  return displays.open[display] = std::make_shared<std::atomic<bool>>(false);
+}
+
+}  // namespace
+
+/// Of one context.
+class Lag {
+ public:
+  FollowingFrames following;
+
+  /// What lets the context show a frame of `drawable` later. False with why where nothing does.
+  LagRefusal prepare(Display* display, GLXDrawable drawable, RealSwap swap, Record& record,
+                     gl::LagWindow& window) {
+    if (display != display_ || drawable != drawable_) adopt(display, drawable);
+    const bool automatic = session().lag == LagMode::automatic;
+    if (!closed_ || (automatic && !painter_)) return LagRefusal::window;
+    const glm::ivec2 size = drawableSize(display, drawable);
+    if (size.x <= 0) return LagRefusal::window;
+    const auto closed = closed_;
+    window.stands = [=] { return !*closed && drawableSize(display, drawable).x > 0; };
+    window.swap = [=] {
+      const Outermost nested;
+      const timeline::Span span("swap");
+      swap(display, drawable);
+    };
+    window.overdue.size = size;
+    window.show = [=, &to = record.window](const gl::ShownPicture& picture) {
+      WindowPut* const put = putInto(display, drawable, to);
+      return put && to.isKnown(put->size()) && put->put(picture);
+    };
+    if (!painter_) return LagRefusal::none;
+    window.overdue.after = kOverdue;
+    window.overdue.show = [painter = painter_, size](const uint32_t* pixels) {
+      if (painter->paint(pixels, size)) ++g_shownByUs;
+    };
+    return LagRefusal::none;
+  }
+
+ private:
+  void adopt(Display* display, GLXDrawable drawable) {
+    display_ = display, drawable_ = drawable;
+    closed_ = watch(display);
+    painter_ = WindowPainter::open(DisplayString(display), static_cast<uint32_t>(windowOf(drawable)));
+  }
+
+  Display* display_ = nullptr;
+  GLXDrawable drawable_ = 0;
+  Closed closed_;
+  std::shared_ptr<WindowPainter> painter_;
+};
+
+void LagDeleter::operator()(Lag* lag) const { delete lag; }
+
+namespace {
+
+/// Whether frames of this thread's context may lag at all.
+bool mayLag(GLXDrawable drawable) {
+  const std::shared_ptr<Record>& record = current().record;
+  return session().lag != LagMode::off && !g_never && record && record->context &&
+         gl::t_thread.context == record->context.get() && current().drawables.draw == drawable &&
+         record->context->info().doubleBuffered && !session().picture;
+}
+
+LagRefusal lagged(Record& record, Display* display, GLXDrawable drawable, RealSwap swap) {
+  if (!record.lag) record.lag.reset(new Lag);
+  gl::Context& context = *record.context;
+  const double began = context.beganSeconds;
+  const bool follow = record.lag->following.complete(began == 0 ? nowSeconds() : began);
+  if (session().lag == LagMode::automatic && !follow) return LagRefusal::single;
+  if (session().hud) return LagRefusal::state;
+  gl::LagWindow window;
+  const LagRefusal refusal = record.lag->prepare(display, drawable, swap, record, window);
+  return refusal == LagRefusal::none ? context.window.lag(window) : refusal;
+}
+
+}  // namespace
+
+bool swapsLater(Display* display, GLXDrawable drawable, RealSwap swap) noexcept {
+  if (!mayLag(drawable)) return false;
+  LagRefusal refusal = LagRefusal::failure;
+  guarded("cannot show a frame later", [&] { refusal = lagged(*current().record, display, drawable, swap); });
+  ++g_because.at(static_cast<size_t>(refusal));
+  if (refusal != LagRefusal::none) return false;
+  ++g_later;
+  return true;
+}
+
+void noteSwap() noexcept {
+  const std::shared_ptr<Record>& record = current().record;
+  if (record && record->lag) record->lag->following.swapped(nowSeconds());
+}
+
+void neverLag() noexcept { g_never = true; }
+
+LagCounts lagCounts() noexcept {
+  LagCounts counts{g_later, g_shownByUs, {}};
+  for (size_t i = 1; i < g_because.size(); ++i) counts.because.at(i) = g_because.at(i);
+  return counts;
+}
+
+}  // namespace gluray::intercept

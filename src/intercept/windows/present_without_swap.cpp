@@ -1,0 +1,88 @@
+#include "intercept/windows/present_without_swap.h"
+
+#include "intercept/context_record.h"
+#include "intercept/session.h"
+
+#include <cstddef>
+#include <map>
+#include <mutex>
+#include <new>
+
+namespace gluray::intercept {
+namespace {
+
+struct Names {
+  std::mutex mutex;
+  std::map<uintptr_t, uintptr_t> windows;
+};
+/// Never destroyed: programs call GLX while they exit. Asks for no memory: it may be called for the first
+/// time when there is none.
+Names& names() {
+  alignas(Names) static std::byte memory[sizeof(Names)];
+  static Names* const n = new (memory) Names;
+  return *n;
+}
+
+}  // namespace
+
+WindowPut* putInto(_XDisplay* display, uintptr_t drawable, WindowOfContext& window) {
+  const uintptr_t shown = windowOf(drawable);
+  if (window.drawable != shown || (window.put && !window.put->isFor(display, shown))) {
+    if (window.put) window.put->close();
+    window.swapped = {0, 0};
+    window.put = WindowPut::create(display, shown);
+    window.drawable = shown;
+  }
+  return window.put.get();
+}
+
+namespace {
+
+bool show(_XDisplay* display, uintptr_t drawable, Record& record) {
+  WindowPut* const put = putInto(display, drawable, record.window);
+  if (!put) return false;
+  const glm::ivec2 size = put->size();
+  if (record.window.isKnown(size) &&
+      record.context->window.showDirectly(size, [&](const gl::ShownPicture& p) { return put->put(p); }))
+    return true;
+  if (size.x == 0) record.window.put.reset();  // not tried again
+  return false;
+}
+
+}  // namespace
+
+void glxWindowMade(uintptr_t name, uintptr_t window) noexcept {
+  guarded("cannot remember a window", [&] {
+    const std::lock_guard lock(names().mutex);
+    names().windows[name] = window;
+  });
+}
+
+void glxWindowGone(uintptr_t name) noexcept {
+  const std::lock_guard lock(names().mutex);
+  names().windows.erase(name);
+}
+
+uintptr_t windowOf(uintptr_t drawable) noexcept {
+  const std::lock_guard lock(names().mutex);
+  const auto known = names().windows.find(drawable);
+  return known == names().windows.end() ? drawable : known->second;
+}
+
+bool shownDirectly(_XDisplay* display, uintptr_t drawable) noexcept {
+  bool shown = false;
+  if (session().picture || session().hud) return false;
+  Record* const record = current().record.get();
+  if (!record || !record->context || record->context.get() != gl::t_thread.context ||
+      current().drawables.draw != drawable || current().drawables.read != drawable ||
+      !record->context->info().doubleBuffered)
+    return false;
+  guarded("cannot show a picture", [&] {
+    if (!record->context->window.mayShowDirectly() || !show(display, drawable, *record)) return;
+    shown = true;
+    record->context->completeFrame();
+  });
+  return shown;
+}
+
+}  // namespace gluray::intercept

@@ -1,0 +1,132 @@
+#include "intercept/windows/shm_window.h"
+
+#include "accel/workers.h"
+#include "base/timeline.h"
+#include "frame/pixel_rows.h"
+
+#include <sys/ipc.h>
+#include <sys/shm.h>
+
+#include <algorithm>
+#include <exception>
+
+namespace gluray::intercept {
+namespace {
+
+void fillRow(const gl::ShownPicture& picture, int y, int width, uint32_t* out) {
+  const Image& image = picture.image;
+  const uint32_t background = image.missColor, back = frame::bgra(background);
+  const int from = std::clamp(image.x, 0, width),
+            to = std::clamp(image.x + image.width, from, std::max(from, width));
+  if (y < image.y || y >= image.y + image.height || from == to) {
+    std::fill_n(out, width, back);
+    return;
+  }
+  std::fill(out, out + from, back);
+  const size_t first = static_cast<size_t>(y - image.y) * static_cast<size_t>(image.width) +
+                       static_cast<size_t>(from - image.x);
+  frame::toWindow(&image.color[first], &image.depth[first], picture.farthest, background,
+                  static_cast<size_t>(to - from), out + from);
+  std::fill(out + to, out + width, back);
+}
+
+}  // namespace
+
+void fillWindow(const gl::ShownPicture& picture, glm::ivec2 size, uint32_t* pixels) {
+  constexpr int kRows = 32;  // at a time
+  accel::forEachPart(picture.threads, (size.y + kRows - 1) / kRows, [&](int part) {
+    const int first = part * kRows, end = std::min(first + kRows, size.y);
+    for (int row = first; row < end; ++row)
+      fillRow(picture, size.y - 1 - row, size.x,
+              pixels + static_cast<size_t>(row) * static_cast<size_t>(size.x));
+  });
+}
+
+std::unique_ptr<WindowPut> WindowPut::create(_XDisplay* display, uintptr_t drawable) noexcept try {
+  if (!display || !drawable || !xcb().canPut()) return nullptr;
+  xcb_connection_t* const connection = xcb().connectionOf(display);
+  if (!connection) return nullptr;
+  const auto window = static_cast<xcb_window_t>(drawable);
+  const auto attributes = replyTo(xcb().window, connection, xcb().askWindow(connection, window));
+  const auto geometry = replyTo(xcb().geometry, connection, xcb().askGeometry(connection, window));
+  const xcb_query_extension_reply_t* const shm = xcb().extension(connection, xcb().shmId);
+  if (!attributes || !geometry || !shm || !shm->present) return nullptr;
+  if (!hasPlainPixels(connection, geometry->depth, attributes->visual)) return nullptr;
+  std::unique_ptr<WindowPut> put(new WindowPut(display, connection, window, geometry->depth));
+  return put->makeContext() && put->reserve(1) ? std::move(put) : nullptr;
+} catch (const std::exception&) { return nullptr; }
+
+/// The connection may be closed by now: what the server holds goes with it.
+WindowPut::~WindowPut() { release(); }
+
+void WindowPut::close() noexcept {
+  if (pixels_) xcb().detach(connection_, segment_);
+  xcb().freeGc(connection_, context_);
+  release();
+}
+
+bool WindowPut::succeeded(xcb_void_cookie_t cookie) const {
+  xcb_generic_error_t* const error = xcb().check(connection_, cookie);
+  std::free(error);
+  return !error;
+}
+
+bool WindowPut::makeContext() {
+  context_ = xcb().newId(connection_);
+  const uint32_t noExposures = 0;
+  return succeeded(xcb().createGc(connection_, context_, window_, XCB_GC_GRAPHICS_EXPOSURES, &noExposures));
+}
+
+void WindowPut::release() {
+  if (pixels_) shmdt(pixels_);
+  pixels_ = nullptr;
+  bytes_ = 0;
+  held_ = 0;
+}
+
+/// The memory lives as long as this process or the server is attached to it.
+bool WindowPut::reserve(size_t bytes) {
+  if (bytes <= bytes_) return true;
+  if (pixels_) xcb().detach(connection_, segment_);
+  release();
+  const int id = shmget(IPC_PRIVATE, bytes, IPC_CREAT | 0600);
+  if (id < 0) return false;
+  void* const memory = shmat(id, nullptr, 0);
+  bool attached = false;
+  if (memory != reinterpret_cast<void*>(-1)) {
+    pixels_ = static_cast<uint32_t*>(memory);
+    segment_ = xcb().newId(connection_);
+    attached = succeeded(xcb().attach(connection_, segment_, static_cast<uint32_t>(id), 1));
+  }
+  shmctl(id, IPC_RMID, nullptr);
+  if (!attached) return release(), false;
+  bytes_ = bytes;
+  return true;
+}
+
+glm::ivec2 WindowPut::size() noexcept {
+  const bool waited = asked_;
+  if (!asked_) geometry_ = xcb().askGeometry(connection_, window_);
+  asked_ = false;
+  const auto reply = replyTo(xcb().geometry, connection_, geometry_);
+  const bool shown = !waited || succeeded(put_);
+  return size_ = reply && shown ? glm::ivec2(reply->width, reply->height) : glm::ivec2(0);
+}
+
+bool WindowPut::put(const gl::ShownPicture& picture) noexcept try {
+  const timeline::Span span("show");
+  const size_t pixels = static_cast<size_t>(size_.x) * static_cast<size_t>(size_.y);
+  if (pixels == 0 || !reserve(pixels * 4)) return false;
+  if (held_ != picture.number || heldSize_ != size_ || heldFarthest_ != picture.farthest) {
+    fillWindow(picture, size_, pixels_);
+    held_ = picture.number, heldSize_ = size_, heldFarthest_ = picture.farthest;
+  }
+  const auto width = static_cast<uint16_t>(size_.x), height = static_cast<uint16_t>(size_.y);
+  put_ = xcb().putImage(connection_, window_, context_, width, height, 0, 0, width, height, 0, 0, depth_,
+                        XCB_IMAGE_FORMAT_Z_PIXMAP, 0, segment_, 0);
+  geometry_ = xcb().askGeometry(connection_, window_);
+  asked_ = true;
+  return xcb().flush(connection_) > 0;
+} catch (const std::exception&) { return false; }
+
+}  // namespace gluray::intercept

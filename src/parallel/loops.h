@@ -1,0 +1,55 @@
+// Passes over large arrays on several cores. Any thread.
+#pragma once
+#include "base/hash.h"
+#include "parallel/arena.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace gluray {
+
+/// Calls body(first, last) for pieces of about `grain` or fewer that make up 0 to count, on the threads that
+/// the user lets us have (parallel/arena.h).
+template <class Body>
+void forPieces(size_t count, size_t grain, const Body& body) {
+  using Range = tbb::blocked_range<size_t>;
+  if (count == 0) return;
+  if (count <= grain) return body(size_t{0}, count);
+  sharedArena()->execute([&] {
+    tbb::parallel_for(Range(0, count, grain), [&](const Range& piece) { body(piece.begin(), piece.end()); });
+  });
+}
+
+/// The same with a result: body(first, last, T so far) returns the next, join(a, b) one of two.
+template <class T, class Body, class Join>
+T reducePieces(size_t count, size_t grain, const T& none, const Body& body, const Join& join) {
+  using Range = tbb::blocked_range<size_t>;
+  if (count <= grain) return count ? body(size_t{0}, count, none) : none;
+  return sharedArena()->execute([&] {
+    return tbb::parallel_reduce(
+        Range(0, count, grain), none,
+        [&](const Range& piece, const T& before) { return body(piece.begin(), piece.end(), before); }, join);
+  });
+}
+
+/// Identity of `sizeBytes` bytes, as a hash of the hashes of pieces where they are many. Not the value of
+/// hashBytes.
+Hash128 hashLarge(const void* data, size_t sizeBytes, Hash128 seed = {});
+
+/// The smallest and the largest of numbers.
+struct Extremes {
+  uint32_t least = ~0u, most = 0;  // as they are where there are no numbers
+};
+Extremes extremesOf(const uint32_t* numbers, size_t count);
+
+/// target[i] = source[i] - lower.
+void copyNumbers(uint32_t* target, const uint32_t* source, size_t count, uint32_t lower);
+
+/// memcpy.
+void copyLarge(void* target, const void* source, size_t sizeBytes);
+
+}  // namespace gluray

@@ -1,0 +1,75 @@
+// Pixels that are averages over several samples (settings: spp). Part of kernels.cpp (compiled once for each
+// instruction set).
+#if defined(GLURAY_RENDER_AVERAGES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLURAY_RENDER_AVERAGES_INL_H_
+#undef GLURAY_RENDER_AVERAGES_INL_H_
+#else
+#define GLURAY_RENDER_AVERAGES_INL_H_
+#endif
+
+#include "render/layers/drawn_layers.inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gluray::render {
+namespace HWY_NAMESPACE {
+
+/// The samples of a tile's pixels, added up.
+class Averages {
+ public:
+  HWY_ATTR void add(const FrameData& frame, const Tile& tile, const Work& work) {
+    const bool bytes = frame.image->content == Image::Content::color;
+    bool seenThrough = false;
+    for (int i = 0; i < kLanes; ++i) {
+      const int x = work.imageX + laneX(i), y = work.imageY + laneY(i);
+      if (x >= tile.x1 || y >= tile.y1) continue;
+      Pixel& pixel = at(x - tile.x0, y - tile.y0);
+      const bool hit = work.depth[i] != Image::kMiss;
+      if (work.sample == 0) pixel.center = work.depth[i];
+      pixel.nearest = std::min(pixel.nearest, work.depth[i]);
+      pixel.through += work.through[i];
+      float alpha = work.wide[3][i];
+      for (int c = 0; c < 4; ++c)
+        pixel.sum[c] += bytes ? static_cast<float>(work.color[i] >> (8 * c) & 255) : work.wide[c][i];
+      if (bytes) alpha = static_cast<float>(work.color[i] >> 24) / 255;
+      seenThrough |= hit && alpha != 1;
+    }
+    if (seenThrough) frame.seenThrough.store(true, std::memory_order_relaxed);
+  }
+
+  HWY_ATTR void store(const FrameData& frame, const Tile& tile) {
+    Image& image = *frame.image;
+    const float share = 1 / static_cast<float>(frame.samplePositions.size());
+    for (int y = tile.y0; y < tile.y1; ++y) {
+      for (int x = tile.x0; x < tile.x1; ++x) {
+        const Pixel& pixel = at(x - tile.x0, y - tile.y0);
+        const size_t i = static_cast<size_t>(y) * static_cast<size_t>(image.width) + static_cast<size_t>(x);
+        image.center[i] = pixel.center;
+        image.depth[i] = pixel.center != Image::kMiss ? pixel.center : pixel.nearest;
+        if (!image.through.empty()) image.through[i] = pixel.through * share;
+        uint32_t color = 0;
+        for (size_t c = 0; c < 4; ++c) {
+          const float average = pixel.sum[c] * share;
+          if (image.wide.empty())
+            color |= static_cast<uint32_t>(average + 0.5f) << (8 * c);
+          else
+            image.wide[4 * i + c] = average;
+        }
+        if (image.wide.empty()) image.color[i] = color;
+      }
+    }
+  }
+
+ private:
+  struct Pixel {
+    float sum[4] = {};
+    float through = 0;
+    float center = Image::kMiss, nearest = Image::kMiss;
+  };
+  Pixel& at(int x, int y) { return pixels_[y * kTileSize + x]; }
+  Pixel pixels_[kTileSize * kTileSize];
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace gluray::render
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,112 @@
+// Surfaces that are blended in the order of drawing (scene::Layers::Of::drawn): what is drawn to a pixel,
+// fragment after fragment. Part of kernels.cpp (compiled once for each instruction set).
+#if defined(GLURAY_RENDER_DRAWN_LAYERS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLURAY_RENDER_DRAWN_LAYERS_INL_H_
+#undef GLURAY_RENDER_DRAWN_LAYERS_INL_H_
+#else
+#define GLURAY_RENDER_DRAWN_LAYERS_INL_H_
+#endif
+
+#include "render/layers/blend.inl.h"
+#include "render/layers/layers.inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gluray::render {
+namespace HWY_NAMESPACE {
+
+/// The depth test as a framebuffer of so many steps does it. Depths that come to one step are equal; those
+/// that were rounded on their way through floats are within a quarter of the finest.
+class DrawnDepthTest {
+ public:
+  DrawnDepthTest(double steps, bool laterWins) : steps_(steps) {
+    constexpr float kFloat = 0x1p-26f;
+    const auto half = static_cast<float>(0.5 / (steps > 0 ? steps : 0x1p24));
+    margin_ = laterWins ? half + kFloat : -half - kFloat;
+    equalPasses_ = laterWins;
+  }
+  bool passes(float depth, float there) const {
+    return equalPasses_ ? depth <= there + margin_ : depth < there + margin_;
+  }
+  float stored(float depth) const {
+    const double d = std::clamp(depth, 0.0f, 1.0f);
+    return static_cast<float>(steps_ > 0 ? std::round(d * steps_) / steps_ : d);
+  }
+
+ private:
+  double steps_;
+  float margin_;
+  bool equalPasses_;
+};
+
+/// Everything that the packet's rays hit and that may pass the depth test.
+HWY_ATTR inline void gatherDrawn(const FrameData& frame, const scene::Layers& layers, Work& work) {
+  work.fragments.clear();
+  const scene::Snapshot& s = *frame.snapshot;
+  // Along a ray depth grows, but for what offsets add to single triangles.
+  const bool grows = s.polygonOffset == scene::PolygonOffset{} && s.camera.depthNear <= s.camera.depthFar;
+  const float reach = grows ? static_cast<float>(1 / std::max(layers.depthSteps, 1.0)) + 0x1p-24f : 2.0f;
+  EdgeHits edges;
+  alignas(64) uint32_t colors[kLanes];
+  const auto end = [&](uint32_t lanes, const float* depth)
+                       HWY_ATTR { return lanesBehind(layers, frame, work, lanes, depth, reach); };
+  walkLayers(frame, work, end, [&](uint32_t lanes, const LitRows& rows, const float* depth) HWY_ATTR {
+    lanes &= ~edges.again(lanes, work.packet);
+    packColors(rows, colors);
+    for (; lanes; lanes &= lanes - 1) {
+      const int i = std::countr_zero(lanes);
+      const uint64_t order = frame.surfaces[work.packet.instance[i]].instance->order;
+      work.fragments.add(i, {order << 32 | work.packet.primitive[i], depth[i], colors[i]});
+    }
+    return 0u;
+  });
+}
+
+/// Colour and depth as they are when all fragments have been drawn; where none has passed, a miss.
+HWY_ATTR inline void blendLayers(const FrameData& frame, const scene::Layers& layers, Work& work) {
+  const uint32_t lanes = work.hits;
+  gatherDrawn(frame, layers, work);
+  work.fragments.sort();
+  const DrawnDepthTest test(layers.depthSteps, frame.snapshot->laterWins);
+  alignas(64) Row there[4] = {};
+  alignas(64) float stored[kLanes] = {}, depth[kLanes] = {};
+  alignas(64) uint32_t color[kLanes] = {};
+  for (uint32_t rest = lanes; rest; rest &= rest - 1) {
+    const int i = std::countr_zero(rest);
+    const size_t pixel = pixelOf(frame, work, i);
+    stored[i] = layers.opaqueDepth[pixel];
+    for (int c = 0; c < 4; ++c) there[c][i] = static_cast<float>(layers.colors[pixel] >> (8 * c) & 255);
+  }
+  uint32_t drawn = 0;
+  for (size_t n = 0;; ++n) {
+    const uint32_t any = work.fragments.nth(n, depth, color);
+    if (!any) break;
+    uint32_t passing = 0;
+    for (uint32_t rest = any; rest; rest &= rest - 1) {
+      const int i = std::countr_zero(rest);
+      if (!test.passes(depth[i], stored[i])) continue;
+      passing |= 1u << i;
+      if (layers.blending.writesDepth) stored[i] = test.stored(depth[i]);
+    }
+    if (passing) blendRows(layers.blending, frame.snapshot->colorWrites, passing, color, there);
+    drawn |= passing;
+  }
+  for (int i = 0; i < kLanes; ++i) {
+    work.depth[i] = Image::kMiss;
+    if (!(drawn >> i & 1)) continue;
+    work.color[i] = 0, work.depth[i] = stored[i];
+    for (int c = 0; c < 4; ++c) work.color[i] |= static_cast<uint32_t>(there[c][i]) << (8 * c);
+  }
+}
+
+HWY_ATTR inline void shadeLayers(const FrameData& frame, const scene::Layers& layers, Work& work) {
+  switch (layers.of) {
+    case scene::Layers::Of::order: return compositeLayers(frame, layers, work);
+    case scene::Layers::Of::sums: return sumLayers(frame, layers, work);
+    case scene::Layers::Of::drawn: return blendLayers(frame, layers, work);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace gluray::render
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,134 @@
+// Rows of colours and what OpenGL does to a fragment after texturing: fog and the alpha test. Part of
+// kernels.cpp (compiled once for each instruction set).
+#if defined(GLURAY_RENDER_FRAGMENT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLURAY_RENDER_FRAGMENT_INL_H_
+#undef GLURAY_RENDER_FRAGMENT_INL_H_
+#else
+#define GLURAY_RENDER_FRAGMENT_INL_H_
+#endif
+
+#include "render/local/attributes.inl.h"
+#include "render/local/light.inl.h"
+#include "render/local/surface.h"
+
+#include <hwy/contrib/math/math-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace gluray::render {
+namespace HWY_NAMESPACE {
+
+HWY_INLINE Float load(const float* p) { return hn::Load(FloatTag(), p); }
+HWY_INLINE void store(Float v, float* p) { hn::Store(v, FloatTag(), p); }
+HWY_INLINE Float3 load3(const Row* rows, int i) {
+  return {load(rows[0] + i), load(rows[1] + i), load(rows[2] + i)};
+}
+HWY_INLINE int lanesOfVector() { return static_cast<int>(hn::Lanes(FloatTag())); }
+
+/// Lit colours of a packet: rows red, green, blue, alpha and the secondary colour's three.
+struct LitRows {
+  alignas(64) Row value[7];
+  HWY_INLINE void set(int i, const Lit& lit) {
+    store(lit.primary.x, value[0] + i), store(lit.primary.y, value[1] + i),
+        store(lit.primary.z, value[2] + i);
+    store(lit.alpha, value[3] + i);
+    store(lit.secondary.x, value[4] + i), store(lit.secondary.y, value[5] + i),
+        store(lit.secondary.z, value[6] + i);
+  }
+};
+
+/// Weights of the three corners in each lane.
+struct Weights {
+  Float w0, w1, w2;
+  HWY_INLINE Weights(const Group& g, int i) : w0(load(g.u + i)), w1(load(g.u + i)), w2(load(g.v + i)) {
+    w0 = hn::Sub(hn::Sub(splat(1), w1), w2);
+  }
+  HWY_INLINE Float operator()(Float a, Float b, Float c) const {
+    return hn::MulAdd(a, w0, hn::MulAdd(b, w1, hn::Mul(c, w2)));
+  }
+  HWY_INLINE Float3 operator()(const Float3& a, const Float3& b, const Float3& c) const {
+    return {(*this)(a.x, b.x, c.x), (*this)(a.y, b.y, c.y), (*this)(a.z, b.z, c.z)};
+  }
+};
+
+HWY_INLINE Float3 transform(const glm::mat3& m, const Float3& v) {
+  return {hn::MulAdd(splat(m[0].x), v.x, hn::MulAdd(splat(m[1].x), v.y, hn::Mul(splat(m[2].x), v.z))),
+          hn::MulAdd(splat(m[0].y), v.x, hn::MulAdd(splat(m[1].y), v.y, hn::Mul(splat(m[2].y), v.z))),
+          hn::MulAdd(splat(m[0].z), v.x, hn::MulAdd(splat(m[1].z), v.y, hn::Mul(splat(m[2].z), v.z)))};
+}
+
+HWY_INLINE Float3 transformPoint(const glm::mat4& m, const Float3& p) {
+  return add(transform(glm::mat3(m), p), splat(glm::vec3(m[3])));
+}
+
+// How much of the fragment's colour fog leaves at a distance, GL 2.1, 3.10.
+HWY_INLINE Float fogFactor(const scene::Fog& fog, Float distance) {
+  const FloatTag d;
+  if (fog.mode == scene::Fog::linear) {
+    const float scale = 1 / (fog.end - fog.start);
+    return clamp01(hn::Mul(hn::Sub(splat(fog.end), distance), splat(scale)));
+  }
+  Float thickness = hn::Mul(distance, splat(fog.density));
+  if (fog.mode == scene::Fog::exp2) thickness = hn::Mul(thickness, thickness);
+  return clamp01(hn::Exp(d, hn::Neg(thickness)));
+}
+
+// Fog coordinates of the corners of the group's triangles.
+HWY_ATTR inline void loadFogCoords(const Surface& s, const Group& group, Row (&out)[3]) {
+  const scene::Attribute& a = s.mesh->fogCoords;
+  for (int k = 0; k < 3; ++k)
+    for (int i = 0; i < kLanes; ++i)
+      out[k][i] = a ? scene::fetch(a, group.vertex[k][i]).x : s.instance->fogCoord;
+}
+
+// Colours fade into the fog; alpha stays.
+HWY_ATTR inline void applyFog(const scene::Fog& fog, const Surface& s, const Group& group, LitRows& rows) {
+  const glm::vec4 eyeZ(s.eyeFromObject[0].z, s.eyeFromObject[1].z, s.eyeFromObject[2].z,
+                       s.eyeFromObject[3].z);
+  alignas(64) Row coordinates[3];
+  if (fog.fromCoordinates) loadFogCoords(s, group, coordinates);
+  for (int i = 0; i < kLanes; i += lanesOfVector()) {
+    const Weights weights(group, i);
+    const Float3 p =
+        weights(load3(group.position[0], i), load3(group.position[1], i), load3(group.position[2], i));
+    const Float z = hn::MulAdd(p.x, splat(eyeZ.x),
+                               hn::MulAdd(p.y, splat(eyeZ.y), hn::MulAdd(p.z, splat(eyeZ.z), splat(eyeZ.w))));
+    Float distance = hn::Abs(z);
+    if (fog.fromCoordinates)
+      distance = weights(load(coordinates[0] + i), load(coordinates[1] + i), load(coordinates[2] + i));
+    const Float factor = fogFactor(fog, distance);
+    for (int c = 0; c < 3; ++c) {
+      const Float color = load(rows.value[c] + i), background = splat(fog.color[c]);
+      const Float kept = fog.clampsSum ? clamp01(color) : color;
+      store(clamp01(hn::MulAdd(factor, hn::Sub(kept, background), background)), rows.value[c] + i);
+    }
+  }
+}
+
+// Lanes whose alpha fails the comparison.
+HWY_ATTR inline uint32_t failingLanes(const scene::AlphaTest& test, const LitRows& rows) {
+  if (test.function == scene::AlphaTest::always) return 0;
+  const auto compared = [&](float alpha) {
+    return test.asBytes ? std::nearbyint(std::clamp(alpha, 0.0f, 1.0f) * 255) : alpha;
+  };
+  const float reference = compared(test.reference);
+  const auto passes = [&](float alpha) {
+    switch (test.function) {
+      case scene::AlphaTest::never: return false;
+      case scene::AlphaTest::less: return alpha < reference;
+      case scene::AlphaTest::lessOrEqual: return alpha <= reference;
+      case scene::AlphaTest::equal: return alpha == reference;
+      case scene::AlphaTest::greaterOrEqual: return alpha >= reference;
+      case scene::AlphaTest::greater: return alpha > reference;
+      case scene::AlphaTest::notEqual: return alpha != reference;
+      default: return true;
+    }
+  };
+  uint32_t failing = 0;
+  for (int i = 0; i < kLanes; ++i) failing |= static_cast<uint32_t>(!passes(compared(rows.value[3][i]))) << i;
+  return failing;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace gluray::render
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,176 @@
+// Colours as fragment programs compute them (scene/fragment_shading.h). Part of kernels.cpp (compiled once
+// for each instruction set).
+#if defined(GLURAY_RENDER_FRAGMENT_PROGRAM_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLURAY_RENDER_FRAGMENT_PROGRAM_INL_H_
+#undef GLURAY_RENDER_FRAGMENT_PROGRAM_INL_H_
+#else
+#define GLURAY_RENDER_FRAGMENT_PROGRAM_INL_H_
+#endif
+
+#include "render/local/fragment_inputs.inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gluray::render {
+namespace HWY_NAMESPACE {
+
+/// Direction from light to surface, and what distance and cone leave of it.
+HWY_INLINE Incoming arriving(const scene::FragmentLight& light, float coneCosine, const Float3& p) {
+  if (light.kind != scene::FragmentLight::positional) return {splat(light.direction), splat(1)};
+  const Float3 way = sub(p, splat(light.position));
+  const Float distance = hn::Sqrt(dot(way, way));
+  const Float sum = hn::MulAdd(hn::MulAdd(splat(light.attenuation.z), distance, splat(light.attenuation.y)),
+                               distance, splat(light.attenuation.x));
+  Incoming in{unit(way), hn::Div(splat(1), sum)};
+  if (light.coneAngle < 90) {
+    const Float cosine = dot(in.direction, splat(light.direction));
+    const Float inside = power(hn::Max(cosine, splat(0)), splat(light.exponent));
+    in.factor = hn::IfThenElseZero(hn::Ge(cosine, splat(coneCosine)), hn::Mul(in.factor, inside));
+  }
+  return in;
+}
+
+/// The highlight's strength before colours.
+HWY_INLINE Float highlight(const scene::FragmentShading& f, const scene::FragmentLight& light,
+                           const Float3& way, const Fragment& at, Float cosine, float shininess) {
+  if (light.kind == scene::FragmentLight::headlight) return power(cosine, splat(shininess));
+  Float base;
+  if (f.specular == scene::FragmentShading::Specular::half) {
+    base = hn::Max(dot(at.normal, unit(sub(at.toViewer, way))), splat(0));
+  } else {
+    const Float twice = hn::Mul(splat(2), dot(at.normal, way));
+    base = hn::Max(dot(sub(way, scaled(at.normal, twice)), at.toViewer), splat(1e-5f));
+  }
+  return power(base, splat(shininess));
+}
+
+/// Edges give light of their own instead of the surface's.
+HWY_INLINE void paintEdge(const scene::FragmentShading& f, const Fragment& at, Float3& ambient,
+                          Float3& diffuse) {
+  const Float rest = hn::Sub(splat(1), at.edge);
+  diffuse = scaled(diffuse, rest);
+  ambient = add(scaled(ambient, rest), scaled(splat(f.edgeColor), at.edge));
+}
+
+HWY_INLINE Float3 phong(const Surface& s, const scene::Material& m, const Fragment& at) {
+  const Lighting& lighting = *s.lighting;
+  const scene::FragmentShading& f = lighting.shading->fragment;
+  const Float zero = splat(0);
+  Float3 diffuse{zero, zero, zero}, specular{zero, zero, zero};
+  const bool shines = glm::vec3(m.specular) != glm::vec3(0);
+  for (size_t l = 0; l < f.lights.size(); ++l) {
+    const scene::FragmentLight& light = f.lights[l];
+    const Incoming in = arriving(light, lighting.coneCosines[l], at.position);
+    const Float cosine = hn::Max(zero, hn::Neg(dot(at.normal, in.direction)));
+    diffuse = add(diffuse, scaled(splat(light.color), hn::Mul(cosine, in.factor)));
+    if (!shines) continue;
+    const Float shine = highlight(f, light, in.direction, at, cosine, m.shininess);
+    const auto lit = hn::Gt(hn::Mul(cosine, in.factor), zero);
+    specular = add(specular, scaled(splat(light.color), hn::IfThenElseZero(lit, hn::Mul(in.factor, shine))));
+  }
+  Float3 ambient = splat(glm::vec3(m.ambient));
+  if (!f.colorIsDiffuseOnly) ambient = times(ambient, at.color);
+  Float3 reflected = times(times(diffuse, splat(glm::vec3(m.diffuse))), at.color);
+  if (f.edges) paintEdge(f, at, ambient, reflected);
+  return add(add(ambient, reflected), times(specular, splat(glm::vec3(m.specular))));
+}
+
+HWY_INLINE Float3 unlit(const scene::FragmentShading& f, const scene::Material& m, const Fragment& at) {
+  Float3 ambient = splat(glm::vec3(m.ambient)), diffuse = times(splat(glm::vec3(m.diffuse)), at.color);
+  if (!f.colorIsDiffuseOnly) ambient = times(ambient, at.color);
+  if (f.edges) paintEdge(f, at, ambient, diffuse);
+  return add(ambient, diffuse);
+}
+
+/// GGX distribution, height-correlated Smith visibility, Schlick's Fresnel term, Lambert's diffuse part; the
+/// result is encoded by 1/2.2. As VTK 9's physically based shading without images has it.
+HWY_INLINE Float3 microfacets(const Surface& s, const scene::Material& m, const Fragment& at) {
+  constexpr float kInversePi = 0.31830988618f;
+  const Lighting& lighting = *s.lighting;
+  const scene::FragmentShading& f = lighting.shading->fragment;
+  const scene::PbrSurface& pbr = f.pbr;
+  const Float zero = splat(0), one = splat(1), least = splat(1e-5f);
+  const auto clamped = [&](Float v) HWY_ATTR { return hn::Min(hn::Max(v, least), one); };
+  const auto mix = [&](const Float3& a, const Float3& b, float w)
+                       HWY_ATTR { return add(scaled(a, splat(1 - w)), scaled(b, splat(w))); };
+  Float3 albedo = times(splat(glm::vec3(m.diffuse)), at.color);
+  if (f.edges) albedo = scaled(albedo, hn::Sub(one, at.edge));  // nothing is made of their colour
+  const Float3 f0 = mix(splat(glm::vec3(pbr.baseF0)), albedo, pbr.metallic);
+  const Float grey = hn::Min(hn::Max(hn::Mul(splat(16.5f), hn::Add(hn::Add(f0.x, f0.y), f0.z)), zero), one);
+  const Float3 f90 = mix({grey, grey, grey}, splat(pbr.edgeTint), pbr.metallic);
+  const float a2 = pbr.roughness * pbr.roughness, a4 = a2 * a2;
+  const Float nv = clamped(dot(at.normal, at.toViewer));
+  Float3 sum{zero, zero, zero};
+  for (size_t l = 0; l < f.lights.size(); ++l) {
+    const Incoming in = arriving(f.lights[l], lighting.coneCosines[l], at.position);
+    const Float3 towards = unit(scaled(in.direction, splat(-1))), half = unit(add(at.toViewer, towards));
+    const Float hl = clamped(dot(half, towards)), nl = clamped(dot(at.normal, towards)),
+                nh = clamped(dot(at.normal, half));
+    const Float d = hn::MulAdd(hn::MulSub(nh, splat(a4), nh), nh, one);
+    const Float distribution = hn::Div(splat(a4 * kInversePi), hn::Mul(d, d));
+    const auto smith = [&](Float x, Float y) HWY_ATTR {
+      return hn::Mul(y, hn::Sqrt(hn::MulAdd(x, hn::NegMulAdd(splat(a2), x, x), splat(a2))));
+    };
+    const Float visibility = hn::Div(splat(0.5f), hn::Add(smith(nv, nl), smith(nl, nv)));
+    const Float away = hn::Sub(one, hl), away2 = hn::Mul(away, away),
+                away5 = hn::Mul(hn::Mul(away2, away2), away);
+    const Float3 fresnel = add(f0, scaled(sub(f90, f0), away5));
+    const Float3 specular = scaled(fresnel, hn::Mul(distribution, visibility));
+    const Float3 through = scaled(sub({one, one, one}, fresnel), splat((1 - pbr.metallic) * kInversePi));
+    const Float3 radiance = scaled(splat(f.lights[l].color), hn::Mul(in.factor, nl));
+    sum = add(sum, times(radiance, add(times(through, albedo), specular)));
+  }
+  sum = add(sum, splat(pbr.emissive));
+  const Float gamma = splat(1 / 2.2f);
+  const auto encoded = [&](Float v) HWY_ATTR { return power(hn::Max(v, zero), gamma); };
+  return {encoded(sum.x), encoded(sum.y), encoded(sum.z)};
+}
+
+/// Colours of the group by a fragment program, before its textures; bit i of `back`: lane i shows its back
+/// face.
+HWY_ATTR inline void runProgram(const FrameData& frame, const Surface& s, const Group& group, uint32_t back,
+                                bool backMaterial, const float* x, const float* y, LitRows& rows) {
+  using Shading = scene::FragmentShading;
+  const Shading& f = s.lighting->shading->fragment;
+  const scene::Material& m = backMaterial ? s.materials[0].back : s.materials[0].front;
+  alignas(64) Row base[4];
+  alignas(64) Row normals[3];
+  if (f.color == Shading::Color::map)
+    lookUpMap(s, group, base);
+  else
+    loadBaseColor(s, group, base);
+  alignas(64) Row edges;
+  if (f.edges) edgeShares(frame, s, group, x, y, edges);
+  const bool lit = f.model != Shading::Model::unlit, figures = s.mesh->shape != scene::Shape::triangles;
+  if (lit && !figures && f.normals != Shading::Normals::triangles) loadNormals(s, group, normals);
+  for (int i = 0; i < kLanes; i += lanesOfVector()) {
+    const Weights weights(group, i);
+    Fragment at;
+    at.color = load3(base, i);
+    if (figures) at.color = scaled(at.color, load(group.fade + i));
+    at.edge = f.edges ? load(edges + i) : splat(0);
+    Float3 color;
+    if (lit) {
+      at.position = figures
+                        ? load3(group.point, i)
+                        : weights(pointIn(s, group, 0, i), pointIn(s, group, 1, i), pointIn(s, group, 2, i));
+      at.toViewer = unit(scaled(at.position, splat(-1)));
+      if (figures) {
+        at.normal = load3(group.normal, i);
+      } else if (f.normals == Shading::Normals::triangles) {
+        at.normal = triangleNormal(s, group, i, at.position);
+      } else {
+        at.normal = unit(transform(s.instance->normalMatrix, load3(normals, i)));
+        if (f.flipBackFaces) at.normal = signedBy(hn::Not(lanesAt(back, i)), at.normal);
+      }
+      color = f.model == Shading::Model::pbr ? microfacets(s, m, at) : phong(s, m, at);
+    } else {
+      color = unlit(f, m, at);
+    }
+    rows.set(i, {color, hn::Mul(splat(m.diffuse.a), load(base[3] + i)), {splat(0), splat(0), splat(0)}});
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace gluray::render
+HWY_AFTER_NAMESPACE();
+#endif

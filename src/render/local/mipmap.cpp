@@ -1,0 +1,79 @@
+#include "render/local/mipmap.h"
+
+#include "render/local/texture.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gluray::render {
+namespace {
+
+using scene::Filter;
+using scene::MipFilter;
+using scene::Texture;
+
+/// GL 2.1, equation 3.20.
+double scaleFactor(const Footprint& f) { return std::max(glm::length(f.dx), glm::length(f.dy)); }
+
+float clampLod(const Texture& t, float lod) {
+  return std::max(std::min(lod, std::max(t.minLod, t.maxLod)), std::min(t.minLod, t.maxLod));
+}
+
+/// `level` is a whole number, of any size.
+LevelChoice within(const Texture& t, float level, float blend) {
+  const int last = t.image->levels() - 1;
+  if (level < 0) return {false, 0, 0};
+  if (level >= static_cast<float>(last)) return {false, last, 0};
+  return {false, static_cast<int>(level), blend};
+}
+
+LevelChoice chooseAsSpecified(const Texture& t, double rho) {
+  const float lambda = clampLod(t, static_cast<float>(std::log2(rho)) + t.lodBias);
+  const bool sharp =
+      t.magFilter == Filter::linear && t.minFilter == Filter::nearest && t.mipFilter != MipFilter::none;
+  if (!(lambda > (sharp ? 0.5f : 0.0f))) return {true, 0, 0};
+  if (t.mipFilter == MipFilter::none) return {};
+  if (t.mipFilter == MipFilter::nearest) return within(t, std::ceil(lambda + 0.5f) - 1, 0);
+  const float whole = std::floor(lambda);
+  return within(t, whole, lambda - whole);
+}
+
+/// Differs: between powers of two the logarithm runs straight, and the magnification filter ends at 0
+/// whatever the filters.
+LevelChoice chooseAsLlvmpipe(const Texture& t, double rho) {
+  if (t.mipFilter == MipFilter::none) return {!(rho > 1), 0, 0};
+  int exponent = 0;
+  const double mantissa = 2 * std::frexp(rho * rho, &exponent);  // in [1, 2)
+  const auto straight = static_cast<float>(0.5 * (exponent - 1 + (mantissa - 1)));
+  const float lod = clampLod(t, straight + t.lodBias);
+  if (!(lod > 0)) return {true, 0, 0};
+  if (t.mipFilter == MipFilter::nearest) {
+    // With a bias halves are rounded to even numbers, without one upwards.
+    const float level = t.lodBias == 0 ? std::floor(lod + 0.5f) : std::nearbyint(lod);
+    return within(t, level, 0);
+  }
+  const float whole = std::floor(lod);
+  return within(t, whole, lod - whole);
+}
+
+}  // namespace
+
+bool needsFootprint(const Texture& t) { return t.mipFilter != MipFilter::none || t.minFilter != t.magFilter; }
+
+LevelChoice chooseLevel(const Texture& t, const Footprint& footprint) {
+  const bool llvmpipe = t.lodRule == scene::LodRule::llvmpipe;
+  const double rho = scaleFactor(footprint);
+  if (!std::isfinite(rho)) return {};
+  return llvmpipe ? chooseAsLlvmpipe(t, rho) : chooseAsSpecified(t, rho);
+}
+
+glm::vec4 sampleTexture(const Texture& t, const Footprint& footprint, glm::vec3 str) {
+  if (!needsFootprint(t)) return sampleLevel(t, *t.image, t.magFilter, str);
+  const LevelChoice choice = chooseLevel(t, footprint);
+  if (choice.magnified) return sampleLevel(t, *t.image, t.magFilter, str);
+  const glm::vec4 color = sampleLevel(t, t.image->level(choice.level), t.minFilter, str);
+  if (choice.blend <= 0) return color;
+  return glm::mix(color, sampleLevel(t, t.image->level(choice.level + 1), t.minFilter, str), choice.blend);
+}
+
+}  // namespace gluray::render

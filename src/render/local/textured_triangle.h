@@ -1,0 +1,49 @@
+// Texturing of fragments as OpenGL's fixed-function pipeline does it. Used by the kernels on tracing threads.
+#pragma once
+#include "render/local/mipmap.h"
+#include "render/local/surface.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+
+namespace gluray::render {
+
+/// The triangle of a textured surface that fragments lie in: what they share is made when the triangle
+/// changes.
+class TexturedTriangle {
+ public:
+  TexturedTriangle(const Surface&, const scene::Camera&);
+
+  /// The colour `primary` of the fragment at (u, v) of a triangle, seen at a window position, after all
+  /// texture units; every channel in 0 .. 1.
+  glm::vec4 color(uint32_t primitive, float u, float v, glm::dvec2 window, const glm::vec4& primary);
+
+ private:
+  /// Homogeneous coordinates (s, t, r, q), of a unit: at the corners, and as a plane over the window, up to a
+  /// factor.
+  struct Coordinates {
+    glm::dvec4 corner[3];
+    glm::dvec4 start, stepX, stepY;
+  };
+  void enter(uint32_t primitive);
+  void cornersOf(const scene::Texture&, Coordinates&) const;
+  Footprint footprintOf(const scene::Texture&, const Coordinates&, glm::dvec2 window) const;
+  glm::vec4 sample(const scene::Texture&, const Coordinates&, const glm::dvec3& weights,
+                   glm::dvec2 window) const;
+
+  const Surface& surface_;
+  const WindowMap map_;
+  const int rowsFromTop_;
+  const std::vector<scene::Texture>& textures_;
+  bool planes_ = false;  // some texture needs its footprint
+  uint32_t primitive_ = 0xFFFFFFFFu;
+  uint32_t vertex_[3] = {};
+  Coordinates coordinates_[scene::kTextureUnits];  // of each texture in order
+};
+
+/// The same for a single fragment.
+glm::vec4 textureFragment(const Surface&, const scene::Camera&, uint32_t primitive, float u, float v,
+                          glm::dvec2 window, const glm::vec4& primary);
+
+}  // namespace gluray::render

@@ -1,0 +1,109 @@
+// Polygon offset by a factor moves each triangle by its own slope; so does a program that writes depth, from
+// where a sample is to the pixel's centre. Of what a ray hits, the least depth after that is seen, which is
+// not always the nearest hit: along silhouettes a steep front may come behind its back. Part of kernels.cpp
+// (compiled once for each instruction set).
+#if defined(GLURAY_RENDER_LEAST_DEPTH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLURAY_RENDER_LEAST_DEPTH_INL_H_
+#undef GLURAY_RENDER_LEAST_DEPTH_INL_H_
+#else
+#define GLURAY_RENDER_LEAST_DEPTH_INL_H_
+#endif
+
+#include "render/visibility/collected_hits.h"
+#include "render/visibility/nearest.inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gluray::render {
+namespace HWY_NAMESPACE {
+
+/// Window depths of the hits in `lanes`: where the rays are, or at `centers` where a program writes one depth
+/// for all samples of a pixel.
+HWY_ATTR inline void depthsOfHits(const FrameData& frame, uint32_t lanes, const Centers& centers,
+                                  const Work& work, float* depth) {
+  Group group;
+  DepthAndFacing seen;
+  while (lanes) {
+    gather(work, lanes, group);
+    lanes &= ~group.lanes;
+    const uint32_t instance = work.packet.instance[std::countr_zero(group.lanes)];
+    const Surface& surface = frame.surfaces[instance];
+    const bool atCenters =
+        surface.lighting->shading->fragment.writesDepth || surface.mesh->shape != scene::Shape::triangles;
+    const float *x = atCenters ? centers.x : work.x, *y = atCenters ? centers.y : work.y;
+    locateHits(frame, instance, x, y, group, seen);
+    blendRow(group.lanes, seen.depth, depth);
+  }
+}
+
+/// The distance along lane i's ray beyond which no triangle comes before window depth `least`.
+inline float reachOf(const FrameData& frame, const accel::RayPacket& rays, int i, float least) {
+  const DepthMap& map = frame.depth;
+  const float end = rays.tFar[i];
+  if (!std::isfinite(frame.leastDepthReach)) return end;
+  constexpr double kOneStep = 0x1p-23;
+  const double away = map.scale > 0 ? kOneStep : -kOneStep;
+  const double ndc = (least - map.constant - map.offset) / map.scale + away;
+  const glm::dvec4 line = frame.clipZ - ndc * frame.clipW;
+  const glm::dvec4 org(rays.orgX[i], rays.orgY[i], rays.orgZ[i], 1);
+  const glm::dvec4 dir(rays.dirX[i], rays.dirY[i], rays.dirZ[i], 0);
+  double t = -glm::dot(line, org) / glm::dot(line, dir);
+  if (frame.leastDepthReach > 0) t += frame.leastDepthReach / glm::length(frame.snapshot->eyeFromWorld * dir);
+  return t > 0 && t < end ? static_cast<float>(t) : end;
+}
+
+/// Traces the lanes that have hit something on from there, and collects all that may come before it.
+HWY_ATTR inline void collectBehind(const FrameData& frame, const float* least, CollectedHits& behind,
+                                   Work& work) {
+  constexpr float kBehind = 1 + 0x1p-21f;  // the hit is not found again
+  alignas(64) float passed[kLanes];
+  for (int i = 0; i < kLanes; ++i) {
+    work.valid[i] = work.hits >> i & 1 ? -1 : 0;
+    passed[i] = work.packet.tFar[i] * kBehind;
+  }
+  const accel::FigureQuery* figures = aimRays(frame, work);
+  accel::RayPacket& rays = work.packet;
+  for (uint32_t lanes = work.hits; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    rays.tNear[i] = std::max(rays.tNear[i], passed[i]);
+    rays.tFar[i] = reachOf(frame, rays, i, least[i]);
+    if (!(rays.tNear[i] < rays.tFar[i])) work.valid[i] = 0;
+  }
+  behind.clear();
+  const CollectingFilter filter(frame, behind);
+  frame.world->intersect(work.valid, rays, &filter, figures);
+}
+
+/// Makes the hit of each lane that of the least depth, but for triangles that grew by their edges. `behind`
+/// is for the hits in question.
+HWY_ATTR inline void pickLeastDepth(const FrameData& frame, const Centers& centers, CollectedHits& behind,
+                                    Work& work) {
+  const uint32_t all = work.hits, hits = all & ~work.edged;
+  if (!hits) return;
+  work.hits = hits;
+  alignas(64) Row depth = {}, least;
+  fetchVertices(frame, work);
+  depthsOfHits(frame, hits, centers, work, least);
+  accel::RayPacket best = work.packet;
+  collectBehind(frame, least, behind, work);
+  for (size_t n = 0; (work.hits = behind.take(n, work.packet)) != 0; ++n) {
+    fetchVertices(frame, work);
+    depthsOfHits(frame, work.hits, centers, work, depth);
+    for (uint32_t lanes = work.hits; lanes; lanes &= lanes - 1) {
+      const int i = std::countr_zero(lanes);
+      const accel::RayPacket& hit = work.packet;
+      const Nearest next{depth[i], hit.instance[i], hit.primitive[i]};
+      if (!isSeenBefore(frame, next, {least[i], best.instance[i], best.primitive[i]})) continue;
+      least[i] = depth[i];
+      best.u[i] = hit.u[i], best.v[i] = hit.v[i];
+      best.instance[i] = hit.instance[i], best.primitive[i] = hit.primitive[i];
+    }
+  }
+  work.packet = best;
+  work.hits = all;
+  fetchVertices(frame, work);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace gluray::render
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,15 @@
+// What one tracing cost: from the renderer through the presenter to the report. Plain data, any thread.
+#pragma once
+#include <cstdint>
+
+namespace gluray::scene {
+
+struct TraceCost {
+  double buildSeconds = 0, traceSeconds = 0;
+  uint64_t blasBuilds = 0, tlasBuilds = 0;  // acceleration structures that the tracing waited for
+  uint64_t blasRefinements = 0;             // structures exchanged for better ones that were built meanwhile
+  uint64_t bvhBytes = 0;                    // of all acceleration structures, now
+  bool blasRefining = false;                // a better one is being built
+};
+
+}  // namespace gluray::scene

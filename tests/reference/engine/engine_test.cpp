@@ -1,0 +1,251 @@
+// Who draws changes between frames; pictures, errors and state stay the real OpenGL's.
+#include "scenes/stage.h"
+#include "tests/support/traced_context.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+namespace gluray::test {
+namespace {
+
+using scenes::Gl;
+
+constexpr int kWidth = 320, kHeight = 240;
+constexpr auto kSmall = static_cast<size_t>(gl::Reason::smallScene);
+
+Settings withEngine(Engine engine) {
+  Settings settings = TracedContext::vertexShading();
+  settings.engine = engine;
+  return settings;
+}
+
+std::string nameOf(const testing::TestParamInfo<const scenes::Scene*>& info) {
+  std::string name = info.param->name;
+  for (char& c : name)
+    if (c == '-') c = '_';
+  return name;
+}
+
+std::vector<const scenes::Scene*> allScenes() {
+  std::vector<const scenes::Scene*> all;
+  // The front buffer of a second frame is chance: two real contexts differ.
+  for (const scenes::Scene& scene : scenes::scenes())
+    if (std::string_view(scene.name) != "front-buffer") all.push_back(&scene);
+  for (const scenes::Scene& scene : scenes::variants()) all.push_back(&scene);
+  return all;
+}
+
+/// More triangles than the real OpenGL is tried with, in the far background.
+void backdrop(Gl gl) {
+  gl.PushAttrib(GL_ALL_ATTRIB_BITS);
+  gl.MatrixMode(GL_PROJECTION), gl.PushMatrix();
+  scenes::begin(gl, kWidth, kHeight);
+  scenes::camera(gl, kWidth, kHeight);
+  for (const GLenum off :
+       {GL_LIGHTING, GL_BLEND, GL_STENCIL_TEST, GL_ALPHA_TEST, GL_POLYGON_STIPPLE, GL_SCISSOR_TEST})
+    gl.Disable(off);
+  gl.DepthFunc(GL_LESS), gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  static const std::vector<GLfloat> corners = [] {
+    constexpr int kSquares = 130;
+    std::vector<GLfloat> v;
+    const auto put = [&](int x, int y) {
+      const float u = 4.0f * static_cast<float>(x) / kSquares - 2,
+                  w = 4.0f * static_cast<float>(y) / kSquares - 2;
+      v.insert(v.end(), {u, w, -1 + 0.3f * std::sin(3 * u) * std::cos(2 * w)});
+    };
+    for (int y = 0; y < kSquares; ++y)
+      for (int x = 0; x < kSquares; ++x)
+        put(x, y), put(x + 1, y), put(x + 1, y + 1), put(x, y), put(x + 1, y + 1), put(x, y + 1);
+    return v;
+  }();
+  gl.PushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
+  for (const GLenum off : {GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY})
+    gl.DisableClientState(off);
+  gl.EnableClientState(GL_VERTEX_ARRAY);
+  gl.BindBuffer(GL_ARRAY_BUFFER, 0);
+  gl.VertexPointer(3, GL_FLOAT, 0, corners.data());
+  gl.Color3f(0.5f, 0.5f, 0.4f);
+  gl.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size() / 3));
+  gl.PopClientAttrib();
+  gl.MatrixMode(GL_MODELVIEW), gl.LoadIdentity();
+  gl.MatrixMode(GL_PROJECTION), gl.PopMatrix();
+  gl.PopAttrib();
+}
+
+class EngineTest : public testing::TestWithParam<const scenes::Scene*> {
+ protected:
+  /// The pictures of frames that are drawn by `gl` one after another.
+  std::vector<Picture> play(Gl gl, int frames, const std::function<void(int)>& before = {}) {
+    std::vector<Picture> pictures;
+    for (int i = 0; i < frames; ++i) {
+      if (before) before(i);
+      GetParam()->draw(gl, kWidth, kHeight);
+      gl.Finish();
+      pictures.push_back(readPicture(gl, kWidth, kHeight));
+      errors.push_back(gl.GetError());
+    }
+    return pictures;
+  }
+  std::vector<GLenum> errors;
+};
+
+TEST_P(EngineTest, WhatIsLeftToTheRealOneIsItsPicture) {
+  const auto real = OsmesaContext::create({kWidth, kHeight});
+  const std::vector<Picture> expected = play(real->real(), 2);
+  const std::vector<GLenum> wanted = std::exchange(errors, {});
+  TracedContext ours({kWidth, kHeight}, withEngine(Engine::never));
+  const std::vector<Picture> got = play(ours.gl(), 2);
+  for (size_t i = 0; i < expected.size(); ++i) {
+    const Comparison c = compare(expected[i], got[i],
+                                 {1, 0, 0, "in lists colours come with each vertex, and are interpolated"});
+    EXPECT_TRUE(c.accepted) << "frame " << i << ": " << c.text;
+  }
+  EXPECT_EQ(errors, wanted);
+  EXPECT_EQ(ours.context().statistics.drawsTraced, 0u);
+}
+
+/// Frame 0 is mixed and frame 1 direct; in frame 2 a large draw comes first, after which the choice is to
+/// trace.
+TEST_P(EngineTest, ItsPictureStaysWhileTheEngineChanges) {
+  const auto with = [](Gl gl) {
+    return [&gl](int frame) {
+      if (frame >= 2) backdrop(gl);
+    };
+  };
+  const auto real = OsmesaContext::create({kWidth, kHeight});
+  const std::vector<Picture> expected = play(real->real(), 4, with(real->real()));
+  const std::vector<GLenum> wanted = std::exchange(errors, {});
+  TracedContext ours({kWidth, kHeight}, withEngine(Engine::automatic));
+  const std::vector<Picture> got = play(ours.gl(), 4, with(ours.gl()));
+  for (size_t i = 0; i < expected.size(); ++i) {
+    const Comparison c = compare(expected[i], got[i], GetParam()->tolerance);
+    EXPECT_TRUE(c.accepted) << "frame " << i << ": " << c.text;
+    if (!c.accepted)
+      writeFailure(TEST_OUTPUT, std::string("engine-") + GetParam()->name, expected[i], got[i]);
+  }
+  EXPECT_EQ(errors, wanted);
+  const gl::Statistics& s = ours.context().statistics;
+  EXPECT_TRUE(s.rasterisedBecause[kSmall] > 0 || !GetParam()->traced);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, EngineTest, testing::ValuesIn(allScenes()), nameOf);
+
+/// Whether vertices of a list take colours from its caller until the list sets one. Mesa 25.0 gives those of
+/// the triangle that is open then the list's colour, against the specification.
+bool listsInherit(Gl gl) {
+  gl.NewList(2, GL_COMPILE);
+  gl.Begin(GL_TRIANGLES);
+  gl.Vertex3f(-1, -1, 0), gl.Vertex3f(1, -1, 0), gl.Color3f(0, 0, 1), gl.Vertex3f(0, 1, 0);
+  gl.End();
+  gl.EndList();
+  scenes::begin(gl, kWidth, kHeight);
+  gl.Color3f(1, 0, 0);
+  gl.CallList(2);
+  uint32_t nearCaller = 0;
+  gl.ReadPixels(kWidth / 4, kHeight / 8, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &nearCaller);
+  return (nearCaller & 255) > 100;
+}
+
+/// One frame of a program that never swaps, by a list, arrays in a buffer and glBegin.
+struct Mixture {
+  std::vector<GLfloat> triangle = {-0.5f, 0, 0.3f, 0.5f, 0, 0.2f, 0, 0.8f, 0.1f};
+  GLuint buffer = 0;
+  bool large = false;
+  bool inherits = true;
+
+  void setUp(Gl gl) {
+    gl.NewList(1, GL_COMPILE);
+    gl.Begin(GL_TRIANGLES);
+    if (!inherits) gl.Color3f(1, 1, 0);
+    gl.Vertex3f(-1, -1, 0), gl.Vertex3f(0, -1, 0.1f), gl.Color3f(0, 1, 1), gl.Vertex3f(-0.5f, 0, 0.2f);
+    gl.End();
+    gl.EndList();
+    gl.GenBuffers(1, &buffer);
+  }
+  void frame(Gl gl, int number) {
+    scenes::begin(gl, kWidth, kHeight);
+    if (large) backdrop(gl);
+    gl.Enable(GL_DEPTH_TEST);
+    gl.MatrixMode(GL_MODELVIEW), gl.LoadIdentity();
+    gl.Color3f(1, 0.1f * static_cast<float>(number % 10), 0);
+    // Its first two vertices inherit the colour of the moment; all that follows has the last one's.
+    gl.CallList(1);
+    gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+    triangle[0] = -0.5f - 0.03f * static_cast<float>(number % 10);
+    const auto bytes = static_cast<GLsizeiptr>(triangle.size() * sizeof(GLfloat));
+    switch (number % 3) {
+      case 0: gl.BufferData(GL_ARRAY_BUFFER, bytes, triangle.data(), GL_STATIC_DRAW); break;
+      case 1: gl.BufferSubData(GL_ARRAY_BUFFER, 0, bytes, triangle.data()); break;
+      default:
+        if (auto* memory = static_cast<GLfloat*>(gl.MapBuffer(GL_ARRAY_BUFFER, GL_WRITE_ONLY)))
+          std::copy(triangle.begin(), triangle.end(), memory);
+        gl.UnmapBuffer(GL_ARRAY_BUFFER);
+    }
+    gl.EnableClientState(GL_VERTEX_ARRAY);
+    gl.VertexPointer(3, GL_FLOAT, 0, nullptr);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl.BindBuffer(GL_ARRAY_BUFFER, 0);
+    gl.Translatef(0.9f, -0.5f, 0);
+    gl.Begin(GL_QUADS);
+    gl.Vertex3f(-0.4f, -0.4f, 0), gl.Vertex3f(0.4f, -0.4f, 0), gl.Color3f(1, 1, 1);
+    gl.Vertex3f(0.4f, 0.4f, -0.2f), gl.Vertex3f(-0.4f, 0.4f, -0.2f);
+    gl.End();
+    gl.Finish();
+  }
+};
+
+TEST(Engine, PictureIsRightAcrossChangesInBothDirections) {
+  const auto real = OsmesaContext::create({kWidth, kHeight});
+  Mixture theirs, mine;
+  theirs.inherits = mine.inherits = listsInherit(real->real());
+  theirs.setUp(real->real());
+  TracedContext ours({kWidth, kHeight}, withEngine(Engine::automatic));
+  mine.setUp(ours.gl());
+  const gl::Statistics& s = ours.context().statistics;
+  int changes = 0, checked = 0;
+  bool direct = false;
+  for (int i = 0; i < 400; ++i) {
+    mine.large = theirs.large = i % 200 >= 100 && i % 200 < 110;
+    const bool before = direct;
+    direct = ours.context().direct();
+    real->makeCurrent();
+    theirs.frame(real->real(), i);
+    const Picture expected = readPicture(real->real(), kWidth, kHeight);
+    ours.makeCurrent();
+    mine.frame(ours.gl(), i);
+    const Picture got = ours.read();
+    changes += direct != before;
+    const Comparison c = compare(expected, got, {2, 0.004, 1e-5f, "few pixels, many edges"});
+    ASSERT_TRUE(c.accepted) << "frame " << i << (direct ? ", direct: " : ": ") << c.text;
+    ++checked;
+    EXPECT_EQ(ours.gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
+  }
+  EXPECT_EQ(checked, 400);
+  EXPECT_GE(changes, 4) << "direct twice, and not direct twice";
+  EXPECT_GT(s.framesDirect, 100u);
+  EXPECT_GT(s.drawsTraced, 10u);
+  EXPECT_GT(uint64_t{s.rasterisedBecause[kSmall]}, 100u);
+}
+
+TEST(Engine, ProgramsThatNeverSwapHaveFramesByTheirClears) {
+  TracedContext ours({kWidth, kHeight}, withEngine(Engine::automatic));
+  const scenes::Scene& scene = *scenes::findScene("directional-light");
+  scene.draw(ours.gl(), kWidth, kHeight);
+  EXPECT_FALSE(ours.context().direct());
+  scene.draw(ours.gl(), kWidth, kHeight);  // begins with a clear
+  EXPECT_TRUE(ours.context().direct());
+}
+
+TEST(Engine, TracesAllWhereToldTo) {
+  TracedContext ours({kWidth, kHeight}, withEngine(Engine::always));
+  const scenes::Scene& scene = *scenes::findScene("directional-light");
+  for (int i = 0; i < 5; ++i) scene.draw(ours.gl(), kWidth, kHeight), ours.gl().Finish();
+  EXPECT_GT(ours.context().statistics.drawsTraced, 0u);
+  EXPECT_EQ(uint64_t{ours.context().statistics.rasterisedBecause[kSmall]}, 0u);
+}
+
+}  // namespace
+}  // namespace gluray::test

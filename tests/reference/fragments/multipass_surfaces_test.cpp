@@ -1,0 +1,156 @@
+// Surfaces drawn in several passes over many frames: rasterised while the passes come, traced again
+// afterwards.
+#include "scenes/stage.h"
+#include "tests/reference/framebuffer.h"
+#include "tests/support/gl_state.h"
+#include "tests/support/traced_context.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gluray::test {
+namespace {
+
+using namespace scenes;
+
+constexpr int kWidth = 160, kHeight = 120;
+
+/// A sphere, and over it a tint where `tinted`; a label in between where `labelled`; a card hides a part of
+/// it where `hidden`.
+void drawFrame(Gl gl, bool tinted, bool labelled, bool hidden = false) {
+  begin(gl, kWidth, kHeight);
+  camera(gl, kWidth, kHeight);
+  keyLight(gl);
+  if (hidden) {
+    paint(gl, 0.2f, 0.7f, 0.3f);
+    gl.PushMatrix();
+    gl.Translatef(0.3f, 0.3f, 1.2f), gl.Rotatef(25, 1, 1, 1), gl.Scalef(0.4f, 0.4f, 0.4f);
+    send(gl, sheet(4));
+    gl.PopMatrix();
+  }
+  paint(gl, 0.3f, 0.5f, 0.7f);
+  const Model m = sphere(24, 36);
+  send(gl, m);
+  if (labelled) {
+    constexpr GLubyte kDot[] = {0xff};
+    gl.RasterPos3f(1, 1, 1);
+    gl.Bitmap(8, 1, 0, 0, 0, 0, kDot);
+  }
+  if (!tinted) return;
+  gl.Enable(GL_BLEND), gl.BlendFunc(GL_ONE, GL_ONE), gl.DepthFunc(GL_EQUAL);
+  paint(gl, 0.5f, 0.2f, 0);
+  send(gl, m);
+  gl.Disable(GL_BLEND), gl.DepthFunc(GL_LESS);
+}
+
+constexpr int kTinted = 6, kFrames = kTinted + 110;
+
+std::vector<Picture> expectedFrames(bool labelled) {
+  const auto real = OsmesaContext::create({kWidth, kHeight});
+  std::vector<Picture> pictures;
+  for (int frame = 0; frame < kFrames; ++frame) {
+    drawFrame(real->real(), frame < kTinted, labelled);
+    pictures.push_back(readPicture(real->real(), kWidth, kHeight));
+  }
+  return pictures;
+}
+
+void expectFrames(bool labelled) {
+  const std::vector<Picture> expected = expectedFrames(labelled);
+  TracedContext ours({kWidth, kHeight});
+  const gl::Statistics& s = ours.context().statistics;
+  for (int frame = 0; frame < kFrames; ++frame) {
+    const uint64_t before = s.drawsTraced;
+    drawFrame(ours.gl(), frame < kTinted, labelled);
+    ours.gl().Finish();
+    const uint64_t traced = s.drawsTraced - before;
+    const Comparison c = compare(expected[static_cast<size_t>(frame)], ours.read(), {});
+    EXPECT_TRUE(c.accepted) << "frame " << frame << ": " << c.text;
+    if (frame > 0 && frame < kTinted) { EXPECT_EQ(traced, 0u) << "frame " << frame; }
+    if (frame > kTinted + 105) { EXPECT_EQ(traced, 1u) << "frame " << frame; }
+  }
+}
+
+TEST(Passes, AreRasterisedWhileTheyCome) { expectFrames(false); }
+
+// The first pass was traced already when the second comes: its depth is drawn again.
+TEST(Passes, AreRightFromTheFirstFrameOnBehindALabel) { expectFrames(true); }
+
+TEST(Passes, DepthThatIsDrawnAgainLeavesTheStateAlone) {
+  const auto draw = [](Gl gl) {
+    gl.PixelTransferf(GL_DEPTH_SCALE, 0.5f), gl.PixelTransferf(GL_DEPTH_BIAS, 0.1f);
+    drawFrame(gl, true, true);
+    EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+    GlState state = queryState(gl);
+    gl.PixelTransferf(GL_DEPTH_SCALE, 1), gl.PixelTransferf(GL_DEPTH_BIAS, 0);
+    return std::make_pair(std::move(state), readPicture(gl, kWidth, kHeight));
+  };
+  const auto real = OsmesaContext::create({kWidth, kHeight});
+  const auto expected = draw(real->real());
+  TracedContext ours({kWidth, kHeight});
+  const auto got = draw(ours.gl());
+  for (const std::string& line : differences(expected.first, got.first)) ADD_FAILURE() << line;
+  const Comparison c = compare(expected.second, got.second, {});
+  EXPECT_TRUE(c.accepted) << c.text;
+}
+
+/// What is seen of the framebuffer that is bound, copied to the window. Where the stage stands between the
+/// samples of a pixel, which of them gives the depth is not said: colours alone.
+Picture resolved(Gl gl) {
+  GLint framebuffer = 0;
+  gl.GetIntegerv(GL_FRAMEBUFFER_BINDING, &framebuffer);
+  gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  gl.BlitFramebuffer(0, 0, kWidth, kHeight, 0, 0, kWidth, kHeight, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  Picture picture = readPicture(gl, kWidth, kHeight);
+  picture.depths.assign(picture.depths.size(), 1.0f);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(framebuffer));
+  return picture;
+}
+
+void expectFirstFrame(GLenum depthFormat, bool perSample) {
+  const auto draw = [&](Gl gl) {
+    bindNewFramebuffer(gl, {kWidth, kHeight}, GL_RGBA8, depthFormat, 4);
+    perSample ? gl.Enable(GL_MULTISAMPLE) : gl.Disable(GL_MULTISAMPLE);
+    drawFrame(gl, true, true, true);
+    EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+    GlState state = queryState(gl);
+    return std::make_pair(std::move(state), resolved(gl));
+  };
+  const auto real = OsmesaContext::create({kWidth, kHeight});
+  const auto expected = draw(real->real());
+  TracedContext ours({kWidth, kHeight});
+  const auto got = draw(ours.gl());
+  EXPECT_EQ(ours.context().statistics.drawsTraced, 2u);
+  for (const std::string& line : differences(expected.first, got.first)) ADD_FAILURE() << line;
+  const Tolerance outlines{2, 0.004, 1e-5f, "outlines fall on either side of a sample"};
+  const Comparison c = compare(expected.second, got.second, perSample ? outlines : Tolerance{});
+  EXPECT_TRUE(c.accepted) << c.text;
+  if (!c.accepted) writeFailure(TEST_OUTPUT "/passes", "multisampled", expected.second, got.second);
+}
+
+TEST(Passes, FindTheDepthOfEverySample) { expectFirstFrame(GL_DEPTH24_STENCIL8, true); }
+TEST(Passes, FindTheDepthOfEverySampleWithoutStencil) { expectFirstFrame(GL_DEPTH_COMPONENT24, true); }
+TEST(Passes, FindTheDepthOfEverySampleIn32Bits) { expectFirstFrame(GL_DEPTH_COMPONENT32, true); }
+TEST(Passes, FindTheDepthOfEverySampleInFloats) { expectFirstFrame(GL_DEPTH_COMPONENT32F, true); }
+TEST(Passes, FindTheDepthOfPixelsThatIgnoreTheirSamples) { expectFirstFrame(GL_DEPTH24_STENCIL8, false); }
+
+/// As occlusion culling draws its boxes: they leave nothing behind.
+TEST(Passes, AreNoneThatWriteNeitherColorNorDepth) {
+  const TracedContext ours({kWidth, kHeight});
+  const Gl gl = ours.gl();
+  begin(gl, kWidth, kHeight), camera(gl, kWidth, kHeight), keyLight(gl);
+  const Model model = sphere(24, 36);
+  gl.ColorMask(0, 0, 0, 0), gl.DepthMask(0);
+  send(gl, model);
+  gl.ColorMask(1, 1, 1, 1), gl.DepthMask(1);
+  send(gl, model);
+  gl.Finish();
+  EXPECT_EQ(ours.context().statistics.drawsTraced, 1u);
+}
+
+}  // namespace
+}  // namespace gluray::test

@@ -1,0 +1,75 @@
+// Dual depth peeling as VTK 9.1 does it (vtkDualDepthPeelingPass), call by call, for the tests of surfaces
+// that are seen through.
+#pragma once
+#include "tests/reference/programs/program_stage.h"
+
+#include <functional>
+#include <map>
+#include <vector>
+
+namespace gluray::test {
+
+/// A surface that is seen through, or not.
+struct Peeled {
+  ProgramMesh mesh;
+  Surface surface;
+  glm::vec3 color{1};
+  float opacity = 0.5f;
+  GLenum mode = GL_TRIANGLES;
+  View view = perspectiveView(20);
+  std::function<void(Gl, GLuint program)> before = {};  // called before each of its draws
+};
+
+/// A view with the object moved and scaled.
+View placed(const glm::dvec3& at, double size = 1);
+Peeled seen(ProgramMesh mesh, const glm::vec3& color, float opacity, const View& view);
+/// A ball in a ball in a ball, and something opaque that cuts through them.
+std::vector<Peeled> balls();
+
+class Peeler {
+ public:
+  explicit Peeler(Gl gl);
+
+  /// What a test does between the steps of a frame. All may be empty.
+  struct Hooks {
+    std::function<void()> afterDepths, betweenSurfaces, afterFirstPeel;
+  };
+  /// Draws what is opaque (opacity 1) and composites the rest.
+  void frame(const std::vector<Peeled>& all, const Hooks& hooks = {});
+  /// Peels that the last frame drew.
+  int peels() const { return peels_; }
+  /// Pixels that each of them wrote at the back.
+  const std::vector<GLuint>& written() const { return written_; }
+  GLuint depthsFound() const { return textures_[kDepthB]; }
+  GLuint result() const { return textures_[kFrontB]; }
+  int mostPeels = 4;
+  GLuint threshold = 0;  // a peel that wrote so many pixels at the back, or fewer, is the last
+
+  bool blendsRest = false;  // what peels have left, in the order of drawing, as VTK does
+
+  enum Stage { kOpaque, kDepths, kPeel, kRest };
+
+ private:
+  enum Texture { kBackTemp, kBack, kFrontA, kFrontB, kDepthA, kDepthB, kOpaqueDepth, kTextures };
+  struct Ready {
+    GLuint program = 0;
+    Upload upload;
+  };
+  void attach(std::initializer_list<Texture> textures);
+  void clearTo(std::initializer_list<Texture> textures, float red, float green);
+  void bind(int unit, Texture texture);
+  void fullScreen(GLuint program, std::initializer_list<std::pair<const char*, int>> samplers);
+  void draw(Stage stage, const Peeled& one, size_t number);
+  void drawAll(Stage stage, const std::vector<Peeled>& all, const std::function<void()>& between = {});
+  bool peel(const std::vector<Peeled>& all, Texture front, Texture frontNext, Texture depths,
+            Texture depthsNext, const Hooks& hooks);
+
+  Gl gl_;
+  GLuint framebuffer_ = 0, textures_[kTextures] = {}, query_ = 0, screen_ = 0, corners_ = 0;
+  GLuint copyDepth_ = 0, blendBack_ = 0, merge_ = 0;
+  std::map<std::pair<int, size_t>, Ready> ready_;  // by stage and number of the surface
+  int peels_ = 0;
+  std::vector<GLuint> written_;
+};
+
+}  // namespace gluray::test

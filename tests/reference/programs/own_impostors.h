@@ -1,0 +1,36 @@
+// What programs of our own that draw figures have in common: sixty of them, their arrays, their light and the
+// view. For program_figures_test.cpp and program_pixel_figures_test.cpp.
+#pragma once
+#include "tests/reference/programs/program_stage.h"
+
+#include <string>
+#include <vector>
+
+namespace gluray::test {
+
+inline constexpr int kFigures = 60;
+
+/// The part of their families' files that says how to see and light them.
+inline const std::string kOwnFamily =
+    "[[family]]\nname = \"own\"\nmatch.active = [\"place\", \"modelview\", \"projection\"]\n"
+    "vertex.position = \"place\"\nvertex.color = \"paint\"\n"
+    "transform.clip_from_object = [\"projection\", \"modelview\"]\ntransform.eye_from_object = "
+    "\"modelview\"\n"
+    "normals.parallel_view = \"ortho\"\nmaterial.ambient_intensity = 0.2\nmaterial.ambient_color = 1\n"
+    "material.diffuse_intensity = 0.8\nlights.direction = \"sun\"\n";
+
+/// Compiles and links; a failed test where a shader's log is not empty. `geometry` may be empty.
+GLuint linkFigures(Gl gl, const std::string& vertex, const std::string& geometry,
+                   const std::string& fragment);
+
+/// Makes a vertex array object current that has attributes "place" and "paint".
+void placeFigures(Gl gl, GLuint program);
+/// Gives it another one of `size` floats each; nothing where it is not active.
+void addFigureValues(Gl gl, GLuint program, const char* name, GLint size, const std::vector<float>& values);
+
+/// View and light of the program in use.
+void lookAtFigures(Gl gl, GLuint program, const View& view, bool parallel);
+
+void drawNumbered(Gl gl, GLenum mode, const std::vector<GLushort>& numbers);
+
+}  // namespace gluray::test

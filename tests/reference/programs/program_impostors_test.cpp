@@ -1,0 +1,141 @@
+// Round figures that programs cut out of cards, not as VTK writes them: what the section [figures] of family
+// files says, each on a program that computes just that.
+#include "tests/reference/programs/own_impostors.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace gluray::test {
+namespace {
+
+const char* const kVertex =
+    "#version 150\nin vec3 place, way; in float size; in vec3 paint; uniform mat4 modelview;\n"
+    "out vec3 c, a, tint; out float r;\n"
+    "void main() { c = (modelview * vec4(place, 1)).xyz; a = mat3(modelview) * way; tint = paint; r = size; "
+    "}\n";
+
+/// A square that hides nothing of a sphere about the whole figure.
+const char* const kGeometry =
+    "#version 150\nlayout(points) in; layout(triangle_strip, max_vertices = 4) out;\n"
+    "in vec3 c[], a[], tint[]; in float r[]; uniform mat4 projection; out vec3 center, axis, color, at; out "
+    "float radius;\n"
+    "void main() { for (int i = 0; i < 4; ++i) {\n"
+    "  center = c[0], axis = a[0], color = tint[0], radius = r[0];\n"
+    "  float side = 2.0 * (r[0] + 0.5 * length(a[0]));\n"
+    "  at = c[0] + side * vec3(i % 2 == 0 ? -1 : 1, i / 2 == 0 ? -1 : 1, 0);\n"
+    "  gl_Position = projection * vec4(at, 1); EmitVertex(); } }\n";
+
+const std::string kFragmentHead =
+    "#version 150\nin vec3 center, axis, color, at; in float radius; uniform mat4 projection; uniform int "
+    "ortho;\n"
+    "uniform vec3 sun; out vec4 pixel;\n"
+    "void show(vec3 p, vec3 n, vec3 base) { vec4 clip = projection * vec4(p, 1);\n"
+    "  gl_FragDepth = 0.5 * clip.z / clip.w + 0.5;\n"
+    "  pixel = vec4(base * (0.2 + 0.8 * max(dot(n, -sun), 0.0)), 1); }\n"
+    "void main() { vec3 o = ortho != 0 ? vec3(at.xy, 0) : vec3(0), d = ortho != 0 ? vec3(0, 0, -1) : "
+    "normalize(at);\n"
+    "  vec3 m = o - center;\n";
+
+const std::string kFamilyHead =
+    kOwnFamily + "match.geometry_shader = true\ntransform.normal_matrix = \"modelview\"\n";
+
+struct Case {
+  const char *name, *fragment, *family;
+  bool parallel = false, indices = false;
+};
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+
+const char* const kBall =
+    "  float b = dot(m, d), q = b * b - dot(m, m) + radius * radius;\n"
+    "  if (q < 0.0) discard;\n  vec3 p = o + (-b - sqrt(q)) * d; show(p, (p - center) / radius, color); }\n";
+const char* const kDisc =
+    "  vec3 n = ortho != 0 ? vec3(0, 0, 1) : normalize(-center); vec3 p = o - dot(m, n) / dot(d, n) * d;\n"
+    "  vec3 from = p - center; float share = dot(from, from) / (radius * radius);\n"
+    "  if (share > 1.0) discard;\n  show(p, n, (1.0 - share) * color); }\n";
+const char* const kCylinder =
+    "  vec3 z = normalize(axis); if (z.z < 0.0) z = -z;\n  float h = 0.5 * length(axis), dz = dot(d, z), mz "
+    "= dot(m, z);\n"
+    "  vec3 e = d - dz * z, f = m - mz * z; float a = dot(e, e), b = dot(e, f);\n"
+    "  float q = b * b - a * (dot(f, f) - radius * radius); if (q < 0.0) discard;\n"
+    "  float s = (-b - sqrt(q)) / a, in_ = mz + s * dz, out_ = mz + (-b + sqrt(q)) / a * dz;\n"
+    "  if (abs(in_) <= h) { show(o + s * d, (f + s * e) / radius, color); return; }\n"
+    "  if (in_ < -h || out_ > h) discard;\n  show(o + (h - mz) / dz * d, z, color); }\n";
+const char* const kBallFamily =
+    "figures.shape = \"spheres\"\nfigures.radius = \"size\"\nmatch.ignored = \"way\"\n";
+const char* const kDiscFamily =
+    "figures.shape = \"discs\"\nfigures.radius = \"size\"\nfigures.fades = true\nmatch.ignored = \"way\"\n";
+const char* const kCylinderFamily =
+    "figures.shape = \"cylinders\"\nfigures.radius = \"size\"\nfigures.axis = \"way\"\n";
+
+const Case kCases[] = {
+    {"balls", kBall, kBallFamily},
+    {"balls_parallel", kBall, kBallFamily, true},
+    {"balls_by_number", kBall, kBallFamily, false, true},
+    {"discs", kDisc, kDiscFamily},
+    {"discs_parallel", kDisc, kDiscFamily, true},
+    {"cylinders", kCylinder, kCylinderFamily},
+    {"cylinders_parallel", kCylinder, kCylinderFamily, true, true},
+};
+
+void drawCase(Gl gl, const Case& c) {
+  const GLuint program = linkFigures(gl, kVertex, kGeometry, kFragmentHead + c.fragment);
+  std::vector<float> ways, sizes;
+  for (int i = 0; i < kFigures; ++i) {
+    const auto t = static_cast<float>(i);
+    for (const float v : {std::sin(t), std::cos(3 * t), std::sin(2 * t)}) ways.push_back(0.4f * v);
+    sizes.push_back(0.08f + 0.03f * std::sin(5 * t));
+  }
+  placeFigures(gl, program);
+  addFigureValues(gl, program, "way", 3, ways), addFigureValues(gl, program, "size", 1, sizes);
+  beginFrame(gl);
+  gl.UseProgram(program);
+  lookAtFigures(gl, program, c.parallel ? parallelView(35) : perspectiveView(35), c.parallel);
+  if (!c.indices) return gl.DrawArrays(GL_POINTS, 5, kFigures - 5);
+  std::vector<GLushort> numbers;
+  for (int i = 0; i < kFigures; i += 2) numbers.push_back(static_cast<GLushort>(kFigures - 1 - i));
+  drawNumbered(gl, GL_POINTS, numbers);
+}
+
+class ProgramFigures : public testing::TestWithParam<Case> {};
+
+TEST_P(ProgramFigures, AreWhatTheProgramComputes) {
+  const Case& c = GetParam();
+  expectBoth(
+      std::string("figures_") + c.name, [&](Gl gl) { drawCase(gl, c); }, 1, {}, kProgramTolerance,
+      kFamilyHead + c.family);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, ProgramFigures, testing::ValuesIn(kCases),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST(ProgramFigure, TheViewerTurnsAndNothingIsBuilt) {
+  const Outcome outcome = expectSame(
+      "figures_turned",
+      [&](Gl gl) {
+        drawCase(gl, kCases[0]);
+        GLint program = 0;
+        gl.GetIntegerv(GL_CURRENT_PROGRAM, &program);
+        for (int i = 0; i < 5; ++i) {
+          gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+          setMat4(gl, static_cast<GLuint>(program), "modelview",
+                  glm::mat4(perspectiveView(35 + 20 * i).eyeFromObject));
+          gl.DrawArrays(GL_POINTS, 5, kFigures - 5);
+        }
+      },
+      6, {}, kProgramTolerance, kFamilyHead + kBallFamily);
+  EXPECT_EQ(outcome.statistics.meshesBuilt, 1u);
+}
+
+TEST(ProgramFigure, WhatIsCulledOrMadeOfTrianglesIsLeftToTheRealOpenGl) {
+  expectBoth(
+      "figures_culled",
+      [](Gl gl) {
+        gl.Enable(GL_CULL_FACE);
+        drawCase(gl, kCases[0]);
+      },
+      0, {}, kProgramTolerance, kFamilyHead + kBallFamily);
+}
+
+}  // namespace
+}  // namespace gluray::test

@@ -1,0 +1,110 @@
+// Surfaces that shader programs draw in several passes, of which the later ones are of programs that nobody
+// knows.
+#include "tests/reference/framebuffer.h"
+#include "tests/reference/programs/program_stage.h"
+
+#include <gtest/gtest.h>
+
+namespace gluray::test {
+namespace {
+
+/// A ball before a wall, then the ball again; `looked`: somebody looks in between.
+void drawFrames(Gl gl, int frames, bool looked, GLenum func) {
+  const ProgramMesh round = ball(24), flat = sheet(8);
+  const GLuint program = makeProgram(gl, Surface{}), again = makeUnknownProgram(gl);
+  const Upload ballUp = upload(gl, round, program), flatUp = upload(gl, flat, program),
+               againUp = upload(gl, round, again);
+  const View view = perspectiveView(20);
+  for (int i = 0; i < frames; ++i) {
+    beginFrame(gl);
+    gl.DepthFunc(GL_LEQUAL);
+    drawSurface(gl, program, flatUp, flat, view, {});
+    drawSurface(gl, program, ballUp, round, view, {});
+    GLubyte pixel[4];
+    if (looked) gl.ReadPixels(3, 3, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+    gl.DepthFunc(func);
+    drawByUnknown(gl, again, againUp, round, view);
+    gl.DepthFunc(GL_LEQUAL);
+  }
+}
+
+TEST(ProgramPasses, MeetTheDepthOfTheFirst) {
+  for (const GLenum func : {GL_LEQUAL, GL_EQUAL, GL_LESS})
+    for (const bool looked : {false, true})
+      for (const int frames : {1, 3})
+        expectSame(
+            "passes" + std::to_string(func) + (looked ? "looked" : "") + std::to_string(frames),
+            [&](Gl gl) { drawFrames(gl, frames, looked, func); }, -1);
+}
+
+/// Depth of a pixel that is resolved is any of its samples': colours alone are compared.
+TEST(ProgramPasses, OfSeveralSamples) {
+  for (const bool looked : {false, true})
+    expectSame(
+        looked ? "passes_samples_looked" : "passes_samples",
+        [&](Gl gl) {
+          bindNewFramebuffer(gl, {kProgramWidth, kProgramHeight}, GL_RGBA8, GL_DEPTH_COMPONENT24, 4);
+          drawFrames(gl, 1, looked, GL_LEQUAL);
+          gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+          gl.BlitFramebuffer(0, 0, kProgramWidth, kProgramHeight, 0, 0, kProgramWidth, kProgramHeight,
+                             GL_COLOR_BUFFER_BIT, GL_NEAREST);
+          gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+        },
+        -1);
+}
+
+/// As a shadow map is made for each of many lights, before anything was ever swapped.
+TEST(ProgramPasses, MeetItAfterOtherFramebuffersWereClearedAndDrawnTo) {
+  expectSame(
+      "passes_shadow_maps",
+      [&](Gl gl) {
+        const ProgramMesh round = ball(24);
+        const GLuint program = makeProgram(gl, Surface{}), again = makeUnknownProgram(gl);
+        const Upload up = upload(gl, round, program), againUp = upload(gl, round, again);
+        const View view = perspectiveView(20);
+        beginFrame(gl);
+        drawSurface(gl, program, up, round, view, {});
+        bindNewFramebuffer(gl, {64, 64}, GL_RGBA8, GL_DEPTH_COMPONENT24);
+        gl.Viewport(0, 0, 64, 64);
+        for (int light = 0; light < 8; ++light) {
+          gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+          drawSurface(gl, program, up, round, perspectiveView(20.0f + static_cast<float>(light)), {});
+        }
+        gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+        gl.Viewport(0, 0, kProgramWidth, kProgramHeight);
+        gl.DepthFunc(GL_LEQUAL);
+        drawByUnknown(gl, again, againUp, round, view);
+      },
+      -1);
+}
+
+/// The pass of nobody's program comes first: depth in advance.
+TEST(ProgramPasses, TheRasterisedPassComesFirst) {
+  for (const int frames : {1, 3})
+    for (const bool colors : {false, true})
+      expectSame(
+          "passes_first" + std::to_string(frames) + std::to_string(colors),
+          [&](Gl gl) {
+            const ProgramMesh round = ball(24);
+            const GLuint program = makeProgram(gl, Surface{}), before = makeUnknownProgram(gl);
+            const Upload up = upload(gl, round, program), beforeUp = upload(gl, round, before);
+            for (int i = 0; i < frames; ++i) {
+              beginFrame(gl);
+              gl.ColorMask(colors, colors, colors, colors);
+              drawByUnknown(gl, before, beforeUp, round, perspectiveView(20));
+              gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+              drawSurface(gl, program, up, round, perspectiveView(20), {});
+            }
+          },
+          0);
+}
+
+TEST(ProgramPasses, AnotherSurfaceStaysTraced) {
+  const Outcome o = expectSame(
+      "passes_other", [&](Gl gl) { drawFrames(gl, 4, false, GL_LEQUAL); }, -1);
+  EXPECT_GE(o.statistics.drawsTraced, 3u);
+  EXPECT_GT(o.statistics.rasterisedBecause[static_cast<size_t>(gl::Reason::passes)], 0u);
+}
+
+}  // namespace
+}  // namespace gluray::test

@@ -1,0 +1,121 @@
+// Shader programs as VTK's OpenGL2 back end writes them, put together from the same pieces, and meshes in
+// buffer objects to draw with them. For the program_*_test.cpp.
+#pragma once
+#include "tests/support/traced_context.h"
+
+#include <glm/glm.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace gluray::test {
+
+using Gl = const gl::RealGl&;
+
+/// What a program is put together from.
+struct Surface {
+  enum class Color { uniform, vertex, mapped, cell };
+  enum class Normals { vertex, cell, triangle };
+  enum class Lights { none, headlight, directional, positional, pbr, pbrHeadlight };
+  Color color = Color::uniform;
+  Normals normals = Normals::vertex;
+  Lights lights = Lights::directional;
+  int lightCount = 1;
+  bool backMaterial = false, clipPlanes = false, depthOffset = false, actorTexture = false;
+  /// As VTK writes it since 9.3: the map is looked up at colorTCoord. tcoordMatrix: tcMatrix acts on all of
+  /// them.
+  bool colorTcoord = false, tcoordMatrix = false;
+  std::string version = "#version 150\n";
+};
+std::string vertexText(const Surface& surface);
+std::string fragmentText(const Surface& surface);
+
+/// Compiles and links; 0 and a failed test where that does not work.
+GLuint makeProgram(Gl gl, const std::string& vertex, const std::string& fragment);
+inline GLuint makeProgram(Gl gl, const Surface& s) { return makeProgram(gl, vertexText(s), fragmentText(s)); }
+
+struct ProgramMesh {
+  std::vector<glm::vec3> positions, normals;
+  std::vector<uint32_t> colors;  // RGBA8
+  std::vector<glm::vec2> texcoords;
+  std::vector<GLuint> indices;
+  GLsizei count() const { return static_cast<GLsizei>(indices.size()); }
+  size_t triangles() const { return indices.size() / 3; }
+};
+/// A wavy sheet of n x n squares over [-1, 1]^2, its normals towards +z, a colour at each vertex.
+ProgramMesh sheet(int n);
+/// A ball of radius 1 with outward triangles.
+ProgramMesh ball(int n);
+
+/// A mesh in buffers of its own behind a vertex array object, bound to the attributes that `program` has.
+struct Upload {
+  GLuint array = 0, positions = 0, normals = 0, colors = 0, texcoords = 0, indices = 0;
+};
+Upload upload(Gl gl, const ProgramMesh& mesh, GLuint program);
+
+/// A camera and a place.
+struct View {
+  glm::dmat4 eyeFromObject{1}, clipFromEye{1};
+};
+/// Looks at the origin from 4 away, turned by `degrees` about an axis askew.
+View perspectiveView(double degrees = 0);
+View parallelView(double degrees = 0);
+void setView(Gl gl, GLuint program, const View& view);
+
+// Uniforms of the program in use; names that are not active are ignored, as OpenGL does.
+void setInteger(Gl gl, GLuint program, const char* name, int value);
+void setFloat(Gl gl, GLuint program, const char* name, float value);
+void setVec3(Gl gl, GLuint program, const char* name, const glm::vec3& value);
+void setMat4(Gl gl, GLuint program, const char* name, const glm::mat4& value);
+void setMat3(Gl gl, GLuint program, const char* name, const glm::mat3& value);
+/// Material, lights and the view, as VTK sets them all before a draw.
+void setAll(Gl gl, GLuint program, const View& view, const Surface& surface);
+
+/// A buffer texture with one texel for each triangle on `unit`: RGBA8 colours, or RGBA32F normals of the
+/// triangles.
+void cellColors(Gl gl, const ProgramMesh& mesh, GLenum unit, size_t before = 0);
+void cellNormals(Gl gl, const ProgramMesh& mesh, GLenum unit, size_t before = 0);
+/// Textures on `unit`: VTK's colour map of 8 colours (nearest, clamped), and a chequered picture without
+/// alpha.
+void colorMap(Gl gl, GLenum unit);
+void chequers(Gl gl, GLenum unit);
+
+/// Cleared for a frame of VTK's: depth test by LEQUAL, blending on.
+void beginFrame(Gl gl);
+/// Uses the program, sets all, draws the mesh.
+void drawSurface(Gl gl, GLuint program, const Upload& up, const ProgramMesh& mesh, const View& view,
+                 const Surface& surface);
+
+/// A program of no family: its colours stripe the window. It puts vertices into place as the others do.
+GLuint makeUnknownProgram(Gl gl);
+void drawByUnknown(Gl gl, GLuint program, const Upload& up, const ProgramMesh& mesh, const View& view);
+
+inline constexpr int kProgramWidth = 200, kProgramHeight = 150;
+/// Lighting at each pixel on both sides: edges remain, and one of 255 by rounding.
+inline constexpr scenes::Tolerance kProgramTolerance = {
+    2, 0.002, 1e-5f, "silhouettes and folds fall on either side of a pixel's centre"};
+
+struct Outcome {
+  gl::Statistics statistics;
+  Picture expected, got;
+};
+using DrawProgram = std::function<void(Gl)>;
+/// Draws by the real OpenGL and through ours, and expects the same picture, no error, and the state left
+/// alike. `draws`: how many must be traced; negative: nobody cares. `families`: text of a family file; empty:
+/// built-in ones.
+Outcome expectSame(const std::string& name, const DrawProgram& draw, int draws, ContextWish wish = {},
+                   const scenes::Tolerance& tolerance = kProgramTolerance, const std::string& families = "");
+/// The same where tracing fails at the first flush: the real OpenGL draws what was kept of each draw.
+void expectSameWhenTracingFails(const std::string& name, const DrawProgram& draw, ContextWish wish = {},
+                                const std::string& families = "");
+/// Both, the last three arguments as above.
+void expectBoth(const std::string& name, const DrawProgram& draw, int draws, const ContextWish& wish = {},
+                const scenes::Tolerance& tolerance = kProgramTolerance, const std::string& families = "");
+
+/// Core 3.2, where nothing else is asked for.
+inline ContextWish coreWish(int major = 3, int minor = 2) {
+  return {kProgramWidth, kProgramHeight, true, major, minor};
+}
+
+}  // namespace gluray::test

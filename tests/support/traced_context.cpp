@@ -1,0 +1,70 @@
+#include "tests/support/traced_context.h"
+
+#include "intercept/make_presenter.h"
+#include "intercept/stubs/stub_proc.h"
+
+namespace gluray::test {
+
+Settings TracedContext::tracing() {
+  Settings settings;
+  settings.engine = Engine::always;
+  return settings;
+}
+
+Settings TracedContext::vertexShading() {
+  Settings settings;
+  settings.shading = ShadingRate::vertex;
+  settings.engine = Engine::always;
+  return settings;
+}
+
+TracedContext::TracedContext(const ContextWish& wish, Settings settings,
+                             std::unique_ptr<gl::Presenter> presenter, const TracedContext* share,
+                             std::shared_ptr<const gl::FamilyList> families)
+    : below_(OsmesaContext::create(wish, share ? share->below_.get() : nullptr)),
+      presenter_(std::move(presenter)) {
+  gl::ContextInfo info;
+  info.core = wish.core;
+  info.doubleBuffered = false;
+  info.settings = settings;
+  info.families = std::move(families);
+  info.drawableSize = [wish] { return glm::ivec2(wish.width, wish.height); };
+  if (!presenter_) presenter_ = intercept::makePresenter(settings);
+  const auto group = share ? share->context_->sharedGroup() : std::make_shared<gl::ShareGroup>();
+  context_ = gl::Context::create(below_->real(), group, info, *presenter_);
+  context_->makeCurrent();
+}
+
+TracedContext::~TracedContext() {
+  context_->loseCurrent();
+  context_.reset();
+}
+
+void TracedContext::makeCurrent() {
+  if (gl::Context* last = gl::t_thread.context) last->loseCurrent();
+  below_->makeCurrent();
+  context_->makeCurrent();
+}
+
+const gl::RealGl& TracedContext::stubs() {
+  static const gl::RealGl table = [] {
+    gl::RealGl t;
+    gl::loadRealGl(
+        t, [](void*, const char* name) { return intercept::stubProc(name); }, nullptr);
+    return t;
+  }();
+  return table;
+}
+
+Picture TracedContext::read() const { return readPicture(gl(), below_->width(), below_->height()); }
+
+Picture readPicture(const gl::RealGl& gl, int width, int height) {
+  const auto pixels = static_cast<size_t>(width) * static_cast<size_t>(height);
+  Picture picture{width, height, std::vector<uint32_t>(pixels), std::vector<float>(pixels)};
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl.ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, picture.colors.data());
+  gl.ReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, picture.depths.data());
+  return picture;
+}
+
+}  // namespace gluray::test
