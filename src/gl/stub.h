@@ -13,20 +13,20 @@ namespace gluray::gl {
 
 template <class F>
 void ListCompiler::record(F&& call, bool anywhere) {
-  if (c_.insideBegin()) return misuse();
+  if (p_.immediate.insideBegin()) return misuse();
   std::unique_ptr<ListOp> op;
-  c_.insist([&] { op = std::make_unique<CallOp<std::decay_t<F>>>(call, anywhere); });
-  c_.insist([&] { append(op); });
+  p_.failsafe.insist([&] { op = std::make_unique<CallOp<std::decay_t<F>>>(call, anywhere); });
+  p_.failsafe.insist([&] { append(op); });
 }
 
 template <class F>
 void ListCompiler::recordFragment(F&& call) {
-  if (c_.insideBegin() || c_.immediate.executedInside()) return misuse();
-  const GLuint id = c_.real.GenLists(1);
-  if (!id) return c_.setError(GL_OUT_OF_MEMORY);
-  c_.real.NewList(id, GL_COMPILE);
+  if (p_.immediate.insideBegin() || p_.immediate.executedInside()) return misuse();
+  const GLuint id = p_.shadow.real.GenLists(1);
+  if (!id) return p_.shadow.errors.set(GL_OUT_OF_MEMORY);
+  p_.shadow.real.NewList(id, GL_COMPILE);
   call();
-  c_.real.EndList();
+  p_.shadow.real.EndList();
   appendFragment(id);
 }
 

@@ -130,7 +130,7 @@ void displayTerminated(const void* display) noexcept {
 
 void flushCurrent() noexcept {
   guarded("cannot draw what is pending", [] {
-    if (gl::Context* context = gl::t_thread.context) context->beforeSwap();
+    if (gl::Context* context = gl::t_thread.context) context->frames.beforeSwap();
   });
 }
 
@@ -144,7 +144,7 @@ void textureImageBound() noexcept {
   guarded("cannot follow a texture", [] {
     gl::Context* context = gl::t_thread.context;
     if (!context) return;
-    context->textures().allImagesChanged();
+    context->shadow.textures.allImagesChanged();
     context->touch(gl::kTexture);
   });
 }

@@ -45,13 +45,13 @@ void takePicture(Record& record, GLenum buffer) {
 /// Shows the figures over the frame that is about to be shown, where nothing of the program's would notice.
 void drawHud(Record& record) {
   gl::Context& context = *record.context;
-  if (context.passthrough() || context.insideBegin() || context.activeQueries > 0) return;
+  if (context.info().off || context.immediate.insideBegin() || context.shadow.activeQueries > 0) return;
   GLint mode = GL_RENDER;
   if (!context.info().core) context.real.GetIntegerv(GL_RENDER_MODE, &mode);
   if (mode != GL_RENDER) return;
   if (!record.hud) record.hud = std::make_unique<Hud>(context.real);
   const GLenum pending = record.hud->draw(totals().statistics, nowSeconds());
-  if (pending != GL_NO_ERROR) context.setError(pending);
+  if (pending != GL_NO_ERROR) context.errors.set(pending);
 }
 
 }  // namespace
@@ -75,7 +75,8 @@ present::Written noteWritten(const Record& record) {
 void swapping(uintptr_t drawable) noexcept {
   flushCurrent();
   guarded("cannot measure a frame", [&] {
-    if (gl::t_thread.context && current().drawables.draw == drawable) gl::t_thread.context->completeFrame();
+    if (gl::t_thread.context && current().drawables.draw == drawable)
+      gl::t_thread.context->passthrough.stopMeasuring();
   });
   if (!session().picture && !session().hud) return;
   if (!current().record || current().drawables.draw != drawable || !current().record->context ||
@@ -94,7 +95,7 @@ void swapped(uintptr_t drawable) noexcept {
     gl::Context* context = gl::t_thread.context;
     // Without a back buffer a swap shows nothing new: glFlush and glFinish end frames there.
     if (context && current().drawables.draw == drawable && context->info().doubleBuffered)
-      context->afterSwap(), countFrame(), timeline::mark("frame");
+      context->frames.afterSwap(), countFrame(), timeline::mark("frame");
   });
   noteSwap();
   writeReportIfDue();

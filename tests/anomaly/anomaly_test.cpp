@@ -82,7 +82,7 @@ TEST(Anomaly, EveryAllocationMayFailOnceWhileShaderProgramsDraw) {
     EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR)) << "when allocation " << n << " failed";
     EXPECT_EQ(wrongPixels(expected, context.read()), 0) << "pixels, when allocation " << n << " failed";
     if (g_failed) continue;
-    EXPECT_EQ(context.context().statistics.drawsTraced, 5u);
+    EXPECT_EQ(context.context().counts.statistics.drawsTraced, 5u);
     break;  // fewer than n allocations: all have had their turn
   }
   EXPECT_GT(n, 50) << "allocations of ours in the whole picture";

@@ -243,7 +243,7 @@ TEST_P(FoundTest, AnswersAreThoseOfTheRealOne) {
   TracedContext ours({32, 32});
   GetParam().calls(ours.gl(), got);
   EXPECT_EQ(got, expected) << GetParam().name;
-  EXPECT_FALSE(ours.context().passthrough());
+  EXPECT_FALSE(ours.context().info().off);
 }
 
 INSTANTIATE_TEST_SUITE_P(Fuzzer, FoundTest, testing::ValuesIn(kFound));
@@ -274,7 +274,7 @@ TEST(Forgetting, MeshesGoWithoutSwapOrFinish) {
     uint32_t pixel = 0;
     gl.ReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
   }
-  EXPECT_LE(context.context().sharedGroup()->meshes.size(), 64u);
+  EXPECT_LE(context.context().shadow.sharedGroup->meshes.size(), 64u);
 }
 
 }  // namespace

@@ -102,8 +102,8 @@ class Alone {
     makeCurrent(0);
     contexts_[0]->loseCurrent();
     for (const auto& context : contexts_) {
-      g_drawn.traced += context->statistics.drawsTraced;
-      g_drawn.rasterised += context->statistics.drawsRasterised;
+      g_drawn.traced += context->counts.statistics.drawsTraced;
+      g_drawn.rasterised += context->counts.statistics.drawsRasterised;
     }
   }
   const gl::RealGl& gl() const { return TracedContext::stubs(); }

@@ -41,8 +41,8 @@ Shown play(const DrawFrame& draw, int count, const LagOptions& options) {
     draw(ours.gl(), frame);
     const gl::LagRefusal refusal =
         options.lag ? context.window.lag(windowOf(options, swap)) : gl::LagRefusal::single;
-    if (refusal != gl::LagRefusal::none) context.beforeSwap(), swap();
-    context.afterSwap();
+    if (refusal != gl::LagRefusal::none) context.frames.beforeSwap(), swap();
+    context.frames.afterSwap();
     shown.swaps.push_back(refusal);
     shown.shownAtSwap.push_back(shown.frames.size());
     if (options.afterSwap) options.afterSwap(ours.gl(), frame);

@@ -133,7 +133,7 @@ void tracedFrames(int from, int to) {
     }
     main.makeCurrent();
     frame(main.gl(), i);
-    if (main.context().statistics.trianglesTraced == 0)
+    if (main.context().counts.statistics.trianglesTraced == 0)
       std::printf("leak: nothing is traced\n"), std::exit(1);
   }
 }

@@ -44,7 +44,7 @@ inline gl::Statistics compareBoth(const BothStage& stage, const std::string& nam
   const Comparison c = compare(expected.first, got.first, stage.tolerance);
   EXPECT_TRUE(c.accepted) << c.text;
   if (!c.accepted) writeFailure(TEST_OUTPUT "/" + stage.folder, name, expected.first, got.first);
-  return ours.context().statistics;
+  return ours.context().counts.statistics;
 }
 
 }  // namespace gluray::test

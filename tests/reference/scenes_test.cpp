@@ -24,11 +24,11 @@ TEST_P(SceneTest, LooksLikeTheRealOne) {
   const Picture got = ours.read();
   EXPECT_EQ(ours.gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
   const Comparison c = compare(expected, got, scene.tolerance);
-  const gl::Statistics& s = ours.context().statistics;
+  const gl::Statistics& s = ours.context().counts.statistics;
   std::printf("%s: %s; %zu draws traced, %zu rasterised%s\n", scene.name, c.text.c_str(),
               static_cast<size_t>(s.drawsTraced), static_cast<size_t>(s.drawsRasterised), reasons(s).c_str());
   EXPECT_TRUE(c.accepted) << c.text << "; tolerance: " << scene.tolerance.reason;
-  EXPECT_FALSE(ours.context().passthrough()) << "the context stepped aside";
+  EXPECT_FALSE(ours.context().info().off) << "the context stepped aside";
   EXPECT_TRUE(s.drawsTraced > 0 || !scene.traced) << "nothing was traced" << reasons(s);
   if (!c.accepted) writeFailure(TEST_OUTPUT, scene.name, expected, got);
 }

@@ -30,7 +30,7 @@ TracedContext::TracedContext(const ContextWish& wish, Settings settings,
   info.families = std::move(families);
   info.drawableSize = [wish] { return glm::ivec2(wish.width, wish.height); };
   if (!presenter_) presenter_ = intercept::makePresenter(settings);
-  const auto group = share ? share->context_->sharedGroup() : std::make_shared<gl::ShareGroup>();
+  const auto group = share ? share->context_->shadow.sharedGroup : std::make_shared<gl::ShareGroup>();
   context_ = gl::Context::create(below_->real(), group, info, *presenter_);
   context_->makeCurrent();
 }

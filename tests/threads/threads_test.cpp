@@ -135,7 +135,7 @@ TEST(Threads, ShareGroupDrawsInBothThreads) {
   inTwoThreads([&](int thread) {
     TracedContext context({kSize, kSize}, TracedContext::vertexShading(), nullptr, &owner);
     wrong[static_cast<size_t>(thread)] = wrongFrames(context.gl(), thread);
-    traced[static_cast<size_t>(thread)] = context.context().statistics.drawsTraced;
+    traced[static_cast<size_t>(thread)] = context.context().counts.statistics.drawsTraced;
   });
   EXPECT_EQ(wrong, (std::array<int, 2>{0, 0}));
   for (const uint64_t draws : traced) EXPECT_EQ(draws, kFrames - kFrames / 8) << "all but the stencilled";
@@ -278,7 +278,7 @@ TEST(Threads, ReportMayBeAddedUpMeanwhile) {
   std::thread watcher([&] {
     while (!done) {
       gl::Statistics sum;
-      sum += context.context().statistics;
+      sum += context.context().counts.statistics;
       fell = fell || sum.frames < last;
       last = sum.frames, ++looks;
     }
@@ -288,7 +288,7 @@ TEST(Threads, ReportMayBeAddedUpMeanwhile) {
   watcher.join();
   EXPECT_FALSE(fell);
   EXPECT_GT(looks, 0u);
-  EXPECT_EQ(context.context().statistics.frames, kFrames) << "the rasterised, too";
+  EXPECT_EQ(context.context().counts.statistics.frames, kFrames) << "the rasterised, too";
 }
 
 }  // namespace

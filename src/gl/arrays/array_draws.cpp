@@ -23,9 +23,9 @@ bool isIndexType(GLenum type) {
 /// The error of a wrong draw: of now or, where a list takes the draw, of the moment when that is called.
 void refuse(Context& c, GLenum error) {
   // Inside glBegin that is the first error, but where lists are compiled.
-  if (c.insideBegin()) return c.lists.misuse(c.compiling() ? error : GL_INVALID_OPERATION);
-  if (!c.compiling()) return c.setError(error);
-  c.lists.record([error](Context& x) { x.setError(error); });
+  if (c.immediate.insideBegin()) return c.lists.misuse(c.lists.compiling() ? error : GL_INVALID_OPERATION);
+  if (!c.lists.compiling()) return c.errors.set(error);
+  c.lists.record([error](Context& x) { x.errors.set(error); });
 }
 
 /// Refuses a wrong draw; true where it is none.
@@ -33,7 +33,7 @@ bool validate(Context& c, GLenum mode, const Elements& e) {
   if (e.count < 0 || e.instances < -1) return refuse(c, GL_INVALID_VALUE), false;
   if (!isMode(mode)) return refuse(c, GL_INVALID_ENUM), false;
   if (e.type && !isIndexType(e.type)) return refuse(c, GL_INVALID_ENUM), false;
-  if (c.insideBegin()) return c.lists.misuse(), false;
+  if (c.immediate.insideBegin()) return c.lists.misuse(), false;
   return true;
 }
 
@@ -50,22 +50,23 @@ constexpr GLsizei kSmall = 192;  // vertices: below, draws join a run instead of
 
 /// Records a draw: dereferenced now, as display lists demand (GL 2.1, 5.4).
 void recordDraw(Context& c, GLenum mode, const Elements& e) {
-  c.refresh(kFixedArrays);
+  c.shadow.refresh(kFixedArrays);
   // Without positions it may draw at the current one: the real OpenGL knows.
-  if (e.instances >= 0 || c.arrays.others || c.arrays.reason != Reason::traced || mode > GL_POLYGON ||
-      !c.arrays.vertex.enabled) {
-    c.sendBuffers();
+  if (e.instances >= 0 || c.shadow.arrays.others || c.shadow.arrays.reason != Reason::traced ||
+      mode > GL_POLYGON || !c.shadow.arrays.vertex.enabled) {
+    c.shadow.sendBuffers();
     return c.lists.recordFragment([&] { drawReal(c.real, mode, e); });
   }
-  if (e.count <= kSmall) return c.immediate.drawSmall(mode, vertexNumbers(c.real, c.arrays, e), pathOf(e));
+  if (e.count <= kSmall)
+    return c.immediate.drawSmall(mode, vertexNumbers(c.real, c.shadow.arrays, e), pathOf(e));
   std::unique_ptr<ListOp> op;
-  const Reason captured = c.attempt([&] {
-    Captured run = capture(c.real, c.arrays, mode, e);
-    if (!run.empty()) op = std::make_unique<GeometryRun>(std::move(run), classOf(mode), c.sharedGroup());
+  const Reason captured = c.failsafe.attempt([&] {
+    CapturedVertices run = capture(c.real, c.shadow.arrays, mode, e);
+    if (!run.empty()) op = std::make_unique<GeometryRun>(std::move(run), classOf(mode), c.shadow.sharedGroup);
     return Reason::traced;
   });
-  if (captured == Reason::traced) return c.insist([&] { c.lists.append(op); });
-  c.sendBuffers();
+  if (captured == Reason::traced) return c.failsafe.insist([&] { c.lists.append(op); });
+  c.shadow.sendBuffers();
   c.lists.recordFragment([&] { drawReal(c.real, mode, e); });
 }
 
@@ -75,35 +76,35 @@ KnownMesh meshOf(Context& c, const ArrayState& arrays, GLenum mode, const Elemen
   const timeline::Span span("capture", trianglesOf(mode, e));
   KnownMesh known;
   const Hash128 content = contentOf(c.real, arrays, mode, e);
-  if (!c.group().meshes.find(content, known)) {
+  if (!c.shadow.group.meshes.find(content, known)) {
     known = arrays.shape == scene::Shape::triangles ? buildArrayMesh(c.real, arrays, mode, e)
                                                     : buildFigureMesh(c.real, arrays, mode, e);
-    c.group().meshes.put(content, known);
-    ++c.statistics.meshesBuilt;
-    if (known.mesh) c.statistics.meshBytes += known.mesh->sizeBytes;
+    c.shadow.group.meshes.put(content, known);
+    ++c.counts.statistics.meshesBuilt;
+    if (known.mesh) c.counts.statistics.meshBytes += known.mesh->sizeBytes;
   }
-  c.statistics.captureSeconds += nowSeconds() - start;
+  c.counts.statistics.captureSeconds += nowSeconds() - start;
   return known;
 }
 
 /// Traces the draw if that can be right; says why not otherwise.
 Reason traceDraw(Context& c, GLenum mode, const Elements& e) {
   if (mode > GL_POLYGON) return Reason::program;  // adjacency and patches need shaders
-  Reason reason = c.triage(classOf(mode));
-  if (reason == Reason::traced) reason = c.arrays.reason;
+  Reason reason = c.triage.of(classOf(mode));
+  if (reason == Reason::traced) reason = c.shadow.arrays.reason;
   if (reason != Reason::traced) return reason;
-  return c.attempt([&] {
-    const KnownMesh known = meshOf(c, c.arrays, mode, e);
-    const Reason fine = c.triage(known, {});
+  return c.failsafe.attempt([&] {
+    const KnownMesh known = meshOf(c, c.shadow.arrays, mode, e);
+    const Reason fine = c.triage.of(known, {});
     if (fine != Reason::traced) return fine;
-    c.addInstance(known.mesh, slotsOf(c.arrays), {});
-    c.countTraced(pathOf(e), known.mesh->triangleCount);
+    c.filler.add(known.mesh, slotsOf(c.shadow.arrays), {});
+    c.counts.traced(pathOf(e), known.mesh->triangleCount);
     return fine;
   });
 }
 
 Reason triageByPass(Context& c, PrimitiveClass kind) {
-  switch (layersOf(c.state.program)) {
+  switch (layersOf(c.shadow.state.program)) {
     case BatchKey::Layers::peeled: return c.layers.triagePeel(kind);
     case BatchKey::Layers::summed: return c.layers.triageSum(kind);
     case BatchKey::Layers::none:
@@ -115,20 +116,20 @@ Reason triageByPass(Context& c, PrimitiveClass kind) {
 /// Traces what the current shader program draws if that can be right; says why not otherwise.
 Reason traceProgram(Context& c, GLenum mode, const Elements& e) {
   if (mode > GL_POLYGON) return Reason::program;
-  const bool figures = c.programs.drawsFigures(mode);
+  const bool figures = c.shadow.program.drawsImpostors(mode);
   const PrimitiveClass kind = figures ? PrimitiveClass::surfaces : classOf(mode);
   Reason reason = triageByPass(c, kind);
   if (reason == Reason::traced && figures) reason = c.programs.triageFigures();
   if (reason != Reason::traced) return reason;
   // Surfaces drawn by a program that wants points show nothing that anybody could know.
-  if (!figures && c.attributes.shape != scene::Shape::triangles) return Reason::program;
-  return c.attempt([&] {
-    const KnownMesh known = meshOf(c, c.attributes, mode, e);
+  if (!figures && c.shadow.attributes.shape != scene::Shape::triangles) return Reason::program;
+  return c.failsafe.attempt([&] {
+    const KnownMesh known = meshOf(c, c.shadow.attributes, mode, e);
     Reason fine = c.programs.triage(known);
     if (fine == Reason::traced) fine = c.programs.triageInstances(*known.mesh, e);
     if (fine == Reason::traced) fine = c.programs.add(known.mesh, mode, e);
     if (fine != Reason::traced) return fine;
-    c.countTraced(pathOf(e), uint64_t{known.mesh->triangleCount} * e.repeats());
+    c.counts.traced(pathOf(e), uint64_t{known.mesh->triangleCount} * e.repeats());
     return fine;
   });
 }
@@ -140,14 +141,14 @@ struct Load {
 };
 Load loadOf(Context& c, GLenum mode, const Elements& e) {
   const uint64_t figures = static_cast<uint64_t>(e.count) / (mode == GL_LINES ? 2 : 1) * e.repeats();
-  if (c.programs.drawsFigures(mode)) return {PrimitiveClass::surfaces, figures};
+  if (c.shadow.program.drawsImpostors(mode)) return {PrimitiveClass::surfaces, figures};
   return {kindOf(mode), trianglesOf(mode, e)};
 }
 
 void drawByProgram(Context& c, GLenum mode, const Elements& e) {
-  c.refresh(kProgramGroups);
+  c.shadow.refresh(kProgramGroups);
   c.immediate.closeRunIfOpen();
-  if (passOf(c.state.program) == Family::Pass::peelDepths) {
+  if (passOf(c.shadow.state.program) == Family::Pass::peelDepths) {
     bool held = false;
     c.protect([&] { held = c.layers.holdDepths(mode, e, trianglesOf(mode, e)); });
     if (held) return;
@@ -162,14 +163,14 @@ void drawByProgram(Context& c, GLenum mode, const Elements& e) {
   if (reason == Reason::traced) return;
   if (reason == Reason::programPass) {
     bool done = false;
-    c.protect([&] { done = c.replacePass(mode, e); });
+    c.protect([&] { done = c.fullscreen.replace(mode, e); });
     if (done) return;
   }
   const Load load = loadOf(c, mode, e);
   c.protect([&] { c.programs.meetPasses(load.kind, mode, e); });
-  c.countRaster(reason, pathOf(e), load.kind, load.triangles);
-  c.beforeRasterDraw(load.kind);
-  c.sendBuffers();
+  c.counts.rasterised(reason, pathOf(e), load.kind, load.triangles);
+  c.raster.before(load.kind);
+  c.shadow.sendBuffers();
   drawReal(c.real, mode, e);
 }
 
@@ -178,39 +179,40 @@ void draw(Context& c, GLenum mode, const Elements& e) {
   // Nothing to draw, but an error where nothing could be drawn.
   const bool empty = e.count == 0 || e.instances == 0;
   // Instanced draws are errors in lists, empty ones too.
-  if (c.compiling()) return empty && e.instances < 0 ? void() : recordDraw(c, mode, e);
+  if (c.lists.compiling()) return empty && e.instances < 0 ? void() : recordDraw(c, mode, e);
   if (empty) return drawReal(c.real, mode, e);
-  const DrawTimer timer(c.kinds());
-  if (c.direct()) {
+  const DrawTimer timer(c.counts.kinds());
+  if (c.clock.direct()) {
     const Load load = loadOf(c, mode, e);
-    if (c.drawsDirectly(pathOf(e), load.kind, load.triangles)) return drawReal(c.real, mode, e);
+    if (c.passthrough.takes(pathOf(e), load.kind, load.triangles)) return drawReal(c.real, mode, e);
   }
-  c.works();
-  c.refresh(kRaster);
-  if (c.state.raster.program != 0 || c.info().core) return drawByProgram(c, mode, e);
-  c.refresh(kDrawGroups | kFixedArrays);
-  const bool plain =
-      e.instances < 0 && mode <= GL_POLYGON && c.arrays.reason == Reason::traced && c.arrays.vertex.enabled;
-  if (plain && e.count <= kSmall && c.triage(classOf(mode)) == Reason::traced) {
-    const Reason joined = c.attempt([&] {
-      c.immediate.drawSmall(mode, vertexNumbers(c.real, c.arrays, e), pathOf(e));
+  c.passthrough.works();
+  c.shadow.refresh(kRaster);
+  if (c.shadow.state.raster.program != 0 || c.info().core) return drawByProgram(c, mode, e);
+  c.shadow.refresh(kDrawGroups | kFixedArrays);
+  const bool plain = e.instances < 0 && mode <= GL_POLYGON && c.shadow.arrays.reason == Reason::traced &&
+                     c.shadow.arrays.vertex.enabled;
+  if (plain && e.count <= kSmall && c.triage.of(classOf(mode)) == Reason::traced) {
+    const Reason joined = c.failsafe.attempt([&] {
+      c.immediate.drawSmall(mode, vertexNumbers(c.real, c.shadow.arrays, e), pathOf(e));
       return Reason::traced;
     });
     if (joined == Reason::traced) return;
   }
   c.immediate.closeRunIfOpen();
   // Without positions it may draw at the current one: the real OpenGL knows.
-  const bool known = c.arrays.vertex.enabled && e.instances < 0;
+  const bool known = c.shadow.arrays.vertex.enabled && e.instances < 0;
   const Reason reason = known ? traceDraw(c, mode, e) : Reason::arrayState;
   if (reason == Reason::traced) return;
   const PrimitiveClass kind = kindOf(mode);
-  if (c.arrays.vertex.enabled && c.arrays.reason == Reason::traced && c.mayMeetPasses(kind))
-    c.protect([&] { c.meetPasses(sampleTriangles(c.real, c.arrays, mode, e)); });
-  if (c.arrays.vertex.enabled && c.arrays.reason == Reason::traced && c.isPass(kind, reason))
-    c.protect([&] { c.rememberPass(meshOf(c, c.arrays, mode, e)); });
-  c.countRaster(reason, pathOf(e), kind, countTriangles(mode, static_cast<uint64_t>(e.count)));
-  c.beforeRasterDraw(kind);
-  c.sendBuffers();
+  if (c.shadow.arrays.vertex.enabled && c.shadow.arrays.reason == Reason::traced && c.raster.mayMeet(kind))
+    c.protect([&] { c.raster.meet(sampleTriangles(c.real, c.shadow.arrays, mode, e)); });
+  if (c.shadow.arrays.vertex.enabled && c.shadow.arrays.reason == Reason::traced &&
+      c.raster.isPass(kind, reason))
+    c.protect([&] { c.raster.remember(meshOf(c, c.shadow.arrays, mode, e)); });
+  c.counts.rasterised(reason, pathOf(e), kind, countTriangles(mode, static_cast<uint64_t>(e.count)));
+  c.raster.before(kind);
+  c.shadow.sendBuffers();
   drawReal(c.real, mode, e);
 }
 

@@ -22,7 +22,7 @@ void dropMissing(std::vector<uint32_t>& corners, uint32_t available, size_t each
 }
 
 std::vector<uint32_t> cornersOf(std::vector<uint32_t> numbers, GLenum mode) {
-  Captured draw;
+  CapturedVertices draw;
   draw.primitives.push_back({mode, 0, static_cast<uint32_t>(numbers.size())});
   draw.indices.resize(numbers.size());
   copyLarge(draw.indices.data(), numbers.data(), numbers.size() * sizeof(uint32_t));

@@ -162,11 +162,12 @@ KnownMesh buildArrayMesh(const RealGl& real, const ArrayState& arrays, GLenum mo
   return result;
 }
 
-Captured capture(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements) {
+CapturedVertices capture(const RealGl& real, const ArrayState& arrays, GLenum mode,
+                         const Elements& elements) {
   const Readers readers(real, arrays);
   Taken taken = takenBy(real, arrays, mode, elements, readers.available());
   const Range range = taken.range;
-  Captured result;
+  CapturedVertices result;
   const bool homogeneous = anyOtherW(readers.vertex, arrays.vertex, range);
   const VertexLayout& layout = result.layout =
       VertexLayout::of(slotsOf(arrays) | (homogeneous ? bit(kPositionW) : 0));

@@ -93,7 +93,7 @@ class ArrayReader {
 std::vector<uint32_t> vertexNumbers(const RealGl& real, const ArrayState& arrays, const Elements& elements);
 
 /// Copies a draw into a capture of its own.
-Captured capture(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements);
+CapturedVertices capture(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements);
 
 /// The mesh of a draw of surfaces; buffers are read in place where their form allows.
 KnownMesh buildArrayMesh(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements);

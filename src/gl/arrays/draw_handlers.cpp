@@ -11,7 +11,7 @@
 namespace gluray::gl {
 
 void begin(Context& c, GLenum mode) {
-  c.insist([&] { c.immediate.begin(mode); });
+  c.failsafe.insist([&] { c.immediate.begin(mode); });
 }
 void end(Context& c) { c.immediate.end(); }
 
@@ -23,8 +23,8 @@ namespace {
 /// Goes to the real OpenGL, now or when the list that is compiled is called.
 template <class F>
 void unmodelled(Context& c, F&& call) {
-  if (!c.compiling()) return call();
-  if (c.insideBegin()) return c.lists.misuse(GL_INVALID_ENUM);
+  if (!c.lists.compiling()) return call();
+  if (c.immediate.insideBegin()) return c.lists.misuse(GL_INVALID_ENUM);
   c.lists.recordFragment(call);
 }
 }  // namespace
@@ -33,7 +33,7 @@ void materialf(Context& c, GLenum face, GLenum pname, GLfloat param) {
   // Mesa makes a vector of one value where the specification has an error: the real OpenGL's opinion counts.
   // In primitives of lists, where it cannot be asked, Mesa's does.
   const GLfloat values[4] = {param, 0, 0, 0};
-  if (pname != GL_SHININESS && c.compiling() && c.insideBegin())
+  if (pname != GL_SHININESS && c.lists.compiling() && c.immediate.insideBegin())
     return c.immediate.material(face, pname, values);
   if (pname != GL_SHININESS) return unmodelled(c, [&] { c.real.Materialf(face, pname, param); });
   c.immediate.material(face, pname, &param);
@@ -53,7 +53,7 @@ void materialiv(Context& c, GLenum face, GLenum pname, const GLint* params) {
 }
 
 void rectf(Context& c, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
-  if (c.insideBegin()) return c.lists.misuse();
+  if (c.immediate.insideBegin()) return c.lists.misuse();
   c.immediate.begin(GL_POLYGON);
   leaf::vertex(x1, y1), leaf::vertex(x2, y1), leaf::vertex(x2, y2), leaf::vertex(x1, y2);
   c.immediate.end();
@@ -78,14 +78,14 @@ namespace {
 /// Sends single vertices of the enabled arrays through the leaf path.
 class ElementSender {
  public:
-  explicit ElementSender(const Context& c)
-      : normal_(c.real, c.arrays.normal),
-        color_(c.real, c.arrays.color),
-        secondaryColor_(c.real, c.arrays.secondaryColor),
-        fogCoord_(c.real, c.arrays.fogCoord),
-        texcoord_(c.real, c.arrays.texcoord),
-        vertex_(c.real, c.arrays.vertex) {
-    for (const ArraySource& source : c.arrays.texcoordsAbove) texcoordsAbove_.emplace_back(c.real, source);
+  explicit ElementSender(const ShadowState& s)
+      : normal_(s.real, s.arrays.normal),
+        color_(s.real, s.arrays.color),
+        secondaryColor_(s.real, s.arrays.secondaryColor),
+        fogCoord_(s.real, s.arrays.fogCoord),
+        texcoord_(s.real, s.arrays.texcoord),
+        vertex_(s.real, s.arrays.vertex) {
+    for (const ArraySource& source : s.arrays.texcoordsAbove) texcoordsAbove_.emplace_back(s.real, source);
   }
 
   void operator()(uint32_t i) const {
@@ -114,39 +114,39 @@ class ElementSender {
 
 void arrayElement(Context& c, GLint i) {
   if (c.immediate.inside() == Immediate::Inside::rasterised) return c.immediate.rasterElement(i);
-  if (c.direct() && !c.compiling()) {
-    c.sendBuffers();
+  if (c.clock.direct() && !c.lists.compiling()) {
+    c.shadow.sendBuffers();
     return c.real.ArrayElement(i);
   }
-  c.refresh(kFixedArrays);
+  c.shadow.refresh(kFixedArrays);
   // Arrays that we do not read: the real OpenGL takes over the primitive.
-  if (c.arrays.others || c.arrays.reason != Reason::traced) {
-    if (!c.insideBegin() && c.compiling()) {
-      c.sendBuffers();
+  if (c.shadow.arrays.others || c.shadow.arrays.reason != Reason::traced) {
+    if (!c.immediate.insideBegin() && c.lists.compiling()) {
+      c.shadow.sendBuffers();
       return c.lists.recordFragment([&] { c.real.ArrayElement(i); });
     }
     c.immediate.closeRunOutsideBegin();
     c.beforeForward(Context::Flush::none);
-    if (c.insideBegin()) return c.immediate.rasterElement(i);
-    c.sendBuffers();
+    if (c.immediate.insideBegin()) return c.immediate.rasterElement(i);
+    c.shadow.sendBuffers();
     c.touch(kCurrent);
     return c.real.ArrayElement(i);
   }
-  const ElementSender send(c);
+  const ElementSender send(c.shadow);
   send(static_cast<uint32_t>(i));
 }
 
 void Immediate::drawSmall(GLenum mode, const std::vector<uint32_t>& vertices, DrawPath path) {
   // Draws from arrays leave the current attributes as they were.
-  const SlotMask slots = slotsOf(c_.arrays) & ~bit(kPosition);
-  SlotValues before = c_.current.all();
+  const SlotMask slots = slotsOf(p_.shadow.arrays) & ~bit(kPosition);
+  SlotValues before = p_.shadow.current.all();
   for (int s = kNormal; s < kSlotCount; ++s)
     if (slots & bit(static_cast<Slot>(s)))
       std::memcpy(before[static_cast<size_t>(s)].data(), current(static_cast<Slot>(s)),
                   sizeOf(static_cast<Slot>(s)) * 4);
   begin(mode);
   if (stream_.empty()) path_ = path;
-  const ElementSender send(c_);
+  const ElementSender send(p_.shadow);
   for (const uint32_t i : vertices) send(i);
   end();
   for (int s = kNormal; s < kSlotCount; ++s)

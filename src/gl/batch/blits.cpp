@@ -11,14 +11,15 @@ void blitAsIs(const RealGl& real, const Blit& b) {
                        b.filter);
 }
 
-}  // namespace
-
-void Context::blit(Blit b) {
-  const bool copies = (b.mask & GL_DEPTH_BUFFER_BIT) && info_.settings.quirks.has(Quirk::softwareDepthBlit) &&
-                      activeQueries == 0 && isSoftwareBelow();
+/// A blit that ResolveDraws::byBlit() does not do, after Flusher::beforeBlit().
+void blit(Context& c, Blit b) {
+  const RealGl& real = c.real;
+  const bool copies = (b.mask & GL_DEPTH_BUFFER_BIT) &&
+                      c.info().settings.quirks.has(Quirk::softwareDepthBlit) && c.shadow.activeQueries == 0 &&
+                      c.shadow.isSoftwareBelow();
   if (copies) {
-    if (const GLenum pending = real.GetError()) setError(pending);
-    if (isDepthCopy(real, b, group_->stencilsSet) && copyDepth(real, b)) {
+    c.errors.keepPending();
+    if (isDepthCopy(real, b, c.shadow.group.stencilsSet) && copyDepth(real, b)) {
       b.mask &= ~GLbitfield{GL_DEPTH_BUFFER_BIT};
       noteUse(Quirk::softwareDepthBlit);
     }
@@ -26,22 +27,24 @@ void Context::blit(Blit b) {
   if (b.mask) blitAsIs(real, b);
 }
 
+}  // namespace
+
 void blitFramebuffer(Context& c, GLint fromX0, GLint fromY0, GLint fromX1, GLint fromY1, GLint toX0,
                      GLint toY0, GLint toX1, GLint toY1, GLbitfield mask, GLenum filter) {
-  const Blit blit{fromX0, fromY0, fromX1, fromY1, toX0, toY0, toX1, toY1, mask, filter};
-  if (c.compiling()) {
-    c.lists.recordFragment([&] { blitAsIs(c.real, blit); });
+  const Blit what{fromX0, fromY0, fromX1, fromY1, toX0, toY0, toX1, toY1, mask, filter};
+  if (c.lists.compiling()) {
+    c.lists.recordFragment([&] { blitAsIs(c.real, what); });
     c.lists.record([](Context& later) { later.touch(framebufferBound(later)); });
     return;
   }
   c.touch(framebufferBound(c));
   bool resolved = false;
-  c.protect([&] { resolved = c.resolves.byBlit(blit); });
+  c.protect([&] { resolved = c.resolves.byBlit(what); });
   if (!resolved) {
-    c.beforeBlit();
-    c.blit(blit);
+    c.flusher.beforeBlit();
+    blit(c, what);
   }
-  c.forgetClear();
+  c.cleared.forget();
   c.touch(framebufferBound(c));  // another context that reads an image again must find it changed
 }
 

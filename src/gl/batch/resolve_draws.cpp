@@ -1,9 +1,11 @@
 #include "gl/batch/resolve_draws.h"
 
-#include "gl/context.h"
+#include "gl/batch/depth_copy.h"
+#include "gl/errors.h"
 #include "gl/programs/uniforms.h"
 #include "gl/state/state_queries.h"
 #include "gl/window/clears.h"
+#include "gl/window/window_frames.h"
 
 #include <GL/glext.h>
 
@@ -14,7 +16,7 @@
 namespace gluray::gl {
 namespace {
 
-Unresolved::Attachment attachmentOf(const RealGl& real, GLenum target, GLenum attachment) {
+UnresolvedPicture::Attachment attachmentOf(const RealGl& real, GLenum target, GLenum attachment) {
   const auto type =
       static_cast<GLenum>(attachmentValue(real, target, attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE));
   if (type == GL_NONE) return {};
@@ -46,55 +48,55 @@ bool isSampledPerSample(GLenum type) {
 
 }  // namespace
 
-Unresolved::Cleared ResolveDraws::clearedBy(GLbitfield mask) {
+UnresolvedPicture::Cleared ResolveDraws::clearedBy(GLbitfield mask) {
   constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
-  if ((mask & kBoth) != kBoth || c_.direct() || c_.aside() || c_.passthrough() || c_.activeQueries > 0 ||
-      c_.group().contexts != 1 || !c_.info().settings.quirks.has(Quirk::softwareResolve) ||
-      !c_.isSoftwareBelow())
+  if ((mask & kBoth) != kBoth || p_.clock.direct() || p_.failsafe.aside() || p_.shadow.info.off ||
+      p_.shadow.activeQueries > 0 || p_.shadow.group.contexts != 1 ||
+      !p_.shadow.info.settings.quirks.has(Quirk::softwareResolve) || !p_.shadow.isSoftwareBelow())
     return {};
-  c_.refresh(kTarget);
-  const TargetState& target = c_.state.target;
+  p_.shadow.refresh(kTarget);
+  const TargetState& target = p_.shadow.state.target;
   if (target.framebuffer == 0 || target.samples <= 1 || target.reason != Reason::traced ||
-      target.wideColors || !clearsAll(c_.real, c_.state.rare))
+      target.wideColors || !clearsAll(p_.shadow.real, p_.shadow.state.rare))
     return {};
   for (const GLenum size : {GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE, GL_FRAMEBUFFER_ATTACHMENT_ALPHA_SIZE})
-    if (attachmentValue(c_.real, GL_DRAW_FRAMEBUFFER, target.drawBuffer, size) != 8) return {};
+    if (attachmentValue(p_.shadow.real, GL_DRAW_FRAMEBUFFER, target.drawBuffer, size) != 8) return {};
   return {target.framebuffer,
           target.drawBuffer,
-          attachmentOf(c_.real, GL_DRAW_FRAMEBUFFER, target.drawBuffer),
-          attachmentOf(c_.real, GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT),
-          scissorBox(c_.real),
-          clearColor(c_.real),
+          attachmentOf(p_.shadow.real, GL_DRAW_FRAMEBUFFER, target.drawBuffer),
+          attachmentOf(p_.shadow.real, GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT),
+          scissorBox(p_.shadow.real),
+          clearColor(p_.shadow.real),
           target.depthResolution};
 }
 
-void ResolveDraws::clears(const Unresolved::Cleared& cleared) {
+void ResolveDraws::clears(const UnresolvedPicture::Cleared& cleared) {
   if (!held_.waiting) return;
-  const Unresolved::Cleared& waits = held_.waiting->cleared;
+  const UnresolvedPicture::Cleared& waits = held_.waiting->cleared;
   if (cleared.framebuffer == waits.framebuffer && cleared.drawBuffer == waits.drawBuffer &&
       cleared.covers(waits.box)) {
     held_.waiting.reset();  // nobody will see it
     return;
   }
-  c_.refresh(kTarget);
-  if (c_.state.target.samples > 1) c_.settle();
+  p_.shadow.refresh(kTarget);
+  if (p_.shadow.state.target.samples > 1) p_.flusher.settle();
 }
 
 bool ResolveDraws::hold() {
-  const Unresolved::Cleared& cleared = held_.cleared;
-  const BatchKey& key = c_.batch().key();
+  const UnresolvedPicture::Cleared& cleared = held_.cleared;
+  const BatchKey& key = p_.flusher.batch.key();
   const scene::Region& r = key.region;
   const bool waits = cleared.framebuffer != 0 && key.framebuffer == cleared.framebuffer &&
                      key.drawBuffer == cleared.drawBuffer && key.samples > 1 &&
                      key.layers == BatchKey::Layers::none && key.colorWrites.all() &&
-                     (key.depthFunc == GL_LEQUAL || key.depthFunc == GL_LESS) && !c_.aside() &&
-                     !c_.direct() && c_.activeQueries == 0 && c_.group().contexts == 1 &&
-                     !c_.batch().waiting().wideColors && cleared.covers({r.x, r.y, r.width, r.height});
+                     (key.depthFunc == GL_LEQUAL || key.depthFunc == GL_LESS) && !p_.failsafe.aside() &&
+                     !p_.clock.direct() && p_.shadow.activeQueries == 0 && p_.shadow.group.contexts == 1 &&
+                     !p_.flusher.batch.waiting().wideColors && cleared.covers({r.x, r.y, r.width, r.height});
   if (!waits) return false;
-  const Unresolved::Cleared kept = cleared;
-  c_.settle();
-  Unresolved::Waiting waiting{kept, key, c_.batch().take(), c_.batch().takeProgramDraws()};
-  c_.passes.flushed(waiting.snapshot);
+  const UnresolvedPicture::Cleared kept = cleared;
+  p_.flusher.settle();
+  UnresolvedPicture::Waiting waiting{kept, key, p_.flusher.batch.take(), p_.flusher.batch.takeProgramDraws()};
+  p_.surfaces.passes.flushed(waiting.snapshot);
   held_.waiting = std::move(waiting);
   return true;
 }
@@ -102,21 +104,22 @@ bool ResolveDraws::hold() {
 void ResolveDraws::settle() {
   held_.cleared = {};
   if (!held_.waiting) return;
-  Unresolved::Waiting waiting = std::move(*held_.waiting);
+  UnresolvedPicture::Waiting waiting = std::move(*held_.waiting);
   held_.waiting.reset();
-  c_.presentLate(waiting.key, waiting.snapshot, std::move(waiting.draws), waiting.traced);
+  p_.flusher.presentLate(waiting.key, waiting.snapshot, std::move(waiting.draws), waiting.traced);
 }
 
 void ResolveDraws::meetBlit() {
-  if (held_.waiting && blitsSamples()) c_.settle();
+  if (held_.waiting && blitsSamples()) p_.flusher.settle();
   held_.cleared = {};
 }
 
 bool ResolveDraws::readsSamples() {
-  const GLuint name = c_.state.raster.program;
+  const GLuint name = p_.shadow.state.raster.program;
   if (name == 0)
-    return isPresent(c_.real.BindProgramPipeline) && integer(c_.real, GL_PROGRAM_PIPELINE_BINDING) != 0;
-  const Program& program = c_.programs.known(name)->program;
+    return isPresent(p_.shadow.real.BindProgramPipeline) &&
+           integer(p_.shadow.real, GL_PROGRAM_PIPELINE_BINDING) != 0;
+  const Program& program = p_.shadow.program.known(name)->program;
   return program.writes || std::any_of(program.uniforms.begin(), program.uniforms.end(),
                                        [](const auto& u) { return isSampledPerSample(u.second.type); });
 }
@@ -124,23 +127,23 @@ bool ResolveDraws::readsSamples() {
 void ResolveDraws::meetRasterDraw() {
   held_.cleared = {};
   if (!held_.waiting) return;
-  c_.refresh(kTarget | kRaster);
-  if (c_.state.target.samples > 1 || readsSamples()) c_.settle();
+  p_.shadow.refresh(kTarget | kRaster);
+  if (p_.shadow.state.target.samples > 1 || readsSamples()) p_.flusher.settle();
 }
 
 bool ResolveDraws::into(ResolveTarget& target) {
-  c_.window.showLagged();
-  Unresolved::Waiting& waiting = *held_.waiting;
-  target.core = c_.info().core;
+  p_.window.showLagged();
+  UnresolvedPicture::Waiting& waiting = *held_.waiting;
+  target.core = p_.shadow.info.core;
   target.how.background = waiting.cleared.background;
   target.how.farthest = farthestHit(waiting.key.depthFunc, waiting.cleared.depthResolution);
-  target.mayRepeat = waiting.traced || !c_.measured();
-  if (const GLenum pending = c_.real.GetError()) c_.setError(pending);
-  c_.forgetClear();
-  const PresentResult result = c_.presenter().resolve(c_.real, waiting.snapshot, target);
-  c_.latch.restore(c_.real);
+  target.mayRepeat = waiting.traced || !p_.clock.measured();
+  p_.shadow.errors.keepPending();
+  p_.cleared.forget();
+  const PresentResult result = p_.flusher.presenter.resolve(p_.shadow.real, waiting.snapshot, target);
+  p_.shadow.latch.restore(p_.shadow.real);
   if (result.outcome != PresentResult::traced) return false;
-  c_.takeResult(result, waiting.traced);
+  p_.flusher.takeResult(result, waiting.traced);
   waiting.traced = true;
   noteUse(Quirk::softwareResolve);
   return true;
@@ -149,22 +152,24 @@ bool ResolveDraws::into(ResolveTarget& target) {
 bool ResolveDraws::byProgram(GLuint texture, const scene::Region& region) {
   if (!held_.waiting || region.x != 0 || region.y != 0) return false;
   const glm::ivec2 size(region.width, region.height);
-  const Unresolved::Waiting& waiting = *held_.waiting;
-  const KnownProgram& known = *c_.state.program.known;
+  const UnresolvedPicture::Waiting& waiting = *held_.waiting;
+  const KnownProgram& known = *p_.shadow.state.program.known;
   const Family& family = *known.family;
   const ProgramUniform* sampler = known.program.uniform(family.passInput);
-  if (!sampler || sampler->type != GL_SAMPLER_2D_MULTISAMPLE || !c_.state.program.uniforms) return false;
-  const UniformReader uniforms(known.program, *c_.state.program.uniforms);
+  if (!sampler || sampler->type != GL_SAMPLER_2D_MULTISAMPLE || !p_.shadow.state.program.uniforms)
+    return false;
+  const UniformReader uniforms(known.program, *p_.shadow.state.program.uniforms);
   const int samples = static_cast<int>(uniforms.number(family.passSamples, 0));
   if (samples != waiting.key.samples || !waiting.cleared.covers({0, 0, size.x, size.y})) return false;
-  const GLint active = integer(c_.real, GL_ACTIVE_TEXTURE);
-  c_.real.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(uniforms.integer(family.passInput)));
-  const auto bound = static_cast<GLuint>(integer(c_.real, GL_TEXTURE_BINDING_2D_MULTISAMPLE));
+  const GLint active = integer(p_.shadow.real, GL_ACTIVE_TEXTURE);
+  p_.shadow.real.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(uniforms.integer(family.passInput)));
+  const auto bound = static_cast<GLuint>(integer(p_.shadow.real, GL_TEXTURE_BINDING_2D_MULTISAMPLE));
   glm::ivec2 boundSize(0);
-  c_.real.GetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_WIDTH, &boundSize.x);
-  c_.real.GetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_HEIGHT, &boundSize.y);
-  c_.real.ActiveTexture(static_cast<GLenum>(active));
-  if (waiting.cleared.color != Unresolved::Attachment{GL_TEXTURE, bound} || boundSize != size) return false;
+  p_.shadow.real.GetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_WIDTH, &boundSize.x);
+  p_.shadow.real.GetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_HEIGHT, &boundSize.y);
+  p_.shadow.real.ActiveTexture(static_cast<GLenum>(active));
+  if (waiting.cleared.color != UnresolvedPicture::Attachment{GL_TEXTURE, bound} || boundSize != size)
+    return false;
   ResolveTarget target;
   target.how.size = size;
   target.how.gamma = uniforms.number(family.passGamma, 1);
@@ -196,22 +201,22 @@ bool ResolveDraws::byBlit(const Blit& b) {
   const auto& waiting = held_.waiting;
   const glm::ivec4 from(b.fromX0, b.fromY0, b.fromX1, b.fromY1), to(b.toX0, b.toY0, b.toX1, b.toY1);
   if (!waiting || b.mask & ~GLbitfield{GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT} || !(colors || depths) ||
-      from != to || to.x != 0 || to.y != 0 || to.z <= 0 || to.w <= 0 || c_.activeQueries > 0 ||
+      from != to || to.x != 0 || to.y != 0 || to.z <= 0 || to.w <= 0 || p_.shadow.activeQueries > 0 ||
       (b.filter != GL_NEAREST && (b.filter != GL_LINEAR || depths)))
     return false;
-  const Unresolved::Cleared& cleared = waiting->cleared;
-  c_.refresh(kTarget);
-  const TargetState& target = c_.state.target;
+  const UnresolvedPicture::Cleared& cleared = waiting->cleared;
+  p_.shadow.refresh(kTarget);
+  const TargetState& target = p_.shadow.state.target;
   const bool usable = target.reason == Reason::traced || (target.reason == Reason::noDepthBuffer && !depths);
   if (!usable || target.samples > 1 || target.wideColors || target.framebuffer == cleared.framebuffer ||
       (depths && target.framebuffer == 0) || !cleared.covers(to))
     return false;
-  if (static_cast<GLuint>(integer(c_.real, GL_READ_FRAMEBUFFER_BINDING)) != cleared.framebuffer ||
-      static_cast<GLenum>(integer(c_.real, GL_READ_BUFFER)) != cleared.drawBuffer)
+  if (static_cast<GLuint>(integer(p_.shadow.real, GL_READ_FRAMEBUFFER_BINDING)) != cleared.framebuffer ||
+      static_cast<GLenum>(integer(p_.shadow.real, GL_READ_BUFFER)) != cleared.drawBuffer)
     return false;
-  const glm::ivec4 open = scissorBox(c_.real);
+  const glm::ivec4 open = scissorBox(p_.shadow.real);
   if (open.x > 0 || open.y > 0 || open.x + open.z < to.z || open.y + open.w < to.w ||
-      (depths && !haveEqualDepths(c_.real)))
+      (depths && !haveEqualDepths(p_.shadow.real)))
     return false;
   ResolveTarget resolved;
   resolved.how.size = {to.z, to.w};
@@ -220,13 +225,14 @@ bool ResolveDraws::byBlit(const Blit& b) {
 }
 
 bool ResolveDraws::blitsSamples() {
-  c_.refresh(kTarget);
-  if (c_.state.target.samples > 1) return true;
-  if (integer(c_.real, GL_READ_FRAMEBUFFER_BINDING) == 0) return false;
-  const Unresolved::Cleared& cleared = held_.waiting->cleared;
-  const auto buffer = static_cast<GLenum>(integer(c_.real, GL_READ_BUFFER));
-  const bool color = buffer != GL_NONE && attachmentOf(c_.real, GL_READ_FRAMEBUFFER, buffer) == cleared.color;
-  return color || attachmentOf(c_.real, GL_READ_FRAMEBUFFER, GL_DEPTH_ATTACHMENT) == cleared.depth;
+  p_.shadow.refresh(kTarget);
+  if (p_.shadow.state.target.samples > 1) return true;
+  if (integer(p_.shadow.real, GL_READ_FRAMEBUFFER_BINDING) == 0) return false;
+  const UnresolvedPicture::Cleared& cleared = held_.waiting->cleared;
+  const auto buffer = static_cast<GLenum>(integer(p_.shadow.real, GL_READ_BUFFER));
+  const bool color =
+      buffer != GL_NONE && attachmentOf(p_.shadow.real, GL_READ_FRAMEBUFFER, buffer) == cleared.color;
+  return color || attachmentOf(p_.shadow.real, GL_READ_FRAMEBUFFER, GL_DEPTH_ATTACHMENT) == cleared.depth;
 }
 
 }  // namespace gluray::gl

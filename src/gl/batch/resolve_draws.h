@@ -1,24 +1,34 @@
 // Multisampled framebuffers that are cleared, traced into and resolved. A part of each Context, GL thread.
 #pragma once
+#include "gl/batch/flusher.h"
 #include "gl/batch/presenter.h"
 #include "gl/batch/unresolved_picture.h"
-#include "gl/context_part.h"
 #include "gl/draws/draw_kinds.h"
 
 #include <GL/gl.h>
 
 namespace gluray::gl {
 
+class WindowFrames;
 struct Blit;
 
-class ResolveDraws : public ContextPart {
+class ResolveDraws {
  public:
-  using ContextPart::ContextPart;
+  struct Parts {
+    ShadowState& shadow;
+    Failsafe& failsafe;
+    FrameClock& clock;
+    SurfaceHistory& surfaces;
+    ClearedFramebuffers& cleared;
+    Flusher& flusher;
+    WindowFrames& window;
+  };
+  explicit ResolveDraws(const Parts& parts) : p_(parts) {}
 
   /// What a clear will leave clean: for clears() before the real one, and cleanIs() after it.
-  Unresolved::Cleared clearedBy(GLbitfield mask);
-  void clears(const Unresolved::Cleared& cleared);
-  void cleanIs(const Unresolved::Cleared& cleared) { held_.cleared = cleared; }
+  UnresolvedPicture::Cleared clearedBy(GLbitfield mask);
+  void clears(const UnresolvedPicture::Cleared& cleared);
+  void cleanIs(const UnresolvedPicture::Cleared& cleared) { held_.cleared = cleared; }
 
   /// Whether a picture waits for being resolved; whether that, or what may become one, is known.
   bool waits() const { return held_.waiting.has_value(); }
@@ -41,7 +51,8 @@ class ResolveDraws : public ContextPart {
   bool blitsSamples();
   bool into(ResolveTarget& target);
 
-  Unresolved held_;
+  UnresolvedPicture held_;
+  Parts p_;
 };
 
 }  // namespace gluray::gl

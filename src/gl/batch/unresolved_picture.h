@@ -14,7 +14,7 @@
 
 namespace gluray::gl {
 
-struct Unresolved {
+struct UnresolvedPicture {
   struct Attachment {
     GLenum type = GL_NONE;  // GL_TEXTURE or GL_RENDERBUFFER
     GLuint name = 0;

@@ -60,25 +60,25 @@ void Attachments::check(ArrayState& arrays) const {
 
 uint32_t renderbuffersDeleted(Context& c, GLsizei n, const GLuint* names) {
   for (GLsizei i = 0; names && i < n; ++i)
-    if (names[i] != 0) c.insist([&] { c.group().deletedRenderbuffers.add(names[i]); });
+    if (names[i] != 0) c.failsafe.insist([&] { c.shadow.group.deletedRenderbuffers.add(names[i]); });
   return kTarget;
 }
 
 uint32_t vertexArrayBound(Context& c, GLuint array) {
-  c.attachments.bind(array);
+  c.shadow.attachments.bind(array);
   return kArrays;
 }
 
 uint32_t vertexArraysDeleted(Context& c, GLsizei n, const GLuint* arrays) {
-  for (GLsizei i = 0; arrays && i < n; ++i) c.attachments.forget(arrays[i]);
+  for (GLsizei i = 0; arrays && i < n; ++i) c.shadow.attachments.forget(arrays[i]);
   GLint bound = 0;  // the one that was bound no longer is
   c.real.GetIntegerv(GL_VERTEX_ARRAY_BINDING, &bound);
-  c.attachments.bind(static_cast<GLuint>(bound));
+  c.shadow.attachments.bind(static_cast<GLuint>(bound));
   return kArrays;
 }
 
 uint32_t arraysPopped(Context& c) {
-  c.attachments.forget();
+  c.shadow.attachments.forget();
   return kArrays;
 }
 
@@ -93,32 +93,32 @@ uint32_t attributeSet(Context& c, GLuint binding) { return bindingsSet(c, bindin
 
 uint32_t bindingsSet(Context& c, GLuint first, GLsizei count) {
   for (GLuint i = 0; i < Attachments::kElements && i < static_cast<GLuint>(std::max(count, 0)); ++i)
-    c.attachments.set(placeOf(first + i));
+    c.shadow.attachments.set(placeOf(first + i));
   return kArrays;
 }
 
 uint32_t bindingsOfArraySet(Context& c, GLuint array, GLuint first, GLsizei count) {
   for (GLuint i = 0; i < Attachments::kElements && i < static_cast<GLuint>(std::max(count, 0)); ++i)
-    c.attachments.set(array, placeOf(first + i));
+    c.shadow.attachments.set(array, placeOf(first + i));
   return kArrays;
 }
 
 uint32_t elementsOfArraySet(Context& c, GLuint array) {
-  c.attachments.set(array, Attachments::kElements);
+  c.shadow.attachments.set(array, Attachments::kElements);
   return kArrays;
 }
 
 uint32_t fixedArraySet(Context& c, GLenum array) {
   switch (array) {
-    case GL_VERTEX_ARRAY: c.attachments.set(Attachments::kVertex); break;
-    case GL_NORMAL_ARRAY: c.attachments.set(Attachments::kNormal); break;
-    case GL_COLOR_ARRAY: c.attachments.set(Attachments::kColor); break;
-    case GL_SECONDARY_COLOR_ARRAY: c.attachments.set(Attachments::kSecondaryColor); break;
-    case GL_FOG_COORD_ARRAY: c.attachments.set(Attachments::kFogCoord); break;
+    case GL_VERTEX_ARRAY: c.shadow.attachments.set(Attachments::kVertex); break;
+    case GL_NORMAL_ARRAY: c.shadow.attachments.set(Attachments::kNormal); break;
+    case GL_COLOR_ARRAY: c.shadow.attachments.set(Attachments::kColor); break;
+    case GL_SECONDARY_COLOR_ARRAY: c.shadow.attachments.set(Attachments::kSecondaryColor); break;
+    case GL_FOG_COORD_ARRAY: c.shadow.attachments.set(Attachments::kFogCoord); break;
     default: {
-      if (c.group().deletedBuffers.now() == 0) break;
+      if (c.shadow.group.deletedBuffers.now() == 0) break;
       const GLint unit = integer(c.real, GL_CLIENT_ACTIVE_TEXTURE) - GL_TEXTURE0;
-      if (unit >= 0 && unit < 8) c.attachments.set(Attachments::kTexCoord + static_cast<GLuint>(unit));
+      if (unit >= 0 && unit < 8) c.shadow.attachments.set(Attachments::kTexCoord + static_cast<GLuint>(unit));
     }
   }
   return kArrays;

@@ -33,7 +33,7 @@ GLenum bindingOf(GLenum target) {
 /// the real OpenGL's alone.
 bool isHeldBack(const Context& c, GLenum target, const Buffer* buffer) {
   if (buffer && (buffer->readBelow || buffer->foreign)) return false;
-  return !c.direct() && (target == GL_ARRAY_BUFFER || target == GL_ELEMENT_ARRAY_BUFFER);
+  return !c.clock.direct() && (target == GL_ARRAY_BUFFER || target == GL_ELEMENT_ARRAY_BUFFER);
 }
 
 /// Targets whose buffers we are asked for, or that others than us have to look after.
@@ -56,10 +56,10 @@ std::shared_ptr<Buffer> bound(Context& c, GLenum target) {
   if (!query) return nullptr;
   GLint name = 0;
   c.real.GetIntegerv(query, &name);
-  if (!c.attachments.mayBeDeletedAt(target, static_cast<GLuint>(name)))
-    return bufferNamed(c.group(), static_cast<GLuint>(name));
-  if (const auto buffer = c.group().buffers.find(static_cast<GLuint>(name))) {
-    c.contentsChange(buffer->name());
+  if (!c.shadow.attachments.mayBeDeletedAt(target, static_cast<GLuint>(name)))
+    return bufferNamed(c.shadow.group, static_cast<GLuint>(name));
+  if (const auto buffer = c.shadow.group.buffers.find(static_cast<GLuint>(name))) {
+    c.flusher.contentsChange(buffer->name());
     buffer->sendTo(c.real);
     buffer->changedBelow();
   }
@@ -93,32 +93,32 @@ bool isUsage(GLenum usage) { return usage >= GL_STREAM_DRAW && usage <= GL_DYNAM
 
 void bindBuffer(Context& c, GLenum target, GLuint name) {
   c.real.BindBuffer(target, name);
-  if (const auto buffer = bufferNamed(c.group(), name); buffer && !isHeldBack(c, target, buffer.get())) {
+  if (const auto buffer = bufferNamed(c.shadow.group, name); buffer && !isHeldBack(c, target, buffer.get())) {
     buffer->sendTo(c.real);
     buffer->readBelow = buffer->readBelow || !isAskedFor(target);
   }
-  if (target != GL_ELEMENT_ARRAY_BUFFER) return c.attachments.setTarget(target);
+  if (target != GL_ELEMENT_ARRAY_BUFFER) return c.shadow.attachments.setTarget(target);
   c.touch(kArrays);
-  c.attachments.set(Attachments::kElements);
+  c.shadow.attachments.set(Attachments::kElements);
 }
 
 void deleteBuffers(Context& c, GLsizei n, const GLuint* names) {
   c.touch(kArrays);
   // Vertex array objects, of this context or others, may go on drawing from them.
-  const bool livesOn = c.attachments.any() || c.group().contexts > 1;
+  const bool livesOn = c.shadow.attachments.any() || c.shadow.group.contexts > 1;
   for (GLsizei i = 0; names && i < n; ++i) {
-    c.contentsChange(names[i]);
-    const auto buffer = c.group().buffers.find(names[i]);
+    c.flusher.contentsChange(names[i]);
+    const auto buffer = c.shadow.group.buffers.find(names[i]);
     if (buffer && livesOn) c.protect([&] { buffer->sendTo(c.real); });
-    if (buffer && livesOn) c.insist([&] { c.group().deletedBuffers.add(names[i]); });
+    if (buffer && livesOn) c.failsafe.insist([&] { c.shadow.group.deletedBuffers.add(names[i]); });
   }
   c.real.DeleteBuffers(n, names);
-  for (GLsizei i = 0; names && i < n; ++i) c.group().buffers.erase(names[i]);
+  for (GLsizei i = 0; names && i < n; ++i) c.shadow.group.buffers.erase(names[i]);
 }
 
 void bufferData(Context& c, GLenum target, GLsizeiptr size, const void* data, GLenum usage) {
   const auto buffer = bound(c, target);
-  if (buffer) c.contentsChange(buffer->name());
+  if (buffer) c.flusher.contentsChange(buffer->name());
   if (!buffer || size < 0 || buffer->immutable || !isUsage(usage))
     return c.real.BufferData(target, size, data, usage);
   if (buffer->mappedBelow) {  // new contents end a mapping
@@ -137,15 +137,15 @@ void bufferData(Context& c, GLenum target, GLsizeiptr size, const void* data, GL
 void bufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, const void* data) {
   const auto buffer = bound(c, target);
   if (!buffer) return c.real.BufferSubData(target, offset, size, data);
-  c.contentsChange(buffer->name());
-  if (buffer->mapped() && !isRange(*buffer, offset, size)) return c.setError(GL_INVALID_VALUE);
+  c.flusher.contentsChange(buffer->name());
+  if (buffer->mapped() && !isRange(*buffer, offset, size)) return c.errors.set(GL_INVALID_VALUE);
   if (buffer->mappedIn(static_cast<size_t>(offset), static_cast<size_t>(size)))
-    return c.setError(GL_INVALID_OPERATION);
+    return c.errors.set(GL_INVALID_OPERATION);
   if (buffer->mappedBelow) return c.real.BufferSubData(target, offset, size, data);  // knows the range
   try {
     const bool ours = buffer->mapped() || (!buffer->immutable && isHeldBack(c, target, buffer.get()));
     if (ours && buffer->read(c.real)) {
-      if (!isRange(*buffer, offset, size)) return c.setError(GL_INVALID_VALUE);
+      if (!isRange(*buffer, offset, size)) return c.errors.set(GL_INVALID_VALUE);
       if (size > 0 && data) buffer->setSubData(static_cast<size_t>(offset), static_cast<size_t>(size), data);
       return;
     }
@@ -170,11 +170,11 @@ void* mapBuffer(Context& c, GLenum target, GLenum access) {
     case GL_READ_ONLY: bits = GL_MAP_READ_BIT; break;
     case GL_WRITE_ONLY: bits = GL_MAP_WRITE_BIT; break;
     case GL_READ_WRITE: bits = GL_MAP_READ_BIT | GL_MAP_WRITE_BIT; break;
-    default: return c.setError(GL_INVALID_ENUM), nullptr;
+    default: return c.errors.set(GL_INVALID_ENUM), nullptr;
   }
   const auto buffer = bound(c, target);
-  if (buffer) c.contentsChange(buffer->name());
-  if (buffer && buffer->mapped()) return c.setError(GL_INVALID_OPERATION), nullptr;
+  if (buffer) c.flusher.contentsChange(buffer->name());
+  if (buffer && buffer->mapped()) return c.errors.set(GL_INVALID_OPERATION), nullptr;
   if (isMappedBelow(c, buffer.get(), target)) {
     void* memory = c.real.MapBuffer(target, access);
     if (buffer && memory) setMappedBelow(c, *buffer, true);
@@ -185,15 +185,15 @@ void* mapBuffer(Context& c, GLenum target, GLenum access) {
 
 void* mapBufferRange(Context& c, GLenum target, GLintptr offset, GLsizeiptr length, GLbitfield access) {
   const auto buffer = bound(c, target);
-  if (buffer) c.contentsChange(buffer->name());
+  if (buffer) c.flusher.contentsChange(buffer->name());
   if (isMappedBelow(c, buffer.get(), target)) {
     void* memory = c.real.MapBufferRange(target, offset, length, access);
     if (buffer && memory) setMappedBelow(c, *buffer, true);
     return memory;
   }
-  if (!isRange(*buffer, offset, length)) return c.setError(GL_INVALID_VALUE), nullptr;
+  if (!isRange(*buffer, offset, length)) return c.errors.set(GL_INVALID_VALUE), nullptr;
   if (buffer->mapped() || length == 0 || !(access & (GL_MAP_READ_BIT | GL_MAP_WRITE_BIT)))
-    return c.setError(GL_INVALID_OPERATION), nullptr;
+    return c.errors.set(GL_INVALID_OPERATION), nullptr;
   return buffer->map(c.real, static_cast<size_t>(offset), static_cast<size_t>(length), access);
 }
 
@@ -214,15 +214,15 @@ GLboolean unmapBuffer(Context& c, GLenum target) {
 void flushMappedBufferRange(Context& c, GLenum target, GLintptr offset, GLsizeiptr length) {
   const auto buffer = bound(c, target);
   if (!buffer || !buffer->mapped()) return c.real.FlushMappedBufferRange(target, offset, length);
-  if (!(buffer->mapAccess() & GL_MAP_FLUSH_EXPLICIT_BIT)) c.setError(GL_INVALID_OPERATION);
+  if (!(buffer->mapAccess() & GL_MAP_FLUSH_EXPLICIT_BIT)) c.errors.set(GL_INVALID_OPERATION);
 }
 
 void getBufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, void* data) {
   const auto buffer = bound(c, target);
   if (!buffer || (!buffer->heldBack() && !buffer->mapped()))
     return c.real.GetBufferSubData(target, offset, size, data);
-  if (!isRange(*buffer, offset, size)) return c.setError(GL_INVALID_VALUE);
-  if (buffer->mapped()) return c.setError(GL_INVALID_OPERATION);
+  if (!isRange(*buffer, offset, size)) return c.errors.set(GL_INVALID_VALUE);
+  if (buffer->mapped()) return c.errors.set(GL_INVALID_OPERATION);
   std::memcpy(data, buffer->read(c.real)->data + offset, static_cast<size_t>(size));
 }
 
@@ -273,8 +273,8 @@ void copyBufferSubData(Context& c, GLenum readTarget, GLenum writeTarget, GLintp
                        GLintptr writeOffset, GLsizeiptr size) {
   const auto source = bound(c, readTarget), target = bound(c, writeTarget);
   // A mapping of ours the real OpenGL does not know.
-  if ((source && source->mapped()) || (target && target->mapped())) return c.setError(GL_INVALID_OPERATION);
-  if (target) c.contentsChange(target->name());
+  if ((source && source->mapped()) || (target && target->mapped())) return c.errors.set(GL_INVALID_OPERATION);
+  if (target) c.flusher.contentsChange(target->name());
   if (source) source->sendTo(c.real);
   if (target) target->sendTo(c.real);
   c.real.CopyBufferSubData(readTarget, writeTarget, readOffset, writeOffset, size);
@@ -284,7 +284,7 @@ void copyBufferSubData(Context& c, GLenum readTarget, GLenum writeTarget, GLintp
 uint32_t boundBufferChanged(Context& c, GLenum target) {
   c.protect([&] {
     if (const auto buffer = bound(c, target)) {
-      c.contentsChange(buffer->name());
+      c.flusher.contentsChange(buffer->name());
       buffer->sendTo(c.real);
       buffer->changedBelow();
     }
@@ -307,8 +307,8 @@ uint32_t boundStorageForeign(Context& c, GLenum target) {
 
 uint32_t buffersChangedBelow(Context& c) {
   c.protect([&] {
-    for (const auto& buffer : c.group().buffers.all()) {
-      c.contentsChange(buffer->name());
+    for (const auto& buffer : c.shadow.group.buffers.all()) {
+      c.flusher.contentsChange(buffer->name());
       buffer->sendTo(c.real);
       buffer->changedBelow();
     }

@@ -8,14 +8,14 @@ namespace gluray::gl {
 namespace {
 
 std::shared_ptr<Buffer> known(Context& c, GLuint name) {
-  return name ? c.group().buffers.find(name) : nullptr;
+  return name ? c.shadow.group.buffers.find(name) : nullptr;
 }
 
 void markForeign(Context& c, GLuint name) {
   c.protect([&] {
-    const auto buffer = bufferNamed(c.group(), name);
+    const auto buffer = bufferNamed(c.shadow.group, name);
     if (!buffer) return;
-    c.contentsChange(name);
+    c.flusher.contentsChange(name);
     buffer->sendTo(c.real);
     buffer->foreign = true;
     c.touch(kArrays);
@@ -27,7 +27,7 @@ template <class Map>
 void* mapNamed(Context& c, GLuint name, Map&& map) {
   const auto buffer = known(c, name);
   if (!buffer) return map();
-  if (buffer->mapped()) return c.setError(GL_INVALID_OPERATION), nullptr;
+  if (buffer->mapped()) return c.errors.set(GL_INVALID_OPERATION), nullptr;
   namedBufferChanged(c, name);
   void* memory = map();
   if (memory) buffer->mappedBelow = true, c.touch(kArrays);
@@ -51,7 +51,7 @@ GLboolean unmapNamed(Context& c, GLuint name, Unmap&& unmap) {
 bool flushes(Context& c, GLuint name) {
   const auto buffer = known(c, name);
   if (!buffer || !buffer->mapped()) return false;
-  if (!(buffer->mapAccess() & GL_MAP_FLUSH_EXPLICIT_BIT)) c.setError(GL_INVALID_OPERATION);
+  if (!(buffer->mapAccess() & GL_MAP_FLUSH_EXPLICIT_BIT)) c.errors.set(GL_INVALID_OPERATION);
   return true;
 }
 
@@ -127,7 +127,7 @@ uint32_t namedBufferChanged(Context& c, GLuint name) {
   c.protect([&] {
     const auto buffer = known(c, name);
     if (!buffer) return;
-    c.contentsChange(name);
+    c.flusher.contentsChange(name);
     buffer->sendTo(c.real);
     buffer->changedBelow();
   });
@@ -147,7 +147,7 @@ uint32_t namedBufferCopied(Context& c, GLuint from, GLuint to) {
 }
 
 uint32_t namedStorage(Context& c, GLuint name, GLbitfield flags) {
-  if (const auto buffer = bufferNamed(c.group(), name))
+  if (const auto buffer = bufferNamed(c.shadow.group, name))
     buffer->immutable = true, buffer->persistent = (flags & GL_MAP_PERSISTENT_BIT) != 0;
   if (flags & GL_MAP_PERSISTENT_BIT) markForeign(c, name);
   return namedBufferReplaced(c, name);
@@ -165,7 +165,7 @@ uint32_t buffersForeign(Context& c, GLsizei count, const GLuint* names) {
 
 uint32_t readAsTexture(Context& c, GLuint name) {
   c.protect([&] {
-    const auto buffer = bufferNamed(c.group(), name);
+    const auto buffer = bufferNamed(c.shadow.group, name);
     if (!buffer) return;
     buffer->sendTo(c.real);
     buffer->readBelow = true;

@@ -14,7 +14,7 @@ enum Slot : uint8_t {
   kFogCoord,
   kEdgeFlag,
   kIndex,
-  kMaterialNumber,             // number of an entry of Captured::materials, as a float
+  kMaterialNumber,             // number of an entry of CapturedVertices::materials, as a float
   kTexCoord0,                  // units 0 .. 7
   kGeneric1 = kTexCoord0 + 8,  // glVertexAttrib 1 .. 15; 0 is the position
   kSlotCount = kGeneric1 + 15

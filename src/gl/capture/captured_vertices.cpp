@@ -83,14 +83,14 @@ scene::MaterialPair MaterialChange::appliedTo(const scene::MaterialPair& base) c
   return result;
 }
 
-Hash128 Captured::hash() const {
+Hash128 CapturedVertices::hash() const {
   Hash128 h = hashLarge(vertices.data(), size_t{vertexCount} * layout.stride * sizeof(float),
                         {layout.mask, vertexCount});
   h = hashBytes(primitives.data(), primitives.size() * sizeof(Primitive), h);
   return indices.empty() ? h : hashLarge(indices.data(), indices.size() * sizeof(uint32_t), h);
 }
 
-void Captured::clear() {
+void CapturedVertices::clear() {
   layout = {};
   vertexCount = 0;
   primitives.clear();
@@ -133,7 +133,7 @@ void forEachTriangle(const Primitive& p, Emit&& emit) {
 
 }  // namespace
 
-std::vector<uint32_t> triangulate(const Captured& captured) {
+std::vector<uint32_t> triangulate(const CapturedVertices& captured) {
   std::vector<uint32_t> triangles;
   triangles.reserve(countTriangles(captured) * 3 + 4);  // meshes need readable bytes behind
   for (const Primitive& p : captured.primitives) {
@@ -161,7 +161,7 @@ uint64_t countTriangles(GLenum mode, uint64_t count) {
   }
 }
 
-uint64_t countTriangles(const Captured& captured) {
+uint64_t countTriangles(const CapturedVertices& captured) {
   uint64_t count = 0;
   for (const Primitive& p : captured.primitives) count += countTriangles(p.mode, p.count);
   return count;

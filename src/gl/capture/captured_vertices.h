@@ -57,7 +57,7 @@ struct MaterialChange {
 /// Those of MaterialChange::Parameter that have the same value in both.
 uint16_t sameParameters(const scene::Material& a, const scene::Material& b);
 
-struct Captured {
+struct CapturedVertices {
   VertexLayout layout;
   GrowingArray<float> vertices;  // `vertexCount` of `layout.stride`; the array's own size is not used
   uint32_t vertexCount = 0;
@@ -85,12 +85,12 @@ struct InheritedSlot {
 
 /// Triangles that `captured` describes: three vertex numbers each, the provoking vertex last, split as Mesa
 /// splits.
-std::vector<uint32_t> triangulate(const Captured& captured);
+std::vector<uint32_t> triangulate(const CapturedVertices& captured);
 
 /// Triangles that one primitive of `count` vertices makes; none for lines, points and patches.
 uint64_t countTriangles(GLenum mode, uint64_t count);
 
 /// Triangles in all surfaces of `captured`.
-uint64_t countTriangles(const Captured& captured);
+uint64_t countTriangles(const CapturedVertices& captured);
 
 }  // namespace gluray::gl

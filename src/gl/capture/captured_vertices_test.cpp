@@ -8,7 +8,7 @@ namespace gluray::gl {
 namespace {
 
 /// Vertices 0 .. n-1 in a row, as one primitive.
-Captured row(GLenum mode, uint32_t n) {
+CapturedVertices row(GLenum mode, uint32_t n) {
   VertexStream stream;
   stream.start(bit(kPosition), initialSlotValues());
   stream.begin(mode);
@@ -45,7 +45,7 @@ TEST(Triangulate, CountsWhatItMakes) {
   for (const GLenum mode :
        {GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_POLYGON, GL_QUADS, GL_QUAD_STRIP})
     for (uint32_t n = 0; n < 14; ++n) {
-      const Captured c = row(mode, n);
+      const CapturedVertices c = row(mode, n);
       EXPECT_EQ(triangulate(c).size(), countTriangles(c) * 3) << mode << " with " << n;
     }
 }
@@ -55,7 +55,7 @@ TEST(Captured, HashTellsAnyChangeApart) {
   EXPECT_EQ(row(GL_TRIANGLES, 6).hash(), base);
   EXPECT_NE(row(GL_TRIANGLES, 3).hash(), base);
   EXPECT_NE(row(GL_TRIANGLE_STRIP, 6).hash(), base);
-  Captured moved = row(GL_TRIANGLES, 6);
+  CapturedVertices moved = row(GL_TRIANGLES, 6);
   moved.vertex(5)[2] = 1e-30f;
   EXPECT_NE(moved.hash(), base);
 }

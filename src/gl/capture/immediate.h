@@ -1,13 +1,15 @@
 // What is sent by glBegin, glVertex and glEnd: captured in runs of as many pairs as share their state, or
 // left to the real OpenGL. A part of each Context, for stubs and handlers on its thread.
 #pragma once
+#include "gl/batch/batch_filler.h"
 #include "gl/capture/captured_vertices.h"
 #include "gl/capture/mesh_cache.h"
 #include "gl/capture/vertex_stream.h"
 #include "gl/capture/when_to_weld.h"
-#include "gl/context_part.h"
 #include "gl/draws/draw_kinds.h"
+#include "gl/draws/raster_draws.h"
 #include "gl/draws/reasons.h"
+#include "gl/window/passthrough_frames.h"
 
 #include <GL/gl.h>
 
@@ -16,9 +18,25 @@
 
 namespace gluray::gl {
 
-class Immediate : public ContextPart {
+class Attention;
+class ListCompiler;
+
+class Immediate {
  public:
-  Immediate(Context& context, VertexStream::Welding welding) : ContextPart(context), welding_(welding) {}
+  struct Parts {
+    ShadowState& shadow;
+    Failsafe& failsafe;
+    FrameClock& clock;
+    DrawCounts& counts;
+    Triage& triage;
+    BatchFiller& filler;
+    RasterDraws& raster;
+    WindowFrames& window;
+    PassthroughFrames& passthrough;
+    ListCompiler& lists;
+    Attention& attention;
+  };
+  Immediate(const Parts& parts, VertexStream::Welding welding) : p_(parts), welding_(welding) {}
 
   enum class Inside { nothing, captured, rasterised };
   Inside inside() const { return inside_; }
@@ -84,6 +102,7 @@ class Immediate : public ContextPart {
   void keepRunValues();
   void sendRunValues();
 
+  Parts p_;
   VertexStream::Welding welding_;
   WhenToWeld weld_;
   VertexStream stream_;

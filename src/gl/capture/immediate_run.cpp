@@ -15,56 +15,56 @@
 namespace gluray::gl {
 
 void Immediate::startRun() {
-  stream_.start(bit(kPosition), c_.current.all(), c_.compiling() ? weld_.inList() : weld_.inFrame(),
-                welding_);
+  stream_.start(bit(kPosition), p_.shadow.current.all(),
+                p_.lists.compiling() ? weld_.inList() : weld_.inFrame(), welding_);
   inherited_.clear();
   path_ = DrawPath::immediate;
   reason_ = Reason::traced;
-  open_ = !c_.compiling();
-  c_.updateAttention();
+  open_ = !p_.lists.compiling();
+  p_.attention.update();
 }
 
 void Immediate::closeRun() {
-  if (c_.compiling()) {
+  if (p_.lists.compiling()) {
     recordRun();
     return startRun();
   }
   open_ = false;
   drawRun();
   keepRunValues();
-  c_.current.drawn();
-  c_.updateAttention();
+  p_.shadow.current.drawn();
+  p_.attention.update();
 }
 
 void Immediate::idle() {
   resumeExecuted();
-  stream_.start(bit(kPosition), c_.current.all());
-  c_.updateAttention();
+  stream_.start(bit(kPosition), p_.shadow.current.all());
+  p_.attention.update();
 }
 
 void Immediate::recordRun() {
-  Captured run = stream_.take();
+  CapturedVertices run = stream_.take();
   if (run.empty() && run.layout.mask == bit(kPosition)) return;
-  SlotValues finals = c_.current.all();
+  SlotValues finals = p_.shadow.current.all();
   for (int s = kNormal; s < kSlotCount; ++s)
     if (run.layout.has(static_cast<Slot>(s)))
       std::memcpy(finals[static_cast<size_t>(s)].data(), stream_.get(run.layout, static_cast<Slot>(s)),
                   sizeOf(static_cast<Slot>(s)) * 4);
   GeometryRun* recorded = nullptr;
   try {
-    recorded = &c_.lists.add(std::move(run), finals, std::move(inherited_), class_);
+    recorded = &p_.lists.add(std::move(run), finals, std::move(inherited_), class_);
   } catch (...) {
     stream_.captured() = std::move(run);  // not yet moved from: stepAside() gives it to the real OpenGL
     throw;
   }
   inherited_.clear();
-  c_.lists.executeAdded(*recorded);
+  p_.lists.executeAdded(*recorded);
 }
 
 void Immediate::loosen() {
   const Primitive open = stream_.openPrimitive();
-  Captured run = stream_.take();
-  SlotValues finals = c_.current.all();
+  CapturedVertices run = stream_.take();
+  SlotValues finals = p_.shadow.current.all();
   for (int s = kNormal; s < kSlotCount; ++s)
     if (run.layout.has(static_cast<Slot>(s)))
       std::memcpy(finals[static_cast<size_t>(s)].data(), stream_.get(run.layout, static_cast<Slot>(s)),
@@ -78,7 +78,7 @@ void Immediate::loosen() {
   }
   inside_ = Inside::nothing;
   startRun();
-  c_.lists.append(op);
+  p_.lists.append(op);
   recordMisuse();
 }
 
@@ -93,84 +93,85 @@ void Immediate::keepRunValues() {
     if (stream_.has(slot) && slot != kMaterialNumber) setCurrent(slot, stream_.get(slot));
   }
   if (const MaterialChange* last = stream_.lastMaterial()) {
-    c_.current.send(c_.real);
-    sendMaterial(c_.real, *last);
-    if (!insideBegin()) c_.latch.letGo(c_.real);
-    c_.dirty |= kMaterial;
+    p_.shadow.current.send(p_.shadow.real);
+    sendMaterial(p_.shadow.real, *last);
+    if (!insideBegin()) p_.shadow.latch.letGo(p_.shadow.real);
+    p_.shadow.dirty |= kMaterial;
   }
 }
 
 KnownMesh Immediate::meshOfRun() {
   const double start = nowSeconds();
-  const Captured& run = stream_.captured();
+  const CapturedVertices& run = stream_.captured();
   KnownMesh known;
   const Hash128 content = run.hash();
-  if (!c_.group().meshes.find(content, known)) {
+  if (!p_.shadow.group.meshes.find(content, known)) {
     known = buildMesh(run);
-    c_.group().meshes.put(content, known);
-    ++c_.statistics.meshesBuilt;
-    if (known.mesh) c_.statistics.meshBytes += known.mesh->sizeBytes;
+    p_.shadow.group.meshes.put(content, known);
+    ++p_.counts.statistics.meshesBuilt;
+    if (known.mesh) p_.counts.statistics.meshBytes += known.mesh->sizeBytes;
   }
-  c_.statistics.captureSeconds += nowSeconds() - start;
+  p_.counts.statistics.captureSeconds += nowSeconds() - start;
   return known;
 }
 
 void Immediate::drawRun() {
-  const Captured& run = stream_.captured();
+  const CapturedVertices& run = stream_.captured();
   if (run.empty()) return;
   weld_.sawRun(run.indices.empty() ? run.vertexCount : run.indices.size());
-  const DrawTimer timer(c_.kinds());
-  const Reason reason = c_.attempt([&] {
-    if (c_.aside()) return Reason::failure;
+  const DrawTimer timer(p_.counts.kinds());
+  const Reason reason = p_.failsafe.attempt([&] {
+    if (p_.failsafe.aside()) return Reason::failure;
     if (reason_ != Reason::traced) return reason_;
     const KnownMesh known = meshOfRun();
-    const Reason fine = c_.triage(known, run.materials);
-    if (fine == Reason::traced) c_.addInstance(known.mesh, run.layout.mask, run.materials);
+    const Reason fine = p_.triage.of(known, run.materials);
+    if (fine == Reason::traced) p_.filler.add(known.mesh, run.layout.mask, run.materials);
     return fine;
   });
   const uint64_t triangles = countTriangles(run);
-  if (reason == Reason::traced) return c_.countTraced(path_, triangles);
-  if (c_.mayMeetPasses(class_)) c_.protect([&] { c_.meetPasses(sampleTriangles(run)); });
-  if (c_.isPass(class_, reason)) c_.protect([&] { c_.rememberPass(meshOfRun()); });
-  c_.countRaster(reason, path_, class_, triangles);
-  c_.beforeRasterDraw(class_);
-  c_.sendBuffers();
-  replay(c_.real, run);
+  if (reason == Reason::traced) return p_.counts.traced(path_, triangles);
+  if (p_.raster.mayMeet(class_)) p_.failsafe.protect([&] { p_.raster.meet(sampleTriangles(run)); });
+  if (p_.raster.isPass(class_, reason)) p_.failsafe.protect([&] { p_.raster.remember(meshOfRun()); });
+  p_.counts.rasterised(reason, path_, class_, triangles);
+  p_.raster.before(class_);
+  p_.shadow.sendBuffers();
+  replay(p_.shadow.real, run);
 }
 
 /// What has been set since the last vertex, into the fragment that is open.
 void Immediate::sendRunValues() {
   for (int s = kNormal; s < kSlotCount; ++s) {
     const auto slot = static_cast<Slot>(s);
-    if (stream_.has(slot) && slot != kMaterialNumber) sendAttribute(c_.real, slot, stream_.get(slot));
+    if (stream_.has(slot) && slot != kMaterialNumber) sendAttribute(p_.shadow.real, slot, stream_.get(slot));
   }
-  if (const MaterialChange* last = stream_.lastMaterial()) sendMaterial(c_.real, *last);
+  if (const MaterialChange* last = stream_.lastMaterial()) sendMaterial(p_.shadow.real, *last);
 }
 
 void Immediate::surrender() {
-  Captured& run = stream_.captured();
+  CapturedVertices& run = stream_.captured();
   const bool open = inside_ == Inside::captured;
   GLuint fragment = 0;
-  if (!c_.compiling()) c_.window.showLagged();
-  c_.sendBuffers();          // glArrayElement may follow
-  c_.current.send(c_.real);  // not into the list
-  if (c_.compiling()) {
-    fragment = c_.real.GenLists(1);
-    c_.real.NewList(fragment, GL_COMPILE);
+  if (!p_.lists.compiling()) p_.window.showLagged();
+  p_.shadow.sendBuffers();                 // glArrayElement may follow
+  p_.shadow.current.send(p_.shadow.real);  // not into the list
+  if (p_.lists.compiling()) {
+    fragment = p_.shadow.real.GenLists(1);
+    p_.shadow.real.NewList(fragment, GL_COMPILE);
   }
-  if (!c_.compiling() && (!run.empty() || open)) {
-    if (open && c_.kinds()) c_.kinds()->start();
-    c_.countRaster(c_.aside() ? Reason::failure : Reason::evaluators, path_, class_, countTriangles(run));
+  if (!p_.lists.compiling() && (!run.empty() || open)) {
+    if (open && p_.counts.kinds()) p_.counts.kinds()->start();
+    p_.counts.rasterised(p_.failsafe.aside() ? Reason::failure : Reason::evaluators, path_, class_,
+                         countTriangles(run));
   }
-  replay(c_.real, run);
-  if (open) replayOpen(c_.real, run, stream_.openPrimitive());
-  if (!c_.compiling()) {
+  replay(p_.shadow.real, run);
+  if (open) replayOpen(p_.shadow.real, run, stream_.openPrimitive());
+  if (!p_.lists.compiling()) {
     if (open) openPrimitive_ = stream_.openPrimitive();
     keepRunValues();
-    c_.current.send(c_.real);  // legal inside glBegin too: what was set since the last vertex
+    p_.shadow.current.send(p_.shadow.real);  // legal inside glBegin too: what was set since the last vertex
   } else {
     sendRunValues();
-    if (!open) c_.real.EndList();
+    if (!open) p_.shadow.real.EndList();
   }
   inside_ = open ? Inside::rasterised : Inside::nothing;
   startRun();
@@ -178,7 +179,7 @@ void Immediate::surrender() {
   if (fragment && open)
     openFragment_ = fragment;
   else if (fragment)
-    c_.lists.appendFragment(fragment);
+    p_.lists.appendFragment(fragment);
 }
 
 }  // namespace gluray::gl

@@ -26,7 +26,7 @@ constexpr size_t kGrain = 1 << 16;
 /// Positions in the captured vertices of mesh vertex i: the vertex itself, or its representative after
 /// welding.
 struct Selection {
-  const Captured& captured;
+  const CapturedVertices& captured;
   const GrowingArray<uint32_t>* source;  // null: all vertices in order
   uint32_t count() const { return source ? static_cast<uint32_t>(source->size()) : captured.vertexCount; }
   const float* operator[](uint32_t i) const { return captured.vertex(source ? (*source)[i] : i); }
@@ -98,12 +98,12 @@ GrowingArray<uint32_t> copyOf(const GrowingArray<uint32_t>& numbers) {
 }
 
 /// Whether the capture is one run of separate triangles.
-bool isTriangles(const Captured& c) {
+bool isTriangles(const CapturedVertices& c) {
   return c.primitives.size() == 1 && c.primitives[0].mode == GL_TRIANGLES && c.primitives[0].first == 0;
 }
 
 /// The same, vertex after vertex.
-bool isSoup(const Captured& c) { return c.indices.empty() && isTriangles(c); }
+bool isSoup(const CapturedVertices& c) { return c.indices.empty() && isTriangles(c); }
 
 /// Whether a mesh can read the vertices where they are, and nothing in them is in vain.
 bool isReadable(const VertexLayout& layout) {
@@ -123,7 +123,7 @@ std::vector<scene::Attribute> texcoordsAbove(const VertexLayout& layout, MakeOne
   return all;
 }
 
-bool hasOtherW(const Captured& c) {
+bool hasOtherW(const CapturedVertices& c) {
   if (!c.layout.has(kPositionW)) return false;
   for (uint32_t i = 0; i < c.vertexCount; ++i)
     if (c.vertex(i)[c.layout.offset[kPositionW]] != 1.0f) return true;
@@ -149,7 +149,7 @@ void copyAttributes(const Selection& vertices, scene::Mesh& mesh) {
 
 }  // namespace
 
-KnownMesh buildMesh(const Captured& captured) {
+KnownMesh buildMesh(const CapturedVertices& captured) {
   constexpr uint32_t kWorthWelding = 3000;  // vertices
   KnownMesh result;
   if (hasOtherW(captured)) {
@@ -181,7 +181,7 @@ KnownMesh buildMesh(const Captured& captured) {
   return result;
 }
 
-KnownMesh buildMesh(Captured&& captured) {
+KnownMesh buildMesh(CapturedVertices&& captured) {
   const bool asIs = isTriangles(captured) && !captured.indices.empty() && isReadable(captured.layout);
   if (!asIs) return buildMesh(std::as_const(captured));
   struct Taken {

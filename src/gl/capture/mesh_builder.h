@@ -9,10 +9,10 @@ namespace gluray::gl {
 /// agree in every bit of every slot share a vertex, and the order of triangles is kept, so that `indices`
 /// also replays the vertices as sent. Never null, except for homogeneous vertices (some w is not 1). Throws
 /// std::bad_alloc.
-KnownMesh buildMesh(const Captured& captured);
+KnownMesh buildMesh(const CapturedVertices& captured);
 /// The same, of a capture that nobody else needs: the mesh takes over its vertices and indices where it can
 /// use them as they are; `captured` then has none. Where it throws `captured` is as it was.
-KnownMesh buildMesh(Captured&& captured);
+KnownMesh buildMesh(CapturedVertices&& captured);
 
 /// Finds bounds, alpha and identity of `mesh`, whose arrays are set.
 void finishMesh(scene::Mesh& mesh);

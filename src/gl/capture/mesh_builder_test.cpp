@@ -11,7 +11,7 @@ namespace gluray::gl {
 namespace {
 
 /// A grid of n x n squares as separate triangles, every corner sent again for each triangle.
-Captured grid(uint32_t n, bool colored = false) {
+CapturedVertices grid(uint32_t n, bool colored = false) {
   VertexStream stream;
   stream.start(bit(kPosition) | (colored ? bit(kColor) : 0), initialSlotValues());
   stream.begin(GL_TRIANGLES);
@@ -31,7 +31,7 @@ Captured grid(uint32_t n, bool colored = false) {
 }
 
 TEST(Weld, GivesEqualVerticesOneNumberAndKeepsOthersApart) {
-  const Captured c = grid(100);
+  const CapturedVertices c = grid(100);
   const Welded w = weld(c.vertices.data(), c.vertexCount, c.layout.stride);
   ASSERT_EQ(w.index.size(), c.vertexCount);
   EXPECT_EQ(w.source.size(), 101u * 101u);
@@ -40,7 +40,7 @@ TEST(Weld, GivesEqualVerticesOneNumberAndKeepsOthersApart) {
 }
 
 TEST(Weld, StaysExactOverSeveralBlocks) {
-  const Captured c = grid(450);  // 1.2 million corners, more than one block
+  const CapturedVertices c = grid(450);  // 1.2 million corners, more than one block
   const Welded w = weld(c.vertices.data(), c.vertexCount, c.layout.stride);
   EXPECT_LT(w.source.size(), 451u * 451u + 2000u);
   for (uint32_t i = 0; i < c.vertexCount; i += 97)
@@ -48,7 +48,7 @@ TEST(Weld, StaysExactOverSeveralBlocks) {
 }
 
 TEST(BuildMesh, KeepsTriangleOrderAndIdentityWhetherWeldedOrNot) {
-  const Captured plain = grid(40), colored = grid(40, true);
+  const CapturedVertices plain = grid(40), colored = grid(40, true);
   const KnownMesh a = buildMesh(plain), b = buildMesh(colored);
   ASSERT_TRUE(a.mesh && b.mesh);
   EXPECT_EQ(a.mesh->triangleCount, 3200u);
@@ -59,7 +59,7 @@ TEST(BuildMesh, KeepsTriangleOrderAndIdentityWhetherWeldedOrNot) {
 }
 
 TEST(BuildMesh, StoresColoursAsBytesOnlyWhereExact) {
-  Captured c = grid(4, true);
+  CapturedVertices c = grid(4, true);
   EXPECT_EQ(buildMesh(c).mesh->colors.format, scene::Format::unorm8x4);
   c.vertex(7)[c.layout.offset[kColor] + 1] = 0.1234567f;
   const KnownMesh exact = buildMesh(c);
@@ -68,7 +68,7 @@ TEST(BuildMesh, StoresColoursAsBytesOnlyWhereExact) {
 }
 
 /// `n` separate triangles with coordinates of the units in `slots`.
-Captured layered(uint32_t n, SlotMask slots) {
+CapturedVertices layered(uint32_t n, SlotMask slots) {
   VertexStream stream;
   stream.start(bit(kPosition) | slots, initialSlotValues());
   stream.begin(GL_TRIANGLES);
@@ -103,14 +103,14 @@ TEST(BuildMesh, FurtherUnitsCostNothingWhereThereAreNone) {
 }
 
 TEST(BuildMesh, KnowsWhetherColoursAreOpaque) {
-  Captured c = grid(4, true);
+  CapturedVertices c = grid(4, true);
   EXPECT_TRUE(buildMesh(c).mesh->opaqueColors);
   c.vertex(3)[c.layout.offset[kColor] + 3] = 0.5f;
   EXPECT_FALSE(buildMesh(c).mesh->opaqueColors);
 }
 
 TEST(BuildMesh, BoundsLeaveOutWhatIsNotFinite) {
-  Captured c = grid(4);
+  CapturedVertices c = grid(4);
   c.vertex(0)[0] = NAN;
   c.vertex(1)[1] = INFINITY;
   const KnownMesh known = buildMesh(c);

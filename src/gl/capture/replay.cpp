@@ -105,7 +105,7 @@ void sendOpen(MaterialSender& materials, const Primitive& primitive, const uint3
 /// Sends primitives of a capture, with all that their vertices carry.
 class CaptureSender {
  public:
-  CaptureSender(const RealGl& real, const Captured& captured)
+  CaptureSender(const RealGl& real, const CapturedVertices& captured)
       : real_(real), captured_(captured), materials_(real, captured.materials) {}
 
   void sendOpen(const Primitive& primitive) {
@@ -128,18 +128,18 @@ class CaptureSender {
   }
 
   const RealGl& real_;
-  const Captured& captured_;
+  const CapturedVertices& captured_;
   MaterialSender materials_;
 };
 
 }  // namespace
 
-void replay(const RealGl& real, const Captured& captured) {
+void replay(const RealGl& real, const CapturedVertices& captured) {
   CaptureSender sender(real, captured);
   for (const Primitive& p : captured.primitives) sender.sendOpen(p), real.End();
 }
 
-void replayOpen(const RealGl& real, const Captured& captured, const Primitive& open) {
+void replayOpen(const RealGl& real, const CapturedVertices& captured, const Primitive& open) {
   CaptureSender(real, captured).sendOpen(open);
 }
 

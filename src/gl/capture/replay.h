@@ -15,10 +15,10 @@ void sendAttribute(const RealGl& real, Slot slot, const float* values);
 void sendMaterial(const RealGl& real, const MaterialChange& change);
 
 /// All primitives of `captured`.
-void replay(const RealGl& real, const Captured& captured);
+void replay(const RealGl& real, const CapturedVertices& captured);
 
 /// glBegin and the vertices so far of a primitive that is still open.
-void replayOpen(const RealGl& real, const Captured& captured, const Primitive& open);
+void replayOpen(const RealGl& real, const CapturedVertices& captured, const Primitive& open);
 
 /// The primitives of a capture whose vertices live on in `mesh` only (see buildMesh).
 void replay(const RealGl& real, const scene::Mesh& mesh, std::span<const Primitive> primitives,

@@ -21,7 +21,8 @@ TEST_P(StreamWeld, LargeSoupsAreWeldedWhileTheyArrive) {
   for (const SlotMask slots :
        {bit(kPosition), bit(kPosition) | bit(kNormal), bit(kPosition) | bit(kNormal) | bit(kColor),
         bit(kPosition) | bit(kFogCoord)}) {
-    const Captured soup = grid(kSide, kNever, slots), welded = grid(kSide, kWeldFrom, slots, GetParam());
+    const CapturedVertices soup = grid(kSide, kNever, slots),
+                           welded = grid(kSide, kWeldFrom, slots, GetParam());
     EXPECT_TRUE(soup.indices.empty());
     EXPECT_EQ(welded.indices.size(), 6u * kSide * kSide);
     EXPECT_EQ(welded.vertexCount, (kSide + 1) * (kSide + 1));
@@ -36,7 +37,7 @@ TEST(StreamWelder, SmallSoupsAreLeftAlone) {
 }
 
 TEST(StreamWelder, WhatHasArrivedBeforeIsWeldedToo) {
-  const Captured soup = grid(kSide, kNever), welded = grid(kSide, 6 * kSide * kSide - 1000);
+  const CapturedVertices soup = grid(kSide, kNever), welded = grid(kSide, 6 * kSide * kSide - 1000);
   EXPECT_EQ(welded.indices.size(), 6u * kSide * kSide);
   EXPECT_EQ(welded.vertexCount, (kSide + 1) * (kSide + 1));
   EXPECT_EQ(expanded(welded), expanded(soup));
@@ -55,7 +56,7 @@ TEST_P(StreamWeld, IncompleteTrianglesAreDropped) {
       stream.begin(GL_TRIANGLES);
       for (int i = 0; i < 3; ++i) stream.vertexSlow(-7, static_cast<float>(i), 0, 1);
       stream.end();
-      const Captured c = stream.take();
+      const CapturedVertices c = stream.take();
       ASSERT_EQ(c.primitives, (std::vector<Primitive>{{GL_TRIANGLES, 0, 6 * kSide * kSide + 3}}));
       ASSERT_EQ(c.indices.size(), 6u * kSide * kSide + 3);
       EXPECT_EQ(c.vertex(c.indices[6 * kSide * kSide])[0], -7);
@@ -71,7 +72,7 @@ TEST_P(StreamWeld, OtherFiguresFollow) {
     stream->begin(GL_TRIANGLE_STRIP), sendGrid(*stream, 3), stream->end();
     stream->begin(GL_TRIANGLES), sendGrid(*stream, kSide), stream->end();
   }
-  const Captured expected = plain.take(), got = welding.take();
+  const CapturedVertices expected = plain.take(), got = welding.take();
   EXPECT_LT(got.vertexCount, expected.vertexCount);
   EXPECT_EQ(got.primitives, expected.primitives);
   EXPECT_EQ(expanded(got), expanded(expected));
@@ -86,7 +87,7 @@ TEST_P(StreamWeld, ASlotSetLaterEndsTheWelding) {
   const float earlier[4] = {0, 0, 1, 0};
   stream.addSlot(kNormal, earlier);
   stream.begin(GL_TRIANGLES), sendGrid(stream, kSide), stream.end();
-  const Captured c = stream.take();
+  const CapturedVertices c = stream.take();
   const uint32_t at = c.layout.offset[kNormal], half = 6 * kSide * kSide;
   ASSERT_EQ(c.indices.size(), 2u * half);
   for (uint32_t i = 0; i < half; ++i) {
@@ -98,8 +99,8 @@ TEST_P(StreamWeld, ASlotSetLaterEndsTheWelding) {
 }
 
 TEST_P(StreamWeld, MeshesTakeTheArraysOver) {
-  Captured soup = grid(kSide, kNever),
-           welded = grid(kSide, kWeldFrom, bit(kPosition) | bit(kNormal), GetParam());
+  CapturedVertices soup = grid(kSide, kNever),
+                   welded = grid(kSide, kWeldFrom, bit(kPosition) | bit(kNormal), GetParam());
   const KnownMesh expected = buildMesh(soup), got = buildMesh(std::move(welded));
   ASSERT_TRUE(got.mesh);
   EXPECT_EQ(welded.vertices.data(), nullptr);
@@ -134,7 +135,7 @@ TEST(StreamWelder, VerticesFarApartInTimeMayStayDouble) {
 
 // Looked at, added to, aborted and begun again at every place within the pieces.
 TEST_P(StreamWeld, RunsMayBeLookedAtWhileTheyArrive) {
-  const Captured soup = grid(kSide, kNever);
+  const CapturedVertices soup = grid(kSide, kNever);
   VertexStream stream;
   for (const uint32_t step : {1000u, 8192u, 9001u, 50'000u}) {
     stream.start(bit(kPosition) | bit(kNormal), initialSlotValues(), kWeldFrom, GetParam());
@@ -153,7 +154,7 @@ TEST_P(StreamWeld, RunsMayBeLookedAtWhileTheyArrive) {
     });
     stream.end();
     EXPECT_FALSE(stream.empty());
-    const Captured c = stream.take();
+    const CapturedVertices c = stream.take();
     EXPECT_EQ(c.primitives, soup.primitives);
     EXPECT_EQ(c.vertexCount, (kSide + 1) * (kSide + 1));
     EXPECT_EQ(expanded(c), expanded(soup));

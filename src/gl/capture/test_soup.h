@@ -36,8 +36,8 @@ inline void sendGrid(VertexStream& stream, uint32_t side) {
   });
 }
 
-inline Captured grid(uint32_t side, uint32_t weldFrom, SlotMask slots = bit(kPosition) | bit(kNormal),
-                     Welding where = Welding::here) {
+inline CapturedVertices grid(uint32_t side, uint32_t weldFrom, SlotMask slots = bit(kPosition) | bit(kNormal),
+                             Welding where = Welding::here) {
   VertexStream stream;
   stream.start(slots, initialSlotValues(), weldFrom, where);
   stream.begin(GL_TRIANGLES);
@@ -47,7 +47,7 @@ inline Captured grid(uint32_t side, uint32_t weldFrom, SlotMask slots = bit(kPos
 }
 
 /// The vertices as they were sent, through the indices where there are any.
-inline std::vector<float> expanded(const Captured& c) {
+inline std::vector<float> expanded(const CapturedVertices& c) {
   std::vector<float> floats;
   for (const Primitive& p : c.primitives)
     for (uint32_t i = p.first; i < p.first + p.count; ++i) {

@@ -215,9 +215,9 @@ float VertexStream::addMaterial(const MaterialChange& change) {
   return static_cast<float>(captured_.materials.size());
 }
 
-Captured VertexStream::take() {
+CapturedVertices VertexStream::take() {
   numberAll();
-  Captured result = std::move(captured_);
+  CapturedVertices result = std::move(captured_);
   captured_ = {};
   cursor_ = nullptr;
   limit_ = room_ = 0;

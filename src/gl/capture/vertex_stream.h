@@ -75,12 +75,12 @@ class VertexStream {
 
   /// The primitive between begin() and end() so far.
   Primitive openPrimitive() const { return {mode_, first_, sent() - first_}; }
-  Captured& captured() {
+  CapturedVertices& captured() {
     numberAll();
     return captured_;
   }
   /// Hands the run over; the stream is empty afterwards.
-  Captured take();
+  CapturedVertices take();
 
  private:
   /// Vertices since the start, those that were found again included: what primitives count.
@@ -96,7 +96,7 @@ class VertexStream {
   void numberAll();
   void stopWelding();
 
-  Captured captured_;  // while another thread welds, vertices of the piece that arrives
+  CapturedVertices captured_;  // while another thread welds, vertices of the piece that arrives
   uint32_t weldFrom_ = kNever;
   Welding where_ = Welding::here;
   uint32_t kept_ = 0;      // vertices that indices refer to; those behind have arrived since

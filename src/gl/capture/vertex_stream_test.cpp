@@ -31,7 +31,7 @@ TEST(VertexStream, GivesEarlierVerticesTheValueFromBefore) {
   stream.addSlot(kColor, white);
   stream.set(kColor, red);
   triangle(stream, 5);
-  const Captured c = stream.take();
+  const CapturedVertices c = stream.take();
   ASSERT_EQ(c.vertexCount, 6u);
   const uint32_t at = c.layout.offset[kColor];
   EXPECT_EQ(c.vertex(2)[at + 1], 1);
@@ -49,7 +49,7 @@ TEST(VertexStream, KeepsItsMemoryFromRunToRun) {
     const float up[4] = {0, 0, 1, 0};
     stream.addSlot(kNormal, up);  // as the first glNormal of a run does
     for (int i = 0; i < 100'000; ++i) triangle(stream, static_cast<float>(i));
-    const Captured& c = stream.captured();
+    const CapturedVertices& c = stream.captured();
     if (run > 0) {
       EXPECT_EQ(c.vertices.data(), data);
       EXPECT_EQ(c.vertices.capacity(), capacity);
@@ -67,7 +67,7 @@ TEST(VertexStream, WidensEarlierVerticesInPlace) {
   const float white[4] = {1, 1, 1, 1}, st[4] = {3, 4, 0, 1};
   stream.addSlot(kColor, white);
   stream.addSlot(kTexCoord0, st);
-  const Captured c = stream.take();
+  const CapturedVertices c = stream.take();
   ASSERT_EQ(c.vertexCount, 150u);
   for (uint32_t i = 0; i < c.vertexCount; ++i) {
     EXPECT_EQ(c.vertex(i)[0], static_cast<float>(i / 3));
@@ -87,7 +87,7 @@ TEST(VertexStream, KeepsWOnlyWhereSomeVertexHasOne) {
   stream.vertexSlow(1, 2, 3, 1);
   EXPECT_FALSE(stream.hasRoom()) << "the leaf path would forget w";
   stream.end();
-  const Captured c = stream.take();
+  const CapturedVertices c = stream.take();
   const uint32_t at = c.layout.offset[kPositionW];
   EXPECT_EQ(c.vertex(0)[at], 1);
   EXPECT_EQ(c.vertex(3)[at], 4);
@@ -111,7 +111,7 @@ TEST(VertexStream, HoldsEverySlotAtOnce) {
   stream.begin(GL_POINTS);
   for (int i = 0; i < 3000; ++i) stream.vertexSlow(static_cast<float>(i), 0, 0, 1);
   stream.end();
-  const Captured c = stream.take();
+  const CapturedVertices c = stream.take();
   for (const uint32_t i : {0u, 1500u, 2999u}) {
     EXPECT_EQ(c.vertex(i)[0], static_cast<float>(i));
     for (int s = kNormal; s < kSlotCount; ++s)

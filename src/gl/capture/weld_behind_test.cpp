@@ -20,7 +20,7 @@ using namespace test;
 
 /// Vertices of a walk that often comes back to where it was, in primitives of all kinds, looked at now and
 /// then.
-Captured walk(Welding where, uint32_t seed) {
+CapturedVertices walk(Welding where, uint32_t seed) {
   constexpr GLenum kModes[] = {GL_TRIANGLES, GL_TRIANGLES, GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_QUADS};
   std::mt19937 random(seed);
   VertexStream stream;
@@ -43,7 +43,7 @@ Captured walk(Welding where, uint32_t seed) {
 
 TEST(WeldBehind, GivesWhatTheCallingThreadWouldWhateverComes) {
   for (uint32_t seed = 1; seed <= 15; ++seed) {
-    const Captured here = walk(Welding::here, seed), behind = walk(Welding::behind, seed);
+    const CapturedVertices here = walk(Welding::here, seed), behind = walk(Welding::behind, seed);
     ASSERT_EQ(behind.primitives, here.primitives) << seed;
     ASSERT_EQ(behind.vertexCount, here.vertexCount) << seed;
     ASSERT_TRUE(
@@ -84,7 +84,7 @@ void limitMemory(rlim_t moreBytes) {
 TEST(WeldBehind, NothingIsLostWhereMemoryIsShortForAWhile) {
   if (!kMemoryCanBeLimited) GTEST_SKIP() << "not with sanitizers";
   constexpr uint32_t kLarge = 600;
-  const Captured soup = grid(kLarge, kNever, bit(kPosition));
+  const CapturedVertices soup = grid(kLarge, kNever, bit(kPosition));
   const auto shortOfMemory = [&] {
     VertexStream stream;
     stream.start(bit(kPosition), initialSlotValues(), kWeldFrom, Welding::behind);

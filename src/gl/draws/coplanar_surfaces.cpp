@@ -95,20 +95,21 @@ glm::dmat3 fromPlane(const glm::dmat4& clipFromObject, const glm::dvec4& plane, 
 }  // namespace
 
 /// A triangle in normalised device coordinates.
-struct Sheets::Piece {
+struct CoplanarSurfaces::Piece {
   Corners at;
   Box2 box;
 };
 
 /// What the bounds of two sheets have in common, in the coordinates of the first one's plane: neighbours that
 /// touch share nothing there, however the plane is tilted in the window.
-struct Sheets::Common {
+struct CoplanarSurfaces::Common {
   Box2 box;
   glm::dvec2 narrow{0};
 };
 
-std::optional<Sheets::Sheet> Sheets::placed(const scene::MeshPtr& mesh, const SheetPlace& place,
-                                            const glm::dvec4& plane) {
+std::optional<CoplanarSurfaces::Sheet> CoplanarSurfaces::placed(const scene::MeshPtr& mesh,
+                                                                const SurfacePlace& place,
+                                                                const glm::dvec4& plane) {
   const glm::dvec4 clip = glm::transpose(glm::inverse(place.clipFromObject)) * plane;
   const glm::ivec2 axes = axesOf(plane);
   Sheet sheet{mesh,
@@ -140,8 +141,9 @@ std::optional<Sheets::Sheet> Sheets::placed(const scene::MeshPtr& mesh, const Sh
   return sheet;
 }
 
-std::vector<Sheets::Piece> Sheets::piecesOf(const Sheet& sheet, const glm::dmat3& commonFromPlane,
-                                            const Common& common) {
+std::vector<CoplanarSurfaces::Piece> CoplanarSurfaces::piecesOf(const Sheet& sheet,
+                                                                const glm::dmat3& commonFromPlane,
+                                                                const Common& common) {
   std::vector<Piece> pieces;
   for (uint32_t t = 0; t < sheet.mesh->triangleCount; ++t) {
     Corners at;
@@ -163,7 +165,7 @@ std::vector<Sheets::Piece> Sheets::piecesOf(const Sheet& sheet, const glm::dmat3
   return pieces;
 }
 
-bool Sheets::overlap(const Sheet& a, const Sheet& b) {
+bool CoplanarSurfaces::overlap(const Sheet& a, const Sheet& b) {
   const glm::dvec2 lower = glm::max(a.lower, b.lower), upper = glm::min(a.upper, b.upper);
   if (!(lower.x + kNarrow < upper.x && lower.y + kNarrow < upper.y)) return false;
   if (a.place.framebuffer != b.place.framebuffer || a.place.viewport != b.place.viewport) return false;
@@ -199,7 +201,7 @@ bool Sheets::overlap(const Sheet& a, const Sheet& b) {
 }
 
 /// A line sweeps over both from the left; what it crosses is open.
-bool Sheets::anyOverlap(std::vector<Piece> a, std::vector<Piece> b) {
+bool CoplanarSurfaces::anyOverlap(std::vector<Piece> a, std::vector<Piece> b) {
   const auto isBefore = [](const Piece& p, const Piece& q) { return p.box.lower.x < q.box.lower.x; };
   std::sort(a.begin(), a.end(), isBefore), std::sort(b.begin(), b.end(), isBefore);
   std::vector<const Piece*> openA, openB;
@@ -221,7 +223,7 @@ bool Sheets::anyOverlap(std::vector<Piece> a, std::vector<Piece> b) {
   return false;
 }
 
-bool Sheets::meets(const scene::MeshPtr& mesh, const SheetPlace& place) {
+bool CoplanarSurfaces::meets(const scene::MeshPtr& mesh, const SurfacePlace& place) {
   if (mesh->shape != scene::Shape::triangles || mesh->triangleCount == 0 ||
       mesh->triangleCount > kMostTriangles || sheets_.size() >= kMostSheets)
     return false;
@@ -242,20 +244,20 @@ bool Sheets::meets(const scene::MeshPtr& mesh, const SheetPlace& place) {
   return met;
 }
 
-void Sheets::clear() {
+void CoplanarSurfaces::clear() {
   if (sheets_.empty()) return;
   sheets_.clear();
   work_ = 0;
   ++layer_;
 }
 
-void Sheets::remember(const Hash128& geometry) {
+void CoplanarSurfaces::remember(const Hash128& geometry) {
   constexpr size_t kMost = 4096;  // more are old ones that are drawn no more
   if (metIn_.size() > kMost) metIn_.clear();
   metIn_[geometry] = layer_;
 }
 
-bool Sheets::isRemembered(const Hash128& geometry) {
+bool CoplanarSurfaces::isRemembered(const Hash128& geometry) {
   constexpr uint64_t kRemembered = 100;  // layers
   const auto met = metIn_.find(geometry);
   if (met == metIn_.end()) return false;
@@ -264,7 +266,7 @@ bool Sheets::isRemembered(const Hash128& geometry) {
   return false;
 }
 
-const std::optional<glm::dvec4>& Sheets::planeOf(const scene::Mesh& mesh) {
+const std::optional<glm::dvec4>& CoplanarSurfaces::planeOf(const scene::Mesh& mesh) {
   constexpr size_t kMost = 4096;
   if (planes_.size() > kMost) planes_.clear();
   const auto known = planes_.find(mesh.geometryId);

@@ -17,20 +17,20 @@
 namespace gluray::gl {
 
 /// Where a draw puts its mesh.
-struct SheetPlace {
+struct SurfacePlace {
   uint32_t framebuffer = 0;
   glm::ivec4 viewport{0};
   glm::dmat4 clipFromObject{1};
   scene::PolygonOffset offset;  // `resolution`: also that of the framebuffer
 };
 
-class Sheets {
+class CoplanarSurfaces {
  public:
   /// Whether `mesh`, which is about to be drawn and could be traced, is a sheet that overlaps another of the
   /// layer in its plane, or was found to be one in the last hundred layers. Triangles that are equal do not
   /// count: their depths are. Meshes of more than kMostTriangles, and sheets after the first kMostSheets of a
   /// layer, are not looked at.
-  bool meets(const scene::MeshPtr& mesh, const SheetPlace& place);
+  bool meets(const scene::MeshPtr& mesh, const SurfacePlace& place);
   /// Whether something drawn in this layer was found to meet a sheet for the first time, since the last call.
   bool takeFound() { return std::exchange(found_, false); }
   /// Depth was cleared, or the frame ended: a new layer begins.
@@ -47,7 +47,7 @@ class Sheets {
   /// In normalised device coordinates; depth is x*plane.x + y*plane.y + plane.z.
   struct Sheet {
     scene::MeshPtr mesh;
-    SheetPlace place;
+    SurfacePlace place;
     glm::dvec3 plane;
     glm::ivec2 axes;           // of object space: the two coordinates that tell points of its plane apart
     glm::dmat3 clipFromPlane;  // x, y and w from these two and 1
@@ -57,7 +57,7 @@ class Sheets {
   struct Piece;
   struct Common;
 
-  static std::optional<Sheet> placed(const scene::MeshPtr& mesh, const SheetPlace& place,
+  static std::optional<Sheet> placed(const scene::MeshPtr& mesh, const SurfacePlace& place,
                                      const glm::dvec4& plane);
   /// The triangles of `sheet` that reach into `common`, whose plane has `commonFromPlane`.
   static std::vector<Piece> piecesOf(const Sheet& sheet, const glm::dmat3& commonFromPlane,

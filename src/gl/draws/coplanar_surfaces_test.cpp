@@ -11,7 +11,7 @@ namespace {
 const glm::dmat4 kView = glm::perspective(0.8, 1.5, 1.0, 20.0) *
                          glm::lookAt(glm::dvec3(3, 2, 6), glm::dvec3(0), glm::dvec3(0, 1, 0));
 
-SheetPlace here(const glm::dmat4& objectFromObject = glm::dmat4(1)) {
+SurfacePlace here(const glm::dmat4& objectFromObject = glm::dmat4(1)) {
   return {0, {0, 0, 300, 200}, kView * objectFromObject, {}};
 }
 
@@ -21,7 +21,7 @@ scene::MeshPtr rectangle(glm::vec2 lower, glm::vec2 upper, float z = 0) {
 }
 
 TEST(Sheets, MeetWhereTheyOverlapInOnePlane) {
-  Sheets sheets;
+  CoplanarSurfaces sheets;
   EXPECT_FALSE(sheets.meets(rectangle({-1, -1}, {1, 1}), here()));
   EXPECT_FALSE(sheets.meets(rectangle({1, -1}, {2, 1}), here())) << "a neighbour";
   EXPECT_FALSE(sheets.meets(rectangle({-1, -1}, {1, 1}, 0.01f), here())) << "in front";
@@ -32,7 +32,7 @@ TEST(Sheets, MeetWhereTheyOverlapInOnePlane) {
 }
 
 TEST(Sheets, MeetAcrossMatrices) {
-  Sheets sheets;
+  CoplanarSurfaces sheets;
   const glm::dmat4 turned =
       glm::translate(glm::rotate(glm::dmat4(1), 0.3, glm::dvec3(0, 0, 1)), {0.1, 0.2, 0.5});
   EXPECT_FALSE(sheets.meets(rectangle({-1, -1}, {1, 1}, 0.5f), here()));
@@ -41,7 +41,7 @@ TEST(Sheets, MeetAcrossMatrices) {
 }
 
 TEST(Sheets, TrianglesThatAreEqualDoNotCount) {
-  Sheets sheets;
+  CoplanarSurfaces sheets;
   const scene::MeshPtr all = rectangle({-1, -1}, {1, 1});
   EXPECT_FALSE(sheets.meets(all, here()));
   EXPECT_FALSE(sheets.meets(all, here()));
@@ -51,19 +51,19 @@ TEST(Sheets, TrianglesThatAreEqualDoNotCount) {
 
 TEST(Sheets, OffsetsViewportsAndFramebuffersKeepThemApart) {
   const scene::MeshPtr first = rectangle({-1, -1}, {1, 1}), second = rectangle({-0.5f, -0.5f}, {0.2f, 3});
-  SheetPlace pushed = here(), otherWindow = here(), otherViewport = here();
+  SurfacePlace pushed = here(), otherWindow = here(), otherViewport = here();
   pushed.offset.units = 2;
   otherWindow.framebuffer = 7;
   otherViewport.viewport.x = 300;
-  for (const SheetPlace& place : {pushed, otherWindow, otherViewport}) {
-    Sheets sheets;
+  for (const SurfacePlace& place : {pushed, otherWindow, otherViewport}) {
+    CoplanarSurfaces sheets;
     EXPECT_FALSE(sheets.meets(first, here()));
     EXPECT_FALSE(sheets.meets(second, place));
   }
 }
 
 TEST(Sheets, AreKnownForAHundredLayers) {
-  Sheets sheets;
+  CoplanarSurfaces sheets;
   const scene::MeshPtr first = rectangle({-1, -1}, {1, 1}), second = rectangle({-0.5f, -0.5f}, {0.2f, 3});
   sheets.meets(first, here()), sheets.meets(second, here());
   EXPECT_TRUE(sheets.takeFound());
@@ -78,7 +78,7 @@ TEST(Sheets, AreKnownForAHundredLayers) {
 }
 
 TEST(Sheets, SurfacesThatAreNotFlatAreNone) {
-  Sheets sheets;
+  CoplanarSurfaces sheets;
   const std::vector<glm::vec3> bent = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0},
                                        {-1, -1, 0}, {1, 1, 0},  {-1, 1, 0.01f}};
   EXPECT_FALSE(sheets.meets(test::meshOf(bent), here()));
@@ -99,7 +99,7 @@ scene::MeshPtr tile(glm::ivec2 at, double turned) {
 }
 
 /// All 20x20 of them, placed by their vertices or as glTranslatef places them.
-void drawTiles(Sheets& sheets, double turned, bool ownMatrices) {
+void drawTiles(CoplanarSurfaces& sheets, double turned, bool ownMatrices) {
   const glm::mat4 mapFromTiles(glm::rotate(glm::dmat4(1), turned, glm::dvec3(0, 0, 1)));
   for (int y = -10; y < 10; ++y) {
     for (int x = -10; x < 10; ++x) {
@@ -116,7 +116,7 @@ TEST(Sheets, TilesOfATiltedMapAreToldApartByFewTriangles) {
   // Bounds of about 1,600 pairs meet in the window: 26 million pairs of triangles.
   for (const bool ownMatrices : {false, true}) {
     for (const double turned : {0.0, 0.7}) {
-      Sheets sheets;
+      CoplanarSurfaces sheets;
       drawTiles(sheets, turned, ownMatrices);
       // Bounds along axes of the map tell tiles apart; those of vertices that are turned do not.
       const bool byBounds = ownMatrices || turned == 0;
@@ -136,16 +136,16 @@ TEST(Sheets, BeyondTheirWorkTheirBoundsDecide) {
     }
     return test::meshOf(corners);
   };
-  Sheets sheets;
+  CoplanarSurfaces sheets;
   EXPECT_FALSE(sheets.meets(comb(0), here()));
   EXPECT_TRUE(sheets.meets(comb(5e-4f), here()));
-  EXPECT_LT(sheets.work(), Sheets::kMostWork + 50000);
+  EXPECT_LT(sheets.work(), CoplanarSurfaces::kMostWork + 50000);
   sheets.clear();
   EXPECT_EQ(sheets.work(), 0u);
 }
 
 TEST(Sheets, ThatReachBehindTheViewerMeetByTheirBounds) {
-  Sheets sheets;
+  CoplanarSurfaces sheets;
   EXPECT_FALSE(sheets.meets(rectangle({-100, -100}, {100, 100}), here()));
   EXPECT_TRUE(sheets.meets(rectangle({-0.5f, -0.5f}, {0.2f, 3}), here()));
 }

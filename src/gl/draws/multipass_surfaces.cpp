@@ -21,7 +21,7 @@ constexpr uint32_t kSamples = 32;
 
 }  // namespace
 
-std::vector<Triangle> sampleTriangles(const Captured& captured) {
+std::vector<Triangle> sampleTriangles(const CapturedVertices& captured) {
   const std::vector<uint32_t> corners = triangulate(captured);
   const size_t step = std::max<size_t>(corners.size() / 3 / kSamples, 1) * 3;
   const auto position = [&](uint32_t i) {
@@ -64,20 +64,22 @@ VertexSet::Place VertexSet::placeOf(const glm::vec3& point) const {
           uint64_t{1} << (hash & 63) | uint64_t{1} << (hash >> 6 & 63)};
 }
 
-void Passes::drawn(const scene::MeshPtr& mesh, const glm::dmat4& eyeFromObject, How how, bool pushedBack) {
+void MultipassSurfaces::drawn(const scene::MeshPtr& mesh, const glm::dmat4& eyeFromObject, How how,
+                              bool pushedBack) {
   surfaces_.emplace(hashOf(eyeFromObject), Surface{mesh, eyeFromObject, how, pushedBack});
   rasterised_ = rasterised_ || how == How::rasterised;
 }
 
-void Passes::drawnByProgram(const scene::MeshPtr& mesh, const glm::dmat4& eyeFromObject,
-                            const glm::dmat4& clipFromObject, uint32_t framebuffer, bool pushedBack) {
+void MultipassSurfaces::drawnByProgram(const scene::MeshPtr& mesh, const glm::dmat4& eyeFromObject,
+                                       const glm::dmat4& clipFromObject, uint32_t framebuffer,
+                                       bool pushedBack) {
   Surface surface{mesh, eyeFromObject, How::pending, pushedBack};
   surface.clipFromObject = clipFromObject;
   surfaces_.emplace(placeIn(framebuffer), std::move(surface));
   byProgram_ = true;
 }
 
-void Passes::flushed(const scene::SnapshotPtr& snapshot) {
+void MultipassSurfaces::flushed(const scene::SnapshotPtr& snapshot) {
   for (auto& [place, surface] : surfaces_) {
     if (surface.how != How::pending) continue;
     surface.how = snapshot ? How::traced : How::rasterised;
@@ -86,8 +88,8 @@ void Passes::flushed(const scene::SnapshotPtr& snapshot) {
   }
 }
 
-std::vector<DepthAgain> Passes::takeTraced() {
-  std::vector<DepthAgain> all;
+std::vector<DepthRedraw> MultipassSurfaces::takeTraced() {
+  std::vector<DepthRedraw> all;
   for (auto& place : surfaces_) {
     Surface& surface = place.second;
     if (!std::exchange(surface.met, false) || surface.how != How::traced) continue;
@@ -103,7 +105,7 @@ std::vector<DepthAgain> Passes::takeTraced() {
   return all;
 }
 
-void Passes::clear(std::optional<uint32_t> framebuffer) {
+void MultipassSurfaces::clear(std::optional<uint32_t> framebuffer) {
   if (framebuffer)
     std::erase_if(rasterisedByProgram_, [&](const Rasterised& r) { return r.framebuffer == *framebuffer; });
   else
@@ -120,35 +122,35 @@ void Passes::clear(std::optional<uint32_t> framebuffer) {
   byProgram_ = !surfaces_.empty();
 }
 
-void Passes::forgetMany() {
+void MultipassSurfaces::forgetMany() {
   constexpr size_t kMany = 65536;
   if (surfaces_.size() > kMany) clear();
 }
 
-bool Passes::anyByProgram(uint32_t framebuffer, uint64_t triangles) const {
+bool MultipassSurfaces::anyByProgram(uint32_t framebuffer, uint64_t triangles) const {
   const auto [first, last] = surfaces_.equal_range(placeIn(framebuffer));
   return std::any_of(first, last,
                      [&](const auto& one) { return one.second.mesh->triangleCount == triangles; });
 }
 
-bool Passes::anyUnder(const glm::dmat4& eyeFromObject) const {
+bool MultipassSurfaces::anyUnder(const glm::dmat4& eyeFromObject) const {
   return !surfaces_.empty() && surfaces_.contains(hashOf(eyeFromObject));
 }
 
-bool Passes::liesUpon(const Surface& surface, const glm::dmat4& eyeFromObject,
-                      std::span<const Triangle> triangles) {
+bool MultipassSurfaces::liesUpon(const Surface& surface, const glm::dmat4& eyeFromObject,
+                                 std::span<const Triangle> triangles) {
   return surface.eyeFromObject == eyeFromObject && holdsSome(*surface.mesh, triangles);
 }
 
-bool Passes::holdsSome(const scene::Mesh& mesh, std::span<const Triangle> triangles) {
+bool MultipassSurfaces::holdsSome(const scene::Mesh& mesh, std::span<const Triangle> triangles) {
   const VertexSet& vertices = verticesOf(mesh);
   return std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
     return std::all_of(t.begin(), t.end(), [&](const glm::vec3& p) { return vertices.mayHold(p); });
   });
 }
 
-Passes::Meeting Passes::meets(const glm::dmat4& eyeFromObject, std::span<const Triangle> triangles,
-                              bool pushedBack) {
+MultipassSurfaces::Meeting MultipassSurfaces::meets(const glm::dmat4& eyeFromObject,
+                                                    std::span<const Triangle> triangles, bool pushedBack) {
   Meeting meeting = Meeting::none;
   const auto [first, last] = surfaces_.equal_range(hashOf(eyeFromObject));
   for (auto it = first; it != last; ++it) {
@@ -161,13 +163,15 @@ Passes::Meeting Passes::meets(const glm::dmat4& eyeFromObject, std::span<const T
   return meeting;
 }
 
-Passes::Meeting Passes::meet(Surface& surface, Meeting before) {
+MultipassSurfaces::Meeting MultipassSurfaces::meet(Surface& surface, Meeting before) {
   surface.met = true;
   return surface.how == How::pending || before == Meeting::pending ? Meeting::pending : Meeting::drawn;
 }
 
-Passes::Meeting Passes::meetsProgram(uint32_t framebuffer, std::span<const Triangle> triangles,
-                                     uint64_t count, const glm::dmat4* clipFromObject, bool pushedBack) {
+MultipassSurfaces::Meeting MultipassSurfaces::meetsProgram(uint32_t framebuffer,
+                                                           std::span<const Triangle> triangles,
+                                                           uint64_t count, const glm::dmat4* clipFromObject,
+                                                           bool pushedBack) {
   Meeting meeting = Meeting::none;
   const auto [first, last] = surfaces_.equal_range(placeIn(framebuffer));
   for (auto it = first; it != last; ++it) {
@@ -181,7 +185,8 @@ Passes::Meeting Passes::meetsProgram(uint32_t framebuffer, std::span<const Trian
   return meeting;
 }
 
-bool Passes::meetsRasterised(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject, bool pushedBack) {
+bool MultipassSurfaces::meetsRasterised(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject,
+                                        bool pushedBack) {
   if (!rasterised_ || !anyUnder(eyeFromObject)) return false;
   const std::vector<Triangle> triangles = sampleTriangles(mesh);
   const auto [first, last] = surfaces_.equal_range(hashOf(eyeFromObject));
@@ -196,22 +201,23 @@ bool Passes::meetsRasterised(const scene::Mesh& mesh, const glm::dmat4& eyeFromO
   return false;
 }
 
-void Passes::remember(const Hash128& geometry) {
+void MultipassSurfaces::remember(const Hash128& geometry) {
   constexpr size_t kMost = 4096;  // more are old ones that are drawn no more
   if (metIn_.size() > kMost) metIn_.clear();
   metIn_[geometry] = layer_;
 }
 
-void Passes::rasterisedByProgram(uint32_t framebuffer, uint64_t count, std::vector<Triangle> triangles,
-                                 const glm::dmat4* clipFromObject, bool pushedBack) {
+void MultipassSurfaces::rasterisedByProgram(uint32_t framebuffer, uint64_t count,
+                                            std::vector<Triangle> triangles, const glm::dmat4* clipFromObject,
+                                            bool pushedBack) {
   if (rasterisedByProgram_.size() >= kMostRasterised || triangles.empty()) return;
   Rasterised r{framebuffer, count, std::move(triangles), {}, pushedBack};
   if (clipFromObject) r.clipFromObject = *clipFromObject;
   rasterisedByProgram_.push_back(std::move(r));
 }
 
-bool Passes::meetsRasterised(uint32_t framebuffer, const scene::Mesh& mesh, const glm::dmat4& clipFromObject,
-                             bool pushedBack) {
+bool MultipassSurfaces::meetsRasterised(uint32_t framebuffer, const scene::Mesh& mesh,
+                                        const glm::dmat4& clipFromObject, bool pushedBack) {
   const auto meets = [&](const Rasterised& r) {
     return r.framebuffer == framebuffer && r.count == mesh.triangleCount && (pushedBack || !r.pushedBack) &&
            (!r.clipFromObject || *r.clipFromObject == clipFromObject) && holdsSome(mesh, r.triangles);
@@ -221,7 +227,7 @@ bool Passes::meetsRasterised(uint32_t framebuffer, const scene::Mesh& mesh, cons
   return true;
 }
 
-bool Passes::several(const Hash128& geometry) {
+bool MultipassSurfaces::several(const Hash128& geometry) {
   constexpr uint64_t kRemembered = 100;  // layers: some seconds, or a few frames of many layers
   if (metIn_.empty()) return false;
   const auto met = metIn_.find(geometry);
@@ -231,7 +237,7 @@ bool Passes::several(const Hash128& geometry) {
   return false;
 }
 
-const VertexSet& Passes::verticesOf(const scene::Mesh& mesh) {
+const VertexSet& MultipassSurfaces::verticesOf(const scene::Mesh& mesh) {
   constexpr size_t kKept = 64;
   if (vertices_.size() >= kKept && !vertices_.contains(mesh.geometryId)) vertices_.clear();
   std::unique_ptr<VertexSet>& set = vertices_[mesh.geometryId];

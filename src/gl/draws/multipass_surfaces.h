@@ -1,9 +1,9 @@
 // Surfaces that are drawn more than once in a layer: once traced, once by the real OpenGL (blended, with
-// GL_EQUAL, depth alone in advance ...). Passes must meet the depth that rasterising leaves, to the bit: such
-// surfaces are rasterised in every pass, and where one was traced before its first pass came, its depth is
-// drawn again. What fixed function draws is known by its modelview matrix; what shader programs draw, by the
-// framebuffer and the number of triangles, since a program that is not known has its matrices anywhere. Owned
-// by Context, GL thread.
+// GL_EQUAL, depth alone in advance ...). MultipassSurfaces must meet the depth that rasterising leaves, to
+// the bit: such surfaces are rasterised in every pass, and where one was traced before its first pass came,
+// its depth is drawn again. What fixed function draws is known by its modelview matrix; what shader programs
+// draw, by the framebuffer and the number of triangles, since a program that is not known has its matrices
+// anywhere. Owned by Context, GL thread.
 #pragma once
 #include "base/hash.h"
 #include "gl/capture/captured_vertices.h"
@@ -27,7 +27,7 @@ using Triangle = std::array<glm::vec3, 3>;
 
 /// Some triangles of a mesh, or of captured surfaces, spread over them.
 std::vector<Triangle> sampleTriangles(const scene::Mesh& mesh);
-std::vector<Triangle> sampleTriangles(const Captured& captured);
+std::vector<Triangle> sampleTriangles(const CapturedVertices& captured);
 
 /// Whether a point is a vertex of a mesh; of others that says so about one in sixty.
 class VertexSet {
@@ -46,13 +46,13 @@ class VertexSet {
 };
 
 /// A surface whose depth is to be drawn again.
-struct DepthAgain {
+struct DepthRedraw {
   scene::SnapshotPtr snapshot;  // what was traced, without other surfaces
   scene::MeshPtr mesh;
   std::optional<glm::dmat4> clipFromObject;  // of a shader program that took this matrix
 };
 
-class Passes {
+class MultipassSurfaces {
  public:
   enum class How : uint8_t { pending, traced, rasterised };  // pending: in a batch that waits to be traced
   /// A surface was drawn in this layer; `pushedBack`: by a polygon offset, so that what comes without one
@@ -97,7 +97,7 @@ class Passes {
                        bool pushedBack);
   /// The surfaces that meets() and meetsProgram() have found to be traced already, each once. They count as
   /// rasterised from then on.
-  std::vector<DepthAgain> takeTraced();
+  std::vector<DepthRedraw> takeTraced();
   /// Whether the geometry was found to be drawn in several passes, in this layer or one of the last hundred.
   bool several(const Hash128& geometry);
 

@@ -1,7 +1,7 @@
 // Surfaces that are blended in the order of drawing (scene::Layers::Of::drawn, ADR 0038): fixed function with
 // blending on, or without depth writes. What they are drawn over is read when their batch is presented.
-#include "gl/context.h"
 #include "gl/draws/affine.h"
+#include "gl/errors.h"
 #include "gl/layers/layer_draws.h"
 
 #include <algorithm>
@@ -42,41 +42,43 @@ scene::Region united(const scene::Region& a, const scene::Region& b) {
 }  // namespace
 
 bool LayerDraws::mayBeDrawn() const {
-  return c_.state.raster.layers.has_value() && c_.state.target.blendable;
+  return p_.shadow.state.raster.layers.has_value() && p_.shadow.state.target.blendable;
 }
 
 void LayerDraws::describe(BatchKey& key) const {
   key.layers = BatchKey::Layers::drawn;
-  key.blending = *c_.state.raster.layers;
-  key.blending.hasAlpha = c_.state.target.alpha;
-  key.depthSteps = c_.state.target.depthSteps;
+  key.blending = *p_.shadow.state.raster.layers;
+  key.blending.hasAlpha = p_.shadow.state.target.alpha;
+  key.depthSteps = p_.shadow.state.target.depthSteps;
 }
 
 bool LayerDraws::leavesDrawn(uint64_t triangles) {
-  if (frame_ != c_.frame) {
-    frame_ = c_.frame;
+  if (frame_ != p_.clock.frame) {
+    frame_ = p_.clock.frame;
     lastDrawn_ = std::exchange(drawn_, {});
   }
   drawn_.triangles += triangles;
-  const uint64_t number = c_.statistics.drawsTraced + c_.statistics.drawsRasterised;
-  const scene::Blending& blending = *c_.state.raster.layers;
+  const uint64_t number = p_.counts.statistics.drawsTraced + p_.counts.statistics.drawsRasterised;
+  const scene::Blending& blending = *p_.shadow.state.raster.layers;
   if (drawn_.runs == 0 || number != drawnLast_ + 1 || !(blending == drawnBy_)) ++drawn_.runs;
   drawnLast_ = number, drawnBy_ = blending;
-  return c_.leavesLayers(std::max(triangles, lastDrawn_.triangles / std::max<uint64_t>(lastDrawn_.runs, 1)));
+  return p_.clock.leavesLayers(
+      std::max(triangles, lastDrawn_.triangles / std::max<uint64_t>(lastDrawn_.runs, 1)),
+      p_.shadow.viewportPixels());
 }
 
 bool LayerDraws::readUnder() {
-  if (const GLenum pending = c_.real.GetError()) c_.setError(pending);
-  const scene::Snapshot& waiting = c_.batch().waiting();
+  p_.shadow.errors.keepPending();
+  const scene::Snapshot& waiting = p_.flusher.batch.waiting();
   scene::Region region;
   for (const scene::Instance& instance : waiting.instances)
     region = united(region, reachedBy(waiting, instance));
   if (region.width <= 0) region = {waiting.region.x, waiting.region.y, 1, 1};  // nothing is seen of them
   auto layers = std::make_shared<scene::Layers>(*waiting.layers);
-  if (!c_.presenter().reader().readDepth(c_.real, region, layers->opaqueDepth) ||
-      !c_.presenter().reader().readColors(c_.real, region, layers->colors))
+  if (!p_.flusher.presenter.reader().readDepth(p_.shadow.real, region, layers->opaqueDepth) ||
+      !p_.flusher.presenter.reader().readColors(p_.shadow.real, region, layers->colors))
     return false;
-  c_.batch().seeThrough(std::move(layers), region);
+  p_.flusher.batch.seeThrough(std::move(layers), region);
   return true;
 }
 

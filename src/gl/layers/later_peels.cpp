@@ -1,6 +1,6 @@
 // Peels after the first one, whose layers are traced already: they are held back, and what the program counts
 // to know when to end is what they would have written, until it has drawn as many as show all layers.
-#include "gl/context.h"
+#include "gl/errors.h"
 #include "gl/layers/layer_draws.h"
 #include "gl/layers/peel_limits.h"
 #include "gl/layers/peel_outputs.h"
@@ -63,7 +63,7 @@ bool reads(const ProgramDraw& draw, GLuint texture) {
 
 }  // namespace
 
-bool LayerDraws::mayAsk() const { return c_.info().core && behindOf(peeling_.target) != 0; }
+bool LayerDraws::mayAsk() const { return p_.shadow.info.core && behindOf(peeling_.target) != 0; }
 
 void LayerDraws::ask(PresentResult& result) {
   peeling_.stage = Peeling::Stage::peels;
@@ -78,11 +78,11 @@ void LayerDraws::ask(PresentResult& result) {
 /// Whether what is drawn now belongs to the first peel, of which a part was traced because a program was made
 /// meanwhile.
 bool LayerDraws::joinsFirstPeel() const {
-  const ProgramState& program = c_.state.program;
-  if (!peeling_.target.later.empty() || c_.activeQueries > 0 || passOf(program) != Family::Pass::peel ||
-      program.reason != Reason::traced)
+  const ProgramState& program = p_.shadow.state.program;
+  if (!peeling_.target.later.empty() || p_.shadow.activeQueries > 0 ||
+      passOf(program) != Family::Pass::peel || program.reason != Reason::traced)
     return false;
-  return inputTexture(c_.real, program) == peeling_.depthsFound;
+  return inputTexture(p_.shadow.real, program) == peeling_.depthsFound;
 }
 
 bool LayerDraws::holdLater(GLenum mode, const Elements& elements) {
@@ -93,63 +93,66 @@ bool LayerDraws::holdLater(GLenum mode, const Elements& elements) {
   }
   const glm::ivec4& viewport = peeling_.target.depths.viewport;
   glm::ivec4 now(0);
-  c_.real.GetIntegerv(GL_VIEWPORT, &now.x);
-  const glm::ivec4 box = scissorBox(c_.real);
-  const bool known =
-      c_.state.program.known &&
-      (c_.activeQueries == 1 ? isInBuffers(c_.attributes, elements) : c_.attributes.reason == Reason::traced);
+  p_.shadow.real.GetIntegerv(GL_VIEWPORT, &now.x);
+  const glm::ivec4 box = scissorBox(p_.shadow.real);
+  const bool known = p_.shadow.state.program.known &&
+                     (p_.shadow.activeQueries == 1 ? isInBuffers(p_.shadow.attributes, elements)
+                                                   : p_.shadow.attributes.reason == Reason::traced);
   const bool open = now == viewport &&
                     contains({box.x, box.y, box.z, box.w}, {viewport.x, viewport.y, viewport.z, viewport.w});
-  if (const GLenum pending = c_.real.GetError()) c_.setError(pending);
+  p_.shadow.errors.keepPending();
   if (open && blendsRest()) {
     peeling_.usual = peeling_.peel;
     if (!traceAgain(peeling_.peel) || !showWaiting()) return false;
-    peeling_.emptied = inputTexture(c_.real, c_.state.program);
+    peeling_.emptied = inputTexture(p_.shadow.real, p_.shadow.state.program);
     return true;
   }
-  if (known && open && (c_.activeQueries == 1 ? addBlended(mode, elements) : addPeel(mode, elements)))
+  if (known && open && (p_.shadow.activeQueries == 1 ? addBlended(mode, elements) : addPeel(mode, elements)))
     return true;
   giveUp();
   return false;
 }
 
 bool LayerDraws::addPeel(GLenum mode, const Elements& elements) {
-  const ProgramState& program = c_.state.program;
-  if (c_.activeQueries > 0 || passOf(program) != Family::Pass::peel || !program.uniforms || !peelsIntoAll())
+  const ProgramState& program = p_.shadow.state.program;
+  if (p_.shadow.activeQueries > 0 || passOf(program) != Family::Pass::peel || !program.uniforms ||
+      !peelsIntoAll())
     return false;
-  std::vector<HeldPass::Output> outputs = outputsOf(c_.real);
-  const GLuint result = outputOf(c_.real, *program.known, outputs);
-  const GLuint input = inputTexture(c_.real, program);
+  std::vector<HeldPass::Output> outputs = outputsOf(p_.shadow.real);
+  const GLuint result = outputOf(p_.shadow.real, *program.known, outputs);
+  const GLuint input = inputTexture(p_.shadow.real, program);
   if (result == 0 || input == 0) return false;
   std::vector<HeldPass>& later = peeling_.target.later;
   if (peeling_.blended) {
     if (input == peeling_.input || result == peeling_.target.result) return false;
     ++peeling_.peel;
     peeling_.input = input, peeling_.target.result = result, peeling_.blended = false;
-    later.push_back({.outputs = std::move(outputs), .viewport = c_.state.viewport});
+    later.push_back({.outputs = std::move(outputs), .viewport = p_.shadow.state.viewport});
   } else if (peeling_.peel == 1 || input != peeling_.input || later.back().clear ||
              later.back().outputs != outputs) {
     return false;
   }
-  later.back().draws.push_back(
-      captureProgramDraw(c_.real, program.known->program, program.uniforms, c_.attributes, mode, elements));
+  later.back().draws.push_back(captureProgramDraw(p_.shadow.real, program.known->program, program.uniforms,
+                                                  p_.shadow.attributes, mode, elements));
   return true;
 }
 
 /// What puts the farthest layers of a peel over those before, and is counted.
 bool LayerDraws::addBlended(GLenum mode, const Elements& elements) {
   const auto pixels = surelyWritten(peeling_.counts, peeling_.peel);
-  if (peeling_.blended || !pixels || peeling_.query != GL_SAMPLES_PASSED || !putsOver(c_.real, c_.state.rare))
+  if (peeling_.blended || !pixels || peeling_.query != GL_SAMPLES_PASSED ||
+      !putsOver(p_.shadow.real, p_.shadow.state.rare))
     return false;
-  HeldPass pass{.outputs = outputsOf(c_.real),
+  HeldPass pass{.outputs = outputsOf(p_.shadow.real),
                 .viewport = peeling_.target.depths.viewport,
                 .blend = HeldPass::Blend::over};
   if (pass.outputs.size() != 1 || pass.outputs[0].texture == peeling_.behind) return false;
-  const Program& program = c_.state.program.known->program;
-  pass.draws.push_back(
-      captureProgramDraw(c_.real, program, readUniforms(c_.real, program), c_.attributes, mode, elements));
+  const Program& program = p_.shadow.state.program.known->program;
+  pass.draws.push_back(captureProgramDraw(p_.shadow.real, program, readUniforms(p_.shadow.real, program),
+                                          p_.shadow.attributes, mode, elements));
   if (!reads(pass.draws[0], peeling_.behind) ||
-      !c_.presenter().layers().countPixels(c_.real, pass, peeling_.behind, peeling_.target.size, *pixels))
+      !p_.flusher.presenter.layers().countPixels(p_.shadow.real, pass, peeling_.behind, peeling_.target.size,
+                                                 *pixels))
     return false;
   peeling_.target.later.push_back(std::move(pass));
   peeling_.blended = true;
@@ -158,11 +161,12 @@ bool LayerDraws::addBlended(GLenum mode, const Elements& elements) {
 
 /// Whether what is drawn now is what the newest peel has left, over its farthest layers.
 bool LayerDraws::blendsRest() const {
-  const ProgramState& program = c_.state.program;
-  if (!peeling_.blended || c_.activeQueries > 0 || passOf(program) != Family::Pass::peelRest ||
-      !putsOver(c_.real, c_.state.rare) || outputsOf(c_.real) != peeling_.target.later.back().outputs)
+  const ProgramState& program = p_.shadow.state.program;
+  if (!peeling_.blended || p_.shadow.activeQueries > 0 || passOf(program) != Family::Pass::peelRest ||
+      !putsOver(p_.shadow.real, p_.shadow.state.rare) ||
+      outputsOf(p_.shadow.real) != peeling_.target.later.back().outputs)
     return false;
-  const GLuint input = inputTexture(c_.real, program);
+  const GLuint input = inputTexture(p_.shadow.real, program);
   const std::vector<HeldPass::Output>& newest = newestOutputs(peeling_.target);
   return input != 0 && input != peeling_.target.result && input != peeling_.behind &&
          std::find(newest.begin(), newest.end(), HeldPass::Output{input, 0}) != newest.end();
@@ -170,9 +174,9 @@ bool LayerDraws::blendsRest() const {
 
 bool LayerDraws::drawsNothing() {
   if (!peeling_.emptied) return false;
-  const ProgramState& program = c_.state.program;
-  const bool rest = c_.activeQueries == 0 && passOf(program) == Family::Pass::peelRest;
-  if (!rest || inputTexture(c_.real, program) != peeling_.emptied) peeling_.emptied = 0;
+  const ProgramState& program = p_.shadow.state.program;
+  const bool rest = p_.shadow.activeQueries == 0 && passOf(program) == Family::Pass::peelRest;
+  if (!rest || inputTexture(p_.shadow.real, program) != peeling_.emptied) peeling_.emptied = 0;
   return peeling_.emptied != 0;
 }
 
@@ -184,7 +188,7 @@ bool LayerDraws::traceAgain(uint32_t peels) {
   layers->peels = peels;
   auto snapshot = std::make_shared<scene::Snapshot>(*peeling_.traced);
   snapshot->layers = layers;
-  PresentResult result = c_.presenter().layers().trace(snapshot, peeling_.target);
+  PresentResult result = p_.flusher.presenter.layers().trace(snapshot, peeling_.target);
   if (result.outcome != PresentResult::traced) {
     giveUp();
     return false;
@@ -198,16 +202,17 @@ bool LayerDraws::traceAgain(uint32_t peels) {
 bool LayerDraws::clearsLater(GLbitfield mask) noexcept {
   if (!asks()) return false;
   bool held = false;
-  c_.protect([&] {
-    HeldPass pass{
-        .outputs = outputsOf(c_.real), .viewport = peeling_.target.depths.viewport, .clear = glm::vec4(0)};
-    const glm::ivec4 box = scissorBox(c_.real);
+  p_.failsafe.protect([&] {
+    HeldPass pass{.outputs = outputsOf(p_.shadow.real),
+                  .viewport = peeling_.target.depths.viewport,
+                  .clear = glm::vec4(0)};
+    const glm::ivec4 box = scissorBox(p_.shadow.real);
     const scene::Region all{0, 0, peeling_.target.size.x, peeling_.target.size.y};
-    held = mask == GL_COLOR_BUFFER_BIT && c_.activeQueries == 0 && peeling_.blended &&
+    held = mask == GL_COLOR_BUFFER_BIT && p_.shadow.activeQueries == 0 && peeling_.blended &&
            !pass.outputs.empty() && contains({box.x, box.y, box.z, box.w}, all) &&
-           clearsInFull(c_.real, c_.state.rare, mask);
+           clearsInFull(p_.shadow.real, p_.shadow.state.rare, mask);
     if (!held) return giveUp();
-    c_.real.GetFloatv(GL_COLOR_CLEAR_VALUE, &pass.clear->x);
+    p_.shadow.real.GetFloatv(GL_COLOR_CLEAR_VALUE, &pass.clear->x);
     peeling_.target.later.push_back(std::move(pass));
   });
   return held;
@@ -216,7 +221,7 @@ bool LayerDraws::clearsLater(GLbitfield mask) noexcept {
 void LayerDraws::queryBegins(GLenum target, GLuint name) {
   if (holdsDepths()) return giveUp();
   if (!asks()) return;
-  if (c_.activeQueries > 0) return giveUp();
+  if (p_.shadow.activeQueries > 0) return giveUp();
   peeling_.query = target, peeling_.queryName = name;
   if (showsAll(peeling_.peel, peeling_.counts, peeling_.target.opaqueDepths.size())) {
     // Of more peels than the picture's, all count.
@@ -229,16 +234,18 @@ void LayerDraws::queryBegins(GLenum target, GLuint name) {
 /// everything was drawn by the real OpenGL.
 bool LayerDraws::showWaiting() {
   peeling_.stage = Peeling::Stage::none;
-  c_.forgetClear();
-  const PresentResult result = c_.presenter().layers().present(c_.real, nullptr, peeling_.target, false);
-  if (result.pendingError != GL_NO_ERROR) c_.setError(result.pendingError);
+  p_.cleared.forget();
+  const PresentResult result =
+      p_.flusher.presenter.layers().present(p_.shadow.real, nullptr, peeling_.target, false);
+  if (result.pendingError != GL_NO_ERROR) p_.shadow.errors.set(result.pendingError);
   const bool shown = result.outcome == PresentResult::traced;
   if (shown) {
     peeling_.succeeded();
   } else {
-    if (peeling_.traced) c_.countAsRasterised(*peeling_.traced, Reason::programPass);
+    if (peeling_.traced) p_.counts.asRasterised(*peeling_.traced, Reason::programPass);
     countHeld();
-    c_.stepAside(result.why.empty() ? "layers that were traced could not be shown" : result.why.c_str());
+    p_.failsafe.stepAside(result.why.empty() ? "layers that were traced could not be shown"
+                                             : result.why.c_str());
   }
   end();
   return shown;

@@ -2,8 +2,8 @@
 // (sum_draws.cpp) or blended in the order of drawing (drawn_layers.cpp). A part of each Context, GL thread.
 #pragma once
 #include "gl/batch/batch.h"
+#include "gl/batch/flusher.h"
 #include "gl/batch/presenter.h"
-#include "gl/context_part.h"
 #include "gl/draws/draw_kinds.h"
 #include "gl/draws/reasons.h"
 #include "gl/layers/peeling.h"
@@ -16,9 +16,17 @@ struct Elements;
 Family::Pass passOf(const ProgramState& program);
 BatchKey::Layers layersOf(const ProgramState& program);
 
-class LayerDraws : public ContextPart {
+class LayerDraws {
  public:
-  using ContextPart::ContextPart;
+  struct Parts {
+    ShadowState& shadow;
+    Failsafe& failsafe;
+    FrameClock& clock;
+    DrawCounts& counts;
+    ClearedFramebuffers& cleared;
+    Flusher& flusher;
+  };
+  explicit LayerDraws(const Parts& parts) : p_(parts) {}
 
   /// Why a surface of the current program cannot be traced in the first peel, or Reason::traced. Whoever then
   /// draws otherwise makes us give up. Call refresh(kProgramGroups) before.
@@ -98,6 +106,7 @@ class LayerDraws : public ContextPart {
   uint64_t frame_ = 0;      // that drawn_ is of
   uint64_t drawnLast_ = 0;  // the last one: number of the draw
   scene::Blending drawnBy_;
+  Parts p_;
 };
 
 }  // namespace gluray::gl

@@ -1,5 +1,5 @@
-// Passes of dual depth peeling, and what holds for all layers.
-#include "gl/context.h"
+// MultipassSurfaces of dual depth peeling, and what holds for all layers.
+#include "gl/errors.h"
 #include "gl/layers/layer_draws.h"
 #include "gl/layers/peel_outputs.h"
 #include "gl/programs/uniforms.h"
@@ -38,24 +38,26 @@ bool LayerDraws::start(const BatchKey& key) {
 
 /// Whether draws of now fill a framebuffer object of the viewport's size and keep the largest values.
 bool LayerDraws::peelsIntoAll() const {
-  const bool open = !c_.state.raster.scissorTest || c_.state.scissor == c_.state.viewport;
-  return open && c_.state.target.framebuffer != 0 && c_.state.target.samples == 1 &&
-         c_.state.viewport.x == 0 && c_.state.viewport.y == 0 && c_.state.viewport.z > 0 &&
-         c_.state.viewport.w > 0 && keepsLargest(c_.real, c_.state.rare);
+  const bool open =
+      !p_.shadow.state.raster.scissorTest || p_.shadow.state.scissor == p_.shadow.state.viewport;
+  return open && p_.shadow.state.target.framebuffer != 0 && p_.shadow.state.target.samples == 1 &&
+         p_.shadow.state.viewport.x == 0 && p_.shadow.state.viewport.y == 0 &&
+         p_.shadow.state.viewport.z > 0 && p_.shadow.state.viewport.w > 0 &&
+         keepsLargest(p_.shadow.real, p_.shadow.state.rare);
 }
 
 bool LayerDraws::beginHolding() {
-  const ProgramState& program = c_.state.program;
+  const ProgramState& program = p_.shadow.state.program;
   const GLint unit = inputUnit(program);
   if (unit < 0 || !peelsIntoAll() || !peeling_.mayBegin()) return false;
   LayersTarget target;
-  target.depths.outputs = outputsOf(c_.real);
-  target.depths.viewport = c_.state.viewport;
-  target.size = {c_.state.viewport.z, c_.state.viewport.w};
-  target.opaqueDepth = inputTexture(c_.real, program);
-  const GLuint found = outputOf(c_.real, *program.known, target.depths.outputs);
+  target.depths.outputs = outputsOf(p_.shadow.real);
+  target.depths.viewport = p_.shadow.state.viewport;
+  target.size = {p_.shadow.state.viewport.z, p_.shadow.state.viewport.w};
+  target.opaqueDepth = inputTexture(p_.shadow.real, program);
+  const GLuint found = outputOf(p_.shadow.real, *program.known, target.depths.outputs);
   if (found == 0 || target.opaqueDepth == 0 ||
-      !c_.presenter().layers().readDepths(c_.real, unit, target.size, target.opaqueDepths))
+      !p_.flusher.presenter.layers().readDepths(p_.shadow.real, unit, target.size, target.opaqueDepths))
     return false;
   // What the program leaves undefined elsewhere must not come later than it would have.
   for (HeldPass::Output& output : target.depths.outputs)
@@ -74,72 +76,74 @@ bool LayerDraws::beginHolding() {
 
 bool LayerDraws::holdDepths(GLenum mode, const Elements& elements, uint64_t triangles) {
   using Stage = Peeling::Stage;
-  if (c_.aside() || c_.passthrough() || c_.activeQueries > 0 ||
-      !c_.info().settings.quirks.has(Quirk::depthPeeling) || !c_.canTrace())
+  if (p_.failsafe.aside() || p_.shadow.info.off || p_.shadow.activeQueries > 0 ||
+      !p_.shadow.info.settings.quirks.has(Quirk::depthPeeling) || !p_.flusher.canTrace())
     return false;
-  if (c_.attributes.reason != Reason::traced || !c_.state.program.uniforms) return false;
-  if (const GLenum pending = c_.real.GetError()) c_.setError(pending);
+  if (p_.shadow.attributes.reason != Reason::traced || !p_.shadow.state.program.uniforms) return false;
+  p_.shadow.errors.keepPending();
   if (peeling_.stage == Stage::surfaces || peeling_.stage == Stage::peels) {
-    c_.flushBatch();
+    p_.flusher.flushBatch();
     end();
   }
   if (peeling_.stage == Stage::none) {
-    if (c_.leavesAlone(triangles) || !beginHolding()) return false;
-  } else if (!peelsIntoAll() || peeling_.target.depths.viewport != c_.state.viewport ||
-             peeling_.depthsFound != outputOf(c_.real, *c_.state.program.known, outputsOf(c_.real))) {
+    if (p_.clock.leavesAlone(triangles, p_.shadow.viewportPixels()) || !beginHolding()) return false;
+  } else if (!peelsIntoAll() || peeling_.target.depths.viewport != p_.shadow.state.viewport ||
+             peeling_.depthsFound !=
+                 outputOf(p_.shadow.real, *p_.shadow.state.program.known, outputsOf(p_.shadow.real))) {
     return false;
   }
-  const ProgramState& program = c_.state.program;
-  peeling_.target.depths.draws.push_back(
-      captureProgramDraw(c_.real, program.known->program, program.uniforms, c_.attributes, mode, elements));
+  const ProgramState& program = p_.shadow.state.program;
+  peeling_.target.depths.draws.push_back(captureProgramDraw(
+      p_.shadow.real, program.known->program, program.uniforms, p_.shadow.attributes, mode, elements));
   return true;
 }
 
 Reason LayerDraws::triageSeenThrough(PrimitiveClass kind) {
   // What keeps the program from being traced says more than what kind of primitive it draws.
-  if (c_.state.program.reason != Reason::traced) return c_.state.program.reason;
+  if (p_.shadow.state.program.reason != Reason::traced) return p_.shadow.state.program.reason;
   if (kind == PrimitiveClass::points) return Reason::points;
   if (kind == PrimitiveClass::lines) return Reason::lines;
-  if (c_.attributes.reason != Reason::traced) return c_.attributes.reason;
-  if (!c_.info().core && !c_.state.clipPlanes.empty()) return Reason::program;
-  if (c_.state.program.known->program.blocks) c_.dirty |= kProgram;
-  if (const GLenum pending = c_.real.GetError()) c_.setError(pending);
+  if (p_.shadow.attributes.reason != Reason::traced) return p_.shadow.attributes.reason;
+  if (!p_.shadow.info.core && !p_.shadow.state.clipPlanes.empty()) return Reason::program;
+  if (p_.shadow.state.program.known->program.blocks) p_.shadow.dirty |= kProgram;
+  p_.shadow.errors.keepPending();
   return Reason::traced;
 }
 
 Reason LayerDraws::triagePeel(PrimitiveClass kind) {
   using Stage = Peeling::Stage;
-  if (c_.aside()) return Reason::failure;
-  if (peeling_.stage == Stage::none || c_.activeQueries > 0) return Reason::programPass;
+  if (p_.failsafe.aside()) return Reason::failure;
+  if (peeling_.stage == Stage::none || p_.shadow.activeQueries > 0) return Reason::programPass;
   if (const Reason reason = triageSeenThrough(kind); reason != Reason::traced) return reason;
-  if (inputTexture(c_.real, c_.state.program) != peeling_.depthsFound)
+  if (inputTexture(p_.shadow.real, p_.shadow.state.program) != peeling_.depthsFound)
     return Reason::programPass;  // a later peel
-  if (!peelsIntoAll() || c_.state.viewport != peeling_.target.depths.viewport) return Reason::programPass;
+  if (!peelsIntoAll() || p_.shadow.state.viewport != peeling_.target.depths.viewport)
+    return Reason::programPass;
   LayersTarget& target = peeling_.target;
   // Labels, which turn with the viewer: they would be new meshes in every frame.
   const auto isQuad = [](const ProgramDraw& draw) {
     return draw.mode != GL_POINTS && trianglesOf(draw) <= 2;  // points may be figures
   };
   if (std::all_of(target.depths.draws.begin(), target.depths.draws.end(), isQuad)) return Reason::programPass;
-  std::vector<HeldPass::Output> outputs = outputsOf(c_.real);
-  const GLuint result = outputOf(c_.real, *c_.state.program.known, outputs);
+  std::vector<HeldPass::Output> outputs = outputsOf(p_.shadow.real);
+  const GLuint result = outputOf(p_.shadow.real, *p_.shadow.state.program.known, outputs);
   if (result == 0 || (peeling_.stage == Stage::surfaces && result != target.result))
     return Reason::programPass;
   target.result = result;
   target.surfaces.outputs = std::move(outputs);
-  target.surfaces.viewport = c_.state.viewport;
+  target.surfaces.viewport = p_.shadow.state.viewport;
   peeling_.stage = Stage::surfaces;
   return Reason::traced;
 }
 
 bool LayerDraws::startPeeled(const BatchKey& key) {
-  if (!c_.batch().empty()) return c_.batch().key() == key;
+  if (!p_.flusher.batch.empty()) return p_.flusher.batch.key() == key;
   if (peeling_.traced) {
     if (!(peeling_.tracedKey == key)) return false;
-    c_.batch().resume(key, *peeling_.traced);
+    p_.flusher.batch.resume(key, *peeling_.traced);
   } else {
-    c_.batch().start(key, c_.state, c_.info().settings, c_.frame);
-    c_.batch().seeThrough(peeling_.layers);
+    p_.flusher.batch.start(key, p_.shadow.state, p_.shadow.info.settings, p_.clock.frame);
+    p_.flusher.batch.seeThrough(peeling_.layers);
   }
   return true;
 }
@@ -147,7 +151,7 @@ bool LayerDraws::startPeeled(const BatchKey& key) {
 /// Whether there is more among them than pictures with holes, such as labels: those are to be as sharp as
 /// ever.
 bool LayerDraws::haveSurfaces() const {
-  const scene::Snapshot& s = c_.batch().waiting();
+  const scene::Snapshot& s = p_.flusher.batch.waiting();
   const auto isPicture = [&](const scene::Instance& instance) {
     const auto& textures = s.shadings[instance.shading].textures;
     return std::any_of(textures.begin(), textures.end(),
@@ -158,10 +162,11 @@ bool LayerDraws::haveSurfaces() const {
 
 PresentResult LayerDraws::present(const scene::SnapshotPtr& snapshot, const BatchKey& key) {
   LayersTarget& target = peeling_.target;
-  for (ProgramDraw& draw : c_.batch().takeProgramDraws()) target.surfaces.draws.push_back(std::move(draw));
-  target.mayRepeat = !c_.measured();
+  for (ProgramDraw& draw : p_.flusher.batch.takeProgramDraws())
+    target.surfaces.draws.push_back(std::move(draw));
+  target.mayRepeat = !p_.clock.measured();
   target.mayAsk = mayAsk();
-  PresentResult result = c_.presenter().layers().present(c_.real, snapshot, target, false);
+  PresentResult result = p_.flusher.presenter.layers().present(p_.shadow.real, snapshot, target, false);
   if (result.outcome == PresentResult::traced) {
     noteUse(Quirk::depthPeeling);
     peeling_.tracedKey = key;
@@ -189,8 +194,8 @@ void LayerDraws::end() {
 void LayerDraws::countHeld() {
   const auto count = [&](const HeldPass& pass) {
     for (const ProgramDraw& draw : pass.draws)
-      c_.countRaster(Reason::programPass, draw.elements.type ? DrawPath::elements : DrawPath::arrays,
-                     PrimitiveClass::surfaces, trianglesOf(draw));
+      p_.counts.rasterised(Reason::programPass, draw.elements.type ? DrawPath::elements : DrawPath::arrays,
+                           PrimitiveClass::surfaces, trianglesOf(draw));
   };
   count(peeling_.target.depths);
   std::for_each(peeling_.target.later.begin(), peeling_.target.later.end(), count);
@@ -198,35 +203,36 @@ void LayerDraws::countHeld() {
 
 void LayerDraws::giveUp() {
   if (peeling_.stage == Peeling::Stage::none) return;
-  c_.forgetClear();
+  p_.cleared.forget();
   // What is made now is not what the program counts. So far there is nothing to count.
-  const bool counts = asks() && c_.activeQueries > 0;
-  if (counts) c_.real.EndQuery(peeling_.query);
+  const bool counts = asks() && p_.shadow.activeQueries > 0;
+  if (counts) p_.shadow.real.EndQuery(peeling_.query);
   peeling_.stage = Peeling::Stage::none;
   peeling_.failed();
   LayersTarget& target = peeling_.target;
   target.picture.clear();
   scene::SnapshotPtr snapshot = peeling_.traced;
-  if (!c_.batch().empty() && c_.batch().key().layers == BatchKey::Layers::peeled) {
-    for (ProgramDraw& draw : c_.batch().takeProgramDraws()) target.surfaces.draws.push_back(std::move(draw));
-    snapshot = c_.batch().take();
+  if (!p_.flusher.batch.empty() && p_.flusher.batch.key().layers == BatchKey::Layers::peeled) {
+    for (ProgramDraw& draw : p_.flusher.batch.takeProgramDraws())
+      target.surfaces.draws.push_back(std::move(draw));
+    snapshot = p_.flusher.batch.take();
   }
-  if (snapshot) c_.countAsRasterised(*snapshot, Reason::programPass);
-  const PresentResult result = c_.presenter().layers().present(c_.real, nullptr, target, true);
-  if (result.pendingError != GL_NO_ERROR) c_.setError(result.pendingError);
+  if (snapshot) p_.counts.asRasterised(*snapshot, Reason::programPass);
+  const PresentResult result = p_.flusher.presenter.layers().present(p_.shadow.real, nullptr, target, true);
+  if (result.pendingError != GL_NO_ERROR) p_.shadow.errors.set(result.pendingError);
   countHeld();
-  if (counts) c_.real.BeginQuery(peeling_.query, peeling_.queryName);
+  if (counts) p_.shadow.real.BeginQuery(peeling_.query, peeling_.queryName);
   end();
   if (result.outcome != PresentResult::rasterised)
-    c_.stepAside(result.why.empty() ? "what was held back could not be drawn" : result.why.c_str());
+    p_.failsafe.stepAside(result.why.empty() ? "what was held back could not be drawn" : result.why.c_str());
 }
 
 void LayerDraws::meetRasterDraw() {
   bool meets = peeling_.stage == Peeling::Stage::depths || asks() ||
-               (!c_.batch().empty() && c_.batch().key().layers == BatchKey::Layers::peeled);
+               (!p_.flusher.batch.empty() && p_.flusher.batch.key().layers == BatchKey::Layers::peeled);
   // Once they are traced, only who joins them makes us give up.
   if (!meets)
-    for (const HeldPass::Output& output : outputsOf(c_.real))
+    for (const HeldPass::Output& output : outputsOf(p_.shadow.real))
       meets |= output.texture == peeling_.target.result;
   if (meets)
     giveUp();
@@ -237,7 +243,7 @@ void LayerDraws::meetRasterDraw() {
 void LayerDraws::clearing() {
   peeling_.emptied = 0;
   if (peeling_.stage != Peeling::Stage::depths) return;
-  for (const HeldPass::Output& output : outputsOf(c_.real))
+  for (const HeldPass::Output& output : outputsOf(p_.shadow.real))
     if (output.texture == peeling_.depthsFound) return giveUp();
 }
 
@@ -249,7 +255,7 @@ void LayerDraws::programChanges(GLuint program) noexcept {
   const LayersTarget& target = peeling_.target;
   if (draws(target.depths) ||
       (asks() && (draws(target.surfaces) || std::any_of(target.later.begin(), target.later.end(), draws))))
-    c_.protect([&] { giveUp(); });
+    p_.failsafe.protect([&] { giveUp(); });
 }
 
 }  // namespace gluray::gl

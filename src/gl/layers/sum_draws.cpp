@@ -1,7 +1,6 @@
 // Surfaces that are seen through and added up without order (weighted blending, scene::Layers::Of::sums).
 // Nothing needs to be held back: what is traced is added to what is there, and real
 // draws may come before and after.
-#include "gl/context.h"
 #include "gl/layers/layer_draws.h"
 #include "gl/state/buffer_bits.h"
 #include "gl/state/output_state.h"
@@ -16,35 +15,39 @@
 namespace gluray::gl {
 
 Reason LayerDraws::triageSum(PrimitiveClass kind) {
-  if (c_.aside()) return Reason::failure;
-  if (c_.passthrough()) return Reason::off;
-  if (c_.activeQueries > 0) return Reason::query;
+  if (p_.failsafe.aside()) return Reason::failure;
+  if (p_.shadow.info.off) return Reason::off;
+  if (p_.shadow.activeQueries > 0) return Reason::query;
   if (const Reason reason = triageSeenThrough(kind); reason != Reason::traced) return reason;
-  const TargetState& target = c_.state.target;
-  if (target.framebuffer == 0 || target.samples > 1 || !addsUp(c_.real, c_.state.rare, c_.state.raster))
+  const TargetState& target = p_.shadow.state.target;
+  if (target.framebuffer == 0 || target.samples > 1 ||
+      !addsUp(p_.shadow.real, p_.shadow.state.rare, p_.shadow.state.raster))
     return Reason::programPass;
-  const Family& family = *c_.state.program.known->family;
-  if (c_.real.GetFragDataLocation(c_.state.program.known->program.name, family.passOutput.c_str()) != 1)
+  const Family& family = *p_.shadow.state.program.known->family;
+  if (p_.shadow.real.GetFragDataLocation(p_.shadow.state.program.known->program.name,
+                                         family.passOutput.c_str()) != 1)
     return Reason::programPass;
-  return c_.canTrace() ? Reason::traced : Reason::noGlsl;
+  return p_.flusher.canTrace() ? Reason::traced : Reason::noGlsl;
 }
 
 bool LayerDraws::startSums(const BatchKey& key) {
-  if (!c_.batch().empty()) return true;
+  if (!p_.flusher.batch.empty()) return true;
   auto layers = std::make_shared<scene::Layers>();
   layers->of = scene::Layers::Of::sums;
   const auto pixels = static_cast<size_t>(key.region.width) * static_cast<size_t>(key.region.height);
-  if (depthBits(c_.real, !c_.info().core) == 0) {
+  if (depthBits(p_.shadow.real, !p_.shadow.info.core) == 0) {
     layers->opaqueDepth.assign(pixels, -1.0f);
   } else {
-    if (!c_.presenter().reader().readDepth(c_.real, key.region, layers->opaqueDepth)) return false;
+    if (!p_.flusher.presenter.reader().readDepth(p_.shadow.real, key.region, layers->opaqueDepth))
+      return false;
     // What is as far as what is opaque passes GL_LEQUAL, not GL_LESS, however depths were rounded on the way:
     // by more than half a step, because floats near 1 are no finer than that.
-    const float margin = c_.state.target.depthResolution * (key.depthFunc == GL_LEQUAL ? 0.75f : -0.75f);
+    const float margin =
+        p_.shadow.state.target.depthResolution * (key.depthFunc == GL_LEQUAL ? 0.75f : -0.75f);
     for (float& depth : layers->opaqueDepth) depth += margin;
   }
-  c_.batch().start(key, c_.state, c_.info().settings, c_.frame);
-  c_.batch().seeThrough(std::move(layers));
+  p_.flusher.batch.start(key, p_.shadow.state, p_.shadow.info.settings, p_.clock.frame);
+  p_.flusher.batch.seeThrough(std::move(layers));
   return true;
 }
 

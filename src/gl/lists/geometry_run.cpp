@@ -23,8 +23,9 @@ void applyMaterials(Context& context, const MaterialChange& change) {
   each(GL_BACK, change.values.back, change.back);
 }
 
-GeometryRun::GeometryRun(Captured captured, const SlotValues& finals, std::vector<InheritedSlot> inherited,
-                         PrimitiveClass kind, std::weak_ptr<ShareGroup> group)
+GeometryRun::GeometryRun(CapturedVertices captured, const SlotValues& finals,
+                         std::vector<InheritedSlot> inherited, PrimitiveClass kind,
+                         std::weak_ptr<ShareGroup> group)
     : captured_(std::move(captured)),
       layout_(captured_.layout),
       finalSlots_(layout_.mask & ~(bit(kPosition) | bit(kPositionW) | bit(kMaterialNumber))),
@@ -34,7 +35,7 @@ GeometryRun::GeometryRun(Captured captured, const SlotValues& finals, std::vecto
       group_(std::move(group)),
       triangles_(countTriangles(captured_)) {}
 
-GeometryRun::GeometryRun(Captured captured, PrimitiveClass kind, std::weak_ptr<ShareGroup> group)
+GeometryRun::GeometryRun(CapturedVertices captured, PrimitiveClass kind, std::weak_ptr<ShareGroup> group)
     : captured_(std::move(captured)),
       layout_(captured_.layout),
       finals_(initialSlotValues()),
@@ -70,8 +71,8 @@ const KnownMesh& GeometryRun::mesh(Context& context) {
                                                            captured_.primitives[0].mode == GL_TRIANGLES));
   mesh_ = reproducible ? buildMesh(std::move(captured_)) : buildMesh(captured_);
   meshBuilt_ = true;
-  ++context.statistics.meshesBuilt;
-  if (mesh_.mesh) context.statistics.meshBytes += mesh_.mesh->sizeBytes;
+  ++context.counts.statistics.meshesBuilt;
+  if (mesh_.mesh) context.counts.statistics.meshBytes += mesh_.mesh->sizeBytes;
   if (reproducible && mesh_.mesh) {
     captured_.vertices.release();
     captured_.indices.release();
@@ -96,10 +97,11 @@ void GeometryRun::rasterise(Context& context) {
 }
 
 void GeometryRun::execute(Context& context) {
-  if (context.insideBegin() && !captured_.primitives.empty()) return context.setError(GL_INVALID_OPERATION);
+  if (context.immediate.insideBegin() && !captured_.primitives.empty())
+    return context.errors.set(GL_INVALID_OPERATION);
   if (!captured_.primitives.empty()) {
     context.immediate.closeRunIfOpen();
-    if (!context.direct() || !drawDirectly(context)) draw(context);
+    if (!context.clock.direct() || !drawDirectly(context)) draw(context);
   }
   for (int s = kNormal; s < kSlotCount; ++s) {
     const auto slot = static_cast<Slot>(s);
@@ -107,44 +109,44 @@ void GeometryRun::execute(Context& context) {
   }
   if (!captured_.materials.empty()) applyMaterials(context, captured_.materials.back());
   if (captured_.primitives.empty()) return;
-  context.current.drawn();
-  if (!captured_.materials.empty()) context.latch.letGo(context.real);
+  context.shadow.current.drawn();
+  if (!captured_.materials.empty()) context.shadow.latch.letGo(context.real);
 }
 
 void GeometryRun::draw(Context& context) {
   const std::lock_guard lock(mutex_);
-  const DrawTimer timer(context.kinds());
-  context.works();
+  const DrawTimer timer(context.counts.kinds());
+  context.passthrough.works();
   inherit(context);
-  context.refresh(kDrawGroups);
-  Reason reason = context.triage(kind_);
+  context.shadow.refresh(kDrawGroups);
+  Reason reason = context.triage.of(kind_);
   if (reason == Reason::traced) {
-    reason = context.attempt([&] {
+    reason = context.failsafe.attempt([&] {
       const KnownMesh& known = mesh(context);
-      const Reason fine = context.triage(known, captured_.materials);
-      if (fine == Reason::traced) context.addInstance(known.mesh, layout_.mask, captured_.materials);
+      const Reason fine = context.triage.of(known, captured_.materials);
+      if (fine == Reason::traced) context.filler.add(known.mesh, layout_.mask, captured_.materials);
       return fine;
     });
   }
-  if (reason == Reason::traced) return context.countTraced(DrawPath::list, triangles_);
-  if (context.mayMeetPasses(kind_) || context.isPass(kind_, reason))
+  if (reason == Reason::traced) return context.counts.traced(DrawPath::list, triangles_);
+  if (context.raster.mayMeet(kind_) || context.raster.isPass(kind_, reason))
     context.protect([&] {
       const KnownMesh& known = mesh(context);
-      if (known.mesh) context.meetPasses(sampleTriangles(*known.mesh));
-      if (context.isPass(kind_, reason)) context.rememberPass(known);
+      if (known.mesh) context.raster.meet(sampleTriangles(*known.mesh));
+      if (context.raster.isPass(kind_, reason)) context.raster.remember(known);
     });
-  context.countRaster(reason, DrawPath::list, kind_, triangles_);
-  context.beforeRasterDraw(kind_);
+  context.counts.rasterised(reason, DrawPath::list, kind_, triangles_);
+  context.raster.before(kind_);
   rasterise(context);
   // The real OpenGL now has the run's last attributes current: they are sent again where ours differ.
-  context.current.lost(layout_.mask & ~(bit(kPosition) | bit(kPositionW) | bit(kMaterialNumber)));
+  context.shadow.current.lost(layout_.mask & ~(bit(kPosition) | bit(kPositionW) | bit(kMaterialNumber)));
   context.touch(kMaterial);
 }
 
 bool GeometryRun::drawDirectly(Context& context) {
   const std::lock_guard lock(mutex_);
-  const DrawTimer timer(context.kinds());
-  if (!context.drawsDirectly(DrawPath::list, kind_, triangles_)) return false;
+  const DrawTimer timer(context.counts.kinds());
+  if (!context.passthrough.takes(DrawPath::list, kind_, triangles_)) return false;
   inherit(context);
   // Draws from arrays leave the current attributes alone; the list of the real OpenGL, which has glBegin,
   // does not.
@@ -153,10 +155,10 @@ bool GeometryRun::drawDirectly(Context& context) {
     for (int s = kNormal; s < kSlotCount; ++s)
       if (lost & bit(static_cast<Slot>(s)) && s != kMaterialNumber) body(static_cast<Slot>(s));
   };
-  eachLost([&](Slot slot) { context.current.read(context.real, slot); });
-  if (lost) context.latch.restore(context.real);
+  eachLost([&](Slot slot) { context.shadow.current.read(context.real, slot); });
+  if (lost) context.shadow.latch.restore(context.real);
   rasterise(context);
-  eachLost([&](Slot slot) { sendAttribute(context.real, slot, context.current[slot]); });
+  eachLost([&](Slot slot) { sendAttribute(context.real, slot, context.shadow.current[slot]); });
   return true;
 }
 

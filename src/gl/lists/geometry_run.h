@@ -16,10 +16,10 @@ void applyMaterials(Context& context, const MaterialChange& change);
 /// A run of glBegin/glEnd pairs inside a list, with the attributes it leaves behind.
 class GeometryRun final : public ListOp {
  public:
-  GeometryRun(Captured captured, const SlotValues& finals, std::vector<InheritedSlot> inherited,
+  GeometryRun(CapturedVertices captured, const SlotValues& finals, std::vector<InheritedSlot> inherited,
               PrimitiveClass kind, std::weak_ptr<ShareGroup> group);
   /// A draw from arrays: leaves the current attributes alone.
-  GeometryRun(Captured captured, PrimitiveClass kind, std::weak_ptr<ShareGroup> group);
+  GeometryRun(CapturedVertices captured, PrimitiveClass kind, std::weak_ptr<ShareGroup> group);
   ~GeometryRun() override;
   /// Draws it, traced or by the real OpenGL, and leaves its last attributes current.
   void execute(Context& context) override;
@@ -37,7 +37,7 @@ class GeometryRun final : public ListOp {
   void dropRealList();
 
   std::mutex mutex_;  // held while the run is drawn: contexts of several threads may call the list
-  Captured captured_;
+  CapturedVertices captured_;
   VertexLayout layout_;
   SlotMask finalSlots_ = 0;  // attributes that it leaves current, and their values
   SlotValues finals_;

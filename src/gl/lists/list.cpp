@@ -10,10 +10,10 @@ FragmentOp::~FragmentOp() {
 
 void FragmentOp::execute(Context& context) {
   // Called between glBegin and glEnd, it may hold what is legal there: the real OpenGL takes over and knows.
-  context.beforeForward(context.insideBegin() ? Context::Flush::none : Context::Flush::all);
+  context.beforeForward(context.immediate.insideBegin() ? Context::Flush::none : Context::Flush::all);
   context.real.CallList(realList_);
   context.touch(kAllGroups);
-  context.matrixMode = 0;
+  context.shadow.matrixMode = 0;
 }
 
 }  // namespace gluray::gl

@@ -23,7 +23,7 @@ class CallOp final : public ListOp {
  public:
   CallOp(Call call, bool anywhere) : call_(std::move(call)), anywhere_(anywhere) {}
   void execute(Context& context) override {
-    if (!anywhere_ && context.insideBegin()) return context.setError(GL_INVALID_OPERATION);
+    if (!anywhere_ && context.immediate.insideBegin()) return context.errors.set(GL_INVALID_OPERATION);
     call_(context);
   }
 

@@ -2,8 +2,9 @@
 // handlers on its thread.
 #pragma once
 #include "gl/capture/captured_vertices.h"
-#include "gl/context_part.h"
 #include "gl/draws/draw_kinds.h"
+#include "gl/failsafe.h"
+#include "gl/state/shadow_state.h"
 
 #include <GL/gl.h>
 
@@ -12,13 +13,25 @@
 
 namespace gluray::gl {
 
+class Attention;
+class Context;
+class FrameClock;
+class Immediate;
 class DisplayList;
 class GeometryRun;
 class ListOp;
 
-class ListCompiler : public ContextPart {
+class ListCompiler {
  public:
-  using ContextPart::ContextPart;
+  struct Parts {
+    Context& context;
+    ShadowState& shadow;
+    Failsafe& failsafe;
+    FrameClock& clock;
+    Immediate& immediate;
+    Attention& attention;
+  };
+  explicit ListCompiler(const Parts& parts) : p_(parts) {}
 
   void newList(GLuint name, GLenum mode);
   void endList();
@@ -44,7 +57,7 @@ class ListCompiler : public ContextPart {
   /// Takes `op` into the list under construction, and executes it where the mode says so. Null is ignored.
   void append(std::unique_ptr<ListOp>& op);
   /// The same of a run that has ended, whose vertices are left alone where it fails. Not executed.
-  GeometryRun& add(Captured&& run, const SlotValues& finals, std::vector<InheritedSlot>&& inherited,
+  GeometryRun& add(CapturedVertices&& run, const SlotValues& finals, std::vector<InheritedSlot>&& inherited,
                    PrimitiveClass kind);
   /// Executes what has been taken into the list, where the mode says so.
   void executeAdded(ListOp& op);
@@ -64,6 +77,7 @@ class ListCompiler : public ContextPart {
   GLenum mode_ = 0;
   GLenum misused_ = GL_NO_ERROR;  // by the first wrong command inside the glBegin that is compiled
   int depth_ = 0;                 // of lists that call lists
+  Parts p_;
 };
 
 }  // namespace gluray::gl

@@ -9,10 +9,10 @@
 namespace gluray::gl {
 
 void newList(Context& c, GLuint name, GLenum mode) {
-  c.insist([&] { c.lists.newList(name, mode); });
+  c.failsafe.insist([&] { c.lists.newList(name, mode); });
 }
 void endList(Context& c) {
-  c.insist([&] { c.lists.endList(); });
+  c.failsafe.insist([&] { c.lists.endList(); });
 }
 
 namespace {
@@ -21,9 +21,9 @@ namespace {
 /// sent one by one, as the list that is called may be another one by then. In a primitive that the real
 /// OpenGL compiles, what is called becomes part of it.
 bool recordsCalls(Context& c) {
-  if (!c.compiling()) return false;
-  if (c.immediate.inside() == Immediate::Inside::captured) c.insist([&] { c.immediate.loosen(); });
-  return !c.insideBegin();
+  if (!c.lists.compiling()) return false;
+  if (c.immediate.inside() == Immediate::Inside::captured) c.failsafe.insist([&] { c.immediate.loosen(); });
+  return !c.immediate.insideBegin();
 }
 
 }  // namespace
@@ -31,9 +31,9 @@ bool recordsCalls(Context& c) {
 void callList(Context& c, GLuint name) {
   if (recordsCalls(c)) {
     return c.lists.record(
-        [name](Context& x) { name ? x.lists.callList(name) : x.setError(GL_INVALID_VALUE); }, true);
+        [name](Context& x) { name ? x.lists.callList(name) : x.errors.set(GL_INVALID_VALUE); }, true);
   }
-  if (name == 0) return c.setError(GL_INVALID_VALUE);  // as Mesa has it; the specification is silent
+  if (name == 0) return c.errors.set(GL_INVALID_VALUE);  // as Mesa has it; the specification is silent
   c.lists.callList(name);
 }
 
@@ -66,11 +66,11 @@ GLuint listOffset(GLenum type, const void* names, size_t i) {
 }  // namespace
 
 void callLists(Context& c, GLsizei n, GLenum type, const void* names) {
-  if (n < 0) return c.setError(GL_INVALID_VALUE);
+  if (n < 0) return c.errors.set(GL_INVALID_VALUE);
   if (!((type >= GL_BYTE && type <= GL_FLOAT) || (type >= GL_2_BYTES && type <= GL_4_BYTES)))
-    return c.setError(GL_INVALID_ENUM);
+    return c.errors.set(GL_INVALID_ENUM);
   std::vector<GLuint> offsets;
-  c.insist([&] { offsets.resize(static_cast<size_t>(n)); });
+  c.failsafe.insist([&] { offsets.resize(static_cast<size_t>(n)); });
   for (size_t i = 0; i < offsets.size(); ++i) offsets[i] = listOffset(type, names, i);
   const auto call = [offsets = std::move(offsets)](Context& x) {
     const GLuint base = x.lists.base;  // of the moment of the call, whatever the lists do to it
@@ -81,21 +81,21 @@ void callLists(Context& c, GLsizei n, GLenum type, const void* names) {
 }
 
 GLuint genLists(Context& c, GLsizei range) {
-  if (range < 0) return c.setError(GL_INVALID_VALUE), 0;
-  return range == 0 ? 0 : c.group().lists.reserve(static_cast<GLuint>(range));
+  if (range < 0) return c.errors.set(GL_INVALID_VALUE), 0;
+  return range == 0 ? 0 : c.shadow.group.lists.reserve(static_cast<GLuint>(range));
 }
 
 void deleteLists(Context& c, GLuint first, GLsizei range) {
-  if (range < 0) return c.setError(GL_INVALID_VALUE);
-  c.group().lists.eraseRange(first, static_cast<GLuint>(range));
+  if (range < 0) return c.errors.set(GL_INVALID_VALUE);
+  c.shadow.group.lists.eraseRange(first, static_cast<GLuint>(range));
 }
 
 GLboolean isList(Context& c, GLuint name) {
-  return name != 0 && c.group().lists.contains(name) ? GL_TRUE : GL_FALSE;
+  return name != 0 && c.shadow.group.lists.contains(name) ? GL_TRUE : GL_FALSE;
 }
 
 void listBase(Context& c, GLuint base) {
-  if (c.compiling()) return c.lists.record([base](Context& x) { x.lists.base = base; });
+  if (c.lists.compiling()) return c.lists.record([base](Context& x) { x.lists.base = base; });
   c.lists.base = base;
 }
 
@@ -103,12 +103,12 @@ void useXFont(Context& c, int first, int count, int base, const std::function<vo
   (void)first;
   if (count <= 0) return make(base);  // the real one says what is wrong
   const GLuint realBase = c.real.GenLists(count);
-  if (!realBase) return c.setError(GL_OUT_OF_MEMORY);
+  if (!realBase) return c.errors.set(GL_OUT_OF_MEMORY);
   make(static_cast<int>(realBase));
   for (int i = 0; i < count; ++i) {
     auto list = std::make_shared<DisplayList>();
-    list->append(std::make_unique<FragmentOp>(realBase + static_cast<GLuint>(i), c.sharedGroup()));
-    c.group().lists.put(static_cast<GLuint>(base + i), std::move(list));
+    list->append(std::make_unique<FragmentOp>(realBase + static_cast<GLuint>(i), c.shadow.sharedGroup));
+    c.shadow.group.lists.put(static_cast<GLuint>(base + i), std::move(list));
   }
 }
 

@@ -13,7 +13,7 @@ bool isAttribute(Slot slot) { return slot >= kNormal && slot != kMaterialNumber;
 
 }  // namespace
 
-LooseRun::LooseRun(Captured run, const Primitive& open, const SlotValues& finals,
+LooseRun::LooseRun(CapturedVertices run, const Primitive& open, const SlotValues& finals,
                    std::vector<InheritedSlot> inherited)
     : run_(std::move(run)), open_(open), finals_(finals) {
   for (const InheritedSlot& slot : inherited) inheriting_[slot.slot] = slot.vertices;

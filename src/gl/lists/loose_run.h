@@ -13,7 +13,7 @@ namespace gluray::gl {
 class LooseRun final : public ListOp {
  public:
   /// `open`: the primitive without an end. `finals`: values of all slots of the run after its last vertex.
-  LooseRun(Captured run, const Primitive& open, const SlotValues& finals,
+  LooseRun(CapturedVertices run, const Primitive& open, const SlotValues& finals,
            std::vector<InheritedSlot> inherited);
   void execute(Context& context) override;
 
@@ -21,7 +21,7 @@ class LooseRun final : public ListOp {
   void sendPrimitive(Context& context, const Primitive& primitive) const;
   void sendVertex(Context& context, uint32_t number) const;
 
-  Captured run_;
+  CapturedVertices run_;
   Primitive open_;
   SlotValues finals_;
   uint32_t inheriting_[kSlotCount] = {};  // so many vertices take the caller's value of the slot

@@ -124,7 +124,7 @@ struct Family {
   FamilyLights lights;
   FamilyPbr pbr;
 
-  /// Passes that we can do ourselves, and where they find input and settings. fxaa: full-screen
+  /// MultipassSurfaces that we can do ourselves, and where they find input and settings. fxaa: full-screen
   /// anti-aliasing. peelDepths and peel: surfaces that are seen through, drawn once to find the nearest and
   /// farthest of them, and then, peel by peel, to composite them (dual depth peeling): all is traced in the
   /// first peel. peelRest: afterwards, what peels have left, in the order of drawing. sum: the same without

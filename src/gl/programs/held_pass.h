@@ -1,5 +1,5 @@
-// Passes with several outputs whose draws are held back, because all they lead to can be traced in one go. GL
-// thread.
+// MultipassSurfaces with several outputs whose draws are held back, because all they lead to can be traced in
+// one go. GL thread.
 #pragma once
 #include "gl/programs/program_draw.h"
 

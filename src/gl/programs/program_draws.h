@@ -2,9 +2,10 @@
 // Context, GL thread.
 #pragma once
 #include "gl/arrays/array_indices.h"
+#include "gl/batch/batch_filler.h"
 #include "gl/capture/mesh_cache.h"
-#include "gl/context_part.h"
 #include "gl/draws/draw_kinds.h"
+#include "gl/draws/raster_draws.h"
 #include "gl/draws/reasons.h"
 #include "scene/snapshot.h"
 
@@ -15,20 +16,20 @@
 
 namespace gluray::gl {
 
-struct KnownProgram;
-
-class ProgramDraws : public ContextPart {
+class ProgramDraws {
  public:
-  using ContextPart::ContextPart;
-
-  /// What is known of a program that is linked; null where it is not.
-  std::shared_ptr<const KnownProgram> known(GLuint name);
-  /// The current program, outside glBegin and glEnd; null: there is none.
-  const std::shared_ptr<const KnownProgram>& inUse();
-  /// Reads the current program and its uniforms into the state.
-  void read();
-  /// Whether the current program makes round figures of what a draw of this mode sends.
-  bool drawsFigures(GLenum mode);
+  struct Parts {
+    ShadowState& shadow;
+    Failsafe& failsafe;
+    FrameClock& clock;
+    SurfaceHistory& surfaces;
+    Flusher& flusher;
+    Triage& triage;
+    BatchFiller& filler;
+    RasterDraws& raster;
+    LayerDraws& layers;
+  };
+  explicit ProgramDraws(const Parts& parts) : p_(parts) {}
 
   /// Why a surface of the current program cannot be traced now, or Reason::traced. Call
   /// refresh(kProgramGroups) before.
@@ -53,6 +54,7 @@ class ProgramDraws : public ContextPart {
   Placed place(scene::Shape shape, const glm::dvec3& reach);
   glm::dvec3 reachOfInstances(const scene::Mesh& mesh, const Elements& elements) const;
   void addInstancesOf(const scene::Instance& one, const scene::Shading& shading, const Elements& elements);
+  Parts p_;
 };
 
 }  // namespace gluray::gl

@@ -1,6 +1,6 @@
 // Instances of what shader programs draw: matrices, normals and colours from arrays with a divisor.
-#include "gl/context.h"
 #include "gl/draws/affine.h"
+#include "gl/layers/layer_draws.h"
 #include "gl/programs/program_draws.h"
 
 #include <algorithm>
@@ -40,21 +40,21 @@ struct InstanceReaders {
 }  // namespace
 
 Reason ProgramDraws::triageInstances(const scene::Mesh& mesh, const Elements& elements) const {
-  const InstanceReaders readers(c_.real, c_.attributes);
-  const bool mayBeTranslucent = layersOf(c_.state.program) == BatchKey::Layers::none &&
-                                readers.color.enabled() && c_.attributes.instanceColor.size == 4 &&
-                                c_.state.raster.unlessOpaque != Reason::traced;
+  const InstanceReaders readers(p_.shadow.real, p_.shadow.attributes);
+  const bool mayBeTranslucent = layersOf(p_.shadow.state.program) == BatchKey::Layers::none &&
+                                readers.color.enabled() && p_.shadow.attributes.instanceColor.size == 4 &&
+                                p_.shadow.state.raster.unlessOpaque != Reason::traced;
   for (uint32_t i = 0; i < elements.repeats(); ++i) {
     float color[4] = {0, 0, 0, 1};
     if (mayBeTranslucent && readOfInstance(readers.color, elements, i, color) && color[3] < 1)
-      return c_.state.raster.unlessOpaque;
+      return p_.shadow.state.raster.unlessOpaque;
     const auto m = readers.matrix(elements, i);
     if (!m) return Reason::arrayState;
     if (!isAffine(glm::dmat4(*m), glm::dvec3(1))) return Reason::homogeneous;
     const glm::mat3 linear(*m);
     // Edges are painted in the window: as for one alone (triageAlways()).
-    if (c_.state.program.triangleEdges &&
-        !isBeforeViewer(mesh, c_.state.program.clipFromObject * glm::dmat4(*m)))
+    if (p_.shadow.state.program.triangleEdges &&
+        !isBeforeViewer(mesh, p_.shadow.state.program.clipFromObject * glm::dmat4(*m)))
       return Reason::program;
     if (glm::determinant(linear) == 0 && linear != glm::mat3(0)) return Reason::singularMatrix;
   }
@@ -62,7 +62,7 @@ Reason ProgramDraws::triageInstances(const scene::Mesh& mesh, const Elements& el
 }
 
 glm::dvec3 ProgramDraws::reachOfInstances(const scene::Mesh& mesh, const Elements& elements) const {
-  const InstanceReaders readers(c_.real, c_.attributes);
+  const InstanceReaders readers(p_.shadow.real, p_.shadow.attributes);
   const glm::dvec3 own = reachOf(mesh);
   glm::dvec3 reach(0);
   for (uint32_t i = 0; i < elements.repeats(); ++i) {
@@ -76,7 +76,7 @@ glm::dvec3 ProgramDraws::reachOfInstances(const scene::Mesh& mesh, const Element
 
 void ProgramDraws::addInstancesOf(const scene::Instance& one, const scene::Shading& shading,
                                   const Elements& elements) {
-  const InstanceReaders readers(c_.real, c_.attributes);
+  const InstanceReaders readers(p_.shadow.real, p_.shadow.attributes);
   for (uint32_t i = 0; i < elements.repeats(); ++i) {
     const auto own = readers.matrix(elements, i);
     if (!own || glm::mat3(*own) == glm::mat3(0)) continue;  // nothing is seen of a point
@@ -91,7 +91,7 @@ void ProgramDraws::addInstancesOf(const scene::Instance& one, const scene::Shadi
     instance.eyeFromObject = one.eyeFromObject * glm::dmat4(*own);
     instance.lightingFromObject = one.lightingFromObject * *own;
     instance.normalMatrix = one.normalMatrix * ownNormal;
-    c_.batch().add(std::move(instance), shading);
+    p_.flusher.batch.add(std::move(instance), shading);
   }
 }
 

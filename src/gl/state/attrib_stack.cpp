@@ -1,6 +1,6 @@
 #include "gl/state/attrib_stack.h"
 
-#include "gl/context.h"
+#include "gl/lists/list_compiler.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -31,25 +31,25 @@ uint32_t groupsOfAttrib(GLbitfield mask) {
 }  // namespace
 
 void AttribStack::push(GLbitfield mask) {
-  c_.syncCurrent();
-  c_.real.PushAttrib(mask);
-  if (deepest_ == 0) c_.real.GetIntegerv(GL_MAX_ATTRIB_STACK_DEPTH, &deepest_);
+  p_.shadow.syncCurrent();
+  p_.shadow.real.PushAttrib(mask);
+  if (deepest_ == 0) p_.shadow.real.GetIntegerv(GL_MAX_ATTRIB_STACK_DEPTH, &deepest_);
   if (saved_.size() >= static_cast<size_t>(deepest_)) return;  // the real one refused, too
-  saved_.push_back({mask, c_.lists.base});
+  saved_.push_back({mask, p_.lists.base});
 }
 
 void AttribStack::pop() {
-  c_.syncCurrent();
+  p_.shadow.syncCurrent();
   if (!saved_.empty()) {
     const Saved saved = saved_.back();
     saved_.pop_back();
-    if (saved.mask & GL_LIST_BIT) c_.lists.base = saved.listBase;
-    if (saved.mask & GL_TRANSFORM_BIT) c_.matrixMode = 0;
+    if (saved.mask & GL_LIST_BIT) p_.lists.base = saved.listBase;
+    if (saved.mask & GL_TRANSFORM_BIT) p_.shadow.matrixMode = 0;
     // A change of the draw buffer redirects what is pending.
-    if (saved.mask & GL_COLOR_BUFFER_BIT) c_.flush();
-    c_.touch(groupsOfAttrib(saved.mask));
+    if (saved.mask & GL_COLOR_BUFFER_BIT) p_.flusher.flush();
+    p_.shadow.touch(groupsOfAttrib(saved.mask));
   }
-  c_.real.PopAttrib();
+  p_.shadow.real.PopAttrib();
 }
 
 }  // namespace gluray::gl

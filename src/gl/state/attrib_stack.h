@@ -1,7 +1,7 @@
 // glPushAttrib and glPopAttrib: what we keep beside the real OpenGL's stack. A part of each Context, GL
 // thread.
 #pragma once
-#include "gl/context_part.h"
+#include "gl/batch/flusher.h"
 
 #include <GL/gl.h>
 
@@ -9,9 +9,16 @@
 
 namespace gluray::gl {
 
-class AttribStack : public ContextPart {
+class ListCompiler;
+
+class AttribStack {
  public:
-  using ContextPart::ContextPart;
+  struct Parts {
+    ShadowState& shadow;
+    Flusher& flusher;
+    ListCompiler& lists;
+  };
+  explicit AttribStack(const Parts& parts) : p_(parts) {}
 
   void push(GLbitfield mask);
   void pop();
@@ -24,6 +31,7 @@ class AttribStack : public ContextPart {
 
   std::vector<Saved> saved_;
   GLint deepest_ = 0;  // 0: not known yet
+  Parts p_;
 };
 
 }  // namespace gluray::gl

@@ -17,49 +17,49 @@ void clearNow(Context& c, GLbitfield mask) {
   if (c.layers.clearsLater(mask)) return;
   bool later = false;
   c.protect([&] { later = c.window.clearsLater(mask); });
-  const Unresolved::Cleared clean = later ? Unresolved::Cleared{} : c.beforeClear(mask);
+  const UnresolvedPicture::Cleared clean = later ? UnresolvedPicture::Cleared{} : c.flusher.beforeClear(mask);
   if (mask & GL_STENCIL_BUFFER_BIT) stencilSet(c);
-  c.clearing(mask);
+  c.frames.clearing(mask);
   if (!later) c.real.Clear(mask);
-  c.cleared(mask);
-  c.resolves.cleanIs(c.direct() ? Unresolved::Cleared{} : clean);
+  c.frames.cleared(mask);
+  c.resolves.cleanIs(c.clock.direct() ? UnresolvedPicture::Cleared{} : clean);
 }
 
 }  // namespace
 
 void clear(Context& c, GLbitfield mask) {
-  if (c.compiling()) return c.lists.record([mask](Context& x) { clearNow(x, mask); });
+  if (c.lists.compiling()) return c.lists.record([mask](Context& x) { clearNow(x, mask); });
   clearNow(c, mask);
 }
 
 void flush(Context& c) {
-  c.showIfVisible();
-  c.textures().finished();
+  c.frames.showIfVisible();
+  c.shadow.textures.finished();
   c.real.Flush();
 }
 
 void finish(Context& c) {
   c.protect([&] { c.window.showLagged(); });
-  c.showIfVisible();
-  c.textures().finished();
+  c.frames.showIfVisible();
+  c.shadow.textures.finished();
   c.real.Finish();
 }
 
 void pushAttrib(Context& c, GLbitfield mask) {
-  if (c.compiling()) return c.lists.record([mask](Context& x) { x.attribStack.push(mask); });
+  if (c.lists.compiling()) return c.lists.record([mask](Context& x) { x.attribStack.push(mask); });
   c.attribStack.push(mask);
 }
 
 void popAttrib(Context& c) {
-  if (c.compiling()) return c.lists.record([](Context& x) { x.attribStack.pop(); });
+  if (c.lists.compiling()) return c.lists.record([](Context& x) { x.attribStack.pop(); });
   c.attribStack.pop();
 }
 
 GLenum getError(Context& c) {
-  const bool compiledOnly = c.compiling() && !c.executing();
-  const bool inside = c.insideBegin() || c.immediate.executedInside();
-  if (inside && !compiledOnly) return c.setError(GL_INVALID_OPERATION), GLenum{GL_NO_ERROR};
-  return c.takeError();
+  const bool compiledOnly = c.lists.compiling() && !c.lists.executing();
+  const bool inside = c.immediate.insideBegin() || c.immediate.executedInside();
+  if (inside && !compiledOnly) return c.errors.set(GL_INVALID_OPERATION), GLenum{GL_NO_ERROR};
+  return c.errors.take();
 }
 
 namespace {
@@ -134,32 +134,32 @@ namespace {
 /// Whether a query looks at what draws do; timers and time stamps do not.
 bool countsDraws(GLenum target) { return target != GL_TIME_ELAPSED && target != GL_TIMESTAMP; }
 
-void endGuard(Context& c) { c.activeQueries = std::max(0, c.activeQueries - 1); }
+void endGuard(Context& c) { c.shadow.activeQueries = std::max(0, c.shadow.activeQueries - 1); }
 
 }  // namespace
 
 void beginQuery(Context& c, GLenum target, GLuint id) {
   if (!countsDraws(target)) return;
   if (c.layers.pending()) c.protect([&] { c.layers.queryBegins(target, id); });
-  ++c.activeQueries;
+  ++c.shadow.activeQueries;
 }
 void beginQueryIndexed(Context& c, GLenum target, GLuint, GLuint id) { beginQuery(c, target, id); }
 void endQuery(Context& c, GLenum target) {
   if (countsDraws(target)) endGuard(c);
 }
 void endQueryIndexed(Context& c, GLenum target, GLuint) { endQuery(c, target); }
-void beginConditionalRender(Context& c, GLuint, GLenum) { ++c.activeQueries; }
+void beginConditionalRender(Context& c, GLuint, GLenum) { ++c.shadow.activeQueries; }
 void endConditionalRender(Context& c) { endGuard(c); }
 
-void matrixMode(Context& c, GLenum mode) { c.matrixMode = mode; }
+void matrixMode(Context& c, GLenum mode) { c.shadow.matrixMode = mode; }
 
 uint32_t matrixGroups(Context& c) {
-  if (c.matrixMode == 0) {
+  if (c.shadow.matrixMode == 0) {
     GLint mode = GL_MODELVIEW;
     c.real.GetIntegerv(GL_MATRIX_MODE, &mode);
-    c.matrixMode = static_cast<GLenum>(mode);
+    c.shadow.matrixMode = static_cast<GLenum>(mode);
   }
-  switch (c.matrixMode) {
+  switch (c.shadow.matrixMode) {
     case GL_MODELVIEW: return kModelview;
     case GL_PROJECTION: return kProjection;
     case GL_TEXTURE: return kTexture;
@@ -168,8 +168,8 @@ uint32_t matrixGroups(Context& c) {
 }
 
 uint32_t textureAttached(Context& c, GLuint texture) {
-  c.forgetClear();
-  c.textures().attached(texture);
+  c.cleared.forget();
+  c.shadow.textures.attached(texture);
   return kTarget | kTexture;
 }
 
@@ -178,38 +178,39 @@ Context::Flush flushToBind(Context& c, GLenum target, GLuint framebuffer) {
     return static_cast<GLuint>(integer(c.real, binding)) == framebuffer;
   };
   const bool draws = target != GL_READ_FRAMEBUFFER, reads = target != GL_DRAW_FRAMEBUFFER;
-  const bool bound = c.state.rare.framebufferObjects && (!draws || isBound(GL_DRAW_FRAMEBUFFER_BINDING)) &&
+  const bool bound = c.shadow.state.rare.framebufferObjects &&
+                     (!draws || isBound(GL_DRAW_FRAMEBUFFER_BINDING)) &&
                      (!reads || isBound(GL_READ_FRAMEBUFFER_BINDING));
   return bound ? Context::Flush::none : Context::Flush::leave;
 }
 
 uint32_t framebufferBound(Context& c) {
-  c.textures().framebufferBound();
+  c.shadow.textures.framebufferBound();
   return kTarget | kTexture;
 }
 
 uint32_t imageChanged(Context& c, GLenum target) {
-  c.imageSent(target);
-  c.imagesChange();
-  c.textures().imageChanged(c.real, target);
+  c.cleared.imageSent(target);
+  c.flusher.imagesChange();
+  c.shadow.textures.imageChanged(c.real, target);
   return kTexture;
 }
 
 uint32_t imageCopied(Context& c, GLenum target, GLint level, glm::ivec2 offset, const scene::Region& from) {
   const uint32_t groups = imageChanged(c, target);
-  c.imageCopied(target, level, offset, from);
+  c.cleared.imageCopied(target, level, offset, from);
   return groups;
 }
 
 uint32_t texturesDeleted(Context& c, GLsizei n, const GLuint* names) {
-  c.forgetClear();
-  c.imagesChange();
-  for (GLsizei i = 0; names && i < n; ++i) c.textures().deleted(names[i]);
+  c.cleared.forget();
+  c.flusher.imagesChange();
+  for (GLsizei i = 0; names && i < n; ++i) c.shadow.textures.deleted(names[i]);
   return kTexture;
 }
 
 uint32_t stencilSet(Context& c) {
-  c.group().stencilsSet = true;
+  c.shadow.group.stencilsSet = true;
   return 0;
 }
 
@@ -224,16 +225,16 @@ uint32_t capabilityEnabled(Context& c, GLenum capability) {
 }
 
 uint32_t imagesChanged(Context& c) {
-  c.forgetClear();
+  c.cleared.forget();
   stencilSet(c);
-  c.imagesChange();
-  c.textures().allImagesChanged();
+  c.flusher.imagesChange();
+  c.shadow.textures.allImagesChanged();
   return kTexture;
 }
 
 uint32_t programChanged(Context& c, GLuint program) {
   c.layers.programChanges(program);
-  c.group().programChanged(program);
+  c.shadow.group.programChanged(program);
   return kRaster | kProgram | kAttributes;
 }
 

@@ -12,7 +12,7 @@ GLuint asked(const RealGl& real, GLenum name) { return static_cast<GLuint>(integ
 
 }  // namespace
 
-void Smooth::clear(const RealGl& real, const RareState& has) {
+void AntialiasedPicture::clear(const RealGl& real, const RareState& has) {
   texture_ = 0;
   const GLuint framebuffer = isPresent(real.BindFramebuffer) ? asked(real, GL_DRAW_FRAMEBUFFER_BINDING) : 0;
   const GLenum buffer = framebuffer ? asked(real, GL_DRAW_BUFFER0) : GLenum{GL_NONE};
@@ -24,20 +24,20 @@ void Smooth::clear(const RealGl& real, const RareState& has) {
   framebuffer_ = framebuffer, buffer_ = buffer, region_ = region;
 }
 
-void Smooth::wrote(GLuint framebuffer, GLenum buffer) {
+void AntialiasedPicture::wrote(GLuint framebuffer, GLenum buffer) {
   texture_ = 0;
   if (!isOf(framebuffer, buffer)) *this = {};
 }
 
-void Smooth::send(const RealGl& real, const TextureCache& textures, GLenum target) {
+void AntialiasedPicture::send(const RealGl& real, const TextureCache& textures, GLenum target) {
   if (!any()) return;
   const GLuint texture = target == GL_TEXTURE_2D ? asked(real, GL_TEXTURE_BINDING_2D) : 0;
   if (texture == 0 || textures.mayBeAttached(texture)) *this = {};
   if (texture == texture_) texture_ = 0;
 }
 
-void Smooth::copy(const RealGl& real, GLenum target, GLint level, glm::ivec2 offset,
-                  const scene::Region& from) {
+void AntialiasedPicture::copy(const RealGl& real, GLenum target, GLint level, glm::ivec2 offset,
+                              const scene::Region& from) {
   if (!any() || target != GL_TEXTURE_2D || level != 0 || offset != glm::ivec2(0)) return;
   if (!isOf(asked(real, GL_READ_FRAMEBUFFER_BINDING), asked(real, GL_READ_BUFFER)) ||
       !isOf(asked(real, GL_DRAW_FRAMEBUFFER_BINDING), asked(real, GL_DRAW_BUFFER0)))
@@ -45,7 +45,8 @@ void Smooth::copy(const RealGl& real, GLenum target, GLint level, glm::ivec2 off
   texture_ = asked(real, GL_TEXTURE_BINDING_2D), copied_ = from;
 }
 
-bool Smooth::isCopy(GLuint texture, const scene::Region& region, GLuint framebuffer, GLenum buffer) const {
+bool AntialiasedPicture::isCopy(GLuint texture, const scene::Region& region, GLuint framebuffer,
+                                GLenum buffer) const {
   return copied() && texture_ == texture && copied_ == region && isOf(framebuffer, buffer) &&
          contains(region_, region);
 }

@@ -11,7 +11,7 @@ namespace gluray::gl {
 
 /// A framebuffer object of which a region holds nothing but what it was cleared to and pictures whose pixels
 /// are averages (settings: spp); and the texture that a part of it was copied into since then.
-class Smooth {
+class AntialiasedPicture {
  public:
   bool any() const { return framebuffer_ != 0; }
   bool copied() const { return texture_ != 0; }

@@ -1,6 +1,5 @@
 #include "gl/window/clears.h"
 
-#include "gl/context.h"
 #include "gl/state/state_queries.h"
 
 #include <GL/glext.h>
@@ -57,30 +56,6 @@ WindowClear windowClear(const RealGl& real, GLbitfield mask) {
   real.GetDoublev(GL_DEPTH_CLEAR_VALUE, &clear.depth);
   real.GetIntegerv(GL_STENCIL_CLEAR_VALUE, &clear.stencil);
   return clear;
-}
-
-void Context::noteClear(GLbitfield mask) {
-  cleared_.reset();
-  if (mask & GL_COLOR_BUFFER_BIT && info_.settings.spp > 1 && !direct_) smooth_.clear(real, state.rare);
-  if ((mask & kColorAndDepth) != kColorAndDepth || direct_ || aside_ || activeQueries > 0 ||
-      !isSoftwareBelow())
-    return;
-  const GLint framebuffer = isPresent(real.BindFramebuffer) ? integer(real, GL_DRAW_FRAMEBUFFER_BINDING) : 0;
-  const Quirk use = framebuffer == 0 ? Quirk::softwareShow : Quirk::softwarePut;
-  if (!info_.settings.quirks.has(use) || !clearsAll(real, state.rare)) return;
-  const glm::ivec4 box = scissorBox(real);
-  ClearedTarget cleared{static_cast<GLuint>(framebuffer), {box.x, box.y, box.z, box.w}, {}};
-  real.GetFloatv(GL_COLOR_CLEAR_VALUE, cleared.color.data());
-  cleared_ = cleared;
-}
-
-std::optional<ClearedTarget> Context::clearedUnder(const scene::Snapshot& snapshot, const BatchKey& key) {
-  if (!cleared_ || key.framebuffer == 0 || key.framebuffer != cleared_->framebuffer ||
-      key.depthFunc != GL_LEQUAL || key.layers != BatchKey::Layers::none || snapshot.samples != 1 ||
-      !key.colorWrites.all() || key.encodes || group_->stencilsSet ||
-      !contains(cleared_->region, snapshot.region))
-    return std::nullopt;
-  return cleared_;
 }
 
 }  // namespace gluray::gl

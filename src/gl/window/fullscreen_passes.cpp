@@ -1,6 +1,8 @@
-// Full-screen passes of programs that we do ourselves, because a software OpenGL takes longer over them than
-// we over the whole picture.
-#include "gl/context.h"
+#include "gl/window/fullscreen_passes.h"
+
+#include "gl/batch/resolve_draws.h"
+#include "gl/errors.h"
+#include "gl/layers/layer_draws.h"
 #include "gl/programs/uniforms.h"
 #include "gl/state/output_state.h"
 #include "gl/state/state_queries.h"
@@ -34,13 +36,6 @@ bool coversViewport(const RealGl& real, const ArrayState& arrays, GLenum mode, c
   return corners == 15;
 }
 
-bool isSoftware(const RealGl& real) {
-  const auto* name = reinterpret_cast<const char*>(real.GetString(GL_RENDERER));
-  const std::string_view renderer = name ? name : "";
-  return renderer.find("llvmpipe") != renderer.npos || renderer.find("softpipe") != renderer.npos ||
-         renderer.find("Software") != renderer.npos;
-}
-
 /// Whether the texture bound to the active unit is one level of RGBA8 of that size, whose texels at pixel
 /// centres are read as they are.
 bool isPlainInput(const RealGl& real, glm::ivec2 size) {
@@ -56,79 +51,78 @@ bool isPlainInput(const RealGl& real, glm::ivec2 size) {
 
 }  // namespace
 
-bool Context::isSoftwareBelow() {
-  if (softwareBelow_ == Answer::unknown) softwareBelow_ = isSoftware(real) ? Answer::yes : Answer::no;
-  return softwareBelow_ == Answer::yes;
-}
-
-bool Context::replacePass(GLenum mode, const Elements& elements) {
-  const Family::Pass pass = passOf(state.program);
+bool FullscreenPasses::replace(GLenum mode, const Elements& elements) {
+  ShadowState& shadow = p_.shadow;
+  const Family::Pass pass = passOf(shadow.state.program);
   const bool resolving = pass == Family::Pass::resolve;
   if (!resolving && pass != Family::Pass::fxaa) return false;
-  const QuirkSet& quirks = info_.settings.quirks;
+  const QuirkSet& quirks = shadow.info.settings.quirks;
   const bool instead =
-      quirks.has(resolving ? Quirk::softwareResolve : Quirk::softwareFxaa) && isSoftwareBelow();
-  const bool smooth = !resolving && smooth_.copied() && quirks.has(Quirk::sppFxaa);
-  if (!(instead || smooth) || aside_ || activeQueries > 0) return false;
+      quirks.has(resolving ? Quirk::softwareResolve : Quirk::softwareFxaa) && shadow.isSoftwareBelow();
+  const bool smooth = !resolving && p_.cleared.antialiased().copied() && quirks.has(Quirk::sppFxaa);
+  if (!(instead || smooth) || p_.failsafe.aside() || shadow.activeQueries > 0) return false;
+  const glm::ivec4& viewport = shadow.state.viewport;
+  const scene::Region region{viewport.x, viewport.y, viewport.z, viewport.w};
+  const GLuint texture = wholeTarget(mode, elements, region);
+  if (texture == 0) return false;
+  return resolving ? p_.resolves.byProgram(texture, region) : antialiasInto(texture, region, instead);
+}
+
+GLuint FullscreenPasses::wholeTarget(GLenum mode, const Elements& elements,
+                                     const scene::Region& region) const {
+  const RealGl& real = p_.shadow.real;
+  const State& state = p_.shadow.state;
   const TargetState& target = state.target;
-  if (target.reason != Reason::traced && target.reason != Reason::noDepthBuffer) return false;
-  const scene::Region region{state.viewport.x, state.viewport.y, state.viewport.z, state.viewport.w};
+  if (target.reason != Reason::traced && target.reason != Reason::noDepthBuffer) return 0;
   const bool whole = target.framebuffer != 0 && target.samples == 1 && region.x >= 0 && region.y >= 0 &&
                      region.width > 0 && region.height > 0;
   const bool open = !state.raster.scissorTest || state.scissor == state.viewport;
   if (!whole || !open || !writesThrough(real, state.rare) ||
-      !coversViewport(real, attributes, mode, elements))
-    return false;
+      !coversViewport(real, p_.shadow.attributes, mode, elements))
+    return 0;
   GLint attachment = 0, type = 0, level = 0;
   const auto ask = [&](GLenum name, GLint& value) {
     real.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, target.drawBuffer, name, &value);
   };
   ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, type);
-  if (type != GL_TEXTURE) return false;
+  if (type != GL_TEXTURE) return 0;
   ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, attachment);
   ask(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL, level);
-  if (level != 0) return false;
-  const auto texture = static_cast<GLuint>(attachment);
-  return resolving ? resolves.byProgram(texture, region) : antialiasInto(texture, region, instead);
+  return level == 0 ? static_cast<GLuint>(attachment) : 0;
 }
 
-bool Context::antialiasInto(GLuint attachment, const scene::Region& region, bool instead) {
+bool FullscreenPasses::antialiasInto(GLuint attachment, const scene::Region& region, bool instead) {
+  const RealGl& real = p_.shadow.real;
+  const State& state = p_.shadow.state;
   const KnownProgram& known = *state.program.known;
   const Family& family = *known.family;
   const ProgramUniform* sampler = known.program.uniform(family.passInput);
   if (!sampler || !state.program.uniforms) return false;
   const UniformReader uniforms(known.program, *state.program.uniforms);
   const GLint unit = uniforms.integer(family.passInput), active = integer(real, GL_ACTIVE_TEXTURE);
-  if (const GLenum pending = real.GetError()) setError(pending);
+  p_.shadow.errors.keepPending();
   real.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
   const bool sampled = isPresent(real.BindSampler) && integer(real, GL_SAMPLER_BINDING) != 0;
   const auto input = static_cast<GLuint>(integer(real, GL_TEXTURE_BINDING_2D));
   const bool plain = !sampled && isPlainInput(real, {region.width, region.height}) && input != attachment;
   real.ActiveTexture(static_cast<GLenum>(active));
   if (!plain) return false;
-  if (batch_.empty() && smooth_.isCopy(input, region, state.target.framebuffer, state.target.drawBuffer))
+  if (p_.flusher.batch.empty() &&
+      p_.cleared.antialiased().isCopy(input, region, state.target.framebuffer, state.target.drawBuffer))
     return noteUse(Quirk::sppFxaa), true;  // the pass would put smooth pixels in their own place
   if (!instead) return false;
-  flush();
-  forgetClear();
+  p_.flusher.flush();
+  p_.cleared.forget();
   scene::Fxaa fxaa;
   fxaa.relativeContrast = uniforms.number(family.relativeContrast, fxaa.relativeContrast);
   fxaa.hardContrast = uniforms.number(family.hardContrast, fxaa.hardContrast);
   fxaa.subpixelBlendLimit = uniforms.number(family.subpixelBlendLimit, fxaa.subpixelBlendLimit);
   fxaa.subpixelContrast = uniforms.number(family.subpixelContrast, fxaa.subpixelContrast);
   fxaa.endpointSearchIterations = static_cast<int>(uniforms.number(family.endpointSearchIterations, 12));
-  if (!presenter_.antialias(real, fxaa, unit, attachment, region, info_.settings)) return false;
+  if (!p_.flusher.presenter.antialias(real, fxaa, unit, attachment, region, p_.shadow.info.settings))
+    return false;
   noteUse(Quirk::softwareFxaa);
   return true;
-}
-
-void Context::imageSent(GLenum target) {
-  cleared_.reset();
-  smooth_.send(real, textures_, target);
-}
-
-void Context::imageCopied(GLenum target, GLint level, glm::ivec2 offset, const scene::Region& from) {
-  smooth_.copy(real, target, level, offset, from);
 }
 
 }  // namespace gluray::gl

@@ -2,7 +2,11 @@
 
 #include "base/clock.h"
 #include "base/timeline.h"
-#include "gl/context.h"
+#include "gl/batch/resolve_draws.h"
+#include "gl/capture/immediate.h"
+#include "gl/errors.h"
+#include "gl/layers/layer_draws.h"
+#include "gl/lists/list_compiler.h"
 #include "gl/state/state_queries.h"
 #include "gl/window/clears.h"
 #include "gl/window/window_frames.h"
@@ -34,47 +38,47 @@ std::string_view describe(LagRefusal refusal) {
 }
 
 LagRefusal WindowFrames::whyNotLag(GLenum buffer) const {
-  if (c_.batch().empty()) return c_.direct() ? LagRefusal::measured : LagRefusal::nothingToDo;
-  const BatchKey& key = c_.batch().key();
+  if (p_.flusher.batch.empty()) return p_.clock.direct() ? LagRefusal::measured : LagRefusal::nothingToDo;
+  const BatchKey& key = p_.flusher.batch.key();
   const bool right = key.drawBuffer == buffer || (buffer == GL_BACK && key.drawBuffer == GL_BACK_LEFT);
   if (key.framebuffer != 0 || !right || key.samples > 1 || !key.colorWrites.all() || key.encodes)
     return LagRefusal::target;
-  if (c_.direct() || c_.measured()) return LagRefusal::measured;
+  if (p_.clock.direct() || p_.clock.measured()) return LagRefusal::measured;
   // Draws by programs keep the names of textures and buffers, which other contexts may change.
-  if (c_.activeQueries > 0 || key.layers != BatchKey::Layers::none || c_.layers.pending() ||
-      c_.resolves.waits() || c_.compiling() ||
-      (!c_.batch().programDraws().empty() && c_.group().contexts > 1))
+  if (p_.shadow.activeQueries > 0 || key.layers != BatchKey::Layers::none || p_.layers.pending() ||
+      p_.resolves.waits() || p_.lists.compiling() ||
+      (!p_.flusher.batch.programDraws().empty() && p_.shadow.group.contexts > 1))
     return LagRefusal::state;
-  return c_.aside() || c_.passthrough() ? LagRefusal::failure : LagRefusal::none;
+  return p_.failsafe.aside() || p_.shadow.info.off ? LagRefusal::failure : LagRefusal::none;
 }
 
 void WindowFrames::noteBegin() {
-  if (c_.beganSeconds == 0) c_.beganSeconds = nowSeconds();
+  if (p_.clock.beganSeconds == 0) p_.clock.beganSeconds = nowSeconds();
 }
 
 LagRefusal WindowFrames::lag(const LagWindow& window) noexcept {
   LagRefusal refusal = LagRefusal::failure;
-  c_.protect([&] {
-    if (c_.insideBegin()) return;
-    c_.immediate.closeRunIfOpen();
+  p_.failsafe.protect([&] {
+    if (p_.immediate.insideBegin()) return;
+    p_.immediate.closeRunIfOpen();
     settle();
     refusal = whyNotLag(window.overdue.buffer);
     if (refusal != LagRefusal::none) return;
-    if (const GLenum pending = c_.real.GetError()) c_.setError(pending);
-    LaggedFrame frame{c_.batch().key(), c_.batch().pending(), {}, window, {}, 1, {}};
+    p_.shadow.errors.keepPending();
+    LaggedFrame frame{p_.flusher.batch.key(), p_.flusher.batch.pending(), {}, window, {}, 1, {}};
     const glm::ivec2 size = window.overdue.size;
-    if (window.show && mayShowDirectly() && contains(c_.clearedTarget()->region, {0, 0, size.x, size.y})) {
-      c_.refresh(kTarget);
-      frame.cleared = c_.clearedTarget();
-      frame.farthest = farthestHit(frame.key.depthFunc, c_.state.target.depthResolution);
+    if (window.show && mayShowDirectly() && contains(p_.cleared.target()->region, {0, 0, size.x, size.y})) {
+      p_.shadow.refresh(kTarget);
+      frame.cleared = p_.cleared.target();
+      frame.farthest = farthestHit(frame.key.depthFunc, p_.shadow.state.target.depthResolution);
     }
-    refusal = c_.presenter().window().traceAhead(
-        c_.real, frame.snapshot, {frame.key.depthFunc, frame.cleared, frame.farthest, window.overdue});
+    refusal = p_.flusher.presenter.window().traceAhead(
+        p_.shadow.real, frame.snapshot, {frame.key.depthFunc, frame.cleared, frame.farthest, window.overdue});
     if (refusal != LagRefusal::none) return;
     lagged_ = std::move(frame);
-    c_.batch().take();
-    lagged_->draws = c_.batch().takeProgramDraws();
-    c_.real.Flush();  // what else the frame holds is drawn meanwhile
+    p_.flusher.batch.take();
+    lagged_->draws = p_.flusher.batch.takeProgramDraws();
+    p_.shadow.real.Flush();  // what else the frame holds is drawn meanwhile
   });
   return refusal;
 }
@@ -83,21 +87,23 @@ LagRefusal WindowFrames::lag(const LagWindow& window) noexcept {
 bool WindowFrames::showsDirectly(const LaggedFrame& frame) {
   constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
   if (!frame.cleared || frame.clears.empty() || (frame.clears.front().mask & kBoth) != kBoth) return false;
-  const PresentResult result = c_.presenter().window().show(
-      c_.real, frame.snapshot, {*frame.cleared, frame.farthest, c_.info().core, true, frame.window.show});
-  c_.latch.restore(c_.real);
+  const PresentResult result = p_.flusher.presenter.window().show(
+      p_.shadow.real, frame.snapshot,
+      {*frame.cleared, frame.farthest, p_.shadow.info.core, true, frame.window.show});
+  p_.shadow.latch.restore(p_.shadow.real);
   if (result.outcome != PresentResult::traced) return false;
-  c_.takeResult(result);
+  p_.flusher.takeResult(result);
   noteUse(Quirk::softwareShow);
   return true;
 }
 
 PresentResult WindowFrames::presentLagged(LaggedFrame& frame) {
-  const PresentResult result = c_.presenter().present(
-      c_.real, frame.snapshot,
-      {.depthFunc = frame.key.depthFunc, .core = c_.info().core, .programDraws = std::move(frame.draws)});
-  c_.latch.restore(c_.real);
-  c_.takeResult(result);
+  const PresentResult result = p_.flusher.presenter.present(p_.shadow.real, frame.snapshot,
+                                                            {.depthFunc = frame.key.depthFunc,
+                                                             .core = p_.shadow.info.core,
+                                                             .programDraws = std::move(frame.draws)});
+  p_.shadow.latch.restore(p_.shadow.real);
+  p_.flusher.takeResult(result);
   frame.window.swap();
   return result;
 }
@@ -108,11 +114,11 @@ void WindowFrames::showLagged() {
   const timeline::Span span("show lagged", lagged_->snapshot->instances.size());
   LaggedFrame frame = std::move(*lagged_);
   lagged_.reset();
-  const double start = c_.kinds() ? nowSeconds() : 0;
-  c_.syncCurrent();
+  const double start = p_.counts.kinds() ? nowSeconds() : 0;
+  p_.shadow.syncCurrent();
   PresentResult result;
   if (!frame.window.stands()) {
-    c_.presenter().window().dropAhead();
+    p_.flusher.presenter.window().dropAhead();
     result.outcome = PresentResult::traced;  // nobody would have seen it
   } else if (!showsDirectly(frame)) {
     result = presentLagged(frame);
@@ -120,22 +126,25 @@ void WindowFrames::showLagged() {
     result.outcome = PresentResult::traced;
   }
   for (const WindowClear& clear : frame.clears)
-    if (const GLenum pending = c_.presenter().window().clear(c_.real, clear)) c_.setError(pending);
-  if (c_.kinds()) [[unlikely]]
-    c_.kinds()->exclude(nowSeconds() - start);
+    if (const GLenum pending = p_.flusher.presenter.window().clear(p_.shadow.real, clear))
+      p_.shadow.errors.set(pending);
+  if (p_.counts.kinds()) [[unlikely]]
+    p_.counts.kinds()->exclude(nowSeconds() - start);
   if (result.outcome != PresentResult::traced)
-    c_.stepAside(result.why.empty() ? "the ray tracer could not make a picture" : result.why.c_str());
+    p_.failsafe.stepAside(result.why.empty() ? "the ray tracer could not make a picture"
+                                             : result.why.c_str());
 }
 
 bool WindowFrames::clearsLater(GLbitfield mask) {
   constexpr GLbitfield kKnown = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
   constexpr size_t kMostClears = 8;
   noteBegin();
-  if (!lagged_ || !c_.batch().empty() || mask == 0 || mask & ~kKnown || c_.direct() || c_.aside() ||
-      c_.startsMeasuring() || c_.activeQueries > 0 || lagged_->clears.size() >= kMostClears)
+  if (!lagged_ || !p_.flusher.batch.empty() || mask == 0 || mask & ~kKnown || p_.clock.direct() ||
+      p_.failsafe.aside() || p_.clock.startsMeasuring() || p_.shadow.activeQueries > 0 ||
+      lagged_->clears.size() >= kMostClears)
     return false;
-  if (!clearsWindow(c_.real, c_.state.rare, mask)) return false;
-  lagged_->clears.push_back(windowClear(c_.real, mask));
+  if (!clearsWindow(p_.shadow.real, p_.shadow.state.rare, mask)) return false;
+  lagged_->clears.push_back(windowClear(p_.shadow.real, mask));
   return true;
 }
 

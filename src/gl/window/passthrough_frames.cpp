@@ -1,97 +1,64 @@
-// Frames that are left to the real OpenGL: draws go to it as they come, and nothing is read back or kept but
-// display lists. The Context's side of EngineChoice.
+#include "gl/window/passthrough_frames.h"
+
+#include "gl/attention.h"
 #include "gl/buffers/buffer.h"
-#include "gl/context.h"
+#include "gl/window/window_frames.h"
 
 namespace gluray::gl {
 
-void Context::startMeasuring() {
-  window.showLagged();
-  real.Finish();  // what is still drawn belongs to earlier frames
-  choice_.start();
+void PassthroughFrames::startMeasuring() {
+  p_.window.showLagged();
+  p_.shadow.real.Finish();  // what is still drawn belongs to earlier frames
+  p_.clock.choice.start();
 }
 
-void Context::completeFrame() {
-  if (!choice_.wantsStop()) return;
-  real.Finish();
-  choice_.stop();
+void PassthroughFrames::stopMeasuring() {
+  if (!p_.clock.measured()) return;
+  p_.shadow.real.Finish();
+  p_.clock.choice.stop();
 }
 
-void Context::chooseEngine() {
-  if (compiling() || insideBegin()) return;
-  protect([&] { setDirect(choice_.frameEnded() == EngineChoice::Way::direct && !passthrough_); });
+void PassthroughFrames::chooseNext() {
+  p_.failsafe.protect(
+      [&] { set(p_.clock.choice.frameEnded() == EngineChoice::Way::direct && !p_.shadow.info.off); });
 }
 
-void Context::setDirect(bool direct) {
-  if (direct == direct_) return;
-  window.showLagged();
-  settle();
-  if (direct) {
-    syncCurrent();
-    for (const auto& buffer : group_->buffers.all())
-      if (buffer) buffer->sendTo(real);
+void PassthroughFrames::set(bool passthrough) {
+  if (passthrough == p_.clock.direct()) return;
+  p_.window.showLagged();
+  p_.flusher.settle();
+  if (passthrough) {
+    p_.shadow.syncCurrent();
+    for (const auto& buffer : p_.shadow.group.buffers.all())
+      if (buffer) buffer->sendTo(p_.shadow.real);
   } else {
-    touch(kAllGroups);
-    matrixMode = 0;
+    p_.shadow.touch(kAllGroups);
+    p_.shadow.matrixMode = 0;
   }
-  direct_ = direct;
-  updateAttention();
+  p_.clock.setDirect(passthrough);
+  p_.attention.update();
 }
 
-/// Whether the scissor test lets a clear reach all that draws can.
-bool Context::clearsViewport() const {
-  if (!real.IsEnabled(GL_SCISSOR_TEST)) return true;
-  GLint box[4] = {}, viewport[4] = {};
-  real.GetIntegerv(GL_SCISSOR_BOX, box), real.GetIntegerv(GL_VIEWPORT, viewport);
-  return box[0] <= viewport[0] && box[1] <= viewport[1] && box[0] + box[2] >= viewport[0] + viewport[2] &&
-         box[1] + box[3] >= viewport[1] + viewport[3];
-}
-
-void Context::clearing(GLbitfield mask) {
-  if (!choice_.active()) return;
-  constexpr GLbitfield kWhole = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
-  if ((mask & kWhole) == kWhole && statistics.frames == 0 && clearsViewport()) {
-    completeFrame();
-    chooseEngine();
-  } else if (mask & GL_DEPTH_BUFFER_BIT) {
-    choice_.layer();
-  }
-  works();
-}
-
-void Context::noteLoad(uint64_t triangles) { choice_.drew(triangles, viewportPixels()); }
-
-bool Context::drawsDirectly(DrawPath path, PrimitiveClass kind, uint64_t triangles) {
-  if (window.lags()) protect([&] { window.showLagged(); });
-  forgetClear();
-  refresh(kinds() ? kViewport | kTarget : kViewport);
-  if (kind == PrimitiveClass::surfaces && !choice_.takes(triangles, viewportPixels())) {
-    choice_.overflow();
-    setDirect(false);
+bool PassthroughFrames::takes(DrawPath path, PrimitiveClass kind, uint64_t triangles) {
+  if (p_.window.lags()) p_.failsafe.protect([&] { p_.window.showLagged(); });
+  p_.cleared.forget();
+  p_.shadow.refresh(p_.counts.kinds() ? kViewport | kTarget : kViewport);
+  EngineChoice& choice = p_.clock.choice;
+  if (kind == PrimitiveClass::surfaces && !choice.takes(triangles, p_.shadow.viewportPixels())) {
+    choice.overflow();
+    set(false);
     return false;
   }
   works();
-  syncCurrent();
-  sendBuffers();
-  const Reason why = choice_.active() ? Reason::smallScene : Reason::off;
-  countRaster(kind == PrimitiveClass::lines    ? Reason::lines
-              : kind == PrimitiveClass::points ? Reason::points
-                                               : why,
-              path, kind, triangles);
-  latch.drawn();
+  p_.shadow.syncCurrent();
+  p_.shadow.sendBuffers();
+  const Reason why = choice.active() ? Reason::smallScene : Reason::off;
+  p_.counts.rasterised(kind == PrimitiveClass::lines    ? Reason::lines
+                       : kind == PrimitiveClass::points ? Reason::points
+                                                        : why,
+                       path, kind, triangles);
+  p_.shadow.latch.drawn();
   return true;
-}
-
-/// glFlush or glFinish of a single-buffered program for which nothing waits to be traced: it may have read
-/// its picture back before, or all of it was rasterised.
-void Context::showDrawn() {
-  if (!choice_.drawn()) return;
-  refresh(kTarget);
-  if (state.target.framebuffer != 0) return work() != workForgotten_ ? afterSwap() : void();
-  completeFrame();
-  if (info_.frameEnding) info_.frameEnding();
-  afterSwap();
-  if (info_.frameEnded) info_.frameEnded();
 }
 
 }  // namespace gluray::gl

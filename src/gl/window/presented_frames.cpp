@@ -1,6 +1,6 @@
 // Pictures that are shown without the back buffer.
 #include "base/timeline.h"
-#include "gl/context.h"
+#include "gl/capture/immediate.h"
 #include "gl/state/state_queries.h"
 #include "gl/window/clears.h"
 #include "gl/window/window_frames.h"
@@ -17,80 +17,86 @@ constexpr int kMostInVain = 3, kPause = 120;  // frames
 }  // namespace
 
 bool WindowFrames::mayShowDirectly() noexcept {
-  return c_.protect([&] {
-    c_.immediate.closeRunIfOpen();
-    if (c_.batch().empty() || !c_.clearedTarget() || c_.clearedTarget()->framebuffer != 0) return false;
-    if (shown_.pause > 0) return --shown_.pause, false;
-    const BatchKey& key = c_.batch().key();
+  return p_.failsafe.protect([&] {
+    p_.immediate.closeRunIfOpen();
+    if (p_.flusher.batch.empty() || !p_.cleared.target() || p_.cleared.target()->framebuffer != 0)
+      return false;
+    if (presented_.pause > 0) return --presented_.pause, false;
+    const BatchKey& key = p_.flusher.batch.key();
     return key.framebuffer == 0 && key.drawBuffer == GL_BACK && key.samples == 1 &&
            key.layers == BatchKey::Layers::none && (key.depthFunc == GL_LEQUAL || key.depthFunc == GL_LESS) &&
-           !c_.batch().waiting().wideColors && key.colorWrites.all() &&
-           contains(c_.clearedTarget()->region, c_.batch().waiting().region) && !c_.passthrough() &&
-           !c_.insideBegin() && !c_.aside() && !c_.direct() && c_.activeQueries == 0;
+           !p_.flusher.batch.waiting().wideColors && key.colorWrites.all() &&
+           contains(p_.cleared.target()->region, p_.flusher.batch.waiting().region) && !p_.shadow.info.off &&
+           !p_.immediate.insideBegin() && !p_.failsafe.aside() && !p_.clock.direct() &&
+           p_.shadow.activeQueries == 0;
   });
 }
 
 bool WindowFrames::showDirectly(glm::ivec2 window, const ShowPicture& show) noexcept {
-  return c_.protect([&] {
-    if (!contains(c_.clearedTarget()->region, {0, 0, window.x, window.y})) return false;
+  return p_.failsafe.protect([&] {
+    if (!contains(p_.cleared.target()->region, {0, 0, window.x, window.y})) return false;
     settle();
-    c_.refresh(kTarget);
+    p_.shadow.refresh(kTarget);
     timeline::writeIfDue();
-    const timeline::Span span("batch", c_.batch().waiting().instances.size());
-    const BatchKey key = c_.batch().key();
-    c_.syncCurrent();
-    const ShowTarget target{*c_.clearedTarget(), farthestHit(key.depthFunc, c_.state.target.depthResolution),
-                            c_.info().core, !c_.measured(), show};
-    const PresentResult result = c_.presenter().window().show(c_.real, c_.batch().pending(), target);
-    c_.latch.restore(c_.real);
+    const timeline::Span span("batch", p_.flusher.batch.waiting().instances.size());
+    const BatchKey key = p_.flusher.batch.key();
+    p_.shadow.syncCurrent();
+    const ShowTarget target{*p_.cleared.target(),
+                            farthestHit(key.depthFunc, p_.shadow.state.target.depthResolution),
+                            p_.shadow.info.core, !p_.clock.measured(), show};
+    const PresentResult result =
+        p_.flusher.presenter.window().show(p_.shadow.real, p_.flusher.batch.pending(), target);
+    p_.shadow.latch.restore(p_.shadow.real);
     if (result.outcome != PresentResult::traced) {  // it waits still; what was traced is known
-      c_.statistics.buildSeconds += result.cost.buildSeconds;
-      c_.statistics.traceSeconds += result.cost.traceSeconds;
-      shown_.pause = kPause;
+      p_.counts.statistics.buildSeconds += result.cost.buildSeconds;
+      p_.counts.statistics.traceSeconds += result.cost.traceSeconds;
+      presented_.pause = kPause;
       return false;
     }
-    c_.takeResult(result);
-    Shown::Waiting waiting{key, c_.batch().take(), c_.batch().takeProgramDraws()};
-    c_.passes.flushed(waiting.snapshot);
-    shown_.waiting = std::move(waiting);
-    c_.forgetClear();
+    p_.flusher.takeResult(result);
+    PresentedPicture::Waiting waiting{key, p_.flusher.batch.take(), p_.flusher.batch.takeProgramDraws()};
+    p_.surfaces.passes.flushed(waiting.snapshot);
+    presented_.waiting = std::move(waiting);
+    p_.cleared.forget();
     noteUse(Quirk::softwareShow);
     return true;
   });
 }
 
 void WindowFrames::clears(GLbitfield mask) {
-  if (!shown_.waiting) return;
-  if (c_.state.rare.framebufferObjects && integer(c_.real, GL_DRAW_FRAMEBUFFER_BINDING) != 0) return;
+  if (!presented_.waiting) return;
+  if (p_.shadow.state.rare.framebufferObjects && integer(p_.shadow.real, GL_DRAW_FRAMEBUFFER_BINDING) != 0)
+    return;
   constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
-  if ((mask & kBoth) != kBoth || isOn(c_.real, GL_SCISSOR_TEST) || !clearsAll(c_.real, c_.state.rare))
+  if ((mask & kBoth) != kBoth || isOn(p_.shadow.real, GL_SCISSOR_TEST) ||
+      !clearsAll(p_.shadow.real, p_.shadow.state.rare))
     return settle();
-  shown_.waiting.reset();
-  shown_.inVain = 0;
+  presented_.waiting.reset();
+  presented_.inVain = 0;
 }
 
 void WindowFrames::settle() {
   showLagged();
-  if (!shown_.waiting) return;
-  Shown::Waiting waiting = std::move(*shown_.waiting);
-  shown_.waiting.reset();
-  if (++shown_.inVain >= kMostInVain) shown_.inVain = 0, shown_.pause = kPause;
-  c_.presentLate(waiting.key, waiting.snapshot, std::move(waiting.draws), true);
+  if (!presented_.waiting) return;
+  PresentedPicture::Waiting waiting = std::move(*presented_.waiting);
+  presented_.waiting.reset();
+  if (++presented_.inVain >= kMostInVain) presented_.inVain = 0, presented_.pause = kPause;
+  p_.flusher.presentLate(waiting.key, waiting.snapshot, std::move(waiting.draws), true);
 }
 
 void WindowFrames::settleBelow() {
-  if (!shown_.waiting) return;
-  c_.refresh(kTarget);
-  if (c_.state.target.framebuffer == 0) settle();
+  if (!presented_.waiting) return;
+  p_.shadow.refresh(kTarget);
+  if (p_.shadow.state.target.framebuffer == 0) settle();
 }
 
 bool WindowFrames::readsImages() const {
-  return (shown_.waiting && gl::readImages(shown_.waiting->draws)) ||
+  return (presented_.waiting && gl::readImages(presented_.waiting->draws)) ||
          (lagged_ && gl::readImages(lagged_->draws));
 }
 
 bool WindowFrames::readsBuffer(GLuint buffer) const {
-  return (shown_.waiting && gl::readsBuffer(shown_.waiting->draws, buffer)) ||
+  return (presented_.waiting && gl::readsBuffer(presented_.waiting->draws, buffer)) ||
          (lagged_ && gl::readsBuffer(lagged_->draws, buffer));
 }
 

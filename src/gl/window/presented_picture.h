@@ -12,7 +12,7 @@
 
 namespace gluray::gl {
 
-struct Shown {
+struct PresentedPicture {
   struct Waiting {
     BatchKey key;
     scene::SnapshotPtr snapshot;

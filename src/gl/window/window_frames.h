@@ -2,7 +2,7 @@
 // (shown_draws.cpp), or while the program prepares the next one (lagged_frame.cpp). A part of each Context,
 // GL thread.
 #pragma once
-#include "gl/context_part.h"
+#include "gl/batch/flusher.h"
 #include "gl/window/lagged_frame.h"
 #include "gl/window/presented_picture.h"
 
@@ -13,9 +13,27 @@
 
 namespace gluray::gl {
 
-class WindowFrames : public ContextPart {
+class Immediate;
+class LayerDraws;
+class ListCompiler;
+class ResolveDraws;
+
+class WindowFrames {
  public:
-  using ContextPart::ContextPart;
+  struct Parts {
+    ShadowState& shadow;
+    Failsafe& failsafe;
+    FrameClock& clock;
+    DrawCounts& counts;
+    SurfaceHistory& surfaces;
+    ClearedFramebuffers& cleared;
+    Flusher& flusher;
+    LayerDraws& layers;
+    ResolveDraws& resolves;
+    Immediate& immediate;
+    ListCompiler& lists;
+  };
+  explicit WindowFrames(const Parts& parts) : p_(parts) {}
 
   // --- for intercept/, before a swap
   /// Whether all that it would show are a clear and what is pending.
@@ -33,7 +51,7 @@ class WindowFrames : public ContextPart {
   /// Whether a clear may come after that, too: then it is not to be made.
   bool clearsLater(GLbitfield mask);
   /// Whether a picture is shown that the back buffer does not hold.
-  bool shows() const { return shown_.waiting.has_value(); }
+  bool shows() const { return presented_.waiting.has_value(); }
   /// The back buffer is made to hold what is shown: at once, or where the window is drawn into.
   void settle();
   void settleBelow();
@@ -49,8 +67,9 @@ class WindowFrames : public ContextPart {
   bool showsDirectly(const LaggedFrame& frame);
   PresentResult presentLagged(LaggedFrame& frame);
 
-  Shown shown_;
+  PresentedPicture presented_;
   std::optional<LaggedFrame> lagged_;
+  Parts p_;
 };
 
 }  // namespace gluray::gl

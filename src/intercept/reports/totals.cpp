@@ -6,7 +6,7 @@ namespace {
 
 void addExplained(Totals& sum, const Record& record) {
   const gl::ContextInfo& info = record.context->info();
-  const gl::Statistics& s = record.context->statistics;
+  const gl::Statistics& s = record.context->counts.statistics;
   if (!info.kinds) return;
   for (const auto& [kind, cost] : info.kinds->kinds()) sum.kinds[kind] += cost;
   for (const auto& [name, use] : info.kinds->targets()) sum.targets[name] += use;
@@ -26,7 +26,7 @@ void addExplained(Totals& sum, const Record& record) {
 void addTo(Totals& sum, const Record& record) {
   if (!record.context) return;
   ++sum.contexts;
-  sum.statistics += record.context->statistics;
+  sum.statistics += record.context->counts.statistics;
   const auto& calls = record.context->unknownCalls();
   for (size_t i = 0; i < calls.size(); ++i)
     if (calls[i]) sum.unknownCalls[gl::kCommandNames[i].name] += calls[i];
@@ -47,7 +47,7 @@ void closeKinds() noexcept {
   guarded("cannot end the explanation", [] {
     const std::lock_guard lock(registry().mutex);
     for (const auto& [key, record] : registry().records)
-      if (record->context && record->context->kinds()) record->context->kinds()->close();
+      if (record->context && record->context->counts.kinds()) record->context->counts.kinds()->close();
   });
 }
 

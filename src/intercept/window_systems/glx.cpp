@@ -166,7 +166,7 @@ struct Glx {
     REAL(D, decltype(&glXUseXFont), "glXUseXFont");
     const Outermost outermost;
     gl::Context* context = outermost ? gl::t_thread.context : nullptr;
-    if (!context || context->passthrough()) return real(font, first, count, listBase);
+    if (!context || context->info().off) return real(font, first, count, listBase);
     const auto make = [&](int realBase) { real(font, first, count, realBase); };
     context->protect([&] { gl::useXFont(*context, first, count, listBase, make); });
   }

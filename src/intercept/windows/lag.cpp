@@ -135,7 +135,7 @@ bool mayLag(GLXDrawable drawable) {
 LagRefusal lagged(Record& record, Display* display, GLXDrawable drawable, RealSwap swap) {
   if (!record.lag) record.lag.reset(new Lag);
   gl::Context& context = *record.context;
-  const double began = context.beganSeconds;
+  const double began = context.clock.beganSeconds;
   const bool follow = record.lag->following.complete(began == 0 ? nowSeconds() : began);
   if (session().lag == LagMode::automatic && !follow) return LagRefusal::single;
   if (session().hud) return LagRefusal::state;

@@ -80,7 +80,7 @@ bool shownDirectly(_XDisplay* display, uintptr_t drawable) noexcept {
   guarded("cannot show a picture", [&] {
     if (!record->context->window.mayShowDirectly() || !show(display, drawable, *record)) return;
     shown = true;
-    record->context->completeFrame();
+    record->context->passthrough.stopMeasuring();
   });
   return shown;
 }

@@ -45,7 +45,7 @@ class Rasterised : public testing::Test {
   const gl::RealGl& gl() const { return context_.gl(); }
   /// Triangles and draws that are counted as rasterised while `draw` runs.
   void expect(uint64_t triangles, uint64_t draws, const char* what, const std::function<void()>& draw) {
-    const gl::Statistics& s = context_.context().statistics;
+    const gl::Statistics& s = context_.context().counts.statistics;
     const uint64_t trianglesBefore = s.trianglesRasterised, drawsBefore = s.drawsRasterised;
     draw();
     gl().Finish();

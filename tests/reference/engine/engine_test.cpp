@@ -104,7 +104,7 @@ TEST_P(EngineTest, WhatIsLeftToTheRealOneIsItsPicture) {
     EXPECT_TRUE(c.accepted) << "frame " << i << ": " << c.text;
   }
   EXPECT_EQ(errors, wanted);
-  EXPECT_EQ(ours.context().statistics.drawsTraced, 0u);
+  EXPECT_EQ(ours.context().counts.statistics.drawsTraced, 0u);
 }
 
 /// Frame 0 is mixed and frame 1 direct; in frame 2 a large draw comes first, after which the choice is to
@@ -127,7 +127,7 @@ TEST_P(EngineTest, ItsPictureStaysWhileTheEngineChanges) {
       writeFailure(TEST_OUTPUT, std::string("engine-") + GetParam()->name, expected[i], got[i]);
   }
   EXPECT_EQ(errors, wanted);
-  const gl::Statistics& s = ours.context().statistics;
+  const gl::Statistics& s = ours.context().counts.statistics;
   EXPECT_TRUE(s.rasterisedBecause[kSmall] > 0 || !GetParam()->traced);
 }
 
@@ -204,13 +204,13 @@ TEST(Engine, PictureIsRightAcrossChangesInBothDirections) {
   theirs.setUp(real->real());
   TracedContext ours({kWidth, kHeight}, withEngine(Engine::automatic));
   mine.setUp(ours.gl());
-  const gl::Statistics& s = ours.context().statistics;
+  const gl::Statistics& s = ours.context().counts.statistics;
   int changes = 0, checked = 0;
   bool direct = false;
   for (int i = 0; i < 400; ++i) {
     mine.large = theirs.large = i % 200 >= 100 && i % 200 < 110;
     const bool before = direct;
-    direct = ours.context().direct();
+    direct = ours.context().clock.direct();
     real->makeCurrent();
     theirs.frame(real->real(), i);
     const Picture expected = readPicture(real->real(), kWidth, kHeight);
@@ -234,17 +234,17 @@ TEST(Engine, ProgramsThatNeverSwapHaveFramesByTheirClears) {
   TracedContext ours({kWidth, kHeight}, withEngine(Engine::automatic));
   const scenes::Scene& scene = *scenes::findScene("directional-light");
   scene.draw(ours.gl(), kWidth, kHeight);
-  EXPECT_FALSE(ours.context().direct());
+  EXPECT_FALSE(ours.context().clock.direct());
   scene.draw(ours.gl(), kWidth, kHeight);  // begins with a clear
-  EXPECT_TRUE(ours.context().direct());
+  EXPECT_TRUE(ours.context().clock.direct());
 }
 
 TEST(Engine, TracesAllWhereToldTo) {
   TracedContext ours({kWidth, kHeight}, withEngine(Engine::always));
   const scenes::Scene& scene = *scenes::findScene("directional-light");
   for (int i = 0; i < 5; ++i) scene.draw(ours.gl(), kWidth, kHeight), ours.gl().Finish();
-  EXPECT_GT(ours.context().statistics.drawsTraced, 0u);
-  EXPECT_EQ(uint64_t{ours.context().statistics.rasterisedBecause[kSmall]}, 0u);
+  EXPECT_GT(ours.context().counts.statistics.drawsTraced, 0u);
+  EXPECT_EQ(uint64_t{ours.context().counts.statistics.rasterisedBecause[kSmall]}, 0u);
 }
 
 }  // namespace

@@ -136,7 +136,7 @@ TEST(HiddenExtensions, TheProgramThatDoesNotFindThemIsTraced) {
     size_t differing = 0;
     for (size_t i = 0; i < got.colors.size(); ++i) differing += !isClose(got.colors[i], expected.colors[i]);
     EXPECT_LE(differing, hide ? 8u : 0u) << "pixels on the edges, where it is traced";
-    const gl::Statistics& s = ours.context().statistics;
+    const gl::Statistics& s = ours.context().counts.statistics;
     EXPECT_EQ(s.drawsTraced, hide ? 2u : 0u);
     EXPECT_EQ(s.rasterisedBecause[static_cast<size_t>(gl::Reason::persistentMapping)], hide ? 0u : 2u);
   }

@@ -37,8 +37,8 @@ TEST(Queries, CountWhatTheRealOneCounts) {
   TracedContext ours({kSize, kSize});
   EXPECT_EQ(samplesPassed(ours.gl()), expected);
   EXPECT_GT(expected, 0u);
-  EXPECT_EQ(ours.context().statistics.drawsTraced, 2u) << "draws outside of the query are traced";
-  EXPECT_EQ(ours.context().statistics.rasterisedBecause[static_cast<size_t>(gl::Reason::query)], 1u);
+  EXPECT_EQ(ours.context().counts.statistics.drawsTraced, 2u) << "draws outside of the query are traced";
+  EXPECT_EQ(ours.context().counts.statistics.rasterisedBecause[static_cast<size_t>(gl::Reason::query)], 1u);
 }
 
 TEST(Queries, ConditionalDrawsFollowTheirQuery) {
@@ -84,7 +84,8 @@ TEST(RareState, IsRasterisedWithItsReason) {
       return readPicture(gl, kSize, kSize);
     };
     EXPECT_TRUE(draw(real->real()) == draw(ours.gl())) << rare.name;
-    EXPECT_EQ(ours.context().statistics.rasterisedBecause[static_cast<size_t>(rare.reason)], 1u) << rare.name;
+    EXPECT_EQ(ours.context().counts.statistics.rasterisedBecause[static_cast<size_t>(rare.reason)], 1u)
+        << rare.name;
   }
 }
 

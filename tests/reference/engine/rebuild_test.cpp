@@ -60,16 +60,16 @@ Picture frameOf(TracedContext& context, int frame, const std::function<void()>& 
 /// Draws eight frames and says how many structures were built in all. Every frame must differ from the one
 /// before.
 uint64_t buildsOver(TracedContext& context, const std::function<void(int frame)>& draw) {
-  const uint64_t before = context.context().statistics.blasBuilds;
+  const uint64_t before = context.context().counts.statistics.blasBuilds;
   Picture last;
   for (int frame = 0; frame < 8; ++frame) {
     const Picture picture = frameOf(context, frame, [&] { draw(frame); });
     EXPECT_FALSE(frame > 0 && picture == last) << "frame " << frame << " looks like the one before";
     last = picture;
   }
-  EXPECT_GT(context.context().statistics.drawsTraced, 0u);
-  EXPECT_EQ(context.context().statistics.drawsRasterised, 0u);
-  return context.context().statistics.blasBuilds - before;
+  EXPECT_GT(context.context().counts.statistics.drawsTraced, 0u);
+  EXPECT_EQ(context.context().counts.statistics.drawsRasterised, 0u);
+  return context.context().counts.statistics.blasBuilds - before;
 }
 
 void sendImmediate(const gl::RealGl& gl, const Sheet& sheet, float red) {
@@ -176,7 +176,7 @@ TEST(Rebuild, ManySmallDrawsOfOneStateAreOneMesh) {
       gl.End();
     }
   });
-  EXPECT_EQ(context.context().statistics.drawsTraced, 8u) << "one a frame";
+  EXPECT_EQ(context.context().counts.statistics.drawsTraced, 8u) << "one a frame";
 }
 
 TEST(Rebuild, ARepeatedListIsInstances) {

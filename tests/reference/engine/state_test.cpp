@@ -141,7 +141,7 @@ TEST(Errors, AreThoseOfTheRealOne) {
     const auto expected = errorsOf(real->real(), misuse);
     TracedContext ours({16, 16});
     EXPECT_EQ(errorsOf(ours.gl(), misuse), expected) << misuse.name;
-    EXPECT_FALSE(ours.context().passthrough()) << misuse.name;
+    EXPECT_FALSE(ours.context().info().off) << misuse.name;
   }
 }
 

@@ -61,7 +61,7 @@ uint64_t compareBoth(const std::string& name, const Draw& draw) {
   const Comparison c = compare(expected.picture, got.picture, {});
   EXPECT_TRUE(c.accepted) << c.text;
   if (!c.accepted) writeFailure(TEST_OUTPUT "/channels", name, expected.picture, got.picture);
-  return ours.context().statistics.drawsTraced;
+  return ours.context().counts.statistics.drawsTraced;
 }
 
 void expectEqual(const std::string& name, const Draw& draw, uint64_t traced) {

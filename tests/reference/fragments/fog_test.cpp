@@ -38,7 +38,7 @@ TEST(Fog, TakesTheSumOfBothColors) {
       const Comparison c =
           compare(expected, ours.read(), {3, 0.01, 3e-5f, "edges, and lighting at vertices"});
       EXPECT_TRUE(c.accepted) << control << ' ' << mode << ": " << c.text;
-      EXPECT_GT(ours.context().statistics.drawsTraced, 0u);
+      EXPECT_GT(ours.context().counts.statistics.drawsTraced, 0u);
     }
 }
 

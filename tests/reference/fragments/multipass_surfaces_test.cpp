@@ -61,7 +61,7 @@ std::vector<Picture> expectedFrames(bool labelled) {
 void expectFrames(bool labelled) {
   const std::vector<Picture> expected = expectedFrames(labelled);
   TracedContext ours({kWidth, kHeight});
-  const gl::Statistics& s = ours.context().statistics;
+  const gl::Statistics& s = ours.context().counts.statistics;
   for (int frame = 0; frame < kFrames; ++frame) {
     const uint64_t before = s.drawsTraced;
     drawFrame(ours.gl(), frame < kTinted, labelled);
@@ -124,7 +124,7 @@ void expectFirstFrame(GLenum depthFormat, bool perSample) {
   const auto expected = draw(real->real());
   TracedContext ours({kWidth, kHeight});
   const auto got = draw(ours.gl());
-  EXPECT_EQ(ours.context().statistics.drawsTraced, 2u);
+  EXPECT_EQ(ours.context().counts.statistics.drawsTraced, 2u);
   for (const std::string& line : differences(expected.first, got.first)) ADD_FAILURE() << line;
   const Tolerance outlines{2, 0.004, 1e-5f, "outlines fall on either side of a sample"};
   const Comparison c = compare(expected.second, got.second, perSample ? outlines : Tolerance{});
@@ -149,7 +149,7 @@ TEST(Passes, AreNoneThatWriteNeitherColorNorDepth) {
   gl.ColorMask(1, 1, 1, 1), gl.DepthMask(1);
   send(gl, model);
   gl.Finish();
-  EXPECT_EQ(ours.context().statistics.drawsTraced, 1u);
+  EXPECT_EQ(ours.context().counts.statistics.drawsTraced, 1u);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ TEST(PolygonOffset, UnitsAreThoseOfTheDepthBuffer) {
     const std::vector<float> expected = depths(real->real(), format);
     const TracedContext traced;
     const std::vector<float> ours = depths(traced.gl(), format);
-    EXPECT_GT(traced.context().statistics.drawsTraced, 0u);
+    EXPECT_GT(traced.context().counts.statistics.drawsTraced, 0u);
     for (size_t i = 0; i < expected.size(); ++i)
       EXPECT_NEAR(ours[i], expected[i], 3e-7f) << "format " << format << ", number " << i;
   }

@@ -210,7 +210,7 @@ std::pair<Picture, uint64_t> play(const std::function<void(Program&)>& frame, co
   frame(program);
   Picture picture = readPicture(context.gl(), kSize, kSize);
   EXPECT_EQ(context.gl().GetError(), GLenum{GL_NO_ERROR});
-  return {std::move(picture), context.context().statistics.drawsRasterised};
+  return {std::move(picture), context.context().counts.statistics.drawsRasterised};
 }
 
 TEST_P(SmoothTest, ThePassIsLeftOutWhereItChangesNothing) {

@@ -221,7 +221,7 @@ Result run(const Case& c, bool on) {
   gl.ReadPixels(0, 0, kSize, kSize, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, r.depth.data());
   r.error = gl.GetError();
   r.sent = useCount(Quirk::softwarePut) - before;
-  EXPECT_GT(uint64_t{traced.context().statistics.drawsTraced}, 0u) << "nothing was traced";
+  EXPECT_GT(uint64_t{traced.context().counts.statistics.drawsTraced}, 0u) << "nothing was traced";
   return r;
 }
 

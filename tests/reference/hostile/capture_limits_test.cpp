@@ -41,7 +41,7 @@ TEST(CaptureLimits, EvaluatorsInsideBeginAreTheRealOnes) {
   size_t different = 0;
   for (size_t i = 0; i < got.colors.size(); ++i) different += got.colors[i] != expected.colors[i];
   EXPECT_LE(different, got.colors.size() / 100) << "the traced triangle's edge";
-  EXPECT_EQ(ours.context().statistics.drawsTraced, 1u) << "the triangle without evaluators";
+  EXPECT_EQ(ours.context().counts.statistics.drawsTraced, 1u) << "the triangle without evaluators";
 }
 
 /// A quad textured with what was drawn into a framebuffer object just before, twice, in two colours.
@@ -75,7 +75,7 @@ TEST(CaptureLimits, TextureThatWasDrawnIsReadAgain) {
   const auto real = OsmesaContext::create({kSize, kSize});
   TracedContext ours({kSize, kSize});
   EXPECT_EQ(texturedByDrawing(ours.gl()), texturedByDrawing(real->real()));
-  EXPECT_EQ(ours.context().statistics.drawsTraced, 2u);
+  EXPECT_EQ(ours.context().counts.statistics.drawsTraced, 2u);
 }
 
 void triangleAt(Gl gl, float x) {
@@ -127,7 +127,7 @@ TEST(CaptureLimits, OnlyAnotherFramebufferEndsABatch) {
     size_t different = 0;
     for (size_t i = 0; i < got.colors.size(); ++i) different += got.colors[i] != expected.colors[i];
     EXPECT_LE(different, got.colors.size() / 100) << &c - cases;
-    EXPECT_EQ(ours.context().statistics.flushes, c.flushes) << &c - cases;
+    EXPECT_EQ(ours.context().counts.statistics.flushes, c.flushes) << &c - cases;
   }
 }
 
@@ -156,7 +156,9 @@ TEST(CaptureLimits, UnusualSamplingIsRasterised) {
     gl.Begin(GL_TRIANGLES), gl.Vertex3f(-0.9f, -0.9f, 0.2f), gl.Vertex3f(0.9f, -0.9f, 0),
         gl.Vertex3f(0, 0.9f, 0.1f), gl.End();
     gl.Finish();
-    EXPECT_EQ(ours.context().statistics.rasterisedBecause[static_cast<size_t>(gl::Reason::textureFormat)], 1u)
+    EXPECT_EQ(
+        ours.context().counts.statistics.rasterisedBecause[static_cast<size_t>(gl::Reason::textureFormat)],
+        1u)
         << &form - forms;
   }
 }

@@ -168,7 +168,7 @@ TEST(TwentyPoints, P20UnchangedFramesBuildNothing) {
     stage(ours.gl());
     send(ours.gl(), m);
     const Picture now = ours.read();
-    const gl::Statistics& s = ours.context().statistics;
+    const gl::Statistics& s = ours.context().counts.statistics;
     if (frame == 0) first = now, builds = s.blasBuilds, meshes = s.meshesBuilt;
     EXPECT_TRUE(now == first) << "frame " << frame;
     EXPECT_EQ(s.blasBuilds, builds);

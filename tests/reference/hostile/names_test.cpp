@@ -41,7 +41,7 @@ TEST(Names, AreThoseOfTheRealOne) {
   const std::vector<GLuint> expected = namesAfterAFrame(real->real());
   TracedContext ours({64, 64});
   EXPECT_EQ(namesAfterAFrame(ours.gl()), expected);
-  EXPECT_GT(ours.context().statistics.drawsTraced, 0u);
+  EXPECT_GT(ours.context().counts.statistics.drawsTraced, 0u);
 }
 
 /// Programs make windows one after the other, and several at a time.
@@ -53,7 +53,7 @@ TEST(Names, AreThoseOfTheRealOneInLaterContexts) {
     EXPECT_EQ(namesAfterAFrame(ours.gl()), expected) << "context " << i;
     TracedContext sharing({64, 64}, TracedContext::vertexShading(), nullptr, &ours);
     namesAfterAFrame(sharing.gl());
-    EXPECT_GT(sharing.context().statistics.drawsTraced, 0u);
+    EXPECT_GT(sharing.context().counts.statistics.drawsTraced, 0u);
     GLuint next = 0;
     sharing.gl().GenTextures(1, &next);
     EXPECT_LT(next, 1000u);

@@ -192,7 +192,7 @@ TEST(StaleState, AnotherThreadsContextChangesASharedTexture) {
     second.gl().Finish();
   }).join();
   EXPECT_EQ(middleOfSphere(first, texture), kGreen);
-  EXPECT_GE(first.context().statistics.drawsTraced, 2u);
+  EXPECT_GE(first.context().counts.statistics.drawsTraced, 2u);
 }
 
 }  // namespace

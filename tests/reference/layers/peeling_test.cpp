@@ -305,7 +305,7 @@ TEST(Peeling, SwitchedOff) {
   TracedContext ours(coreWish(), settings);
   Peeler peeler(ours.gl());
   peeler.frame(balls());
-  EXPECT_EQ(ours.context().statistics.drawsTraced, 1u);
+  EXPECT_EQ(ours.context().counts.statistics.drawsTraced, 1u);
   EXPECT_GT(peeler.peels(), 1);
 }
 

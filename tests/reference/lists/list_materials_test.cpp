@@ -106,8 +106,9 @@ TEST_P(ColorMaterialInLists, IsTheRealOne) {
       const Seen got = seen(ours.gl(), GetParam(), mode, stencil);
       EXPECT_EQ(got.materials, expected.materials) << mode << " " << stencil;
       EXPECT_EQ(got.middles, expected.middles) << mode << " " << stencil;
-      EXPECT_EQ(ours.context().statistics.rasterisedBecause[static_cast<size_t>(gl::Reason::stencil)] > 0,
-                stencil);
+      EXPECT_EQ(
+          ours.context().counts.statistics.rasterisedBecause[static_cast<size_t>(gl::Reason::stencil)] > 0,
+          stencil);
     }
 }
 

@@ -62,7 +62,7 @@ TEST(MaterialLatch, PictureIsTheRealOne) {
   const auto expected = middles(real->real(), [&] { return middle(*real); });
   TracedContext ours({kSize, kSize});
   EXPECT_EQ(middles(ours.gl(), [&] { return middle(ours.below()); }), expected);
-  EXPECT_EQ(ours.context().statistics.drawsTraced, 4u);
+  EXPECT_EQ(ours.context().counts.statistics.drawsTraced, 4u);
 }
 
 /// A picture is written between a material, colour material that comes and goes, and the draw.

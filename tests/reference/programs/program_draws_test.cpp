@@ -364,7 +364,7 @@ TEST(ProgramDraws, IndexBufferShorterThanTheDraw) {
   gl.DrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_INT, reinterpret_cast<const void*>(size_t{1} << 20));
   gl.Finish();
   EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
-  EXPECT_FALSE(ours.context().passthrough());
+  EXPECT_FALSE(ours.context().info().off);
 }
 
 }  // namespace

@@ -86,10 +86,10 @@ void expectMutantsSeen(const std::string& name, const ShaderTexts& shaders,
   const auto drawn = [&](Gl gl, const ShaderTexts& texts) {
     const GLuint program = linked(gl, texts);
     if (!program) return Drawn{};
-    const uint64_t before = ours.context().statistics.drawsTraced;
+    const uint64_t before = ours.context().counts.statistics.drawsTraced;
     draw(gl, program);
     Drawn result{readPicture(gl, kProgramWidth, kProgramHeight),
-                 ours.context().statistics.drawsTraced - before};
+                 ours.context().counts.statistics.drawsTraced - before};
     gl.UseProgram(0), gl.DeleteProgram(program);
     while (gl.GetError()) {}
     return result;

@@ -173,8 +173,8 @@ TEST(ProgramObjects, TwoContextsOfAShareGroup) {
     const Comparison c = compare(expected[i], got[i], kProgramTolerance);
     EXPECT_TRUE(c.accepted) << i << ": " << c.text;
   }
-  EXPECT_EQ(one.context().statistics.drawsTraced, 2u);
-  EXPECT_EQ(two.context().statistics.drawsTraced, 2u);
+  EXPECT_EQ(one.context().counts.statistics.drawsTraced, 2u);
+  EXPECT_EQ(two.context().counts.statistics.drawsTraced, 2u);
 }
 
 /// VTK's names with types that mean something else: not what the family describes.

@@ -343,7 +343,7 @@ Outcome expectSame(const std::string& name, const DrawProgram& draw, int draws, 
   }
   TracedContext ours(wish, TracedContext::tracing(), nullptr, nullptr, parsed(families));
   outcome.got = drawn(ours.gl(), draw, state, error, wish);
-  outcome.statistics = ours.context().statistics;
+  outcome.statistics = ours.context().counts.statistics;
   EXPECT_EQ(error, expectedError);
   EXPECT_EQ(joined(differences(expectedState, state)), "");
   const Comparison c = compare(outcome.expected, outcome.got, tolerance);

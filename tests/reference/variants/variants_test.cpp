@@ -10,7 +10,7 @@ Picture drawTraced(const scenes::Scene& scene, uint64_t& draws) {
   TracedContext ours({kWidth, kHeight});
   scene.draw(ours.gl(), kWidth, kHeight);
   Picture picture = ours.read();
-  draws = ours.context().statistics.drawsTraced;
+  draws = ours.context().counts.statistics.drawsTraced;
   return picture;
 }
 

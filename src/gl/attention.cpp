@@ -1,0 +1,17 @@
+#include "gl/attention.h"
+
+#include "gl/capture/immediate.h"
+#include "gl/lists/list_compiler.h"
+#include "gl/thread_state.h"
+#include "gl/window/frame_clock.h"
+
+namespace gluray::gl {
+
+void Attention::update() {
+  needed_ = off_ || immediate_.insideBegin() || immediate_.runOpen() || lists_.compiling();
+  const bool captured = !off_ && (immediate_.runOpen() || lists_.compiling());
+  t_thread.stream = captured ? &immediate_.stream() : nullptr;
+  t_thread.direct = !captured && (off_ || clock_.direct()) ? &real_ : nullptr;
+}
+
+}  // namespace gluray::gl

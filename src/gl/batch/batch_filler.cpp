@@ -1,0 +1,98 @@
+#include "gl/batch/batch_filler.h"
+
+#include "gl/layers/layer_draws.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace gluray::gl {
+
+void BatchFiller::clampToTarget(scene::Region& region) {
+  const auto exceeds = [&](glm::ivec2 size) {
+    return region.x + region.width > size.x || region.y + region.height > size.y;
+  };
+  const TargetState& target = p_.shadow.state.target;
+  const auto& askForSize = p_.shadow.info.drawableSize;
+  glm::ivec2 size = target.size;
+  if (target.framebuffer == 0) {
+    // Asked once a batch, however many draws it takes: windows may grow.
+    const bool fresh = !p_.flusher.batch.empty() && sizeAskedFor_ == region;
+    if (!fresh && exceeds(drawableSize_) && askForSize) {
+      drawableSize_ = glm::max(drawableSize_, askForSize());
+      sizeAskedFor_ = region;
+    }
+    size = drawableSize_;
+  }
+  if (size.x <= 0 || size.y <= 0 || !exceeds(size)) return;
+  region.width = std::max(0, std::min(region.x + region.width, size.x) - region.x);
+  region.height = std::max(0, std::min(region.y + region.height, size.y) - region.y);
+}
+
+bool BatchFiller::open(const BatchKey& key) {
+  if (key.region.width <= 0 || key.region.height <= 0) return false;
+  Batch& batch = p_.flusher.batch;
+  if (!batch.empty() && !(batch.key() == key)) p_.flusher.flush();
+  if (!batch.empty()) return true;
+  p_.flusher.settleBelow(key.samples);
+  batch.start(key, p_.shadow.state, p_.shadow.info.settings, p_.clock.frame);
+  return true;
+}
+
+scene::Instance BatchFiller::instanceOf(const scene::MeshPtr& mesh, SlotMask slots,
+                                        const std::vector<MaterialChange>& materials) const {
+  const State& state = p_.shadow.state;
+  const auto value = [&](Slot slot) { return p_.shadow.current[slot]; };
+  scene::Instance instance;
+  instance.mesh = mesh;
+  instance.eyeFromObject = state.modelview;
+  if (!(slots & bit(kColor))) instance.color = glm::make_vec4(value(kColor));
+  if (!(slots & bit(kNormal))) instance.normal = glm::make_vec3(value(kNormal));
+  instance.secondaryColor = glm::make_vec3(value(kSecondaryColor));
+  instance.fogCoord = *value(kFogCoord);
+  if (!(slots & bit(kTexCoord0))) instance.texcoord = glm::make_vec4(value(kTexCoord0));
+  for (const scene::Texture& texture : state.textures) {
+    const auto slot = texCoordSlot(texture.unit);
+    if (texture.unit == 0 || (slots & bit(slot))) continue;
+    instance.texcoordsAbove.resize(texture.unit, glm::vec4(0, 0, 0, 1));
+    instance.texcoordsAbove.back() = glm::make_vec4(value(slot));
+  }
+  instance.materials.reserve(materials.size() + 1);
+  instance.materials.push_back(state.material);
+  for (const MaterialChange& change : materials)
+    instance.materials.push_back(change.appliedTo(state.material));
+  instance.cull = state.raster.cull;
+  instance.frontFaceCcw = state.raster.frontFaceCcw;
+  instance.clipPlanes = state.clipPlanes;
+  return instance;
+}
+
+scene::Shading BatchFiller::shadingOf(SlotMask slots, const std::vector<MaterialChange>& materials) const {
+  const State& state = p_.shadow.state;
+  scene::Shading shading = state.shading;
+  shading.textures = state.textures;
+  shading.alphaTest = state.raster.alphaTest;
+  shading.alphaTest.asBytes =
+      shading.alphaTest.function != scene::AlphaTest::always && state.target.eightBits;
+  // Without colours or materials at its vertices the surface has the current material, however it came about.
+  if (p_.shadow.latch.isOn() && !(slots & bit(kColor)) && materials.empty()) shading.colorMaterial = {};
+  return shading;
+}
+
+void BatchFiller::add(const scene::MeshPtr& mesh, SlotMask slots,
+                      const std::vector<MaterialChange>& materials) {
+  BatchKey key = Batch::keyOf(p_.shadow.state);
+  clampToTarget(key.region);
+  if (mesh->triangleCount == 0) return;
+  const bool layer = p_.triage.isLayer(*mesh, materials);
+  if (layer) p_.layers.describe(key);
+  if (!open(key)) return;
+  p_.flusher.batch.add(instanceOf(mesh, slots, materials), shadingOf(slots, materials));
+  if (!layer || key.blending.writesDepth)
+    p_.surfaces.passes.drawn(mesh, p_.shadow.state.modelview, MultipassSurfaces::How::pending,
+                             p_.triage.isPushedBack());
+  settleFailure();
+}
+
+}  // namespace gluray::gl

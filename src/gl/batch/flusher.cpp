@@ -1,0 +1,156 @@
+#include "gl/batch/flusher.h"
+
+#include "base/clock.h"
+#include "base/log.h"
+#include "base/timeline.h"
+#include "gl/batch/resolve_draws.h"
+#include "gl/errors.h"
+#include "gl/layers/layer_draws.h"
+#include "gl/state/state_queries.h"
+#include "gl/window/window_frames.h"
+
+#include <GL/glext.h>
+
+#include <string>
+#include <utility>
+
+namespace gluray::gl {
+namespace {
+
+const char* whyOf(const PresentResult& result) {
+  return result.why.empty() ? "the ray tracer could not make a picture" : result.why.c_str();
+}
+
+}  // namespace
+
+bool Flusher::canTrace() {
+  if (supported_) return *supported_;
+  std::string why;
+  supported_ = presenter.supports(p_.shadow.real, p_.shadow.info.core, why);
+  if (!*supported_)
+    log::once(log::Level::warning, "support",
+              "this OpenGL cannot show traced pictures (" + why + "): the program draws as without GLuRay");
+  return *supported_;
+}
+
+void Flusher::flushBatch() {
+  if (p_.layers.holdsDepths()) p_.layers.giveUp();
+  present();
+  if (p_.layers.asks()) p_.layers.giveUp();
+}
+
+void Flusher::present(Reason reason) {
+  p_.window.showLagged();
+  if (batch.empty()) return;
+  timeline::writeIfDue();
+  const timeline::Span span("batch", batch.waiting().instances.size());
+  const BatchKey key = batch.key();
+  const bool peeled = key.layers == BatchKey::Layers::peeled;
+  if (peeled && !p_.layers.haveSurfaces()) return p_.layers.giveUp();
+  if (key.layers == BatchKey::Layers::drawn && reason == Reason::traced && !p_.layers.readUnder())
+    reason = Reason::framebuffer;
+  const bool rasterise = reason != Reason::traced;
+  const scene::SnapshotPtr snapshot = batch.take();
+  const double start = p_.counts.kinds() ? nowSeconds() : 0;
+  p_.shadow.syncCurrent();
+  p_.surfaces.passes.flushed(rasterise ? nullptr : snapshot);
+  if (rasterise) p_.counts.asRasterised(*snapshot, reason);
+  const std::optional<ClearedTarget> under = rasterise ? std::nullopt : p_.cleared.under(*snapshot, key);
+  const AntialiasedPicture antialiased = p_.cleared.antialiased();
+  p_.cleared.forget();
+  const PresentResult result = peeled ? p_.layers.present(snapshot, key)
+                                      : presenter.present(p_.shadow.real, snapshot,
+                                                          {.depthFunc = key.depthFunc,
+                                                           .core = p_.shadow.info.core,
+                                                           .rasterise = rasterise,
+                                                           .programDraws = batch.takeProgramDraws(),
+                                                           .mayRepeat = !p_.clock.measured(),
+                                                           .cleared = under});
+  if (result.averages) p_.cleared.wroteAntialiased(antialiased, key);
+  p_.resolves.cleanIs({});
+  p_.shadow.latch.restore(p_.shadow.real);
+  takeResult(result);
+  if (p_.counts.kinds()) [[unlikely]]
+    p_.counts.kinds()->exclude(nowSeconds() - start);
+  const bool declined = result.layers && result.outcome == PresentResult::rasterised;
+  if (declined) p_.counts.asRasterised(*snapshot, Reason::programPass);
+  const auto wanted = rasterise || declined ? PresentResult::rasterised : PresentResult::traced;
+  if (result.outcome != wanted) p_.failsafe.stepAside(whyOf(result));
+}
+
+void Flusher::takeResult(const PresentResult& result, bool known) {
+  if (result.pendingError != GL_NO_ERROR) p_.shadow.errors.set(result.pendingError);
+  Statistics& statistics = p_.counts.statistics;
+  statistics.presentSeconds += result.presentSeconds;
+  if (!known) ++statistics.flushes;
+  if (!known && result.repeated) ++statistics.repeated;
+  statistics.buildSeconds += result.cost.buildSeconds;
+  statistics.traceSeconds += result.cost.traceSeconds;
+  statistics.blasBuilds += result.cost.blasBuilds;
+  statistics.blasRefinements += result.cost.blasRefinements;
+  if (known && result.repeated) return;
+  if (!result.repeated) statistics.bvhBytes = result.cost.bvhBytes;  // nobody asked for a known picture
+  statistics.blasRefining = result.cost.blasRefining;
+}
+
+void Flusher::settle() {
+  p_.window.settle();
+  p_.resolves.settle();
+}
+
+void Flusher::settleBelow(int samples) {
+  if (p_.resolves.waits() && samples > 1) settle();
+  p_.window.settleBelow();
+}
+
+void Flusher::leave() {
+  p_.window.showLagged();
+  if (!batch.empty() && !p_.resolves.hold()) present();
+}
+
+UnresolvedPicture::Cleared Flusher::beforeClear(GLbitfield mask) {
+  const UnresolvedPicture::Cleared clean = p_.resolves.clearedBy(mask);
+  present();
+  p_.window.clears(mask);
+  p_.resolves.clears(clean);
+  return clean;
+}
+
+void Flusher::beforeBlit() noexcept {
+  p_.failsafe.protect([&] {
+    p_.shadow.syncCurrent();
+    flushBatch();
+    p_.resolves.meetBlit();
+    p_.window.settle();
+    p_.shadow.sendBuffers();
+  });
+}
+
+void Flusher::presentLate(const BatchKey& key, const scene::SnapshotPtr& snapshot,
+                          std::vector<ProgramDraw> draws, bool known) {
+  const RealGl& real = p_.shadow.real;
+  const bool objects = isPresent(real.BindFramebuffer);
+  const GLuint bound = objects ? static_cast<GLuint>(integer(real, GL_DRAW_FRAMEBUFFER_BINDING)) : 0;
+  if (bound != key.framebuffer) real.BindFramebuffer(GL_DRAW_FRAMEBUFFER, key.framebuffer);
+  const PresentResult result = presenter.present(real, snapshot,
+                                                 {.depthFunc = key.depthFunc,
+                                                  .core = p_.shadow.info.core,
+                                                  .programDraws = std::move(draws),
+                                                  .mayRepeat = known || !p_.clock.measured()});
+  if (bound != key.framebuffer) real.BindFramebuffer(GL_DRAW_FRAMEBUFFER, bound);
+  p_.shadow.latch.restore(real);
+  takeResult(result, known);
+  if (result.outcome != PresentResult::traced) p_.failsafe.stepAside(whyOf(result));
+}
+
+void Flusher::imagesChange() noexcept {
+  if (p_.layers.asks() || batch.readsImages() || p_.resolves.waits() || p_.window.readsImages())
+    p_.failsafe.protect([&] { flush(); });
+}
+
+void Flusher::contentsChange(GLuint buffer) noexcept {
+  if (p_.resolves.readsBuffer(buffer) || p_.window.readsBuffer(buffer) || batch.readsBuffer(buffer))
+    p_.failsafe.protect([&] { flush(); });
+}
+
+}  // namespace gluray::gl

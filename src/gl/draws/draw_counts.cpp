@@ -1,0 +1,41 @@
+#include "gl/draws/draw_counts.h"
+
+#include <algorithm>
+
+namespace gluray::gl {
+
+void DrawCounts::rasterised(Reason reason, DrawPath path, PrimitiveClass kind, uint64_t triangles) {
+  if (kinds()) [[unlikely]] {
+    const auto& program = shadow_.programInUse();
+    kinds()->record(shadow_.real, shadow_.state.target, reason, path, kind, triangles, program,
+                    shadow_.state.program.why);
+  }
+  ++statistics.drawsRasterised;
+  ++statistics.rasterisedBecause[static_cast<size_t>(reason)];
+  statistics.trianglesRasterised += triangles;
+  load(triangles);
+}
+
+void DrawCounts::traced(DrawPath path, uint64_t triangles) {
+  if (kinds()) [[unlikely]]
+    kinds()->record(shadow_.real, shadow_.state.target, Reason::traced, path, PrimitiveClass::surfaces,
+                    triangles, shadow_.programInUse());
+  ++statistics.drawsTraced;
+  statistics.trianglesTraced += triangles;
+  load(triangles);
+  shadow_.current.drawn();
+}
+
+void DrawCounts::asRasterised(const scene::Snapshot& snapshot, Reason reason) {
+  uint64_t triangles = 0;
+  for (const scene::Instance& instance : snapshot.instances) triangles += instance.mesh->triangleCount;
+  const uint64_t draws = std::min<uint64_t>(snapshot.instances.size(), statistics.drawsTraced);
+  triangles = std::min<uint64_t>(triangles, statistics.trianglesTraced);
+  statistics.drawsTraced -= draws;
+  statistics.trianglesTraced -= triangles;
+  statistics.drawsRasterised += draws;
+  statistics.rasterisedBecause[static_cast<size_t>(reason)] += draws;
+  statistics.trianglesRasterised += triangles;
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,35 @@
+// Counts draws for the report and for `gluray explain`. A part of each Context, GL thread.
+#pragma once
+#include "gl/draws/draw_kinds.h"
+#include "gl/draws/reasons.h"
+#include "gl/state/shadow_state.h"
+#include "gl/statistics.h"
+#include "gl/window/frame_clock.h"
+
+#include <cstdint>
+
+namespace gluray::gl {
+
+class DrawCounts {
+ public:
+  DrawCounts(ShadowState& shadow, FrameClock& clock) : shadow_(shadow), clock_(clock) {}
+
+  Statistics statistics;
+  /// Who takes draws by kind; null: nobody.
+  DrawKinds* kinds() const { return shadow_.info.kinds.get(); }
+
+  void rasterised(Reason reason, DrawPath path, PrimitiveClass kind, uint64_t triangles);
+  void traced(DrawPath path, uint64_t triangles);
+  /// What was counted as traced was drawn by the real OpenGL in the end.
+  void asRasterised(const scene::Snapshot& snapshot, Reason reason);
+  /// Both of the former count these; so does the end of a primitive that the real OpenGL was given.
+  void load(uint64_t triangles) { clock_.choice.drew(triangles, shadow_.viewportPixels()); }
+  /// Grows with everything that is drawn and may be kept: pictures, and meshes that were never traced.
+  uint64_t work() const { return statistics.flushes + statistics.meshesBuilt; }
+
+ private:
+  ShadowState& shadow_;
+  FrameClock& clock_;
+};
+
+}  // namespace gluray::gl

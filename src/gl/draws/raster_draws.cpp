@@ -1,0 +1,75 @@
+#include "gl/draws/raster_draws.h"
+
+#include "gl/batch/resolve_draws.h"
+#include "gl/errors.h"
+#include "gl/layers/layer_draws.h"
+#include "gl/window/window_frames.h"
+
+namespace gluray::gl {
+
+bool RasterDraws::mayMeet(PrimitiveClass kind) const {
+  return p_.triage.meetsDepth(kind) && p_.surfaces.passes.anyUnder(p_.shadow.state.modelview);
+}
+
+bool RasterDraws::isPass(PrimitiveClass kind, Reason reason) const {
+  return kind == PrimitiveClass::surfaces && p_.shadow.state.raster.writesDepth &&
+         (reason == Reason::colorMask || reason == Reason::passes || reason == Reason::smallScene);
+}
+
+void RasterDraws::remember(const KnownMesh& known) {
+  if (known.mesh)
+    p_.surfaces.passes.drawn(known.mesh, p_.shadow.state.modelview, MultipassSurfaces::How::rasterised,
+                             p_.triage.isPushedBack());
+}
+
+void RasterDraws::meet(std::span<const Triangle> triangles) {
+  p_.failsafe.protect([&] {
+    const State& state = p_.shadow.state;
+    p_.flusher.settleBelow(state.target.samples);
+    rasteriseMet(p_.surfaces.passes.meets(state.modelview, triangles, p_.triage.isPushedBack()));
+  });
+}
+
+void RasterDraws::rasteriseMet(MultipassSurfaces::Meeting meeting) {
+  if (meeting == MultipassSurfaces::Meeting::pending) p_.flusher.present(Reason::passes);
+  for (const DepthRedraw& redraw : p_.surfaces.passes.takeTraced()) {
+    p_.shadow.syncCurrent();
+    PresentTarget target{.core = p_.shadow.info.core, .rasterise = true, .depthAgain = true};
+    if (redraw.clipFromObject) target.byMatrix = {redraw.mesh, *redraw.clipFromObject};
+    const PresentResult result = p_.flusher.presenter.present(p_.shadow.real, redraw.snapshot, target);
+    p_.shadow.latch.restore(p_.shadow.real);
+    if (result.pendingError != GL_NO_ERROR) p_.shadow.errors.set(result.pendingError);
+  }
+}
+
+void RasterDraws::before(PrimitiveClass kind) {
+  if (p_.window.lags()) p_.failsafe.protect([&] { p_.window.showLagged(); });
+  if (p_.window.shows()) p_.failsafe.protect([&] { p_.window.settleBelow(); });
+  Batch& batch = p_.flusher.batch;
+  // What was to be traced before it was known to lie in one plane with this draw is rasterised with it.
+  if (p_.surfaces.coplanar.takeFound() && !batch.empty() &&
+      (batch.key().layers == BatchKey::Layers::none || batch.key().layers == BatchKey::Layers::drawn) &&
+      batch.key().framebuffer == p_.shadow.state.target.framebuffer)
+    p_.failsafe.protect([&] { p_.flusher.present(Reason::coincident); });
+  if (p_.resolves.any()) p_.failsafe.protect([&] { p_.resolves.meetRasterDraw(); });
+  if (p_.layers.pending()) p_.failsafe.protect([&] { p_.layers.meetRasterDraw(); });
+  if (!batch.empty()) {
+    p_.shadow.refresh(kRaster);
+    const RasterState& raster = p_.shadow.state.raster;
+    // Lines and points on a surface have its depth: who comes later matters unless the surface was pushed
+    // back.
+    const bool coplanar = kind != PrimitiveClass::surfaces && batch.key().offset == scene::PolygonOffset{};
+    // Colours of sums meet in floats; those of drawn layers, in their order.
+    const bool seenThrough =
+        batch.key().layers == BatchKey::Layers::summed || batch.key().layers == BatchKey::Layers::drawn;
+    // What the program counts or stores depends on the depth that it meets.
+    const bool writes = raster.program != 0 && p_.shadow.program.known(raster.program)->program.writes;
+    // A channel that one of the two leaves alone has what the other one, or an earlier one, left there.
+    const bool channels = !(raster.colorWrites == batch.key().colorWrites);
+    if (!raster.orderFree || coplanar || seenThrough || writes || channels) p_.flusher.flush();
+  }
+  p_.cleared.forget();
+  p_.shadow.syncCurrent();
+}
+
+}  // namespace gluray::gl

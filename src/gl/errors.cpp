@@ -1,0 +1,24 @@
+#include "gl/errors.h"
+
+#include "gl/capture/immediate.h"
+
+#include <utility>
+
+namespace gluray::gl {
+
+void Errors::set(GLenum error) {
+  if (error_ != GL_NO_ERROR) return;
+  // The real OpenGL refuses what comes inside its glBegin, this too, in its turn among other errors.
+  if (immediate_.realInsideBegin() && error == GL_INVALID_OPERATION) return real_.Begin(GL_POINTS);
+  // Between its glBegin and glEnd the real OpenGL cannot be asked.
+  const bool inside = immediate_.inside() == Immediate::Inside::rasterised || immediate_.executedInside();
+  const GLenum older = inside ? GLenum{GL_NO_ERROR} : real_.GetError();
+  error_ = older != GL_NO_ERROR ? older : error;
+}
+
+GLenum Errors::take() {
+  const GLenum below = real_.GetError();
+  return error_ != GL_NO_ERROR ? std::exchange(error_, GL_NO_ERROR) : below;
+}
+
+}  // namespace gluray::gl

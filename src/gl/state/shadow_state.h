@@ -1,0 +1,81 @@
+// What is known of the real OpenGL's state. State calls are forwarded at once and mark groups of it as
+// stale; a draw that needs a group reads it back. A part of each Context, GL thread.
+#pragma once
+#include "gl/arrays/arrays.h"
+#include "gl/buffers/attachments.h"
+#include "gl/capture/current_values.h"
+#include "gl/capture/material_latch.h"
+#include "gl/context_info.h"
+#include "gl/programs/current_program.h"
+#include "gl/real.h"
+#include "gl/share_group.h"
+#include "gl/state/state.h"
+#include "gl/textures/texture.h"
+
+#include <GL/gl.h>
+
+#include <memory>
+#include <optional>
+
+namespace gluray::gl {
+
+class Errors;
+class Failsafe;
+
+class ShadowState {
+ public:
+  ShadowState(const RealGl& real, std::shared_ptr<ShareGroup> group, const ContextInfo& info, Errors& errors,
+              Failsafe& failsafe);
+
+  const RealGl& real;
+  const std::shared_ptr<ShareGroup> sharedGroup;
+  ShareGroup& group;
+  const ContextInfo info;
+  Errors& errors;
+
+  uint32_t dirty = kAllGroups;  // StateGroups to read back before the next draw needs them
+  State state;                  // valid where not dirty; use refresh()
+  ArrayState arrays;            // the same for kFixedArrays
+  ArrayState attributes;        // the same for kAttributes
+  Attachments attachments;      // buffers in vertex array objects
+  CurrentValues current;        // current attributes: ours, or after refresh(kCurrent)
+  MaterialLatch latch;
+  TextureCache textures;
+  CurrentProgram program;
+  int activeQueries = 0;  // queries and conditional renderings that count or guard draws
+  GLenum matrixMode = 0;  // 0: ask the real OpenGL
+
+  void touch(uint32_t groups) { dirty |= groups; }
+  /// Reads `groups` back where they changed.
+  void refresh(uint32_t groups) noexcept;
+  /// The program in use, outside glBegin and glEnd; null: there is none.
+  const std::shared_ptr<const KnownProgram>& programInUse();
+  void syncCurrent() {
+    if (current.anyUnsent()) [[unlikely]]
+      current.send(real);
+  }
+  /// Gives the real OpenGL the contents of buffers that its draws may read.
+  void sendBuffers();
+  double viewportPixels() const {
+    return static_cast<double>(state.viewport.z) * static_cast<double>(state.viewport.w);
+  }
+  /// Whether the real OpenGL renders on the CPU.
+  bool isSoftwareBelow();
+
+ private:
+  void read(uint32_t stale);
+  void readProgramInUse();
+
+  Failsafe& failsafe_;
+  std::optional<bool> softwareBelow_;
+};
+
+/// Groups that decide whether and how a surface is traced.
+inline constexpr uint32_t kDrawGroups = kModelview | kProjection | kViewport | kRaster | kLighting |
+                                        kMaterial | kFixedTextures | kClip | kTarget | kCurrent;
+
+/// The same for surfaces that a shader program draws.
+inline constexpr uint32_t kProgramGroups =
+    kViewport | kRaster | kTarget | kClip | kProgram | kProgramTextures | kAttributes;
+
+}  // namespace gluray::gl

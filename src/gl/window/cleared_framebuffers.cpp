@@ -1,0 +1,54 @@
+#include "gl/window/cleared_framebuffers.h"
+
+#include "gl/state/state_queries.h"
+#include "gl/window/clears.h"
+
+#include <GL/glext.h>
+
+namespace gluray::gl {
+
+void ClearedFramebuffers::clear(GLbitfield mask) {
+  constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
+  const RealGl& real = shadow_.real;
+  const RareState& rare = shadow_.state.rare;
+  cleared_.reset();
+  if (mask & GL_COLOR_BUFFER_BIT && shadow_.info.settings.spp > 1 && !clock_.direct())
+    antialiased_.clear(real, rare);
+  if ((mask & kBoth) != kBoth || clock_.direct() || failsafe_.aside() || shadow_.activeQueries > 0 ||
+      !shadow_.isSoftwareBelow())
+    return;
+  const GLint framebuffer = isPresent(real.BindFramebuffer) ? integer(real, GL_DRAW_FRAMEBUFFER_BINDING) : 0;
+  const Quirk use = framebuffer == 0 ? Quirk::softwareShow : Quirk::softwarePut;
+  if (!shadow_.info.settings.quirks.has(use) || !clearsAll(real, rare)) return;
+  const glm::ivec4 box = scissorBox(real);
+  ClearedTarget cleared{static_cast<GLuint>(framebuffer), {box.x, box.y, box.z, box.w}, {}};
+  real.GetFloatv(GL_COLOR_CLEAR_VALUE, cleared.color.data());
+  cleared_ = cleared;
+}
+
+std::optional<ClearedTarget> ClearedFramebuffers::under(const scene::Snapshot& snapshot,
+                                                        const BatchKey& key) const {
+  if (!cleared_ || key.framebuffer == 0 || key.framebuffer != cleared_->framebuffer ||
+      key.depthFunc != GL_LEQUAL || key.layers != BatchKey::Layers::none || snapshot.samples != 1 ||
+      !key.colorWrites.all() || key.encodes || shadow_.group.stencilsSet ||
+      !contains(cleared_->region, snapshot.region))
+    return std::nullopt;
+  return cleared_;
+}
+
+void ClearedFramebuffers::wroteAntialiased(const AntialiasedPicture& before, const BatchKey& key) {
+  antialiased_ = before;
+  antialiased_.wrote(key.framebuffer, key.drawBuffer);
+}
+
+void ClearedFramebuffers::imageSent(GLenum target) {
+  cleared_.reset();
+  antialiased_.send(shadow_.real, shadow_.textures, target);
+}
+
+void ClearedFramebuffers::imageCopied(GLenum target, GLint level, glm::ivec2 offset,
+                                      const scene::Region& from) {
+  antialiased_.copy(shadow_.real, target, level, offset, from);
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,145 @@
+#include "gl/window/frame_ends.h"
+
+#include "gl/batch/resolve_draws.h"
+#include "gl/capture/immediate.h"
+#include "gl/lists/list_compiler.h"
+#include "gl/window/window_frames.h"
+
+#include <GL/glext.h>
+
+namespace gluray::gl {
+namespace {
+
+constexpr GLbitfield kWhole = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
+
+bool isFront(GLenum buffer) {
+  return buffer == GL_FRONT || buffer == GL_FRONT_LEFT || buffer == GL_FRONT_AND_BACK || buffer == GL_LEFT;
+}
+
+/// Whether the scissor test lets a clear reach all that draws can.
+bool clearsViewport(const RealGl& real) {
+  if (!real.IsEnabled(GL_SCISSOR_TEST)) return true;
+  GLint box[4] = {}, viewport[4] = {};
+  real.GetIntegerv(GL_SCISSOR_BOX, box), real.GetIntegerv(GL_VIEWPORT, viewport);
+  return box[0] <= viewport[0] && box[1] <= viewport[1] && box[0] + box[2] >= viewport[0] + viewport[2] &&
+         box[1] + box[3] >= viewport[1] + viewport[3];
+}
+
+}  // namespace
+
+void FrameEnds::beforeSwap() {
+  p_.failsafe.protect([&] {
+    p_.immediate.closeRunIfOpen();
+    p_.window.settle();
+    p_.flusher.flushBatch();  // what waits for being resolved is not in the window
+  });
+}
+
+void FrameEnds::afterSwap() {
+  p_.cleared.forget();  // nobody knows what the back buffer holds
+  ++p_.counts.statistics.frames;
+  if (p_.clock.direct()) ++p_.counts.statistics.framesDirect;
+  p_.clock.beganSeconds = 0;
+  chooseEngine();
+  ++p_.clock.frame;
+  p_.surfaces.passes.clear();
+  p_.surfaces.coplanar.clear();
+  forgetOld();
+}
+
+void FrameEnds::chooseEngine() {
+  if (!p_.lists.compiling() && !p_.immediate.insideBegin()) p_.passthrough.chooseNext();
+}
+
+void FrameEnds::forgetOld() {
+  clears_ = 0;
+  workForgotten_ = p_.counts.work();
+  p_.shadow.group.meshes.advance();
+  deleteDiscarded();
+}
+
+void FrameEnds::deleteDiscarded() {
+  const RealGl& real = p_.shadow.real;
+  const SharedNames names = p_.shadow.group.takeDiscarded();
+  for (const GLuint id : names.lists) real.DeleteLists(id, 1);
+  for (const GLuint id : names.programs) real.DeleteProgram(id);
+  if (!names.textures.empty())
+    real.DeleteTextures(static_cast<GLsizei>(names.textures.size()), names.textures.data());
+}
+
+void FrameEnds::clearing(GLbitfield mask) {
+  EngineChoice& choice = p_.clock.choice;
+  if (!choice.active()) return;
+  if ((mask & kWhole) == kWhole && p_.counts.statistics.frames == 0 && clearsViewport(p_.shadow.real)) {
+    p_.passthrough.stopMeasuring();
+    chooseEngine();
+  } else if (mask & GL_DEPTH_BUFFER_BIT) {
+    choice.layer();
+  }
+  p_.passthrough.works();
+}
+
+void FrameEnds::cleared(GLbitfield mask) {
+  if (mask & GL_DEPTH_BUFFER_BIT) {
+    if (p_.surfaces.passes.anyByProgram()) p_.shadow.refresh(kTarget);
+    p_.surfaces.passes.clear(p_.shadow.state.target.framebuffer), p_.surfaces.coplanar.clear();
+  }
+  p_.cleared.clear(mask);
+  if ((mask & kWhole) != kWhole || p_.counts.work() == workForgotten_) return;
+  const int patience = p_.counts.statistics.frames > 0 ? 64 : 4;
+  if (++clears_ < patience) return;
+  forgetOld();
+  p_.surfaces.passes.forgetMany();  // those of framebuffers whose depth is never cleared
+}
+
+void FrameEnds::endFrame() {
+  p_.passthrough.stopMeasuring();
+  const ContextInfo& info = p_.shadow.info;
+  if (info.frameEnding) info.frameEnding();
+  afterSwap();
+  if (info.frameEnded) info.frameEnded();
+}
+
+/// glFlush or glFinish of a double-buffered program. Where it never swaps, its frames are what it draws into
+/// the front buffer; for reports alone, as others do not end there.
+void FrameEnds::showFront() {
+  const ContextInfo& info = p_.shadow.info;
+  Statistics& statistics = p_.counts.statistics;
+  if (!info.frameEnded || statistics.frames > 0) return;
+  const uint64_t draws = statistics.drawsTraced + statistics.drawsRasterised;
+  if (draws == drawsInFront_) return;
+  p_.shadow.refresh(kTarget);
+  const TargetState& target = p_.shadow.state.target;
+  if (target.framebuffer != 0 || !isFront(target.drawBuffer)) return;
+  drawsInFront_ = draws;
+  if (info.frameEnding) info.frameEnding();
+  ++statistics.framesInFront;
+  info.frameEnded();
+}
+
+/// glFlush or glFinish of a single-buffered program for which nothing waits to be traced: it may have read
+/// its picture back before, or all of it was rasterised.
+void FrameEnds::showDrawn() {
+  if (!p_.clock.choice.drawn()) return;
+  p_.shadow.refresh(kTarget);
+  if (p_.shadow.state.target.framebuffer != 0)
+    return p_.counts.work() != workForgotten_ ? afterSwap() : void();
+  endFrame();
+}
+
+void FrameEnds::showIfVisible() {
+  p_.shadow.syncCurrent();
+  const bool doubleBuffered = p_.shadow.info.doubleBuffered;
+  const int sharing = p_.shadow.group.contexts;
+  if (p_.resolves.waits() && sharing > 1) p_.failsafe.protect([&] { p_.flusher.settle(); });
+  const Batch& batch = p_.flusher.batch;
+  if (batch.empty()) return doubleBuffered ? showFront() : showDrawn();
+  // What a framebuffer object holds is seen by nobody but contexts that share its images.
+  const bool object = batch.key().framebuffer != 0;
+  if (object ? sharing == 1 : doubleBuffered && !isFront(batch.key().drawBuffer)) return;
+  p_.flusher.flush();
+  if (object) return;
+  doubleBuffered ? showFront() : endFrame();
+}
+
+}  // namespace gluray::gl
