@@ -27,8 +27,8 @@ uint32_t blended(uint32_t over, uint32_t under) {
 }  // namespace
 
 bool merge(const Image& image, DepthTest test, WindowContent& content) noexcept {
-  if (image.content != Image::Content::color || image.samples != 1) return false;
-  const bool averages = !image.center.empty();
+  if (!image.has(Plane::color) || image.samples != 1) return false;
+  const bool averages = image.isAverages();
   const int left = std::max(0, -image.x), right = std::min(image.width, content.width - image.x);
   for (int y = std::max(0, -image.y); y < std::min(image.height, content.height - image.y); ++y) {
     const size_t from = static_cast<size_t>(y) * static_cast<size_t>(image.width);

@@ -47,7 +47,8 @@ TEST(WindowContent, WhatLiesOutsideIsCut) {
 
 TEST(WindowContent, AveragesAreBlended) {
   Image image = picture(0.1f);
-  image.center = image.depth;
+  image.planes = image.planes | Plane::centerDepth;
+  image.centerDepth = image.depth;
   image.color[0] = 0x80000080u;  // red, half of the pixel
   WindowContent content = plainWindow({4, 1}, 0xff0000ffu, 1);
   EXPECT_TRUE(merge(image, DepthTest::less, content));
@@ -57,7 +58,7 @@ TEST(WindowContent, AveragesAreBlended) {
 TEST(WindowContent, PicturesOfOtherKindsAreLeftAlone) {
   WindowContent content = plainWindow({4, 1}, kUnder, 1);
   Image wide;
-  wide.resize(2, 1, 1, Image::Content::wide);
+  wide.resize(2, 1, 1, Image::kWide);
   EXPECT_FALSE(merge(wide, DepthTest::less, content));
   Image samples;
   samples.resize(2, 1, 4);

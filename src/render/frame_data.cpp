@@ -142,7 +142,7 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
 
   ownPlanes = std::any_of(surfaces.begin(), surfaces.end(), [](const Surface& f) { return f.ownClipPlanes; });
 
-  averages = !target.center.empty();
+  averages = target.isAverages();
   samplePositions = positionsInPixel(averages ? s.settings.spp : 1);
   if (s.samples > 1) samplePositions.assign(s.samplePositions.begin(), s.samplePositions.end());
   if (!averages && samplePositions.size() != static_cast<size_t>(std::max(s.samples, 1))) {

@@ -68,13 +68,13 @@ HWY_INLINE void eachPixel(const Work& work, const Tile& tile, const Image& image
 HWY_ATTR inline void storeWide(const Work& work, const Tile& tile, Image& image) {
   eachPixel(work, tile, image, [&](size_t at, int i) HWY_ATTR {
     image.depth[at] = work.depth[i];
-    for (size_t c = 0; c < 4; ++c) image.wide[4 * at + c] = work.wide[c][i];
-    if (!image.through.empty()) image.through[at] = work.through[i];
+    for (size_t c = 0; c < 4; ++c) image.wideColor[4 * at + c] = work.wide[c][i];
+    if (image.has(Plane::transmittance)) image.transmittance[at] = work.through[i];
   });
 }
 
 HWY_ATTR inline void storePixels(const Work& work, const Tile& tile, Image& image) {
-  if (image.content != Image::Content::color) return storeWide(work, tile, image);
+  if (image.has(Plane::wideColor)) return storeWide(work, tile, image);
   if (work.imageX + 4 > tile.x1 || work.imageY + 4 > tile.y1) {
     eachPixel(work, tile, image, [&](size_t at, int i) HWY_ATTR {
       image.color[at] = work.color[i];

@@ -14,9 +14,10 @@ namespace {
 
 constexpr int kLargestSide = 65536;  // pixels; beyond what any framebuffer has
 
-Image::Content contentOf(const scene::Snapshot& snapshot) {
-  if (snapshot.layers && snapshot.layers->of == scene::Layers::Of::sums) return Image::Content::sums;
-  return snapshot.wideColors ? Image::Content::wide : Image::Content::color;
+Planes planesOf(const scene::Snapshot& snapshot, bool averages) {
+  const bool sums = snapshot.layers && snapshot.layers->of == scene::Layers::Of::sums;
+  const Planes planes = sums ? Image::kSums : snapshot.wideColors ? Image::kWide : Image::kPicture;
+  return averages ? planes | Plane::centerDepth : planes;
 }
 
 bool areDrawn(const scene::Layers* layers) { return layers && layers->of == scene::Layers::Of::drawn; }
@@ -44,16 +45,16 @@ void shapeImage(const scene::Snapshot& snapshot, Image& image, bool averages) {
   }
   image.x = region.x;
   image.y = region.y;
-  image.resize(region.width, region.height, std::max(snapshot.samples, 1), contentOf(snapshot), averages);
+  image.resize(region.width, region.height, std::max(snapshot.samples, 1), planesOf(snapshot, averages));
   image.layers = {};
 }
 
 void fillWithMisses(Image& image) {
-  std::fill(image.color.begin(), image.color.end(), image.center.empty() ? image.missColor : 0u);
+  std::fill(image.color.begin(), image.color.end(), image.isAverages() ? 0u : image.missColor);
   std::fill(image.depth.begin(), image.depth.end(), Image::kMiss);
-  std::fill(image.center.begin(), image.center.end(), Image::kMiss);
-  std::fill(image.wide.begin(), image.wide.end(), 0.0f);
-  std::fill(image.through.begin(), image.through.end(), 1.0f);
+  std::fill(image.centerDepth.begin(), image.centerDepth.end(), Image::kMiss);
+  std::fill(image.wideColor.begin(), image.wideColor.end(), 0.0f);
+  std::fill(image.transmittance.begin(), image.transmittance.end(), 1.0f);
 }
 
 }  // namespace

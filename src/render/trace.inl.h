@@ -122,7 +122,7 @@ HWY_ATTR inline void traceBehind(const FrameData& frame, uint32_t lanes, Work& w
 
 // Colour and depth of the hits; where the nearest does not count, of the first behind it that does.
 HWY_ATTR inline void shadeNearest(const FrameData& frame, Work& work) {
-  const bool wide = frame.image->content != Image::Content::color;
+  const bool wide = frame.image->has(Plane::wideColor);
   const auto take = [&](uint32_t lanes, const LitRows& rows, const float* depth) HWY_ATTR {
     merge(lanes & ~work.edged, rows, depth, wide, work);
     if (lanes & work.edged) merge(lanes & work.edged, rows, work.edgeDepth, wide, work);

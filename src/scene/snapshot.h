@@ -100,7 +100,7 @@ struct Layers {
     /// those before it let through; its alpha is the opacity of all.
     order,
     /// Whatever their order: sums of what each is, for the program to make a colour of
-    /// (Image::Content::sums).
+    /// (Image::kSums).
     sums,
     /// In the order of drawing, as OpenGL blends them: each fragment that passes the depth test changes the
     /// colour that is there and, where depth is written, the depth that those after it are tested against.

@@ -126,7 +126,8 @@ TEST(TexturePut, RefusesWhatItDoesNotKnow) {
   large.x = 20;  // beyond the texture
   EXPECT_FALSE(put.put(g, features, large, 2, pending));
   Image averages = noise(1);
-  averages.center = averages.depth;
+  averages.planes = averages.planes | Plane::centerDepth;
+  averages.centerDepth = averages.depth;
   EXPECT_FALSE(put.put(g, features, averages, 2, pending));
   GLuint renderbuffer = 0;
   g.GenRenderbuffers(1, &renderbuffer), g.BindRenderbuffer(GL_RENDERBUFFER, renderbuffer);

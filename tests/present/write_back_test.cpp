@@ -192,13 +192,13 @@ TEST_P(WriteBackTest, IgnoresTheStateOfTheMoment) {
 /// Averages: column x is covered x / kSize by red, at its centre from the middle on.
 Image averages(float depth) {
   Image image;
-  image.resize(kSize, kSize, 1, Image::Content::color, true);
+  image.resize(kSize, kSize, 1, Image::kPicture | Plane::centerDepth);
   for (int i = 0; i < kSize * kSize; ++i) {
     const int x = i % kSize;
     const auto share = static_cast<uint32_t>(255 * x / kSize);
     image.color[static_cast<size_t>(i)] = share | share << 24;
     image.depth[static_cast<size_t>(i)] = x > 0 ? depth : Image::kMiss;
-    image.center[static_cast<size_t>(i)] = x >= kSize / 2 ? depth : Image::kMiss;
+    image.centerDepth[static_cast<size_t>(i)] = x >= kSize / 2 ? depth : Image::kMiss;
   }
   return image;
 }

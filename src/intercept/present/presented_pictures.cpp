@@ -19,15 +19,15 @@ const Features& PresentedPictures::features(const gl::RealGl& real) {
   return *features_;
 }
 
-WriteBack& PresentedPictures::writeBack(const gl::RealGl& real, Image::Content content) {
-  std::unique_ptr<WriteBack>& one = writeBacks_.at(static_cast<size_t>(content));
-  if (!one) one = std::make_unique<WriteBack>(real, content);
+WriteBack& PresentedPictures::writeBack(const gl::RealGl& real, WriteBack::Colors colors) {
+  std::unique_ptr<WriteBack>& one = writeBacks_.at(static_cast<size_t>(colors));
+  if (!one) one = std::make_unique<WriteBack>(real, colors);
   return *one;
 }
 
 bool PresentedPictures::supported(const gl::RealGl& real, std::string& why) noexcept {
   try {
-    return writeBack(real, Image::Content::color).ready(why);
+    return writeBack(real, WriteBack::Colors::bytes).ready(why);
   } catch (const std::exception& e) {
     why = e.what();
     return false;

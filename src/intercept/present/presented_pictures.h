@@ -27,8 +27,8 @@ struct PresentedPictures {
                                          std::optional<uint32_t> missColor, gl::PresentResult& result,
                                          std::string& why);
   const Features& features(const gl::RealGl& real);
-  /// The write-back of pictures of that content, made at the first call.
-  WriteBack& writeBack(const gl::RealGl& real, Image::Content content);
+  /// The write-back of pictures with such colours, made at the first call.
+  WriteBack& writeBack(const gl::RealGl& real, WriteBack::Colors colors);
   /// Presenter::supports().
   bool supported(const gl::RealGl& real, std::string& why) noexcept;
   /// Presenter::takeNames() and forget().
@@ -42,7 +42,7 @@ struct PresentedPictures {
 
  private:
   std::optional<Features> features_;                      // of the context
-  std::array<std::unique_ptr<WriteBack>, 3> writeBacks_;  // by what images hold
+  std::array<std::unique_ptr<WriteBack>, 3> writeBacks_;  // by WriteBack::Colors
 };
 
 }  // namespace gluray::present

@@ -21,8 +21,7 @@ PresentResult TracingPresenter::resolved(const gl::RealGl& real, const scene::Sn
   PresentResult result;
   if (!shared_.tracer.resolve || !shared_.supported(real, result.why)) return result;
   const frame::LastPictures::Picture* traced = shared_.of(snapshot, target.mayRepeat, {}, result, result.why);
-  if (!traced || traced->image.content != Image::Content::color || !traced->image.center.empty())
-    return result;
+  if (!traced || traced->image.planes != Image::kPicture) return result;
   const double start = nowSeconds();
   scene::Resolve known = pixels_.how;
   if (!target.colors) known.gamma = target.how.gamma;  // depths are the same
@@ -40,7 +39,7 @@ PresentResult TracingPresenter::resolved(const gl::RealGl& real, const scene::Sn
       .depthFunc = GL_ALWAYS, .colors = target.colors && !target.texture, .depths = target.depths};
   PendingErrors more;
   if (done && (to.colors || to.depths))
-    done = shared_.writeBack(real, Image::Content::color).write(pixels_.image, to, more);
+    done = shared_.writeBack(real, WriteBack::Colors::bytes).write(pixels_.image, to, more);
   takeErrors(real);
   pending.insert(pending.end(), more.begin(), more.end());
   if (!pending.empty()) result.pendingError = pending.front();

@@ -90,8 +90,7 @@ PresentResult TracedWindow::show(const gl::RealGl& real, const scene::SnapshotPt
     if (!background) return result;
     const frame::LastPictures::Picture* traced =
         shared_.of(*snapshot, target.mayRepeat, background, result, result.why);
-    if (!traced || traced->image.content != Image::Content::color || !traced->image.center.empty() ||
-        traced->image.missColor != *background)
+    if (!traced || traced->image.planes != Image::kPicture || traced->image.missColor != *background)
       return result;
     const double start = nowSeconds();
     if (target.show({traced->image, target.farthest, traced->id, snapshot->settings.threads}))

@@ -45,7 +45,7 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
   const double start = nowSeconds();
   if (traced && written(real, *traced, snapshot, target, pending, why)) {
     result.outcome = PresentResult::traced;
-    result.averages = !traced->image.center.empty();
+    result.averages = traced->image.isAverages();
   } else {
     result.why = why.empty() ? "the picture could not be written back" : std::move(why);
     const PendingErrors more = takeErrors(real);
@@ -77,7 +77,8 @@ bool TracingPresenter::written(const gl::RealGl& real, const frame::LastPictures
       into.depthFunc = GL_ALWAYS;
       into.depths = snapshot.layers->blending.writesDepth;
     }
-    const bool drawn = shared_.writeBack(real, picture.image.content).write(picture.image, into, more);
+    const bool drawn =
+        shared_.writeBack(real, WriteBack::colorsOf(picture.image)).write(picture.image, into, more);
     pending.insert(pending.end(), more.begin(), more.end());
     return drawn;
   } catch (const std::exception& e) {  // before anything is drawn: the guard puts the state back

@@ -17,7 +17,7 @@ namespace HWY_NAMESPACE {
 class Averages {
  public:
   HWY_ATTR void add(const FrameData& frame, const Tile& tile, const Work& work) {
-    const bool bytes = frame.image->content == Image::Content::color;
+    const bool bytes = frame.image->has(Plane::color);
     bool seenThrough = false;
     for (int i = 0; i < kLanes; ++i) {
       const int x = work.imageX + laneX(i), y = work.imageY + laneY(i);
@@ -43,18 +43,18 @@ class Averages {
       for (int x = tile.x0; x < tile.x1; ++x) {
         const Pixel& pixel = at(x - tile.x0, y - tile.y0);
         const size_t i = static_cast<size_t>(y) * static_cast<size_t>(image.width) + static_cast<size_t>(x);
-        image.center[i] = pixel.center;
+        image.centerDepth[i] = pixel.center;
         image.depth[i] = pixel.center != Image::kMiss ? pixel.center : pixel.nearest;
-        if (!image.through.empty()) image.through[i] = pixel.through * share;
+        if (image.has(Plane::transmittance)) image.transmittance[i] = pixel.through * share;
         uint32_t color = 0;
         for (size_t c = 0; c < 4; ++c) {
           const float average = pixel.sum[c] * share;
-          if (image.wide.empty())
+          if (image.has(Plane::color))
             color |= static_cast<uint32_t>(average + 0.5f) << (8 * c);
           else
-            image.wide[4 * i + c] = average;
+            image.wideColor[4 * i + c] = average;
         }
-        if (image.wide.empty()) image.color[i] = color;
+        if (image.has(Plane::color)) image.color[i] = color;
       }
     }
   }

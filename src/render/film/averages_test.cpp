@@ -53,13 +53,13 @@ TEST(Averages, AreWhatAnEdgeCovers) {
 
 TEST(Averages, DepthIsThatOfTheCentre) {
   const Image one = halfPlane(0.7f, 1), many = halfPlane(0.7f, 16);
-  EXPECT_TRUE(one.center.empty());
-  EXPECT_EQ(many.center, one.depth);
+  EXPECT_TRUE(one.centerDepth.empty());
+  EXPECT_EQ(many.centerDepth, one.depth);
   size_t edge = 0;
   for (size_t i = 0; i < 256; ++i) {
     const bool seen = many.color[i] != 0;
     ASSERT_EQ(many.depth[i] != Image::kMiss, seen);
-    edge += seen && many.center[i] == Image::kMiss;
+    edge += seen && many.centerDepth[i] == Image::kMiss;
   }
   EXPECT_GT(edge, 4u);
 }
@@ -71,16 +71,16 @@ TEST(Averages, OfTheFramebuffersSamplesAreNotTaken) {
   s.samplePositions = {{0.25f, 0.25f}, {0.75f, 0.75f}};
   const Image image = test::trace(s).image;
   EXPECT_EQ(image.samples, 2);
-  EXPECT_TRUE(image.center.empty());
+  EXPECT_TRUE(image.centerDepth.empty());
 }
 
 TEST(Averages, WhereAlphaIsNoOpacityOneSampleIsTaken) {
   auto s = test::makeSnapshot({test::makeMesh(test::squareData())});
   s.settings.spp = 4;
   s.instances[0].color = {1, 0, 0, 0.5f};
-  EXPECT_TRUE(test::trace(s).image.center.empty());
+  EXPECT_TRUE(test::trace(s).image.centerDepth.empty());
   s.instances[0].color.a = 1;
-  EXPECT_FALSE(test::trace(s).image.center.empty());
+  EXPECT_FALSE(test::trace(s).image.centerDepth.empty());
 }
 
 TEST(Averages, OfLayersAndFloats) {
@@ -96,12 +96,12 @@ TEST(Averages, OfLayersAndFloats) {
   layers->of = scene::Layers::Of::sums;
   s.layers = layers;
   image = test::trace(s).image;
-  for (size_t i = 0; i < 256; ++i) ASSERT_FLOAT_EQ(image.through[i], 0.5f);
+  for (size_t i = 0; i < 256; ++i) ASSERT_FLOAT_EQ(image.transmittance[i], 0.5f);
   s.layers = nullptr;
   s.wideColors = true;
   s.instances[0].color.a = 1;
   image = test::trace(s).image;
-  for (size_t i = 0; i < 256; ++i) ASSERT_FLOAT_EQ(image.wide[4 * i], 1);
+  for (size_t i = 0; i < 256; ++i) ASSERT_FLOAT_EQ(image.wideColor[4 * i], 1);
 }
 
 }  // namespace

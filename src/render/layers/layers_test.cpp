@@ -191,11 +191,11 @@ void expectSums(const scene::Snapshot& s, const std::vector<Sheet>& counted) {
     through *= 1 - sheet.color.a;
   }
   const Image image = test::trace(s).image;
-  ASSERT_EQ(image.content, Image::Content::sums);
+  ASSERT_EQ(image.planes, Image::kSums);
   for (size_t pixel = 0; pixel < 16 * 16; ++pixel) {
     for (int c = 0; c < 4; ++c)
-      ASSERT_NEAR(image.wide[4 * pixel + static_cast<size_t>(c)], sums[c], 1e-5f) << pixel;
-    ASSERT_NEAR(image.through[pixel], through, 1e-5f) << pixel;
+      ASSERT_NEAR(image.wideColor[4 * pixel + static_cast<size_t>(c)], sums[c], 1e-5f) << pixel;
+    ASSERT_NEAR(image.transmittance[pixel], through, 1e-5f) << pixel;
   }
 }
 
@@ -223,8 +223,8 @@ TEST(LayerSums, EndAtWhatIsOpaque) {
 
 TEST(LayerSums, OfNothingLetAllThrough) {
   const Image image = test::trace(summed({})).image;
-  EXPECT_EQ(image.wide, std::vector<float>(size_t{4} * 16 * 16, 0.0f));
-  EXPECT_EQ(image.through, std::vector<float>(16 * 16, 1.0f));
+  EXPECT_EQ(image.wideColor, std::vector<float>(size_t{4} * 16 * 16, 0.0f));
+  EXPECT_EQ(image.transmittance, std::vector<float>(16 * 16, 1.0f));
 }
 
 TEST(WideColors, AreThoseOfTheNearest) {
@@ -232,10 +232,10 @@ TEST(WideColors, AreThoseOfTheNearest) {
   s.layers.reset();
   s.wideColors = true;
   const Image image = test::trace(s).image;
-  ASSERT_EQ(image.content, Image::Content::wide);
+  ASSERT_EQ(image.planes, Image::kWide);
   for (size_t pixel = 0; pixel < 16 * 16; ++pixel)
     for (size_t c = 0; c < 4; ++c)
-      ASSERT_FLOAT_EQ(image.wide[4 * pixel + c], static_cast<float>(c + 1) / 4) << pixel;
+      ASSERT_FLOAT_EQ(image.wideColor[4 * pixel + c], static_cast<float>(c + 1) / 4) << pixel;
 }
 
 /// Sheets in the order of drawing, of which all but those that so many peels take are blended in that order.

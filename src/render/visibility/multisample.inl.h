@@ -65,7 +65,7 @@ HWY_ATTR inline void depthsOfSample(const FrameData& frame, const Surface& s, co
 /// Colours of the group into all samples from `first` on that show it, and the depths of each.
 HWY_ATTR inline void spread(const FrameData& frame, const Surface& s, size_t first, Shown& shown,
                             SampleBlock& block) {
-  const bool wide = frame.image->content != Image::Content::color;
+  const bool wide = frame.image->has(Plane::wideColor);
   const IndexTag d;
   if (!wide) packColors(shown.rows, shown.color);
   alignas(64) float depth[kLanes];

@@ -79,7 +79,7 @@ void TexturePut::send(const gl::RealGl& real, const Features& features, const Im
 
 bool TexturePut::put(const gl::RealGl& real, const Features& features, const Image& image, int threads,
                      PendingErrors& pending) {
-  if (image.samples != 1 || image.content != Image::Content::color || !image.center.empty()) return false;
+  if (!image.isPlain()) return false;
   const timeline::Span span("put");
   pending = takeErrors(real);
   StateGuard guard(real, features);

@@ -40,7 +40,7 @@ bool WriteBack::compile(std::string& why) {
 }
 
 bool WriteBack::compile(Program& program, std::string& why) const {
-  program.name = buildWriteBackProgram(real_, features_, content_, why);
+  program.name = buildWriteBackProgram(real_, features_, colors_ == Colors::sums, why);
   if (!program.name) return false;
   StateGuard guard(real_, features_);
   guard.program(program.name);
@@ -64,8 +64,8 @@ GLuint WriteBack::newTextureName() const {
   return name;
 }
 
-bool WriteBack::makePlane(StateGuard& guard, int unit, Plane& plane, GLenum internalFormat, GLenum format,
-                          GLenum type, int width, int height) {
+bool WriteBack::makePlane(StateGuard& guard, int unit, PlaneTexture& plane, GLenum internalFormat,
+                          GLenum format, GLenum type, int width, int height) {
   const bool fresh = plane.texture == 0;
   if (fresh) {
     // Taken by the binding: contexts of other threads may share the name space.
@@ -98,13 +98,13 @@ namespace {
 
 /// What the textures of colours and of depths take.
 const void* colorsFrom(const Image& image, size_t pixel) {
-  return image.content == Image::Content::color ? static_cast<const void*>(&image.color[pixel])
-                                                : &image.wide[4 * pixel];
+  return image.has(Plane::color) ? static_cast<const void*>(&image.color[pixel])
+                                 : &image.wideColor[4 * pixel];
 }
 
 const void* secondFrom(const Image& image, size_t pixel, bool centers) {
-  if (centers) return &image.center[pixel];
-  return image.content == Image::Content::sums ? &image.through[pixel] : &image.depth[pixel];
+  if (centers) return &image.centerDepth[pixel];
+  return image.has(Plane::transmittance) ? &image.transmittance[pixel] : &image.depth[pixel];
 }
 
 }  // namespace
@@ -118,11 +118,11 @@ void WriteBack::upload(const Image& image, const Sheet& sheet, Part part) const 
     real_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(color ? unit : unit + 1));
     for (const frame::Band& band : sheet.bands) {
       const size_t first = plane + static_cast<size_t>(band.y) * width + static_cast<size_t>(band.x);
-      const bool bytes = color && content_ == Image::Content::color;
+      const bool bytes = color && colors_ == Colors::bytes;
       real_.TexSubImage2D(GL_TEXTURE_2D, 0, band.x, band.y + sheet.row, band.width, band.height,
                           color ? GL_RGBA : depthFormat_, bytes ? GL_UNSIGNED_BYTE : GL_FLOAT,
                           color ? colorsFrom(image, first)
-                                : secondFrom(image, first, part == Part::depths && !image.center.empty()));
+                                : secondFrom(image, first, part == Part::depths && image.isAverages()));
     }
   }
 }
@@ -163,7 +163,7 @@ void WriteBack::openFor(StateGuard& guard, const WriteBackTarget& target) const 
   guard.depthRange(0, 1);
   if (target.encodes) guard.encoding(*target.encodes);
   guard.colorWrites(target.colors ? target.colorWrites : kNoColors);
-  const bool sums = content_ == Image::Content::sums;
+  const bool sums = colors_ == Colors::sums;
   if (!sums && !target.over && target.depths) return guard.depthTest(target.depthFunc);
   if (sums) guard.addUp();
   guard.capability(GL_DEPTH_TEST, false);
@@ -197,7 +197,7 @@ bool WriteBack::write(const Image& image, const WriteBackTarget& target, Pending
   const timeline::Span span("write back");
   std::string why;
   pending = takeErrors(real_);
-  if (image.content != content_ || !ready(why)) return false;
+  if (colorsOf(image) != colors_ || !ready(why)) return false;
   const int width = image.width, height = image.height, limit = features_.maxTextureSize;
   if (width <= 0 || height <= 0 || image.samples <= 0) return true;
   if (width > limit || height > limit) return false;
@@ -212,7 +212,7 @@ bool WriteBack::write(const Image& image, const WriteBackTarget& target, Pending
   if (sheets_.empty()) return true;
   StateGuard guard(real_, features_);
   if (!writeInto(guard, image, target, planes) || real_.GetError() != GL_NO_ERROR) return held_ = 0, false;
-  const bool all = image.center.empty() && planes == image.samples && target.colors;
+  const bool all = !image.isAverages() && planes == image.samples && target.colors;
   held_ = all ? target.picture : 0;
   return true;
 }
@@ -222,7 +222,7 @@ bool WriteBack::writeInto(StateGuard& guard, const Image& image, const WriteBack
   guard.plainUnpack(width);
   if (!makePlane(guard, unit + 1, depth_, depthInternalFormat_, depthFormat_, GL_FLOAT, width,
                  height * planes) ||
-      !makePlane(guard, unit, color_, content_ == Image::Content::color ? GL_RGBA8 : GL_RGBA32F_ARB, GL_RGBA,
+      !makePlane(guard, unit, color_, colors_ == Colors::bytes ? GL_RGBA8 : GL_RGBA32F_ARB, GL_RGBA,
                  GL_UNSIGNED_BYTE, width, height * planes))
     return false;
   if (target.over) guard.drawToWindow(target.over);
@@ -233,7 +233,7 @@ bool WriteBack::writeInto(StateGuard& guard, const Image& image, const WriteBack
   guard.program(programs_[0].name);
   if (!features_.compatibility) guard.vertexArray(vertexArray_);
 
-  if (!image.center.empty() && content_ != Image::Content::sums) {
+  if (image.isAverages() && colors_ != Colors::sums) {
     writeAverages(guard, image, sheets_.front());
     return true;
   }

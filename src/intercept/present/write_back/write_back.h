@@ -25,9 +25,15 @@ struct WriteBackTarget {
 
 class WriteBack {
  public:
-  /// Writes images of this content alone.
-  explicit WriteBack(const gl::RealGl& real, Image::Content content = Image::Content::color)
-      : real_(real), content_(content) {}
+  /// How images hold their colours.
+  enum class Colors : uint8_t { bytes, floats, sums };
+  static Colors colorsOf(const Image& image) {
+    if (image.has(Plane::transmittance)) return Colors::sums;
+    return image.has(Plane::wideColor) ? Colors::floats : Colors::bytes;
+  }
+
+  /// Writes images with such colours alone.
+  explicit WriteBack(const gl::RealGl& real, Colors colors = Colors::bytes) : real_(real), colors_(colors) {}
 
   /// Compiles the program on first use. False, with the reason, where the context cannot do it; the answer
   /// never changes.
@@ -35,12 +41,12 @@ class WriteBack {
 
   /// Writes every hit pixel (sample, where image.samples > 1) that passes the depth test, in one go over the
   /// image's rectangle, to all draw buffers. Misses stay untouched. Depth values are window depths:
-  /// glDepthRange is in them. Averages over samples (Image::center) are blended over what is there, their
-  /// alpha being what they cover, and leave the depth of their centres. Sums are added to the first two draw
-  /// buffers instead, whatever the depth there, which stays: colours times opacity and what is let through to
-  /// the first's, opacities to the second's red, by blending as gl::addsUp has it. No state that the program
-  /// can query differs afterwards; errors that were pending are moved to `pending`. False, with nothing drawn
-  /// or a picture to be drawn again, where the real OpenGL refuses.
+  /// glDepthRange is in them. Averages over samples (Image::centerDepth) are blended over what is there,
+  /// their alpha being what they cover, and leave the depth of their centres. Sums are added to the first two
+  /// draw buffers instead, whatever the depth there, which stays: colours times opacity and what is let
+  /// through to the first's, opacities to the second's red, by blending as gl::addsUp has it. No state that
+  /// the program can query differs afterwards; errors that were pending are moved to `pending`. False, with
+  /// nothing drawn or a picture to be drawn again, where the real OpenGL refuses.
   bool write(const Image& image, const WriteBackTarget& target, PendingErrors& pending);
 
   /// Names of what lives in the share group, which are no longer ours.
@@ -50,13 +56,13 @@ class WriteBack {
 
  private:
   /// A texture that grows and never shrinks, so that several viewports of one frame share it.
-  struct Plane {
+  struct PlaneTexture {
     GLuint texture = 0;
     int width = 0, height = 0;  // texels
   };
   bool compile(std::string& why);
-  bool makePlane(StateGuard& guard, int unit, Plane& plane, GLenum internalFormat, GLenum format, GLenum type,
-                 int width, int height);
+  bool makePlane(StateGuard& guard, int unit, PlaneTexture& plane, GLenum internalFormat, GLenum format,
+                 GLenum type, int width, int height);
   GLuint newTextureName() const;
   /// One sample plane of the image: what of it was hit, and at which row of the textures it lies.
   struct Sheet {
@@ -72,7 +78,7 @@ class WriteBack {
   void draw(const Image& image, const Sheet& sheet) const;
 
   const gl::RealGl& real_;
-  Image::Content content_;
+  const Colors colors_;
   Features features_;
   enum class State { unknown, ready, impossible } state_ = State::unknown;
   std::string why_;
@@ -86,7 +92,7 @@ class WriteBack {
   bool compile(Program& program, std::string& why) const;
   GLuint vertexArray_ = 0;
   GLenum depthInternalFormat_ = 0, depthFormat_ = 0;
-  Plane color_, depth_;
+  PlaneTexture color_, depth_;
   std::vector<Sheet> sheets_;  // of the last image
   uint64_t held_ = 0;          // number of the image that the textures hold; 0: none, or not all of one
 };

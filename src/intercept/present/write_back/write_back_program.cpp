@@ -93,9 +93,7 @@ GLuint compileShader(const gl::RealGl& real, GLenum kind, const std::string& sou
 
 }  // namespace
 
-GLuint buildWriteBackProgram(const gl::RealGl& real, const Features& features, Image::Content content,
-                             std::string& why) {
-  const bool sums = content == Image::Content::sums;
+GLuint buildWriteBackProgram(const gl::RealGl& real, const Features& features, bool sums, std::string& why) {
   std::string vertex = kOldVertex, fragment = sums ? kOldSums : kOldFragment;
   if (!features.compatibility) {
     const std::string version = "#version " + std::to_string(std::min(features.glslVersion, 150)) + "\n";

@@ -12,7 +12,6 @@ namespace gluray::present {
 /// colorPlane and depthPlane (samplers), place = (window x, y of texel (0,0); texture coordinates of one
 /// texel), and in core contexts bands[32] = corners (left, lower, right, upper) in clip space, six vertices
 /// each. For sums, depthPlane is what is let through.
-GLuint buildWriteBackProgram(const gl::RealGl& real, const Features& features, Image::Content content,
-                             std::string& why);
+GLuint buildWriteBackProgram(const gl::RealGl& real, const Features& features, bool sums, std::string& why);
 
 }  // namespace gluray::present
