@@ -5,7 +5,7 @@
 set(without_address reference_tests fuzz_tests lag_tests threads_tests gluray-scene-player rings live_freeze)
 set(without_address_pattern "^door_(a[^b]|[^a])")  # not door_abi
 # Label `thread`.
-set(thread_programs accel_tests gl_tests)
+set(thread_programs accel_tests gl_tests parallel_tests)
 if(TARGET threads_tests)
   list(APPEND thread_programs threads_tests)
 endif()

@@ -1,9 +1,9 @@
 // Several hits of each ray in one query.
 #include "accel/next_hits.h"
 
-#include "accel/arena.h"
 #include "accel/test_scene.h"
 #include "accel/world.h"
+#include "parallel/arena.h"
 
 #include <gtest/gtest.h>
 

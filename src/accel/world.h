@@ -1,13 +1,13 @@
 // Everything rays can hit in a frame: meshes' structures, instances, queries. Owned by frame::Renderer, which
 // calls update() between frames; render/ then queries it from all tracing threads.
 #pragma once
-#include "accel/arena.h"
 #include "accel/memory/free_memory.h"
 #include "accel/meshes/blas_cache.h"
 #include "accel/meshes/coincidence.h"
 #include "accel/meshes/triangle_sizes.h"
 #include "accel/ray_packet.h"
 #include "accel/tlas.h"
+#include "parallel/arena.h"
 #include "scene/snapshot.h"
 
 #include <memory>

@@ -1,9 +1,9 @@
 #include "frame/renderer.h"
 
-#include "accel/arena.h"
 #include "accel/world.h"
 #include "base/clock.h"
 #include "base/timeline.h"
+#include "parallel/arena.h"
 #include "render/film/fxaa.h"
 #include "render/film/resolve.h"
 #include "render/float_guard.h"
@@ -61,15 +61,10 @@ class Renderer::Engine {
   }
 
  private:
-  void prepareArena(int threads) {
-    if (arena_ && arenaThreads_ == threads) return;
-    arena_.emplace(threads);
-    arenaThreads_ = threads;
-  }
+  void prepareArena(int threads) { arena_ = arenaFor(ArenaUse::frames, threads); }
 
   render::FxaaMemory fxaaMemory_;
-  std::optional<accel::Arena> arena_;
-  int arenaThreads_ = 0;
+  std::shared_ptr<Arena> arena_;
   std::optional<accel::World> world_;
 };
 

@@ -1,7 +1,7 @@
 #include "frame/tracer_info.h"
 
-#include "accel/arena.h"
 #include "accel/device.h"
+#include "parallel/arena.h"
 #include "render/kernels.h"
 
 #include <tbb/version.h>
@@ -15,7 +15,7 @@ TracerInfo tracerInfo(int wantedThreads) noexcept {
   try {
     info.tbb = TBB_runtime_version();
     info.kernels = render::kernelTarget();
-    info.threads = accel::Arena(wantedThreads).threads();
+    info.threads = Arena(wantedThreads).threads();
     const accel::Device device;
     info.embree = device.version();
     info.rayPacket = device.packetWidth();

@@ -4,6 +4,7 @@
 #include <tbb/task_scheduler_observer.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <csignal>
 #include <mutex>
@@ -36,31 +37,35 @@ Arena::~Arena() = default;
 
 namespace {
 
-struct Shared {
-  std::mutex mutex;
+struct Owned {
   std::shared_ptr<Arena> arena;  // of the last call
   int threads = 0;               // of that arena
-  std::atomic<int> usual{0};
 };
-Shared& shared() {
-  static auto* one = new Shared;  // never destroyed: hosts call us while they exit
-  return *one;
+struct Arenas {
+  std::mutex mutex;
+  std::array<Owned, 2> byUse;
+  std::atomic<int> usualThreads{0};
+};
+Arenas& arenas() {
+  static auto* all = new Arenas;  // never destroyed: hosts call us while they exit
+  return *all;
 }
 
 }  // namespace
 
-std::shared_ptr<Arena> sharedArena(int threads) {
-  Shared& s = shared();
-  const std::lock_guard lock(s.mutex);
-  if (!s.arena || s.threads != threads) {
-    s.arena = std::make_shared<Arena>(threads);
-    s.threads = threads;
+std::shared_ptr<Arena> arenaFor(ArenaUse use, int threads) {
+  Arenas& all = arenas();
+  const std::lock_guard lock(all.mutex);
+  Owned& owned = all.byUse.at(static_cast<size_t>(use));
+  if (!owned.arena || owned.threads != threads) {
+    owned.arena = std::make_shared<Arena>(threads);
+    owned.threads = threads;
   }
-  return s.arena;
+  return owned.arena;
 }
 
-void setSharedThreads(int threads) noexcept { shared().usual = threads; }
+void setSharedThreads(int threads) noexcept { arenas().usualThreads = threads; }
 
-std::shared_ptr<Arena> sharedArena() { return sharedArena(shared().usual); }
+std::shared_ptr<Arena> sharedArena() { return arenaFor(ArenaUse::other, arenas().usualThreads); }
 
 }  // namespace gluray

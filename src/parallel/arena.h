@@ -3,6 +3,7 @@
 #pragma once
 #include <tbb/task_arena.h>
 
+#include <cstdint>
 #include <memory>
 #include <utility>
 
@@ -30,12 +31,18 @@ class Arena {
   std::unique_ptr<Observer> observer_;
 };
 
-/// The arena of `threads` threads (0: as many as the process may use) for all that is not a frame: meshes are
-/// built in it, finished pictures put into windows. Frames have one of their own (frame/renderer.cpp), so
-/// that nobody waits for them. Any thread.
-std::shared_ptr<Arena> sharedArena(int threads);
+/// What the threads of an arena do. Who enters an arena whose threads are all at work waits for one: so that
+/// nobody waits for a frame that is traced, frames have an arena of their own.
+enum class ArenaUse : uint8_t {
+  frames,  // tracing and what follows of it: anti-aliasing, resolving
+  other,   // meshes that are built, finished pictures that are put into windows
+};
 
-/// The threads of sharedArena() for those who know no settings; 0 at first.
+/// The process's arena for that use, of `threads` threads (0: as many as the process may use). Made at the
+/// first call, and anew where the number changes. Any thread.
+std::shared_ptr<Arena> arenaFor(ArenaUse use, int threads);
+
+/// The threads of arenaFor(ArenaUse::other) for those who know no settings; 0 at first.
 void setSharedThreads(int threads) noexcept;
 std::shared_ptr<Arena> sharedArena();
 

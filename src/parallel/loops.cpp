@@ -9,6 +9,10 @@ namespace {
 constexpr size_t kPiece = size_t{1} << 18;  // bytes
 }
 
+void forEachPart(int threads, int count, const std::function<void(int)>& work) {
+  arenaFor(ArenaUse::other, threads)->execute([&] { tbb::parallel_for(0, count, work); });
+}
+
 Hash128 hashLarge(const void* data, size_t sizeBytes, Hash128 seed) {
   if (sizeBytes <= kPiece) return hashBytes(data, sizeBytes, seed);
   const auto* bytes = static_cast<const std::byte*>(data);

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 
 namespace gluray {
 
@@ -35,6 +36,10 @@ T reducePieces(size_t count, size_t grain, const T& none, const Body& body, cons
         [&](const Range& piece, const T& before) { return body(piece.begin(), piece.end(), before); }, join);
   });
 }
+
+/// Calls work(0) to work(count - 1) on `threads` threads (0: as many as the process may use), the caller's
+/// included. Throws what `work` does, and std::bad_alloc.
+void forEachPart(int threads, int count, const std::function<void(int)>& work);
 
 /// Identity of `sizeBytes` bytes, as a hash of the hashes of pieces where they are many. Not the value of
 /// hashBytes.

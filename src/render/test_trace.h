@@ -22,7 +22,7 @@ struct Traced {
 };
 
 inline Traced trace(const scene::Snapshot& snapshot) {
-  accel::Arena arena(snapshot.settings.threads);
+  Arena arena(snapshot.settings.threads);
   accel::World world;
   world.update(snapshot, arena);
   Traced traced;

@@ -85,8 +85,7 @@ bool traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Imag
 
 }  // namespace
 
-void traceImage(const scene::Snapshot& snapshot, const accel::World& world, accel::Arena& arena,
-                Image& image) {
+void traceImage(const scene::Snapshot& snapshot, const accel::World& world, Arena& arena, Image& image) {
   if (world.empty()) return clearImage(snapshot, image);
   arena.execute([&] {
     if (wantsAverages(snapshot)) {

@@ -1,8 +1,8 @@
 #include "accel/meshes/blas_cache.h"
 
-#include "accel/arena.h"
 #include "accel/blocks/triangle_blocks.h"
 #include "accel/memory/huge_pages.h"
+#include "parallel/arena.h"
 
 #include <tbb/parallel_for.h>
 

@@ -1,8 +1,8 @@
 #include "intercept/windows/shm_window.h"
 
-#include "accel/workers.h"
 #include "base/timeline.h"
 #include "frame/pixel_rows.h"
+#include "parallel/loops.h"
 
 #include <sys/ipc.h>
 #include <sys/shm.h>
@@ -34,7 +34,7 @@ void fillRow(const gl::ShownPicture& picture, int y, int width, uint32_t* out) {
 
 void fillWindow(const gl::ShownPicture& picture, glm::ivec2 size, uint32_t* pixels) {
   constexpr int kRows = 32;  // at a time
-  accel::forEachPart(picture.threads, (size.y + kRows - 1) / kRows, [&](int part) {
+  forEachPart(picture.threads, (size.y + kRows - 1) / kRows, [&](int part) {
     const int first = part * kRows, end = std::min(first + kRows, size.y);
     for (int row = first; row < end; ++row)
       fillRow(picture, size.y - 1 - row, size.x,

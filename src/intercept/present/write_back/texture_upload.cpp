@@ -1,10 +1,10 @@
 #include "intercept/present/write_back/texture_upload.h"
 
-#include "accel/workers.h"
 #include "base/timeline.h"
 #include "frame/pixel_rows.h"
 #include "gl/state/state_queries.h"
 #include "gl/textures/texture_image.h"
+#include "parallel/loops.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -90,7 +90,7 @@ bool TexturePut::put(const gl::RealGl& real, const Features& features, const Ima
   if (depths_.size() < image.depth.size()) depths_.resize(image.depth.size());
   const int rows = frame::rowsOfBands(image.height), count = (image.height + rows - 1) / rows;
   std::array<frame::Band, frame::kMaxBands> bands;
-  accel::forEachPart(threads, count, [&](int i) {  // each depth is read once
+  forEachPart(threads, count, [&](int i) {  // each depth is read once
     frame::Band& band = bands[static_cast<size_t>(i)];
     band = frame::hitBand(image.depth.data(), image.width, image.height, i * rows);
     if (band.width > 0) fillDepths(image, band, floats);

@@ -1,4 +1,4 @@
-#include "accel/workers.h"
+#include "parallel/loops.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace gluray::accel {
+namespace gluray {
 namespace {
 
 TEST(Workers, EveryPartIsDoneOnce) {
@@ -52,4 +52,4 @@ TEST(Workers, SeveralCallersAtOnce) {
 }
 
 }  // namespace
-}  // namespace gluray::accel
+}  // namespace gluray
