@@ -1,4 +1,5 @@
-// A multisampled framebuffer and a plain one, and every way to resolve the one into the other, for resolve_test.cpp.
+// A multisampled framebuffer and a plain one, and every way to resolve the one into the other, for
+// resolve_test.cpp.
 #pragma once
 #include "settings/quirks.h"
 #include "tests/reference/programs/program_stage.h"
@@ -16,7 +17,7 @@ inline constexpr GLbitfield kColor = GL_COLOR_BUFFER_BIT, kDepth = GL_DEPTH_BUFF
 
 /// Samples lie where the real OpenGL has them; their colours are of their own places, not of the pixel's.
 inline constexpr scenes::Tolerance kResolveTolerance = {3, 0.004, 1e-5f,
-                                                 "silhouettes; lighting at samples, not at centres"};
+                                                        "silhouettes; lighting at samples, not at centres"};
 
 /// VTK's pass that averages samples (vtkOpenGLRenderWindow of 9.1; newer ones call `sample` sampleValue), of
 /// `only` one of them where that is not negative.
@@ -191,8 +192,8 @@ struct Stage {
 
 /// The real OpenGL's picture of `plain`, `ours` of `traced` draws, where `resolves` were made without it.
 inline void expectResolves(const std::string& name, uint64_t resolves, int traced,
-                    const std::function<void(Stage&)>& draw, bool textures = true,
-                    const scenes::Tolerance& tolerance = kResolveTolerance) {
+                           const std::function<void(Stage&)>& draw, bool textures = true,
+                           const scenes::Tolerance& tolerance = kResolveTolerance) {
   const auto all = [&](Gl gl) {
     Stage stage(gl, textures);
     draw(stage);

@@ -236,7 +236,7 @@ TEST(Peeling, DepthsFoundAreReadBack) {
     }};
   };
   expectPeeled("read_back", balls(), -1, hooks);
-  ASSERT_EQ(found.size(), 8u);  // two frames by each, twice
+  ASSERT_EQ(found.size(), 6u);  // two frames by the real OpenGL, by ours, and by ours where tracing fails
   for (const auto& depths : found) {
     size_t different = 0;
     for (size_t i = 0; i < depths.size(); ++i) different += std::abs(depths[i] - found[0][i]) > 1e-6f;

@@ -1,5 +1,5 @@
-// A program of a family that this test writes itself: uniforms in blocks, lights in arrays, light in the world's
-// space.
+// A program of a family that this test writes itself: uniforms in blocks, lights in arrays, light in the
+// world's space.
 #include "tests/reference/programs/program_stage.h"
 
 #include <glm/gtc/matrix_transform.hpp>
