@@ -1,8 +1,9 @@
 # gluray_module(NAME DEPS a b LIBS x y): the static library gluray_NAME from every src/NAME/**.cpp except *_test.cpp,
 # and, where tests are built, the program NAME_tests from the *_test.cpp files beside them.
+# THREAD_TESTS are those of the tests' files that the thread sanitizer needs: it builds no others.
 # DEPS are other modules; tests/check_layers.py verifies that includes stay within them.
 function(gluray_module NAME)
-  cmake_parse_arguments(ARG "" "" "DEPS;LIBS;SOURCES;TEST_LIBS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "DEPS;LIBS;SOURCES;TEST_LIBS;THREAD_TESTS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   # A folder with a CMakeLists.txt of its own is another module.
   file(GLOB_RECURSE others CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*/CMakeLists.txt)
@@ -13,6 +14,9 @@ function(gluray_module NAME)
   set(tests ${sources})
   list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
   list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
+  if(GLURAY_SANITIZE MATCHES "thread")
+    list(TRANSFORM ARG_THREAD_TESTS PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ OUTPUT_VARIABLE tests)
+  endif()
   list(APPEND sources ${ARG_SOURCES})
   set(target gluray_${NAME})
   if(sources)
@@ -29,8 +33,7 @@ function(gluray_module NAME)
   target_link_libraries(${target} ${scope} ${ARG_LIBS})
   if(GLURAY_TESTS AND tests)
     add_executable(${NAME}_tests ${tests})
-    target_link_libraries(${NAME}_tests PRIVATE ${target} GTest::gtest_main ${ARG_TEST_LIBS})
-    include(GoogleTest)
-    gtest_discover_tests(${NAME}_tests TEST_PREFIX "${NAME}." PROPERTIES LABELS unit DISCOVERY_TIMEOUT 60)
+    target_link_libraries(${NAME}_tests PRIVATE ${target} gluray_test_main ${ARG_TEST_LIBS})
+    gluray_discover_tests(${NAME}_tests PREFIX ${NAME}. LABEL unit)
   endif()
 endfunction()

@@ -19,6 +19,8 @@ endif()
 if(GLURAY_SANITIZE)
   add_compile_options(-fsanitize=${GLURAY_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${GLURAY_SANITIZE})
+  # One instruction set: the code is the same for all, and compiles in a quarter of the time.
+  add_compile_definitions(HWY_COMPILE_ONLY_STATIC)
   # GCC's flow warnings misfire on sanitizer instrumentation.
   add_compile_options(-Wno-maybe-uninitialized)
 endif()

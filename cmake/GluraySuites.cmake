@@ -45,4 +45,6 @@ suites(address_suites ${address_programs})
 suites(thread_suites ${thread_programs})
 add_test(NAME link.suites COMMAND ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/tests/suites_test.py ${CMAKE_CTEST_COMMAND}
          ${CMAKE_BINARY_DIR})
-set_tests_properties(link.suites PROPERTIES LABELS link TIMEOUT 60)
+add_test(NAME link.cases COMMAND ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/tests/cases_test.py ${CMAKE_CTEST_COMMAND}
+         ${CMAKE_BINARY_DIR})
+set_tests_properties(link.suites link.cases PROPERTIES LABELS link TIMEOUT 60)

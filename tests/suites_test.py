@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 # Target, and the labels of what it has to build.
-SUITES = {"address_suites": {"unit", "variant", "link", "fuzz"}, "thread_suites": {"thread"}}
+SUITES = {"address_suites": {"unit", "variant", "link", "fuzz", "long"}, "thread_suites": {"thread"}}
 
 
 def labels(test):

@@ -8,6 +8,7 @@ import signal
 import statistics
 import subprocess
 import tempfile
+import threading
 import time
 
 
@@ -42,19 +43,40 @@ def require(*programs):
             raise Failed(f"{program} is missing: run scripts/build release first")
 
 
+@contextlib.contextmanager
+def _interrupts_deferred():
+    """Ctrl-C waits until the block ends: within Popen it would leave a program that nobody knows of."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    pending = []
+    before = signal.signal(signal.SIGINT, lambda *_: pending.append(True))
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+    if pending:
+        signal.raise_signal(signal.SIGINT)
+
+
 def run(command, environment, timeout, least_free=0):
     """Runs `command` with `environment` added to ours, in a process group of its own that ends with us: (exit code, stdout,
     stderr). Failed where there is no such program, it takes longer than `timeout` seconds, or it leaves the machine less than
     `least_free` bytes."""
     require(command[0])
-    with subprocess.Popen([str(part) for part in command], env={**os.environ, **environment}, text=True, stdin=subprocess.DEVNULL,
-                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True) as program:
-        try:
-            out, err = _communicate(program, command, timeout, least_free)
-            return program.returncode, out, err
-        finally:
+    program = None
+    try:
+        with _interrupts_deferred():
+            program = subprocess.Popen([str(part) for part in command], env={**os.environ, **environment}, text=True,
+                                       stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True)
+        out, err = _communicate(program, command, timeout, least_free)
+        return program.returncode, out, err
+    finally:
+        if program:
             with contextlib.suppress(ProcessLookupError):  # what it started, too; also where we are interrupted
                 os.killpg(program.pid, signal.SIGKILL)
+            with program:
+                pass  # its pipes are closed, and it is waited for
 
 
 def measure(command, environment, timeout=900, least_free=0):

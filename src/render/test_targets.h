@@ -20,11 +20,12 @@ class Targets {
   }
 };
 
-/// Calls `body(target)` with every supported instruction set in use, the best first.
+/// Calls `body(target)` with every instruction set in use that the processor has and the code is compiled
+/// for, the best first. With HWY_COMPILE_ONLY_STATIC, as under sanitizers, there is one.
 template <class Body>
 void withEachTarget(const Body& body) {
   Targets targets;
-  for (int64_t rest = hwy::SupportedTargets(); rest; rest &= rest - 1) {
+  for (int64_t rest = hwy::SupportedTargets() & HWY_TARGETS; rest; rest &= rest - 1) {
     const int64_t target = rest & -rest;
     targets.use(target);
     body(target);

@@ -2,14 +2,17 @@
    std::bad_alloc, as when memory is short. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
+#include <link.h>
 #include <stdatomic.h>
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
+/* Asked at every allocation: dladdr would look through the symbols of whoever asks, and Mesa's are many. */
 static int isOfEngine(const void* address) {
-  Dl_info info;
-  return dladdr(address, &info) && info.dli_fname && strstr(info.dli_fname, "libgluray-engine.so");
+  struct dl_find_object found;
+  return _dl_find_object((void*)address, &found) == 0 &&
+         strstr(found.dlfo_link_map->l_name, "libgluray-engine.so");
 }
 
 static void* allocate(size_t size, const void* caller) {

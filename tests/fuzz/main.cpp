@@ -10,6 +10,7 @@
 //   nothing:
 //                                                                   ten times as many calls a second
 //   gluray_fuzz --stream N                                          play and shrink the stream of one seed
+#include "tests/fuzz/options.h"
 #include "tests/fuzz/session.h"
 
 #include <fcntl.h>
@@ -35,13 +36,6 @@ constexpr int kDiffers = 3;
 // work on the machine is no hang.
 constexpr unsigned kPatience = 30, kShortPatience = 6;
 constexpr uint64_t kStateEvery = 16;
-
-struct Options {
-  uint64_t seed = 1, calls = 1000000, stream = 0;
-  unsigned jobs = 1, failures = 1;
-  bool differences = true;  // are failures
-  bool alone = false;       // over an OpenGL that draws nothing
-};
 
 /// What a worker says, in memory that it shares with its parent.
 struct Progress {
@@ -261,30 +255,6 @@ int playOne(uint64_t seed, bool alone) {
            0;
   explain(seed, kind, *progress);
   return 1;
-}
-
-bool parse(int argc, char** argv, Options& options) {
-  for (int i = 1; i + 1 < argc; i += 2) {
-    const std::string name = argv[i];
-    const uint64_t value = std::strtoull(argv[i + 1], nullptr, 10);
-    if (name == "--seed")
-      options.seed = value;
-    else if (name == "--calls")
-      options.calls = value;
-    else if (name == "--jobs")
-      options.jobs = std::max(1u, static_cast<unsigned>(value));
-    else if (name == "--failures")
-      options.failures = std::max(1u, static_cast<unsigned>(value));
-    else if (name == "--differences")
-      options.differences = value != 0;
-    else if (name == "--alone")
-      options.alone = value != 0;
-    else if (name == "--stream")
-      options.stream = value;
-    else
-      return false;
-  }
-  return argc % 2 == 1;
 }
 
 }  // namespace

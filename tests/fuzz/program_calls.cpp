@@ -1,7 +1,7 @@
 // Programs as VTK's mappers write them, their uniforms and arrays, vertex array objects, buffer textures, and
 // framebuffer objects that can be traced into.
 #include "tests/fuzz/calls.h"
-#include "tests/reference/programs/program_stage.h"
+#include "tests/support/program_text.h"
 
 #include <algorithm>
 

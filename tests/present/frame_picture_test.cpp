@@ -2,6 +2,7 @@
 #include "intercept/present/read_back/frame_picture.h"
 
 #include "intercept/present/write_back/write_back.h"
+#include "tests/present/images.h"
 #include "tests/support/gl_state.h"
 #include "tests/support/osmesa_context.h"
 
@@ -14,24 +15,13 @@
 #include <iterator>
 #include <optional>
 
-namespace gluray::present {
+namespace gluray::present::test {
 namespace {
 
-using test::ContextWish;
-using test::OsmesaContext;
+using gluray::test::ContextWish;
+using gluray::test::OsmesaContext;
 
-constexpr uint32_t kRed = 0xff0000ff, kGreen = 0xff00ff00;
 constexpr int kSize = 32;
-
-/// A traced rectangle at one depth.
-Image solid(int x, int y, int width, int height, uint32_t color, float depth) {
-  Image image;
-  image.x = x, image.y = y;
-  image.resize(width, height, 1);
-  image.color.assign(image.color.size(), color);
-  image.depth.assign(image.depth.size(), depth);
-  return image;
-}
 
 class FramePictureTest : public testing::TestWithParam<ContextWish> {
  protected:
@@ -138,10 +128,10 @@ TEST_P(FramePictureTest, NoStateChanges) {
   const Image image = solid(0, 0, 8, 8, kRed, 0.5f);
   PendingErrors pending;
   ASSERT_TRUE(writeBack_->write(image, {}, pending));
-  const test::GlState before = test::queryState(gl());
+  const gluray::test::GlState before = gluray::test::queryState(gl());
   picture_.written(gl(), image);
   const Picture picture = take();
-  EXPECT_EQ(test::differences(before, test::queryState(gl())), std::vector<std::string>{});
+  EXPECT_EQ(gluray::test::differences(before, gluray::test::queryState(gl())), std::vector<std::string>{});
   EXPECT_EQ(gl().GetError(), GLenum{GL_NO_ERROR});
   EXPECT_EQ(count(picture, PixelOrigin::traced), 64);
   EXPECT_EQ(picture.color[0], kRed);
@@ -170,4 +160,4 @@ TEST(FramePictureFiles, HoldTheTopRowFirst) {
 }
 
 }  // namespace
-}  // namespace gluray::present
+}  // namespace gluray::present::test

@@ -1,6 +1,6 @@
 // Every scene, drawn by the real OpenGL and through ours: the same colours and depths.
 #include "intercept/present/tracing_presenter.h"
-#include "tests/reference/layers/drawn_scene.h"
+#include "tests/reference/drawn_scene.h"
 
 namespace gluray::test {
 namespace {
@@ -18,7 +18,7 @@ class SceneTest : public testing::TestWithParam<const scenes::Scene*> {};
 
 TEST_P(SceneTest, LooksLikeTheRealOne) {
   const scenes::Scene& scene = *GetParam();
-  const Picture expected = drawReal(scene);
+  const Picture& expected = realPicture(scene);
   TracedContext ours({kWidth, kHeight});
   scene.draw(ours.gl(), kWidth, kHeight);
   const Picture got = ours.read();
@@ -39,7 +39,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SceneTest, testing::ValuesIn(pointers(scenes::s
 /// follows.
 TEST_P(SceneTest, LooksLikeTheRealOneWhenTracingFails) {
   const scenes::Scene& scene = *GetParam();
-  const Picture expected = drawReal(scene);
+  const Picture& expected = realPicture(scene);
   auto fails = std::make_unique<present::TracingPresenter>(
       frame::Tracer{[](const scene::Snapshot&, Image&, scene::TraceCost&, std::string& error) {
         return error = "this test lets tracing fail", false;

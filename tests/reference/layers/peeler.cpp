@@ -1,6 +1,5 @@
 #include "tests/reference/layers/peeler.h"
 
-#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 #include <utility>
@@ -91,30 +90,6 @@ GLuint screenProgram(Gl gl, const std::string& body) {
 
 }  // namespace
 
-View placed(const glm::dvec3& at, double size) {
-  View view = perspectiveView(20);
-  view.eyeFromObject = glm::scale(glm::translate(view.eyeFromObject, at), glm::dvec3(size));
-  return view;
-}
-
-Peeled seen(ProgramMesh mesh, const glm::vec3& color, float opacity, const View& view) {
-  Peeled one;
-  one.mesh = std::move(mesh);
-  one.color = color;
-  one.opacity = opacity;
-  one.view = view;
-  return one;
-}
-
-std::vector<Peeled> balls() {
-  std::vector<Peeled> all;
-  all.push_back(seen(ball(24), {1, 0.3f, 0.2f}, 0.4f, placed({0, 0, 0}, 1.1)));
-  all.push_back(seen(ball(24), {0.2f, 0.9f, 0.3f}, 0.6f, placed({0.1, 0, 0}, 0.8)));
-  all.push_back(seen(ball(24), {0.9f, 0.8f, 0.1f}, 1, placed({0.5, 0.2, 0}, 0.5)));
-  all.push_back(seen(ball(16), {0.2f, 0.3f, 1}, 0.3f, placed({-0.3, 0.2, 0.1}, 0.4)));
-  return all;
-}
-
 Peeler::Peeler(Gl gl) : gl_(gl) {
   gl.GenFramebuffers(1, &framebuffer_);
   gl.GenTextures(kTextures, textures_);
@@ -187,7 +162,7 @@ void Peeler::fullScreen(GLuint program, std::initializer_list<std::pair<const ch
   gl_.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-void Peeler::draw(Stage stage, const Peeled& one, size_t number) {
+void Peeler::draw(Stage stage, const Layer& one, size_t number) {
   Ready& ready = ready_[{stage, number}];
   if (!ready.program) {
     const std::string vertex = vertexText(one.surface);
@@ -195,20 +170,14 @@ void Peeler::draw(Stage stage, const Peeled& one, size_t number) {
                                      : makeProgram(gl_, vertex, textOf(stage, one.surface));
     ready.upload = upload(gl_, one.mesh, ready.program);
   }
-  gl_.UseProgram(ready.program);
-  setAll(gl_, ready.program, one.view, one.surface);
-  setVec3(gl_, ready.program, "diffuseColorUniform", one.color);
-  setVec3(gl_, ready.program, "ambientColorUniform", one.color);
-  setFloat(gl_, ready.program, "opacityUniform", one.opacity);
-  setInteger(gl_, ready.program, "opaqueDepth", 3);
-  setInteger(gl_, ready.program, "lastFrontPeel", 4);
-  setInteger(gl_, ready.program, "lastDepthPeel", 5);
-  gl_.BindVertexArray(ready.upload.array);
-  if (one.before) one.before(gl_, ready.program);
-  gl_.DrawElements(one.mode, one.mesh.count(), GL_UNSIGNED_INT, nullptr);
+  drawLayer(gl_, ready.program, ready.upload, one, [&] {
+    setInteger(gl_, ready.program, "opaqueDepth", 3);
+    setInteger(gl_, ready.program, "lastFrontPeel", 4);
+    setInteger(gl_, ready.program, "lastDepthPeel", 5);
+  });
 }
 
-void Peeler::drawAll(Stage stage, const std::vector<Peeled>& all, const std::function<void()>& between) {
+void Peeler::drawAll(Stage stage, const std::vector<Layer>& all, const std::function<void()>& between) {
   bool first = true;
   for (size_t i = 0; i < all.size(); ++i) {
     if ((all[i].opacity == 1) != (stage == kOpaque)) continue;
@@ -218,7 +187,7 @@ void Peeler::drawAll(Stage stage, const std::vector<Peeled>& all, const std::fun
   }
 }
 
-bool Peeler::peel(const std::vector<Peeled>& all, Texture front, Texture frontNext, Texture depths,
+bool Peeler::peel(const std::vector<Layer>& all, Texture front, Texture frontNext, Texture depths,
                   Texture depthsNext, const Hooks& hooks) {
   clearTo({kBackTemp}, 0, 0);
   clearTo({depthsNext}, -1, -1);
@@ -244,7 +213,7 @@ bool Peeler::peel(const std::vector<Peeled>& all, Texture front, Texture frontNe
   return written > threshold;
 }
 
-void Peeler::frame(const std::vector<Peeled>& all, const Hooks& hooks) {
+void Peeler::frame(const std::vector<Layer>& all, const Hooks& hooks) {
   beginFrame(gl_);
   drawAll(kOpaque, all);
   gl_.Disable(GL_DEPTH_TEST);

@@ -1,30 +1,13 @@
 // Dual depth peeling as VTK 9.1 does it (vtkDualDepthPeelingPass), call by call, for the tests of surfaces
 // that are seen through.
 #pragma once
-#include "tests/reference/programs/program_stage.h"
+#include "tests/reference/layers/layer.h"
 
 #include <functional>
 #include <map>
 #include <vector>
 
 namespace gluray::test {
-
-/// A surface that is seen through, or not.
-struct Peeled {
-  ProgramMesh mesh;
-  Surface surface;
-  glm::vec3 color{1};
-  float opacity = 0.5f;
-  GLenum mode = GL_TRIANGLES;
-  View view = perspectiveView(20);
-  std::function<void(Gl, GLuint program)> before = {};  // called before each of its draws
-};
-
-/// A view with the object moved and scaled.
-View placed(const glm::dvec3& at, double size = 1);
-Peeled seen(ProgramMesh mesh, const glm::vec3& color, float opacity, const View& view);
-/// A ball in a ball in a ball, and something opaque that cuts through them.
-std::vector<Peeled> balls();
 
 class Peeler {
  public:
@@ -35,7 +18,7 @@ class Peeler {
     std::function<void()> afterDepths, betweenSurfaces, afterFirstPeel;
   };
   /// Draws what is opaque (opacity 1) and composites the rest.
-  void frame(const std::vector<Peeled>& all, const Hooks& hooks = {});
+  void frame(const std::vector<Layer>& all, const Hooks& hooks = {});
   /// Peels that the last frame drew.
   int peels() const { return peels_; }
   /// Pixels that each of them wrote at the back.
@@ -59,9 +42,9 @@ class Peeler {
   void clearTo(std::initializer_list<Texture> textures, float red, float green);
   void bind(int unit, Texture texture);
   void fullScreen(GLuint program, std::initializer_list<std::pair<const char*, int>> samplers);
-  void draw(Stage stage, const Peeled& one, size_t number);
-  void drawAll(Stage stage, const std::vector<Peeled>& all, const std::function<void()>& between = {});
-  bool peel(const std::vector<Peeled>& all, Texture front, Texture frontNext, Texture depths,
+  void draw(Stage stage, const Layer& one, size_t number);
+  void drawAll(Stage stage, const std::vector<Layer>& all, const std::function<void()>& between = {});
+  bool peel(const std::vector<Layer>& all, Texture front, Texture frontNext, Texture depths,
             Texture depthsNext, const Hooks& hooks);
 
   Gl gl_;

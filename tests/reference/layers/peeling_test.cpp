@@ -16,7 +16,7 @@ using Hooks = Peeler::Hooks;
 constexpr scenes::Tolerance kPeelTolerance = {3, 0.004, 1e-5f,
                                               "silhouettes of all layers; every peel rounds to eight bits"};
 
-void expectPeeled(const std::string& name, const std::vector<Peeled>& all, int draws,
+void expectPeeled(const std::string& name, const std::vector<Layer>& all, int draws,
                   const std::function<Hooks(Gl, Peeler&)>& hooksOf = {}) {
   const auto draw = [&](Gl gl) {
     Peeler peeler(gl);
@@ -41,8 +41,8 @@ TEST(Peeling, ProgramsThatAreMadeBetweenThePassesChangeNothing) {
 }
 
 /// Sheets one behind the other, `step` apart, the nearest first.
-std::vector<Peeled> row(int count, float opacity, double step) {
-  std::vector<Peeled> all;
+std::vector<Layer> row(int count, float opacity, double step) {
+  std::vector<Layer> all;
   for (int i = 0; i < count; ++i) {
     const float x = static_cast<float>(i) / static_cast<float>(count);
     all.push_back(seen(sheet(12), {x, 0.5f, 1 - x}, opacity, placed({0, 0, 0.6 - step * i}, 0.7)));
@@ -93,8 +93,8 @@ TEST(Peeling, MoreLayersThanTheProgramPeelsAreNotAllShown) {
 }
 
 /// Colours and opacities that show in which order they came, drawn neither from the front nor from behind.
-std::vector<Peeled> shuffled() {
-  std::vector<Peeled> all;
+std::vector<Layer> shuffled() {
+  std::vector<Layer> all;
   for (int i = 0; i < 10; ++i) {
     const int at = i * 7 % 10;
     const glm::vec3 color(i % 2, 0.1f * static_cast<float>(at), i % 3 == 0);
@@ -160,7 +160,7 @@ TEST(Peeling, WithoutLightsAndByMicrofacets) {
 }
 
 TEST(Peeling, SheetsWithinAnother) {
-  std::vector<Peeled> all;
+  std::vector<Layer> all;
   for (int i = 0; i < 5; ++i) {
     const float step = 0.2f * static_cast<float>(i);
     all.push_back(seen(sheet(12), {step, 0.5f, 1 - step}, 0.25f, placed({0, 0, step})));
@@ -236,7 +236,7 @@ TEST(Peeling, DepthsFoundAreReadBack) {
     }};
   };
   expectPeeled("read_back", balls(), -1, hooks);
-  ASSERT_EQ(found.size(), 8u);  // two frames by each, twice
+  ASSERT_EQ(found.size(), 6u);  // two frames by the real OpenGL, by ours, and by ours where tracing fails
   for (const auto& depths : found) {
     size_t different = 0;
     for (size_t i = 0; i < depths.size(); ++i) different += std::abs(depths[i] - found[0][i]) > 1e-6f;

@@ -1,5 +1,5 @@
-// Draws by shader programs among each other: offsets into buffers, cameras, framebuffers, uniforms of every
-// kind, and programs and buffers that change between draws.
+// Draws by shader programs among each other: offsets into buffers, cameras, uniforms of every kind,
+// and programs and buffers that change between draws.
 #include "tests/reference/programs/program_stage.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -188,96 +188,6 @@ TEST(ProgramDraws, HugeMatrices) {
         drawSurface(gl, program, up, mesh, far(0.7e6), surface);
       },
       2);
-}
-
-GLuint texture(Gl gl, GLenum target, GLenum format, GLenum kind, GLenum type) {
-  GLuint name = 0;
-  gl.GenTextures(1, &name), gl.BindTexture(target, name);
-  if (target == GL_TEXTURE_2D_MULTISAMPLE)
-    gl.TexImage2DMultisample(target, 4, format, kProgramWidth, kProgramHeight, GL_TRUE);
-  else
-    gl.TexImage2D(target, 0, static_cast<GLint>(format), kProgramWidth, kProgramHeight, 0, kind, type,
-                  nullptr);
-  if (target == GL_TEXTURE_2D) gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  return name;
-}
-
-/// Draws into a framebuffer object with textures, then copies colour and depth into the window.
-void drawInto(Gl gl, GLenum target, GLenum depthFormat,
-              const Surface& surface = {.color = Color::vertex, .lightCount = 2}) {
-  const bool stencil = depthFormat == GL_DEPTH24_STENCIL8;
-  GLuint framebuffers[2] = {};
-  gl.GenFramebuffers(2, framebuffers);
-  const auto attach = [&](GLuint framebuffer, GLenum kind) {
-    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, kind,
-                            texture(gl, kind, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE), 0);
-    gl.FramebufferTexture2D(GL_FRAMEBUFFER, stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, kind,
-                            texture(gl, kind, depthFormat, stencil ? GL_DEPTH_STENCIL : GL_DEPTH_COMPONENT,
-                                    stencil ? GL_UNSIGNED_INT_24_8 : GL_UNSIGNED_INT),
-                            0);
-    EXPECT_EQ(gl.CheckFramebufferStatus(GL_FRAMEBUFFER), static_cast<GLenum>(GL_FRAMEBUFFER_COMPLETE));
-  };
-  attach(framebuffers[1], GL_TEXTURE_2D);
-  attach(framebuffers[0], target);
-  const ProgramMesh mesh = surface.color == Color::mapped ? sheet(20) : ball(20);
-  const GLuint program = makeProgram(gl, surface);
-  const Upload up = upload(gl, mesh, program);
-  beginFrame(gl);
-  gl.UseProgram(program);
-  if (surface.color == Color::mapped) colorMap(gl, 3), setInteger(gl, program, "colortexture", 3);
-  drawSurface(gl, program, up, mesh, placed({-0.4, 0, 0}, 0.8), surface);
-  drawSurface(gl, program, up, mesh, placed({0.5, 0, 0.3}, 0.7), surface);
-  GLuint from = framebuffers[0];
-  if (target == GL_TEXTURE_2D_MULTISAMPLE) {
-    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffers[0]),
-        gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffers[1]);
-    gl.BlitFramebuffer(0, 0, kProgramWidth, kProgramHeight, 0, 0, kProgramWidth, kProgramHeight,
-                       GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
-    from = framebuffers[1];
-  }
-  gl.BindFramebuffer(GL_FRAMEBUFFER, from);
-}
-
-TEST(ProgramDraws, FramebufferWithTexturesOf24BitsAndStencil) {
-  expectBoth(
-      "fbo24", [](Gl gl) { drawInto(gl, GL_TEXTURE_2D, GL_DEPTH24_STENCIL8); }, 2);
-}
-TEST(ProgramDraws, FramebufferWithDepthOf32Bits) {
-  expectBoth(
-      "fbo32", [](Gl gl) { drawInto(gl, GL_TEXTURE_2D, GL_DEPTH_COMPONENT32); }, 2);
-}
-/// Depth of a pixel that is resolved is any of its samples'.
-constexpr scenes::Tolerance kManySamples{2, 0.002, 2e-2f, "silhouettes fall on either side of a sample"};
-TEST(ProgramDraws, FramebufferWithFourSamples) {
-  expectBoth(
-      "fbo4x", [](Gl gl) { drawInto(gl, GL_TEXTURE_2D_MULTISAMPLE, GL_DEPTH24_STENCIL8); }, 2, {},
-      kManySamples);
-}
-TEST(ProgramDraws, MultisampledSurfacesAreShadedOnceAPixel) {
-  const Surface surface{.color = Color::mapped, .lights = Surface::Lights::none};
-  expectBoth(
-      "fbo4x_mapped", [&](Gl gl) { drawInto(gl, GL_TEXTURE_2D_MULTISAMPLE, GL_DEPTH24_STENCIL8, surface); },
-      2, {}, kManySamples);
-}
-
-TEST(ProgramDraws, IncompleteFramebufferDrawsNothing) {
-  expectBoth(
-      "incomplete",
-      [](Gl gl) {
-        const Surface surface{};
-        const ProgramMesh mesh = ball(10);
-        const GLuint program = makeProgram(gl, surface);
-        const Upload up = upload(gl, mesh, program);
-        beginFrame(gl);
-        GLuint framebuffer = 0;
-        gl.GenFramebuffers(1, &framebuffer), gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-        drawSurface(gl, program, up, mesh, perspectiveView(), surface);
-        EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_INVALID_FRAMEBUFFER_OPERATION));
-        gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
-        drawSurface(gl, program, up, mesh, perspectiveView(), surface);
-      },
-      1);
 }
 
 TEST(ProgramDraws, UniformsOfAnotherProgramByProgramUniform) {

@@ -1,8 +1,5 @@
 #include "tests/reference/programs/program_stage.h"
 
-#include "intercept/present/tracing_presenter.h"
-#include "tests/support/gl_state.h"
-
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <gtest/gtest.h>
@@ -292,101 +289,6 @@ void drawByUnknown(Gl gl, GLuint program, const Upload& up, const ProgramMesh& m
   setMat4(gl, program, "MCDCMatrix", glm::mat4(view.clipFromEye * view.eyeFromObject));
   gl.BindVertexArray(up.array);
   gl.DrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
-}
-
-namespace {
-
-std::string joined(const std::vector<std::string>& lines) {
-  std::string all;
-  for (const std::string& line : lines) all += line + "\n";
-  return all;
-}
-
-/// What the program sees, but for names: those that it is given differ where we make objects, too.
-GlState withoutNames(GlState state) {
-  std::erase_if(state, [](const auto& entry) {
-    const std::string& name = entry.first;
-    return name.find("BINDING") != std::string::npos || name == "CURRENT_PROGRAM" || name.ends_with(" 34975");
-  });
-  return state;
-}
-
-/// The picture, after all that the program sees was noted. What is pending at the end may change nothing.
-Picture drawn(Gl gl, const DrawProgram& draw, GlState& state, GLenum& error, const ContextWish& wish) {
-  draw(gl);
-  error = gl.GetError();
-  const GlState before = queryState(gl);
-  gl.Finish();
-  EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
-  state = queryState(gl);
-  EXPECT_EQ(joined(differences(before, state)), "") << "state, by showing what was pending";
-  state = withoutNames(std::move(state));
-  return readPicture(gl, wish.width, wish.height);
-}
-
-std::shared_ptr<const gl::FamilyList> parsed(const std::string& families) {
-  if (families.empty()) return familiesOfTests();
-  return std::make_shared<const gl::FamilyList>(gl::parseFamilies(families, "test.toml"));
-}
-
-}  // namespace
-
-Outcome expectSame(const std::string& name, const DrawProgram& draw, int draws, ContextWish wish,
-                   const scenes::Tolerance& tolerance, const std::string& families) {
-  if (wish.width == 64) wish = coreWish();
-  Outcome outcome;
-  GlState expectedState, state;
-  GLenum expectedError = 0, error = 0;
-  {
-    const auto real = OsmesaContext::create(wish);
-    outcome.expected = drawn(real->real(), draw, expectedState, expectedError, wish);
-  }
-  TracedContext ours(wish, TracedContext::tracing(), nullptr, nullptr, parsed(families));
-  outcome.got = drawn(ours.gl(), draw, state, error, wish);
-  outcome.statistics = ours.context().counts.statistics;
-  EXPECT_EQ(error, expectedError);
-  EXPECT_EQ(joined(differences(expectedState, state)), "");
-  const Comparison c = compare(outcome.expected, outcome.got, tolerance);
-  EXPECT_TRUE(c.accepted) << c.text;
-  if (!c.accepted) writeFailure(TEST_OUTPUT, "program-" + name, outcome.expected, outcome.got);
-  const gl::Statistics& s = outcome.statistics;
-  std::string reasons;
-  for (int i = 0; i < gl::kReasonCount; ++i)
-    if (s.rasterisedBecause[static_cast<size_t>(i)])
-      reasons += std::string(gl::describe(static_cast<gl::Reason>(i))) + "; ";
-  if (draws >= 0) { EXPECT_EQ(s.drawsTraced, static_cast<uint64_t>(draws)) << reasons; }
-  std::printf("%s: %s; %d traced, %d rasterised %s\n", name.c_str(), c.text.c_str(),
-              static_cast<int>(s.drawsTraced), static_cast<int>(s.drawsRasterised), reasons.c_str());
-  return outcome;
-}
-
-void expectSameWhenTracingFails(const std::string& name, const DrawProgram& draw, ContextWish wish,
-                                const std::string& families) {
-  if (wish.width == 64) wish = coreWish();
-  GlState expectedState, state;
-  GLenum expectedError = 0, error = 0;
-  Picture expected;
-  {
-    const auto real = OsmesaContext::create(wish);
-    expected = drawn(real->real(), draw, expectedState, expectedError, wish);
-  }
-  auto fails = std::make_unique<present::TracingPresenter>(
-      frame::Tracer{[](const scene::Snapshot&, Image&, scene::TraceCost&, std::string& why) {
-        return why = "this test lets tracing fail", false;
-      }});
-  TracedContext ours(wish, TracedContext::tracing(), std::move(fails), nullptr, parsed(families));
-  const Picture got = drawn(ours.gl(), draw, state, error, wish);
-  EXPECT_EQ(error, expectedError);
-  EXPECT_EQ(joined(differences(expectedState, state)), "");
-  const Comparison c = compare(expected, got, {0, 0, 0, "the same draws by the same OpenGL"});
-  EXPECT_TRUE(c.accepted) << c.text;
-  if (!c.accepted) writeFailure(TEST_OUTPUT, "program-failing-" + name, expected, got);
-}
-
-void expectBoth(const std::string& name, const DrawProgram& draw, int draws, const ContextWish& wish,
-                const scenes::Tolerance& tolerance, const std::string& families) {
-  expectSame(name, draw, draws, wish, tolerance, families);
-  expectSameWhenTracingFails(name, draw, wish, families);
 }
 
 }  // namespace gluray::test

@@ -1,6 +1,7 @@
-// Shader programs as VTK's OpenGL2 back end writes them, put together from the same pieces, and meshes in
-// buffer objects to draw with them. For the program_*_test.cpp.
+// A stage for shader programs (program_text.h): meshes in buffer objects, views, uniforms, and the comparison
+// with the real OpenGL. For the program_*_test.cpp.
 #pragma once
+#include "tests/support/program_text.h"
 #include "tests/support/traced_context.h"
 
 #include <glm/glm.hpp>
@@ -12,24 +13,6 @@
 namespace gluray::test {
 
 using Gl = const gl::RealGl&;
-
-/// What a program is put together from.
-struct Surface {
-  enum class Color { uniform, vertex, mapped, cell };
-  enum class Normals { vertex, cell, triangle };
-  enum class Lights { none, headlight, directional, positional, pbr, pbrHeadlight };
-  Color color = Color::uniform;
-  Normals normals = Normals::vertex;
-  Lights lights = Lights::directional;
-  int lightCount = 1;
-  bool backMaterial = false, clipPlanes = false, depthOffset = false, actorTexture = false;
-  /// As VTK writes it since 9.3: the map is looked up at colorTCoord. tcoordMatrix: tcMatrix acts on all of
-  /// them.
-  bool colorTcoord = false, tcoordMatrix = false;
-  std::string version = "#version 150\n";
-};
-std::string vertexText(const Surface& surface);
-std::string fragmentText(const Surface& surface);
 
 /// Compiles and links; 0 and a failed test where that does not work.
 GLuint makeProgram(Gl gl, const std::string& vertex, const std::string& fragment);
@@ -109,7 +92,7 @@ Outcome expectSame(const std::string& name, const DrawProgram& draw, int draws, 
 /// The same where tracing fails at the first flush: the real OpenGL draws what was kept of each draw.
 void expectSameWhenTracingFails(const std::string& name, const DrawProgram& draw, ContextWish wish = {},
                                 const std::string& families = "");
-/// Both, the last three arguments as above.
+/// Both, with one picture of the real OpenGL; the last three arguments as above.
 void expectBoth(const std::string& name, const DrawProgram& draw, int draws, const ContextWish& wish = {},
                 const scenes::Tolerance& tolerance = kProgramTolerance, const std::string& families = "");
 

@@ -1,5 +1,5 @@
 // One scene sent by every path that OpenGL has: the same picture to the bit.
-#include "tests/reference/layers/drawn_scene.h"
+#include "tests/reference/drawn_scene.h"
 
 namespace gluray::test {
 namespace {
@@ -22,7 +22,7 @@ TEST_P(VariantTest, EqualsTheFirstToTheBit) {
   EXPECT_GT(draws, 0u) << "nothing was traced";
   const Comparison c = compare(expected, got, {0, 0, 0, "none"});
   EXPECT_TRUE(expected == got) << c.text;
-  const Comparison real = compare(drawReal(first), got, first.tolerance);
+  const Comparison real = compare(realPicture(first), got, first.tolerance);
   EXPECT_TRUE(real.accepted) << "against the real OpenGL: " << real.text;
   if (!(expected == got)) writeFailure(TEST_OUTPUT, GetParam()->name, expected, got);
 }

@@ -1,20 +1,12 @@
-"""Spheres, sticks and discs that shaders cut out of flat cards: every look of the mappers that draw them."""
-import numpy as np
+"""Spheres and discs that shaders cut out of flat cards: every look of the mappers that draw them."""
+import looks
 import shapes
 from registry import state
 
 
-def cloud(stage, n=8, size=0.4):
-    data = shapes.grid(stage.vtk, n, size)
-    count = data.GetNumberOfPoints()
-    data.GetPointData().AddArray(shapes.array([0.05 + 0.01 * (i % 5) for i in range(count)], "radius", np.float32))
-    data.GetPointData().SetActiveScalars("bump")
-    return data
-
-
 def spheres(stage, scale=None, color=True):
     mapper = stage.vtk.vtkOpenGLSphereMapper()
-    mapper.SetInputData(cloud(stage))
+    mapper.SetInputData(shapes.cloud(stage.vtk))
     if scale:
         mapper.SetRadius(scale)
     else:
@@ -27,23 +19,14 @@ def spheres(stage, scale=None, color=True):
 @state("vtk")
 def spheres_parallel(stage):
     stage.show(spheres(stage))
-    stage.renderer.GetActiveCamera().ParallelProjectionOn()
-    stage.look()
-    stage.orbit(3)
+    looks.orbit_in_parallel(stage)
 
 
 @state("vtk")
 def spheres_near(stage):
     """The viewer among them: the cards are cut off by the near plane, and corners of cards cut spheres."""
     stage.show(spheres(stage, 0.2))
-    stage.look()
-    camera = stage.renderer.GetActiveCamera()
-    camera.SetPosition(0.35, 0.3, 0.5)
-    camera.SetFocalPoint(0, 0, 0)
-    camera.SetClippingRange(0.05, 5)
-    for degrees in (0, 40, 160):
-        camera.Azimuth(degrees)
-        stage.shoot()
+    looks.from_among(stage, place=(0.35, 0.3, 0.5), clipping=(0.05, 5))
 
 
 @state("vtk")
@@ -85,7 +68,7 @@ def spheres_far_from_origin(stage):
     move, transform = vtk.vtkTransformPolyDataFilter(), vtk.vtkTransform()
     transform.Translate(2e5, -1e5, 3e4)
     move.SetTransform(transform)
-    move.SetInputData(cloud(stage))
+    move.SetInputData(shapes.cloud(stage.vtk))
     mapper.SetInputConnection(move.GetOutputPort())
     stage.show(mapper)
     stage.look()
@@ -108,16 +91,7 @@ def spheres_lit_by_lamps(stage):
     vtk, actor = stage.vtk, stage.show(spheres(stage, 0.2))
     actor.GetProperty().SetSpecular(0.5)
     actor.GetProperty().SetSpecularPower(12)
-    stage.renderer.AutomaticLightCreationOff()
-    for place, cone, color in (((2, 1, 2), 180, (1, 0.8, 0.6)), ((-1, 2, 2), 40, (0.4, 0.7, 1))):
-        light = vtk.vtkLight()
-        light.SetPosition(*place)
-        light.SetFocalPoint(0, 0, 0)
-        light.SetPositional(True)
-        light.SetConeAngle(cone)
-        light.SetColor(*color)
-        light.SetLightTypeToSceneLight()
-        stage.renderer.AddLight(light)
+    looks.light_by_lamps(stage)
     light = vtk.vtkLight()
     light.SetPosition(0, -3, 1)
     light.SetColor(0.4, 0.4, 0.4)
@@ -151,16 +125,10 @@ def spheres_recolored(stage):
     stage.shoot()
 
 
-def peel(stage):
-    stage.renderer.SetUseDepthPeeling(True)
-    stage.renderer.SetMaximumNumberOfPeels(16)
-    stage.window.SetAlphaBitPlanes(True)
-
-
 @state("vtk", outside=False, reason="what is seen through has no depth")
 def spheres_peeled(stage):
     """Translucent spheres and surfaces in one peel, and opaque spheres behind them."""
-    peel(stage)
+    looks.peel(stage)
     stage.show(spheres(stage, 0.15))
     stage.show(spheres(stage, 0.25)).GetProperty().SetOpacity(0.4)
     stage.show(shapes.sphere(stage.vtk, 48, 0.45), color=(0.3, 0.5, 0.9)).GetProperty().SetOpacity(0.5)
@@ -181,10 +149,7 @@ def spheres_summed(stage):
 @state("vtk")
 def spheres_picked(stage):
     stage.show(spheres(stage, 0.2))
-    stage.look()
-    stage.shoot()
-    stage.keep_selected((200, 150), (230, 120), (10, 10))
-    stage.shoot()
+    looks.shoot_and_pick(stage)
 
 
 @state("vtk")
@@ -201,102 +166,6 @@ def spheres_multisampled(stage):
     stage.show(shapes.sphere(stage.vtk, 48, 0.45), color=(0.3, 0.5, 0.9))
     stage.look()
     stage.orbit(2)
-
-
-def sticks(stage, radius=0.08):
-    vtk, data = stage.vtk, cloud(stage, 5, 0.8)
-    n = data.GetNumberOfPoints()
-    ways = [(np.sin(i), np.cos(2.3 * i), np.sin(0.7 * i + 1)) for i in range(n)]
-    ways[0] = (0, 0, 1)
-    data.GetPointData().AddArray(shapes.array(ways, "way", np.float32))
-    data.GetPointData().AddArray(shapes.array([(0.3 + 0.1 * (i % 4), radius, radius) for i in range(n)], "size", np.float32))
-    data.GetPointData().AddArray(shapes.array(range(n), "number", np.uint8))
-    mapper = vtk.vtkOpenGLStickMapper()
-    mapper.SetInputData(data)
-    mapper.SetOrientationArray("way")
-    mapper.SetScaleArray("size")
-    mapper.SetSelectionIdArray("number")
-    mapper.SetScalarRange(-1, 1)
-    return mapper
-
-
-@state("vtk")
-def sticks_colored(stage):
-    stage.show(sticks(stage))
-    stage.look()
-    stage.orbit(3)
-
-
-@state("vtk")
-def sticks_parallel(stage):
-    stage.show(sticks(stage))
-    stage.renderer.GetActiveCamera().ParallelProjectionOn()
-    stage.look()
-    stage.orbit(3)
-
-
-@state("vtk")
-def sticks_near(stage):
-    stage.show(sticks(stage, 0.2))
-    stage.look()
-    camera = stage.renderer.GetActiveCamera()
-    camera.SetPosition(0.4, 0.5, 1.2)
-    camera.SetFocalPoint(0, 0, 0)
-    camera.SetClippingRange(0.1, 8)
-    for degrees in (0, 40, 160):
-        camera.Azimuth(degrees)
-        stage.shoot()
-
-
-@state("vtk")
-def sticks_turned(stage):
-    actor = stage.show(sticks(stage))
-    actor.RotateWXYZ(70, 1, 2, 3)
-    actor.GetProperty().SetSpecular(0.5)
-    stage.look()
-    stage.orbit(3)
-
-
-def molecule(stage, settings):
-    vtk = stage.vtk
-    made, mapper = vtk.vtkMolecule(), vtk.vtkMoleculeMapper()
-    atoms = [made.AppendAtom(6 + i % 3, 1.3 * np.cos(i), 1.3 * np.sin(i), 0.35 * i) for i in range(20)]
-    for a, b in zip(atoms, atoms[1:]):
-        made.AppendBond(a, b, 1 + a.GetId() % 3)
-    mapper.SetInputData(made)
-    getattr(mapper, f"Use{settings}Settings")()
-    return stage.show(mapper)
-
-
-@state("vtk", outside=False, reason="what is seen through has no depth")
-def molecule_peeled(stage):
-    peel(stage)
-    molecule(stage, "BallAndStick").GetProperty().SetOpacity(0.4)
-    stage.show(shapes.sphere(stage.vtk, 48, 1.2), color=(0.3, 0.5, 0.9))
-    stage.look()
-    stage.orbit(3)
-
-
-@state("vtk")
-def molecule_ball_and_stick(stage):
-    molecule(stage, "BallAndStick")
-    stage.look()
-    stage.orbit(3)
-
-
-@state("vtk")
-def molecule_liquorice(stage):
-    molecule(stage, "LiquoriceStick")
-    stage.look(zoom=1.5)
-    stage.orbit(3)
-
-
-@state("vtk")
-def molecule_filling_space(stage):
-    molecule(stage, "VDWSpheres")
-    stage.renderer.GetActiveCamera().ParallelProjectionOn()
-    stage.look()
-    stage.orbit(3)
 
 
 def points_of(stage, preset, **properties):

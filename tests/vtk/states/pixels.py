@@ -1,4 +1,5 @@
 """Lines as tubes and points as spheres, whose size is in pixels: every look that mappers give them."""
+import looks
 import numpy as np
 import shapes
 from registry import state
@@ -46,9 +47,7 @@ def beads_alone(stage):
 @state("vtk")
 def pixels_parallel(stage):
     both(stage)
-    stage.renderer.GetActiveCamera().ParallelProjectionOn()
-    stage.look()
-    stage.orbit(3)
+    looks.orbit_in_parallel(stage)
 
 
 @state("vtk")
@@ -66,14 +65,7 @@ def pixels_upright(stage):
 def pixels_near(stage):
     """The viewer among them: lines are cut by the near plane, or end behind the viewer."""
     both(stage)
-    stage.look()
-    camera = stage.renderer.GetActiveCamera()
-    camera.SetPosition(0.35, 0.3, 0.45)
-    camera.SetFocalPoint(0, 0, 0)
-    camera.SetClippingRange(0.02, 5)
-    for degrees in (0, 40, 160):
-        camera.Azimuth(degrees)
-        stage.shoot()
+    looks.from_among(stage, place=(0.35, 0.3, 0.45), clipping=(0.02, 5))
 
 
 @state("vtk")
@@ -174,16 +166,7 @@ def pixels_lit_by_lamps(stage):
     for actor in stage.renderer.GetActors():
         actor.GetProperty().SetSpecular(0.6)
         actor.GetProperty().SetSpecularPower(15)
-    stage.renderer.AutomaticLightCreationOff()
-    for place, cone, color in (((2, 1, 2), 180, (1, 0.8, 0.6)), ((-1, 2, 2), 40, (0.4, 0.7, 1))):
-        light = stage.vtk.vtkLight()
-        light.SetPosition(*place)
-        light.SetFocalPoint(0, 0, 0)
-        light.SetPositional(True)
-        light.SetConeAngle(cone)
-        light.SetColor(*color)
-        light.SetLightTypeToSceneLight()
-        stage.renderer.AddLight(light)
+    looks.light_by_lamps(stage)
     stage.look()
     stage.orbit(3)
 
@@ -269,10 +252,7 @@ def pixels_steady(stage):
 @state("vtk")
 def pixels_picked(stage):
     both(stage)
-    stage.look()
-    stage.shoot()
-    stage.keep_selected((200, 150), (230, 120), (10, 10))
-    stage.shoot()
+    looks.shoot_and_pick(stage)
 
 
 @state("vtk")

@@ -95,3 +95,12 @@ def star(vtk, corners=7):
     radius = np.where(np.arange(2 * corners) % 2, 0.25, 0.6)
     points = np.stack([radius * np.cos(a), radius * np.sin(a), 0 * a], 1)
     return poly_data(vtk, points, np.concatenate([[2 * corners], np.arange(2 * corners)])[None])
+
+
+def cloud(vtk, n=8, size=0.4):
+    """Points in a grid with radii and a scalar."""
+    data = grid(vtk, n, size)
+    count = data.GetNumberOfPoints()
+    data.GetPointData().AddArray(array([0.05 + 0.01 * (i % 5) for i in range(count)], "radius", np.float32))
+    data.GetPointData().SetActiveScalars("bump")
+    return data

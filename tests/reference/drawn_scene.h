@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <string>
+#include <vector>
+
 namespace gluray::test {
 
 constexpr int kWidth = 320, kHeight = 240;
@@ -12,6 +16,14 @@ inline Picture drawReal(const scenes::Scene& scene) {
   const auto context = OsmesaContext::create({kWidth, kHeight});
   scene.draw(context->real(), kWidth, kHeight);
   return readPicture(context->real(), kWidth, kHeight);
+}
+
+/// drawReal(), drawn once a process. One that takes 150 scenes holds 100 MB of them.
+inline const Picture& realPicture(const scenes::Scene& scene) {
+  static std::map<const scenes::Scene*, Picture> drawn;
+  const auto [place, isNew] = drawn.try_emplace(&scene);
+  if (isNew) place->second = drawReal(scene);
+  return place->second;
 }
 
 inline std::vector<const scenes::Scene*> pointers(std::span<const scenes::Scene> list) {

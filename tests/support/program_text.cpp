@@ -1,5 +1,5 @@
 // The pieces of VTK 9.1's polygonal shaders (vtkOpenGLPolyDataMapper's replacements in vtkPolyDataVS and FS).
-#include "tests/reference/programs/program_stage.h"
+#include "tests/support/program_text.h"
 
 namespace gluray::test {
 namespace {

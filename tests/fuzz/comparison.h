@@ -1,0 +1,28 @@
+// What a stream of calls left behind, by the plain OpenGL and by ours: the first difference.
+#pragma once
+#include "tests/fuzz/player.h"
+#include "tests/support/gl_state.h"
+#include "tests/support/picture.h"
+
+#include <string>
+#include <vector>
+
+namespace gluray::fuzz {
+
+struct Outcome {
+  std::string what;  // empty: no difference
+  size_t call = 0;   // index of the call where they differ
+};
+
+/// All that was seen of a stream.
+struct Record {
+  std::vector<Answer> answers;
+  test::GlState state;
+  test::Picture picture;
+};
+
+Outcome compareAnswers(const std::vector<Answer>& expected, const std::vector<Answer>& got);
+Outcome compareState(const test::GlState& expected, test::GlState got);
+Outcome comparePictures(const test::Picture& expected, const test::Picture& got);
+
+}  // namespace gluray::fuzz

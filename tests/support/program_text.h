@@ -1,0 +1,25 @@
+// Shader programs as VTK's OpenGL2 back end writes them, put together from the same pieces.
+#pragma once
+#include <string>
+
+namespace gluray::test {
+
+/// What a program is put together from.
+struct Surface {
+  enum class Color { uniform, vertex, mapped, cell };
+  enum class Normals { vertex, cell, triangle };
+  enum class Lights { none, headlight, directional, positional, pbr, pbrHeadlight };
+  Color color = Color::uniform;
+  Normals normals = Normals::vertex;
+  Lights lights = Lights::directional;
+  int lightCount = 1;
+  bool backMaterial = false, clipPlanes = false, depthOffset = false, actorTexture = false;
+  /// As VTK writes it since 9.3: the map is looked up at colorTCoord. tcoordMatrix: tcMatrix acts on all of
+  /// them.
+  bool colorTcoord = false, tcoordMatrix = false;
+  std::string version = "#version 150\n";
+};
+std::string vertexText(const Surface& surface);
+std::string fragmentText(const Surface& surface);
+
+}  // namespace gluray::test
