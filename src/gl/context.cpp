@@ -1,10 +1,10 @@
 #include "gl/context.h"
 
+#include "gl/window/frame_settings.h"
 #include "parallel/arena.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>
-#include <tbb/info.h>
 
 #include <exception>
 #include <thread>
@@ -15,18 +15,6 @@ namespace gluray::gl {
 constinit thread_local ThreadState t_thread __attribute__((tls_model("initial-exec")));
 
 namespace {
-
-/// Interception alone is priced with everything held back, and what the real OpenGL does not give is not to
-/// come and go.
-Engine engineOf(const ContextInfo& info) {
-  const bool choice = !info.off && info.settings.renderer != Renderer::null && info.settings.spp == 1;
-  return choice || info.settings.engine == Engine::never ? info.settings.engine : Engine::always;
-}
-
-int threadsOf(const Settings& settings) {
-  if (settings.threads > 0) return settings.threads;
-  return settings.engine == Engine::automatic ? tbb::info::default_concurrency() : 1;
-}
 
 /// Large runs are welded on a second thread if the user lets us have one.
 VertexStream::Welding weldingOf(const Settings& settings) {
@@ -39,7 +27,9 @@ VertexStream::Welding weldingOf(const Settings& settings) {
 
 std::shared_ptr<Context> Context::create(const RealGl& real, std::shared_ptr<ShareGroup> group,
                                          const ContextInfo& info, Presenter& presenter) {
-  return std::shared_ptr<Context>(new Context(real, std::move(group), info, presenter));
+  ContextInfo now = info;
+  if (info.source) now.settings = *info.source->current();
+  return std::shared_ptr<Context>(new Context(real, std::move(group), now, presenter));
 }
 
 Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const ContextInfo& info,
@@ -56,9 +46,10 @@ Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const 
       programs(*this),
       group_(std::move(group)),
       info_(info),
+      settings_(info.settings),
       presenter_(presenter),
       passthrough_(info.off),
-      choice_(engineOf(info), threadsOf(info.settings), info.clock),
+      choice_(engineOf(info, info.settings), threadsOf(info.settings), info.clock),
       direct_(!passthrough_ && choice_.way() == EngineChoice::Way::direct),
       unknownCalls_(kCommandCount) {
   ++group_->contexts;
@@ -149,7 +140,7 @@ void Context::readGroups(uint32_t stale) {
   if (const GLenum pending = real.GetError()) setError(pending);
   if (!state.rare.asked) {
     state.rare = readRareState(real);
-    state.rare.fogsWholeSum = state.rare.fogsWholeSum && info_.settings.quirks.has(Quirk::fogSum);
+    state.rare.fogsWholeSum = state.rare.fogsWholeSum && settings_.quirks.has(Quirk::fogSum);
   }
   state.rare.fixedFunction = !info_.core;
   if (stale & kCurrent) current.read(real);
@@ -232,6 +223,8 @@ void Context::afterSwap() {
   beganSeconds = 0;
   chooseEngine();
   ++frame;
+  begun_ = false, drawsBefore_ = draws();
+  protect([&] { takeSettings(); });
   passes.clear();
   sheets.clear();
   forgetOld();
@@ -255,6 +248,7 @@ void Context::cleared(GLbitfield mask) {
   const int patience = statistics.frames > 0 ? 64 : 4;
   if (++clears_ < patience) return;
   forgetOld();
+  if (statistics.frames == 0) protect([&] { takeSettings(); });
   passes.forgetMany();  // those of framebuffers whose depth is never cleared
 }
 

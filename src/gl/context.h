@@ -172,6 +172,11 @@ class Context {
   /// Calls of commands that we do not model, by index into kCommandNames.
   const std::vector<Counter<uint64_t>>& unknownCalls() const { return unknownCalls_; }
   const ContextInfo& info() const { return info_; }
+  /// The settings of this frame: from its beginning, which is the swap before it or its first clear where
+  /// that comes before its draws, to its end.
+  const Settings& settings() const { return settings_; }
+  /// Before a clear: where the frame begins with it, takes the settings of now.
+  void beforeClearTakeSettings() noexcept;
 
   // --- for handlers
   // --------------------------------------------------------------------------------------------------
@@ -281,6 +286,7 @@ class Context {
   void noteClear(GLbitfield mask);
   std::optional<ClearedTarget> clearedUnder(const scene::Snapshot& snapshot, const BatchKey& key);
   bool antialiasInto(GLuint attachment, const scene::Region& region, bool instead);
+  void takeSettings();
   void startMeasuring();
   void chooseEngine();
   bool clearsViewport() const;
@@ -290,6 +296,7 @@ class Context {
   double viewportPixels() const {
     return static_cast<double>(state.viewport.z) * static_cast<double>(state.viewport.w);
   }
+  uint64_t draws() const { return statistics.drawsTraced + statistics.drawsRasterised; }
   /// Grows with everything that is drawn and may be kept: pictures, and meshes that were never traced.
   uint64_t work() const { return statistics.flushes + statistics.meshesBuilt; }
   void deleteDiscarded();
@@ -298,6 +305,10 @@ class Context {
 
   std::shared_ptr<ShareGroup> group_;
   ContextInfo info_;
+  Settings settings_;
+  uint64_t settingsVersion_ = 0;  // of the source when they were taken
+  bool begun_ = false;            // this frame has cleared
+  uint64_t drawsBefore_ = 0;      // draws until this frame
   Presenter& presenter_;
   bool passthrough_ = false;  // we are not there: every call goes to the real OpenGL
   EngineChoice choice_;

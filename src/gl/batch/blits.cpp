@@ -14,7 +14,7 @@ void blitAsIs(const RealGl& real, const Blit& b) {
 }  // namespace
 
 void Context::blit(Blit b) {
-  const bool copies = (b.mask & GL_DEPTH_BUFFER_BIT) && info_.settings.quirks.has(Quirk::softwareDepthBlit) &&
+  const bool copies = (b.mask & GL_DEPTH_BUFFER_BIT) && settings_.quirks.has(Quirk::softwareDepthBlit) &&
                       activeQueries == 0 && isSoftwareBelow();
   if (copies) {
     if (const GLenum pending = real.GetError()) setError(pending);

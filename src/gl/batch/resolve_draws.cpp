@@ -49,8 +49,7 @@ bool isSampledPerSample(GLenum type) {
 Unresolved::Cleared ResolveDraws::clearedBy(GLbitfield mask) {
   constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
   if ((mask & kBoth) != kBoth || c_.direct() || c_.aside() || c_.passthrough() || c_.activeQueries > 0 ||
-      c_.group().contexts != 1 || !c_.info().settings.quirks.has(Quirk::softwareResolve) ||
-      !c_.isSoftwareBelow())
+      c_.group().contexts != 1 || !c_.settings().quirks.has(Quirk::softwareResolve) || !c_.isSoftwareBelow())
     return {};
   c_.refresh(kTarget);
   const TargetState& target = c_.state.target;

@@ -149,7 +149,7 @@ void Context::addInstance(const scene::MeshPtr& mesh, SlotMask slots,
   if (!batch_.empty() && !(batch_.key() == key)) flush();
   if (batch_.empty()) {
     settleBelow(key.samples);
-    batch_.start(key, state, info_.settings, frame);
+    batch_.start(key, state, settings_, frame);
   }
   scene::Instance instance;
   instance.mesh = mesh;

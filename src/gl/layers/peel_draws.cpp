@@ -75,7 +75,7 @@ bool LayerDraws::beginHolding() {
 bool LayerDraws::holdDepths(GLenum mode, const Elements& elements, uint64_t triangles) {
   using Stage = Peeling::Stage;
   if (c_.aside() || c_.passthrough() || c_.activeQueries > 0 ||
-      !c_.info().settings.quirks.has(Quirk::depthPeeling) || !c_.canTrace())
+      !c_.settings().quirks.has(Quirk::depthPeeling) || !c_.canTrace())
     return false;
   if (c_.attributes.reason != Reason::traced || !c_.state.program.uniforms) return false;
   if (const GLenum pending = c_.real.GetError()) c_.setError(pending);
@@ -138,7 +138,7 @@ bool LayerDraws::startPeeled(const BatchKey& key) {
     if (!(peeling_.tracedKey == key)) return false;
     c_.batch().resume(key, *peeling_.traced);
   } else {
-    c_.batch().start(key, c_.state, c_.info().settings, c_.frame);
+    c_.batch().start(key, c_.state, c_.settings(), c_.frame);
     c_.batch().seeThrough(peeling_.layers);
   }
   return true;

@@ -43,7 +43,7 @@ bool LayerDraws::startSums(const BatchKey& key) {
     const float margin = c_.state.target.depthResolution * (key.depthFunc == GL_LEQUAL ? 0.75f : -0.75f);
     for (float& depth : layers->opaqueDepth) depth += margin;
   }
-  c_.batch().start(key, c_.state, c_.info().settings, c_.frame);
+  c_.batch().start(key, c_.state, c_.settings(), c_.frame);
   c_.batch().seeThrough(std::move(layers));
   return true;
 }

@@ -202,7 +202,7 @@ ProgramDraws::Placed ProgramDraws::place(scene::Shape shape, const glm::dvec3& r
     return c_.layers.start(key) ? Placed::inBatch : Placed::otherCamera;
   if (c_.batch().empty()) {
     c_.settleBelow(key.samples);
-    c_.batch().start(key, c_.state, c_.info().settings, c_.frame);
+    c_.batch().start(key, c_.state, c_.settings(), c_.frame);
   }
   return Placed::inBatch;
 }

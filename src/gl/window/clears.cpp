@@ -61,13 +61,13 @@ WindowClear windowClear(const RealGl& real, GLbitfield mask) {
 
 void Context::noteClear(GLbitfield mask) {
   cleared_.reset();
-  if (mask & GL_COLOR_BUFFER_BIT && info_.settings.spp > 1 && !direct_) smooth_.clear(real, state.rare);
+  if (mask & GL_COLOR_BUFFER_BIT && settings_.spp > 1 && !direct_) smooth_.clear(real, state.rare);
   if ((mask & kColorAndDepth) != kColorAndDepth || direct_ || aside_ || activeQueries > 0 ||
       !isSoftwareBelow())
     return;
   const GLint framebuffer = isPresent(real.BindFramebuffer) ? integer(real, GL_DRAW_FRAMEBUFFER_BINDING) : 0;
   const Quirk use = framebuffer == 0 ? Quirk::softwareShow : Quirk::softwarePut;
-  if (!info_.settings.quirks.has(use) || !clearsAll(real, state.rare)) return;
+  if (!settings_.quirks.has(use) || !clearsAll(real, state.rare)) return;
   const glm::ivec4 box = scissorBox(real);
   ClearedTarget cleared{static_cast<GLuint>(framebuffer), {box.x, box.y, box.z, box.w}, {}};
   real.GetFloatv(GL_COLOR_CLEAR_VALUE, cleared.color.data());

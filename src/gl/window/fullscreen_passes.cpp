@@ -65,7 +65,7 @@ bool Context::replacePass(GLenum mode, const Elements& elements) {
   const Family::Pass pass = passOf(state.program);
   const bool resolving = pass == Family::Pass::resolve;
   if (!resolving && pass != Family::Pass::fxaa) return false;
-  const QuirkSet& quirks = info_.settings.quirks;
+  const QuirkSet& quirks = settings_.quirks;
   const bool instead =
       quirks.has(resolving ? Quirk::softwareResolve : Quirk::softwareFxaa) && isSoftwareBelow();
   const bool smooth = !resolving && smooth_.copied() && quirks.has(Quirk::sppFxaa);
@@ -117,7 +117,7 @@ bool Context::antialiasInto(GLuint attachment, const scene::Region& region, bool
   fxaa.subpixelBlendLimit = uniforms.number(family.subpixelBlendLimit, fxaa.subpixelBlendLimit);
   fxaa.subpixelContrast = uniforms.number(family.subpixelContrast, fxaa.subpixelContrast);
   fxaa.endpointSearchIterations = static_cast<int>(uniforms.number(family.endpointSearchIterations, 12));
-  if (!presenter_.antialias(real, fxaa, unit, attachment, region, info_.settings)) return false;
+  if (!presenter_.antialias(real, fxaa, unit, attachment, region, settings_)) return false;
   noteUse(Quirk::softwareFxaa);
   return true;
 }
