@@ -63,7 +63,7 @@ TEST(Values, Numbers) {
   row.unit = "ms";
   expectRoundTrip(row, "0.1", 0.1f, "0.1");
   expectRoundTrip(row, "2.5e3", 2500.0f, "2500");
-  expectRoundTrip(row, "262144.015", 262144.02f, "262144.03");
+  expectRoundTrip(row, "0.30000000001", 0.3f, "0.3");
   expectRefused(row, {"", "0", "-1", "nan", "inf", "1,5", "2e6"}, 7.0f, "use a number from 0.1 to 1e+06 ms");
 }
 

@@ -37,7 +37,7 @@ class Chosen final : public gl::Presenter {
 /// A batch of its own: the next one has another depth function.
 void drawBatch(Gl gl, GLenum depthFunction) {
   gl.DepthFunc(depthFunction);
-  scenes::send(gl, scenes::sphere(6, 8));
+  scenes::sendAt(gl, scenes::sphere(6, 8), depthFunction == GL_LESS ? -0.7f : 0.7f, 0, 0, 0.6f);
 }
 
 /// Two batches, with `between` in between.
