@@ -45,8 +45,8 @@ def filled(*sentences: str) -> str:
 
 
 def roff_choices(row: Row) -> str:
-    told = [f"\\fB{roff(c.word)}\\fR: {roff(c.help)}" for c in row.choices if c.help]
-    return "; ".join(told) + "." if told else ""
+    described = [f"\\fB{roff(c.word)}\\fR: {roff(c.help)}" for c in row.choices if c.help]
+    return "; ".join(described) + "." if described else ""
 
 
 def option_item(row: Row) -> str:
@@ -79,10 +79,10 @@ def toml_value(row: Row) -> str:
 def man_keys(rows: list[Row]) -> str:
     text = ""
     for row in (r for r in rows if r.in_files):
-        limits = range_text(row)
-        told = "; ".join(x for x in (limits[:1].upper() + limits[1:], f"{'' if not limits else 'the default is '}{shown_default(row)}{'' if limits else ' by default'}") if x)
-        told = "" if row.type in ("quirks", "bool") else told[:1].upper() + told[1:] + "."
-        text += f'.TP\n.BR {roff(row.name)} " = {toml_value(row)}"\n{filled(roff(row.help), roff_choices(row), roff(told))}'
+        limits, default = range_text(row), shown_default(row)
+        facts = f"{limits[:1].upper()}{limits[1:]}; the default is {default}." if limits else f"{default[:1].upper()}{default[1:]} by default."
+        facts = "" if row.type in ("quirks", "bool") else facts if limits or default == "none" else f"The default is {default}."
+        text += f'.TP\n.BR {roff(row.name)} " = {toml_value(row)}"\n{filled(roff(row.help), roff_choices(row), roff(facts))}'
     return text
 
 

@@ -11,6 +11,7 @@ constexpr size_t kWidth = 92;
 /// The setting's help, a line for each word of a choice, and the default.
 std::string helpOf(const Row& row) {
   std::string text(row.help);
+  if (text.ends_with('.')) text.pop_back();
   const bool shown = row.type != Type::boolean && row.type != Type::quirks && row.type != Type::list;
   const std::string initial = printValue(row, Session{});
   if (shown && !initial.empty()) text.append(" [").append(initial).append("]");

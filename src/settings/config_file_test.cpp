@@ -68,14 +68,14 @@ TEST_F(ConfigFile, ListsMayBeArrays) {
             std::vector<std::string>{file() + ":2: log: use a string, a whole number, true or false"});
 }
 
-TEST_F(ConfigFile, UnknownNamesAreToldWithTheNearest) {
+TEST_F(ConfigFile, UnknownNamesAreReportedWithTheNearest) {
   sessionOf("bhv = \"fast\"\n[display]\nbvh = \"fast\"\n");
   ASSERT_EQ(g_complaints.size(), 2u);
   EXPECT_EQ(g_complaints[0], file() + ":1: no setting is called 'bhv'; did you mean 'bvh'?");
   EXPECT_EQ(g_complaints[1], file() + ":2: no setting is called 'display'");
 }
 
-TEST_F(ConfigFile, FractionsAreToldWithTheRange) {
+TEST_F(ConfigFile, FractionsAreReportedWithTheRange) {
   EXPECT_EQ(sessionOf("spp = 1.5\n").settings.spp, 1);
   EXPECT_EQ(g_complaints,
             std::vector<std::string>{file() + ":1: spp = 1.5: use a number from 1 (the centre) to 1024"});

@@ -80,7 +80,7 @@ TEST_F(LayersOf, ProfilesOfLaterFilesAndLaterNamesWin) {
   EXPECT_EQ(read("spp"), "");
 }
 
-TEST_F(LayersOf, WrongProfilesAreTold) {
+TEST_F(LayersOf, WrongProfilesAreReported) {
   sources_.userFile = file("user.toml", "[program.viewer]\nsp = 2\n");
   sources_.programs = {"viewer"};
   read("spp");

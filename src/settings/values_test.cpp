@@ -1,4 +1,4 @@
-// Every type of setting from text and back, and what is said of wrong values.
+// Every type of setting from text and back, and messages about wrong values.
 #include "settings/values.h"
 
 #include "settings/value_text.h"
@@ -32,7 +32,7 @@ void expectRoundTrip(const Row& row, std::string_view text, const T& value, std:
   EXPECT_TRUE(again == value) << printed;
 }
 
-/// A wrong value changes nothing and is told by what would be right.
+/// A wrong value changes nothing and is reported with what would be right.
 template <class T>
 void expectRefused(const Row& row, std::initializer_list<std::string_view> texts, const T& before,
                    const std::string& why) {

@@ -140,7 +140,7 @@ TEST_F(Added, HelpDescribesTheirOptions) {
   testing::internal::CaptureStdout();
   launcher::parse(2, words);
   const std::string text = testing::internal::GetCapturedStdout();
-  for (const char* part : {"--added ", "Adds a switch.", "--added-radius X", "Adds a number. [0.5]",
+  for (const char* part : {"--added ", "Adds a switch\n", "--added-radius X", "Adds a number [0.5]",
                            "--added-mode low|very-high", "very-high: adds much"})
     EXPECT_NE(text.find(part), text.npos) << part << " in\n" << text;
 }
@@ -164,7 +164,7 @@ TEST_F(Added, OptionsRefuseWrongValuesInOneLine) {
   }
 }
 
-TEST_F(Added, FilesAreTold) {
+TEST_F(Added, MistakesInFilesAreReported) {
   EXPECT_EQ(
       ofFile("[added]\ncount = 9\nradios = 1\nup = [1, 2]\ndeep.first-mode = \"high\"\nsky = {r = 1}\n"),
       Session{});

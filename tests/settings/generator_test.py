@@ -1,7 +1,4 @@
-"""The generator of settings: pages that follow added rows, and rows that it refuses.
-
-    generator_test.py SETTINGS_WITH_ADDED_ROWS [unittest arguments]
-"""
+"""The generator of settings: pages that follow added rows, and rows that it refuses."""
 from __future__ import annotations
 
 import pathlib
@@ -12,7 +9,7 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-ADDED = pathlib.Path(sys.argv[1])
+HERE = pathlib.Path(__file__).resolve().parent
 TOOL = ROOT / "tools/settings.py"
 PAGES = ("completions/gluray", "docs/man/gluray.1", "docs/man/gluray.toml.5", "docs/settings.md")
 
@@ -28,12 +25,14 @@ class Folder(unittest.TestCase):
         for page in PAGES:
             (self.folder / page).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(ROOT / page, self.folder / page)
+        self.added = self.folder / "settings.toml"
+        self.added.write_text((ROOT / "spec/settings.toml").read_text() + (HERE / "added_rows.toml").read_text())
 
 
 class Pages(Folder):
     def setUp(self):
         super().setUp()
-        self.assertEqual(run(TOOL, "--pages", self.folder, "--spec", ADDED).returncode, 0)
+        self.assertEqual(run(TOOL, "--pages", self.folder, "--spec", self.added).returncode, 0)
         self.pages = {page: (self.folder / page).read_text() for page in PAGES}
 
     def check(self, page: str, *parts: str):
@@ -64,7 +63,7 @@ class Pages(Folder):
         self.assertEqual(self.complete("gluray", "settings", "--why", "added.u"), ["added.up"])
 
     def test_stale_pages_are_noticed(self):
-        self.assertEqual(run(TOOL, "--check", self.folder, "--spec", ADDED).returncode, 0)
+        self.assertEqual(run(TOOL, "--check", self.folder, "--spec", self.added).returncode, 0)
         done = run(TOOL, "--check", self.folder)
         self.assertEqual(done.returncode, 1)
         for page in PAGES:
@@ -105,4 +104,4 @@ class Refused(Folder):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=[sys.argv[0], *sys.argv[2:]])
+    unittest.main()
