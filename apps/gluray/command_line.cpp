@@ -1,7 +1,7 @@
 #include "command_line.h"
 
 #include "say.h"
-#include "settings/quirks.h"
+#include "setting_options.h"
 
 #include <CLI/CLI.hpp>
 
@@ -28,26 +28,10 @@ Commands, each with its own --help:
   gluray explain PROGRAM   a table of what the program drew; with --html a page of pictures too
   gluray doctor [PROGRAM]  how the program reaches OpenGL, and what this machine has and lacks
   gluray quirks            workarounds for single OpenGL implementations, and how to switch them
+  gluray settings          all settings, their values, and where those are from
 
 The exit code is the program's;
 127: program not found, 126: it cannot be executed, 2: wrong usage.)";
-
-std::string checkQuirk(const std::string& text) {
-  QuirkSet ignored;
-  return readQuirks(text, ignored);
-}
-
-void addRunOptions(CLI::App& app, CommandLine& line) {
-  app.add_option(
-         "--report", line.report,
-         "Write what was traced and what was not, and why, to FILE (JSON), also while the program runs")
-      ->type_name("FILE");
-  app.add_flag(
-      "--hud", line.hud,
-      "Show frames a second, triangles, what of them is traced, and whether acceleration structures\n"
-      "are being improved, in the lower left corner of the window");
-  app.add_flag("--off", line.off, "Pass every call through to the real OpenGL, for comparison");
-}
 
 void addExplainOptions(CLI::App& app, CommandLine& line) {
   app.add_option("--frames", line.frames, "End the program after N frames")
@@ -70,6 +54,13 @@ void addExplainOptions(CLI::App& app, CommandLine& line) {
       ->capture_default_str();
 }
 
+void addListOptions(CLI::App& app, CommandLine& line) {
+  app.add_option("--why", line.why, "Show one setting, and the value that each layer gives it")
+      ->type_name("NAME");
+  app.add_flag("--changed", line.changed, "Leave out settings with their built-in values");
+  app.add_option("--program", line.profile, "Apply the profiles of this program")->type_name("NAME");
+}
+
 void addOptions(CLI::App& app, CommandLine& line) {
   app.add_option(
          "--door", line.door,
@@ -77,52 +68,9 @@ void addOptions(CLI::App& app, CommandLine& line) {
          "OpenGL libraries), or auto, which picks what the program needs")
       ->check(CLI::IsMember({"auto", "vendor", "preload"}))
       ->capture_default_str();
-  app.add_option("--threads", line.threads, "Threads that trace; 0: all cores the process may use [0]")
-      ->check(CLI::Range(0, 1024))
-      ->type_name("N");
-  app.add_option("--engine", line.engine,
-                 "Who draws: always the ray tracer what it can, never the ray tracer, or auto: in scenes so\n"
-                 "small that the real OpenGL is faster, which is measured, that one [auto]")
-      ->check(CLI::IsMember({"auto", "always", "never"}));
-  app.add_option("--bvh", line.bvh,
-                 "Acceleration structures: fast (first picture soonest), full (fastest rays), compact "
-                 "(half the\nmemory), least (a quarter), or auto: large ones fast at first, full as soon as "
-                 "those are\nready, smaller ones where memory is short [auto]")
-      ->check(CLI::IsMember({"auto", "fast", "full", "compact", "least"}));
-  app.add_option("--shading", line.shading,
-                 "Where lighting is evaluated: pixel, sample (every one of multisampled windows), or vertex "
-                 "as\nOpenGL does, for an exact match [pixel]")
-      ->check(CLI::IsMember({"pixel", "sample", "vertex"}));
-  app.add_option("--renderer", line.renderer,
-                 "embree, or null: trace nothing, to price the interception alone [embree]")
-      ->check(CLI::IsMember({"embree", "null"}));
-  app.add_option(
-         "--spp", line.spp,
-         "Samples a pixel: with more than one, edges are anti-aliased where the program's framebuffer\nis "
-         "not; 16 are good [1]")
-      ->check(CLI::Range(1, 1024))
-      ->type_name("N");
-  app.add_option("--lag", line.lag,
-                 "on: trace frames while the program prepares the next one, and show them then;\n"
-                 "auto: while frames follow each other [off]")
-      ->check(CLI::IsMember({"off", "on", "auto"}));
-  app.add_option("--quirk", line.quirks, "Switch a workaround: NAME=on or NAME=off; gluray quirks lists them")
-      ->allow_extra_args(false)
-      ->check(checkQuirk)
-      ->type_name("NAME=on|off");
-  app.add_option("--program-families", line.programFamilies,
-                 "Trace shader programs that FILE describes, too; docs/program-families.md has its format")
-      ->allow_extra_args(false)
-      ->check(CLI::ExistingFile)
-      ->type_name("FILE");
+  addSettingOptions(app, line.settings, line.command == Command::explain);
   app.add_option("--config", line.config, "Read settings from FILE [~/.config/gluray/gluray.toml]")
       ->type_name("FILE");
-  app.add_option("--timeline", line.timeline,
-                 "Write what each thread does when to FILE, for Perfetto or gluray timeline")
-      ->type_name("FILE");
-  app.add_option("--log", line.log, "Write messages to FILE instead of stderr")->type_name("FILE");
-  app.add_option("--log-level", line.logLevel, "Messages from this level on are written [warning]")
-      ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"}));
 }
 
 int complain(const std::string& what) {
@@ -132,11 +80,9 @@ int complain(const std::string& what) {
 
 /// The command that the first word names; it is run where that is none.
 bool namesCommand(int argc, char** argv, Command& command) {
-  static const std::map<std::string, Command> commands = {{"run", Command::run},
-                                                          {"explain", Command::explain},
-                                                          {"doctor", Command::doctor},
-                                                          {"quirks", Command::quirks},
-                                                          {"timeline", Command::timeline}};
+  static const std::map<std::string, Command> commands = {
+      {"run", Command::run},       {"explain", Command::explain},   {"doctor", Command::doctor},
+      {"quirks", Command::quirks}, {"settings", Command::settings}, {"timeline", Command::timeline}};
   const auto found = argc > 1 ? commands.find(argv[1]) : commands.end();
   if (found == commands.end()) return false;
   command = found->second;
@@ -166,7 +112,6 @@ void describe(CLI::App& app, CommandLine& line) {
     case Command::run:
       usage("options] [--] PROGRAM [ARGUMENTS...");
       app.footer(kExamples);
-      addRunOptions(app, line);
       break;
     case Command::explain:
       app.description(
@@ -187,6 +132,12 @@ void describe(CLI::App& app, CommandLine& line) {
       app.name("gluray quirks");
       usage("options");
       return;
+    case Command::settings:
+      app.description("Lists all settings with their values, and says where each value is from.");
+      app.name("gluray settings");
+      usage("options");
+      addListOptions(app, line);
+      break;
     case Command::timeline: return;
   }
   addOptions(app, line);
@@ -240,6 +191,8 @@ Parsed parse(int argc, char** argv) {
     parsed.exitCode = complain("no program given");
   else if (line.command == Command::quirks && !line.program.empty())
     parsed.exitCode = complain("quirks takes no program");
+  else if (line.command == Command::settings && !line.program.empty())
+    parsed.exitCode = complain("settings takes no program; use --program NAME");
   else
     parsed.run = true;
   return parsed;

@@ -1,28 +1,30 @@
 // What the user typed.
 #pragma once
+#include "chosen_settings.h"
+
 #include <string>
 #include <vector>
 
 namespace gluray::launcher {
 
-enum class Command { run, explain, doctor, quirks, timeline };
+enum class Command { run, explain, doctor, quirks, settings, timeline };
 
 struct CommandLine {
   Command command = Command::run;
   std::vector<std::string> program;  // name and arguments
   std::string door = "auto";         // auto, vendor, preload
-  std::string config, report, timeline, log, logLevel, threads, engine, bvh, shading, renderer, spp,
-      lag;                                   // empty: not given
-  std::vector<std::string> quirks;           // NAME=on|off
-  std::vector<std::string> programFamilies;  // files
-  bool off = false, hud = false;
+  std::string config;                // file; empty: the usual one
+  ChosenSettings settings;
 
-  // explain, doctor, quirks
+  // explain, doctor, quirks, settings
   bool json = false;
   // explain
   int frames = 100;
   double restSeconds = 3, limitSeconds = 120;  // 0: never
   std::string html;                            // file; empty: none
+  // settings
+  std::string why, profile;  // a setting, a program; empty: none
+  bool changed = false;      // only what is not built in
   // timeline; its file is in `program`
   std::string chart;          // file; empty: none
   double from = -1, to = -1;  // milliseconds, of the near view; negative: some frames of the middle

@@ -57,9 +57,9 @@ Said runProbe(const CommandLine& given, const std::string& api, const std::strin
     dup2(out[1], STDOUT_FILENO), dup2(errors[1], STDERR_FILENO);
     for (const int end : {out[0], out[1], errors[0], errors[1]}) close(end);
     CommandLine line = given;
-    line.report = folder + "/report.json";
-    line.off = false;
-    line.engine = "always";  // of a picture this small
+    line.settings.set("report", folder + "/report.json");
+    line.settings.remove("off");
+    line.settings.set("engine", "always");  // of a picture this small
     openDoors(line, Program{});
     setenv("GLURAY_EXPLAIN", "1000", 1);
     execl("/proc/self/exe", "gluray", kProbeWord, api.c_str(), static_cast<char*>(nullptr));

@@ -2,6 +2,7 @@
 
 #include "base/files.h"
 #include "intercept/probe/real_vendor.h"
+#include "settings/layers.h"
 
 #include <unistd.h>
 
@@ -27,42 +28,21 @@ void putFirst(const char* name, const std::string& entry) {
   set(name, list.empty() ? entry : entry + ":" + list);
 }
 
-void setIfGiven(const char* name, const std::string& value) {
-  if (!value.empty()) set(name, value);
-}
-
-/// The program may change its directory: files are named absolutely.
-std::string absolute(const std::string& file) {
-  return file.empty() || files::isStream(file) ? file : fs::absolute(file).string();
-}
-
+/// Every setting that an option chose gets its variable, as children are to have it, too. Which ones those
+/// are stands in a variable of its own: settings name their origin.
 void passSettings(const CommandLine& line) {
   set("GLURAY_PID", std::to_string(getpid()));
-  setIfGiven("GLURAY_CONFIG", absolute(line.config));
-  setIfGiven("GLURAY_THREADS", line.threads);
-  setIfGiven("GLURAY_ENGINE", line.engine);
-  setIfGiven("GLURAY_BVH", line.bvh);
-  setIfGiven("GLURAY_SHADING", line.shading);
-  setIfGiven("GLURAY_RENDERER", line.renderer);
-  setIfGiven("GLURAY_SPP", line.spp);
-  setIfGiven("GLURAY_LAG", line.lag);
-  setIfGiven("GLURAY_REPORT", absolute(line.report));
-  setIfGiven("GLURAY_TIMELINE", absolute(line.timeline));
-  setIfGiven("GLURAY_LOG", absolute(line.log));
-  setIfGiven("GLURAY_LOG_LEVEL", line.logLevel);
-  if (line.hud) set("GLURAY_HUD", "1");
-  if (line.off) set("GLURAY_OFF", "1");
-  std::string quirks = environment("GLURAY_QUIRKS");  // later ones win
-  for (const std::string& quirk : line.quirks) quirks += (quirks.empty() ? "" : ",") + quirk;
-  setIfGiven("GLURAY_QUIRKS", quirks);
-  std::string families;  // earlier ones win
-  for (const std::string& file : line.programFamilies)
-    families.append(families.empty() ? "" : ":").append(absolute(file));
-  const std::string more = environment("GLURAY_PROGRAM_FAMILIES");
-  if (!families.empty() && !more.empty()) families.append(":").append(more);
-  setIfGiven("GLURAY_PROGRAM_FAMILIES", families);
-  if (!line.report.empty())
-    files::removeOld(line.report);  // a report of an earlier run must not pass for this one's
+  if (!line.config.empty()) set("GLURAY_CONFIG", fs::absolute(line.config).string());
+  set("GLURAY_PROJECT", projectFileHere());
+  set("GLURAY_PROGRAM", line.program.empty() ? "" : fs::path(line.program[0]).filename().string());
+  std::string options;
+  for (const auto& [name, value] : passedValues(line.settings)) {
+    set(variableOf(*findSetting(name)).c_str(), value);
+    options.append(name).append("=").append(value).append("\n");
+  }
+  set("GLURAY_COMMAND_LINE", options);
+  // A report of an earlier run must not pass for this one's.
+  if (const std::string report = line.settings.find("report"); !report.empty()) files::removeOld(report);
 }
 
 std::string openVendorDoor(const std::string& directory) {

@@ -71,9 +71,9 @@ FramePictures withAndWithout(const CommandLine& line, const Program& program, co
   pictures.frame = picture["frame"], pictures.elsewhere = picture["elsewhere"];
   CommandLine plain = line;
   if (neverSwapped(run))
-    plain.engine = "never";
+    plain.settings.set("engine", "never");
   else
-    plain.off = true;
+    plain.settings.set("off", "1");
   Watch wish{static_cast<int>(pictures.frame), line.restSeconds, line.limitSeconds, true, true};
   // At rest the number of frames until then may differ, as windows are uncovered and events come together.
   if (run.ending != WatchedRun::Ending::frames) wish.frames = line.frames;

@@ -8,6 +8,7 @@
 #include "program.h"
 #include "quirks_list.h"
 #include "say.h"
+#include "settings_list.h"
 #include "show_timeline.h"
 
 #include <cstring>
@@ -28,6 +29,7 @@ int perform(const CommandLine& line) {
     case Command::explain: return explain(line);
     case Command::doctor: return doctor(line);
     case Command::quirks: return listQuirks(line);
+    case Command::settings: return listSettings(line);
     case Command::timeline: return showTimeline(line);
     default: return run(line);
   }

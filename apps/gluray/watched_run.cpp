@@ -195,7 +195,7 @@ TemporaryFolder::~TemporaryFolder() {
 WatchedRun watch(const CommandLine& given, const Program& program, const Watch& wish,
                  const std::string& folder) {
   CommandLine line = given;
-  line.report = folder + "/report.json";
+  line.settings.set("report", folder + "/report.json");
   g_stop = 0;
   const StopSignals signals;
   Child child(line, program, [&] {

@@ -150,7 +150,18 @@ void removeOld(const std::string& path) {
   if (lstat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode)) unlink(path.c_str());
 }
 
-Content read(const std::string& path, size_t mostBytes) {
+namespace {
+
+/// Why a file is not the user's alone; empty: it is, or root's.
+std::string ownerProblem(const struct stat& status) {
+  if (status.st_uid != 0 && status.st_uid != geteuid()) return "it belongs to another user";
+  // A group of one's own, whose number is the user's, has nobody else in it.
+  const bool shared = status.st_gid != 0 && (status.st_gid != getegid() || getegid() != geteuid());
+  if ((status.st_mode & S_IWOTH) || ((status.st_mode & S_IWGRP) && shared)) return "others may write it";
+  return "";
+}
+
+Content readIf(const std::string& path, size_t mostBytes, std::string (*problem)(const struct stat&)) {
   struct stat status {};  // asked before, as some devices do something when they are opened, and after
   if (stat(path.c_str(), &status) != 0) return {"", reason(errno), errno == ENOENT};
   if (std::string why = kindProblem(status.st_mode); !why.empty()) return {"", std::move(why), false};
@@ -158,6 +169,7 @@ Content read(const std::string& path, size_t mostBytes) {
   if (file < 0) return {"", reason(errno), errno == ENOENT};
   Content content;
   content.why = fstat(file, &status) != 0 ? reason(errno) : kindProblem(status.st_mode);
+  if (content.why.empty() && problem) content.why = problem(status);
   char piece[1 << 14];
   for (ssize_t bytes = 1; content.why.empty() && bytes != 0;) {
     bytes = ::read(file, piece, sizeof piece);
@@ -169,6 +181,18 @@ Content read(const std::string& path, size_t mostBytes) {
   close(file);
   if (!content.why.empty()) content.text.clear();
   return content;
+}
+
+}  // namespace
+
+Content read(const std::string& path, size_t mostBytes) { return readIf(path, mostBytes, nullptr); }
+
+Content readOwn(const std::string& path, size_t mostBytes) {
+  struct stat link {};
+  if (lstat(path.c_str(), &link) == 0 && S_ISLNK(link.st_mode) && link.st_uid != 0 &&
+      link.st_uid != geteuid())
+    return {"", "it is a symbolic link of another user", false};
+  return readIf(path, mostBytes, ownerProblem);
 }
 
 }  // namespace gluray::files

@@ -44,5 +44,8 @@ struct Content {
 };
 /// Reads a file of at most `mostBytes`. Links are followed.
 Content read(const std::string& path, size_t mostBytes);
+/// The same, but not of files, or through links, that somebody other than root or the user owns, and not of
+/// files that others may write: what is planted in a shared directory is not ours to obey.
+Content readOwn(const std::string& path, size_t mostBytes);
 
 }  // namespace gluray::files

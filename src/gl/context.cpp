@@ -31,8 +31,9 @@ Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const 
       attention(realGl, info.off, immediate, lists, clock),
       errors(realGl, immediate),
       failsafe([this] { drawHeld(); }),
-      shadow(realGl, std::move(group), info, errors, failsafe),
-      clock(info),
+      settings(info),
+      shadow(realGl, std::move(group), info, settings.now(), errors, failsafe),
+      clock(shadow.info, settings.now()),
       counts(shadow, clock),
       cleared(shadow, clock, failsafe),
       flusher({shadow, failsafe, clock, counts, surfaces, cleared, layers, resolves, window}, presenter),
@@ -44,18 +45,18 @@ Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const 
       window(
           {shadow, failsafe, clock, counts, surfaces, cleared, flusher, layers, resolves, immediate, lists}),
       passthrough({shadow, failsafe, clock, counts, cleared, flusher, window, attention}),
-      frames({shadow, failsafe, clock, counts, surfaces, cleared, flusher, resolves, window, passthrough,
-              immediate, lists}),
+      frames({settings, shadow, failsafe, clock, counts, surfaces, cleared, flusher, resolves, window,
+              passthrough, immediate, lists}),
       fullscreen({shadow, failsafe, cleared, flusher, resolves}),
       programs({shadow, failsafe, clock, surfaces, flusher, triage, filler, raster, layers}),
       immediate(
           {shadow, failsafe, clock, counts, triage, filler, raster, window, passthrough, lists, attention},
-          weldingOf(info.settings)),
+          weldingOf(settings.now())),
       lists({*this, shadow, failsafe, clock, immediate, attention}),
       attribStack({shadow, flusher, lists}),
       unknownCalls_(kCommandCount) {
   ++shadow.group.contexts;
-  setSharedThreads(info.settings.threads);
+  setSharedThreads(settings.now().threads);
   attention.update();
 }
 

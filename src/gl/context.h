@@ -17,6 +17,7 @@
 #include "gl/state/shadow_state.h"
 #include "gl/thread_state.h"
 #include "gl/window/frame_ends.h"
+#include "gl/window/frame_settings.h"
 #include "gl/window/fullscreen_passes.h"
 #include "gl/window/window_frames.h"
 
@@ -48,6 +49,7 @@ class Context {
   Attention attention;
   Errors errors;
   Failsafe failsafe;
+  FrameSettings settings;
   ShadowState shadow;
   FrameClock clock;
   DrawCounts counts;

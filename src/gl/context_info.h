@@ -4,7 +4,7 @@
 #include "gl/draws/draw_kinds.h"
 #include "gl/programs/family.h"
 #include "gl/window/engine_choice.h"
-#include "settings/settings.h"
+#include "settings/settings_source.h"
 
 #include <glm/glm.hpp>
 
@@ -14,10 +14,11 @@
 namespace gluray::gl {
 
 struct ContextInfo {
-  bool core = false;           // core profile: no fixed function
-  bool doubleBuffered = true;  // otherwise glFlush and glFinish show the picture
-  bool off = false;            // pass every call through
-  Settings settings;
+  bool core = false;                       // core profile: no fixed function
+  bool doubleBuffered = true;              // otherwise glFlush and glFinish show the picture
+  bool off = false;                        // pass every call through
+  Settings settings;                       // where there is no source
+  const SettingsSource* source = nullptr;  // asked when the context is made, and when a frame begins
   /// Width and height of the window or pixmap that the context draws into, in pixels; {0, 0} if that is
   /// unknown. May be slow: asked only where a viewport is larger than what was known. Empty: never known.
   std::function<glm::ivec2()> drawableSize;

@@ -27,7 +27,8 @@ std::string text(const gl::RealGl& real, GLenum name) {
 /// anything.
 gl::ContextInfo askInfo(const gl::RealGl& real, const std::string& version) {
   gl::ContextInfo info;
-  info.settings = session().settings;
+  info.source = &settingsOfNow();
+  info.settings = *info.source->current();
   info.families = families();
   info.drawableSize = [] { return current().size ? current().size() : glm::ivec2(0); };
   int major = 0, minor = 0;

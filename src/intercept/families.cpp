@@ -4,7 +4,6 @@
 #include "base/log.h"
 #include "intercept/session.h"
 
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -37,12 +36,10 @@ bool dropOneThatLacksCode(std::vector<gl::FamilyList>& lists, void (*complain)(c
 
 }  // namespace
 
-std::shared_ptr<const gl::FamilyList> readFamilies(const std::string& files,
+std::shared_ptr<const gl::FamilyList> readFamilies(const std::vector<std::string>& files,
                                                    void (*complain)(const std::string& line)) {
   std::vector<gl::FamilyList> lists;
-  std::istringstream names(files);
-  for (std::string file; std::getline(names, file, ':');) {
-    if (file.empty()) continue;
+  for (const std::string& file : files) {
     try {
       lists.push_back(gl::parseFamilies(contentsOf(file), file));
     } catch (const gl::FamilyError& error) { complain(error.what()); }

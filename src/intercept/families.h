@@ -5,13 +5,13 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace gluray::intercept {
 
-/// The families of `files` (names separated by ':'), in their order, before those that are built in. Null
-/// where the files add none. A file that cannot be read adds none, and is told through `complain` in one line
-/// with file and line number.
-std::shared_ptr<const gl::FamilyList> readFamilies(const std::string& files,
+/// The families of `files`, in their order, before those that are built in. Null where the files add none. A
+/// file that cannot be read adds none, and is told through `complain` in one line with file and line number.
+std::shared_ptr<const gl::FamilyList> readFamilies(const std::vector<std::string>& files,
                                                    void (*complain)(const std::string& line));
 
 /// The same for the session's files, read once; null: those that are built in.

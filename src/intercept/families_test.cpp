@@ -1,6 +1,8 @@
 // Family files that the user names: which hold, in which order, and what is told of the others.
 #include "intercept/families.h"
 
+#include "settings/values.h"
+
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -28,7 +30,10 @@ class Families : public testing::Test {
     return (folder_ / name).string();
   }
   static std::shared_ptr<const gl::FamilyList> read(const std::string& files) {
-    return readFamilies(files, [](const std::string& line) { g_complaints.push_back(line); });
+    Session session;
+    readValue(*findSetting("program-families"), files, session);
+    return readFamilies(session.programFamilies,
+                        [](const std::string& line) { g_complaints.push_back(line); });
   }
   std::filesystem::path folder_;
 };

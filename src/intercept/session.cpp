@@ -6,7 +6,6 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -14,20 +13,18 @@
 namespace gluray::intercept {
 namespace {
 
+static_assert(static_cast<int>(LogLevel::off) == static_cast<int>(log::Level::off));
+
 /// Processes that the launcher did not start keep quiet unless they log to a file.
 bool mayTalk(const Session& session) { return !session.logFile.empty() || launchedProcess(); }
-
-log::Level levelOf(const std::string& name) {
-  static const std::vector<std::string> names = {"trace", "debug", "info", "warning", "error", "off"};
-  const auto it = std::find(names.begin(), names.end(), name);
-  return it == names.end() ? log::Level::warning : static_cast<log::Level>(it - names.begin());
-}
 
 const Session* readSession() {
   static std::vector<std::string> complaints;
   const auto* session =
       new Session(sessionFromEnvironment([](const std::string& line) { complaints.push_back(line); }));
-  log::configure(mayTalk(*session) ? levelOf(session->logLevel) : log::Level::off, session->logFile);
+  settingsSource().store(session->settings);
+  log::configure(mayTalk(*session) ? static_cast<log::Level>(session->logLevel) : log::Level::off,
+                 session->logFile);
   for (const std::string& line : complaints) log::write(log::Level::warning, line);
   complaints.clear();
   if (!session->timelineFile.empty()) timeline::record(fileOfThisProcess(session->timelineFile));
@@ -50,6 +47,11 @@ std::string fileOfThisProcess(std::string path) {
 const Session& session() {
   static const Session* const once = readSession();
   return *once;
+}
+
+SettingsSource& settingsOfNow() {
+  session();
+  return settingsSource();
 }
 
 }  // namespace gluray::intercept

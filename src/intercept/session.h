@@ -1,6 +1,6 @@
 // What the user asked for, read once when the engine starts. Any thread.
 #pragma once
-#include "settings/settings.h"
+#include "settings/settings_source.h"
 
 #include <string>
 
@@ -8,6 +8,9 @@ namespace gluray::intercept {
 
 /// The session of this process; reads the environment at the first call.
 const Session& session();
+
+/// The settings of now: at first those of the session.
+SettingsSource& settingsOfNow();
 
 /// Whether this is the process that the launcher started, or there was no launcher.
 bool launchedProcess();

@@ -56,9 +56,29 @@ program-families = "/a.toml:/b.toml"
   EXPECT_TRUE(session.off);
   EXPECT_EQ(session.reportFile, "/r.json");
   EXPECT_EQ(session.logFile, "/l.txt");
-  EXPECT_EQ(session.logLevel, "debug");
+  EXPECT_EQ(session.logLevel, LogLevel::debug);
   EXPECT_FALSE(session.settings.quirks.has(Quirk::materialLatch));
-  EXPECT_EQ(session.programFamilies, "/a.toml:/b.toml");
+  EXPECT_EQ(session.programFamilies, (std::vector<std::string>{"/a.toml", "/b.toml"}));
+}
+
+TEST_F(ConfigFile, ListsMayBeArrays) {
+  const Session session = sessionOf("program-families = [\"/a.toml\", \"/b.toml\"]\nlog = [\"/l\"]\n");
+  EXPECT_EQ(session.programFamilies, (std::vector<std::string>{"/a.toml", "/b.toml"}));
+  EXPECT_EQ(g_complaints,
+            std::vector<std::string>{file() + ":2: log: use a string, a whole number, true or false"});
+}
+
+TEST_F(ConfigFile, UnknownNamesAreReportedWithTheNearest) {
+  sessionOf("bhv = \"fast\"\n[display]\nbvh = \"fast\"\n");
+  ASSERT_EQ(g_complaints.size(), 2u);
+  EXPECT_EQ(g_complaints[0], file() + ":1: no setting is called 'bhv'; did you mean 'bvh'?");
+  EXPECT_EQ(g_complaints[1], file() + ":2: no setting is called 'display'");
+}
+
+TEST_F(ConfigFile, FractionsAreReportedWithTheRange) {
+  EXPECT_EQ(sessionOf("spp = 1.5\n").settings.spp, 1);
+  EXPECT_EQ(g_complaints,
+            std::vector<std::string>{file() + ":1: spp = 1.5: use a number from 1 (the centre) to 1024"});
 }
 
 TEST_F(ConfigFile, TheEnvironmentComesAfterIt) {

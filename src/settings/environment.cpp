@@ -1,23 +1,13 @@
-#include "settings/config_file.h"
-#include "settings/keys.h"
+#include "settings/layers.h"
 
 #include <sched.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 
 namespace gluray {
 namespace {
-
-/// "log-level" -> "GLURAY_LOG_LEVEL".
-std::string variableOf(std::string_view key) {
-  std::string name = "GLURAY_";
-  for (const char c : key)
-    name += c == '-' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return name;
-}
 
 /// MPI processes on this host, as their launchers tell (Open MPI, MPICH and its kin, MVAPICH); 1 without MPI.
 int localRanks() {
@@ -40,17 +30,8 @@ int threadsOfRank(int cores, int allowed, int ranks) {
   return std::max(1, cores / ranks);
 }
 
-Session sessionFromEnvironment(void (*complain)(const std::string& line)) {
-  Session session;
-  const char* named = std::getenv("GLURAY_CONFIG");
-  readConfigFile(configFile(), named && *named, session, complain);
-  for (const std::string_view key : settingKeys()) {
-    const std::string name = variableOf(key);
-    const char* value = std::getenv(name.c_str());
-    if (!value || !*value) continue;
-    if (const std::string why = setSetting(session, key, value); !why.empty())
-      complain(name + "=" + value + ": " + why);
-  }
+Session sessionFromEnvironment(Complain complain) {
+  Session session = readLayers(sourcesOfProcess(), complain).session;
   if (session.settings.threads == 0)
     session.settings.threads =
         threadsOfRank(static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN)), coresAllowed(), localRanks());

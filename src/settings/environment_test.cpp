@@ -27,7 +27,7 @@ TEST(Environment, NothingSetGivesDefaults) {
   const Session session = sessionOf({});
   EXPECT_EQ(session.settings, Settings{});
   EXPECT_FALSE(session.off);
-  EXPECT_EQ(session.logLevel, "warning");
+  EXPECT_EQ(session.logLevel, LogLevel::warning);
   EXPECT_TRUE(session.reportFile.empty());
   EXPECT_TRUE(g_complaints.empty());
 }
@@ -79,9 +79,9 @@ TEST(Environment, EveryVariableIsRead) {
   EXPECT_EQ(session.reportFile, "/r.json");
   EXPECT_EQ(session.timelineFile, "/t.json");
   EXPECT_EQ(session.logFile, "/l.txt");
-  EXPECT_EQ(session.logLevel, "debug");
+  EXPECT_EQ(session.logLevel, LogLevel::debug);
   EXPECT_FALSE(session.settings.quirks.has(Quirk::materialLatch));
-  EXPECT_EQ(session.programFamilies, "/a.toml:/b.toml");
+  EXPECT_EQ(session.programFamilies, (std::vector<std::string>{"/a.toml", "/b.toml"}));
   EXPECT_EQ(session.explainFrames, 100);
   EXPECT_TRUE(session.picture);
   EXPECT_TRUE(g_complaints.empty());
@@ -107,7 +107,7 @@ TEST(Environment, UnreadableValuesAreToldAndLeftAtTheirDefaults) {
   const Session session =
       sessionOf({{"GLURAY_THREADS", "many"}, {"GLURAY_BVH", "quick"}, {"GLURAY_LOG_LEVEL", "loud"}});
   EXPECT_EQ(session.settings, Settings{});
-  EXPECT_EQ(session.logLevel, "warning");
+  EXPECT_EQ(session.logLevel, LogLevel::warning);
   ASSERT_EQ(g_complaints.size(), 3u);
   EXPECT_EQ(g_complaints[0], "GLURAY_THREADS=many: use a number from 0 (all cores) to 1024");
   EXPECT_EQ(g_complaints[1], "GLURAY_BVH=quick: use auto, fast, full, compact or least");

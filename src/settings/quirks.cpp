@@ -58,6 +58,17 @@ std::string readQuirks(std::string_view text, QuirkSet& quirks) {
   return wrong;
 }
 
+std::string printQuirks(const QuirkSet& quirks) {
+  std::string text;
+  for (int i = 0; i < kQuirkCount; ++i) {
+    const auto quirk = static_cast<Quirk>(i);
+    if (quirks.has(quirk) == QuirkSet{}.has(quirk)) continue;
+    text.append(text.empty() ? "" : ",").append(describe(quirk).name);
+    text.append(quirks.has(quirk) ? "=on" : "=off");
+  }
+  return text;
+}
+
 void noteUse(Quirk quirk) noexcept {
   if (g_uses[static_cast<size_t>(quirk)].fetch_add(1, std::memory_order_relaxed) != 0) return;
   try {

@@ -84,6 +84,8 @@ class QuirkSet {
 /// Reads "NAME=on|off", several separated by commas. Empty, or one line of what is wrong; then nothing of the
 /// wrong entry is applied.
 std::string readQuirks(std::string_view text, QuirkSet& quirks);
+/// The text from which readQuirks() makes the same set: what is switched otherwise than at first.
+std::string printQuirks(const QuirkSet& quirks);
 
 /// The quirk has just made a difference: counted for reports, logged at the first time.
 void noteUse(Quirk quirk) noexcept;

@@ -49,6 +49,55 @@ class Launcher(Folder):
                    "echo $GLURAY_THREADS $GLURAY_BVH $GLURAY_SHADING $GLURAY_RENDERER $GLURAY_SPP $GLURAY_HUD $GLURAY_LOG_LEVEL $GLURAY_REPORT")
         self.assertEqual(done.stdout, f"3 compact vertex null 4 1 debug {os.getcwd()}/r.json\n")
 
+    def test_any_setting_is_set(self):
+        done = run(GLURAY, "--set", "spp=4", "--set=log-level=debug", "--", "sh", "-c", "echo $GLURAY_SPP $GLURAY_LOG_LEVEL; echo \"$GLURAY_COMMAND_LINE\"")
+        self.assertEqual(done.stdout, "4 debug\nspp=4\nlog-level=debug\n\n")
+        for pair, line in (("sp=4", "did you mean 'spp'"), ("spp=0", "from 1 (the centre) to 1024"), ("spp", "NAME=VALUE")):
+            done = run(GLURAY, "--set", pair, "true")
+            self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), done.stderr)
+            self.assertIn(line, done.stderr)
+
+    def listed(self, *words, **environment) -> dict:
+        done = run("sh", "-c", 'cd "$0" && exec "$@"', self.folder, GLURAY, "settings", "--json", *words,
+                   **{"XDG_CONFIG_HOME": self.folder / "home", "GLURAY_ENGINE": None} | environment)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return {s["name"]: (s["value"], s["layer"]) for s in json.loads(done.stdout)}
+
+    def test_settings_are_listed_with_their_origins(self):
+        (self.folder / "home/gluray").mkdir(parents=True)
+        (self.folder / "home/gluray/gluray.toml").write_text("threads = 2\nspp = 2\n[program.viewer]\nlag = \"on\"\n")
+        (self.folder / "gluray.toml").write_text("spp = 3\n")
+        (self.folder / "gluray.toml").chmod(0o644)
+        changed = self.listed("--changed", "--bvh", "fast", "--program", "/usr/bin/viewer", GLURAY_SHADING="vertex")
+        self.assertEqual(changed, {"threads": ("2", "user"), "spp": ("3", "project"), "lag": ("on", "program"),
+                                   "shading": ("vertex", "environment"), "bvh": ("fast", "command line")})
+        everything = self.listed()
+        self.assertEqual((everything["lag"], everything["engine"]), (("off", "built-in"), ("auto", "built-in")))
+        self.assertLess(set(changed), set(everything))
+
+    def test_one_setting_is_explained(self):
+        done = run(GLURAY, "settings", "--why", "spp", "--spp", 8, GLURAY_SPP=4)
+        self.assertEqual(done.returncode, 0)
+        for line in ("spp = 8  (command line: --spp)", "a number from 1 (the centre) to 1024", r"built-in +1", r"environment +4  GLURAY_SPP", r"live +-"):
+            self.assertRegex(done.stdout, line.replace("(", r"\(").replace(")", r"\)"))
+        done = run(GLURAY, "settings", "--why", "sppp")
+        self.assertEqual((done.returncode, done.stderr), (2, "gluray: no setting is called 'sppp'; did you mean 'spp'?\n"))
+
+    def test_planted_files_are_not_read(self):
+        (self.folder / "gluray.toml").write_text(f"report = \"{self.folder}/planted.json\"\n")
+        (self.folder / "gluray.toml").chmod(0o666)
+        self.assertEqual(self.listed("--changed"), {})
+        done = run("sh", "-c", 'cd "$0" && exec "$@"', self.folder, GLURAY, CLIENTS / "door_linked_gl", XDG_CONFIG_HOME=self.folder)
+        self.assertIn("gluray.toml: others may write it", done.stderr)
+        self.assertFalse((self.folder / "planted.json").exists())
+
+    def test_a_projects_file_and_a_programs_profile_reach_the_program(self):
+        (self.folder / "gluray.toml").write_text(f"timeline = \"{self.folder}/t.json\"\n[program.door_linked_gl]\nreport = \"{self.folder}/r.json\"\n"
+                                                 f"[program.other]\nlog = \"{self.folder}/log\"\nlog-level = \"trace\"\n")
+        (self.folder / "gluray.toml").chmod(0o644)
+        run("sh", "-c", 'cd "$0" && exec "$@"', self.folder, GLURAY, CLIENTS / "door_linked_gl", XDG_CONFIG_HOME=self.folder)
+        self.assertEqual(sorted(f.name for f in self.folder.iterdir()), ["gluray.toml", "r.json", "t.json"])
+
     def test_pid_is_kept(self):
         done = run(GLURAY, "sh", "-c", 'test "$GLURAY_PID" = $$')
         self.assertEqual(done.returncode, 0)

@@ -20,13 +20,14 @@ Settings TracedContext::vertexShading() {
 
 TracedContext::TracedContext(const ContextWish& wish, Settings settings,
                              std::unique_ptr<gl::Presenter> presenter, const TracedContext* share,
-                             std::shared_ptr<const gl::FamilyList> families)
+                             std::shared_ptr<const gl::FamilyList> families, const SettingsSource* source)
     : below_(OsmesaContext::create(wish, share ? share->below_.get() : nullptr)),
       presenter_(std::move(presenter)) {
   gl::ContextInfo info;
   info.core = wish.core;
   info.doubleBuffered = false;
   info.settings = settings;
+  info.source = source;
   info.families = std::move(families);
   info.drawableSize = [wish] { return glm::ivec2(wish.width, wish.height); };
   if (!presenter_) presenter_ = intercept::makePresenter(settings);

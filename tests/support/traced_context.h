@@ -11,11 +11,13 @@ class TracedContext {
  public:
   /// Current in the creating thread until destroyed. Shading is per vertex, as the real OpenGL's.
   /// `presenter` stands in for the one that traces. `share` is a context whose lists and buffers it shares.
+  /// `source`, where there is one, has the settings instead of `settings`.
   /// `families` are those of shader programs; null: those that are built in, read when they are needed.
   explicit TracedContext(const ContextWish& wish = {}, Settings settings = vertexShading(),
                          std::unique_ptr<gl::Presenter> presenter = nullptr,
                          const TracedContext* share = nullptr,
-                         std::shared_ptr<const gl::FamilyList> families = familiesOfTests());
+                         std::shared_ptr<const gl::FamilyList> families = familiesOfTests(),
+                         const SettingsSource* source = nullptr);
   ~TracedContext();
   TracedContext(const TracedContext&) = delete;
   TracedContext& operator=(const TracedContext&) = delete;

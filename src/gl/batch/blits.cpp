@@ -15,7 +15,7 @@ void blitAsIs(const RealGl& real, const Blit& b) {
 void blit(Context& c, Blit b) {
   const RealGl& real = c.real;
   const bool copies = (b.mask & GL_DEPTH_BUFFER_BIT) &&
-                      c.info().settings.quirks.has(Quirk::softwareDepthBlit) && c.shadow.activeQueries == 0 &&
+                      c.shadow.settings.quirks.has(Quirk::softwareDepthBlit) && c.shadow.activeQueries == 0 &&
                       c.shadow.isSoftwareBelow();
   if (copies) {
     c.errors.keepPending();

@@ -52,7 +52,7 @@ UnresolvedPicture::Cleared ResolveDraws::clearedBy(GLbitfield mask) {
   constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
   if ((mask & kBoth) != kBoth || p_.clock.direct() || p_.failsafe.aside() || p_.shadow.info.off ||
       p_.shadow.activeQueries > 0 || p_.shadow.group.contexts != 1 ||
-      !p_.shadow.info.settings.quirks.has(Quirk::softwareResolve) || !p_.shadow.isSoftwareBelow())
+      !p_.shadow.settings.quirks.has(Quirk::softwareResolve) || !p_.shadow.isSoftwareBelow())
     return {};
   p_.shadow.refresh(kTarget);
   const TargetState& target = p_.shadow.state.target;

@@ -77,7 +77,7 @@ bool LayerDraws::beginHolding() {
 bool LayerDraws::holdDepths(GLenum mode, const Elements& elements, uint64_t triangles) {
   using Stage = Peeling::Stage;
   if (p_.failsafe.aside() || p_.shadow.info.off || p_.shadow.activeQueries > 0 ||
-      !p_.shadow.info.settings.quirks.has(Quirk::depthPeeling) || !p_.flusher.canTrace())
+      !p_.shadow.settings.quirks.has(Quirk::depthPeeling) || !p_.flusher.canTrace())
     return false;
   if (p_.shadow.attributes.reason != Reason::traced || !p_.shadow.state.program.uniforms) return false;
   p_.shadow.errors.keepPending();
@@ -142,7 +142,7 @@ bool LayerDraws::startPeeled(const BatchKey& key) {
     if (!(peeling_.tracedKey == key)) return false;
     p_.flusher.batch.resume(key, *peeling_.traced);
   } else {
-    p_.flusher.batch.start(key, p_.shadow.state, p_.shadow.info.settings, p_.clock.frame);
+    p_.flusher.batch.start(key, p_.shadow.state, p_.shadow.settings, p_.clock.frame);
     p_.flusher.batch.seeThrough(peeling_.layers);
   }
   return true;

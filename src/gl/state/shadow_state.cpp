@@ -19,14 +19,15 @@ bool isSoftware(const RealGl& real) {
 }  // namespace
 
 ShadowState::ShadowState(const RealGl& realGl, std::shared_ptr<ShareGroup> with, const ContextInfo& about,
-                         Errors& errorsOfBoth, Failsafe& failsafe)
+                         const Settings& ofFrame, Errors& errorsOfBoth, Failsafe& failsafe)
     : real(realGl),
       sharedGroup(std::move(with)),
       group(*sharedGroup),
       info(about),
+      settings(ofFrame),
       errors(errorsOfBoth),
       attachments(group.deletedBuffers),
-      latch(info.settings.quirks.has(Quirk::materialLatch) && MaterialLatch::isIn(realGl)),
+      latch(settings.quirks.has(Quirk::materialLatch) && MaterialLatch::isIn(realGl)),
       textures(group),
       program(real, group, info),
       failsafe_(failsafe) {}
@@ -46,7 +47,7 @@ void ShadowState::read(uint32_t stale) {
   errors.keepPending();
   if (!state.rare.asked) {
     state.rare = readRareState(real);
-    state.rare.fogsWholeSum = state.rare.fogsWholeSum && info.settings.quirks.has(Quirk::fogSum);
+    state.rare.fogsWholeSum = state.rare.fogsWholeSum && settings.quirks.has(Quirk::fogSum);
   }
   state.rare.fixedFunction = !info.core;
   if (stale & kCurrent) current.read(real);

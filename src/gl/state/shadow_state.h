@@ -24,13 +24,15 @@ class Failsafe;
 
 class ShadowState {
  public:
-  ShadowState(const RealGl& real, std::shared_ptr<ShareGroup> group, const ContextInfo& info, Errors& errors,
-              Failsafe& failsafe);
+  /// `ofFrame`: the settings of the frame, which change between frames.
+  ShadowState(const RealGl& real, std::shared_ptr<ShareGroup> group, const ContextInfo& info,
+              const Settings& ofFrame, Errors& errors, Failsafe& failsafe);
 
   const RealGl& real;
   const std::shared_ptr<ShareGroup> sharedGroup;
   ShareGroup& group;
   const ContextInfo info;
+  const Settings& settings;  // of this frame
   Errors& errors;
 
   uint32_t dirty = kAllGroups;  // StateGroups to read back before the next draw needs them

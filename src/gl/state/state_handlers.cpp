@@ -12,6 +12,7 @@ namespace gluray::gl {
 namespace {
 
 void clearNow(Context& c, GLbitfield mask) {
+  c.frames.beforeClear();
   c.syncCurrent();
   c.layers.clearing();
   if (c.layers.clearsLater(mask)) return;
@@ -64,7 +65,7 @@ GLenum getError(Context& c) {
 
 namespace {
 
-bool hides(const Context& c) { return c.info().settings.quirks.has(Quirk::hidePersistentMapping); }
+bool hides(const Context& c) { return c.shadow.settings.quirks.has(Quirk::hidePersistentMapping); }
 
 /// The answers of display lists, which the real OpenGL does not know. False for any other question.
 template <class T>

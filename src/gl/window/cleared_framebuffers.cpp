@@ -12,14 +12,14 @@ void ClearedFramebuffers::clear(GLbitfield mask) {
   const RealGl& real = shadow_.real;
   const RareState& rare = shadow_.state.rare;
   cleared_.reset();
-  if (mask & GL_COLOR_BUFFER_BIT && shadow_.info.settings.spp > 1 && !clock_.direct())
+  if (mask & GL_COLOR_BUFFER_BIT && shadow_.settings.spp > 1 && !clock_.direct())
     antialiased_.clear(real, rare);
   if ((mask & kBoth) != kBoth || clock_.direct() || failsafe_.aside() || shadow_.activeQueries > 0 ||
       !shadow_.isSoftwareBelow())
     return;
   const GLint framebuffer = isPresent(real.BindFramebuffer) ? integer(real, GL_DRAW_FRAMEBUFFER_BINDING) : 0;
   const Quirk use = framebuffer == 0 ? Quirk::softwareShow : Quirk::softwarePut;
-  if (!shadow_.info.settings.quirks.has(use) || !clearsAll(real, rare)) return;
+  if (!shadow_.settings.quirks.has(use) || !clearsAll(real, rare)) return;
   const glm::ivec4 box = scissorBox(real);
   ClearedTarget cleared{static_cast<GLuint>(framebuffer), {box.x, box.y, box.z, box.w}, {}};
   real.GetFloatv(GL_COLOR_CLEAR_VALUE, cleared.color.data());

@@ -10,7 +10,7 @@ namespace gluray::gl {
 
 class FrameClock {
  public:
-  explicit FrameClock(const ContextInfo& info);
+  FrameClock(const ContextInfo& info, const Settings& settings);
 
   uint64_t frame = 1;
   double beganSeconds = 0;  // when this frame was first seen to clear or draw; 0: not yet

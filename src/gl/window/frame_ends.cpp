@@ -7,6 +7,8 @@
 
 #include <GL/glext.h>
 
+#include <utility>
+
 namespace gluray::gl {
 namespace {
 
@@ -42,9 +44,32 @@ void FrameEnds::afterSwap() {
   p_.clock.beganSeconds = 0;
   chooseEngine();
   ++p_.clock.frame;
+  begun_ = false, drawsBefore_ = draws();
+  p_.failsafe.protect([&] { takeSettings(); });
   p_.surfaces.passes.clear();
   p_.surfaces.coplanar.clear();
   forgetOld();
+}
+
+uint64_t FrameEnds::draws() const {
+  const Statistics& statistics = p_.counts.statistics;
+  return statistics.drawsTraced + statistics.drawsRasterised;
+}
+
+void FrameEnds::takeSettings() {
+  if (p_.lists.compiling() || p_.immediate.insideBegin()) return;
+  const ContextInfo& info = p_.shadow.info;
+  const Engine before = engineOf(info, p_.settings.now());
+  if (!p_.settings.take()) return;
+  const Engine now = engineOf(info, p_.settings.now());
+  if (before == now) return;
+  p_.flusher.flush();
+  p_.passthrough.startAnew(now);
+}
+
+void FrameEnds::beforeClear() noexcept {
+  if (std::exchange(begun_, true) || draws() != drawsBefore_) return;
+  p_.failsafe.protect([&] { takeSettings(); });
 }
 
 void FrameEnds::chooseEngine() {
@@ -89,6 +114,7 @@ void FrameEnds::cleared(GLbitfield mask) {
   const int patience = p_.counts.statistics.frames > 0 ? 64 : 4;
   if (++clears_ < patience) return;
   forgetOld();
+  if (p_.counts.statistics.frames == 0) p_.failsafe.protect([&] { takeSettings(); });
   p_.surfaces.passes.forgetMany();  // those of framebuffers whose depth is never cleared
 }
 
@@ -106,12 +132,11 @@ void FrameEnds::showFront() {
   const ContextInfo& info = p_.shadow.info;
   Statistics& statistics = p_.counts.statistics;
   if (!info.frameEnded || statistics.frames > 0) return;
-  const uint64_t draws = statistics.drawsTraced + statistics.drawsRasterised;
-  if (draws == drawsInFront_) return;
+  if (draws() == drawsInFront_) return;
   p_.shadow.refresh(kTarget);
   const TargetState& target = p_.shadow.state.target;
   if (target.framebuffer != 0 || !isFront(target.drawBuffer)) return;
-  drawsInFront_ = draws;
+  drawsInFront_ = draws();
   if (info.frameEnding) info.frameEnding();
   ++statistics.framesInFront;
   info.frameEnded();

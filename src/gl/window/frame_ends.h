@@ -3,6 +3,7 @@
 #pragma once
 #include "gl/batch/flusher.h"
 #include "gl/draws/draw_counts.h"
+#include "gl/window/frame_settings.h"
 #include "gl/window/passthrough_frames.h"
 
 #include <GL/gl.h>
@@ -16,6 +17,7 @@ class ResolveDraws;
 class FrameEnds {
  public:
   struct Parts {
+    FrameSettings& settings;
     ShadowState& shadow;
     Failsafe& failsafe;
     FrameClock& clock;
@@ -36,11 +38,15 @@ class FrameEnds {
   void afterSwap();
   /// For glFlush and glFinish: shows what is pending if anybody could see it before the next swap.
   void showIfVisible();
+  /// Before a clear: where the frame begins with it, takes the settings of now.
+  void beforeClear() noexcept;
   /// Before and after the real clear: of colour and depth they are the frames of programs that never swap.
   void clearing(GLbitfield mask);
   void cleared(GLbitfield mask);
 
  private:
+  void takeSettings();
+  uint64_t draws() const;
   void endFrame();
   void showFront();
   void showDrawn();
@@ -49,6 +55,8 @@ class FrameEnds {
   void deleteDiscarded();
 
   Parts p_;
+  bool begun_ = false;          // this frame has cleared
+  uint64_t drawsBefore_ = 0;    // draws until this frame
   uint64_t drawsInFront_ = 0;   // draws until the last frame in the front buffer
   int clears_ = 0;              // of colour and depth since forgetOld()
   uint64_t workForgotten_ = 0;  // DrawCounts::work() at that time

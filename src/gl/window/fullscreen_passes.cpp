@@ -56,7 +56,7 @@ bool FullscreenPasses::replace(GLenum mode, const Elements& elements) {
   const Family::Pass pass = passOf(shadow.state.program);
   const bool resolving = pass == Family::Pass::resolve;
   if (!resolving && pass != Family::Pass::fxaa) return false;
-  const QuirkSet& quirks = shadow.info.settings.quirks;
+  const QuirkSet& quirks = shadow.settings.quirks;
   const bool instead =
       quirks.has(resolving ? Quirk::softwareResolve : Quirk::softwareFxaa) && shadow.isSoftwareBelow();
   const bool smooth = !resolving && p_.cleared.antialiased().copied() && quirks.has(Quirk::sppFxaa);
@@ -119,8 +119,7 @@ bool FullscreenPasses::antialiasInto(GLuint attachment, const scene::Region& reg
   fxaa.subpixelBlendLimit = uniforms.number(family.subpixelBlendLimit, fxaa.subpixelBlendLimit);
   fxaa.subpixelContrast = uniforms.number(family.subpixelContrast, fxaa.subpixelContrast);
   fxaa.endpointSearchIterations = static_cast<int>(uniforms.number(family.endpointSearchIterations, 12));
-  if (!p_.flusher.presenter.antialias(real, fxaa, unit, attachment, region, p_.shadow.info.settings))
-    return false;
+  if (!p_.flusher.presenter.antialias(real, fxaa, unit, attachment, region, p_.shadow.settings)) return false;
   noteUse(Quirk::softwareFxaa);
   return true;
 }

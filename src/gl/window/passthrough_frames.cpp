@@ -2,6 +2,7 @@
 
 #include "gl/attention.h"
 #include "gl/buffers/buffer.h"
+#include "gl/window/frame_settings.h"
 #include "gl/window/window_frames.h"
 
 namespace gluray::gl {
@@ -21,6 +22,11 @@ void PassthroughFrames::stopMeasuring() {
 void PassthroughFrames::chooseNext() {
   p_.failsafe.protect(
       [&] { set(p_.clock.choice.frameEnded() == EngineChoice::Way::direct && !p_.shadow.info.off); });
+}
+
+void PassthroughFrames::startAnew(Engine engine) {
+  p_.clock.choice = EngineChoice(engine, threadsOf(p_.shadow.settings), p_.shadow.info.clock);
+  set(p_.clock.choice.way() == EngineChoice::Way::direct && !p_.shadow.info.off);
 }
 
 void PassthroughFrames::set(bool passthrough) {

@@ -35,6 +35,8 @@ class PassthroughFrames {
   void stopMeasuring();
   /// After a frame, outside glBegin and lists: who draws the next one.
   void chooseNext();
+  /// The same where the settings name another engine than before: nothing is known of its frames.
+  void startAnew(Engine engine);
 
  private:
   void startMeasuring();

@@ -107,7 +107,7 @@ json quirksNow() {
   for (int i = 0; i < kQuirkCount; ++i) {
     const auto quirk = static_cast<Quirk>(i);
     list.push_back({{"name", describe(quirk).name},
-                    {"on", session().settings.quirks.has(quirk)},
+                    {"on", settingsOfNow().current()->quirks.has(quirk)},
                     {"uses", useCount(quirk)},
                     {"reason", describe(quirk).reason}});
   }
@@ -151,7 +151,7 @@ json askedByProgram(const std::set<std::string>& names) {
 }
 
 json machine() {
-  const frame::TracerInfo info = frame::tracerInfo(session().settings.threads);
+  const frame::TracerInfo info = frame::tracerInfo(settingsOfNow().current()->threads);
   return {{"embree", info.embree},   {"tbb", info.tbb},
           {"kernels", info.kernels}, {"rayPacket", info.rayPacket},
           {"threads", info.threads}, {"libraries", mappedFiles({"libembree", "libtbb"})},

@@ -1,0 +1,32 @@
+#include "gl/window/frame_settings.h"
+
+#include "settings/values.h"
+
+#include <tbb/info.h>
+
+#include <utility>
+
+namespace gluray::gl {
+
+Engine engineOf(const ContextInfo& info, const Settings& settings) {
+  const bool choice = !info.off && settings.renderer != Renderer::null && !settings.changesPicture();
+  return choice || settings.engine == Engine::never ? settings.engine : Engine::always;
+}
+
+int threadsOf(const Settings& settings) {
+  if (settings.threads > 0) return settings.threads;
+  return settings.engine == Engine::automatic ? tbb::info::default_concurrency() : 1;
+}
+
+bool FrameSettings::take() {
+  if (!source_) return false;
+  const uint64_t version = source_->version();
+  if (version == version_) return false;
+  Settings next = *source_->current();
+  keepBetweenFrames(next, now_);
+  version_ = version;
+  now_ = std::move(next);
+  return true;
+}
+
+}  // namespace gluray::gl

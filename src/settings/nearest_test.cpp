@@ -1,0 +1,28 @@
+#include "settings/nearest.h"
+
+#include "settings/rows.h"
+
+#include <gtest/gtest.h>
+
+namespace gluray {
+namespace {
+
+TEST(Nearest, DistancesCountLetters) {
+  EXPECT_EQ(editDistance("bvh", "bvh"), 0u);
+  EXPECT_EQ(editDistance("", "bvh"), 3u);
+  EXPECT_EQ(editDistance("shadng", "shading"), 1u);    // left out
+  EXPECT_EQ(editDistance("shaading", "shading"), 1u);  // twice
+  EXPECT_EQ(editDistance("shadimg", "shading"), 1u);   // another
+  EXPECT_EQ(editDistance("bhv", "bvh"), 1u);           // exchanged
+  EXPECT_EQ(editDistance("kitten", "sitting"), 3u);
+}
+
+TEST(Nearest, OnlyWhatMayHaveBeenMeantIsNamed) {
+  EXPECT_EQ(unknownSetting("bhv"), "no setting is called 'bhv'; did you mean 'bvh'?");
+  EXPECT_EQ(unknownSetting("log_level"), "no setting is called 'log_level'; did you mean 'log-level'?");
+  EXPECT_EQ(unknownSetting("ambient"), "no setting is called 'ambient'");
+  EXPECT_EQ(unknownSetting(""), "no setting is called ''");
+}
+
+}  // namespace
+}  // namespace gluray

@@ -1,0 +1,39 @@
+// The settings of now. Contexts look here once a frame, when it begins, so that a change at run time is one
+// store. Any thread.
+#pragma once
+#include "settings/settings.h"
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+
+namespace gluray {
+
+class SettingsSource {
+ public:
+  explicit SettingsSource(const Settings& first = {}) : now_(std::make_shared<const Settings>(first)) {}
+
+  std::shared_ptr<const Settings> current() const {
+    const std::lock_guard lock(mutex_);
+    return now_;
+  }
+  void store(const Settings& settings) {
+    auto next = std::make_shared<const Settings>(settings);
+    const std::lock_guard lock(mutex_);
+    now_.swap(next);
+    version_.fetch_add(1, std::memory_order_release);
+  }
+  /// Grows with every store; what a frame asks first, without a lock.
+  uint64_t version() const noexcept { return version_.load(std::memory_order_acquire); }
+
+ private:
+  mutable std::mutex mutex_;
+  std::shared_ptr<const Settings> now_;
+  std::atomic<uint64_t> version_{1};
+};
+
+/// The one of this process; the built-in settings until the session is read. Lives until the process ends.
+SettingsSource& settingsSource();
+
+}  // namespace gluray

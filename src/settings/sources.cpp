@@ -1,0 +1,68 @@
+#include "settings/config_file.h"
+#include "settings/layers.h"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+
+namespace gluray {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value ? value : "";
+}
+
+/// Of the directory where the launcher was started; without one, of the working directory.
+std::string projectFile() {
+  std::string named = environment("GLURAY_PROJECT");
+  return named.empty() ? projectFileHere() : named;
+}
+
+/// Of the executable; and of the program as the user typed it, in the process that the launcher became.
+std::vector<std::string> programNames() {
+  std::vector<std::string> names;
+  std::error_code error;
+  const fs::path executable = fs::read_symlink("/proc/self/exe", error);
+  if (!error) names.push_back(executable.filename().string());
+  const std::string typed = environment("GLURAY_PROGRAM");
+  const bool launched = environment("GLURAY_PID") == std::to_string(getpid());
+  if (launched && !typed.empty() && (names.empty() || names[0] != typed)) names.push_back(typed);
+  return names;
+}
+
+/// Lines NAME=VALUE that the launcher has left.
+std::vector<std::pair<std::string, std::string>> passedOptions() {
+  std::vector<std::pair<std::string, std::string>> options;
+  std::istringstream lines(environment("GLURAY_COMMAND_LINE"));
+  for (std::string line; std::getline(lines, line);)
+    if (const size_t sign = line.find('='); sign != line.npos)
+      options.emplace_back(line.substr(0, sign), line.substr(sign + 1));
+  return options;
+}
+
+}  // namespace
+
+std::string projectFileHere() {
+  std::error_code error;
+  const fs::path here = fs::current_path(error);
+  return error ? "" : (here / "gluray.toml").string();
+}
+
+Sources sourcesOfProcess() {
+  Sources sources;
+  sources.systemFile = "/etc/gluray/gluray.toml";
+  sources.userFile = userConfigFile();
+  sources.userFileNamed = !environment("GLURAY_CONFIG").empty();
+  sources.projectFile = projectFile();
+  sources.programs = programNames();
+  sources.commandLine = passedOptions();
+  sources.passed = true;
+  return sources;
+}
+
+}  // namespace gluray

@@ -1,0 +1,150 @@
+// A frame is drawn with the settings that were there when it began; the next one takes what was stored since.
+#include "scenes/stage.h"
+#include "settings/settings_source.h"
+#include "tests/support/traced_context.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace gluray::test {
+namespace {
+
+using scenes::Gl;
+
+constexpr int kSize = 96;
+
+/// Keeps the settings of the batches it is asked for, and draws nothing.
+class Chosen final : public gl::Presenter {
+ public:
+  explicit Chosen(std::vector<Settings>& seen) : seen_(seen) {}
+  gl::PresentResult present(const gl::RealGl&, const scene::SnapshotPtr& snapshot,
+                            const gl::PresentTarget&) noexcept override {
+    seen_.push_back(snapshot->settings);
+    gl::PresentResult result;
+    result.outcome = gl::PresentResult::traced;
+    return result;
+  }
+  bool supports(const gl::RealGl&, bool, std::string&) noexcept override { return true; }
+  void forget(const gl::RealGl&) noexcept override {}
+
+ private:
+  std::vector<Settings>& seen_;
+};
+
+/// A batch of its own: the next one has another depth function.
+void drawBatch(Gl gl, GLenum depthFunction) {
+  gl.DepthFunc(depthFunction);
+  scenes::sendAt(gl, scenes::sphere(6, 8), depthFunction == GL_LESS ? -0.7f : 0.7f, 0, 0, 0.6f);
+}
+
+/// Two batches, with `between` in between.
+void drawFrame(Gl gl, const std::function<void()>& between = {}) {
+  scenes::begin(gl, kSize, kSize);
+  scenes::camera(gl, kSize, kSize);
+  scenes::keyLight(gl);
+  drawBatch(gl, GL_LESS);
+  if (between) between();
+  drawBatch(gl, GL_LEQUAL);
+  gl.Finish();
+}
+
+Settings other() {
+  Settings settings = TracedContext::vertexShading();
+  settings.shading = ShadingRate::pixel, settings.spp = 4, settings.bvh = BvhQuality::full;
+  settings.quirks.set("spp-fxaa", false);
+  return settings;
+}
+
+TEST(SettingsOfFrames, AStoreCountsFromTheNextFrameOn) {
+  std::vector<Settings> seen;
+  const Settings first = TracedContext::vertexShading();
+  SettingsSource source(first);
+  TracedContext context({kSize, kSize}, first, std::make_unique<Chosen>(seen), nullptr, familiesOfTests(),
+                        &source);
+  drawFrame(context.gl(), [&] { source.store(other()); });
+  EXPECT_EQ(seen, (std::vector<Settings>{first, first}));
+  EXPECT_EQ(context.context().settings.now(), other());
+  seen.clear();
+  drawFrame(context.gl());
+  EXPECT_EQ(seen, (std::vector<Settings>{other(), other()}));
+  seen.clear();
+  source.store(first);  // between frames: the first clear takes it
+  drawFrame(context.gl());
+  EXPECT_EQ(seen, (std::vector<Settings>{first, first}));
+}
+
+TEST(SettingsOfFrames, AClearBehindDrawsBeginsNoFrame) {
+  std::vector<Settings> seen;
+  const Settings first = TracedContext::vertexShading();
+  SettingsSource source(first);
+  TracedContext context({kSize, kSize}, first, std::make_unique<Chosen>(seen), nullptr, familiesOfTests(),
+                        &source);
+  const Gl gl = context.gl();
+  gl.Enable(GL_DEPTH_TEST);
+  drawBatch(gl, GL_LESS);  // without a clear
+  source.store(other());
+  drawFrame(gl);
+  EXPECT_EQ(seen, (std::vector<Settings>{first, first, first}));
+}
+
+TEST(SettingsOfFrames, WhatAppliesToContextsStays) {
+  SettingsSource source(TracedContext::vertexShading());
+  Settings next = other();
+  next.threads = 3, next.renderer = Renderer::null;
+  TracedContext old({kSize, kSize}, {}, nullptr, nullptr, familiesOfTests(), &source);
+  source.store(next);
+  drawFrame(old.gl());
+  EXPECT_EQ(old.context().settings.now(), other());
+  const TracedContext fresh({kSize, kSize}, {}, nullptr, nullptr, familiesOfTests(), &source);
+  EXPECT_EQ(fresh.context().settings.now(), next);
+  EXPECT_EQ(old.context().settings.now(), other());
+}
+
+/// The picture of a frame in a context that has these settings from the first.
+Picture pictureWith(const Settings& settings) {
+  TracedContext context({kSize, kSize}, settings);
+  drawFrame(context.gl());
+  return context.read();
+}
+
+TEST(SettingsOfFrames, PicturesFollow) {
+  const Settings first = TracedContext::vertexShading();
+  const Picture before = pictureWith(first), after = pictureWith(other());
+  EXPECT_NE(before.colors, after.colors);
+  SettingsSource source(first);
+  TracedContext context({kSize, kSize}, first, nullptr, nullptr, familiesOfTests(), &source);
+  drawFrame(context.gl(), [&] { source.store(other()); });
+  EXPECT_EQ(context.read().colors, before.colors);
+  drawFrame(context.gl());
+  EXPECT_EQ(context.read().colors, after.colors);
+  EXPECT_EQ(context.read().depths, after.depths);
+}
+
+TEST(SettingsOfFrames, WhatChangesThePictureIsTracedHoweverSmall) {
+  Settings automatic = TracedContext::vertexShading();
+  automatic.engine = Engine::automatic;
+  SettingsSource source(automatic);
+  TracedContext context({kSize, kSize}, automatic, nullptr, nullptr, familiesOfTests(), &source);
+  const auto tracedIn = [&](int frames) {
+    const uint64_t before = context.context().counts.statistics.drawsTraced;
+    for (int i = 0; i < frames; ++i) drawFrame(context.gl());
+    return context.context().counts.statistics.drawsTraced - before;
+  };
+  EXPECT_EQ(tracedIn(1), 0u);  // so few triangles are the real OpenGL's
+  Settings smooth = automatic;
+  smooth.spp = 4;
+  source.store(smooth);
+  tracedIn(1);
+  EXPECT_EQ(tracedIn(3), 6u);
+  Settings never = smooth;
+  never.engine = Engine::never;
+  source.store(never);
+  tracedIn(1);
+  EXPECT_EQ(tracedIn(3), 0u);
+}
+
+}  // namespace
+}  // namespace gluray::test

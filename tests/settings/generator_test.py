@@ -1,0 +1,107 @@
+"""The generator of settings: pages that follow added rows, and rows that it refuses."""
+from __future__ import annotations
+
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+HERE = pathlib.Path(__file__).resolve().parent
+TOOL = ROOT / "tools/settings.py"
+PAGES = ("completions/gluray", "docs/man/gluray.1", "docs/man/gluray.toml.5", "docs/settings.md")
+
+
+def run(*words) -> subprocess.CompletedProcess:
+    return subprocess.run([sys.executable, *map(str, words)], capture_output=True, text=True)
+
+
+class Folder(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+        for page in PAGES:
+            (self.folder / page).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(ROOT / page, self.folder / page)
+        self.added = self.folder / "settings.toml"
+        self.added.write_text((ROOT / "spec/settings.toml").read_text() + (HERE / "added_rows.toml").read_text())
+
+
+class Pages(Folder):
+    def setUp(self):
+        super().setUp()
+        self.assertEqual(run(TOOL, "--pages", self.folder, "--spec", self.added).returncode, 0)
+        self.pages = {page: (self.folder / page).read_text() for page in PAGES}
+
+    def check(self, page: str, *parts: str):
+        for part in parts:
+            self.assertIn(part, self.pages[page])
+
+    def test_man_page_of_the_launcher(self):
+        self.check("docs/man/gluray.1", ".B \\-\\-added\nAdds a switch.", '.BI \\-\\-added\\-radius " X"\nAdds a number. It has a unit. From 0 (nothing) to 10 ms. '
+                   "The default is 0.5.", "\\fBvery\\-high\\fR: adds much", "\\fBGLURAY_ADDED_DEEP_FIRST_MODE\\fR")
+
+    def test_man_page_of_files(self):
+        self.check("docs/man/gluray.toml.5", '.BR added.radius " = \\fInumber\\fR"', ".BR added.sky", ".BR added.names", ".BR added.deep.first\\-mode")
+
+    def test_settings_page(self):
+        self.check("docs/settings.md", "## Added\n", "### added.enabled\n\nAdds a switch.\n\ntrue or false; default: false; applies from the next frame on; changes the picture",
+                   "`GLURAY_ADDED_UP`", "a number, from 0 (nothing) to 10 ms; default: 0.5", "- `low`: adds little", "default: 0.25,0.5,1")
+
+    def complete(self, *words: str) -> list[str]:
+        script = f"""source '{self.folder}/completions/gluray'; COMP_WORDS=({' '.join(f"'{w}'" for w in words)}); COMP_CWORD={len(words) - 1}
+                     _gluray; printf '%s\\n' "${{COMPREPLY[@]}}\""""
+        return subprocess.run(["bash", "--norc", "-c", script], capture_output=True, text=True).stdout.split()
+
+    def test_completions(self):
+        self.assertEqual(self.complete("gluray", "--added-r"), ["--added-radius"])
+        self.assertEqual(self.complete("gluray", "--added-mode", "v"), ["very-high"])
+        self.assertEqual(self.complete("gluray", "--set", "added.e"), ["added.enabled="])
+        self.assertEqual(self.complete("gluray", "--set", "added.deep.first-mode=l"), ["added.deep.first-mode=low"])
+        self.assertEqual(self.complete("gluray", "settings", "--why", "added.u"), ["added.up"])
+
+    def test_stale_pages_are_noticed(self):
+        self.assertEqual(run(TOOL, "--check", self.folder, "--spec", self.added).returncode, 0)
+        done = run(TOOL, "--check", self.folder)
+        self.assertEqual(done.returncode, 1)
+        for page in PAGES:
+            self.assertIn(page, done.stderr)
+
+
+class Refused(Folder):
+    def refuse(self, why: str, **fields):
+        row = dict(name="x", type="int", range=[0, 1], help="h", group="g", since="1", applies="frame", changes="way") | fields
+        text = "\n".join(f"{k.replace('_', '-')} = {self.toml(v)}" for k, v in row.items() if v is not None)
+        spec = self.folder / "spec.toml"
+        spec.write_text((ROOT / "spec/settings.toml").read_text() + "\n[[setting]]\n" + text + "\n")
+        done = run(TOOL, self.folder / "gen", "--spec", spec)
+        self.assertEqual(done.returncode, 1, why)
+        self.assertIn(why, done.stderr)
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+
+    @staticmethod
+    def toml(value) -> str:
+        return str(value).lower() if isinstance(value, bool) else repr(value)
+
+    def test_rows(self):
+        self.refuse("needs a field 'help'", help=None)
+        self.refuse("unknown field rnage", rnage=[0, 1])
+        self.refuse("type must be one of", type="double")
+        self.refuse("numbers need a range", range=None)
+        self.refuse("the default is out of range", default=2)
+        self.refuse("the default is no int", default="1")
+        self.refuse("applies must be one of", applies="now")
+        self.refuse("must apply to frames or contexts", applies="process", changes="picture")
+        self.refuse("choices are needed", type="choice", range=None)
+        self.refuse("another one has the name spp", name="spp")
+        self.refuse("another one has the variable GLURAY_LOG_LEVEL", name="log.level")
+        self.refuse("another one has the option --spp", option="--spp")
+        self.refuse("'spp' is a setting, not a group", name="spp.more")
+        self.refuse("is not reserved", name="config")
+        self.refuse("is not reserved", name="program.x")
+
+
+if __name__ == "__main__":
+    unittest.main()
