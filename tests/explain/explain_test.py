@@ -1,48 +1,20 @@
-"""gluray explain on a program whose draws are known: tables, pages, ways to end.
+"""gluray explain on a program whose draws are known (explaining.py): tables, ways to end.
 
     explain_test.py GLURAY CLIENTS_DIRECTORY [unittest arguments]
-
-The client's frame (client.c): 2 triangles by glBegin, 6 in a list and 200 by glDrawElements, all traced; 3 blended and
-stippled quads by glDrawArrays; 4 lines. Traced are 128 x 128 + 3 x 20 x 20 + 64 x 64 pixels, of which 32 x 32 are blended over.
 """
 from __future__ import annotations
 
-import base64
 import json
-import os
-import pathlib
 import re
-import shutil
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
-GLURAY, CLIENTS = (pathlib.Path(p).resolve() for p in sys.argv[1:3])
-CLIENT = CLIENTS / "explain_client"
-TRACED_PIXELS, GLASS_PIXELS = 128 * 128 + 3 * 20 * 20 + 64 * 64, 32 * 32
+from explaining import CLIENT, CLIENTS, GLURAY, Folder, explained, gluray
 
 ENDS = (signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGSEGV, signal.SIGABRT, signal.SIGKILL)
-
-
-def gluray(*words, cwd=None, **environment):
-    return subprocess.run([str(GLURAY), *map(str, words)], env={**os.environ, **environment}, capture_output=True,
-                          text=True, timeout=100, cwd=cwd)
-
-
-def explained(*words, cwd=None, **environment):
-    done = gluray("explain", "--json", *words, cwd=cwd, **environment)
-    if done.returncode != 0:
-        raise AssertionError(f"exit code {done.returncode}\n{done.stdout}{done.stderr}")
-    return json.loads(done.stdout)
-
-
-class Folder(unittest.TestCase):
-    def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp())
-        self.addCleanup(shutil.rmtree, self.folder)
 
 
 class Table(Folder):
@@ -256,76 +228,6 @@ class WalkedPast(unittest.TestCase):
         said = gluray("doctor", LD_PRELOAD=library.group(1))
         self.assertEqual(said.returncode, 1, said.stdout)
         self.assertIn("walked past", said.stdout)
-
-
-class Page(Folder):
-    def page(self, mode, frames=20):
-        file = self.folder / "page.html"
-        facts = explained("--frames", frames, "--html", file, CLIENT, mode)["page"]
-        text = file.read_text()
-        self.assertEqual(json.loads(re.search(r'id="facts">(.*?)</script>', text).group(1)), facts)
-        return facts, text
-
-    def test_same_frame_twice(self):
-        facts, text = self.page("plain")
-        self.assertEqual((facts["frame"], facts["frameWithout"], facts["sameFrame"]), (20, 20, True))
-        self.assertEqual((facts["width"], facts["height"], facts["pixels"]), (256, 256, 65536))
-        self.assertEqual(facts["traced"] + facts["drawnOver"], TRACED_PIXELS)
-        self.assertEqual(facts["drawnOver"], GLASS_PIXELS)
-        # The colour follows the clock: it stands still alike in both runs.
-        self.assertEqual((facts["differingAtAll"], facts["outsideDiffering"]), (0, 0))
-        pictures = dict(re.findall(r'<img id="(\w+)"[^>]*base64,([^"]+)"', text))
-        self.assertEqual(set(pictures), {"with", "without", "difference", "traced"})
-        for data in pictures.values():
-            self.assertTrue(base64.b64decode(data).startswith(b"\x89PNG"))
-        self.assertNotIn("did not show the same frame", text)
-
-    def test_single_buffered_programs(self):
-        facts, text = self.page("single")
-        self.assertEqual((facts["frame"], facts["frameWithout"], facts["sameFrame"]), (20, 20, True))
-        self.assertEqual(facts["traced"] + facts["drawnOver"], TRACED_PIXELS)
-        self.assertEqual((facts["differingAtAll"], facts["outsideDiffering"]), (0, 0))
-        self.assertIn('id="without"', text)
-
-    def test_front_buffers(self):
-        facts, _ = self.page("front")
-        self.assertEqual((facts["frame"], facts["frameWithout"], facts["sameFrame"]), (20, 20, True))
-        self.assertEqual(facts["traced"] + facts["drawnOver"], TRACED_PIXELS)
-        self.assertEqual((facts["differingAtAll"], facts["outsideDiffering"]), (0, 0))
-
-    def test_differences_are_counted(self):
-        facts, _ = self.page("different")
-        self.assertEqual((facts["differing"], facts["differingAtAll"]), (100, 100))
-        self.assertEqual(facts["drawnOver"], GLASS_PIXELS + 100)
-        self.assertTrue(facts["sameFrame"])
-
-    def test_frames_that_are_not_the_same(self):
-        for _ in range(3):  # two random bytes are nearly equal now and then
-            facts, text = self.page("restless")
-            if not facts["sameFrame"]:
-                break
-        self.assertFalse(facts["sameFrame"])
-        self.assertIn("did not show the same frame", text)
-
-    def test_pictures_at_rest(self):
-        file = self.folder / "page.html"
-        facts = explained("--rest", "0.5", "--html", file, CLIENT, "still")["page"]
-        self.assertEqual((facts["frame"], facts["frameWithout"], facts["differingAtAll"]), (2, 2, 0))
-
-    def test_pages_that_cannot_be_written(self):
-        done = gluray("explain", "--frames", 3, "--html", "/dev/null/page.html", CLIENT)
-        self.assertEqual((done.returncode, done.stderr), (1, "gluray: cannot write /dev/null/page.html: Not a directory\n"))
-
-    def test_pages_on_standard_output(self):
-        done = gluray("explain", "--frames", 3, "--html", "-", CLIENT)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertTrue(done.stdout.startswith("<!DOCTYPE html>") and done.stdout.endswith("</html>\n"))
-        self.assertIn("triangles traced", done.stderr)
-
-    def test_the_programs_output_is_not_in_the_json(self):
-        done = gluray("explain", "--json", "--frames", 3, CLIENT)
-        self.assertIn("asked to end", done.stderr)
-        json.loads(done.stdout)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 // Surfaces that are seen through, composited by dual depth peeling: all layers are traced in the place of the
 // first peel; whatever comes between makes the real OpenGL draw what was held back.
-#include "tests/reference/layers/peeler.h"
+#include "tests/reference/layers/peeling_stage.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -11,21 +11,6 @@ namespace {
 using Color = Surface::Color;
 using Lights = Surface::Lights;
 using Hooks = Peeler::Hooks;
-
-/// Layers are rounded to eight bits by every peel of the real OpenGL, by us once.
-constexpr scenes::Tolerance kPeelTolerance = {3, 0.004, 1e-5f,
-                                              "silhouettes of all layers; every peel rounds to eight bits"};
-
-void expectPeeled(const std::string& name, const std::vector<Layer>& all, int draws,
-                  const std::function<Hooks(Gl, Peeler&)>& hooksOf = {}) {
-  const auto draw = [&](Gl gl) {
-    Peeler peeler(gl);
-    const Hooks hooks = hooksOf ? hooksOf(gl, peeler) : Hooks{};
-    peeler.frame(all, hooks);
-    peeler.frame(all, hooks);
-  };
-  expectBoth(name, draw, draws, {}, kPeelTolerance);
-}
 
 TEST(Peeling, AllLayersAreTracedAtOnce) { expectPeeled("balls", balls(), 2 * 4); }
 
@@ -38,16 +23,6 @@ TEST(Peeling, ProgramsThatAreMadeBetweenThePassesChangeNothing) {
         peeler.frame(balls());
       },
       4, {}, kPeelTolerance);
-}
-
-/// Sheets one behind the other, `step` apart, the nearest first.
-std::vector<Layer> row(int count, float opacity, double step) {
-  std::vector<Layer> all;
-  for (int i = 0; i < count; ++i) {
-    const float x = static_cast<float>(i) / static_cast<float>(count);
-    all.push_back(seen(sheet(12), {x, 0.5f, 1 - x}, opacity, placed({0, 0, 0.6 - step * i}, 0.7)));
-  }
-  return all;
 }
 
 TEST(Peeling, ProgramsCountWhatTheirPeelsWouldHaveWritten) {
@@ -211,103 +186,6 @@ TEST(Peeling, AFramebufferOfFloatsIsClearedBefore) {
 }
 
 // --- What comes between ---------------------------------------------------------------------------------
-
-TEST(Peeling, LinesAmongThemAreDrawnByTheRealOne) {
-  auto all = balls();
-  all[1].mode = GL_LINES;
-  expectPeeled("lines", all, 2 * 1);
-}
-
-TEST(Peeling, LinesAfterSurfacesThatWaited) {
-  auto all = balls();
-  all[3].mode = GL_LINES;
-  expectPeeled("lines_last", all, 2 * 1);
-}
-
-TEST(Peeling, DepthsFoundAreReadBack) {
-  std::vector<std::vector<float>> found;
-  const auto hooks = [&](Gl gl, Peeler& peeler) {
-    return Hooks{.afterDepths = [&found, &gl, &peeler] {
-      std::vector<float> depths(size_t{2} * kProgramWidth * kProgramHeight);
-      gl.ActiveTexture(GL_TEXTURE6);
-      gl.BindTexture(GL_TEXTURE_2D, peeler.depthsFound());
-      gl.GetTexImage(GL_TEXTURE_2D, 0, GL_RG, GL_FLOAT, depths.data());
-      found.push_back(std::move(depths));
-    }};
-  };
-  expectPeeled("read_back", balls(), -1, hooks);
-  ASSERT_EQ(found.size(), 6u);  // two frames by the real OpenGL, by ours, and by ours where tracing fails
-  for (const auto& depths : found) {
-    size_t different = 0;
-    for (size_t i = 0; i < depths.size(); ++i) different += std::abs(depths[i] - found[0][i]) > 1e-6f;
-    EXPECT_EQ(different, 0u);
-  }
-}
-
-TEST(Peeling, ReadPixelsAfterTheFirstPeel) {
-  const auto hooks = [](Gl gl, Peeler&) {
-    return Hooks{.afterFirstPeel = [&gl] {
-      uint32_t pixel = 0;
-      gl.ReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
-    }};
-  };
-  expectPeeled("read_pixels", balls(), 2 * 1, hooks);  // before it is known whether all layers are shown
-}
-
-TEST(Peeling, AFlushBetweenSurfacesTracesAllOfThemAgain) {
-  const auto hooks = [](Gl gl, Peeler&) {
-    return Hooks{.betweenSurfaces = [&gl] {
-      uint32_t pixel = 0;
-      gl.ReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
-    }};
-  };
-  expectPeeled("flush_between", row(2, 0.4f, 0.2), 2 * 2, hooks);
-  // After the first ball it is not known whether all its layers are shown.
-  expectPeeled("flush_between_balls", balls(), 2 * 1, hooks);
-}
-
-TEST(Peeling, DepthsFoundAreClearedByTheProgram) {
-  const auto hooks = [](Gl gl, Peeler&) {
-    return Hooks{.afterDepths = [&gl] {
-      gl.ClearColor(-0.4f, 0.5f, 0, 0);
-      gl.Clear(GL_COLOR_BUFFER_BIT);
-    }};
-  };
-  expectPeeled("cleared", balls(), -1, hooks);
-}
-
-TEST(Peeling, AnotherDrawReadsTheDepths) {
-  const auto hooks = [](Gl gl, Peeler& peeler) {
-    const GLuint program = makeProgram(
-        gl,
-        "#version 150\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3. : -1., gl_VertexID == 2 ? 3. : "
-        "-1., 0., 1.); }",
-        "#version 150\nuniform sampler2D depths;\nout vec4 color;\n"
-        "void main() { color = vec4(texelFetch(depths, ivec2(gl_FragCoord.xy), 0).y, 0., 0., 0.3); }");
-    return Hooks{.afterDepths = [&gl, &peeler, program] {
-      GLint now = 0, array = 0;
-      gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &now), gl.GetIntegerv(GL_VERTEX_ARRAY_BINDING, &array);
-      gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-      gl.ActiveTexture(GL_TEXTURE6);
-      gl.BindTexture(GL_TEXTURE_2D, peeler.depthsFound());
-      gl.UseProgram(program);
-      setInteger(gl, program, "depths", 6);
-      gl.DrawArrays(GL_TRIANGLES, 0, 3);
-      gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(now));
-    }};
-  };
-  expectPeeled("another_draw", balls(), -1, hooks);
-}
-
-TEST(Peeling, SwitchedOff) {
-  Settings settings = TracedContext::tracing();
-  ASSERT_TRUE(settings.quirks.set("depth-peeling", false));
-  TracedContext ours(coreWish(), settings);
-  Peeler peeler(ours.gl());
-  peeler.frame(balls());
-  EXPECT_EQ(ours.context().counts.statistics.drawsTraced, 1u);
-  EXPECT_GT(peeler.peels(), 1);
-}
 
 }  // namespace
 }  // namespace gluray::test
