@@ -1,7 +1,7 @@
 #include "command_line.h"
 
 #include "say.h"
-#include "setting_options.h"
+#include "settings/setting_options.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,6 +1,6 @@
 // What the user typed.
 #pragma once
-#include "chosen_settings.h"
+#include "settings/chosen_settings.h"
 
 #include <string>
 #include <vector>

@@ -1,15 +1,15 @@
 // gluray: runs a program with its OpenGL calls led through GLuRay, then gets out of the way (exec); or
 // explains such a run, or says beforehand what will work.
 #include "command_line.h"
-#include "doctor.h"
-#include "explain.h"
-#include "launch.h"
-#include "probe_context.h"
-#include "program.h"
-#include "quirks_list.h"
+#include "doctor/doctor.h"
+#include "doctor/probe_context.h"
+#include "explain/explain.h"
+#include "programs/launch.h"
+#include "programs/program.h"
 #include "say.h"
-#include "settings_list.h"
-#include "show_timeline.h"
+#include "settings/quirks_list.h"
+#include "settings/settings_list.h"
+#include "timeline/show_timeline.h"
 
 #include <cstring>
 #include <exception>

@@ -1,6 +1,6 @@
 // What explain and doctor print, from made-up facts.
-#include "diagnosis.h"
-#include "explanation_text.h"
+#include "doctor/diagnosis.h"
+#include "explain/explanation_text.h"
 #include "text_table.h"
 
 #include <gtest/gtest.h>

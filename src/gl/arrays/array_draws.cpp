@@ -1,4 +1,6 @@
 // Draws from vertex arrays, by fixed function and by shader programs.
+#include "gl/arrays/array_draws.h"
+
 #include "base/clock.h"
 #include "base/timeline.h"
 #include "gl/arrays/array_indices.h"
@@ -37,15 +39,6 @@ bool validate(Context& c, GLenum mode, const Elements& e) {
   return true;
 }
 
-DrawPath pathOf(const Elements& e) { return e.type ? DrawPath::elements : DrawPath::arrays; }
-
-PrimitiveClass kindOf(GLenum mode) { return mode <= GL_POLYGON ? classOf(mode) : PrimitiveClass::lines; }
-
-/// Triangles of the draw, all instances together.
-uint64_t trianglesOf(GLenum mode, const Elements& e) {
-  return countTriangles(mode, static_cast<uint64_t>(e.count)) * e.repeats();
-}
-
 constexpr GLsizei kSmall = 192;  // vertices: below, draws join a run instead of becoming meshes of their own
 
 /// Records a draw: dereferenced now, as display lists demand (GL 2.1, 5.4).
@@ -70,23 +63,6 @@ void recordDraw(Context& c, GLenum mode, const Elements& e) {
   c.lists.recordFragment([&] { drawReal(c.real, mode, e); });
 }
 
-/// The mesh of the draw, known or new.
-KnownMesh meshOf(Context& c, const ArrayState& arrays, GLenum mode, const Elements& e) {
-  const double start = nowSeconds();
-  const timeline::Span span("capture", trianglesOf(mode, e));
-  KnownMesh known;
-  const Hash128 content = contentOf(c.real, arrays, mode, e);
-  if (!c.shadow.group.meshes.find(content, known)) {
-    known = arrays.shape == scene::Shape::triangles ? buildArrayMesh(c.real, arrays, mode, e)
-                                                    : buildFigureMesh(c.real, arrays, mode, e);
-    c.shadow.group.meshes.put(content, known);
-    ++c.counts.statistics.meshesBuilt;
-    if (known.mesh) c.counts.statistics.meshBytes += known.mesh->sizeBytes;
-  }
-  c.counts.statistics.captureSeconds += nowSeconds() - start;
-  return known;
-}
-
 /// Traces the draw if that can be right; says why not otherwise.
 Reason traceDraw(Context& c, GLenum mode, const Elements& e) {
   if (mode > GL_POLYGON) return Reason::program;  // adjacency and patches need shaders
@@ -101,77 +77,6 @@ Reason traceDraw(Context& c, GLenum mode, const Elements& e) {
     c.counts.traced(pathOf(e), known.mesh->triangleCount);
     return fine;
   });
-}
-
-Reason triageByPass(Context& c, PrimitiveClass kind) {
-  switch (layersOf(c.shadow.state.program)) {
-    case BatchKey::Layers::peeled: return c.layers.triagePeel(kind);
-    case BatchKey::Layers::summed: return c.layers.triageSum(kind);
-    case BatchKey::Layers::none:
-    case BatchKey::Layers::drawn: break;
-  }
-  return c.programs.triage(kind);
-}
-
-/// Traces what the current shader program draws if that can be right; says why not otherwise.
-Reason traceProgram(Context& c, GLenum mode, const Elements& e) {
-  if (mode > GL_POLYGON) return Reason::program;
-  const bool figures = c.shadow.program.drawsImpostors(mode);
-  const PrimitiveClass kind = figures ? PrimitiveClass::surfaces : classOf(mode);
-  Reason reason = triageByPass(c, kind);
-  if (reason == Reason::traced && figures) reason = c.programs.triageFigures();
-  if (reason != Reason::traced) return reason;
-  // Surfaces drawn by a program that wants points show nothing that anybody could know.
-  if (!figures && c.shadow.attributes.shape != scene::Shape::triangles) return Reason::program;
-  return c.failsafe.attempt([&] {
-    const KnownMesh known = meshOf(c, c.shadow.attributes, mode, e);
-    Reason fine = c.programs.triage(known);
-    if (fine == Reason::traced) fine = c.programs.triageInstances(*known.mesh, e);
-    if (fine == Reason::traced) fine = c.programs.add(known.mesh, mode, e);
-    if (fine != Reason::traced) return fine;
-    c.counts.traced(pathOf(e), uint64_t{known.mesh->triangleCount} * e.repeats());
-    return fine;
-  });
-}
-
-/// What a draw counts as: figures for a triangle each.
-struct Load {
-  PrimitiveClass kind;
-  uint64_t triangles;
-};
-Load loadOf(Context& c, GLenum mode, const Elements& e) {
-  const uint64_t figures = static_cast<uint64_t>(e.count) / (mode == GL_LINES ? 2 : 1) * e.repeats();
-  if (c.shadow.program.drawsImpostors(mode)) return {PrimitiveClass::surfaces, figures};
-  return {kindOf(mode), trianglesOf(mode, e)};
-}
-
-void drawByProgram(Context& c, GLenum mode, const Elements& e) {
-  c.shadow.refresh(kProgramGroups);
-  c.immediate.closeRunIfOpen();
-  if (passOf(c.shadow.state.program) == Family::Pass::peelDepths) {
-    bool held = false;
-    c.protect([&] { held = c.layers.holdDepths(mode, e, trianglesOf(mode, e)); });
-    if (held) return;
-  }
-  if (c.layers.drawsNothing()) return;
-  if (c.layers.asks()) {
-    bool held = false;
-    c.protect([&] { held = c.layers.holdLater(mode, e); });
-    if (held) return;
-  }
-  const Reason reason = traceProgram(c, mode, e);
-  if (reason == Reason::traced) return;
-  if (reason == Reason::programPass) {
-    bool done = false;
-    c.protect([&] { done = c.fullscreen.replace(mode, e); });
-    if (done) return;
-  }
-  const Load load = loadOf(c, mode, e);
-  c.protect([&] { c.programs.meetPasses(load.kind, mode, e); });
-  c.counts.rasterised(reason, pathOf(e), load.kind, load.triangles);
-  c.raster.before(load.kind);
-  c.shadow.sendBuffers();
-  drawReal(c.real, mode, e);
 }
 
 void draw(Context& c, GLenum mode, const Elements& e) {

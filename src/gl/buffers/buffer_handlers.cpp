@@ -1,4 +1,5 @@
 // Commands on buffer objects that are bound to a target.
+#include "gl/buffers/bound_buffer.h"
 #include "gl/handlers.h"
 
 #include <cstring>
@@ -7,34 +8,6 @@
 
 namespace gluray::gl {
 namespace {
-
-/// The query that tells what is bound to a target; 0 for targets that we do not know.
-GLenum bindingOf(GLenum target) {
-  switch (target) {
-    case GL_ARRAY_BUFFER: return GL_ARRAY_BUFFER_BINDING;
-    case GL_ELEMENT_ARRAY_BUFFER: return GL_ELEMENT_ARRAY_BUFFER_BINDING;
-    case GL_PIXEL_PACK_BUFFER: return GL_PIXEL_PACK_BUFFER_BINDING;
-    case GL_PIXEL_UNPACK_BUFFER: return GL_PIXEL_UNPACK_BUFFER_BINDING;
-    case GL_COPY_READ_BUFFER: return GL_COPY_READ_BUFFER_BINDING;
-    case GL_COPY_WRITE_BUFFER: return GL_COPY_WRITE_BUFFER_BINDING;
-    case GL_UNIFORM_BUFFER: return GL_UNIFORM_BUFFER_BINDING;
-    case GL_TRANSFORM_FEEDBACK_BUFFER: return GL_TRANSFORM_FEEDBACK_BUFFER_BINDING;
-    case GL_TEXTURE_BUFFER: return GL_TEXTURE_BUFFER_BINDING;
-    case GL_SHADER_STORAGE_BUFFER: return GL_SHADER_STORAGE_BUFFER_BINDING;
-    case GL_ATOMIC_COUNTER_BUFFER: return GL_ATOMIC_COUNTER_BUFFER_BINDING;
-    case GL_DRAW_INDIRECT_BUFFER: return GL_DRAW_INDIRECT_BUFFER_BINDING;
-    case GL_DISPATCH_INDIRECT_BUFFER: return GL_DISPATCH_INDIRECT_BUFFER_BINDING;
-    case GL_QUERY_BUFFER: return GL_QUERY_BUFFER_BINDING;
-    default: return 0;
-  }
-}
-
-/// Targets whose contents wait until a draw of the real OpenGL reads them; where it draws everything they are
-/// the real OpenGL's alone.
-bool isHeldBack(const Context& c, GLenum target, const Buffer* buffer) {
-  if (buffer && (buffer->readBelow || buffer->foreign)) return false;
-  return !c.clock.direct() && (target == GL_ARRAY_BUFFER || target == GL_ELEMENT_ARRAY_BUFFER);
-}
 
 /// Targets whose buffers we are asked for, or that others than us have to look after.
 bool isAskedFor(GLenum target) {
@@ -48,22 +21,11 @@ bool isAskedFor(GLenum target) {
   }
 }
 
-/// The buffer bound to `target`, null where there is none (the real OpenGL then says what is wrong), or where
-/// it may be one that another context has deleted, which the real OpenGL alone knows then. Its name may mean
-/// another one now, or it is that one after all: of that our copy is given up.
-std::shared_ptr<Buffer> bound(Context& c, GLenum target) {
-  const GLenum query = bindingOf(target);
-  if (!query) return nullptr;
-  GLint name = 0;
-  c.real.GetIntegerv(query, &name);
-  if (!c.shadow.attachments.mayBeDeletedAt(target, static_cast<GLuint>(name)))
-    return bufferNamed(c.shadow.group, static_cast<GLuint>(name));
-  if (const auto buffer = c.shadow.group.buffers.find(static_cast<GLuint>(name))) {
-    c.flusher.contentsChange(buffer->name());
-    buffer->sendTo(c.real);
-    buffer->changedBelow();
-  }
-  return nullptr;
+/// Targets whose contents wait until a draw of the real OpenGL reads them; where it draws everything they are
+/// the real OpenGL's alone.
+bool isHeldBack(const Context& c, GLenum target, const Buffer* buffer) {
+  if (buffer && (buffer->readBelow || buffer->foreign)) return false;
+  return !c.clock.direct() && (target == GL_ARRAY_BUFFER || target == GL_ELEMENT_ARRAY_BUFFER);
 }
 
 bool isRange(const Buffer& buffer, GLintptr offset, GLsizeiptr size) {
@@ -224,49 +186,6 @@ void getBufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr siz
   if (!isRange(*buffer, offset, size)) return c.errors.set(GL_INVALID_VALUE);
   if (buffer->mapped()) return c.errors.set(GL_INVALID_OPERATION);
   std::memcpy(data, buffer->read(c.real)->data + offset, static_cast<size_t>(size));
-}
-
-bool answers(const Buffer& buffer, GLenum pname, GLint64* value) {
-  if (!buffer.heldBack() && !buffer.mapped()) return false;
-  const GLbitfield access = buffer.mapAccess() & (GL_MAP_READ_BIT | GL_MAP_WRITE_BIT);
-  switch (pname) {
-    case GL_BUFFER_SIZE: *value = static_cast<GLint64>(buffer.size()); return true;
-    case GL_BUFFER_USAGE: *value = buffer.usage(); return true;
-    case GL_BUFFER_MAPPED: *value = buffer.mapped(); return true;
-    case GL_BUFFER_MAP_OFFSET:
-      *value = buffer.mapped() ? static_cast<GLint64>(buffer.mapOffset()) : 0;
-      return true;
-    case GL_BUFFER_MAP_LENGTH:
-      *value = buffer.mapped() ? static_cast<GLint64>(buffer.mapLength()) : 0;
-      return true;
-    case GL_BUFFER_ACCESS_FLAGS: *value = buffer.mapped() ? buffer.mapAccess() : 0; return true;
-    case GL_BUFFER_ACCESS:
-      *value = !buffer.mapped() || access == (GL_MAP_READ_BIT | GL_MAP_WRITE_BIT) ? GL_READ_WRITE
-               : access == GL_MAP_READ_BIT                                        ? GL_READ_ONLY
-                                                                                  : GL_WRITE_ONLY;
-      return true;
-    default: return false;
-  }
-}
-
-void getBufferParameteriv(Context& c, GLenum target, GLenum pname, GLint* params) {
-  GLint64 value = 0;
-  const auto buffer = bound(c, target);
-  if (buffer && answers(*buffer, pname, &value)) return void(*params = static_cast<GLint>(value));
-  c.real.GetBufferParameteriv(target, pname, params);
-}
-
-void getBufferParameteri64v(Context& c, GLenum target, GLenum pname, GLint64* params) {
-  const auto buffer = bound(c, target);
-  if (!buffer || !answers(*buffer, pname, params)) c.real.GetBufferParameteri64v(target, pname, params);
-}
-
-void getBufferPointerv(Context& c, GLenum target, GLenum pname, void** params) {
-  const auto buffer = bound(c, target);
-  if (buffer && buffer->mapped() && pname == GL_BUFFER_MAP_POINTER)
-    *params = buffer->mappedPointer();
-  else
-    c.real.GetBufferPointerv(target, pname, params);
 }
 
 void copyBufferSubData(Context& c, GLenum readTarget, GLenum writeTarget, GLintptr readOffset,

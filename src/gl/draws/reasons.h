@@ -10,7 +10,6 @@ namespace gluray::gl {
   X(points, "points")                                                        \
   X(lines, "lines")                                                          \
   X(polygonMode, "polygon mode is not fill")                                 \
-  X(edgeFlags, "edge flags")                                                 \
   X(renderMode, "selection or feedback")                                     \
   X(noDepthTest, "depth test off")                                           \
   X(depthFunc, "depth function is not LESS or LEQUAL")                       \
@@ -36,7 +35,6 @@ namespace gluray::gl {
   X(textureAnisotropy, "anisotropic texture filter")                         \
   X(textureIncomplete, "texture incomplete")                                 \
   X(texGen, "texture coordinate generation")                                 \
-  X(colorIndex, "colour index mode")                                         \
   X(transformFeedback, "transform feedback")                                 \
   X(depthClamp, "depth clamp or depth bounds")                               \
   X(clipControl, "clip control")                                             \

@@ -1,5 +1,4 @@
 // Family files: TOML to Family.
-#include "gl/programs/built_in_families.gen.h"
 #include "gl/programs/code_sections.h"
 #include "gl/programs/family.h"
 #include "gl/programs/family_table.h"
@@ -289,16 +288,6 @@ FamilyList parseFamilies(std::string_view text, const std::string& file) {
     }
   }
   return list;
-}
-
-const FamilyList& builtInFamilies() {
-  static const FamilyList families = [] {
-    FamilyList all;
-    for (const auto& [file, text] : kBuiltInFamilyFiles) all.append(parseFamilies(text, file));
-    needSections(all, all.code);
-    return all;
-  }();
-  return families;
 }
 
 }  // namespace gluray::gl

@@ -1,0 +1,231 @@
+#include "doctor/doctor_machine.h"
+
+#include "doctor/probe_context.h"
+#include "explain/watched_run.h"
+#include "programs/doors.h"
+#include "programs/library_walk.h"
+#include "programs/program.h"
+#include "text_table.h"
+
+#include <poll.h>
+#include <sched.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace gluray::launcher {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+struct InstalledFile {
+  const char* name;
+  Health without;
+  const char* use;
+};
+constexpr InstalledFile kFiles[] = {
+    {"libgluray-engine.so", Health::broken, "nothing can be traced"},
+    {"libGLX_gluray.so.0", Health::broken, "GLX programs cannot be traced"},
+    {"libEGL_gluray.so.0", Health::limited, "EGL programs cannot be traced"},
+    {"gluray_egl.json", Health::limited, "EGL programs cannot be traced"},
+    {"libgluray.so", Health::limited, "--door preload does nothing: no OSMesa, no bundled OpenGL"},
+    {"libgluray-clock.so", Health::limited, "gluray explain --html cannot hold time still"},
+};
+
+/// What came out of a child process.
+struct Said {
+  int status = -1;  // exit code; -1: killed, crashed, or never started
+  bool late = false;
+  std::string out, errors;
+};
+
+/// Runs this launcher's own probe with the doors open.
+Said runProbe(const CommandLine& given, const std::string& api, const std::string& folder) {
+  constexpr int kPatienceMs = 20000;
+  int out[2], errors[2];
+  Said said;
+  if (pipe(out) != 0) return said;
+  if (pipe(errors) != 0) return close(out[0]), close(out[1]), said;
+  const pid_t child = fork();
+  if (child == 0) {
+    dup2(out[1], STDOUT_FILENO), dup2(errors[1], STDERR_FILENO);
+    for (const int end : {out[0], out[1], errors[0], errors[1]}) close(end);
+    CommandLine line = given;
+    line.settings.set("report", folder + "/report.json");
+    line.settings.remove("off");
+    line.settings.set("engine", "always");  // of a picture this small
+    openDoors(line, Program{});
+    setenv("GLURAY_EXPLAIN", "1000", 1);
+    execl("/proc/self/exe", "gluray", kProbeWord, api.c_str(), static_cast<char*>(nullptr));
+    _exit(127);
+  }
+  close(out[1]), close(errors[1]);
+  pollfd ends[2] = {{out[0], POLLIN, 0}, {errors[0], POLLIN, 0}};
+  std::string* texts[2] = {&said.out, &said.errors};
+  while (child > 0 && (ends[0].fd >= 0 || ends[1].fd >= 0)) {
+    if (poll(ends, 2, kPatienceMs) <= 0) {
+      said.late = true;
+      break;
+    }
+    for (int i = 0; i < 2; ++i) {
+      if (ends[i].fd < 0 || !ends[i].revents) continue;
+      char buffer[4096];
+      const ssize_t bytes = read(ends[i].fd, buffer, sizeof buffer);
+      if (bytes > 0)
+        texts[i]->append(buffer, static_cast<size_t>(bytes));
+      else
+        ends[i].fd = -1;
+    }
+  }
+  close(out[0]), close(errors[0]);
+  if (child <= 0) return said;
+  if (said.late) kill(child, SIGKILL);
+  int status = 0;
+  waitpid(child, &status, 0);
+  if (WIFEXITED(status) && !said.late) said.status = WEXITSTATUS(status);
+  return said;
+}
+
+std::vector<std::string> linesOf(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+json readReport(const std::string& folder) {
+  std::ifstream file(folder + "/report.json");
+  return json::parse(file, nullptr, /*allow_exceptions=*/false);
+}
+
+std::string librariesText(const json& files) {
+  std::string text;
+  for (const json& file : files) text += (text.empty() ? "" : ", ") + file.get<std::string>();
+  return text;
+}
+
+void reportTracer(const json& report, Diagnosis& diagnosis) {
+  const json& machine = report["explain"]["machine"];
+  const std::string problem = machine["problem"];
+  if (!problem.empty()) return diagnosis.broken("ray tracer", problem);
+  diagnosis.ok("ray tracer", "Embree " + machine["embree"].get<std::string>() + " with packets of " +
+                                 std::to_string(machine["rayPacket"].get<int>()) + " rays, TBB " +
+                                 machine["tbb"].get<std::string>() + ", shading for " +
+                                 machine["kernels"].get<std::string>() + ", " +
+                                 std::to_string(machine["threads"].get<int>()) + " threads");
+  diagnosis.ok("ray tracer", "loaded from " + librariesText(machine["libraries"]));
+}
+
+std::string rasterReason(const json& report) {
+  std::string reasons;
+  for (const auto& [reason, count] : report["draws"]["rasterised"].items())
+    reasons += (reasons.empty() ? "" : ", ") + reason;
+  return reasons.empty() ? "it was not drawn at all" : reasons;
+}
+
+void reportPicture(const json& report, Diagnosis& diagnosis) {
+  if (report["triangles"]["traced"].get<uint64_t>() > 0)
+    diagnosis.ok("test picture", "traced, through the door " + report["door"].get<std::string>());
+  else
+    diagnosis.broken("test picture", "not traced: " + rasterReason(report));
+}
+
+void reportWay(const json& report, Diagnosis& diagnosis) {
+  const std::string driver = report.value("walkedPast", std::string());
+  if (!driver.empty())
+    diagnosis.limited("door",
+                      "walked past: the gl functions that the dynamic linker finds first are those of the "
+                      "driver (" +
+                          driver + "), so that what plug-ins link is not seen, and pictures may be wrong",
+                      "take the driver out of LD_PRELOAD, or try --door preload");
+}
+
+/// What the probe met, as GLX or EGL.
+void reportProbe(const std::string& api, const Said& said, const std::string& folder, Diagnosis& diagnosis) {
+  const std::string topic = api == "glx" ? "OpenGL (GLX)" : "OpenGL (EGL)";
+  const std::vector<std::string> complaints = linesOf(said.errors), words = linesOf(said.out);
+  if (said.late) return diagnosis.broken(topic, "does not answer: no picture after 20 seconds");
+  if (said.status != 0) {
+    const std::string why = complaints.empty() ? "the test program crashed" : complaints.back();
+    return diagnosis.broken(topic, why,
+                            api == "glx" ? "sudo apt install libgl1 libglx-mesa0 libgl1-mesa-dri"
+                                         : "sudo apt install libegl1 libegl-mesa0 libgl1-mesa-dri");
+  }
+  if (words.size() >= 3) diagnosis.ok(topic, words[0] + ", " + words[1] + ", " + words[2]);
+  for (const std::string& complaint : complaints)
+    if (complaint.starts_with("gluray: ")) diagnosis.broken("engine", complaint.substr(8));
+  const json report = readReport(folder);
+  if (!report.is_object() || !report.contains("explain"))
+    return diagnosis.broken("engine", "OpenGL works, but GLuRay saw no context of the test program");
+  reportTracer(report, diagnosis);
+  reportPicture(report, diagnosis);
+  reportWay(report, diagnosis);
+}
+
+double gigabytes(const std::string& name) {
+  std::ifstream file("/proc/meminfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with(name + ":")) return std::atof(line.c_str() + name.size() + 1) / (1024.0 * 1024.0);
+  return 0;
+}
+
+int coresForUs() {
+  cpu_set_t set;
+  return sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 0;
+}
+
+}  // namespace
+
+bool examineInstall(Diagnosis& diagnosis) {
+  const std::string directory = libraryDirectory();
+  if (directory.empty()) {
+    diagnosis.broken("install",
+                     "GLuRay's libraries are missing beside " + fs::read_symlink("/proc/self/exe").string(),
+                     "install GLuRay again: cmake --install BUILD --prefix DIR");
+    return false;
+  }
+  const Health before = static_cast<Health>(diagnosis.exitCode());
+  for (const InstalledFile& file : kFiles) {
+    std::error_code ignored;
+    if (!fs::exists(directory + "/" + file.name, ignored))
+      diagnosis.add({file.without, "install", directory + "/" + file.name + " is missing: " + file.use,
+                     "install GLuRay again: cmake --install BUILD --prefix DIR"});
+  }
+  const std::string engine = directory + "/libgluray-engine.so";
+  for (const WalkedLibrary& library : walkLibraries(engine, pathsOf(listLibraries(engine)), readElf))
+    if (library.path.empty())
+      diagnosis.broken("install",
+                       "library " + library.name + " is missing; " + library.neededBy + " needs it",
+                       mendMissingLibrary(library.name));
+  if (static_cast<Health>(diagnosis.exitCode()) == before)
+    diagnosis.ok("install", "all of it in " + directory);
+  return diagnosis.exitCode() < 2;
+}
+
+void examineMachine(Diagnosis& diagnosis) {
+  diagnosis.ok("machine", std::to_string(coresForUs()) + " cores for us of " +
+                              std::to_string(sysconf(_SC_NPROCESSORS_ONLN)) + ", " +
+                              fixed(gigabytes("MemTotal"), 1) + " GB of memory, " +
+                              fixed(gigabytes("MemAvailable"), 1) + " GB of it free");
+  const char* display = std::getenv("DISPLAY");
+  if (display && *display)
+    diagnosis.ok("display", display);
+  else
+    diagnosis.limited("display", "DISPLAY is not set: only programs that draw without a screen will work",
+                      "xvfb-run -s '-screen 0 1280x1024x24' gluray ...");
+}
+
+void examineDrawing(const CommandLine& line, Diagnosis& diagnosis) {
+  const char* display = std::getenv("DISPLAY");
+  const std::string api = display && *display ? "glx" : "egl";
+  const TemporaryFolder folder;
+  reportProbe(api, runProbe(line, api, folder.path()), folder.path(), diagnosis);
+}
+
+}  // namespace gluray::launcher

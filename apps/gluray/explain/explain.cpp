@@ -1,0 +1,137 @@
+#include "explain/explain.h"
+
+#include "base/files.h"
+#include "base/printable.h"
+#include "explain/explanation_text.h"
+#include "explain/html_page.h"
+#include "explain/watched_run.h"
+#include "programs/doors.h"
+#include "programs/launch.h"
+#include "say.h"
+
+#include <string.h>
+
+#include <iostream>
+#include <stdexcept>
+
+namespace gluray::launcher {
+namespace {
+
+using nlohmann::json;
+
+std::string commandOf(const CommandLine& line) {
+  std::string text;
+  for (const std::string& word : line.program) text.append(text.empty() ? "" : " ").append(word);
+  return text;
+}
+
+std::string endingText(const WatchedRun& run, const CommandLine& line) {
+  switch (run.ending) {
+    case WatchedRun::Ending::frames: return "ended after " + std::to_string(line.frames) + " frames";
+    case WatchedRun::Ending::rest: return "ended at rest: it drew nothing new";
+    case WatchedRun::Ending::limit: return "ended when its time was over";
+    case WatchedRun::Ending::stopped: return "ended by you";
+    default: break;
+  }
+  if (run.signal != 0)
+    return "it ended by signal " + std::to_string(run.signal) + " (" + strsignal(run.signal) + ")";
+  return "it ended by itself, with exit code " + std::to_string(run.exitCode);
+}
+
+/// The picture of a run: of the process that showed most frames.
+const json* pictureOf(const WatchedRun& run) {
+  for (const json& report : run.reports)
+    if (report["explain"]["picture"].is_object()) return &report["explain"]["picture"];
+  return nullptr;
+}
+
+/// Whether the frames of a run were those of single-buffered contexts or front buffers, which end with
+/// glFlush and glFinish. GLuRay sees these only where calls pass through it.
+bool neverSwapped(const WatchedRun& run) {
+  for (const json& report : run.reports)
+    for (const json& context : report["explain"]["contexts"])
+      if (context["doubleBuffered"].get<bool>() && context["swaps"].get<bool>()) return false;
+  return true;
+}
+
+Pixels readPicture(const json& picture, const char* suffix) {
+  const std::string path = picture["file"].get<std::string>() + suffix;
+  std::optional<Pixels> pixels = readNetpbm(path);
+  if (!pixels) throw std::runtime_error("cannot read the picture " + path);
+  return *pixels;
+}
+
+/// Runs the program without GLuRay until it has shown the same frame.
+FramePictures withAndWithout(const CommandLine& line, const Program& program, const WatchedRun& run,
+                             const json& picture) {
+  FramePictures pictures;
+  pictures.with = readPicture(picture, ".ppm");
+  pictures.origin = readPicture(picture, ".origin.pgm");
+  pictures.perPixel = sessionOf(line).settings.shading != ShadingRate::vertex;
+  pictures.frame = picture["frame"], pictures.elsewhere = picture["elsewhere"];
+  CommandLine plain = line;
+  if (neverSwapped(run))
+    plain.settings.set("engine", "never");
+  else
+    plain.settings.set("off", "1");
+  Watch wish{static_cast<int>(pictures.frame), line.restSeconds, line.limitSeconds, true, true};
+  // At rest the number of frames until then may differ, as windows are uncovered and events come together.
+  if (run.ending != WatchedRun::Ending::frames) wish.frames = line.frames;
+  const TemporaryFolder folder;
+  const WatchedRun second = watch(plain, program, wish, folder.path());
+
+  if (const json* found = pictureOf(second)) {
+    pictures.without = readPicture(*found, ".ppm");
+    pictures.frameWithout = (*found)["frame"];
+    pictures.atRest = pictures.frame != pictures.frameWithout;
+  }
+  return pictures;
+}
+
+/// Writes the page, and says what it shows.
+json makePage(const CommandLine& line, const Program& program, const WatchedRun& run,
+              const std::string& text) {
+  const json* picture = pictureOf(run);
+  if (!picture) throw std::runtime_error("no page: the program showed no frame");
+  const FramePictures pictures = withAndWithout(line, program, run, *picture);
+  writeFile(line.html, htmlPage(commandOf(line), text, pictures));
+  return pictureFacts(pictures);
+}
+
+std::string textOf(const WatchedRun& run, const CommandLine& line) {
+  std::string text;
+  for (const json& report : run.reports)
+    text.append(text.empty() ? "" : "\n").append(explanationText(report));
+  return text + "\n" + endingText(run, line) + "\n";
+}
+
+}  // namespace
+
+int explain(const CommandLine& line) {
+  const Program program = inspect(line.program[0]);
+  if (program.path.empty()) return failToStart(line.program[0], program.error);
+  const TemporaryFolder folder;
+  const Watch wish{line.frames, line.restSeconds, line.limitSeconds, !line.html.empty(), !line.html.empty()};
+  const WatchedRun run = watch(line, program, wish, folder.path());
+  if (run.reports.empty()) {
+    if (run.ending == WatchedRun::Ending::byItself && run.exitCode >= kNotExecutable &&
+        run.exitCode <= kNotFound)
+      return run.exitCode;
+    say(line.program[0] + " showed no frame of an OpenGL context that GLuRay could see (" +
+        endingText(run, line) + "); gluray doctor " + line.program[0] + " may say why");
+    return 1;
+  }
+  const std::string text = textOf(run, line);
+  // A page that goes to standard output is alone there.
+  const bool pageIsOut = files::isOutput(line.html);
+  if (!line.json) (pageIsOut ? std::cerr : std::cout) << text << std::flush;
+  json all = {{"command", line.program}, {"ending", endingText(run, line)}, {"processes", run.reports}};
+  if (!line.html.empty()) {
+    all["page"] = makePage(line, program, run, text);
+    if (!line.json && !pageIsOut) std::cout << "the page is " << printable(line.html) << "\n";
+  }
+  if (line.json) (pageIsOut ? std::cerr : std::cout) << jsonText(all) << "\n";
+  return 0;
+}
+
+}  // namespace gluray::launcher

@@ -1,0 +1,175 @@
+#include "explain/explanation_text.h"
+
+#include "base/printable.h"
+#include "text_table.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace gluray::launcher {
+namespace {
+
+using nlohmann::json;
+
+uint64_t number(const json& object, const char* name) { return object.at(name).get<uint64_t>(); }
+std::string text(const json& object, const char* name) {
+  return printable(object.at(name).get<std::string>());
+}
+
+std::string joined(const json& words) {
+  std::string all;
+  for (const json& word : words) all += (all.empty() ? "" : ", ") + printable(word.get<std::string>());
+  return all;
+}
+
+/// Most triangles first, then most draws.
+std::vector<json> sorted(const json& kinds) {
+  std::vector<json> list(kinds.begin(), kinds.end());
+  std::stable_sort(list.begin(), list.end(), [](const json& a, const json& b) {
+    const uint64_t ta = number(a, "triangles"), tb = number(b, "triangles");
+    return ta != tb ? ta > tb : number(a, "count") > number(b, "count");
+  });
+  return list;
+}
+
+std::string drawTable(const json& kinds, double frames) {
+  if (kinds.empty()) return "  none that GLuRay could see\n";
+  TextTable table("llrrrll");
+  table.row({"what", "how", "draws", "triangles", "ms/frame", "", "state"});
+  for (const json& kind : sorted(kinds))
+    table.row({text(kind, "primitive"), text(kind, "path"), grouped(number(kind, "count")),
+               grouped(number(kind, "triangles")), fixed(kind.at("ms").get<double>() / frames, 3),
+               kind.at("traced").get<bool>() ? "traced" : "rasterised: " + text(kind, "reason"),
+               joined(kind.at("state"))});
+  return table.text("  ");
+}
+
+std::string tracingLine(const json& report) {
+  const json& ms = report.at("ms");
+  const auto part = [&](const char* name) { return fixed(ms.at(name).get<double>(), 3); };
+  return "  tracing, ms/frame: capture " + part("capture") + ", build " + part("build") + ", trace " +
+         part("trace") + ", write-back " + part("present") + "; " + grouped(number(report, "flushes")) +
+         " batches, " + grouped(number(report, "repeated")) + " of them unchanged, " +
+         grouped(number(report.at("bvh"), "builds")) + " acceleration structures built\n";
+}
+
+/// Which family each program is of, and what keeps the others from being traced.
+std::string programLines(const json& programs) {
+  if (programs.empty()) return "";
+  std::string all = "\nshader programs\n";
+  for (const json& p : programs) {
+    const uint64_t traced = number(p, "traced"), rasterised = number(p, "rasterised");
+    all += "  program " + std::to_string(number(p, "name")) + ", " +
+           (p.at("family").is_null() ? "of no family" : text(p, "family")) + ": " + grouped(traced) +
+           " draws traced, " + grouped(rasterised) + " rasterised, " + grouped(number(p, "triangles")) +
+           " triangles\n";
+    for (const char* key : {"why", "note"})
+      if (!text(p, key).empty()) all += wrapped(text(p, key), 100, "    ");
+  }
+  return all;
+}
+
+std::string contextLines(const json& contexts) {
+  std::string all;
+  for (const json& c : contexts)
+    all += "  " + text(c, "api") + ", " + text(c, "profile") + ", " +
+           (c.at("doubleBuffered").get<bool>() ? "double-buffered" : "single-buffered") + ", " +
+           text(c, "version") + ", " + text(c, "renderer") + ": " + grouped(number(c, "frames")) +
+           " frames, " + grouped(number(c, "traced")) + " draws traced, " + grouped(number(c, "rasterised")) +
+           " rasterised" +
+           (text(c, "profile") != "ES" ? "" : "; all of it is left to the real OpenGL, uncounted") + "\n";
+  return all;
+}
+
+std::string targetLines(const json& targets) {
+  TextTable table("lrl");
+  for (const json& t : targets) {
+    const uint64_t samples = number(t, "samples");
+    table.row(
+        {number(t, "name") == 0 ? "the window" : "framebuffer object " + std::to_string(number(t, "name")),
+         std::to_string(number(t, "width")) + " x " + std::to_string(number(t, "height")),
+         (samples > 1 ? std::to_string(samples) + " samples, " : "") + grouped(number(t, "traced")) +
+             " draws traced, " + grouped(number(t, "rasterised")) + " rasterised"});
+  }
+  return table.empty() ? "  none that was drawn into\n" : table.text("  ");
+}
+
+std::string quirkLines(const json& quirks) {
+  TextTable table("lll");
+  for (const json& q : quirks) {
+    const uint64_t uses = number(q, "uses");
+    table.row({text(q, "name"), q.at("on").get<bool>() ? "on" : "off",
+               uses ? "made a difference " + grouped(uses) + " times" : "made no difference"});
+  }
+  return table.text("  ");
+}
+
+/// Questions are answered by the real OpenGL and change nothing: they would only fill the list.
+bool isQuestion(const std::string& name) { return name.starts_with("glGet") || name.starts_with("glIs"); }
+
+std::string unknownCallLines(const json& report) {
+  TextTable table("lr");
+  for (const auto& [name, count] : report.at("unknownCalls").items())
+    if (!isQuestion(name)) table.row({name, grouped(count.get<uint64_t>())});
+  std::string all;
+  if (!table.empty())
+    all += "\ncalls that GLuRay does not model, left to the real OpenGL\n" + table.text("  ");
+  const json& asked = report.at("explain").at("unknownFunctions");
+  if (!asked.empty())
+    all +=
+        "\nfunctions asked for by name that GLuRay does not know: their calls go to the real OpenGL "
+        "unseen\n" +
+        wrapped(joined(asked), 100, "  ");
+  return all;
+}
+
+std::string heading(const json& report) {
+  const double percent = tracedPercent(report);
+  const json& triangles = report.at("triangles");
+  const uint64_t all = number(triangles, "traced") + number(triangles, "rasterised");
+  return text(report, "program") + " (process " + std::to_string(number(report, "pid")) +
+         "): " + grouped(number(report, "frames")) + " frames" +
+         (percent < 0 ? "" : ", " + fixed(percent, 1) + " % of " + grouped(all) + " triangles traced") + "\n";
+}
+
+/// Where calls may have gone to the driver unseen; nothing where none could.
+std::string walkedPastLines(const json& report) {
+  const std::string driver = printable(report.value("walkedPast", std::string()));
+  if (driver.empty()) return "";
+  return "\ncalls that go past GLuRay\n" +
+         wrapped("the gl functions that the dynamic linker finds first are those of the driver (" + driver +
+                     "): what libraries link that were loaded later goes to the real OpenGL unseen, and the "
+                     "picture may be wrong",
+                 100, "  ");
+}
+
+/// Frames that were shown later, and why others were not; nothing where none may be.
+std::string lagLine(const json& report) {
+  const json lag = report.value("lag", json::object());
+  if (!lag.value("on", false)) return "";
+  std::string others;
+  for (const auto& [why, frames] : lag.at("atOnce").items())
+    others += (others.empty() ? "; at once: " : ", ") + grouped(frames.get<uint64_t>()) + " (" + why + ")";
+  return "\nframe lag: " + grouped(number(lag, "later")) + " frames were shown later" + others + "\n";
+}
+
+}  // namespace
+
+double tracedPercent(const json& report) {
+  const double traced = report.at("triangles").at("traced").get<double>(),
+               all = traced + report.at("triangles").at("rasterised").get<double>();
+  return all > 0 ? 100 * traced / all : -1;
+}
+
+std::string explanationText(const json& report) {
+  const json& explain = report.at("explain");
+  const double frames = std::max(1.0, report.at("frames").get<double>());
+  return heading(report) + "\ndraws, of all frames\n" + drawTable(explain.at("kinds"), frames) +
+         tracingLine(report) + lagLine(report) + programLines(explain.value("programs", json::array())) +
+         "\ncontexts, through the door " + text(report, "door") + "\n" +
+         contextLines(explain.at("contexts")) + walkedPastLines(report) + "\nframebuffers\n" +
+         targetLines(explain.at("framebuffers")) + "\nquirks\n" + quirkLines(explain.at("quirks")) +
+         unknownCallLines(report);
+}
+
+}  // namespace gluray::launcher

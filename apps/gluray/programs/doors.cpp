@@ -1,0 +1,100 @@
+#include "programs/doors.h"
+
+#include "base/files.h"
+#include "intercept/probe/real_vendor.h"
+#include "settings/layers.h"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace gluray::launcher {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value ? value : "";
+}
+
+void set(const char* name, const std::string& value) { setenv(name, value.c_str(), 1); }
+
+/// Puts `entry` in front of a colon-separated list, once.
+void putFirst(const char* name, const std::string& entry) {
+  const std::string list = environment(name);
+  if ((":" + list + ":").find(":" + entry + ":") != std::string::npos) return;
+  set(name, list.empty() ? entry : entry + ":" + list);
+}
+
+/// Every setting that an option chose gets its variable, as children are to have it, too. Which ones those
+/// are stands in a variable of its own: settings name their origin.
+void passSettings(const CommandLine& line) {
+  set("GLURAY_PID", std::to_string(getpid()));
+  if (!line.config.empty()) set("GLURAY_CONFIG", fs::absolute(line.config).string());
+  set("GLURAY_PROJECT", projectFileHere());
+  set("GLURAY_PROGRAM", line.program.empty() ? "" : fs::path(line.program[0]).filename().string());
+  std::string options;
+  for (const auto& [name, value] : passedValues(line.settings)) {
+    set(variableOf(*findSetting(name)).c_str(), value);
+    options.append(name).append("=").append(value).append("\n");
+  }
+  set("GLURAY_COMMAND_LINE", options);
+  // A report of an earlier run must not pass for this one's.
+  if (const std::string report = line.settings.find("report"); !report.empty()) files::removeOld(report);
+}
+
+std::string openVendorDoor(const std::string& directory) {
+  const probe::RealVendors real = probe::findRealVendors();
+  if (real.glx.empty() && real.egl.empty())
+    return "no OpenGL driver for libglvnd was found; try --door preload";
+  putFirst("LD_LIBRARY_PATH", directory);
+  if (!real.glx.empty()) {
+    set("__GLX_VENDOR_LIBRARY_NAME", "gluray");
+    set("GLURAY_REAL_GLX", real.glx);
+  }
+  if (!real.egl.empty()) {
+    set("__EGL_VENDOR_LIBRARY_FILENAMES", directory + "/gluray_egl.json");
+    set("GLURAY_REAL_EGL", real.egl);
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string libraryDirectory() {
+  std::error_code error;
+  const fs::path here = fs::read_symlink("/proc/self/exe", error).parent_path();
+  for (const char* way : {"../lib/gluray", "../../lib/gluray"}) {
+    const fs::path candidate = (here / way).lexically_normal();
+    if (fs::exists(candidate / "libgluray-engine.so", error)) return candidate;
+  }
+  return "";
+}
+
+Session sessionOf(const CommandLine& line) {
+  passSettings(line);
+  return sessionFromEnvironment([](const std::string&) {});
+}
+
+std::string openDoors(const CommandLine& line, const Program& program) {
+  const std::string directory = libraryDirectory();
+  if (directory.empty())
+    return "GLuRay's libraries are missing beside " + fs::read_symlink("/proc/self/exe").string();
+  if (program.setUid) return program.path + " is set-uid: the system lets nobody look into it";
+  passSettings(line);
+  const auto openPreloadDoor = [&]() -> std::string {
+    if (directory.find_first_of(" :") != directory.npos)
+      return "LD_PRELOAD takes no name with a space or colon: move GLuRay out of " + directory;
+    return putFirst("LD_PRELOAD", directory + "/libgluray.so"), "";
+  };
+  if (line.door == "preload") return openPreloadDoor();
+  if (line.door == "vendor") return openVendorDoor(directory);
+  // The vendor door, and the other one too for what does not come through libglvnd.
+  const std::string problem = openVendorDoor(directory);
+  if (program.osMesa || program.bundledGl || !problem.empty()) return openPreloadDoor();
+  return "";
+}
+
+}  // namespace gluray::launcher

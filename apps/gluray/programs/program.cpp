@@ -1,0 +1,115 @@
+#include "programs/program.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+namespace gluray::launcher {
+namespace {
+
+bool isFile(const std::string& path) {
+  struct stat status {};
+  return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+}
+
+/// Fills path or error the way execvp searches.
+void search(const std::string& name, Program& program) {
+  program.error = ENOENT;
+  const auto accept = [&](const std::string& path) {
+    if (!isFile(path)) return false;
+    if (access(path.c_str(), X_OK) == 0) return program.path = path, program.error = 0, true;
+    program.error = EACCES;
+    return false;
+  };
+  if (name.find('/') != std::string::npos) {
+    struct stat status {};
+    if (!accept(name) && stat(name.c_str(), &status) == 0) program.error = EACCES;
+    return;
+  }
+  const char* path = std::getenv("PATH");
+  std::istringstream directories(path ? path : "/bin:/usr/bin");
+  for (std::string directory; std::getline(directories, directory, ':');)
+    if (accept((directory.empty() ? "." : directory) + "/" + name)) return;
+}
+
+/// The interpreter that a script's first line names; empty for other files.
+std::string scriptInterpreter(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string line;
+  std::getline(file, line);
+  if (!line.starts_with("#!")) return "";
+  std::string interpreter, argument;
+  std::istringstream(line.substr(2)) >> interpreter >> argument;
+  return interpreter.ends_with("/env") && !argument.empty() ? argument : interpreter;
+}
+
+}  // namespace
+
+std::string listLibraries(const std::string& path) {
+  int ends[2];
+  if (pipe(ends) != 0) return "";
+  const pid_t child = fork();
+  if (child == 0) {
+    setenv("LD_TRACE_LOADED_OBJECTS", "1", 1);
+    unsetenv("LD_PRELOAD");
+    dup2(ends[1], STDOUT_FILENO);
+    const int nowhere = open("/dev/null", O_WRONLY);
+    dup2(nowhere, STDERR_FILENO);
+    const std::string loader = readElf("/proc/self/exe").interpreter;
+    // Programs name their loader; libraries are listed by ours.
+    if (readElf(path).interpreter.empty())
+      execl(loader.c_str(), loader.c_str(), path.c_str(), static_cast<char*>(nullptr));
+    else
+      execl(path.c_str(), path.c_str(), static_cast<char*>(nullptr));
+    _exit(127);
+  }
+  close(ends[1]);
+  std::string text;
+  char buffer[4096];
+  for (ssize_t bytes; child > 0 && (bytes = read(ends[0], buffer, sizeof buffer)) > 0;)
+    text.append(buffer, static_cast<size_t>(bytes));
+  close(ends[0]);
+  if (child > 0) waitpid(child, nullptr, 0);
+  return text;
+}
+
+void readLibraryList(const std::string& list, Program& program) {
+  bool gl = false, glvnd = false;
+  std::istringstream lines(list);
+  for (std::string line; std::getline(lines, line);) {
+    std::string name;
+    std::istringstream(line) >> name;
+    if (name.starts_with("libOSMesa.so")) program.osMesa = true;
+    if (name.starts_with("libGL.so")) gl = true;
+    if (name.starts_with("libGLdispatch.so")) glvnd = true;
+    if (name.starts_with("libX11.so") || name.starts_with("libGL.so") || name.starts_with("libGLX.so"))
+      program.usesX = true;
+  }
+  program.bundledGl = gl && !glvnd;
+}
+
+Program inspect(const std::string& name) {
+  Program program;
+  search(name, program);
+  if (program.path.empty()) return program;
+  struct stat status {};
+  if (stat(program.path.c_str(), &status) == 0)
+    program.setUid = ((status.st_mode & S_ISUID) && status.st_uid != getuid()) ||
+                     ((status.st_mode & S_ISGID) && status.st_gid != getgid());
+  program.elf = readElf(program.path);
+  // Only programs that name a loader may be run in listing mode: a static one would really run.
+  if (!program.setUid && !program.elf.interpreter.empty())
+    readLibraryList(program.libraries = listLibraries(program.path), program);
+  if (!program.elf.elf) program.interpreter = scriptInterpreter(program.path);
+  return program;
+}
+
+}  // namespace gluray::launcher

@@ -1,0 +1,118 @@
+#include "settings/settings_list.h"
+
+#include "base/printable.h"
+#include "say.h"
+#include "settings/layers.h"
+#include "settings/values.h"
+#include "text_table.h"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <iostream>
+
+namespace gluray::launcher {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kUsageError = 2;
+constexpr std::string_view kApplies[] = {"from the next frame on", "to contexts made afterwards",
+                                         "to the next run"};
+
+Layers layersOf(const CommandLine& line) {
+  Sources sources = sourcesOfProcess();
+  if (!line.config.empty()) sources.userFile = line.config, sources.userFileNamed = true;
+  sources.projectFile = projectFileHere();
+  sources.programs.clear();
+  if (!line.profile.empty())
+    sources.programs.push_back(std::filesystem::path(line.profile).filename().string());
+  sources.commandLine = passedValues(line.settings);
+  sources.passed = false;
+  return readLayers(sources, [](const std::string& complaint) { say(complaint); });
+}
+
+std::string shown(const std::string& value) { return value.empty() ? "-" : printable(value); }
+
+std::string originOf(const Given* given) {
+  return given ? std::string(nameOf(given->layer)) + ": " + printable(given->place) : "built-in";
+}
+
+/// What every layer says.
+json layersOf(const Layers& layers, const Row& row) {
+  json list = json::array();
+  for (size_t i = 0; i < kLayerCount; ++i) {
+    const auto layer = static_cast<Layer>(i);
+    bool any = layer == Layer::builtIn;
+    if (any) list.push_back({{"layer", nameOf(layer)}, {"value", printValue(row, Session{})}, {"place", ""}});
+    for (const Given& g : layers.given)
+      if (g.row == &row && g.layer == layer) {
+        any = true;
+        list.push_back({{"layer", nameOf(layer)}, {"value", g.value}, {"place", g.place}});
+      }
+    if (!any) list.push_back({{"layer", nameOf(layer)}, {"value", nullptr}, {"place", ""}});
+  }
+  return list;
+}
+
+json describe(const Layers& layers, const Row& row) {
+  const Given* given = layers.last(row);
+  return {{"name", row.name},
+          {"value", printValue(row, layers.session)},
+          {"layer", nameOf(given ? given->layer : Layer::builtIn)},
+          {"place", given ? given->place : ""},
+          {"default", printValue(row, Session{})},
+          {"values", allowedValues(row)},
+          {"unit", row.unit},
+          {"applies", kApplies[static_cast<size_t>(row.applies)]},
+          {"changesPicture", row.changes == Changes::picture},
+          {"help", row.help}};
+}
+
+void printWhy(const Layers& layers, const Row& row) {
+  std::cout << row.name << " = " << shown(printValue(row, layers.session)) << "  ("
+            << originOf(layers.last(row)) << ")\n\n"
+            << wrapped(std::string(row.help) + " " + std::string(row.more), 76, "  ");
+  for (const Word& word : row.words)
+    if (!word.help.empty())
+      std::cout << wrapped(std::string(word.word) + ": " + std::string(word.help), 72, "    ");
+  const std::string allowed = allowedValues(row);
+  std::cout << wrapped((allowed.empty() ? "" : "Values: " + allowed + ". ") +
+                           "Default: " + shown(printValue(row, Session{})) + ". A change applies " +
+                           std::string(kApplies[static_cast<size_t>(row.applies)]) + ".",
+                       76, "  ")
+            << "\n";
+  TextTable table("lll");
+  for (const json& layer : layersOf(layers, row))
+    table.row({layer["layer"], layer["value"].is_null() ? "-" : shown(layer["value"]),
+               printable(layer["place"].get<std::string>())});
+  std::cout << table.text("  ");
+}
+
+int explainOne(const CommandLine& line, const Layers& layers) {
+  const Row* row = findSetting(line.why);
+  if (!row) return say(unknownSetting(line.why)), kUsageError;
+  if (!line.json) return printWhy(layers, *row), 0;
+  json all = describe(layers, *row);
+  all["more"] = row->more, all["layers"] = layersOf(layers, *row);
+  std::cout << jsonText(all) << "\n";
+  return 0;
+}
+
+}  // namespace
+
+int listSettings(const CommandLine& line) {
+  const Layers layers = layersOf(line);
+  if (!line.why.empty()) return explainOne(line, layers);
+  json list = json::array();
+  TextTable table("lll");
+  for (const Row& row : settingRows()) {
+    if (line.changed && sameValue(row, layers.session, Session{})) continue;
+    list.push_back(describe(layers, row));
+    table.row({std::string(row.name), shown(printValue(row, layers.session)), originOf(layers.last(row))});
+  }
+  std::cout << (line.json ? jsonText(list) + "\n" : table.text(""));
+  return 0;
+}
+
+}  // namespace gluray::launcher

@@ -1,0 +1,33 @@
+#include "base/clock.h"
+#include "base/timeline.h"
+#include "gl/arrays/array_draws.h"
+#include "gl/handlers.h"
+
+namespace gluray::gl {
+uint64_t trianglesOf(GLenum mode, const Elements& e) {
+  return countTriangles(mode, static_cast<uint64_t>(e.count)) * e.repeats();
+}
+
+KnownMesh meshOf(Context& c, const ArrayState& arrays, GLenum mode, const Elements& e) {
+  const double start = nowSeconds();
+  const timeline::Span span("capture", trianglesOf(mode, e));
+  KnownMesh known;
+  const Hash128 content = contentOf(c.real, arrays, mode, e);
+  if (!c.shadow.group.meshes.find(content, known)) {
+    known = arrays.shape == scene::Shape::triangles ? buildArrayMesh(c.real, arrays, mode, e)
+                                                    : buildFigureMesh(c.real, arrays, mode, e);
+    c.shadow.group.meshes.put(content, known);
+    ++c.counts.statistics.meshesBuilt;
+    if (known.mesh) c.counts.statistics.meshBytes += known.mesh->sizeBytes;
+  }
+  c.counts.statistics.captureSeconds += nowSeconds() - start;
+  return known;
+}
+
+Load loadOf(Context& c, GLenum mode, const Elements& e) {
+  const uint64_t figures = static_cast<uint64_t>(e.count) / (mode == GL_LINES ? 2 : 1) * e.repeats();
+  if (c.shadow.program.drawsImpostors(mode)) return {PrimitiveClass::surfaces, figures};
+  return {kindOf(mode), trianglesOf(mode, e)};
+}
+
+}  // namespace gluray::gl

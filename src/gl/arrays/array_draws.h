@@ -1,0 +1,39 @@
+// What draws from arrays have in common, by fixed function and by shader programs. Private to gl/arrays. GL
+// thread.
+#pragma once
+#include "gl/arrays/arrays.h"
+#include "gl/arrays/elements.h"
+#include "gl/capture/mesh_cache.h"
+#include "gl/draws/draw_kinds.h"
+
+#include <GL/gl.h>
+
+#include <cstdint>
+
+namespace gluray::gl {
+
+class Context;
+
+inline DrawPath pathOf(const Elements& e) { return e.type ? DrawPath::elements : DrawPath::arrays; }
+
+inline PrimitiveClass kindOf(GLenum mode) {
+  return mode <= GL_POLYGON ? classOf(mode) : PrimitiveClass::lines;
+}
+
+/// Triangles of the draw, all instances together.
+uint64_t trianglesOf(GLenum mode, const Elements& elements);
+
+/// The mesh of the draw, known or new.
+KnownMesh meshOf(Context& c, const ArrayState& arrays, GLenum mode, const Elements& elements);
+
+/// What a draw counts as: figures for a triangle each.
+struct Load {
+  PrimitiveClass kind;
+  uint64_t triangles;
+};
+Load loadOf(Context& c, GLenum mode, const Elements& elements);
+
+/// Draws with the current shader program: traced if that can be right, else by the real OpenGL.
+void drawByProgram(Context& c, GLenum mode, const Elements& elements);
+
+}  // namespace gluray::gl

@@ -1,0 +1,71 @@
+// Draws from vertex arrays by shader programs.
+#include "gl/arrays/array_draws.h"
+#include "gl/handlers.h"
+#include "gl/stub.h"
+
+namespace gluray::gl {
+namespace {
+
+Reason triageByPass(Context& c, PrimitiveClass kind) {
+  switch (layersOf(c.shadow.state.program)) {
+    case BatchKey::Layers::peeled: return c.layers.triagePeel(kind);
+    case BatchKey::Layers::summed: return c.layers.triageSum(kind);
+    case BatchKey::Layers::none:
+    case BatchKey::Layers::drawn: break;
+  }
+  return c.programs.triage(kind);
+}
+
+/// Traces what the current shader program draws if that can be right; says why not otherwise.
+Reason traceProgram(Context& c, GLenum mode, const Elements& e) {
+  if (mode > GL_POLYGON) return Reason::program;
+  const bool figures = c.shadow.program.drawsImpostors(mode);
+  const PrimitiveClass kind = figures ? PrimitiveClass::surfaces : classOf(mode);
+  Reason reason = triageByPass(c, kind);
+  if (reason == Reason::traced && figures) reason = c.programs.triageFigures();
+  if (reason != Reason::traced) return reason;
+  // Surfaces drawn by a program that wants points show nothing that anybody could know.
+  if (!figures && c.shadow.attributes.shape != scene::Shape::triangles) return Reason::program;
+  return c.failsafe.attempt([&] {
+    const KnownMesh known = meshOf(c, c.shadow.attributes, mode, e);
+    Reason fine = c.programs.triage(known);
+    if (fine == Reason::traced) fine = c.programs.triageInstances(*known.mesh, e);
+    if (fine == Reason::traced) fine = c.programs.add(known.mesh, mode, e);
+    if (fine != Reason::traced) return fine;
+    c.counts.traced(pathOf(e), uint64_t{known.mesh->triangleCount} * e.repeats());
+    return fine;
+  });
+}
+
+}  // namespace
+
+void drawByProgram(Context& c, GLenum mode, const Elements& e) {
+  c.shadow.refresh(kProgramGroups);
+  c.immediate.closeRunIfOpen();
+  if (passOf(c.shadow.state.program) == Family::Pass::peelDepths) {
+    bool held = false;
+    c.protect([&] { held = c.layers.holdDepths(mode, e, trianglesOf(mode, e)); });
+    if (held) return;
+  }
+  if (c.layers.drawsNothing()) return;
+  if (c.layers.asks()) {
+    bool held = false;
+    c.protect([&] { held = c.layers.holdLater(mode, e); });
+    if (held) return;
+  }
+  const Reason reason = traceProgram(c, mode, e);
+  if (reason == Reason::traced) return;
+  if (reason == Reason::programPass) {
+    bool done = false;
+    c.protect([&] { done = c.fullscreen.replace(mode, e); });
+    if (done) return;
+  }
+  const Load load = loadOf(c, mode, e);
+  c.protect([&] { c.programs.meetPasses(load.kind, mode, e); });
+  c.counts.rasterised(reason, pathOf(e), load.kind, load.triangles);
+  c.raster.before(load.kind);
+  c.shadow.sendBuffers();
+  drawReal(c.real, mode, e);
+}
+
+}  // namespace gluray::gl

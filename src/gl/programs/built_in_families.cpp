@@ -1,0 +1,17 @@
+// The families of spec/programs, which are in the engine as text.
+#include "gl/programs/built_in_families.gen.h"
+#include "gl/programs/family.h"
+
+namespace gluray::gl {
+
+const FamilyList& builtInFamilies() {
+  static const FamilyList families = [] {
+    FamilyList all;
+    for (const auto& [file, text] : kBuiltInFamilyFiles) all.append(parseFamilies(text, file));
+    needSections(all, all.code);
+    return all;
+  }();
+  return families;
+}
+
+}  // namespace gluray::gl
