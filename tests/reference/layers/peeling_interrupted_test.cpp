@@ -1,4 +1,5 @@
-// Depth peeling with something between its passes: whatever looks at them finds what the real OpenGL would have there.
+// Depth peeling with something between its passes: whatever looks at them finds what the real OpenGL would
+// have there.
 #include "tests/reference/layers/peeling_stage.h"
 
 #include <gtest/gtest.h>

@@ -9,11 +9,11 @@
 namespace gluray::test {
 
 /// Layers are rounded to eight bits by every peel of the real OpenGL, by us once.
-inline constexpr scenes::Tolerance kPeelTolerance = {3, 0.004, 1e-5f,
-                                              "silhouettes of all layers; every peel rounds to eight bits"};
+inline constexpr scenes::Tolerance kPeelTolerance = {
+    3, 0.004, 1e-5f, "silhouettes of all layers; every peel rounds to eight bits"};
 
 inline void expectPeeled(const std::string& name, const std::vector<Layer>& all, int draws,
-                  const std::function<Peeler::Hooks(Gl, Peeler&)>& hooksOf = {}) {
+                         const std::function<Peeler::Hooks(Gl, Peeler&)>& hooksOf = {}) {
   const auto draw = [&](Gl gl) {
     Peeler peeler(gl);
     const Peeler::Hooks hooks = hooksOf ? hooksOf(gl, peeler) : Peeler::Hooks{};
