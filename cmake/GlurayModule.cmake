@@ -37,3 +37,11 @@ function(gluray_module NAME)
     gluray_discover_tests(${NAME}_tests PREFIX ${NAME}. LABEL unit)
   endif()
 endfunction()
+
+# gluray_file_options(FILE OPTION...): compile options of one file. CMake takes those of a file that is not there in silence.
+function(gluray_file_options FILE)
+  if(NOT EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${FILE})
+    message(FATAL_ERROR "${CMAKE_CURRENT_SOURCE_DIR}/${FILE} is gone: its compile options are set here")
+  endif()
+  set_source_files_properties(${FILE} PROPERTIES COMPILE_OPTIONS "${ARGN}")
+endfunction()
