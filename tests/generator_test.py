@@ -10,7 +10,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tools")
 import c_headers  # noqa: E402
 import doors  # noqa: E402
 import glxml  # noqa: E402
-import leaf  # noqa: E402
+import vertex_calls  # noqa: E402
 import policy  # noqa: E402
 import stubs  # noqa: E402
 
@@ -28,38 +28,38 @@ def stub(name: str, *rows: dict) -> str:
 
 class Leaf(unittest.TestCase):
     def check(self, name: str, body: str):
-        self.assertEqual(leaf.body(BY_NAME[name]), body)
+        self.assertEqual(vertex_calls.body(BY_NAME[name]), body)
 
     def test_missing_components(self):
-        self.check("glVertex2f", "leaf::vertex(x, y, 0.0f, 1.0f);")
-        self.check("glTexCoord1f", "leaf::texCoord(0u, s, 0.0f, 0.0f, 1.0f);")
-        self.check("glColor3f", "leaf::color(red, green, blue, 1.0f);")
-        self.check("glVertexAttrib1f", "leaf::vertexAttrib(index, x, 0.0f, 0.0f, 1.0f);")
+        self.check("glVertex2f", "vertexcall::vertex(x, y, 0.0f, 1.0f);")
+        self.check("glTexCoord1f", "vertexcall::texCoord(0u, s, 0.0f, 0.0f, 1.0f);")
+        self.check("glColor3f", "vertexcall::color(red, green, blue, 1.0f);")
+        self.check("glVertexAttrib1f", "vertexcall::vertexAttrib(index, x, 0.0f, 0.0f, 1.0f);")
 
     def test_vectors(self):
-        self.check("glNormal3fv", "leaf::normal(v[0], v[1], v[2]);")
-        self.check("glVertex4fv", "leaf::vertex(v[0], v[1], v[2], v[3]);")
+        self.check("glNormal3fv", "vertexcall::normal(v[0], v[1], v[2]);")
+        self.check("glVertex4fv", "vertexcall::vertex(v[0], v[1], v[2], v[3]);")
 
     def test_integers_are_normalised_where_table_2_9_says(self):
-        self.check("glColor4ubv", "leaf::color(normalised(v[0]), normalised(v[1]), normalised(v[2]), normalised(v[3]));")
-        self.check("glNormal3b", "leaf::normal(normalised(nx), normalised(ny), normalised(nz));")
-        self.check("glSecondaryColor3us", "leaf::secondaryColor(normalised(red), normalised(green), normalised(blue));")
+        self.check("glColor4ubv", "vertexcall::color(normalised(v[0]), normalised(v[1]), normalised(v[2]), normalised(v[3]));")
+        self.check("glNormal3b", "vertexcall::normal(normalised(nx), normalised(ny), normalised(nz));")
+        self.check("glSecondaryColor3us", "vertexcall::secondaryColor(normalised(red), normalised(green), normalised(blue));")
         self.check("glVertexAttrib4Nsv",
-                   "leaf::vertexAttrib(index, normalised(v[0]), normalised(v[1]), normalised(v[2]), normalised(v[3]));")
+                   "vertexcall::vertexAttrib(index, normalised(v[0]), normalised(v[1]), normalised(v[2]), normalised(v[3]));")
 
     def test_integers_are_plain_elsewhere(self):
-        self.check("glVertex2i", "leaf::vertex(static_cast<GLfloat>(x), static_cast<GLfloat>(y), 0.0f, 1.0f);")
-        self.check("glVertexAttrib1s", "leaf::vertexAttrib(index, static_cast<GLfloat>(x), 0.0f, 0.0f, 1.0f);")
-        self.check("glIndexub", "leaf::index(static_cast<GLfloat>(c));")
-        self.check("glFogCoordd", "leaf::fogCoord(static_cast<GLfloat>(coord));")
+        self.check("glVertex2i", "vertexcall::vertex(static_cast<GLfloat>(x), static_cast<GLfloat>(y), 0.0f, 1.0f);")
+        self.check("glVertexAttrib1s", "vertexcall::vertexAttrib(index, static_cast<GLfloat>(x), 0.0f, 0.0f, 1.0f);")
+        self.check("glIndexub", "vertexcall::index(static_cast<GLfloat>(c));")
+        self.check("glFogCoordd", "vertexcall::fogCoord(static_cast<GLfloat>(coord));")
 
     def test_units_count_from_zero(self):
-        self.check("glMultiTexCoord2f", "leaf::texCoord(target - GL_TEXTURE0, s, t, 0.0f, 1.0f);")
+        self.check("glMultiTexCoord2f", "vertexcall::texCoord(target - GL_TEXTURE0, s, t, 0.0f, 1.0f);")
 
     def test_other_commands_are_refused(self):
         for name in ("glVertexPointer", "glVertexAttribI4i", "glTexCoord2fVertex3fSUN", "glNormalPointer"):
             with self.assertRaises(ValueError):
-                leaf.body(BY_NAME[name])
+                vertex_calls.body(BY_NAME[name])
 
 
 class Policy(unittest.TestCase):

@@ -4,7 +4,7 @@ from __future__ import annotations
 import glxml
 from policy import Policy
 
-DEFAULT_REASONS = {"leaf": "per-vertex attribute", "track": "state followed, then forwarded", "own": "handled by GLuRay",
+DEFAULT_REASONS = {"attribute": "per-vertex attribute", "track": "state followed, then forwarded", "own": "handled by GLuRay",
                    "forward": "not modelled: forwarded in order, with the pending picture written first where needed"}
 
 

@@ -9,7 +9,7 @@ import tomllib
 import glxml
 
 POLICY = pathlib.Path(__file__).resolve().parent.parent / "spec/policy.toml"
-CLASSES = {"leaf": "tracked", "track": "tracked", "own": "tracked", "forward": "forwarded"}
+CLASSES = {"attribute": "tracked", "track": "tracked", "own": "tracked", "forward": "forwarded"}
 COVERAGES = ("traced", "tracked", "forwarded", "masked")
 FIELDS = {"commands", "except", "class", "flush", "sync", "touch", "handler", "list", "begin", "copy", "fragment", "coverage", "reason"}
 GROUPS = {"modelview", "projection", "viewport", "raster", "lighting", "material", "texture", "clip", "target", "arrays", "attributes", "program",

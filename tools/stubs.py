@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import glxml
-import leaf
+import vertex_calls
 from policy import Policy, PolicyError
 
 SHARDS = 16
@@ -113,13 +113,13 @@ def _forward(c: glxml.Command, policy: Policy, index: int) -> str:
 
 
 def stub(c: glxml.Command, policy: Policy, index: int) -> str:
-    if policy.kind == "leaf":
-        count = "++t_thread.directVertices, " if c.short.startswith("Vertex") and not c.short.startswith("VertexA") else ""
+    if policy.kind == "attribute":
+        count = "++t_thread.passthroughVertices, " if c.short.startswith("Vertex") and not c.short.startswith("VertexA") else ""
         return (f"{_signature(c)} {{\n  if (!t_thread.stream) [[unlikely]] {{\n"
-                f"    if (const RealGl* below = t_thread.direct) {{\n      {count}below->{c.short}({c.arguments});\n"
+                f"    if (const RealGl* below = t_thread.passthrough) {{\n      {count}below->{c.short}({c.arguments});\n"
                 f"      return;\n    }}\n    if (!t_thread.context) {{\n"
                 f"      if (const RealGl* orphan = orphanGl()) orphan->{c.short}({c.arguments});\n      return;\n    }}\n"
-                f"  }}\n  {leaf.body(c)}\n}}\n")
+                f"  }}\n  {vertex_calls.body(c)}\n}}\n")
     body = {"track": _track, "own": _own}.get(policy.kind)
     text = body(c, policy) if body else _forward(c, policy, index)
     return f"{_signature(c)} {{\n  Context* ctx = t_thread.context;\n{_no_context(c)}{text}}}\n"

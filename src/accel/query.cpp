@@ -67,34 +67,34 @@ void nameLoneInstance(RayPacket& packet, uint32_t index) {
 }  // namespace
 
 void World::ask(QueryState& state, bool filtered, const int32_t* valid, RayPacket& packet,
-                const FigureQuery* figures) const noexcept {
-  if (figures) {
-    state.figures = figures_.data(), state.rays = *figures;
-    if (hasPixelFigures_) state.around = WindowRectangle(*figures->samples);
+                const ImpostorQuery* impostors) const noexcept {
+  if (impostors) {
+    state.impostors = impostors_.data(), state.rays = *impostors;
+    if (hasPixelImpostors_) state.around = WindowRectangle(*impostors->samples);
   }
   CoherentQuery query(filtered ? onFilter : nullptr, &state);
   intersectAll(query, scene_, device_.packetWidth(), valid, packet);
 }
 
 void World::intersect(const int32_t* valid, RayPacket& packet, const HitFilter* filter,
-                      const FigureQuery* figures) const noexcept {
-  if (!filter && !mayCoincide_ && !figures) {
+                      const ImpostorQuery* impostors) const noexcept {
+  if (!filter && !mayCoincide_ && !impostors) {
     CoherentQuery query;
     intersectAll(query, scene_, device_.packetWidth(), valid, packet);
   } else {
     TieBreaker ties(order_);
     QueryState state{filter, mayCoincide_ ? &ties : nullptr, aloneIndex_};
-    ask(state, filter || mayCoincide_, valid, packet, figures);
+    ask(state, filter || mayCoincide_, valid, packet, impostors);
     if (mayCoincide_) ties.restoreDistances(packet);
   }
   if (alone_) nameLoneInstance(packet, aloneIndex_);
 }
 
 void World::intersectNext(const int32_t* valid, RayPacket& packet, NextHits& hits,
-                          const FigureQuery* figures) const noexcept {
+                          const ImpostorQuery* impostors) const noexcept {
   QueryState state{nullptr, nullptr, aloneIndex_};
   state.next = &hits;
-  ask(state, true, valid, packet, figures);
+  ask(state, true, valid, packet, impostors);
 }
 
 }  // namespace gluray::accel

@@ -51,12 +51,12 @@ struct QueryState {
   const HitFilter* filter;
   TieBreaker* ties;
   uint32_t aloneIndex;
-  const PlacedFigures* figures = nullptr;  // by instance
-  FigureQuery rays;
+  const PlacedImpostors* impostors = nullptr;  // by instance
+  ImpostorQuery rays;
   WindowRectangle around;
   // Those in the lighting space of the instance that was asked about last.
   mutable uint32_t raysOf = kNoHit;
-  mutable FigureRays centers, samples;
+  mutable ImpostorRays centers, samples;
   NextHits* next = nullptr;  // several hits are wanted
 
   /// Whether a hit closer than the lane's best counts; `distance` as TieBreaker::replaces.

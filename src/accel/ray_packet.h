@@ -33,9 +33,9 @@ struct alignas(64) PixelRays {
   float windowX[kLanes], windowY[kLanes];
 };
 
-/// What figures (scene/impostors.h) are met by: programs compute them for the centres of pixels, on those
-/// samples that their cards cover.
-struct FigureQuery {
+/// What impostors (scene/impostors.h) are met by: programs compute them for the centres of pixels, on those
+/// samples that their billboards cover.
+struct ImpostorQuery {
   const PixelRays* centers = nullptr;  // of the pixels that the packet's rays belong to
   const PixelRays* samples = nullptr;  // the packet's rays
 };

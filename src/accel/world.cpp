@@ -74,7 +74,7 @@ UpdateStatistics World::update(const scene::Snapshot& snapshot, Arena& arena) {
     cache_.evict();
     if (scene_) readBounds();
     readOrder(snapshot);
-    readFigures(snapshot);
+    readImpostors(snapshot);
     return statistics;
   });
 }
@@ -85,7 +85,7 @@ std::vector<PlacedBlas> World::place(const scene::Snapshot& snapshot) {
   for (const scene::Instance& instance : snapshot.instances) {
     meshes.push_back({instance.mesh.get(), {}});
     if (instance.mesh->shape != scene::Shape::triangles)
-      meshes.back().reach = FigureReach::of(instance, snapshot.camera);
+      meshes.back().reach = ImpostorReach::of(instance, snapshot.camera);
   }
 
   std::vector<BlasPtr> blases = structures(meshes, snapshot.settings.bvh);
@@ -157,18 +157,19 @@ void World::readOrder(const scene::Snapshot& snapshot) {
   for (const scene::Instance& instance : snapshot.instances) order_.ranks.push_back(instance.order);
 }
 
-void World::readFigures(const scene::Snapshot& snapshot) {
-  figures_.clear();
-  hasPixelFigures_ = false;
-  const auto isFigures = [](const scene::Instance& i) { return i.mesh->shape != scene::Shape::triangles; };
-  if (std::none_of(snapshot.instances.begin(), snapshot.instances.end(), isFigures)) return;
-  figures_.resize(snapshot.instances.size());
-  for (size_t i = 0; i < figures_.size(); ++i)
-    if (isFigures(snapshot.instances[i])) figures_[i] = PlacedFigures(snapshot.instances[i], snapshot.camera);
-  for (PlacedFigures& placed : figures_) {
+void World::readImpostors(const scene::Snapshot& snapshot) {
+  impostors_.clear();
+  hasPixelImpostors_ = false;
+  const auto isImpostors = [](const scene::Instance& i) { return i.mesh->shape != scene::Shape::triangles; };
+  if (std::none_of(snapshot.instances.begin(), snapshot.instances.end(), isImpostors)) return;
+  impostors_.resize(snapshot.instances.size());
+  for (size_t i = 0; i < impostors_.size(); ++i)
+    if (isImpostors(snapshot.instances[i]))
+      impostors_[i] = PlacedImpostors(snapshot.instances[i], snapshot.camera);
+  for (PlacedImpostors& placed : impostors_) {
     if (!placed.mesh || !scene::isInWindow(placed.mesh->shape)) continue;
     placed.window = windowVertices(placed);
-    hasPixelFigures_ = true;
+    hasPixelImpostors_ = true;
   }
 }
 

@@ -50,21 +50,22 @@ class World {
   /// Nearest hits of the lanes with valid[i] = -1 (others 0), an array aligned to 64 bytes; the packet's hit
   /// fields must be cleared (geometry = kNoHit). Hits that `filter` refuses do not count; null: all do. Where
   /// triangles coincide, the hit is on the one that the snapshot's order of drawing and depth function leave.
-  /// Without `figures` there are none.
+  /// Without `impostors` there are none.
   void intersect(const int32_t* valid, RayPacket&, const HitFilter* filter = nullptr,
-                 const FigureQuery* figures = nullptr) const noexcept;
+                 const ImpostorQuery* impostors = nullptr) const noexcept;
 
   /// The nearest hits of each of those lanes, NextHits::kMost at most, without those that the lane is done
   /// with; of triangles at one place all. The packet's own fields mean nothing afterwards.
-  void intersectNext(const int32_t* valid, RayPacket&, NextHits&, const FigureQuery* figures) const noexcept;
+  void intersectNext(const int32_t* valid, RayPacket&, NextHits&,
+                     const ImpostorQuery* impostors) const noexcept;
 
   /// Whether triangles may lie exactly upon each other.
   bool mayCoincide() const { return mayCoincide_; }
   /// True if there is nothing to hit.
   bool empty() const { return scene_ == nullptr; }
-  /// True if some of it are figures.
-  bool hasFigures() const { return !figures_.empty(); }
-  const PlacedFigures& figuresOf(uint32_t instance) const { return figures_[instance]; }
+  /// True if some of it are impostors.
+  bool hasImpostors() const { return !impostors_.empty(); }
+  const PlacedImpostors& impostorsOf(uint32_t instance) const { return impostors_[instance]; }
   /// Bytes of all structures now.
   size_t bytes() const { return Device::bytes(); }
   size_t cachedBlases() const { return cache_.size(); }
@@ -75,7 +76,7 @@ class World {
   /// Bounding box of everything, world space. Only where not empty.
   glm::vec3 lower() const { return lower_; }
   glm::vec3 upper() const { return upper_; }
-  /// The longest edge of a mesh's triangles, object space; 0 of figures. Looks at each mesh once.
+  /// The longest edge of a mesh's triangles, object space; 0 of impostors. Looks at each mesh once.
   float longestEdge(const scene::Mesh& mesh) const { return sizes_.longestEdge(mesh); }
 
  private:
@@ -84,10 +85,10 @@ class World {
   bool stayPlaced(const scene::Snapshot& snapshot, const std::vector<PlacedBlas>& placed) const;
   std::vector<PlacedBlas> place(const scene::Snapshot&);
   std::vector<BlasPtr> structures(const std::vector<Geometry>&, BvhQuality);
-  void ask(QueryState&, bool filtered, const int32_t* valid, RayPacket&, const FigureQuery*) const noexcept;
+  void ask(QueryState&, bool filtered, const int32_t* valid, RayPacket&, const ImpostorQuery*) const noexcept;
   void readBounds();
   void readOrder(const scene::Snapshot&);
-  void readFigures(const scene::Snapshot&);
+  void readImpostors(const scene::Snapshot&);
 
   Device device_;
   BlasCache cache_;
@@ -100,8 +101,8 @@ class World {
   bool mayCoincide_ = false;  // some triangles may: hits are compared, which costs time
   bool apart_ = false;        // none of what the top level holds may
   DrawOrder order_;
-  std::vector<PlacedFigures> figures_;  // by instance; empty where all are triangles
-  bool hasPixelFigures_ = false;        // some of them have a size in pixels
+  std::vector<PlacedImpostors> impostors_;  // by instance; empty where all are triangles
+  bool hasPixelImpostors_ = false;          // some of them have a size in pixels
   glm::vec3 lower_{0}, upper_{0};
 };
 

@@ -67,7 +67,7 @@ TEST_F(LastPicturesTest, WhateverElseChangesItIsNot) {
       [](S& s) { s.instances[0].order = 9; },
       [](S& s) { s.instances[0].triangleColors.format = scene::Format::float4; },
       [](S& s) { s.instances[0].texcoordsAbove.emplace_back(1); },
-      [](S& s) { s.instances[0].figures.inside = true; },
+      [](S& s) { s.instances[0].impostors.inside = true; },
       [](S& s) { s.settings.shading = ShadingRate::vertex; },
       [](S& s) { s.settings.spp = 4; },
   };

@@ -11,7 +11,7 @@ void Attention::update() {
   needed_ = off_ || immediate_.insideBegin() || immediate_.runOpen() || lists_.compiling();
   const bool captured = !off_ && (immediate_.runOpen() || lists_.compiling());
   t_thread.stream = captured ? &immediate_.stream() : nullptr;
-  t_thread.direct = !captured && (off_ || clock_.direct()) ? &real_ : nullptr;
+  t_thread.passthrough = !captured && (off_ || clock_.passesThrough()) ? &real_ : nullptr;
 }
 
 }  // namespace gluray::gl

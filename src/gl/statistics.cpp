@@ -3,7 +3,7 @@
 namespace gluray::gl {
 
 Statistics& Statistics::operator+=(const Statistics& o) {
-  frames += o.frames, framesInFront += o.framesInFront, framesDirect += o.framesDirect;
+  frames += o.frames, framesInFront += o.framesInFront, framesPassedThrough += o.framesPassedThrough;
   drawsTraced += o.drawsTraced, drawsRasterised += o.drawsRasterised;
   trianglesTraced += o.trianglesTraced, trianglesRasterised += o.trianglesRasterised;
   for (size_t i = 0; i < rasterisedBecause.size(); ++i) rasterisedBecause[i] += o.rasterisedBecause[i];

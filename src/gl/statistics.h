@@ -16,7 +16,7 @@ struct Statistics {
   Count frames;         // buffer swaps (or finishes of single-buffered drawing)
   Count framesInFront;  // of double-buffered contexts that do not swap: glFlush or glFinish after drawing
                         // into the front buffer; counted where somebody wants to know, and not among `frames`
-  Count framesDirect;   // those left to the real OpenGL as they came
+  Count framesPassedThrough;  // those left to the real OpenGL as they came
   Count drawsTraced, drawsRasterised;
   Count trianglesTraced, trianglesRasterised;
   std::array<Count, kReasonCount> rasterisedBecause{};  // draws, by reason

@@ -22,8 +22,8 @@ namespace HWY_NAMESPACE {
 /// A packet on its way from rays to pixels.
 struct Work {
   accel::RayPacket packet;
-  accel::PixelRays centers, samples;  // only where there are figures
-  accel::FigureQuery figures;
+  accel::PixelRays centers, samples;  // only where there are impostors
+  accel::ImpostorQuery impostors;
   alignas(64) float x[kLanes], y[kLanes];  // window positions
   alignas(64) int32_t valid[kLanes];       // -1: to be traced
   alignas(64) uint32_t vertex[3][kLanes];  // of the hit triangles
@@ -192,9 +192,9 @@ HWY_ATTR inline void locateHits(const FrameData& frame, uint32_t instance, const
   if (surface.mesh->shape == scene::Shape::triangles)
     computeDepth(frame, surface, group, x, y, seen);
   else if (scene::isInWindow(surface.mesh->shape))
-    computePixelFigures(surface, frame.world->figuresOf(instance), x, y, group, seen);
+    computePixelImpostors(surface, frame.world->impostorsOf(instance), x, y, group, seen);
   else
-    computeFigures(surface, frame.depth, x, y, group, seen);
+    computeImpostors(surface, frame.depth, x, y, group, seen);
 }
 
 /// Depth and colour of the hits in `lanes`, given to take(lanes, colours, depths). Returns the lanes whose

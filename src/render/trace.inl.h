@@ -15,7 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-// Rays through window positions x, y for figures.
+// Rays through window positions x, y for impostors.
 HWY_ATTR inline void aimInEye(const FrameData& frame, const float* x, const float* y, accel::PixelRays& to) {
   accel::RayPacket rays;
   alignas(64) int32_t valid[kLanes] = {};
@@ -32,34 +32,34 @@ HWY_ATTR inline void aimInEye(const FrameData& frame, const float* x, const floa
   }
 }
 
-// Rays to be traced, and those that figures are met by; null where there are none.
-HWY_ATTR inline const accel::FigureQuery* aimRays(const FrameData& frame, Work& work) {
+// Rays to be traced, and those that impostors are met by; null where there are none.
+HWY_ATTR inline const accel::ImpostorQuery* aimRays(const FrameData& frame, Work& work) {
   generateRays(frame.rays, work.x, work.y, work.packet, work.valid);
-  if (!frame.world->hasFigures()) return nullptr;
+  if (!frame.world->hasImpostors()) return nullptr;
   alignas(64) float x[kLanes], y[kLanes];
   for (int i = 0; i < kLanes; ++i) {
     x[i] = frame.averages ? work.x[i] : std::floor(work.x[i]) + 0.5f;
     y[i] = frame.averages ? work.y[i] : std::floor(work.y[i]) + 0.5f;
   }
   aimInEye(frame, x, y, work.centers);
-  work.figures = {&work.centers, &work.centers};
+  work.impostors = {&work.centers, &work.centers};
   if (frame.samplePositions.size() > 1 && !frame.averages) {
     aimInEye(frame, work.x, work.y, work.samples);
-    work.figures.samples = &work.samples;
+    work.impostors.samples = &work.samples;
   }
-  return &work.figures;
+  return &work.impostors;
 }
 
 // First stage: what the rays hit; asks memory for the hit triangles' indices.
 HWY_ATTR inline void traceWork(const FrameData& frame, Work& work) {
-  const accel::FigureQuery* figures = aimRays(frame, work);
+  const accel::ImpostorQuery* impostors = aimRays(frame, work);
   work.hits = 0;
   if (frame.snapshot->layers) {  // several at a time, later
     for (int i = 0; i < kLanes; ++i)
       if (work.valid[i]) work.hits |= 1u << i;
     return;
   }
-  frame.world->intersect(work.valid, work.packet, frame.accepted.get(), figures);
+  frame.world->intersect(work.valid, work.packet, frame.accepted.get(), impostors);
   work.hits = lanesThatHit(work.packet, work.valid);
   for (uint32_t lanes = work.hits; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
@@ -97,9 +97,9 @@ HWY_ATTR inline void traceOn(const FrameData& frame, uint32_t lanes, RejectingFi
     const int i = std::countr_zero(lanes);
     passed[i] = filter.refuse(work.packet, i);
   }
-  const accel::FigureQuery* figures = aimRays(frame, work);
+  const accel::ImpostorQuery* impostors = aimRays(frame, work);
   for (int i = 0; i < kLanes; ++i) work.packet.tNear[i] = std::max(work.packet.tNear[i], passed[i]);
-  frame.world->intersect(work.valid, work.packet, &filter, figures);
+  frame.world->intersect(work.valid, work.packet, &filter, impostors);
   work.hits = lanesThatHit(work.packet, work.valid);
   fetchVertices(frame, work);
 }
@@ -112,10 +112,10 @@ HWY_ATTR inline void traceBehind(const FrameData& frame, uint32_t lanes, Work& w
     work.valid[i] = lanes >> i & 1 ? -1 : 0;
     passed[i] = work.packet.tFar[i] * kBehind;
   }
-  const accel::FigureQuery* figures = aimRays(frame, work);
+  const accel::ImpostorQuery* impostors = aimRays(frame, work);
   for (int i = 0; i < kLanes; ++i)
     if (work.valid[i]) work.packet.tNear[i] = std::max(work.packet.tNear[i], passed[i]);
-  frame.world->intersect(work.valid, work.packet, frame.accepted.get(), figures);
+  frame.world->intersect(work.valid, work.packet, frame.accepted.get(), impostors);
   work.hits = lanesThatHit(work.packet, work.valid);
   fetchVertices(frame, work);
 }

@@ -53,7 +53,7 @@ inline glm::vec4 fetch(const Attribute& a, uint32_t i) {
   }
 }
 
-/// What the primitives of a mesh are. All but triangles are figures (scene/impostors.h): spheres, discs and
+/// What the primitives of a mesh are. All but triangles are impostors (scene/impostors.h): spheres, discs and
 /// cylinders are round in the space of Instance::lightingFromObject and have one vertex each, their centre.
 /// Beads, about one vertex, and tubes, about a line between two, have a size in pixels. Splats, about one
 /// vertex with a radius, are ellipses in the window.
@@ -69,8 +69,8 @@ constexpr bool isInWindow(Shape shape) { return isSizedInPixels(shape) || shape 
 
 /// Triangles in object space. Triangle t has the vertices corner(t, 0..2), in winding order; OpenGL's
 /// provoking vertex (flat shading) is always the last one. `indices` absent means a soup: vertices 3t, 3t+1,
-/// 3t+2. Of other shapes "triangle" t is the figure about vertex corner(t, 0), and its further corners repeat
-/// the last one that it has.
+/// 3t+2. Of other shapes "triangle" t is the impostor about vertex corner(t, 0), and its further corners
+/// repeat the last one that it has.
 struct Mesh {
   Hash128 geometryId;  // identity of positions and triangle order: the key of the acceleration structure
   Shape shape = Shape::triangles;
@@ -78,7 +78,7 @@ struct Mesh {
   uint32_t vertexCount = 0;  // every index is below this
   Attribute positions;       // float3
   Attribute indices;         // uint32, cornersOf(shape) a primitive, tightly packed (stride 4), or absent
-  Attribute radii;           // of figures: float1; absent: all have `radius`
+  Attribute radii;           // of impostors: float1; absent: all have `radius`
   Attribute axes;            // of cylinders: float3, as long as the cylinder
   float radius = 1;
   Attribute normals;                      // float3, not necessarily of unit length

@@ -85,7 +85,7 @@ struct Instance {
   Attribute triangleNormals;        // float3 or float4, object space
   Attribute triangleEdges;          // bits8: bit k, the edge from corner k to the next is painted
   uint32_t triangleOffset = 0;
-  Figures figures;  // of meshes of other shapes than triangles
+  Impostors impostors;  // of meshes of other shapes than triangles
   CullFace cull = CullFace::none;
   bool frontFaceCcw = true;  // GL_CCW is front
   std::vector<glm::dvec4>

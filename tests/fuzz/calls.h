@@ -14,7 +14,7 @@ struct Op {
 };
 using Ops = std::span<const Op>;
 
-Ops leafCalls();                                     // glVertex*, glColor* ...: generated, all of them
+Ops vertexAttributeCalls();                          // glVertex*, glColor* ...: generated, all of them
 Ops attributeCalls();                                // those that make no vertex
 Ops vertexCalls();                                   // what else may stand between glBegin and glEnd
 Ops beginCalls();                                    // glBegin

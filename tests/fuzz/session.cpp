@@ -131,7 +131,8 @@ int sizeOfAttribute(std::string_view name) {
 
 bool makesVertex(const Op* op) {
   const std::string_view name = op->name;
-  return isOf(leafCalls(), op) && name.substr(0, 6) == "Vertex" && name.substr(0, 12) != "VertexAttrib";
+  return isOf(vertexAttributeCalls(), op) && name.substr(0, 6) == "Vertex" &&
+         name.substr(0, 12) != "VertexAttrib";
 }
 
 /// Coordinates of glVertex*i, *s and P* reach to 2^31.
@@ -140,16 +141,16 @@ bool isOfIntegers(std::string_view vertex) { return vertex.find_first_of("isP") 
 /// Whether the call is one of those that Mesa does not survive or that OpenGL leaves open here (avoided.md).
 bool avoided(const Player& p, const Stream& stream, const Op* op) {
   if (p.executing && (isOf(askCalls(), op) || isOf(bufferCalls(), op))) return true;
-  const bool leaf = isOf(leafCalls(), op) || isOf(attributeCalls(), op);
-  if (leaf && sizeOfAttribute(op->name) != 0 && sizeOfAttribute(op->name) != stream.attributeSize)
+  const bool attribute = isOf(vertexAttributeCalls(), op) || isOf(attributeCalls(), op);
+  if (attribute && sizeOfAttribute(op->name) != 0 && sizeOfAttribute(op->name) != stream.attributeSize)
     return true;
-  if (leaf && std::string_view(op->name).substr(0, 7) == "ColorP3") return true;
+  if (attribute && std::string_view(op->name).substr(0, 7) == "ColorP3") return true;
   if (makesVertex(op) && stream.tame && isOfIntegers(op->name)) return true;
   if (makesVertex(op) && !p.insideBegin && !p.compiling) return true;
   if (!p.compiling) return false;
   if (p.grown && isOf(drawCalls(), op)) return true;
   if (!p.insideBegin) return isOf(endCalls(), op);
-  return !leaf && !isOf(vertexCalls(), op) && !isOf(endCalls(), op);
+  return !attribute && !isOf(vertexCalls(), op) && !isOf(endCalls(), op);
 }
 
 /// Notes where a primitive of a list has vertices of several sizes, or attributes that its first vertex
@@ -157,9 +158,10 @@ bool avoided(const Player& p, const Stream& stream, const Op* op) {
 class Growth {
  public:
   void look(Player& p, const Op* op) {
-    const bool leaf = isOf(leafCalls(), op) || isOf(attributeCalls(), op) || isOf(vertexCalls(), op);
+    const bool attribute =
+        isOf(vertexAttributeCalls(), op) || isOf(attributeCalls(), op) || isOf(vertexCalls(), op);
     if (!p.compiling || !p.insideBegin) return known_.clear(), void(vertices_ = 0);
-    if (!leaf) return;
+    if (!attribute) return;
     const bool fresh = known_.insert(op).second;
     p.grown = p.grown || (fresh && vertices_ > 0);
     vertices_ += makesVertex(op);

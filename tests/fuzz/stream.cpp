@@ -60,7 +60,7 @@ class Grammar {
       else if (depth == 0 && random_.below(100) == 0)
         add(callAttributesCalls());
       else
-        add(leafCalls());
+        add(vertexAttributeCalls());
     }
     if (stream_.tame || !random_.chance(2)) add(endCalls());
   }
@@ -90,7 +90,7 @@ class Grammar {
   }
 
   void block(int depth) {
-    if (depth > 3) return add(leafCalls(), few());
+    if (depth > 3) return add(vertexAttributeCalls(), few());
     if (calm_ && random_.chance(calm_)) add(calmCalls());
     if (programs_ && random_.chance(programs_)) return programs();
     uint32_t total = 8;

@@ -42,7 +42,7 @@ bool join(const TriangleRun& run, uint32_t triangle, Grown& box) {
 }
 
 /// Embree asks boxes of user geometry without the care that it takes with triangles: rays from as far away
-/// as a hundred times the extent of a million such clusters must not slip by.
+/// as a hundred times the extent of a million such blocks must not slip by.
 Box widened(const Grown& grown) {
   constexpr float kOwn = 0x1p-6f, kPlace = 0x1p-20f;
   const glm::vec3 lower(grown.lower[0], grown.lower[1], grown.lower[2]);
@@ -55,8 +55,8 @@ Box widened(const Grown& grown) {
 
 }  // namespace
 
-void findClusters(const TriangleRun& run, const ClusterLimits& limits, std::vector<uint32_t>& first,
-                  std::vector<Box>* boxes) {
+void findTriangleBlocks(const TriangleRun& run, const TriangleBlockLimits& limits,
+                        std::vector<uint32_t>& first, std::vector<Box>* boxes) {
   Grown box;
   float sum = 0;       // of the areas of their boxes
   uint32_t count = 0;  // triangles in it; 0: none that another may join
@@ -88,7 +88,7 @@ void findClusters(const TriangleRun& run, const ClusterLimits& limits, std::vect
   if (run.end > run.first) add();
 }
 
-Box boxOfCluster(const TriangleRun& run) {
+Box boxOfTriangleBlock(const TriangleRun& run) {
   Grown box;
   for (uint32_t t = run.first; t < run.end; ++t)
     if (!join(run, t, box)) return kNothing;

@@ -1,4 +1,4 @@
-// Which triangles that follow each other make a cluster, and boxes about them. Private to accel/; called on
+// Which triangles that follow each other make a block, and boxes about them. Private to accel/; called on
 // building threads.
 #pragma once
 #include "accel/blocks/triangle_block_kernels.h"
@@ -9,19 +9,19 @@
 
 namespace gluray::accel {
 
-/// How large clusters are: a box about one is at most `looser` times as large as the boxes of its triangles
+/// How large blocks are: a box about one is at most `looser` times as large as the boxes of its triangles
 /// are in sum. A row of cells of a surface has about half the area that these have.
-struct ClusterLimits {
+struct TriangleBlockLimits {
   uint32_t most;  // triangles
   float looser;
 };
 
-/// Divides a run into clusters: appends the first triangle of each to `first`,
+/// Divides a run into blocks: appends the first triangle of each to `first`,
 /// and, where `boxes` is given, its box. Throws std::bad_alloc.
-void findClusters(const TriangleRun&, const ClusterLimits&, std::vector<uint32_t>& first,
-                  std::vector<Box>* boxes);
+void findTriangleBlocks(const TriangleRun&, const TriangleBlockLimits&, std::vector<uint32_t>& first,
+                        std::vector<Box>* boxes);
 
-/// The box of a run that findClusters() has made a cluster: see Clusters::boxOf.
-Box boxOfCluster(const TriangleRun&);
+/// The box of a run that findTriangleBlocks() has made a block: see TriangleBlocks::boxOf.
+Box boxOfTriangleBlock(const TriangleRun&);
 
 }  // namespace gluray::accel

@@ -1,4 +1,4 @@
-// Rays of a packet against the triangles of a cluster, for the processor at hand. Private to accel/; called
+// Rays of a packet against the triangles of a block, for the processor at hand. Private to accel/; called
 // on tracing threads.
 #pragma once
 #include "accel/ray_packet.h"

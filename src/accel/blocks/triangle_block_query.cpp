@@ -1,4 +1,4 @@
-// Embree's callbacks for clusters of triangles. Called on tracing and building threads.
+// Embree's callbacks for blocks of triangles. Called on tracing and building threads.
 #include "accel/blocks/triangle_block_kernels.h"
 #include "accel/blocks/triangle_blocks.h"
 #include "accel/embree.h"
@@ -50,20 +50,20 @@ uint32_t choose(const void* query, const PacketRows& rows, const MetTriangle& me
 
 }  // namespace
 
-void clusterBounds(const RTCBoundsFunctionArguments* arguments) {
-  const Box box = static_cast<const Clusters*>(arguments->geometryUserPtr)->boxOf(arguments->primID);
+void triangleBlockBounds(const RTCBoundsFunctionArguments* arguments) {
+  const Box box = static_cast<const TriangleBlocks*>(arguments->geometryUserPtr)->boxOf(arguments->primID);
   RTCBounds& out = *arguments->bounds_o;
   out.lower_x = box.lower.x, out.lower_y = box.lower.y, out.lower_z = box.lower.z;
   out.upper_x = box.upper.x, out.upper_y = box.upper.y, out.upper_z = box.upper.z;
 }
 
-void intersectClusters(const RTCIntersectFunctionNArguments* arguments) {
+void intersectTriangleBlocks(const RTCIntersectFunctionNArguments* arguments) {
   const RTCIntersectFunctionNArguments& a = *arguments;
-  const auto& clusters = *static_cast<const Clusters*>(a.geometryUserPtr);
-  const scene::Mesh& mesh = clusters.mesh();
+  const auto& blocks = *static_cast<const TriangleBlocks*>(a.geometryUserPtr);
+  const scene::Mesh& mesh = blocks.mesh();
   const TriangleRun run{mesh.positions.data, mesh.positions.stride,
-                        reinterpret_cast<const uint32_t*>(mesh.indices.data), clusters.first(a.primID),
-                        clusters.first(a.primID + 1)};
+                        reinterpret_cast<const uint32_t*>(mesh.indices.data), blocks.first(a.primID),
+                        blocks.first(a.primID + 1)};
   const HitNames names{a.geomID, a.context->instID[0]};
   const auto* state = static_cast<const QueryState*>(reinterpret_cast<const QueryContext*>(a.context)->user);
   const bool all = !state || !(state->filter || state->ties || state->next);

@@ -10,12 +10,12 @@ namespace gluray::accel {
 namespace {
 
 // Measured in docs/adr/0022 and 0026.
-constexpr ClusterLimits limitsOf(Clusters::Aim aim) {
-  return aim == Clusters::Aim::memory ? ClusterLimits{8, 3} : ClusterLimits{4, 2};
+constexpr TriangleBlockLimits limitsOf(TriangleBlocks::Aim aim) {
+  return aim == TriangleBlocks::Aim::memory ? TriangleBlockLimits{8, 3} : TriangleBlockLimits{4, 2};
 }
 
-bool pays(Clusters::Aim aim, uint64_t clusters, uint64_t triangles) {
-  return clusters * (aim == Clusters::Aim::memory ? 3 : 2) <= triangles;
+bool pays(TriangleBlocks::Aim aim, uint64_t blocks, uint64_t triangles) {
+  return blocks * (aim == TriangleBlocks::Aim::memory ? 3 : 2) <= triangles;
 }
 
 TriangleRun runOf(const scene::Mesh& mesh, uint32_t first, uint32_t end) {
@@ -25,7 +25,7 @@ TriangleRun runOf(const scene::Mesh& mesh, uint32_t first, uint32_t end) {
 
 }  // namespace
 
-Clusters::Clusters(const scene::Mesh& mesh, Aim aim) : aim_(aim) {
+TriangleBlocks::TriangleBlocks(const scene::Mesh& mesh, Aim aim) : aim_(aim) {
   const bool withBoxes = aim == Aim::speed;
   mesh_.triangleCount = mesh.triangleCount, mesh_.vertexCount = mesh.vertexCount;
   mesh_.positions = mesh.positions, mesh_.indices = mesh.indices;
@@ -41,7 +41,8 @@ Clusters::Clusters(const scene::Mesh& mesh, Aim aim) : aim_(aim) {
     part.first.reserve(kBlock / 4);
     if (withBoxes) part.boxes.reserve(kBlock / 4);
     const uint32_t begin = b * kBlock, end = begin + std::min(kBlock, mesh_.triangleCount - begin);
-    findClusters(runOf(mesh_, begin, end), limitsOf(aim), part.first, withBoxes ? &part.boxes : nullptr);
+    findTriangleBlocks(runOf(mesh_, begin, end), limitsOf(aim), part.first,
+                       withBoxes ? &part.boxes : nullptr);
   });
   size_t total = 0;
   for (const Part& part : parts) total += part.first.size();
@@ -55,22 +56,22 @@ Clusters::Clusters(const scene::Mesh& mesh, Aim aim) : aim_(aim) {
   first_.push_back(mesh.triangleCount);
 }
 
-bool Clusters::likely(const scene::Mesh& mesh, Aim aim) {
+bool TriangleBlocks::likely(const scene::Mesh& mesh, Aim aim) {
   constexpr uint32_t kSamples = 16, kRun = 256;  // triangles a sample
   if (mesh.shape != scene::Shape::triangles || mesh.triangleCount < kSamples * kRun) return false;
   std::vector<uint32_t> first;
   for (uint32_t i = 0; i < kSamples; ++i) {
     const auto begin = static_cast<uint32_t>(uint64_t{mesh.triangleCount - kRun} * i / (kSamples - 1));
-    findClusters(runOf(mesh, begin, begin + kRun), limitsOf(aim), first, nullptr);
+    findTriangleBlocks(runOf(mesh, begin, begin + kRun), limitsOf(aim), first, nullptr);
   }
   return pays(aim, first.size(), kSamples * kRun);
 }
 
-bool Clusters::pay() const { return pays(aim_, count(), mesh_.triangleCount); }
+bool TriangleBlocks::pay() const { return pays(aim_, count(), mesh_.triangleCount); }
 
-Box Clusters::boxOf(uint32_t cluster) const {
-  if (!boxes_.empty()) return boxes_[cluster];
-  return boxOfCluster(runOf(mesh_, first(cluster), first(cluster + 1)));
+Box TriangleBlocks::boxOf(uint32_t block) const {
+  if (!boxes_.empty()) return boxes_[block];
+  return boxOfTriangleBlock(runOf(mesh_, first(block), first(block + 1)));
 }
 
 }  // namespace gluray::accel

@@ -1,5 +1,5 @@
-// Clusters of triangles: they hold every triangle once, and rays find in them what they find in Embree's
-// triangles.
+// TriangleBlocks of triangles: they hold every triangle once, and rays find in them what they find in
+// Embree's triangles.
 #include "accel/blocks/triangle_blocks.h"
 
 #include "accel/device.h"
@@ -82,28 +82,29 @@ struct OddTriangles final : HitFilter {
   }
 };
 
-struct ClustersTest : testing::TestWithParam<BvhQuality> {
+struct TriangleBlocksTest : testing::TestWithParam<BvhQuality> {
   Arena arena{2};
-  World clusters, triangles;
-  const Clusters::Aim aim = GetParam() == BvhQuality::fast ? Clusters::Aim::speed : Clusters::Aim::memory;
+  World blocks, triangles;
+  const TriangleBlocks::Aim aim =
+      GetParam() == BvhQuality::fast ? TriangleBlocks::Aim::speed : TriangleBlocks::Aim::memory;
   alignas(64) int32_t valid[kLanes];
   int hits = 0;
 
-  ClustersTest() { std::fill_n(valid, kLanes, -1); }
+  TriangleBlocksTest() { std::fill_n(valid, kLanes, -1); }
 
   void show(scene::Snapshot snapshot) {
     snapshot.settings.bvh = GetParam();
-    clusters.update(snapshot, arena);
+    blocks.update(snapshot, arena);
     snapshot.settings.bvh = BvhQuality::compact;
     triangles.update(snapshot, arena);
     for (const scene::Instance& instance : snapshot.instances)
-      EXPECT_TRUE(Clusters(*instance.mesh, aim).pay());
+      EXPECT_TRUE(TriangleBlocks(*instance.mesh, aim).pay());
   }
 
   void compare(const HitFilter* filter) {
     for (uint32_t number = 0; number < 500; ++number) {
       RayPacket a = packetOf(number), b = packetOf(number);
-      clusters.intersect(valid, a, filter);
+      blocks.intersect(valid, a, filter);
       triangles.intersect(valid, b, filter);
       for (int i = 0; i < kLanes; ++i) compare(a, b, i);
     }
@@ -125,22 +126,22 @@ struct ClustersTest : testing::TestWithParam<BvhQuality> {
   }
 };
 
-TEST_P(ClustersTest, HoldEveryTriangleOnce) {
+TEST_P(TriangleBlocksTest, HoldEveryTriangleOnce) {
   const auto mesh = makeMesh(sheets());
-  const Clusters clusters(*mesh, aim);
-  EXPECT_TRUE(clusters.pay());
-  EXPECT_TRUE(Clusters::likely(*mesh, aim));
-  Clusters computed(*mesh, aim);
+  const TriangleBlocks blocks(*mesh, aim);
+  EXPECT_TRUE(blocks.pay());
+  EXPECT_TRUE(TriangleBlocks::likely(*mesh, aim));
+  TriangleBlocks computed(*mesh, aim);
   computed.forgetBoxes();
-  EXPECT_EQ(clusters.first(0), 0u);
-  EXPECT_EQ(clusters.first(clusters.count()), mesh->triangleCount);
-  for (uint32_t c = 0; c < clusters.count(); ++c) {
-    const Box box = clusters.boxOf(c), again = computed.boxOf(c);
+  EXPECT_EQ(blocks.first(0), 0u);
+  EXPECT_EQ(blocks.first(blocks.count()), mesh->triangleCount);
+  for (uint32_t c = 0; c < blocks.count(); ++c) {
+    const Box box = blocks.boxOf(c), again = computed.boxOf(c);
     ASSERT_EQ(box.lower, again.lower);
     ASSERT_EQ(box.upper, again.upper);
-    ASSERT_LT(clusters.first(c), clusters.first(c + 1));
-    ASSERT_LE(clusters.first(c + 1) - clusters.first(c), aim == Clusters::Aim::memory ? 8u : 4u);
-    for (uint32_t t = clusters.first(c); t < clusters.first(c + 1); ++t)
+    ASSERT_LT(blocks.first(c), blocks.first(c + 1));
+    ASSERT_LE(blocks.first(c + 1) - blocks.first(c), aim == TriangleBlocks::Aim::memory ? 8u : 4u);
+    for (uint32_t t = blocks.first(c); t < blocks.first(c + 1); ++t)
       for (uint32_t k = 0; k < 3; ++k) {
         const glm::vec3 p = mesh->position(mesh->corner(t, k));
         ASSERT_TRUE(glm::all(glm::lessThan(box.lower, p)) && glm::all(glm::lessThan(p, box.upper)));
@@ -148,23 +149,23 @@ TEST_P(ClustersTest, HoldEveryTriangleOnce) {
   }
 }
 
-TEST_P(ClustersTest, NeighboursFarApartStayApart) {
+TEST_P(TriangleBlocksTest, NeighboursFarApartStayApart) {
   const auto mesh = makeMesh(shuffled(sheets()));
-  EXPECT_FALSE(Clusters(*mesh, aim).pay());
-  EXPECT_FALSE(Clusters::likely(*mesh, aim));
+  EXPECT_FALSE(TriangleBlocks(*mesh, aim).pay());
+  EXPECT_FALSE(TriangleBlocks::likely(*mesh, aim));
 }
 
-TEST_P(ClustersTest, FindWhatTrianglesFind) {
+TEST_P(TriangleBlocksTest, FindWhatTrianglesFind) {
   show(makeSnapshot({makeMesh(sheets())}));
   compare(nullptr);
 }
 
-TEST_P(ClustersTest, FindItInSoup) {
+TEST_P(TriangleBlocksTest, FindItInSoup) {
   show(makeSnapshot({makeMesh(soupOf(sheets()))}));
   compare(nullptr);
 }
 
-TEST_P(ClustersTest, FindItInMovedInstances) {
+TEST_P(TriangleBlocksTest, FindItInMovedInstances) {
   const auto mesh = makeMesh(sheets());
   auto snapshot = makeSnapshot({mesh, mesh});
   snapshot.instances[1].worldFromObject[3] = {0.3f, 0.1f, 0.05f, 1};
@@ -172,31 +173,31 @@ TEST_P(ClustersTest, FindItInMovedInstances) {
   compare(nullptr);
 }
 
-TEST_P(ClustersTest, AskTheFilter) {
+TEST_P(TriangleBlocksTest, AskTheFilter) {
   show(makeSnapshot({makeMesh(sheets())}));
   const OddTriangles odd;
   compare(&odd);
 }
 
-TEST_P(ClustersTest, LeaveTheSameOfCoincidingTriangles) {
+TEST_P(TriangleBlocksTest, LeaveTheSameOfCoincidingTriangles) {
   const auto mesh = makeMesh(sheets());
   auto snapshot = makeSnapshot({mesh, mesh});
   snapshot.instances[1].order = 1;
   for (const bool laterWins : {false, true}) {
     snapshot.laterWins = laterWins;
     show(snapshot);
-    ASSERT_TRUE(clusters.mayCoincide());
+    ASSERT_TRUE(blocks.mayCoincide());
     compare(nullptr);
   }
 }
 
-TEST_P(ClustersTest, FindAllHitsOfARay) {
+TEST_P(TriangleBlocksTest, FindAllHitsOfARay) {
   show(makeSnapshot({makeMesh(sheets())}));
   int found = 0;
   for (uint32_t number = 0; number < 200; ++number) {
     RayPacket a = packetOf(number), b = packetOf(number);
     NextHits all, expected;
-    clusters.intersectNext(valid, a, all, nullptr);
+    blocks.intersectNext(valid, a, all, nullptr);
     triangles.intersectNext(valid, b, expected, nullptr);
     for (int i = 0; i < kLanes; ++i) {
       ASSERT_EQ(all.count(i), expected.count(i));
@@ -207,14 +208,14 @@ TEST_P(ClustersTest, FindAllHitsOfARay) {
   EXPECT_GT(found, 4000);
 }
 
-TEST_P(ClustersTest, TrianglesThatAreNotFiniteAreLeftOut) {
+TEST_P(TriangleBlocksTest, TrianglesThatAreNotFiniteAreLeftOut) {
   MeshData data = sheets();
   for (size_t i = 7; i < data.positions.size() / 2; i += 50) data.positions[i].z = i % 2 ? NAN : INFINITY;
   show(makeSnapshot({makeMesh(data)}));
   compare(nullptr);
 }
 
-TEST_P(ClustersTest, TakeThePlaceOfWhatDoesNotFitIntoMemory) {
+TEST_P(TriangleBlocksTest, TakeThePlaceOfWhatDoesNotFitIntoMemory) {
   MeshData data;
   for (int copy = 0; copy < 2; ++copy) {  // 32,768 triangles
     const MeshData part = sheets();
@@ -247,7 +248,7 @@ TEST_P(ClustersTest, TakeThePlaceOfWhatDoesNotFitIntoMemory) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Structures, ClustersTest, testing::Values(BvhQuality::least, BvhQuality::fast),
+INSTANTIATE_TEST_SUITE_P(Structures, TriangleBlocksTest, testing::Values(BvhQuality::least, BvhQuality::fast),
                          [](const auto& quality) {
                            return quality.param == BvhQuality::least ? "least" : "fast";
                          });

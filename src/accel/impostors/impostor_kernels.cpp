@@ -1,4 +1,4 @@
-// Rays and figures, compiled once for each instruction set.
+// Rays and impostors, compiled once for each instruction set.
 #include "accel/impostors/impostors.h"
 
 #include <cmath>
@@ -34,14 +34,14 @@ HWY_INLINE Float3 along(const Float3& a, Float s, const Float3& b) {
   return {hn::MulSub(a.x, s, b.x), hn::MulSub(a.y, s, b.y), hn::MulSub(a.z, s, b.z)};
 }
 
-/// Rays of one vector, as seen from the figure's centre.
+/// Rays of one vector, as seen from the impostor's centre.
 struct Rays {
   Float3 toCenter;   // from the origin
   Float3 dir, unit;  // as it is, and of length 1
   Float inverseLength, tFar, eye;
 };
 
-HWY_INLINE Rays raysAt(const Figure& f, const FigureRays& r, int i) {
+HWY_INLINE Rays raysAt(const Impostor& f, const ImpostorRays& r, int i) {
   Rays rays;
   rays.toCenter = {hn::Sub(splat(f.center.x), load(r.org[0] + i)),
                    hn::Sub(splat(f.center.y), load(r.org[1] + i)),
@@ -55,17 +55,17 @@ HWY_INLINE Rays raysAt(const Figure& f, const FigureRays& r, int i) {
   return rays;
 }
 
-/// A place on a plane of a card.
-struct OnCard {
+/// A place on a plane of a billboard.
+struct OnBillboard {
   Float t;
-  Float3 from;  // the figure's centre
+  Float3 from;  // the impostor's centre
   Mask seen;    // between near and far plane
 };
 
 /// Where the rays meet the plane through center + offset with this normal.
-HWY_INLINE OnCard onPlane(const Rays& r, const glm::vec3& normal, float offset) {
+HWY_INLINE OnBillboard onPlane(const Rays& r, const glm::vec3& normal, float offset) {
   const Float3 n = splat(normal);
-  OnCard c;
+  OnBillboard c;
   c.t = hn::Div(hn::Add(dot(n, r.toCenter), splat(offset)), dot(n, r.dir));
   c.from = along(r.dir, c.t, r.toCenter);
   c.seen = hn::And(hn::Ge(c.t, hn::Zero(Tag())), hn::Le(c.t, r.tFar));
@@ -75,7 +75,7 @@ HWY_INLINE OnCard onPlane(const Rays& r, const glm::vec3& normal, float offset) 
 HWY_INLINE Mask within(Float v, float limit) { return hn::Le(hn::Abs(v), splat(limit)); }
 
 /// Whether the rays meet the triangle that faces the viewer.
-HWY_INLINE Mask onTriangle(const Figure& f, const OnCard& c) {
+HWY_INLINE Mask onTriangle(const Impostor& f, const OnBillboard& c) {
   constexpr float kHalfRoot3 = 0.8660254f;
   const Float x = dot(splat(f.right), c.from), y = dot(splat(f.up), c.from);
   const Float slanted = hn::MulAdd(hn::Abs(x), splat(kHalfRoot3), hn::Mul(y, splat(0.5f)));
@@ -90,40 +90,40 @@ HWY_INLINE Float bounded(const Rays& r, Float t) {
   return hn::IfThenElse(hn::Lt(t, r.eye), end, hn::Max(t, hn::Zero(Tag())));
 }
 
-HWY_INLINE Mask meetSphere(const Figure& f, const Rays& r, const Rays& sample, Float& t) {
+HWY_INLINE Mask meetSphere(const Impostor& f, const Rays& r, const Rays& sample, Float& t) {
   const Float b = dot(r.toCenter, r.unit);
   const Float3 nearest = along(r.unit, b, r.toCenter);
   const Float d = hn::Sub(splat(f.radius * f.radius), dot(nearest, nearest));
   const Float half = hn::Sqrt(hn::Max(d, hn::Zero(Tag())));
   t = hn::Mul(f.inside ? hn::Add(b, half) : hn::Sub(b, half), r.inverseLength);
   Mask met = hn::Ge(d, hn::Zero(Tag()));
-  if (f.cards == scene::Figures::Cards::triangle)
+  if (f.billboards == scene::Impostors::Billboards::triangle)
     met = hn::And(met, onTriangle(f, onPlane(sample, f.toViewer, 0)));
   else
     met = hn::And(met, hn::And(hn::Ge(t, hn::Zero(Tag())), hn::Le(t, r.tFar)));
   return met;
 }
 
-HWY_INLINE Mask meetDisc(const Figure& f, const Rays& r, const Rays& sample, Float& t) {
-  const OnCard c = onPlane(r, f.toViewer, 0);
+HWY_INLINE Mask meetDisc(const Impostor& f, const Rays& r, const Rays& sample, Float& t) {
+  const OnBillboard c = onPlane(r, f.toViewer, 0);
   t = c.t;
   const Mask met = hn::Le(dot(c.from, c.from), splat(f.radius * f.radius));
-  const bool triangle = f.cards == scene::Figures::Cards::triangle;
+  const bool triangle = f.billboards == scene::Impostors::Billboards::triangle;
   return hn::And(met, triangle ? onTriangle(f, onPlane(sample, f.toViewer, 0)) : c.seen);
 }
 
 /// Whether the rays meet the side of the box that faces the viewer, or the end that the axis points to.
-HWY_INLINE Mask onFaces(const Figure& f, const Rays& r) {
-  const OnCard side = onPlane(r, f.up, -f.cardRadius);
+HWY_INLINE Mask onFaces(const Impostor& f, const Rays& r) {
+  const OnBillboard side = onPlane(r, f.up, -f.cardRadius);
   const Mask onSide = hn::And(side.seen, hn::And(within(dot(splat(f.right), side.from), f.cardRadius),
                                                  within(dot(splat(f.axis), side.from), f.halfLength)));
-  const OnCard end = onPlane(r, f.axis, f.halfLength);
+  const OnBillboard end = onPlane(r, f.axis, f.halfLength);
   const Mask onEnd = hn::And(end.seen, hn::And(within(dot(splat(f.right), end.from), f.cardRadius),
                                                within(dot(splat(f.up), end.from), f.cardRadius)));
   return hn::Or(onSide, onEnd);
 }
 
-HWY_INLINE Mask meetCylinder(const Figure& f, const Rays& r, const Rays& sample, Float& t) {
+HWY_INLINE Mask meetCylinder(const Impostor& f, const Rays& r, const Rays& sample, Float& t) {
   const Float zero = hn::Zero(Tag());
   const Float3 axis = splat(f.axis);
   const Float dirZ = dot(axis, r.unit), orgZ = hn::Neg(dot(axis, r.toCenter));
@@ -143,14 +143,14 @@ HWY_INLINE Mask meetCylinder(const Figure& f, const Rays& r, const Rays& sample,
   const Float toEnd = hn::Div(hn::Sub(end, orgZ), dirZ);
   t = hn::Mul(hn::IfThenElse(onMantle, enter, toEnd), r.inverseLength);
   Mask met = hn::And(hn::Ge(discriminant, zero), hn::Or(onMantle, onEnd));
-  if (f.cards == scene::Figures::Cards::faces)
+  if (f.billboards == scene::Impostors::Billboards::faces)
     met = hn::And(met, onFaces(f, sample));
   else
     met = hn::And(met, hn::And(hn::Ge(t, zero), hn::Le(t, r.tFar)));
   return met;
 }
 
-uint32_t meetLanes(const Figure& f, const FigureRays& rays, const FigureRays& samples, uint32_t lanes,
+uint32_t meetLanes(const Impostor& f, const ImpostorRays& rays, const ImpostorRays& samples, uint32_t lanes,
                    float* t) {
   uint32_t all = 0;
   for (int i = 0; i < kLanes; i += width()) {
@@ -173,7 +173,7 @@ uint32_t meetLanes(const Figure& f, const FigureRays& rays, const FigureRays& sa
   return all & lanes;
 }
 
-void raysToLighting(const glm::mat4& m, bool parallelView, const PixelRays& from, FigureRays& to) {
+void raysToLighting(const glm::mat4& m, bool parallelView, const PixelRays& from, ImpostorRays& to) {
   for (int i = 0; i < kLanes; i += width()) {
     const Float3 o{load(from.orgX + i), load(from.orgY + i), load(from.orgZ + i)};
     const Float3 d{load(from.dirX + i), load(from.dirY + i), load(from.dirZ + i)};
@@ -202,12 +202,12 @@ namespace gluray::accel {
 HWY_EXPORT(meetLanes);
 HWY_EXPORT(raysToLighting);
 
-uint32_t meet(const Figure& figure, const FigureRays& rays, const FigureRays& samples, uint32_t lanes,
+uint32_t meet(const Impostor& impostor, const ImpostorRays& rays, const ImpostorRays& samples, uint32_t lanes,
               float (&t)[kLanes]) {
-  return HWY_DYNAMIC_DISPATCH(meetLanes)(figure, rays, samples, lanes, t);
+  return HWY_DYNAMIC_DISPATCH(meetLanes)(impostor, rays, samples, lanes, t);
 }
 
-void toLighting(const PlacedFigures& placed, const PixelRays& rays, FigureRays& out) {
+void toLighting(const PlacedImpostors& placed, const PixelRays& rays, ImpostorRays& out) {
   HWY_DYNAMIC_DISPATCH(raysToLighting)(placed.lightingFromEye, placed.look.parallelView, rays, out);
 }
 

@@ -17,29 +17,29 @@ uint32_t lanesAsked(const RTCIntersectFunctionNArguments& a, uint32_t first) {
   return lanes;
 }
 
-/// Which of `lanes` meet the figure, and where.
+/// Which of `lanes` meet the impostor, and where.
 uint32_t lanesThatMeet(const QueryState& state, uint32_t instance, uint32_t primitive, uint32_t lanes,
                        float (&t)[kLanes]) {
-  const PlacedFigures& placed = state.figures[instance];
-  const FigureQuery& rays = state.rays;
+  const PlacedImpostors& placed = state.impostors[instance];
+  const ImpostorQuery& rays = state.rays;
   if (scene::isInWindow(placed.mesh->shape)) return meet(placed, primitive, rays, state.around, lanes, t);
-  Figure figure;
-  if (!Figure::make(placed, primitive, figure)) return 0;
+  Impostor impostor;
+  if (!Impostor::make(placed, primitive, impostor)) return 0;
   const bool apart = rays.samples != rays.centers;
   if (state.raysOf != instance) {
     toLighting(placed, *rays.centers, state.centers);
     if (apart) toLighting(placed, *rays.samples, state.samples);
     state.raysOf = instance;
   }
-  return meet(figure, state.centers, apart ? state.samples : state.centers, lanes, t);
+  return meet(impostor, state.centers, apart ? state.samples : state.centers, lanes, t);
 }
 
 }  // namespace
 
-void intersectFigures(const RTCIntersectFunctionNArguments* arguments) {
+void intersectImpostors(const RTCIntersectFunctionNArguments* arguments) {
   const RTCIntersectFunctionNArguments& a = *arguments;
   const void* user = reinterpret_cast<const QueryContext*>(a.context)->user;
-  if (!user || !static_cast<const QueryState*>(user)->figures) return;
+  if (!user || !static_cast<const QueryState*>(user)->impostors) return;
   const auto& state = *static_cast<const QueryState*>(user);
   const uint32_t inside = a.context->instID[0];
   const uint32_t instance = inside == RTC_INVALID_GEOMETRY_ID ? state.aloneIndex : inside;

@@ -1,10 +1,10 @@
-// Embree's callback for figures. Private to accel/; called on tracing threads.
+// Embree's callback for impostors. Private to accel/; called on tracing threads.
 #pragma once
 
 struct RTCIntersectFunctionNArguments;
 
 namespace gluray::accel {
 
-void intersectFigures(const RTCIntersectFunctionNArguments*);
+void intersectImpostors(const RTCIntersectFunctionNArguments*);
 
 }  // namespace gluray::accel

@@ -24,19 +24,19 @@ float roundedUp(double length) {
   return static_cast<float>(std::exp2(std::ceil(std::log2(length * (1 + 1e-4)) * kSteps) / kSteps));
 }
 
-FigureReach FigureReach::of(const scene::Instance& instance, const scene::Camera& camera) {
+ImpostorReach ImpostorReach::of(const scene::Instance& instance, const scene::Camera& camera) {
   if (scene::isSizedInPixels(instance.mesh->shape)) return reachInPixels(instance, camera);
   if (instance.mesh->shape == scene::Shape::splats) return reachOfSplats(instance, camera);
-  FigureReach reach;
+  ImpostorReach reach;
   const glm::dmat3 objectFromLighting = glm::inverse(glm::dmat3(glm::mat3(instance.lightingFromObject)));
   // |M p| <= r reaches as far along an axis as the row of M's inverse is long.
   const glm::dmat3 rows = glm::transpose(objectFromLighting);
-  double largest = 1 / double{instance.figures.radiusDivisor};
-  if (instance.figures.cards == scene::Figures::Cards::triangle)
+  double largest = 1 / double{instance.impostors.radiusDivisor};
+  if (instance.impostors.billboards == scene::Impostors::Billboards::triangle)
     largest = std::min(largest, 2.0);  // its corners
   for (int c = 0; c < 3; ++c) reach.perRadius[c] = roundedUp(glm::length(rows[c]) * largest);
   if (instance.mesh->shape != scene::Shape::cylinders) return reach;
-  const glm::dmat3 axes = objectFromLighting * glm::dmat3(instance.figures.axisMatrix);
+  const glm::dmat3 axes = objectFromLighting * glm::dmat3(instance.impostors.axisMatrix);
   double most = 0;
   for (int c = 0; c < 3; ++c)
     for (int r = 0; r < 3; ++r) most = std::max(most, std::abs(axes[c][r]));
@@ -48,7 +48,7 @@ FigureReach FigureReach::of(const scene::Instance& instance, const scene::Camera
   return reach;
 }
 
-Box boundsOfFigure(const scene::Mesh& mesh, const FigureReach& reach, uint32_t primitive) {
+Box boundsOfImpostor(const scene::Mesh& mesh, const ImpostorReach& reach, uint32_t primitive) {
   const uint32_t vertex = mesh.corner(primitive, 0);
   const float radius = radiusOf(mesh, vertex);
   const glm::vec3 center = mesh.position(vertex);
@@ -67,9 +67,9 @@ Box boundsOfFigure(const scene::Mesh& mesh, const FigureReach& reach, uint32_t p
   return box;
 }
 
-PlacedFigures::PlacedFigures(const scene::Instance& instance, const scene::Camera& camera)
+PlacedImpostors::PlacedImpostors(const scene::Instance& instance, const scene::Camera& camera)
     : mesh(instance.mesh),
-      look(instance.figures),
+      look(instance.impostors),
       lightingFromObject(instance.lightingFromObject),
       clipFromObject(camera.clipFromEye * instance.eyeFromObject) {
   lightingFromEye = glm::mat4(glm::dmat4(lightingFromObject) * glm::inverse(instance.eyeFromObject));
@@ -81,17 +81,17 @@ PlacedFigures::PlacedFigures(const scene::Instance& instance, const scene::Camer
   depthOffset = 0.5 * (double{camera.depthFar} + camera.depthNear);
 }
 
-bool Figure::make(const PlacedFigures& placed, uint32_t primitive, Figure& f) {
+bool Impostor::make(const PlacedImpostors& placed, uint32_t primitive, Impostor& f) {
   const scene::Mesh& mesh = *placed.mesh;
   const uint32_t vertex = mesh.corner(primitive, 0);
   const glm::vec4 position(mesh.position(vertex), 1);
   for (const glm::vec4& plane : placed.look.centerPlanes)
     if (glm::dot(plane, position) < 0) return false;
   f.shape = mesh.shape;
-  f.cards = placed.look.cards;
+  f.billboards = placed.look.billboards;
   f.parallelView = placed.look.parallelView;
   f.inside = placed.look.inside;
-  f.center = scene::figureCenter(placed.lightingFromObject, mesh.position(vertex));
+  f.center = scene::impostorCenter(placed.lightingFromObject, mesh.position(vertex));
   f.cardRadius = radiusOf(mesh, vertex);
   f.radius = f.cardRadius / placed.look.radiusDivisor;
   f.toViewer = f.parallelView ? glm::vec3(0, 0, 1) : glm::normalize(-f.center);

@@ -14,10 +14,10 @@ namespace gluray::accel {
 namespace {
 
 using scene::Shape;
-using Cards = scene::Figures::Cards;
+using Billboards = scene::Impostors::Billboards;
 
-std::shared_ptr<scene::Mesh> figures(Shape shape, const std::vector<glm::vec3>& centers,
-                                     std::vector<float> radii, const std::vector<glm::vec3>& axes = {}) {
+std::shared_ptr<scene::Mesh> impostors(Shape shape, const std::vector<glm::vec3>& centers,
+                                       std::vector<float> radii, const std::vector<glm::vec3>& axes = {}) {
   auto mesh = std::make_shared<scene::Mesh>();
   mesh->shape = shape;
   mesh->triangleCount = mesh->vertexCount = static_cast<uint32_t>(centers.size());
@@ -34,15 +34,15 @@ struct Shot {
   uint32_t instance = kNoHit, primitive = kNoHit;
 };
 
-struct Figures : testing::Test {
+struct Impostors : testing::Test {
   Arena arena{2};
   World world;
   scene::Snapshot snapshot(const std::vector<scene::MeshPtr>& meshes, bool parallel,
-                           Cards cards = Cards::silhouette) {
+                           Billboards billboards = Billboards::silhouette) {
     scene::Snapshot s = test::makeSnapshot(meshes);
     for (scene::Instance& instance : s.instances) {
-      instance.figures.parallelView = parallel;
-      instance.figures.cards = cards;
+      instance.impostors.parallelView = parallel;
+      instance.impostors.billboards = billboards;
     }
     return s;
   }
@@ -61,18 +61,18 @@ struct Figures : testing::Test {
       packet.id[i] = static_cast<uint32_t>(i);
     }
     valid[lane] = -1;
-    const FigureQuery query{&rays, &rays};
+    const ImpostorQuery query{&rays, &rays};
     world.intersect(valid, packet, nullptr, &query);
     if (packet.geometry[lane] == kNoHit) return {};
     return {packet.tFar[lane], packet.instance[lane], packet.primitive[lane]};
   }
 };
 
-TEST_F(Figures, SpheresAreHitWhereTheEquationSays) {
+TEST_F(Impostors, SpheresAreHitWhereTheEquationSays) {
   const std::vector<glm::vec3> centers = {{0, 0, -5}, {1, 0.5f, -8}, {-2, -1, -6}};
   const std::vector<float> radii = {1, 1.5f, 0.7f};
-  world.update(snapshot({figures(Shape::spheres, centers, radii)}, false), arena);
-  EXPECT_TRUE(world.hasFigures());
+  world.update(snapshot({impostors(Shape::spheres, centers, radii)}, false), arena);
+  EXPECT_TRUE(world.hasImpostors());
   int hits = 0;
   for (int i = 0; i < 400; ++i) {
     const glm::vec3 dir(0.6f * std::sin(1.3f * static_cast<float>(i)),
@@ -96,13 +96,13 @@ TEST_F(Figures, SpheresAreHitWhereTheEquationSays) {
   EXPECT_GT(hits, 30);
 }
 
-TEST_F(Figures, CardsCutSpheres) {
-  const auto mesh = figures(Shape::spheres, {{0, 0, -3}}, {1});
-  world.update(snapshot({mesh}, true, Cards::triangle), arena);
+TEST_F(Impostors, CardsCutSpheres) {
+  const auto mesh = impostors(Shape::spheres, {{0, 0, -3}}, {1});
+  world.update(snapshot({mesh}, true, Billboards::triangle), arena);
   // The triangle about the unit circle touches it below.
   EXPECT_FLOAT_EQ(shoot({0, 0, 0}, {0, 0, -1}).t, 2);
   EXPECT_LT(shoot({0, -0.999f, 0}, {0, 0, -1}).t, 3);
-  world.update(snapshot({mesh}, false, Cards::triangle), arena);
+  world.update(snapshot({mesh}, false, Billboards::triangle), arena);
   // Seen from 3 away the silhouette is wider than the circle; what is beyond the side below is cut off, what
   // is towards the corner is not.
   const float tangent = 1 / std::sqrt(8.0f), inside = 0.995f * tangent;
@@ -113,17 +113,17 @@ TEST_F(Figures, CardsCutSpheres) {
   EXPECT_EQ(shoot({0, 0, 0}, {0, 1.01f * tangent, -1}).primitive, kNoHit);
 }
 
-TEST_F(Figures, FarSidesAreSeenFromWithin) {
-  scene::Snapshot s = snapshot({figures(Shape::spheres, {{0, 0, -3}}, {1})}, true);
-  s.instances[0].figures.inside = true;
+TEST_F(Impostors, FarSidesAreSeenFromWithin) {
+  scene::Snapshot s = snapshot({impostors(Shape::spheres, {{0, 0, -3}}, {1})}, true);
+  s.instances[0].impostors.inside = true;
   world.update(s, arena);
   EXPECT_FLOAT_EQ(shoot({0, 0, 0}, {0, 0, -1}).t, 4);
 }
 
-TEST_F(Figures, DiscsFaceTheViewer) {
+TEST_F(Impostors, DiscsFaceTheViewer) {
   const glm::vec3 center(2, 0, -2);
-  scene::Snapshot s = snapshot({figures(Shape::discs, {center}, {1})}, false);
-  s.instances[0].figures.radiusDivisor = 2;
+  scene::Snapshot s = snapshot({impostors(Shape::discs, {center}, {1})}, false);
+  s.instances[0].impostors.radiusDivisor = 2;
   world.update(s, arena);
   const glm::vec3 up(0, 1, 0), across = glm::normalize(glm::cross(center, up));
   for (const glm::vec3& side : {up, across, -across}) {
@@ -132,9 +132,9 @@ TEST_F(Figures, DiscsFaceTheViewer) {
   }
 }
 
-TEST_F(Figures, CylindersHaveOneEnd) {
+TEST_F(Impostors, CylindersHaveOneEnd) {
   // Along z, from -4 to -6: the end towards the viewer is closed, and the mantle is seen from the side.
-  world.update(snapshot({figures(Shape::cylinders, {{0, 0, -5}}, {0.5f}, {{0, 0, 2}})}, true), arena);
+  world.update(snapshot({impostors(Shape::cylinders, {{0, 0, -5}}, {0.5f}, {{0, 0, 2}})}, true), arena);
   EXPECT_FLOAT_EQ(shoot({0.3f, 0.3f, 0}, {0, 0, -1}).t, 4);
   EXPECT_EQ(shoot({0.4f, 0.4f, 0}, {0, 0, -1}).primitive, kNoHit);
   EXPECT_NEAR(shoot({2, 0, -5}, {-1, 0, 0}).t, 1.5, 1e-6);
@@ -142,12 +142,12 @@ TEST_F(Figures, CylindersHaveOneEnd) {
   // From behind it is open, and as programs have it nothing is seen through it.
   EXPECT_EQ(shoot({0, 0, -9}, {0.05f, 0, 1}).primitive, kNoHit);
   // An axis that points away is turned.
-  world.update(snapshot({figures(Shape::cylinders, {{0, 0, -5}}, {0.5f}, {{0, 0, -2}})}, true), arena);
+  world.update(snapshot({impostors(Shape::cylinders, {{0, 0, -5}}, {0.5f}, {{0, 0, -2}})}, true), arena);
   EXPECT_FLOAT_EQ(shoot({0.3f, 0.3f, 0}, {0, 0, -1}).t, 4);
 }
 
-TEST_F(Figures, RadiiAreOfTheLightingSpace) {
-  scene::Snapshot s = snapshot({figures(Shape::spheres, {{1, 0, -5}}, {1})}, true);
+TEST_F(Impostors, RadiiAreOfTheLightingSpace) {
+  scene::Snapshot s = snapshot({impostors(Shape::spheres, {{1, 0, -5}}, {1})}, true);
   const glm::mat4 stretched = glm::scale(glm::mat4(1), glm::vec3(3, 1, 1));
   s.instances[0].lightingFromObject = stretched;
   s.instances[0].eyeFromObject = glm::dmat4(stretched);
@@ -157,35 +157,35 @@ TEST_F(Figures, RadiiAreOfTheLightingSpace) {
   for (const float x : {1.9f, 4.1f}) EXPECT_EQ(shoot({x, 0, 0}, {0, 0, -1}).primitive, kNoHit) << x;
 }
 
-TEST_F(Figures, BehindNearPlaneAndViewer) {
-  const auto mesh = figures(Shape::spheres, {{0, 0, -1}}, {2});
-  world.update(snapshot({mesh}, false, Cards::triangle), arena);
+TEST_F(Impostors, BehindNearPlaneAndViewer) {
+  const auto mesh = impostors(Shape::spheres, {{0, 0, -1}}, {2});
+  world.update(snapshot({mesh}, false, Billboards::triangle), arena);
   // The viewer is inside: the program's point is behind it, its depth that of the far end.
   EXPECT_NEAR(shoot({0, 0, -0.5f}, {0, 0, -1}, 0, 100).t, 100, 1e-3);
-  // The card before the near plane: nothing.
+  // The billboard before the near plane: nothing.
   EXPECT_EQ(shoot({0, 0, -1.5f}, {0, 0, -1}).primitive, kNoHit);
 }
 
-TEST_F(Figures, PlanesTakeThemByTheirCentres) {
-  scene::Snapshot s = snapshot({figures(Shape::spheres, {{-1, 0, -5}, {1, 0, -5}}, {1.5f, 1.5f})}, true);
-  s.instances[0].figures.centerPlanes = {{1, 0, 0, 0}};
+TEST_F(Impostors, PlanesTakeThemByTheirCentres) {
+  scene::Snapshot s = snapshot({impostors(Shape::spheres, {{-1, 0, -5}, {1, 0, -5}}, {1.5f, 1.5f})}, true);
+  s.instances[0].impostors.centerPlanes = {{1, 0, 0, 0}};
   world.update(s, arena);
   EXPECT_EQ(shoot({-0.4f, 0, 0}, {0, 0, -1}).primitive, 1u);
   EXPECT_EQ(shoot({-1, 0, 0}, {0, 0, -1}).primitive, kNoHit);
 }
 
-TEST_F(Figures, TrianglesAndFiguresHideEachOther) {
+TEST_F(Impostors, TrianglesAndImpostorsHideEachOther) {
   const auto square = test::makeMesh(test::squareData(-3));
-  world.update(snapshot({square, figures(Shape::spheres, {{0, 0, -3}}, {0.5f})}, true), arena);
+  world.update(snapshot({square, impostors(Shape::spheres, {{0, 0, -3}}, {0.5f})}, true), arena);
   EXPECT_EQ(shoot({0, 0, 0}, {0, 0, -1}).instance, 1u);
   EXPECT_EQ(shoot({0.8f, 0, 0}, {0, 0, -1}).instance, 0u);
   EXPECT_EQ(shoot({0, 0, -6}, {0, 0, 1}).instance, 1u);
 }
 
-TEST_F(Figures, TheCameraTurnsAndNothingIsBuilt) {
-  const auto spheres = figures(Shape::spheres, {{0, 0, 0}, {1, 0, 0}}, {0.5f, 0.5f});
+TEST_F(Impostors, TheCameraTurnsAndNothingIsBuilt) {
+  const auto spheres = impostors(Shape::spheres, {{0, 0, 0}, {1, 0, 0}}, {0.5f, 0.5f});
   const auto sticks =
-      figures(Shape::cylinders, {{0, 1, 0}, {1, 0, 0}}, {0.1f, 0.1f}, {{1, 0, 0}, {0.2f, 1, 0}});
+      impostors(Shape::cylinders, {{0, 1, 0}, {1, 0, 0}}, {0.1f, 0.1f}, {{1, 0, 0}, {0.2f, 1, 0}});
   uint64_t builds = 0;
   for (int degrees = 0; degrees < 360; degrees += 7) {
     scene::Snapshot s = snapshot({spheres, sticks}, false);
@@ -194,17 +194,17 @@ TEST_F(Figures, TheCameraTurnsAndNothingIsBuilt) {
     for (scene::Instance& instance : s.instances) {
       instance.eyeFromObject = s.eyeFromWorld;
       instance.lightingFromObject = glm::mat4(s.eyeFromWorld);
-      instance.figures.axisMatrix = glm::mat3(s.eyeFromWorld);
+      instance.impostors.axisMatrix = glm::mat3(s.eyeFromWorld);
     }
     builds += world.update(s, arena).blasBuilds;
   }
   EXPECT_EQ(builds, 2u);
 }
 
-TEST_F(Figures, ThoseThatDoNotExistAreLeftOut) {
+TEST_F(Impostors, ThoseThatDoNotExistAreLeftOut) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  world.update(snapshot({figures(Shape::spheres, {{nan, 0, -5}, {0, 0, -5}, {0, 3, -5}}, {1, 1, -1})}, true),
-               arena);
+  world.update(
+      snapshot({impostors(Shape::spheres, {{nan, 0, -5}, {0, 0, -5}, {0, 3, -5}}, {1, 1, -1})}, true), arena);
   EXPECT_EQ(shoot({0, 0, 0}, {0, 0, -1}).primitive, 1u);
   EXPECT_EQ(shoot({0, 3, 0}, {0, 0, -1}).primitive, kNoHit);
 }

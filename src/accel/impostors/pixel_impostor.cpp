@@ -25,7 +25,7 @@ glm::dvec2 windowOf(const WindowVertex& v) { return {v.x, v.y}; }
 
 }  // namespace
 
-std::vector<WindowVertex> windowVertices(const PlacedFigures& placed) {
+std::vector<WindowVertex> windowVertices(const PlacedImpostors& placed) {
   const scene::Mesh& mesh = *placed.mesh;
   std::vector<WindowVertex> result(mesh.vertexCount);
   tbb::parallel_for(tbb::blocked_range<uint32_t>(0, mesh.vertexCount, 4096), [&](const auto& range) {
@@ -41,7 +41,7 @@ std::vector<WindowVertex> windowVertices(const PlacedFigures& placed) {
   return result;
 }
 
-PixelFigure::PixelFigure(const PlacedFigures& placed, uint32_t primitive) : placed_(placed) {
+PixelImpostor::PixelImpostor(const PlacedImpostors& placed, uint32_t primitive) : placed_(placed) {
   for (uint32_t k = 0; k < 2; ++k) {
     vertex_[k] = placed.mesh->corner(primitive, k);
     end_[k] = placed.window[vertex_[k]];
@@ -57,7 +57,7 @@ PixelFigure::PixelFigure(const PlacedFigures& placed, uint32_t primitive) : plac
     makeBehindViewer();
 }
 
-void PixelFigure::makeBead(uint32_t vertex) {
+void PixelImpostor::makeBead(uint32_t vertex) {
   // Points are clipped as points: with their centre all of them is gone.
   const glm::dvec4 clip = placed_.clipFromObject * glm::dvec4(placed_.mesh->position(vertex), 1);
   exists_ = wholly_ && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w &&
@@ -65,16 +65,16 @@ void PixelFigure::makeBead(uint32_t vertex) {
   pixels_ = std::max(1.0, double{placed_.look.size.x} * placed_.windowHalf.x);
 }
 
-void PixelFigure::makeSplat(uint32_t vertex) {
+void PixelImpostor::makeSplat(uint32_t vertex) {
   constexpr double kFarthest = 1.3, kAcross = 1e-6;
   const scene::Mesh& mesh = *placed_.mesh;
-  const scene::Figures& f = placed_.look;
+  const scene::Impostors& f = placed_.look;
   const glm::dvec4 clip = placed_.clipFromObject * glm::dvec4(mesh.position(vertex), 1);
   exists_ = wholly_ && std::abs(clip.x) <= kFarthest * clip.w && std::abs(clip.y) <= kFarthest * clip.w &&
             std::abs(clip.z) <= clip.w && !isCutAway(0);
   const double radius =
       double{mesh.radii ? scene::fetch(mesh.radii, vertex).x : mesh.radius} / f.radiusDivisor;
-  const glm::dvec3 p(scene::figureCenter(placed_.lightingFromObject, mesh.position(vertex)));
+  const glm::dvec3 p(scene::impostorCenter(placed_.lightingFromObject, mesh.position(vertex)));
   const glm::dmat3 w = glm::transpose(glm::dmat3(glm::mat3(placed_.lightingFromObject)));
   // Rows of J W.
   glm::dvec3 x = double{f.size.x} * w[0], y = double{f.size.y} * w[1];
@@ -90,7 +90,7 @@ void PixelFigure::makeSplat(uint32_t vertex) {
   if (exists_) inverse_ = glm::inverse(c);
 }
 
-void PixelFigure::makeTube() {
+void PixelImpostor::makeTube() {
   const glm::dvec2 half = placed_.windowHalf, size(placed_.look.size);
   const glm::dvec2 ends[] = {windowOf(end_[0]), windowOf(end_[1])};
   glm::dvec2 along = (ends[1] - ends[0]) / half;
@@ -105,7 +105,7 @@ void PixelFigure::makeTube() {
   exists_ = turn(along_, aside_) != 0;
 }
 
-void PixelFigure::makeSides() {
+void PixelImpostor::makeSides() {
   const glm::dvec2 around[] = {corner_, corner_ + aside_, corner_ + aside_ + along_, corner_ + along_};
   glm::dvec2 at[4];
   for (int k = 0; k < 4; ++k) at[k] = rounded(around[k] * kSteps);
@@ -117,7 +117,7 @@ void PixelFigure::makeSides() {
   }
 }
 
-void PixelFigure::makeBehindViewer() {
+void PixelImpostor::makeBehindViewer() {
   glm::dvec4 clip[2];
   for (int k = 0; k < 2; ++k)
     clip[k] = placed_.clipFromObject * glm::dvec4(placed_.mesh->position(vertex_[k]), 1);
@@ -145,39 +145,40 @@ void PixelFigure::makeBehindViewer() {
   }
 }
 
-bool PixelFigure::coversBead(const glm::dvec2& at) const {
+bool PixelImpostor::coversBead(const glm::dvec2& at) const {
   const double width = rounded(pixels_ * kSteps);
   const glm::dvec2 inside = at * kSteps - rounded(windowOf(end_[0]) * kSteps) + 0.5 * width;
   return inside.x >= 0 && inside.x < width && inside.y >= 0 && inside.y < width;
 }
 
-bool PixelFigure::covers(const glm::dvec2& at) const {
+bool PixelImpostor::covers(const glm::dvec2& at) const {
   if (!exists_) return false;
   if (placed_.mesh->shape == scene::Shape::beads) return coversBead(at);
-  if (placed_.mesh->shape == scene::Shape::splats) return true;  // what of the card is seen is told by show()
+  if (placed_.mesh->shape == scene::Shape::splats)
+    return true;  // what of the billboard is seen is told by show()
   if (wholly_) {
     for (const Side& s : side_) {
       const double inside = s.dx * (at.y * kSteps - s.y) - s.dy * (at.x * kSteps - s.x);
       if (!(inside > 0 || (inside == 0 && s.owned))) return false;
     }
   }
-  const OnCard on = onCard(at);
+  const OnBillboard on = onBillboard(at);
   return on.inside && on.ndc >= -1 && on.ndc <= 1;
 }
 
-PixelFigure::OnCard PixelFigure::onCard(const glm::dvec2& at) const {
+PixelImpostor::OnBillboard PixelImpostor::onBillboard(const glm::dvec2& at) const {
   if (!wholly_) return onHalf(at);
   const double area = turn(along_, aside_);
   const glm::dvec2 from = at - corner_;
   const double along = turn(from, aside_) / area, aside = turn(along_, from) / area;
   const double w0 = end_[0].w, w1 = end_[1].w, sum = (1 - along) / w0 + along / w1;
-  // The card is drawn as two triangles, each with a perspective of its own.
+  // The billboard is drawn as two triangles, each with a perspective of its own.
   const double side = along + aside <= 1 ? 1 - 2 * aside / (w0 * sum) : 2 * (1 - aside) / (w1 * sum) - 1;
   const double first = end_[0].ndc, second = end_[1].ndc;
   return {along / (w1 * sum), side, first + along * (second - first), true};
 }
 
-PixelFigure::OnCard PixelFigure::onHalf(const glm::dvec2& at) const {
+PixelImpostor::OnBillboard PixelImpostor::onHalf(const glm::dvec2& at) const {
   const glm::dvec3 p(at, 1);
   const auto least = [](const glm::dvec3& v) { return std::min({v.x, v.y, v.z}); };
   const glm::dvec3 first = half_[0] * p, second = half_[1] * p;
@@ -189,14 +190,14 @@ PixelFigure::OnCard PixelFigure::onHalf(const glm::dvec2& at) const {
   return {mixed(kEnd) / sum, mixed(kSide) / sum, mixed(z_), least(w) >= 0};
 }
 
-double PixelFigure::depthOf(double ndc, double round) const {
-  const scene::Figures& f = placed_.look;
+double PixelImpostor::depthOf(double ndc, double round) const {
+  const scene::Impostors& f = placed_.look;
   const double z = ndc * placed_.depthScale + placed_.depthOffset, b = round * f.bulge;
   const double depth = f.parallelView ? z + b * f.bulgeDepth : f.bulgeDepth + (z - f.bulgeDepth) / (1 - b);
   return std::clamp(depth + f.depthBias, 0.0, 1.0);
 }
 
-bool PixelFigure::isCutAway(double along) const {
+bool PixelImpostor::isCutAway(double along) const {
   const scene::Mesh& mesh = *placed_.mesh;
   if (placed_.look.centerPlanes.empty()) return false;
   const glm::dvec3 first(mesh.position(vertex_[0])), second(mesh.position(vertex_[1]));
@@ -206,10 +207,10 @@ bool PixelFigure::isCutAway(double along) const {
   return false;
 }
 
-glm::vec3 PixelFigure::outwards() const {
+glm::vec3 PixelImpostor::outwards() const {
   if (hasOutwards_) return outwards_;
   const auto center = [&](int k) {
-    return scene::figureCenter(placed_.lightingFromObject, placed_.mesh->position(vertex_[k]));
+    return scene::impostorCenter(placed_.lightingFromObject, placed_.mesh->position(vertex_[k]));
   };
   outwards_ = glm::normalize(glm::cross(glm::normalize(center(1) - center(0)), glm::vec3(across_, 0)));
   outwards_ *= glm::sign(outwards_.z);
@@ -217,7 +218,7 @@ glm::vec3 PixelFigure::outwards() const {
   return outwards_;
 }
 
-bool PixelFigure::show(const glm::dvec2& at, Shown& shown) const {
+bool PixelImpostor::show(const glm::dvec2& at, Shown& shown) const {
   if (placed_.mesh->shape == scene::Shape::splats) {
     const glm::dvec2 from = at - windowOf(end_[0]);
     const double share = glm::dot(from, inverse_ * from);
@@ -238,7 +239,7 @@ bool PixelFigure::show(const glm::dvec2& at, Shown& shown) const {
     shown.depth = depthOf(end_[0].ndc, shown.normal.z);
     return true;
   }
-  const OnCard on = onCard(at);
+  const OnBillboard on = onBillboard(at);
   if (isCutAway(on.along)) return false;
   const double round = std::sqrt(std::max(0.0, 1 - on.side * on.side));
   const glm::vec3 out = outwards();

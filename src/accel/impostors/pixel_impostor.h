@@ -21,27 +21,27 @@ struct WindowRectangle {
 /// A bead is the square about a point, cut to a disc. A tube is the parallelogram about a line, whose long
 /// sides are moved along the line's normal in normalised device coordinates, and whose ends, of lines shorter
 /// than it is wide, are moved outwards by a quarter of what is missing. Lines may reach behind the viewer.
-class PixelFigure {
+class PixelImpostor {
  public:
-  PixelFigure(const PlacedFigures&, uint32_t primitive);
+  PixelImpostor(const PlacedImpostors&, uint32_t primitive);
 
   /// What a pixel shows of it.
   struct Shown {
     double depth = 0;     // window, [0, 1]
     double along = 0;     // of a tube: the place on the line, 0 at its first end, 1 at its second
     glm::vec3 normal{0};  // unit, lighting space; of splats towards the viewer
-    float fade = 1;       // of splats: see scene::Figures::fades
+    float fade = 1;       // of splats: see scene::Impostors::fades
   };
-  /// Whether its card covers a window position. Corners are snapped to 1/256 pixel as rasterisers do, and
-  /// what lies exactly on a side belongs to the left and the lower ones.
+  /// Whether its billboard covers a window position. Corners are snapped to 1/256 pixel as rasterisers do,
+  /// and what lies exactly on a side belongs to the left and the lower ones.
   bool covers(const glm::dvec2& at) const;
   /// Must be called before covers().
   void prepare() {
     if (wholly_ && placed_.mesh->shape == scene::Shape::tubes) makeSides();
   }
-  /// Of `lanes`, those whose positions the card may cover: all that it does and few more.
+  /// Of `lanes`, those whose positions the billboard may cover: all that it does and few more.
   uint32_t nearby(const PixelRays&, uint32_t lanes) const;
-  /// What the program computes at a window position on or near the card; false where it discards that.
+  /// What the program computes at a window position on or near the billboard; false where it discards that.
   bool show(const glm::dvec2& at, Shown& shown) const;
 
  private:
@@ -51,18 +51,18 @@ class PixelFigure {
   void makeBehindViewer();
   void makeSides();
   bool coversBead(const glm::dvec2& at) const;
-  /// A place on a tube's card.
-  struct OnCard {
+  /// A place on a tube's billboard.
+  struct OnBillboard {
     double along, side, ndc;  // `side`: 1 on the one side, -1 on the other
     bool inside;
   };
-  OnCard onCard(const glm::dvec2& at) const;
-  OnCard onHalf(const glm::dvec2& at) const;
+  OnBillboard onBillboard(const glm::dvec2& at) const;
+  OnBillboard onHalf(const glm::dvec2& at) const;
   double depthOf(double ndc, double round) const;
   bool isCutAway(double along) const;
   glm::vec3 outwards() const;
 
-  const PlacedFigures& placed_;
+  const PlacedImpostors& placed_;
   bool exists_ = false, wholly_ = true;  // wholly_: before the viewer
   uint32_t vertex_[2];
   WindowVertex end_[2];
@@ -83,18 +83,18 @@ class PixelFigure {
   mutable bool hasOutwards_ = false;
 };
 
-/// Which of `lanes` meet the figure, and where: t of the pixels' rays. `around`: of the rays' samples.
-uint32_t meet(const PlacedFigures&, uint32_t primitive, const FigureQuery&, const WindowRectangle& around,
+/// Which of `lanes` meet the impostor, and where: t of the pixels' rays. `around`: of the rays' samples.
+uint32_t meet(const PlacedImpostors&, uint32_t primitive, const ImpostorQuery&, const WindowRectangle& around,
               uint32_t lanes, float (&t)[kLanes]);
 
 /// Where the vertices of beads, tubes and splats are in the window, four numbers each.
-std::vector<WindowVertex> windowVertices(const PlacedFigures&);
+std::vector<WindowVertex> windowVertices(const PlacedImpostors&);
 
 /// How far the beads and tubes of an instance reach from their points and lines in object space, whatever the
 /// camera does but come nearer.
-FigureReach reachInPixels(const scene::Instance&, const scene::Camera&);
+ImpostorReach reachInPixels(const scene::Instance&, const scene::Camera&);
 
 /// The same of splats, whose reach grows with their radius.
-FigureReach reachOfSplats(const scene::Instance&, const scene::Camera&);
+ImpostorReach reachOfSplats(const scene::Instance&, const scene::Camera&);
 
 }  // namespace gluray::accel

@@ -12,14 +12,14 @@ namespace {
 
 double turn(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
-/// Pixels that a figure reaches at most from its point or line.
-float pixelReach(const PlacedFigures& placed) {
+/// Pixels that an impostor reaches at most from its point or line.
+float pixelReach(const PlacedImpostors& placed) {
   const glm::vec2 size = placed.look.size * glm::vec2(placed.windowHalf);
   return placed.look.grows ? 0.5f * glm::length(size) : 0.5f * std::max({size.x, size.y, 1.0f});
 }
 
-/// Whether the figure may reach any of the positions: most of those whose bounds rays meet do not.
-bool mayMeet(const PlacedFigures& placed, uint32_t primitive, const WindowRectangle& r) {
+/// Whether the impostor may reach any of the positions: most of those whose bounds rays meet do not.
+bool mayMeet(const PlacedImpostors& placed, uint32_t primitive, const WindowRectangle& r) {
   const scene::Mesh& mesh = *placed.mesh;
   if (mesh.shape == scene::Shape::splats) return placed.window[mesh.corner(primitive, 0)].w > 0;
   const WindowVertex &a = placed.window[mesh.corner(primitive, 0)],
@@ -49,10 +49,10 @@ WindowRectangle::WindowRectangle(const PixelRays& rays)
   }
 }
 
-uint32_t PixelFigure::nearby(const PixelRays& rays, uint32_t lanes) const {
+uint32_t PixelImpostor::nearby(const PixelRays& rays, uint32_t lanes) const {
   if (!exists_) return 0;
   if (!wholly_ || placed_.mesh->shape != scene::Shape::tubes) return lanes;
-  // Places on the card from differences to the first position, which floats hold well.
+  // Places on the billboard from differences to the first position, which floats hold well.
   constexpr double kPixels = 0.02;  // snapping and rounding move sides by less
   const glm::dvec2 start(rays.windowX[0], rays.windowY[0]);
   const double area = turn(along_, aside_);
@@ -73,20 +73,20 @@ uint32_t PixelFigure::nearby(const PixelRays& rays, uint32_t lanes) const {
   return near & lanes;
 }
 
-uint32_t meet(const PlacedFigures& placed, uint32_t primitive, const FigureQuery& rays,
+uint32_t meet(const PlacedImpostors& placed, uint32_t primitive, const ImpostorQuery& rays,
               const WindowRectangle& around, uint32_t lanes, float (&t)[kLanes]) {
   if (!mayMeet(placed, primitive, around)) return 0;
   const PixelRays &centers = *rays.centers, &samples = *rays.samples;
-  PixelFigure figure(placed, primitive);
-  lanes = figure.nearby(samples, lanes);
+  PixelImpostor impostor(placed, primitive);
+  lanes = impostor.nearby(samples, lanes);
   if (!lanes) return 0;
-  figure.prepare();
+  impostor.prepare();
   uint32_t met = 0;
-  PixelFigure::Shown shown;
+  PixelImpostor::Shown shown;
   for (; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
-    if (!figure.covers({samples.windowX[i], samples.windowY[i]}) ||
-        !figure.show({centers.windowX[i], centers.windowY[i]}, shown))
+    if (!impostor.covers({samples.windowX[i], samples.windowY[i]}) ||
+        !impostor.show({centers.windowX[i], centers.windowY[i]}, shown))
       continue;
     // The point of the ray that has this depth.
     const glm::dvec4 org(centers.orgX[i], centers.orgY[i], centers.orgZ[i], 1),

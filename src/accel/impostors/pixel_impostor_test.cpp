@@ -19,7 +19,7 @@ constexpr int kWidth = 200, kHeight = 100;
 struct Scene {
   scene::Camera camera;
   scene::Instance instance;
-  PlacedFigures placed;
+  PlacedImpostors placed;
   explicit Scene(Shape shape, std::vector<glm::vec3> points, float pixels, bool parallel = false) {
     auto mesh = std::make_shared<scene::Mesh>();
     mesh->shape = shape;
@@ -33,7 +33,7 @@ struct Scene {
     camera.viewport = {0, 0, kWidth, kHeight};
     camera.clipFromEye = parallel ? glm::ortho(-2.0, 2.0, -1.0, 1.0, 1.0, 20.0)
                                   : glm::perspective(glm::radians(60.0), 2.0, 1.0, 20.0);
-    scene::Figures& f = instance.figures;
+    scene::Impostors& f = instance.impostors;
     f.parallelView = parallel;
     f.size = 2 * pixels / glm::vec2(kWidth, kHeight);
     // As VTK sets them.
@@ -43,11 +43,11 @@ struct Scene {
     place();
   }
   void place() {
-    placed = PlacedFigures(instance, camera);
+    placed = PlacedImpostors(instance, camera);
     placed.window = windowVertices(placed);
   }
-  PixelFigure figure(uint32_t primitive = 0) const {
-    PixelFigure f(placed, primitive);
+  PixelImpostor impostor(uint32_t primitive = 0) const {
+    PixelImpostor f(placed, primitive);
     f.prepare();
     return f;
   }
@@ -57,29 +57,29 @@ struct Scene {
   }
 };
 
-int covered(const PixelFigure& figure) {
+int covered(const PixelImpostor& impostor) {
   int count = 0;
   for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) count += figure.covers({x + 0.5, y + 0.5});
+    for (int x = 0; x < kWidth; ++x) count += impostor.covers({x + 0.5, y + 0.5});
   return count;
 }
 
-TEST(PixelFigure, UprightTubesOnPixelCentresAreAsWideAsTheyAreLong) {
+TEST(PixelImpostor, UprightTubesOnPixelCentresAreAsWideAsTheyAreLong) {
   // From the middle of the window 50 pixels to the right: rows 47.5 to 52.5 hold centres on both sides.
   const Scene flat(Shape::tubes, {{0, 0, -5}, {1, 0, -5}}, 5, true);
-  EXPECT_EQ(covered(flat.figure()), 5 * 50);
-  EXPECT_TRUE(flat.figure().covers({120.5, 47.5})) << "the lower side is owned";
-  EXPECT_FALSE(flat.figure().covers({120.5, 52.5})) << "the upper one is not";
+  EXPECT_EQ(covered(flat.impostor()), 5 * 50);
+  EXPECT_TRUE(flat.impostor().covers({120.5, 47.5})) << "the lower side is owned";
+  EXPECT_FALSE(flat.impostor().covers({120.5, 52.5})) << "the upper one is not";
   const Scene tall(Shape::tubes, {{0, 0, -5}, {0, 0.8f, -5}}, 4, true);
-  EXPECT_EQ(covered(tall.figure()), 4 * 40);
+  EXPECT_EQ(covered(tall.impostor()), 4 * 40);
 }
 
-TEST(PixelFigure, PointsNearbyAreAllThatAreCovered) {
+TEST(PixelImpostor, PointsNearbyAreAllThatAreCovered) {
   for (const bool grows : {false, true}) {
     Scene s(Shape::tubes, {{-1.5f, -0.7f, -6}, {1.2f, 0.9f, -3}}, 9.5f);
-    s.instance.figures.grows = grows;
+    s.instance.impostors.grows = grows;
     s.place();
-    const PixelFigure figure = s.figure();
+    const PixelImpostor impostor = s.impostor();
     int near = 0, hits = 0;
     for (int y = 0; y < kHeight; y += 4) {
       for (int x = 0; x < kWidth; x += 4) {
@@ -87,9 +87,9 @@ TEST(PixelFigure, PointsNearbyAreAllThatAreCovered) {
         for (int i = 0; i < kLanes; ++i)
           rays.windowX[i] = static_cast<float>(x + i % 4) + 0.5f,
           rays.windowY[i] = static_cast<float>(y + i / 4) + 0.5f;
-        const uint32_t lanes = figure.nearby(rays, 0xFFFF);
+        const uint32_t lanes = impostor.nearby(rays, 0xFFFF);
         for (int i = 0; i < kLanes; ++i) {
-          const bool covers = figure.covers({rays.windowX[i], rays.windowY[i]});
+          const bool covers = impostor.covers({rays.windowX[i], rays.windowY[i]});
           EXPECT_TRUE(!covers || (lanes >> i & 1)) << x << " " << y;
           near += static_cast<int>(lanes >> i & 1), hits += covers;
         }
@@ -100,38 +100,38 @@ TEST(PixelFigure, PointsNearbyAreAllThatAreCovered) {
   }
 }
 
-TEST(PixelFigure, ShortTubesGrowByAQuarterOfWhatIsMissing) {
+TEST(PixelImpostor, ShortTubesGrowByAQuarterOfWhatIsMissing) {
   Scene s(Shape::tubes, {{0, 0, -5}, {0.08f, 0, -5}}, 20, true);  // 4 pixels long, 20 wide
-  EXPECT_EQ(covered(s.figure()), 4 * 20);
-  s.instance.figures.grows = true;
+  EXPECT_EQ(covered(s.impostor()), 4 * 20);
+  s.instance.impostors.grows = true;
   s.place();
   // In normalised device coordinates: the size's length, less the line's, a quarter of it at each end.
   const double missing = std::hypot(0.2, 0.4) - 0.04;
-  EXPECT_NEAR(covered(s.figure()), 20 * (4 + 2 * 0.25 * missing * kWidth / 2), 20);
+  EXPECT_NEAR(covered(s.impostor()), 20 * (4 + 2 * 0.25 * missing * kWidth / 2), 20);
 }
 
-TEST(PixelFigure, TheMiddleOfATubeIsARadiusNearer) {
+TEST(PixelImpostor, TheMiddleOfATubeIsARadiusNearer) {
   const Scene s(Shape::tubes, {{-1, 0, -5}, {1, 0, -5}}, 10);
-  PixelFigure::Shown shown;
-  ASSERT_TRUE(s.figure().show({100, 50}, shown));
+  PixelImpostor::Shown shown;
+  ASSERT_TRUE(s.impostor().show({100, 50}, shown));
   const float radius =
       10.0f / kWidth * 5 / static_cast<float>(s.camera.clipFromEye[0][0]);  // 5 away, half of 10 pixels
   EXPECT_NEAR(shown.depth, s.windowDepth({0, 0, -5 + radius}), 1e-6);
   EXPECT_NEAR(shown.along, 0.5, 1e-6);
   EXPECT_LT(glm::length(shown.normal - glm::vec3(0, 0, 1)), 1e-4f);
-  ASSERT_TRUE(s.figure().show({100, 53}, shown));
+  ASSERT_TRUE(s.impostor().show({100, 53}, shown));
   EXPECT_NEAR(shown.normal.y, 0.6f, 1e-4f);
   EXPECT_NEAR(shown.normal.z, 0.8f, 1e-4f);
 }
 
-TEST(PixelFigure, BeadsAreRoundAndGoWithTheirCentres) {
+TEST(PixelImpostor, BeadsAreRoundAndGoWithTheirCentres) {
   const Scene s(Shape::beads, {{0, 0, -5}, {0, 0, -0.5f}, {9, 0, -5}}, 12);
-  EXPECT_EQ(covered(s.figure()), 12 * 12) << "the card is square";
-  EXPECT_EQ(covered(s.figure(1)), 0) << "before the near plane";
-  EXPECT_EQ(covered(s.figure(2)), 0) << "beside the window";
-  PixelFigure::Shown shown;
-  EXPECT_FALSE(s.figure().show({105, 55}, shown));
-  ASSERT_TRUE(s.figure().show({103.6, 50}, shown));
+  EXPECT_EQ(covered(s.impostor()), 12 * 12) << "the billboard is square";
+  EXPECT_EQ(covered(s.impostor(1)), 0) << "before the near plane";
+  EXPECT_EQ(covered(s.impostor(2)), 0) << "beside the window";
+  PixelImpostor::Shown shown;
+  EXPECT_FALSE(s.impostor().show({105, 55}, shown));
+  ASSERT_TRUE(s.impostor().show({103.6, 50}, shown));
   EXPECT_NEAR(shown.normal.x, 0.6f, 1e-4f);
   EXPECT_NEAR(shown.normal.z, 0.8f, 1e-4f);
 }
@@ -157,7 +157,7 @@ bool coversNdc(std::vector<glm::dvec4> corners, const glm::dvec2& at) {
   return inside;
 }
 
-TEST(PixelFigure, LinesThatEndBehindTheViewerAreTwoTrianglesCutAtTheNearPlane) {
+TEST(PixelImpostor, LinesThatEndBehindTheViewerAreTwoTrianglesCutAtTheNearPlane) {
   const glm::vec3 ends[] = {{-0.5f, -0.3f, -8}, {0.5f, 0.4f, 3}};
   const Scene s(Shape::tubes, {ends[0], ends[1]}, 6);
   glm::dvec4 clip[2], corners[4];
@@ -166,33 +166,33 @@ TEST(PixelFigure, LinesThatEndBehindTheViewerAreTwoTrianglesCutAtTheNearPlane) {
   for (int j = 0; j < 4; ++j) {
     corners[j] = clip[j / 2];
     const glm::dvec2 aside =
-        glm::dvec2(s.instance.figures.size) * glm::dvec2(-d.y, d.x) * (j % 2 ? -0.5 : 0.5);
+        glm::dvec2(s.instance.impostors.size) * glm::dvec2(-d.y, d.x) * (j % 2 ? -0.5 : 0.5);
     corners[j] += glm::dvec4(aside * clip[j / 2].w, 0, 0);
   }
-  const PixelFigure figure = s.figure();
+  const PixelImpostor impostor = s.impostor();
   int hits = 0;
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
       const glm::dvec2 at(x + 0.5, y + 0.5), ndc = (at - s.placed.windowCenter) / s.placed.windowHalf;
       const bool expected = coversNdc({corners[0], corners[1], corners[2]}, ndc) ||
                             coversNdc({corners[1], corners[2], corners[3]}, ndc);
-      EXPECT_EQ(figure.covers(at), expected) << x << " " << y;
+      EXPECT_EQ(impostor.covers(at), expected) << x << " " << y;
       hits += expected;
     }
   }
   EXPECT_GT(hits, 100);
 }
 
-TEST(PixelFigure, PlanesCutTheLine) {
+TEST(PixelImpostor, PlanesCutTheLine) {
   Scene s(Shape::tubes, {{-1, 0, -5}, {1, 0, -5}}, 10);
-  s.instance.figures.centerPlanes = {{1, 0, 0, -0.25f}};
+  s.instance.impostors.centerPlanes = {{1, 0, 0, -0.25f}};
   s.place();
-  PixelFigure::Shown shown;
-  EXPECT_FALSE(s.figure().show({100, 50}, shown));
-  EXPECT_TRUE(s.figure().show({110, 50}, shown));
+  PixelImpostor::Shown shown;
+  EXPECT_FALSE(s.impostor().show({100, 50}, shown));
+  EXPECT_TRUE(s.impostor().show({110, 50}, shown));
 }
 
-TEST(PixelFigure, NothingLiesBeyondTheBounds) {
+TEST(PixelImpostor, NothingLiesBeyondTheBounds) {
   std::vector<glm::vec3> points;
   for (int i = 0; i < 60; ++i) {
     const auto t = static_cast<float>(i);
@@ -203,22 +203,22 @@ TEST(PixelFigure, NothingLiesBeyondTheBounds) {
     for (const bool parallel : {false, true}) {
       for (const double away : {1.2, 2.5, 12.0}) {
         Scene s(shape, points, 14, parallel);
-        s.instance.figures.grows = true, s.instance.figures.depthBias = -8 / 65000.0f;
+        s.instance.impostors.grows = true, s.instance.impostors.depthBias = -8 / 65000.0f;
         const glm::mat4 turned = glm::rotate(glm::mat4(1), 0.7f, glm::vec3(1, 2, 3));
         s.instance.eyeFromObject = glm::translate(glm::dmat4(1), {0, 0, -away}) * glm::dmat4(turned);
         s.instance.eyeFromObject = s.instance.eyeFromObject * glm::scale(glm::dmat4(1), {1, 0.3, 0.5});
         s.instance.lightingFromObject = glm::mat4(s.instance.eyeFromObject);
         s.place();
-        const FigureReach reach = FigureReach::of(s.instance, s.camera);
+        const ImpostorReach reach = ImpostorReach::of(s.instance, s.camera);
         const glm::dmat4 objectFromClip = glm::inverse(s.placed.clipFromObject);
         for (uint32_t k = 0; k < s.instance.mesh->triangleCount; ++k) {
-          Box box = boundsOfFigure(*s.instance.mesh, reach, k);
-          const PixelFigure figure = s.figure(k);
+          Box box = boundsOfImpostor(*s.instance.mesh, reach, k);
+          const PixelImpostor impostor = s.impostor(k);
           for (int y = 0; y < kHeight; ++y) {
             for (int x = 0; x < kWidth; ++x) {
               const glm::dvec2 at(x + 0.5, y + 0.5);
-              PixelFigure::Shown shown;
-              if (!figure.covers(at) || !figure.show(at, shown) || shown.depth <= 0) continue;
+              PixelImpostor::Shown shown;
+              if (!impostor.covers(at) || !impostor.show(at, shown) || shown.depth <= 0) continue;
               ++hits;
               const glm::dvec4 p =
                   objectFromClip *
@@ -226,7 +226,7 @@ TEST(PixelFigure, NothingLiesBeyondTheBounds) {
               const glm::vec3 object(glm::dvec3(p) / p.w);
               ASSERT_TRUE(glm::all(glm::lessThanEqual(box.lower, object)) &&
                           glm::all(glm::lessThanEqual(object, box.upper)))
-                  << static_cast<int>(shape) << parallel << away << " figure " << k;
+                  << static_cast<int>(shape) << parallel << away << " impostor " << k;
             }
           }
         }
@@ -236,15 +236,15 @@ TEST(PixelFigure, NothingLiesBeyondTheBounds) {
   EXPECT_GT(hits, 20000);
 }
 
-TEST(PixelFigure, ReachStaysWhileTheCameraTurnsAndGrowsAsItGoes) {
+TEST(PixelImpostor, ReachStaysWhileTheCameraTurnsAndGrowsAsItGoes) {
   Scene s(Shape::tubes, {{-1, -1, -1}, {1, 1, 1}}, 6);
   const auto reachAt = [&](double degrees, double away) {
     s.instance.eyeFromObject = glm::translate(glm::dmat4(1), {0, 0, -away}) *
                                glm::rotate(glm::dmat4(1), glm::radians(degrees), glm::dvec3(1, 2, 3));
     s.instance.lightingFromObject = glm::mat4(s.instance.eyeFromObject);
-    return FigureReach::of(s.instance, s.camera);
+    return ImpostorReach::of(s.instance, s.camera);
   };
-  const FigureReach first = reachAt(0, 6);
+  const ImpostorReach first = reachAt(0, 6);
   for (int i = 1; i < 30; ++i) EXPECT_EQ(reachAt(11 * i, 6), first);
   EXPECT_GT(reachAt(0, 12).perRadius.x, 1.3f * first.perRadius.x);
 }

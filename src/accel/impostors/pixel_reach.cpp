@@ -1,4 +1,4 @@
-// How far figures that are so many pixels wide reach in space, for every turn of the camera.
+// How far impostors that are so many pixels wide reach in space, for every turn of the camera.
 #include "accel/impostors/pixel_impostor.h"
 
 #include <algorithm>
@@ -68,8 +68,8 @@ double largestStretch(const glm::dmat3& m) {
 
 }  // namespace
 
-FigureReach reachOfSplats(const scene::Instance& instance, const scene::Camera& camera) {
-  const scene::Figures& f = instance.figures;
+ImpostorReach reachOfSplats(const scene::Instance& instance, const scene::Camera& camera) {
+  const scene::Impostors& f = instance.impostors;
   const Range range(instance, camera);
   // Aside of the middle, what lies along the view is seen beside the centre: in the centre's plane by the
   // tangent of the angle from the middle.
@@ -79,7 +79,7 @@ FigureReach reachOfSplats(const scene::Instance& instance, const scene::Camera& 
   const double reach =
       largestStretch(glm::dmat3(range.lightingFromObject)) * slanted / double{f.radiusDivisor} * (1 + 1e-4);
   const glm::dvec3 unit = perUnit(range.lightingFromObject);
-  FigureReach result;
+  ImpostorReach result;
   for (int c = 0; c < 3; ++c) {
     result.perRadius[c] = roundedUp(unit[c] * reach);
     if (f.depthBias != 0)
@@ -88,13 +88,13 @@ FigureReach reachOfSplats(const scene::Instance& instance, const scene::Camera& 
   return result;
 }
 
-FigureReach reachInPixels(const scene::Instance& instance, const scene::Camera& camera) {
-  const scene::Figures& f = instance.figures;
+ImpostorReach reachInPixels(const scene::Instance& instance, const scene::Camera& camera) {
+  const scene::Impostors& f = instance.impostors;
   const bool tubes = instance.mesh->shape == scene::Shape::tubes;
   const Range range(instance, camera);
   const glm::dmat4& lightingFromClip = range.lightingFromClip;
   const double farthest = range.farthest;
-  // In the window: half a card, and what lines grow by at their ends.
+  // In the window: half a billboard, and what lines grow by at their ends.
   const glm::dvec2 size(f.size);
   const glm::dvec2 unit(glm::length(glm::dvec3(lightingFromClip[0])),
                         glm::length(glm::dvec3(lightingFromClip[1])));
@@ -108,7 +108,7 @@ FigureReach reachInPixels(const scene::Instance& instance, const scene::Camera& 
   const double moved = range.movedBy(f.depthBias, f.parallelView);
   const double reach = inSteps(std::max(aside, out) + 0.05 * std::min(aside, out) + grown + moved);
   const glm::dvec3 unit3 = perUnit(range.lightingFromObject);
-  FigureReach result;
+  ImpostorReach result;
   for (int c = 0; c < 3; ++c) result.perRadius[c] = roundedUp(unit3[c] * reach);
   return result;
 }

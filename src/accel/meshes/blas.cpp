@@ -21,11 +21,11 @@ RTCSceneFlags sceneFlags(BvhQuality quality) {
   return small ? flags | RTC_SCENE_FLAG_COMPACT : flags;
 }
 
-/// Embree's callback. Figures that do not exist have no bounds and are left out.
-void figureBounds(const RTCBoundsFunctionArguments* arguments) {
+/// Embree's callback. Impostors that do not exist have no bounds and are left out.
+void impostorBounds(const RTCBoundsFunctionArguments* arguments) {
   const auto& [mesh, reach] =
-      *static_cast<const std::pair<const scene::Mesh*, const FigureReach*>*>(arguments->geometryUserPtr);
-  const Box box = boundsOfFigure(*mesh, *reach, arguments->primID);
+      *static_cast<const std::pair<const scene::Mesh*, const ImpostorReach*>*>(arguments->geometryUserPtr);
+  const Box box = boundsOfImpostor(*mesh, *reach, arguments->primID);
   RTCBounds& out = *arguments->bounds_o;
   out.lower_x = box.lower.x, out.lower_y = box.lower.y, out.lower_z = box.lower.z;
   out.upper_x = box.upper.x, out.upper_y = box.upper.y, out.upper_z = box.upper.z;
@@ -95,7 +95,7 @@ void Blas::setPositions(RTCGeometryTy* geometry, const scene::Mesh& mesh) {
 }
 
 bool Blas::hasTopologyOf(const scene::Mesh& mesh) const {
-  if (figuresOnly_ || mesh.shape != scene::Shape::triangles || mesh.triangleCount != triangleCount_ ||
+  if (impostorsOnly_ || mesh.shape != scene::Shape::triangles || mesh.triangleCount != triangleCount_ ||
       mesh.vertexCount != vertexCount_ || !mesh.indices != !indexData_)
     return false;
   return !indexData_ || mesh.indices.data == indexData_ ||
@@ -111,7 +111,7 @@ Blas::Blas(const Device& device, IotaIndices& iota, const Geometry& of, BvhQuali
       positions_(of.mesh->positions.owner),
       triangleCount_(of.mesh->triangleCount),
       vertexCount_(of.mesh->vertexCount),
-      figuresOnly_(of.mesh->shape != scene::Shape::triangles) {
+      impostorsOnly_(of.mesh->shape != scene::Shape::triangles) {
   const scene::Mesh& mesh = *of.mesh;
   checkArrays(mesh);
   pinnedBytes_ = static_cast<size_t>(mesh.vertexCount) * mesh.positions.stride;
@@ -120,9 +120,10 @@ Blas::Blas(const Device& device, IotaIndices& iota, const Geometry& of, BvhQuali
   rtcSetSceneBuildQuality(scene_, rtcQuality);
   rtcSetSceneFlags(scene_, toRefit ? sceneFlags(quality) | RTC_SCENE_FLAG_DYNAMIC : sceneFlags(quality));
   RTCGeometry geometry = nullptr;
-  if (mesh.shape != scene::Shape::triangles) geometry = figures(of);
-  if (!geometry && quality == BvhQuality::least) geometry = clusters(mesh, Clusters::Aim::memory);
-  if (!geometry && quality == BvhQuality::fast && !toRefit) geometry = clusters(mesh, Clusters::Aim::speed);
+  if (mesh.shape != scene::Shape::triangles) geometry = impostors(of);
+  if (!geometry && quality == BvhQuality::least) geometry = blocks(mesh, TriangleBlocks::Aim::memory);
+  if (!geometry && quality == BvhQuality::fast && !toRefit)
+    geometry = blocks(mesh, TriangleBlocks::Aim::speed);
   if (!geometry) geometry = triangles(iota, mesh);
   rtcSetGeometryBuildQuality(geometry, toRefit ? RTC_BUILD_QUALITY_REFIT : rtcQuality);
   rtcCommitGeometry(geometry);
@@ -153,35 +154,35 @@ RTCGeometryTy* Blas::triangles(IotaIndices& iota, const scene::Mesh& mesh) {
   return geometry;
 }
 
-RTCGeometryTy* Blas::figures(const Geometry& of) {
+RTCGeometryTy* Blas::impostors(const Geometry& of) {
   const scene::Mesh& mesh = *of.mesh;
-  figures_.shape = mesh.shape;
-  figures_.triangleCount = mesh.triangleCount, figures_.vertexCount = mesh.vertexCount;
-  figures_.positions = mesh.positions, figures_.indices = mesh.indices;
-  figures_.radii = mesh.radii, figures_.axes = mesh.axes, figures_.radius = mesh.radius;
+  impostors_.shape = mesh.shape;
+  impostors_.triangleCount = mesh.triangleCount, impostors_.vertexCount = mesh.vertexCount;
+  impostors_.positions = mesh.positions, impostors_.indices = mesh.indices;
+  impostors_.radii = mesh.radii, impostors_.axes = mesh.axes, impostors_.radius = mesh.radius;
   reach_ = of.reach;
-  bounded_ = {&figures_, &reach_};
+  bounded_ = {&impostors_, &reach_};
   for (const scene::Attribute* a : {&mesh.radii, &mesh.axes})
     if (*a) pinnedBytes_ += static_cast<size_t>(mesh.vertexCount) * a->stride;
   RTCGeometry geometry = rtcNewGeometry(device_.handle(), RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryUserPrimitiveCount(geometry, mesh.triangleCount);
   rtcSetGeometryUserData(geometry, &bounded_);
-  rtcSetGeometryBoundsFunction(geometry, figureBounds, nullptr);
-  rtcSetGeometryIntersectFunction(geometry, intersectFigures);
+  rtcSetGeometryBoundsFunction(geometry, impostorBounds, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, intersectImpostors);
   return geometry;
 }
 
-RTCGeometryTy* Blas::clusters(const scene::Mesh& mesh, Clusters::Aim aim) {
-  auto clusters = std::make_unique<Clusters>(mesh, aim);
-  if (!clusters->pay()) return nullptr;
-  clusters_ = std::move(clusters);
+RTCGeometryTy* Blas::blocks(const scene::Mesh& mesh, TriangleBlocks::Aim aim) {
+  auto blocks = std::make_unique<TriangleBlocks>(mesh, aim);
+  if (!blocks->pay()) return nullptr;
+  blocks_ = std::move(blocks);
   indexData_ = mesh.indices.data;
   if (mesh.indices) pinnedBytes_ += static_cast<size_t>(mesh.triangleCount) * 12;
   RTCGeometry geometry = rtcNewGeometry(device_.handle(), RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(geometry, clusters_->count());
-  rtcSetGeometryUserData(geometry, clusters_.get());
-  rtcSetGeometryBoundsFunction(geometry, clusterBounds, nullptr);
-  rtcSetGeometryIntersectFunction(geometry, intersectClusters);
+  rtcSetGeometryUserPrimitiveCount(geometry, blocks_->count());
+  rtcSetGeometryUserData(geometry, blocks_.get());
+  rtcSetGeometryBoundsFunction(geometry, triangleBlockBounds, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, intersectTriangleBlocks);
   return geometry;
 }
 
@@ -192,7 +193,7 @@ void Blas::commit() {
     const CommitScope scope;
     rtcCommitScene(scene_);
   }
-  if (clusters_) clusters_->forgetBoxes();
+  if (blocks_) blocks_->forgetBoxes();
   device_.check("the acceleration structure of a mesh cannot be built");
 }
 

@@ -19,10 +19,10 @@ struct RTCSceneTy;
 
 namespace gluray::accel {
 
-/// What a structure is made of. `reach` matters to meshes of figures alone.
+/// What a structure is made of. `reach` matters to meshes of impostors alone.
 struct Geometry {
   const scene::Mesh* mesh = nullptr;
-  FigureReach reach;
+  ImpostorReach reach;
   /// Equal where the structure would be.
   Hash128 id() const;
 };
@@ -72,21 +72,21 @@ class Blas {
   Blas(const Device&, IotaIndices&, const Geometry&, BvhQuality, bool toRefit);
   void setPositions(RTCGeometryTy*, const scene::Mesh&);
   RTCGeometryTy* triangles(IotaIndices&, const scene::Mesh&);
-  RTCGeometryTy* figures(const Geometry&);
-  /// Null where clusters do not pay.
-  RTCGeometryTy* clusters(const scene::Mesh&, Clusters::Aim);
+  RTCGeometryTy* impostors(const Geometry&);
+  /// Null where blocks do not pay.
+  RTCGeometryTy* blocks(const scene::Mesh&, TriangleBlocks::Aim);
 
   const Device& device_;
   RTCSceneTy* scene_ = nullptr;
   std::shared_ptr<const void> positions_, indices_;
-  scene::Mesh figures_;  // where they are none: the arrays that bounds are read from
-  FigureReach reach_;
-  std::pair<const scene::Mesh*, const FigureReach*> bounded_;  // both, for Embree's callback
-  std::unique_ptr<Clusters> clusters_;                         // where they are what the structure is made of
+  scene::Mesh impostors_;  // where they are none: the arrays that bounds are read from
+  ImpostorReach reach_;
+  std::pair<const scene::Mesh*, const ImpostorReach*> bounded_;  // both, for Embree's callback
+  std::unique_ptr<TriangleBlocks> blocks_;  // where they are what the structure is made of
   size_t bvhBytes_ = 0, pinnedBytes_ = 0;
   uint32_t triangleCount_ = 0, vertexCount_ = 0;
   const void* indexData_ = nullptr;  // of triangles; null: they are a soup
-  bool figuresOnly_ = false;
+  bool impostorsOnly_ = false;
   std::unique_ptr<Neighbours> neighbours_;  // where it can be adjusted
 };
 

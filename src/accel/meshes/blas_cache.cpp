@@ -151,7 +151,7 @@ Waiting BlasCache::waitingOf(const std::vector<Geometry>& wanted, BvhQuality qua
     if (geometry.mesh->triangleCount == 0 || entries_.contains(key) || !counted.insert(key).second) continue;
     checkArrays(*geometry.mesh);
     waiting.triangles += geometry.mesh->triangleCount;
-    if (Clusters::likely(*geometry.mesh, Clusters::Aim::speed))
+    if (TriangleBlocks::likely(*geometry.mesh, TriangleBlocks::Aim::speed))
       waiting.inRuns += geometry.mesh->triangleCount;
   }
   return waiting;

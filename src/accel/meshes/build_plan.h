@@ -1,4 +1,5 @@
-// Which acceleration structure a mesh gets first, and which it deserves later. Pure functions; any thread.
+// Chooses the quality of acceleration structures: of the first one that a mesh gets, and whether to build a
+// better one later. Pure functions; any thread.
 #pragma once
 #include "settings/settings.h"
 
@@ -13,14 +14,14 @@ using FreeMemory = size_t (*)();
 /// What waits for structures of its own.
 struct Waiting {
   uint64_t triangles = 0;
-  uint64_t inRuns = 0;  // of those, in meshes that fast structures hold as runs (clusters.h)
+  uint64_t inRuns = 0;  // of those, in meshes that fast structures hold as triangle blocks
 };
 
-/// Quality of the structure that a mesh of `triangles` gets for its first picture when the user wants
-/// `wanted` and `waiting`, this mesh included, waits. For `automatic`, half of the free memory may be taken,
-/// the rest being the program's: much geometry is built fast, if it is as runs of triangles (clusters.h) or
-/// where the better structures fit beside the fast ones; otherwise as the best that fits, in the end as runs
-/// that are longer.
+/// Quality of the first structure of a mesh of `triangles`. `wanted` is the user's setting, `waiting` all
+/// that waits for structures, this mesh included. With `automatic`, structures may take half of the free
+/// memory. Large geometry gets `fast` structures where it is made of triangle blocks (triangle_blocks.h), or
+/// where better structures fit beside the fast ones. Otherwise it gets the best quality that fits, in the end
+/// `least`.
 BvhQuality firstQuality(BvhQuality wanted, uint64_t triangles, const Waiting& waiting, FreeMemory freeMemory);
 
 /// The same where an attempt has run out of memory.

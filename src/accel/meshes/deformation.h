@@ -1,5 +1,5 @@
-// Meshes whose vertices move while their triangles stay the same ones: when a structure of earlier positions
-// is worth adjusting (refitting) to the new ones. Any thread, one at a time.
+// Decides when to refit an acceleration structure: for meshes whose vertices move while their triangles stay
+// the same. Any thread, one at a time.
 #pragma once
 #include "scene/mesh.h"
 

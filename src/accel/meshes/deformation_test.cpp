@@ -91,7 +91,7 @@ TEST_P(DeformationTest, MovingSheetsAreAdjusted) {
 
 TEST_P(DeformationTest, FastStructuresOfRunsGiveWayToAdjustedOnes) {
   bvh = BvhQuality::fast;
-  EXPECT_TRUE(Clusters(*makeMesh(sheet(0, GetParam())), Clusters::Aim::speed).pay());
+  EXPECT_TRUE(TriangleBlocks(*makeMesh(sheet(0, GetParam())), TriangleBlocks::Aim::speed).pay());
   for (int i = 0; i < 12; ++i) expectTrue(sheet(0.2f * static_cast<float>(i), GetParam()));
   EXPECT_EQ(refits, 8u);
 }

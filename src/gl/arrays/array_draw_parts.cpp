@@ -15,7 +15,7 @@ KnownMesh meshOf(Context& c, const ArrayState& arrays, GLenum mode, const Elemen
   const Hash128 content = contentOf(c.real, arrays, mode, e);
   if (!c.shadow.group.meshes.find(content, known)) {
     known = arrays.shape == scene::Shape::triangles ? buildArrayMesh(c.real, arrays, mode, e)
-                                                    : buildFigureMesh(c.real, arrays, mode, e);
+                                                    : buildImpostorMesh(c.real, arrays, mode, e);
     c.shadow.group.meshes.put(content, known);
     ++c.counts.statistics.meshesBuilt;
     if (known.mesh) c.counts.statistics.meshBytes += known.mesh->sizeBytes;
@@ -25,8 +25,8 @@ KnownMesh meshOf(Context& c, const ArrayState& arrays, GLenum mode, const Elemen
 }
 
 Load loadOf(Context& c, GLenum mode, const Elements& e) {
-  const uint64_t figures = static_cast<uint64_t>(e.count) / (mode == GL_LINES ? 2 : 1) * e.repeats();
-  if (c.shadow.program.drawsImpostors(mode)) return {PrimitiveClass::surfaces, figures};
+  const uint64_t impostors = static_cast<uint64_t>(e.count) / (mode == GL_LINES ? 2 : 1) * e.repeats();
+  if (c.shadow.program.drawsImpostors(mode)) return {PrimitiveClass::surfaces, impostors};
   return {kindOf(mode), trianglesOf(mode, e)};
 }
 

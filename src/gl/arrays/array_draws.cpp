@@ -87,7 +87,7 @@ void draw(Context& c, GLenum mode, const Elements& e) {
   if (c.lists.compiling()) return empty && e.instances < 0 ? void() : recordDraw(c, mode, e);
   if (empty) return drawReal(c.real, mode, e);
   const DrawTimer timer(c.counts.kinds());
-  if (c.clock.direct()) {
+  if (c.clock.passesThrough()) {
     const Load load = loadOf(c, mode, e);
     if (c.passthrough.takes(pathOf(e), load.kind, load.triangles)) return drawReal(c.real, mode, e);
   }

@@ -26,7 +26,7 @@ uint64_t trianglesOf(GLenum mode, const Elements& elements);
 /// The mesh of the draw, known or new.
 KnownMesh meshOf(Context& c, const ArrayState& arrays, GLenum mode, const Elements& elements);
 
-/// What a draw counts as: figures for a triangle each.
+/// What a draw counts as: impostors for a triangle each.
 struct Load {
   PrimitiveClass kind;
   uint64_t triangles;

@@ -124,8 +124,8 @@ Order orderOf(const RealGl& real, const ArrayState& arrays, GLenum mode, const E
 std::vector<Triangle> sampleTriangles(const RealGl& real, const ArrayState& arrays, GLenum mode,
                                       const Elements& e) {
   constexpr GLsizei kSamples = 32;
-  const GLsizei figure = mode == GL_QUADS ? 4 : 3;
-  const GLsizei step = std::max(e.count / figure / kSamples, 1) * figure;
+  const GLsizei impostor = mode == GL_QUADS ? 4 : 3;
+  const GLsizei step = std::max(e.count / impostor / kSamples, 1) * impostor;
   const size_t indexBytes = e.type == GL_UNSIGNED_INT ? 4 : e.type == GL_UNSIGNED_SHORT ? 2 : 1;
   const ArrayReader reader(real, arrays.vertex);
   std::vector<Triangle> triangles;

@@ -53,7 +53,7 @@ struct Order {
 Order orderOf(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements,
               Hash128 seed);
 
-/// Some triangles of a draw by fixed function; where figures have more corners, three of them.
+/// Some triangles of a draw by fixed function; where impostors have more corners, three of them.
 std::vector<Triangle> sampleTriangles(const RealGl& real, const ArrayState& arrays, GLenum mode,
                                       const Elements& elements);
 

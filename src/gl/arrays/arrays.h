@@ -30,9 +30,9 @@ struct ArraySource {
 
 struct ArrayState {
   ArraySource vertex, normal, color, secondaryColor, fogCoord, texcoord;
-  ArraySource radius, axis;  // of figures (scene/impostors.h)
+  ArraySource radius, axis;  // of impostors (scene/impostors.h)
   scene::Shape shape = scene::Shape::triangles;
-  float figureRadius = 1;                   // where no array gives it
+  float impostorRadius = 1;                 // where no array gives it
   std::vector<ArraySource> texcoordsAbove;  // of texture units 1, 2 ... up to the last that is enabled
   std::shared_ptr<Buffer> elements;         // bound to GL_ELEMENT_ARRAY_BUFFER
   // Of shader programs: arrays that are on and none of the above, instances' among them.
@@ -98,9 +98,9 @@ CapturedVertices capture(const RealGl& real, const ArrayState& arrays, GLenum mo
 /// The mesh of a draw of surfaces; buffers are read in place where their form allows.
 KnownMesh buildArrayMesh(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements);
 
-/// The same of a draw of points, or of separate lines, of which the program makes figures.
-KnownMesh buildFigureMesh(const RealGl& real, const ArrayState& arrays, GLenum mode,
-                          const Elements& elements);
+/// The same of a draw of points, or of separate lines, of which the program makes impostors.
+KnownMesh buildImpostorMesh(const RealGl& real, const ArrayState& arrays, GLenum mode,
+                            const Elements& elements);
 
 /// Identity of what both would read: versions of buffers, contents of the program's memory.
 Hash128 contentOf(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements);

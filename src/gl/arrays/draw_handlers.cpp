@@ -55,7 +55,8 @@ void materialiv(Context& c, GLenum face, GLenum pname, const GLint* params) {
 void rectf(Context& c, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
   if (c.immediate.insideBegin()) return c.lists.misuse();
   c.immediate.begin(GL_POLYGON);
-  leaf::vertex(x1, y1), leaf::vertex(x2, y1), leaf::vertex(x2, y2), leaf::vertex(x1, y2);
+  vertexcall::vertex(x1, y1), vertexcall::vertex(x2, y1), vertexcall::vertex(x2, y2),
+      vertexcall::vertex(x1, y2);
   c.immediate.end();
 }
 namespace {
@@ -75,7 +76,7 @@ void rectsv(Context& c, const GLshort* a, const GLshort* b) { rect(c, a[0], a[1]
 
 namespace {
 
-/// Sends single vertices of the enabled arrays through the leaf path.
+/// Sends single vertices of the enabled arrays through vertex attribute calls.
 class ElementSender {
  public:
   explicit ElementSender(const ShadowState& s)
@@ -90,14 +91,14 @@ class ElementSender {
 
   void operator()(uint32_t i) const {
     float v[4];
-    if (read(normal_, i, v)) leaf::normal(v[0], v[1], v[2]);
-    if (read(color_, i, v)) leaf::color(v[0], v[1], v[2], v[3]);
-    if (read(secondaryColor_, i, v)) leaf::secondaryColor(v[0], v[1], v[2]);
-    if (read(fogCoord_, i, v)) leaf::fogCoord(v[0]);
-    if (read(texcoord_, i, v)) leaf::texCoord(0, v[0], v[1], v[2], v[3]);
+    if (read(normal_, i, v)) vertexcall::normal(v[0], v[1], v[2]);
+    if (read(color_, i, v)) vertexcall::color(v[0], v[1], v[2], v[3]);
+    if (read(secondaryColor_, i, v)) vertexcall::secondaryColor(v[0], v[1], v[2]);
+    if (read(fogCoord_, i, v)) vertexcall::fogCoord(v[0]);
+    if (read(texcoord_, i, v)) vertexcall::texCoord(0, v[0], v[1], v[2], v[3]);
     for (GLuint unit = 1; unit <= texcoordsAbove_.size(); ++unit)
-      if (read(texcoordsAbove_[unit - 1], i, v)) leaf::texCoord(unit, v[0], v[1], v[2], v[3]);
-    if (read(vertex_, i, v)) leaf::vertex(v[0], v[1], v[2], v[3]);
+      if (read(texcoordsAbove_[unit - 1], i, v)) vertexcall::texCoord(unit, v[0], v[1], v[2], v[3]);
+    if (read(vertex_, i, v)) vertexcall::vertex(v[0], v[1], v[2], v[3]);
   }
 
  private:
@@ -114,7 +115,7 @@ class ElementSender {
 
 void arrayElement(Context& c, GLint i) {
   if (c.immediate.inside() == Immediate::Inside::rasterised) return c.immediate.rasterElement(i);
-  if (c.clock.direct() && !c.lists.compiling()) {
+  if (c.clock.passesThrough() && !c.lists.compiling()) {
     c.shadow.sendBuffers();
     return c.real.ArrayElement(i);
   }

@@ -19,13 +19,13 @@ Reason triageByPass(Context& c, PrimitiveClass kind) {
 /// Traces what the current shader program draws if that can be right; says why not otherwise.
 Reason traceProgram(Context& c, GLenum mode, const Elements& e) {
   if (mode > GL_POLYGON) return Reason::program;
-  const bool figures = c.shadow.program.drawsImpostors(mode);
-  const PrimitiveClass kind = figures ? PrimitiveClass::surfaces : classOf(mode);
+  const bool impostors = c.shadow.program.drawsImpostors(mode);
+  const PrimitiveClass kind = impostors ? PrimitiveClass::surfaces : classOf(mode);
   Reason reason = triageByPass(c, kind);
-  if (reason == Reason::traced && figures) reason = c.programs.triageFigures();
+  if (reason == Reason::traced && impostors) reason = c.programs.triageImpostors();
   if (reason != Reason::traced) return reason;
   // Surfaces drawn by a program that wants points show nothing that anybody could know.
-  if (!figures && c.shadow.attributes.shape != scene::Shape::triangles) return Reason::program;
+  if (!impostors && c.shadow.attributes.shape != scene::Shape::triangles) return Reason::program;
   return c.failsafe.attempt([&] {
     const KnownMesh known = meshOf(c, c.shadow.attributes, mode, e);
     Reason fine = c.programs.triage(known);

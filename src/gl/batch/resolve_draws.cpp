@@ -50,7 +50,7 @@ bool isSampledPerSample(GLenum type) {
 
 UnresolvedPicture::Cleared ResolveDraws::clearedBy(GLbitfield mask) {
   constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
-  if ((mask & kBoth) != kBoth || p_.clock.direct() || p_.failsafe.aside() || p_.shadow.info.off ||
+  if ((mask & kBoth) != kBoth || p_.clock.passesThrough() || p_.failsafe.aside() || p_.shadow.info.off ||
       p_.shadow.activeQueries > 0 || p_.shadow.group.contexts != 1 ||
       !p_.shadow.settings.quirks.has(Quirk::softwareResolve) || !p_.shadow.isSoftwareBelow())
     return {};
@@ -90,8 +90,9 @@ bool ResolveDraws::hold() {
                      key.drawBuffer == cleared.drawBuffer && key.samples > 1 &&
                      key.layers == BatchKey::Layers::none && key.colorWrites.all() &&
                      (key.depthFunc == GL_LEQUAL || key.depthFunc == GL_LESS) && !p_.failsafe.aside() &&
-                     !p_.clock.direct() && p_.shadow.activeQueries == 0 && p_.shadow.group.contexts == 1 &&
-                     !p_.flusher.batch.waiting().wideColors && cleared.covers({r.x, r.y, r.width, r.height});
+                     !p_.clock.passesThrough() && p_.shadow.activeQueries == 0 &&
+                     p_.shadow.group.contexts == 1 && !p_.flusher.batch.waiting().wideColors &&
+                     cleared.covers({r.x, r.y, r.width, r.height});
   if (!waits) return false;
   const UnresolvedPicture::Cleared kept = cleared;
   p_.flusher.settle();

@@ -25,7 +25,7 @@ bool isAskedFor(GLenum target) {
 /// the real OpenGL's alone.
 bool isHeldBack(const Context& c, GLenum target, const Buffer* buffer) {
   if (buffer && (buffer->readBelow || buffer->foreign)) return false;
-  return !c.clock.direct() && (target == GL_ARRAY_BUFFER || target == GL_ELEMENT_ARRAY_BUFFER);
+  return !c.clock.passesThrough() && (target == GL_ARRAY_BUFFER || target == GL_ELEMENT_ARRAY_BUFFER);
 }
 
 bool isRange(const Buffer& buffer, GLintptr offset, GLsizeiptr size) {

@@ -12,7 +12,7 @@
 #include <cstring>
 
 namespace gluray::gl {
-namespace leaf {
+namespace vertexcall {
 
 void slowAttribute(Slot slot, const float* values) noexcept {
   if (Context* c = t_thread.context) c->failsafe.insist([&] { c->immediate.attribute(slot, values); });
@@ -41,10 +41,10 @@ void vertexAttribSlow(GLuint index, float x, float y, float z, float w) noexcept
     c->errors.set(GL_INVALID_VALUE);
 }
 
-}  // namespace leaf
+}  // namespace vertexcall
 
 void Immediate::attribute(Slot slot, const float* values) {
-  if (p_.shadow.info.off || p_.shadow.info.core || (p_.clock.direct() && !p_.lists.compiling()))
+  if (p_.shadow.info.off || p_.shadow.info.core || (p_.clock.passesThrough() && !p_.lists.compiling()))
     return sendAttribute(p_.shadow.real, slot, values);
   if (inside_ == Inside::rasterised) {
     sendAttribute(p_.shadow.real, slot, values);
@@ -103,7 +103,7 @@ void Immediate::vertex(float x, float y, float z, float w) {
   // glEnd.
   if (!p_.lists.compiling()) return;
   closeRun();
-  p_.lists.record([=](Context&) { leaf::vertex(x, y, z, w); }, true);
+  p_.lists.record([=](Context&) { vertexcall::vertex(x, y, z, w); }, true);
 }
 
 void Immediate::begin(GLenum mode) {
@@ -116,11 +116,11 @@ void Immediate::begin(GLenum mode) {
   if (p_.lists.compiling()) {
     if (kind != class_ && !stream_.empty()) closeRun();
     class_ = kind;
-  } else if (p_.clock.direct()) {
+  } else if (p_.clock.passesThrough()) {
     if (p_.counts.kinds()) p_.counts.kinds()->start();
     p_.passthrough.takes(DrawPath::immediate, kind, 0);  // end() knows its triangles
     openPrimitive_ = {mode, 0, 0};
-    t_thread.directVertices = 0;
+    t_thread.passthroughVertices = 0;
     inside_ = Inside::rasterised;
     p_.shadow.real.Begin(mode);
     return p_.attention.update();
@@ -155,7 +155,7 @@ void Immediate::begin(GLenum mode) {
 }
 
 void Immediate::countOpenPrimitive() {
-  if (p_.clock.direct()) openPrimitive_.count += t_thread.directVertices;
+  if (p_.clock.passesThrough()) openPrimitive_.count += t_thread.passthroughVertices;
   const uint64_t triangles = countTriangles(openPrimitive_.mode, openPrimitive_.count);
   p_.counts.statistics.trianglesRasterised += triangles;
   p_.counts.load(triangles);
@@ -234,9 +234,9 @@ void Immediate::rasterElement(GLint i) {
 }
 
 const float* Immediate::current(Slot slot) {
-  if (p_.shadow.dirty & kCurrent && !p_.clock.direct()) p_.shadow.refresh(kCurrent);
+  if (p_.shadow.dirty & kCurrent && !p_.clock.passesThrough()) p_.shadow.refresh(kCurrent);
   if ((open_ || p_.lists.compiling()) && stream_.has(slot)) return stream_.get(slot);
-  if (p_.clock.direct()) {
+  if (p_.clock.passesThrough()) {
     p_.shadow.current.read(p_.shadow.real, slot);
     p_.shadow.latch.restore(p_.shadow.real);
   }

@@ -28,7 +28,7 @@ inline void sendGrid(VertexStream& stream, uint32_t side) {
   forEachCorner(side, [&](uint32_t x, uint32_t y) {
     const float normal[3] = {height(x, y), 0, 1};
     if (stream.has(kNormal)) stream.set(kNormal, normal);
-    // As the leaf path does.
+    // As vertex attribute calls does.
     if (stream.hasRoom())
       stream.vertex(static_cast<float>(x), static_cast<float>(y), height(y, x));
     else

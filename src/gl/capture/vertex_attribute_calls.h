@@ -1,13 +1,13 @@
-// The leaf path: attributes and vertices, called millions of times a frame. Nothing but a thread-local read,
-// a test and a few stores; everything unusual goes to Context through one out-of-line call. Any thread with a
-// current context.
+// Vertex attribute calls: attributes and vertices, called millions of times a frame. Nothing but a
+// thread-local read, a test and a few stores; everything unusual goes to Context through one out-of-line
+// call. Any thread with a current context.
 #pragma once
 #include "gl/capture/vertex_stream.h"
 #include "gl/thread_state.h"
 
 #include <GL/gl.h>
 
-namespace gluray::gl::leaf {
+namespace gluray::gl::vertexcall {
 
 /// The unusual cases: no run, slot not in the run, passthrough, rasterised glBegin.
 void slowAttribute(Slot slot, const float* values) noexcept;
@@ -53,4 +53,4 @@ inline void vertexAttrib(GLuint i, float x, float y = 0, float z = 0, float w = 
     vertexAttribSlow(i, x, y, z, w);
 }
 
-}  // namespace gluray::gl::leaf
+}  // namespace gluray::gl::vertexcall

@@ -1,6 +1,6 @@
 // Collects the vertices between glBegin and glEnd, over as many pairs as share their state ("a run").
-// Used by the GL thread that owns the context; a thread of WeldBehind may help. The inline part is the leaf
-// path.
+// Used by the GL thread that owns the context; a thread of WeldBehind may help. The inline part is that of
+// vertex attribute calls.
 #pragma once
 #include "gl/capture/captured_vertices.h"
 #include "gl/capture/stream_weld.h"
@@ -105,7 +105,7 @@ class VertexStream {
   WeldBehind behind_;
   float* cursor_ = nullptr;
   uint32_t room_ = 0;   // vertices that fit before grow() must be called
-  uint32_t limit_ = 0;  // the same for the leaf path; 0 while it must not append
+  uint32_t limit_ = 0;  // the same for vertex attribute calls; 0 while it must not append
   bool insidePrimitive_ = false;
   GLenum mode_ = 0;
   uint32_t first_ = 0;                         // of the open primitive, in vertices sent

@@ -85,7 +85,7 @@ TEST(VertexStream, KeepsWOnlyWhereSomeVertexHasOne) {
   stream.begin(GL_POINTS);
   stream.vertexSlow(1, 2, 3, 4);
   stream.vertexSlow(1, 2, 3, 1);
-  EXPECT_FALSE(stream.hasRoom()) << "the leaf path would forget w";
+  EXPECT_FALSE(stream.hasRoom()) << "vertex attribute calls would forget w";
   stream.end();
   const CapturedVertices c = stream.take();
   const uint32_t at = c.layout.offset[kPositionW];

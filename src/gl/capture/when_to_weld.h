@@ -1,12 +1,14 @@
-// From which vertex on a run's equal vertices are found while they arrive. Owned by Immediate, GL thread.
+// Decides from which vertex on a run is welded while it arrives. Owned by Immediate, GL thread.
 #pragma once
 #include <cstdint>
 
 namespace gluray::gl {
 
-/// Lists are drawn again and again: welding pays. What comes in every frame is captured and compared sooner
-/// than welded, but memory is for runs of a gigabyte or so: what exceeds that is welded, and its like in
-/// later frames from the beginning, while it arrives.
+/// When a run starts to be welded, that is, when vertices that are equal begin to share one number.
+/// Runs of display lists are drawn many times: they are welded from kWorthWelding vertices on. Runs outside
+/// lists arrive anew in every frame, and comparing them with the last frame's is cheaper than welding; they
+/// are welded only from kTooLarge vertices on, where unwelded ones would not fit into memory. The frames
+/// after such a run weld from kWorthWelding vertices on.
 class WhenToWeld {
  public:
   static constexpr uint32_t kWorthWelding = 1u << 16, kTooLarge = 56'000'000;  // vertices

@@ -233,8 +233,8 @@ bool CoplanarSurfaces::meets(const scene::MeshPtr& mesh, const SurfacePlace& pla
   if (!sheet) return false;
   bool met = isRemembered(mesh->geometryId), metNow = false;
   for (const Sheet& other : sheets_) {
-    // Where both met others in this layer, nothing more is to be found.
-    if (metNow && isRemembered(other.mesh->geometryId) && metIn_[other.mesh->geometryId] == layer_) continue;
+    // Where both met others in this depth epoch, nothing more is to be found.
+    if (metNow && isRemembered(other.mesh->geometryId) && metIn_[other.mesh->geometryId] == epoch_) continue;
     if (!overlap(other, *sheet)) continue;
     found_ = found_ || !met || !isRemembered(other.mesh->geometryId);
     met = metNow = true;
@@ -248,20 +248,20 @@ void CoplanarSurfaces::clear() {
   if (sheets_.empty()) return;
   sheets_.clear();
   work_ = 0;
-  ++layer_;
+  ++epoch_;
 }
 
 void CoplanarSurfaces::remember(const Hash128& geometry) {
   constexpr size_t kMost = 4096;  // more are old ones that are drawn no more
   if (metIn_.size() > kMost) metIn_.clear();
-  metIn_[geometry] = layer_;
+  metIn_[geometry] = epoch_;
 }
 
 bool CoplanarSurfaces::isRemembered(const Hash128& geometry) {
-  constexpr uint64_t kRemembered = 100;  // layers
+  constexpr uint64_t kRemembered = 100;  // epochs
   const auto met = metIn_.find(geometry);
   if (met == metIn_.end()) return false;
-  if (layer_ <= met->second + kRemembered) return true;
+  if (epoch_ <= met->second + kRemembered) return true;
   metIn_.erase(met);
   return false;
 }

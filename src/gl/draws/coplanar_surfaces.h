@@ -27,20 +27,22 @@ struct SurfacePlace {
 class CoplanarSurfaces {
  public:
   /// Whether `mesh`, which is about to be drawn and could be traced, is a sheet that overlaps another of the
-  /// layer in its plane, or was found to be one in the last hundred layers. Triangles that are equal do not
-  /// count: their depths are. Meshes of more than kMostTriangles, and sheets after the first kMostSheets of a
-  /// layer, are not looked at.
+  /// depth epoch in its plane, or was found to be one in the last hundred epochs. Triangles that are equal do
+  /// not count: their depths are. Meshes of more than kMostTriangles, and sheets after the first kMostSheets
+  /// of a depth epoch, are not looked at.
   bool meets(const scene::MeshPtr& mesh, const SurfacePlace& place);
-  /// Whether something drawn in this layer was found to meet a sheet for the first time, since the last call.
+  /// Whether something drawn in this depth epoch was found to meet a sheet for the first time, since the last
+  /// call.
   bool takeFound() { return std::exchange(found_, false); }
-  /// Depth was cleared, or the frame ended: a new layer begins.
+  /// Depth was cleared, or the frame ended: a new depth epoch begins.
   void clear();
-  /// Triangles that were read, and pairs of them that were compared, to tell sheets of this layer apart.
+  /// Triangles that were read, and pairs of them that were compared, to tell sheets of this depth epoch
+  /// apart.
   uint64_t work() const { return work_; }
 
   static constexpr uint32_t kMostTriangles = 4096;
   static constexpr size_t kMostSheets = 512;
-  /// Of a layer. Beyond it sheets whose bounds overlap in one plane are taken for overlapping.
+  /// Of a depth epoch. Beyond it sheets whose bounds overlap in one plane are taken for overlapping.
   static constexpr uint64_t kMostWork = 1 << 20;
 
  private:
@@ -70,10 +72,10 @@ class CoplanarSurfaces {
   void remember(const Hash128& geometry);
   bool isRemembered(const Hash128& geometry);
 
-  std::vector<Sheet> sheets_;  // of this layer
+  std::vector<Sheet> sheets_;  // of this depth epoch
   bool found_ = false;
-  uint64_t layer_ = 0, work_ = 0;
-  std::unordered_map<Hash128, uint64_t> metIn_;                    // geometry -> last layer
+  uint64_t epoch_ = 0, work_ = 0;
+  std::unordered_map<Hash128, uint64_t> metIn_;                    // geometry -> last depth epoch
   std::unordered_map<Hash128, std::optional<glm::dvec4>> planes_;  // by geometry
 };
 

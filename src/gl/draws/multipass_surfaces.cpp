@@ -111,7 +111,7 @@ void MultipassSurfaces::clear(std::optional<uint32_t> framebuffer) {
   else
     rasterisedByProgram_.clear();
   if (surfaces_.empty()) return;
-  ++layer_;
+  ++epoch_;
   if (!byProgram_ || !framebuffer) {
     surfaces_.clear();
     rasterised_ = byProgram_ = false;
@@ -204,7 +204,7 @@ bool MultipassSurfaces::meetsRasterised(const scene::Mesh& mesh, const glm::dmat
 void MultipassSurfaces::remember(const Hash128& geometry) {
   constexpr size_t kMost = 4096;  // more are old ones that are drawn no more
   if (metIn_.size() > kMost) metIn_.clear();
-  metIn_[geometry] = layer_;
+  metIn_[geometry] = epoch_;
 }
 
 void MultipassSurfaces::rasterisedByProgram(uint32_t framebuffer, uint64_t count,
@@ -232,7 +232,7 @@ bool MultipassSurfaces::several(const Hash128& geometry) {
   if (metIn_.empty()) return false;
   const auto met = metIn_.find(geometry);
   if (met == metIn_.end()) return false;
-  if (layer_ <= met->second + kRemembered) return true;
+  if (epoch_ <= met->second + kRemembered) return true;
   metIn_.erase(met);
   return false;
 }

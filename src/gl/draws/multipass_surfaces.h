@@ -1,9 +1,10 @@
-// Surfaces that are drawn more than once in a layer: once traced, once by the real OpenGL (blended, with
-// GL_EQUAL, depth alone in advance ...). MultipassSurfaces must meet the depth that rasterising leaves, to
-// the bit: such surfaces are rasterised in every pass, and where one was traced before its first pass came,
-// its depth is drawn again. What fixed function draws is known by its modelview matrix; what shader programs
-// draw, by the framebuffer and the number of triangles, since a program that is not known has its matrices
-// anywhere. Owned by Context, GL thread.
+// Surfaces that a program draws several times in one depth epoch, for instance first depth alone, then
+// colours with GL_EQUAL. Later passes compare with the depth of the first one, to the bit, and traced depth
+// differs from rasterised depth in the last bits. So such surfaces are rasterised in every pass. Where the
+// first pass was traced before a second one was known, its depth is drawn again by the real OpenGL.
+// Surfaces of the fixed-function pipeline are recognised by their modelview matrix. Surfaces of shader
+// programs are recognised by their framebuffer and number of triangles, because the matrices of an unknown
+// program are unknown. Owned by Context, GL thread.
 #pragma once
 #include "base/hash.h"
 #include "gl/capture/captured_vertices.h"
@@ -29,10 +30,11 @@ using Triangle = std::array<glm::vec3, 3>;
 std::vector<Triangle> sampleTriangles(const scene::Mesh& mesh);
 std::vector<Triangle> sampleTriangles(const CapturedVertices& captured);
 
-/// Whether a point is a vertex of a mesh; of others that says so about one in sixty.
+/// The vertices of a mesh as a Bloom filter, 1/60 false positives.
 class VertexSet {
  public:
   explicit VertexSet(const scene::Mesh& mesh);
+  /// False: the point is no vertex of the mesh.
   bool mayHold(const glm::vec3& point) const;
 
  private:
@@ -55,31 +57,31 @@ struct DepthRedraw {
 class MultipassSurfaces {
  public:
   enum class How : uint8_t { pending, traced, rasterised };  // pending: in a batch that waits to be traced
-  /// A surface was drawn in this layer; `pushedBack`: by a polygon offset, so that what comes without one
-  /// wins.
+  /// A surface was drawn in this depth epoch; `pushedBack`: by a polygon offset, so that what comes without
+  /// one wins.
   void drawn(const scene::MeshPtr& mesh, const glm::dmat4& eyeFromObject, How how, bool pushedBack);
   /// The same of a surface that a shader program draws, into `framebuffer`; it waits to be traced.
   void drawnByProgram(const scene::MeshPtr& mesh, const glm::dmat4& eyeFromObject,
                       const glm::dmat4& clipFromObject, uint32_t framebuffer, bool pushedBack);
   /// The pending batch was traced or, where `snapshot` is null, rasterised.
   void flushed(const scene::SnapshotPtr& snapshot);
-  /// Depth of `framebuffer` was cleared, or the frame ended: a new layer begins.
+  /// Depth of `framebuffer` was cleared, or the frame ended: a new depth epoch begins.
   void clear(std::optional<uint32_t> framebuffer = {});
-  /// Forgets the layer where it has more surfaces than frames have: nobody may ever clear its depth.
+  /// Forgets the depth epoch where it has more surfaces than frames have: nobody may ever clear its depth.
   void forgetMany();
-  /// Whether shader programs have drawn surfaces of the layer.
+  /// Whether shader programs have drawn surfaces of the depth epoch.
   bool anyByProgram() const { return byProgram_ || !rasterisedByProgram_.empty(); }
   /// Whether one of these, in `framebuffer`, has so many triangles.
   bool anyByProgram(uint32_t framebuffer, uint64_t triangles) const;
-  /// Whether any surface of the layer was drawn with this modelview matrix.
+  /// Whether any surface of the depth epoch was drawn with this modelview matrix.
   bool anyUnder(const glm::dmat4& eyeFromObject) const;
 
-  /// Whether `mesh`, which could be traced, lies upon a surface of the layer that was rasterised. Both are
-  /// then remembered.
+  /// Whether `mesh`, which could be traced, lies upon a surface of the depth epoch that was rasterised. Both
+  /// are then remembered.
   bool meetsRasterised(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject, bool pushedBack);
 
   enum class Meeting { none, drawn, pending };
-  /// Whether one of the triangles, about to be drawn, lies upon a surface of the layer that was not pushed
+  /// Whether one of the triangles, about to be drawn, lies upon a surface of the epoch that was not pushed
   /// back further; that surface is remembered as drawn in several passes. `pending`: it still waits to be
   /// traced.
   Meeting meets(const glm::dmat4& eyeFromObject, std::span<const Triangle> triangles, bool pushedBack);
@@ -98,7 +100,8 @@ class MultipassSurfaces {
   /// The surfaces that meets() and meetsProgram() have found to be traced already, each once. They count as
   /// rasterised from then on.
   std::vector<DepthRedraw> takeTraced();
-  /// Whether the geometry was found to be drawn in several passes, in this layer or one of the last hundred.
+  /// Whether the geometry was found to be drawn in several passes, in this depth epoch or one of the last
+  /// hundred.
   bool several(const Hash128& geometry);
 
  private:
@@ -118,7 +121,7 @@ class MultipassSurfaces {
     std::optional<glm::dmat4> clipFromObject;  // if it is known
     bool pushedBack;
   };
-  static constexpr size_t kMostRasterised = 1024;  // in a layer
+  static constexpr size_t kMostRasterised = 1024;  // in a depth epoch
   /// Whether one of the triangles has all its corners among the surface's.
   bool liesUpon(const Surface& surface, const glm::dmat4& eyeFromObject, std::span<const Triangle> triangles);
   bool holdsSome(const scene::Mesh& mesh, std::span<const Triangle> triangles);
@@ -131,8 +134,8 @@ class MultipassSurfaces {
   bool rasterised_ = false;                                            // some of them were
   bool byProgram_ = false;                                             // some are of shader programs
   std::vector<Rasterised> rasterisedByProgram_;
-  uint64_t layer_ = 0;
-  std::unordered_map<Hash128, uint64_t> metIn_;  // geometry -> last layer in which a pass met it
+  uint64_t epoch_ = 0;
+  std::unordered_map<Hash128, uint64_t> metIn_;  // geometry -> last epoch in which a pass met it
   std::unordered_map<Hash128, std::unique_ptr<VertexSet>> vertices_;  // by geometry
 };
 

@@ -122,7 +122,7 @@ Reason LayerDraws::triagePeel(PrimitiveClass kind) {
   LayersTarget& target = peeling_.target;
   // Labels, which turn with the viewer: they would be new meshes in every frame.
   const auto isQuad = [](const ProgramDraw& draw) {
-    return draw.mode != GL_POINTS && trianglesOf(draw) <= 2;  // points may be figures
+    return draw.mode != GL_POINTS && trianglesOf(draw) <= 2;  // points may be impostors
   };
   if (std::all_of(target.depths.draws.begin(), target.depths.draws.end(), isQuad)) return Reason::programPass;
   std::vector<HeldPass::Output> outputs = outputsOf(p_.shadow.real);

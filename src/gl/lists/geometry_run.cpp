@@ -101,7 +101,7 @@ void GeometryRun::execute(Context& context) {
     return context.errors.set(GL_INVALID_OPERATION);
   if (!captured_.primitives.empty()) {
     context.immediate.closeRunIfOpen();
-    if (!context.clock.direct() || !drawDirectly(context)) draw(context);
+    if (!context.clock.passesThrough() || !drawDirectly(context)) draw(context);
   }
   for (int s = kNormal; s < kSlotCount; ++s) {
     const auto slot = static_cast<Slot>(s);

@@ -20,8 +20,8 @@ bool CurrentProgram::drawsImpostors(GLenum mode) const {
   const GLuint inUse = name();
   if (inUse == 0) return false;
   const auto program = known(inUse);
-  if (!program || !program->family || !program->family->figures.given()) return false;
-  return (mode == GL_LINES) == (program->family->figures.shape == scene::Shape::tubes);
+  if (!program || !program->family || !program->family->impostors.given()) return false;
+  return (mode == GL_LINES) == (program->family->impostors.shape == scene::Shape::tubes);
 }
 
 }  // namespace gluray::gl

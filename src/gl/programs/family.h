@@ -54,19 +54,19 @@ struct FamilyPbr {
   bool given() const { return roughness.given(); }
 };
 
-/// Round figures that the program cuts out of the cards that its geometry shader makes of points.
-struct FamilyFigures {
+/// Round impostors that the program cuts out of the billboards that its geometry shader makes of points.
+struct FamilyImpostors {
   scene::Shape shape = scene::Shape::triangles;  // that: none
   FamilyValue radius;                            // `uniform` may be an attribute's name
   std::string axis;                              // attribute, as long as the cylinder
   FamilyValue inside;                            // below 0: the far side of spheres is seen
   FamilyValue radiusDivisor;
-  scene::Figures::Cards cards = scene::Figures::Cards::silhouette;
+  scene::Impostors::Billboards billboards = scene::Impostors::Billboards::silhouette;
   bool fades = false;
   bool grows = false;                              // of tubes
-  FamilyValue size, bulge, bulgeDepth, depthBias;  // of beads and tubes: scene::Figures
+  FamilyValue size, bulge, bulgeDepth, depthBias;  // of beads and tubes: scene::Impostors
   FamilyValue scale;                               // times the radius; splats
-  FamilyValue cardScale;                           // of splats' cards, in radii
+  FamilyValue billboardScale;                      // of splats' billboards, in radii
   std::string projection;                          // uniform matrix that splats are projected by
   bool given() const { return shape != scene::Shape::triangles; }
 };
@@ -145,8 +145,8 @@ struct Family {
   bool edgesGrow = true;        // corners are moved outwards; otherwise they stay
   std::string edgeViewport;     // uniform: x, y, width, height, as the shader takes the viewport to be
   bool geometryShader = false;  // programs of the family have one
-  FamilyFigures figures;
-  bool clipCenters = false;  // clip planes cut figures away by their centres, or leave them whole
+  FamilyImpostors impostors;
+  bool clipCenters = false;  // clip planes cut impostors away by their centres, or leave them whole
   std::string clipPlanes, clipPlaneCount;  // uniform array of planes in object space, how many of them count
   FamilyValue depthOffset, depthFactor;    // added to window depth: offset, and factor times its slope
 

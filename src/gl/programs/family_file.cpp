@@ -36,7 +36,7 @@ class FamilyReader : FamilyTable {
     section("back_material", [&] { readMaterial(family_.backMaterial); });
     section("lights", [&] { readLights(); });
     section("pbr", [&] { readPbr(); });
-    section("figures", [&] { readFigures(); });
+    section(has("figures") ? "figures" : "impostors", [&] { readImpostors(); });  // figures: the older word
     section("clip", [&] {
       name("planes", family_.clipPlanes), name("count", family_.clipPlaneCount);
       flag("centers", family_.clipCenters);
@@ -56,22 +56,22 @@ class FamilyReader : FamilyTable {
     if (traced && (family_.position.empty() || family_.clipFromObject.empty()))
       fail(here(), "family \"" + family_.name +
                        "\" needs vertex.position and transform.clip_from_object, or match.rasterise");
-    if (family_.figures.given() && !family_.clipPlanes.empty() && !family_.clipCenters)
-      fail(here(), "family \"" + family_.name + "\": of figures, clip.planes need clip.centers = true");
-    if (family_.figures.given() && !(family_.textures.empty() && family_.edgeFlags.empty()))
-      fail(here(), "family \"" + family_.name + "\": figures have neither textures nor edges");
-    const bool pixels = scene::isSizedInPixels(family_.figures.shape);
-    if (scene::isInWindow(family_.figures.shape) &&
+    if (family_.impostors.given() && !family_.clipPlanes.empty() && !family_.clipCenters)
+      fail(here(), "family \"" + family_.name + "\": of impostors, clip.planes need clip.centers = true");
+    if (family_.impostors.given() && !(family_.textures.empty() && family_.edgeFlags.empty()))
+      fail(here(), "family \"" + family_.name + "\": impostors have neither textures nor edges");
+    const bool pixels = scene::isSizedInPixels(family_.impostors.shape);
+    if (scene::isInWindow(family_.impostors.shape) &&
         (family_.depthOffset.given() || family_.depthFactor.given()))
       fail(here(), "family \"" + family_.name +
-                       "\": beads, tubes and splats have figures.depth_bias instead of depth");
-    const bool splats = family_.figures.shape == scene::Shape::splats;
-    if (splats == family_.figures.projection.empty())
-      fail(here(), "family \"" + family_.name + "\": splats, and they alone, need figures.projection");
-    if (family_.figures.given() && !pixels && !family_.figures.radius.given())
-      fail(here(), "family \"" + family_.name + "\" needs figures.radius");
-    if (family_.figures.shape == scene::Shape::cylinders && family_.figures.axis.empty())
-      fail(here(), "family \"" + family_.name + "\" needs figures.axis");
+                       "\": beads, tubes and splats have impostors.depth_bias instead of depth");
+    const bool splats = family_.impostors.shape == scene::Shape::splats;
+    if (splats == family_.impostors.projection.empty())
+      fail(here(), "family \"" + family_.name + "\": splats, and they alone, need impostors.projection");
+    if (family_.impostors.given() && !pixels && !family_.impostors.radius.given())
+      fail(here(), "family \"" + family_.name + "\" needs impostors.radius");
+    if (family_.impostors.shape == scene::Shape::cylinders && family_.impostors.axis.empty())
+      fail(here(), "family \"" + family_.name + "\" needs impostors.axis");
   }
 
  private:
@@ -167,10 +167,10 @@ class FamilyReader : FamilyTable {
     name("cone_angle", l.coneAngle);
     name("exponent", l.exponent);
   }
-  void readFigures() {
+  void readImpostors() {
     using scene::Shape;
-    using Cards = scene::Figures::Cards;
-    FamilyFigures& f = family_.figures;
+    using Billboards = scene::Impostors::Billboards;
+    FamilyImpostors& f = family_.impostors;
     choice("shape",
            {{"spheres", Shape::spheres},
             {"discs", Shape::discs},
@@ -179,14 +179,17 @@ class FamilyReader : FamilyTable {
             {"tubes", Shape::tubes},
             {"splats", Shape::splats}},
            f.shape);
-    if (!f.given()) fail(here(), "figures need a shape");
-    choice("cards",
-           {{"silhouette", Cards::silhouette}, {"triangle", Cards::triangle}, {"faces", Cards::faces}},
-           f.cards);
-    if ((f.cards == Cards::faces) && f.shape != Shape::cylinders)
-      fail(at("cards"), "cards = \"faces\" are those of cylinders");
-    if (f.cards == Cards::triangle && f.shape == Shape::cylinders)
-      fail(at("cards"), "cylinders have no cards = \"triangle\"");
+    if (!f.given()) fail(here(), "impostors need a shape");
+    const char* const billboards = has("cards") ? "cards" : "billboards";  // cards: the older word
+    choice(billboards,
+           {{"silhouette", Billboards::silhouette},
+            {"triangle", Billboards::triangle},
+            {"faces", Billboards::faces}},
+           f.billboards);
+    if ((f.billboards == Billboards::faces) && f.shape != Shape::cylinders)
+      fail(at(billboards), "billboards = \"faces\" are those of cylinders");
+    if (f.billboards == Billboards::triangle && f.shape == Shape::cylinders)
+      fail(at(billboards), "cylinders have no billboards = \"triangle\"");
     value("radius", f.radius);
     name("axis", f.axis);
     value("inside", f.inside);
@@ -198,7 +201,7 @@ class FamilyReader : FamilyTable {
     value("bulge_depth", f.bulgeDepth);
     value("depth_bias", f.depthBias);
     value("scale", f.scale);
-    value("card_scale", f.cardScale);
+    value(has("card_scale") ? "card_scale" : "billboard_scale", f.billboardScale);
     name("projection", f.projection);
     const bool pixels = scene::isSizedInPixels(f.shape);
     if (pixels && !(f.bulge.given() && f.bulgeDepth.given()))

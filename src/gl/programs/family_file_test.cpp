@@ -35,51 +35,53 @@ TEST(FamilyFile, TheLeastThereCanBe) {
   EXPECT_EQ(f.mentioned, (std::set<std::string, std::less<>>{"p", "m"}));
 }
 
-TEST(FamilyFile, FigureKeys) {
+TEST(FamilyFile, ImpostorKeys) {
   const Family f = parsed(
-      "figures.shape = \"cylinders\"\nfigures.radius = \"r\"\nfigures.axis = \"a\"\nfigures.cards = "
+      "impostors.shape = \"cylinders\"\nimpostors.radius = \"r\"\nimpostors.axis = "
+      "\"a\"\nimpostors.billboards = "
       "\"faces\"\n"
-      "figures.inside = \"i\"\nfigures.radius_divisor = 2\nfigures.fades = true\nclip.centers = true\n");
-  EXPECT_EQ(f.figures.shape, scene::Shape::cylinders);
-  EXPECT_EQ(f.figures.cards, scene::Figures::Cards::faces);
-  EXPECT_EQ(f.figures.radius.uniform, "r");
-  EXPECT_EQ(f.figures.axis, "a");
-  EXPECT_EQ(f.figures.inside.uniform, "i");
-  EXPECT_EQ(f.figures.radiusDivisor.constant, Numbers{2});
-  EXPECT_TRUE(f.figures.fades && f.clipCenters && f.figures.given());
+      "impostors.inside = \"i\"\nimpostors.radius_divisor = 2\nimpostors.fades = true\nclip.centers = "
+      "true\n");
+  EXPECT_EQ(f.impostors.shape, scene::Shape::cylinders);
+  EXPECT_EQ(f.impostors.billboards, scene::Impostors::Billboards::faces);
+  EXPECT_EQ(f.impostors.radius.uniform, "r");
+  EXPECT_EQ(f.impostors.axis, "a");
+  EXPECT_EQ(f.impostors.inside.uniform, "i");
+  EXPECT_EQ(f.impostors.radiusDivisor.constant, Numbers{2});
+  EXPECT_TRUE(f.impostors.fades && f.clipCenters && f.impostors.given());
   EXPECT_TRUE(f.mentions("r") && f.mentions("a") && f.mentions("i"));
-  EXPECT_FALSE(parsed().figures.given());
-  EXPECT_NE(mistakeIn("figures.radius = 1").find("figures need a shape"), std::string::npos);
-  EXPECT_NE(mistakeIn("figures.shape = \"cubes\"").find("spheres, discs, cylinders"), std::string::npos);
-  const std::string sphere = "figures.shape = \"spheres\"\nfigures.radius = 1\n";
+  EXPECT_FALSE(parsed().impostors.given());
+  EXPECT_NE(mistakeIn("impostors.radius = 1").find("impostors need a shape"), std::string::npos);
+  EXPECT_NE(mistakeIn("impostors.shape = \"cubes\"").find("spheres, discs, cylinders"), std::string::npos);
+  const std::string sphere = "impostors.shape = \"spheres\"\nimpostors.radius = 1\n";
   EXPECT_EQ(mistakeIn(sphere), "none");
   EXPECT_NE(mistakeIn(sphere + "clip.planes = \"c\"").find("clip.centers"), std::string::npos);
   EXPECT_NE(mistakeIn(sphere + "color.textures = \"t\"").find("neither textures"), std::string::npos);
-  EXPECT_NE(mistakeIn("figures.shape = \"spheres\"").find("needs figures.radius"), std::string::npos);
-  EXPECT_NE(mistakeIn("figures.shape = \"cylinders\"\nfigures.radius = 1").find("needs figures.axis"),
+  EXPECT_NE(mistakeIn("impostors.shape = \"spheres\"").find("needs impostors.radius"), std::string::npos);
+  EXPECT_NE(mistakeIn("impostors.shape = \"cylinders\"\nimpostors.radius = 1").find("needs impostors.axis"),
             std::string::npos);
-  EXPECT_NE(mistakeIn("figures.shape = \"spheres\"\nfigures.cards = \"faces\"\nfigures.radius = 1")
+  EXPECT_NE(mistakeIn("impostors.shape = \"spheres\"\nimpostors.billboards = \"faces\"\nimpostors.radius = 1")
                 .find("those of cylinders"),
             std::string::npos);
 }
 
 TEST(FamilyFile, BeadsAndTubes) {
-  const std::string round = "figures.bulge = \"r\"\nfigures.bulge_depth = \"s\"\n";
+  const std::string round = "impostors.bulge = \"r\"\nimpostors.bulge_depth = \"s\"\n";
   const Family f = parsed(round +
-                          "figures.shape = \"tubes\"\nfigures.size = \"w\"\nfigures.grows = true\n"
-                          "figures.depth_bias = \"o\"\n");
-  EXPECT_EQ(f.figures.shape, scene::Shape::tubes);
-  EXPECT_EQ(f.figures.size.uniform, "w");
-  EXPECT_EQ(f.figures.bulge.uniform, "r");
-  EXPECT_EQ(f.figures.bulgeDepth.uniform, "s");
-  EXPECT_EQ(f.figures.depthBias.uniform, "o");
-  EXPECT_TRUE(f.figures.grows && f.mentions("w") && f.mentions("r") && f.mentions("s") && f.mentions("o"));
-  const std::string beads = round + "figures.shape = \"beads\"\n";
+                          "impostors.shape = \"tubes\"\nimpostors.size = \"w\"\nimpostors.grows = true\n"
+                          "impostors.depth_bias = \"o\"\n");
+  EXPECT_EQ(f.impostors.shape, scene::Shape::tubes);
+  EXPECT_EQ(f.impostors.size.uniform, "w");
+  EXPECT_EQ(f.impostors.bulge.uniform, "r");
+  EXPECT_EQ(f.impostors.bulgeDepth.uniform, "s");
+  EXPECT_EQ(f.impostors.depthBias.uniform, "o");
+  EXPECT_TRUE(f.impostors.grows && f.mentions("w") && f.mentions("r") && f.mentions("s") && f.mentions("o"));
+  const std::string beads = round + "impostors.shape = \"beads\"\n";
   EXPECT_EQ(mistakeIn(beads), "none");
-  EXPECT_NE(mistakeIn(beads + "figures.size = 1").find("need size"), std::string::npos);
-  EXPECT_NE(mistakeIn(round + "figures.shape = \"tubes\"").find("need size"), std::string::npos);
-  EXPECT_NE(mistakeIn("figures.shape = \"beads\"").find("need bulge"), std::string::npos);
-  EXPECT_NE(mistakeIn(beads + "depth.offset = \"o\"").find("figures.depth_bias"), std::string::npos);
+  EXPECT_NE(mistakeIn(beads + "impostors.size = 1").find("need size"), std::string::npos);
+  EXPECT_NE(mistakeIn(round + "impostors.shape = \"tubes\"").find("need size"), std::string::npos);
+  EXPECT_NE(mistakeIn("impostors.shape = \"beads\"").find("need bulge"), std::string::npos);
+  EXPECT_NE(mistakeIn(beads + "depth.offset = \"o\"").find("impostors.depth_bias"), std::string::npos);
 }
 
 TEST(FamilyFile, WhereANameStandsItsAlternativesMayStandToo) {
@@ -110,19 +112,19 @@ TEST(FamilyFile, NeutralValues) {
 }
 
 TEST(FamilyFile, Splats) {
-  const std::string least = "figures.shape = \"splats\"\nfigures.radius = \"r\"\n";
-  const Family f =
-      parsed(least + "figures.projection = \"pm\"\nfigures.scale = \"s\"\nfigures.card_scale = \"c\"\n");
-  EXPECT_EQ(f.figures.shape, scene::Shape::splats);
-  EXPECT_EQ(f.figures.projection, "pm");
-  EXPECT_EQ(f.figures.scale.uniform, "s");
-  EXPECT_EQ(f.figures.cardScale.uniform, "c");
+  const std::string least = "impostors.shape = \"splats\"\nimpostors.radius = \"r\"\n";
+  const Family f = parsed(
+      least + "impostors.projection = \"pm\"\nimpostors.scale = \"s\"\nimpostors.billboard_scale = \"c\"\n");
+  EXPECT_EQ(f.impostors.shape, scene::Shape::splats);
+  EXPECT_EQ(f.impostors.projection, "pm");
+  EXPECT_EQ(f.impostors.scale.uniform, "s");
+  EXPECT_EQ(f.impostors.billboardScale.uniform, "c");
   EXPECT_TRUE(f.mentions("pm") && f.mentions("s") && f.mentions("c"));
-  EXPECT_NE(mistakeIn(least).find("need figures.projection"), std::string::npos);
-  const std::string bead = "figures.shape = \"beads\"\nfigures.bulge = 1\nfigures.bulge_depth = 1\n";
-  EXPECT_NE(mistakeIn(bead + "figures.projection = \"pm\"").find("need figures.projection"),
+  EXPECT_NE(mistakeIn(least).find("need impostors.projection"), std::string::npos);
+  const std::string bead = "impostors.shape = \"beads\"\nimpostors.bulge = 1\nimpostors.bulge_depth = 1\n";
+  EXPECT_NE(mistakeIn(bead + "impostors.projection = \"pm\"").find("need impostors.projection"),
             std::string::npos);
-  EXPECT_NE(mistakeIn(least + "figures.projection = \"pm\"\ndepth.offset = 1").find("figures.depth_bias"),
+  EXPECT_NE(mistakeIn(least + "impostors.projection = \"pm\"\ndepth.offset = 1").find("impostors.depth_bias"),
             std::string::npos);
 }
 

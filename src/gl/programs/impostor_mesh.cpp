@@ -1,4 +1,4 @@
-// Meshes of figures: what a shader program makes of points, or of separate lines.
+// Meshes of impostors: what a shader program makes of points, or of separate lines.
 #include "gl/arrays/array_indices.h"
 #include "gl/capture/mesh_builder.h"
 
@@ -38,8 +38,8 @@ Hash128 hashOf(const scene::Attribute& a, uint32_t count, Hash128 seed) {
 
 }  // namespace
 
-KnownMesh buildFigureMesh(const RealGl& real, const ArrayState& arrays, GLenum mode,
-                          const Elements& elements) {
+KnownMesh buildImpostorMesh(const RealGl& real, const ArrayState& arrays, GLenum mode,
+                            const Elements& elements) {
   const ArrayReader centers(real, arrays.vertex), radii(real, arrays.radius), axes(real, arrays.axis),
       colors(real, arrays.color), texcoords(real, arrays.texcoord);
   uint32_t available = centers.available();
@@ -65,7 +65,7 @@ KnownMesh buildFigureMesh(const RealGl& real, const ArrayState& arrays, GLenum m
   mesh->indices = numbersOf(taken, mesh->sizeBytes);
   const size_t corners = mesh->indices ? taken.numbers.size() : range.count();
   mesh->triangleCount = static_cast<uint32_t>(corners / scene::cornersOf(mesh->shape));
-  mesh->radius = arrays.figureRadius;
+  mesh->radius = arrays.impostorRadius;
   finishMesh(*mesh);
   const float form[] = {static_cast<float>(mesh->shape), mesh->radii ? 0 : mesh->radius};
   mesh->geometryId = hashBytes(form, sizeof form, mesh->geometryId);

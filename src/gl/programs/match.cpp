@@ -154,13 +154,13 @@ void needTypes(const Program& p, const Family& f, std::vector<std::string>& out)
   if (!f.rasteriseBecause.empty()) return;
   const TypeCheck check(p, out);
   for (const std::string* name :
-       {&f.position, &f.normal, &f.color, &f.texcoord, &f.mapTexcoord, &f.figures.axis})
+       {&f.position, &f.normal, &f.color, &f.texcoord, &f.mapTexcoord, &f.impostors.axis})
     check.attribute(*name);
   for (const auto& [name, value] : f.neutral) check.uniform(name, kPlain);
-  check.values({&f.figures.radius, &f.figures.inside, &f.figures.radiusDivisor, &f.figures.size,
-                &f.figures.bulge, &f.figures.bulgeDepth, &f.figures.depthBias, &f.figures.scale,
-                &f.figures.cardScale});
-  check.uniform(f.figures.projection, kMatrix);
+  check.values({&f.impostors.radius, &f.impostors.inside, &f.impostors.radiusDivisor, &f.impostors.size,
+                &f.impostors.bulge, &f.impostors.bulgeDepth, &f.impostors.depthBias, &f.impostors.scale,
+                &f.impostors.billboardScale});
+  check.uniform(f.impostors.projection, kMatrix);
   check.uniforms(f.clipFromObject, kMatrix), check.uniforms(f.eyeFromObject, kMatrix);
   check.uniform(f.normalMatrix, kLinear), check.uniform(f.viewer, kVector);
   check.uniform(f.parallelView, kNumber), check.uniform(f.triangleOffset, kNumber);
@@ -192,11 +192,11 @@ void needSources(const Program& p, const Family& f, std::vector<std::string>& ou
   if (!p.attribute(f.position)) out.push_back(about("lacks attribute ", f.position));
   for (const std::string& name : f.clipFromObject)
     if (!p.uniform(name)) out.push_back(about("lacks uniform ", name));
-  if (!f.figures.projection.empty() && !p.uniform(f.figures.projection))
-    out.push_back(about("lacks uniform ", f.figures.projection));
-  if (!f.figures.axis.empty() && !p.attribute(f.figures.axis))
-    out.push_back(about("lacks attribute ", f.figures.axis));
-  const bool normals = f.figures.given() || p.attribute(f.normal) || p.uniform(f.triangleNormals);
+  if (!f.impostors.projection.empty() && !p.uniform(f.impostors.projection))
+    out.push_back(about("lacks uniform ", f.impostors.projection));
+  if (!f.impostors.axis.empty() && !p.attribute(f.impostors.axis))
+    out.push_back(about("lacks attribute ", f.impostors.axis));
+  const bool normals = f.impostors.given() || p.attribute(f.normal) || p.uniform(f.triangleNormals);
   if (!normals && f.model != Family::Model::unlit && f.withoutNormals == Family::NoNormals::refuse)
     out.push_back(about("lacks attribute ", f.normal));
 }

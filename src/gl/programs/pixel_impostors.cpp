@@ -23,13 +23,13 @@ Reason readPointSize(const RealGl& real, bool core, State& state) {
   real.GetFloatv(GL_POINT_SIZE, &size);
   real.GetFloatv(core ? GL_POINT_SIZE_RANGE : GL_ALIASED_POINT_SIZE_RANGE, range);
   size = std::clamp(size, range[0], range[1]);
-  state.program.figures.size = glm::vec2(2 * size) / glm::vec2(state.viewport.z, state.viewport.w);
+  state.program.impostors.size = glm::vec2(2 * size) / glm::vec2(state.viewport.z, state.viewport.w);
   return Reason::traced;
 }
 
 /// Whether their depth is that of something round under the projection that they are drawn with.
 bool depthFits(const State& state) {
-  const scene::Figures& f = state.program.figures;
+  const scene::Impostors& f = state.program.impostors;
   const glm::dmat4 rows = glm::transpose(state.program.clipFromObject);
   const glm::dvec3 z(rows[2]), w(rows[3]);
   const bool parallel = w == glm::dvec3(0);
@@ -41,10 +41,10 @@ bool depthFits(const State& state) {
   return std::abs(end - f.bulgeDepth) <= kRounding * std::abs(end);
 }
 
-/// Bias alone moves splats, towards the viewer, and cards of one depth have no slope that an offset could
-/// follow.
+/// Bias alone moves splats, towards the viewer, and billboards of one depth have no slope that an offset
+/// could follow.
 Reason checkSplats(const State& state) {
-  const scene::Figures& f = state.program.figures;
+  const scene::Impostors& f = state.program.impostors;
   const glm::dmat4 rows = glm::transpose(state.program.clipFromObject);
   const bool parallel = glm::dvec3(rows[3]) == glm::dvec3(0);
   const bool sane = f.size.x != 0 && f.size.y != 0 && std::isfinite(f.size.x + f.size.y);
@@ -54,12 +54,12 @@ Reason checkSplats(const State& state) {
 
 }  // namespace
 
-Reason readPixelFigures(const RealGl& real, bool core, scene::Shape shape, State& state) {
+Reason readPixelImpostors(const RealGl& real, bool core, scene::Shape shape, State& state) {
   if (state.depthNear != 0 || state.depthFar != 1) return Reason::program;
   if (shape == scene::Shape::splats) return checkSplats(state);
   if (!depthFits(state)) return Reason::program;
   if (shape == scene::Shape::beads) return readPointSize(real, core, state);
-  const glm::vec2 size = state.program.figures.size;
+  const glm::vec2 size = state.program.impostors.size;
   if (!(size.x > 0 && size.y > 0) || !std::isfinite(size.x + size.y)) return Reason::program;
   return state.raster.offsetFill ? Reason::program : Reason::traced;
 }

@@ -8,8 +8,8 @@ namespace gluray::gl {
 
 struct State;
 
-/// Completes state.program.figures for a draw of figures of `shape`, which are computed in the window; why
-/// they cannot be traced, or Reason::traced. `core`: the context has no fixed function.
-Reason readPixelFigures(const RealGl& real, bool core, scene::Shape shape, State& state);
+/// Completes state.program.impostors for a draw of impostors of `shape`, which are computed in the window;
+/// why they cannot be traced, or Reason::traced. `core`: the context has no fixed function.
+Reason readPixelImpostors(const RealGl& real, bool core, scene::Shape shape, State& state);
 
 }  // namespace gluray::gl

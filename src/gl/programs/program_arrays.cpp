@@ -90,9 +90,9 @@ void readAttributes(const RealGl& real, ShareGroup& group, const KnownProgram* p
     const bool mapped = two || !program->program.attribute(family->texcoord);
     take(mapped ? mapTexcoord(program->program, *family) : family->texcoord, arrays.texcoord);
     if (two) arrays.texcoordsAbove.resize(1), take(family->texcoord, arrays.texcoordsAbove.front());
-    arrays.shape = family->figures.shape;
-    take(family->figures.radius.uniform, arrays.radius);
-    take(family->figures.axis, arrays.axis);
+    arrays.shape = family->impostors.shape;
+    take(family->impostors.radius.uniform, arrays.radius);
+    take(family->impostors.axis, arrays.axis);
   }
   const GLint most = integer(real, GL_MAX_VERTEX_ATTRIBS);
   for (GLint i = 0; i < most; ++i) {

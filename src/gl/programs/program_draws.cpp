@@ -11,15 +11,16 @@
 
 namespace gluray::gl {
 
-Reason ProgramDraws::triageFigures() {
-  p_.shadow.attributes.figureRadius = p_.shadow.state.program.figureRadius;
+Reason ProgramDraws::triageImpostors() {
+  p_.shadow.attributes.impostorRadius = p_.shadow.state.program.impostorRadius;
   if (p_.shadow.attributes.shape == scene::Shape::triangles) return Reason::traced;
-  // Cards have two sides, of which one may be culled. Points have none.
+  // Billboards have two sides, of which one may be culled. Points have none.
   if (p_.shadow.attributes.shape != scene::Shape::beads &&
       p_.shadow.state.raster.cull != scene::CullFace::none)
     return Reason::program;
   if (scene::isInWindow(p_.shadow.attributes.shape))
-    return readPixelFigures(p_.shadow.real, p_.shadow.info.core, p_.shadow.attributes.shape, p_.shadow.state);
+    return readPixelImpostors(p_.shadow.real, p_.shadow.info.core, p_.shadow.attributes.shape,
+                              p_.shadow.state);
   return Reason::traced;
 }
 
@@ -226,7 +227,7 @@ Reason ProgramDraws::add(const scene::MeshPtr& mesh, GLenum mode, const Elements
   instance.triangleEdges = program.triangleEdges;
   instance.triangleOffset = program.triangleOffset;
   instance.materials.push_back(program.material);
-  instance.figures = program.figures;
+  instance.impostors = program.impostors;
   if (mesh->shape == scene::Shape::triangles)
     instance.cull = p_.shadow.state.raster.cull;  // points have no faces
   instance.frontFaceCcw = p_.shadow.state.raster.frontFaceCcw;

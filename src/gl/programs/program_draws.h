@@ -35,8 +35,8 @@ class ProgramDraws {
   /// refresh(kProgramGroups) before.
   Reason triage(PrimitiveClass kind);
   Reason triage(const KnownMesh& mesh) const;
-  /// The same of what figures need beside, and of the instances of a draw.
-  Reason triageFigures();
+  /// The same of what impostors need beside, and of the instances of a draw.
+  Reason triageImpostors();
   Reason triageInstances(const scene::Mesh& mesh, const Elements& elements) const;
   /// Adds a mesh to the batch, as often as the draw has instances; or says why it cannot join the layers that
   /// are there.

@@ -35,7 +35,7 @@ class ProgramReader {
   void readTransform();
   void readMaterial(const FamilyMaterial& m, scene::Material& material);
   void readModel();
-  Reason readFigures();
+  Reason readImpostors();
   Reason readSplats();
   void readClipPlanes();
   void readDepthOffset();

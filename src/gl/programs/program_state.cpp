@@ -21,7 +21,7 @@ Reason ProgramReader::read() {
   if (out_.shading.fragment.backMaterial) readMaterial(family_.backMaterial, out_.material.back);
   readModel();
   out_.shading.fragment.lights = readLights(family_.lights, uniforms_, glm::vec3(viewer_));
-  if (const Reason reason = readFigures(); reason != Reason::traced) return reason;
+  if (const Reason reason = readImpostors(); reason != Reason::traced) return reason;
   readClipPlanes();
   readDepthOffset();
   if (const Reason reason = readNormals(); reason != Reason::traced) return reason;
@@ -91,37 +91,37 @@ void ProgramReader::readModel() {
   f.pbr.emissive = glm::vec3(uniforms_.value(family_.pbr.emissive, glm::vec4(0)));
 }
 
-Reason ProgramReader::readFigures() {
-  const FamilyFigures& f = family_.figures;
-  out_.figures = {};
+Reason ProgramReader::readImpostors() {
+  const FamilyImpostors& f = family_.impostors;
+  out_.impostors = {};
   if (!f.given()) return Reason::traced;
-  out_.figures.cards = f.cards;
-  out_.figures.fades = f.fades;
-  out_.figures.parallelView = out_.shading.fragment.parallelView;
-  out_.figures.inside = uniforms_.number(f.inside, 1) < 0;
-  out_.figures.radiusDivisor = uniforms_.number(f.radiusDivisor, 1);
-  out_.figures.axisMatrix = out_.normalMatrix;
+  out_.impostors.billboards = f.billboards;
+  out_.impostors.fades = f.fades;
+  out_.impostors.parallelView = out_.shading.fragment.parallelView;
+  out_.impostors.inside = uniforms_.number(f.inside, 1) < 0;
+  out_.impostors.radiusDivisor = uniforms_.number(f.radiusDivisor, 1);
+  out_.impostors.axisMatrix = out_.normalMatrix;
   const bool attribute = !f.radius.uniform.empty() && program_.attribute(f.radius.uniform);
-  out_.figures.grows = f.grows;
-  out_.figures.size = glm::vec2(uniforms_.value(f.size, glm::vec4(0)));
-  out_.figures.bulge = uniforms_.number(f.bulge, 0);
-  out_.figures.bulgeDepth = uniforms_.number(f.bulgeDepth, 0);
+  out_.impostors.grows = f.grows;
+  out_.impostors.size = glm::vec2(uniforms_.value(f.size, glm::vec4(0)));
+  out_.impostors.bulge = uniforms_.number(f.bulge, 0);
+  out_.impostors.bulgeDepth = uniforms_.number(f.bulgeDepth, 0);
   constexpr float kUnit = 1.0f / 65000.0f;  // that VTK counts in
-  out_.figures.depthBias = uniforms_.number(f.depthBias, 0) * kUnit;
-  out_.figureRadius = attribute ? current(f.radius.uniform).x : uniforms_.number(f.radius, 1);
+  out_.impostors.depthBias = uniforms_.number(f.depthBias, 0) * kUnit;
+  out_.impostorRadius = attribute ? current(f.radius.uniform).x : uniforms_.number(f.radius, 1);
   return f.shape == scene::Shape::splats ? readSplats() : Reason::traced;
 }
 
 Reason ProgramReader::readSplats() {
-  const FamilyFigures& f = family_.figures;
+  const FamilyImpostors& f = family_.impostors;
   const glm::mat4 projection = uniforms_.matrix4(f.projection);
-  out_.figures.size = {projection[0].x, projection[1].y};
+  out_.impostors.size = {projection[0].x, projection[1].y};
   const float scale = uniforms_.number(f.scale, 1);
   if (!(scale > 0)) return refuse("uniform \"" + f.scale.uniform + "\" is not above 0");
-  out_.figures.radiusDivisor = 1 / scale;
-  // Smaller cards would cut the ellipse.
-  if (!(uniforms_.number(f.cardScale, 1) >= 1))
-    return refuse("uniform \"" + f.cardScale.uniform + "\" is below 1");
+  out_.impostors.radiusDivisor = 1 / scale;
+  // Smaller billboards would cut the ellipse.
+  if (!(uniforms_.number(f.billboardScale, 1) >= 1))
+    return refuse("uniform \"" + f.billboardScale.uniform + "\" is below 1");
   if (!out_.eyeFromObject) return Reason::program;
   return Reason::traced;
 }
@@ -137,7 +137,7 @@ void ProgramReader::readClipPlanes() {
   for (int i = 0; i < count; ++i) {
     const glm::vec4 plane = uniforms_.vector(family_.clipPlanes, i);
     if (family_.clipCenters)
-      out_.figures.centerPlanes.push_back(plane);
+      out_.impostors.centerPlanes.push_back(plane);
     else
       out_.clipPlanes.emplace_back(plane);
   }

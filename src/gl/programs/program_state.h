@@ -31,8 +31,8 @@ struct ProgramState {
   scene::MaterialPair material;
   std::vector<glm::dvec4> clipPlanes;  // object space
   scene::PolygonOffset depthOffset;
-  scene::Figures figures;
-  float figureRadius = 1;  // where no array gives it
+  scene::Impostors impostors;
+  float impostorRadius = 1;  // where no array gives it
   scene::Attribute triangleColors, triangleNormals, triangleEdges;
   uint32_t triangleColorCount = 0, triangleNormalCount = 0, triangleEdgeCount = 0, triangleOffset = 0;
   bool opaqueTriangleColors = true;

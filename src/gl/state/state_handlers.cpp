@@ -23,7 +23,7 @@ void clearNow(Context& c, GLbitfield mask) {
   c.frames.clearing(mask);
   if (!later) c.real.Clear(mask);
   c.frames.cleared(mask);
-  c.resolves.cleanIs(c.clock.direct() ? UnresolvedPicture::Cleared{} : clean);
+  c.resolves.cleanIs(c.clock.passesThrough() ? UnresolvedPicture::Cleared{} : clean);
 }
 
 }  // namespace

@@ -12,9 +12,9 @@ void ClearedFramebuffers::clear(GLbitfield mask) {
   const RealGl& real = shadow_.real;
   const RareState& rare = shadow_.state.rare;
   cleared_.reset();
-  if (mask & GL_COLOR_BUFFER_BIT && shadow_.settings.spp > 1 && !clock_.direct())
+  if (mask & GL_COLOR_BUFFER_BIT && shadow_.settings.spp > 1 && !clock_.passesThrough())
     antialiased_.clear(real, rare);
-  if ((mask & kBoth) != kBoth || clock_.direct() || failsafe_.aside() || shadow_.activeQueries > 0 ||
+  if ((mask & kBoth) != kBoth || clock_.passesThrough() || failsafe_.aside() || shadow_.activeQueries > 0 ||
       !shadow_.isSoftwareBelow())
     return;
   const GLint framebuffer = isPresent(real.BindFramebuffer) ? integer(real, GL_DRAW_FRAMEBUFFER_BINDING) : 0;

@@ -41,7 +41,7 @@ EngineChoice::EngineChoice(Engine setting, int threads, Clock clock)
     : active_(setting == Engine::automatic),
       threads_(std::max(threads, 1)),
       clock_(clock),
-      way_(setting == Engine::never    ? Way::direct
+      way_(setting == Engine::never    ? Way::passthrough
            : setting == Engine::always ? Way::traced
                                        : Way::mixed) {}
 
@@ -53,7 +53,7 @@ double EngineChoice::mostTriangles(double pixels) {
 }
 
 bool EngineChoice::takesAlone(uint64_t triangles, double viewportPixels) const {
-  if (!active_) return way_ == Way::direct;
+  if (!active_) return way_ == Way::passthrough;
   const double pixels = frame_.pixels + std::max(layerPixels_, viewportPixels);
   return static_cast<double>(triangles) <= mostTriangles(pixels);
 }
@@ -88,9 +88,9 @@ EngineChoice::Way EngineChoice::frameEnded() {
 
   remember(load);
   const FrameLoad peak = largest(peaks_[0], peaks_[1]);
-  if (way_ == Way::mixed || (way_ == Way::direct && tooLarge(load, 1.5))) {
+  if (way_ == Way::mixed || (way_ == Way::passthrough && tooLarge(load, 1.5))) {
     kind_ = static_cast<size_t>(&kindOf(peak) - kinds_.data());
-    settle(tooLarge(load, 1) ? Way::traced : Way::direct, false);
+    settle(tooLarge(load, 1) ? Way::traced : Way::passthrough, false);
     overflowed_ = false;
     return way_;
   }
@@ -149,7 +149,7 @@ void EngineChoice::enter(Kind& kind) {
   const double here = kind.seconds[indexOf(used)], there = kind.seconds[indexOf(unused)];
   const bool known = here >= 0 && there >= 0 && there < kFaster * here;
   const bool allowed = unused == Way::traced || !tooLarge(kind.load, 1);
-  const bool mustLeave = used == Way::direct && tooLarge(kind.load, 1);
+  const bool mustLeave = used == Way::passthrough && tooLarge(kind.load, 1);
   settle((known && allowed) || mustLeave ? unused : used, false);
 }
 

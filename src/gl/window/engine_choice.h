@@ -23,9 +23,9 @@ class EngineChoice {
  public:
   enum class Way : uint8_t {
     traced,  // draws are captured and traced where they can be
-    mixed,   // the same, but small draws are rasterised: nothing is known yet, or a direct frame met a large
-             // draw
-    direct,  // calls go to the real OpenGL as they come
+    mixed,   // the same, but small draws are rasterised: nothing is known yet, or a passthrough frame met a
+             // large draw
+    passthrough,  // calls go to the real OpenGL as they come
   };
   using Clock = double (*)();
 
@@ -48,14 +48,14 @@ class EngineChoice {
     layerPixels_ = 0;
   }
   bool drawn() const { return drawn_; }
-  /// Whether the real OpenGL takes a draw of so many triangles, in a frame that goes direct or is mixed.
+  /// Whether the real OpenGL takes a draw of so many triangles, in a passthrough or mixed frame.
   bool takes(uint64_t triangles, double viewportPixels) const;
   /// The same, whatever has been drawn before.
   bool takesAlone(uint64_t triangles, double viewportPixels) const;
   /// Whether it takes so many triangles of surfaces that are blended in the order of drawing, which wait to
   /// be traced together, in frames of any kind.
   bool takesLayers(uint64_t triangles, double viewportPixels) const;
-  /// It does not take one in a direct frame: the rest of the frame is mixed.
+  /// It does not take one in a passthrough frame: the rest of the frame is mixed.
   void overflow();
 
   // --- frames that are measured: the real OpenGL is to finish before start() and before stop().
@@ -84,12 +84,12 @@ class EngineChoice {
   /// Frames of about one load, and what they cost.
   struct Kind {
     FrameLoad load;
-    double seconds[2] = {-1, -1};  // by traced, direct; negative: not measured
+    double seconds[2] = {-1, -1};  // by traced, passthrough; negative: not measured
     double nextTrial = 0, trialInterval = 0;
   };
 
-  static int indexOf(Way way) { return way == Way::direct ? 1 : 0; }
-  static Way other(Way way) { return way == Way::direct ? Way::traced : Way::direct; }
+  static int indexOf(Way way) { return way == Way::passthrough ? 1 : 0; }
+  static Way other(Way way) { return way == Way::passthrough ? Way::traced : Way::passthrough; }
   void remember(const FrameLoad& load);
   Kind& kindOf(const FrameLoad& load);
   void enter(Kind& kind);

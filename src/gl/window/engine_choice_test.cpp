@@ -45,7 +45,7 @@ TEST(EngineChoice, SettingsThatLeaveNoChoiceReadNoClock) {
   for (const Engine engine : {Engine::always, Engine::never}) {
     Program p(engine);
     p.frames(1000);
-    EXPECT_EQ(p.choice.way(), engine == Engine::always ? Way::traced : Way::direct);
+    EXPECT_EQ(p.choice.way(), engine == Engine::always ? Way::traced : Way::passthrough);
     EXPECT_EQ(p.changes, 0);
     EXPECT_EQ(p.finishes, 0);
     EXPECT_EQ(g_clockCalls, 0);
@@ -89,7 +89,7 @@ TEST(EngineChoice, GoesBackAfterATrialThatShowedNothing) {
   p.triangles = 150000, p.pixels = 1 << 20;
   p.direct = [] { return 0.020; }, p.traced = [] { return 0.022; };
   p.frames(150);
-  EXPECT_EQ(p.choice.way(), Way::direct);
+  EXPECT_EQ(p.choice.way(), Way::passthrough);
   EXPECT_EQ(p.traceFrames, 3);  // of one trial
 }
 
@@ -123,13 +123,13 @@ TEST(EngineChoice, NoiseDoesNotChangeTheWay) {
   p.changes = 0;
   p.frames(20000);
   EXPECT_LE(p.changes, 2 * 5);
-  EXPECT_EQ(p.choice.way(), Way::direct);
+  EXPECT_EQ(p.choice.way(), Way::passthrough);
 }
 
 TEST(EngineChoice, SceneThatGrowsIsTraced) {
   Program p;
   p.frames(1000);
-  ASSERT_EQ(p.choice.way(), Way::direct);
+  ASSERT_EQ(p.choice.way(), Way::passthrough);
   // One large draw is not taken, and the frame goes on mixed.
   EXPECT_FALSE(p.choice.takes(500000, p.pixels));
   p.choice.overflow();
@@ -157,7 +157,7 @@ TEST(EngineChoice, SceneThatShrinksIsTriedByTheRealOpenGl) {
   ASSERT_EQ(p.choice.way(), Way::traced);
   p.triangles = 2000;
   p.frames(300);
-  EXPECT_EQ(p.choice.way(), Way::direct);
+  EXPECT_EQ(p.choice.way(), Way::passthrough);
 }
 
 TEST(EngineChoice, KindsOfFramesThatComeAgainAreKnown) {
@@ -172,7 +172,7 @@ TEST(EngineChoice, KindsOfFramesThatComeAgainAreKnown) {
   for (int i = 0; i < 10; ++i) {
     kind(i % 2 == 0);
     p.frames(1000);
-    EXPECT_EQ(p.choice.way(), i % 2 == 0 ? Way::traced : Way::direct);
+    EXPECT_EQ(p.choice.way(), i % 2 == 0 ? Way::traced : Way::passthrough);
   }
   EXPECT_EQ(p.changes, 10);  // no trials: one change each
 }
@@ -223,7 +223,7 @@ TEST(EngineChoice, FasterMachineAfterwardsIsNoticed) {
   bool busy = true;
   p.direct = [] { return 0.030; }, p.traced = [&] { return busy ? 0.035 : 0.015; };
   while (g_now < 3) p.frame();
-  ASSERT_EQ(p.choice.way(), Way::direct);
+  ASSERT_EQ(p.choice.way(), Way::passthrough);
   busy = false;
   while (g_now < 120) p.frame();
   EXPECT_EQ(p.choice.way(), Way::traced);

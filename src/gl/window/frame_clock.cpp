@@ -6,6 +6,6 @@ namespace gluray::gl {
 
 FrameClock::FrameClock(const ContextInfo& info, const Settings& settings)
     : choice(engineOf(info, settings), threadsOf(settings), info.clock),
-      direct_(!info.off && choice.way() == EngineChoice::Way::direct) {}
+      passesThrough_(!info.off && choice.way() == EngineChoice::Way::passthrough) {}
 
 }  // namespace gluray::gl

@@ -17,8 +17,8 @@ class FrameClock {
   EngineChoice choice;
 
   /// Whether draws go to the real OpenGL as they come. Then nothing is read back or kept but display lists.
-  bool direct() const { return direct_; }
-  void setDirect(bool direct) { direct_ = direct; }
+  bool passesThrough() const { return passesThrough_; }
+  void setPassthrough(bool passesThrough) { passesThrough_ = passesThrough; }
   /// Whether this frame's duration is measured, so that nothing may be shown again or later.
   bool measured() const { return choice.wantsStop(); }
   bool startsMeasuring() const { return choice.wantsStart(); }
@@ -32,7 +32,7 @@ class FrameClock {
   }
 
  private:
-  bool direct_ = false;
+  bool passesThrough_ = false;
 };
 
 }  // namespace gluray::gl

@@ -40,7 +40,7 @@ void FrameEnds::beforeSwap() {
 void FrameEnds::afterSwap() {
   p_.cleared.forget();  // nobody knows what the back buffer holds
   ++p_.counts.statistics.frames;
-  if (p_.clock.direct()) ++p_.counts.statistics.framesDirect;
+  if (p_.clock.passesThrough()) ++p_.counts.statistics.framesPassedThrough;
   p_.clock.beganSeconds = 0;
   chooseEngine();
   ++p_.clock.frame;

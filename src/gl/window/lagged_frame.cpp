@@ -38,12 +38,13 @@ std::string_view describe(LagRefusal refusal) {
 }
 
 LagRefusal WindowFrames::whyNotLag(GLenum buffer) const {
-  if (p_.flusher.batch.empty()) return p_.clock.direct() ? LagRefusal::measured : LagRefusal::nothingToDo;
+  if (p_.flusher.batch.empty())
+    return p_.clock.passesThrough() ? LagRefusal::measured : LagRefusal::nothingToDo;
   const BatchKey& key = p_.flusher.batch.key();
   const bool right = key.drawBuffer == buffer || (buffer == GL_BACK && key.drawBuffer == GL_BACK_LEFT);
   if (key.framebuffer != 0 || !right || key.samples > 1 || !key.colorWrites.all() || key.encodes)
     return LagRefusal::target;
-  if (p_.clock.direct() || p_.clock.measured()) return LagRefusal::measured;
+  if (p_.clock.passesThrough() || p_.clock.measured()) return LagRefusal::measured;
   // Draws by programs keep the names of textures and buffers, which other contexts may change.
   if (p_.shadow.activeQueries > 0 || key.layers != BatchKey::Layers::none || p_.layers.pending() ||
       p_.resolves.waits() || p_.lists.compiling() ||
@@ -139,7 +140,7 @@ bool WindowFrames::clearsLater(GLbitfield mask) {
   constexpr GLbitfield kKnown = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
   constexpr size_t kMostClears = 8;
   noteBegin();
-  if (!lagged_ || !p_.flusher.batch.empty() || mask == 0 || mask & ~kKnown || p_.clock.direct() ||
+  if (!lagged_ || !p_.flusher.batch.empty() || mask == 0 || mask & ~kKnown || p_.clock.passesThrough() ||
       p_.failsafe.aside() || p_.clock.startsMeasuring() || p_.shadow.activeQueries > 0 ||
       lagged_->clears.size() >= kMostClears)
     return false;

@@ -21,16 +21,16 @@ void PassthroughFrames::stopMeasuring() {
 
 void PassthroughFrames::chooseNext() {
   p_.failsafe.protect(
-      [&] { set(p_.clock.choice.frameEnded() == EngineChoice::Way::direct && !p_.shadow.info.off); });
+      [&] { set(p_.clock.choice.frameEnded() == EngineChoice::Way::passthrough && !p_.shadow.info.off); });
 }
 
 void PassthroughFrames::startAnew(Engine engine) {
   p_.clock.choice = EngineChoice(engine, threadsOf(p_.shadow.settings), p_.shadow.info.clock);
-  set(p_.clock.choice.way() == EngineChoice::Way::direct && !p_.shadow.info.off);
+  set(p_.clock.choice.way() == EngineChoice::Way::passthrough && !p_.shadow.info.off);
 }
 
 void PassthroughFrames::set(bool passthrough) {
-  if (passthrough == p_.clock.direct()) return;
+  if (passthrough == p_.clock.passesThrough()) return;
   p_.window.showLagged();
   p_.flusher.settle();
   if (passthrough) {
@@ -41,7 +41,7 @@ void PassthroughFrames::set(bool passthrough) {
     p_.shadow.touch(kAllGroups);
     p_.shadow.matrixMode = 0;
   }
-  p_.clock.setDirect(passthrough);
+  p_.clock.setPassthrough(passthrough);
   p_.attention.update();
 }
 

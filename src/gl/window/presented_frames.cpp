@@ -27,7 +27,7 @@ bool WindowFrames::mayShowDirectly() noexcept {
            key.layers == BatchKey::Layers::none && (key.depthFunc == GL_LEQUAL || key.depthFunc == GL_LESS) &&
            !p_.flusher.batch.waiting().wideColors && key.colorWrites.all() &&
            contains(p_.cleared.target()->region, p_.flusher.batch.waiting().region) && !p_.shadow.info.off &&
-           !p_.immediate.insideBegin() && !p_.failsafe.aside() && !p_.clock.direct() &&
+           !p_.immediate.insideBegin() && !p_.failsafe.aside() && !p_.clock.passesThrough() &&
            p_.shadow.activeQueries == 0;
   });
 }

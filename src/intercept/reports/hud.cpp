@@ -39,7 +39,7 @@ std::string rate(const HudFigures& f) {
 
 std::string share(const HudFigures& f) {
   // Where toolkits compose windows, frames are theirs, and triangles another context's.
-  if (f.traced == 0 && f.framesDirect > 0) return "BY OPENGL";
+  if (f.traced == 0 && f.framesPassedThrough > 0) return "BY OPENGL";
   const uint64_t all = f.traced + f.rasterised;
   if (all == 0) return "NOTHING DRAWN";
   // Never "100 %" where something is not traced.
@@ -54,7 +54,8 @@ std::string share(const HudFigures& f) {
 HudFigures between(const gl::Statistics& before, const gl::Statistics& now, double seconds) {
   HudFigures f;
   f.seconds = seconds;
-  f.frames = now.frames - before.frames, f.framesDirect = now.framesDirect - before.framesDirect;
+  f.frames = now.frames - before.frames,
+  f.framesPassedThrough = now.framesPassedThrough - before.framesPassedThrough;
   f.traced = now.trianglesTraced - before.trianglesTraced;
   f.rasterised = now.trianglesRasterised - before.trianglesRasterised;
   f.flushes = now.flushes - before.flushes, f.repeated = now.repeated - before.repeated;

@@ -14,11 +14,11 @@ namespace gluray::intercept {
 /// What happened between two moments.
 struct HudFigures {
   double seconds = 0;
-  uint64_t frames = 0, framesDirect = 0;  // shown; of them left to the real OpenGL as they came
-  uint64_t traced = 0, rasterised = 0;    // triangles
-  uint64_t flushes = 0, repeated = 0;     // pictures; of them those in which nothing had changed
-  uint64_t bvhBytes = 0;                  // of all acceleration structures, now
-  bool refining = false;                  // a better one is being built
+  uint64_t frames = 0, framesPassedThrough = 0;  // shown; of them left to the real OpenGL as they came
+  uint64_t traced = 0, rasterised = 0;           // triangles
+  uint64_t flushes = 0, repeated = 0;            // pictures; of them those in which nothing had changed
+  uint64_t bvhBytes = 0;                         // of all acceleration structures, now
+  bool refining = false;                         // a better one is being built
 };
 
 /// The figures between two states of all contexts' statistics, `seconds` apart.

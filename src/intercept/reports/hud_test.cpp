@@ -23,10 +23,10 @@ TEST(HudLines, NeverSayAllWhereSomethingIsRasterised) {
 }
 
 TEST(HudLines, SayWhoDraws) {
-  EXPECT_EQ(hudLines({.seconds = 1, .frames = 60, .framesDirect = 60, .rasterised = 60 * 880})[1],
+  EXPECT_EQ(hudLines({.seconds = 1, .frames = 60, .framesPassedThrough = 60, .rasterised = 60 * 880})[1],
             "880 TRIANGLES, BY OPENGL");
   EXPECT_EQ(hudLines({.seconds = 1, .frames = 60})[1], "0 TRIANGLES, NOTHING DRAWN");
-  EXPECT_EQ(hudLines({.seconds = 1, .frames = 60, .framesDirect = 60, .traced = 6000000})[1],
+  EXPECT_EQ(hudLines({.seconds = 1, .frames = 60, .framesPassedThrough = 60, .traced = 6000000})[1],
             "100 K TRIANGLES, 100 % TRACED")
       << "composed by a toolkit";
 }

@@ -114,7 +114,7 @@ RaySetup makeSteps(const scene::Camera& camera, const glm::dmat4& fromClip) {
 // Rasterisers give a sample on an edge to the triangle on its right, and on a horizontal edge to the one
 // above: as if all samples lay a little farther to the right and, less so, up. By much less than vertices are
 // snapped to (1/256 pixel), and more than rays are rounded by. No binary fractions: edges between corners on
-// a grid would pass through the moved samples again. Depths and figures are computed at the samples
+// a grid would pass through the moved samples again. Depths and impostors are computed at the samples
 // themselves (docs/adr/0037).
 constexpr glm::dvec2 kBesideEdges{2.3e-4, 2.9e-5};  // pixels
 

@@ -104,9 +104,9 @@ HWY_ATTR void walkLayers(const FrameData& frame, Work& work, End&& end, Put&& pu
   alignas(64) float passed[kLanes] = {};
   for (uint32_t lanes = work.hits; lanes;) {
     for (int i = 0; i < kLanes; ++i) work.valid[i] = lanes >> i & 1 ? -1 : 0;
-    const accel::FigureQuery* figures = aimRays(frame, work);
+    const accel::ImpostorQuery* impostors = aimRays(frame, work);
     for (int i = 0; i < kLanes; ++i) work.packet.tNear[i] = std::max(work.packet.tNear[i], passed[i]);
-    frame.world->intersectNext(work.valid, work.packet, hits, figures);
+    frame.world->intersectNext(work.valid, work.packet, hits, impostors);
     for (int i = 0; i < accel::NextHits::kMost; ++i) {
       work.hits = takeHits(hits, i, lanes & ~ended, work);
       if (!work.hits) break;

@@ -30,8 +30,8 @@ struct Group {
   alignas(64) uint32_t vertex[3][kLanes];
   alignas(64) Row position[3][3];  // [corner][component], object space
   alignas(64) Row u, v;
-  // Of figures (figure.inl.h): the hit point and the normal there in the lighting space, and what is left of
-  // colours.
+  // Of impostors (impostor.inl.h): the hit point and the normal there in the lighting space, and what is left
+  // of colours.
   alignas(64) Row point[3], normal[3], fade;
 };
 

@@ -140,21 +140,21 @@ HWY_ATTR inline void runProgram(const FrameData& frame, const Surface& s, const 
     loadBaseColor(s, group, base);
   alignas(64) Row edges;
   if (f.edges) edgeShares(frame, s, group, x, y, edges);
-  const bool lit = f.model != Shading::Model::unlit, figures = s.mesh->shape != scene::Shape::triangles;
-  if (lit && !figures && f.normals != Shading::Normals::triangles) loadNormals(s, group, normals);
+  const bool lit = f.model != Shading::Model::unlit, impostors = s.mesh->shape != scene::Shape::triangles;
+  if (lit && !impostors && f.normals != Shading::Normals::triangles) loadNormals(s, group, normals);
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
     const Weights weights(group, i);
     Fragment at;
     at.color = load3(base, i);
-    if (figures) at.color = scaled(at.color, load(group.fade + i));
+    if (impostors) at.color = scaled(at.color, load(group.fade + i));
     at.edge = f.edges ? load(edges + i) : splat(0);
     Float3 color;
     if (lit) {
-      at.position = figures
+      at.position = impostors
                         ? load3(group.point, i)
                         : weights(pointIn(s, group, 0, i), pointIn(s, group, 1, i), pointIn(s, group, 2, i));
       at.toViewer = unit(scaled(at.position, splat(-1)));
-      if (figures) {
+      if (impostors) {
         at.normal = load3(group.normal, i);
       } else if (f.normals == Shading::Normals::triangles) {
         at.normal = triangleNormal(s, group, i, at.position);

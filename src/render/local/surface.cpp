@@ -34,11 +34,11 @@ PlaneDepth makePlaneDepth(const View& view, const glm::dmat4& objectFromClip,
   return depth;
 }
 
-FigureSpace makeFigureSpace(const View& view, const Surface& s, const glm::dmat4& objectFromClip) {
+ImpostorSpace makeImpostorSpace(const View& view, const Surface& s, const glm::dmat4& objectFromClip) {
   const glm::dmat4 lightingFromObject(s.instance->lightingFromObject);
   const glm::dmat4 lightingFromClip = lightingFromObject * objectFromClip;
   const glm::dmat4 clipRows = glm::transpose(s.clipFromObject * glm::inverse(lightingFromObject));
-  FigureSpace space;
+  ImpostorSpace space;
   space.startX = lightingFromClip[0] * view.window.ndcScale.x;
   space.startY = lightingFromClip[1] * view.window.ndcScale.y;
   space.start = lightingFromClip * glm::dvec4(view.window.ndcOffset, -view.away, 1.0);
@@ -98,7 +98,7 @@ Surface makeSurface(const View& view, const scene::Instance& instance, const Lig
     throw std::runtime_error("the modelview matrix of an instance cannot be inverted");
   }
   s.depth = makePlaneDepth(view, objectFromClip, instance.eyeFromObject);
-  if (s.mesh->shape != scene::Shape::triangles) s.figures = makeFigureSpace(view, s, objectFromClip);
+  if (s.mesh->shape != scene::Shape::triangles) s.impostors = makeImpostorSpace(view, s, objectFromClip);
   // The inverse's upper left part is the inverse of the upper left part, as modelview matrices are affine.
   prepareNormals(s, glm::dmat3(objectFromEye));
   prepareMaterials(s, instance, lighting.shading->colorMaterial);
@@ -124,8 +124,8 @@ bool Surface::accepts(uint32_t primitive, float u, float v) const {
                      [&](const glm::dvec4& plane) { return glm::dot(plane, eye) >= 0; });
 }
 
-glm::vec3 Surface::centerOfFigure(const glm::vec3& object) const {
-  return scene::figureCenter(instance->lightingFromObject, object);
+glm::vec3 Surface::centerOfImpostor(const glm::vec3& object) const {
+  return scene::impostorCenter(instance->lightingFromObject, object);
 }
 
 glm::vec2 Surface::weightsAt(uint32_t primitive, const glm::dvec2& ndc) const {

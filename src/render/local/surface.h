@@ -19,9 +19,9 @@ struct PlaneDepth {
   double areaSign = 1;
 };
 
-/// What figures need (scene/impostors.h). The pixel at window position (x, y) shows the points
+/// What impostors need (scene/impostors.h). The pixel at window position (x, y) shows the points
 /// start + x*startX + y*startY + k*step, homogeneous, of the lighting space, k growing away from the viewer.
-struct FigureSpace {
+struct ImpostorSpace {
   glm::dvec4 start{0}, startX{0}, startY{0}, step{0};
   glm::dvec4 clipZ{0}, clipW{0, 0, 0, 1};  // rows of the matrix from lighting space to clip space
 };
@@ -31,7 +31,7 @@ struct Surface {
   const scene::Mesh* mesh = nullptr;
   const Lighting* lighting = nullptr;
   PlaneDepth depth;
-  FigureSpace figures;  // where the mesh is not of triangles
+  ImpostorSpace impostors;  // where the mesh is not of triangles
   glm::dmat4 clipFromObject{1};
   glm::mat4 eyeFromObject{1};
   glm::mat3 eyeFromObjectNormal{1};  // inverse transpose of the modelview's upper left 3x3
@@ -54,9 +54,9 @@ struct Surface {
   double ndcDepth(uint32_t primitive, float u, float v) const;
   /// Smallest and largest NDC depth of what the view volume leaves of the triangle.
   glm::dvec2 ndcDepths(uint32_t primitive) const;
-  /// The centre, in lighting space, of a figure about this point. Not inline: kernels would fuse the
+  /// The centre, in lighting space, of an impostor about this point. Not inline: kernels would fuse the
   /// roundings that programs make.
-  glm::vec3 centerOfFigure(const glm::vec3& object) const;
+  glm::vec3 centerOfImpostor(const glm::vec3& object) const;
   /// True if the triangle's window-space area is positive.
   bool isCcw(uint32_t primitive) const;
 };

@@ -43,13 +43,13 @@ HWY_INLINE Double3 blend(hn::Mask<DoubleTag> m, const Double3& yes, const Double
   return {hn::IfThenElse(m, yes.x, no.x), hn::IfThenElse(m, yes.y, no.y), hn::IfThenElse(m, yes.z, no.z)};
 }
 
-/// The lines that pixels show, in the lighting space, from the figures' centres; away from the viewer.
+/// The lines that pixels show, in the lighting space, from the impostors' centres; away from the viewer.
 struct Lines {
   Double3 center, org, dir;  // dir: unit length
 };
 
 HWY_INLINE Lines linesThrough(const Surface& s, const Group& group, Double x, Double y, int i) {
-  const FigureSpace& space = s.figures;
+  const ImpostorSpace& space = s.impostors;
   Double h[4];
   for (int c = 0; c < 4; ++c)
     h[c] = hn::MulAdd(x, splatDouble(space.startX[c]),
@@ -67,14 +67,14 @@ HWY_INLINE Lines linesThrough(const Surface& s, const Group& group, Double x, Do
   return lines;
 }
 
-/// What is seen of figures, from their centres.
+/// What is seen of impostors, from their centres.
 struct Seen {
   Double3 point, normal;
   Double fade;
 };
 
 HWY_INLINE Double3 towardsViewer(const Surface& s, const Lines& lines) {
-  if (!s.instance->figures.parallelView) return unit(scaled(lines.center, splatDouble(-1)));
+  if (!s.instance->impostors.parallelView) return unit(scaled(lines.center, splatDouble(-1)));
   return {splatDouble(0), splatDouble(0), splatDouble(1)};
 }
 
@@ -83,7 +83,7 @@ HWY_INLINE Seen seeSphere(const Surface& s, const Lines& l, Double radius) {
   const Double to = hn::Neg(dot(l.org, l.dir));
   const Double3 nearest = along(l.org, to, l.dir);
   const Double chord = hn::Sqrt(hn::Max(hn::MulSub(radius, radius, dot(nearest, nearest)), zero));
-  const bool inside = s.instance->figures.inside;
+  const bool inside = s.instance->impostors.inside;
   const Double3 normal = unit(along(nearest, inside ? chord : hn::Neg(chord), l.dir));
   return {scaled(normal, radius), inside ? scaled(normal, splatDouble(-1)) : normal, splatDouble(1)};
 }
@@ -93,7 +93,7 @@ HWY_INLINE Seen seeDisc(const Surface& s, const Lines& l, Double radius) {
   const Double t = hn::Neg(hn::Div(dot(n, l.org), dot(n, l.dir)));
   const Double3 point = along(l.org, t, l.dir);
   const Double share = hn::Div(dot(point, point), hn::Mul(radius, radius));
-  return {point, n, s.instance->figures.fades ? hn::Sub(splatDouble(1), share) : splatDouble(1)};
+  return {point, n, s.instance->impostors.fades ? hn::Sub(splatDouble(1), share) : splatDouble(1)};
 }
 
 HWY_INLINE Seen seeCylinder(const Surface& s, const Group& group, const Lines& l, Double radius, int i) {
@@ -101,7 +101,7 @@ HWY_INLINE Seen seeCylinder(const Surface& s, const Group& group, const Lines& l
   const Double3 object{loadDouble(group.normal[0] + i), loadDouble(group.normal[1] + i),
                        loadDouble(group.normal[2] + i)};
   const Double halfLength = hn::Mul(hn::Sqrt(dot(object, object)), splatDouble(0.5));
-  const glm::dmat3 m(s.instance->figures.axisMatrix);
+  const glm::dmat3 m(s.instance->impostors.axisMatrix);
   const Double3 direction = unit(object);
   const auto row = [&](int r) HWY_ATTR { return dot(glm::dvec4(m[0][r], m[1][r], m[2][r], 0), direction); };
   Double3 axis{row(0), row(1), row(2)};
@@ -123,23 +123,23 @@ HWY_INLINE void storeRows(const Double3& v, Row (&rows)[3], int i) {
   storeFloat(v.x, rows[0] + i), storeFloat(v.y, rows[1] + i), storeFloat(v.z, rows[2] + i);
 }
 
-/// Points, normals and depth of the group's figures at window positions x, y: programs compute them at the
+/// Points, normals and depth of the group's impostors at window positions x, y: programs compute them at the
 /// centres of pixels. Depth is what a program gives that writes its point's, cut to [0, 1]; all show their
 /// front.
-HWY_ATTR inline void computeFigures(const Surface& surface, const DepthMap& map, const float* x,
-                                    const float* y, Group& group, DepthAndFacing& out) {
+HWY_ATTR inline void computeImpostors(const Surface& surface, const DepthMap& map, const float* x,
+                                      const float* y, Group& group, DepthAndFacing& out) {
   const scene::Mesh& mesh = *surface.mesh;
   alignas(64) Row radius;
   for (int i = 0; i < kLanes; ++i) {
     radius[i] = mesh.radii ? scene::fetch(mesh.radii, group.vertex[0][i]).x : mesh.radius;
     const glm::vec3 object(group.position[0][0][i], group.position[0][1][i], group.position[0][2][i]);
-    const glm::vec3 center = surface.centerOfFigure(object);
+    const glm::vec3 center = surface.centerOfImpostor(object);
     for (int c = 0; c < 3; ++c) group.point[c][i] = center[c];
   }
   if (mesh.shape == scene::Shape::cylinders)
     loadVec3(mesh.axes, mesh.vertexCount, group.vertex[0], group.normal);
   const Double zero = splatDouble(0), one = splatDouble(1), half = splatDouble(0.5);
-  const Double smaller = splatDouble(1 / double{surface.instance->figures.radiusDivisor});
+  const Double smaller = splatDouble(1 / double{surface.instance->impostors.radiusDivisor});
   for (int i = 0; i < kLanes; i += static_cast<int>(hn::Lanes(DoubleTag()))) {
     const Double px = hn::Add(hn::Floor(loadDouble(x + i)), half);
     const Double py = hn::Add(hn::Floor(loadDouble(y + i)), half);
@@ -156,7 +156,7 @@ HWY_ATTR inline void computeFigures(const Surface& surface, const DepthMap& map,
     storeRows(point, group.point, i);
     storeRows(seen.normal, group.normal, i);
     storeFloat(seen.fade, group.fade + i);
-    const Double ndc = hn::Div(dot(surface.figures.clipZ, point), dot(surface.figures.clipW, point));
+    const Double ndc = hn::Div(dot(surface.impostors.clipZ, point), dot(surface.impostors.clipW, point));
     const Double depth = hn::MulAdd(ndc, splatDouble(map.scale), splatDouble(map.offset));
     storeFloat(hn::Min(hn::Max(depth, zero), one), out.depth + i);
   }
@@ -164,18 +164,19 @@ HWY_ATTR inline void computeFigures(const Surface& surface, const DepthMap& map,
 }
 
 /// The same of beads, tubes and splats. What is attached to a line's ends is interpolated by u.
-HWY_ATTR inline void computePixelFigures(const Surface& surface, const accel::PlacedFigures& placed,
-                                         const float* x, const float* y, Group& group, DepthAndFacing& out) {
+HWY_ATTR inline void computePixelImpostors(const Surface& surface, const accel::PlacedImpostors& placed,
+                                           const float* x, const float* y, Group& group,
+                                           DepthAndFacing& out) {
   for (int i = 0; i < kLanes; ++i) group.fade[i] = 1, group.u[i] = group.v[i] = 0;
   for (uint32_t lanes = group.lanes; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
-    const accel::PixelFigure figure(placed, group.primitive[i]);
-    accel::PixelFigure::Shown shown;
-    figure.show({std::floor(x[i]) + 0.5, std::floor(y[i]) + 0.5}, shown);
+    const accel::PixelImpostor impostor(placed, group.primitive[i]);
+    accel::PixelImpostor::Shown shown;
+    impostor.show({std::floor(x[i]) + 0.5, std::floor(y[i]) + 0.5}, shown);
     glm::vec3 end[2];
     for (int k = 0; k < 2; ++k)
-      end[k] =
-          surface.centerOfFigure({group.position[k][0][i], group.position[k][1][i], group.position[k][2][i]});
+      end[k] = surface.centerOfImpostor(
+          {group.position[k][0][i], group.position[k][1][i], group.position[k][2][i]});
     const auto along = static_cast<float>(shown.along);
     const glm::vec3 point = glm::mix(end[0], end[1], along);
     for (int c = 0; c < 3; ++c) group.point[c][i] = point[c], group.normal[c][i] = shown.normal[c];

@@ -1,4 +1,4 @@
-// Pictures of figures against closed forms, and the same from every instruction set.
+// Pictures of impostors against closed forms, and the same from every instruction set.
 #include "render/kernels.h"
 #include "render/test_targets.h"
 #include "render/test_trace.h"
@@ -15,7 +15,7 @@ using scene::Shape;
 
 constexpr int kSize = 65;
 
-scene::MeshPtr figures(Shape shape) {
+scene::MeshPtr impostors(Shape shape) {
   auto mesh = std::make_shared<scene::Mesh>();
   mesh->shape = shape;
   mesh->triangleCount = mesh->vertexCount = 3;
@@ -32,7 +32,7 @@ scene::MeshPtr figures(Shape shape) {
 }
 
 scene::Snapshot snapshotOf(Shape shape) {
-  scene::Snapshot s = test::makeSnapshot({figures(shape)}, kSize);
+  scene::Snapshot s = test::makeSnapshot({impostors(shape)}, kSize);
   s.camera.clipFromEye = glm::perspective(glm::radians(50.0), 1.0, 1.0, 20.0);
   scene::FragmentShading& f = s.shadings[0].fragment;
   f.model = scene::FragmentShading::Model::phong;
@@ -46,7 +46,7 @@ scene::Snapshot snapshotOf(Shape shape) {
   return s;
 }
 
-TEST(Figure, SpheresHaveTheDepthAndLightOfTheirEquation) {
+TEST(Impostor, SpheresHaveTheDepthAndLightOfTheirEquation) {
   const scene::Snapshot s = snapshotOf(Shape::spheres);
   const test::Traced traced = test::trace(s);
   const scene::Mesh& mesh = *s.instances[0].mesh;
@@ -85,7 +85,7 @@ TEST(Figure, SpheresHaveTheDepthAndLightOfTheirEquation) {
   EXPECT_GT(hits, 500);
 }
 
-TEST(Figure, OneColourAndDepthInAllSamplesOfAPixel) {
+TEST(Impostor, OneColourAndDepthInAllSamplesOfAPixel) {
   scene::Snapshot s = snapshotOf(Shape::spheres);
   const test::Traced one = test::trace(s);
   s.samples = 4;
@@ -102,18 +102,20 @@ TEST(Figure, OneColourAndDepthInAllSamplesOfAPixel) {
     }
   }
   EXPECT_GT(hits, 2000);
-  // At silhouettes a sample's ray may pass by the bounds of a figure that the pixel's centre shows.
+  // At silhouettes a sample's ray may pass by the bounds of an impostor that the pixel's centre shows.
   EXPECT_LT(differing, hits / 100);
 }
 
-TEST(Figure, EveryInstructionSetAgrees) {
+TEST(Impostor, EveryInstructionSetAgrees) {
   for (const Shape shape : {Shape::spheres, Shape::discs, Shape::cylinders}) {
-    for (const auto cards : {scene::Figures::Cards::silhouette, scene::Figures::Cards::triangle}) {
+    for (const auto billboards :
+         {scene::Impostors::Billboards::silhouette, scene::Impostors::Billboards::triangle}) {
       scene::Snapshot s = snapshotOf(shape);
-      s.instances[0].figures.cards = shape == Shape::cylinders && cards == scene::Figures::Cards::triangle
-                                         ? scene::Figures::Cards::faces
-                                         : cards;
-      s.instances[0].figures.fades = true;
+      s.instances[0].impostors.billboards =
+          shape == Shape::cylinders && billboards == scene::Impostors::Billboards::triangle
+              ? scene::Impostors::Billboards::faces
+              : billboards;
+      s.instances[0].impostors.fades = true;
       const test::Traced best = test::trace(s);
       test::withEachTarget([&](int64_t) {
         SCOPED_TRACE(render::kernelTarget());

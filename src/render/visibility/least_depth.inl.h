@@ -60,7 +60,7 @@ HWY_ATTR inline void collectBehind(const FrameData& frame, const float* least, C
     work.valid[i] = work.hits >> i & 1 ? -1 : 0;
     passed[i] = work.packet.tFar[i] * kBehind;
   }
-  const accel::FigureQuery* figures = aimRays(frame, work);
+  const accel::ImpostorQuery* impostors = aimRays(frame, work);
   accel::RayPacket& rays = work.packet;
   for (uint32_t lanes = work.hits; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
@@ -70,7 +70,7 @@ HWY_ATTR inline void collectBehind(const FrameData& frame, const float* least, C
   }
   behind.clear();
   const CollectingFilter filter(frame, behind);
-  frame.world->intersect(work.valid, rays, &filter, figures);
+  frame.world->intersect(work.valid, rays, &filter, impostors);
 }
 
 /// Makes the hit of each lane that of the least depth, but for triangles that grew by their edges. `behind`

@@ -100,9 +100,10 @@ HWY_ATTR inline void locate(const FrameData& frame, uint32_t instance, size_t fi
   }
   shown.oneDepth = true;
   if (scene::isInWindow(s.mesh->shape))
-    computePixelFigures(s, frame.world->figuresOf(instance), centers.x, centers.y, shown.group, shown.seen);
+    computePixelImpostors(s, frame.world->impostorsOf(instance), centers.x, centers.y, shown.group,
+                          shown.seen);
   else
-    computeFigures(s, frame.depth, centers.x, centers.y, shown.group, shown.seen);
+    computeImpostors(s, frame.depth, centers.x, centers.y, shown.group, shown.seen);
 }
 
 /// Shades what sample `first` is the first to show. Returns the lanes whose hit does not count: culled, which

@@ -210,7 +210,7 @@ TEST(Engine, PictureIsRightAcrossChangesInBothDirections) {
   for (int i = 0; i < 400; ++i) {
     mine.large = theirs.large = i % 200 >= 100 && i % 200 < 110;
     const bool before = direct;
-    direct = ours.context().clock.direct();
+    direct = ours.context().clock.passesThrough();
     real->makeCurrent();
     theirs.frame(real->real(), i);
     const Picture expected = readPicture(real->real(), kWidth, kHeight);
@@ -225,7 +225,7 @@ TEST(Engine, PictureIsRightAcrossChangesInBothDirections) {
   }
   EXPECT_EQ(checked, 400);
   EXPECT_GE(changes, 4) << "direct twice, and not direct twice";
-  EXPECT_GT(s.framesDirect, 100u);
+  EXPECT_GT(s.framesPassedThrough, 100u);
   EXPECT_GT(s.drawsTraced, 10u);
   EXPECT_GT(uint64_t{s.rasterisedBecause[kSmall]}, 100u);
 }
@@ -234,9 +234,9 @@ TEST(Engine, ProgramsThatNeverSwapHaveFramesByTheirClears) {
   TracedContext ours({kWidth, kHeight}, withEngine(Engine::automatic));
   const scenes::Scene& scene = *scenes::findScene("directional-light");
   scene.draw(ours.gl(), kWidth, kHeight);
-  EXPECT_FALSE(ours.context().clock.direct());
+  EXPECT_FALSE(ours.context().clock.passesThrough());
   scene.draw(ours.gl(), kWidth, kHeight);  // begins with a clear
-  EXPECT_TRUE(ours.context().clock.direct());
+  EXPECT_TRUE(ours.context().clock.passesThrough());
 }
 
 TEST(Engine, TracesAllWhereToldTo) {

@@ -7,8 +7,8 @@
 
 namespace gluray::test {
 
-GLuint linkFigures(Gl gl, const std::string& vertex, const std::string& geometry,
-                   const std::string& fragment) {
+GLuint linkImpostors(Gl gl, const std::string& vertex, const std::string& geometry,
+                     const std::string& fragment) {
   const GLuint program = gl.CreateProgram();
   const std::pair<GLenum, const std::string&> parts[] = {
       {GL_VERTEX_SHADER, vertex}, {GL_GEOMETRY_SHADER, geometry}, {GL_FRAGMENT_SHADER, fragment}};
@@ -25,9 +25,9 @@ GLuint linkFigures(Gl gl, const std::string& vertex, const std::string& geometry
   return program;
 }
 
-void placeFigures(Gl gl, GLuint program) {
+void placeImpostors(Gl gl, GLuint program) {
   std::vector<float> places, paints;
-  for (int i = 0; i < kFigures; ++i) {
+  for (int i = 0; i < kImpostors; ++i) {
     const auto t = static_cast<float>(i);
     for (const float v : {std::sin(1.7f * t), std::sin(2.3f * t + 1), std::cos(0.9f * t)})
       places.push_back(v);
@@ -35,10 +35,11 @@ void placeFigures(Gl gl, GLuint program) {
   }
   GLuint array = 0;
   gl.GenVertexArrays(1, &array), gl.BindVertexArray(array);
-  addFigureValues(gl, program, "place", 3, places), addFigureValues(gl, program, "paint", 3, paints);
+  addImpostorValues(gl, program, "place", 3, places), addImpostorValues(gl, program, "paint", 3, paints);
 }
 
-void addFigureValues(Gl gl, GLuint program, const char* name, GLint size, const std::vector<float>& values) {
+void addImpostorValues(Gl gl, GLuint program, const char* name, GLint size,
+                       const std::vector<float>& values) {
   const GLint at = gl.GetAttribLocation(program, name);
   if (at < 0) return;
   GLuint buffer = 0;
@@ -48,7 +49,7 @@ void addFigureValues(Gl gl, GLuint program, const char* name, GLint size, const 
   gl.VertexAttribPointer(static_cast<GLuint>(at), size, GL_FLOAT, false, 0, nullptr);
 }
 
-void lookAtFigures(Gl gl, GLuint program, const View& view, bool parallel) {
+void lookAtImpostors(Gl gl, GLuint program, const View& view, bool parallel) {
   setMat4(gl, program, "projection", glm::mat4(view.clipFromEye));
   setMat4(gl, program, "modelview", glm::mat4(view.eyeFromObject));
   setInteger(gl, program, "ortho", parallel);

@@ -1,5 +1,5 @@
-// What programs of our own that draw figures have in common: sixty of them, their arrays, their light and the
-// view. For program_figures_test.cpp and program_pixel_figures_test.cpp.
+// What programs of our own that draw impostors have in common: sixty of them, their arrays, their light and
+// the view. For program_impostors_test.cpp and program_pixel_impostors_test.cpp.
 #pragma once
 #include "tests/reference/programs/program_stage.h"
 
@@ -8,7 +8,7 @@
 
 namespace gluray::test {
 
-inline constexpr int kFigures = 60;
+inline constexpr int kImpostors = 60;
 
 /// The part of their families' files that says how to see and light them.
 inline const std::string kOwnFamily =
@@ -20,16 +20,16 @@ inline const std::string kOwnFamily =
     "material.diffuse_intensity = 0.8\nlights.direction = \"sun\"\n";
 
 /// Compiles and links; a failed test where a shader's log is not empty. `geometry` may be empty.
-GLuint linkFigures(Gl gl, const std::string& vertex, const std::string& geometry,
-                   const std::string& fragment);
+GLuint linkImpostors(Gl gl, const std::string& vertex, const std::string& geometry,
+                     const std::string& fragment);
 
 /// Makes a vertex array object current that has attributes "place" and "paint".
-void placeFigures(Gl gl, GLuint program);
+void placeImpostors(Gl gl, GLuint program);
 /// Gives it another one of `size` floats each; nothing where it is not active.
-void addFigureValues(Gl gl, GLuint program, const char* name, GLint size, const std::vector<float>& values);
+void addImpostorValues(Gl gl, GLuint program, const char* name, GLint size, const std::vector<float>& values);
 
 /// View and light of the program in use.
-void lookAtFigures(Gl gl, GLuint program, const View& view, bool parallel);
+void lookAtImpostors(Gl gl, GLuint program, const View& view, bool parallel);
 
 void drawNumbered(Gl gl, GLenum mode, const std::vector<GLushort>& numbers);
 

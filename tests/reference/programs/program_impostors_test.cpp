@@ -1,5 +1,5 @@
-// Round figures that programs cut out of cards, not as VTK writes them: what the section [figures] of family
-// files says, each on a program that computes just that.
+// Round impostors that programs cut out of billboards, not as VTK writes them: what the section [impostors]
+// of family files says, each on a program that computes just that.
 #include "tests/reference/programs/own_impostors.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ const char* const kVertex =
     "void main() { c = (modelview * vec4(place, 1)).xyz; a = mat3(modelview) * way; tint = paint; r = size; "
     "}\n";
 
-/// A square that hides nothing of a sphere about the whole figure.
+/// A square that hides nothing of a sphere about the whole impostor.
 const char* const kGeometry =
     "#version 150\nlayout(points) in; layout(triangle_strip, max_vertices = 4) out;\n"
     "in vec3 c[], a[], tint[]; in float r[]; uniform mat4 projection; out vec3 center, axis, color, at; out "
@@ -62,11 +62,12 @@ const char* const kCylinder =
     "  if (abs(in_) <= h) { show(o + s * d, (f + s * e) / radius, color); return; }\n"
     "  if (in_ < -h || out_ > h) discard;\n  show(o + (h - mz) / dz * d, z, color); }\n";
 const char* const kBallFamily =
-    "figures.shape = \"spheres\"\nfigures.radius = \"size\"\nmatch.ignored = \"way\"\n";
+    "impostors.shape = \"spheres\"\nimpostors.radius = \"size\"\nmatch.ignored = \"way\"\n";
 const char* const kDiscFamily =
-    "figures.shape = \"discs\"\nfigures.radius = \"size\"\nfigures.fades = true\nmatch.ignored = \"way\"\n";
+    "impostors.shape = \"discs\"\nimpostors.radius = \"size\"\nimpostors.fades = true\nmatch.ignored = "
+    "\"way\"\n";
 const char* const kCylinderFamily =
-    "figures.shape = \"cylinders\"\nfigures.radius = \"size\"\nfigures.axis = \"way\"\n";
+    "impostors.shape = \"cylinders\"\nimpostors.radius = \"size\"\nimpostors.axis = \"way\"\n";
 
 const Case kCases[] = {
     {"balls", kBall, kBallFamily},
@@ -79,39 +80,39 @@ const Case kCases[] = {
 };
 
 void drawCase(Gl gl, const Case& c) {
-  const GLuint program = linkFigures(gl, kVertex, kGeometry, kFragmentHead + c.fragment);
+  const GLuint program = linkImpostors(gl, kVertex, kGeometry, kFragmentHead + c.fragment);
   std::vector<float> ways, sizes;
-  for (int i = 0; i < kFigures; ++i) {
+  for (int i = 0; i < kImpostors; ++i) {
     const auto t = static_cast<float>(i);
     for (const float v : {std::sin(t), std::cos(3 * t), std::sin(2 * t)}) ways.push_back(0.4f * v);
     sizes.push_back(0.08f + 0.03f * std::sin(5 * t));
   }
-  placeFigures(gl, program);
-  addFigureValues(gl, program, "way", 3, ways), addFigureValues(gl, program, "size", 1, sizes);
+  placeImpostors(gl, program);
+  addImpostorValues(gl, program, "way", 3, ways), addImpostorValues(gl, program, "size", 1, sizes);
   beginFrame(gl);
   gl.UseProgram(program);
-  lookAtFigures(gl, program, c.parallel ? parallelView(35) : perspectiveView(35), c.parallel);
-  if (!c.indices) return gl.DrawArrays(GL_POINTS, 5, kFigures - 5);
+  lookAtImpostors(gl, program, c.parallel ? parallelView(35) : perspectiveView(35), c.parallel);
+  if (!c.indices) return gl.DrawArrays(GL_POINTS, 5, kImpostors - 5);
   std::vector<GLushort> numbers;
-  for (int i = 0; i < kFigures; i += 2) numbers.push_back(static_cast<GLushort>(kFigures - 1 - i));
+  for (int i = 0; i < kImpostors; i += 2) numbers.push_back(static_cast<GLushort>(kImpostors - 1 - i));
   drawNumbered(gl, GL_POINTS, numbers);
 }
 
-class ProgramFigures : public testing::TestWithParam<Case> {};
+class ProgramImpostors : public testing::TestWithParam<Case> {};
 
-TEST_P(ProgramFigures, AreWhatTheProgramComputes) {
+TEST_P(ProgramImpostors, AreWhatTheProgramComputes) {
   const Case& c = GetParam();
   expectBoth(
-      std::string("figures_") + c.name, [&](Gl gl) { drawCase(gl, c); }, 1, {}, kProgramTolerance,
+      std::string("impostors_") + c.name, [&](Gl gl) { drawCase(gl, c); }, 1, {}, kProgramTolerance,
       kFamilyHead + c.family);
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, ProgramFigures, testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Cases, ProgramImpostors, testing::ValuesIn(kCases),
                          [](const auto& info) { return std::string(info.param.name); });
 
-TEST(ProgramFigure, TheViewerTurnsAndNothingIsBuilt) {
+TEST(ProgramImpostor, TheViewerTurnsAndNothingIsBuilt) {
   const Outcome outcome = expectSame(
-      "figures_turned",
+      "impostors_turned",
       [&](Gl gl) {
         drawCase(gl, kCases[0]);
         GLint program = 0;
@@ -120,16 +121,16 @@ TEST(ProgramFigure, TheViewerTurnsAndNothingIsBuilt) {
           gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
           setMat4(gl, static_cast<GLuint>(program), "modelview",
                   glm::mat4(perspectiveView(35 + 20 * i).eyeFromObject));
-          gl.DrawArrays(GL_POINTS, 5, kFigures - 5);
+          gl.DrawArrays(GL_POINTS, 5, kImpostors - 5);
         }
       },
       6, {}, kProgramTolerance, kFamilyHead + kBallFamily);
   EXPECT_EQ(outcome.statistics.meshesBuilt, 1u);
 }
 
-TEST(ProgramFigure, WhatIsCulledOrMadeOfTrianglesIsLeftToTheRealOpenGl) {
+TEST(ProgramImpostor, WhatIsCulledOrMadeOfTrianglesIsLeftToTheRealOpenGl) {
   expectBoth(
-      "figures_culled",
+      "impostors_culled",
       [](Gl gl) {
         gl.Enable(GL_CULL_FACE);
         drawCase(gl, kCases[0]);

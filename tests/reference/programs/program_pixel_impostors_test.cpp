@@ -1,4 +1,4 @@
-// Beads and tubes, not as VTK writes them: what the section [figures] of family files says of points and
+// Beads and tubes, not as VTK writes them: what the section [impostors] of family files says of points and
 // lines of so many pixels, each on a program that computes just that.
 #include "tests/reference/programs/own_impostors.h"
 
@@ -41,11 +41,12 @@ const char* const kBeadFragment =
     "  if (q > 1.0) discard; float thick = sqrt(1.0 - q); show(vec3(p, thick), tint + 0.0 * eye, thick); }\n";
 
 const std::string kFamily =
-    kOwnFamily + "figures.bulge = \"bulge\"\nfigures.bulge_depth = \"pole\"\nfigures.depth_bias = \"bias\"\n";
+    kOwnFamily +
+    "impostors.bulge = \"bulge\"\nimpostors.bulge_depth = \"pole\"\nimpostors.depth_bias = \"bias\"\n";
 const std::string kTubeFamily =
-    "match.geometry_shader = true\nfigures.shape = \"tubes\"\nfigures.size = \"wide\"\nfigures.grows = "
+    "match.geometry_shader = true\nimpostors.shape = \"tubes\"\nimpostors.size = \"wide\"\nimpostors.grows = "
     "true\n";
-const std::string kBeadFamily = "figures.shape = \"beads\"\n";
+const std::string kBeadFamily = "impostors.shape = \"beads\"\n";
 
 struct Case {
   const char* name;
@@ -65,7 +66,7 @@ const Case kCases[] = {
 };
 
 void setLook(Gl gl, GLuint program, const Case& c, const View& view) {
-  lookAtFigures(gl, program, view, c.parallel);
+  lookAtImpostors(gl, program, view, c.parallel);
   const double zz = view.clipFromEye[2][2];
   setFloat(gl, program, "bulge", static_cast<float>(c.pixels / (kProgramWidth * view.clipFromEye[0][0])));
   setFloat(gl, program, "pole", static_cast<float>(c.parallel ? zz : 0.5 - 0.5 * zz));
@@ -76,35 +77,35 @@ void setLook(Gl gl, GLuint program, const Case& c, const View& view) {
 }
 
 GLuint drawCase(Gl gl, const Case& c) {
-  const GLuint program = linkFigures(gl, kVertex, c.tubes ? kTubeGeometry : "",
-                                     kFragmentHead + (c.tubes ? kTubeFragment : kBeadFragment));
-  placeFigures(gl, program);
+  const GLuint program = linkImpostors(gl, kVertex, c.tubes ? kTubeGeometry : "",
+                                       kFragmentHead + (c.tubes ? kTubeFragment : kBeadFragment));
+  placeImpostors(gl, program);
   beginFrame(gl);
   gl.UseProgram(program);
   setLook(gl, program, c, c.parallel ? parallelView(35) : perspectiveView(35));
   const GLenum mode = c.tubes ? GL_LINES : GL_POINTS;
-  if (!c.numbers) return gl.DrawArrays(mode, 4, kFigures - 4), program;
+  if (!c.numbers) return gl.DrawArrays(mode, 4, kImpostors - 4), program;
   std::vector<GLushort> numbers;
-  for (int i = 0; i < c.numbers; ++i) numbers.push_back(static_cast<GLushort>(7 * i % kFigures));
+  for (int i = 0; i < c.numbers; ++i) numbers.push_back(static_cast<GLushort>(7 * i % kImpostors));
   drawNumbered(gl, mode, numbers);
   return program;
 }
 
 std::string familyOf(const Case& c) { return kFamily + (c.tubes ? kTubeFamily : kBeadFamily); }
 
-class ProgramPixelFigures : public testing::TestWithParam<Case> {};
+class ProgramPixelImpostors : public testing::TestWithParam<Case> {};
 
-TEST_P(ProgramPixelFigures, AreWhatTheProgramComputes) {
+TEST_P(ProgramPixelImpostors, AreWhatTheProgramComputes) {
   const Case& c = GetParam();
   expectBoth(
       std::string("pixels_") + c.name, [&](Gl gl) { drawCase(gl, c); }, 1, coreWish(), kProgramTolerance,
       familyOf(c));
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, ProgramPixelFigures, testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Cases, ProgramPixelImpostors, testing::ValuesIn(kCases),
                          [](const auto& info) { return std::string(info.param.name); });
 
-TEST(ProgramPixelFigure, TheirSizeIsThatOfTheirDraw) {
+TEST(ProgramPixelImpostor, TheirSizeIsThatOfTheirDraw) {
   const Case beads = kCases[3];
   expectBoth(
       "pixels_sizes",
@@ -117,7 +118,7 @@ TEST(ProgramPixelFigure, TheirSizeIsThatOfTheirDraw) {
       2, coreWish(), kProgramTolerance, familyOf(beads));
 }
 
-TEST(ProgramPixelFigure, PointsHaveNoFacesToBeCulled) {
+TEST(ProgramPixelImpostor, PointsHaveNoFacesToBeCulled) {
   const Case beads = kCases[3];
   for (const GLenum face : {GL_FRONT, GL_BACK, GL_FRONT_AND_BACK}) {
     expectSame(
@@ -130,7 +131,7 @@ TEST(ProgramPixelFigure, PointsHaveNoFacesToBeCulled) {
   }
 }
 
-TEST(ProgramPixelFigure, TheViewerTurnsAndNothingIsBuilt) {
+TEST(ProgramPixelImpostor, TheViewerTurnsAndNothingIsBuilt) {
   const Case tubes = kCases[0];
   const Outcome outcome = expectSame(
       "pixels_turned",
@@ -139,14 +140,14 @@ TEST(ProgramPixelFigure, TheViewerTurnsAndNothingIsBuilt) {
         for (int i = 0; i < 5; ++i) {
           gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
           setLook(gl, program, tubes, perspectiveView(35 + 20 * i));
-          gl.DrawArrays(GL_LINES, 4, kFigures - 4);
+          gl.DrawArrays(GL_LINES, 4, kImpostors - 4);
         }
       },
       6, coreWish(), kProgramTolerance, familyOf(tubes));
   EXPECT_EQ(outcome.statistics.meshesBuilt, 1u);
 }
 
-TEST(ProgramPixelFigure, WhatIsCulledHasAnotherProjectionOrIsNoSpriteIsLeftToTheRealOpenGl) {
+TEST(ProgramPixelImpostor, WhatIsCulledHasAnotherProjectionOrIsNoSpriteIsLeftToTheRealOpenGl) {
   const Case tubes = kCases[0], beads = kCases[3];
   expectSame(
       "pixels_culled", [&](Gl gl) { gl.Enable(GL_CULL_FACE), drawCase(gl, tubes); }, 0, coreWish(),

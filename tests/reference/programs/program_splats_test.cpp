@@ -1,5 +1,5 @@
-// Point Gaussian as VTK draws it since 9.4: a ball's covariance in normalised device coordinates, and a card
-// of it.
+// Point Gaussian as VTK draws it since 9.4: a ball's covariance in normalised device coordinates, and a
+// billboard of it.
 #include "tests/reference/programs/own_impostors.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -92,19 +92,20 @@ const Case kCases[] = {
 };
 
 void drawCase(Gl gl, const Case& c) {
-  const GLuint program = linkFigures(gl, kVertex, kGeometry, kFragment);
+  const GLuint program = linkImpostors(gl, kVertex, kGeometry, kFragment);
   GLuint array = 0;
   gl.GenVertexArrays(1, &array), gl.BindVertexArray(array);
   std::vector<float> places, colors, radii;
-  for (int i = 0; i < kFigures; ++i) {
+  for (int i = 0; i < kImpostors; ++i) {
     const auto t = static_cast<float>(i);
     for (const float v : {std::sin(1.7f * t), std::sin(2.3f * t + 1), c.flat ? 0 : std::cos(0.9f * t)})
       places.push_back(v);
     for (const float v : {1.0f, 0.5f + 0.5f * std::sin(t), 0.3f, 1.0f}) colors.push_back(v);
     radii.push_back(1 + 0.5f * std::sin(5 * t));
   }
-  addFigureValues(gl, program, "vertexMC", 3, places), addFigureValues(gl, program, "scalarColor", 4, colors);
-  addFigureValues(gl, program, "radiusMC", 1, radii);
+  addImpostorValues(gl, program, "vertexMC", 3, places),
+      addImpostorValues(gl, program, "scalarColor", 4, colors);
+  addImpostorValues(gl, program, "radiusMC", 1, radii);
   View view = c.parallel ? parallelView(35) : perspectiveView(c.flat ? 0 : 35);
   if (!c.parallel) view.clipFromEye = glm::perspective(glm::radians(double{c.field}), 4.0 / 3, 1.0, 10.0);
   view.eyeFromObject = glm::scale(view.eyeFromObject, glm::dvec3(c.stretch));
@@ -118,7 +119,7 @@ void drawCase(Gl gl, const Case& c) {
   setFloat(gl, program, "cOffset", c.offset), setFloat(gl, program, "cFactor", 2);
   setFloat(gl, program, "ambientIntensity", 0.1f), setFloat(gl, program, "diffuseIntensity", 0.8f);
   setFloat(gl, program, "opacityUniform", 1);
-  gl.DrawArrays(GL_POINTS, 0, kFigures);
+  gl.DrawArrays(GL_POINTS, 0, kImpostors);
 }
 
 class ProgramSplats : public testing::TestWithParam<Case> {};

@@ -9,7 +9,7 @@ import re
 
 import glxml
 
-# Name stem -> (leaf function, components the function takes, normalised)
+# Name stem -> (function of gl::vertexcall, components the function takes, normalised)
 KINDS = {
     "Vertex": ("vertex", 4, False),
     "Normal": ("normal", 3, True),
@@ -50,7 +50,7 @@ def body(command: glxml.Command) -> str:
     """The statements of the stub, without braces. Raises ValueError if the name is not an attribute command."""
     names = [p.name for p in command.params]
     if command.name in ("glEdgeFlag", "glEdgeFlagv"):
-        return f"leaf::edgeFlag({'*' if command.name.endswith('v') else ''}{names[0]} != GL_FALSE);"
+        return f"vertexcall::edgeFlag({'*' if command.name.endswith('v') else ''}{names[0]} != GL_FALSE);"
     if match := PLAIN.match(command.name):
         stem, count, normal, letter, vector = match.groups()
         stem += normal
@@ -71,7 +71,7 @@ def body(command: glxml.Command) -> str:
         values = [f"normalised({v})" for v in values]
     elif letter != "f":
         values = [f"static_cast<GLfloat>({v})" for v in values]
-    return f"leaf::{function}({', '.join(lead + [_fill(values, wanted)])});"
+    return f"vertexcall::{function}({', '.join(lead + [_fill(values, wanted)])});"
 
 
 def _packed(command: glxml.Command, stem: str, count: str, vector: str) -> str:
@@ -82,6 +82,6 @@ def _packed(command: glxml.Command, stem: str, count: str, vector: str) -> str:
     scale = "normalized != GL_FALSE" if stem == "VertexAttrib" else str(normalised).lower()
     value = f"{'*' if vector else ''}{names[-1]}"
     parts = [f"v.{part}" for part in "xyzw"[:int(count)]]
-    call = f"leaf::{function}({', '.join(_leading(stem, names) + [_fill(parts, wanted)])});"
+    call = f"vertexcall::{function}({', '.join(_leading(stem, names) + [_fill(parts, wanted)])});"
     return (f"Packed v;\n  if (unpack({type_name}, {scale}, {value}, v)) {call}\n"
             f"  else if (t_thread.context) t_thread.context->real.{command.short}({command.arguments});")
