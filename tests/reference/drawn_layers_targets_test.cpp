@@ -111,13 +111,13 @@ TEST(DrawnLayers, AreCutByPlanesScissorAndViewport) {
 }
 
 TEST(DrawnLayers, OfDepthRangesOneOfThemTurnedRound) {
-  for (const auto& [zNear, zFar] : {std::pair(0.2, 0.7), std::pair(1.0, 0.0), std::pair(0.5, 0.5)}) {
+  for (const auto& range : {std::pair(0.2, 0.7), std::pair(1.0, 0.0), std::pair(0.5, 0.5)}) {
     const auto draw = [&](Gl gl) {
       blendOver(gl);
-      gl.DepthRange(zNear, zFar);
+      gl.DepthRange(range.first, range.second);
       for (const Ball& b : kBalls) ball(gl, {b.x, b.z, {b.color[0], b.color[1], b.color[2], 0.7f}});
     };
-    expectTraced("range " + std::to_string(zNear), draw, 3);
+    expectTraced("range " + std::to_string(range.first), draw, 3);
   }
 }
 
