@@ -141,7 +141,7 @@ TEST(Passes, FindTheDepthOfPixelsThatIgnoreTheirSamples) { expectFirstFrame(GL_D
 /// As occlusion culling draws its boxes: they leave nothing behind.
 TEST(Passes, AreNoneThatWriteNeitherColorNorDepth) {
   const TracedContext ours({kWidth, kHeight});
-  const Gl gl = ours.gl();
+  Gl gl = ours.gl();
   begin(gl, kWidth, kHeight), camera(gl, kWidth, kHeight), keyLight(gl);
   const Model model = sphere(24, 36);
   gl.ColorMask(0, 0, 0, 0), gl.DepthMask(0);

@@ -152,7 +152,7 @@ GLuint bound(Gl gl) {
 
 constexpr scenes::Tolerance kFewPixels{2, 0.0004, 1e-5f,
                                        "silhouettes fall on either side of a pixel's centre"};
-constexpr Surface kUnlike{.color = Surface::Color::vertex, .lights = Surface::Lights::none};
+const Surface kUnlike{.color = Surface::Color::vertex, .lights = Surface::Lights::none};
 
 TEST(PolygonOffset, ByFactorsDecidesWhichSideOfASilhouetteIsSeen) {
   for (const float factor : {0.5f, 3.0f, 12.0f, -1.0f, -3.0f})
