@@ -63,7 +63,7 @@ std::vector<Mutant> mutantsOf(const std::string& text) {
   std::vector<Mutant> mutants;
   const std::vector<Piece> pieces = piecesOf(text);
   for (size_t i = 0; i < pieces.size(); ++i) {
-    const auto [begin, end] = pieces[i];
+    const size_t begin = pieces[i].begin, end = pieces[i].end;
     const std::string piece = text.substr(begin, end - begin);
     const auto add = [&](const std::string& how, const std::string& instead, size_t until) {
       mutants.push_back({how + ":" + piece, text.substr(0, begin) + instead + text.substr(until)});
