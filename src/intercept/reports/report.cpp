@@ -68,7 +68,7 @@ json makeReport(const Totals& totals) {
       {"gl", {{"vendor", totals.vendor}, {"renderer", totals.renderer}, {"version", totals.version}}},
       {"contexts", totals.contexts},
       {"frames", frames},
-      {"framesPassedThrough", s.framesPassedThrough},
+      {"framesDirect", s.framesPassedThrough},
       {"flushes", s.flushes},
       {"repeated", s.repeated},
       {"lag", lagReport()},
