@@ -1,4 +1,5 @@
 // Only pixels that exist are traced: viewports may be larger than what is drawn into.
+#include "tests/support/snapshot_taker.h"
 #include "tests/support/traced_context.h"
 
 #include <gtest/gtest.h>
@@ -10,23 +11,10 @@ namespace {
 
 constexpr int kSize = 200;
 
-/// Keeps the regions it is asked for.
-class Regions final : public gl::Presenter {
- public:
-  explicit Regions(std::vector<scene::Region>& seen) : seen_(seen) {}
-  gl::PresentResult present(const gl::RealGl&, const scene::SnapshotPtr& snapshot,
-                            const gl::PresentTarget&) noexcept override {
-    seen_.push_back(snapshot->region);
-    gl::PresentResult result;
-    result.outcome = gl::PresentResult::traced;
-    return result;
-  }
-  bool supports(const gl::RealGl&, bool, std::string&) noexcept override { return true; }
-  void forget(const gl::RealGl&) noexcept override {}
-
- private:
-  std::vector<scene::Region>& seen_;
-};
+/// Adds the regions of its batches to `seen`.
+std::unique_ptr<gl::Presenter> takeRegions(std::vector<scene::Region>& seen) {
+  return std::make_unique<SnapshotTaker>([&seen](const scene::Snapshot& s) { seen.push_back(s.region); });
+}
 
 void drawWith(const gl::RealGl& gl, GLint x, GLint y, GLsizei width, GLsizei height) {
   gl.Enable(GL_DEPTH_TEST);
@@ -40,7 +28,7 @@ void drawWith(const gl::RealGl& gl, GLint x, GLint y, GLsizei width, GLsizei hei
 
 TEST(Viewport, EndsAtTheWindow) {
   std::vector<scene::Region> seen;
-  TracedContext context({kSize, kSize}, TracedContext::vertexShading(), std::make_unique<Regions>(seen));
+  TracedContext context({kSize, kSize}, TracedContext::vertexShading(), takeRegions(seen));
   drawWith(context.gl(), 0, 0, 16384, 16384);
   drawWith(context.gl(), -8000, 50, 16000, 16000);
   drawWith(context.gl(), 10, 20, 30, 40);
@@ -50,7 +38,7 @@ TEST(Viewport, EndsAtTheWindow) {
 
 TEST(Viewport, BesideTheWindowIsNotTraced) {
   std::vector<scene::Region> seen;
-  TracedContext context({kSize, kSize}, TracedContext::vertexShading(), std::make_unique<Regions>(seen));
+  TracedContext context({kSize, kSize}, TracedContext::vertexShading(), takeRegions(seen));
   drawWith(context.gl(), kSize, 0, 100, 100);
   EXPECT_TRUE(seen.empty());
 }
@@ -58,13 +46,13 @@ TEST(Viewport, BesideTheWindowIsNotTraced) {
 TEST(Viewport, WindowIsAskedOnceABatch) {
   int width = kSize, asked = 0;
   std::vector<scene::Region> seen;
-  Regions presenter(seen);
+  const auto presenter = takeRegions(seen);
   const auto below = OsmesaContext::create({kSize, kSize});
   gl::ContextInfo info;
   info.settings.engine = Engine::always;
   info.drawableSize = [&] { return ++asked, glm::ivec2(width, kSize); };
   const auto context =
-      gl::Context::create(below->real(), std::make_shared<gl::ShareGroup>(), info, presenter);
+      gl::Context::create(below->real(), std::make_shared<gl::ShareGroup>(), info, *presenter);
   context->makeCurrent();
   const gl::RealGl& gl = TracedContext::stubs();
   const auto batchOfTen = [&] {

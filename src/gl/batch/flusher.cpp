@@ -15,14 +15,6 @@
 #include <utility>
 
 namespace gluray::gl {
-namespace {
-
-const char* whyOf(const PresentResult& result) {
-  return result.why.empty() ? "the ray tracer could not make a picture" : result.why.c_str();
-}
-
-}  // namespace
-
 bool Flusher::canTrace() {
   if (supported_) return *supported_;
   std::string why;
@@ -75,7 +67,7 @@ void Flusher::present(Reason reason) {
   const bool declined = result.layers && result.outcome == PresentResult::rasterised;
   if (declined) p_.counts.asRasterised(*snapshot, Reason::programPass);
   const auto wanted = rasterise || declined ? PresentResult::rasterised : PresentResult::traced;
-  if (result.outcome != wanted) p_.failsafe.stepAside(whyOf(result));
+  if (result.outcome != wanted) p_.failsafe.stepAside(result.reason());
 }
 
 void Flusher::takeResult(const PresentResult& result, bool known) {
@@ -140,7 +132,7 @@ void Flusher::presentLate(const BatchKey& key, const scene::SnapshotPtr& snapsho
   if (bound != key.framebuffer) real.BindFramebuffer(GL_DRAW_FRAMEBUFFER, bound);
   p_.shadow.latch.restore(real);
   takeResult(result, known);
-  if (result.outcome != PresentResult::traced) p_.failsafe.stepAside(whyOf(result));
+  if (result.outcome != PresentResult::traced) p_.failsafe.stepAside(result.reason());
 }
 
 void Flusher::imagesChange() noexcept {

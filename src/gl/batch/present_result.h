@@ -27,7 +27,10 @@ struct PresentResult {
   std::vector<uint32_t> picture;
   GLenum pendingError =
       GL_NO_ERROR;  // an error of the program's that was found on the way, to be reported to it
-  std::string why;  // where it was not traced: one line for the user, who has not been told yet
+  std::string why;  // where it was not traced: one line for the user, which nobody has logged yet
+
+  /// `why`, or a general line where it is empty.
+  const char* reason() const { return why.empty() ? "the ray tracer could not make a picture" : why.c_str(); }
 };
 
 }  // namespace gluray::gl

@@ -131,9 +131,7 @@ void WindowFrames::showLagged() {
       p_.shadow.errors.set(pending);
   if (p_.counts.kinds()) [[unlikely]]
     p_.counts.kinds()->exclude(nowSeconds() - start);
-  if (result.outcome != PresentResult::traced)
-    p_.failsafe.stepAside(result.why.empty() ? "the ray tracer could not make a picture"
-                                             : result.why.c_str());
+  if (result.outcome != PresentResult::traced) p_.failsafe.stepAside(result.reason());
 }
 
 bool WindowFrames::clearsLater(GLbitfield mask) {

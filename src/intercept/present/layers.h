@@ -10,7 +10,7 @@
 
 namespace gluray::present {
 
-/// gl::Presenter::readDepths.
+/// gl::LayerPresenter::readDepths.
 bool readDepths(const gl::RealGl& real, const Features& features, GLint unit, glm::ivec2 size,
                 std::vector<glm::vec2>& out);
 
@@ -25,7 +25,7 @@ bool clearResult(const gl::RealGl& real, const Features& features, const gl::Lay
 /// are made.
 bool showPicture(const gl::RealGl& real, const Features& features, const gl::LayersTarget& target);
 
-/// gl::Presenter::countPixels.
+/// gl::LayerPresenter::countPixels.
 bool countPixels(const gl::RealGl& real, const Features& features, const gl::HeldPass& pass, GLuint texture,
                  glm::ivec2 size, uint64_t pixels);
 

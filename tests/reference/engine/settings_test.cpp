@@ -1,6 +1,7 @@
 // A frame is drawn with the settings that were there when it began; the next one takes what was stored since.
 #include "scenes/stage.h"
 #include "settings/settings_source.h"
+#include "tests/support/snapshot_taker.h"
 #include "tests/support/traced_context.h"
 
 #include <gtest/gtest.h>
@@ -16,23 +17,10 @@ using scenes::Gl;
 
 constexpr int kSize = 96;
 
-/// Keeps the settings of the batches it is asked for, and draws nothing.
-class Chosen final : public gl::Presenter {
- public:
-  explicit Chosen(std::vector<Settings>& seen) : seen_(seen) {}
-  gl::PresentResult present(const gl::RealGl&, const scene::SnapshotPtr& snapshot,
-                            const gl::PresentTarget&) noexcept override {
-    seen_.push_back(snapshot->settings);
-    gl::PresentResult result;
-    result.outcome = gl::PresentResult::traced;
-    return result;
-  }
-  bool supports(const gl::RealGl&, bool, std::string&) noexcept override { return true; }
-  void forget(const gl::RealGl&) noexcept override {}
-
- private:
-  std::vector<Settings>& seen_;
-};
+/// Adds the settings of its batches to `seen`.
+std::unique_ptr<gl::Presenter> takeSettings(std::vector<Settings>& seen) {
+  return std::make_unique<SnapshotTaker>([&seen](const scene::Snapshot& s) { seen.push_back(s.settings); });
+}
 
 /// A batch of its own: the next one has another depth function.
 void drawBatch(Gl gl, GLenum depthFunction) {
@@ -62,8 +50,7 @@ TEST(SettingsOfFrames, AStoreCountsFromTheNextFrameOn) {
   std::vector<Settings> seen;
   const Settings first = TracedContext::vertexShading();
   SettingsSource source(first);
-  TracedContext context({kSize, kSize}, first, std::make_unique<Chosen>(seen), nullptr, familiesOfTests(),
-                        &source);
+  TracedContext context({kSize, kSize}, first, takeSettings(seen), nullptr, familiesOfTests(), &source);
   drawFrame(context.gl(), [&] { source.store(other()); });
   EXPECT_EQ(seen, (std::vector<Settings>{first, first}));
   EXPECT_EQ(context.context().settings.now(), other());
@@ -80,8 +67,7 @@ TEST(SettingsOfFrames, AClearBehindDrawsBeginsNoFrame) {
   std::vector<Settings> seen;
   const Settings first = TracedContext::vertexShading();
   SettingsSource source(first);
-  TracedContext context({kSize, kSize}, first, std::make_unique<Chosen>(seen), nullptr, familiesOfTests(),
-                        &source);
+  TracedContext context({kSize, kSize}, first, takeSettings(seen), nullptr, familiesOfTests(), &source);
   const Gl gl = context.gl();
   gl.Enable(GL_DEPTH_TEST);
   drawBatch(gl, GL_LESS);  // without a clear

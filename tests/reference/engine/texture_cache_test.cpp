@@ -1,6 +1,7 @@
 // Texture images are read from the real OpenGL again only after calls that may have changed them.
 #include "scenes/stage.h"
 #include "scenes/texels.h"
+#include "tests/support/snapshot_taker.h"
 #include "tests/support/traced_context.h"
 
 #include <gtest/gtest.h>
@@ -13,29 +14,18 @@ namespace {
 using namespace scenes;
 using Image = std::shared_ptr<const scene::TextureImage>;
 
-/// Keeps the image that the last batch was textured with, and draws nothing.
-class LastImage final : public gl::Presenter {
- public:
-  explicit LastImage(Image& image) : image_(image) {}
-  gl::PresentResult present(const gl::RealGl&, const scene::SnapshotPtr& snapshot,
-                            const gl::PresentTarget&) noexcept override {
-    const auto& textures = snapshot->shadings.back().textures;
-    image_ = textures.empty() ? nullptr : textures[0].image;
-    gl::PresentResult result;
-    result.outcome = gl::PresentResult::traced;
-    return result;
-  }
-  bool supports(const gl::RealGl&, bool, std::string&) noexcept override { return true; }
-  void forget(const gl::RealGl&) noexcept override {}
-
- private:
-  Image& image_;
-};
+/// Puts the image that the last batch was textured with into `image`.
+std::unique_ptr<gl::Presenter> takeImage(Image& image) {
+  return std::make_unique<SnapshotTaker>([&image](const scene::Snapshot& s) {
+    const auto& textures = s.shadings.back().textures;
+    image = textures.empty() ? nullptr : textures[0].image;
+  });
+}
 
 class TextureCache : public testing::Test {
  protected:
   Image last;
-  TracedContext context{{64, 64}, TracedContext::vertexShading(), std::make_unique<LastImage>(last)};
+  TracedContext context{{64, 64}, TracedContext::vertexShading(), takeImage(last)};
   Gl gl = context.gl();
   GLuint texture = 0;
 

@@ -5,6 +5,7 @@
 #include "intercept/present/raster/triangle_array.h"
 
 #include <functional>
+#include <string>
 
 namespace gluray::present {
 namespace {
@@ -25,8 +26,7 @@ void main() {
 
 /// Of one sample, which lies `shift` from the pixel's centre, where the fragment's own depth is; `slack`: so
 /// many pixels from there at most.
-constexpr const char* kSamplesSeenAlone = R"(#version 150 compatibility
-uniform sampler2DMS before;
+constexpr const char* kSamplesSeenAlone = R"(uniform sampler2DMS before;
 uniform vec4 place;
 uniform vec2 shift;
 uniform float slack;
@@ -36,9 +36,13 @@ void main() {
   float depth = gl_FragCoord.z + dot(slope, shift), most = 0.00002 + slack * dot(abs(slope), vec2(1.0));
   float there = texelFetch(before, ivec2(gl_FragCoord.xy - place.xy), sampleAt).r;
   if (abs(depth - there) > most) discard;
-  gl_FragColor = vec4(0.0);
+  color = vec4(0.0);
 }
 )";
+
+/// What stands before that: for vertices of fixed function, and of kByMatrix.
+constexpr const char* kFixedHead = "#version 150 compatibility\n#define color gl_FragColor\n";
+constexpr const char* kMatrixHead = "#version 150\nout vec4 color;\n";
 
 /// For surfaces that a shader program puts into place as this one does: to the bit, as compilers treat the
 /// two alike.
@@ -59,24 +63,8 @@ void main() {
 }
 )";
 
-constexpr const char* kMatrixSamplesSeenAlone = R"(#version 150
-uniform sampler2DMS before;
-uniform vec4 place;
-uniform vec2 shift;
-uniform float slack;
-uniform int sampleAt;
-out vec4 color;
-void main() {
-  vec2 slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z));
-  float depth = gl_FragCoord.z + dot(slope, shift), most = 0.00002 + slack * dot(abs(slope), vec2(1.0));
-  float there = texelFetch(before, ivec2(gl_FragCoord.xy - place.xy), sampleAt).r;
-  if (abs(depth - there) > most) discard;
-  color = vec4(0.0);
-}
-)";
-
 /// `vertex`: null where vertices go the way of fixed function.
-GLuint buildProgram(const RealGl& real, const char* vertex, const char* fragment) {
+GLuint buildProgram(const RealGl& real, const char* vertex, const std::string& fragment) {
   const GLuint program = real.CreateProgram();
   const auto attach = [&](GLenum kind, const char* source) {
     const GLuint shader = real.CreateShader(kind);
@@ -86,7 +74,7 @@ GLuint buildProgram(const RealGl& real, const char* vertex, const char* fragment
     real.DeleteShader(shader);
   };
   if (vertex) attach(GL_VERTEX_SHADER, vertex), real.BindAttribLocation(program, 0, "vertexMC");
-  attach(GL_FRAGMENT_SHADER, fragment);
+  attach(GL_FRAGMENT_SHADER, fragment.c_str());
   real.LinkProgram(program);
   GLint linked = GL_FALSE;
   real.GetProgramiv(program, GL_LINK_STATUS, &linked);
@@ -230,7 +218,7 @@ bool drawSamples(const RealGl& real, const Features& features, const scene::Snap
 struct Drawer {
   const char* vertex;  // null: fixed function
   const char* single;
-  const char* samples;
+  const char* samplesHead;  // before kSamplesSeenAlone
   DrawDepth draw;
 };
 
@@ -244,7 +232,9 @@ bool drawAgain(const RealGl& real, const Features& features, const scene::Snapsh
                                    : copyDepth(real, features, snapshot.region);
   if (!again.depth) return false;
   bool drawn = false;
-  again.program = buildProgram(real, drawer.vertex, again.multisampled ? drawer.samples : drawer.single);
+  again.program =
+      buildProgram(real, drawer.vertex,
+                   again.multisampled ? std::string(drawer.samplesHead) + kSamplesSeenAlone : drawer.single);
   if (again.program) {
     tell(real, features, again.program, snapshot.region);
     drawn = again.multisampled ? drawSamples(real, features, snapshot, drawer.draw, again)
@@ -262,7 +252,7 @@ bool drawDepthAgain(const RealGl& real, const Features& features, const scene::S
   const auto draw = [&](GLenum func, const DepthPass& pass) {
     return drawWithFixedFunction(real, features, snapshot, func, &pass);
   };
-  return drawAgain(real, features, snapshot, {nullptr, kSeenAlone, kSamplesSeenAlone, draw});
+  return drawAgain(real, features, snapshot, {nullptr, kSeenAlone, kFixedHead, draw});
 }
 
 bool drawDepthAgain(const RealGl& real, const Features& features, const scene::Snapshot& snapshot,
@@ -274,7 +264,7 @@ bool drawDepthAgain(const RealGl& real, const Features& features, const scene::S
     triangles.draw(snapshot, surface.clipFromObject, func, pass);
     return true;
   };
-  return drawAgain(real, features, snapshot, {kByMatrix, kMatrixSeenAlone, kMatrixSamplesSeenAlone, draw});
+  return drawAgain(real, features, snapshot, {kByMatrix, kMatrixSeenAlone, kMatrixHead, draw});
 }
 
 }  // namespace gluray::present
