@@ -2,7 +2,7 @@
 #pragma once
 #include "base/clock.h"
 #include "gl/draws/draw_kinds.h"
-#include "gl/programs/family.h"
+#include "gl/families/family.h"
 #include "gl/window/engine_choice.h"
 #include "settings/settings_source.h"
 

@@ -5,7 +5,7 @@
 #include "gl/batch/presenter.h"
 #include "gl/buffers/attachments.h"
 #include "gl/capture/mesh_cache.h"
-#include "gl/programs/match.h"
+#include "gl/families/match.h"
 
 #include <GL/gl.h>
 

@@ -1,7 +1,7 @@
 // Descriptions of shader programs that the user added (--program-families). Any thread, once there is a
 // context.
 #pragma once
-#include "gl/programs/family.h"
+#include "gl/families/family.h"
 
 #include <memory>
 #include <string>

@@ -1,7 +1,7 @@
 // Statements of the tests' programs that are not VTK's own words, though they compute what VTK's programs do:
 // to be among those that VTK's families know.
 #pragma once
-#include "gl/programs/family.h"
+#include "gl/families/family.h"
 
 #include <memory>
 

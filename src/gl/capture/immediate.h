@@ -5,10 +5,10 @@
 #include "gl/capture/captured_vertices.h"
 #include "gl/capture/mesh_cache.h"
 #include "gl/capture/vertex_stream.h"
-#include "gl/capture/when_to_weld.h"
 #include "gl/draws/draw_kinds.h"
 #include "gl/draws/raster_draws.h"
 #include "gl/draws/reasons.h"
+#include "gl/welding/when_to_weld.h"
 #include "gl/window/passthrough_frames.h"
 
 #include <GL/gl.h>

@@ -1,7 +1,7 @@
 #include "gl/capture/mesh_builder.h"
 
 #include "base/timeline.h"
-#include "gl/capture/weld.h"
+#include "gl/welding/weld.h"
 #include "parallel/loops.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "gl/capture/mesh_builder.h"
 
 #include "gl/capture/vertex_stream.h"
-#include "gl/capture/weld.h"
+#include "gl/welding/weld.h"
 
 #include <gtest/gtest.h>
 

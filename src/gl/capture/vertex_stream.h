@@ -3,8 +3,8 @@
 // vertex attribute calls.
 #pragma once
 #include "gl/capture/captured_vertices.h"
-#include "gl/capture/stream_weld.h"
-#include "gl/capture/weld_behind.h"
+#include "gl/welding/stream_weld.h"
+#include "gl/welding/weld_behind.h"
 
 #include <cstring>
 

@@ -1,7 +1,7 @@
 #include "gl/draws/draw_kinds.h"
 
 #include "base/clock.h"
-#include "gl/programs/match.h"
+#include "gl/families/match.h"
 #include "gl/state/state.h"
 
 #include <gtest/gtest.h>

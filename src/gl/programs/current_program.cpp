@@ -1,6 +1,6 @@
 #include "gl/programs/current_program.h"
 
-#include "gl/programs/match.h"
+#include "gl/families/match.h"
 
 namespace gluray::gl {
 

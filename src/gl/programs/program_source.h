@@ -1,7 +1,7 @@
 // The source of a program's shaders, asked of the real OpenGL when it is first needed. GL thread, context
 // current.
 #pragma once
-#include "gl/programs/glsl_statements.h"
+#include "gl/families/glsl_statements.h"
 #include "gl/real.h"
 
 #include <string>

@@ -2,7 +2,7 @@
 #pragma once
 #include "gl/arrays/arrays.h"
 #include "gl/draws/reasons.h"
-#include "gl/programs/match.h"
+#include "gl/families/match.h"
 #include "gl/programs/uniforms.h"
 #include "scene/snapshot.h"
 

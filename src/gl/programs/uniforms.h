@@ -1,7 +1,7 @@
 // Values of a program's uniforms, asked of the real OpenGL, which has them whichever way they were set. GL
 // thread, context current.
 #pragma once
-#include "gl/programs/family.h"
+#include "gl/families/family.h"
 #include "gl/programs/program.h"
 
 #include <glm/glm.hpp>

@@ -1,7 +1,7 @@
 #include "intercept/reports/explanation.h"
 
 #include "frame/tracer_info.h"
-#include "gl/programs/match.h"
+#include "gl/families/match.h"
 #include "intercept/session.h"
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 // GLSL cut into statements: what is a statement, what is left out, and what counts as the same.
-#include "gl/programs/glsl_statements.h"
+#include "gl/families/glsl_statements.h"
 
 #include <gtest/gtest.h>
 

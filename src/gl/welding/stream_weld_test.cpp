@@ -1,7 +1,7 @@
-#include "gl/capture/stream_weld.h"
+#include "gl/welding/stream_weld.h"
 
 #include "gl/capture/mesh_builder.h"
-#include "gl/capture/test_soup.h"
+#include "gl/welding/test_soup.h"
 
 #include <gtest/gtest.h>
 

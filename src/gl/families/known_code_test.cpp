@@ -1,5 +1,5 @@
 // What programs must hold beside known statements: whole blocks, nothing twice, and what others read.
-#include "gl/programs/known_code.h"
+#include "gl/families/known_code.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // [[code]] sections of family files, and which of them families name.
-#include "gl/programs/family.h"
-#include "gl/programs/test_family_text.h"
+#include "gl/families/family.h"
+#include "gl/families/test_family_text.h"
 
 #include <gtest/gtest.h>
 

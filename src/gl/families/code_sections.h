@@ -1,6 +1,6 @@
 // [[code]] sections of family files. Private to family_file.cpp.
 #pragma once
-#include "gl/programs/known_code.h"
+#include "gl/families/known_code.h"
 
 #include <toml++/toml.h>
 

@@ -1,4 +1,4 @@
-#include "gl/capture/weld_behind.h"
+#include "gl/welding/weld_behind.h"
 
 #include "base/background_job.h"
 #include "base/timeline.h"

@@ -1,4 +1,4 @@
-#include "gl/programs/glsl_tokens.h"
+#include "gl/families/glsl_tokens.h"
 
 #include <algorithm>
 

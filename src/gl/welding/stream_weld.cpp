@@ -1,4 +1,4 @@
-#include "gl/capture/stream_weld.h"
+#include "gl/welding/stream_weld.h"
 
 #include <algorithm>
 #include <cstring>

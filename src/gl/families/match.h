@@ -1,6 +1,6 @@
 // Which family a program belongs to. GL thread, context current.
 #pragma once
-#include "gl/programs/family.h"
+#include "gl/families/family.h"
 #include "gl/programs/program.h"
 
 #include <map>

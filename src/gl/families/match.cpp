@@ -1,6 +1,6 @@
-#include "gl/programs/match.h"
+#include "gl/families/match.h"
 
-#include "gl/programs/glsl_types.h"
+#include "gl/families/glsl_types.h"
 #include "gl/programs/program_source.h"
 
 #include <algorithm>

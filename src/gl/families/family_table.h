@@ -1,7 +1,7 @@
 // Family files word by word: a table of TOML, whose every key must be one that is asked for. Private to
 // family_file.cpp and code_sections.cpp.
 #pragma once
-#include "gl/programs/family.h"
+#include "gl/families/family.h"
 
 #include <toml++/toml.h>
 

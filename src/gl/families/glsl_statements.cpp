@@ -1,7 +1,7 @@
-#include "gl/programs/glsl_statements.h"
+#include "gl/families/glsl_statements.h"
 
 #include "base/hash.h"
-#include "gl/programs/glsl_tokens.h"
+#include "gl/families/glsl_tokens.h"
 
 #include <algorithm>
 #include <cstring>

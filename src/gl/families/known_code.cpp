@@ -1,6 +1,6 @@
-#include "gl/programs/known_code.h"
+#include "gl/families/known_code.h"
 
-#include "gl/programs/glsl_tokens.h"
+#include "gl/families/glsl_tokens.h"
 
 #include <algorithm>
 #include <map>

@@ -2,7 +2,7 @@
 // something that nobody has told us. Format: docs/program-families.md. Any thread.
 #pragma once
 #include "base/hash.h"
-#include "gl/programs/glsl_statements.h"
+#include "gl/families/glsl_statements.h"
 
 #include <map>
 #include <set>

@@ -1,6 +1,8 @@
 // What tests of family files share.
 #pragma once
-#include "gl/programs/family.h"
+#include "gl/families/family.h"
+
+#include <gtest/gtest.h>
 
 #include <string>
 
@@ -17,6 +19,13 @@ inline std::string mistake(const std::string& text) {
     parseFamilies(text, "x.toml");
   } catch (const FamilyError& e) { return e.what(); }
   return "none";
+}
+
+/// The one family of that file with `more` lines.
+inline Family parsed(const std::string& more = "") {
+  const FamilyList list = parseFamilies(kLeast + more, "x.toml");
+  EXPECT_EQ(list.size(), 1u);
+  return *list.at(0);
 }
 
 }  // namespace gluray::gl

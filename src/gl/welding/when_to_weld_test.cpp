@@ -1,4 +1,4 @@
-#include "gl/capture/when_to_weld.h"
+#include "gl/welding/when_to_weld.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 // matrices, material and lights. Files: spec/programs/*.toml (built in) and what --program-families adds;
 // format: docs/program-families.md.
 #pragma once
-#include "gl/programs/known_code.h"
+#include "gl/families/known_code.h"
 #include "scene/impostors.h"
 #include "scene/mesh.h"
 

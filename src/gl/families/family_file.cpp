@@ -1,7 +1,7 @@
 // Family files: TOML to Family.
-#include "gl/programs/code_sections.h"
-#include "gl/programs/family.h"
-#include "gl/programs/family_table.h"
+#include "gl/families/code_sections.h"
+#include "gl/families/family.h"
+#include "gl/families/family_table.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
-#include "gl/programs/code_sections.h"
+#include "gl/families/code_sections.h"
 
-#include "gl/programs/family_table.h"
+#include "gl/families/family_table.h"
 
 namespace gluray::gl {
 namespace {

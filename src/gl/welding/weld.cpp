@@ -1,4 +1,4 @@
-#include "gl/capture/weld.h"
+#include "gl/welding/weld.h"
 
 #include "parallel/loops.h"
 

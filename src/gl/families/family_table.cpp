@@ -1,4 +1,4 @@
-#include "gl/programs/family_table.h"
+#include "gl/families/family_table.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // The families of spec/programs, which are in the engine as text.
-#include "gl/programs/built_in_families.gen.h"
-#include "gl/programs/family.h"
+#include "gl/families/built_in_families.gen.h"
+#include "gl/families/family.h"
 
 namespace gluray::gl {
 

@@ -2,7 +2,7 @@
 // calls.
 #pragma once
 #include "gl/capture/growing_array.h"
-#include "gl/capture/stream_weld.h"
+#include "gl/welding/stream_weld.h"
 
 #include <cstdint>
 #include <memory>

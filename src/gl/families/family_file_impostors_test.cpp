@@ -1,0 +1,84 @@
+// Family files: what the keys of impostors do.
+#include "gl/families/family.h"
+#include "gl/families/test_family_text.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace gluray::gl {
+namespace {
+
+std::string mistakeIn(const std::string& line) { return mistake(kLeast + line + "\n"); }
+
+using Numbers = std::vector<float>;
+
+TEST(FamilyFile, ImpostorKeys) {
+  const Family f = parsed(
+      "impostors.shape = \"cylinders\"\nimpostors.radius = \"r\"\nimpostors.axis = "
+      "\"a\"\nimpostors.billboards = "
+      "\"faces\"\n"
+      "impostors.inside = \"i\"\nimpostors.radius_divisor = 2\nimpostors.fades = true\nclip.centers = "
+      "true\n");
+  EXPECT_EQ(f.impostors.shape, scene::Shape::cylinders);
+  EXPECT_EQ(f.impostors.billboards, scene::Impostors::Billboards::faces);
+  EXPECT_EQ(f.impostors.radius.uniform, "r");
+  EXPECT_EQ(f.impostors.axis, "a");
+  EXPECT_EQ(f.impostors.inside.uniform, "i");
+  EXPECT_EQ(f.impostors.radiusDivisor.constant, Numbers{2});
+  EXPECT_TRUE(f.impostors.fades && f.clipCenters && f.impostors.given());
+  EXPECT_TRUE(f.mentions("r") && f.mentions("a") && f.mentions("i"));
+  EXPECT_FALSE(parsed().impostors.given());
+  EXPECT_NE(mistakeIn("impostors.radius = 1").find("impostors need a shape"), std::string::npos);
+  EXPECT_NE(mistakeIn("impostors.shape = \"cubes\"").find("spheres, discs, cylinders"), std::string::npos);
+  const std::string sphere = "impostors.shape = \"spheres\"\nimpostors.radius = 1\n";
+  EXPECT_EQ(mistakeIn(sphere), "none");
+  EXPECT_NE(mistakeIn(sphere + "clip.planes = \"c\"").find("clip.centers"), std::string::npos);
+  EXPECT_NE(mistakeIn(sphere + "color.textures = \"t\"").find("neither textures"), std::string::npos);
+  EXPECT_NE(mistakeIn("impostors.shape = \"spheres\"").find("needs impostors.radius"), std::string::npos);
+  EXPECT_NE(mistakeIn("impostors.shape = \"cylinders\"\nimpostors.radius = 1").find("needs impostors.axis"),
+            std::string::npos);
+  EXPECT_NE(mistakeIn("impostors.shape = \"spheres\"\nimpostors.billboards = \"faces\"\nimpostors.radius = 1")
+                .find("those of cylinders"),
+            std::string::npos);
+}
+
+TEST(FamilyFile, BeadsAndTubes) {
+  const std::string round = "impostors.bulge = \"r\"\nimpostors.bulge_depth = \"s\"\n";
+  const Family f = parsed(round +
+                          "impostors.shape = \"tubes\"\nimpostors.size = \"w\"\nimpostors.grows = true\n"
+                          "impostors.depth_bias = \"o\"\n");
+  EXPECT_EQ(f.impostors.shape, scene::Shape::tubes);
+  EXPECT_EQ(f.impostors.size.uniform, "w");
+  EXPECT_EQ(f.impostors.bulge.uniform, "r");
+  EXPECT_EQ(f.impostors.bulgeDepth.uniform, "s");
+  EXPECT_EQ(f.impostors.depthBias.uniform, "o");
+  EXPECT_TRUE(f.impostors.grows && f.mentions("w") && f.mentions("r") && f.mentions("s") && f.mentions("o"));
+  const std::string beads = round + "impostors.shape = \"beads\"\n";
+  EXPECT_EQ(mistakeIn(beads), "none");
+  EXPECT_NE(mistakeIn(beads + "impostors.size = 1").find("need size"), std::string::npos);
+  EXPECT_NE(mistakeIn(round + "impostors.shape = \"tubes\"").find("need size"), std::string::npos);
+  EXPECT_NE(mistakeIn("impostors.shape = \"beads\"").find("need bulge"), std::string::npos);
+  EXPECT_NE(mistakeIn(beads + "depth.offset = \"o\"").find("impostors.depth_bias"), std::string::npos);
+}
+
+TEST(FamilyFile, Splats) {
+  const std::string least = "impostors.shape = \"splats\"\nimpostors.radius = \"r\"\n";
+  const Family f = parsed(
+      least + "impostors.projection = \"pm\"\nimpostors.scale = \"s\"\nimpostors.billboard_scale = \"c\"\n");
+  EXPECT_EQ(f.impostors.shape, scene::Shape::splats);
+  EXPECT_EQ(f.impostors.projection, "pm");
+  EXPECT_EQ(f.impostors.scale.uniform, "s");
+  EXPECT_EQ(f.impostors.billboardScale.uniform, "c");
+  EXPECT_TRUE(f.mentions("pm") && f.mentions("s") && f.mentions("c"));
+  EXPECT_NE(mistakeIn(least).find("need impostors.projection"), std::string::npos);
+  const std::string bead = "impostors.shape = \"beads\"\nimpostors.bulge = 1\nimpostors.bulge_depth = 1\n";
+  EXPECT_NE(mistakeIn(bead + "impostors.projection = \"pm\"").find("need impostors.projection"),
+            std::string::npos);
+  EXPECT_NE(mistakeIn(least + "impostors.projection = \"pm\"\ndepth.offset = 1").find("impostors.depth_bias"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace gluray::gl

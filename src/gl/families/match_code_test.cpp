@@ -1,0 +1,123 @@
+// Which family a program fits, by the statements of its sources.
+#include "gl/families/test_match.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace gluray::gl {
+namespace {
+
+const char* const kCode = R"(match.code = ["one", "two"]
+[[code]]
+name = "one"
+statements = "color = vec4(light0, 1.0);"
+[[code]]
+name = "two"
+statements = "if (color.a < 0.5) discard; gl_Position = m * p;"
+)";
+
+TEST_F(Match, ATextureMayHaveAnyName) {
+  const FamilyList list = parseFamilies(std::string(kFamily) +
+                                            "color.textures = \"t1\"\ncolor.any_texture = \"t1\"\n"
+                                            "match.code = \"one\"\n[[code]]\nname = \"one\"\n"
+                                            "statements = \"color = texture(t1, p); gl_Position = m * p;\"\n",
+                                        "f.toml");
+  std::string& fragment = attachBoth();
+  const auto found = [&](const Program& p) { return obstacles(real_, p, *list.front(), list.code); };
+  Program p = fitting();
+  p.uniforms["bricks"].type = GL_SAMPLER_2D;
+  fragment = "void main() { color = texture(bricks, p); }";
+  EXPECT_EQ(found(p), Lines{});
+  fragment = "void main() { color = 2. * texture(bricks, p); }";
+  EXPECT_EQ(found(p), Lines{"has the unknown statement \"color=2.*texture(t1,p);\""});
+  fragment = "float t1; void main() { color = texture(bricks, p); }";
+  EXPECT_EQ(found(p).size(), 2u) << "the family's name means something else";
+
+  p.uniforms["t1"].type = GL_SAMPLER_2D;
+  EXPECT_EQ(found(p), Lines{"has uniform \"bricks\" (sampler2D), of which the family says nothing"});
+  p.uniforms.erase("t1"), p.uniforms["wood"].type = GL_SAMPLER_2D;
+  EXPECT_EQ(found(p).size(), 2u) << "which of them is the one?";
+  p.uniforms.erase("wood"), p.uniforms["bricks"].type = GL_SAMPLER_CUBE;
+  EXPECT_EQ(found(p).size(), 1u);
+}
+
+TEST_F(Match, StatementsMustBeKnown) {
+  const FamilyList list = parseFamilies(std::string(kFamily) + kCode, "f.toml");
+  const auto found = [&] { return obstacles(real_, fitting(), *list.front(), list.code); };
+  EXPECT_EQ(found(), Lines{"has no source that could be read"});
+  std::string& fragment = attachBoth();
+  fragment = "uniform vec3 light3; out vec4 color; void main() { color = vec4(light3, 1); }";
+  EXPECT_EQ(found(), Lines{"has the unknown statement \"color=vec4(light#,1);\""}) << "1 is not 1.0";
+  fragment = "void main() { // all is known\n color = vec4(light3, 1.); if (color.a < .5) discard; }";
+  EXPECT_EQ(found(), Lines{});
+  fragment += " float f() { return 1.0; }";
+  EXPECT_EQ(found(), Lines{"has the unknown statement \"float f(){return 1.;}\""});
+  fragment = "void main() { color.r = 1.0; color.r = 1.0; color.g = 2.0; }";
+  EXPECT_EQ(found(), (Lines{"has the unknown statement \"color.r=1.;\"",
+                            "has the unknown statement \"color.g=2.;\""}));
+}
+
+TEST_F(Match, BlocksMustBeWhole) {
+  const FamilyList list = parseFamilies(
+      std::string(kFamily) +
+          "match.code = \"one\"\n[[code]]\nname = \"one\"\nblocks = \"c = 1.0; d = c;\"\nwritten = \"v\"\n"
+          "statements = \"gl_Position = m * p; color = v; v = p;\"\n",
+      "f.toml");
+  std::string& fragment = attachBoth();
+  const auto found = [&] { return obstacles(real_, fitting(), *list.front(), list.code); };
+  fragment = "void main() { c = 1.0; d = c; }";
+  EXPECT_EQ(found(), Lines{});
+  fragment = "void main() { d = c; color = v; }";
+  EXPECT_EQ(found(), (Lines{"has the statement \"d=c;\" twice, or without what belongs before and behind it",
+                            "reads \"v\", which it does not write"}));
+}
+
+TEST_F(Match, SourcesMustBeReadAsAWhole) {
+  const FamilyList list = parseFamilies(std::string(kFamily) + kCode, "f.toml");
+  const auto found = [&] { return obstacles(real_, fitting(), *list.front(), list.code); };
+  const Lines unread{"has no source that could be read"};
+  const auto without = [&](size_t shader) {
+    attachBoth();
+    g_shaders.erase(g_shaders.begin() + static_cast<std::ptrdiff_t>(shader));
+    return found();
+  };
+  attachBoth();
+  EXPECT_EQ(found(), Lines{});
+  EXPECT_EQ(without(0), unread) << "the vertex shader is detached";
+  EXPECT_EQ(without(1), unread) << "the fragment shader is detached";
+  for (const size_t shader : {0u, 1u}) {
+    attachBoth(), g_shaders[shader].hasText = false;
+    EXPECT_EQ(found(), unread) << "no source, as after glShaderBinary";
+    attachBoth(), g_shaders[shader].text.clear();
+    EXPECT_EQ(found(), unread) << "an empty text says nothing of what is computed";
+  }
+  attachBoth(), g_shaders[0].text = g_shaders[1].text = "void main() {}";
+  EXPECT_EQ(found(), unread) << "texts that were given after linking";
+  attachBoth(), g_shaders.push_back({GL_FRAGMENT_SHADER, "", false});
+  EXPECT_EQ(found(), unread) << "of one of two";
+  attachBoth(), g_shaders.push_back({GL_FRAGMENT_SHADER, "float f() { return 1.0; }"});
+  EXPECT_EQ(found(), Lines{"has the unknown statement \"float f(){return 1.;}\""});
+  attachBoth(), g_shaders.resize(32, g_shaders[1]);
+  EXPECT_EQ(found(), Lines{});
+  g_shaders.push_back({GL_FRAGMENT_SHADER, "float f() { return 1.0; }"});
+  EXPECT_EQ(found(), unread) << "more shaders than are read";
+  attachBoth();
+  real_.GetProgramiv = [](GLuint, GLenum, GLint* count) { *count = 3; };
+  EXPECT_EQ(found(), unread) << "a shader that OpenGL does not name";
+}
+
+TEST_F(Match, GeometryShadersMustBeReadToo) {
+  const FamilyList list =
+      parseFamilies(std::string(kFamily) + "match.geometry_shader = true\n" + kCode, "f.toml");
+  Program program = fitting();
+  program.geometryShader = true;
+  const auto found = [&] { return obstacles(real_, program, *list.front(), list.code); };
+  attachBoth();
+  EXPECT_EQ(found(), Lines{"has no source that could be read"});
+  g_shaders.push_back({GL_GEOMETRY_SHADER, "layout(points) in;"});
+  EXPECT_EQ(found(), Lines{"has the unknown statement \"layout(points)in;\""});
+}
+
+}  // namespace
+}  // namespace gluray::gl
