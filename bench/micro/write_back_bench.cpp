@@ -107,7 +107,7 @@ void send(benchmark::State& state) {
   const gl::RealGl& gl = context->real();
   bindTextures(gl);
   const present::Features features = present::readFeatures(gl);
-  present::TexturePut put;
+  present::TextureUpload put;
   present::PendingErrors pending;
   for (auto _ : state) {
     state.PauseTiming();

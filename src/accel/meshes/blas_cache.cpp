@@ -152,7 +152,7 @@ Waiting BlasCache::waitingOf(const std::vector<Geometry>& wanted, BvhQuality qua
     checkArrays(*geometry.mesh);
     waiting.triangles += geometry.mesh->triangleCount;
     if (TriangleBlocks::likely(*geometry.mesh, TriangleBlocks::Aim::speed))
-      waiting.inRuns += geometry.mesh->triangleCount;
+      waiting.inBlocks += geometry.mesh->triangleCount;
   }
   return waiting;
 }

@@ -6,7 +6,7 @@ namespace gluray::accel {
 namespace {
 
 // Bytes a triangle at the moment of greatest need, measured on isosurfaces of 1 to 64 million triangles.
-constexpr size_t kFastBytes = 100, kRunBytes = 56, kFullBytes = 110, kCompactBytes = 42;
+constexpr size_t kFastBytes = 100, kBlockBytes = 56, kFullBytes = 110, kCompactBytes = 42;
 // The rest of the process and the machine needs some memory too.
 constexpr size_t kReserve = size_t{256} << 20;
 // Two threads build this many in 20 ms as full and in 5 ms as fast: below it nobody sees the difference.
@@ -21,10 +21,10 @@ BvhQuality firstQuality(BvhQuality wanted, uint64_t triangles, const Waiting& wa
   if (wanted != BvhQuality::automatic) return wanted;
   if (waiting.triangles < kMuch || triangles < kSmall) return BvhQuality::full;
   const size_t free = freeMemory(), room = (free - std::min(free, kReserve)) / 2;
-  const uint64_t fast = waiting.inRuns * kRunBytes + (waiting.triangles - waiting.inRuns) * kFastBytes;
+  const uint64_t fast = waiting.inBlocks * kBlockBytes + (waiting.triangles - waiting.inBlocks) * kFastBytes;
   // Runs need half of what anything else as quick would. Better structures are built one after the other,
   // each beside all the fast ones.
-  const bool runs = waiting.inRuns >= waiting.triangles / 8 * 7;
+  const bool runs = waiting.inBlocks >= waiting.triangles / 8 * 7;
   if (room >= (runs ? fast : fast + triangles * kFullBytes)) return BvhQuality::fast;
   if (room >= waiting.triangles * kFullBytes) return BvhQuality::full;
   return room >= waiting.triangles * kCompactBytes ? BvhQuality::compact : BvhQuality::least;

@@ -14,7 +14,7 @@ using FreeMemory = size_t (*)();
 /// What waits for structures of its own.
 struct Waiting {
   uint64_t triangles = 0;
-  uint64_t inRuns = 0;  // of those, in meshes that fast structures hold as triangle blocks
+  uint64_t inBlocks = 0;  // of those, in meshes that fast structures hold as triangle blocks
 };
 
 /// Quality of the first structure of a mesh of `triangles`. `wanted` is the user's setting, `waiting` all

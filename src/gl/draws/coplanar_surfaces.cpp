@@ -100,63 +100,63 @@ struct CoplanarSurfaces::Piece {
   Box2 box;
 };
 
-/// What the bounds of two sheets have in common, in the coordinates of the first one's plane: neighbours that
-/// touch share nothing there, however the plane is tilted in the window.
+/// What the bounds of two planar meshes have in common, in the coordinates of the first one's plane:
+/// neighbours that touch share nothing there, however the plane is tilted in the window.
 struct CoplanarSurfaces::Common {
   Box2 box;
   glm::dvec2 narrow{0};
 };
 
-std::optional<CoplanarSurfaces::Sheet> CoplanarSurfaces::placed(const scene::MeshPtr& mesh,
-                                                                const SurfacePlace& place,
-                                                                const glm::dvec4& plane) {
+std::optional<CoplanarSurfaces::PlanarMesh> CoplanarSurfaces::placed(const scene::MeshPtr& mesh,
+                                                                     const SurfacePlace& place,
+                                                                     const glm::dvec4& plane) {
   const glm::dvec4 clip = glm::transpose(glm::inverse(place.clipFromObject)) * plane;
   const glm::ivec2 axes = axesOf(plane);
-  Sheet sheet{mesh,
-              place,
-              {-clip.x / clip.z, -clip.y / clip.z, -clip.w / clip.z},
-              axes,
-              fromPlane(place.clipFromObject, plane, axes),
-              glm::dvec2(-1),
-              glm::dvec2(1)};
+  PlanarMesh planar{mesh,
+                    place,
+                    {-clip.x / clip.z, -clip.y / clip.z, -clip.w / clip.z},
+                    axes,
+                    fromPlane(place.clipFromObject, plane, axes),
+                    glm::dvec2(-1),
+                    glm::dvec2(1)};
   // Seen edge-on it covers nothing.
   for (int c = 0; c < 3; ++c)
-    if (!(std::abs(sheet.plane[c]) < 1e9)) return std::nullopt;
+    if (!(std::abs(planar.plane[c]) < 1e9)) return std::nullopt;
   Box2 box;
   const auto add = [&](const glm::dvec3& p) {
-    sheet.before = sheet.before && p.z > 0;
+    planar.before = planar.before && p.z > 0;
     box.add(glm::dvec2(p) / p.z);
   };
-  for (const glm::dvec3& corner : cornersOf(boundsOf(*mesh, axes))) add(sheet.clipFromPlane * corner);
-  if (!sheet.before) {  // the triangles may be, where their bounds are not
-    sheet.before = true, box = {};
-    for (uint32_t i = 0; i < 3 * mesh->triangleCount && sheet.before; ++i) {
+  for (const glm::dvec3& corner : cornersOf(boundsOf(*mesh, axes))) add(planar.clipFromPlane * corner);
+  if (!planar.before) {  // the triangles may be, where their bounds are not
+    planar.before = true, box = {};
+    for (uint32_t i = 0; i < 3 * mesh->triangleCount && planar.before; ++i) {
       const glm::dvec4 p = place.clipFromObject * glm::dvec4(position(*mesh, i / 3, i % 3), 1);
       add({p.x, p.y, p.w});
     }
   }
-  if (sheet.before)
-    sheet.lower = glm::max(sheet.lower, box.lower), sheet.upper = glm::min(sheet.upper, box.upper);
-  if (!(sheet.lower.x < sheet.upper.x && sheet.lower.y < sheet.upper.y)) return std::nullopt;
-  return sheet;
+  if (planar.before)
+    planar.lower = glm::max(planar.lower, box.lower), planar.upper = glm::min(planar.upper, box.upper);
+  if (!(planar.lower.x < planar.upper.x && planar.lower.y < planar.upper.y)) return std::nullopt;
+  return planar;
 }
 
-std::vector<CoplanarSurfaces::Piece> CoplanarSurfaces::piecesOf(const Sheet& sheet,
+std::vector<CoplanarSurfaces::Piece> CoplanarSurfaces::piecesOf(const PlanarMesh& planar,
                                                                 const glm::dmat3& commonFromPlane,
                                                                 const Common& common) {
   std::vector<Piece> pieces;
-  for (uint32_t t = 0; t < sheet.mesh->triangleCount; ++t) {
+  for (uint32_t t = 0; t < planar.mesh->triangleCount; ++t) {
     Corners at;
     Box2 box;
     for (uint32_t k = 0; k < 3; ++k) {
-      at[k] = position(*sheet.mesh, t, k);
-      const glm::dvec3 p = commonFromPlane * glm::dvec3(at[k][sheet.axes.x], at[k][sheet.axes.y], 1);
+      at[k] = position(*planar.mesh, t, k);
+      const glm::dvec3 p = commonFromPlane * glm::dvec3(at[k][planar.axes.x], at[k][planar.axes.y], 1);
       box.add(glm::dvec2(p) / p.z);
     }
     if (!box.meets(common.box, glm::min(common.narrow, 0.5 * (box.upper - box.lower)))) continue;
     Piece piece;
     for (size_t k = 0; k < 3; ++k) {
-      const glm::dvec4 p = sheet.place.clipFromObject * glm::dvec4(at[k], 1);
+      const glm::dvec4 p = planar.place.clipFromObject * glm::dvec4(at[k], 1);
       piece.at[k] = glm::dvec3(p) / p.w;
       piece.box.add(glm::dvec2(piece.at[k]));
     }
@@ -165,7 +165,7 @@ std::vector<CoplanarSurfaces::Piece> CoplanarSurfaces::piecesOf(const Sheet& she
   return pieces;
 }
 
-bool CoplanarSurfaces::overlap(const Sheet& a, const Sheet& b) {
+bool CoplanarSurfaces::overlap(const PlanarMesh& a, const PlanarMesh& b) {
   const glm::dvec2 lower = glm::max(a.lower, b.lower), upper = glm::min(a.upper, b.upper);
   if (!(lower.x + kNarrow < upper.x && lower.y + kNarrow < upper.y)) return false;
   if (a.place.framebuffer != b.place.framebuffer || a.place.viewport != b.place.viewport) return false;
@@ -225,28 +225,28 @@ bool CoplanarSurfaces::anyOverlap(std::vector<Piece> a, std::vector<Piece> b) {
 
 bool CoplanarSurfaces::meets(const scene::MeshPtr& mesh, const SurfacePlace& place) {
   if (mesh->shape != scene::Shape::triangles || mesh->triangleCount == 0 ||
-      mesh->triangleCount > kMostTriangles || sheets_.size() >= kMostSheets)
+      mesh->triangleCount > kMostTriangles || planar_.size() >= kMostPlanarMeshes)
     return false;
   const std::optional<glm::dvec4>& plane = planeOf(*mesh);
   if (!plane) return false;
-  std::optional<Sheet> sheet = placed(mesh, place, *plane);
-  if (!sheet) return false;
+  std::optional<PlanarMesh> planar = placed(mesh, place, *plane);
+  if (!planar) return false;
   bool met = isRemembered(mesh->geometryId), metNow = false;
-  for (const Sheet& other : sheets_) {
+  for (const PlanarMesh& other : planar_) {
     // Where both met others in this depth epoch, nothing more is to be found.
     if (metNow && isRemembered(other.mesh->geometryId) && metIn_[other.mesh->geometryId] == epoch_) continue;
-    if (!overlap(other, *sheet)) continue;
+    if (!overlap(other, *planar)) continue;
     found_ = found_ || !met || !isRemembered(other.mesh->geometryId);
     met = metNow = true;
     remember(other.mesh->geometryId), remember(mesh->geometryId);
   }
-  sheets_.push_back(std::move(*sheet));
+  planar_.push_back(std::move(*planar));
   return met;
 }
 
 void CoplanarSurfaces::clear() {
-  if (sheets_.empty()) return;
-  sheets_.clear();
+  if (planar_.empty()) return;
+  planar_.clear();
   work_ = 0;
   ++epoch_;
 }

@@ -1,4 +1,4 @@
-// Flat surfaces ("sheets") of different draws that lie in one plane and overlap in the window. Which of them
+// Planar meshes of different draws that lie in one plane and overlap in the window. Which of them
 // OpenGL shows depends on their order and on how its rasteriser rounds depths that it computes from other
 // vertices, so rays cannot tell: both are rasterised. Owned by Context, GL thread.
 #pragma once
@@ -26,28 +26,28 @@ struct SurfacePlace {
 
 class CoplanarSurfaces {
  public:
-  /// Whether `mesh`, which is about to be drawn and could be traced, is a sheet that overlaps another of the
-  /// depth epoch in its plane, or was found to be one in the last hundred epochs. Triangles that are equal do
-  /// not count: their depths are. Meshes of more than kMostTriangles, and sheets after the first kMostSheets
-  /// of a depth epoch, are not looked at.
+  /// Whether `mesh`, which is about to be drawn and could be traced, is a planar mesh that overlaps another
+  /// of the depth epoch in its plane, or was found to be one in the last hundred epochs. Triangles that are
+  /// equal do not count: their depths are. Meshes of more than kMostTriangles, and planar meshes after the
+  /// first kMostPlanarMeshes of a depth epoch, are not looked at.
   bool meets(const scene::MeshPtr& mesh, const SurfacePlace& place);
-  /// Whether something drawn in this depth epoch was found to meet a sheet for the first time, since the last
-  /// call.
+  /// Whether something drawn in this depth epoch was found to meet a planar mesh for the first time, since
+  /// the last call.
   bool takeFound() { return std::exchange(found_, false); }
   /// Depth was cleared, or the frame ended: a new depth epoch begins.
   void clear();
-  /// Triangles that were read, and pairs of them that were compared, to tell sheets of this depth epoch
-  /// apart.
+  /// Triangles that were read, and pairs of them that were compared, to tell planar meshes of this depth
+  /// epoch apart.
   uint64_t work() const { return work_; }
 
   static constexpr uint32_t kMostTriangles = 4096;
-  static constexpr size_t kMostSheets = 512;
-  /// Of a depth epoch. Beyond it sheets whose bounds overlap in one plane are taken for overlapping.
+  static constexpr size_t kMostPlanarMeshes = 512;
+  /// Of a depth epoch. Beyond it planar meshes whose bounds overlap in one plane are taken for overlapping.
   static constexpr uint64_t kMostWork = 1 << 20;
 
  private:
   /// In normalised device coordinates; depth is x*plane.x + y*plane.y + plane.z.
-  struct Sheet {
+  struct PlanarMesh {
     scene::MeshPtr mesh;
     SurfacePlace place;
     glm::dvec3 plane;
@@ -59,12 +59,12 @@ class CoplanarSurfaces {
   struct Piece;
   struct Common;
 
-  static std::optional<Sheet> placed(const scene::MeshPtr& mesh, const SurfacePlace& place,
-                                     const glm::dvec4& plane);
-  /// The triangles of `sheet` that reach into `common`, whose plane has `commonFromPlane`.
-  static std::vector<Piece> piecesOf(const Sheet& sheet, const glm::dmat3& commonFromPlane,
+  static std::optional<PlanarMesh> placed(const scene::MeshPtr& mesh, const SurfacePlace& place,
+                                          const glm::dvec4& plane);
+  /// The triangles of `planar mesh` that reach into `common`, whose plane has `commonFromPlane`.
+  static std::vector<Piece> piecesOf(const PlanarMesh& planar, const glm::dmat3& commonFromPlane,
                                      const Common& common);
-  bool overlap(const Sheet& a, const Sheet& b);
+  bool overlap(const PlanarMesh& a, const PlanarMesh& b);
   /// Whether some triangle of `a` overlaps one of `b` that is not equal.
   bool anyOverlap(std::vector<Piece> a, std::vector<Piece> b);
   /// The plane of a mesh, object space; nothing where it is none.
@@ -72,7 +72,7 @@ class CoplanarSurfaces {
   void remember(const Hash128& geometry);
   bool isRemembered(const Hash128& geometry);
 
-  std::vector<Sheet> sheets_;  // of this depth epoch
+  std::vector<PlanarMesh> planar_;  // of this depth epoch
   bool found_ = false;
   uint64_t epoch_ = 0, work_ = 0;
   std::unordered_map<Hash128, uint64_t> metIn_;                    // geometry -> last depth epoch

@@ -20,69 +20,69 @@ scene::MeshPtr rectangle(glm::vec2 lower, glm::vec2 upper, float z = 0) {
   return test::meshOf({a, b, c, a, c, d});
 }
 
-TEST(Sheets, MeetWhereTheyOverlapInOnePlane) {
-  CoplanarSurfaces sheets;
-  EXPECT_FALSE(sheets.meets(rectangle({-1, -1}, {1, 1}), here()));
-  EXPECT_FALSE(sheets.meets(rectangle({1, -1}, {2, 1}), here())) << "a neighbour";
-  EXPECT_FALSE(sheets.meets(rectangle({-1, -1}, {1, 1}, 0.01f), here())) << "in front";
-  EXPECT_FALSE(sheets.takeFound());
-  EXPECT_TRUE(sheets.meets(rectangle({-0.5f, -0.5f}, {0.2f, 3}), here()));
-  EXPECT_TRUE(sheets.takeFound());
-  EXPECT_FALSE(sheets.takeFound());
+TEST(PlanarMeshes, MeetWhereTheyOverlapInOnePlane) {
+  CoplanarSurfaces planar;
+  EXPECT_FALSE(planar.meets(rectangle({-1, -1}, {1, 1}), here()));
+  EXPECT_FALSE(planar.meets(rectangle({1, -1}, {2, 1}), here())) << "a neighbour";
+  EXPECT_FALSE(planar.meets(rectangle({-1, -1}, {1, 1}, 0.01f), here())) << "in front";
+  EXPECT_FALSE(planar.takeFound());
+  EXPECT_TRUE(planar.meets(rectangle({-0.5f, -0.5f}, {0.2f, 3}), here()));
+  EXPECT_TRUE(planar.takeFound());
+  EXPECT_FALSE(planar.takeFound());
 }
 
-TEST(Sheets, MeetAcrossMatrices) {
-  CoplanarSurfaces sheets;
+TEST(PlanarMeshes, MeetAcrossMatrices) {
+  CoplanarSurfaces planar;
   const glm::dmat4 turned =
       glm::translate(glm::rotate(glm::dmat4(1), 0.3, glm::dvec3(0, 0, 1)), {0.1, 0.2, 0.5});
-  EXPECT_FALSE(sheets.meets(rectangle({-1, -1}, {1, 1}, 0.5f), here()));
-  EXPECT_TRUE(sheets.meets(rectangle({-1, -1}, {1, 1}), here(turned)));
-  EXPECT_FALSE(sheets.meets(rectangle({-1, -1}, {1, 1}, 1), here(turned)));
+  EXPECT_FALSE(planar.meets(rectangle({-1, -1}, {1, 1}, 0.5f), here()));
+  EXPECT_TRUE(planar.meets(rectangle({-1, -1}, {1, 1}), here(turned)));
+  EXPECT_FALSE(planar.meets(rectangle({-1, -1}, {1, 1}, 1), here(turned)));
 }
 
-TEST(Sheets, TrianglesThatAreEqualDoNotCount) {
-  CoplanarSurfaces sheets;
+TEST(PlanarMeshes, TrianglesThatAreEqualDoNotCount) {
+  CoplanarSurfaces planar;
   const scene::MeshPtr all = rectangle({-1, -1}, {1, 1});
-  EXPECT_FALSE(sheets.meets(all, here()));
-  EXPECT_FALSE(sheets.meets(all, here()));
-  EXPECT_FALSE(sheets.meets(test::meshOf({{1, 1, 0}, {-1, -1, 0}, {1, -1, 0}}), here()));
-  EXPECT_TRUE(sheets.meets(test::meshOf({{1, 1, 0}, {-1, -1, 0}, {0.9f, -1, 0}}), here()));
+  EXPECT_FALSE(planar.meets(all, here()));
+  EXPECT_FALSE(planar.meets(all, here()));
+  EXPECT_FALSE(planar.meets(test::meshOf({{1, 1, 0}, {-1, -1, 0}, {1, -1, 0}}), here()));
+  EXPECT_TRUE(planar.meets(test::meshOf({{1, 1, 0}, {-1, -1, 0}, {0.9f, -1, 0}}), here()));
 }
 
-TEST(Sheets, OffsetsViewportsAndFramebuffersKeepThemApart) {
+TEST(PlanarMeshes, OffsetsViewportsAndFramebuffersKeepThemApart) {
   const scene::MeshPtr first = rectangle({-1, -1}, {1, 1}), second = rectangle({-0.5f, -0.5f}, {0.2f, 3});
   SurfacePlace pushed = here(), otherWindow = here(), otherViewport = here();
   pushed.offset.units = 2;
   otherWindow.framebuffer = 7;
   otherViewport.viewport.x = 300;
   for (const SurfacePlace& place : {pushed, otherWindow, otherViewport}) {
-    CoplanarSurfaces sheets;
-    EXPECT_FALSE(sheets.meets(first, here()));
-    EXPECT_FALSE(sheets.meets(second, place));
+    CoplanarSurfaces planar;
+    EXPECT_FALSE(planar.meets(first, here()));
+    EXPECT_FALSE(planar.meets(second, place));
   }
 }
 
-TEST(Sheets, AreKnownForAHundredLayers) {
-  CoplanarSurfaces sheets;
+TEST(PlanarMeshes, AreKnownForAHundredLayers) {
+  CoplanarSurfaces planar;
   const scene::MeshPtr first = rectangle({-1, -1}, {1, 1}), second = rectangle({-0.5f, -0.5f}, {0.2f, 3});
-  sheets.meets(first, here()), sheets.meets(second, here());
-  EXPECT_TRUE(sheets.takeFound());
-  sheets.clear();
-  EXPECT_TRUE(sheets.meets(first, here()));
-  EXPECT_TRUE(sheets.meets(second, here()));
-  EXPECT_FALSE(sheets.takeFound()) << "nothing waits to be traced";
+  planar.meets(first, here()), planar.meets(second, here());
+  EXPECT_TRUE(planar.takeFound());
+  planar.clear();
+  EXPECT_TRUE(planar.meets(first, here()));
+  EXPECT_TRUE(planar.meets(second, here()));
+  EXPECT_FALSE(planar.takeFound()) << "nothing waits to be traced";
   for (int layer = 0; layer < 101; ++layer) {
-    sheets.clear();
-    EXPECT_EQ(sheets.meets(first, here()), layer < 100) << layer;
+    planar.clear();
+    EXPECT_EQ(planar.meets(first, here()), layer < 100) << layer;
   }
 }
 
-TEST(Sheets, SurfacesThatAreNotFlatAreNone) {
-  CoplanarSurfaces sheets;
+TEST(PlanarMeshes, SurfacesThatAreNotFlatAreNone) {
+  CoplanarSurfaces planar;
   const std::vector<glm::vec3> bent = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0},
                                        {-1, -1, 0}, {1, 1, 0},  {-1, 1, 0.01f}};
-  EXPECT_FALSE(sheets.meets(test::meshOf(bent), here()));
-  EXPECT_FALSE(sheets.meets(rectangle({-1, -1}, {1, 1}), here()));
+  EXPECT_FALSE(planar.meets(test::meshOf(bent), here()));
+  EXPECT_FALSE(planar.meets(rectangle({-1, -1}, {1, 1}), here()));
 }
 
 /// A square about a lattice point of the map, of 8x8 pairs of triangles.
@@ -99,34 +99,34 @@ scene::MeshPtr tile(glm::ivec2 at, double turned) {
 }
 
 /// All 20x20 of them, placed by their vertices or as glTranslatef places them.
-void drawTiles(CoplanarSurfaces& sheets, double turned, bool ownMatrices) {
+void drawTiles(CoplanarSurfaces& planar, double turned, bool ownMatrices) {
   const glm::mat4 mapFromTiles(glm::rotate(glm::dmat4(1), turned, glm::dvec3(0, 0, 1)));
   for (int y = -10; y < 10; ++y) {
     for (int x = -10; x < 10; ++x) {
       const glm::vec3 by = 0.2f * glm::vec3(glm::ivec3(x, y, 0));
       const glm::dmat4 moved(glm::translate(mapFromTiles, by));
-      EXPECT_FALSE(ownMatrices ? sheets.meets(tile({0, 0}, 0), here(moved))
-                               : sheets.meets(tile({x, y}, turned), here()))
+      EXPECT_FALSE(ownMatrices ? planar.meets(tile({0, 0}, 0), here(moved))
+                               : planar.meets(tile({x, y}, turned), here()))
           << x << ' ' << y;
     }
   }
 }
 
-TEST(Sheets, TilesOfATiltedMapAreToldApartByFewTriangles) {
+TEST(PlanarMeshes, TilesOfATiltedMapAreDistinguishedByFewTriangles) {
   // Bounds of about 1,600 pairs meet in the window: 26 million pairs of triangles.
   for (const bool ownMatrices : {false, true}) {
     for (const double turned : {0.0, 0.7}) {
-      CoplanarSurfaces sheets;
-      drawTiles(sheets, turned, ownMatrices);
+      CoplanarSurfaces planar;
+      drawTiles(planar, turned, ownMatrices);
       // Bounds along axes of the map tell tiles apart; those of vertices that are turned do not.
       const bool byBounds = ownMatrices || turned == 0;
-      EXPECT_LE(sheets.work(), byBounds ? 0u : 700'000u) << ownMatrices << ' ' << turned;
-      EXPECT_TRUE(sheets.meets(rectangle({-0.5f, -0.5f}, {0.2f, 0.3f}), here())) << "what lies on them";
+      EXPECT_LE(planar.work(), byBounds ? 0u : 700'000u) << ownMatrices << ' ' << turned;
+      EXPECT_TRUE(planar.meets(rectangle({-0.5f, -0.5f}, {0.2f, 0.3f}), here())) << "what lies on them";
     }
   }
 }
 
-TEST(Sheets, BeyondTheirWorkTheirBoundsDecide) {
+TEST(PlanarMeshes, BeyondTheirWorkTheirBoundsDecide) {
   // Combs whose teeth stand between each other's: triangles that are long do not tell themselves apart.
   const auto comb = [](float from) {
     std::vector<glm::vec3> corners;
@@ -136,18 +136,18 @@ TEST(Sheets, BeyondTheirWorkTheirBoundsDecide) {
     }
     return test::meshOf(corners);
   };
-  CoplanarSurfaces sheets;
-  EXPECT_FALSE(sheets.meets(comb(0), here()));
-  EXPECT_TRUE(sheets.meets(comb(5e-4f), here()));
-  EXPECT_LT(sheets.work(), CoplanarSurfaces::kMostWork + 50000);
-  sheets.clear();
-  EXPECT_EQ(sheets.work(), 0u);
+  CoplanarSurfaces planar;
+  EXPECT_FALSE(planar.meets(comb(0), here()));
+  EXPECT_TRUE(planar.meets(comb(5e-4f), here()));
+  EXPECT_LT(planar.work(), CoplanarSurfaces::kMostWork + 50000);
+  planar.clear();
+  EXPECT_EQ(planar.work(), 0u);
 }
 
-TEST(Sheets, ThatReachBehindTheViewerMeetByTheirBounds) {
-  CoplanarSurfaces sheets;
-  EXPECT_FALSE(sheets.meets(rectangle({-100, -100}, {100, 100}), here()));
-  EXPECT_TRUE(sheets.meets(rectangle({-0.5f, -0.5f}, {0.2f, 3}), here()));
+TEST(PlanarMeshes, ThatReachBehindTheViewerMeetByTheirBounds) {
+  CoplanarSurfaces planar;
+  EXPECT_FALSE(planar.meets(rectangle({-100, -100}, {100, 100}), here()));
+  EXPECT_TRUE(planar.meets(rectangle({-0.5f, -0.5f}, {0.2f, 3}), here()));
 }
 
 }  // namespace

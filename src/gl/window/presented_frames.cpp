@@ -32,7 +32,7 @@ bool WindowFrames::mayShowDirectly() noexcept {
   });
 }
 
-bool WindowFrames::showDirectly(glm::ivec2 window, const ShowPicture& show) noexcept {
+bool WindowFrames::showWithoutSwap(glm::ivec2 window, const ShowPicture& show) noexcept {
   return p_.failsafe.protect([&] {
     if (!contains(p_.cleared.target()->region, {0, 0, window.x, window.y})) return false;
     settle();

@@ -40,7 +40,7 @@ class WindowFrames {
   bool mayShowDirectly() noexcept;
   /// Then, instead of Context::beforeSwap() and the swap of a window of this size: traces what is pending and
   /// gives the picture to `show`. False: nothing was shown.
-  bool showDirectly(glm::ivec2 window, const ShowPicture& show) noexcept;
+  bool showWithoutSwap(glm::ivec2 window, const ShowPicture& show) noexcept;
   /// In place of both where the frame can be shown later: it is traced meanwhile. Otherwise says why not.
   LagRefusal lag(const LagWindow& window) noexcept;
 

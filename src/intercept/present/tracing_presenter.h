@@ -48,7 +48,7 @@ class TracingPresenter final : public gl::Presenter {
   TracedLayers layers_;
   TracedWindow window_;
   BufferReader reader_;
-  TexturePut put_;
+  TextureUpload put_;
   ClearedColor clearedObject_;
   struct Pixels {
     uint64_t of = 0;  // number of the picture; 0: none

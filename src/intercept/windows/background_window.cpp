@@ -10,11 +10,11 @@
 namespace gluray::intercept {
 namespace {
 
-class XcbPainter final : public WindowPainter {
+class XcbBackgroundWindow final : public BackgroundWindow {
  public:
-  XcbPainter(const std::string& display, uint32_t window)
+  XcbBackgroundWindow(const std::string& display, uint32_t window)
       : connection_(xcb().connect(display.c_str(), nullptr)), window_(window) {}
-  ~XcbPainter() override { xcb().disconnect(connection_); }
+  ~XcbBackgroundWindow() override { xcb().disconnect(connection_); }
 
   bool ready() {
     if (xcb().failed(connection_)) return false;
@@ -78,10 +78,10 @@ class XcbPainter final : public WindowPainter {
 
 }  // namespace
 
-std::unique_ptr<WindowPainter> WindowPainter::open(const std::string& display, uint32_t window) {
+std::unique_ptr<BackgroundWindow> BackgroundWindow::open(const std::string& display, uint32_t window) {
   if (!xcb().connectionOf || !xcb().putWords) return nullptr;
-  auto painter = std::make_unique<XcbPainter>(display, window);
-  return painter->ready() ? std::move(painter) : nullptr;
+  auto opened = std::make_unique<XcbBackgroundWindow>(display, window);
+  return opened->ready() ? std::move(opened) : nullptr;
 }
 
 }  // namespace gluray::intercept

@@ -9,12 +9,12 @@
 
 namespace gluray::intercept {
 
-class WindowPainter {
+class BackgroundWindow {
  public:
   /// Null where this server or this window cannot be painted: no XCB, no TrueColor of eight bits a channel in
   /// four bytes a pixel.
-  static std::unique_ptr<WindowPainter> open(const std::string& display, uint32_t window);
-  virtual ~WindowPainter() = default;
+  static std::unique_ptr<BackgroundWindow> open(const std::string& display, uint32_t window);
+  virtual ~BackgroundWindow() = default;
   /// Shows `size` pixels, RGBA8, bottom row first, and waits until the server has done it. False where the
   /// window is gone or of another size.
   virtual bool paint(const uint32_t* pixels, glm::ivec2 size) noexcept = 0;

@@ -84,7 +84,7 @@ class Lag {
                      gl::LagWindow& window) {
     if (display != display_ || drawable != drawable_) adopt(display, drawable);
     const bool automatic = session().lag == LagMode::automatic;
-    if (!closed_ || (automatic && !painter_)) return LagRefusal::window;
+    if (!closed_ || (automatic && !background_)) return LagRefusal::window;
     const glm::ivec2 size = drawableSize(display, drawable);
     if (size.x <= 0) return LagRefusal::window;
     const auto closed = closed_;
@@ -96,13 +96,13 @@ class Lag {
     };
     window.overdue.size = size;
     window.show = [=, &to = record.window](const gl::ShownPicture& picture) {
-      WindowPut* const put = putInto(display, drawable, to);
+      ShmWindow* const put = shmWindowFor(display, drawable, to);
       return put && to.isKnown(put->size()) && put->put(picture);
     };
-    if (!painter_) return LagRefusal::none;
+    if (!background_) return LagRefusal::none;
     window.overdue.after = kOverdue;
-    window.overdue.show = [painter = painter_, size](const uint32_t* pixels) {
-      if (painter->paint(pixels, size)) ++g_shownByUs;
+    window.overdue.show = [background = background_, size](const uint32_t* pixels) {
+      if (background->paint(pixels, size)) ++g_shownByUs;
     };
     return LagRefusal::none;
   }
@@ -111,13 +111,13 @@ class Lag {
   void adopt(Display* display, GLXDrawable drawable) {
     display_ = display, drawable_ = drawable;
     closed_ = watch(display);
-    painter_ = WindowPainter::open(DisplayString(display), static_cast<uint32_t>(windowOf(drawable)));
+    background_ = BackgroundWindow::open(DisplayString(display), static_cast<uint32_t>(windowOf(drawable)));
   }
 
   Display* display_ = nullptr;
   GLXDrawable drawable_ = 0;
   Closed closed_;
-  std::shared_ptr<WindowPainter> painter_;
+  std::shared_ptr<BackgroundWindow> background_;
 };
 
 void LagDeleter::operator()(Lag* lag) const { delete lag; }

@@ -25,12 +25,12 @@ Names& names() {
 
 }  // namespace
 
-WindowPut* putInto(_XDisplay* display, uintptr_t drawable, WindowOfContext& window) {
+ShmWindow* shmWindowFor(_XDisplay* display, uintptr_t drawable, WindowOfContext& window) {
   const uintptr_t shown = windowOf(drawable);
   if (window.drawable != shown || (window.put && !window.put->isFor(display, shown))) {
     if (window.put) window.put->close();
     window.swapped = {0, 0};
-    window.put = WindowPut::create(display, shown);
+    window.put = ShmWindow::create(display, shown);
     window.drawable = shown;
   }
   return window.put.get();
@@ -39,11 +39,11 @@ WindowPut* putInto(_XDisplay* display, uintptr_t drawable, WindowOfContext& wind
 namespace {
 
 bool show(_XDisplay* display, uintptr_t drawable, Record& record) {
-  WindowPut* const put = putInto(display, drawable, record.window);
+  ShmWindow* const put = shmWindowFor(display, drawable, record.window);
   if (!put) return false;
   const glm::ivec2 size = put->size();
   if (record.window.isKnown(size) &&
-      record.context->window.showDirectly(size, [&](const gl::ShownPicture& p) { return put->put(p); }))
+      record.context->window.showWithoutSwap(size, [&](const gl::ShownPicture& p) { return put->put(p); }))
     return true;
   if (size.x == 0) record.window.put.reset();  // not tried again
   return false;

@@ -42,7 +42,7 @@ void fillWindow(const gl::ShownPicture& picture, glm::ivec2 size, uint32_t* pixe
   });
 }
 
-std::unique_ptr<WindowPut> WindowPut::create(_XDisplay* display, uintptr_t drawable) noexcept try {
+std::unique_ptr<ShmWindow> ShmWindow::create(_XDisplay* display, uintptr_t drawable) noexcept try {
   if (!display || !drawable || !xcb().canPut()) return nullptr;
   xcb_connection_t* const connection = xcb().connectionOf(display);
   if (!connection) return nullptr;
@@ -52,32 +52,32 @@ std::unique_ptr<WindowPut> WindowPut::create(_XDisplay* display, uintptr_t drawa
   const xcb_query_extension_reply_t* const shm = xcb().extension(connection, xcb().shmId);
   if (!attributes || !geometry || !shm || !shm->present) return nullptr;
   if (!hasPlainPixels(connection, geometry->depth, attributes->visual)) return nullptr;
-  std::unique_ptr<WindowPut> put(new WindowPut(display, connection, window, geometry->depth));
+  std::unique_ptr<ShmWindow> put(new ShmWindow(display, connection, window, geometry->depth));
   return put->makeContext() && put->reserve(1) ? std::move(put) : nullptr;
 } catch (const std::exception&) { return nullptr; }
 
 /// The connection may be closed by now: what the server holds goes with it.
-WindowPut::~WindowPut() { release(); }
+ShmWindow::~ShmWindow() { release(); }
 
-void WindowPut::close() noexcept {
+void ShmWindow::close() noexcept {
   if (pixels_) xcb().detach(connection_, segment_);
   xcb().freeGc(connection_, context_);
   release();
 }
 
-bool WindowPut::succeeded(xcb_void_cookie_t cookie) const {
+bool ShmWindow::succeeded(xcb_void_cookie_t cookie) const {
   xcb_generic_error_t* const error = xcb().check(connection_, cookie);
   std::free(error);
   return !error;
 }
 
-bool WindowPut::makeContext() {
+bool ShmWindow::makeContext() {
   context_ = xcb().newId(connection_);
   const uint32_t noExposures = 0;
   return succeeded(xcb().createGc(connection_, context_, window_, XCB_GC_GRAPHICS_EXPOSURES, &noExposures));
 }
 
-void WindowPut::release() {
+void ShmWindow::release() {
   if (pixels_) shmdt(pixels_);
   pixels_ = nullptr;
   bytes_ = 0;
@@ -85,7 +85,7 @@ void WindowPut::release() {
 }
 
 /// The memory lives as long as this process or the server is attached to it.
-bool WindowPut::reserve(size_t bytes) {
+bool ShmWindow::reserve(size_t bytes) {
   if (bytes <= bytes_) return true;
   if (pixels_) xcb().detach(connection_, segment_);
   release();
@@ -104,7 +104,7 @@ bool WindowPut::reserve(size_t bytes) {
   return true;
 }
 
-glm::ivec2 WindowPut::size() noexcept {
+glm::ivec2 ShmWindow::size() noexcept {
   const bool waited = asked_;
   if (!asked_) geometry_ = xcb().askGeometry(connection_, window_);
   asked_ = false;
@@ -113,7 +113,7 @@ glm::ivec2 WindowPut::size() noexcept {
   return size_ = reply && shown ? glm::ivec2(reply->width, reply->height) : glm::ivec2(0);
 }
 
-bool WindowPut::put(const gl::ShownPicture& picture) noexcept try {
+bool ShmWindow::put(const gl::ShownPicture& picture) noexcept try {
   const timeline::Span span("show");
   const size_t pixels = static_cast<size_t>(size_.x) * static_cast<size_t>(size_.y);
   if (pixels == 0 || !reserve(pixels * 4)) return false;

@@ -15,16 +15,16 @@ namespace gluray::intercept {
 /// Fills `pixels`, `size.x` x `size.y` of them, upper row first, blue in the lowest byte, with the picture.
 void fillWindow(const gl::ShownPicture& picture, glm::ivec2 size, uint32_t* pixels);
 
-class WindowPut {
+class ShmWindow {
  public:
   /// Null where the drawable is no window, has other pixels than eight bits of red, green and blue in 32, or
   /// the server shares no memory with this process.
-  static std::unique_ptr<WindowPut> create(_XDisplay* display, uintptr_t drawable) noexcept;
-  ~WindowPut();
+  static std::unique_ptr<ShmWindow> create(_XDisplay* display, uintptr_t drawable) noexcept;
+  ~ShmWindow();
   /// Gives the server back what it holds. The display is open.
   void close() noexcept;
-  WindowPut(const WindowPut&) = delete;
-  WindowPut& operator=(const WindowPut&) = delete;
+  ShmWindow(const ShmWindow&) = delete;
+  ShmWindow& operator=(const ShmWindow&) = delete;
 
   bool isFor(_XDisplay* display, uintptr_t drawable) const {
     return display == display_ && drawable == window_;
@@ -36,7 +36,7 @@ class WindowPut {
   bool put(const gl::ShownPicture& picture) noexcept;
 
  private:
-  WindowPut(_XDisplay* display, xcb_connection_t* connection, xcb_window_t window, uint8_t depth)
+  ShmWindow(_XDisplay* display, xcb_connection_t* connection, xcb_window_t window, uint8_t depth)
       : display_(display), connection_(connection), window_(window), depth_(depth) {}
   bool makeContext();
   bool reserve(size_t bytes);

@@ -26,17 +26,17 @@ std::vector<uint32_t> shown(const Image& image, glm::ivec2 size, float farthest 
   return pixels;
 }
 
-TEST(WindowPut, RowsComeFromTheTopWithBlueFirst) {
+TEST(ShmWindow, RowsComeFromTheTopWithBlueFirst) {
   EXPECT_EQ(shown(picture(0, 0), {3, 2}),
             (std::vector<uint32_t>{0x31343332, 0x41444342, 0x51545352, 0x01040302, 0x11141312, kMissShown}));
 }
 
-TEST(WindowPut, HitsBeyondTheFarthestAreMisses) {
+TEST(ShmWindow, HitsBeyondTheFarthestAreMisses) {
   EXPECT_EQ(shown(picture(0, 0), {3, 2}, 0.9995f)[0], kMissShown);
   EXPECT_EQ(shown(picture(0, 0), {3, 2}, 0.9995f)[1], 0x41444342u);
 }
 
-TEST(WindowPut, TheRestOfTheWindowHasTheMissesColour) {
+TEST(ShmWindow, TheRestOfTheWindowHasTheMissesColour) {
   const std::vector<uint32_t> pixels = shown(picture(1, 1), {5, 4});
   for (int y = 0; y < 4; ++y)
     for (int x = 0; x < 5; ++x) {
@@ -47,7 +47,7 @@ TEST(WindowPut, TheRestOfTheWindowHasTheMissesColour) {
   EXPECT_EQ(pixels[11], 0x01040302u);
 }
 
-TEST(WindowPut, PicturesMayReachBeyondTheWindow) {
+TEST(ShmWindow, PicturesMayReachBeyondTheWindow) {
   EXPECT_EQ(shown(picture(-1, -1), {2, 1}), (std::vector<uint32_t>{0x41444342, 0x51545352}));
   EXPECT_EQ(shown(picture(1, 0), {2, 2}),
             (std::vector<uint32_t>{kMissShown, 0x31343332, kMissShown, 0x01040302}));

@@ -225,9 +225,9 @@ Result run(const Case& c, bool on) {
   return r;
 }
 
-class TexturePuts : public testing::TestWithParam<Case> {};
+class TextureUploads : public testing::TestWithParam<Case> {};
 
-TEST_P(TexturePuts, AreWhatWouldHaveBeenDrawn) {
+TEST_P(TextureUploads, AreWhatWouldHaveBeenDrawn) {
   const Result off = run(GetParam(), false), on = run(GetParam(), true);
   EXPECT_EQ(off.sent, 0u);
   EXPECT_EQ(on.sent, static_cast<uint64_t>(GetParam().sent));
@@ -236,11 +236,11 @@ TEST_P(TexturePuts, AreWhatWouldHaveBeenDrawn) {
   EXPECT_EQ(on.error, off.error);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, TexturePuts, testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(All, TextureUploads, testing::ValuesIn(kCases),
                          [](const auto& info) { return info.param.name; });
 
 /// Another context of the group draws into the texture between the clear and the picture.
-TEST(TexturePuts, KnowThatOtherContextsDraw) {
+TEST(TextureUploads, KnowThatOtherContextsDraw) {
   TracedContext one;
   const TracedContext other({}, TracedContext::vertexShading(), nullptr, &one);
   one.makeCurrent();

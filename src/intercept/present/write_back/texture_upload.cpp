@@ -34,8 +34,9 @@ GLint ofLevel(const gl::RealGl& real, GLenum name) {
 
 }  // namespace
 
-std::optional<TexturePut::Attached> TexturePut::attached(const gl::RealGl& real, StateGuard& guard,
-                                                         const Features& features, const Image& image) const {
+std::optional<TextureUpload::Attached> TextureUpload::attached(const gl::RealGl& real, StateGuard& guard,
+                                                               const Features& features,
+                                                               const Image& image) const {
   Attached to;
   to.color = textureAt(real, static_cast<GLenum>(gl::integer(real, GL_DRAW_BUFFER0)));
   to.depth = textureAt(real, GL_DEPTH_ATTACHMENT);
@@ -52,7 +53,7 @@ std::optional<TexturePut::Attached> TexturePut::attached(const gl::RealGl& real,
   return known ? std::optional(to) : std::nullopt;
 }
 
-void TexturePut::fillDepths(const Image& image, const frame::Band& band, bool floats) {
+void TextureUpload::fillDepths(const Image& image, const frame::Band& band, bool floats) {
   const auto width = static_cast<size_t>(image.width), count = static_cast<size_t>(band.width);
   for (int y = band.y; y < band.y + band.height; ++y) {
     const size_t first = static_cast<size_t>(y) * width + static_cast<size_t>(band.x);
@@ -61,8 +62,8 @@ void TexturePut::fillDepths(const Image& image, const frame::Band& band, bool fl
   }
 }
 
-void TexturePut::send(const gl::RealGl& real, const Features& features, const Image& image,
-                      const frame::Band& band, bool floats) const {
+void TextureUpload::send(const gl::RealGl& real, const Features& features, const Image& image,
+                         const frame::Band& band, bool floats) const {
   const size_t first =
       static_cast<size_t>(band.y) * static_cast<size_t>(image.width) + static_cast<size_t>(band.x);
   const auto one = [&](int unit, GLenum format, GLenum type, const void* data) {
@@ -77,8 +78,8 @@ void TexturePut::send(const gl::RealGl& real, const Features& features, const Im
     one(features.textureUnit + 1, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, &depths_[first]);
 }
 
-bool TexturePut::put(const gl::RealGl& real, const Features& features, const Image& image, int threads,
-                     PendingErrors& pending) {
+bool TextureUpload::put(const gl::RealGl& real, const Features& features, const Image& image, int threads,
+                        PendingErrors& pending) {
   if (!image.isPlain()) return false;
   const timeline::Span span("put");
   pending = takeErrors(real);

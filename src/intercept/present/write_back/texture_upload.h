@@ -12,7 +12,7 @@
 
 namespace gluray::present {
 
-class TexturePut {
+class TextureUpload {
  public:
   /// Puts the image, whose misses have the cleared colour, into the bound draw framebuffer's textures, as
   /// WriteBack::write() would have drawn it with GL_LEQUAL over a depth of 1. False where textures are of

@@ -1,6 +1,7 @@
 // Pictures that are sent into textures are those that would have been drawn.
-#include "intercept/present/write_back/cleared_color.h"
 #include "intercept/present/write_back/texture_upload.h"
+
+#include "intercept/present/write_back/cleared_color.h"
 #include "intercept/present/write_back/write_back.h"
 #include "tests/support/osmesa_context.h"
 
@@ -74,9 +75,9 @@ gl::ClearedTarget clearedOf(const Target& t) {
   return {t.framebuffer, {0, 0, kSize, kSize}, {0.2f, 0.4f, 0.61f, 0.5f}};
 }
 
-class TexturePutTest : public testing::TestWithParam<std::pair<GLenum, test::ContextWish>> {};
+class TextureUploadTest : public testing::TestWithParam<std::pair<GLenum, test::ContextWish>> {};
 
-TEST_P(TexturePutTest, IsWhatWouldHaveBeenDrawn) {
+TEST_P(TextureUploadTest, IsWhatWouldHaveBeenDrawn) {
   const auto [format, wish] = GetParam();
   const auto context = test::OsmesaContext::create(wish);
   ASSERT_TRUE(context);
@@ -84,7 +85,7 @@ TEST_P(TexturePutTest, IsWhatWouldHaveBeenDrawn) {
   const Features features = readFeatures(g);
   g.DepthFunc(GL_LEQUAL), g.Enable(GL_DEPTH_TEST);
   WriteBack writeBack(g);
-  TexturePut put;
+  TextureUpload put;
   ClearedColor cleared;
   for (const unsigned seed : {1u, 2u, 3u}) {
     Image image = noise(seed);
@@ -104,19 +105,19 @@ TEST_P(TexturePutTest, IsWhatWouldHaveBeenDrawn) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, TexturePutTest,
+INSTANTIATE_TEST_SUITE_P(Formats, TextureUploadTest,
                          testing::Values(std::pair(GLenum{GL_DEPTH24_STENCIL8}, test::ContextWish{}),
                                          std::pair(GLenum{GL_DEPTH_COMPONENT32F}, test::ContextWish{}),
                                          std::pair(GLenum{GL_DEPTH24_STENCIL8},
                                                    test::ContextWish{.core = true, .major = 3, .minor = 2})));
 
-TEST(TexturePut, RefusesWhatItDoesNotKnow) {
+TEST(TextureUpload, RefusesWhatItDoesNotKnow) {
   const auto context = test::OsmesaContext::create();
   ASSERT_TRUE(context);
   const gl::RealGl& g = context->real();
   const Features features = readFeatures(g);
   PendingErrors pending;
-  TexturePut put;
+  TextureUpload put;
   for (const GLenum format : {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32}) {
     make(g, format);
     EXPECT_FALSE(put.put(g, features, noise(1), 2, pending));
