@@ -60,12 +60,13 @@ class Row:
     explains: bool = True
     exists: bool = False
     in_files: bool = True
+    heads: bool = dataclasses.field(default=False, init=False)  # a switch whose name is a group's, too
 
     @property
     def path(self) -> list[str]:
-        """The members that lead to the value: ao.max-rays is ["ao", "maxRays"]."""
-        *groups, last = self.name.split(".")
-        return [camel(g) for g in groups] + [self.member or camel(last)]
+        """The members that lead to the value: ao.max-rays is ["ao", "maxRays"], and ao beside it ["ao", "enabled"]."""
+        *groups, last = map(camel, self.name.split("."))
+        return [*groups, last, self.member or "enabled"] if self.heads else [*groups, self.member or last]
 
     @property
     def in_settings(self) -> bool:
@@ -120,7 +121,7 @@ def check_default(row: Row) -> None:
 
 def checked(fields: dict) -> Row:
     name = fields.get("name", "(without name)")
-    known = {f.name.replace("_", "-") for f in dataclasses.fields(Row)}
+    known = {f.name.replace("_", "-") for f in dataclasses.fields(Row) if f.init}
     if unknown := set(fields) - known:
         fail(name, f"unknown field {', '.join(sorted(unknown))}")
     for needed in ("name", "type", "help", "group", "since", "applies", "changes"):
@@ -163,11 +164,17 @@ def read(path: pathlib.Path = SPEC) -> list[Row]:
             if value and value in seen:
                 fail(row.name, f"another one has the {what} {value}")
             seen.add(value)
-    names = {row.name for row in rows}
+    named = {row.name: row for row in rows}
     for row in rows:
         parts = row.name.split(".")
-        if hit := next((".".join(parts[:i]) for i in range(1, len(parts)) if ".".join(parts[:i]) in names), None):
-            fail(row.name, f"'{hit}' is a setting, not a group")
+        for i in range(1, len(parts)):
+            if head := named.get(".".join(parts[:i])):
+                if head.type not in ("bool", "choice"):
+                    fail(row.name, f"'{head.name}' is a setting, and only switches and choices head a group")
+                head.heads = True
+    for head in (row for row in rows if row.heads):
+        if f"{head.name}.enabled" in named:
+            fail(head.name, f"files write it as {head.name}.enabled, which is another setting")
     return rows
 
 

@@ -1,5 +1,7 @@
 // Embree 3 or 4, whichever CMake found: the only file that includes it. Private to accel/, any thread.
 #pragma once
+#include "accel/occlusion.h"
+
 #if GLURAY_EMBREE_MAJOR >= 4
 #include <embree4/rtcore.h>
 #else
@@ -23,47 +25,59 @@ struct QueryContext {
   const void* user = nullptr;
 };
 
-/// One coherent query of a packet of N rays. `filter` may be null.
-class CoherentQuery {
+/// One query of a packet of N rays. `filter` may be null.
+class PacketQuery {
  public:
-  explicit CoherentQuery(RTCFilterFunctionN filter = nullptr, const void* user = nullptr) {
+  explicit PacketQuery(Coherence coherence, RTCFilterFunctionN filter = nullptr,
+                       const void* user = nullptr) {
+    const bool coherent = coherence == Coherence::coherent;
 #if GLURAY_EMBREE_MAJOR >= 4
     rtcInitRayQueryContext(&context_.rtc);
     rtcInitIntersectArguments(&arguments_);
-    arguments_.context = &context_.rtc;
-    arguments_.filter = filter;
-    arguments_.flags = RTC_RAY_QUERY_FLAG_COHERENT;
-    if (filter) {
-      arguments_.flags =
-          static_cast<RTCRayQueryFlags>(arguments_.flags | RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER);
-    }
+    rtcInitOccludedArguments(&occludedArguments_);
+    int flags = coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
+    if (filter) flags |= RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
+    arguments_.context = occludedArguments_.context = &context_.rtc;
+    arguments_.filter = occludedArguments_.filter = filter;
+    arguments_.flags = occludedArguments_.flags = static_cast<RTCRayQueryFlags>(flags);
 #else
     rtcInitIntersectContext(&context_.rtc);
-    context_.rtc.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    context_.rtc.flags =
+        coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     context_.rtc.filter = filter;
 #endif
     context_.user = user;
   }
-  CoherentQuery(const CoherentQuery&) = delete;
-  CoherentQuery& operator=(const CoherentQuery&) = delete;
+  PacketQuery(const PacketQuery&) = delete;
+  PacketQuery& operator=(const PacketQuery&) = delete;
 
-  // Lanes with valid[i] = -1 are traced; hits are written into the packet.
+  // Lanes with valid[i] = -1 are traced. Hits are written into the packet; of occluded rays tfar becomes
+  // minus infinity.
 #if GLURAY_EMBREE_MAJOR >= 4
   void intersect(const int* valid, RTCScene s, RTCRayHit16& p) { rtcIntersect16(valid, s, &p, &arguments_); }
   void intersect(const int* valid, RTCScene s, RTCRayHit8& p) { rtcIntersect8(valid, s, &p, &arguments_); }
   void intersect(const int* valid, RTCScene s, RTCRayHit4& p) { rtcIntersect4(valid, s, &p, &arguments_); }
+  void occluded(const int* valid, RTCScene s, RTCRay16& p) {
+    rtcOccluded16(valid, s, &p, &occludedArguments_);
+  }
+  void occluded(const int* valid, RTCScene s, RTCRay8& p) { rtcOccluded8(valid, s, &p, &occludedArguments_); }
+  void occluded(const int* valid, RTCScene s, RTCRay4& p) { rtcOccluded4(valid, s, &p, &occludedArguments_); }
 #else
   void intersect(const int* valid, RTCScene s, RTCRayHit16& p) {
     rtcIntersect16(valid, s, &context_.rtc, &p);
   }
   void intersect(const int* valid, RTCScene s, RTCRayHit8& p) { rtcIntersect8(valid, s, &context_.rtc, &p); }
   void intersect(const int* valid, RTCScene s, RTCRayHit4& p) { rtcIntersect4(valid, s, &context_.rtc, &p); }
+  void occluded(const int* valid, RTCScene s, RTCRay16& p) { rtcOccluded16(valid, s, &context_.rtc, &p); }
+  void occluded(const int* valid, RTCScene s, RTCRay8& p) { rtcOccluded8(valid, s, &context_.rtc, &p); }
+  void occluded(const int* valid, RTCScene s, RTCRay4& p) { rtcOccluded4(valid, s, &context_.rtc, &p); }
 #endif
 
  private:
   QueryContext context_;
 #if GLURAY_EMBREE_MAJOR >= 4
   RTCIntersectArguments arguments_;
+  RTCOccludedArguments occludedArguments_;
 #endif
 };
 

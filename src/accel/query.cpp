@@ -1,9 +1,9 @@
 // Queries of World: Embree's packets, in the width that the processor handles natively.
 #include "accel/embree.h"
+#include "accel/packet_parts.h"
 #include "accel/query_state.h"
 
 #include <cstddef>
-#include <cstring>
 
 namespace gluray::accel {
 namespace {
@@ -30,34 +30,11 @@ void onFilter(const RTCFilterFunctionNArguments* arguments) {
     if (arguments->valid[i] == -1 && !counts(state, *arguments, i)) arguments->valid[i] = 0;
 }
 
-// Rows of `From` and `To` hold one value for each ray; the narrow packet is lanes [first, first + width) of
-// the wide one.
-template <class Narrow, int width>
-void intersectPart(CoherentQuery& query, RTCSceneTy* scene, const int32_t* valid, RayPacket& packet,
-                   int first) {
+void intersectAll(PacketQuery& query, RTCSceneTy* scene, int width, const int32_t* valid, RayPacket& packet) {
   constexpr size_t kRows = offsetof(RayPacket, reserved) / (kLanes * sizeof(float));
-  static_assert(sizeof(Narrow) >= kRows * width * sizeof(float));
-  Narrow narrow;
-  auto* wideRows = reinterpret_cast<std::byte*>(&packet) + static_cast<size_t>(first) * sizeof(float);
-  auto* narrowRows = reinterpret_cast<std::byte*>(&narrow);
-  const auto wideRow = [&](size_t row) { return wideRows + row * kLanes * sizeof(float); };
-  const auto narrowRow = [&](size_t row) { return narrowRows + row * width * sizeof(float); };
-  for (size_t row = 0; row < kRows; ++row) std::memcpy(narrowRow(row), wideRow(row), width * sizeof(float));
-  alignas(64) int32_t narrowValid[width];
-  std::memcpy(narrowValid, valid + first, sizeof(narrowValid));
-  query.intersect(narrowValid, scene, narrow);
-  for (size_t row = 0; row < kRows; ++row) std::memcpy(wideRow(row), narrowRow(row), width * sizeof(float));
-}
-
-void intersectAll(CoherentQuery& query, RTCSceneTy* scene, int width, const int32_t* valid,
-                  RayPacket& packet) {
-  if (width == 16) return query.intersect(valid, scene, reinterpret_cast<RTCRayHit16&>(packet));
-  for (int first = 0; first < kLanes; first += width) {
-    if (width == 8)
-      intersectPart<RTCRayHit8, 8>(query, scene, valid, packet, first);
-    else
-      intersectPart<RTCRayHit4, 4>(query, scene, valid, packet, first);
-  }
+  askInWidth<RTCRayHit16, RTCRayHit8, RTCRayHit4>(
+      width, packet, kRows, valid,
+      [&](const int32_t* lanes, auto& rays) { query.intersect(lanes, scene, rays); });
 }
 
 void nameLoneInstance(RayPacket& packet, uint32_t index) {
@@ -72,14 +49,14 @@ void World::ask(QueryState& state, bool filtered, const int32_t* valid, RayPacke
     state.impostors = impostors_.data(), state.rays = *impostors;
     if (hasPixelImpostors_) state.around = WindowRectangle(*impostors->samples);
   }
-  CoherentQuery query(filtered ? onFilter : nullptr, &state);
+  PacketQuery query(Coherence::coherent, filtered ? onFilter : nullptr, &state);
   intersectAll(query, scene_, device_.packetWidth(), valid, packet);
 }
 
 void World::intersect(const int32_t* valid, RayPacket& packet, const HitFilter* filter,
                       const ImpostorQuery* impostors) const noexcept {
   if (!filter && !mayCoincide_ && !impostors) {
-    CoherentQuery query;
+    PacketQuery query(Coherence::coherent);
     intersectAll(query, scene_, device_.packetWidth(), valid, packet);
   } else {
     TieBreaker ties(order_);
@@ -95,6 +72,14 @@ void World::intersectNext(const int32_t* valid, RayPacket& packet, NextHits& hit
   QueryState state{nullptr, nullptr, aloneIndex_};
   state.next = &hits;
   ask(state, true, valid, packet, impostors);
+}
+
+void World::intersectBounced(const int32_t* valid, RayPacket& packet) const noexcept {
+  QueryState state{nullptr, nullptr, aloneIndex_};
+  if (hasImpostors()) state.impostors = impostors_.data();
+  PacketQuery query(Coherence::incoherent, nullptr, &state);
+  intersectAll(query, scene_, device_.packetWidth(), valid, packet);
+  if (alone_) nameLoneInstance(packet, aloneIndex_);
 }
 
 }  // namespace gluray::accel

@@ -5,6 +5,7 @@
 #include "accel/meshes/blas_cache.h"
 #include "accel/meshes/coincidence.h"
 #include "accel/meshes/triangle_sizes.h"
+#include "accel/occlusion.h"
 #include "accel/ray_packet.h"
 #include "accel/tlas.h"
 #include "parallel/arena.h"
@@ -58,6 +59,17 @@ class World {
   /// with; of triangles at one place all. The packet's own fields mean nothing afterwards.
   void intersectNext(const int32_t* valid, RayPacket&, NextHits&,
                      const ImpostorQuery* impostors) const noexcept;
+
+  /// Nearest hits of rays from anywhere, which see impostors as solids (impostors/solid.h). Otherwise as
+  /// intersect(); of triangles at one place any is hit.
+  void intersectBounced(const int32_t* valid, RayPacket&) const noexcept;
+
+  /// Bit i: something lies on ray i, of the lanes with valid[i] = -1 (others 0), an array aligned to 64 bytes.
+  /// Both sides of surfaces block, culled or not; impostors block as solids. Surfaces that `filter` refuses do
+  /// not; null: all do. Rays whose origin or direction is not finite or beyond what Embree takes, and those
+  /// without length, meet nothing.
+  uint32_t occluded(const int32_t* valid, OcclusionRays&, Coherence,
+                    const OccluderFilter* filter = nullptr) const noexcept;
 
   /// Whether triangles may lie exactly upon each other.
   bool mayCoincide() const { return mayCoincide_; }

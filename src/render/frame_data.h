@@ -12,6 +12,8 @@
 
 namespace gluray::render {
 
+class Integrator;
+
 /// NDC depth to window depth, glDepthRange and glPolygonOffset included.
 struct DepthMap {
   double scale = 0.5, offset = 0.5;  // window = scale * ndc + offset
@@ -47,6 +49,7 @@ struct FrameData {
   // Where hits are compared before they are shaded (edges that grow, leastDepth) and some may be culled or
   // cut by planes: passes by what is. Otherwise null.
   std::unique_ptr<const accel::HitFilter> accepted;
+  const Integrator* integrator = nullptr;  // null: the local look alone
   Image* image = nullptr;
 
   /// Prepares `snapshot`, whose instances `world` holds, to be traced into `image`, already of the right

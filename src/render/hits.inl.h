@@ -7,6 +7,7 @@
 #define GLURAY_RENDER_HITS_INL_H_
 #endif
 
+#include "render/integrators/integrator.h"
 #include "render/layers/drawn_fragments.h"
 #include "render/layers/peeled_layers.h"
 #include "render/local/shade.inl.h"
@@ -197,6 +198,12 @@ HWY_ATTR inline void locateHits(const FrameData& frame, uint32_t instance, const
     computeImpostors(surface, frame.depth, x, y, group, seen);
 }
 
+/// Gives a group's hits to the integrator, which changes their colours.
+HWY_ATTR inline void lightHits(const FrameData& frame, uint32_t instance, const Group& group, int sample,
+                               const float* x, const float* y, LitRows& rows) {
+  if (group.lanes) frame.integrator->light({frame.surfaces[instance], instance, group, sample, x, y}, rows);
+}
+
 /// Depth and colour of the hits in `lanes`, given to take(lanes, colours, depths). Returns the lanes whose
 /// hit does not count: culled or cut away, which is asked only where `mayReject`, or failing the alpha test.
 template <class Take>
@@ -223,6 +230,7 @@ HWY_ATTR uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool mayReje
     const uint32_t failing = shade(frame, surface, group, back, work.x, work.y, rows);
     rejected |= failing;
     group.lanes &= ~failing;
+    if (frame.integrator) lightHits(frame, instance, group, work.sample, work.x, work.y, rows);
     take(group.lanes, rows, seen.depth);
   }
   return rejected;

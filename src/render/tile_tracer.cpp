@@ -2,6 +2,7 @@
 
 #include "base/timeline.h"
 #include "render/float_guard.h"
+#include "render/integrators/integrator.h"
 #include "render/kernels.h"
 
 #include <tbb/parallel_for.h>
@@ -68,7 +69,9 @@ namespace {
 
 /// False where averages cannot be put over what lies under them: an alpha is written that is no opacity.
 bool traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Image& image) {
-  const FrameData frame(snapshot, world, image);
+  FrameData frame(snapshot, world, image);
+  const std::unique_ptr<const Integrator> integrator = makeIntegrator(frame);
+  frame.integrator = integrator.get();
   const int columns = (image.width + kTileSize - 1) / kTileSize,
             rows = (image.height + kTileSize - 1) / kTileSize;
   tbb::parallel_for(0, columns * rows, [&](int index) {

@@ -77,9 +77,10 @@ class Collector {
 
   void entry(const std::string& program, const std::string& name, const toml::node& node) {
     const Row* row = findSetting(name);
-    if (!row && isGroup(name) && node.is_table()) {
+    if (isGroup(name) && node.is_table()) {
       for (const auto& [key, value] : *node.as_table())
-        entry(program, name + "." + std::string(key.str()), value);
+        // A switch that heads a group: TOML has no room for ao = true beside ao.samples.
+        entry(program, row && key.str() == "enabled" ? name : name + "." + std::string(key.str()), value);
       return;
     }
     if (!row || !row->inFiles) return add(program, name, node, "", unknownSetting(name));

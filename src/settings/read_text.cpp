@@ -64,8 +64,8 @@ std::optional<glm::vec3> hexColor(std::string_view text) {
 }  // namespace
 
 std::string readText(const Row& row, std::string_view text, bool& value) {
-  if (text == "1" || text == "true") return value = true, "";
-  if (text == "0" || text == "false") return value = false, "";
+  if (text == "1" || text == "true" || text == "on") return value = true, "";
+  if (text == "0" || text == "false" || text == "off") return value = false, "";
   return wanted(row);
 }
 

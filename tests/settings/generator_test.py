@@ -98,7 +98,7 @@ class Refused(Folder):
         self.refuse("another one has the name spp", name="spp")
         self.refuse("another one has the variable GLURAY_LOG_LEVEL", name="log.level")
         self.refuse("another one has the option --spp", option="--spp")
-        self.refuse("'spp' is a setting, not a group", name="spp.more")
+        self.refuse("only switches and choices head a group", name="spp.more")
         self.refuse("is not reserved", name="config")
         self.refuse("is not reserved", name="program.x")
 

@@ -118,47 +118,96 @@ HWY_INLINE void keep(D d, hn::Mask<D> rays, const Met<D>& met, const PacketRows&
 }
 
 template <class D>
-void meetRun(D d, const TriangleRun& run, const PacketRows& p, unsigned i, const HitNames& names,
-             Chooser choose, const void* query) {
+HWY_INLINE Rays<D> load(D d, const PacketRows& p, unsigned i) {
   const hn::Rebind<int32_t, D> di;
   Rays<D> rays;
   rays.valid = hn::RebindMask(d, hn::Ne(hn::LoadU(di, p.valid + i), hn::Zero(di)));
-  if (hn::AllFalse(d, rays.valid)) return;
   rays.org = {hn::LoadU(d, p.orgX + i), hn::LoadU(d, p.orgY + i), hn::LoadU(d, p.orgZ + i)};
   rays.dir = {hn::LoadU(d, p.dirX + i), hn::LoadU(d, p.dirY + i), hn::LoadU(d, p.dirZ + i)};
   rays.tNear = hn::LoadU(d, p.tNear + i);
-  const auto at = [&](size_t corner) {
-    const size_t vertex = run.indices ? run.indices[corner] : corner;
-    return reinterpret_cast<const float*>(run.positions + vertex * run.stride);
-  };
-  for (uint32_t t = run.first; t < run.end; ++t) {
-    const size_t corner = size_t{t} * 3;
-    Met<D> met;
-    if (!meet(d, rays, at(corner), at(corner + 1), at(corner + 2), p.tFar + i, met)) continue;
-    if (!choose) {
-      hn::BlendedStore(met.t, met.rays, d, p.tFar + i);
-      keep(d, met.rays, met, p, i, t, names);
-      continue;
-    }
-    MetTriangle all{t, i, 0, {}, {}, {}};
-    hn::StoreU(met.t, d, all.t), hn::StoreU(met.u, d, all.u), hn::StoreU(met.v, d, all.v);
-    uint8_t bits[8] = {};
-    hn::StoreMaskBits(d, met.rays, bits);
-    all.rays = bits[0] | static_cast<uint32_t>(bits[1]) << 8;
-    const uint32_t chosen = choose(query, p, all);
-    if (!chosen) continue;
-    bits[0] = static_cast<uint8_t>(chosen), bits[1] = static_cast<uint8_t>(chosen >> 8);
-    keep(d, hn::LoadMaskBits(d, bits), met, p, i, t, names);
-  }
+  return rays;
 }
 
-void meetAll(const TriangleRun& run, const PacketRows& p, const HitNames& names, Chooser choose,
+HWY_INLINE const float* corner(const TriangleRun& run, uint32_t triangle, size_t k) {
+  const size_t at = size_t{triangle} * 3 + k;
+  const size_t vertex = run.indices ? run.indices[at] : at;
+  return reinterpret_cast<const float*>(run.positions + vertex * run.stride);
+}
+
+template <class D>
+HWY_INLINE bool meet(D d, const Rays<D>& rays, const TriangleRun& run, uint32_t triangle, const float* tFar,
+                     Met<D>& met) {
+  return meet(d, rays, corner(run, triangle, 0), corner(run, triangle, 1), corner(run, triangle, 2), tFar, met);
+}
+
+/// The rays that the chooser leaves of those that met the triangle.
+template <class D>
+HWY_INLINE hn::Mask<D> chosen(D d, const Met<D>& met, const PacketRows& p, unsigned i, uint32_t triangle,
+                              Chooser choose, const void* query) {
+  MetTriangle all{triangle, i, 0, {}, {}, {}};
+  hn::StoreU(met.t, d, all.t), hn::StoreU(met.u, d, all.u), hn::StoreU(met.v, d, all.v);
+  uint8_t bits[8] = {};
+  hn::StoreMaskBits(d, met.rays, bits);
+  all.rays = bits[0] | static_cast<uint32_t>(bits[1]) << 8;
+  const uint32_t left = choose(query, p, all);
+  bits[0] = static_cast<uint8_t>(left), bits[1] = static_cast<uint8_t>(left >> 8);
+  return hn::LoadMaskBits(d, bits);
+}
+
+/// The nearest hits of the rays from `i` on.
+struct Nearest {
+  HitNames names;
+  template <class D>
+  void operator()(D d, const TriangleRun& run, const PacketRows& p, unsigned i, Chooser choose,
+                  const void* query) const {
+    const Rays<D> rays = load(d, p, i);
+    if (hn::AllFalse(d, rays.valid)) return;
+    for (uint32_t t = run.first; t < run.end; ++t) {
+      Met<D> met;
+      if (!meet(d, rays, run, t, p.tFar + i, met)) continue;
+      if (!choose) {
+        hn::BlendedStore(met.t, met.rays, d, p.tFar + i);
+        keep(d, met.rays, met, p, i, t, names);
+        continue;
+      }
+      const auto left = chosen(d, met, p, i, t, choose, query);
+      if (!hn::AllFalse(d, left)) keep(d, left, met, p, i, t, names);
+    }
+  }
+};
+
+/// Whether anything blocks the rays from `i` on. Blocked rays reach no further triangle, as their tFar says.
+struct Any {
+  template <class D>
+  void operator()(D d, const TriangleRun& run, const PacketRows& p, unsigned i, Chooser choose,
+                  const void* query) const {
+    Rays<D> rays = load(d, p, i);
+    for (uint32_t t = run.first; t < run.end && !hn::AllFalse(d, rays.valid); ++t) {
+      Met<D> met;
+      if (!meet(d, rays, run, t, p.tFar + i, met)) continue;
+      const auto blocked = choose ? chosen(d, met, p, i, t, choose, query) : met.rays;
+      hn::BlendedStore(hn::Set(d, -std::numeric_limits<float>::infinity()), blocked, d, p.tFar + i);
+      rays.valid = hn::AndNot(blocked, rays.valid);
+    }
+  }
+};
+
+template <class Wanted>
+void meetAll(const Wanted& wanted, const TriangleRun& run, const PacketRows& p, Chooser choose,
              const void* query) {
   const hn::CappedTag<float, kLanes> wide;
   const auto step = static_cast<unsigned>(hn::Lanes(wide));
   unsigned i = 0;
-  for (; i + step <= p.count; i += step) meetRun(wide, run, p, i, names, choose, query);
-  for (; i < p.count; ++i) meetRun(hn::CappedTag<float, 1>(), run, p, i, names, choose, query);
+  for (; i + step <= p.count; i += step) wanted(wide, run, p, i, choose, query);
+  for (; i < p.count; ++i) wanted(hn::CappedTag<float, 1>(), run, p, i, choose, query);
+}
+
+void meetNearest(const TriangleRun& run, const PacketRows& p, const HitNames& names, Chooser choose,
+                 const void* query) {
+  meetAll(Nearest{names}, run, p, choose, query);
+}
+void meetAny(const TriangleRun& run, const PacketRows& p, Chooser choose, const void* query) {
+  meetAll(Any{}, run, p, choose, query);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -168,11 +217,16 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace gluray::accel {
 
-HWY_EXPORT(meetAll);
+HWY_EXPORT(meetNearest);
+HWY_EXPORT(meetAny);
 
 void meetTriangles(const TriangleRun& run, const PacketRows& packet, const HitNames& names, Chooser choose,
                    const void* query) {
-  HWY_DYNAMIC_DISPATCH(meetAll)(run, packet, names, choose, query);
+  HWY_DYNAMIC_DISPATCH(meetNearest)(run, packet, names, choose, query);
+}
+
+void occludeTriangles(const TriangleRun& run, const PacketRows& packet, Chooser choose, const void* query) {
+  HWY_DYNAMIC_DISPATCH(meetAny)(run, packet, choose, query);
 }
 
 }  // namespace gluray::accel

@@ -8,7 +8,7 @@
 
 namespace gluray::accel {
 
-/// Rows of Embree's packet: `count` values each.
+/// Rows of Embree's packet: `count` values each. Those from normalX on are null where hits are not written.
 struct PacketRows {
   unsigned count;
   const int* valid;  // -1: the ray is asked about
@@ -42,5 +42,9 @@ using Chooser = uint32_t (*)(const void* query, const PacketRows&, const MetTria
 
 /// Writes the nearest hits into the packet. Without a chooser every hit counts.
 void meetTriangles(const TriangleRun&, const PacketRows&, const HitNames&, Chooser, const void* query);
+
+/// Sets tFar of the rays that any of the triangles blocks to minus infinity, as Embree marks occluded rays. The
+/// chooser then need not set it. Without a chooser every triangle blocks.
+void occludeTriangles(const TriangleRun&, const PacketRows&, Chooser, const void* query);
 
 }  // namespace gluray::accel

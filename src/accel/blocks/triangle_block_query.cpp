@@ -2,6 +2,7 @@
 #include "accel/blocks/triangle_block_kernels.h"
 #include "accel/blocks/triangle_blocks.h"
 #include "accel/embree.h"
+#include "accel/occlusion_state.h"
 #include "accel/query_state.h"
 
 #include <bit>
@@ -9,21 +10,30 @@
 namespace gluray::accel {
 namespace {
 
+void readRays(RTCRayN* ray, unsigned count, const int* valid, PacketRows& p) {
+  p.count = count, p.valid = valid;
+  p.orgX = &RTCRayN_org_x(ray, count, 0), p.orgY = &RTCRayN_org_y(ray, count, 0),
+  p.orgZ = &RTCRayN_org_z(ray, count, 0);
+  p.dirX = &RTCRayN_dir_x(ray, count, 0), p.dirY = &RTCRayN_dir_y(ray, count, 0),
+  p.dirZ = &RTCRayN_dir_z(ray, count, 0);
+  p.tNear = &RTCRayN_tnear(ray, count, 0), p.tFar = &RTCRayN_tfar(ray, count, 0);
+}
+
 PacketRows rowsOf(const RTCIntersectFunctionNArguments& a) {
-  RTCRayN* ray = RTCRayHitN_RayN(a.rayhit, a.N);
   RTCHitN* hit = RTCRayHitN_HitN(a.rayhit, a.N);
   PacketRows p;
-  p.count = a.N, p.valid = a.valid;
-  p.orgX = &RTCRayN_org_x(ray, a.N, 0), p.orgY = &RTCRayN_org_y(ray, a.N, 0),
-  p.orgZ = &RTCRayN_org_z(ray, a.N, 0);
-  p.dirX = &RTCRayN_dir_x(ray, a.N, 0), p.dirY = &RTCRayN_dir_y(ray, a.N, 0),
-  p.dirZ = &RTCRayN_dir_z(ray, a.N, 0);
-  p.tNear = &RTCRayN_tnear(ray, a.N, 0), p.tFar = &RTCRayN_tfar(ray, a.N, 0);
+  readRays(RTCRayHitN_RayN(a.rayhit, a.N), a.N, a.valid, p);
   p.normalX = &RTCHitN_Ng_x(hit, a.N, 0), p.normalY = &RTCHitN_Ng_y(hit, a.N, 0);
   p.normalZ = &RTCHitN_Ng_z(hit, a.N, 0), p.u = &RTCHitN_u(hit, a.N, 0), p.v = &RTCHitN_v(hit, a.N, 0);
   p.primitive = &RTCHitN_primID(hit, a.N, 0), p.geometry = &RTCHitN_geomID(hit, a.N, 0);
   p.instance = &RTCHitN_instID(hit, a.N, 0, 0);
   return p;
+}
+
+TriangleRun runOf(const TriangleBlocks& blocks, uint32_t block) {
+  const scene::Mesh& mesh = blocks.mesh();
+  return {mesh.positions.data, mesh.positions.stride, reinterpret_cast<const uint32_t*>(mesh.indices.data),
+          blocks.first(block), blocks.first(block + 1)};
 }
 
 struct Query {
@@ -48,6 +58,26 @@ uint32_t choose(const void* query, const PacketRows& rows, const MetTriangle& me
   return chosen;
 }
 
+struct OcclusionAsked {
+  const OcclusionState& state;
+  const RTCOccludedFunctionNArguments& arguments;
+  uint32_t instance;
+};
+
+uint32_t chooseBlocked(const void* query, const PacketRows& rows, const MetTriangle& met) {
+  const auto& [state, a, instance] = *static_cast<const OcclusionAsked*>(query);
+  uint32_t chosen = 0;
+  for (uint32_t left = met.rays; left; left &= left - 1) {
+    const auto lane = static_cast<unsigned>(std::countr_zero(left));
+    const unsigned i = met.first + lane;
+    const glm::vec3 org(rows.orgX[i], rows.orgY[i], rows.orgZ[i]), dir(rows.dirX[i], rows.dirY[i], rows.dirZ[i]);
+    const Occluder occluder{instance,    met.triangle, met.u[lane], met.v[lane], org + met.t[lane] * dir,
+                            static_cast<int>(RTCRayN_id(a.ray, a.N, i))};
+    if (state.blocks(occluder)) chosen |= 1u << lane;
+  }
+  return chosen;
+}
+
 }  // namespace
 
 void triangleBlockBounds(const RTCBoundsFunctionArguments* arguments) {
@@ -59,11 +89,7 @@ void triangleBlockBounds(const RTCBoundsFunctionArguments* arguments) {
 
 void intersectTriangleBlocks(const RTCIntersectFunctionNArguments* arguments) {
   const RTCIntersectFunctionNArguments& a = *arguments;
-  const auto& blocks = *static_cast<const TriangleBlocks*>(a.geometryUserPtr);
-  const scene::Mesh& mesh = blocks.mesh();
-  const TriangleRun run{mesh.positions.data, mesh.positions.stride,
-                        reinterpret_cast<const uint32_t*>(mesh.indices.data), blocks.first(a.primID),
-                        blocks.first(a.primID + 1)};
+  const TriangleRun run = runOf(*static_cast<const TriangleBlocks*>(a.geometryUserPtr), a.primID);
   const HitNames names{a.geomID, a.context->instID[0]};
   const auto* state = static_cast<const QueryState*>(reinterpret_cast<const QueryContext*>(a.context)->user);
   const bool all = !state || !(state->filter || state->ties || state->next);
@@ -71,6 +97,18 @@ void intersectTriangleBlocks(const RTCIntersectFunctionNArguments* arguments) {
   const Query query{*state, a,
                     names.instance == RTC_INVALID_GEOMETRY_ID ? state->aloneIndex : names.instance};
   meetTriangles(run, rowsOf(a), names, choose, &query);
+}
+
+void occludeTriangleBlocks(const RTCOccludedFunctionNArguments* arguments) {
+  const RTCOccludedFunctionNArguments& a = *arguments;
+  const TriangleRun run = runOf(*static_cast<const TriangleBlocks*>(a.geometryUserPtr), a.primID);
+  PacketRows rows{};
+  readRays(a.ray, a.N, a.valid, rows);
+  const auto* state =
+      static_cast<const OcclusionState*>(reinterpret_cast<const QueryContext*>(a.context)->user);
+  if (!state || !state->filter) return occludeTriangles(run, rows, nullptr, nullptr);
+  const OcclusionAsked asked{*state, a, state->instanceOf(a.context->instID[0])};
+  occludeTriangles(run, rows, chooseBlocked, &asked);
 }
 
 }  // namespace gluray::accel

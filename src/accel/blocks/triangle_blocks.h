@@ -10,6 +10,7 @@
 
 struct RTCBoundsFunctionArguments;
 struct RTCIntersectFunctionNArguments;
+struct RTCOccludedFunctionNArguments;
 
 namespace gluray::accel {
 
@@ -52,5 +53,6 @@ class TriangleBlocks {
 /// test of triangles gives, to the bit, and bear the number of the triangle.
 void triangleBlockBounds(const RTCBoundsFunctionArguments*);
 void intersectTriangleBlocks(const RTCIntersectFunctionNArguments*);
+void occludeTriangleBlocks(const RTCOccludedFunctionNArguments*);
 
 }  // namespace gluray::accel

@@ -2,9 +2,12 @@
 
 #include "accel/embree.h"
 #include "accel/impostors/pixel_impostor.h"
+#include "accel/impostors/solid.h"
+#include "accel/occlusion_state.h"
 #include "accel/query_state.h"
 
 #include <bit>
+#include <limits>
 
 namespace gluray::accel {
 namespace {
@@ -34,7 +37,48 @@ uint32_t lanesThatMeet(const QueryState& state, uint32_t instance, uint32_t prim
   return meet(impostor, state.centers, apart ? state.samples : state.centers, lanes, t);
 }
 
+ObjectRay rayOf(RTCRayN* ray, unsigned count, unsigned i) {
+  return {{RTCRayN_org_x(ray, count, i), RTCRayN_org_y(ray, count, i), RTCRayN_org_z(ray, count, i)},
+          {RTCRayN_dir_x(ray, count, i), RTCRayN_dir_y(ray, count, i), RTCRayN_dir_z(ray, count, i)},
+          RTCRayN_tnear(ray, count, i),
+          RTCRayN_tfar(ray, count, i)};
+}
+
+/// Hits of rays that do not come from the viewer.
+void intersectSolids(const RTCIntersectFunctionNArguments& a, const PlacedImpostors& placed) {
+  RTCRayN* ray = RTCRayHitN_RayN(a.rayhit, a.N);
+  RTCHitN* hit = RTCRayHitN_HitN(a.rayhit, a.N);
+  for (unsigned i = 0; i < a.N; ++i) {
+    if (a.valid[i] != -1) continue;
+    const std::optional<SolidHit> met = meetSolid(placed, a.primID, rayOf(ray, a.N, i));
+    if (!met) continue;
+    RTCRayN_tfar(ray, a.N, i) = met->t;
+    RTCHitN_Ng_x(hit, a.N, i) = met->normal.x, RTCHitN_Ng_y(hit, a.N, i) = met->normal.y,
+    RTCHitN_Ng_z(hit, a.N, i) = met->normal.z;
+    RTCHitN_u(hit, a.N, i) = RTCHitN_v(hit, a.N, i) = 0;
+    RTCHitN_primID(hit, a.N, i) = a.primID, RTCHitN_geomID(hit, a.N, i) = a.geomID;
+    RTCHitN_instID(hit, a.N, i, 0) = a.context->instID[0];
+  }
+}
+
 }  // namespace
+
+void occludeImpostors(const RTCOccludedFunctionNArguments* arguments) {
+  const RTCOccludedFunctionNArguments& a = *arguments;
+  const auto* state =
+      static_cast<const OcclusionState*>(reinterpret_cast<const QueryContext*>(a.context)->user);
+  if (!state || !state->impostors) return;
+  const uint32_t instance = state->instanceOf(a.context->instID[0]);
+  for (unsigned i = 0; i < a.N; ++i) {
+    if (a.valid[i] != -1) continue;
+    const ObjectRay ray = rayOf(a.ray, a.N, i);
+    const std::optional<SolidHit> met = meetSolid(state->impostors[instance], a.primID, ray);
+    if (!met) continue;
+    const Occluder occluder{instance, a.primID, 0, 0, ray.org + met->t * ray.dir,
+                            static_cast<int>(RTCRayN_id(a.ray, a.N, i))};
+    if (state->blocks(occluder)) RTCRayN_tfar(a.ray, a.N, i) = -std::numeric_limits<float>::infinity();
+  }
+}
 
 void intersectImpostors(const RTCIntersectFunctionNArguments* arguments) {
   const RTCIntersectFunctionNArguments& a = *arguments;
@@ -43,6 +87,7 @@ void intersectImpostors(const RTCIntersectFunctionNArguments* arguments) {
   const auto& state = *static_cast<const QueryState*>(user);
   const uint32_t inside = a.context->instID[0];
   const uint32_t instance = inside == RTC_INVALID_GEOMETRY_ID ? state.aloneIndex : inside;
+  if (!state.rays.centers) return intersectSolids(a, state.impostors[instance]);
   RTCRayN* ray = RTCRayHitN_RayN(a.rayhit, a.N);
   RTCHitN* hit = RTCRayHitN_HitN(a.rayhit, a.N);
   const uint32_t first = RTCRayN_id(ray, a.N, 0);

@@ -79,6 +79,12 @@ PlacedImpostors::PlacedImpostors(const scene::Instance& instance, const scene::C
   windowCenter = glm::dvec2(camera.viewport.x, camera.viewport.y) + windowHalf;
   depthScale = 0.5 * (double{camera.depthFar} - camera.depthNear);
   depthOffset = 0.5 * (double{camera.depthFar} + camera.depthNear);
+  if (!scene::isSizedInPixels(mesh->shape)) return;
+  const glm::dmat4 lightingFromClip = glm::dmat4(lightingFromEye) * glm::inverse(camera.clipFromEye);
+  const double x = look.size.x * glm::length(glm::dvec3(lightingFromClip[0])),
+               y = look.size.y * glm::length(glm::dvec3(lightingFromClip[1]));
+  const double half = 0.5 * std::sqrt(x * y);
+  halfWidthPerW = std::isfinite(half) ? half : 0;
 }
 
 bool Impostor::make(const PlacedImpostors& placed, uint32_t primitive, Impostor& f) {

@@ -49,6 +49,7 @@ struct PlacedImpostors {
   glm::dvec4 clipZ{0}, clipW{0};              // rows of clipFromEye
   glm::dvec2 windowCenter{0}, windowHalf{1};  // of the viewport, pixels
   double depthScale = 0.5, depthOffset = 0.5;
+  double halfWidthPerW = 0;  // of beads and tubes: half their width in lighting space, by clip-space w
   std::vector<WindowVertex> window;  // by vertex
   PlacedImpostors() = default;
   PlacedImpostors(const scene::Instance&, const scene::Camera&);

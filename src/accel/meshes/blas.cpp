@@ -169,6 +169,7 @@ RTCGeometryTy* Blas::impostors(const Geometry& of) {
   rtcSetGeometryUserData(geometry, &bounded_);
   rtcSetGeometryBoundsFunction(geometry, impostorBounds, nullptr);
   rtcSetGeometryIntersectFunction(geometry, intersectImpostors);
+  rtcSetGeometryOccludedFunction(geometry, occludeImpostors);
   return geometry;
 }
 
@@ -183,6 +184,7 @@ RTCGeometryTy* Blas::blocks(const scene::Mesh& mesh, TriangleBlocks::Aim aim) {
   rtcSetGeometryUserData(geometry, blocks_.get());
   rtcSetGeometryBoundsFunction(geometry, triangleBlockBounds, nullptr);
   rtcSetGeometryIntersectFunction(geometry, intersectTriangleBlocks);
+  rtcSetGeometryOccludedFunction(geometry, occludeTriangleBlocks);
   return geometry;
 }
 

@@ -7,7 +7,7 @@
 #define GLURAY_RENDER_ATTRIBUTES_INL_H_
 #endif
 
-#include "accel/ray_packet.h"
+#include "render/local/group.h"
 #include "scene/mesh.h"
 
 #include <hwy/highway.h>
@@ -16,24 +16,6 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-using accel::kLanes;
-
-/// One float for each lane; row[c] of several is component c.
-using Row = float[kLanes];
-
-/// The lanes of a packet that hit one instance. Lanes outside the group repeat a lane of it, so that every
-/// load is valid.
-struct Group {
-  uint32_t lanes = 0;  // bit i: lane i belongs to the group
-  alignas(64) uint32_t primitive[kLanes];
-  alignas(64) uint32_t vertex[3][kLanes];
-  alignas(64) Row position[3][3];  // [corner][component], object space
-  alignas(64) Row u, v;
-  // Of impostors (impostor.inl.h): the hit point and the normal there in the lighting space, and what is left
-  // of colours.
-  alignas(64) Row point[3], normal[3], fade;
-};
 
 #if HWY_TARGET != HWY_SCALAR
 // Rows x, y, z of four vectors, each read as four floats.

@@ -24,9 +24,8 @@ HWY_INLINE Float3 load3(const Row* rows, int i) {
 }
 HWY_INLINE int lanesOfVector() { return static_cast<int>(hn::Lanes(FloatTag())); }
 
-/// Lit colours of a packet: rows red, green, blue, alpha and the secondary colour's three.
-struct LitRows {
-  alignas(64) Row value[7];
+/// Lit colours of a packet.
+struct LitRows : ColorRows {
   HWY_INLINE void set(int i, const Lit& lit) {
     store(lit.primary.x, value[0] + i), store(lit.primary.y, value[1] + i),
         store(lit.primary.z, value[2] + i);

@@ -8,7 +8,7 @@
 
 #include <hwy/highway.h>
 // The order matters: Highway's own inclusion toggles.
-#include "accel/ray_packet.h"
+#include "render/local/group.h"
 #include "render/local/lighting.h"
 
 #include <hwy/contrib/math/math-inl.h>
@@ -18,7 +18,6 @@ namespace gluray::render {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using accel::kLanes;
 using FloatTag = hn::CappedTag<float, kLanes>;
 using Float = hn::Vec<FloatTag>;
 

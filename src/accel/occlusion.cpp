@@ -1,0 +1,75 @@
+// Occlusion queries of World.
+#include "accel/occlusion.h"
+
+#include "accel/embree.h"
+#include "accel/occlusion_state.h"
+#include "accel/packet_parts.h"
+#include "accel/world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace gluray::accel {
+namespace {
+
+// OcclusionRays is read and written by Embree in place.
+static_assert(sizeof(RTCRay16) == sizeof(OcclusionRays));
+static_assert(offsetof(OcclusionRays, tFar) == offsetof(RTCRay16, tfar));
+static_assert(offsetof(OcclusionRays, flags) == offsetof(RTCRay16, flags));
+
+void onFilter(const RTCFilterFunctionNArguments* arguments) {
+  const RTCFilterFunctionNArguments& a = *arguments;
+  const auto& state =
+      *static_cast<const OcclusionState*>(reinterpret_cast<const QueryContext*>(a.context)->user);
+  for (unsigned i = 0; i < a.N; ++i) {
+    if (a.valid[i] != -1) continue;
+    const float t = RTCRayN_tfar(a.ray, a.N, i);
+    const glm::vec3 org(RTCRayN_org_x(a.ray, a.N, i), RTCRayN_org_y(a.ray, a.N, i),
+                        RTCRayN_org_z(a.ray, a.N, i)),
+        dir(RTCRayN_dir_x(a.ray, a.N, i), RTCRayN_dir_y(a.ray, a.N, i), RTCRayN_dir_z(a.ray, a.N, i));
+    const Occluder occluder{state.instanceOf(RTCHitN_instID(a.hit, a.N, i, 0)), RTCHitN_primID(a.hit, a.N, i),
+                            RTCHitN_u(a.hit, a.N, i), RTCHitN_v(a.hit, a.N, i), org + t * dir,
+                            static_cast<int>(RTCRayN_id(a.ray, a.N, i))};
+    if (!state.blocks(occluder)) a.valid[i] = 0;
+  }
+}
+
+/// Embree aborts the process where an active lane holds anything else.
+bool isTraceable(const OcclusionRays& r, int i) {
+  constexpr float kLargest = 1e18f;
+  const float size =
+      std::max({std::abs(r.orgX[i]), std::abs(r.orgY[i]), std::abs(r.orgZ[i]), std::abs(r.dirX[i]),
+                std::abs(r.dirY[i]), std::abs(r.dirZ[i])});
+  const float sum = r.orgX[i] + r.orgY[i] + r.orgZ[i] + r.dirX[i] + r.dirY[i] + r.dirZ[i];  // NaN where one is
+  return size <= kLargest && sum == sum && r.tNear[i] >= 0 && r.tNear[i] <= r.tFar[i];
+}
+
+}  // namespace
+
+uint32_t World::occluded(const int32_t* valid, OcclusionRays& rays, Coherence coherence,
+                         const OccluderFilter* filter) const noexcept {
+  if (!scene_) return 0;
+  alignas(64) int32_t lanes[kLanes];
+  bool any = false;
+  for (int i = 0; i < kLanes; ++i) {
+    lanes[i] = valid[i] && isTraceable(rays, i) ? -1 : 0;
+    any |= lanes[i] != 0;
+    rays.time[i] = 0;
+    rays.mask[i] = ~0u;
+    rays.id[i] = static_cast<uint32_t>(i);
+    rays.flags[i] = 0;
+  }
+  if (!any) return 0;
+  const OcclusionState state{filter, aloneIndex_, hasImpostors() ? impostors_.data() : nullptr};
+  PacketQuery query(coherence, filter ? onFilter : nullptr, &state);
+  askInWidth<RTCRay16, RTCRay8, RTCRay4>(
+      device_.packetWidth(), rays, sizeof(RTCRay16) / (kLanes * sizeof(float)), lanes,
+      [&](const int32_t* asked, auto& packet) { query.occluded(asked, scene_, packet); });
+  uint32_t blocked = 0;
+  for (int i = 0; i < kLanes; ++i)
+    if (lanes[i] && rays.tFar[i] < 0) blocked |= 1u << i;
+  return blocked;
+}
+
+}  // namespace gluray::accel

@@ -1,0 +1,83 @@
+#include "render/integrators/ambient_occlusion.h"
+
+#include <bit>
+
+#define HWY_DISABLED_TARGETS HWY_SSSE3
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/integrators/ambient_occlusion.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+// What follows is included once for each instruction set, after Highway's macros.
+#include "render/points.inl.h"
+#include "render/sampling/sobol.inl.h"
+#include "render/sampling/warp.inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gluray::render {
+namespace HWY_NAMESPACE {
+
+/// Rays of sample `index` into the hemispheres above the points.
+HWY_ATTR inline void aimAbove(const AmbientOcclusion& ao, const SurfacePoints& points, const PixelSeeds& seeds,
+                              uint32_t index, accel::OcclusionRays& rays) {
+  const glm::mat3 worldFromEye(ao.metric.worldFromEye);
+  for (int i = 0; i < kLanes; i += lanesOfVector()) {
+    const Float3 flat = load3(points.geometric, i), normal = load3(points.shading, i);
+    const Sample2 sample = sample2(seeds, i, index, Dimensions::ambientOcclusion);
+    const Float3 eye = reflectedAbove(flat, aboveSurface(normal, cosineHemisphere(sample)));
+    const Float3 world = transform(worldFromEye, eye);
+    store(load(points.origin[0] + i), rays.orgX + i), store(load(points.origin[1] + i), rays.orgY + i),
+        store(load(points.origin[2] + i), rays.orgZ + i);
+    store(world.x, rays.dirX + i), store(world.y, rays.dirY + i), store(world.z, rays.dirZ + i);
+    store(hn::Zero(FloatTag()), rays.tNear + i);
+    store(splat(ao.radius), rays.tFar + i);
+  }
+}
+
+HWY_ATTR void occlude(const AmbientOcclusion& ao, const ColoredHits& hits, ColorRows& rows) {
+  SurfacePoints points;
+  makePoints(ao.metric, ao.frame, hits, points);
+  const PixelSeeds seeds(hits.x, hits.y);
+  alignas(64) int32_t valid[kLanes];
+  for (int i = 0; i < kLanes; ++i) valid[i] = hits.group.lanes >> i & 1 ? -1 : 0;
+  int blocked[kLanes] = {};
+  accel::OcclusionRays rays;
+  for (int s = 0; s < ao.samples; ++s) {
+    const auto index = static_cast<uint32_t>(hits.sample * ao.samples + s);
+    aimAbove(ao, points, seeds, index, rays);
+    uint32_t lanes = ao.frame.world->occluded(valid, rays, accel::Coherence::incoherent, ao.occluders.get());
+    for (; lanes; lanes &= lanes - 1) ++blocked[std::countr_zero(lanes)];
+  }
+  const float perRay = ao.strength / static_cast<float>(ao.samples);
+  for (int i = 0; i < kLanes; ++i)
+    for (int c = 0; c < 3; ++c) rows.value[c][i] *= 1 - perRay * static_cast<float>(blocked[i]);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace gluray::render
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace gluray::render {
+
+HWY_EXPORT(occlude);
+
+AmbientOcclusion::AmbientOcclusion(const FrameData& of)
+    : frame(of),
+      metric(of),
+      occluders(makeOccluders(*of.snapshot)),
+      samples(of.snapshot->settings.ao.samples),
+      radius(of.snapshot->settings.ao.radius * metric.diagonal),
+      strength(of.snapshot->settings.ao.strength) {}
+
+void AmbientOcclusion::light(const ColoredHits& hits, ColorRows& rows) const noexcept {
+  HWY_DYNAMIC_DISPATCH(occlude)(*this, hits, rows);
+}
+
+std::unique_ptr<const Integrator> makeIntegrator(const FrameData& frame) {
+  const auto& ao = frame.snapshot->settings.ao;
+  if (!ao.enabled || ao.strength == 0) return nullptr;
+  return std::make_unique<AmbientOcclusion>(frame);
+}
+
+}  // namespace gluray::render
+#endif

@@ -1,0 +1,28 @@
+// Ambient occlusion: surfaces are darkened by what hides the sky above them.
+#pragma once
+#include "render/integrators/integrator.h"
+#include "render/integrators/metric.h"
+#include "render/integrators/occluders.h"
+
+namespace gluray::render {
+
+/// The open part of the hemisphere above a point,
+///   A = 1 - strength/pi * integral of (1 - V(w)) cos(n, w) dw,  V = 0 where something lies within `radius`.
+/// Directions are drawn in proportion to the cosine, so that the estimate is 1 - strength * blocked / samples.
+/// Source: Zhukov, Iones, Kronin, "An Ambient Light Illumination Model", 1998. Colours of the local look are
+/// multiplied by it.
+class AmbientOcclusion final : public Integrator {
+ public:
+  /// `frame` must outlive it. Throws std::runtime_error where the modelview matrix cannot be inverted.
+  explicit AmbientOcclusion(const FrameData& frame);
+  void light(const ColoredHits&, ColorRows&) const noexcept override;
+
+  const FrameData& frame;
+  Metric metric;
+  std::unique_ptr<const accel::OccluderFilter> occluders;  // null: every surface blocks
+  int samples;     // rays a point, >= 1; noise falls as 1/sqrt(samples)
+  float radius;    // eye space
+  float strength;  // 0: no effect, 1: full
+};
+
+}  // namespace gluray::render

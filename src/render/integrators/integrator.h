@@ -1,0 +1,31 @@
+// Light beyond OpenGL's local look: what lies between a point and its surroundings. An integrator is made for a
+// frame, gets hits that the local look has coloured, and changes their colours. Frames without one cost and
+// change nothing. Called on all tracing threads.
+#pragma once
+#include "render/frame_data.h"
+#include "render/local/group.h"
+
+#include <memory>
+
+namespace gluray::render {
+
+/// Hits on one instance, coloured by the local look.
+struct ColoredHits {
+  const Surface& surface;
+  uint32_t instance;
+  const Group& group;  // its lanes count; u and v are where the surface is seen
+  int sample;          // of those that the pixel takes
+  const float *x, *y;  // window positions of the lanes
+};
+
+class Integrator {
+ public:
+  virtual ~Integrator() = default;
+  /// Changes colours of the group's lanes; those of others have no meaning.
+  virtual void light(const ColoredHits&, ColorRows&) const noexcept = 0;
+};
+
+/// The integrator that the snapshot's settings ask for; null where they ask for the local look alone.
+std::unique_ptr<const Integrator> makeIntegrator(const FrameData&);
+
+}  // namespace gluray::render

@@ -1,0 +1,33 @@
+// Hits of one packet on one instance, and their colours, as rows of one value for each lane. Filled by the
+// kernels; integrators read and change the colours. Any thread.
+#pragma once
+#include "accel/ray_packet.h"
+
+#include <cstdint>
+
+namespace gluray::render {
+
+using accel::kLanes;
+
+/// One float for each lane; row[c] of several is component c.
+using Row = float[kLanes];
+
+/// The lanes of a packet that hit one instance. Lanes outside the group repeat a lane of it, so that every
+/// load is valid.
+struct Group {
+  uint32_t lanes = 0;  // bit i: lane i belongs to the group
+  alignas(64) uint32_t primitive[kLanes];
+  alignas(64) uint32_t vertex[3][kLanes];
+  alignas(64) Row position[3][3];  // [corner][component], object space
+  alignas(64) Row u, v;
+  // Of impostors (impostor.inl.h): the hit point and the normal there in the lighting space, and the factor
+  // of colours.
+  alignas(64) Row point[3], normal[3], fade;
+};
+
+/// Colours of a packet: rows red, green, blue, alpha, and the secondary colour's three.
+struct ColorRows {
+  alignas(64) Row value[7];
+};
+
+}  // namespace gluray::render

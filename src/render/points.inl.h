@@ -1,0 +1,142 @@
+// Where the hits of a group are: points and normals in eye space, and origins for rays that leave them. Compiled
+// once for each instruction set.
+#if defined(GLURAY_RENDER_POINTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLURAY_RENDER_POINTS_INL_H_
+#undef GLURAY_RENDER_POINTS_INL_H_
+#else
+#define GLURAY_RENDER_POINTS_INL_H_
+#endif
+
+#include "render/integrators/integrator.h"
+#include "render/integrators/metric.h"
+#include "render/local/fragment.inl.h"
+#include "render/solid_points.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gluray::render {
+namespace HWY_NAMESPACE {
+
+/// Points of a packet. Both normals are of unit length, in eye space, on the viewer's side.
+struct SurfacePoints {
+  alignas(64) Row origin[3];     // world space: above the point by its error, so that rays do not meet its surface
+  alignas(64) Row geometric[3];  // of the triangle
+  alignas(64) Row shading[3];    // of the surface that the triangles stand for
+};
+
+HWY_INLINE void store3(const Float3& v, Row (&rows)[3], int i) {
+  store(v.x, rows[0] + i), store(v.y, rows[1] + i), store(v.z, rows[2] + i);
+}
+
+HWY_INLINE Float largestSize(const Float3& v) {
+  return hn::Max(hn::Abs(v.x), hn::Max(hn::Abs(v.y), hn::Abs(v.z)));
+}
+
+/// Unit length for vectors of any length that a float can have; `otherwise` for those without one.
+HWY_INLINE Float3 direction(const Float3& v, const Float3& otherwise) {
+  const Float largest = largestSize(v);
+  const Float inverse = hn::Div(splat(1), largest);
+  const auto usable = hn::And(hn::Ge(largest, splat(1e-37f)), hn::Le(largest, splat(1e37f)));
+  const Float3 u = unit(scaled(v, inverse));
+  return {hn::IfThenElse(usable, u.x, otherwise.x), hn::IfThenElse(usable, u.y, otherwise.y),
+          hn::IfThenElse(usable, u.z, otherwise.z)};
+}
+
+HWY_INLINE Float3 cross(const Float3& a, const Float3& b) {
+  return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
+          hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
+}
+
+/// `v`, or its opposite where it points to the other side than `side`.
+HWY_INLINE Float3 facing(const Float3& v, const Float3& side) {
+  const auto turned = hn::Lt(dot(v, side), hn::Zero(FloatTag()));
+  const Float sign = hn::IfThenElse(turned, splat(-1), splat(1));
+  return scaled(v, sign);
+}
+
+/// Sum of the sizes of a point's coordinates.
+HWY_INLINE Float sizes(const Float3& v) { return hn::Add(hn::Abs(v.x), hn::Add(hn::Abs(v.y), hn::Abs(v.z))); }
+
+/// Puts the origin above a point in eye space: by what rounding may have moved the point, and by `lift`.
+HWY_INLINE void placeOrigin(const Metric& metric, const Surface& s, const Float3& eye, const Float3& normal,
+                            const Float3& lift, SurfacePoints& out, int i) {
+  // Coordinates in the world are rounded by 2^-24 of their size, in the point as in what the ray meets.
+  constexpr float kRounded = 6e-7f;
+  const Float3 world = transformPoint(metric.worldFromEye, eye);
+  const glm::vec3 place = glm::abs(glm::vec3(s.instance->worldFromObject[3])),
+                  view = glm::abs(glm::vec3(metric.worldFromEye[3]));
+  const Float size = hn::Add(sizes(world), splat(place.x + place.y + place.z + view.x + view.y + view.z));
+  const Float error = hn::Mul(size, splat(kRounded * metric.stretch));
+  const Float3 above = add(add(eye, scaled(normal, error)), lift);
+  store3(transformPoint(metric.worldFromEye, above), out.origin, i);
+}
+
+/// Where smooth normals stand for a curved surface: the way from the triangle to that surface, so that rays along
+/// it are not cut off by the triangle's neighbours (J. Hanika, "Hacking the Shadow Terminator", 2021).
+HWY_INLINE Float3 towardsSmooth(const Surface& s, const Group& group, const Weights& weights, const Float3& object,
+                                const Float3 (&normals)[3], const Float3& side, int i) {
+  const glm::mat3 linear(s.eyeFromObject);
+  Float3 lift[3];
+  for (int k = 0; k < 3; ++k) {
+    const Float3 n = facing(normals[k], side);
+    const Float3 from = transform(linear, sub(object, load3(group.position[k], i)));
+    lift[k] = scaled(n, hn::Neg(hn::Min(dot(from, n), hn::Zero(FloatTag()))));
+  }
+  return weights(lift[0], lift[1], lift[2]);
+}
+
+/// Points of triangles.
+HWY_ATTR inline void pointsOfTriangles(const Metric& metric, const ColoredHits& hits, SurfacePoints& out) {
+  const Surface& s = hits.surface;
+  const Group& group = hits.group;
+  const bool smooth = s.mesh->normals && s.lighting->shading->smooth;
+  alignas(64) Row normal[3][3];
+  if (smooth)
+    for (int k = 0; k < 3; ++k) loadVec3(s.mesh->normals, s.mesh->vertexCount, group.vertex[k], normal[k]);
+  const glm::vec3 away(metric.away);
+  for (int i = 0; i < kLanes; i += lanesOfVector()) {
+    const Weights weights(group, i);
+    const Float3 corner[] = {load3(group.position[0], i), load3(group.position[1], i), load3(group.position[2], i)};
+    const Float3 object = weights(corner[0], corner[1], corner[2]);
+    const Float3 eye = transformPoint(s.eyeFromObject, object);
+    const Float3 toViewer = sub(scaled(eye, splat(static_cast<float>(metric.away.w))), splat(away));
+    const Float3 viewer = direction(toViewer, splat(glm::vec3(0, 0, 1)));
+    const glm::mat3 linear(s.eyeFromObject);
+    const Float3 edge0 = direction(transform(linear, sub(corner[1], corner[0])), viewer),
+                 edge1 = direction(transform(linear, sub(corner[2], corner[0])), viewer);
+    const Float3 flat = facing(direction(cross(edge0, edge1), viewer), viewer);
+    Float3 shading = flat, lift = splat(glm::vec3(0));
+    if (smooth) {
+      Float3 corners[3];
+      for (int k = 0; k < 3; ++k) corners[k] = direction(transform(s.eyeFromObjectNormal, load3(normal[k], i)), flat);
+      shading = facing(direction(weights(corners[0], corners[1], corners[2]), flat), flat);
+      lift = towardsSmooth(s, group, weights, object, corners, flat, i);
+    }
+    store3(flat, out.geometric, i), store3(shading, out.shading, i);
+    placeOrigin(metric, s, eye, flat, lift, out, i);
+  }
+}
+
+/// Points of impostors, on the solids that other rays meet.
+HWY_ATTR inline void pointsOfImpostors(const Metric& metric, const FrameData& frame, const ColoredHits& hits,
+                                       SurfacePoints& out) {
+  alignas(64) Row point[3];
+  solidPoints(metric, frame, hits, point, out.geometric);
+  for (int i = 0; i < kLanes; i += lanesOfVector()) {
+    const Float3 normal = load3(out.geometric, i);
+    store3(normal, out.shading, i);
+    placeOrigin(metric, hits.surface, load3(point, i), normal, splat(glm::vec3(0)), out, i);
+  }
+}
+
+HWY_ATTR inline void makePoints(const Metric& metric, const FrameData& frame, const ColoredHits& hits,
+                                SurfacePoints& out) {
+  if (hits.surface.mesh->shape == scene::Shape::triangles)
+    pointsOfTriangles(metric, hits, out);
+  else
+    pointsOfImpostors(metric, frame, hits, out);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace gluray::render
+HWY_AFTER_NAMESPACE();
+#endif
