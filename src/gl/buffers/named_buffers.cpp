@@ -1,5 +1,5 @@
-// Commands that name the buffer object they are about instead of binding it (OpenGL 4.5,
-// EXT_direct_state_access), and those by which the real OpenGL reads or writes buffers where we take no note.
+// Handlers of direct state access to buffer objects (OpenGL 4.5, EXT_direct_state_access), and of commands
+// after which the real OpenGL reads or writes buffers without our seeing it.
 #include "gl/handlers.h"
 
 #include <utility>
@@ -22,7 +22,7 @@ void markForeign(Context& c, GLuint name) {
   });
 }
 
-/// `map` asks the real OpenGL.
+/// `map` maps the buffer in the real OpenGL.
 template <class Map>
 void* mapNamed(Context& c, GLuint name, Map&& map) {
   const auto buffer = known(c, name);
@@ -47,7 +47,7 @@ GLboolean unmapNamed(Context& c, GLuint name, Unmap&& unmap) {
   return GL_TRUE;
 }
 
-/// Whether we answer for a buffer that is mapped here.
+/// Handles the flush of a mapping of our copy. False if there is none.
 bool flushes(Context& c, GLuint name) {
   const auto buffer = known(c, name);
   if (!buffer || !buffer->mapped()) return false;
