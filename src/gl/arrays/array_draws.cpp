@@ -1,4 +1,4 @@
-// Handlers of draws from vertex arrays, and such draws by fixed function.
+// Handlers of array draws, and array draws by fixed function.
 #include "gl/arrays/array_draws.h"
 
 #include "base/clock.h"

@@ -58,7 +58,7 @@ size_t sizeOfType(GLenum type);
 bool isReadable(const ArraySource& source);
 /// Whether the array lies in a buffer that is mapped by the real OpenGL or written without our seeing it.
 bool isForeign(const ArraySource& source);
-/// Why arrays and indices cannot be traced if such a buffer holds any of them; else Reason::traced.
+/// Why a draw cannot be traced if such a buffer holds its indices or an array; else Reason::traced.
 Reason foreignReason(const ArrayState& arrays);
 /// Whether primitive restart is enabled.
 bool restartsPrimitives(const RealGl& real);

@@ -1,4 +1,4 @@
-// Draws from vertex arrays by shader programs.
+// Array draws by shader programs.
 #include "gl/arrays/array_draws.h"
 #include "gl/handlers.h"
 #include "gl/stub.h"
@@ -24,7 +24,7 @@ Reason traceProgram(Context& c, GLenum mode, const Elements& e) {
   Reason reason = triageByPass(c, kind);
   if (reason == Reason::traced && impostors) reason = c.programs.triageImpostors();
   if (reason != Reason::traced) return reason;
-  // What a program that expects impostors makes of surfaces is unknown.
+  // A program that expects impostors draws surfaces in a way that is unknown.
   if (!impostors && c.shadow.attributes.shape != scene::Shape::triangles) return Reason::program;
   return c.failsafe.attempt([&] {
     const KnownMesh known = meshOf(c, c.shadow.attributes, mode, e);

@@ -37,7 +37,7 @@ class DeletedBuffers {
   std::atomic<uint64_t> now_ = 0;
 };
 
-/// The attachments of one context, because vertex array objects are not shared.
+/// Attachment times in the vertex array objects of one context, which are not shared.
 class Attachments {
  public:
   /// Attachment points of a vertex array object. Below kElements: bindings of generic attributes.
@@ -60,10 +60,10 @@ class Attachments {
   /// A buffer is attached there now.
   void set(GLuint place) { set(bound_, place); }
   void set(GLuint array, GLuint place);
-  /// Forgets the times of the bound, or of one, vertex array object: they may be wrong, or it was deleted.
+  /// Forgets the times of a vertex array object (or the bound one): they may be wrong, or it was deleted.
   void forget() { when_.erase(bound_); }
   void forget(GLuint array) { when_.erase(array); }
-  /// set() for a target that is no part of vertex array objects, where a deleted buffer may stay bound, too.
+  /// set() for a target outside vertex array objects: buffers that another context deletes stay bound there.
   void setTarget(GLenum target);
   /// Whether the buffer bound to `target`, GL_ELEMENT_ARRAY_BUFFER too, may be a deleted one that had `name`
   /// before. Bindings made by other commands than glBindBuffer (glBindBufferBase ...) count as old.

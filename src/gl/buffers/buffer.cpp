@@ -90,7 +90,7 @@ class CopyBinding {
 }  // namespace
 
 void Buffer::fetch(const RealGl& real) {
-  if (mappedBelow) {  // cannot be read, and drawing from it is an error: an empty mesh
+  if (mappedBelow) {  // cannot be read, and drawing from it is an error: all zeros, so nothing is drawn
     storage_ = std::make_shared<BufferStorage>(size_);
     std::memset(storage_->data, 0, size_);
     return;

@@ -10,7 +10,7 @@ namespace gluray::gl {
 namespace {
 
 /// Targets whose buffers the real OpenGL uses only in commands that we see.
-bool isAskedFor(GLenum target) {
+bool usesAreSeen(GLenum target) {
   switch (target) {
     case GL_ARRAY_BUFFER:
     case GL_ELEMENT_ARRAY_BUFFER:
@@ -57,7 +57,7 @@ void bindBuffer(Context& c, GLenum target, GLuint name) {
   c.real.BindBuffer(target, name);
   if (const auto buffer = bufferNamed(c.shadow.group, name); buffer && !isHeldBack(c, target, buffer.get())) {
     buffer->sendTo(c.real);
-    buffer->readBelow = buffer->readBelow || !isAskedFor(target);
+    buffer->readBelow = buffer->readBelow || !usesAreSeen(target);
   }
   if (target != GL_ELEMENT_ARRAY_BUFFER) return c.shadow.attachments.setTarget(target);
   c.touch(kArrays);

@@ -33,7 +33,7 @@ TEST(Triangulate, LinesAndPointsHaveNoTriangles) {
     EXPECT_TRUE(triangulate(row(mode, 6)).empty());
 }
 
-TEST(Triangulate, DropsIncompleteFigures) {
+TEST(Triangulate, DropsIncompletePrimitives) {
   EXPECT_EQ(row(GL_TRIANGLES, 5).vertexCount, 3u);
   EXPECT_EQ(row(GL_QUADS, 7).vertexCount, 4u);
   EXPECT_EQ(row(GL_QUAD_STRIP, 5).vertexCount, 4u);
@@ -41,7 +41,7 @@ TEST(Triangulate, DropsIncompleteFigures) {
   EXPECT_TRUE(row(GL_POLYGON, 0).empty());
 }
 
-TEST(Triangulate, MakesAsManyTrianglesAsCountTrianglesSays) {
+TEST(Triangulate, AgreesWithCountTriangles) {
   for (const GLenum mode :
        {GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_POLYGON, GL_QUADS, GL_QUAD_STRIP})
     for (uint32_t n = 0; n < 14; ++n) {

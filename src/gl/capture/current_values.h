@@ -41,7 +41,7 @@ class CurrentValues {
   bool anyUnsent() const { return unsent_ != 0 || drawn_; }
   /// Sends those. Between its glBegin and glEnd only if !anyDrawn().
   void send(const RealGl& real);
-  /// Reads back all values that are not unsent, or one slot.
+  /// Reads back all values except unsent ones, or one slot.
   void read(const RealGl& real);
   void read(const RealGl& real, Slot slot);
 

@@ -1,5 +1,4 @@
-// Growable array of trivially copyable values for millions of elements: not initialised, grown by mremap. Any
-// thread.
+// Growable array of millions of trivially copyable values: uninitialised, grown by mremap. Any thread.
 #pragma once
 #include <cstddef>
 #include <type_traits>

@@ -31,7 +31,7 @@ void invalidUnit() noexcept {
 void vertexAttribSlow(GLuint index, float x, float y, float z, float w) noexcept {
   Context* c = t_thread.context;
   if (!c) return;
-  // Where the real OpenGL raises a primitive's errors, it refuses wrong indices too: errors keep their order.
+  // Where the real OpenGL raises a primitive's errors, it refuses wrong indices too, so errors stay in order.
   const bool below = index != 0 && c->immediate.inside() == Immediate::Inside::rasterised;
   if (c->info().off || c->info().core || below)
     c->real.VertexAttrib4f(index, x, y, z, w);

@@ -8,7 +8,7 @@
 
 namespace gluray::gl {
 
-/// Sets one attribute in the real OpenGL. For kMaterialNumber use setMaterial.
+/// Sets one attribute in the real OpenGL. Ignores kMaterialNumber: use sendMaterial.
 void sendAttribute(const RealGl& real, Slot slot, const float* values);
 
 /// Calls glMaterial for every parameter that `change` sets.

@@ -56,7 +56,7 @@ void VertexStream::updateLimit() {
 
 namespace {
 
-/// How many of a primitive's `n` vertices are drawn: OpenGL ignores incomplete figures (GL 2.1, 2.6.1).
+/// How many of `n` vertices are drawn: OpenGL ignores incomplete triangles, quads ... (GL 2.1, 2.6.1).
 uint32_t completeVertices(GLenum mode, uint32_t n) {
   switch (mode) {
     case GL_LINES: return n - n % 2;
@@ -90,7 +90,7 @@ void VertexStream::end() {
   numbered_ -= extra - arrived;
   cursor_ = captured_.vertex(captured_.vertexCount);
   if (count == 0) return;
-  // Consecutive separate figures of one mode become one primitive.
+  // Consecutive glBegin/glEnd pairs of one separate mode become one primitive.
   if (!captured_.primitives.empty() && isSeparate(mode_) && captured_.primitives.back().mode == mode_) {
     captured_.primitives.back().count += count;
     return;

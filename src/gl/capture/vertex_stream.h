@@ -72,7 +72,7 @@ class VertexStream {
     return captured_.materials.empty() ? nullptr : &captured_.materials.back();
   }
 
-  /// The vertices so far since begin().
+  /// The open primitive, with the vertices so far.
   Primitive openPrimitive() const { return {mode_, first_, sent() - first_}; }
   CapturedVertices& captured() {
     numberAll();

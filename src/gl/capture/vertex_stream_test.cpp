@@ -11,7 +11,7 @@ void triangle(VertexStream& stream, float x) {
   stream.end();
 }
 
-TEST(VertexStream, JoinsSeparateFiguresOfOneKind) {
+TEST(VertexStream, JoinsSeparatePrimitivesOfOneMode) {
   VertexStream stream;
   stream.start(bit(kPosition), initialSlotValues());
   triangle(stream, 0);
@@ -23,7 +23,7 @@ TEST(VertexStream, JoinsSeparateFiguresOfOneKind) {
   EXPECT_EQ(stream.captured().primitives.back(), (Primitive{GL_TRIANGLE_STRIP, 6, 4}));
 }
 
-TEST(VertexStream, GivesEarlierVerticesTheEarlierValueOfAnAddedSlot) {
+TEST(VertexStream, AddSlotFillsEarlierVertices) {
   VertexStream stream;
   stream.start(bit(kPosition), initialSlotValues());
   triangle(stream, 0);
@@ -77,7 +77,7 @@ TEST(VertexStream, WidensEarlierVerticesInPlace) {
   }
 }
 
-TEST(VertexStream, StoresWOnceAVertexHasOneOtherThanOne) {
+TEST(VertexStream, StoresWOnlyIfAVertexNeedsIt) {
   VertexStream stream;
   stream.start(bit(kPosition), initialSlotValues());
   triangle(stream, 0);

@@ -17,9 +17,9 @@ void endList(Context& c) {
 
 namespace {
 
-/// Whether list calls are recorded in the list being compiled. So they are inside its glBegin, too: that
-/// primitive is then sent call by call, because the called list may change before it is executed. Inside a
-/// primitive that the real OpenGL compiles they are executed and become part of the primitive.
+/// Whether list calls are recorded in the list being compiled, also inside its glBegin: the primitive is then
+/// recorded call by call, because the called list may change before it is executed. Inside a primitive that
+/// the real OpenGL compiles, list calls are executed instead and become part of the primitive.
 bool recordsCalls(Context& c) {
   if (!c.lists.compiling()) return false;
   if (c.immediate.inside() == Immediate::Inside::captured) c.failsafe.insist([&] { c.immediate.loosen(); });

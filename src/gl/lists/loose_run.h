@@ -1,5 +1,5 @@
-// A run in a display list whose last primitive the list does not simply end. GL threads: several may call a
-// list of their share group.
+// A display list's run that ends inside an open primitive. GL threads: several may call a list of their share
+// group.
 #pragma once
 #include "gl/capture/captured_vertices.h"
 #include "gl/lists/list.h"

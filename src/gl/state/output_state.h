@@ -15,7 +15,7 @@ bool writesThrough(const RealGl& real, const RareState& has);
 bool keepsLargest(const RealGl& real, const RareState& has);
 
 /// Whether fragments are depth-tested without writing depth, add their colours to two float draw buffers, and
-/// multiply alpha by 1 - their alpha, so that the first's becomes the product of what they let through.
+/// multiply the buffers' alpha by 1 - their own: the first's becomes the product of what they let through.
 bool addsUp(const RealGl& real, const RareState& has, const RasterState& raster);
 
 }  // namespace gluray::gl

@@ -18,14 +18,15 @@ bool isSoftware(const RealGl& real) {
 
 }  // namespace
 
-ShadowState::ShadowState(const RealGl& realGl, std::shared_ptr<ShareGroup> with, const ContextInfo& about,
-                         const Settings& ofFrame, Errors& errorsOfBoth, Failsafe& failsafe)
+ShadowState::ShadowState(const RealGl& realGl, std::shared_ptr<ShareGroup> shareGroup,
+                         const ContextInfo& contextInfo, const Settings& ofFrame, Errors& contextErrors,
+                         Failsafe& failsafe)
     : real(realGl),
-      sharedGroup(std::move(with)),
+      sharedGroup(std::move(shareGroup)),
       group(*sharedGroup),
-      info(about),
+      info(contextInfo),
       settings(ofFrame),
-      errors(errorsOfBoth),
+      errors(contextErrors),
       attachments(group.deletedBuffers),
       latch(settings.quirks.has(Quirk::materialLatch) && MaterialLatch::isIn(realGl)),
       textures(group),

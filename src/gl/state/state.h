@@ -76,11 +76,11 @@ struct TargetState {
   glm::ivec2 size{0};  // pixels, of a framebuffer object; {0, 0}: unknown
   std::vector<glm::vec2> samplePositions;
   bool wideColors = false;  // colours are floats
-  bool eightBits = false;   // of red, green, blue and, if `alpha`, alpha; only read with fixed function
+  bool eightBits = false;   // 8 each of red, green, blue and, if `alpha`, alpha; read with fixed function
   bool alpha = true;
   bool blendable = false;  // eightBits, one draw buffer, one sample per pixel, not `encodes`
   double depthSteps = 0;   // from depth 0 to 1; 0: depth is floats
-  bool encodes = false;    // GL_FRAMEBUFFER_SRGB: colours may be encoded on their way
+  bool encodes = false;    // GL_FRAMEBUFFER_SRGB: colours may be encoded when written
   float depthResolution = 1.0f / 16777216.0f;
   // Unit of glPolygonOffset; if depthFloats (depth is floats), it is the last bit of the depth instead.
   float offsetUnit = 1.0f / 8388608.0f;

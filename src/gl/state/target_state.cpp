@@ -56,9 +56,9 @@ void readColorBits(const RealGl& real, bool fixedFunction, TargetState& target) 
   target.blendable = target.eightBits && single && target.samples == 1 && !target.encodes;
 }
 
-/// Size in pixels of the renderbuffer attached to the framebuffer object; {0, 0} for other images. Also for
-/// names that were deleted: the renderbuffer may live on there, while its name means another one, or none,
-/// which binding would create.
+/// Size in pixels of the renderbuffer attached to the framebuffer object; {0, 0} for other images and for
+/// deleted names. A deleted renderbuffer may live on there while its name means another one, or none, which
+/// binding would create.
 glm::ivec2 attachmentSize(const RealGl& real, const DeletedBuffers& deleted, GLenum attachment) {
   const auto ask = [&](GLenum name) {
     GLint value = 0;

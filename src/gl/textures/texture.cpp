@@ -82,19 +82,19 @@ void TextureCache::allImagesChanged() {
 void TextureCache::attached(GLuint name) noexcept {
   try {
     if (name != 0) attached_.insert(name);
-  } catch (...) { forgotten_ = true; }  // no memory
+  } catch (...) { attachedIncomplete_ = true; }  // no memory
   framebufferBound();
 }
 
 void TextureCache::framebufferBound() {
-  if (forgotten_) return allImagesChanged();
+  if (attachedIncomplete_) return allImagesChanged();
   if (attached_.empty()) return;
   std::erase_if(images_, [&](const auto& known) { return attached_.contains(known.first.name); });
   tellOthers();
 }
 
 void TextureCache::finished() {
-  if (forgotten_ || !attached_.empty()) tellOthers();
+  if (attachedIncomplete_ || !attached_.empty()) tellOthers();
 }
 
 void TextureCache::imageChanged(const RealGl& real, GLenum target) {
@@ -231,13 +231,13 @@ Reason TextureCache::buffer(const RealGl& real, ShareGroup& group, GLint unit, s
 
 bool TextureCache::isOpaque(const scene::Attribute& elements, uint32_t count) {
   if (elements.format != scene::Format::float4 && elements.format != scene::Format::unorm8x4) return true;
-  if (!askedAbout_.expired() && !askedAbout_.owner_before(elements.owner) &&
-      !elements.owner.owner_before(askedAbout_))
-    return wasOpaque_;
-  wasOpaque_ = true;
-  for (uint32_t i = 0; i < count && wasOpaque_; ++i) wasOpaque_ = scene::fetch(elements, i).a >= 1.0f;
-  askedAbout_ = elements.owner;
-  return wasOpaque_;
+  if (!checkedStorage_.expired() && !checkedStorage_.owner_before(elements.owner) &&
+      !elements.owner.owner_before(checkedStorage_))
+    return checkedOpaque_;
+  checkedOpaque_ = true;
+  for (uint32_t i = 0; i < count && checkedOpaque_; ++i) checkedOpaque_ = scene::fetch(elements, i).a >= 1.0f;
+  checkedStorage_ = elements.owner;
+  return checkedOpaque_;
 }
 
 void TextureCache::forgetChanged() {

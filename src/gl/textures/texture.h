@@ -12,8 +12,8 @@ namespace gluray::gl {
 
 class ShareGroup;
 
-/// A context's cache of texture images read back. An image is read again after a call that may have changed
-/// it, and all are after a call of another context of the share group.
+/// A context's cache of texture images read back. An image is read again after a call that may change it, and
+/// every image after such a call by another context of the share group.
 class TextureCache {
  public:
   explicit TextureCache(ShareGroup& group) : group_(group) {}
@@ -28,7 +28,7 @@ class TextureCache {
   void attached(GLuint name) noexcept;
   void framebufferBound();
   /// Whether a texture may ever have been attached.
-  bool mayBeAttached(GLuint name) const { return forgotten_ || attached_.contains(name); }
+  bool mayBeAttached(GLuint name) const { return attachedIncomplete_ || attached_.contains(name); }
   /// glFlush, glFinish: other contexts can now see what was drawn into textures.
   void finished();
 
@@ -64,10 +64,10 @@ class TextureCache {
   ShareGroup& group_;
   uint64_t changesKnown_ = 0;  // value of ShareGroup::textureChanges that images_ reflects
   std::map<Key, std::shared_ptr<const scene::TextureImage>> images_;
-  std::set<GLuint> attached_;             // names of textures that were ever attached
-  std::weak_ptr<const void> askedAbout_;  // storage that wasOpaque_ is about
-  bool wasOpaque_ = false;
-  bool forgotten_ = false;  // attached_ is incomplete for want of memory: any texture may have been attached
+  std::set<GLuint> attached_;                 // names of textures that were ever attached
+  bool attachedIncomplete_ = false;           // for want of memory: any texture may have been attached
+  std::weak_ptr<const void> checkedStorage_;  // the last that isOpaque() was asked about, and its answer
+  bool checkedOpaque_ = false;
 };
 
 }  // namespace gluray::gl
