@@ -14,7 +14,7 @@ struct Range {
   uint32_t count() const { return upper - lower; }
 };
 
-/// A draw's index array in place, if it can be used unchanged: aligned 32-bit indices of separate triangles.
+/// A draw's index array in place, if usable as it is: aligned, 32-bit, separate triangles, no base vertex.
 struct PlainIndices {
   const uint32_t* data = nullptr;                // null: it cannot
   size_t count = 0;                              // a multiple of 3

@@ -83,7 +83,7 @@ scene::Attribute makeIndices(GrowingArray<uint32_t> corners, size_t& sizeBytes) 
 }
 
 scene::Attribute makeIndices(std::vector<uint32_t> corners, size_t& sizeBytes) {
-  corners.reserve(corners.size() + 4);  // 16 readable bytes behind
+  corners.reserve(corners.size() + 4);  // 16 readable bytes after the last
   sizeBytes += corners.size() * 4;
   const auto data = std::make_shared<std::vector<uint32_t>>(std::move(corners));
   return {data, reinterpret_cast<const std::byte*>(data->data()), 4, scene::Format::uint32};

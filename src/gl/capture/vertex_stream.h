@@ -95,7 +95,7 @@ class VertexStream {
   void numberAll();
   void stopWelding();
 
-  CapturedVertices captured_;  // while behind_ is active, its vertices are those of the next piece alone
+  CapturedVertices captured_;  // while behind_ is active, it holds only the vertices of the next piece
   uint32_t weldFrom_ = kNever;
   Welding where_ = Welding::here;
   uint32_t kept_ = 0;      // first vertices of captured_, which indices refer to; later ones have none yet

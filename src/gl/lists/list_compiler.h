@@ -46,7 +46,8 @@ class ListCompiler {
   GLuint name() const { return name_; }
   GLenum mode() const { return mode_; }
 
-  /// Appends `call` to the list being compiled. `anywhere`: it is legal between glBegin and glEnd.
+  /// Appends `call` to the list being compiled; inside its glBegin: misuse(). `anywhere`: when the list is
+  /// called, it is legal between glBegin and glEnd.
   template <class F>
   void record(F&& call, bool anywhere = false);
   /// Lets the real OpenGL compile a fragment while `call` runs, and appends that.
@@ -62,8 +63,7 @@ class ListCompiler {
   /// Executes an appended step if executing().
   void executeAdded(ListOp& op);
 
-  /// A command that is illegal inside glBegin: sets `error` now if executing(), and keeps it for takeMisuse()
-  /// while a list is compiled.
+  /// A command that is illegal inside glBegin: sets `error` if executing(), keeps it if compiling().
   void misuse(GLenum error = GL_INVALID_OPERATION);
   /// Returns and clears the kept error, which the list raises when it is called, after the primitive.
   GLenum takeMisuse();

@@ -67,8 +67,7 @@ namespace {
 
 bool hides(const Context& c) { return c.shadow.settings.quirks.has(Quirk::hidePersistentMapping); }
 
-/// Answers queries of display lists, which the real OpenGL does not know, and of GL_NUM_EXTENSIONS if some
-/// are hidden. False for any other query.
+/// Answers queries of our display lists, and of GL_NUM_EXTENSIONS if some are hidden. False for any other.
 template <class T>
 bool answer(Context& c, GLenum pname, T* data) {
   GLuint value = 0;

@@ -1,5 +1,4 @@
-// Sampling parameters of textures (filters, wraps, level of detail), read back from the real OpenGL. GL
-// thread.
+// Reads back how a texture is sampled: filters, wraps and level of detail. GL thread.
 #pragma once
 #include "gl/draws/reasons.h"
 #include "gl/state/extensions.h"

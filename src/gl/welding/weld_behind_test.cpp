@@ -18,8 +18,7 @@ namespace {
 
 using namespace test;
 
-/// Captures a random walk that often revisits vertices, in several primitive modes, and reads the run now and
-/// then.
+/// Captures a random walk that often revisits vertices, in several modes, and reads the run now and then.
 CapturedVertices walk(Welding where, uint32_t seed) {
   constexpr GLenum kModes[] = {GL_TRIANGLES, GL_TRIANGLES, GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_QUADS};
   std::mt19937 random(seed);
