@@ -1,4 +1,4 @@
-// Family files: TOML to Family.
+// Parses family files: TOML to Family.
 #include "gl/families/code_sections.h"
 #include "gl/families/family.h"
 #include "gl/families/family_table.h"
@@ -8,13 +8,13 @@
 namespace gluray::gl {
 namespace {
 
-/// Reads one [[family]] table. Every key that is asked for is known; others are mistakes.
+/// Reads one [[family]] table. Keys that it does not read are mistakes.
 class FamilyReader : FamilyTable {
  public:
   FamilyReader(const toml::table& table, const std::string& file, Family& family)
       : FamilyTable(table, file, family.mentioned, family.alternatives), family_(family) {}
 
-  /// `known`: what a family may inherit from.
+  /// `known`: the families that it may inherit from.
   void read(const std::vector<std::shared_ptr<const Family>>& known) {
     inherit(known);
     family_.name.clear();
@@ -75,7 +75,7 @@ class FamilyReader : FamilyTable {
   }
 
  private:
-  /// Begins with all that an earlier family says.
+  /// Starts with a copy of the inherited family, if any.
   void inherit(const std::vector<std::shared_ptr<const Family>>& known) {
     std::string from;
     text("inherits", from);
@@ -98,7 +98,7 @@ class FamilyReader : FamilyTable {
     flag("geometry_shader", family_.geometryShader);
     text("rasterise", family_.rasteriseBecause);
   }
-  /// "any" is what families say that hold whatever else the program computes.
+  /// code = "any": programs of the family may have any statements.
   void readCode() {
     texts("code", family_.code);
     if (has("code")) family_.codeAt = placeOf(at("code"));

@@ -1,4 +1,4 @@
-// Family files: what the keys of impostors do.
+// Family files: keys of impostors.
 #include "gl/families/family.h"
 #include "gl/families/test_family_text.h"
 

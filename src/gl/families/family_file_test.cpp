@@ -1,4 +1,4 @@
-// Family files: what the keys of surfaces do.
+// Family files: keys of surfaces.
 #include "gl/families/family.h"
 #include "gl/families/test_family_text.h"
 
@@ -15,7 +15,7 @@ std::string mistakeIn(const std::string& line) { return mistake(kLeast + line + 
 using Names = std::vector<std::string>;
 using Numbers = std::vector<float>;
 
-TEST(FamilyFile, TheLeastThereCanBe) {
+TEST(FamilyFile, SmallestFamilyHasDefaults) {
   const Family f = parsed();
   EXPECT_EQ(f.name, "f");
   EXPECT_EQ(f.active, (Names{"p", "m"}));
@@ -30,7 +30,7 @@ TEST(FamilyFile, TheLeastThereCanBe) {
   EXPECT_EQ(f.mentioned, (std::set<std::string, std::less<>>{"p", "m"}));
 }
 
-TEST(FamilyFile, WhereANameStandsItsAlternativesMayStandToo) {
+TEST(FamilyFile, NamesMayHaveAlternatives) {
   const Family f = parsed(
       "vertex.normal = [\"n\", \"normal\", \"n3\"]\nmaterial.opacity = [\"o\", \"alpha\"]\n"
       "transform.eye_from_object = [\"v\", [\"w\", \"world\"]]\nmatch.ignored = [[\"i\", \"j\"]]\n");

@@ -1,4 +1,4 @@
-// Which family a program fits, by the statements of its sources.
+// Whether programs fit a family, by the statements of their sources.
 #include "gl/families/test_match.h"
 
 #include <gtest/gtest.h>
@@ -32,12 +32,12 @@ TEST_F(Match, ATextureMayHaveAnyName) {
   fragment = "void main() { color = 2. * texture(bricks, p); }";
   EXPECT_EQ(found(p), Lines{"has the unknown statement \"color=2.*texture(t1,p);\""});
   fragment = "float t1; void main() { color = texture(bricks, p); }";
-  EXPECT_EQ(found(p).size(), 2u) << "the family's name means something else";
+  EXPECT_EQ(found(p).size(), 2u) << "the text uses the family's name otherwise";
 
   p.uniforms["t1"].type = GL_SAMPLER_2D;
   EXPECT_EQ(found(p), Lines{"has uniform \"bricks\" (sampler2D), of which the family says nothing"});
   p.uniforms.erase("t1"), p.uniforms["wood"].type = GL_SAMPLER_2D;
-  EXPECT_EQ(found(p).size(), 2u) << "which of them is the one?";
+  EXPECT_EQ(found(p).size(), 2u) << "two candidates";
   p.uniforms.erase("wood"), p.uniforms["bricks"].type = GL_SAMPLER_CUBE;
   EXPECT_EQ(found(p).size(), 1u);
 }
@@ -73,7 +73,7 @@ TEST_F(Match, BlocksMustBeWhole) {
                             "reads \"v\", which it does not write"}));
 }
 
-TEST_F(Match, SourcesMustBeReadAsAWhole) {
+TEST_F(Match, SourcesMustBeComplete) {
   const FamilyList list = parseFamilies(std::string(kFamily) + kCode, "f.toml");
   const auto found = [&] { return obstacles(real_, fitting(), *list.front(), list.code); };
   const Lines unread{"has no source that could be read"};
@@ -107,7 +107,7 @@ TEST_F(Match, SourcesMustBeReadAsAWhole) {
   EXPECT_EQ(found(), unread) << "a shader that OpenGL does not name";
 }
 
-TEST_F(Match, GeometryShadersMustBeReadToo) {
+TEST_F(Match, SourcesOfGeometryShadersMustBeComplete) {
   const FamilyList list =
       parseFamilies(std::string(kFamily) + "match.geometry_shader = true\n" + kCode, "f.toml");
   Program program = fitting();
