@@ -8,8 +8,7 @@ namespace gluray::gl {
 
 void Errors::set(GLenum error) {
   if (error_ != GL_NO_ERROR) return;
-  // Inside its glBegin the real OpenGL raises this error itself, in order with its others: here by a second
-  // glBegin.
+  // Inside its glBegin the real OpenGL raises this error, in order with its others, for a second glBegin.
   if (immediate_.realInsideBegin() && error == GL_INVALID_OPERATION) return real_.Begin(GL_POINTS);
   // The real glGetError must not be called between glBegin and glEnd.
   const bool inside = immediate_.inside() == Immediate::Inside::rasterised || immediate_.executedInside();

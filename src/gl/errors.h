@@ -17,8 +17,7 @@ class Errors {
   void set(GLenum error);
   /// Returns the pending error for glGetError and clears it.
   GLenum take();
-  /// Call before queries that may raise errors: takes the program's pending error from the real OpenGL and
-  /// keeps it here.
+  /// Call before queries that may raise errors: moves the program's pending error here.
   void keepPending() {
     if (const GLenum pending = real_.GetError()) set(pending);
   }

@@ -64,8 +64,7 @@ GLuint genLists(Context& c, GLsizei range);
 void deleteLists(Context& c, GLuint first, GLsizei range);
 GLboolean isList(Context& c, GLuint name);
 void listBase(Context& c, GLuint base);
-/// glXUseXFont: `make` calls the real function with a list base in the real OpenGL; our lists call those
-/// lists.
+/// glXUseXFont: `make` calls the real one with a list base in the real OpenGL; our lists call those lists.
 void useXFont(Context& c, int first, int count, int base, const std::function<void(int realBase)>& make);
 
 // buffer objects (buffer_handlers.cpp)

@@ -8,8 +8,7 @@ namespace gluray::gl {
 /// Looks a function up by name; null if the real OpenGL lacks it.
 using Lookup = void* (*)(void* user, const char* name);
 
-/// Fills `table`. A missing command gets its alias's function or, without one, a function that does nothing
-/// and returns 0.
+/// Fills `table`. A missing command gets its alias's function or one that does nothing and returns 0.
 void loadRealGl(RealGl& table, Lookup lookup, void* user);
 
 /// The function in the place of commands that the real OpenGL lacks.

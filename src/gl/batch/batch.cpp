@@ -46,8 +46,7 @@ void Batch::start(const BatchKey& key, const State& state, const Settings& setti
   snapshot_->frame = frame;
   snapshot_->settings = settings;
   snapshot_->camera = {state.projection, state.viewport, state.depthNear, state.depthFar};
-  // Window rows are counted from the top. We guess that the viewport reaches it; a wrong guess hardly
-  // matters.
+  // Window rows are counted from the top. We guess that the viewport reaches it; errors hardly matter.
   if (key.framebuffer == 0) snapshot_->camera.rowsFromTop = state.viewport.y + state.viewport.w;
   snapshot_->eyeFromWorld = state.modelview;
   worldFromEye_ = glm::inverse(state.modelview);

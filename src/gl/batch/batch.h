@@ -26,15 +26,10 @@ struct BatchKey {
   float depthNear = 0, depthFar = 1;
   scene::PolygonOffset offset;
   scene::ColorWrites colorWrites;
-  bool encodes = false;  // GL_FRAMEBUFFER_SRGB
-  enum class Layers : uint8_t {
-    none,
-    peeled,
-    summed,
-    drawn
-  } layers = Layers::none;   // kind of layers, if any
+  bool encodes = false;                                                               // GL_FRAMEBUFFER_SRGB
+  enum class Layers : uint8_t { none, peeled, summed, drawn } layers = Layers::none;  // their kind, if any
   scene::Blending blending;  // of layers of kind `drawn`
-  double depthSteps = 0;     // scene::Layers::depthSteps of layers of kind `drawn`
+  double depthSteps = 0;     // the same: scene::Layers::depthSteps
   bool operator==(const BatchKey&) const = default;
 };
 

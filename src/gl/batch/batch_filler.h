@@ -28,15 +28,13 @@ class BatchFiller {
   /// `materials`: those that its vertices select beside the current one.
   void add(const scene::MeshPtr& mesh, SlotMask slots, const std::vector<MaterialChange>& materials);
 
-  /// Opens a batch for draws with `key`, and flushes a pending one of another key. False: the draw covers no
-  /// pixel.
+  /// Opens a batch for `key`, and flushes a pending one of another key. False: the draw covers no pixel.
   bool open(const BatchKey& key);
   /// Clips the region to the draw framebuffer.
   void clampToTarget(scene::Region& region);
   /// The context may have another drawable now.
   void forgetDrawable() { drawableSize_ = {0, 0}; }
-  /// Call after adding a draw. If a flush has failed on the way, later draws are rasterised: flushes this one
-  /// before them.
+  /// Call after adding a draw. If a flush failed meanwhile, flushes the draw before later, rasterised ones.
   void settleFailure() {
     if (p_.failsafe.aside()) p_.flusher.flush();
   }

@@ -21,8 +21,7 @@
 
 namespace gluray::gl {
 
-/// What the write-back must know beside the snapshot. The framebuffer itself is bound when present() is
-/// called.
+/// Inputs of the write-back beside the snapshot. The framebuffer is bound when present() is called.
 struct PresentTarget {
   GLenum depthFunc = GL_LESS;  // LESS or LEQUAL: test of the batch's depth against the framebuffer's
   bool core = false;           // core profile: no fixed function
@@ -48,8 +47,8 @@ struct ResolveTarget {
   scene::Resolve how;
   bool core = false;  // core profile
   bool colors = true, depths = true;
-  /// RGBA8 texture of the resolved size for the colours; 0: the bound draw framebuffer, which always takes
-  /// the depths.
+  /// RGBA8 texture of the resolved size for the colours; 0: the bound draw framebuffer, which takes
+  /// the depths in any case.
   GLuint texture = 0;
   bool mayRepeat = true;  // PresentTarget::mayRepeat
 };
@@ -59,16 +58,14 @@ struct SharedNames {
   std::vector<GLuint> lists, textures, programs;
 };
 
-/// Writes pictures into framebuffers; gives access to the other presenters, which do nothing in this base
-/// class.
+/// Writes pictures into framebuffers, and returns the other presenters, which do nothing by default.
 class Presenter {
  public:
   virtual ~Presenter() = default;
-  /// Whether the write-back, which needs shaders, works with the current context; `why` if not. Called once
-  /// per context.
+  /// Whether the write-back, which needs shaders, works in the current context; `why` not. Called once for
+  /// each.
   virtual bool supports(const RealGl& real, bool core, std::string& why) noexcept = 0;
-  /// Traces `snapshot` and merges it into the bound framebuffer, leaving every queryable GL state as it was.
-  /// Never throws.
+  /// Traces `snapshot` and merges it into the bound framebuffer, and restores all GL state. Never throws.
   virtual PresentResult present(const RealGl& real, const scene::SnapshotPtr& snapshot,
                                 const PresentTarget& target) noexcept = 0;
   /// Traces `snapshot`, whose framebuffer is multisampled, and writes its resolved pixels to `target`, over

@@ -40,8 +40,7 @@ class ResolveDraws {
   bool hold();
   /// Writes the waiting picture's samples into its framebuffer.
   void settle();
-  /// Resolves the waiting picture in place of the current program's draw or of a blit. False: nothing was
-  /// done.
+  /// Resolves the waiting picture in place of the program's draw, or of a blit. False: nothing was done.
   bool byProgram(GLuint texture, const scene::Region& region);
   bool byBlit(const Blit& blit);
   /// Call before a rasterised draw; before a blit.

@@ -1,5 +1,4 @@
-// Tests on a draw's clipFromObject matrix: whether it is affine, and where it puts a mesh's bounds. Any
-// thread.
+// Tests on clipFromObject matrices: whether they are affine, and where they put meshes' bounds. Any thread.
 #pragma once
 #include "scene/mesh.h"
 

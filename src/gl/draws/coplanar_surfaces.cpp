@@ -82,8 +82,7 @@ glm::ivec2 axesOf(const glm::dvec4& plane) {
   return n.y >= n.z ? glm::ivec2(0, 2) : glm::ivec2(0, 1);
 }
 
-/// The matrix from (s, t, 1) to clip x, y and w of the point of `plane` with the coordinates s, t along
-/// `axes`.
+/// The matrix from (s, t, 1) to clip x, y and w of the point of `plane` with coordinates s, t along `axes`.
 glm::dmat3 fromPlane(const glm::dmat4& clipFromObject, const glm::dvec4& plane, const glm::ivec2& axes) {
   const int third = 3 - axes.x - axes.y;
   const auto column = [&](int axis) {

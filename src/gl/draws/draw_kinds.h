@@ -93,8 +93,7 @@ class DrawKinds {
  public:
   /// `fixedFunction`: the context has fixed function, whose state is recorded, too.
   explicit DrawKinds(bool fixedFunction = true) : fixedFunction_(fixedFunction) {}
-  /// A draw starts and ends; record() in between says which. May nest: an inner draw's time is not charged to
-  /// the outer one.
+  /// A draw starts and ends; record() in between says which. May nest: inner draws' time is not the outer's.
   void start() noexcept;
   void stop() noexcept;
   /// Excludes `seconds` from the time of all open draws.

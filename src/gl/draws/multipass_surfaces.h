@@ -66,8 +66,7 @@ class MultipassSurfaces {
   void flushed(const scene::SnapshotPtr& snapshot);
   /// Depth of `framebuffer` was cleared, or the frame ended: a new depth epoch begins.
   void clear(std::optional<uint32_t> framebuffer = {});
-  /// Forgets the depth epoch if it has more than 65,536 surfaces, which means that its depth is never
-  /// cleared.
+  /// Forgets the depth epoch if it has more than 65,536 surfaces: its depth may never be cleared.
   void forgetMany();
   /// Whether shader programs have drawn surfaces in this depth epoch.
   bool anyByProgram() const { return byProgram_ || !rasterisedByProgram_.empty(); }

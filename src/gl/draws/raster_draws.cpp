@@ -56,8 +56,7 @@ void RasterDraws::before(PrimitiveClass kind) {
   if (!batch.empty()) {
     p_.shadow.refresh(kRaster);
     const RasterState& raster = p_.shadow.state.raster;
-    // Lines and points on a surface have its depth: unless the surface was pushed back, drawing order
-    // decides.
+    // Lines and points on a surface have its depth: order decides, unless the surface was pushed back.
     const bool coplanar = kind != PrimitiveClass::surfaces && batch.key().offset == scene::PolygonOffset{};
     // Summed layers round as floats, and drawn layers blend, in drawing order.
     const bool seenThrough =

@@ -36,8 +36,7 @@ class RasterDraws {
   void meet(std::span<const Triangle> triangles);
   /// Has the real OpenGL draw the depth of the traced surfaces that were found to have another pass.
   void rasteriseMet(MultipassSurfaces::Meeting meeting);
-  /// Whether a rasterised draw leaves depth that later passes compare with: pass it to remember() after
-  /// meet().
+  /// Whether later passes may compare with a rasterised draw's depth: then call remember() after meet().
   bool isPass(PrimitiveClass kind, Reason reason) const;
   void remember(const KnownMesh& known);
 

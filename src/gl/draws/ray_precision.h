@@ -1,6 +1,5 @@
 // Whether rays hit a mesh with sub-pixel accuracy. Ray-triangle tests use floats: if a triangle is much
-// larger than its visible part, the rounding errors of its corners are as large as pixels. Owned by Context,
-// GL thread.
+// larger than its visible part, the rounding errors of its corners reach pixels. Owned by Context, GL thread.
 #pragma once
 #include "base/hash.h"
 #include "scene/mesh.h"

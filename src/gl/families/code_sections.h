@@ -8,8 +8,7 @@
 
 namespace gluray::gl {
 
-/// Adds one section's statements to the section of its name. Throws FamilyError with file and line on
-/// mistakes.
+/// Adds one section's statements to the section of its name. On mistakes throws FamilyError with its line.
 void readCode(const toml::table& table, const std::string& file, CodeSections& sections);
 
 }  // namespace gluray::gl

@@ -13,8 +13,7 @@ namespace {
 
 bool startsWith(std::string_view text, std::string_view with) { return text.substr(0, with.size()) == with; }
 
-/// Whether it is a plain declaration such as "in vec4 a,b[6];": a qualifier, maybe a precision, a type,
-/// names.
+/// Whether it is a declaration such as "in vec4 a,b[6];": a qualifier, maybe a precision, a type, names.
 bool isPlainInterface(std::string_view s) {
   constexpr std::string_view kQualifiers[] = {"in ", "out ", "varying ", "attribute "};
   constexpr std::string_view kPrecisions[] = {"highp ", "mediump ", "lowp "};

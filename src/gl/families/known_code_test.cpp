@@ -1,5 +1,4 @@
-// Conditions beside known statements: blocks are whole, nothing is computed twice, names that are read are
-// written.
+// Further conditions on known statements: whole blocks, no repetitions, names that are read are written.
 #include "gl/families/known_code.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,5 @@
 // Surfaces that are blended in drawing order (scene::Layers::Of::drawn, ADR 0038): fixed function with
-// blending on, or without depth writes. The colour and depth beneath them are read when their batch is
-// presented.
+// blending on, or without depth writes. Colour and depth beneath are read when the batch is presented.
 #include "gl/draws/affine.h"
 #include "gl/errors.h"
 #include "gl/layers/layer_draws.h"

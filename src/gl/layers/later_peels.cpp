@@ -30,8 +30,7 @@ GLuint behindOf(const LayersTarget& target) {
   return others == 2 ? behind : 0;
 }
 
-/// Whether draws are blended over the framebuffer with premultiplied alpha, in all channels, without depth or
-/// stencil test.
+/// Whether draws blend over the framebuffer: premultiplied alpha, all channels, no depth or stencil test.
 bool putsOver(const RealGl& real, const RareState& has) {
   const auto is = [&](GLenum name, GLint value) { return integer(real, name) == value; };
   return isOn(real, GL_BLEND) && !isOn(real, GL_DEPTH_TEST) && !isOn(real, GL_STENCIL_TEST) &&

@@ -65,8 +65,7 @@ class LayerDraws {
   /// Has the real OpenGL draw all that was held back.
   void giveUp();
 
-  /// Whether fixed-function surfaces that are not opaque, or write no depth, can now be traced as layers in
-  /// drawing order.
+  /// Whether fixed-function surfaces that are not opaque, or write no depth, can now be traced as layers.
   bool mayBeDrawn() const;
   /// Whether such a surface of `triangles` triangles, about to be drawn, is left to the real OpenGL because
   /// that is faster.

@@ -36,8 +36,7 @@ bool LayerDraws::start(const BatchKey& key) {
   return key.layers == BatchKey::Layers::peeled ? startPeeled(key) : startSums(key);
 }
 
-/// Whether draws now write to a whole framebuffer object, of the viewport's size, and keep the largest values
-/// (GL_MAX).
+/// Whether draws now fill a framebuffer object of the viewport's size and keep the largest values (GL_MAX).
 bool LayerDraws::peelsIntoAll() const {
   const bool open =
       !p_.shadow.state.raster.scissorTest || p_.shadow.state.scissor == p_.shadow.state.viewport;
@@ -60,8 +59,7 @@ bool LayerDraws::beginHolding() {
   if (found == 0 || target.opaqueDepth == 0 ||
       !p_.flusher.presenter.layers().readDepths(p_.shadow.real, unit, target.size, target.opaqueDepths))
     return false;
-  // Values that the program leaves undefined in other outputs must not be written later than the program
-  // does.
+  // A later replay must not overwrite other outputs, which the program leaves undefined.
   for (HeldPass::Output& output : target.depths.outputs)
     if (output.texture != found) output = {};
   auto layers = std::make_shared<scene::Layers>();
@@ -204,8 +202,7 @@ void LayerDraws::countHeld() {
 void LayerDraws::giveUp() {
   if (peeling_.stage == Peeling::Stage::none) return;
   p_.cleared.forget();
-  // The program's query must not count the passes drawn now; it has counted nothing yet, so it can begin
-  // again.
+  // The program's query must not count these draws. It has counted nothing yet: end it and begin it again.
   const bool counts = asks() && p_.shadow.activeQueries > 0;
   if (counts) p_.shadow.real.EndQuery(peeling_.query);
   peeling_.stage = Peeling::Stage::none;

@@ -1,5 +1,4 @@
-// Textures that passes of depth peeling read and write, queried from the real OpenGL by LayerDraws. GL
-// thread.
+// Queries the textures that passes of depth peeling read and write. Called by LayerDraws, GL thread.
 #pragma once
 #include "gl/programs/held_pass.h"
 #include "gl/programs/program_state.h"

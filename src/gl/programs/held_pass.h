@@ -1,5 +1,4 @@
-// Render passes whose draws are held back because their final result is traced at once. Kept by LayerDraws,
-// GL thread.
+// Render passes whose draws are held back because their result is traced. Kept by LayerDraws, GL thread.
 #pragma once
 #include "gl/programs/program_draw.h"
 

@@ -114,8 +114,8 @@ Reason ProgramDraws::triageAlways(const KnownMesh& known) const {
   if (program.triangleNormals && program.triangleOffset + triangles > program.triangleNormalCount)
     return Reason::arrayState;
   // Triangles with growing edges are enlarged in the window, without bound near the viewer's plane, and the
-  // enlarged part has another slope than the triangle. With a corner behind the viewer, distances to edges
-  // are undefined.
+  // enlarged part has another slope than the triangle. Distances to edges are undefined if a corner is behind
+  // the viewer.
   const bool tilted =
       offsetOf(p_.shadow.state, known.mesh->shape).factor != 0 && program.shading.fragment.edgesGrow;
   if (program.triangleEdges && (tilted || !isBeforeViewer(*known.mesh, program.clipFromObject)))
@@ -134,13 +134,11 @@ bool ProgramDraws::isOneOfPasses(const scene::Mesh& mesh) const {
                                             offsetOf(p_.shadow.state, mesh.shape).pushesBack());
 }
 
-/// Prepares batch, camera and matrix for an instance of the current program. Placed::nowhere: it covers no
-/// pixel.
+/// Prepares batch, camera and matrix for the current program's instance. Placed::nowhere: it covers no pixel.
 ProgramDraws::Placed ProgramDraws::place(scene::Shape shape, const glm::dvec3& reach) {
   const ProgramState& program = p_.shadow.state.program;
   // A batch has one projection. Programs give only clipFromObject; a projection factored out of it differs by
-  // rounding from draw to draw. So keep the batch's projection and choose the modelview that gives this
-  // product.
+  // rounding from draw to draw. So keep the batch's projection and choose the modelview to match.
   p_.shadow.state.projection = program.eyeFromObject
                                    ? program.clipFromObject * glm::inverse(*program.eyeFromObject)
                                    : program.clipFromObject;

@@ -7,8 +7,7 @@
 
 namespace gluray::gl {
 
-/// The lights that are on. Positions are relative to `viewer`; directions point from the light to the
-/// surface.
+/// The lights that are on. Positions are relative to `viewer`; directions go from light to surface.
 std::vector<scene::FragmentLight> readLights(const FamilyLights& names, const UniformReader& uniforms,
                                              const glm::vec3& viewer);
 

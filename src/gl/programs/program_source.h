@@ -1,5 +1,4 @@
-// The source of a program's shaders, queried from the real OpenGL when first needed. GL thread, context
-// current.
+// The source of a program's shaders, queried when first needed. GL thread, context current.
 #pragma once
 #include "gl/families/glsl_statements.h"
 #include "gl/real.h"

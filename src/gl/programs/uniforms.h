@@ -57,8 +57,7 @@ class UniformReader {
   /// A constant or a uniform; `otherwise` if the family has neither or the uniform is not active. A single
   /// number fills all components.
   glm::vec4 value(const FamilyValue& value, const glm::vec4& otherwise) const;
-  /// The value of `name` as inWords() if it is not `neutral` (Family::neutral); empty if it is, or not
-  /// active.
+  /// The value of `name` as inWords() unless it is `neutral` (Family::neutral) or not active; then empty.
   std::string unlike(const std::string& name, const std::vector<float>& neutral) const;
   float number(const FamilyValue& v, float otherwise) const { return value(v, glm::vec4(otherwise)).x; }
 

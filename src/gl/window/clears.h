@@ -7,8 +7,7 @@
 
 namespace gluray::gl {
 
-/// Whether a glClear of colour and depth would now write all bits of both within the scissor box, and
-/// depth 1.
+/// Whether a glClear of colour and depth would now write all of both in the scissor box, and depth 1.
 bool clearsAll(const RealGl& real, const RareState& has);
 
 /// The same for the buffers of `mask` and any clear values.

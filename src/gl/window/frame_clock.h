@@ -1,5 +1,4 @@
-// The current frame of a context: its number, when it began, and who draws it. A part of each Context, GL
-// thread.
+// A context's current frame: its number, when it began, who draws it. A part of each Context, GL thread.
 #pragma once
 #include "gl/context_info.h"
 #include "gl/window/engine_choice.h"
@@ -16,7 +15,7 @@ class FrameClock {
   double beganSeconds = 0;  // time of this frame's first known clear or draw; 0: none yet
   EngineChoice choice;
 
-  /// Whether draws pass through to the real OpenGL. Then nothing but display lists is captured, no state
+  /// Whether draws pass through to the real OpenGL. Then only display lists are captured, and no state is
   /// read.
   bool passesThrough() const { return passesThrough_; }
   void setPassthrough(bool passesThrough) { passesThrough_ = passesThrough; }

@@ -41,8 +41,7 @@ class FrameEnds {
   void showIfVisible();
   /// Call before a clear: if the frame begins with it, takes the current settings.
   void beforeClear() noexcept;
-  /// Call before and after the real clear. In programs that never swap, clears of colour and depth end
-  /// frames.
+  /// Call before and after the real clear. Clears of colour and depth end frames of programs that never swap.
   void clearing(GLbitfield mask);
   void cleared(GLbitfield mask);
 

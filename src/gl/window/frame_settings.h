@@ -7,8 +7,7 @@
 namespace gluray::gl {
 
 /// The engine that draws. `automatic` becomes `always` if settings change the picture, so that the real
-/// OpenGL would show another one, or if the renderer is `null`, which measures the cost of interception
-/// alone.
+/// OpenGL would show another one, or if the renderer is `null` (to measure interception alone).
 Engine engineOf(const ContextInfo& info, const Settings& settings);
 
 /// Number of tracing threads, for EngineChoice.
