@@ -1,4 +1,4 @@
-// Blits between framebuffers, which look at what was drawn so far.
+// glBlitFramebuffer, which reads what was drawn so far: resolves waiting pictures, copies depth, or blits.
 #include "gl/batch/depth_copy.h"
 #include "gl/handlers.h"
 #include "gl/stub.h"

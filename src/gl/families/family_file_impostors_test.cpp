@@ -40,7 +40,7 @@ TEST(FamilyFile, ImpostorKeys) {
   EXPECT_NE(mistakeIn("impostors.shape = \"cylinders\"\nimpostors.radius = 1").find("needs impostors.axis"),
             std::string::npos);
   EXPECT_NE(mistakeIn("impostors.shape = \"spheres\"\nimpostors.billboards = \"faces\"\nimpostors.radius = 1")
-                .find("those of cylinders"),
+                .find("for cylinders only"),
             std::string::npos);
 }
 

@@ -96,9 +96,9 @@ TEST(FamilyFile, EveryMistakeHasItsLine) {
             "x.toml:6: opacity must be a uniform's name, a number or a list of numbers");
   EXPECT_EQ(mistakeIn("material.diffuse_color = [1, \"r\"]"),
             "x.toml:6: diffuse_color must be a uniform's name, a number or a list of numbers");
-  EXPECT_EQ(mistakeIn("material.diffuse_color = []"), "x.toml:6: diffuse_color has 1 to 4 numbers");
+  EXPECT_EQ(mistakeIn("material.diffuse_color = []"), "x.toml:6: diffuse_color must have 1 to 4 numbers");
   EXPECT_EQ(mistakeIn("material.diffuse_color = [1, 2, 3, 4, 5]"),
-            "x.toml:6: diffuse_color has 1 to 4 numbers");
+            "x.toml:6: diffuse_color must have 1 to 4 numbers");
   EXPECT_EQ(mistakeIn("lights.model = \"toon\""), "x.toml:6: model must be one of: unlit, phong, pbr");
   EXPECT_EQ(mistakeIn("lights.specular = \"none\""), "x.toml:6: specular must be one of: reflect, half");
   EXPECT_EQ(mistakeIn("normals.without = \"guess\""), "x.toml:6: without must be one of: refuse, triangle");

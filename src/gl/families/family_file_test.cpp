@@ -54,7 +54,7 @@ TEST(FamilyFile, NeutralValues) {
   EXPECT_EQ(mistakeIn("match.neutral = 1"), "x.toml:6: neutral must be a section");
   EXPECT_EQ(mistakeIn("match.neutral.m = \"unit\""),
             "x.toml:6: m must be \"identity\", a number or a list of numbers");
-  EXPECT_EQ(mistakeIn("match.neutral.m = []"), "x.toml:6: m has 1 to 16 numbers");
+  EXPECT_EQ(mistakeIn("match.neutral.m = []"), "x.toml:6: m must have 1 to 16 numbers");
 }
 
 TEST(FamilyFile, MatchKeys) {

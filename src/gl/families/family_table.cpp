@@ -110,7 +110,7 @@ std::vector<float> FamilyTable::numbersIn(const char* key, const toml::node& nod
     numbers.push_back(static_cast<float>(*number));
   });
   if (numbers.empty() || numbers.size() > most)
-    fail(node, std::string(key) + " has 1 to " + std::to_string(most) + " numbers");
+    fail(node, std::string(key) + " must have 1 to " + std::to_string(most) + " numbers");
   return numbers;
 }
 

@@ -52,8 +52,8 @@ void needCode(const Program& program, ProgramSource& source, const Family& f, co
   for (const std::string_view statement : unknownStatements(statements, code, f.code))
     out.push_back(about("has the unknown statement ", std::string(statement)));
   for (const std::string_view statement : strayStatements(statements, code, f.code))
-    out.push_back(about("has the statement ", std::string(statement),
-                        " twice, or without what belongs before and behind it"));
+    out.push_back(
+        about("has the statement ", std::string(statement), " twice, or without the rest of its block"));
   for (const std::string& name : unwrittenNames(statements, code, f.code))
     out.push_back(about("reads ", name, ", which it does not write"));
 }
@@ -281,7 +281,7 @@ std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, c
     if (fewest.size() > 4)
       known->why.append(" and ").append(std::to_string(fewest.size() - 4)).append(" more");
     if (known->unknownCode)
-      known->why.append("; what of it changes nothing can be added to [[code]] section \"")
+      known->why.append("; statements that do not affect the picture can be added to [[code]] section \"")
           .append(nearest->code.back())
           .append("\" by a file for --program-families");
   }

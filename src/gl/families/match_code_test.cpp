@@ -69,7 +69,7 @@ TEST_F(Match, BlocksMustBeWhole) {
   fragment = "void main() { c = 1.0; d = c; }";
   EXPECT_EQ(found(), Lines{});
   fragment = "void main() { d = c; color = v; }";
-  EXPECT_EQ(found(), (Lines{"has the statement \"d=c;\" twice, or without what belongs before and behind it",
+  EXPECT_EQ(found(), (Lines{"has the statement \"d=c;\" twice, or without the rest of its block",
                             "reads \"v\", which it does not write"}));
 }
 

@@ -222,7 +222,7 @@ void LayerDraws::giveUp() {
   if (counts) p_.shadow.real.BeginQuery(peeling_.query, peeling_.queryName);
   end();
   if (result.outcome != PresentResult::rasterised)
-    p_.failsafe.stepAside(result.why.empty() ? "what was held back could not be drawn" : result.why.c_str());
+    p_.failsafe.stepAside(result.why.empty() ? "held draws could not be drawn" : result.why.c_str());
 }
 
 void LayerDraws::meetRasterDraw() {

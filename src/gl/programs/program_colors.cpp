@@ -43,7 +43,7 @@ Reason ProgramReader::readColor() {
   if (!family_.colorIsDiffuseOnly)
     material.ambient = uniforms_.value(m.ambientIntensity, glm::vec4(m.ambientColor.given() ? 1.0f : 0.0f));
   if (f.backMaterial && reason == Reason::traced)  // such programs mix the colours in another way
-    reason = refuse("back faces have a material of their own, and front faces other colours than theirs");
+    reason = refuse("back faces have their own material, and front faces take their colours from elsewhere");
   f.backMaterial = false;
   out_.material.back = out_.material.front;
   return reason;

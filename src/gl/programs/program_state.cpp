@@ -35,8 +35,8 @@ Reason ProgramReader::checkNeutral() {
   for (const auto& [name, value] : family_.neutral) {
     const std::string now = uniforms_.unlike(name, value);
     if (!now.empty())
-      return refuse("uniform \"" + name + "\" is " + now + ", and the family knows it as " +
-                    (value.empty() ? "the identity" : inWords(value)) + " alone");
+      return refuse("uniform \"" + name + "\" is " + now + ", but the family covers only " +
+                    (value.empty() ? "the identity" : inWords(value)));
   }
   return Reason::traced;
 }
