@@ -67,7 +67,7 @@ void listBase(Context& c, GLuint base);
 /// glXUseXFont: `make` calls the real one with a list base in the real OpenGL; our lists call those lists.
 void useXFont(Context& c, int first, int count, int base, const std::function<void(int realBase)>& make);
 
-// buffer objects (buffer_handlers.cpp)
+// buffer objects (buffer_handlers.cpp, buffer_questions.cpp)
 void bindBuffer(Context& c, GLenum target, GLuint name);
 void deleteBuffers(Context& c, GLsizei n, const GLuint* names);
 void bufferData(Context& c, GLenum target, GLsizeiptr size, const void* data, GLenum usage);
@@ -140,7 +140,8 @@ void popAttrib(Context& c);
 GLenum getError(Context& c);
 const GLubyte* getString(Context& c, GLenum name);
 const GLubyte* getStringi(Context& c, GLenum name, GLuint index);
-/// Framebuffer objects that are not bound may still hold deleted renderbuffers. Returns the groups to touch.
+/// Unbound framebuffer objects may still hold deleted renderbuffers. Returns groups to touch
+/// (attachments.cpp).
 uint32_t renderbuffersDeleted(Context& c, GLsizei n, const GLuint* names);
 void getIntegerv(Context& c, GLenum pname, GLint* data);
 void getFloatv(Context& c, GLenum pname, GLfloat* data);

@@ -121,7 +121,8 @@ TEST(PlanarMeshes, TilesOfATiltedMapAreDistinguishedByFewTriangles) {
       // Bounds along the map's axes separate the tiles; bounds of rotated vertices do not.
       const bool byBounds = ownMatrices || turned == 0;
       EXPECT_LE(planar.work(), byBounds ? 0u : 700'000u) << ownMatrices << ' ' << turned;
-      EXPECT_TRUE(planar.meets(rectangle({-0.5f, -0.5f}, {0.2f, 0.3f}), here())) << "what lies on them";
+      EXPECT_TRUE(planar.meets(rectangle({-0.5f, -0.5f}, {0.2f, 0.3f}), here()))
+          << "a rectangle upon the tiles";
     }
   }
 }

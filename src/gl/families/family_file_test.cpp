@@ -40,7 +40,7 @@ TEST(FamilyFile, NamesMayHaveAlternatives) {
   EXPECT_EQ(f.ignored, Names{"i"});
   const Alternatives expected{{"n", {"normal", "n3"}}, {"o", {"alpha"}}, {"w", {"world"}}, {"i", {"j"}}};
   EXPECT_EQ(f.alternatives, expected);
-  EXPECT_FALSE(f.mentions("alpha")) << "only in place of what it stands for";
+  EXPECT_FALSE(f.mentions("alpha")) << "an alternative only replaces its name";
   EXPECT_EQ(mistakeIn("lights.color = [\"l{}\", \"k{}\"]"),
             "x.toml:6: color: names with {} have no alternatives");
   EXPECT_EQ(mistakeIn("vertex.normal = [\"n\", 3]"),
@@ -69,7 +69,7 @@ TEST(FamilyFile, MatchKeys) {
   EXPECT_FALSE(f.strict);
   EXPECT_EQ(f.rasteriseBecause, "why");
   EXPECT_TRUE(f.mentions("a") && f.mentions("i"));
-  EXPECT_FALSE(f.mentions("b")) << "what must be absent is not known";
+  EXPECT_FALSE(f.mentions("b")) << "names in match.absent are not mentioned";
 }
 
 TEST(FamilyFile, VertexAndTransformKeys) {

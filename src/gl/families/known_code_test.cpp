@@ -38,8 +38,7 @@ TEST_F(KnownCodeTest, StatementsOfBlocksAreKnown) {
 
 TEST_F(KnownCodeTest, WholeBlocksAreNotStray) {
   EXPECT_EQ(stray("a = 1.; b = a; c = light3; d = a;"), Texts{});
-  EXPECT_EQ(stray("a = 1.; b = a; c = light3; a = 1.; b = a; c = light4;"), Texts{})
-      << "a block of each light";
+  EXPECT_EQ(stray("a = 1.; b = a; c = light3; a = 1.; b = a; c = light4;"), Texts{}) << "one block per light";
   EXPECT_EQ(stray("a = 1.; b = a;"), Texts{}) << "a shorter one";
   EXPECT_EQ(stray("float q = b; q *= 2.;"), Texts{});
 }
@@ -54,7 +53,7 @@ TEST_F(KnownCodeTest, PartsOfBlocksAreStray) {
 
 TEST_F(KnownCodeTest, RepeatedComputationsAreStray) {
   EXPECT_EQ(stray("d = a; float a; d = a;"), Texts{"d=a;"});
-  EXPECT_EQ(stray("d = light1; d = light2;"), Texts{}) << "of two lights";
+  EXPECT_EQ(stray("d = light1; d = light2;"), Texts{}) << "two lights";
   EXPECT_EQ(stray("f(); f(); for (i = 0; i < 3; ++i) { } for (i = 0; i < 3; ++i) { }"), Texts{});
 }
 

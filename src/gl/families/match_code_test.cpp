@@ -90,21 +90,21 @@ TEST_F(Match, SourcesMustBeComplete) {
     attachBoth(), g_shaders[shader].hasText = false;
     EXPECT_EQ(found(), unread) << "no source, as after glShaderBinary";
     attachBoth(), g_shaders[shader].text.clear();
-    EXPECT_EQ(found(), unread) << "an empty text says nothing of what is computed";
+    EXPECT_EQ(found(), unread) << "an empty text";
   }
   attachBoth(), g_shaders[0].text = g_shaders[1].text = "void main() {}";
-  EXPECT_EQ(found(), unread) << "texts that were given after linking";
+  EXPECT_EQ(found(), unread) << "texts that were replaced after linking";
   attachBoth(), g_shaders.push_back({GL_FRAGMENT_SHADER, "", false});
-  EXPECT_EQ(found(), unread) << "of one of two";
+  EXPECT_EQ(found(), unread) << "a second fragment shader without text";
   attachBoth(), g_shaders.push_back({GL_FRAGMENT_SHADER, "float f() { return 1.0; }"});
   EXPECT_EQ(found(), Lines{"has the unknown statement \"float f(){return 1.;}\""});
   attachBoth(), g_shaders.resize(32, g_shaders[1]);
   EXPECT_EQ(found(), Lines{});
   g_shaders.push_back({GL_FRAGMENT_SHADER, "float f() { return 1.0; }"});
-  EXPECT_EQ(found(), unread) << "more shaders than are read";
+  EXPECT_EQ(found(), unread) << "more shaders than we read";
   attachBoth();
   real_.GetProgramiv = [](GLuint, GLenum, GLint* count) { *count = 3; };
-  EXPECT_EQ(found(), unread) << "a shader that OpenGL does not name";
+  EXPECT_EQ(found(), unread) << "OpenGL lists fewer shaders than are attached";
 }
 
 TEST_F(Match, SourcesOfGeometryShadersMustBeComplete) {

@@ -29,9 +29,8 @@ class LayerDraws {
   };
   explicit LayerDraws(const Parts& parts) : p_(parts) {}
 
-  /// Why a surface of the current program cannot be traced in the first peel, or Reason::traced. After
-  /// Reason::traced the surface must join the batch; if it is rasterised instead, call meetRasterDraw(). Call
-  /// refresh(kProgramGroups) before.
+  /// Why a surface of the current program cannot be traced in the first peel, or Reason::traced. Any later
+  /// rasterised draw makes us give up (meetRasterDraw()). Call refresh(kProgramGroups) before.
   Reason triagePeel(PrimitiveClass kind);
   /// The same for surfaces that are summed.
   Reason triageSum(PrimitiveClass kind);
