@@ -62,10 +62,9 @@ struct SharedNames {
 class Presenter {
  public:
   virtual ~Presenter() = default;
-  /// Whether the write-back, which needs shaders, works in the current context; `why` not. Called once for
-  /// each.
+  /// Whether the write-back, which needs shaders, works in the current context; `why` not. Called once each.
   virtual bool supports(const RealGl& real, bool core, std::string& why) noexcept = 0;
-  /// Traces `snapshot` and merges it into the bound framebuffer, and restores all GL state. Never throws.
+  /// Traces `snapshot` and merges it into the bound framebuffer; changes no queryable GL state. Never throws.
   virtual PresentResult present(const RealGl& real, const scene::SnapshotPtr& snapshot,
                                 const PresentTarget& target) noexcept = 0;
   /// Traces `snapshot`, whose framebuffer is multisampled, and writes its resolved pixels to `target`, over

@@ -36,7 +36,7 @@ class LayerDraws {
   Reason triageSum(PrimitiveClass kind);
   /// Holds back a draw of the depth pass before the first peel. False: not held; draw it.
   bool holdDepths(GLenum mode, const Elements& elements, uint64_t triangles);
-  /// Begins a batch of layers, or reopens the pending or traced one. False: that one has another key.
+  /// Begins a batch of layers, or reopens the pending or traced one. False: another key, or no depth to read.
   bool start(const BatchKey& key);
 
   /// Whether draws are held back, or more surfaces may join those traced.
@@ -48,7 +48,7 @@ class LayerDraws {
   /// While asks(): holds back a draw of a later peel, or the counted draw that blends its farthest layers.
   /// False: nothing is held any more; draw or trace it.
   bool holdLater(GLenum mode, const Elements& elements);
-  /// After such a picture was shown: whether the draw is one of the remaining layers, of which none is left.
+  /// After such a picture was shown: whether the draw would blend remaining layers, of which none is left.
   bool drawsNothing();
   /// While asks(): holds back a clear. False: not held; clear.
   bool clearsLater(GLbitfield mask) noexcept;
@@ -56,8 +56,8 @@ class LayerDraws {
   void queryBegins(GLenum target, GLuint name);
   /// Key of the layers that were traced already; null if there are none.
   const BatchKey* tracedKey() const { return peeling_.traced ? &peeling_.tracedKey : nullptr; }
-  /// Whether the batch holds more than surfaces with transparent textures, such as labels; those alone are
-  /// rasterised, to look as sharp as ever.
+  /// Whether the batch holds more than surfaces with transparent textures, such as labels. A batch of those
+  /// alone is rasterised, so that they stay sharp.
   bool haveSurfaces() const;
   /// Traces the batch's layers into the program's textures.
   PresentResult present(const scene::SnapshotPtr& snapshot, const BatchKey& key);

@@ -15,8 +15,8 @@ uint64_t writtenBehind(const LayerCounts& layers, uint32_t peel);
 /// writtenBehind(), or nullopt where it is so small that rounding at silhouettes could make it 0.
 std::optional<uint64_t> surelyWritten(const LayerCounts& layers, uint32_t peel);
 
-/// Whether `peels` peels show all layers of a picture of `pixels` pixels, but for a thousandth of the pixels,
-/// as many as differ at silhouettes.
+/// Whether `peels` peels show all layers of a picture of `pixels` pixels. Ignores a thousandth of them, where
+/// silhouettes may differ.
 bool showsAll(uint32_t peels, const LayerCounts& layers, uint64_t pixels);
 
 }  // namespace gluray::gl

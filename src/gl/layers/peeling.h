@@ -1,6 +1,6 @@
 // State of dual depth peeling. A program that peels first draws a depth pass, which finds each pixel's
 // nearest and farthest depth, then peel after peel between them. We hold the depth pass back, trace all
-// layers in place of the first peel, and leave nothing for later peels. Owned by Context, GL thread.
+// layers in place of the first peel, and leave nothing for later peels. Owned by LayerDraws, GL thread.
 #pragma once
 #include "gl/batch/batch.h"
 #include "gl/programs/held_pass.h"

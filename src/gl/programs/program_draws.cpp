@@ -114,8 +114,7 @@ Reason ProgramDraws::triageAlways(const KnownMesh& known) const {
   if (program.triangleNormals && program.triangleOffset + triangles > program.triangleNormalCount)
     return Reason::arrayState;
   // Triangles with growing edges are enlarged in the window, without bound near the viewer's plane, and the
-  // enlarged part has another slope than the triangle. Distances to edges are undefined if a corner is behind
-  // the viewer.
+  // enlarged part has another slope than the triangle. Behind the viewer, distances to edges are undefined.
   const bool tilted =
       offsetOf(p_.shadow.state, known.mesh->shape).factor != 0 && program.shading.fragment.edgesGrow;
   if (program.triangleEdges && (tilted || !isBeforeViewer(*known.mesh, program.clipFromObject)))

@@ -15,8 +15,7 @@ class FrameClock {
   double beganSeconds = 0;  // time of this frame's first known clear or draw; 0: none yet
   EngineChoice choice;
 
-  /// Whether draws pass through to the real OpenGL. Then only display lists are captured, and no state is
-  /// read.
+  /// Whether draws pass through to the real OpenGL. Then only lists are captured, and no state is read.
   bool passesThrough() const { return passesThrough_; }
   void setPassthrough(bool passesThrough) { passesThrough_ = passesThrough; }
   /// Whether this frame is being measured: then no picture may be repeated or delayed.
