@@ -40,8 +40,7 @@ class WindowFrames {
   /// If mayShowDirectly(), in place of FrameEnds::beforeSwap() and the swap of a window of this size: traces
   /// the batch and gives the picture to `show`. False: nothing was shown; the batch stays pending.
   bool showWithoutSwap(glm::ivec2 window, const ShowPicture& show) noexcept;
-  /// In place of both: starts tracing the batch, to show the frame later. Returns LagRefusal::none or why
-  /// not.
+  /// In place of both: starts tracing the batch, to show the frame later. Returns `none` or why not.
   LagRefusal lag(const LagWindow& window) noexcept;
 
   /// Whether a lagged frame waits to be shown.
