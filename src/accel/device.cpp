@@ -19,7 +19,7 @@ std::atomic<int> commitsToFail{0}, commitsToSpare{0};
 std::atomic<int> failingCommits{0};  // commits in flight that were chosen to fail
 
 bool onMemory(void*, ssize_t bytes, bool) {
-  // What is refused, before it is allocated, is never given back.
+  // Embree asks before it allocates and never frees what is refused here: do not count it.
   if (bytes > 0 && failingCommits.load(std::memory_order_relaxed) > 0) return false;
   heldBytes.fetch_add(bytes, std::memory_order_relaxed);
   if (t_behind) {
