@@ -24,7 +24,7 @@ State& state() {
   return *s;
 }
 
-/// One line in one piece, so that lines of several processes do not mix.
+/// Writes a line in one piece, so that lines of several processes do not mix.
 void writeLine(int descriptor, std::string_view message) {
   files::writeAll(descriptor, "gluray: " + printable(message) + "\n");
 }

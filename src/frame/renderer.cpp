@@ -14,7 +14,7 @@
 
 namespace gluray::frame {
 
-/// What lives between frames. Made piece by piece at the first use, and anew where that failed.
+/// State kept between frames. Each part is made at its first use, and again if that failed.
 class Renderer::Engine {
  public:
   std::mutex mutex;

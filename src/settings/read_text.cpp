@@ -10,7 +10,7 @@ namespace {
 
 std::string wanted(const Row& row) { return "use " + allowedValues(row); }
 
-/// The whole text as one number within the setting's range.
+/// Parses the whole text as one number within the setting's range.
 template <class T>
 std::optional<T> number(const Row& row, std::string_view text) {
   T value{};
@@ -35,7 +35,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// "1,0.5,0", with or without blanks.
+/// Parses "1,0.5,0", with or without blanks.
 std::optional<glm::vec3> triple(const Row& row, std::string_view text) {
   glm::vec3 result{};
   for (int i = 0; i < 3; ++i) {
@@ -49,7 +49,7 @@ std::optional<glm::vec3> triple(const Row& row, std::string_view text) {
   return result;
 }
 
-/// "#ff8000".
+/// Parses "#ff8000".
 std::optional<glm::vec3> hexColor(std::string_view text) {
   uint32_t code = 0;
   const char* end = text.data() + text.size();
