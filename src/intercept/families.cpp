@@ -17,7 +17,8 @@ std::string contentsOf(const std::string& file) {
   return std::move(content.text);
 }
 
-/// Families may name sections of code of all files. True where one named a section that there is not.
+/// Families may refer to code sections of any file. Drops a family list that refers to a missing section;
+/// true if there was one.
 bool dropOneThatLacksCode(std::vector<gl::FamilyList>& lists, void (*complain)(const std::string& line)) {
   if (lists.empty()) return false;
   gl::FamilyList all = gl::builtInFamilies();

@@ -15,8 +15,8 @@ struct Names {
   std::mutex mutex;
   std::map<uintptr_t, uintptr_t> windows;
 };
-/// Never destroyed: programs call GLX while they exit. Asks for no memory: it may be called for the first
-/// time when there is none.
+/// Never destroyed: programs call GLX while they exit. Allocates nothing: the first call may come when memory
+/// has run out.
 Names& names() {
   alignas(Names) static std::byte memory[sizeof(Names)];
   static Names* const n = new (memory) Names;

@@ -42,7 +42,7 @@ std::optional<TextureUpload::Attached> TextureUpload::attached(const gl::RealGl&
   to.depth = textureAt(real, GL_DEPTH_ATTACHMENT);
   if (!to.color || !to.depth || !takeErrors(real).empty()) return std::nullopt;
   const glm::ivec2 end(image.x + image.width, image.y + image.height);
-  guard.texture2D(features.textureUnit, to.color);  // an error where it is of another kind
+  guard.texture2D(features.textureUnit, to.color);  // a GL error if it has another target
   if (!takeErrors(real).empty() || !gl::holdsRgba8(real, end)) return std::nullopt;
   guard.texture2D(features.textureUnit + 1, to.depth);
   if (!takeErrors(real).empty() || ofLevel(real, GL_TEXTURE_WIDTH) < end.x ||
