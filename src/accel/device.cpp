@@ -12,7 +12,7 @@ namespace gluray::accel {
 namespace {
 
 std::atomic<ptrdiff_t> heldBytes{0};
-std::atomic<ptrdiff_t> behindBytes{0};  // the sum of all changes made inside a BehindScope
+std::atomic<ptrdiff_t> behindBytes{0};  // sum of all changes inside a BehindScope
 thread_local bool t_behind = false;
 thread_local ptrdiff_t t_behindBytes = 0;
 std::atomic<int> commitsToFail{0}, commitsToSpare{0};

@@ -41,7 +41,7 @@ inline std::shared_ptr<scene::Mesh> makeMesh(const MeshData& data) {
   return mesh;
 }
 
-/// Two triangles a, b, c and a, c, d, counterclockwise seen from where a, b, c, d go around counterclockwise.
+/// Two triangles a, b, c and a, c, d, with the winding of the quad a, b, c, d.
 inline MeshData quadData(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d) {
   MeshData data;
   data.positions = {a, b, c, d};

@@ -21,11 +21,11 @@ struct UpdateStatistics {
   uint64_t blasRefinements = 0;             // fast BLASes replaced by full ones, built in the background
 };
 
-/// Decides which hits count. Called on tracing threads.
+/// Accepts or rejects hits. Called on tracing threads.
 class HitFilter {
  public:
   virtual ~HitFilter() = default;
-  /// False: the ray goes on as if the triangle were not there. Barycentric u, v as in RayPacket.
+  /// False: the ray ignores this hit and goes on. Barycentric u, v as in RayPacket.
   virtual bool accepts(uint32_t instance, uint32_t primitive, float u, float v, int lane) const noexcept = 0;
 };
 

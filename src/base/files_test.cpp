@@ -187,7 +187,7 @@ TEST_F(Files, DevicesAreRefused) {
 
 TEST_F(Files, OnlyRegularFilesAreRead) {
   mkfifo(path("fifo").c_str(), 0666);
-  EXPECT_EQ(read(path("fifo"), 100).why, "it is a FIFO, not a regular file");  // and not waited for
+  EXPECT_EQ(read(path("fifo"), 100).why, "it is a FIFO, not a regular file");  // does not block
   EXPECT_EQ(read(folder_, 100).why, "Is a directory");
   const Content none = read(path("none"), 100);
   EXPECT_TRUE(none.missing);

@@ -51,7 +51,7 @@ void write(Level level, std::string_view message) noexcept {
     const std::lock_guard lock(s.mutex);
     if (level < s.level || level == Level::off) return;
     writeLine(s.descriptor, message);
-  } catch (...) {  // a log line is never worth a failure
+  } catch (...) {  // drop the line
   }
 }
 

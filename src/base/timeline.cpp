@@ -87,7 +87,7 @@ void add(const Event& event) noexcept {
     } else {
       ++track.lost;
     }
-  } catch (...) {  // without memory the picture has a gap
+  } catch (...) {  // out of memory: the timeline has a gap
   }
 }
 
@@ -148,7 +148,7 @@ void writeOut(bool all) noexcept {
     g_recording = false;
     log::write(log::Level::error, "cannot write the timeline " + recorder.file +
                                       (recorder.why.empty() ? "" : ": " + recorder.why) + "; recording ends");
-  } catch (...) {  // without memory the picture has a gap
+  } catch (...) {  // out of memory: the timeline has a gap
   }
 }
 
@@ -184,7 +184,7 @@ void nameThread(const char* name) noexcept {
     Track& track = trackOfThread();
     const std::lock_guard lock(track.mutex);
     if (!track.name) track.name = name;
-  } catch (...) {  // it stays a number
+  } catch (...) {  // the thread keeps its number as name
   }
 }
 

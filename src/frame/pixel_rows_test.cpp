@@ -34,7 +34,7 @@ TEST(PixelRows, HitsAreFoundFromBothEnds) {
     EXPECT_EQ(endOfHits(depths.data(), count), 0u);
     for (size_t at = 0; at < count; ++at) {
       depths[at] = at % 2 == 0 ? 1.0f : 0.0f;
-      depths[at / 2] = 0.5f;  // another before it
+      depths[at / 2] = 0.5f;  // another hit before it
       EXPECT_EQ(firstHit(depths.data(), count), at / 2);
       EXPECT_EQ(endOfHits(depths.data(), count), at + 1);
       std::fill(depths.begin(), depths.end(), Image::kMiss);

@@ -93,7 +93,7 @@ bool Renderer::render(const scene::Snapshot& snapshot, Image& image, scene::Trac
   } catch (...) {}
   try {
     error = reason;
-  } catch (...) {  // an empty line is better than an exception in the host
+  } catch (...) {  // out of memory: leave the error line empty
   }
   return false;
 }

@@ -68,7 +68,7 @@ void guarded(const char* what, F&& body) noexcept {
 /// Adds the statistics of the record's context. Requires that the registry is locked.
 void addTo(Totals& sum, const Record& record);
 
-// frames.cpp
+// In frames.cpp:
 /// Sets up the context to record what `gluray explain` needs.
 void addExplaining(Record& record, gl::ContextInfo& info);
 /// Callback for each traced picture of the context; may be empty.

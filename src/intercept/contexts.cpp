@@ -31,8 +31,7 @@ gl::ContextInfo askInfo(const gl::RealGl& real, const std::string& version) {
   info.families = families();
   info.drawableSize = [] { return current().size ? current().size() : glm::ivec2(0); };
   int major = 0, minor = 0;
-  if (std::sscanf(version.c_str(), "%d.%d", &major, &minor) != 2)
-    info.core = info.off = true;  // "OpenGL ES ..."
+  if (std::sscanf(version.c_str(), "%d.%d", &major, &minor) != 2) info.core = info.off = true;  // OpenGL ES
   GLboolean doubleBuffered = GL_TRUE;
   if (!info.core) real.GetBooleanv(GL_DOUBLEBUFFER, &doubleBuffered);
   info.doubleBuffered = doubleBuffered != GL_FALSE;

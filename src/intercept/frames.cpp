@@ -29,7 +29,7 @@ void endFrame() noexcept {
   writeReportIfDue();
 }
 
-/// Keeps the picture of the frame that is about to be shown from `buffer` of the window.
+/// Keeps the picture of the frame that is about to be shown; reads it from the window's `buffer`.
 void takePicture(Record& record, GLenum buffer) {
   if (!record.picture || !record.context) return;
   glm::ivec2 size = current().size ? current().size() : glm::ivec2(0);

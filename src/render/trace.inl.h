@@ -19,7 +19,7 @@ namespace HWY_NAMESPACE {
 HWY_ATTR inline void aimInEye(const FrameData& frame, const float* x, const float* y, accel::PixelRays& to) {
   accel::RayPacket rays;
   alignas(64) int32_t valid[kLanes] = {};
-  const bool inWorld = frame.rays.startAtSphere;  // then t is counted from there
+  const bool inWorld = frame.rays.startAtSphere;  // then t starts at the sphere
   generateRays(inWorld ? frame.rays : frame.eyeRays, x, y, rays, valid);
   const glm::mat4 m(inWorld ? frame.snapshot->eyeFromWorld : glm::dmat4(1));
   for (int i = 0; i < kLanes; ++i) {

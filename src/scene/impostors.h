@@ -19,8 +19,7 @@ struct Impostors {
   Billboards billboards = Billboards::silhouette;
   bool parallelView = false;  // the viewer is at infinity
   bool inside = false;        // spheres show their far side, from within
-  bool fades =
-      false;  // of discs and splats: colours are multiplied by 1 - (distance from the centre / radius)^2
+  bool fades = false;       // discs and splats: multiply colours by 1 - (distance from the centre / radius)^2
   float radiusDivisor = 1;  // radius of the billboard / radius of the disc
   /// A cylinder's axis in lighting space is axisMatrix * axis, reversed if it points to -z; its length is
   /// that of `axis`. Only the end that it points to is closed.

@@ -91,7 +91,7 @@ struct Mesh {
   bool opaqueColors = true;               // every vertex colour has alpha 1 (or there are none)
   size_t sizeBytes = 0;                   // memory this mesh owns, without the program's buffers
 
-  /// Texture coordinates of a unit; null where the mesh has none.
+  /// Texture coordinates of a unit; null if the mesh has none.
   const Attribute* texcoordsOf(uint32_t unit) const {
     if (unit == 0) return texcoords ? &texcoords : nullptr;
     return unit <= texcoordsAbove.size() && texcoordsAbove[unit - 1] ? &texcoordsAbove[unit - 1] : nullptr;

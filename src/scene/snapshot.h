@@ -59,11 +59,10 @@ struct ColorWrites {
 /// snapshot's first instance, so that a camera move changes only eyeFromWorld.
 struct Instance {
   MeshPtr mesh;
-  glm::dmat4 eyeFromObject{1};  // the modelview matrix of the draw
-  glm::mat4 worldFromObject{
-      1};                // exactly the identity where eyeFromObject equals the snapshot's eyeFromWorld
-  uint32_t shading = 0;  // index into Snapshot::shadings
-  uint32_t order = 0;    // instances with higher numbers were drawn later
+  glm::dmat4 eyeFromObject{1};   // the modelview matrix of the draw
+  glm::mat4 worldFromObject{1};  // exactly the identity if eyeFromObject equals the snapshot's eyeFromWorld
+  uint32_t shading = 0;          // index into Snapshot::shadings
+  uint32_t order = 0;            // instances with higher numbers were drawn later
   // Values of attributes that the mesh does not carry.
   glm::vec4 color{1};
   glm::vec3 normal{0, 0, 1};

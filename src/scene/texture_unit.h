@@ -41,7 +41,7 @@ struct Combine {
   bool operator==(const Combine&) const = default;
 };
 
-/// glTexGen: GL 2.1, 2.11.4. A coordinate that is not generated is the vertex's.
+/// glTexGen: GL 2.1, 2.11.4. Coordinates that are not generated come from the vertex.
 struct TexGen {
   enum Mode : uint8_t { off, objectLinear, eyeLinear, sphereMap, normalMap, reflectionMap };
   struct Coordinate {

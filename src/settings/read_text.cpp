@@ -17,7 +17,7 @@ std::optional<T> number(const Row& row, std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   if (!std::isfinite(static_cast<double>(value))) return std::nullopt;
-  // Limits are compared in the value's precision: 0.1f lies beyond 0.1.
+  // Compare limits in the value's precision: 0.1f > 0.1.
   if (row.ranged && (value < static_cast<T>(row.least) || value > static_cast<T>(row.most)))
     return std::nullopt;
   return value;

@@ -33,7 +33,7 @@ struct Row {
   Applies applies;
   Changes changes;
   bool ranged, files;              // numbers are limited to [least, most]; texts are file names
-  bool explains, exists, inFiles;  // the fields of spec/settings.toml
+  bool explains, exists, inFiles;  // as in spec/settings.toml
   double least, most;
   std::string_view leastMeans, unit, help, more, group, since;
   std::string_view option, placeholder;  // "--threads" (empty: only --set) and "N" for its value

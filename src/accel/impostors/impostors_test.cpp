@@ -99,7 +99,7 @@ TEST_F(Impostors, SphereHitsMatchTheEquation) {
 TEST_F(Impostors, BillboardsCutSpheres) {
   const auto mesh = impostors(Shape::spheres, {{0, 0, -3}}, {1});
   world.update(snapshot({mesh}, true, Billboards::triangle), arena);
-  // The triangle about the unit circle touches it below.
+  // The triangle's lower side touches the unit circle.
   EXPECT_FLOAT_EQ(shoot({0, 0, 0}, {0, 0, -1}).t, 2);
   EXPECT_LT(shoot({0, -0.999f, 0}, {0, 0, -1}).t, 3);
   world.update(snapshot({mesh}, false, Billboards::triangle), arena);
@@ -133,7 +133,8 @@ TEST_F(Impostors, DiscsFaceTheViewer) {
 }
 
 TEST_F(Impostors, CylindersHaveOneEnd) {
-  // Along z, from -4 to -6: the end towards the viewer is closed, and the mantle is seen from the side.
+  // Along z, from -4 to -6: the end towards the viewer is closed, and the lateral surface is visible from the
+  // side.
   world.update(snapshot({impostors(Shape::cylinders, {{0, 0, -5}}, {0.5f}, {{0, 0, 2}})}, true), arena);
   EXPECT_FLOAT_EQ(shoot({0.3f, 0.3f, 0}, {0, 0, -1}).t, 4);
   EXPECT_EQ(shoot({0.4f, 0.4f, 0}, {0, 0, -1}).primitive, kNoHit);

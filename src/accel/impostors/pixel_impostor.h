@@ -28,7 +28,7 @@ class PixelImpostor {
   struct Shown {
     double depth = 0;     // window, [0, 1]
     double along = 0;     // of a tube: position on the line, 0 at its first end, 1 at its second
-    glm::vec3 normal{0};  // unit, lighting space; of splats towards the viewer
+    glm::vec3 normal{0};  // unit, lighting space; splats: towards the viewer
     float fade = 1;       // of splats: see scene::Impostors::fades
   };
   /// Whether its billboard covers a window position. Corners snap to 1/256 pixel, as in rasterisers;

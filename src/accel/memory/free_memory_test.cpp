@@ -44,7 +44,7 @@ TEST(FreeMemory, LimitsOfTheProcessCount) {
     ASSERT_EQ(setrlimit(which, &limited), 0);
     const size_t left = freeMemory();
     ASSERT_EQ(setrlimit(which, &saved), 0);
-    EXPECT_LE(left, kRoom + (size_t{1} << 20));  // something may have been freed
+    EXPECT_LE(left, kRoom + (size_t{1} << 20));  // some memory may have been freed
     EXPECT_GT(left, 0u);
   }
   EXPECT_GT(freeMemory(), kRoom);

@@ -13,5 +13,5 @@ void glurayRemember(int library, void* handle);
 /* The real function `name`, as exported by a library; null if there is none. */
 void* glurayExported(int library, const char* name);
 
-/* The same, from whichever OpenGL library the program itself uses; null if there is none. */
+/* The same, from any OpenGL library that the program itself uses; null if there is none. */
 void* glurayOfProgram(const char* name);

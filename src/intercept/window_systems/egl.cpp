@@ -1,5 +1,5 @@
-// EGL with desktop OpenGL: contexts, current contexts, buffer swaps. EGL 1.5 and the extensions that show
-// pictures.
+// EGL hooks for desktop OpenGL: contexts, current contexts, buffer swaps. EGL 1.5 and the extensions that
+// show pictures.
 #include "base/timeline.h"
 #include "intercept/contexts.h"
 #include "intercept/engine.h"

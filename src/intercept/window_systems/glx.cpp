@@ -1,4 +1,4 @@
-// GLX: contexts, current contexts, buffer swaps. GLX 1.4 and the extensions that show pictures.
+// GLX hooks: contexts, current contexts, buffer swaps. GLX 1.4 and the extensions that show pictures.
 #include "base/timeline.h"
 #include "gl/stub.h"
 #include "intercept/contexts.h"

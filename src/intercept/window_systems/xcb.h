@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <memory>
 
-/// Xlib's Display; its header has macros of common words.
+/// Xlib's Display. Its header is not included, because it defines common words as macros.
 struct _XDisplay;
 
 namespace gluray::intercept {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <memory>
 
-struct _XDisplay;  // Xlib's Display: its macros stay out of here
+struct _XDisplay;  // Xlib's Display, without its header's macros
 
 namespace gluray::intercept {
 

@@ -45,7 +45,7 @@ bool show(_XDisplay* display, uintptr_t drawable, Record& record) {
   if (record.window.isKnown(size) &&
       record.context->window.showWithoutSwap(size, [&](const gl::ShownPicture& p) { return put->put(p); }))
     return true;
-  if (size.x == 0) record.window.put.reset();  // not tried again
+  if (size.x == 0) record.window.put.reset();  // do not try again
   return false;
 }
 

@@ -61,7 +61,7 @@ LinearRays makeLinearRays(const RaySetup& rays, const glm::ivec4& viewport, cons
   linear.dir = (glm::dvec3(rays.step) - linear.org * rays.step.w) * scale;
   linear.dirX = -linear.orgX * (rays.step.w * scale);
   linear.dirY = -linear.orgY * (rays.step.w * scale);
-  const double end = 1 + 2 * rays.step.w / w;  // 0: the far plane is at infinity
+  const double end = 1 + 2 * rays.step.w / w;  // w at the far end / w; 0: the far plane is at infinity
   linear.tFar = static_cast<float>(end > 1e-12 ? 2 / (end * rays.directionScale) : HUGE_VAL);
   linear.orgStepX = glm::vec3(linear.orgX), linear.orgStepY = glm::vec3(linear.orgY);
   linear.dirStepX = glm::vec3(linear.dirX), linear.dirStepY = glm::vec3(linear.dirY);

@@ -188,7 +188,7 @@ void tellSample(const RealGl& real, const Features& features, GLuint program, in
   real.Uniform1i(real.GetUniformLocation(program, "sampleAt"), sample);
 }
 
-/// Draws the depth of the surfaces, with this depth function.
+/// Draws the depth of the surfaces with a depth function.
 using DrawDepth = std::function<bool(GLenum func, const DepthPass& pass)>;
 
 /// Draws with GL_ALWAYS, then GL_LESS: among several surfaces close to the visible depth, the nearest
@@ -219,7 +219,7 @@ bool drawSamples(const RealGl& real, const Features& features, const scene::Snap
 struct Drawer {
   const char* vertex;  // null: fixed function
   const char* single;
-  const char* samplesHead;  // before kSamplesSeenAlone
+  const char* samplesHead;  // precedes kSamplesSeenAlone
   DrawDepth draw;
 };
 

@@ -37,7 +37,7 @@ class StateGuard {
   /// openFragmentPath() for the region of a snapshot: sets its viewport, depth range and multisampling, and
   /// depth test `func`.
   void drawInto(const scene::Snapshot& snapshot, GLenum func);
-  void depthTest(GLenum func);  // test on, writes on
+  void depthTest(GLenum func);  // enables test and writes
   /// Sets the blending of layer sums, as in gl::addsUp: adds RGB, multiplies alpha. After openFragmentPath().
   void addUp();
   /// Sets "over" blending for premultiplied colours. After openFragmentPath().

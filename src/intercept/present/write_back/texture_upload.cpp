@@ -91,7 +91,7 @@ bool TextureUpload::put(const gl::RealGl& real, const Features& features, const 
   if (depths_.size() < image.depth.size()) depths_.resize(image.depth.size());
   const int rows = frame::rowsOfBands(image.height), count = (image.height + rows - 1) / rows;
   std::array<frame::Band, frame::kMaxBands> bands;
-  forEachPart(threads, count, [&](int i) {  // each depth is read once
+  forEachPart(threads, count, [&](int i) {  // reads each depth once
     frame::Band& band = bands[static_cast<size_t>(i)];
     band = frame::hitBand(image.depth.data(), image.width, image.height, i * rows);
     if (band.width > 0) fillDepths(image, band, floats);

@@ -50,7 +50,7 @@ class WriteBack {
 
   /// Releases ownership of our names in the share group, and returns them.
   gl::SharedNames takeNames();
-  /// Deletes our objects. Without this they live as long as the share group.
+  /// Deletes our objects; otherwise they live as long as the share group.
   void release();
 
  private:
