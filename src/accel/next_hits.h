@@ -1,5 +1,4 @@
-// The k nearest hits of each ray of a packet, collected in one query. Used by World::intersectNext; one per
-// packet, on one thread.
+// The nearest hits of each ray of a packet, from one query (World::intersectNext). One thread per packet.
 #pragma once
 #include "accel/ray_packet.h"
 
@@ -22,9 +21,8 @@ class NextHits {
   /// Whether the ray may have more hits beyond these.
   bool full(int lane) const { return counts_[lane] == kMost; }
 
-  /// Marks the lane's hits as processed, so that later queries skip them. Returns the tNear for the next
-  /// query: slightly less than the last hit's distance, because further hits may lie at that distance, up to
-  /// rounding. Only where full.
+  /// Makes later queries skip the lane's hits. Returns the tNear for the next query: slightly less than the
+  /// last hit's distance, because more hits may lie there, up to rounding. Only where full.
   float passOn(int lane) {
     constexpr float kBefore = 1 - 0x1p-20f;
     const float from = hits_[lane][kMost - 1].distance * kBefore;
@@ -36,8 +34,7 @@ class NextHits {
     return from;
   }
 
-  /// Inserts a hit that a query found. True: the list is full, and `distance` is set to the new end of the
-  /// ray.
+  /// Inserts a hit that a query found. True: the list is full; sets `distance` to the ray's new end.
   bool add(int lane, const Hit& hit, float& distance) noexcept {
     const auto isThis = [&](const Hit& h) {
       return h.instance == hit.instance && h.primitive == hit.primitive;

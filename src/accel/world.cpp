@@ -32,8 +32,7 @@ double largest(const glm::dvec3& v) {
 }
 double largest(const glm::dmat3& m) { return std::max({largest(m[0]), largest(m[1]), largest(m[2])}); }
 
-/// Whether two affine transforms differ by at most `linear` per element, and `along` per element of
-/// translation.
+/// Whether two affine transforms differ by at most `linear` per element, `along` in translations.
 bool isNear(const glm::mat4& a, const glm::mat4& b, double linear, double along) {
   for (int c = 0; c < 4; ++c)
     for (int r = 0; r < 3; ++r)

@@ -20,8 +20,7 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// The process's renderer, made at the first call; never destroyed, because hosts call OpenGL while they
-  /// exit.
+  /// The process's renderer, made at the first call. Never destroyed: hosts call us while they exit.
   static Renderer& shared();
 
   /// Traces `snapshot` into `image`, which takes the region's shape. False on any failure, with one line in

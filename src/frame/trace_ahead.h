@@ -29,8 +29,7 @@ class TraceAhead {
   TraceAhead(const TraceAhead&) = delete;
   TraceAhead& operator=(const TraceAhead&) = delete;
 
-  /// Starts tracing, with misses in `missColor`. Requires that no picture is pending. False if no thread can
-  /// be started.
+  /// Starts tracing, with misses in `missColor`. No picture may be pending. False if no thread can start.
   bool start(scene::SnapshotPtr snapshot, uint32_t missColor, Late late);
   /// Whether the pending or finished picture is of this very snapshot object.
   bool has(const scene::Snapshot& snapshot) const { return snapshot_.get() == &snapshot; }

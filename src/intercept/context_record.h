@@ -1,5 +1,4 @@
-// Registry of the process's contexts, with the state kept for each. Private to contexts.cpp, frames.cpp and
-// totals.cpp. Any thread.
+// Registry of the process's contexts and their state. Private to contexts.cpp, frames.cpp and totals.cpp.
 #pragma once
 #include "base/log.h"
 #include "gl/context.h"

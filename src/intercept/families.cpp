@@ -17,8 +17,7 @@ std::string contentsOf(const std::string& file) {
   return std::move(content.text);
 }
 
-/// Families may refer to code sections of any file. Drops a family list that refers to a missing section;
-/// true if there was one.
+/// Drops a list whose families refer to code sections that no file has; true if there was one.
 bool dropOneThatLacksCode(std::vector<gl::FamilyList>& lists, void (*complain)(const std::string& line)) {
   if (lists.empty()) return false;
   gl::FamilyList all = gl::builtInFamilies();

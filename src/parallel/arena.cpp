@@ -11,8 +11,7 @@
 
 namespace gluray {
 
-// Blocks signals on the workers: a host's signal handlers must not run on threads that the host does not
-// know.
+// Blocks signals on the workers: a host's signal handlers must not run on threads unknown to the host.
 class Arena::Observer : public tbb::task_scheduler_observer {
  public:
   explicit Observer(tbb::task_arena& arena) : tbb::task_scheduler_observer(arena) { observe(true); }

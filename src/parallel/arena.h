@@ -42,8 +42,7 @@ enum class ArenaUse : uint8_t {
 /// first call, and again when the number changes. Any thread.
 std::shared_ptr<Arena> arenaFor(ArenaUse use, int threads);
 
-/// The number of threads of sharedArena(), which is arenaFor(ArenaUse::other) for callers without settings; 0
-/// at first.
+/// The number of threads for sharedArena(), the arena `other` for callers without settings; 0 at first.
 void setSharedThreads(int threads) noexcept;
 std::shared_ptr<Arena> sharedArena();
 

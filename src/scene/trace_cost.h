@@ -1,5 +1,4 @@
-// Cost of one traced snapshot: passed from the renderer through the presenter to the report. Plain data, any
-// thread.
+// Cost of one traced snapshot, passed from the renderer through the presenter to the report. Plain data.
 #pragma once
 #include <cstdint>
 

@@ -9,8 +9,7 @@
 namespace gluray {
 namespace {
 
-/// MPI processes on this host, from the variables of Open MPI, MPICH and its derivatives, and MVAPICH; 1
-/// without.
+/// MPI processes on this host, from variables of Open MPI, MPICH and derivatives, MVAPICH; 1 without MPI.
 int localRanks() {
   for (const char* name : {"OMPI_COMM_WORLD_LOCAL_SIZE", "MPI_LOCALNRANKS", "MV2_COMM_WORLD_LOCAL_SIZE"})
     if (const char* value = std::getenv(name)) return std::max(std::atoi(value), 1);

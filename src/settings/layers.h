@@ -47,9 +47,8 @@ struct Sources {
   std::string systemFile, userFile, projectFile;
   bool userFileNamed = false;         // by $GLURAY_CONFIG or --config: it must exist
   std::vector<std::string> programs;  // names of the profiles that apply, highest precedence last
-  /// Names and values of options. Inside the program (`passed`) the values come from the variables that the
-  /// launcher set; this list then only tells which variables were options. A variable that has changed since
-  /// is not an option.
+  /// Names and values of options. If `passed`, values come from the variables that the launcher set, and this
+  /// list tells which of these are options; one that has changed since is not.
   std::vector<std::pair<std::string, std::string>> commandLine;
   bool passed = false;  // the launcher passed the options in variables
 };

@@ -17,15 +17,13 @@ std::string environment(const char* name) {
   return value ? value : "";
 }
 
-/// The project file of the directory in which the launcher was started; without a launcher, of the working
-/// directory.
+/// The project file of the launcher's working directory; without a launcher, of this process's.
 std::string projectFile() {
   std::string named = environment("GLURAY_PROJECT");
   return named.empty() ? projectFileHere() : named;
 }
 
-/// The executable's name; and in the process that the launcher became, the program's name as the user typed
-/// it.
+/// The executable's name; and the name that the user typed, in the process that the launcher became.
 std::vector<std::string> programNames() {
   std::vector<std::string> names;
   std::error_code error;

@@ -30,8 +30,7 @@ struct TriangleRun {
   uint32_t first, end;
 };
 
-/// The rays that hit a triangle, among as many consecutive rays as a vector has lanes, starting at ray
-/// `first`.
+/// The rays that hit a triangle, among one vector of consecutive rays that starts at ray `first`.
 struct MetTriangle {
   uint32_t triangle;
   unsigned first;

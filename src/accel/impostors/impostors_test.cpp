@@ -133,8 +133,7 @@ TEST_F(Impostors, DiscsFaceTheViewer) {
 }
 
 TEST_F(Impostors, CylindersHaveOneEnd) {
-  // Along z, from -4 to -6: the end towards the viewer is closed, and the lateral surface is visible from the
-  // side.
+  // Along z, from -4 to -6: the end towards the viewer is closed; the side shows the lateral surface.
   world.update(snapshot({impostors(Shape::cylinders, {{0, 0, -5}}, {0.5f}, {{0, 0, 2}})}, true), arena);
   EXPECT_FLOAT_EQ(shoot({0.3f, 0.3f, 0}, {0, 0, -1}).t, 4);
   EXPECT_EQ(shoot({0.4f, 0.4f, 0}, {0, 0, -1}).primitive, kNoHit);

@@ -18,8 +18,7 @@ float pixelReach(const PlacedImpostors& placed) {
   return placed.look.grows ? 0.5f * glm::length(size) : 0.5f * std::max({size.x, size.y, 1.0f});
 }
 
-/// Conservative test whether the impostor covers any position in the rectangle. Most impostors whose bounding
-/// boxes are hit fail it.
+/// Whether the impostor may cover any position in the rectangle; most with a hit bounding box do not.
 bool mayMeet(const PlacedImpostors& placed, uint32_t primitive, const WindowRectangle& r) {
   const scene::Mesh& mesh = *placed.mesh;
   if (mesh.shape == scene::Shape::splats) return placed.window[mesh.corner(primitive, 0)].w > 0;

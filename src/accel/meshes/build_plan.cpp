@@ -9,8 +9,7 @@ namespace {
 constexpr size_t kFastBytes = 100, kBlockBytes = 56, kFullBytes = 110, kCompactBytes = 42;
 // Memory left for the rest of the process and the machine.
 constexpr size_t kReserve = size_t{256} << 20;
-// Two threads build this many triangles in 20 ms as full and in 5 ms as fast: below, the difference is
-// invisible.
+// Two threads build this many triangles in 20 ms as full, in 5 ms as fast; below, nobody sees a difference.
 constexpr uint64_t kMuch = 100'000;
 // Meshes below this are built full at once: rebuilding the TLAS for each refinement would cost more.
 constexpr uint64_t kSmall = 20'000;

@@ -45,8 +45,7 @@ class Deformations {
   /// The step for a mesh whose positions changed. `spread`: Blas::spreadIn of the earlier structure; 0: it
   /// cannot be refitted.
   Step next(const scene::Mesh& mesh, double spread);
-  /// Called when positions return whose structure was refitted away: the animation repeats, so structures are
-  /// better kept, and refits pause.
+  /// Positions returned whose structure was refitted to others: the animation repeats. Pauses refits.
   void comesAround(const scene::Mesh& mesh);
 
  private:

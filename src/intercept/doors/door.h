@@ -5,8 +5,7 @@
 /* This library's door; each door defines it. */
 extern const GlurayDoor glurayDoor;
 
-/* The engine, loaded at the first call. Null if it cannot be loaded, which is reported in one line on stderr.
- */
+/* The engine, loaded at the first call. Null if that fails, which is reported in one line on stderr. */
 const GlurayEngine* glurayLoadEngine(void);
 
 /* The engine if it is loaded already, else null. */

@@ -72,8 +72,7 @@ class KeepLargest {
   bool on_;
 };
 
-/// Restores the earlier content of the texture that depths are compared with; the destructor restores the
-/// present one.
+/// Puts the earlier content into the texture of compared depths; the destructor restores the present one.
 class EarlierDepths {
  public:
   EarlierDepths(const RealGl& real, const Features& features, const gl::LayersTarget& target)

@@ -8,8 +8,7 @@ namespace gluray::intercept {
 /// The API that created a context: determines its OpenGL library.
 enum class Api { glx = GLURAY_API_GLX, egl = GLURAY_API_EGL, osmesa = GLURAY_API_OSMESA };
 
-/// The kinds of doors, as template arguments: a hook forwards to the functions behind the door that called
-/// it.
+/// The kinds of doors, as template arguments: a hook forwards to the functions behind its caller's door.
 enum Door {
   kVendorGlx = GLURAY_DOOR_VENDOR_GLX,
   kVendorEgl = GLURAY_DOOR_VENDOR_EGL,

@@ -118,8 +118,7 @@ class Filter {
     return hn::BitCast(du_, hn::Add(whole, hn::IfThenElseZero(up, hn::Set(di_, 1))));
   }
 
-  /// Second difference of luminosity across three rows or columns: twice each value less the sum of its
-  /// neighbours, absolute.
+  /// Absolute second differences of luminosity in three rows or columns, summed with weights 1, 2, 1.
   HWY_ATTR V bend(const Three& of, const Three& beside) const {
     const V twice = hn::Set(d_, 2);
     const V middle = hn::AbsDiff(beside.middle, hn::Mul(twice, of.middle));

@@ -41,8 +41,7 @@ class PowerMean {
   std::array<float, 256> from_{};    // least mean power for which the result is that byte
 };
 
-/// Mean with the order of operations and rounding of software OpenGLs: they decide halves, which are
-/// frequent.
+/// Mean with software OpenGLs' order of operations and rounding, which decide halves: these are frequent.
 uint32_t mean(const uint32_t* colors, int count, int shift) {
   float sum = 0;
   for (int i = 0; i < count; ++i) sum += static_cast<float>(colors[i] >> shift & 255u) * (1.0f / 255.0f);

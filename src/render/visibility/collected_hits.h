@@ -41,8 +41,7 @@ class CollectedHits {
   std::vector<Hit> of_[accel::kLanes];
 };
 
-/// Collects all hits that are neither culled nor clipped by the instances' own planes. Rejects each, so that
-/// rays go on.
+/// Collects hits that are neither culled nor clipped by instances' own planes; rejects all, so rays go on.
 class CollectingFilter : public accel::HitFilter {
  public:
   CollectingFilter(const FrameData& frame, CollectedHits& hits) : frame_(frame), hits_(hits) {}

@@ -85,8 +85,7 @@ HWY_ATTR inline uint32_t cutLanes(const FrameData& frame, const Centers& centers
   return cut;
 }
 
-/// Continues the rays of failed lanes behind their hits; lanes with a new hit become open. Whether any
-/// failed.
+/// Continues failed lanes' rays behind their hits; new hits make lanes open. Whether any lane had failed.
 HWY_ATTR inline bool traceFailed(const FrameData& frame, SampleBlock& block) {
   bool any = false;
   for (size_t s = 0; s < block.count(); ++s) {

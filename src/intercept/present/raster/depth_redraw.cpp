@@ -191,8 +191,7 @@ void tellSample(const RealGl& real, const Features& features, GLuint program, in
 /// Draws the depth of the surfaces with a depth function.
 using DrawDepth = std::function<bool(GLenum func, const DepthPass& pass)>;
 
-/// Draws with GL_ALWAYS, then GL_LESS: among several surfaces close to the visible depth, the nearest
-/// remains.
+/// The second draw leaves the nearest of several surfaces that are close to the visible depth.
 bool drawTwice(const DrawDepth& draw, const DepthPass& pass) {
   for (const GLenum func : {GL_ALWAYS, GL_LESS})
     if (!draw(func, pass)) return false;

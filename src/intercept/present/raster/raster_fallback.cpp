@@ -10,8 +10,7 @@
 namespace gluray::present {
 namespace {
 
-/// Saves and restores the matrices that drawing changes. Saves values instead of pushing, because the program
-/// may have filled a stack.
+/// Saves and restores the matrices that drawing changes; by value, as the program may have filled a stack.
 class KeptMatrices {
  public:
   explicit KeptMatrices(const gl::RealGl& real) : real_(real) {

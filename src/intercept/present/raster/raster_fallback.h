@@ -20,8 +20,7 @@ struct DepthPass {
   int sample = -1;                // the only sample to write; -1: all
 };
 
-/// Draws only the fixed-function instances. With `again`, only their depth. False, with nothing drawn, as
-/// above.
+/// Draws only the fixed-function instances; with `again`, only their depth. False as above.
 bool drawWithFixedFunction(const gl::RealGl& real, const Features& features, const scene::Snapshot& snapshot,
                            GLenum depthFunc, const DepthPass* again = nullptr);
 

@@ -1,5 +1,4 @@
-// The triangles of one mesh in our own vertex array, to draw their depth. Used by depth_redraw.cpp; GL
-// thread.
+// The triangles of one mesh in our own vertex array, to draw their depth (depth_redraw.cpp). GL thread.
 #pragma once
 #include "intercept/present/raster/raster_fallback.h"
 #include "intercept/present/write_back/state_guard.h"
