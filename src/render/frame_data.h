@@ -41,7 +41,7 @@ struct FrameData {
   mutable std::array<std::array<std::atomic<uint32_t>, LayerCounts::kMost>, 2> layerCounts{};
   float widestEdge = 0;     // largest width of painted edges, pixels; 0: there are none
   bool leastDepth = false;  // depths shift by triangles' slopes: the nearest hit may not have the least depth
-  // leastDepth: largest eye-space distance behind the nearest hit at which another may have a lesser depth.
+  // leastDepth: largest eye-space distance by which a hit of lesser depth may lie behind another.
   double leastDepthReach = 0;
   glm::dvec4 clipZ{0}, clipW{0};  // leastDepth: rows of the matrix from world to clip space
   // Skips hits that are culled or clipped, where hits are compared before they are shaded (growing edges,

@@ -110,8 +110,8 @@ struct Layers {
   /// takes the largest of the values that they would yield.
   float tolerance = 1e-7f;
   /// For `order`: number of dual depth peels after which the program blends the remaining layers in the order
-  /// of drawing; 0: none remain. Each peel takes a pixel's nearest and farthest layer; the first one takes
-  /// the opaque surface in place of the farthest.
+  /// of drawing; 0: no limit. Each peel takes a pixel's nearest and farthest layer; the first one takes the
+  /// opaque surface in place of the farthest.
   uint32_t peels = 0;
   // For `drawn` only.
   std::vector<uint32_t> colors;  // the framebuffer's initial colours: RGBA8, in the order of opaqueDepth
