@@ -43,7 +43,7 @@ class Parallel : public testing::Test {
   void TearDown() override { setSharedThreads(0); }
 };
 
-TEST_F(Parallel, NoMoreThreadsThanAreWanted) {
+TEST_F(Parallel, UsesAtMostTheGivenThreads) {
   for (const int threads : {1, 2}) {
     setSharedThreads(threads);
     EXPECT_LE(threadsOfALoop().size(), static_cast<size_t>(threads));

@@ -165,7 +165,7 @@ TEST(DrawnLayers, CompareDepthsAtTheFramebuffersPrecision) {
   expectColor(s, over(over(there, kRed), kBlue));
 }
 
-TEST(DrawnLayers, BehindWhatIsThereAreNotSeen) {
+TEST(DrawnLayers, AreHiddenByTheFramebuffersDepth) {
   const vec4 there(0.2f, 0.4f, 0.6f, 1);
   const std::vector<Sheet> all{{0.8f, kRed}, {0, kGreen}, {-0.7f, kBlue}};
   expectColor(drawn(all, false, there, 0.6f), over(over(there, kRed), kGreen));
