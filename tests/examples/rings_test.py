@@ -116,7 +116,7 @@ class Rings(unittest.TestCase):
                                   text=True, timeout=100).stdout
         self.assertRegex(text("--program-families", FAMILY),
                          r"\nshader programs\n  program \d+, rings: 5 draws traced, 0 rasterised, 128 000 triangles\n")
-        self.assertRegex(text(), r"program \d+, of no family: 0 draws traced, 5 rasterised, 128 000 triangles\n"
+        self.assertRegex(text(), r"program \d+, no family fits: 0 draws traced, 5 rasterised, 128 000 triangles\n"
                                  r"    no family fits; nearest: VTK")
 
     def test_a_file_with_a_mistake_is_one_line(self):

@@ -11,7 +11,7 @@ ElfFile needing(std::vector<std::string> names) {
   return file;
 }
 
-/// A viewer whose library brings OpenGL, with a loop and a library that is not there.
+/// A viewer whose library links OpenGL; the libraries have a cycle, and one is missing.
 const std::map<std::string, ElfFile> kFiles = {
     {"/bin/viewer", needing({"libScene.so.1", "libc.so.6", "ld-linux-x86-64.so.2"})},
     {"/lib/libScene.so.1", needing({"libGL.so.1", "libGone.so.3", "libc.so.6"})},

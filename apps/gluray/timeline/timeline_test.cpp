@@ -1,4 +1,4 @@
-// What `gluray timeline` makes of a file.
+// `gluray timeline`: reading files, the chart, the table.
 #include "timeline/timeline_chart.h"
 #include "timeline/timeline_file.h"
 
@@ -68,11 +68,11 @@ TEST_F(TimelineFile, SpansWithinOthersLieDeeper) {
   }
 }
 
-TEST_F(TimelineFile, WhatIsNoneIsToldInOneLine) {
-  EXPECT_EQ(complaint("import vtk\n"), path_ + " is no timeline of gluray --timeline");
-  EXPECT_EQ(complaint("{\"ph\":1}"), path_ + " is no timeline of gluray --timeline");
-  EXPECT_EQ(complaint("[{\"ph\":1}]"), path_ + " is no timeline of gluray --timeline");
-  EXPECT_EQ(complaint("[3]"), path_ + " is no timeline of gluray --timeline");
+TEST_F(TimelineFile, OtherFilesAreRefusedWithOneLine) {
+  EXPECT_EQ(complaint("import vtk\n"), path_ + " was not written by gluray --timeline");
+  EXPECT_EQ(complaint("{\"ph\":1}"), path_ + " was not written by gluray --timeline");
+  EXPECT_EQ(complaint("[{\"ph\":1}]"), path_ + " was not written by gluray --timeline");
+  EXPECT_EQ(complaint("[3]"), path_ + " was not written by gluray --timeline");
   EXPECT_THROW(readTimeline("/nowhere/x.json"), std::runtime_error);
 }
 
@@ -88,7 +88,7 @@ TEST_F(TimelineFile, BecomesAChart) {
   };
   EXPECT_EQ(text.rfind("<svg", 0), 0u);
   EXPECT_EQ(count("<title>batch: 5.000 ms</title>"), 2u);  // in both views
-  EXPECT_EQ(count("<title>batch: 0.500 ms</title>"), 1u);  // not from near
+  EXPECT_EQ(count("<title>batch: 0.500 ms</title>"), 1u);  // not in the close-up
   EXPECT_EQ(count("<title>refine mesh: 1.000 ms, 42</title>"), 2u);
   EXPECT_EQ(count(">refining</text>"), 2u);
   EXPECT_EQ(text.substr(text.size() - 7), "</svg>\n");
