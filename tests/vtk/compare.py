@@ -1,4 +1,4 @@
-"""Draws states of ParaView and VTK with and without GLuRay and compares what they leave.
+"""Draws states of ParaView and VTK with and without GLuRay and compares their pictures and depth.
 
     compare.py --gluray GLURAY --out FOLDER [--group GROUP | --label LABEL] [NAME ...]
 
@@ -96,7 +96,7 @@ def traced_share(counts):
 
 
 def reasons(counts):
-    """What draws were rasterised for, the most frequent reason first."""
+    """The reasons for rasterised draws, the most frequent first."""
     start = "draws.rasterised."
     draws = {name[len(start):]: count for name, count in counts.items() if name.startswith(start)}
     return sorted(draws, key=draws.get, reverse=True)

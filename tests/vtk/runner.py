@@ -22,7 +22,7 @@ PAUSE = 0.12  # seconds: reports are at least 0.1 apart
 
 
 class Counts:
-    """What a report of GLuRay's counts, brought up to date by swapping the buffers of the current window."""
+    """The counts of GLuRay's report, updated by swapping the buffers of the current window."""
 
     def __init__(self, path):
         self.path = pathlib.Path(path) if path else None
@@ -41,7 +41,7 @@ class Counts:
             return None
 
     def fresh(self):
-        """Numbers by dotted name since the start of the process; None without a report, or where no window is current."""
+        """Numbers by dotted name since the start of the process; None without a report or a current window."""
         if not self.path:
             return None
         display, drawable = self.glx.glXGetCurrentDisplay(), self.glx.glXGetCurrentDrawable()

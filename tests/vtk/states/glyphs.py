@@ -40,7 +40,7 @@ def glyph_mapper_colored(stage):
 
 @state("vtk")
 def glyph_mapper_culled(stage):
-    """Levels of detail chosen on the graphics card, by transform feedback."""
+    """Levels of detail chosen by transform feedback."""
     vtk = stage.vtk
     shape, mapper = shapes.sphere(vtk, 16), vtk.vtkGlyph3DMapper()
     mapper.SetInputData(shapes.grid(vtk, 10))
@@ -88,7 +88,7 @@ def sphere_mapper_one_radius(stage):
 
 @state("vtk")
 def molecule(stage):
-    """Spheres and sticks, a quadrilateral each that its shader makes round."""
+    """Impostors: spheres and sticks, each a quadrilateral that its shader makes round."""
     vtk = stage.vtk
     made, mapper = vtk.vtkMolecule(), vtk.vtkMoleculeMapper()
     atoms = [made.AppendAtom(n, x, y, z) for n, x, y, z in

@@ -69,7 +69,7 @@ def viewports_overlap(stage):
 
 @state("vtk", same_depth=False, outside=False)
 def layers(stage):
-    """A second scene over the first, which keeps its colours and loses its depth."""
+    """A second scene over the first, whose colours are kept and whose depth is cleared."""
     vtk = stage.vtk
     two_balls(stage)
     upper = stage.new_renderer(layer=1)
