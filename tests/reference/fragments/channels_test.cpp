@@ -1,5 +1,4 @@
-// Surfaces of which the framebuffer takes some channels alone: glColorMask, and blending that keeps its
-// alpha.
+// Surfaces that write only some channels: glColorMask, and blending that keeps the framebuffer's alpha.
 #include "scenes/stage.h"
 #include "tests/reference/framebuffer.h"
 #include "tests/support/gl_state.h"
@@ -46,8 +45,8 @@ Seen seenBy(Gl gl, const Draw& draw) {
   return {readPicture(gl, kWidth, kHeight), std::move(state)};
 }
 
-/// Draws with and without us: equal pictures, alpha included, and equal state. Returns how many draws were
-/// traced.
+/// Draws with and without GLuRay and expects equal pictures, alpha included, and equal state. Returns how
+/// many draws were traced.
 uint64_t compareBoth(const std::string& name, const Draw& draw) {
   SCOPED_TRACE(name);
   Seen expected;
@@ -161,7 +160,7 @@ TEST(Channels, OfSurfacesThatAreSeenThroughAreBlended) {
 }
 
 TEST(Channels, ComeBackWhereTheRealOpenGlDrawsInOurPlace) {
-  // The same surface once more under another depth function: it is drawn in several passes, by the real one.
+  // The same surface again with another depth function: it is drawn in several passes, by the real OpenGL.
   const auto draw = [](Gl gl) {
     set(gl, {1, 1, 0, 0});
     ball(gl, 0, 0, {0.9f, 0.3f, 0.2f, 1});

@@ -1,5 +1,5 @@
-// Surfaces of which rays alone cannot tell what OpenGL shows: several in one plane, and triangles much larger
-// than what is seen of them.
+// Surfaces for which rays cannot reproduce OpenGL's picture: coplanar surfaces, and triangles much larger
+// than their visible part.
 #include "tests/reference/programs/program_stage.h"
 
 #include <glm/gtc/matrix_transform.hpp>

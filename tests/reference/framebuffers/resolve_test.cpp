@@ -1,5 +1,5 @@
-// Multisampled framebuffers that are cleared, traced into and resolved: the pixels are made without them
-// (quirk software-resolve); whatever else looks at the samples finds them.
+// Multisampled framebuffers that are cleared, traced into and resolved: GLuRay computes the pixels without
+// them (quirk software-resolve); any other use of the samples finds them.
 #include "tests/reference/framebuffers/resolve_stage.h"
 
 #include <gtest/gtest.h>
@@ -117,7 +117,7 @@ TEST(Resolve, ClearsOfPartsHideNothingElse) {
 }
 
 TEST(Resolve, WhoReadsSingleSamplesFindsThem) {
-  // Nothing is averaged: where a triangle is seen from its edge, a sample is lit otherwise than the centre.
+  // Nothing is averaged: on triangles seen edge-on, a sample is lit differently from the centre.
   constexpr scenes::Tolerance kSample = {16, 0.001, 1e-5f, "lighting at samples, not at centres"};
   expectResolves(
       "sample", 0, 1, [](const Stage& s) { s.frame(), s.resolve(true); }, true, kSample);

@@ -1,5 +1,5 @@
-// Pictures that are sent into the textures of a framebuffer object: only where nothing but a clear is known
-// to be in it, and then the same picture, to the bit, as one that is drawn.
+// Uploads of pictures into the textures of a framebuffer object: only if it is known to hold just its clear
+// values, and with the same result, bit by bit, as a drawn picture.
 #include "settings/quirks.h"
 #include "tests/support/traced_context.h"
 
@@ -67,7 +67,7 @@ void line(Gl gl) {
 
 struct Case {
   const char* name;
-  int sent;  // of all pictures, those that are sent
+  int sent;  // expected number of uploaded pictures
   void (*frame)(Gl gl, const Canvas& canvas) = [](Gl gl, const Canvas&) { clear(gl), sheet(gl); };
 };
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }

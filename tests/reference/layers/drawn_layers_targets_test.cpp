@@ -1,5 +1,4 @@
-// Fixed-function surfaces that are blended in the order of drawing: where they are drawn to, and what else
-// touches it.
+// Fixed-function surfaces blended in the order of drawing: their framebuffers, and other uses of these.
 #include "intercept/present/tracing_presenter.h"
 #include "tests/reference/framebuffer.h"
 #include "tests/reference/layers/drawn_layers_stage.h"

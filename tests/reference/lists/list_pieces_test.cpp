@@ -1,5 +1,5 @@
-// Primitives that are spread over display lists, and errors inside glBegin of lists: the same calls to a
-// plain OpenGL and to ours, and the same errors and pixels.
+// Primitives spread over several display lists, and errors inside glBegin of lists: the same calls to the
+// real OpenGL and through GLuRay must give the same errors and pixels.
 #include "tests/support/traced_context.h"
 
 #include <gtest/gtest.h>
