@@ -1,4 +1,5 @@
-/* Linked functions and the oldest way to a context. Built twice: with libGL, and with libOpenGL and libGLX.
+/* Linked functions and the oldest way to make a context. Built twice: with libGL, and with libOpenGL and
+ * libGLX.
  */
 #include "linked.h"
 

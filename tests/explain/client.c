@@ -11,7 +11,7 @@
    unshown    a frame that nobody shows, two seconds, and then the same
    signals    5 frames, and then it prints whether each signal has a handler
    front and unseen do not ask to be told when they are to end.
-   The colour of what is traced follows the clock. */
+   The colour of the traced surface follows the clock. */
 #include "../doors/x_window.h"
 
 #include <GL/glx.h>
@@ -37,7 +37,7 @@ static float clockColor(void) {
   return 0.25f + 0.5f * (float)(now.tv_usec / 1000) / 1000.0f;
 }
 
-/* A quad in pixels, its depth sloping: flat ones are left to the real OpenGL. */
+/* A quad in pixels with sloping depth: flat ones are left to the real OpenGL. */
 static void quad(int x, int y, int width, int height, float depth) {
   glVertex3f((float)x, (float)y, -depth);
   glVertex3f((float)(x + width), (float)y, -depth - 0.1f);
@@ -100,7 +100,7 @@ static void frame(GLuint list, const char* mode) {
   grid();
   glass();
   glColor3f(1, 1, 1);
-  glBegin(GL_LINES); /* 4 lines beside all that is traced */
+  glBegin(GL_LINES); /* 4 lines, away from all traced surfaces */
   for (int i = 0; i < 4; ++i)
     glVertex3f(140.5f, 8.5f + 8 * (float)i, -0.2f), glVertex3f(240.5f, 8.5f + 8 * (float)i, -0.2f);
   glEnd();
@@ -113,7 +113,7 @@ static void frame(GLuint list, const char* mode) {
   }
 }
 
-/* As the kernel or another process ends programs; SIGSEGV by what causes it. */
+/* Ends the program as the kernel or another process would; SIGSEGV by a real access violation. */
 static void endBy(int number) {
   if (number == SIGSEGV) *(volatile int*)NULL = 1;
   raise(number);
@@ -150,7 +150,7 @@ int main(int count, char** words) {
   XSync(display, False);
   const GLXContext context = glXCreateContext(display, visual, NULL, True);
   if (!context || !glXMakeCurrent(display, window, context)) return 1;
-  /* Mesa has the first, no registry does; the second nobody has, but Mesa makes functions for all names. */
+  /* Mesa has the first, but no registry; nobody has the second, but Mesa makes functions for all names. */
   const char* const names[] = {"glInternalSetError", "glNobodyKnowsThis"};
   for (int i = 0; i < 2; ++i)
     if (glXGetProcAddressARB((const GLubyte*)names[i])) printf("has %s\n", names[i]);

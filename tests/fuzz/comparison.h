@@ -1,4 +1,5 @@
-// What a stream of calls left behind, by the plain OpenGL and by ours: the first difference.
+// Compares the results of a stream of calls by the real OpenGL and through GLuRay: finds the first
+// difference.
 #pragma once
 #include "tests/fuzz/player.h"
 #include "tests/support/gl_state.h"
@@ -14,7 +15,7 @@ struct Outcome {
   size_t call = 0;   // index of the call where they differ
 };
 
-/// All that was seen of a stream.
+/// All recorded results of a stream.
 struct Record {
   std::vector<Answer> answers;
   test::GlState state;

@@ -1,4 +1,5 @@
-// Frame lag beside the program's own thread: state, the newest frame without the program, contexts that go.
+// Frame lag beside the program's own thread: state, showing the newest frame without the program, destroyed
+// contexts.
 #include "tests/lag/lag_stage.h"
 #include "tests/support/gl_state.h"
 

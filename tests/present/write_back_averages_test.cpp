@@ -1,4 +1,4 @@
-// Averages of samples are blended over what is there.
+// Averages of samples are blended over the framebuffer's content.
 #include "tests/present/write_back_stage.h"
 
 namespace gluray::present::test {

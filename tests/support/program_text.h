@@ -1,10 +1,10 @@
-// Shader programs as VTK's OpenGL2 back end writes them, put together from the same pieces.
+// Shader programs like those of VTK's OpenGL2 back end, composed of the same pieces.
 #pragma once
 #include <string>
 
 namespace gluray::test {
 
-/// What a program is put together from.
+/// The options of which a program is composed.
 struct Surface {
   enum class Color { uniform, vertex, mapped, cell };
   enum class Normals { vertex, cell, triangle };

@@ -1,4 +1,5 @@
-// A presenter for tests: hands every batch's snapshot to a function, says that it was traced, draws nothing.
+// A presenter for tests: passes every batch's snapshot to a function, reports it as traced, and draws
+// nothing.
 #pragma once
 #include "gl/batch/presenter.h"
 
