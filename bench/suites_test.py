@@ -1,4 +1,4 @@
-"""What `scripts/bench compare` says and `scripts/bench micro` makes of its figures (no program is run)."""
+"""The output of `scripts/bench compare`, and the results of `scripts/bench micro` (no program is run)."""
 import contextlib
 import io
 import json

@@ -1,4 +1,4 @@
-"""Checks of our libraries as the linker made them: link_check.py CHECK LIBRARY [NAMES].
+"""Checks of the built libraries: link_check.py CHECK LIBRARY [NAMES].
 
 exports LIBRARY NAMES...   exactly these symbols are exported
 preload-exports LIBRARY    every entry point of OpenGL, GLX, EGL and OSMesa that the registries know, and dlopen; no other

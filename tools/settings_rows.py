@@ -10,10 +10,10 @@ SPEC = pathlib.Path(__file__).resolve().parent.parent / "spec/settings.toml"
 TYPES = ("bool", "int", "float", "choice", "color", "vector", "string", "path", "list", "quirks")
 APPLIES = ("frame", "context", "process")
 CHANGES = ("picture", "way")
-# Variables that are no settings.
+# Environment variables that are not settings.
 RESERVED = {"GLURAY_COMMAND_LINE", "GLURAY_CONFIG", "GLURAY_ENGINE_LIBRARY", "GLURAY_PID", "GLURAY_PROGRAM", "GLURAY_PROJECT", "GLURAY_REAL_EGL",
             "GLURAY_REAL_GLX", "GLURAY_ROOTS"}
-# Tables in files, and words of the launcher.
+# Names of tables in files, and words of the launcher.
 RESERVED_NAMES = {"program"}
 
 

@@ -136,7 +136,7 @@ TEST(Report, ResidentMemoryIsSeen) {
   const std::vector<char> block(64 << 20, 1);
   const ResidentBytes after = residentBytes();
   EXPECT_GE(after.now, before + (60u << 20)) << block.size();
-  // Read at last, so that no compiler leaves the block out.
+  // Reads the block at the end, so that no compiler removes it.
   const volatile char* kept = block.data();
   EXPECT_EQ(kept[1 << 20], 1);
   EXPECT_GE(after.highest, after.now);

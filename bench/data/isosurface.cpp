@@ -181,7 +181,7 @@ void Surface::emit(int z, const Layer& layer, const Layer* above, TriangleMesh& 
   });
 }
 
-/// Gives every layer its place behind the one before; returns the totals in the last layer's fields of a sum.
+/// Places every layer after the one before; returns the totals.
 Layer placeLayers(std::vector<Layer>& layers) {
   Layer total;
   for (Layer& layer : layers) {

@@ -147,7 +147,7 @@ TEST(IsosurfaceInSlabs, IsTheOneOfTheWholeGrid) {
   for (int z = 0; z < size[2]; ++z) fill(z, whole.values.data() + whole.rowIndex(0, z));
   const TriangleMesh want = isosurfaces(whole, {0}), got = isosurfaceInSlabs(size, fill, 0, 4);
   ASSERT_EQ(got.triangleCount(), want.triangleCount());
-  EXPECT_GT(got.positions.size(), want.positions.size());  // those of the seams are there twice
+  EXPECT_GT(got.positions.size(), want.positions.size());  // vertices on seams are duplicated
   for (size_t i = 0; i < want.indices.size(); ++i) {
     const Vertex &a = want.positions[want.indices[i]], &b = got.positions[got.indices[i]];
     const Vertex &n = want.normals[want.indices[i]], &m = got.normals[got.indices[i]];

@@ -12,7 +12,7 @@ import subprocess
 from demo.show import Failed, ROOT, print_result, say
 from support.display import display
 
-SYSTEM_PYTHON = "/usr/bin/python3"  # the one that ParaView's numpy belongs to
+SYSTEM_PYTHON = "/usr/bin/python3"  # the one for which ParaView's numpy is built
 FRAMES = {"plain": 10, "traced": 40}
 
 
@@ -26,7 +26,7 @@ class ParaViewDemo:
         self.environment = dict(os.environ)
 
     def convert(self):
-        """ParaView reads MetaImage without plugins; the scan is NIfTI."""
+        """Converts the NIfTI scan to MetaImage, which ParaView reads without plugins."""
         self.out.mkdir(parents=True, exist_ok=True)
         if self.scan.exists() and self.scan.stat().st_mtime > pathlib.Path(self.volume).stat().st_mtime:
             return

@@ -9,11 +9,11 @@ import pathlib
 import sys
 
 RESULTS = pathlib.Path(__file__).resolve().parent.parent / "results"
-NAMES = ("suite", "stream", "program", "scene", "path", "millions", "look", "repeated")  # what tells rows apart
+NAMES = ("suite", "stream", "program", "scene", "path", "millions", "look", "repeated")  # the keys that identify a row
 
 
 class Unreadable(RuntimeError):
-    """A file is none of ours."""
+    """The file is not a result of scripts/bench."""
 
 
 def read(name):
@@ -43,7 +43,7 @@ def figures(row, prefix=""):
 
 
 def differences(old, new, prefix=""):
-    """Lines about what both say of machine and versions and is not the same."""
+    """Lines about differences in machine and versions."""
     for key in sorted(set(old) | set(new)):
         a, b = old.get(key), new.get(key)
         if isinstance(a, dict) and isinstance(b, dict):

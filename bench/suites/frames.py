@@ -69,7 +69,7 @@ class Suite:
 
     def measure_gluray(self, size, path):
         frames = 24 if self.options.quick else RAY_FRAMES.get(size, 20)
-        # What is built while frames go on must be in its place before frames are measured and memory is read.
+        # Structures built in the background must be in use before frames are measured and memory is read.
         warm = ["--warm", 2 + 2 * size] if self.options.bvh == "auto" and size > 0 else []
         return programs.measure_with_gluray(self.gluray, self.gluray_options, self._client(size, path, frames) + warm,
                                             self.environment)
@@ -91,7 +91,7 @@ class Suite:
                 rounds.setdefault(("gl", path), []).append(self.measure_gl(size, path))
                 if not self.options.no_gluray:
                     rounds.setdefault(("gluray", path), []).append(self.measure_gluray(size, path))
-                # The yardstick is taken between the paths too, not only at one moment of the round.
+                # Measures the bare loop between the paths, too, not only once in the round.
                 rounds[("bare", None)].append(self.measure_bare(size))
         progress(None)
         out = {path: {} for path in self.options.paths}

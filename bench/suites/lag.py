@@ -1,4 +1,4 @@
-"""what frame lag gains a program that works as long as its frames are traced: computing, and waiting
+"""gain by frame lag in a program that computes, or waits, as long as its frames are traced
 
 The Wavelet's isosurfaces in our client, the camera in orbit. Before each frame the client computes on one thread, or waits, for
 as long as its frames were measured to be traced without lag; it swaps and goes on. Lag off, on and auto take turns, round by

@@ -218,7 +218,7 @@ def timeline(options, engine_set, run):
 
 
 def told(argv):
-    """The options without the build folder: where it is says nothing, and which build it was stands beside them."""
+    """The options without the build folder, whose place does not matter: the result names the build."""
     rest, out = iter(argv), []
     for option in rest:
         if option == "--build":

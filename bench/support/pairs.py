@@ -50,7 +50,7 @@ def measure_size(options, label, plain_command, traced_command, environment):
 
 
 def add_stub_time(options, label, command_of, frames, environment, traced):
-    """What the program's thread spends in our library, where --stub-time asks for it."""
+    """Time of the program's thread in our library, if --stub-time is given."""
     if not options.stub_time:
         return
     print(f"{label}, time in our library", file=sys.stderr, flush=True)

@@ -84,7 +84,7 @@ def main():
     surface = scan(source, count) if source else isosurfaces(int(count))
     triangles = surface.GetDataInformation().GetNumberOfCells()
     window = view.GetRenderWindow()
-    # An empty picture first: the window and its context are there when the clock starts.
+    # An empty picture first, so that window and context exist when the clock starts.
     simple.Render(view)
     before = resident()
     start = time.perf_counter()

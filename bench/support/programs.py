@@ -45,7 +45,7 @@ def require(*programs):
 
 @contextlib.contextmanager
 def _interrupts_deferred():
-    """Ctrl-C waits until the block ends: within Popen it would leave a program that nobody knows of."""
+    """Delays Ctrl-C until the block ends: within Popen it would leave an unknown child process."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
@@ -73,7 +73,7 @@ def run(command, environment, timeout, least_free=0):
         return program.returncode, out, err
     finally:
         if program:
-            with contextlib.suppress(ProcessLookupError):  # what it started, too; also where we are interrupted
+            with contextlib.suppress(ProcessLookupError):  # with its children; also if we are interrupted
                 os.killpg(program.pid, signal.SIGKILL)
             with program:
                 pass  # its pipes are closed, and it is waited for

@@ -1,4 +1,4 @@
-"""What a suite says where it cannot measure, or is ended."""
+"""Messages of a suite that cannot measure or is interrupted."""
 import signal
 import sys
 
@@ -12,7 +12,7 @@ def _interrupted(number, _frame):
 
 def end_by_exception():
     """From now on signals that end us raise KeyboardInterrupt, so that the programs that were started end, too."""
-    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):  # SIGINT is ignored where a shell started us behind
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):  # a shell starts background jobs with SIGINT ignored
         signal.signal(number, _interrupted)
 
 

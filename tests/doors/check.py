@@ -1,4 +1,4 @@
-"""Runs a door test program through a door and checks that every one of its calls was seen.
+"""Runs a door test program through a door and checks that GLuRay saw every one of its calls.
 
     check.py [options] -- PROGRAM [ARGUMENTS]
 

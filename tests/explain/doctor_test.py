@@ -1,4 +1,4 @@
-"""gluray doctor on sound and broken programs and installs.
+"""gluray doctor on valid and broken programs and installs.
 
     doctor_test.py GLURAY CLIENTS_DIRECTORY [unittest arguments]
 """
@@ -45,7 +45,7 @@ class Doctor(unittest.TestCase):
         return file
 
     def install(self):
-        """An install that may be damaged."""
+        """A copy of the install, for a test to damage."""
         root = self.folder / "install"
         shutil.copytree(LIBRARIES, root / "lib" / "gluray", symlinks=True)
         (root / "bin").mkdir()

@@ -129,10 +129,10 @@ class Ending(Folder):
 
 
 class NeverSwapping(Folder):
-    """Programs that end no frame, or end by a signal, are reported and explained all the same."""
+    """Programs that end no frame, or are ended by a signal, are reported and explained, too."""
 
     def killed(self, mode, enough):
-        """The report that a program leaves that is killed as soon as there is enough in it."""
+        """The report of a program that is killed as soon as the report holds enough."""
         report, seen = self.folder / "r.json", {}
         program = subprocess.Popen([GLURAY, "--report", report, CLIENT, mode], stdout=subprocess.DEVNULL)
         self.addCleanup(program.wait)

@@ -1,4 +1,4 @@
-"""The models that viewers are given, in the file formats that they read: mostly a knotted tube."""
+"""Models for viewers, in the file formats that they read: mostly a knotted tube."""
 import pathlib
 import subprocess
 

@@ -21,7 +21,7 @@ import tempfile
 import streams
 
 HERE = pathlib.Path(__file__).parent
-SHORT = 5  # turns for each of --turns of streams that last a moment
+SHORT = 5  # for very short streams, measurements for each of --turns
 
 
 def processor_seconds():
@@ -51,8 +51,8 @@ class Stream:
         self.short = self.trace if self.repeats else first_frame(self.trace, folder)
 
     def milliseconds(self, turns, ways):
-        """For each way the time of a frame, and that of all processors; measured in turn. The first frames, in which
-        libraries are loaded and shaders built, are not what is asked for: their time is taken off."""
+        """For each way the time of a frame, and processor time; measured in turn. Subtracts the time of the first frames,
+        in which libraries are loaded and shaders built."""
         runs = [([], []) for _ in ways]
         for _ in range(turns if self.repeats else turns * SHORT):
             for (few, many), way in zip(runs, ways):

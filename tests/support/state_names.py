@@ -17,7 +17,7 @@ GROUPS = {
     "kPointerNames": ("GetPointervPName",),
     "kAttachmentParameters": ("FramebufferAttachmentParameterName",),
 }
-# Clocks, memory gauges and the device's identity are no state (asking for the last crashes Mesa 22.3).
+# Clocks, memory gauges and the device's identity are not state (querying the last one crashes Mesa 22.3).
 NOT_STATE = ("TIMESTAMP", "MEMORY", "_NVX", "_ATI", "DEVICE_", "DRIVER_UUID")
 
 
