@@ -289,7 +289,7 @@ class Meshes(InFolder):
         corners = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 2]
         content = struct.pack("<16sQQ24f6I", b"GLuRay mesh 1\n", 4, 6, *corners, *[0, 0, 1] * 4, 0, 1, 2, 0, 2, 3)
         self.assertEqual(self.read(content).stdout, "2 (0.0, 1.0, 2.0) [0, 2, 3] (0.0, 0.0, 1.0)\n")
-        self.assertIn("is no mesh of the benchmarks", self.read(content[:-4]).stderr)
+        self.assertIn("is not a mesh file of the benchmarks", self.read(content[:-4]).stderr)
 
 
 class Gpu(InFolder):

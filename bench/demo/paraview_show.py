@@ -1,7 +1,7 @@
 """The demo in ParaView: a head scan's isosurface, with and without GLuRay.
 
 Runs pvbatch on the scan twice, the camera in orbit, writes both pictures and out/demo/side_by_side.png, and prints frames per
-second and what was traced. With --gui the ParaView window is opened on it as well, under GLuRay.
+second and how much was traced. With --gui also opens the ParaView window on it, under GLuRay.
 """
 import json
 import os

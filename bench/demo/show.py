@@ -22,7 +22,7 @@ from support.display import NoDisplay, display  # noqa: E402
 WINDOW_CLASS = "osgViewer"
 SIZE = 1024  # pixels, both ways
 LOOPS = 2    # turns to watch; the first includes loading and building, the last is measured
-PATIENCE = 300  # seconds after which a step is given up
+PATIENCE = 300  # seconds after which a step is aborted
 
 
 class Failed(RuntimeError):

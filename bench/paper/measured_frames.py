@@ -39,7 +39,7 @@ def read_mesh(path):
     with open(path, "rb") as file:
         magic, vertices, indices = struct.unpack("<16sQQ", file.read(32))
         if magic != MAGIC or pathlib.Path(path).stat().st_size != 32 + 24 * vertices + 4 * indices:
-            raise ValueError(f"{path} is no mesh of the benchmarks")
+            raise ValueError(f"{path} is not a mesh file of the benchmarks")
         positions = np.fromfile(file, "<f4", 3 * vertices).reshape(-1, 3)
         normals = np.fromfile(file, "<f4", 3 * vertices).reshape(-1, 3)
         corners = np.fromfile(file, "<i4", indices)

@@ -1,7 +1,7 @@
 """two result files side by side: scripts/bench compare OLD NEW
 
-Rows of one name are compared figure by figure; NEW/OLD is printed, and machine and versions where they differ. OLD and NEW are
-files, or names of those in bench/results/.
+Compares rows of the same name number by number and prints NEW/OLD, and differences in machine and versions. OLD and NEW are
+files, or names of files in bench/results/.
 """
 import argparse
 import json
@@ -26,7 +26,7 @@ def read(name):
             raise TypeError
         return result
     except (ValueError, KeyError, TypeError) as error:
-        raise Unreadable(f"{path} is no result of scripts/bench") from error
+        raise Unreadable(f"{path} is not a result of scripts/bench") from error
 
 
 def name_of(row):

@@ -22,7 +22,7 @@ def parser(suite, description, sizes, what):
     options.add_argument("--stub-time", action="store_true", help="measure the time in our library, too (needs perf)")
     options.add_argument("--name", default=suite, help="name of the result file")
     options.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="build folder")
-    options.add_argument("--xvfb", action="store_true", help="use an Xvfb even where there is a display")
+    options.add_argument("--xvfb", action="store_true", help="use an Xvfb even if there is a display")
     return options
 
 

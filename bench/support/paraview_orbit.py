@@ -2,8 +2,8 @@
 
 usage: pvbatch paraview_orbit.py ISOVALUES FRAMES SIZE [PICTURE [LOOK or SOURCE [WARM]]]
 LOOK: surface, edges, translucent (peeled) or summed (translucent without peeling). SOURCE, a NIfTI or other file that ParaView
-reads, takes the place of the Wavelet; ISOVALUES is then one value. WARM: seconds of orbit before the FRAMES that "frame_s" is
-the median of; those are "early_frame_s".
+reads, replaces the Wavelet; ISOVALUES is then one value. "frame_s" is the median of FRAMES frames; WARM: seconds of orbit before
+them, whose frames are "early_frame_s".
 """
 import json
 import math

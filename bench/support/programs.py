@@ -17,7 +17,7 @@ class Failed(RuntimeError):
 
 
 def free_bytes():
-    """Memory that programs may still take, as the system sees it."""
+    """Memory that the system reports as available."""
     for line in pathlib.Path("/proc/meminfo").read_text().splitlines():
         if line.startswith("MemAvailable:"):
             return int(line.split()[1]) * 1024

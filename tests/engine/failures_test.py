@@ -1,8 +1,8 @@
 """Injected failures in a real process: failures_test.py GLURAY CLIENT FAILING_NEW (with an X server at hand).
 
-The engine as it is shipped is loaded into a program that has no C++ of its own. One allocation fails, each time another one,
-on the program's thread or within TBB's: the program goes on with the picture it has without us, and says so in one line.
-What works in tests that are linked with us proves nothing here: exceptions also pass through TBB, and through whichever
+Loads the engine as installed into a program without C++ code. Each time another single allocation fails,
+on the program's thread or within TBB's: the program must go on with the same picture as without GLuRay, with one line on stderr.
+Tests that link the engine's code cannot replace this one: exceptions also pass through TBB, and through whichever
 C++ runtime that was loaded with."""
 import os
 import subprocess

@@ -1,16 +1,16 @@
 /* A program whose frames are known to the pixel: client MODE [SIGNAL].
    plain      1000 frames
-   different  with a square of 10 x 10 pixels, over what is traced, that only runs with GLuRay have
-   restless   with a background that no two runs have in common
+   different  with a square of 10 x 10 pixels, over the traced surface, only in runs with GLuRay
+   restless   with a different background in every run
    short      ends by itself after 5 frames, with exit code 3
    single     1000 frames without a back buffer, shown by glFlush
    still      2 frames, then nothing until it is asked to end
    front      1000 frames in the front buffer of a double-buffered window, shown by glFlush
-   unseen     1000 frames that nobody shows: the program reads them
-   killed     5 frames, and then it ends by the signal whose number is the next word
-   unshown    a frame that nobody shows, two seconds, and then the same
+   unseen     1000 frames that are not shown: the program reads them
+   killed     5 frames, then it ends by the signal whose number is the next argument
+   unshown    a frame that is not shown, two seconds, then the same frame
    signals    5 frames, and then it prints whether each signal has a handler
-   front and unseen do not ask to be told when they are to end.
+   front and unseen have no handler for SIGTERM.
    The colour of the traced surface follows the clock. */
 #include "../doors/x_window.h"
 

@@ -1,6 +1,6 @@
 """Writes vertex_attribute_calls.gen.cpp: a random call of every per-vertex attribute command of OpenGL up to 3.3.
 
-python3 vertex_attribute_calls.py OUTPUT_FILE. The registry says which there are and what they take.
+python3 vertex_attribute_calls.py OUTPUT_FILE. The registry lists them and their parameters.
 """
 import pathlib
 import sys

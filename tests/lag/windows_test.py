@@ -1,7 +1,7 @@
 """Frame lag in a window: windows_test.py GLURAY CLIENT, with an X server at hand.
 
-Every frame that the client sees in its window is compared with the frame of the same number without GLuRay. When frames are
-seen depends on the machine; which are seen at last, and in which order, does not.
+Compares every frame that the client sees in its window with the frame of the same number without GLuRay. The
+time of frames depends on the machine; their order and the last frame do not.
 """
 import json
 import pathlib

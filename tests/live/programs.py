@@ -1,8 +1,8 @@
 """The real programs that are run with and without GLuRay, and the tolerances of their pictures.
 
 A tolerance is a pair: the largest difference (of 255) off edges, and the share of the window's pixels that may differ
-by more than 2 of 255 off edges. Edges (pixels.edges) are judged by the eye, because one pixel of coverage more or less
-there is within what OpenGL leaves open (GL 2.1, 3.5.1); their share is printed.
+by more than 2 of 255 off edges. Edges (pixels.edges) are judged visually, because OpenGL allows one pixel of coverage more or less
+there (GL 2.1, 3.5.1); their share is printed.
 """
 import dataclasses
 import os

@@ -1,7 +1,7 @@
 """The Debian package. package_test.py --build DIR --client PROGRAM unpacked|root
 
 unpacked   unpacked into a folder with a space in its name and run from there
-root       installed, run and removed in a root of its own, which debootstrap makes; takes a mirror and root
+root       installed, run and removed in a root of its own, which debootstrap makes; needs a mirror and root
 """
 import argparse
 import json

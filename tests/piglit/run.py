@@ -1,8 +1,8 @@
-"""Piglit's tests of OpenGL 1.x, each run plain and under GLuRay with everything traced that can be: none that passes plain may be
-lost. Run with a display: run.py --gluray LAUNCHER --out FOLDER [--list] [NAME ...]; a NAME is a part of tests' names.
+"""Piglit's tests of OpenGL 1.x, each run without GLuRay and while it traces everything it can: every test that passes without it
+must pass with it. Run with a display: run.py --gluray LAUNCHER --out FOLDER [--list] [NAME ...]; a NAME is a part of tests' names.
 
-Every result is a test's or a subtest's. What is lost is printed and kept in FOLDER with the output of both runs; the exit status is
-1 then, and 77 where piglit is not installed. A test that seems lost is run once more by itself: machines under load are slow."""
+Every result is a test's or a subtest's. Tests that fail only with GLuRay are printed and kept in FOLDER with the output of both runs; the exit status is
+1 then, and 77 where piglit is not installed. Such a test is run once more by itself, because machines under load are slow."""
 import argparse
 import ast
 import concurrent.futures

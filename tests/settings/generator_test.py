@@ -91,7 +91,7 @@ class Refused(Folder):
         self.refuse("type must be one of", type="double")
         self.refuse("numbers need a range", range=None)
         self.refuse("the default is out of range", default=2)
-        self.refuse("the default is no int", default="1")
+        self.refuse("the default is not of type int", default="1")
         self.refuse("applies must be one of", applies="now")
         self.refuse("must apply to frames or contexts", applies="process", changes="picture")
         self.refuse("choices are needed", type="choice", range=None)

@@ -4,8 +4,8 @@
 
 (with an X server at hand.) The last frame of each stream is replayed again and again, as a viewer draws it. Where glretrace
 cannot do that, the frames after the first are timed: the time of the whole stream less that of its first frame. The fastest
-turn of each counts, since what else the machine does only adds; glretrace's own work is in both. NAME is a stream of this
-folder, or the path of another recording without its ".trace": one of many frames, where ours are too short to tell.
+turn of each counts, since other load only adds time; glretrace's own work is in both. NAME is a stream of this
+folder, or the path of another recording without its ".trace", such as one with more frames than ours.
 """
 import argparse
 import json

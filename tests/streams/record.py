@@ -1,7 +1,7 @@
 """Records the call streams of this folder again: record.py [NAME ...]; needs an X server of its own.
 
 Each program runs under apitrace until its picture is there, and the trace is cut to its first frames. A stream is kept
-only where it stays under a megabyte; what a program draws from time or chance is in the stream and the same ever after.
+only if it stays under a megabyte; values that a program took from clocks or random numbers are then fixed in the stream.
 """
 import os
 import pathlib

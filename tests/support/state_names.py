@@ -1,4 +1,4 @@
-"""Writes state_names.gen.h: the names of everything that glGet, glIsEnabled and their relatives can be asked for.
+"""Writes state_names.gen.h: the names that glGet, glIsEnabled and similar queries accept.
 
 python3 state_names.py OUTPUT_FILE. The registry's enum groups say which names belong to which query.
 """

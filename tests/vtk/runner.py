@@ -3,8 +3,8 @@
     pvbatch runner.py FOLDER NAME ...      states for ParaView
     python3 runner.py FOLDER NAME ...      states for VTK
 
-Leaves the pictures of each state in FOLDER, and NAME.json: how long it took, the error it ended with, and, where
-VTK_STATES_REPORT names a report of GLuRay's that is being written, what was counted while the state was drawn.
+Writes the pictures of each state to FOLDER, and NAME.json: its time, the error it ended with, and, if
+VTK_STATES_REPORT names a report that GLuRay is writing, the counts while the state was drawn.
 """
 import ctypes
 import json
