@@ -17,7 +17,7 @@ TEST(Text, TablesAreAligned) {
   EXPECT_EQ(table.text("> "), "> a     10  x\n> long   9\n");
 }
 
-TEST(Text, LinesAreBrokenAtBlanks) {
+TEST(Text, LinesWrapAtBlanks) {
   EXPECT_EQ(wrapped("one two three", 7, "- "), "- one two\n- three\n");
   EXPECT_EQ(wrapped("unbreakable a", 4, ""), "unbreakable\na\n");
   EXPECT_EQ(wrapped("", 4, "  "), "");

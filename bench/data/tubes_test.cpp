@@ -132,7 +132,7 @@ TEST(Waves, RowsAgreeWithTheFormula) {
     }
 }
 
-TEST(IsosurfaceInSlabs, IsTheOneOfTheWholeGrid) {
+TEST(IsosurfaceInSlabs, EqualsThatOfTheWholeGrid) {
   const std::array<int, 3> size{20, 18, 23};
   const auto value = [](int x, int y, int z) {
     return 7 - std::hypot(float(x) - 9.3f, float(y) - 8.6f, float(z) - 11.1f);
@@ -167,7 +167,7 @@ class MeshFile : public testing::Test {
                           .string();
 };
 
-TEST_F(MeshFile, ComesBackAsItWas) {
+TEST_F(MeshFile, RoundTrips) {
   const TriangleMesh mesh = tubes({{{0, 0, 0}, {0, 1, 0}}}, 1, 3);
   writeMesh(mesh, path_);
   const TriangleMesh back = readMesh(path_);
@@ -179,7 +179,7 @@ TEST_F(MeshFile, ComesBackAsItWas) {
   }
 }
 
-TEST_F(MeshFile, RefusesWhatItCannotHaveWritten) {
+TEST_F(MeshFile, RefusesInvalidFiles) {
   EXPECT_THROW(readMesh(path_), std::runtime_error);
   std::ofstream(path_) << "something else altogether, which is long enough";
   EXPECT_THROW(readMesh(path_), std::runtime_error);

@@ -63,7 +63,7 @@ TEST_F(DrawableSize, WhatOnlyGlxKnows) {
   EXPECT_EQ(drawableSize(display_, glXCreatePbuffer(display_, config_, size)), glm::ivec2(120, 90));
 }
 
-TEST_F(DrawableSize, WhatIsGoneIsUnknown) {
+TEST_F(DrawableSize, DestroyedDrawablesHaveNone) {
   const Window window = makeWindow(200, 150);
   XDestroyWindow(display_, window);
   EXPECT_EQ(drawableSize(display_, window), glm::ivec2(0));

@@ -23,7 +23,7 @@ TEST(Lag, EachSwapShowsTheFrameBefore) {
   for (size_t i = 0; i < shown.shownAtSwap.size(); ++i) EXPECT_EQ(shown.shownAtSwap[i], i);
 }
 
-TEST(Lag, WhatIsRasterisedBelongsToTheSameFrame) {
+TEST(Lag, RasterisedDrawsBelongToTheSameFrame) {
   expectSameFrames(
       "overlay",
       [](Gl gl, int frame) {
@@ -97,7 +97,7 @@ TEST(Lag, ClearsOfEachBufferWithChangingValues) {
       kFrames, kFrames);
 }
 
-TEST(Lag, WhatIsSetAfterAClearDoesNotChangeIt) {
+TEST(Lag, StateSetAfterAClearDoesNotChangeIt) {
   LagOptions options;
   options.afterSwap = [](Gl gl, int) {
     gl.ClearColor(0, 0, 1, 1), gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -205,7 +205,7 @@ TEST(Lag, AFrameThatCannotBeTracedIsRasterisedInOrder) {
   }
 }
 
-TEST(Lag, FramesOfAWindowThatIsGoneAreNotShown) {
+TEST(Lag, FramesOfADestroyedWindowAreNotShown) {
   bool there = true;
   LagOptions options;
   options.stands = [&] { return there; };

@@ -67,7 +67,7 @@ TEST(Lag, WithoutTheProgramTheNewestFrameIsShownWhole) {
   for (size_t i = 0; i < shownLate.size(); ++i) EXPECT_EQ(shownLate[i], shown.frames[i].colors) << i;
 }
 
-TEST(Lag, AContextMayGoWithAFrame) {
+TEST(Lag, AContextMayBeDestroyedWithAPendingFrame) {
   TracedContext ours({kLagWidth, kLagHeight});
   plainFrame(ours.gl(), 0);
   gl::LagWindow window;

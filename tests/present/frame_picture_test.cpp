@@ -79,7 +79,7 @@ TEST_P(FramePictureTest, MissesAndHiddenPixelsAreNotTraced) {
   EXPECT_EQ(picture.color[1], kRed);
 }
 
-TEST_P(FramePictureTest, WhatIsDrawnOverIsToldApart) {
+TEST_P(FramePictureTest, PixelsDrawnOverAreMarked) {
   trace(solid(0, 0, 10, 10, kRed, 0.5f));
   paint(8, 8, 4, 4);
   const Picture picture = take();
@@ -93,7 +93,7 @@ TEST_P(FramePictureTest, TheNextFrameStartsAfresh) {
   EXPECT_EQ(count(take(), PixelOrigin::traced), 0);
 }
 
-TEST_P(FramePictureTest, OtherFramebuffersAreCountedApart) {
+TEST_P(FramePictureTest, OtherFramebuffersAreCountedSeparately) {
   GLuint framebuffer = 0, planes[2] = {};
   gl().GenFramebuffers(1, &framebuffer);
   gl().GenRenderbuffers(2, planes);

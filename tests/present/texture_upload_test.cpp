@@ -77,7 +77,7 @@ gl::ClearedTarget clearedOf(const Target& t) {
 
 class TextureUploadTest : public testing::TestWithParam<std::pair<GLenum, test::ContextWish>> {};
 
-TEST_P(TextureUploadTest, IsWhatWouldHaveBeenDrawn) {
+TEST_P(TextureUploadTest, EqualsADrawnPicture) {
   const auto [format, wish] = GetParam();
   const auto context = test::OsmesaContext::create(wish);
   ASSERT_TRUE(context);

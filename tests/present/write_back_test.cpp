@@ -65,7 +65,7 @@ TEST_P(WriteBackTest, EqualDepthObeysTheDepthFunction) {
   EXPECT_EQ(context_->colors()[0], kRed);
 }
 
-TEST_P(WriteBackTest, IgnoresTheStateOfTheMoment) {
+TEST_P(WriteBackTest, IgnoresTheProgramsState) {
   const auto& g = gl();
   g.Enable(GL_SCISSOR_TEST), g.Scissor(1, 1, 2, 2);
   g.Viewport(3, 3, 5, 5);

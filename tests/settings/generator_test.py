@@ -99,8 +99,8 @@ class Refused(Folder):
         self.refuse("another setting has the variable GLURAY_LOG_LEVEL", name="log.level")
         self.refuse("another setting has the option --spp", option="--spp")
         self.refuse("'spp' is a setting, not a group", name="spp.more")
-        self.refuse("is not reserved", name="config")
-        self.refuse("is not reserved", name="program.x")
+        self.refuse("and not reserved", name="config")
+        self.refuse("and not reserved", name="program.x")
 
 
 if __name__ == "__main__":

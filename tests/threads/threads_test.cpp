@@ -208,7 +208,7 @@ TEST(Threads, ListsAreReplacedWhileTheOtherThreadCallsThem) {
   EXPECT_GT(compiled, 0);
 }
 
-TEST(Threads, WhatIsHeldBackIsSentByWhoeverDrawsFirst) {
+TEST(Threads, PendingDataIsSentByTheThreadThatDrawsFirst) {
   constexpr int kRounds = 100;
   TracedContext owner({kSize, kSize});
   makeSharedObjects(owner.gl());
@@ -269,7 +269,7 @@ TEST(Threads, BuffersAreFilledWhileTheOtherThreadDraws) {
   EXPECT_GT(filled, 0);
 }
 
-TEST(Threads, ReportMayBeAddedUpMeanwhile) {
+TEST(Threads, ReportsMayBeSummedMeanwhile) {
   TracedContext context({kSize, kSize});
   makeSharedObjects(context.gl());
   std::atomic<bool> done = false;

@@ -47,7 +47,7 @@ TEST(LibraryWalk, VisitsLibrariesOfLibrariesOnce) {
                                              "libGLdispatch.so.0"}));
 }
 
-TEST(LibraryWalk, SaysWhoNeedsWhat) {
+TEST(LibraryWalk, NamesTheFileThatNeedsEachLibrary) {
   EXPECT_EQ(chainTo("libGL.so.1", walk()), "viewer > libScene.so.1 > libGL.so.1");
   EXPECT_EQ(chainTo("libc.so.6", walk()), "viewer > libc.so.6");
   EXPECT_EQ(chainTo("libElse.so", walk()), "libElse.so");

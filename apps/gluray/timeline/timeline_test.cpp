@@ -44,7 +44,7 @@ const char* const kEvents =
 {"ph":"i","s":"p","name":"frame","pid":1,"tid":1,"ts":6500},
 )";
 
-TEST_F(TimelineFile, IsReadWholeOrCutOff) {
+TEST_F(TimelineFile, IsReadCompleteOrTruncated) {
   const std::string whole = std::string(kEvents).substr(0, std::string(kEvents).rfind(',')) + "]";
   for (const std::string& text : {whole, std::string(kEvents), std::string(kEvents) + R"({"ph":"X","na)"}) {
     const Timeline t = read(text);
@@ -58,7 +58,7 @@ TEST_F(TimelineFile, IsReadWholeOrCutOff) {
   }
 }
 
-TEST_F(TimelineFile, SpansWithinOthersLieDeeper) {
+TEST_F(TimelineFile, NestedSpansAreDeeper) {
   const Timeline t = read(kEvents);
   for (const Timeline::Span& span : t.spans) {
     const std::string& name = t.names[span.name];

@@ -232,7 +232,7 @@ TEST_P(BufferWrites, AreSeenByTheNextDraw) {
 INSTANTIATE_TEST_SUITE_P(All, BufferWrites, testing::ValuesIn(kWrites),
                          [](const auto& info) { return std::string(info.param.name); });
 
-TEST(BufferWrites, SizesOfBuffersThatAreHeldBackAreTold) {
+TEST(BufferWrites, SizesOfPendingBuffersAreReported) {
   const auto ask = [](Gl gl, Seen& seen) {
     stage(gl);
     GLuint buffer = 0;

@@ -79,7 +79,7 @@ GLuint countingProgram(Gl gl, const Counter& counter) {
 class ShaderWrites : public testing::TestWithParam<Counter> {};
 
 /// A traced rectangle hides part of the program's surface behind it: those fragments must not be counted.
-TEST_P(ShaderWrites, CountWhatIsSeenBehindWhatIsTraced) {
+TEST_P(ShaderWrites, CountOnlyFragmentsNotHiddenByTracedSurfaces) {
   for (const bool mapped : {false, true})
     expectSame(
         [&](Gl gl, Seen& seen) {
@@ -97,7 +97,7 @@ TEST_P(ShaderWrites, CountWhatIsSeenBehindWhatIsTraced) {
 }
 
 /// The same program twice, with the buffer written by the program in between.
-TEST_P(ShaderWrites, MeetWhatTheProgramWrites) {
+TEST_P(ShaderWrites, FollowTheProgramsOwnWrites) {
   expectSame(
       [&](Gl gl, Seen& seen) {
         stage(gl);

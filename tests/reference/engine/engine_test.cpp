@@ -92,7 +92,7 @@ class EngineTest : public testing::TestWithParam<const scenes::Scene*> {
   std::vector<GLenum> errors;
 };
 
-TEST_P(EngineTest, WhatIsLeftToTheRealOneIsItsPicture) {
+TEST_P(EngineTest, FramesLeftToTheRealOneAreItsPictures) {
   const auto real = OsmesaContext::create({kWidth, kHeight});
   const std::vector<Picture> expected = play(real->real(), 2);
   const std::vector<GLenum> wanted = std::exchange(errors, {});
@@ -108,7 +108,7 @@ TEST_P(EngineTest, WhatIsLeftToTheRealOneIsItsPicture) {
 }
 
 /// Frame 0 is mixed and frame 1 direct; frame 2 begins with a large draw, after which GLuRay chooses tracing.
-TEST_P(EngineTest, ItsPictureStaysWhileTheEngineChanges) {
+TEST_P(EngineTest, ThePictureIsTheSameWhileTheEngineChanges) {
   const auto with = [](Gl gl) {
     return [&gl](int frame) {
       if (frame >= 2) backdrop(gl);
@@ -238,7 +238,7 @@ TEST(Engine, ProgramsThatNeverSwapHaveFramesByTheirClears) {
   EXPECT_TRUE(ours.context().clock.passesThrough());
 }
 
-TEST(Engine, TracesAllWhereToldTo) {
+TEST(Engine, TracesEverythingIfSet) {
   TracedContext ours({kWidth, kHeight}, withEngine(Engine::always));
   const scenes::Scene& scene = *scenes::findScene("directional-light");
   for (int i = 0; i < 5; ++i) scene.draw(ours.gl(), kWidth, kHeight), ours.gl().Finish();

@@ -46,7 +46,7 @@ Settings other() {
   return settings;
 }
 
-TEST(SettingsOfFrames, AStoreCountsFromTheNextFrameOn) {
+TEST(SettingsOfFrames, AStoreTakesEffectFromTheNextFrameOn) {
   std::vector<Settings> seen;
   const Settings first = TracedContext::vertexShading();
   SettingsSource source(first);
@@ -63,7 +63,7 @@ TEST(SettingsOfFrames, AStoreCountsFromTheNextFrameOn) {
   EXPECT_EQ(seen, (std::vector<Settings>{first, first}));
 }
 
-TEST(SettingsOfFrames, AClearBehindDrawsBeginsNoFrame) {
+TEST(SettingsOfFrames, AClearAfterDrawsBeginsNoFrame) {
   std::vector<Settings> seen;
   const Settings first = TracedContext::vertexShading();
   SettingsSource source(first);
@@ -76,7 +76,7 @@ TEST(SettingsOfFrames, AClearBehindDrawsBeginsNoFrame) {
   EXPECT_EQ(seen, (std::vector<Settings>{first, first, first}));
 }
 
-TEST(SettingsOfFrames, WhatAppliesToContextsStays) {
+TEST(SettingsOfFrames, SettingsOfContextsStay) {
   SettingsSource source(TracedContext::vertexShading());
   Settings next = other();
   next.threads = 3, next.renderer = Renderer::null;
@@ -109,7 +109,7 @@ TEST(SettingsOfFrames, PicturesFollow) {
   EXPECT_EQ(context.read().depths, after.depths);
 }
 
-TEST(SettingsOfFrames, WhatChangesThePictureIsTracedHoweverSmall) {
+TEST(SettingsOfFrames, SmallScenesAreTracedIfASettingChangesThePicture) {
   Settings automatic = TracedContext::vertexShading();
   automatic.engine = Engine::automatic;
   SettingsSource source(automatic);

@@ -73,7 +73,7 @@ struct Mask {
 
 void set(Gl gl, const Mask& m) { gl.ColorMask(m.red, m.green, m.blue, m.alpha); }
 
-TEST(Channels, ThatAreMaskedKeepWhatIsThere) {
+TEST(Channels, ThatAreMaskedKeepTheirValues) {
   const Mask masks[] = {{1, 1, 1, 0}, {1, 0, 0, 0}, {0, 1, 1, 1}, {0, 0, 0, 1}, {1, 0, 1, 0}};
   for (const Mask& mask : masks) {
     const std::string name = std::to_string(mask.red) + std::to_string(mask.green) +
@@ -154,7 +154,7 @@ TEST(Channels, KeepTheirAlphaWhereBlendingKeepsIt) {
       "kept alpha", [](Gl gl) { blended(gl, 1); }, 2);
 }
 
-TEST(Channels, OfSurfacesThatAreSeenThroughAreBlended) {
+TEST(Channels, OfTranslucentSurfacesAreBlended) {
   expectEqual(
       "translucent", [](Gl gl) { blended(gl, 0.5f); }, 2);
 }

@@ -74,7 +74,7 @@ void drawMoved(Gl gl, const Surface& surface, const Offset& offset, double degre
   gl.Disable(GL_POLYGON_OFFSET_FILL);
 }
 
-TEST(PolygonOffset, MovesWhatProgramsDraw) {
+TEST(PolygonOffset, AppliesToShaderPrograms) {
   for (const Offset& offset : {Offset{2, 0}, {-3, 0}, {0, 90000}, {1.5f, -120000}})
     for (const GLenum format : kFormats)
       expectBoth(
@@ -92,7 +92,7 @@ TEST(PolygonOffset, DecalsLieBeforeTheirSurface) {
 }
 
 /// A surface of a program of no family beside a traced one, both offset.
-TEST(PolygonOffset, AppliesBesideWhatIsRasterised) {
+TEST(PolygonOffset, AppliesBesideRasterisedSurfaces) {
   for (const GLenum format : kFormats)
     expectBoth(
         "beside" + std::to_string(format),

@@ -229,7 +229,7 @@ TEST_P(SmoothTest, ThePassIsLeftOutWhereItChangesNothing) {
   EXPECT_EQ(picture.depths, drawn.depths);
 }
 
-TEST(Smooth, WhatIsLeftIsThePicture) {
+TEST(Smooth, APictureWithoutThePassIsKept) {
   const Case c{"", Kept::none, plain};
   EXPECT_EQ(play(plain, c).first.colors, play([](Program& p) { p.clear(), p.surface(); }, c).first.colors);
 }

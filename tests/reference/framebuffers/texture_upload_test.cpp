@@ -227,7 +227,7 @@ Result run(const Case& c, bool on) {
 
 class TextureUploads : public testing::TestWithParam<Case> {};
 
-TEST_P(TextureUploads, AreWhatWouldHaveBeenDrawn) {
+TEST_P(TextureUploads, EqualDrawnPictures) {
   const Result off = run(GetParam(), false), on = run(GetParam(), true);
   EXPECT_EQ(off.sent, 0u);
   EXPECT_EQ(on.sent, static_cast<uint64_t>(GetParam().sent));
@@ -240,7 +240,7 @@ INSTANTIATE_TEST_SUITE_P(All, TextureUploads, testing::ValuesIn(kCases),
                          [](const auto& info) { return info.param.name; });
 
 /// Another context of the group draws into the texture between the clear and the picture.
-TEST(TextureUploads, KnowThatOtherContextsDraw) {
+TEST(TextureUploads, NoticeDrawsOfOtherContexts) {
   TracedContext one;
   const TracedContext other({}, TracedContext::vertexShading(), nullptr, &one);
   one.makeCurrent();

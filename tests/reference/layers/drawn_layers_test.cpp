@@ -26,7 +26,7 @@ TEST(DrawnLayers, AreBlendedInEveryOrder) {
   } while (std::next_permutation(order.begin(), order.end()));
 }
 
-TEST(DrawnLayers, AreHiddenByWhatIsOpaque) {
+TEST(DrawnLayers, AreHiddenByOpaqueSurfaces) {
   for (const GLenum function : {GL_LESS, GL_LEQUAL}) {
     const auto draw = [&](Gl gl) {
       gl.DepthFunc(function);

@@ -41,7 +41,7 @@ TEST(Peeling, ProgramsCountWhatTheirPeelsWouldHaveWritten) {
   EXPECT_GT(written[0][3], 1000u);
 }
 
-TEST(Peeling, ProgramsStopAfterTheNearestLayerWhereAllLiesBeforeSomethingOpaque) {
+TEST(Peeling, ProgramsStopAfterTheNearestLayerIfAllAreBeforeOpaqueSurfaces) {
   auto all = row(4, 0.4f, 0.2);
   all.push_back(seen(sheet(4), glm::vec3(0.8f), 1, placed({0, 0, -3}, 3)));
   const auto draw = [&](Gl gl) {
@@ -79,7 +79,7 @@ std::vector<Layer> shuffled() {
   return all;
 }
 
-TEST(Peeling, WhatPeelsLeaveIsBlendedInTheOrderOfDrawing) {
+TEST(Peeling, RemainingLayersAreBlendedInTheOrderOfDrawing) {
   const auto all = shuffled();
   const auto draw = [&](Gl gl) {
     Peeler peeler(gl);
@@ -93,7 +93,7 @@ TEST(Peeling, WhatPeelsLeaveIsBlendedInTheOrderOfDrawing) {
   expectSame("rest", draw, 6 * 10, {}, kPeelTolerance);
 }
 
-TEST(Peeling, WhatIsLeftBeforeSomethingOpaqueInAPart) {
+TEST(Peeling, RemainingLayersBeforeAPartlyOpaqueSurface) {
   auto all = shuffled();
   all.push_back(seen(sheet(4), glm::vec3(0.8f), 1, placed({1, 0, -3}, 1.2)));
   const auto draw = [&](Gl gl) {
@@ -144,7 +144,7 @@ TEST(Peeling, SheetsWithinAnother) {
   expectPeeled("sheets", all, 2 * 6);
 }
 
-TEST(Peeling, TwoOfOnePlace) {
+TEST(Peeling, TwoAtOnePlace) {
   auto all = balls();
   all[1].view = all[0].view;
   expectPeeled("one_place", all, 2 * 4);

@@ -45,7 +45,7 @@ TEST(Sums, WithoutLightsAndByMicrofacets) {
   expectSummed("sum_lights", all, 2 * 4);
 }
 
-TEST(Sums, TwoOfOnePlace) {
+TEST(Sums, TwoAtOnePlace) {
   auto all = balls();
   all[1].view = all[0].view;
   expectSummed("sum_one_place", all, 2 * 4);

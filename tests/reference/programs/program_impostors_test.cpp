@@ -128,7 +128,7 @@ TEST(ProgramImpostor, TheViewerTurnsAndNothingIsBuilt) {
   EXPECT_EQ(outcome.statistics.meshesBuilt, 1u);
 }
 
-TEST(ProgramImpostor, WhatIsCulledOrMadeOfTrianglesIsLeftToTheRealOpenGl) {
+TEST(ProgramImpostor, CulledOnesAndThoseOfTrianglesAreLeftToTheRealOne) {
   expectBoth(
       "impostors_culled",
       [](Gl gl) {

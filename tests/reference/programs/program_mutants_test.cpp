@@ -55,7 +55,7 @@ void setSurface(Gl gl, GLuint program, const ProgramMesh& mesh, const Surface& s
 
 class ProgramMutants : public testing::TestWithParam<Case> {};
 
-TEST_P(ProgramMutants, AreNotTakenForWhatTheyWereMadeFrom) {
+TEST_P(ProgramMutants, AreNotTakenForTheOriginal) {
   const Surface& surface = GetParam().surface;
   expectMutantsSeen(GetParam().name,
                     {{GL_VERTEX_SHADER, vertexText(surface)}, {GL_FRAGMENT_SHADER, fragmentText(surface)}},

@@ -58,7 +58,7 @@ TEST(ProgramObjects, LinkedAgainAsAnotherSurface) {
       2);
 }
 
-TEST(ProgramObjects, LinkedAgainInVain) {
+TEST(ProgramObjects, LinkedAgainWithoutSuccess) {
   expectBoth(
       "unlinked",
       [](Gl gl) {

@@ -27,7 +27,7 @@ void drawFrames(Gl gl, int frames, bool looked, GLenum func) {
   }
 }
 
-TEST(ProgramPasses, MeetTheDepthOfTheFirst) {
+TEST(ProgramPasses, FindTheDepthOfTheFirst) {
   for (const GLenum func : {GL_LEQUAL, GL_EQUAL, GL_LESS})
     for (const bool looked : {false, true})
       for (const int frames : {1, 3})
@@ -53,7 +53,7 @@ TEST(ProgramPasses, OfSeveralSamples) {
 }
 
 /// Like shadow maps for many lights, before the first swap.
-TEST(ProgramPasses, MeetItAfterOtherFramebuffersWereClearedAndDrawnTo) {
+TEST(ProgramPasses, FindItAfterOtherFramebuffersWereClearedAndDrawnTo) {
   expectSame(
       "passes_shadow_maps",
       [&](Gl gl) {
