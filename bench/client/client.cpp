@@ -74,8 +74,7 @@ void drawFrame(DrawPath& path, int frame, int frames, double distance) {
   path.draw();
 }
 
-/// The work of an ordinary program: computes, or waits for something, between frames; then draws, swaps
-/// and continues.
+/// The work of an ordinary program: computes, or waits for something, between frames; then draws and swaps.
 void workBetweenFrames(const Options& options) {
   if (options.waitMs > 0)
     std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(options.waitMs));

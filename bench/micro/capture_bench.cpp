@@ -1,5 +1,4 @@
-// Cost of vertices on the program's thread: the engine's functions, the stream below them, and recognising a
-// run.
+// Cost of vertices on the program's thread: the engine's functions, their stream, and recognising a run.
 #include "bench/micro/micro_mesh.h"
 #include "gl/capture/vertex_stream.h"
 #include "tests/support/traced_context.h"

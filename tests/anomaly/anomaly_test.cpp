@@ -1,6 +1,5 @@
 // The n-th allocation of GLuRay fails, for every n: the program's picture must stay the real OpenGL's. Only
-// allocations made by this program's own code fail (judged by the caller's address), never OpenGL's or
-// Embree's.
+// allocations by this program's own code fail (judged by the caller's address), not OpenGL's or Embree's.
 #include "tests/anomaly/picture_by_programs.h"
 
 #include <gtest/gtest.h>

@@ -8,8 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Called at every allocation, so it does not use dladdr, which searches the caller's symbols, and Mesa has
- * many. */
+/* Called at every allocation, so it avoids dladdr, which searches all symbols of the caller's library. */
 static int isOfEngine(const void* address) {
   struct dl_find_object found;
   return _dl_find_object((void*)address, &found) == 0 &&

@@ -84,8 +84,7 @@ GLenum mode(Player& p) {
                  GL_QUAD_STRIP, GL_POLYGON, GL_LINES, GL_POINTS, GL_LINE_LOOP});
 }
 
-/// Current attributes are undefined after a draw from arrays, and Mesa's lists and GLuRay's leave different
-/// ones.
+/// Current attributes are undefined after a draw from arrays; Mesa's lists and GLuRay's leave others.
 void setCurrent(Player& p) {
   constexpr GLfloat v[4] = {0.25f, 0.5f, 0.75f, 1};
   p.gl.Normal3fv(v), p.gl.Color4fv(v), p.gl.SecondaryColor3fv(v), p.gl.FogCoordf(0.5f), p.gl.Indexf(1);

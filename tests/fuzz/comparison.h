@@ -1,5 +1,4 @@
-// Compares the results of a stream of calls by the real OpenGL and through GLuRay: finds the first
-// difference.
+// Finds the first difference between a stream's results by the real OpenGL and through GLuRay.
 #pragma once
 #include "tests/fuzz/player.h"
 #include "tests/support/gl_state.h"

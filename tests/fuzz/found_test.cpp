@@ -1,5 +1,4 @@
-// Bugs that the fuzzer found, reduced: the same calls to the real OpenGL and through GLuRay must give the
-// same results.
+// Bugs that the fuzzer found, reduced: the real OpenGL and GLuRay must give the same results.
 #include "gl/arrays/arrays.h"
 #include "gl/capture/mesh_builder.h"
 #include "tests/support/traced_context.h"

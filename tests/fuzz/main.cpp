@@ -1,6 +1,5 @@
 // The fuzzer. Forked workers play streams of consecutive seeds. If a stream differs, crashes or hangs,
-// the fuzzer shrinks it by playing parts of it in further child processes, and prints the seed and the
-// remaining calls.
+// the fuzzer shrinks it by playing parts of it in more processes, and prints the seed and remaining calls.
 //   gluray_fuzz [--seed N] [--calls N] [--jobs N] [--failures N]    play at least N calls
 //   gluray_fuzz --differences 0 ...                                 the same; other answers than the real
 //   OpenGL's

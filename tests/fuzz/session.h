@@ -7,8 +7,7 @@
 
 namespace gluray::fuzz {
 
-/// Plays the stream to both. `state`: also compares all queryable state at the end. `ours` is set while
-/// GLuRay plays.
+/// Plays the stream to both. `state`: compares all queryable state at the end, too. `ours`: GLuRay plays.
 Outcome play(const Stream& stream, bool state, bool& ours);
 
 /// How many draws of a stream were traced and rasterised.

@@ -1,5 +1,4 @@
-// Frame lag beside the program's own thread: state, showing the newest frame without the program, destroyed
-// contexts.
+// Frame lag beside the program's own thread: state, frames shown without the program, destroyed contexts.
 #include "tests/lag/lag_stage.h"
 #include "tests/support/gl_state.h"
 

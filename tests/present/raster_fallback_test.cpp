@@ -1,5 +1,4 @@
-// A snapshot drawn by fixed function equals a program's own drawing with the same state, and changes no
-// OpenGL state.
+// A snapshot drawn by fixed function equals a program's own drawing, and changes no OpenGL state.
 #include "intercept/present/raster/raster_fallback.h"
 
 #include "intercept/present/tracing_presenter.h"

@@ -34,8 +34,7 @@ Comparison compare(const Picture& expected, const Picture& got, const scenes::To
 /// An opaque RGB image, top row first in the file. False where the file cannot be written.
 bool writePng(const std::string& file, const Picture& picture);
 
-/// Writes NAME-expected.png, NAME-got.png, NAME-diff.png (differences times eight) to `folder`, which it
-/// creates.
+/// Writes NAME-expected.png, NAME-got.png, NAME-diff.png (differences times eight) to a new `folder`.
 void writeFailure(const std::string& folder, const std::string& name, const Picture& expected,
                   const Picture& got);
 

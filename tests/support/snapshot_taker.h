@@ -1,5 +1,4 @@
-// A presenter for tests: passes every batch's snapshot to a function, reports it as traced, and draws
-// nothing.
+// A presenter for tests: passes every batch's snapshot to a function and reports it as traced; no drawing.
 #pragma once
 #include "gl/batch/presenter.h"
 

@@ -54,8 +54,7 @@ nlohmann::json Diagnosis::json() const {
 }
 
 std::string installCommand(const std::string& name) {
-  // Debian policy 8.1: the name without ".so", then the version, with a dash between if the name ends in a
-  // digit.
+  // Debian policy 8.1: the name without ".so", a dash if it ends in a digit, then the version.
   const size_t so = name.find(".so");
   if (so == name.npos) return "apt-file search " + name;
   std::string package = name.substr(0, so), version = name.substr(std::min(name.size(), so + 3));

@@ -26,8 +26,7 @@ bool belongsToSystem(const std::string& name) {
   return isOpenGl(name) || is("libGLdispatch") || is("libGLES") || is("libc.so") || is("ld-linux");
 }
 
-/// "libSDL2-2.0.so.0 names libGL.so": OpenGL libraries that a file may open at run time, by the strings in
-/// it.
+/// "libSDL2-2.0.so.0 names libGL.so": OpenGL libraries in a file's strings, which it may open at run time.
 std::string hints(const Program& program, const std::vector<WalkedLibrary>& walk) {
   const std::vector<std::string> names = {"libGL.so", "libEGL.so", "libOSMesa.so", "libOpenGL.so"};
   std::string text;

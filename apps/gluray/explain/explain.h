@@ -1,5 +1,4 @@
-// gluray explain: runs a program for some frames and prints which of its draws were traced, and why others
-// were not.
+// gluray explain: runs a program for some frames and prints which of its draws were traced or why not.
 #pragma once
 #include "command_line.h"
 

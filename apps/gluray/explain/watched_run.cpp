@@ -208,8 +208,7 @@ WatchedRun watch(const CommandLine& given, const Program& program, const Watch& 
   WatchedRun run;
   run.ending = waitForEnding(child, wish, reports);
   child.end();
-  // A program that ends by itself writes its last report at exit; one that showed all its frames has written
-  // it already.
+  // A program that ends by itself writes its last report at exit; after the last requested frame it has.
   reports.read();
   run.exitCode = child.exitCode();
   run.signal = child.signal();

@@ -1,5 +1,4 @@
-// Opens the doors for the program about to be started: sets the environment variables by which it loads
-// GLuRay.
+// Opens the doors for the program about to be started: sets the environment by which it loads GLuRay.
 #pragma once
 #include "command_line.h"
 #include "programs/program.h"
@@ -13,8 +12,7 @@ namespace gluray::launcher {
 std::string libraryDirectory();
 
 /// The settings that result from `line`, the environment and the configuration files. Puts those of `line`
-/// into the environment of this process, as for a program about to be started. Reports no errors: the engine
-/// does.
+/// into the environment of this process, as for a program about to be started. The engine reports errors.
 Session sessionOf(const CommandLine& line);
 
 /// Sets every variable that the doors and the engine read. Returns an empty string, or one line for the user

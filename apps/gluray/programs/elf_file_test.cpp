@@ -88,8 +88,7 @@ TEST(ElfFile, ThirtyTwoBitFilesAreRecognisedButNotRead) {
 TEST(ElfFile, DamagedFilesYieldWhatIsReadable) {
   const std::string whole = makeElf({"libGL.so.1", "libX11.so.6"}, "/lib64/ld-linux-x86-64.so.2", true);
   for (size_t size = 0; size < whole.size(); size += 7) parseElf(whole.substr(0, size));
-  for (size_t at = 16; at < 1200;
-       ++at) {  // sets each byte of the headers and the dynamic section to 255 once
+  for (size_t at = 16; at < 1200; ++at) {  // each byte of headers and dynamic section is 255 once
     std::string broken = whole;
     broken[at] = '\xff';
     for (const std::string& name : parseElf(broken).needed) EXPECT_FALSE(name.empty());

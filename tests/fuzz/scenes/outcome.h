@@ -1,5 +1,4 @@
-// The outcome of a random scene: query results, colours and depths; compares outcomes and keeps them in
-// files.
+// The outcome of a random scene: query results, colours and depths; compared, and kept in files.
 #pragma once
 #include "gl/real.h"
 #include "tests/support/picture.h"

@@ -12,8 +12,7 @@ namespace {
 
 using namespace triangle_field;
 
-/// A field of triangles; its program reads its matrix from a uniform block, or its offset from a buffer
-/// texture.
+/// A field; its program reads its matrix from a uniform block, or its offset from a buffer texture.
 const char* const kBlockFamily =
     "[[family]]\nname = \"own\"\nmatch.active = \"vertexMC\"\nvertex.position = \"vertexMC\"\n"
     "transform.clip_from_object = \"Own.mvp\"\nlights.model = \"unlit\"\nmaterial.diffuse_color = \"tint\"\n";

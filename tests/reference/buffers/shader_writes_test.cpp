@@ -13,8 +13,7 @@ namespace {
 
 using namespace twenty_points;
 
-/// A rectangle across the view at `z`, of more triangles than are captured one by one; `half` is half its
-/// height.
+/// A rectangle across the view at `z`, 2 `half` high, of more triangles than are captured one by one.
 void card(Gl gl, float z, float half) {
   std::vector<float> all;
   for (int i = 0; i < 80; ++i) {

@@ -190,8 +190,7 @@ struct Stage {
                        {-0.9f, -0.8f, -0.99f, 0.7f, 0.9f, -0.99f}, {"at"}, 3);
 };
 
-/// Expects the same picture from `plain` and `ours`, `traced` traced draws, and `resolves` resolves by
-/// GLuRay.
+/// Expects equal pictures from `plain` and `ours`, `traced` traced draws, `resolves` resolves by GLuRay.
 inline void expectResolves(const std::string& name, uint64_t resolves, int traced,
                            const std::function<void(Stage&)>& draw, bool textures = true,
                            const scenes::Tolerance& tolerance = kResolveTolerance) {

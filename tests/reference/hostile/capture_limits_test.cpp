@@ -82,8 +82,7 @@ void triangleAt(Gl gl, float x) {
       gl.Vertex3f(x, 0.5f, 0.1f), gl.End();
 }
 
-/// Draws two triangles into a framebuffer object with depth, `between` after the first, then reads another
-/// one.
+/// Two triangles into a framebuffer object with depth, `between` after the first; then reads another one.
 Picture inObject(Gl gl, void (*between)(Gl, GLuint)) {
   GLuint objects[2], buffers[4];
   gl.GenFramebuffers(2, objects), gl.GenRenderbuffers(4, buffers);

@@ -1,5 +1,4 @@
-// State that is read back with one group and changed by a call of another group: the picture must change at
-// once.
+// State that is read back with one group and changed by another group's call: the picture must follow.
 #include "scenes/texels.h"
 #include "tests/reference/hostile/habits.h"
 

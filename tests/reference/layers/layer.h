@@ -31,8 +31,7 @@ void drawLayer(Gl gl, GLuint program, const Upload& uploaded, const Layer& layer
 /// The same with a mesh uploaded only for this draw.
 void drawFresh(Gl gl, GLuint program, const Layer& layer);
 
-/// A texture of the window's size without filtering; binds a framebuffer object of such textures and a depth
-/// buffer.
+/// A texture of the window's size without filtering; a bound framebuffer object of it and a depth buffer.
 GLuint pictureTexture(Gl gl, GLenum internalFormat);
 GLuint pictureFramebuffer(Gl gl, std::initializer_list<GLuint> colors);
 /// Copies the colours of the framebuffer bound for reading to the window, and binds the window.

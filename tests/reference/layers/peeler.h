@@ -1,5 +1,4 @@
-// Dual depth peeling as in VTK 9.1 (vtkDualDepthPeelingPass), call by call, for the tests of translucent
-// surfaces.
+// Dual depth peeling as in VTK 9.1 (vtkDualDepthPeelingPass), for the tests of translucent surfaces.
 #pragma once
 #include "tests/reference/layers/layer.h"
 
