@@ -134,7 +134,7 @@ PAGES: dict[str, dict[str, Callable[[list[Row]], str]]] = {
 
 
 def pages(rows: list[Row], root: pathlib.Path) -> Iterator[tuple[str, str]]:
-    """Names below `root` and what the pages there should be."""
+    """File names below `root` and the expected text of each page."""
     for name, parts in PAGES.items():
         text = (root / name).read_text()
         for part, make in parts.items():

@@ -86,7 +86,7 @@ class Row:
 
     @property
     def placeholder(self) -> str:
-        """What stands for the value in synopses."""
+        """Placeholder of the value in synopses."""
         plain = {"bool": "true|false", "int": "N", "float": "X", "choice": "|".join(self.words), "color": "#RRGGBB", "vector": "X,Y,Z", "string": "TEXT",
                  "path": "FILE", "list": "FILE:..." if self.items == "path" else "TEXT,...", "quirks": "NAME=on|off,..."}
         return self.value or plain[self.type]
@@ -187,7 +187,7 @@ def number_text(value: float) -> str:
 
 
 def range_text(row: Row) -> str:
-    """"from 0 (all cores) to 1024"; empty where there is no range."""
+    """"from 0 (all cores) to 1024"; empty without a range."""
     if row.range is None:
         return ""
     least, most = (number_text(v) for v in row.range)

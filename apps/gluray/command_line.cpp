@@ -145,7 +145,7 @@ void describe(CLI::App& app, CommandLine& line) {
   addOptions(app, line);
 }
 
-/// Where the program begins, from word `first` on: after "--", or at the first word that is neither an option
+/// Index of the program's word, from `first` on: after "--", or the first word that is neither an option
 /// nor an option's value.
 int firstProgramWord(const CLI::App& app, int first, int argc, char** argv) {
   int i = first;

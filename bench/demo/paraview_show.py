@@ -36,7 +36,7 @@ class ParaViewDemo:
             raise Failed(f"{self.volume} could not be read")
 
     def orbit(self, launcher, frames, picture):
-        """Turns the head in pvbatch; returns what the script measured."""
+        """Turns the head in pvbatch; returns the script's measurements."""
         command = [*map(str, launcher), "pvbatch", str(ROOT / "bench" / "support" / "paraview_orbit.py"), "60", str(frames),
                    "1024", str(picture), str(self.scan)]
         done = subprocess.run(command, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)

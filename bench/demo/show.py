@@ -107,7 +107,7 @@ class Demo:
             self.stop(viewer, terminal)
 
     def picture(self, launcher, file):
-        """Writes what the viewer shows at rest."""
+        """Writes the viewer's picture at rest."""
         viewer, terminal = self.viewer(launcher)
         try:
             self.tool("gluray-bench-picture", "grab", "--class", WINDOW_CLASS, "--out", file, "--patience", PATIENCE)

@@ -48,7 +48,7 @@ class Row:
 
     @property
     def build_needs(self):
-        """Bytes of memory where the structure's quality is given."""
+        """Bytes of memory for a given quality of the structure."""
         return FIXED_BYTES + self.millions * 1e6 * BUILD_BYTES
 
     @property
@@ -85,7 +85,7 @@ def fitting(row, memory_bytes):
 
 
 def rows(scale, sweep, memory_bytes):
-    """(rows, lines about what does not fit): first the sweep of Figure 7, then Table 1."""
+    """(rows, notes about rows that do not fit): first the sweep of Figure 7, then Table 1."""
     planned, notes = [], []
     for millions in sweep:
         for row in (Row("Wavelet", "client", "list", "wavelet", millions),

@@ -34,7 +34,7 @@ def arguments(argv):
 
 
 def measure(options, environment, size, mode, work):
-    """One run: seconds a frame, its median, and what GLuRay reported."""
+    """One run: seconds a frame, its median, and GLuRay's report."""
     client = [options.build / "bench" / "client" / "gluray-bench-client", "--triangles", size, "--frames", options.frames, "--orbit",
               "--warm", 2, *work]
     settings = ["--bvh", "full", "--threads", str(options.threads), "--lag", mode]

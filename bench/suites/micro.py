@@ -30,7 +30,7 @@ UNITS = {
 
 
 def rows_of(said, path):
-    """Rows from what Google Benchmark printed as JSON; `path` is part of their names. Failed where a benchmark failed."""
+    """Rows from Google Benchmark's JSON; `path` is part of their names. Raises Failed if a benchmark failed."""
     rates = {}
     for run in said["benchmarks"]:
         if run.get("error_occurred"):

@@ -101,5 +101,5 @@ def _run(suite, options, argv, measure):
 
 
 def run(suite, options, argv, measure):
-    """Measures all sizes by measure(size, environment), prints and writes what was found. The exit status."""
+    """Measures all sizes by measure(size, environment), prints and writes the results. Returns the exit status."""
     return status_of(lambda: _run(suite, options, argv, measure), stub_time.Missing)

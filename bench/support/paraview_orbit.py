@@ -43,7 +43,7 @@ def scan(file, value):
 
 
 def orbit(view, up):
-    """A function that puts the camera on its orbit, at an angle in degrees from where it begins."""
+    """A function that puts the camera on its orbit, at an angle in degrees from the start."""
     centre, eye = list(view.CameraFocalPoint), list(view.CameraPosition)
     distance = math.dist(centre, eye)
     lift = math.radians(35.26)

@@ -37,7 +37,7 @@ def _communicate(program, command, timeout, least_free):
 
 
 def require(*programs):
-    """Failed, with one line that says what to do, unless all are there."""
+    """Raises Failed, with one line that says what to do, unless all exist."""
     for program in programs:
         if not (os.path.isfile(program) or shutil.which(str(program))):
             raise Failed(f"{program} is missing: run scripts/build release first")
@@ -92,7 +92,7 @@ def measure(command, environment, timeout=900, least_free=0):
 
 
 def measure_with_gluray(gluray, options, command, environment, engine="always", timeout=900, least_free=0):
-    """The same under `gluray`, which traces however small the scene is; the launcher's own report is added as "report" (None where it wrote none)."""
+    """The same under `gluray`, which traces small scenes, too; the launcher's report is added as "report" (None if there is none)."""
     with tempfile.TemporaryDirectory(prefix="gluray-bench-") as folder:
         report = pathlib.Path(folder) / "report.json"
         out = measure([gluray, "--engine", engine, "--report", report, *options, "--", *command], environment, timeout, least_free)

@@ -17,7 +17,7 @@ def end_by_exception():
 
 
 def status_of(run, *others):
-    """run()'s end as an exit status: 0, or 1 and one line where a display, a program or, by `others`, something else is missing;
+    """The exit status of run(): 0, or 1 and one line if a display, a program or, by `others`, something else is missing;
     130 if a signal ends it, after its child processes have ended."""
     end_by_exception()
     try:

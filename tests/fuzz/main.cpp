@@ -1,14 +1,9 @@
 // The fuzzer. Forked workers play streams of consecutive seeds. If a stream differs, crashes or hangs,
 // the fuzzer shrinks it by playing parts of it in more processes, and prints the seed and remaining calls.
-//   gluray_fuzz [--seed N] [--calls N] [--jobs N] [--failures N]    play at least N calls
-//   gluray_fuzz --differences 0 ...                                 the same; other answers than the real
-//   OpenGL's
-//                                                                   are counted, but only deaths and hangs
-//                                                                   fail
-//   gluray_fuzz --alone 1 ...                                       ours alone, over an OpenGL that draws
-//   nothing:
-//                                                                   ten times as many calls a second
-//   gluray_fuzz --stream N                                          play and shrink the stream of one seed
+//   gluray_fuzz [--seed N] [--calls N] [--jobs N] [--failures N]   plays at least N calls
+//   gluray_fuzz --differences 0 ...  counts differences from the real OpenGL; only crashes and hangs fail
+//   gluray_fuzz --alone 1 ...        GLuRay only, over an OpenGL that draws nothing: ten times as fast
+//   gluray_fuzz --stream N           plays and shrinks the stream of one seed
 #include "tests/fuzz/options.h"
 #include "tests/fuzz/session.h"
 

@@ -82,7 +82,7 @@ struct NullGl::State : Attributes {
   Objects* objects = nullptr;
 };
 
-/// That of the context that is current.
+/// The state of the current context.
 NullGl::State& now();
 
 using NullFunctions = std::unordered_map<std::string, void*>;

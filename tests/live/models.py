@@ -116,7 +116,7 @@ BUCKY = "/usr/share/doc/drawxtl/examples/bucky.str"
 
 
 def copy_bucky(path):
-    """DRAWxtl's own example of a molecule: it writes beside what it reads."""
+    """DRAWxtl's own example of a molecule, copied because it writes files beside its input."""
     path.write_bytes(pathlib.Path(BUCKY).read_bytes())
     return path
 

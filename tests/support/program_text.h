@@ -14,7 +14,7 @@ struct Surface {
   Lights lights = Lights::directional;
   int lightCount = 1;
   bool backMaterial = false, clipPlanes = false, depthOffset = false, actorTexture = false;
-  /// As VTK writes it since 9.3: the map is looked up at colorTCoord. tcoordMatrix: tcMatrix acts on all of
+  /// As in VTK since 9.3: the map is looked up at colorTCoord. tcoordMatrix: tcMatrix acts on all of
   /// them.
   bool colorTcoord = false, tcoordMatrix = false;
   std::string version = "#version 150\n";

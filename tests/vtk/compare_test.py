@@ -57,7 +57,7 @@ OUTSIDE = (slice(2, 3), slice(2, 3), (22, 30, 40))          # one pixel, by litt
 ROUNDED = (slice(2, 9), slice(2, 9), (21, 31, 39))          # by the least there is
 DEEPER = (slice(30, 34), slice(45, 50), 0.51)
 
-# What is wrong with the second run: its pictures, further arguments of drawn() and registry.State, and the words that must be reported.
+# Errors of the second run: its pictures, further arguments of drawn() and registry.State, and the words that must be reported.
 CASES = {
     "equal": ([ball()], {}, {}, None),
     "few pixels": ([changed(FEW)], {}, {}, None),

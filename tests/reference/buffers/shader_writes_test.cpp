@@ -51,7 +51,7 @@ void tell(Gl gl, GLuint buffer, bool mapped, Seen& seen) {
   for (const GLuint v : got) seen.push_back(static_cast<float>(v));
 }
 
-/// What a fragment program counts into, and how.
+/// The counter of a fragment program, and how it counts.
 struct Counter {
   const char* name;
   GLenum target;

@@ -138,7 +138,7 @@ def glyph_mapper_edges_unlit(stage):
 
 @state("vtk")
 def glyph_mapper_edges_behind_the_viewer(stage):
-    """Left to the real OpenGL where some glyph has a corner behind the viewer."""
+    """Left to the real OpenGL if a glyph has a corner behind the viewer."""
     glyphs(stage)
     camera = stage.renderer.GetActiveCamera()
     camera.SetPosition(0.2, 0.1, 0.15)

@@ -165,7 +165,7 @@ def depth_picture(stage):
 
 @state("pvbatch")
 def screenshot_larger_than_window(stage):
-    """SaveScreenshot renders again, in tiles where the window is too small."""
+    """SaveScreenshot renders again, in tiles if the window is too small."""
     stage.show(stage.simple.Superquadric(ThetaResolution=40, PhiResolution=40))
     stage.view.OrientationAxesVisibility = 1
     stage.look()
