@@ -1,4 +1,4 @@
-"""The paper's evaluation without its measurements: what is planned, kept, told and drawn (no program is measured)."""
+"""The paper's evaluation without its measurements: plan, store, messages and figures (no program is measured)."""
 import contextlib
 import io
 import json
@@ -127,7 +127,7 @@ class Kept(InFolder):
 
 
 class FakeEngines:
-    """Measures at once; may be told to fail or to be interrupted at a call."""
+    """Measures instantly; can simulate a failure or an interruption at a call."""
 
     def __init__(self, folder, at=None, error=None):
         self.calls, self.folder, self.at, self.error = [], folder, at, error
@@ -289,7 +289,7 @@ class Meshes(InFolder):
         corners = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 2]
         content = struct.pack("<16sQQ24f6I", b"GLuRay mesh 1\n", 4, 6, *corners, *[0, 0, 1] * 4, 0, 1, 2, 0, 2, 3)
         self.assertEqual(self.read(content).stdout, "2 (0.0, 1.0, 2.0) [0, 2, 3] (0.0, 0.0, 1.0)\n")
-        self.assertIn("is no mesh of the benchmarks", self.read(content[:-4]).stderr)
+        self.assertIn("is not a mesh file of the benchmarks", self.read(content[:-4]).stderr)
 
 
 class Gpu(InFolder):
@@ -312,7 +312,7 @@ class Gpu(InFolder):
 
 class Interrupted(InFolder):
     def test_nothing_is_left_running(self):
-        """What the measured program has started ends with us, too."""
+        """Child processes of the measured program end with us, too."""
         pid_file = self.folder / "pid"
         line = f"import signal; signal.signal(signal.SIGINT, signal.default_int_handler); from support import programs; programs.run(['sh', '-c', 'sleep 60 & echo $! >{pid_file}; wait'], {{}}, 50)"
         ours = subprocess.Popen([sys.executable, "-c", line], cwd=BENCH, stderr=subprocess.DEVNULL)

@@ -1,4 +1,4 @@
-"""What `scripts/bench compare` says and `scripts/bench micro` makes of its figures (no program is run)."""
+"""The output of `scripts/bench compare`, and the results of `scripts/bench micro` (no program is run)."""
 import contextlib
 import io
 import json
@@ -51,7 +51,7 @@ class Compare(unittest.TestCase):
         for text in ("no json", "[]", '{"rows": 3}', "{}"):
             status, out, err = self.run_with(OLD, text)
             self.assertEqual((status, out, err.count("\n")), (1, [], 1), text)
-            self.assertIn("1.json is no result of scripts/bench", err)
+            self.assertIn("1.json is not a result of scripts/bench", err)
 
     def test_results_in_the_repository_can_all_be_compared(self):
         for file in sorted(compare.RESULTS.rglob("*.json")):

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fails where ctest runs fewer cases of a GoogleTest program than the program has, or one of them twice under one label.
+"""Fails if ctest runs fewer cases of a GoogleTest program than the program has, or one of them twice under one label.
 
 cases_test.py CTEST BUILD    Programs that are not built, as under a sanitizer, are left out.
 
@@ -25,7 +25,7 @@ def labels(test):
 
 
 def problems(program, every, tests):
-    """What is wrong with the tests of one program, a line each. `tests`: (name, labels, filter, number)."""
+    """The errors in the tests of one program, one a line. `tests`: (name, labels, filter, number)."""
     chosen_by = {}
     for name, label, patterns, number in tests:
         chosen = [case for case in every if any(fnmatch.fnmatchcase(case, pattern) for pattern in patterns.split(":"))]

@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
-"""Checks the walls of the house: which room may include which, who alone may include certain libraries, how long a file
-may be. ARCHITECTURE.md draws the rooms; this file is where the rules live.
+"""Checks the boundaries between rooms: which room may include which, which rooms may include certain libraries, how long a
+file may be. ARCHITECTURE.md describes the rooms; this file holds the rules.
 
 check_layers.py ROOT        checks the source tree at ROOT; prints each violation and exits 1 where there is one
-check_layers.py --self-test plants violations of every rule in a small tree and fails where one goes unseen
+check_layers.py --self-test plants violations of every rule in a small tree and fails if it misses one
 """
 import pathlib
 import re
 import sys
 import tempfile
 
-# What each room under src/ may include beside itself.
+# The rooms that each room under src/ may include.
 ALLOWED = {
     "base": set(),
     "parallel": {"base"},
@@ -24,7 +24,7 @@ ALLOWED = {
     "dist": {"base", "settings", "scene", "accel", "render", "frame"},
     "intercept": {"base", "settings", "scene", "parallel", "gl", "accel", "render", "frame", "control", "dist"},
 }
-# Name of the monopoly, the headers it covers, the folders that hold it. Tests beside the code are bound like the code.
+# Name of the monopoly, pattern of its headers, folders that may include them. Holds for tests beside the code, too.
 MONOPOLIES = [
     ("Embree", r"embree\d*/", ["src/accel"]),
     ("X11, GLX and EGL", r"(X11|xcb|EGL|glvnd)/|GL/glx", ["src/intercept", "apps"]),
@@ -32,7 +32,7 @@ MONOPOLIES = [
     ("sockets", r"(sys/(socket|un)\.h|netinet/|arpa/|netdb\.h|asio)", ["src/control", "src/dist", "apps"]),
     ("MPI", r"mpi\.h$", ["src/dist"]),
 ]
-MPI_FILES = 1  # of dist/, how many may include mpi.h
+MPI_FILES = 1  # number of files in dist/ that may include mpi.h
 MAX_LINES = 500
 CODE = {".c", ".cpp", ".h", ".hpp", ".S"}
 MEASURED = CODE | {".py"}
@@ -46,7 +46,7 @@ def within(path, folder):
 
 
 def room_violations(path, includes):
-    """Includes of a file in src/ROOM/ that reach into a room it may not know."""
+    """Includes of a file in src/ROOM/ from rooms that it may not include."""
     room = path.split("/")[1]
     for quote, header in includes:
         if quote == '"' and header.startswith(".."):
@@ -106,7 +106,7 @@ def violations(root):
         yield f"mpi.h is included by {', '.join(mpi_files)}; one file may"
 
 
-# A sound tree, and changes to it each of which must be seen: file, new content, words the violation must contain.
+# A valid tree, and changes to it that must be reported: file, new content, words that the report must contain.
 SOUND = {
     "src/base/log.h": "#pragma once\n#include <string>\n",
     "src/gl/context.cpp": '#include "gl/context.h"\n#include "scene/mesh.h"\n#include <GL/gl.h>\n',

@@ -1,4 +1,4 @@
-# What the linker made: exports, constructors, dependencies; and what becomes of programs when something is missing.
+# Linked libraries: exports, constructors, dependencies; and programs while a part is missing.
 set(link_check ${Python3_EXECUTABLE} ${CMAKE_CURRENT_LIST_DIR}/link_check.py)
 
 function(link_test NAME)

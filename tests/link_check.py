@@ -1,11 +1,11 @@
-"""Checks of our libraries as the linker made them: link_check.py CHECK LIBRARY [NAMES].
+"""Checks of the built libraries: link_check.py CHECK LIBRARY [NAMES].
 
 exports LIBRARY NAMES...   exactly these symbols are exported
 preload-exports LIBRARY    every entry point of OpenGL, GLX, EGL and OSMesa that the registries know, and dlopen; no other
-no-constructors LIBRARY    nothing of ours runs when the library is loaded
+no-constructors LIBRARY    loading the library runs no code of ours
 libc-only LIBRARY          needs libc and nothing else
 nodelete LIBRARY           stays in memory once loaded
-silent LIBRARY             preloaded into /bin/true: no output; prints what it costs
+silent LIBRARY             preloaded into /bin/true: no output; prints its cost in time
 """
 from __future__ import annotations
 

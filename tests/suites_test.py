@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fails where a test that a sanitizer is to run uses a program that the sanitizer's target does not build: there it would be
+"""Fails if a test that a sanitizer must run uses a program that the sanitizer's target does not build: there it would be
 left out without a word, since a suite that was not built has no tests with labels.
 
 suites_test.py CTEST BUILD    BUILD holds suites/TARGET.txt: the files that each target builds (cmake/GluraySuites.cmake)
@@ -9,7 +9,7 @@ import pathlib
 import subprocess
 import sys
 
-# Target, and the labels of what it has to build.
+# Target, and the labels of the tests whose programs it must build.
 SUITES = {"address_suites": {"unit", "variant", "link", "fuzz", "long"}, "thread_suites": {"thread"}}
 
 
@@ -18,7 +18,7 @@ def labels(test):
 
 
 def programs(test, build):
-    """What of the test's command is built: the program itself, and files within the build folder."""
+    """The built files in the test's command: the program itself, and files within the build folder."""
     for position, word in enumerate(test.get("command", [])):
         path = pathlib.Path(word)
         if path.is_relative_to(build) and (position == 0 or path.is_file()):

@@ -1,4 +1,4 @@
-"""Writes the jump tables of the doors: C, so that doors need libc alone.
+"""Writes the jump tables of the doors, in C, so that doors need only libc.
 
 Each entry point jumps through a table whose slots start as lazy resolvers. Types are reduced to what the calling
 convention sees, so that no OpenGL or X11 header is needed.
@@ -43,8 +43,8 @@ def _c_type(text: str) -> str:
 
 
 def _is_known(c: glxml.Command) -> bool:
-    """Whether the calling convention of all its types is known. A newer header may have commands of which it is not: doors do
-    without them, so the program gets the real ones."""
+    """Whether the calling convention of all its types is known. A newer header may have commands with unknown types: doors
+    leave them out, so the program gets the real ones."""
     kinds = [c.ret, *(p.type for p in c.params)]
     try:
         return not UNKNOWN_TO_ANY_HEADER.intersection(kinds) and all(_c_type(kind) for kind in kinds)
@@ -95,7 +95,7 @@ def files(gl: list[glxml.Command]) -> dict[str, str]:
     """File name -> text, for the preload door and the two vendor doors."""
     glx = glxml.load("glx", ("glx",))
     egl = c_headers.egl()
-    # GetProcAddress is answered by hand in preload.c.
+    # preload.c implements GetProcAddress.
     answered = {"glXGetProcAddress", "glXGetProcAddressARB", "eglGetProcAddress", "OSMesaGetProcAddress"}
     everything = [c for c in [*gl, *glx, *egl, *c_headers.osmesa()] if c.name not in answered]
     return {

@@ -28,7 +28,7 @@ def _matches(row: dict, command: str) -> bool:
 def _groups(command: str, touch: list[str] | str) -> str:
     """The C++ expression of the state groups that a command touches; empty for none."""
     if isinstance(touch, str):
-        return touch  # {c} stands for the context
+        return touch  # {c} is replaced by the context
     if unknown := set(touch) - GROUPS:
         raise PolicyError(f"{command}: no such state group {', '.join(sorted(unknown))}")
     if "all" in touch:
@@ -84,7 +84,7 @@ def policies(commands: list[glxml.Command], rows: list[dict]) -> dict[str, Polic
 
 
 def canonical(commands: list[glxml.Command], table: dict[str, Policy]) -> dict[str, str]:
-    """Name -> the command whose stub serves it: its alias where that is modelled, otherwise itself."""
+    """Name -> the command whose stub serves it: its alias if that is modelled, otherwise itself."""
     by_name = {c.name: c for c in commands}
 
     def resolve(name: str) -> str:

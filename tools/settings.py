@@ -1,4 +1,4 @@
-"""Generates from spec/settings.toml whatever names a setting.
+"""Generates from spec/settings.toml everything that names a setting.
 
     python3 tools/settings.py OUTPUT_DIR                 the C++ headers, below OUTPUT_DIR/settings
     python3 tools/settings.py --pages ROOT               completions, man pages and docs/settings.md below ROOT

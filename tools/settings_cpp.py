@@ -1,4 +1,4 @@
-"""The C++ that spec/settings.toml becomes: the structs, and the table of rows."""
+"""Generates C++ from spec/settings.toml: the structs, and the table of rows."""
 from __future__ import annotations
 
 import settings_rows
@@ -24,7 +24,7 @@ def cpp_type(row: Row) -> str:
 
 
 def initial(row: Row) -> str:
-    """The member's initialiser; empty where the type has the right one."""
+    """The member's initialiser; empty if the type's own is right."""
     if row.type == "choice":
         return f" = {row.enum}::{next(c.id for c in row.choices if c.word == row.default)}"
     if row.type in ("color", "vector"):
@@ -81,7 +81,7 @@ def structs(rows: list[Row]) -> str:
 
 namespace gluray {{
 
-{enums(rows)}/// What may differ from frame to frame, or from context to context. A plain value: each snapshot carries one.
+{enums(rows)}/// Settings that may differ from frame to frame, or from context to context. A plain value: each snapshot has one.
 struct Settings {{
 {members(own)}  bool operator==(const Settings&) const = default;
   /// Whether a setting has a value under which the real OpenGL would not show the same picture.
@@ -90,7 +90,7 @@ struct Settings {{
   }}
 }};
 
-/// What else the user chose; fixed for the life of the process.
+/// The other settings, fixed for the life of the process.
 struct Session {{
   Settings settings;
 {members(session)}  bool operator==(const Session&) const = default;

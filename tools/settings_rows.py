@@ -10,10 +10,10 @@ SPEC = pathlib.Path(__file__).resolve().parent.parent / "spec/settings.toml"
 TYPES = ("bool", "int", "float", "choice", "color", "vector", "string", "path", "list", "quirks")
 APPLIES = ("frame", "context", "process")
 CHANGES = ("picture", "way")
-# Variables that are no settings.
+# Environment variables that are not settings.
 RESERVED = {"GLURAY_COMMAND_LINE", "GLURAY_CONFIG", "GLURAY_ENGINE_LIBRARY", "GLURAY_PID", "GLURAY_PROGRAM", "GLURAY_PROJECT", "GLURAY_REAL_EGL",
             "GLURAY_REAL_GLX", "GLURAY_ROOTS"}
-# Tables in files, and words of the launcher.
+# Names of tables in files, and words of the launcher.
 RESERVED_NAMES = {"program"}
 
 
@@ -87,7 +87,7 @@ class Row:
 
     @property
     def placeholder(self) -> str:
-        """What stands for the value in synopses."""
+        """Placeholder of the value in synopses."""
         plain = {"bool": "true|false", "int": "N", "float": "X", "choice": "|".join(self.words), "color": "#RRGGBB", "vector": "X,Y,Z", "string": "TEXT",
                  "path": "FILE", "list": "FILE:..." if self.items == "path" else "TEXT,...", "quirks": "NAME=on|off,..."}
         return self.value or plain[self.type]
@@ -111,7 +111,7 @@ def check_default(row: Row) -> None:
         if row.type == "quirks":
             return None if row.default is None else fail(row.name, "the defaults of quirks are in src/settings/quirks.h")
         if not isinstance(row.default, kinds[row.type]) or (row.type != "bool" and isinstance(row.default, bool)):
-            fail(row.name, f"the default is no {row.type}")
+            fail(row.name, f"the default is not of type {row.type}")
         values = [row.default] if row.type in ("int", "float") else []
     if row.range and any(not row.range[0] <= v <= row.range[1] for v in values):
         fail(row.name, "the default is out of range")
@@ -129,22 +129,22 @@ def checked(fields: dict) -> Row:
             fail(name, f"needs a field '{needed}'")
     row = Row(**{k.replace("-", "_"): " ".join(v.split()) if isinstance(v, str) and k in ("help", "more") else v for k, v in fields.items()})
     if not re.fullmatch(r"[a-z][a-z0-9]*([-.][a-z][a-z0-9]*)*", name) or name.split(".")[0] in RESERVED_NAMES or row.variable in RESERVED:
-        fail(name, "a name is made of lower-case words with - or . between them, and is not reserved")
+        fail(name, "a name must be lower-case words with - or . between them, and not reserved")
     for field, allowed in (("type", TYPES), ("applies", APPLIES), ("changes", CHANGES), ("items", ("string", "path"))):
         if getattr(row, field) not in allowed:
             fail(name, f"{field} must be one of {', '.join(allowed)}")
     if row.changes == "picture" and not row.in_settings:
-        fail(name, "what changes the picture must apply to frames or contexts")
+        fail(name, "a setting that changes the picture must apply to frames or contexts")
     if row.option and not re.fullmatch(r"--[a-z][a-z-]*", row.option):
-        fail(name, "an option is --word")
+        fail(name, "an option must be --word")
     if row.range is not None and not numbers(row.range, 2):
-        fail(name, "a range is [least, most]")
+        fail(name, "a range must be [least, most]")
     if row.range is None and row.type in ("int", "float"):
         fail(name, "numbers need a range")
     if row.range is None and row.type == "color":
         row.range = [0, 1]
     if (row.type == "choice") != bool(row.choices):
-        fail(name, "choices are needed for the type choice, and only there")
+        fail(name, "the type choice, and only it, needs choices")
     row.choices = [Choice(**c) for c in row.choices]
     for choice in row.choices:
         choice.id = choice.id or camel(choice.word)
@@ -162,7 +162,7 @@ def read(path: pathlib.Path = SPEC) -> list[Row]:
         for row in rows:
             value = getattr(row, what)
             if value and value in seen:
-                fail(row.name, f"another one has the {what} {value}")
+                fail(row.name, f"another setting has the {what} {value}")
             seen.add(value)
     named = {row.name: row for row in rows}
     for row in rows:
@@ -194,7 +194,7 @@ def number_text(value: float) -> str:
 
 
 def range_text(row: Row) -> str:
-    """"from 0 (all cores) to 1024"; empty where there is no range."""
+    """"from 0 (all cores) to 1024"; empty without a range."""
     if row.range is None:
         return ""
     least, most = (number_text(v) for v in row.range)

@@ -37,7 +37,7 @@ def _copies(c: glxml.Command, policy: Policy) -> tuple[list[str], dict[str, str]
 
 
 def _no_context(c: glxml.Command) -> str:
-    """Without a context of ours the call belongs to one that we never saw (or to none)."""
+    """Without a GLuRay context the call belongs to a context that GLuRay never saw (or to none)."""
     call = f"orphan->{c.short}({c.arguments})"
     if c.ret == "void":
         return f"  if (!ctx) [[unlikely]] {{\n    if (const RealGl* orphan = orphanGl()) {call};\n    return;\n  }}\n"
@@ -59,7 +59,7 @@ def _gate(c: glxml.Command, policy: Policy, compile_case: str) -> str:
 
 
 def _effect(policy: Policy, handler: str, context: str) -> str:
-    """What a tracked command does to our state: its handler's call, the groups it touches, or both."""
+    """The effect of a tracked command on the shadow state: its handler's call, the groups it touches, or both."""
     pointer = context == "*ctx"
     groups = policy.touch.replace("{c}", context)
     touch = f"{'ctx->' if pointer else 'later.'}touch({groups});" if groups else ""

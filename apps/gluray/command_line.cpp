@@ -21,14 +21,15 @@ Examples:
   gluray --off osgviewer head.obj                  the real OpenGL, for comparison
   gluray --threads 4 --bvh least paraview          four threads, least memory
   gluray explain --html page.html glxgears         what was traced, what was not and why
-  gluray doctor osgviewer                          what will work, before it is started
+  gluray doctor osgviewer                          check, without starting it, whether it will be traced
 
 Commands, each with its own --help:
   gluray run PROGRAM       the same as gluray PROGRAM
   gluray explain PROGRAM   a table of what the program drew; with --html a page of pictures too
   gluray doctor [PROGRAM]  how the program reaches OpenGL, and what this machine has and lacks
   gluray quirks            workarounds for single OpenGL implementations, and how to switch them
-  gluray settings          all settings, their values, and where those are from
+  gluray settings          all settings, their values and origins
+  gluray timeline FILE     what each thread did in a run with --timeline FILE
 
 The exit code is the program's;
 127: program not found, 126: it cannot be executed, 2: wrong usage.)";
@@ -44,7 +45,7 @@ void addExplainOptions(CLI::App& app, CommandLine& line) {
          "pixels were traced. The program is run a second time for it, without GLuRay")
       ->type_name("FILE");
   app.add_option("--rest", line.restSeconds,
-                 "End the program when it has drawn, and then nothing new for S seconds; 0: never")
+                 "End the program when it has drawn and then shows nothing new for S seconds; 0: never")
       ->check(CLI::Range(0.0, 1e6))
       ->type_name("S")
       ->capture_default_str();
@@ -55,7 +56,7 @@ void addExplainOptions(CLI::App& app, CommandLine& line) {
 }
 
 void addListOptions(CLI::App& app, CommandLine& line) {
-  app.add_option("--why", line.why, "Show one setting, and the value that each layer gives it")
+  app.add_option("--why", line.why, "Show one setting and the value from each layer (file, environment ...)")
       ->type_name("NAME");
   app.add_flag("--changed", line.changed, "Leave out settings with their built-in values");
   app.add_option("--program", line.profile, "Apply the profiles of this program")->type_name("NAME");
@@ -64,8 +65,8 @@ void addListOptions(CLI::App& app, CommandLine& line) {
 void addOptions(CLI::App& app, CommandLine& line) {
   app.add_option(
          "--door", line.door,
-         "How calls are seen: vendor (through libglvnd), preload (LD_PRELOAD; for OSMesa and bundled\n"
-         "OpenGL libraries), or auto, which picks what the program needs")
+         "How GLuRay sees OpenGL calls: vendor (through libglvnd), preload (LD_PRELOAD; for OSMesa and\n"
+         "bundled OpenGL libraries), or auto, which picks what the program needs")
       ->check(CLI::IsMember({"auto", "vendor", "preload"}))
       ->capture_default_str();
   addSettingOptions(app, line.settings, line.command == Command::explain);
@@ -78,7 +79,7 @@ int complain(const std::string& what) {
   return kUsageError;
 }
 
-/// The command that the first word names; it is run where that is none.
+/// Whether the first word names a command, and which one.
 bool namesCommand(int argc, char** argv, Command& command) {
   static const std::map<std::string, Command> commands = {
       {"run", Command::run},       {"explain", Command::explain},   {"doctor", Command::doctor},
@@ -92,18 +93,18 @@ bool namesCommand(int argc, char** argv, Command& command) {
 void describeTimeline(CLI::App& app, CommandLine& line) {
   app.description("Prints what each thread did in a run with --timeline FILE, and draws it.");
   app.name("gluray timeline");
-  app.add_option("FILE", line.program, "What --timeline has written")->required()->expected(1);
-  app.add_option("-o", line.chart, "Draw a chart (SVG): the whole run, and some frames from near")
+  app.add_option("FILE", line.program, "A file written by --timeline")->required()->expected(1);
+  app.add_option("-o", line.chart, "Draw a chart (SVG): the whole run, and a close-up of some frames")
       ->type_name("CHART.svg");
-  app.add_option("--from", line.from, "The near view begins here [in the middle of the run]")
+  app.add_option("--from", line.from, "The close-up begins here [in the middle of the run]")
       ->check(CLI::NonNegativeNumber)
       ->type_name("MS");
-  app.add_option("--to", line.to, "The near view ends here [some frames later]")
+  app.add_option("--to", line.to, "The close-up ends here [some frames later]")
       ->check(CLI::NonNegativeNumber)
       ->type_name("MS");
 }
 
-/// The options of a command, and what its help says.
+/// Adds the options and the help text of the command in `line`.
 void describe(CLI::App& app, CommandLine& line) {
   const auto usage = [&](const char* text) { app.get_formatter()->label("OPTIONS", text); };
   if (line.command == Command::timeline) return describeTimeline(app, line);
@@ -115,15 +116,16 @@ void describe(CLI::App& app, CommandLine& line) {
       break;
     case Command::explain:
       app.description(
-          "Runs an OpenGL program and prints what it drew: each kind of draw, traced or why not.");
+          "Runs an OpenGL program and prints a table of its draws: each kind, whether it was traced, and why "
+          "not.");
       app.name("gluray explain");
       usage("options] [--] PROGRAM [ARGUMENTS...");
       addExplainOptions(app, line);
       break;
     case Command::doctor:
       app.description(
-          "Says what will work, and mends what does not: one line each. Exit code 0: all is well,\n"
-          "1: it works with a limitation, 2: it will not work.");
+          "Checks this machine and a program, one line each, and names a fix where something is missing.\n"
+          "Exit code 0: all is well, 1: it works with limitations, 2: it will not work.");
       app.name("gluray doctor");
       usage("options] [--] [PROGRAM");
       return;
@@ -133,7 +135,7 @@ void describe(CLI::App& app, CommandLine& line) {
       usage("options");
       return;
     case Command::settings:
-      app.description("Lists all settings with their values, and says where each value is from.");
+      app.description("Lists all settings with their values and origins.");
       app.name("gluray settings");
       usage("options");
       addListOptions(app, line);
@@ -143,7 +145,7 @@ void describe(CLI::App& app, CommandLine& line) {
   addOptions(app, line);
 }
 
-/// Where the program begins, from word `first` on: after "--", or at the first word that is neither an option
+/// Index of the program's word, from `first` on: after "--", or the first word that is neither an option
 /// nor an option's value.
 int firstProgramWord(const CLI::App& app, int first, int argc, char** argv) {
   int i = first;
@@ -151,8 +153,7 @@ int firstProgramWord(const CLI::App& app, int first, int argc, char** argv) {
     const std::string word = argv[i];
     if (word == "--") break;
     const auto* option = app.get_option_no_throw(word);
-    if (option && option->get_items_expected_max() > 0)
-      ++i;  // its value follows; "--door=vendor" has it inside
+    if (option && option->get_items_expected_max() > 0) ++i;  // skips its value; "--door=vendor" is one word
   }
   return std::min(i, argc);
 }
@@ -168,7 +169,7 @@ Parsed parse(int argc, char** argv) {
   const int first = namesCommand(argc, argv, line.command) ? 2 : 1;
   describe(app, line);
 
-  const bool runs = line.command != Command::timeline;  // other words than options are the command's own
+  const bool runs = line.command != Command::timeline;  // timeline takes a file, not a program
   const int program = runs ? firstProgramWord(app, first, argc, argv) : argc;
   std::vector<std::string> own(argv + std::min(first, program), argv + program);
   try {

@@ -1,4 +1,4 @@
-// What the user typed.
+// The launcher's command line, parsed.
 #pragma once
 #include "settings/chosen_settings.h"
 
@@ -24,13 +24,13 @@ struct CommandLine {
   std::string html;                            // file; empty: none
   // settings
   std::string why, profile;  // a setting, a program; empty: none
-  bool changed = false;      // only what is not built in
+  bool changed = false;      // only settings that differ from their built-in values
   // timeline; its file is in `program`
   std::string chart;          // file; empty: none
-  double from = -1, to = -1;  // milliseconds, of the near view; negative: some frames of the middle
+  double from = -1, to = -1;  // close-up view, milliseconds; negative: some frames in the middle of the run
 };
 
-/// Result of parsing: either something to run, or an exit code after the user was told.
+/// Result of parsing: a command to run, or (`run` false) the exit code after help or an error was printed.
 struct Parsed {
   CommandLine commandLine;
   bool run = false;

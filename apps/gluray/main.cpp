@@ -1,5 +1,5 @@
-// gluray: runs a program with its OpenGL calls led through GLuRay, then gets out of the way (exec); or
-// explains such a run, or says beforehand what will work.
+// gluray, the launcher: sets the environment so that a program's OpenGL calls go through GLuRay, and replaces
+// itself by the program (exec); or runs one of the other commands, such as explain and doctor.
 #include "command_line.h"
 #include "doctor/doctor.h"
 #include "doctor/probe_context.h"

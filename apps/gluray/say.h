@@ -1,4 +1,4 @@
-// What the launcher tells and writes. Names and words of others are made printable first.
+// The launcher's output: messages, JSON, files. Escapes unprintable characters in messages.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 
@@ -8,9 +8,9 @@ namespace gluray::launcher {
 
 /// Writes one line "gluray: TEXT" to stderr.
 void say(const std::string& text);
-/// JSON for people and programs; what is no UTF-8 is replaced.
+/// Indented JSON; replaces invalid UTF-8.
 std::string jsonText(const nlohmann::json& value);
-/// Writes a file (base/files.h); throws std::runtime_error with one line where it cannot.
+/// Writes a file (base/files.h). Throws std::runtime_error with one line if it cannot.
 void writeFile(const std::string& path, const std::string& text);
 
 }  // namespace gluray::launcher

@@ -8,7 +8,7 @@ namespace gluray::launcher {
 /// Rows of cells; columns are as wide as their widest cell, two blanks apart.
 class TextTable {
  public:
-  /// One letter a column: 'l' or 'r', the side to which its cells are moved.
+  /// One letter a column: 'l' aligns its cells left, 'r' right.
   explicit TextTable(std::string sides) : sides_(std::move(sides)) {}
   void row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
   bool empty() const { return rows_.empty(); }

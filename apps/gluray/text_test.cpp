@@ -1,4 +1,4 @@
-// What explain and doctor print, from made-up facts.
+// The output of explain and doctor for made-up reports and findings.
 #include "doctor/diagnosis.h"
 #include "explain/explanation_text.h"
 #include "text_table.h"
@@ -17,7 +17,7 @@ TEST(Text, TablesAreAligned) {
   EXPECT_EQ(table.text("> "), "> a     10  x\n> long   9\n");
 }
 
-TEST(Text, LinesAreBrokenAtBlanks) {
+TEST(Text, LinesWrapAtBlanks) {
   EXPECT_EQ(wrapped("one two three", 7, "- "), "- one two\n- three\n");
   EXPECT_EQ(wrapped("unbreakable a", 4, ""), "unbreakable\na\n");
   EXPECT_EQ(wrapped("", 4, "  "), "");
@@ -103,7 +103,7 @@ quirks
 calls that GLuRay does not model, left to the real OpenGL
   glDrawPixels  10
 
-functions asked for by name that GLuRay does not know: their calls go to the real OpenGL unseen
+functions that the program looked up and GLuRay does not know: it does not see calls to them
   glFooBarXYZ
 )");
 }
@@ -128,25 +128,25 @@ TEST(Diagnosis, ExitCodeIsTheWorst) {
   EXPECT_EQ(diagnosis.exitCode(), 0);
   diagnosis.ok("a", "well");
   EXPECT_EQ(diagnosis.exitCode(), 0);
-  diagnosis.limited("b", "so so", "mend b");
+  diagnosis.limited("b", "so so", "do b");
   EXPECT_EQ(diagnosis.exitCode(), 1);
   diagnosis.broken("c", "broken");
   diagnosis.ok("d", "well");
   EXPECT_EQ(diagnosis.exitCode(), 2);
   EXPECT_EQ(
       diagnosis.text(),
-      "a  ok       well\nb  limited  so so\n            mend: mend b\nc  BROKEN   broken\nd  ok       well\n"
+      "a  ok       well\nb  limited  so so\n            fix: do b\nc  BROKEN   broken\nd  ok       well\n"
       "\nit will not work\n");
   EXPECT_EQ(diagnosis.json()["exitCode"], 2);
-  EXPECT_EQ(diagnosis.json()["findings"][1]["mend"], "mend b");
+  EXPECT_EQ(diagnosis.json()["findings"][1]["fix"], "do b");
 }
 
 TEST(Diagnosis, PackagesAreNamedAsDebianNamesThem) {
-  EXPECT_EQ(mendMissingLibrary("libembree3.so.3"), "sudo apt install libembree3-3");
-  EXPECT_EQ(mendMissingLibrary("libtbb.so.12"), "sudo apt install libtbb12");
-  EXPECT_EQ(mendMissingLibrary("libGLU.so.1"), "sudo apt install libglu1");
-  EXPECT_EQ(mendMissingLibrary("libfoo_bar.so.2"), "sudo apt install libfoo-bar2");
-  EXPECT_EQ(mendMissingLibrary("plugin.so"), "apt-file search plugin.so");
+  EXPECT_EQ(installCommand("libembree3.so.3"), "sudo apt install libembree3-3");
+  EXPECT_EQ(installCommand("libtbb.so.12"), "sudo apt install libtbb12");
+  EXPECT_EQ(installCommand("libGLU.so.1"), "sudo apt install libglu1");
+  EXPECT_EQ(installCommand("libfoo_bar.so.2"), "sudo apt install libfoo-bar2");
+  EXPECT_EQ(installCommand("plugin.so"), "apt-file search plugin.so");
 }
 
 }  // namespace

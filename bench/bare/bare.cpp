@@ -1,5 +1,5 @@
-// gluray-bench-bare: what Embree alone can do on the frame benchmark's meshes and views, with a Lambert shade
-// and nothing else around it: the yardstick for everything GLuRay adds.
+// gluray-bench-bare: Embree alone on the frame benchmark's meshes and views, with Lambert shading
+// and nothing else: the yardstick for everything GLuRay adds.
 #include "bench/bare/scene.h"
 #include "bench/data/isosurface.h"
 #include "bench/data/png.h"

@@ -74,8 +74,7 @@ void drawFrame(DrawPath& path, int frame, int frames, double distance) {
   path.draw();
 }
 
-/// What an ordinary program does between frames: it computes, or waits for something. Then it draws, swaps
-/// and goes on.
+/// The work of an ordinary program: computes, or waits for something, between frames; then draws and swaps.
 void workBetweenFrames(const Options& options) {
   if (options.waitMs > 0)
     std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(options.waitMs));
@@ -88,8 +87,8 @@ void workBetweenFrames(const Options& options) {
   for (const double end = cpuMs() + options.computeMs; cpuMs() < end;) {}
 }
 
-/// Ten frames a second for a while, as a program that hardly moves; not measured. No two in a row are the
-/// same, so that what was built behind them comes in.
+/// Ten frames a second for a while, as of a program that hardly moves; not measured. Consecutive frames
+/// differ, so that structures built in the background are put into use.
 void settle(DrawPath& path, Window& window, const Options& options, double seconds) {
   const Clock::time_point start = Clock::now();
   for (int i = 0; Seconds(Clock::now() - start).count() < seconds; ++i) {
@@ -99,8 +98,8 @@ void settle(DrawPath& path, Window& window, const Options& options, double secon
   }
 }
 
-/// How many frames, at most as many as asked for and at least two, take about so many seconds: one is drawn
-/// to find out.
+/// The number of frames that take about so many seconds, at least two and at most as many as requested; draws
+/// one frame to find out.
 int framesWithin(DrawPath& path, Window& window, const Options& options) {
   if (options.seconds <= 0) return options.frames;
   const Clock::time_point start = Clock::now();

@@ -71,13 +71,13 @@ void compileBall(GLuint list, int side, double phase, int count) {
   glEndList();
 }
 
-/// What draws frame `frame`.
+/// Draws frame `frame`.
 using Draw = std::function<void(int frame)>;
 
 constexpr int kThousand = 23, kEighty = 7;  // rows of balls of 1,012 and 84 triangles
 
 struct Kind {
-  int count, side;  // things, and rows of each
+  int count, side;  // number of objects, and rows of each
   std::function<Draw(int count)> prepare;
 };
 

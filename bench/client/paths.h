@@ -1,4 +1,4 @@
-// The ways a fixed-function program hands its mesh to OpenGL.
+// The ways in which a fixed-function program sends its mesh to OpenGL.
 #pragma once
 #include "bench/data/isosurface.h"
 

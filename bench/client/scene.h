@@ -1,4 +1,4 @@
-// What the benchmark's fixed-function programs have in common: one lamp at the viewer, one camera.
+// Shared by the benchmark's fixed-function programs: one light at the viewer, one camera.
 #pragma once
 
 namespace gluray::bench {

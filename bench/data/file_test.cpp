@@ -65,7 +65,7 @@ TEST(Nifti, ReadsCompressedIntegersWithScale) {
   EXPECT_FLOAT_EQ(volume.at(2, 1, 1), 21);
 }
 
-TEST(Nifti, TellsWhatIsWrong) {
+TEST(Nifti, ReportsErrors) {
   const std::string good = smallNifti();
   EXPECT_NE(errorOf("/nonexistent/head.nii").find("cannot be opened"), std::string::npos);
   EXPECT_NE(errorOf(writeGzip("short.nii.gz", good.substr(0, 100))).find("too short"), std::string::npos);
@@ -100,11 +100,11 @@ TEST(Ply, WritesHeaderVerticesAndFaces) {
   EXPECT_EQ(bytes[body + 72], 3);
 }
 
-TEST(Ply, TellsWhereItCannotWrite) {
+TEST(Ply, ReportsUnwritableFiles) {
   EXPECT_THROW(writePly(TriangleMesh{}, "/nonexistent/folder/mesh.ply"), std::runtime_error);
 }
 
-TEST(Png, PicturesComeBack) {
+TEST(Png, PicturesRoundTrip) {
   // Two rows of two pixels, bottom row first: red, green; blue, white.
   const Picture picture = pictureFromGl(2, 2, {255, 0, 0, 9, 0, 255, 0, 9, 0, 0, 255, 9, 255, 255, 255, 9});
   const std::vector<uint8_t> topDown{0, 0, 255, 255, 255, 255, 255, 0, 0, 0, 255, 0};
@@ -136,7 +136,7 @@ TEST(Report, ResidentMemoryIsSeen) {
   const std::vector<char> block(64 << 20, 1);
   const ResidentBytes after = residentBytes();
   EXPECT_GE(after.now, before + (60u << 20)) << block.size();
-  // Read at last, so that no compiler leaves the block out.
+  // Reads the block at the end, so that no compiler removes it.
   const volatile char* kept = block.data();
   EXPECT_EQ(kept[1 << 20], 1);
   EXPECT_GE(after.highest, after.now);

@@ -15,9 +15,9 @@ namespace {
 
 constexpr uint32_t kNone = 0xffffffffu;
 
-/// Where the vertices and triangles of one layer of one surface go. A layer is a plane of grid points and the
-/// cells above it. Its vertices: first those on edges within the plane, by point, x before y; then those on
-/// edges up to the next plane, by point.
+/// Places of the vertices and triangles of one layer of one surface. A layer is a plane of grid points and
+/// the cells above it. Its vertices: first those on edges within the plane, by point, x before y; then those
+/// on edges up to the next plane, by point.
 struct Layer {
   size_t planeVertices = 0, upVertices = 0, triangles = 0;  // counts
   size_t firstVertex = 0, firstTriangle = 0;                // places in the mesh
@@ -181,7 +181,7 @@ void Surface::emit(int z, const Layer& layer, const Layer* above, TriangleMesh& 
   });
 }
 
-/// Gives every layer its place behind the one before; returns the totals in the last layer's fields of a sum.
+/// Places every layer after the one before; returns the totals.
 Layer placeLayers(std::vector<Layer>& layers) {
   Layer total;
   for (Layer& layer : layers) {

@@ -9,7 +9,7 @@
 
 namespace gluray::bench {
 
-/// Told how much is done, 0..1, on whichever thread finished a part of it.
+/// Progress callback, 0..1; called on whichever thread finished a part.
 using Progress = std::function<void(double done)>;
 
 /// The surfaces value = isovalue, one after the other in one mesh. Neighbouring triangles share their

@@ -58,18 +58,18 @@ TriangleMesh readMesh(const std::string& path) {
   if (!file) fail(path, std::string("cannot be read: ") + std::strerror(errno));
   Header header;
   if (std::fread(&header, sizeof header, 1, file.get()) != 1 || header.magic != kMagic)
-    fail(path, "is no mesh of the benchmarks");
+    fail(path, "is not a mesh file of the benchmarks");
   struct stat status {};
   constexpr uint64_t kMost = uint64_t{1} << 40;  // beyond that the sum below could overflow
   if (fstat(fileno(file.get()), &status) != 0 || header.vertices > kMost || header.indices > kMost ||
       uint64_t(status.st_size) != sizeof header + 24 * header.vertices + 4 * header.indices)
-    fail(path, "is not as long as it says");
+    fail(path, "has the wrong length for its header");
   TriangleMesh mesh;
   if (!get(file.get(), mesh.positions, header.vertices, 2) ||
       !get(file.get(), mesh.normals, header.vertices, 0) || !get(file.get(), mesh.indices, header.indices, 0))
     fail(path, "could not be read to its end");
   if (std::any_of(mesh.indices.begin(), mesh.indices.end(), [&](uint32_t i) { return i >= header.vertices; }))
-    fail(path, "has an index that is none of a vertex");
+    fail(path, "has an index beyond its vertices");
   return mesh;
 }
 

@@ -11,7 +11,7 @@ namespace gluray::bench {
 /// replaced only once all is written. Throws std::runtime_error with one clear line.
 void writeMesh(const TriangleMesh& mesh, const std::string& path);
 /// Reads what writeMesh() wrote. Throws std::runtime_error where the file is another kind or too short, or
-/// where an index is none of a vertex.
+/// if an index is beyond its vertices.
 TriangleMesh readMesh(const std::string& path);
 
 }  // namespace gluray::bench

@@ -79,7 +79,7 @@ Volume readNifti(const std::string& path) {
   }
   if (points > kMaxPoints) fail(path, "has more than 2^31 points");
   const float offset = field<float>(header, 108);
-  if (!(offset >= kHeaderSize && offset < 1e9f)) fail(path, "has no sensible data offset");
+  if (!(offset >= kHeaderSize && offset < 1e9f)) fail(path, "has an invalid data offset");
   if (gzseek(file.get(), z_off_t(offset), SEEK_SET) < 0) fail(path, "ends before its data");
 
   out.values.resize(size_t(points));

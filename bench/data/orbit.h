@@ -14,7 +14,7 @@ inline constexpr double kDataReach = 173.3;
 inline constexpr std::array<float, 3> kBackground{0.32f, 0.34f, 0.43f};
 inline constexpr std::array<float, 3> kDiffuse{0.80f, 0.62f, 0.36f};
 
-/// Where the camera stands and its axes in world space, each of length 1; it looks along -backward.
+/// Position of the camera and its unit axes in world space; it looks along -backward.
 struct CameraPose {
   std::array<double, 3> eye, right, up, backward;
 };

@@ -1,4 +1,4 @@
-// What a benchmark program measured, and the line of JSON it prints.
+// The measurements of a benchmark program, and the line of JSON that it prints.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -28,7 +28,7 @@ struct ResidentBytes {
   size_t now = 0, anonymous = 0, highest = 0;
 };
 ResidentBytes residentBytes();
-/// From now on `highest` counts anew, where the system lets us.
+/// Resets `highest`, if the system allows it.
 void forgetHighest();
 
 /// One line of JSON: program, path, renderer, triangles, first_image_s, frame_s (median), frame_low_s and

@@ -132,7 +132,7 @@ TEST(Waves, RowsAgreeWithTheFormula) {
     }
 }
 
-TEST(IsosurfaceInSlabs, IsTheOneOfTheWholeGrid) {
+TEST(IsosurfaceInSlabs, EqualsThatOfTheWholeGrid) {
   const std::array<int, 3> size{20, 18, 23};
   const auto value = [](int x, int y, int z) {
     return 7 - std::hypot(float(x) - 9.3f, float(y) - 8.6f, float(z) - 11.1f);
@@ -147,7 +147,7 @@ TEST(IsosurfaceInSlabs, IsTheOneOfTheWholeGrid) {
   for (int z = 0; z < size[2]; ++z) fill(z, whole.values.data() + whole.rowIndex(0, z));
   const TriangleMesh want = isosurfaces(whole, {0}), got = isosurfaceInSlabs(size, fill, 0, 4);
   ASSERT_EQ(got.triangleCount(), want.triangleCount());
-  EXPECT_GT(got.positions.size(), want.positions.size());  // those of the seams are there twice
+  EXPECT_GT(got.positions.size(), want.positions.size());  // vertices on seams are duplicated
   for (size_t i = 0; i < want.indices.size(); ++i) {
     const Vertex &a = want.positions[want.indices[i]], &b = got.positions[got.indices[i]];
     const Vertex &n = want.normals[want.indices[i]], &m = got.normals[got.indices[i]];
@@ -167,7 +167,7 @@ class MeshFile : public testing::Test {
                           .string();
 };
 
-TEST_F(MeshFile, ComesBackAsItWas) {
+TEST_F(MeshFile, RoundTrips) {
   const TriangleMesh mesh = tubes({{{0, 0, 0}, {0, 1, 0}}}, 1, 3);
   writeMesh(mesh, path_);
   const TriangleMesh back = readMesh(path_);
@@ -179,7 +179,7 @@ TEST_F(MeshFile, ComesBackAsItWas) {
   }
 }
 
-TEST_F(MeshFile, RefusesWhatItCannotHaveWritten) {
+TEST_F(MeshFile, RefusesInvalidFiles) {
   EXPECT_THROW(readMesh(path_), std::runtime_error);
   std::ofstream(path_) << "something else altogether, which is long enough";
   EXPECT_THROW(readMesh(path_), std::runtime_error);

@@ -1,4 +1,4 @@
-"""A camera path for osgviewer -p: once around a mesh, and where the mesh lies."""
+"""A camera path for osgviewer -p: once around a mesh; and the bounds of a mesh."""
 import array
 import math
 import pathlib

@@ -1,7 +1,7 @@
 """The demo in ParaView: a head scan's isosurface, with and without GLuRay.
 
 Runs pvbatch on the scan twice, the camera in orbit, writes both pictures and out/demo/side_by_side.png, and prints frames per
-second and what was traced. With --gui the ParaView window is opened on it as well, under GLuRay.
+second and how much was traced. With --gui also opens the ParaView window on it, under GLuRay.
 """
 import json
 import os
@@ -12,7 +12,7 @@ import subprocess
 from demo.show import Failed, ROOT, print_result, say
 from support.display import display
 
-SYSTEM_PYTHON = "/usr/bin/python3"  # the one that ParaView's numpy belongs to
+SYSTEM_PYTHON = "/usr/bin/python3"  # the one for which ParaView's numpy is built
 FRAMES = {"plain": 10, "traced": 40}
 
 
@@ -26,7 +26,7 @@ class ParaViewDemo:
         self.environment = dict(os.environ)
 
     def convert(self):
-        """ParaView reads MetaImage without plugins; the scan is NIfTI."""
+        """Converts the NIfTI scan to MetaImage, which ParaView reads without plugins."""
         self.out.mkdir(parents=True, exist_ok=True)
         if self.scan.exists() and self.scan.stat().st_mtime > pathlib.Path(self.volume).stat().st_mtime:
             return
@@ -36,7 +36,7 @@ class ParaViewDemo:
             raise Failed(f"{self.volume} could not be read")
 
     def orbit(self, launcher, frames, picture):
-        """Turns the head in pvbatch; returns what the script measured."""
+        """Turns the head in pvbatch; returns the script's measurements."""
         command = [*map(str, launcher), "pvbatch", str(ROOT / "bench" / "support" / "paraview_orbit.py"), "60", str(frames),
                    "1024", str(picture), str(self.scan)]
         done = subprocess.run(command, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)

@@ -21,12 +21,12 @@ from support.display import NoDisplay, display  # noqa: E402
 
 WINDOW_CLASS = "osgViewer"
 SIZE = 1024  # pixels, both ways
-LOOPS = 2    # turns to watch; the first holds the loading and building, the last is the one that counts
-PATIENCE = 300  # seconds for any one step before it is given up
+LOOPS = 2    # turns to watch; the first includes loading and building, the last is measured
+PATIENCE = 300  # seconds after which a step is aborted
 
 
 class Failed(RuntimeError):
-    """A step of the demo did not work."""
+    """A step of the demo failed."""
 
 
 def say(text):
@@ -55,7 +55,7 @@ class Demo:
 
     def make_mesh(self):
         self.out.mkdir(parents=True, exist_ok=True)
-        recipe = self.out / "head.recipe"  # what the kept mesh was made from
+        recipe = self.out / "head.recipe"  # describes the input of the kept mesh
         wanted = f"{self.volume} isovalue 60 smooth 2\n"
         if not self.mesh.exists() or not recipe.exists() or recipe.read_text() != wanted:
             say(f"making the mesh of {self.volume}")
@@ -77,7 +77,7 @@ class Demo:
         return viewer, ours
 
     def stop(self, viewer, terminal):
-        """Closes the viewer's window and waits; a viewer that does not listen is ended, with what it started."""
+        """Closes the viewer's window and waits; kills a viewer that does not react, with its child processes."""
         try:
             if viewer.poll() is None:
                 self.tool("gluray-bench-picture", "close", "--class", WINDOW_CLASS)
@@ -107,7 +107,7 @@ class Demo:
             self.stop(viewer, terminal)
 
     def picture(self, launcher, file):
-        """Writes what the viewer shows at rest."""
+        """Writes the viewer's picture at rest."""
         viewer, terminal = self.viewer(launcher)
         try:
             self.tool("gluray-bench-picture", "grab", "--class", WINDOW_CLASS, "--out", file, "--patience", PATIENCE)
@@ -135,12 +135,12 @@ class Demo:
 
 
 def read_all(terminal):
-    """What has been written to a terminal since the last look; nothing once its last writer is gone."""
+    """The output to a terminal since the last call; empty once its last writer is gone."""
     text = b""
     try:
         while chunk := os.read(terminal, 65536):
             text += chunk
-    except OSError:  # nothing more for now, or for ever
+    except OSError:  # no more output, now or ever
         pass
     return text.decode(errors="replace")
 
@@ -160,7 +160,7 @@ def print_result(plain, traced, report_file):
     for reason, count in sorted(draws.get("rasterised", {}).items()):
         print(f"    {reason}: {count}")
     print(f"  acceleration          {bvh.get('builds', 0):8} builds, {bvh.get('bytes', 0) / 1e6:.0f} MB")
-    # Programs that draw into memory show no frames: there the pictures are counted.
+    # Programs that draw into memory show no frames: counts their pictures instead.
     unshown = report.get("frames", 0) <= 1 and report.get("flushes", 0) > 1
     share = 1 / report["flushes"] if unshown else 1
     milliseconds = ", ".join(f"{part} {value * share:.2f}" for part, value in report.get("ms", {}).items())

@@ -15,7 +15,7 @@ namespace {
 
 using namespace gluray::bench;
 
-/// Shows what is being done on stderr: a moving percentage on a terminal, one line a step elsewhere.
+/// Shows progress on stderr: a changing percentage on a terminal, one line a step elsewhere.
 class Steps {
  public:
   explicit Steps(const char* what) : what_(what), terminal_(isatty(STDERR_FILENO) != 0) {

@@ -1,5 +1,4 @@
-// What the program's thread pays for vertices: the engine's functions, the stream below them, and knowing a
-// run again.
+// Cost of vertices on the program's thread: the engine's functions, their stream, and recognising a run.
 #include "bench/micro/micro_mesh.h"
 #include "gl/capture/vertex_stream.h"
 #include "tests/support/traced_context.h"
@@ -12,7 +11,7 @@ namespace {
 
 using namespace gluray;
 
-/// Takes every batch and does nothing with it.
+/// Accepts every batch and does nothing with it.
 class NoPresenter final : public gl::Presenter {
  public:
   gl::PresentResult present(const gl::RealGl&, const scene::SnapshotPtr&,
@@ -25,7 +24,7 @@ class NoPresenter final : public gl::Presenter {
   static inline int batches = 0;
 };
 
-/// glNormal3fv and glVertex3fv as the door hands them to the engine.
+/// glNormal3fv and glVertex3fv as the door calls them in the engine.
 void engineCalls(benchmark::State& state) {
   const test::TracedContext traced({}, test::TracedContext::tracing(), std::make_unique<NoPresenter>());
   const gl::RealGl& gl = traced.gl();
@@ -61,7 +60,7 @@ void fill(gl::VertexStream& stream, const std::vector<bench::Vertex>& sent) {
   stream.end();
 }
 
-/// Normals and vertices into memory that is used again.
+/// Captures normals and vertices into reused memory.
 void capture(benchmark::State& state) {
   const std::vector<bench::Vertex> sent = bench::corners(bench::kMicroTriangles);
   gl::VertexStream stream;
@@ -74,7 +73,7 @@ void capture(benchmark::State& state) {
 }
 BENCHMARK(capture)->Name("capture/immediate")->Unit(benchmark::kMillisecond)->UseRealTime()->Repetitions(5);
 
-/// Whether a run is the one of the last frame: its hash.
+/// Checks by hash whether a run equals that of the last frame.
 void unchanged(benchmark::State& state) {
   gl::VertexStream stream;
   fill(stream, bench::corners(bench::kMicroTriangles));

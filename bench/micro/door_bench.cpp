@@ -1,5 +1,5 @@
-// gluray-bench-door: what a call of glNormal3fv and glVertex3fv costs a program, through whatever OpenGL it
-// meets. It knows nothing of GLuRay; scripts/bench micro runs it plainly and under gluray.
+// gluray-bench-door: cost of a call of glNormal3fv and glVertex3fv in a program. The program knows nothing of
+// GLuRay; scripts/bench micro runs it with and without gluray.
 #include "bench/client/window.h"
 #include "bench/micro/micro_mesh.h"
 
@@ -28,7 +28,7 @@ void vertexCalls(benchmark::State& state) {
     }
     state.SetIterationTime(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     glEnd();
-    window.swapAndFinish();  // what becomes of it is measured elsewhere
+    window.swapAndFinish();  // drawing is measured elsewhere
   }
   state.SetItemsProcessed(state.iterations() * int64_t(sent.size()));
   state.SetLabel(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));

@@ -1,4 +1,4 @@
-// gluray-bench-micro: what single steps of the library cost, by Google Benchmark.
+// gluray-bench-micro: costs of single steps of the library, by Google Benchmark.
 #include <benchmark/benchmark.h>
 
 BENCHMARK_MAIN();

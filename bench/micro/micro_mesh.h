@@ -17,8 +17,8 @@ inline const TriangleMesh& microMesh() {
   return mesh;
 }
 
-/// Normal and position of every corner of the first `triangles`, one after the other: what a program walks
-/// through that sends triangles.
+/// Normal and position of every corner of the first `triangles`, one after the other: the input of a program
+/// that sends triangles.
 inline std::vector<Vertex> corners(size_t triangles) {
   const TriangleMesh& mesh = microMesh();
   std::vector<Vertex> out;

@@ -25,7 +25,7 @@ void build(benchmark::State& state, BvhQuality quality) {
   Image image;
   std::string error;
   for (auto _ : state) {
-    frame::Renderer renderer;  // knows no structure yet
+    frame::Renderer renderer;  // has no structure yet
     scene::TraceCost statistics;
     if (!renderer.render(s, image, statistics, error)) return state.SkipWithError(error.c_str());
     state.SetIterationTime(statistics.buildSeconds);
@@ -58,7 +58,7 @@ scene::MeshPtr moved(const scene::Mesh& mesh, float time) {
   return result;
 }
 
-/// A mesh that moves: what its structure takes in each frame.
+/// A moving mesh: the cost of its structure in each frame.
 void follow(benchmark::State& state) {
   scene::Snapshot s = snapshot(BvhQuality::automatic);
   const scene::MeshPtr mesh = s.instances[0].mesh;
@@ -71,7 +71,7 @@ void follow(benchmark::State& state) {
     s.instances[0].mesh = moved(*mesh, 0.05f * static_cast<float>(step++));
     return renderer.render(s, image, statistics, error);
   };
-  for (int i = 0; i < 6; ++i) next();  // until it is known to move
+  for (int i = 0; i < 6; ++i) next();  // until GLuRay treats it as moving
   for (auto _ : state) {
     if (!next()) return state.SkipWithError(error.c_str());
     state.SetIterationTime(statistics.buildSeconds);

@@ -16,7 +16,7 @@ namespace {
 
 using namespace gluray;
 
-/// What a frame of the Wavelet looks like: half of its pixels are hits.
+/// An image like a frame of the Wavelet: half of its pixels are hits.
 const Image& picture() {
   static const Image image = [] {
     scene::Snapshot s = bench::waveletSnapshot(bench::microMesh());
@@ -100,7 +100,7 @@ void bindTextures(const gl::RealGl& gl) {
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, textures[1], 0);
 }
 
-/// The picture sent into textures that hold nothing but a clear.
+/// Uploads the picture into textures that hold only their clear values.
 void send(benchmark::State& state) {
   const auto context = test::OsmesaContext::create({bench::kImageSize, bench::kImageSize});
   if (!context) return state.SkipWithError("no OpenGL in memory");
@@ -121,7 +121,7 @@ void send(benchmark::State& state) {
 }
 BENCHMARK(send)->Name("write_back/sent")->UseRealTime()->Iterations(100)->Repetitions(5);
 
-/// The picture as a window takes it, before the X server is asked.
+/// Converts the picture for a window, without the X server.
 void fillWindow(benchmark::State& state) {
   std::vector<uint32_t> pixels(size_t{bench::kImageSize} * bench::kImageSize);
   const float farthest = 1 - 0x1p-25f;

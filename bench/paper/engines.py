@@ -1,4 +1,4 @@
-"""The ways of drawing that are measured side by side, and how a row's program is started with each."""
+"""The engines that are measured side by side, and how to start a row's program with each."""
 import os
 import pathlib
 import re
@@ -40,7 +40,7 @@ class Engines:
         self.client = options.build / "bench" / "client" / "gluray-bench-client"
 
     def needed(self):
-        """What must have been built."""
+        """Files that must have been built."""
         return [self.gluray, self.client, self.options.build / "bench" / "paper" / "gluray-bench-paper-data",
                 self.options.build / "lib" / "gluray" / "libgluray-engine.so"]
 
@@ -80,7 +80,7 @@ class Engines:
                 "triangles": out["triangles"], "bvh_bytes": report["bvh"]["bytes"]}
 
     def draw_timeline(self, row, folder, chart):
-        """One run of the row's program, drawn as the paper's Figure 9: what each thread did, all of it and from near."""
+        """One run of the row's program, drawn as the paper's Figure 9: what each thread did in the whole run, and a close-up."""
         file = folder / "timeline.json"
         command = [self.gluray, "--engine", "always", "--threads", self.options.threads, "--timeline", file, "--",
                    *self.command(row, 30, 2, 0)]

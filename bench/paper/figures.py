@@ -18,7 +18,7 @@ COLORS = {"gluray": "#c8860a", "auto": "#e3c06a", "mesa1": "#35597a", "mesa": "#
 MARKERS = {"gluray": "o", "auto": "v", "mesa1": "s", "mesa": "D", "gpu": "^"}
 plt.rcParams.update({"font.family": "DejaVu Sans", "font.size": 9, "axes.spines.top": False, "axes.spines.right": False,
                      "axes.grid": True, "grid.color": "#e4e4e4", "axes.axisbelow": True, "legend.frameon": False,
-                     # The same figures make the same file.
+                     # Equal figures give equal files.
                      "svg.hashsalt": "gluray", "svg.fonttype": "path"})
 PLAIN = FuncFormatter(lambda value, _: f"{value:g}")
 

@@ -1,4 +1,4 @@
-"""What the measured Python programs share: meshes from files, the benchmark's orbit, and frames measured as the client measures them.
+"""Shared by the measured Python programs: meshes from files, the benchmark's orbit, and frames measured as the client measures them.
 
 Imported by paraview_program.py (within pvbatch) and vtk_program.py (within Debian's Python), both with VTK's numpy support.
 """
@@ -39,7 +39,7 @@ def read_mesh(path):
     with open(path, "rb") as file:
         magic, vertices, indices = struct.unpack("<16sQQ", file.read(32))
         if magic != MAGIC or pathlib.Path(path).stat().st_size != 32 + 24 * vertices + 4 * indices:
-            raise ValueError(f"{path} is no mesh of the benchmarks")
+            raise ValueError(f"{path} is not a mesh file of the benchmarks")
         positions = np.fromfile(file, "<f4", 3 * vertices).reshape(-1, 3)
         normals = np.fromfile(file, "<f4", 3 * vertices).reshape(-1, 3)
         corners = np.fromfile(file, "<i4", indices)
@@ -57,7 +57,7 @@ def read_mesh(path):
 
 
 def place(frame, frames, distance):
-    """Where the camera stands in one of `frames` frames that go once around; it looks at the origin, +y is up."""
+    """The camera's position in one of `frames` frames that go once around; it looks at the origin, +y is up."""
     azimuth = math.pi / 4 + 2 * math.pi * frame / max(frames, 1)
     flat = math.cos(ELEVATION)
     return [distance * flat * math.sin(azimuth), distance * math.sin(ELEVATION), distance * flat * math.cos(azimuth)]

@@ -28,7 +28,7 @@ TriangleMesh mixingInterface(double millionTriangles) {
   const std::array<float, 3> spacing{step, step, step};
   const WaveRows swell(swells(), size, origin, spacing);
   const WaveRows turbulence(waves(72, 9, 200, 0.7, 23), size, origin, spacing);
-  // What is above the surface: height - 0.08 swells - 0.3 turbulence, which fades away from the middle.
+  // Positive above the surface: height - 0.08 swells - 0.3 turbulence, which fades away from the middle.
   const auto fill = [&](int z, float* row) {
     std::vector<float> a, b;
     for (int y = 0; y < size[1]; ++y, row += count) {

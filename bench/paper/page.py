@@ -1,9 +1,9 @@
-"""The Markdown page about a result: the paper's figures beside ours."""
+"""The Markdown page about a result: the paper's numbers beside ours."""
 from paper import plan
 from paper.engines import TITLES
 from paper.results import sweep_rows, table_rows
 
-BUSY = 1.0  # load from which figures mean little
+BUSY = 1.0  # load from which times mean little
 STANDS_FOR = {
     "PV-Wavelet": "ParaView 5.11; the paper: ParaView 3.11",
     "VI-Wavelet": "VTK 9.1 alone; the paper: VisIt 2.4, which draws with VTK",
@@ -24,7 +24,7 @@ def number(value):
 
 
 def fps(figures):
-    """Median, and in brackets how far the quartiles of the frames reach."""
+    """Median, and in brackets the range of the quartiles of the frames."""
     return "-" if not figures else f"{number(figures['fps'])} ({number(figures['fps_low'])} to {number(figures['fps_high'])})"
 
 
@@ -77,10 +77,10 @@ def builds(rows):
 
 
 def not_traced(rows):
-    """A line for each row of which not all surfaces were traced."""
+    """A line for each row in which GLuRay traced nothing."""
     for row in rows:
         if "gluray" in row and not row["gluray"].get("draws_traced"):
-            yield f"- {row['scene']}, {row['program']}, {row['millions']:g}M: nothing was traced; its figures are no comparison."
+            yield f"- {row['scene']}, {row['program']}, {row['millions']:g}M: nothing was traced, so there is nothing to compare."
 
 
 def reasons(rows):
@@ -93,23 +93,23 @@ def reasons(rows):
 
 
 def page(result, pictures):
-    """The page's text; `pictures`: {name: path from the page} of the figures that were drawn."""
+    """The page's text; `pictures`: {name: path from the page} of the drawn figures."""
     rows, machine, versions = result["rows"], result["machine"], result["versions"]
 
     def figure(name, caption):
         return [f"![{caption}]({pictures[name]})", ""] if name in pictures else []
     lines = [
         "# The paper's evaluation, repeated", "",
-        "`scripts/bench paper` measures at a fortieth of the paper's sizes and writes docs/paper-evaluation.md; with `--full` it goes as far as",
-        "memory does and writes docs/paper-evaluation-full.md. [ADR 0019](adr/0019-the-papers-evaluation.md) tells what stands for what.", "",
+        "`scripts/bench paper` measures at a fortieth of the paper's sizes and writes docs/paper-evaluation.md; with `--full` it goes to the paper's",
+        "sizes within available memory and writes docs/paper-evaluation-full.md. [ADR 0019](adr/0019-the-papers-evaluation.md) says what replaces the paper's data and programs.", "",
         f"Measured {result['date']} by `{result['command']}`:", f"{machine['cpu']}, {machine['cores']} cores, {machine['memory']} of memory,",
         f"{machine['system']}, load {machine['load_before']:.1f} before and {machine.get('load_after', 0):.1f} after; GLuRay "
         f"{versions['source']}{' with changes' if versions['source_modified'] else ''}, {versions['embree']}, {versions['mesa']},",
         f"ParaView {versions.get('paraview', '-')}; {result['threads']} threads; 1024x1024 pixels, local lighting. GPU: {result['gpu']}.", "",
-        "Figures are medians; in brackets the range from the lowest first to the highest third quartile of the frames of all rounds. Each round",
+        "Numbers are medians; brackets hold the range from the lowest first to the highest third quartile of the frames of all rounds. Each round",
         "measures every engine once, in turn. The camera goes once around in the measured frames, after a warm-up. Mesa is llvmpipe",
         "(the paper's Mesa had one thread and an older rasteriser); \"1 thread\" is LP_NUM_THREADS=0. The paper's node had 8 cores of 2009.", "",
-        "## Table 1", "", "Frames a second. Sizes differ from the paper's where \"Mtri\" says so: ratios grow with the size.", "", *table_one(rows), ""]
+        "## Table 1", "", "Frames a second. \"Mtri\" shows where sizes differ from the paper's: ratios grow with the size.", "", *table_one(rows), ""]
     lines += [f"- {name}: {text}." for name, text in STANDS_FOR.items()] + [""]
     lines += figure("table1", "Frames a second of each row of Table 1") + ["## Figure 7: frames a second over triangles", ""]
     lines += figure("figure7", "Frames a second over triangles, both logarithmic")
@@ -117,14 +117,14 @@ def page(result, pictures):
     lines += ["## Figure 8: building against one frame of Mesa", "",
               "The paper: less than a second at 1 million triangles, more than a minute at 256 million, always less than one frame of Mesa.", ""]
     lines += figure("figure8", "Seconds to build an acceleration structure and to draw one frame with Mesa, over triangles") + [*builds(rows), ""]
-    lines += ["## Figure 9: who works when", ""] + figure("figure9", "What each thread does, the whole run and some frames from near")
+    lines += ["## Figure 9: who works when", ""] + figure("figure9", "What each thread does: the whole run and a close-up of some frames")
     lines += [f"ParaView from its start, {result.get('timeline_millions', plan.TIMELINE_MILLIONS):g} million triangles of the Wavelet (the paper: 8): "
               "`gluray --timeline`, `gluray timeline`.", ""]
-    lines += ["## What the figures do not say", ""]
+    lines += ["## Limits of these measurements", ""]
     if machine["load_before"] > BUSY:
-        lines.append(f"- The machine was busy when the run began (load {machine['load_before']:.1f}): its figures are no measure of speed.")
+        lines.append(f"- The machine was busy when the run began (load {machine['load_before']:.1f}): do not take its times as a measure of speed.")
     lines += [f"- {note}." for note in result["notes"]] + list(not_traced(rows))
     left = reasons(rows)
     if left:
-        lines += ["- Drawn by the real OpenGL in the measured frames, beside what was traced:", *[f"  {line}" for line in left]]
+        lines += ["- Drawn by the real OpenGL in the measured frames, beside the traced surfaces:", *[f"  {line}" for line in left]]
     return "\n".join(lines).rstrip() + "\n"

@@ -32,7 +32,7 @@ uint64_t hashOf(const TriangleMesh& mesh) {
   return hash;
 }
 
-TEST_P(PaperData, HasAboutTheSizeAskedFor) {
+TEST_P(PaperData, HasAboutTheRequestedSize) {
   const double triangles = double(GetParam().make(0.25).triangleCount());
   EXPECT_GT(triangles, GetParam().smallest * 0.25e6);
   EXPECT_LT(triangles, 1.05 * 0.25e6);

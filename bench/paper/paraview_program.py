@@ -18,7 +18,7 @@ def main():
     source.GetClientSideObject().SetOutput(mesh)
     source.UpdatePipeline()
     window = view.GetRenderWindow()
-    simple.Render(view)  # an empty picture first: the window and its context are there when the clock starts
+    simple.Render(view)  # an empty picture first, so that window and context exist when the clock starts
     view.CameraViewAngle = 30
     view.CameraFocalPoint = [0, 0, 0]
     view.CameraViewUp = [0, 1, 0]

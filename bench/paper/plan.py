@@ -1,4 +1,4 @@
-"""What the paper's evaluation measures, and what of it fits this machine.
+"""The rows of the paper's evaluation, and those that fit this machine.
 
 A row is a data set in a program; each is measured with every engine, round by round.
 """
@@ -19,7 +19,7 @@ PAPER_TABLE = {
 # Bytes a triangle that a program needs with GLuRay and with Mesa, mesh included, and those it needs anyway; measured, rounded up.
 BYTES = {"ParaView": (220, 200), "VTK": (200, 180), "list": (140, 140), "elements": (170, 140), "immediate": (220, 130),
          "vbo": (75, 135)}
-BUILD_BYTES = 165  # the same of the client where GLuRay may not choose a smaller structure
+BUILD_BYTES = 165  # the same for the client if GLuRay may not choose a smaller structure
 FIXED_BYTES = 1e9
 FAR, CLOSE = 669.2, 150.0  # distances of the camera
 SMALL_SCALE = 1 / 40
@@ -32,8 +32,8 @@ TIMELINE_MILLIONS = 8  # of the paper's Figure 9
 class Row:
     scene: str      # PV-Wavelet ...: the paper's name of it, or Wavelet for those of its Figure 7 alone
     program: str    # ParaView, VTK or client
-    path: str       # of the client: how it hands the mesh over; otherwise the program's own
-    data: str       # what gluray-bench-paper-data makes
+    path: str       # of the client: how it sends the mesh; otherwise the program's own way
+    data: str       # data set of gluray-bench-paper-data
     millions: float  # of triangles, about
     distance: float = FAR
 
@@ -48,7 +48,7 @@ class Row:
 
     @property
     def build_needs(self):
-        """Bytes of memory where the structure's quality is given."""
+        """Bytes of memory for a given quality of the structure."""
         return FIXED_BYTES + self.millions * 1e6 * BUILD_BYTES
 
     @property
@@ -57,7 +57,7 @@ class Row:
         return max(self.engine_needs("gluray"), self.engine_needs("mesa"))
 
 
-# Which program stands for which of the paper's, and how it draws.
+# The program that stands for each program of the paper, and how it draws.
 TABLE = {
     "PV-Wavelet": ("ParaView", "buffers", "wavelet", FAR),
     "VI-Wavelet": ("VTK", "buffers", "wavelet", FAR),
@@ -71,12 +71,12 @@ TABLE = {
 
 
 def rounded(millions):
-    """Two digits are enough for a size that was asked for."""
+    """Rounds a requested size to two digits."""
     return float(f"{millions:.2g}") if millions < 100 else round(millions)
 
 
 def fitting(row, memory_bytes):
-    """The row, at half the size as often as it takes to fit; None where 50,000 triangles do not."""
+    """The row, its size halved until it fits; None if 50,000 triangles do not fit."""
     while row.needs_bytes > memory_bytes:
         if row.millions < 0.1:
             return None
@@ -85,13 +85,13 @@ def fitting(row, memory_bytes):
 
 
 def rows(scale, sweep, memory_bytes):
-    """(rows, lines about what does not fit): first the sweep of Figure 7, then Table 1."""
+    """(rows, notes about rows that do not fit): first the sweep of Figure 7, then Table 1."""
     planned, notes = [], []
     for millions in sweep:
         for row in (Row("Wavelet", "client", "list", "wavelet", millions),
                     Row("PV-Wavelet", *TABLE["PV-Wavelet"][:3], millions)):
             if row.needs_bytes > memory_bytes and row.path == "list":
-                row = dataclasses.replace(row, path="vbo")  # leaner, so that the largest can be drawn at all
+                row = dataclasses.replace(row, path="vbo")  # needs less memory, so that the largest fits
             left_out = [title for engine, title in (("gluray", "GLuRay"), ("mesa", "Mesa")) if row.engine_needs(engine) > memory_bytes]
             if "GLuRay" not in left_out:
                 planned.append(row)
@@ -118,12 +118,12 @@ def rounds_of(row, rounds, full):
 
 
 def warm_seconds(millions):
-    """How long GLuRay may draw before it is measured: until the better acceleration structure is there."""
+    """How long GLuRay may draw before it is measured: until the better acceleration structure is in use."""
     return 1 + 0.6 * millions
 
 
 def guess_seconds(row, engine, threads):
-    """Roughly how long a measurement takes; what has been measured says how wrong this is."""
+    """Rough estimate of a measurement's time, corrected later by real measurements."""
     start = {"ParaView": 3.0, "VTK": 1.0, "client": 0.3}[row.program] + row.millions * 0.1
     if engine in ("gluray", "auto"):
         return start + warm_seconds(row.millions) + 0.2 * row.millions + 2

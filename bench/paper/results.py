@@ -5,7 +5,7 @@ from paper import plan
 
 
 def rasterised(report):
-    """{reason: draws} of what GLuRay left to the real OpenGL."""
+    """{reason: draws} left to the real OpenGL."""
     return (report or {}).get("draws", {}).get("rasterised", {})
 
 

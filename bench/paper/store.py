@@ -1,10 +1,10 @@
-"""What has been measured so far, kept measurement by measurement, so that a run that was ended goes on where it was."""
+"""Keeps every measurement, so that an interrupted run can be resumed."""
 import hashlib
 import json
 
 
 def stamp_of(files, **what):
-    """Tells measurements of one build on one machine from others: a digest of the files' contents and of what else matters."""
+    """Identifies the build and the machine of measurements: a digest of the files' contents and of other conditions."""
     digest = hashlib.sha256(json.dumps(what, sort_keys=True).encode())
     for path in files:
         digest.update(path.read_bytes())
@@ -12,7 +12,7 @@ def stamp_of(files, **what):
 
 
 class Store:
-    """A file of lines of JSON: {"stamp", "key", "measured"}. Lines with another stamp, and one cut short, count for nothing."""
+    """A file of lines of JSON: {"stamp", "key", "measured"}. Ignores lines with another stamp, and truncated ones."""
 
     def __init__(self, path, stamp, fresh=False):
         self.path, self.stamp = path, stamp
@@ -42,7 +42,7 @@ class Store:
         return self.known[key]
 
     def keep(self, key, measured):
-        """Written at once: what comes next may be interrupted."""
+        """Writes it at once, because the next measurement may be interrupted."""
         self.known[key] = measured
         cut = self.path.exists() and self.path.stat().st_size > 0 and not self.path.read_bytes().endswith(b"\n")
         with self.path.open("a") as file:

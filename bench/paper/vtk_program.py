@@ -17,7 +17,7 @@ def main():
     window.SetMultiSamples(0)
     window.SetSize(options.size, options.size)
     window.AddRenderer(renderer)
-    window.Render()  # an empty picture first: the window and its context are there when the clock starts
+    window.Render()  # an empty picture first, so that window and context exist when the clock starts
     camera = renderer.GetActiveCamera()
     camera.SetViewAngle(30)
     camera.SetFocalPoint(0, 0, 0)

@@ -9,7 +9,7 @@
 namespace gluray::bench {
 namespace {
 
-/// Windows come and go while we look at them: errors about them are expected and mean "not there".
+/// Windows may be closed while we look at them: X errors are expected and mean "not there".
 int ignoreError(Display*, XErrorEvent*) { return 0; }
 
 bool isNamed(Display* display, ::Window window, const std::string& name) {

@@ -17,7 +17,8 @@ class XWindow {
   XWindow(const XWindow&) = delete;
   XWindow& operator=(const XWindow&) = delete;
 
-  /// What the window shows, where it is on the screen and 24 or 32 bits deep; nothing while there is no such
+  /// window.
+  /// The window's content, if it is on the screen and 24 or 32 bits deep; nothing if there is no such window.
   /// window.
   std::optional<Picture> grab();
   /// Asks the window to close as a window manager's button does; false where there is no such window.

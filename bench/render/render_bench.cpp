@@ -1,6 +1,5 @@
-// gluray-bench-render: frame::Renderer and the bare Embree loop on the same mesh and views, turn by turn in
-// one process: what shading, depth and image cost on top of the rays, with neither OpenGL nor a window
-// around.
+// gluray-bench-render: frame::Renderer and the bare Embree loop on the same mesh and views, in turn in
+// one process: the cost of shading, depth and image on top of the rays, without OpenGL and windows.
 #include "bench/bare/scene.h"
 #include "bench/data/isosurface.h"
 #include "bench/data/orbit.h"
@@ -30,7 +29,7 @@ struct Options {
   bool noBare = false, instances = false;
 };
 
-// The bare loop's picture, as the options have it.
+// The bare loop's picture, with the given options.
 scene::Snapshot snapshotOf(const Options& options, const bench::TriangleMesh& mesh) {
   scene::Snapshot s = bench::waveletSnapshot(mesh);
   s.settings.threads = options.threads;

@@ -1,7 +1,7 @@
 """two result files side by side: scripts/bench compare OLD NEW
 
-Rows of one name are compared figure by figure; NEW/OLD is printed, and machine and versions where they differ. OLD and NEW are
-files, or names of those in bench/results/.
+Compares rows of the same name number by number and prints NEW/OLD, and differences in machine and versions. OLD and NEW are
+files, or names of files in bench/results/.
 """
 import argparse
 import json
@@ -9,11 +9,11 @@ import pathlib
 import sys
 
 RESULTS = pathlib.Path(__file__).resolve().parent.parent / "results"
-NAMES = ("suite", "stream", "program", "scene", "path", "millions", "look", "repeated")  # what tells rows apart
+NAMES = ("suite", "stream", "program", "scene", "path", "millions", "look", "repeated")  # the keys that identify a row
 
 
 class Unreadable(RuntimeError):
-    """A file is none of ours."""
+    """The file is not a result of scripts/bench."""
 
 
 def read(name):
@@ -26,7 +26,7 @@ def read(name):
             raise TypeError
         return result
     except (ValueError, KeyError, TypeError) as error:
-        raise Unreadable(f"{path} is no result of scripts/bench") from error
+        raise Unreadable(f"{path} is not a result of scripts/bench") from error
 
 
 def name_of(row):
@@ -43,7 +43,7 @@ def figures(row, prefix=""):
 
 
 def differences(old, new, prefix=""):
-    """Lines about what both say of machine and versions and is not the same."""
+    """Lines about differences in machine and versions."""
     for key in sorted(set(old) | set(new)):
         a, b = old.get(key), new.get(key)
         if isinstance(a, dict) and isinstance(b, dict):

@@ -1,9 +1,9 @@
 """frames a second of a fixed-function program: real OpenGL, GLuRay, and a bare Embree loop
 
-The Wavelet's isosurfaces at several sizes through each way of handing geometry to OpenGL. The three are measured in turn,
-round by round, so that what else the machine does falls on all of them; figures are medians. With --bvh auto the
-program first draws ten frames a second until the better structure has come in, as in lasting use; the first image is that of
-the quick one. Results go to bench/results/NAME.json.
+The Wavelet's isosurfaces at several sizes, sent to OpenGL in each possible way. The three are measured in turn,
+round by round, so that other load on the machine affects all of them; results are medians. With --bvh auto the
+program first draws ten frames a second until the better structure is in use, as in long use; the first image is that of
+the fast structure. Results go to bench/results/NAME.json.
 """
 import argparse
 import pathlib
@@ -31,11 +31,11 @@ def arguments(argv):
     parser.add_argument("--rounds", type=int, help="rounds, each measuring everything once (3; quick: 1)")
     parser.add_argument("--threads", type=int, default=2, help="threads of llvmpipe, GLuRay and the bare loop (2)")
     parser.add_argument("--bvh", default="auto", choices=["auto", "fast", "full", "compact"],
-                        help="GLuRay's acceleration structures; the bare loop has full ones where this is auto")
+                        help="GLuRay's acceleration structures; the bare loop uses full ones if this is auto")
     parser.add_argument("--name", default="frames", help="name of the result file")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="build folder")
     parser.add_argument("--no-gluray", action="store_true", help="measure only the other two")
-    parser.add_argument("--xvfb", action="store_true", help="use an Xvfb even where there is a display")
+    parser.add_argument("--xvfb", action="store_true", help="use an Xvfb even if there is a display")
     options = parser.parse_args(argv)
     sizes = options.sizes.split(",") if options.sizes else ["1"] if options.quick else ["1", "4", "16"]
     try:
@@ -69,7 +69,7 @@ class Suite:
 
     def measure_gluray(self, size, path):
         frames = 24 if self.options.quick else RAY_FRAMES.get(size, 20)
-        # What is built while frames go on must be in its place before frames are measured and memory is read.
+        # Structures built in the background must be in use before frames are measured and memory is read.
         warm = ["--warm", 2 + 2 * size] if self.options.bvh == "auto" and size > 0 else []
         return programs.measure_with_gluray(self.gluray, self.gluray_options, self._client(size, path, frames) + warm,
                                             self.environment)
@@ -91,7 +91,7 @@ class Suite:
                 rounds.setdefault(("gl", path), []).append(self.measure_gl(size, path))
                 if not self.options.no_gluray:
                     rounds.setdefault(("gluray", path), []).append(self.measure_gluray(size, path))
-                # The yardstick is taken between the paths too, not only at one moment of the round.
+                # Measures the bare loop between the paths, too, not only once in the round.
                 rounds[("bare", None)].append(self.measure_bare(size))
         progress(None)
         out = {path: {} for path in self.options.paths}
@@ -104,7 +104,7 @@ class Suite:
 
 
 def progress(text):
-    """Says on stderr what is being measured; None ends a line that moves on a terminal."""
+    """Prints to stderr what is being measured; None ends the line on a terminal."""
     if sys.stderr.isatty():
         print("\r\033[K" + (text or ""), end="", file=sys.stderr, flush=True)
     elif text:
@@ -112,7 +112,7 @@ def progress(text):
 
 
 def rows_of(size, measured, empty):
-    """The figures of one size, a dictionary a path. `empty` holds the same programs' memory with nothing to draw."""
+    """The results of one size, a dictionary a path. `empty` holds the same programs' memory with nothing to draw."""
     bare_fps = 1 / measured["bare"]["frame_s"]
     for path, pair in measured.items():
         if path == "bare":
@@ -132,7 +132,7 @@ def rows_of(size, measured, empty):
 
 
 def rasterised(report):
-    """{reason: draws} of what GLuRay left to the real OpenGL; {"no report": 1} where it wrote no report."""
+    """{reason: draws} left to the real OpenGL; {"no report": 1} if GLuRay wrote no report."""
     return {"no report": 1} if report is None else report.get("draws", {}).get("rasterised", {})
 
 
@@ -173,7 +173,7 @@ def run(options, argv):
 
 
 def measured_to_the_end(options, argv):
-    """run(), whose line on the terminal is ended whatever happens."""
+    """run(), and ends the line on the terminal in any case."""
     try:
         run(options, argv)
     finally:

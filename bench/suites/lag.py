@@ -1,8 +1,8 @@
-"""what frame lag gains a program that works as long as its frames are traced: computing, and waiting
+"""gain by frame lag in a program that computes, or waits, as long as its frames are traced
 
-The Wavelet's isosurfaces in our client, the camera in orbit. Before each frame the client computes on one thread, or waits, for
-as long as its frames were measured to be traced without lag; it swaps and goes on. Lag off, on and auto take turns, round by
-round; figures are medians of whole runs. Results go to bench/results/NAME.json.
+The Wavelet's isosurfaces in our client, the camera in orbit. Before each frame the client computes on one thread, or waits, as
+long as tracing its frames took without lag; it swaps and continues. Measures lag off, on and auto in turn, round by
+round; results are medians of whole runs. They go to bench/results/NAME.json.
 """
 import argparse
 import pathlib
@@ -23,18 +23,18 @@ def arguments(argv):
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--sizes", default="1,4", help="millions of triangles (1,4)")
     parser.add_argument("--rounds", type=int, default=5, help="rounds, each measuring everything once (5)")
-    parser.add_argument("--frames", type=int, default=60, help="of one run (60)")
+    parser.add_argument("--frames", type=int, default=60, help="frames of one run (60)")
     parser.add_argument("--threads", type=int, default=2, help="threads that trace (2)")
     parser.add_argument("--name", default="lag", help="name of the result file")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="build folder")
-    parser.add_argument("--xvfb", action="store_true", help="use an Xvfb even where there is a display")
+    parser.add_argument("--xvfb", action="store_true", help="use an Xvfb even if there is a display")
     options = parser.parse_args(argv)
     options.sizes = [int(size) for size in options.sizes.split(",")]
     return options
 
 
 def measure(options, environment, size, mode, work):
-    """One run: seconds a frame, its median, and what GLuRay reported."""
+    """One run: seconds a frame, its median, and GLuRay's report."""
     client = [options.build / "bench" / "client" / "gluray-bench-client", "--triangles", size, "--frames", options.frames, "--orbit",
               "--warm", 2, *work]
     settings = ["--bvh", "full", "--threads", str(options.threads), "--lag", mode]

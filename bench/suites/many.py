@@ -2,7 +2,7 @@
 
 meshes: 10,000 display lists of 1,012 different triangles each, called one by one; instances: one list of 84 triangles called in
 100,000 places; lists: 100 lists of 1,012 triangles, made for one frame and deleted after it, all different from the last frame's.
-Both take turns, round by round; figures are medians. Results go to bench/results/NAME.json.
+Measures both in turn, round by round; results are medians. They go to bench/results/NAME.json.
 """
 import argparse
 import pathlib
@@ -26,7 +26,7 @@ def arguments(argv):
     parser.add_argument("--threads", type=int, default=2)
     parser.add_argument("--name", default="many", help="name of the result file")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="build folder")
-    parser.add_argument("--xvfb", action="store_true", help="use an Xvfb even where there is a display")
+    parser.add_argument("--xvfb", action="store_true", help="use an Xvfb even if there is a display")
     options = parser.parse_args(argv)
     options.kinds = options.kinds.split(",")
     if not set(options.kinds) <= set(KINDS):

@@ -1,11 +1,11 @@
 """memory of a fixed-function program and of GLuRay in it, at 16 to 256 million triangles
 
 The Wavelet's isosurfaces with normals, indexed in buffer objects (vbo-pieces) and as soup by glBegin, in a list (list-pieces) and in
-every frame (immediate). The paths in pieces never hold the mesh in the program: it is made and handed over four million triangles at
-a time; immediate keeps it indexed, 24 bytes a triangle, as such a program would. "now" is the process when all that is built behind
-its frames is in place, "peak" the most it ever had resident since it began to hand over, both without what it had before (its window,
-libraries, and for immediate its mesh: "before"). "structures": acceleration structures; "sent": what the real OpenGL was given of the
-buffers. Runs one after the other, each ended where the machine has less than 1.5 GB left. Results go to bench/results/NAME.json.
+every frame (immediate). The paths in pieces never hold the mesh in the program: it is made and sent four million triangles at
+a time; immediate keeps it indexed, 24 bytes a triangle, as such a program would. "now" is resident memory once all background builds
+are in use, "peak" the highest since the program began to send; both exclude the memory before that (window,
+libraries, and for immediate its mesh: "before"). "structures": acceleration structures; "sent": bytes of buffers sent to the real
+OpenGL. Runs follow one another; each is ended if the machine has less than 1.5 GB left. Results go to bench/results/NAME.json.
 """
 import argparse
 import pathlib
@@ -33,7 +33,7 @@ def arguments(argv):
     parser.add_argument("--threads", type=int, default=2)
     parser.add_argument("--name", default="memory", help="name of the result file")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="build folder")
-    parser.add_argument("--xvfb", action="store_true", help="use an Xvfb even where there is a display")
+    parser.add_argument("--xvfb", action="store_true", help="use an Xvfb even if there is a display")
     options = parser.parse_args(argv)
     try:
         options.rows = [(int(size), path) for size, path in (row.split(":") for row in options.rows.split(","))]

@@ -1,6 +1,6 @@
 """single steps: a vertex call, capture, the unchanged check, builds, tracing, the write-back
 
-Google Benchmark's programs gluray-bench-micro (the library's parts) and gluray-bench-door (a program, plainly and under gluray),
+Google Benchmark programs: gluray-bench-micro (the library's parts) and gluray-bench-door (a program, with and without gluray),
 0.87 million triangles and 1024x1024 pixels. Medians of five repetitions, with their lowest and highest. Results go to
 bench/results/NAME.json.
 """
@@ -30,7 +30,7 @@ UNITS = {
 
 
 def rows_of(said, path):
-    """Rows from what Google Benchmark printed as JSON; `path` is part of their names. Failed where a benchmark failed."""
+    """Rows from Google Benchmark's JSON; `path` is part of their names. Raises Failed if a benchmark failed."""
     rates = {}
     for run in said["benchmarks"]:
         if run.get("error_occurred"):
@@ -50,15 +50,15 @@ def rows_of(said, path):
 def arguments(argv):
     parser = argparse.ArgumentParser(prog="scripts/bench micro", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--only", default=".", help="regular expression of the benchmarks' names, for instance write_back")
-    parser.add_argument("--threads", type=int, default=len(os.sched_getaffinity(0)), help="of Mesa (all)")
+    parser.add_argument("--threads", type=int, default=len(os.sched_getaffinity(0)), help="threads of Mesa (all)")
     parser.add_argument("--name", default="micro", help="name of the result file")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="build folder")
-    parser.add_argument("--xvfb", action="store_true", help="use an Xvfb even where there is a display")
+    parser.add_argument("--xvfb", action="store_true", help="use an Xvfb even if there is a display")
     return parser.parse_args(argv)
 
 
 def measured(command, options, environment):
-    """What a benchmark program says; an empty list where no name fits."""
+    """The results of a benchmark program; an empty list if no name fits."""
     line = [*command, "--benchmark_format=json", f"--benchmark_filter={options.only}"]
     code, out, err = programs.run(line, environment, 900)
     if "Failed to match any benchmarks" in err:

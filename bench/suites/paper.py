@@ -1,11 +1,11 @@
 """the paper's evaluation, repeated: its Table 1 and Figures 7, 8 and 9
 
-Data of the kinds that the paper used, made here, in ParaView, VTK and our client; GLuRay, Mesa with one and with all threads,
-and the GPU's OpenGL where the display has one, in turn. Writes bench/results/paper/small.json with the figures as SVG, and
-docs/paper-evaluation.md; --full beside them, in paper/full and docs/paper-evaluation-full.md. What has been measured is kept: a
-run that was ended goes on where it was; another build begins anew.
-The small version, a fortieth of the paper's sizes, takes up to ten minutes on two cores; --full takes hours and goes as far as
-memory does.
+Generated data like the paper's, in ParaView, VTK and our client; GLuRay, Mesa with one and with all threads,
+and the GPU's OpenGL if the display has one, in turn. Writes bench/results/paper/small.json with the figures as SVG, and
+docs/paper-evaluation.md; --full writes to paper/full and docs/paper-evaluation-full.md. Measurements are kept: an
+interrupted run resumes; another build starts again.
+The small version, a fortieth of the paper's sizes, takes up to ten minutes on two cores; --full takes hours and uses all
+available memory.
 """
 import argparse
 import json
@@ -28,26 +28,26 @@ PYTHONS = (sys.executable, "/usr/bin/python3")  # where matplotlib may be
 
 def arguments(argv):
     parser = argparse.ArgumentParser(prog="scripts/bench paper", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--full", action="store_true", help="the paper's sizes, as far as they fit into memory")
-    parser.add_argument("--scale", type=float, help="sizes of Table 1, by those of the paper (small: 1/40, full: 1)")
+    parser.add_argument("--full", action="store_true", help="the paper's sizes, within available memory")
+    parser.add_argument("--scale", type=float, help="sizes of Table 1 relative to the paper's (small: 1/40, full: 1)")
     parser.add_argument("--sizes", help="millions of triangles of Figures 7 and 8, for instance 1,4")
     parser.add_argument("--engines", default="gluray,mesa1,mesa,gpu", help=f"some of {','.join(engines.NAMES)} (all but auto)")
-    parser.add_argument("--rows", help="measure only rows whose name contains one of these, for instance PV-RMI,Star; what is known of the others is told, too")
+    parser.add_argument("--rows", help="measure only rows whose name contains one of these, for instance PV-RMI,Star; the page also has kept results of the others")
     parser.add_argument("--rounds", type=int, help="rounds, each measuring every engine once (small: 2, and 1 from 4 million on; full: 3)")
-    parser.add_argument("--seconds", type=float, help="how long frames of one measurement take, but two at least (small: 1.5; full: 5)")
-    parser.add_argument("--frames", type=int, default=120, help="frames of one measurement at most")
-    parser.add_argument("--threads", type=int, default=len(os.sched_getaffinity(0)), help="of GLuRay and of Mesa (all)")
-    parser.add_argument("--timeout", type=int, default=3600, help="seconds after which a measurement is given up")
-    parser.add_argument("--fresh", action="store_true", help="forget what was measured before")
-    parser.add_argument("--resume", action="store_true", help="go on where the last run ended: what happens anyway")
-    parser.add_argument("--clean", action="store_true", help="delete the data and what was measured, and end")
-    parser.add_argument("--plan", action="store_true", help="print what would be measured, and end")
-    parser.add_argument("--draw", action="store_true", help="draw and write the page from the kept result again, and end")
+    parser.add_argument("--seconds", type=float, help="time of one measurement, which has at least two frames (small: 1.5; full: 5)")
+    parser.add_argument("--frames", type=int, default=120, help="largest number of frames of one measurement")
+    parser.add_argument("--threads", type=int, default=len(os.sched_getaffinity(0)), help="threads of GLuRay and of Mesa (all)")
+    parser.add_argument("--timeout", type=int, default=3600, help="seconds after which a measurement is aborted")
+    parser.add_argument("--fresh", action="store_true", help="discard earlier measurements")
+    parser.add_argument("--resume", action="store_true", help="resume the last run (the default)")
+    parser.add_argument("--clean", action="store_true", help="delete data and measurements, and exit")
+    parser.add_argument("--plan", action="store_true", help="print the planned measurements, and exit")
+    parser.add_argument("--draw", action="store_true", help="draw the figures and write the page from the kept result again, and exit")
     parser.add_argument("--name", default="small", help="name of the result file (small; full: full)")
     parser.add_argument("--out", type=pathlib.Path, help="folder of result and figures (bench/results/paper; full: its folder full)")
     parser.add_argument("--page", type=pathlib.Path, help="the Markdown page (docs/paper-evaluation.md; full: docs/paper-evaluation-full.md)")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="build folder")
-    parser.add_argument("--xvfb", action="store_true", help="use an Xvfb even where there is a display")
+    parser.add_argument("--xvfb", action="store_true", help="use an Xvfb even if there is a display")
     options = parser.parse_args(argv)
     options.engines = options.engines.split(",")
     if not set(options.engines) <= set(engines.NAMES):
@@ -69,7 +69,7 @@ def arguments(argv):
 
 
 class Progress:
-    """One line a measurement on stderr, with how long the rest will about take."""
+    """One line a measurement on stderr, with the estimated remaining time."""
 
     def __init__(self, guesses):
         self.guesses, self.done, self.start, self.number = guesses, 0.0, time.monotonic(), 0
@@ -88,14 +88,14 @@ class Progress:
 
 
 class Run:
-    """Measures what is not known yet; every measurement is kept at once."""
+    """Makes the missing measurements; keeps each one immediately."""
 
     def __init__(self, options, kept, engine_set, names, memory_bytes=float("inf")):
         self.options, self.kept, self.engines, self.names, self.memory = options, kept, engine_set, names, memory_bytes
         self.notes = []
 
     def jobs(self, rows):
-        """(key, what it is called, guessed seconds, how to measure it) in the order of measuring."""
+        """(key, title, estimated seconds, function that measures it) in the order of measuring."""
         for row in rows:
             for number in range(plan.rounds_of(row, self.options.rounds, self.options.full)):
                 for engine in [name for name in self.names if row.engine_needs(name) <= self.memory]:
@@ -108,7 +108,7 @@ class Run:
                            lambda row=row, quality=quality: self.engines.measure_build(row, quality))
 
     def mesh(self, row):
-        """Makes the row's data unless they are there; tells how large the file is."""
+        """Makes the row's data unless they exist; prints the size of the file."""
         file = self.engines.mesh_file(row)
         if file.exists():
             return
@@ -141,7 +141,7 @@ class Run:
         return f"{measured['build_s']:.2f} s" if "bvh_bytes" in measured else f"{1 / measured['frame_s']:.3g} fps, {measured['frames']} frames"
 
     def rows(self, rows):
-        """Rows of the result file from what is known."""
+        """Rows of the result file from the measurements so far."""
         for row in rows:
             keys = {e: [f"{row.name} {e} {n}" for n in range(plan.rounds_of(row, self.options.rounds, self.options.full))] for e in self.names}
             measured = {e: [self.kept[key] for key in names if key in self.kept] for e, names in keys.items()}
@@ -154,7 +154,7 @@ class Run:
 
 
 def draw(options, result_file):
-    """Names of the figures that were drawn; a line where none can be."""
+    """Names of the drawn figures; prints a line if none can be drawn."""
     for python in PYTHONS:
         if shutil.which(python) and subprocess.run([python, "-c", "import matplotlib"], capture_output=True, check=False).returncode == 0:
             done = subprocess.run([python, ROOT / "bench" / "paper" / "figures.py", result_file, options.out], text=True, capture_output=True, check=False)
@@ -179,7 +179,7 @@ def publish(options, result):
 
 
 def prepare(options, display_name):
-    """(engines, their names, rows, lines about what is left out, the GPU's name or why there is none, bytes of memory)."""
+    """(engines, their names, rows, notes about omitted rows, the GPU's name or why there is none, bytes of memory)."""
     engine_set = engines.Engines(options, display_name, options.work / "data")
     programs.require(*engine_set.needed())
     names, gpu = list(options.engines), "not asked for"
@@ -203,7 +203,7 @@ def timeline_millions(options):
 
 
 def timeline(options, engine_set, run):
-    """The paper's Figure 9, unless it is there already for this build."""
+    """The paper's Figure 9, unless it exists for this build."""
     row = plan.Row("PV-Wavelet", "ParaView", "buffers", "wavelet", timeline_millions(options))
     chart = options.out / "figure9.svg"
     if "figure9" in run.kept and chart.exists():
@@ -218,7 +218,7 @@ def timeline(options, engine_set, run):
 
 
 def told(argv):
-    """The options without the build folder: where it is says nothing, and which build it was stands beside them."""
+    """The options without the build folder, whose place does not matter: the result names the build."""
     rest, out = iter(argv), []
     for option in rest:
         if option == "--build":
@@ -235,7 +235,7 @@ def measure(options, argv, display_name):
     what = {"threads": options.threads, "seconds": options.seconds, "frames": options.frames, "cpu": machine.field("/proc/cpuinfo", "model name")}
     kept = store.Store(options.work / f"{options.name}.jsonl", store.stamp_of(engine_set.needed(), **what), options.fresh)
     if kept.others:
-        print(f"{kept.others} measurements of another build or machine do not count", file=sys.stderr)
+        print(f"{kept.others} measurements of another build or machine are ignored", file=sys.stderr)
     run = Run(options, kept, engine_set, names, memory)
     wanted = [row for row in rows if not options.rows or any(part in row.name for part in options.rows.split(","))]
     if options.plan:
@@ -277,7 +277,7 @@ def main(argv):
         with display(own=options.xvfb) as name:
             measure(options, argv, name)
     except KeyboardInterrupt:
-        print("\nbench: ended; what was measured is kept, the same command goes on", file=sys.stderr)
+        print("\nbench: interrupted; measurements are kept, the same command resumes", file=sys.stderr)
         return 130
     except (NoDisplay, programs.Failed, OSError) as error:
         print(f"bench: {error}", file=sys.stderr)

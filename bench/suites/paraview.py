@@ -1,8 +1,8 @@
 """frames a second of ParaView (pvbatch): with its own OpenGL and with GLuRay
 
 Contours of the Wavelet source, coloured by value, in a window of 1024x1024 with ParaView's own settings (FXAA on, orientation
-axes), the camera in orbit. With and without take turns, round by round; figures are medians. With GLuRay the orbit goes on for 2
-seconds and 2 more for each million triangles before frames are measured, so that the better structure is in its place; the
+axes), the camera in orbit. Measures with and without GLuRay in turn, round by round; results are medians. With GLuRay the orbit runs
+for 2 seconds and 2 more for each million triangles before frames are measured, so that the better structure is in use; the
 frames until then are the column "early". Results go to bench/results/NAME.json. Needs python3-paraview (scripts/setup installs it).
 """
 import shutil

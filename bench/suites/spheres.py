@@ -1,7 +1,7 @@
-"""frames a second of spheres that VTK's shaders cut out of cards: with its own OpenGL and with GLuRay
+"""frames a second of VTK's sphere impostors: with its own OpenGL and with GLuRay
 
-Clouds of spheres by vtkOpenGLSphereMapper in a window of 1024x1024, the camera in orbit. With and without take turns, round by
-round; figures are medians; "Mtri" counts spheres. Results go to bench/results/NAME.json. Needs python3-paraview.
+Clouds of spheres by vtkOpenGLSphereMapper in a window of 1024x1024, the camera in orbit. Measures with and without GLuRay in turn,
+round by round; results are medians; "Mtri" counts spheres. Results go to bench/results/NAME.json. Needs python3-paraview.
 """
 from support import pairs
 

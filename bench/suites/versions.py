@@ -1,8 +1,8 @@
 """two builds of GLuRay in turn: scripts/bench versions OLD NEW
 
-OLD and NEW are build folders. In each round every program runs once with each build, and whichever ran first in one round runs
-second in the next, so that what else the machine does falls on both. Figures are medians of the rounds; NEW/OLD below 1 is
-faster. Results go to bench/results/NAME.json. What a program needs and this machine lacks is left out, with a line that says so.
+OLD and NEW are build folders. In each round every program runs once with each build, in alternating order,
+so that other load on the machine affects both. Results are medians of the rounds; NEW/OLD below 1 means
+faster. They go to bench/results/NAME.json. Programs whose requirements are missing are left out, with one line each.
 """
 import argparse
 import json
@@ -36,7 +36,7 @@ def arguments(argv):
     parser.add_argument("--rounds", type=int, default=5, help="rounds, each measuring everything once with each build (5)")
     parser.add_argument("--threads", type=int, default=2, help="threads of GLuRay and of llvmpipe (2)")
     parser.add_argument("--name", default="versions", help="name of the result file")
-    parser.add_argument("--xvfb", action="store_true", help="use an Xvfb even where there is a display")
+    parser.add_argument("--xvfb", action="store_true", help="use an Xvfb even if there is a display")
     options = parser.parse_args(argv)
     options.groups = options.groups.split(",")
     if not set(options.groups) <= set(GROUPS):
@@ -80,7 +80,7 @@ class Replay:
 
 
 def programs_of(options, folder):
-    """What is to be measured, group by group."""
+    """The programs to be measured, group by group."""
     if "frames" in options.groups:
         client = options.new / "bench" / "client" / "gluray-bench-client"
         programs.require(client)
@@ -133,7 +133,7 @@ def print_row(row):
 
 
 def version(build):
-    """The commit that a build folder's source tree is at."""
+    """The commit of a build folder's source tree."""
     return machine.describe(build.resolve().parent.parent)["versions"]["source"]
 
 

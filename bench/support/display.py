@@ -11,7 +11,7 @@ class NoDisplay(RuntimeError):
 
 @contextlib.contextmanager
 def display(own=False, width=1400, height=1100):
-    """Yields the DISPLAY to use: the environment's, or with `own`, or where there is none, that of an Xvfb which lives as
+    """Yields the DISPLAY to use: the environment's, or with `own`, or if there is none, that of an Xvfb which lives as
     long as the block."""
     if os.environ.get("DISPLAY") and not own:
         yield os.environ["DISPLAY"]

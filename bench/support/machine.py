@@ -1,4 +1,4 @@
-"""What a result needs beside its numbers: the machine, the versions and the moment."""
+"""The context of a result: machine, versions and date."""
 import datetime
 import json
 import os

@@ -22,7 +22,7 @@ def parser(suite, description, sizes, what):
     options.add_argument("--stub-time", action="store_true", help="measure the time in our library, too (needs perf)")
     options.add_argument("--name", default=suite, help="name of the result file")
     options.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="build folder")
-    options.add_argument("--xvfb", action="store_true", help="use an Xvfb even where there is a display")
+    options.add_argument("--xvfb", action="store_true", help="use an Xvfb even if there is a display")
     return options
 
 
@@ -50,7 +50,7 @@ def measure_size(options, label, plain_command, traced_command, environment):
 
 
 def add_stub_time(options, label, command_of, frames, environment, traced):
-    """What the program's thread spends in our library, where --stub-time asks for it."""
+    """Time of the program's thread in our library, if --stub-time is given."""
     if not options.stub_time:
         return
     print(f"{label}, time in our library", file=sys.stderr, flush=True)
@@ -101,5 +101,5 @@ def _run(suite, options, argv, measure):
 
 
 def run(suite, options, argv, measure):
-    """Measures all sizes by measure(size, environment), prints and writes what was found. The exit status."""
+    """Measures all sizes by measure(size, environment), prints and writes the results. Returns the exit status."""
     return status_of(lambda: _run(suite, options, argv, measure), stub_time.Missing)

@@ -2,8 +2,8 @@
 
 usage: pvbatch paraview_orbit.py ISOVALUES FRAMES SIZE [PICTURE [LOOK or SOURCE [WARM]]]
 LOOK: surface, edges, translucent (peeled) or summed (translucent without peeling). SOURCE, a NIfTI or other file that ParaView
-reads, takes the place of the Wavelet; ISOVALUES is then one value. WARM: seconds of orbit before the FRAMES that "frame_s" is
-the median of; those are "early_frame_s".
+reads, replaces the Wavelet; ISOVALUES is then one value. "frame_s" is the median of FRAMES frames; WARM: seconds of orbit before
+them, whose frames are "early_frame_s".
 """
 import json
 import math
@@ -43,7 +43,7 @@ def scan(file, value):
 
 
 def orbit(view, up):
-    """A function that puts the camera on its orbit, at an angle in degrees from where it begins."""
+    """A function that puts the camera on its orbit, at an angle in degrees from the start."""
     centre, eye = list(view.CameraFocalPoint), list(view.CameraPosition)
     distance = math.dist(centre, eye)
     lift = math.radians(35.26)
@@ -84,7 +84,7 @@ def main():
     surface = scan(source, count) if source else isosurfaces(int(count))
     triangles = surface.GetDataInformation().GetNumberOfCells()
     window = view.GetRenderWindow()
-    # An empty picture first: the window and its context are there when the clock starts.
+    # An empty picture first, so that window and context exist when the clock starts.
     simple.Render(view)
     before = resident()
     start = time.perf_counter()

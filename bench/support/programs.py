@@ -17,7 +17,7 @@ class Failed(RuntimeError):
 
 
 def free_bytes():
-    """Memory that programs may still take, as the system sees it."""
+    """Memory that the system reports as available."""
     for line in pathlib.Path("/proc/meminfo").read_text().splitlines():
         if line.startswith("MemAvailable:"):
             return int(line.split()[1]) * 1024
@@ -37,7 +37,7 @@ def _communicate(program, command, timeout, least_free):
 
 
 def require(*programs):
-    """Failed, with one line that says what to do, unless all are there."""
+    """Raises Failed, with one line that says what to do, unless all exist."""
     for program in programs:
         if not (os.path.isfile(program) or shutil.which(str(program))):
             raise Failed(f"{program} is missing: run scripts/build release first")
@@ -45,7 +45,7 @@ def require(*programs):
 
 @contextlib.contextmanager
 def _interrupts_deferred():
-    """Ctrl-C waits until the block ends: within Popen it would leave a program that nobody knows of."""
+    """Delays Ctrl-C until the block ends: within Popen it would leave an unknown child process."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
@@ -73,7 +73,7 @@ def run(command, environment, timeout, least_free=0):
         return program.returncode, out, err
     finally:
         if program:
-            with contextlib.suppress(ProcessLookupError):  # what it started, too; also where we are interrupted
+            with contextlib.suppress(ProcessLookupError):  # with its children; also if we are interrupted
                 os.killpg(program.pid, signal.SIGKILL)
             with program:
                 pass  # its pipes are closed, and it is waited for
@@ -92,7 +92,7 @@ def measure(command, environment, timeout=900, least_free=0):
 
 
 def measure_with_gluray(gluray, options, command, environment, engine="always", timeout=900, least_free=0):
-    """The same under `gluray`, which traces however small the scene is; the launcher's own report is added as "report" (None where it wrote none)."""
+    """The same under `gluray`, which traces small scenes, too; the launcher's report is added as "report" (None if there is none)."""
     with tempfile.TemporaryDirectory(prefix="gluray-bench-") as folder:
         report = pathlib.Path(folder) / "report.json"
         out = measure([gluray, "--engine", engine, "--report", report, *options, "--", *command], environment, timeout, least_free)

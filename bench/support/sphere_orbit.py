@@ -42,7 +42,7 @@ def main():
     window.SetMultiSamples(0)
     window.SetSize(size, size)
     window.AddRenderer(renderer)
-    # An empty picture first: the window and its context are there when the clock starts.
+    # An empty picture first, so that window and context exist when the clock starts.
     window.Render()
     before, start = resident(), time.perf_counter()
     renderer.AddActor(actor)

@@ -1,4 +1,4 @@
-"""How long a program's own thread spends in GLuRay's library per frame, tracing apart: found by sampling (Linux perf)."""
+"""Time per frame that a program's own thread spends in GLuRay's library, without tracing; by sampling (Linux perf)."""
 import collections
 import os
 import pathlib
@@ -7,11 +7,11 @@ import subprocess
 import tempfile
 
 FREQUENCY = 5000  # samples a second
-TRACING = ("gluray::render", "gluray::accel", "embree", "tbb::")  # what the program's thread does as one of those that trace
+TRACING = ("gluray::render", "gluray::accel", "embree", "tbb::")  # the program's thread as one of the tracing threads
 
 
 class Missing(RuntimeError):
-    """What is needed is not installed, or not allowed."""
+    """perf is not installed, or not allowed."""
 
 
 def _samples(gluray, options, command, environment):

@@ -1,4 +1,4 @@
-"""What a suite says where it cannot measure, or is ended."""
+"""Messages of a suite that cannot measure or is interrupted."""
 import signal
 import sys
 
@@ -11,19 +11,19 @@ def _interrupted(number, _frame):
 
 
 def end_by_exception():
-    """From now on signals that end us raise KeyboardInterrupt, so that the programs that were started end, too."""
-    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):  # SIGINT is ignored where a shell started us behind
+    """Makes signals that end us raise KeyboardInterrupt, so that child processes end, too."""
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):  # a shell starts background jobs with SIGINT ignored
         signal.signal(number, _interrupted)
 
 
 def status_of(run, *others):
-    """run()'s end as an exit status: 0, or 1 and one line where a display, a program or, by `others`, something else is missing;
-    130 where it is ended by a signal, once the programs that it has started are gone."""
+    """The exit status of run(): 0, or 1 and one line if a display, a program or, by `others`, something else is missing;
+    130 if a signal ends it, after its child processes have ended."""
     end_by_exception()
     try:
         run()
     except KeyboardInterrupt:
-        print("bench: ended; nothing is written", file=sys.stderr)
+        print("bench: interrupted; nothing is written", file=sys.stderr)
         return 130
     except (NoDisplay, programs.Failed, *others) as error:
         print(f"bench: {error}", file=sys.stderr)

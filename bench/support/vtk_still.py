@@ -26,7 +26,7 @@ def main():
         window.Render()
 
     def milliseconds(degrees=None):
-        """Of a frame; without degrees nothing is touched in between."""
+        """Milliseconds of a frame; without degrees nothing changes in between."""
         start = time.perf_counter()
         for _ in range(frames):
             if degrees is not None:

@@ -12,14 +12,14 @@ namespace gluray::accel {
 namespace {
 
 std::atomic<ptrdiff_t> heldBytes{0};
-std::atomic<ptrdiff_t> behindBytes{0};  // the sum of all changes made inside a BehindScope
+std::atomic<ptrdiff_t> behindBytes{0};  // sum of all changes inside a BehindScope
 thread_local bool t_behind = false;
 thread_local ptrdiff_t t_behindBytes = 0;
 std::atomic<int> commitsToFail{0}, commitsToSpare{0};
 std::atomic<int> failingCommits{0};  // commits in flight that were chosen to fail
 
 bool onMemory(void*, ssize_t bytes, bool) {
-  // What is refused, before it is allocated, is never given back.
+  // Embree asks before it allocates and never frees what is refused here: do not count it.
   if (bytes > 0 && failingCommits.load(std::memory_order_relaxed) > 0) return false;
   heldBytes.fetch_add(bytes, std::memory_order_relaxed);
   if (t_behind) {

@@ -1,5 +1,4 @@
-// The Embree device: errors, memory accounting, capabilities. Made on first use by World; any thread may
-// query it.
+// The Embree device: errors, memory accounting, capabilities. Owned by World; any thread may query it.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -12,20 +11,20 @@ namespace gluray::accel {
 /// Owns an RTCDevice that prints nothing, reads no configuration file, and counts the memory it holds.
 class Device {
  public:
-  /// Throws Error where Embree cannot start.
+  /// Throws Error if Embree cannot start.
   Device();
   ~Device();
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
 
   RTCDeviceTy* handle() const { return device_; }
-  /// Rays a packet that the processor handles natively: 16, 8 or 4.
+  /// Packet width that the processor supports natively: 16, 8 or 4 rays.
   int packetWidth() const { return packetWidth_; }
   /// Embree's version, "3.13.5".
   std::string version() const;
-  /// Bytes that Embree holds for acceleration structures now.
+  /// Bytes that Embree holds for acceleration structures at present.
   static size_t bytes();
-  /// Those of them that were not asked for inside a BehindScope.
+  /// The part of bytes() that was allocated outside any BehindScope.
   static size_t bytesOfFrames();
   /// Throws Error("WHAT: reason") if a call of this thread failed since the last check.
   void check(std::string_view what) const;
@@ -35,12 +34,12 @@ class Device {
   int packetWidth_ = 4;
 };
 
-/// For tests: `after` commits of acceleration structures succeed, then `count` fail as if memory had run out.
+/// For tests: the next `after` commits succeed, then `count` commits fail as if out of memory.
 void failNextCommits(int count, int after = 0);
-/// Failures asked for that have not come yet.
+/// Requested failures that have not happened yet.
 int commitsStillToFail();
 
-/// While it lives, what its thread allocates is counted apart.
+/// Counts the Embree memory that its thread allocates during its lifetime separately: for background builds.
 class BehindScope {
  public:
   BehindScope();
@@ -51,7 +50,7 @@ class BehindScope {
   size_t bytes() const;
 };
 
-/// Marks the time in which a commit runs, for failNextCommits.
+/// Its lifetime spans one commit; failNextCommits() acts only inside.
 class CommitScope {
  public:
   CommitScope();

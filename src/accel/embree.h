@@ -1,4 +1,4 @@
-// Embree 3 or 4, whichever CMake found: the only file that includes it. Private to accel/, any thread.
+// Includes Embree 3 or 4, whichever CMake found; no other file includes it. Private to accel/, any thread.
 #pragma once
 #include "accel/occlusion.h"
 
@@ -18,8 +18,8 @@ using RtcQueryContext = RTCIntersectContext;
 constexpr RTCSceneFlags kFilterInQuery = RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
 #endif
 
-/// What travels with a query into the filter callback: Embree's own part first, so that one casts to the
-/// other.
+/// Query context passed to the filter callback. Embree's context comes first, so pointers to the two convert
+/// by cast.
 struct QueryContext {
   RtcQueryContext rtc;
   const void* user = nullptr;

@@ -1,4 +1,4 @@
-// Several hits of each of a packet's rays, found in one go. One per packet, its thread's own.
+// The nearest hits of each ray of a packet, from one query (World::intersectNext). One thread per packet.
 #pragma once
 #include "accel/ray_packet.h"
 
@@ -9,20 +9,20 @@ namespace gluray::accel {
 
 class NextHits {
  public:
-  static constexpr int kMost = 8;  // of a ray in one query
+  static constexpr int kMost = 8;  // hits per ray and query
   struct Hit {
     float distance = 0, u = 0, v = 0;  // as in RayPacket
     uint32_t instance = 0, primitive = 0;
   };
 
   int count(int lane) const { return counts_[lane]; }
-  /// The nearest first.
+  /// Sorted by distance, nearest first.
   const Hit& at(int lane, int i) const { return hits_[lane][i]; }
-  /// Whether there may be more behind them.
+  /// Whether the ray may have more hits beyond these.
   bool full(int lane) const { return counts_[lane] == kMost; }
 
-  /// The lane's hits are done with and will not be found again. Returns from which distance on the next query
-  /// is to look: others may be as far as the last, give or take a rounding. Only where full.
+  /// Makes later queries skip the lane's hits. Returns the tNear for the next query: slightly less than the
+  /// last hit's distance, because more hits may lie there, up to rounding. Only where full.
   float passOn(int lane) {
     constexpr float kBefore = 1 - 0x1p-20f;
     const float from = hits_[lane][kMost - 1].distance * kBefore;
@@ -34,7 +34,7 @@ class NextHits {
     return from;
   }
 
-  /// Takes a hit that a query has found. True: the ray need not look farther than `distance`, which is set.
+  /// Inserts a hit that a query found. True: the list is full; sets `distance` to the ray's new end.
   bool add(int lane, const Hit& hit, float& distance) noexcept {
     const auto isThis = [&](const Hit& h) {
       return h.instance == hit.instance && h.primitive == hit.primitive;
@@ -55,7 +55,7 @@ class NextHits {
  private:
   int counts_[kLanes] = {};
   Hit hits_[kLanes][kMost];
-  std::vector<Hit> passed_[kLanes];  // near where the next query begins
+  std::vector<Hit> passed_[kLanes];  // processed hits near the start of the next query
 };
 
 }  // namespace gluray::accel

@@ -37,18 +37,18 @@ TEST(NextHits, TheNearestAreKeptInOrder) {
   EXPECT_EQ(hits.count(4), 0);
 }
 
-TEST(NextHits, WhatIsDoneWithIsNotFoundAgain) {
+TEST(NextHits, PassedHitsAreNotFoundAgain) {
   NextHits hits;
   float distance = 0;
-  for (uint32_t i = 0; i < 8; ++i) hits.add(0, hitAt(1, i), distance);  // all at one place
+  for (uint32_t i = 0; i < 8; ++i) hits.add(0, hitAt(1, i), distance);  // all at one distance
   EXPECT_LT(hits.passOn(0), 1);
   for (uint32_t i = 0; i < 12; ++i) hits.add(0, hitAt(1, i), distance);
   ASSERT_EQ(hits.count(0), 4);
   for (int i = 0; i < 4; ++i) EXPECT_EQ(hits.at(0, i).primitive, 8u + static_cast<uint32_t>(i));
 }
 
-/// All hits along a ray down the z axis through sheets at z = 0, -1, -2 ..., some of them upon each other.
-TEST(NextHits, OfManyLayersAllAreFoundOnce) {
+/// All hits along a ray down the z axis through sheets at z = 0, -1, -2 ..., some of them coincident.
+TEST(NextHits, EachOfManyLayersIsFoundOnce) {
   for (const bool twice : {false, true}) {
     constexpr int kSheets = 30;
     std::vector<scene::MeshPtr> meshes;

@@ -1,4 +1,4 @@
-// Queries of World: Embree's packets, in the width that the processor handles natively.
+// World's ray queries, as Embree packets of the width that the processor supports natively.
 #include "accel/embree.h"
 #include "accel/packet_parts.h"
 #include "accel/query_state.h"
@@ -8,7 +8,7 @@
 namespace gluray::accel {
 namespace {
 
-// RayPacket is read and written by Embree in place.
+// Embree reads and writes RayPacket in place.
 static_assert(sizeof(RTCRayHit16) <= sizeof(RayPacket) && alignof(RayPacket) >= alignof(RTCRayHit16));
 static_assert(offsetof(RayPacket, tFar) == offsetof(RTCRayHit16, ray.tfar));
 static_assert(offsetof(RayPacket, normalX) == offsetof(RTCRayHit16, hit.Ng_x));

@@ -1,4 +1,5 @@
-// What a query of World carries into Embree's callbacks. Private to accel/; lives as long as one query.
+// State that a World query passes to Embree's callbacks. Private to accel/; lives as long as one query, on
+// its thread.
 #pragma once
 #include "accel/impostors/pixel_impostor.h"
 #include "accel/next_hits.h"
@@ -8,16 +9,16 @@
 
 namespace gluray::accel {
 
-/// Of hits at one distance, the one that OpenGL's depth test would leave.
+/// Chooses among hits at equal distance the one that OpenGL's depth test would keep.
 class TieBreaker {
  public:
   explicit TieBreaker(const DrawOrder& order) : order_(order) {}
 
-  /// Whether the hit, no farther than the lane's best so far, takes its place; `distance` then becomes how
-  /// far the ray is to look on: hits as far as this one must still be asked about.
+  /// Whether the hit, no farther than the lane's best so far, replaces it. If so, `distance` becomes the
+  /// ray's new end: slightly beyond this hit, so that hits at equal distance are still reported.
   bool replaces(int lane, uint32_t instance, uint32_t primitive, float& distance) {
-    // Triangles with the same corners in another order are hit up to a few roundings apart; less than 24-bit
-    // depth tells apart.
+    // Distances to triangles with the same corners in another order differ by a few roundings: less than one
+    // step of 24-bit depth.
     constexpr float kFarther = 1 + 0x1p-21f;
     Best& best = best_[lane];
     const uint64_t rank = uint64_t{order_.ranks[instance]} << 32 | primitive;
@@ -30,7 +31,7 @@ class TieBreaker {
     return true;
   }
 
-  /// The distances of the hits in place of how far the rays looked on.
+  /// Sets tFar back from the extended ray ends to the distances of the hits.
   void restoreDistances(RayPacket& packet) const {
     for (int i = 0; i < kLanes; ++i)
       if (best_[i].found) packet.tFar[i] = best_[i].distance;
@@ -46,20 +47,19 @@ class TieBreaker {
   Best best_[kLanes];
 };
 
-/// What callbacks need.
 struct QueryState {
   const HitFilter* filter;
   TieBreaker* ties;
   uint32_t aloneIndex;
-  const PlacedImpostors* impostors = nullptr;  // by instance
+  const PlacedImpostors* impostors = nullptr;  // per instance
   ImpostorQuery rays;
   WindowRectangle around;
-  // Those in the lighting space of the instance that was asked about last.
+  // Cache: `rays` in the lighting space of instance `raysOf`, the last one tested.
   mutable uint32_t raysOf = kNoHit;
   mutable ImpostorRays centers, samples;
-  NextHits* next = nullptr;  // several hits are wanted
+  NextHits* next = nullptr;  // set: collect several hits per ray
 
-  /// Whether a hit closer than the lane's best counts; `distance` as TieBreaker::replaces.
+  /// Whether a hit closer than the lane's best is accepted; `distance` as in TieBreaker::replaces.
   bool counts(int lane, uint32_t instance, uint32_t primitive, float u, float v, float& distance) const {
     if (next) return next->add(lane, {distance, u, v, instance, primitive}, distance);
     if (filter && !filter->accepts(instance, primitive, u, v, lane)) return false;

@@ -1,16 +1,16 @@
-// Sixteen rays and what they hit, as structure of arrays: what render/ hands to accel/ and gets back. Any
-// thread.
+// Packets of sixteen rays with their hits, as structures of arrays. render/ fills them, accel/ traces them.
+// Any thread.
 #pragma once
 #include <cstdint>
 
 namespace gluray::accel {
 
 constexpr int kLanes = 16;                // rays in a packet
-constexpr uint32_t kNoHit = 0xFFFFFFFFu;  // in `geometry` of a ray that hit nothing
+constexpr uint32_t kNoHit = 0xFFFFFFFFu;  // value of `geometry` where the ray hit nothing
 
-/// A packet of rays org + t*dir, t in (tNear, tFar]. Lengths of `dir` are free; t is in units of it.
+/// A packet of rays org + t*dir, t in (tNear, tFar]. `dir` may have any length; t is in units of it.
 /// The lanes are 4x4 pixels in Z order of 2x2 quads: lanes 0-3 are one quad, 0-7 a 4x2 block.
-/// The layout is that of Embree's packet, which is read and written in place.
+/// Same layout as Embree's packet: Embree reads and writes it in place.
 struct alignas(64) RayPacket {
   float orgX[kLanes], orgY[kLanes], orgZ[kLanes], tNear[kLanes];
   float dirX[kLanes], dirY[kLanes], dirZ[kLanes], time[kLanes];
@@ -25,18 +25,18 @@ struct alignas(64) RayPacket {
   uint32_t reserved[kLanes];   // later Embree versions write here
 };
 
-/// Rays of a packet in eye space, where nothing is as far from the origin as objects may be in the world. t
-/// counts as in the packet.
+/// The rays of a packet in eye space, which is more precise than world space for objects far from the world's
+/// origin. t as in the packet.
 struct alignas(64) PixelRays {
   float orgX[kLanes], orgY[kLanes], orgZ[kLanes], dirX[kLanes], dirY[kLanes], dirZ[kLanes];
-  float tFar[kLanes];  // the end of the ray, whatever was hit
+  float tFar[kLanes];  // the end of the ray, hit or not
   float windowX[kLanes], windowY[kLanes];
 };
 
-/// What impostors (scene/impostors.h) are met by: programs compute them for the centres of pixels, on those
-/// samples that their billboards cover.
+/// Rays against impostors (scene/impostors.h): shader programs compute them at pixel centres, for the samples
+/// that their billboards cover.
 struct ImpostorQuery {
-  const PixelRays* centers = nullptr;  // of the pixels that the packet's rays belong to
+  const PixelRays* centers = nullptr;  // through the centres of the rays' pixels
   const PixelRays* samples = nullptr;  // the packet's rays
 };
 

@@ -21,7 +21,7 @@ inline accel::RayPacket raysDown(float x, float y, float dx = 0, float dy = 0) {
   return packet;
 }
 
-/// The packet with what all of its rays hit in `world`.
+/// The packet after tracing all of its rays in `world`.
 inline accel::RayPacket shot(const accel::World& world, accel::RayPacket packet,
                              const accel::HitFilter* filter = nullptr) {
   alignas(64) int32_t valid[accel::kLanes];

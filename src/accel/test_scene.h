@@ -7,7 +7,7 @@
 
 namespace gluray::test {
 
-/// An attribute over a copy of `values`, followed by the readable bytes that positions and indices need.
+/// An attribute over a copy of `values`, padded by the readable bytes that positions and indices need.
 template <class T>
 scene::Attribute makeAttribute(std::vector<T> values, scene::Format format) {
   if (values.empty()) return {};
@@ -17,7 +17,7 @@ scene::Attribute makeAttribute(std::vector<T> values, scene::Format format) {
   return {owner, reinterpret_cast<const std::byte*>(owner->data()), stride, format};
 }
 
-/// Vertex data of a mesh; `indices` empty: a soup.
+/// Vertex data of a mesh; empty `indices`: triangle soup.
 struct MeshData {
   std::vector<glm::vec3> positions, normals;
   std::vector<uint32_t> indices;
@@ -41,7 +41,7 @@ inline std::shared_ptr<scene::Mesh> makeMesh(const MeshData& data) {
   return mesh;
 }
 
-/// Two triangles a, b, c and a, c, d, counterclockwise seen from where a, b, c, d go around counterclockwise.
+/// Two triangles a, b, c and a, c, d, with the winding of the quad a, b, c, d.
 inline MeshData quadData(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d) {
   MeshData data;
   data.positions = {a, b, c, d};
@@ -52,8 +52,8 @@ inline MeshData quadData(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d) {
 /// The square [-1, 1]^2 at height z, facing +z.
 inline MeshData squareData(float z = 0) { return quadData({-1, -1, z}, {1, -1, z}, {1, 1, z}, {-1, 1, z}); }
 
-/// A snapshot of `size` x `size` pixels of an identity camera (clip = eye = object space), unlit, one white
-/// instance a mesh.
+/// An unlit snapshot of `size` x `size` pixels with an identity camera (clip = eye = object space) and one
+/// white instance per mesh.
 inline scene::Snapshot makeSnapshot(const std::vector<scene::MeshPtr>& meshes, int size = 16) {
   scene::Snapshot s;
   s.frame = 1;

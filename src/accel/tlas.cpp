@@ -50,7 +50,7 @@ bool Tlas::update(std::vector<PlacedBlas> instances) {
   for (size_t i = 0; i < instances.size(); ++i) {
     if (i >= before || !(instances[i] == held_[i])) place(i, &instances[i]);
   }
-  // Until the commit has succeeded nothing is known to be held; the geometries are then all placed again.
+  // Until the commit succeeds, the contents are unknown: after an error all geometries are placed again.
   std::vector<PlacedBlas> alive = std::exchange(held_, {});
   const timeline::Span span("top level", instances.size());
   {

@@ -1,5 +1,5 @@
-// The instances of a frame over their meshes' structures. Owned by World; read by any number of tracing
-// threads.
+// The top-level structure (TLAS): the instances of a frame over the BLASes of their meshes. Owned by World;
+// read by any number of tracing threads.
 #pragma once
 #include "accel/meshes/blas.h"
 
@@ -11,14 +11,14 @@ struct RTCGeometryTy;
 
 namespace gluray::accel {
 
-/// A mesh structure placed in the world. `blas` null: nothing to hit.
+/// A BLAS placed in the world. `blas` null: nothing to hit.
 struct PlacedBlas {
   BlasPtr blas;
   glm::mat4 worldFromObject{1};
   bool operator==(const PlacedBlas&) const = default;
 };
 
-/// The top-level structure; it keeps the meshes' structures alive.
+/// Keeps the BLASes of its instances alive.
 class Tlas {
  public:
   explicit Tlas(const Device&);
@@ -26,10 +26,10 @@ class Tlas {
   Tlas(const Tlas&) = delete;
   Tlas& operator=(const Tlas&) = delete;
 
-  /// Makes the structure hold `instances` and nothing else; hits bear indices into it. Does nothing if they
-  /// are what it holds. True if it had to build. Throws Error; the next call then builds anew.
+  /// Replaces the contents by `instances`; hits report indices into it. Does nothing if it holds them
+  /// already. True if it built. Throws Error; the next call then rebuilds from scratch.
   bool update(std::vector<PlacedBlas> instances);
-  /// What it holds; empty where that is not known.
+  /// The current contents; empty if unknown (after an error).
   const std::vector<PlacedBlas>& held() const { return held_; }
   RTCSceneTy* scene() const { return scene_; }
 
@@ -39,7 +39,7 @@ class Tlas {
   const Device& device_;
   RTCSceneTy* scene_ = nullptr;
   std::vector<PlacedBlas> held_;
-  std::vector<RTCGeometryTy*> geometries_;  // null where nothing is to hit
+  std::vector<RTCGeometryTy*> geometries_;  // null: nothing to hit
 };
 
 }  // namespace gluray::accel

@@ -12,7 +12,7 @@
 namespace gluray::accel {
 namespace {
 
-// Rays reach an instance through the inverse of its transform, which must therefore exist and be affine.
+// Whether a transform is affine and invertible: rays are transformed into an instance by its inverse.
 bool placeable(const glm::mat4& m) {
   for (int c = 0; c < 4; ++c) {
     for (int r = 0; r < 4; ++r) {
@@ -25,14 +25,14 @@ bool placeable(const glm::mat4& m) {
   return volume > 1e-6 * glm::length(x) * glm::length(y) * glm::length(z) && volume > 1e-36;
 }
 
-/// Largest size of an element.
+/// Largest absolute value of an element.
 double largest(const glm::dvec3& v) {
   const glm::dvec3 size = glm::abs(v);
   return std::max({size.x, size.y, size.z});
 }
 double largest(const glm::dmat3& m) { return std::max({largest(m[0]), largest(m[1]), largest(m[2])}); }
 
-/// Whether all elements of two affine transforms are within `linear` of each other, translations `along`.
+/// Whether two affine transforms differ by at most `linear` per element, `along` in translations.
 bool isNear(const glm::mat4& a, const glm::mat4& b, double linear, double along) {
   for (int c = 0; c < 4; ++c)
     for (int r = 0; r < 3; ++r)
@@ -103,7 +103,7 @@ std::vector<BlasPtr> World::structures(const std::vector<Geometry>& meshes, BvhQ
   try {
     return cache_.get(meshes, quality);
   } catch (const std::exception&) {
-    // Memory held for what is no longer drawn is given back before we build anything coarser, or give up.
+    // Free idle structures and retry, before building coarser structures or failing.
     if (cache_.evictAllIdle()) try {
         return cache_.get(meshes, quality);
       } catch (const std::exception&) {}
@@ -114,11 +114,11 @@ std::vector<BlasPtr> World::structures(const std::vector<Geometry>& meshes, BvhQ
   return cache_.get(meshes, quality, true);
 }
 
-/// OpenGL keeps the product of camera and place as floats: turned back into places they differ from frame to
-/// frame by what is rounded, a thousandth of a pixel. Without this, every instance would be placed anew while
-/// the camera moves. All or none: surfaces in one place must not come apart.
+/// OpenGL stores the product of camera and instance transform as floats. The instance transforms recovered
+/// from it vary from frame to frame by rounding, about a thousandth of a pixel. Without this check, a moving
+/// camera would rebuild the TLAS. All instances stay or none: coincident surfaces must not separate.
 bool World::stayPlaced(const scene::Snapshot& snapshot, const std::vector<PlacedBlas>& placed) const {
-  constexpr double kRounded = 0x1p-22;  // of the largest element: twice the distance of two floats
+  constexpr double kRounded = 0x1p-22;  // of the largest element: twice the spacing of floats
   const std::vector<PlacedBlas>& held = tlas_.held();
   if (held.size() != placed.size()) return false;
   const double camera = largest(glm::dvec3(snapshot.eyeFromWorld[3]));
@@ -139,13 +139,13 @@ void World::readBounds() {
   rtcGetSceneBounds(scene_, &bounds);
   lower_ = {bounds.lower_x, bounds.lower_y, bounds.lower_z};
   upper_ = {bounds.upper_x, bounds.upper_y, bounds.upper_z};
-  // A mesh whose every triangle was refused has no bounds: nothing to hit.
+  // A mesh whose triangles were all left out has no bounds: nothing to hit.
   if (!(lower_.x <= upper_.x && lower_.y <= upper_.y && lower_.z <= upper_.z)) scene_ = nullptr;
 }
 
 void World::readOrder(const scene::Snapshot& snapshot) {
-  // Programs draw the points and lines that cells share once for each of them, in colours of their own;
-  // splats are flat, and overlap where they are equally far away.
+  // Programs draw points and lines that cells share once per cell, each in its own colour; splats are flat
+  // and overlap at equal distance.
   const auto repeated = [](const scene::Instance& i) { return scene::isInWindow(i.mesh->shape); };
   const bool known = !alone_ && apart_;
   mayCoincide_ = !known && (coincidence_.possible(snapshot.instances) ||

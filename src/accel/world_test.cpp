@@ -30,7 +30,7 @@ struct WorldTest : testing::Test {
   UpdateStatistics update(const scene::Snapshot& s) { return world.update(s, arena); }
 };
 
-TEST_F(WorldTest, LoneMeshHasNoTopLevel) {
+TEST_F(WorldTest, SingleMeshHasNoTopLevel) {
   const UpdateStatistics statistics = update(makeSnapshot({makeMesh(squareData(2))}));
   EXPECT_EQ(statistics.blasBuilds, 1u);
   EXPECT_EQ(statistics.tlasBuilds, 0u);
@@ -71,7 +71,7 @@ TEST_F(WorldTest, OnlyMovedInstancesRebuildTheTopLevel) {
   EXPECT_TRUE(hits(world, 0.5f, 5));
 }
 
-// What OpenGL makes of a camera that goes around `at`: products of floats, turned back into places.
+// A camera that circles `at`, as OpenGL yields it: instance transforms recovered from products of floats.
 void lookFrom(scene::Snapshot& s, float angle, const std::vector<glm::vec3>& at) {
   const glm::mat4 camera =
       glm::translate(glm::mat4(1), {0, 0, -30}) * glm::rotate(glm::mat4(1), angle, glm::vec3(1, 2, 3));
@@ -82,7 +82,7 @@ void lookFrom(scene::Snapshot& s, float angle, const std::vector<glm::vec3>& at)
   }
 }
 
-TEST_F(WorldTest, CameraMovesLeaveTheTopLevel) {
+TEST_F(WorldTest, CameraMovesKeepTheTopLevel) {
   const auto mesh = makeMesh(squareData());
   std::vector<glm::vec3> at;
   for (int i = 0; i < 50; ++i) at.emplace_back(1.7 * i - 40, 0.3 * i, -7.1 * i);
@@ -97,7 +97,7 @@ TEST_F(WorldTest, CameraMovesLeaveTheTopLevel) {
     differ += snapshot.instances[7].worldFromObject != before;
   }
   EXPECT_EQ(builds, 0u);
-  EXPECT_GT(differ, 50u);  // or this tests nothing
+  EXPECT_GT(differ, 50u);  // otherwise this tests nothing
   EXPECT_FALSE(world.mayCoincide());
 }
 
@@ -115,7 +115,7 @@ TEST_F(WorldTest, SlowMotionIsNotTakenForRounding) {
   }
 }
 
-TEST_F(WorldTest, WhatCoincidesIsAskedForEachTopLevel) {
+TEST_F(WorldTest, CoincidenceIsTestedForEachTopLevel) {
   const auto mesh = makeMesh(squareData()), other = makeMesh(squareData(1));
   auto twice = makeSnapshot({mesh, mesh}), apart = makeSnapshot({mesh, other}), lone = makeSnapshot({mesh});
   for (int round = 0; round < 3; ++round) {
@@ -133,7 +133,7 @@ TEST_F(WorldTest, WhatCoincidesIsAskedForEachTopLevel) {
   }
 }
 
-TEST_F(WorldTest, FewerInstancesLeaveNothingBehind) {
+TEST_F(WorldTest, RemovedInstancesAreNotHit) {
   const auto mesh = makeMesh(squareData());
   auto snapshot = makeSnapshot({mesh, mesh, mesh});
   for (int i = 0; i < 3; ++i)
@@ -202,7 +202,7 @@ TEST_F(WorldTest, TrianglesThatAreNotFiniteAreLeftOut) {
   EXPECT_TRUE(world.empty());
 }
 
-TEST_F(WorldTest, TransformsWithoutInverseAreRefused) {
+TEST_F(WorldTest, SingularTransformsAreRefused) {
   const auto mesh = makeMesh(squareData());
   auto snapshot = makeSnapshot({mesh, mesh});
   snapshot.instances[1].worldFromObject[2][2] = 0;
@@ -214,18 +214,18 @@ TEST_F(WorldTest, TransformsWithoutInverseAreRefused) {
   EXPECT_NO_THROW(update(snapshot));
 }
 
-TEST_F(WorldTest, FailedCommitsMayBeTriedAgain) {
+TEST_F(WorldTest, FailedCommitsMayBeRetried) {
   const auto mesh = makeMesh(squareData());
   auto snapshot = makeSnapshot({mesh, mesh});
   snapshot.instances[1].worldFromObject[3] = {5, 0, 0, 1};
   failNextCommits(1);
-  EXPECT_THROW(update(snapshot), Error);  // of the mesh
+  EXPECT_THROW(update(snapshot), Error);  // the BLAS
   EXPECT_TRUE(world.empty());
   EXPECT_EQ(world.cachedBlases(), 0u);
   const auto other = makeSnapshot({mesh});
   update(other);
   failNextCommits(1);
-  EXPECT_THROW(update(snapshot), Error);  // of the top level
+  EXPECT_THROW(update(snapshot), Error);  // the TLAS
   EXPECT_EQ(update(snapshot).tlasBuilds, 1u);
   EXPECT_TRUE(hits(world, 5, 0.5f));
 }
@@ -240,7 +240,7 @@ TEST_F(WorldTest, FilterSeesThroughCoincidentTriangles) {
   };
   MeshData data;
   data.positions = {{-1, -1, 0}, {1, -1, 0}, {-1, 1, 0}, {-1, -1, -3}, {1, -1, -3}, {-1, 1, -3}};
-  data.indices = {0, 1, 2, 1, 0, 2, 3, 4, 5};  // the same triangle both ways round, and one behind
+  data.indices = {0, 1, 2, 1, 0, 2, 3, 4, 5};  // one triangle in both windings, and one behind it
   update(makeSnapshot({makeMesh(data)}));
   for (const uint32_t rejected : {0u, 1u}) {
     const Reject filter(rejected);

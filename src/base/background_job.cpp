@@ -13,15 +13,15 @@
 namespace gluray {
 namespace {
 
-constexpr time_t kExitPatience = 2;  // seconds that exit() may take longer
+constexpr time_t kExitPatience = 2;  // seconds by which exit() may be delayed
 constexpr useconds_t kParkingMicroseconds = 20'000;
 
 std::atomic<bool> g_exiting{false};
-std::atomic<int> g_parked{0};  // threads that wait for the end of the process
+std::atomic<int> g_parked{0};  // threads in parkAtExit()
 
 }  // namespace
 
-/// Jobs whose thread may be running, for the end of the process. Never destroyed.
+/// Jobs whose thread may be running; abandoned when the process exits. Never destroyed.
 struct RunningJobs {
   std::mutex mutex;
   std::vector<BackgroundJob*> jobs;
@@ -32,7 +32,7 @@ struct RunningJobs {
     return *running;
   }
 
-  /// False while the process exits: nothing may be started any more.
+  /// False while the process exits: no job may start.
   bool add(BackgroundJob* job) {
     const std::lock_guard lock(mutex);
     static const bool registered = std::atexit([] { instance().abandonAll(); }) == 0;
@@ -47,7 +47,7 @@ struct RunningJobs {
   }
 
   void abandonAll() {
-    // exit() may have been called by a signal handler in the middle of anything.
+    // A signal handler may have called exit() at any point, even with the mutex held.
     const std::unique_lock lock(mutex, std::try_to_lock);
     if (!lock) return;
     exiting = true;
@@ -58,8 +58,8 @@ struct RunningJobs {
 
 namespace {
 
-/// Blocks the host's signals for threads started while it lives: its handlers must not run on threads of
-/// ours.
+/// Blocks the host's signals for threads started during its lifetime: the host's handlers must not run on our
+/// threads.
 class SignalsBlocked {
  public:
   SignalsBlocked() {
@@ -108,8 +108,8 @@ bool BackgroundJob::start(Work work, Priority priority) noexcept {
 }
 
 void BackgroundJob::run() noexcept {
-  // On Linux the priority belongs to the thread: frames that are being traced come first.
-  constexpr int kLowPriority = 19;  // a sixtieth of a core that frames want as well; all of an idle one
+  // On Linux the priority is per thread.
+  constexpr int kLowPriority = 19;  // 1/60 of a core that tracing threads also use; all of an idle core
   if (priority_ == Priority::low) setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kLowPriority);
   State end = State::failed;
   try {
@@ -159,9 +159,9 @@ void BackgroundJob::abandonAtExit() noexcept {
     joined = pthread_timedjoin_np(thread_.native_handle(), nullptr, &now) == 0;
     clock_gettime(CLOCK_REALTIME, &now);
   }
-  // The job's other threads find out within moments, too.
+  // Gives the job's other threads time to park, too.
   if (!joined) usleep(kParkingMicroseconds);
-  // Nobody waits for it any more. A std::thread does not know of that join.
+  // Keep a joined thread's object: std::thread does not know that pthread_timedjoin_np() joined it.
   static std::vector<std::thread>* ended = new std::vector<std::thread>;
   if (joined)
     ended->push_back(std::move(thread_));

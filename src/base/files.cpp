@@ -19,7 +19,7 @@ constexpr mode_t kMode = 0644;
 
 std::string reason(int error) { return std::error_code(error, std::generic_category()).message(); }
 
-/// Why something of this kind is no file to us; empty: it is one.
+/// Error for anything but a regular file; empty: it is one.
 std::string kindProblem(mode_t mode) {
   if (S_ISREG(mode)) return "";
   if (S_ISDIR(mode)) return reason(EISDIR);
@@ -45,7 +45,7 @@ bool isNull(const std::string& path) {
 
 Opened opened(int descriptor) { return {descriptor, descriptor < 0 ? reason(errno) : ""}; }
 
-/// A file beside `path` that nobody else has, and its name.
+/// Creates a file with a new name beside `path`; returns it and its name.
 std::pair<Opened, std::string> openDraft(const std::string& path, mode_t mode) {
   constexpr int kAttempts = 16;
   const std::string folder = path.substr(0, path.rfind('/') + 1);
@@ -61,7 +61,7 @@ std::pair<Opened, std::string> openDraft(const std::string& path, mode_t mode) {
   }
 }
 
-/// What stands under the name, and whether it may be replaced: permissions of a new file, or why not.
+/// Whether `path` may be replaced: the permissions for the new file, or an error.
 std::pair<mode_t, std::string> inspect(const std::string& path) {
   struct stat status {};
   if (lstat(path.c_str(), &status) != 0) return {kMode, errno == ENOENT ? "" : reason(errno)};
@@ -70,7 +70,7 @@ std::pair<mode_t, std::string> inspect(const std::string& path) {
   return {status.st_mode & 0666, ""};
 }
 
-/// Puts a draft that is open as `file` in its place; the draft goes where that fails.
+/// Renames a draft to `path`; removes the draft if that fails.
 std::string place(const std::string& draft, const std::string& path) {
   if (rename(draft.c_str(), path.c_str()) == 0) return "";
   std::string why = reason(errno);
@@ -129,7 +129,7 @@ Opened append(const std::string& path) {
   const int flags = O_WRONLY | O_APPEND | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
   const int file = open(path.c_str(), flags, kMode);
   if (file < 0) return opened(file);
-  struct stat status {};  // what stands there may be another thing by now
+  struct stat status {};  // the name may mean another file by now
   std::string problem = fstat(file, &status) != 0 ? reason(errno) : kindProblem(status.st_mode);
   if (problem.empty()) return {file, ""};
   close(file);
@@ -152,17 +152,17 @@ void removeOld(const std::string& path) {
 
 namespace {
 
-/// Why a file is not the user's alone; empty: it is, or root's.
+/// Error if others than the user and root own or may write the file; empty: none.
 std::string ownerProblem(const struct stat& status) {
   if (status.st_uid != 0 && status.st_uid != geteuid()) return "it belongs to another user";
-  // A group of one's own, whose number is the user's, has nobody else in it.
+  // A private group, whose number equals the user's, has no other members.
   const bool shared = status.st_gid != 0 && (status.st_gid != getegid() || getegid() != geteuid());
   if ((status.st_mode & S_IWOTH) || ((status.st_mode & S_IWGRP) && shared)) return "others may write it";
   return "";
 }
 
 Content readIf(const std::string& path, size_t mostBytes, std::string (*problem)(const struct stat&)) {
-  struct stat status {};  // asked before, as some devices do something when they are opened, and after
+  struct stat status {};  // checked before opening, because opening some devices has effects, and after
   if (stat(path.c_str(), &status) != 0) return {"", reason(errno), errno == ENOENT};
   if (std::string why = kindProblem(status.st_mode); !why.empty()) return {"", std::move(why), false};
   const int file = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);

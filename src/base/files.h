@@ -1,7 +1,7 @@
-// Every file that GLuRay writes, and every one that it reads because a user named it, goes through here.
-// Nothing but regular files is replaced, appended to or read: no directory, link, FIFO or device is removed,
-// followed, waited for or written into. "-", /dev/stdout and /dev/stderr are the streams of the process,
-// /dev/null takes what it is given. Errors are a line for people; empty: none. Any thread.
+// Safe file access: all files that GLuRay writes, and all that it reads because a user named them. Only
+// regular files are replaced, appended to or read; directories, links, FIFOs and devices are left alone. "-",
+// /dev/stdout and /dev/stderr are the process's streams; /dev/null discards. Errors are returned as one line;
+// empty: none. Any thread.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -9,43 +9,43 @@
 
 namespace gluray::files {
 
-/// Whether the name means a stream of the process, or nothing at all, rather than a file.
+/// Whether the name means a stream of the process or /dev/null rather than a file.
 bool isStream(const std::string& path);
 /// Whether it means standard output.
 bool isOutput(const std::string& path);
 
-/// Writes a whole file. Readers never see half of it: it is written under a name that nobody can foresee, in
-/// the same directory, and renamed. To a stream it is written as it is.
+/// Replaces a file atomically: writes to an unpredictable name in the same directory, then renames. Writes
+/// directly to a stream.
 std::string replace(const std::string& path, std::string_view content);
 
-/// A descriptor to write to, which its taker closes where it is above 2.
+/// A descriptor for writing. The caller closes it if it is above 2.
 struct Opened {
   int descriptor = -1;
-  std::string why;  // where the descriptor is -1
+  std::string why;  // the error, if the descriptor is -1
 };
-/// Opens an empty file in the place of an older one.
+/// Opens a new, empty file that replaces an older one.
 Opened start(const std::string& path);
-/// Opens a file to write behind what it holds.
+/// Opens a file for appending.
 Opened append(const std::string& path);
-/// Writes all of it; false: errno says why not.
+/// Writes all of `content`; false: see errno.
 bool writeAll(int descriptor, std::string_view content);
 
-/// Makes the file, empty, where nothing has that name; false where something has.
+/// Creates an empty file; false if the name exists.
 bool claim(const std::string& path);
-/// Whether the name can be given to replace() and start(), as far as can be told beforehand.
+/// Error that replace() or start() would return for the name, as far as known beforehand; empty: none.
 std::string obstacle(const std::string& path);
 /// Removes a regular file; leaves anything else.
 void removeOld(const std::string& path);
 
 struct Content {
   std::string text;
-  std::string why;       // not read: why
-  bool missing = false;  // because there is no such file
+  std::string why;       // the error, if the file was not read
+  bool missing = false;  // the error is that there is no such file
 };
-/// Reads a file of at most `mostBytes`. Links are followed.
+/// Reads a file of at most `mostBytes`. Follows links.
 Content read(const std::string& path, size_t mostBytes);
-/// The same, but not of files, or through links, that somebody other than root or the user owns, and not of
-/// files that others may write: what is planted in a shared directory is not ours to obey.
+/// The same, but refuses files and links owned by anyone but root or the user, and files that others may
+/// write: a file planted in a shared directory must have no effect.
 Content readOwn(const std::string& path, size_t mostBytes);
 
 }  // namespace gluray::files

@@ -40,7 +40,7 @@ class Files : public testing::Test {
     for (const auto& entry : fs::directory_iterator(folder_)) all.insert(entry.path().filename());
     return all;
   }
-  /// Nothing that is no regular file is replaced, written into, appended to, waited for or removed.
+  /// Expects that a file of another kind is not replaced, written, appended to, waited for or removed.
   void isLeftAlone(const char* name, const std::string& why) {
     SCOPED_TRACE(name);
     struct stat before {
@@ -76,7 +76,7 @@ TEST_F(Files, FilesInTheWorkingDirectoryNeedNoFolder) {
   EXPECT_EQ(textOf(path("a")), "text");
 }
 
-TEST_F(Files, OtherNamesOfAFileKeepWhatItHeld) {
+TEST_F(Files, HardLinksKeepTheOldContent) {
   put("a", "old");
   fs::create_hard_link(path("a"), path("b"));
   EXPECT_EQ(replace(path("a"), "new"), "");
@@ -92,7 +92,7 @@ TEST_F(Files, PermissionsStay) {
   EXPECT_EQ(status.st_mode & 0777, 0600u);
 }
 
-TEST_F(Files, WhatIsNoRegularFileIsLeftAlone) {
+TEST_F(Files, OnlyRegularFilesAreReplaced) {
   fs::create_directory(path("folder"));
   isLeftAlone("folder", "Is a directory");
   mkfifo(path("fifo").c_str(), 0666);
@@ -120,7 +120,7 @@ TEST_F(Files, NamesOfDraftsCannotBePlanted) {
   EXPECT_EQ(textOf(victim), "precious");
 }
 
-TEST_F(Files, WhatCannotBeWrittenLeavesNothing) {
+TEST_F(Files, FailedWritesLeaveNoFile) {
   EXPECT_EQ(replace(path("none") + "/a", "text"), "No such file or directory");
   EXPECT_EQ(replace("/proc/nowhere/a", "text"), "No such file or directory");
   EXPECT_EQ(replace(put("file", "") + "/a", "text"), "Not a directory");
@@ -128,7 +128,7 @@ TEST_F(Files, WhatCannotBeWrittenLeavesNothing) {
   EXPECT_EQ(names(), std::set<std::string>{"file"});
 }
 
-TEST_F(Files, StartedFilesAreThereAtOnce) {
+TEST_F(Files, StartedFilesExistAtOnce) {
   put("a", "old");
   const Opened opened = start(path("a"));
   ASSERT_GE(opened.descriptor, 0);
@@ -138,7 +138,7 @@ TEST_F(Files, StartedFilesAreThereAtOnce) {
   close(opened.descriptor);
 }
 
-TEST_F(Files, AppendedFilesKeepWhatTheyHold) {
+TEST_F(Files, AppendingKeepsTheContent) {
   put("a", "old ");
   for (const char* name : {"a", "b"}) {
     const Opened opened = append(path(name));
@@ -150,7 +150,7 @@ TEST_F(Files, AppendedFilesKeepWhatTheyHold) {
   EXPECT_EQ(textOf(path("b")), "new");
 }
 
-TEST_F(Files, StreamsAreNoFiles) {
+TEST_F(Files, StreamsAreNotFiles) {
   const fs::path before = fs::current_path();
   fs::current_path(folder_);
   put("-", "a file of that name");
@@ -187,7 +187,7 @@ TEST_F(Files, DevicesAreRefused) {
 
 TEST_F(Files, OnlyRegularFilesAreRead) {
   mkfifo(path("fifo").c_str(), 0666);
-  EXPECT_EQ(read(path("fifo"), 100).why, "it is a FIFO, not a regular file");  // and not waited for
+  EXPECT_EQ(read(path("fifo"), 100).why, "it is a FIFO, not a regular file");  // does not block
   EXPECT_EQ(read(folder_, 100).why, "Is a directory");
   const Content none = read(path("none"), 100);
   EXPECT_TRUE(none.missing);

@@ -1,4 +1,4 @@
-// 128-bit content hashes: how geometry and streams of calls are known again. Any thread.
+// 128-bit content hashes: the identity of geometry and call streams. Any thread.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -6,14 +6,14 @@
 
 namespace gluray {
 
-/// A 128-bit content hash (XXH3). Two different contents share one with probability 2^-128, so equal means
-/// equal.
+/// A 128-bit content hash (XXH3). Different contents collide with probability 2^-128, so equal hashes count
+/// as equal contents.
 struct Hash128 {
   uint64_t low = 0, high = 0;
   bool operator==(const Hash128&) const = default;
 };
 
-/// Hash of `sizeBytes` bytes, chained to `seed` so that several arrays make one identity.
+/// Hash of `sizeBytes` bytes, chained to `seed` so that several arrays have one hash.
 Hash128 hashBytes(const void* data, size_t sizeBytes, Hash128 seed = {});
 
 }  // namespace gluray

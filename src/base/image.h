@@ -1,5 +1,5 @@
-// A traced picture: planes of colour, depth and more of a rectangle of the framebuffer. Made by render/,
-// read by frame/ and intercept/present.
+// A traced picture: planes of colour, depth and more for a rectangle of the framebuffer. Made by render/,
+// read by frame/ and intercept/present. Plain data.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -8,21 +8,21 @@
 
 namespace gluray {
 
-/// Of surfaces that are seen through, composited: how many pixels have n >= 2 layers one behind the other.
-/// Those that are not seen any more are left out, but where only some are peeled (scene::Layers::peels). The
-/// last number stands for all that are larger.
+/// Histogram of composited transparent layers: element n >= 2 counts the pixels with n layers; the last
+/// element also counts those with more. Invisible layers are excluded unless only some are peeled
+/// (scene::Layers::peels).
 struct LayerCounts {
   static constexpr size_t kMost = 64;
-  std::array<uint32_t, kMost> open{};    // pixels with nothing opaque behind the layers
-  std::array<uint32_t, kMost> before{};  // pixels with something opaque behind them
+  std::array<uint32_t, kMost> open{};    // pixels without an opaque surface behind the layers
+  std::array<uint32_t, kMost> before{};  // pixels with an opaque surface behind them
 };
 
-/// What an image may hold of each pixel, or of each sample of a multisampled framebuffer.
+/// Values that an image may hold per pixel, or per sample of a multisampled framebuffer.
 enum class Plane : uint8_t {
   color = 1,          // RGBA8
-  wideColor = 2,      // RGBA floats, beyond [0, 1] if they are so
+  wideColor = 2,      // RGBA floats, not clamped to [0, 1]
   depth = 4,          // window depth
-  transmittance = 8,  // product of what all fragments let through, 1 - opacity
+  transmittance = 8,  // product of 1 - opacity over all fragments
   centerDepth = 16,   // window depth at the pixel's centre, where pixels are averages over several rays
 };
 
@@ -43,42 +43,42 @@ class Planes {
 };
 constexpr Planes operator|(Plane a, Plane b) { return Planes(a) | Planes(b); }
 
-/// Planes of `width` x `height` pixels, bottom row first, as OpenGL has them. With several samples a pixel
-/// the planes of further samples follow the first.
+/// Planes of `width` x `height` pixels, bottom row first, as in OpenGL. With several samples per pixel, each
+/// plane holds all pixels' first samples, then all second samples, and so on.
 struct Image {
   static constexpr float kMiss = 2.0f;  // depth of a pixel that no ray hit
   static constexpr Planes kPicture = Plane::color | Plane::depth;
   static constexpr Planes kWide = Plane::wideColor | Plane::depth;
-  /// Sums over all fragments of colour times opacity, and of opacities in alpha.
+  /// Sums over all fragments: of colour times opacity, and in alpha of opacity.
   static constexpr Planes kSums = kWide | Plane::transmittance;
 
   int x = 0, y = 0;                  // window coordinates of the lower left pixel
   int width = 0, height = 0;         // pixels
-  int samples = 1;                   // a pixel, of a multisampled framebuffer
+  int samples = 1;                   // per pixel, of a multisampled framebuffer
   Planes planes = kPicture;          // the others are empty
   std::vector<uint32_t> color;       // red in the lowest byte
-  std::vector<float> wideColor;      // four a pixel
-  std::vector<float> depth;          // in [0, 1], kMiss where nothing was hit
-  std::vector<float> transmittance;  // 1 where nothing was hit
-  /// Where pixels are averages over several rays, misses being 0 in all channels: the depth at their centres.
-  /// `depth` is the same, or where the centre missed that of the nearest ray.
+  std::vector<float> wideColor;      // four per pixel
+  std::vector<float> depth;          // in [0, 1]; kMiss for misses
+  std::vector<float> transmittance;  // 1 for misses
+  /// Depth at the pixel's centre, where pixels are averages over several rays (misses average as 0 in all
+  /// channels). `depth` equals it, or if the centre missed, is the nearest ray's.
   std::vector<float> centerDepth;
-  uint32_t missColor = 0;  // what misses have in `color`; set before tracing. Of averages: 0
+  uint32_t missColor = 0;  // value of misses in `color`; set before tracing. 0 for averages
   LayerCounts layers;
 
   bool has(Plane plane) const { return planes.has(plane); }
   /// Whether pixels are averages over several rays.
   bool isAverages() const { return has(Plane::centerDepth); }
-  /// Whether it is one RGBA8 colour and one depth a pixel, each of one ray.
+  /// Whether each pixel has one RGBA8 colour and one depth, from one ray.
   bool isPlain() const { return planes == kPicture && samples == 1; }
 
-  /// What the planes take.
+  /// Memory of the planes.
   size_t bytes() const {
     return 4 * (color.capacity() + depth.capacity() + wideColor.capacity() + transmittance.capacity() +
                 centerDepth.capacity());
   }
 
-  /// Makes room for the given shape, reusing memory. Contents are undefined afterwards.
+  /// Allocates the given shape, reusing memory. Contents are undefined afterwards.
   void resize(int newWidth, int newHeight, int newSamples, Planes newPlanes = kPicture) {
     width = newWidth, height = newHeight, samples = newSamples, planes = newPlanes;
     const auto count =

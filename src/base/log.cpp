@@ -24,7 +24,7 @@ State& state() {
   return *s;
 }
 
-/// One line in one piece, so that lines of several processes do not mix.
+/// Writes a line in one piece, so that lines of several processes do not mix.
 void writeLine(int descriptor, std::string_view message) {
   files::writeAll(descriptor, "gluray: " + printable(message) + "\n");
 }
@@ -51,7 +51,7 @@ void write(Level level, std::string_view message) noexcept {
     const std::lock_guard lock(s.mutex);
     if (level < s.level || level == Level::off) return;
     writeLine(s.descriptor, message);
-  } catch (...) {  // a log line is never worth a failure
+  } catch (...) {  // drop the line
   }
 }
 

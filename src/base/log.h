@@ -1,5 +1,5 @@
-// The one log. Silent unless asked: messages of level warning or worse go to stderr, one line each, only in
-// the process that the user launched (never in helpers that it starts). Any thread.
+// The log. By default only messages of level warning or above go to stderr, one line each, and only in the
+// process that the user launched, not in helpers that it starts. Any thread.
 #pragma once
 #include <string_view>
 
@@ -7,13 +7,13 @@ namespace gluray::log {
 
 enum class Level { trace, debug, info, warning, error, off };
 
-/// What is written from now on. `file` empty: stderr. To a file it is appended.
+/// Sets the level and the destination: appends to `file`, or writes to stderr if it is empty.
 void configure(Level level, std::string_view file);
 
-/// Writes one line "gluray: MESSAGE", controls escaped, if `level` is wanted. Never throws.
+/// Writes one line "gluray: MESSAGE", with control characters escaped, if `level` is enabled. Never throws.
 void write(Level level, std::string_view message) noexcept;
 
-/// Writes `message` the first time only; `key` says which messages are the same.
+/// Writes `message` unless one with the same `key` was written before.
 void once(Level level, std::string_view key, std::string_view message) noexcept;
 
 }  // namespace gluray::log

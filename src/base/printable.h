@@ -1,12 +1,12 @@
-/* Text of others (names of files, words of programs and drivers) as one line that a terminal shows and does
-   not obey. C, for the doors, and C++. Any thread. */
+/* Escapes untrusted text (file names, strings of programs and drivers) as one line without terminal control
+   sequences. C, for the doors, and C++. Any thread. */
 #pragma once
 #include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
-/* Bytes of the well-formed UTF-8 character at `text`, of which `length` bytes are there, and its code point;
-   0 where there is none (RFC 3629: no overlong forms, no surrogates). */
+/* Length in bytes of the well-formed UTF-8 character at `text`, which has `length` bytes; sets its code
+   point. 0 if it is malformed (RFC 3629: no overlong forms, no surrogates). */
 static inline size_t glurayCharacter(const unsigned char* text, size_t length, unsigned* code) {
   static const struct {
     unsigned char mask, lead;
@@ -25,17 +25,17 @@ static inline size_t glurayCharacter(const unsigned char* text, size_t length, u
   return 0;
 }
 
-/* Whether a terminal may obey the character, or lay out others by it: C0 and C1 controls, separators of lines
-   and paragraphs, directions of writing. */
+/* Whether the character may control a terminal or the layout of text: C0 and C1 controls, line and paragraph
+   separators, bidirectional controls. */
 static inline int glurayIsControl(unsigned code) {
   return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x2028 || code == 0x2029 || code == 0x061c ||
          code == 0x200e || code == 0x200f || (code >= 0x202a && code <= 0x202e) ||
          (code >= 0x2066 && code <= 0x2069);
 }
 
-/* Writes `text` into `out` with escapes (\n, \t, \x1b, \u202e) in place of controls and of bytes that are no
-   UTF-8, as far as it fits into `size` bytes (at least 1) with the terminating zero. Returns the bytes
-   written without that zero: at most four times `length`. */
+/* Writes `text` into `out`, with control characters and bytes that are not UTF-8 escaped (\n, \t, \x1b,
+   \u202e). Truncates to `size` bytes (at least 1), including the terminating zero. Returns the bytes written
+   without that zero: at most four times `length`. */
 static inline size_t glurayPrintable(char* out, size_t size, const char* text, size_t length) {
   size_t used = 0;
   while (length > 0) {
@@ -66,7 +66,7 @@ static inline size_t glurayPrintable(char* out, size_t size, const char* text, s
 
 namespace gluray {
 
-/// `text` with escapes as above.
+/// `text` escaped by glurayPrintable().
 inline std::string printable(std::string_view text) {
   std::string line(4 * text.size() + 1, '\0');
   line.resize(glurayPrintable(line.data(), line.size(), text.data(), text.size()));

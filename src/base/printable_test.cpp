@@ -16,16 +16,16 @@ TEST(Printable, ControlsAreEscaped) {
   EXPECT_EQ(printable("\x1b[31mred\x07\x7f"), "\\x1b[31mred\\x07\\x7f");
   EXPECT_EQ(printable(std::string_view("a\0b", 3)), "a\\x00b");
   EXPECT_EQ(printable("\u009b31m"), "\\u009b31m");          // C1: CSI in one character
-  EXPECT_EQ(printable("\u202egnp.exe"), "\\u202egnp.exe");  // would be shown from right to left
+  EXPECT_EQ(printable("\u202egnp.exe"), "\\u202egnp.exe");  // right-to-left override
   EXPECT_EQ(printable("\u2028"), "\\u2028");
 }
 
-TEST(Printable, BytesThatAreNoUtf8AreEscaped) {
+TEST(Printable, InvalidUtf8IsEscaped) {
   EXPECT_EQ(printable("\xff\xfe"), "\\xff\\xfe");
   EXPECT_EQ(printable("\x9b"
                       "31m"),
             "\\x9b31m");
-  EXPECT_EQ(printable("\xc3"), "\\xc3");                             // cut off
+  EXPECT_EQ(printable("\xc3"), "\\xc3");                             // truncated
   EXPECT_EQ(printable("\xc0\x8a"), "\\xc0\\x8a");                    // overlong line feed
   EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");           // surrogate
   EXPECT_EQ(printable("\xf4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80");  // beyond U+10FFFF

@@ -16,34 +16,34 @@
 namespace gluray::timeline {
 namespace {
 
-constexpr int64_t kClose = 30'000;               // nanoseconds between spans that become one
-constexpr int64_t kInterval = 500'000'000;       // between two writes
-constexpr size_t kMostEvents = size_t{1} << 20;  // of a thread, until they are written: some forty megabytes
+constexpr int64_t kClose = 30'000;               // nanoseconds: joined spans closer than this are merged
+constexpr int64_t kInterval = 500'000'000;       // nanoseconds between two writes
+constexpr size_t kMostEvents = size_t{1} << 20;  // unwritten events per thread: about 40 MB
 
 struct Event {
   const char* name;
-  int64_t start, end;  // nanoseconds; a mark's are equal
+  int64_t start, end;  // nanoseconds; equal for marks
   uint64_t amount;
   bool joined;
 };
 
-/// What one thread does. Its own thread adds, whoever writes the file takes.
+/// Events of one thread. That thread adds events; the thread that writes the file removes them.
 struct Track {
   std::mutex mutex;
   std::deque<Event> events;
   const char* name = nullptr;
-  bool named = false;  // the file says so
+  bool named = false;  // the name is in the file
   pid_t thread = gettid();
   uint64_t lost = 0;
 };
 
-/// Never destroyed: threads record until the process is gone.
+/// Never destroyed: threads record until the process ends.
 struct Recorder {
-  std::mutex mutex;  // of all below, and of the file
+  std::mutex mutex;  // guards the members below and the file
   std::vector<std::unique_ptr<Track>> tracks;
   std::string file;
   int descriptor = -1;
-  std::string why;  // the file cannot be opened
+  std::string why;  // error of opening the file
   pid_t process = 0;
   int64_t start = 0;
   std::atomic<int64_t> nextWrite{0};
@@ -87,7 +87,7 @@ void add(const Event& event) noexcept {
     } else {
       ++track.lost;
     }
-  } catch (...) {  // without memory the picture has a gap
+  } catch (...) {  // out of memory: the timeline has a gap
   }
 }
 
@@ -107,7 +107,7 @@ void appendEvent(std::string& out, const Recorder& recorder, const Track& track,
   out.append("},\n");
 }
 
-/// Takes what a thread has done so far. The last span stays where it may go on.
+/// Appends a thread's events to `out` and removes them. Keeps the last span if it may still be extended.
 void take(const Recorder& recorder, Track& track, bool all, std::string& out) {
   std::deque<Event> events;
   {
@@ -148,7 +148,7 @@ void writeOut(bool all) noexcept {
     g_recording = false;
     log::write(log::Level::error, "cannot write the timeline " + recorder.file +
                                       (recorder.why.empty() ? "" : ": " + recorder.why) + "; recording ends");
-  } catch (...) {  // without memory the picture has a gap
+  } catch (...) {  // out of memory: the timeline has a gap
   }
 }
 
@@ -184,7 +184,7 @@ void nameThread(const char* name) noexcept {
     Track& track = trackOfThread();
     const std::lock_guard lock(track.mutex);
     if (!track.name) track.name = name;
-  } catch (...) {  // it stays a number
+  } catch (...) {  // the thread keeps its number as name
   }
 }
 

@@ -1,7 +1,6 @@
-// What each thread does when (`--timeline FILE`). Any thread; a load of one flag where nobody asks for it.
-// The file is Chrome's trace event format (JSON array of complete events, microseconds), which Perfetto and
-// `gluray timeline` read; its closing bracket is optional there, so that a program that is killed leaves a
-// file, too.
+// Records what each thread does over time (`--timeline FILE`), in Chrome's trace event format (JSON array of
+// complete events, microseconds), which Perfetto and `gluray timeline` read. The format's closing bracket is
+// optional, so the file of a killed program is valid. Costs one load of a flag while off. Any thread.
 #pragma once
 #include <atomic>
 #include <cstdint>
@@ -11,20 +10,21 @@ namespace gluray::timeline {
 
 inline std::atomic<bool> g_recording{false};
 
-/// Starts recording into `file`, which is written from time to time and at exit; once in a process.
-/// Complains in one line where the file cannot be written, and the program goes on.
+/// Starts recording into `file`, which is written periodically and at exit; once per process. If the file
+/// cannot be written, logs one line and the program goes on.
 void record(const std::string& file);
-/// Writes what has been recorded so far, if it is time to. Called between batches, on the program's thread.
+/// Writes the events so far, if the write interval has passed. Called between batches, on the program's
+/// thread.
 void writeIfDue() noexcept;
-/// Writes all of it.
+/// Writes all events.
 void write() noexcept;
-/// What the calling thread is called in the file. A literal.
+/// Names the calling thread in the file. `name` is a literal.
 void nameThread(const char* name) noexcept;
-/// Something that happens at one moment. A literal.
+/// Records an instantaneous event. `name` is a literal.
 void mark(const char* name) noexcept;
 
-/// From its making to its end the thread does this. `name` is a literal; `amount`, of triangles or bytes, is
-/// left out where it is 0. With `joined`, spans of one name that follow each other closely become one.
+/// Records its lifetime as an event of the thread. `name` is a literal; `amount` is in triangles or bytes, 0:
+/// none. `joined`: merges consecutive spans of one name that are less than 30 microseconds apart.
 class Span {
  public:
   explicit Span(const char* name, uint64_t amount = 0, bool joined = false) noexcept {

@@ -1,4 +1,4 @@
-// The file of `--timeline`. One test binary, one recording: what is recorded is looked for by name.
+// The file of `--timeline`. A process has one recording, so tests look for their events by name.
 #include "base/timeline.h"
 
 #include <gtest/gtest.h>
@@ -59,10 +59,10 @@ TEST_F(Timeline, SpansMarksAndThreadsAreWritten) {
   EXPECT_EQ(count(text, R"("args":{"name":"program"})"), 1u);
   EXPECT_EQ(count(text, R"("args":{"name":"other"})"), 1u);
   EXPECT_EQ(count(text, R"("name":"elsewhere")"), 1u);
-  EXPECT_EQ(count(text, "before"), 0u);  // nobody had asked yet
+  EXPECT_EQ(count(text, "before"), 0u);  // recording was off
 }
 
-TEST_F(Timeline, ManySmallSpansOfOneKindBecomeOne) {
+TEST_F(Timeline, CloseSpansOfOneNameAreMerged) {
   for (int i = 0; i < 100; ++i) const Span span("tile", 2, true);
   for (int i = 0; i < 3; ++i) const Span span("single", 2);
   write();
@@ -71,7 +71,7 @@ TEST_F(Timeline, ManySmallSpansOfOneKindBecomeOne) {
   EXPECT_EQ(count(text, R"("name":"single")"), 3u);
 }
 
-TEST_F(Timeline, WhatIsWrittenIsNotWrittenAgain) {
+TEST_F(Timeline, EventsAreWrittenOnce) {
   { const Span span("once"); }
   write();
   write();

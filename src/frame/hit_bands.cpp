@@ -17,7 +17,7 @@ Band hitBand(const float* depth, int width, int height, int y) {
   int left = width, right = 0;
   for (int r = y; r < y + count; ++r) {
     const float* row = depth + static_cast<size_t>(r) * static_cast<size_t>(width);
-    // Only what lies outside the band so far is looked at.
+    // Searches only columns outside the band so far.
     left = static_cast<int>(firstHit(row, static_cast<size_t>(left)));
     const int known = std::max(right, left);
     const auto last = static_cast<int>(endOfHits(row + known, static_cast<size_t>(width - known)));

@@ -1,22 +1,22 @@
-// Which parts of a traced picture hold anything: the write-back uploads and draws these alone.
+// Bands of a traced picture that contain hits: the write-back uploads and draws only these. Any thread.
 #pragma once
 #include <vector>
 
 namespace gluray::frame {
 
-/// Rows [y, y + height) of a picture, of which only columns [x, x + width) hold hits.
+/// Rows [y, y + height) of a picture; columns outside [x, x + width) hold no hits.
 struct Band {
   int x = 0, y = 0, width = 0, height = 0;
   bool operator==(const Band&) const = default;
 };
 
 inline constexpr int kMaxBands = 32;
-/// Rows of a band, all but the last, in a picture of that height.
+/// Rows per band in a picture of this height; the last band may have fewer.
 int rowsOfBands(int height);
-/// The band that begins at row `y`, a multiple of those: without columns where nothing in it was hit.
+/// The band that starts at row `y`, a multiple of rowsOfBands(). Its width is 0 if it holds no hits.
 Band hitBand(const float* depth, int width, int height, int y);
-/// At most `kMaxBands` bands, lowest first, that cover every pixel of `depth` (width*height window depths)
-/// that was hit, that is, whose depth is at most 1. Bands without hits are left out.
+/// At most `kMaxBands` bands, bottom first, that cover every hit of `depth` (width*height window depths; hits
+/// are at most 1). Bands without hits are left out.
 std::vector<Band> hitBands(const float* depth, int width, int height);
 
 }  // namespace gluray::frame

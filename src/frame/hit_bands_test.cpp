@@ -7,11 +7,11 @@ namespace {
 
 constexpr float kMiss = 2;
 
-TEST(HitBands, NothingHitMakesNoBand) {
+TEST(HitBands, NoHitsMakeNoBand) {
   EXPECT_TRUE(hitBands(std::vector<float>(100 * 70, kMiss).data(), 100, 70).empty());
 }
 
-TEST(HitBands, EverythingHitMakesFullBands) {
+TEST(HitBands, OnlyHitsMakeFullBands) {
   const auto bands = hitBands(std::vector<float>(100 * 70, 0.5f).data(), 100, 70);
   ASSERT_EQ(bands.size(), 5u);
   EXPECT_EQ(bands[0], (Band{0, 0, 100, 16}));

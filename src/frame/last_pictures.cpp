@@ -6,7 +6,7 @@
 namespace gluray::frame {
 namespace {
 
-constexpr size_t kMostInstances = 2000;  // more take longer to compare and keep than is worth it
+constexpr size_t kMostInstances = 2000;  // more are not worth the time to compare and copy
 
 bool isSameLayers(const std::shared_ptr<const scene::Layers>& a,
                   const std::shared_ptr<const scene::Layers>& b) {
@@ -15,7 +15,7 @@ bool isSameLayers(const std::shared_ptr<const scene::Layers>& a,
 
 }  // namespace
 
-/// What changes most often first. Asks for no memory.
+/// Compares the most changeable state first. Allocates nothing.
 bool LastPictures::isSame(Entry& entry, const scene::Snapshot& s) noexcept {
   const scene::Snapshot& e = entry.shows;
   if (!entry.whole || e.eyeFromWorld != s.eyeFromWorld || !(e.camera == s.camera) ||
@@ -79,7 +79,7 @@ void LastPictures::keep(const scene::Snapshot& snapshot) noexcept {
       instance.mesh.reset();
     }
     next_->whole = true;
-  } catch (const std::exception&) { next_->shows = {}; }  // without memory it is traced again
+  } catch (const std::exception&) { next_->shows = {}; }  // out of memory: trace it again next time
 }
 
 }  // namespace gluray::frame

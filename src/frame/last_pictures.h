@@ -1,5 +1,5 @@
-// The last pictures that were traced, for frames in which nothing changes: programs draw again for an
-// expose event, a cursor, a screenshot. GL thread, one per context.
+// Cache of the last traced pictures, for frames in which nothing changes: programs redraw for an expose
+// event, a cursor, a screenshot. GL thread, one per context.
 #pragma once
 #include "base/image.h"
 #include "scene/snapshot.h"
@@ -13,27 +13,27 @@ namespace gluray::frame {
 
 class LastPictures {
  public:
-  /// Bytes of pictures beyond which only the last is held: of a window of 4K, for instance.
+  /// Budget in bytes; beyond it, as for a 4K window, only the last picture is kept.
   static constexpr size_t kBudget = size_t{96} << 20;
 
   struct Picture {
     Image image;
-    uint64_t id = 0;  // never 0 for a whole picture, and never the same for two
+    uint64_t id = 0;  // unique; never 0 for a finished picture
   };
-  /// The picture of an earlier snapshot that shows the same, its misses in `missColor` where one is given;
-  /// null: there is none. Valid until next().
+  /// The picture of an equal earlier snapshot, with misses in `missColor` if given; null: none. Valid until
+  /// next().
   const Picture* of(const scene::Snapshot& snapshot, std::optional<uint32_t> missColor = {}) noexcept;
-  /// Memory for another picture, in the place of the one that was asked for longest ago.
+  /// Memory for a new picture; replaces the least recently used one.
   Picture& next() noexcept;
-  /// What next() gave holds the picture of `snapshot` now. Its meshes are not kept alive.
+  /// Marks the picture from next() as finished and showing `snapshot`. Does not keep its meshes alive.
   void keep(const scene::Snapshot& snapshot) noexcept;
-  size_t bytes() const noexcept;  // of all pictures
+  size_t bytes() const noexcept;  // memory of all pictures
 
  private:
   struct Entry {
     Picture picture;
     uint64_t used = 0;
-    bool whole = false;
+    bool whole = false;     // finished
     scene::Snapshot shows;  // without meshes
     std::vector<std::weak_ptr<const scene::Mesh>> meshes;
   };

@@ -1,4 +1,4 @@
-// A picture is shown again only where nothing has changed that could be seen.
+// A picture is reused only if nothing visible has changed.
 #include "frame/last_pictures.h"
 
 #include "accel/test_scene.h"
@@ -32,12 +32,12 @@ class LastPicturesTest : public testing::Test {
   scene::Snapshot shown_;
 };
 
-TEST_F(LastPicturesTest, OfTheSameIsFoundWhateverTheFrame) {
+TEST_F(LastPicturesTest, EqualSnapshotsAreFoundInAnyFrame) {
   EXPECT_TRUE(foundAfter([](scene::Snapshot&) {}));
   EXPECT_TRUE(foundAfter([](scene::Snapshot& s) { s.frame = 77; }));
 }
 
-TEST_F(LastPicturesTest, WhateverElseChangesItIsNot) {
+TEST_F(LastPicturesTest, ChangedSnapshotsAreNotFound) {
   using S = scene::Snapshot;
   const std::vector<std::function<void(S&)>> changes = {
       [](S& s) { s.camera.clipFromEye[0][0] *= 2; },
@@ -74,7 +74,7 @@ TEST_F(LastPicturesTest, WhateverElseChangesItIsNot) {
   for (size_t i = 0; i < changes.size(); ++i) EXPECT_FALSE(foundAfter(changes[i])) << "change " << i;
 }
 
-TEST_F(LastPicturesTest, LayersAreComparedByWhatTheyHold) {
+TEST_F(LastPicturesTest, LayersAreComparedByContent) {
   const auto layered = [&](float depth) {
     scene::Snapshot s = shown_;
     auto layers = std::make_shared<scene::Layers>();
@@ -87,14 +87,14 @@ TEST_F(LastPicturesTest, LayersAreComparedByWhatTheyHold) {
   EXPECT_FALSE(pictures_.of(layered(0.25f)));
 }
 
-TEST_F(LastPicturesTest, SeveralOfAFrameAreHeldAndTheOldestGoes) {
+TEST_F(LastPicturesTest, SeveralAreKeptAndTheOldestIsReplaced) {
   std::vector<scene::Snapshot> others;
   for (int i = 0; i < 3; ++i) {
     others.push_back(shown_);
     others.back().camera.viewport.x = i + 1;
   }
   keep(others[0]), keep(others[1]);
-  EXPECT_TRUE(pictures_.of(shown_));  // asked for last
+  EXPECT_TRUE(pictures_.of(shown_));  // the most recently used
   keep(others[2]);
   EXPECT_TRUE(pictures_.of(shown_));
   EXPECT_FALSE(pictures_.of(others[0]));
@@ -102,7 +102,7 @@ TEST_F(LastPicturesTest, SeveralOfAFrameAreHeldAndTheOldestGoes) {
   EXPECT_TRUE(pictures_.of(others[2]));
 }
 
-TEST_F(LastPicturesTest, OfSeveralOfOneSnapshotTheOneWithTheRightMissesIsFound) {
+TEST_F(LastPicturesTest, FindsThePictureWithTheRightMissColor) {
   for (const uint32_t color : {7u, 9u}) {
     pictures_.next().image.missColor = color;
     pictures_.keep(shown_);
@@ -116,7 +116,7 @@ TEST_F(LastPicturesTest, OfSeveralOfOneSnapshotTheOneWithTheRightMissesIsFound) 
   EXPECT_TRUE(pictures_.of(shown_));
 }
 
-TEST_F(LastPicturesTest, OfLargeOnesTheLastAloneIsHeld) {
+TEST_F(LastPicturesTest, OnlyTheLastLargePictureIsKept) {
   constexpr int kSide = 2560;  // 52 MB, more than half of the budget
   scene::Snapshot other = shown_;
   for (int i = 1; i < 6; ++i) {
@@ -138,7 +138,7 @@ TEST_F(LastPicturesTest, MeshesAreNotKeptAlive) {
   EXPECT_TRUE(gone.expired());
 }
 
-TEST_F(LastPicturesTest, OfWhatWasNotFinishedThereIsNone) {
+TEST_F(LastPicturesTest, UnfinishedPicturesAreNotFound) {
   scene::Snapshot other = shown_;
   other.camera.viewport.x = 5;
   pictures_.next();  // tracing fails
@@ -146,7 +146,7 @@ TEST_F(LastPicturesTest, OfWhatWasNotFinishedThereIsNone) {
   EXPECT_FALSE(pictures_.of(scene::Snapshot{}));
 }
 
-TEST_F(LastPicturesTest, EveryPictureHasANumberOfItsOwn) {
+TEST_F(LastPicturesTest, EveryPictureHasAUniqueId) {
   const uint64_t first = keep(shown_), second = keep(shown_);
   EXPECT_NE(first, 0u);
   EXPECT_NE(first, second);

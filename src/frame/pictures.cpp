@@ -8,7 +8,7 @@ Pictures::Result Pictures::of(const scene::Snapshot& snapshot, bool mayRepeat,
                               std::optional<uint32_t> missColor) {
   Result result;
   const bool ahead = ahead_ && ahead_->has(snapshot);
-  // What was built better takes twice the memory until something is traced.
+  // A finished full structure takes memory beside the fast one until a trace installs it: do not repeat then.
   const bool repeats = mayRepeat && !ahead && !(improves_ && improves_());
   if (const auto* known = repeats ? last_.of(snapshot, missColor) : nullptr) {
     result.repeated = true, result.picture = known;

@@ -13,9 +13,9 @@
 namespace gluray::frame {
 namespace {
 
-constexpr size_t kMost = 77;  // pixels: several registers of any instruction set, and a rest
+constexpr size_t kMost = 77;  // pixels: several vectors of any instruction set, and a remainder
 
-/// Depths of which a third are misses; the near and the far plane are among them.
+/// Depths, including those of the near and far planes; a third are misses.
 std::vector<float> someDepths(uint32_t seed) {
   std::mt19937 random(seed);
   std::vector<float> depths(kMost);
@@ -34,7 +34,7 @@ TEST(PixelRows, HitsAreFoundFromBothEnds) {
     EXPECT_EQ(endOfHits(depths.data(), count), 0u);
     for (size_t at = 0; at < count; ++at) {
       depths[at] = at % 2 == 0 ? 1.0f : 0.0f;
-      depths[at / 2] = 0.5f;  // another before it
+      depths[at / 2] = 0.5f;  // another hit before it
       EXPECT_EQ(firstHit(depths.data(), count), at / 2);
       EXPECT_EQ(endOfHits(depths.data(), count), at + 1);
       std::fill(depths.begin(), depths.end(), Image::kMiss);
@@ -42,7 +42,7 @@ TEST(PixelRows, HitsAreFoundFromBothEnds) {
   }
 }
 
-TEST(PixelRows, WhatLiesBeyondTheRowIsNotSeen) {
+TEST(PixelRows, PixelsBeyondTheRowAreIgnored) {
   std::vector<float> depths(kMost, 0.5f);
   std::fill_n(depths.begin() + 8, 19, Image::kMiss);
   EXPECT_EQ(firstHit(&depths[8], 19), 19u);

@@ -14,7 +14,7 @@
 
 namespace gluray::frame {
 
-/// What lives between frames. Made piece by piece at the first use, and anew where that failed.
+/// State kept between frames. Each part is made at its first use, and again if that failed.
 class Renderer::Engine {
  public:
   std::mutex mutex;
@@ -93,7 +93,7 @@ bool Renderer::render(const scene::Snapshot& snapshot, Image& image, scene::Trac
   } catch (...) {}
   try {
     error = reason;
-  } catch (...) {  // an empty line is better than an exception in the host
+  } catch (...) {  // out of memory: leave the error line empty
   }
   return false;
 }

@@ -1,4 +1,4 @@
-// From a snapshot to an image: the only door to the ray tracer for those who intercept.
+// Renders a snapshot into an image: intercept/'s only interface to the ray tracer. Any thread.
 #pragma once
 #include "base/image.h"
 #include "scene/fxaa.h"
@@ -12,7 +12,7 @@
 
 namespace gluray::frame {
 
-/// Renders one snapshot at a time; other threads wait. Acceleration structures live on between frames.
+/// Renders one snapshot at a time; other threads wait. Keeps acceleration structures between frames.
 class Renderer {
  public:
   Renderer();
@@ -20,23 +20,23 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// The process's renderer, made at the first call and never destroyed: hosts call us while they exit.
+  /// The process's renderer, made at the first call. Never destroyed: hosts call us while they exit.
   static Renderer& shared();
 
   /// Traces `snapshot` into `image`, which takes the region's shape. False on any failure, with one line in
-  /// `error`; the image then has no meaning, and later snapshots may succeed. Any thread.
+  /// `error`; the image is then undefined, and later snapshots may succeed. Any thread.
   bool render(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
               std::string& error) noexcept;
 
-  /// Whether a better acceleration structure is ready, which the next render() puts in the place of the one
-  /// there. False while another thread is in the renderer. Any thread.
+  /// Whether a full-quality acceleration structure is ready for the next render() to install. False while
+  /// another thread uses the renderer. Any thread.
   bool improves() const noexcept;
 
-  /// Anti-aliases a finished picture: render::fxaa with the threads of the settings. False without memory or
+  /// Anti-aliases a finished picture: render::fxaa with the settings' threads. False without memory or
   /// threads. Any thread.
   bool antialias(const Settings& settings, const scene::Fxaa& fxaa, const uint32_t* in, int width, int height,
                  uint32_t* out) noexcept;
-  /// The same of pixels out of samples: render::resolve.
+  /// Resolves samples into pixels: render::resolve; otherwise like antialias().
   bool resolve(const Settings& settings, const scene::Resolve& how, const Image& samples,
                Image& out) noexcept;
 

@@ -63,7 +63,7 @@ TEST(Renderer, EmptySceneIsAllMisses) {
   }
 }
 
-TEST(Renderer, MissesHaveTheColourAskedFor) {
+TEST(Renderer, MissesHaveTheRequestedColour) {
   frame::Renderer renderer;
   test::MeshData data;
   data.positions = {{-1, -1, 0}, {1, -1, 0}, {-1, 1, 0}};  // the lower left half of the window
@@ -125,7 +125,7 @@ TEST(Renderer, SharedGeometryKeepsEachMeshsAttributes) {
   EXPECT_EQ(r.statistics.blasBuilds, 0u);
 }
 
-TEST(Renderer, AFailedBuildIsToldAndTheNextFrameWorks) {
+TEST(Renderer, AFailedBuildIsReportedAndTheNextFrameWorks) {
   frame::Renderer renderer;
   const auto snapshot = makeSnapshot({makeMesh(test::squareData())});
   accel::failNextCommits(1);
@@ -137,7 +137,7 @@ TEST(Renderer, AFailedBuildIsToldAndTheNextFrameWorks) {
   EXPECT_FLOAT_EQ(r.depth(8, 8), 0.5f);
 }
 
-TEST(Renderer, WhatCannotBeTracedIsRefused) {
+TEST(Renderer, InvalidSnapshotsAreRefused) {
   frame::Renderer renderer;
   const auto refused = [&](const auto& edit) {
     auto snapshot = makeSnapshot({makeMesh(test::squareData())});

@@ -8,8 +8,8 @@ namespace gluray::frame {
 namespace {
 
 using namespace std::chrono_literals;
-constexpr auto kNap = 20ms;         // after so long at most the thread sees that the process exits
-constexpr auto kPatience = 1000ms;  // without pictures it ends
+constexpr auto kNap = 20ms;         // longest time until the thread notices that the process exits
+constexpr auto kPatience = 1000ms;  // time without pictures after which the thread ends
 
 }  // namespace
 
@@ -63,7 +63,7 @@ void TraceAhead::run(const std::atomic<bool>& cancelled) {
   changed_.notify_all();
 }
 
-/// When the picture is to be shown by us, if ever.
+/// When this thread has to show the picture; the maximum: never.
 TraceAhead::Clock::time_point TraceAhead::wakes() const {
   return state_ == State::done && late_.show ? late_.due : Clock::time_point::max();
 }
@@ -71,7 +71,7 @@ TraceAhead::Clock::time_point TraceAhead::wakes() const {
 void TraceAhead::traceOne(std::unique_lock<std::mutex>& lock) {
   state_ = State::tracing;
   lock.unlock();
-  // Nobody else looks at the picture and its cost meanwhile.
+  // Nobody else accesses the picture and its cost meanwhile.
   error_.clear();
   const bool done = trace_(*traced_, image_, cost_, error_);
   lock.lock();
@@ -106,7 +106,7 @@ bool TraceAhead::take(Image& image, scene::TraceCost& cost, std::string& error) 
   const scene::SnapshotPtr snapshot = snapshot_;
   const bool ran = wait();
   std::unique_lock lock(mutex_);
-  if (!ran) {  // the process exits, and the thread has left without it
+  if (!ran) {  // the process exits, and the thread has ended without tracing
     state_ = State::empty;
     lock.unlock();
     return trace_(*snapshot, image, cost, error);

@@ -1,6 +1,6 @@
-// Traces one picture in a thread of its own while the program goes on: frame lag. The thread starts with the
-// first picture and ends after a while without any. GL thread, one per context; overdue pictures are shown by
-// that thread.
+// Frame lag: traces one picture on a thread of its own while the program continues. The thread starts with
+// the first picture and ends after a second without one. Called on the GL thread, one per context; the
+// tracing thread shows overdue pictures.
 #pragma once
 #include "base/background_job.h"
 #include "frame/tracer.h"
@@ -18,7 +18,7 @@ class TraceAhead {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// What is done with a picture that nobody has taken at some time: `show` is called, once.
+  /// Deadline of a picture: if nobody has taken it by `due`, `show` is called once.
   struct Late {
     Clock::time_point due{};
     std::function<void(const Image&)> show;  // must not throw; empty: nothing
@@ -29,13 +29,13 @@ class TraceAhead {
   TraceAhead(const TraceAhead&) = delete;
   TraceAhead& operator=(const TraceAhead&) = delete;
 
-  /// Begins; misses get that colour. Nothing may be under way. False where there is no thread to be had.
+  /// Starts tracing, with misses in `missColor`. No picture may be pending. False if no thread can start.
   bool start(scene::SnapshotPtr snapshot, uint32_t missColor, Late late);
-  /// Whether it traces, or has traced, this very snapshot, and nobody has taken the picture.
+  /// Whether the pending or finished picture is of this very snapshot object.
   bool has(const scene::Snapshot& snapshot) const { return snapshot_.get() == &snapshot; }
-  /// Waits for the picture and exchanges it for `image`. False, with one line, where it failed.
+  /// Waits for the picture and swaps it into `image`. False, with one line in `error`, if tracing failed.
   bool take(Image& image, scene::TraceCost& cost, std::string& error);
-  /// Nobody wants the picture. Waits for it all the same.
+  /// Discards the picture, after waiting for it.
   void drop() noexcept;
 
  private:
@@ -48,19 +48,19 @@ class TraceAhead {
   bool wait();
 
   Trace trace_;
-  scene::SnapshotPtr snapshot_;  // of the GL thread, which keeps it alive
-  std::mutex mutex_;             // of what follows
+  scene::SnapshotPtr snapshot_;  // used by the GL thread only; keeps the snapshot alive
+  std::mutex mutex_;             // guards the members below
   std::condition_variable changed_;
   State state_ = State::empty;
   bool ended_ = true;  // the thread takes no more pictures
   bool showing_ = false;
   const scene::Snapshot* traced_ = nullptr;
   Late late_;
-  // While state_ is tracing, or it is shown, the thread's alone; else the GL thread's.
+  // Owned by the tracing thread while state_ is tracing or showing_; otherwise by the GL thread.
   Image image_;
   scene::TraceCost cost_;
   std::string error_;
-  BackgroundJob thread_;  // the last: it ends before the rest goes
+  BackgroundJob thread_;  // last member: the thread ends before the others are destroyed
 };
 
 }  // namespace gluray::frame

@@ -45,14 +45,14 @@ TEST(TraceAhead, PicturesOneAfterTheOther) {
   }
 }
 
-TEST(TraceAhead, PicturesThatNobodyTakes) {
+TEST(TraceAhead, DroppedPictures) {
   TraceAhead ahead(trace);
   ahead.drop();
   for (uint64_t number = 1; number < 5; ++number) {
     ASSERT_TRUE(ahead.start(frame(number), 0, {}));
     ahead.drop();
   }
-  ASSERT_TRUE(ahead.start(frame(5), 0, {}));  // it goes with one
+  ASSERT_TRUE(ahead.start(frame(5), 0, {}));  // destroyed with a picture pending
 }
 
 TEST(TraceAhead, OverduePicturesAreShownOnce) {

@@ -1,4 +1,4 @@
-// What makes pictures of snapshots, for those who present them.
+// The functions that presenters call to make pictures of snapshots. Any thread.
 #pragma once
 #include "base/image.h"
 #include "scene/fxaa.h"
@@ -21,15 +21,15 @@ using Trace = std::function<bool(const scene::Snapshot&, Image&, scene::TraceCos
 using Antialias = std::function<bool(const Settings&, const scene::Fxaa&, const uint32_t* in, int width,
                                      int height, uint32_t* out)>;
 
-/// Makes pixels of the samples of a picture. False on failure; never throws. frame::Renderer::resolve in the
-/// engine.
+/// Resolves the samples of a picture into pixels. False on failure; never throws. frame::Renderer::resolve in
+/// the engine.
 using Resolve = std::function<bool(const Settings&, const scene::Resolve&, const Image& samples, Image& out)>;
 
-/// Whether tracing once more makes room or pictures to come sooner, though nothing has changed; never throws.
+/// Whether tracing an unchanged scene again would free memory or speed up later pictures; never throws.
 /// frame::Renderer::improves in the engine.
 using Improves = std::function<bool()>;
 
-/// All of these; what is not there is not done.
+/// All of them; an empty function is skipped.
 struct Tracer {
   Trace trace;
   Antialias antialias = {};

@@ -12,7 +12,7 @@ WindowContent plainWindow(glm::ivec2 size, uint32_t color, float depth) {
 
 namespace {
 
-/// `over` upon `under`: what is premultiplied by its alpha covers the rest.
+/// Composites premultiplied `over` onto `under`.
 uint32_t blended(uint32_t over, uint32_t under) {
   constexpr uint32_t kFull = 255;
   const uint32_t through = kFull - (over >> 24);

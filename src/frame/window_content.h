@@ -1,5 +1,5 @@
-// The pixels of a window as values, and how a traced picture joins them without OpenGL: for frames that are
-// shown late. Any thread.
+// The pixels of a window in memory, and the depth-tested merge of a traced picture into them without OpenGL:
+// for frames that are shown late. Any thread.
 #pragma once
 #include "base/image.h"
 
@@ -17,14 +17,14 @@ struct WindowContent {
   std::vector<float> depths;     // window depth
 };
 
-/// Which hits pass OpenGL's depth test against the depth that is there.
+/// OpenGL's depth test of hits against the existing depth.
 enum class DepthTest : uint8_t { less, lessOrEqual };
 
-/// A window of one colour, and of that depth.
+/// A window cleared to one colour and depth.
 WindowContent plainWindow(glm::ivec2 size, uint32_t color, float depth);
 
-/// Writes what is traced over `content` where the depth test lets it, as the write-back does. False for
-/// pictures of samples or of other colours than RGBA8.
+/// Writes the hits that pass the depth test into `content`, as the write-back does. False for multisampled
+/// pictures and for colours other than RGBA8.
 bool merge(const Image& image, DepthTest test, WindowContent& content) noexcept;
 
 }  // namespace gluray::frame

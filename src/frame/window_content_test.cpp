@@ -7,7 +7,7 @@ namespace {
 
 constexpr uint32_t kUnder = 0xff101010u, kTraced = 0xff0000ffu;
 
-/// Two by one pixels at x = 1: one of that depth, a miss.
+/// 2x1 pixels at x = 1: a hit at `depth`, and a miss.
 Image picture(float depth) {
   Image image;
   image.x = 1;
@@ -17,14 +17,14 @@ Image picture(float depth) {
   return image;
 }
 
-TEST(WindowContent, HitsCoverWhatIsBehindThem) {
+TEST(WindowContent, HitsHideFartherPixels) {
   WindowContent content = plainWindow({4, 2}, kUnder, 0.5f);
   EXPECT_TRUE(merge(picture(0.25f), DepthTest::less, content));
   EXPECT_EQ(content.colors,
             (std::vector<uint32_t>{kUnder, kTraced, kUnder, kUnder, kUnder, kUnder, kUnder, kUnder}));
 }
 
-TEST(WindowContent, TheDepthFunctionDecides) {
+TEST(WindowContent, FollowsTheDepthFunction) {
   for (const bool equal : {false, true}) {
     WindowContent content = plainWindow({4, 1}, kUnder, 0.5f);
     merge(picture(0.5f), equal ? DepthTest::lessOrEqual : DepthTest::less, content);
@@ -34,7 +34,7 @@ TEST(WindowContent, TheDepthFunctionDecides) {
   }
 }
 
-TEST(WindowContent, WhatLiesOutsideIsCut) {
+TEST(WindowContent, ClipsAtTheWindow) {
   Image image = picture(0.1f);
   image.x = -1, image.color[1] = kTraced, image.depth[1] = 0.1f;
   WindowContent content = plainWindow({2, 1}, kUnder, 1);
@@ -49,13 +49,13 @@ TEST(WindowContent, AveragesAreBlended) {
   Image image = picture(0.1f);
   image.planes = image.planes | Plane::centerDepth;
   image.centerDepth = image.depth;
-  image.color[0] = 0x80000080u;  // red, half of the pixel
+  image.color[0] = 0x80000080u;  // red over half of the pixel
   WindowContent content = plainWindow({4, 1}, 0xff0000ffu, 1);
   EXPECT_TRUE(merge(image, DepthTest::less, content));
   EXPECT_EQ(content.colors[1], 0xff0000ffu);
 }
 
-TEST(WindowContent, PicturesOfOtherKindsAreLeftAlone) {
+TEST(WindowContent, RefusesOtherPlanes) {
   WindowContent content = plainWindow({4, 1}, kUnder, 1);
   Image wide;
   wide.resize(2, 1, 1, Image::kWide);

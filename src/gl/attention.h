@@ -1,5 +1,5 @@
-// Whether generated stubs and vertex attribute calls may take their shortest way. A part of each Context, GL
-// thread.
+// Tells generated stubs whether they must ask Context::gate(), and vertex attribute calls where to write. A
+// part of each Context, GL thread.
 #pragma once
 #include "gl/real.h"
 
@@ -11,15 +11,15 @@ class ListCompiler;
 
 class Attention {
  public:
-  /// `off`: every call goes to the real OpenGL.
+  /// `off`: every call passes through to the real OpenGL.
   Attention(const RealGl& real, bool off, Immediate& immediate, const ListCompiler& lists,
             const FrameClock& clock)
       : real_(real), immediate_(immediate), lists_(lists), clock_(clock), off_(off) {}
 
-  /// Whether stubs must ask Context::gate(): calls are passed through, inside glBegin, captured into a run,
-  /// or compiled into a list.
+  /// True if stubs must ask Context::gate(): the context is off, or calls come inside glBegin, while a run is
+  /// open, or while a list is compiled.
   explicit operator bool() const { return needed_; }
-  /// Call it after any of these has changed. Tells the calling thread where its vertices go.
+  /// Call after any of these changes. Also sets where the calling thread's vertices go (t_thread).
   void update();
 
  private:

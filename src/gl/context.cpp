@@ -11,7 +11,7 @@ constinit thread_local ThreadState t_thread __attribute__((tls_model("initial-ex
 
 namespace {
 
-/// Large runs are welded on a second thread if the user lets us have one.
+/// Large runs are welded on a second thread if the setting `threads` allows more than one.
 VertexStream::Welding weldingOf(const Settings& settings) {
   const unsigned threads =
       settings.threads > 0 ? static_cast<unsigned>(settings.threads) : std::thread::hardware_concurrency();
@@ -64,12 +64,13 @@ Context::~Context() {
   --shadow.group.contexts;
   try {
     shadow.group.discard(flusher.presenter.takeNames());
-  } catch (const std::exception&) {}  // they live as long as the group
+  } catch (const std::exception&) {}  // not deleted: they live as long as the real share group
   flusher.presenter.forget(real);
   if (t_thread.context == this) t_thread = {};
 }
 
-/// What was held back is drawn by the real OpenGL, in order, so that nothing is missing from the picture.
+/// After a failure: has the real OpenGL draw the pending batch and the open run, in order, so that nothing is
+/// missing from the picture.
 void Context::drawHeld() {
   try {
     flusher.flush();
@@ -85,22 +86,21 @@ Gate Context::gate(bool anywhere, bool compiled) noexcept {
   if (immediate.insideBegin()) {
     if (lists.compiling() && !lists.executing()) return Gate::compile;  // no glBegin has been executed
     if (immediate.realInsideBegin()) {
-      // The real OpenGL refuses it, in its turn among other errors.
+      // The real OpenGL raises the error itself, in order with other errors.
       touch(kAllGroups);
       return Gate::forward;
     }
     compiled ? lists.misuse() : errors.set(GL_INVALID_OPERATION);
     return Gate::refuse;
   }
-  // A command that is not compiled leaves the run of a list open only if it cannot look at what the run has
-  // set.
+  // Close the run, whose attributes the command could read. While a list is only compiled (GL_COMPILE), the
+  // list's run has set nothing and stays open.
   if (immediate.runOpen() || (lists.compiling() && lists.executing())) protect([&] { immediate.closeRun(); });
   return lists.compiling() ? Gate::compile : Gate::run;
 }
 
 void Context::beforeForward(Flush how) noexcept {
-  // A vertex that we cannot capture (an evaluator's, say): the real OpenGL draws the primitive, from its
-  // first vertex on.
+  // A vertex that we cannot capture, for instance an evaluator's: the real OpenGL draws the whole primitive.
   if (immediate.inside() == Immediate::Inside::captured) protect([&] { immediate.surrender(); });
   if (immediate.inside() == Immediate::Inside::captured) return;
   attention.update();
@@ -114,14 +114,14 @@ void Context::beforeForward(Flush how) noexcept {
       default: flusher.flush();
     }
     if (how == Flush::all) cleared.forgetAntialiased();
-    cleared.forgetClear();  // later draws may go to another buffer of the framebuffer
+    cleared.forgetClear();  // later draws may go to another draw buffer of the framebuffer
     shadow.sendBuffers();
   });
 }
 
 void Context::makeCurrent() {
   t_thread.context = this;
-  shadow.dirty = kAllGroups;  // another thread or another drawable may be behind it now
+  shadow.dirty = kAllGroups;  // the thread or the drawable may have changed
   filler.forgetDrawable();
   attention.update();
 }

@@ -1,5 +1,5 @@
-// One OpenGL context as we see it: the parts that capture, decide, flush and show, and what generated stubs
-// call. Made by intercept/; used by stubs and handlers, always on the thread where the context is current.
+// One OpenGL context: the parts that capture, decide, flush and show, and the functions that generated stubs
+// call. intercept/ creates it; stubs and handlers use it, always on the thread where it is current.
 #pragma once
 #include "gl/attention.h"
 #include "gl/batch/batch_filler.h"
@@ -27,7 +27,7 @@
 
 namespace gluray::gl {
 
-/// What a generated stub must do when `attention` is set.
+/// What a generated stub must do when `attention` is true.
 enum class Gate {
   run,      // go on
   forward,  // call the real OpenGL only
@@ -37,14 +37,14 @@ enum class Gate {
 
 class Context {
  public:
-  /// The real context must be current, now or when the first call arrives.
+  /// The real context must be current now or when the first call arrives.
   static std::shared_ptr<Context> create(const RealGl& real, std::shared_ptr<ShareGroup> group,
                                          const ContextInfo& info, Presenter& presenter);
   ~Context();
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
 
-  // The parts, each with a job of its own: its header says which, and what it needs of the others.
+  // The parts. Each one's header states its job and which other parts it uses.
   const RealGl& real;
   Attention attention;
   Errors errors;
@@ -71,13 +71,13 @@ class Context {
   AttribStack attribStack;
 
   // --- for generated stubs
-  /// `anywhere`: the command is legal between glBegin and glEnd and deals with runs and lists itself.
-  /// `compiled`: lists take it.
+  /// `anywhere`: the command is legal between glBegin and glEnd, and handles runs and lists itself.
+  /// `compiled`: display lists record it.
   Gate gate(bool anywhere = false, bool compiled = true) noexcept;
-  /// Before a command that we do not model is forwarded: attributes are sent, and the batch too if it may
-  /// matter.
-  /// look: it draws nothing, but looks at what was drawn; leave: later draws go to another framebuffer, but
-  /// nobody looks; redirect: so they do, or what pending draws need changes.
+  /// Call before forwarding a command that we do not model: sends current attributes to the real OpenGL and
+  /// flushes the batch. Flush describes the command. look: draws nothing, but reads what was drawn; leave:
+  /// binds another framebuffer, reads nothing; redirect: sends later draws elsewhere, or changes what pending
+  /// draws need, and reads nothing; all: may do anything.
   enum class Flush { none, look, leave, redirect, all };
   void beforeForward(Flush flush) noexcept;
   void count(int command) noexcept { ++unknownCalls_[static_cast<size_t>(command)]; }
@@ -89,10 +89,10 @@ class Context {
   }
 
   // --- for intercept/
-  /// Called on the thread where the context has just been made current, or is about to lose it.
+  /// Call on the context's thread after it was made current, and before it stops being current.
   void makeCurrent();
   void loseCurrent();
-  /// Calls of commands that we do not model, by index into kCommandNames.
+  /// Call counts of commands that we do not model, by index into kCommandNames.
   const std::vector<Counter<uint64_t>>& unknownCalls() const { return unknownCalls_; }
   const ContextInfo& info() const { return shadow.info; }
 

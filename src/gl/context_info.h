@@ -1,4 +1,4 @@
-// What a context is made with.
+// The arguments with which intercept/ or a test creates a Context.
 #pragma once
 #include "base/clock.h"
 #include "gl/draws/draw_kinds.h"
@@ -17,13 +17,13 @@ struct ContextInfo {
   bool core = false;                       // core profile: no fixed function
   bool doubleBuffered = true;              // otherwise glFlush and glFinish show the picture
   bool off = false;                        // pass every call through
-  Settings settings;                       // where there is no source
-  const SettingsSource* source = nullptr;  // asked when the context is made, and when a frame begins
-  /// Width and height of the window or pixmap that the context draws into, in pixels; {0, 0} if that is
-  /// unknown. May be slow: asked only where a viewport is larger than what was known. Empty: never known.
+  Settings settings;                       // used if `source` is null
+  const SettingsSource* source = nullptr;  // read when the context is created and when a frame begins
+  /// Returns width and height of the window or pixmap that the context draws into, in pixels; {0, 0} if
+  /// unknown. May be slow: called only if a viewport exceeds the largest known size. Empty: never known.
   std::function<glm::ivec2()> drawableSize;
-  std::shared_ptr<DrawKinds> kinds;            // takes what is drawn, by kind; null: nobody explains
-  std::shared_ptr<const FamilyList> families;  // of shader programs; null: those that are built in
+  std::shared_ptr<DrawKinds> kinds;            // records draws for `gluray explain`; null: not explaining
+  std::shared_ptr<const FamilyList> families;  // of shader programs; null: builtInFamilies()
   /// Called before and after a frame of a single-buffered context ends. May be empty.
   std::function<void()> frameEnding, frameEnded;
   EngineChoice::Clock clock = nowSeconds;  // measures frames

@@ -1,10 +1,11 @@
-// A number that one thread counts up while others look. Any thread.
+// A counter that one thread writes and any thread reads.
 #pragma once
 #include <atomic>
 
 namespace gluray::gl {
 
-/// Written by the thread that owns it, as cheaply as a plain number; readers may see one of a moment ago.
+/// A relaxed atomic with one writer: writing costs as much as writing a plain number; readers may see a
+/// slightly old value.
 template <class T>
 class Counter {
  public:

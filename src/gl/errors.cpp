@@ -8,9 +8,9 @@ namespace gluray::gl {
 
 void Errors::set(GLenum error) {
   if (error_ != GL_NO_ERROR) return;
-  // The real OpenGL refuses what comes inside its glBegin, this too, in its turn among other errors.
+  // Inside its glBegin the real OpenGL raises this error, in order with its others, for a second glBegin.
   if (immediate_.realInsideBegin() && error == GL_INVALID_OPERATION) return real_.Begin(GL_POINTS);
-  // Between its glBegin and glEnd the real OpenGL cannot be asked.
+  // The real glGetError must not be called between glBegin and glEnd.
   const bool inside = immediate_.inside() == Immediate::Inside::rasterised || immediate_.executedInside();
   const GLenum older = inside ? GLenum{GL_NO_ERROR} : real_.GetError();
   error_ = older != GL_NO_ERROR ? older : error;

@@ -1,4 +1,4 @@
-// The errors that glGetError answers: ours and the real OpenGL's in the order of their calls. A part of each
+// The error that glGetError returns: the first one raised, by us or by the real OpenGL. A part of each
 // Context, GL thread.
 #pragma once
 #include "gl/real.h"
@@ -13,11 +13,11 @@ class Errors {
  public:
   Errors(const RealGl& real, const Immediate& immediate) : real_(real), immediate_(immediate) {}
 
-  /// The first error since the program asked stays, ours or the real OpenGL's.
+  /// Records `error` unless an earlier one, ours or the real OpenGL's, is pending.
   void set(GLenum error);
-  /// What glGetError answers: then there is none.
+  /// Returns the pending error for glGetError and clears it.
   GLenum take();
-  /// Before questions that may set errors of their own: one of the program's that is pending becomes ours.
+  /// Call before queries that may raise errors: moves the program's pending error here.
   void keepPending() {
     if (const GLenum pending = real_.GetError()) set(pending);
   }

@@ -1,5 +1,5 @@
-// Failures of ours end here: after the first one the context steps aside, and the real OpenGL draws
-// everything. A part of each Context, GL thread.
+// Catches our own failures: after the first one the context steps aside and the real OpenGL draws everything.
+// A part of each Context, GL thread.
 #pragma once
 #include "gl/draws/reasons.h"
 
@@ -12,21 +12,21 @@ namespace gluray::gl {
 
 class Failsafe {
  public:
-  /// `drawHeld` gives the real OpenGL what was held back. It may throw.
+  /// `drawHeld` gives pending draws to the real OpenGL. It may throw.
   explicit Failsafe(std::function<void()> drawHeld) : drawHeld_(std::move(drawHeld)) {}
 
   bool aside() const { return aside_; }
-  /// From now on every draw is rasterised; what was held back is given to the real OpenGL.
+  /// Rasterises every later draw and gives pending ones to the real OpenGL. Logs the first `why`.
   void stepAside(const char* why) noexcept;
-  /// Runs `body`; where it throws, the context steps aside.
+  /// Runs `body`. If it throws, the context steps aside, and a default value is returned.
   template <class F>
   auto protect(F&& body) noexcept -> decltype(body());
-  /// protect(), and once more where a failure came before `body` was done: a capture that failed has become a
-  /// draw of the real OpenGL by then, and memory may be there again.
+  /// protect(), repeated once if `body` throws: by then the real OpenGL has drawn the failed capture, and
+  /// memory may be free again.
   template <class F>
   void insist(F&& body) noexcept;
-  /// Runs `trace`, which says whether it added a draw to the batch. A failure of ours makes the draw
-  /// rasterised, not lost.
+  /// Runs `trace`, which adds a draw to the batch or returns why not. If it throws, the context steps aside
+  /// and Reason::failure is returned, so that the draw is rasterised, not lost.
   template <class F>
   Reason attempt(F&& trace);
 

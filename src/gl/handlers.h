@@ -64,10 +64,10 @@ GLuint genLists(Context& c, GLsizei range);
 void deleteLists(Context& c, GLuint first, GLsizei range);
 GLboolean isList(Context& c, GLuint name);
 void listBase(Context& c, GLuint base);
-/// glXUseXFont: `make` calls the real one with a list base of the real OpenGL's; our lists then call those.
+/// glXUseXFont: `make` calls the real one with a list base in the real OpenGL; our lists call those lists.
 void useXFont(Context& c, int first, int count, int base, const std::function<void(int realBase)>& make);
 
-// buffer objects (buffer_handlers.cpp)
+// buffer objects (buffer_handlers.cpp, buffer_questions.cpp)
 void bindBuffer(Context& c, GLenum target, GLuint name);
 void deleteBuffers(Context& c, GLsizei n, const GLuint* names);
 void bufferData(Context& c, GLenum target, GLsizeiptr size, const void* data, GLenum usage);
@@ -81,20 +81,20 @@ void getBufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr siz
 void getBufferParameteriv(Context& c, GLenum target, GLenum pname, GLint* params);
 void getBufferParameteri64v(Context& c, GLenum target, GLenum pname, GLint64* params);
 void getBufferPointerv(Context& c, GLenum target, GLenum pname, void** params);
-/// What is asked of a buffer that is mapped, or whose contents the real OpenGL does not have. False for any
-/// other.
+/// Answers glGetBufferParameter for a buffer that is mapped, or whose contents the real OpenGL does not have.
+/// False: ask the real OpenGL.
 bool answers(const Buffer& buffer, GLenum pname, GLint64* value);
 void copyBufferSubData(Context& c, GLenum readTarget, GLenum writeTarget, GLintptr readOffset,
                        GLintptr writeOffset, GLsizeiptr size);
-// The real OpenGL changes buffers itself: it gets our contents first, and its own are read back later. Groups
-// to touch.
-uint32_t buffersChangedBelow(Context& c);                 // any of them
+// For commands by which the real OpenGL writes to buffers: send it our contents first; its own are read back
+// later. Return the groups to touch.
+uint32_t buffersChangedBelow(Context& c);                 // any buffer
 uint32_t boundBufferChanged(Context& c, GLenum target);   // the one bound to `target`
-uint32_t packBufferChanged(Context& c);                   // pixels may have been read into it
-uint32_t queryBufferChanged(Context& c);                  // results of queries may have been
-uint32_t boundStorageForeign(Context& c, GLenum target);  // its memory belongs to others, too
+uint32_t packBufferChanged(Context& c);                   // the pixel pack buffer: pixels were read into it
+uint32_t queryBufferChanged(Context& c);                  // the query buffer: results were written into it
+uint32_t boundStorageForeign(Context& c, GLenum target);  // the bound one's memory is shared with others
 
-// buffer objects by name, or out of sight (named_buffers.cpp)
+// buffer objects by name, or written where we do not see it (named_buffers.cpp)
 void bindBufferBase(Context& c, GLenum target, GLuint index, GLuint name);
 void bindBufferRange(Context& c, GLenum target, GLuint index, GLuint name, GLintptr offset, GLsizeiptr size);
 void* mapNamedBuffer(Context& c, GLuint name, GLenum access);
@@ -110,17 +110,17 @@ void getNamedBufferPointervEXT(Context& c, GLuint name, GLenum pname, void** par
 void getNamedBufferParameteriv(Context& c, GLuint name, GLenum pname, GLint* params);
 void getNamedBufferParameterivEXT(Context& c, GLuint name, GLenum pname, GLint* params);
 void getNamedBufferParameteri64v(Context& c, GLuint name, GLenum pname, GLint64* params);
-// Groups to touch before and after the real OpenGL ...
-uint32_t namedBufferRead(Context& c, GLuint name);                 // reads it
+// Called before and after a real command that does the following; return the groups to touch.
+uint32_t namedBufferRead(Context& c, GLuint name);                 // reads the buffer
 uint32_t namedBufferChanged(Context& c, GLuint name);              // writes into it
 uint32_t namedBufferReplaced(Context& c, GLuint name);             // gives it new memory
-uint32_t namedBufferCopied(Context& c, GLuint from, GLuint to);    // copies
-uint32_t namedStorage(Context& c, GLuint name, GLbitfield flags);  // gives it memory for good
-uint32_t bufferForeign(Context& c, GLuint name);                   // may write it at any time
+uint32_t namedBufferCopied(Context& c, GLuint from, GLuint to);    // copies `from` into `to`
+uint32_t namedStorage(Context& c, GLuint name, GLbitfield flags);  // gives it immutable storage
+uint32_t bufferForeign(Context& c, GLuint name);                   // may write it at any time from now on
 uint32_t buffersForeign(Context& c, GLsizei count, const GLuint* names);
 uint32_t readAsTexture(Context& c, GLuint name);  // reads it as a buffer texture
 
-// Vertex array objects and what is put into them; groups to touch (attachments.cpp)
+// Vertex array objects and their contents; return the groups to touch (attachments.cpp)
 uint32_t vertexArrayBound(Context& c, GLuint array);
 uint32_t vertexArraysDeleted(Context& c, GLsizei n, const GLuint* arrays);
 uint32_t arraysPopped(Context& c);
@@ -131,7 +131,7 @@ uint32_t elementsOfArraySet(Context& c, GLuint array);
 uint32_t fixedArraySet(Context& c, GLenum array);
 uint32_t interleavedArraysSet(Context& c, GLenum format);
 
-// framebuffer, attributes, questions (state_handlers.cpp)
+// framebuffer, attributes, queries (state_handlers.cpp)
 void clear(Context& c, GLbitfield mask);
 void flush(Context& c);
 void finish(Context& c);
@@ -140,7 +140,8 @@ void popAttrib(Context& c);
 GLenum getError(Context& c);
 const GLubyte* getString(Context& c, GLenum name);
 const GLubyte* getStringi(Context& c, GLenum name, GLuint index);
-/// Framebuffer objects that are not bound may still hold them.
+/// Unbound framebuffer objects may still hold deleted renderbuffers. Returns groups to touch
+/// (attachments.cpp).
 uint32_t renderbuffersDeleted(Context& c, GLsizei n, const GLuint* names);
 void getIntegerv(Context& c, GLenum pname, GLint* data);
 void getFloatv(Context& c, GLenum pname, GLfloat* data);
@@ -154,23 +155,24 @@ void endQueryIndexed(Context& c, GLenum target, GLuint index);
 void beginConditionalRender(Context& c, GLuint id, GLenum mode);
 void endConditionalRender(Context& c);
 void matrixMode(Context& c, GLenum mode);
-/// Groups that commands on the current matrix touch.
+// The following return the groups to touch.
+/// For commands on the current matrix.
 uint32_t matrixGroups(Context& c);
-/// A program is linked anew or deleted. Groups to touch.
+/// A program is linked again or deleted.
 uint32_t programChanged(Context& c, GLuint program);
-/// What a binding asks of pending draws: nothing where `framebuffer` is bound to `target` already, as
-/// toolkits do before every swap.
+/// The flush that glBindFramebuffer needs: none if `framebuffer` is already bound to `target`, as in toolkits
+/// that bind it before every swap.
 Context::Flush flushToBind(Context& c, GLenum target, GLuint framebuffer);
-/// A texture is attached to a framebuffer, another framebuffer is bound. Groups to touch.
+/// A texture is attached to a framebuffer; another framebuffer is bound.
 uint32_t textureAttached(Context& c, GLuint texture);
 uint32_t framebufferBound(Context& c);
-/// Texture images may have changed. Groups to touch.
+/// Any texture image may have changed.
 uint32_t imagesChanged(Context& c);
-// What sets stencil values, or lets later draws set them. Groups to touch.
+// Commands that set stencil values, or let later draws set them.
 uint32_t capabilityEnabled(Context& c, GLenum capability);
-uint32_t stencilSent(Context& c, GLenum format, const void* pixels);  // if those are stencil values
+uint32_t stencilSent(Context& c, GLenum format, const void* pixels);  // only if `format` has stencil values
 uint32_t stencilSet(Context& c);
-/// The same for the texture bound to `target` alone, and for textures that are deleted.
+/// As imagesChanged(), for the texture bound to `target` alone, and for deleted textures.
 uint32_t imageChanged(Context& c, GLenum target);
 uint32_t imageCopied(Context& c, GLenum target, GLint level, glm::ivec2 offset, const scene::Region& from);
 uint32_t texturesDeleted(Context& c, GLsizei n, const GLuint* names);

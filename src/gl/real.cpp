@@ -9,7 +9,7 @@
 namespace gluray::gl {
 namespace {
 
-// x86-64 and AArch64 calling conventions let a function ignore arguments it was given.
+// Under the x86-64 and AArch64 calling conventions a function may ignore arguments that it is given.
 uintptr_t doNothing() { return 0; }
 
 }  // namespace
@@ -18,15 +18,14 @@ void* missingCommand() { return reinterpret_cast<void*>(&doNothing); }
 
 namespace {
 
-/// Numbers of commands by name. Without memory of its own: without these functions the program would show
-/// nothing.
+/// Finds command numbers by name. Allocates nothing: if this failed, the program would show nothing.
 class CommandIndex {
  public:
   CommandIndex() {
     std::iota(byName_.begin(), byName_.end(), 0);
     std::sort(byName_.begin(), byName_.end(), [](int a, int b) { return name(a) < name(b); });
   }
-  /// -1: there is none of that name.
+  /// -1 if no command has that name.
   int find(std::string_view wanted) const {
     const auto it = std::lower_bound(byName_.begin(), byName_.end(), wanted,
                                      [](int i, std::string_view n) { return name(i) < n; });

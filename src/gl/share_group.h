@@ -1,6 +1,6 @@
-// Objects that several contexts share: display lists, buffers, known meshes. Locked inside, so that contexts
-// may be current in several threads; the objects themselves follow OpenGL's rule that programs synchronise
-// their use.
+// Objects that several contexts share: display lists, buffers, known meshes. Locked inside, because its
+// contexts may be current on several threads. The objects themselves are not: programs must synchronise their
+// use, as OpenGL requires.
 #pragma once
 #include "gl/batch/presenter.h"
 #include "gl/buffers/attachments.h"
@@ -22,7 +22,7 @@ namespace gluray::gl {
 class DisplayList;
 class Buffer;
 
-/// Names and what they stand for.
+/// Thread-safe map from OpenGL names to objects.
 template <class Object>
 class NameTable {
  public:
@@ -44,7 +44,7 @@ class NameTable {
     const std::lock_guard lock(mutex_);
     objects_.erase(name);
   }
-  /// Erases `count` names from `first`; as quick for absurd counts as for few objects.
+  /// Erases `count` names from `first`, in time O(min(count, objects)).
   void eraseRange(GLuint first, GLuint count) {
     const std::lock_guard lock(mutex_);
     if (count < objects_.size()) {
@@ -53,8 +53,8 @@ class NameTable {
       std::erase_if(objects_, [&](const auto& entry) { return entry.first - first < count; });
     }
   }
-  /// First of `count` consecutive unused names, which are taken with null objects; 0 where there are none.
-  /// Above all that were ever used where there is room, as Mesa does: no search among many.
+  /// Reserves `count` consecutive unused names, with null objects, and returns the first; 0 if there is no
+  /// such range. Like Mesa, prefers names above all ever used, which needs no search.
   GLuint reserve(GLuint count) {
     const std::lock_guard lock(mutex_);
     GLuint first = highest_ < 0xFFFFFFFFu - count ? highest_ + 1 : 1;
@@ -79,7 +79,7 @@ class NameTable {
 
  private:
   mutable std::mutex mutex_;
-  GLuint highest_ = 0;  // name ever used
+  GLuint highest_ = 0;  // highest name ever used
   std::unordered_map<GLuint, std::shared_ptr<Object>> objects_;
 };
 
@@ -89,21 +89,21 @@ class ShareGroup {
   NameTable<Buffer> buffers;
   DeletedBuffers deletedBuffers, deletedRenderbuffers;
   MeshCache meshes;
-  std::atomic<int> contexts = 0;             // alive
-  std::atomic<uint64_t> textureChanges = 0;  // of texture images, by calls of any context
+  std::atomic<int> contexts = 0;             // number of living contexts
+  std::atomic<uint64_t> textureChanges = 0;  // count of changes to texture images by any context
   std::atomic<bool> stencilsSet =
-      false;  // possibly, in any image; until then OpenGL leaves open what is there
+      false;  // some image may hold stencil values; until then OpenGL leaves them undefined
 
   bool anyBuffersHeldBack() const;
 
-  /// The program with its family; recognised once a link. Context of the group current.
+  /// The program with its family, which is determined once per link. A context of the group must be current.
   std::shared_ptr<const KnownProgram> program(const RealGl& real, GLuint name, const FamilyList& families);
-  /// It is linked anew, or gone: to be recognised again.
+  /// The program was linked again or deleted: its family is determined anew.
   void programChanged(GLuint name);
 
-  /// Real lists whose owner is gone; deleted by the next context of the group that is current.
+  /// A real list whose owner is gone: the next current context of the group deletes it.
   void discardRealList(GLuint id);
-  /// The same for whatever a context leaves behind.
+  /// The same for all names that a context leaves behind.
   void discard(const SharedNames& names);
   SharedNames takeDiscarded();
 

@@ -7,7 +7,7 @@
 namespace gluray::gl {
 namespace {
 
-TEST(NameTable, ReservesAboveAllThatWereUsed) {
+TEST(NameTable, ReservesAboveAllNamesEverUsed) {
   ShareGroup group;
   EXPECT_EQ(group.lists.reserve(3), 1u);
   group.lists.put(5, std::make_shared<DisplayList>());
@@ -32,7 +32,7 @@ TEST(NameTable, ErasesRangesOfAnySize) {
   EXPECT_TRUE(group.lists.contains(2));
 }
 
-TEST(MeshCache, ForgetsWhatNoFrameUsed) {
+TEST(MeshCache, ForgetsMeshesThatNoFrameUsed) {
   MeshCache cache;
   KnownMesh found;
   cache.put({1, 1}, {std::make_shared<scene::Mesh>(), false});

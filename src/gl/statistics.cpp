@@ -14,7 +14,7 @@ Statistics& Statistics::operator+=(const Statistics& o) {
   traceSeconds += o.traceSeconds, presentSeconds += o.presentSeconds;
   blasBuilds += o.blasBuilds, blasRefinements += o.blasRefinements;
   if (o.blasRefining > blasRefining) blasRefining = o.blasRefining;
-  if (o.bvhBytes > bvhBytes) bvhBytes = o.bvhBytes;  // one renderer serves all contexts
+  if (o.bvhBytes > bvhBytes) bvhBytes = o.bvhBytes;  // not a sum: all contexts share one renderer
   return *this;
 }
 

@@ -1,5 +1,5 @@
-// What happened to the program's draws, for `--report` and `gluray explain`. Written by GL threads; read by
-// any thread, meanwhile or at exit.
+// Counts and times of a context's draws and frames, for `--report` and `gluray explain`. The GL thread writes
+// them; any thread may read them at any time.
 #pragma once
 #include "gl/counter.h"
 #include "gl/draws/reasons.h"
@@ -15,17 +15,17 @@ struct Statistics {
   using Seconds = Counter<double>;
   Count frames;         // buffer swaps (or finishes of single-buffered drawing)
   Count framesInFront;  // of double-buffered contexts that do not swap: glFlush or glFinish after drawing
-                        // into the front buffer; counted where somebody wants to know, and not among `frames`
-  Count framesPassedThrough;  // those left to the real OpenGL as they came
+                        // into the front buffer; counted if ContextInfo::frameEnded is set, not in `frames`
+  Count framesPassedThrough;  // passthrough frames
   Count drawsTraced, drawsRasterised;
   Count trianglesTraced, trianglesRasterised;
   std::array<Count, kReasonCount> rasterisedBecause{};  // draws, by reason
   Count flushes;                                        // batches written to a framebuffer
-  Count repeated;                                       // of them those in which nothing had changed
+  Count repeated;                                       // those flushes in which nothing had changed
   Count meshesBuilt, meshBytes;
   Seconds captureSeconds, buildSeconds, traceSeconds, presentSeconds;
-  Count blasBuilds, blasRefinements, bvhBytes;  // waited for; exchanged for better ones
-  Count blasRefining;                           // a better one was being built at the last flush: 1
+  Count blasBuilds, blasRefinements, bvhBytes;  // builds waited for; BLASes replaced by better ones
+  Count blasRefining;                           // 1: a better BLAS was being built at the last flush
 
   Statistics& operator+=(const Statistics& other);
 };

@@ -1,4 +1,4 @@
-// What generated stubs need of the shadow GL: the context, its gate, recording and protection.
+// The one header that generated stubs include: the context, its gate, recording into lists, protection.
 #pragma once
 #include "gl/capture/vertex_attribute_calls.h"
 #include "gl/handlers.h"

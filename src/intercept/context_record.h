@@ -1,4 +1,4 @@
-// The contexts of the process and what belongs to each. Private to contexts.cpp, frames.cpp and totals.cpp.
+// Registry of the process's contexts and their state. Private to contexts.cpp, frames.cpp and totals.cpp.
 #pragma once
 #include "base/log.h"
 #include "gl/context.h"
@@ -23,11 +23,11 @@ using Key = std::pair<Api, const void*>;
 struct Record {
   std::shared_ptr<gl::ShareGroup> group;
   std::unique_ptr<gl::Presenter> presenter;        // outlives the context, which uses it
-  std::unique_ptr<present::FramePicture> picture;  // where pictures are wanted; outlives the context, too
-  std::unique_ptr<Hud> hud;                        // where one is wanted
-  LagPtr lag;                                      // where frames may lag
+  std::unique_ptr<present::FramePicture> picture;  // if pictures are wanted; outlives the context, too
+  std::unique_ptr<Hud> hud;                        // if wanted
+  LagPtr lag;                                      // if frames may lag
   WindowOfContext window;
-  std::shared_ptr<gl::Context> context;  // null until first current, or where it could not be made
+  std::shared_ptr<gl::Context> context;  // null until first current, or if it could not be made
   bool tried = false;
   const void* display = nullptr;
   std::string vendor, renderer, version;
@@ -50,10 +50,10 @@ struct Current {
   Drawables drawables;
   AskSize size;
 };
-/// What is current in the calling thread.
+/// The calling thread's current context and drawables.
 Current& current();
 
-/// Runs `body`; a failure of ours costs this thread its context: the program goes on with the real OpenGL.
+/// Runs `body`, logs its exceptions once, and goes on. Does nothing in a forked child.
 template <class F>
 void guarded(const char* what, F&& body) noexcept {
   if (isForkedChild()) return;
@@ -64,13 +64,13 @@ void guarded(const char* what, F&& body) noexcept {
   } catch (...) { log::once(log::Level::error, what, what); }
 }
 
-/// Adds what the record's context did. The registry is locked.
+/// Adds the statistics of the record's context. Requires that the registry is locked.
 void addTo(Totals& sum, const Record& record);
 
-// frames.cpp
-/// What `gluray explain` wants of the context.
+// In frames.cpp:
+/// Sets up the context to record what `gluray explain` needs.
 void addExplaining(Record& record, gl::ContextInfo& info);
-/// What is to be done with each traced picture of the context, if anything.
+/// Callback for each traced picture of the context; may be empty.
 present::Written noteWritten(const Record& record);
 
 }  // namespace gluray::intercept

@@ -23,8 +23,7 @@ std::string text(const gl::RealGl& real, GLenum name) {
   return s ? s : "";
 }
 
-/// What kind of context is current. Asked when it is first made current, before the program has called
-/// anything.
+/// Properties of the current context. Queried when it is first made current, before the program's first call.
 gl::ContextInfo askInfo(const gl::RealGl& real, const std::string& version) {
   gl::ContextInfo info;
   info.source = &settingsOfNow();
@@ -32,8 +31,7 @@ gl::ContextInfo askInfo(const gl::RealGl& real, const std::string& version) {
   info.families = families();
   info.drawableSize = [] { return current().size ? current().size() : glm::ivec2(0); };
   int major = 0, minor = 0;
-  if (std::sscanf(version.c_str(), "%d.%d", &major, &minor) != 2)
-    info.core = info.off = true;  // "OpenGL ES ..."
+  if (std::sscanf(version.c_str(), "%d.%d", &major, &minor) != 2) info.core = info.off = true;  // OpenGL ES
   GLboolean doubleBuffered = GL_TRUE;
   if (!info.core) real.GetBooleanv(GL_DOUBLEBUFFER, &doubleBuffered);
   info.doubleBuffered = doubleBuffered != GL_FALSE;
@@ -57,14 +55,15 @@ void makeContext(Record& record, Api api) {
   addExplaining(record, info);
   std::unique_ptr<gl::Presenter> presenter = makePresenter(info.settings, noteWritten(record));
   std::shared_ptr<gl::Context> context = gl::Context::create(real, record.group, info, *presenter);
-  const std::lock_guard lock(registry().mutex);  // another thread may be adding up for the report
+  const std::lock_guard lock(registry().mutex);  // another thread may compute the report's totals
   record.vendor = std::move(vendor), record.renderer = std::move(renderer),
   record.version = std::move(version);
   record.presenter = std::move(presenter);
   record.context = std::move(context);
 }
 
-/// The registry is locked, and records lock it when they go: where memory runs out, none may exist yet.
+/// The registry is locked, and a record's destructor locks it too: so allocate everything else before the
+/// record, because allocations may throw.
 std::shared_ptr<Record> newRecord(const Key& share) {
   const auto it = registry().records.find(share);
   auto group =
@@ -160,14 +159,14 @@ void becameCurrent(Api api, const void* handle, Drawables drawables, AskSize siz
   guarded("this context is not ray traced", [&] {
     gl::t_thread = {};
     std::shared_ptr<Record> record;
-    // Where the context cannot be followed, calls go to the OpenGL that it belongs to.
+    // Calls of a context that cannot be followed go to the OpenGL that it belongs to.
     t_orphanGl = handle ? &realGl(api) : nullptr;
     if (handle) {
       const std::lock_guard lock(registry().mutex);
       const auto it = registry().records.find({api, handle});
       if (it != registry().records.end())
         record = it->second;
-      else  // made by a way we do not see
+      else  // created unseen by any door
         registry().records[{api, handle}] = record = newRecord({});
     }
     current() = {record, {api, handle}, drawables, std::move(size)};

@@ -1,5 +1,5 @@
-// Every OpenGL context of the process and which thread has it current. Hooks of GLX, EGL and OSMesa call
-// these around the real functions; none of them throws. Any thread.
+// Tracks the process's OpenGL contexts and the thread in which each is current. The hooks of GLX, EGL and
+// OSMesa call these functions around the real ones; none of them throws. Any thread.
 #pragma once
 #include "gl/draws/draw_kinds.h"
 #include "gl/statistics.h"
@@ -15,46 +15,46 @@
 
 namespace gluray::intercept {
 
-/// What a context draws into and reads from: XIDs of GLX, pointers elsewhere.
+/// The drawables that a context draws into and reads from: XIDs for GLX, pointers otherwise.
 struct Drawables {
   uintptr_t draw = 0, read = 0;
   bool operator==(const Drawables&) const = default;
 };
-/// Width and height of a drawable in pixels; {0, 0} where they cannot be found out. Called on the thread
-/// where it is current.
+/// Returns width and height of a drawable in pixels; {0, 0} if unknown. Called on the thread where it is
+/// current.
 using AskSize = std::function<glm::ivec2()>;
 
-/// A context was made. `share` is the context whose lists and buffers it shares, or null. `display` is EGL's,
-/// else null.
+/// A context was created. `share`: the context whose lists and buffers it shares, or null. `display`: EGL's,
+/// or null.
 void contextCreated(Api api, const void* handle, const void* share, const void* display = nullptr) noexcept;
-/// A context was destroyed; where it is current it lives on until it no longer is (GLX 1.4, 3.3.7).
+/// A context was destroyed; while it is current it lives on (GLX 1.4, 3.3.7).
 void contextDestroyed(Api api, const void* handle) noexcept;
 /// All contexts of an EGL display were destroyed.
 void displayTerminated(const void* display) noexcept;
 
-/// Draws what this thread's context holds back: before anything reads or shows its framebuffer.
+/// Flushes the current context's pending draws, before anything reads or shows its framebuffer.
 void flushCurrent() noexcept;
-/// Before the real MakeCurrent: what the current context holds back is drawn while its framebuffer can still
-/// be reached.
+/// Before the real MakeCurrent: flushes the current context's pending draws while its framebuffer is
+/// accessible.
 void leaveCurrent() noexcept;
-/// The real MakeCurrent failed: the context that was left is still current.
+/// The real MakeCurrent failed: the previous context is still current.
 void stayCurrent() noexcept;
-/// A drawable has become the image of a bound texture of the thread's context.
+/// A drawable became the image of a bound texture of the current context.
 void textureImageBound() noexcept;
 /// The real MakeCurrent succeeded: `handle` (null: none) is current in this thread with these drawables.
-/// `size` says how large the one drawn into is.
+/// `size` returns the size of the draw drawable.
 void becameCurrent(Api api, const void* handle, Drawables drawables, AskSize size = {}) noexcept;
-/// Whether exactly this is current already: many programs say it again every frame, and nothing changes then.
+/// Whether exactly this is current already. Many programs repeat MakeCurrent every frame; nothing changes
+/// then.
 bool isCurrent(Api api, const void* handle, Drawables drawables) noexcept;
-/// A buffer swap of `drawable` is about to happen: draws what is pending, and keeps the frame's picture where
-/// one is wanted.
+/// Before a buffer swap of `drawable`: flushes pending draws, and keeps the frame's picture if wanted.
 void swapping(uintptr_t drawable) noexcept;
 /// A buffer swap of `drawable` returned: if this thread draws into it, a frame has ended.
 void swapped(uintptr_t drawable) noexcept;
-/// A drawable is about to be destroyed.
+/// Before a drawable is destroyed.
 void drawableGoing(uintptr_t drawable) noexcept;
 
-/// In the child of a fork: no renderer threads live here, so everything passes through from now on.
+/// In the child of a fork, which has no renderer threads: passes everything through from now on.
 void passThroughAfterFork() noexcept;
 bool isForkedChild() noexcept;
 
@@ -67,22 +67,22 @@ struct ContextSummary {
   uint64_t drawsTraced = 0, drawsRasterised = 0;
 };
 
-/// What all contexts did, dead ones included.
+/// Statistics of all contexts, including destroyed ones.
 struct Totals {
   gl::Statistics statistics;
   std::map<std::string, uint64_t> unknownCalls;  // by name
-  std::string vendor, renderer, version;         // the real OpenGL's, of the context first made current
+  std::string vendor, renderer, version;         // of the real OpenGL, from the first context made current
   int contexts = 0;
-  // Only where somebody explains:
+  // Only for `gluray explain`:
   gl::KindTable kinds;
   gl::TargetTable targets;
   gl::ProgramTable programs;
   std::vector<ContextSummary> list;
 };
 Totals totals();
-/// Frames that the process has ended.
+/// Number of frames that the process has ended.
 uint64_t framesEnded() noexcept;
-/// No draw is recorded by kind from now on.
+/// Stops recording draws by kind.
 void closeKinds() noexcept;
 
 }  // namespace gluray::intercept

@@ -1,11 +1,11 @@
-// Functions of the window system APIs that we stand in for, by name. Doors ask through the engine's entry
-// point.
+// Our replacements for functions of the window system APIs, by name. Doors look them up through the engine's
+// entry point. Any thread.
 #pragma once
 #include "intercept/window_systems/real_functions.h"
 
 namespace gluray::intercept {
 
-/// Our function for a glX*, egl* or OSMesa* name as seen through `door`; null: the real one will do.
+/// Our function for a glX*, egl* or OSMesa* name, for calls through `door`; null: use the real one.
 void* glxHook(Door door, const char* name);
 void* eglHook(Door door, const char* name);
 void* osmesaHook(const char* name);

@@ -1,4 +1,4 @@
-// Family files that the user names: which hold, in which order, and what is told of the others.
+// The user's family files: which apply, in which order, and error messages.
 #include "intercept/families.h"
 
 #include "settings/values.h"
@@ -73,7 +73,7 @@ TEST_F(Families, SectionsOfCodeMayBeInAnyFile) {
   EXPECT_EQ(all->front()->name, "1");
 }
 
-TEST_F(Families, WithoutAFileItsSectionsAreMissedElsewhere) {
+TEST_F(Families, FamiliesThatNeedSectionsOfAMissingFileAreDropped) {
   const std::string two =
       family("2") + "match.code = \"ghost\"\n[[code]]\nname = \"of two\"\nstatements = \"a;\"\n";
   const auto all = read(file("one.toml", family("1") + "match.code = \"of two\"\n") + ":" +
@@ -83,7 +83,7 @@ TEST_F(Families, WithoutAFileItsSectionsAreMissedElsewhere) {
   EXPECT_EQ(all->front()->name, "3");
 }
 
-TEST_F(Families, AFileWithAMistakeIsOneLineAndAddsNothing) {
+TEST_F(Families, AFileWithAMistakeIsReportedInOneLineAndAddsNothing) {
   const std::string bad = file("bad.toml", family("1") + "\n[[family]]\nname = \"2\"\nmatsch.active = []\n");
   const auto all = read(bad + ":" + file("good.toml", family("3")));
   ASSERT_EQ(g_complaints.size(), 1u);
@@ -94,7 +94,7 @@ TEST_F(Families, AFileWithAMistakeIsOneLineAndAddsNothing) {
   EXPECT_EQ(all->size(), 1 + gl::builtInFamilies().size());
 }
 
-TEST_F(Families, FilesThatCannotBeReadAreTold) {
+TEST_F(Families, UnreadableFilesAreReported) {
   EXPECT_EQ(read("/nowhere/x.toml:" + folder_.string()), nullptr);
   ASSERT_EQ(g_complaints.size(), 2u);
   EXPECT_EQ(g_complaints[0], "/nowhere/x.toml: No such file or directory");

@@ -1,4 +1,4 @@
-// The end of a frame: counted, kept as a picture, written over with figures.
+// The end of a frame: counting it, keeping its picture, drawing the HUD.
 #include "base/clock.h"
 #include "base/timeline.h"
 #include "intercept/context_record.h"
@@ -15,7 +15,7 @@ namespace {
 
 std::atomic<uint64_t> g_frames{0};
 
-/// A frame has ended: counted, and told to the clock that `gluray explain` preloads.
+/// Counts an ended frame, and notifies the clock that `gluray explain` preloads.
 void countFrame() noexcept {
   using Tell = void (*)();
   static const auto tell =
@@ -29,7 +29,7 @@ void endFrame() noexcept {
   writeReportIfDue();
 }
 
-/// Keeps the picture of the frame that is about to be shown from `buffer` of the window.
+/// Keeps the picture of the frame that is about to be shown; reads it from the window's `buffer`.
 void takePicture(Record& record, GLenum buffer) {
   if (!record.picture || !record.context) return;
   glm::ivec2 size = current().size ? current().size() : glm::ivec2(0);
@@ -42,7 +42,7 @@ void takePicture(Record& record, GLenum buffer) {
     keepPicture(record.picture->take(record.context->real, buffer, size.x, size.y, g_frames + 1));
 }
 
-/// Shows the figures over the frame that is about to be shown, where nothing of the program's would notice.
+/// Draws the HUD over the frame that is about to be shown, unless the program could notice it.
 void drawHud(Record& record) {
   gl::Context& context = *record.context;
   if (context.info().off || context.immediate.insideBegin() || context.shadow.activeQueries > 0) return;
@@ -93,7 +93,7 @@ void swapping(uintptr_t drawable) noexcept {
 void swapped(uintptr_t drawable) noexcept {
   guarded("cannot end a frame", [&] {
     gl::Context* context = gl::t_thread.context;
-    // Without a back buffer a swap shows nothing new: glFlush and glFinish end frames there.
+    // Without a back buffer a swap shows nothing new: there glFlush and glFinish end frames.
     if (context && current().drawables.draw == drawable && context->info().doubleBuffered)
       context->frames.afterSwap(), countFrame(), timeline::mark("frame");
   });

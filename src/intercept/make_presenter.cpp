@@ -21,7 +21,7 @@ bool resolve(const Settings& settings, const scene::Resolve& how, const Image& s
 
 bool improves() { return frame::Renderer::shared().improves(); }
 
-/// The price of interception alone: no ray, no write-back.
+/// Traces and writes back nothing, to measure the cost of interception.
 class NullPresenter final : public gl::Presenter {
  public:
   gl::PresentResult present(const gl::RealGl&, const scene::SnapshotPtr&,

@@ -1,4 +1,4 @@
-// Joins the ray tracer to the write-back: what a context of the shadow GL gets to make its pictures with.
+// Creates the presenter of a context, which joins ray tracer and write-back. GL thread.
 #pragma once
 #include "gl/batch/presenter.h"
 #include "intercept/present/tracing_presenter.h"
@@ -8,9 +8,8 @@
 
 namespace gluray::intercept {
 
-/// A presenter for one context. With the null renderer nothing is traced and every pixel is a miss: what
-/// remains is the price of the interception.
-/// `onWritten` is told of each picture in a framebuffer; it may be empty.
+/// A presenter for one context. The null renderer traces nothing and makes every pixel a miss, to measure the
+/// cost of interception. `onWritten` is called for each picture written into a framebuffer; may be empty.
 std::unique_ptr<gl::Presenter> makePresenter(const Settings& settings, present::Written onWritten = {});
 
 }  // namespace gluray::intercept

@@ -15,7 +15,7 @@ namespace {
 
 static_assert(static_cast<int>(LogLevel::off) == static_cast<int>(log::Level::off));
 
-/// Processes that the launcher did not start keep quiet unless they log to a file.
+/// Whether this process may log: processes that the launcher did not start log only to a file.
 bool mayTalk(const Session& session) { return !session.logFile.empty() || launchedProcess(); }
 
 const Session* readSession() {

@@ -1,4 +1,4 @@
-// What the user asked for, read once when the engine starts. Any thread.
+// The user's settings for this process, read once when the engine starts. Any thread.
 #pragma once
 #include "settings/settings_source.h"
 
@@ -9,14 +9,14 @@ namespace gluray::intercept {
 /// The session of this process; reads the environment at the first call.
 const Session& session();
 
-/// The settings of now: at first those of the session.
+/// The current settings: initially the session's.
 SettingsSource& settingsOfNow();
 
-/// Whether this is the process that the launcher started, or there was no launcher.
+/// Whether the launcher started this process, or there was no launcher.
 bool launchedProcess();
 
-/// The file that this process writes where the user named `path`: that, or where another process has it
-/// `path`.PID. The same question twice may have two answers.
+/// The file that this process writes for the user's `path`: `path` itself, or `path`.PID if another process
+/// uses it. Repeated calls may return different names.
 std::string fileOfThisProcess(std::string path);
 
 }  // namespace gluray::intercept

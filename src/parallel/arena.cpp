@@ -11,7 +11,7 @@
 
 namespace gluray {
 
-// A host's signal handler must never run on a thread that the host knows nothing of.
+// Blocks signals on the workers: a host's signal handlers must not run on threads unknown to the host.
 class Arena::Observer : public tbb::task_scheduler_observer {
  public:
   explicit Observer(tbb::task_arena& arena) : tbb::task_scheduler_observer(arena) { observe(true); }
@@ -26,7 +26,7 @@ class Arena::Observer : public tbb::task_scheduler_observer {
   }
 };
 
-// More threads than cores would only take turns, and TBB says so on stderr.
+// At most one thread per core: more would not help, and TBB would warn on stderr.
 Arena::Arena(int threads)
     : arena_(threads > 0 ? std::min(threads, tbb::info::default_concurrency()) : tbb::task_arena::automatic) {
   arena_.initialize();

@@ -1,5 +1,5 @@
-// Threads for parallel loops. The calling thread takes part in the work. Loops outside of an arena would run
-// in TBB's own, which takes all cores and the signals of the program: none of ours does.
+// Thread pools for parallel loops; the calling thread takes part in the work. All our loops run in one of
+// these. TBB's implicit arena would use all cores, and its workers would handle the program's signals.
 #pragma once
 #include <tbb/task_arena.h>
 
@@ -31,18 +31,18 @@ class Arena {
   std::unique_ptr<Observer> observer_;
 };
 
-/// What the threads of an arena do. Who enters an arena whose threads are all at work waits for one: so that
-/// nobody waits for a frame that is traced, frames have an arena of their own.
+/// Purpose of an arena. A thread that enters a fully used arena waits; frames have their own arena, so that
+/// nothing else waits for a frame that is being traced.
 enum class ArenaUse : uint8_t {
-  frames,  // tracing and what follows of it: anti-aliasing, resolving
-  other,   // meshes that are built, finished pictures that are put into windows
+  frames,  // tracing, anti-aliasing, resolving
+  other,   // building meshes, putting finished pictures into windows
 };
 
 /// The process's arena for that use, of `threads` threads (0: as many as the process may use). Made at the
-/// first call, and anew where the number changes. Any thread.
+/// first call, and again when the number changes. Any thread.
 std::shared_ptr<Arena> arenaFor(ArenaUse use, int threads);
 
-/// The threads of arenaFor(ArenaUse::other) for those who know no settings; 0 at first.
+/// The number of threads for sharedArena(), the arena `other` for callers without settings; 0 at first.
 void setSharedThreads(int threads) noexcept;
 std::shared_ptr<Arena> sharedArena();
 

@@ -1,4 +1,4 @@
-// Passes over large arrays on several cores. Any thread.
+// Parallel loops over large arrays. Any thread.
 #pragma once
 #include "base/hash.h"
 #include "parallel/arena.h"
@@ -13,8 +13,8 @@
 
 namespace gluray {
 
-/// Calls body(first, last) for pieces of about `grain` or fewer that make up 0 to count, on the threads that
-/// the user lets us have (parallel/arena.h).
+/// Calls body(first, last) for pieces of at most about `grain` elements that partition [0, count), on the
+/// threads of sharedArena().
 template <class Body>
 void forPieces(size_t count, size_t grain, const Body& body) {
   using Range = tbb::blocked_range<size_t>;
@@ -25,7 +25,7 @@ void forPieces(size_t count, size_t grain, const Body& body) {
   });
 }
 
-/// The same with a result: body(first, last, T so far) returns the next, join(a, b) one of two.
+/// Parallel reduction: body(first, last, T so far) returns the new T, join(a, b) combines two.
 template <class T, class Body, class Join>
 T reducePieces(size_t count, size_t grain, const T& none, const Body& body, const Join& join) {
   using Range = tbb::blocked_range<size_t>;
@@ -41,20 +41,20 @@ T reducePieces(size_t count, size_t grain, const T& none, const Body& body, cons
 /// included. Throws what `work` does, and std::bad_alloc.
 void forEachPart(int threads, int count, const std::function<void(int)>& work);
 
-/// Identity of `sizeBytes` bytes, as a hash of the hashes of pieces where they are many. Not the value of
-/// hashBytes.
+/// Content hash of `sizeBytes` bytes: the hash of the hashes of pieces if there are many. Differs from
+/// hashBytes().
 Hash128 hashLarge(const void* data, size_t sizeBytes, Hash128 seed = {});
 
-/// The smallest and the largest of numbers.
+/// Minimum and maximum.
 struct Extremes {
-  uint32_t least = ~0u, most = 0;  // as they are where there are no numbers
+  uint32_t least = ~0u, most = 0;  // unchanged if there are no numbers
 };
 Extremes extremesOf(const uint32_t* numbers, size_t count);
 
 /// target[i] = source[i] - lower.
 void copyNumbers(uint32_t* target, const uint32_t* source, size_t count, uint32_t lower);
 
-/// memcpy.
+/// Parallel memcpy.
 void copyLarge(void* target, const void* source, size_t sizeBytes);
 
 }  // namespace gluray

@@ -22,7 +22,7 @@ bool signalsAreBlocked() {
   return sigismember(&mask, SIGALRM) && sigismember(&mask, SIGTERM) && sigismember(&mask, SIGUSR1);
 }
 
-/// The threads that work on many slow pieces, and whether the program's signal handlers stay off them.
+/// The threads that work on many slow pieces, and whether each blocks the program's signals.
 std::map<std::thread::id, bool> threadsOfALoop() {
   std::mutex mutex;
   std::map<std::thread::id, bool> seen;
@@ -43,14 +43,14 @@ class Parallel : public testing::Test {
   void TearDown() override { setSharedThreads(0); }
 };
 
-TEST_F(Parallel, NoMoreThreadsThanAreWanted) {
+TEST_F(Parallel, UsesAtMostTheGivenThreads) {
   for (const int threads : {1, 2}) {
     setSharedThreads(threads);
     EXPECT_LE(threadsOfALoop().size(), static_cast<size_t>(threads));
   }
 }
 
-TEST_F(Parallel, SignalsAreNotHandledByOurThreads) {
+TEST_F(Parallel, WorkersBlockSignals) {
   setSharedThreads(2);
   for (const auto& [thread, blocked] : threadsOfALoop())
     EXPECT_EQ(blocked, thread != std::this_thread::get_id());

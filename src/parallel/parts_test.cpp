@@ -22,7 +22,7 @@ TEST(Workers, EveryPartIsDoneOnce) {
   forEachPart(2, 0, [](int) { FAIL(); });
 }
 
-TEST(Workers, NoMoreThreadsThanAreWanted) {
+TEST(Workers, UsesAtMostTheGivenThreads) {
   for (const int threads : {1, 2}) {
     std::mutex mutex;
     std::set<std::thread::id> seen;

@@ -1,4 +1,4 @@
-// The host program's floating-point settings, put aside while we compute. Any thread.
+// Saves and restores the host program's floating-point settings around our computations. Any thread.
 #pragma once
 #if defined(__SSE__)
 #include <xmmintrin.h>
@@ -6,8 +6,8 @@
 
 namespace gluray::render {
 
-/// Masks floating-point exceptions and flushes denormals while it lives: a host may have set traps that our
-/// misses (infinite distances) would spring, and Embree is slow on denormals.
+/// During its lifetime, masks floating-point exceptions and flushes denormals: our infinite distances would
+/// trigger traps that a host has enabled, and Embree is slow with denormals.
 class FloatGuard {
 #if defined(__SSE__)
  public:

@@ -37,8 +37,8 @@ bool isProgram(const scene::Shading& shading) {
 
 bool writesDepth(const scene::Shading& shading) { return shading.fragment.writesDepth; }
 
-/// The R2 sequence (M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018): the first
-/// is the centre, and any number of them are spread evenly.
+/// The R2 sequence (M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018): starts at
+/// the centre; every prefix is evenly distributed.
 std::vector<glm::dvec2> positionsInPixel(int count) {
   constexpr double kPlastic = 1.32471795724474602596;
   std::vector<glm::dvec2> positions;
@@ -48,8 +48,7 @@ std::vector<glm::dvec2> positionsInPixel(int count) {
   return positions;
 }
 
-/// How much longer a vector may become at most: the root of an upper bound for the largest eigenvalue of m^T
-/// m.
+/// Upper bound of the stretch of a matrix: the root of a bound of the largest eigenvalue of m^T m.
 double stretchOf(const glm::dmat3& m) {
   const glm::dmat3 squared = glm::transpose(m) * m;
   double most = 0;
@@ -57,12 +56,12 @@ double stretchOf(const glm::dmat3& m) {
   return std::sqrt(most);
 }
 
-/// FrameData::leastDepthReach. A triangle's slope is its depth by its width in the window: that of one which
-/// is drawn so many pixels nearer than it is reaches at most so far as its longest edge, times these pixels,
-/// by that width.
+/// FrameData::leastDepthReach. A triangle's slope is its depth extent divided by its width in the window. A
+/// shift by some pixels' worth of slope moves it by at most its longest edge, times these pixels, divided by
+/// its width.
 double reachOfLeastDepth(const FrameData& frame, bool atCenters) {
   constexpr double kHalfDiagonal = 0.7072;  // of a pixel: from a sample to the centre
-  constexpr double kThinnest = 0.1;         // pixels; of thinner triangles hardly a sample is covered
+  constexpr double kThinnest = 0.1;         // pixels; thinner triangles cover hardly a sample
   if (frame.depth.floatUnits != 0) return std::numeric_limits<double>::infinity();
   const double nearer = (atCenters ? kHalfDiagonal : 0) - frame.depth.slopeFactor;
   if (nearer <= 0) return 0;
@@ -110,12 +109,13 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
       widestEdge = std::max(widestEdge, shading.fragment.edgeWidth);
   }
 
-  // Triangles that grow by their edges are cut where their corners' distances from a plane say so, not where
-  // rays are. Fragment programs discard what is cut away where they are run.
+  // Triangles that grow by their edges are clipped by their corners' distances from the planes, not at the
+  // rays. Fragment programs discard clipped fragments at the position where they run.
   const bool discarded = oncePerPixel && std::any_of(s.shadings.begin(), s.shadings.end(), isProgram);
   const bool shared = widestEdge == 0 && !discarded && clipPlanesShared(s.instances);
   if (shared && !s.instances.empty()) {
-    // A plane acts on eye coordinates; as a row vector it comes to world space by the modelview on its right.
+    // A plane acts on eye coordinates; as a row vector, times the modelview matrix, it acts on world
+    // coordinates.
     for (const glm::dvec4& plane : s.instances.front().clipPlanes)
       rays.clipPlanes.push_back(plane * s.eyeFromWorld);
   }

@@ -1,5 +1,5 @@
-// A packet of rays, and the colours and depths of its hits. Part of kernels.cpp (compiled once
-// for each instruction set).
+// A packet of rays, and the colours and depths of its hits. Part of kernels.cpp (compiled once for each
+// instruction set).
 #if defined(GLURAY_RENDER_HITS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_HITS_INL_H_
 #undef GLURAY_RENDER_HITS_INL_H_
@@ -20,23 +20,23 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-/// A packet on its way from rays to pixels.
+/// State of a packet from ray generation to pixels.
 struct Work {
   accel::RayPacket packet;
-  accel::PixelRays centers, samples;  // only where there are impostors
+  accel::PixelRays centers, samples;  // only if there are impostors
   accel::ImpostorQuery impostors;
   alignas(64) float x[kLanes], y[kLanes];  // window positions
-  alignas(64) int32_t valid[kLanes];       // -1: to be traced
+  alignas(64) int32_t valid[kLanes];       // -1: trace this lane
   alignas(64) uint32_t vertex[3][kLanes];  // of the hit triangles
   alignas(64) uint32_t color[kLanes];      // RGBA8, or
-  alignas(64) Row wide[4];                 // what the image has as floats
+  alignas(64) Row wide[4];                 // float colours, if the image has these
   alignas(64) float through[kLanes];
   alignas(64) float depth[kLanes];
   alignas(64) float edgeDepth[kLanes];
-  DrawnFragments fragments;  // only of layers that are blended in the order of drawing
-  PeeledLayers peeled;       // only of layers that are peeled so many times
-  uint32_t hits = 0;         // bit i: lane i hit something
-  uint32_t edged = 0;        // bit i: of lane i the depth is edgeDepth, of a triangle that grew by its edges
+  DrawnFragments fragments;    // only for layers blended in the order of drawing
+  PeeledLayers peeled;         // only for layers with a limited number of peels
+  uint32_t hits = 0;           // bit i: lane i hit something
+  uint32_t edged = 0;          // bit i: lane i hit a triangle grown by its edges; its depth is edgeDepth
   int imageX = 0, imageY = 0;  // pixel of lane 0
   int sample = 0;
 };
@@ -55,7 +55,7 @@ inline constexpr LaneOffsets kLaneOffsets;
 
 using IndexTag = hn::Rebind<uint32_t, FloatTag>;
 
-// The lanes of a vector that begins at lane i, from bits.
+// The mask of the vector that begins at lane i, from bits.
 HWY_INLINE hn::Mask<IndexTag> maskAt(uint32_t lanes, int i) {
   return hn::RebindMask(IndexTag(), lanesAt(lanes, i));
 }
@@ -65,13 +65,13 @@ HWY_INLINE uint32_t bitsAt(hn::Mask<IndexTag> mask, int i) {
   return (bits[0] | static_cast<uint32_t>(bits[1]) << 8) << i;
 }
 
-/// Centres of a packet's pixels in the window.
+/// Window positions of the centres of a packet's pixels.
 struct Centers {
   alignas(64) float x[kLanes], y[kLanes];
 };
 
-/// Whether culling and the instance's own clip planes leave a hit: fixed function cuts triangles off,
-/// programs discard fragments, at the centres of pixels where these are given.
+/// Whether a hit is neither culled nor clipped by the instance's own planes. Fixed function clips triangles;
+/// programs discard fragments, at the pixels' centres if these are given.
 inline bool isLeft(const FrameData& frame, uint32_t instance, uint32_t primitive, float u, float v,
                    const Centers* centers, int lane) {
   const Surface& surface = frame.surfaces[instance];
@@ -83,7 +83,7 @@ inline bool isLeft(const FrameData& frame, uint32_t instance, uint32_t primitive
   return surface.accepts(primitive, weights.x, weights.y);
 }
 
-/// Culling and the clip planes of single instances, asked of every hit; and hits that failed the alpha test.
+/// Rejects hits that are culled, clipped by their instance's own planes, or that failed the alpha test.
 class RejectingFilter : public accel::HitFilter {
  public:
   explicit RejectingFilter(const FrameData& frame, const Centers* centers = nullptr)
@@ -93,8 +93,8 @@ class RejectingFilter : public accel::HitFilter {
       if (hit.instance == instance && hit.primitive == primitive) return false;
     return isLeft(frame_, instance, primitive, u, v, centers_, lane);
   }
-  /// The lane's ray is to go on as if its hit were not there. Returns from which distance on: others may be
-  /// as far as the hit, give or take a rounding.
+  /// Makes the lane's ray ignore its hit. Returns the distance from which to continue: slightly less than the
+  /// hit's, because further hits may lie at that distance, up to rounding.
   float refuse(const accel::RayPacket& packet, int lane) {
     constexpr float kBefore = 1 - 0x1p-20f;
     const float passed = packet.tFar[lane] * kBefore;
@@ -146,13 +146,13 @@ HWY_ATTR inline void gather(const Work& work, uint32_t lanes, Group& group) {
   }
 }
 
-// Those of `lanes` become what `from` has.
+// Copies `lanes` of `from`.
 HWY_ATTR inline void blendRow(uint32_t lanes, const float* from, float* to) {
   for (int i = 0; i < kLanes; i += lanesOfVector())
     store(hn::IfThenElse(lanesAt(lanes, i), load(from + i), load(to + i)), to + i);
 }
 
-// Colour and depth of `lanes` into the pixels.
+// Writes colour and depth of `lanes` into the pixels.
 HWY_ATTR inline void merge(uint32_t lanes, const LitRows& rows, const float* depth, bool wide, Work& work) {
   blendRow(lanes, depth, work.depth);
   if (wide) {
@@ -168,7 +168,7 @@ HWY_ATTR inline void merge(uint32_t lanes, const LitRows& rows, const float* dep
   }
 }
 
-// Lanes whose hit is culled or cut away by the instance's own clip planes.
+// Lanes whose hit is culled or clipped by the instance's own planes.
 HWY_ATTR inline uint32_t rejectedLanes(const Surface& s, const Group& group, uint32_t ccw) {
   uint32_t rejected = ((s.cullsCcw ? ccw : 0) | (s.cullsCw ? ~ccw : 0)) & group.lanes;
   if (!s.ownClipPlanes) return rejected;
@@ -179,13 +179,13 @@ HWY_ATTR inline uint32_t rejectedLanes(const Surface& s, const Group& group, uin
   return rejected;
 }
 
-/// Rays pass beside their samples (ray_setup.cpp): moves the group's points to what is seen at the samples.
-/// Triangles that grew by their edges are there already.
+/// Rays pass slightly beside their samples (ray_setup.cpp): moves the group's hit points to the samples.
+/// Triangles grown by their edges are hit there already.
 HWY_ATTR inline void moveToSamples(const DepthAndFacing& seen, uint32_t edged, Group& group) {
   blendRow(~edged, seen.u, group.u), blendRow(~edged, seen.v, group.v);
 }
 
-/// What a group's surface is at window positions x, y.
+/// Computes the group's hit points, depth and facing at window positions x, y.
 HWY_ATTR inline void locateHits(const FrameData& frame, uint32_t instance, const float* x, const float* y,
                                 Group& group, DepthAndFacing& seen) {
   const Surface& surface = frame.surfaces[instance];
@@ -204,8 +204,8 @@ HWY_ATTR inline void lightHits(const FrameData& frame, uint32_t instance, const 
   if (group.lanes) frame.integrator->light({frame.surfaces[instance], instance, group, sample, x, y}, rows);
 }
 
-/// Depth and colour of the hits in `lanes`, given to take(lanes, colours, depths). Returns the lanes whose
-/// hit does not count: culled or cut away, which is asked only where `mayReject`, or failing the alpha test.
+/// Shades the hits in `lanes` and calls take(lanes, colours, depths). Returns the lanes whose hit is
+/// rejected: culled or clipped (tested only if `mayReject`), or failing the alpha test.
 template <class Take>
 HWY_ATTR uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool mayReject, const Work& work,
                             Take&& take) {

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstring>
 
-// x86-64-v4, v3, v2 and plain code are enough; less to compile.
+// x86-64-v4, v3, v2 and the baseline suffice; fewer targets compile faster.
 #define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/kernels.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-// What follows is included once for each instruction set, after Highway's macros.
+// Highway includes the following once per instruction set.
 #include "render/packet.inl.h"
 
 #if HWY_ONCE

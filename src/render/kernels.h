@@ -1,11 +1,11 @@
-// The hot loops, compiled for several instruction sets; the best for this processor is chosen at the first
-// call.
+// The tracing and shading kernels, compiled for several instruction sets; the first call chooses the best for
+// this processor. Called on tracing threads.
 #pragma once
 #include "render/frame_data.h"
 
 namespace gluray::render {
 
-/// Traces and shades one tile of every sample plane. Any number of threads, on different tiles.
+/// Traces and shades one tile of every sample plane. Threads may run it in parallel on different tiles.
 void traceTile(const FrameData&, const Tile&);
 
 /// Name of the instruction set that traceTile uses, such as "AVX3".

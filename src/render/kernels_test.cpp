@@ -1,4 +1,4 @@
-// Every instruction set that this processor has gives the same picture.
+// Every instruction set of this processor gives the same picture.
 #include "render/kernels.h"
 
 #include "render/test_targets.h"
@@ -14,7 +14,7 @@
 namespace gluray {
 namespace {
 
-// A lit, textured, coloured, two-sided, clipped pair of instances: every kernel has work.
+// A lit, textured, coloured, two-sided, clipped pair of instances: uses every kernel.
 scene::Snapshot richScene(ShadingRate rate) {
   test::MeshData data = test::quadData({-4, -4, -5}, {4, -4, -6}, {4, 4, -5}, {-4, 4, -9});
   data.normals = {{0, 0, 1}, {0.3f, 0, 1}, {0, 0.5f, 1}, {-0.4f, 0.1f, 1}};
@@ -68,7 +68,7 @@ TEST(Kernels, EveryInstructionSetAgrees) {
         for (int x = 0; x < 61; ++x) {
           ASSERT_EQ(traced.hit(x, y), best.hit(x, y));
           EXPECT_NEAR(traced.depth(x, y), best.depth(x, y), 1.2e-7);
-          // Fused multiply-adds round differently: a byte may fall to the other side.
+          // Fused multiply-adds round differently: a byte may differ by one.
           differing += test::difference(traced.color(x, y), best.color(x, y)) > 1;
         }
       }

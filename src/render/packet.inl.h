@@ -1,5 +1,5 @@
-// A packet from rays to pixels, and the tile loop. Part of kernels.cpp (compiled once for each instruction
-// set).
+// The packet pipeline from rays to pixels, and the tile loop. Part of kernels.cpp (compiled once for each
+// instruction set).
 #if defined(GLURAY_RENDER_PACKET_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_PACKET_INL_H_
 #undef GLURAY_RENDER_PACKET_INL_H_
@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-// Last stage: colour and depth into the image.
+// Last stage: writes colour and depth into the image.
 HWY_ATTR inline void finishWork(const FrameData& frame, const Tile& tile, Work& work, CollectedHits& behind,
                                 Averages* averages) {
   clearPixels(averages ? 0 : frame.image->missColor, work);
@@ -34,14 +34,14 @@ HWY_ATTR inline void finishWork(const FrameData& frame, const Tile& tile, Work& 
     storePixels(work, tile, *frame.image);
 }
 
-/// Three packets are under way at a time, a stage apart, so that the memory each stage needs arrives while
-/// others compute.
+/// Pipelines three packets, each a stage apart, so that the prefetches of one stage complete while others
+/// compute.
 HWY_ATTR inline void traceSamples(const FrameData& frame, const Tile& tile, Averages* averages) {
   Work works[3];
-  CollectedHits behind;  // of one packet at a time
+  CollectedHits behind;  // scratch, for one packet at a time
   for (Work& work : works) initPacket(work.packet);
   int count = 0;
-  const bool layered = frame.snapshot->layers != nullptr;  // whose hits are found in the last stage
+  const bool layered = frame.snapshot->layers != nullptr;  // layers are traced in the last stage
   const auto back = [&](int stages) HWY_ATTR -> Work& { return works[(count - stages) % 3]; };
   for (int sample = 0; sample < static_cast<int>(frame.samplePositions.size()); ++sample) {
     for (int y = tile.y0; y < tile.y1; y += 4) {

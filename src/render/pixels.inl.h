@@ -1,5 +1,5 @@
-// The pixels of a packet: where they are, what they begin with, and how they get into the image. Part of
-// kernels.cpp (compiled once for each instruction set).
+// The pixels of a packet: positions, initial values, and storing into the image. Part of kernels.cpp
+// (compiled once for each instruction set).
 #if defined(GLURAY_RENDER_PIXELS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_PIXELS_INL_H_
 #undef GLURAY_RENDER_PIXELS_INL_H_
@@ -13,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-// The packet of the 4x4 pixels from image pixel (x, y) on.
+// Sets up the packet of the 4x4 pixels from image pixel (x, y) on.
 HWY_ATTR inline void aim(const FrameData& frame, const Tile& tile, int x, int y, int sample, Work& work) {
   const scene::Region& region = frame.snapshot->region;
   const glm::dvec2 offset = frame.samplePositions[static_cast<size_t>(sample)];
@@ -42,7 +42,7 @@ HWY_ATTR inline Centers centersOf(const Work& work) {
   return centers;
 }
 
-// What pixels are that nothing is seen at.
+// Sets all pixels to misses.
 HWY_ATTR inline void clearPixels(uint32_t missColor, Work& work) {
   for (int i = 0; i < kLanes; ++i) {
     work.color[i] = missColor;
@@ -53,7 +53,7 @@ HWY_ATTR inline void clearPixels(uint32_t missColor, Work& work) {
   work.edged = 0;
 }
 
-/// Calls store(place in the image, lane) for the packet's pixels within the tile.
+/// Calls store(pixel index, lane) for the packet's pixels within the tile.
 template <class Store>
 HWY_INLINE void eachPixel(const Work& work, const Tile& tile, const Image& image, Store&& store) {
   for (int i = 0; i < kLanes; ++i) {

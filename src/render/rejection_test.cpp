@@ -83,7 +83,7 @@ TEST(Culling, OneInstanceOfTwo) {
   expectDepth(s, kBackDepth);
 }
 
-// Expects the square at z = 0.5 where `kept`, the one behind it elsewhere or a miss.
+// Expects the square at z = 0.5 if `kept`, otherwise the one behind it or a miss.
 void expectKept(const scene::Snapshot& s, const std::function<bool(double, double)>& kept, float elsewhere) {
   const auto traced = trace(s);
   for (int y = 0; y < 16; ++y) {
@@ -99,7 +99,7 @@ TEST(ClipPlanes, SharedByAll) {
   s.instances[0].clipPlanes = {{1, 0.3, 0, 0.11}, {0, -1, 0, 0.5}};
   expectKept(
       s, [](double x, double y) { return x + 0.3 * y + 0.11 >= 0 && y <= 0.5; }, Image::kMiss);
-  s.instances[0].clipPlanes = {{0, 0, -1, 0}};  // cuts the nearer square
+  s.instances[0].clipPlanes = {{0, 0, -1, 0}};  // clips the nearer square
   expectDepth(s, kBackDepth);
   s.instances[0].clipPlanes = {{0, 0, 0, -1}};
   expectDepth(s, Image::kMiss);

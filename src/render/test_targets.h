@@ -1,4 +1,4 @@
-// Instruction sets in tests: each that the processor has, one after another.
+// Runs tests with each instruction set of the processor in turn.
 #pragma once
 #include <hwy/targets.h>
 
@@ -6,8 +6,8 @@
 
 namespace gluray::test {
 
-/// Lets the vectorised code use but these instruction sets (Highway's bits; 0: whatever there is) and gives
-/// all back in the end.
+/// Restricts the vectorised code to these instruction sets (Highway's bits; 0: all); the destructor lifts the
+/// restriction.
 class Targets {
  public:
   Targets() = default;
@@ -20,8 +20,8 @@ class Targets {
   }
 };
 
-/// Calls `body(target)` with every instruction set in use that the processor has and the code is compiled
-/// for, the best first. With HWY_COMPILE_ONLY_STATIC, as under sanitizers, there is one.
+/// Calls `body(target)` for each instruction set that the processor supports and the code is compiled for,
+/// best first. With HWY_COMPILE_ONLY_STATIC, as under sanitizers, there is only one.
 template <class Body>
 void withEachTarget(const Body& body) {
   Targets targets;

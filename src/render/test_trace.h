@@ -6,7 +6,7 @@
 
 namespace gluray::test {
 
-/// The picture of a snapshot. Planes of further samples follow the first.
+/// A traced picture with accessors by pixel and sample.
 struct Traced {
   Image image;
   size_t at(int x, int y, int sample) const {

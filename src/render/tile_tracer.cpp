@@ -13,7 +13,7 @@
 namespace gluray::render {
 namespace {
 
-constexpr int kLargestSide = 65536;  // pixels; beyond what any framebuffer has
+constexpr int kLargestSide = 65536;  // pixels; larger than any framebuffer
 
 Planes planesOf(const scene::Snapshot& snapshot, bool averages) {
   const bool sums = snapshot.layers && snapshot.layers->of == scene::Layers::Of::sums;
@@ -23,13 +23,13 @@ Planes planesOf(const scene::Snapshot& snapshot, bool averages) {
 
 bool areDrawn(const scene::Layers* layers) { return layers && layers->of == scene::Layers::Of::drawn; }
 
-/// Whether pixels are to be averages over samples that the framebuffer does not have. What is blended with
-/// the framebuffer's colours, one by one, has as many samples as it has.
+/// Whether pixels average more samples than the framebuffer has. Layers blended with the framebuffer's
+/// colours in the order of drawing use the framebuffer's samples.
 bool wantsAverages(const scene::Snapshot& snapshot) {
   return snapshot.samples <= 1 && snapshot.settings.spp > 1 && !areDrawn(snapshot.layers.get());
 }
 
-/// Whether layers have what they need of every pixel.
+/// Whether the layers' arrays have one element per pixel.
 bool arePixels(const scene::Layers& layers, size_t pixels) {
   return layers.opaqueDepth.size() == pixels && (!areDrawn(&layers) || layers.colors.size() == pixels);
 }
@@ -67,7 +67,7 @@ void clearImage(const scene::Snapshot& snapshot, Image& image) {
 
 namespace {
 
-/// False where averages cannot be put over what lies under them: an alpha is written that is no opacity.
+/// False if averages cannot be composited over the framebuffer: alpha is written but is no opacity.
 bool traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Image& image) {
   FrameData frame(snapshot, world, image);
   const std::unique_ptr<const Integrator> integrator = makeIntegrator(frame);

@@ -1,5 +1,5 @@
-// What a packet's rays hit, and the colours of the nearest hits that count. Part of kernels.cpp (compiled
-// once for each instruction set).
+// Traces a packet's rays and shades their nearest accepted hits. Part of kernels.cpp (compiled once for each
+// instruction set).
 #if defined(GLURAY_RENDER_TRACE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_TRACE_INL_H_
 #undef GLURAY_RENDER_TRACE_INL_H_
@@ -15,11 +15,11 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-// Rays through window positions x, y for impostors.
+// Eye-space rays through window positions x, y, for impostors.
 HWY_ATTR inline void aimInEye(const FrameData& frame, const float* x, const float* y, accel::PixelRays& to) {
   accel::RayPacket rays;
   alignas(64) int32_t valid[kLanes] = {};
-  const bool inWorld = frame.rays.startAtSphere;  // then t is counted from there
+  const bool inWorld = frame.rays.startAtSphere;  // then t starts at the sphere
   generateRays(inWorld ? frame.rays : frame.eyeRays, x, y, rays, valid);
   const glm::mat4 m(inWorld ? frame.snapshot->eyeFromWorld : glm::dmat4(1));
   for (int i = 0; i < kLanes; ++i) {
@@ -32,7 +32,7 @@ HWY_ATTR inline void aimInEye(const FrameData& frame, const float* x, const floa
   }
 }
 
-// Rays to be traced, and those that impostors are met by; null where there are none.
+// Generates the rays of a packet; returns the rays for impostors, null if there are none.
 HWY_ATTR inline const accel::ImpostorQuery* aimRays(const FrameData& frame, Work& work) {
   generateRays(frame.rays, work.x, work.y, work.packet, work.valid);
   if (!frame.world->hasImpostors()) return nullptr;
@@ -50,11 +50,11 @@ HWY_ATTR inline const accel::ImpostorQuery* aimRays(const FrameData& frame, Work
   return &work.impostors;
 }
 
-// First stage: what the rays hit; asks memory for the hit triangles' indices.
+// First stage: traces the rays; prefetches the hit triangles' indices.
 HWY_ATTR inline void traceWork(const FrameData& frame, Work& work) {
   const accel::ImpostorQuery* impostors = aimRays(frame, work);
   work.hits = 0;
-  if (frame.snapshot->layers) {  // several at a time, later
+  if (frame.snapshot->layers) {  // traced later, several hits at a time
     for (int i = 0; i < kLanes; ++i)
       if (work.valid[i]) work.hits |= 1u << i;
     return;
@@ -68,7 +68,7 @@ HWY_ATTR inline void traceWork(const FrameData& frame, Work& work) {
   }
 }
 
-// Second stage: the vertices of the hit triangles; asks memory for their positions and normals.
+// Second stage: loads the hit triangles' indices; prefetches their positions and normals.
 HWY_ATTR inline void fetchVertices(const FrameData& frame, uint32_t lanes, Work& work) {
   for (; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
@@ -88,8 +88,8 @@ HWY_ATTR inline void fetchVertices(const FrameData& frame, Work& work) {
   fetchVertices(frame, work.hits, work);
 }
 
-// Traces `lanes` on from behind their hits, this time asking about every hit on the way. `passed`: distances
-// that lanes are through, at first 0.
+// Continues the rays of `lanes` behind their hits, with the filter. `passed`: distances that the rays have
+// passed, initially 0.
 HWY_ATTR inline void traceOn(const FrameData& frame, uint32_t lanes, RejectingFilter& filter, float* passed,
                              Work& work) {
   for (int i = 0; i < kLanes; ++i) work.valid[i] = lanes >> i & 1 ? -1 : 0;
@@ -104,9 +104,9 @@ HWY_ATTR inline void traceOn(const FrameData& frame, uint32_t lanes, RejectingFi
   fetchVertices(frame, work);
 }
 
-// The same without asking: of triangles that lie upon each other one is seen.
+// The same without RejectingFilter: of coincident triangles it finds only one.
 HWY_ATTR inline void traceBehind(const FrameData& frame, uint32_t lanes, Work& work) {
-  constexpr float kBehind = 1 + 0x1p-21f;  // the hit is not found again
+  constexpr float kBehind = 1 + 0x1p-21f;  // skips the same hit
   alignas(64) float passed[kLanes];
   for (int i = 0; i < kLanes; ++i) {
     work.valid[i] = lanes >> i & 1 ? -1 : 0;
@@ -120,7 +120,7 @@ HWY_ATTR inline void traceBehind(const FrameData& frame, uint32_t lanes, Work& w
   fetchVertices(frame, work);
 }
 
-// Colour and depth of the hits; where the nearest does not count, of the first behind it that does.
+// Shades the nearest accepted hit of each lane.
 HWY_ATTR inline void shadeNearest(const FrameData& frame, Work& work) {
   const bool wide = frame.image->has(Plane::wideColor);
   const auto take = [&](uint32_t lanes, const LitRows& rows, const float* depth) HWY_ATTR {

@@ -1,4 +1,4 @@
-// A surface without holes leaves no pixel out.
+// A closed surface covers every pixel.
 #include "render/test_trace.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -11,8 +11,8 @@ namespace gluray {
 namespace {
 
 // A bumpy sheet of 80,000 triangles that fills the window. Without robust intersection tests a few rays of a
-// million slip through between two triangles; these cameras have such rays.
-TEST(Watertight, NoRaySlipsBetweenTriangles) {
+// million pass between two triangles; these cameras have such rays.
+TEST(Watertight, NoRayPassesBetweenTriangles) {
   constexpr uint32_t kCells = 200;
   test::MeshData data;
   for (uint32_t j = 0; j <= kCells; ++j) {

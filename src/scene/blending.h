@@ -1,4 +1,4 @@
-// How a fragment's colour meets what the framebuffer has (GL 2.1, 4.1.8), and what is written of the result.
+// Blending of a fragment's colour with the framebuffer's (GL 2.1, 4.1.8). Plain data.
 #pragma once
 #include <glm/glm.hpp>
 
@@ -6,7 +6,7 @@
 
 namespace gluray::scene {
 
-/// Values are those of OpenGL's enumerants.
+/// Values equal OpenGL's enumerants.
 enum class BlendFactor : uint16_t {
   zero = 0,
   one = 1,
@@ -25,7 +25,7 @@ enum class BlendFactor : uint16_t {
   oneMinusConstantAlpha = 0x8004,
 };
 
-/// Likewise.
+/// Values equal OpenGL's enumerants.
 enum class BlendEquation : uint16_t {
   add = 0x8006,
   min = 0x8007,
@@ -35,7 +35,7 @@ enum class BlendEquation : uint16_t {
 };
 
 struct Blending {
-  /// Of the three colours, or of alpha.
+  /// The function of red, green and blue, or of alpha.
   struct Part {
     BlendEquation equation = BlendEquation::add;
     BlendFactor source = BlendFactor::one, destination = BlendFactor::zero;
@@ -43,7 +43,7 @@ struct Blending {
   };
   Part rgb, alpha;
   glm::vec4 constant{0};
-  bool hasAlpha = true;     // the framebuffer; otherwise its alpha is 1
+  bool hasAlpha = true;     // the framebuffer has alpha; otherwise its alpha is 1
   bool writesDepth = true;  // glDepthMask
   bool operator==(const Blending&) const = default;
 };

@@ -1,5 +1,5 @@
-// Geometry and what is attached to its vertices, immutable once made. Built by gl/, read by accel/
-// and render/; shared between frames and threads without locks because nobody can write to it.
+// Geometry and vertex attributes, immutable once made. Built by gl/, read by accel/ and render/; shared
+// between frames and threads without locks.
 #pragma once
 #include "base/hash.h"
 
@@ -14,7 +14,7 @@ namespace gluray::scene {
 
 /// How one element of an attribute is stored.
 enum class Format : uint8_t {
-  none,  // attribute absent: the instance's constant value holds for every vertex
+  none,  // attribute absent: every vertex has the instance's constant value
   float1,
   float2,
   float3,
@@ -25,8 +25,7 @@ enum class Format : uint8_t {
 };
 
 /// A strided array in memory that `owner` keeps alive. Element i starts at data + i*stride.
-/// Arrays of positions and indices are followed by at least 16 readable bytes, because Embree reads them with
-/// wide loads.
+/// Position and index arrays are followed by at least 16 readable bytes, for Embree's wide loads.
 struct Attribute {
   std::shared_ptr<const void> owner;
   const std::byte* data = nullptr;
@@ -36,7 +35,7 @@ struct Attribute {
   bool operator==(const Attribute&) const = default;
 };
 
-/// Reads element i of `a`, missing components from (0, 0, 0, 1). `a` must not be absent.
+/// Element i of `a`; missing components come from (0, 0, 0, 1). `a` must not be absent.
 inline glm::vec4 fetch(const Attribute& a, uint32_t i) {
   const std::byte* p = a.data + static_cast<size_t>(i) * a.stride;
   const auto* f = reinterpret_cast<const float*>(p);
@@ -53,46 +52,46 @@ inline glm::vec4 fetch(const Attribute& a, uint32_t i) {
   }
 }
 
-/// What the primitives of a mesh are. All but triangles are impostors (scene/impostors.h): spheres, discs and
-/// cylinders are round in the space of Instance::lightingFromObject and have one vertex each, their centre.
-/// Beads, about one vertex, and tubes, about a line between two, have a size in pixels. Splats, about one
-/// vertex with a radius, are ellipses in the window.
+/// Primitive type of a mesh. All but triangles are impostors (scene/impostors.h). Spheres, discs and
+/// cylinders are round in the space of Instance::lightingFromObject and have one vertex, their centre. Beads
+/// (one vertex) and tubes (a line between two) have a size in pixels. Splats (one vertex with a radius) are
+/// ellipses in the window.
 enum class Shape : uint8_t { triangles, spheres, discs, cylinders, beads, tubes, splats };
 
-/// Vertices of a primitive.
+/// Vertices per primitive.
 constexpr uint32_t cornersOf(Shape shape) {
   return shape == Shape::triangles ? 3 : shape == Shape::tubes ? 2 : 1;
 }
 constexpr bool isSizedInPixels(Shape shape) { return shape == Shape::beads || shape == Shape::tubes; }
-/// What these cover is computed in the window (accel/impostors/pixel_impostor.h).
+/// Whether coverage is computed in the window (accel/impostors/pixel_impostor.h).
 constexpr bool isInWindow(Shape shape) { return isSizedInPixels(shape) || shape == Shape::splats; }
 
 /// Triangles in object space. Triangle t has the vertices corner(t, 0..2), in winding order; OpenGL's
-/// provoking vertex (flat shading) is always the last one. `indices` absent means a soup: vertices 3t, 3t+1,
-/// 3t+2. Of other shapes "triangle" t is the impostor about vertex corner(t, 0), and its further corners
-/// repeat the last one that it has.
+/// provoking vertex (flat shading) is always the last one. Without `indices` it is a triangle soup: vertices
+/// 3t, 3t+1, 3t+2. For other shapes "triangle" t is the impostor at vertex corner(t, 0); surplus corners
+/// repeat its last vertex.
 struct Mesh {
-  Hash128 geometryId;  // identity of positions and triangle order: the key of the acceleration structure
+  Hash128 geometryId;  // hash of positions and triangle order: the key of the BLAS
   Shape shape = Shape::triangles;
   uint32_t triangleCount = 0;
   uint32_t vertexCount = 0;  // every index is below this
   Attribute positions;       // float3
-  Attribute indices;         // uint32, cornersOf(shape) a primitive, tightly packed (stride 4), or absent
+  Attribute indices;         // uint32, cornersOf(shape) per primitive, tightly packed (stride 4), or absent
   Attribute radii;           // of impostors: float1; absent: all have `radius`
-  Attribute axes;            // of cylinders: float3, as long as the cylinder
+  Attribute axes;            // of cylinders: float3, of the cylinder's length
   float radius = 1;
   Attribute normals;                      // float3, not necessarily of unit length
   Attribute colors;                       // float4, float3 or unorm8x4
   Attribute texcoords;                    // float1 to float4 (s, t, r, q), of texture unit 0
-  std::vector<Attribute> texcoordsAbove;  // the same of units 1, 2 ...; shorter where the last are absent
+  std::vector<Attribute> texcoordsAbove;  // the same of units 1, 2 ...; trailing absent ones are omitted
   Attribute secondaryColors;              // float3 or float4
   Attribute fogCoords;                    // float1
   Attribute materials;                    // uint32: index into the instance's materials
   glm::vec3 lower{0}, upper{0};           // bounds of the finite vertices, object space
   bool opaqueColors = true;               // every vertex colour has alpha 1 (or there are none)
-  size_t sizeBytes = 0;  // memory this mesh owns, not counting what belongs to the program's buffers
+  size_t sizeBytes = 0;                   // memory this mesh owns, without the program's buffers
 
-  /// Texture coordinates of a unit; null where the mesh has none.
+  /// Texture coordinates of a unit; null if the mesh has none.
   const Attribute* texcoordsOf(uint32_t unit) const {
     if (unit == 0) return texcoords ? &texcoords : nullptr;
     return unit <= texcoordsAbove.size() && texcoordsAbove[unit - 1] ? &texcoordsAbove[unit - 1] : nullptr;

@@ -1,4 +1,4 @@
-// How the samples of a multisampled picture become pixels.
+// Parameters for resolving a multisampled picture into pixels.
 #pragma once
 #include <glm/glm.hpp>
 
@@ -7,10 +7,10 @@
 namespace gluray::scene {
 
 struct Resolve {
-  glm::ivec2 size{0};       // pixels of what the samples are of, from (0, 0) on
-  uint32_t background = 0;  // RGBA8 of samples that nothing hit; their depth is 1
-  float farthest = 1;       // window depth beyond which a hit does not pass the depth test
-  float gamma = 1;          // red, green and blue are averaged to this power; alpha is as it is
+  glm::ivec2 size{0};       // pixels of the multisampled framebuffer, from (0, 0)
+  uint32_t background = 0;  // RGBA8 of samples without a hit; their depth is 1
+  float farthest = 1;       // largest window depth that passes the depth test
+  float gamma = 1;          // exponent applied to red, green and blue for averaging; alpha is linear
 
   bool operator==(const Resolve&) const = default;
 };

@@ -1,5 +1,5 @@
-// Everything of the OpenGL lighting equation (GL 2.1, section 2.14) that a draw had set, except per-vertex
-// values.
+// A draw's fixed-function shading state: lighting (GL 2.1, section 2.14), fog, alpha test, textures. Plain
+// data.
 #pragma once
 #include "scene/fragment_shading.h"
 #include "scene/texture.h"
@@ -12,7 +12,7 @@
 
 namespace gluray::scene {
 
-/// One enabled light, in eye space of the moment it was set.
+/// One enabled light, in the eye space of the time it was set.
 struct Light {
   glm::vec4 ambient{0, 0, 0, 1}, diffuse{0, 0, 0, 1}, specular{0, 0, 0, 1};
   glm::vec4 position{0, 0, 1, 0};     // eye space; w = 0: directional
@@ -30,7 +30,7 @@ struct Material {
   bool operator==(const Material&) const = default;
 };
 
-/// Materials of both faces.
+/// Materials of front and back faces.
 struct MaterialPair {
   Material front, back;
   bool operator==(const MaterialPair&) const = default;
@@ -50,22 +50,22 @@ struct Fog {
   float density = 1;         // exp, exp2
   float start = 0, end = 1;  // linear
   glm::vec3 color{0};
-  bool clampsSum = true;  // the sum of primary and secondary colour is clamped before it fades (GL 2.1, 3.9)
-  bool fromCoordinates = false;  // GL_FOG_COORD: by the vertices' fog coordinates instead of the distance
+  bool clampsSum = true;  // the sum of primary and secondary colour is clamped before fog (GL 2.1, 3.9)
+  bool fromCoordinates = false;  // GL_FOG_COORD: uses fog coordinates instead of the distance
   bool operator==(const Fog&) const = default;
 };
 
-/// GL_ALPHA_TEST: fragments whose alpha fails the comparison with `reference` are not there (GL 2.1, 4.1.4).
-/// Both are compared in the framebuffer's precision.
+/// GL_ALPHA_TEST: discards fragments whose alpha fails the comparison with `reference` (GL 2.1, 4.1.4). Both
+/// are compared in the framebuffer's precision.
 struct AlphaTest {
   enum Function : uint8_t { always, never, less, lessOrEqual, equal, greaterOrEqual, greater, notEqual };
   Function function = always;
-  bool asBytes = false;  // that precision is 8 bits; otherwise floats
+  bool asBytes = false;  // precision: 8 bits; otherwise float
   float reference = 0;   // 0 .. 1
   bool operator==(const AlphaTest&) const = default;
 };
 
-/// State of one draw that shading needs. Equal states are shared by many instances.
+/// Shading state of one draw. Instances of equal state share one.
 struct Shading {
   bool lighting = false;  // off: the vertex colour is the fragment's primary colour
   bool smooth = true;     // GL_SMOOTH; otherwise the provoking vertex's colour
@@ -82,7 +82,7 @@ struct Shading {
   Fog fog;
   AlphaTest alphaTest;
   FragmentShading
-      fragment;  // of shader programs; where it is on, of the above only textures and alphaTest count
+      fragment;  // of shader programs; where it is on, only textures and alphaTest of the above apply
   bool operator==(const Shading&) const = default;
 };
 

@@ -1,5 +1,4 @@
-// A texture image as the fixed-function pipeline samples it, and the unit that samples it. Immutable; a
-// re-upload makes a new one.
+// A texture image and the parameters of the unit that samples it. Immutable; a re-upload makes a new image.
 #pragma once
 #include "scene/texture_unit.h"
 
@@ -24,22 +23,22 @@ enum class Wrap : uint8_t {
 };
 enum class Filter : uint8_t { nearest, linear };
 enum class MipFilter : uint8_t { none, nearest, linear };
-/// GL 2.1 table 3.15: which channels a texture has decides what the environment does with them.
+/// Base internal format (GL 2.1 table 3.15): the texture environment depends on it.
 enum class BaseFormat : uint8_t { alpha, luminance, luminanceAlpha, intensity, rgb, rgba };
 
-/// How the real OpenGL computes the level of detail.
+/// The real OpenGL's method of computing the level of detail.
 enum class LodRule : uint8_t {
   specified,  // GL 2.1, 3.8.8, with the exact scale factor
-  llvmpipe,   // the same, but the logarithm of the squared scale factor runs straight between powers of two
+  llvmpipe,   // the same, with log2 of the squared scale factor interpolated linearly between powers of two
 };
 
-/// Texels, lowest row first, lowest slice first, already expanded to RGBA as GL 2.1 section 3.8.1 says
-/// (luminance: L,L,L,1; alpha: 0,0,0,A; intensity: I,I,I,I). 1D textures have height 1; the slices of cube
-/// maps are the faces +x, -x, +y, -y, +z, -z.
+/// Texels, bottom row first, lowest slice first, expanded to RGBA as in GL 2.1, 3.8.1 (luminance: L,L,L,1;
+/// alpha: 0,0,0,A; intensity: I,I,I,I). 1D textures have height 1; the slices of cube maps are the faces +x,
+/// -x, +y, -y, +z, -z.
 struct TexelGrid {
   int width = 0, height = 0, depth = 1;
   std::vector<uint32_t> texels;   // RGBA8, red in the lowest byte, width*height*depth; or
-  std::vector<glm::vec4> floats;  // as many, where eight bits do not carry them
+  std::vector<glm::vec4> floats;  // as many, if eight bits lack the range or precision
 };
 
 /// The base level and, for mipmapping, the smaller levels up to the last that may be sampled.
@@ -52,7 +51,7 @@ struct TextureImage : TexelGrid {
   const TexelGrid& level(int i) const { return i == 0 ? *this : mipmaps[static_cast<size_t>(i - 1)]; }
 };
 
-/// An image with the way it is sampled and combined with the fragment's colour.
+/// An image with its sampling parameters and texture environment.
 struct Texture {
   std::shared_ptr<const TextureImage> image;
   TextureTarget target = TextureTarget::texture2D;
@@ -61,7 +60,7 @@ struct Texture {
   Filter magFilter = Filter::linear, minFilter = Filter::linear;
   MipFilter mipFilter = MipFilter::none;  // between levels, where the image is minified
   LodRule lodRule = LodRule::specified;
-  float lodBias = 0;  // of the unit and the texture together
+  float lodBias = 0;  // sum of the unit's and the texture's
   float minLod = -1000, maxLod = 1000;
   glm::vec4 borderColor{0};
   TexEnv env = TexEnv::modulate;

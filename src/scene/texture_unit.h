@@ -1,4 +1,4 @@
-// State of a texture unit apart from its texture: environment and generation of coordinates. Plain values.
+// State of a texture unit without its texture: environment and coordinate generation. Plain data.
 #pragma once
 #include <glm/glm.hpp>
 
@@ -20,10 +20,10 @@ struct Combine {
     addSigned,
     interpolate,
     subtract,
-    dot3Rgb,   // of colours only
-    dot3Rgba,  // the same; the result is alpha too
+    dot3Rgb,   // colours only
+    dot3Rgba,  // the same; the result also becomes alpha
   };
-  /// `texture` is the unit's own; textureUnit + n that of unit n.
+  /// `texture` is the unit's own texture; textureUnit + n is that of unit n.
   enum Source : uint8_t { texture, constant, primary, previous, textureUnit };
   enum Operand : uint8_t { color, oneMinusColor, alpha, oneMinusAlpha };
   struct Argument {
@@ -41,7 +41,7 @@ struct Combine {
   bool operator==(const Combine&) const = default;
 };
 
-/// glTexGen: GL 2.1, 2.11.4. A coordinate that is not generated is the vertex's.
+/// glTexGen: GL 2.1, 2.11.4. Coordinates that are not generated come from the vertex.
 struct TexGen {
   enum Mode : uint8_t { off, objectLinear, eyeLinear, sphereMap, normalMap, reflectionMap };
   struct Coordinate {

@@ -1,4 +1,4 @@
-// What one tracing cost: from the renderer through the presenter to the report. Plain data, any thread.
+// Cost of one traced snapshot, passed from the renderer through the presenter to the report. Plain data.
 #pragma once
 #include <cstdint>
 
@@ -7,9 +7,9 @@ namespace gluray::scene {
 struct TraceCost {
   double buildSeconds = 0, traceSeconds = 0;
   uint64_t blasBuilds = 0, tlasBuilds = 0;  // acceleration structures that the tracing waited for
-  uint64_t blasRefinements = 0;             // structures exchanged for better ones that were built meanwhile
-  uint64_t bvhBytes = 0;                    // of all acceleration structures, now
-  bool blasRefining = false;                // a better one is being built
+  uint64_t blasRefinements = 0;             // fast BLASes replaced by full ones, built in the background
+  uint64_t bvhBytes = 0;                    // of all acceleration structures at present
+  bool blasRefining = false;                // a full BLAS is being built
 };
 
 }  // namespace gluray::scene

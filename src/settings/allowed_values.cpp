@@ -10,7 +10,7 @@ std::string numberText(double value) {
   return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
 }
 
-/// " from 0 (all cores) to 1024"; empty where there is no range.
+/// " from 0 (all cores) to 1024"; empty without a range.
 std::string rangeOf(const Row& row) {
   if (!row.ranged) return "";
   std::string text = " from " + numberText(row.least);

@@ -22,8 +22,8 @@ bool takesArrays(const Row& row) {
   return row.type == Type::list || row.type == Type::color || row.type == Type::vector;
 }
 
-/// A value as the environment would have it; nothing for tables and dates, which no setting takes, and for
-/// arrays where the setting takes none.
+/// A value as text in the format of environment variables; nothing for tables and dates, which no setting
+/// takes, and for arrays if the setting takes none.
 std::optional<std::string> asText(const Row& row, const toml::node& node) {
   if (const auto* value = node.as_string()) return value->get();
   if (const auto* value = node.as_integer()) return std::to_string(value->get());

@@ -1,4 +1,4 @@
-// gluray.toml: settings for every run, or for all runs of a program ([program.NAME]). Any thread.
+// Reads gluray.toml: settings for every run, or for all runs of one program ([program.NAME]). Any thread.
 #pragma once
 #include "settings/settings.h"
 
@@ -8,24 +8,24 @@
 
 namespace gluray {
 
-/// One setting as a file has it.
+/// One setting in a file.
 struct FileSetting {
-  std::string program;  // whose profile it is in; empty: it is for all
+  std::string program;  // the program whose profile it is in; empty: for all
   std::string name, value;
   size_t line = 0;
-  std::string wrong;  // why there is no value; empty: there is one
+  std::string wrong;  // error; empty: `value` is valid text
 };
 
 enum class Absent : uint8_t { ignored, reported };
-/// Whether a file that somebody else owns or may write is read.
+/// ownOnly: refuses files that somebody else owns or may write.
 enum class Trust : uint8_t { any, ownOnly };
 
-/// The settings of a file in the order of its lines; none where `file` is empty. What keeps it from being
-/// read is reported through `complain` in one line.
+/// The settings of a file in line order; none if `file` is empty. If the file cannot be read, reports one
+/// line through `complain`.
 std::vector<FileSetting> readConfigFile(const std::string& file, Absent absent, Trust trust,
                                         Complain complain);
 
-/// $GLURAY_CONFIG, or gluray/gluray.toml in $XDG_CONFIG_HOME (~/.config where that is unset). Empty: nowhere.
+/// $GLURAY_CONFIG, or gluray/gluray.toml in $XDG_CONFIG_HOME (~/.config if unset). Empty: none.
 std::string userConfigFile();
 
 }  // namespace gluray

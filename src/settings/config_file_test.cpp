@@ -81,7 +81,7 @@ TEST_F(ConfigFile, FractionsAreReportedWithTheRange) {
             std::vector<std::string>{file() + ":1: spp = 1.5: use a number from 1 (the centre) to 1024"});
 }
 
-TEST_F(ConfigFile, TheEnvironmentComesAfterIt) {
+TEST_F(ConfigFile, TheEnvironmentOverridesIt) {
   setenv("GLURAY_BVH", "fast", 1);
   const Session session = sessionOf("bvh = \"full\"\nthreads = 2\n");
   unsetenv("GLURAY_BVH");
@@ -89,7 +89,7 @@ TEST_F(ConfigFile, TheEnvironmentComesAfterIt) {
   EXPECT_EQ(session.settings.threads, 2);
 }
 
-TEST_F(ConfigFile, WrongLinesAreToldWithTheirNumberAndTheOthersHold) {
+TEST_F(ConfigFile, WrongLinesAreReportedWithTheirNumberAndOthersApply) {
   const Session session =
       sessionOf("threads = 2\nbvh = \"quick\"\nexplain = 1\nshading = [1]\noff = \"maybe\"\n");
   EXPECT_EQ(session.settings.threads, 2);
@@ -104,14 +104,14 @@ TEST_F(ConfigFile, WrongLinesAreToldWithTheirNumberAndTheOthersHold) {
   EXPECT_TRUE(told(file() + ":5: off = maybe: use 0, 1, false or true"));
 }
 
-TEST_F(ConfigFile, AFileThatCannotBeParsedIsOneLine) {
+TEST_F(ConfigFile, UnparsableFilesAreReportedInOneLine) {
   const Session session = sessionOf("threads = 2\nbvh = = 3\n");
   EXPECT_EQ(session.settings, Settings{});
   ASSERT_EQ(g_complaints.size(), 1u);
   EXPECT_EQ(g_complaints[0].rfind(file() + ":2: ", 0), 0u) << g_complaints[0];
 }
 
-TEST_F(ConfigFile, OnlyAFileThatWasNamedIsMissed) {
+TEST_F(ConfigFile, OnlyMissingNamedFilesAreReported) {
   const auto read = [] {
     return sessionFromEnvironment([](const std::string& l) { g_complaints.push_back(l); });
   };

@@ -11,7 +11,7 @@ namespace {
 
 std::vector<std::string> g_complaints;
 
-/// The session that the given variables make; all others are unset.
+/// The session with the given variables set and all others unset.
 Session sessionOf(std::vector<std::pair<const char*, const char*>> variables) {
   setenv("XDG_CONFIG_HOME", "/nowhere", 1);
   for (const char* name :
@@ -33,11 +33,11 @@ TEST(Environment, NothingSetGivesDefaults) {
 }
 
 TEST(Environment, RanksOfAHostShareItsCores) {
-  EXPECT_EQ(threadsOfRank(8, 8, 1), 0);  // alone: all there are
+  EXPECT_EQ(threadsOfRank(8, 8, 1), 0);  // a single rank: all cores
   EXPECT_EQ(threadsOfRank(8, 8, 2), 4);
   EXPECT_EQ(threadsOfRank(8, 8, 3), 2);
-  EXPECT_EQ(threadsOfRank(2, 2, 4), 1);  // never none
-  EXPECT_EQ(threadsOfRank(8, 2, 4), 0);  // bound to cores of its own already
+  EXPECT_EQ(threadsOfRank(2, 2, 4), 1);  // at least one
+  EXPECT_EQ(threadsOfRank(8, 2, 4), 0);  // already bound to its own cores
 }
 
 TEST(Environment, ARankTakesItsShareUnlessThreadsAreSet) {
@@ -87,14 +87,14 @@ TEST(Environment, EveryVariableIsRead) {
   EXPECT_TRUE(g_complaints.empty());
 }
 
-TEST(Environment, EveryEngineHasItsWord) {
+TEST(Environment, EveryEngineHasAWord) {
   EXPECT_EQ(Settings{}.engine, Engine::automatic);
   EXPECT_EQ(sessionOf({{"GLURAY_ENGINE", "auto"}}).settings.engine, Engine::automatic);
   EXPECT_EQ(sessionOf({{"GLURAY_ENGINE", "never"}}).settings.engine, Engine::never);
   EXPECT_TRUE(g_complaints.empty());
 }
 
-TEST(Environment, EveryBvhQualityHasItsWord) {
+TEST(Environment, EveryBvhQualityHasAWord) {
   EXPECT_EQ(Settings{}.bvh, BvhQuality::automatic);
   EXPECT_EQ(sessionOf({{"GLURAY_BVH", "auto"}}).settings.bvh, BvhQuality::automatic);
   EXPECT_EQ(sessionOf({{"GLURAY_BVH", "fast"}}).settings.bvh, BvhQuality::fast);
@@ -103,7 +103,7 @@ TEST(Environment, EveryBvhQualityHasItsWord) {
   EXPECT_TRUE(g_complaints.empty());
 }
 
-TEST(Environment, UnreadableValuesAreToldAndLeftAtTheirDefaults) {
+TEST(Environment, UnreadableValuesAreReportedAndKeepTheirDefaults) {
   const Session session =
       sessionOf({{"GLURAY_THREADS", "many"}, {"GLURAY_BVH", "quick"}, {"GLURAY_LOG_LEVEL", "loud"}});
   EXPECT_EQ(session.settings, Settings{});

@@ -73,7 +73,7 @@ class Reader {
     return row.option.empty() ? "--set " + std::string(row.name) : std::string(row.option);
   }
 
-  /// `what` says in a complaint which value was wrong.
+  /// `what` names the value in an error message.
   void give(const Row& row, Layer layer, std::string value, std::string place, const std::string& what) {
     const std::string why = readValue(row, value, layers_.session);
     if (!why.empty()) return complain_(what + ": " + why);

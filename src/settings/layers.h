@@ -1,5 +1,5 @@
-// Where settings come from: layers, of which later ones win, with the origin of every value. GL thread, once
-// a process; and the launcher.
+// Layers of settings: later layers override earlier ones; every value has its origin. Read on the GL thread,
+// once per process, and by the launcher.
 #pragma once
 #include "settings/rows.h"
 
@@ -15,8 +15,8 @@ namespace gluray {
 enum class Layer : uint8_t {
   builtIn,
   system,       // /etc/gluray/gluray.toml
-  user,         // ~/.config/gluray/gluray.toml, or what GLURAY_CONFIG names
-  project,      // gluray.toml of the directory where gluray was started
+  user,         // ~/.config/gluray/gluray.toml, or the file that GLURAY_CONFIG names
+  project,      // gluray.toml of the directory in which gluray was started
   program,      // [program.NAME] in any of these files
   environment,  // GLURAY_THREADS ...
   commandLine,  // options of the launcher
@@ -26,7 +26,7 @@ inline constexpr size_t kLayerCount = 8;
 /// "built-in", "system", ...
 std::string_view nameOf(Layer layer);
 
-/// A value that a layer gives.
+/// A value from one layer.
 struct Given {
   const Row* row;
   Layer layer;
@@ -34,33 +34,33 @@ struct Given {
   std::string place;  // "/etc/gluray/gluray.toml:3", "GLURAY_BVH", "--bvh"
 };
 
-/// All values that were given, later ones winning, and the session that they make.
+/// All given values in order of precedence, highest last, and the resulting session.
 struct Layers {
   Session session;
   std::vector<Given> given;
-  /// Null where the setting has its built-in value.
+  /// The value that counts; null if the setting has its built-in value.
   const Given* last(const Row& row) const;
 };
 
-/// What the layers are read from.
+/// The inputs of the layers.
 struct Sources {
   std::string systemFile, userFile, projectFile;
-  bool userFileNamed = false;         // by $GLURAY_CONFIG or --config: it has to be there
-  std::vector<std::string> programs;  // names of profiles that apply, later ones winning
-  /// Name and value of options. Inside the program the launcher has put them into variables, too; then those
-  /// of which the variable has another value by now are left out.
+  bool userFileNamed = false;         // by $GLURAY_CONFIG or --config: it must exist
+  std::vector<std::string> programs;  // names of the profiles that apply, highest precedence last
+  /// Names and values of options. If `passed`, values come from the variables that the launcher set, and this
+  /// list tells which of these are options; one that has changed since is not.
   std::vector<std::pair<std::string, std::string>> commandLine;
-  bool passed = false;  // by the launcher, in variables
+  bool passed = false;  // the launcher passed the options in variables
 };
 
-/// Those of this process: the environment, the working directory and the executable's name decide.
+/// The sources of this process, from its environment, working directory and executable name.
 Sources sourcesOfProcess();
 
-/// gluray.toml of the working directory; empty where that is unknown.
+/// Path of gluray.toml in the working directory; empty if that is unknown.
 std::string projectFileHere();
 
-/// What cannot be read is reported through `complain`, one line each ("gluray.toml:3: bvh = quick: use auto,
-/// fast, full, compact or least"), and left out.
+/// Reads all layers. Reports unreadable entries through `complain`, one line each ("gluray.toml:3: bvh =
+/// quick: use auto, fast, full, compact or least"), and skips them.
 Layers readLayers(const Sources& sources, Complain complain);
 
 }  // namespace gluray

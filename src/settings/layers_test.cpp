@@ -1,4 +1,4 @@
-// Which layer wins, where values are from, and which files are not read.
+// Precedence of layers, origins of values, and files that are refused.
 #include "settings/layers.h"
 
 #include <gtest/gtest.h>
@@ -91,7 +91,7 @@ TEST_F(LayersOf, WrongProfilesAreReported) {
   EXPECT_EQ(g_complaints[1], sources_.userFile + ":1: program: use tables such as [program.glxgears]");
 }
 
-TEST_F(LayersOf, OptionsThatTheLauncherPassedAreKnownUntilTheVariableChanges) {
+TEST_F(LayersOf, PassedOptionsAreKnownUntilTheVariableChanges) {
   sources_.passed = true;
   sources_.commandLine = {{"spp", "7"}, {"threads", "2"}};
   setenv("GLURAY_SPP", "7", 1);
@@ -101,7 +101,7 @@ TEST_F(LayersOf, OptionsThatTheLauncherPassedAreKnownUntilTheVariableChanges) {
   EXPECT_EQ(read("spp"), "8 (environment GLURAY_SPP)");
 }
 
-TEST_F(LayersOf, WrongValuesLeaveWhatWasThere) {
+TEST_F(LayersOf, WrongValuesChangeNothing) {
   sources_.userFile = file("user.toml", "spp = 3\n");
   setenv("GLURAY_SPP", "many", 1);
   EXPECT_EQ(read("spp"), "3 (user " + sources_.userFile + ":1)");
@@ -119,7 +119,7 @@ TEST_F(LayersOf, FilesThatOthersMayWriteAreNotRead) {
   sources_.systemFile = sources_.projectFile, sources_.projectFile.clear();
   EXPECT_EQ(read("report"), "");
   EXPECT_EQ(g_complaints.size(), 1u);
-  // The user's own file is the user's business.
+  // The user's own file is always read.
   sources_.userFile = sources_.systemFile, sources_.systemFile.clear();
   EXPECT_NE(read("report"), "");
 }
@@ -145,7 +145,7 @@ TEST_F(LayersOf, LinksOfOthersAreNotFollowed) {
   EXPECT_EQ(g_complaints.size(), 1u);
 }
 
-TEST_F(LayersOf, TheProcessNamesItsSources) {
+TEST_F(LayersOf, SourcesOfTheProcess) {
   setenv("GLURAY_PROJECT", "/p/gluray.toml", 1);
   setenv("GLURAY_PROGRAM", "typed.py", 1);
   setenv("GLURAY_PID", std::to_string(getpid()).c_str(), 1);

@@ -1,4 +1,4 @@
-// The name that a user may have meant. Pure functions; any thread.
+// Suggestions for misspelt names. Pure functions; any thread.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -6,11 +6,11 @@
 
 namespace gluray {
 
-/// Letters inserted, deleted, replaced, or exchanged with their neighbour, that lead from one word to the
-/// other (optimal string alignment distance).
+/// Optimal string alignment distance: the least number of letters inserted, deleted, replaced, or swapped
+/// with their neighbour that turns one word into the other.
 size_t editDistance(std::string_view from, std::string_view to);
 
-/// The name of least edit distance; empty where that is more than a third of the letters, and more than one.
+/// The name of least edit distance; empty if that exceeds both one and a third of the letters.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> names);
 
 }  // namespace gluray

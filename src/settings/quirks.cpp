@@ -22,7 +22,7 @@ std::string allNames() {
   return names;
 }
 
-/// One "NAME=on|off"; a line of what is wrong, or empty.
+/// Parses one "NAME=on|off"; returns an error line, or empty.
 std::string readOne(std::string_view entry, QuirkSet& quirks) {
   const size_t sign = entry.find('=');
   const std::string_view name = entry.substr(0, sign),
@@ -74,7 +74,7 @@ void noteUse(Quirk quirk) noexcept {
   try {
     log::write(log::Level::info, "quirk " + std::string(describe(quirk).name) +
                                      " is at work: " + std::string(describe(quirk).reason));
-  } catch (...) {  // an unwritten line
+  } catch (...) {  // the log line is lost
   }
 }
 

@@ -1,5 +1,5 @@
-// Quirks: workarounds for what single OpenGL implementations do. Each has a name, a reason and a test, and
-// can be switched (`--quirk NAME=off`). Any thread.
+// Quirks: workarounds for single OpenGL implementations or programs. Each has a name, a reason and a test,
+// and can be switched (`--quirk NAME=off`). Any thread.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -7,50 +7,48 @@
 
 namespace gluray {
 
-// Identifier, name, what it is for, where it is tested. All but those below are on unless switched off.
-#define GLURAY_QUIRKS(X)                                                                                    \
-  X(materialLatch, "material-latch",                                                                        \
-    "Mesa before 23 stores waiting glMaterial values twice where GL_COLOR_MATERIAL is enabled in between; " \
-    "they are sent again after our own drawing, so that they wait as before",                               \
-    "tests/reference/lists/material_latch_test.cpp")                                                        \
-  X(fogSum, "fog-sum",                                                                                      \
-    "Mesa does not clamp the sum of primary and secondary colour before it fades into fog; nor do we "      \
-    "above Mesa",                                                                                           \
-    "tests/reference/fragments/fog_test.cpp")                                                               \
-  X(softwareFxaa, "software-fxaa",                                                                          \
-    "VTK's anti-aliasing pass (FXAA) costs software OpenGLs more than tracing a frame; it is computed "     \
-    "without them, to the same picture",                                                                    \
-    "src/render/film/fxaa_test.cpp, tests/vtk (group effects)")                                             \
-  X(sppFxaa, "spp-fxaa",                                                                                    \
-    "VTK's anti-aliasing pass (FXAA) blurs pictures whose edges --spp has made smooth already; over "       \
-    "nothing but those it is left out",                                                                     \
-    "tests/reference/framebuffers/antialiased_picture_test.cpp")                                            \
-  X(softwarePut, "software-put",                                                                            \
-    "Mesa's llvmpipe takes milliseconds to draw a traced picture with its depth; where a framebuffer "      \
-    "object "                                                                                               \
-    "holds nothing but what it was cleared to, the picture is sent into its textures",                      \
-    "tests/reference/framebuffers/texture_upload_test.cpp")                                                 \
-  X(softwareShow, "software-show",                                                                          \
-    "Mesa's llvmpipe takes milliseconds to draw a traced picture into a window's back buffer and to show "  \
-    "that; where a window holds nothing but what it was cleared to, the X server gets the picture from us", \
-    "tests/doors/show_test.py")                                                                             \
-  X(softwareDepthBlit, "software-depth-blit",                                                               \
-    "Mesa's llvmpipe blits depth by drawing it, which takes ten times as long as copying it; where a blit " \
-    "neither moves, scales nor cuts it, it is copied",                                                      \
-    "tests/reference/framebuffers/depth_blit_test.cpp")                                                     \
-  X(softwareResolve, "software-resolve",                                                                    \
-    "Multisampled framebuffers, which VTK has in windows, cost software OpenGLs more than tracing all "     \
-    "their samples; where nothing but traced surfaces is in one, the pixels it is resolved to are made "    \
-    "without it",                                                                                           \
-    "tests/reference/framebuffers/resolve_test.cpp, tests/vtk (group effects)")                             \
-  X(depthPeeling, "depth-peeling",                                                                          \
-    "VTK composites translucent surfaces by drawing them again for every two layers; all layers are "       \
-    "traced in one go, and the later passes find nothing left to do",                                       \
-    "tests/reference/layers/peeling_test.cpp, tests/vtk (group translucent)")                               \
-  X(hidePersistentMapping, "hide-persistent-mapping",                                                       \
-    "What is written through a persistent mapping is not seen, so that draws from it are rasterised; "      \
-    "programs that do not find GL_ARB_buffer_storage among the extensions write in ways that are seen. "    \
-    "Off unless switched on: GLuRay changes no answer unasked",                                             \
+// Identifier, name, reason (shown to users), tests. All are on by default but those of QuirkSet::off_.
+#define GLURAY_QUIRKS(X)                                                                                     \
+  X(materialLatch, "material-latch",                                                                         \
+    "Mesa before 23 stores pending glMaterial values twice if GL_COLOR_MATERIAL is enabled in between; "     \
+    "GLuRay sends them again after its own drawing, so that they are pending as before",                     \
+    "tests/reference/lists/material_latch_test.cpp")                                                         \
+  X(fogSum, "fog-sum",                                                                                       \
+    "Mesa does not clamp the sum of primary and secondary colour before it applies fog; above Mesa, "        \
+    "GLuRay does not either",                                                                                \
+    "tests/reference/fragments/fog_test.cpp")                                                                \
+  X(softwareFxaa, "software-fxaa",                                                                           \
+    "VTK's anti-aliasing pass (FXAA) takes a software OpenGL longer than tracing a frame; GLuRay computes "  \
+    "the same picture itself",                                                                               \
+    "src/render/film/fxaa_test.cpp, tests/vtk (group effects)")                                              \
+  X(sppFxaa, "spp-fxaa",                                                                                     \
+    "VTK's anti-aliasing pass (FXAA) blurs pictures whose edges --spp has made smooth already; GLuRay "      \
+    "skips it where the framebuffer holds nothing else",                                                     \
+    "tests/reference/framebuffers/antialiased_picture_test.cpp")                                             \
+  X(softwarePut, "software-put",                                                                             \
+    "Mesa's llvmpipe takes milliseconds to draw a traced picture with its depth; where a framebuffer "       \
+    "object has only been cleared, GLuRay uploads the picture into its textures",                            \
+    "tests/reference/framebuffers/texture_upload_test.cpp")                                                  \
+  X(softwareShow, "software-show",                                                                           \
+    "Mesa's llvmpipe takes milliseconds to draw a traced picture into a window's back buffer and to show "   \
+    "that; where a window has only been cleared, GLuRay sends the picture to the X server itself",           \
+    "tests/doors/show_test.py")                                                                              \
+  X(softwareDepthBlit, "software-depth-blit",                                                                \
+    "Mesa's llvmpipe blits depth by drawing it, which takes ten times as long as copying it; GLuRay copies " \
+    "it where a blit neither moves, scales nor clips it",                                                    \
+    "tests/reference/framebuffers/depth_blit_test.cpp")                                                      \
+  X(softwareResolve, "software-resolve",                                                                     \
+    "Multisampled framebuffers, which VTK uses in windows, take a software OpenGL longer than tracing all "  \
+    "their samples; where one holds only traced surfaces, GLuRay computes the resolved pixels itself",       \
+    "tests/reference/framebuffers/resolve_test.cpp, tests/vtk (group effects)")                              \
+  X(depthPeeling, "depth-peeling",                                                                           \
+    "VTK composites translucent surfaces by drawing them again for every two layers; GLuRay traces all "     \
+    "layers at once, and the later passes find nothing left to do",                                          \
+    "tests/reference/layers/peeling_test.cpp, tests/vtk (group translucent)")                                \
+  X(hidePersistentMapping, "hide-persistent-mapping",                                                        \
+    "GLuRay cannot see writes through a persistent mapping, so draws from it are rasterised; programs that " \
+    "do not find GL_ARB_buffer_storage among the extensions write in ways that GLuRay sees. Off by "         \
+    "default, because GLuRay changes no answer of OpenGL unasked",                                           \
     "tests/reference/engine/hidden_extensions_test.cpp")
 
 enum class Quirk : uint8_t {
@@ -65,14 +63,14 @@ inline constexpr int kQuirkCount = 0 GLURAY_QUIRKS(X);
 struct QuirkText {
   std::string_view name, reason, test;
 };
-/// What is known of a quirk.
+/// The name, reason and test of a quirk.
 const QuirkText& describe(Quirk quirk);
 
 /// Which quirks are switched on.
 class QuirkSet {
  public:
   bool has(Quirk quirk) const { return !(off_ & bit(quirk)); }
-  /// Switches the quirk of that name; false where there is none.
+  /// Switches the quirk of that name; false if there is none.
   bool set(std::string_view name, bool on);
   bool operator==(const QuirkSet&) const = default;
 
@@ -81,15 +79,14 @@ class QuirkSet {
   uint32_t off_ = bit(Quirk::hidePersistentMapping);
 };
 
-/// Reads "NAME=on|off", several separated by commas. Empty, or one line of what is wrong; then nothing of the
-/// wrong entry is applied.
+/// Parses "NAME=on|off" entries, separated by commas. Returns an error line, or empty; skips wrong entries.
 std::string readQuirks(std::string_view text, QuirkSet& quirks);
-/// The text from which readQuirks() makes the same set: what is switched otherwise than at first.
+/// The text from which readQuirks() makes the same set: the quirks that differ from their default.
 std::string printQuirks(const QuirkSet& quirks);
 
-/// The quirk has just made a difference: counted for reports, logged at the first time.
+/// Records that the quirk made a difference: counts it for reports, logs the first time.
 void noteUse(Quirk quirk) noexcept;
-/// Times that noteUse() was called in this process.
+/// Number of noteUse() calls in this process.
 uint64_t useCount(Quirk quirk) noexcept;
 
 }  // namespace gluray

@@ -16,7 +16,7 @@ TEST(Quirks, AreOnUntilSwitchedOff) {
   EXPECT_TRUE(quirks.has(Quirk::materialLatch));
 }
 
-TEST(Quirks, WrongEntriesAreToldAndChangeNothing) {
+TEST(Quirks, WrongEntriesAreReportedAndChangeNothing) {
   QuirkSet quirks;
   EXPECT_EQ(readQuirks("material-latch=no", quirks), "material-latch=no: use NAME=on or NAME=off");
   EXPECT_EQ(readQuirks("material-latch", quirks), "material-latch: use NAME=on or NAME=off");

@@ -10,14 +10,14 @@ namespace {
 
 std::string wanted(const Row& row) { return "use " + allowedValues(row); }
 
-/// The whole text as one number within the setting's range.
+/// Parses the whole text as one number within the setting's range.
 template <class T>
 std::optional<T> number(const Row& row, std::string_view text) {
   T value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   if (!std::isfinite(static_cast<double>(value))) return std::nullopt;
-  // Limits are compared in the value's precision: 0.1f lies beyond 0.1.
+  // Compare limits in the value's precision: 0.1f > 0.1.
   if (row.ranged && (value < static_cast<T>(row.least) || value > static_cast<T>(row.most)))
     return std::nullopt;
   return value;
@@ -35,7 +35,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// "1,0.5,0", with or without blanks.
+/// Parses "1,0.5,0", with or without blanks.
 std::optional<glm::vec3> triple(const Row& row, std::string_view text) {
   glm::vec3 result{};
   for (int i = 0; i < 3; ++i) {
@@ -49,7 +49,7 @@ std::optional<glm::vec3> triple(const Row& row, std::string_view text) {
   return result;
 }
 
-/// "#ff8000".
+/// Parses "#ff8000".
 std::optional<glm::vec3> hexColor(std::string_view text) {
   uint32_t code = 0;
   const char* end = text.data() + text.size();

@@ -1,5 +1,5 @@
-// What the user chose. A plain value: the control thread or the launcher makes one, each snapshot carries
-// one. spec/settings.toml describes every setting; the structs and enumerations are generated from it.
+// The user's settings. Plain values: the control thread or the launcher makes one, each snapshot carries one.
+// The structs and enumerations are generated from spec/settings.toml, which describes every setting.
 #pragma once
 #include "settings/settings.gen.h"
 
@@ -7,15 +7,15 @@
 
 namespace gluray {
 
-/// Takes one line for the user about something that was not read.
+/// Receives one line for the user about an entry that was not read.
 using Complain = void (*)(const std::string& line);
 
-/// Threads of one of `ranks` processes that share `cores` cores of a host, of which this one may run on
-/// `allowed`: 0 (all it may use) where it runs alone or has cores of its own.
+/// Threads for one of `ranks` processes that share the `cores` cores of a host; this process may use
+/// `allowed` of them. 0 (all it may use) if it runs alone or is bound to cores of its own.
 int threadsOfRank(int cores, int allowed, int ranks);
 
-/// The settings of this process from all layers (settings/layers.h). An unreadable value is reported once
-/// through `complain` ("GLURAY_BVH=x: use auto, fast, full, compact or least") and has no effect.
+/// The settings of this process from all layers (settings/layers.h). Reports each unreadable value once
+/// through `complain` ("GLURAY_BVH=x: use auto, fast, full, compact or least") and ignores it.
 Session sessionFromEnvironment(Complain complain);
 
 }  // namespace gluray

@@ -1,4 +1,4 @@
-// The settings of now. Contexts look here once a frame, when it begins, so that a change at run time is one
+// The current settings. Contexts read them once per frame, at its start, so that a change at run time is one
 // store. Any thread.
 #pragma once
 #include "settings/settings.h"
@@ -24,7 +24,7 @@ class SettingsSource {
     now_.swap(next);
     version_.fetch_add(1, std::memory_order_release);
   }
-  /// Grows with every store; what a frame asks first, without a lock.
+  /// Increases with every store; frames check it first, without a lock.
   uint64_t version() const noexcept { return version_.load(std::memory_order_acquire); }
 
  private:
@@ -33,7 +33,7 @@ class SettingsSource {
   std::atomic<uint64_t> version_{1};
 };
 
-/// The one of this process; the built-in settings until the session is read. Lives until the process ends.
+/// The process's source; holds the built-in settings until the session is read. Never destroyed.
 SettingsSource& settingsSource();
 
 }  // namespace gluray

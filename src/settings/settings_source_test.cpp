@@ -7,7 +7,7 @@
 namespace gluray {
 namespace {
 
-TEST(SettingsSource, WhatWasTakenStaysAsItWas) {
+TEST(SettingsSource, ValuesThatWereTakenDoNotChange) {
   SettingsSource source;
   const auto before = source.current();
   const uint64_t version = source.version();
@@ -19,7 +19,7 @@ TEST(SettingsSource, WhatWasTakenStaysAsItWas) {
   EXPECT_GT(source.version(), version);
 }
 
-TEST(SettingsSource, StoresAndLooksMayMeet) {
+TEST(SettingsSource, StoresAndReadsMayOverlap) {
   SettingsSource source;
   std::thread writer([&] {
     for (int i = 1; i <= 1000; ++i) {

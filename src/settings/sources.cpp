@@ -17,13 +17,13 @@ std::string environment(const char* name) {
   return value ? value : "";
 }
 
-/// Of the directory where the launcher was started; without one, of the working directory.
+/// The project file of the launcher's working directory; without a launcher, of this process's.
 std::string projectFile() {
   std::string named = environment("GLURAY_PROJECT");
   return named.empty() ? projectFileHere() : named;
 }
 
-/// Of the executable; and of the program as the user typed it, in the process that the launcher became.
+/// The executable's name; and the name that the user typed, in the process that the launcher became.
 std::vector<std::string> programNames() {
   std::vector<std::string> names;
   std::error_code error;
@@ -35,7 +35,7 @@ std::vector<std::string> programNames() {
   return names;
 }
 
-/// Lines NAME=VALUE that the launcher has left.
+/// The options that the launcher passed, as lines NAME=VALUE.
 std::vector<std::pair<std::string, std::string>> passedOptions() {
   std::vector<std::pair<std::string, std::string>> options;
   std::istringstream lines(environment("GLURAY_COMMAND_LINE"));

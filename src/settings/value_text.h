@@ -1,4 +1,4 @@
-// One value of each type from and to text. For values.cpp.
+// Conversions of one value of each type from and to text. Private to values.cpp; any thread.
 #pragma once
 #include "settings/rows.h"
 
@@ -9,7 +9,7 @@
 
 namespace gluray {
 
-// Each returns what would have been right, and leaves `value` as it was, or an empty line.
+// Each returns an empty line, or the allowed values and leaves `value` unchanged.
 std::string readText(const Row& row, std::string_view text, bool& value);
 std::string readText(const Row& row, std::string_view text, int& value);
 std::string readText(const Row& row, std::string_view text, float& value);

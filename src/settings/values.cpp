@@ -8,7 +8,7 @@
 namespace gluray {
 namespace {
 
-/// The place in a session that is only read.
+/// The place of a setting in a session, for reading.
 Place placeOf(const Row& row, const Session& session) { return row.place(const_cast<Session&>(session)); }
 
 }  // namespace

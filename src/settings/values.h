@@ -1,4 +1,4 @@
-// Values of settings as text: how files, variables and options have them. Any thread.
+// Values of settings as text, as in files, variables and options. Any thread.
 #pragma once
 #include "settings/rows.h"
 
@@ -7,20 +7,20 @@
 
 namespace gluray {
 
-/// Which texts the setting takes: "auto, fast, full, compact or least". Empty: any.
+/// The texts that the setting accepts: "auto, fast, full, compact or least". Empty: any.
 std::string allowedValues(const Row& row);
 
-/// Sets the value that `text` says. Returns what would have been right ("use auto, fast, full, compact or
-/// least") where the text cannot be read, and leaves the session as it was.
+/// Parses `text` into the session. If it is not allowed, leaves the session unchanged and returns the allowed
+/// values ("use auto, fast, full, compact or least"); otherwise empty.
 std::string readValue(const Row& row, std::string_view text, Session& session);
 
-/// The value as text, from which readValue() makes the same value.
+/// The value as text; readValue() reads the same value from it.
 std::string printValue(const Row& row, const Session& session);
 
 /// Whether both sessions have the same value.
 bool sameValue(const Row& row, const Session& a, const Session& b);
 
-/// Gives `next` the values of `old` for all settings that do not apply to single frames.
+/// Copies from `old` to `next` all settings that may not change between frames of a context.
 void keepBetweenFrames(Settings& next, const Settings& old);
 
 }  // namespace gluray

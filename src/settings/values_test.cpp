@@ -1,4 +1,4 @@
-// Every type of setting from text and back, and messages about wrong values.
+// Conversions of every type of setting from and to text, and error messages.
 #include "settings/values.h"
 
 #include "settings/value_text.h"
@@ -21,7 +21,7 @@ Row rowOf(Type type, double least = 0, double most = 0) {
   return row;
 }
 
-/// Reads `text` and expects it to be printed as `printed`, from which the same value is read.
+/// Reads `text`, expects it to print as `printed`, and expects the same value when that is read again.
 template <class T>
 void expectRoundTrip(const Row& row, std::string_view text, const T& value, std::string_view printed) {
   T read{}, again{};
@@ -32,7 +32,7 @@ void expectRoundTrip(const Row& row, std::string_view text, const T& value, std:
   EXPECT_TRUE(again == value) << printed;
 }
 
-/// A wrong value changes nothing and is reported with what would be right.
+/// Expects that a wrong value changes nothing and that the message names the allowed values.
 template <class T>
 void expectRefused(const Row& row, std::initializer_list<std::string_view> texts, const T& before,
                    const std::string& why) {
@@ -108,7 +108,7 @@ TEST(Values, Lists) {
   expectRoundTrip(row, "", List{}, "");
 }
 
-TEST(Values, QuirksArePrintedWhereTheyDifferFromTheFirst) {
+TEST(Values, QuirksArePrintedWhereTheyDifferFromTheDefault) {
   const Row& row = *findSetting("quirks");
   Session session;
   EXPECT_EQ(printValue(row, session), "");

@@ -1,6 +1,5 @@
-// Memory fails at every n-th allocation of ours: the program's picture stays what the real OpenGL would have
-// drawn. Allocations are told apart by who asks: only those made from this program's own code fail, never
-// OpenGL's or Embree's.
+// The n-th allocation of GLuRay fails, for every n: the program's picture must stay the real OpenGL's. Only
+// allocations by this program's own code fail (judged by the caller's address), not OpenGL's or Embree's.
 #include "tests/anomaly/picture_by_programs.h"
 
 #include <gtest/gtest.h>
@@ -9,11 +8,11 @@
 #include <cstdlib>
 #include <new>
 
-extern "C" char __executable_start, etext;  // by the linker: where our code begins and ends
+extern "C" char __executable_start, etext;  // from the linker: begin and end of our code
 
 namespace {
 
-std::atomic<long> g_countdown{-1};  // allocations of ours until one fails; negative: none does
+std::atomic<long> g_countdown{-1};  // our allocations until one fails; negative: none fails
 std::atomic<bool> g_failed{false};
 
 bool isOurs(const void* caller) { return caller >= &__executable_start && caller < &etext; }
@@ -57,7 +56,7 @@ TEST(Anomaly, EveryAllocationMayFailOnce) {
     g_countdown = n;
     drawAll(gl);
     g_countdown = -1;
-    if (!g_failed) break;  // fewer than n allocations: all have had their turn
+    if (!g_failed) break;  // fewer than n allocations: each has failed once
     EXPECT_EQ(wrongPixels(expected, context.read()), 0) << "pixels, when allocation " << n << " failed";
   }
   EXPECT_GT(n, 50) << "allocations of ours in the whole picture";
@@ -83,7 +82,7 @@ TEST(Anomaly, EveryAllocationMayFailOnceWhileShaderProgramsDraw) {
     EXPECT_EQ(wrongPixels(expected, context.read()), 0) << "pixels, when allocation " << n << " failed";
     if (g_failed) continue;
     EXPECT_EQ(context.context().counts.statistics.drawsTraced, 5u);
-    break;  // fewer than n allocations: all have had their turn
+    break;  // fewer than n allocations: each has failed once
   }
   EXPECT_GT(n, 50) << "allocations of ours in the whole picture";
 }

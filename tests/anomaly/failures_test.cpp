@@ -1,5 +1,5 @@
-// Commits of acceleration structures fail, threads cannot be started: the picture stays what the real OpenGL
-// would have drawn, and stderr has one line at most.
+// Commits of acceleration structures fail, threads cannot be started: the picture must stay the real
+// OpenGL's, and stderr has at most one line.
 #include "accel/device.h"
 #include "tests/anomaly/picture_of_all.h"
 
@@ -17,7 +17,7 @@ std::atomic<bool> g_noThreads{false};
 std::atomic<int> g_refused{0};
 }  // namespace
 
-/// Stands before the C library's: TBB's and our own threads begin here.
+/// Replaces the C library's: TBB's and our own threads start here.
 extern "C" __attribute__((visibility("default"))) int pthread_create(pthread_t* thread,
                                                                      const pthread_attr_t* attributes,
                                                                      void* (*run)(void*), void* argument) {
@@ -48,7 +48,7 @@ TEST(Failures, EveryCommitMayFailOnce) {
     accel::failNextCommits(0);
     EXPECT_EQ(wrongPixels(expected, got), 0) << "pixels, when commit " << n << " failed";
     EXPECT_LE(linesIn(said), 1) << said;
-    if (!failed) break;  // fewer than n commits: all have had their turn
+    if (!failed) break;  // fewer than n commits: each has failed once
   }
   EXPECT_GE(n, 2) << "commits in the whole picture: of a mesh and of the instances";
 }

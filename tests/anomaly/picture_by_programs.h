@@ -1,4 +1,4 @@
-// A picture by shader programs as VTK writes them: colours by vertex and by triangle, two cameras, a buffer
+// A picture drawn by VTK's shader programs: colours at vertices and triangles, two cameras, a buffer
 // that changes. Allocates nothing itself.
 #pragma once
 #include "tests/anomaly/picture_of_all.h"
@@ -90,7 +90,7 @@ inline void drawByPrograms(Gl gl) {
   gl.DrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_INT, nullptr);
   gl.Viewport(0, 0, kSize, kSize);
   gl.BindBuffer(GL_ARRAY_BUFFER, buffers[0]);
-  gl.BufferSubData(GL_ARRAY_BUFFER, 0, 12, kPositions + 9);  // after the draws that wait
+  gl.BufferSubData(GL_ARRAY_BUFFER, 0, 12, kPositions + 9);  // after the pending draws
   gl.UseProgram(surface);
   place(gl, surface, -0.6f, -0.6f, -0.5f, 0.3f);
   gl.DrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_INT, nullptr);

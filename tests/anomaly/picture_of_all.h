@@ -1,5 +1,5 @@
-// A picture by every way of sending geometry, and its comparison with the real OpenGL's. The program under
-// test allocates nothing itself: static data and no containers.
+// A picture drawn by all ways of sending geometry, and its comparison with the real OpenGL's. The program
+// under test itself allocates nothing: static data, no containers.
 #pragma once
 #include "tests/support/traced_context.h"
 
@@ -55,7 +55,7 @@ inline int wrongPixels(const Picture& expected, const Picture& got) {
   return wrong;
 }
 
-/// What the real OpenGL draws.
+/// The real OpenGL's picture.
 inline Picture expectedPicture() {
   const auto real = OsmesaContext::create({kSize, kSize});
   drawAll(real->real());

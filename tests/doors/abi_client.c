@@ -1,4 +1,4 @@
-/* The engine's entry point as a door of another version meets it. Argument: the engine. */
+/* Calls the engine's entry point as a door of another version would. Argument: the engine. */
 #include "intercept/doors/door_abi.h"
 
 #include <dlfcn.h>
@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
   const GlurayEngine* one = entry(&friendly, &why);
   if (!one || one->version != GLURAY_DOOR_ABI || one != entry(&friendly, &why))
     return fprintf(stderr, "a friend was not let in, or not twice\n"), 1;
-  /* Names that nobody knows have no function; names of OpenGL do. */
+  /* Unknown names have no function; OpenGL's names do. */
   if (one->proc(&friendly, "glNoSuchCommand") || !one->proc(&friendly, "glVertex3f")) return 1;
   return 0;
 }

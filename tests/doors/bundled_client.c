@@ -1,4 +1,4 @@
-/* A program with an OpenGL library of its own: prints how it was started. */
+/* A program with a bundled OpenGL library: prints how it was started. */
 #include <stdio.h>
 #include <stdlib.h>
 

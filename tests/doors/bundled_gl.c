@@ -1,4 +1,4 @@
-/* Stands for an OpenGL library that a program brings along. */
+/* Stands for a program's bundled OpenGL library. */
 const unsigned char* glGetString(unsigned name);
 void* glXGetProcAddressARB(const unsigned char* name);
 

@@ -1,9 +1,9 @@
-"""Runs a door test program through a door and checks that every one of its calls was seen.
+"""Runs a door test program through a door and checks that GLuRay saw every one of its calls.
 
     check.py [options] -- PROGRAM [ARGUMENTS]
 
 The program draws in rounds of ten frames (tests/doors/workload.h): 20 queries and 50 triangles a frame. It must end well,
-print nothing of ours, and the report must have each call.
+print no message of GLuRay, and the report must count each call.
 """
 from __future__ import annotations
 

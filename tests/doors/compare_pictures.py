@@ -44,7 +44,7 @@ def main() -> int:
     def run(*arguments: str) -> list[tuple[int, int, bytes]]:
         done = subprocess.run([options.gluray, *arguments, "--", *options.program], stdout=subprocess.PIPE,
                               timeout=100)
-        if done.returncode == SKIPPED and "--off" in arguments:  # the OpenGL below has no such windows
+        if done.returncode == SKIPPED and "--off" in arguments:  # the real OpenGL has no such windows
             sys.exit(SKIPPED)
         done.check_returncode()
         return pictures(done.stdout)

@@ -1,5 +1,5 @@
-/* What dlopen must go on doing under the preload door. Arguments: a bare library name that only this
-   program's RUNPATH leads to, then the same for a bare libGL.so.1. Prints where the second came from. */
+/* Functions of dlopen that must still work under the preload door. Arguments: a bare library name that only
+   this program's RUNPATH leads to, then the same for a bare libGL.so.1. Prints where the second came from. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <stdio.h>

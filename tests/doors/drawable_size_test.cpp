@@ -1,4 +1,4 @@
-// Sizes of windows, pixmaps and pbuffers as an X server tells them, and of what is no longer there.
+// Sizes of windows, pixmaps and pbuffers as the X server reports them, and of destroyed ones.
 // X11's macros take names away from whom they precede.
 // clang-format off
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ class DrawableSize : public testing::Test {
 TEST_F(DrawableSize, WindowsAndPixmaps) {
   const Window window = makeWindow(200, 150);
   EXPECT_EQ(drawableSize(display_, window), glm::ivec2(200, 150));
-  XResizeWindow(display_, window, 300, 100);  // not flushed by us
+  XResizeWindow(display_, window, 300, 100);  // the test does not flush it
   EXPECT_EQ(drawableSize(display_, window), glm::ivec2(300, 100));
   EXPECT_EQ(drawableSize(display_, XCreatePixmap(display_, window, 7, 9, 24)), glm::ivec2(7, 9));
 }
@@ -63,7 +63,7 @@ TEST_F(DrawableSize, WhatOnlyGlxKnows) {
   EXPECT_EQ(drawableSize(display_, glXCreatePbuffer(display_, config_, size)), glm::ivec2(120, 90));
 }
 
-TEST_F(DrawableSize, WhatIsGoneIsUnknown) {
+TEST_F(DrawableSize, DestroyedDrawablesHaveNone) {
   const Window window = makeWindow(200, 150);
   XDestroyWindow(display_, window);
   EXPECT_EQ(drawableSize(display_, window), glm::ivec2(0));

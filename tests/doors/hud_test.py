@@ -1,4 +1,4 @@
-"""`--hud`: figures in the lower left corner of what is shown, and nowhere else.
+"""`--hud`: text in the lower left corner of the shown picture, and nowhere else.
 
     hud_test.py GLURAY DOOR PROGRAM
 
@@ -11,7 +11,7 @@ import sys
 from compare_pictures import pictures
 
 GROUND = bytes((0x18, 0x20, 0x30))  # src/intercept/present/read_back/text_image.h
-CORNER, LEAST = 8, 500              # where it begins; pixels of its ground
+CORNER, LEAST = 8, 500              # where the text begins; least number of pixels of its background
 
 
 def picture(gluray, door, program, *options):

@@ -1,4 +1,4 @@
-/* Contexts that live dangerously. Argument: two (contexts in turn), shared (a list of one drawn by the
+/* Unusual lifetimes of contexts. Argument: two (contexts in turn), shared (a list of one drawn by the
    other), threads (four contexts in four threads), moved (one context in two threads, one after the other),
    destroyed (while current), midframe (exit between glBegin and glEnd), fork (the child draws too), exec (a
    child process that draws), unmade (the window is destroyed while current). */

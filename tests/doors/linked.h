@@ -1,4 +1,4 @@
-/* The tables filled with the functions that this program is linked with. */
+/* Fills the tables with the functions that this program is linked with. */
 #pragma once
 #include "glx_client.h"
 

@@ -1,5 +1,4 @@
-/* Linked functions and the oldest way to a context. Built twice: with libGL, and with libOpenGL and libGLX.
- */
+/* Linked functions and the oldest kind of context. Built twice: with libGL, and with libOpenGL and libGLX. */
 #include "linked.h"
 
 int main(void) {

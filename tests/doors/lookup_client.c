@@ -1,4 +1,4 @@
-/* As glad does: libGL opened at run time, everything else asked of glXGetProcAddressARB. */
+/* Like glad: opens libGL at run time, looks everything else up by glXGetProcAddressARB. */
 #include "glx_client.h"
 
 #include <dlfcn.h>

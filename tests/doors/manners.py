@@ -1,4 +1,4 @@
-"""What the tests of manners share; they are given GLURAY LIBRARY_DIRECTORY CLIENTS_DIRECTORY [unittest arguments]."""
+"""Shared by the tests of manners, whose arguments are GLURAY LIBRARY_DIRECTORY CLIENTS_DIRECTORY [unittest arguments]."""
 from __future__ import annotations
 
 import os

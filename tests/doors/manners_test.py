@@ -1,4 +1,4 @@
-"""The launcher's manners, and programs that must survive when something of ours is missing.
+"""The launcher's behaviour, and programs that must survive when a part of GLuRay is missing.
 
     manners_test.py GLURAY LIBRARY_DIRECTORY CLIENTS_DIRECTORY [unittest arguments]
 """
@@ -146,7 +146,7 @@ class Launcher(Folder):
         self.assertEqual(len(re.findall("DISPLAY is not set", done.stderr)), 1)
 
     def test_mute_x_server_does_not_hang_the_launcher(self):
-        number = 10000 + os.getpid()  # abstract names are shared by all that runs on the machine
+        number = 10000 + os.getpid()  # abstract socket names are shared by all processes of the machine
         with socket.socket(socket.AF_UNIX) as mute:
             mute.bind(f"\0/tmp/.X11-unix/X{number}")
             mute.listen(5)
@@ -179,7 +179,7 @@ class Missing(Folder):
             self.survives(r"^gluray: .*not ray traced.*nowhere", door=door, GLURAY_ENGINE_LIBRARY="/nowhere/libgluray-engine.so")
 
     def test_embree_missing(self):
-        """The engine as it is, but asking for an Embree that no machine has."""
+        """The engine, changed to need an Embree library that no machine has."""
         engine = self.folder / "libgluray-engine.so"
         text = (LIBRARIES / "libgluray-engine.so").read_bytes()
         engine.write_bytes(re.sub(rb"libembree\d\.so", b"libembreeX.so", text))
@@ -201,10 +201,10 @@ class Missing(Folder):
 class Memory(unittest.TestCase):
     def limited(self, kilobytes, door):
         return run("sh", "-c", f'ulimit -v {kilobytes}; exec "$@"', "sh", GLURAY, "--door", door, CLIENTS / "door_linked_gl", GLURAY_THREADS=2,
-                   LP_NUM_THREADS=2, MALLOC_ARENA_MAX=2)  # as much memory on any number of cores
+                   LP_NUM_THREADS=2, MALLOC_ARENA_MAX=2)  # the same memory on any number of cores
 
     def test_little_address_space(self):
-        """The engine stays away where it would not have room. (Below 600 MB Mesa alone crashes now and then.)"""
+        """The engine is not loaded where memory is too small for it. (Below 600 MB Mesa alone sometimes crashes.)"""
         shy = "gluray: OpenGL is not ray traced in this program: the limit of its address space (ulimit -v) leaves less than 512 MB\n"
         for door in ("vendor", "preload"):
             for kilobytes in (270_000, 300_000, 330_000):
@@ -220,7 +220,7 @@ class Memory(unittest.TestCase):
 
 class Fonts(unittest.TestCase):
     def test_x_fonts_look_the_same(self):
-        """Drivers make the lists of glXUseXFont inside themselves."""
+        """Drivers make the lists of glXUseXFont internally."""
         plain = run(CLIENTS / "door_font")
         self.assertEqual(plain.returncode, 0, plain.stderr)
         for door in ("vendor", "preload"):

@@ -1,3 +1,3 @@
-/* A library of the program's own that has nothing to do with OpenGL but its name: libGLabelPlot.so. */
+/* A library that has nothing to do with OpenGL, except that its name begins alike: libGLabelPlot.so. */
 int plot(void);
 int plot(void) { return 1; }

@@ -5,11 +5,11 @@
 
 int pluginDraw(void (*show)(void*), void* user) {
   const Gl gl = linkedGl();
-  glFinish(); /* by the procedure linkage table; the table above is filled when the plug-in is loaded */
+  glFinish(); /* through the procedure linkage table; the table above is filled when the plug-in is loaded */
   return workload(&gl, show, user);
 }
 
-/* What the Java virtual machine calls Door.draw(): a window, a context and all frames. */
+/* Door.draw() for the Java virtual machine: makes a window and a context, and draws all frames. */
 int Java_Door_draw(void* environment, void* class) {
   (void)environment;
   (void)class;

@@ -1,4 +1,4 @@
-/* What plugin.c exports. */
+/* Exports of plugin.c. */
 #pragma once
 #define EXPORT __attribute__((visibility("default")))
 

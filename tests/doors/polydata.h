@@ -1,4 +1,4 @@
-/* A mesh drawn as VTK's polydata mapper draws it: core profile, an array of each attribute in a buffer of its
+/* A mesh drawn as by VTK's polydata mapper: core profile, the array of each attribute in a buffer of its
    own, one indexed draw, uniforms of VTK's names (VTK 9, vtkPolyDataVS.glsl and what vtkOpenGLPolyDataMapper
    puts into it). Frames go to a framebuffer object and are written to standard output as PPM pictures. */
 #pragma once
@@ -31,7 +31,7 @@ typedef struct Functions {
 
 typedef void* (*FunctionLookup)(const char* name);
 
-/* As glad does: every name is asked for when a context is there. */
+/* Like glad: looks every name up once a context exists. */
 static inline int loadFunctions(Functions* gl, FunctionLookup lookup) {
 #define X(name) \
   if (!(gl->name = (__typeof__(gl->name))lookup("gl" #name))) return fprintf(stderr, "no gl" #name "\n"), 0;
@@ -206,7 +206,7 @@ static inline void writePicture(const Functions* gl) {
   for (int row = kHeight; row-- > 0;) fwrite(pixels[row], 1, sizeof pixels[row], stdout);
 }
 
-/* All frames with the current context; 0 where OpenGL blames the program. */
+/* Draws all frames with the current context; 0 if OpenGL reports an error. */
 static inline int drawPolydata(const Functions* gl) {
   static float positions[kPoints][3], normals[kPoints][3];
   static GLuint indices[kIndices];

@@ -1,4 +1,4 @@
-"""Reports: where they are written, what they leave alone, and programs that end early.
+"""Reports: where they are written, which files they do not touch, and programs that end early.
 
     reports_test.py GLURAY LIBRARY_DIRECTORY CLIENTS_DIRECTORY [unittest arguments]
 """
@@ -44,7 +44,7 @@ class Report(Folder):
         for path, why in ((folder, "Is a directory"), (fifo, "it is a FIFO, not a regular file"), (self.folder / "link", "it is a symbolic link"),
                           ("/dev/full", "it is a device")):
             before = os.lstat(path)
-            for words in ((), ("sh", "-c", '"$0"; true')):  # the launched program, and one that it starts
+            for words in ((), ("sh", "-c", '"$0"; true')):  # the launched program, and its child process
                 done = run(GLURAY, "--report", path, "--log", self.folder / "log", *words, CLIENTS / "door_linked_gl")
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
             after = os.lstat(path)
@@ -88,7 +88,7 @@ class Report(Folder):
         self.assertGreater(json.loads(report.read_text())["frames"], 0)
 
     def test_program_killed_at_rest_leaves_its_last_frame(self):
-        """Three frames at once, and then nothing for ever."""
+        """Three frames at once, then nothing more."""
         report = self.folder / "r.json"
         script = ("import time\nfrom OpenGL.GLUT import *\nglutInit()\nglutInitDisplayMode(GLUT_DOUBLE)\n"
                   "glutCreateWindow(b'still')\nfor i in range(3): glutSwapBuffers()\ntime.sleep(1000)\n")

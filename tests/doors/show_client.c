@@ -1,5 +1,5 @@
-/* show_client: what a window shows, frame after frame, and what is in its buffers, written to standard output
- * as PPMs. Frames that hold a clear and surfaces alone, and all that can come after such a frame. Needs an X
+/* show_client: writes to standard output, as PPMs, what a window shows frame after frame, and its buffers.
+ * Draws frames of only a clear and surfaces, and everything that can follow such a frame. Needs an X
  * server. */
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
@@ -23,7 +23,7 @@ static void writePicture(const unsigned char* rgb, int w, int h) {
   fwrite(rgb, 3, (size_t)(w * h), stdout);
 }
 
-/* What the user sees. */
+/* The window's content, as the user sees it. */
 static void window_shows(void) {
   static unsigned char rgb[kMost * kMost * 3];
   XSync(display, False);
@@ -38,7 +38,7 @@ static void window_shows(void) {
   writePicture(rgb, width, height);
 }
 
-/* What the program reads: colours, and the higher bytes of depths. */
+/* The buffers, as the program reads them: colours, and the higher bytes of depths. */
 static void buffer_holds(void) {
   static unsigned char rgb[kMost * kMost * 3];
   static unsigned depth[kMost * kMost];
@@ -58,7 +58,7 @@ static void clear(void) {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-/* Two triangles that cut each other. */
+/* Two intersecting triangles. */
 static void surface(float turn) {
   glMatrixMode(GL_MODELVIEW);
   glLoadIdentity();
@@ -75,7 +75,7 @@ static void surface(float turn) {
 
 static void frame(float turn) { clear(), surface(turn), swap(); }
 
-/* Lines in space: pixels depend on the depth that is there. */
+/* Lines in space: their pixels depend on the depth buffer. */
 static void lines(void) {
   glColor3f(1, 1, 1);
   glBegin(GL_LINES);
@@ -204,7 +204,7 @@ static void resized(void) {
     frame(35), lines(), swap(), window_shows();
   }
 }
-static void on_and_on(void) { /* a program that never clears all: soon it is left alone */
+static void on_and_on(void) { /* a program that never clears everything: GLuRay soon stops trying */
   for (int i = 0; i < 12; ++i) {
     frame(9.0f * (float)i);
     if (i % 5 != 4) lines(), swap();

@@ -1,4 +1,4 @@
-"""The quirk software-show: windows show, and buffers hold, what they do without it.
+"""The quirk software-show: windows and buffers have the same contents as without it.
 
     show_test.py GLURAY DOOR PROGRAM [CASE ...]
 
@@ -14,7 +14,7 @@ import tempfile
 
 from compare_pictures import pictures
 
-ALONE = {"moving", "unchanged", "smaller_viewport", "far_plane"}  # cases in which every frame can be shown that way
+ALONE = {"moving", "unchanged", "smaller_viewport", "far_plane"}  # cases in which every frame can be shown without the back buffer
 NOISE = 2 / 100  # of the pixels may differ from the real OpenGL's: edges, and lines at surfaces
 
 
@@ -36,7 +36,7 @@ def different(a, b):
 
 
 def problems_of(gluray, door, program, case):
-    """What is wrong in one case, a line each."""
+    """The errors of one case, one a line."""
     with tempfile.NamedTemporaryFile() as log, tempfile.NamedTemporaryFile() as report:
         def traced(quirk):
             got, _ = run([gluray, "--door", door, "--engine", "always", "--quirk", f"software-show={quirk}",

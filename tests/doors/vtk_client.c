@@ -15,7 +15,7 @@
 static void* library;
 static void* (*getProcAddress)(const char*);
 
-/* glad: by the library's own lookup, and by dlsym what that does not know. */
+/* glad: uses the library's own lookup, then dlsym. */
 static void* lookup(const char* name) {
   void* found = getProcAddress ? getProcAddress(name) : NULL;
   return found ? found : dlsym(library, name);
@@ -34,7 +34,7 @@ static int giveUp(const char* what) {
   return 0;
 }
 
-/* glad looks every name up once more, by the name of its own variable: a plain function here. */
+/* glad looks every name up again, by the name of its own variable: a plain function here. */
 #define FIND(name) const __typeof__(&name) find_##name = (__typeof__(&name))lookup(#name)
 
 static int openGlx(void) {

@@ -1,5 +1,5 @@
-/* What programs do with windows: window_client HABIT writes the pictures it read back to standard output, as
- * PPM, to be compared with those of the same program without GLuRay. */
+/* Habits of programs with windows: window_client HABIT writes the pictures it read back to standard output,
+ * as PPM, to be compared with those of the same program without GLuRay. */
 #include "ring.h"
 #include "x_window.h"
 
@@ -53,7 +53,7 @@ static void writePicture(int width, int height) {
   free(pixels);
 }
 
-/* Habit 2: to the front buffer, then the back buffer is chosen, then glFlush; no swap. */
+/* Habit 2: draws into the front buffer, selects the back buffer, then glFlush; no swap. */
 static void front(void) {
   glDrawBuffer(GL_FRONT);
   clear(0.2f);
@@ -68,8 +68,8 @@ static void front(void) {
   writePicture(kWidth, kHeight);
 }
 
-/* Habit 3: the back buffer is read after the swap. What is in it nobody promises; programs save what Mesa
- * leaves there. */
+/* Habit 3: reads the back buffer after the swap. Its content is undefined; programs rely on what Mesa leaves
+ * there. */
 static void readAfterSwap(void) {
   clear(0.2f);
   drawRing(kWidth, kHeight, 10);
@@ -107,7 +107,7 @@ static void resized(void) {
   writePicture(kWidth, kHeight);
 }
 
-/* Windows destroyed and made again under one context. */
+/* Windows destroyed and made again while one context exists. */
 static void remade(void) {
   for (int i = 0; i < 4; ++i) {
     clear(0.1f * (float)i);

@@ -1,5 +1,5 @@
-"""Runs a command with an X server of its own: with_display.py COMMAND [ARGUMENTS]. What can be traced is traced, however small
-the scene, unless GLURAY_ENGINE says otherwise."""
+"""Runs a command with an X server of its own: with_display.py COMMAND [ARGUMENTS]. Small scenes are traced, too,
+unless GLURAY_ENGINE says otherwise."""
 import os
 import subprocess
 import sys

@@ -1,5 +1,5 @@
-/* What every door test does once it has a context: fixed numbers of calls, so that the test can check that
-   each was seen, and a picture whose colour it knows. tests/doors/check.py knows the numbers. */
+/* The workload of every door test once it has a context: fixed numbers of calls, so that the test can check
+   that each was seen, and a picture whose colour it knows. tests/doors/check.py knows the numbers. */
 #pragma once
 #include <GL/gl.h>
 #include <stdio.h>
@@ -21,7 +21,7 @@ enum { kFrames = 10, kTrianglesPerFrame = 50, kQueriesPerFrame = 20, kWindowSize
   X(const GLubyte*, GetString, (GLenum))
 // clang-format on
 
-/* The functions as the program got them: linked, by dlsym, by GetProcAddress. */
+/* The OpenGL functions that the program found: linked, by dlsym, by GetProcAddress. */
 typedef struct Gl {
 #define X(ret, name, args) ret(*name) args;
   GL_FUNCTIONS(X)
@@ -30,7 +30,7 @@ typedef struct Gl {
 
 typedef void* (*GlLookup)(const char* name);
 
-/* Fills the table; 0 where a function is missing. */
+/* Fills the table; 0 if a function is missing. */
 static inline int loadGl(Gl* gl, GlLookup lookup) {
 #define X(ret, name, args) \
   if (!(gl->name = (ret(*) args)lookup("gl" #name))) return fprintf(stderr, "no gl" #name "\n"), 0;

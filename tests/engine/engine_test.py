@@ -1,4 +1,4 @@
-"""Who draws with --engine auto: engine_test.py GLURAY CLIENT (with an X server at hand).
+"""The choice of --engine auto: engine_test.py GLURAY CLIENT (with an X server at hand).
 
 Tiny scenes go to the real OpenGL, large ones are traced from their first frame on, and the pictures stay the same."""
 import json
@@ -42,7 +42,7 @@ class Engine(unittest.TestCase):
                 plain, _ = run(CLIENT, path, SMALL, 60)
                 seen, report = run(CLIENT, path, SMALL, 60, engine="auto")
                 self.same_pictures(plain, seen)
-                # Where the machine is busy with something else, a trial may trace three frames.
+                # On a busy machine a trial may trace three frames.
                 self.assertLessEqual(report["draws"]["traced"], 6)
                 self.assertEqual(set(report["draws"]["rasterised"]), {REASON})
                 self.assertGreaterEqual(report["framesDirect"], 53)
@@ -64,7 +64,7 @@ class Engine(unittest.TestCase):
                 seen, report = run(CLIENT, *scenes, engine="auto")
                 self.same_pictures(plain, seen)
                 self.assertGreaterEqual(report["framesDirect"], 39 + 50)
-                # What comes by glBegin is counted when it is drawn: the first frame of a larger scene is still direct.
+                # Triangles sent by glBegin are counted when they are drawn: the first frame of a larger scene is still direct.
                 self.assertGreaterEqual(report["draws"]["traced"], 40 + 5 - (2 if path == "immediate" else 0))
 
     def test_settings(self):
@@ -76,7 +76,7 @@ class Engine(unittest.TestCase):
 
     def test_recorded_program(self):
         _, report = run("glretrace", "--benchmark", "--loop=50", STREAMS / "glxgears.trace", engine="auto")
-        self.assertGreaterEqual(report["framesDirect"], 20)  # the others: trials, where the machine is busy
+        self.assertGreaterEqual(report["framesDirect"], 20)  # the others are trials on a busy machine
 
     def test_explanation_names_the_reason(self):
         done = subprocess.run([GLURAY, "explain", "--engine", "auto", "--frames", "20", "--", CLIENT, "list", str(SMALL), "100"],

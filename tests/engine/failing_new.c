@@ -1,4 +1,4 @@
-/* Preloaded: of the allocations by `new` that code of the engine asks for, number $FAIL_AT (from 1) throws
+/* Preloaded: of the allocations by `new` in the engine's code, number $FAIL_AT (from 1) throws
    std::bad_alloc, as when memory is short. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Asked at every allocation: dladdr would look through the symbols of whoever asks, and Mesa's are many. */
+/* Called at every allocation, so it avoids dladdr, which searches all symbols of the caller's library. */
 static int isOfEngine(const void* address) {
   struct dl_find_object found;
   return _dl_find_object((void*)address, &found) == 0 &&

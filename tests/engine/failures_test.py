@@ -1,8 +1,8 @@
-"""Failures of ours in a real process: failures_test.py GLURAY CLIENT FAILING_NEW (with an X server at hand).
+"""Injected failures in a real process: failures_test.py GLURAY CLIENT FAILING_NEW (with an X server at hand).
 
-The engine as it is shipped is loaded into a program that has no C++ of its own. One allocation fails, each time another one,
-on the program's thread or within TBB's: the program goes on with the picture it has without us, and says so in one line.
-What works in tests that are linked with us proves nothing here: exceptions also pass through TBB, and through whichever
+Loads the engine as installed into a program without C++ code. Each time another single allocation fails,
+on the program's thread or within TBB's: the program must go on with the same picture as without GLuRay, with one line on stderr.
+Tests that link the engine's code cannot replace this one: exceptions also pass through TBB, and through whichever
 C++ runtime that was loaded with."""
 import os
 import subprocess
@@ -10,7 +10,7 @@ import sys
 import unittest
 
 SCENE = ("20000", "3")  # triangles, frames
-NUMBERS = [1, 2, 5, 10, *range(30, 241, 15)]  # some 240 are made in so many frames
+NUMBERS = [1, 2, 5, 10, *range(30, 241, 15)]  # these frames make about 240 allocations
 
 
 def run(path, fail_at=None, quirks=""):
@@ -25,7 +25,7 @@ def run(path, fail_at=None, quirks=""):
 class Failures(unittest.TestCase):
     def test_any_allocation(self):
         aside = {}
-        # Pictures that could not be shown past the back buffer are tried once more: most failures cost nothing then.
+        # A picture that could not be shown without the back buffer is tried once more, so most failures have no effect.
         for path, quirks in (("list", "software-show=off"), ("vbo", "software-show=on")):
             aside[path] = 0
             plain = run(path).stdout.split()
@@ -37,7 +37,7 @@ class Failures(unittest.TestCase):
                     lines = done.stderr.splitlines()
                     self.assertLessEqual(len(lines), 1, done.stderr)
                     aside[path] += "stepping aside" in done.stderr
-        # Half of them cost nothing: what was asked for can be done without. Which ones differs from run to run.
+        # Half of the failures have no effect, because GLuRay can do without the memory. Which ones varies.
         self.assertGreater(aside["list"], 3, aside)
 
 

@@ -15,7 +15,7 @@ import unittest
 
 GLURAY, RINGS, FAMILY = (pathlib.Path(p).resolve() for p in sys.argv[1:4])
 FRAMES, TRIANGLES = 3, 3 * 5 * 160 * 80 * 2  # of all frames
-# Lighting at each pixel on both sides: what remains are silhouettes, where a ray hits and the rasteriser misses.
+# Both light each pixel: only silhouettes differ, where a ray hits and the rasteriser misses.
 TOLERANCE, SHARE = 3, 0.004
 
 
@@ -25,7 +25,7 @@ class Rings(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.folder)
 
     def run_rings(self, *options, **environment):
-        """The picture's bytes, the report, and what was said."""
+        """The picture's bytes, the report, and the program's messages."""
         picture, report = self.folder / "picture.ppm", self.folder / "report.json"
         done = subprocess.run([GLURAY, "--report", report, *options, "--", RINGS, str(FRAMES), picture],
                               env={**os.environ, **environment}, capture_output=True, text=True, timeout=100)
@@ -116,7 +116,7 @@ class Rings(unittest.TestCase):
                                   text=True, timeout=100).stdout
         self.assertRegex(text("--program-families", FAMILY),
                          r"\nshader programs\n  program \d+, rings: 5 draws traced, 0 rasterised, 128 000 triangles\n")
-        self.assertRegex(text(), r"program \d+, of no family: 0 draws traced, 5 rasterised, 128 000 triangles\n"
+        self.assertRegex(text(), r"program \d+, no family fits: 0 draws traced, 5 rasterised, 128 000 triangles\n"
                                  r"    no family fits; nearest: VTK")
 
     def test_a_file_with_a_mistake_is_one_line(self):

@@ -1,17 +1,17 @@
 /* A program whose frames are known to the pixel: client MODE [SIGNAL].
    plain      1000 frames
-   different  with a square of 10 x 10 pixels, over what is traced, that only runs with GLuRay have
-   restless   with a background that no two runs have in common
+   different  with a square of 10 x 10 pixels, over the traced surface, only in runs with GLuRay
+   restless   with a different background in every run
    short      ends by itself after 5 frames, with exit code 3
    single     1000 frames without a back buffer, shown by glFlush
    still      2 frames, then nothing until it is asked to end
    front      1000 frames in the front buffer of a double-buffered window, shown by glFlush
-   unseen     1000 frames that nobody shows: the program reads them
-   killed     5 frames, and then it ends by the signal whose number is the next word
-   unshown    a frame that nobody shows, two seconds, and then the same
+   unseen     1000 frames that are not shown: the program reads them
+   killed     5 frames, then it ends by the signal whose number is the next argument
+   unshown    a frame that is not shown, two seconds, then the same frame
    signals    5 frames, and then it prints whether each signal has a handler
-   front and unseen do not ask to be told when they are to end.
-   The colour of what is traced follows the clock. */
+   front and unseen have no handler for SIGTERM.
+   The colour of the traced surface follows the clock. */
 #include "../doors/x_window.h"
 
 #include <GL/glx.h>
@@ -37,7 +37,7 @@ static float clockColor(void) {
   return 0.25f + 0.5f * (float)(now.tv_usec / 1000) / 1000.0f;
 }
 
-/* A quad in pixels, its depth sloping: flat ones are left to the real OpenGL. */
+/* A quad in pixels with sloping depth: flat ones are left to the real OpenGL. */
 static void quad(int x, int y, int width, int height, float depth) {
   glVertex3f((float)x, (float)y, -depth);
   glVertex3f((float)(x + width), (float)y, -depth - 0.1f);
@@ -100,7 +100,7 @@ static void frame(GLuint list, const char* mode) {
   grid();
   glass();
   glColor3f(1, 1, 1);
-  glBegin(GL_LINES); /* 4 lines beside all that is traced */
+  glBegin(GL_LINES); /* 4 lines, away from all traced surfaces */
   for (int i = 0; i < 4; ++i)
     glVertex3f(140.5f, 8.5f + 8 * (float)i, -0.2f), glVertex3f(240.5f, 8.5f + 8 * (float)i, -0.2f);
   glEnd();
@@ -113,7 +113,7 @@ static void frame(GLuint list, const char* mode) {
   }
 }
 
-/* As the kernel or another process ends programs; SIGSEGV by what causes it. */
+/* Ends the program as the kernel or another process would; SIGSEGV by a real access violation. */
 static void endBy(int number) {
   if (number == SIGSEGV) *(volatile int*)NULL = 1;
   raise(number);
@@ -150,7 +150,7 @@ int main(int count, char** words) {
   XSync(display, False);
   const GLXContext context = glXCreateContext(display, visual, NULL, True);
   if (!context || !glXMakeCurrent(display, window, context)) return 1;
-  /* Mesa has the first, no registry does; the second nobody has, but Mesa makes functions for all names. */
+  /* Mesa has the first, but no registry; nobody has the second, but Mesa makes functions for all names. */
   const char* const names[] = {"glInternalSetError", "glNobodyKnowsThis"};
   for (int i = 0; i < 2; ++i)
     if (glXGetProcAddressARB((const GLubyte*)names[i])) printf("has %s\n", names[i]);

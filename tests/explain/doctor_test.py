@@ -1,4 +1,4 @@
-"""gluray doctor on sound and broken programs and installs.
+"""gluray doctor on valid and broken programs and installs.
 
     doctor_test.py GLURAY CLIENTS_DIRECTORY [unittest arguments]
 """
@@ -33,7 +33,7 @@ class Doctor(unittest.TestCase):
         self.assertEqual(answer["exitCode"], done.returncode)
         return done.returncode, answer["findings"]
 
-    def told(self, findings, topic, health="ok"):
+    def finding(self, findings, topic, health="ok"):
         texts = [f["text"] for f in findings if f["topic"] == topic and f["health"] == health]
         self.assertTrue(texts, f"no finding '{topic}' that is {health}: {findings}")
         return texts
@@ -45,7 +45,7 @@ class Doctor(unittest.TestCase):
         return file
 
     def install(self):
-        """An install that may be damaged."""
+        """A copy of the install, for a test to damage."""
         root = self.folder / "install"
         shutil.copytree(LIBRARIES, root / "lib" / "gluray", symlinks=True)
         (root / "bin").mkdir()
@@ -55,70 +55,70 @@ class Doctor(unittest.TestCase):
     def test_all_is_well(self):
         code, findings = self.ask(CLIENT)
         self.assertEqual(code, 0, findings)
-        self.assertIn("explain_client > libGL.so.1", self.told(findings, "program")[0])
-        self.assertIn("vendor", self.told(findings, "door")[0])
-        tracer = self.told(findings, "ray tracer")
+        self.assertIn("explain_client > libGL.so.1", self.finding(findings, "program")[0])
+        self.assertIn("vendor", self.finding(findings, "door")[0])
+        tracer = self.finding(findings, "ray tracer")
         self.assertRegex(tracer[0], r"Embree \d+\.\d+\.\d+ .*TBB 20\d\d")
         self.assertRegex(tracer[1], r"/libembree\d\.so.*/libtbb\.so")
-        self.assertIn("traced", self.told(findings, "test picture")[0])
-        self.assertRegex(self.told(findings, "OpenGL (GLX)")[0], r"\d\.\d")
-        self.assertIn("GB of memory", self.told(findings, "machine")[0])
+        self.assertIn("traced", self.finding(findings, "test picture")[0])
+        self.assertRegex(self.finding(findings, "OpenGL (GLX)")[0], r"\d\.\d")
+        self.assertIn("GB of memory", self.finding(findings, "machine")[0])
 
-    def test_the_text_ends_with_the_sum(self):
+    def test_the_text_ends_with_a_summary(self):
         done = subprocess.run([str(GLURAY), "doctor"], capture_output=True, text=True, timeout=60)
         self.assertEqual((done.returncode, done.stdout.splitlines()[-1]), (0, "all is well"))
 
     def test_no_display(self):
         code, findings = self.ask(display=False)
         self.assertEqual(code, 1, findings)
-        self.told(findings, "display", "limited")
-        self.told(findings, "OpenGL (EGL)")
-        self.told(findings, "test picture")
+        self.finding(findings, "display", "limited")
+        self.finding(findings, "OpenGL (EGL)")
+        self.finding(findings, "test picture")
         code, findings = self.ask(CLIENT, display=False)
         self.assertEqual(code, 2)
-        self.assertIn("no display", self.told(findings, "program", "broken")[0])
-        [mend] = [f["mend"] for f in findings if f["topic"] == "program" and "mend" in f]
-        self.assertIn("xvfb-run", mend)
+        self.assertIn("no display", self.finding(findings, "program", "broken")[0])
+        [fix] = [f["fix"] for f in findings if f["topic"] == "program" and "fix" in f]
+        self.assertIn("xvfb-run", fix)
 
     def test_display_that_does_not_answer(self):
         os.environ["DISPLAY"], before = ":987", os.environ["DISPLAY"]
         self.addCleanup(os.environ.__setitem__, "DISPLAY", before)
         code, findings = self.ask()
         self.assertEqual(code, 2)
-        self.assertIn("X display", self.told(findings, "OpenGL (GLX)", "broken")[0])
+        self.assertIn("X display", self.finding(findings, "OpenGL (GLX)", "broken")[0])
 
     def test_programs_that_are_not_there(self):
         code, findings = self.ask("no-such-program")
         self.assertEqual(code, 2)
-        self.assertIn("was not found", self.told(findings, "program", "broken")[0])
+        self.assertIn("was not found", self.finding(findings, "program", "broken")[0])
         code, findings = self.ask(self.program("data", "x", 0o644))
         self.assertEqual(code, 2)
-        self.assertIn("cannot be executed", self.told(findings, "program", "broken")[0])
+        self.assertIn("cannot be executed", self.finding(findings, "program", "broken")[0])
 
     def test_static_programs(self):
         code, findings = self.ask(CLIENTS / "explain_static")
         self.assertEqual(code, 2)
-        self.assertIn("statically", self.told(findings, "program", "broken")[0])
+        self.assertIn("statically", self.finding(findings, "program", "broken")[0])
 
     def test_missing_libraries_of_the_program(self):
         shutil.copy(CLIENTS / "explain_needs_gone", self.folder)
         code, findings = self.ask(self.folder / "explain_needs_gone")
         self.assertEqual(code, 2)
         self.assertIn("libexplain_gone.so is missing; explain_needs_gone needs it",
-                      self.told(findings, "program", "broken")[0])
+                      self.finding(findings, "program", "broken")[0])
 
     def test_programs_that_may_open_opengl_later(self):
         code, findings = self.ask("/bin/true")
         self.assertEqual(code, 1)
-        self.told(findings, "program", "limited")
+        self.finding(findings, "program", "limited")
 
     def test_scripts(self):
         code, findings = self.ask(self.program("script", "#!/bin/sh\nexit 0\n"))
         self.assertEqual(code, 0, findings)
-        self.assertIn("script for /bin/sh", self.told(findings, "program")[0])
+        self.assertIn("script for /bin/sh", self.finding(findings, "program")[0])
         code, findings = self.ask(self.program("orphan", "#!/nowhere/interpreter\n"))
         self.assertEqual(code, 2)
-        self.assertIn("/nowhere/interpreter was not found", self.told(findings, "program", "broken")[0])
+        self.assertIn("/nowhere/interpreter was not found", self.finding(findings, "program", "broken")[0])
 
     @unittest.skipUnless(os.geteuid() == 0, "takes root to make a set-uid program of somebody else's")
     def test_set_uid_programs(self):
@@ -128,7 +128,7 @@ class Doctor(unittest.TestCase):
         file.chmod(0o4755)
         code, findings = self.ask(file)
         self.assertEqual(code, 2)
-        self.assertIn("set-uid", self.told(findings, "program", "broken")[0])
+        self.assertIn("set-uid", self.finding(findings, "program", "broken")[0])
 
     def test_damaged_installs(self):
         gluray, libraries = self.install()
@@ -136,7 +136,7 @@ class Doctor(unittest.TestCase):
         (libraries / "libgluray.so").unlink()
         code, findings = self.ask(gluray=gluray)
         self.assertEqual(code, 1)
-        self.assertIn("libgluray.so is missing", self.told(findings, "install", "limited")[0])
+        self.assertIn("libgluray.so is missing", self.finding(findings, "install", "limited")[0])
         for door in libraries.glob("libGLX_gluray.so*"):
             door.unlink()
         code, findings = self.ask(gluray=gluray)
@@ -144,14 +144,14 @@ class Doctor(unittest.TestCase):
         (libraries / "libgluray-engine.so").unlink()
         code, findings = self.ask(gluray=gluray)
         self.assertEqual(code, 2)
-        self.assertIn("missing beside", self.told(findings, "install", "broken")[0])
+        self.assertIn("missing beside", self.finding(findings, "install", "broken")[0])
 
     def test_engines_that_do_not_load(self):
         gluray, libraries = self.install()
         (libraries / "libgluray-engine.so").write_bytes(b"no library")
         code, findings = self.ask(gluray=gluray)
         self.assertEqual(code, 2)
-        self.told(findings, "engine", "broken")
+        self.finding(findings, "engine", "broken")
 
 
 if __name__ == "__main__":

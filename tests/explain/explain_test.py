@@ -104,7 +104,7 @@ class Ending(Folder):
 
     def test_time_is_limited(self):
         done = gluray("explain", "--rest", 0, "--seconds", 1, CLIENT, "still")
-        self.assertIn("ended when its time was over", done.stdout)
+        self.assertIn("ended by its time limit", done.stdout)
 
     def test_programs_behind_a_script(self):
         script = self.folder / "script"
@@ -129,10 +129,10 @@ class Ending(Folder):
 
 
 class NeverSwapping(Folder):
-    """Programs that end no frame, or end by a signal, are reported and explained all the same."""
+    """Programs that end no frame, or are ended by a signal, are reported and explained, too."""
 
     def killed(self, mode, enough):
-        """The report that a program leaves that is killed as soon as there is enough in it."""
+        """The report of a program that is killed as soon as the report holds enough."""
         report, seen = self.folder / "r.json", {}
         program = subprocess.Popen([GLURAY, "--report", report, CLIENT, mode], stdout=subprocess.DEVNULL)
         self.addCleanup(program.wait)
@@ -227,7 +227,7 @@ class WalkedPast(unittest.TestCase):
         self.assertIn("libGLX_mesa", done.stdout)
         said = gluray("doctor", LD_PRELOAD=library.group(1))
         self.assertEqual(said.returncode, 1, said.stdout)
-        self.assertIn("walked past", said.stdout)
+        self.assertIn("bypassed", said.stdout)
 
 
 if __name__ == "__main__":

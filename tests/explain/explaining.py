@@ -1,4 +1,4 @@
-"""What the tests of gluray explain share; they are given GLURAY CLIENTS_DIRECTORY [unittest arguments].
+"""Shared by the tests of gluray explain, whose arguments are GLURAY CLIENTS_DIRECTORY [unittest arguments].
 
 The client's frame (client.c): 2 triangles by glBegin, 6 in a list and 200 by glDrawElements, all traced; 3 blended and
 stippled quads by glDrawArrays; 4 lines. Traced are 128 x 128 + 3 x 20 x 20 + 64 x 64 pixels, of which 32 x 32 are blended over.

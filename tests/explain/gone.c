@@ -1,3 +1,3 @@
-/* A library that the test takes away from the program that needs it. */
+/* A library that a program needs and the test does not install. */
 __attribute__((visibility("default"))) int gone(void);
 int gone(void) { return 0; }

@@ -1,3 +1,3 @@
-/* Needs a library that is not there. */
+/* Needs a library that is missing. */
 int gone(void);
 int main(void) { return gone(); }

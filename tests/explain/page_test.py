@@ -1,4 +1,4 @@
-"""gluray explain --html: the page's pictures and figures, with and without GLuRay.
+"""gluray explain --html: the page's pictures and numbers, with and without GLuRay.
 
     page_test.py GLURAY CLIENTS_DIRECTORY [unittest arguments]
 """
@@ -27,7 +27,7 @@ class Page(Folder):
         self.assertEqual((facts["width"], facts["height"], facts["pixels"]), (256, 256, 65536))
         self.assertEqual(facts["traced"] + facts["drawnOver"], TRACED_PIXELS)
         self.assertEqual(facts["drawnOver"], GLASS_PIXELS)
-        # The colour follows the clock: it stands still alike in both runs.
+        # The colour follows the clock, which is the same in both runs.
         self.assertEqual((facts["differingAtAll"], facts["outsideDiffering"]), (0, 0))
         pictures = dict(re.findall(r'<img id="(\w+)"[^>]*base64,([^"]+)"', text))
         self.assertEqual(set(pictures), {"with", "without", "difference", "traced"})
@@ -55,7 +55,7 @@ class Page(Folder):
         self.assertTrue(facts["sameFrame"])
 
     def test_frames_that_are_not_the_same(self):
-        for _ in range(3):  # two random bytes are nearly equal now and then
+        for _ in range(3):  # two random bytes may be nearly equal
             facts, text = self.page("restless")
             if not facts["sameFrame"]:
                 break

@@ -1,2 +1,2 @@
-/* A program that no library comes between: the doctor must say so. */
+/* A statically linked program: gluray doctor must say so. */
 int main(void) { return 0; }

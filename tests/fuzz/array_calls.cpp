@@ -84,7 +84,7 @@ GLenum mode(Player& p) {
                  GL_QUAD_STRIP, GL_POLYGON, GL_LINES, GL_POINTS, GL_LINE_LOOP});
 }
 
-/// What a draw from arrays leaves current is nobody's, and Mesa's lists and ours leave something else.
+/// Current attributes are undefined after a draw from arrays; Mesa's lists and GLuRay's leave others.
 void setCurrent(Player& p) {
   constexpr GLfloat v[4] = {0.25f, 0.5f, 0.75f, 1};
   p.gl.Normal3fv(v), p.gl.Color4fv(v), p.gl.SecondaryColor3fv(v), p.gl.FogCoordf(0.5f), p.gl.Indexf(1);
@@ -103,7 +103,7 @@ void setCurrent(Player& p) {
   }
 }
 
-/// Draws that Mesa would not survive are left out.
+/// Leaves out draws that crash Mesa.
 template <void (*Draw)(Player&, GLenum)>
 void draw(Player& p) {
   if (p.compiling && p.smallBuffers) return;
@@ -119,7 +119,7 @@ struct Indices {
 Indices indices(Player& p) {
   const uint32_t kind = p.below(4);
   p.gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, kind == 3 ? kIndexBuffer : 0);
-  // Whatever has been written there since: other numbers would reach beyond the arrays.
+  // Writes the indices again: other data there would reach beyond the arrays.
   if (kind == 3)
     p.gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, sizeof source().indices16, source().indices16.data(),
                     GL_STATIC_DRAW);

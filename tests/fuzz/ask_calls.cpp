@@ -5,7 +5,7 @@ namespace {
 
 constexpr double kUntouched = -77;
 
-/// Asks `ask(values)` for up to 16 numbers of type T.
+/// Queries up to 16 numbers of type T by `ask(values)`.
 template <class T, class Ask>
 void ask(Player& p, const char* what, GLenum name, Ask question) {
   std::array<T, 16> got;

@@ -11,7 +11,7 @@ GLenum target(Player& p) {
 }
 GLenum usage(Player& p) { return p.pick({GL_STATIC_DRAW, GL_DYNAMIC_DRAW, GL_STREAM_DRAW}); }
 
-/// Large enough for every draw, unless this stream is about draws that reach beyond their buffers.
+/// A size large enough for every draw, unless this stream tests draws that reach beyond their buffers.
 GLsizei sizeOfData(Player& p) {
   const GLsizei size = p.smallBuffers ? p.count(4096) : Player::kWholeBuffer;
   return size == 0 ? 1 : size;  // avoided.md
@@ -21,7 +21,7 @@ void write(Player& p, void* mapped, size_t bytes) {
   if (mapped) std::memcpy(mapped, p.read(), bytes);
 }
 
-/// What is mapped may be smaller than what is written.
+/// The mapped range may be smaller than the data.
 void mapBuffer(Player& p) {
   const GLenum which = target(p);
   const auto* data = p.read();

@@ -1,4 +1,4 @@
-// The vocabulary of the fuzzer: every call that a stream may hold, by family. A call draws its arguments from
+// The fuzzer's calls, grouped by kind: everything that a stream may hold. A call draws its arguments from
 // the player, one after the other.
 #pragma once
 #include "tests/fuzz/player.h"
@@ -8,15 +8,15 @@
 namespace gluray::fuzz {
 
 struct Op {
-  const char* name;  // what is printed: the GL name where it is one call
-  uint32_t weight;   // how often it is chosen within its family
+  const char* name;  // to print: the GL name if it is a single call
+  uint32_t weight;   // relative frequency within its kind
   void (*run)(Player& p);
 };
 using Ops = std::span<const Op>;
 
 Ops vertexAttributeCalls();                          // glVertex*, glColor* ...: generated, all of them
-Ops attributeCalls();                                // those that make no vertex
-Ops vertexCalls();                                   // what else may stand between glBegin and glEnd
+Ops attributeCalls();                                // those that send no vertex
+Ops vertexCalls();                                   // other calls that may stand between glBegin and glEnd
 Ops beginCalls();                                    // glBegin
 Ops endCalls();                                      // glEnd
 Ops stateCalls();                                    // switches, depth, blending, polygons, fog, viewport
@@ -34,9 +34,9 @@ Ops textureCalls();                                  // textures, their environm
 Ops pixelCalls();                                    // raster position, pixels, evaluator maps
 Ops targetCalls();                                   // framebuffers, draw and read buffer
 Ops programCalls();  // programs, their uniforms and arrays, vertex array objects
-Ops calmCalls();     // back to state in which surfaces are traced
+Ops calmCalls();     // reset state so that surfaces are traced
 Ops queryCalls();    // occlusion queries, selection, feedback
-Ops askCalls();      // questions whose answers are compared
+Ops askCalls();      // queries whose results are compared
 Ops frameCalls();    // clears, finishes, other contexts
 
 }  // namespace gluray::fuzz

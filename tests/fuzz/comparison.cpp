@@ -22,7 +22,7 @@ std::string text(const Answer& answer) {
 
 const std::string kCurrentAttribute = " " + std::to_string(GL_CURRENT_VERTEX_ATTRIB);  // "attribute 12 34342"
 
-/// Attributes given as integers become floats by a product or a quotient: OpenGL asks for one part in 10^5
+/// Integer attributes become floats by a product or a quotient: OpenGL requires one part in 10^5
 /// (2.1, 2.1.1). Everything else is compared to the bit.
 void forgiveRounding(const test::GlState& expected, test::GlState& got) {
   for (auto& [name, values] : got) {
@@ -64,8 +64,8 @@ Outcome compareState(const test::GlState& expected, test::GlState got) {
   return {"state differs:" + all, 0};
 }
 
-/// Edges fall a pixel to either side, and thousands of random triangles have many: pixels whose colour is
-/// found nowhere around in the other picture may be few.
+/// Edges may be off by a pixel, and thousands of random triangles have many: only few pixels may have a
+/// colour that the other picture does not have nearby.
 Outcome comparePictures(const test::Picture& expected, const test::Picture& got) {
   const auto found = [](const test::Picture& in, int x, int y, uint32_t color) {
     for (int dy = -1; dy <= 1; ++dy)

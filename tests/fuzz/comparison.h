@@ -1,4 +1,4 @@
-// What a stream of calls left behind, by the plain OpenGL and by ours: the first difference.
+// Finds the first difference between a stream's results by the real OpenGL and through GLuRay.
 #pragma once
 #include "tests/fuzz/player.h"
 #include "tests/support/gl_state.h"
@@ -14,7 +14,7 @@ struct Outcome {
   size_t call = 0;   // index of the call where they differ
 };
 
-/// All that was seen of a stream.
+/// All recorded results of a stream.
 struct Record {
   std::vector<Answer> answers;
   test::GlState state;

@@ -1,4 +1,4 @@
-// What the fuzzer has found, shrunk: the same calls to a plain OpenGL and to ours, and the same answers.
+// Bugs that the fuzzer found, reduced: the real OpenGL and GLuRay must give the same results.
 #include "gl/arrays/arrays.h"
 #include "gl/capture/mesh_builder.h"
 #include "tests/support/traced_context.h"
@@ -13,7 +13,7 @@ namespace {
 
 using Gl = const gl::RealGl&;
 
-/// Errors and current values that a program can ask for.
+/// Errors and current values that a program can query.
 using Answers = std::vector<float>;
 
 struct Found {
@@ -248,7 +248,7 @@ TEST_P(FoundTest, AnswersAreThoseOfTheRealOne) {
 
 INSTANTIATE_TEST_SUITE_P(Fuzzer, FoundTest, testing::ValuesIn(kFound));
 
-/// An enabled array of no memory has no elements. Not drawn: the real OpenGL may read at null.
+/// An enabled array without memory has no elements. Not drawn: the real OpenGL may read at null.
 TEST(Found, ArraysAtNull) {
   TracedContext context({32, 32});
   gl::ArrayState arrays;
@@ -259,7 +259,7 @@ TEST(Found, ArraysAtNull) {
   EXPECT_EQ(known.mesh ? known.mesh->triangleCount : 0, 0u);
 }
 
-/// Programs that never swap: what they have drawn must not be kept.
+/// Programs that never swap: their meshes must not be kept.
 TEST(Forgetting, MeshesGoWithoutSwapOrFinish) {
   TracedContext context({32, 32});
   Gl gl = context.gl();

@@ -4,11 +4,11 @@ namespace gluray::fuzz {
 namespace {
 
 constexpr uint32_t kLists = 10;
-// Lists from kAttributes on hold attributes alone: they may be called between glBegin and glEnd (avoided.md).
+// Lists from kAttributes on hold only attributes: they may be called between glBegin and glEnd (avoided.md).
 constexpr GLuint kAttributes = 11, kAttributeLists = 2;
 
-/// A list that calls two lists may call itself twice over, 2^64 times in all: one call in each. Mesa 22.3
-/// stops at a compiled call of a list that does not exist.
+/// A list that calls two lists may call itself twice, 2^64 times in all: allows one call in each. Mesa 22.3
+/// crashes at a compiled call of a list that does not exist.
 bool mayCall(Player& p, GLuint name) {
   if (!p.compiling) return true;
   if (p.listCalled || !p.gl.IsList(name)) return false;
@@ -97,7 +97,7 @@ const Op kEndListOps[] = {
      [](Player& p) {
        p.gl.EndList();
        if (p.insideBegin) return;
-       // Attributes that are new in the middle of a primitive: Mesa then finds errors that nobody made.
+       // Attributes that are new in the middle of a primitive cause spurious errors in Mesa.
        while (p.executing && p.gl.GetError() != GL_NO_ERROR) continue;
        p.compiling = p.executing = p.listCalled = p.grown = false;
      }},

@@ -1,15 +1,9 @@
-// The fuzzer. Workers are forked and play streams of consecutive seeds; where one differs, crashes or hangs,
-// the stream is shrunk by playing parts of it in further children, and the seed and the calls that are left
-// are printed.
-//   gluray_fuzz [--seed N] [--calls N] [--jobs N] [--failures N]    play at least N calls
-//   gluray_fuzz --differences 0 ...                                 the same; other answers than the real
-//   OpenGL's
-//                                                                   are counted, but only deaths and hangs
-//                                                                   fail
-//   gluray_fuzz --alone 1 ...                                       ours alone, over an OpenGL that draws
-//   nothing:
-//                                                                   ten times as many calls a second
-//   gluray_fuzz --stream N                                          play and shrink the stream of one seed
+// The fuzzer. Forked workers play streams of consecutive seeds. If a stream differs, crashes or hangs,
+// the fuzzer shrinks it by playing parts of it in more processes, and prints the seed and remaining calls.
+//   gluray_fuzz [--seed N] [--calls N] [--jobs N] [--failures N]   plays at least N calls
+//   gluray_fuzz --differences 0 ...  counts differences from the real OpenGL; only crashes and hangs fail
+//   gluray_fuzz --alone 1 ...        GLuRay only, over an OpenGL that draws nothing: ten times as fast
+//   gluray_fuzz --stream N           plays and shrinks the stream of one seed
 #include "tests/fuzz/options.h"
 #include "tests/fuzz/session.h"
 
@@ -37,7 +31,7 @@ constexpr int kDiffers = 3;
 constexpr unsigned kPatience = 30, kShortPatience = 6;
 constexpr uint64_t kStateEvery = 16;
 
-/// What a worker says, in memory that it shares with its parent.
+/// A worker's messages, in memory that it shares with its parent.
 struct Progress {
   uint64_t seed = 0, calls = 0, failedCall = 0, differing = 0, skipped = 0;
   bool ours = false;  // the stream has reached our OpenGL
@@ -52,14 +46,14 @@ Progress* sharedProgress() {
   return p == MAP_FAILED ? nullptr : new (p) Progress;
 }
 
-/// Ends this process where it goes on for longer. 0: for ever.
+/// Ends this process after so many seconds. 0: never.
 void allow(unsigned patience) {
   const itimerval processor{{}, {static_cast<time_t>(patience), 0}};
   setitimer(ITIMER_PROF, &processor, nullptr);
   alarm(10 * patience);
 }
 
-/// Plays one stream in this process; ends it where the answers differ.
+/// Plays one stream in this process; ends the process if the results differ.
 void playOrEnd(const Stream& stream, uint64_t seed, Progress& progress, unsigned patience = kPatience) {
   progress.seed = seed;
   allow(patience);
@@ -88,7 +82,7 @@ pid_t inChild(bool quiet, Body body) {
   _exit(0);
 }
 
-/// 0: fine; otherwise what kind of failure: a difference, or the way it died.
+/// 0: no failure; otherwise the kind of failure: a difference, or how the process died.
 int statusOf(pid_t child) {
   int status = 0;
   waitpid(child, &status, 0);
@@ -102,13 +96,13 @@ std::string kindOf(int status) {
   return "ends with code " + std::to_string(status);
 }
 
-/// What differs, without the values.
+/// The kind of difference, without the values.
 std::string differenceOf(const Progress& progress) {
   const std::string_view what = progress.what;
   return std::string(what.substr(0, what.find(':', what.find(':') + 1)));
 }
 
-/// Takes calls out as long as the same kind of failure stays (after Zeller's ddmin, 2002).
+/// Removes calls as long as the failure stays of the same kind (after Zeller's ddmin, 2002).
 class Shrinker {
  public:
   Shrinker(Stream stream, uint64_t seed, int kind, const Progress& found)
@@ -119,7 +113,7 @@ class Shrinker {
         difference_(differenceOf(found)) {}
 
   Stream run() {
-    if (!fails(stream_)) return stream_;  // does not come again: all of it
+    if (!fails(stream_)) return stream_;  // not reproducible: returns the whole stream
     for (size_t chunk = std::max<size_t>(1, stream_.calls.size() / 2);; chunk /= 2) {
       for (size_t at = 0; at < stream_.calls.size();) {
         Stream less = stream_;
@@ -210,7 +204,7 @@ int playAll(const Options& options) {
       const int kind = WIFEXITED(status) ? WEXITSTATUS(status) : 256 + WTERMSIG(status);
       if (kind != 0) {
         w.next = w.progress->seed + options.jobs;
-        // What the plain OpenGL dies of by itself tells nothing of ours.
+        // A crash of the real OpenGL alone says nothing about GLuRay.
         const bool skip = !w.progress->ours;
         if (skip)
           ++w.progress->skipped;
@@ -270,7 +264,7 @@ int main(int argc, char** argv) {
         "--stream N\n");
     return 2;
   }
-  // Compiling a shader for every combination of state would take all the time there is.
+  // Compiling a shader for every combination of state would take too long.
   setenv("GALLIUM_DRIVER", "softpipe", 0), setenv("DRAW_USE_LLVM", "0", 0);
   setenv("MESA_NO_ERROR", "0", 1);
   return options.stream ? playOne(options.stream, options.alone) : playAll(options);

@@ -79,7 +79,7 @@ constexpr std::pair<GLenum, GLenum> kBufferBindings[] = {
     {GL_TEXTURE_BUFFER, GL_TEXTURE_BUFFER_BINDING},
 };
 
-/// The answer to glGet; one 0 where nothing is known.
+/// The result of glGet; a single 0 for unknown names.
 Values ask(GLenum name) {
   const auto of = [](GLenum mode) {
     const glm::dmat4& m = matrix(mode);

@@ -1,6 +1,5 @@
-// An OpenGL that draws nothing: it keeps the state that the shadow GL asks back, and buffers, and does the
-// rest by returning. Streams that Mesa does not survive, and ten times as many a second, can be played over
-// it.
+// An OpenGL that draws nothing: it keeps buffers and the state that the shadow GL reads back; all other
+// functions just return. The fuzzer plays streams over it that crash Mesa, and ten times as many a second.
 #pragma once
 #include "gl/real.h"
 

@@ -103,7 +103,7 @@ void APIENTRY deleteVertexArrays(GLsizei n, const GLuint* names) {
   }
 }
 
-/// Writes as many bytes as there are texels, all of them alike.
+/// Writes one byte for each texel, all equal.
 void APIENTRY getTexImage(GLenum target, GLint level, GLenum format, GLenum type, void* out) {
   const auto& levels = texture(target).levels;
   const auto it = levels.find({target, level});
@@ -150,7 +150,7 @@ void APIENTRY popMatrix() {
   if (stack.size() > 1) stack.pop_back();
 }
 
-/// Units have switches of their own for the targets of textures.
+/// Texture targets are enabled for each unit separately.
 GLenum switchOf(GLenum capability) {
   return perUnit(capability) ? capability + 65536 * (1 + enumOf(GL_ACTIVE_TEXTURE)) : capability;
 }
@@ -268,7 +268,7 @@ void addState(NullFunctions& functions) {
   IS(ColorMaterial, [](E f, E p) {
     put(GL_COLOR_MATERIAL_FACE, {double(f)}), put(GL_COLOR_MATERIAL_PARAMETER, {double(p)});
   });
-  // Of a name that is none of theirs they read one number at most, whatever it means elsewhere.
+  // For a name of another command they read at most one number.
   IS(LightModelfv,
      [](E n, const F* v) { now().values[n] = Values(v, v + (n == GL_LIGHT_MODEL_AMBIENT ? 4 : 1)); });
   IS(LightModelf, [](E n, F v) { put(n, {v}); });

@@ -1,4 +1,4 @@
-// What NullGl keeps, and how its functions are told by name. Shared by its own files alone.
+// The state of NullGl, and the lookup of its functions by name. Used only by NullGl's own files.
 #pragma once
 #include "tests/fuzz/null_gl.h"
 
@@ -19,9 +19,9 @@ namespace gluray::fuzz {
 
 using Values = std::vector<double>;
 
-/// What glPushAttrib saves, all of it.
+/// The state that glPushAttrib saves (all of it).
 struct Attributes {
-  std::map<GLenum, Values> values;  // by the name that glGet knows them by
+  std::map<GLenum, Values> values;  // by glGet name
   std::set<GLenum> enabled;
   std::map<std::pair<GLenum, GLenum>, Values> lights, materials, environments, generators;
 };
@@ -33,7 +33,7 @@ struct NullArray {
   const void* pointer = nullptr;
 };
 
-/// What a linker would say of a program, read off its shaders' text: all that is declared is active.
+/// A program's variables, parsed from its shaders' text: all that are declared count as active.
 struct NullProgram {
   struct Variable {
     std::string name;
@@ -82,11 +82,11 @@ struct NullGl::State : Attributes {
   Objects* objects = nullptr;
 };
 
-/// That of the context that is current.
+/// The state of the current context.
 NullGl::State& now();
 
 using NullFunctions = std::unordered_map<std::string, void*>;
-/// The function of that name and of the type that RealGl has for it.
+/// The function of that name, with its type in RealGl.
 #define IS(NAME, ...)                                      \
   do {                                                     \
     decltype(gl::RealGl::NAME) made = __VA_ARGS__;         \

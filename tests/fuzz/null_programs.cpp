@@ -1,4 +1,4 @@
-// Shader programs of NullGl: their variables are read off the text, word by word.
+// Shader programs of NullGl: parses their variables from the text, word by word.
 #include "tests/fuzz/null_gl_state.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ GLenum typeNamed(const std::string& word) {
   return it == kTypes.end() ? GLenum{0} : it->second;
 }
 
-/// Adds what "uniform TYPE NAME;" or "in TYPE NAME[N];" of a text declare.
+/// Adds the variables that "uniform TYPE NAME;" or "in TYPE NAME[N];" in a text declare.
 void declare(const std::string& text, const std::string& keyword, std::vector<NullProgram::Variable>& out) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
@@ -102,7 +102,7 @@ void APIENTRY getUniform(GLuint name, GLint location, T* out) {
   const auto& values = program(name).values;
   const auto it = values.find(location);
   if (it == values.end()) return void(*out = T{});
-  // A question for integers of a matrix would have sixteen answers, too.
+  // An integer query of a matrix would return sixteen values, too.
   for (size_t i = 0; i < it->second.size(); ++i) {
     const double v = it->second[i];
     if constexpr (std::is_integral_v<T>)

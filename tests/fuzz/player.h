@@ -1,6 +1,6 @@
-// What a random call is made of: the OpenGL it goes to, values drawn from its own seed, memory that its
-// pointers may point at, and the answers it got. The same seed means the same call whatever calls surround
-// it, so that a stream stays valid when calls are taken out of it.
+// Context for playing random calls: the OpenGL they go to, values drawn from the call's own seed, memory for
+// pointers, and recorded results. A call depends only on its seed, not on the calls around
+// it, so a stream stays valid when calls are removed.
 #pragma once
 #include "gl/real.h"
 #include "tests/fuzz/random.h"
@@ -21,9 +21,9 @@ namespace gluray::fuzz {
 inline constexpr int kSize = 32;  // width and height of the framebuffer, pixels
 
 inline constexpr GLuint kVertexBuffers = 5;  // names of buffers from 1 on that arrays may lie in
-inline constexpr GLuint kIndexBuffer = 6;    // the one that holds nothing but indices when it is drawn from
+inline constexpr GLuint kIndexBuffer = 6;    // holds only indices when it is drawn from
 
-/// Memory that calls read. Client arrays may run over all of it: draws reach at most kReach bytes behind a
+/// Memory that calls read. Client arrays may use all of it: draws reach at most kReach bytes beyond a
 /// pointer.
 struct Source {
   static constexpr size_t kReach = 1 << 17;
@@ -36,14 +36,14 @@ struct Source {
 };
 const Source& source();
 
-/// Memory that calls write: one of each side, alive as long as its contexts.
+/// Memory that calls write: one for each of the two OpenGLs, alive as long as its contexts.
 struct Sink {
   alignas(16) std::array<std::byte, 1 << 19> bytes{};
   std::array<GLuint, 512> selection{};
   std::array<GLfloat, 1024> feedback{};
 };
 
-/// What OpenGL said to a question.
+/// The result of a query.
 struct Answer {
   size_t call = 0;  // index in the stream
   std::string name;
@@ -57,13 +57,13 @@ class Player {
 
   const gl::RealGl& gl;
 
-  /// Before each call: where its values come from, and how many percent of them are absurd.
+  /// To be called before each call: the seed of its values, and the percentage of absurd ones.
   void start(size_t call, uint64_t seed, uint32_t weird) {
     call_ = call, random_ = Random(seed), weird_ = weird;
   }
   uint32_t below(uint32_t n) { return note(random_.below(n)); }
   bool chance(uint32_t percent) { return random_.chance(percent); }
-  /// Mostly between -1 and 1; small whole numbers; where absurd also infinite, huge or not a number.
+  /// Mostly between -1 and 1, or small whole numbers; if absurd also infinite, huge or NaN.
   float real();
   template <size_t N>
   std::array<float, N> reals() {
@@ -71,17 +71,16 @@ class Player {
     for (float& v : values) v = real();
     return values;
   }
-  /// Small, where absurd anything.
+  /// Small; if absurd anything.
   GLint integer();
-  /// From 0 to `most`, where absurd also negative or a little above; never huge, because Mesa would work on
-  /// it.
+  /// From 0 to `most`; if absurd also negative or slightly larger; never huge, which would keep Mesa busy.
   GLsizei count(uint32_t most);
-  /// One of these, where absurd any enum.
+  /// One of these; if absurd any enum.
   GLenum pick(std::initializer_list<GLenum> choices);
   GLboolean flag() { return below(2) ? GL_TRUE : GL_FALSE; }
   /// A bit pattern.
   uint32_t bits() { return note(static_cast<uint32_t>(random_.next())); }
-  /// From 1 to `most`; where absurd also 0 and names that nobody made.
+  /// From 1 to `most`; if absurd also 0 and names that were never created.
   GLuint name(uint32_t most);
 
   /// Memory to read, aligned to 16 bytes, with kReach bytes behind it.
@@ -93,21 +92,21 @@ class Player {
     answers_.push_back({call_, std::move(name), std::move(values)});
   }
   const std::vector<Answer>& answers() const { return answers_; }
-  /// Where the values drawn are written to, for people.
+  /// Receives the drawn values as text.
   std::string* log = nullptr;
 
-  /// Every vertex array into memory: what points into a buffer that is deleted points at nothing.
+  /// Points every vertex array to memory, because pointers into a deleted buffer are invalid.
   void arraysToMemory();
-  /// Every buffer large enough for every draw.
+  /// Makes every buffer large enough for every draw.
   void fillBuffers();
   static constexpr GLsizei kWholeBuffer = 1 << 14;
   /// Whether draws may reach beyond their buffers. Mesa checks that, except in lists and glArrayElement.
   bool smallBuffers = false;
 
-  // What a call must know of those before it, so that neither Mesa nor time runs out (see avoided.h).
+  // State from earlier calls, to avoid calls that crash Mesa or take too long (see avoided.md).
   bool compiling = false, executing = false, insideBegin = false, listCalled = false;
-  bool grown = false;  // the list has a primitive whose vertices are not all made of the same (avoided.md)
-  bool vertexWanted = false;  // since the last one attributes were set inside glBegin
+  bool grown = false;  // the list has a primitive whose vertices have different attributes (avoided.md)
+  bool vertexWanted = false;  // attributes were set inside glBegin since the last vertex
   int attributeSize = 4;      // components of texture coordinates and generic attributes
   int queriesActive = 0;
   uint32_t context = 0;                                 // which of the two is current

@@ -1,4 +1,4 @@
-// Programs as VTK's mappers write them, their uniforms and arrays, vertex array objects, buffer textures, and
+// Programs like those of VTK's mappers, their uniforms and arrays, vertex array objects, buffer textures, and
 // framebuffer objects that can be traced into.
 #include "tests/fuzz/calls.h"
 #include "tests/support/program_text.h"
@@ -14,8 +14,8 @@ Surface surface(Player& p) {
   Surface s;
   s.color = static_cast<Surface::Color>(p.below(4));
   s.normals = static_cast<Surface::Normals>(p.below(3));
-  // Without lights and with the physically based ones, variables are declared that only a compiler finds to
-  // be without effect: not NullGl.
+  // Programs without lights and physically based ones declare variables without effect, which only a compiler
+  // can find out, not NullGl.
   static constexpr Surface::Lights kLights[] = {Surface::Lights::headlight, Surface::Lights::directional,
                                                 Surface::Lights::positional};
   s.lights = kLights[p.below(std::size(kLights))];
@@ -48,7 +48,7 @@ void makeProgram(Player& p) {
   p.gl.LinkProgram(place);
 }
 
-/// Matrices and materials that something can be seen of; little of each, so that geometry lies about.
+/// Matrices and materials with a visible result, varied only a little, so that geometry overlaps.
 void setAll(Player& p) {
   const GLuint program = slot(p);
   const auto at = [&](const char* name) { return p.gl.GetUniformLocation(program, name); };
@@ -119,7 +119,7 @@ void uniform(Player& p) {
   }
 }
 
-/// An array of the program's, from a buffer that is large enough as a rule.
+/// One of the program's arrays, from a buffer that is usually large enough.
 void array(Player& p) {
   static constexpr const char* kNames[] = {"vertexMC", "vertexMC",    "vertexMC",
                                            "normalMC", "scalarColor", "tcoord"};
@@ -141,7 +141,7 @@ void array(Player& p) {
   p.gl.EnableVertexAttribArray(index);
 }
 
-/// Framebuffer 1 or 2 with colour and depth: what is drawn there can be traced.
+/// Framebuffer 1 or 2 with colour and depth, so that draws into it can be traced.
 void framebuffer(Player& p) {
   const GLuint name = 1 + p.below(2);
   p.gl.Finish();
@@ -193,7 +193,7 @@ const Op kProgramOps[] = {
     {"TexBuffer", 4, texBuffer},
 };
 
-/// Out of whatever state the stream has drifted into, to one that surfaces are traced in.
+/// Resets the state of the stream so that surfaces are traced.
 void calm(Player& p) {
   const bool program = p.below(3) == 0;
   const GLuint name = slot(p);

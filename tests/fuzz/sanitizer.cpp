@@ -1,6 +1,5 @@
-// What the address sanitizer is told, wherever the fuzzer is started from: it plays in children that end at
-// once, and what Mesa does inside memcpy and its like is not ours (it reads beyond its own blocks here and
-// there).
+// Options of the address sanitizer for the fuzzer, however it is started: no leak check, because its child
+// processes end at once, and no checks of OSMesa's memcpy and the like, because it reads beyond its blocks.
 extern "C" {
 __attribute__((visibility("default"))) const char* __asan_default_options() { return "detect_leaks=0"; }
 __attribute__((visibility("default"))) const char* __asan_default_suppressions() {

@@ -53,9 +53,9 @@ class Ours {
   TracedContext first_, second_;
 };
 
-Drawn g_drawn;  // by the stream that is played alone
+Drawn g_drawn;  // draws of the stream played over NullGl
 
-/// Traces what it is given, and forgets the picture; now and then it fails.
+/// Traces each batch and discards the picture; sometimes fails.
 class Tracer final : public gl::Presenter {
  public:
   gl::PresentResult present(const gl::RealGl&, const scene::SnapshotPtr& snapshot,
@@ -79,13 +79,13 @@ class Tracer final : public gl::Presenter {
   Image image_;
 };
 
-/// A clock that goes on by itself, so that a stream means the same each time.
+/// A clock that advances by a fixed step at each reading, so that streams are reproducible.
 double ticks() {
   static double now = 0;
   return now += 0.001;
 }
 
-/// Two contexts of ours over an OpenGL that draws nothing.
+/// Two GLuRay contexts over an OpenGL that draws nothing.
 class Alone {
  public:
   explicit Alone(const Stream& stream) : below_{NullGl(), NullGl(&below_[0])} {
@@ -138,7 +138,7 @@ bool makesVertex(const Op* op) {
 /// Coordinates of glVertex*i, *s and P* reach to 2^31.
 bool isOfIntegers(std::string_view vertex) { return vertex.find_first_of("isP") != vertex.npos; }
 
-/// Whether the call is one of those that Mesa does not survive or that OpenGL leaves open here (avoided.md).
+/// Whether the call would crash Mesa here, or OpenGL leaves its result undefined (avoided.md).
 bool avoided(const Player& p, const Stream& stream, const Op* op) {
   if (p.executing && (isOf(askCalls(), op) || isOf(bufferCalls(), op))) return true;
   const bool attribute = isOf(vertexAttributeCalls(), op) || isOf(attributeCalls(), op);
@@ -153,8 +153,7 @@ bool avoided(const Player& p, const Stream& stream, const Op* op) {
   return !attribute && !isOf(vertexCalls(), op) && !isOf(endCalls(), op);
 }
 
-/// Notes where a primitive of a list has vertices of several sizes, or attributes that its first vertex
-/// lacks.
+/// Notes that a primitive of a list has vertices of several sizes, or attributes that its first vertex lacks.
 class Growth {
  public:
   void look(Player& p, const Op* op) {
@@ -172,7 +171,7 @@ class Growth {
   int vertices_ = 0;
 };
 
-/// A context that calls can be made in: arrays that point at memory, depth test.
+/// Prepares a context: arrays point at memory, the depth test is on.
 void prepare(Player& p) {
   p.arraysToMemory();
   p.fillBuffers();
@@ -186,7 +185,7 @@ void prepare(Player& p) {
   p.gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-/// `whole`: nothing is avoided.
+/// `whole`: avoids no calls.
 template <class Side>
 Record playTo(const Stream& stream, bool state, bool whole = false) {
   auto sink = std::make_unique<Sink>();
@@ -239,7 +238,7 @@ Drawn playAlone(const Stream& stream) {
 }
 
 std::string describe(const Stream& stream, bool alone) {
-  // Calls that nobody answers: what is described may be what an OpenGL dies of.
+  // Only describes the calls and executes none: they may crash an OpenGL.
   gl::RealGl nobody;
   gl::loadRealGl(
       nobody, [](void*, const char*) -> void* { return nullptr; }, nullptr);

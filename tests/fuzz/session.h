@@ -1,4 +1,4 @@
-// One stream, played to a plain OpenGL and to ours: the answers must be the same, and nothing may break.
+// Plays one stream to the real OpenGL and through GLuRay: the results must be equal, and nothing may crash.
 #pragma once
 #include "tests/fuzz/comparison.h"
 #include "tests/fuzz/stream.h"
@@ -7,16 +7,15 @@
 
 namespace gluray::fuzz {
 
-/// Plays the stream to both. `state`: all queryable state is compared at the end, too. `ours` is set while
-/// ours plays.
+/// Plays the stream to both. `state`: compares all queryable state at the end, too. `ours`: GLuRay plays.
 Outcome play(const Stream& stream, bool state, bool& ours);
 
-/// What became of the draws of a stream.
+/// How many draws of a stream were traced and rasterised.
 struct Drawn {
   uint64_t traced = 0, byPrograms = 0, rasterised = 0;  // byPrograms: of those traced
 };
 
-/// Plays the stream to ours alone, over an OpenGL that draws nothing: nothing may break.
+/// Plays the stream through GLuRay only, over an OpenGL that draws nothing: nothing may crash.
 Drawn playAlone(const Stream& stream);
 
 /// The calls with their arguments, one a line.

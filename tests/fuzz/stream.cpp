@@ -24,7 +24,7 @@ class Grammar {
       calm_ = random_.chance(80) ? 20 : 0;
     }
     length_ = 200 + random_.below(4000);
-    // Each stream dwells on other things than the last.
+    // Each stream emphasises different kinds of calls.
     for (uint32_t& weight : weights_) weight = random_.chance(25) ? 0 : 1 + random_.below(10);
   }
 
@@ -48,7 +48,7 @@ class Grammar {
   }
   uint32_t few() { return 1 + random_.below(5); }
 
-  /// glBegin, vertices with attributes, glEnd; rarely something between them that does not belong there.
+  /// glBegin, vertices with attributes, glEnd; rarely with a misplaced call between them.
   void primitive(int depth) {
     add(beginCalls());
     const uint32_t calls = random_.chance(5) ? random_.below(400) : random_.below(40);
@@ -121,8 +121,8 @@ class Grammar {
   Random random_;
   Stream stream_;
   size_t length_ = 0;
-  uint32_t programs_ = 0;  // percent of blocks that are about shader programs
-  uint32_t calm_ = 0;      // percent of blocks that are led back to state in which surfaces are traced
+  uint32_t programs_ = 0;  // percentage of blocks with shader programs
+  uint32_t calm_ = 0;      // percentage of blocks that first reset the state so that surfaces are traced
   std::array<uint32_t, kBlocks> weights_{};
 };
 

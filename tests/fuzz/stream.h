@@ -1,5 +1,5 @@
-// Streams of calls that look like programs, made from a seed: primitives, lists, arrays, state, with things
-// out of place now and then.
+// Streams of calls like those of programs, made from a seed: primitives, lists, arrays, state, with misplaced
+// calls now and then.
 #pragma once
 #include "settings/settings.h"
 #include "tests/fuzz/calls.h"
@@ -11,7 +11,7 @@ namespace gluray::fuzz {
 
 struct Call {
   const Op* op = nullptr;
-  uint64_t seed = 0;  // of its arguments
+  uint64_t seed = 0;  // seed of its arguments
 };
 
 struct Stream {
@@ -21,11 +21,11 @@ struct Stream {
   int attributeSize = 4;      // components of texture coordinates and generic attributes: avoided.md
   bool askErrors = false;     // glGetError after every call
   Engine engine = Engine::always;
-  bool tame = false;  // only what leaves a picture that can be compared
+  bool tame = false;  // only calls whose picture can be compared
 };
 
-/// The stream of this seed, of about two thousand calls. `alone`: for ours over an OpenGL that draws nothing;
-/// then shader programs are among them, and what a real one would not survive.
+/// The stream of this seed, about two thousand calls. `alone`: for GLuRay over an OpenGL that draws nothing;
+/// then it includes shader programs, and calls that crash real OpenGLs.
 Stream makeStream(uint64_t seed, bool alone);
 
 }  // namespace gluray::fuzz

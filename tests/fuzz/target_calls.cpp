@@ -129,7 +129,7 @@ const Op kFrameOps[] = {
     {"Flush", 4, [](Player& p) { p.gl.Flush(); }},
     {"context", 2,
      [](Player& p) {
-       // Begin, list and query belong to the context that is left; what is learnt of it would be forgotten.
+       // Begin, list and query belong to the old context, whose state switchTo() forgets.
        const uint32_t which = p.below(2);
        if (!p.insideBegin && !p.compiling) p.switchTo(which);
      }},

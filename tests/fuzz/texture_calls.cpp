@@ -34,7 +34,7 @@ const Op kTextureOps[] = {
     {"BindTexture", 10,
      [](Player& p) {
        const GLenum which = target(p);
-       // A name stands for the target that it was bound to first: each target has its own.
+       // A texture keeps the target that it was first bound to, so each target has its own names.
        const GLuint base = which == GL_TEXTURE_1D ? 20 : which == GL_TEXTURE_3D ? 40 : 0;
        const GLuint name = p.name(kTextures);
        p.gl.BindTexture(which, name ? name + base : 0);

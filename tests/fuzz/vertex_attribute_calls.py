@@ -1,6 +1,6 @@
 """Writes vertex_attribute_calls.gen.cpp: a random call of every per-vertex attribute command of OpenGL up to 3.3.
 
-python3 vertex_attribute_calls.py OUTPUT_FILE. The registry says which there are and what they take.
+python3 vertex_attribute_calls.py OUTPUT_FILE. The registry lists them and their parameters.
 """
 import pathlib
 import sys
@@ -11,7 +11,7 @@ import policy  # noqa: E402
 
 FLOATING = {"GLfloat": "p.real()", "GLdouble": "p.real()"}
 COUNTS = {"1": 1, "2": 2, "3": 3, "4": 4}
-# What decides which attribute is meant, or how it is packed.
+# Parameters that select the attribute or its packing.
 NAMED = {
     "index": "p.below(p.chance(3) ? 20 : 16)",
     "target": "GL_TEXTURE0 + p.below(8)",
@@ -23,7 +23,7 @@ NAMED = {
 
 
 def value(kind: str) -> str:
-    if kind == "GLboolean":  # others than 0 and 1 mean what each OpenGL thinks
+    if kind == "GLboolean":  # values other than 0 and 1 are undefined
         return "p.flag()"
     return f"static_cast<{kind}>({FLOATING.get(kind, 'p.bits()')})"
 

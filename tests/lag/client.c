@@ -1,4 +1,4 @@
-/* A program with a double-buffered window, and what its window shows: client HABIT FRAMES.
+/* A program that watches what its double-buffered window shows: client HABIT FRAMES.
  *
  * Frame n is cleared to a red of 20 + 10 n. After each swap, and while it rests, the client looks at its
  * window through X; a frame that it has not seen before is written to standard output as PPM, after a line
@@ -98,14 +98,14 @@ static void frames(int from, int to) {
   }
 }
 
-/* The program goes still: the newest frame is to come by itself. */
+/* The program stops drawing: the newest frame must be shown by itself. */
 static void rest(int last) {
   const double start = milliseconds();
   while (look() < last && milliseconds() - start < 30000) nap(1);
   fprintf(stderr, "rest %.0f ms\n", milliseconds() - start);
 }
 
-/* As toolkits do: the window's framebuffer is bound again before every swap. */
+/* As in toolkits: binds the window's framebuffer again before every swap. */
 static void binds(int count) {
   void (*const bind)(GLenum, GLuint) =
       (void (*)(GLenum, GLuint))glXGetProcAddress((const GLubyte*)"glBindFramebuffer");
@@ -190,7 +190,7 @@ static void otherWindow(int count) {
   frames(0, count);
   const Window first = g_window, second = makeWindow(2 * kWidth);
   glXMakeCurrent(g_display, second, g_context);
-  look(); /* the first one still: its last frame is there */
+  look(); /* the first window still shows its last frame */
   draw(count);
   glXSwapBuffers(g_display, second);
   glXMakeCurrent(g_display, first, g_context);

@@ -1,4 +1,4 @@
-// Frame lag: whatever a program does between a swap and the next, each frame is shown once, in order, as it
+// Frame lag: whatever a program does between two swaps, each frame is shown once, in order, as it
 // was when it was swapped.
 #include "tests/lag/lag_stage.h"
 #include "tests/reference/triangle_field.h"
@@ -23,7 +23,7 @@ TEST(Lag, EachSwapShowsTheFrameBefore) {
   for (size_t i = 0; i < shown.shownAtSwap.size(); ++i) EXPECT_EQ(shown.shownAtSwap[i], i);
 }
 
-TEST(Lag, WhatIsRasterisedBelongsToTheSameFrame) {
+TEST(Lag, RasterisedDrawsBelongToTheSameFrame) {
   expectSameFrames(
       "overlay",
       [](Gl gl, int frame) {
@@ -97,7 +97,7 @@ TEST(Lag, ClearsOfEachBufferWithChangingValues) {
       kFrames, kFrames);
 }
 
-TEST(Lag, WhatIsSetAfterAClearDoesNotChangeIt) {
+TEST(Lag, StateSetAfterAClearDoesNotChangeIt) {
   LagOptions options;
   options.afterSwap = [](Gl gl, int) {
     gl.ClearColor(0, 0, 1, 1), gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -151,7 +151,7 @@ TEST(Lag, CopiesSeeTheFrameThatWasSwapped) {
   for (size_t i = 0; i < kFrames; ++i) EXPECT_EQ(copies[copies.size() - kFrames + i], shown.frames[i].colors);
 }
 
-/// What changes after the swap was drawn as it was.
+/// Changes after the swap must not affect the frame.
 TEST(Lag, ListsBuffersAndTexturesChangeBehindTheSwap) {
   GLuint list = 0, buffer = 0, texture = 0;
   const auto texel = [](int frame) {
@@ -200,12 +200,12 @@ TEST(Lag, AFrameThatCannotBeTracedIsRasterisedInOrder) {
       return why = "it fails in this test", false;
     };
     const Shown shown = play(plainFrame, kFrames, options);
-    EXPECT_LE(asked, failing + 2);  // the next frame waits already
+    EXPECT_LE(asked, failing + 2);  // the next frame is already pending
     expectClose("failing", playReal(plainFrame, kFrames), shown.frames);
   }
 }
 
-TEST(Lag, FramesOfAWindowThatIsGoneAreNotShown) {
+TEST(Lag, FramesOfADestroyedWindowAreNotShown) {
   bool there = true;
   LagOptions options;
   options.stands = [&] { return there; };

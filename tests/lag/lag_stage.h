@@ -1,5 +1,5 @@
-// A program of a double-buffered window whose swaps may be made later, without a window: every frame that is
-// shown is kept. The real OpenGL's own frames of the same calls are what they must be.
+// Simulates a double-buffered window whose swaps may be delayed, without a real window. Keeps every frame
+// that is shown, to be compared with the real OpenGL's frames of the same calls.
 #pragma once
 #include "intercept/present/tracing_presenter.h"
 #include "tests/support/traced_context.h"
@@ -16,7 +16,7 @@ using DrawFrame = std::function<void(const gl::RealGl&, int frame)>;
 
 struct Shown {
   std::vector<Picture> frames;        // in the order they were shown
-  std::vector<gl::LagRefusal> swaps;  // what became of each swap
+  std::vector<gl::LagRefusal> swaps;  // for each swap, whether it lagged or why not
   std::vector<size_t> shownAtSwap;    // how many frames had been shown when it returned
   std::vector<std::string> errors;
 };
@@ -24,7 +24,7 @@ struct Shown {
 struct LagOptions {
   bool lag = true;
   Settings settings = TracedContext::vertexShading();
-  std::function<bool()> stands = [] { return true; };      // the window
+  std::function<bool()> stands = [] { return true; };      // whether the window still exists
   std::function<void(const uint32_t*)> overdue = nullptr;  // shows a frame without the program
   std::function<void(const gl::RealGl&, int)> afterSwap;   // calls after the swap of a frame
   frame::Trace trace;                                      // in place of the ray tracer
@@ -33,7 +33,7 @@ struct LagOptions {
 /// The ray tracer.
 bool traceByRenderer(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& why);
 
-/// Draws `count` frames through ours; what is not shown by then is shown by glFinish.
+/// Draws `count` frames through GLuRay; glFinish shows the last one.
 Shown play(const DrawFrame& draw, int count, const LagOptions& options = {});
 /// The same by the real OpenGL alone.
 std::vector<Picture> playReal(const DrawFrame& draw, int count);
@@ -43,7 +43,7 @@ void expectClose(const std::string& name, const std::vector<Picture>& expected,
                  const std::vector<Picture>& got);
 
 /// Expects the same frames in the same order as without lag, to the bit, and those of the real OpenGL within
-/// the scenes' tolerance; and that `later` of the swaps came later.
+/// the scenes' tolerance; and that `later` of the swaps were delayed.
 Shown expectSameFrames(const std::string& name, const DrawFrame& draw, int count, int later,
                        const LagOptions& options = {});
 
@@ -51,7 +51,7 @@ Shown expectSameFrames(const std::string& name, const DrawFrame& draw, int count
 void drawRing(const gl::RealGl& gl, int frame);
 /// Depth test, camera, light, and a clear of all.
 void beginLagFrame(const gl::RealGl& gl, int frame);
-/// A rectangle of two lines' width at the left, by lines, which the real OpenGL draws.
+/// A rectangle at the left, two lines wide; the real OpenGL draws the lines.
 void drawFrameNumber(const gl::RealGl& gl, int frame);
 
 }  // namespace gluray::test

@@ -1,4 +1,4 @@
-// Frame lag beside the program's own thread: state, the newest frame without the program, contexts that go.
+// Frame lag beside the program's own thread: state, frames shown without the program, destroyed contexts.
 #include "tests/lag/lag_stage.h"
 #include "tests/support/gl_state.h"
 
@@ -66,7 +66,7 @@ TEST(Lag, WithoutTheProgramTheNewestFrameIsShownWhole) {
   for (size_t i = 0; i < shownLate.size(); ++i) EXPECT_EQ(shownLate[i], shown.frames[i].colors) << i;
 }
 
-TEST(Lag, AContextMayGoWithAFrame) {
+TEST(Lag, AContextMayBeDestroyedWithAPendingFrame) {
   TracedContext ours({kLagWidth, kLagHeight});
   plainFrame(ours.gl(), 0);
   gl::LagWindow window;

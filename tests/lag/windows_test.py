@@ -1,7 +1,7 @@
 """Frame lag in a window: windows_test.py GLURAY CLIENT, with an X server at hand.
 
-Every frame that the client sees in its window is compared with the frame of the same number without GLuRay. When frames are
-seen depends on the machine; which are seen at last, and in which order, does not.
+Compares every frame that the client sees in its window with the frame of the same number without GLuRay. The
+time of frames depends on the machine; their order and the last frame do not.
 """
 import json
 import pathlib
@@ -42,7 +42,7 @@ class Lag(unittest.TestCase):
         return frames_in(done.stdout), seen.get("lag", {})
 
     def expect(self, habit, last, *options, later=FRAMES, mode="on"):
-        """All frames that are seen are right, and the last is among them."""
+        """All frames that are seen are right, and the last one is seen."""
         plain, _ = self.run_client(habit, "--off")
         ours, lag = self.run_client(habit, "--lag", mode, *options)
         self.assertEqual(list(ours), sorted(ours))
@@ -55,7 +55,7 @@ class Lag(unittest.TestCase):
 
     def test_frames_come_in_order_and_none_is_lost(self):
         ours, _ = self.expect("finished", FRAMES - 1)
-        self.assertGreaterEqual(len(ours), FRAMES - 1)  # those that are looked at in time
+        self.assertGreaterEqual(len(ours), FRAMES - 1)  # the test may miss one
 
     def test_binding_what_is_bound_shows_nothing(self):
         self.expect("binds", FRAMES - 1)

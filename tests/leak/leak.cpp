@@ -1,7 +1,6 @@
-// Frames of a program that makes and deletes lists, buffers, textures, framebuffers, client arrays and
-// contexts, each frame with geometry that was never seen before, traced at a small size. Resident memory must
-// not grow.
-//   gluray_leak FRAMES [plain]     plain: the real OpenGL alone, to know what it keeps itself
+// A program that makes and deletes lists, buffers, textures, framebuffers, client arrays and
+// contexts; each frame has new geometry, traced at a small size. Resident memory must not grow.
+//   gluray_leak FRAMES [plain]     plain: the real OpenGL alone, to measure its own leaks
 #include "tests/support/traced_context.h"
 
 #include <malloc.h>
@@ -24,7 +23,7 @@ using Gl = const gl::RealGl&;
 constexpr int kSize = 32, kTriangles = 60;
 constexpr double kMostGrowth = 0.01;
 
-/// Bytes of the process that are in memory.
+/// Resident memory of the process, bytes.
 double residentBytes() {
   long pages = 0, resident = 0;
   if (FILE* file = std::fopen("/proc/self/statm", "r")) {
@@ -138,7 +137,7 @@ void tracedFrames(int from, int to) {
   }
 }
 
-/// The middle of a tenth of the run's measurements: single ones jump by what the heap gives back late.
+/// Median of a tenth of the run's measurements: single ones vary, because the heap returns memory late.
 double middle(std::vector<double> values) {
   std::nth_element(values.begin(), values.begin() + static_cast<ptrdiff_t>(values.size() / 2), values.end());
   return values[values.size() / 2];
@@ -169,7 +168,7 @@ int main(int argc, char** argv) {
   using namespace gluray::test;
   const int frames = argc > 1 ? std::atoi(argv[1]) : 0;
   if (frames < 1000) return std::fprintf(stderr, "usage: gluray_leak FRAMES [plain], at least 1000\n"), 2;
-  setenv("GALLIUM_DRIVER", "softpipe", 0);  // compiled shaders would come and go
+  setenv("GALLIUM_DRIVER", "softpipe", 0);  // llvmpipe's compiled shaders would change the memory in use
   const bool plain = argc > 2 && std::strcmp(argv[2], "plain") == 0;
   return run(frames, plain ? plainFrames : tracedFrames);
 }

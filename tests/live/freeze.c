@@ -1,7 +1,7 @@
-// Preloaded into a program under test so that two runs of it show the same frames. What the program itself
-// (not its libraries, nor ours) asks of clocks, random numbers and process numbers has the same answers in
-// both runs: time moves by 40 ms with every buffer swap. After swap number LIVE_FRAME the program waits until
-// the file LIVE_GO exists and ends; LIVE_READY is made when its picture is in the window.
+// Preloaded into a program under test so that two runs of it show the same frames. Clocks, random numbers and
+// the process number give the program itself (not its libraries, nor GLuRay) the same values in both runs:
+// time moves by 40 ms with every buffer swap. After swap number LIVE_FRAME the program waits until the file
+// LIVE_GO exists, then ends; LIVE_READY is created when its picture is in the window.
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -67,7 +67,7 @@ time_t time(time_t* out) {
 
 pid_t getpid(void) { return ASKED_BY_PROGRAM ? 4711 : REAL(getpid)(); }
 
-/// A generator of its own for the program: libraries draw from the C library's at moments that differ.
+/// A separate generator for the program: libraries use the C library's at varying moments.
 static long nextRandom(void) {
   static uint64_t state = 88172645463325252u;  // xorshift64 (Marsaglia 2003)
   state ^= state << 13;

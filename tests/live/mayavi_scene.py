@@ -10,7 +10,7 @@ from mayavi import mlab  # noqa: E402
 mlab.options.offscreen = True
 figure = mlab.figure(size=(600, 600), bgcolor=(0.1, 0.15, 0.25))
 window = figure.scene.render_window
-window.off_screen_rendering = False  # the window that it has all the same is shown
+window.off_screen_rendering = False  # shows the window that it has anyway
 window.position = (20, 20)
 
 u, v = np.mgrid[0:2 * np.pi:200j, 0:2 * np.pi:40j]

@@ -1,4 +1,4 @@
-"""The models that viewers are given, in the file formats that they read: mostly a knotted tube."""
+"""Models for viewers, in the file formats that they read: mostly a knotted tube."""
 import pathlib
 import subprocess
 
@@ -116,7 +116,7 @@ BUCKY = "/usr/share/doc/drawxtl/examples/bucky.str"
 
 
 def copy_bucky(path):
-    """DRAWxtl's own example of a molecule: it writes beside what it reads."""
+    """DRAWxtl's own example of a molecule, copied because it writes files beside its input."""
     path.write_bytes(pathlib.Path(BUCKY).read_bytes())
     return path
 

@@ -5,13 +5,13 @@ import zlib
 
 import numpy as np
 
-EDGE = 24    # of 255: where neighbours differ by more, a pixel lies on an edge
+EDGE = 24    # of 255: a pixel whose neighbours differ by more lies on an edge
 VISIBLE = 8  # of 255: the difference that counts for the share of pixels that differ
 
 
 def grab():
-    """What the whole screen shows now."""
-    for attempt in range(5):  # it fails where a window goes away meanwhile
+    """The content of the whole screen."""
+    for attempt in range(5):  # fails if a window is closed meanwhile
         done = subprocess.run(["xwd", "-root", "-silent"], capture_output=True)
         if done.returncode == 0:
             break
@@ -20,7 +20,7 @@ def grab():
     header = struct.unpack(">25I", data[:100])
     size, width, height, big_endian, bits, stride, colors = (header[i] for i in (0, 4, 5, 7, 11, 12, 19))
     rows = np.frombuffer(data, np.uint8, stride * height, size + colors * 12).reshape(height, stride)
-    # Four bytes a pixel, or three where windows have visuals of their own.
+    # Four bytes a pixel, or three if windows have other visuals than the screen.
     pixels = rows[:, : width * bits // 8].reshape(height, width, bits // 8)
     return (pixels[:, :, -3:] if big_endian else pixels[:, :, 2::-1]).copy()
 

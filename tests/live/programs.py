@@ -1,8 +1,8 @@
-"""The real programs that are run with and without GLuRay, and how alike their pictures must be.
+"""The real programs that are run with and without GLuRay, and the tolerances of their pictures.
 
 A tolerance is a pair: the largest difference (of 255) off edges, and the share of the window's pixels that may differ
-by more than 2 of 255 off edges. Edges (pixels.edges) are judged by the eye, because one pixel of coverage more or less
-there is within what OpenGL leaves open (GL 2.1, 3.5.1); their share is printed.
+by more than 2 of 255 off edges. Edges (pixels.edges) are judged visually, because OpenGL allows one pixel of coverage more or less
+there (GL 2.1, 3.5.1); their share is printed.
 """
 import dataclasses
 import os
@@ -14,23 +14,23 @@ import models
 
 HACKS = pathlib.Path("/usr/libexec/xscreensaver")
 HERE = pathlib.Path(__file__).resolve().parent
-HOME = os.path.expanduser("~")  # programs are given another one
+HOME = os.path.expanduser("~")  # programs run with another home
 
 
 @dataclasses.dataclass
 class Program:
-    command: callable            # folder -> the words of the command line
-    reason: str                  # why its tolerance is what it is
+    command: callable            # folder -> the command line, as a list
+    reason: str                  # reason for its tolerance
     largest: int = 2             # of 255, off edges
     beyond: float = 0.0          # share of pixels beyond 2/255 off edges
     beyond_all: float = 0.02     # the same, edges included
     traced: float = 0.99         # least share of triangles that are traced
     visible: float = 0.005       # share of pixels that may differ by more than 8/255
-    frame: int = 0               # the swap whose picture is compared, with time standing still; 0: the picture at rest
+    frame: int = 0               # the swap whose picture is compared, with a fixed clock; 0: the picture at rest
     rest: float = 2.0            # seconds without a change that count as rest
     colors: int = 64             # a picture with fewer has not loaded its model yet
     environment: dict = dataclasses.field(default_factory=dict)
-    needs: tuple = ()            # programs and files that the command takes, beside its first word
+    needs: tuple = ()            # programs and files that the command needs, beside its first word
 
 
 def osgviewer(name, material=True):
@@ -60,8 +60,8 @@ PROGRAMS = {
     "pyopengl": Program(lambda folder: ["/usr/bin/python3", str(HERE / "pyopengl_scene.py")], "lighting at the vertices"),
 }
 
-# Programs of the distribution, many toolkits. Held to `visible` alone: their windows hold text, lines and weak edges.
-# `traced` is the least share of all their triangles; what of it is not opaque is said in docs/programs.md.
+# Programs of the distribution, many toolkits. Only `visible` is checked: their windows hold text, lines and faint edges.
+# `traced` is the least share of all their triangles; docs/programs.md says which are not opaque.
 
 
 def wide(command, reason, traced, **more):
@@ -72,7 +72,7 @@ SMALL = dict(around=300, across=32)
 
 
 def openscad(folder):
-    """Its cursor blinks: the editor is hidden."""
+    """Hides the editor, because its cursor blinks."""
     settings = folder / ".config" / "OpenSCAD" / "OpenSCAD.conf"
     settings.parent.mkdir(parents=True)
     settings.write_text("[view]\nhideEditor=true\nhideConsole=true\nhideCustomizer=true\nhideErrorLog=true\n")
@@ -85,7 +85,7 @@ def medit(folder):
 
 
 def mayavi(folder):
-    """Without its package, which conflicts with ParaView's VTK, from one that is unpacked aside."""
+    """Uses an unpacked copy, because its package conflicts with ParaView's VTK."""
     script = ["/usr/bin/python3", str(HERE / "mayavi_scene.py")]
     if shutil.which("mayavi2"):
         return script
@@ -97,7 +97,7 @@ def mayavi(folder):
 
 
 def f3d(folder):
-    """Without configuration files, for which the option has two names."""
+    """Without configuration files; the option has two names."""
     own_look = "--no-config" if "--no-config" in subprocess.run(["f3d", "--help"], capture_output=True, text=True).stdout else "--dry-run"
     return ["f3d", own_look, "--resolution=600,600", str(models.write_ply(folder / "knot.ply", **SMALL))]
 

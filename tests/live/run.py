@@ -25,7 +25,7 @@ except ImportError:
 import pictures
 import programs
 
-START_SECONDS = 100  # until the picture is there, on a machine that is busy with other things
+START_SECONDS = 100  # until the picture is there, on a busy machine
 
 
 class Failed(RuntimeError):
@@ -70,7 +70,7 @@ class Run:
         raise Failed(f"no picture within {START_SECONDS} s\n{self.told()}")
 
     def end(self):
-        """Ends the program as its user would; its report, None where there is none."""
+        """Ends the program as its user would. Returns its report, or None."""
         if self.program.frame:
             self.go.touch()
         else:
@@ -81,7 +81,7 @@ class Run:
             pass
         finally:
             try:
-                os.killpg(self.process.pid, signal.SIGKILL)  # the session that was started for it
+                os.killpg(self.process.pid, signal.SIGKILL)  # its session
             except ProcessLookupError:
                 pass
             self.process.wait()
@@ -89,7 +89,7 @@ class Run:
 
 
 def run(program, options, freeze, place):
-    """Its picture and report. `place` is its home, new each time and of one name: programs show where files lie."""
+    """Its picture and report. `place` is its home: new each time, but with the same name, because programs show file names."""
     shutil.rmtree(place, ignore_errors=True)
     folder = pathlib.Path(place).resolve()
     folder.mkdir(parents=True)
@@ -110,7 +110,7 @@ def rate(traced, rasterised):
 
 
 def check(name, program, seen, report):
-    """The lines that say what is wrong."""
+    """The errors, one a line."""
     wrong = []
     if report is None:
         return [f"{name}: no report"]

@@ -1,7 +1,7 @@
 """The Debian package. package_test.py --build DIR --client PROGRAM unpacked|root
 
 unpacked   unpacked into a folder with a space in its name and run from there
-root       installed, run and removed in a root of its own, which debootstrap makes; takes a mirror and root
+root       installed, run and removed in a root of its own, which debootstrap makes; needs a mirror and root
 """
 import argparse
 import json
@@ -60,7 +60,7 @@ def check_man(pages: pathlib.Path) -> None:
 
 
 def completions(file: pathlib.Path, *words: str) -> list[str]:
-    """What the last of `words` is completed to."""
+    """The completions of the last of `words`."""
     script = f"""source '{file}'; COMP_WORDS=({' '.join(f"'{w}'" for w in words)}); COMP_CWORD={len(words) - 1}
                  _gluray; printf '%s\\n' "${{COMPREPLY[@]}}\""""
     return run("bash", "--norc", "-c", script).stdout.split()
@@ -120,7 +120,7 @@ class CleanRoot:
             run("mount", "--bind", f"/{name}", target)
             self.mounts.append(target)
         shutil.copy("/etc/resolv.conf", self.folder / "etc/resolv.conf")
-        if pathlib.Path("/etc/apt/apt.conf.d").is_dir():  # a proxy, where there is one
+        if pathlib.Path("/etc/apt/apt.conf.d").is_dir():  # may configure a proxy
             for file in pathlib.Path("/etc/apt/apt.conf.d").glob("*prox*"):
                 shutil.copy(file, self.folder / "etc/apt/apt.conf.d")
 
@@ -156,7 +156,7 @@ def in_root(build: pathlib.Path, folder: pathlib.Path) -> int:
         root.run("apt-get", "-qq", "install", "--no-install-recommends", "-y", "/gluray.deb")
         if "Runs an OpenGL program" not in root.run("gluray", "--help"):
             fail("gluray --help says something else")
-        # glxgears is ended by force: a report after each second's worth of frames is enough.
+        # glxgears is killed: the report may lack its last second.
         gears(root, "gluray", "--report", "/report.json")
         check_report(root.folder / "report.json")
         root.run("dpkg", "--purge", "gluray")
@@ -177,7 +177,7 @@ def main() -> int:
     parser.add_argument("--client", type=pathlib.Path, required=True)
     parser.add_argument("what", choices=("unpacked", "root"))
     options = parser.parse_args()
-    os.environ.setdefault("DISPLAY", ":none")  # nothing here needs a screen, and gluray gives a hint without one
+    os.environ.setdefault("DISPLAY", ":none")  # needs no screen, but gluray prints a hint if DISPLAY is unset
     start = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="gluray-package-") as name:
         folder = pathlib.Path(name)

@@ -1,8 +1,8 @@
-"""Piglit's tests of OpenGL 1.x, each run plain and under GLuRay with everything traced that can be: none that passes plain may be
-lost. Run with a display: run.py --gluray LAUNCHER --out FOLDER [--list] [NAME ...]; a NAME is a part of tests' names.
+"""Piglit's tests of OpenGL 1.x, each run without GLuRay and while it traces everything it can: every test that passes without it
+must pass with it. Run with a display: run.py --gluray LAUNCHER --out FOLDER [--list] [NAME ...]; a NAME is a part of tests' names.
 
-Every result is a test's or a subtest's. What is lost is printed and kept in FOLDER with the output of both runs; the exit status is
-1 then, and 77 where piglit is not installed. A test that seems lost is run once more by itself: machines under load are slow."""
+Every result is a test's or a subtest's. Tests that fail only with GLuRay are printed and kept in FOLDER with the output of both runs; the exit status is
+1 then, and 77 where piglit is not installed. Such a test is run once more by itself, because machines under load are slow."""
 import argparse
 import ast
 import concurrent.futures
@@ -19,10 +19,10 @@ import xml.etree.ElementTree
 
 VERSIONS = re.compile(r"spec@!opengl 1\.[0-5]@")
 AT_ONCE = 2
-TIMEOUT = 120  # seconds; what neither run ends within is no result
-KEPT = 4000    # characters of output, from its end
+TIMEOUT = 120  # seconds; a test that neither run finishes in time counts as no result
+KEPT = 4000    # characters kept from the end of the output
 
-# Why a test's results are not compared.
+# Reasons not to compare a test's results.
 LEFT_OUT = {
 }
 
@@ -34,7 +34,7 @@ class Test:
 
 
 def installation():
-    """Where Debian's package piglit is; None where it is not."""
+    """The folder of Debian's package piglit; None if it is not installed."""
     found = glob.glob("/usr/lib/*/piglit/bin")
     return pathlib.Path(found[0]).parent if found else None
 
@@ -57,7 +57,7 @@ def tests(root):
 
 
 def results(output, status, name):
-    """The results that the output of a test tells, by name. How it ended is one of them."""
+    """The results in a test's output by name, among them how it ended."""
     found = {}
     for line in output.splitlines():
         if not line.startswith("PIGLIT: {"):
@@ -75,7 +75,7 @@ def results(output, status, name):
 
 
 def run(test, prefix, root):
-    """The results of one run, and its output. Its process group is ended with it."""
+    """The results of one run, and its output. Ends its process group, too."""
     environment = dict(os.environ, PIGLIT_SOURCE_DIR=str(root), PIGLIT_BUILD_DIR=str(root), PIGLIT_NO_FAST_SKIP="1")
     process = subprocess.Popen([*prefix, *test.command], cwd=root, env=environment, text=True, errors="replace",
                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True)
@@ -90,7 +90,7 @@ def run(test, prefix, root):
 
 
 def compare(test, prefix, root):
-    """How many results the test has, how many pass plain, those that are lost, and both outputs."""
+    """The number of results, how many pass without GLuRay, those that then fail with it, and both outputs."""
     plain, expected = run(test, [], root)
     ours, output = run(test, prefix, root)
     good = [name for name, result in plain.items() if result in ("pass", "warn")]

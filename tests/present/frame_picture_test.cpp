@@ -1,4 +1,4 @@
-// Pictures of frames say what of them was traced, and taking them leaves no trace in the state.
+// Pictures of frames record which pixels were traced; taking them does not change OpenGL state.
 #include "intercept/present/read_back/frame_picture.h"
 
 #include "intercept/present/write_back/write_back.h"
@@ -41,7 +41,7 @@ class FramePictureTest : public testing::TestWithParam<ContextWish> {
     picture_.written(gl(), image);
   }
   Picture take() { return picture_.take(gl(), GL_FRONT, kSize, kSize, 1); }
-  /// The real OpenGL paints a rectangle.
+  /// Lets the real OpenGL draw a rectangle.
   void paint(int x, int y, int width, int height) {
     gl().Enable(GL_SCISSOR_TEST);
     gl().Scissor(x, y, width, height);
@@ -72,14 +72,14 @@ TEST_P(FramePictureTest, MissesAndHiddenPixelsAreNotTraced) {
   Image image = solid(0, 0, 8, 8, kRed, 0.5f);
   image.depth[0] = Image::kMiss;
   trace(image);
-  trace(solid(0, 0, 8, 4, kGreen, 0.75f));  // behind it, but for the miss
+  trace(solid(0, 0, 8, 4, kGreen, 0.75f));  // behind it, except at the miss
   const Picture picture = take();
   EXPECT_EQ(count(picture, PixelOrigin::traced), 64);
   EXPECT_EQ(picture.color[0], kGreen);
   EXPECT_EQ(picture.color[1], kRed);
 }
 
-TEST_P(FramePictureTest, WhatIsDrawnOverIsToldApart) {
+TEST_P(FramePictureTest, PixelsDrawnOverAreMarked) {
   trace(solid(0, 0, 10, 10, kRed, 0.5f));
   paint(8, 8, 4, 4);
   const Picture picture = take();
@@ -93,7 +93,7 @@ TEST_P(FramePictureTest, TheNextFrameStartsAfresh) {
   EXPECT_EQ(count(take(), PixelOrigin::traced), 0);
 }
 
-TEST_P(FramePictureTest, OtherFramebuffersAreCountedApart) {
+TEST_P(FramePictureTest, OtherFramebuffersAreCountedSeparately) {
   GLuint framebuffer = 0, planes[2] = {};
   gl().GenFramebuffers(1, &framebuffer);
   gl().GenRenderbuffers(2, planes);

@@ -1,4 +1,4 @@
-// Images as the tracer would give them, for tests of what is done with them.
+// Images like the tracer's, for tests of code that uses them.
 #pragma once
 #include "base/image.h"
 

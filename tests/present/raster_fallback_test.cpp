@@ -1,4 +1,4 @@
-// A snapshot drawn by fixed function equals what a program draws with the same state, and leaves no trace.
+// A snapshot drawn by fixed function equals a program's own drawing, and changes no OpenGL state.
 #include "intercept/present/raster/raster_fallback.h"
 
 #include "intercept/present/tracing_presenter.h"
@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kSize = 64;
 
-/// Two triangles with all attributes, and what owns them.
+/// Two triangles with all attributes, and their owner.
 struct Patch {
   std::array<float, 12> positions{-1, -1, 0, 1, -1, 0, 1, 1, 0.5f, -1, 1, 0.5f};
   std::array<float, 12> normals{0, 0, 1, 0.5f, 0, 1, 0, 0.5f, 1, -0.5f, 0, 1};
@@ -83,7 +83,7 @@ std::shared_ptr<scene::Snapshot> snapshotOf(const Patch& patch) {
   return s;
 }
 
-/// The same by hand.
+/// The same picture by direct OpenGL calls.
 void drawByHand(const gl::RealGl& g, const Patch& patch) {
   const auto drawPatch = [&](bool textured) {
     g.Begin(GL_TRIANGLES);
@@ -203,7 +203,7 @@ TEST(TracingPresenter, UnchangedFramesAreTracedOnceMoreForABetterStructure) {
            [&](const scene::Snapshot& s, Image& image, scene::TraceCost&, std::string&) {
              image.resize(s.region.width, s.region.height, 1);
              ++traced;
-             better = false;  // it is in its place now
+             better = false;  // it is in use now
              return true;
            },
        .improves = [&] { return better; }});

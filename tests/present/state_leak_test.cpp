@@ -1,4 +1,4 @@
-// A write-back changes nothing that a program can ask about, whatever the program had set.
+// A write-back changes no queryable state, whatever the program had set.
 #include "intercept/present/write_back/write_back.h"
 #include "tests/support/gl_state.h"
 #include "tests/support/osmesa_context.h"

@@ -1,4 +1,4 @@
-// Pictures that are sent into textures are those that would have been drawn.
+// Pictures uploaded into textures equal drawn ones.
 #include "intercept/present/write_back/texture_upload.h"
 
 #include "intercept/present/write_back/cleared_color.h"
@@ -38,7 +38,7 @@ Target make(const gl::RealGl& g, GLenum depthFormat) {
   return t;
 }
 
-/// Hits of all kinds of depth in a corner of the framebuffer, misses among them.
+/// Hits with all kinds of depths in a corner of the framebuffer, and misses.
 Image noise(unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> depth(0, 1);
@@ -77,7 +77,7 @@ gl::ClearedTarget clearedOf(const Target& t) {
 
 class TextureUploadTest : public testing::TestWithParam<std::pair<GLenum, test::ContextWish>> {};
 
-TEST_P(TextureUploadTest, IsWhatWouldHaveBeenDrawn) {
+TEST_P(TextureUploadTest, EqualsADrawnPicture) {
   const auto [format, wish] = GetParam();
   const auto context = test::OsmesaContext::create(wish);
   ASSERT_TRUE(context);

@@ -1,4 +1,4 @@
-// Averages of samples are blended over what is there.
+// Averages of samples are blended over the framebuffer's content.
 #include "tests/present/write_back_stage.h"
 
 namespace gluray::present::test {
@@ -35,7 +35,7 @@ TEST_P(WriteBackAverages, AreBlendedOverAndLeaveTheDepthOfTheirCentres) {
   }
 }
 
-TEST_P(WriteBackAverages, BehindWhatIsThereAreNotSeen) {
+TEST_P(WriteBackAverages, BehindExistingDepthAreHidden) {
   clear(0, 1, 0, 0.2);
   write(averages(0.25f));
   EXPECT_EQ(context_->colors(), std::vector<uint32_t>(kSize * kSize, kGreen));

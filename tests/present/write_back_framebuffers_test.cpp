@@ -1,4 +1,4 @@
-// The write-back into framebuffer objects, and past them.
+// The write-back into framebuffer objects, and beyond their edges.
 #include "tests/present/write_back_stage.h"
 
 namespace gluray::present::test {

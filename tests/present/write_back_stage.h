@@ -52,7 +52,7 @@ class WriteBackStage : public testing::TestWithParam<ContextWish> {
     gl().ClearDepth(depth);
     gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   }
-  /// What raster drawing of a nearer or farther rectangle leaves behind, without needing a program.
+  /// Leaves the pixels of a rasterised nearer or farther rectangle, without a shader program.
   void clearRectangle(int x, int y, int width, int height, float r, float g, float b, double depth) const {
     gl().Enable(GL_SCISSOR_TEST);
     gl().Scissor(x, y, width, height);

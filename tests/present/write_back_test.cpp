@@ -44,7 +44,7 @@ TEST_P(WriteBackTest, MergesWithWhatWasDrawnBefore) {
 TEST_P(WriteBackTest, OverAFinishedPictureHidesWhateverIsThereAndLeavesItsDepth) {
   clear(0, 1, 0, 0.25);
   const auto before = context_->depths();
-  const Image image = solid(8, 8, 16, 8, kRed, 0.5f);  // behind what is there
+  const Image image = solid(8, 8, 16, 8, kRed, 0.5f);  // behind the framebuffer's content
   std::string why;
   ASSERT_TRUE(writeBack_->ready(why)) << why;
   ASSERT_TRUE(writeBack_->write(image, {.over = GL_FRONT}, pending_));
@@ -65,7 +65,7 @@ TEST_P(WriteBackTest, EqualDepthObeysTheDepthFunction) {
   EXPECT_EQ(context_->colors()[0], kRed);
 }
 
-TEST_P(WriteBackTest, IgnoresTheStateOfTheMoment) {
+TEST_P(WriteBackTest, IgnoresTheProgramsState) {
   const auto& g = gl();
   g.Enable(GL_SCISSOR_TEST), g.Scissor(1, 1, 2, 2);
   g.Viewport(3, 3, 5, 5);
@@ -89,7 +89,7 @@ TEST_P(WriteBackTest, IgnoresTheStateOfTheMoment) {
   }
   write(solid(0, 0, kSize, kSize, kRed, 0.5f));
   if (!GetParam().core)
-    g.PixelTransferf(GL_RED_SCALE, 1), g.PixelTransferf(GL_GREEN_BIAS, 0);  // they act on reading too
+    g.PixelTransferf(GL_RED_SCALE, 1), g.PixelTransferf(GL_GREEN_BIAS, 0);  // they also affect reading
   EXPECT_EQ(context_->colors(), std::vector<uint32_t>(kSize * kSize, kRed));
 }
 

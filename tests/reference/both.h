@@ -1,4 +1,4 @@
-// Draws with the real OpenGL and with ours in front of it, and compares colours, alpha, depth and state.
+// Draws with the real OpenGL and through GLuRay, and compares colours, alpha, depth and state.
 #pragma once
 #include "scenes/scene.h"
 #include "tests/support/gl_state.h"
@@ -14,7 +14,7 @@ namespace gluray::test {
 
 using Draw = std::function<void(scenes::Gl)>;
 
-/// Both draw into contexts of this size; what differs is left in `folder` of the tests' output.
+/// Both draw into contexts of this size; differing pictures are written to `folder` of the tests' output.
 struct BothStage {
   int width = 120, height = 90;
   std::string folder;
@@ -23,7 +23,7 @@ struct BothStage {
   Settings settings = TracedContext::vertexShading();
 };
 
-/// Returns what ours counted.
+/// Returns GLuRay's counts.
 inline gl::Statistics compareBoth(const BothStage& stage, const std::string& name, const Draw& draw,
                                   std::unique_ptr<gl::Presenter> presenter = nullptr) {
   SCOPED_TRACE(name);

@@ -1,4 +1,4 @@
-// What tests of the common scenes share: each scene as a test parameter, and its picture by the real OpenGL.
+// Shared by tests of the common scenes: each scene as a test parameter, and its picture by the real OpenGL.
 #pragma once
 #include "tests/support/traced_context.h"
 

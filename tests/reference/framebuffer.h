@@ -9,8 +9,8 @@
 
 namespace gluray::test {
 
-/// Makes one of `size` pixels with a colour and a depth buffer of these formats, and binds it. `samples` 0:
-/// it is not multisampled.
+/// Makes and binds a framebuffer object of `size` pixels with colour and depth buffers of these formats.
+/// `samples` 0: not multisampled.
 inline void bindNewFramebuffer(const gl::RealGl& gl, glm::ivec2 size, GLenum color, GLenum depth,
                                GLsizei samples = 0) {
   GLuint framebuffer = 0, images[2] = {};

@@ -1,4 +1,4 @@
-// Every scene, drawn by the real OpenGL and through ours: the same colours and depths.
+// Every scene, drawn by the real OpenGL and through GLuRay: the same colours and depths.
 #include "intercept/present/tracing_presenter.h"
 #include "tests/reference/drawn_scene.h"
 
@@ -35,8 +35,7 @@ TEST_P(SceneTest, LooksLikeTheRealOne) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SceneTest, testing::ValuesIn(pointers(scenes::scenes())), nameOf);
 
-/// Tracing fails at the first flush: fixed function draws what was held back, and the real OpenGL all that
-/// follows.
+/// Tracing fails at the first flush: fixed function draws the batch, and the real OpenGL everything after it.
 TEST_P(SceneTest, LooksLikeTheRealOneWhenTracingFails) {
   const scenes::Scene& scene = *GetParam();
   const Picture& expected = realPicture(scene);
@@ -69,7 +68,7 @@ TEST(Harness, SeesADifference) {
   for (float& d : got.depths) d -= 2e-5f;
   EXPECT_FALSE(compare(expected, got, {}).accepted);
   got = expected;
-  for (size_t i = 0; i < 60; ++i) got.colors[i * 7] = 0xffffffff;  // few, but in the middle of nowhere
+  for (size_t i = 0; i < 60; ++i) got.colors[i * 7] = 0xffffffff;  // few, but not at edges
   EXPECT_FALSE(compare(expected, got, {}).accepted);
 }
 

@@ -1,4 +1,4 @@
-// A field of triangles, more than are taken one by one, for buffers whose contents change.
+// A field of triangles, more than are captured one by one, for buffers whose contents change.
 #pragma once
 #include "gl/real.h"
 
@@ -10,7 +10,7 @@ constexpr int kTriangles = 100;
 constexpr GLsizei kVertices = 3 * kTriangles;
 constexpr GLsizeiptr kBytes = kVertices * 3 * sizeof(float);
 
-/// Positions, kBytes of them; `shape` tells two fields apart.
+/// kBytes of positions; `shape` selects one of two fields.
 inline std::vector<float> field(float shape) {
   std::vector<float> all;
   for (int i = 0; i < kTriangles; ++i) {

@@ -1,4 +1,4 @@
-// Only pixels that exist are traced: viewports may be larger than what is drawn into.
+// Only pixels that exist are traced: viewports may be larger than the framebuffer.
 #include "tests/support/snapshot_taker.h"
 #include "tests/support/traced_context.h"
 

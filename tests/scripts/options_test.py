@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A script that is given an option it does not have says so in one line, and does nothing."""
+"""Scripts refuse unknown options with one line and do nothing."""
 import pathlib
 import subprocess
 import unittest

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""scripts/progress: what it shows of a build, and that it passes the build's exit code on."""
+"""scripts/progress shows a build's progress and returns its exit code."""
 import pathlib
 import subprocess
 import tempfile

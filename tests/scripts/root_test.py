@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""scripts/root says in one line what it lacks, and touches nothing then."""
+"""If scripts/root lacks something, it says so in one line and changes nothing."""
 import os
 import pathlib
 import subprocess
@@ -7,7 +7,7 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "root"
-CANNOT = 77  # such a system cannot be made here
+CANNOT = 77  # exit code: such a system cannot be made here
 
 
 class Root(unittest.TestCase):

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""scripts/setup on distributions that exist only here: stand-ins for dpkg and apt tell what is installed and what there is."""
+"""scripts/setup on fictional distributions: stand-ins for dpkg and apt list installed and available packages."""
 import os
 import pathlib
 import re
@@ -8,8 +8,8 @@ import tempfile
 import unittest
 
 SETUP = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "setup"
-# Of the lists: every name in `known` can be installed; `removed` are names that apt still tells of, as Debian 13 does with exit
-# code 0. What is installed is in the file `installed`.
+# Every name in `known` can be installed; `removed` are names that apt still shows, as Debian 13 does with exit
+# code 0. The file `installed` lists installed packages.
 STAND_INS = {
     "id": "echo 0",
     "dpkg-query": r"""for name in $(cat "$ROOT/installed"); do
@@ -30,7 +30,7 @@ for word; do case $word in install) on=1 ;; -*) ;; *) [ -z "${on:-}" ] || echo "
 
 
 def entries():
-    """What scripts/setup installs."""
+    """The packages that scripts/setup installs."""
     arrays = re.findall(r"packages\+?=\(\n(.*?)\n *\)", SETUP.read_text(), re.S)
     return [word for text in arrays[:2] for word in text.split()]
 

@@ -1,5 +1,4 @@
-// Rows that were added to spec/settings.toml alone: structs, files, variables, options and messages have
-// them.
+// Rows added only to spec/settings.toml appear in structs, files, variables, options and messages.
 #include "command_line.h"
 #include "settings/layers.h"
 #include "settings/values.h"
@@ -49,7 +48,7 @@ class Added : public testing::Test {
     sources.userFile = file_;
     return readLayers(sources, complain).session;
   }
-  /// What options choose.
+  /// Values chosen by options.
   static Session ofOptions(std::vector<std::string> words) {
     std::vector<char*> arguments{const_cast<char*>("gluray")};
     for (std::string& word : words) arguments.push_back(word.data());

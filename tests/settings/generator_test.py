@@ -91,16 +91,16 @@ class Refused(Folder):
         self.refuse("type must be one of", type="double")
         self.refuse("numbers need a range", range=None)
         self.refuse("the default is out of range", default=2)
-        self.refuse("the default is no int", default="1")
+        self.refuse("the default is not of type int", default="1")
         self.refuse("applies must be one of", applies="now")
         self.refuse("must apply to frames or contexts", applies="process", changes="picture")
-        self.refuse("choices are needed", type="choice", range=None)
-        self.refuse("another one has the name spp", name="spp")
-        self.refuse("another one has the variable GLURAY_LOG_LEVEL", name="log.level")
-        self.refuse("another one has the option --spp", option="--spp")
+        self.refuse("needs choices", type="choice", range=None)
+        self.refuse("another setting has the name spp", name="spp")
+        self.refuse("another setting has the variable GLURAY_LOG_LEVEL", name="log.level")
+        self.refuse("another setting has the option --spp", option="--spp")
         self.refuse("only switches and choices head a group", name="spp.more")
-        self.refuse("is not reserved", name="config")
-        self.refuse("is not reserved", name="program.x")
+        self.refuse("and not reserved", name="config")
+        self.refuse("and not reserved", name="program.x")
 
 
 if __name__ == "__main__":

@@ -4,8 +4,8 @@
 
 (with an X server at hand.) The last frame of each stream is replayed again and again, as a viewer draws it. Where glretrace
 cannot do that, the frames after the first are timed: the time of the whole stream less that of its first frame. The fastest
-turn of each counts, since what else the machine does only adds; glretrace's own work is in both. NAME is a stream of this
-folder, or the path of another recording without its ".trace": one of many frames, where ours are too short to tell.
+turn of each counts, since other load only adds time; glretrace's own work is in both. NAME is a stream of this
+folder, or the path of another recording without its ".trace", such as one with more frames than ours.
 """
 import argparse
 import json
@@ -21,7 +21,7 @@ import tempfile
 import streams
 
 HERE = pathlib.Path(__file__).parent
-SHORT = 5  # turns for each of --turns of streams that last a moment
+SHORT = 5  # for very short streams, measurements for each of --turns
 
 
 def processor_seconds():
@@ -51,8 +51,8 @@ class Stream:
         self.short = self.trace if self.repeats else first_frame(self.trace, folder)
 
     def milliseconds(self, turns, ways):
-        """For each way the time of a frame, and that of all processors; measured in turn. The first frames, in which
-        libraries are loaded and shaders built, are not what is asked for: their time is taken off."""
+        """For each way the time of a frame, and processor time; measured in turn. Subtracts the time of the first frames,
+        in which libraries are loaded and shaders built."""
         runs = [([], []) for _ in ways]
         for _ in range(turns if self.repeats else turns * SHORT):
             for (few, many), way in zip(runs, ways):

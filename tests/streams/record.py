@@ -1,7 +1,7 @@
-"""Records the call streams of this folder anew: record.py [NAME ...], with an X server of its own at hand.
+"""Records the call streams of this folder again: record.py [NAME ...]; needs an X server of its own.
 
 Each program runs under apitrace until its picture is there, and the trace is cut to its first frames. A stream is kept
-only where it stays under a megabyte; what a program draws from time or chance is in the stream and the same ever after.
+only if it stays under a megabyte; values that a program took from clocks or random numbers are then fixed in the stream.
 """
 import os
 import pathlib
@@ -32,7 +32,7 @@ def hack(name, *options):
 
 
 def planet(folder):
-    """glplanet with a map of its own: its built-in ones are megabytes."""
+    """glplanet with a small map: its built-in ones are megabytes."""
     y, x = np.mgrid[0:64, 0:128]
     land = (np.sin(x / 9) + np.cos(y / 7) > 0.2)[:, :, None]
     pictures.write_png(folder / "map.png", np.where(land, (70, 140, 60), (40, 70, 160)).astype(np.uint8))
@@ -64,7 +64,7 @@ STREAMS = {
     "gltext": ("egl", hack("gltext", "--text", "GLuRay"), 4, 4, {}),
     "pipes": ("egl", hack("pipes", "--factory", "0", "--count", "1"), 5, 4, {}),
 }
-# Programs that draw little are recorded as tests/live runs them.
+# Programs with few draws are recorded as tests/live runs them.
 STREAMS |= {name: ("gl", programs.MORE[name].command, last, 8, {}) for name, last in (
     ("v_sim", 4), ("pivy", 3), ("3depict", 5))}
 
@@ -85,13 +85,13 @@ def record(name):
             started = subprocess.Popen(["apitrace", "trace", "-a", api, "-o", str(raw), *command(folder)], env=environment,
                                        stdout=log, stderr=log, start_new_session=True)
             time.sleep(seconds)
-            # A window over all others for a moment: programs that draw on demand draw once more.
+            # Covers all windows for a moment, so that programs that draw on demand draw again.
             with subprocess.Popen(["xlogo", "-geometry", "1280x1024+0+0"]) as cover:
                 time.sleep(1)
                 cover.terminate()
             time.sleep(1)
             for child in processes_of_group(started.pid):
-                os.kill(child, signal.SIGTERM)  # not apitrace too: it would pass a second signal on
+                os.kill(child, signal.SIGTERM)  # not apitrace, which would forward a second signal
             try:
                 started.wait(5)
             except subprocess.TimeoutExpired:

@@ -30,7 +30,7 @@ SECONDS = 120
 
 
 def snapshots(name):
-    """The calls before which pictures are taken: those that end a frame, from the first that is compared."""
+    """The calls before which pictures are taken: the ends of frames, from the first compared frame on."""
     listed = subprocess.run(["apitrace", "dump", "--color=never", "--calls=*/frame", str(HERE / f"{name}.trace")],
                             capture_output=True, text=True, check=True).stdout
     numbers = [line.split()[0] for line in listed.splitlines() if line[:1].isdigit()]
@@ -38,7 +38,7 @@ def snapshots(name):
 
 
 def replay(name, before=()):
-    """The pictures of every frame, and what OpenGL had to say to the program."""
+    """The pictures of every frame, and OpenGL's messages to the program."""
     command = [*before, "glretrace", f"--snapshot={snapshots(name)}",
                "--snapshot-prefix=-", str(HERE / f"{name}.trace")]
     done = subprocess.run(command, capture_output=True, timeout=SECONDS, env=dict(os.environ, LC_ALL="C"))
@@ -54,7 +54,7 @@ def traced_share(report):
 
 
 def check(name, door, plain, seen, report, out):
-    """The lines that say what is wrong."""
+    """The errors, one a line."""
     stream = streams.STREAMS[name]
     wrong = []
     if len(plain) != len(seen):
@@ -98,7 +98,7 @@ def main():
             seen, more = replay(given.name, [given.gluray, "--door", door, "--shading", "vertex", "--report", str(path), "--"])
             report = json.loads(path.read_text())
         wrong += check(given.name, door, plain, seen, report, out)
-        wrong += [f"{given.name} by {door}: the program is told what is not its doing:{text}" for text in more - messages]
+        wrong += [f"{given.name} by {door}: messages to the program that do not come from its own calls:{text}" for text in more - messages]
         results[door] = {"beyond": [pictures.share_beyond(a, b) for a, b in zip(plain, seen) if a.shape == b.shape],
                          "traced": traced_share(report), "report": report}
         print(f"{given.name} by {door}: {len(seen)} frames, at most {max(results[door]['beyond'], default=1):.4%} of a frame "

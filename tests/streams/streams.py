@@ -1,13 +1,13 @@
-"""The recorded call streams of this folder (NAME.trace, made by record.py), and what is expected of each."""
+"""The recorded call streams of this folder (NAME.trace, made by record.py), and the expectations for each."""
 import dataclasses
 
 
 @dataclasses.dataclass
 class Stream:
     traced: float   # least share of its triangles that are traced
-    batches: float  # most batches a frame: more of them, and something flushes that need not
-    # The first frame compared. What glretrace draws first goes into a window that the real OpenGL takes for smaller than
-    # it is: its picture is empty or chance.
+    batches: float  # most batches a frame; more mean unnecessary flushes
+    # The first compared frame. glretrace's first frames go into a window that the real OpenGL takes for smaller than
+    # it is: their pictures are empty or undefined.
     first: int = 1
 
 
@@ -29,7 +29,7 @@ STREAMS = {
     "3depict": Stream(1, 1),
     "superquadrics": Stream(1, 1),
     "glplanet": Stream(0.99, 3),  # day and night go to other channels, the atmosphere is blended: three batches
-    "atlantis": Stream(0.98, 2),  # a layer without depth test cuts the frame in two
+    "atlantis": Stream(0.98, 2),  # a layer without depth test splits the frame into two batches
     "gltext": Stream(1, 1),
     "pipes": Stream(1, 1),
 }

@@ -1,4 +1,4 @@
-// Everything a program can ask OpenGL about its state, as a table that can be compared.
+// All queryable OpenGL state, as a table that can be compared.
 #pragma once
 #include "gl/real.h"
 
@@ -11,7 +11,7 @@ namespace gluray::test {
 /// "unit 3 TEXTURE_BINDING_2D" -> values. Names that the context does not know are absent.
 using GlState = std::map<std::string, std::vector<double>>;
 
-/// Asks for every name of the registry that belongs to a query of state: glGet (plain and indexed),
+/// Queries every name of the registry that belongs to a state query: glGet (plain and indexed),
 /// glIsEnabled, texture units and the textures bound there, lights, materials, clip planes, vertex arrays,
 /// pixel maps, framebuffer attachments. Pending errors are lost; nothing else changes.
 GlState queryState(const gl::RealGl& gl);

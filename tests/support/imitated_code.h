@@ -1,5 +1,5 @@
-// Statements of the tests' programs that are not VTK's own words, though they compute what VTK's programs do:
-// to be among those that VTK's families know.
+// Statements of the tests' programs that differ from VTK's text but compute the same: VTK's families must
+// know them, too.
 #pragma once
 #include "gl/families/family.h"
 
@@ -46,7 +46,7 @@ gl_FragColor = vec4(1.0 - texture2D(Input, tc).rgb, 1.0);
 '''
 )toml";
 
-/// The families that are built in, which know the tests' code as well.
+/// The built-in families, which also know the tests' code.
 inline std::shared_ptr<const gl::FamilyList> familiesOfTests() {
   static const auto families = [] {
     auto all = std::make_shared<gl::FamilyList>(gl::parseFamilies(kImitatedCode, "imitated_code.h"));

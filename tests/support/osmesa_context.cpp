@@ -9,7 +9,7 @@
 namespace gluray::test {
 namespace {
 
-/// The function of this name, of the type that RealGl has for it.
+/// The function of this name, with its type in RealGl.
 template <class Function>
 Function osmesaFunction(const char* name) {
   return reinterpret_cast<Function>(OSMesaGetProcAddress(name));
@@ -17,7 +17,7 @@ Function osmesaFunction(const char* name) {
 
 thread_local GLenum g_refused = GL_NO_ERROR;
 
-/// Refuses what core profiles do not have, as the specification and Mesa 25 do; Mesa 22 answers.
+/// Refuses queries that core profiles lack, as the specification and Mesa 25 do; Mesa 22 answers them.
 void APIENTRY strictGetIntegerv(GLenum name, GLint* value) {
   switch (name) {
     case GL_RED_BITS:

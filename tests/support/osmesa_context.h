@@ -12,7 +12,7 @@ namespace gluray::test {
 struct ContextWish {
   int width = 64, height = 64;  // pixels
   bool core = false;            // core profile; otherwise compatibility
-  int major = 0, minor = 0;     // 0: the highest there is
+  int major = 0, minor = 0;     // 0: the highest available
 };
 
 /// How test frameworks print one.
@@ -24,7 +24,7 @@ inline void PrintTo(const ContextWish& wish, std::ostream* out) {
 /// thread.
 class OsmesaContext {
  public:
-  /// Null where OSMesa cannot make such a context. It shares objects with `share`, which is of the same kind.
+  /// Null if OSMesa cannot make such a context. It shares objects with `share`, which is of the same kind.
   static std::unique_ptr<OsmesaContext> create(const ContextWish& wish = {},
                                                const OsmesaContext* share = nullptr);
   ~OsmesaContext();

@@ -1,4 +1,4 @@
-// Pictures with depth: comparison against a tolerance, and PNG files of what went wrong.
+// Pictures with depth: comparison against a tolerance, and PNG files of failures.
 #pragma once
 #include "scenes/scene.h"
 
@@ -27,14 +27,14 @@ struct Comparison {
   std::string text;  // the numbers in one line
 };
 
-/// Accepted where at most tolerance.edgeShare of the pixels are outside in colour, as many in depth, and a
-/// tenth of that off the edges. Alpha is compared like the other channels.
+/// Accepts if at most tolerance.edgeShare of the pixels are outside in colour, as many in depth, and a
+/// tenth of that away from edges. Compares alpha like the other channels.
 Comparison compare(const Picture& expected, const Picture& got, const scenes::Tolerance& tolerance);
 
 /// An opaque RGB image, top row first in the file. False where the file cannot be written.
 bool writePng(const std::string& file, const Picture& picture);
 
-/// NAME-expected.png, NAME-got.png, NAME-diff.png (differences eight times over) in `folder`, which is made.
+/// Writes NAME-expected.png, NAME-got.png, NAME-diff.png (differences times eight) to a new `folder`.
 void writeFailure(const std::string& folder, const std::string& name, const Picture& expected,
                   const Picture& got);
 

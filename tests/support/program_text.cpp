@@ -79,7 +79,7 @@ const char* const kPbrLight =
     "  specular = SpecularIsotropic(NdH, NdV, NdL, HdL, roughness, F0, F90, F);\n"
     "  diffuse = (1.0 - metallic) * (1.0 - F) * DiffuseLambert(albedo);\n"
     "  Lo += radiance * (diffuse + specular) * NdL;\n";
-/// Of a light in the viewer's place alone: L = V = H.
+/// For a single light at the viewer: L = V = H.
 const char* const kPbrHeadlight =
     "  specular = SpecularIsotropic(NdV, NdV, NdV, 1.0, roughness, F0, F90, F);\n"
     "  diffuse = (1.0 - metallic) * (1.0 - F) * DiffuseLambert(albedo);\n  radiance = lightColor0;\n"
@@ -95,7 +95,7 @@ bool hasTcoord(const Surface& s) {
   return s.actorTexture || (s.color == Surface::Color::mapped && !s.colorTcoord);
 }
 
-/// Statements that give the vertex program's output `name` + VCVSOutput from attribute `name`.
+/// Statements that copy attribute `name` to the vertex shader's output `name` + VCVSOutput.
 std::string tcoordText(const Surface& s, const std::string& name) {
   if (!s.tcoordMatrix) return "  " + name + "VCVSOutput = " + name + ";\n";
   return "  vec4 " + name + "Tmp = tcMatrix*vec4(" + name + ",0.0,1.0);\n  " + name + "VCVSOutput = " + name +

@@ -1,10 +1,10 @@
-// Shader programs as VTK's OpenGL2 back end writes them, put together from the same pieces.
+// Shader programs like those of VTK's OpenGL2 back end, composed of the same pieces.
 #pragma once
 #include <string>
 
 namespace gluray::test {
 
-/// What a program is put together from.
+/// The options of which a program is composed.
 struct Surface {
   enum class Color { uniform, vertex, mapped, cell };
   enum class Normals { vertex, cell, triangle };
@@ -14,7 +14,7 @@ struct Surface {
   Lights lights = Lights::directional;
   int lightCount = 1;
   bool backMaterial = false, clipPlanes = false, depthOffset = false, actorTexture = false;
-  /// As VTK writes it since 9.3: the map is looked up at colorTCoord. tcoordMatrix: tcMatrix acts on all of
+  /// As in VTK since 9.3: the map is looked up at colorTCoord. tcoordMatrix: tcMatrix acts on all of
   /// them.
   bool colorTcoord = false, tcoordMatrix = false;
   std::string version = "#version 150\n";

@@ -1,4 +1,4 @@
-// A presenter for tests: hands every batch's snapshot to a function, says that it was traced, draws nothing.
+// A presenter for tests: passes every batch's snapshot to a function and reports it as traced; no drawing.
 #pragma once
 #include "gl/batch/presenter.h"
 

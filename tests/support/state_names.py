@@ -1,4 +1,4 @@
-"""Writes state_names.gen.h: the names of everything that glGet, glIsEnabled and their relatives can be asked for.
+"""Writes state_names.gen.h: the names that glGet, glIsEnabled and similar queries accept.
 
 python3 state_names.py OUTPUT_FILE. The registry's enum groups say which names belong to which query.
 """
@@ -17,7 +17,7 @@ GROUPS = {
     "kPointerNames": ("GetPointervPName",),
     "kAttachmentParameters": ("FramebufferAttachmentParameterName",),
 }
-# Clocks, memory gauges and the device's identity are no state (asking for the last crashes Mesa 22.3).
+# Clocks, memory gauges and the device's identity are not state (querying the last one crashes Mesa 22.3).
 NOT_STATE = ("TIMESTAMP", "MEMORY", "_NVX", "_ATI", "DEVICE_", "DRIVER_UUID")
 
 

@@ -1,4 +1,4 @@
-// A context of the shadow GL over a real one in memory: what a program meets behind a door, without the door.
+// A context of the shadow GL over a real one in memory: the same engine that a program uses, without a door.
 #pragma once
 #include "gl/context.h"
 #include "tests/support/imitated_code.h"
@@ -10,9 +10,9 @@ namespace gluray::test {
 class TracedContext {
  public:
   /// Current in the creating thread until destroyed. Shading is per vertex, as the real OpenGL's.
-  /// `presenter` stands in for the one that traces. `share` is a context whose lists and buffers it shares.
-  /// `source`, where there is one, has the settings instead of `settings`.
-  /// `families` are those of shader programs; null: those that are built in, read when they are needed.
+  /// `presenter` replaces the one that traces. `share` is a context whose lists and buffers it shares.
+  /// `source`, if given, replaces `settings`.
+  /// `families` are those of shader programs; null: the built-in families, read on demand.
   explicit TracedContext(const ContextWish& wish = {}, Settings settings = vertexShading(),
                          std::unique_ptr<gl::Presenter> presenter = nullptr,
                          const TracedContext* share = nullptr,
@@ -22,19 +22,19 @@ class TracedContext {
   TracedContext(const TracedContext&) = delete;
   TracedContext& operator=(const TracedContext&) = delete;
 
-  /// Instead of the one that is current in this thread.
+  /// Makes it current in this thread.
   void makeCurrent();
 
   static Settings vertexShading();
-  /// What is usual, but that small scenes are traced, too.
+  /// The default settings, except that small scenes are traced, too.
   static Settings tracing();
-  /// Our functions, as table.
+  /// GLuRay's functions, as a table.
   static const gl::RealGl& stubs();
-  /// Our functions: what the program calls.
+  /// GLuRay's functions, which the program calls.
   const gl::RealGl& gl() const { return stubs(); }
   const OsmesaContext& below() const { return *below_; }
   const gl::Context& context() const { return *context_; }
-  /// Colour and depth as the program reads them.
+  /// Colour and depth, read as by the program.
   Picture read() const;
 
  private:
@@ -43,7 +43,7 @@ class TracedContext {
   std::shared_ptr<gl::Context> context_;
 };
 
-/// Colour and depth of what `gl` has bound for reading.
+/// Colour and depth of the framebuffer that `gl` has bound for reading.
 Picture readPicture(const gl::RealGl& gl, int width, int height);
 
 }  // namespace gluray::test

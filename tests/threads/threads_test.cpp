@@ -21,7 +21,7 @@ using Gl = const gl::RealGl&;
 constexpr int kSize = 16, kFrames = 400;
 constexpr GLuint kSharedList = 1, kSharedBuffer = 1;
 
-/// A colour that tells thread and frame.
+/// A colour that identifies thread and frame.
 std::array<GLubyte, 4> colorOf(int thread, int frame) {
   return {static_cast<GLubyte>(frame % 2 ? 255 : 60), static_cast<GLubyte>(thread ? 200 : 20),
           static_cast<GLubyte>(frame % 200), 255};
@@ -57,7 +57,7 @@ bool isAll(Gl gl, const std::array<GLubyte, 4>& color) {
   return true;
 }
 
-/// Lists and buffers of its own names, made, used and deleted; objects of the group that it only draws from.
+/// Makes, uses and deletes lists and buffers of its own; only draws from shared objects of the group.
 void drawFrame(Gl gl, int thread, int frame) {
   const auto color = colorOf(thread, frame);
   startFrame(gl);
@@ -84,7 +84,7 @@ void drawFrame(Gl gl, int thread, int frame) {
       gl.EnableClientState(GL_VERTEX_ARRAY);
       gl.VertexPointer(3, GL_FLOAT, 0, nullptr);
       gl.DrawArrays(GL_TRIANGLES, 0, 6);
-      const GLfloat moved = 0.15f;  // the mesh of the draw keeps what it has
+      const GLfloat moved = 0.15f;  // the mesh of the earlier draw must not change
       gl.BufferSubData(GL_ARRAY_BUFFER, 2 * sizeof(GLfloat), sizeof moved, &moved);
       gl.DisableClientState(GL_VERTEX_ARRAY);
       gl.DeleteBuffers(1, &buffer);
@@ -164,7 +164,7 @@ TEST(Threads, ContextsComeAndGoWhileAnotherDraws) {
       done = true;
       return;
     }
-    for (int frame = 0; !done; ++frame) {  // destroyed with objects of its own left in the group
+    for (int frame = 0; !done; ++frame) {  // destroyed while its objects remain in the group
       TracedContext context({kSize, kSize}, TracedContext::vertexShading(), nullptr, &owner);
       Gl gl = context.gl();
       const GLuint list = gl.GenLists(1);
@@ -199,7 +199,7 @@ TEST(Threads, ListsAreReplacedWhileTheOtherThreadCallsThem) {
       done = true;
       return;
     }
-    // Whatever list the other finds covers the picture.
+    // Every list that the other thread may find covers the picture.
     for (; !done; ++compiled)
       gl.NewList(kSharedList, GL_COMPILE), sendRectangle(gl, 1.0f + 0.01f * static_cast<float>(compiled % 7)),
           gl.EndList();
@@ -208,7 +208,7 @@ TEST(Threads, ListsAreReplacedWhileTheOtherThreadCallsThem) {
   EXPECT_GT(compiled, 0);
 }
 
-TEST(Threads, WhatIsHeldBackIsSentByWhoeverDrawsFirst) {
+TEST(Threads, PendingDataIsSentByTheThreadThatDrawsFirst) {
   constexpr int kRounds = 100;
   TracedContext owner({kSize, kSize});
   makeSharedObjects(owner.gl());
@@ -252,7 +252,7 @@ TEST(Threads, BuffersAreFilledWhileTheOtherThreadDraws) {
         const auto color = colorOf(thread, frame);
         startFrame(gl);
         gl.Color4ubv(color.data());
-        for (int i = 0; i < 20; ++i) sendRectangle(gl, 1);  // each looks for buffers to send
+        for (int i = 0; i < 20; ++i) sendRectangle(gl, 1);  // each checks for buffers to send
         wrong += !isAll(gl, color);
       }
       done = true;
@@ -269,7 +269,7 @@ TEST(Threads, BuffersAreFilledWhileTheOtherThreadDraws) {
   EXPECT_GT(filled, 0);
 }
 
-TEST(Threads, ReportMayBeAddedUpMeanwhile) {
+TEST(Threads, ReportsMayBeSummedMeanwhile) {
   TracedContext context({kSize, kSize});
   makeSharedObjects(context.gl());
   std::atomic<bool> done = false;

@@ -1,4 +1,4 @@
-"""Runs batches of states (registry.py) in pvbatch or python3, plain or under the launcher, and keeps what they leave."""
+"""Runs batches of states (registry.py) in pvbatch or python3, with or without the launcher, and keeps their output."""
 import dataclasses
 import hashlib
 import json
@@ -17,7 +17,7 @@ PYTHON = "/usr/bin/python3"  # Debian's own: the modules belong to it
 
 
 class Skipped(RuntimeError):
-    """What a test needs is not installed."""
+    """Something that a test needs is not installed."""
 
 
 def vtk_modules():
@@ -36,7 +36,7 @@ def need(program):
 
 
 def command(program, launcher, report):
-    """The words that run a Python script in `program`, what its environment must have, and the report to be read."""
+    """The command that runs a Python script in `program`, additions to its environment, and the report's file."""
     more = {"VTK_STATES_REPORT": str(report)} if report else {}
     if program == "vtk":
         return [*launcher, PYTHON], more | {"PYTHONPATH": vtk_modules()}
@@ -56,7 +56,7 @@ def command(program, launcher, report):
 
 
 class Server:
-    """pvserver, until the client that it waits for has gone."""
+    """pvserver; it ends after its client."""
 
     def __init__(self, launcher, folder, settings):
         need("pvserver")
@@ -75,7 +75,7 @@ class Server:
             time.sleep(0.05)
 
     def end(self):
-        """Its exit code; None where it had to be stopped."""
+        """Its exit code; None if it had to be stopped."""
         try:
             return self.process.wait(20)
         except subprocess.TimeoutExpired:
@@ -85,7 +85,7 @@ class Server:
 
 
 def environment(home, **more):
-    """One renderer everywhere, no settings of the user's."""
+    """The environment: the same renderer everywhere, no user settings."""
     home.mkdir(parents=True, exist_ok=True)
     ours = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
     return dict(ours, GALLIUM_DRIVER="llvmpipe", LIBGL_ALWAYS_SOFTWARE="1", HOME=str(home), LC_ALL="C",
@@ -101,7 +101,7 @@ class Batch:
     folder: pathlib.Path
 
     def draw(self, launcher=(), report=None):
-        """Draws what is not drawn yet. A state at which the process ends is noted, and the others go on."""
+        """Draws the remaining states. Notes a state in which the process ends, and continues with the others."""
         words, more = command(self.program, launcher, report)
         settings = environment(self.folder / "home", **more)
         left = [name for name in self.names if not self.result_file(name).exists()]
@@ -116,7 +116,7 @@ class Batch:
             left = after[1:]
 
     def run_once(self, words, settings, launcher):
-        """What was wrong with the end of the process; nothing where it ended well."""
+        """What was wrong with the process's end; empty if nothing."""
         server = Server(launcher, self.folder, settings) if self.program == "remote" else None
         if server:
             settings = settings | {"VTK_STATES_SERVER": f"127.0.0.1:{server.port}"}
@@ -169,7 +169,7 @@ def versions():
 
 
 def key(words):
-    """Changes with the states, with what draws them, and with `words`."""
+    """A digest of the states, of the programs that draw them, and of `words`."""
     seen = hashlib.sha256(" ".join([versions(), *words]).encode())
     for file in sorted(HERE.rglob("*.py")):
         seen.update(file.read_bytes())
@@ -177,7 +177,7 @@ def key(words):
 
 
 def draw_plain(program, names, place):
-    """What `names` look like without GLuRay: drawn once, kept in `place` until something that matters changes."""
+    """The pictures of `names` without GLuRay, kept in `place` until the digest changes."""
     folder = place / key([program, *names])
     batch = Batch(program, names, folder)
     if not (folder / "complete").exists():
@@ -189,7 +189,7 @@ def draw_plain(program, names, place):
 
 
 def always(gluray):
-    """Options that have every frame traced, also those that the real OpenGL would draw faster."""
+    """Options that make GLuRay trace every frame, however small."""
     told = subprocess.run([gluray, "run", "--help"], capture_output=True, text=True).stdout
     return ["--engine", "always"] if "--engine" in told else []
 

@@ -1,4 +1,4 @@
-"""Draws states of ParaView and VTK with and without GLuRay and compares what they leave.
+"""Draws states of ParaView and VTK with and without GLuRay and compares their pictures and depth.
 
     compare.py --gluray GLURAY --out FOLDER [--group GROUP | --label LABEL] [NAME ...]
 
@@ -25,7 +25,7 @@ import pictures  # noqa: E402
 import registry  # noqa: E402
 
 DEPTH = 1e-4   # window depths that differ by more count as different
-# What must not be counted while only the camera moves.
+# Counts that must stay 0 while only the camera moves.
 STEADY = {"mesh.built": "meshes were built", "bvh.builds": "acceleration structures were built"}
 MARGIN = 4     # pixels around surfaces that anti-aliasing may touch
 ROUNDING = 1   # of 255: what may differ elsewhere, where anti-aliasing of the whole picture was computed by us
@@ -55,7 +55,7 @@ def grown(mask, by):
 
 
 def compare_shot(state, off_file, on_file):
-    """Shares that differ in colour and depth, and what is wrong."""
+    """Shares that differ in colour and depth, and the errors."""
     off, on = read_png(off_file), read_png(on_file)
     if off.shape != on.shape:
         return 1.0, 1.0, [f"{on.shape[1]}x{on.shape[0]} instead of {off.shape[1]}x{off.shape[0]} pixels"]
@@ -96,14 +96,14 @@ def traced_share(counts):
 
 
 def reasons(counts):
-    """What draws were rasterised for, the most frequent reason first."""
+    """The reasons for rasterised draws, the most frequent first."""
     start = "draws.rasterised."
     draws = {name[len(start):]: count for name, count in counts.items() if name.startswith(start)}
     return sorted(draws, key=draws.get, reverse=True)
 
 
 def compare_state(state, off, on, failed):
-    """A row of the table, and what is wrong."""
+    """A row of the table, and the errors."""
     name = state.name
     plain, traced = off.result(name), on.result(name)
     wrong = [f"{name}: {kind}: {seen['error']}" for kind, seen in (("plain", plain), ("with GLuRay", traced)) if seen["error"]]
@@ -121,7 +121,7 @@ def compare_state(state, off, on, failed):
         row["beyond"], row["depth"] = max(row["beyond"], beyond), max(row["depth"], depth)
         if lines:
             wrong += keep_failure(failed, state, number, *files, lines)
-    # What a server counts is known when it has ended.
+    # A server's counts are complete after it has ended.
     if traced["counts"] is None and not traced["error"] and state.program != "remote":
         wrong.append(f"{name}: GLuRay wrote no report while it was drawn: see {on.folder / 'log'}")
     counts = traced["counts"] or {}
@@ -147,7 +147,7 @@ def unsteady(state, steady):
 
 
 def print_processes(program, folder):
-    """One line for each process of several: what its report counts in all. What is wrong."""
+    """Prints one line for each of several processes, with the totals of its report. Returns the errors."""
     reports = sorted(folder.glob("report.json*"))
     for path in reports:
         report = json.loads(path.read_text())

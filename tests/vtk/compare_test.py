@@ -1,4 +1,4 @@
-"""What compare.py must find wrong, and what it must not: compare_test.py FOLDER"""
+"""Which differences compare.py must report, and which not: compare_test.py FOLDER"""
 import pathlib
 import shutil
 import sys
@@ -18,7 +18,7 @@ WIDTH, HEIGHT = 100, 80
 
 
 def ball():
-    """A bright disc before a dark background, and its depth."""
+    """A bright disc on a dark background, and its depth."""
     y, x = np.indices((HEIGHT, WIDTH))
     inside = (x - 50) ** 2 + (y - 40) ** 2 < 400
     picture = np.where(inside[..., None], [200, 150, 100], [20, 30, 40]).astype(np.uint8)
@@ -57,7 +57,7 @@ OUTSIDE = (slice(2, 3), slice(2, 3), (22, 30, 40))          # one pixel, by litt
 ROUNDED = (slice(2, 9), slice(2, 9), (21, 31, 39))          # by the least there is
 DEEPER = (slice(30, 34), slice(45, 50), 0.51)
 
-# What is wrong with the second run: its pictures, further words to drawn(), to registry.State, and words that must be told.
+# Errors of the second run: its pictures, further arguments of drawn() and registry.State, and the words that must be reported.
 CASES = {
     "equal": ([ball()], {}, {}, None),
     "few pixels": ([changed(FEW)], {}, {}, None),
@@ -104,7 +104,7 @@ def main():
             failures.append(f"a state may have {tolerance}")
         except ValueError:
             pass
-    print("\n".join(failures) or f"{len(CASES)} cases told as they should be")
+    print("\n".join(failures) or f"{len(CASES)} cases judged correctly")
     return 1 if failures else 0
 
 

@@ -1,4 +1,4 @@
-"""What the ParaView window of gui.py shows: two render views, one of them split off a spreadsheet. Run by paraview --script."""
+"""The content of the ParaView window of gui.py: two render views, one of them split off a spreadsheet. Run by paraview --script."""
 import os
 import pathlib
 

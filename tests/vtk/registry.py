@@ -1,4 +1,4 @@
-"""States: small scenes drawn by ParaView (pvbatch) or by plain VTK, each a function that is given a stage (stages.py).
+"""States: small scenes drawn by ParaView (pvbatch) or by plain VTK, each a function with a stage as its argument (stages.py).
 
     @state("pvbatch")
     def solid(stage):
@@ -25,18 +25,18 @@ class State:
     program: str           # "pvbatch", "vtk", "mpi2", "mpi4" (pvbatch in as many processes) or "remote" (pvserver)
     draw: callable
     beyond: float          # share of a picture's pixels that may differ by more than 8 of 255
-    reason: str            # why that is more than usual
+    reason: str            # reason for a larger tolerance than usual
     min_share: float       # least share of the state's triangles that must be traced; None: what shares.json says, if anything
     outside: bool          # pixels away from every surface must be equal
     same_depth: bool       # depth is compared
-    sends: int             # most bytes of buffers that the real OpenGL is sent while only the camera moves
+    sends: int             # most bytes of buffers sent to the real OpenGL while only the camera moves
 
 
 def state(program, beyond=0.0005, reason="", min_share=None, outside=True, same_depth=True, sends=0):
     """Registers the function below it, for one program or, under names of their own, for a tuple of them. `beyond` is at
     most 0.005; above 0.0005 it needs a reason."""
     if beyond > 0.005 or (beyond > 0.0005 and not reason):
-        raise ValueError(f"a tolerance of {beyond} is too much, or lacks its reason")
+        raise ValueError(f"a tolerance of {beyond} is too large, or lacks its reason")
 
     def register(draw):
         for one in program if isinstance(program, tuple) else (program,):
@@ -66,8 +66,8 @@ def load():
 
 
 def keep_shares(seen):
-    """Makes what was traced now, a little less, the least that must be; states that are not in `seen` keep theirs. Of
-    states that are mostly rasterised, passes and overlays, nothing is asked."""
+    """Makes the shares in `seen`, rounded down, the least that must be traced; other states keep theirs. States that are
+    mostly rasterised (passes and overlays) get no such minimum."""
     shares = json.loads(SHARES.read_text()) if SHARES.exists() else {}
     for name, share in seen.items():
         least = math.floor(100 * share - 1) / 100

@@ -3,8 +3,8 @@
     pvbatch runner.py FOLDER NAME ...      states for ParaView
     python3 runner.py FOLDER NAME ...      states for VTK
 
-Leaves the pictures of each state in FOLDER, and NAME.json: how long it took, the error it ended with, and, where
-VTK_STATES_REPORT names a report of GLuRay's that is being written, what was counted while the state was drawn.
+Writes the pictures of each state to FOLDER, and NAME.json: its time, the error it ended with, and, if
+VTK_STATES_REPORT names a report that GLuRay is writing, the counts while the state was drawn.
 """
 import ctypes
 import json
@@ -22,7 +22,7 @@ PAUSE = 0.12  # seconds: reports are at least 0.1 apart
 
 
 class Counts:
-    """What a report of GLuRay's counts, brought up to date by swapping the buffers of the current window."""
+    """The counts of GLuRay's report, updated by swapping the buffers of the current window."""
 
     def __init__(self, path):
         self.path = pathlib.Path(path) if path else None
@@ -41,7 +41,7 @@ class Counts:
             return None
 
     def fresh(self):
-        """Numbers by dotted name since the start of the process; None without a report, or where no window is current."""
+        """Numbers by dotted name since the start of the process; None without a report or a current window."""
         if not self.path:
             return None
         display, drawable = self.glx.glXGetCurrentDisplay(), self.glx.glXGetCurrentDrawable()

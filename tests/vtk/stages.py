@@ -1,4 +1,4 @@
-"""Where a state draws: a window of ParaView's or of plain VTK's, whose pictures and depth are written to files."""
+"""Stages: windows of ParaView or plain VTK in which states draw; their pictures and depth are written to files."""
 import os
 import pathlib
 import sys
@@ -13,7 +13,7 @@ NEWER = {"Position": "Translation"}  # what ParaView 5.13 calls a representation
 
 
 class Stage:
-    """Keeps what is seen as NAME-NUMBER.png and NAME-NUMBER.npy: window depth, float32, top row first."""
+    """Writes pictures as NAME-NUMBER.png and NAME-NUMBER.npy: window depth, float32, top row first."""
 
     def __init__(self, folder, name):
         self.folder, self.name, self.count = pathlib.Path(folder), name, 0
@@ -29,7 +29,7 @@ class Stage:
         self.count += 1
 
     def keep_text(self, lines):
-        """Beside the pictures of a state: words that must be equal with and without GLuRay."""
+        """Text beside a state's pictures, which must be equal with and without GLuRay."""
         with open(self.folder / f"{self.name}.txt", "a") as file:
             file.writelines(f"{line}\n" for line in lines)
 
@@ -46,8 +46,8 @@ class Stage:
 
 
     def counted(self, render, turn, frames=5):
-        """Frames between which only the camera moves, after two that may still prepare something: `steady` says what was
-        counted during them."""
+        """Frames between which only the camera moves, after two frames of preparation; `steady` holds the counts of
+        these frames."""
         for _ in range(2):
             render()
             turn()
@@ -103,7 +103,7 @@ class ParaViewStage(Stage):
         return display
 
     def data(self, data):
-        """A source of ParaView's that gives a vtkDataObject made here."""
+        """A ParaView source that outputs a given vtkDataObject."""
         producer = self.simple.TrivialProducer()
         producer.GetClientSideObject().SetOutput(data)
         producer.UpdatePipeline()

@@ -35,9 +35,9 @@ std::string Diagnosis::text() const {
     head.resize(indent.size(), ' ');
     const std::string lines = wrapped(printable(finding.text), kWidth, indent);
     all += head + lines.substr(std::min(indent.size(), lines.size()));
-    if (!finding.mend.empty()) all += indent + "mend: " + printable(finding.mend) + "\n";
+    if (!finding.fix.empty()) all += indent + "fix: " + printable(finding.fix) + "\n";
   }
-  constexpr const char* kSums[] = {"all is well", "it works, with a limitation", "it will not work"};
+  constexpr const char* kSums[] = {"all is well", "it works with limitations", "it will not work"};
   return all + "\n" + kSums[exitCode()] + "\n";
 }
 
@@ -47,15 +47,14 @@ nlohmann::json Diagnosis::json() const {
     constexpr const char* names[] = {"ok", "limited", "broken"};
     nlohmann::json entry = {
         {"topic", f.topic}, {"health", names[static_cast<int>(f.health)]}, {"text", f.text}};
-    if (!f.mend.empty()) entry["mend"] = f.mend;
+    if (!f.fix.empty()) entry["fix"] = f.fix;
     list.push_back(std::move(entry));
   }
   return {{"exitCode", exitCode()}, {"findings", list}};
 }
 
-std::string mendMissingLibrary(const std::string& name) {
-  // Debian's rule (policy 8.1): the name without ".so", and the version; a dash between where the name ends
-  // in a digit.
+std::string installCommand(const std::string& name) {
+  // Debian policy 8.1: the name without ".so", a dash if it ends in a digit, then the version.
   const size_t so = name.find(".so");
   if (so == name.npos) return "apt-file search " + name;
   std::string package = name.substr(0, so), version = name.substr(std::min(name.size(), so + 3));

@@ -1,10 +1,10 @@
-// gluray doctor: what will work, before anything is started.
+// gluray doctor: checks this machine, this install and a program without starting the program.
 #pragma once
 #include "command_line.h"
 
 namespace gluray::launcher {
 
-/// Prints what was found; the exit code is Diagnosis::exitCode().
+/// Prints the findings. Returns Diagnosis::exitCode().
 int doctor(const CommandLine& line);
 
 }  // namespace gluray::launcher

@@ -34,18 +34,19 @@ constexpr InstalledFile kFiles[] = {
     {"libGLX_gluray.so.0", Health::broken, "GLX programs cannot be traced"},
     {"libEGL_gluray.so.0", Health::limited, "EGL programs cannot be traced"},
     {"gluray_egl.json", Health::limited, "EGL programs cannot be traced"},
-    {"libgluray.so", Health::limited, "--door preload does nothing: no OSMesa, no bundled OpenGL"},
-    {"libgluray-clock.so", Health::limited, "gluray explain --html cannot hold time still"},
+    {"libgluray.so", Health::limited,
+     "--door preload has no effect, so programs with OSMesa or a bundled OpenGL cannot be traced"},
+    {"libgluray-clock.so", Health::limited, "gluray explain --html cannot show the same frame twice"},
 };
 
-/// What came out of a child process.
+/// Exit code and output of a child process.
 struct Said {
   int status = -1;  // exit code; -1: killed, crashed, or never started
   bool late = false;
   std::string out, errors;
 };
 
-/// Runs this launcher's own probe with the doors open.
+/// Runs the probe (probe_context.h) as a child of this process, through GLuRay.
 Said runProbe(const CommandLine& given, const std::string& api, const std::string& folder) {
   constexpr int kPatienceMs = 20000;
   int out[2], errors[2];
@@ -59,7 +60,7 @@ Said runProbe(const CommandLine& given, const std::string& api, const std::strin
     CommandLine line = given;
     line.settings.set("report", folder + "/report.json");
     line.settings.remove("off");
-    line.settings.set("engine", "always");  // of a picture this small
+    line.settings.set("engine", "always");  // the picture is so small that `auto` would not trace it
     openDoors(line, Program{});
     setenv("GLURAY_EXPLAIN", "1000", 1);
     execl("/proc/self/exe", "gluray", kProbeWord, api.c_str(), static_cast<char*>(nullptr));
@@ -126,7 +127,7 @@ std::string rasterReason(const json& report) {
   std::string reasons;
   for (const auto& [reason, count] : report["draws"]["rasterised"].items())
     reasons += (reasons.empty() ? "" : ", ") + reason;
-  return reasons.empty() ? "it was not drawn at all" : reasons;
+  return reasons.empty() ? "GLuRay saw no draw" : reasons;
 }
 
 void reportPicture(const json& report, Diagnosis& diagnosis) {
@@ -140,17 +141,17 @@ void reportWay(const json& report, Diagnosis& diagnosis) {
   const std::string driver = report.value("walkedPast", std::string());
   if (!driver.empty())
     diagnosis.limited("door",
-                      "walked past: the gl functions that the dynamic linker finds first are those of the "
-                      "driver (" +
-                          driver + "), so that what plug-ins link is not seen, and pictures may be wrong",
-                      "take the driver out of LD_PRELOAD, or try --door preload");
+                      "bypassed: the dynamic linker finds the driver's gl functions first (" + driver +
+                          "), so plug-ins call the driver, GLuRay does not see these calls, and pictures "
+                          "may be wrong",
+                      "remove the driver from LD_PRELOAD, or try --door preload");
 }
 
-/// What the probe met, as GLX or EGL.
+/// Reports what the probe printed and the engine's report of it; `api` is "glx" or "egl".
 void reportProbe(const std::string& api, const Said& said, const std::string& folder, Diagnosis& diagnosis) {
   const std::string topic = api == "glx" ? "OpenGL (GLX)" : "OpenGL (EGL)";
   const std::vector<std::string> complaints = linesOf(said.errors), words = linesOf(said.out);
-  if (said.late) return diagnosis.broken(topic, "does not answer: no picture after 20 seconds");
+  if (said.late) return diagnosis.broken(topic, "hangs: no output for 20 seconds");
   if (said.status != 0) {
     const std::string why = complaints.empty() ? "the test program crashed" : complaints.back();
     return diagnosis.broken(topic, why,
@@ -175,7 +176,7 @@ double gigabytes(const std::string& name) {
   return 0;
 }
 
-int coresForUs() {
+int usableCores() {
   cpu_set_t set;
   return sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 0;
 }
@@ -202,22 +203,22 @@ bool examineInstall(Diagnosis& diagnosis) {
     if (library.path.empty())
       diagnosis.broken("install",
                        "library " + library.name + " is missing; " + library.neededBy + " needs it",
-                       mendMissingLibrary(library.name));
+                       installCommand(library.name));
   if (static_cast<Health>(diagnosis.exitCode()) == before)
-    diagnosis.ok("install", "all of it in " + directory);
+    diagnosis.ok("install", "complete, in " + directory);
   return diagnosis.exitCode() < 2;
 }
 
 void examineMachine(Diagnosis& diagnosis) {
-  diagnosis.ok("machine", std::to_string(coresForUs()) + " cores for us of " +
-                              std::to_string(sysconf(_SC_NPROCESSORS_ONLN)) + ", " +
+  diagnosis.ok("machine", std::to_string(usableCores()) + " of " +
+                              std::to_string(sysconf(_SC_NPROCESSORS_ONLN)) + " cores usable, " +
                               fixed(gigabytes("MemTotal"), 1) + " GB of memory, " +
                               fixed(gigabytes("MemAvailable"), 1) + " GB of it free");
   const char* display = std::getenv("DISPLAY");
   if (display && *display)
     diagnosis.ok("display", display);
   else
-    diagnosis.limited("display", "DISPLAY is not set: only programs that draw without a screen will work",
+    diagnosis.limited("display", "DISPLAY is not set: only programs that need no screen will work",
                       "xvfb-run -s '-screen 0 1280x1024x24' gluray ...");
 }
 

@@ -1,18 +1,18 @@
-// The part of `gluray doctor` that looks at the machine and at GLuRay itself.
+// The part of `gluray doctor` that checks the machine and GLuRay's install.
 #pragma once
 #include "command_line.h"
 #include "doctor/diagnosis.h"
 
 namespace gluray::launcher {
 
-/// What of the install is there, and whether the engine's libraries are. False where nothing more can be
-/// tried.
+/// Checks GLuRay's files and the engine's libraries. False: so broken that drawing cannot be tried.
 bool examineInstall(Diagnosis& diagnosis);
 
 /// Cores, memory, display.
 void examineMachine(Diagnosis& diagnosis);
 
-/// Draws through GLuRay: the real OpenGL, the ray tracer's parts, whether the picture was traced.
+/// Draws a test picture through GLuRay; reports the real OpenGL, the ray tracer's libraries, and whether the
+/// picture was traced.
 void examineDrawing(const CommandLine& line, Diagnosis& diagnosis);
 
 }  // namespace gluray::launcher

@@ -20,13 +20,13 @@ bool isOpenGl(const std::string& name) {
   return is("libGL.so") || is("libOpenGL.so") || is("libGLX.so") || is("libEGL.so") || is("libOSMesa.so");
 }
 
-/// Libraries of OpenGL and X themselves name each other: no hint of what the program does.
+/// Libraries of OpenGL and the C library name each other: no hint about the program.
 bool belongsToSystem(const std::string& name) {
   const auto is = [&](const char* start) { return name.starts_with(start); };
   return isOpenGl(name) || is("libGLdispatch") || is("libGLES") || is("libc.so") || is("ld-linux");
 }
 
-/// "libSDL2-2.0.so.0 opens libGL.so": what files say that may be opened at run time.
+/// "libSDL2-2.0.so.0 names libGL.so": OpenGL libraries in a file's strings, which it may open at run time.
 std::string hints(const Program& program, const std::vector<WalkedLibrary>& walk) {
   const std::vector<std::string> names = {"libGL.so", "libEGL.so", "libOSMesa.so", "libOpenGL.so"};
   std::string text;
@@ -40,7 +40,7 @@ std::string hints(const Program& program, const std::vector<WalkedLibrary>& walk
   return text;
 }
 
-/// How the libraries that are loaded with the program bring OpenGL.
+/// The chains of libraries through which the program links OpenGL.
 std::string links(const std::vector<WalkedLibrary>& walk) {
   std::string text;
   for (const WalkedLibrary& library : walk) {
@@ -54,18 +54,17 @@ void reportMissing(const std::vector<WalkedLibrary>& walk, Diagnosis& diagnosis)
   for (const WalkedLibrary& library : walk)
     if (library.path.empty())
       diagnosis.broken(kTopic, "library " + library.name + " is missing; " + library.neededBy + " needs it",
-                       mendMissingLibrary(library.name));
+                       installCommand(library.name));
 }
 
 void reportDoor(const CommandLine& line, const Program& program, Diagnosis& diagnosis) {
-  if (line.door != "auto") return diagnosis.ok("door", line.door + ", as you ask");
+  if (line.door != "auto") return diagnosis.ok("door", line.door + ", chosen by --door");
   if (program.osMesa)
-    diagnosis.ok("door", "preload, and vendor: the program links OSMesa, which libglvnd does not serve");
+    diagnosis.ok("door", "preload and vendor: the program links OSMesa, which libglvnd does not serve");
   else if (program.bundledGl)
-    diagnosis.ok("door", "preload, and vendor: the program's libGL is not libglvnd's");
+    diagnosis.ok("door", "preload and vendor: the program's libGL is not libglvnd's");
   else
-    diagnosis.ok("door",
-                 "vendor: whatever way the program takes to OpenGL, libglvnd leads it through GLuRay");
+    diagnosis.ok("door", "vendor: libglvnd leads all of the program's OpenGL calls through GLuRay");
 }
 
 void reportWay(const Program& program, const std::vector<WalkedLibrary>& walk, Diagnosis& diagnosis) {
@@ -73,20 +72,19 @@ void reportWay(const Program& program, const std::vector<WalkedLibrary>& walk, D
   if (!linked.empty()) return diagnosis.ok(kTopic, program.path + " links OpenGL: " + linked);
   const std::string hint = hints(program, walk);
   if (!hint.empty())
-    return diagnosis.ok(kTopic,
-                        program.path + " links no OpenGL; it may open it while it runs (" + hint + ")");
-  diagnosis.limited(kTopic,
-                    program.path +
-                        " links no OpenGL and names none; what it opens while it runs, and what the programs "
-                        "that it starts do, cannot be told from outside: gluray explain shows it");
+    return diagnosis.ok(kTopic, program.path + " links no OpenGL; it may open it at run time (" + hint + ")");
+  diagnosis.limited(
+      kTopic, program.path +
+                  " neither links nor names OpenGL. It may still open it at run time, or start programs "
+                  "that use it: gluray explain shows whether it does");
 }
 
-/// Scripts are what their interpreter is.
+/// Examines a script by its interpreter.
 void examineScript(const CommandLine& line, const Program& program, Diagnosis& diagnosis) {
   CommandLine deeper = line;
   deeper.program = {program.interpreter};
   diagnosis.ok(kTopic, program.path + " is a script for " + program.interpreter +
-                           "; GLuRay is passed on to all programs that it starts");
+                           "; GLuRay also traces the programs that it starts");
   if (inspect(program.interpreter).path.empty())
     diagnosis.broken(kTopic, "the interpreter " + program.interpreter + " was not found");
   else
@@ -98,12 +96,10 @@ bool hasDisplay() { return std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLA
 void examineBinary(const CommandLine& line, const Program& program, Diagnosis& diagnosis) {
   if (!program.elf.is64 || program.elf.machine != readElf("/proc/self/exe").machine)
     return diagnosis.broken(kTopic,
-                            program.path + " is for another kind of processor than GLuRay, or of 32 bits");
+                            program.path + " is a 32-bit program, or for another processor than GLuRay");
   if (program.elf.interpreter.empty())
     return diagnosis.broken(kTopic,
-                            program.path +
-                                " is linked statically: no library comes between it and its "
-                                "OpenGL, so nothing can be traced",
+                            program.path + " is linked statically: GLuRay cannot see its OpenGL calls",
                             "link it with the system's libGL or libOpenGL");
   const auto walk = walkLibraries(program.path, pathsOf(program.libraries), readElf);
   reportMissing(walk, diagnosis);
@@ -122,11 +118,12 @@ void examineProgram(const CommandLine& line, Diagnosis& diagnosis) {
     return diagnosis.broken(
         kTopic, line.program[0] + (program.error == ENOENT ? " was not found" : " cannot be executed"));
   if (program.setUid)
-    return diagnosis.broken(kTopic, program.path + " is set-uid: the system lets nobody look into it");
+    return diagnosis.broken(kTopic,
+                            program.path + " is set-uid: the system does not let GLuRay see its calls");
   if (!program.interpreter.empty()) return examineScript(line, program, diagnosis);
   if (!program.elf.elf)
     return diagnosis.limited(kTopic,
-                             program.path + " is no ELF file and names no interpreter; a shell will read it");
+                             program.path + " is no ELF file and names no interpreter; /bin/sh will run it");
   examineBinary(line, program, diagnosis);
 }
 

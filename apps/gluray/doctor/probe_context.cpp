@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kSize = 64, kFrames = 2;
 
-/// A library that was opened by hand: the launcher links none of OpenGL's.
+/// A library opened by dlopen: the launcher does not link OpenGL.
 class Library {
  public:
   explicit Library(const char* name) : handle_(dlopen(name, RTLD_NOW | RTLD_LOCAL)) {
@@ -130,7 +130,7 @@ void probeEgl() {
   EGLint count = 0, bits = 0;
   require(eglChooseConfig_(display, wanted, configs, 64, &count) && count > 0,
           "EGL configuration for OpenGL");
-  // Deep colours come first; the usual ones are wanted.
+  // eglChooseConfig sorts deeper colours first; takes the first with 8 bits of red.
   const EGLConfig* last = configs + count;
   const EGLConfig* found =
       std::find_if(static_cast<const EGLConfig*>(configs), last, [&](EGLConfig candidate) {

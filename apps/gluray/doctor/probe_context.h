@@ -1,11 +1,11 @@
-// A program of our own: makes a context, draws a triangle, and says which OpenGL it met. `gluray doctor` runs
-// it as it would run any program, since drivers and X servers may hang or crash.
+// Test program inside the launcher: makes a context, draws a triangle and prints which OpenGL it got. `gluray
+// doctor` runs it in a process of its own, since drivers and X servers may hang or crash.
 #pragma once
 #include <string>
 
 namespace gluray::launcher {
 
-/// The first word of the command line by which the launcher starts itself for this.
+/// First argument with which the launcher starts itself as the probe.
 inline constexpr const char* kProbeWord = "--probe-context";
 
 /// `api`: "glx" or "egl". Prints vendor, renderer and version, one a line. Returns the exit code: 0, or 1

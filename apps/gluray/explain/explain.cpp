@@ -29,8 +29,8 @@ std::string endingText(const WatchedRun& run, const CommandLine& line) {
   switch (run.ending) {
     case WatchedRun::Ending::frames: return "ended after " + std::to_string(line.frames) + " frames";
     case WatchedRun::Ending::rest: return "ended at rest: it drew nothing new";
-    case WatchedRun::Ending::limit: return "ended when its time was over";
-    case WatchedRun::Ending::stopped: return "ended by you";
+    case WatchedRun::Ending::limit: return "ended by its time limit";
+    case WatchedRun::Ending::stopped: return "ended by a signal to gluray";
     default: break;
   }
   if (run.signal != 0)
@@ -38,15 +38,15 @@ std::string endingText(const WatchedRun& run, const CommandLine& line) {
   return "it ended by itself, with exit code " + std::to_string(run.exitCode);
 }
 
-/// The picture of a run: of the process that showed most frames.
+/// The picture from the process that showed most frames, of those that have one.
 const json* pictureOf(const WatchedRun& run) {
   for (const json& report : run.reports)
     if (report["explain"]["picture"].is_object()) return &report["explain"]["picture"];
   return nullptr;
 }
 
-/// Whether the frames of a run were those of single-buffered contexts or front buffers, which end with
-/// glFlush and glFinish. GLuRay sees these only where calls pass through it.
+/// Whether no double-buffered context swapped: then glFlush and glFinish end the frames, which GLuRay sees
+/// only where calls pass through it.
 bool neverSwapped(const WatchedRun& run) {
   for (const json& report : run.reports)
     for (const json& context : report["explain"]["contexts"])
@@ -75,7 +75,7 @@ FramePictures withAndWithout(const CommandLine& line, const Program& program, co
   else
     plain.settings.set("off", "1");
   Watch wish{static_cast<int>(pictures.frame), line.restSeconds, line.limitSeconds, true, true};
-  // At rest the number of frames until then may differ, as windows are uncovered and events come together.
+  // Two runs may come to rest after different numbers of frames, because window events arrive differently.
   if (run.ending != WatchedRun::Ending::frames) wish.frames = line.frames;
   const TemporaryFolder folder;
   const WatchedRun second = watch(plain, program, wish, folder.path());
@@ -88,7 +88,7 @@ FramePictures withAndWithout(const CommandLine& line, const Program& program, co
   return pictures;
 }
 
-/// Writes the page, and says what it shows.
+/// Writes the page; returns its numbers.
 json makePage(const CommandLine& line, const Program& program, const WatchedRun& run,
               const std::string& text) {
   const json* picture = pictureOf(run);
@@ -118,11 +118,11 @@ int explain(const CommandLine& line) {
         run.exitCode <= kNotFound)
       return run.exitCode;
     say(line.program[0] + " showed no frame of an OpenGL context that GLuRay could see (" +
-        endingText(run, line) + "); gluray doctor " + line.program[0] + " may say why");
+        endingText(run, line) + "); try: gluray doctor " + line.program[0]);
     return 1;
   }
   const std::string text = textOf(run, line);
-  // A page that goes to standard output is alone there.
+  // If the page goes to standard output, everything else goes to standard error.
   const bool pageIsOut = files::isOutput(line.html);
   if (!line.json) (pageIsOut ? std::cerr : std::cout) << text << std::flush;
   json all = {{"command", line.program}, {"ending", endingText(run, line)}, {"processes", run.reports}};

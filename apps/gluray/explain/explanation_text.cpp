@@ -53,14 +53,14 @@ std::string tracingLine(const json& report) {
          grouped(number(report.at("bvh"), "builds")) + " acceleration structures built\n";
 }
 
-/// Which family each program is of, and what keeps the others from being traced.
+/// The family of each shader program, its draws, and why a program has no family or its draws are not traced.
 std::string programLines(const json& programs) {
   if (programs.empty()) return "";
   std::string all = "\nshader programs\n";
   for (const json& p : programs) {
     const uint64_t traced = number(p, "traced"), rasterised = number(p, "rasterised");
     all += "  program " + std::to_string(number(p, "name")) + ", " +
-           (p.at("family").is_null() ? "of no family" : text(p, "family")) + ": " + grouped(traced) +
+           (p.at("family").is_null() ? "no family fits" : text(p, "family")) + ": " + grouped(traced) +
            " draws traced, " + grouped(rasterised) + " rasterised, " + grouped(number(p, "triangles")) +
            " triangles\n";
     for (const char* key : {"why", "note"})
@@ -77,7 +77,7 @@ std::string contextLines(const json& contexts) {
            text(c, "version") + ", " + text(c, "renderer") + ": " + grouped(number(c, "frames")) +
            " frames, " + grouped(number(c, "traced")) + " draws traced, " + grouped(number(c, "rasterised")) +
            " rasterised" +
-           (text(c, "profile") != "ES" ? "" : "; all of it is left to the real OpenGL, uncounted") + "\n";
+           (text(c, "profile") != "ES" ? "" : "; left to the real OpenGL as a whole and not counted") + "\n";
   return all;
 }
 
@@ -91,7 +91,7 @@ std::string targetLines(const json& targets) {
          (samples > 1 ? std::to_string(samples) + " samples, " : "") + grouped(number(t, "traced")) +
              " draws traced, " + grouped(number(t, "rasterised")) + " rasterised"});
   }
-  return table.empty() ? "  none that was drawn into\n" : table.text("  ");
+  return table.empty() ? "  nothing was drawn into any\n" : table.text("  ");
 }
 
 std::string quirkLines(const json& quirks) {
@@ -104,21 +104,20 @@ std::string quirkLines(const json& quirks) {
   return table.text("  ");
 }
 
-/// Questions are answered by the real OpenGL and change nothing: they would only fill the list.
-bool isQuestion(const std::string& name) { return name.starts_with("glGet") || name.starts_with("glIs"); }
+/// Whether a call is a query: the real OpenGL answers it and nothing changes, so the list omits it.
+bool isQuery(const std::string& name) { return name.starts_with("glGet") || name.starts_with("glIs"); }
 
 std::string unknownCallLines(const json& report) {
   TextTable table("lr");
   for (const auto& [name, count] : report.at("unknownCalls").items())
-    if (!isQuestion(name)) table.row({name, grouped(count.get<uint64_t>())});
+    if (!isQuery(name)) table.row({name, grouped(count.get<uint64_t>())});
   std::string all;
   if (!table.empty())
     all += "\ncalls that GLuRay does not model, left to the real OpenGL\n" + table.text("  ");
   const json& asked = report.at("explain").at("unknownFunctions");
   if (!asked.empty())
     all +=
-        "\nfunctions asked for by name that GLuRay does not know: their calls go to the real OpenGL "
-        "unseen\n" +
+        "\nfunctions that the program looked up and GLuRay does not know: it does not see calls to them\n" +
         wrapped(joined(asked), 100, "  ");
   return all;
 }
@@ -132,24 +131,26 @@ std::string heading(const json& report) {
          (percent < 0 ? "" : ", " + fixed(percent, 1) + " % of " + grouped(all) + " triangles traced") + "\n";
 }
 
-/// Where calls may have gone to the driver unseen; nothing where none could.
+/// Says that calls may have bypassed GLuRay; empty where none could.
 std::string walkedPastLines(const json& report) {
   const std::string driver = printable(report.value("walkedPast", std::string()));
   if (driver.empty()) return "";
   return "\ncalls that go past GLuRay\n" +
-         wrapped("the gl functions that the dynamic linker finds first are those of the driver (" + driver +
-                     "): what libraries link that were loaded later goes to the real OpenGL unseen, and the "
-                     "picture may be wrong",
-                 100, "  ");
+         wrapped(
+             "the dynamic linker finds the driver's gl functions first (" + driver +
+                 "): libraries that are loaded later call the driver, GLuRay does not see these calls, and "
+                 "the picture may be wrong",
+             100, "  ");
 }
 
-/// Frames that were shown later, and why others were not; nothing where none may be.
+/// How many frames lagged, and why others did not; empty while lag is off.
 std::string lagLine(const json& report) {
   const json lag = report.value("lag", json::object());
   if (!lag.value("on", false)) return "";
   std::string others;
   for (const auto& [why, frames] : lag.at("atOnce").items())
-    others += (others.empty() ? "; at once: " : ", ") + grouped(frames.get<uint64_t>()) + " (" + why + ")";
+    others +=
+        (others.empty() ? "; shown at once: " : ", ") + grouped(frames.get<uint64_t>()) + " (" + why + ")";
   return "\nframe lag: " + grouped(number(lag, "later")) + " frames were shown later" + others + "\n";
 }
 

@@ -1,4 +1,4 @@
-// What `gluray explain` prints, from the reports of the engine.
+// Turns the engine's report into the text that `gluray explain` prints.
 #pragma once
 #include <nlohmann/json.hpp>
 
@@ -9,7 +9,7 @@ namespace gluray::launcher {
 /// The whole text for one process's report.
 std::string explanationText(const nlohmann::json& report);
 
-/// Of the triangles in a report, the share that was traced, in percent; -1 where there are none.
+/// Percentage of a report's triangles that were traced; -1 if it has no triangles.
 double tracedPercent(const nlohmann::json& report);
 
 }  // namespace gluray::launcher

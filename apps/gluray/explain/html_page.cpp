@@ -45,13 +45,13 @@ std::string percent(uint64_t part, uint64_t all) {
 
 std::string warning(const std::string& text) { return "<p class=\"warning\">" + text + "</p>\n"; }
 
-/// How the two pictures came about, and whether they can be trusted to show the same frame.
+/// How the two pictures were taken, and whether they show the same frame.
 std::string provenance(const FramePictures& p, const Comparison& c) {
   std::string text =
       "<p>Both pictures are read from the program's window just before it shows them. The program ran twice, "
       "the second time with the real OpenGL alone; its clock moved by 40 ms a frame in both runs. ";
   if (p.atRest)
-    text += "It came to rest: these are the last frames, number " + std::to_string(p.frame) +
+    text += "The program came to rest: these are the last frames, number " + std::to_string(p.frame) +
             " with GLuRay and " + std::to_string(p.frameWithout) + " without.</p>\n";
   else
     text += "Both pictures are of frame " + std::to_string(p.frame) + ".</p>\n";
@@ -59,14 +59,14 @@ std::string provenance(const FramePictures& p, const Comparison& c) {
   if (!c.sameFrame())
     text += warning(
         "<b>The two runs did not show the same frame:</b> " + percent(c.outsideDiffering, c.outside) +
-        " of the pixels that the real OpenGL drew both times differ, so the program draws something else "
-        "from run to run. The difference below holds that, too.");
+        " of the pixels that the real OpenGL drew in both runs differ, so the program draws something else "
+        "in each run. The difference below includes that.");
   else
-    text +=
-        "<p>Of the " + grouped(c.outside) + " pixels that the real OpenGL drew in both runs " +
-        (c.outsideDiffering ? percent(c.outsideDiffering, c.outside) + " differ, too few for another frame"
-                            : "none differs: nothing says that the frames are not the same") +
-        ".</p>\n";
+    text += "<p>Of the " + grouped(c.outside) + " pixels that the real OpenGL drew in both runs " +
+            (c.outsideDiffering
+                 ? percent(c.outsideDiffering, c.outside) + " differ, too few for a different frame"
+                 : "none differs: both seem to be the same frame") +
+            ".</p>\n";
   return text;
 }
 
@@ -79,9 +79,8 @@ std::string numbers(const Comparison& c) {
 }
 
 const char* const kPerPixel =
-    "<p>Lighting was evaluated at each pixel, which OpenGL does at the vertices only: highlights on coarse "
-    "meshes differ "
-    "for that reason. With <code>--shading vertex</code> GLuRay does as OpenGL.</p>\n";
+    "<p>Lighting was evaluated at each pixel. OpenGL evaluates it at the vertices only, so highlights on "
+    "coarse meshes differ. With <code>--shading vertex</code> GLuRay does as OpenGL does.</p>\n";
 
 uint64_t countOf(const Pixels& origin, Origin wanted) {
   uint64_t count = 0;
@@ -124,17 +123,17 @@ std::string htmlPage(const std::string& command, const std::string& text, const 
     page += provenance(p, c) + (c.sameSize ? numbers(c) : "") + (p.perPixel ? kPerPixel : "");
   if (p.elsewhere)
     page += "<p>" + grouped(p.elsewhere) +
-            " pixels were traced into framebuffer objects during the frame; where the "
-            "program copies those into its window they do not count as traced here.</p>\n";
+            " pixels were traced into framebuffer objects during the frame; they do not count as traced "
+            "here, even if the program copies them into its window.</p>\n";
   page += "<div class=\"pictures\">\n" + figure("with", p.with, "with GLuRay");
   if (p.without) page += figure("without", *p.without, "without: the real OpenGL alone");
   if (c.sameSize)
     page += figure("difference", difference(p.with, *p.without, kAmplified),
                    "the difference, " + std::to_string(kAmplified) + " times as bright");
   page += figure("traced", tinted(p.with, p.origin),
-                 "what became of each pixel:<span class=\"key\" style=\"background:#2b2\"></span>traced"
+                 "who drew each pixel:<span class=\"key\" style=\"background:#2b2\"></span>traced"
                  "<span class=\"key\" style=\"background:#e80\"></span>traced, then drawn over"
-                 "<span class=\"key\" style=\"background:#555\"></span>the real OpenGL's");
+                 "<span class=\"key\" style=\"background:#555\"></span>rasterised by the real OpenGL");
   page += "</div>\n<h1>What was drawn</h1>\n<pre>" + escaped(text) + "</pre>\n";
   return page + "<script type=\"application/json\" id=\"facts\">" + pictureFacts(p).dump() +
          "</script>\n</body></html>\n";

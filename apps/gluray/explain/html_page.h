@@ -1,4 +1,4 @@
-// The page of `gluray explain --html`: one file that holds everything, pictures included.
+// The page of `gluray explain --html`: one self-contained file, pictures included.
 #pragma once
 #include "explain/pixels.h"
 
@@ -9,20 +9,20 @@
 
 namespace gluray::launcher {
 
-/// One frame of a program, as two runs of it showed it.
+/// One frame from two runs of a program, with and without GLuRay.
 struct FramePictures {
-  Pixels with, origin;                   // the run with GLuRay, and what of its picture was traced
-  std::optional<Pixels> without;         // the run without; absent where there is no such picture
+  Pixels with, origin;                   // the run with GLuRay; one Origin for each of its pixels
+  std::optional<Pixels> without;         // the run without; absent if it has no picture
   uint64_t frame = 0, frameWithout = 0;  // counted from 1
   uint64_t elsewhere = 0;                // pixels traced into framebuffer objects
   bool perPixel = true;                  // lighting was evaluated at each pixel
-  bool atRest = false;  // the frame after which nothing new came, rather than one of equal number
+  bool atRest = false;                   // the last frame of each run, not two frames of equal number
 };
 
-/// Throws std::runtime_error. `text` is what is printed as well.
+/// The page as HTML; `text` is the printed explanation. Throws std::runtime_error.
 std::string htmlPage(const std::string& command, const std::string& text, const FramePictures& pictures);
 
-/// What the page's numbers are, as JSON.
+/// The page's numbers as JSON.
 nlohmann::json pictureFacts(const FramePictures& pictures);
 
 }  // namespace gluray::launcher

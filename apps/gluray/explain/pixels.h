@@ -1,4 +1,4 @@
-// Pictures as the launcher has them, and how two of them differ.
+// Pictures: reading, encoding and comparing them.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -15,7 +15,7 @@ struct Pixels {
   const uint8_t* at(size_t pixel) const { return bytes.data() + pixel * static_cast<size_t>(channels); }
 };
 
-/// A binary PPM or PGM file of 8 bits; nothing where it is none.
+/// Reads a binary 8-bit PPM or PGM file; empty if it is no such file.
 std::optional<Pixels> readNetpbm(const std::string& path);
 
 /// The bytes of a PNG file. Throws std::runtime_error.
@@ -24,7 +24,7 @@ std::string pngOf(const Pixels& pixels);
 /// Base64 (RFC 4648) without line breaks.
 std::string base64(const std::string& bytes);
 
-/// What a pixel of the frame with GLuRay shows, in its picture of origins.
+/// Who drew a pixel of the frame with GLuRay. The origin picture holds one a pixel.
 enum class Origin : uint8_t { rasterised = 0, drawnOver = 128, traced = 255 };
 
 struct Comparison {
@@ -32,20 +32,19 @@ struct Comparison {
   uint64_t pixels = 0, traced = 0, drawnOver = 0;
   uint64_t differing = 0;  // by more than kTolerance in some channel
   uint64_t differingAtAll = 0;
-  int largest = 0;  // of 255
-  uint64_t outside =
-      0;  // pixels further than kMargin from any traced one: both times drawn by the real OpenGL
+  int largest = 0;                // of 255
+  uint64_t outside = 0;           // pixels further than kMargin from any traced one: rasterised in both runs
   uint64_t outsideDiffering = 0;  // of those, by more than kTolerance
   static constexpr int kTolerance = 8, kMargin = 2;
 
-  /// Whether what was not traced says that the two pictures show different frames.
+  /// Whether the two pictures show the same frame: at most 0.1 % of the pixels outside differ.
   bool sameFrame() const { return sameSize && outsideDiffering * 1000 <= outside; }
 };
 
-/// `with` and `without` GLuRay; `origin` says what of `with` was traced.
+/// Compares the pictures `with` and `without` GLuRay; `origin` holds an Origin for each pixel of `with`.
 Comparison compare(const Pixels& with, const Pixels& without, const Pixels& origin);
 
-/// The difference of two pictures of equal size, `times` as bright.
+/// The absolute difference of two pictures of equal size, times `times`.
 Pixels difference(const Pixels& a, const Pixels& b, int times);
 
 /// The picture in grey, traced pixels green, those drawn over afterwards orange.

@@ -49,7 +49,7 @@ TEST(Pixels, DifferencesAreCountedByTheirSize) {
   EXPECT_TRUE(c.sameFrame());
 }
 
-TEST(Pixels, WhatIsNotTracedSaysWhetherTheFrameIsTheSame) {
+TEST(Pixels, UntracedPixelsTellWhetherFramesAreTheSame) {
   Pixels a = filled(20, 20, 100), b = a, origin = filled(20, 20, 0, 1);
   set(b, 15, 15, 200);
   EXPECT_FALSE(compare(a, b, origin).sameFrame());
@@ -70,7 +70,7 @@ TEST(Pixels, OriginsAreTinted) {
   EXPECT_EQ(t.bytes, (std::vector<uint8_t>{0, 0, 0, 128, 80, 0, 0, 112, 0}));
 }
 
-TEST(Pixels, Base64IsThatOfTheStandard) {  // RFC 4648, section 10
+TEST(Pixels, Base64FollowsRfc4648) {  // RFC 4648, section 10
   EXPECT_EQ(base64(""), "");
   EXPECT_EQ(base64("f"), "Zg==");
   EXPECT_EQ(base64("fo"), "Zm8=");
@@ -132,7 +132,7 @@ TEST(HtmlPage, HoldsAllPicturesAndTheNumbers) {
   EXPECT_EQ(facts["largest"], 10);
 }
 
-TEST(HtmlPage, SaysWhereTheFramesAreNotTheSame) {
+TEST(HtmlPage, SaysIfTheFramesAreNotTheSame) {
   FramePictures p = pictures();
   p.origin = filled(20, 20, 0, 1);
   p.without = filled(20, 20, 200);
@@ -141,7 +141,7 @@ TEST(HtmlPage, SaysWhereTheFramesAreNotTheSame) {
   EXPECT_EQ(htmlPage("v", "", p).find("did not show the same frame"), std::string::npos);
 }
 
-TEST(HtmlPage, DoesWithoutASecondPicture) {
+TEST(HtmlPage, MayLackTheSecondPicture) {
   const std::string page = htmlPage("v", "", pictures());
   EXPECT_NE(page.find("no picture without GLuRay"), page.npos);
   EXPECT_EQ(page.find("<img id=\"difference\""), page.npos);

@@ -25,7 +25,7 @@ using nlohmann::json;
 
 volatile sig_atomic_t g_stop = 0;
 
-/// Ctrl-C and the like end the program, not us: what was seen until then is told.
+/// Ctrl-C and SIGTERM end the program, not the launcher, which then prints what it has counted so far.
 class StopSignals {
  public:
   StopSignals() {
@@ -50,7 +50,7 @@ double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Seconds of processor time that a process has used; what is left of it after its death is none.
+/// Seconds of processor time that a process has used; 0 after it has ended.
 double processorSeconds(int pid) {
   std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
   std::string text((std::istreambuf_iterator<char>(file)), {});
@@ -64,12 +64,12 @@ double processorSeconds(int pid) {
   return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
-/// The reports in a folder, read again only where they changed.
+/// The reports in a folder; read() reads those that have changed.
 class Reports {
  public:
   explicit Reports(std::string folder) : folder_(std::move(folder)) {}
 
-  /// True where there is something new.
+  /// Returns whether a report is new.
   bool read() {
     bool fresh = false;
     std::error_code ignored;
@@ -113,7 +113,8 @@ class Reports {
   std::map<std::string, Known> known_;
 };
 
-/// Says when a program that has drawn draws no more: no new frame for some time, in which it hardly worked.
+/// Detects that a program has come to rest: it has drawn, then no new frame for `seconds`, while it used less
+/// than kIdle of a core.
 class RestDetector {
  public:
   explicit RestDetector(double seconds) : seconds_(seconds) {}
@@ -130,7 +131,7 @@ class RestDetector {
   }
 
  private:
-  /// Frames; of programs that end none, draws.
+  /// The number of frames, or of draws in programs that end no frame.
   static uint64_t drawn(const Reports& reports) {
     const auto frames = reports.sum<uint64_t>([](const json& r) { return r["frames"].get<uint64_t>(); });
     if (frames > 0) return frames;
@@ -200,14 +201,14 @@ WatchedRun watch(const CommandLine& given, const Program& program, const Watch& 
   const StopSignals signals;
   Child child(line, program, [&] {
     prepareEnvironment(wish);
-    if (line.json || files::isOutput(line.html)) dup2(STDERR_FILENO, STDOUT_FILENO);  // ours is pure
+    if (line.json || files::isOutput(line.html))
+      dup2(STDERR_FILENO, STDOUT_FILENO);  // keeps the launcher's output pure
   });
   Reports reports(folder);
   WatchedRun run;
   run.ending = waitForEnding(child, wish, reports);
   child.end();
-  // A program that ends by itself writes its last report while it does; one that has shown all its frames has
-  // written.
+  // A program that ends by itself writes its last report at exit; after the last requested frame it has.
   reports.read();
   run.exitCode = child.exitCode();
   run.signal = child.signal();

@@ -1,4 +1,4 @@
-// Runs a program until it has drawn enough, and collects what its engines report.
+// Runs a program until it has drawn enough, and collects the reports of its processes.
 #pragma once
 #include "command_line.h"
 #include "programs/program.h"
@@ -9,7 +9,7 @@
 
 namespace gluray::launcher {
 
-/// A folder in the system's place for such, removed with all that is in it.
+/// A new folder in the system's temporary directory; the destructor removes it with its contents.
 class TemporaryFolder {
  public:
   TemporaryFolder();  // throws std::runtime_error
@@ -23,20 +23,20 @@ class TemporaryFolder {
 };
 
 struct Watch {
-  int frames = 100;                            // ended after so many
+  int frames = 100;                            // ends the program after so many
   double restSeconds = 3, limitSeconds = 120;  // 0: never
-  bool picture = false;                        // of the last frame
-  bool steadyClock = false;                    // two runs shall show the same frames
+  bool picture = false;                        // takes a picture of the last frame
+  bool steadyClock = false;  // moves time by the frame, so that two runs show the same frames
 };
 
 struct WatchedRun {
   enum class Ending { byItself, frames, rest, limit, stopped } ending = Ending::byItself;
-  int signal = 0;                       // that ended it; 0: none
-  int exitCode = 0;                     // of the program where it ended by itself
-  std::vector<nlohmann::json> reports;  // of processes that had a context; most frames first
+  int signal = 0;                       // signal that ended the program; 0: none
+  int exitCode = 0;                     // of the program, if it ended by itself
+  std::vector<nlohmann::json> reports;  // one a process that had a context; most frames first
 };
 
-/// `folder` takes the reports and pictures; each run wants one of its own.
+/// Runs the program. Reports and pictures go to `folder`; each run needs a folder of its own.
 WatchedRun watch(const CommandLine& line, const Program& program, const Watch& wish,
                  const std::string& folder);
 

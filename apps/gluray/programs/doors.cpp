@@ -21,15 +21,15 @@ std::string environment(const char* name) {
 
 void set(const char* name, const std::string& value) { setenv(name, value.c_str(), 1); }
 
-/// Puts `entry` in front of a colon-separated list, once.
+/// Puts `entry` in front of a colon-separated list unless the list has it.
 void putFirst(const char* name, const std::string& entry) {
   const std::string list = environment(name);
   if ((":" + list + ":").find(":" + entry + ":") != std::string::npos) return;
   set(name, list.empty() ? entry : entry + ":" + list);
 }
 
-/// Every setting that an option chose gets its variable, as children are to have it, too. Which ones those
-/// are stands in a variable of its own: settings name their origin.
+/// Sets the variable of each setting that an option chose, so that child processes inherit it.
+/// GLURAY_COMMAND_LINE lists these settings, so that they can name the command line as their origin.
 void passSettings(const CommandLine& line) {
   set("GLURAY_PID", std::to_string(getpid()));
   if (!line.config.empty()) set("GLURAY_CONFIG", fs::absolute(line.config).string());
@@ -41,7 +41,7 @@ void passSettings(const CommandLine& line) {
     options.append(name).append("=").append(value).append("\n");
   }
   set("GLURAY_COMMAND_LINE", options);
-  // A report of an earlier run must not pass for this one's.
+  // Removes an earlier run's report, which could be taken for this run's.
   if (const std::string report = line.settings.find("report"); !report.empty()) files::removeOld(report);
 }
 
@@ -82,7 +82,7 @@ std::string openDoors(const CommandLine& line, const Program& program) {
   const std::string directory = libraryDirectory();
   if (directory.empty())
     return "GLuRay's libraries are missing beside " + fs::read_symlink("/proc/self/exe").string();
-  if (program.setUid) return program.path + " is set-uid: the system lets nobody look into it";
+  if (program.setUid) return program.path + " is set-uid: the system does not let GLuRay see its calls";
   passSettings(line);
   const auto openPreloadDoor = [&]() -> std::string {
     if (directory.find_first_of(" :") != directory.npos)
@@ -91,7 +91,7 @@ std::string openDoors(const CommandLine& line, const Program& program) {
   };
   if (line.door == "preload") return openPreloadDoor();
   if (line.door == "vendor") return openVendorDoor(directory);
-  // The vendor door, and the other one too for what does not come through libglvnd.
+  // The vendor door, and the preload door too if some calls do not come through libglvnd.
   const std::string problem = openVendorDoor(directory);
   if (program.osMesa || program.bundledGl || !problem.empty()) return openPreloadDoor();
   return "";

@@ -1,4 +1,4 @@
-// Opens the doors for the program about to be started: sets the environment by which OpenGL loads us.
+// Opens the doors for the program about to be started: sets the environment by which it loads GLuRay.
 #pragma once
 #include "command_line.h"
 #include "programs/program.h"
@@ -11,12 +11,12 @@ namespace gluray::launcher {
 /// The directory of our libraries, found from this executable's own place; empty if they are not there.
 std::string libraryDirectory();
 
-/// What `line`, the environment and the configuration file choose together. Puts what `line` says into the
-/// environment of this process, as for a program about to be started; complaints are the engine's to make.
+/// The settings that result from `line`, the environment and the configuration files. Puts those of `line`
+/// into the environment of this process, as for a program about to be started. The engine reports errors.
 Session sessionOf(const CommandLine& line);
 
-/// Sets every variable that the doors and the engine read. Returns a line for the user where something keeps
-/// the program from being traced (it then runs without us), otherwise an empty string.
+/// Sets every variable that the doors and the engine read. Returns an empty string, or one line for the user
+/// if the program cannot be traced (it then runs without GLuRay).
 std::string openDoors(const CommandLine& line, const Program& program);
 
 }  // namespace gluray::launcher

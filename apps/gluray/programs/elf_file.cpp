@@ -12,7 +12,7 @@
 namespace gluray::launcher {
 namespace {
 
-/// A file's bytes, read as they are needed.
+/// A file mapped into memory; empty if it is not a readable regular file.
 class MappedFile {
  public:
   explicit MappedFile(const std::string& path) {
@@ -59,7 +59,7 @@ std::vector<Elf64_Phdr> segments(std::string_view bytes, const Elf64_Ehdr& heade
   return list;
 }
 
-/// Where the loaded address `address` lies in the file; past the end where it does not.
+/// File offset of the loaded address `address`; UINT64_MAX if no segment holds it.
 uint64_t fileOffset(const std::vector<Elf64_Phdr>& list, uint64_t address) {
   for (const Elf64_Phdr& s : list)
     if (s.p_type == PT_LOAD && address >= s.p_vaddr && address - s.p_vaddr < s.p_filesz)

@@ -1,4 +1,4 @@
-// What an ELF file says of itself, as far as finding its libraries goes. Source: System V ABI, chapters 4
+// Reads the parts of an ELF file that are needed to find its libraries. Source: System V ABI, chapters 4
 // and 5.
 #pragma once
 #include <string>
@@ -8,22 +8,22 @@
 namespace gluray::launcher {
 
 struct ElfFile {
-  bool elf = false;                 // it is one
-  bool is64 = false;                // of 64 bits, low byte first; all that follows is known of such only
+  bool elf = false;                 // it is an ELF file
+  bool is64 = false;                // 64 bits, little-endian; if not, the members below are unset
   int machine = 0;                  // EM_X86_64 ...
   bool dynamic = false;             // has a dynamic section
   std::string interpreter;          // the loader; empty: static, or a library
   std::vector<std::string> needed;  // libraries, in order
 };
 
-/// Reads a file; elf is false where it cannot be read or is none. Damaged files yield what can be made out.
+/// Reads a file; `elf` is false if it cannot be read or is no ELF file. Damaged files yield what can be read.
 ElfFile readElf(const std::string& path);
 
 /// The same from a file's bytes.
 ElfFile parseElf(std::string_view bytes);
 
-/// Those of `words` that stand in the file as strings of their own: preceded by a zero or a slash, and
-/// followed by a zero or ".". A hint of what a program may open at run time, no more.
+/// Those of `words` that the file holds as whole strings: preceded by a zero or a slash, and followed by a
+/// zero or ".". Only a hint at what a program may open at run time.
 std::vector<std::string> stringsIn(const std::string& path, const std::vector<std::string>& words);
 
 }  // namespace gluray::launcher

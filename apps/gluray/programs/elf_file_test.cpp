@@ -12,8 +12,8 @@
 namespace gluray::launcher {
 namespace {
 
-/// A file of one loaded segment at address 0x1000 that holds all of it: header, segments, interpreter,
-/// dynamic section, strings.
+/// A file with one segment loaded at address 0x1000, which holds the whole file: header, segments,
+/// interpreter, dynamic section, strings.
 std::string makeElf(const std::vector<std::string>& needed, const std::string& interpreter, bool dynamic) {
   constexpr size_t kInterpreter = 512, kDynamic = 1024, kStrings = 2048, kSize = 4096, kBase = 0x1000;
   std::string bytes(kSize, '\0');
@@ -69,14 +69,14 @@ TEST(ElfFile, StaticProgramsHaveNeitherLoaderNorLibraries) {
   EXPECT_TRUE(file.interpreter.empty() && file.needed.empty());
 }
 
-TEST(ElfFile, OtherFilesAreNone) {
+TEST(ElfFile, OtherFilesAreNotElf) {
   EXPECT_FALSE(parseElf("").elf);
   EXPECT_FALSE(parseElf("#!/bin/sh\n").elf);
   EXPECT_FALSE(readElf("/nowhere").elf);
   EXPECT_FALSE(readElf("/").elf);
 }
 
-TEST(ElfFile, ThirtyTwoBitsAreSeenAndNotRead) {
+TEST(ElfFile, ThirtyTwoBitFilesAreRecognisedButNotRead) {
   std::string bytes = makeElf({"libGL.so.1"}, "/lib/ld-linux.so.2", true);
   bytes[EI_CLASS] = ELFCLASS32;
   const ElfFile file = parseElf(bytes);
@@ -85,17 +85,17 @@ TEST(ElfFile, ThirtyTwoBitsAreSeenAndNotRead) {
   EXPECT_TRUE(file.needed.empty());
 }
 
-TEST(ElfFile, DamagedFilesAreReadAsFarAsTheyGo) {
+TEST(ElfFile, DamagedFilesYieldWhatIsReadable) {
   const std::string whole = makeElf({"libGL.so.1", "libX11.so.6"}, "/lib64/ld-linux-x86-64.so.2", true);
   for (size_t size = 0; size < whole.size(); size += 7) parseElf(whole.substr(0, size));
-  for (size_t at = 16; at < 1200; ++at) {  // every byte of headers and dynamic section once at its largest
+  for (size_t at = 16; at < 1200; ++at) {  // each byte of headers and dynamic section is 255 once
     std::string broken = whole;
     broken[at] = '\xff';
     for (const std::string& name : parseElf(broken).needed) EXPECT_FALSE(name.empty());
   }
 }
 
-TEST(ElfFile, ThisProgramIsOne) {
+TEST(ElfFile, ThisProgramIsElf) {
   const ElfFile file = readElf("/proc/self/exe");
   EXPECT_TRUE(file.dynamic);
   EXPECT_NE(std::find_if(file.needed.begin(), file.needed.end(),

@@ -30,7 +30,7 @@ int becomeProgram(const CommandLine& line, const Program& program) {
   for (const std::string& word : line.program) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   execv(program.path.c_str(), arguments.data());
-  if (errno == ENOEXEC) {  // a script without #!: as the shell would
+  if (errno == ENOEXEC) {  // a script without #!: /bin/sh runs it, as in a shell
     arguments.insert(arguments.begin(), const_cast<char*>("/bin/sh"));
     arguments[1] = const_cast<char*>(program.path.c_str());
     execv("/bin/sh", arguments.data());
@@ -43,7 +43,7 @@ void Child::takeTerminal(pid_t group) const {
   struct sigaction ignore {
   }, before{};
   ignore.sa_handler = SIG_IGN;
-  sigaction(SIGTTOU, &ignore, &before);  // a background process would be stopped for asking
+  sigaction(SIGTTOU, &ignore, &before);  // tcsetpgrp would stop a background process
   tcsetpgrp(STDIN_FILENO, group);
   sigaction(SIGTTOU, &before, nullptr);
 }

@@ -26,7 +26,7 @@ std::vector<WalkedLibrary> walkLibraries(const std::string& file, const LibraryP
     for (const std::string& needed : read(path).needed) {
       if (!seen.insert(needed).second) continue;
       const auto found = paths.find(needed);
-      // What the loader does not list by name is the loader itself.
+      // The only needed library that the loader does not list by name is itself.
       if (found != paths.end()) walk.push_back({needed, found->second, name});
     }
   };

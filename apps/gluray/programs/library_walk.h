@@ -1,4 +1,4 @@
-// Which libraries a program loads, the libraries of libraries included, and through which it reaches OpenGL.
+// Lists the libraries that a program loads, directly and indirectly, and the chain to one of them.
 #pragma once
 #include "programs/elf_file.h"
 
@@ -12,15 +12,15 @@ namespace gluray::launcher {
 /// Where the loader finds each library: name -> path, empty where it finds none.
 using LibraryPaths = std::map<std::string, std::string>;
 
-/// From what the loader lists ("name => path (address)" or "name => not found" a line).
+/// Parses the loader's list ("name => path (address)" or "name => not found" a line).
 LibraryPaths pathsOf(const std::string& loaderList);
 
 struct WalkedLibrary {
   std::string name, path;  // path empty: not found
-  std::string neededBy;    // name of the file that asked for it first; the program's file name at the root
+  std::string neededBy;  // name of the first file that needs it: a library's name, or the program's file name
 };
 
-/// Every library that `file` and its libraries need, nearest first. `read` gives what is known of a file.
+/// Every library that `file` and its libraries need, breadth first. `read` reads the ELF file at a path.
 std::vector<WalkedLibrary> walkLibraries(const std::string& file, const LibraryPaths& paths,
                                          const std::function<ElfFile(const std::string&)>& read);
 

@@ -11,7 +11,7 @@ ElfFile needing(std::vector<std::string> names) {
   return file;
 }
 
-/// A viewer whose library brings OpenGL, with a loop and a library that is not there.
+/// A viewer whose library links OpenGL; the libraries have a cycle, and one is missing.
 const std::map<std::string, ElfFile> kFiles = {
     {"/bin/viewer", needing({"libScene.so.1", "libc.so.6", "ld-linux-x86-64.so.2"})},
     {"/lib/libScene.so.1", needing({"libGL.so.1", "libGone.so.3", "libc.so.6"})},
@@ -47,7 +47,7 @@ TEST(LibraryWalk, VisitsLibrariesOfLibrariesOnce) {
                                              "libGLdispatch.so.0"}));
 }
 
-TEST(LibraryWalk, SaysWhoNeedsWhat) {
+TEST(LibraryWalk, NamesTheFileThatNeedsEachLibrary) {
   EXPECT_EQ(chainTo("libGL.so.1", walk()), "viewer > libScene.so.1 > libGL.so.1");
   EXPECT_EQ(chainTo("libc.so.6", walk()), "viewer > libc.so.6");
   EXPECT_EQ(chainTo("libElse.so", walk()), "libElse.so");

@@ -20,7 +20,7 @@ bool isFile(const std::string& path) {
   return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
 }
 
-/// Fills path or error the way execvp searches.
+/// Sets path or error, searching as execvp does.
 void search(const std::string& name, Program& program) {
   program.error = ENOENT;
   const auto accept = [&](const std::string& path) {
@@ -64,7 +64,7 @@ std::string listLibraries(const std::string& path) {
     const int nowhere = open("/dev/null", O_WRONLY);
     dup2(nowhere, STDERR_FILENO);
     const std::string loader = readElf("/proc/self/exe").interpreter;
-    // Programs name their loader; libraries are listed by ours.
+    // A program names its loader; for a library, the launcher's own loader is used.
     if (readElf(path).interpreter.empty())
       execl(loader.c_str(), loader.c_str(), path.c_str(), static_cast<char*>(nullptr));
     else
@@ -105,7 +105,7 @@ Program inspect(const std::string& name) {
     program.setUid = ((status.st_mode & S_ISUID) && status.st_uid != getuid()) ||
                      ((status.st_mode & S_ISGID) && status.st_gid != getgid());
   program.elf = readElf(program.path);
-  // Only programs that name a loader may be run in listing mode: a static one would really run.
+  // Lists only programs that name a loader: a static one would really run.
   if (!program.setUid && !program.elf.interpreter.empty())
     readLibraryList(program.libraries = listLibraries(program.path), program);
   if (!program.elf.elf) program.interpreter = scriptInterpreter(program.path);

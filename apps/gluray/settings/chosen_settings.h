@@ -12,11 +12,11 @@ using NamedValues = std::vector<std::pair<std::string, std::string>>;
 
 class ChosenSettings {
  public:
-  /// One more value: lists and quirks grow by it, all else is replaced.
+  /// Appends `value` to a list or to quirks; replaces any other setting's value.
   void add(std::string_view name, const std::string& value);
   void set(std::string_view name, const std::string& value);
   void remove(std::string_view name);
-  /// Empty where it was not chosen.
+  /// The value; empty if not chosen.
   std::string find(std::string_view name) const;
   const NamedValues& all() const { return values_; }
 
@@ -24,8 +24,8 @@ class ChosenSettings {
   NamedValues values_;
 };
 
-/// The values as the program gets them: with absolute names of files, as it may change its directory, and
-/// with what the environment adds to lists and quirks.
+/// The values to pass to the program: with absolute file names, since it may change its directory, and with
+/// the environment's entries added to lists and quirks.
 NamedValues passedValues(const ChosenSettings& chosen);
 
 }  // namespace gluray::launcher

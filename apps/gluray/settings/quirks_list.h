@@ -1,4 +1,4 @@
-// gluray quirks.
+// gluray quirks: lists the workarounds.
 #pragma once
 #include "command_line.h"
 

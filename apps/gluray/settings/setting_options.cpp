@@ -23,7 +23,7 @@ std::string helpOf(const Row& row) {
   return text;
 }
 
-/// Why the setting does not take the value; empty: it does.
+/// Why the value is invalid for the setting; empty: it is valid.
 std::string problemOf(const Row& row, const std::string& value) {
   Session session;
   std::string why = readValue(row, value, session);

@@ -1,4 +1,4 @@
-// Options of settings, made from their table.
+// Adds the launcher's options for settings, from the table of settings.
 #pragma once
 #include "settings/chosen_settings.h"
 
@@ -6,7 +6,7 @@
 
 namespace gluray::launcher {
 
-/// --set, and the options that settings have of their own; for `explain` without those that it chooses.
+/// Adds --set and the options of single settings; for `explain`, without those that it sets itself.
 void addSettingOptions(CLI::App& app, ChosenSettings& chosen, bool explain);
 
 }  // namespace gluray::launcher

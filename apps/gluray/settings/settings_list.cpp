@@ -38,7 +38,7 @@ std::string originOf(const Given* given) {
   return given ? std::string(nameOf(given->layer)) + ": " + printable(given->place) : "built-in";
 }
 
-/// What every layer says.
+/// The setting's value in each layer.
 json layersOf(const Layers& layers, const Row& row) {
   json list = json::array();
   for (size_t i = 0; i < kLayerCount; ++i) {

@@ -1,4 +1,4 @@
-// gluray settings: what is set, and by whom.
+// gluray settings: lists the settings with their values and origins.
 #pragma once
 #include "command_line.h"
 

@@ -14,8 +14,8 @@ namespace gluray::launcher {
 int showTimeline(const CommandLine& line) {
   const Timeline timeline = readTimeline(line.program[0]);
   if (timeline.spans.empty())
-    throw std::runtime_error(line.program[0] + " holds nothing: the program drew nothing that was traced");
-  // A chart that goes to standard output is alone there.
+    throw std::runtime_error(line.program[0] + " is empty: nothing that the program drew was traced");
+  // If the chart goes to standard output, the table goes to standard error.
   printTimes(timeline, files::isOutput(line.chart) ? std::cerr : std::cout);
   if (line.chart.empty()) return 0;
   Stretch near = typicalFrames(timeline);

@@ -4,7 +4,7 @@
 
 namespace gluray::launcher {
 
-/// Prints what each thread did, and writes the chart that `line` asks for. The exit code.
+/// Prints what each thread did, and writes the chart that `line` asks for. Returns the exit code.
 int showTimeline(const CommandLine& line);
 
 }  // namespace gluray::launcher

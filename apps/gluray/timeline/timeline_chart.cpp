@@ -12,9 +12,9 @@ namespace gluray::launcher {
 namespace {
 
 constexpr double kLeft = 120, kWidth = 1060, kRow = 26, kLane = 9, kPanelGap = 46;  // pixels
-constexpr int kLanes = 2;  // spans that lie deeper share the last one
+constexpr int kLanes = 2;  // deeper spans share the last lane
 
-/// Colours that are told apart, also by those who see fewer (P. Tol's bright and muted schemes).
+/// Colour-blind safe colours (P. Tol's bright and muted schemes).
 constexpr std::array<const char*, 12> kColors = {"#4477aa", "#ee6677", "#228833", "#ccbb44",
                                                  "#66ccee", "#aa3377", "#999933", "#882255",
                                                  "#44aa99", "#ddcc77", "#332288", "#bbbbbb"};
@@ -25,7 +25,7 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-/// A round number of milliseconds, so that some eight of them fill the stretch.
+/// Distance of ticks: a round number of milliseconds that gives about eight ticks.
 double tickOf(double length) {
   const double raw = length / 8, power = std::pow(10, std::floor(std::log10(raw)));
   for (const double step : {1.0, 2.0, 5.0})
@@ -63,7 +63,7 @@ class Panel {
   }
   double rowOf(size_t track) const { return top_ + static_cast<double>(track) * kRow; }
 
-  /// What is narrower than a pixel is drawn together with what follows, once a pixel.
+  /// Draws at most one of the spans narrower than a pixel in each pixel.
   void drawSpans() {
     std::map<std::pair<size_t, int>, double> drawnTo;
     for (const Timeline::Span& span : timeline_.spans) {
@@ -106,8 +106,7 @@ Stretch typicalFrames(const Timeline& timeline) {
     const size_t first = (frames.size() - kFrames) / 2;
     return {frames[first], frames[first + kFrames]};
   }
-  // Programs that never show a window have no frames: a stretch with some batches in it, from the second
-  // half.
+  // Programs that never show a window have no frames: takes a stretch of some batches from the middle.
   std::vector<double> batches;
   const auto batch =
       std::find(timeline.names.begin(), timeline.names.end(), "batch") - timeline.names.begin();
@@ -134,7 +133,7 @@ void writeChart(const Timeline& timeline, const Stretch& near, std::ostream& out
     x += 26 + 6.2 * static_cast<double>(timeline.names[i].size());
   }
   Panel(timeline, {timeline.start, timeline.end}, kTop, out).draw("whole run");
-  Panel(timeline, near, kTop + panel, out).draw("from near");
+  Panel(timeline, near, kTop + panel, out).draw("close-up");
   out << "</svg>\n";
 }
 

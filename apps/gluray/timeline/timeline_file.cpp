@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The array of events. The end of a file may be missing: a comma, the bracket, half an event.
+/// The array of events. The file may be truncated: after a comma, before the bracket, within an event.
 json readEvents(const std::string& file) {
   constexpr size_t kMost = size_t{4} << 30;
   const files::Content content = files::read(file, kMost);
@@ -24,7 +24,7 @@ json readEvents(const std::string& file) {
   const size_t last = all.rfind("},\n");
   if (all.rfind('[', 0) == 0 && last != std::string::npos)
     events = json::parse(all.substr(0, last + 1) + "]", nullptr, false);
-  if (!events.is_array()) throw std::runtime_error(file + " is no timeline of gluray --timeline");
+  if (!events.is_array()) throw std::runtime_error(file + " was not written by gluray --timeline");
   return events;
 }
 
@@ -62,7 +62,7 @@ class Reader {
     if (event.contains("args")) span.amount = event["args"].value("n", uint64_t{0});
     timeline_.spans.push_back(span);
   }
-  /// Orders spans and tracks, and finds out what lies within what.
+  /// Sorts tracks and spans, and computes each span's depth.
   void finish() {
     for (Timeline::Track& track : timeline_.tracks)
       track.name =
@@ -92,7 +92,7 @@ class Reader {
     std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) {
       return rank(a) != rank(b) ? rank(a) < rank(b) : timeline_.tracks[a].name < timeline_.tracks[b].name;
     });
-    // Jobs behind the frames have a thread each, one after the other: they share a row.
+    // Background jobs of one name run one after the other, each in a thread of its own: they share a row.
     std::vector<Timeline::Track> sorted;
     for (const size_t i : order) {
       const Timeline::Track& track = timeline_.tracks[i];
@@ -116,7 +116,7 @@ Timeline readTimeline(const std::string& file) {
   try {
     return Reader().read(readEvents(file));
   } catch (const json::exception&) {
-    throw std::runtime_error(file + " is no timeline of gluray --timeline");
+    throw std::runtime_error(file + " was not written by gluray --timeline");
   }
 }
 

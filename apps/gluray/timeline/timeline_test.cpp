@@ -1,4 +1,4 @@
-// What `gluray timeline` makes of a file.
+// `gluray timeline`: reading files, the chart, the table.
 #include "timeline/timeline_chart.h"
 #include "timeline/timeline_file.h"
 
@@ -44,7 +44,7 @@ const char* const kEvents =
 {"ph":"i","s":"p","name":"frame","pid":1,"tid":1,"ts":6500},
 )";
 
-TEST_F(TimelineFile, IsReadWholeOrCutOff) {
+TEST_F(TimelineFile, IsReadCompleteOrTruncated) {
   const std::string whole = std::string(kEvents).substr(0, std::string(kEvents).rfind(',')) + "]";
   for (const std::string& text : {whole, std::string(kEvents), std::string(kEvents) + R"({"ph":"X","na)"}) {
     const Timeline t = read(text);
@@ -58,7 +58,7 @@ TEST_F(TimelineFile, IsReadWholeOrCutOff) {
   }
 }
 
-TEST_F(TimelineFile, SpansWithinOthersLieDeeper) {
+TEST_F(TimelineFile, NestedSpansAreDeeper) {
   const Timeline t = read(kEvents);
   for (const Timeline::Span& span : t.spans) {
     const std::string& name = t.names[span.name];
@@ -68,11 +68,11 @@ TEST_F(TimelineFile, SpansWithinOthersLieDeeper) {
   }
 }
 
-TEST_F(TimelineFile, WhatIsNoneIsToldInOneLine) {
-  EXPECT_EQ(complaint("import vtk\n"), path_ + " is no timeline of gluray --timeline");
-  EXPECT_EQ(complaint("{\"ph\":1}"), path_ + " is no timeline of gluray --timeline");
-  EXPECT_EQ(complaint("[{\"ph\":1}]"), path_ + " is no timeline of gluray --timeline");
-  EXPECT_EQ(complaint("[3]"), path_ + " is no timeline of gluray --timeline");
+TEST_F(TimelineFile, OtherFilesAreRefusedWithOneLine) {
+  EXPECT_EQ(complaint("import vtk\n"), path_ + " was not written by gluray --timeline");
+  EXPECT_EQ(complaint("{\"ph\":1}"), path_ + " was not written by gluray --timeline");
+  EXPECT_EQ(complaint("[{\"ph\":1}]"), path_ + " was not written by gluray --timeline");
+  EXPECT_EQ(complaint("[3]"), path_ + " was not written by gluray --timeline");
   EXPECT_THROW(readTimeline("/nowhere/x.json"), std::runtime_error);
 }
 
@@ -88,7 +88,7 @@ TEST_F(TimelineFile, BecomesAChart) {
   };
   EXPECT_EQ(text.rfind("<svg", 0), 0u);
   EXPECT_EQ(count("<title>batch: 5.000 ms</title>"), 2u);  // in both views
-  EXPECT_EQ(count("<title>batch: 0.500 ms</title>"), 1u);  // not from near
+  EXPECT_EQ(count("<title>batch: 0.500 ms</title>"), 1u);  // not in the close-up
   EXPECT_EQ(count("<title>refine mesh: 1.000 ms, 42</title>"), 2u);
   EXPECT_EQ(count(">refining</text>"), 2u);
   EXPECT_EQ(text.substr(text.size() - 7), "</svg>\n");

@@ -7,7 +7,7 @@
 namespace gluray::accel {
 namespace {
 
-constexpr float kFarthest = 1.844e18f;  // Embree leaves out what lies beyond
+constexpr float kFarthest = 1.844e18f;  // Embree ignores larger coordinates
 constexpr Box kNothing{glm::vec3(1), glm::vec3(-1)};
 using Four = float __attribute__((vector_size(16)));  // x, y, z, 0
 
@@ -21,7 +21,7 @@ struct Grown {
   }
 };
 
-// Sixteen bytes may be read at each position, as Embree does.
+// Reads sixteen bytes per position, as Embree does.
 Four positionOf(const TriangleRun& run, size_t corner) {
   const size_t vertex = run.indices ? run.indices[corner] : corner;
   Four p;
@@ -30,7 +30,7 @@ Four positionOf(const TriangleRun& run, size_t corner) {
   return p;
 }
 
-/// False where some vertex is not to be traced.
+/// Adds a triangle to the box; false if Embree would leave the triangle out.
 bool join(const TriangleRun& run, uint32_t triangle, Grown& box) {
   const size_t corner = size_t{triangle} * 3;
   const Four a = positionOf(run, corner), b = positionOf(run, corner + 1), c = positionOf(run, corner + 2);
@@ -41,8 +41,8 @@ bool join(const TriangleRun& run, uint32_t triangle, Grown& box) {
   return true;
 }
 
-/// Embree asks boxes of user geometry without the care that it takes with triangles: rays from as far away
-/// as a hundred times the extent of a million such blocks must not slip by.
+/// Embree does not test the boxes of user geometry as conservatively as triangles. The margin is wide enough
+/// for rays from a hundred times the extent of a million blocks.
 Box widened(const Grown& grown) {
   constexpr float kOwn = 0x1p-6f, kPlace = 0x1p-20f;
   const glm::vec3 lower(grown.lower[0], grown.lower[1], grown.lower[2]);
@@ -58,8 +58,8 @@ Box widened(const Grown& grown) {
 void findTriangleBlocks(const TriangleRun& run, const TriangleBlockLimits& limits,
                         std::vector<uint32_t>& first, std::vector<Box>* boxes) {
   Grown box;
-  float sum = 0;       // of the areas of their boxes
-  uint32_t count = 0;  // triangles in it; 0: none that another may join
+  float sum = 0;       // of the areas of the block's triangles' boxes
+  uint32_t count = 0;  // triangles in the block; 0: no other may join
   uint32_t begun = run.first;
   const auto add = [&]() {
     first.push_back(begun);

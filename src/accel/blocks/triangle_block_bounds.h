@@ -1,5 +1,5 @@
-// Which triangles that follow each other make a block, and boxes about them. Private to accel/; called on
-// building threads.
+// Splits a mesh's triangles into triangle blocks and computes their bounding boxes. Private to accel/; called
+// on building threads.
 #pragma once
 #include "accel/blocks/triangle_block_kernels.h"
 #include "accel/impostors/impostors.h"
@@ -9,19 +9,19 @@
 
 namespace gluray::accel {
 
-/// How large blocks are: a box about one is at most `looser` times as large as the boxes of its triangles
-/// are in sum. A row of cells of a surface has about half the area that these have.
+/// Size limits of a block: its bounding box has at most `looser` times the summed surface area of its
+/// triangles' boxes. For a row of a surface's cells, the box has about half of that sum.
 struct TriangleBlockLimits {
-  uint32_t most;  // triangles
+  uint32_t most;  // triangles per block
   float looser;
 };
 
-/// Divides a run into blocks: appends the first triangle of each to `first`,
-/// and, where `boxes` is given, its box. Throws std::bad_alloc.
+/// Splits a range of triangles into blocks: appends the first triangle of each to `first`, and its bounding
+/// box to `boxes` unless that is null. Throws std::bad_alloc.
 void findTriangleBlocks(const TriangleRun&, const TriangleBlockLimits&, std::vector<uint32_t>& first,
                         std::vector<Box>* boxes);
 
-/// The box of a run that findTriangleBlocks() has made a block: see TriangleBlocks::boxOf.
+/// The bounding box of one block that findTriangleBlocks() found, as TriangleBlocks::boxOf.
 Box boxOfTriangleBlock(const TriangleRun&);
 
 }  // namespace gluray::accel

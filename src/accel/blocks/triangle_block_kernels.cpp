@@ -1,6 +1,6 @@
-// The watertight test of Embree 3 and 4 for packets (kernels/geometry/triangle_intersector_pluecker.h),
-// operation by operation, so that hits agree with those of Embree's own triangles. Compiled once for each
-// instruction set.
+// The watertight triangle test of Embree 3 and 4 for packets
+// (kernels/geometry/triangle_intersector_pluecker.h), operation by operation, so that hits equal those of
+// Embree's own triangles. Compiled once per instruction set.
 #include "accel/blocks/triangle_block_kernels.h"
 
 #include <limits>
@@ -38,7 +38,7 @@ HWY_INLINE Vector3<D> cross(const Vector3<D>& a, const Vector3<D>& b) {
           hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
 }
 
-/// a x b or b x c, by component, whichever loses less.
+/// Per component, a x b or b x c, whichever has the smaller rounding error.
 template <class D>
 HWY_INLINE Vector3<D> stableNormal(const Vector3<D>& a, const Vector3<D>& b, const Vector3<D>& c) {
   const Vector3<D> ab{hn::Mul(a.z, b.y), hn::Mul(a.x, b.z), hn::Mul(a.y, b.x)};
@@ -51,7 +51,7 @@ HWY_INLINE Vector3<D> stableNormal(const Vector3<D>& a, const Vector3<D>& b, con
           choose(ab.z, bc.z, hn::MulSub(a.x, b.y, ab.z), hn::MulSub(b.x, c.y, bc.z))};
 }
 
-/// The processor's approximation and one step of Newton's method.
+/// The processor's approximation, refined by one Newton step.
 template <class V>
 HWY_INLINE V reciprocal(V a) {
   const V r = hn::ApproximateReciprocal(a);
@@ -72,7 +72,7 @@ struct Met {
   Vector3<D> normal;
 };
 
-/// False where no ray meets the triangle.
+/// False if no ray hits the triangle.
 template <class D>
 HWY_INLINE bool meet(D d, const Rays<D>& r, const float* a, const float* b, const float* c, const float* tFar,
                      Met<D>& met) {

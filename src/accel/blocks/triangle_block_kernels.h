@@ -1,5 +1,5 @@
-// Rays of a packet against the triangles of a block, for the processor at hand. Private to accel/; called
-// on tracing threads.
+// SIMD intersection of a packet's rays with the triangles of one triangle block, compiled for several
+// instruction sets. Private to accel/; called on tracing threads.
 #pragma once
 #include "accel/ray_packet.h"
 
@@ -8,21 +8,21 @@
 
 namespace gluray::accel {
 
-/// Rows of Embree's packet: `count` values each. Those from normalX on are null where hits are not written.
+/// Pointers into Embree's ray packet: `count` values each. Those from normalX on are null if hits are not written.
 struct PacketRows {
   unsigned count;
-  const int* valid;  // -1: the ray is asked about
+  const int* valid;  // -1: the ray is active
   const float *orgX, *orgY, *orgZ, *tNear, *dirX, *dirY, *dirZ;
   float *tFar, *normalX, *normalY, *normalZ, *u, *v;
   uint32_t *primitive, *geometry, *instance;
 };
 
-/// What is written with each hit.
+/// The identifiers written with each hit.
 struct HitNames {
   uint32_t geometry, instance;
 };
 
-/// Triangles [first, end) of a mesh. `indices` null: a soup.
+/// A range of triangles, [first, end) of a mesh: a triangle block. `indices` null: triangle soup.
 struct TriangleRun {
   const std::byte* positions;
   size_t stride;  // bytes
@@ -30,17 +30,17 @@ struct TriangleRun {
   uint32_t first, end;
 };
 
-/// Rays of a packet that have met a triangle, as many rows as a vector has lanes, from ray `first` on.
+/// The rays that hit a triangle, among one vector of consecutive rays that starts at ray `first`.
 struct MetTriangle {
   uint32_t triangle;
   unsigned first;
   uint32_t rays;  // bit i: ray first + i
   float t[kLanes], u[kLanes], v[kLanes];
 };
-/// Decides which rays of it take the hit; their tFar it has set.
+/// Returns the subset of MetTriangle::rays that accept the hit, after setting their tFar.
 using Chooser = uint32_t (*)(const void* query, const PacketRows&, const MetTriangle&);
 
-/// Writes the nearest hits into the packet. Without a chooser every hit counts.
+/// Writes the nearest hits into the packet. A null chooser accepts every hit.
 void meetTriangles(const TriangleRun&, const PacketRows&, const HitNames&, Chooser, const void* query);
 
 /// Sets tFar of the rays that any of the triangles blocks to minus infinity, as Embree marks occluded rays. The

@@ -1,4 +1,4 @@
-// Embree's callbacks for blocks of triangles. Called on tracing and building threads.
+// Embree's callbacks for triangle blocks. Called on tracing and building threads.
 #include "accel/blocks/triangle_block_kernels.h"
 #include "accel/blocks/triangle_blocks.h"
 #include "accel/embree.h"

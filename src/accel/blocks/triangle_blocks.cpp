@@ -33,7 +33,7 @@ TriangleBlocks::TriangleBlocks(const scene::Mesh& mesh, Aim aim) : aim_(aim) {
     std::vector<uint32_t> first;
     std::vector<Box> boxes;
   };
-  constexpr uint32_t kBlock = 1 << 16;  // triangles
+  constexpr uint32_t kBlock = 1 << 16;  // triangles per task, not per triangle block
   const uint32_t blocks = (mesh.triangleCount + kBlock - 1) / kBlock;
   std::vector<Part> parts(blocks);
   tbb::parallel_for(uint32_t{0}, blocks, [&](uint32_t b) {
@@ -57,14 +57,14 @@ TriangleBlocks::TriangleBlocks(const scene::Mesh& mesh, Aim aim) : aim_(aim) {
 }
 
 bool TriangleBlocks::likely(const scene::Mesh& mesh, Aim aim) {
-  constexpr uint32_t kSamples = 16, kRun = 256;  // triangles a sample
-  if (mesh.shape != scene::Shape::triangles || mesh.triangleCount < kSamples * kRun) return false;
+  constexpr uint32_t kSamples = 16, kEach = 256;  // kEach: consecutive triangles per sample
+  if (mesh.shape != scene::Shape::triangles || mesh.triangleCount < kSamples * kEach) return false;
   std::vector<uint32_t> first;
   for (uint32_t i = 0; i < kSamples; ++i) {
-    const auto begin = static_cast<uint32_t>(uint64_t{mesh.triangleCount - kRun} * i / (kSamples - 1));
-    findTriangleBlocks(runOf(mesh, begin, begin + kRun), limitsOf(aim), first, nullptr);
+    const auto begin = static_cast<uint32_t>(uint64_t{mesh.triangleCount - kEach} * i / (kSamples - 1));
+    findTriangleBlocks(runOf(mesh, begin, begin + kEach), limitsOf(aim), first, nullptr);
   }
-  return pays(aim, first.size(), kSamples * kRun);
+  return pays(aim, first.size(), kSamples * kEach);
 }
 
 bool TriangleBlocks::pay() const { return pays(aim_, count(), mesh_.triangleCount); }

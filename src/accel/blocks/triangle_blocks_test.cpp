@@ -1,5 +1,4 @@
-// TriangleBlocks of triangles: they hold every triangle once, and rays find in them what they find in
-// Embree's triangles.
+// Triangle blocks: they hold every triangle once, and hits equal those of Embree's triangles.
 #include "accel/blocks/triangle_blocks.h"
 
 #include "accel/device.h"
@@ -43,7 +42,7 @@ MeshData sheets() {
   return data;
 }
 
-/// The triangles of `data` in an order that has no neighbours.
+/// The triangles of `data`, reordered so that consecutive ones are far apart.
 MeshData shuffled(const MeshData& data) {
   MeshData other = data;
   const size_t count = data.indices.size() / 3;
@@ -59,7 +58,7 @@ MeshData soupOf(const MeshData& data) {
   return soup;
 }
 
-/// Packet `number` of rays through the sheets, slightly aslant.
+/// Packet `number` of slightly oblique rays through the sheets.
 RayPacket packetOf(uint32_t number) {
   RayPacket packet{};
   for (int i = 0; i < kLanes; ++i) {
@@ -117,7 +116,7 @@ struct TriangleBlocksTest : testing::TestWithParam<BvhQuality> {
     if (b.geometry[i] == kNoHit) return;
     ++hits;
     EXPECT_EQ(a.instance[i], b.instance[i]);
-    if (a.primitive[i] != b.primitive[i]) return;  // an edge, hit at one distance
+    if (a.primitive[i] != b.primitive[i]) return;  // a shared edge: either triangle is right
     EXPECT_EQ(a.u[i], b.u[i]);
     EXPECT_EQ(a.v[i], b.v[i]);
     EXPECT_EQ(a.normalX[i], b.normalX[i]);
@@ -149,23 +148,23 @@ TEST_P(TriangleBlocksTest, HoldEveryTriangleOnce) {
   }
 }
 
-TEST_P(TriangleBlocksTest, NeighboursFarApartStayApart) {
+TEST_P(TriangleBlocksTest, ConsecutiveDistantTrianglesAreSplit) {
   const auto mesh = makeMesh(shuffled(sheets()));
   EXPECT_FALSE(TriangleBlocks(*mesh, aim).pay());
   EXPECT_FALSE(TriangleBlocks::likely(*mesh, aim));
 }
 
-TEST_P(TriangleBlocksTest, FindWhatTrianglesFind) {
+TEST_P(TriangleBlocksTest, HitsEqualThoseOfTriangles) {
   show(makeSnapshot({makeMesh(sheets())}));
   compare(nullptr);
 }
 
-TEST_P(TriangleBlocksTest, FindItInSoup) {
+TEST_P(TriangleBlocksTest, HitsEqualThoseOfTrianglesInSoup) {
   show(makeSnapshot({makeMesh(soupOf(sheets()))}));
   compare(nullptr);
 }
 
-TEST_P(TriangleBlocksTest, FindItInMovedInstances) {
+TEST_P(TriangleBlocksTest, HitsEqualThoseOfTrianglesInInstances) {
   const auto mesh = makeMesh(sheets());
   auto snapshot = makeSnapshot({mesh, mesh});
   snapshot.instances[1].worldFromObject[3] = {0.3f, 0.1f, 0.05f, 1};
@@ -173,13 +172,13 @@ TEST_P(TriangleBlocksTest, FindItInMovedInstances) {
   compare(nullptr);
 }
 
-TEST_P(TriangleBlocksTest, AskTheFilter) {
+TEST_P(TriangleBlocksTest, ApplyTheFilter) {
   show(makeSnapshot({makeMesh(sheets())}));
   const OddTriangles odd;
   compare(&odd);
 }
 
-TEST_P(TriangleBlocksTest, LeaveTheSameOfCoincidingTriangles) {
+TEST_P(TriangleBlocksTest, ResolveCoincidentTrianglesAlike) {
   const auto mesh = makeMesh(sheets());
   auto snapshot = makeSnapshot({mesh, mesh});
   snapshot.instances[1].order = 1;
@@ -215,7 +214,7 @@ TEST_P(TriangleBlocksTest, TrianglesThatAreNotFiniteAreLeftOut) {
   compare(nullptr);
 }
 
-TEST_P(TriangleBlocksTest, TakeThePlaceOfWhatDoesNotFitIntoMemory) {
+TEST_P(TriangleBlocksTest, ReplaceTrianglesWhenMemoryRunsOut) {
   MeshData data;
   for (int copy = 0; copy < 2; ++copy) {  // 32,768 triangles
     const MeshData part = sheets();
@@ -237,7 +236,7 @@ TEST_P(TriangleBlocksTest, TakeThePlaceOfWhatDoesNotFitIntoMemory) {
     World world;
     snapshot.settings.bvh = wanted;
     failNextCommits(2);
-    EXPECT_THROW(world.update(snapshot, arena), Error);  // the coarser one fails, too
+    EXPECT_THROW(world.update(snapshot, arena), Error);  // the coarser structure fails, too
     failNextCommits(1);
     EXPECT_LT(bytesOf(world), leastBytes + leastBytes / 4) << "larger than the one asked for";
     EXPECT_EQ(commitsStillToFail(), 0);

@@ -1,4 +1,4 @@
-// Rays and impostors, compiled once for each instruction set.
+// SIMD intersection of rays with impostors, compiled once per instruction set.
 #include "accel/impostors/impostors.h"
 
 #include <cmath>
@@ -34,10 +34,10 @@ HWY_INLINE Float3 along(const Float3& a, Float s, const Float3& b) {
   return {hn::MulSub(a.x, s, b.x), hn::MulSub(a.y, s, b.y), hn::MulSub(a.z, s, b.z)};
 }
 
-/// Rays of one vector, as seen from the impostor's centre.
+/// One vector of rays, relative to the impostor's centre.
 struct Rays {
   Float3 toCenter;   // from the origin
-  Float3 dir, unit;  // as it is, and of length 1
+  Float3 dir, unit;  // the direction; the same of length 1
   Float inverseLength, tFar, eye;
 };
 
@@ -55,14 +55,14 @@ HWY_INLINE Rays raysAt(const Impostor& f, const ImpostorRays& r, int i) {
   return rays;
 }
 
-/// A place on a plane of a billboard.
+/// A position on a plane of a billboard.
 struct OnBillboard {
   Float t;
-  Float3 from;  // the impostor's centre
+  Float3 from;  // relative to the impostor's centre
   Mask seen;    // between near and far plane
 };
 
-/// Where the rays meet the plane through center + offset with this normal.
+/// Intersects the rays with the plane at `offset` from the centre along `normal`.
 HWY_INLINE OnBillboard onPlane(const Rays& r, const glm::vec3& normal, float offset) {
   const Float3 n = splat(normal);
   OnBillboard c;
@@ -74,7 +74,7 @@ HWY_INLINE OnBillboard onPlane(const Rays& r, const glm::vec3& normal, float off
 
 HWY_INLINE Mask within(Float v, float limit) { return hn::Le(hn::Abs(v), splat(limit)); }
 
-/// Whether the rays meet the triangle that faces the viewer.
+/// Whether the rays hit the triangle that faces the viewer.
 HWY_INLINE Mask onTriangle(const Impostor& f, const OnBillboard& c) {
   constexpr float kHalfRoot3 = 0.8660254f;
   const Float x = dot(splat(f.right), c.from), y = dot(splat(f.up), c.from);
@@ -83,8 +83,7 @@ HWY_INLINE Mask onTriangle(const Impostor& f, const OnBillboard& c) {
   return hn::And(inside, c.seen);
 }
 
-/// Cuts places to what depth can tell: nothing before the near plane, what is behind the viewer just before
-/// the far end.
+/// Clamps t to the depth range: at least the near plane's; behind the viewer: just before the far end.
 HWY_INLINE Float bounded(const Rays& r, Float t) {
   const Float end = hn::Mul(hn::Min(r.tFar, splat(1e30f)), splat(1 - 0x1p-20f));
   return hn::IfThenElse(hn::Lt(t, r.eye), end, hn::Max(t, hn::Zero(Tag())));
@@ -112,7 +111,7 @@ HWY_INLINE Mask meetDisc(const Impostor& f, const Rays& r, const Rays& sample, F
   return hn::And(met, triangle ? onTriangle(f, onPlane(sample, f.toViewer, 0)) : c.seen);
 }
 
-/// Whether the rays meet the side of the box that faces the viewer, or the end that the axis points to.
+/// Whether the rays hit the box's side that faces the viewer, or the end that the axis points to.
 HWY_INLINE Mask onFaces(const Impostor& f, const Rays& r) {
   const OnBillboard side = onPlane(r, f.up, -f.cardRadius);
   const Mask onSide = hn::And(side.seen, hn::And(within(dot(splat(f.right), side.from), f.cardRadius),
@@ -127,11 +126,11 @@ HWY_INLINE Mask meetCylinder(const Impostor& f, const Rays& r, const Rays& sampl
   const Float zero = hn::Zero(Tag());
   const Float3 axis = splat(f.axis);
   const Float dirZ = dot(axis, r.unit), orgZ = hn::Neg(dot(axis, r.toCenter));
-  // Across the axis: the direction, and the way from the axis to the origin.
+  // Components perpendicular to the axis: of the direction, and of the vector from the axis to the origin.
   const Float3 d = along(axis, hn::Neg(dirZ), {hn::Neg(r.unit.x), hn::Neg(r.unit.y), hn::Neg(r.unit.z)});
   const Float3 o = along(axis, hn::Neg(orgZ), r.toCenter);
   const Float a = hn::Max(dot(d, d), splat(1e-20f));
-  const Float s = hn::Neg(hn::Div(dot(o, d), a));  // nearest to the axis
+  const Float s = hn::Neg(hn::Div(dot(o, d), a));  // closest to the axis
   const Float3 nearest = {hn::MulAdd(d.x, s, o.x), hn::MulAdd(d.y, s, o.y), hn::MulAdd(d.z, s, o.z)};
   const Float discriminant = hn::Sub(splat(f.radius * f.radius), dot(nearest, nearest));
   const Float half = hn::Sqrt(hn::Div(hn::Max(discriminant, zero), a));

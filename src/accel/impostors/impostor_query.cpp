@@ -12,7 +12,7 @@
 namespace gluray::accel {
 namespace {
 
-/// Lanes of the packet that Embree asks about. Its rays are some of them, side by side.
+/// The active lanes of Embree's call, whose rays are consecutive lanes of the packet from `first` on.
 uint32_t lanesAsked(const RTCIntersectFunctionNArguments& a, uint32_t first) {
   uint32_t lanes = 0;
   for (unsigned i = 0; i < a.N; ++i)
@@ -20,7 +20,7 @@ uint32_t lanesAsked(const RTCIntersectFunctionNArguments& a, uint32_t first) {
   return lanes;
 }
 
-/// Which of `lanes` meet the impostor, and where.
+/// Returns which of `lanes` hit the impostor, and sets their t.
 uint32_t lanesThatMeet(const QueryState& state, uint32_t instance, uint32_t primitive, uint32_t lanes,
                        float (&t)[kLanes]) {
   const PlacedImpostors& placed = state.impostors[instance];

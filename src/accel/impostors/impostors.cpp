@@ -29,11 +29,11 @@ ImpostorReach ImpostorReach::of(const scene::Instance& instance, const scene::Ca
   if (instance.mesh->shape == scene::Shape::splats) return reachOfSplats(instance, camera);
   ImpostorReach reach;
   const glm::dmat3 objectFromLighting = glm::inverse(glm::dmat3(glm::mat3(instance.lightingFromObject)));
-  // |M p| <= r reaches as far along an axis as the row of M's inverse is long.
+  // The extent of |M p| <= r along an axis is r times the length of that row of M's inverse.
   const glm::dmat3 rows = glm::transpose(objectFromLighting);
   double largest = 1 / double{instance.impostors.radiusDivisor};
   if (instance.impostors.billboards == scene::Impostors::Billboards::triangle)
-    largest = std::min(largest, 2.0);  // its corners
+    largest = std::min(largest, 2.0);  // the triangle's corners
   for (int c = 0; c < 3; ++c) reach.perRadius[c] = roundedUp(glm::length(rows[c]) * largest);
   if (instance.mesh->shape != scene::Shape::cylinders) return reach;
   const glm::dmat3 axes = objectFromLighting * glm::dmat3(instance.impostors.axisMatrix);

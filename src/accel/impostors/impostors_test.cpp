@@ -1,4 +1,4 @@
-// Spheres, discs and cylinders against closed forms, and what the camera may change.
+// Spheres, discs and cylinders against closed forms, and their independence of the camera.
 #include "accel/impostors/impostors.h"
 
 #include "accel/test_scene.h"
@@ -28,7 +28,7 @@ std::shared_ptr<scene::Mesh> impostors(Shape shape, const std::vector<glm::vec3>
   return mesh;
 }
 
-/// Distances along rays from (x, y, 0) down -z, or from the origin through (x, y, -1); infinity for misses.
+/// A ray's hit; t is infinity for misses.
 struct Shot {
   float t = std::numeric_limits<float>::infinity();
   uint32_t instance = kNoHit, primitive = kNoHit;
@@ -46,7 +46,7 @@ struct Impostors : testing::Test {
     }
     return s;
   }
-  /// The world is eye space; lane `lane` is aimed.
+  /// Traces one ray in lane `lane`. World space is eye space.
   Shot shoot(const glm::vec3& org, const glm::vec3& dir, int lane = 0, float tFar = 1e6f) const {
     RayPacket packet{};
     PixelRays rays{};
@@ -68,7 +68,7 @@ struct Impostors : testing::Test {
   }
 };
 
-TEST_F(Impostors, SpheresAreHitWhereTheEquationSays) {
+TEST_F(Impostors, SphereHitsMatchTheEquation) {
   const std::vector<glm::vec3> centers = {{0, 0, -5}, {1, 0.5f, -8}, {-2, -1, -6}};
   const std::vector<float> radii = {1, 1.5f, 0.7f};
   world.update(snapshot({impostors(Shape::spheres, centers, radii)}, false), arena);
@@ -96,15 +96,15 @@ TEST_F(Impostors, SpheresAreHitWhereTheEquationSays) {
   EXPECT_GT(hits, 30);
 }
 
-TEST_F(Impostors, CardsCutSpheres) {
+TEST_F(Impostors, BillboardsCutSpheres) {
   const auto mesh = impostors(Shape::spheres, {{0, 0, -3}}, {1});
   world.update(snapshot({mesh}, true, Billboards::triangle), arena);
-  // The triangle about the unit circle touches it below.
+  // The triangle's lower side touches the unit circle.
   EXPECT_FLOAT_EQ(shoot({0, 0, 0}, {0, 0, -1}).t, 2);
   EXPECT_LT(shoot({0, -0.999f, 0}, {0, 0, -1}).t, 3);
   world.update(snapshot({mesh}, false, Billboards::triangle), arena);
-  // Seen from 3 away the silhouette is wider than the circle; what is beyond the side below is cut off, what
-  // is towards the corner is not.
+  // From distance 3 the silhouette is wider than the circle: the triangle's lower side cuts it, its upper
+  // corner does not.
   const float tangent = 1 / std::sqrt(8.0f), inside = 0.995f * tangent;
   EXPECT_EQ(shoot({0, 0, 0}, {0, -inside, -1}).primitive, kNoHit);
   EXPECT_EQ(shoot({0, 0, 0}, {0, inside, -1}).primitive, 0u);
@@ -113,7 +113,7 @@ TEST_F(Impostors, CardsCutSpheres) {
   EXPECT_EQ(shoot({0, 0, 0}, {0, 1.01f * tangent, -1}).primitive, kNoHit);
 }
 
-TEST_F(Impostors, FarSidesAreSeenFromWithin) {
+TEST_F(Impostors, InsideShowsTheFarSide) {
   scene::Snapshot s = snapshot({impostors(Shape::spheres, {{0, 0, -3}}, {1})}, true);
   s.instances[0].impostors.inside = true;
   world.update(s, arena);
@@ -133,20 +133,20 @@ TEST_F(Impostors, DiscsFaceTheViewer) {
 }
 
 TEST_F(Impostors, CylindersHaveOneEnd) {
-  // Along z, from -4 to -6: the end towards the viewer is closed, and the mantle is seen from the side.
+  // Along z, from -4 to -6: the end towards the viewer is closed; the side shows the lateral surface.
   world.update(snapshot({impostors(Shape::cylinders, {{0, 0, -5}}, {0.5f}, {{0, 0, 2}})}, true), arena);
   EXPECT_FLOAT_EQ(shoot({0.3f, 0.3f, 0}, {0, 0, -1}).t, 4);
   EXPECT_EQ(shoot({0.4f, 0.4f, 0}, {0, 0, -1}).primitive, kNoHit);
   EXPECT_NEAR(shoot({2, 0, -5}, {-1, 0, 0}).t, 1.5, 1e-6);
   EXPECT_EQ(shoot({2, 0, -6.1f}, {-1, 0, 0}).primitive, kNoHit);
-  // From behind it is open, and as programs have it nothing is seen through it.
+  // From behind it is open, and as in the programs its inside is invisible.
   EXPECT_EQ(shoot({0, 0, -9}, {0.05f, 0, 1}).primitive, kNoHit);
-  // An axis that points away is turned.
+  // An axis that points away is reversed.
   world.update(snapshot({impostors(Shape::cylinders, {{0, 0, -5}}, {0.5f}, {{0, 0, -2}})}, true), arena);
   EXPECT_FLOAT_EQ(shoot({0.3f, 0.3f, 0}, {0, 0, -1}).t, 4);
 }
 
-TEST_F(Impostors, RadiiAreOfTheLightingSpace) {
+TEST_F(Impostors, RadiiAreInLightingSpace) {
   scene::Snapshot s = snapshot({impostors(Shape::spheres, {{1, 0, -5}}, {1})}, true);
   const glm::mat4 stretched = glm::scale(glm::mat4(1), glm::vec3(3, 1, 1));
   s.instances[0].lightingFromObject = stretched;
@@ -160,13 +160,13 @@ TEST_F(Impostors, RadiiAreOfTheLightingSpace) {
 TEST_F(Impostors, BehindNearPlaneAndViewer) {
   const auto mesh = impostors(Shape::spheres, {{0, 0, -1}}, {2});
   world.update(snapshot({mesh}, false, Billboards::triangle), arena);
-  // The viewer is inside: the program's point is behind it, its depth that of the far end.
+  // The viewer is inside: the program's point is behind the viewer, so its depth is clamped to the far end.
   EXPECT_NEAR(shoot({0, 0, -0.5f}, {0, 0, -1}, 0, 100).t, 100, 1e-3);
-  // The billboard before the near plane: nothing.
+  // A billboard in front of the near plane is clipped.
   EXPECT_EQ(shoot({0, 0, -1.5f}, {0, 0, -1}).primitive, kNoHit);
 }
 
-TEST_F(Impostors, PlanesTakeThemByTheirCentres) {
+TEST_F(Impostors, PlanesClipByTheCentre) {
   scene::Snapshot s = snapshot({impostors(Shape::spheres, {{-1, 0, -5}, {1, 0, -5}}, {1.5f, 1.5f})}, true);
   s.instances[0].impostors.centerPlanes = {{1, 0, 0, 0}};
   world.update(s, arena);
@@ -182,7 +182,7 @@ TEST_F(Impostors, TrianglesAndImpostorsHideEachOther) {
   EXPECT_EQ(shoot({0, 0, -6}, {0, 0, 1}).instance, 1u);
 }
 
-TEST_F(Impostors, TheCameraTurnsAndNothingIsBuilt) {
+TEST_F(Impostors, CameraRotationRebuildsNothing) {
   const auto spheres = impostors(Shape::spheres, {{0, 0, 0}, {1, 0, 0}}, {0.5f, 0.5f});
   const auto sticks =
       impostors(Shape::cylinders, {{0, 1, 0}, {1, 0, 0}}, {0.1f, 0.1f}, {{1, 0, 0}, {0.2f, 1, 0}});
@@ -201,7 +201,7 @@ TEST_F(Impostors, TheCameraTurnsAndNothingIsBuilt) {
   EXPECT_EQ(builds, 2u);
 }
 
-TEST_F(Impostors, ThoseThatDoNotExistAreLeftOut) {
+TEST_F(Impostors, InvalidImpostorsAreLeftOut) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   world.update(
       snapshot({impostors(Shape::spheres, {{nan, 0, -5}, {0, 0, -5}, {0, 3, -5}}, {1, 1, -1})}, true), arena);

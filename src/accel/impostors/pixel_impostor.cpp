@@ -10,9 +10,9 @@
 namespace gluray::accel {
 namespace {
 
-constexpr double kSteps = 256;  // of a pixel: what rasterisers round corners to
+constexpr double kSteps = 256;  // per pixel: rasterisers snap corners to these
 
-/// To the nearest whole number; as large ones have no fraction they stay.
+/// Rounds to the nearest integer; large numbers have no fraction and stay.
 double rounded(double v) {
   constexpr double kWhole = 0x1.8p52;
   return std::abs(v) < 0x1p50 ? (v + kWhole) - kWhole : v;
@@ -58,7 +58,7 @@ PixelImpostor::PixelImpostor(const PlacedImpostors& placed, uint32_t primitive) 
 }
 
 void PixelImpostor::makeBead(uint32_t vertex) {
-  // Points are clipped as points: with their centre all of them is gone.
+  // OpenGL clips points by their centre: all or nothing.
   const glm::dvec4 clip = placed_.clipFromObject * glm::dvec4(placed_.mesh->position(vertex), 1);
   exists_ = wholly_ && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w &&
             std::abs(clip.z) <= clip.w && !isCutAway(0);
@@ -154,8 +154,7 @@ bool PixelImpostor::coversBead(const glm::dvec2& at) const {
 bool PixelImpostor::covers(const glm::dvec2& at) const {
   if (!exists_) return false;
   if (placed_.mesh->shape == scene::Shape::beads) return coversBead(at);
-  if (placed_.mesh->shape == scene::Shape::splats)
-    return true;  // what of the billboard is seen is told by show()
+  if (placed_.mesh->shape == scene::Shape::splats) return true;  // show() decides
   if (wholly_) {
     for (const Side& s : side_) {
       const double inside = s.dx * (at.y * kSteps - s.y) - s.dy * (at.x * kSteps - s.x);
@@ -172,7 +171,7 @@ PixelImpostor::OnBillboard PixelImpostor::onBillboard(const glm::dvec2& at) cons
   const glm::dvec2 from = at - corner_;
   const double along = turn(from, aside_) / area, aside = turn(along_, from) / area;
   const double w0 = end_[0].w, w1 = end_[1].w, sum = (1 - along) / w0 + along / w1;
-  // The billboard is drawn as two triangles, each with a perspective of its own.
+  // The billboard is drawn as two triangles, each with its own perspective interpolation.
   const double side = along + aside <= 1 ? 1 - 2 * aside / (w0 * sum) : 2 * (1 - aside) / (w1 * sum) - 1;
   const double first = end_[0].ndc, second = end_[1].ndc;
   return {along / (w1 * sum), side, first + along * (second - first), true};
@@ -245,7 +244,7 @@ bool PixelImpostor::show(const glm::dvec2& at, Shown& shown) const {
   const glm::vec3 out = outwards();
   shown.along = on.along;
   shown.normal = glm::normalize(glm::vec3(across_ * on.side, 0) + out * static_cast<float>(round));
-  // Tubes that run away from the viewer bulge as far as those do at sixty degrees.
+  // The bulge of tubes that run away from the viewer is limited to its value at sixty degrees.
   shown.depth = depthOf(on.ndc, round / std::clamp(double{out.z}, 0.5, 1.0));
   return std::isfinite(out.z);
 }

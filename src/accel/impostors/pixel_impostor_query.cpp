@@ -12,20 +12,20 @@ namespace {
 
 double turn(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
-/// Pixels that an impostor reaches at most from its point or line.
+/// Upper bound of an impostor's extent about its point or line, pixels.
 float pixelReach(const PlacedImpostors& placed) {
   const glm::vec2 size = placed.look.size * glm::vec2(placed.windowHalf);
   return placed.look.grows ? 0.5f * glm::length(size) : 0.5f * std::max({size.x, size.y, 1.0f});
 }
 
-/// Whether the impostor may reach any of the positions: most of those whose bounds rays meet do not.
+/// Whether the impostor may cover any position in the rectangle; most with a hit bounding box do not.
 bool mayMeet(const PlacedImpostors& placed, uint32_t primitive, const WindowRectangle& r) {
   const scene::Mesh& mesh = *placed.mesh;
   if (mesh.shape == scene::Shape::splats) return placed.window[mesh.corner(primitive, 0)].w > 0;
   const WindowVertex &a = placed.window[mesh.corner(primitive, 0)],
                      &b = placed.window[mesh.corner(primitive, 1)];
   if (!(a.w > 0 && b.w > 0)) return mesh.shape == scene::Shape::tubes;
-  // Ends grow by a multiple that depends on how much farther away the other end is.
+  // An end's growth is scaled by the ratio of the ends' distances.
   const float grown = placed.look.grows ? 1 + std::max(b.w / a.w, 1.0f) : 1;
   const float reach = pixelReach(placed) * grown + 0.01f;
   if (std::min(a.x, b.x) - reach > r.right || std::max(a.x, b.x) + reach < r.left ||
@@ -33,7 +33,7 @@ bool mayMeet(const PlacedImpostors& placed, uint32_t primitive, const WindowRect
     return false;
   const float x = b.x - a.x, y = b.y - a.y;
   const float off = std::abs(x * (0.5f * (r.lower + r.upper) - a.y) - y * (0.5f * (r.left + r.right) - a.x));
-  // The rectangle reaches as far across the line as this, times the line's length.
+  // Half the rectangle's extent perpendicular to the line, times the line's length.
   const float across = 0.5f * (std::abs(x) * (r.upper - r.lower) + std::abs(y) * (r.right - r.left));
   return off <= (across + reach * std::sqrt(x * x + y * y)) * 1.001f + 0.01f ||
          mesh.shape == scene::Shape::beads;
@@ -52,7 +52,7 @@ WindowRectangle::WindowRectangle(const PixelRays& rays)
 uint32_t PixelImpostor::nearby(const PixelRays& rays, uint32_t lanes) const {
   if (!exists_) return 0;
   if (!wholly_ || placed_.mesh->shape != scene::Shape::tubes) return lanes;
-  // Places on the billboard from differences to the first position, which floats hold well.
+  // Billboard coordinates relative to the first position: small enough for floats.
   constexpr double kPixels = 0.02;  // snapping and rounding move sides by less
   const glm::dvec2 start(rays.windowX[0], rays.windowY[0]);
   const double area = turn(along_, aside_);
@@ -88,7 +88,7 @@ uint32_t meet(const PlacedImpostors& placed, uint32_t primitive, const ImpostorQ
     if (!impostor.covers({samples.windowX[i], samples.windowY[i]}) ||
         !impostor.show({centers.windowX[i], centers.windowY[i]}, shown))
       continue;
-    // The point of the ray that has this depth.
+    // t of the ray's point at this depth.
     const glm::dvec4 org(centers.orgX[i], centers.orgY[i], centers.orgZ[i], 1),
         dir(centers.dirX[i], centers.dirY[i], centers.dirZ[i], 0);
     const double ndc = (shown.depth - placed.depthOffset) / placed.depthScale;

@@ -1,5 +1,4 @@
-// Beads and tubes against what a rasteriser and VTK's formulas make of them, and that nothing of them lies
-// beyond their bounds.
+// Beads and tubes against a rasteriser and VTK's formulas; their bounding boxes.
 #include "accel/impostors/pixel_impostor.h"
 
 #include "accel/test_scene.h"
@@ -36,7 +35,7 @@ struct Scene {
     scene::Impostors& f = instance.impostors;
     f.parallelView = parallel;
     f.size = 2 * pixels / glm::vec2(kWidth, kHeight);
-    // As VTK sets them.
+    // VTK's values.
     const double zz = camera.clipFromEye[2][2];
     f.bulge = static_cast<float>(pixels / (kWidth * camera.clipFromEye[0][0]));
     f.bulgeDepth = static_cast<float>(parallel ? zz : 0.5 - 0.5 * zz);
@@ -64,8 +63,8 @@ int covered(const PixelImpostor& impostor) {
   return count;
 }
 
-TEST(PixelImpostor, UprightTubesOnPixelCentresAreAsWideAsTheyAreLong) {
-  // From the middle of the window 50 pixels to the right: rows 47.5 to 52.5 hold centres on both sides.
+TEST(PixelImpostor, AxisAlignedTubesCoverWidthTimesLength) {
+  // 50 pixels long, from the window's middle to the right; its sides, at 47.5 and 52.5, lie on pixel centres.
   const Scene flat(Shape::tubes, {{0, 0, -5}, {1, 0, -5}}, 5, true);
   EXPECT_EQ(covered(flat.impostor()), 5 * 50);
   EXPECT_TRUE(flat.impostor().covers({120.5, 47.5})) << "the lower side is owned";
@@ -74,7 +73,7 @@ TEST(PixelImpostor, UprightTubesOnPixelCentresAreAsWideAsTheyAreLong) {
   EXPECT_EQ(covered(tall.impostor()), 4 * 40);
 }
 
-TEST(PixelImpostor, PointsNearbyAreAllThatAreCovered) {
+TEST(PixelImpostor, NearbyIncludesAllCoveredPositions) {
   for (const bool grows : {false, true}) {
     Scene s(Shape::tubes, {{-1.5f, -0.7f, -6}, {1.2f, 0.9f, -3}}, 9.5f);
     s.instance.impostors.grows = grows;
@@ -100,12 +99,12 @@ TEST(PixelImpostor, PointsNearbyAreAllThatAreCovered) {
   }
 }
 
-TEST(PixelImpostor, ShortTubesGrowByAQuarterOfWhatIsMissing) {
+TEST(PixelImpostor, ShortTubesGrowByAQuarterOfTheDifference) {
   Scene s(Shape::tubes, {{0, 0, -5}, {0.08f, 0, -5}}, 20, true);  // 4 pixels long, 20 wide
   EXPECT_EQ(covered(s.impostor()), 4 * 20);
   s.instance.impostors.grows = true;
   s.place();
-  // In normalised device coordinates: the size's length, less the line's, a quarter of it at each end.
+  // In normalised device coordinates: length of the size less that of the line, a quarter of it at each end.
   const double missing = std::hypot(0.2, 0.4) - 0.04;
   EXPECT_NEAR(covered(s.impostor()), 20 * (4 + 2 * 0.25 * missing * kWidth / 2), 20);
 }
@@ -124,7 +123,7 @@ TEST(PixelImpostor, TheMiddleOfATubeIsARadiusNearer) {
   EXPECT_NEAR(shown.normal.z, 0.8f, 1e-4f);
 }
 
-TEST(PixelImpostor, BeadsAreRoundAndGoWithTheirCentres) {
+TEST(PixelImpostor, BeadsAreRoundAndClippedByTheirCentres) {
   const Scene s(Shape::beads, {{0, 0, -5}, {0, 0, -0.5f}, {9, 0, -5}}, 12);
   EXPECT_EQ(covered(s.impostor()), 12 * 12) << "the billboard is square";
   EXPECT_EQ(covered(s.impostor(1)), 0) << "before the near plane";
@@ -192,7 +191,7 @@ TEST(PixelImpostor, PlanesCutTheLine) {
   EXPECT_TRUE(s.impostor().show({110, 50}, shown));
 }
 
-TEST(PixelImpostor, NothingLiesBeyondTheBounds) {
+TEST(PixelImpostor, BoundsContainEveryHit) {
   std::vector<glm::vec3> points;
   for (int i = 0; i < 60; ++i) {
     const auto t = static_cast<float>(i);
@@ -236,7 +235,7 @@ TEST(PixelImpostor, NothingLiesBeyondTheBounds) {
   EXPECT_GT(hits, 20000);
 }
 
-TEST(PixelImpostor, ReachStaysWhileTheCameraTurnsAndGrowsAsItGoes) {
+TEST(PixelImpostor, ReachIsRotationInvariantAndGrowsWithDistance) {
   Scene s(Shape::tubes, {{-1, -1, -1}, {1, 1, 1}}, 6);
   const auto reachAt = [&](double degrees, double away) {
     s.instance.eyeFromObject = glm::translate(glm::dmat4(1), {0, 0, -away}) *

@@ -1,4 +1,4 @@
-// How far impostors that are so many pixels wide reach in space, for every turn of the camera.
+// Extent in space of impostors with a size in pixels: bounds that hold for every rotation of the camera.
 #include "accel/impostors/pixel_impostor.h"
 
 #include <algorithm>
@@ -7,11 +7,11 @@
 namespace gluray::accel {
 namespace {
 
-/// Where all vertices of an instance are before the viewer, whatever the turn.
+/// Bounds of an instance's vertices relative to the viewer that hold for every rotation.
 struct Range {
   glm::dmat4 lightingFromObject, clipFromLighting, lightingFromClip, rows;  // rows: of clipFromLighting
   glm::dvec3 middle{0};
-  double radius = 0;    // of a sphere about all vertices, in lighting space
+  double radius = 0;    // of the sphere about `middle` that holds all vertices, lighting space
   double farthest = 0;  // clip w
   double depthScale = 0.5;
 
@@ -32,9 +32,9 @@ struct Range {
     farthest = std::abs(glm::dot(rows[3], glm::dvec4(middle, 1))) + glm::length(glm::dvec3(rows[3])) * radius;
   }
   glm::dvec3 z() const { return glm::dvec3(lightingFromClip[2]); }
-  /// The largest distance from the viewer.
+  /// Upper bound of the distance from the viewer.
   double away() const { return glm::distance(middle, z() / lightingFromClip[2].w) + radius; }
-  /// How far points move by `bias` of their window depth.
+  /// Upper bound of the distance that a window depth bias moves a point.
   double movedBy(float bias, bool parallel) const {
     if (parallel) return std::abs(bias) / depthScale * glm::length(z());
     const glm::dvec3 depthRow(rows[2]), wRow(rows[3]);
@@ -44,25 +44,25 @@ struct Range {
   }
 };
 
-/// As the camera comes nearer, structures are built anew at every such step, and serve all turns between.
+/// Rounds up to quarter octaves: an approaching camera causes a rebuild only at each step, rotations none.
 double inSteps(double reach) {
   constexpr double kStepsAnOctave = 4;
   return std::exp2(std::ceil(std::log2(reach * (1 + 1e-3)) * kStepsAnOctave) / kStepsAnOctave);
 }
 
-/// |M p| <= 1 reaches as far along an axis as the row of M's inverse is long.
+/// Extent of |M p| <= 1 along each axis: the lengths of the rows of M's inverse.
 glm::dvec3 perUnit(const glm::dmat4& lightingFromObject) {
   const glm::dmat3 rows = glm::transpose(glm::inverse(glm::dmat3(lightingFromObject)));
   return {glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2])};
 }
 
-/// The most that a matrix stretches anything, or a little more.
+/// Upper bound of the largest stretch of a matrix.
 double largestStretch(const glm::dmat3& m) {
   const glm::dvec3 squares(glm::dot(m[0], m[0]), glm::dot(m[1], m[1]), glm::dot(m[2], m[2]));
   const double largest = std::max({squares.x, squares.y, squares.z});
   const double across = std::max(
       {std::abs(glm::dot(m[0], m[1])), std::abs(glm::dot(m[0], m[2])), std::abs(glm::dot(m[1], m[2]))});
-  // By Gershgorin's theorem about M^T M.
+  // Gershgorin's theorem for M^T M.
   return std::sqrt(largest + 2 * across);
 }
 
@@ -71,8 +71,8 @@ double largestStretch(const glm::dmat3& m) {
 ImpostorReach reachOfSplats(const scene::Instance& instance, const scene::Camera& camera) {
   const scene::Impostors& f = instance.impostors;
   const Range range(instance, camera);
-  // Aside of the middle, what lies along the view is seen beside the centre: in the centre's plane by the
-  // tangent of the angle from the middle.
+  // Away from the window's middle, an extent along the view direction also shifts the projection sideways: in
+  // the centre's plane by the tangent of the angle from the middle.
   constexpr double kFarthest = 1.3;
   const glm::dvec2 tangents = kFarthest / glm::abs(glm::dvec2(f.size));
   const double slanted = f.parallelView ? 1 : std::sqrt(1 + glm::dot(tangents, tangents));
@@ -94,13 +94,13 @@ ImpostorReach reachInPixels(const scene::Instance& instance, const scene::Camera
   const Range range(instance, camera);
   const glm::dmat4& lightingFromClip = range.lightingFromClip;
   const double farthest = range.farthest;
-  // In the window: half a billboard, and what lines grow by at their ends.
+  // In the window: half a billboard, plus the growth at the ends of lines.
   const glm::dvec2 size(f.size);
   const glm::dvec2 unit(glm::length(glm::dvec3(lightingFromClip[0])),
                         glm::length(glm::dvec3(lightingFromClip[1])));
   const double aside = farthest * std::max(unit.x * size.x, unit.y * size.y) * 0.5;
   const double grown = f.grows ? farthest * std::max(unit.x, unit.y) * glm::length(size) * 0.25 : 0.0;
-  // Towards the viewer: most in the middle, where nothing is aside.
+  // Towards the viewer: largest at the middle of the billboard.
   const double bulge = (tubes ? 2 : 1) * double{f.bulge};
   const double out = f.parallelView
                          ? std::abs(bulge * f.bulgeDepth) / range.depthScale * glm::length(range.z())

@@ -27,8 +27,8 @@ size_t number(std::string_view text, size_t otherwise) {
   return value;
 }
 
-/// What one group leaves of its limit. `limit`, `usage`: names of its files; pages of inactive files can be
-/// had back.
+/// Bytes left below one group's limit. `limit`, `usage`: names of its files. Inactive file pages count as
+/// free, because the kernel reclaims them.
 size_t leftIn(const std::string& folder, const char* limit, const char* usage) {
   const size_t most = number(contents(folder + limit), kUnlimited);
   if (most >= kUnlimited / 2) return kUnlimited;
@@ -38,8 +38,8 @@ size_t leftIn(const std::string& folder, const char* limit, const char* usage) {
   return most - std::min(most, held);
 }
 
-/// The tightest of the process's group and all above it (control groups, version 2), or of its memory
-/// controller's (version 1).
+/// The least that is left in the process's control group and its ancestors (version 2), or in its memory
+/// controller's group (version 1).
 size_t leftInGroups() {
   const std::string groups = contents("/proc/self/cgroup");
   const auto pathBehind = [&](std::string_view mark) {
@@ -54,14 +54,14 @@ size_t leftInGroups() {
     least = std::min(least, leftIn("/sys/fs/cgroup" + path, "/memory.max", "/memory.current"));
     if (path.empty() || path.rfind('/') == std::string::npos) break;
   }
-  // Inside containers the group's own folder is often mounted as the root.
+  // Containers often mount the group's own folder as the root.
   for (const std::string& path : {pathBehind(":memory:"), std::string()})
     least = std::min(
         least, leftIn("/sys/fs/cgroup/memory" + path, "/memory.limit_in_bytes", "/memory.usage_in_bytes"));
   return least;
 }
 
-/// What the limits of the process leave of its address space and of its data.
+/// Bytes left below the process's limits of address space and data.
 size_t leftInLimits() {
   size_t least = kUnlimited;
   std::string status;

@@ -14,7 +14,7 @@
 namespace gluray::accel {
 namespace {
 
-TEST(FreeMemory, NumbersBehindNames) {
+TEST(FreeMemory, FindsNumbersAfterNames) {
   constexpr const char* kText = "MemFree:   12 kB\nMemAvailable:    345 kB\ninactive_file 67\nMem 8";
   EXPECT_EQ(numberBehind(kText, "MemAvailable", 1), 345u);
   EXPECT_EQ(numberBehind(kText, "inactive_file", 1), 67u);
@@ -23,7 +23,7 @@ TEST(FreeMemory, NumbersBehindNames) {
   EXPECT_EQ(numberBehind("", "Mem", 1), 1u);
 }
 
-TEST(FreeMemory, IsBetweenNothingAndTheMachine) {
+TEST(FreeMemory, IsBetweenZeroAndTheMachinesMemory) {
   std::stringstream text;
   text << std::ifstream("/proc/meminfo").rdbuf();
   const size_t total = numberBehind(text.str(), "MemTotal", 0) * 1024;
@@ -33,7 +33,7 @@ TEST(FreeMemory, IsBetweenNothingAndTheMachine) {
 }
 
 TEST(FreeMemory, LimitsOfTheProcessCount) {
-  constexpr size_t kRoom = size_t{100} << 20;  // some is needed to find out, above all with sanitizers
+  constexpr size_t kRoom = size_t{100} << 20;  // freeMemory() itself allocates, above all under sanitizers
   for (const auto& [which, name] : {std::pair{RLIMIT_AS, "VmSize"}, std::pair{RLIMIT_DATA, "VmData"}}) {
     std::ifstream file("/proc/self/status");
     const std::string status{std::istreambuf_iterator<char>(file), {}};
@@ -44,7 +44,7 @@ TEST(FreeMemory, LimitsOfTheProcessCount) {
     ASSERT_EQ(setrlimit(which, &limited), 0);
     const size_t left = freeMemory();
     ASSERT_EQ(setrlimit(which, &saved), 0);
-    EXPECT_LE(left, kRoom + (size_t{1} << 20));  // something may have been freed
+    EXPECT_LE(left, kRoom + (size_t{1} << 20));  // some memory may have been freed
     EXPECT_GT(left, 0u);
   }
   EXPECT_GT(freeMemory(), kRoom);
@@ -54,12 +54,12 @@ size_t none() { return 0; }
 size_t oneGigabyte() { return size_t{1} << 30; }
 size_t plenty() { return size_t{1} << 40; }
 
-TEST(BuildPlan, TheUsersWishComesFirst) {
+TEST(BuildPlan, FollowsTheUsersSetting) {
   for (const BvhQuality wish : {BvhQuality::fast, BvhQuality::full, BvhQuality::compact, BvhQuality::least})
     EXPECT_EQ(firstQuality(wish, 5'000'000, {5'000'000, 0}, none), wish);
 }
 
-TEST(BuildPlan, AutomaticLooksAtSizeAndMemory) {
+TEST(BuildPlan, AutomaticDependsOnSizeAndMemory) {
   const auto first = [](uint64_t triangles, uint64_t waiting, FreeMemory memory, bool runs = false) {
     return firstQuality(BvhQuality::automatic, triangles, {waiting, runs ? waiting : 0}, memory);
   };
@@ -82,14 +82,14 @@ TEST(BuildPlan, AutomaticLooksAtSizeAndMemory) {
   EXPECT_EQ(first(5'000, 5'000'000, none), BvhQuality::full);
 }
 
-TEST(BuildPlan, ThriftIsForWhatIsLarge) {
+TEST(BuildPlan, ThriftAppliesToLargeMeshes) {
   EXPECT_EQ(thriftyQuality(BvhQuality::full, 1'000'000), BvhQuality::least);
   EXPECT_EQ(thriftyQuality(BvhQuality::automatic, 1'000'000), BvhQuality::least);
   EXPECT_EQ(thriftyQuality(BvhQuality::compact, 100), BvhQuality::compact);
   EXPECT_EQ(thriftyQuality(BvhQuality::automatic, 100), BvhQuality::full);
 }
 
-TEST(BuildPlan, OnlyFastStructuresOfSettledGeometryAreBuiltAgain) {
+TEST(BuildPlan, RefinesOnlyFastStructuresOfSettledGeometry) {
   EXPECT_TRUE(worthRefining(BvhQuality::automatic, BvhQuality::fast, 10));
   EXPECT_FALSE(worthRefining(BvhQuality::automatic, BvhQuality::fast, 1));
   EXPECT_FALSE(worthRefining(BvhQuality::automatic, BvhQuality::compact, 10));

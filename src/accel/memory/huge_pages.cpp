@@ -40,10 +40,10 @@ bool reportsFreePages(std::string_view device, std::string_view features) {
 }
 
 SmallPages::SmallPages(uint64_t triangles) noexcept {
-  constexpr uint64_t kMany = 200'000;  // some 20 MB: below, recycled memory serves
+  constexpr uint64_t kMany = 200'000;  // about 20 MB; smaller structures fit into recycled memory
   if (triangles < kMany) return;
   static const bool slow = machineReportsFreePages();
-  // Where huge pages are off already there is nothing to do, and nothing to put back.
+  // Huge pages are off already: nothing to do or to restore.
   if (!slow || prctl(PR_GET_THP_DISABLE, 0, 0, 0, 0) != 0) return;
   active_ = prctl(PR_SET_THP_DISABLE, 1, 0, 0, 0) == 0;
 }

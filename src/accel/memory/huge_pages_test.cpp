@@ -8,7 +8,7 @@ namespace {
 
 int disabled() { return prctl(PR_GET_THP_DISABLE, 0, 0, 0, 0); }
 
-TEST(SmallPages, BalloonsThatReportAreKnown) {
+TEST(SmallPages, RecognisesBalloonsThatReportFreePages) {
   EXPECT_TRUE(reportsFreePages("0x0005", "0110010100"));
   EXPECT_FALSE(reportsFreePages("0x0005", "0110000100"));
   EXPECT_FALSE(reportsFreePages("0x0002", "0110010100"));
@@ -16,7 +16,7 @@ TEST(SmallPages, BalloonsThatReportAreKnown) {
   EXPECT_FALSE(reportsFreePages("", ""));
 }
 
-TEST(SmallPages, TheProcesssWishIsPutBack) {
+TEST(SmallPages, RestoresTheProcessSetting) {
   const int before = disabled();
   {
     const SmallPages none(1000);

@@ -13,15 +13,15 @@
 namespace gluray::accel {
 namespace {
 
-// Robust: rays through shared edges never slip between triangles, as no pixel of a closed surface is left out
-// by OpenGL.
+// Robust mode is watertight: no ray passes between triangles at a shared edge, as OpenGL skips no pixel of a
+// closed surface.
 RTCSceneFlags sceneFlags(BvhQuality quality) {
   const RTCSceneFlags flags = RTC_SCENE_FLAG_ROBUST | kFilterInQuery;
   const bool small = quality == BvhQuality::compact || quality == BvhQuality::least;
   return small ? flags | RTC_SCENE_FLAG_COMPACT : flags;
 }
 
-/// Embree's callback. Impostors that do not exist have no bounds and are left out.
+/// Embree's callback. Embree leaves out impostors with lower > upper, which do not exist.
 void impostorBounds(const RTCBoundsFunctionArguments* arguments) {
   const auto& [mesh, reach] =
       *static_cast<const std::pair<const scene::Mesh*, const ImpostorReach*>*>(arguments->geometryUserPtr);
@@ -210,7 +210,7 @@ void Blas::build() {
 void Blas::buildBehind(const std::atomic<bool>& cancelled) {
   timeline::nameThread("refining");
   const timeline::Span span("refine mesh", triangleCount_);
-  // While the process exits, TBB does not survive that its tasks are cancelled.
+  // TBB crashes if its tasks are cancelled while the process exits.
   const auto goOn = [](void* flag, double) {
     parkAtExit();
     return !static_cast<const std::atomic<bool>*>(flag)->load();

@@ -1,4 +1,4 @@
-// The acceleration structure of one mesh. Made by BlasCache; read by any number of tracing threads.
+// The acceleration structure (BLAS) of one mesh. Made by BlasCache; read by any number of tracing threads.
 #pragma once
 #include "accel/blocks/triangle_blocks.h"
 #include "accel/device.h"
@@ -19,51 +19,51 @@ struct RTCSceneTy;
 
 namespace gluray::accel {
 
-/// What a structure is made of. `reach` matters to meshes of impostors alone.
+/// The input of a BLAS. `reach` matters only for impostors.
 struct Geometry {
   const scene::Mesh* mesh = nullptr;
   ImpostorReach reach;
-  /// Equal where the structure would be.
+  /// Equal ids mean equal structures.
   Hash128 id() const;
 };
 
-/// Throws Error where the arrays of a mesh cannot be read in place.
+/// Throws Error if the arrays of a mesh cannot be read in place.
 void checkArrays(const scene::Mesh&);
 
 class Blas;
 using BlasPtr = std::shared_ptr<Blas>;
 
-/// A bottom-level structure over the positions and triangles of a mesh, which are read in place and kept
-/// alive. (primitive, u, v) of its hits hold for every geometry of equal id.
+/// Reads positions and indices of the mesh in place and keeps them alive. (primitive, u, v) of its hits are
+/// valid for every geometry of equal id.
 class Blas {
  public:
-  /// Prepares the structure; build() makes it. Throws Error where the arrays cannot be read.
+  /// Prepares the structure; build() builds it. Throws Error if the arrays cannot be read.
   Blas(const Device&, IotaIndices&, const Geometry&, BvhQuality);
-  /// The same of triangles that can be adjusted to other positions later: of middling quality.
+  /// A structure of triangles, of medium quality, that can be refitted to other positions later.
   static BlasPtr createToRefit(const Device&, IotaIndices&, const Geometry&);
-  /// `from`, made to be adjusted and of no use from now on, to be built for the positions of a mesh that has
-  /// its topology.
+  /// Refits `from`, made by createToRefit(), to the positions of a mesh of the same topology: build()
+  /// finishes it. `from` is unusable afterwards.
   static BlasPtr createRefitted(Blas& from, const scene::Mesh&);
   ~Blas();
   Blas(const Blas&) = delete;
   Blas& operator=(const Blas&) = delete;
 
-  /// Builds with the threads of the arena it is called in. Throws Error; the structure is then useless.
-  /// Triangles with a vertex that is not finite are left out.
+  /// Builds with the threads of the current arena. Throws Error; the structure is then unusable. Leaves out
+  /// triangles with a vertex that is not finite.
   void build();
-  /// The same at leisure, on the calling thread alone, in an arena of one thread. Ends early, and throws,
-  /// soon after `cancelled` has become true.
+  /// As build(), in the background: on the calling thread alone, in an arena of one thread. Stops and throws
+  /// soon after `cancelled` becomes true.
   void buildBehind(const std::atomic<bool>& cancelled);
 
   RTCSceneTy* scene() const { return scene_; }
-  /// Bytes of the structure, and of the mesh arrays that it keeps alive.
+  /// Bytes of the structure; bytes of the mesh arrays that it keeps alive.
   size_t bvhBytes() const { return bvhBytes_; }
   size_t pinnedBytes() const { return pinnedBytes_; }
   uint32_t triangleCount() const { return triangleCount_; }
-  /// Whether it holds triangles of the same vertices as the mesh. Compares all indices.
+  /// Whether its triangles have the same indices as those of the mesh. Compares all indices.
   bool hasTopologyOf(const scene::Mesh&) const;
-  /// How far its triangles have moved apart in the mesh, which has its topology; 0: it cannot be adjusted to
-  /// that.
+  /// Growth of its nodes if refitted to the mesh, which has its topology: see Neighbours::spreadIn. 0: it
+  /// cannot be refitted.
   double spreadIn(const scene::Mesh&) const;
 
  private:
@@ -73,21 +73,21 @@ class Blas {
   void setPositions(RTCGeometryTy*, const scene::Mesh&);
   RTCGeometryTy* triangles(IotaIndices&, const scene::Mesh&);
   RTCGeometryTy* impostors(const Geometry&);
-  /// Null where blocks do not pay.
+  /// Null unless TriangleBlocks::pay().
   RTCGeometryTy* blocks(const scene::Mesh&, TriangleBlocks::Aim);
 
   const Device& device_;
   RTCSceneTy* scene_ = nullptr;
   std::shared_ptr<const void> positions_, indices_;
-  scene::Mesh impostors_;  // where they are none: the arrays that bounds are read from
+  scene::Mesh impostors_;  // of impostors: the arrays that bounds are read from
   ImpostorReach reach_;
   std::pair<const scene::Mesh*, const ImpostorReach*> bounded_;  // both, for Embree's callback
-  std::unique_ptr<TriangleBlocks> blocks_;  // where they are what the structure is made of
+  std::unique_ptr<TriangleBlocks> blocks_;  // the leaves; null: single triangles or impostors
   size_t bvhBytes_ = 0, pinnedBytes_ = 0;
   uint32_t triangleCount_ = 0, vertexCount_ = 0;
-  const void* indexData_ = nullptr;  // of triangles; null: they are a soup
+  const void* indexData_ = nullptr;  // of triangles; null: triangle soup
   bool impostorsOnly_ = false;
-  std::unique_ptr<Neighbours> neighbours_;  // where it can be adjusted
+  std::unique_ptr<Neighbours> neighbours_;  // null: it cannot be refitted
 };
 
 }  // namespace gluray::accel

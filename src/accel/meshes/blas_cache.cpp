@@ -14,9 +14,9 @@
 
 namespace gluray::accel {
 namespace {
-constexpr uint32_t kAlone = 20000;     // triangles: below it, whole builds in parallel beat parallel builds
-constexpr uint64_t kRecent = 16;       // batches in which what was used is expected to be used again,
-constexpr uint64_t kLongFrame = 1024;  // or so many if they belong to this frame and the one before
+constexpr uint32_t kAlone = 20000;     // triangles from which a build alone uses all threads
+constexpr uint64_t kRecent = 16;       // batches after a use within which another use is expected,
+constexpr uint64_t kLongFrame = 1024;  // or this many, if the use was in this frame or the one before
 
 size_t sizeOf(const BlasPtr& blas) { return blas->bvhBytes() + blas->pinnedBytes(); }
 
@@ -26,7 +26,7 @@ BlasCache::BlasCache(const Device& device, size_t idleBudgetBytes, FreeMemory fr
     : device_(device), idleBudgetBytes_(idleBudgetBytes), freeMemory_(freeMemory) {}
 
 void BlasCache::beginBatch(uint64_t frame) {
-  constexpr uint64_t kGone = 16;  // batches without use after which nothing better is built any more
+  constexpr uint64_t kGone = 16;  // batches without use after which a refinement is cancelled
   ++clock_;
   if (frame != frame_) frame_ = frame, ++frames_;
   if (!refinement_.busy()) return;
@@ -41,7 +41,7 @@ void BlasCache::beginBatch(uint64_t frame) {
     entry.blas = better;
     ++refinements_;
   }
-  // Where it failed the fast structure has to do.
+  // If it failed, keep the fast structure.
   if (clock_ - entry.lastUsed <= kGone) entry.built = BvhQuality::full;
 }
 
@@ -96,11 +96,10 @@ std::vector<BlasPtr> BlasCache::get(const std::vector<Geometry>& wanted, BvhQual
   return result;
 }
 
-/// The structure of the latest positions of the mesh that nobody draws any more; entries_.end(): there is
-/// none.
+/// The idle structure of the mesh's latest earlier positions; entries_.end(): none.
 BlasCache::Entries::iterator BlasCache::formerOf(const scene::Mesh& mesh, const std::vector<Geometry>& wanted,
                                                  BvhQuality quality) {
-  constexpr uint64_t kMoving = 4;  // batches
+  constexpr uint64_t kMoving = 4;  // batches: meshes that stayed longer do not deform
   std::vector<Entries::iterator> idle;
   for (auto it = entries_.begin(); it != entries_.end(); ++it) {
     const Entry& entry = it->second;
@@ -179,7 +178,7 @@ void BlasCache::build(std::vector<std::pair<Key, Entry>>& coming) {
   std::for_each(small, coming.end(), keep);
 }
 
-// Starts the better build of what is drawn now. Where it cannot be, the fast structure has to do.
+// Starts the full build of a mesh in use. If that is impossible, the fast structure stays.
 void BlasCache::refine(const Key& key, Entry& entry, const Geometry& geometry) {
   entry.built = BvhQuality::full;
   if (!roomToRefine(geometry.mesh->triangleCount, freeMemory_)) return;
@@ -198,9 +197,9 @@ bool BlasCache::isRecent(const Entry& entry) const {
   return batches < kRecent || (batches < kLongFrame && frames_ - entry.lastFrame <= 1);
 }
 
-// A frame of several batches (a small view in a corner) leaves the large structures of the others idle at
-// each: they must not go for that while there is memory. But of geometry that is new in every frame only the
-// last is worth keeping.
+// In a frame of several batches (a small view in a corner), each batch leaves the others' large structures
+// idle: they must stay while there is memory. Of geometry that is new in every frame, only the last is worth
+// keeping.
 void BlasCache::evict() {
   if (idleBudgetBytes_ == 0) return void(evictDownTo(0));
   uint64_t latest = 0;
@@ -230,10 +229,9 @@ bool BlasCache::evictAllIdle() {
 }
 
 bool BlasCache::evictDownTo(size_t bytes) {
-  // Geometry that is new in every frame leaves nothing but small structures behind, which fill no budget for
-  // long.
+  // Geometry that is new in every frame leaves many small structures, which take long to fill the budget.
   constexpr size_t kMostIdle = 2048;
-  std::vector<std::tuple<bool, uint64_t, Key>> idle;  // in the order in which they go
+  std::vector<std::tuple<bool, uint64_t, Key>> idle;  // in eviction order
   size_t idleBytes = 0;
   for (const auto& [key, entry] : entries_) {
     if (entry.lastUsed == clock_) continue;

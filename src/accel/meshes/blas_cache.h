@@ -1,5 +1,4 @@
-// Acceleration structures of meshes, found again by what the geometry is. Owned by World; one thread at a
-// time.
+// Cache of BLASes, keyed by geometry content and quality. Owned by World; one thread at a time.
 #pragma once
 #include "accel/meshes/blas.h"
 #include "accel/meshes/build_plan.h"
@@ -12,34 +11,35 @@
 
 namespace gluray::accel {
 
-/// Builds each (geometry, quality) once and keeps it while it is used. What was not used lately stays too,
-/// as long as all such structures and the arrays they keep alive fit into `idleBudgetBytes`; beyond it the
-/// longest unused go first, but those of the batch before, and those that were missed before, last: they may
-/// stay while as much memory is free. Structures of quality `automatic` are exchanged for better ones, which
-/// are built while frames go on, where build_plan.h finds that worth it.
+/// Builds each (geometry, quality) once and keeps it while it is used. Idle structures stay while they and
+/// the arrays they keep alive fit into `idleBudgetBytes`. Beyond it, the least recently used are freed first.
+/// Those of the previous batch, and those that were freed too early before, are freed last; they may exceed
+/// the budget while as much memory is free. With quality `automatic`, fast structures are replaced by full
+/// ones, built in the background, where build_plan.h finds that worthwhile.
 class BlasCache {
  public:
   BlasCache(const Device&, size_t idleBudgetBytes, FreeMemory);
 
-  /// Begins a batch of the program's frame of this number: what is not asked for from now on is idle. Better
-  /// structures that are ready take the place of those they were built for.
+  /// Begins a batch of the program's frame of this number: structures not requested from now on are idle. A
+  /// full structure that is ready replaces the fast one it was built for.
   void beginBatch(uint64_t frame);
-  /// Structures for `wanted` (null where a mesh has no triangles), in the same order, building those not yet
-  /// known with the threads of the current arena. Throws Error or std::bad_alloc; those already built stay
-  /// known. `thrifty`: what is built now takes as little memory as can be, whatever its quality was to be.
+  /// Returns the structures for `wanted`, in the same order (null where a mesh has no triangles). Builds
+  /// missing ones with the threads of the current arena. Throws Error or std::bad_alloc; structures built by
+  /// then stay in the cache. `thrifty`: new structures take as little memory as possible, whatever the
+  /// quality.
   std::vector<BlasPtr> get(const std::vector<Geometry>& wanted, BvhQuality, bool thrifty = false);
-  /// Whether that makes a difference to any that are not known yet.
+  /// Whether `thrifty` would change any structure that is still missing.
   bool thriftHelps(const std::vector<Geometry>& wanted, BvhQuality) const;
   /// Frees idle structures beyond the budget.
   void evict();
-  /// Frees every idle structure and what is being built behind; true if there were any.
+  /// Frees every idle structure and cancels the background build; true if there were any.
   bool evictAllIdle();
 
-  uint64_t builds() const { return builds_; }            // that a frame waited for, since the start
-  uint64_t refits() const { return refits_; }            // of those, adjusted ones of earlier positions
-  uint64_t refinements() const { return refinements_; }  // better structures put in place, since the start
-  bool refining() const { return refinement_.busy(); }   // one is being built
-  bool refined() const { return refinement_.done(); }    // one waits for the next frame
+  uint64_t builds() const { return builds_; }            // builds that a frame waited for, since the start
+  uint64_t refits() const { return refits_; }            // of those, refits of earlier positions
+  uint64_t refinements() const { return refinements_; }  // fast structures replaced by full ones
+  bool refining() const { return refinement_.busy(); }   // a full structure is being built
+  bool refined() const { return refinement_.done(); }    // a full structure waits for the next batch
   size_t size() const { return entries_.size(); }
 
  private:
@@ -56,10 +56,10 @@ class BlasCache {
   struct Entry {
     BlasPtr blas;
     BvhQuality built = BvhQuality::full;   // never automatic
-    uint64_t lastUsed = 0, lastFrame = 0;  // clock_ and frames_ of that time
-    uint64_t batches = 0;                  // in which it was used
-    bool returns = false;                  // it was freed and asked for again soon
-    bool needed = false;                   // evict(): it is idle for the moment, by all that is known
+    uint64_t lastUsed = 0, lastFrame = 0;  // clock_ and frames_ at the last use
+    uint64_t batches = 0;                  // number of batches that used it
+    bool returns = false;                  // it was freed and soon requested again
+    bool needed = false;                   // set by evict(): expected to be used again soon
   };
   bool evictDownTo(size_t bytes);
   BlasPtr use(Entry& entry);
@@ -68,7 +68,7 @@ class BlasCache {
   void build(std::vector<std::pair<Key, Entry>>& coming);
   using Entries = std::unordered_map<Key, Entry, KeyHash>;
   Entries::iterator formerOf(const scene::Mesh&, const std::vector<Geometry>& wanted, BvhQuality);
-  /// The structure to be built for a mesh that moves; null: it is to be built like any other.
+  /// The structure to build for a mesh that deforms; null: build it like any other.
   BlasPtr deformed(const Geometry&, const std::vector<Geometry>& wanted, BvhQuality);
   void refine(const Key& key, Entry& entry, const Geometry& geometry);
 
@@ -77,15 +77,15 @@ class BlasCache {
   FreeMemory freeMemory_;
   IotaIndices iota_;
   Entries entries_;
-  uint64_t clock_ = 0;               // batches
-  uint64_t frame_ = 0, frames_ = 0;  // the program's number of this one, and how often it has changed
+  uint64_t clock_ = 0;               // counts batches
+  uint64_t frame_ = 0, frames_ = 0;  // the program's frame number, and how often it has changed
   uint64_t builds_ = 0, refits_ = 0, refinements_ = 0;
   Deformations deformations_;
-  std::array<Hash128, 64> left_{};   // geometries whose structures were adjusted to others, the last ones
-  std::array<Hash128, 64> freed_{};  // geometries whose structures went soon after their use, the last ones
+  std::array<Hash128, 64> left_{};   // the last geometries whose structures were refitted to other positions
+  std::array<Hash128, 64> freed_{};  // the last geometries whose structures were freed soon after use
   size_t freedCount_ = 0;
-  Key refining_{};   // what the job builds for
-  BlasPtr refined_;  // what it builds
+  Key refining_{};   // key of the structure that the background job builds
+  BlasPtr refined_;  // that structure
   BackgroundJob refinement_;
 };
 

@@ -1,4 +1,4 @@
-// Which structures stay when they are not drawn for a moment.
+// Eviction of idle structures.
 #include "accel/meshes/blas.h"
 #include "accel/test_scene.h"
 #include "accel/world.h"
@@ -29,8 +29,8 @@ TEST_F(BlasCacheTest, IdleStructuresAreEvictedBeyondTheBudget) {
   EXPECT_GT(world.bytes(), 0u);
 }
 
-// A frame of two batches: at each the other's structure is idle.
-TEST_F(BlasCacheTest, StructuresUsedAMomentAgoAreKeptWhileThereIsMemory) {
+// A frame of two batches: during each, the other's structure is idle.
+TEST_F(BlasCacheTest, RecentStructuresAreKeptWhileMemoryIsFree) {
   const auto first = makeSnapshot({makeMesh(squareData(0))}),
              second = makeSnapshot({makeMesh(squareData(1))});
   const auto buildsOfTwoFrames = [&](FreeMemory memory) {
@@ -44,8 +44,8 @@ TEST_F(BlasCacheTest, StructuresUsedAMomentAgoAreKeptWhileThereIsMemory) {
   EXPECT_EQ(buildsOfTwoFrames([] { return size_t{0}; }), 4u);
 }
 
-// Too large for the share of memory that anything recent may have, but not too large for the memory.
-TEST_F(BlasCacheTest, StructuresThatAreMissedInEveryFrameAreKept) {
+// Larger than the share of memory for recent structures, but within free memory.
+TEST_F(BlasCacheTest, StructuresRequestedAgainAfterEvictionAreKept) {
   static size_t free;
   const auto mesh = makeMesh(squareData(0));
   Device device;

@@ -5,13 +5,13 @@
 namespace gluray::accel {
 namespace {
 
-// Bytes a triangle at the moment of greatest need, measured on isosurfaces of 1 to 64 million triangles.
+// Peak bytes per triangle of a build, measured on isosurfaces of 1 to 64 million triangles.
 constexpr size_t kFastBytes = 100, kBlockBytes = 56, kFullBytes = 110, kCompactBytes = 42;
-// The rest of the process and the machine needs some memory too.
+// Memory left for the rest of the process and the machine.
 constexpr size_t kReserve = size_t{256} << 20;
-// Two threads build this many in 20 ms as full and in 5 ms as fast: below it nobody sees the difference.
+// Two threads build this many triangles in 20 ms as full, in 5 ms as fast; below, nobody sees a difference.
 constexpr uint64_t kMuch = 100'000;
-// Meshes so small are built at once: a top-level structure that changes with each of them would cost more.
+// Meshes below this are built full at once: rebuilding the TLAS for each refinement would cost more.
 constexpr uint64_t kSmall = 20'000;
 
 }  // namespace
@@ -22,10 +22,10 @@ BvhQuality firstQuality(BvhQuality wanted, uint64_t triangles, const Waiting& wa
   if (waiting.triangles < kMuch || triangles < kSmall) return BvhQuality::full;
   const size_t free = freeMemory(), room = (free - std::min(free, kReserve)) / 2;
   const uint64_t fast = waiting.inBlocks * kBlockBytes + (waiting.triangles - waiting.inBlocks) * kFastBytes;
-  // Runs need half of what anything else as quick would. Better structures are built one after the other,
+  // Triangle blocks need half the memory of other fast structures. Full structures are built one at a time,
   // each beside all the fast ones.
-  const bool runs = waiting.inBlocks >= waiting.triangles / 8 * 7;
-  if (room >= (runs ? fast : fast + triangles * kFullBytes)) return BvhQuality::fast;
+  const bool blocks = waiting.inBlocks >= waiting.triangles / 8 * 7;
+  if (room >= (blocks ? fast : fast + triangles * kFullBytes)) return BvhQuality::fast;
   if (room >= waiting.triangles * kFullBytes) return BvhQuality::full;
   return room >= waiting.triangles * kCompactBytes ? BvhQuality::compact : BvhQuality::least;
 }
@@ -36,7 +36,7 @@ BvhQuality thriftyQuality(BvhQuality wanted, uint64_t triangles) {
 }
 
 bool worthRefining(BvhQuality wanted, BvhQuality held, uint64_t frames) {
-  constexpr uint64_t kSettled = 4;  // geometry that changes in every frame never gets here
+  constexpr uint64_t kSettled = 4;  // excludes geometry that changes in every frame
   return wanted == BvhQuality::automatic && held == BvhQuality::fast && frames >= kSettled;
 }
 

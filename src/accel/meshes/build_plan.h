@@ -1,5 +1,5 @@
-// Chooses the quality of acceleration structures: of the first one that a mesh gets, and whether to build a
-// better one later. Pure functions; any thread.
+// Chooses the build quality of a mesh's first BLAS, and whether to rebuild it at full quality later. Called
+// by BlasCache. Pure functions; any thread.
 #pragma once
 #include "settings/settings.h"
 
@@ -8,30 +8,28 @@
 
 namespace gluray::accel {
 
-/// Bytes that may still be allocated. Asking takes some 0.1 ms.
+/// Returns the bytes that may still be allocated. A call takes about 0.1 ms.
 using FreeMemory = size_t (*)();
 
-/// What waits for structures of its own.
+/// The meshes that have no BLAS yet.
 struct Waiting {
   uint64_t triangles = 0;
-  uint64_t inBlocks = 0;  // of those, in meshes that fast structures hold as triangle blocks
+  uint64_t inBlocks = 0;  // triangles of those meshes whose fast BLAS would have triangle blocks as leaves
 };
 
-/// Quality of the first structure of a mesh of `triangles`. `wanted` is the user's setting, `waiting` all
-/// that waits for structures, this mesh included. With `automatic`, structures may take half of the free
-/// memory. Large geometry gets `fast` structures where it is made of triangle blocks (triangle_blocks.h), or
-/// where better structures fit beside the fast ones. Otherwise it gets the best quality that fits, in the end
-/// `least`.
+/// Quality of the first BLAS of a mesh of `triangles` triangles. `wanted` is the user's setting; `waiting`
+/// includes this mesh. With `automatic`, the BLASes may take half of the free memory. Large geometry is built
+/// `fast` if it consists of triangle blocks (triangle_blocks.h), or if a full BLAS fits beside the fast ones.
+/// Otherwise it gets the best of `full`, `compact` and `least` that fits.
 BvhQuality firstQuality(BvhQuality wanted, uint64_t triangles, const Waiting& waiting, FreeMemory freeMemory);
 
-/// The same where an attempt has run out of memory.
+/// The quality for a retry after a build ran out of memory.
 BvhQuality thriftyQuality(BvhQuality wanted, uint64_t triangles);
 
-/// Whether a structure of quality `held`, used in `frames` frames, is worth building again as `full`.
+/// Whether a BLAS of quality `held`, used in `frames` frames so far, is worth rebuilding as `full`.
 bool worthRefining(BvhQuality wanted, BvhQuality held, uint64_t frames);
 
-/// Whether the full structure can be built while the fast one stays: it may take two fifths of the free
-/// memory.
+/// Whether a full BLAS can be built while the fast one stays: it may take two fifths of the free memory.
 bool roomToRefine(uint64_t triangles, FreeMemory freeMemory);
 
 }  // namespace gluray::accel

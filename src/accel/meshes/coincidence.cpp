@@ -12,8 +12,7 @@
 namespace gluray::accel {
 namespace {
 
-/// Multiplications and shifts that make every bit of the input count: triangles are many, and their corners
-/// are all that is hashed.
+/// A fast hash of multiplications and shifts in which every input bit counts.
 uint64_t hashOf(const glm::vec3& p) {
   const glm::vec3 position = p + 0.0f;  // -0 is 0
   const auto bits = [&](int c) { return uint64_t{std::bit_cast<uint32_t>(position[c])}; };
@@ -23,7 +22,7 @@ uint64_t hashOf(const glm::vec3& p) {
   return h ^ h >> 29;
 }
 
-/// The same for every order of the corners; 0 where two of them are equal.
+/// Hash of a triangle, independent of the order of its corners; 0 if two of them are equal.
 uint64_t keyOf(const scene::Mesh& mesh, uint32_t triangle) {
   uint64_t corner[3];
   for (uint32_t k = 0; k < 3; ++k) corner[k] = hashOf(mesh.position(mesh.corner(triangle, k)));
@@ -31,13 +30,13 @@ uint64_t keyOf(const scene::Mesh& mesh, uint32_t triangle) {
   return (corner[0] + corner[1] + corner[2]) | 1;
 }
 
-/// A set that may hold too much (a Bloom filter): three bits of one word for each key.
+/// Bloom filter: three bits of one word per key.
 class BitFilter {
  public:
   explicit BitFilter(uint64_t count) : words_(std::bit_ceil(std::max<uint64_t>(count / 4, 1))) {}
-  /// Has the memory that the key's bits are in brought near.
+  /// Prefetches the key's word.
   void prefetch(uint64_t key) const { __builtin_prefetch(&words_[indexOf(key)], 1); }
-  /// Adds the key; whether it, or others that share its bits, were there.
+  /// Adds the key; true if it, or others that share its bits, were present.
   bool insert(uint64_t key) {
     uint64_t& word = words_[indexOf(key)];
     const uint64_t bits = bitsOf(key);
@@ -55,14 +54,14 @@ class BitFilter {
   static uint64_t bitsOf(uint64_t key) {
     return uint64_t{1} << (key >> 1 & 63) | uint64_t{1} << (key >> 7 & 63) | uint64_t{1} << (key >> 13 & 63);
   }
-  std::vector<uint64_t> words_;  // 16 to 32 bits a key: one in 70 to 500 shares its bits
+  std::vector<uint64_t> words_;  // 16 to 32 bits per key: false positives 1/70 to 1/500
 };
 
-/// Calls visit(keys) for blocks of triangles with area until it returns true; whether it did.
+/// Calls visit(keys) for batches of triangle keys until it returns true; returns whether it did.
 template <class Visit>
 bool anyBlock(const std::vector<const scene::Mesh*>& meshes, const std::atomic<bool>& cancelled,
               Visit&& visit) {
-  constexpr uint32_t kBlock = 512;  // triangles: what memory is asked for meanwhile arrives
+  constexpr uint32_t kBlock = 512;  // triangles: enough for prefetches to arrive
   uint64_t keys[kBlock];
   for (const scene::Mesh* mesh : meshes)
     for (uint32_t first = 0; first < mesh->triangleCount; first += kBlock) {
@@ -84,7 +83,7 @@ uint64_t triangleCount(const std::vector<const scene::Mesh*>& meshes) {
   return count;
 }
 
-/// Keys whose bits were taken already: all that come twice, and a few others.
+/// Keys whose bits were set already: all duplicates, and a few false positives.
 std::vector<uint64_t> suspectsOf(const std::vector<const scene::Mesh*>& meshes,
                                  const std::atomic<bool>& cancelled) {
   std::vector<uint64_t> suspects;
@@ -103,7 +102,7 @@ std::vector<uint64_t> suspectsOf(const std::vector<const scene::Mesh*>& meshes,
 bool anyCoincide(const std::vector<const scene::Mesh*>& meshes, const std::atomic<bool>& cancelled) {
   const std::vector<uint64_t> suspects = suspectsOf(meshes, cancelled);
   if (suspects.empty()) return false;
-  // A second look tells which of them come twice.
+  // A second pass finds the true duplicates.
   BitFilter suspected(suspects.size());
   for (const uint64_t key : suspects) suspected.insert(key);
   const std::unordered_set<uint64_t> exactly(suspects.begin(), suspects.end());
@@ -144,7 +143,8 @@ bool Coincidence::possible(const std::vector<scene::Instance>& instances) {
   return possible;
 }
 
-/// Whether the group is known to have no triangles that coincide. Looks, now or behind, where nobody has.
+/// Whether the group is known to have no coincident triangles. Tests an unknown group now or in the
+/// background.
 bool Coincidence::known(const Group& group) {
   constexpr uint64_t kAtOnce = 10000;  // triangles, half a millisecond
   constexpr size_t kRemembered = 4096;
@@ -155,7 +155,7 @@ bool Coincidence::known(const Group& group) {
     answer->second = anyCoincide(group.meshes, false) ? Answer::yes : Answer::no;
     return answer->second == Answer::no;
   }
-  // What is drawn but once is not worth a thread.
+  // A group that is drawn only once is not worth a thread.
   if (!fresh && !job_.busy()) lookBehind(group);
   return false;
 }
@@ -171,7 +171,7 @@ void Coincidence::lookBehind(const Group& group) {
     const timeline::Span span("compare triangles");
     *found = anyCoincide(all, cancelled);
   };
-  // Short, and until it has ended every ray is slower: not at low priority.
+  // Not at low priority: the job is short, and rays are slower until it ends.
   if (!job_.start(look, BackgroundJob::Priority::usual)) return;
   looking_ = group.id;
   found_ = found;

@@ -24,13 +24,13 @@ bool coincide(const std::vector<scene::MeshPtr>& meshes) {
   return anyCoincide(all, false);
 }
 
-/// The square with its triangles at `at` turned by one corner and over.
+/// The mesh with two corners of the triangle at index `at` swapped.
 MeshData turned(MeshData data, size_t at) {
   std::swap(data.indices[at], data.indices[at + 1]);
   return data;
 }
 
-/// The square and a triangle beside it: another geometry than the square's.
+/// The square and a triangle beside it: a geometry of its own.
 MeshData withNeighbour(MeshData data) {
   data.indices.insert(data.indices.end(), {4, 5, 6});
   for (const glm::vec3 p : {glm::vec3(2, 0, 0), glm::vec3(3, 0, 0), glm::vec3(2, 1, 0)})
@@ -38,7 +38,7 @@ MeshData withNeighbour(MeshData data) {
   return data;
 }
 
-TEST(Coincidence, SquaresApartDoNot) {
+TEST(Coincidence, DisjointSquaresDoNotCoincide) {
   EXPECT_FALSE(coincide({makeMesh(squareData(0)), makeMesh(squareData(1))}));
 }
 
@@ -56,7 +56,7 @@ TEST(Coincidence, NegativeZeroIsZero) {
   EXPECT_TRUE(coincide({makeMesh(squareData(0.0f)), makeMesh(withNeighbour(squareData(-0.0f)))}));
 }
 
-TEST(Coincidence, TrianglesWithoutAreaDoNotCount) {
+TEST(Coincidence, DegenerateTrianglesAreIgnored) {
   MeshData data = squareData(0);
   data.indices = {0, 0, 1, 0, 0, 1, 2, 2, 2};
   EXPECT_FALSE(coincide({makeMesh(data)}));
@@ -75,7 +75,7 @@ MeshData grid(uint32_t side) {
   return data;
 }
 
-TEST(Coincidence, OneOfManyIsFound) {
+TEST(Coincidence, FindsOnePairAmongMany) {
   MeshData data = grid(150);
   EXPECT_FALSE(coincide({makeMesh(data)}));
   const size_t some = 3 * 31234;
@@ -88,7 +88,7 @@ std::vector<scene::Instance> instancesOf(const std::vector<scene::MeshPtr>& mesh
   return makeSnapshot(meshes).instances;
 }
 
-TEST(Coincidence, ElsewhereIsAnotherPlace) {
+TEST(Coincidence, TransformsAreTakenIntoAccount) {
   Coincidence coincidence;
   auto instances = instancesOf({makeMesh(squareData(0)), makeMesh(squareData(0))});
   EXPECT_TRUE(coincidence.possible(instances));
@@ -96,7 +96,7 @@ TEST(Coincidence, ElsewhereIsAnotherPlace) {
   EXPECT_FALSE(coincidence.possible(instances));
 }
 
-TEST(CoincidenceThread, LargeMeshesAreLookedAtBehind) {
+TEST(CoincidenceThread, LargeMeshesAreTestedInTheBackground) {
   Coincidence coincidence;
   const auto instances = instancesOf({makeMesh(grid(150))});
   EXPECT_TRUE(coincidence.possible(instances));
@@ -109,14 +109,14 @@ TEST(CoincidenceThread, LargeMeshesAreLookedAtBehind) {
   EXPECT_FALSE(possible);
 }
 
-/// Instance that a ray down -z at (x, y) hits, for every lane of the packet the same.
+/// The instance that rays down -z at (x, y) hit, the same for every lane.
 uint32_t seenAt(const World& world, float x, float y) {
   const RayPacket packet = test::shot(world, test::raysDown(x, y));
   for (int i = 1; i < kLanes; ++i) EXPECT_EQ(packet.instance[i], packet.instance[0]);
   return packet.instance[0];
 }
 
-/// Squares in one plane, the second of a mesh of its own: which is seen?
+/// Expects the order of drawing to decide which of the coplanar `meshes` is visible.
 void expectOrderDecides(const std::vector<scene::MeshPtr>& meshes) {
   Arena arena{2};
   World world;
@@ -151,7 +151,7 @@ TEST(DrawOrder, DecidesAmongMany) {
   expectOrderDecides(meshes);
 }
 
-TEST(DrawOrder, WithinAMeshLaterTrianglesAreLater) {
+TEST(DrawOrder, FollowsTriangleOrderWithinAMesh) {
   MeshData data = squareData(0);
   data.indices = {0, 1, 2, 1, 2, 0, 0, 2, 1};
   Arena arena{2};
@@ -165,7 +165,7 @@ TEST(DrawOrder, WithinAMeshLaterTrianglesAreLater) {
   }
 }
 
-TEST(DrawOrder, NearerOnesAreSeenWhateverTheOrder) {
+TEST(DrawOrder, NearerSurfacesWinWhateverTheOrder) {
   Arena arena{2};
   World world;
   scene::Snapshot snapshot = makeSnapshot(

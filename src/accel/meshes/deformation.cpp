@@ -33,7 +33,7 @@ struct Box {
   }
 };
 
-/// Ten bits of each coordinate within the box, in turn.
+/// Morton code: interleaves ten bits of each coordinate within the box.
 uint32_t mortonCode(glm::vec3 p, const Box& box) {
   const auto spread = [](uint32_t v) {
     v = (v | v << 16) & 0x030000ff;
@@ -51,13 +51,13 @@ uint32_t mortonCode(glm::vec3 p, const Box& box) {
 
 bool allInReach(const scene::Mesh& mesh) {
   constexpr float kReach = 1e18f;
-  constexpr uint32_t kBlock = 4096;  // vertices looked at before the next decision
+  constexpr uint32_t kBlock = 4096;  // vertices per branch
   for (uint32_t first = 0; first < mesh.vertexCount; first += kBlock) {
     const uint32_t end = std::min(mesh.vertexCount, first + kBlock);
     bool fine = true;
     for (uint32_t v = first; v < end; ++v) {
       const glm::vec3 p = glm::abs(position(mesh, v));
-      fine = fine & (p.x < kReach) & (p.y < kReach) & (p.z < kReach);  // not so where it is no number
+      fine = fine & (p.x < kReach) & (p.y < kReach) & (p.z < kReach);  // false for NaN
     }
     if (!fine) return false;
   }
@@ -97,9 +97,9 @@ double Neighbours::spreadIn(const scene::Mesh& mesh) const {
 
 Deformations::Step Deformations::next(const scene::Mesh& mesh, double spread) {
   constexpr size_t kMostCourses = 256;
-  constexpr int kSettled = 2;     // steps that are built first: they may have been the only ones
-  constexpr double kFar = 2;      // spread beyond which rays lose more than the refit saves
-  constexpr int kWorthwhile = 6;  // refits that pay for the structure
+  constexpr int kSettled = 2;     // first changes that are built normally: there may be no more
+  constexpr double kFar = 2;      // spread from which rays lose more time than the refit saves
+  constexpr int kWorthwhile = 6;  // refits that make up for the slower build
   constexpr int kPause = 60;
   if (courses_.size() > kMostCourses) courses_.clear();
   Course& course = courses_[{mesh.vertexCount, mesh.triangleCount}];

@@ -1,5 +1,5 @@
-// Decides when to refit an acceleration structure: for meshes whose vertices move while their triangles stay
-// the same. Any thread, one at a time.
+// Decides when to refit a BLAS instead of rebuilding it, for meshes whose vertices move while their indices
+// stay the same. Used by BlasCache; any thread, one at a time.
 #pragma once
 #include "scene/mesh.h"
 
@@ -11,48 +11,48 @@
 
 namespace gluray::accel {
 
-/// Whether every coordinate is finite and within Embree's reach. Others make triangles that a structure
-/// leaves out, whichever positions they are adjusted to later. Reads all of them.
+/// Whether every coordinate is finite and within Embree's range. Embree leaves out triangles with any other
+/// coordinate, also from later refits. Reads all positions.
 bool allInReach(const scene::Mesh& mesh);
 
-/// Groups of triangles that lay together when the structure was built, as those of its nodes do.
+/// A sample of triangles, grouped by position when the BLAS was built: stands for the BLAS's nodes.
 class Neighbours {
  public:
   Neighbours() = default;
   /// Picks a few thousand of the triangles.
   explicit Neighbours(const scene::Mesh& mesh);
-  /// How large the groups have become beside the whole, areas of boxes: 1 as when they were picked. Rays meet
-  /// about as many more nodes.
+  /// Surface area of the groups' boxes relative to that of the whole mesh, divided by its value at the build:
+  /// 1 means no growth. The number of nodes that a ray visits grows by about this factor.
   double spreadIn(const scene::Mesh& mesh) const;
 
  private:
   double areaShare(const scene::Mesh& mesh) const;
-  std::vector<uint32_t> triangles_;  // kGroup after another
+  std::vector<uint32_t> triangles_;  // kGroup triangles per group, group after group
   double share_ = 0;
 };
 
-/// Decides by what such meshes have cost so far. Meshes of equal numbers of vertices and triangles count as
-/// one.
+/// Decides from the history of such meshes. Meshes with equal numbers of vertices and triangles share one
+/// history.
 class Deformations {
  public:
   enum class Step : uint8_t {
-    build,         // as if nothing were known of earlier positions
-    buildToRefit,  // so that the structure can be adjusted: takes some four times as long as a fast build
-    refit,         // the earlier structure, a sixth of that
+    build,         // ordinary build
+    buildToRefit,  // build a refittable structure: takes about four times as long as a fast build
+    refit,         // refit the earlier structure: a sixth of that
   };
-  /// Least triangles: smaller meshes are built in no time.
+  /// Smallest mesh, in triangles, that is refitted: smaller ones build in negligible time.
   static constexpr uint32_t kLeast = 10'000;
-  /// A mesh with other positions than before. `spread`: that of the earlier structure, where it can be
-  /// adjusted; 0: it cannot.
+  /// The step for a mesh whose positions changed. `spread`: Blas::spreadIn of the earlier structure; 0: it
+  /// cannot be refitted.
   Step next(const scene::Mesh& mesh, double spread);
-  /// Positions that a structure was adjusted from are there again: they come round, and are better kept.
+  /// Positions returned whose structure was refitted to others: the animation repeats. Pauses refits.
   void comesAround(const scene::Mesh& mesh);
 
  private:
   struct Course {
-    int steps = 0;   // in a row
+    int steps = 0;   // consecutive changes of positions
     int refits = 0;  // since the structure was built
-    int pause = 0;   // steps that are built
+    int pause = 0;   // remaining steps without refits
   };
   std::map<std::pair<uint32_t, uint32_t>, Course> courses_;
 };

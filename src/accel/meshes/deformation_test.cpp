@@ -1,5 +1,5 @@
-// Meshes that move from frame to frame: their structures are adjusted, and rays hit what they would hit in
-// fresh ones.
+// Meshes whose vertices move from frame to frame: their BLASes are refitted, and hits equal those of rebuilt
+// BLASes.
 #include "accel/meshes/deformation.h"
 
 #include "accel/test_rays.h"
@@ -21,7 +21,7 @@ using test::MeshData;
 
 constexpr int kSide = 80;  // squares of a sheet, of two triangles each
 
-/// A sheet over [-1, 1]^2 with waves that travel. `soup`: three vertices a triangle.
+/// A sheet over [-1, 1]^2 with travelling waves. `soup`: three vertices per triangle.
 MeshData sheet(float time, bool soup = false) {
   MeshData data;
   for (int y = 0; y <= kSide; ++y)
@@ -40,7 +40,7 @@ MeshData sheet(float time, bool soup = false) {
   return corners;
 }
 
-/// Distances and triangles that rays down -z meet.
+/// Distances and triangles that rays down -z hit.
 std::vector<std::pair<float, uint32_t>> seen(const World& world) {
   std::vector<std::pair<float, uint32_t>> result;
   for (int k = 0; k < 60; ++k) {
@@ -70,7 +70,7 @@ struct DeformationTest : testing::TestWithParam<bool> {
   uint64_t refits = 0, builds = 0;
   BvhQuality bvh = BvhQuality::automatic;
 
-  /// Rays hit the same as in a world that has seen nothing else.
+  /// Expects the same hits as in a new world.
   void expectTrue(const MeshData& data, glm::mat4 place = glm::mat4(1)) {
     auto snapshot = makeSnapshot({makeMesh(data)});
     snapshot.instances[0].worldFromObject = place;
@@ -83,20 +83,20 @@ struct DeformationTest : testing::TestWithParam<bool> {
   }
 };
 
-TEST_P(DeformationTest, MovingSheetsAreAdjusted) {
+TEST_P(DeformationTest, MovingSheetsAreRefitted) {
   for (int i = 0; i < 12; ++i) expectTrue(sheet(0.2f * static_cast<float>(i), GetParam()));
-  EXPECT_EQ(refits, 8u);  // one mesh, two that may have been all, one that is built to be adjusted
+  EXPECT_EQ(refits, 8u);  // all but the first mesh, two ordinary builds, and one build to refit
   EXPECT_EQ(builds, 12u);
 }
 
-TEST_P(DeformationTest, FastStructuresOfRunsGiveWayToAdjustedOnes) {
+TEST_P(DeformationTest, RefittableStructuresReplaceTriangleBlocks) {
   bvh = BvhQuality::fast;
   EXPECT_TRUE(TriangleBlocks(*makeMesh(sheet(0, GetParam())), TriangleBlocks::Aim::speed).pay());
   for (int i = 0; i < 12; ++i) expectTrue(sheet(0.2f * static_cast<float>(i), GetParam()));
   EXPECT_EQ(refits, 8u);
 }
 
-TEST_P(DeformationTest, UnderATransformToo) {
+TEST_P(DeformationTest, MovingSheetsAreRefittedUnderATransform) {
   glm::mat4 place(1);
   place[3] = {0.25f, 0, -1, 1};
   for (int i = 0; i < 8; ++i) {
@@ -106,7 +106,7 @@ TEST_P(DeformationTest, UnderATransformToo) {
   EXPECT_EQ(refits, 4u);
 }
 
-TEST_P(DeformationTest, WhatIsNotFiniteIsLeftOutAndComesBack) {
+TEST_P(DeformationTest, NonFiniteTrianglesAreLeftOutAndComeBack) {
   for (int i = 0; i < 12; ++i) {
     MeshData data = sheet(0.2f * static_cast<float>(i), GetParam());
     if (i % 3 == 2) data.positions[data.positions.size() / 2].z = std::numeric_limits<float>::quiet_NaN();
@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(Meshes, DeformationTest, testing::Bool(),
 
 using Deforming = DeformationTest;
 
-TEST_F(Deforming, OtherTrianglesAreNotTakenForTheSame) {
+TEST_F(Deforming, OtherIndicesAreNotRefitted) {
   for (int i = 0; i < 10; ++i) {
     MeshData data = sheet(0.2f * static_cast<float>(i));
     std::swap(data.indices[static_cast<size_t>(i) * 30], data.indices[static_cast<size_t>(i) * 30 + 5]);
@@ -131,13 +131,13 @@ TEST_F(Deforming, OtherTrianglesAreNotTakenForTheSame) {
   EXPECT_EQ(refits, 0u);
 }
 
-TEST_F(Deforming, PositionsThatComeRoundAreKept) {
+TEST_F(Deforming, RecurringPositionsAreKept) {
   for (int i = 0; i < 60; ++i) expectTrue(sheet(0.3f * static_cast<float>(i % 10)));
   EXPECT_LT(builds, 32u);
   EXPECT_LT(refits, 12u);
 }
 
-TEST_F(Deforming, WhatFliesApartIsBuiltAnew) {
+TEST_F(Deforming, ScatteredTrianglesAreRebuilt) {
   std::mt19937 random(1);
   std::uniform_real_distribution<float> anywhere(-1, 1);
   for (int i = 0; i < 30; ++i) {
@@ -148,10 +148,10 @@ TEST_F(Deforming, WhatFliesApartIsBuiltAnew) {
     }
     expectTrue(data);
   }
-  EXPECT_EQ(refits, 0u);  // each triangle is somewhere else every time
+  EXPECT_EQ(refits, 0u);  // every triangle moves far each time
 }
 
-TEST_F(Deforming, TwoThatMoveAndOneThatStays) {
+TEST_F(Deforming, TwoMovingMeshesAndAStaticOne) {
   const auto still = makeMesh(sheet(100));
   for (int i = 0; i < 10; ++i) {
     const auto moved = [&](float t) { return makeMesh(sheet(t + 0.2f * static_cast<float>(i))); };
@@ -172,14 +172,14 @@ TEST(Neighbours, SpreadGrowsWithTheGroups) {
   EXPECT_DOUBLE_EQ(neighbours.spreadIn(*rest), 1);
   MeshData large = sheet(0);
   for (glm::vec3& p : large.positions) p = 7.0f * p + 3.0f;
-  EXPECT_NEAR(neighbours.spreadIn(*makeMesh(large)), 1, 1e-3);  // nothing has come apart
+  EXPECT_NEAR(neighbours.spreadIn(*makeMesh(large)), 1, 1e-3);  // uniform scaling spreads nothing
   EXPECT_LT(neighbours.spreadIn(*makeMesh(sheet(0.3f))), 2);
   MeshData mixed = sheet(0);
   std::shuffle(mixed.positions.begin(), mixed.positions.end(), std::mt19937(2));
   EXPECT_GT(neighbours.spreadIn(*makeMesh(mixed)), 20);
 }
 
-TEST(Deformations, WildOnesAreLeftAlone) {
+TEST(Deformations, LargeMotionsAreNotRefitted) {
   const auto mesh = makeMesh(sheet(0));
   Deformations d;
   using Step = Deformations::Step;
@@ -187,11 +187,11 @@ TEST(Deformations, WildOnesAreLeftAlone) {
   EXPECT_EQ(d.next(*mesh, 0), Step::build);
   EXPECT_EQ(d.next(*mesh, 0), Step::buildToRefit);
   EXPECT_EQ(d.next(*mesh, 1.5), Step::refit);
-  EXPECT_EQ(d.next(*mesh, 5), Step::build);  // one refit does not pay for the structure
+  EXPECT_EQ(d.next(*mesh, 5), Step::build);  // one refit does not make up for the slower build
   for (int i = 0; i < 30; ++i) EXPECT_EQ(d.next(*mesh, 1), Step::build);
 }
 
-TEST(Deformations, SlowOnesAreBuiltAgainWhenTheyHaveComeFar) {
+TEST(Deformations, SlowMotionsAreRebuiltAfterALongWay) {
   const auto mesh = makeMesh(sheet(0));
   Deformations d;
   using Step = Deformations::Step;
@@ -201,7 +201,7 @@ TEST(Deformations, SlowOnesAreBuiltAgainWhenTheyHaveComeFar) {
   EXPECT_EQ(d.next(*mesh, 1), Step::refit);
 }
 
-TEST(AllInReach, FindsOne) {
+TEST(AllInReach, FindsASingleVertexOutOfReach) {
   MeshData data = sheet(0);
   EXPECT_TRUE(allInReach(*makeMesh(data)));
   for (const float bad :

@@ -1,4 +1,4 @@
-// The indices 0, 1, 2, ... that meshes without indices share. Used by Blas; one thread at a time.
+// Index array 0, 1, 2, ... shared by all meshes without indices. Used by Blas; one thread at a time.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -6,8 +6,7 @@
 
 namespace gluray::accel {
 
-/// One array for all soups, replaced by a longer one when a longer one is asked for; who still reads the old
-/// one keeps it.
+/// One array for all triangle soups. A longer request replaces it; readers of the old array keep it alive.
 class IotaIndices {
  public:
   /// At least `count` ascending indices, followed by 16 readable bytes. Throws std::bad_alloc.

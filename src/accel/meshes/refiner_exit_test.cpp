@@ -1,4 +1,4 @@
-// Processes that end while a better structure is built.
+// Processes that exit during a background build.
 #include "accel/test_scene.h"
 #include "accel/world.h"
 
@@ -26,7 +26,7 @@ scene::MeshPtr dunes() {
   return test::makeMesh(data);
 }
 
-/// A world that is never destroyed, as in a host, with a build under way behind it.
+/// Starts a background build of a world that is never destroyed, as in a host.
 void startRefining() {
   auto* world = new World(0, [] { return size_t{64} << 30; });
   auto* arena = new Arena(2);
@@ -34,7 +34,7 @@ void startRefining() {
   for (int frame = 0; frame < 5; ++frame) world->update(snapshot, *arena);
 }
 
-TEST(RefinerExitDeathTest, ExitInTheMiddleOfABuild) {
+TEST(RefinerExitDeathTest, ExitDuringABuild) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT((startRefining(), std::exit(7)), testing::ExitedWithCode(7), "");
 }

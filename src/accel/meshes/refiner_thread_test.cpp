@@ -1,4 +1,4 @@
-// Better structures built behind the frames: run under the thread sanitizer too.
+// Full-quality BLASes built in the background; also run under the thread sanitizer.
 #include "accel/device.h"
 #include "accel/test_rays.h"
 #include "accel/test_scene.h"
@@ -13,9 +13,9 @@
 namespace gluray::accel {
 namespace {
 
-constexpr int kSide = 260;  // 2 * 260^2 triangles: just large enough to be built fast first
+constexpr int kSide = 260;  // 2 * 260^2 triangles: just large enough for a fast first build
 
-/// A wavy sheet over [-1, 1]^2; `phase` makes different ones.
+/// A wavy sheet over [-1, 1]^2; different `phase`, different geometry.
 scene::MeshPtr sheet(float phase = 0, int side = kSide) {
   test::MeshData data;
   const auto row = static_cast<uint32_t>(side + 1);
@@ -33,7 +33,7 @@ scene::MeshPtr sheet(float phase = 0, int side = kSide) {
   return test::makeMesh(data);
 }
 
-/// Distance from height 10 down to what lies at (x, y); infinity where nothing does.
+/// Distance from height 10 down to the surface at (x, y); infinity where there is none.
 float depthAt(const World& world, float x, float y) {
   return test::shot(world, test::raysDown(x, y)).tFar[0];
 }
@@ -47,7 +47,7 @@ size_t changing() { return g_free; }
 struct Refinement : testing::Test {
   Arena arena{2};
 
-  /// Renders `snapshot` until a better structure has come in, for at most a minute; whether it has.
+  /// Updates with `snapshot` until a full structure is installed, for at most a minute; whether it was.
   bool awaitRefinement(World& world, const scene::Snapshot& snapshot) {
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
     while (std::chrono::steady_clock::now() < deadline) {
@@ -58,7 +58,7 @@ struct Refinement : testing::Test {
   }
 };
 
-TEST_F(Refinement, BetterStructureTakesThePlaceOfTheFastOne) {
+TEST_F(Refinement, FullStructureReplacesTheFastOne) {
   World world(0, plenty);
   const auto snapshot = test::makeSnapshot({sheet()});
   EXPECT_EQ(world.update(snapshot, arena).blasBuilds, 1u);
@@ -80,7 +80,7 @@ TEST_F(Refinement, BetterStructureTakesThePlaceOfTheFastOne) {
   EXPECT_EQ(world.cachedBlases(), 1u);
 }
 
-TEST_F(Refinement, OneThatIsReadyWaitsForTheNextFrame) {
+TEST_F(Refinement, FinishedStructureIsInstalledInTheNextFrame) {
   World world(0, plenty);
   const auto snapshot = test::makeSnapshot({sheet()});
   while (!world.refining()) ASSERT_EQ(world.update(snapshot, arena).blasRefinements, 0u);
@@ -93,7 +93,7 @@ TEST_F(Refinement, OneThatIsReadyWaitsForTheNextFrame) {
   EXPECT_FALSE(world.refined());
 }
 
-TEST_F(Refinement, InstancesAreMovedToTheBetterStructure) {
+TEST_F(Refinement, InstancesUseTheFullStructure) {
   World world(0, plenty);
   const auto mesh = sheet();
   auto snapshot = test::makeSnapshot({mesh, mesh});
@@ -104,7 +104,7 @@ TEST_F(Refinement, InstancesAreMovedToTheBetterStructure) {
   EXPECT_NEAR(depthAt(world, 5.3f, -0.2f), before, 1e-5f);
 }
 
-TEST_F(Refinement, SeveralMeshesComeOneAfterTheOther) {
+TEST_F(Refinement, SeveralMeshesAreRefinedOneByOne) {
   World world(0, plenty);
   const auto snapshot = test::makeSnapshot({sheet(0), sheet(1), sheet(2)});
   EXPECT_EQ(world.update(snapshot, arena).blasBuilds, 3u);
@@ -130,7 +130,7 @@ TEST_F(Refinement, SmallGeometryIsBuiltOnce) {
   EXPECT_EQ(world.bytes(), bytes);
 }
 
-TEST_F(Refinement, WhatIsNoLongerDrawnIsForgotten) {
+TEST_F(Refinement, UnusedMeshesAreNotRefined) {
   World world(0, plenty);
   const auto large = test::makeSnapshot({sheet(0, 700)}), other = test::makeSnapshot({sheet(0, 10)});
   for (int frame = 0; frame < 6; ++frame) world.update(large, arena);
@@ -141,7 +141,7 @@ TEST_F(Refinement, WhatIsNoLongerDrawnIsForgotten) {
   EXPECT_TRUE(std::isfinite(depthAt(world, 0.3f, -0.2f)));
 }
 
-TEST_F(Refinement, ScarceMemoryIsNotSpentTwice) {
+TEST_F(Refinement, ScarceMemoryPreventsRefinement) {
   const auto snapshot = test::makeSnapshot({sheet()});
   size_t bytes[2] = {};
   int i = 0;
@@ -160,7 +160,7 @@ TEST_F(Refinement, ScarceMemoryIsNotSpentTwice) {
   for (int frame = 0; frame < 20; ++frame) EXPECT_EQ(fast.update(snapshot, arena).blasRefinements, 0u);
 }
 
-TEST_F(Refinement, FailureLeavesTheFastStructure) {
+TEST_F(Refinement, FailureKeepsTheFastStructure) {
   World world(0, plenty);
   const auto snapshot = test::makeSnapshot({sheet()});
   world.update(snapshot, arena);
@@ -173,7 +173,7 @@ TEST_F(Refinement, FailureLeavesTheFastStructure) {
   EXPECT_TRUE(std::isfinite(depthAt(world, 0.3f, -0.2f)));
 }
 
-TEST_F(Refinement, WorldMayGoInTheMiddleOfABuild) {
+TEST_F(Refinement, WorldMayBeDestroyedDuringABuild) {
   const size_t before = Device::bytes();
   for (int frames = 4; frames < 8; ++frames) {
     World world(0, plenty);

@@ -16,7 +16,7 @@ float longestSquared(const scene::Mesh& mesh, uint32_t triangle) {
   float squared = 0;
   for (int k = 0; k < 3; ++k) {
     const glm::vec3 edge = p[(k + 1) % 3] - p[k];
-    squared = std::max(squared, glm::dot(edge, edge));  // which keeps the first where the second is no number
+    squared = std::max(squared, glm::dot(edge, edge));  // max keeps the first if the second is NaN
   }
   return squared;
 }

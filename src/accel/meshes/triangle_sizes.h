@@ -1,4 +1,4 @@
-// How large the triangles of meshes are. Owned by World. Any thread.
+// Caches the longest triangle edge of each mesh. Owned by World. Any thread.
 #pragma once
 #include "base/hash.h"
 #include "scene/mesh.h"
@@ -10,12 +10,12 @@ namespace gluray::accel {
 
 class TriangleSizes {
  public:
-  /// The longest edge of all triangles, object space; 0 of other shapes. Looks at a mesh once.
+  /// The longest triangle edge, object space; 0 for other shapes. Computed once per mesh.
   float longestEdge(const scene::Mesh& mesh);
 
  private:
   std::mutex mutex_;
-  std::unordered_map<Hash128, float> longest_;  // by geometry
+  std::unordered_map<Hash128, float> longest_;  // keyed by geometry id
 };
 
 }  // namespace gluray::accel

@@ -24,7 +24,7 @@ TEST(TriangleSizes, LongestEdgeOfAnyTriangle) {
   EXPECT_FLOAT_EQ(sizes.longestEdge(*makeMesh(data)), std::sqrt(34.0f));
 }
 
-TEST(TriangleSizes, CornersThatAreNoNumbersCountForNothing) {
+TEST(TriangleSizes, IgnoresNanCorners) {
   MeshData data = squareData();
   data.positions[0].x = NAN;
   TriangleSizes sizes;

@@ -1,4 +1,4 @@
-// Draws from vertex arrays, by fixed function and by shader programs.
+// Handlers of array draws, and array draws by fixed function.
 #include "gl/arrays/array_draws.h"
 
 #include "base/clock.h"
@@ -22,15 +22,15 @@ bool isIndexType(GLenum type) {
   return type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_INT;
 }
 
-/// The error of a wrong draw: of now or, where a list takes the draw, of the moment when that is called.
+/// Raises the error of an invalid draw: now, or in a list when that is called.
 void refuse(Context& c, GLenum error) {
-  // Inside glBegin that is the first error, but where lists are compiled.
+  // Inside glBegin GL_INVALID_OPERATION comes first, except while a list is compiled.
   if (c.immediate.insideBegin()) return c.lists.misuse(c.lists.compiling() ? error : GL_INVALID_OPERATION);
   if (!c.lists.compiling()) return c.errors.set(error);
   c.lists.record([error](Context& x) { x.errors.set(error); });
 }
 
-/// Refuses a wrong draw; true where it is none.
+/// Whether the draw is valid; raises its error if not.
 bool validate(Context& c, GLenum mode, const Elements& e) {
   if (e.count < 0 || e.instances < -1) return refuse(c, GL_INVALID_VALUE), false;
   if (!isMode(mode)) return refuse(c, GL_INVALID_ENUM), false;
@@ -39,12 +39,12 @@ bool validate(Context& c, GLenum mode, const Elements& e) {
   return true;
 }
 
-constexpr GLsizei kSmall = 192;  // vertices: below, draws join a run instead of becoming meshes of their own
+constexpr GLsizei kSmall = 192;  // most vertices of a draw that joins a run instead of becoming a mesh
 
-/// Records a draw: dereferenced now, as display lists demand (GL 2.1, 5.4).
+/// Records a draw in a list. Its arrays are read now, as display lists demand (GL 2.1, 5.4).
 void recordDraw(Context& c, GLenum mode, const Elements& e) {
   c.shadow.refresh(kFixedArrays);
-  // Without positions it may draw at the current one: the real OpenGL knows.
+  // Without a position array the draw may use the current position: the real OpenGL decides.
   if (e.instances >= 0 || c.shadow.arrays.others || c.shadow.arrays.reason != Reason::traced ||
       mode > GL_POLYGON || !c.shadow.arrays.vertex.enabled) {
     c.shadow.sendBuffers();
@@ -63,7 +63,7 @@ void recordDraw(Context& c, GLenum mode, const Elements& e) {
   c.lists.recordFragment([&] { drawReal(c.real, mode, e); });
 }
 
-/// Traces the draw if that can be right; says why not otherwise.
+/// Traces the draw if triage allows it; otherwise returns why not.
 Reason traceDraw(Context& c, GLenum mode, const Elements& e) {
   if (mode > GL_POLYGON) return Reason::program;  // adjacency and patches need shaders
   Reason reason = c.triage.of(classOf(mode));
@@ -80,8 +80,8 @@ Reason traceDraw(Context& c, GLenum mode, const Elements& e) {
 }
 
 void draw(Context& c, GLenum mode, const Elements& e) {
-  if (!validate(c, mode, e) || e.first < 0) return;  // what lies before an array is nobody's
-  // Nothing to draw, but an error where nothing could be drawn.
+  if (!validate(c, mode, e) || e.first < 0) return;  // elements before the array are undefined
+  // An empty draw draws nothing, but the real OpenGL may raise errors for it.
   const bool empty = e.count == 0 || e.instances == 0;
   // Instanced draws are errors in lists, empty ones too.
   if (c.lists.compiling()) return empty && e.instances < 0 ? void() : recordDraw(c, mode, e);
@@ -105,7 +105,7 @@ void draw(Context& c, GLenum mode, const Elements& e) {
     if (joined == Reason::traced) return;
   }
   c.immediate.closeRunIfOpen();
-  // Without positions it may draw at the current one: the real OpenGL knows.
+  // Without a position array the draw may use the current position: the real OpenGL decides.
   const bool known = c.shadow.arrays.vertex.enabled && e.instances < 0;
   const Reason reason = known ? traceDraw(c, mode, e) : Reason::arrayState;
   if (reason == Reason::traced) return;
@@ -185,7 +185,7 @@ void drawElementsInstancedBaseVertexBaseInstance(Context& c, GLenum mode, GLsize
 
 namespace {
 
-/// Refuses many draws at once where one of them is wrong, or would be if there were any; true where none is.
+/// The same for a multi-draw: checks the mode even if there are no draws.
 bool validate(Context& c, GLenum mode, const GLsizei* count, GLsizei draws) {
   if (draws < 0 || std::any_of(count, count + draws, [](GLsizei n) { return n < 0; }))
     return refuse(c, GL_INVALID_VALUE), false;

@@ -1,5 +1,4 @@
-// What draws from arrays have in common, by fixed function and by shader programs. Private to gl/arrays. GL
-// thread.
+// Helpers shared by array draws of fixed function and of shader programs. Private to gl/arrays. GL thread.
 #pragma once
 #include "gl/arrays/arrays.h"
 #include "gl/arrays/elements.h"
@@ -20,20 +19,20 @@ inline PrimitiveClass kindOf(GLenum mode) {
   return mode <= GL_POLYGON ? classOf(mode) : PrimitiveClass::lines;
 }
 
-/// Triangles of the draw, all instances together.
+/// Number of triangles of the draw, in all instances together.
 uint64_t trianglesOf(GLenum mode, const Elements& elements);
 
-/// The mesh of the draw, known or new.
+/// The mesh of the draw: a known one with this content, or a new one.
 KnownMesh meshOf(Context& c, const ArrayState& arrays, GLenum mode, const Elements& elements);
 
-/// What a draw counts as: impostors for a triangle each.
+/// What a draw counts as; an impostor counts as one triangle.
 struct Load {
   PrimitiveClass kind;
   uint64_t triangles;
 };
 Load loadOf(Context& c, GLenum mode, const Elements& elements);
 
-/// Draws with the current shader program: traced if that can be right, else by the real OpenGL.
+/// Draws with the current shader program: traced if triage allows it, else rasterised.
 void drawByProgram(Context& c, GLenum mode, const Elements& elements);
 
 }  // namespace gluray::gl

@@ -9,7 +9,7 @@ namespace {
 
 Range rangeOf(const Extremes& e) { return e.least > e.most ? Range{} : Range{e.least, e.most + 1}; }
 
-/// Cuts a list of corners, `each` a primitive, down to primitives whose vertices all exist.
+/// Removes primitives of `each` corners that use a vertex from `available` on.
 void dropMissing(std::vector<uint32_t>& corners, uint32_t available, size_t each) {
   size_t kept = 0;
   for (size_t t = 0; t + each <= corners.size(); t += each) {
@@ -124,8 +124,8 @@ Order orderOf(const RealGl& real, const ArrayState& arrays, GLenum mode, const E
 std::vector<Triangle> sampleTriangles(const RealGl& real, const ArrayState& arrays, GLenum mode,
                                       const Elements& e) {
   constexpr GLsizei kSamples = 32;
-  const GLsizei impostor = mode == GL_QUADS ? 4 : 3;
-  const GLsizei step = std::max(e.count / impostor / kSamples, 1) * impostor;
+  const GLsizei corners = mode == GL_QUADS ? 4 : 3;
+  const GLsizei step = std::max(e.count / corners / kSamples, 1) * corners;
   const size_t indexBytes = e.type == GL_UNSIGNED_INT ? 4 : e.type == GL_UNSIGNED_SHORT ? 2 : 1;
   const ArrayReader reader(real, arrays.vertex);
   std::vector<Triangle> triangles;

@@ -1,5 +1,4 @@
-// Which vertices and triangles a draw from arrays takes, without copies of index arrays where that is
-// possible. GL thread.
+// The vertices and triangles that an array draw uses. Index arrays are read in place if possible. GL thread.
 #pragma once
 #include "gl/arrays/arrays.h"
 #include "gl/draws/multipass_surfaces.h"
@@ -9,43 +8,44 @@
 
 namespace gluray::gl {
 
-/// Vertices of arrays.
+/// A range of array elements.
 struct Range {
-  uint32_t lower = 0, upper = 0;  // first vertex, and one behind the last
+  uint32_t lower = 0, upper = 0;  // the first, and one past the last
   uint32_t count() const { return upper - lower; }
 };
 
-/// The index array of a draw of separate triangles where it lies, if its numbers can be used as they are.
+/// A draw's index array in place, if usable as it is: aligned, 32-bit, separate triangles, no base vertex.
 struct PlainIndices {
-  const uint32_t* data = nullptr;                // null: they cannot
+  const uint32_t* data = nullptr;                // null: it cannot
   size_t count = 0;                              // a multiple of 3
-  std::shared_ptr<const BufferStorage> storage;  // null: the program's memory
+  std::shared_ptr<const BufferStorage> storage;  // owns `data`; null: the program's memory
 };
 PlainIndices plainIndices(const RealGl& real, const ArrayState& arrays, GLenum mode,
                           const Elements& elements);
 
-/// The triangles of a draw of surfaces, in the cheapest form that they can have.
+/// The triangles of a surface draw, in the cheapest of three forms: `plain`, `inOrder` or `numbers`.
 struct Triangles {
   Range range;                    // of the vertices they use
   size_t corners = 0;             // three times their number
-  PlainIndices plain;             // where the program's own numbers do
-  std::vector<uint32_t> numbers;  // otherwise, unless
-  bool inOrder = false;           // they are the vertices of `range` one after the other
+  PlainIndices plain;             // the program's own indices
+  std::vector<uint32_t> numbers;  // vertex numbers of all corners
+  bool inOrder = false;           // the corners are the vertices of `range`, in order
 };
-/// Triangles with vertices from `available` on are left out.
+/// Leaves out triangles that use vertices from `available` on.
 Triangles trianglesOf(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements,
                       uint32_t available);
 
-/// Which vertices below `available` a draw of any kind takes.
+/// The vertices below `available` that a draw of any mode uses. `numbers`: counted from range.lower; empty if
+/// the draw has no indices, so that it uses all of `range` in order.
 struct Taken {
   Range range;
-  GrowingArray<uint32_t>
-      numbers;  // counted from range.lower; empty where the draw has no indices: all in order
+  GrowingArray<uint32_t> numbers;
 };
 Taken takenBy(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements,
               uint32_t available);
 
-/// The vertices of a draw, whether they exist or not, and an identity of their order.
+/// The vertices that a draw names, and a hash of their order that starts from `seed`. Indices may name
+/// vertices that do not exist.
 struct Order {
   Range range;
   Hash128 identity;
@@ -53,7 +53,7 @@ struct Order {
 Order orderOf(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements,
               Hash128 seed);
 
-/// Some triangles of a draw by fixed function; where impostors have more corners, three of them.
+/// Some triangles of a fixed-function draw; of a quad, its first three corners.
 std::vector<Triangle> sampleTriangles(const RealGl& real, const ArrayState& arrays, GLenum mode,
                                       const Elements& elements);
 

@@ -1,4 +1,4 @@
-// Meshes and captures made of vertex arrays.
+// Builds meshes and captures from vertex arrays.
 #include "gl/arrays/array_indices.h"
 #include "gl/capture/mesh_builder.h"
 #include "parallel/loops.h"
@@ -24,7 +24,7 @@ struct Readers {
   ArrayReader vertex, normal, color, secondaryColor, fogCoord, texcoord;
   std::vector<ArrayReader> texcoordsAbove;
 
-  /// Elements that every enabled array has.
+  /// Number of elements that every enabled array has.
   uint32_t available() const {
     uint32_t n = vertex.available();
     for (const ArrayReader* r : {&normal, &color, &secondaryColor, &fogCoord, &texcoord})
@@ -39,7 +39,7 @@ bool isAligned(const ArrayReader& reader, const ArraySource& source) {
   return reinterpret_cast<uintptr_t>(reader.data()) % 4 == 0 && source.stride % 4 == 0;
 }
 
-/// The array from element `first` on where it lies, if renderers can read that form; absent otherwise.
+/// The array from element `first` on, in place; empty if the renderer cannot read its format.
 scene::Attribute inPlace(const ArrayReader& reader, const ArraySource& source, uint32_t first, bool color) {
   if (!reader.storage() || !isAligned(reader, source)) return {};
   scene::Format format = scene::Format::none;
@@ -54,7 +54,7 @@ scene::Attribute inPlace(const ArrayReader& reader, const ArraySource& source, u
   return {reader.storage(), reader.data() + size_t{first} * stride, stride, format};
 }
 
-/// Copies the elements of `range` as floats to every `step` floats from `target` on.
+/// Copies the elements of `range` as `floats` floats each, the i-th of them to target + i * step.
 void copyElements(const ArrayReader& reader, const ArraySource& source, Range range, uint32_t floats,
                   float* target, uint32_t step) {
   const bool plain = source.type == GL_FLOAT && source.size >= static_cast<GLint>(floats);
@@ -74,7 +74,7 @@ void copyElements(const ArrayReader& reader, const ArraySource& source, Range ra
   });
 }
 
-/// A copy as floats of the elements of `range`.
+/// A copy of the elements of `range` as floats.
 scene::Attribute copied(const ArrayReader& reader, const ArraySource& source, Range range, uint32_t floats,
                         size_t& sizeBytes) {
   constexpr scene::Format formats[] = {scene::Format::float1, scene::Format::float2, scene::Format::float3,
@@ -85,7 +85,7 @@ scene::Attribute copied(const ArrayReader& reader, const ArraySource& source, Ra
   return {data, reinterpret_cast<const std::byte*>(data.get()), floats * 4, formats[floats - 1]};
 }
 
-/// An attribute of the mesh: in place where everything is, else a copy.
+/// An attribute of the mesh: in place if `keepPlace` and its format allow it, else a copy.
 scene::Attribute attribute(const ArrayReader& reader, const ArraySource& source, Range range, bool keepPlace,
                            uint32_t floats, size_t& sizeBytes) {
   if (!reader.enabled()) return {};
@@ -109,7 +109,7 @@ bool anyOtherW(const ArrayReader& reader, const ArraySource& source, Range range
       [](bool a, bool b) { return a || b; });
 }
 
-/// The numbers of corners as a mesh with vertices from `lower` on has them.
+/// The indices of a mesh whose first vertex is array element `lower`; empty if the corners are in order.
 scene::Attribute indicesFor(const Triangles& triangles, uint32_t lower, size_t& sizeBytes) {
   if (triangles.inOrder) return {};
   const PlainIndices& plain = triangles.plain;
@@ -139,7 +139,7 @@ KnownMesh buildArrayMesh(const RealGl& real, const ArrayState& arrays, GLenum mo
   result.homogeneous = anyOtherW(readers.vertex, arrays.vertex, range);
   if (result.homogeneous) return result;
   auto mesh = std::make_shared<scene::Mesh>();
-  // Positions are read in place as three floats; a fourth is 1 and is skipped by the stride.
+  // Positions are read in place as three floats; the stride skips a fourth, which is 1.
   const bool keepPlace = allInBuffers(arrays) && arrays.vertex.type == GL_FLOAT && arrays.vertex.size >= 3 &&
                          isAligned(readers.vertex, arrays.vertex);
   if (keepPlace && !triangles.inOrder) range.lower = 0;
@@ -199,8 +199,7 @@ CapturedVertices capture(const RealGl& real, const ArrayState& arrays, GLenum mo
 
 namespace {
 
-/// What identifies an array's contents: a version where a buffer holds it, otherwise the bytes that the draw
-/// reads.
+/// Hashes what identifies an array's content: its buffer's version, or the bytes that the draw reads.
 Hash128 hashArray(const ArraySource& source, Range range, Hash128 h) {
   if (!source.enabled) return hashBytes("-", 1, h);
   const int64_t form[] = {

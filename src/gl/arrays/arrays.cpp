@@ -60,7 +60,7 @@ constexpr ArrayNames kTexCoordNames{GL_TEXTURE_COORD_ARRAY,         GL_TEXTURE_C
                                     GL_TEXTURE_COORD_ARRAY_TYPE,    GL_TEXTURE_COORD_ARRAY_STRIDE,
                                     GL_TEXTURE_COORD_ARRAY_POINTER, GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING};
 
-/// `size`: of arrays whose size cannot be chosen.
+/// `size`: components of arrays that always have the same number.
 ArraySource readArray(const RealGl& real, ShareGroup& group, const ArrayNames& names, bool normalized,
                       GLint size = 3) {
   ArraySource source;
@@ -79,7 +79,7 @@ ArraySource readArray(const RealGl& real, ShareGroup& group, const ArrayNames& n
   return source;
 }
 
-/// Arrays that are on but never traced: they matter where a draw is recorded or rasterised.
+/// Whether arrays are enabled that are never traced, but matter to recorded and rasterised draws.
 bool otherArraysOn(const RealGl& real) {
   return real.IsEnabled(GL_EDGE_FLAG_ARRAY) || real.IsEnabled(GL_INDEX_ARRAY);
 }
@@ -190,8 +190,8 @@ ArrayReader::ArrayReader(const RealGl& real, const ArraySource& source) : source
 
 namespace {
 
-/// One component as a float; where integers stand for fractions, as GL 2.1, table 2.9 has it, or where
-/// `symmetric` as GL 4.2, equation 2.2.
+/// One component as a float. `normalized` integers are converted by GL 2.1, table 2.9, or if `symmetric` by
+/// GL 4.2, equation 2.2.
 float component(const std::byte* p, GLenum type, bool normalized, bool symmetric) {
   const auto load = [&]<class T>(T) {
     T value;

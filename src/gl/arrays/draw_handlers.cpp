@@ -1,4 +1,4 @@
-// glBegin and its kin, and draws from vertex arrays.
+// Handlers of glBegin, glEnd, glMaterial, glRect and glArrayElement; small draws from vertex arrays.
 #include "base/clock.h"
 #include "gl/capture/vertex_attribute_calls.h"
 #include "gl/handlers.h"
@@ -20,7 +20,7 @@ void materialfv(Context& c, GLenum face, GLenum pname, const GLfloat* params) {
 }
 
 namespace {
-/// Goes to the real OpenGL, now or when the list that is compiled is called.
+/// Sends a call to the real OpenGL, now or as a fragment of the list being compiled.
 template <class F>
 void unmodelled(Context& c, F&& call) {
   if (!c.lists.compiling()) return call();
@@ -30,8 +30,8 @@ void unmodelled(Context& c, F&& call) {
 }  // namespace
 
 void materialf(Context& c, GLenum face, GLenum pname, GLfloat param) {
-  // Mesa makes a vector of one value where the specification has an error: the real OpenGL's opinion counts.
-  // In primitives of lists, where it cannot be asked, Mesa's does.
+  // The specification demands an error for a single value, Mesa makes a vector of it. The real OpenGL
+  // decides; inside a list's primitive, where it cannot, we do as Mesa does.
   const GLfloat values[4] = {param, 0, 0, 0};
   if (pname != GL_SHININESS && c.lists.compiling() && c.immediate.insideBegin())
     return c.immediate.material(face, pname, values);
@@ -76,7 +76,7 @@ void rectsv(Context& c, const GLshort* a, const GLshort* b) { rect(c, a[0], a[1]
 
 namespace {
 
-/// Sends single vertices of the enabled arrays through vertex attribute calls.
+/// Sends single vertices of the enabled arrays through attribute calls.
 class ElementSender {
  public:
   explicit ElementSender(const ShadowState& s)
@@ -120,7 +120,7 @@ void arrayElement(Context& c, GLint i) {
     return c.real.ArrayElement(i);
   }
   c.shadow.refresh(kFixedArrays);
-  // Arrays that we do not read: the real OpenGL takes over the primitive.
+  // We do not read these arrays: the real OpenGL takes over the primitive.
   if (c.shadow.arrays.others || c.shadow.arrays.reason != Reason::traced) {
     if (!c.immediate.insideBegin() && c.lists.compiling()) {
       c.shadow.sendBuffers();
@@ -138,7 +138,7 @@ void arrayElement(Context& c, GLint i) {
 }
 
 void Immediate::drawSmall(GLenum mode, const std::vector<uint32_t>& vertices, DrawPath path) {
-  // Draws from arrays leave the current attributes as they were.
+  // Array draws leave the current attributes unchanged.
   const SlotMask slots = slotsOf(p_.shadow.arrays) & ~bit(kPosition);
   SlotValues before = p_.shadow.current.all();
   for (int s = kNormal; s < kSlotCount; ++s)

@@ -1,4 +1,4 @@
-// Which vertices a draw call takes.
+// The vertices that a draw call uses. GL thread.
 #pragma once
 #include "gl/real.h"
 
@@ -8,7 +8,7 @@
 
 namespace gluray::gl {
 
-/// Which vertices a draw takes: `count` from `first`, or `count` indices of `type` at `indices`.
+/// The vertices that a draw uses: `count` from `first`, or `count` indices of `type` at `indices`.
 struct Elements {
   GLint first = 0;
   GLsizei count = 0;
@@ -17,11 +17,11 @@ struct Elements {
   GLint base = 0;                 // added to each index
   GLsizei instances = -1;         // -1: not an instanced draw
   GLuint baseInstance = 0;
-  /// How often it is made.
+  /// Number of instances; 1 without instancing.
   uint32_t repeats() const { return instances < 0 ? 1 : static_cast<uint32_t>(instances); }
 };
 
-/// The draw by the real OpenGL.
+/// Makes the draw with the real OpenGL.
 void drawReal(const RealGl& real, GLenum mode, const Elements& elements);
 
 }  // namespace gluray::gl

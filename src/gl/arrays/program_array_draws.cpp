@@ -1,4 +1,4 @@
-// Draws from vertex arrays by shader programs.
+// Array draws by shader programs.
 #include "gl/arrays/array_draws.h"
 #include "gl/handlers.h"
 #include "gl/stub.h"
@@ -16,7 +16,7 @@ Reason triageByPass(Context& c, PrimitiveClass kind) {
   return c.programs.triage(kind);
 }
 
-/// Traces what the current shader program draws if that can be right; says why not otherwise.
+/// Traces a draw of the current shader program if triage allows it; otherwise returns why not.
 Reason traceProgram(Context& c, GLenum mode, const Elements& e) {
   if (mode > GL_POLYGON) return Reason::program;
   const bool impostors = c.shadow.program.drawsImpostors(mode);
@@ -24,7 +24,7 @@ Reason traceProgram(Context& c, GLenum mode, const Elements& e) {
   Reason reason = triageByPass(c, kind);
   if (reason == Reason::traced && impostors) reason = c.programs.triageImpostors();
   if (reason != Reason::traced) return reason;
-  // Surfaces drawn by a program that wants points show nothing that anybody could know.
+  // A program that expects impostors draws surfaces in a way that is unknown.
   if (!impostors && c.shadow.attributes.shape != scene::Shape::triangles) return Reason::program;
   return c.failsafe.attempt([&] {
     const KnownMesh known = meshOf(c, c.shadow.attributes, mode, e);

@@ -27,8 +27,7 @@ BatchKey Batch::keyOf(const State& state) {
   key.projection = state.projection;
   key.viewport = state.viewport;
   key.depthNear = state.depthNear, key.depthFar = state.depthFar;
-  constexpr int kLargest =
-      16384;  // framebuffers are no larger; keeps absurd viewports from asking for absurd pictures
+  constexpr int kLargest = 16384;  // no framebuffer is larger: limits the picture's size for absurd viewports
   key.region = intersect(state.viewport, {0, 0, kLargest, kLargest});
   if (state.raster.scissorTest) {
     const scene::Region& r = key.region;
@@ -47,7 +46,7 @@ void Batch::start(const BatchKey& key, const State& state, const Settings& setti
   snapshot_->frame = frame;
   snapshot_->settings = settings;
   snapshot_->camera = {state.projection, state.viewport, state.depthNear, state.depthFar};
-  // Windows are counted from the top; that the viewport reaches it is a guess that hardly matters.
+  // Window rows are counted from the top. We guess that the viewport reaches it; errors hardly matter.
   if (key.framebuffer == 0) snapshot_->camera.rowsFromTop = state.viewport.y + state.viewport.w;
   snapshot_->eyeFromWorld = state.modelview;
   worldFromEye_ = glm::inverse(state.modelview);
@@ -65,7 +64,7 @@ void Batch::start(const BatchKey& key, const State& state, const Settings& setti
     snapshot_->layers = std::move(layers);
   }
   drawn_ = 0;
-  // With GL_MULTISAMPLE off all samples of a pixel get the value at its centre: one plane serves them all.
+  // With GL_MULTISAMPLE off all samples of a pixel get the value at its centre: one plane is enough.
   if (key.multisample) {
     snapshot_->samples = state.target.samples;
     snapshot_->samplePositions = state.target.samplePositions;
@@ -85,14 +84,14 @@ void Batch::resume(const BatchKey& key, const scene::Snapshot& taken) {
 
 namespace {
 
-/// Whether two instances cover the same points, so that the depth function decides between them.
+/// Whether two instances cover the same points with equal depth, so that the depth function decides.
 bool coincide(const scene::Instance& a, const scene::Instance& b) {
   return a.mesh->geometryId == b.mesh->geometryId && a.eyeFromObject == b.eyeFromObject && a.cull == b.cull &&
          a.frontFaceCcw == b.frontFaceCcw && a.clipPlanes == b.clipPlanes;
 }
 
 uint32_t indexOfShading(std::vector<scene::Shading>& shadings, scene::Shading&& shading) {
-  // Programs go back and forth between few states; the latest are the likeliest.
+  // Programs switch between few states, most often between recent ones.
   constexpr size_t kLookBack = 16;
   for (size_t i = shadings.size(); i-- > 0 && shadings.size() - i <= kLookBack;)
     if (shadings[i] == shading) return static_cast<uint32_t>(i);
@@ -108,7 +107,7 @@ void Batch::add(scene::Instance instance, scene::Shading shading) {
   instance.worldFromObject = instance.eyeFromObject == s.eyeFromWorld
                                  ? glm::mat4(1)
                                  : glm::mat4(worldFromEye_ * instance.eyeFromObject);
-  // By place too: programs draw the same geometry thousands of times.
+  // Hash the place, too: programs draw the same geometry thousands of times.
   const glm::dmat4 matrix = instance.eyeFromObject + 0.0;  // -0 is 0
   const Hash128 place = hashBytes(&matrix, sizeof matrix, instance.mesh->geometryId);
   const auto [first, last] = instancesAt_.equal_range(place);
@@ -116,7 +115,7 @@ void Batch::add(scene::Instance instance, scene::Shading shading) {
     scene::Instance& earlier = s.instances[it->second];
     if (key_.layers != BatchKey::Layers::none || !coincide(earlier, instance)) continue;
     const bool firstWins = key_.depthFunc == GL_LESS;
-    // Through holes that the alpha test makes the other one is seen.
+    // The alpha test may make holes in the winner through which the other one is seen.
     if ((firstWins ? s.shadings[earlier.shading] : shading).alphaTest != scene::AlphaTest{}) continue;
     if (firstWins) return;
     instance.shading = indexOfShading(s.shadings, std::move(shading));

@@ -1,4 +1,5 @@
-// Draws that wait to be traced together: one framebuffer, one camera, one depth state. GL thread.
+// The batch: draws that wait to be traced together, with one framebuffer, camera and depth state. BatchFiller
+// fills it, Flusher empties it. GL thread.
 #pragma once
 #include "gl/batch/snapshot_memory.h"
 #include "gl/programs/program_draw.h"
@@ -26,13 +27,13 @@ struct BatchKey {
   scene::PolygonOffset offset;
   scene::ColorWrites colorWrites;
   bool encodes = false;                                                               // GL_FRAMEBUFFER_SRGB
-  enum class Layers : uint8_t { none, peeled, summed, drawn } layers = Layers::none;  // that are seen through
-  scene::Blending blending;  // of layers that are blended in the order of drawing
-  double depthSteps = 0;     // the same: scene::Layers
+  enum class Layers : uint8_t { none, peeled, summed, drawn } layers = Layers::none;  // their kind, if any
+  scene::Blending blending;  // of layers of kind `drawn`
+  double depthSteps = 0;     // the same: scene::Layers::depthSteps
   bool operator==(const BatchKey&) const = default;
 };
 
-/// Whether one of the draws reads a buffer as a texture; whether one reads textures, or a buffer as one.
+/// Whether one of the draws reads `buffer` as a buffer texture; whether one reads any other texture.
 bool readsBuffer(const std::vector<ProgramDraw>& draws, GLuint buffer);
 bool readImages(const std::vector<ProgramDraw>& draws);
 
@@ -40,46 +41,45 @@ class Batch {
  public:
   bool empty() const { return !snapshot_; }
   const BatchKey& key() const { return key_; }
-  /// What has been added. Only where not empty.
+  /// The draws added so far. Must not be empty().
   const scene::Snapshot& waiting() const { return *snapshot_; }
   scene::SnapshotPtr pending() const { return snapshot_; }
 
-  /// The common part of the state of now. Its region is empty where nothing could be drawn.
+  /// The key of draws in this state. Its region is empty if they could draw no pixel.
   static BatchKey keyOf(const State& state);
 
-  /// Begins a batch. It must be empty.
+  /// Begins a batch; must be empty().
   void start(const BatchKey& key, const State& state, const Settings& settings, uint64_t frame);
-  /// All of the batch's surfaces are seen through. Before the first is added.
+  /// Makes all surfaces of the batch layers. Call before adding the first one.
   void seeThrough(std::shared_ptr<const scene::Layers> layers) { snapshot_->layers = std::move(layers); }
-  /// The same afterwards, of those that are blended in the order of drawing. They reach no farther than
-  /// `region`.
+  /// The same after the last surface was added, for layers of kind `drawn`, which all lie in `region`.
   void seeThrough(std::shared_ptr<const scene::Layers> layers, const scene::Region& region) {
     snapshot_->layers = std::move(layers), snapshot_->region = region;
   }
-  /// Begins a batch with all that is in a snapshot that was taken with the same key.
+  /// Begins a batch with the contents of a snapshot that was taken with the same key.
   void resume(const BatchKey& key, const scene::Snapshot& taken);
-  /// Adds an instance whose eyeFromObject is set; shading is shared with earlier instances of the same
-  /// shading. An equal surface drawn before is replaced, or keeps its place, as the depth function says.
+  /// Adds an instance whose eyeFromObject is set. Equal shadings are stored once. If an equal surface was
+  /// added before, keeps only the one that the depth function shows.
   void add(scene::Instance instance, scene::Shading shading);
-  /// Hands the batch over and is empty afterwards.
+  /// Hands the batch over and leaves it empty.
   scene::SnapshotPtr take();
-  /// Keeps a draw by a shader program, whose instance was added, for the case that it cannot be traced.
+  /// Keeps the shader program's draw behind an added instance, in case tracing fails.
   void keep(ProgramDraw draw) { programDraws_.push_back(std::move(draw)); }
   const std::vector<ProgramDraw>& programDraws() const { return programDraws_; }
-  /// Whether one of those reads textures, or a buffer as a texture.
+  /// readImages() and readsBuffer() of the kept draws.
   bool readsImages() const;
   bool readsBuffer(GLuint buffer) const { return gl::readsBuffer(programDraws_, buffer); }
-  /// Hands those over.
+  /// Hands the kept draws over.
   std::vector<ProgramDraw> takeProgramDraws() { return std::exchange(programDraws_, {}); }
 
  private:
   std::shared_ptr<scene::Snapshot> snapshot_;
-  glm::dmat4 worldFromEye_{1};  // of that
+  glm::dmat4 worldFromEye_{1};  // of snapshot_
   BatchKey key_;
   std::vector<ProgramDraw> programDraws_;
-  uint32_t drawn_ = 0;  // instances added, those that were replaced included
+  uint32_t drawn_ = 0;  // calls of add(): counts replaced instances, too
   SnapshotMemory memory_;
-  std::pmr::unsynchronized_pool_resource blocks_;  // thousands of small ones a frame, again and again
+  std::pmr::unsynchronized_pool_resource blocks_;  // reused: thousands of small allocations a frame
   std::pmr::unordered_multimap<Hash128, size_t> instancesAt_{&blocks_};  // geometry and place -> instances
 };
 

@@ -17,7 +17,7 @@ void BatchFiller::clampToTarget(scene::Region& region) {
   const auto& askForSize = p_.shadow.info.drawableSize;
   glm::ivec2 size = target.size;
   if (target.framebuffer == 0) {
-    // Asked once a batch, however many draws it takes: windows may grow.
+    // Asked once per batch, since windows may grow, not once per draw.
     const bool fresh = !p_.flusher.batch.empty() && sizeAskedFor_ == region;
     if (!fresh && exceeds(drawableSize_) && askForSize) {
       drawableSize_ = glm::max(drawableSize_, askForSize());
@@ -75,7 +75,7 @@ scene::Shading BatchFiller::shadingOf(SlotMask slots, const std::vector<Material
   shading.alphaTest = state.raster.alphaTest;
   shading.alphaTest.asBytes =
       shading.alphaTest.function != scene::AlphaTest::always && state.target.eightBits;
-  // Without colours or materials at its vertices the surface has the current material, however it came about.
+  // Without colours or materials at its vertices the surface has the current material, however that was set.
   if (p_.shadow.latch.isOn() && !(slots & bit(kColor)) && materials.empty()) shading.colorMaterial = {};
   return shading;
 }

@@ -1,5 +1,5 @@
-// Fills the batch: the one place where surfaces of the fixed-function pipeline and of shader programs become
-// instances of it. A part of each Context, GL thread.
+// Fills the batch: turns fixed-function surfaces into instances, and opens the batch for those of shader
+// programs. A part of each Context, GL thread.
 #pragma once
 #include "gl/batch/flusher.h"
 #include "gl/capture/captured_vertices.h"
@@ -24,18 +24,17 @@ class BatchFiller {
   };
   explicit BatchFiller(const Parts& parts) : p_(parts) {}
 
-  /// Adds a mesh with the fixed-function state of now. `materials` beside the current one.
+  /// Adds a mesh with the current fixed-function state. `slots`: attributes that its vertices have.
+  /// `materials`: those that its vertices select beside the current one.
   void add(const scene::MeshPtr& mesh, SlotMask slots, const std::vector<MaterialChange>& materials);
 
-  /// Makes the batch one that takes a draw of that key: what waits under another is flushed first. False:
-  /// nothing could be seen of the draw.
+  /// Opens a batch for `key`, and flushes a pending one of another key. False: the draw covers no pixel.
   bool open(const BatchKey& key);
-  /// Cuts off what lies beyond the draw framebuffer.
+  /// Clips the region to the draw framebuffer.
   void clampToTarget(scene::Region& region);
-  /// Another drawable may be behind the context now.
+  /// The context may have another drawable now.
   void forgetDrawable() { drawableSize_ = {0, 0}; }
-  /// After a draw was added: where a flush on the way failed, later draws are rasterised and must find this
-  /// one drawn.
+  /// Call after adding a draw. If a flush failed meanwhile, flushes the draw before later, rasterised ones.
   void settleFailure() {
     if (p_.failsafe.aside()) p_.flusher.flush();
   }
@@ -46,7 +45,7 @@ class BatchFiller {
   scene::Shading shadingOf(SlotMask slots, const std::vector<MaterialChange>& materials) const;
 
   Parts p_;
-  glm::ivec2 drawableSize_{0};  // largest size that the window is known to have had
+  glm::ivec2 drawableSize_{0};  // largest known size of the window
   scene::Region sizeAskedFor_;
 };
 

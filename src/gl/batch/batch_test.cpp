@@ -64,7 +64,7 @@ TEST(Batch, SharesEqualShadings) {
   EXPECT_EQ(snapshot->instances[2].shading, snapshot->instances[0].shading);
 }
 
-TEST(Batch, RegionIsViewportAndScissorWithinReason) {
+TEST(Batch, RegionIsViewportAndScissorWithinLimits) {
   State state = stateWith(GL_LESS);
   EXPECT_EQ(Batch::keyOf(state).region, (scene::Region{0, 0, 100, 50}));
   state.raster.scissorTest = true;
@@ -77,7 +77,7 @@ TEST(Batch, RegionIsViewportAndScissorWithinReason) {
   EXPECT_LE(Batch::keyOf(state).region.width, 16384);
 }
 
-TEST(Batch, ChangesOfStateMakeAnotherKey) {
+TEST(Batch, StateChangesGiveAnotherKey) {
   const State base = stateWith(GL_LESS);
   State offset = base, range = base, projection = base;
   offset.raster.offsetFill = true, offset.raster.offsetFactor = 1;

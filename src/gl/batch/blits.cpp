@@ -1,4 +1,4 @@
-// Blits between framebuffers, which look at what was drawn so far.
+// glBlitFramebuffer, which reads what was drawn so far: resolves waiting pictures, copies depth, or blits.
 #include "gl/batch/depth_copy.h"
 #include "gl/handlers.h"
 #include "gl/stub.h"
@@ -11,7 +11,7 @@ void blitAsIs(const RealGl& real, const Blit& b) {
                        b.filter);
 }
 
-/// A blit that ResolveDraws::byBlit() does not do, after Flusher::beforeBlit().
+/// Makes a blit that ResolveDraws::byBlit() has not made. Call Flusher::beforeBlit() before.
 void blit(Context& c, Blit b) {
   const RealGl& real = c.real;
   const bool copies = (b.mask & GL_DEPTH_BUFFER_BIT) &&
@@ -45,7 +45,7 @@ void blitFramebuffer(Context& c, GLint fromX0, GLint fromY0, GLint fromX1, GLint
     blit(c, what);
   }
   c.cleared.forget();
-  c.touch(framebufferBound(c));  // another context that reads an image again must find it changed
+  c.touch(framebufferBound(c));  // again: other contexts that read the images must see them changed
 }
 
 }  // namespace gluray::gl

@@ -1,4 +1,4 @@
-// A framebuffer that holds nothing but what it was cleared to. Plain data, GL thread.
+// A framebuffer that holds nothing but a clear. Plain data, GL thread.
 #pragma once
 #include "scene/snapshot.h"
 
@@ -8,8 +8,8 @@
 
 namespace gluray::gl {
 
-/// What a framebuffer (0: the window) was last cleared to as a whole, depth to 1, nothing having been drawn
-/// or sent into it since.
+/// The last clear of a framebuffer (0: the window): colour, and depth to 1. Nothing was drawn or copied into
+/// `region` since.
 struct ClearedTarget {
   GLuint framebuffer = 0;
   scene::Region region;          // pixels

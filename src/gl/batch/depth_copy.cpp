@@ -11,7 +11,7 @@ GLint attachment(const RealGl& real, GLenum target, GLenum pname) {
   return attachmentValue(real, target, GL_DEPTH_ATTACHMENT, pname);
 }
 
-/// What is attached for depth. Its target is a guess for textures: another kind is refused by the copy.
+/// The depth attachment. target() assumes a 2D texture; the copy raises an error for any other kind.
 struct DepthImage {
   GLint type = GL_NONE;
   GLuint name = 0;
@@ -29,7 +29,7 @@ DepthImage depthImage(const RealGl& real, GLenum target) {
   return image;
 }
 
-/// A framebuffer object that is complete and has depth, with no stencil values beside it that matter.
+/// Whether the framebuffer object is complete and has depth, and no stencil values that matter.
 bool isPlain(const RealGl& real, GLenum target, bool stencilsSet) {
   if (real.CheckFramebufferStatus(target) != GL_FRAMEBUFFER_COMPLETE || !depthImage(real, target).name)
     return false;
@@ -58,7 +58,7 @@ bool isDepthCopy(const RealGl& real, const Blit& b, bool stencilsSet) {
     return false;
   const DepthImage from = depthImage(real, GL_READ_FRAMEBUFFER), to = depthImage(real, GL_DRAW_FRAMEBUFFER);
   if (from.type == to.type && from.name == to.name) return false;
-  // Samples and formats of colours are checked before anything is copied: of no pixels.
+  // A blit of no pixels raises the errors about samples and colour formats without copying anything.
   real.BlitFramebuffer(0, 0, 0, 0, 0, 0, 0, 0, b.mask, b.filter);
   return real.GetError() == GL_NO_ERROR;
 }

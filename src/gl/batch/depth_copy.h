@@ -1,4 +1,5 @@
-// Depth that a blit takes from one framebuffer object to another, copied instead. GL thread.
+// Copies depth by glCopyImageSubData in place of a glBlitFramebuffer, which is slow in software OpenGLs. Used
+// by blits.cpp, GL thread.
 #pragma once
 #include "gl/real.h"
 
@@ -13,13 +14,12 @@ struct Blit {
   GLenum filter = GL_NEAREST;
 };
 
-/// Whether the real OpenGL would take the blit without an error, and its depth is what copying gives: from
-/// one image to another, neither moved, scaled nor cut, alone in its image. No error may be pending.
-/// `stencilsSet`: an image's stencil values may matter, where it has any; they are copied with its depth.
+/// Whether the blit raises no error and its depth part equals a plain copy: between two images, not moved,
+/// scaled or clipped, without stencil values that matter. No error may be pending. `stencilsSet`: stencil
+/// values, which would be copied with the depth, may matter.
 bool isDepthCopy(const RealGl& real, const Blit& blit, bool stencilsSet);
 
-/// Copies it by glCopyImageSubData. False, with nothing done, where the real OpenGL refuses: formats or
-/// sizes are no match.
+/// Copies the depth by glCopyImageSubData. False, with nothing done, if formats or sizes do not match.
 bool copyDepth(const RealGl& real, const Blit& blit);
 
 }  // namespace gluray::gl

@@ -81,7 +81,7 @@ void Flusher::takeResult(const PresentResult& result, bool known) {
   statistics.blasBuilds += result.cost.blasBuilds;
   statistics.blasRefinements += result.cost.blasRefinements;
   if (known && result.repeated) return;
-  if (!result.repeated) statistics.bvhBytes = result.cost.bvhBytes;  // nobody asked for a known picture
+  if (!result.repeated) statistics.bvhBytes = result.cost.bvhBytes;  // repeated pictures do not report it
   statistics.blasRefining = result.cost.blasRefining;
 }
 

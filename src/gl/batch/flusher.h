@@ -1,5 +1,5 @@
-// The pending batch, and its way into the framebuffer: settle, flush, present. A part of each Context, GL
-// thread.
+// Owns the pending batch, traces it and writes it into the framebuffer. Also writes pictures that were traced
+// or delayed earlier ("settles" them). A part of each Context, GL thread.
 #pragma once
 #include "gl/batch/batch.h"
 #include "gl/batch/presenter.h"
@@ -41,39 +41,39 @@ class Flusher {
   Batch batch;
   Presenter& presenter;
 
-  /// Whether pictures of ours can be shown by this OpenGL.
+  /// Whether this OpenGL can show traced pictures (Presenter::supports()).
   bool canTrace();
-  /// Traces the pending batch and writes it into the framebuffer. Nothing to do if there is none.
+  /// Settles delayed pictures, then traces the pending batch, if any, and writes it into the framebuffer.
   void flush() {
     settle();
     flushBatch();
   }
-  /// The same of the batch alone, not of pictures that wait for being resolved.
+  /// Flushes the batch alone, without settling.
   void flushBatch();
-  /// The same where what is drawn next goes elsewhere, but nobody looks at what was drawn so far.
+  /// flush() for a command that sends later draws elsewhere and reads nothing: held peels may wait on.
   void redirect() {
     settle();
     present();
   }
-  /// The same where another framebuffer is bound: the batch may wait for being resolved.
+  /// The same for a glBindFramebuffer: the batch may stay pending until it is resolved (ResolveDraws).
   void leave();
-  /// Traces the batch or, for a reason, has the real OpenGL draw it.
+  /// Traces the batch or, for any other `reason`, has the real OpenGL draw it.
   void present(Reason reason = Reason::traced);
-  /// Presents what was held back, into the framebuffer of its time. `known`: its picture is.
+  /// Presents a delayed snapshot into the framebuffer of `key`. `known`: its picture is traced already.
   void presentLate(const BatchKey& key, const scene::SnapshotPtr& snapshot, std::vector<ProgramDraw> draws,
                    bool known);
-  /// Counts what came of a picture. `known`: it was shown before, elsewhere.
+  /// Adds a result to the statistics. `known`: the picture was shown before, elsewhere.
   void takeResult(const PresentResult& result, bool known = false);
-  /// Writes pictures that wait elsewhere into their framebuffers: all, or those that a draw of now may meet.
+  /// Writes delayed pictures into their framebuffers: all, or those that a draw with so many samples into the
+  /// current framebuffer may overlap.
   void settle();
   void settleBelow(int samples);
-  /// Before the draw framebuffer is cleared: as redirect(), but that what the clear hides is let go. What is
-  /// clean then, for ResolveDraws::cleanIs() after the real clear.
+  /// Call before the draw framebuffer is cleared: presents the batch, and drops or settles delayed pictures.
+  /// Returns what is clean then, for ResolveDraws::cleanIs() after the real clear.
   UnresolvedPicture::Cleared beforeClear(GLbitfield mask);
-  /// Before a glBlitFramebuffer that ResolveDraws::byBlit() does not do.
+  /// Call before a glBlitFramebuffer that ResolveDraws::byBlit() does not make.
   void beforeBlit() noexcept;
-  /// Before images of textures, or a buffer's contents, change: draws that are kept with their names are
-  /// made.
+  /// Call before texture images, or a buffer's contents, change: flushes if pending draws read them.
   void imagesChange() noexcept;
   void contentsChange(GLuint buffer) noexcept;
 

@@ -1,4 +1,4 @@
-// What presenting a batch cost and did. GL thread.
+// What presenting a batch did and cost: returned by the presenters. GL thread.
 #pragma once
 #include "base/image.h"
 #include "scene/trace_cost.h"
@@ -20,14 +20,13 @@ struct PresentResult {
   } outcome = failed;
   scene::TraceCost cost;
   double presentSeconds = 0;
-  bool repeated = false;  // nothing had changed: the picture was there
+  bool repeated = false;  // nothing had changed: the last picture was used again
   bool averages = false;  // pixels are averages of several rays
-  /// One peel would not show all layers: how many there are. Rasterised, or the picture waits.
+  /// Set if one peel does not show all layers: how many there are. Rasterised, or the picture waits.
   std::optional<LayerCounts> layers;
-  std::vector<uint32_t> picture;
-  GLenum pendingError =
-      GL_NO_ERROR;  // an error of the program's that was found on the way, to be reported to it
-  std::string why;  // where it was not traced: one line for the user, which nobody has logged yet
+  std::vector<uint32_t> picture;      // the waiting picture of layers; empty: it was written
+  GLenum pendingError = GL_NO_ERROR;  // the program's error that was found on the way, to be reported to it
+  std::string why;                    // if not traced: one line for the user, not logged yet
 
   /// `why`, or a general line where it is empty.
   const char* reason() const { return why.empty() ? "the ray tracer could not make a picture" : why.c_str(); }

@@ -24,7 +24,7 @@ UnresolvedPicture::Attachment attachmentOf(const RealGl& real, GLenum target, GL
                     attachmentValue(real, target, attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME))};
 }
 
-/// RGBA8, halves to even numbers as software OpenGLs have it.
+/// The clear colour as RGBA8, rounded half to even as software OpenGLs do.
 uint32_t clearColor(const RealGl& real) {
   GLfloat color[4] = {};
   real.GetFloatv(GL_COLOR_CLEAR_VALUE, color);
@@ -75,7 +75,7 @@ void ResolveDraws::clears(const UnresolvedPicture::Cleared& cleared) {
   const UnresolvedPicture::Cleared& waits = held_.waiting->cleared;
   if (cleared.framebuffer == waits.framebuffer && cleared.drawBuffer == waits.drawBuffer &&
       cleared.covers(waits.box)) {
-    held_.waiting.reset();  // nobody will see it
+    held_.waiting.reset();  // the clear hides it
     return;
   }
   p_.shadow.refresh(kTarget);
@@ -181,7 +181,7 @@ bool ResolveDraws::byProgram(GLuint texture, const scene::Region& region) {
 
 namespace {
 
-/// Whether a blit of depths from the bound framebuffers is one that the real OpenGL would make.
+/// Whether the real OpenGL would accept a blit of depths between the bound framebuffers.
 bool haveEqualDepths(const RealGl& real) {
   const auto equal = [&](GLenum name) {
     return attachmentValue(real, GL_READ_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, name) ==

@@ -1,4 +1,5 @@
-// Multisampled framebuffers that are cleared, traced into and resolved. A part of each Context, GL thread.
+// Keeps a traced picture of a multisampled framebuffer until the program resolves it, and then writes the
+// resolved pixels only (ADR 0020). A part of each Context, GL thread.
 #pragma once
 #include "gl/batch/flusher.h"
 #include "gl/batch/presenter.h"
@@ -25,24 +26,24 @@ class ResolveDraws {
   };
   explicit ResolveDraws(const Parts& parts) : p_(parts) {}
 
-  /// What a clear will leave clean: for clears() before the real one, and cleanIs() after it.
+  /// What a clear will leave clean. Pass it to clears() before the real clear, and to cleanIs() after it.
   UnresolvedPicture::Cleared clearedBy(GLbitfield mask);
   void clears(const UnresolvedPicture::Cleared& cleared);
   void cleanIs(const UnresolvedPicture::Cleared& cleared) { held_.cleared = cleared; }
 
-  /// Whether a picture waits for being resolved; whether that, or what may become one, is known.
+  /// Whether a picture waits to be resolved; whether one waits or a framebuffer is clean.
   bool waits() const { return held_.waiting.has_value(); }
   bool any() const { return held_.any(); }
-  /// Whether a draw that is kept for it reads that buffer as a texture.
+  /// Whether one of the waiting picture's draws reads `buffer` as a texture.
   bool readsBuffer(GLuint buffer) const { return waits() && gl::readsBuffer(held_.waiting->draws, buffer); }
-  /// Takes the batch where it may wait for being resolved.
+  /// Takes the pending batch, which then waits to be resolved. False: it must not wait.
   bool hold();
-  /// Writes what waits into its framebuffer.
+  /// Writes the waiting picture's samples into its framebuffer.
   void settle();
-  /// Resolves it where the current program's draw, or a blit, would. False: they are to do it.
+  /// Resolves the waiting picture in place of the program's draw, or of a blit. False: nothing was done.
   bool byProgram(GLuint texture, const scene::Region& region);
   bool byBlit(const Blit& blit);
-  /// Before a rasterised draw, and a blit.
+  /// Call before a rasterised draw; before a blit.
   void meetRasterDraw();
   void meetBlit();
 

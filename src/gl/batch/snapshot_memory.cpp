@@ -2,7 +2,7 @@
 
 namespace gluray::gl {
 
-// Keeps the larger memory of the two, emptied.
+// Keeps the larger one of the two capacities. `used` is empty; `count`: the elements it had.
 template <class T>
 void SnapshotMemory::Store<T>::take(std::vector<T>& used, size_t count) {
   if (used.capacity() > spare.capacity()) spare.swap(used);
@@ -14,7 +14,7 @@ std::shared_ptr<scene::Snapshot> SnapshotMemory::make() {
   const auto giveBack = [kept = kept_](scene::Snapshot* used) {
     const std::unique_ptr<scene::Snapshot> end(used);
     const size_t instances = used->instances.size(), shadings = used->shadings.size();
-    used->instances.clear();  // meshes are let go at once, and before the lock
+    used->instances.clear();  // releases the meshes at once, outside the lock
     used->shadings.clear();
     const std::lock_guard lock(kept->mutex);
     kept->instances.take(used->instances, instances);

@@ -1,6 +1,5 @@
-// Memory of snapshots that nobody reads any more, for the next ones: the instances of large scenes take
-// megabytes, which the system would otherwise clear for every frame. make() on one thread; snapshots may be
-// given up on any.
+// Reuses the memory of released snapshots: instances of large scenes take megabytes, which the system would
+// otherwise clear for every frame. Call make() on one thread; snapshots may be released on any.
 #pragma once
 #include "scene/snapshot.h"
 
@@ -12,17 +11,17 @@ namespace gluray::gl {
 
 class SnapshotMemory {
  public:
-  /// Snapshots in a row that hardly use what they are given, after which it is freed.
+  /// After this many consecutive snapshots that use at most a quarter of the memory, it is freed.
   static constexpr int kPatience = 64;
 
-  /// An empty snapshot. It may outlive this object.
+  /// Returns an empty snapshot, which may outlive this object.
   std::shared_ptr<scene::Snapshot> make();
 
  private:
   template <class T>
   struct Store {
-    std::vector<T> spare;  // empty
-    int idle = 0;
+    std::vector<T> spare;  // no elements, only capacity
+    int idle = 0;          // consecutive snapshots that hardly used it
     void take(std::vector<T>& used, size_t count);
   };
   struct Kept {

@@ -7,7 +7,7 @@
 namespace gluray::gl {
 namespace {
 
-TEST(SnapshotMemory, IsUsedAgainOnceNobodyReads) {
+TEST(SnapshotMemory, IsReusedOnceReleased) {
   SnapshotMemory memory;
   auto first = memory.make();
   first->frame = 7;
@@ -16,7 +16,7 @@ TEST(SnapshotMemory, IsUsedAgainOnceNobodyReads) {
   const scene::Instance* where = first->instances.data();
   auto reader = std::move(first);
   const auto second = memory.make();
-  EXPECT_EQ(second->instances.capacity(), 0u);  // the first is still read
+  EXPECT_EQ(second->instances.capacity(), 0u);  // the first is still in use
   const std::weak_ptr<const scene::Mesh> mesh = (reader->instances[5].mesh = std::make_shared<scene::Mesh>());
   std::thread([last = std::move(reader)] {}).join();
   EXPECT_TRUE(mesh.expired());

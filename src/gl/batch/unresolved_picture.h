@@ -1,7 +1,7 @@
-// A picture that goes into a multisampled framebuffer and is not there yet. Programs clear such a
-// framebuffer, draw, and resolve it: software OpenGLs take longer over writing and averaging the samples than
-// we over tracing them. So the picture waits: where it is resolved, its pixels go where the program wants
-// them, and the framebuffer gets its samples only where something else comes. Owned by Context, GL thread.
+// A picture for a multisampled framebuffer that is not written yet. Programs clear such a framebuffer, draw
+// into it and resolve it; a software OpenGL takes longer to write and average the samples than we take to
+// trace them. So the picture waits: when the program resolves it, only its pixels are written, to their
+// destination. Its samples are written only if anything else uses the framebuffer. Owned by ResolveDraws.
 #pragma once
 #include "gl/batch/batch.h"
 #include "gl/programs/program_draw.h"
@@ -20,13 +20,13 @@ struct UnresolvedPicture {
     GLuint name = 0;
     bool operator==(const Attachment&) const = default;
   };
-  /// A framebuffer object that was cleared and not drawn into since. 0: there is none.
+  /// A framebuffer object that was cleared and not drawn into since; framebuffer 0: none.
   struct Cleared {
     GLuint framebuffer = 0;
     GLenum drawBuffer = GL_NONE;
     Attachment color, depth;
-    glm::ivec4 box{0};          // x, y, width, height that were cleared, to depth 1 and
-    uint32_t background = 0;    // this colour
+    glm::ivec4 box{0};          // x, y, width, height of the cleared pixels, whose depth is 1
+    uint32_t background = 0;    // their colour, RGBA8
     float depthResolution = 0;  // of the depth buffer
 
     bool covers(const glm::ivec4& other) const {
@@ -34,13 +34,13 @@ struct UnresolvedPicture {
              other.y + other.w <= box.y + box.w;
     }
   };
-  /// The only one that was drawn there since.
+  /// The one batch that was drawn into it since.
   struct Waiting {
     Cleared cleared;
     BatchKey key;
     scene::SnapshotPtr snapshot;
     std::vector<ProgramDraw> draws;
-    bool traced = false;  // already
+    bool traced = false;  // its picture is traced already
   };
   Cleared cleared;
   std::optional<Waiting> waiting;

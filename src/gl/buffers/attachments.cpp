@@ -13,14 +13,14 @@ void Attachments::set(GLuint array, GLuint place) {
   if (deleted_.now() == 0 || place >= kPlaces) return;
   try {
     when_[array][place] = deleted_.now() + 1;
-  } catch (const std::bad_alloc&) {}  // then it is taken for old
+  } catch (const std::bad_alloc&) {}  // then the attachment counts as old
 }
 
 void Attachments::setTarget(GLenum target) {
   if (deleted_.now() == 0) return;
   try {
     targets_[target] = deleted_.now() + 1;
-  } catch (const std::bad_alloc&) {}  // then it is taken for old
+  } catch (const std::bad_alloc&) {}  // then the attachment counts as old
 }
 
 bool Attachments::mayBeDeleted(GLuint place, GLuint name) const {
@@ -42,8 +42,8 @@ bool Attachments::mayBeDeletedAt(GLenum target, GLuint name) const {
 void Attachments::check(ArrayState& arrays) const {
   if (deleted_.now() == 0) return;
   const auto name = [](const std::shared_ptr<Buffer>& buffer) { return buffer ? buffer->name() : 0; };
-  // Places that are not kept, such as bindings and units beyond those that most have, count as old for good
-  // once the name was deleted: then the real OpenGL draws, which knows.
+  // Places that are not recorded, such as high bindings and units, always count as old once their name was
+  // deleted: the real OpenGL draws then.
   bool any = mayBeDeleted(kElements, name(arrays.elements));
   const auto look = [&](const ArraySource& source, GLuint place) {
     if (!source.enabled) return;
@@ -71,7 +71,7 @@ uint32_t vertexArrayBound(Context& c, GLuint array) {
 
 uint32_t vertexArraysDeleted(Context& c, GLsizei n, const GLuint* arrays) {
   for (GLsizei i = 0; arrays && i < n; ++i) c.shadow.attachments.forget(arrays[i]);
-  GLint bound = 0;  // the one that was bound no longer is
+  GLint bound = 0;  // deleting the bound one has unbound it
   c.real.GetIntegerv(GL_VERTEX_ARRAY_BINDING, &bound);
   c.shadow.attachments.bind(static_cast<GLuint>(bound));
   return kArrays;
@@ -84,7 +84,7 @@ uint32_t arraysPopped(Context& c) {
 
 namespace {
 
-/// Generic attributes' bindings beyond those that are kept are always taken for old.
+/// The place of a generic attribute's binding. From kElements on none is recorded: these always count as old.
 GLuint placeOf(GLuint binding) { return binding < Attachments::kElements ? binding : Attachments::kPlaces; }
 
 }  // namespace

@@ -1,6 +1,6 @@
-// When buffers were put into vertex array objects. A buffer that is deleted lives on in those that are not
-// bound (OpenGL 4.6, 5.1.2 and 5.1.3), and the name that the real OpenGL tells of it may mean another one by
-// then. GL threads.
+// Records when buffers were attached to vertex array objects. A deleted buffer lives on in those that are not
+// bound (OpenGL 4.6, 5.1.2 and 5.1.3), and the name that the real OpenGL reports for it may belong to another
+// one by then. GL threads.
 #pragma once
 
 #include <GL/gl.h>
@@ -16,7 +16,7 @@ namespace gluray::gl {
 class Buffer;
 struct ArrayState;
 
-/// Names of buffers, or of renderbuffers, that were deleted, of a share group. Time is counted in deletions.
+/// The names of a share group's deleted buffers, or renderbuffers. Time is counted in deletions.
 class DeletedBuffers {
  public:
   void add(GLuint name) {
@@ -24,7 +24,7 @@ class DeletedBuffers {
     when_[name] = ++now_;
   }
   uint64_t now() const { return now_; }  // 0: none was deleted
-  /// 0: never.
+  /// When `name` was last deleted; 0: never.
   uint64_t when(GLuint name) const {
     const std::lock_guard lock(mutex_);
     const auto it = when_.find(name);
@@ -37,10 +37,10 @@ class DeletedBuffers {
   std::atomic<uint64_t> now_ = 0;
 };
 
-/// Of one context: vertex array objects are not shared.
+/// Attachment times in the vertex array objects of one context, which are not shared.
 class Attachments {
  public:
-  /// Places in a vertex array object: those of generic attributes by binding, up to kElements.
+  /// Attachment points of a vertex array object. Below kElements: bindings of generic attributes.
   enum Place : GLuint {
     kElements = 32,
     kVertex,
@@ -48,28 +48,27 @@ class Attachments {
     kColor,
     kSecondaryColor,
     kFogCoord,
-    kTexCoord,  // of unit 0, those of seven more units after it
+    kTexCoord,  // of unit 0, followed by those of seven more units
     kPlaces = kTexCoord + 8
   };
 
   explicit Attachments(const DeletedBuffers& deleted) : deleted_(deleted) {}
 
   void bind(GLuint array) { bound_ = array, any_ = any_ || array != 0; }
-  /// Whether there are others than the one of the context itself.
+  /// Whether a vertex array object other than the default one was ever used.
   bool any() const { return any_; }
-  /// A buffer is put there now.
+  /// A buffer is attached there now.
   void set(GLuint place) { set(bound_, place); }
   void set(GLuint array, GLuint place);
-  /// What the bound one holds may be older than it looks, or it is gone.
+  /// Forgets the times of a vertex array object (or the bound one): they may be wrong, or it was deleted.
   void forget() { when_.erase(bound_); }
   void forget(GLuint array) { when_.erase(array); }
-  /// The same of a target that is no part of vertex array objects: a buffer that another context deletes
-  /// stays bound to it.
+  /// set() for a target outside vertex array objects: buffers that another context deletes stay bound there.
   void setTarget(GLenum target);
-  /// Whether what is bound to `target`, GL_ELEMENT_ARRAY_BUFFER too, may be a deleted buffer that had the
-  /// name before. What was bound in other ways than by glBindBuffer (glBindBufferBase ...) is taken for old.
+  /// Whether the buffer bound to `target`, GL_ELEMENT_ARRAY_BUFFER too, may be a deleted one that had `name`
+  /// before. Bindings made by other commands than glBindBuffer (glBindBufferBase ...) count as old.
   bool mayBeDeletedAt(GLenum target, GLuint name) const;
-  /// Refuses arrays of the bound one that may lie in deleted buffers: Reason::deletedBuffer.
+  /// Sets Reason::deletedBuffer if arrays of the bound vertex array object may lie in deleted buffers.
   void check(ArrayState& arrays) const;
 
  private:

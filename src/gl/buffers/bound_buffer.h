@@ -10,12 +10,12 @@ namespace gluray::gl {
 
 class Context;
 
-/// The query that tells what is bound to a target; 0 for targets that we do not know.
+/// The glGet name of a target's binding; 0 for unknown targets.
 GLenum bindingOf(GLenum target);
 
-/// The buffer bound to `target`, null where there is none (the real OpenGL then says what is wrong), or where
-/// it may be one that another context has deleted, which the real OpenGL alone knows then. Its name may mean
-/// another one now, or it is that one after all: of that our copy is given up.
+/// The buffer bound to `target`. Null if there is none (the real OpenGL raises the error), or if it may be
+/// one that another context has deleted, which only the real OpenGL knows. A buffer that has the name now may
+/// still be the bound one, so its contents are sent and our copy is dropped.
 std::shared_ptr<Buffer> bound(Context& c, GLenum target);
 
 }  // namespace gluray::gl

@@ -43,15 +43,14 @@ void Buffer::setData(size_t size, const void* data, GLenum usage) {
 }
 
 BufferStorage& Buffer::writable() {
-  // Nobody draws from what is mapped for writing: the program's pointer and a command on other bytes share
-  // it.
+  // Drawing from storage mapped for writing is an error: commands on other bytes can write in place, too.
   const bool shared = mapped_ && mappedStorage_ == storage_ && (mapAccess_ & GL_MAP_WRITE_BIT);
   if (storage_.use_count() > 1 && !shared) {
     auto copy = std::make_shared<BufferStorage>(size_);
     std::memcpy(copy->data, storage_->data, size_);
     storage_ = std::move(copy);
   } else {
-    // The last mesh that read it in another thread has let go: its reads come before our writes.
+    // Acquires: reads by a mesh that another thread has released come before our writes.
     const std::shared_ptr<BufferStorage> acquired = storage_;
   }
   heldBack_ = true;
@@ -66,9 +65,9 @@ void Buffer::setSubData(size_t offset, size_t size, const void* data) {
 
 namespace {
 
-/// Binds a buffer where no draw looks, for the life of the object: where there is one, to a target that
-/// hardly a program uses. What is bound there comes back by its name, so not a buffer that another context
-/// has deleted.
+/// Binds a buffer to a target that draws do not use, for the life of the object; since OpenGL 3.1 to one that
+/// hardly any program uses. The previous buffer is bound again by name, which fails if another context has
+/// deleted it.
 class CopyBinding {
  public:
   CopyBinding(const RealGl& real, GLuint name)
@@ -91,13 +90,13 @@ class CopyBinding {
 }  // namespace
 
 void Buffer::fetch(const RealGl& real) {
-  if (mappedBelow) {  // cannot be read, and to draw from it is an error: an empty mesh
+  if (mappedBelow) {  // cannot be read, and drawing from it is an error: all zeros, so nothing is drawn
     storage_ = std::make_shared<BufferStorage>(size_);
     std::memset(storage_->data, 0, size_);
     return;
   }
   const CopyBinding binding(real, name_);
-  GLint size = 0;  // asked, because commands that we do not model may have set it
+  GLint size = 0;  // queried, because commands that we do not model may have set it
   real.GetBufferParameteriv(binding.target(), GL_BUFFER_SIZE, &size);
   size_ = static_cast<size_t>(std::max(size, 0));
   if (size_ == 0) return;
@@ -119,7 +118,7 @@ void Buffer::sendTo(const RealGl& real) {
   const std::lock_guard lock(mutex_);
   if (!heldBack_ || (mapped_ && memoryBelow_)) return;
   const CopyBinding binding(real, name_);
-  // Who draws from it although it is mapped gets something; drivers have been seen to read at null.
+  // A mapped buffer gets memory, because drivers have been seen to read at null when a program draws from it.
   real.BufferData(binding.target(), static_cast<GLsizeiptr>(size_), mapped_ ? nullptr : storage_->data,
                   usage_);
   if (!mapped_) g_bytesSent.fetch_add(size_, std::memory_order_relaxed);

@@ -1,4 +1,4 @@
-// Commands on buffer objects that are bound to a target.
+// Handlers of commands on buffer objects that are bound to a target.
 #include "gl/buffers/bound_buffer.h"
 #include "gl/handlers.h"
 
@@ -9,8 +9,8 @@
 namespace gluray::gl {
 namespace {
 
-/// Targets whose buffers we are asked for, or that others than us have to look after.
-bool isAskedFor(GLenum target) {
+/// Targets whose buffers the real OpenGL uses only in commands that we see.
+bool usesAreSeen(GLenum target) {
   switch (target) {
     case GL_ARRAY_BUFFER:
     case GL_ELEMENT_ARRAY_BUFFER:
@@ -21,8 +21,8 @@ bool isAskedFor(GLenum target) {
   }
 }
 
-/// Targets whose contents wait until a draw of the real OpenGL reads them; where it draws everything they are
-/// the real OpenGL's alone.
+/// Whether contents sent to `target` are held back until a draw of the real OpenGL reads them. Never in
+/// passthrough frames.
 bool isHeldBack(const Context& c, GLenum target, const Buffer* buffer) {
   if (buffer && (buffer->readBelow || buffer->foreign)) return false;
   return !c.clock.passesThrough() && (target == GL_ARRAY_BUFFER || target == GL_ELEMENT_ARRAY_BUFFER);
@@ -33,17 +33,17 @@ bool isRange(const Buffer& buffer, GLintptr offset, GLsizeiptr size) {
          static_cast<size_t>(size) <= buffer.size() - static_cast<size_t>(offset);
 }
 
-/// Whether the real OpenGL's memory is to be mapped, which then has our contents.
+/// Whether to map the real OpenGL's memory instead of our copy; it then has our contents.
 bool isMappedBelow(Context& c, Buffer* buffer, GLenum target) {
   if (buffer && !buffer->immutable && !buffer->mappedBelow && isHeldBack(c, target, buffer)) {
     if (!buffer->heldBack()) buffer->read(c.real);
-    if (buffer->size() > 0) return false;  // one without memory: the real OpenGL says what is wrong
+    if (buffer->size() > 0) return false;  // empty: the real OpenGL raises the error
   }
   if (buffer && !buffer->mapped()) buffer->sendTo(c.real), buffer->changedBelow();
   return true;
 }
 
-/// What arrays read changes with it: nothing while it is mapped.
+/// Touches the arrays too, because they cannot be read while the buffer is mapped.
 void setMappedBelow(Context& c, Buffer& buffer, bool mapped) {
   buffer.mappedBelow = mapped;
   c.touch(kArrays);
@@ -57,7 +57,7 @@ void bindBuffer(Context& c, GLenum target, GLuint name) {
   c.real.BindBuffer(target, name);
   if (const auto buffer = bufferNamed(c.shadow.group, name); buffer && !isHeldBack(c, target, buffer.get())) {
     buffer->sendTo(c.real);
-    buffer->readBelow = buffer->readBelow || !isAskedFor(target);
+    buffer->readBelow = buffer->readBelow || !usesAreSeen(target);
   }
   if (target != GL_ELEMENT_ARRAY_BUFFER) return c.shadow.attachments.setTarget(target);
   c.touch(kArrays);
@@ -66,7 +66,7 @@ void bindBuffer(Context& c, GLenum target, GLuint name) {
 
 void deleteBuffers(Context& c, GLsizei n, const GLuint* names) {
   c.touch(kArrays);
-  // Vertex array objects, of this context or others, may go on drawing from them.
+  // Vertex array objects of this context or others may still draw from them.
   const bool livesOn = c.shadow.attachments.any() || c.shadow.group.contexts > 1;
   for (GLsizei i = 0; names && i < n; ++i) {
     c.flusher.contentsChange(names[i]);
@@ -90,7 +90,7 @@ void bufferData(Context& c, GLenum target, GLsizeiptr size, const void* data, GL
   if (isHeldBack(c, target, buffer.get()) && size > 0) {
     try {
       return buffer->setData(static_cast<size_t>(size), data, usage);
-    } catch (const std::bad_alloc&) {}  // without a copy of ours, the real OpenGL's is the only one
+    } catch (const std::bad_alloc&) {}  // no memory for our copy: the real OpenGL has the only one
   }
   c.real.BufferData(target, size, data, usage);
   buffer->setSizeBelow(static_cast<size_t>(size), usage);
@@ -103,7 +103,7 @@ void bufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, 
   if (buffer->mapped() && !isRange(*buffer, offset, size)) return c.errors.set(GL_INVALID_VALUE);
   if (buffer->mappedIn(static_cast<size_t>(offset), static_cast<size_t>(size)))
     return c.errors.set(GL_INVALID_OPERATION);
-  if (buffer->mappedBelow) return c.real.BufferSubData(target, offset, size, data);  // knows the range
+  if (buffer->mappedBelow) return c.real.BufferSubData(target, offset, size, data);  // it knows the range
   try {
     const bool ours = buffer->mapped() || (!buffer->immutable && isHeldBack(c, target, buffer.get()));
     if (ours && buffer->read(c.real)) {
@@ -111,7 +111,7 @@ void bufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, 
       if (size > 0 && data) buffer->setSubData(static_cast<size_t>(offset), static_cast<size_t>(size), data);
       return;
     }
-  } catch (const std::bad_alloc&) {}  // without a copy of ours, the real OpenGL's is the only one
+  } catch (const std::bad_alloc&) {}  // no memory for our copy: the real OpenGL has the only one
   buffer->sendTo(c.real);
   c.real.BufferSubData(target, offset, size, data);
   buffer->changedBelow();
@@ -191,7 +191,7 @@ void getBufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr siz
 void copyBufferSubData(Context& c, GLenum readTarget, GLenum writeTarget, GLintptr readOffset,
                        GLintptr writeOffset, GLsizeiptr size) {
   const auto source = bound(c, readTarget), target = bound(c, writeTarget);
-  // A mapping of ours the real OpenGL does not know.
+  // The real OpenGL does not know of mappings of our copy.
   if ((source && source->mapped()) || (target && target->mapped())) return c.errors.set(GL_INVALID_OPERATION);
   if (target) c.flusher.contentsChange(target->name());
   if (source) source->sendTo(c.real);

@@ -1,4 +1,4 @@
-// Questions about buffer objects, which the real OpenGL cannot answer while their contents are held back.
+// Handlers of buffer object queries, which the real OpenGL cannot answer while contents are held back.
 #include "gl/buffers/bound_buffer.h"
 #include "gl/handlers.h"
 

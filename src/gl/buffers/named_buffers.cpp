@@ -1,5 +1,5 @@
-// Commands that name the buffer object they are about instead of binding it (OpenGL 4.5,
-// EXT_direct_state_access), and those by which the real OpenGL reads or writes buffers where we take no note.
+// Handlers of direct state access to buffer objects (OpenGL 4.5, EXT_direct_state_access), and of commands
+// after which the real OpenGL reads or writes buffers without our seeing it.
 #include "gl/handlers.h"
 
 #include <utility>
@@ -22,7 +22,7 @@ void markForeign(Context& c, GLuint name) {
   });
 }
 
-/// `map` asks the real OpenGL.
+/// `map` maps the buffer in the real OpenGL.
 template <class Map>
 void* mapNamed(Context& c, GLuint name, Map&& map) {
   const auto buffer = known(c, name);
@@ -47,15 +47,15 @@ GLboolean unmapNamed(Context& c, GLuint name, Unmap&& unmap) {
   return GL_TRUE;
 }
 
-/// Whether we answer for a buffer that is mapped here.
-bool flushes(Context& c, GLuint name) {
+/// Handles the flush of a mapping of our copy. False if there is none.
+bool handlesFlush(Context& c, GLuint name) {
   const auto buffer = known(c, name);
   if (!buffer || !buffer->mapped()) return false;
   if (!(buffer->mapAccess() & GL_MAP_FLUSH_EXPLICIT_BIT)) c.errors.set(GL_INVALID_OPERATION);
   return true;
 }
 
-bool tellsPointer(Context& c, GLuint name, GLenum pname, void** params) {
+bool answersPointer(Context& c, GLuint name, GLenum pname, void** params) {
   const auto buffer = known(c, name);
   if (!buffer || !buffer->mapped() || pname != GL_BUFFER_MAP_POINTER) return false;
   *params = buffer->mappedPointer();
@@ -63,7 +63,7 @@ bool tellsPointer(Context& c, GLuint name, GLenum pname, void** params) {
 }
 
 template <class T>
-bool tells(Context& c, GLuint name, GLenum pname, T* params) {
+bool answersParameter(Context& c, GLuint name, GLenum pname, T* params) {
   GLint64 value = 0;
   const auto buffer = known(c, name);
   if (!buffer || !answers(*buffer, pname, &value)) return false;
@@ -94,26 +94,26 @@ GLboolean unmapNamedBufferEXT(Context& c, GLuint name) {
 }
 
 void flushMappedNamedBufferRange(Context& c, GLuint name, GLintptr offset, GLsizeiptr length) {
-  if (!flushes(c, name)) c.real.FlushMappedNamedBufferRange(name, offset, length);
+  if (!handlesFlush(c, name)) c.real.FlushMappedNamedBufferRange(name, offset, length);
 }
 void flushMappedNamedBufferRangeEXT(Context& c, GLuint name, GLintptr offset, GLsizeiptr length) {
-  if (!flushes(c, name)) c.real.FlushMappedNamedBufferRangeEXT(name, offset, length);
+  if (!handlesFlush(c, name)) c.real.FlushMappedNamedBufferRangeEXT(name, offset, length);
 }
 
 void getNamedBufferPointerv(Context& c, GLuint name, GLenum pname, void** params) {
-  if (!tellsPointer(c, name, pname, params)) c.real.GetNamedBufferPointerv(name, pname, params);
+  if (!answersPointer(c, name, pname, params)) c.real.GetNamedBufferPointerv(name, pname, params);
 }
 void getNamedBufferPointervEXT(Context& c, GLuint name, GLenum pname, void** params) {
-  if (!tellsPointer(c, name, pname, params)) c.real.GetNamedBufferPointervEXT(name, pname, params);
+  if (!answersPointer(c, name, pname, params)) c.real.GetNamedBufferPointervEXT(name, pname, params);
 }
 void getNamedBufferParameteriv(Context& c, GLuint name, GLenum pname, GLint* params) {
-  if (!tells(c, name, pname, params)) c.real.GetNamedBufferParameteriv(name, pname, params);
+  if (!answersParameter(c, name, pname, params)) c.real.GetNamedBufferParameteriv(name, pname, params);
 }
 void getNamedBufferParameterivEXT(Context& c, GLuint name, GLenum pname, GLint* params) {
-  if (!tells(c, name, pname, params)) c.real.GetNamedBufferParameterivEXT(name, pname, params);
+  if (!answersParameter(c, name, pname, params)) c.real.GetNamedBufferParameterivEXT(name, pname, params);
 }
 void getNamedBufferParameteri64v(Context& c, GLuint name, GLenum pname, GLint64* params) {
-  if (!tells(c, name, pname, params)) c.real.GetNamedBufferParameteri64v(name, pname, params);
+  if (!answersParameter(c, name, pname, params)) c.real.GetNamedBufferParameteri64v(name, pname, params);
 }
 
 uint32_t namedBufferRead(Context& c, GLuint name) {

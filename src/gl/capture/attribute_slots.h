@@ -7,7 +7,7 @@ namespace gluray::gl {
 
 enum Slot : uint8_t {
   kPosition,   // x, y, z
-  kPositionW,  // only where some vertex had w != 1
+  kPositionW,  // only if some vertex has w != 1
   kNormal,
   kColor,
   kSecondaryColor,
@@ -43,7 +43,7 @@ constexpr uint32_t sizeOf(Slot slot) {
 inline constexpr SlotMask kTexCoordSlots = SlotMask{0xFF} << kTexCoord0;
 constexpr Slot texCoordSlot(uint32_t unit) { return static_cast<Slot>(kTexCoord0 + unit); }
 
-/// Slots that the traced picture can depend on; the others matter to rasterised draws alone.
+/// Slots that a traced picture can depend on; the others only affect rasterised draws.
 inline constexpr SlotMask kTracedSlots = bit(kPosition) | bit(kPositionW) | bit(kNormal) | bit(kColor) |
                                          bit(kSecondaryColor) | bit(kFogCoord) | bit(kMaterialNumber) |
                                          kTexCoordSlots;

@@ -23,7 +23,7 @@ VertexLayout VertexLayout::of(SlotMask mask) {
 
 namespace {
 
-/// One parameter of one material. False where `pname` is none.
+/// Sets one parameter of one material. False if glMaterial does not take `pname`.
 bool setParameter(scene::Material& material, uint16_t& set, GLenum pname, const float* p) {
   const glm::vec4 color = pname == GL_SHININESS ? glm::vec4(0) : glm::vec4(p[0], p[1], p[2], p[3]);
   switch (pname) {
@@ -100,8 +100,7 @@ void CapturedVertices::clear() {
 
 namespace {
 
-/// Calls emit(a, b, c) with positions within the primitive for each of its triangles, the provoking vertex
-/// last.
+/// Calls emit(a, b, c) for each triangle: vertex numbers within the primitive, the provoking vertex last.
 template <class Emit>
 void forEachTriangle(const Primitive& p, Emit&& emit) {
   const uint32_t n = p.count;
@@ -115,16 +114,16 @@ void forEachTriangle(const Primitive& p, Emit&& emit) {
     case GL_TRIANGLE_FAN:
       for (uint32_t i = 1; i + 1 < n; ++i) emit(0, i, i + 1);
       break;
-    case GL_POLYGON:  // the first vertex provokes
+    case GL_POLYGON:  // the first vertex is the provoking one
       for (uint32_t i = 1; i + 1 < n; ++i) emit(i, i + 1, 0);
       break;
     case GL_QUADS:
-      // As llvmpipe splits quads with indices, of lists, and of draws that reach out of view or are cut by a
-      // plane. Others it splits from the first corner to the third (seen in 22.3); a mesh that outlives the
-      // camera cannot follow.
+      // Split as llvmpipe splits quads that have indices, are in lists, or are clipped by the view volume or
+      // a clip plane. It splits others from the first corner to the third (seen in 22.3); a mesh that
+      // outlives the camera cannot follow.
       for (uint32_t i = 0; i + 3 < n; i += 4) emit(i, i + 1, i + 3), emit(i + 1, i + 2, i + 3);
       break;
-    case GL_QUAD_STRIP:  // quad i has the corners 2i, 2i+1, 2i+3, 2i+2, and 2i+3 provokes
+    case GL_QUAD_STRIP:  // quad i has the corners 2i, 2i+1, 2i+3, 2i+2; 2i+3 is the provoking one
       for (uint32_t i = 0; i + 3 < n; i += 2) emit(i, i + 1, i + 3), emit(i + 2, i, i + 3);
       break;
     default: break;
@@ -135,7 +134,7 @@ void forEachTriangle(const Primitive& p, Emit&& emit) {
 
 std::vector<uint32_t> triangulate(const CapturedVertices& captured) {
   std::vector<uint32_t> triangles;
-  triangles.reserve(countTriangles(captured) * 3 + 4);  // meshes need readable bytes behind
+  triangles.reserve(countTriangles(captured) * 3 + 4);  // meshes need readable bytes after the last
   for (const Primitive& p : captured.primitives) {
     const auto vertexOf = [&](uint32_t i) {
       return captured.indices.empty() ? p.first + i : captured.indices[p.first + i];

@@ -1,6 +1,5 @@
-// Vertices as a program sent them: interleaved floats, primitives, changes of material between vertices.
-// Filled by VertexStream (glBegin, lists) and by arrays.cpp; turned into meshes by mesh_builder and back into
-// GL calls by replay.
+// Vertices as a program sent them: interleaved floats, primitives, material changes between vertices. Filled
+// by VertexStream (glBegin, lists) and gl/arrays; mesh_builder turns them into meshes, replay into GL calls.
 #pragma once
 #include "base/hash.h"
 #include "gl/capture/attribute_slots.h"
@@ -27,11 +26,11 @@ struct VertexLayout {
 
 struct Primitive {
   GLenum mode;
-  uint32_t first, count;  // vertices, or indices where the capture has any
+  uint32_t first, count;  // in indices if the capture has any, else in vertices
   bool operator==(const Primitive&) const = default;
 };
 
-/// What a primitive fills: surfaces may be traced, lines and points never are.
+/// What a primitive draws: surfaces may be traced, lines and points never are.
 enum class PrimitiveClass : uint8_t { points, lines, surfaces };
 constexpr PrimitiveClass classOf(GLenum mode) {
   return mode == GL_POINTS       ? PrimitiveClass::points
@@ -39,22 +38,22 @@ constexpr PrimitiveClass classOf(GLenum mode) {
                                  : PrimitiveClass::surfaces;
 }
 
-/// Calls of glMaterial since the start of a capture, accumulated: which parameters were set and to what.
+/// Accumulated glMaterial calls since the start of a capture: which parameters were set, and their values.
 struct MaterialChange {
   enum Parameter : uint16_t { ambient = 1, diffuse = 2, specular = 4, emission = 8, shininess = 16 };
   uint16_t front = 0, back = 0;  // Parameters that were set
-  bool outside = false;          // the last of the calls was made in a list, outside glBegin and glEnd
+  bool outside = false;          // the last call was made in a list, outside glBegin and glEnd
   scene::MaterialPair values;
   bool operator==(const MaterialChange&) const = default;
-  /// Sets `pname` of `face`; false where they are not enumerants that glMaterial takes.
+  /// Sets `pname` of `face`. False if glMaterial does not take these enumerants.
   bool set(GLenum face, GLenum pname, const float* params);
-  /// What it sets that `earlier`, which it was made from, did not set or set to other values.
+  /// The parameters that `earlier`, which this change was made from, does not set or sets to other values.
   MaterialChange since(const MaterialChange& earlier) const;
-  /// `base` with the changes made.
+  /// `base` with the set parameters replaced.
   scene::MaterialPair appliedTo(const scene::MaterialPair& base) const;
 };
 
-/// Those of MaterialChange::Parameter that have the same value in both.
+/// Bits of MaterialChange::Parameter whose values are equal in both.
 uint16_t sameParameters(const scene::Material& a, const scene::Material& b);
 
 struct CapturedVertices {
@@ -62,7 +61,7 @@ struct CapturedVertices {
   GrowingArray<float> vertices;  // `vertexCount` of `layout.stride`; the array's own size is not used
   uint32_t vertexCount = 0;
   std::vector<Primitive> primitives;
-  GrowingArray<uint32_t> indices;         // element numbers; empty: primitives count vertices
+  GrowingArray<uint32_t> indices;         // vertex numbers; empty: primitives count vertices
   std::vector<MaterialChange> materials;  // entry i is material number i+1; 0 is the material of the call
 
   bool empty() const { return primitives.empty(); }
@@ -71,26 +70,25 @@ struct CapturedVertices {
   size_t sizeBytes() const {
     return size_t{vertexCount} * layout.stride * sizeof(float) + indices.size() * 4;
   }
-  /// Identity of everything that the traced picture can depend on.
+  /// Content hash of layout, vertices, primitives and indices; vertices hold the numbers of materials.
   Hash128 hash() const;
   void clear();
 };
 
-/// A slot that was first set after `vertices` vertices of a list had been captured: those take the caller's
-/// current value.
+/// A slot that a list's run first sets after `vertices` vertices: those take the caller's current value.
 struct InheritedSlot {
   Slot slot;
   uint32_t vertices;
 };
 
-/// Triangles that `captured` describes: three vertex numbers each, the provoking vertex last, split as Mesa
-/// splits.
+/// The triangles of `captured`: three vertex numbers each, the provoking vertex last. Polygons and quads are
+/// split as in Mesa.
 std::vector<uint32_t> triangulate(const CapturedVertices& captured);
 
-/// Triangles that one primitive of `count` vertices makes; none for lines, points and patches.
+/// Number of triangles in a primitive of `count` vertices; 0 for lines, points and patches.
 uint64_t countTriangles(GLenum mode, uint64_t count);
 
-/// Triangles in all surfaces of `captured`.
+/// Number of triangles in all surfaces of `captured`.
 uint64_t countTriangles(const CapturedVertices& captured);
 
 }  // namespace gluray::gl

@@ -28,12 +28,12 @@ TEST(Triangulate, EndsEachTriangleWithItsProvokingVertex) {
   EXPECT_EQ(triangulate(row(GL_QUAD_STRIP, 6)), (Corners{0, 1, 3, 2, 0, 3, 2, 3, 5, 4, 2, 5}));
 }
 
-TEST(Triangulate, LinesAndPointsFillNothing) {
+TEST(Triangulate, LinesAndPointsHaveNoTriangles) {
   for (const GLenum mode : {GL_POINTS, GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP})
     EXPECT_TRUE(triangulate(row(mode, 6)).empty());
 }
 
-TEST(Triangulate, DropsWhatDoesNotCompleteAFigure) {
+TEST(Triangulate, DropsIncompletePrimitives) {
   EXPECT_EQ(row(GL_TRIANGLES, 5).vertexCount, 3u);
   EXPECT_EQ(row(GL_QUADS, 7).vertexCount, 4u);
   EXPECT_EQ(row(GL_QUAD_STRIP, 5).vertexCount, 4u);
@@ -41,7 +41,7 @@ TEST(Triangulate, DropsWhatDoesNotCompleteAFigure) {
   EXPECT_TRUE(row(GL_POLYGON, 0).empty());
 }
 
-TEST(Triangulate, CountsWhatItMakes) {
+TEST(Triangulate, AgreesWithCountTriangles) {
   for (const GLenum mode :
        {GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_POLYGON, GL_QUADS, GL_QUAD_STRIP})
     for (uint32_t n = 0; n < 14; ++n) {
@@ -50,7 +50,7 @@ TEST(Triangulate, CountsWhatItMakes) {
     }
 }
 
-TEST(Captured, HashTellsAnyChangeApart) {
+TEST(Captured, HashDependsOnAllContent) {
   const Hash128 base = row(GL_TRIANGLES, 6).hash();
   EXPECT_EQ(row(GL_TRIANGLES, 6).hash(), base);
   EXPECT_NE(row(GL_TRIANGLES, 3).hash(), base);
@@ -60,7 +60,7 @@ TEST(Captured, HashTellsAnyChangeApart) {
   EXPECT_NE(moved.hash(), base);
 }
 
-TEST(MaterialChange, SinceAnEarlierOneIsWhatIsNew) {
+TEST(MaterialChange, SinceKeepsOnlyNewParameters) {
   const float red[4] = {1, 0, 0, 1}, blue[4] = {0, 0, 1, 1};
   MaterialChange earlier;
   earlier.set(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, red);
@@ -73,7 +73,7 @@ TEST(MaterialChange, SinceAnEarlierOneIsWhatIsNew) {
   EXPECT_EQ(later.since({}).front, later.front);
 }
 
-TEST(MaterialChange, AppliesOnlyWhatWasSet) {
+TEST(MaterialChange, AppliesOnlyParametersThatWereSet) {
   MaterialChange change;
   const float red[4] = {1, 0, 0, 1}, shine = 7;
   ASSERT_TRUE(change.set(GL_FRONT, GL_DIFFUSE, red));

@@ -1,4 +1,4 @@
-// The current vertex attributes of a context, as far as they are known here.
+// The current vertex attributes of a context. Part of ShadowState, GL thread.
 #pragma once
 #include "gl/capture/attribute_slots.h"
 #include "gl/real.h"
@@ -7,49 +7,49 @@
 
 namespace gluray::gl {
 
-/// What the program sets is kept here, and the real OpenGL told when something of its own may depend on it.
-/// Mesa stores what it is told with its next vertices or when it is asked, and until then neither
-/// GL_COLOR_MATERIAL nor glPopAttrib finds it there (seen in 22.3; src/mesa/vbo, FLUSH_VERTICES leaves
-/// attributes alone that no vertex followed). What draws of ours have used is therefore sent with a question,
-/// as it would have been stored at the draw; all else is left to wait as it would without us. GL thread.
+/// Keeps the values that the program sets, and sends them when the real OpenGL may depend on them.
+/// Mesa stores a value only at the next vertex or query, and until then neither GL_COLOR_MATERIAL nor
+/// glPopAttrib sees it (seen in 22.3: in src/mesa/vbo, FLUSH_VERTICES skips attributes that no vertex
+/// followed). So values that a traced draw used are sent with a query after them, since that draw would have
+/// made Mesa store them; other values stay unstored in Mesa, as they would without us.
 class CurrentValues {
  public:
   const SlotValues& all() const { return values_; }
   const float* operator[](Slot slot) const { return values_[slot].data(); }
 
-  /// A value that the real OpenGL has. `value`: as many floats as the slot.
+  /// Takes a value that the real OpenGL already has. `value`: sizeOf(slot) floats.
   void keep(Slot slot, const float* value) {
     std::memcpy(values_[slot].data(), value, sizeOf(slot) * sizeof(float));
   }
-  /// One that it does not have yet.
+  /// Takes a value that it does not have yet.
   void set(Slot slot, const float* value) {
     keep(slot, value);
     unsent_ |= bit(slot);
   }
-  /// A draw that the real OpenGL has not seen used the values of now: it must store them.
+  /// A draw that the real OpenGL did not see used the current values: the next send() makes it store them.
   void drawn() { drawn_ = drawn_ || unsent_ != 0 || waiting_; }
-  /// Whether it must store some of them.
+  /// Whether the next send() must make the real OpenGL store values.
   bool anyDrawn() const { return drawn_; }
-  /// Tells it everything and has it store that, as it does at glCallList. Outside its glBegin and glEnd.
+  /// Sends all values and makes the real OpenGL store them, as glCallList does. Outside its glBegin/glEnd.
   void store(const RealGl& real) {
     drawn();
     if (drawn_) send(real);
   }
-  /// The real OpenGL has come to other values of these.
+  /// The real OpenGL's values of these slots have changed: ours will be sent again.
   void lost(SlotMask slots) { unsent_ |= slots; }
-  /// Whether there are values that it does not have, or has not stored.
+  /// Whether the real OpenGL lacks values, or must still store some.
   bool anyUnsent() const { return unsent_ != 0 || drawn_; }
-  /// Tells it those. Between its glBegin and glEnd only where none is of a draw.
+  /// Sends those. Between its glBegin and glEnd only if !anyDrawn().
   void send(const RealGl& real);
-  /// Asks it for all others, or for one.
+  /// Reads back all values except unsent ones, or one slot.
   void read(const RealGl& real);
   void read(const RealGl& real, Slot slot);
 
  private:
   SlotValues values_ = initialSlotValues();
   SlotMask unsent_ = 0;
-  bool waiting_ = false;  // values that were sent may not be stored
-  bool drawn_ = false;    // values of now, sent or not, belong to a draw
+  bool waiting_ = false;  // values were sent that the real OpenGL may not have stored
+  bool drawn_ = false;    // a draw that it did not see used the current values, sent or not
 };
 
 }  // namespace gluray::gl

@@ -9,7 +9,7 @@
 
 namespace gluray::gl {
 namespace {
-constexpr size_t kLarge = size_t{1} << 20;  // bytes: from here on blocks are pages of their own
+constexpr size_t kLarge = size_t{1} << 20;  // bytes: blocks of at least this size are mmapped
 }
 
 void freeBlock(void* memory, size_t bytes) noexcept {

@@ -1,5 +1,4 @@
-// A growing array of plain values for millions of elements: not initialised, grown by moving pages. Any
-// thread.
+// Growable array of millions of trivially copyable values: uninitialised, grown by mremap. Any thread.
 #pragma once
 #include <cstddef>
 #include <type_traits>
@@ -7,17 +6,16 @@
 
 namespace gluray::gl {
 
-/// `memory` of `oldBytes` (null: 0) grown or cut to `newBytes`, contents kept; null where there is none, and
-/// nothing has changed. Large blocks are pages of their own, which are moved rather than copied, and given
-/// back at once.
+/// Resizes `memory` of `oldBytes` (null: 0) to `newBytes` and keeps its contents. Null, with nothing changed,
+/// if there is no memory; null for 0 bytes, too. Blocks of 1 MiB and more are mmapped: their pages are moved
+/// instead of copied, and returned to the system at once.
 void* resizeBlock(void* memory, size_t oldBytes, size_t newBytes) noexcept;
 void freeBlock(void* memory, size_t bytes) noexcept;
 /// Throws std::bad_alloc.
 [[noreturn]] void throwNoMemory();
 
-/// Elements [0, size) have been given values; `capacity` fit without growing. At least kSlackBytes beyond the
-/// capacity may be written and read, so that elements can be copied in wide pieces and Embree may load wide.
-/// Memory is kept when cleared. Throws std::bad_alloc.
+/// kSlackBytes beyond the capacity can be written and read too, for wide copies and Embree's wide loads.
+/// clear() keeps the memory. Throws std::bad_alloc.
 template <class T>
 class GrowingArray {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -50,7 +48,7 @@ class GrowingArray {
   T* begin() { return data_; }
   T* end() { return data_ + size_; }
 
-  /// Makes room for `count` elements; existing ones stay.
+  /// Makes room for `count` elements and keeps existing ones.
   void reserve(size_t count) {
     if (count > capacity_) reallocate(count);
   }
@@ -59,14 +57,13 @@ class GrowingArray {
     reserve(count);
     size_ = count;
   }
-  /// The same with room to spare for further growth.
+  /// The same, with spare room for further growth.
   void grow(size_t count) {
     if (count > capacity_) reallocate(count + count / 2);
     size_ = count;
   }
   void clear() { size_ = 0; }
-  /// Gives back what `count` elements, at least as many as there are, do not need. Keeps the memory where
-  /// that cannot be.
+  /// Reduces the capacity to `count`, at least size(). Keeps the memory if that fails.
   void shrink(size_t count) noexcept {
     if (count >= capacity_) return;
     if (count == 0) return release();

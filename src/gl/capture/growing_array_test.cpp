@@ -16,7 +16,7 @@ bool counts(const GrowingArray<uint32_t>& a) {
   return true;
 }
 
-TEST(GrowingArray, KeepsItsContentsThroughAllSizes) {
+TEST(GrowingArray, KeepsItsContentsWhenResized) {
   GrowingArray<uint32_t> a;
   for (const size_t count : {1ul, 1000ul, 300'000ul, 3'000'000ul, 3'000'001ul}) {
     const size_t before = a.size();
@@ -33,7 +33,7 @@ TEST(GrowingArray, KeepsItsContentsThroughAllSizes) {
   }
 }
 
-TEST(GrowingArray, MovingLeavesElementsWhereTheyAre) {
+TEST(GrowingArray, MovingKeepsTheElementsInPlace) {
   GrowingArray<uint32_t> a;
   a.resize(10);
   const uint32_t* data = a.data();
@@ -48,7 +48,7 @@ TEST(GrowingArray, MovingLeavesElementsWhereTheyAre) {
   EXPECT_EQ(b.data(), nullptr);
 }
 
-TEST(GrowingArray, WithoutMemoryNothingChanges) {
+TEST(GrowingArray, IsUnchangedAfterAFailedAllocation) {
   GrowingArray<uint32_t> a;
   a.resize(1'000'000);
   std::iota(a.begin(), a.end(), 0u);

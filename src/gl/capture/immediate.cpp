@@ -31,7 +31,7 @@ void invalidUnit() noexcept {
 void vertexAttribSlow(GLuint index, float x, float y, float z, float w) noexcept {
   Context* c = t_thread.context;
   if (!c) return;
-  // A wrong index is refused by the real OpenGL in its turn among other errors, where those are its own.
+  // Where the real OpenGL raises a primitive's errors, it refuses wrong indices too, so errors stay in order.
   const bool below = index != 0 && c->immediate.inside() == Immediate::Inside::rasterised;
   if (c->info().off || c->info().core || below)
     c->real.VertexAttrib4f(index, x, y, z, w);
@@ -57,7 +57,7 @@ void Immediate::attribute(Slot slot, const float* values) {
     return stream_.set(slot, values);
   }
   if (p_.shadow.dirty & kCurrent) p_.shadow.refresh(kCurrent);
-  // Colours count even where they are the same: the material may have changed in between.
+  // An equal colour counts too: the material may have changed in between.
   if (slot != kColor && std::memcmp(p_.shadow.current[slot], values, sizeOf(slot) * sizeof(float)) == 0)
     return;
   setCurrent(slot, values);
@@ -87,7 +87,7 @@ void Immediate::addSlotToRun(Slot slot) {
     startRun();
     return stream_.addSlot(slot, current(slot));
   }
-  // What the caller of the list will have set is unknown now: vertices captured so far inherit it when the
+  // The value that the list's caller will have set is unknown: vertices captured so far inherit it when the
   // list is called.
   if (inside_ != Inside::captured && !stream_.empty()) closeRun();
   if (!stream_.empty() && slot != kMaterialNumber)
@@ -99,8 +99,7 @@ void Immediate::vertex(float x, float y, float z, float w) {
   if (inside_ == Inside::rasterised) ++openPrimitive_.count;
   if (p_.shadow.info.off || inside_ == Inside::rasterised) return p_.shadow.real.Vertex4f(x, y, z, w);
   if (inside_ == Inside::captured) return stream_.vertexSlow(x, y, z, w);
-  // A vertex outside glBegin draws nothing, but in a list it may be called between the caller's glBegin and
-  // glEnd.
+  // A vertex outside glBegin draws nothing, unless its list is called inside the caller's glBegin.
   if (!p_.lists.compiling()) return;
   closeRun();
   p_.lists.record([=](Context&) { vertexcall::vertex(x, y, z, w); }, true);
@@ -118,7 +117,7 @@ void Immediate::begin(GLenum mode) {
     class_ = kind;
   } else if (p_.clock.passesThrough()) {
     if (p_.counts.kinds()) p_.counts.kinds()->start();
-    p_.passthrough.takes(DrawPath::immediate, kind, 0);  // end() knows its triangles
+    p_.passthrough.takes(DrawPath::immediate, kind, 0);  // end() counts its triangles
     openPrimitive_ = {mode, 0, 0};
     t_thread.passthroughVertices = 0;
     inside_ = Inside::rasterised;
@@ -140,7 +139,7 @@ void Immediate::begin(GLenum mode) {
       p_.raster.before(kind);
       p_.shadow.sendBuffers();  // glArrayElement may follow
       if (p_.counts.kinds()) p_.counts.kinds()->start();
-      p_.counts.rasterised(reason, DrawPath::immediate, kind, 0);  // end() knows its triangles
+      p_.counts.rasterised(reason, DrawPath::immediate, kind, 0);  // end() counts its triangles
       openPrimitive_ = {mode, 0, 0};
       inside_ = Inside::rasterised;
       p_.shadow.real.Begin(mode);
@@ -170,7 +169,7 @@ bool Immediate::canDraw() const {
 }
 
 void Immediate::end() {
-  if (!insideBegin() && p_.lists.compiling()) {  // of the caller's glBegin
+  if (!insideBegin() && p_.lists.compiling()) {  // ends the caller's glBegin
     closeRun();
     p_.lists.record([](Context& x) { x.immediate.end(); }, true);
     return recordMisuse();
@@ -191,7 +190,7 @@ void Immediate::end() {
   recordMisuse();
 }
 
-/// The error of a wrong command inside the primitive of a list, behind the primitive.
+/// Records the error of an illegal command inside a list's primitive, after that primitive.
 void Immediate::recordMisuse() {
   const GLenum error = p_.lists.takeMisuse();
   if (error == GL_NO_ERROR) return;
@@ -203,7 +202,7 @@ void Immediate::material(GLenum face, GLenum pname, const float* params) {
   MaterialChange change;
   const bool known = change.set(face, pname, params);
   const bool refused = pname == GL_SHININESS && (params[0] < 0 || params[0] > 128);
-  // An error of the moment when the list is called, in the real OpenGL's opinion of it.
+  // The real OpenGL decides about the error when the list is called.
   if (p_.lists.compiling() && !insideBegin() && !p_.shadow.info.off && (!known || refused))
     return p_.lists.recordFragment([&] { p_.shadow.real.Materialfv(face, pname, params); });
   if (p_.lists.compiling() && inside_ == Inside::captured && !known) return p_.lists.misuse(GL_INVALID_ENUM);
@@ -222,8 +221,8 @@ void Immediate::material(GLenum face, GLenum pname, const float* params) {
   change.set(face, pname, params);
   change.outside = p_.lists.compiling() && !insideBegin();
   if (!stream_.has(kMaterialNumber)) addSlotToRun(kMaterialNumber);
-  // addSlotToRun may have ended the run of a list: the change then starts afresh, on top of what the ended
-  // run leaves.
+  // addSlotToRun may have ended a list's run: this is then the new run's first change, applied to what the
+  // ended run leaves.
   const float number = stream_.addMaterial(change);
   stream_.set(kMaterialNumber, &number);
 }

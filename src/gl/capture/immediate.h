@@ -1,5 +1,5 @@
-// What is sent by glBegin, glVertex and glEnd: captured in runs of as many pairs as share their state, or
-// left to the real OpenGL. A part of each Context, for stubs and handlers on its thread.
+// glBegin, glVertex and glEnd: captured in runs (consecutive pairs of equal state), or left to the real
+// OpenGL. A part of each Context, called by stubs and handlers on its thread.
 #pragma once
 #include "gl/batch/batch_filler.h"
 #include "gl/capture/captured_vertices.h"
@@ -41,12 +41,12 @@ class Immediate {
   enum class Inside { nothing, captured, rasterised };
   Inside inside() const { return inside_; }
   bool insideBegin() const { return inside_ != Inside::nothing; }
-  /// Whether the real OpenGL is between glBegin and glEnd of the program, rather than compiling them.
+  /// Whether the real OpenGL executes the program's glBegin/glEnd now, and does not just compile them.
   bool realInsideBegin() const {
     return (inside_ == Inside::rasterised && !openFragment_) || executedInside();
   }
-  /// Whether what a list that is compiled has executed so far is inside a glBegin, as far as the list goes it
-  /// is not.
+  /// GL_COMPILE_AND_EXECUTE: whether the commands executed so far left a glBegin open. insideBegin() is then
+  /// about the commands compiled.
   bool executedInside() const { return executed_ != Inside::nothing; }
 
   void begin(GLenum mode);
@@ -54,16 +54,16 @@ class Immediate {
   void attribute(Slot slot, const float* values);
   void vertex(float x, float y, float z, float w);
   void material(GLenum face, GLenum pname, const float* params);
-  /// A primitive of few vertices from the enabled arrays, joined to the run as if sent by glBegin.
+  /// Appends a small primitive, `vertices` of the enabled arrays, to the run as if sent by glBegin.
   void drawSmall(GLenum mode, const std::vector<uint32_t>& vertices, DrawPath path);
   /// glArrayElement inside a rasterised glBegin.
   void rasterElement(GLint i);
-  /// Current value of an attribute, from wherever it is newest.
+  /// The newest current value of an attribute: the run's, the real OpenGL's in passthrough, or the context's.
   const float* current(Slot slot);
 
-  // Runs. Outside lists a run is open from its first glBegin on; a list that is compiled always has one.
+  // Runs. Outside lists a run is open from its first glBegin on; a list being compiled always has one.
   bool runOpen() const { return open_; }
-  /// Ends the run that is being captured and draws or records it.
+  /// Ends the run and draws it, or records it in the list being compiled.
   void closeRun();
   void closeRunOutsideBegin() {
     if (!insideBegin()) closeRunIfOpen();
@@ -71,26 +71,26 @@ class Immediate {
   void closeRunIfOpen() {
     if (open_) closeRun();
   }
-  /// Gives the run, and the primitive that is open, to the real OpenGL.
+  /// Replays the run and the open primitive to the real OpenGL, which takes over from there.
   void surrender();
 
   // For the list compiler.
   VertexStream& stream() { return stream_; }
-  /// Whether the run has vertices, or attributes that the list leaves behind.
+  /// Whether the run has vertices, or sets attributes that stay current after the list.
   bool holdsAnything() const { return !stream_.empty() || stream_.layout().mask != bit(kPosition); }
   void startRun();
   void recordRun();
-  /// Records the run and the primitive that is open, whose rest is recorded call by call.
+  /// Records the run with its open primitive as a LooseRun; the rest of the primitive follows call by call.
   void loosen();
-  // What is executed while a list is compiled goes on where it was left, ends for now, is left.
+  // GL_COMPILE_AND_EXECUTE, around each executed step: restore the executed state, close its run, save it.
   void resumeExecuted() { inside_ = std::exchange(executed_, Inside::nothing); }
   void settleExecuted() { inside_ == Inside::captured ? surrender() : closeRunIfOpen(); }
   void leaveExecuted();
-  /// No run is captured any more.
+  /// After glEndList: no run is open.
   void idle();
 
  private:
-  /// An attribute that the real OpenGL does not have yet.
+  /// Sets a current value that the real OpenGL does not have yet.
   void setCurrent(Slot slot, const float* values);
   void noteColor(Slot slot);
   bool canDraw() const;
@@ -109,12 +109,12 @@ class Immediate {
   Inside inside_ = Inside::nothing;
   bool open_ = false;                                // stream_ holds a run outside lists
   PrimitiveClass class_ = PrimitiveClass::surfaces;  // of the run
-  Reason reason_ = Reason::traced;                   // why the run is rasterised, captured though it is
-  DrawPath path_ = DrawPath::immediate;              // small draws from arrays join runs
+  Reason reason_ = Reason::traced;                   // why the captured run will be rasterised
+  DrawPath path_ = DrawPath::immediate;              // of the run's first draw: small array draws join runs
   Primitive openPrimitive_{};                        // of a rasterised glBegin: mode and vertices so far
-  Inside executed_ = Inside::nothing;     // while a list is compiled, of what it has executed so far
-  GLuint openFragment_ = 0;               // real list that takes the rest of a primitive that was given up
-  std::vector<InheritedSlot> inherited_;  // by the run of a list
+  Inside executed_ = Inside::nothing;     // of the commands that the list being compiled has executed
+  GLuint openFragment_ = 0;               // real list that compiles the rest of a surrendered primitive
+  std::vector<InheritedSlot> inherited_;  // slots that a list's run takes from its caller
 };
 
 }  // namespace gluray::gl

@@ -1,4 +1,4 @@
-// Runs of glBegin and glEnd pairs: when they start and end, and what becomes of them.
+// Runs of glBegin/glEnd pairs in Immediate: starts, ends, draws and records them.
 #include "base/clock.h"
 #include "gl/capture/mesh_builder.h"
 #include "gl/capture/replay.h"
@@ -138,7 +138,7 @@ void Immediate::drawRun() {
   replay(p_.shadow.real, run);
 }
 
-/// What has been set since the last vertex, into the fragment that is open.
+/// Sends what has been set since the last vertex into the open fragment.
 void Immediate::sendRunValues() {
   for (int s = kNormal; s < kSlotCount; ++s) {
     const auto slot = static_cast<Slot>(s);
@@ -153,7 +153,7 @@ void Immediate::surrender() {
   GLuint fragment = 0;
   if (!p_.lists.compiling()) p_.window.showLagged();
   p_.shadow.sendBuffers();                 // glArrayElement may follow
-  p_.shadow.current.send(p_.shadow.real);  // not into the list
+  p_.shadow.current.send(p_.shadow.real);  // before NewList: not part of the fragment
   if (p_.lists.compiling()) {
     fragment = p_.shadow.real.GenLists(1);
     p_.shadow.real.NewList(fragment, GL_COMPILE);
@@ -168,7 +168,7 @@ void Immediate::surrender() {
   if (!p_.lists.compiling()) {
     if (open) openPrimitive_ = stream_.openPrimitive();
     keepRunValues();
-    p_.shadow.current.send(p_.shadow.real);  // legal inside glBegin too: what was set since the last vertex
+    p_.shadow.current.send(p_.shadow.real);  // what was set since the last vertex; legal inside glBegin too
   } else {
     sendRunValues();
     if (!open) p_.shadow.real.EndList();

@@ -13,7 +13,7 @@ bool MaterialLatch::isIn(const RealGl& real) {
 
 void MaterialLatch::letGo(const RealGl& real) const {
   if (!on_) return;
-  // The first question makes Mesa store what is waiting but keep it; the next makes it let go.
+  // The first query makes Mesa store the held-back materials but keep them; the second makes it forget them.
   GLfloat shininess = 0;
   for (int i = 0; i < 2; ++i) real.GetMaterialfv(GL_FRONT, GL_SHININESS, &shininess);
 }
@@ -23,7 +23,7 @@ void MaterialLatch::restore(const RealGl& real) const {
   letGo(real);
   State now;
   readMaterial(real, now);
-  // What colour material has replaced since then must stay as it is.
+  // Parameters that GL_COLOR_MATERIAL has replaced since then must keep their values.
   MaterialChange again = waiting_;
   again.front &= sameParameters(again.values.front, now.material.front);
   again.back &= sameParameters(again.values.back, now.material.back);

@@ -23,8 +23,7 @@ namespace {
 
 constexpr size_t kGrain = 1 << 16;
 
-/// Positions in the captured vertices of mesh vertex i: the vertex itself, or its representative after
-/// welding.
+/// Maps mesh vertex i to its captured vertex: vertex i itself, or after welding its representative.
 struct Selection {
   const CapturedVertices& captured;
   const GrowingArray<uint32_t>* source;  // null: all vertices in order
@@ -45,7 +44,7 @@ scene::Attribute copySlot(const Selection& vertices, Slot slot, scene::Format fo
   return {data, reinterpret_cast<const std::byte*>(data.get()), floats * 4, format};
 }
 
-/// Colours as bytes where bytes hold them exactly, which halves the memory of coloured surfaces and more.
+/// Copies colours: as bytes if they are exact, which take a quarter of the memory, else as floats.
 scene::Attribute copyColors(const Selection& vertices, size_t& sizeBytes) {
   const uint32_t offset = vertices.captured.layout.offset[kColor], count = vertices.count();
   const auto asByte = [](float c) {
@@ -75,7 +74,7 @@ scene::Attribute copyMaterials(const Selection& vertices, size_t& sizeBytes) {
   return {data, reinterpret_cast<const std::byte*>(data.get()), 4, scene::Format::uint32};
 }
 
-/// Indices in memory that the mesh takes over.
+/// Makes an index array that takes over the memory of `corners`.
 scene::Attribute makeIndices(GrowingArray<uint32_t> corners, size_t& sizeBytes) {
   corners.shrink(corners.size());
   sizeBytes += corners.size() * 4;
@@ -84,7 +83,7 @@ scene::Attribute makeIndices(GrowingArray<uint32_t> corners, size_t& sizeBytes) 
 }
 
 scene::Attribute makeIndices(std::vector<uint32_t> corners, size_t& sizeBytes) {
-  corners.reserve(corners.size() + 4);  // 16 readable bytes behind
+  corners.reserve(corners.size() + 4);  // 16 readable bytes after the last
   sizeBytes += corners.size() * 4;
   const auto data = std::make_shared<std::vector<uint32_t>>(std::move(corners));
   return {data, reinterpret_cast<const std::byte*>(data->data()), 4, scene::Format::uint32};
@@ -97,21 +96,21 @@ GrowingArray<uint32_t> copyOf(const GrowingArray<uint32_t>& numbers) {
   return copy;
 }
 
-/// Whether the capture is one run of separate triangles.
+/// Whether the capture is one primitive of separate triangles.
 bool isTriangles(const CapturedVertices& c) {
   return c.primitives.size() == 1 && c.primitives[0].mode == GL_TRIANGLES && c.primitives[0].first == 0;
 }
 
-/// The same, vertex after vertex.
+/// The same, without indices.
 bool isSoup(const CapturedVertices& c) { return c.indices.empty() && isTriangles(c); }
 
-/// Whether a mesh can read the vertices where they are, and nothing in them is in vain.
+/// Whether a mesh can use vertices of this layout in place, and needs all of their slots.
 bool isReadable(const VertexLayout& layout) {
   return (layout.mask &
           ~(bit(kPosition) | bit(kNormal) | bit(kSecondaryColor) | bit(kFogCoord) | kTexCoordSlots)) == 0;
 }
 
-/// Texture coordinates of units 1 and up: makeOne(slot) for each that the layout has.
+/// Texture coordinates of units 1 to 7: makeOne(slot) for each unit that the layout has.
 template <class MakeOne>
 std::vector<scene::Attribute> texcoordsAbove(const VertexLayout& layout, MakeOne&& makeOne) {
   std::vector<scene::Attribute> all;
@@ -242,8 +241,8 @@ Bounds boundsOf(const scene::Mesh& mesh) {
       });
 }
 
-/// Identity of positions and triangle order, the same however vertices are shared: the corners' positions in
-/// order, hashed in blocks on all cores.
+/// Hash of the corners' positions in triangle order, computed in blocks on all cores. It does not depend on
+/// which corners share vertices.
 Hash128 geometryIdentity(const scene::Mesh& mesh) {
   constexpr uint32_t kTriangles = 1 << 14;
   const uint32_t blocks = (mesh.triangleCount + kTriangles - 1) / kTriangles;

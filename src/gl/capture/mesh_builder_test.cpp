@@ -10,7 +10,7 @@
 namespace gluray::gl {
 namespace {
 
-/// A grid of n x n squares as separate triangles, every corner sent again for each triangle.
+/// A grid of n x n squares as separate triangles without shared vertices.
 CapturedVertices grid(uint32_t n, bool colored = false) {
   VertexStream stream;
   stream.start(bit(kPosition) | (colored ? bit(kColor) : 0), initialSlotValues());
@@ -30,7 +30,7 @@ CapturedVertices grid(uint32_t n, bool colored = false) {
   return stream.take();
 }
 
-TEST(Weld, GivesEqualVerticesOneNumberAndKeepsOthersApart) {
+TEST(Weld, GivesOnlyEqualVerticesOneNumber) {
   const CapturedVertices c = grid(100);
   const Welded w = weld(c.vertices.data(), c.vertexCount, c.layout.stride);
   ASSERT_EQ(w.index.size(), c.vertexCount);
@@ -67,7 +67,7 @@ TEST(BuildMesh, StoresColoursAsBytesOnlyWhereExact) {
   EXPECT_EQ(scene::fetch(exact.mesh->colors, exact.mesh->corner(2, 1)).g, 0.1234567f);
 }
 
-/// `n` separate triangles with coordinates of the units in `slots`.
+/// `n` separate triangles with texture coordinates of the units in `slots`.
 CapturedVertices layered(uint32_t n, SlotMask slots) {
   VertexStream stream;
   stream.start(bit(kPosition) | slots, initialSlotValues());
@@ -84,7 +84,7 @@ CapturedVertices layered(uint32_t n, SlotMask slots) {
   return stream.take();
 }
 
-TEST(BuildMesh, CarriesCoordinatesOfFurtherUnits) {
+TEST(BuildMesh, KeepsTexcoordsOfHigherUnits) {
   const KnownMesh known = buildMesh(layered(5, bit(texCoordSlot(0)) | bit(texCoordSlot(3))));
   ASSERT_EQ(known.mesh->texcoordsAbove.size(), 3u);
   ASSERT_NE(known.mesh->texcoordsOf(0), nullptr);
@@ -94,7 +94,7 @@ TEST(BuildMesh, CarriesCoordinatesOfFurtherUnits) {
   EXPECT_EQ(scene::fetch(*known.mesh->texcoordsOf(0), 7), glm::vec4(7, 0, 0, 1));
 }
 
-TEST(BuildMesh, FurtherUnitsCostNothingWhereThereAreNone) {
+TEST(BuildMesh, UnusedTextureUnitsTakeNoMemory) {
   const KnownMesh one = buildMesh(layered(5, bit(texCoordSlot(0)))),
                   two = buildMesh(layered(5, bit(texCoordSlot(0)) | bit(texCoordSlot(1))));
   EXPECT_TRUE(one.mesh->texcoordsAbove.empty());
@@ -109,7 +109,7 @@ TEST(BuildMesh, KnowsWhetherColoursAreOpaque) {
   EXPECT_FALSE(buildMesh(c).mesh->opaqueColors);
 }
 
-TEST(BuildMesh, BoundsLeaveOutWhatIsNotFinite) {
+TEST(BuildMesh, BoundsIgnoreNonFiniteVertices) {
   CapturedVertices c = grid(4);
   c.vertex(0)[0] = NAN;
   c.vertex(1)[1] = INFINITY;

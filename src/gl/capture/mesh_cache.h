@@ -1,4 +1,4 @@
-// Meshes known by content, so that geometry sent again every frame is recognised. Any thread.
+// Meshes of a share group by content hash, so that geometry sent again every frame is recognised. Any thread.
 #pragma once
 #include "base/hash.h"
 #include "scene/mesh.h"
@@ -9,20 +9,19 @@
 
 namespace gluray::gl {
 
-/// A mesh and what the triage asks about the vertices it came from.
+/// A mesh, and what triage needs to know of the vertices it was built from.
 struct KnownMesh {
-  scene::MeshPtr mesh;       // null where nothing can be traced (homogeneous vertices)
+  scene::MeshPtr mesh;       // null if it cannot be traced (homogeneous vertices)
   bool homogeneous = false;  // some vertex has w != 1
 };
 
 class MeshCache {
  public:
-  /// Finds the mesh with this content and marks it as used. False where there is none.
+  /// Finds the mesh with this content and marks it as used. False if there is none.
   bool find(const Hash128& content, KnownMesh& result);
   void put(const Hash128& content, const KnownMesh& mesh);
-  /// A frame has ended: forgets what was not used in the last ones.
+  /// Call when a frame ends: forgets meshes that were not used in the last eight.
   void advance();
-  /// Meshes that are known.
   size_t size();
 
  private:

@@ -44,21 +44,20 @@ void sendMaterial(const RealGl& real, const MaterialChange& change) {
 
 namespace {
 
-/// Sends changes of material between vertices. Those that were made outside glBegin and glEnd are sent
-/// outside: within a primitive, lists of Mesa store parameters too that follow the colour
-/// (GL_COLOR_MATERIAL).
+/// Sends material changes between vertices. Changes made outside glBegin and glEnd are sent outside, too:
+/// within a primitive, Mesa's lists also store parameters that follow the colour (GL_COLOR_MATERIAL).
 class MaterialSender {
  public:
   MaterialSender(const RealGl& real, std::span<const MaterialChange> changes)
       : real_(real), changes_(changes) {}
 
-  /// glBegin. `number` is the change that its first vertex has, 0 where there is none.
+  /// Sends glBegin. `number`: the material change of the first vertex, or 0.
   void begin(GLenum mode, uint32_t number) {
     mode_ = mode;
     send(lastOutside(number));
     real_.Begin(mode);
   }
-  /// The change that the next vertex has.
+  /// Sends the material change of the next vertex.
   void vertex(uint32_t number) {
     if (number == sent_) return;
     if (const uint32_t outside = lastOutside(number)) {
@@ -70,7 +69,7 @@ class MaterialSender {
   }
 
  private:
-  /// The last one before `number`, or that one, that was made outside and has not been sent.
+  /// The last unsent change up to `number` that was made outside; 0 if there is none.
   uint32_t lastOutside(uint32_t number) const {
     while (number > sent_ && !changes_[number - 1].outside) --number;
     return number > sent_ ? number : 0;
@@ -88,7 +87,7 @@ class MaterialSender {
   uint32_t sent_ = 0;
 };
 
-/// Calls glBegin and each(vertex number) for the primitive's vertices, with the materials that they have.
+/// Sends glBegin, then for each vertex its material and each(vertex number).
 template <class MaterialOf, class Each>
 void sendOpen(MaterialSender& materials, const Primitive& primitive, const uint32_t* indices,
               MaterialOf&& materialOf, Each&& each) {
@@ -102,7 +101,7 @@ void sendOpen(MaterialSender& materials, const Primitive& primitive, const uint3
   }
 }
 
-/// Sends primitives of a capture, with all that their vertices carry.
+/// Sends primitives of a capture, with all attributes of their vertices.
 class CaptureSender {
  public:
   CaptureSender(const RealGl& real, const CapturedVertices& captured)
@@ -160,8 +159,7 @@ void replay(const RealGl& real, const scene::Mesh& mesh, std::span<const Primiti
         sendAttribute(real, texCoordSlot(unit), glm::value_ptr(scene::fetch(*texcoords, i)));
     real.Vertex3fv(glm::value_ptr(mesh.position(i)));
   };
-  // Welded triangles are replayed through their indices; everything else kept its vertices in the order they
-  // came.
+  // Welded triangles are replayed through their indices; all other vertices are still in the order sent.
   const bool welded = primitives.size() == 1 && primitives[0].mode == GL_TRIANGLES && mesh.indices;
   const auto* indices = welded ? reinterpret_cast<const uint32_t*>(mesh.indices.data) : nullptr;
   MaterialSender sender(real, materials);

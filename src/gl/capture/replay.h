@@ -8,19 +8,19 @@
 
 namespace gluray::gl {
 
-/// Sets one attribute in the real OpenGL. For kMaterialNumber use setMaterial.
+/// Sets one attribute in the real OpenGL. Ignores kMaterialNumber: use sendMaterial.
 void sendAttribute(const RealGl& real, Slot slot, const float* values);
 
-/// glMaterial for every parameter that `change` holds.
+/// Calls glMaterial for every parameter that `change` sets.
 void sendMaterial(const RealGl& real, const MaterialChange& change);
 
-/// All primitives of `captured`.
+/// Sends all primitives of `captured`.
 void replay(const RealGl& real, const CapturedVertices& captured);
 
-/// glBegin and the vertices so far of a primitive that is still open.
+/// Sends glBegin and the vertices so far of the open primitive.
 void replayOpen(const RealGl& real, const CapturedVertices& captured, const Primitive& open);
 
-/// The primitives of a capture whose vertices live on in `mesh` only (see buildMesh).
+/// Sends the primitives of a capture whose vertices were moved into `mesh` (see buildMesh).
 void replay(const RealGl& real, const scene::Mesh& mesh, std::span<const Primitive> primitives,
             std::span<const MaterialChange> materials);
 

@@ -1,4 +1,4 @@
-// Meshes of separate triangles, for tests of what triage looks at.
+// Meshes of separate triangles, for tests of triage.
 #pragma once
 #include "scene/mesh.h"
 

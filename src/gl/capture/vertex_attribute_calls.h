@@ -1,6 +1,5 @@
-// Vertex attribute calls: attributes and vertices, called millions of times a frame. Nothing but a
-// thread-local read, a test and a few stores; everything unusual goes to Context through one out-of-line
-// call. Any thread with a current context.
+// Attribute calls, made millions of times a frame: a thread-local read, a test and a few stores. Rare cases
+// go to Context through one out-of-line call. Called by stubs on any thread with a current context.
 #pragma once
 #include "gl/capture/vertex_stream.h"
 #include "gl/thread_state.h"
@@ -9,7 +8,7 @@
 
 namespace gluray::gl::vertexcall {
 
-/// The unusual cases: no run, slot not in the run, passthrough, rasterised glBegin.
+/// Rare cases: no run, slot not in the run, passthrough, rasterised glBegin.
 void slowAttribute(Slot slot, const float* values) noexcept;
 void slowVertex(float x, float y, float z, float w) noexcept;
 
@@ -35,7 +34,7 @@ inline void fogCoord(float f) { attribute(kFogCoord, f); }
 inline void index(float i) { attribute(kIndex, i); }
 inline void edgeFlag(bool flag) { attribute(kEdgeFlag, flag ? 1.0f : 0.0f); }
 
-/// `unit` counts from 0; units that do not exist set GL_INVALID_ENUM.
+/// `unit` counts from 0; units above 7 set GL_INVALID_ENUM.
 void invalidUnit() noexcept;
 inline void texCoord(GLuint unit, float s, float t = 0, float r = 0, float q = 1) {
   if (unit < 8) [[likely]]

@@ -8,8 +8,8 @@
 
 namespace gluray::gl {
 namespace {
-constexpr uint32_t kMost = 1u << 30;   // vertices in a run
-constexpr uint32_t kPiece = 1u << 13;  // vertices: such a piece stays in the caches
+constexpr uint32_t kMost = 1u << 30;   // most vertices in a run
+constexpr uint32_t kPiece = 1u << 13;  // vertices welded at a time: they stay in the caches
 }  // namespace
 
 void VertexStream::start(SlotMask mask, const SlotValues& current, uint32_t weldFrom, Welding where) {
@@ -44,7 +44,7 @@ void VertexStream::stopWelding() {
   welder_.forget();
 }
 
-/// Vertices at which those that have arrived are welded.
+/// The value of captured_.vertexCount at which vertices are welded next.
 uint32_t VertexStream::nextWeld() const { return behind_.active() || kept_ > 0 ? kept_ + kPiece : weldFrom_; }
 
 void VertexStream::updateLimit() {
@@ -56,7 +56,7 @@ void VertexStream::updateLimit() {
 
 namespace {
 
-/// Vertices of a primitive that count: OpenGL drops what does not complete a figure (GL 2.1, 2.6.1).
+/// How many of `n` vertices are drawn: OpenGL ignores incomplete triangles, quads ... (GL 2.1, 2.6.1).
 uint32_t completeVertices(GLenum mode, uint32_t n) {
   switch (mode) {
     case GL_LINES: return n - n % 2;
@@ -82,7 +82,7 @@ void VertexStream::end() {
   insidePrimitive_ = false;
   updateLimit();
   const uint32_t count = completeVertices(mode_, sent() - first_), extra = sent() - first_ - count;
-  // Extra vertices that have numbers already stay, without anybody to refer to them.
+  // Extra vertices that are already welded stay, with no index that refers to them.
   const uint32_t arrived = std::min(extra, captured_.vertexCount - kept_);
   if (extra > arrived) bringBack();
   captured_.vertexCount -= arrived;
@@ -90,7 +90,7 @@ void VertexStream::end() {
   numbered_ -= extra - arrived;
   cursor_ = captured_.vertex(captured_.vertexCount);
   if (count == 0) return;
-  // Separate figures of one kind that follow each other are one primitive.
+  // Consecutive glBegin/glEnd pairs of one separate mode become one primitive.
   if (!captured_.primitives.empty() && isSeparate(mode_) && captured_.primitives.back().mode == mode_) {
     captured_.primitives.back().count += count;
     return;
@@ -105,7 +105,7 @@ void VertexStream::weldArrived() {
   numbered_ = static_cast<uint32_t>(captured_.indices.size());
 }
 
-// The first vertices are welded here, whatever comes then elsewhere if it can be.
+// Welds the first vertices on this thread, and later ones on WeldBehind's if it can start.
 void VertexStream::weldBehind() {
   if (behind_.active()) {
     const uint32_t count = captured_.vertexCount;
@@ -129,7 +129,7 @@ void VertexStream::weldBehind() {
   where_ = Welding::here;
 }
 
-// Waits for what the other thread welds; what has arrived since is behind it then.
+// Takes the welded run back from WeldBehind and appends the vertices that have arrived since.
 void VertexStream::bringBack() {
   if (!behind_.active()) return;
   const uint32_t arrived = captured_.vertexCount;
@@ -144,7 +144,7 @@ void VertexStream::bringBack() {
   updateLimit();
 }
 
-// Gives numbers to the vertices that have arrived, where others have them.
+// If the capture has indices, gives one to every vertex that has none yet.
 void VertexStream::numberAll() {
   bringBack();
   if (captured_.indices.empty() || kept_ == captured_.vertexCount) return;
@@ -179,7 +179,7 @@ void VertexStream::vertexSlow(float x, float y, float z, float w) {
   vertex(x, y, z);
 }
 
-// In place, where there is room: memory that an earlier run has touched is worth keeping.
+// Works in place if there is room: memory that an earlier run has touched is worth keeping.
 void VertexStream::relayout(SlotMask mask) {
   const VertexLayout from = captured_.layout, to = VertexLayout::of(mask);
   captured_.vertices.reserve(size_t{std::max(captured_.vertexCount, 1u)} * to.stride);
@@ -192,7 +192,7 @@ void VertexStream::relayout(SlotMask mask) {
     }
   };
   move(template_, template_);
-  // Vertices only grow: from the last one on none is written over before it was read.
+  // Vertices only get wider: backwards, none is overwritten before it is read.
   for (uint32_t i = captured_.vertexCount; i-- > 0;)
     move(captured_.vertices.data() + size_t{i} * from.stride,
          captured_.vertices.data() + size_t{i} * to.stride);

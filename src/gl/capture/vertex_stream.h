@@ -1,6 +1,5 @@
-// Collects the vertices between glBegin and glEnd, over as many pairs as share their state ("a run").
-// Used by the GL thread that owns the context; a thread of WeldBehind may help. The inline part is that of
-// vertex attribute calls.
+// Collects the vertices of a run: consecutive glBegin/glEnd pairs of equal state. Owned by Immediate, GL
+// thread; WeldBehind may weld on its own. The inline functions are the fast path of attribute calls.
 #pragma once
 #include "gl/capture/captured_vertices.h"
 #include "gl/welding/stream_weld.h"
@@ -13,11 +12,11 @@ namespace gluray::gl {
 class VertexStream {
  public:
   static constexpr uint32_t kNever = ~0u;
-  enum class Welding { here, behind };  // on the calling thread, or on another where there is one
+  enum class Welding { here, behind };  // on the calling thread, or on WeldBehind's if it can start
 
-  /// Starts an empty run that has the slots of `mask`, with `current` values for those not set before the
-  /// first vertex. If it comes to `weldFrom` vertices, all of separate triangles, equal ones are found from
-  /// then on while they arrive; the capture then has indices.
+  /// Starts an empty run with the slots of `mask`, which have `current` values until they are set. Once it
+  /// has `weldFrom` vertices, all of separate triangles, it is welded while more arrive: equal vertices are
+  /// kept once, and the capture has indices.
   void start(SlotMask mask, const SlotValues& current, uint32_t weldFrom = kNever,
              Welding where = Welding::here);
 
@@ -31,13 +30,13 @@ class VertexStream {
 
   /// Whether vertex() may be called: inside a primitive, with space left, and no w to store.
   bool hasRoom() const { return captured_.vertexCount < limit_; }
-  /// Appends a vertex with the values set so far. Only where hasRoom().
+  /// Appends a vertex with the values set so far. Only if hasRoom().
   void vertex(float x, float y, float z) {
     float* v = cursor_;
     v[0] = x, v[1] = y, v[2] = z;
     const uint32_t stride = captured_.layout.stride;
-    // Single floats, as they were set: the processor hands on what has just been stored only where a load
-    // asks for no more than one store has written. May write into the slack behind.
+    // Loads single floats, as they were stored: store-to-load forwarding fails if a load is wider than the
+    // store. May write into the array's slack.
     const volatile float* const rest = template_;
     v[3] = rest[3], v[4] = rest[4], v[5] = rest[5];
     for (uint32_t i = 6; i < stride; ++i) v[i] = rest[i];
@@ -48,11 +47,11 @@ class VertexStream {
   /// The same for any w, growing as needed. Throws std::bad_alloc.
   void vertexSlow(float x, float y, float z, float w);
 
-  /// Sets a slot that the layout has. `values` holds as many floats as the slot.
+  /// Sets a slot that the layout has. `values`: sizeOf(slot) floats.
   void set(Slot slot, const float* values) {
     std::memcpy(template_ + captured_.layout.offset[slot], values, sizeOf(slot) * 4);
   }
-  /// The same of as many of these as the slot has.
+  /// The same; values beyond the slot's size are ignored.
   void set(Slot slot, float x, float y, float z, float w) {
     float* const to = template_ + captured_.layout.offset[slot];
     to[0] = x;
@@ -60,30 +59,30 @@ class VertexStream {
     if (sizeOf(slot) > 3) to[3] = w;
   }
   const float* get(Slot slot) const { return get(captured_.layout, slot); }
-  /// The same for the layout of a run that was taken just now.
+  /// The same, for the layout of the run that take() has just returned.
   const float* get(const VertexLayout& layout, Slot slot) const { return template_ + layout.offset[slot]; }
 
-  /// Adds a slot; the vertices captured before get `earlier`.
+  /// Adds a slot; vertices already captured get the value `earlier`.
   void addSlot(Slot slot, const float* earlier);
 
-  /// Number of a material change for the kMaterialNumber slot, adding it to the run's table unless it is the
-  /// last one.
+  /// Adds a material change to the run's table, unless it equals the last one. Returns its number for the
+  /// kMaterialNumber slot.
   float addMaterial(const MaterialChange& change);
   const MaterialChange* lastMaterial() const {
     return captured_.materials.empty() ? nullptr : &captured_.materials.back();
   }
 
-  /// The primitive between begin() and end() so far.
+  /// The open primitive, with the vertices so far.
   Primitive openPrimitive() const { return {mode_, first_, sent() - first_}; }
   CapturedVertices& captured() {
     numberAll();
     return captured_;
   }
-  /// Hands the run over; the stream is empty afterwards.
+  /// Returns the run; the stream is empty afterwards.
   CapturedVertices take();
 
  private:
-  /// Vertices since the start, those that were found again included: what primitives count.
+  /// Vertices sent since start(), duplicates included: what primitives count.
   uint32_t sent() const { return captured_.vertexCount - kept_ + numbered_; }
   void grow();
   void updateLimit();
@@ -96,20 +95,20 @@ class VertexStream {
   void numberAll();
   void stopWelding();
 
-  CapturedVertices captured_;  // while another thread welds, vertices of the piece that arrives
+  CapturedVertices captured_;  // while behind_ is active, it holds only the vertices of the next piece
   uint32_t weldFrom_ = kNever;
   Welding where_ = Welding::here;
-  uint32_t kept_ = 0;      // vertices that indices refer to; those behind have arrived since
-  uint32_t numbered_ = 0;  // vertices sent that have indices, or get them from the other thread
+  uint32_t kept_ = 0;      // first vertices of captured_, which indices refer to; later ones have none yet
+  uint32_t numbered_ = 0;  // vertices sent that have an index, or were handed to behind_
   StreamWelder welder_;
   WeldBehind behind_;
   float* cursor_ = nullptr;
   uint32_t room_ = 0;   // vertices that fit before grow() must be called
-  uint32_t limit_ = 0;  // the same for vertex attribute calls; 0 while it must not append
+  uint32_t limit_ = 0;  // the same for vertex(); 0 while it must not be called
   bool insidePrimitive_ = false;
   GLenum mode_ = 0;
-  uint32_t first_ = 0;                         // of the open primitive, in vertices sent
-  alignas(16) float template_[128 + 16] = {};  // the next vertex; position unused
+  uint32_t first_ = 0;                         // sent() at begin()
+  alignas(16) float template_[128 + 16] = {};  // attributes of the next vertex; its position is unused
 };
 
 }  // namespace gluray::gl

@@ -11,7 +11,7 @@ void triangle(VertexStream& stream, float x) {
   stream.end();
 }
 
-TEST(VertexStream, JoinsSeparateFiguresOfOneKind) {
+TEST(VertexStream, JoinsSeparatePrimitivesOfOneMode) {
   VertexStream stream;
   stream.start(bit(kPosition), initialSlotValues());
   triangle(stream, 0);
@@ -23,7 +23,7 @@ TEST(VertexStream, JoinsSeparateFiguresOfOneKind) {
   EXPECT_EQ(stream.captured().primitives.back(), (Primitive{GL_TRIANGLE_STRIP, 6, 4}));
 }
 
-TEST(VertexStream, GivesEarlierVerticesTheValueFromBefore) {
+TEST(VertexStream, AddSlotFillsEarlierVertices) {
   VertexStream stream;
   stream.start(bit(kPosition), initialSlotValues());
   triangle(stream, 0);
@@ -77,7 +77,7 @@ TEST(VertexStream, WidensEarlierVerticesInPlace) {
   }
 }
 
-TEST(VertexStream, KeepsWOnlyWhereSomeVertexHasOne) {
+TEST(VertexStream, StoresWOnlyIfAVertexNeedsIt) {
   VertexStream stream;
   stream.start(bit(kPosition), initialSlotValues());
   triangle(stream, 0);
@@ -85,7 +85,7 @@ TEST(VertexStream, KeepsWOnlyWhereSomeVertexHasOne) {
   stream.begin(GL_POINTS);
   stream.vertexSlow(1, 2, 3, 4);
   stream.vertexSlow(1, 2, 3, 1);
-  EXPECT_FALSE(stream.hasRoom()) << "vertex attribute calls would forget w";
+  EXPECT_FALSE(stream.hasRoom()) << "vertex() would lose w";
   stream.end();
   const CapturedVertices c = stream.take();
   const uint32_t at = c.layout.offset[kPositionW];
@@ -94,7 +94,7 @@ TEST(VertexStream, KeepsWOnlyWhereSomeVertexHasOne) {
   EXPECT_EQ(c.vertex(4)[at], 1);
 }
 
-TEST(VertexStream, LeafPathNeedsAnOpenPrimitive) {
+TEST(VertexStream, HasRoomOnlyInsideAPrimitive) {
   VertexStream stream;
   stream.start(bit(kPosition), initialSlotValues());
   triangle(stream, 0);

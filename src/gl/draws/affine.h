@@ -1,5 +1,4 @@
-// Matrices of what is drawn: whether they keep points finite, and where they put the bounds of meshes. Any
-// thread.
+// Tests on clipFromObject matrices: whether they are affine, and where they put meshes' bounds. Any thread.
 #pragma once
 #include "scene/mesh.h"
 
@@ -11,16 +10,16 @@
 
 namespace gluray::gl {
 
-/// Whether the matrix maps points as far as `reach` from the origin along each axis to points whose w is one
-/// number, give or take the rounding of floats.
+/// Whether the matrix gives all points within `reach` of the origin (per axis) the same w, but for the
+/// rounding of floats.
 inline bool isAffine(const glm::dmat4& m, const glm::dvec3& reach) {
-  constexpr double kRounding = 2e-6;  // a thousandth of a pixel in a window of a thousand
+  constexpr double kRounding = 2e-6;  // a thousandth of a pixel in a window of a thousand pixels
   double change = 0;
   for (int c = 0; c < 3; ++c) change += std::abs(m[c][3]) * reach[c];
   return m[3][3] > 0 && change <= kRounding * m[3][3];
 }
 
-/// How far the mesh reaches from the origin along each axis.
+/// The mesh's largest distance from the origin along each axis.
 inline glm::dvec3 reachOf(const scene::Mesh& mesh) {
   return glm::max(glm::abs(glm::dvec3(mesh.lower)), glm::abs(glm::dvec3(mesh.upper)));
 }

@@ -8,13 +8,13 @@
 namespace gluray::gl {
 namespace {
 
-constexpr double kNarrow = 1e-5;  // NDC; what overlaps by less covers no sample that anybody would miss
+constexpr double kNarrow = 1e-5;  // NDC; overlaps narrower than this cover no visible sample
 
 glm::dvec3 position(const scene::Mesh& mesh, uint32_t triangle, uint32_t k) {
   return glm::dvec3(mesh.position(mesh.corner(triangle, k)));
 }
 
-/// The plane that all corners lie in but for roundings of their coordinates.
+/// The plane in which all corners lie, within the rounding of their coordinates; nullopt if there is none.
 std::optional<glm::dvec4> findPlane(const scene::Mesh& mesh) {
   glm::dvec3 normal(0);
   for (uint32_t t = 0; t < mesh.triangleCount && normal == glm::dvec3(0); ++t) {
@@ -34,7 +34,7 @@ std::optional<glm::dvec4> findPlane(const scene::Mesh& mesh) {
 
 using Corners = std::array<glm::dvec3, 3>;
 
-/// Whether some edge of `a` has all of `b` beyond it, in the window.
+/// Whether some edge of `a` separates it from `b` in the window.
 bool isApart(const Corners& a, const Corners& b) {
   for (size_t k = 0; k < 3; ++k) {
     const glm::dvec2 start(a[k]), edge = glm::dvec2(a[(k + 1) % 3]) - start;
@@ -48,7 +48,7 @@ bool isApart(const Corners& a, const Corners& b) {
   return false;
 }
 
-/// Whether the corners are the same, in whatever order.
+/// Whether the corners are the same, in any order.
 bool isSame(const Corners& a, const Corners& b) {
   return std::all_of(a.begin(), a.end(),
                      [&](const glm::dvec3& p) { return std::find(b.begin(), b.end(), p) != b.end(); });
@@ -58,14 +58,14 @@ struct Box2 {
   glm::dvec2 lower{std::numeric_limits<double>::infinity()};
   glm::dvec2 upper{-std::numeric_limits<double>::infinity()};
   void add(const glm::dvec2& p) { lower = glm::min(lower, p), upper = glm::max(upper, p); }
-  /// Whether they share more than `narrow` in both directions.
+  /// Whether they overlap by more than `narrow` in both directions.
   bool meets(const Box2& other, const glm::dvec2& narrow) const {
     const glm::dvec2 size = glm::min(upper, other.upper) - glm::max(lower, other.lower);
     return size.x > narrow.x && size.y > narrow.y;
   }
 };
 
-/// The bounds of a mesh in two of its coordinates.
+/// The bounds of a mesh along two of its axes.
 Box2 boundsOf(const scene::Mesh& mesh, const glm::ivec2& axes) {
   return {{mesh.lower[axes.x], mesh.lower[axes.y]}, {mesh.upper[axes.x], mesh.upper[axes.y]}};
 }
@@ -75,14 +75,14 @@ std::array<glm::dvec3, 4> cornersOf(const Box2& box) {
           glm::dvec3(box.upper.x, box.lower.y, 1)};
 }
 
-/// The two coordinates that tell points of a plane apart best.
+/// The two axes along which the plane extends most: all but the one closest to its normal.
 glm::ivec2 axesOf(const glm::dvec4& plane) {
   const glm::dvec3 n = glm::abs(glm::dvec3(plane));
   if (n.x >= n.y && n.x >= n.z) return {1, 2};
   return n.y >= n.z ? glm::ivec2(0, 2) : glm::ivec2(0, 1);
 }
 
-/// Clip x, y and w of the point of `plane` that has the coordinates s and t: from (s, t, 1).
+/// The matrix from (s, t, 1) to clip x, y and w of the point of `plane` with coordinates s, t along `axes`.
 glm::dmat3 fromPlane(const glm::dmat4& clipFromObject, const glm::dvec4& plane, const glm::ivec2& axes) {
   const int third = 3 - axes.x - axes.y;
   const auto column = [&](int axis) {
@@ -100,8 +100,8 @@ struct CoplanarSurfaces::Piece {
   Box2 box;
 };
 
-/// What the bounds of two planar meshes have in common, in the coordinates of the first one's plane:
-/// neighbours that touch share nothing there, however the plane is tilted in the window.
+/// The intersection of two planar meshes' bounds, in (s, t) of the first one's plane. It is empty for
+/// neighbours that touch, however the plane is tilted in the window.
 struct CoplanarSurfaces::Common {
   Box2 box;
   glm::dvec2 narrow{0};
@@ -119,7 +119,7 @@ std::optional<CoplanarSurfaces::PlanarMesh> CoplanarSurfaces::placed(const scene
                     fromPlane(place.clipFromObject, plane, axes),
                     glm::dvec2(-1),
                     glm::dvec2(1)};
-  // Seen edge-on it covers nothing.
+  // Seen edge-on, the mesh covers nothing.
   for (int c = 0; c < 3; ++c)
     if (!(std::abs(planar.plane[c]) < 1e9)) return std::nullopt;
   Box2 box;
@@ -128,7 +128,7 @@ std::optional<CoplanarSurfaces::PlanarMesh> CoplanarSurfaces::placed(const scene
     box.add(glm::dvec2(p) / p.z);
   };
   for (const glm::dvec3& corner : cornersOf(boundsOf(*mesh, axes))) add(planar.clipFromPlane * corner);
-  if (!planar.before) {  // the triangles may be, where their bounds are not
+  if (!planar.before) {  // the triangles may be in front of the viewer even if their bounds are not
     planar.before = true, box = {};
     for (uint32_t i = 0; i < 3 * mesh->triangleCount && planar.before; ++i) {
       const glm::dvec4 p = place.clipFromObject * glm::dvec4(position(*mesh, i / 3, i % 3), 1);
@@ -170,13 +170,13 @@ bool CoplanarSurfaces::overlap(const PlanarMesh& a, const PlanarMesh& b) {
   if (!(lower.x + kNarrow < upper.x && lower.y + kNarrow < upper.y)) return false;
   if (a.place.framebuffer != b.place.framebuffer || a.place.viewport != b.place.viewport) return false;
   if (!(a.place.offset == b.place.offset)) return false;
-  // Eight steps of 24 bits, or four of what is coarser: as far as rasterisers round.
+  // How far rasterisers round: eight steps of a 24-bit depth buffer, or four of a coarser one.
   const double most = std::max(0x1p-20, 8.0 * double{a.place.offset.resolution});
   const glm::dvec3 apart = a.plane - b.plane;
   for (const double x : {lower.x, upper.x})
     for (const double y : {lower.y, upper.y})
       if (!(std::abs(apart.x * x + apart.y * y + apart.z) <= most)) return false;
-  // All their triangles are equal.
+  // The same mesh in the same place: all triangles are equal.
   if (a.mesh->geometryId == b.mesh->geometryId && a.place.clipFromObject == b.place.clipFromObject)
     return false;
   if (!a.before || !b.before) return true;
@@ -187,10 +187,10 @@ bool CoplanarSurfaces::overlap(const PlanarMesh& a, const PlanarMesh& b) {
   Box2 second;
   for (const glm::dvec3& corner : cornersOf(boundsOf(*b.mesh, b.axes))) {
     const glm::dvec3 p = aFromB * corner;
-    if (!(p.z > 0)) return true;  // under another projection: seldom
+    if (!(p.z > 0)) return true;  // rare: they have different projections
     second.add(glm::dvec2(p) / p.z);
   }
-  // Matrices of floats put neighbours that touch about so far over each other.
+  // Float matrices make touching neighbours overlap by about this much.
   constexpr double kRounding = 1e-5;
   Common common{{glm::max(first.lower, second.lower), glm::min(first.upper, second.upper)}};
   common.narrow = kRounding * glm::min(first.upper - first.lower, second.upper - second.lower);
@@ -200,7 +200,7 @@ bool CoplanarSurfaces::overlap(const PlanarMesh& a, const PlanarMesh& b) {
   return anyOverlap(piecesOf(a, glm::dmat3(1), common), piecesOf(b, aFromB, common));
 }
 
-/// A line sweeps over both from the left; what it crosses is open.
+/// A vertical line sweeps over both from the left; triangles that it crosses are open.
 bool CoplanarSurfaces::anyOverlap(std::vector<Piece> a, std::vector<Piece> b) {
   const auto isBefore = [](const Piece& p, const Piece& q) { return p.box.lower.x < q.box.lower.x; };
   std::sort(a.begin(), a.end(), isBefore), std::sort(b.begin(), b.end(), isBefore);
@@ -214,7 +214,7 @@ bool CoplanarSurfaces::anyOverlap(std::vector<Piece> a, std::vector<Piece> b) {
     std::erase_if(others, [&](const Piece* p) { return p->box.upper.x <= piece.box.lower.x + kNarrow; });
     for (const Piece* other : others) {
       if (!piece.box.meets(other->box, glm::dvec2(kNarrow))) continue;
-      work_ += 8;  // as long as comparing so many boxes takes
+      work_ += 8;  // a pair of triangles costs as much as so many boxes
       if (!isApart(piece.at, other->at) && !isApart(other->at, piece.at) && !isSame(piece.at, other->at))
         return true;
     }
@@ -233,7 +233,7 @@ bool CoplanarSurfaces::meets(const scene::MeshPtr& mesh, const SurfacePlace& pla
   if (!planar) return false;
   bool met = isRemembered(mesh->geometryId), metNow = false;
   for (const PlanarMesh& other : planar_) {
-    // Where both met others in this depth epoch, nothing more is to be found.
+    // If both were already found to overlap others in this depth epoch, nothing new can be found.
     if (metNow && isRemembered(other.mesh->geometryId) && metIn_[other.mesh->geometryId] == epoch_) continue;
     if (!overlap(other, *planar)) continue;
     found_ = found_ || !met || !isRemembered(other.mesh->geometryId);
@@ -252,7 +252,7 @@ void CoplanarSurfaces::clear() {
 }
 
 void CoplanarSurfaces::remember(const Hash128& geometry) {
-  constexpr size_t kMost = 4096;  // more are old ones that are drawn no more
+  constexpr size_t kMost = 4096;  // if there are more, most are no longer drawn
   if (metIn_.size() > kMost) metIn_.clear();
   metIn_[geometry] = epoch_;
 }

@@ -40,7 +40,7 @@ TEST(PlanarMeshes, MeetAcrossMatrices) {
   EXPECT_FALSE(planar.meets(rectangle({-1, -1}, {1, 1}, 1), here(turned)));
 }
 
-TEST(PlanarMeshes, TrianglesThatAreEqualDoNotCount) {
+TEST(PlanarMeshes, EqualTrianglesDoNotCount) {
   CoplanarSurfaces planar;
   const scene::MeshPtr all = rectangle({-1, -1}, {1, 1});
   EXPECT_FALSE(planar.meets(all, here()));
@@ -49,7 +49,7 @@ TEST(PlanarMeshes, TrianglesThatAreEqualDoNotCount) {
   EXPECT_TRUE(planar.meets(test::meshOf({{1, 1, 0}, {-1, -1, 0}, {0.9f, -1, 0}}), here()));
 }
 
-TEST(PlanarMeshes, OffsetsViewportsAndFramebuffersKeepThemApart) {
+TEST(PlanarMeshes, DoNotMeetAcrossOffsetsViewportsOrFramebuffers) {
   const scene::MeshPtr first = rectangle({-1, -1}, {1, 1}), second = rectangle({-0.5f, -0.5f}, {0.2f, 3});
   SurfacePlace pushed = here(), otherWindow = here(), otherViewport = here();
   pushed.offset.units = 2;
@@ -62,7 +62,7 @@ TEST(PlanarMeshes, OffsetsViewportsAndFramebuffersKeepThemApart) {
   }
 }
 
-TEST(PlanarMeshes, AreKnownForAHundredLayers) {
+TEST(PlanarMeshes, AreRememberedForAHundredDepthEpochs) {
   CoplanarSurfaces planar;
   const scene::MeshPtr first = rectangle({-1, -1}, {1, 1}), second = rectangle({-0.5f, -0.5f}, {0.2f, 3});
   planar.meets(first, here()), planar.meets(second, here());
@@ -71,13 +71,13 @@ TEST(PlanarMeshes, AreKnownForAHundredLayers) {
   EXPECT_TRUE(planar.meets(first, here()));
   EXPECT_TRUE(planar.meets(second, here()));
   EXPECT_FALSE(planar.takeFound()) << "nothing waits to be traced";
-  for (int layer = 0; layer < 101; ++layer) {
+  for (int epoch = 0; epoch < 101; ++epoch) {
     planar.clear();
-    EXPECT_EQ(planar.meets(first, here()), layer < 100) << layer;
+    EXPECT_EQ(planar.meets(first, here()), epoch < 100) << epoch;
   }
 }
 
-TEST(PlanarMeshes, SurfacesThatAreNotFlatAreNone) {
+TEST(PlanarMeshes, BentSurfacesAreNotPlanar) {
   CoplanarSurfaces planar;
   const std::vector<glm::vec3> bent = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0},
                                        {-1, -1, 0}, {1, 1, 0},  {-1, 1, 0.01f}};
@@ -85,7 +85,7 @@ TEST(PlanarMeshes, SurfacesThatAreNotFlatAreNone) {
   EXPECT_FALSE(planar.meets(rectangle({-1, -1}, {1, 1}), here()));
 }
 
-/// A square about a lattice point of the map, of 8x8 pairs of triangles.
+/// One square tile of a map: 8x8 pairs of triangles, at lattice position `at`.
 scene::MeshPtr tile(glm::ivec2 at, double turned) {
   const glm::dmat4 mapFromTiles = glm::rotate(glm::dmat4(1), turned, glm::dvec3(0, 0, 1));
   std::vector<glm::vec3> corners;
@@ -98,7 +98,7 @@ scene::MeshPtr tile(glm::ivec2 at, double turned) {
   return test::meshOf(corners);
 }
 
-/// All 20x20 of them, placed by their vertices or as glTranslatef places them.
+/// Draws 20x20 tiles, placed by their vertices or, with `ownMatrices`, as by glTranslatef.
 void drawTiles(CoplanarSurfaces& planar, double turned, bool ownMatrices) {
   const glm::mat4 mapFromTiles(glm::rotate(glm::dmat4(1), turned, glm::dvec3(0, 0, 1)));
   for (int y = -10; y < 10; ++y) {
@@ -113,21 +113,22 @@ void drawTiles(CoplanarSurfaces& planar, double turned, bool ownMatrices) {
 }
 
 TEST(PlanarMeshes, TilesOfATiltedMapAreDistinguishedByFewTriangles) {
-  // Bounds of about 1,600 pairs meet in the window: 26 million pairs of triangles.
+  // The bounds of about 1,600 pairs of tiles overlap in the window: 26 million pairs of triangles.
   for (const bool ownMatrices : {false, true}) {
     for (const double turned : {0.0, 0.7}) {
       CoplanarSurfaces planar;
       drawTiles(planar, turned, ownMatrices);
-      // Bounds along axes of the map tell tiles apart; those of vertices that are turned do not.
+      // Bounds along the map's axes separate the tiles; bounds of rotated vertices do not.
       const bool byBounds = ownMatrices || turned == 0;
       EXPECT_LE(planar.work(), byBounds ? 0u : 700'000u) << ownMatrices << ' ' << turned;
-      EXPECT_TRUE(planar.meets(rectangle({-0.5f, -0.5f}, {0.2f, 0.3f}), here())) << "what lies on them";
+      EXPECT_TRUE(planar.meets(rectangle({-0.5f, -0.5f}, {0.2f, 0.3f}), here()))
+          << "a rectangle upon the tiles";
     }
   }
 }
 
-TEST(PlanarMeshes, BeyondTheirWorkTheirBoundsDecide) {
-  // Combs whose teeth stand between each other's: triangles that are long do not tell themselves apart.
+TEST(PlanarMeshes, BoundsDecideBeyondTheWorkLimit) {
+  // Two interleaved combs: the sweep along x cannot separate their long triangles.
   const auto comb = [](float from) {
     std::vector<glm::vec3> corners;
     for (int i = 0; i < 2000; ++i) {
@@ -144,7 +145,7 @@ TEST(PlanarMeshes, BeyondTheirWorkTheirBoundsDecide) {
   EXPECT_EQ(planar.work(), 0u);
 }
 
-TEST(PlanarMeshes, ThatReachBehindTheViewerMeetByTheirBounds) {
+TEST(PlanarMeshes, BoundsDecideBehindTheViewer) {
   CoplanarSurfaces planar;
   EXPECT_FALSE(planar.meets(rectangle({-100, -100}, {100, 100}), here()));
   EXPECT_TRUE(planar.meets(rectangle({-0.5f, -0.5f}, {0.2f, 3}), here()));

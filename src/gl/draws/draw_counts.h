@@ -1,4 +1,4 @@
-// Counts draws for the report and for `gluray explain`. A part of each Context, GL thread.
+// Counts draws for `--report` and `gluray explain`, and for EngineChoice. A part of each Context, GL thread.
 #pragma once
 #include "gl/draws/draw_kinds.h"
 #include "gl/draws/reasons.h"
@@ -15,16 +15,17 @@ class DrawCounts {
   DrawCounts(ShadowState& shadow, FrameClock& clock) : shadow_(shadow), clock_(clock) {}
 
   Statistics statistics;
-  /// Who takes draws by kind; null: nobody.
+  /// Records draws by kind; null: nobody explains.
   DrawKinds* kinds() const { return shadow_.info.kinds.get(); }
 
   void rasterised(Reason reason, DrawPath path, PrimitiveClass kind, uint64_t triangles);
   void traced(DrawPath path, uint64_t triangles);
-  /// What was counted as traced was drawn by the real OpenGL in the end.
+  /// Moves the snapshot's instances from traced to rasterised: the real OpenGL drew them after all.
   void asRasterised(const scene::Snapshot& snapshot, Reason reason);
-  /// Both of the former count these; so does the end of a primitive that the real OpenGL was given.
+  /// Adds to the frame's load. rasterised() and traced() call it; so does the end of a primitive that was
+  /// given to the real OpenGL.
   void load(uint64_t triangles) { clock_.choice.drew(triangles, shadow_.viewportPixels()); }
-  /// Grows with everything that is drawn and may be kept: pictures, and meshes that were never traced.
+  /// Grows with everything that is drawn and may be cached: pictures, and meshes that were never traced.
   uint64_t work() const { return statistics.flushes + statistics.meshesBuilt; }
 
  private:

@@ -53,7 +53,7 @@ ProgramUse& ProgramUse::operator+=(const ProgramUse& o) {
 
 namespace {
 
-/// The bits of DrawState, asked of the real OpenGL: its state is always current.
+/// Queries the bits of DrawState from the real OpenGL, whose state is always current.
 class StateReader {
  public:
   StateReader(const RealGl& real, bool fixedFunction) : real_(real), fixedFunction_(fixedFunction) {}
@@ -79,7 +79,7 @@ class StateReader {
   }
 
  private:
-  /// Core profiles would take these questions for mistakes of the program's.
+  /// In core profiles these queries would raise errors that the program sees.
   void readFixedFunction() {
     const bool lit = capability(GL_LIGHTING, DrawState::lighting);
     put(DrawState::twoSided, lit && integer(GL_LIGHT_MODEL_TWO_SIDE));

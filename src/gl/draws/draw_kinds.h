@@ -1,5 +1,5 @@
-// What a context draws, by kind, for `gluray explain`. There only while somebody explains. Written by the GL
-// thread that has the context; read by any.
+// Draws of a context by kind, with counts and times, for `gluray explain`; exists only under it. The
+// context's GL thread writes it; any thread may read it.
 #pragma once
 #include "gl/capture/captured_vertices.h"
 #include "gl/draws/reasons.h"
@@ -23,7 +23,7 @@ enum class DrawPath : uint8_t { immediate, list, arrays, elements };
 std::string_view describe(DrawPath path);
 std::string_view describe(PrimitiveClass primitive);
 
-/// State that tells kinds of draws apart, as bits.
+/// State by which kinds of draws are distinguished, as bits.
 #define GLURAY_DRAW_STATES(X)         \
   X(lighting, "lighting")             \
   X(twoSided, "two-sided")            \
@@ -61,8 +61,8 @@ struct DrawKind {
   auto operator<=>(const DrawKind&) const = default;
 };
 
-/// Draws of one kind. Seconds are those of the GL thread inside our calls and those of the real OpenGL,
-/// without the tracing of batches.
+/// Totals of one kind of draw. `seconds`: time of the GL thread in our code and in the real OpenGL, without
+/// the tracing of batches.
 struct DrawCost {
   uint64_t count = 0, triangles = 0;
   double seconds = 0;
@@ -81,7 +81,7 @@ struct ProgramUse {
   std::shared_ptr<const KnownProgram> program;
   uint64_t traced = 0, rasterised = 0;  // draws
   uint64_t triangles = 0;
-  std::string why;  // of the last draw that was refused for a value of the program's
+  std::string why;  // explanation of the last draw refused for a program value
   ProgramUse& operator+=(const ProgramUse& other);
 };
 
@@ -91,25 +91,24 @@ using ProgramTable = std::map<const KnownProgram*, ProgramUse>;
 
 class DrawKinds {
  public:
-  /// `fixedFunction`: the context has it, and is asked for its state.
+  /// `fixedFunction`: the context has fixed function, whose state is recorded, too.
   explicit DrawKinds(bool fixedFunction = true) : fixedFunction_(fixedFunction) {}
-  /// A draw starts and ends; what is recorded in between is the draw. May nest: inner ones are not charged to
-  /// outer.
+  /// A draw starts and ends; record() in between says which. May nest: inner draws' time is not the outer's.
   void start() noexcept;
   void stop() noexcept;
-  /// Time of the open draw that is not its own.
+  /// Excludes `seconds` from the time of all open draws.
   void exclude(double seconds) noexcept;
 
-  /// The draw that is open is of this kind. Reads the state that tells, so outside glBegin and glEnd only. A
-  /// failure (no memory) costs a row of the table. `program`: the one in use, or null. `why`:
+  /// Records the open draw under its kind. Reads the real OpenGL's state, so call it only outside glBegin and
+  /// glEnd. Out of memory: the table lacks the draw. `program`: the one in use, or null. `why`:
   /// ProgramState::why.
   void record(const RealGl& real, const TargetState& target, Reason reason, DrawPath path,
               PrimitiveClass primitive, uint64_t triangles,
               const std::shared_ptr<const KnownProgram>& program = nullptr,
               const std::string& why = {}) noexcept;
-  /// More triangles of the draw recorded last.
+  /// Adds triangles to the draw recorded last.
   void addTriangles(uint64_t triangles) noexcept;
-  /// Nothing is recorded from now on.
+  /// Stops recording for good.
   void close() noexcept;
 
   KindTable kinds() const;
@@ -131,7 +130,7 @@ class DrawKinds {
   bool closed_ = false;
 };
 
-/// start() and stop() around a block, where somebody explains.
+/// Calls start() and stop() around a block; `kinds` may be null.
 class DrawTimer {
  public:
   explicit DrawTimer(DrawKinds* kinds) : kinds_(kinds) {

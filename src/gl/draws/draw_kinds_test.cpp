@@ -33,7 +33,7 @@ void getIntegerv(GLenum name, GLint* values) {
   }
 }
 
-/// An OpenGL with nothing but its questions.
+/// An OpenGL that has no functions but glIsEnabled and glGetIntegerv.
 RealGl questions() {
   g_enabled = {GL_DEPTH_TEST};
   g_integers = {{GL_DEPTH_WRITEMASK, 1}, {GL_SHADE_MODEL, GL_SMOOTH}, {GL_POLYGON_MODE, GL_FILL}};
@@ -69,7 +69,7 @@ TEST_F(DrawKindsTest, EqualDrawsAreOneKind) {
   EXPECT_EQ(table.at({PrimitiveClass::lines, DrawPath::list, Reason::lines, 0}).count, 1u);
 }
 
-TEST_F(DrawKindsTest, StateTellsKindsApart) {
+TEST_F(DrawKindsTest, StateDistinguishesKinds) {
   g_enabled = {GL_BLEND, GL_LIGHTING, GL_CLIP_PLANE0 + 3};
   g_integers[GL_DEPTH_WRITEMASK] = 0;
   g_integers[GL_SHADE_MODEL] = GL_FLAT;
@@ -106,7 +106,7 @@ TEST_F(DrawKindsTest, InnerDrawsAndExcludedTimeAreNotChargedToOuterOnes) {
       draw(Reason::lines, DrawPath::immediate, PrimitiveClass::lines, 0);
       sleep();
     }
-    kinds_.exclude(0.030);  // as if it had taken place
+    kinds_.exclude(0.030);  // as if 30 ms had been spent tracing
     sleep();
     draw(Reason::traced, DrawPath::arrays, PrimitiveClass::surfaces, 1);
   }
@@ -158,7 +158,7 @@ TEST_F(DrawKindsTest, CoreProfilesAreNotAskedForFixedFunction) {
   EXPECT_EQ(asked(false), std::set<GLenum>{});
 }
 
-TEST_F(DrawKindsTest, ProgramsAreCountedApart) {
+TEST_F(DrawKindsTest, ProgramsAreCountedSeparately) {
   const auto first = std::make_shared<KnownProgram>(), second = std::make_shared<KnownProgram>();
   const auto drawBy = [&](const std::shared_ptr<const KnownProgram>& program, Reason reason,
                           uint64_t triangles) {

@@ -14,7 +14,7 @@ Hash128 hashOf(const glm::dmat4& matrix) {
   return hashBytes(glm::value_ptr(m), sizeof m);
 }
 
-/// Of what shader programs draw into a framebuffer.
+/// Key in surfaces_ of what shader programs draw into a framebuffer.
 Hash128 placeIn(uint32_t framebuffer) { return hashBytes(&framebuffer, sizeof framebuffer); }
 
 constexpr uint32_t kSamples = 32;
@@ -155,7 +155,7 @@ MultipassSurfaces::Meeting MultipassSurfaces::meets(const glm::dmat4& eyeFromObj
   const auto [first, last] = surfaces_.equal_range(hashOf(eyeFromObject));
   for (auto it = first; it != last; ++it) {
     Surface& surface = it->second;
-    if (surface.pushedBack && !pushedBack) continue;  // as lines that are drawn over it expect
+    if (surface.pushedBack && !pushedBack) continue;  // the offset makes the later pass win in any case
     if (!liesUpon(surface, eyeFromObject, triangles)) continue;
     remember(surface.mesh->geometryId);
     meeting = meet(surface, meeting);
@@ -202,7 +202,7 @@ bool MultipassSurfaces::meetsRasterised(const scene::Mesh& mesh, const glm::dmat
 }
 
 void MultipassSurfaces::remember(const Hash128& geometry) {
-  constexpr size_t kMost = 4096;  // more are old ones that are drawn no more
+  constexpr size_t kMost = 4096;  // if there are more, most are no longer drawn
   if (metIn_.size() > kMost) metIn_.clear();
   metIn_[geometry] = epoch_;
 }
@@ -228,7 +228,7 @@ bool MultipassSurfaces::meetsRasterised(uint32_t framebuffer, const scene::Mesh&
 }
 
 bool MultipassSurfaces::several(const Hash128& geometry) {
-  constexpr uint64_t kRemembered = 100;  // layers: some seconds, or a few frames of many layers
+  constexpr uint64_t kRemembered = 100;  // depth epochs: some seconds, or a few frames of many epochs
   if (metIn_.empty()) return false;
   const auto met = metIn_.find(geometry);
   if (met == metIn_.end()) return false;

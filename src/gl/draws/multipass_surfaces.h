@@ -26,15 +26,14 @@ namespace gluray::gl {
 /// Corners in object space.
 using Triangle = std::array<glm::vec3, 3>;
 
-/// Some triangles of a mesh, or of captured surfaces, spread over them.
+/// A sample of triangles (about 32), evenly spread over a mesh or captured surfaces.
 std::vector<Triangle> sampleTriangles(const scene::Mesh& mesh);
 std::vector<Triangle> sampleTriangles(const CapturedVertices& captured);
 
-/// The vertices of a mesh as a Bloom filter, 1/60 false positives.
+/// Bloom filter over a mesh's vertices: no false negatives, about 1/60 false positives.
 class VertexSet {
  public:
   explicit VertexSet(const scene::Mesh& mesh);
-  /// False: the point is no vertex of the mesh.
   bool mayHold(const glm::vec3& point) const;
 
  private:
@@ -47,61 +46,60 @@ class VertexSet {
   glm::vec3 lower_, upper_;
 };
 
-/// A surface whose depth is to be drawn again.
+/// A traced surface whose depth the real OpenGL must draw again.
 struct DepthRedraw {
-  scene::SnapshotPtr snapshot;  // what was traced, without other surfaces
+  scene::SnapshotPtr snapshot;  // the one it was traced in, reduced to this surface
   scene::MeshPtr mesh;
-  std::optional<glm::dmat4> clipFromObject;  // of a shader program that took this matrix
+  std::optional<glm::dmat4> clipFromObject;  // set if a shader program drew it
 };
 
 class MultipassSurfaces {
  public:
-  enum class How : uint8_t { pending, traced, rasterised };  // pending: in a batch that waits to be traced
-  /// A surface was drawn in this depth epoch; `pushedBack`: by a polygon offset, so that what comes without
-  /// one wins.
+  enum class How : uint8_t { pending, traced, rasterised };  // pending: in the pending batch
+  /// A surface was drawn in this depth epoch. `pushedBack`: with a polygon offset away from the viewer, so
+  /// that a surface without offset wins over it.
   void drawn(const scene::MeshPtr& mesh, const glm::dmat4& eyeFromObject, How how, bool pushedBack);
-  /// The same of a surface that a shader program draws, into `framebuffer`; it waits to be traced.
+  /// The same for a pending surface that a shader program draws into `framebuffer`.
   void drawnByProgram(const scene::MeshPtr& mesh, const glm::dmat4& eyeFromObject,
                       const glm::dmat4& clipFromObject, uint32_t framebuffer, bool pushedBack);
   /// The pending batch was traced or, where `snapshot` is null, rasterised.
   void flushed(const scene::SnapshotPtr& snapshot);
   /// Depth of `framebuffer` was cleared, or the frame ended: a new depth epoch begins.
   void clear(std::optional<uint32_t> framebuffer = {});
-  /// Forgets the depth epoch where it has more surfaces than frames have: nobody may ever clear its depth.
+  /// Forgets the depth epoch if it has more than 65,536 surfaces: its depth may never be cleared.
   void forgetMany();
-  /// Whether shader programs have drawn surfaces of the depth epoch.
+  /// Whether shader programs have drawn surfaces in this depth epoch.
   bool anyByProgram() const { return byProgram_ || !rasterisedByProgram_.empty(); }
-  /// Whether one of these, in `framebuffer`, has so many triangles.
+  /// Whether one of these that was not rasterised at once has this framebuffer and number of triangles.
   bool anyByProgram(uint32_t framebuffer, uint64_t triangles) const;
   /// Whether any surface of the depth epoch was drawn with this modelview matrix.
   bool anyUnder(const glm::dmat4& eyeFromObject) const;
 
-  /// Whether `mesh`, which could be traced, lies upon a surface of the depth epoch that was rasterised. Both
-  /// are then remembered.
+  /// Whether `mesh`, which could be traced, coincides with a rasterised surface of the depth epoch. Both are
+  /// then remembered as multipass.
   bool meetsRasterised(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject, bool pushedBack);
 
   enum class Meeting { none, drawn, pending };
-  /// Whether one of the triangles, about to be drawn, lies upon a surface of the epoch that was not pushed
-  /// back further; that surface is remembered as drawn in several passes. `pending`: it still waits to be
-  /// traced.
+  /// Whether one of the triangles about to be drawn coincides with one of an earlier surface of the depth
+  /// epoch; surfaces that were pushed back while these are not do not count. The surface is then remembered
+  /// as multipass. `pending`: it is still in the pending batch.
   Meeting meets(const glm::dmat4& eyeFromObject, std::span<const Triangle> triangles, bool pushedBack);
-  /// The same of what a shader program is about to draw: some triangles of `count`, and where it puts them,
-  /// if that is known.
+  /// The same for a shader program's draw of `count` triangles, of which a sample is given; `clipFromObject`
+  /// is null if unknown.
   Meeting meetsProgram(uint32_t framebuffer, std::span<const Triangle> triangles, uint64_t count,
                        const glm::dmat4* clipFromObject, bool pushedBack);
-  /// A shader program's draw of `count` triangles, some of which are given, is rasterised into `framebuffer`
-  /// and leaves depth.
+  /// A shader program's draw of `count` triangles, of which a sample is given, is rasterised into
+  /// `framebuffer` and writes depth.
   void rasterisedByProgram(uint32_t framebuffer, uint64_t count, std::vector<Triangle> triangles,
                            const glm::dmat4* clipFromObject, bool pushedBack);
-  /// Whether a surface that a shader program is about to draw lies upon one of these; it is remembered as
-  /// drawn in several passes.
+  /// Whether a surface that a shader program is about to draw coincides with one of these; it is then
+  /// remembered as multipass.
   bool meetsRasterised(uint32_t framebuffer, const scene::Mesh& mesh, const glm::dmat4& clipFromObject,
                        bool pushedBack);
-  /// The surfaces that meets() and meetsProgram() have found to be traced already, each once. They count as
-  /// rasterised from then on.
+  /// Takes the surfaces that meets() and meetsProgram() have found and that were traced already. They count
+  /// as rasterised from then on.
   std::vector<DepthRedraw> takeTraced();
-  /// Whether the geometry was found to be drawn in several passes, in this depth epoch or one of the last
-  /// hundred.
+  /// Whether the geometry was remembered as multipass in this depth epoch or one of the last hundred.
   bool several(const Hash128& geometry);
 
  private:
@@ -110,32 +108,32 @@ class MultipassSurfaces {
     glm::dmat4 eyeFromObject;
     How how;
     bool pushedBack;
-    scene::SnapshotPtr snapshot = nullptr;          // that it was traced in
-    bool met = false;                               // by a pass, since takeTraced()
-    std::optional<glm::dmat4> clipFromObject = {};  // of a shader program
+    scene::SnapshotPtr snapshot = nullptr;          // the one it was traced in
+    bool met = false;                               // another pass was found since takeTraced()
+    std::optional<glm::dmat4> clipFromObject = {};  // set if a shader program drew it
   };
   struct Rasterised {
     uint32_t framebuffer;
     uint64_t count;
     std::vector<Triangle> triangles;
-    std::optional<glm::dmat4> clipFromObject;  // if it is known
+    std::optional<glm::dmat4> clipFromObject;  // if known
     bool pushedBack;
   };
-  static constexpr size_t kMostRasterised = 1024;  // in a depth epoch
-  /// Whether one of the triangles has all its corners among the surface's.
+  static constexpr size_t kMostRasterised = 1024;  // per depth epoch
+  /// Whether the matrices are equal and all corners of one of the triangles are vertices of the surface.
   bool liesUpon(const Surface& surface, const glm::dmat4& eyeFromObject, std::span<const Triangle> triangles);
   bool holdsSome(const scene::Mesh& mesh, std::span<const Triangle> triangles);
   static Meeting meet(Surface& surface, Meeting before);
   void remember(const Hash128& geometry);
   const VertexSet& verticesOf(const scene::Mesh& mesh);
 
-  std::pmr::unsynchronized_pool_resource blocks_;  // thousands of small ones a frame, again and again
-  std::pmr::unordered_multimap<Hash128, Surface> surfaces_{&blocks_};  // by matrix
-  bool rasterised_ = false;                                            // some of them were
-  bool byProgram_ = false;                                             // some are of shader programs
+  std::pmr::unsynchronized_pool_resource blocks_;  // reused: thousands of small allocations a frame
+  std::pmr::unordered_multimap<Hash128, Surface> surfaces_{&blocks_};  // by modelview; programs': framebuffer
+  bool rasterised_ = false;                                            // some surfaces were rasterised
+  bool byProgram_ = false;                                             // shader programs drew some
   std::vector<Rasterised> rasterisedByProgram_;
   uint64_t epoch_ = 0;
-  std::unordered_map<Hash128, uint64_t> metIn_;  // geometry -> last epoch in which a pass met it
+  std::unordered_map<Hash128, uint64_t> metIn_;  // geometry -> last epoch with several passes
   std::unordered_map<Hash128, std::unique_ptr<VertexSet>> vertices_;  // by geometry
 };
 

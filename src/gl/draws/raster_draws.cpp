@@ -46,7 +46,7 @@ void RasterDraws::before(PrimitiveClass kind) {
   if (p_.window.lags()) p_.failsafe.protect([&] { p_.window.showLagged(); });
   if (p_.window.shows()) p_.failsafe.protect([&] { p_.window.settleBelow(); });
   Batch& batch = p_.flusher.batch;
-  // What was to be traced before it was known to lie in one plane with this draw is rasterised with it.
+  // The pending batch was just found to be coplanar with this draw: rasterise both.
   if (p_.surfaces.coplanar.takeFound() && !batch.empty() &&
       (batch.key().layers == BatchKey::Layers::none || batch.key().layers == BatchKey::Layers::drawn) &&
       batch.key().framebuffer == p_.shadow.state.target.framebuffer)
@@ -56,15 +56,14 @@ void RasterDraws::before(PrimitiveClass kind) {
   if (!batch.empty()) {
     p_.shadow.refresh(kRaster);
     const RasterState& raster = p_.shadow.state.raster;
-    // Lines and points on a surface have its depth: who comes later matters unless the surface was pushed
-    // back.
+    // Lines and points on a surface have its depth: order decides, unless the surface was pushed back.
     const bool coplanar = kind != PrimitiveClass::surfaces && batch.key().offset == scene::PolygonOffset{};
-    // Colours of sums meet in floats; those of drawn layers, in their order.
+    // Summed layers round as floats, and drawn layers blend, in drawing order.
     const bool seenThrough =
         batch.key().layers == BatchKey::Layers::summed || batch.key().layers == BatchKey::Layers::drawn;
-    // What the program counts or stores depends on the depth that it meets.
+    // What the program counts or stores depends on the depth that its fragments are tested against.
     const bool writes = raster.program != 0 && p_.shadow.program.known(raster.program)->program.writes;
-    // A channel that one of the two leaves alone has what the other one, or an earlier one, left there.
+    // A channel that one of the two does not write keeps the value of the other or of an earlier draw.
     const bool channels = !(raster.colorWrites == batch.key().colorWrites);
     if (!raster.orderFree || coplanar || seenThrough || writes || channels) p_.flusher.flush();
   }

@@ -1,5 +1,5 @@
-// Draws of the real OpenGL among traced ones: what must be shown before them, and which traced surfaces they
-// lie upon. A part of each Context, GL thread.
+// Prepares rasterised draws among traced ones: flushes what must be shown before them, and finds the traced
+// surfaces that they coincide with. A part of each Context, GL thread.
 #pragma once
 #include "gl/batch/flusher.h"
 #include "gl/capture/mesh_cache.h"
@@ -26,18 +26,17 @@ class RasterDraws {
   };
   explicit RasterDraws(const Parts& parts) : p_(parts) {}
 
-  /// Makes the real OpenGL ready for a draw of its own: order, attributes.
+  /// Call before a rasterised draw: flushes earlier draws if order matters, and sends current attributes.
   void before(PrimitiveClass kind);
 
   // Surfaces that are drawn in several passes.
-  /// Whether a surface that is rasterised now may lie upon others of its depth epoch, so that it matters
-  /// which depth those left. Its triangles are then to be shown to meet(), before before().
+  /// Whether a surface that is rasterised now may coincide with others of its depth epoch, so that their
+  /// exact depth matters. If so, pass its triangles to meet(), before before().
   bool mayMeet(PrimitiveClass kind) const;
   void meet(std::span<const Triangle> triangles);
-  /// The surfaces that were found to have another pass get the depth of the real OpenGL.
+  /// Has the real OpenGL draw the depth of the traced surfaces that were found to have another pass.
   void rasteriseMet(MultipassSurfaces::Meeting meeting);
-  /// Whether a rasterised draw leaves depth for passes that come: after meet() it is then given to
-  /// remember().
+  /// Whether later passes may compare with a rasterised draw's depth: then call remember() after meet().
   bool isPass(PrimitiveClass kind, Reason reason) const;
   void remember(const KnownMesh& known);
 

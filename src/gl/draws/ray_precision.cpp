@@ -8,20 +8,20 @@
 namespace gluray::gl {
 namespace {
 
-constexpr double kRounding = 0x1p-24;  // of a float, of its size
+constexpr double kRounding = 0x1p-24;  // relative rounding error of a float
 constexpr double kMostPixels = 0.1;
 
 glm::dvec3 rowOf(const glm::dmat4& m, int row) { return {m[0][row], m[1][row], m[2][row]}; }
 
-/// How many pixels the distance 1 has at most where clip w is 1, inside the viewport.
+/// Upper bound of the pixels that an object-space distance of 1 covers in the viewport where clip w is 1.
 double pixelsAtOne(const glm::dmat4& clipFromObject, glm::ivec2 viewport) {
   const auto length = [&](int row) { return glm::length(rowOf(clipFromObject, row)); };
   const double w = length(3);
   return 0.5 * std::max((length(0) + w) * viewport.x, (length(1) + w) * viewport.y);
 }
 
-/// Clip w of the nearest point of the view volume; 0 where that is unknown. Its inverse is linear in
-/// normalised device coordinates, by the last row of the inverse matrix, so that a corner has the largest.
+/// Clip w of the nearest point of the view volume; 0 if unknown. 1/w is linear in normalised device
+/// coordinates (last row of the inverse matrix), so a corner has the largest.
 double nearestViewW(const glm::dmat4& clipFromObject) {
   const glm::dmat4 inverse = glm::inverse(clipFromObject);
   const double most =
@@ -29,23 +29,23 @@ double nearestViewW(const glm::dmat4& clipFromObject) {
   return most > 0 && std::isfinite(most) ? 1 / most : 0;
 }
 
-/// Clip w of the nearest point of the mesh that can be seen, at least; 0 where that is unknown.
+/// Lower bound of clip w of the mesh's visible points; 0 if unknown.
 double nearestW(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
   const glm::dvec3 lower(mesh.lower), upper(mesh.upper), row = rowOf(clipFromObject, 3);
   const double middle = glm::dot(row, 0.5 * (lower + upper)) + clipFromObject[3][3];
   return std::max(middle - glm::dot(glm::abs(row), 0.5 * (upper - lower)), nearestViewW(clipFromObject));
 }
 
-/// A triangle of which planes cut pieces off: each plane adds one corner at most.
+/// A triangle that is clipped by six planes, each of which adds at most one corner.
 struct Polygon {
   std::array<glm::dvec4, 9> corners;
   size_t size = 0;
   void add(const glm::dvec4& p) {
-    if (size < corners.size()) corners[size++] = p;  // more come from roundings alone
+    if (size < corners.size()) corners[size++] = p;  // only rounding errors can produce more
   }
 };
 
-/// Clip w of the nearest point of a triangle that lies in the view volume; infinite where none does.
+/// Smallest clip w of the part of a triangle inside the view volume; infinite if there is none.
 double nearestSeenW(const std::array<glm::dvec4, 3>& triangle) {
   Polygon polygon;
   for (const glm::dvec4& p : triangle) polygon.add(p);
@@ -70,12 +70,12 @@ double nearestSeenW(const std::array<glm::dvec4, 3>& triangle) {
 bool RayPrecision::isTooLarge(const scene::Mesh& mesh, const glm::dmat4& clipFromObject,
                               glm::ivec2 viewport) {
   if (mesh.shape != scene::Shape::triangles || mesh.triangleCount == 0) return false;
-  const double perSize = kRounding * pixelsAtOne(clipFromObject, viewport);  // where w is 1
+  const double perSize = kRounding * pixelsAtOne(clipFromObject, viewport);  // pixels of error where w is 1
   const auto tooLarge = [&](double size, double w) { return !(perSize * size < kMostPixels * w); };
   const double least = nearestW(mesh, clipFromObject);
   if (!tooLarge(glm::length(glm::dvec3(mesh.upper) - glm::dvec3(mesh.lower)), least)) return false;
   for (const Large& large : largestOf(mesh)) {
-    if (!tooLarge(large.size, least)) return false;  // nor is any that follows
+    if (!tooLarge(large.size, least)) return false;  // the rest are smaller
     std::array<glm::dvec4, 3> corners;
     for (uint32_t k = 0; k < 3; ++k)
       corners[k] = clipFromObject * glm::dvec4(mesh.position(mesh.corner(large.triangle, k)), 1);
@@ -95,7 +95,7 @@ const std::vector<RayPrecision::Large>& RayPrecision::largestOf(const scene::Mes
     const glm::dvec3 e(edge);
     return glm::dot(e, e);
   };
-  std::vector<Large> all;  // a heap whose first is the smallest; sizes are squared until it is sorted
+  std::vector<Large> all;  // min-heap by size; sizes are squared until the end
   for (uint32_t t = 0; t < mesh.triangleCount; ++t) {
     const glm::vec3 a = mesh.position(mesh.corner(t, 0)), b = mesh.position(mesh.corner(t, 1)),
                     c = mesh.position(mesh.corner(t, 2));

@@ -1,6 +1,5 @@
-// Whether rays see a mesh to a fraction of a pixel. They meet triangles in floats: where a triangle is much
-// larger than what is seen of it, the roundings of its corners' distances are as large as pixels. Owned by
-// Context, GL thread.
+// Whether rays hit a mesh with sub-pixel accuracy. Ray-triangle tests use floats: if a triangle is much
+// larger than its visible part, the rounding errors of its corners reach pixels. Owned by Context, GL thread.
 #pragma once
 #include "base/hash.h"
 #include "scene/mesh.h"
@@ -15,8 +14,8 @@ namespace gluray::gl {
 
 class RayPrecision {
  public:
-  /// Whether rays may see some triangle of `mesh` in another place than OpenGL, by a tenth of a pixel or more
-  /// of a viewport of that size. Of a mesh the kMostLooked largest triangles are looked at.
+  /// Whether rays may see some triangle of `mesh` a tenth of a pixel or more away from where OpenGL draws it,
+  /// in a viewport of that size. Checks the kMostLooked largest triangles.
   bool isTooLarge(const scene::Mesh& mesh, const glm::dmat4& clipFromObject, glm::ivec2 viewport);
 
   static constexpr size_t kMostLooked = 64;
@@ -27,7 +26,7 @@ class RayPrecision {
     double size;  // longest edge
   };
   const std::vector<Large>& largestOf(const scene::Mesh& mesh);
-  std::unordered_map<Hash128, std::vector<Large>> largest_;  // by geometry, the largest first
+  std::unordered_map<Hash128, std::vector<Large>> largest_;  // by geometry, largest first
 };
 
 }  // namespace gluray::gl

@@ -20,11 +20,11 @@ TEST(RayPrecision, DependsOnHowMuchLargerTrianglesAreThanPixels) {
   EXPECT_FALSE(precision.isTooLarge(*square(5), kParallel, kViewport));
   EXPECT_FALSE(precision.isTooLarge(*square(5000), kParallel, kViewport));
   EXPECT_TRUE(precision.isTooLarge(*square(1e6f), kParallel, kViewport));
-  // Scaled down by the program it is no larger than others.
+  // The matrix scales it down to the size of the first one.
   EXPECT_FALSE(precision.isTooLarge(*square(1e6f), glm::scale(kParallel, glm::dvec3(1e-5)), kViewport));
 }
 
-TEST(RayPrecision, IsThatOfTheNearestPointThatIsSeen) {
+TEST(RayPrecision, DependsOnTheNearestVisiblePoint) {
   RayPrecision precision;
   const glm::dmat4 projection = glm::perspective(0.8, 1.5, 0.1, 1e7);
   const scene::MeshPtr mesh = square(1e5f);
@@ -33,14 +33,14 @@ TEST(RayPrecision, IsThatOfTheNearestPointThatIsSeen) {
   };
   EXPECT_TRUE(seenFrom(1));
   EXPECT_FALSE(seenFrom(1e5));
-  // A floor near the viewer, and one that lies behind.
+  // A floor near the viewer, and one behind the viewer.
   EXPECT_TRUE(precision.isTooLarge(
       *mesh, projection * glm::lookAt(glm::dvec3(0, 0, 1), {1, 1, 0.9}, {0, 0, 1}), kViewport));
   EXPECT_FALSE(precision.isTooLarge(
       *mesh, projection * glm::lookAt(glm::dvec3(0, 0, 1), {0, 0, 2}, {0, 1, 0}), kViewport));
 }
 
-TEST(RayPrecision, NothingIsSeenBeforeTheNearPlane) {
+TEST(RayPrecision, IgnoresPartsInFrontOfTheNearPlane) {
   const glm::dmat4 eyeFromObject =
       glm::lookAt(glm::dvec3(0, 0, 1), glm::dvec3(1, 1, 0.9), glm::dvec3(0, 0, 1));
   scene::Mesh mesh = *square(50);  // a floor under the viewer
@@ -48,7 +48,7 @@ TEST(RayPrecision, NothingIsSeenBeforeTheNearPlane) {
   EXPECT_FALSE(precision.isTooLarge(mesh, glm::perspective(0.8, 1.5, 0.1, 1e7) * eyeFromObject, kViewport));
   EXPECT_FALSE(
       precision.isTooLarge(mesh, glm::infinitePerspective(0.8, 1.5, 0.1) * eyeFromObject, kViewport));
-  // Its bounds say so: not one triangle is read.
+  // The bounds suffice: no triangle is read.
   mesh.geometryId.low += 1;
   mesh.positions.data = nullptr;
   EXPECT_FALSE(precision.isTooLarge(mesh, glm::perspective(0.8, 1.5, 0.1, 1e7) * eyeFromObject, kViewport));

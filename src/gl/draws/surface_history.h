@@ -1,5 +1,5 @@
-// What is known of the surfaces drawn before, for draws that come: which were drawn in several passes, which
-// lie in one plane, and which triangles are too large for rays. A part of each Context, GL thread.
+// What earlier draws tell about later ones: surfaces drawn in several passes, coplanar surfaces, and
+// triangles too large for rays. A part of each Context, GL thread.
 #pragma once
 #include "gl/draws/coplanar_surfaces.h"
 #include "gl/draws/multipass_surfaces.h"

@@ -10,7 +10,7 @@
 namespace gluray::gl {
 namespace {
 
-/// Alpha of the primary colour of one face, where it does not come from the vertices; 1 where it does.
+/// Alpha of one face's primary colour; 1 if it comes from the vertices.
 float faceAlpha(const scene::Material& material, scene::ColorMaterial::Mode mode) {
   const bool fromVertex =
       mode == scene::ColorMaterial::diffuse || mode == scene::ColorMaterial::ambientAndDiffuse;
@@ -30,7 +30,7 @@ bool isOpaque(const scene::Shading& shading, const scene::MaterialPair& material
          (!shading.twoSided || faceAlpha(material.back, shading.colorMaterial.back) >= 1.0f);
 }
 
-/// Whether every point of the mesh has the same window depth: then drawing order, not distance, decides.
+/// Whether all points of the mesh have the same window depth: then drawing order, not distance, decides.
 bool isFlat(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
   double lower = INFINITY, upper = -INFINITY;
   for (int i = 0; i < 8; ++i) {
@@ -40,7 +40,7 @@ bool isFlat(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
     const double depth = clip.z / clip.w;
     lower = std::min(lower, depth), upper = std::max(upper, depth);
   }
-  constexpr double kDepthStep = 1.0 / (1 << 23);  // of normalised device depth, a 24-bit step and a bit
+  constexpr double kDepthStep = 1.0 / (1 << 23);  // in NDC: slightly more than one 24-bit step
   return !(upper - lower > kDepthStep);
 }
 
@@ -60,7 +60,7 @@ Reason Triage::of(PrimitiveClass kind) const {
   const State& state = p_.shadow.state;
   if (kind == PrimitiveClass::points) return Reason::points;
   if (kind == PrimitiveClass::lines) return Reason::lines;
-  if (state.target.wideColors) return Reason::framebuffer;  // fixed function cuts colours off on its way
+  if (state.target.wideColors) return Reason::framebuffer;  // fixed function clamps colours to [0, 1]
   if (state.raster.reason != Reason::traced && !p_.layers.mayBeDrawn()) return state.raster.reason;
   if (state.raster.program != 0) return Reason::program;
   if (state.raster.firstVertexProvokes && !state.shading.smooth) return Reason::provokingVertex;
@@ -103,7 +103,7 @@ Reason Triage::whereEverythingIsTraced(const KnownMesh& known,
   if (isOpaque(*known.mesh, materials)) return Reason::traced;
   if (state.raster.unlessOpaque != Reason::traced && !p_.layers.mayBeDrawn())
     return state.raster.unlessOpaque;
-  // OpenGL tests once a pixel, at its centre; `--shading sample` does once a sample.
+  // OpenGL tests alpha once a pixel, at its centre; with `--shading sample` we test once a sample.
   const bool perSample = state.raster.multisample && state.target.samples > 1;
   return perSample ? Reason::alphaTest : Reason::traced;
 }

@@ -1,5 +1,5 @@
-// Traced or rasterised? What decides about draws of the fixed-function pipeline, and what all draws have in
-// common. A part of each Context, GL thread.
+// Decides whether draws of the fixed-function pipeline are traced or rasterised, and has the checks that all
+// draws share. A part of each Context, GL thread.
 #pragma once
 #include "gl/batch/flusher.h"
 #include "gl/capture/mesh_cache.h"
@@ -30,21 +30,22 @@ class Triage {
   };
   explicit Triage(const Parts& parts) : p_(parts) {}
 
-  /// What rules any draw out, whoever draws it: failures, queries, the framebuffer. Reason::traced: nothing.
+  /// Why no draw, of fixed function or a program, can be traced now (failure, query, framebuffer), or
+  /// Reason::traced.
   Reason ofContext() const;
-  /// Why a surface of the fixed-function pipeline cannot be traced now, or Reason::traced. Call
+  /// Why a fixed-function draw of this primitive class cannot be traced now, or Reason::traced. Call
   /// refresh(kDrawGroups) before.
   Reason of(PrimitiveClass kind) const;
-  /// The same of a surface with this mesh.
+  /// The same for a fixed-function surface with this mesh, after of(kind).
   Reason of(const KnownMesh& mesh, const std::vector<MaterialChange>& materials);
-  /// Whether one that can be traced is a layer, blended in the order of drawing (LayerDraws::mayBeDrawn()).
+  /// Whether a surface that can be traced is a layer, blended in drawing order (LayerDraws::mayBeDrawn()).
   bool isLayer(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const;
 
-  /// Whether surfaces are compared with the depth that is there.
+  /// Whether draws of this class are surfaces that are depth-tested against the framebuffer.
   bool meetsDepth(PrimitiveClass kind) const;
-  /// Whether surfaces are drawn with a polygon offset away from the viewer.
+  /// Whether surfaces are now drawn with a polygon offset away from the viewer.
   bool isPushedBack() const;
-  /// Where a draw that moves depth by `offset` puts its mesh now.
+  /// The place of a mesh that is drawn now with this matrix and polygon offset.
   SurfacePlace placeOf(const glm::dmat4& clipFromObject, scene::PolygonOffset offset) const;
 
  private:

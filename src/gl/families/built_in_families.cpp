@@ -1,4 +1,4 @@
-// The families of spec/programs, which are in the engine as text.
+// The families of spec/programs, which the engine embeds as text.
 #include "gl/families/built_in_families.gen.h"
 #include "gl/families/family.h"
 

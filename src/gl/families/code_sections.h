@@ -1,4 +1,4 @@
-// [[code]] sections of family files. Private to family_file.cpp.
+// Reads [[code]] sections of family files. Private to family_file.cpp.
 #pragma once
 #include "gl/families/known_code.h"
 
@@ -8,8 +8,7 @@
 
 namespace gluray::gl {
 
-/// Adds the statements of one section to those of its name. What is wrong is thrown as FamilyError with file
-/// and line.
+/// Adds one section's statements to the section of its name. On mistakes throws FamilyError with its line.
 void readCode(const toml::table& table, const std::string& file, CodeSections& sections);
 
 }  // namespace gluray::gl

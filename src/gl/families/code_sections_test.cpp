@@ -1,4 +1,4 @@
-// [[code]] sections of family files, and which of them families name.
+// [[code]] sections of family files, and families that name them.
 #include "gl/families/family.h"
 #include "gl/families/test_family_text.h"
 
@@ -10,7 +10,7 @@
 namespace gluray::gl {
 namespace {
 
-TEST(CodeSections, CodeIsNamedSectionsOfStatements) {
+TEST(CodeSections, ReadsNamedSectionsOfStatements) {
   const FamilyList list = parseFamilies(kLeast +
                                             "match.code = [\"one\", \"two\"]\n"
                                             "[[code]]\nname = \"one\"\nstatements = \"a = 1.0; b = 2.0;\"\n"
@@ -33,7 +33,7 @@ TEST(CodeSections, CodeIsNamedSectionsOfStatements) {
   EXPECT_EQ(mistake("code = 3\n"), "x.toml:1: only [[family]] and [[code]] sections are expected here");
 }
 
-TEST(CodeSections, BlocksAndWrittenNames) {
+TEST(CodeSections, ReadsBlocksAndWrittenNames) {
   FamilyList list = parseFamilies(
       kLeast + "[[code]]\nname = \"one\"\nblocks = \"a; b;\\n\\n\\nb; c;\"\nwritten = [\"v\", \"w\"]\n",
       "x.toml");
@@ -45,7 +45,7 @@ TEST(CodeSections, BlocksAndWrittenNames) {
   EXPECT_EQ(list.code.at("one").written(), (std::set<std::string>{"v", "w", "x"}));
 }
 
-TEST(CodeSections, ListsAreJoined) {
+TEST(CodeSections, AppendMergesSectionsOfOneName) {
   FamilyList list = parseFamilies(kLeast + "[[code]]\nname = \"one\"\nstatements = \"a;\"\n", "x.toml");
   list.append(parseFamilies("[[code]]\nname = \"one\"\nstatements = \"b;\"\n", "y.toml"));
   list.append(parseFamilies(kLeast, "z.toml"));
@@ -53,7 +53,7 @@ TEST(CodeSections, ListsAreJoined) {
   EXPECT_EQ(list.code.at("one").size(), 2u);
 }
 
-TEST(CodeSections, SectionsThatFamiliesNameMustBeThere) {
+TEST(CodeSections, FamiliesMustNameExistingSections) {
   const std::string code = "match.code = [\"one\", \"tow\"]\n[[code]]\nname = \"one\"\nstatements = \"a;\"\n";
   FamilyList list = parseFamilies(kLeast + code, "x.toml");
   const auto wrong = [&](const CodeSections& known) -> std::string {
@@ -69,7 +69,7 @@ TEST(CodeSections, SectionsThatFamiliesNameMustBeThere) {
   EXPECT_EQ(wrong(more), "none") << "other files may have it";
 }
 
-TEST(CodeSections, NotesAreOnProgramsWithTheStatements) {
+TEST(CodeSections, NotesApplyToProgramsWithTheStatements) {
   const FamilyList list = parseFamilies(
       "[[code]]\nname = \"one\"\nnote = \"n1\"\nstatements = \"a = 1.0;\"\n"
       "[[code]]\nname = \"two\"\nnote = \"n2\"\nstatements = \"b = 1.0;\"\n",
@@ -84,9 +84,8 @@ TEST(CodeSections, NotesAreOnProgramsWithTheStatements) {
   EXPECT_EQ(notes("a = 1.;", {"two"}), "");
 }
 
-/// Families that are traced, or whose passes we do, know all statements of their programs, from sections that
-/// are there.
-TEST(CodeSections, TheBuiltInOnesKnowTheirCode) {
+/// Built-in families that are traced, or whose passes we make, name existing sections for their statements.
+TEST(CodeSections, BuiltInFamiliesNameTheirCode) {
   const FamilyList& all = builtInFamilies();
   for (const auto& family : all) {
     const bool ours = family->pass == Family::Pass::fxaa || family->pass == Family::Pass::resolve;

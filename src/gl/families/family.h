@@ -1,7 +1,6 @@
-// Program families: descriptions, as data, of shader programs whose pictures we know how to trace. A family
-// says by which names of active variables a program is recognised, and which of them carry geometry,
-// matrices, material and lights. Files: spec/programs/*.toml (built in) and what --program-families adds;
-// format: docs/program-families.md.
+// Program families: descriptions, as data, of shader programs that we can trace. A family lists the active
+// variables by which a program is recognised, and which of them hold geometry, matrices, material and lights.
+// Files: spec/programs/*.toml (built in) and those of --program-families; format: docs/program-families.md.
 #pragma once
 #include "gl/families/known_code.h"
 #include "scene/impostors.h"
@@ -18,14 +17,14 @@
 
 namespace gluray::gl {
 
-/// A number, vector or matrix: the value of a uniform, or a constant. Empty: the family has none.
+/// A number, vector or matrix: a uniform's value or a constant. Empty: the family has none.
 struct FamilyValue {
   std::string uniform;
   std::vector<float> constant;
   bool given() const { return !uniform.empty() || !constant.empty(); }
 };
 
-/// One face's reflectance. What is not given is 0 for intensities of ambient and specular, otherwise 1.
+/// One face's reflectance. Defaults: 0 for the ambient and specular intensities, 1 for all others.
 struct FamilyMaterial {
   FamilyValue ambientIntensity, ambientColor, diffuseIntensity, diffuseColor, specularIntensity,
       specularColor;
@@ -33,18 +32,17 @@ struct FamilyMaterial {
   bool given() const { return diffuseColor.given() || diffuseIntensity.given(); }
 };
 
-/// Lights are numbered from 0; {} in a name stands for the number. They are on as long as `color` is active,
-/// or, where the family names no colour (then it is white), direction or position.
+/// Lights are numbered from 0; {} in a name stands for the number. Light n is on if its `color` is active or,
+/// if the family names no colour (then it is white), its direction or position.
 struct FamilyLights {
-  /// Where lights with neither direction nor position are: at infinity behind the viewer, or in the viewer's
-  /// place.
+  /// Place of lights with neither direction nor position: at infinity behind the viewer, or at the viewer.
   enum class Headlight { infinite, viewer };
-  std::string count;  // how many of them are on; empty: all
+  std::string count;  // number of lights that are on; empty: all
   std::string color;
-  std::string direction;  // eye space, from the light to the surface, or towards it
-  bool towardsLight = false;
-  std::string position;    // eye space
-  std::string positional;  // not 0: the light has a position, otherwise a direction alone
+  std::string direction;      // eye space, from the light to the surface
+  bool towardsLight = false;  // `direction` points from the surface to the light
+  std::string position;       // eye space
+  std::string positional;     // not 0: the light has a position; 0: only a direction
   std::string attenuation, coneAngle, exponent;
   Headlight headlight = Headlight::infinite;
 };
@@ -54,69 +52,69 @@ struct FamilyPbr {
   bool given() const { return roughness.given(); }
 };
 
-/// Round impostors that the program cuts out of the billboards that its geometry shader makes of points.
+/// Impostors that the program's shaders cut out of billboards.
 struct FamilyImpostors {
-  scene::Shape shape = scene::Shape::triangles;  // that: none
+  scene::Shape shape = scene::Shape::triangles;  // triangles: no impostors
   FamilyValue radius;                            // `uniform` may be an attribute's name
-  std::string axis;                              // attribute, as long as the cylinder
-  FamilyValue inside;                            // below 0: the far side of spheres is seen
+  std::string axis;                              // attribute; its length is the cylinder's
+  FamilyValue inside;                            // below 0: the far side of spheres is visible
   FamilyValue radiusDivisor;
   scene::Impostors::Billboards billboards = scene::Impostors::Billboards::silhouette;
   bool fades = false;
   bool grows = false;                              // of tubes
   FamilyValue size, bulge, bulgeDepth, depthBias;  // of beads and tubes: scene::Impostors
-  FamilyValue scale;                               // times the radius; splats
+  FamilyValue scale;                               // factor of splats' radius
   FamilyValue billboardScale;                      // of splats' billboards, in radii
-  std::string projection;                          // uniform matrix that splats are projected by
+  std::string projection;                          // uniform: projection matrix of splats
   bool given() const { return shape != scene::Shape::triangles; }
 };
 
-/// Names that stand for one variable of a family: those that a program may have instead, the best first.
+/// From a family's name of a variable to the names that a program may have instead, the best first.
 using Alternatives = std::map<std::string, std::vector<std::string>, std::less<>>;
 
-/// Uniforms without effect while they have one value: numbers, column by column. One number is that of all
-/// components; none is the identity matrix.
+/// Uniforms that have no effect at one value, given column by column. One number stands for all components,
+/// none for the identity matrix.
 using NeutralValues = std::map<std::string, std::vector<float>, std::less<>>;
 
 struct Family {
   enum class Model { unlit, phong, pbr };
-  /// What the exponent of the highlight is applied to: the reflected ray and the viewer, or normal and half
-  /// vector.
+  /// The cosine that the highlight's exponent is applied to: between reflected ray and viewer, or between
+  /// normal and half vector.
   enum class Specular { reflect, half };
-  /// Normals of programs that get none with their vertices.
+  /// What to do with programs that have no vertex normals: refuse them, or use the triangles' normals.
   enum class NoNormals { refuse, triangle };
 
   std::string name;
-  std::string rasteriseBecause;  // not empty: programs of this family are never traced, and why
-  std::vector<std::string> sourceHas, sourceLacks;  // texts in the shaders' source
+  std::string rasteriseBecause;                     // not empty: why programs of this family are never traced
+  std::vector<std::string> sourceHas, sourceLacks;  // texts that the shaders' source must have; must lack
   std::vector<std::string> active, any, absent;     // names for recognition: all of, one of, none of
-  std::vector<std::string> absentOutputs;           // of the fragment shader
-  std::vector<std::string> ignored;                 // may be active and mean nothing to the picture
-  NeutralValues neutral;          // mean nothing to the picture while they have these values
-  std::vector<std::string> code;  // sections that have all of its statements; empty: any code
+  std::vector<std::string> absentOutputs;           // fragment shader outputs that must not exist
+  std::vector<std::string> ignored;                 // may be active, but do not affect the picture
+  NeutralValues neutral;                            // do not affect the picture at these values
+  std::vector<std::string> code;  // sections that hold all of its statements; empty: any code
   std::string codeAt;             // file and line that name them
-  bool strict = true;  // an active variable that the family does not mention makes the program unknown
+  bool strict = true;  // programs with active variables that the family does not mention do not fit
 
   std::string position, normal, color, texcoord;                 // attributes
-  std::string instanceTransform, instanceNormal, instanceColor;  // attributes that each instance has one of
+  std::string instanceTransform, instanceNormal, instanceColor;  // per-instance attributes
   std::vector<std::string> clipFromObject, eyeFromObject;        // uniforms, multiplied from left to right
-  std::string viewer;        // uniform: the viewer's place in the space of eyeFromObject; empty: its origin
+  std::string viewer;        // uniform: viewer position in the space of eyeFromObject; empty: its origin
   std::string normalMatrix;  // uniform; empty: inverse transpose of eyeFromObject
   NoNormals withoutNormals = NoNormals::refuse;
   bool flipBackFaces = false;  // back faces are lit with the reversed normal
   std::string parallelView;    // uniform, not 0: the viewer is at infinity (for triangle normals)
 
-  std::string colorMap;        // sampler; looked up at the texture coordinate, gives the colour
-  std::string mapTexcoord;     // attribute where the map is looked up instead; empty: the texture coordinate
+  std::string colorMap;        // sampler: its colour at the texture coordinate is the surface's
+  std::string mapTexcoord;     // attribute: the map's own texture coordinate; empty: `texcoord`
   std::string texcoordMatrix;  // uniform, applied to all texture coordinates before they are interpolated
-  std::string triangleColors;  // buffer sampler: a colour a triangle
+  std::string triangleColors;  // buffer sampler: one colour per triangle
   std::string triangleNormals;
   std::string triangleOffset;         // uniform, added to the triangle's number
-  std::string uniformColors;          // uniform, not 0: colours of the material after all
-  bool colorIsDiffuseOnly = false;    // otherwise it replaces the ambient colour, too
-  std::string texturesOnBack;         // uniform, 0: back faces have no textures
+  std::string uniformColors;          // uniform; not 0: the material's colours replace all others
+  bool colorIsDiffuseOnly = false;    // false: the colour replaces the ambient colour, too
+  std::string texturesOnBack;         // uniform; 0: back faces have no textures
   std::vector<std::string> textures;  // samplers; multiply the lit colour
-  std::string anyTexture;             // one of them; a sampler2D of any other name may stand for it
+  std::string anyTexture;  // one of `textures`; the program may have a sampler2D of any name for it
 
   Model model = Model::phong;
   Specular specular = Specular::reflect;
@@ -124,44 +122,43 @@ struct Family {
   FamilyLights lights;
   FamilyPbr pbr;
 
-  /// MultipassSurfaces that we can do ourselves, and where they find input and settings. fxaa: full-screen
-  /// anti-aliasing. peelDepths and peel: surfaces that are seen through, drawn once to find the nearest and
-  /// farthest of them, and then, peel by peel, to composite them (dual depth peeling): all is traced in the
-  /// first peel. peelRest: afterwards, what peels have left, in the order of drawing. sum: the same without
-  /// order, colours times opacity and opacities being added up (weighted blending). resolve: full-screen
-  /// averages over the samples of a multisampled texture.
+  /// Passes that we can make ourselves. fxaa: full-screen anti-aliasing. Dual depth peeling: peelDepths finds
+  /// the nearest and farthest depths of layers; peel composites them, peel by peel (all are traced in the
+  /// first one); peelRest then blends the remaining layers in drawing order. sum: adds layers without order,
+  /// colour times opacity and opacity (weighted blending). resolve: full-screen averages over the samples of
+  /// a multisampled texture.
   enum class Pass { none, fxaa, peelDepths, peel, peelRest, sum, resolve };
   Pass pass = Pass::none;
-  std::string passInput;   // sampler: fxaa and resolve, the picture; peelDepths, green, the depth of what is
-                           // opaque, or -1; peel, what peelDepths has found; peelRest, what peels have left
-  std::string passOutput;  // of the fragment shader: depths found; colour times opacity, and opacity;
-                           // sum, opacity in its red, the colour being the other output
-  FamilyValue passSamples, passGamma;  // of resolve: how many; averages are of colours to this power
+  std::string passInput;   // sampler. fxaa, resolve: the picture; peelDepths: opaque depth in green, or -1;
+                           // peel: depths that peelDepths found; peelRest: depths of the remaining layers
+  std::string passOutput;  // fragment shader output. peelDepths: depths; peel: colour times opacity, and
+                           // opacity; sum: opacity in red (the other output is the colour)
+  FamilyValue passSamples, passGamma;  // of resolve: sample count; power of colours before they are averaged
   FamilyValue relativeContrast, hardContrast, subpixelBlendLimit, subpixelContrast, endpointSearchIterations;
 
-  // Painted edges of triangles, by a geometry shader: flags a triangle, width in pixels, colour.
+  // Edges of triangles that a geometry shader paints: flags per triangle, width in pixels, colour.
   std::string edgeFlags;  // buffer sampler; bit k: the edge from corner k to the next
   FamilyValue edgeWidth, edgeColor, edgeOpacity;
-  bool edgesGrow = true;        // corners are moved outwards; otherwise they stay
-  std::string edgeViewport;     // uniform: x, y, width, height, as the shader takes the viewport to be
+  bool edgesGrow = true;        // the shader moves corners outwards
+  std::string edgeViewport;     // uniform: x, y, width, height of the viewport that the shader assumes
   bool geometryShader = false;  // programs of the family have one
   FamilyImpostors impostors;
-  bool clipCenters = false;  // clip planes cut impostors away by their centres, or leave them whole
-  std::string clipPlanes, clipPlaneCount;  // uniform array of planes in object space, how many of them count
+  bool clipCenters = false;                // clip planes remove whole impostors by their centres
+  std::string clipPlanes, clipPlaneCount;  // uniform array of planes in object space; number of active ones
   FamilyValue depthOffset, depthFactor;    // added to window depth: offset, and factor times its slope
 
-  /// Every name that the family mentions, {} for the number of a light, arrays without [{}].
+  /// All names that the family mentions, with {} for the number of a light, arrays also without [{}].
   std::set<std::string, std::less<>> mentioned;
   Alternatives alternatives;  // of names in `mentioned`
   bool mentions(std::string_view name) const;
 };
 
-/// Families, the first that fits wins, and the code that they know.
+/// Families, of which the first that fits wins, and their known code.
 struct FamilyList {
   std::vector<std::shared_ptr<const Family>> families;
   CodeSections code;
 
-  /// Adds those of `more` behind these; sections of the same name become one.
+  /// Appends the families of `more`; merges sections of equal names.
   void append(const FamilyList& more);
   bool empty() const { return families.empty() && code.empty(); }
   size_t size() const { return families.size(); }
@@ -172,18 +169,18 @@ struct FamilyList {
   const std::shared_ptr<const Family>& operator[](size_t i) const { return families[i]; }
 };
 
-/// What is wrong with a family file, in one line with file and line number.
+/// A mistake in a family file, in one line with file and line number.
 struct FamilyError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Reads a family file's text; `file` names it in errors. Throws FamilyError.
+/// Parses a family file's text; `file` names it in errors. Throws FamilyError.
 FamilyList parseFamilies(std::string_view text, const std::string& file);
 
-/// Throws FamilyError, with file and line, where a family of `list` names a section that is not in `known`.
+/// Throws FamilyError, with file and line, if a family of `list` names a section that is not in `known`.
 void needSections(const FamilyList& list, const CodeSections& known);
 
-/// The families that are built in.
+/// The built-in families.
 const FamilyList& builtInFamilies();
 
 }  // namespace gluray::gl

@@ -1,4 +1,4 @@
-// Family files: TOML to Family.
+// Parses family files: TOML to Family.
 #include "gl/families/code_sections.h"
 #include "gl/families/family.h"
 #include "gl/families/family_table.h"
@@ -8,13 +8,13 @@
 namespace gluray::gl {
 namespace {
 
-/// Reads one [[family]] table. Every key that is asked for is known; others are mistakes.
+/// Reads one [[family]] table. Keys that it does not read are mistakes.
 class FamilyReader : FamilyTable {
  public:
   FamilyReader(const toml::table& table, const std::string& file, Family& family)
       : FamilyTable(table, file, family.mentioned, family.alternatives), family_(family) {}
 
-  /// `known`: what a family may inherit from.
+  /// `known`: the families that it may inherit from.
   void read(const std::vector<std::shared_ptr<const Family>>& known) {
     inherit(known);
     family_.name.clear();
@@ -57,7 +57,7 @@ class FamilyReader : FamilyTable {
       fail(here(), "family \"" + family_.name +
                        "\" needs vertex.position and transform.clip_from_object, or match.rasterise");
     if (family_.impostors.given() && !family_.clipPlanes.empty() && !family_.clipCenters)
-      fail(here(), "family \"" + family_.name + "\": of impostors, clip.planes need clip.centers = true");
+      fail(here(), "family \"" + family_.name + "\": impostors need clip.centers = true with clip.planes");
     if (family_.impostors.given() && !(family_.textures.empty() && family_.edgeFlags.empty()))
       fail(here(), "family \"" + family_.name + "\": impostors have neither textures nor edges");
     const bool pixels = scene::isSizedInPixels(family_.impostors.shape);
@@ -67,7 +67,7 @@ class FamilyReader : FamilyTable {
                        "\": beads, tubes and splats have impostors.depth_bias instead of depth");
     const bool splats = family_.impostors.shape == scene::Shape::splats;
     if (splats == family_.impostors.projection.empty())
-      fail(here(), "family \"" + family_.name + "\": splats, and they alone, need impostors.projection");
+      fail(here(), "family \"" + family_.name + "\": splats, and only splats, need impostors.projection");
     if (family_.impostors.given() && !pixels && !family_.impostors.radius.given())
       fail(here(), "family \"" + family_.name + "\" needs impostors.radius");
     if (family_.impostors.shape == scene::Shape::cylinders && family_.impostors.axis.empty())
@@ -75,7 +75,7 @@ class FamilyReader : FamilyTable {
   }
 
  private:
-  /// Begins with all that an earlier family says.
+  /// Starts with a copy of the inherited family, if any.
   void inherit(const std::vector<std::shared_ptr<const Family>>& known) {
     std::string from;
     text("inherits", from);
@@ -98,7 +98,7 @@ class FamilyReader : FamilyTable {
     flag("geometry_shader", family_.geometryShader);
     text("rasterise", family_.rasteriseBecause);
   }
-  /// "any" is what families say that hold whatever else the program computes.
+  /// code = "any": programs of the family may have any statements.
   void readCode() {
     texts("code", family_.code);
     if (has("code")) family_.codeAt = placeOf(at("code"));
@@ -187,9 +187,9 @@ class FamilyReader : FamilyTable {
             {"faces", Billboards::faces}},
            f.billboards);
     if ((f.billboards == Billboards::faces) && f.shape != Shape::cylinders)
-      fail(at(billboards), "billboards = \"faces\" are those of cylinders");
+      fail(at(billboards), "billboards = \"faces\" is for cylinders only");
     if (f.billboards == Billboards::triangle && f.shape == Shape::cylinders)
-      fail(at(billboards), "cylinders have no billboards = \"triangle\"");
+      fail(at(billboards), "billboards = \"triangle\" is not for cylinders");
     value("radius", f.radius);
     name("axis", f.axis);
     value("inside", f.inside);
@@ -206,7 +206,7 @@ class FamilyReader : FamilyTable {
     const bool pixels = scene::isSizedInPixels(f.shape);
     if (pixels && !(f.bulge.given() && f.bulgeDepth.given()))
       fail(here(), "beads and tubes need bulge and bulge_depth");
-    if (f.size.given() != (f.shape == Shape::tubes)) fail(here(), "tubes, and they alone, need size");
+    if (f.size.given() != (f.shape == Shape::tubes)) fail(here(), "tubes, and only tubes, need size");
   }
   void readPass() {
     choice("does",

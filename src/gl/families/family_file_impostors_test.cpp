@@ -1,4 +1,4 @@
-// Family files: what the keys of impostors do.
+// Family files: keys of impostors.
 #include "gl/families/family.h"
 #include "gl/families/test_family_text.h"
 
@@ -40,7 +40,7 @@ TEST(FamilyFile, ImpostorKeys) {
   EXPECT_NE(mistakeIn("impostors.shape = \"cylinders\"\nimpostors.radius = 1").find("needs impostors.axis"),
             std::string::npos);
   EXPECT_NE(mistakeIn("impostors.shape = \"spheres\"\nimpostors.billboards = \"faces\"\nimpostors.radius = 1")
-                .find("those of cylinders"),
+                .find("for cylinders only"),
             std::string::npos);
 }
 

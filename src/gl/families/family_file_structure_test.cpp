@@ -1,4 +1,4 @@
-// Family files as a whole: inheritance, sections, and what is said of every mistake.
+// Family files as a whole: inheritance, sections, and the message of every mistake.
 #include "gl/families/family.h"
 #include "gl/families/test_family_text.h"
 
@@ -32,7 +32,7 @@ TEST(FamilyFile, InheritsAndReplaces) {
   EXPECT_TRUE(f.mentions("c"));
 }
 
-TEST(FamilyFile, InheritsFromWhatIsThere) {
+TEST(FamilyFile, InheritsOnlyFromEarlierFamilies) {
   EXPECT_EQ(mistakeIn("inherits = \"ghost\""), "x.toml:6: there is no family \"ghost\" before this one");
 }
 
@@ -52,7 +52,7 @@ TEST(FamilyFile, PassKeys) {
             "x.toml:6: does must be one of: fxaa, peel_depths, peel, peel_rest, sum, resolve");
 }
 
-TEST(FamilyFile, SectionsMayBeWrittenInEitherWay) {
+TEST(FamilyFile, AcceptsDottedKeysAndSections) {
   const FamilyList list = parseFamilies(
       "[[family]]\nname = \"f\"\n[family.match]\nactive = [\"p\"]\n[family.vertex]\nposition = \"p\"\n"
       "[family.transform]\nclip_from_object = \"m\"\n[[family]]\nname = \"g\"\nmatch.any = \"q\"\n"
@@ -65,7 +65,7 @@ TEST(FamilyFile, SectionsMayBeWrittenInEitherWay) {
 
 TEST(FamilyFile, AnEmptyFileHasNoFamilies) { EXPECT_TRUE(parseFamilies("# nothing\n", "x.toml").empty()); }
 
-TEST(FamilyFile, NamesWithNumbersAreMentionedByTheirPattern) {
+TEST(FamilyFile, PatternsMentionNamesWithNumbers) {
   const Family f = parsed(
       "lights.color = \"lightColor{}\"\nlights.direction = \"set2_light{}_way\"\nlights.position = "
       "\"place[{}]\"\n");
@@ -96,9 +96,9 @@ TEST(FamilyFile, EveryMistakeHasItsLine) {
             "x.toml:6: opacity must be a uniform's name, a number or a list of numbers");
   EXPECT_EQ(mistakeIn("material.diffuse_color = [1, \"r\"]"),
             "x.toml:6: diffuse_color must be a uniform's name, a number or a list of numbers");
-  EXPECT_EQ(mistakeIn("material.diffuse_color = []"), "x.toml:6: diffuse_color has 1 to 4 numbers");
+  EXPECT_EQ(mistakeIn("material.diffuse_color = []"), "x.toml:6: diffuse_color must have 1 to 4 numbers");
   EXPECT_EQ(mistakeIn("material.diffuse_color = [1, 2, 3, 4, 5]"),
-            "x.toml:6: diffuse_color has 1 to 4 numbers");
+            "x.toml:6: diffuse_color must have 1 to 4 numbers");
   EXPECT_EQ(mistakeIn("lights.model = \"toon\""), "x.toml:6: model must be one of: unlit, phong, pbr");
   EXPECT_EQ(mistakeIn("lights.specular = \"none\""), "x.toml:6: specular must be one of: reflect, half");
   EXPECT_EQ(mistakeIn("normals.without = \"guess\""), "x.toml:6: without must be one of: refuse, triangle");
@@ -109,7 +109,7 @@ TEST(FamilyFile, EveryMistakeHasItsLine) {
   EXPECT_EQ(mistakeIn("name = \"twice\"").rfind("x.toml:6: ", 0), 0u) << "TOML has each key once";
 }
 
-TEST(FamilyFile, TheBuiltInOnesAreThere) {
+TEST(FamilyFile, BuiltInFamiliesExist) {
   const FamilyList& all = builtInFamilies();
   EXPECT_GE(all.size(), 8u);
   for (const auto& family : all) EXPECT_FALSE(family->name.empty());

@@ -1,4 +1,4 @@
-// Family files: what the keys of surfaces do.
+// Family files: keys of surfaces.
 #include "gl/families/family.h"
 #include "gl/families/test_family_text.h"
 
@@ -15,7 +15,7 @@ std::string mistakeIn(const std::string& line) { return mistake(kLeast + line + 
 using Names = std::vector<std::string>;
 using Numbers = std::vector<float>;
 
-TEST(FamilyFile, TheLeastThereCanBe) {
+TEST(FamilyFile, SmallestFamilyHasDefaults) {
   const Family f = parsed();
   EXPECT_EQ(f.name, "f");
   EXPECT_EQ(f.active, (Names{"p", "m"}));
@@ -30,7 +30,7 @@ TEST(FamilyFile, TheLeastThereCanBe) {
   EXPECT_EQ(f.mentioned, (std::set<std::string, std::less<>>{"p", "m"}));
 }
 
-TEST(FamilyFile, WhereANameStandsItsAlternativesMayStandToo) {
+TEST(FamilyFile, NamesMayHaveAlternatives) {
   const Family f = parsed(
       "vertex.normal = [\"n\", \"normal\", \"n3\"]\nmaterial.opacity = [\"o\", \"alpha\"]\n"
       "transform.eye_from_object = [\"v\", [\"w\", \"world\"]]\nmatch.ignored = [[\"i\", \"j\"]]\n");
@@ -40,7 +40,7 @@ TEST(FamilyFile, WhereANameStandsItsAlternativesMayStandToo) {
   EXPECT_EQ(f.ignored, Names{"i"});
   const Alternatives expected{{"n", {"normal", "n3"}}, {"o", {"alpha"}}, {"w", {"world"}}, {"i", {"j"}}};
   EXPECT_EQ(f.alternatives, expected);
-  EXPECT_FALSE(f.mentions("alpha")) << "only in place of what it stands for";
+  EXPECT_FALSE(f.mentions("alpha")) << "an alternative only replaces its name";
   EXPECT_EQ(mistakeIn("lights.color = [\"l{}\", \"k{}\"]"),
             "x.toml:6: color: names with {} have no alternatives");
   EXPECT_EQ(mistakeIn("vertex.normal = [\"n\", 3]"),
@@ -54,7 +54,7 @@ TEST(FamilyFile, NeutralValues) {
   EXPECT_EQ(mistakeIn("match.neutral = 1"), "x.toml:6: neutral must be a section");
   EXPECT_EQ(mistakeIn("match.neutral.m = \"unit\""),
             "x.toml:6: m must be \"identity\", a number or a list of numbers");
-  EXPECT_EQ(mistakeIn("match.neutral.m = []"), "x.toml:6: m has 1 to 16 numbers");
+  EXPECT_EQ(mistakeIn("match.neutral.m = []"), "x.toml:6: m must have 1 to 16 numbers");
 }
 
 TEST(FamilyFile, MatchKeys) {
@@ -69,7 +69,7 @@ TEST(FamilyFile, MatchKeys) {
   EXPECT_FALSE(f.strict);
   EXPECT_EQ(f.rasteriseBecause, "why");
   EXPECT_TRUE(f.mentions("a") && f.mentions("i"));
-  EXPECT_FALSE(f.mentions("b")) << "what must be absent is not known";
+  EXPECT_FALSE(f.mentions("b")) << "names in match.absent are not mentioned";
 }
 
 TEST(FamilyFile, VertexAndTransformKeys) {

@@ -5,7 +5,7 @@
 namespace gluray::gl {
 namespace {
 
-/// Calls add(node) for each of a list, or for the node itself.
+/// Calls add() for each node of a list, or for `node` itself.
 template <class Add>
 void eachOf(const toml::node& node, Add&& add) {
   const toml::array* list = node.as_array();
@@ -53,7 +53,7 @@ void FamilyTable::texts(const char* key, std::vector<std::string>& out) {
   });
 }
 
-/// Of a list, the first name; the others become its alternatives.
+/// The name or, of a list, the first name; the others become its alternatives.
 std::string FamilyTable::nameIn(const char* key, const toml::node& node) {
   std::vector<std::string> names;
   eachOf(node, [&](const toml::node& item) {
@@ -110,7 +110,7 @@ std::vector<float> FamilyTable::numbersIn(const char* key, const toml::node& nod
     numbers.push_back(static_cast<float>(*number));
   });
   if (numbers.empty() || numbers.size() > most)
-    fail(node, std::string(key) + " has 1 to " + std::to_string(most) + " numbers");
+    fail(node, std::string(key) + " must have 1 to " + std::to_string(most) + " numbers");
   return numbers;
 }
 

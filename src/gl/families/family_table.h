@@ -1,4 +1,4 @@
-// Family files word by word: a table of TOML, whose every key must be one that is asked for. Private to
+// Typed access to a TOML table of a family file; keys that nobody reads are errors. Private to
 // family_file.cpp and code_sections.cpp.
 #pragma once
 #include "gl/families/family.h"
@@ -12,30 +12,30 @@
 
 namespace gluray::gl {
 
-/// Reads a table and its sections. What is wrong is thrown as FamilyError with file and line.
+/// Reads a table and its sections. Throws FamilyError with file and line on mistakes.
 class FamilyTable {
  protected:
   using Names = decltype(Family::mentioned);
-  /// Names of variables are added to `mentioned`, their alternatives to `alternatives`.
+  /// Adds names of variables to `mentioned`, and their alternatives to `alternatives`.
   FamilyTable(const toml::table& table, const std::string& file, Names& mentioned, Alternatives& alternatives)
       : file_(file), mentioned_(mentioned), alternatives_(alternatives), table_(&table) {}
 
   [[noreturn]] void fail(const toml::node& at, const std::string& what) const;
-  const toml::node& here() const { return *table_; }  // the section that is read
+  const toml::node& here() const { return *table_; }  // the section being read
   bool has(const char* key) const { return table_->contains(key); }
   const toml::node& at(const char* key) const { return *table_->get(key); }
   std::string placeOf(const toml::node& node) const;  // "FILE:LINE"
 
-  /// A text without meaning as a name; several, or one.
+  /// A text that is not a variable's name; texts(): a list of them, or one.
   void text(const char* key, std::string& out);
   void texts(const char* key, std::vector<std::string>& out);
-  /// A variable's name, or a list: that and its alternatives. names(): several of them, or one name.
+  /// A variable's name, or a list of the name and its alternatives. names(): a list of these, or one name.
   void name(const char* key, std::string& out);
   void names(const char* key, std::vector<std::string>& out);
   void flag(const char* key, bool& out);
-  /// A uniform's name or a list of alternatives, a number, or a list of numbers.
+  /// A uniform's name or list of alternatives, a number, or a list of numbers.
   void value(const char* key, FamilyValue& out);
-  /// A section of names with the values at which they have no effect.
+  /// A section of uniforms with the values at which they have no effect.
   void neutralValues(const char* key, NeutralValues& out);
   /// One of several words.
   template <class Enum, size_t n>
@@ -65,7 +65,7 @@ class FamilyTable {
     known_.swap(known);
     table_ = outer;
   }
-  /// Keys that nobody has asked for are mistakes.
+  /// Throws if the section has a key that nobody has read.
   void allKnown() const;
 
  private:

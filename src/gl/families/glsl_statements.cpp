@@ -13,7 +13,7 @@ namespace {
 
 bool startsWith(std::string_view text, std::string_view with) { return text.substr(0, with.size()) == with; }
 
-/// "in vec4 a,b[6];" and the like: a qualifier, a type and names, perhaps a precision.
+/// Whether it is a declaration such as "in vec4 a,b[6];": a qualifier, maybe a precision, a type, names.
 bool isPlainInterface(std::string_view s) {
   constexpr std::string_view kQualifiers[] = {"in ", "out ", "varying ", "attribute "};
   constexpr std::string_view kPrecisions[] = {"highp ", "mediump ", "lowp "};
@@ -35,14 +35,14 @@ bool isPlainUniform(std::string_view s) {
   return startsWith(s, "uniform ") && s.find('{') == std::string_view::npos;
 }
 
-/// Whether a statement in normal form can change what is computed. `global`: it stands outside functions.
+/// Whether a statement in normal form can affect the result. `global`: it stands outside functions.
 bool matters(std::string_view s, bool global) {
   for (const std::string_view none : {"#version ", "#extension ", "#pragma ", "#line ", "precision "})
     if (startsWith(s, none)) return false;
   return !global || (!isPlainUniform(s) && !isPlainInterface(s));
 }
 
-/// Where the number of a light begins in the name at `from`, "lightColor3"; its end where there is none.
+/// Start of the light number in the name in [from, end), such as "lightColor3"; `end` if there is none.
 size_t lightNumber(std::string_view s, size_t from, size_t end) {
   if (!startsWith(s.substr(from, end - from), "light")) return end;
   size_t digits = end;
@@ -65,7 +65,7 @@ void eachLight(std::string_view s, Each&& each) {
   }
 }
 
-/// The number of the only light that the statement which begins at `start` speaks of reads "#".
+/// If the statement that begins at `start` names only one light, replaces its number by "#".
 void unnumberLight(std::string& code, size_t start) {
   char* const text = code.data() + start;
   const size_t size = code.size() - start;
@@ -83,7 +83,7 @@ void unnumberLight(std::string& code, size_t start) {
     std::memmove(text + to, text + from, end - from);
     to += end - from;
   };
-  // What is moved lies before the names that are still to be found.
+  // Text is moved only before the names that are still to be found.
   eachLight(s, [&](size_t number, size_t end) {
     keep(number);
     text[to++] = '#';
@@ -93,8 +93,7 @@ void unnumberLight(std::string& code, size_t start) {
   code.resize(start + to);
 }
 
-/// Appends tokens to `code`, statement by statement, where each statement ends to `ends`, and whether it
-/// stood there before to `repeated`.
+/// Appends to `code` the statements, to `ends` the end of each, and to `repeated` whether it occurred before.
 class Cutter {
  public:
   Cutter(std::string_view text, const GlslStatements::Renamed& renamed, std::string& code,
@@ -127,22 +126,21 @@ class Cutter {
   bool isEmpty() const { return code_.size() == start_; }
   std::string_view statement() const { return std::string_view(code_).substr(start_); }
 
-  /// Tokens are parted where they would run into one another, or by `space`.
+  /// Appends a token, after a space if `space`, or if it would otherwise merge with the one before.
   void add(std::string_view token, bool space) {
     const bool words = !isEmpty() && isWordPart(code_.back()) && isWordPart(token[0]);
     const bool number = !isEmpty() && code_.back() == '.' && isDigit(token[0]);
     if (words || number || space) code_ += ' ';
     code_ += token;
   }
-  /// "#define name text": one space after what was defined keeps macros with arguments apart from those
-  /// without.
+  /// "#define name text": the space after the name distinguishes macros without arguments from those with.
   void addDirective() {
     int words = 0;
     for (std::string_view t = tokens_.next(); !t.empty() && t != "\n"; t = tokens_.next())
       add(t, ++words == 2 || (words == 3 && t != "("));
     finish();
   }
-  /// Follows braces; ends the statement where it ends.
+  /// Counts braces and parentheses; marks the end of the statement.
   void count(std::string_view t) {
     if (t == "(") ++parentheses_;
     if (t == ")") --parentheses_;
@@ -150,11 +148,11 @@ class Cutter {
     if (t == "{" && braces_++ == 0 && opens(afterParenthesis)) return;
     if (t == "}") --braces_;
     if (parentheses_ > 0 || braces_ > 0) return;
-    // do { } while (x); and struct { } a; go on behind the brace.
+    // "do { } while (x);" and "struct { } a;" continue after the brace.
     const bool block = t == "}" && (inMain_ ? !startsWith(statement(), "do{") : body_);
     ended_ = block || t == ";";
   }
-  /// An opening brace. Whether a list of statements begins there: of main, or of a loop.
+  /// Handles an opening brace. True if the body of main or of a loop begins there.
   bool opens(bool afterParenthesis) {
     body_ = body_ || afterParenthesis;
     if (startsWith(statement(), "for(")) return ++loops_, finish(), true;
@@ -179,7 +177,7 @@ class Cutter {
   std::vector<size_t>& ends_;
   std::vector<bool>& repeated_;
   std::unordered_set<uint64_t> seen_;  // statements of this text
-  size_t start_;                       // of the statement that is being written
+  size_t start_;                       // of the statement being written
   int parentheses_ = 0, braces_ = 0, loops_ = 0;
   bool inMain_ = false, body_ = false, ended_ = false, parenthesisClosed_ = false;
 };
@@ -187,9 +185,8 @@ class Cutter {
 }  // namespace
 
 void GlslStatements::cut(std::string_view text, const Renamed& renamed) {
-  // One allocation for all, unless names grow: a token is no longer than what it was read from and gets one
-  // character before it at most, a space, or a line feed before "#"; the line feed at the end may come from
-  // nothing.
+  // One allocation, unless renaming makes names longer: a token is no longer than its source text, and at
+  // most one character, a space or a line feed, precedes it; a final line feed may have no source.
   code_.reserve(code_.size() + 2 * text.size() + 1);
   ends_.reserve(ends_.size() + 256);
   Cutter(text, renamed, code_, ends_, repeated_).cut();

@@ -1,5 +1,5 @@
-// GLSL as a list of statements in a normal form: without comments, white space that means nothing, and other
-// ways of writing the same number. Known statements (known_code.h) are compared in this form. Any thread.
+// Cuts GLSL into statements in a normal form: no comments, no needless white space, one spelling per number.
+// Known statements (known_code.h) are compared in this form. Any thread.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -8,25 +8,24 @@
 
 namespace gluray::gl {
 
-/// Statements in normal form, in the order in which they were cut. A statement is
+/// Statements in normal form, in the order of the text. A statement is
 /// - a preprocessor directive;
 /// - a declaration outside functions, or a whole function other than main;
-/// - within main, what ends at a semicolon, or at the brace that closes if, else or while with all that is in
-/// it;
-///   of a loop "for (...) {" what is before its brace, and then what is in it.
-/// Left out is what cannot change what is computed: #version, #extension, #pragma, #line, precision, and
-/// plain declarations of uniforms, inputs and outputs, which the real OpenGL names and checks. Lights are
-/// numbered: in a statement that speaks of one light alone ("lightColor3") its number reads "#".
+/// - in main, a statement up to its semicolon, or a whole if, else or while up to its closing brace;
+///   of a loop, its head "for (...) {", and then each statement of its body.
+/// Omitted are statements that do not affect the result: #version, #extension, #pragma, #line, precision, and
+/// plain declarations of uniforms, inputs and outputs, which the real OpenGL names and checks. In a statement
+/// that names only one light ("lightColor3"), the light's number becomes "#".
 class GlslStatements {
  public:
-  /// A name that reads as another.
+  /// Replaces the name `from` by `to`.
   struct Renamed {
     std::string from, to;
     bool operator==(const Renamed&) const = default;
   };
   /// Appends the statements of one shader's text.
   void cut(std::string_view text, const Renamed& renamed = {});
-  /// Whether statement i stood in the same shader's text before, with the same numbers of lights.
+  /// Whether statement i occurred earlier in the same shader's text, with the same light numbers.
   bool isRepeated(size_t i) const { return repeated_[i]; }
   size_t size() const { return ends_.size(); }
   /// Valid until cut() is called again.
@@ -36,7 +35,7 @@ class GlslStatements {
   }
 
  private:
-  std::string code_;  // the statements, one behind the other
+  std::string code_;  // the concatenated statements
   std::vector<size_t> ends_;
   std::vector<bool> repeated_;
 };

@@ -1,4 +1,4 @@
-// GLSL cut into statements: what is a statement, what is left out, and what counts as the same.
+// GLSL cut into statements: where they end, which are omitted, and which count as equal.
 #include "gl/families/glsl_statements.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-/// Cuts a copy that has nothing behind it, so that a sanitizer sees what is read beyond the end.
+/// Cuts an exact-size copy of the text, so that a sanitizer sees reads beyond its end.
 Texts cut(const std::string& text) {
   std::vector<char> exact(text.begin(), text.end());
   exact.shrink_to_fit();
@@ -21,10 +21,10 @@ Texts cut(const std::string& text) {
   for (size_t i = 0; i < statements.size(); ++i) texts.emplace_back(statements[i]);
   return texts;
 }
-/// What main is cut into that holds `text`.
+/// The statements of a main function with the body `text`.
 Texts body(const std::string& text) { return cut("void main() {\n" + text + "\n}\n"); }
 
-TEST(GlslStatements, CommentsAndWhiteSpaceMeanNothing) {
+TEST(GlslStatements, OmitsCommentsAndWhiteSpace) {
   EXPECT_EQ(body("  a /* b */ = // c\n  d\t+ e ;"), Texts{"a=d+e;"});
   EXPECT_EQ(body("vec3   a  =  b . xyz;"), Texts{"vec3 a=b.xyz;"});
   EXPECT_EQ(body("a = b /* not ended"), Texts{"a=b"});
@@ -33,7 +33,7 @@ TEST(GlslStatements, CommentsAndWhiteSpaceMeanNothing) {
   EXPECT_EQ(cut(""), Texts{});
 }
 
-TEST(GlslStatements, ANameMayReadAsAnother) {
+TEST(GlslStatements, RenamesOneName) {
   GlslStatements statements;
   statements.cut("void main() { a = texture(mine, t) + mine2 * b.mine; }", {"mine", "theirs"});
   ASSERT_EQ(statements.size(), 1u);
@@ -53,7 +53,7 @@ TEST(GlslStatements, NumbersHaveOneForm) {
   EXPECT_EQ(body("a=v2.x;"), Texts{"a=v2.x;"}) << "a name, not a number";
 }
 
-TEST(GlslStatements, ConditionsGoWithAllThatIsInThem) {
+TEST(GlslStatements, ConditionsIncludeTheirBody) {
   EXPECT_EQ(body("if (a) { b = 1; c = 2; } d = 3;"), (Texts{"if(a){b=1;c=2;}", "d=3;"}));
   EXPECT_EQ(body("if (a) { b; }\n else\n { c; } d;"), (Texts{"if(a){b;}else{c;}", "d;"}));
   EXPECT_EQ(body("if (a) b; else if (c) d; else e; f;"), (Texts{"if(a)b;else if(c)d;else e;", "f;"}));
@@ -62,7 +62,7 @@ TEST(GlslStatements, ConditionsGoWithAllThatIsInThem) {
   EXPECT_EQ(body("{ a; b; } c;"), (Texts{"{a;b;}", "c;"}));
 }
 
-TEST(GlslStatements, LoopsAreAListOfStatements) {
+TEST(GlslStatements, LoopBodiesAreCutIntoStatements) {
   EXPECT_EQ(body("for (int i = 0; i < 3; ++i) { a; if (b) c; } d;"),
             (Texts{"for(int i=0;i<3;++i){", "a;", "if(b)c;", "d;"}));
   EXPECT_EQ(body("for (;;) { for (;;) { a; } } b;"), (Texts{"for(;;){", "for(;;){", "a;", "b;"}));
@@ -72,14 +72,14 @@ TEST(GlslStatements, LoopsAreAListOfStatements) {
       << "main has ended";
 }
 
-TEST(GlslStatements, FunctionsAreOne) {
+TEST(GlslStatements, FunctionsAreOneStatement) {
   EXPECT_EQ(cut("float f(float x) { if (x > 0.0) { return x; } else { return 1.0; } }\nvec2 g(in vec2 a);"),
             (Texts{"float f(float x){if(x>0.){return x;}else{return 1.;}}", "vec2 g(in vec2 a);"}));
   EXPECT_EQ(cut("void main()\n{\n}\nvoid later() { a; }"), Texts{"void later(){a;}"});
   EXPECT_EQ(cut("struct S { vec3 a; };\nS s;"), (Texts{"struct S{vec3 a;};", "S s;"}));
 }
 
-TEST(GlslStatements, WhatCannotChangeWhatIsComputedIsLeftOut) {
+TEST(GlslStatements, OmitsStatementsWithoutEffect) {
   EXPECT_EQ(
       cut("#version 150\n#extension all : enable\n#pragma optimize(on)\n#line 3\nprecision highp float;\n"),
       Texts{});
@@ -92,7 +92,7 @@ TEST(GlslStatements, WhatCannotChangeWhatIsComputedIsLeftOut) {
     EXPECT_EQ(cut(text + "\n"), Texts{text});
 }
 
-TEST(GlslStatements, DirectivesAreStatementsWhereverTheyStand) {
+TEST(GlslStatements, DirectivesAreStatementsAnywhere) {
   EXPECT_EQ(cut("#ifdef A\n  # define  B  c // d\n#else // e\n#endif\n"),
             (Texts{"#ifdef A", "#define B c", "#else", "#endif"}));
   EXPECT_EQ(cut("#define A \\\n b\nvec3 c;"), (Texts{"#define A b", "vec3 c;"}));
@@ -101,7 +101,7 @@ TEST(GlslStatements, DirectivesAreStatementsWhereverTheyStand) {
   EXPECT_EQ(cut("#define A"), Texts{"#define A"}) << "the text ends with it";
 }
 
-TEST(GlslStatements, TheNumberOfTheOnlyLightMeansNothing) {
+TEST(GlslStatements, ReplacesTheNumberOfASingleLight) {
   EXPECT_EQ(body("a += lightColor0 * b;"), Texts{"a+=lightColor#*b;"});
   EXPECT_EQ(body("a += lightColor12 * lightWay12.x + b1;"), Texts{"a+=lightColor#*lightWay#.x+b1;"});
   EXPECT_EQ(body("a += lightColor0 * lightWay1;"), Texts{"a+=lightColor0*lightWay1;"}) << "two lights";
@@ -109,7 +109,7 @@ TEST(GlslStatements, TheNumberOfTheOnlyLightMeansNothing) {
 }
 
 // Texts whose normal form is longer than they are.
-TEST(GlslStatements, StatementsMayGrow) {
+TEST(GlslStatements, NormalFormMayBeLongerThanTheText) {
   EXPECT_EQ(cut("return.0;"), Texts{"return 0.;"});
   EXPECT_EQ(cut("#if !defined(A)\n#endif\n"), (Texts{"#if ! defined(A)", "#endif"}));
   EXPECT_EQ(cut("#if(A)"), Texts{"#if ( A)"});
@@ -120,7 +120,7 @@ TEST(GlslStatements, StatementsMayGrow) {
   EXPECT_EQ(cut("a\n#"), Texts{"a\n#\n"});
 }
 
-TEST(GlslStatements, TextsAreCutOneAfterTheOther) {
+TEST(GlslStatements, AppendsStatementsOfSeveralTexts) {
   GlslStatements statements;
   statements.cut("void main() { a; for (;;) {"), statements.cut("#define A"), statements.cut("");
   const std::string names(10000, 'b');  // more than there was room for
@@ -133,7 +133,7 @@ TEST(GlslStatements, TextsAreCutOneAfterTheOther) {
   EXPECT_EQ(statements[4], "c;");
 }
 
-TEST(GlslStatements, AnyTextIsCutWithinItsBounds) {
+TEST(GlslStatements, ReadsNoTextBeyondItsEnd) {
   for (const char* text : {"}",
                            "}}}",
                            "{",

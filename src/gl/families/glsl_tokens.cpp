@@ -4,7 +4,7 @@
 
 namespace gluray::gl {
 
-/// Skips what separates tokens; true where it stopped at a line feed that ends a directive.
+/// Skips white space and comments; true if it stopped at the line feed or end of text that ends a directive.
 bool GlslTokens::skip() {
   while (at_ < text_.size()) {
     const char c = peek();
@@ -53,8 +53,8 @@ std::string_view GlslTokens::word(size_t from) {
   return text_.substr(from, at_ - from);
 }
 
-/// Decimal fractions lose zeros at both ends and their suffix; whole numbers, hexadecimal ones and those with
-/// an exponent stay as they are.
+/// Strips decimal fractions of leading and trailing zeros and of their suffix; keeps integers, hexadecimal
+/// numbers and numbers with an exponent as they are.
 std::string_view GlslTokens::number(size_t from) {
   bool exponent = false;
   while (isWordPart(peek()) || peek() == '.' || (exponent && (peek() == '+' || peek() == '-'))) {

@@ -1,19 +1,18 @@
-// GLSL in tokens. Any thread.
+// Tokenizer for GLSL. Any thread.
 #pragma once
 #include <cstddef>
 #include <string_view>
 
 namespace gluray::gl {
 
-/// Reads tokens of a text one by one. Comments and continued lines are skipped; a line feed is a token where
-/// it ends a preprocessor directive, be it that the text ends there. Numbers have one form: 0.50f and .5 read
-/// ".5", and 0.0 and .0 read "0.". No token is longer than what it was read from, but for that line feed at
-/// the end.
+/// Reads the tokens of a text one by one. Skips comments and line continuations. The end of a preprocessor
+/// directive is a line feed token, even at the end of the text. Numbers have one form: 0.50f and .5 become
+/// ".5", 0.0 and .0 become "0.". Except for a final line feed, no token is longer than its source text.
 class GlslTokens {
  public:
   explicit GlslTokens(std::string_view text) : text_(text) {}
 
-  /// The next token; empty at the end. Valid as long as the text is.
+  /// The next token; empty at the end. Valid as long as the text.
   std::string_view next();
   /// Whether the token that next() returned begins a preprocessor directive.
   bool isDirective() const { return began_; }
@@ -26,8 +25,8 @@ class GlslTokens {
 
   std::string_view text_;
   size_t at_ = 0;
-  bool lineStart_ = true;   // nothing but white space since the line began
-  bool directive_ = false;  // within one
+  bool lineStart_ = true;   // only white space since the line began
+  bool directive_ = false;  // inside a preprocessor directive
   bool began_ = false;
 };
 

@@ -1,4 +1,4 @@
-// Names of GLSL's types, for what the user is told.
+// GLSL's names of types, for messages to the user.
 #pragma once
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -7,7 +7,7 @@
 
 namespace gluray::gl {
 
-/// As a shader declares a variable of that type; "another type" of types that no family can describe.
+/// The name in a shader's declarations; "another type" for types that no family can describe.
 constexpr std::string_view glslName(GLenum type) {
   switch (type) {
     case GL_FLOAT: return "float";

@@ -80,7 +80,7 @@ std::vector<std::string_view> unknownStatements(const GlslStatements& statements
 
 namespace {
 
-/// The blocks that begin with a statement, and all statements of blocks.
+/// Blocks by their first statement, and the set of all statements of blocks.
 class Blocks {
  public:
   explicit Blocks(const std::vector<const KnownCode*>& known) {
@@ -92,7 +92,7 @@ class Blocks {
     }
   }
   bool has(const Hash128& statement) const { return members_.contains(statement); }
-  /// How many statements from `i` on are a whole block, the longest there is; 0: none.
+  /// Length of the longest whole block that begins at statement `i`; 0: none.
   size_t lengthAt(const std::vector<Hash128>& statements, size_t i) const {
     size_t longest = 0;
     const auto [begin, end] = byFirst_.equal_range(statements[i]);
@@ -112,13 +112,13 @@ class Blocks {
   std::set<Hash128, Before> members_{isBefore};
 };
 
-/// Whether a statement that stands twice computes something twice.
+/// Whether a repetition of the statement computes something again.
 bool computes(std::string_view statement) {
   return statement[0] != '#' && statement.substr(0, 4) != "for(" &&
          statement.find('=') != std::string_view::npos;
 }
 
-/// Whether the name at `at`, `size` long, is written there: "name[i].xy=", "vec3 name=".
+/// Whether the statement writes the name at `at`, `size` long: "name[i].xy=", "vec3 name=".
 bool isWrite(std::string_view statement, size_t at, size_t size) {
   size_t end = at + size;
   const auto isPlace = [](char c) { return c == '.' || c == '[' || c == ']' || isWordPart(c); };
@@ -128,7 +128,7 @@ bool isWrite(std::string_view statement, size_t at, size_t size) {
 
 enum class Use { none, read, written };
 
-/// What a statement does with a name: one that reads it writes nothing that others did not.
+/// How a statement uses a name. One that reads and writes it counts as reading.
 Use useOf(std::string_view name, std::string_view statement) {
   Use use = Use::none;
   for (size_t at = statement.find(name); at != std::string_view::npos; at = statement.find(name, at + 1)) {

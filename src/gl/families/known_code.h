@@ -1,5 +1,5 @@
-// Statements of shaders whose effect families describe, in named sections: a program that has others computes
-// something that nobody has told us. Format: docs/program-families.md. Any thread.
+// Named sections of shader statements whose effect families describe. A program with other statements
+// computes something that we do not know. Format: docs/program-families.md. Any thread.
 #pragma once
 #include "base/hash.h"
 #include "gl/families/glsl_statements.h"
@@ -17,16 +17,16 @@ class KnownCode {
  public:
   /// Adds all statements of `text`.
   void add(std::string_view text);
-  /// Adds statements that stand one behind the other, all of them: blocks are parted by empty lines.
+  /// Adds blocks: statements that must occur together, in this order. Empty lines separate blocks.
   void addBlocks(std::string_view text);
-  /// Adds a name that some statement of the program must write where another one reads it.
+  /// Adds a name that some statement of a program must write if another one reads it.
   void addWritten(const std::string& name) { written_.insert(name); }
   void add(const KnownCode& more);
   bool has(Hash128 statement) const;
   size_t size() const { return statements_.size(); }
   const std::vector<std::vector<Hash128>>& blocks() const { return blocks_; }
   const std::set<std::string>& written() const { return written_; }
-  /// What users are to know of programs that have one of these statements; empty: nothing.
+  /// Note for users about programs that have one of these statements; may be empty.
   std::string note;
 
  private:
@@ -41,21 +41,21 @@ using CodeSections = std::map<std::string, KnownCode, std::less<>>;
 
 inline Hash128 hashOf(std::string_view statement) { return hashBytes(statement.data(), statement.size()); }
 
-/// Those of `statements` that none of the sections `names` has, each of them once, in their order.
+/// Those of `statements` that none of the sections `names` has, in order, without repetitions.
 std::vector<std::string_view> unknownStatements(const GlslStatements& statements,
                                                 const CodeSections& sections,
                                                 const std::vector<std::string>& names);
 
-/// Those of `statements`, each of them once, that stand without the rest of a block that the sections have
-/// them in, and known ones of no block that compute something a second time in one shader.
+/// Those of `statements`, without repetitions, that belong to a block of the sections but occur without the
+/// rest of it, and known ones outside blocks that compute something a second time in one shader.
 std::vector<std::string_view> strayStatements(const GlslStatements& statements, const CodeSections& sections,
                                               const std::vector<std::string>& names);
 
-/// Names that `statements` read and none of them writes, though the sections say that they must be written.
+/// Names of addWritten() that some of `statements` reads and none writes.
 std::vector<std::string> unwrittenNames(const GlslStatements& statements, const CodeSections& sections,
                                         const std::vector<std::string>& names);
 
-/// Notes of those sections of `names` of which there are statements, one after the other.
+/// The notes of those sections of `names` that have any of the statements, joined by "; ".
 std::string notesOn(const GlslStatements& statements, const CodeSections& sections,
                     const std::vector<std::string>& names);
 

@@ -1,4 +1,4 @@
-// What programs must hold beside known statements: whole blocks, nothing twice, and what others read.
+// Further conditions on known statements: whole blocks, no repetitions, names that are read are written.
 #include "gl/families/known_code.h"
 
 #include <gtest/gtest.h>
@@ -36,10 +36,9 @@ TEST_F(KnownCodeTest, StatementsOfBlocksAreKnown) {
   EXPECT_TRUE(unknownStatements(statements, sections_, {"one"}).empty());
 }
 
-TEST_F(KnownCodeTest, BlocksAreThereAsAWhole) {
+TEST_F(KnownCodeTest, WholeBlocksAreNotStray) {
   EXPECT_EQ(stray("a = 1.; b = a; c = light3; d = a;"), Texts{});
-  EXPECT_EQ(stray("a = 1.; b = a; c = light3; a = 1.; b = a; c = light4;"), Texts{})
-      << "a block of each light";
+  EXPECT_EQ(stray("a = 1.; b = a; c = light3; a = 1.; b = a; c = light4;"), Texts{}) << "one block per light";
   EXPECT_EQ(stray("a = 1.; b = a;"), Texts{}) << "a shorter one";
   EXPECT_EQ(stray("float q = b; q *= 2.;"), Texts{});
 }
@@ -52,15 +51,15 @@ TEST_F(KnownCodeTest, PartsOfBlocksAreStray) {
   EXPECT_EQ(stray("a = 1.; d = a; b = a;"), (Texts{"a=1.;", "b=a;"})) << "with something between";
 }
 
-TEST_F(KnownCodeTest, NothingIsComputedTwice) {
+TEST_F(KnownCodeTest, RepeatedComputationsAreStray) {
   EXPECT_EQ(stray("d = a; float a; d = a;"), Texts{"d=a;"});
-  EXPECT_EQ(stray("d = light1; d = light2;"), Texts{}) << "of two lights";
+  EXPECT_EQ(stray("d = light1; d = light2;"), Texts{}) << "two lights";
   EXPECT_EQ(stray("f(); f(); for (i = 0; i < 3; ++i) { } for (i = 0; i < 3; ++i) { }"), Texts{});
 }
 
 TEST_F(KnownCodeTest, UnknownStatementsAreNotStrayAsWell) { EXPECT_EQ(stray("z = 1.; z = 1.;"), Texts{}); }
 
-TEST_F(KnownCodeTest, WhatIsReadIsWrittenBefore) {
+TEST_F(KnownCodeTest, NamesThatAreReadMustBeWritten) {
   EXPECT_EQ(unwritten("vOut = x;", "vec3 n = vOut;"), Texts{});
   EXPECT_EQ(unwritten("vOut[i].xy = x;", "vec3 n = vOut;"), Texts{});
   EXPECT_EQ(unwritten("if (c) { vOut = x; } else { vOut = y; }", "vec3 n = vOut;"), Texts{});

@@ -36,13 +36,13 @@ void needSource(ProgramSource& program, const Family& f, std::vector<std::string
     if (source.find(text) != std::string::npos) out.push_back(about("has in its source ", text));
 }
 
-/// The program's statements, as the family names its textures.
+/// The program's statements, with its texture renamed to the family's name.
 const GlslStatements& statementsFor(const Family& f, const Program& p, ProgramSource& source) {
   const auto other = p.renamed.find(f.anyTexture);
   return other == p.renamed.end() ? source.statements() : source.statements({other->second, other->first});
 }
 
-/// Statements that none of the family's sections of code has.
+/// Requires all statements to be in the family's sections of code.
 void needCode(const Program& program, ProgramSource& source, const Family& f, const CodeSections& code,
               std::vector<std::string>& out) {
   if (f.code.empty()) return;
@@ -52,8 +52,8 @@ void needCode(const Program& program, ProgramSource& source, const Family& f, co
   for (const std::string_view statement : unknownStatements(statements, code, f.code))
     out.push_back(about("has the unknown statement ", std::string(statement)));
   for (const std::string_view statement : strayStatements(statements, code, f.code))
-    out.push_back(about("has the statement ", std::string(statement),
-                        " twice, or without what belongs before and behind it"));
+    out.push_back(
+        about("has the statement ", std::string(statement), " twice, or without the rest of its block"));
   for (const std::string& name : unwrittenNames(statements, code, f.code))
     out.push_back(about("reads ", name, ", which it does not write"));
 }
@@ -65,13 +65,13 @@ void refuseActive(const RealGl& real, const Program& p, const Family& f, std::ve
     if (hasOutput(real, p, name)) out.push_back(about("has output ", name));
 }
 
-/// Whether the family speaks of a variable, by its own name or another.
+/// Whether the family mentions a variable, by its name or as an alternative.
 bool isKnown(const std::string& name, const Family& f, const Renames& renamed) {
   const auto isTaken = [&](const auto& pair) { return pair.second == name; };
   return f.mentions(name) || std::any_of(renamed.begin(), renamed.end(), isTaken);
 }
 
-/// The sampler2D that the family does not speak of; null where there is none, or are several.
+/// The only sampler2D that the family does not mention; null if there is none or several.
 const std::string* onlyUnknownTexture(const Program& p, const Family& f, const Renames& renamed) {
   const std::string* only = nullptr;
   for (const auto& [name, uniform] : p.uniforms) {
@@ -93,7 +93,7 @@ void needMentioned(const Program& p, const Family& f, std::vector<std::string>& 
   for (const auto& [name, attribute] : p.attributes) check("has attribute ", name, attribute.type);
 }
 
-/// Types that a variable may have to mean what the family says.
+/// A set of types that a variable may have in its role in a family.
 struct Types {
   const char* what;
   bool (*fit)(GLenum type);
@@ -110,7 +110,7 @@ const Types kLinear{"a mat3 or mat4", [](GLenum t) { return t == GL_FLOAT_MAT3 |
 const Types kImage{"a sampler", [](GLenum t) { return t == GL_SAMPLER_2D || t == GL_SAMPLER_1D; }};
 const Types kBuffer{"a samplerBuffer", [](GLenum t) { return t == GL_SAMPLER_BUFFER; }};
 
-/// Variables that are there but of another type.
+/// Reports variables of wrong types.
 class TypeCheck {
  public:
   TypeCheck(const Program& p, std::vector<std::string>& out) : p_(p), out_(out) {}
@@ -133,7 +133,7 @@ class TypeCheck {
     values({&m.ambientIntensity, &m.ambientColor, &m.diffuseIntensity, &m.diffuseColor, &m.specularIntensity,
             &m.specularColor, &m.shininess, &m.opacity});
   }
-  /// Of the first light, or of the array that holds all.
+  /// Checks the first light's variable, or the array that holds all lights'.
   void light(const std::string& pattern, const Types& types) const {
     if (pattern.ends_with("[{}]")) return uniform(pattern.substr(0, pattern.size() - 4), types);
     const size_t at = pattern.find("{}");
@@ -182,7 +182,7 @@ void needTypes(const Program& p, const Family& f, std::vector<std::string>& out)
     if (isDouble(uniform.type)) out.push_back(about("has ", name, " in double precision"));
 }
 
-/// What tracing needs of any program.
+/// Requires what tracing needs of any program.
 void needSources(const Program& p, const Family& f, std::vector<std::string>& out) {
   if (!f.rasteriseBecause.empty()) return;
   if (p.geometryShader && !f.geometryShader) out.push_back("has a geometry shader");
@@ -205,7 +205,7 @@ void needSources(const Program& p, const Family& f, std::vector<std::string>& ou
 
 namespace {
 
-/// `unknown`: whether it is statements alone that keep the program from being one of the family.
+/// `unknown`: set if the program fits except for its statements.
 std::vector<std::string> obstacles(const RealGl& real, const Program& program, const Family& family,
                                    const CodeSections& code, ProgramSource& source, bool& unknown) {
   std::vector<std::string> out;
@@ -266,7 +266,7 @@ std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, c
         known->note = notesOn(statementsFor(*family, known->program, source), families.code, family->code);
       return known;
     }
-    // A family that is never traced tells nobody what to change; one that fits but for statements says most.
+    // Name the nearest family: not one that is never traced, and best one that fits except for statements.
     if (!family->rasteriseBecause.empty()) continue;
     if (!nearest || unknown > known->unknownCode ||
         (unknown == known->unknownCode && found.size() < fewest.size()))
@@ -281,7 +281,7 @@ std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, c
     if (fewest.size() > 4)
       known->why.append(" and ").append(std::to_string(fewest.size() - 4)).append(" more");
     if (known->unknownCode)
-      known->why.append("; what of it changes nothing can be added to [[code]] section \"")
+      known->why.append("; statements that do not affect the picture can be added to [[code]] section \"")
           .append(nearest->code.back())
           .append("\" by a file for --program-families");
   }

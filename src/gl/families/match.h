@@ -1,4 +1,4 @@
-// Which family a program belongs to. GL thread, context current.
+// Finds the family that a program fits. GL thread, context current.
 #pragma once
 #include "gl/families/family.h"
 #include "gl/programs/program.h"
@@ -10,24 +10,24 @@
 
 namespace gluray::gl {
 
-/// A program with the family that describes it.
+/// A program with its family.
 struct KnownProgram {
   Program program;
   std::shared_ptr<const Family> family;  // null: none fits
-  std::string why;           // of programs that are not traced, for the user: "family X: lacks uniform y"
-  std::string note;          // of programs that are traced: what a family had to decide
-  bool unknownCode = false;  // a family fits but for statements that it does not know
+  std::string why;                       // for the user: why it is not traced; empty if it is
+  std::string note;                      // for the user, if it is traced: notes of its code sections
+  bool unknownCode = false;              // the nearest family fits except for unknown statements
 };
 
-/// For each name of the family that the program lacks, the first of its alternatives that the program has;
-/// for Family::anyTexture the program's only other texture.
+/// For each name of the family that the program lacks, the first alternative that the program has; for
+/// Family::anyTexture the program's only unknown sampler2D.
 Renames renamedBy(const Program& program, const Family& family);
 
-/// What keeps `program` from being one of `family`, which knows sections of `code`; empty where nothing does.
+/// Reasons why `program` does not fit `family`, whose known sections are in `code`; empty if it fits.
 std::vector<std::string> obstacles(const RealGl& real, Program program, const Family& family,
                                    const CodeSections& code = {});
 
-/// Reads the program and finds its family.
+/// Queries the program and finds its family.
 std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, const FamilyList& families);
 
 }  // namespace gluray::gl

@@ -1,4 +1,4 @@
-// Which family a program fits, by the statements of its sources.
+// Whether programs fit a family, by the statements of their sources.
 #include "gl/families/test_match.h"
 
 #include <gtest/gtest.h>
@@ -32,12 +32,12 @@ TEST_F(Match, ATextureMayHaveAnyName) {
   fragment = "void main() { color = 2. * texture(bricks, p); }";
   EXPECT_EQ(found(p), Lines{"has the unknown statement \"color=2.*texture(t1,p);\""});
   fragment = "float t1; void main() { color = texture(bricks, p); }";
-  EXPECT_EQ(found(p).size(), 2u) << "the family's name means something else";
+  EXPECT_EQ(found(p).size(), 2u) << "the text uses the family's name otherwise";
 
   p.uniforms["t1"].type = GL_SAMPLER_2D;
   EXPECT_EQ(found(p), Lines{"has uniform \"bricks\" (sampler2D), of which the family says nothing"});
   p.uniforms.erase("t1"), p.uniforms["wood"].type = GL_SAMPLER_2D;
-  EXPECT_EQ(found(p).size(), 2u) << "which of them is the one?";
+  EXPECT_EQ(found(p).size(), 2u) << "two candidates";
   p.uniforms.erase("wood"), p.uniforms["bricks"].type = GL_SAMPLER_CUBE;
   EXPECT_EQ(found(p).size(), 1u);
 }
@@ -69,11 +69,11 @@ TEST_F(Match, BlocksMustBeWhole) {
   fragment = "void main() { c = 1.0; d = c; }";
   EXPECT_EQ(found(), Lines{});
   fragment = "void main() { d = c; color = v; }";
-  EXPECT_EQ(found(), (Lines{"has the statement \"d=c;\" twice, or without what belongs before and behind it",
+  EXPECT_EQ(found(), (Lines{"has the statement \"d=c;\" twice, or without the rest of its block",
                             "reads \"v\", which it does not write"}));
 }
 
-TEST_F(Match, SourcesMustBeReadAsAWhole) {
+TEST_F(Match, SourcesMustBeComplete) {
   const FamilyList list = parseFamilies(std::string(kFamily) + kCode, "f.toml");
   const auto found = [&] { return obstacles(real_, fitting(), *list.front(), list.code); };
   const Lines unread{"has no source that could be read"};
@@ -90,24 +90,24 @@ TEST_F(Match, SourcesMustBeReadAsAWhole) {
     attachBoth(), g_shaders[shader].hasText = false;
     EXPECT_EQ(found(), unread) << "no source, as after glShaderBinary";
     attachBoth(), g_shaders[shader].text.clear();
-    EXPECT_EQ(found(), unread) << "an empty text says nothing of what is computed";
+    EXPECT_EQ(found(), unread) << "an empty text";
   }
   attachBoth(), g_shaders[0].text = g_shaders[1].text = "void main() {}";
-  EXPECT_EQ(found(), unread) << "texts that were given after linking";
+  EXPECT_EQ(found(), unread) << "texts that were replaced after linking";
   attachBoth(), g_shaders.push_back({GL_FRAGMENT_SHADER, "", false});
-  EXPECT_EQ(found(), unread) << "of one of two";
+  EXPECT_EQ(found(), unread) << "a second fragment shader without text";
   attachBoth(), g_shaders.push_back({GL_FRAGMENT_SHADER, "float f() { return 1.0; }"});
   EXPECT_EQ(found(), Lines{"has the unknown statement \"float f(){return 1.;}\""});
   attachBoth(), g_shaders.resize(32, g_shaders[1]);
   EXPECT_EQ(found(), Lines{});
   g_shaders.push_back({GL_FRAGMENT_SHADER, "float f() { return 1.0; }"});
-  EXPECT_EQ(found(), unread) << "more shaders than are read";
+  EXPECT_EQ(found(), unread) << "more shaders than we read";
   attachBoth();
   real_.GetProgramiv = [](GLuint, GLenum, GLint* count) { *count = 3; };
-  EXPECT_EQ(found(), unread) << "a shader that OpenGL does not name";
+  EXPECT_EQ(found(), unread) << "OpenGL lists fewer shaders than are attached";
 }
 
-TEST_F(Match, GeometryShadersMustBeReadToo) {
+TEST_F(Match, SourcesOfGeometryShadersMustBeComplete) {
   const FamilyList list =
       parseFamilies(std::string(kFamily) + "match.geometry_shader = true\n" + kCode, "f.toml");
   Program program = fitting();

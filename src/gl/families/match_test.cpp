@@ -1,4 +1,4 @@
-// Which family a program fits, by its names.
+// Whether programs fit a family, by the names of their variables.
 #include "gl/families/test_match.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace gluray::gl {
 namespace {
 
-TEST_F(Match, FitsWithLessThanTheFamilyMentions) {
+TEST_F(Match, ProgramMayLackVariablesOfTheFamily) {
   EXPECT_EQ(obstaclesOf(fitting()), Lines{});
   Program p = fitting();
   p.uniforms["time"].type = GL_FLOAT;
@@ -20,7 +20,7 @@ TEST_F(Match, FitsWithLessThanTheFamilyMentions) {
   EXPECT_EQ(obstaclesOf(p), Lines{});
 }
 
-TEST_F(Match, SaysWhatIsMissing) {
+TEST_F(Match, ReportsMissingVariables) {
   Program p = fitting();
   p.linked = false;
   EXPECT_EQ(obstaclesOf(p), Lines{"is not linked"});
@@ -34,7 +34,7 @@ TEST_F(Match, SaysWhatIsMissing) {
   EXPECT_EQ(obstaclesOf(p), (Lines{"lacks \"m\"", "lacks uniform \"m\""}));
 }
 
-TEST_F(Match, SaysWhatIsTooMuch) {
+TEST_F(Match, ReportsUnwantedVariables) {
   Program p = fitting();
   p.uniforms["bad"].type = GL_FLOAT;
   EXPECT_EQ(obstaclesOf(p),
@@ -50,7 +50,7 @@ TEST_F(Match, SaysWhatIsTooMuch) {
   EXPECT_EQ(obstaclesOf(fitting()), Lines{"has output \"second\""});
 }
 
-TEST_F(Match, TypesMustMeanWhatTheFamilySays) {
+TEST_F(Match, TypesMustFitTheirRole) {
   const auto with = [&](const char* name, GLenum type) {
     Program p = fitting();
     p.uniforms[name].type = type;
@@ -73,7 +73,7 @@ TEST_F(Match, TypesMustMeanWhatTheFamilySays) {
   EXPECT_EQ(obstaclesOf(p), Lines{"has \"p\", which is not a vector"});
 }
 
-TEST_F(Match, AlternativesStandForNamesThatAreNotThere) {
+TEST_F(Match, AlternativesReplaceMissingNames) {
   std::string text = kFamily;
   text.replace(text.find("\"p\"\nvertex.normal"), 3, "[\"p\", \"place2\", \"place3\"]");
   text.replace(text.find("= \"map\""), 7, "= [\"map\", \"colors\"]");
@@ -88,13 +88,13 @@ TEST_F(Match, AlternativesStandForNamesThatAreNotThere) {
   p.attributes["place2"].type = GL_FLOAT_VEC3;
   EXPECT_EQ(obstacles(real_, p, *family),
             Lines{"has attribute \"place3\" (vec3), of which the family says nothing"})
-      << "the first that is there stands for the name, and no other";
+      << "the first existing alternative replaces the name, and no other";
   p.attributes["p"].type = GL_FLOAT_VEC3, p.attributes.erase("place2"), p.attributes.erase("place3");
   p.uniforms["colors"].type = GL_FLOAT_MAT4;
   EXPECT_EQ(obstacles(real_, p, *family), Lines{"has \"map\", which is not a sampler"});
 }
 
-TEST_F(Match, RecognisedProgramsKeepWhatIsRenamedByTheirFamilyAlone) {
+TEST_F(Match, RecognisedProgramsKeepOnlyTheirOwnFamilysRenames) {
   FamilyList list = parseFamilies(
       "[[family]]\nname = \"far\"\nmatch.active = [\"p\", \"q\"]\nvertex.position = [\"q\", \"n\"]\n"
       "transform.clip_from_object = \"m\"\n",

@@ -1,4 +1,4 @@
-// What tests of family files share.
+// Helpers for tests of family files.
 #pragma once
 #include "gl/families/family.h"
 
@@ -8,12 +8,12 @@
 
 namespace gluray::gl {
 
-/// Four lines, complete.
+/// The smallest complete family.
 inline const std::string kLeast =
     "[[family]]\nname = \"f\"\nmatch.active = [\"p\", \"m\"]\nvertex.position = \"p\"\n"
     "transform.clip_from_object = \"m\"\n";
 
-/// What parseFamilies() finds wrong with the file x.toml.
+/// The error of parseFamilies() for a file x.toml with this text; "none" if there is none.
 inline std::string mistake(const std::string& text) {
   try {
     parseFamilies(text, "x.toml");
@@ -21,7 +21,7 @@ inline std::string mistake(const std::string& text) {
   return "none";
 }
 
-/// The one family of that file with `more` lines.
+/// The family kLeast with `more` lines appended.
 inline Family parsed(const std::string& more = "") {
   const FamilyList list = parseFamilies(kLeast + more, "x.toml");
   EXPECT_EQ(list.size(), 1u);

@@ -1,4 +1,4 @@
-// Programs that are nothing but names and sources, for tests of which family a program fits.
+// Fake programs, made of names and sources alone, for tests of match.h.
 #pragma once
 #include "gl/families/match.h"
 
@@ -20,9 +20,9 @@ struct FakeShader {
   std::string text;
   bool hasText = true;
 };
-inline std::vector<FakeShader> g_shaders;  // those that are attached
+inline std::vector<FakeShader> g_shaders;  // the attached ones
 
-/// An OpenGL that knows outputs of fragment shaders and sources alone.
+/// An OpenGL that only answers queries about fragment shader outputs and shader sources.
 inline RealGl fakeGl() {
   RealGl real{};
   loadRealGl(
@@ -88,7 +88,7 @@ class Match : public testing::Test {
     return programOf({{"m", GL_FLOAT_MAT4}, {"dc", GL_FLOAT_VEC3}, {"light0", GL_FLOAT_VEC3}},
                      {{"p", GL_FLOAT_VEC3}, {"n", GL_FLOAT_VEC3}});
   }
-  /// Attaches a vertex and a fragment shader whose statements kCode has; returns the latter's text.
+  /// Attaches a vertex and a fragment shader whose statements are known; returns the fragment shader's text.
   static std::string& attachBoth() {
     g_shaders = {
         {GL_VERTEX_SHADER, "#version 150\nin vec4 p; uniform mat4 m;\nvoid main() { gl_Position = m*p; }"},

@@ -1,5 +1,5 @@
-// Surfaces that are blended in the order of drawing (scene::Layers::Of::drawn, ADR 0038): fixed function with
-// blending on, or without depth writes. What they are drawn over is read when their batch is presented.
+// Surfaces that are blended in drawing order (scene::Layers::Of::drawn, ADR 0038): fixed function with
+// blending on, or without depth writes. Colour and depth beneath are read when the batch is presented.
 #include "gl/draws/affine.h"
 #include "gl/errors.h"
 #include "gl/layers/layer_draws.h"
@@ -12,7 +12,7 @@
 namespace gluray::gl {
 namespace {
 
-/// The pixels of `region` that an instance may reach: those of its mesh's bounds.
+/// The pixels of the snapshot's region that the bounds of the instance's mesh may cover.
 scene::Region reachedBy(const scene::Snapshot& s, const scene::Instance& instance) {
   glm::dvec2 lower(INFINITY), upper(-INFINITY);
   for (const glm::dvec4& clip : boundsInClip(*instance.mesh, s.camera.clipFromEye * instance.eyeFromObject)) {
@@ -73,7 +73,7 @@ bool LayerDraws::readUnder() {
   scene::Region region;
   for (const scene::Instance& instance : waiting.instances)
     region = united(region, reachedBy(waiting, instance));
-  if (region.width <= 0) region = {waiting.region.x, waiting.region.y, 1, 1};  // nothing is seen of them
+  if (region.width <= 0) region = {waiting.region.x, waiting.region.y, 1, 1};  // none of them is visible
   auto layers = std::make_shared<scene::Layers>(*waiting.layers);
   if (!p_.flusher.presenter.reader().readDepth(p_.shadow.real, region, layers->opaqueDepth) ||
       !p_.flusher.presenter.reader().readColors(p_.shadow.real, region, layers->colors))

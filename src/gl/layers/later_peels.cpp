@@ -1,5 +1,6 @@
-// Peels after the first one, whose layers are traced already: they are held back, and what the program counts
-// to know when to end is what they would have written, until it has drawn as many as show all layers.
+// Peels after the first one, whose layers are traced already. They are held back until the program has drawn
+// enough peels to show all layers. The occlusion queries by which it decides when to stop count the pixels
+// that the peels would have written.
 #include "gl/errors.h"
 #include "gl/layers/layer_draws.h"
 #include "gl/layers/peel_limits.h"
@@ -16,7 +17,7 @@
 namespace gluray::gl {
 namespace {
 
-/// The texture that farthest layers go to, among the three that the first peel writes; 0: it writes others.
+/// The texture among the first peel's three outputs that takes farthest layers; 0: its outputs are others.
 GLuint behindOf(const LayersTarget& target) {
   if (target.surfaces.outputs.size() != 3) return 0;
   GLuint behind = 0, others = 0;
@@ -29,7 +30,7 @@ GLuint behindOf(const LayersTarget& target) {
   return others == 2 ? behind : 0;
 }
 
-/// Whether what is drawn is put over what is there, all channels of it, where no depth is tested.
+/// Whether draws blend over the framebuffer: premultiplied alpha, all channels, no depth or stencil test.
 bool putsOver(const RealGl& real, const RareState& has) {
   const auto is = [&](GLenum name, GLint value) { return integer(real, name) == value; };
   return isOn(real, GL_BLEND) && !isOn(real, GL_DEPTH_TEST) && !isOn(real, GL_STENCIL_TEST) &&
@@ -39,7 +40,7 @@ bool putsOver(const RealGl& real, const RareState& has) {
          clearsInFull(real, has, GL_COLOR_BUFFER_BIT);
 }
 
-/// Whether a draw by a program of no family can be kept.
+/// Whether a draw by a program without family can be kept: all its arrays are in buffers.
 bool isInBuffers(const ArrayState& arrays, const Elements& elements) {
   const bool known = arrays.reason == Reason::traced || arrays.reason == Reason::arrayState;
   return known && !elements.type && !arrays.vertex.enabled &&
@@ -47,7 +48,7 @@ bool isInBuffers(const ArrayState& arrays, const Elements& elements) {
                      [](const ArraySource& source) { return source.buffer != nullptr; });
 }
 
-/// Where the newest peel goes, the first one or a later one.
+/// The outputs of the newest peel, be it the first or a later one.
 const std::vector<HeldPass::Output>& newestOutputs(const LayersTarget& target) {
   const auto isPeel = [](const HeldPass& pass) {
     return !pass.clear && pass.blend == HeldPass::Blend::largest;
@@ -75,8 +76,8 @@ void LayerDraws::ask(PresentResult& result) {
   peeling_.blended = false;
 }
 
-/// Whether what is drawn now belongs to the first peel, of which a part was traced because a program was made
-/// meanwhile.
+/// Whether the current draw belongs to the first peel, a part of which was traced early because the program
+/// linked a shader program in between.
 bool LayerDraws::joinsFirstPeel() const {
   const ProgramState& program = p_.shadow.state.program;
   if (!peeling_.target.later.empty() || p_.shadow.activeQueries > 0 ||
@@ -137,7 +138,7 @@ bool LayerDraws::addPeel(GLenum mode, const Elements& elements) {
   return true;
 }
 
-/// What puts the farthest layers of a peel over those before, and is counted.
+/// Holds back the counted draw that blends a peel's farthest layers over those of earlier peels.
 bool LayerDraws::addBlended(GLenum mode, const Elements& elements) {
   const auto pixels = surelyWritten(peeling_.counts, peeling_.peel);
   if (peeling_.blended || !pixels || peeling_.query != GL_SAMPLES_PASSED ||
@@ -159,7 +160,7 @@ bool LayerDraws::addBlended(GLenum mode, const Elements& elements) {
   return true;
 }
 
-/// Whether what is drawn now is what the newest peel has left, over its farthest layers.
+/// Whether the current draw blends the layers that the newest peel has left over its farthest layers.
 bool LayerDraws::blendsRest() const {
   const ProgramState& program = p_.shadow.state.program;
   if (!peeling_.blended || p_.shadow.activeQueries > 0 || passOf(program) != Family::Pass::peelRest ||
@@ -180,7 +181,7 @@ bool LayerDraws::drawsNothing() {
   return peeling_.emptied != 0;
 }
 
-/// The picture that waits becomes that of so many peels (scene::Layers::peels). False where it cannot, and
+/// Traces the waiting picture again as of `peels` peels (scene::Layers::peels). False if that fails; then
 /// nothing waits any more.
 bool LayerDraws::traceAgain(uint32_t peels) {
   if (peeling_.layers->peels == peels) return true;
@@ -224,14 +225,14 @@ void LayerDraws::queryBegins(GLenum target, GLuint name) {
   if (p_.shadow.activeQueries > 0) return giveUp();
   peeling_.query = target, peeling_.queryName = name;
   if (showsAll(peeling_.peel, peeling_.counts, peeling_.target.opaqueDepths.size())) {
-    // Of more peels than the picture's, all count.
+    // The picture was traced for fewer peels: trace it with all of them.
     if (peeling_.layers->peels >= peeling_.peel || traceAgain(0)) showWaiting();
   } else if (!surelyWritten(peeling_.counts, peeling_.peel))
     giveUp();
 }
 
-/// The program has drawn as many peels as show all layers, or is about to draw what they have left. False:
-/// everything was drawn by the real OpenGL.
+/// Shows the waiting picture: the program has drawn enough peels to show all layers, or is about to draw the
+/// remaining ones. False: the real OpenGL drew everything.
 bool LayerDraws::showWaiting() {
   peeling_.stage = Peeling::Stage::none;
   p_.cleared.forget();
@@ -244,8 +245,7 @@ bool LayerDraws::showWaiting() {
   } else {
     if (peeling_.traced) p_.counts.asRasterised(*peeling_.traced, Reason::programPass);
     countHeld();
-    p_.failsafe.stepAside(result.why.empty() ? "layers that were traced could not be shown"
-                                             : result.why.c_str());
+    p_.failsafe.stepAside(result.why.empty() ? "traced layers could not be shown" : result.why.c_str());
   }
   end();
   return shown;

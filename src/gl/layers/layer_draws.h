@@ -1,5 +1,6 @@
-// Draws of surfaces that are seen through: peeled in depth order (peel_draws.cpp), added up without order
-// (sum_draws.cpp) or blended in the order of drawing (drawn_layers.cpp). A part of each Context, GL thread.
+// Draws of transparent surfaces (layers): peeled in depth order (peel_draws.cpp, later_peels.cpp), summed
+// without order (sum_draws.cpp) or blended in drawing order (drawn_layers.cpp). Decides whether they can be
+// traced, starts their batches and presents peeled ones. A part of each Context, GL thread.
 #pragma once
 #include "gl/batch/batch.h"
 #include "gl/batch/flusher.h"
@@ -12,7 +13,7 @@ namespace gluray::gl {
 
 struct Elements;
 
-/// What passes of the program are for, and how surfaces that it draws are seen through, if they are.
+/// The pass that the program's family is for, and the kind of layers that it draws; `none` where it has none.
 Family::Pass passOf(const ProgramState& program);
 BatchKey::Layers layersOf(const ProgramState& program);
 
@@ -28,53 +29,52 @@ class LayerDraws {
   };
   explicit LayerDraws(const Parts& parts) : p_(parts) {}
 
-  /// Why a surface of the current program cannot be traced in the first peel, or Reason::traced. Whoever then
-  /// draws otherwise makes us give up. Call refresh(kProgramGroups) before.
+  /// Why a surface of the current program cannot be traced in the first peel, or Reason::traced. Any later
+  /// rasterised draw makes us give up (meetRasterDraw()). Call refresh(kProgramGroups) before.
   Reason triagePeel(PrimitiveClass kind);
-  /// The same of surfaces that are added up.
+  /// The same for surfaces that are summed.
   Reason triageSum(PrimitiveClass kind);
-  /// Holds back a draw of the pass before the first peel. False: draw it.
+  /// Holds back a draw of the depth pass before the first peel. False: not held; draw it.
   bool holdDepths(GLenum mode, const Elements& elements, uint64_t triangles);
-  /// Begins a batch of layers, or finds that the one which waits may take more. False: it may not.
+  /// Begins a batch of layers, or reopens the pending or traced one. False: another key, or no depth to read.
   bool start(const BatchKey& key);
 
-  /// Whether draws are held back, or others may join what has been traced.
+  /// Whether draws are held back, or more surfaces may join those traced.
   bool pending() const { return peeling_.stage != Peeling::Stage::none; }
   bool holdsDepths() const { return peeling_.stage == Peeling::Stage::depths; }
-  /// Whether layers are traced that wait until it is known how many peels the program draws; what it clears
-  /// and draws meanwhile is held back.
+  /// Whether traced layers wait until we know how many peels the program draws. Its clears and draws are held
+  /// back meanwhile.
   bool asks() const { return peeling_.stage == Peeling::Stage::peels; }
-  /// Then: holds back a draw of a later peel, or of what is counted. False: it is to be drawn
-  /// or traced, nothing of that kind is held any more.
+  /// While asks(): holds back a draw of a later peel, or the counted draw that blends its farthest layers.
+  /// False: nothing is held any more; draw or trace it.
   bool holdLater(GLenum mode, const Elements& elements);
-  /// After such a picture was shown: whether the draw is what peels have left, of which there is nothing.
+  /// After such a picture was shown: whether the draw would blend remaining layers, of which none is left.
   bool drawsNothing();
-  /// And a clear. False: make it.
+  /// While asks(): holds back a clear. False: not held; clear.
   bool clearsLater(GLbitfield mask) noexcept;
-  /// Before a query that counts draws.
+  /// Call before glBeginQuery.
   void queryBegins(GLenum target, GLuint name);
-  /// Of the layers that are shown already, if there are any.
+  /// Key of the layers that were traced already; null if there are none.
   const BatchKey* tracedKey() const { return peeling_.traced ? &peeling_.tracedKey : nullptr; }
-  /// Whether there is more in the batch than pictures with holes, such as labels: those are to be as sharp as
-  /// ever.
+  /// Whether the batch holds more than surfaces with transparent textures, such as labels. A batch of those
+  /// alone is rasterised, so that they stay sharp.
   bool haveSurfaces() const;
   /// Traces the batch's layers into the program's textures.
   PresentResult present(const scene::SnapshotPtr& snapshot, const BatchKey& key);
-  /// What was held back is drawn by the real OpenGL after all.
+  /// Has the real OpenGL draw all that was held back.
   void giveUp();
 
-  /// Whether fixed-function surfaces that are not opaque, or that leave no depth, can be traced in the state
-  /// of now, in the order of drawing.
+  /// Whether fixed-function surfaces that are not opaque, or write no depth, can now be traced as layers.
   bool mayBeDrawn() const;
-  /// Whether such a surface of so many triangles, which is about to be drawn, is left to the real OpenGL
-  /// because that is faster.
+  /// Whether such a surface of `triangles` triangles, about to be drawn, is left to the real OpenGL because
+  /// that is faster.
   bool leavesDrawn(uint64_t triangles);
-  /// Makes a batch's key that of such surfaces.
+  /// Sets the fields of `key` that such surfaces need.
   void describe(BatchKey& key) const;
-  /// Before such a batch is taken: reads what it is drawn over. False where that cannot be read.
+  /// Call before such a batch is taken: reads the colour and depth beneath it. False if they cannot be read.
   bool readUnder();
 
-  /// Before a rasterised draw, a clear of the draw framebuffer, and a program that is linked anew or deleted.
+  /// Call before a rasterised draw; a clear of the draw framebuffer; a program's relinking or deletion.
   void meetRasterDraw();
   void clearing();
   void programChanges(GLuint program) noexcept;
@@ -94,17 +94,17 @@ class LayerDraws {
   bool showWaiting();
   void end();
   void countHeld();
-  Reason triageSeenThrough(PrimitiveClass kind);  // what both kinds have in common
+  Reason triageSeenThrough(PrimitiveClass kind);  // the common part of triagePeel() and triageSum()
 
   Peeling peeling_;
-  /// Surfaces of a frame that could be blended in the order of drawing, traced or not.
+  /// A frame's surfaces that could be blended in drawing order, traced or not.
   struct Drawn {
     uint64_t triangles = 0;
-    uint64_t runs = 0;  // of such draws, one after the other, of one state
+    uint64_t runs = 0;  // sequences of consecutive such draws with equal blending
   };
-  Drawn drawn_, lastDrawn_;
-  uint64_t frame_ = 0;      // that drawn_ is of
-  uint64_t drawnLast_ = 0;  // the last one: number of the draw
+  Drawn drawn_, lastDrawn_;  // of this frame and of the one before
+  uint64_t frame_ = 0;       // frame number of drawn_
+  uint64_t drawnLast_ = 0;   // draw number of the newest such draw
   scene::Blending drawnBy_;
   Parts p_;
 };

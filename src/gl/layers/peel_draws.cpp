@@ -1,4 +1,4 @@
-// MultipassSurfaces of dual depth peeling, and what holds for all layers.
+// The depth pass and the first peel of dual depth peeling, and the common parts of all layers.
 #include "gl/errors.h"
 #include "gl/layers/layer_draws.h"
 #include "gl/layers/peel_outputs.h"
@@ -36,7 +36,7 @@ bool LayerDraws::start(const BatchKey& key) {
   return key.layers == BatchKey::Layers::peeled ? startPeeled(key) : startSums(key);
 }
 
-/// Whether draws of now fill a framebuffer object of the viewport's size and keep the largest values.
+/// Whether draws now fill a framebuffer object of the viewport's size and keep the largest values (GL_MAX).
 bool LayerDraws::peelsIntoAll() const {
   const bool open =
       !p_.shadow.state.raster.scissorTest || p_.shadow.state.scissor == p_.shadow.state.viewport;
@@ -59,7 +59,7 @@ bool LayerDraws::beginHolding() {
   if (found == 0 || target.opaqueDepth == 0 ||
       !p_.flusher.presenter.layers().readDepths(p_.shadow.real, unit, target.size, target.opaqueDepths))
     return false;
-  // What the program leaves undefined elsewhere must not come later than it would have.
+  // A later replay must not overwrite other outputs, which the program leaves undefined.
   for (HeldPass::Output& output : target.depths.outputs)
     if (output.texture != found) output = {};
   auto layers = std::make_shared<scene::Layers>();
@@ -99,7 +99,7 @@ bool LayerDraws::holdDepths(GLenum mode, const Elements& elements, uint64_t tria
 }
 
 Reason LayerDraws::triageSeenThrough(PrimitiveClass kind) {
-  // What keeps the program from being traced says more than what kind of primitive it draws.
+  // The program's reason tells the user more than the kind of primitive.
   if (p_.shadow.state.program.reason != Reason::traced) return p_.shadow.state.program.reason;
   if (kind == PrimitiveClass::points) return Reason::points;
   if (kind == PrimitiveClass::lines) return Reason::lines;
@@ -120,7 +120,7 @@ Reason LayerDraws::triagePeel(PrimitiveClass kind) {
   if (!peelsIntoAll() || p_.shadow.state.viewport != peeling_.target.depths.viewport)
     return Reason::programPass;
   LayersTarget& target = peeling_.target;
-  // Labels, which turn with the viewer: they would be new meshes in every frame.
+  // Labels turn with the viewer: they would be new meshes in every frame.
   const auto isQuad = [](const ProgramDraw& draw) {
     return draw.mode != GL_POINTS && trianglesOf(draw) <= 2;  // points may be impostors
   };
@@ -148,8 +148,6 @@ bool LayerDraws::startPeeled(const BatchKey& key) {
   return true;
 }
 
-/// Whether there is more among them than pictures with holes, such as labels: those are to be as sharp as
-/// ever.
 bool LayerDraws::haveSurfaces() const {
   const scene::Snapshot& s = p_.flusher.batch.waiting();
   const auto isPicture = [&](const scene::Instance& instance) {
@@ -190,7 +188,7 @@ void LayerDraws::end() {
   peeling_.traced.reset();
 }
 
-/// Held draws that no picture was made of were made by the real OpenGL.
+/// Counts the held draws as rasterised: the real OpenGL drew them.
 void LayerDraws::countHeld() {
   const auto count = [&](const HeldPass& pass) {
     for (const ProgramDraw& draw : pass.draws)
@@ -204,7 +202,7 @@ void LayerDraws::countHeld() {
 void LayerDraws::giveUp() {
   if (peeling_.stage == Peeling::Stage::none) return;
   p_.cleared.forget();
-  // What is made now is not what the program counts. So far there is nothing to count.
+  // The program's query must not count these draws. It has counted nothing yet: end it and begin it again.
   const bool counts = asks() && p_.shadow.activeQueries > 0;
   if (counts) p_.shadow.real.EndQuery(peeling_.query);
   peeling_.stage = Peeling::Stage::none;
@@ -224,13 +222,13 @@ void LayerDraws::giveUp() {
   if (counts) p_.shadow.real.BeginQuery(peeling_.query, peeling_.queryName);
   end();
   if (result.outcome != PresentResult::rasterised)
-    p_.failsafe.stepAside(result.why.empty() ? "what was held back could not be drawn" : result.why.c_str());
+    p_.failsafe.stepAside(result.why.empty() ? "held draws could not be drawn" : result.why.c_str());
 }
 
 void LayerDraws::meetRasterDraw() {
   bool meets = peeling_.stage == Peeling::Stage::depths || asks() ||
                (!p_.flusher.batch.empty() && p_.flusher.batch.key().layers == BatchKey::Layers::peeled);
-  // Once they are traced, only who joins them makes us give up.
+  // Once the layers are traced, we give up only for a draw into their result texture.
   if (!meets)
     for (const HeldPass::Output& output : outputsOf(p_.shadow.real))
       meets |= output.texture == peeling_.target.result;

@@ -3,8 +3,8 @@
 namespace gluray::gl {
 namespace {
 
-constexpr uint64_t kSilhouettes = 32;  // pixels that rays and rasterisers may count otherwise
-constexpr uint64_t kSeen = 1000;       // of how many pixels one may be left out
+constexpr uint64_t kSilhouettes = 32;  // pixels in which rays and rasterisers may disagree
+constexpr uint64_t kSeen = 1000;       // one pixel in so many may lack layers
 
 }  // namespace
 

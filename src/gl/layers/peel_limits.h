@@ -1,5 +1,5 @@
-// How many dual depth peels show all layers, and what programs count meanwhile to know when to end. GL
-// thread.
+// How many dual depth peels show all layers, and the pixel counts by which programs decide when to stop
+// peeling. Called by LayerDraws, GL thread.
 #pragma once
 #include "base/image.h"
 
@@ -8,15 +8,15 @@
 
 namespace gluray::gl {
 
-/// Pixels of the farthest layers that peel number `peel` writes, from 1: the first one finds the opaque depth
-/// in the place of the farthest layer, and a layer that is nearest and farthest counts as nearest.
+/// Number of pixels of farthest layers that peel number `peel`, from 1, writes. The first peel finds the
+/// opaque depth in place of a farthest layer; a layer that is both nearest and farthest counts as nearest.
 uint64_t writtenBehind(const LayerCounts& layers, uint32_t peel);
 
-/// The same where it is sure that there are any; not where silhouettes decide.
+/// writtenBehind(), or nullopt where it is so small that rounding at silhouettes could make it 0.
 std::optional<uint64_t> surelyWritten(const LayerCounts& layers, uint32_t peel);
 
-/// Whether so many peels show all layers of a picture of `pixels` pixels: all but a thousandth, where
-/// silhouettes decide.
+/// Whether `peels` peels show all layers of a picture of `pixels` pixels. Ignores a thousandth of them, where
+/// silhouettes may differ.
 bool showsAll(uint32_t peels, const LayerCounts& layers, uint64_t pixels);
 
 }  // namespace gluray::gl

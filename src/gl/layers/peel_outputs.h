@@ -1,4 +1,4 @@
-// Where passes of depth peeling read and write, asked of the real OpenGL. GL thread.
+// Queries the textures that passes of depth peeling read and write. Called by LayerDraws, GL thread.
 #pragma once
 #include "gl/programs/held_pass.h"
 #include "gl/programs/program_state.h"
@@ -8,16 +8,16 @@
 
 namespace gluray::gl {
 
-/// Where the draw framebuffer's colours go; empty where that is not to textures alone.
+/// The draw framebuffer's colour textures, by draw buffer; empty if any colour goes elsewhere.
 std::vector<HeldPass::Output> outputsOf(const RealGl& real);
 
-/// The texture that the program's output goes to; 0: none, or not its level 0.
+/// The texture to which the output Family::passOutput goes; 0: none, or not its level 0.
 GLuint outputOf(const RealGl& real, const KnownProgram& known, const std::vector<HeldPass::Output>& outputs);
 
-/// Unit that the family's input is looked up on; -1: none.
+/// Texture unit of the sampler Family::passInput; -1: none.
 GLint inputUnit(const ProgramState& program);
 
-/// The texture that is bound there; 0: none, or no unit.
+/// The texture bound to GL_TEXTURE_2D of that unit; 0: none, or no unit.
 GLuint inputTexture(const RealGl& real, const ProgramState& program);
 
 }  // namespace gluray::gl

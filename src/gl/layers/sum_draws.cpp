@@ -1,6 +1,5 @@
-// Surfaces that are seen through and added up without order (weighted blending, scene::Layers::Of::sums).
-// Nothing needs to be held back: what is traced is added to what is there, and real
-// draws may come before and after.
+// Transparent surfaces that are summed without order (weighted blending, scene::Layers::Of::sums). Nothing is
+// held back: the traced sums are added to the framebuffer's, and rasterised draws may come before and after.
 #include "gl/layers/layer_draws.h"
 #include "gl/state/buffer_bits.h"
 #include "gl/state/output_state.h"
@@ -40,8 +39,8 @@ bool LayerDraws::startSums(const BatchKey& key) {
   } else {
     if (!p_.flusher.presenter.reader().readDepth(p_.shadow.real, key.region, layers->opaqueDepth))
       return false;
-    // What is as far as what is opaque passes GL_LEQUAL, not GL_LESS, however depths were rounded on the way:
-    // by more than half a step, because floats near 1 are no finer than that.
+    // A layer at the opaque depth must pass GL_LEQUAL and fail GL_LESS, however depths were rounded. The
+    // margin exceeds half a depth step, because floats near 1 are no finer than that.
     const float margin =
         p_.shadow.state.target.depthResolution * (key.depthFunc == GL_LEQUAL ? 0.75f : -0.75f);
     for (float& depth : layers->opaqueDepth) depth += margin;

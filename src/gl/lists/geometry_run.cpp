@@ -65,7 +65,7 @@ void GeometryRun::inherit(Context& context) {
 
 const KnownMesh& GeometryRun::mesh(Context& context) {
   if (meshBuilt_) return mesh_;
-  // The mesh replays the run as well, unless the run has what meshes do not carry.
+  // The mesh can replay the run too, unless the run has data that meshes do not hold.
   const bool reproducible = inherited_.empty() && (layout_.mask & ~kTracedSlots) == 0 &&
                             (captured_.indices.empty() || (captured_.primitives.size() == 1 &&
                                                            captured_.primitives[0].mode == GL_TRIANGLES));
@@ -90,7 +90,7 @@ void GeometryRun::rasterise(Context& context) {
     else
       replay(context.real, captured_);
     context.real.EndList();
-    // The real list holds the vertices of lines and points; nobody will ask for a mesh of them.
+    // The real list now holds the vertices of lines and points, which never become a mesh.
     if (kind_ != PrimitiveClass::surfaces && inherited_.empty()) captured_.vertices.release();
   }
   context.real.CallList(realList_);
@@ -138,7 +138,7 @@ void GeometryRun::draw(Context& context) {
   context.counts.rasterised(reason, DrawPath::list, kind_, triangles_);
   context.raster.before(kind_);
   rasterise(context);
-  // The real OpenGL now has the run's last attributes current: they are sent again where ours differ.
+  // The run's last attributes are now current in the real OpenGL: ours are sent again.
   context.shadow.current.lost(layout_.mask & ~(bit(kPosition) | bit(kPositionW) | bit(kMaterialNumber)));
   context.touch(kMaterial);
 }
@@ -148,8 +148,7 @@ bool GeometryRun::drawDirectly(Context& context) {
   const DrawTimer timer(context.counts.kinds());
   if (!context.passthrough.takes(DrawPath::list, kind_, triangles_)) return false;
   inherit(context);
-  // Draws from arrays leave the current attributes alone; the list of the real OpenGL, which has glBegin,
-  // does not.
+  // Array draws leave the current attributes unchanged; the real list, which uses glBegin, does not.
   const SlotMask lost = layout_.mask & ~finalSlots_ & ~(bit(kPosition) | bit(kPositionW));
   const auto eachLost = [&](auto&& body) {
     for (int s = kNormal; s < kSlotCount; ++s)

@@ -1,4 +1,4 @@
-// The vertices in a display list. GL thread; lists of a share group may be called from several.
+// Captured vertices in a display list. GL threads: several may call a list of their share group.
 #pragma once
 #include "gl/capture/captured_vertices.h"
 #include "gl/lists/list.h"
@@ -10,25 +10,25 @@
 
 namespace gluray::gl {
 
-/// glMaterial for every parameter that `change` holds.
+/// Calls Immediate::material for every parameter that `change` sets.
 void applyMaterials(Context& context, const MaterialChange& change);
 
-/// A run of glBegin/glEnd pairs inside a list, with the attributes it leaves behind.
+/// A run of glBegin/glEnd pairs inside a list, with the attribute values it leaves current.
 class GeometryRun final : public ListOp {
  public:
   GeometryRun(CapturedVertices captured, const SlotValues& finals, std::vector<InheritedSlot> inherited,
               PrimitiveClass kind, std::weak_ptr<ShareGroup> group);
-  /// A draw from arrays: leaves the current attributes alone.
+  /// An array draw: leaves the current attributes unchanged.
   GeometryRun(CapturedVertices captured, PrimitiveClass kind, std::weak_ptr<ShareGroup> group);
   ~GeometryRun() override;
-  /// Draws it, traced or by the real OpenGL, and leaves its last attributes current.
+  /// Draws the run, traced or rasterised, and makes its last attributes current.
   void execute(Context& context) override;
 
  private:
   void draw(Context& context);
-  /// In a frame that is left to the real OpenGL. False: draw() it.
+  /// Rasterises the run in a passthrough frame. False if it is too large for that: call draw().
   bool drawDirectly(Context& context);
-  /// Gives inherited slots the caller's values.
+  /// Fills inherited slots with the caller's current values.
   void inherit(Context& context);
   /// The mesh of its surfaces, built at the first call.
   const KnownMesh& mesh(Context& context);
@@ -39,7 +39,7 @@ class GeometryRun final : public ListOp {
   std::mutex mutex_;  // held while the run is drawn: contexts of several threads may call the list
   CapturedVertices captured_;
   VertexLayout layout_;
-  SlotMask finalSlots_ = 0;  // attributes that it leaves current, and their values
+  SlotMask finalSlots_ = 0;  // attributes that the run leaves current, with values finals_
   SlotValues finals_;
   std::vector<InheritedSlot> inherited_;
   PrimitiveClass kind_;

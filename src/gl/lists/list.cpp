@@ -9,7 +9,7 @@ FragmentOp::~FragmentOp() {
 }
 
 void FragmentOp::execute(Context& context) {
-  // Called between glBegin and glEnd, it may hold what is legal there: the real OpenGL takes over and knows.
+  // Between glBegin and glEnd the fragment may be legal: the real OpenGL takes over and decides.
   context.beforeForward(context.immediate.insideBegin() ? Context::Flush::none : Context::Flush::all);
   context.real.CallList(realList_);
   context.touch(kAllGroups);

@@ -1,5 +1,5 @@
-// Display lists: recorded whole, replayed by us. GL thread; lists of a share group may be called from
-// several.
+// Display lists: recorded by ListCompiler, executed by us. GL threads: several may call a list of their share
+// group.
 #pragma once
 #include "gl/context.h"
 
@@ -16,8 +16,8 @@ class ListOp {
   virtual void execute(Context& context) = 0;
 };
 
-/// A recorded call with its arguments. `anywhere`: it is legal between glBegin and glEnd, where the list may
-/// be called, too.
+/// A recorded call with its arguments. `anywhere`: it is legal between glBegin and glEnd, where a list may be
+/// called.
 template <class Call>
 class CallOp final : public ListOp {
  public:
@@ -32,7 +32,7 @@ class CallOp final : public ListOp {
   bool anywhere_;
 };
 
-/// Commands that we do not model, compiled by the real OpenGL into a list of its own.
+/// A fragment: commands that we do not model, compiled by the real OpenGL into a list of its own.
 class FragmentOp final : public ListOp {
  public:
   FragmentOp(GLuint realList, std::weak_ptr<ShareGroup> group)
@@ -47,7 +47,7 @@ class FragmentOp final : public ListOp {
 
 class DisplayList {
  public:
-  /// After this, one append() does not allocate.
+  /// After this, the next append() does not allocate.
   void makeRoom() {
     if (ops_.size() == ops_.capacity()) ops_.reserve(ops_.size() * 2 + 4);
   }

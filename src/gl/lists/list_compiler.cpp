@@ -11,8 +11,7 @@
 
 namespace gluray::gl {
 
-/// Executes a recorded step as if no list were being compiled. The stream must be empty, and is again
-/// afterwards.
+/// Executes a recorded step as if no list were being compiled. The stream must be empty, and is empty after.
 template <class F>
 void ListCompiler::runDetached(F&& body) {
   auto compiled = std::exchange(list_, nullptr);
@@ -65,7 +64,7 @@ void ListCompiler::executeAdded(ListOp& op) {
 }
 
 void ListCompiler::appendFragment(GLuint realList) {
-  stencilSet(p_.context);  // nobody knows what is in it
+  stencilSet(p_.context);  // its commands are unknown
   std::unique_ptr<ListOp> op;
   p_.failsafe.insist([&] { op = std::make_unique<FragmentOp>(realList, p_.shadow.sharedGroup); });
   p_.failsafe.insist([&] { append(op); });
@@ -87,7 +86,7 @@ void ListCompiler::endList() {
   if (executing() && (p_.immediate.insideBegin() || p_.immediate.executedInside()))
     p_.shadow.errors.set(GL_INVALID_OPERATION);
   if (p_.immediate.inside() == Immediate::Inside::captured) p_.immediate.loosen();
-  if (p_.immediate.insideBegin()) p_.immediate.end();  // in a fragment, which cannot stay open
+  if (p_.immediate.insideBegin()) p_.immediate.end();  // a fragment cannot stay open
   p_.immediate.recordRun();
   p_.shadow.group.lists.put(name_, list_);
   list_.reset();
@@ -97,7 +96,7 @@ void ListCompiler::endList() {
 }
 
 void ListCompiler::callList(GLuint name) {
-  constexpr int kDeepest = 64;  // GL_MAX_LIST_NESTING: also what ends lists that call themselves
+  constexpr int kDeepest = 64;  // GL_MAX_LIST_NESTING; also ends the recursion of lists that call themselves
   const auto list = p_.shadow.group.lists.find(name);
   if (!list || depth_ >= kDeepest) return;
   p_.immediate.closeRunOutsideBegin();

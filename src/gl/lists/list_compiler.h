@@ -39,33 +39,33 @@ class ListCompiler {
   GLuint base = 0;  // glListBase
 
   bool compiling() const { return list_ != nullptr; }
-  /// Whether commands have effect now: always, but while a list is only compiled.
+  /// Whether commands take effect now: always, except while a list is compiled with GL_COMPILE.
   bool executing() const { return !list_ || mode_ == GL_COMPILE_AND_EXECUTE; }
   /// Whether a list is being called.
   bool calling() const { return depth_ > 0; }
   GLuint name() const { return name_; }
   GLenum mode() const { return mode_; }
 
-  /// Takes a call into the list under construction. `anywhere`: it may be executed between glBegin and glEnd.
+  /// Appends `call` to the list being compiled; inside its glBegin: misuse(). `anywhere`: when the list is
+  /// called, it is legal between glBegin and glEnd.
   template <class F>
   void record(F&& call, bool anywhere = false);
-  /// The same of what the real OpenGL compiles while `call` runs.
+  /// Lets the real OpenGL compile a fragment while `call` runs, and appends that.
   template <class F>
   void recordFragment(F&& call);
-  /// The same for a list of the real OpenGL.
+  /// Appends a fragment that the real OpenGL has compiled.
   void appendFragment(GLuint realList);
-  /// Takes `op` into the list under construction, and executes it where the mode says so. Null is ignored.
+  /// Appends `op` to the list being compiled, and executes it if executing(). Null is ignored.
   void append(std::unique_ptr<ListOp>& op);
-  /// The same of a run that has ended, whose vertices are left alone where it fails. Not executed.
+  /// Appends a run that has ended, without executing it. If this throws, `run` is unchanged.
   GeometryRun& add(CapturedVertices&& run, const SlotValues& finals, std::vector<InheritedSlot>&& inherited,
                    PrimitiveClass kind);
-  /// Executes what has been taken into the list, where the mode says so.
+  /// Executes an appended step if executing().
   void executeAdded(ListOp& op);
 
-  /// A command that is wrong inside a glBegin: an error of now, but where that is only compiled, and of the
-  /// moment when the list is called.
+  /// A command that is illegal inside glBegin: sets `error` if executing(), keeps it if compiling().
   void misuse(GLenum error = GL_INVALID_OPERATION);
-  /// That error, at the end of the primitive.
+  /// Returns and clears the kept error, which the list raises when it is called, after the primitive.
   GLenum takeMisuse();
 
  private:
@@ -75,8 +75,8 @@ class ListCompiler {
   std::shared_ptr<DisplayList> list_;
   GLuint name_ = 0;
   GLenum mode_ = 0;
-  GLenum misused_ = GL_NO_ERROR;  // by the first wrong command inside the glBegin that is compiled
-  int depth_ = 0;                 // of lists that call lists
+  GLenum misused_ = GL_NO_ERROR;  // error of the first illegal command in the glBegin being compiled
+  int depth_ = 0;                 // nesting of the lists being called
   Parts p_;
 };
 

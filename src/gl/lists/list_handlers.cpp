@@ -17,9 +17,9 @@ void endList(Context& c) {
 
 namespace {
 
-/// Whether calls are taken into the list that is compiled: inside its glBegin too, whose vertices are then
-/// sent one by one, as the list that is called may be another one by then. In a primitive that the real
-/// OpenGL compiles, what is called becomes part of it.
+/// Whether list calls are recorded in the list being compiled, also inside its glBegin: the primitive is then
+/// recorded call by call, because the called list may change before it is executed. Inside a primitive that
+/// the real OpenGL compiles, list calls are executed instead and become part of the primitive.
 bool recordsCalls(Context& c) {
   if (!c.lists.compiling()) return false;
   if (c.immediate.inside() == Immediate::Inside::captured) c.failsafe.insist([&] { c.immediate.loosen(); });
@@ -33,7 +33,7 @@ void callList(Context& c, GLuint name) {
     return c.lists.record(
         [name](Context& x) { name ? x.lists.callList(name) : x.errors.set(GL_INVALID_VALUE); }, true);
   }
-  if (name == 0) return c.errors.set(GL_INVALID_VALUE);  // as Mesa has it; the specification is silent
+  if (name == 0) return c.errors.set(GL_INVALID_VALUE);  // as Mesa does; the specification is silent
   c.lists.callList(name);
 }
 
@@ -73,7 +73,7 @@ void callLists(Context& c, GLsizei n, GLenum type, const void* names) {
   c.failsafe.insist([&] { offsets.resize(static_cast<size_t>(n)); });
   for (size_t i = 0; i < offsets.size(); ++i) offsets[i] = listOffset(type, names, i);
   const auto call = [offsets = std::move(offsets)](Context& x) {
-    const GLuint base = x.lists.base;  // of the moment of the call, whatever the lists do to it
+    const GLuint base = x.lists.base;  // as it was before the lists, which may change it
     for (const GLuint offset : offsets) x.lists.callList(base + offset);
   };
   if (recordsCalls(c)) return c.lists.record(call, true);
@@ -101,7 +101,7 @@ void listBase(Context& c, GLuint base) {
 
 void useXFont(Context& c, int first, int count, int base, const std::function<void(int realBase)>& make) {
   (void)first;
-  if (count <= 0) return make(base);  // the real one says what is wrong
+  if (count <= 0) return make(base);  // the real OpenGL raises the error
   const GLuint realBase = c.real.GenLists(count);
   if (!realBase) return c.errors.set(GL_OUT_OF_MEMORY);
   make(static_cast<int>(realBase));

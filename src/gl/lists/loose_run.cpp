@@ -8,7 +8,7 @@
 namespace gluray::gl {
 namespace {
 
-/// Slots that are attributes of their own.
+/// Whether the slot is a vertex attribute: no part of the position and no material number.
 bool isAttribute(Slot slot) { return slot >= kNormal && slot != kMaterialNumber; }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// What a display list holds of a primitive that does not begin and end in it. GL thread; lists of a share
-// group may be called from several.
+// A display list's run that ends inside an open primitive. GL threads: several may call a list of their share
+// group.
 #pragma once
 #include "gl/capture/captured_vertices.h"
 #include "gl/lists/list.h"
@@ -8,11 +8,11 @@
 
 namespace gluray::gl {
 
-/// A run of glBegin/glEnd pairs whose last glEnd is missing: what follows is whatever comes after it where
-/// the list is called. Sent call by call, as the program sent it.
+/// A run of glBegin/glEnd pairs without the last glEnd: the steps that follow continue the primitive when the
+/// list is called. Sent call by call, as the program sent it.
 class LooseRun final : public ListOp {
  public:
-  /// `open`: the primitive without an end. `finals`: values of all slots of the run after its last vertex.
+  /// `open`: the primitive without glEnd. `finals`: values of all slots of the run after its last vertex.
   LooseRun(CapturedVertices run, const Primitive& open, const SlotValues& finals,
            std::vector<InheritedSlot> inherited);
   void execute(Context& context) override;
@@ -24,7 +24,7 @@ class LooseRun final : public ListOp {
   CapturedVertices run_;
   Primitive open_;
   SlotValues finals_;
-  uint32_t inheriting_[kSlotCount] = {};  // so many vertices take the caller's value of the slot
+  uint32_t inheriting_[kSlotCount] = {};  // per slot: how many first vertices take the caller's value
 };
 
 }  // namespace gluray::gl

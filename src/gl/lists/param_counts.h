@@ -1,5 +1,5 @@
-// How many values stand behind pointers whose length depends on a name: used where generated stubs copy for
-// display lists.
+// Lengths of parameter arrays that depend on the parameter's name, for generated stubs that copy the arrays
+// into display lists.
 #pragma once
 #include <GL/gl.h>
 #include <GL/glext.h>

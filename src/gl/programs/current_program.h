@@ -1,4 +1,4 @@
-// The shader program in use, and what is known of it. A part of ShadowState, GL thread.
+// The shader program in use and its family. A part of ShadowState, GL thread.
 #pragma once
 #include "gl/context_info.h"
 #include "gl/programs/program_state.h"
@@ -16,11 +16,11 @@ class CurrentProgram {
   CurrentProgram(const RealGl& real, ShareGroup& group, const ContextInfo& info)
       : real_(real), group_(group), info_(info) {}
 
-  /// What is known of a program that is linked; null where it is not.
+  /// The program `name` with its family; determined once per link.
   std::shared_ptr<const KnownProgram> known(GLuint name) const;
-  /// The program in use; 0: none.
+  /// Name of the program in use; 0: none.
   GLuint name() const;
-  /// Whether it makes round impostors of what a draw of this mode sends.
+  /// Whether the program in use turns the primitives of a draw of this mode into impostors.
   bool drawsImpostors(GLenum mode) const;
 
  private:

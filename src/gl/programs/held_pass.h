@@ -1,5 +1,4 @@
-// MultipassSurfaces with several outputs whose draws are held back, because all they lead to can be traced in
-// one go. GL thread.
+// Render passes whose draws are held back because their result is traced. Kept by LayerDraws, GL thread.
 #pragma once
 #include "gl/programs/program_draw.h"
 
@@ -10,7 +9,7 @@
 
 namespace gluray::gl {
 
-/// Draws, and what the real OpenGL needs to make them after all: without depth test.
+/// The draws of a pass and the state that the real OpenGL needs to replay them, without depth test.
 struct HeldPass {
   struct Output {
     GLuint texture = 0;  // GL_TEXTURE_2D; 0: the draw buffer is GL_NONE
@@ -19,29 +18,28 @@ struct HeldPass {
   };
   std::vector<Output> outputs;  // by draw buffer
   glm::ivec4 viewport{0};
-  std::optional<glm::vec4> clear;  // all outputs are cleared to that before
+  std::optional<glm::vec4> clear;  // colour to which all outputs are cleared first
   enum class Blend : uint8_t {
     largest,  // GL_MAX
-    over,     // put over what is there, multiplied with their alpha
+    over,     // over the framebuffer, with premultiplied alpha
   } blend = Blend::largest;
   std::vector<ProgramDraw> draws;
 };
 
-/// Surfaces that are seen through: the two passes of a program that composites them, and where the result
-/// goes.
+/// The passes of a program that peels layers (dual depth peeling), and where the result goes.
 struct LayersTarget {
-  HeldPass depths;                      // finds the nearest and farthest, for the program's own compositing
+  HeldPass depths;                      // the depth pass: nearest and farthest depths for the program's peels
   HeldPass surfaces;                    // the first peel
-  GLuint opaqueDepth = 0;               // texture that `depths` reads, and
-  std::vector<glm::vec2> opaqueDepths;  // what was in it: green the depth of what is opaque, or -1
-  GLuint result = 0;                    // RGBA8 texture: colours times opacity, and opacity
+  GLuint opaqueDepth = 0;               // texture that `depths` reads
+  std::vector<glm::vec2> opaqueDepths;  // its content; green: depth of opaque surfaces, or -1
+  GLuint result = 0;                    // RGBA8 texture: colour times opacity, and opacity
   glm::ivec2 size{0};                   // of all these textures
-  bool mayRepeat = true;                // as PresentTarget's
-  bool written = false;                 // the result holds a traced picture
+  bool mayRepeat = true;                // PresentTarget::mayRepeat
+  bool written = false;                 // `result` holds a traced picture
   bool mayAsk =
-      false;  // picture and later peels may wait until it is known how many the program draws. Then:
-  std::vector<uint32_t> picture;  // traced, and not yet in `result`, which is that of the newest peel
-  std::vector<HeldPass> later;    // what the program cleared and drew after the first peel
+      false;  // picture and later peels may wait until we know how many peels the program draws. Then:
+  std::vector<uint32_t> picture;  // traced, not yet written to `result`, the newest peel's texture
+  std::vector<HeldPass> later;    // the program's clears and draws after the first peel
 };
 
 }  // namespace gluray::gl

@@ -1,4 +1,4 @@
-// Meshes of impostors: what a shader program makes of points, or of separate lines.
+// Builds meshes of impostors from the points or separate lines that a draw sends.
 #include "gl/arrays/array_indices.h"
 #include "gl/capture/mesh_builder.h"
 
@@ -8,7 +8,7 @@
 namespace gluray::gl {
 namespace {
 
-/// Elements of `range` as floats; absent where the array is off.
+/// The elements of `range` as floats; empty if the array is off.
 scene::Attribute copyOf(const ArrayReader& reader, Range range, uint32_t floats, size_t& sizeBytes) {
   if (!reader.enabled()) return {};
   constexpr scene::Format formats[] = {scene::Format::float1, scene::Format::float2, scene::Format::float3,
@@ -23,7 +23,7 @@ scene::Attribute copyOf(const ArrayReader& reader, Range range, uint32_t floats,
   return {data, reinterpret_cast<const std::byte*>(data.get()), floats * 4, formats[floats - 1]};
 }
 
-/// The numbers of the centres, counted from range.lower; absent where they are all in order.
+/// Indices of the centres, relative to range.lower; empty if all centres are used in order.
 scene::Attribute numbersOf(const Taken& taken, size_t& sizeBytes) {
   if (taken.numbers.size() == 0) return {};
   const auto data = makePadded<uint32_t>(taken.numbers.size());

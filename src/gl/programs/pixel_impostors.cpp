@@ -12,10 +12,10 @@
 namespace gluray::gl {
 namespace {
 
-/// Points must be squares of the size that is set, with coordinates that run downwards.
+/// Reads the point size. Points must be squares of the set size, with point coordinates from the upper left.
 Reason readPointSize(const RealGl& real, bool core, State& state) {
   if (isOn(real, GL_PROGRAM_POINT_SIZE)) return Reason::points;
-  // Implementations differ in where the coordinates of multisampled points are (Mesa 22: a pixel lower).
+  // Implementations differ in the point coordinates of multisampled points (Mesa 22: a pixel lower).
   if (state.target.samples > 1) return Reason::points;
   if (!core && (isOn(real, GL_POINT_SMOOTH) || !isOn(real, GL_POINT_SPRITE))) return Reason::points;
   if (integer(real, GL_POINT_SPRITE_COORD_ORIGIN) != GL_UPPER_LEFT) return Reason::points;
@@ -27,7 +27,7 @@ Reason readPointSize(const RealGl& real, bool core, State& state) {
   return Reason::traced;
 }
 
-/// Whether their depth is that of something round under the projection that they are drawn with.
+/// Whether the depth that the program computes for them is that of round shapes under its projection.
 bool depthFits(const State& state) {
   const scene::Impostors& f = state.program.impostors;
   const glm::dmat4 rows = glm::transpose(state.program.clipFromObject);
@@ -35,14 +35,14 @@ bool depthFits(const State& state) {
   const bool parallel = w == glm::dvec3(0);
   if (parallel != f.parallelView || !(f.bulge >= 0 && f.bulge < 0.4f) || !(f.depthBias <= 0)) return false;
   if (parallel) return std::isfinite(f.bulgeDepth);
-  // Infinitely far away, where it must stay in its place, depth is this.
+  // The window depth at infinity, which the bulge must not change.
   constexpr double kRounding = 1e-4;
   const double end = 0.5 * (glm::dot(z, w) / glm::dot(w, w)) + 0.5;
   return std::abs(end - f.bulgeDepth) <= kRounding * std::abs(end);
 }
 
-/// Bias alone moves splats, towards the viewer, and billboards of one depth have no slope that an offset
-/// could follow.
+/// Splats may be moved only by a depth bias towards the viewer: a billboard of constant depth has no slope
+/// for a polygon offset.
 Reason checkSplats(const State& state) {
   const scene::Impostors& f = state.program.impostors;
   const glm::dmat4 rows = glm::transpose(state.program.clipFromObject);

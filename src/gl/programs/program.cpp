@@ -15,7 +15,7 @@ GLint ask(const RealGl& real, GLuint program, GLenum what) {
   return value;
 }
 
-/// Whether a question that only programs with a certain stage answer is answered.
+/// Whether a query that is legal only for programs with a certain stage raises no error.
 bool answers(const RealGl& real, GLuint program, GLenum what) {
   while (real.GetError() != GL_NO_ERROR) {}
   GLint value = 0;
@@ -87,7 +87,7 @@ void readAttributes(const RealGl& real, Program& p) {
 
 namespace {
 
-/// While it lives, questions that the real OpenGL refuses are not told to the program's debug callback.
+/// While it lives, errors of our queries do not reach the program's debug callback.
 class DebugSilence {
  public:
   explicit DebugSilence(const RealGl& real) : real_(real) {
@@ -107,7 +107,7 @@ class DebugSilence {
   bool on_ = false;
 };
 
-/// Whether drawing leaves more than pixels behind.
+/// Whether draws may write memory other than the framebuffer.
 bool writesMemory(const RealGl& real, const Program& p) {
   for (const auto& [name, u] : p.uniforms)
     if (u.type >= GL_IMAGE_1D && u.type <= GL_UNSIGNED_INT_IMAGE_2D_MULTISAMPLE_ARRAY) return true;

@@ -1,5 +1,5 @@
-// A linked shader program as the real OpenGL describes it: names, places and types of what is active. Read
-// once a link. GL thread, context current.
+// A linked shader program as the real OpenGL describes it: names, locations and types of its active
+// variables. Read once per link. GL thread, context current.
 #pragma once
 #include "gl/real.h"
 
@@ -13,13 +13,13 @@
 
 namespace gluray::gl {
 
-/// An active uniform. Arrays go by their name without [0].
+/// An active uniform. Arrays are named without [0].
 struct ProgramUniform {
   GLint location = -1;      // -1: in a block
   std::vector<GLint> more;  // locations of the elements after the first
   GLenum type = 0;
   GLint count = 1;   // elements
-  size_t first = 0;  // elements of all uniforms before it
+  size_t first = 0;  // index of its first element among the elements of all uniforms
   GLint block = -1, offset = 0, arrayStride = 0, matrixStride = 0;
   bool rowMajor = false;
 };
@@ -29,7 +29,7 @@ struct ProgramAttribute {
   GLenum type = 0;
 };
 
-/// Names that a family uses, and those that a program has in their place.
+/// From a family's names to the names that a program uses instead.
 using Renames = std::map<std::string, std::string, std::less<>>;
 
 struct Program {
@@ -37,11 +37,11 @@ struct Program {
   bool linked = false;
   bool geometryShader = false, tessellation = false;
   bool blocks = false;         // some uniforms are in blocks
-  bool writes = false;         // or may: atomic counters, shader storage, images
-  size_t uniformElements = 0;  // of all uniforms together
+  bool writes = false;         // may write memory: atomic counters, shader storage, images
+  size_t uniformElements = 0;  // sum over all uniforms
   std::map<std::string, ProgramUniform, std::less<>> uniforms;
   std::map<std::string, ProgramAttribute, std::less<>> attributes;
-  Renames renamed;  // by its family
+  Renames renamed;  // for its family
 
   const ProgramUniform* uniform(std::string_view n) const {
     const auto it = uniforms.find(hereFor(n));
@@ -60,11 +60,11 @@ struct Program {
   }
 };
 
-/// Asks the real OpenGL about program `name`. Errors that asking raises are taken away; the caller has saved
-/// the program's own.
+/// Queries program `name` from the real OpenGL. Clears the errors that this raises; the caller must have
+/// saved pending ones.
 Program reflect(const RealGl& real, GLuint name);
 
-/// Whether `name` is the name of an output of the fragment shader.
+/// Whether the fragment shader has an output `name`.
 bool hasOutput(const RealGl& real, const Program& program, const std::string& name);
 
 }  // namespace gluray::gl

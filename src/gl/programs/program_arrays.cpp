@@ -1,4 +1,4 @@
-// Vertex arrays of shader programs.
+// Reads the vertex arrays of shader programs.
 #include "gl/programs/program_state.h"
 #include "gl/share_group.h"
 #include "gl/state/state_queries.h"
@@ -35,8 +35,8 @@ ArraySource readGeneric(const RealGl& real, ShareGroup& group, GLint location) {
   return source;
 }
 
-/// The array of a generic attribute. Since OpenGL 4.3 format and place are apart, and what tells the place is
-/// the binding, whichever way it was set.
+/// The array of a generic attribute. Since OpenGL 4.3 format and buffer are separate, and the buffer is that
+/// of the attribute's binding, whichever way it was set.
 ArraySource readPlaced(const RealGl& real, ShareGroup& group, GLint location) {
   ArraySource source = readGeneric(real, group, location);
   if (!source.enabled || !isPresent(real.BindVertexBuffer)) return source;
@@ -117,7 +117,7 @@ void readAttributes(const RealGl& real, ShareGroup& group, const KnownProgram* p
     ofInstances(family->instanceColor, 1, color);
     if (!color.empty()) arrays.instanceColor = color.front();
   }
-  // Memory of the program's own may change before the draw is made.
+  // Client memory may change before the draw is replayed.
   const auto keep = [&](const ArraySource& s) { plain = plain && (!s.enabled || s.buffer); };
   arrays.forEach(keep);
   for (const ArraySource& source : arrays.generic) keep(source);

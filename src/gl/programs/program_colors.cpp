@@ -1,4 +1,4 @@
-// Where a shader program's colours come from.
+// ProgramReader: the source of a shader program's colours.
 #include "gl/programs/program_reader.h"
 
 #include <utility>
@@ -35,15 +35,15 @@ Reason ProgramReader::readColor() {
   } else {
     return Reason::traced;
   }
-  // The material's own colours give way; its intensities stay.
+  // The source's colours replace the material's; its intensities stay.
   const FamilyMaterial& m = family_.material;
   scene::Material& material = out_.material.front;
   material.diffuse =
       glm::vec4(glm::vec3(uniforms_.value(m.diffuseIntensity, glm::vec4(1))), material.diffuse.a);
   if (!family_.colorIsDiffuseOnly)
     material.ambient = uniforms_.value(m.ambientIntensity, glm::vec4(m.ambientColor.given() ? 1.0f : 0.0f));
-  if (f.backMaterial && reason == Reason::traced)  // their colours are mixed otherwise
-    reason = refuse("back faces have a material of their own, and front faces other colours than theirs");
+  if (f.backMaterial && reason == Reason::traced)  // such programs mix the colours in another way
+    reason = refuse("back faces have their own material, and front faces take their colours from elsewhere");
   f.backMaterial = false;
   out_.material.back = out_.material.front;
   return reason;
@@ -69,7 +69,7 @@ Reason ProgramReader::readOpacityBeneath() {
   return Reason::traced;
 }
 
-/// What is divided by w at the vertices and then interpolated is the same everywhere where w is constant.
+/// The program divides by w at each vertex and then interpolates: equal to our matrix only if w is constant.
 Reason ProgramReader::readTexcoordMatrix() {
   texcoordMatrix_ = uniforms_.matrix4(family_.texcoordMatrix);
   const glm::mat4& m = texcoordMatrix_;
@@ -109,7 +109,7 @@ Reason ProgramReader::readTextures() {
     const Reason reason = textures_.bound(real_, has_, unitOf(*sampler), sampler->type, texture);
     if (reason != Reason::traced) return reason;
     texture.env = scene::TexEnv::modulate;
-    texture.unit = second ? 1 : 0;  // where arrays have the family's coordinate
+    texture.unit = second ? 1 : 0;  // the unit that has the family's texture coordinate
     texture.textureMatrix = texcoordMatrix_;
     (second ? out_.texcoordAbove : out_.texcoord) = current(family_.texcoord);
     out_.shading.textures.push_back(std::move(texture));

@@ -1,5 +1,5 @@
-// A draw by a shader program as it was sent, kept while it waits in the batch: where it cannot be traced
-// after all, the real OpenGL draws it from this. GL thread.
+// A shader program's draw with all its inputs, kept while its instance is in the batch: if tracing fails, the
+// real OpenGL replays it. GL thread.
 #pragma once
 #include "gl/arrays/elements.h"
 #include "gl/buffers/buffer.h"
@@ -31,11 +31,11 @@ struct ProgramDraw {
     GLuint unit = 0;
     SamplerTarget target;
     GLuint name = 0;
-    GLuint buffer = 0;  // of buffer textures: where their texels are
+    GLuint buffer = 0;  // the buffer of a buffer texture; 0: another texture
   };
   GLuint program = 0;
   GLenum mode = GL_TRIANGLES;
-  Elements elements;  // `indices` an offset into `indexContents`
+  Elements elements;  // `indices` is an offset into `indexContents`
   std::shared_ptr<const BufferStorage> indexContents;
   std::vector<Array> arrays;
   std::vector<BoundTexture> textures;
@@ -48,7 +48,7 @@ struct ProgramDraw {
   float offsetFactor = 0, offsetUnits = 0;
 };
 
-/// The draw that is about to be made with the current state. Every array that is on must be in a buffer.
+/// Captures the draw that is about to be made with the current state. All enabled arrays must be in buffers.
 ProgramDraw captureProgramDraw(const RealGl& real, const Program& program, const UniformValuesPtr& uniforms,
                                const ArrayState& attributes, GLenum mode, const Elements& elements);
 

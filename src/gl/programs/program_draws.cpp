@@ -14,7 +14,7 @@ namespace gluray::gl {
 Reason ProgramDraws::triageImpostors() {
   p_.shadow.attributes.impostorRadius = p_.shadow.state.program.impostorRadius;
   if (p_.shadow.attributes.shape == scene::Shape::triangles) return Reason::traced;
-  // Billboards have two sides, of which one may be culled. Points have none.
+  // Culling may remove billboards, which have two sides, but not points.
   if (p_.shadow.attributes.shape != scene::Shape::beads &&
       p_.shadow.state.raster.cull != scene::CullFace::none)
     return Reason::program;
@@ -26,31 +26,30 @@ Reason ProgramDraws::triageImpostors() {
 
 Reason ProgramDraws::triage(PrimitiveClass kind) {
   if (const Reason reason = p_.triage.ofContext(); reason != Reason::traced) return reason;
-  // What keeps the program from being traced says more than what kind of primitive it draws.
+  // The program's reason tells the user more than the kind of primitive.
   if (p_.shadow.state.program.reason != Reason::traced) return p_.shadow.state.program.reason;
   if (kind == PrimitiveClass::points) return Reason::points;
   if (kind == PrimitiveClass::lines) return Reason::lines;
   if (p_.shadow.state.raster.reason != Reason::traced) return p_.shadow.state.raster.reason;
   if (p_.shadow.state.raster.alphaTest != scene::AlphaTest{}) return Reason::alphaTest;
   if (p_.shadow.state.program.known->program.blocks)
-    p_.shadow.dirty |= kProgram;  // buffers change without our taking note
+    p_.shadow.dirty |= kProgram;  // we do not track changes of uniform buffers
   if (!p_.shadow.info.core && !p_.shadow.state.clipPlanes.empty())
-    return Reason::program;  // programs clip in ways of their own
+    return Reason::program;  // programs compute clip distances in unknown ways
   if (p_.shadow.attributes.reason != Reason::traced) return p_.shadow.attributes.reason;
   return p_.flusher.canTrace() ? Reason::traced : Reason::noGlsl;
 }
 
 namespace {
 
-/// What is added to the depths of what the program draws: by itself, or by OpenGL where it does not write
-/// them.
+/// The depth offset of the program's draws: the program's own or, if it does not write depth, OpenGL's.
 scene::PolygonOffset offsetOf(const State& state, scene::Shape shape) {
   const ProgramState& program = state.program;
   if (program.depthOffset != scene::PolygonOffset{}) return program.depthOffset;
   return shape == scene::Shape::triangles ? Batch::keyOf(state).offset : scene::PolygonOffset{};
 }
 
-/// Whether OpenGL adds an offset where the program has the last word about depth.
+/// Whether a polygon offset is on while the program writes depth itself or draws layers.
 bool offsetsProgramDepth(const State& state, scene::Shape shape) {
   const RasterState& raster = state.raster;
   if (!raster.offsetFill || (raster.offsetFactor == 0 && raster.offsetUnits == 0)) return false;
@@ -58,7 +57,7 @@ bool offsetsProgramDepth(const State& state, scene::Shape shape) {
          (state.program.shading.fragment.writesDepth || layersOf(state.program) != BatchKey::Layers::none);
 }
 
-/// Whether some buffer of the arrays may not be asked for.
+/// Whether the contents of some buffer of the arrays cannot be read.
 bool haveUnreadableBuffers(const ArrayState& arrays) {
   return arrays.reason == Reason::deletedBuffer || arrays.reason == Reason::foreignBuffer ||
          arrays.reason == Reason::persistentMapping;
@@ -91,7 +90,7 @@ Reason ProgramDraws::triage(const KnownMesh& known) const {
                     known.mesh,
                     p_.triage.placeOf(program.clipFromObject, offsetOf(p_.shadow.state, known.mesh->shape))))
     reason = Reason::coincident;
-  // One by one, however much they are in all: a surface that is drawn again is drawn in the same way.
+  // Judged draw by draw, not by their sum, so that a surface drawn again is drawn in the same way.
   const bool leave =
       reason == Reason::traced && p_.clock.leavesAlone(known.mesh->triangleCount, p_.shadow.viewportPixels());
   return leave ? Reason::smallScene : reason;
@@ -114,9 +113,8 @@ Reason ProgramDraws::triageAlways(const KnownMesh& known) const {
     return Reason::arrayState;
   if (program.triangleNormals && program.triangleOffset + triangles > program.triangleNormalCount)
     return Reason::arrayState;
-  // Triangles that grow by their edges do so in the window: near the viewer's plane by any number of pixels.
-  // The slope of what they grow to is not that of the triangle. Distances to edges with a corner behind the
-  // viewer are no distances.
+  // Triangles with growing edges are enlarged in the window, without bound near the viewer's plane, and the
+  // enlarged part has another slope than the triangle. Behind the viewer, distances to edges are undefined.
   const bool tilted =
       offsetOf(p_.shadow.state, known.mesh->shape).factor != 0 && program.shading.fragment.edgesGrow;
   if (program.triangleEdges && (tilted || !isBeforeViewer(*known.mesh, program.clipFromObject)))
@@ -135,12 +133,11 @@ bool ProgramDraws::isOneOfPasses(const scene::Mesh& mesh) const {
                                             offsetOf(p_.shadow.state, mesh.shape).pushesBack());
 }
 
-/// Makes the state ready for an instance of the current program: batch, camera and matrix. Nowhere: nothing
-/// could be seen of it.
+/// Prepares batch, camera and matrix for the current program's instance. Placed::nowhere: it covers no pixel.
 ProgramDraws::Placed ProgramDraws::place(scene::Shape shape, const glm::dvec3& reach) {
   const ProgramState& program = p_.shadow.state.program;
-  // One projection serves a batch. What programs give is a product, and taken apart it differs by roundings
-  // from draw to draw; so each draw is placed by what it does to points in the end.
+  // A batch has one projection. Programs give only clipFromObject; a projection factored out of it differs by
+  // rounding from draw to draw. So keep the batch's projection and choose the modelview to match.
   p_.shadow.state.projection = program.eyeFromObject
                                    ? program.clipFromObject * glm::inverse(*program.eyeFromObject)
                                    : program.clipFromObject;
@@ -149,7 +146,7 @@ ProgramDraws::Placed ProgramDraws::place(scene::Shape shape, const glm::dvec3& r
   const bool peeled = key.layers == BatchKey::Layers::peeled;
   key.offset = peeled ? scene::PolygonOffset{} : offsetOf(p_.shadow.state, shape);
   p_.filler.clampToTarget(key.region);
-  p_.shadow.dirty |= kModelview | kProjection;  // of fixed function
+  p_.shadow.dirty |= kModelview | kProjection;  // fixed function's values are overwritten
   if (key.region.width <= 0 || key.region.height <= 0) return Placed::nowhere;
   const BatchKey* there = !p_.flusher.batch.empty() ? &p_.flusher.batch.key()
                           : peeled                  ? p_.layers.tracedKey()
@@ -161,7 +158,7 @@ ProgramDraws::Placed ProgramDraws::place(scene::Shape shape, const glm::dvec3& r
   }
   p_.shadow.state.projection = key.projection;
   p_.shadow.state.modelview = glm::inverse(p_.shadow.state.projection) * program.clipFromObject;
-  p_.shadow.state.modelview /= p_.shadow.state.modelview[3][3];  // the same points
+  p_.shadow.state.modelview /= p_.shadow.state.modelview[3][3];  // homogeneous: maps to the same points
   for (int c = 0; c < 4; ++c) p_.shadow.state.modelview[c][3] = c == 3 ? 1.0 : 0.0;
   if (key.layers != BatchKey::Layers::none)
     return p_.layers.start(key) ? Placed::inBatch : Placed::otherCamera;

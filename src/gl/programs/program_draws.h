@@ -1,5 +1,5 @@
-// Surfaces that shader programs draw: whether they can be traced, and how they join the batch. A part of each
-// Context, GL thread.
+// Surfaces drawn by shader programs: decides whether they can be traced, and adds them to the batch. A part
+// of each Context, GL thread.
 #pragma once
 #include "gl/arrays/array_indices.h"
 #include "gl/batch/batch_filler.h"
@@ -35,20 +35,20 @@ class ProgramDraws {
   /// refresh(kProgramGroups) before.
   Reason triage(PrimitiveClass kind);
   Reason triage(const KnownMesh& mesh) const;
-  /// The same of what impostors need beside, and of the instances of a draw.
+  /// The same for further conditions of impostors, and of the instances of a draw.
   Reason triageImpostors();
   Reason triageInstances(const scene::Mesh& mesh, const Elements& elements) const;
-  /// Adds a mesh to the batch, as often as the draw has instances; or says why it cannot join the layers that
-  /// are there.
+  /// Adds a mesh to the batch, once for each instance of the draw. Returns Reason::traced, or why it cannot
+  /// join the layers traced so far.
   Reason add(const scene::MeshPtr& mesh, GLenum mode, const Elements& elements);
-  /// Before a surface is rasterised: surfaces upon which it lies, and which were or are to be traced, get the
-  /// depth of the real OpenGL.
+  /// Call before a surface is rasterised: has the real OpenGL draw the depth of pending or traced surfaces
+  /// that it coincides with.
   void meetPasses(PrimitiveClass kind, GLenum mode, const Elements& elements);
 
  private:
-  Reason triageAlways(const KnownMesh& mesh) const;  // where everything that can be is traced
+  Reason triageAlways(const KnownMesh& mesh) const;  // as if engine = always
   bool isOneOfPasses(const scene::Mesh& mesh) const;
-  /// Some triangles of each array that may hold positions.
+  /// A sample of triangles from each array that may hold positions.
   std::vector<std::vector<Triangle>> sampleArrays(GLenum mode, const Elements& elements) const;
   enum class Placed { nowhere, inBatch, otherCamera };
   Placed place(scene::Shape shape, const glm::dvec3& reach);

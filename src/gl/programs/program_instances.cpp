@@ -1,4 +1,4 @@
-// Instances of what shader programs draw: matrices, normals and colours from arrays with a divisor.
+// ProgramDraws: instanced draws, whose matrices, normals and colours come from arrays with a divisor.
 #include "gl/draws/affine.h"
 #include "gl/layers/layer_draws.h"
 #include "gl/programs/program_draws.h"
@@ -11,7 +11,7 @@
 namespace gluray::gl {
 namespace {
 
-/// Reads what instance i has of an array. False beyond its end.
+/// Reads instance i's element of an array. False beyond the array's end.
 bool readOfInstance(const ArrayReader& array, const Elements& elements, uint32_t i, float out[4]) {
   const uint32_t at = elements.baseInstance + i / std::max(array.divisor(), 1u);
   if (at >= array.available()) return false;
@@ -19,7 +19,7 @@ bool readOfInstance(const ArrayReader& array, const Elements& elements, uint32_t
   return true;
 }
 
-/// The arrays that instances take matrices and colours from.
+/// The arrays with the instances' matrices, normals and colours.
 struct InstanceReaders {
   InstanceReaders(const RealGl& real, const ArrayState& arrays) : color(real, arrays.instanceColor) {
     for (const ArraySource& source : arrays.instanceTransform) transform.emplace_back(real, source);
@@ -28,7 +28,7 @@ struct InstanceReaders {
   std::vector<ArrayReader> transform, normal;
   ArrayReader color;
 
-  /// The matrix of instance i; nullopt where the arrays end before it.
+  /// The matrix of instance i; nullopt beyond an array's end.
   std::optional<glm::mat4> matrix(const Elements& elements, uint32_t i) const {
     glm::mat4 m(1);
     for (size_t c = 0; c < transform.size(); ++c)
@@ -52,7 +52,7 @@ Reason ProgramDraws::triageInstances(const scene::Mesh& mesh, const Elements& el
     if (!m) return Reason::arrayState;
     if (!isAffine(glm::dmat4(*m), glm::dvec3(1))) return Reason::homogeneous;
     const glm::mat3 linear(*m);
-    // Edges are painted in the window: as for one alone (triageAlways()).
+    // Edges are painted in the window: the same condition as in triageAlways().
     if (p_.shadow.state.program.triangleEdges &&
         !isBeforeViewer(mesh, p_.shadow.state.program.clipFromObject * glm::dmat4(*m)))
       return Reason::program;
@@ -79,7 +79,7 @@ void ProgramDraws::addInstancesOf(const scene::Instance& one, const scene::Shadi
   const InstanceReaders readers(p_.shadow.real, p_.shadow.attributes);
   for (uint32_t i = 0; i < elements.repeats(); ++i) {
     const auto own = readers.matrix(elements, i);
-    if (!own || glm::mat3(*own) == glm::mat3(0)) continue;  // nothing is seen of a point
+    if (!own || glm::mat3(*own) == glm::mat3(0)) continue;  // shrunk to a point: invisible
     scene::Instance instance = one;
     glm::mat3 ownNormal(1);
     for (size_t c = 0; c < readers.normal.size(); ++c) {

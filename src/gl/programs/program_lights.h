@@ -1,4 +1,4 @@
-// Lights of a shader program, by the names that its family gives them. GL thread.
+// Reads a shader program's lights from the uniforms that its family names. GL thread.
 #pragma once
 #include "gl/programs/uniforms.h"
 #include "scene/fragment_shading.h"
@@ -7,7 +7,7 @@
 
 namespace gluray::gl {
 
-/// The lights that are on. Positions are counted from `viewer`, directions go from the light to the surface.
+/// The lights that are on. Positions are relative to `viewer`; directions go from light to surface.
 std::vector<scene::FragmentLight> readLights(const FamilyLights& names, const UniformReader& uniforms,
                                              const glm::vec3& viewer);
 

@@ -1,4 +1,4 @@
-// Reads one shader program's uniforms, textures and attributes with the words of its family. Private to
+// Interprets one shader program's uniforms, textures and attributes as its family describes them. Private to
 // program_state.cpp and program_colors.cpp. GL thread.
 #pragma once
 #include "gl/programs/program_state.h"
@@ -11,7 +11,7 @@
 
 namespace gluray::gl {
 
-/// Of one program, once.
+/// Reads one program, once.
 class ProgramReader {
  public:
   ProgramReader(const RealGl& real, ShareGroup& group, const RareState& has, TextureCache& textures,
@@ -28,9 +28,9 @@ class ProgramReader {
   Reason read();
 
  private:
-  /// Refuses the draw for what the user is told.
+  /// Refuses the draw; `why` is shown to the user.
   Reason refuse(std::string why) { return out_.why = std::move(why), Reason::programValue; }
-  /// Values of uniforms that the family knows with these alone.
+  /// Checks the uniforms that must have neutral values (Family::neutral).
   Reason checkNeutral();
   void readTransform();
   void readMaterial(const FamilyMaterial& m, scene::Material& material);
@@ -42,7 +42,8 @@ class ProgramReader {
   Reason readNormals();
   Reason readEdges();
   Reason readColor();
-  /// Colours that the material's own stand in for have their opacity still. That of vertices is the mesh's.
+  /// While the material overrides colours, their opacity still counts: refuses translucent ones. The mesh has
+  /// that of vertex colours.
   Reason readOpacityBeneath();
   const ProgramUniform* samplerNamed(const std::string& name) const {
     return name.empty() ? nullptr : program_.uniform(name);
@@ -52,7 +53,7 @@ class ProgramReader {
   Reason readMap(const ProgramUniform& sampler);
   Reason readBuffer(const ProgramUniform& sampler, scene::Attribute& attribute, uint32_t& count);
   Reason readTextures();
-  /// What an attribute is where it is not an array.
+  /// The current value of an attribute that is not an array.
   glm::vec4 current(const std::string& name) const;
 
   const RealGl& real_;

@@ -6,7 +6,7 @@
 namespace gluray::gl {
 namespace {
 
-constexpr GLsizei kShaders = 32;  // a stage may have several; a program with more is not read as a whole
+constexpr GLsizei kShaders = 32;  // a stage may have several; isWhole() is false for programs with more
 
 /// Appends GLSL without its comments.
 void appendWithoutComments(std::string_view text, std::string& out) {
@@ -38,9 +38,9 @@ void ProgramSource::read() {
   isRead_ = true;
 }
 
-/// Whether there was a text, and all of it could be read.
+/// False if the shader has no text or not all of it could be read.
 bool ProgramSource::readShader(GLuint shader) {
-  GLint type = 0, length = 0;  // which counts the 0 at the end
+  GLint type = 0, length = 0;  // length includes the terminating 0
   real_.GetShaderiv(shader, GL_SHADER_TYPE, &type);
   real_.GetShaderiv(shader, GL_SHADER_SOURCE_LENGTH, &length);
   if (length <= 0) return false;
@@ -50,7 +50,7 @@ bool ProgramSource::readShader(GLuint shader) {
   real_.GetShaderSource(shader, length, &written, source_.data() + begin);
   source_.resize(begin + static_cast<size_t>(std::clamp(written, 0, length - 1)));
   shaders_.push_back({static_cast<GLenum>(type), begin, source_.size()});
-  return written == length - 1;  // else another thread has given it another text
+  return written == length - 1;  // else another thread has changed the text
 }
 
 bool ProgramSource::has(GLenum type) const {

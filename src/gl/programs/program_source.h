@@ -1,5 +1,4 @@
-// The source of a program's shaders, asked of the real OpenGL when it is first needed. GL thread, context
-// current.
+// The source of a program's shaders, queried when first needed. GL thread, context current.
 #pragma once
 #include "gl/families/glsl_statements.h"
 #include "gl/real.h"
@@ -13,19 +12,19 @@ class ProgramSource {
  public:
   ProgramSource(const RealGl& real, GLuint program) : real_(real), program_(program) {}
 
-  /// Texts of the shaders that are attached, one after the other, without comments.
+  /// The concatenated texts of the attached shaders, without comments.
   const std::string& text();
-  /// The same as statements; empty where no shader is attached. A name may read as another one that the text
-  /// does not have. Valid until they are asked for with another name.
+  /// The same as statements; empty if no shader is attached. `renamed` replaces one name, unless the text has
+  /// the new name already. Valid until the next call with another `renamed`.
   const GlslStatements& statements(const GlslStatements::Renamed& renamed = {});
-  /// Whether the text of every attached shader could be read, and one of them is a vertex shader, one a
-  /// fragment shader, and where `geometry` is true one a geometry shader.
+  /// Whether the texts of all attached shaders could be read, among them a vertex and a fragment shader and,
+  /// if `geometry`, a geometry shader.
   bool isWhole(bool geometry);
 
  private:
   struct Shader {
     GLenum type;
-    size_t begin, end;  // of its text
+    size_t begin, end;  // of its text in source_
   };
   void read();
   bool readShader(GLuint shader);
@@ -34,7 +33,7 @@ class ProgramSource {
   const RealGl& real_;
   GLuint program_;
   bool isRead_ = false, allRead_ = false, hasText_ = false, hasStatements_ = false;
-  std::string source_, text_;  // source_: as it was given, one shader after the other
+  std::string source_, text_;  // source_: the original texts, concatenated
   std::vector<Shader> shaders_;
   GlslStatements statements_;
   GlslStatements::Renamed renamed_;

@@ -35,8 +35,8 @@ Reason ProgramReader::checkNeutral() {
   for (const auto& [name, value] : family_.neutral) {
     const std::string now = uniforms_.unlike(name, value);
     if (!now.empty())
-      return refuse("uniform \"" + name + "\" is " + now + ", and the family knows it as " +
-                    (value.empty() ? "the identity" : inWords(value)) + " alone");
+      return refuse("uniform \"" + name + "\" is " + now + ", but the family covers only " +
+                    (value.empty() ? "the identity" : inWords(value)));
   }
   return Reason::traced;
 }
@@ -44,7 +44,7 @@ Reason ProgramReader::checkNeutral() {
 void ProgramReader::readTransform() {
   out_.clipFromObject = *uniforms_.product(family_.clipFromObject);
   out_.eyeFromObject = uniforms_.product(family_.eyeFromObject);
-  // Lights may be given in another space than the viewer's, such as the world; all is seen from the viewer.
+  // Lights may be given in another space than eye space, such as world space: make the viewer its origin.
   viewer_ = glm::vec3(uniforms_.vector(family_.viewer));
   if (out_.eyeFromObject) out_.eyeFromObject = glm::translate(glm::dmat4(1), -viewer_) * *out_.eyeFromObject;
   if (uniforms_.has(family_.normalMatrix))
@@ -62,7 +62,7 @@ void ProgramReader::readMaterial(const FamilyMaterial& m, scene::Material& mater
   material.ambient = product(m.ambientIntensity, m.ambientColor, m.ambientColor.given() ? 1.0f : 0.0f);
   material.diffuse = product(m.diffuseIntensity, m.diffuseColor, 1);
   material.specular = product(m.specularIntensity, m.specularColor, m.specularColor.given() ? 1.0f : 0.0f);
-  // Uniforms that the real OpenGL found to be without effect are not there.
+  // Uniforms that the real OpenGL optimised away have no effect.
   const auto isOff = [&](const FamilyValue& intensity, const FamilyValue& color) {
     return !color.uniform.empty() && !uniforms_.has(color.uniform) && !uniforms_.has(intensity.uniform);
   };
@@ -106,7 +106,7 @@ Reason ProgramReader::readImpostors() {
   out_.impostors.size = glm::vec2(uniforms_.value(f.size, glm::vec4(0)));
   out_.impostors.bulge = uniforms_.number(f.bulge, 0);
   out_.impostors.bulgeDepth = uniforms_.number(f.bulgeDepth, 0);
-  constexpr float kUnit = 1.0f / 65000.0f;  // that VTK counts in
+  constexpr float kUnit = 1.0f / 65000.0f;  // VTK's unit of depth bias
   out_.impostors.depthBias = uniforms_.number(f.depthBias, 0) * kUnit;
   out_.impostorRadius = attribute ? current(f.radius.uniform).x : uniforms_.number(f.radius, 1);
   return f.shape == scene::Shape::splats ? readSplats() : Reason::traced;
@@ -119,7 +119,7 @@ Reason ProgramReader::readSplats() {
   const float scale = uniforms_.number(f.scale, 1);
   if (!(scale > 0)) return refuse("uniform \"" + f.scale.uniform + "\" is not above 0");
   out_.impostors.radiusDivisor = 1 / scale;
-  // Smaller billboards would cut the ellipse.
+  // Smaller billboards would clip the ellipse.
   if (!(uniforms_.number(f.billboardScale, 1) >= 1))
     return refuse("uniform \"" + f.billboardScale.uniform + "\" is below 1");
   if (!out_.eyeFromObject) return Reason::program;
@@ -130,7 +130,7 @@ void ProgramReader::readClipPlanes() {
   out_.clipPlanes.clear();
   const ProgramUniform* planes = family_.clipPlanes.empty() ? nullptr : program_.uniform(family_.clipPlanes);
   if (!planes) return;
-  // Behind the last one that counts lies memory that nobody set.
+  // Elements beyond the count are not initialised.
   int count = planes->count;
   if (uniforms_.has(family_.clipPlaneCount))
     count = std::min(count, uniforms_.integer(family_.clipPlaneCount));
@@ -148,7 +148,7 @@ void ProgramReader::readDepthOffset() {
   const auto writes = [&](const FamilyValue& v) { return !v.constant.empty() || uniforms_.has(v.uniform); };
   out_.shading.fragment.writesDepth = writes(family_.depthOffset) || writes(family_.depthFactor);
   if (!family_.depthOffset.given() && !family_.depthFactor.given()) return;
-  // VTK counts in units of 1/65000.
+  // VTK's unit is 1/65000.
   out_.depthOffset = {uniforms_.number(family_.depthFactor, 0), uniforms_.number(family_.depthOffset, 0),
                       1.0f / 65000.0f, true};
   if (out_.depthOffset.factor == 0 && out_.depthOffset.units == 0) out_.depthOffset = {};

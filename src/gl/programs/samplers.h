@@ -1,4 +1,4 @@
-// Which texture target a sampler uniform reads.
+// Maps types of sampler uniforms to texture targets and their binding queries.
 #pragma once
 #include <GL/gl.h>
 #include <GL/glext.h>

@@ -1,4 +1,4 @@
-// Uniform blocks of programs: the buffers behind them. GL thread, context current.
+// Reads the buffers behind programs' uniform blocks. GL thread, context current.
 #pragma once
 #include "gl/real.h"
 
@@ -10,20 +10,20 @@
 
 namespace gluray::gl {
 
-/// What is bound to a binding point of GL_UNIFORM_BUFFER; size 0: all of the buffer.
+/// The buffer range bound to a binding point of GL_UNIFORM_BUFFER, in bytes; size 0: the whole buffer.
 struct BlockBinding {
   GLuint binding = 0, buffer = 0;
   GLint64 start = 0, size = 0;
 };
 BlockBinding boundBlock(const RealGl& real, GLuint binding);
 
-/// A block's bytes, and where the program looks for them.
+/// A block's contents and the binding point where the program reads them.
 struct UniformBlock {
   GLuint binding = 0;
   std::vector<std::byte> contents;
 };
 
-/// The active blocks of a program that have a buffer, as they are now.
+/// The current contents of the program's active blocks that have a buffer.
 std::vector<UniformBlock> readBlocks(const RealGl& real, GLuint program);
 
 }  // namespace gluray::gl

@@ -47,7 +47,7 @@ void readPlain(const RealGl& real, const Program& program, UniformValue& value) 
     real.GetUniformfv(program.name, value.location, value.floats.data());
 }
 
-/// From the buffer behind a uniform block; it stays 0 where there is none.
+/// Reads the element from the buffer behind its uniform block; it stays 0 if there is none.
 void readFromBlock(const RealGl& real, const Program& program, const ProgramUniform& u, int element,
                    UniformValue& value) {
   GLint binding = 0;

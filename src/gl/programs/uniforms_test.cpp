@@ -1,4 +1,4 @@
-// Uniform values by name: shapes of types, elements of arrays, constants in place of uniforms.
+// Uniform values by name: shapes of types, array elements, constants in place of uniforms.
 #include "gl/programs/uniforms.h"
 
 #include <gtest/gtest.h>
@@ -61,21 +61,21 @@ TEST_F(Uniforms, VectorsAndNumbers) {
   EXPECT_EQ(reader().vector("i").x, 101);
 }
 
-TEST_F(Uniforms, ValuesThatAreNotNeutralAreNamed) {
+TEST_F(Uniforms, NamesValuesThatAreNotNeutral) {
   add("f", GL_FLOAT), add("v", GL_FLOAT_VEC2), add("i", GL_INT), add("m", GL_FLOAT_MAT2);
   EXPECT_EQ(reader().unlike("f", {1}), "");
   EXPECT_EQ(reader().unlike("f", {2}), "1");
   EXPECT_EQ(reader().unlike("v", {1, 2}), "");
-  EXPECT_EQ(reader().unlike("v", {1}), "(1, 2)") << "one number is that of all components";
+  EXPECT_EQ(reader().unlike("v", {1}), "(1, 2)") << "one number stands for all components";
   EXPECT_EQ(reader().unlike("v", {1, 2, 3}), "(1, 2)");
   EXPECT_EQ(reader().unlike("i", {101}), "");
   EXPECT_EQ(reader().unlike("m", {}), "(1, 2, 3, 4)");
   values_.back().floats = {1, 0, 0, 1};
   EXPECT_EQ(reader().unlike("m", {}), "") << "the identity";
-  EXPECT_EQ(reader().unlike("none", {5}), "") << "what is not active has no effect";
+  EXPECT_EQ(reader().unlike("none", {5}), "") << "inactive uniforms have no effect";
 }
 
-TEST_F(Uniforms, WhatIsNotActiveIsNothing) {
+TEST_F(Uniforms, InactiveUniformsAreZeroOrIdentity) {
   EXPECT_FALSE(reader().has("v"));
   EXPECT_FALSE(reader().has(""));
   EXPECT_EQ(reader().vector("v"), glm::vec4(0));
@@ -98,7 +98,7 @@ TEST_F(Uniforms, ElementsOfArrays) {
   EXPECT_EQ(reader().vector("a", 3), glm::vec4(0));
 }
 
-TEST_F(Uniforms, MatricesAreFilledUpWithTheIdentity) {
+TEST_F(Uniforms, MatricesAreExtendedByTheIdentity) {
   add("m3", GL_FLOAT_MAT3), add("m4", GL_FLOAT_MAT4), add("m2x3", GL_FLOAT_MAT2x3), add("v", GL_FLOAT_VEC4);
   EXPECT_EQ(reader().matrix4("m4")[2], glm::vec4(9, 10, 11, 12));
   EXPECT_EQ(reader().matrix4("m3")[1], glm::vec4(4, 5, 6, 0));

@@ -8,7 +8,7 @@
 namespace gluray::gl {
 namespace {
 
-/// State groups that an attribute group of glPushAttrib holds.
+/// State groups that the attribute groups of `mask` (glPushAttrib) belong to.
 uint32_t groupsOfAttrib(GLbitfield mask) {
   if (mask == GL_ALL_ATTRIB_BITS) return kAttribGroups;
   uint32_t groups = 0;
@@ -34,7 +34,7 @@ void AttribStack::push(GLbitfield mask) {
   p_.shadow.syncCurrent();
   p_.shadow.real.PushAttrib(mask);
   if (deepest_ == 0) p_.shadow.real.GetIntegerv(GL_MAX_ATTRIB_STACK_DEPTH, &deepest_);
-  if (saved_.size() >= static_cast<size_t>(deepest_)) return;  // the real one refused, too
+  if (saved_.size() >= static_cast<size_t>(deepest_)) return;  // the real OpenGL refused, too
   saved_.push_back({mask, p_.lists.base});
 }
 
@@ -45,7 +45,7 @@ void AttribStack::pop() {
     saved_.pop_back();
     if (saved.mask & GL_LIST_BIT) p_.lists.base = saved.listBase;
     if (saved.mask & GL_TRANSFORM_BIT) p_.shadow.matrixMode = 0;
-    // A change of the draw buffer redirects what is pending.
+    // A change of the draw buffer would redirect the pending batch.
     if (saved.mask & GL_COLOR_BUFFER_BIT) p_.flusher.flush();
     p_.shadow.touch(groupsOfAttrib(saved.mask));
   }

@@ -1,5 +1,5 @@
-// glPushAttrib and glPopAttrib: what we keep beside the real OpenGL's stack. A part of each Context, GL
-// thread.
+// glPushAttrib and glPopAttrib: the state that we save beside the real OpenGL's stack. A part of each
+// Context, GL thread.
 #pragma once
 #include "gl/batch/flusher.h"
 
@@ -30,7 +30,7 @@ class AttribStack {
   };
 
   std::vector<Saved> saved_;
-  GLint deepest_ = 0;  // 0: not known yet
+  GLint deepest_ = 0;  // GL_MAX_ATTRIB_STACK_DEPTH; 0: not queried yet
   Parts p_;
 };
 

@@ -1,4 +1,4 @@
-// Blending as the real OpenGL has it set. GL thread.
+// Blend state, read back from the real OpenGL. GL thread.
 #pragma once
 #include "gl/real.h"
 #include "scene/blending.h"
@@ -7,8 +7,8 @@
 
 namespace gluray::gl {
 
-/// What fragments do to a framebuffer that has alpha. Nothing where blending is of a kind that
-/// scene::Blending does not know, such as factors of a second colour.
+/// How fragments are blended into a framebuffer that has alpha. Empty if scene::Blending cannot express it,
+/// as with factors of a second colour.
 std::optional<scene::Blending> readBlending(const RealGl& real, bool writesDepth);
 
 }  // namespace gluray::gl

@@ -7,7 +7,7 @@
 namespace gluray::gl {
 namespace {
 
-/// Asking for a size where nothing is attached is an error, so its type is asked first.
+/// Querying the size of a missing attachment is an error, so the attachment's type is queried first.
 GLint sizeOf(const RealGl& real, GLenum attachment, GLenum name) {
   if (attachmentValue(real, GL_DRAW_FRAMEBUFFER, attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) ==
       GL_NONE)
@@ -15,7 +15,7 @@ GLint sizeOf(const RealGl& real, GLenum attachment, GLenum name) {
   return attachmentValue(real, GL_DRAW_FRAMEBUFFER, attachment, name);
 }
 
-/// What the default framebuffer's buffers are called when they are asked about as attachments.
+/// The attachment name of a buffer of the default framebuffer.
 GLenum attachmentOfWindow(GLenum drawBuffer) {
   switch (drawBuffer) {
     case GL_BACK:

@@ -1,16 +1,16 @@
-// How many bits a pixel of the draw framebuffer has. Core profiles refuse GL_DEPTH_BITS and the like with
-// GL_INVALID_ENUM (OpenGL 3.1 and later, appendix E): there the attachments are asked. GL thread.
+// Bits per pixel of the draw framebuffer. Core profiles refuse GL_DEPTH_BITS and the like with
+// GL_INVALID_ENUM (OpenGL 3.1 and later, appendix E): there the attachments are queried. GL thread.
 #pragma once
 #include "gl/real.h"
 
 namespace gluray::gl {
 
-/// Of the depth buffer; 0 where there is none. Raises no error. `fixedFunction`: the context has it, so is
-/// not of a core profile.
+/// Bits of the depth buffer; 0 if there is none. Raises no error. `fixedFunction`: the context has it, so its
+/// profile is not core.
 GLint depthBits(const RealGl& real, bool fixedFunction);
 
-/// Of the red part of the colour buffer that `drawBuffer` names (as glDrawBuffer does); 0 where there is
-/// none. Raises no error.
+/// Red bits of the colour buffer that `drawBuffer` names (as glDrawBuffer does); 0 if there is none. Raises
+/// no error.
 GLint redBits(const RealGl& real, GLenum drawBuffer, bool fixedFunction);
 
 }  // namespace gluray::gl

@@ -1,5 +1,5 @@
-// Sizes of buffers, asked of an OpenGL that answers as the specification has it: in core profiles none of the
-// old names, and no size of what is not attached.
+// Buffer sizes from a fake OpenGL that follows the specification: core profiles refuse the old names, and
+// querying the size of a missing attachment is an error.
 #include "gl/state/buffer_bits.h"
 
 #include <GL/glext.h>
@@ -57,7 +57,7 @@ class BufferBits : public testing::Test {
   RealGl real_ = table();
 };
 
-TEST_F(BufferBits, OfACoreProfilesWindow) {
+TEST_F(BufferBits, CoreProfileWindow) {
   g_target = {.sizes = {{GL_DEPTH, 24}, {GL_BACK_LEFT, 8}, {GL_FRONT_LEFT, 10}}};
   EXPECT_EQ(depthBits(real_, false), 24);
   EXPECT_EQ(redBits(real_, GL_BACK, false), 8);
@@ -65,21 +65,21 @@ TEST_F(BufferBits, OfACoreProfilesWindow) {
   EXPECT_EQ(redBits(real_, GL_FRONT, false), 10);
 }
 
-TEST_F(BufferBits, OfACoreProfilesWindowWithoutThem) {
+TEST_F(BufferBits, CoreProfileWindowWithoutBuffers) {
   g_target = {};
   EXPECT_EQ(depthBits(real_, false), 0);
   EXPECT_EQ(redBits(real_, GL_BACK, false), 0);
   EXPECT_EQ(redBits(real_, GL_NONE, false), 0);
 }
 
-TEST_F(BufferBits, OfFramebufferObjects) {
+TEST_F(BufferBits, FramebufferObjects) {
   g_target = {.framebuffer = 7, .sizes = {{GL_DEPTH_ATTACHMENT, 32}, {GL_COLOR_ATTACHMENT0 + 1, 16}}};
   EXPECT_EQ(depthBits(real_, false), 32);
   EXPECT_EQ(redBits(real_, GL_COLOR_ATTACHMENT0 + 1, false), 16);
   EXPECT_EQ(redBits(real_, GL_COLOR_ATTACHMENT0, false), 0);
 }
 
-TEST_F(BufferBits, OfCompatibilityProfilesByTheirNames) {
+TEST_F(BufferBits, CompatibilityProfiles) {
   g_target = {.core = false};
   EXPECT_EQ(depthBits(real_, true), 16);
   EXPECT_EQ(redBits(real_, GL_BACK, true), 5);

@@ -7,7 +7,6 @@
 
 namespace gluray::gl {
 
-/// "4.5 (Compatibility Profile) Mesa" -> major * scale + minor; 0 where there is no such string.
 int parseVersion(const GLubyte* text, int scale) {
   if (!text) return 0;
   char* end = nullptr;

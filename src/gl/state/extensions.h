@@ -1,5 +1,5 @@
-// What the real OpenGL of a context has: asked once, so that questions it would refuse are not asked. GL
-// thread, context current.
+// The real OpenGL's version, extensions and optional state: read once, so that queries it would refuse are
+// not made. GL thread, context current.
 #pragma once
 #include "gl/real.h"
 
@@ -7,17 +7,17 @@
 
 namespace gluray::gl {
 
-/// "4.5 (Compatibility Profile) Mesa" -> major * scale + minor; 0 where there is no such string. `scale` is
-/// 10 for OpenGL's versions, 100 for those of GLSL.
+/// "4.5 (Compatibility Profile) Mesa" -> major * scale + minor; 0 for null. `scale` is 10 for versions of
+/// OpenGL, 100 for those of GLSL.
 int parseVersion(const GLubyte* text, int scale);
 /// 10 * major + minor.
 int versionOf(const RealGl& real);
-/// "4.5 (Compatibility Profile) Mesa 22.3.6" -> 2203, 100 * major + minor of Mesa; 0 where it is not Mesa.
+/// "4.5 (Compatibility Profile) Mesa 22.3.6" -> 2203, 100 * major + minor of Mesa; 0 if it is not Mesa.
 int mesaVersionOf(const GLubyte* text);
 /// Whether the current context's extension list has `name` ("GL_ARB_texture_rg").
 bool hasExtension(const RealGl& real, int version, std::string_view name);
 
-/// State of later versions and extensions that a context may have beside that of OpenGL 1.5.
+/// Which state of later versions and extensions a context has beside that of OpenGL 1.5.
 struct RareState {
   bool asked = false;
   bool fixedFunction = true;  // not in core profiles

@@ -39,7 +39,7 @@ const GLubyte* withoutHidden(const GLubyte* all) {
     else if (!name.empty())
       shown.append(name).append(" ");
   }
-  // Programs keep the pointer: it points at the same text for good.
+  // Programs keep the pointer, so the text must stay where it is.
   static std::mutex mutex;
   static std::set<std::string> texts;
   const std::lock_guard lock(mutex);

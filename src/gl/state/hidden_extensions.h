@@ -1,4 +1,4 @@
-// Extensions that programs are not told of: the quirk "hide-persistent-mapping". GL thread, context current.
+// Extensions hidden from programs by the quirk "hide-persistent-mapping". GL thread, context current.
 #pragma once
 #include "gl/real.h"
 
@@ -6,12 +6,11 @@
 
 namespace gluray::gl {
 
-/// glGetString(GL_EXTENSIONS) without them; lives as long as the process. Null where `all` is.
+/// `all`, a glGetString(GL_EXTENSIONS), without them; lives as long as the process. Null if `all` is.
 const GLubyte* withoutHidden(const GLubyte* all);
 /// GL_NUM_EXTENSIONS without them.
 GLint visibleExtensions(const RealGl& real);
-/// The real OpenGL's index of the one that the program knows by `index`; beyond all of them where it is
-/// beyond those that are shown.
+/// The real OpenGL's index of visible extension `index`; GL_NUM_EXTENSIONS if there are not so many.
 GLuint realExtensionIndex(const RealGl& real, GLuint index);
 
 }  // namespace gluray::gl

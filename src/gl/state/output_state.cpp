@@ -15,7 +15,7 @@ bool allOff(const RealGl& real, std::initializer_list<GLenum> capabilities) {
   return true;
 }
 
-/// Whether each of the first two draw buffers takes part, and no other, and both keep floats.
+/// Whether exactly the first two draw buffers are in use, and both hold floats.
 bool drawsTwoOfFloats(const RealGl& real) {
   GLint most = 0;
   real.GetIntegerv(GL_MAX_DRAW_BUFFERS, &most);
@@ -31,7 +31,7 @@ bool drawsTwoOfFloats(const RealGl& real) {
   return true;
 }
 
-/// glGetIntegeri_v where blending is set for each draw buffer, glGetIntegerv elsewhere.
+/// Whether a blend parameter of draw buffers 0 and 1 is `wanted`; without per-buffer blending, of all.
 bool blendIs(const RealGl& real, GLenum name, GLint wanted) {
   if (!isPresent(real.BlendFunci)) return integer(real, name) == wanted;
   for (GLuint i = 0; i < 2; ++i) {
@@ -47,7 +47,7 @@ bool blendIsOn(const RealGl& real) {
   return real.IsEnabledi(GL_BLEND, 0) && real.IsEnabledi(GL_BLEND, 1);
 }
 
-/// Whether every fragment of a filled triangle gets as far as depth test and blending with all its channels.
+/// Whether all fragments of filled triangles reach depth test and blending, with all channels written.
 bool isOpen(const RealGl& real, const RareState& has) {
   if (!allOff(real, {GL_STENCIL_TEST, GL_COLOR_LOGIC_OP})) return false;
   if (has.framebufferSrgb && isOn(real, GL_FRAMEBUFFER_SRGB)) return false;

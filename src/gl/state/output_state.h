@@ -1,21 +1,21 @@
-// What stands between a fragment program's outputs and the framebuffer. GL thread.
+// The state between a fragment shader's outputs and the framebuffer. GL thread.
 #pragma once
 #include "gl/real.h"
 #include "gl/state/state.h"
 
 namespace gluray::gl {
 
-/// Why state of later versions and extensions, that hardly any program sets, rules tracing out.
+/// Why rarely used state of later versions and extensions rules out tracing; Reason::traced if it does not.
 Reason rareReason(const RealGl& real, const RareState& has);
 
-/// Whether what a fragment program writes is what the framebuffer has afterwards.
+/// Whether the framebuffer gets a fragment shader's outputs unchanged: no depth test, blending or culling.
 bool writesThrough(const RealGl& real, const RareState& has);
 
-/// Whether of all that is written to a pixel the framebuffer keeps the largest, channel by channel.
+/// Whether each channel keeps the largest value written: GL_MAX blending without depth test.
 bool keepsLargest(const RealGl& real, const RareState& has);
 
-/// Whether fragments are tested for depth, leave none, and add their colours to those of two draw buffers of
-/// floats, while the first's alpha becomes the product of what they let through.
+/// Whether fragments are depth-tested without writing depth, add their colours to two float draw buffers, and
+/// multiply the buffers' alpha by 1 - their own: the first's becomes the product of what they let through.
 bool addsUp(const RealGl& real, const RareState& has, const RasterState& raster);
 
 }  // namespace gluray::gl

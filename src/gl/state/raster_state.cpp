@@ -1,4 +1,4 @@
-// Per-fragment operations and polygon state: what rules tracing out, and what tracing needs of the rest.
+// Per-fragment operations and polygon state: why they rule out tracing, and the values that tracing needs.
 #include "gl/state/blend_state.h"
 #include "gl/state/output_state.h"
 #include "gl/state/state.h"
@@ -11,8 +11,8 @@
 namespace gluray::gl {
 namespace {
 
-/// Why blending rules tracing out. Where it does not, opaque surfaces replace what is there, all of it or the
-/// colours alone: unlessOpaque says what holds for others, and colorWrites.alpha what becomes of alpha.
+/// Why blending rules out tracing. If it does not, opaque surfaces replace the framebuffer's colour: sets
+/// unlessOpaque if others do not, and clears colorWrites.alpha if the framebuffer keeps its alpha.
 Reason blendReason(const RealGl& real, RasterState& raster) {
   if (!isOn(real, GL_BLEND)) return Reason::traced;
   const auto source = integer(real, GL_BLEND_SRC_RGB), destination = integer(real, GL_BLEND_DST_RGB);
@@ -70,14 +70,14 @@ scene::Fog readFog(const RealGl& real, const RareState& has) {
   return fog;
 }
 
-/// Why fog rules tracing out: where it goes by another distance than that from the viewer's plane.
+/// Why fog rules out tracing: its distance is not that from the viewer's plane.
 Reason fogReason(const RealGl& real, const RareState& has) {
   const bool unusual = has.fogDistance && isOn(real, GL_FOG) &&
                        integer(real, GL_FOG_DISTANCE_MODE_NV) != GL_EYE_PLANE_ABSOLUTE_NV;
   return unusual ? Reason::fog : Reason::traced;
 }
 
-/// Why per-fragment operations rule tracing out, cheapest and commonest questions first.
+/// Why per-fragment operations rule out tracing; the cheapest and commonest queries come first.
 Reason fragmentReason(const RealGl& real, const RareState& has, RasterState& raster) {
   if (has.fixedFunction && integer(real, GL_RENDER_MODE) != GL_RENDER) return Reason::renderMode;
   if (!isOn(real, GL_DEPTH_TEST)) return Reason::noDepthTest;
@@ -132,12 +132,11 @@ void readRaster(const RealGl& real, State& state) {
   raster.colorWrites = {};
   raster.program = isPresent(real.UseProgram) ? static_cast<GLuint>(integer(real, GL_CURRENT_PROGRAM)) : 0;
   raster.reason = fragmentReason(real, state.rare, raster);
-  // A draw that tests and writes depth, and replaces colour, meets pending traced surfaces in the depth
-  // buffer.
+  // A draw that tests and writes depth, and replaces colour, is depth-merged with pending traced surfaces.
   raster.orderFree = (raster.reason == Reason::traced || raster.reason == Reason::fog ||
                       raster.reason == Reason::program || raster.reason == Reason::renderMode) &&
                      !isOn(real, GL_BLEND) && raster.writesDepth;
-  // Programs of a pipeline are not looked into: they may write memory, in the order of drawing.
+  // Programs of a pipeline are not inspected: they may write memory, where the order of draws matters.
   if (raster.program == 0 && raster.reason == Reason::program && isPresent(real.BindProgramPipeline) &&
       integer(real, GL_PROGRAM_PIPELINE_BINDING) != 0)
     raster.orderFree = false;

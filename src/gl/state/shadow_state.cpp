@@ -18,14 +18,15 @@ bool isSoftware(const RealGl& real) {
 
 }  // namespace
 
-ShadowState::ShadowState(const RealGl& realGl, std::shared_ptr<ShareGroup> with, const ContextInfo& about,
-                         const Settings& ofFrame, Errors& errorsOfBoth, Failsafe& failsafe)
+ShadowState::ShadowState(const RealGl& realGl, std::shared_ptr<ShareGroup> shareGroup,
+                         const ContextInfo& contextInfo, const Settings& ofFrame, Errors& contextErrors,
+                         Failsafe& failsafe)
     : real(realGl),
-      sharedGroup(std::move(with)),
+      sharedGroup(std::move(shareGroup)),
       group(*sharedGroup),
-      info(about),
+      info(contextInfo),
       settings(ofFrame),
-      errors(errorsOfBoth),
+      errors(contextErrors),
       attachments(group.deletedBuffers),
       latch(settings.quirks.has(Quirk::materialLatch) && MaterialLatch::isIn(realGl)),
       textures(group),
@@ -43,7 +44,7 @@ void ShadowState::refresh(uint32_t groups) noexcept {
 }
 
 void ShadowState::read(uint32_t stale) {
-  // A question that the real OpenGL refuses after all sets an error; the program must see its own only.
+  // A query that the real OpenGL refuses sets an error; the program must see only its own errors.
   errors.keepPending();
   if (!state.rare.asked) {
     state.rare = readRareState(real);
@@ -57,7 +58,7 @@ void ShadowState::read(uint32_t stale) {
   if (stale & kViewport) readViewport(real, state);
   if (stale & kRaster) readRaster(real, state);
   if (stale & kLighting) readLighting(real, state);
-  // Colours sent while lighting was off went into the material without our taking note.
+  // Colours sent while lighting was off changed the material without setting kMaterial.
   const bool recolored = (stale & kLighting) && state.shading.colorMaterial != scene::ColorMaterial{};
   if ((stale & kMaterial) || recolored) {
     readMaterial(real, state);
@@ -89,8 +90,7 @@ void ShadowState::readProgramInUse() {
     return;
   }
   readProgram(real, group, state.rare, textures, inUse);
-  // A program that was deleted lives as long as it is in use: the write-back, which uses its own, would end
-  // it.
+  // A deleted program lives only while it is in use: the write-back, which uses another, would end it.
   GLint deleted = 0;
   real.GetProgramiv(name, GL_DELETE_STATUS, &deleted);
   if (deleted) inUse.reason = Reason::program;

@@ -1,5 +1,5 @@
-// What is known of the real OpenGL's state. State calls are forwarded at once and mark groups of it as
-// stale; a draw that needs a group reads it back. A part of each Context, GL thread.
+// Shadow copy of the real OpenGL's state. State calls are forwarded at once and mark groups of it as dirty; a
+// draw that needs a group reads it back. A part of each Context, GL thread.
 #pragma once
 #include "gl/arrays/arrays.h"
 #include "gl/buffers/attachments.h"
@@ -24,7 +24,7 @@ class Failsafe;
 
 class ShadowState {
  public:
-  /// `ofFrame`: the settings of the frame, which change between frames.
+  /// `ofFrame`: the settings of the current frame, which may change between frames.
   ShadowState(const RealGl& real, std::shared_ptr<ShareGroup> group, const ContextInfo& info,
               const Settings& ofFrame, Errors& errors, Failsafe& failsafe);
 
@@ -35,28 +35,28 @@ class ShadowState {
   const Settings& settings;  // of this frame
   Errors& errors;
 
-  uint32_t dirty = kAllGroups;  // StateGroups to read back before the next draw needs them
+  uint32_t dirty = kAllGroups;  // StateGroups to read back when a draw needs them
   State state;                  // valid where not dirty; use refresh()
   ArrayState arrays;            // the same for kFixedArrays
   ArrayState attributes;        // the same for kAttributes
   Attachments attachments;      // buffers in vertex array objects
-  CurrentValues current;        // current attributes: ours, or after refresh(kCurrent)
+  CurrentValues current;        // current attributes; valid after refresh(kCurrent)
   MaterialLatch latch;
   TextureCache textures;
   CurrentProgram program;
   int activeQueries = 0;  // queries and conditional renderings that count or guard draws
-  GLenum matrixMode = 0;  // 0: ask the real OpenGL
+  GLenum matrixMode = 0;  // 0: query the real OpenGL
 
   void touch(uint32_t groups) { dirty |= groups; }
-  /// Reads `groups` back where they changed.
+  /// Reads back those of `groups` that are dirty.
   void refresh(uint32_t groups) noexcept;
-  /// The program in use, outside glBegin and glEnd; null: there is none.
+  /// The program in use; null if there is none. Outside glBegin and glEnd.
   const std::shared_ptr<const KnownProgram>& programInUse();
   void syncCurrent() {
     if (current.anyUnsent()) [[unlikely]]
       current.send(real);
   }
-  /// Gives the real OpenGL the contents of buffers that its draws may read.
+  /// Sends the real OpenGL held-back contents of buffers that its next draw may read.
   void sendBuffers();
   double viewportPixels() const {
     return static_cast<double>(state.viewport.z) * static_cast<double>(state.viewport.w);
@@ -76,7 +76,7 @@ class ShadowState {
 inline constexpr uint32_t kDrawGroups = kModelview | kProjection | kViewport | kRaster | kLighting |
                                         kMaterial | kFixedTextures | kClip | kTarget | kCurrent;
 
-/// The same for surfaces that a shader program draws.
+/// Groups that decide this for surfaces drawn by a shader program.
 inline constexpr uint32_t kProgramGroups =
     kViewport | kRaster | kTarget | kClip | kProgram | kProgramTextures | kAttributes;
 

@@ -1,6 +1,5 @@
-// What the next draw needs to know of the GL state. The real OpenGL keeps the state (every state call is
-// forwarded at once); this is a copy by groups, read back when a draw needs a group that calls have touched
-// since. GL thread.
+// The GL state that draws depend on. The real OpenGL keeps the state (every state call is forwarded at once);
+// this is a copy in groups. A draw that needs a group reads it back if calls have touched it. GL thread.
 #pragma once
 #include "gl/buffers/attachments.h"
 #include "gl/draws/reasons.h"
@@ -34,7 +33,7 @@ enum StateGroup : uint32_t {
   kAttributes = 1 << 11,    // vertex arrays of shader programs
   kProgram = 1 << 12,       // the current shader program and its uniforms
   kArrays = kFixedArrays | kAttributes,
-  kProgramTextures = 1 << 13,  // what samplers of shader programs read
+  kProgramTextures = 1 << 13,  // textures that shader programs sample
   kTexture = kFixedTextures | kProgramTextures,
   kAllGroups = (1 << 14) - 1
 };
@@ -49,17 +48,17 @@ constexpr uint32_t kAttribGroups = kAllGroups & ~uint32_t{kArrays | kProjection}
 
 struct RasterState {
   GLuint program = 0;                    // current shader program
-  Reason reason = Reason::traced;        // why surfaces cannot be traced whatever their vertices, or `traced`
-  Reason unlessOpaque = Reason::traced;  // why surfaces cannot be traced whose alpha is not 1, or `traced`
-  scene::ColorWrites colorWrites;        // what glColorMask, or blending, lets through
+  Reason reason = Reason::traced;        // why no surface can be traced, or `traced`
+  Reason unlessOpaque = Reason::traced;  // why surfaces whose alpha is not 1 cannot be traced, or `traced`
+  scene::ColorWrites colorWrites;        // channels that glColorMask and blending let draws write
   bool scissorTest = false;
   GLenum depthFunc = GL_LESS;
   bool writesDepth = true;
   bool orderFree = false;  // rasterised draws merge with pending traced ones in any order
-  /// Where surfaces cannot be traced because of blending or of depth that is not written: how they change
-  /// what is there, if they can be traced as layers in the order of drawing.
+  /// For surfaces that blend or do not write depth: how they are blended, if they can be traced as layers in
+  /// the order of drawing.
   std::optional<scene::Blending> layers;
-  bool firstVertexProvokes = false;  // matters where shading is flat
+  bool firstVertexProvokes = false;  // matters for flat shading
   bool multisample = true;
   scene::AlphaTest alphaTest;
   scene::CullFace cull = scene::CullFace::none;
@@ -76,14 +75,14 @@ struct TargetState {
   int samples = 1;
   glm::ivec2 size{0};  // pixels, of a framebuffer object; {0, 0}: unknown
   std::vector<glm::vec2> samplePositions;
-  bool wideColors = false;  // floats
-  bool eightBits = false;  // for red, green, blue and, if `alpha`, alpha; asked where there is fixed function
+  bool wideColors = false;  // colours are floats
+  bool eightBits = false;   // 8 each of red, green, blue and, if `alpha`, alpha; read with fixed function
   bool alpha = true;
-  bool blendable = false;  // one buffer of eight bits, one sample a pixel
-  double depthSteps = 0;   // from depth 0 to 1; 0: floats
-  bool encodes = false;    // GL_FRAMEBUFFER_SRGB: colours may be encoded on their way
+  bool blendable = false;  // eightBits, one draw buffer, one sample per pixel, not `encodes`
+  double depthSteps = 0;   // from depth 0 to 1; 0: depth is floats
+  bool encodes = false;    // GL_FRAMEBUFFER_SRGB: colours may be encoded when written
   float depthResolution = 1.0f / 16777216.0f;
-  // What glPolygonOffset counts in; depthFloats: the last digit of depth, which is kept as floats.
+  // Unit of glPolygonOffset; if depthFloats (depth is floats), it is the last bit of the depth instead.
   float offsetUnit = 1.0f / 8388608.0f;
   bool depthFloats = false;
 };

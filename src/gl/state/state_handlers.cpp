@@ -1,4 +1,4 @@
-// Clears and finishes, the attribute stack, questions.
+// Handlers of clears, glFlush, glFinish, the attribute stack, queries, and changes of textures and programs.
 #include "gl/handlers.h"
 #include "gl/state/hidden_extensions.h"
 #include "gl/state/state_queries.h"
@@ -67,7 +67,7 @@ namespace {
 
 bool hides(const Context& c) { return c.shadow.settings.quirks.has(Quirk::hidePersistentMapping); }
 
-/// The answers of display lists, which the real OpenGL does not know. False for any other question.
+/// Answers queries of our display lists, and of GL_NUM_EXTENSIONS if some are hidden. False for any other.
 template <class T>
 bool answer(Context& c, GLenum pname, T* data) {
   GLuint value = 0;
@@ -132,7 +132,7 @@ void getInteger64v(Context& c, GLenum pname, GLint64* data) {
 
 namespace {
 
-/// Whether a query looks at what draws do; timers and time stamps do not.
+/// Whether a query object observes draws; timers and time stamps do not.
 bool countsDraws(GLenum target) { return target != GL_TIME_ELAPSED && target != GL_TIMESTAMP; }
 
 void endGuard(Context& c) { c.shadow.activeQueries = std::max(0, c.shadow.activeQueries - 1); }

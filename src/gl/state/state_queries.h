@@ -1,4 +1,4 @@
-// Questions to the real OpenGL, answered as values. Private to gl/, GL thread.
+// Queries of the real OpenGL that return their result. Private to gl/, GL thread.
 #pragma once
 #include "gl/real.h"
 
@@ -17,14 +17,14 @@ inline GLint integer(const RealGl& real, GLenum name) {
 
 inline bool isOn(const RealGl& real, GLenum capability) { return real.IsEnabled(capability) == GL_TRUE; }
 
-/// Of what is attached to the framebuffer object bound to `target`.
+/// A parameter of an attachment of the framebuffer bound to `target`.
 inline GLint attachmentValue(const RealGl& real, GLenum target, GLenum attachment, GLenum name) {
   GLint value = 0;
   real.GetFramebufferAttachmentParameteriv(target, attachment, name, &value);
   return value;
 }
 
-/// x, y, width and height of what the scissor test lets through: nearly all there is where it is off.
+/// The scissor box (x, y, width, height); a box larger than any framebuffer if the scissor test is off.
 inline glm::ivec4 scissorBox(const RealGl& real) {
   constexpr int kAll = std::numeric_limits<int>::max() / 2;
   glm::ivec4 box(0, 0, kAll, kAll);

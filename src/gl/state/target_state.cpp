@@ -1,4 +1,4 @@
-// The framebuffer that draws go to.
+// Reads back the state of the draw framebuffer.
 #include "gl/state/buffer_bits.h"
 #include "gl/state/state.h"
 #include "gl/state/state_queries.h"
@@ -27,8 +27,8 @@ bool isSingleDrawBuffer(GLenum buffer) {
 
 enum class Colors { bytes, floats, others };
 
-/// What the colour buffer holds. Bytes: normalised values of about the eight bits that the write-back
-/// delivers; of ten bits the last two are lost, a quarter of 1/255 at most.
+/// What the colour buffer holds. `bytes`: normalised values of 8 or 10 bits. The write-back delivers 8: of 10
+/// bits the last two are lost, a quarter of 1/255 at most.
 Colors colorsOf(const RealGl& real, const TargetState& target, bool fixedFunction) {
   const auto fits = [](GLint bits) { return bits == 8 || bits == 10; };
   if (target.framebuffer == 0)
@@ -42,7 +42,7 @@ Colors colorsOf(const RealGl& real, const TargetState& target, bool fixedFunctio
   return type == GL_UNSIGNED_NORMALIZED && fits(bits) ? Colors::bytes : Colors::others;
 }
 
-/// The colour buffer's bits, and whether what is drawn can be blended by us with what is read back.
+/// Reads the colour buffer's bits, and whether we can blend traced surfaces with its contents.
 void readColorBits(const RealGl& real, bool fixedFunction, TargetState& target) {
   const GLenum buffer = target.drawBuffer;
   const bool single = target.framebuffer != 0 || (buffer != GL_FRONT_AND_BACK && buffer != GL_LEFT);
@@ -56,9 +56,9 @@ void readColorBits(const RealGl& real, bool fixedFunction, TargetState& target) 
   target.blendable = target.eightBits && single && target.samples == 1 && !target.encodes;
 }
 
-/// Size of the image that is attached to the framebuffer object's draw buffer; {0, 0} where it is of a kind
-/// not asked about. A renderbuffer that was deleted may live on there, and its name mean another one, or
-/// none, which binding it would make.
+/// Size in pixels of the renderbuffer attached to the framebuffer object; {0, 0} for other images and for
+/// deleted names. A deleted renderbuffer may live on there while its name means another one, or none, which
+/// binding would create.
 glm::ivec2 attachmentSize(const RealGl& real, const DeletedBuffers& deleted, GLenum attachment) {
   const auto ask = [&](GLenum name) {
     GLint value = 0;
@@ -77,7 +77,7 @@ glm::ivec2 attachmentSize(const RealGl& real, const DeletedBuffers& deleted, GLe
   return size;
 }
 
-/// Whether depth is kept as floats, which windows do not have.
+/// Whether the depth buffer holds floats; those of windows never do.
 bool keepsFloats(const RealGl& real, GLuint framebuffer) {
   if (framebuffer == 0) return false;
   const auto ask = [&](GLenum name) {
@@ -111,8 +111,7 @@ void readTarget(const RealGl& real, const DeletedBuffers& deletedRenderbuffers, 
   }
   const GLint depthBits = gl::depthBits(real, state.rare.fixedFunction);
   target.depthResolution = std::ldexp(1.0f, -std::min(std::max(depthBits, 1), 24));
-  // OpenGL leaves the unit to the implementation. Mesa takes two steps, for its drivers and its own
-  // rasterizers.
+  // OpenGL leaves the unit to the implementation. Mesa's drivers and rasterizers take two depth steps.
   target.offsetUnit = std::ldexp(2.0f, -std::max(depthBits, 1));
   target.depthFloats = target.wideColors = false;
   if (target.reason != Reason::traced) return;

@@ -43,7 +43,7 @@ struct EnabledTargets {
   }
 };
 
-/// Makes a unit active for the life of the object.
+/// Selects texture units, and makes the previous one active again at the end of its life.
 class ActiveUnit {
  public:
   explicit ActiveUnit(const RealGl& real) : real_(real), saved_(integer(real, GL_ACTIVE_TEXTURE)) {}
@@ -59,7 +59,7 @@ class ActiveUnit {
   GLint saved_;
 };
 
-/// Whether combiners read only units that have a texture; what others would give is undefined.
+/// Whether combiners read only units that have a texture; the result of reading others is undefined.
 bool readOnlyEnabledUnits(const std::vector<scene::Texture>& textures) {
   uint32_t enabled = 0, read = 0;
   for (const scene::Texture& t : textures) enabled |= 1u << t.unit, read |= otherUnits(t);
@@ -69,7 +69,7 @@ bool readOnlyEnabledUnits(const std::vector<scene::Texture>& textures) {
 }  // namespace
 
 void TextureCache::tellOthers() {
-  // Changes of others that came before stay unknown.
+  // Must not hide earlier changes by other contexts.
   const uint64_t before = group_.textureChanges.fetch_add(1);
   if (before == changesKnown_) ++changesKnown_;
 }
@@ -82,19 +82,19 @@ void TextureCache::allImagesChanged() {
 void TextureCache::attached(GLuint name) noexcept {
   try {
     if (name != 0) attached_.insert(name);
-  } catch (...) { forgotten_ = true; }  // no memory
+  } catch (...) { attachedIncomplete_ = true; }  // no memory
   framebufferBound();
 }
 
 void TextureCache::framebufferBound() {
-  if (forgotten_) return allImagesChanged();
+  if (attachedIncomplete_) return allImagesChanged();
   if (attached_.empty()) return;
   std::erase_if(images_, [&](const auto& known) { return attached_.contains(known.first.name); });
   tellOthers();
 }
 
 void TextureCache::finished() {
-  if (forgotten_ || !attached_.empty()) tellOthers();
+  if (attachedIncomplete_ || !attached_.empty()) tellOthers();
 }
 
 void TextureCache::imageChanged(const RealGl& real, GLenum target) {
@@ -102,7 +102,7 @@ void TextureCache::imageChanged(const RealGl& real, GLenum target) {
   if (target >= GL_TEXTURE_CUBE_MAP_POSITIVE_X && target <= GL_TEXTURE_CUBE_MAP_NEGATIVE_Z)
     target = GL_TEXTURE_CUBE_MAP;
   for (const Target& t : kTargets) {
-    if (t.name != target) continue;  // proxies, and targets that fixed function does not know
+    if (t.name != target) continue;  // also proxies, and targets that fixed function does not have
     const auto name = static_cast<GLuint>(integer(real, t.binding));
     std::erase_if(
         images_, [&](const auto& known) { return known.first.target == target && known.first.name == name; });
@@ -136,7 +136,7 @@ Reason TextureCache::readUnit(const RealGl& real, GLint unit, State& state) {
   texture.target = enabled.highest->kind;
   const Reason sampling = readSampling(real, state.rare, target, texture);
   const ImageRange range = rangeOf(real, state.rare, target, texture.mipFilter != scene::MipFilter::none);
-  // Texturing with an incomplete texture is as if disabled (GL 2.1, 3.8.10), but some take the next target.
+  // An incomplete texture disables texturing (GL 2.1, 3.8.10), but some implementations use the next target.
   if (range.levels == 0) return enabled.more ? Reason::textureIncomplete : Reason::traced;
   if (unit >= scene::kTextureUnits) return Reason::textureUnits;
   if (sampling != Reason::traced) return sampling;
@@ -187,7 +187,7 @@ Reason TextureCache::bound(const RealGl& real, const RareState& has, GLint unit,
   if (range.levels == 0) return Reason::textureIncomplete;
   Reason reason = Reason::traced;
   texture.image = image(real, has, target->name, range, reason);
-  // Luminance, alpha and intensity mean the same to programs as to fixed function; two channels do not.
+  // Luminance, alpha and intensity mean the same to programs and fixed function; two-channel formats do not.
   return reason;
 }
 
@@ -231,13 +231,13 @@ Reason TextureCache::buffer(const RealGl& real, ShareGroup& group, GLint unit, s
 
 bool TextureCache::isOpaque(const scene::Attribute& elements, uint32_t count) {
   if (elements.format != scene::Format::float4 && elements.format != scene::Format::unorm8x4) return true;
-  if (!askedAbout_.expired() && !askedAbout_.owner_before(elements.owner) &&
-      !elements.owner.owner_before(askedAbout_))
-    return wasOpaque_;
-  wasOpaque_ = true;
-  for (uint32_t i = 0; i < count && wasOpaque_; ++i) wasOpaque_ = scene::fetch(elements, i).a >= 1.0f;
-  askedAbout_ = elements.owner;
-  return wasOpaque_;
+  if (!checkedStorage_.expired() && !checkedStorage_.owner_before(elements.owner) &&
+      !elements.owner.owner_before(checkedStorage_))
+    return checkedOpaque_;
+  checkedOpaque_ = true;
+  for (uint32_t i = 0; i < count && checkedOpaque_; ++i) checkedOpaque_ = scene::fetch(elements, i).a >= 1.0f;
+  checkedStorage_ = elements.owner;
+  return checkedOpaque_;
 }
 
 void TextureCache::forgetChanged() {

@@ -1,5 +1,5 @@
-// The textures that the fixed-function pipeline would sample, read back from the real OpenGL when a draw
-// needs them. GL thread.
+// The textures that a draw would sample, read back from the real OpenGL when it needs them. Part of
+// ShadowState, GL thread.
 #pragma once
 #include "gl/state/state.h"
 #include "gl/textures/texture_image.h"
@@ -12,33 +12,33 @@ namespace gluray::gl {
 
 class ShareGroup;
 
-/// Texture images already read back, per context. An image is read again after a call that may have changed
-/// it, and all after a call of another context that shares them.
+/// A context's cache of texture images read back. An image is read again after a call that may change it, and
+/// every image after such a call by another context of the share group.
 class TextureCache {
  public:
   explicit TextureCache(ShareGroup& group) : group_(group) {}
 
-  /// Calls that change texture images invalidate them: those of the texture bound to `target` of the active
-  /// unit (faces of cube maps count as the cube map), of a texture that is deleted, or all.
+  /// Invalidate images after calls that change them: of the texture bound to `target` of the active unit (a
+  /// face of a cube map counts as the cube map), of a deleted texture, or all.
   void imageChanged(const RealGl& real, GLenum target);
   void deleted(GLuint name);
   void allImagesChanged();
-  /// Textures are attached to framebuffers: drawing changes them, which shows when another framebuffer is
-  /// bound.
+  /// A texture is attached to a framebuffer: draws may change it, so its images are invalidated now and each
+  /// time a framebuffer is bound.
   void attached(GLuint name) noexcept;
   void framebufferBound();
-  /// Whether that was ever so of a texture.
-  bool mayBeAttached(GLuint name) const { return forgotten_ || attached_.contains(name); }
-  /// What was drawn into textures is finished for other contexts, too.
+  /// Whether a texture may ever have been attached.
+  bool mayBeAttached(GLuint name) const { return attachedIncomplete_ || attached_.contains(name); }
+  /// glFlush, glFinish: other contexts can now see what was drawn into textures.
   void finished();
 
-  /// The texture that a sampler of type `sampler` (GL_SAMPLER_2D ...) reads on `unit`. Anything but
-  /// Reason::traced: why it cannot be traced.
+  /// Reads the texture that a sampler of type `sampler` (GL_SAMPLER_2D ...) samples on `unit`. Returns
+  /// Reason::traced, or why the texture cannot be traced.
   Reason bound(const RealGl& real, const RareState& has, GLint unit, GLenum sampler, scene::Texture& texture);
-  /// The elements of the buffer texture on `unit`: bytes or floats, one to four a texel.
+  /// Reads the texels of the buffer texture on `unit`: bytes or floats, one to four per texel.
   Reason buffer(const RealGl& real, ShareGroup& group, GLint unit, scene::Attribute& elements,
                 uint32_t& count);
-  /// Whether every element has alpha 1; remembered for the storage asked about last.
+  /// Whether every element has alpha 1; caches the answer for one storage.
   bool isOpaque(const scene::Attribute& elements, uint32_t count);
 
   /// Fills state.textures and state.textureReason from the enabled texture units.
@@ -51,8 +51,8 @@ class TextureCache {
     ImageRange range;
     auto operator<=>(const Key&) const = default;
   };
-  /// Adds the active unit's texture to state.textures, if one is enabled. Anything but Reason::traced: why it
-  /// cannot be.
+  /// Adds the active unit's texture to state.textures, if one is enabled. Returns Reason::traced, or why the
+  /// texture cannot be traced.
   Reason readUnit(const RealGl& real, GLint unit, State& state);
   std::shared_ptr<const scene::TextureImage> image(const RealGl& real, const RareState& has, GLenum target,
                                                    const ImageRange& range, Reason& reason);
@@ -62,12 +62,12 @@ class TextureCache {
   void tellOthers();
 
   ShareGroup& group_;
-  uint64_t changesKnown_ = 0;  // of ShareGroup::textureChanges
+  uint64_t changesKnown_ = 0;  // value of ShareGroup::textureChanges that images_ reflects
   std::map<Key, std::shared_ptr<const scene::TextureImage>> images_;
-  std::set<GLuint> attached_;  // by name, ever
-  std::weak_ptr<const void> askedAbout_;
-  bool wasOpaque_ = false;
-  bool forgotten_ = false;  // any may have been attached
+  std::set<GLuint> attached_;                 // names of textures that were ever attached
+  bool attachedIncomplete_ = false;           // for want of memory: any texture may have been attached
+  std::weak_ptr<const void> checkedStorage_;  // the last that isOpaque() was asked about, and its answer
+  bool checkedOpaque_ = false;
 };
 
 }  // namespace gluray::gl

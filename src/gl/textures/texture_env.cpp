@@ -53,7 +53,7 @@ bool toArgument(GLint source, GLint operand, Combine::Argument& argument) {
   }
 }
 
-/// Arguments that the function takes.
+/// Number of arguments that the function takes.
 size_t argumentsOf(Combine::Function function) {
   return function == Combine::replace ? 1 : function == Combine::interpolate ? 3 : 2;
 }
@@ -93,7 +93,7 @@ std::optional<TexGen::Mode> toMode(GLint mode) {
   }
 }
 
-/// Whether sampling the texture gives alpha 1 everywhere: coordinates beyond the image may reach its border.
+/// Whether sampling the texture gives alpha 1 everywhere. Coordinates beyond the image may sample its border.
 bool isOpaque(const scene::Texture& t) {
   using scene::BaseFormat;
   using scene::Wrap;
@@ -111,8 +111,8 @@ bool isOpaque(const scene::Texture& t) {
                            (t.target == scene::TextureTarget::texture3D && reaches(t.wrapR))));
 }
 
-/// The alpha that a part of a combiner makes, where `primary` and `previous` have alpha 1; absent where it
-/// depends on texels.
+/// The alpha that a part of a combiner yields if `primary` and `previous` have alpha 1; empty if it depends
+/// on texels.
 std::optional<float> alphaOf(const std::vector<scene::Texture>& all, const scene::Texture& t,
                              const Combine::Part& part) {
   float a[3] = {};

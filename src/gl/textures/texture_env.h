@@ -1,4 +1,4 @@
-// Environment and coordinate generation of the active texture unit, read back from the real OpenGL. GL
+// Texture environment and coordinate generation of the active unit, read back from the real OpenGL. GL
 // thread.
 #pragma once
 #include "gl/real.h"
@@ -6,13 +6,13 @@
 
 namespace gluray::gl {
 
-/// Environment mode, combiner, colour. False where they are of an extension that is not traced.
+/// Reads environment mode, combiner and colour. False if one is of an extension that is not traced.
 bool readEnvironment(const RealGl& real, scene::Texture& texture);
 
-/// False where a mode is of an extension that is not traced.
+/// Reads coordinate generation. False if a mode is of an extension that is not traced.
 bool readTexGen(const RealGl& real, scene::TexGen& gen);
 
-/// Units whose texels the combiner reads besides its own, bit by bit.
+/// Bit mask of the units other than its own whose texels the combiner reads.
 uint32_t otherUnits(const scene::Texture& texture);
 
 /// Whether the environments leave an opaque colour opaque.

@@ -1,4 +1,4 @@
-// What the environments of texture units do to alpha, and which textures they read.
+// Texture environments: their effect on alpha, and the units that combiners read.
 #include "gl/textures/texture_env.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ TEST(TextureEnv, IntensityBlendsTheConstantAlpha) {
   EXPECT_TRUE(keepOpaque({t}));
 }
 
-TEST(TextureEnv, CombinersAreWorkedOut) {
+TEST(TextureEnv, EvaluatesTheAlphaOfCombiners) {
   EXPECT_TRUE(keepOpaque({combining(Combine::modulate, Combine::texture, Combine::previous)}));
   EXPECT_FALSE(keepOpaque({combining(Combine::modulate, Combine::constant, Combine::previous)}));
   EXPECT_TRUE(keepOpaque({combining(Combine::add, Combine::constant, Combine::previous)}));

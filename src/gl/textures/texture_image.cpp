@@ -17,7 +17,7 @@ GLint parameter(const RealGl& real, GLenum target, GLenum name, GLint usual) {
   return usual;
 }
 
-/// Level questions go to single faces of cube maps.
+/// Queries of a cube map's levels name one of its faces.
 GLenum faceTarget(GLenum target, int face) {
   return target == GL_TEXTURE_CUBE_MAP ? static_cast<GLenum>(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face) : target;
 }
@@ -44,7 +44,7 @@ LevelSize sizeOf(const RealGl& real, GLenum target, GLint level, int face = 0) {
   return size;
 }
 
-/// Pack and pixel transfer state of the program, set aside while texels are fetched.
+/// Resets pack and pixel transfer state while texels are fetched, and then restores the program's.
 class PixelGuard {
  public:
   PixelGuard(const RealGl& real, bool fixedFunction) : real_(real), transfers_(fixedFunction) {
@@ -86,7 +86,7 @@ class PixelGuard {
   GLuint buffer_ = 0;
 };
 
-/// Formats whose texels are decoded when they are sampled.
+/// Whether texels of the format are decoded when they are sampled.
 bool isSrgb(GLint format) {
   return (format >= GL_SRGB && format <= GL_COMPRESSED_SLUMINANCE_ALPHA) ||
          (format >= GL_COMPRESSED_SRGB_S3TC_DXT1_EXT && format <= GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT) ||
@@ -98,7 +98,7 @@ bool isSrgb(GLint format) {
 /// How the texels of a texture are read and what they mean.
 struct TexelForm {
   scene::BaseFormat base = scene::BaseFormat::rgba;
-  bool bytes = true;  // eight bits carry them
+  bool bytes = true;  // eight bits per component hold them
   bool srgb = false, depth = false;
 };
 
@@ -118,7 +118,7 @@ std::optional<TexelForm> formOf(const RealGl& real, const RareState& has, GLenum
       continue;
     const GLint t = has.textureTypes ? ask(type) : GL_UNSIGNED_NORMALIZED;
     if (t == GL_NONE || t == GL_UNSIGNED_NORMALIZED) continue;
-    if (t != GL_FLOAT && t != GL_SIGNED_NORMALIZED) return std::nullopt;  // integers cannot be combined
+    if (t != GL_FLOAT && t != GL_SIGNED_NORMALIZED) return std::nullopt;  // integer formats are not traced
     form.bytes = false;
   }
   using scene::BaseFormat;
@@ -142,8 +142,8 @@ std::optional<TexelForm> formOf(const RealGl& real, const RareState& has, GLenum
   return form;
 }
 
-/// A texel as glGetTexImage answers it, luminance as (L,0,0) and intensity as (I,0,0) (GL 2.1, 6.1.4), as
-/// sampling sees it.
+/// Converts a texel from glGetTexImage, which returns luminance as (L,0,0) and intensity as (I,0,0) (GL 2.1,
+/// 6.1.4), to what sampling sees.
 template <class Texel>
 Texel expanded(const Texel& t, scene::BaseFormat format, decltype(t.x) one) {
   switch (format) {

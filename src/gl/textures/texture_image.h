@@ -18,7 +18,7 @@ bool isRgba8(const RealGl& real, glm::ivec2 size);
 /// The same, of that size or larger.
 bool holdsRgba8(const RealGl& real, glm::ivec2 size);
 
-/// What of a bound texture is sampled.
+/// The part of a bound texture that is sampled, and how its texels are read.
 struct ImageRange {
   GLint base = 0;      // level
   int levels = 0;      // from the base level on; 0: the texture is incomplete (GL 2.1, 3.8.10)
@@ -30,7 +30,7 @@ struct ImageRange {
 /// The levels that the texture bound to `target` of the active unit is sampled from, `mipmapped` or not.
 ImageRange rangeOf(const RealGl& real, const RareState& has, GLenum target, bool mipmapped);
 
-/// Reads them. Null with a reason where they cannot be traced.
+/// Reads the levels of `range`. Null, with `reason` set, if they cannot be traced.
 std::shared_ptr<const scene::TextureImage> readImage(const RealGl& real, const RareState& has, GLenum target,
                                                      const ImageRange& range, Reason& reason);
 

@@ -47,7 +47,7 @@ scene::LodRule lodRuleOf(const RealGl& real) {
   return name && std::strstr(name, "llvmpipe") ? scene::LodRule::llvmpipe : scene::LodRule::specified;
 }
 
-/// Level of detail: bias of unit and texture, limits.
+/// Reads the level-of-detail state: bias of unit and texture, limits.
 void readLod(const RealGl& real, const RareState& has, GLenum target, scene::Texture& texture) {
   GLfloat unit = 0, own = 0;
   if (has.fixedFunction) real.GetTexEnvfv(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, &unit);

@@ -1,4 +1,4 @@
-// How a texture is sampled: filters, wraps and level of detail, read back from the real OpenGL. GL thread.
+// Reads back how a texture is sampled: filters, wraps and level of detail. GL thread.
 #pragma once
 #include "gl/draws/reasons.h"
 #include "gl/state/extensions.h"
@@ -8,8 +8,8 @@
 
 namespace gluray::gl {
 
-/// Sampling parameters of the texture bound to `target` of the active unit. Anything but Reason::traced: one
-/// is not traced.
+/// Reads the sampling parameters of the texture bound to `target` of the active unit. Returns Reason::traced,
+/// or why one of them cannot be traced.
 Reason readSampling(const RealGl& real, const RareState& has, GLenum target, scene::Texture& texture);
 
 }  // namespace gluray::gl

@@ -7,13 +7,13 @@
 namespace gluray::gl {
 namespace {
 
-constexpr uint32_t kPairs = 1u << 16;  // a megabyte, which stays in the caches
+constexpr uint32_t kPairs = 1u << 16;  // 1 MiB, which stays in the caches
 constexpr uint32_t kNone = ~0u;
 
 uint32_t pairOf(uint64_t hash) { return static_cast<uint32_t>(hash >> 40) & (kPairs - 1); }
 uint32_t tagOf(uint64_t hash) { return static_cast<uint32_t>(hash); }
 
-/// S: floats a vertex, or 0 where only `stride` knows.
+/// S: floats per vertex; 0: `stride` says so at run time.
 template <uint32_t S, class Float = float>
 struct Vertices {
   Float* data;
@@ -47,8 +47,8 @@ struct Vertices {
   }
 };
 
-/// The vertices that an entry tells of are far apart in memory: tables and vertices are fetched for many
-/// vertices at a time, and vertices are looked at only where tags are equal.
+/// Welds in groups of kAhead vertices: prefetches their table entries, then the kept vertices with equal
+/// tags, which are far apart in memory, and compares only those.
 template <uint32_t S>
 uint32_t weldInto(WeldEntry* table, const Vertices<S>& vertices, uint32_t kept,
                   const Vertices<S, const float>& arrived, uint32_t end, uint32_t* index) {

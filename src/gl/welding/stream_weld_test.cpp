@@ -12,12 +12,12 @@ namespace {
 
 using namespace test;
 
-/// On the calling thread, and on another.
+/// Each test welds on the calling thread and on WeldBehind's.
 class StreamWeld : public testing::TestWithParam<Welding> {};
 INSTANTIATE_TEST_SUITE_P(Ways, StreamWeld, testing::Values(Welding::here, Welding::behind),
                          [](const auto& way) { return way.param == Welding::here ? "here" : "behind"; });
 
-TEST_P(StreamWeld, LargeSoupsAreWeldedWhileTheyArrive) {
+TEST_P(StreamWeld, WeldsLargeSoupsWhileTheyArrive) {
   for (const SlotMask slots :
        {bit(kPosition), bit(kPosition) | bit(kNormal), bit(kPosition) | bit(kNormal) | bit(kColor),
         bit(kPosition) | bit(kFogCoord)}) {
@@ -31,12 +31,12 @@ TEST_P(StreamWeld, LargeSoupsAreWeldedWhileTheyArrive) {
   }
 }
 
-TEST(StreamWelder, SmallSoupsAreLeftAlone) {
+TEST(StreamWelder, DoesNotWeldSmallSoups) {
   EXPECT_TRUE(grid(20, kWeldFrom).indices.empty());
   EXPECT_TRUE(grid(kSide, 1'000'000).indices.empty());
 }
 
-TEST(StreamWelder, WhatHasArrivedBeforeIsWeldedToo) {
+TEST(StreamWelder, WeldsVerticesFromBeforeTheThresholdToo) {
   const CapturedVertices soup = grid(kSide, kNever), welded = grid(kSide, 6 * kSide * kSide - 1000);
   EXPECT_EQ(welded.indices.size(), 6u * kSide * kSide);
   EXPECT_EQ(welded.vertexCount, (kSide + 1) * (kSide + 1));
@@ -51,7 +51,7 @@ TEST_P(StreamWeld, IncompleteTrianglesAreDropped) {
       stream.begin(GL_TRIANGLES);
       sendGrid(stream, kSide);
       for (uint32_t i = 0; i < extra; ++i) stream.vertexSlow(-5, static_cast<float>(i), 0, 1);
-      if (numbered) stream.captured();  // gives numbers to the extra vertices too
+      if (numbered) stream.captured();  // gives the extra vertices indices too
       stream.end();
       stream.begin(GL_TRIANGLES);
       for (int i = 0; i < 3; ++i) stream.vertexSlow(-7, static_cast<float>(i), 0, 1);
@@ -91,7 +91,7 @@ TEST_P(StreamWeld, ASlotSetLaterEndsTheWelding) {
   const uint32_t at = c.layout.offset[kNormal], half = 6 * kSide * kSide;
   ASSERT_EQ(c.indices.size(), 2u * half);
   for (uint32_t i = 0; i < half; ++i) {
-    ASSERT_LT(c.indices[i], before) << "earlier vertices keep to themselves";
+    ASSERT_LT(c.indices[i], before) << "earlier vertices keep their indices";
     ASSERT_GE(c.indices[half + i], before);
     ASSERT_EQ(c.vertex(c.indices[i])[at + 2], 1);
     ASSERT_EQ(c.vertex(c.indices[half + i])[0], c.vertex(c.indices[i])[0]);
@@ -118,7 +118,7 @@ TEST_P(StreamWeld, MeshesTakeTheArraysOver) {
     }
 }
 
-TEST(StreamWelder, VerticesFarApartInTimeMayStayDouble) {
+TEST(StreamWelder, MayKeepVerticesTwiceIfTheyRecurLate) {
   StreamWelder welder;
   GrowingArray<uint32_t> indices;
   GrowingArray<float> vertices;
@@ -133,14 +133,14 @@ TEST(StreamWelder, VerticesFarApartInTimeMayStayDouble) {
     ASSERT_EQ(vertices[size_t{indices[i]} * 3 + 1], static_cast<float>((i % (kCount / 2)) * 2));
 }
 
-// Looked at, added to, aborted and begun again at every place within the pieces.
-TEST_P(StreamWeld, RunsMayBeLookedAtWhileTheyArrive) {
+// Reads the run, adds to it, discards it and starts it again at many places within the pieces.
+TEST_P(StreamWeld, RunsCanBeReadWhileTheyArrive) {
   const CapturedVertices soup = grid(kSide, kNever);
   VertexStream stream;
   for (const uint32_t step : {1000u, 8192u, 9001u, 50'000u}) {
     stream.start(bit(kPosition) | bit(kNormal), initialSlotValues(), kWeldFrom, GetParam());
     stream.begin(GL_TRIANGLES);
-    sendGrid(stream, kSide);  // given up
+    sendGrid(stream, kSide);  // discarded
     stream.start(bit(kPosition) | bit(kNormal), initialSlotValues(), kWeldFrom, GetParam());
     EXPECT_TRUE(stream.empty());
     stream.begin(GL_TRIANGLES);

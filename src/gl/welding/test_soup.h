@@ -1,4 +1,4 @@
-// Grids of triangles sent by glBegin, for tests of welding.
+// Sends grids of triangles to a VertexStream, as glBegin does, for tests of welding.
 #pragma once
 #include "gl/capture/vertex_stream.h"
 
@@ -10,7 +10,7 @@ namespace gluray::gl::test {
 
 using Welding = VertexStream::Welding;
 inline constexpr uint32_t kNever = VertexStream::kNever, kWeldFrom = 1u << 16;
-inline constexpr uint32_t kSide = 180;  // squares a side: corners enough to be welded while they arrive
+inline constexpr uint32_t kSide = 180;  // squares per side: more than kWeldFrom corners
 
 /// Calls send(x, y) for every corner of a grid of squares, two triangles each.
 template <class Send>
@@ -28,7 +28,7 @@ inline void sendGrid(VertexStream& stream, uint32_t side) {
   forEachCorner(side, [&](uint32_t x, uint32_t y) {
     const float normal[3] = {height(x, y), 0, 1};
     if (stream.has(kNormal)) stream.set(kNormal, normal);
-    // As vertex attribute calls does.
+    // As vertexcall::vertex() does.
     if (stream.hasRoom())
       stream.vertex(static_cast<float>(x), static_cast<float>(y), height(y, x));
     else
@@ -46,7 +46,7 @@ inline CapturedVertices grid(uint32_t side, uint32_t weldFrom, SlotMask slots = 
   return stream.take();
 }
 
-/// The vertices as they were sent, through the indices where there are any.
+/// The floats of all vertices in the order sent, through the indices if there are any.
 inline std::vector<float> expanded(const CapturedVertices& c) {
   std::vector<float> floats;
   for (const Primitive& p : c.primitives)

@@ -22,10 +22,10 @@ uint32_t hashVertex(const float* v, uint32_t stride) {
 
 struct Block {
   uint32_t first = 0, count = 0;
-  std::vector<uint32_t> source;  // representatives, as soup vertices
+  std::vector<uint32_t> source;  // per representative: a soup vertex equal to it
 };
 
-/// Numbers the vertices of one block from 0; index[i] is set for each of them.
+/// Welds one block: sets index[i] of each of its vertices, with numbers from 0.
 void weldBlock(const float* vertices, uint32_t stride, Block& block, uint32_t* index) {
   const uint32_t size = std::bit_ceil(std::max(block.count, 16u));  // at most half full for typical surfaces
   std::vector<uint32_t> table(size, kEmpty);
@@ -54,7 +54,7 @@ Welded weld(const float* vertices, uint32_t count, uint32_t stride) {
   Welded result;
   result.index.resize(count);
   std::vector<Block> blocks;
-  // A table that could fill up would never end its search: blocks are cut well below the table's size.
+  // Blocks are smaller than their tables: probing a full table would never end.
   const uint32_t step = kBlock - kBlock / 4;
   for (uint32_t first = 0; first < count; first += step)
     blocks.push_back({first, std::min(step, count - first), {}});

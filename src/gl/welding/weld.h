@@ -1,4 +1,4 @@
-// Finds equal vertices in a triangle soup. Any thread.
+// Deduplicates ("welds") the vertices of a complete triangle soup, for mesh_builder. Any thread.
 #pragma once
 #include "gl/capture/growing_array.h"
 
@@ -7,12 +7,12 @@
 namespace gluray::gl {
 
 struct Welded {
-  GrowingArray<uint32_t> index;   // for each soup vertex, the number of its representative
-  GrowingArray<uint32_t> source;  // for each representative, a soup vertex that equals it
+  GrowingArray<uint32_t> index;   // per soup vertex: the number of its representative
+  GrowingArray<uint32_t> source;  // per representative: a soup vertex equal to it
 };
 
-/// Vertices of `stride` floats each that agree in every bit share a number. Works in blocks on all cores, so
-/// that a few equal vertices of different blocks keep numbers of their own. Throws std::bad_alloc.
+/// Gives bitwise equal vertices of `stride` floats one number. Works in blocks on all cores, so a few equal
+/// vertices in different blocks keep different numbers. Throws std::bad_alloc.
 Welded weld(const float* vertices, uint32_t count, uint32_t stride);
 
 }  // namespace gluray::gl

@@ -21,17 +21,17 @@ struct WeldBehind::State {
     uint32_t count = 0;
   };
 
-  Run run;  // the thread's while it runs
+  Run run;  // used by the thread alone until `over`
   uint32_t stride = 0;
   pid_t process = getpid();
 
   std::mutex mutex;
   std::condition_variable arrived, welded;
-  std::array<Piece, kPieces> ring;  // the first of those that wait is being welded
+  std::array<Piece, kPieces> ring;  // `waiting` pieces from `first`, which is being welded
   uint32_t first = 0, waiting = 0;
   bool complete = false;  // no more pieces come
-  bool over = false;      // the thread touches nothing any more
-  BackgroundJob job;      // the last: it ends before the rest goes
+  bool over = false;      // the thread uses none of this any more
+  BackgroundJob job;      // last member: the thread ends before the others are destroyed
 
   Piece& next() { return ring[(first + waiting) % kPieces]; }
 
@@ -52,7 +52,7 @@ struct WeldBehind::State {
   void popFirst() { first = (first + 1) % kPieces, --waiting; }
 
   void weldAll(const std::atomic<bool>& cancelled) {
-    constexpr std::chrono::milliseconds kNap(20);  // after which a process that exits is noticed
+    constexpr std::chrono::milliseconds kNap(20);  // interval at which `cancelled` is checked
     std::unique_lock lock(mutex);
     while (!cancelled) {
       if (waiting == 0) {
@@ -75,14 +75,14 @@ struct WeldBehind::State {
     timeline::nameThread("welds");
     try {
       weldAll(cancelled);
-    } catch (...) {  // without memory: finish() goes on from there
+    } catch (...) {  // no memory: finish() welds the remaining pieces
     }
     const std::lock_guard lock(mutex);
     over = true;
     welded.notify_one();
   }
 
-  /// In a forked child there is no thread, and the lock may be held for ever.
+  /// A forked child has no such thread, and the lock may stay held for ever.
   void checkProcess() const {
     if (process != getpid()) throw std::runtime_error("the process was forked between glBegin and glEnd");
   }
@@ -132,7 +132,7 @@ WeldBehind::Run WeldBehind::finish(uint32_t more) {
     s.arrived.notify_one();
     s.welded.wait(lock, [&] { return s.over; });
   }
-  for (; s.waiting > 0; s.popFirst()) s.weldFirst();  // what the thread had no memory for
+  for (; s.waiting > 0; s.popFirst()) s.weldFirst();  // pieces left when the thread ran out of memory
   s.reserve(more);
   Run run = std::move(s.run);
   state_.reset();
@@ -141,7 +141,7 @@ WeldBehind::Run WeldBehind::finish(uint32_t more) {
 
 void WeldBehind::drop() noexcept {
   if (state_ && state_->process != getpid())
-    (void)state_.release();  // its thread and lock are another process's
+    (void)state_.release();  // forked: its thread and lock belong to the parent
   else
     state_.reset();
 }

@@ -1,5 +1,5 @@
-// Welds the pieces of a large run on a thread of its own while the program sends on. The GL thread makes all
-// calls.
+// Welds a large run in pieces on a background thread while the program sends more vertices. Owned by
+// VertexStream; the GL thread makes all calls.
 #pragma once
 #include "gl/capture/growing_array.h"
 #include "gl/welding/stream_weld.h"
@@ -11,9 +11,9 @@ namespace gluray::gl {
 
 class WeldBehind {
  public:
-  static constexpr uint32_t kPieces = 4;  // that wait, or are being welded, at most
+  static constexpr uint32_t kPieces = 4;  // most pieces that are queued or being welded
 
-  /// What has been welded: `kept` vertices and a number for each that was sent.
+  /// A welded run: `kept` vertices, and an index for each vertex sent.
   struct Run {
     GrowingArray<float> vertices;
     GrowingArray<uint32_t> indices;
@@ -27,16 +27,16 @@ class WeldBehind {
   WeldBehind& operator=(const WeldBehind&) = delete;
 
   bool active() const { return state_ != nullptr; }
-  /// Goes on from `run`, whose vertices have `stride` floats, with pieces of at most `pieceVertices`; `piece`
-  /// is then memory for the first. False where there is no thread or no memory: nothing has changed.
+  /// Takes over `run`, whose vertices have `stride` floats, to continue it with pieces of at most
+  /// `pieceVertices`; `piece` becomes memory for the first. False, with nothing changed: no thread or memory.
   bool start(Run& run, uint32_t stride, uint32_t pieceVertices, GrowingArray<float>& piece) noexcept;
-  /// Takes a piece and gives memory for another in its place, waiting for it where the thread is behind.
-  /// False, and the piece stays, where the thread has ended for want of memory: finish() then.
+  /// Queues a piece and replaces it by memory for the next; waits while the queue is full. False, with the
+  /// piece left as it is, if the thread has run out of memory and ended: call finish() then.
   bool hand(GrowingArray<float>& piece, uint32_t vertices);
-  /// Welds what has been handed over and ends; the run has room for `more` vertices. Throws std::bad_alloc
-  /// and stays active: finish() may be called again.
+  /// Ends once all queued pieces are welded, and returns the run, with room for `more` vertices. If it throws
+  /// std::bad_alloc it stays active, and finish() may be called again.
   Run finish(uint32_t more);
-  /// Ends without a result.
+  /// Discards the run and ends.
   void drop() noexcept;
 
  private:

@@ -18,8 +18,7 @@ namespace {
 
 using namespace test;
 
-/// Vertices of a walk that often comes back to where it was, in primitives of all kinds, looked at now and
-/// then.
+/// Captures a random walk that often revisits vertices, in several modes, and reads the run now and then.
 CapturedVertices walk(Welding where, uint32_t seed) {
   constexpr GLenum kModes[] = {GL_TRIANGLES, GL_TRIANGLES, GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_QUADS};
   std::mt19937 random(seed);
@@ -41,7 +40,7 @@ CapturedVertices walk(Welding where, uint32_t seed) {
   return stream.take();
 }
 
-TEST(WeldBehind, GivesWhatTheCallingThreadWouldWhateverComes) {
+TEST(WeldBehind, GivesTheSameRunAsWeldingOnTheCallingThread) {
   for (uint32_t seed = 1; seed <= 15; ++seed) {
     const CapturedVertices here = walk(Welding::here, seed), behind = walk(Welding::behind, seed);
     ASSERT_EQ(behind.primitives, here.primitives) << seed;
@@ -53,7 +52,7 @@ TEST(WeldBehind, GivesWhatTheCallingThreadWouldWhateverComes) {
   }
 }
 
-/// What `body` returns in a forked child; -1 where it takes a minute or dies.
+/// Runs `body` in a forked child and returns its result; -1 if it takes a minute or crashes.
 template <class Body>
 int inChild(Body&& body) {
   const pid_t child = fork();
@@ -71,6 +70,7 @@ constexpr bool kMemoryCanBeLimited = false;  // sanitizers reserve most of the a
 constexpr bool kMemoryCanBeLimited = true;
 #endif
 
+/// Limits the address space to `moreBytes` beyond the present size; 0 lifts the limit.
 void limitMemory(rlim_t moreBytes) {
   std::ifstream file("/proc/self/statm");
   rlim_t pages = 0;
@@ -81,7 +81,7 @@ void limitMemory(rlim_t moreBytes) {
   setrlimit(RLIMIT_AS, &limit);
 }
 
-TEST(WeldBehind, NothingIsLostWhereMemoryIsShortForAWhile) {
+TEST(WeldBehind, LosesNothingIfMemoryIsShortForAWhile) {
   if (!kMemoryCanBeLimited) GTEST_SKIP() << "not with sanitizers";
   constexpr uint32_t kLarge = 600;
   const CapturedVertices soup = grid(kLarge, kNever, bit(kPosition));
@@ -109,7 +109,7 @@ TEST(WeldBehind, NothingIsLostWhereMemoryIsShortForAWhile) {
   EXPECT_EQ(inChild(shortOfMemory), 7);
 }
 
-TEST(WeldBehind, AForkedChildRefusesRatherThanWaits) {
+TEST(WeldBehind, ThrowsInAForkedChildInsteadOfWaiting) {
   VertexStream stream;
   stream.start(bit(kPosition), initialSlotValues(), kWeldFrom, Welding::behind);
   stream.begin(GL_TRIANGLES);

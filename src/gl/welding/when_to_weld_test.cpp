@@ -7,7 +7,7 @@ namespace {
 
 constexpr uint32_t kWorthWelding = WhenToWeld::kWorthWelding, kTooLarge = WhenToWeld::kTooLarge;
 
-TEST(WhenToWeld, FramesAreWeldedFromTheBeginningOnceTheyWereTooLarge) {
+TEST(WhenToWeld, ATooLargeRunMakesLaterFramesWeldEarly) {
   WhenToWeld weld;
   EXPECT_EQ(weld.inList(), kWorthWelding);
   EXPECT_EQ(weld.inFrame(), kTooLarge);
@@ -17,7 +17,7 @@ TEST(WhenToWeld, FramesAreWeldedFromTheBeginningOnceTheyWereTooLarge) {
   EXPECT_EQ(weld.inFrame(), kWorthWelding);
 }
 
-TEST(WhenToWeld, SmallRunsBetweenLargeOnesSayNothing) {
+TEST(WhenToWeld, RunsBelowKWorthWeldingChangeNothing) {
   WhenToWeld weld;
   weld.sawRun(kTooLarge);
   weld.sawRun(3);

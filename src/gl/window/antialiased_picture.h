@@ -1,4 +1,5 @@
-// Pictures that need no anti-aliasing any more. GL thread.
+// Finds pictures of ours that are anti-aliased already, so that a program's anti-aliasing pass over them can
+// be skipped. Owned by ClearedFramebuffers, GL thread.
 #pragma once
 #include "gl/real.h"
 #include "gl/state/extensions.h"
@@ -9,21 +10,21 @@
 
 namespace gluray::gl {
 
-/// A framebuffer object of which a region holds nothing but what it was cleared to and pictures whose pixels
-/// are averages (settings: spp); and the texture that a part of it was copied into since then.
+/// A framebuffer object of which a region holds only a clear and pictures whose pixels are averages (setting
+/// spp), and the texture that a part of it was copied into since then.
 class AntialiasedPicture {
  public:
   bool any() const { return framebuffer_ != 0; }
   bool copied() const { return texture_ != 0; }
-  /// The draw framebuffer is cleared, colours among it.
+  /// The draw framebuffer's colours are cleared.
   void clear(const RealGl& real, const RareState& has);
-  /// A picture of averages was written into that framebuffer and buffer of it.
+  /// A picture of averages was written into this draw buffer of the framebuffer.
   void wrote(GLuint framebuffer, GLenum buffer);
-  /// Pixels were sent into the texture bound to `target`, which may be attached to the framebuffer.
+  /// The texture bound to `target`, which may be attached to the framebuffer, was written.
   void send(const RealGl& real, const TextureCache& textures, GLenum target);
-  /// After send(): they are those of `from`, of the framebuffer bound for reading.
+  /// Call after send() if the pixels were copied from region `from` of the read framebuffer.
   void copy(const RealGl& real, GLenum target, GLint level, glm::ivec2 offset, const scene::Region& from);
-  /// Whether `texture` holds what the framebuffer's region holds.
+  /// Whether `texture` is a copy of that region of the framebuffer, and the region is anti-aliased.
   bool isCopy(GLuint texture, const scene::Region& region, GLuint framebuffer, GLenum buffer) const;
 
  private:
@@ -31,9 +32,9 @@ class AntialiasedPicture {
     return any() && framebuffer_ == framebuffer && buffer_ == buffer;
   }
 
-  GLuint framebuffer_ = 0, texture_ = 0;  // 0: there is none
+  GLuint framebuffer_ = 0, texture_ = 0;  // 0: none
   GLenum buffer_ = GL_NONE;               // draw buffer of the framebuffer
-  scene::Region region_, copied_;         // pixels
+  scene::Region region_, copied_;         // anti-aliased region; the part copied into texture_
 };
 
 }  // namespace gluray::gl

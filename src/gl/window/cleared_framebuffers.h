@@ -1,5 +1,5 @@
-// What the draw framebuffer is known to hold where it is but a clear, and which pictures in it are
-// anti-aliased already. A part of each Context, GL thread.
+// Tracks whether the draw framebuffer holds only a clear, and whether pictures in it are anti-aliased
+// already. A part of each Context, GL thread.
 #pragma once
 #include "gl/batch/batch.h"
 #include "gl/batch/cleared_target.h"
@@ -20,24 +20,24 @@ class ClearedFramebuffers {
   ClearedFramebuffers(ShadowState& shadow, const FrameClock& clock, const Failsafe& failsafe)
       : shadow_(shadow), clock_(clock), failsafe_(failsafe) {}
 
-  /// What the draw framebuffer holds, where that is but a clear and worth knowing.
+  /// The draw framebuffer's clear, if it holds nothing else; tracked only above software OpenGLs.
   const std::optional<ClearedTarget>& target() const { return cleared_; }
-  /// The same of what lies under a picture of `snapshot`.
+  /// The clear under the whole picture of `snapshot`, if the picture may be uploaded over it.
   std::optional<ClearedTarget> under(const scene::Snapshot& snapshot, const BatchKey& key) const;
-  /// After a glClear.
+  /// Call after a glClear.
   void clear(GLbitfield mask);
-  /// Something may have been drawn, or sent, into the draw framebuffer.
+  /// The draw framebuffer may have been drawn or copied into.
   void forget() { forgetClear(), antialiased_ = {}; }
   /// Draws may go to another buffer of the framebuffer.
   void forgetClear() { cleared_.reset(); }
   void forgetAntialiased() { antialiased_ = {}; }
-  /// An image was sent into the texture bound to `target`, which may be attached to the framebuffer.
+  /// The texture bound to `target`, which may be attached to the framebuffer, was written.
   void imageSent(GLenum target);
-  /// After that, where it was a part of the framebuffer's picture that was copied.
+  /// Call after imageSent() if the pixels were copied from region `from` of the read framebuffer.
   void imageCopied(GLenum target, GLint level, glm::ivec2 offset, const scene::Region& from);
 
   const AntialiasedPicture& antialiased() const { return antialiased_; }
-  /// A picture of averages was written over those that `before` tells of.
+  /// A picture of averages was written over the content described by `before`.
   void wroteAntialiased(const AntialiasedPicture& before, const BatchKey& key);
 
  private:

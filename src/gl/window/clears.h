@@ -1,4 +1,4 @@
-// Clears of whole framebuffers. GL thread.
+// Queries the real OpenGL's state that decides what a glClear covers. GL thread.
 #pragma once
 #include "gl/batch/presenter.h"
 #include "gl/real.h"
@@ -7,23 +7,23 @@
 
 namespace gluray::gl {
 
-/// Whether a glClear of colour and depth now writes all of both, within the scissor box, and depth 1.
+/// Whether a glClear of colour and depth would now write all of both in the scissor box, and depth 1.
 bool clearsAll(const RealGl& real, const RareState& has);
 
-/// The same of any buffers and values.
+/// The same for the buffers of `mask` and any clear values.
 bool clearsInFull(const RealGl& real, const RareState& has, GLbitfield mask);
 
-/// Whether glClear(mask) now clears all of the window, however large, in the buffers of `mask`.
+/// Whether glClear(mask) would now clear the whole window, whatever its size, in the buffers of `mask`.
 bool clearsWindow(const RealGl& real, const RareState& has, GLbitfield mask);
 
-/// glClear(mask) with the values of now.
+/// glClear(mask) with the current clear values.
 WindowClear windowClear(const RealGl& real, GLbitfield mask);
 
 /// Whether all of `inner` lies in `outer`.
 bool contains(const scene::Region& outer, const scene::Region& inner);
 
-/// Window depth beyond which a hit does not pass the test, GL_LESS or GL_LEQUAL, against depth 1 as a buffer
-/// of that resolution has them.
+/// The largest window depth of a hit that passes the test, GL_LESS or GL_LEQUAL, against depth 1 in a buffer
+/// of that depth resolution.
 float farthestHit(GLenum depthFunc, float resolution);
 
 }  // namespace gluray::gl

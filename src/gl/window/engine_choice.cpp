@@ -7,13 +7,13 @@ namespace gluray::gl {
 namespace {
 
 constexpr int kSettle = 4;                   // frames before measuring: lists are compiled, shaders built
-constexpr int kTrialSettle = 2;              // the same in a trial, which is seen
-constexpr int kSamples = 3;                  // frames measured; the fastest counts, what disturbs only adds
-constexpr int kAttempts = 32;                // frames of another load among those to be measured
+constexpr int kTrialSettle = 2;              // the same in a trial, which the user may notice
+constexpr int kSamples = 3;                  // frames measured; the fastest counts, as noise only adds time
+constexpr int kAttempts = 32;                // frames of another load until measuring is given up
 constexpr int kWindow = 32;                  // frames over which the largest load is taken
-constexpr double kFaster = 0.87;             // times the seconds of the way in use: worth a change
-constexpr double kOptimism = 0.6;            // times a measurement: what the other way may cost by now
-constexpr double kSame = 1.5, kStays = 2.0;  // ratio of loads of one kind; before a kind is left
+constexpr double kFaster = 0.87;             // change if the other way takes less than this share of the time
+constexpr double kOptimism = 0.6;            // the other way may by now cost this share of its measurement
+constexpr double kSame = 1.5, kStays = 2.0;  // ratio of loads of one kind; ratio at which a kind is left
 constexpr double kFirstLook = 2, kLongestLook = 64;
 constexpr double kFirstTrial = 4, kLongestTrial = 1024, kTrialGrowth = 4;  // seconds between trials
 constexpr double kNever = 1e300;
@@ -25,7 +25,7 @@ double ratio(double a, double b) {
 }
 
 bool within(const FrameLoad& a, const FrameLoad& b, double factor) {
-  // Below some thousand triangles their number hardly matters.
+  // Below some thousand triangles the number hardly matters.
   constexpr double kFew = 2000;
   return ratio(std::max(a.triangles, kFew), std::max(b.triangles, kFew)) <= factor &&
          ratio(a.pixels, b.pixels) <= factor;
@@ -46,27 +46,28 @@ EngineChoice::EngineChoice(Engine setting, int threads, Clock clock)
                                        : Way::mixed) {}
 
 double EngineChoice::mostTriangles(double pixels) {
-  constexpr double kAlways = 20000;  // are drawn in a millisecond or two
-  constexpr double kMost = 200000;   // whose list is compiled in some 30 ms
-  constexpr double kPerPixel = 0.2;  // a rasteriser on the same cores needs longer for more
+  constexpr double kAlways = 20000;  // drawn in a millisecond or two
+  constexpr double kMost = 200000;   // their list compiles in some 30 ms
+  constexpr double kPerPixel =
+      0.2;  // for more triangles a rasteriser on the same cores is slower than tracing
   return std::clamp(kPerPixel * pixels, kAlways, kMost);
 }
 
 bool EngineChoice::takesAlone(uint64_t triangles, double viewportPixels) const {
   if (!active_) return way_ == Way::passthrough;
-  const double pixels = frame_.pixels + std::max(layerPixels_, viewportPixels);
+  const double pixels = frame_.pixels + std::max(epochPixels_, viewportPixels);
   return static_cast<double>(triangles) <= mostTriangles(pixels);
 }
 
 bool EngineChoice::takes(uint64_t triangles, double viewportPixels) const {
-  // After an overflow draws are judged one by one: a surface that is drawn again is drawn in the same way.
+  // After an overflow draws are judged one by one, so that a surface drawn again is drawn in the same way.
   const bool inAll = active_ && way_ == Way::mixed && !overflowed_;
   return takesAlone(triangles + (inAll ? static_cast<uint64_t>(frame_.triangles) : 0), viewportPixels);
 }
 
 bool EngineChoice::takesLayers(uint64_t triangles, double viewportPixels) const {
-  // Each hit of a ray costs about what the first does: three closed surfaces, of a million triangles and as
-  // many pixels, take a rasteriser on the same cores as long.
+  // Every further hit of a ray costs about as much as the first. Three closed surfaces of a million
+  // triangles, on as many pixels, take tracing and a rasteriser on the same cores equally long.
   constexpr double kAlways = 200000, kPerPixel = 1;
   return active_ && static_cast<double>(triangles) <= std::max(kAlways, kPerPixel * viewportPixels);
 }
@@ -101,7 +102,7 @@ EngineChoice::Way EngineChoice::frameEnded() {
   switch (phase_) {
     case Phase::settling:
       if (--left_ > 0) break;
-      // What is too much for the real OpenGL has no choice to be measured for.
+      // Too large for the real OpenGL: there is no choice to measure for.
       if (way_ == Way::traced && tooLarge(kinds_[kind_].load, 1))
         rest();
       else
@@ -140,11 +141,11 @@ EngineChoice::Kind& EngineChoice::kindOf(const FrameLoad& load) {
   return kinds_.back();
 }
 
-/// Frames are of another kind from now on.
+/// Frames are of this other kind from now on.
 void EngineChoice::enter(Kind& kind) {
   kind_ = static_cast<size_t>(&kind - kinds_.data());
   lookInterval_ = kFirstLook;
-  // A trial that this interrupts has shown nothing.
+  // An interrupted trial has shown nothing: its way does not count as used.
   const Way used = trial_ ? other(way_) : way_, unused = other(used);
   const double here = kind.seconds[indexOf(used)], there = kind.seconds[indexOf(unused)];
   const bool known = here >= 0 && there >= 0 && there < kFaster * here;
@@ -169,7 +170,7 @@ void EngineChoice::measure(int frames) {
   timing_ = Timing::wanted;
 }
 
-/// Until frames are of another kind.
+/// Holds the decision until frames are of another kind.
 void EngineChoice::rest() {
   phase_ = Phase::holding;
   nextLook_ = kNever;
@@ -200,8 +201,8 @@ void EngineChoice::conclude() {
   hold();
 }
 
-/// What a frame of this kind costs at least, drawn in a way that may not have been measured: no less than
-/// frames of less load, and than what anybody could do.
+/// Lower bound of the seconds that a frame of this kind takes when drawn this way, measured or not: the
+/// largest of leastTraceSeconds() and kOptimism times the measurements of frames with no more load.
 double EngineChoice::leastSeconds(Way way, const Kind& kind) const {
   double least = way == Way::traced ? leastTraceSeconds(kind.load) : 0;
   for (const Kind& known : kinds_) {
@@ -213,7 +214,7 @@ double EngineChoice::leastSeconds(Way way, const Kind& kind) const {
   return least;
 }
 
-/// Rays of an empty picture and its write-back, on fast cores.
+/// Seconds for the rays of an empty picture and its write-back, on fast cores.
 double EngineChoice::leastTraceSeconds(const FrameLoad& load) const {
   constexpr double kFrame = 0.2e-3, kRay = 14e-9, kWriteBack = 1e-9;
   return kFrame + load.pixels * (kRay / threads_ + kWriteBack);

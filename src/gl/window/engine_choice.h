@@ -1,6 +1,6 @@
-// Whether the ray tracer or the real OpenGL draws the frames of a context: whichever was measured to be
-// faster. Decides between frames, holds for many, and tries the other one rarely. Knows no OpenGL; Context
-// asks it. GL thread.
+// Decides whether the ray tracer or the real OpenGL draws a context's frames: whichever was measured to be
+// faster (adr/0012). Decides between frames, keeps a decision for many, and rarely tries the other way. Calls
+// no OpenGL. A part of FrameClock, GL thread.
 #pragma once
 #include "base/clock.h"
 #include "settings/settings.h"
@@ -12,53 +12,53 @@
 
 namespace gluray::gl {
 
-/// What a frame asks of whoever draws it.
+/// The work in a frame.
 struct FrameLoad {
   double triangles = 0;  // of surfaces
-  double pixels = 0;     // of the viewports: the largest of each layer, summed
+  double pixels = 0;     // sum over the depth epochs of the largest viewport's pixels
   bool operator==(const FrameLoad&) const = default;
 };
 
 class EngineChoice {
  public:
   enum class Way : uint8_t {
-    traced,  // draws are captured and traced where they can be
-    mixed,   // the same, but small draws are rasterised: nothing is known yet, or a passthrough frame met a
+    traced,  // draws are captured and, where possible, traced
+    mixed,   // the same, but small draws are rasterised: nothing is known yet, or a passthrough frame got a
              // large draw
-    passthrough,  // calls go to the real OpenGL as they come
+    passthrough,  // calls go straight to the real OpenGL
   };
   using Clock = double (*)();
 
-  /// `threads` trace. The clock is read only where `setting` leaves a choice.
+  /// `threads`: number of tracing threads. The clock is read only if `setting` is automatic.
   EngineChoice(Engine setting, int threads, Clock clock = nowSeconds);
 
   bool active() const { return active_; }
   Way way() const { return way_; }
 
   // --- while a frame is drawn
-  /// A draw of so many triangles under a viewport of so many pixels.
+  /// A draw of `triangles` triangles under a viewport of `viewportPixels` pixels.
   void drew(uint64_t triangles, double viewportPixels) {
     drawn_ = true;
     frame_.triangles += static_cast<double>(triangles);
-    layerPixels_ = std::max(layerPixels_, viewportPixels);
+    epochPixels_ = std::max(epochPixels_, viewportPixels);
   }
-  /// Depth was cleared: what follows covers the viewport once more.
+  /// Depth was cleared: a new depth epoch, whose pixels count again.
   void layer() {
-    frame_.pixels += layerPixels_;
-    layerPixels_ = 0;
+    frame_.pixels += epochPixels_;
+    epochPixels_ = 0;
   }
   bool drawn() const { return drawn_; }
-  /// Whether the real OpenGL takes a draw of so many triangles, in a passthrough or mixed frame.
+  /// Whether the real OpenGL takes a draw of so many triangles in a passthrough or mixed frame.
   bool takes(uint64_t triangles, double viewportPixels) const;
-  /// The same, whatever has been drawn before.
+  /// The same, whatever has been drawn before in the frame.
   bool takesAlone(uint64_t triangles, double viewportPixels) const;
-  /// Whether it takes so many triangles of surfaces that are blended in the order of drawing, which wait to
-  /// be traced together, in frames of any kind.
+  /// Whether, in frames of any kind, the real OpenGL takes so many triangles of surfaces that are blended in
+  /// drawing order and would be traced together.
   bool takesLayers(uint64_t triangles, double viewportPixels) const;
-  /// It does not take one in a passthrough frame: the rest of the frame is mixed.
+  /// The real OpenGL did not take a draw of a passthrough frame: the rest of the frame is mixed.
   void overflow();
 
-  // --- frames that are measured: the real OpenGL is to finish before start() and before stop().
+  // --- frames that are measured: call glFinish before start() and before stop().
   bool wantsStart() const { return timing_ == Timing::wanted; }
   void start() {
     startedAt_ = clock_();
@@ -70,21 +70,21 @@ class EngineChoice {
     timing_ = Timing::off;
   }
 
-  /// A frame is complete: says how the next is drawn. Frames in which nothing was drawn do not count.
+  /// A frame is complete: returns how to draw the next. Frames without draws do not count.
   Way frameEnded();
 
-  /// Most triangles that the real OpenGL is tried with, at so many pixels: those whose lists it compiles in
-  /// an instant and that it has a chance to draw as fast as they are traced.
+  /// The most triangles with which the real OpenGL is tried at so many pixels. Fewer compile into a list in
+  /// an instant, and the real OpenGL may draw them as fast as they are traced.
   static double mostTriangles(double pixels);
 
  private:
   enum class Timing : uint8_t { off, wanted, running };
   enum class Phase : uint8_t { settling, measuring, holding };
 
-  /// Frames of about one load, and what they cost.
+  /// Frames of similar load, and their measured cost.
   struct Kind {
     FrameLoad load;
-    double seconds[2] = {-1, -1};  // by traced, passthrough; negative: not measured
+    double seconds[2] = {-1, -1};  // traced, passthrough; negative: not measured
     double nextTrial = 0, trialInterval = 0;
   };
 
@@ -110,22 +110,22 @@ class EngineChoice {
   Clock clock_;
   Way way_;
 
-  FrameLoad frame_;  // the frame that is being drawn
-  double layerPixels_ = 0;
+  FrameLoad frame_;  // of the frame being drawn
+  double epochPixels_ = 0;
   bool drawn_ = false;
   Timing timing_ = Timing::off;
   double startedAt_ = 0, frameSeconds_ = -1;
 
-  FrameLoad peaks_[2];  // largest loads of this window of frames and of the one before
+  FrameLoad peaks_[2];  // largest loads in this window of kWindow frames and in the one before
   int window_ = 0;
   std::vector<Kind> kinds_;
   size_t kind_ = 0;
 
   Phase phase_ = Phase::settling;
-  bool trial_ = false;  // of a way that is not yet known to be faster
-  int left_ = 0;        // frames of this phase
-  int attempts_ = 0;    // frames measured that were not of this kind
-  double best_ = -1;    // of those that were
+  bool trial_ = false;  // trying a way that is not known to be faster
+  int left_ = 0;        // frames left in this phase
+  int attempts_ = 0;    // frames measured that were of another kind
+  double best_ = -1;    // fastest measured frame of this kind, seconds
   double nextLook_ = 0, lookInterval_ = 0;
 };
 

@@ -15,7 +15,7 @@ double g_now = 0;
 int g_clockCalls = 0;
 double fakeClock() { return ++g_clockCalls, g_now; }
 
-/// A program whose frames cost what the test says.
+/// A fake program whose frames take the time that the test sets.
 struct Program {
   EngineChoice choice;
   double triangles = 2000, pixels = 300 * 300;
@@ -41,7 +41,7 @@ struct Program {
   }
 };
 
-TEST(EngineChoice, SettingsThatLeaveNoChoiceReadNoClock) {
+TEST(EngineChoice, FixedEnginesReadNoClock) {
   for (const Engine engine : {Engine::always, Engine::never}) {
     Program p(engine);
     p.frames(1000);
@@ -57,10 +57,10 @@ TEST(EngineChoice, TinySceneIsNeverTraced) {
   p.frames(100000);  // 100 seconds
   EXPECT_EQ(p.traceFrames, 0);
   EXPECT_EQ(p.changes, 1);            // from mixed
-  EXPECT_LT(p.finishes, 2 * 3 * 10);  // looked at again rarely
+  EXPECT_LT(p.finishes, 2 * 3 * 10);  // measured again rarely
 }
 
-TEST(EngineChoice, LargeSceneNeverMeetsTheRealOpenGl) {
+TEST(EngineChoice, LargeSceneIsNeverRasterised) {
   Program p;
   p.triangles = 1e6, p.pixels = 1 << 20;
   EXPECT_FALSE(p.choice.takes(1000000, p.pixels));
@@ -72,7 +72,7 @@ TEST(EngineChoice, LargeSceneNeverMeetsTheRealOpenGl) {
   EXPECT_LT(g_clockCalls, 5);
 }
 
-TEST(EngineChoice, TracesWhereThatIsFaster) {
+TEST(EngineChoice, TracesIfThatIsFaster) {
   Program p;
   p.triangles = 150000, p.pixels = 1 << 20;
   p.direct = [] { return 0.050; }, p.traced = [] { return 0.020; };
@@ -84,7 +84,7 @@ TEST(EngineChoice, TracesWhereThatIsFaster) {
   EXPECT_EQ(p.changes, 0);
 }
 
-TEST(EngineChoice, GoesBackAfterATrialThatShowedNothing) {
+TEST(EngineChoice, GoesBackAfterATrialWithoutGain) {
   Program p;
   p.triangles = 150000, p.pixels = 1 << 20;
   p.direct = [] { return 0.020; }, p.traced = [] { return 0.022; };
@@ -130,7 +130,7 @@ TEST(EngineChoice, SceneThatGrowsIsTraced) {
   Program p;
   p.frames(1000);
   ASSERT_EQ(p.choice.way(), Way::passthrough);
-  // One large draw is not taken, and the frame goes on mixed.
+  // The real OpenGL does not take a large draw, and the frame becomes mixed.
   EXPECT_FALSE(p.choice.takes(500000, p.pixels));
   p.choice.overflow();
   EXPECT_EQ(p.choice.way(), Way::mixed);
@@ -142,7 +142,7 @@ TEST(EngineChoice, SceneThatGrowsIsTraced) {
   EXPECT_EQ(p.choice.way(), Way::traced);
 }
 
-TEST(EngineChoice, ManySmallDrawsThatAreTooMuchInAllAreTraced) {
+TEST(EngineChoice, ManySmallDrawsAreTracedIfTheirSumIsTooLarge) {
   Program p;
   p.frames(1000);
   p.triangles = 400000;
@@ -150,7 +150,7 @@ TEST(EngineChoice, ManySmallDrawsThatAreTooMuchInAllAreTraced) {
   EXPECT_EQ(p.choice.way(), Way::traced);
 }
 
-TEST(EngineChoice, SceneThatShrinksIsTriedByTheRealOpenGl) {
+TEST(EngineChoice, ShrunkenSceneIsTriedInTheRealOpenGl) {
   Program p;
   p.triangles = 1e6;
   p.frames(300);
@@ -160,7 +160,7 @@ TEST(EngineChoice, SceneThatShrinksIsTriedByTheRealOpenGl) {
   EXPECT_EQ(p.choice.way(), Way::passthrough);
 }
 
-TEST(EngineChoice, KindsOfFramesThatComeAgainAreKnown) {
+TEST(EngineChoice, RecurringKindsOfFramesAreRemembered) {
   Program p;
   const auto kind = [&](bool heavy) {
     p.triangles = heavy ? 150000 : 2000, p.pixels = 1 << 20;
@@ -177,7 +177,7 @@ TEST(EngineChoice, KindsOfFramesThatComeAgainAreKnown) {
   EXPECT_EQ(p.changes, 10);  // no trials: one change each
 }
 
-TEST(EngineChoice, SmallFramesBetweenLargeOnesAreNoScale) {
+TEST(EngineChoice, LargeFramesDecideAmongSmallOnes) {
   // Two targets in turn: the large one decides.
   Program p;
   int frame = 0;
@@ -197,7 +197,7 @@ TEST(EngineChoice, EmptyFramesDecideNothing) {
   for (int i = 0; i < 10; ++i) EXPECT_EQ(p.choice.frameEnded(), Way::mixed);
 }
 
-TEST(EngineChoice, DrawsOfTheFirstFrameAreTakenUntilTheirSumIsTooMuch) {
+TEST(EngineChoice, TakesDrawsOfTheFirstFrameUntilTheirSumIsTooLarge) {
   Program p;
   const double pixels = 100 * 100;
   const auto most = static_cast<uint64_t>(EngineChoice::mostTriangles(pixels));
@@ -216,8 +216,8 @@ TEST(EngineChoice, TakesFewLayersInFramesOfAnyKind) {
   EXPECT_FALSE(EngineChoice(Engine::always, 4).takesLayers(2, kPixels));
 }
 
-TEST(EngineChoice, FasterMachineAfterwardsIsNoticed) {
-  // Something else kept the cores busy while the trial ran.
+TEST(EngineChoice, NoticesWhenTheMachineBecomesFaster) {
+  // Other work kept the cores busy during the trial.
   Program p;
   p.triangles = 150000, p.pixels = 1 << 20;
   bool busy = true;

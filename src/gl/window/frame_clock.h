@@ -1,5 +1,4 @@
-// The frames of a context: their number, when the present one began, and who draws it. A part of each
-// Context, GL thread.
+// A context's current frame: its number, when it began, who draws it. A part of each Context, GL thread.
 #pragma once
 #include "gl/context_info.h"
 #include "gl/window/engine_choice.h"
@@ -13,20 +12,20 @@ class FrameClock {
   FrameClock(const ContextInfo& info, const Settings& settings);
 
   uint64_t frame = 1;
-  double beganSeconds = 0;  // when this frame was first seen to clear or draw; 0: not yet
+  double beganSeconds = 0;  // time of this frame's first known clear or draw; 0: none yet
   EngineChoice choice;
 
-  /// Whether draws go to the real OpenGL as they come. Then nothing is read back or kept but display lists.
+  /// Whether draws pass through to the real OpenGL. Then only lists are captured, and no state is read.
   bool passesThrough() const { return passesThrough_; }
   void setPassthrough(bool passesThrough) { passesThrough_ = passesThrough; }
-  /// Whether this frame's duration is measured, so that nothing may be shown again or later.
+  /// Whether this frame is being measured: then no picture may be repeated or delayed.
   bool measured() const { return choice.wantsStop(); }
   bool startsMeasuring() const { return choice.wantsStart(); }
-  /// Whether a surface of so many triangles is left to the real OpenGL, however much there is in all.
+  /// Whether a surface of so many triangles is left to the real OpenGL, whatever else the frame holds.
   bool leavesAlone(uint64_t triangles, double viewportPixels) const {
     return choice.way() == EngineChoice::Way::mixed && choice.takesAlone(triangles, viewportPixels);
   }
-  /// The same of surfaces that are blended in the order of drawing.
+  /// The same for surfaces that are blended in drawing order.
   bool leavesLayers(uint64_t triangles, double viewportPixels) const {
     return choice.takesLayers(triangles, viewportPixels);
   }

@@ -18,7 +18,7 @@ bool isFront(GLenum buffer) {
   return buffer == GL_FRONT || buffer == GL_FRONT_LEFT || buffer == GL_FRONT_AND_BACK || buffer == GL_LEFT;
 }
 
-/// Whether the scissor test lets a clear reach all that draws can.
+/// Whether the scissor box lets a clear cover the viewport.
 bool clearsViewport(const RealGl& real) {
   if (!real.IsEnabled(GL_SCISSOR_TEST)) return true;
   GLint box[4] = {}, viewport[4] = {};
@@ -33,12 +33,12 @@ void FrameEnds::beforeSwap() {
   p_.failsafe.protect([&] {
     p_.immediate.closeRunIfOpen();
     p_.window.settle();
-    p_.flusher.flushBatch();  // what waits for being resolved is not in the window
+    p_.flusher.flushBatch();  // a picture that waits to be resolved is not in the window
   });
 }
 
 void FrameEnds::afterSwap() {
-  p_.cleared.forget();  // nobody knows what the back buffer holds
+  p_.cleared.forget();  // the back buffer is undefined
   ++p_.counts.statistics.frames;
   if (p_.clock.passesThrough()) ++p_.counts.statistics.framesPassedThrough;
   p_.clock.beganSeconds = 0;
@@ -115,7 +115,7 @@ void FrameEnds::cleared(GLbitfield mask) {
   if (++clears_ < patience) return;
   forgetOld();
   if (p_.counts.statistics.frames == 0) p_.failsafe.protect([&] { takeSettings(); });
-  p_.surfaces.passes.forgetMany();  // those of framebuffers whose depth is never cleared
+  p_.surfaces.passes.forgetMany();  // in framebuffers whose depth is never cleared
 }
 
 void FrameEnds::endFrame() {
@@ -126,8 +126,8 @@ void FrameEnds::endFrame() {
   if (info.frameEnded) info.frameEnded();
 }
 
-/// glFlush or glFinish of a double-buffered program. Where it never swaps, its frames are what it draws into
-/// the front buffer; for reports alone, as others do not end there.
+/// glFlush or glFinish of a double-buffered program. If it never swaps, each one that follows draws into the
+/// front buffer ends a frame for the reports, but not for anything else.
 void FrameEnds::showFront() {
   const ContextInfo& info = p_.shadow.info;
   Statistics& statistics = p_.counts.statistics;
@@ -142,8 +142,8 @@ void FrameEnds::showFront() {
   info.frameEnded();
 }
 
-/// glFlush or glFinish of a single-buffered program for which nothing waits to be traced: it may have read
-/// its picture back before, or all of it was rasterised.
+/// glFlush or glFinish of a single-buffered program while the batch is empty: the frame may have been read
+/// back before, or all of it was rasterised.
 void FrameEnds::showDrawn() {
   if (!p_.clock.choice.drawn()) return;
   p_.shadow.refresh(kTarget);
@@ -159,7 +159,7 @@ void FrameEnds::showIfVisible() {
   if (p_.resolves.waits() && sharing > 1) p_.failsafe.protect([&] { p_.flusher.settle(); });
   const Batch& batch = p_.flusher.batch;
   if (batch.empty()) return doubleBuffered ? showFront() : showDrawn();
-  // What a framebuffer object holds is seen by nobody but contexts that share its images.
+  // Only contexts that share its images can see a framebuffer object's content.
   const bool object = batch.key().framebuffer != 0;
   if (object ? sharing == 1 : doubleBuffered && !isFront(batch.key().drawBuffer)) return;
   p_.flusher.flush();

@@ -1,5 +1,5 @@
-// When frames begin and end: by swaps, by glFlush and glFinish, or by clears of programs that draw into
-// memory alone. A part of each Context, GL thread.
+// Decides when frames begin and end: at swaps, at glFlush and glFinish, or at clears of programs that only
+// draw into memory. A part of each Context, GL thread.
 #pragma once
 #include "gl/batch/flusher.h"
 #include "gl/draws/draw_counts.h"
@@ -33,14 +33,15 @@ class FrameEnds {
   };
   explicit FrameEnds(const Parts& parts) : p_(parts) {}
 
-  /// Shows what is pending, before a buffer swap, and after it.
+  /// Call before a buffer swap: writes all pending pictures into the window.
   void beforeSwap();
+  /// Call after a buffer swap: ends the frame, chooses the next one's engine, forgets old meshes.
   void afterSwap();
-  /// For glFlush and glFinish: shows what is pending if anybody could see it before the next swap.
+  /// For glFlush and glFinish: flushes if the pending batch could be seen before the next swap.
   void showIfVisible();
-  /// Before a clear: where the frame begins with it, takes the settings of now.
+  /// Call before a clear: if the frame begins with it, takes the current settings.
   void beforeClear() noexcept;
-  /// Before and after the real clear: of colour and depth they are the frames of programs that never swap.
+  /// Call before and after the real clear. Clears of colour and depth end frames of programs that never swap.
   void clearing(GLbitfield mask);
   void cleared(GLbitfield mask);
 
@@ -56,10 +57,10 @@ class FrameEnds {
 
   Parts p_;
   bool begun_ = false;          // this frame has cleared
-  uint64_t drawsBefore_ = 0;    // draws until this frame
-  uint64_t drawsInFront_ = 0;   // draws until the last frame in the front buffer
-  int clears_ = 0;              // of colour and depth since forgetOld()
-  uint64_t workForgotten_ = 0;  // DrawCounts::work() at that time
+  uint64_t drawsBefore_ = 0;    // draws before this frame
+  uint64_t drawsInFront_ = 0;   // draws up to the last frame in the front buffer
+  int clears_ = 0;              // clears of colour and depth since forgetOld()
+  uint64_t workForgotten_ = 0;  // DrawCounts::work() at the last forgetOld()
 };
 
 }  // namespace gluray::gl

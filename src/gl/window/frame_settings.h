@@ -1,4 +1,4 @@
-// The settings of a frame: taken when it begins, the same until it ends. A part of each Context, GL thread.
+// The settings of a frame: taken when it begins, constant until it ends. A part of each Context, GL thread.
 #pragma once
 #include "gl/context_info.h"
 
@@ -6,28 +6,28 @@
 
 namespace gluray::gl {
 
-/// Who draws: `automatic` holds only while the real OpenGL would show the same picture. Interception alone is
-/// priced with everything held back.
+/// The engine that draws. `automatic` becomes `always` if settings change the picture, so that the real
+/// OpenGL would show another one, or if the renderer is `null` (to measure interception alone).
 Engine engineOf(const ContextInfo& info, const Settings& settings);
 
-/// Threads that trace, as EngineChoice takes them into account.
+/// Number of tracing threads, for EngineChoice.
 int threadsOf(const Settings& settings);
 
 class FrameSettings {
  public:
-  /// Those of the source of now or, where there is none, of `info`.
+  /// Takes the source's current settings or, without a source, those of `info`.
   explicit FrameSettings(const ContextInfo& info)
       : source_(info.source), now_(source_ ? *source_->current() : info.settings) {}
 
   const Settings& now() const { return now_; }
-  /// At the beginning of a frame: takes the settings of now, but for those that last as long as the context.
-  /// Whether they are others.
+  /// Call when a frame begins: takes the current settings, except those that are fixed for the context.
+  /// Returns whether the source had new ones.
   bool take();
 
  private:
   const SettingsSource* const source_;
   Settings now_;
-  uint64_t version_ = 0;  // of the source when they were taken
+  uint64_t version_ = 0;  // the source's version when now_ was taken
 };
 
 }  // namespace gluray::gl

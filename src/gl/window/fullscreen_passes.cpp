@@ -16,8 +16,8 @@
 namespace gluray::gl {
 namespace {
 
-/// Whether the draw covers the viewport with its texture, pixel by pixel: a strip of two triangles over all
-/// of it.
+/// Whether the draw maps its texture onto the whole viewport: a strip of two triangles with texture
+/// coordinates 0 and 1 at the corners.
 bool coversViewport(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& e) {
   if (mode != GL_TRIANGLE_STRIP || e.type || e.count != 4 || !arrays.vertex.enabled ||
       !arrays.texcoord.enabled)
@@ -36,8 +36,8 @@ bool coversViewport(const RealGl& real, const ArrayState& arrays, GLenum mode, c
   return corners == 15;
 }
 
-/// Whether the texture bound to the active unit is one level of RGBA8 of that size, whose texels at pixel
-/// centres are read as they are.
+/// Whether the texture bound to the active unit is RGBA8 of that size and, read at pixel centres, returns its
+/// texels unfiltered.
 bool isPlainInput(const RealGl& real, glm::ivec2 size) {
   const auto parameter = [&](GLenum name) {
     GLint value = 0;
@@ -109,7 +109,7 @@ bool FullscreenPasses::antialiasInto(GLuint attachment, const scene::Region& reg
   if (!plain) return false;
   if (p_.flusher.batch.empty() &&
       p_.cleared.antialiased().isCopy(input, region, state.target.framebuffer, state.target.drawBuffer))
-    return noteUse(Quirk::sppFxaa), true;  // the pass would put smooth pixels in their own place
+    return noteUse(Quirk::sppFxaa), true;  // the pass would only copy smooth pixels onto themselves
   if (!instead) return false;
   p_.flusher.flush();
   p_.cleared.forget();

@@ -1,5 +1,5 @@
-// Full-screen passes of programs that we do ourselves, because a software OpenGL takes longer over them than
-// we over the whole picture. A part of each Context, GL thread.
+// Full-screen passes (FXAA, resolve) that we make in place of the program, because a software OpenGL takes
+// longer for them than we for the whole picture. A part of each Context, GL thread.
 #pragma once
 #include "gl/arrays/elements.h"
 #include "gl/batch/flusher.h"
@@ -19,11 +19,11 @@ class FullscreenPasses {
   };
   explicit FullscreenPasses(const Parts& parts) : p_(parts) {}
 
-  /// Does what the draw would do where it is such a pass. False: draw it.
+  /// Makes the pass if the draw is one. False: draw it.
   bool replace(GLenum mode, const Elements& elements);
 
  private:
-  /// The texture that covers the draw framebuffer's colours with level 0; 0: there is none.
+  /// The texture whose level 0 is the draw framebuffer's colour, if the draw covers all of `region`; 0: none.
   GLuint wholeTarget(GLenum mode, const Elements& elements, const scene::Region& region) const;
   bool antialiasInto(GLuint attachment, const scene::Region& region, bool instead);
 

@@ -45,7 +45,7 @@ LagRefusal WindowFrames::whyNotLag(GLenum buffer) const {
   if (key.framebuffer != 0 || !right || key.samples > 1 || !key.colorWrites.all() || key.encodes)
     return LagRefusal::target;
   if (p_.clock.passesThrough() || p_.clock.measured()) return LagRefusal::measured;
-  // Draws by programs keep the names of textures and buffers, which other contexts may change.
+  // Kept program draws refer to textures and buffers by name, and other contexts may change those.
   if (p_.shadow.activeQueries > 0 || key.layers != BatchKey::Layers::none || p_.layers.pending() ||
       p_.resolves.waits() || p_.lists.compiling() ||
       (!p_.flusher.batch.programDraws().empty() && p_.shadow.group.contexts > 1))
@@ -79,12 +79,12 @@ LagRefusal WindowFrames::lag(const LagWindow& window) noexcept {
     lagged_ = std::move(frame);
     p_.flusher.batch.take();
     lagged_->draws = p_.flusher.batch.takeProgramDraws();
-    p_.shadow.real.Flush();  // what else the frame holds is drawn meanwhile
+    p_.shadow.real.Flush();  // starts the frame's rasterised draws meanwhile
   });
   return refusal;
 }
 
-/// Shows a frame without the back buffer, where that is cleared next and held nothing else.
+/// Shows the frame without the back buffer, if that held only a clear and the next frame begins with a clear.
 bool WindowFrames::showsDirectly(const LaggedFrame& frame) {
   constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
   if (!frame.cleared || frame.clears.empty() || (frame.clears.front().mask & kBoth) != kBoth) return false;
@@ -120,7 +120,7 @@ void WindowFrames::showLagged() {
   PresentResult result;
   if (!frame.window.stands()) {
     p_.flusher.presenter.window().dropAhead();
-    result.outcome = PresentResult::traced;  // nobody would have seen it
+    result.outcome = PresentResult::traced;  // the window is gone: no failure
   } else if (!showsDirectly(frame)) {
     result = presentLagged(frame);
   } else {

@@ -9,7 +9,7 @@ namespace gluray::gl {
 
 void PassthroughFrames::startMeasuring() {
   p_.window.showLagged();
-  p_.shadow.real.Finish();  // what is still drawn belongs to earlier frames
+  p_.shadow.real.Finish();  // unfinished work belongs to earlier frames
   p_.clock.choice.start();
 }
 

@@ -1,5 +1,5 @@
-// Passthrough frames: draws go to the real OpenGL as they come, and nothing is read back or kept but display
-// lists. Starts and stops what EngineChoice measures. A part of each Context, GL thread.
+// Passthrough frames: draws go straight to the real OpenGL, and nothing but display lists is captured. Starts
+// and stops EngineChoice's measurements. A part of each Context, GL thread.
 #pragma once
 #include "gl/batch/flusher.h"
 #include "gl/draws/draw_counts.h"
@@ -23,19 +23,19 @@ class PassthroughFrames {
   };
   explicit PassthroughFrames(const Parts& parts) : p_(parts) {}
 
-  /// Whether the draw that comes goes to the real OpenGL: it is counted and may be sent. Otherwise, because
-  /// it is too large, the rest of the frame is drawn as ever. Of passthrough frames alone.
+  /// In passthrough frames only: whether the next draw goes to the real OpenGL. True: it was counted; send
+  /// it. False: it is too large, and the rest of the frame is captured.
   bool takes(DrawPath path, PrimitiveClass kind, uint64_t triangles);
-  /// The first clear or draw of a frame starts its measurement.
+  /// Call at each clear or draw: the frame's first one starts its measurement.
   void works() {
     if (p_.clock.startsMeasuring()) [[unlikely]]
       startMeasuring();
   }
   /// The frame is complete and about to be shown: ends its measurement.
   void stopMeasuring();
-  /// After a frame, outside glBegin and lists: who draws the next one.
+  /// Call after a frame, outside glBegin and list compilation: chooses who draws the next one.
   void chooseNext();
-  /// The same where the settings name another engine than before: nothing is known of its frames.
+  /// The same if the setting `engine` has changed: forgets all measurements.
   void startAnew(Engine engine);
 
  private:

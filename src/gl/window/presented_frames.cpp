@@ -1,4 +1,4 @@
-// Pictures that are shown without the back buffer.
+// WindowFrames: pictures that are shown without the back buffer (ADR 0024).
 #include "base/timeline.h"
 #include "gl/capture/immediate.h"
 #include "gl/state/state_queries.h"
@@ -47,7 +47,7 @@ bool WindowFrames::showWithoutSwap(glm::ivec2 window, const ShowPicture& show) n
     const PresentResult result =
         p_.flusher.presenter.window().show(p_.shadow.real, p_.flusher.batch.pending(), target);
     p_.shadow.latch.restore(p_.shadow.real);
-    if (result.outcome != PresentResult::traced) {  // it waits still; what was traced is known
+    if (result.outcome != PresentResult::traced) {  // the batch stays pending; the traced picture is known
       p_.counts.statistics.buildSeconds += result.cost.buildSeconds;
       p_.counts.statistics.traceSeconds += result.cost.traceSeconds;
       presented_.pause = kPause;

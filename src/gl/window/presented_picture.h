@@ -1,7 +1,7 @@
-// A traced picture that the user sees in a window already, while the window's back buffer still holds what it
-// was cleared to. Software OpenGLs take longer to take a picture with its depth and to hand it on than a
-// window system to show it, and most programs clear it away unseen. Where anything else happens to the back
-// buffer, the picture is written there first. Owned by Context, GL thread.
+// A traced picture that the window shows already while its back buffer still holds only a clear (ADR 0024). A
+// software OpenGL takes longer to accept a picture with its depth and to swap it than the window system takes
+// to show it, and most programs then clear it. If anything but a clear follows, the picture is written into
+// the back buffer first. Owned by WindowFrames, GL thread.
 #pragma once
 #include "gl/batch/batch.h"
 #include "gl/programs/program_draw.h"
@@ -19,10 +19,9 @@ struct PresentedPicture {
     std::vector<ProgramDraw> draws;
   };
   std::optional<Waiting> waiting;
-  /// Pictures in a row that had to be written after all: programs that go on drawing are better off with the
-  /// old way.
+  /// Consecutive pictures that had to be written after all; programs that go on drawing are faster without.
   int inVain = 0;
-  int pause = 0;  // frames that are not tried
+  int pause = 0;  // frames to wait until the next attempt
 };
 
 }  // namespace gluray::gl

@@ -1,6 +1,5 @@
-// Frames of a window that are shown in other ways than by its back buffer: before the picture is there
-// (shown_draws.cpp), or while the program prepares the next one (lagged_frame.cpp). A part of each Context,
-// GL thread.
+// Shows a window's frames without its back buffer (presented_frames.cpp), or later, while the program
+// prepares the next one (lagged_frame.cpp). A part of each Context, GL thread.
 #pragma once
 #include "gl/batch/flusher.h"
 #include "gl/window/lagged_frame.h"
@@ -36,28 +35,28 @@ class WindowFrames {
   explicit WindowFrames(const Parts& parts) : p_(parts) {}
 
   // --- for intercept/, before a swap
-  /// Whether all that it would show are a clear and what is pending.
+  /// Whether the swap would show only a clear and the pending batch.
   bool mayShowDirectly() noexcept;
-  /// Then, instead of Context::beforeSwap() and the swap of a window of this size: traces what is pending and
-  /// gives the picture to `show`. False: nothing was shown.
+  /// If mayShowDirectly(), in place of FrameEnds::beforeSwap() and the swap of a window of this size: traces
+  /// the batch and gives the picture to `show`. False: nothing was shown; the batch stays pending.
   bool showWithoutSwap(glm::ivec2 window, const ShowPicture& show) noexcept;
-  /// In place of both where the frame can be shown later: it is traced meanwhile. Otherwise says why not.
+  /// In place of both: starts tracing the batch, to show the frame later. Returns `none` or why not.
   LagRefusal lag(const LagWindow& window) noexcept;
 
-  /// Whether a frame waits that was swapped.
+  /// Whether a lagged frame waits to be shown.
   bool lags() const { return lagged_.has_value(); }
-  /// Shows it, before the window's buffers are looked at or drawn into.
+  /// Shows the lagged frame. Call before the window's buffers are read or drawn into.
   void showLagged();
-  /// Whether a clear may come after that, too: then it is not to be made.
+  /// Delays a clear until the lagged frame is shown. False: clear now.
   bool clearsLater(GLbitfield mask);
-  /// Whether a picture is shown that the back buffer does not hold.
+  /// Whether the window shows a picture that its back buffer does not hold.
   bool shows() const { return presented_.waiting.has_value(); }
-  /// The back buffer is made to hold what is shown: at once, or where the window is drawn into.
+  /// Writes that picture into the back buffer: always, or only if the draw framebuffer is the window.
   void settle();
   void settleBelow();
-  /// Before the draw framebuffer is cleared.
+  /// Call before the draw framebuffer is cleared: drops the picture if the clear hides it, else settles it.
   void clears(GLbitfield mask);
-  /// Whether a draw that is kept for such frames reads textures, or that buffer as one.
+  /// Whether a draw kept for these frames reads a texture; whether one reads `buffer` as a texture.
   bool readsImages() const;
   bool readsBuffer(GLuint buffer) const;
 

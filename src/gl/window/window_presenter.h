@@ -1,5 +1,5 @@
-// How pictures reach a window in other ways than by a swap of its back buffer: shown at once, or traced while
-// the program prepares its next frame. Implemented in intercept/present/. GL thread.
+// Interface through which WindowFrames shows pictures without a swap of the back buffer, at once or traced
+// while the program prepares its next frame. Implemented in intercept/present/. GL thread.
 #pragma once
 #include "base/image.h"
 #include "gl/batch/cleared_target.h"
@@ -18,27 +18,27 @@
 
 namespace gluray::gl {
 
-/// A picture for the window, which holds nothing else but what it was cleared to: misses have that colour,
-/// and so has the rest of the window. Hits beyond the window depth `farthest` count as misses. The lower left
-/// pixel is image.x, image.y of the window. Pictures of the same number are the same.
+/// A picture for a window that otherwise holds only a clear: misses, hits beyond the window depth `farthest`,
+/// and the rest of the window have the clear colour. The picture's lower left pixel is pixel image.x, image.y
+/// of the window. Pictures with equal numbers are equal.
 struct ShownPicture {
   const Image& image;
   float farthest;
   uint64_t number;
-  int threads = 0;  // that may work on it; 0: all
+  int threads = 0;  // threads that may work on it; 0: all
 };
-/// Shows one. False where it could not: the window is as it was.
+/// Shows a picture. False: failed, the window is unchanged.
 using ShowPicture = std::function<bool(const ShownPicture&)>;
 
 struct ShowTarget {
-  ClearedTarget cleared;  // the window
-  float farthest = 1;
+  ClearedTarget cleared;  // the window's clear
+  float farthest = 1;     // ShownPicture::farthest
   bool core = false;      // core profile
-  bool mayRepeat = true;  // as PresentTarget's
+  bool mayRepeat = true;  // PresentTarget::mayRepeat
   const ShowPicture& show;
 };
 
-/// A clear of the window's whole back buffer, as it was asked for.
+/// A clear of the window's whole back buffer, with the values at the time of the call.
 struct WindowClear {
   GLbitfield mask = 0;
   std::array<GLfloat, 4> color{};
@@ -46,20 +46,20 @@ struct WindowClear {
   GLint stencil = 0;
 };
 
-/// What becomes of a picture that is traced ahead and that nobody presents.
+/// How a picture that is traced ahead is shown if the program does not ask for it in time.
 struct Overdue {
   glm::ivec2 size{0};       // of the window in pixels
-  GLenum buffer = GL_BACK;  // of it, where the picture goes
+  GLenum buffer = GL_BACK;  // the window's buffer for which the picture is
   std::chrono::steady_clock::duration after{};
-  /// Shows the whole window: `size` pixels, RGBA8, bottom row first. Called by a thread of ours, `after` that
-  /// time or when it is traced, whichever is later; while it runs present() waits. Empty: it waits for ever.
+  /// Shows the whole window: `size` pixels, RGBA8, bottom row first. Called on a thread of ours when the time
+  /// `after` has passed and the picture is traced; present() waits while it runs. Empty: never shown so.
   std::function<void(const uint32_t* pixels)> show;
 };
 
 struct AheadTarget {
   GLenum depthFunc = GL_LESS;
-  std::optional<ClearedTarget> cleared = {};  // the window, where it holds nothing else
-  float farthest = 1;                         // then, as ShownPicture's
+  std::optional<ClearedTarget> cleared = {};  // the window's clear, if it holds nothing else
+  float farthest = 1;                         // with `cleared`: ShownPicture::farthest
   Overdue overdue = {};
 };
 
@@ -69,20 +69,20 @@ enum class LagRefusal : uint8_t;
 class WindowPresenter {
  public:
   virtual ~WindowPresenter() = default;
-  /// Traces `snapshot` and has its picture shown in the place of what is in the back buffer, which stays as
-  /// it is. Otherwise as Presenter::present(); not traced: nothing was shown.
+  /// Traces `snapshot` and shows its picture in the window; the back buffer stays as it is. Otherwise as
+  /// Presenter::present(); not traced: nothing was shown.
   virtual PresentResult show(const RealGl&, const scene::SnapshotPtr&,
                              const ShowTarget& /*target*/) noexcept {
     return {};
   }
-  /// Begins to trace `snapshot`, whose framebuffer is the window's back buffer, while the program goes on;
-  /// the next present() shall be of it, or dropAhead(). Says why it does not, LagRefusal::none if it does.
-  /// The snapshot is not changed any more.
+  /// Begins to trace `snapshot`, for the window's back buffer, while the program goes on. Next call present()
+  /// with the same snapshot, or dropAhead(). Returns LagRefusal::none or why it does not. The snapshot must
+  /// not change any more.
   virtual LagRefusal traceAhead(const RealGl&, const scene::SnapshotPtr&, const AheadTarget&) noexcept;
-  /// Nobody wants the picture that is traced ahead.
+  /// Discards the picture that is traced ahead.
   virtual void dropAhead() noexcept {}
-  /// Clears the window's back buffer as `clear` says, whatever the state. Returns an error of the program's
-  /// that was pending.
+  /// Makes `clear` in the window's back buffer, whatever the current state. Returns the program's error that
+  /// was pending, if any.
   virtual GLenum clear(const RealGl&, const WindowClear& /*clear*/) noexcept { return GL_NO_ERROR; }
 };
 

@@ -1,11 +1,11 @@
-/* The jump table of a door (generated) and what the door's own code does with it. */
+/* The generated jump table of a door, and its resolver. */
 #pragma once
 
 extern const int glurayCount;
 extern const char glurayNames[];           /* all names, sorted, each with its terminating zero */
-extern const unsigned glurayNameOffsets[]; /* where name i starts */
-extern void* glurayTable[];                /* where entry point i jumps to; starts at a resolver */
+extern const unsigned glurayNameOffsets[]; /* start of name i */
+extern void* glurayTable[];                /* target of entry point i; initially a resolver */
 extern void* const glurayJumps[];          /* the entry points themselves (vendor doors only) */
 
-/* Finds the function behind entry i and stores it in the table once it cannot change any more. Never null. */
+/* Finds the function for entry i, and stores it in the table once it is final. Never null. */
 void* glurayResolve(int i);

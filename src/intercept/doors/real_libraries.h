@@ -1,18 +1,17 @@
-/* The preload door's view of the real OpenGL libraries: those that come after us in the search order, those
-   that the program opens itself, and, failing both, those of the system. libc only, any thread. */
+/* Finds the real OpenGL libraries for the preload door: first those after us in the search order, then those
+   that the program opens itself, then the system's. libc only, any thread. */
 #pragma once
 
 enum GlurayLibrary { GLURAY_LIB_GL, GLURAY_LIB_EGL, GLURAY_LIB_OSMESA, GLURAY_LIB_COUNT };
 
-/* Which OpenGL library the file name (exactly its last part) stands for, or -1. */
+/* The OpenGL library that a file name means, by exactly its last component; -1: none. */
 int glurayLibraryOf(const char* file);
 
-/* The program opened a real library: its functions are the real ones from now on, unless some come after us.
- */
+/* The program opened a real library: uses its functions from now on, unless a library after us has them. */
 void glurayRemember(int library, void* handle);
 
-/* The real function `name`, as exported by a library; null where there is none. */
+/* The real function `name`, as exported by a library; null if there is none. */
 void* glurayExported(int library, const char* name);
 
-/* The same, from whichever OpenGL library the program itself has; null where it has none. */
+/* The same, from any OpenGL library that the program itself uses; null if there is none. */
 void* glurayOfProgram(const char* name);

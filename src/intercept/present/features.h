@@ -1,5 +1,5 @@
-// What the context in hand can do: read once per context, so that the write-back asks for nothing that is not
-// there. GL thread, context current.
+// Capabilities of the current context, read once per context, so that the write-back uses only what exists.
+// GL thread, context current.
 #pragma once
 #include "gl/real.h"
 
@@ -8,11 +8,11 @@ namespace gluray::present {
 struct Features {
   int version = 0;            // 10 * major + minor
   int glslVersion = 0;        // 100 * major + minor, for instance 120; 0: no GLSL
-  bool compatibility = true;  // fixed function is there
+  bool compatibility = true;  // has fixed function
   int maxDrawBuffers = 1;
   int maxClipDistances = 0;
-  int maxTextureSize = 0;  // texels
-  int textureUnit = 0;     // the first of two units that we use: high, so that programs rarely use them too
+  int maxTextureSize = 0;           // texels
+  int textureUnit = 0;              // first of two units for our use: high, because programs rarely use these
   bool indexedDrawBuffers = false;  // blend enable and colour mask per draw buffer
   bool indexedBlending = false;     // blend functions and equations, too
   bool indexedViewports = false;    // viewport, scissor and depth range per viewport
@@ -22,7 +22,7 @@ struct Features {
   bool rasterizerDiscard = false;
   bool transformFeedbackPause = false;
   bool debugOutput = false;
-  bool readFramebuffers = false;  // one framebuffer to read from beside the one to draw into
+  bool readFramebuffers = false;  // separate read and draw framebuffers
   bool depthBounds = false;
   bool offsetClamp = false;       // glPolygonOffsetClamp
   bool encoding = false;          // GL_FRAMEBUFFER_SRGB
@@ -31,7 +31,7 @@ struct Features {
   bool floatTextures = false;     // LUMINANCE32F_ARB
 };
 
-/// Asks the current context. Raises no GL error.
+/// Queries the current context. Raises no GL error.
 Features readFeatures(const gl::RealGl& real);
 
 }  // namespace gluray::present

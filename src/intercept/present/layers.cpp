@@ -15,7 +15,7 @@ namespace {
 using gl::HeldPass;
 using gl::RealGl;
 
-/// A framebuffer object of our own with a held pass's outputs; what was bound comes back.
+/// A framebuffer object with a held pass's outputs; the destructor restores the binding.
 class OwnFramebuffer {
  public:
   OwnFramebuffer(const RealGl& real, const HeldPass& pass)
@@ -48,7 +48,7 @@ class OwnFramebuffer {
   GLuint name_ = 0;
 };
 
-/// Blending keeps the largest; what the program had comes back.
+/// Sets blending to the maximum; the destructor restores the program's state.
 class KeepLargest {
  public:
   explicit KeepLargest(const RealGl& real)
@@ -72,7 +72,7 @@ class KeepLargest {
   bool on_;
 };
 
-/// What was in the texture that found depths are compared to; what is there now comes back.
+/// Puts the earlier content into the texture of compared depths; the destructor restores the present one.
 class EarlierDepths {
  public:
   EarlierDepths(const RealGl& real, const Features& features, const gl::LayersTarget& target)
@@ -101,7 +101,7 @@ class EarlierDepths {
   std::vector<glm::vec2> now_;
 };
 
-/// All draw buffers, with masks and scissor as they are.
+/// Clears all draw buffers with the current masks and scissor.
 void clearAll(const RealGl& real, const glm::vec4& color) {
   glm::vec4 was(0);
   real.GetFloatv(GL_COLOR_CLEAR_VALUE, &was.x);
@@ -110,7 +110,7 @@ void clearAll(const RealGl& real, const glm::vec4& color) {
   real.ClearColor(was.r, was.g, was.b, was.a);
 }
 
-/// Calls draw(guard) with the framebuffer and the state of a held pass. False where they cannot be had.
+/// Calls draw(guard) with the framebuffer and the state of a held pass. False if these cannot be set up.
 template <class Draw>
 bool inPass(const RealGl& real, const Features& features, const HeldPass& pass, Draw&& draw) {
   const OwnFramebuffer framebuffer(real, pass);

@@ -1,4 +1,4 @@
-// What presenting results in where something is thrown. GL thread.
+// Converts exceptions of presenting into results. GL thread.
 #pragma once
 #include "gl/batch/presenter.h"
 
@@ -6,7 +6,7 @@
 
 namespace gluray::present {
 
-/// What `body` results in; an exception's text where it fails.
+/// The result of `body`; if it throws, a failure with the exception's text.
 template <class F>
 gl::PresentResult resultOf(F&& body) noexcept {
   try {
@@ -15,7 +15,7 @@ gl::PresentResult resultOf(F&& body) noexcept {
     gl::PresentResult failed;
     try {
       failed.why = e.what();
-    } catch (...) {}  // the general line says enough
+    } catch (...) {}  // out of memory: leave the reason empty
     return failed;
   }
 }

@@ -46,8 +46,8 @@ gl::SharedNames PresentedPictures::takeNames() {
 }
 
 void PresentedPictures::forget() noexcept {
-  // Names live in the share group; other contexts of the group may still be there, this one may not be
-  // current.
+  // Do not delete names: they belong to the share group, whose other contexts may still exist, and this
+  // context may not be current.
   for (std::unique_ptr<WriteBack>& one : writeBacks_) one.reset();
   features_.reset();
 }

@@ -1,4 +1,4 @@
-// What the roles of one context's presenter share: its pictures, and what is known of its OpenGL. GL thread.
+// State shared by the roles of one context's presenter: pictures, features, write-backs. GL thread.
 #pragma once
 #include "frame/pictures.h"
 #include "frame/tracer.h"
@@ -15,19 +15,19 @@
 
 namespace gluray::present {
 
-/// Called with every picture that has just been written into the bound framebuffer.
+/// Called after a picture has been written into the bound framebuffer.
 using Written = std::function<void(const gl::RealGl&, const Image&)>;
 
 struct PresentedPictures {
   PresentedPictures(const frame::Tracer& with, Written onWritten)
       : tracer(with), pictures(with.trace, with.improves), written(std::move(onWritten)) {}
 
-  /// Pictures::of(), with its cost in `result`. Null: tracing failed, with the reason in `why`.
+  /// Pictures::of(); adds the cost to `result`. Null: tracing failed, with the reason in `why`.
   const frame::LastPictures::Picture* of(const scene::Snapshot& snapshot, bool mayRepeat,
                                          std::optional<uint32_t> missColor, gl::PresentResult& result,
                                          std::string& why);
   const Features& features(const gl::RealGl& real);
-  /// The write-back of pictures with such colours, made at the first call.
+  /// The write-back for pictures with such colours, made at the first call.
   WriteBack& writeBack(const gl::RealGl& real, WriteBack::Colors colors);
   /// Presenter::supports().
   bool supported(const gl::RealGl& real, std::string& why) noexcept;

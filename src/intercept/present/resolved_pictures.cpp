@@ -1,4 +1,4 @@
-// Pictures of multisampled framebuffers that reach the program resolved.
+// TracingPresenter: pictures of multisampled framebuffers, resolved without the real OpenGL.
 #include "base/clock.h"
 #include "intercept/present/layers.h"
 #include "intercept/present/tracing_presenter.h"
@@ -24,7 +24,7 @@ PresentResult TracingPresenter::resolved(const gl::RealGl& real, const scene::Sn
   if (!traced || traced->image.planes != Image::kPicture) return result;
   const double start = nowSeconds();
   scene::Resolve known = pixels_.how;
-  if (!target.colors) known.gamma = target.how.gamma;  // depths are the same
+  if (!target.colors) known.gamma = target.how.gamma;  // gamma does not affect depths
   if (pixels_.of != traced->id || !(known == target.how)) {
     pixels_.of = 0;
     if (!shared_.tracer.resolve(snapshot.settings, target.how, traced->image, pixels_.image)) return result;

@@ -1,4 +1,4 @@
-// Surfaces that are seen through, traced into textures of the program. GL thread.
+// Traces layers into textures of the program. GL thread.
 #pragma once
 #include "gl/layers/layer_presenter.h"
 #include "intercept/present/presented_pictures.h"

@@ -17,7 +17,7 @@ using gl::LagRefusal, gl::PresentResult;
 
 namespace {
 
-/// Shows the picture with what is under it in the window.
+/// Callback that shows the picture merged with the window's content.
 std::function<void(const Image&)> showOver(std::shared_ptr<frame::WindowContent> under,
                                            const gl::AheadTarget& target) {
   const auto test = target.depthFunc == GL_LESS ? frame::DepthTest::less : frame::DepthTest::lessOrEqual;
@@ -26,14 +26,14 @@ std::function<void(const Image&)> showOver(std::shared_ptr<frame::WindowContent>
   };
 }
 
-/// The same where that is one colour.
+/// The same for a window of one colour.
 std::function<void(const Image&)> showOver(uint32_t background, const gl::AheadTarget& target) {
   return [background, farthest = target.farthest, size = target.overdue.size,
           show = target.overdue.show](const Image& image) {
     try {
       frame::WindowContent content = frame::plainWindow(size, background, farthest);
       if (merge(image, frame::DepthTest::lessOrEqual, content)) show(content.colors.data());
-    } catch (const std::exception&) {}  // without memory it is shown when the program goes on
+    } catch (const std::exception&) {}  // out of memory: it is shown when the program goes on
   };
 }
 
@@ -45,7 +45,7 @@ LagRefusal TracedWindow::traceAhead(const gl::RealGl& real, const scene::Snapsho
     std::string why;
     if (!shared_.supported(real, why)) return LagRefusal::failure;
     std::optional<uint32_t> background;
-    PendingErrors none;  // the caller has asked
+    PendingErrors none;  // the caller has taken errors
     if (target.cleared)
       background = shared_.clearedWindow.bits(real, shared_.features(real), *target.cleared, none);
     if (shared_.pictures.knows(*snapshot, background)) return LagRefusal::repeated;
@@ -74,7 +74,7 @@ GLenum TracedWindow::clear(const gl::RealGl& real, const gl::WindowClear& clear)
     takeErrors(real);
     return pending.empty() ? GLenum{GL_NO_ERROR} : pending.front();
   } catch (const std::exception&) {
-    real.Clear(clear.mask);  // without memory for the guard: with the state of now
+    real.Clear(clear.mask);  // out of memory for the guard: clear with the current state
     return GL_NO_ERROR;
   }
 }

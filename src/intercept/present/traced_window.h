@@ -1,5 +1,5 @@
-// Pictures that reach a window in other ways than by a swap: shown at once, or traced while the program
-// prepares its next frame (frame lag). GL thread.
+// Shows pictures in a window without a swap: at once, or traced while the program prepares its next frame
+// (frame lag). GL thread.
 #pragma once
 #include "gl/window/window_presenter.h"
 #include "intercept/present/presented_pictures.h"

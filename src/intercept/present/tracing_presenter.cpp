@@ -73,7 +73,7 @@ bool TracingPresenter::written(const gl::RealGl& real, const frame::LastPictures
                          .picture = picture.id,
                          .colorWrites = snapshot.colorWrites,
                          .encodes = snapshot.encodes};
-    if (snapshot.layers && snapshot.layers->of == scene::Layers::Of::drawn) {  // the test is behind them
+    if (snapshot.layers && snapshot.layers->of == scene::Layers::Of::drawn) {  // depth was tested in tracing
       into.depthFunc = GL_ALWAYS;
       into.depths = snapshot.layers->blending.writesDepth;
     }
@@ -81,7 +81,7 @@ bool TracingPresenter::written(const gl::RealGl& real, const frame::LastPictures
         shared_.writeBack(real, WriteBack::colorsOf(picture.image)).write(picture.image, into, more);
     pending.insert(pending.end(), more.begin(), more.end());
     return drawn;
-  } catch (const std::exception& e) {  // before anything is drawn: the guard puts the state back
+  } catch (const std::exception& e) {  // nothing was drawn yet, and the guard restores the state
     why = e.what();
     return false;
   }

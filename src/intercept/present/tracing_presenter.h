@@ -1,5 +1,5 @@
-// What happens to a finished batch: it is traced and written back; failing that, the real OpenGL draws it.
-// One per context. GL thread.
+// Presents a finished batch: traces it and writes it back; if that fails, draws it with the real OpenGL. One
+// per context. GL thread.
 #pragma once
 #include "gl/batch/presenter.h"
 #include "intercept/present/presented_pictures.h"
@@ -37,7 +37,7 @@ class TracingPresenter final : public gl::Presenter {
  private:
   gl::PresentResult tracedOrRasterised(const gl::RealGl& real, const scene::Snapshot& snapshot,
                                        const gl::PresentTarget& target);
-  /// Writes a picture into the framebuffer. False, with the reason, where it could not be.
+  /// Writes a picture into the framebuffer. False, with the reason, if that fails.
   bool written(const gl::RealGl& real, const frame::LastPictures::Picture& picture,
                const scene::Snapshot& snapshot, const gl::PresentTarget& target, PendingErrors& pending,
                std::string& why) noexcept;
@@ -51,12 +51,12 @@ class TracingPresenter final : public gl::Presenter {
   TextureUpload put_;
   ClearedColor clearedObject_;
   struct Pixels {
-    uint64_t of = 0;  // number of the picture; 0: none
+    uint64_t of = 0;  // id of the picture; 0: none
     scene::Resolve how;
     Image image;
   };
-  Pixels pixels_;                         // made last: a program may want its colours and its depths in turn
-  std::vector<uint32_t> before_, after_;  // of anti-aliasing; memory is kept
+  Pixels pixels_;  // the last ones: a program may resolve colours and depths separately
+  std::vector<uint32_t> before_, after_;  // of anti-aliasing; reused memory
 };
 
 }  // namespace gluray::present

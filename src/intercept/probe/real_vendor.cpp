@@ -35,7 +35,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
 
 bool loads(const std::string& library) { return dlopen(library.c_str(), RTLD_LAZY | RTLD_LOCAL) != nullptr; }
 
-/// The library that a vendor's JSON file names; empty where it cannot be read.
+/// The library that a vendor's JSON file names; empty if the file cannot be read.
 std::string libraryOf(const std::string& file) {
   std::ifstream stream(file);
   const auto parsed = nlohmann::json::parse(stream, nullptr, /*allow_exceptions=*/false);
@@ -45,8 +45,8 @@ std::string libraryOf(const std::string& file) {
              : "";
 }
 
-/// The vendors that the X server names for its first screen (GLX_EXT_libglvnd), for instance "mesa". The C
-/// binding of GLX's protocol is loaded by hand: no header of it is needed, and no OpenGL library is touched.
+/// The X server's vendor names for its first screen (GLX_EXT_libglvnd), for instance "mesa". Loads the C
+/// binding of the GLX protocol with dlopen: needs no header of it, and touches no OpenGL library.
 std::string vendorsOfDisplay() {
   constexpr unsigned kVendorNames = 0x20F6;  // GLX_VENDOR_NAMES_EXT
   struct Cookie {
@@ -87,7 +87,7 @@ std::string findGlx() {
   return "";
 }
 
-/// The EGL driver of the same make as the GLX driver where there is one, otherwise the first that loads.
+/// The EGL driver of the same vendor as the GLX driver if there is one, otherwise the first that loads.
 std::string findEgl(const std::string& glx) {
   std::string files = environment("__EGL_VENDOR_LIBRARY_FILENAMES");
   if (files.find("gluray_egl.json") != std::string::npos) return environment("GLURAY_REAL_EGL");
@@ -161,7 +161,7 @@ RealVendors findRealVendors() {
     for (std::string& line : result) std::getline(stream, line);
     return result;
   }();
-  // A server that does not answer: the program will wait for it too; Mesa is the likeliest driver.
+  // The X server does not answer, and the program will wait for it too. Mesa is the likeliest driver.
   if (lines.empty()) return {"mesa", "libEGL_mesa.so.0"};
   return {parts[0], parts[1]};
 }

@@ -1,5 +1,5 @@
-// Which real OpenGL drivers a program would get without us. The launcher asks; asking happens in a child
-// process, since drivers and X servers may hang or crash.
+// Finds the real OpenGL drivers that a program would use without us. Called by the launcher; runs in a child
+// process, because drivers and X servers may hang or crash.
 #pragma once
 #include <string>
 
@@ -10,9 +10,9 @@ struct RealVendors {
   std::string egl;  // library of the EGL vendor; empty: none found
 };
 
-/// Finds the drivers of the X display (environment DISPLAY) and of EGL. An earlier choice in the environment
-/// (__GLX_VENDOR_LIBRARY_NAME, __EGL_VENDOR_LIBRARY_FILENAMES, __EGL_VENDOR_LIBRARY_DIRS) is kept unless it
-/// is ours. Takes at most about two seconds, when the X server does not answer.
+/// Finds the drivers of the X display (environment DISPLAY) and of EGL. Keeps an earlier choice in the
+/// environment (__GLX_VENDOR_LIBRARY_NAME, __EGL_VENDOR_LIBRARY_FILENAMES, __EGL_VENDOR_LIBRARY_DIRS) unless
+/// it is ours. Takes at most about two seconds, if the X server does not answer.
 RealVendors findRealVendors();
 
 /// EGL vendor libraries in the order in which libEGL tries them: the library_path of each JSON file.

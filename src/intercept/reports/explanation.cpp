@@ -23,7 +23,7 @@ using nlohmann::json;
 struct Notes {
   std::mutex mutex;
   std::set<std::string> unknownFunctions;
-  std::optional<present::Picture> picture;  // not yet in files
+  std::optional<present::Picture> picture;  // not yet written to files
   json pictureText;
 };
 
@@ -48,7 +48,7 @@ json kindsOf(const gl::KindTable& table) {
   return list;
 }
 
-/// Most triangles first.
+/// The programs, sorted by triangles, most first.
 json programsOf(const gl::ProgramTable& table) {
   std::vector<gl::ProgramUse> uses;
   for (const auto& [known, use] : table) uses.push_back(use);
@@ -114,7 +114,7 @@ json quirksNow() {
   return list;
 }
 
-/// Files that this process has mapped and whose names begin with one of `starts`.
+/// Files mapped by this process whose names begin with one of `starts`.
 std::set<std::string> mappedFiles(std::initializer_list<std::string_view> starts) {
   std::set<std::string> files;
   std::ifstream maps("/proc/self/maps");
@@ -129,7 +129,7 @@ std::set<std::string> mappedFiles(std::initializer_list<std::string_view> starts
   return files;
 }
 
-/// Names of functions that lie in the file of libglvnd's dispatch library.
+/// Function names in the file of libglvnd's dispatch library.
 std::set<std::string> dispatchNames() {
   std::set<std::string> names;
   for (const std::string& file : mappedFiles({"libGLdispatch.so"})) {
@@ -140,8 +140,7 @@ std::set<std::string> dispatchNames() {
   return names;
 }
 
-/// libglvnd asks for every function that it has heard of, whatever the program wants; what remains was asked
-/// for by the program.
+/// libglvnd looks up every function that it knows; the remaining names were looked up by the program.
 json askedByProgram(const std::set<std::string>& names) {
   static const std::set<std::string>& known = *new std::set<std::string>(dispatchNames());
   json asked = json::array();
@@ -188,7 +187,7 @@ void noteUnknownFunction(const char* name) noexcept {
     Notes& n = notes();
     const std::lock_guard lock(n.mutex);
     if (n.unknownFunctions.size() < kMost) n.unknownFunctions.insert(name);
-  } catch (...) {  // an unmentioned name
+  } catch (...) {  // out of memory: the name is missing from the report
   }
 }
 

@@ -1,4 +1,4 @@
-// What `gluray explain` wants to know of this process beside the report's sums. Any thread.
+// Data about this process for `gluray explain`, besides the report's totals. Any thread.
 #pragma once
 #include "intercept/contexts.h"
 #include "intercept/present/read_back/frame_picture.h"
@@ -9,15 +9,14 @@
 
 namespace gluray::intercept {
 
-/// The program asked for the OpenGL function `name`, which no stub stands in for: its calls go to the real
+/// Records that the program looked up the OpenGL function `name`, which has no stub: its calls go to the real
 /// OpenGL unseen.
 void noteUnknownFunction(const char* name) noexcept;
 
-/// The latest frame's picture. Written to files with the next report.
+/// Stores the latest frame's picture; the next report writes it to files.
 void keepPicture(present::Picture picture);
 
-/// The part "explain" of the report. The picture's files are written as BASE.ppm and BASE.origin.pgm where
-/// there is a newer one than last time.
+/// The report's section "explain". If there is a new picture, writes it as BASE.ppm and BASE.origin.pgm.
 nlohmann::json explanation(const Totals& totals, bool complete, const std::string& base);
 
 }  // namespace gluray::intercept

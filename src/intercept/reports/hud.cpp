@@ -11,10 +11,10 @@ namespace gluray::intercept {
 namespace {
 
 constexpr int kFromCorner = 8;  // pixels
-constexpr double kEvery = 0.5;  // seconds that a text stays
-constexpr double kPause = 1;    // without a frame: what follows is counted anew
+constexpr double kEvery = 0.5;  // seconds between updates of the text
+constexpr double kPause = 1;    // seconds without a frame after which counting restarts
 
-/// "875 K": three digits, so that the eye has something to hold on to.
+/// "875 K": three significant digits.
 std::string rounded(double value) {
   const char* unit = "";
   for (const char* larger : {" K", " M", " G"}) {
@@ -38,11 +38,11 @@ std::string rate(const HudFigures& f) {
 }
 
 std::string share(const HudFigures& f) {
-  // Where toolkits compose windows, frames are theirs, and triangles another context's.
+  // If a toolkit composes windows, the frames are its own, and the triangles another context's.
   if (f.traced == 0 && f.framesPassedThrough > 0) return "BY OPENGL";
   const uint64_t all = f.traced + f.rasterised;
   if (all == 0) return "NOTHING DRAWN";
-  // Never "100 %" where something is not traced.
+  // Never "100 %" if anything is not traced.
   const double percent = 100 * static_cast<double>(f.traced) / static_cast<double>(all);
   char text[32];
   std::snprintf(text, sizeof text, "%.0f %% TRACED", f.rasterised == 0 ? 100 : std::floor(percent));

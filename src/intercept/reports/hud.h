@@ -1,5 +1,5 @@
-// `--hud`: frames a second, triangles and what is done with them, in the lower left corner of the window. One
-// per context; its GL thread.
+// The overlay of `--hud`: frames per second, triangles, and how they are drawn, in the window's lower left
+// corner. One per context, on its GL thread.
 #pragma once
 #include "gl/share_group.h"
 #include "gl/statistics.h"
@@ -11,29 +11,29 @@
 
 namespace gluray::intercept {
 
-/// What happened between two moments.
+/// Statistics of an interval.
 struct HudFigures {
   double seconds = 0;
-  uint64_t frames = 0, framesPassedThrough = 0;  // shown; of them left to the real OpenGL as they came
+  uint64_t frames = 0, framesPassedThrough = 0;  // shown; of these passed through
   uint64_t traced = 0, rasterised = 0;           // triangles
-  uint64_t flushes = 0, repeated = 0;            // pictures; of them those in which nothing had changed
-  uint64_t bvhBytes = 0;                         // of all acceleration structures, now
-  bool refining = false;                         // a better one is being built
+  uint64_t flushes = 0, repeated = 0;            // pictures; of these repeated ones
+  uint64_t bvhBytes = 0;                         // of all acceleration structures at present
+  bool refining = false;                         // a full-quality one is being built
 };
 
-/// The figures between two states of all contexts' statistics, `seconds` apart.
+/// The difference of two states of all contexts' statistics, `seconds` apart.
 HudFigures between(const gl::Statistics& before, const gl::Statistics& now, double seconds);
 
-/// What the corner says of them. No frames: that GLuRay is there.
+/// The lines of text. Without frames: only "GLURAY".
 std::vector<std::string> hudLines(const HudFigures& figures);
 
 class Hud {
  public:
   explicit Hud(const gl::RealGl& real) : writeBack_(real) {}
 
-  /// Draws over the finished frame in the back buffer, just before it is shown. `now` are the sums over all
-  /// contexts, `seconds` any clock. No state that the program can query differs afterwards, and no depth. The
-  /// error that was pending, if any, which is the program's.
+  /// Draws over the finished frame in the back buffer, just before it is shown. `now`: totals of all
+  /// contexts; `seconds`: any clock. Keeps depth and all queryable state. Returns the program's pending
+  /// error, if any.
   GLenum draw(const gl::Statistics& now, double seconds);
   gl::SharedNames takeNames() { return writeBack_.takeNames(); }
 

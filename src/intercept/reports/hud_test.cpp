@@ -1,4 +1,4 @@
-// What the figures in the corner say.
+// The text of the HUD.
 #include "intercept/reports/hud.h"
 
 #include "intercept/present/read_back/text_image.h"
@@ -10,19 +10,19 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-TEST(HudLines, SayRateAndShare) {
+TEST(HudLines, ShowRateAndShare) {
   HudFigures f{.seconds = 0.5, .frames = 10, .traced = 8746820, .flushes = 20, .bvhBytes = 84000000};
   EXPECT_EQ(hudLines(f), (Lines{"20.0 FPS  50.0 MS", "875 K TRIANGLES, 100 % TRACED", "BVH 84.0 MB"}));
   f.refining = true;
   EXPECT_EQ(hudLines(f).back(), "BVH 84.0 MB, IMPROVING");
 }
 
-TEST(HudLines, NeverSayAllWhereSomethingIsRasterised) {
+TEST(HudLines, NeverShow100PercentIfAnythingIsRasterised) {
   const HudFigures f{.seconds = 1, .frames = 1, .traced = 999999, .rasterised = 1};
   EXPECT_EQ(hudLines(f)[1], "1.00 M TRIANGLES, 99 % TRACED");
 }
 
-TEST(HudLines, SayWhoDraws) {
+TEST(HudLines, ShowWhoDraws) {
   EXPECT_EQ(hudLines({.seconds = 1, .frames = 60, .framesPassedThrough = 60, .rasterised = 60 * 880})[1],
             "880 TRIANGLES, BY OPENGL");
   EXPECT_EQ(hudLines({.seconds = 1, .frames = 60})[1], "0 TRIANGLES, NOTHING DRAWN");
@@ -31,14 +31,14 @@ TEST(HudLines, SayWhoDraws) {
       << "composed by a toolkit";
 }
 
-TEST(HudLines, SayThatNothingChanged) {
+TEST(HudLines, ShowThatNothingChanged) {
   const HudFigures f{.seconds = 1, .frames = 9, .traced = 90, .flushes = 9, .repeated = 9, .bvhBytes = 1000};
   EXPECT_EQ(hudLines(f).back(), "BVH 1.00 KB, NOTHING CHANGED");
 }
 
-TEST(HudLines, AreThereBeforeThereAreFigures) { EXPECT_EQ(hudLines({}), Lines{"GLURAY"}); }
+TEST(HudLines, ShowTheNameBeforeAnyFigures) { EXPECT_EQ(hudLines({}), Lines{"GLURAY"}); }
 
-TEST(HudLines, HaveLettersThatCanBeDrawn) {
+TEST(HudLines, UseDrawableLetters) {
   const HudFigures all{.seconds = 0.3,
                        .frames = 7,
                        .traced = 5,
@@ -51,7 +51,7 @@ TEST(HudLines, HaveLettersThatCanBeDrawn) {
     for (const char letter : line) EXPECT_TRUE(present::isDrawable(letter)) << line << ": " << letter;
 }
 
-TEST(HudFigures, AreDifferencesButForStates) {
+TEST(HudFigures, AreDifferencesExceptForStates) {
   gl::Statistics before, now;
   before.frames = 5, now.frames = 9, before.trianglesTraced = 50, now.trianglesTraced = 90;
   before.bvhBytes = 1000, now.bvhBytes = 700, now.blasRefining = 1;

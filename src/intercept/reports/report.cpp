@@ -27,7 +27,7 @@
 
 namespace gluray::gl {
 
-/// How the library of JSON finds the number in a counter.
+/// Conversion for the JSON library.
 template <class T>
 void to_json(nlohmann::json& json, const Counter<T>& counter) {
   json = T{counter};
@@ -86,7 +86,7 @@ json makeReport(const Totals& totals) {
   };
 }
 
-/// Chosen at the first report.
+/// The report's file name, chosen at the first report.
 const std::string& reportPath() {
   // Never destroyed: the exit handler that writes the last report was registered before this string was made.
   static const std::string& path = *new std::string(fileOfThisProcess(session().reportFile));
@@ -94,38 +94,38 @@ const std::string& reportPath() {
 }
 
 void writeText(const json& report) {
-  // Programs and drivers may name themselves in anything.
+  // Names of programs and drivers need not be valid UTF-8.
   const std::string text = report.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
   if (const std::string why = files::replace(reportPath(), text); !why.empty())
     log::once(log::Level::error, "report", "cannot write the report " + reportPath() + ": " + why);
 }
 
 constexpr double kInterval = 0.1;  // seconds; a report costs about a tenth of a millisecond
-constexpr double kQuiet = 1;       // seconds without a frame after which what is drawn counts by itself
-constexpr int kAtOnce = 32;  // first frames that are written at once: short programs may end by a signal
+constexpr double kQuiet = 1;       // seconds without a frame after which draws alone cause a report
+constexpr int kAtOnce = 32;        // first frames that are written at once: a signal may end short programs
 
-/// What the program has done, as far as it is worth a new report.
+/// The statistics whose change causes a new report.
 auto progress(const Totals& sum) {
   const gl::Statistics& s = sum.statistics;
   return std::array<uint64_t, 5>{static_cast<uint64_t>(sum.contexts), s.frames, s.flushes, s.drawsTraced,
                                  s.drawsRasterised};
 }
 
-/// What the program's threads, the watcher and the exit handler share. Never destroyed: the watcher may
+/// State shared by the program's threads, the watcher and the exit handler. Never destroyed: the watcher may
 /// outlive the exit handlers.
 struct Reporter {
   std::mutex mutex;
   Totals latest;           // as of the last frame
-  std::string walkedPast;  // as of then
-  bool waiting = false;    // that is not in the file
+  std::string walkedPast;  // as of the last frame
+  bool waiting = false;    // `latest` is not in the file yet
   std::array<uint64_t, 5> written{};
-  double next = 0, lastFrame = 0;  // when a report is due, when a frame ended
+  double next = 0, lastFrame = 0;  // times of the next report and of the last frame's end
   int atOnce = kAtOnce;
   bool watched = false;
   bool ended = false;
-  bool complete = false;  // all frames that were to be explained are there; later ones change nothing
+  bool complete = false;  // all frames to be explained are recorded; later ones change nothing
 
-  /// What `sum` says goes into the file. The mutex is held.
+  /// Writes `sum` to the file. Requires the mutex.
   void write(const Totals& sum) {
     if (sum.contexts != 0 || launchedProcess()) {
       json report = makeReport(sum);
@@ -144,7 +144,7 @@ Reporter& reporter() {
   return *r;
 }
 
-/// exit() may have been called by a signal handler in the middle of a report: nobody is waited for for ever.
+/// Locks with a time limit: a signal handler may have called exit() in the middle of a report.
 bool lockInTime(std::mutex& mutex) {
   constexpr int kPatience = 1000;  // milliseconds
   for (int i = 0; i < kPatience; ++i) {
@@ -154,7 +154,7 @@ bool lockInTime(std::mutex& mutex) {
   return false;
 }
 
-/// Runs `body` with the reporter locked; a failure costs a report, nothing else.
+/// Runs `body` with the reporter locked; if it throws, only this report is lost.
 template <class F>
 void reporting(F&& body, bool atExit = false) noexcept {
   try {
@@ -170,14 +170,13 @@ void reporting(F&& body, bool atExit = false) noexcept {
   }
 }
 
-/// Whether reports are written while the program runs: those on standard output are written once.
+/// Whether reports are written while the program runs; a report to a stream is written only at exit.
 bool writesMeanwhile() {
   const std::string& file = session().reportFile;
   return !file.empty() && !files::isStream(file) && !isForkedChild();
 }
 
-/// What the last frames counted that ended too soon after a report to be written at once, and what is drawn
-/// by programs that end no frames.
+/// Writes the statistics of frames that ended too soon after a report, and of programs that end no frames.
 void lookAfter(Reporter& r) {
   if (r.waiting) return r.write(r.latest);
   if (nowSeconds() < r.lastFrame + kQuiet) return;
@@ -185,7 +184,7 @@ void lookAfter(Reporter& r) {
   if (progress(now) != r.written) r.write(now);
 }
 
-/// Until the exit handlers run, or all is there that was to be explained.
+/// Runs until the exit handlers run, or all frames to be explained are recorded.
 void watch() noexcept {
   for (bool goOn = true; goOn;) {
     std::this_thread::sleep_for(std::chrono::duration<double>(kInterval));
@@ -196,7 +195,7 @@ void watch() noexcept {
   }
 }
 
-/// Starts watch() in a thread that the program's signal handlers never run in. The mutex is held.
+/// Starts watch() on a thread with all signals blocked. Requires the mutex.
 void startWatching(Reporter& r) {
   if (r.watched) return;
   sigset_t all, before;
@@ -210,12 +209,12 @@ void startWatching(Reporter& r) {
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 
-/// walkedPast() for the report. Asked before the reporter is locked: it takes the dynamic linker's lock,
+/// walkedPast() for the report. Call it before locking the reporter: it takes the dynamic linker's lock,
 /// which a thread that loads a library may hold while it waits for the reporter.
 std::string walkedPastNow() noexcept {
   try {
     return walkedPast();
-  } catch (const std::exception&) { return {}; }  // no memory: the next report has it
+  } catch (const std::exception&) { return {}; }  // out of memory: the next report has it
 }
 
 }  // namespace

@@ -1,21 +1,20 @@
-// The report: what was traced, what was not and why, and what it cost. Written while the program runs, so
-// that one that ends by a signal leaves a report of its last frames (docs/adr/0032), and at exit, for which
-// the engine registers it.
+// The report: what was traced, what was not and why, and the costs. Written while the program runs, so that a
+// program killed by a signal leaves a report of its last frames (docs/adr/0032), and at exit. Any thread.
 #pragma once
 
 namespace gluray::intercept {
 
-/// Writes the session's report file (JSON). The launched process writes FILE itself; a process that it
-/// started writes FILE where nobody has yet, otherwise FILE.PID, and only if it had a context. Never throws,
-/// silent in forked children.
+/// Writes the session's report file (JSON). The launched process writes FILE. A process that it started
+/// writes FILE if that does not exist yet, otherwise FILE.PID, and only if it had a context. Never throws;
+/// does nothing in forked children. The engine registers it for exit.
 void writeReport() noexcept;
 
-/// A context has been made. From now on a thread of its own looks ten times a second for what no frame has
-/// written: the last frames of a program that has come to rest, and what is drawn by programs that end none.
-/// Called outside of all locks. Does nothing where no report is wanted.
+/// Called when a context has been created. Starts a thread that checks ten times a second for statistics that
+/// no frame has written: the last frames of an idle program, and the draws of programs that end no frames.
+/// Call it without holding locks. Does nothing if no report is wanted.
 void watchForReport() noexcept;
 
-/// A frame has ended. Writes the same, at most ten times a second but for the first frames.
+/// Called when a frame has ended. Writes the report, at most ten times a second except for the first frames.
 void writeReportIfDue() noexcept;
 
 }  // namespace gluray::intercept

@@ -1,4 +1,4 @@
-// What all contexts of the process did.
+// Totals of all contexts of the process.
 #include "intercept/context_record.h"
 
 namespace gluray::intercept {

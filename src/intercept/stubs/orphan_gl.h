@@ -1,5 +1,5 @@
-// What becomes of OpenGL calls on a thread without a context of ours: the program may have made one current
-// by a way that no door sees. Set by the doors, read by every stub.
+// The real OpenGL for calls on a thread without a context of ours: the program may have made one current
+// unseen by any door. Set by the hooks, read by every stub. Any thread.
 #pragma once
 #include "gl/real.h"
 
@@ -8,8 +8,7 @@
 namespace gluray::intercept {
 
 inline std::atomic<const gl::RealGl*> g_orphanGl = nullptr;  // of the first context of the process
-inline thread_local const gl::RealGl* t_orphanGl =
-    nullptr;  // of the context that is current, followed or not
+inline thread_local const gl::RealGl* t_orphanGl = nullptr;  // of the current context, followed or not
 
 /// The real OpenGL for calls without a context of ours, or null: then such calls do nothing, as OpenGL leaves
 /// them undefined.

@@ -1,4 +1,4 @@
-// The functions that programs call in place of OpenGL's, by name. Doors and tests ask; any thread.
+// Look-up of our stubs for OpenGL commands by name. Called by the engine and tests; any thread.
 #pragma once
 
 namespace gluray::intercept {

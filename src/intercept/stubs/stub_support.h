@@ -1,5 +1,5 @@
-// What generated stubs need beside the shadow GL: conversions of vertex attributes (GL 2.1, table 2.9) and
-// copies of what pointers point at, for display lists. Included by generated code only.
+// Helpers of the generated stubs: conversions of vertex attributes (GL 2.1, table 2.9) and copies of arrays
+// passed by pointer, for display lists. Included by generated code and its test.
 #pragma once
 #include "gl/capture/vertex_attribute_calls.h"
 #include "gl/handlers.h"
@@ -44,7 +44,7 @@ struct Packed {
   float x, y, z, w;
 };
 
-/// Takes a packed attribute apart. False if `type` is not one of the two packed types of GL 3.3, section 2.7.
+/// Unpacks a packed attribute. False if `type` is not one of the two packed types of GL 3.3, section 2.7.
 inline bool unpack(GLenum type, bool normalise, GLuint value, Packed& v) {
   const auto field = [&](int shift, int bits) {
     const uint32_t raw = (value >> shift) & ((1u << bits) - 1u);

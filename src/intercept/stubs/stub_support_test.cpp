@@ -73,7 +73,7 @@ TEST(Unpack, OtherTypesAreRefused) {
   EXPECT_FALSE(unpack(GL_FLOAT, false, 0, v));
 }
 
-TEST(CopyOf, OwnsWhatItCopied) {
+TEST(CopyOf, OwnsTheCopy) {
   GLfloat source[] = {1, 2, 3};
   const auto copy = copyOf(source, 3);
   source[1] = 9;

@@ -1,11 +1,11 @@
-// Whether calls of OpenGL may reach the driver without passing through a door.
+// Detects OpenGL calls that bypass all doors.
 #pragma once
 #include <string>
 
 namespace gluray::intercept {
 
-/// The driver's library whose gl* functions the dynamic linker finds first, and binds what libraries link
-/// that are loaded from now on; empty: it finds ours or libglvnd's. Takes the dynamic linker's lock: on the
+/// The driver's library, if the dynamic linker finds its gl* functions first and would bind libraries loaded
+/// from now on to them; empty: it finds ours or libglvnd's. Takes the dynamic linker's lock: call it on the
 /// program's threads only.
 std::string walkedPast();
 

@@ -7,14 +7,14 @@
 namespace gluray::intercept {
 namespace {
 
-/// Of windows and pixmaps of X.
+/// Size of X windows and pixmaps.
 glm::ivec2 sizeOfX(xcb_connection_t* connection, uint32_t drawable) {
   if (!xcb().askGeometry || !xcb().geometry) return glm::ivec2(0);
   const auto reply = replyTo(xcb().geometry, connection, xcb().askGeometry(connection, drawable));
   return reply ? glm::ivec2(reply->width, reply->height) : glm::ivec2(0);
 }
 
-/// Of windows, pixmaps and pbuffers that have names of GLX alone (GLX 1.4, 3.3.4 to 3.3.6).
+/// Size of windows, pixmaps and pbuffers with a GLX name only (GLX 1.4, 3.3.4 to 3.3.6).
 glm::ivec2 sizeOfGlx(xcb_connection_t* connection, uint32_t drawable) {
   if (!xcb().askAttributes || !xcb().attributes || !xcb().list) return glm::ivec2(0);
   const auto reply = replyTo(xcb().attributes, connection, xcb().askAttributes(connection, drawable));

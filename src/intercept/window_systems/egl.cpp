@@ -1,5 +1,5 @@
-// EGL with desktop OpenGL: contexts, current contexts, buffer swaps. EGL 1.5 and the extensions that show
-// pictures.
+// EGL hooks for desktop OpenGL: contexts, current contexts, buffer swaps. EGL 1.5 and the extensions that
+// show pictures.
 #include "base/timeline.h"
 #include "intercept/contexts.h"
 #include "intercept/engine.h"
@@ -16,7 +16,7 @@ namespace {
 
 uintptr_t drawableOf(EGLSurface surface) { return reinterpret_cast<uintptr_t>(surface); }
 
-/// Asks behind door D how large `surface` is; nothing of that sort for contexts without a surface.
+/// Queries the size of `surface` behind door D; empty for contexts without a surface.
 template <Door D>
 AskSize sizeOf(EGLDisplay display, EGLSurface surface) {
   if (surface == EGL_NO_SURFACE) return {};
@@ -29,7 +29,7 @@ AskSize sizeOf(EGLDisplay display, EGLSurface surface) {
   };
 }
 
-/// Runs `call` with what is pending drawn first.
+/// Flushes pending draws, then runs `call`.
 template <class F>
 auto afterFlush(F&& call) {
   const Outermost outermost;

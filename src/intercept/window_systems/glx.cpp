@@ -1,4 +1,4 @@
-// GLX: contexts, current contexts, buffer swaps. GLX 1.4 and the extensions that show pictures.
+// GLX hooks: contexts, current contexts, buffer swaps. GLX 1.4 and the extensions that show pictures.
 #include "base/timeline.h"
 #include "gl/stub.h"
 #include "intercept/contexts.h"
@@ -17,7 +17,7 @@ namespace {
 /// The real function of the same name and type as `FUNCTION`, behind door D.
 #define REAL(D, TYPE, NAME) static const auto real = realFunction<TYPE>(D, Api::glx, NAME)
 
-/// Runs `call` with what is pending drawn first.
+/// Flushes pending draws, then runs `call`.
 template <class F>
 auto afterFlush(F&& call) {
   const Outermost outermost;
@@ -25,7 +25,7 @@ auto afterFlush(F&& call) {
   return call();
 }
 
-/// Runs `call`, which makes a context that shares with `share`.
+/// Runs `call`, which creates a context that shares with `share`.
 template <class F>
 GLXContext creating(GLXContext share, F&& call) {
   const Outermost outermost;
@@ -141,7 +141,7 @@ struct Glx {
     REAL(D, PFNGLXGETSYNCVALUESOMLPROC, "glXGetSyncValuesOML");
     return afterFlush([&] { return real(dpy, drawable, ust, msc, sbc); });
   }
-  /// Programs that ask to be told of swaps wait for that before they go on.
+  /// Programs that select swap events wait for them before they go on.
   static void selectEvent(Display* dpy, GLXDrawable drawable, unsigned long mask) {
     REAL(D, decltype(&glXSelectEvent), "glXSelectEvent");
     if (mask & GLX_BUFFER_SWAP_COMPLETE_INTEL_MASK) neverLag();
@@ -160,8 +160,8 @@ struct Glx {
     afterFlush([&] { real(dpy, drawable, buffer, attributes); });
     textureImageBound();
   }
-  /// Drivers make the glyphs' lists inside themselves, where no door sees them: the shadow GL gives them
-  /// lists of the real OpenGL's, which our lists then call.
+  /// Drivers compile the glyphs' lists internally, where no door sees it. The shadow GL gives them lists of
+  /// the real OpenGL, which our lists then call.
   static void useXFont(Font font, int first, int count, int listBase) {
     REAL(D, decltype(&glXUseXFont), "glXUseXFont");
     const Outermost outermost;

@@ -1,4 +1,4 @@
-// A table of hooks by name: what the files of glx, egl and osmesa are made of.
+// A table of hooks by name, used by glx.cpp, egl.cpp and osmesa.cpp. Any thread.
 #pragma once
 #include <cstring>
 #include <iterator>
@@ -10,7 +10,7 @@ struct Hook {
   void* function;
 };
 
-/// The function behind `name`, or null.
+/// The hook for `name`, or null.
 template <size_t N>
 void* findHook(const Hook (&hooks)[N], const char* name) {
   for (const Hook& hook : hooks)

@@ -1,4 +1,4 @@
-// OSMesa: off-screen contexts that draw into the program's own memory. Only the preload door meets them.
+// OSMesa: off-screen contexts that draw into the program's own memory. Only the preload door supports them.
 #include "intercept/contexts.h"
 #include "intercept/engine.h"
 #include "intercept/window_systems/hook_table.h"
@@ -31,7 +31,7 @@ OSMesaContext createContextAttribs(const int* attributes, OSMesaContext share) {
   return context;
 }
 
-/// Destroying the current context makes it not current.
+/// Destroying the current context leaves no context current.
 void destroyContext(OSMesaContext context) {
   REAL(decltype(&OSMesaDestroyContext), "OSMesaDestroyContext");
   static const auto currentContext =
@@ -43,7 +43,7 @@ void destroyContext(OSMesaContext context) {
   contextDestroyed(Api::osmesa, context);
 }
 
-/// The buffer is the drawable: a picture is complete when the program takes another buffer or context.
+/// The buffer is the drawable: a picture is complete when the program changes the buffer or context.
 GLboolean makeCurrent(OSMesaContext context, void* buffer, GLenum type, GLsizei width, GLsizei height) {
   REAL(decltype(&OSMesaMakeCurrent), "OSMesaMakeCurrent");
   leaveCurrent();

@@ -1,6 +1,5 @@
-/* OSMesa's interface, which Mesa 25.1 and later no longer have: programs bring libOSMesa along. Plain C, for
-   the engine, for the tests' clients, and for tools/c_headers.py, which reads the prototypes. Values and
-   types are Mesa's ABI. */
+/* OSMesa's interface, which Mesa 25.1 removed; programs ship libOSMesa themselves. Plain C, for the engine,
+   the tests' clients, and tools/c_headers.py, which reads the prototypes. Values and types are Mesa's ABI. */
 #pragma once
 #include <GL/gl.h>
 

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <string>
 
-// Set by the linker: where this library begins and ends in memory.
+// Set by the linker: start and end of this library in memory.
 extern "C" const char __ehdr_start __attribute__((visibility("hidden")));
 extern "C" const char _end __attribute__((visibility("hidden")));
 

@@ -1,14 +1,14 @@
-// The doors that are open in this process and the real functions behind them. Any thread.
+// The open doors of this process and the real functions behind them. Any thread.
 #pragma once
 #include "gl/real.h"
 #include "intercept/doors/door_abi.h"
 
 namespace gluray::intercept {
 
-/// How a context came to be: decides which OpenGL library it belongs to.
+/// The API that created a context: determines its OpenGL library.
 enum class Api { glx = GLURAY_API_GLX, egl = GLURAY_API_EGL, osmesa = GLURAY_API_OSMESA };
 
-/// The kinds of doors, as template arguments: a hook forwards to what lies behind the door it was entered by.
+/// The kinds of doors, as template arguments: a hook forwards to the functions behind its caller's door.
 enum Door {
   kVendorGlx = GLURAY_DOOR_VENDOR_GLX,
   kVendorEgl = GLURAY_DOOR_VENDOR_EGL,
@@ -19,7 +19,7 @@ void openDoor(const GlurayDoor* door);
 /// "vendor", "preload" or "vendor and preload", for the report.
 const char* openDoorNames();
 
-/// The real function `name` behind `door`; null where there is none or where it turns out to be one of ours.
+/// The real function `name` behind `door`; null if there is none or it is one of ours.
 void* realFunction(Door door, Api api, const char* name);
 
 template <class Function>
@@ -27,8 +27,8 @@ Function realFunction(Door door, Api api, const char* name) {
   return reinterpret_cast<Function>(realFunction(door, api, name));
 }
 
-/// The real OpenGL of contexts of this API, loaded at the first call. A vendor door's functions are
-/// preferred: behind the preload door alone libGL's entry points would lead back into the vendor door.
+/// The real OpenGL of contexts of this API, loaded at the first call. Prefers a vendor door's functions: from
+/// the preload door libGL's entry points would lead back into the vendor door.
 const gl::RealGl& realGl(Api api);
 
 /// True for the first of our hooks on this thread's stack. With both doors open the preload door's

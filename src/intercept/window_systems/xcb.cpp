@@ -54,7 +54,7 @@ Xcb::Xcb() {
   find(glx, "xcb_glx_get_drawable_attributes_attribs", list);
 }
 
-/// What comes with a library is there with one of its functions.
+/// Checks one function per library: the others exist with it.
 bool Xcb::canPut() const { return connectionOf && flush && putImage; }
 
 const Xcb& xcb() {
@@ -72,7 +72,7 @@ const xcb_visualtype_t* visualOf(const xcb_setup_t* setup, xcb_visualid_t id) {
   return nullptr;
 }
 
-/// Whether a pixel of that depth is a word of 32 bits, as this machine has them.
+/// Whether a pixel of that depth is a 32-bit word in this machine's byte order.
 bool hasWords(const xcb_setup_t* setup, uint8_t depth) {
   static_assert(std::endian::native == std::endian::little);
   if (setup->image_byte_order != XCB_IMAGE_ORDER_LSB_FIRST) return false;

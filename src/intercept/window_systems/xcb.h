@@ -1,5 +1,5 @@
-// The X server's functions that we call, found when needed: programs that draw without an X server may have
-// none of these libraries. XCB hands errors to who asked, where Xlib ends the program. Any thread.
+// XCB functions, loaded when needed: programs that draw without an X server may lack these libraries. XCB
+// returns errors to the caller, whereas Xlib ends the program. Any thread.
 #pragma once
 #include <xcb/glx.h>
 #include <xcb/shm.h>
@@ -9,12 +9,12 @@
 #include <cstdlib>
 #include <memory>
 
-/// Xlib's Display; its header has macros of common words.
+/// Xlib's Display. Its header is not included, because it defines common words as macros.
 struct _XDisplay;
 
 namespace gluray::intercept {
 
-/// Null where the library does not exist.
+/// Functions are null if their library is missing.
 struct Xcb {
   xcb_connection_t* (*connectionOf)(_XDisplay*);
   decltype(xcb_connect)* connect;
@@ -50,14 +50,14 @@ struct Xcb {
   decltype(xcb_glx_get_drawable_attributes_attribs)* list;
 
   Xcb();
-  /// Whether all that pictures are shown with is there.
+  /// Whether all functions for showing pictures exist.
   bool canPut() const;
 };
 
 const Xcb& xcb();
 
-/// Whether pixels of that depth and visual are words of 32 bits as this machine has them, eight bits each of
-/// red, green and blue, blue lowest.
+/// Whether pixels of that depth and visual are 32-bit words in this machine's byte order, with eight bits
+/// each of red, green and blue, blue lowest.
 bool hasPlainPixels(xcb_connection_t* connection, uint8_t depth, xcb_visualid_t visual);
 
 struct Freed {
@@ -66,7 +66,7 @@ struct Freed {
 template <class Reply>
 using ReplyPtr = std::unique_ptr<Reply, Freed>;
 
-/// The reply to `cookie`, or null where the server answered with an error.
+/// The reply to `cookie`, or null if the server returned an error.
 template <class Reply, class Cookie>
 ReplyPtr<Reply> replyTo(Reply* (*wait)(xcb_connection_t*, Cookie, xcb_generic_error_t**),
                         xcb_connection_t* connection, Cookie cookie) {

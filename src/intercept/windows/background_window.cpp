@@ -45,7 +45,7 @@ class XcbBackgroundWindow final : public BackgroundWindow {
     return !error;
   }
 
-  /// The server's rows go from the top down, as many to a request as it takes.
+  /// Sends rows top down, as many per request as the server accepts.
   bool put(const uint32_t* pixels, glm::ivec2 size) {
     constexpr size_t kHeader = 64, kUnit = 4;  // bytes; requests are counted in units
     const auto width = static_cast<size_t>(size.x);
@@ -73,7 +73,7 @@ class XcbBackgroundWindow final : public BackgroundWindow {
   uint32_t window_;
   xcb_gcontext_t context_ = 0;
   uint8_t depth_ = 0;
-  std::vector<uint32_t> rows_;  // memory is kept
+  std::vector<uint32_t> rows_;  // reused memory
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Puts pictures into a window of X over a connection of its own: neither the program's connection nor its
-// OpenGL takes part. Made by a GL thread, used by one thread at a time.
+// Shows pictures in an X window over its own connection, without the program's connection or OpenGL. Made by
+// a GL thread, used by one thread at a time.
 #pragma once
 #include <glm/glm.hpp>
 
@@ -11,12 +11,12 @@ namespace gluray::intercept {
 
 class BackgroundWindow {
  public:
-  /// Null where this server or this window cannot be painted: no XCB, no TrueColor of eight bits a channel in
-  /// four bytes a pixel.
+  /// Null if this server or window is not supported: no XCB, or no TrueColor visual with eight bits per
+  /// channel and four bytes per pixel.
   static std::unique_ptr<BackgroundWindow> open(const std::string& display, uint32_t window);
   virtual ~BackgroundWindow() = default;
-  /// Shows `size` pixels, RGBA8, bottom row first, and waits until the server has done it. False where the
-  /// window is gone or of another size.
+  /// Shows `size` pixels, RGBA8, bottom row first, and waits for the server to finish. False if the window is
+  /// gone or has another size.
   virtual bool paint(const uint32_t* pixels, glm::ivec2 size) noexcept = 0;
 };
 

@@ -5,7 +5,7 @@
 namespace gluray::intercept {
 namespace {
 
-/// Frames that are first seen `gap` seconds after the swap before, and take a hundredth.
+/// Adds a frame that starts `gap` seconds after the last swap and takes 0.01 seconds.
 bool after(FollowingFrames& frames, double& now, double gap) {
   const bool follow = frames.complete(now + gap);
   frames.swapped(now += gap + 0.01);
@@ -15,14 +15,14 @@ bool after(FollowingFrames& frames, double& now, double gap) {
 TEST(FollowingFrames, ThreeInARow) {
   FollowingFrames frames;
   double now = 5;
-  EXPECT_FALSE(after(frames, now, 0.02));  // nothing was shown before
+  EXPECT_FALSE(after(frames, now, 0.02));  // the first frame
   EXPECT_FALSE(after(frames, now, 0.02));
   EXPECT_FALSE(after(frames, now, 0.02));
   EXPECT_TRUE(after(frames, now, 0.02));
   EXPECT_TRUE(after(frames, now, 0.09));
 }
 
-TEST(FollowingFrames, APauseEndsThem) {
+TEST(FollowingFrames, APauseResetsTheCount) {
   FollowingFrames frames;
   double now = 5;
   for (int i = 0; i < 5; ++i) after(frames, now, 0.01);

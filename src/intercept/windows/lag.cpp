@@ -23,13 +23,13 @@ using gl::LagRefusal;
 namespace {
 
 using namespace std::chrono_literals;
-constexpr auto kOverdue = 25ms;  // without a sign of the program after a swap we show the frame ourselves
+constexpr auto kOverdue = 25ms;  // time after a swap without a call of the program until we show the frame
 
 std::atomic<bool> g_never{false};
 std::atomic<uint64_t> g_later{0}, g_shownByUs{0};
 std::array<std::atomic<uint64_t>, gl::kLagRefusals> g_because{};
 
-/// Set when the program closes its connection: no window of it is there any more.
+/// Set when the program closes its connection, and with it all its windows.
 using Closed = std::shared_ptr<std::atomic<bool>>;
 
 struct Displays {
@@ -52,7 +52,7 @@ int closing(Display* display, XExtCodes*) {
   return 0;
 }
 
-/// Whether the connection was closed, from now on. Null where nobody would tell.
+/// A flag that is set when the connection is closed. Null if that cannot be detected.
 Closed watch(Display* display) {
   using AddExtension = XExtCodes* (*)(Display*);
   using SetClose = int (*(*)(Display*, int, int (*)(Display*, XExtCodes*)))(Display*, XExtCodes*);
@@ -74,12 +74,11 @@ Closed watch(Display* display) {
 
 }  // namespace
 
-/// Of one context.
 class Lag {
  public:
   FollowingFrames following;
 
-  /// What lets the context show a frame of `drawable` later. False with why where nothing does.
+  /// Prepares showing a frame of `drawable` later; returns the reason if that is impossible.
   LagRefusal prepare(Display* display, GLXDrawable drawable, RealSwap swap, Record& record,
                      gl::LagWindow& window) {
     if (display != display_ || drawable != drawable_) adopt(display, drawable);

@@ -1,4 +1,4 @@
-// Frame lag of GLX windows: swaps that are made later, when the frame is traced. GL threads.
+// Frame lag of GLX windows: delays swaps until the frame is traced. GL threads.
 #pragma once
 #include "gl/window/lagged_frame.h"
 #include "settings/settings.h"
@@ -7,30 +7,30 @@
 #include <cstdint>
 #include <memory>
 
-struct _XDisplay;  // Xlib's Display: its macros stay out of here
+struct _XDisplay;  // Xlib's Display, without its header's macros
 
 namespace gluray::intercept {
 
 using XId = unsigned long;
 using RealSwap = void (*)(_XDisplay*, XId drawable);
 
-/// What one context's lag needs between frames.
+/// State of one context's frame lag between frames.
 class Lag;
 struct LagDeleter {
   void operator()(Lag* lag) const;
 };
 using LagPtr = std::unique_ptr<Lag, LagDeleter>;
 
-/// In place of a swap of `drawable`: true where it will be made later; otherwise it is to be made now.
+/// Called instead of a swap of `drawable`. True: the swap will be made later. False: make it now.
 bool swapsLater(_XDisplay* display, XId drawable, RealSwap swap) noexcept;
-/// A swap of the drawable returned, or will be made later.
+/// Call when a swap of the drawable returned or was delayed.
 void noteSwap() noexcept;
-/// The program waits for swaps by their events: none may come late from now on.
+/// Disables lag for the process: the program waits for swap events, so no swap may come late.
 void neverLag() noexcept;
 
-/// What the process's frames came to.
+/// Counts of the process's frames.
 struct LagCounts {
-  uint64_t later = 0, shownByUs = 0;  // of those later: by our own connection
+  uint64_t later = 0, shownByUs = 0;  // delayed; of these shown over our own connection
   std::array<uint64_t, gl::kLagRefusals> because{};
 };
 LagCounts lagCounts() noexcept;

@@ -15,8 +15,8 @@ struct Names {
   std::mutex mutex;
   std::map<uintptr_t, uintptr_t> windows;
 };
-/// Never destroyed: programs call GLX while they exit. Asks for no memory: it may be called for the first
-/// time when there is none.
+/// Never destroyed: programs call GLX while they exit. Allocates nothing: the first call may come when memory
+/// has run out.
 Names& names() {
   alignas(Names) static std::byte memory[sizeof(Names)];
   static Names* const n = new (memory) Names;
@@ -45,7 +45,7 @@ bool show(_XDisplay* display, uintptr_t drawable, Record& record) {
   if (record.window.isKnown(size) &&
       record.context->window.showWithoutSwap(size, [&](const gl::ShownPicture& p) { return put->put(p); }))
     return true;
-  if (size.x == 0) record.window.put.reset();  // not tried again
+  if (size.x == 0) record.window.put.reset();  // do not try again
   return false;
 }
 

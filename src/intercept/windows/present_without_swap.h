@@ -1,4 +1,4 @@
-// Frames that are shown without a swap of the real OpenGL's. The thread that the context is current in.
+// Shows frames without a swap of the real OpenGL. Called on the thread in which the context is current.
 #pragma once
 #include "intercept/windows/shm_window.h"
 
@@ -7,13 +7,13 @@
 
 namespace gluray::intercept {
 
-/// How a context's pictures get into its window.
+/// The window into which a context's pictures go.
 struct WindowOfContext {
-  uintptr_t drawable = 0;  // that was tried
+  uintptr_t drawable = 0;  // the last one tried
   std::unique_ptr<ShmWindow> put;
-  glm::ivec2 swapped{0};  // size of the window at the last swap that the real OpenGL had to make
-  /// Whether the real OpenGL knows a window of that size: it looks after a swap alone, and would go on with
-  /// buffers of another size. False: it is to make this swap.
+  glm::ivec2 swapped{0};  // size of the window at the last swap by the real OpenGL
+  /// Whether the real OpenGL knows the window's size: it updates its buffers' size only after a swap. False:
+  /// let it make this swap.
   bool isKnown(glm::ivec2 size) {
     const bool known = size == swapped && size.x > 0;
     swapped = size;
@@ -21,15 +21,15 @@ struct WindowOfContext {
   }
 };
 
-/// GLX has given a window of the X server another name, which then goes. Any thread.
+/// GLX created, or destroyed, a GLX name of an X window. Any thread.
 void glxWindowMade(uintptr_t name, uintptr_t window) noexcept;
 void glxWindowGone(uintptr_t name) noexcept;
-/// The X server's name of a drawable of GLX.
+/// The X server's name of a GLX drawable.
 uintptr_t windowOf(uintptr_t drawable) noexcept;
-/// What puts pictures into the drawable; null where nothing can. Of the window's context's thread.
+/// The ShmWindow of the drawable; null if it is not supported. On the thread of the window's context.
 ShmWindow* shmWindowFor(_XDisplay* display, uintptr_t drawable, WindowOfContext& window);
 
-/// Before a swap of `drawable`: true where the frame has been shown, and the swap is not to be made.
+/// Call before a swap of `drawable`. True: the frame has been shown; skip the swap.
 bool shownDirectly(_XDisplay* display, uintptr_t drawable) noexcept;
 
 }  // namespace gluray::intercept

@@ -33,7 +33,7 @@ void fillRow(const gl::ShownPicture& picture, int y, int width, uint32_t* out) {
 }  // namespace
 
 void fillWindow(const gl::ShownPicture& picture, glm::ivec2 size, uint32_t* pixels) {
-  constexpr int kRows = 32;  // at a time
+  constexpr int kRows = 32;  // rows per task
   forEachPart(picture.threads, (size.y + kRows - 1) / kRows, [&](int part) {
     const int first = part * kRows, end = std::min(first + kRows, size.y);
     for (int row = first; row < end; ++row)
@@ -56,7 +56,7 @@ std::unique_ptr<ShmWindow> ShmWindow::create(_XDisplay* display, uintptr_t drawa
   return put->makeContext() && put->reserve(1) ? std::move(put) : nullptr;
 } catch (const std::exception&) { return nullptr; }
 
-/// The connection may be closed by now: what the server holds goes with it.
+/// Sends nothing to the server: if the connection is closed, the server has freed its resources.
 ShmWindow::~ShmWindow() { release(); }
 
 void ShmWindow::close() noexcept {
@@ -84,7 +84,7 @@ void ShmWindow::release() {
   held_ = 0;
 }
 
-/// The memory lives as long as this process or the server is attached to it.
+/// The shared memory lives while this process or the server is attached to it.
 bool ShmWindow::reserve(size_t bytes) {
   if (bytes <= bytes_) return true;
   if (pixels_) xcb().detach(connection_, segment_);

@@ -1,5 +1,5 @@
-// Pictures shown in a window of the X server without OpenGL: put there from memory that the server shares.
-// The thread that the window's context is current in.
+// Shows pictures in an X window without OpenGL, through shared memory (MIT-SHM). Called on the thread in
+// which the window's context is current.
 #pragma once
 #include "gl/batch/presenter.h"
 #include "intercept/window_systems/xcb.h"
@@ -12,16 +12,16 @@
 
 namespace gluray::intercept {
 
-/// Fills `pixels`, `size.x` x `size.y` of them, upper row first, blue in the lowest byte, with the picture.
+/// Writes the picture into `pixels`: `size.x` x `size.y`, top row first, blue in the lowest byte.
 void fillWindow(const gl::ShownPicture& picture, glm::ivec2 size, uint32_t* pixels);
 
 class ShmWindow {
  public:
-  /// Null where the drawable is no window, has other pixels than eight bits of red, green and blue in 32, or
-  /// the server shares no memory with this process.
+  /// Null if the drawable is no window, if its pixels are not 32-bit words with eight bits each of red, green
+  /// and blue, or if the server shares no memory with this process.
   static std::unique_ptr<ShmWindow> create(_XDisplay* display, uintptr_t drawable) noexcept;
   ~ShmWindow();
-  /// Gives the server back what it holds. The display is open.
+  /// Releases the server's resources. Requires that the display is open.
   void close() noexcept;
   ShmWindow(const ShmWindow&) = delete;
   ShmWindow& operator=(const ShmWindow&) = delete;
@@ -29,10 +29,10 @@ class ShmWindow {
   bool isFor(_XDisplay* display, uintptr_t drawable) const {
     return display == display_ && drawable == window_;
   }
-  /// The window's size in pixels. {0, 0}: it is gone, or the last picture could not be shown. Waits until the
-  /// server has taken the last picture.
+  /// The window's size in pixels; {0, 0}: it is gone, or the last picture could not be shown. Waits until the
+  /// server has read the last picture.
   glm::ivec2 size() noexcept;
-  /// Shows a picture; size() was asked before. False: without memory, or where the connection is lost.
+  /// Shows a picture; call size() before. False if out of memory or the connection is lost.
   bool put(const gl::ShownPicture& picture) noexcept;
 
  private:
@@ -47,14 +47,14 @@ class ShmWindow {
   xcb_connection_t* connection_;
   xcb_window_t window_;
   uint8_t depth_;
-  uint32_t context_ = 0, segment_ = 0;  // names of the graphics context and of the memory
+  uint32_t context_ = 0, segment_ = 0;  // X ids of the graphics context and the shared memory
   uint32_t* pixels_ = nullptr;
   size_t bytes_ = 0;
   glm::ivec2 size_{0};
-  uint64_t held_ = 0;  // number of the picture that the memory holds; 0: none
+  uint64_t held_ = 0;  // id of the picture in the shared memory; 0: none
   glm::ivec2 heldSize_{0};
   float heldFarthest_ = 0;
-  bool asked_ = false;  // a picture is on its way, and after it this question:
+  bool asked_ = false;  // a picture was sent, followed by these requests:
   xcb_void_cookie_t put_{};
   xcb_get_geometry_cookie_t geometry_{};
 };

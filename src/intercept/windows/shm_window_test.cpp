@@ -9,7 +9,7 @@ namespace {
 
 constexpr uint32_t kMissColor = 0xff102030, kMissShown = 0xff302010;
 
-/// Three by two pixels, of which one was missed and one is too far away.
+/// Three by two pixels, of which one is a miss and one is too far away.
 Image picture(int x, int y) {
   Image image;
   image.missColor = kMissColor;
@@ -36,7 +36,7 @@ TEST(ShmWindow, HitsBeyondTheFarthestAreMisses) {
   EXPECT_EQ(shown(picture(0, 0), {3, 2}, 0.9995f)[1], 0x41444342u);
 }
 
-TEST(ShmWindow, TheRestOfTheWindowHasTheMissesColour) {
+TEST(ShmWindow, TheRestOfTheWindowHasTheMissColour) {
   const std::vector<uint32_t> pixels = shown(picture(1, 1), {5, 4});
   for (int y = 0; y < 4; ++y)
     for (int x = 0; x < 5; ++x) {

@@ -21,13 +21,13 @@ glm::dmat4 invert(const glm::dmat4& m, const char* what) {
   return inverse;
 }
 
-/// Where the ray through the middle of the viewport starts.
+/// Start of the ray through the middle of the viewport.
 glm::dvec4 middleOf(const RaySetup& rays, const glm::ivec4& viewport) {
   return rays.start + (viewport.x + 0.5 * viewport.z) * rays.startX +
          (viewport.y + 0.5 * viewport.w) * rays.startY;
 }
 
-// Of the ray through the middle of the viewport: direction as the kernels compute it, before scaling.
+// Length of the direction of the ray through the middle of the viewport, as in the kernels before scaling.
 double middleDirectionLength(const RaySetup& rays, const glm::ivec4& viewport) {
   const glm::dvec4 s = middleOf(rays, viewport);
   const glm::dvec3 origin = glm::dvec3(s) / s.w;
@@ -36,7 +36,7 @@ double middleDirectionLength(const RaySetup& rays, const glm::ivec4& viewport) {
 
 void placeOrigins(RaySetup& rays, const glm::ivec4& viewport, const glm::vec3& lower,
                   const glm::vec3& upper) {
-  constexpr double kFarAway = 64;  // viewer's distance in radii of the scene
+  constexpr double kFarAway = 64;  // distance of the viewer in radii of the scene
   rays.sphereCenter = 0.5 * (glm::dvec3(lower) + glm::dvec3(upper));
   rays.sphereRadius = 0.5 * glm::length(glm::dvec3(upper) - glm::dvec3(lower));
   const glm::dvec4 s = middleOf(rays, viewport);
@@ -44,14 +44,14 @@ void placeOrigins(RaySetup& rays, const glm::ivec4& viewport, const glm::vec3& l
   rays.startAtSphere = std::isfinite(distance) && distance > kFarAway * rays.sphereRadius;
 }
 
-// Whether w is the same in all the window, give or take the rounding of matrices that programs multiply in
-// floats: rays are off by as much as the rounding of their own origins.
+// Whether w is constant over the window, up to the rounding of matrices that programs multiply in float. The
+// resulting error of rays is as small as the rounding of their origins.
 bool sameEverywhere(const RaySetup& rays, const glm::ivec4& viewport) {
   const double change = std::abs(rays.startX.w) * viewport.z + std::abs(rays.startY.w) * viewport.w;
   return change <= 0x1p-22 * std::abs(middleOf(rays, viewport).w);
 }
 
-// Possible where w is the same in all the window: origins and directions then need no division.
+// Requires constant w over the window: origins and directions then need no division.
 LinearRays makeLinearRays(const RaySetup& rays, const glm::ivec4& viewport, const scene::Region& region) {
   const double w = middleOf(rays, viewport).w, scale = rays.directionScale / w;
   LinearRays linear;
@@ -61,7 +61,7 @@ LinearRays makeLinearRays(const RaySetup& rays, const glm::ivec4& viewport, cons
   linear.dir = (glm::dvec3(rays.step) - linear.org * rays.step.w) * scale;
   linear.dirX = -linear.orgX * (rays.step.w * scale);
   linear.dirY = -linear.orgY * (rays.step.w * scale);
-  const double end = 1 + 2 * rays.step.w / w;  // 0: the far plane is at infinity
+  const double end = 1 + 2 * rays.step.w / w;  // w at the far end / w; 0: the far plane is at infinity
   linear.tFar = static_cast<float>(end > 1e-12 ? 2 / (end * rays.directionScale) : HUGE_VAL);
   linear.orgStepX = glm::vec3(linear.orgX), linear.orgStepY = glm::vec3(linear.orgY);
   linear.dirStepX = glm::vec3(linear.dirX), linear.dirStepY = glm::vec3(linear.dirY);
@@ -87,15 +87,15 @@ WindowMap::WindowMap(const glm::ivec4& viewport) {
 
 namespace {
 
-// Rays cannot start at infinity, where a reversed glDepthRange has them start if the projection reaches so
-// far: they do before, where depth is all but the same.
+// With a reversed glDepthRange rays start at the far plane. If that is at infinity, starts them before it,
+// where depth is almost equal.
 void startInSight(RaySetup& rays, const glm::ivec4& viewport) {
-  constexpr double kNearlyInfinite = 0x1p-30;  // of the w at the other end; less would shake the origins
+  constexpr double kNearlyInfinite = 0x1p-30;  // of the w at the other end; with less, origins would jitter
   const double w = middleOf(rays, viewport).w, end = w + 2 * rays.step.w, least = kNearlyInfinite * end;
   if (end > 0 && w < least) rays.start += (least - w) / rays.step.w * rays.step;
 }
 
-// Starts and steps in the space that `fromClip` leads to.
+// Starts and steps in the space that `fromClip` maps to.
 RaySetup makeSteps(const scene::Camera& camera, const glm::dmat4& fromClip) {
   const WindowMap window(camera.viewport);
   const double nearest =
@@ -111,11 +111,11 @@ RaySetup makeSteps(const scene::Camera& camera, const glm::dmat4& fromClip) {
 
 }  // namespace
 
-// Rasterisers give a sample on an edge to the triangle on its right, and on a horizontal edge to the one
-// above: as if all samples lay a little farther to the right and, less so, up. By much less than vertices are
-// snapped to (1/256 pixel), and more than rays are rounded by. No binary fractions: edges between corners on
-// a grid would pass through the moved samples again. Depths and impostors are computed at the samples
-// themselves (docs/adr/0037).
+// Offset of rays from their samples. Rasterisers assign a sample on an edge to the triangle on its right, and
+// on a horizontal edge to the one above: as if samples lay slightly to the right and, even less, up. The
+// offset is much smaller than the snapping of vertices (1/256 pixel) and larger than the rounding of rays. It
+// is no binary fraction, so that edges between corners on a grid miss the offset samples. Depths and
+// impostors are computed at the samples themselves (docs/adr/0037).
 constexpr glm::dvec2 kBesideEdges{2.3e-4, 2.9e-5};  // pixels
 
 RaySetup makeRaySetup(const scene::Snapshot& snapshot, const glm::vec3& lower, const glm::vec3& upper) {

@@ -48,7 +48,7 @@ HWY_INLINE void clipRays(const glm::dvec4& plane, DoubleRays& r) {
   r.far = hn::IfThenElse(outside, hn::Set(d, -1.0), r.far);
 }
 
-// Moves the origins along the rays to where the sphere around the scene begins.
+// Moves the origins along the rays to the sphere around the scene.
 HWY_INLINE void moveToSphere(const RaySetup& setup, DoubleRays& r) {
   const DoubleTag d;
   const Double cx = hn::Sub(hn::Set(d, setup.sphereCenter.x), r.org[0]);
@@ -65,7 +65,7 @@ HWY_INLINE void moveToSphere(const RaySetup& setup, DoubleRays& r) {
   r.far = hn::Sub(r.far, start);
 }
 
-/// Fields of a packet that stay the same from query to query.
+/// Sets the fields of a packet that are constant over all queries.
 HWY_ATTR inline void initPacket(accel::RayPacket& packet) {
   for (int i = 0; i < kLanes; ++i) {
     packet.time[i] = 0;
@@ -79,7 +79,7 @@ HWY_ATTR inline void clearHits(accel::RayPacket& packet) {
   for (int i = 0; i < kLanes; ++i) packet.geometry[i] = packet.instance[i] = accel::kNoHit;
 }
 
-// Fills lanes of `valid` with 0 where the ray does not exist.
+// Sets `valid` to 0 in lanes whose ray does not exist.
 HWY_INLINE void refuseRays(const DoubleRays& r, Double w, int32_t* valid) {
   const DoubleTag d;
   auto ok = hn::And(hn::Gt(w, hn::Zero(d)), hn::Ge(r.far, r.near));
@@ -92,7 +92,7 @@ HWY_INLINE void refuseRays(const DoubleRays& r, Double w, int32_t* valid) {
   for (size_t i = 0; i < hn::Lanes(d); ++i) valid[i] &= static_cast<int32_t>(usable[i]);
 }
 
-// Any projection, clip planes included.
+// Generates rays for any projection, with clip planes.
 HWY_ATTR inline void generateAnyRays(const RaySetup& setup, const float* x, const float* y,
                                      accel::RayPacket& packet, int32_t* valid) {
   const DoubleTag d;
@@ -109,7 +109,7 @@ HWY_ATTR inline void generateAnyRays(const RaySetup& setup, const float* x, cons
       r.org[c] = hn::Mul(start(c), inverseW);
       r.dir[c] = hn::Mul(hn::NegMulAdd(r.org[c], stepW, set(setup.step[c])), scale);
     }
-    // The far end is w/(w + 2*stepW) away; where that is at infinity or behind it, the ray is endless.
+    // The far end is w/(w + 2*stepW) away; at or beyond infinity the ray is endless.
     const Double endW = hn::MulAdd(set(2.0), stepW, w);
     const auto endless = hn::Le(endW, hn::Mul(w, set(1e-12)));
     r.near = hn::Zero(d);
@@ -125,7 +125,7 @@ HWY_ATTR inline void generateAnyRays(const RaySetup& setup, const float* x, cons
   }
 }
 
-// Double at the first lane, float from there to the other lanes, a few pixels away.
+// Computes the first lane in double, and the other lanes, a few pixels away, from it in float.
 HWY_ATTR inline void generateLinearRays(const LinearRays& linear, const float* x, const float* y,
                                         accel::RayPacket& packet) {
   const hn::CappedTag<float, kLanes> d;
@@ -149,8 +149,8 @@ HWY_ATTR inline void generateLinearRays(const LinearRays& linear, const float* x
   }
 }
 
-/// World-space rays through window positions x, y into an initialised packet; hits are cleared. `valid`
-/// becomes 0 in lanes whose ray does not exist, and is otherwise left alone.
+/// Generates world-space rays through window positions x, y in an initialised packet, and clears its hits.
+/// Sets `valid` to 0 in lanes whose ray does not exist; leaves other lanes unchanged.
 HWY_ATTR inline void generateRays(const RaySetup& setup, const float* x, const float* y,
                                   accel::RayPacket& packet, int32_t* valid) {
   clearHits(packet);

@@ -1,5 +1,5 @@
-// Pixels that are averages over several samples (settings: spp). Part of kernels.cpp (compiled once for each
-// instruction set).
+// Averages several samples per pixel (setting spp). Part of kernels.cpp (compiled once for each instruction
+// set).
 #if defined(GLURAY_RENDER_AVERAGES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_AVERAGES_INL_H_
 #undef GLURAY_RENDER_AVERAGES_INL_H_
@@ -13,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-/// The samples of a tile's pixels, added up.
+/// Accumulates the samples of a tile's pixels.
 class Averages {
  public:
   HWY_ATTR void add(const FrameData& frame, const Tile& tile, const Work& work) {

@@ -1,4 +1,4 @@
-// Pixels that are averages over samples (settings: spp).
+// Pixels that average several samples (setting spp).
 #include "render/test_trace.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 using glm::vec3;
 
-/// A half-plane of the window whose edge goes through (0, 0) at this angle, traced with `spp` samples.
+/// A half-plane of the window whose edge passes through (0, 0) at this angle, traced with `spp` samples.
 Image halfPlane(float angle, int spp) {
   const vec3 along(std::cos(angle), std::sin(angle), 0), into(-along.y, along.x, 0);
   auto s = test::makeSnapshot({test::makeMesh(
@@ -19,7 +19,7 @@ Image halfPlane(float angle, int spp) {
   return test::trace(s).image;
 }
 
-/// How much of pixel (x, y) of 16 x 16 lies in that half-plane, by 64 x 64 points.
+/// Coverage of pixel (x, y) of 16 x 16 by that half-plane, from 64 x 64 points.
 float covered(float angle, int x, int y) {
   int inside = 0;
   for (int j = 0; j < 64; ++j) {
@@ -32,7 +32,7 @@ float covered(float angle, int x, int y) {
   return static_cast<float>(inside) / (64 * 64);
 }
 
-TEST(Averages, AreWhatAnEdgeCovers) {
+TEST(Averages, EqualTheCoverage) {
   for (const int spp : {4, 16, 64}) {
     const auto most = 1.5f / std::sqrt(static_cast<float>(spp)) * 255;
     double error = 0;
@@ -46,7 +46,7 @@ TEST(Averages, AreWhatAnEdgeCovers) {
         error += std::abs(got - expected);
       }
     }
-    // Of 255, over all pixels; random samples would get better with the root of their number alone.
+    // Error of 255, over all pixels; with random samples it would only fall with the root of their number.
     EXPECT_LT(error / 1024, 10 / std::pow(spp, 0.75));
   }
 }
@@ -64,7 +64,7 @@ TEST(Averages, DepthIsThatOfTheCentre) {
   EXPECT_GT(edge, 4u);
 }
 
-TEST(Averages, OfTheFramebuffersSamplesAreNotTaken) {
+TEST(Averages, AreNotTakenInMultisampledFramebuffers) {
   auto s = test::makeSnapshot({test::makeMesh(test::squareData())});
   s.settings.spp = 16;
   s.samples = 2;
@@ -74,7 +74,7 @@ TEST(Averages, OfTheFramebuffersSamplesAreNotTaken) {
   EXPECT_TRUE(image.centerDepth.empty());
 }
 
-TEST(Averages, WhereAlphaIsNoOpacityOneSampleIsTaken) {
+TEST(Averages, OneSampleIsTakenIfAlphaIsNoOpacity) {
   auto s = test::makeSnapshot({test::makeMesh(test::squareData())});
   s.settings.spp = 4;
   s.instances[0].color = {1, 0, 0, 0.5f};

@@ -11,7 +11,7 @@
 #define HWY_TARGET_INCLUDE "render/film/fxaa.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-// What follows is included once for each instruction set, after Highway's macros.
+// Highway includes the following once per instruction set.
 #include "render/film/fxaa_filter.inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -19,8 +19,8 @@ namespace gluray::render {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Luminosity of a row's pixels, in the order of operations that software OpenGLs have: where contrasts are
-/// equal the rounding decides.
+/// Luminosity of a row's pixels, with the order of operations of software OpenGLs, because rounding decides
+/// between equal contrasts.
 HWY_ATTR void luminosityOfRow(const uint32_t* pixels, size_t count, float* out) {
   const hn::ScalableTag<float> d;
   const hn::RebindToUnsigned<decltype(d)> du;
@@ -53,8 +53,8 @@ struct Rows {
   size_t width;
 };
 
-/// Collects the columns in [from, to) whose contrast to the four neighbours reaches the thresholds. `columns`
-/// has room for a vector more than those. Returns how many.
+/// Collects the columns in [from, to) whose contrast with the four neighbours reaches the thresholds; returns
+/// their number. `columns` has room for one vector more than to - from.
 HWY_ATTR size_t columnsOfContrast(const scene::Fxaa& settings, const Rows& rows, size_t from, size_t to,
                                   int32_t* columns) {
   const hn::ScalableTag<float> d;
@@ -96,7 +96,7 @@ HWY_ATTR void filterRow(const scene::Fxaa& settings, const FxaaPicture& picture,
   uint32_t colors[kMostLanes];
   for (size_t from = 0; from < width; from += kAtOnce) {
     const size_t count = columnsOfContrast(settings, rows, from, std::min(from + kAtOnce, width), columns);
-    if (count > 0) std::fill_n(columns + count, lanes, columns[count - 1]);  // lanes beyond the last
+    if (count > 0) std::fill_n(columns + count, lanes, columns[count - 1]);  // pads the last vector
     for (size_t i = 0; i < count; i += lanes) {
       filter.run(columns + i, y, colors);
       for (size_t lane = 0; lane < std::min(lanes, count - i); ++lane) out[columns[i + lane]] = colors[lane];

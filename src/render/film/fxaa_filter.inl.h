@@ -1,4 +1,4 @@
-// The anti-aliasing filter for a vector of pixels. Part of fxaa.cpp (compiled once for each instruction set).
+// The FXAA filter for a vector of pixels. Part of fxaa.cpp (compiled once for each instruction set).
 #if defined(GLURAY_RENDER_FXAA_FILTER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_FXAA_FILTER_INL_H_
 #undef GLURAY_RENDER_FXAA_FILTER_INL_H_
@@ -24,8 +24,8 @@ HWY_INLINE V mostOf(V c, V n, V s, V w, V e) {
   return hn::Max(c, hn::Max(hn::Max(n, s), hn::Max(w, e)));
 }
 
-/// The filter for as many pixels of a row as a vector has lanes, in the order of operations that the program
-/// has. Pixels beyond the border are the nearest within.
+/// Filters as many pixels of a row as a vector has lanes, with the program's order of operations. Clamps
+/// pixels beyond the border to it.
 class Filter {
  public:
   using D = hn::ScalableTag<float>;
@@ -38,7 +38,7 @@ class Filter {
   HWY_ATTR Filter(const scene::Fxaa& settings, const FxaaPicture& picture)
       : settings_(settings), picture_(picture) {}
 
-  /// The new colours of the pixels in these columns.
+  /// Computes the new colours of the pixels in these columns.
   HWY_ATTR void run(const int32_t* columns, int row, uint32_t* colors) const {
     const I x = hn::LoadU(di_, columns), y = hn::Set(di_, row), one = hn::Set(di_, 1);
     const I left = hn::Sub(x, one), right = hn::Add(x, one), down = hn::Sub(y, one), up = hn::Add(y, one);
@@ -82,13 +82,13 @@ class Filter {
   struct Color {
     V channel[3];
   };
-  /// Where an edge runs beside pixels: along x or along y, and on which side (-1, 1) across.
+  /// Edges beside pixels: direction (along x or y), and side (-1, 1) of the pixel.
   struct Edge {
     I x, y, side;
     M alongX;
     V own, across;  // luminosity of the pixel, and across the edge
   };
-  /// Where an edge ends in one direction: pixels away, and the luminosity there on the pixel's side.
+  /// End of an edge in one direction: distance in pixels, and luminosity there on the pixel's side.
   struct End {
     V distance, luminosity;
   };
@@ -110,7 +110,7 @@ class Filter {
   HWY_ATTR static V mix(V a, V b, V part) {
     return hn::Add(hn::Mul(a, hn::Sub(hn::Set(D(), 1), part)), hn::Mul(b, part));
   }
-  /// 0 .. 1 as a byte: to the nearest, halves upwards.
+  /// Converts 0 .. 1 to a byte: rounds to nearest, halves up.
   HWY_ATTR hn::Vec<Unsigned> byteOf(V value) const {
     const V v = hn::Mul(hn::Min(hn::Max(value, hn::Zero(d_)), hn::Set(d_, 1)), hn::Set(d_, 255));
     const I whole = hn::ConvertTo(di_, v);
@@ -118,7 +118,7 @@ class Filter {
     return hn::BitCast(du_, hn::Add(whole, hn::IfThenElseZero(up, hn::Set(di_, 1))));
   }
 
-  /// How much the luminosity bends across three rows or columns: twice each, from the sum of its neighbours.
+  /// Absolute second differences of luminosity in three rows or columns, summed with weights 1, 2, 1.
   HWY_ATTR V bend(const Three& of, const Three& beside) const {
     const V twice = hn::Set(d_, 2);
     const V middle = hn::AbsDiff(beside.middle, hn::Mul(twice, of.middle));
@@ -166,8 +166,8 @@ class Filter {
     return end;
   }
 
-  /// Whether the first of two ends is nearer. The program compares texture coordinates that it came by in
-  /// steps; among equal distances the rounding of its floats decides.
+  /// Whether the first of two ends is nearer. The program compares texture coordinates that it accumulated in
+  /// steps, so its float rounding decides between equal distances.
   HWY_ATTR M isNearer(const Edge& edge, V before, V after) const {
     const M alongX = edge.alongX, equal = hn::Eq(before, after);
     if (hn::AllFalse(d_, equal)) return hn::Lt(before, after);
@@ -184,7 +184,7 @@ class Filter {
     return hn::Or(hn::And(equal, rounded), hn::AndNot(equal, hn::Lt(before, after)));
   }
 
-  /// The colours between the pixels and those across the edge.
+  /// Blends the pixels' colours with those across the edge.
   HWY_ATTR Color alongEdge(const Edge& edge, hn::Vec<Unsigned> here) const {
     const End n = follow(edge, -1), p = follow(edge, 1);
     const M nIsNearest = isNearer(edge, n.distance, p.distance);

@@ -1,4 +1,4 @@
-// Anti-aliasing of finished pictures: known answers, and the same from every instruction set.
+// Anti-aliasing of finished pictures: known answers, and equal results of every instruction set.
 #include "render/film/fxaa.h"
 
 #include "render/film/reference_fxaa.h"
@@ -14,7 +14,7 @@
 namespace gluray::render {
 namespace {
 
-constexpr int kWidth = 67, kHeight = 41;  // no multiples of vector lengths
+constexpr int kWidth = 67, kHeight = 41;  // not multiples of vector lengths
 
 uint32_t grey(int v) {
   const auto c = static_cast<uint32_t>(v);
@@ -42,38 +42,38 @@ const uint32_t& at(const std::vector<uint32_t>& picture, int x, int y) {
   return picture[static_cast<size_t>(y * kWidth + x)];
 }
 
-TEST(Fxaa, EvenPicturesStay) {
+TEST(Fxaa, UniformPicturesAreUnchanged) {
   const auto picture = paint([](int, int) { return grey(90); });
   EXPECT_EQ(antialiased(picture), picture);
 }
 
-TEST(Fxaa, GentleSlopesStay) {
+TEST(Fxaa, GentleSlopesAreUnchanged) {
   const auto picture = paint([](int x, int y) { return grey(100 + x + y); });
   EXPECT_EQ(antialiased(picture), picture);
 }
 
-// A straight edge has no end within reach, so that nothing tells which way it leans.
-TEST(Fxaa, StraightEdgesStay) {
+// A straight edge has no end within reach, so its slope is unknown.
+TEST(Fxaa, StraightEdgesAreUnchanged) {
   const auto upright = paint([](int x, int) { return grey(x < 30 ? 20 : 220); });
   EXPECT_EQ(antialiased(upright), upright);
   const auto level = paint([](int, int y) { return grey(y < 20 ? 20 : 220); });
   EXPECT_EQ(antialiased(level), level);
 }
 
-// On a stair of long steps each pixel is blended by how near the step's end is: VTK's arithmetic by hand. Ten
-// pixels a step; the pixel beside the end on the bright side is 1 from one end and 10 from the other: offset
+// On a staircase each pixel is blended by its distance from the step's end, by VTK's formula. Steps are ten
+// pixels long; the pixel beside the end on the bright side is 1 from one end and 10 from the other: offset
 // 0.5 - 1/11.
 TEST(Fxaa, StairsAreBlendedTowardsTheirEnds) {
   scene::Fxaa settings;
-  settings.subpixelContrast = 0.99f;  // edges alone
+  settings.subpixelContrast = 0.99f;  // edges only
   const auto stair = paint([](int x, int y) { return grey(y < 10 + x / 10 ? 0 : 200); });
   const auto out = antialiased(stair, settings);
   const int x = 20, y = 11;  // the first pixel of a step, just under it: dark above, bright at its left
   ASSERT_EQ(redOf(at(stair, x, y)), 0);
   const double offset = 0.5 - 1.0 / 11.0;
   EXPECT_NEAR(redOf(at(out, x, y)), 200 * offset, 1);
-  EXPECT_EQ(redOf(at(out, x + 9, y)), 0);  // its far end is the bright step's to blend
-  EXPECT_EQ(at(out, x, y) >> 24, 0x80u);   // alpha stays
+  EXPECT_EQ(redOf(at(out, x + 9, y)), 0);  // at the far end the bright step's pixels are blended
+  EXPECT_EQ(at(out, x, y) >> 24, 0x80u);   // alpha is unchanged
 }
 
 TEST(Fxaa, SinglePixelsFade) {
@@ -83,7 +83,7 @@ TEST(Fxaa, SinglePixelsFade) {
   EXPECT_GT(centre, 0);
 }
 
-// The vector path decides as the plain one does, whatever the place in the row.
+// The vectorised and the scalar path agree in every column.
 TEST(Fxaa, EveryColumnIsTreatedAlike) {
   const auto bars = [](int shift) {
     return paint([=](int x, int y) { return grey((x + shift) % 13 == 0 && y % 7 < 3 ? 240 : 30); });
@@ -107,8 +107,8 @@ TEST(Fxaa, BordersRepeat) {
   }
 }
 
-// Slanted edges, dots, stairs and noise of few steps (in which distances and contrasts are often equal), on
-// pictures narrower and wider than vectors and than what is filtered at once.
+// Slanted edges, dots, stairs and noise of few values (with many equal distances and contrasts), on pictures
+// narrower and wider than vectors and than the part that is filtered at once.
 std::vector<uint32_t> scribble(int width, int height, uint32_t seed) {
   std::mt19937 random(seed);
   std::vector<uint32_t> picture;
@@ -135,7 +135,7 @@ void expectAsReference(int width, int height, const scene::Fxaa& settings, uint3
           << width << "x" << height << " at " << x << ", " << y;
 }
 
-TEST(Fxaa, EveryInstructionSetDoesAsTheProgram) {
+TEST(Fxaa, EveryInstructionSetMatchesTheProgram) {
   scene::Fxaa edges, few, none;
   edges.subpixelContrast = 0.99f;
   few.endpointSearchIterations = 3;

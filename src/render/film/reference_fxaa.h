@@ -1,5 +1,4 @@
-// Fast approximate anti-aliasing as VTK's program has it, pixel by pixel: what the vectorised one is compared
-// with.
+// Scalar reference implementation of FXAA, as in VTK's shader program, for tests of the vectorised one.
 #pragma once
 #include "scene/fxaa.h"
 
@@ -12,13 +11,13 @@
 
 namespace gluray::render {
 
-/// To the nearest whole number, halves upwards, of a number that is not negative.
+/// Rounds a non-negative number to nearest, halves up.
 inline uint32_t rounded(float v) {
   const auto whole = static_cast<uint32_t>(v);
   return v - static_cast<float>(whole) >= 0.5f ? whole + 1 : whole;
 }
 
-/// The filter, pixel by pixel. Pixels beyond the border are the nearest within.
+/// Filters pixel by pixel. Clamps pixels beyond the border to it.
 class ReferenceFxaa {
  public:
   ReferenceFxaa(const scene::Fxaa& settings, const uint32_t* in, int width, int height)
@@ -73,7 +72,7 @@ class ReferenceFxaa {
     return std::min(settings_.subpixelBlendLimit, blend * (1 / (1 - settings_.subpixelContrast)));
   }
 
-  /// Where an edge ends in one direction: pixels away, and the luminosity there on the pixel's side.
+  /// End of an edge in one direction: distance in pixels, and luminosity there on the pixel's side.
   struct End {
     int distance = 1;
     float luminosity = 0;
@@ -91,8 +90,8 @@ class ReferenceFxaa {
     return end;
   }
 
-  /// Whether the first of two ends is nearer. The program compares texture coordinates that it came by in
-  /// steps; among equal distances the rounding of its floats decides.
+  /// Whether the first of two ends is nearer. The program compares texture coordinates that it accumulated in
+  /// steps, so its float rounding decides between equal distances.
   static bool isNearer(int at, int size, int before, int after) {
     if (before != after) return before < after;
     const float step = 1.0f / static_cast<float>(size), place = (static_cast<float>(at) + 0.5f) * step;
@@ -102,7 +101,7 @@ class ReferenceFxaa {
     return place - n < p - place;
   }
 
-  /// The colour between the pixel and the one across the edge.
+  /// Blends the pixel's colour with the one across the edge.
   glm::vec3 alongEdge(int x, int y, float c, float across, bool alongX, int side) const {
     const int dx = alongX ? 1 : 0, dy = alongX ? 0 : 1, sideX = alongX ? 0 : side, sideY = alongX ? side : 0;
     const End n = follow(x, y, -dx, -dy, sideX, sideY, c, across),

@@ -11,10 +11,10 @@
 namespace gluray::render {
 namespace {
 
-constexpr int kMostSamples = 64;  // as the tracer has it
+constexpr int kMostSamples = 64;  // the tracer's limit
 
-/// Averages of bytes to a power. Bytes lie between the smallest and the largest that are averaged, so that
-/// few are tried.
+/// Power mean of bytes. The result lies between the smallest and the largest input, so few candidates are
+/// tried.
 class PowerMean {
  public:
   explicit PowerMean(float gamma) {
@@ -37,11 +37,11 @@ class PowerMean {
   }
 
  private:
-  std::array<float, 256> powers_{};  // of colours as bytes
-  std::array<float, 256> from_{};    // mean power from which the average is that byte
+  std::array<float, 256> powers_{};  // of each byte
+  std::array<float, 256> from_{};    // least mean power for which the result is that byte
 };
 
-/// In the order and to the roundings of software OpenGLs: halves, which are many, depend on them.
+/// Mean with software OpenGLs' order of operations and rounding, which decide halves: these are frequent.
 uint32_t mean(const uint32_t* colors, int count, int shift) {
   float sum = 0;
   for (int i = 0; i < count; ++i) sum += static_cast<float>(colors[i] >> shift & 255u) * (1.0f / 255.0f);
@@ -49,7 +49,7 @@ uint32_t mean(const uint32_t* colors, int count, int shift) {
   return std::bit_cast<uint32_t>(average * (255.0f / 256.0f) + 32768.0f) & 255u;
 }
 
-/// What the rows of a picture come to.
+/// Resolves rows of a picture.
 class Rows {
  public:
   Rows(const scene::Resolve& how, const Image& samples)
@@ -58,7 +58,7 @@ class Rows {
         samples_(samples),
         plane_(static_cast<size_t>(samples.width) * static_cast<size_t>(samples.height)) {}
 
-  /// `count` pixels from the picture's pixel `from` on. N: samples, 0: as many as the picture has.
+  /// Resolves `count` pixels from pixel `from` of the picture. N: samples; 0: the picture's number.
   template <int N>
   void resolve(size_t from, size_t count, uint32_t* colors, float* depths) const {
     const int n = N > 0 ? N : std::min(samples_.samples, kMostSamples);
@@ -92,7 +92,7 @@ class Rows {
   const scene::Resolve& how_;
   PowerMean powerMean_;
   const Image& samples_;
-  size_t plane_;  // pixels of a sample
+  size_t plane_;  // pixels per sample plane
 };
 
 }  // namespace

@@ -22,7 +22,7 @@ Image fourSamples(std::array<uint32_t, 4> colors, std::array<float, 4> depths) {
 
 size_t place(const Image& image, size_t x, size_t y) { return y * static_cast<size_t>(image.width) + x; }
 
-TEST(Resolve, WhatNothingHitIsBackgroundAndEqualSamplesStayAsTheyAre) {
+TEST(Resolve, MissesAreBackgroundAndEqualSamplesKeepTheirColour) {
   const Image samples = fourSamples({7, 7, 7, 7}, {0.5f, 0.6f, 0.7f, 0.8f});
   Image out;
   resolve({{3, 4}, kBack, 1, 2.2f}, samples, out);
@@ -40,11 +40,11 @@ TEST(Resolve, ColorsAreAveragedWithTheBackgroundDepthIsTheFirstSamples) {
   const Image samples = fourSamples({0xFF0000FFu, 0, 0xFF0000FFu, 0}, {miss, miss, 0.25f, miss});
   Image out;
   resolve({{3, 4}, 0xFF000000u, 1, 1}, samples, out);
-  EXPECT_EQ(out.color[place(out, 1, 2)], 0xFF000040u);  // 255 / 4, to the nearest
+  EXPECT_EQ(out.color[place(out, 1, 2)], 0xFF000040u);  // 255 / 4, rounded
   EXPECT_EQ(out.depth[place(out, 1, 2)], 1.0f);
 }
 
-TEST(Resolve, AveragesToAPowerButForAlpha) {
+TEST(Resolve, AveragesColoursWithGammaAndAlphaWithout) {
   const Image samples = fourSamples({0xFF0000FFu, 0, 0, 0}, {0.5f, 0.5f, 0.5f, 0.5f});
   Image out;
   resolve({{3, 4}, kBack, 1, 2.2f}, samples, out);
@@ -61,7 +61,7 @@ TEST(Resolve, HitsThatFailTheDepthTestAreBackground) {
   EXPECT_EQ(out.color[place(out, 1, 2)], 7u);
 }
 
-TEST(Resolve, PicturesThatReachBeyondAreCut) {
+TEST(Resolve, ClipsPicturesAtTheSize) {
   Image samples = fourSamples({7, 7, 7, 7}, {0, 0, 0, 0});
   Image out;
   for (const glm::ivec2 at : {glm::ivec2(-1, 0), glm::ivec2(0, -1), glm::ivec2(3, 0), glm::ivec2(0, 4)}) {

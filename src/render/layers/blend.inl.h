@@ -1,5 +1,5 @@
-// Blending of colours that a framebuffer of eight bits a channel holds (GL 2.1, 4.1.8). Part of kernels.cpp
-// (compiled once for each instruction set).
+// Blending in a framebuffer with eight bits per channel (GL 2.1, 4.1.8). Part of kernels.cpp (compiled once
+// for each instruction set).
 #if defined(GLURAY_RENDER_BLEND_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_BLEND_INL_H_
 #undef GLURAY_RENDER_BLEND_INL_H_
@@ -15,7 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-/// A fragment's colour and the framebuffer's: whole numbers from 0 to 255.
+/// The fragment's and the framebuffer's colours: integers from 0 to 255.
 struct BlendInput {
   Float source[4], there[4];
 };
@@ -24,16 +24,15 @@ HWY_INLINE Float oneMinus(Float v) { return hn::Sub(splat(255), v); }
 
 HWY_INLINE Float byteOf(float value) { return splat(std::round(value * 255)); }
 
-/// a * b / 255, rounded. OpenGL leaves that to the implementation: this is what Mesa's rasteriser does
-/// (lp_build_mul_norm), of 65,536 products 24 are one less than the nearest. Over many thin layers other
-/// roundings would add up.
+/// a * b / 255, rounded as in Mesa's rasteriser (lp_build_mul_norm): of 65,536 products 24 are one less than
+/// the nearest. OpenGL leaves the rounding open, but differences would add up over many thin layers.
 HWY_INLINE Float productOf(Float a, Float b) {
   const Float product = hn::Mul(a, b), share = splat(1.0f / 256);
   const Float more = hn::Add(hn::Floor(hn::Mul(product, share)), splat(128));
   return hn::Floor(hn::Mul(hn::Add(product, more), share));
 }
 
-/// What a factor is for channel c.
+/// The value of a blend factor for channel c.
 HWY_ATTR inline Float blendFactor(scene::BlendFactor factor, const BlendInput& in, const glm::vec4& constant,
                                   int c) {
   using Factor = scene::BlendFactor;
@@ -79,8 +78,8 @@ HWY_ATTR inline Float blendChannel(const scene::Blending& blending, const BlendI
   return hn::Clamp(combined(), splat(0), splat(255));
 }
 
-/// Blends RGBA8 colours `source` with the rows `there`, from 0 to 255, in `lanes`, in the channels that are
-/// written.
+/// Blends RGBA8 colours `source` into the rows `there`, from 0 to 255, in `lanes` and in the written
+/// channels.
 HWY_ATTR inline void blendRows(const scene::Blending& blending, const scene::ColorWrites& writes,
                                uint32_t lanes, const uint32_t* source, Row (&there)[4]) {
   const hn::Rebind<uint32_t, FloatTag> du;

@@ -1,4 +1,4 @@
-// Known answers of blending at eight bits a channel: one surface over a framebuffer of one colour.
+// Known answers of blending with eight bits per channel: one surface over a framebuffer of one colour.
 #include "render/test_trace.h"
 
 #include <gtest/gtest.h>
@@ -61,13 +61,13 @@ TEST(Blend, OfEquations) {
   EXPECT_EQ(result(by(Factor::zero, Factor::zero, BlendEquation::max)), rgba(200, 100, 240, 102));
 }
 
-/// 26 * 152 and 229 * 152, divided by 255, are 15.498 and 136.502, of which the second is rounded down.
+/// 26 * 152 / 255 = 15.498 and 229 * 152 / 255 = 136.502: the second is rounded down.
 TEST(Blend, RoundsEachProductAsMesaDoes) {
   const Blending blending = by(Factor::sourceAlpha, Factor::oneMinusSourceAlpha);
   EXPECT_EQ(result(blending, rgba(152, 0, 9, 26), rgba(152, 152, 0, 0)) & 0xffffffu, rgba(151, 136, 1, 0));
 }
 
-TEST(Blend, OfAlphaApart) {
+TEST(Blend, AlphaSeparately) {
   Blending blending = by(Factor::sourceAlpha, Factor::oneMinusSourceAlpha);
   blending.alpha = {BlendEquation::add, Factor::zero, Factor::one};
   EXPECT_EQ(result(blending), rgba(48, 36, 202, 102));

@@ -1,5 +1,5 @@
-// Fragments of surfaces that are blended in the order of drawing, gathered for the pixels of a packet. Used
-// by the kernels on tracing threads.
+// Fragments of a packet's pixels for layers that are blended in the order of drawing. Used by the kernels on
+// tracing threads.
 #pragma once
 #include "accel/ray_packet.h"
 
@@ -10,13 +10,13 @@
 namespace gluray::render {
 
 struct DrawnFragment {
-  uint64_t order;  // of its instance, then of its triangle
+  uint64_t order;  // drawing order: of its instance, then of its triangle
   float depth;
   uint32_t color;  // RGBA8
   bool operator<(const DrawnFragment& o) const { return order < o.order; }
 };
 
-/// Those of each pixel. Keeps its memory.
+/// The fragments of each pixel. Reuses its memory.
 class DrawnFragments {
  public:
   void clear() {
@@ -26,7 +26,7 @@ class DrawnFragments {
   void sort() {
     for (std::vector<DrawnFragment>& all : of_) std::sort(all.begin(), all.end());
   }
-  /// The n-th of each pixel, in lanes that have one; those lanes are returned.
+  /// Copies the n-th fragment of each lane that has one; returns those lanes.
   uint32_t nth(size_t n, float* depth, uint32_t* color) const {
     uint32_t lanes = 0;
     for (int i = 0; i < accel::kLanes; ++i) {

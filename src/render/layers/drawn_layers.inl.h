@@ -1,5 +1,5 @@
-// Surfaces that are blended in the order of drawing (scene::Layers::Of::drawn): what is drawn to a pixel,
-// fragment after fragment. Part of kernels.cpp (compiled once for each instruction set).
+// Layers that are blended in the order of drawing (scene::Layers::Of::drawn), fragment by fragment. Part of
+// kernels.cpp (compiled once for each instruction set).
 #if defined(GLURAY_RENDER_DRAWN_LAYERS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_DRAWN_LAYERS_INL_H_
 #undef GLURAY_RENDER_DRAWN_LAYERS_INL_H_
@@ -14,8 +14,8 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-/// The depth test as a framebuffer of so many steps does it. Depths that come to one step are equal; those
-/// that were rounded on their way through floats are within a quarter of the finest.
+/// The depth test of a framebuffer with `steps` depth steps. Depths in one step are equal; float rounding
+/// moves them by less than a quarter of the finest step.
 class DrawnDepthTest {
  public:
   DrawnDepthTest(double steps, bool laterWins) : steps_(steps) {
@@ -38,11 +38,11 @@ class DrawnDepthTest {
   bool equalPasses_;
 };
 
-/// Everything that the packet's rays hit and that may pass the depth test.
+/// Gathers all hits of the packet's rays that may pass the depth test.
 HWY_ATTR inline void gatherDrawn(const FrameData& frame, const scene::Layers& layers, Work& work) {
   work.fragments.clear();
   const scene::Snapshot& s = *frame.snapshot;
-  // Along a ray depth grows, but for what offsets add to single triangles.
+  // Depth grows along a ray, except for polygon offsets of single triangles.
   const bool grows = s.polygonOffset == scene::PolygonOffset{} && s.camera.depthNear <= s.camera.depthFar;
   const float reach = grows ? static_cast<float>(1 / std::max(layers.depthSteps, 1.0)) + 0x1p-24f : 2.0f;
   EdgeHits edges;
@@ -61,7 +61,7 @@ HWY_ATTR inline void gatherDrawn(const FrameData& frame, const scene::Layers& la
   });
 }
 
-/// Colour and depth as they are when all fragments have been drawn; where none has passed, a miss.
+/// Blends all fragments into colour and depth; pixels where none passes are misses.
 HWY_ATTR inline void blendLayers(const FrameData& frame, const scene::Layers& layers, Work& work) {
   const uint32_t lanes = work.hits;
   gatherDrawn(frame, layers, work);

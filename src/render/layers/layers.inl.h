@@ -1,5 +1,5 @@
-// Surfaces that are seen through (scene::Layers): all that a packet's rays hit, composited or added up.
-// Part of kernels.cpp (compiled once for each instruction set).
+// Transparent layers (scene::Layers): all hits of a packet's rays, composited or summed. Part of kernels.cpp
+// (compiled once for each instruction set).
 #if defined(GLURAY_RENDER_LAYERS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_LAYERS_INL_H_
 #undef GLURAY_RENDER_LAYERS_INL_H_
@@ -14,15 +14,15 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-/// What the rays of a packet have gathered. Rows: colours weighted by opacity, and the opacity of all.
+/// Accumulated layers of a packet. Rows: premultiplied colours, and the total opacity.
 struct Gathered {
-  alignas(64) Row before[4] = {};  // the fragments at one place, which are under way
+  alignas(64) Row before[4] = {};  // without the fragments at the current depth
   alignas(64) Row now[4] = {};     // with them
-  float place[kLanes];             // their depth
-  uint8_t places[kLanes] = {};     // how many there were
+  float place[kLanes];             // the current depth
+  uint8_t places[kLanes] = {};     // number of different depths so far
 };
 
-/// Puts the fragments of `lanes` behind what is there.
+/// Composites the fragments of `lanes` behind the layers so far.
 HWY_ATTR inline void putBehind(uint32_t lanes, const LitRows& rows, const float* depth, float tolerance,
                                Gathered& g) {
   for (; lanes; lanes &= lanes - 1) {
@@ -40,13 +40,13 @@ HWY_ATTR inline void putBehind(uint32_t lanes, const LitRows& rows, const float*
   }
 }
 
-/// A lane's place in the image.
+/// A lane's pixel index in the image.
 inline size_t pixelOf(const FrameData& frame, const Work& work, int lane) {
   return static_cast<size_t>(work.imageY + laneY(lane)) * static_cast<size_t>(frame.image->width) +
          static_cast<size_t>(work.imageX + laneX(lane));
 }
 
-/// The lanes whose fragment lies behind what is opaque, by more than `reach`.
+/// The lanes whose fragment lies behind the opaque surface by more than `reach`.
 HWY_ATTR inline uint32_t lanesBehind(const scene::Layers& layers, const FrameData& frame, const Work& work,
                                      uint32_t lanes, const float* depth, float reach = 0) {
   uint32_t behind = 0;
@@ -58,9 +58,9 @@ HWY_ATTR inline uint32_t lanesBehind(const scene::Layers& layers, const FrameDat
   return behind;
 }
 
-/// The lanes that let nothing more through.
+/// The lanes whose layers are opaque.
 HWY_ATTR inline uint32_t lanesFull(uint32_t lanes, const Gathered& g) {
-  constexpr float kNothing = 0.5f / 255;  // less is not seen
+  constexpr float kNothing = 0.5f / 255;  // less is invisible
   uint32_t full = 0;
   for (; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
@@ -69,7 +69,7 @@ HWY_ATTR inline uint32_t lanesFull(uint32_t lanes, const Gathered& g) {
   return full;
 }
 
-/// Makes the i-th of each lane's hits the packet's. Returns the lanes that have one.
+/// Copies each lane's i-th hit into the packet. Returns the lanes that have one.
 HWY_ATTR inline uint32_t takeHits(const accel::NextHits& hits, int i, uint32_t lanes, Work& work) {
   uint32_t taken = 0;
   for (; lanes; lanes &= lanes - 1) {
@@ -84,9 +84,9 @@ HWY_ATTR inline uint32_t takeHits(const accel::NextHits& hits, int i, uint32_t l
   return taken;
 }
 
-/// Goes through all that the packet's rays hit, from the front backwards: end(lanes, depths) returns the
-/// lanes that have come to their end before this hit, put(lanes, colours, depths) those that need no more.
-/// Depth becomes that of the first.
+/// Visits all hits of the packet's rays front to back. end(lanes, depths) returns the lanes that end before
+/// this hit, put(lanes, colours, depths) those that need no further hits. The pixels' depth becomes the first
+/// hit's.
 template <class End, class Put>
 HWY_ATTR void walkLayers(const FrameData& frame, Work& work, End&& end, Put&& put) {
   uint32_t ended = 0;
@@ -124,7 +124,7 @@ HWY_ATTR void walkLayers(const FrameData& frame, Work& work, End&& end, Put&& pu
   }
 }
 
-/// Counts the layers of the packet's pixels; mostly they have the same number.
+/// Counts the layers of the packet's pixels; neighbours mostly have equal counts.
 HWY_ATTR inline void countLayers(const FrameData& frame, const scene::Layers& layers, const Work& work,
                                  const Gathered& g) {
   for (int i = 0; i < kLanes;) {
@@ -141,7 +141,7 @@ HWY_ATTR inline void countLayers(const FrameData& frame, const scene::Layers& la
   }
 }
 
-/// The fragments of `lanes` among those of their pixels, before they are put behind what is there.
+/// Stores the fragments of `lanes` in work.peeled, before they are composited.
 HWY_ATTR inline void keepLayers(const FrameData& frame, uint32_t lanes, const LitRows& rows,
                                 const float* depth, float tolerance, const Gathered& g, Work& work) {
   for (; lanes; lanes &= lanes - 1) {
@@ -158,7 +158,7 @@ HWY_ATTR inline void keepLayers(const FrameData& frame, uint32_t lanes, const Li
   }
 }
 
-/// The lanes whose peels let something through: what lies behind may be drawn over what lies before it.
+/// The lanes with more layers than peels: layers behind the peels may be drawn over those in front.
 inline uint32_t lanesWithRest(uint32_t lanes, uint32_t peels, const Work& work) {
   uint32_t rest = 0;
   for (; lanes; lanes &= lanes - 1) {
@@ -168,19 +168,19 @@ inline uint32_t lanesWithRest(uint32_t lanes, uint32_t peels, const Work& work) 
   return rest;
 }
 
-/// Pixels with more layers than the peels take.
+/// Composites the pixels with more layers than the peels take.
 HWY_ATTR inline void mixRest(const FrameData& frame, const scene::Layers& layers, Work& work, Gathered& g) {
   for (int i = 0; i < kLanes; ++i) {
     if (work.peeled.count(i) <= layers.peels) continue;
     const bool before = layers.opaqueDepth[pixelOf(frame, work, i)] >= 0;
     const size_t nearest = layers.peels, farthest = nearest - before;
-    if (work.peeled.count(i) <= nearest + farthest + 1) continue;  // one alone has no order
+    if (work.peeled.count(i) <= nearest + farthest + 1) continue;  // a single rest layer has no order
     const std::array<float, 4> mixed = work.peeled.mixed(i, nearest, farthest);
     for (size_t c = 0; c < 4; ++c) g.now[c][i] = mixed[c];
   }
 }
 
-/// All hits of the packet's rays, composited.
+/// Composites all hits of the packet's rays.
 HWY_ATTR inline void compositeLayers(const FrameData& frame, const scene::Layers& layers, Work& work) {
   Gathered g;
   for (float& place : g.place) place = -1;
@@ -199,10 +199,10 @@ HWY_ATTR inline void compositeLayers(const FrameData& frame, const scene::Layers
   packColors(rows, work.color);
 }
 
-/// Hits of one ray on an edge that two triangles share, of which only one is to count.
+/// Finds double hits of one ray on an edge that two triangles share; only one counts.
 class EdgeHits {
  public:
-  /// Those of `lanes` whose hit the other triangle has had already.
+  /// The lanes whose hit the other triangle has reported already.
   uint32_t again(uint32_t lanes, const accel::RayPacket& packet) {
     constexpr float kAtEdge = 1e-5f, kSamePlace = 0x1p-20f;
     uint32_t found = 0;
@@ -234,7 +234,7 @@ class EdgeHits {
   std::vector<Hit> hits_[kLanes];
 };
 
-/// All hits of the packet's rays, added up.
+/// Sums all hits of the packet's rays.
 HWY_ATTR inline void sumLayers(const FrameData& frame, const scene::Layers& layers, Work& work) {
   EdgeHits edges;
   const auto end = [&](uint32_t lanes, const float* depth)

@@ -1,4 +1,4 @@
-// Surfaces that are seen through.
+// Transparent layers.
 #include "render/test_trace.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ scene::Snapshot sheets(const std::vector<Sheet>& all, float opaqueDepth = -1) {
   return s;
 }
 
-/// Colour under what is in front of it, as glBlendFunc would mix them in order.
+/// Blends the layer's colour over `under`, as glBlendFunc would in order.
 vec4 under(const vec4& front, const vec4& color) {
   const float weight = (1 - front.a) * color.a;
   return front + weight * vec4(glm::vec3(color), 1);
@@ -46,19 +46,19 @@ void expectColor(const scene::Snapshot& s, const vec4& expected) {
 
 constexpr vec4 kRed(1, 0, 0, 0.5f), kGreen(0, 1, 0, 0.25f), kBlue(0, 0, 1, 0.75f);
 
-TEST(Layers, AreSeenFromTheFrontBackwards) {
+TEST(Layers, AreCompositedFrontToBack) {
   const vec4 expected = under(under(under(vec4(0), kRed), kGreen), kBlue);
   std::vector<Sheet> all{{0.8f, kRed}, {0.1f, kGreen}, {-0.7f, kBlue}};
   do expectColor(sheets(all), expected);
   while (std::next_permutation(all.begin(), all.end(), [](auto& a, auto& b) { return a.z < b.z; }));
 }
 
-TEST(Layers, DepthIsThatOfTheFirst) {
+TEST(Layers, DepthIsTheFirstLayers) {
   const auto traced = test::trace(sheets({{-0.5f, kGreen}, {0.5f, kRed}}));
   EXPECT_FLOAT_EQ(traced.depth(5, 5), 0.25f);
 }
 
-TEST(Layers, NothingIsSeenBehindWhatIsOpaque) {
+TEST(Layers, OpaqueSurfacesHideLayersBehind) {
   const std::vector<Sheet> all{{0.8f, kRed}, {0.1f, kGreen}, {-0.7f, kBlue}};
   expectColor(sheets(all, 0.5f), under(under(vec4(0), kRed), kGreen));
   expectColor(sheets(all, 0.05f), vec4(0));
@@ -75,24 +75,24 @@ TEST(Layers, OpaqueDepthIsThePixelsOwn) {
   EXPECT_TRUE(traced.hit(7, 3));
 }
 
-TEST(Layers, HidingAllEndsTheRay) {
+TEST(Layers, OpaqueLayersEndTheRay) {
   const vec4 wall(0.2f, 0.4f, 0.6f, 1);
   expectColor(sheets({{0.5f, kRed}, {0, wall}, {-0.5f, kBlue}}), under(under(vec4(0), kRed), wall));
 }
 
-TEST(Layers, AtOnePlaceEveryChannelKeepsTheLargest) {
+TEST(Layers, AtEqualDepthEveryChannelKeepsTheLargest) {
   const vec4 expected = glm::max(under(vec4(0), kRed), under(vec4(0), kBlue));
   expectColor(sheets({{0, kRed}, {0, kBlue}}), expected);
   expectColor(sheets({{0, kRed}, {0, kBlue}, {-0.5f, kGreen}}), under(expected, kGreen));
 }
 
-TEST(Layers, CulledOnesAreNotThere) {
+TEST(Layers, CulledLayersAreIgnored) {
   auto s = sheets({{0.5f, kRed}, {0, kGreen}});
   s.instances[0].cull = scene::CullFace::front;
   expectColor(s, under(vec4(0), kGreen));
 }
 
-TEST(Layers, ManyAndThin) {
+TEST(Layers, ManyThinLayers) {
   std::vector<Sheet> all;
   vec4 expected(0);
   for (int i = 0; i < 200; ++i) {
@@ -103,7 +103,7 @@ TEST(Layers, ManyAndThin) {
   expectColor(sheets(all), expected);
 }
 
-TEST(Layers, InOneMeshToo) {
+TEST(Layers, LayersOfOneMesh) {
   test::MeshData data = test::squareData(0.5f);
   const test::MeshData behind = test::squareData(-0.5f);
   data.positions.insert(data.positions.end(), behind.positions.begin(), behind.positions.end());
@@ -138,7 +138,7 @@ scene::Snapshot drawn(const std::vector<Sheet>& all, bool writesDepth, const vec
 
 vec4 over(const vec4& there, const vec4& color) { return color * color.a + there * (1 - color.a); }
 
-TEST(DrawnLayers, ComeInTheirOrderWhereverTheyAre) {
+TEST(DrawnLayers, FollowTheDrawingOrderAtAnyDepth) {
   const vec4 there(0.2f, 0.4f, 0.6f, 1);
   std::vector<Sheet> all{{0.8f, kRed}, {0.1f, kGreen}, {-0.7f, kBlue}};
   do {
@@ -148,7 +148,7 @@ TEST(DrawnLayers, ComeInTheirOrderWhereverTheyAre) {
   } while (std::next_permutation(all.begin(), all.end(), [](auto& a, auto& b) { return a.z < b.z; }));
 }
 
-TEST(DrawnLayers, HideWhatComesLaterWhereTheyLeaveDepth) {
+TEST(DrawnLayers, HideLaterLayersIfTheyWriteDepth) {
   const vec4 there(0.2f, 0.4f, 0.6f, 1);
   const Sheet nearer{0.8f, kRed}, farther{-0.7f, kBlue};
   expectColor(drawn({nearer, farther}, true, there), over(there, kRed));
@@ -156,7 +156,7 @@ TEST(DrawnLayers, HideWhatComesLaterWhereTheyLeaveDepth) {
   EXPECT_FLOAT_EQ(test::trace(drawn({farther, nearer}, true, there)).depth(2, 2), 0.1f);
 }
 
-TEST(DrawnLayers, OfOneDepthAreComparedAsTheFramebufferKeepsIt) {
+TEST(DrawnLayers, CompareDepthsAtTheFramebuffersPrecision) {
   const vec4 there(0.2f, 0.4f, 0.6f, 1);
   const std::vector<Sheet> all{{0, kRed}, {1e-8f, kBlue}};
   auto s = drawn(all, true, there);
@@ -165,7 +165,7 @@ TEST(DrawnLayers, OfOneDepthAreComparedAsTheFramebufferKeepsIt) {
   expectColor(s, over(over(there, kRed), kBlue));
 }
 
-TEST(DrawnLayers, BehindWhatIsThereAreNotSeen) {
+TEST(DrawnLayers, AreHiddenByTheFramebuffersDepth) {
   const vec4 there(0.2f, 0.4f, 0.6f, 1);
   const std::vector<Sheet> all{{0.8f, kRed}, {0, kGreen}, {-0.7f, kBlue}};
   expectColor(drawn(all, false, there, 0.6f), over(over(there, kRed), kGreen));
@@ -199,35 +199,35 @@ void expectSums(const scene::Snapshot& s, const std::vector<Sheet>& counted) {
   }
 }
 
-TEST(LayerSums, AreOfAllWhateverTheirOrder) {
+TEST(LayerSums, AreIndependentOfTheOrder) {
   std::vector<Sheet> all{{0.8f, kRed}, {0.1f, kGreen}, {-0.7f, kBlue}};
   do expectSums(summed(all), all);
   while (std::next_permutation(all.begin(), all.end(), [](auto& a, auto& b) { return a.z < b.z; }));
 }
 
-TEST(LayerSums, OfOnePlaceAllCount) {
+TEST(LayerSums, IncludeAllLayersAtEqualDepth) {
   const std::vector<Sheet> all{{0, kRed}, {0, kRed}, {0, kBlue}};
   expectSums(summed(all), all);
 }
 
-TEST(LayerSums, GoOnBehindWhatHidesAll) {
+TEST(LayerSums, ContinueBehindOpaqueLayers) {
   const std::vector<Sheet> all{{0.5f, {0.2f, 0.4f, 0.6f, 1}}, {0, kRed}};
   expectSums(summed(all), all);
 }
 
-TEST(LayerSums, EndAtWhatIsOpaque) {
+TEST(LayerSums, EndAtTheOpaqueSurface) {
   const std::vector<Sheet> all{{0.8f, kRed}, {0.1f, kGreen}, {-0.7f, kBlue}};
   expectSums(summed(all, 0.5f), {all[0], all[1]});
   expectSums(summed(all, 0.05f), {});
 }
 
-TEST(LayerSums, OfNothingLetAllThrough) {
+TEST(LayerSums, OfNoLayersHaveFullTransmittance) {
   const Image image = test::trace(summed({})).image;
   EXPECT_EQ(image.wideColor, std::vector<float>(size_t{4} * 16 * 16, 0.0f));
   EXPECT_EQ(image.transmittance, std::vector<float>(16 * 16, 1.0f));
 }
 
-TEST(WideColors, AreThoseOfTheNearest) {
+TEST(WideColors, AreTheNearestSurfaces) {
   auto s = sheets({{0.8f, {0.25f, 0.5f, 0.75f, 1}}, {0, kRed}});
   s.layers.reset();
   s.wideColors = true;
@@ -238,7 +238,7 @@ TEST(WideColors, AreThoseOfTheNearest) {
       ASSERT_FLOAT_EQ(image.wideColor[4 * pixel + c], static_cast<float>(c + 1) / 4) << pixel;
 }
 
-/// Sheets in the order of drawing, of which all but those that so many peels take are blended in that order.
+/// Sheets in the order of drawing; those that `peels` peels do not take are blended in that order.
 scene::Snapshot peeled(uint32_t peels, const std::vector<Sheet>& all, float opaqueDepth = -1) {
   auto s = sheets(all, opaqueDepth);
   auto layers = std::make_shared<scene::Layers>(*s.layers);
@@ -250,38 +250,38 @@ scene::Snapshot peeled(uint32_t peels, const std::vector<Sheet>& all, float opaq
 constexpr vec4 kWhite(1, 1, 1, 0.4f), kGray(0.3f, 0.3f, 0.3f, 0.8f);
 const std::vector<Sheet> kMixed{{0.2f, kRed}, {-0.7f, kBlue}, {0, kGreen}, {0.8f, kWhite}, {-0.4f, kGray}};
 
-TEST(PeeledLayers, BetweenNearestAndFarthestComeInTheOrderOfDrawing) {
-  // White is the nearest, blue the farthest; of the others gray was drawn last.
+TEST(PeeledLayers, TheRestFollowsTheDrawingOrder) {
+  // White is nearest, blue farthest; of the others gray was drawn last.
   expectColor(peeled(1, kMixed),
               under(under(under(under(under(vec4(0), kWhite), kGray), kGreen), kRed), kBlue));
 }
 
-TEST(PeeledLayers, TheFirstPeelTakesNoFarthestBeforeWhatIsOpaque) {
+TEST(PeeledLayers, TheFirstPeelTakesTheOpaqueSurfaceAsFarthest) {
   expectColor(peeled(1, kMixed, 0.99f),
               under(under(under(under(under(vec4(0), kWhite), kGray), kGreen), kBlue), kRed));
 }
 
-TEST(PeeledLayers, OneThatIsLeftHasNoOrder) {
+TEST(PeeledLayers, ASingleRestLayerHasNoOrder) {
   const vec4 inOrder = under(under(under(under(under(vec4(0), kWhite), kRed), kGreen), kGray), kBlue);
   for (const uint32_t peels : {2u, 3u, 100u}) expectColor(peeled(peels, kMixed), inOrder);
   expectColor(peeled(3, kMixed, 0.99f), inOrder);
 }
 
-TEST(PeeledLayers, WhatHidesAllHidesNothingThatIsDrawnLater) {
+TEST(PeeledLayers, OpaqueRestLayersDoNotHideLaterOnes) {
   const vec4 wall(0.2f, 0.4f, 0.6f, 1);
   const std::vector<Sheet> all{{0, wall}, {0.5f, kRed}, {-0.5f, kGreen}, {0.8f, kWhite}, {-0.7f, kBlue}};
   expectColor(peeled(1, all), under(under(under(under(vec4(0), kWhite), kGreen), kRed), wall));
-  // Among the peeled ones it does.
+  // Among peeled layers it does.
   expectColor(peeled(3, all), under(under(under(vec4(0), kWhite), kRed), wall));
 }
 
-TEST(PeeledLayers, AtOnePlaceCountOnce) {
+TEST(PeeledLayers, LayersAtEqualDepthCountOnce) {
   const vec4 both = glm::max(under(vec4(0), kRed), under(vec4(0), kBlue));
   expectColor(peeled(1, {{0.5f, kRed}, {0.5f, kBlue}, {0, kGreen}, {-0.2f, kGray}, {-0.5f, kWhite}}),
               under(under(under(both, kGray), kGreen), kWhite));
 }
 
-TEST(Layers, NeedTheirOpaqueDepths) {
+TEST(Layers, RequireOpaqueDepths) {
   auto s = sheets({{0, kRed}});
   s.layers = std::make_shared<scene::Layers>();
   EXPECT_THROW(test::trace(s), std::runtime_error);

@@ -1,4 +1,4 @@
-// Layers of each pixel of a packet, one behind the other, gathered for what a number of peels makes of them
+// Depth-sorted layers of a packet's pixels, for compositing after a limited number of peels
 // (scene::Layers::peels). Used by the kernels on tracing threads.
 #pragma once
 #include "accel/ray_packet.h"
@@ -11,29 +11,29 @@
 namespace gluray::render {
 
 struct PeeledLayer {
-  uint64_t order;              // of its instance, then of its triangle
-  std::array<float, 4> color;  // times opacity; the opacity
+  uint64_t order;              // drawing order: of its instance, then of its triangle
+  std::array<float, 4> color;  // premultiplied RGB, and opacity
   bool operator<(const PeeledLayer& o) const { return order < o.order; }
 };
 
-/// Those of each pixel. Keeps its memory.
+/// The layers of each pixel. Reuses its memory.
 class PeeledLayers {
  public:
   void clear() {
     for (std::vector<PeeledLayer>& all : of_) all.clear();
   }
-  /// Puts a layer behind those of a lane.
+  /// Appends a layer behind those of a lane.
   void add(int lane, const PeeledLayer& layer) { of_[lane].push_back(layer); }
-  /// What lies where the last one of the lane does: every channel keeps the larger.
+  /// Joins a fragment at equal depth with the lane's last layer: every channel keeps the larger value.
   void join(int lane, const PeeledLayer& layer) {
     std::array<float, 4>& color = of_[lane].back().color;
     for (size_t c = 0; c < 4; ++c) color[c] = std::max(color[c], layer.color[c]);
   }
   size_t count(int lane) const { return of_[lane].size(); }
 
-  /// The lane's picture as dual depth peeling makes it: the `nearest` first and the `farthest` last layers in
-  /// their order, and between them the others in the order of drawing, which changes the lane's layers. There
-  /// must be as many.
+  /// The lane's colour from dual depth peeling: the first `nearest` and last `farthest` layers in depth
+  /// order, and between them the others in the order of drawing. Reorders the lane's layers; requires at
+  /// least nearest + farthest.
   std::array<float, 4> mixed(int lane, size_t nearest, size_t farthest) {
     std::vector<PeeledLayer>& all = of_[lane];
     const auto begin = all.begin() + static_cast<std::ptrdiff_t>(nearest),

@@ -1,4 +1,4 @@
-// Vertex data of the hit triangles, brought into lanes. Part of kernels.cpp (compiled once for each
+// Gathers vertex data of the hit triangles into lanes. Part of kernels.cpp (compiled once for each
 // instruction set).
 #if defined(GLURAY_RENDER_ATTRIBUTES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_ATTRIBUTES_INL_H_
@@ -18,7 +18,7 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET != HWY_SCALAR
-// Rows x, y, z of four vectors, each read as four floats.
+// Transposes four vectors, each read as four floats, into rows x, y, z.
 HWY_INLINE void loadFour(const float* a, const float* b, const float* c, const float* d, int i, Row* out) {
   const hn::FixedTag<float, 4> tag;
   const auto va = hn::LoadU(tag, a), vb = hn::LoadU(tag, b), vc = hn::LoadU(tag, c), vd = hn::LoadU(tag, d);
@@ -30,13 +30,13 @@ HWY_INLINE void loadFour(const float* a, const float* b, const float* c, const f
 }
 #endif
 
-/// Rows x, y, z of three-component elements. `count` elements exist.
+/// Gathers three-component elements into rows x, y, z. `count`: number of elements.
 HWY_ATTR inline void loadVec3(const scene::Attribute& a, uint32_t count, const uint32_t* vertex, Row* out) {
   const auto at = [&](int i) HWY_ATTR {
     return reinterpret_cast<const float*>(a.data + static_cast<size_t>(vertex[i]) * a.stride);
   };
 #if HWY_TARGET != HWY_SCALAR
-  // Reading a fourth float is safe everywhere but at the very end of the array.
+  // Reading a fourth float is safe except at the last element.
   bool atEnd = false;
   for (int i = 0; i < kLanes; ++i) atEnd |= vertex[i] + 1 >= count;
   if (!atEnd) {
@@ -69,7 +69,7 @@ HWY_INLINE void loadTriangle(const scene::Mesh& mesh, uint32_t primitive, uint32
   for (uint32_t k = 0; k < 3; ++k) vertex[k] = mesh.corner(primitive, k);
 }
 
-/// Positions of the group's triangles, whose vertices are there already.
+/// Loads the positions of the group's triangles; group.vertex must be set.
 HWY_ATTR inline void loadCorners(const scene::Mesh& mesh, Group& group) {
   for (int k = 0; k < 3; ++k) loadVec3(mesh.positions, mesh.vertexCount, group.vertex[k], group.position[k]);
 }

@@ -70,7 +70,7 @@ glm::vec4 applyEnvironment(const scene::Texture& t, const CombineInputs& in, glm
   const bool intensity = format == BaseFormat::intensity;
   const glm::vec3 cf(previous), cs(texel), cc(t.envColor);
   const float af = previous.a, as = texel.a;
-  // Alpha of modulate, blend and add, where no row of the tables says otherwise.
+  // Alpha of modulate, blend and add, unless a row of the tables differs.
   const float modulated = hasAlpha ? af * as : af;
   switch (t.env) {
     case TexEnv::replace: return {hasColor ? cs : cf, hasAlpha ? as : af};

@@ -1,4 +1,4 @@
-// Texture environments: how texels and colours become the fragment's colour. Called on tracing threads.
+// Texture environments: combine texels and colours into the fragment's colour. Called on tracing threads.
 #pragma once
 #include "scene/texture.h"
 
@@ -6,14 +6,14 @@
 
 namespace gluray::render {
 
-/// What the units of one fragment have to combine.
+/// Inputs of one fragment's texture environments.
 struct CombineInputs {
-  glm::vec4 texels[scene::kTextureUnits];  // by unit; those of units that are off have no meaning
+  glm::vec4 texels[scene::kTextureUnits];  // per unit; undefined for disabled units
   glm::vec4 primary{1};                    // the colour before texturing
 };
 
-/// The colour that comes from the unit of texture `t`, whose predecessor gave `previous`; not yet clamped.
-/// GL 2.1, tables 3.22 to 3.26.
+/// The unclamped result of texture `t`'s unit; `previous` is the preceding unit's. GL 2.1, tables 3.22
+/// to 3.26.
 glm::vec4 applyEnvironment(const scene::Texture& t, const CombineInputs&, glm::vec4 previous);
 
 }  // namespace gluray::render

@@ -1,5 +1,5 @@
-// Rows of colours and what OpenGL does to a fragment after texturing: fog and the alpha test. Part of
-// kernels.cpp (compiled once for each instruction set).
+// Rows of colours, and the fragment operations after texturing: fog and alpha test. Part of kernels.cpp
+// (compiled once for each instruction set).
 #if defined(GLURAY_RENDER_FRAGMENT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_FRAGMENT_INL_H_
 #undef GLURAY_RENDER_FRAGMENT_INL_H_
@@ -59,7 +59,7 @@ HWY_INLINE Float3 transformPoint(const glm::mat4& m, const Float3& p) {
   return add(transform(glm::mat3(m), p), splat(glm::vec3(m[3])));
 }
 
-// How much of the fragment's colour fog leaves at a distance, GL 2.1, 3.10.
+// Fog factor at a distance, GL 2.1, 3.10: the weight of the fragment's colour.
 HWY_INLINE Float fogFactor(const scene::Fog& fog, Float distance) {
   const FloatTag d;
   if (fog.mode == scene::Fog::linear) {
@@ -79,7 +79,7 @@ HWY_ATTR inline void loadFogCoords(const Surface& s, const Group& group, Row (&o
       out[k][i] = a ? scene::fetch(a, group.vertex[k][i]).x : s.instance->fogCoord;
 }
 
-// Colours fade into the fog; alpha stays.
+// Applies fog to colours; alpha is unchanged.
 HWY_ATTR inline void applyFog(const scene::Fog& fog, const Surface& s, const Group& group, LitRows& rows) {
   const glm::vec4 eyeZ(s.eyeFromObject[0].z, s.eyeFromObject[1].z, s.eyeFromObject[2].z,
                        s.eyeFromObject[3].z);

@@ -1,5 +1,5 @@
-// What fragment programs start from at each hit: normals, base colours, distances to edges. Part of
-// kernels.cpp (compiled once for each instruction set).
+// Inputs of fragment programs at each hit: normals, base colours, distances to edges. Part of kernels.cpp
+// (compiled once for each instruction set).
 #if defined(GLURAY_RENDER_FRAGMENT_INPUTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_FRAGMENT_INPUTS_INL_H_
 #undef GLURAY_RENDER_FRAGMENT_INPUTS_INL_H_
@@ -30,23 +30,23 @@ HWY_INLINE Float3 signedBy(hn::Mask<FloatTag> keep, const Float3& a) {
   return scaled(a, s);
 }
 
-/// The lanes of a vector that begins at lane i, from bits.
+/// The mask of the vector that begins at lane i, from bits.
 HWY_INLINE hn::Mask<FloatTag> lanesAt(uint32_t lanes, int i) {
   uint8_t bits[8] = {static_cast<uint8_t>(lanes >> i), static_cast<uint8_t>(lanes >> i >> 8)};
   return hn::LoadMaskBits(FloatTag(), bits);
 }
 
-/// What a fragment program starts from, for one vector of lanes.
+/// Inputs of a fragment program, for one vector of lanes.
 struct Fragment {
   Float3 position;  // the program's eye space
   Float3 toViewer;  // unit length
-  Float3 normal;    // unit length, turned to the side that is lit
-  Float3 color;     // what the material's colours are multiplied by
-  Float edge;       // how much of the edges' colour is seen, 0 .. 1; only where edges are painted
+  Float3 normal;    // unit length, on the lit side
+  Float3 color;     // factor of the material's colours
+  Float edge;       // weight of the edge colour, 0 .. 1; only if edges are painted
 };
 
-/// Colour and alpha of the lanes that a texture, the vertices or an array by triangle gives; ones where the
-/// material's colour stands alone.
+/// Colour and alpha of the lanes from a texture, the vertices or an array per triangle; ones if only the
+/// material has a colour.
 HWY_ATTR inline void loadBaseColor(const Surface& s, const Group& group, Row (&out)[4]) {
   using Color = scene::FragmentShading::Color;
   const scene::FragmentShading& f = s.lighting->shading->fragment;
@@ -89,7 +89,7 @@ HWY_ATTR inline void loadVec2(const scene::Attribute& a, const uint32_t* vertex,
   }
 }
 
-/// Texels under image positions, which lie in [0, width] x [0, height].
+/// Nearest texels at image positions, which lie in [0, width] x [0, height].
 HWY_ATTR inline void nearestTexels(const scene::TextureImage& image, const float* x, const float* y,
                                    Row (&out)[4]) {
   const hn::Rebind<int32_t, FloatTag> di;
@@ -110,7 +110,7 @@ HWY_ATTR inline void nearestTexels(const scene::TextureImage& image, const float
   }
 }
 
-/// The texel under an image position, or the four around it mixed.
+/// The nearest texel at an image position, or the linear mix of the four around it.
 inline glm::vec4 texelAt(const scene::TextureImage& image, scene::Filter filter, float x, float y) {
   const auto texel = [&](int column, int row) {
     const size_t i =
@@ -125,7 +125,7 @@ inline glm::vec4 texelAt(const scene::TextureImage& image, scene::Filter filter,
                   glm::mix(texel(x0, y0 + 1), texel(x0 + 1, y0 + 1), wx), wy);
 }
 
-/// (s, t) of a corner each by the matrix, which does not divide.
+/// Transforms (s, t) of a corner by the matrix, without division.
 HWY_ATTR inline void moveTexcoords(const glm::mat4& m, Row (&corner)[2]) {
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
     const Float s = load(corner[0] + i), t = load(corner[1] + i);
@@ -134,7 +134,7 @@ HWY_ATTR inline void moveTexcoords(const glm::mat4& m, Row (&corner)[2]) {
   }
 }
 
-/// Looks colour maps up: clamped to the edge, one level, nearest or linear.
+/// Samples the colour map: clamped to the edge, one level, nearest or linear.
 HWY_ATTR inline void lookUpMap(const Surface& s, const Group& group, Row (&out)[4]) {
   const scene::Texture& map = s.lighting->shading->fragment.map.front();
   const scene::TextureImage& image = *map.image;
@@ -169,7 +169,7 @@ HWY_INLINE Float3 pointIn(const Surface& s, const Group& group, int k, int i) {
   return transformPoint(s.instance->lightingFromObject, load3(group.position[k], i));
 }
 
-/// Normals that vertices or an array by triangle give, object space.
+/// Normals from the vertices or from an array per triangle, object space.
 HWY_ATTR inline void loadNormals(const Surface& s, const Group& group, Row (&out)[3]) {
   if (s.lighting->shading->fragment.normals == scene::FragmentShading::Normals::perTriangle) {
     for (int i = 0; i < kLanes; ++i) {
@@ -189,7 +189,7 @@ HWY_ATTR inline void loadNormals(const Surface& s, const Group& group, Row (&out
   }
 }
 
-/// The triangle's own normal, towards the viewer.
+/// The geometric normal of the triangle, towards the viewer.
 HWY_INLINE Float3 triangleNormal(const Surface& s, const Group& group, int i, const Float3& p) {
   const Float3 a = pointIn(s, group, 0, i);
   const Float3 n = unit(cross(sub(pointIn(s, group, 1, i), a), sub(pointIn(s, group, 2, i), a)));
@@ -197,7 +197,7 @@ HWY_INLINE Float3 triangleNormal(const Surface& s, const Group& group, int i, co
   return signedBy(hn::Le(dot(n, p), splat(0)), n);
 }
 
-/// Shares of the edges' colour at window positions x, y.
+/// Weights of the edge colour at window positions x, y.
 HWY_ATTR inline void edgeShares(const FrameData& frame, const Surface& s, const Group& group, const float* x,
                                 const float* y, Row& out) {
   for (int i = 0; i < kLanes; ++i)

@@ -1,5 +1,5 @@
-// Colours as fragment programs compute them (scene/fragment_shading.h). Part of kernels.cpp (compiled once
-// for each instruction set).
+// Colours of fragment programs (scene/fragment_shading.h). Part of kernels.cpp (compiled once for each
+// instruction set).
 #if defined(GLURAY_RENDER_FRAGMENT_PROGRAM_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_FRAGMENT_PROGRAM_INL_H_
 #undef GLURAY_RENDER_FRAGMENT_PROGRAM_INL_H_
@@ -13,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-/// Direction from light to surface, and what distance and cone leave of it.
+/// Direction from light to surface, and the attenuation by distance and cone.
 HWY_INLINE Incoming arriving(const scene::FragmentLight& light, float coneCosine, const Float3& p) {
   if (light.kind != scene::FragmentLight::positional) return {splat(light.direction), splat(1)};
   const Float3 way = sub(p, splat(light.position));
@@ -29,7 +29,7 @@ HWY_INLINE Incoming arriving(const scene::FragmentLight& light, float coneCosine
   return in;
 }
 
-/// The highlight's strength before colours.
+/// The specular factor, without colours.
 HWY_INLINE Float highlight(const scene::FragmentShading& f, const scene::FragmentLight& light,
                            const Float3& way, const Fragment& at, Float cosine, float shininess) {
   if (light.kind == scene::FragmentLight::headlight) return power(cosine, splat(shininess));
@@ -43,7 +43,7 @@ HWY_INLINE Float highlight(const scene::FragmentShading& f, const scene::Fragmen
   return power(base, splat(shininess));
 }
 
-/// Edges give light of their own instead of the surface's.
+/// Edges are emissive: they replace the surface's light by their own.
 HWY_INLINE void paintEdge(const scene::FragmentShading& f, const Fragment& at, Float3& ambient,
                           Float3& diffuse) {
   const Float rest = hn::Sub(splat(1), at.edge);
@@ -81,8 +81,8 @@ HWY_INLINE Float3 unlit(const scene::FragmentShading& f, const scene::Material& 
   return add(ambient, diffuse);
 }
 
-/// GGX distribution, height-correlated Smith visibility, Schlick's Fresnel term, Lambert's diffuse part; the
-/// result is encoded by 1/2.2. As VTK 9's physically based shading without images has it.
+/// Physically based shading of VTK 9 without images: GGX distribution, height-correlated Smith visibility,
+/// Schlick's Fresnel term, Lambertian diffuse; the result is gamma-encoded with 1/2.2.
 HWY_INLINE Float3 microfacets(const Surface& s, const scene::Material& m, const Fragment& at) {
   constexpr float kInversePi = 0.31830988618f;
   const Lighting& lighting = *s.lighting;
@@ -93,7 +93,7 @@ HWY_INLINE Float3 microfacets(const Surface& s, const scene::Material& m, const 
   const auto mix = [&](const Float3& a, const Float3& b, float w)
                        HWY_ATTR { return add(scaled(a, splat(1 - w)), scaled(b, splat(w))); };
   Float3 albedo = times(splat(glm::vec3(m.diffuse)), at.color);
-  if (f.edges) albedo = scaled(albedo, hn::Sub(one, at.edge));  // nothing is made of their colour
+  if (f.edges) albedo = scaled(albedo, hn::Sub(one, at.edge));  // the program ignores the edge colour
   const Float3 f0 = mix(splat(glm::vec3(pbr.baseF0)), albedo, pbr.metallic);
   const Float grey = hn::Min(hn::Max(hn::Mul(splat(16.5f), hn::Add(hn::Add(f0.x, f0.y), f0.z)), zero), one);
   const Float3 f90 = mix({grey, grey, grey}, splat(pbr.edgeTint), pbr.metallic);
@@ -125,7 +125,7 @@ HWY_INLINE Float3 microfacets(const Surface& s, const scene::Material& m, const 
   return {encoded(sum.x), encoded(sum.y), encoded(sum.z)};
 }
 
-/// Colours of the group by a fragment program, before its textures; bit i of `back`: lane i shows its back
+/// Colours of the group from its fragment program, before textures; bit i of `back`: lane i shows its back
 /// face.
 HWY_ATTR inline void runProgram(const FrameData& frame, const Surface& s, const Group& group, uint32_t back,
                                 bool backMaterial, const float* x, const float* y, LitRows& rows) {

@@ -1,4 +1,4 @@
-// The lighting equation of OpenGL over lanes. Part of kernels.cpp (compiled once for each instruction set).
+// OpenGL's lighting equation, vectorised. Part of kernels.cpp (compiled once for each instruction set).
 #if defined(GLURAY_RENDER_LIGHT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_LIGHT_INL_H_
 #undef GLURAY_RENDER_LIGHT_INL_H_
@@ -40,7 +40,7 @@ HWY_INLINE Float3 add(const Float3& a, const Float3& b) {
 HWY_INLINE Float3 sub(const Float3& a, const Float3& b) {
   return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
 }
-/// 1/|a|, at most 1e15 so that a vector of length 0 stays one.
+/// 1/|a|, at most 1e15, so that a vector of length 0 stays 0.
 HWY_INLINE Float inverseLength(const Float3& a) {
   return hn::Div(splat(1), hn::Sqrt(hn::Max(dot(a, a), splat(1e-30f))));
 }
@@ -56,8 +56,8 @@ HWY_INLINE Float power(Float base, Float exponent) {
   return hn::IfThenElse(zeroBase, atZero, result);
 }
 
-/// Primary colour (RGBA) and the specular part, apart so that it can be added after texturing. Clamped to [0,
-/// 1].
+/// Primary colour (RGBA), and separately the specular part, which may be added after texturing. Clamped to
+/// [0, 1].
 struct Lit {
   Float3 primary;
   Float alpha;
@@ -100,7 +100,7 @@ struct LaneMaterial {
   HWY_INLINE bool specularOn() const { return true; }
 };
 
-/// What one light sends to the points `p`: unit vector towards it, and attenuation times spot factor.
+/// One light at points `p`: unit vector towards it, and attenuation times spot factor.
 struct Incoming {
   Float3 direction;
   Float factor;

@@ -1,4 +1,4 @@
-// Lighting state of a draw in the form the kernels read. Made once a frame, read by every tracing thread.
+// Lighting state of a draw, prepared for the kernels. Made once per frame, read by every tracing thread.
 #pragma once
 #include "scene/shading.h"
 
@@ -11,7 +11,7 @@ namespace gluray::render {
 /// One light. Vectors are in eye space.
 struct PreparedLight {
   glm::vec3 ambient, diffuse, specular;
-  glm::vec3 position;    // of a positional light; of a directional one the unit vector towards it
+  glm::vec3 position;    // positional light: position; directional light: unit vector towards it
   glm::vec3 halfVector;  // directional light, viewer at infinity: unit half vector
   bool directional = true;
   bool attenuated = false, spot = false;
@@ -27,7 +27,7 @@ struct Lighting {
   std::vector<PreparedLight> lights;
   std::vector<float> coneCosines;  // of the lights of a fragment program
   glm::vec3 globalAmbient{0};
-  bool needsPosition = false;  // the eye-space position enters the equation
+  bool needsPosition = false;  // the equation uses the eye-space position
   explicit Lighting(const scene::Shading&);
 };
 

@@ -1,4 +1,4 @@
-// The lighting equation against hand-computed values and against a transcription of the specification.
+// The lighting equation against closed-form values and a transcription of the specification.
 #include "render/local/reference_light.h"
 #include "render/test_trace.h"
 
@@ -18,7 +18,7 @@ using test::Traced;
 
 constexpr float kTolerance = 0.75f;  // of 255: rounding to bytes, and float against double
 
-// The square z = -5 seen by a perspective camera, with four equal normals.
+// A square at z = -5 in front of a perspective camera, with four equal normals.
 scene::Snapshot litScene(const glm::vec3& normal, ShadingRate rate = ShadingRate::pixel) {
   test::MeshData data = test::quadData({-4, -4, -5}, {4, -4, -5}, {4, 4, -5}, {-4, 4, -5});
   data.normals.assign(4, normal);
@@ -48,7 +48,7 @@ void expectReference(const scene::Snapshot& s, const glm::dvec3& unitNormal) {
   }
 }
 
-TEST(Lighting, DirectionalByHand) {
+TEST(Lighting, DirectionalLight) {
   auto s = litScene({0, 0, 1});
   s.shadings[0].lights[0].position = {0, std::sqrt(3.0f), 1, 0};  // 60 degrees off the normal
   // 0.2 * 0.2 global ambient + 0.8 * cos 60 = 0.44, of 255: 112.2.
@@ -210,7 +210,7 @@ TEST(Lighting, NormalsThroughScaledModelviews) {
   auto s = litScene(normal);
   const glm::dmat4 modelview = glm::scale(glm::dmat4(1), {2, 2, 2});
   s.eyeFromWorld = s.instances[0].eyeFromObject = modelview;
-  s.camera.clipFromEye = s.camera.clipFromEye * glm::inverse(modelview);  // the picture stays
+  s.camera.clipFromEye = s.camera.clipFromEye * glm::inverse(modelview);  // keeps the picture
   const auto red = [&] { return trace(s).color(16, 16).r; };
   const float ambient = 0.04f * 255, diffuse = 0.8f * 255 * 2 / 3;
   EXPECT_NEAR(red(), ambient + diffuse / 2, kTolerance);  // raw: the inverse transpose halves the normal

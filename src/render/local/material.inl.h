@@ -1,4 +1,4 @@
-// Which material each lane has. Part of kernels.cpp (compiled once for each instruction set).
+// Materials of the lanes. Part of kernels.cpp (compiled once for each instruction set).
 #if defined(GLURAY_RENDER_MATERIAL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_MATERIAL_INL_H_
 #undef GLURAY_RENDER_MATERIAL_INL_H_
@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-/// The material of a group's lanes: one for all, or rows.
+/// Materials of a group: one for all lanes, or rows.
 struct MaterialChoice {
   const scene::Material* uniform = nullptr;
   alignas(64) Row rows[kRows];
@@ -48,7 +48,7 @@ HWY_ATTR inline void copyRows(const Row* from, int count, Row* to) {
   }
 }
 
-// glColorMaterial: rows of the tracked components follow the vertex colour (four rows).
+// glColorMaterial: sets the tracked components' rows to the vertex colour (four rows).
 HWY_ATTR inline void followColor(scene::ColorMaterial::Mode mode, const Row* color, Row* rows) {
   using Mode = scene::ColorMaterial;
   if (mode == Mode::emission) copyRows(color, 3, rows + kEmission);
@@ -57,7 +57,7 @@ HWY_ATTR inline void followColor(scene::ColorMaterial::Mode mode, const Row* col
   if (mode == Mode::specular) copyRows(color, 3, rows + kSpecular);
 }
 
-/// The material of corner `k` of the group's triangles. `color`: vertex colours, read only where the mesh has
+/// The material of corner `k` of the group's triangles. `color`: vertex colours, read only if the mesh has
 /// them.
 HWY_ATTR inline void chooseMaterial(const Surface& s, const Group& group, int k, bool back, const Row* color,
                                     MaterialChoice& out) {

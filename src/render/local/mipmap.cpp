@@ -19,7 +19,7 @@ float clampLod(const Texture& t, float lod) {
   return std::max(std::min(lod, std::max(t.minLod, t.maxLod)), std::min(t.minLod, t.maxLod));
 }
 
-/// `level` is a whole number, of any size.
+/// Clamps `level`, an integer of any size, to the image's levels.
 LevelChoice within(const Texture& t, float level, float blend) {
   const int last = t.image->levels() - 1;
   if (level < 0) return {false, 0, 0};
@@ -38,8 +38,8 @@ LevelChoice chooseAsSpecified(const Texture& t, double rho) {
   return within(t, whole, lambda - whole);
 }
 
-/// Differs: between powers of two the logarithm runs straight, and the magnification filter ends at 0
-/// whatever the filters.
+/// Differs from GL 2.1: interpolates the logarithm linearly between powers of two, and magnifies up to level
+/// of detail 0, whatever the filters.
 LevelChoice chooseAsLlvmpipe(const Texture& t, double rho) {
   if (t.mipFilter == MipFilter::none) return {!(rho > 1), 0, 0};
   int exponent = 0;
@@ -48,7 +48,7 @@ LevelChoice chooseAsLlvmpipe(const Texture& t, double rho) {
   const float lod = clampLod(t, straight + t.lodBias);
   if (!(lod > 0)) return {true, 0, 0};
   if (t.mipFilter == MipFilter::nearest) {
-    // With a bias halves are rounded to even numbers, without one upwards.
+    // Rounds halves to even with a bias, up without.
     const float level = t.lodBias == 0 ? std::floor(lod + 0.5f) : std::nearbyint(lod);
     return within(t, level, 0);
   }

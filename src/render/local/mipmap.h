@@ -1,4 +1,4 @@
-// Level of detail: which levels of a mipmapped texture a fragment sees. Called on tracing threads.
+// Level of detail: selects the levels of a mipmapped texture for a fragment. Called on tracing threads.
 #pragma once
 #include "scene/texture.h"
 
@@ -6,25 +6,25 @@
 
 namespace gluray::render {
 
-/// How texture coordinates, in texels of the base level, change from a pixel to its neighbours.
+/// Change of the texture coordinates, in texels of the base level, per pixel in x and y.
 struct Footprint {
   glm::dvec3 dx{0}, dy{0};
 };
 
-/// What of an image is sampled: `level` and, where `blend` > 0, that share of the level after it.
+/// The levels to sample: `level` and, if `blend` > 0, the next one with that weight.
 struct LevelChoice {
-  bool magnified = false;  // the magnification filter holds, on level 0
+  bool magnified = false;  // use the magnification filter, on level 0
   int level = 0;
   float blend = 0;
 };
 
-/// Whether the footprint can make a difference to the texture.
+/// Whether the texture's sampling depends on the footprint.
 bool needsFootprint(const scene::Texture&);
 
-/// GL 2.1, 3.8.8 and 3.8.9, by the texture's LodRule.
+/// Chooses the levels: GL 2.1, 3.8.8 and 3.8.9, by the texture's LodRule.
 LevelChoice chooseLevel(const scene::Texture&, const Footprint&);
 
-/// RGBA at normalised coordinates as sampleLevel() takes them.
+/// RGBA at normalised coordinates, in the form of sampleLevel().
 glm::vec4 sampleTexture(const scene::Texture&, const Footprint&, glm::vec3 str);
 
 }  // namespace gluray::render

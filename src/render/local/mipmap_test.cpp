@@ -1,4 +1,4 @@
-// Levels of detail against values worked out by hand.
+// Levels of detail against closed-form values.
 #include "render/local/mipmap.h"
 
 #include "render/local/texture.h"
@@ -61,8 +61,8 @@ TEST(Mipmap, TheLongerDerivativeCounts) {
   EXPECT_NEAR(levelSeen(pyramid(MipFilter::linear), slanted), std::log2(5), 1e-4);
 }
 
-// Measured with llvmpipe of Mesa 22.3.
-TEST(Mipmap, LlvmpipesStraightLogarithm) {
+// Values of llvmpipe in Mesa 22.3.
+TEST(Mipmap, LlvmpipesPiecewiseLinearLogarithm) {
   auto t = pyramid(MipFilter::linear, LodRule::llvmpipe);
   EXPECT_TRUE(render::chooseLevel(t, across(0.99)).magnified);
   EXPECT_NEAR(levelSeen(t, across(2)), 1, 1e-4);
@@ -98,7 +98,7 @@ TEST(Mipmap, SharpMinificationStartsLater) {
   EXPECT_FALSE(render::chooseLevel(t, across(1.1)).magnified);
 }
 
-TEST(Mipmap, NoFootprintNoHarm) {
+TEST(Mipmap, DegenerateFootprints) {
   const auto t = pyramid(MipFilter::linear);
   const Footprint broken{{NAN, 0, 0}, {0, INFINITY, 0}};
   EXPECT_EQ(render::chooseLevel(t, broken).level, 0);

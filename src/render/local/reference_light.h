@@ -1,5 +1,5 @@
-// The lighting equation written down once more, in double and in the specification's own order, for the tests
-// of render/.
+// Reference implementation of the lighting equation, in double and in the specification's order, for the
+// tests of render/.
 #pragma once
 #include "scene/shading.h"
 

@@ -1,4 +1,4 @@
-// Colours of hits: attributes, lighting, texturing, RGBA8. Part of kernels.cpp (compiled once for each
+// Shades hits: attributes, lighting, texturing, RGBA8. Part of kernels.cpp (compiled once for each
 // instruction set).
 #if defined(GLURAY_RENDER_SHADE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_SHADE_INL_H_
@@ -17,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-/// What the corners of a group's triangles carry.
+/// Vertex attributes of a group's triangles.
 struct Attributes {
   alignas(64) Row normal[3][3];
   alignas(64) Row color[3][4];
@@ -54,8 +54,8 @@ HWY_INLINE Float3 cornerNormal(const Surface& s, const Float3& n) {
   return s.lighting->shading->rescaleNormal ? scaled(eye, splat(s.rescale)) : eye;
 }
 
-// The normal inside the triangle: directions are interpolated as unit vectors, lengths (which matter where
-// OpenGL is told not to normalise) apart from them, so that highlights do not fade between corners.
+// The normal inside the triangle. Interpolates directions as unit vectors, and lengths (which matter without
+// GL_NORMALIZE) separately, so that highlights do not fade between corners.
 HWY_INLINE Float3 pixelNormal(const Surface& s, const Attributes& a, const Weights& weights, int i) {
   const Float3 n0 = load3(a.normal[0], i), n1 = load3(a.normal[1], i), n2 = load3(a.normal[2], i);
   const Float i0 = inverseLength(n0), i1 = inverseLength(n1), i2 = inverseLength(n2);
@@ -73,7 +73,7 @@ HWY_INLINE Lit lightWith(const MaterialChoice& choice, const Lighting& lighting,
   return light(lighting, p, n, LaneMaterial{choice.rows, i});
 }
 
-// Lighting at corner k, as OpenGL does it.
+// Lighting at corner k, as in OpenGL.
 HWY_ATTR inline void lightCorner(const Surface& s, const Group& group, const Attributes& a, int k, bool back,
                                  LitRows& out) {
   MaterialChoice material;
@@ -138,7 +138,7 @@ HWY_ATTR inline void interpolate(const Group& group, const LitRows (&corners)[3]
   }
 }
 
-// Colours of the group, all of whose lanes show the same side.
+// Colours of a group whose lanes all show the same side.
 HWY_ATTR inline void colorSide(const FrameData& frame, const Surface& s, const Group& group,
                                const Attributes& a, bool back, LitRows& out) {
   const scene::Shading& shading = *s.lighting->shading;
@@ -188,8 +188,8 @@ HWY_ATTR inline void packColors(const LitRows& rows, uint32_t* color) {
   }
 }
 
-// What the textures of a fragment program leave of its colour: factors, so that bright colours are not cut
-// off in between.
+// Multiplies a fragment program's colour by its textures. They are evaluated as factors, so that colours
+// above 1 are not clamped before the product.
 HWY_ATTR inline void multiplyByTextures(const FrameData& frame, const Surface& s, const Group& group,
                                         uint32_t lanes, const float* x, const float* y, LitRows& rows) {
   TexturedTriangle triangle(s, frame.snapshot->camera);
@@ -201,7 +201,7 @@ HWY_ATTR inline void multiplyByTextures(const FrameData& frame, const Surface& s
   }
 }
 
-// Colours as the surface's fragment program has them.
+// Colours from the surface's fragment program.
 HWY_ATTR inline void shadeByProgram(const FrameData& frame, const Surface& s, const Group& group,
                                     uint32_t back, const float* x, const float* y, LitRows& rows) {
   const bool twoMaterials = s.lighting->shading->fragment.backMaterial && (back & group.lanes) != 0;
@@ -219,8 +219,7 @@ HWY_ATTR inline void shadeByProgram(const FrameData& frame, const Surface& s, co
 }
 
 /// Colours (the first four rows) of the group's lanes at window positions x, y; bit i of `back`: lane i shows
-/// its back face. Lanes outside the group get colours without meaning. Returns the lanes that fail the alpha
-/// test.
+/// its back face. Lanes outside the group are undefined. Returns the lanes that fail the alpha test.
 HWY_ATTR inline uint32_t shade(const FrameData& frame, const Surface& s, const Group& group, uint32_t back,
                                const float* x, const float* y, LitRows& rows) {
   const scene::Shading& shading = *s.lighting->shading;

@@ -7,7 +7,7 @@
 namespace gluray::render {
 namespace {
 
-// Plane through the triangle in object space, in double: exact enough for any float input.
+// The triangle's plane in object space, in double: precise enough for any float input.
 glm::dvec4 planeOf(const scene::Mesh& mesh, uint32_t primitive) {
   const glm::dvec3 p0(mesh.position(mesh.corner(primitive, 0)));
   const glm::dvec3 p1(mesh.position(mesh.corner(primitive, 1)));
@@ -99,7 +99,7 @@ Surface makeSurface(const View& view, const scene::Instance& instance, const Lig
   }
   s.depth = makePlaneDepth(view, objectFromClip, instance.eyeFromObject);
   if (s.mesh->shape != scene::Shape::triangles) s.impostors = makeImpostorSpace(view, s, objectFromClip);
-  // The inverse's upper left part is the inverse of the upper left part, as modelview matrices are affine.
+  // Modelview matrices are affine: the inverse's upper left 3x3 part is the inverse of the upper left part.
   prepareNormals(s, glm::dmat3(objectFromEye));
   prepareMaterials(s, instance, lighting.shading->colorMaterial);
 
@@ -151,7 +151,7 @@ glm::dvec2 Surface::ndcDepths(uint32_t primitive) const {
   glm::dvec2 range(1, -1);
   for (const glm::vec2 corner : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(0, 1)}) {
     const glm::dvec4 clip = clipFromObject * glm::dvec4(pointOf(*mesh, primitive, corner.x, corner.y), 1.0);
-    // What lies behind the viewer is cut off at the near plane.
+    // The near plane clips points behind the viewer.
     const double depth = clip.w > 0 ? std::clamp(clip.z / clip.w, -1.0, 1.0) : -1.0;
     range = {std::min(range.x, depth), std::max(range.y, depth)};
   }

@@ -1,4 +1,4 @@
-// An instance in the form the kernels read. Made once a frame, read by every tracing thread.
+// An instance, prepared for the kernels. Made once per frame, read by every tracing thread.
 #pragma once
 #include "render/camera/ray_setup.h"
 #include "render/local/lighting.h"
@@ -10,17 +10,16 @@
 
 namespace gluray::render {
 
-/// Where window depth of a plane comes from. With L the triangle's plane in object space (dot(L, p) = 0 on
-/// it), the NDC depth at window position (x, y) is -dot(L, a + x*aX + y*aY) / dot(L, b), and the sign of
-/// areaSign*dot(L, b) is that of the triangle's window-space area (positive: counterclockwise). Exact for
-/// every invertible projection.
+/// Coefficients for the window depth of a triangle's plane L in object space (dot(L, p) = 0 on it). The NDC
+/// depth at window position (x, y) is -dot(L, a + x*aX + y*aY) / dot(L, b); areaSign*dot(L, b) has the sign
+/// of the triangle's window-space area (positive: counterclockwise). Exact for every invertible projection.
 struct PlaneDepth {
   glm::dvec4 a{0}, aX{0}, aY{0}, b{0};
   double areaSign = 1;
 };
 
-/// What impostors need (scene/impostors.h). The pixel at window position (x, y) shows the points
-/// start + x*startX + y*startY + k*step, homogeneous, of the lighting space, k growing away from the viewer.
+/// Lines of sight for impostors (scene/impostors.h), in lighting space. The pixel at window position (x, y)
+/// shows the homogeneous points start + x*startX + y*startY + k*step; k grows away from the viewer.
 struct ImpostorSpace {
   glm::dvec4 start{0}, startX{0}, startY{0}, step{0};
   glm::dvec4 clipZ{0}, clipW{0, 0, 0, 1};  // rows of the matrix from lighting space to clip space
@@ -31,15 +30,15 @@ struct Surface {
   const scene::Mesh* mesh = nullptr;
   const Lighting* lighting = nullptr;
   PlaneDepth depth;
-  ImpostorSpace impostors;  // where the mesh is not of triangles
+  ImpostorSpace impostors;  // unless the mesh's shape is triangles
   glm::dmat4 clipFromObject{1};
   glm::mat4 eyeFromObject{1};
   glm::mat3 eyeFromObjectNormal{1};  // inverse transpose of the modelview's upper left 3x3
   float rescale = 1;  // GL_RESCALE_NORMAL: 1 / length of the third row of the inverse modelview
   bool cullsCcw = false, cullsCw = false;
-  bool ownClipPlanes = false;  // planes that other instances do not share: tested at each hit
+  bool ownClipPlanes = false;  // planes that not all instances share: tested at each hit
   bool frontIsCcw = true;
-  // The instance's materials; where glColorMaterial follows a constant colour, copies that bear it.
+  // The instance's materials; if glColorMaterial follows a constant colour, copies with that colour.
   const scene::MaterialPair* materials = nullptr;
   uint32_t materialCount = 0;
   std::vector<scene::MaterialPair> coloredMaterials;
@@ -47,33 +46,33 @@ struct Surface {
 
   /// True if neither culling nor the instance's own clip planes remove the point (primitive, u, v).
   bool accepts(uint32_t primitive, float u, float v) const;
-  /// Weights of corners 1 and 2 where the plane of a triangle is seen at an NDC position; (0, 0) where it is
-  /// not.
+  /// Weights of corners 1 and 2 at the point of a triangle's plane at an NDC position; (0, 0) if there is
+  /// none.
   glm::vec2 weightsAt(uint32_t primitive, const glm::dvec2& ndc) const;
   /// NDC depth of the point, from its corners.
   double ndcDepth(uint32_t primitive, float u, float v) const;
-  /// Smallest and largest NDC depth of what the view volume leaves of the triangle.
+  /// Smallest and largest NDC depth of the triangle, clipped to the view volume.
   glm::dvec2 ndcDepths(uint32_t primitive) const;
-  /// The centre, in lighting space, of an impostor about this point. Not inline: kernels would fuse the
-  /// roundings that programs make.
+  /// The centre, in lighting space, of an impostor at this point. Not inline: in the kernels, fused
+  /// multiply-adds would round differently from the programs.
   glm::vec3 centerOfImpostor(const glm::vec3& object) const;
   /// True if the triangle's window-space area is positive.
   bool isCcw(uint32_t primitive) const;
 };
 
-/// Material `m` with the components that `mode` names taken from `color`.
+/// Replaces the components of material `m` that `mode` names by `color`.
 void applyColorMaterial(scene::ColorMaterial::Mode mode, const glm::vec4& color, scene::Material& m);
 
-/// The camera, as far as every surface needs it.
+/// Values derived from the camera, common to all surfaces.
 struct View {
   WindowMap window;
   glm::dmat4 clipFromEye, eyeFromClip;
-  double areaSign;  // -1 where the projection mirrors
-  double away;      // 1 where normalised depth grows away from the viewer, otherwise -1
+  double areaSign;  // -1 if the projection mirrors, otherwise 1
+  double away;      // 1 if NDC depth grows away from the viewer, otherwise -1
   explicit View(const scene::Camera&);
 };
 
-/// Throws std::runtime_error where the instance's modelview matrix cannot be inverted.
+/// Throws std::runtime_error if the instance's modelview matrix cannot be inverted.
 Surface makeSurface(const View&, const scene::Instance&, const Lighting&, bool sharedClipPlanes);
 
 }  // namespace gluray::render

@@ -8,7 +8,7 @@ namespace {
 
 using scene::TexGen;
 
-/// The direction in which a ray from the eye leaves the vertex.
+/// The direction of a ray from the eye after reflection at the vertex.
 glm::vec3 reflection(const TexGenVertex& v) {
   const float length = glm::length(v.eye);
   const glm::vec3 u = length > 0 ? v.eye / length : v.eye;

@@ -1,4 +1,4 @@
-// Generated texture coordinates against values worked out by hand.
+// Generated texture coordinates against closed-form values.
 #include "render/local/texgen.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(TexGen, PlanesInObjectAndEyeSpace) {
 }
 
 TEST(TexGen, SphereMap) {
-  const TexGenVertex facing{{}, {0, 0, -5}, {0, 0, 1}};  // looked at from the front: the middle of the map
+  const TexGenVertex facing{{}, {0, 0, -5}, {0, 0, 1}};  // faces the eye: the middle of the map
   EXPECT_NEAR(all(TexGen::sphereMap, facing).x, 0.5f, kTolerance);
   EXPECT_NEAR(all(TexGen::sphereMap, facing).y, 0.5f, kTolerance);
   const float half = std::sqrt(0.5f);
@@ -47,7 +47,7 @@ TEST(TexGen, Directions) {
   EXPECT_NEAR(normal.z, half, kTolerance);
 }
 
-TEST(TexGen, OthersStayAsGiven) {
+TEST(TexGen, UngeneratedCoordinatesAreKept) {
   TexGen gen;
   gen.coordinates[1] = {TexGen::objectLinear, {0, 0, 0, 7}};
   EXPECT_EQ(render::generateCoordinates(gen, {}, {1, 2, 3, 4}), glm::vec4(1, 7, 3, 4));
@@ -56,7 +56,7 @@ TEST(TexGen, OthersStayAsGiven) {
   EXPECT_FALSE(TexGen{}.on());
 }
 
-TEST(TexGen, NothingBreaksAtTheEye) {
+TEST(TexGen, VertexAtTheEyeIsFinite) {
   const glm::vec4 c = all(TexGen::sphereMap, TexGenVertex{});
   EXPECT_TRUE(std::isfinite(c.x) && std::isfinite(c.y));
 }

@@ -12,14 +12,14 @@ using scene::TexelGrid;
 using scene::TextureTarget;
 using scene::Wrap;
 
-constexpr float kFarthest = 1 << 30;  // coordinates beyond have no fraction; keeps them within integers
+constexpr float kFarthest = 1 << 30;  // larger coordinates have no fraction; clamping keeps them within int
 
 int wholeBelow(float x) {
   const int i = static_cast<int>(x);
   return i - (x < static_cast<float>(i));
 }
 
-// The coordinate within the image after wrapping, GL 2.1, 3.8.7; `size` texels.
+// The coordinate after wrapping, for `size` texels: GL 2.1, 3.8.7.
 float wrapCoordinate(Wrap wrap, float s, int size) {
   if (!std::isfinite(s)) return 0;
   s = std::clamp(s, -kFarthest, kFarthest);
@@ -41,7 +41,7 @@ float wrapCoordinate(Wrap wrap, float s, int size) {
   return s;
 }
 
-/// The texels of one axis that a coordinate lies between; -1 is the border.
+/// The two texels of one axis around a coordinate; -1 is the border.
 struct Taps {
   int lower, upper;
   float weight;  // of `upper`
@@ -72,7 +72,7 @@ Taps tapsOf(Wrap wrap, Filter filter, float s, int size) {
   return {within(i), within(i + 1), weight};
 }
 
-// The border colour as a texel of the image's base format.
+// The border colour, converted to the image's base format.
 glm::vec4 borderTexel(const scene::Texture& t) {
   const glm::vec4 c = t.borderColor;
   switch (t.image->baseFormat) {
@@ -86,13 +86,13 @@ glm::vec4 borderTexel(const scene::Texture& t) {
   return c;
 }
 
-/// Four channels that GCC and Clang keep in one register.
+/// Four channels in one register (a vector extension of GCC and Clang).
 using Color = float __attribute__((vector_size(16)));
 using Channels = int32_t __attribute__((vector_size(16)));
 
 inline Color colorOf(const glm::vec4& c) { return Color{c.r, c.g, c.b, c.a}; }
 
-/// Reads texels of one level; of eight-bit ones 255 stands for 1 until the end.
+/// Reads texels of one level. Eight-bit texels stay in 0 .. 255 until the end.
 class TexelReader {
  public:
   TexelReader(const scene::Texture& t, const TexelGrid& grid)

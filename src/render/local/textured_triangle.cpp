@@ -13,7 +13,7 @@ namespace {
 using scene::Texture;
 using scene::TextureTarget;
 
-/// What the vertex brings for the coordinate set of `unit`.
+/// The vertex's texture coordinates of `unit`.
 glm::vec4 givenCoordinates(const Surface& surface, uint32_t unit, uint32_t vertex) {
   const scene::Attribute* carried = surface.mesh->texcoordsOf(unit);
   return carried ? scene::fetch(*carried, vertex) : surface.instance->texcoordOf(unit);
@@ -36,7 +36,7 @@ glm::vec4 generated(const Surface& surface, const Texture& t, uint32_t vertex, c
   return generateCoordinates(t.texGen, v, given);
 }
 
-/// Normalised coordinates as sampleLevel() takes them; `face` of cube maps.
+/// Normalised coordinates for sampleLevel(); `face`: of cube maps.
 glm::dvec3 project(const Texture& t, const glm::dvec4& strq, int face) {
   if (t.target == TextureTarget::cubeMap)
     return {coordinatesInFace(face, glm::dvec3(strq)), static_cast<double>(face)};
@@ -45,13 +45,13 @@ glm::dvec3 project(const Texture& t, const glm::dvec4& strq, int face) {
   return {str.x / t.image->width, str.y / t.image->height, 0};
 }
 
-/// How coordinates within a face change as the direction does, to the first order.
+/// Derivative of the coordinates within a face for a change of the direction.
 glm::dvec3 changeInFace(int face, const glm::dvec3& direction, const glm::dvec3& change) {
   const glm::dvec3 at = alongFace(face, direction), d = alongFace(face, change);
   return {0.5 * (glm::dvec2(d) * at.z - glm::dvec2(at) * d.z) / (at.z * at.z), 0};
 }
 
-/// Texels along each axis that counts.
+/// Texels along each axis of the texture; 0 for axes that it lacks.
 glm::dvec3 sizeOf(const Texture& t) {
   const scene::TextureImage& image = *t.image;
   return {image.width, t.target == TextureTarget::texture1D ? 0 : image.height,
@@ -87,8 +87,7 @@ void TexturedTriangle::enter(uint32_t primitive) {
     const glm::dvec4 c = surface_.clipFromObject * glm::dvec4(surface_.mesh->position(vertex_[k]), 1.0);
     clip[k] = {c.x, c.y, c.w};
   }
-  // Perspective-correct weights of the corners at a window position are, up to a factor, the edge functions
-  // there.
+  // The edge functions are the corners' perspective-correct weights, up to a factor.
   const glm::dvec3 edge[3] = {glm::cross(clip[1], clip[2]), glm::cross(clip[2], clip[0]),
                               glm::cross(clip[0], clip[1])};
   for (size_t i = 0; i < textures_.size(); ++i) {
@@ -103,7 +102,7 @@ void TexturedTriangle::enter(uint32_t primitive) {
 }
 
 Footprint TexturedTriangle::footprintOf(const Texture& t, const Coordinates& c, glm::dvec2 window) const {
-  // Derivatives are differences from the pixel of a 2x2 quad that comes first in the framebuffer.
+  // Derivatives are differences to the pixel of the 2x2 quad that is first in the framebuffer.
   glm::dvec2 first = 2.0 * glm::floor(0.5 * window) + 0.5;
   glm::dvec4 stepY = c.stepY;
   if (rowsFromTop_ > 0) {

@@ -1,4 +1,4 @@
-// Texturing of fragments as OpenGL's fixed-function pipeline does it. Used by the kernels on tracing threads.
+// Fixed-function texturing of fragments. Used by the kernels on tracing threads.
 #pragma once
 #include "render/local/mipmap.h"
 #include "render/local/surface.h"
@@ -9,19 +9,18 @@
 
 namespace gluray::render {
 
-/// The triangle of a textured surface that fragments lie in: what they share is made when the triangle
-/// changes.
+/// Textures fragments of one surface. Caches the values that fragments of the same triangle share.
 class TexturedTriangle {
  public:
   TexturedTriangle(const Surface&, const scene::Camera&);
 
-  /// The colour `primary` of the fragment at (u, v) of a triangle, seen at a window position, after all
-  /// texture units; every channel in 0 .. 1.
+  /// The colour after all texture units, every channel in 0 .. 1, of the fragment at (u, v) of a triangle and
+  /// at a window position. `primary`: its colour before texturing.
   glm::vec4 color(uint32_t primitive, float u, float v, glm::dvec2 window, const glm::vec4& primary);
 
  private:
-  /// Homogeneous coordinates (s, t, r, q), of a unit: at the corners, and as a plane over the window, up to a
-  /// factor.
+  /// Homogeneous coordinates (s, t, r, q) of a unit: at the corners, and as a linear function of the window
+  /// position, up to a factor.
   struct Coordinates {
     glm::dvec4 corner[3];
     glm::dvec4 start, stepX, stepY;
@@ -39,7 +38,7 @@ class TexturedTriangle {
   bool planes_ = false;  // some texture needs its footprint
   uint32_t primitive_ = 0xFFFFFFFFu;
   uint32_t vertex_[3] = {};
-  Coordinates coordinates_[scene::kTextureUnits];  // of each texture in order
+  Coordinates coordinates_[scene::kTextureUnits];  // one per texture, in order
 };
 
 /// The same for a single fragment.

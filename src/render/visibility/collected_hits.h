@@ -1,4 +1,4 @@
-// All hits of a packet's rays, in no order. One a thread.
+// All hits of a packet's rays, unordered. Used by the kernels; one per thread.
 #pragma once
 #include "accel/world.h"
 #include "render/frame_data.h"
@@ -14,13 +14,13 @@ class CollectedHits {
   void clear() {
     for (std::vector<Hit>& hits : of_) hits.clear();
   }
-  /// A hit for which there is no memory does not count.
+  /// Adds a hit; drops it if out of memory.
   void add(int lane, uint32_t instance, uint32_t primitive, float u, float v) noexcept {
     try {
       of_[lane].push_back({instance, primitive, u, v});
     } catch (const std::bad_alloc&) {}
   }
-  /// Makes the n-th hit of each lane the packet's, but for its distance. Returns the lanes that have one.
+  /// Copies the n-th hit of each lane, except its distance, into the packet. Returns the lanes that have one.
   uint32_t take(size_t n, accel::RayPacket& packet) const {
     uint32_t lanes = 0;
     for (int i = 0; i < accel::kLanes; ++i) {
@@ -41,7 +41,7 @@ class CollectedHits {
   std::vector<Hit> of_[accel::kLanes];
 };
 
-/// Collects what culling and the clip planes of single instances leave, and lets rays go on.
+/// Collects hits that are neither culled nor clipped by instances' own planes; rejects all, so rays go on.
 class CollectingFilter : public accel::HitFilter {
  public:
   CollectingFilter(const FrameData& frame, CollectedHits& hits) : frame_(frame), hits_(hits) {}

@@ -50,10 +50,10 @@ HWY_INLINE Double dot(const DoublePlane& plane, const glm::dvec4& v) {
 struct DepthAndFacing {
   alignas(64) float depth[kLanes];  // window, [0, 1]
   uint32_t ccw = 0;                 // bit i: lane i's triangle is counterclockwise in the window
-  alignas(64) Row u, v;             // of triangles: the point where the plane is seen, as Group's
+  alignas(64) Row u, v;             // of triangles: the plane's point at the window position, as in Group
 };
 
-/// What polygon offset adds in a depth buffer of floats to the triangles of the lanes from `first` on.
+/// Polygon offset, for a float depth buffer, of the triangles of the lanes from `first` on.
 HWY_ATTR inline Double floatOffsets(const Surface& surface, const DepthMap& map, const Group& group,
                                     int first) {
   const DoubleTag d;
@@ -75,22 +75,22 @@ HWY_INLINE float depthFromCorners(const Surface& surface, const DepthMap& map, u
   return static_cast<float>(std::clamp(ndc * map.scale + offset, 0.0, 1.0));
 }
 
-/// The planes of a group's triangles over the window, for depths elsewhere in the pixel.
+/// The depth planes of a group's triangles over the window, for depths elsewhere in the pixel.
 struct PlaneRows {
-  alignas(64) double ndc[kLanes], slopeX[kLanes], slopeY[kLanes];  // NDC depth, and a pixel further
+  alignas(64) double ndc[kLanes], slopeX[kLanes], slopeY[kLanes];  // NDC depth, and its change per pixel
   alignas(64) double offset[kLanes];                               // window depth: the polygon offset
 };
 
-/// What is seen at window positions: two planes in object space meet in a line of sight, one of all that has
-/// the window's x, one of all that has its y.
+/// Lines of sight through window positions, in object space: each is the intersection of the plane of equal
+/// window x and the plane of equal window y.
 class Sights {
  public:
   Sights(const Surface& s, const glm::ivec4& viewport)
       : window_(viewport), rows_(glm::transpose(s.clipFromObject)) {}
 
-  /// The point of each triangle's plane that is seen at window positions x, y, as weights u, v of the second
-  /// and the third corner. Weights in perspective are, up to a factor, edge functions (Olano and Greer,
-  /// 1997). Lanes whose plane is not seen there keep the weights they have.
+  /// Intersects each triangle's plane with the line of sight at window positions x, y; returns weights u, v
+  /// of the second and third corner. Perspective weights are edge functions, up to a factor (Olano and Greer,
+  /// 1997). Lanes without an intersection keep their weights.
   HWY_INLINE void weights(const DoubleTriangle& t, Double x, Double y, float* u, float* v) const {
     const DoubleTag d;
     const Double ndcX = hn::MulAdd(x, hn::Set(d, window_.ndcScale.x), hn::Set(d, window_.ndcOffset.x));
@@ -109,7 +109,7 @@ class Sights {
   }
 
  private:
-  /// The plane of all points with this x or y.
+  /// The plane of all points with this NDC x or y.
   HWY_INLINE DoublePlane planeAt(int axis, Double ndc) const {
     const DoubleTag d;
     DoublePlane plane;
@@ -125,9 +125,9 @@ class Sights {
   glm::dmat4 rows_;
 };
 
-/// Depth at window positions x, y of the planes of the group's triangles, exactly as OpenGL interpolates it,
-/// through glDepthRange and glPolygonOffset (GL 2.1, 3.5.5); and the points seen there. Lanes outside the
-/// group hold no meaning.
+/// Window depth of the group's triangles at window positions x, y, exactly as OpenGL interpolates it, with
+/// glDepthRange and glPolygonOffset (GL 2.1, 3.5.5); and the points there. Lanes outside the group are
+/// undefined.
 HWY_ATTR inline void computeDepth(const FrameData& frame, const Surface& surface, const Group& group,
                                   const float* x, const float* y, DepthAndFacing& out,
                                   PlaneRows* planes = nullptr) {

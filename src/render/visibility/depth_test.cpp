@@ -14,7 +14,7 @@ using test::makeSnapshot;
 using test::trace;
 using test::Traced;
 
-// Half of a float's step near 1, and the tolerance that a depth buffer of 24 bits resolves.
+// Half a float's step near 1, and the resolution of a 24-bit depth buffer.
 constexpr double kTolerance = 1.2e-7;
 
 // Window depth, before polygon offset, at window position (x, y) of the plane dot(plane, eye) = 0.
@@ -29,7 +29,7 @@ double windowDepth(const scene::Camera& camera, const glm::dvec4& plane, double 
   return 0.5 * (camera.depthFar - camera.depthNear) * ndc + 0.5 * (camera.depthFar + camera.depthNear);
 }
 
-// A large quad z = slope.x*x + slope.y*y + offset in eye space, as an object seen through `eyeFromObject`.
+// A large quad z = slope.x*x + slope.y*y + offset in eye space, placed by `eyeFromObject`.
 scene::Snapshot planeScene(const glm::dmat4& clipFromEye, glm::dvec2 slope, double offset, double extent,
                            const glm::dmat4& eyeFromObject = glm::dmat4(1)) {
   const glm::dmat4 objectFromEye = glm::inverse(eyeFromObject);
@@ -92,7 +92,7 @@ TEST(Depth, InfiniteFarPlaneInReversedRange) {
   s.instances.push_back(nearer.instances[0]);
   s.camera.depthNear = 1, s.camera.depthFar = 0;
   expectPlane(s, {0.1, 0.2}, -40);
-  // A projection that ends beyond infinity, as programs make it so that nothing is lost there to rounding.
+  // A projection that ends beyond infinity, as programs use to avoid rounding errors there.
   s.camera.clipFromEye = glm::tweakedInfinitePerspective(0.9, 1.0, 0.5, 1e-6);
   expectPlane(s, {0.1, 0.2}, -40);
 }
@@ -119,7 +119,7 @@ TEST(Depth, ViewportAndRegionElsewhere) {
 }
 
 TEST(Depth, ModelviewFarFromTheOrigin) {
-  // As ParaView does it: the eye a million units away, near and far planes close around the data.
+  // As in ParaView: the eye a million units away, near and far planes close around the data.
   glm::dmat4 modelview = glm::translate(glm::dmat4(1), {0, 0, -1e6});
   modelview = glm::rotate(modelview, 0.6, glm::dvec3(1, 2, 0.5));
   const glm::dmat4 projection = glm::perspective(2e-4, 1.0, 1e6 - 300, 1e6 + 300);
@@ -158,7 +158,7 @@ TEST(Depth, PolygonOffsetIsClamped) {
 }
 
 TEST(Depth, PolygonOffsetOfFloats) {
-  // The last digit of the triangle's largest depth, whichever depth the pixel has.
+  // One unit in the last place of the triangle's largest depth, whatever the pixel's depth.
   const struct {
     float left, right;  // z of the square's sides; the window depth is 0.5 - z/2
     double digit;

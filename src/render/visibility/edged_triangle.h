@@ -1,7 +1,7 @@
-// Triangles with painted edges, as a geometry shader makes them of those that the program draws: corners
-// moved outwards in the window by up to a quarter of the lines' width, at their old depths, so that lines on
-// outlines are seen whole (scene::FragmentShading::edgesGrow), or left where they are. Made by the kernels
-// for single pixels.
+// Triangles with painted edges, as VTK's geometry shader makes them. If edges grow
+// (scene::FragmentShading::edgesGrow), corners move outwards in the window by up to a quarter of the line
+// width and keep their depths, so that lines on outlines are fully visible. Made by the kernels for single
+// pixels.
 #pragma once
 #include "render/local/surface.h"
 
@@ -13,17 +13,17 @@ namespace gluray::render {
 
 class EdgedTriangle {
  public:
-  /// A triangle of a surface whose shading has edges (scene::FragmentShading::edges); its corners must be
-  /// before the viewer.
+  /// A triangle of a surface whose shading has edges (scene::FragmentShading::edges). Its corners must be in
+  /// front of the viewer.
   EdgedTriangle(const Surface& surface, const scene::Camera& camera, uint32_t primitive);
 
-  /// Whether it is drawn at a window position.
+  /// Whether the triangle covers a window position.
   bool covers(const glm::dvec2& at) const;
-  /// NDC depth there.
+  /// NDC depth at a window position.
   double ndcDepth(const glm::dvec2& at) const;
-  /// Weights of corners 1 and 2 there, as attributes are interpolated.
+  /// Perspective-correct weights of corners 1 and 2 at a window position, for attributes.
   glm::vec2 weights(const glm::dvec2& at) const;
-  /// How much of the edges' colour is seen there, 0 to 1.
+  /// Weight of the edge colour at a window position, 0 to 1.
   float edgeShare(const glm::dvec2& at) const;
 
  private:
@@ -37,7 +37,7 @@ class EdgedTriangle {
   double depth_[3], w_[3];
   bool hidden_[3];
   float opacity_ = 1;
-  double width_ = 1, area_ = 0;  // of the moved triangle, twice
+  double width_ = 1, area_ = 0;  // area_: twice that of the moved triangle
 };
 
 }  // namespace gluray::render

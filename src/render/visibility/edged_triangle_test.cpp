@@ -13,8 +13,8 @@ namespace {
 using render::EdgedTriangle;
 using D2 = glm::dvec2;
 
-/// The square [-0.5, 0.5]^2 in a window of 64 x 64 pixels, [16, 48]^2 there, as two triangles with edges;
-/// `slope`: how window depth grows along x.
+/// The square [-0.5, 0.5]^2, which is [16, 48]^2 in a window of 64 x 64 pixels, as two triangles with edges.
+/// `slope`: change of window depth along x.
 scene::Snapshot square(float width, uint8_t flags0, uint8_t flags1, float slope = 0) {
   test::MeshData data = test::quadData({-0.5f, -0.5f, 0.5f * slope}, {0.5f, -0.5f, -0.5f * slope},
                                        {0.5f, 0.5f, -0.5f * slope}, {-0.5f, 0.5f, 0.5f * slope});
@@ -47,15 +47,15 @@ TEST(EdgedTriangle, GrowsByAQuarterOfTheWidthAtEachCorner) {
   const Stage stage(square(4, 7, 7));
   const EdgedTriangle t = stage.triangle(0);
   EXPECT_TRUE(t.covers({40, 20}));
-  // At the right angle both edges move outwards by one pixel times the cosine of half the angle between their
-  // normals.
+  // At the right-angled corner both edges move outwards by one pixel times the cosine of half the angle
+  // between their normals.
   const double moved = std::sqrt(0.5);
   EXPECT_TRUE(t.covers({48 + moved - 0.01, 16 - moved + 0.01}));
   EXPECT_FALSE(t.covers({48 + moved + 0.01, 16 - moved + 0.01}));
   EXPECT_FALSE(t.covers({30, 14.9}));
 }
 
-TEST(EdgedTriangle, CornersMayStay) {
+TEST(EdgedTriangle, GrowthMayBeOff) {
   scene::Snapshot still = square(4, 7, 7);
   still.shadings[0].fragment.edgesGrow = false;
   const Stage stage(still);
@@ -66,7 +66,7 @@ TEST(EdgedTriangle, CornersMayStay) {
   EXPECT_FLOAT_EQ(t.edgeShare({30, 18}), 0.5f) << "painted as wide as ever within";
 }
 
-TEST(EdgedTriangle, OpacityIsTheLargestShare) {
+TEST(EdgedTriangle, OpacityIsTheLargestWeight) {
   scene::Snapshot faint = square(4, 7, 7);
   faint.shadings[0].fragment.edgeOpacity = 0.25f;
   const Stage stage(faint);
@@ -74,7 +74,7 @@ TEST(EdgedTriangle, OpacityIsTheLargestShare) {
   EXPECT_FLOAT_EQ(stage.triangle(0).edgeShare({30, 18}), 0.125f);
 }
 
-TEST(EdgedTriangle, EdgesThatAreNotPaintedKeepHalfAPixel) {
+TEST(EdgedTriangle, UnpaintedEdgesKeepHalfAPixel) {
   const Stage painted(square(8, 7, 7)), hidden(square(8, 3, 7));
   const D2 beyondDiagonal = D2(32, 32) + 0.7 * std::sqrt(0.5) * D2(-1, 1);
   EXPECT_TRUE(painted.triangle(0).covers(beyondDiagonal));
@@ -82,7 +82,7 @@ TEST(EdgedTriangle, EdgesThatAreNotPaintedKeepHalfAPixel) {
   EXPECT_TRUE(hidden.triangle(0).covers(D2(32, 32) + 0.4 * std::sqrt(0.5) * D2(-1, 1)));
 }
 
-TEST(EdgedTriangle, TheShareFallsWithTheDistance) {
+TEST(EdgedTriangle, WeightFallsWithTheDistance) {
   const Stage stage(square(2, 7, 7));
   const EdgedTriangle t = stage.triangle(0);
   EXPECT_FLOAT_EQ(t.edgeShare({40, 16}), 1);
@@ -110,8 +110,8 @@ TEST(EdgedTriangle, WeightsAreThoseOfTheMovedCorners) {
   EXPECT_NEAR(w.y, 0, 1e-6);
 }
 
-TEST(EdgedTriangle, OutlinesAreSeenWhole) {
-  // Lines of 8 pixels: beyond the square's sides they are nearly two pixels wide.
+TEST(EdgedTriangle, OutlinesAreFullyVisible) {
+  // Lines of 8 pixels extend almost two pixels beyond the square's sides.
   const auto traced = test::trace(square(8, 7, 7));
   const auto plain = [] {
     auto s = square(8, 7, 7);
@@ -126,7 +126,7 @@ TEST(EdgedTriangle, OutlinesAreSeenWhole) {
   EXPECT_EQ(traced.color(32, 32), glm::vec4(255, 0, 0, 255));  // the diagonal
 }
 
-TEST(EdgedTriangle, OthersInFrontHideThem) {
+TEST(EdgedTriangle, TrianglesInFrontHideThem) {
   auto s = square(8, 7, 7);
   scene::Instance front = s.instances[0];
   front.mesh = test::makeMesh(test::squareData(0.5f));
@@ -149,12 +149,12 @@ int differing(const test::Traced& a, const test::Traced& b) {
   return count;
 }
 
-TEST(EdgedTriangle, CulledOnesHideNothingAndDoNotGrow) {
+TEST(EdgedTriangle, CulledTrianglesHideNothingAndDoNotGrow) {
   for (const float nearer : {0.2f, -0.2f}) {
     auto s = square(8, 7, 7, 0.1f);
     s.instances[0].cull = scene::CullFace::back;
     const auto alone = test::trace(s);
-    // A larger square with edges whose back is seen, before or behind the first.
+    // A larger back-facing square with edges, in front of or behind the first.
     scene::Instance other = s.instances[0];
     const float z = -nearer;
     other.mesh = test::makeMesh(
@@ -167,7 +167,7 @@ TEST(EdgedTriangle, CulledOnesHideNothingAndDoNotGrow) {
   }
 }
 
-TEST(EdgedTriangle, PlanesCutThemByTheDistancesOfTheirCorners) {
+TEST(EdgedTriangle, PlanesClipByTheDistancesOfTheirCorners) {
   auto s = square(8, 7, 7);
   s.instances[0].clipPlanes = {{0, 1, 0, 0.25}};  // window y from 24 on
   const auto traced = test::trace(s);

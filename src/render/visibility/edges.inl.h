@@ -1,5 +1,5 @@
-// Which of the triangles near a pixel is seen where triangles grow by their painted edges
-// (render/visibility/edged_triangle.h). Part of kernels.cpp (compiled once for each instruction set).
+// Visibility of triangles that grow by their painted edges (render/visibility/edged_triangle.h). Part of
+// kernels.cpp (compiled once for each instruction set).
 #if defined(GLURAY_RENDER_EDGES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_EDGES_INL_H_
 #undef GLURAY_RENDER_EDGES_INL_H_
@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-/// Window depth; the triangle's own polygon offset is not in it.
+/// Window depth without the triangle's own part of the polygon offset.
 HWY_ATTR inline double depthOf(const FrameData& frame, double ndc) {
   return ndc * frame.depth.scale + frame.depth.offset + frame.depth.constant;
 }
@@ -26,8 +26,8 @@ inline bool growsByEdges(const Surface& surface) {
   return f.edges && f.edgesGrow;
 }
 
-/// Puts the triangle that a ray near lane i has hit, if it grows as far as the pixel and is nearer, in the
-/// place of the lane's hit.
+/// Replaces lane i's hit by the triangle that a nearby ray has hit, if that grows over the pixel and is
+/// nearer.
 HWY_ATTR inline void tryEdged(const FrameData& frame, const accel::RayPacket& probe, int i, Nearest& best,
                               Work& work) {
   const uint32_t instance = probe.instance[i], primitive = probe.primitive[i];
@@ -51,7 +51,7 @@ HWY_ATTR inline void tryEdged(const FrameData& frame, const accel::RayPacket& pr
   work.hits |= 1u << i;
 }
 
-/// Of the hit of lane i, at the sample, a window position: rays pass beside it (ray_setup.cpp).
+/// NDC depth of lane i's hit at the sample's window position, which the ray misses slightly (ray_setup.cpp).
 HWY_ATTR inline double ndcDepthOfHit(const FrameData& frame, const accel::RayPacket& packet, int i,
                                      const glm::dvec2& sample) {
   const Surface& surface = frame.surfaces[packet.instance[i]];
@@ -74,8 +74,7 @@ HWY_ATTR inline void tryProbe(const FrameData& frame, const Work& probe, Nearest
   }
 }
 
-/// Lanes where a probe and the pixel's centre see different things: one of them nothing, or much farther
-/// away.
+/// Lanes on an outline: either the probe or the pixel's centre misses, or one hit is much farther away.
 HWY_ATTR inline uint32_t lanesAtOutline(const accel::RayPacket& centre, uint32_t hits, const Work& probe) {
   constexpr float kMuch = 0.02f;
   uint32_t outline = hits ^ probe.hits;
@@ -87,7 +86,7 @@ HWY_ATTR inline uint32_t lanesAtOutline(const accel::RayPacket& centre, uint32_t
   return outline;
 }
 
-/// Looks, beside the pixels' centres, for triangles that grow as far as there.
+/// Traces probes beside the pixels' centres, to find triangles that grow over the centres.
 HWY_ATTR inline void pickEdged(const FrameData& frame, const int32_t* valid, Work& work) {
   Nearest best[kLanes];
   const accel::RayPacket centre = work.packet;
@@ -102,7 +101,7 @@ HWY_ATTR inline void pickEdged(const FrameData& frame, const int32_t* valid, Wor
     const double depth = depthOf(frame, ndcDepthOfHit(frame, centre, i, {work.x[i], work.y[i]}));
     best[i] = {depth, centre.instance[i], centre.primitive[i]};
   }
-  // A quarter of the width, in every direction.
+  // Probe directions, in units of a quarter of the line width.
   static constexpr glm::vec2 kWays[] = {{1, 1},    {-1, 1},    {1, -1},   {-1, -1},
                                         {1.4f, 0}, {-1.4f, 0}, {0, 1.4f}, {0, -1.4f}};
   constexpr float kWide = 1.5f;  // pixels
@@ -122,7 +121,7 @@ HWY_ATTR inline void pickEdged(const FrameData& frame, const int32_t* valid, Wor
     tryProbe(frame, probe, best, work);
     outline |= lanesAtOutline(centre, hits, probe);
   }
-  // What grows beyond an outline may lie behind what is seen there.
+  // A triangle that grows beyond an outline may lie behind the visible surface.
   for (Work& probe : used) {
     const uint32_t lanes = probe.hits & outline;
     if (!lanes) continue;

@@ -1,5 +1,5 @@
-// Where pixels show spheres, discs and cylinders (scene/impostors.h): points, normals and depth. Part of
-// kernels.cpp (compiled once for each instruction set).
+// Points, normals and depths of impostors at pixels (scene/impostors.h). Part of kernels.cpp (compiled once
+// for each instruction set).
 #if defined(GLURAY_RENDER_FIGURE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_FIGURE_INL_H_
 #undef GLURAY_RENDER_FIGURE_INL_H_
@@ -43,7 +43,7 @@ HWY_INLINE Double3 blend(hn::Mask<DoubleTag> m, const Double3& yes, const Double
   return {hn::IfThenElse(m, yes.x, no.x), hn::IfThenElse(m, yes.y, no.y), hn::IfThenElse(m, yes.z, no.z)};
 }
 
-/// The lines that pixels show, in the lighting space, from the impostors' centres; away from the viewer.
+/// The lines of sight in lighting space, relative to the impostors' centres; they point away from the viewer.
 struct Lines {
   Double3 center, org, dir;  // dir: unit length
 };
@@ -67,7 +67,7 @@ HWY_INLINE Lines linesThrough(const Surface& s, const Group& group, Double x, Do
   return lines;
 }
 
-/// What is seen of impostors, from their centres.
+/// Visible points of impostors, relative to their centres.
 struct Seen {
   Double3 point, normal;
   Double fade;
@@ -123,9 +123,8 @@ HWY_INLINE void storeRows(const Double3& v, Row (&rows)[3], int i) {
   storeFloat(v.x, rows[0] + i), storeFloat(v.y, rows[1] + i), storeFloat(v.z, rows[2] + i);
 }
 
-/// Points, normals and depth of the group's impostors at window positions x, y: programs compute them at the
-/// centres of pixels. Depth is what a program gives that writes its point's, cut to [0, 1]; all show their
-/// front.
+/// Points, normals and depths of the group's impostors at window positions x, y: programs compute them at
+/// pixel centres. Depth is the point's, which the program writes, clamped to [0, 1]. All are front-facing.
 HWY_ATTR inline void computeImpostors(const Surface& surface, const DepthMap& map, const float* x,
                                       const float* y, Group& group, DepthAndFacing& out) {
   const scene::Mesh& mesh = *surface.mesh;
@@ -163,7 +162,7 @@ HWY_ATTR inline void computeImpostors(const Surface& surface, const DepthMap& ma
   out.ccw = surface.frontIsCcw ? ~0u : 0;
 }
 
-/// The same of beads, tubes and splats. What is attached to a line's ends is interpolated by u.
+/// The same for beads, tubes and splats. Attributes of a line's ends are interpolated by u.
 HWY_ATTR inline void computePixelImpostors(const Surface& surface, const accel::PlacedImpostors& placed,
                                            const float* x, const float* y, Group& group,
                                            DepthAndFacing& out) {

@@ -1,4 +1,4 @@
-// Pictures of impostors against closed forms, and the same from every instruction set.
+// Pictures of impostors against closed forms, and equal results of every instruction set.
 #include "render/kernels.h"
 #include "render/test_targets.h"
 #include "render/test_trace.h"
@@ -46,7 +46,7 @@ scene::Snapshot snapshotOf(Shape shape) {
   return s;
 }
 
-TEST(Impostor, SpheresHaveTheDepthAndLightOfTheirEquation) {
+TEST(Impostor, SphereDepthAndLightMatchTheEquation) {
   const scene::Snapshot s = snapshotOf(Shape::spheres);
   const test::Traced traced = test::trace(s);
   const scene::Mesh& mesh = *s.instances[0].mesh;
@@ -102,7 +102,7 @@ TEST(Impostor, OneColourAndDepthInAllSamplesOfAPixel) {
     }
   }
   EXPECT_GT(hits, 2000);
-  // At silhouettes a sample's ray may pass by the bounds of an impostor that the pixel's centre shows.
+  // At silhouettes a sample's ray may miss the bounding box of an impostor that the pixel's centre shows.
   EXPECT_LT(differing, hits / 100);
 }
 

@@ -1,7 +1,7 @@
-// Polygon offset by a factor moves each triangle by its own slope; so does a program that writes depth, from
-// where a sample is to the pixel's centre. Of what a ray hits, the least depth after that is seen, which is
-// not always the nearest hit: along silhouettes a steep front may come behind its back. Part of kernels.cpp
-// (compiled once for each instruction set).
+// Finds the hit of least depth where depths depend on triangles' slopes: polygon offset with a factor, or a
+// program that writes the pixel centre's depth for all samples. The nearest hit need not have the least
+// depth: at silhouettes a steep front may end up behind its back. Part of kernels.cpp (compiled once for each
+// instruction set).
 #if defined(GLURAY_RENDER_LEAST_DEPTH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_LEAST_DEPTH_INL_H_
 #undef GLURAY_RENDER_LEAST_DEPTH_INL_H_
@@ -16,8 +16,8 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-/// Window depths of the hits in `lanes`: where the rays are, or at `centers` where a program writes one depth
-/// for all samples of a pixel.
+/// Window depths of the hits in `lanes`: at the rays, or at `centers` if a program writes one depth for all
+/// samples of a pixel.
 HWY_ATTR inline void depthsOfHits(const FrameData& frame, uint32_t lanes, const Centers& centers,
                                   const Work& work, float* depth) {
   Group group;
@@ -35,7 +35,7 @@ HWY_ATTR inline void depthsOfHits(const FrameData& frame, uint32_t lanes, const 
   }
 }
 
-/// The distance along lane i's ray beyond which no triangle comes before window depth `least`.
+/// The distance along lane i's ray beyond which no triangle can have a window depth below `least`.
 inline float reachOf(const FrameData& frame, const accel::RayPacket& rays, int i, float least) {
   const DepthMap& map = frame.depth;
   const float end = rays.tFar[i];
@@ -51,10 +51,10 @@ inline float reachOf(const FrameData& frame, const accel::RayPacket& rays, int i
   return t > 0 && t < end ? static_cast<float>(t) : end;
 }
 
-/// Traces the lanes that have hit something on from there, and collects all that may come before it.
+/// Continues the rays behind their hits, and collects all hits whose depth may be less.
 HWY_ATTR inline void collectBehind(const FrameData& frame, const float* least, CollectedHits& behind,
                                    Work& work) {
-  constexpr float kBehind = 1 + 0x1p-21f;  // the hit is not found again
+  constexpr float kBehind = 1 + 0x1p-21f;  // skips the same hit
   alignas(64) float passed[kLanes];
   for (int i = 0; i < kLanes; ++i) {
     work.valid[i] = work.hits >> i & 1 ? -1 : 0;
@@ -73,8 +73,7 @@ HWY_ATTR inline void collectBehind(const FrameData& frame, const float* least, C
   frame.world->intersect(work.valid, rays, &filter, impostors);
 }
 
-/// Makes the hit of each lane that of the least depth, but for triangles that grew by their edges. `behind`
-/// is for the hits in question.
+/// Replaces each lane's hit by the one of least depth, except in `edged` lanes. `behind` is scratch memory.
 HWY_ATTR inline void pickLeastDepth(const FrameData& frame, const Centers& centers, CollectedHits& behind,
                                     Work& work) {
   const uint32_t all = work.hits, hits = all & ~work.edged;

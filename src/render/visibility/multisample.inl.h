@@ -1,6 +1,6 @@
-// Multisampled framebuffers as OpenGL fills them: each sample has a coverage and a depth of its own, but what
-// a triangle shows in a pixel is shaded once, at the pixel's centre, covered or not (GL 4.6, 14.3.1). Part of
-// kernels.cpp (compiled once for each instruction set).
+// Multisampling as in OpenGL: each sample has its own coverage and depth, but a triangle is shaded once per
+// pixel, at the pixel's centre, covered or not (GL 4.6, 14.3.1). Part of kernels.cpp (compiled once for each
+// instruction set).
 #if defined(GLURAY_RENDER_MULTISAMPLE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_MULTISAMPLE_INL_H_
 #undef GLURAY_RENDER_MULTISAMPLE_INL_H_
@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-/// What moveToSamples does, for triangles that grew by their edges; the depth there.
+/// Moves the points of triangles that grew by their edges to the pixels' centres; sets their depth there.
 HWY_ATTR inline void moveEdgedToCenters(const FrameData& frame, const Surface& s, const Centers& centers,
                                         uint32_t lanes, Group& group, float* depth) {
   const DepthMap& map = frame.depth;
@@ -29,17 +29,17 @@ HWY_ATTR inline void moveEdgedToCenters(const FrameData& frame, const Surface& s
   }
 }
 
-/// What a group shows in its pixels.
+/// Shading results of a group.
 struct Shown {
   Group group;
   DepthAndFacing seen;  // at the centres
   PlaneRows planes;
   LitRows rows;
   alignas(64) uint32_t color[kLanes];
-  bool oneDepth = false;  // for all samples
+  bool oneDepth = false;  // the centre's depth holds for all samples
 };
 
-/// Depths of a sample's `lanes`, `shift` from the pixels' centres.
+/// Depths of `lanes` at a sample, which is offset by `shift` from the pixels' centres.
 HWY_ATTR inline void depthsOfSample(const FrameData& frame, const Surface& s, const Shown& shown,
                                     const glm::dvec2& shift, uint32_t lanes, const Work& work, float* out) {
   const DoubleTag d;
@@ -62,7 +62,7 @@ HWY_ATTR inline void depthsOfSample(const FrameData& frame, const Surface& s, co
   }
 }
 
-/// Colours of the group into all samples from `first` on that show it, and the depths of each.
+/// Writes the group's colours and depths into all samples from `first` on that show it.
 HWY_ATTR inline void spread(const FrameData& frame, const Surface& s, size_t first, Shown& shown,
                             SampleBlock& block) {
   const bool wide = frame.image->has(Plane::wideColor);
@@ -84,7 +84,7 @@ HWY_ATTR inline void spread(const FrameData& frame, const Surface& s, size_t fir
   }
 }
 
-/// What a group of sample `first` shows at its pixels' centres: points, depth, and which side is seen.
+/// Points, depths and facing of a group of sample `first`, at the pixels' centres.
 HWY_ATTR inline void locate(const FrameData& frame, uint32_t instance, size_t first, SampleBlock& block,
                             Shown& shown) {
   const Surface& s = frame.surfaces[instance];
@@ -106,8 +106,8 @@ HWY_ATTR inline void locate(const FrameData& frame, uint32_t instance, size_t fi
     computeImpostors(s, frame.depth, centers.x, centers.y, shown.group, shown.seen);
 }
 
-/// Shades what sample `first` is the first to show. Returns the lanes whose hit does not count: culled, which
-/// is asked only where `mayReject`, or failing the alpha test.
+/// Shades the triangles that sample `first` is the first to show. Returns the lanes whose hit is rejected:
+/// culled (tested only if `mayReject`), or failing the alpha test.
 HWY_ATTR inline uint32_t shadeFirst(const FrameData& frame, size_t first, bool mayReject,
                                     SampleBlock& block) {
   uint32_t rejected = 0;
@@ -136,7 +136,7 @@ HWY_ATTR inline uint32_t shadeFirst(const FrameData& frame, size_t first, bool m
   return rejected;
 }
 
-/// Shades all that is open; what does not count has then failed.
+/// Shades all open lanes; rejected ones become failed.
 HWY_ATTR inline void shadeOpen(const FrameData& frame, bool mayReject, SampleBlock& block) {
   for (size_t t = 0; t < block.count(); ++t) {
     if (!block.sharedBy(t, t)) continue;
@@ -145,7 +145,7 @@ HWY_ATTR inline void shadeOpen(const FrameData& frame, bool mayReject, SampleBlo
   }
 }
 
-// Second stage: which samples show the same; asks memory for the vertices.
+// Second stage: finds the samples that share a triangle; prefetches the vertices.
 HWY_ATTR inline void shareBlock(const FrameData& frame, SampleBlock& block) {
   for (size_t s = 0; s < block.count(); ++s) {
     Work& work = block.samples[s];
@@ -163,7 +163,7 @@ HWY_ATTR inline void shareBlock(const FrameData& frame, SampleBlock& block) {
   shareHits(frame, block);
 }
 
-// Last stage: colours and depths into the image.
+// Last stage: writes colours and depths into the image.
 HWY_ATTR inline void finishBlock(const FrameData& frame, const Tile& tile, SampleBlock& block) {
   shadeOpen(frame, true, block);
   while (traceFailed(frame, block)) {
@@ -173,7 +173,7 @@ HWY_ATTR inline void finishBlock(const FrameData& frame, const Tile& tile, Sampl
   for (const Work& work : block.samples) storePixels(work, tile, *frame.image);
 }
 
-/// The tile of every sample plane; three blocks are under way at a time, a stage apart.
+/// Traces the tile in every sample plane. Pipelines three blocks, each a stage apart.
 HWY_ATTR inline void traceMultisampled(const FrameData& frame, const Tile& tile) {
   std::vector<SampleBlock> blocks;
   blocks.reserve(3);

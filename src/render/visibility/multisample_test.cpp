@@ -1,4 +1,4 @@
-// Multisampled pictures: coverage and depth at every sample, shading once a pixel.
+// Multisampled pictures: coverage and depth per sample, shading once per pixel.
 #include "render/test_targets.h"
 #include "render/test_trace.h"
 
@@ -24,7 +24,7 @@ void multisample(scene::Snapshot& s, ShadingRate rate = ShadingRate::pixel) {
   s.settings.shading = rate;
 }
 
-/// Red grows with x, green with y, by 10 a pixel; corners as given.
+/// Red grows with x, green with y, by 10 per pixel; corners as given.
 test::MeshData ramp(std::vector<glm::vec3> corners) {
   test::MeshData data;
   data.positions = std::move(corners);
@@ -34,7 +34,7 @@ test::MeshData ramp(std::vector<glm::vec3> corners) {
 }
 
 TEST(Multisample, SurfacesAreShadedAtPixelCentres) {
-  // A quad that covers everything, and a triangle whose slanted side cuts pixels.
+  // A quad that covers the window, and a triangle whose slanted side crosses pixels.
   const std::vector<std::vector<glm::vec3>> all = {
       {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, -1, 0}, {1, 1, 0}, {-1, 1, 0}},
       {{-0.9f, -0.8f, 0.3f}, {0.7f, -0.45f, -0.2f}, {0.1f, 0.85f, 0.1f}}};
@@ -49,7 +49,7 @@ TEST(Multisample, SurfacesAreShadedAtPixelCentres) {
           if (!traced.hit(x, y, sample)) continue;
           ++hits;
           const glm::vec4 color = traced.color(x, y, sample);
-          // Also where the centre is not covered: the plane is.
+          // Also where the centre is not covered: the plane is evaluated there.
           EXPECT_NEAR(color.r, 10 * (static_cast<float>(x) + 0.5f), 0.6f) << x << ' ' << y;
           EXPECT_NEAR(color.g, 10 * (static_cast<float>(y) + 0.5f), 0.6f) << x << ' ' << y;
         }
@@ -68,7 +68,7 @@ TEST(Multisample, EverySampleIsShadedOnRequest) {
                 0.6f);
 }
 
-TEST(Multisample, CoverageAndDepthAreThoseOfSamples) {
+TEST(Multisample, CoverageAndDepthArePerSample) {
   auto s = makeSnapshot({makeMesh(ramp({{-0.9f, -0.8f, 0.9f}, {0.7f, -0.45f, -0.7f}, {0.1f, 0.85f, 0.1f}})),
                          makeMesh(test::squareData(-0.1f))},
                         kSize);
@@ -109,12 +109,12 @@ TEST(Multisample, TexturesAndPerspective) {
   EXPECT_GT(inside, 1000);
 }
 
-TEST(Multisample, WhatIsCulledShowsWhatLiesBehind) {
+TEST(Multisample, CulledSurfacesShowTheOnesBehind) {
   auto s = makeSnapshot({makeMesh(test::squareData(0.5f)), makeMesh(test::squareData(-0.5f))}, kSize);
   s.instances[0].cull = scene::CullFace::front;
   multisample(s);
   for (const float depth : trace(s).image.depth) ASSERT_FLOAT_EQ(depth, 0.75f);
-  // The same by the alpha test, which fails for the first.
+  // The same with the alpha test, which the first surface fails.
   s.instances[0].cull = scene::CullFace::none;
   s.instances[0].color.a = 0.2f;
   s.shadings[0].alphaTest = {.function = scene::AlphaTest::greater, .reference = 0.5f};
@@ -142,7 +142,7 @@ TEST(Multisample, FixedFunctionIsClippedAtSamplesAndProgramsDiscardPixels) {
   EXPECT_GT(mixed(trace(s)), 8);
   s.shadings[0].fragment.model = scene::FragmentShading::Model::unlit;
   EXPECT_EQ(mixed(trace(s)), 0);
-  // The same where all have the planes.
+  // The same with planes shared by all instances.
   s.instances[1].clipPlanes = s.instances[0].clipPlanes;
   const Traced traced = trace(s);
   for (int y = 0; y < kSize; ++y)
@@ -150,7 +150,7 @@ TEST(Multisample, FixedFunctionIsClippedAtSamplesAndProgramsDiscardPixels) {
       for (int sample = 1; sample < kSamples; ++sample) ASSERT_EQ(traced.hit(x, y, sample), traced.hit(x, y));
 }
 
-TEST(Multisample, ProgramsThatWriteDepthGiveAllSamplesOne) {
+TEST(Multisample, ProgramsThatWriteDepthGiveAllSamplesOneDepth) {
   auto s = makeSnapshot({makeMesh(ramp({{-1, -1, 0.9f}, {3, -1, -0.9f}, {-1, 3, 0.3f}}))}, kSize);
   s.shadings[0].fragment.model = scene::FragmentShading::Model::unlit;
   s.shadings[0].fragment.writesDepth = true;

@@ -1,4 +1,4 @@
-// Which of several triangles OpenGL's depth test leaves at a pixel. Part of kernels.cpp (compiled once for
+// Chooses the triangle that OpenGL's depth test leaves at a pixel. Part of kernels.cpp (compiled once for
 // each instruction set).
 #if defined(GLURAY_RENDER_NEAREST_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_NEAREST_INL_H_
@@ -15,14 +15,14 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-/// What is seen at a lane's pixel so far.
+/// The nearest triangle at a lane's pixel so far.
 struct Nearest {
   double depth = HUGE_VAL;  // window, not clamped
   uint32_t instance = accel::kNoHit, primitive = 0;
 };
 
-/// Whether OpenGL's depth test prefers a triangle to the nearest so far. Where the depth buffer rounds both
-/// to one step, the order of drawing decides.
+/// Whether OpenGL's depth test prefers `next` to `best`. If the depth buffer rounds both depths to one step,
+/// the order of drawing decides.
 HWY_ATTR inline bool isSeenBefore(const FrameData& frame, const Nearest& next, const Nearest& best) {
   if (best.instance == accel::kNoHit) return true;
   const double depth = std::clamp(next.depth, 0.0, 1.0), bestDepth = std::clamp(best.depth, 0.0, 1.0);

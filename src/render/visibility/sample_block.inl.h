@@ -1,5 +1,5 @@
-// What the samples of a packet's pixels hit in a multisampled framebuffer, and which of them show the same
-// triangle. Part of kernels.cpp (compiled once for each instruction set).
+// Hits of all samples of a packet's pixels in a multisampled framebuffer, and which samples share a triangle.
+// Part of kernels.cpp (compiled once for each instruction set).
 #if defined(GLURAY_RENDER_SAMPLE_BLOCK_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_SAMPLE_BLOCK_INL_H_
 #undef GLURAY_RENDER_SAMPLE_BLOCK_INL_H_
@@ -27,14 +27,14 @@ struct Distances {
 struct SampleBlock {
   std::vector<Work> samples;
   Centers centers;
-  CollectedHits behind;  // of one sample at a time
-  // By sample; bit i: lane i.
-  std::vector<uint32_t> open;    // shows something that is not shaded yet
-  std::vector<uint32_t> failed;  // shows something that turned out not to count
+  CollectedHits behind;  // scratch, for one sample at a time
+  // Per sample; bit i: lane i.
+  std::vector<uint32_t> open;    // has a hit that is not shaded yet
+  std::vector<uint32_t> failed;  // has a hit that was rejected
   std::vector<uint32_t>
-      shared;  // [sample * count + earlier]: shows what the earlier sample does, which is shaded
-  std::vector<std::unique_ptr<RejectingFilter>> filters;  // of samples that are traced on
-  std::vector<Distances> passed;                          // that their lanes are through
+      shared;  // [sample * count + earlier]: shows the same triangle as the earlier sample, which is shaded
+  std::vector<std::unique_ptr<RejectingFilter>> filters;  // of samples whose rays continue
+  std::vector<Distances> passed;                          // distances that their rays have passed
 
   explicit SampleBlock(size_t count)
       : samples(count), open(count), failed(count), shared(count * count), filters(count), passed(count) {
@@ -44,7 +44,7 @@ struct SampleBlock {
   uint32_t& sharedBy(size_t sample, size_t earlier) { return shared[sample * count() + earlier]; }
 };
 
-/// The lanes in which two packets hit the same triangle.
+/// Lanes in which two packets hit the same triangle.
 HWY_ATTR inline uint32_t lanesOfSameHit(const accel::RayPacket& a, const accel::RayPacket& b) {
   const IndexTag d;
   uint32_t lanes = 0;
@@ -56,7 +56,7 @@ HWY_ATTR inline uint32_t lanesOfSameHit(const accel::RayPacket& a, const accel::
   return lanes;
 }
 
-/// Finds the open samples of each pixel that show the same triangle: the first of them is shaded for all.
+/// Finds the open samples of each pixel that show the same triangle; the first one is shaded for all of them.
 HWY_ATTR inline void shareHits(const FrameData& frame, SampleBlock& block) {
   for (size_t s = 0; s < block.count(); ++s) {
     uint32_t rest = block.open[s];
@@ -72,7 +72,7 @@ HWY_ATTR inline void shareHits(const FrameData& frame, SampleBlock& block) {
   }
 }
 
-/// Open lanes of a sample whose hit the instance's own clip planes remove.
+/// Lanes of a sample whose hit is clipped by the instance's own planes.
 HWY_ATTR inline uint32_t cutLanes(const FrameData& frame, const Centers& centers, const Work& work) {
   uint32_t cut = 0;
   const accel::RayPacket& packet = work.packet;
@@ -85,7 +85,7 @@ HWY_ATTR inline uint32_t cutLanes(const FrameData& frame, const Centers& centers
   return cut;
 }
 
-/// Traces what has failed on from behind it: then it is open.
+/// Continues failed lanes' rays behind their hits; new hits make lanes open. Whether any lane had failed.
 HWY_ATTR inline bool traceFailed(const FrameData& frame, SampleBlock& block) {
   bool any = false;
   for (size_t s = 0; s < block.count(); ++s) {
@@ -105,7 +105,7 @@ HWY_ATTR inline bool traceFailed(const FrameData& frame, SampleBlock& block) {
   return any;
 }
 
-// First stage: what the samples of the 4x4 pixels from image pixel (x, y) on hit.
+// First stage: traces all samples of the 4x4 pixels from image pixel (x, y) on.
 HWY_ATTR inline void traceBlock(const FrameData& frame, const Tile& tile, int x, int y, SampleBlock& block) {
   for (size_t s = 0; s < block.count(); ++s) {
     aim(frame, tile, x, y, static_cast<int>(s), block.samples[s]);

@@ -1,5 +1,5 @@
-// Random scenes, each drawn by the real OpenGL and through ours: the same answers, colours and depths. Prints
-// the seeds of those that differ, and keeps their pictures.
+// Random scenes, each drawn by the real OpenGL and through GLuRay: compares query results, colours and
+// depths. Prints the seeds of scenes that differ, and keeps their pictures.
 //   gluray_fuzz_scenes [--seed N] [--scenes N] [--out FOLDER]
 #include "tests/fuzz/scenes/outcome.h"
 #include "tests/fuzz/scenes/scene.h"
@@ -16,7 +16,7 @@ namespace {
 using test::OsmesaContext;
 using test::TracedContext;
 
-/// Empty where both OpenGLs agree about the scene.
+/// Empty if both OpenGLs agree on the scene.
 std::string differenceOf(uint64_t seed, const std::string& folder) {
   const auto real = OsmesaContext::create({kSceneSize, kSceneSize});
   const Outcome expected = outcomeOf(real->real(), seed);

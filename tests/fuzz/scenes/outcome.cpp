@@ -10,7 +10,7 @@
 namespace gluray::fuzz {
 namespace {
 
-/// Lighting at vertices is rounded differently here and there; edges fall to either side.
+/// Tolerance: lighting at vertices is rounded differently in places, and edges may be off by a pixel.
 constexpr scenes::Tolerance kTolerance = {6, 0.03, 3e-5f, "edges of many small triangles"};
 constexpr size_t kPixels = size_t{kSceneSize} * kSceneSize;
 

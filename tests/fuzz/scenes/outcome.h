@@ -1,4 +1,4 @@
-// What a random scene leaves: answers, colours and depths; compared, and kept in files.
+// The outcome of a random scene: query results, colours and depths; compared, and kept in files.
 #pragma once
 #include "gl/real.h"
 #include "tests/support/picture.h"
@@ -17,10 +17,10 @@ struct Outcome {
 /// Draws the scene of `seed` into the current framebuffer and reads it back.
 Outcome outcomeOf(const gl::RealGl& gl, uint64_t seed);
 
-/// Empty where both agree, else why they do not; their pictures then go to `folder` unless that is empty.
+/// Empty if both agree, else the difference; their pictures then go to `folder` unless that is empty.
 std::string difference(uint64_t seed, const Outcome& expected, const Outcome& got, const std::string& folder);
 
-/// The file of a scene in a folder. False where it cannot be written, or is not whole.
+/// Writes or reads a scene's file in a folder. False if it cannot be written, or is incomplete.
 bool save(const std::string& folder, uint64_t seed, const Outcome&);
 bool load(const std::string& folder, uint64_t seed, Outcome&);
 

@@ -1,5 +1,5 @@
 // gluray_fuzz_player --out FOLDER FIRST COUNT: draws the random scenes FIRST, FIRST+1, ... in a window, each
-// in a fresh context, and keeps what they leave. gluray_fuzz_player --compare EXPECTED GOT FIRST COUNT:
+// in a fresh context, and keeps their outcomes. gluray_fuzz_player --compare EXPECTED GOT FIRST COUNT:
 // compares two such folders, and prints the seeds that differ.
 #include "tests/fuzz/scenes/outcome.h"
 #include "tests/fuzz/scenes/scene.h"

@@ -56,7 +56,7 @@ void Scene::draw() {
     object();
     if (dice_.chance(20)) mark();
     if (dice_.chance(30)) ask();
-    // Mesa leaves attributes current that were set right before, unless it was asked for them (avoided.md).
+    // Mesa leaves attributes current that were set right before, unless they are queried (avoided.md).
     GLfloat asked[4];
     if (saves) gl_.GetFloatv(GL_CURRENT_COLOR, asked), gl_.PopAttrib();
     if (dice_.chance(10)) camera();

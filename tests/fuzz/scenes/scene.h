@@ -1,4 +1,4 @@
-// Random scenes of fixed function: what programs draw, not what they get wrong. A seed is a scene.
+// Random fixed-function scenes of valid calls, as programs draw them. Each seed gives one scene.
 #pragma once
 #include "gl/real.h"
 
@@ -9,7 +9,7 @@ namespace gluray::fuzz {
 
 inline constexpr int kSceneSize = 96;  // width and height of the framebuffer, pixels
 
-/// Draws the scene of `seed`; into `answers` go current values, materials and errors that were asked for.
+/// Draws the scene of `seed`; `answers` receives queried current values, materials and errors.
 void drawScene(const gl::RealGl& gl, uint64_t seed, std::vector<float>& answers);
 
 }  // namespace gluray::fuzz

@@ -1,4 +1,4 @@
-// What random scenes are made of: wavy patches, balls and rings, and the ways of sending them.
+// The shapes of random scenes: wavy patches, balls and rings, and the ways of sending them.
 #pragma once
 #include "gl/real.h"
 #include "tests/fuzz/scenes/dice.h"
@@ -16,14 +16,14 @@ struct Corner {
 struct Shape {
   uint32_t columns = 0, rows = 0;
   std::vector<Corner> corners;
-  bool colors = false;  // are sent
+  bool colors = false;  // whether colours are sent
 };
 
 Shape makeShape(Dice& dice);
 
 enum class Sending { begin, strips, arrays, elements };
 
-/// Triangles, whose split does not depend on the OpenGL.
+/// Sends triangles, not quads, which each OpenGL may split differently.
 void sendShape(const gl::RealGl& gl, const Shape& shape, Sending how, Dice& dice);
 
 }  // namespace gluray::fuzz

@@ -1,4 +1,4 @@
-// Uniform blocks and buffer textures that are filled after they were bound, in every way that OpenGL has.
+// Uniform blocks and buffer textures whose contents are written after binding, in every way that OpenGL has.
 #include "tests/reference/programs/program_stage.h"
 #include "tests/reference/triangle_field.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 using namespace triangle_field;
 
-/// A field by a program whose matrix lies in a uniform block, or whose offset lies in a buffer texture.
+/// A field; its program reads its matrix from a uniform block, or its offset from a buffer texture.
 const char* const kBlockFamily =
     "[[family]]\nname = \"own\"\nmatch.active = \"vertexMC\"\nvertex.position = \"vertexMC\"\n"
     "transform.clip_from_object = \"Own.mvp\"\nlights.model = \"unlit\"\nmaterial.diffuse_color = \"tint\"\n";
@@ -94,7 +94,7 @@ TEST_P(BlockWrites, ReachAUniformBlockThatWasBoundBefore) {
 }
 
 TEST_P(BlockWrites, ReachABufferTextureThatWasMadeBefore) {
-  for (const bool traced : {true, false})  // without the family: the real OpenGL's draws find them, too
+  for (const bool traced : {true, false})  // false, without the family: rasterised draws must see them, too
     expectSame(
         std::string("buffer_texture_") + GetParam().name,
         [&](Gl gl) {

@@ -14,12 +14,12 @@ namespace {
 using namespace triangle_field;
 using namespace twenty_points;
 
-/// How the contents of `buffer` become those of field(1).
+/// One way to change the contents of `buffer` to those of field(1).
 struct Write {
   const char* name;
   void (*write)(Gl gl, GLuint buffer);
-  bool traced = true;                               // the draw after it; otherwise the real OpenGL's
-  bool before = true;                               // the same of the draw before
+  bool traced = true;                               // whether the draw after it is traced
+  bool before = true;                               // whether the draw before it is traced
   void (*prepare)(Gl gl, GLuint buffer) = nullptr;  // instead of glBufferData
 };
 void PrintTo(const Write& w, std::ostream* out) { *out << w.name; }
@@ -47,7 +47,7 @@ GLuint compileOne(Gl gl, GLenum kind, const char* text) {
   return shader;
 }
 
-/// Runs a compute shader over all floats of a field, which `text` writes as field(1) has them.
+/// Runs a compute shader over all floats of a field; `text` writes those of field(1).
 void compute(Gl gl, const std::string& declaration, const std::string& store) {
   const std::string text = "#version 430\nlayout(local_size_x = 100) in;\n" + declaration +
                            "layout(std430, binding = 3) buffer From { float from[]; };\n"
@@ -97,7 +97,7 @@ void clearTo(Gl gl, GLuint buffer, bool byName) {
     gl.ClearBufferSubData(GL_COPY_WRITE_BUFFER, GL_R32F, kFirst, kSize, GL_RED, GL_FLOAT, &value);
 }
 
-/// Storage for good, mapped for as long as it lives.
+/// Immutable storage, mapped persistently.
 void* g_persistent = nullptr;
 void keepMapped(Gl gl, GLuint buffer, bool byName) {
   constexpr GLbitfield kBits = GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
@@ -216,7 +216,7 @@ void drawTwice(Gl gl, const Write& write) {
   draw(-0.7f, kVertices);
   write.write(gl, buffer);
   draw(0.7f, kVertices);
-  draw(0, 30);  // so few that they are taken one by one
+  draw(0, 30);  // so few that they are captured one by one
   gl.Finish();
 }
 
@@ -232,7 +232,7 @@ TEST_P(BufferWrites, AreSeenByTheNextDraw) {
 INSTANTIATE_TEST_SUITE_P(All, BufferWrites, testing::ValuesIn(kWrites),
                          [](const auto& info) { return std::string(info.param.name); });
 
-TEST(BufferWrites, SizesOfBuffersThatAreHeldBackAreTold) {
+TEST(BufferWrites, SizesOfPendingBuffersAreReported) {
   const auto ask = [](Gl gl, Seen& seen) {
     stage(gl);
     GLuint buffer = 0;

@@ -1,5 +1,5 @@
 // Buffers that are deleted while a vertex array object that is not bound, or another context's, still holds
-// them: they live on there (OpenGL 4.6, 5.1.2 and 5.1.3), and their names may mean other buffers by then.
+// them: they live on there (OpenGL 4.6, 5.1.2 and 5.1.3), and their names may be reused.
 #include "tests/reference/hostile/habits.h"
 #include "tests/reference/programs/program_stage.h"
 #include "tests/reference/triangle_field.h"
@@ -74,7 +74,7 @@ void expectDeletedOneIsDrawn(const Place& place, bool drawnBefore, bool indices)
         gl.DeleteBuffers(1, &old);
         seen.push_back(gl.IsBuffer(old));
         fill(gl, indices ? GL_ELEMENT_ARRAY_BUFFER : GL_ARRAY_BUFFER, old,
-             1);  // the name means another one now
+             1);  // the name is reused
         gl.BindVertexArray(array), draw(0);
         place.attach(gl, array, buffers[0], buffers[1]), draw(0.7f);
         gl.Finish();
@@ -171,7 +171,7 @@ class BoundElsewhere : public testing::TestWithParam<GLenum> {};
 using Contents = std::array<float, 4>;
 
 /// One context has a buffer bound, the other deletes it and gives its name to a new one; both are written to.
-/// What is in them, and errors.
+/// Compares their contents, and errors.
 template <class MakeCurrent>
 std::vector<float> writeBoth(const gl::RealGl* const (&contexts)[2], MakeCurrent makeCurrent, GLenum target) {
   constexpr GLuint kName = 7;
@@ -271,7 +271,7 @@ TEST_P(DeletedImages, LiveOnInAFramebufferObject) {
           gl.BindRenderbuffer(GL_RENDERBUFFER, 0);
           gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffers[1]);
           GetParam().remove(gl, image);
-          if (reused) GetParam().make(gl, image, kSmall);  // the name means another one now
+          if (reused) GetParam().make(gl, image, kSmall);  // reuses the name
           gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffers[0]);
           gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
           GLuint buffer = 0;

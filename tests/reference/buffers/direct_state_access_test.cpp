@@ -1,5 +1,5 @@
-// Scenes that are drawn wholly by direct state access (OpenGL 4.5): objects are made, filled and put together
-// by name, in a core context by a shader program and in a compatibility context by fixed function.
+// Scenes drawn only with direct state access (OpenGL 4.5): objects are made, filled and attached
+// by name, in a core context with a shader program and in a compatibility context with fixed function.
 #include "tests/reference/hostile/habits.h"
 #include "tests/reference/programs/program_stage.h"
 
@@ -64,7 +64,7 @@ GLuint arrayOf(Gl gl, const ProgramMesh& mesh, GLuint program) {
   return array;
 }
 
-/// What setAll() sets, with the program not in use.
+/// Sets what setAll() sets, but the program is not in use.
 void setByName(Gl gl, GLuint program, const View& view) {
   const auto at = [&](const char* name) { return gl.GetUniformLocation(program, name); };
   const glm::mat4 clip(view.clipFromEye * view.eyeFromObject), eye(view.eyeFromObject);

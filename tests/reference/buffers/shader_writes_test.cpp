@@ -1,5 +1,5 @@
-// What shaders and queries write into buffers while draws are held back: counters, shader storage, images and
-// results of queries must be those of the real OpenGL, which has drawn everything in its turn.
+// Writes by shaders and queries into buffers while draws are pending: counters, shader storage, images and
+// query results must equal those of the real OpenGL, which draws everything in order.
 #include "tests/reference/hostile/habits.h"
 #include "tests/reference/programs/program_stage.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 using namespace twenty_points;
 
-/// A card across the view at `z`, from more triangles than are taken one by one; `half` is its height.
+/// A rectangle across the view at `z`, 2 `half` high, of more triangles than are captured one by one.
 void card(Gl gl, float z, float half) {
   std::vector<float> all;
   for (int i = 0; i < 80; ++i) {
@@ -26,7 +26,7 @@ void card(Gl gl, float z, float half) {
   gl.DisableClientState(GL_VERTEX_ARRAY);
 }
 
-/// A buffer of four numbers that the real OpenGL has not been given yet.
+/// A buffer of four numbers that have not been sent to the real OpenGL yet.
 GLuint numbers(Gl gl) {
   constexpr std::array<GLuint, 4> kBefore = {7, 11, 13, 17};
   GLuint buffer = 0;
@@ -51,7 +51,7 @@ void tell(Gl gl, GLuint buffer, bool mapped, Seen& seen) {
   for (const GLuint v : got) seen.push_back(static_cast<float>(v));
 }
 
-/// What a fragment program counts into, and how.
+/// The counter of a fragment program, and how it counts.
 struct Counter {
   const char* name;
   GLenum target;
@@ -77,8 +77,8 @@ GLuint countingProgram(Gl gl, const Counter& counter) {
 
 class ShaderWrites : public testing::TestWithParam<Counter> {};
 
-/// A traced card hides part of what the program draws behind it: those fragments must not be counted.
-TEST_P(ShaderWrites, CountWhatIsSeenBehindWhatIsTraced) {
+/// A traced rectangle hides part of the program's surface behind it: those fragments must not be counted.
+TEST_P(ShaderWrites, CountOnlyFragmentsNotHiddenByTracedSurfaces) {
   for (const bool mapped : {false, true})
     expectSame(
         [&](Gl gl, Seen& seen) {
@@ -96,7 +96,7 @@ TEST_P(ShaderWrites, CountWhatIsSeenBehindWhatIsTraced) {
 }
 
 /// The same program twice, with the buffer written by the program in between.
-TEST_P(ShaderWrites, MeetWhatTheProgramWrites) {
+TEST_P(ShaderWrites, FollowTheProgramsOwnWrites) {
   expectSame(
       [&](Gl gl, Seen& seen) {
         stage(gl);
@@ -119,7 +119,7 @@ TEST_P(ShaderWrites, MeetWhatTheProgramWrites) {
 INSTANTIATE_TEST_SUITE_P(All, ShaderWrites, testing::ValuesIn(kCounters),
                          [](const auto& info) { return std::string(info.param.name); });
 
-/// A program of a family that counts beside: what it counts would be lost if it were traced.
+/// A program of a family that also counts: tracing would lose its counts.
 TEST(ShaderWritesOfFamilies, AreNeverTraced) {
   for (const Counter& counter : kCounters) {
     std::array<GLuint, 2> counts{};

@@ -1,5 +1,4 @@
-// What the report says of rasterised draws: every triangle that the real OpenGL draws is counted, however it
-// was sent.
+// The report counts every triangle that the real OpenGL draws, however it was sent.
 #include "tests/support/traced_context.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +42,7 @@ class Rasterised : public testing::Test {
     gl().VertexPointer(3, GL_FLOAT, 0, positions().data());
   }
   const gl::RealGl& gl() const { return context_.gl(); }
-  /// Triangles and draws that are counted as rasterised while `draw` runs.
+  /// Triangles and draws counted as rasterised while `draw` runs.
   void expect(uint64_t triangles, uint64_t draws, const char* what, const std::function<void()>& draw) {
     const gl::Statistics& s = context_.context().counts.statistics;
     const uint64_t trianglesBefore = s.trianglesRasterised, drawsBefore = s.drawsRasterised;

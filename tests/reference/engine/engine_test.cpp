@@ -1,4 +1,4 @@
-// Who draws changes between frames; pictures, errors and state stay the real OpenGL's.
+// engine = auto: changes between tracing and the real OpenGL keep pictures, errors and state.
 #include "scenes/stage.h"
 #include "tests/support/traced_context.h"
 
@@ -31,14 +31,14 @@ std::string nameOf(const testing::TestParamInfo<const scenes::Scene*>& info) {
 
 std::vector<const scenes::Scene*> allScenes() {
   std::vector<const scenes::Scene*> all;
-  // The front buffer of a second frame is chance: two real contexts differ.
+  // The front buffer of a second frame is undefined: two real contexts differ.
   for (const scenes::Scene& scene : scenes::scenes())
     if (std::string_view(scene.name) != "front-buffer") all.push_back(&scene);
   for (const scenes::Scene& scene : scenes::variants()) all.push_back(&scene);
   return all;
 }
 
-/// More triangles than the real OpenGL is tried with, in the far background.
+/// So many triangles that GLuRay does not try the real OpenGL, in the far background.
 void backdrop(Gl gl) {
   gl.PushAttrib(GL_ALL_ATTRIB_BITS);
   gl.MatrixMode(GL_PROJECTION), gl.PushMatrix();
@@ -77,7 +77,7 @@ void backdrop(Gl gl) {
 
 class EngineTest : public testing::TestWithParam<const scenes::Scene*> {
  protected:
-  /// The pictures of frames that are drawn by `gl` one after another.
+  /// The pictures of frames drawn by `gl` one after another.
   std::vector<Picture> play(Gl gl, int frames, const std::function<void(int)>& before = {}) {
     std::vector<Picture> pictures;
     for (int i = 0; i < frames; ++i) {
@@ -92,7 +92,7 @@ class EngineTest : public testing::TestWithParam<const scenes::Scene*> {
   std::vector<GLenum> errors;
 };
 
-TEST_P(EngineTest, WhatIsLeftToTheRealOneIsItsPicture) {
+TEST_P(EngineTest, FramesLeftToTheRealOneAreItsPictures) {
   const auto real = OsmesaContext::create({kWidth, kHeight});
   const std::vector<Picture> expected = play(real->real(), 2);
   const std::vector<GLenum> wanted = std::exchange(errors, {});
@@ -107,9 +107,8 @@ TEST_P(EngineTest, WhatIsLeftToTheRealOneIsItsPicture) {
   EXPECT_EQ(ours.context().counts.statistics.drawsTraced, 0u);
 }
 
-/// Frame 0 is mixed and frame 1 direct; in frame 2 a large draw comes first, after which the choice is to
-/// trace.
-TEST_P(EngineTest, ItsPictureStaysWhileTheEngineChanges) {
+/// Frame 0 is mixed and frame 1 direct; frame 2 begins with a large draw, after which GLuRay chooses tracing.
+TEST_P(EngineTest, ThePictureIsTheSameWhileTheEngineChanges) {
   const auto with = [](Gl gl) {
     return [&gl](int frame) {
       if (frame >= 2) backdrop(gl);
@@ -171,7 +170,7 @@ struct Mixture {
     gl.Enable(GL_DEPTH_TEST);
     gl.MatrixMode(GL_MODELVIEW), gl.LoadIdentity();
     gl.Color3f(1, 0.1f * static_cast<float>(number % 10), 0);
-    // Its first two vertices inherit the colour of the moment; all that follows has the last one's.
+    // Its first two vertices inherit the current colour; everything after them has the last vertex's.
     gl.CallList(1);
     gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
     triangle[0] = -0.5f - 0.03f * static_cast<float>(number % 10);
@@ -239,7 +238,7 @@ TEST(Engine, ProgramsThatNeverSwapHaveFramesByTheirClears) {
   EXPECT_TRUE(ours.context().clock.passesThrough());
 }
 
-TEST(Engine, TracesAllWhereToldTo) {
+TEST(Engine, TracesEverythingIfSet) {
   TracedContext ours({kWidth, kHeight}, withEngine(Engine::always));
   const scenes::Scene& scene = *scenes::findScene("directional-light");
   for (int i = 0; i < 5; ++i) scene.draw(ours.gl(), kWidth, kHeight), ours.gl().Finish();

@@ -1,5 +1,5 @@
-// The quirk hide-persistent-mapping: what programs are told of extensions, and what becomes of a program that
-// writes its vertices in the best way it finds.
+// The quirk hide-persistent-mapping: which extensions programs see, and how a program that picks the best way
+// to write its vertices is then drawn.
 #include "settings/quirks.h"
 #include "tests/support/traced_context.h"
 

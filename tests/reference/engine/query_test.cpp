@@ -1,4 +1,4 @@
-// Questions that count draws are answered as without us, and state of later versions is never traced past.
+// Queries that count draws have the same results as without GLuRay; state of later versions is never ignored.
 #include "tests/support/traced_context.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Geometry outlives the frame: what does not change the shape never builds an acceleration structure again.
+// Geometry outlives the frame: only changes of shape rebuild an acceleration structure.
 #include "tests/support/traced_context.h"
 
 #include <gtest/gtest.h>
@@ -57,7 +57,7 @@ Picture frameOf(TracedContext& context, int frame, const std::function<void()>& 
   return context.read();
 }
 
-/// Draws eight frames and says how many structures were built in all. Every frame must differ from the one
+/// Draws eight frames and returns how many structures were built. Every frame must differ from the one
 /// before.
 uint64_t buildsOver(TracedContext& context, const std::function<void(int frame)>& draw) {
   const uint64_t before = context.context().counts.statistics.blasBuilds;

@@ -1,4 +1,4 @@
-// A frame is drawn with the settings that were there when it began; the next one takes what was stored since.
+// A frame keeps the settings from its beginning; the next frame takes those stored since.
 #include "scenes/stage.h"
 #include "settings/settings_source.h"
 #include "tests/support/snapshot_taker.h"
@@ -22,7 +22,7 @@ std::unique_ptr<gl::Presenter> takeSettings(std::vector<Settings>& seen) {
   return std::make_unique<SnapshotTaker>([&seen](const scene::Snapshot& s) { seen.push_back(s.settings); });
 }
 
-/// A batch of its own: the next one has another depth function.
+/// One batch: the next call uses another depth function.
 void drawBatch(Gl gl, GLenum depthFunction) {
   gl.DepthFunc(depthFunction);
   scenes::sendAt(gl, scenes::sphere(6, 8), depthFunction == GL_LESS ? -0.7f : 0.7f, 0, 0, 0.6f);
@@ -46,7 +46,7 @@ Settings other() {
   return settings;
 }
 
-TEST(SettingsOfFrames, AStoreCountsFromTheNextFrameOn) {
+TEST(SettingsOfFrames, AStoreTakesEffectFromTheNextFrameOn) {
   std::vector<Settings> seen;
   const Settings first = TracedContext::vertexShading();
   SettingsSource source(first);
@@ -63,7 +63,7 @@ TEST(SettingsOfFrames, AStoreCountsFromTheNextFrameOn) {
   EXPECT_EQ(seen, (std::vector<Settings>{first, first}));
 }
 
-TEST(SettingsOfFrames, AClearBehindDrawsBeginsNoFrame) {
+TEST(SettingsOfFrames, AClearAfterDrawsBeginsNoFrame) {
   std::vector<Settings> seen;
   const Settings first = TracedContext::vertexShading();
   SettingsSource source(first);
@@ -76,7 +76,7 @@ TEST(SettingsOfFrames, AClearBehindDrawsBeginsNoFrame) {
   EXPECT_EQ(seen, (std::vector<Settings>{first, first, first}));
 }
 
-TEST(SettingsOfFrames, WhatAppliesToContextsStays) {
+TEST(SettingsOfFrames, SettingsOfContextsStay) {
   SettingsSource source(TracedContext::vertexShading());
   Settings next = other();
   next.threads = 3, next.renderer = Renderer::null;
@@ -89,7 +89,7 @@ TEST(SettingsOfFrames, WhatAppliesToContextsStays) {
   EXPECT_EQ(old.context().settings.now(), other());
 }
 
-/// The picture of a frame in a context that has these settings from the first.
+/// The picture of a frame in a context that has these settings from its first frame on.
 Picture pictureWith(const Settings& settings) {
   TracedContext context({kSize, kSize}, settings);
   drawFrame(context.gl());
@@ -109,7 +109,7 @@ TEST(SettingsOfFrames, PicturesFollow) {
   EXPECT_EQ(context.read().depths, after.depths);
 }
 
-TEST(SettingsOfFrames, WhatChangesThePictureIsTracedHoweverSmall) {
+TEST(SettingsOfFrames, SmallScenesAreTracedIfASettingChangesThePicture) {
   Settings automatic = TracedContext::vertexShading();
   automatic.engine = Engine::automatic;
   SettingsSource source(automatic);
@@ -119,7 +119,7 @@ TEST(SettingsOfFrames, WhatChangesThePictureIsTracedHoweverSmall) {
     for (int i = 0; i < frames; ++i) drawFrame(context.gl());
     return context.context().counts.statistics.drawsTraced - before;
   };
-  EXPECT_EQ(tracedIn(1), 0u);  // so few triangles are the real OpenGL's
+  EXPECT_EQ(tracedIn(1), 0u);  // so few triangles are left to the real OpenGL
   Settings smooth = automatic;
   smooth.spp = 4;
   source.store(smooth);

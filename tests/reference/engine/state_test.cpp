@@ -1,5 +1,4 @@
-// What a program can ask OpenGL about, after a frame: the same answers with and without us, and the same
-// errors.
+// All queryable state after a frame: the same values and errors with and without GLuRay.
 #include "tests/support/gl_state.h"
 #include "tests/support/traced_context.h"
 
@@ -12,7 +11,7 @@ namespace {
 
 constexpr int kWidth = 96, kHeight = 72;
 
-/// Addresses differ from run to run, whatever we do.
+/// Addresses differ from run to run, also without GLuRay.
 bool isAddress(const std::string& line) {
   return line.find("pointer") != line.npos || line.find("POINTER") != line.npos;
 }

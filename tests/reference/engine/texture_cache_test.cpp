@@ -14,7 +14,7 @@ namespace {
 using namespace scenes;
 using Image = std::shared_ptr<const scene::TextureImage>;
 
-/// Puts the image that the last batch was textured with into `image`.
+/// Puts the texture image of the last batch into `image`.
 std::unique_ptr<gl::Presenter> takeImage(Image& image) {
   return std::make_unique<SnapshotTaker>([&image](const scene::Snapshot& s) {
     const auto& textures = s.shadings.back().textures;
@@ -40,7 +40,7 @@ class TextureCache : public testing::Test {
     upload(gl, GL_RGBA8, 8, GL_NEAREST, GL_REPEAT);
     return name;
   }
-  /// The image that a surface is drawn with now.
+  /// The texture image with which a surface is drawn now.
   Image drawn(GLuint name) {
     gl.BindTexture(GL_TEXTURE_2D, name);
     send(gl, sphere(6, 8), kTexcoords);

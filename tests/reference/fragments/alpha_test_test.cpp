@@ -24,7 +24,7 @@ void prepare(Gl gl) {
   gl.Enable(GL_DEPTH_TEST), gl.Enable(GL_ALPHA_TEST);
 }
 
-/// Triangles whose alphas are less than a step of eight bits apart, one below the other.
+/// Triangles one below the other; their alphas differ by less than an eight-bit step.
 void drawAlphas(Gl gl) {
   constexpr std::array<float, 6> kAlphas = {0.3978f, 0.3986f, 0.3999f, 0.4015f, 0.4025f, 0.404f};
   gl.Begin(GL_TRIANGLES);

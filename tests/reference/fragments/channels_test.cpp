@@ -1,5 +1,4 @@
-// Surfaces of which the framebuffer takes some channels alone: glColorMask, and blending that keeps its
-// alpha.
+// Surfaces that write only some channels: glColorMask, and blending that keeps the framebuffer's alpha.
 #include "scenes/stage.h"
 #include "tests/reference/framebuffer.h"
 #include "tests/support/gl_state.h"
@@ -46,8 +45,8 @@ Seen seenBy(Gl gl, const Draw& draw) {
   return {readPicture(gl, kWidth, kHeight), std::move(state)};
 }
 
-/// Draws with and without us: equal pictures, alpha included, and equal state. Returns how many draws were
-/// traced.
+/// Draws with and without GLuRay and expects equal pictures, alpha included, and equal state. Returns how
+/// many draws were traced.
 uint64_t compareBoth(const std::string& name, const Draw& draw) {
   SCOPED_TRACE(name);
   Seen expected;
@@ -74,7 +73,7 @@ struct Mask {
 
 void set(Gl gl, const Mask& m) { gl.ColorMask(m.red, m.green, m.blue, m.alpha); }
 
-TEST(Channels, ThatAreMaskedKeepWhatIsThere) {
+TEST(Channels, ThatAreMaskedKeepTheirValues) {
   const Mask masks[] = {{1, 1, 1, 0}, {1, 0, 0, 0}, {0, 1, 1, 1}, {0, 0, 0, 1}, {1, 0, 1, 0}};
   for (const Mask& mask : masks) {
     const std::string name = std::to_string(mask.red) + std::to_string(mask.green) +
@@ -155,13 +154,13 @@ TEST(Channels, KeepTheirAlphaWhereBlendingKeepsIt) {
       "kept alpha", [](Gl gl) { blended(gl, 1); }, 2);
 }
 
-TEST(Channels, OfSurfacesThatAreSeenThroughAreBlended) {
+TEST(Channels, OfTranslucentSurfacesAreBlended) {
   expectEqual(
       "translucent", [](Gl gl) { blended(gl, 0.5f); }, 2);
 }
 
 TEST(Channels, ComeBackWhereTheRealOpenGlDrawsInOurPlace) {
-  // The same surface once more under another depth function: it is drawn in several passes, by the real one.
+  // The same surface again with another depth function: it is drawn in several passes, by the real OpenGL.
   const auto draw = [](Gl gl) {
     set(gl, {1, 1, 0, 0});
     ball(gl, 0, 0, {0.9f, 0.3f, 0.2f, 1});

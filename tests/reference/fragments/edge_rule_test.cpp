@@ -1,5 +1,5 @@
-// Which triangle has a sample that lies exactly on its edge: OpenGL leaves the choice to implementations, but
-// of two neighbours one has it, and programs that draw rectangles to the pixel see which sides it takes.
+// Which triangle owns a sample exactly on its edge: OpenGL leaves the choice to implementations, but
+// exactly one of two neighbours owns it, and programs that draw rectangles to the pixel see which sides.
 #include "tests/reference/both.h"
 #include "tests/reference/framebuffer.h"
 

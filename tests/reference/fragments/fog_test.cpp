@@ -1,4 +1,4 @@
-// What fades into fog: the sum of the primary and the secondary colour, as the real OpenGL has it.
+// Fog applies to the sum of the primary and the secondary colour, as in the real OpenGL.
 #include "scenes/stage.h"
 #include "tests/support/traced_context.h"
 

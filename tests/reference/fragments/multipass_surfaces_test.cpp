@@ -18,8 +18,8 @@ using namespace scenes;
 
 constexpr int kWidth = 160, kHeight = 120;
 
-/// A sphere, and over it a tint where `tinted`; a label in between where `labelled`; a card hides a part of
-/// it where `hidden`.
+/// A sphere; over it a tint if `tinted`; a label in between if `labelled`; a rectangle that hides a part of
+/// it if `hidden`.
 void drawFrame(Gl gl, bool tinted, bool labelled, bool hidden = false) {
   begin(gl, kWidth, kHeight);
   camera(gl, kWidth, kHeight);
@@ -97,8 +97,8 @@ TEST(Passes, DepthThatIsDrawnAgainLeavesTheStateAlone) {
   EXPECT_TRUE(c.accepted) << c.text;
 }
 
-/// What is seen of the framebuffer that is bound, copied to the window. Where the stage stands between the
-/// samples of a pixel, which of them gives the depth is not said: colours alone.
+/// Copies the bound framebuffer to the window. If it is multisampled, the specification does not say which
+/// sample gives the depth: copies colours only.
 Picture resolved(Gl gl) {
   GLint framebuffer = 0;
   gl.GetIntegerv(GL_FRAMEBUFFER_BINDING, &framebuffer);
@@ -138,7 +138,7 @@ TEST(Passes, FindTheDepthOfEverySampleIn32Bits) { expectFirstFrame(GL_DEPTH_COMP
 TEST(Passes, FindTheDepthOfEverySampleInFloats) { expectFirstFrame(GL_DEPTH_COMPONENT32F, true); }
 TEST(Passes, FindTheDepthOfPixelsThatIgnoreTheirSamples) { expectFirstFrame(GL_DEPTH24_STENCIL8, false); }
 
-/// As occlusion culling draws its boxes: they leave nothing behind.
+/// Boxes as in occlusion culling: they write nothing.
 TEST(Passes, AreNoneThatWriteNeitherColorNorDepth) {
   const TracedContext ours({kWidth, kHeight});
   Gl gl = ours.gl();

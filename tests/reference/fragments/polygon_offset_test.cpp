@@ -1,4 +1,4 @@
-// What glPolygonOffset counts in, by the format of the depth buffer: the depths of a plain OpenGL and ours.
+// Units of glPolygonOffset for each depth format: compares the real OpenGL's depths with GLuRay's.
 #include "tests/reference/framebuffer.h"
 #include "tests/reference/programs/program_stage.h"
 #include "tests/support/traced_context.h"
@@ -15,8 +15,7 @@ namespace {
 
 constexpr int kSize = 16;
 
-/// Depths in the middle of surfaces here and there, moved by units alone, in a framebuffer object of
-/// `format`.
+/// Depths in the middle of some surfaces, offset by units only, in a framebuffer object of `format`.
 std::vector<float> depths(const gl::RealGl& gl, GLenum format) {
   bindNewFramebuffer(gl, {kSize, kSize}, GL_RGBA8, format);
   gl.Viewport(0, 0, kSize, kSize), gl.Enable(GL_DEPTH_TEST), gl.Enable(GL_POLYGON_OFFSET_FILL);
@@ -25,7 +24,7 @@ std::vector<float> depths(const gl::RealGl& gl, GLenum format) {
     for (const float z : {-0.9f, -0.6f, -0.2f, 0.2f, 0.7f}) {
       gl.PolygonOffset(0, units);
       gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-      // Not quite flat: surfaces without depth are rasterised.
+      // Slightly tilted: flat surfaces are rasterised.
       gl.Begin(GL_TRIANGLES);
       gl.Vertex3f(-1, -1, z), gl.Vertex3f(3, -1, z + 1e-3f), gl.Vertex3f(-1, 3, z);
       gl.End();
@@ -75,14 +74,14 @@ void drawMoved(Gl gl, const Surface& surface, const Offset& offset, double degre
   gl.Disable(GL_POLYGON_OFFSET_FILL);
 }
 
-TEST(PolygonOffset, MovesWhatProgramsDraw) {
+TEST(PolygonOffset, AppliesToShaderPrograms) {
   for (const Offset& offset : {Offset{2, 0}, {-3, 0}, {0, 90000}, {1.5f, -120000}})
     for (const GLenum format : kFormats)
       expectBoth(
           "offset" + nameOf(offset, format), [&](Gl gl) { into(gl, format), drawMoved(gl, {}, offset); }, 2);
 }
 
-/// A decal: the same triangles in other colours, before the surface or behind it.
+/// A decal: the same triangles in other colours, in front of the surface or behind it.
 TEST(PolygonOffset, DecalsLieBeforeTheirSurface) {
   const Surface surface{.color = Surface::Color::vertex};
   for (const Offset& offset : {Offset{-1, -1}, {-1, 0}, {1, 1}})
@@ -92,8 +91,8 @@ TEST(PolygonOffset, DecalsLieBeforeTheirSurface) {
           [&](Gl gl) { into(gl, format), drawMoved(gl, surface, offset, 0); }, -1);
 }
 
-/// Surfaces of a program that nobody knows beside one that is traced, both moved.
-TEST(PolygonOffset, AppliesBesideWhatIsRasterised) {
+/// A surface of a program of no family beside a traced one, both offset.
+TEST(PolygonOffset, AppliesBesideRasterisedSurfaces) {
   for (const GLenum format : kFormats)
     expectBoth(
         "beside" + std::to_string(format),
@@ -113,7 +112,7 @@ TEST(PolygonOffset, AppliesBesideWhatIsRasterised) {
         2);
 }
 
-/// The program's own offset, with a clamp, is there again after draws were made for it.
+/// The program's own offset, with a clamp, is restored after GLuRay drew in its place.
 TEST(PolygonOffset, KeepsTheClampOfTheProgram) {
   expectBoth(
       "clamp",
@@ -128,8 +127,8 @@ TEST(PolygonOffset, KeepsTheClampOfTheProgram) {
       2, coreWish(4, 5));
 }
 
-/// Three balls within one another whose corners have unlike colours: where they are steep, along silhouettes,
-/// what lies behind may come before them.
+/// Three nested balls with differently coloured vertices: where they are steep, along silhouettes, the offset
+/// may put hidden surfaces in front of them.
 void drawBalls(Gl gl, const Surface& surface, const std::function<void(GLuint)>& set) {
   const GLuint program = makeProgram(gl, surface);
   const ProgramMesh mesh = ball(14);
@@ -184,7 +183,7 @@ TEST(PolygonOffset, ByFactorsOfProgramsDecidesTheSame) {
 
 /// The depth that a program writes is that of the pixel's centre for all samples.
 TEST(PolygonOffset, OfProgramsInMultisampledFramebuffers) {
-  // Depth of a pixel that is resolved is any of its samples'.
+  // The depth of a resolved pixel may be that of any of its samples.
   constexpr scenes::Tolerance kResolved{2, 0.0004, 2e-2f, "silhouettes fall on either side of a sample"};
   Surface surface = kUnlike;
   surface.depthOffset = true;
@@ -208,7 +207,7 @@ TEST(PolygonOffset, OfProgramsInMultisampledFramebuffers) {
         3, {}, kResolved);
 }
 
-/// Its shader writes depth: whether what OpenGL adds is in it is for OpenGL to say.
+/// Its shader writes depth: OpenGL decides whether the offset is added.
 TEST(PolygonOffset, OfProgramsThatWriteDepthIsLeftToTheRealOne) {
   const Surface surface{.depthOffset = true};
   expectSame(

@@ -1,5 +1,5 @@
-// Surfaces of which rays alone cannot tell what OpenGL shows: several in one plane, and triangles much larger
-// than what is seen of them.
+// Surfaces for which rays cannot reproduce OpenGL's picture: coplanar surfaces, and triangles much larger
+// than their visible part.
 #include "tests/reference/programs/program_stage.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -55,7 +55,7 @@ const std::vector<Rectangle> kUponEachOther = {{{-1, -1}, {1, 1}, {1, 0, 0}},
                                                {{-0.3f, -0.2f}, {0.4f, 0.35f}, {0, 1, 0}},
                                                {{0.1f, -0.7f}, {0.8f, 0.1f}, {0, 0, 1}}};
 
-TEST(Precision, SheetsInOnePlaneAreShownInTheirOrder) {
+TEST(Precision, OverlappingCoplanarSurfacesAreShownInTheOrderOfDrawing) {
   for (const GLenum func : {GL_LESS, GL_LEQUAL}) {
     for (const View& view : {perspectiveView(), perspectiveView(25), parallelView(), parallelView(40)})
       expectSame(
@@ -63,7 +63,7 @@ TEST(Precision, SheetsInOnePlaneAreShownInTheirOrder) {
   }
 }
 
-TEST(Precision, SheetsBesideEachOtherAreTraced) {
+TEST(Precision, AdjacentCoplanarSurfacesAreTraced) {
   const std::vector<Rectangle> all = {{{-1, -1}, {0.25f, 1}, {1, 0, 0}}, {{0.25f, -1}, {1, 1}, {0, 1, 0}}};
   expectSame(
       "neighbours", [&](Gl gl) { drawRectangles(gl, all, perspectiveView(25), GL_LEQUAL); }, 2, {}, kEdges);

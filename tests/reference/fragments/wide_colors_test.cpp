@@ -1,4 +1,4 @@
-// Framebuffers whose colours are floats.
+// Floating-point framebuffers.
 #include "tests/reference/layers/layer.h"
 
 #include <gtest/gtest.h>

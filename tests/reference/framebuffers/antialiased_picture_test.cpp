@@ -1,5 +1,5 @@
-// Anti-aliasing passes over pictures that --spp has made smooth: left out, and only over those. The pass of
-// this test is what GLuRay takes for VTK's, but it inverts: what was not left out is seen.
+// Anti-aliasing passes are left out exactly over pictures that --spp has anti-aliased. GLuRay takes the pass
+// of this test for VTK's, but it inverts colours, which shows where it was not left out.
 #include "scenes/stage.h"
 #include "settings/quirks.h"
 #include "tests/reference/programs/program_stage.h"
@@ -74,7 +74,7 @@ class Program {
     gl.Vertex3f(-0.9f, -0.8f, -0.5f), gl.Vertex3f(0.9f, 0.7f, -0.5f);
     gl.End();
   }
-  /// The picture, or a part, into the texture that the pass reads.
+  /// Copies the picture, or a part, into the texture that the pass reads.
   void copy(Box from = {}) {
     if (input_ == 0 || from.width != kSize)
       input_ = makeTexture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, from.width, from.height);
@@ -105,7 +105,7 @@ class Program {
   GLuint pass_, buffer_ = 0, input_ = 0;
 };
 
-enum class Kept { none, all };  // of the passes: how many of them are drawn
+enum class Kept { none, all };  // how many of the passes are drawn
 struct Case {
   const char* name;
   Kept passes;
@@ -199,7 +199,7 @@ const Case kCases[] = {
 
 class SmoothTest : public testing::TestWithParam<Case> {};
 
-/// The frame's picture, with as many rays a pixel as the case has and the quirk as it says.
+/// The frame's picture, with the case's samples a pixel and quirk setting.
 std::pair<Picture, uint64_t> play(const std::function<void(Program&)>& frame, const Case& c) {
   Settings settings = TracedContext::vertexShading();
   settings.spp = c.spp;
@@ -229,7 +229,7 @@ TEST_P(SmoothTest, ThePassIsLeftOutWhereItChangesNothing) {
   EXPECT_EQ(picture.depths, drawn.depths);
 }
 
-TEST(Smooth, WhatIsLeftIsThePicture) {
+TEST(Smooth, APictureWithoutThePassIsKept) {
   const Case c{"", Kept::none, plain};
   EXPECT_EQ(play(plain, c).first.colors, play([](Program& p) { p.clear(), p.surface(); }, c).first.colors);
 }

@@ -1,5 +1,5 @@
-// Blits of depth between framebuffer objects, which are copies where that is the same: pictures, depths,
-// stencil values and errors are those of the real OpenGL, whichever way they came.
+// Depth blits between framebuffer objects, which GLuRay replaces by copies where the result is the same:
+// pictures, depths, stencil values and errors must equal the real OpenGL's either way.
 #include "settings/quirks.h"
 #include "tests/support/traced_context.h"
 
@@ -79,7 +79,7 @@ struct Case {
   const char* name;
   Store from, to;
   void (*blits)(Gl gl);
-  int copies;                                   // of all blits, those that are copies of depth
+  int copies;                                   // expected number of blits replaced by depth copies
   void (*before)(Gl gl, Buffers to) = nullptr;  // with the target bound for drawing
 };
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
@@ -251,7 +251,7 @@ TEST(DepthBlits, AreBlitsWhereSwitchedOff) {
   EXPECT_EQ(useCount(Quirk::softwareDepthBlit), before);
 }
 
-/// In another context of the group: what was set there counts here.
+/// In another context of the share group: stencil values set there count here.
 TEST(DepthBlits, KnowStencilValuesOfOtherContexts) {
   TracedContext one;
   const TracedContext other({}, TracedContext::vertexShading(), nullptr, &one);

@@ -15,7 +15,7 @@ namespace gluray::test::resolve {
 inline constexpr int kWidth = kProgramWidth, kHeight = kProgramHeight, kSamples = 4;
 inline constexpr GLbitfield kColor = GL_COLOR_BUFFER_BIT, kDepth = GL_DEPTH_BUFFER_BIT;
 
-/// Samples lie where the real OpenGL has them; their colours are of their own places, not of the pixel's.
+/// Samples lie where the real OpenGL has them; each is shaded at its own place, not at the pixel's centre.
 inline constexpr scenes::Tolerance kResolveTolerance = {3, 0.004, 1e-5f,
                                                         "silhouettes; lighting at samples, not at centres"};
 
@@ -111,7 +111,7 @@ struct Stage {
   void drawBall(double degrees = 0) const {
     drawSurface(gl, program, up, mesh, perspectiveView(degrees), surface);
   }
-  /// Clears and draws, and turns away.
+  /// Clears, draws, and binds another framebuffer.
   void frame(double degrees = 0) const {
     open();
     beginFrame(gl);
@@ -128,7 +128,7 @@ struct Stage {
     gl.BlitFramebuffer(0, 0, kWidth, kHeight, 0, 0, kWidth, kHeight, mask, GL_NEAREST);
     gl.BindFramebuffer(GL_FRAMEBUFFER, plain);
   }
-  /// By a full-screen pass, colours alone; `only`: of that sample.
+  /// Resolves colours by a full-screen pass; `only`: takes that sample instead of the average.
   void resolve(bool only = false) const {
     const GLuint pass = only ? second.program : average.program;
     gl.BindFramebuffer(GL_FRAMEBUFFER, plain);
@@ -143,11 +143,11 @@ struct Stage {
     gl.ActiveTexture(GL_TEXTURE0);
     gl.BindVertexArray(0);
   }
-  /// From now on by a program that averages in other words.
+  /// From now on uses a program with a different text for averaging.
   void averageBy(const std::string& fragment) {
     average = simple(kPassVertex, fragment, kPassData, {"ndCoordIn", "texCoordIn"}, 2);
   }
-  /// A line of the real OpenGL's across the picture, in what is bound.
+  /// Lets the real OpenGL draw a line across the picture in the bound framebuffer.
   void line() const {
     gl.UseProgram(flat.program);
     gl.BindVertexArray(flat.array);
@@ -190,7 +190,7 @@ struct Stage {
                        {-0.9f, -0.8f, -0.99f, 0.7f, 0.9f, -0.99f}, {"at"}, 3);
 };
 
-/// The real OpenGL's picture of `plain`, `ours` of `traced` draws, where `resolves` were made without it.
+/// Expects equal pictures from `plain` and `ours`, `traced` traced draws, `resolves` resolves by GLuRay.
 inline void expectResolves(const std::string& name, uint64_t resolves, int traced,
                            const std::function<void(Stage&)>& draw, bool textures = true,
                            const scenes::Tolerance& tolerance = kResolveTolerance) {

@@ -1,5 +1,5 @@
-// Multisampled framebuffers that are cleared, traced into and resolved: the pixels are made without them
-// (quirk software-resolve); whatever else looks at the samples finds them.
+// Multisampled framebuffers that are cleared, traced into and resolved: GLuRay computes the pixels without
+// them (quirk software-resolve); any other use of the samples finds them.
 #include "tests/reference/framebuffers/resolve_stage.h"
 
 #include <gtest/gtest.h>
@@ -20,14 +20,14 @@ TEST(Resolve, ByVtksPass) {
   expectResolves("pass", 2, 1, [](const Stage& s) { s.frame(), s.resolve(), s.blit(kDepth); });
 }
 
-TEST(Resolve, ByNewerWordsOfVtks) {
+TEST(Resolve, ByTheTextOfNewerVtk) {
   expectResolves("newer", 2, 1, [](Stage& s) {
     s.averageBy(resolveText(-1, "sampleValue"));
     s.frame(), s.resolve(), s.blit(kDepth);
   });
 }
 
-TEST(Resolve, WhatComputesSomethingElseIsNotVtks) {
+TEST(Resolve, ProgramsThatComputeSomethingElseAreNotVtks) {
   expectResolves("darker", 0, 1, [](Stage& s) {
     std::string text = resolveText();
     text.insert(text.find("  fragOutput0"), "  accumulate *= 0.5;\n");
@@ -52,7 +52,7 @@ TEST(Resolve, IntoTwoFramebuffers) {
   });
 }
 
-TEST(Resolve, DepthFunctionsAndWhatTheyMeet) {
+TEST(Resolve, DepthFunctionsAgainstExistingDepth) {
   expectResolves("less", 1, 1, [](const Stage& s) {
     s.open();
     beginFrame(s.gl);
@@ -70,7 +70,7 @@ TEST(Resolve, DepthFunctionsAndWhatTheyMeet) {
   });
 }
 
-TEST(Resolve, WhatIsRasterisedInBetweenIsThere) {
+TEST(Resolve, DrawsRasterisedInBetweenAreKept) {
   expectResolves("line_before", 0, 1, [](const Stage& s) {
     s.open(), beginFrame(s.gl), s.line(), s.drawBall(), s.close(), s.blit();
   });
@@ -85,7 +85,7 @@ TEST(Resolve, WhatIsRasterisedInBetweenIsThere) {
   });
 }
 
-TEST(Resolve, WhatIsTracedLaterIsThere) {
+TEST(Resolve, DrawsTracedLaterAreKept) {
   expectResolves("more", 0, 2, [](const Stage& s) { s.frame(), s.open(), s.drawBall(70), s.blit(); });
 }
 
@@ -116,8 +116,8 @@ TEST(Resolve, ClearsOfPartsHideNothingElse) {
   });
 }
 
-TEST(Resolve, WhoReadsSingleSamplesFindsThem) {
-  // Nothing is averaged: where a triangle is seen from its edge, a sample is lit otherwise than the centre.
+TEST(Resolve, SingleSamplesCanBeRead) {
+  // Nothing is averaged: on triangles seen edge-on, a sample is lit differently from the centre.
   constexpr scenes::Tolerance kSample = {16, 0.001, 1e-5f, "lighting at samples, not at centres"};
   expectResolves(
       "sample", 0, 1, [](const Stage& s) { s.frame(), s.resolve(true); }, true, kSample);

@@ -1,5 +1,5 @@
-// Pictures that are sent into the textures of a framebuffer object: only where nothing but a clear is known
-// to be in it, and then the same picture, to the bit, as one that is drawn.
+// Uploads of pictures into the textures of a framebuffer object: only if it is known to hold just its clear
+// values, and with the same result, bit by bit, as a drawn picture.
 #include "settings/quirks.h"
 #include "tests/support/traced_context.h"
 
@@ -67,7 +67,7 @@ void line(Gl gl) {
 
 struct Case {
   const char* name;
-  int sent;  // of all pictures, those that are sent
+  int sent;  // expected number of uploaded pictures
   void (*frame)(Gl gl, const Canvas& canvas) = [](Gl gl, const Canvas&) { clear(gl), sheet(gl); };
 };
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
@@ -227,7 +227,7 @@ Result run(const Case& c, bool on) {
 
 class TextureUploads : public testing::TestWithParam<Case> {};
 
-TEST_P(TextureUploads, AreWhatWouldHaveBeenDrawn) {
+TEST_P(TextureUploads, EqualDrawnPictures) {
   const Result off = run(GetParam(), false), on = run(GetParam(), true);
   EXPECT_EQ(off.sent, 0u);
   EXPECT_EQ(on.sent, static_cast<uint64_t>(GetParam().sent));
@@ -240,7 +240,7 @@ INSTANTIATE_TEST_SUITE_P(All, TextureUploads, testing::ValuesIn(kCases),
                          [](const auto& info) { return info.param.name; });
 
 /// Another context of the group draws into the texture between the clear and the picture.
-TEST(TextureUploads, KnowThatOtherContextsDraw) {
+TEST(TextureUploads, NoticeDrawsOfOtherContexts) {
   TracedContext one;
   const TracedContext other({}, TracedContext::vertexShading(), nullptr, &one);
   one.makeCurrent();

@@ -128,7 +128,7 @@ TEST(Abuse, NeverStopsTheNextPicture) {
     abuse.calls(gl);
     gl.Finish();
     while (gl.GetError() != GL_NO_ERROR) {}
-    // A plain triangle in the middle, in a state that is put right again.
+    // A plain triangle in the middle, after the state was reset.
     gl.PopAttrib(), gl.Disable(GL_LIGHTING), gl.Disable(GL_POLYGON_OFFSET_FILL), gl.DepthRange(0, 1),
         gl.Viewport(0, 0, 32, 32);
     gl.MatrixMode(GL_MODELVIEW), gl.LoadIdentity(), gl.Color3f(0, 1, 0);

@@ -29,7 +29,7 @@ TEST(TwentyPoints, P09SeveralCamerasViewportsAndDepthRanges) {
 
 TEST(TwentyPoints, P10FlushAndFinishMeanNothing) {
   const gl::Statistics s = expectSame([](Gl gl, Seen&) {
-    const GLuint canvas = [&] {  // a framebuffer that nobody sees
+    const GLuint canvas = [&] {  // a framebuffer that is never shown
       GLuint names[3];
       gl.GenFramebuffers(1, names);
       gl.GenRenderbuffers(2, names + 1);
@@ -107,7 +107,7 @@ TEST(TwentyPoints, P12MaterialsPerVertexAndSidesThatToggle) {
       for (size_t i = 0; i < m.indices.size(); ++i) {
         const uint32_t v = m.indices[i];
         const float t = static_cast<float>(i % 7) / 7;
-        // Of both faces: Mesa 22.3 lights backs with green and blue of the front where materials change
+        // For both faces: Mesa 22.3 lights backs with green and blue of the front if materials change
         // inside glBegin.
         const GLfloat color[] = {t, 1 - t, 0.3f, 1};
         gl.Materialfv(GL_FRONT_AND_BACK, i % 2 ? GL_DIFFUSE : GL_AMBIENT_AND_DIFFUSE, color);

@@ -1,5 +1,4 @@
-// What the capture does not take, or not at once: evaluators inside glBegin, textures that drawing changes,
-// framebuffers.
+// Limits of the capture: evaluators inside glBegin, textures changed by drawing, framebuffers.
 #include "tests/support/traced_context.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +27,7 @@ Picture evaluated(Gl gl) {
         gl.EvalCoord2f(0.25f * static_cast<float>(i), 0.25f * static_cast<float>(row + k));
     gl.End();
   }
-  gl.Begin(GL_TRIANGLES), gl.Color3f(1, 1, 0);  // and the capture goes on afterwards
+  gl.Begin(GL_TRIANGLES), gl.Color3f(1, 1, 0);  // capture must work again afterwards
   gl.Vertex3f(-0.2f, -0.2f, -0.9f), gl.Vertex3f(0.2f, -0.2f, -0.8f), gl.Vertex3f(0, 0.2f, -0.9f);
   gl.End();
   return readPicture(gl, kSize, kSize);
@@ -44,7 +43,7 @@ TEST(CaptureLimits, EvaluatorsInsideBeginAreTheRealOnes) {
   EXPECT_EQ(ours.context().counts.statistics.drawsTraced, 1u) << "the triangle without evaluators";
 }
 
-/// A quad textured with what was drawn into a framebuffer object just before, twice, in two colours.
+/// Twice, in two colours: draws into a framebuffer object, then a quad textured with the result.
 std::vector<uint32_t> texturedByDrawing(Gl gl) {
   GLuint texture = 0, framebuffer = 0;
   gl.GenTextures(1, &texture), gl.BindTexture(GL_TEXTURE_2D, texture);
@@ -83,8 +82,7 @@ void triangleAt(Gl gl, float x) {
       gl.Vertex3f(x, 0.5f, 0.1f), gl.End();
 }
 
-/// Two triangles into a framebuffer object with depth, and what another one shows; `between` comes after the
-/// first.
+/// Two triangles into a framebuffer object with depth, `between` after the first; then reads another one.
 Picture inObject(Gl gl, void (*between)(Gl, GLuint)) {
   GLuint objects[2], buffers[4];
   gl.GenFramebuffers(2, objects), gl.GenRenderbuffers(4, buffers);

@@ -1,4 +1,4 @@
-// How the tests of the twenty habits run a program: by the real OpenGL and through ours, compared.
+// Runs a program of the habit tests with the real OpenGL and through GLuRay, and compares.
 #pragma once
 #include "scenes/stage.h"
 #include "tests/support/traced_context.h"
@@ -14,7 +14,7 @@ using namespace scenes;
 
 constexpr int kWidth = 240, kHeight = 180;
 
-/// What the program read back on its way.
+/// Values that the program read back while it ran.
 using Seen = std::vector<float>;
 using Program = std::function<void(Gl, Seen&)>;
 
@@ -24,7 +24,7 @@ struct Expected {
   uint64_t traced = 1;  // draws, at least
 };
 
-/// Runs the program both ways and compares pictures, answers and errors; what ours counted.
+/// Runs the program both ways and compares pictures, read-back values and errors. Returns GLuRay's counts.
 gl::Statistics expectSame(const Program& program, const Expected& wanted = {});
 
 /// Cleared, with camera, light and material.

@@ -1,6 +1,6 @@
-// Values that the real OpenGL stores with the vertices it draws, where the draws were held back: materials
-// and colours inside glBegin, GL_COLOR_MATERIAL that changes what the colour sets, glPopAttrib. The same
-// calls to a plain OpenGL and to ours, and the same answers and pixels.
+// Values that the real OpenGL stores with the vertices it draws, while draws are held back: materials
+// and colours inside glBegin, changes of GL_COLOR_MATERIAL, glPopAttrib. The same calls to the real OpenGL
+// and through GLuRay must give the same query results and pixels.
 #include "tests/support/traced_context.h"
 
 #include <gtest/gtest.h>
@@ -56,7 +56,7 @@ void light(Gl gl) {
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-/// Materials in a primitive that is rasterised, then a traced one that bears them.
+/// Materials set in a rasterised primitive, then a traced primitive that uses them.
 void materialInside(Gl gl, GLenum mode, Answers& answers) {
   light(gl);
   gl.Materialfv(GL_FRONT, GL_DIFFUSE, kRed);
@@ -69,7 +69,7 @@ void materialInside(Gl gl, GLenum mode, Answers& answers) {
   triangle(gl, 0), middle(gl, answers), current(gl, answers);
 }
 
-/// The same of colours that the material follows.
+/// The same for colours that the material follows.
 void colorInside(Gl gl, GLenum mode, Answers& answers) {
   light(gl);
   gl.Enable(GL_COLOR_MATERIAL), gl.Color4fv(kRed);
@@ -79,7 +79,7 @@ void colorInside(Gl gl, GLenum mode, Answers& answers) {
   triangle(gl, 0), middle(gl, answers), current(gl, answers);
 }
 
-/// glColorMaterial after a draw of `mode`, lit or not, with or without questions before it.
+/// glColorMaterial after a draw of `mode`, lit or not, with or without queries before it.
 void modeChanges(Gl gl, GLenum mode, bool lit, bool asked, GLenum to, Answers& answers) {
   gl.Enable(GL_DEPTH_TEST);
   if (lit) light(gl);

@@ -52,7 +52,7 @@ TEST(TwentyPoints, P04DepthIsReadInMidFrame) {
       gl.ReadPixels(x, 70, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
       seen.push_back(depth);
     }
-    // What is under the cursor becomes the pivot of what follows.
+    // The point under the cursor becomes the pivot for the following frames.
     gl.Translatef(0, 0, seen.back());
     sendAt(gl, sphere(10, 16), 0, 0, 0, 0.5f);
   });

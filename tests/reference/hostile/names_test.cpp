@@ -1,5 +1,5 @@
-// Names that the program is given: the same as without us, though we take some too. Programs use them as
-// array indices.
+// Names that glGen* gives the program: the same as without GLuRay, although GLuRay takes names, too. Programs
+// use them as array indices.
 #include "scenes/stage.h"
 #include "tests/support/traced_context.h"
 

@@ -1,4 +1,4 @@
-// State that is read back with one group and changed by a call of another: the picture must follow at once.
+// State that is read back with one group and changed by another group's call: the picture must follow.
 #include "scenes/texels.h"
 #include "tests/reference/hostile/habits.h"
 
@@ -48,7 +48,7 @@ TEST(StaleState, FlatShadingByTheFirstVertex) {
   });
 }
 
-/// Two strips in one draw, told apart by an index, after one without such an index.
+/// Two strips in one draw, separated by primitive restart, after a draw without it.
 void restartedStrips(Gl gl, GLenum capability, GLubyte restart) {
   stage(gl);
   gl.Disable(GL_LIGHTING);
@@ -81,7 +81,7 @@ TEST(StaleState, PrimitiveRestartByTheHighestIndex) {
   expectSame([](Gl gl, Seen&) { restartedStrips(gl, GL_PRIMITIVE_RESTART_FIXED_INDEX, 255); });
 }
 
-/// Opaque texels, but samples beyond them blend with a border that is not.
+/// Opaque texels with a translucent border, which samples beyond the texels blend with.
 TEST(StaleState, TranslucentBorderOfAnOpaqueTexture) {
   for (const GLint wrap : {GL_CLAMP_TO_BORDER, GL_CLAMP})
     expectSame(

@@ -22,7 +22,7 @@ inline BothStage theStage() {
           }};
 }
 
-/// All that it draws is traced.
+/// Expects that all of its draws are traced.
 inline void expectTraced(const std::string& name, const Draw& draw, uint64_t traced) {
   const gl::Statistics counted = compareBoth(theStage(), name, draw);
   EXPECT_EQ(counted.drawsTraced, traced) << name;

@@ -1,5 +1,4 @@
-// Fixed-function surfaces that are blended in the order of drawing: where they are drawn to, and what else
-// touches it.
+// Fixed-function surfaces blended in the order of drawing: their framebuffers, and other uses of these.
 #include "intercept/present/tracing_presenter.h"
 #include "tests/reference/framebuffer.h"
 #include "tests/reference/layers/drawn_layers_stage.h"
@@ -37,7 +36,7 @@ TEST(DrawnLayers, MeetFramebuffersOfManyFormats) {
   }
 }
 
-TEST(DrawnLayers, AreLeftAloneWhereTheFramebufferIsOfAnotherKind) {
+TEST(DrawnLayers, AreRasterisedInOtherKindsOfFramebuffers) {
   for (const GLenum format : {GL_RGB10_A2, GL_RGBA16F, GL_RGBA16, GL_RGB565}) {
     const auto draw = [&](Gl gl) {
       bindNewFramebuffer(gl, {kWidth, kHeight}, format, GL_DEPTH_COMPONENT24);
@@ -49,7 +48,7 @@ TEST(DrawnLayers, AreLeftAloneWhereTheFramebufferIsOfAnotherKind) {
   }
 }
 
-TEST(DrawnLayers, AreLeftAloneWhereThereAreManySamples) {
+TEST(DrawnLayers, AreRasterisedInMultisampledFramebuffers) {
   for (const bool multisample : {true, false}) {
     for (const bool writes : {true, false}) {
       const auto draw = [&](Gl gl) {

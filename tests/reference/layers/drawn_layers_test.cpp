@@ -26,7 +26,7 @@ TEST(DrawnLayers, AreBlendedInEveryOrder) {
   } while (std::next_permutation(order.begin(), order.end()));
 }
 
-TEST(DrawnLayers, AreHiddenByWhatIsOpaque) {
+TEST(DrawnLayers, AreHiddenByOpaqueSurfaces) {
   for (const GLenum function : {GL_LESS, GL_LEQUAL}) {
     const auto draw = [&](Gl gl) {
       gl.DepthFunc(function);
@@ -114,7 +114,7 @@ TEST(DrawnLayers, OfOneDrawKeepTheOrderOfTheirTriangles) {
   }
 }
 
-/// The order of triangles survives every structure that rays go through.
+/// The order of triangles is kept whatever the acceleration structure.
 TEST(DrawnLayers, AreTheSameInEveryStructure) {
   for (const BvhQuality bvh :
        {BvhQuality::automatic, BvhQuality::fast, BvhQuality::full, BvhQuality::compact, BvhQuality::least}) {
@@ -138,7 +138,7 @@ TEST(DrawnLayers, AreTheSameInEveryStructure) {
   }
 }
 
-/// More than rays gather in one go, at places that are all but the same.
+/// More layers than rays gather in one step, at almost equal depths.
 TEST(DrawnLayers, OfManyAreAllBlended) {
   for (const bool writes : {true, false}) {
     const auto draw = [&](Gl gl) {
@@ -220,7 +220,7 @@ TEST(DrawnLayers, OfFewTrianglesAreLeftToTheRealOne) {
   EXPECT_EQ(counted.rasterisedBecause[static_cast<size_t>(gl::Reason::smallScene)], 1u);
 }
 
-/// Many small ones that wait together are not few, once a frame has shown it.
+/// Many small draws that are pending together count as a large scene, after one such frame.
 TEST(DrawnLayers, OfManyDrawsAreTracedTogether) {
   BothStage stage = theStage();
   stage.settings.engine = Engine::automatic;

@@ -1,4 +1,4 @@
-// Blended fixed-function surfaces whose alpha comes from textures, and those that turn out to be opaque.
+// Blended fixed-function surfaces whose alpha comes from textures, among them opaque ones.
 #include "tests/reference/layers/drawn_layers_stage.h"
 
 #include <cstdint>
@@ -11,7 +11,7 @@ using namespace drawn_layers;
 
 constexpr GLsizei kTexels = 16;
 
-/// A disc, opaque in its middle, of which every texel's colour differs; nothing around it.
+/// A disc with an opaque middle, a different colour in each texel, and transparent surroundings.
 std::vector<uint32_t> disc(bool opaque) {
   std::vector<uint32_t> texels;
   for (int y = 0; y < kTexels; ++y) {
@@ -36,7 +36,7 @@ void texture(Gl gl, GLenum kept, GLenum mode, bool opaque = false) {
   gl.Enable(GL_TEXTURE_2D);
 }
 
-/// Cards that cross one another, nearest first and farthest first.
+/// Intersecting rectangles, nearest first and farthest first.
 void cards(Gl gl, float alpha) {
   gl.Disable(GL_LIGHTING);
   for (const float z : {0.5f, -0.5f, 0.1f}) {
@@ -73,7 +73,7 @@ TEST(DrawnTextures, BringTheirAlphaInEveryEnvironment) {
   }
 }
 
-/// As foliage is drawn.
+/// Like foliage.
 TEST(DrawnTextures, AreCutOutAndBlended) {
   const auto draw = [](Gl gl) {
     texture(gl, GL_RGBA8, GL_MODULATE);
@@ -101,7 +101,7 @@ TEST(DrawnTextures, OfTwoUnits) {
   expectTraced("two units", draw, 3);
 }
 
-/// As programs do that leave blending on for everything: opaque surfaces are traced in one picture.
+/// As in programs that leave blending on for everything: opaque surfaces are traced in one picture.
 TEST(BlendedOpaque, IsTracedInOneBatch) {
   const struct {
     const char* name;
@@ -127,7 +127,7 @@ TEST(BlendedOpaque, IsTracedInOneBatch) {
   }
 }
 
-/// Colours of bytes, as VisIt's meshes have them: those of alpha 255 are opaque, others layers.
+/// Byte colours, as in VisIt's meshes: surfaces with alpha 255 are opaque, others layers.
 TEST(BlendedOpaque, IsKnownByTheColorsOfItsVertices) {
   const Model model = torus(0.8f, 0.3f, 30, 16);
   for (const GLubyte alpha : {GLubyte{255}, GLubyte{254}, GLubyte{100}}) {

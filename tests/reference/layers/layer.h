@@ -1,4 +1,4 @@
-// Surfaces that are seen through, drawn by VTK's programs, for the tests of every way to composite them.
+// Translucent surfaces drawn by VTK's programs, for the tests of all compositing methods.
 #pragma once
 #include "tests/reference/programs/program_stage.h"
 
@@ -8,7 +8,7 @@
 
 namespace gluray::test {
 
-/// A surface: seen through unless its opacity is 1.
+/// A surface: translucent unless its opacity is 1.
 struct Layer {
   ProgramMesh mesh;
   Surface surface;
@@ -22,20 +22,19 @@ struct Layer {
 /// A view with the object moved and scaled.
 View placed(const glm::dvec3& at, double size = 1);
 Layer seen(ProgramMesh mesh, const glm::vec3& color, float opacity, const View& view);
-/// A ball in a ball in a ball, and something opaque that cuts through them.
+/// Three nested balls, and an opaque surface that intersects them.
 std::vector<Layer> balls();
 
-/// Draws `layer`, which `uploaded` holds, by `program`. `more` sets uniforms of its own.
+/// Draws `layer`, which `uploaded` holds, with `program`. `more` sets additional uniforms.
 void drawLayer(Gl gl, GLuint program, const Upload& uploaded, const Layer& layer,
                const std::function<void()>& more = {});
-/// The same with a mesh that is uploaded for this draw alone.
+/// The same with a mesh uploaded only for this draw.
 void drawFresh(Gl gl, GLuint program, const Layer& layer);
 
-/// A texture of the window's size without filtering, and a framebuffer object of such and a depth buffer,
-/// bound.
+/// A texture of the window's size without filtering; a bound framebuffer object of it and a depth buffer.
 GLuint pictureTexture(Gl gl, GLenum internalFormat);
 GLuint pictureFramebuffer(Gl gl, std::initializer_list<GLuint> colors);
-/// The colours of the framebuffer that is bound for reading, in the window, which is bound then.
+/// Copies the colours of the framebuffer bound for reading to the window, and binds the window.
 void showInWindow(Gl gl);
 
 }  // namespace gluray::test

@@ -1,5 +1,4 @@
-// Dual depth peeling as VTK 9.1 does it (vtkDualDepthPeelingPass), call by call, for the tests of surfaces
-// that are seen through.
+// Dual depth peeling as in VTK 9.1 (vtkDualDepthPeelingPass), for the tests of translucent surfaces.
 #pragma once
 #include "tests/reference/layers/layer.h"
 
@@ -13,11 +12,11 @@ class Peeler {
  public:
   explicit Peeler(Gl gl);
 
-  /// What a test does between the steps of a frame. All may be empty.
+  /// Called between the steps of a frame. All may be empty.
   struct Hooks {
     std::function<void()> afterDepths, betweenSurfaces, afterFirstPeel;
   };
-  /// Draws what is opaque (opacity 1) and composites the rest.
+  /// Draws the opaque surfaces (opacity 1) and composites the others.
   void frame(const std::vector<Layer>& all, const Hooks& hooks = {});
   /// Peels that the last frame drew.
   int peels() const { return peels_; }
@@ -28,7 +27,7 @@ class Peeler {
   int mostPeels = 4;
   GLuint threshold = 0;  // a peel that wrote so many pixels at the back, or fewer, is the last
 
-  bool blendsRest = false;  // what peels have left, in the order of drawing, as VTK does
+  bool blendsRest = false;  // blends the layers that peels have left, in the order of drawing, as VTK does
 
   enum Stage { kOpaque, kDepths, kPeel, kRest };
 

@@ -1,5 +1,4 @@
-// Depth peeling with something between its passes: whatever looks at them finds what the real OpenGL would
-// have there.
+// Depth peeling with other commands between its passes: they find what the real OpenGL would have there.
 #include "tests/reference/layers/peeling_stage.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What a peeled scene must look like, for the tests of depth peeling.
+// Expectations for peeled scenes, for the tests of depth peeling.
 #pragma once
 #include "tests/reference/layers/peeler.h"
 
@@ -8,7 +8,7 @@
 
 namespace gluray::test {
 
-/// Layers are rounded to eight bits by every peel of the real OpenGL, by us once.
+/// The real OpenGL rounds layers to eight bits in every peel, GLuRay once.
 inline constexpr scenes::Tolerance kPeelTolerance = {
     3, 0.004, 1e-5f, "silhouettes of all layers; every peel rounds to eight bits"};
 
@@ -23,7 +23,7 @@ inline void expectPeeled(const std::string& name, const std::vector<Layer>& all,
   expectBoth(name, draw, draws, {}, kPeelTolerance);
 }
 
-/// Sheets one behind the other, `step` apart, the nearest first.
+/// Parallel flat layers, `step` apart, the nearest first.
 inline std::vector<Layer> row(int count, float opacity, double step) {
   std::vector<Layer> all;
   for (int i = 0; i < count; ++i) {

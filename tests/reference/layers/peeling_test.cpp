@@ -1,5 +1,5 @@
-// Surfaces that are seen through, composited by dual depth peeling: all layers are traced in the place of the
-// first peel; whatever comes between makes the real OpenGL draw what was held back.
+// Translucent surfaces composited by dual depth peeling: all layers are traced in place of the
+// first peel; any other command in between makes the real OpenGL draw the held-back passes.
 #include "tests/reference/layers/peeling_stage.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -15,7 +15,7 @@ using Hooks = Peeler::Hooks;
 TEST(Peeling, AllLayersAreTracedAtOnce) { expectPeeled("balls", balls(), 2 * 4); }
 
 TEST(Peeling, ProgramsThatAreMadeBetweenThePassesChangeNothing) {
-  // The first frame makes them when it first needs them; so does this one.
+  // As in the first frame, they are made when they are first needed.
   expectBoth(
       "one_frame",
       [](Gl gl) {
@@ -41,7 +41,7 @@ TEST(Peeling, ProgramsCountWhatTheirPeelsWouldHaveWritten) {
   EXPECT_GT(written[0][3], 1000u);
 }
 
-TEST(Peeling, ProgramsStopAfterTheNearestLayerWhereAllLiesBeforeSomethingOpaque) {
+TEST(Peeling, ProgramsStopAfterTheNearestLayerIfAllAreBeforeOpaqueSurfaces) {
   auto all = row(4, 0.4f, 0.2);
   all.push_back(seen(sheet(4), glm::vec3(0.8f), 1, placed({0, 0, -3}, 3)));
   const auto draw = [&](Gl gl) {
@@ -67,7 +67,7 @@ TEST(Peeling, MoreLayersThanTheProgramPeelsAreNotAllShown) {
   expectSame("low_threshold", draw(20, 50), 3 * 12, {}, kPeelTolerance);
 }
 
-/// Colours and opacities that show in which order they came, drawn neither from the front nor from behind.
+/// Colours and opacities that show the order of compositing, drawn neither front to back nor back to front.
 std::vector<Layer> shuffled() {
   std::vector<Layer> all;
   for (int i = 0; i < 10; ++i) {
@@ -79,12 +79,12 @@ std::vector<Layer> shuffled() {
   return all;
 }
 
-TEST(Peeling, WhatPeelsLeaveIsBlendedInTheOrderOfDrawing) {
+TEST(Peeling, RemainingLayersAreBlendedInTheOrderOfDrawing) {
   const auto all = shuffled();
   const auto draw = [&](Gl gl) {
     Peeler peeler(gl);
     peeler.blendsRest = true;
-    // The first frame of each shows what the one before did not tell.
+    // The first frame of each must not rely on the frame before.
     for (const int most : {1, 1, 3, 2, 20, 2}) {
       peeler.mostPeels = most;
       peeler.frame(all);
@@ -93,7 +93,7 @@ TEST(Peeling, WhatPeelsLeaveIsBlendedInTheOrderOfDrawing) {
   expectSame("rest", draw, 6 * 10, {}, kPeelTolerance);
 }
 
-TEST(Peeling, WhatIsLeftBeforeSomethingOpaqueInAPart) {
+TEST(Peeling, RemainingLayersBeforeAPartlyOpaqueSurface) {
   auto all = shuffled();
   all.push_back(seen(sheet(4), glm::vec3(0.8f), 1, placed({1, 0, -3}, 1.2)));
   const auto draw = [&](Gl gl) {
@@ -144,7 +144,7 @@ TEST(Peeling, SheetsWithinAnother) {
   expectPeeled("sheets", all, 2 * 6);
 }
 
-TEST(Peeling, TwoOfOnePlace) {
+TEST(Peeling, TwoAtOnePlace) {
   auto all = balls();
   all[1].view = all[0].view;
   expectPeeled("one_place", all, 2 * 4);
@@ -158,7 +158,7 @@ TEST(Peeling, CulledFacesAreNotSeen) {
   expectPeeled("culled", all, 2 * 4);
 }
 
-/// As f3d draws: what is opaque goes into a framebuffer of floats, which is cleared right before the peels.
+/// As in f3d: opaque surfaces go into a framebuffer of floats, which is cleared right before the peels.
 TEST(Peeling, AFramebufferOfFloatsIsClearedBefore) {
   GLuint framebuffer = 0;
   const auto clear = [&framebuffer](Gl gl) {

@@ -1,4 +1,4 @@
-// Surfaces that are seen through, added up by weighted blending.
+// Translucent surfaces, summed by weighted blending.
 #include "tests/reference/layers/summer.h"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ TEST(Sums, WithoutLightsAndByMicrofacets) {
   expectSummed("sum_lights", all, 2 * 4);
 }
 
-TEST(Sums, TwoOfOnePlace) {
+TEST(Sums, TwoAtOnePlace) {
   auto all = balls();
   all[1].view = all[0].view;
   expectSummed("sum_one_place", all, 2 * 4);
@@ -82,7 +82,7 @@ TEST(Sums, BlendedOtherwiseTheRealOneDraws) {
 }
 
 TEST(Sums, BlendedOtherwiseBetweenDrawingAndFlush) {
-  // Ours are added as they would have been when they were drawn.
+  // GLuRay's sums are added as they would have been when drawn.
   auto all = balls();
   expectSummed("sum_late_blend", all, 2 * 4, [](Gl gl, Summer& summer) {
     summer.between = [&gl] {

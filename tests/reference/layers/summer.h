@@ -1,15 +1,15 @@
-// Weighted blending as VTK 9.1's vtkOrderIndependentTranslucentPass does it: surfaces that are seen through
-// are added up in textures of floats.
+// Weighted blending as in VTK 9.1's vtkOrderIndependentTranslucentPass: translucent surfaces are summed
+// in textures of floats.
 #pragma once
 #include "tests/reference/layers/layer.h"
 
 namespace gluray::test {
 
-/// Draws what is opaque, adds up the rest, and puts it over.
+/// Draws the opaque surfaces, sums the others, and composites the sum over them.
 class Summer {
  public:
   explicit Summer(Gl gl);
-  std::function<void()> between;  // surfaces that are added up
+  std::function<void()> between;  // called between summed surfaces
   GLuint colors() const { return colors_; }
   GLuint opacities() const { return opacities_; }
   GLenum depthFunc = GL_LEQUAL;

@@ -1,5 +1,5 @@
-// Materials in display lists while they follow the colour (GL_COLOR_MATERIAL): what they are afterwards, and
-// the picture of the next draws, must be what the real OpenGL has without us.
+// Materials in display lists while they follow the colour (GL_COLOR_MATERIAL): their values afterwards, and
+// the picture of the next draws, must be the same as without GLuRay.
 #include "tests/support/traced_context.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 using Gl = const gl::RealGl&;
 
 constexpr int kSize = 32;
-// None lies between two of 255 steps.
+// Exactly representable in 255 steps.
 constexpr GLfloat kOrange[4] = {0.8f, 0.4f, 0.2f, 1}, kBlue[4] = {0.2f, 0.4f, 0.8f, 1},
                   kWhite[4] = {1, 1, 1, 1};
 

@@ -1,5 +1,5 @@
-// Primitives that are spread over display lists, and errors inside glBegin of lists: the same calls to a
-// plain OpenGL and to ours, and the same errors and pixels.
+// Primitives spread over several display lists, and errors inside glBegin of lists: the same calls to the
+// real OpenGL and through GLuRay must give the same errors and pixels.
 #include "tests/support/traced_context.h"
 
 #include <gtest/gtest.h>
@@ -160,7 +160,7 @@ TEST_P(ListPieces, AreThoseOfTheRealOne) {
     gl.Enable(GL_DEPTH_TEST), gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     GetParam().calls(gl, errors);
     error(gl, errors);
-    // Whatever came before, another primitive can be drawn.
+    // After any calls, another primitive can be drawn.
     gl.Begin(GL_TRIANGLES), gl.Color3f(0, 0, 1);
     gl.Vertex3f(0.5f, 0.5f, -0.5f), gl.Vertex3f(1, 0.5f, -0.5f), gl.Vertex3f(1, 1, -0.6f);
     gl.End(), error(gl, errors);

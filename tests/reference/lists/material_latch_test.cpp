@@ -1,7 +1,7 @@
 // The quirk "material-latch": Mesa before 23 keeps glMaterial values that were set since the last draw and
 // stores them a second time after GL_COLOR_MATERIAL was enabled. A program whose frames end with materials
-// and begin with colour material sees that in its picture, so the picture with us must be the one that Mesa
-// makes, not the better one.
+// and begin with colour material sees that in its picture, so the picture with GLuRay must be Mesa's,
+// not the correct one.
 #include "gl/capture/material_latch.h"
 
 #include "tests/support/traced_context.h"
@@ -21,7 +21,7 @@ void material(const gl::RealGl& gl, GLenum name, const GLfloat* value) {
   gl.Materialfv(GL_FRONT_AND_BACK, name, value);
 }
 
-/// A frame as scene graphs send it: colour material while the model is drawn, plain materials afterwards.
+/// A frame as in scene graphs: colour material while the model is drawn, plain materials afterwards.
 void frame(const gl::RealGl& gl, GLuint list) {
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   gl.Enable(GL_LIGHTING), gl.Enable(GL_DEPTH_TEST);
@@ -65,7 +65,7 @@ TEST(MaterialLatch, PictureIsTheRealOne) {
   EXPECT_EQ(ours.context().counts.statistics.drawsTraced, 4u);
 }
 
-/// A picture is written between a material, colour material that comes and goes, and the draw.
+/// A picture is written back between a material, colour material that is switched on and off, and the draw.
 uint32_t replaced(const gl::RealGl& gl, const GLfloat* color) {
   const auto triangle = [&] {
     gl.Begin(GL_TRIANGLES);
@@ -89,7 +89,7 @@ TEST(MaterialLatch, ColorMaterialHasTheLastWord) {
   const GLfloat white[4] = {1, 1, 1, 1};
   for (const GLfloat* color : {kBright, white}) {
     const auto real = OsmesaContext::create({kSize, kSize});
-    // White is the current colour already: what stays then depends, in Mesa from 23 on, on vertices that wait
+    // White is the current colour already: the result then depends, in Mesa from 23 on, on pending vertices
     // (docs/distributions.md).
     if (color == white && !gl::MaterialLatch::isIn(real->real())) continue;
     const auto expected = replaced(real->real(), color);

@@ -1,4 +1,4 @@
-// gluray-scene-player --out FOLDER [SCENE ...]: draws scenes in a window, writes what was drawn.
+// gluray-scene-player --out FOLDER [SCENE ...]: draws scenes in a window and writes their pictures.
 // gluray-scene-player --compare EXPECTED GOT: compares two such folders by the scenes' tolerances.
 #include "tests/reference/player/window.h"
 #include "tests/support/picture.h"

@@ -6,7 +6,7 @@ namespace gluray::player {
 
 class Window {
  public:
-  /// Ends the program with a clear line where there is no display or no suitable visual.
+  /// Ends the program with one line on stderr if there is no display or no suitable visual.
   Window(int width, int height);
   /// Makes a new double-buffered context with 24 bits of depth and a stencil current; the one before is
   /// destroyed.

@@ -70,7 +70,7 @@ void drawOwn(Gl gl) {
   const GLuint program = makeProgram(gl, kOwnVertex, kOwnFragment);
   ProgramMesh mesh = ball(20);
   const Upload up = [&] {
-    Upload u = upload(gl, mesh, program);  // VTK's names are not there: positions and normals by hand
+    Upload u = upload(gl, mesh, program);  // finds no VTK names: positions and normals are set below
     const auto add = [&](const char* name, const std::vector<glm::vec3>& values) {
       GLuint made = 0;
       const auto place = static_cast<GLuint>(gl.GetAttribLocation(program, name));

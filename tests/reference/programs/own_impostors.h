@@ -1,5 +1,5 @@
-// What programs of our own that draw impostors have in common: sixty of them, their arrays, their light and
-// the view. For program_impostors_test.cpp and program_pixel_impostors_test.cpp.
+// Shared by the tests' own programs that draw impostors: sixty impostors, their arrays, light and
+// view. For program_impostors_test.cpp and program_pixel_impostors_test.cpp.
 #pragma once
 #include "tests/reference/programs/program_stage.h"
 
@@ -10,7 +10,7 @@ namespace gluray::test {
 
 inline constexpr int kImpostors = 60;
 
-/// The part of their families' files that says how to see and light them.
+/// The part of their family files about transforms and lights.
 inline const std::string kOwnFamily =
     "[[family]]\nname = \"own\"\nmatch.active = [\"place\", \"modelview\", \"projection\"]\n"
     "vertex.position = \"place\"\nvertex.color = \"paint\"\n"
@@ -19,13 +19,13 @@ inline const std::string kOwnFamily =
     "normals.parallel_view = \"ortho\"\nmaterial.ambient_intensity = 0.2\nmaterial.ambient_color = 1\n"
     "material.diffuse_intensity = 0.8\nlights.direction = \"sun\"\n";
 
-/// Compiles and links; a failed test where a shader's log is not empty. `geometry` may be empty.
+/// Compiles and links; the test fails if a shader's log is not empty. `geometry` may be empty.
 GLuint linkImpostors(Gl gl, const std::string& vertex, const std::string& geometry,
                      const std::string& fragment);
 
 /// Makes a vertex array object current that has attributes "place" and "paint".
 void placeImpostors(Gl gl, GLuint program);
-/// Gives it another one of `size` floats each; nothing where it is not active.
+/// Adds an array of `size` floats each for another attribute; does nothing if that is not active.
 void addImpostorValues(Gl gl, GLuint program, const char* name, GLint size, const std::vector<float>& values);
 
 /// View and light of the program in use.

@@ -10,7 +10,7 @@
 namespace gluray::test {
 namespace {
 
-/// A vertex as programs like to lay them out.
+/// A typical vertex layout.
 struct Vertex {
   std::array<GLshort, 4> position;  // thousandths
   std::array<GLbyte, 4> normal;
@@ -97,7 +97,7 @@ void positionsOfFour(Gl gl) {
   s.draw();
 }
 
-/// Points at w = 2: no tracing of these, but the picture is the same.
+/// Points at w = 2 are not traced, but the picture is the same.
 void homogeneous(Gl gl) {
   Stage s{gl};
   s.begin();
@@ -170,7 +170,7 @@ void formatsAndBindingsFromAnOffset(Gl gl) {
   s.draw();
 }
 
-/// The same bytes as fractions and as numbers.
+/// The same bytes as normalised and as plain numbers.
 void normalizedAndNot(Gl gl) {
   Stage s{gl};
   s.begin();
@@ -185,7 +185,7 @@ void normalizedAndNot(Gl gl) {
   }
 }
 
-/// Every vertex the same: a stride of 0 means that here, and no longer "packed".
+/// Every vertex the same: here a stride of 0 means that, not "packed".
 void bindingWithoutStride(Gl gl) {
   Stage s{gl};
   s.begin();

@@ -15,7 +15,7 @@ std::string joined(const std::vector<std::string>& lines) {
   return all;
 }
 
-/// What the program sees, but for names: those that it is given differ where we make objects, too.
+/// The state that the program sees, without object names, which differ because GLuRay makes objects, too.
 GlState withoutNames(GlState state) {
   std::erase_if(state, [](const auto& entry) {
     const std::string& name = entry.first;
@@ -24,14 +24,14 @@ GlState withoutNames(GlState state) {
   return state;
 }
 
-/// What a program sees after its draws.
+/// Picture, errors and state after a program's draws.
 struct Result {
   Picture picture;
   GlState state;
   GLenum error = GL_NO_ERROR;
 };
 
-/// The picture, after all that the program sees was noted. What is pending at the end may change nothing.
+/// Records errors and state, then the picture. Pending draws must not change the former.
 Result drawn(Gl gl, const DrawProgram& draw, const ContextWish& wish) {
   Result result;
   draw(gl);
@@ -53,7 +53,7 @@ Result drawnByRealOpenGl(const DrawProgram& draw, const ContextWish& wish) {
 
 ContextWish orCore(const ContextWish& wish) { return wish.width == 64 ? coreWish() : wish; }
 
-/// Expects what the real OpenGL gave: `tolerance` for the picture, the same errors and state.
+/// Expects the real OpenGL's picture within `tolerance`, and the same errors and state.
 void expectLike(const Result& expected, const Result& got, const scenes::Tolerance& tolerance,
                 const std::string& file) {
   EXPECT_EQ(got.error, expected.error);

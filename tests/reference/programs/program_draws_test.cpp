@@ -1,4 +1,4 @@
-// Draws by shader programs among each other: offsets into buffers, cameras, uniforms of every kind,
+// Several draws by shader programs: offsets into buffers, cameras, uniforms of every kind,
 // and programs and buffers that change between draws.
 #include "tests/reference/programs/program_stage.h"
 
@@ -112,7 +112,7 @@ TEST(ProgramDraws, SeveralCamerasAndViewportsInAFrame) {
 }
 
 TEST(ProgramDraws, MatricesThatTheProgramHasNoPlaceFor) {
-  // The headlight's program has no MCVCMatrix: places are known by what MCDCMatrix does to points.
+  // The headlight's program has no MCVCMatrix: draws are placed by MCDCMatrix.
   const Outcome o = expectSame(
       "placeless",
       [](Gl gl) {
@@ -260,7 +260,7 @@ TEST(ProgramDraws, TexturesChangeBetweenDrawAndFlush) {
 }
 
 TEST(ProgramDraws, IndexBufferShorterThanTheDraw) {
-  // What lies behind the end is undefined; nothing may be read there, and what follows is right.
+  // Data beyond the end is undefined; nothing may be read there, and later draws must be right.
   TracedContext ours(coreWish(), TracedContext::tracing());
   Gl gl = ours.gl();
   const Surface surface{};

@@ -49,7 +49,7 @@ const char* const kPainting =
     "  diffuseColor = mix(diffuseColor, vec3(0.0), emix);\n"
     "  ambientColor = mix( ambientColor, edgeColor, emix);\n";
 
-/// Which of VTK's ways: 9.1's, 9.3's with an opacity, and since 9.4 corners that stay.
+/// VTK's variants: 9.1's, 9.3's with an opacity, and since 9.4 corners that stay.
 enum class Way { opaque, faint, corners };
 
 std::string without(std::string text, const std::string& from, const std::string& to) {

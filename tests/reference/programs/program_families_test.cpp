@@ -1,4 +1,4 @@
-// What family files can say, each on a program that computes just that.
+// The keys of family files, each tested by a program that computes exactly that.
 #include "tests/reference/programs/program_stage.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -8,7 +8,7 @@
 namespace gluray::test {
 namespace {
 
-/// A program, its family, and what it sets beside the matrices `mvp` and `modelview`.
+/// A program, its family, and the uniforms it sets besides the matrices `mvp` and `modelview`.
 struct Case {
   const char *name, *vertex, *fragment, *family;
   void (*set)(Gl, GLuint program);
@@ -21,7 +21,7 @@ const char* const kHead =
     "transform.clip_from_object = \"mvp\"\n";
 
 const Case kCases[] = {
-    // Towards the light, of any length; ambient light of the material alone; normals by the inverse
+    // Direction towards the light, of any length; ambient light only of the material; normals by the inverse
     // transpose.
     {"sun",
      "in vec3 vertexMC, normalMC; in vec4 scalarColor; uniform mat4 mvp, modelview; out vec3 n, p; out vec4 "

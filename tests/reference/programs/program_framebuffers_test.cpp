@@ -72,7 +72,7 @@ TEST(ProgramFramebuffers, WithDepthOf32Bits) {
   expectBoth(
       "fbo32", [](Gl gl) { drawInto(gl, GL_TEXTURE_2D, GL_DEPTH_COMPONENT32); }, 2);
 }
-/// Depth of a pixel that is resolved is any of its samples'.
+/// The depth of a resolved pixel may be that of any of its samples.
 constexpr scenes::Tolerance kManySamples{2, 0.002, 2e-2f, "silhouettes fall on either side of a sample"};
 TEST(ProgramFramebuffers, WithFourSamples) {
   expectBoth(

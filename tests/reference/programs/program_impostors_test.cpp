@@ -1,5 +1,5 @@
-// Round impostors that programs cut out of billboards, not as VTK writes them: what the section [impostors]
-// of family files says, each on a program that computes just that.
+// Impostors other than VTK's: the keys of the section [impostors] of family files, each tested by a program
+// that computes exactly that.
 #include "tests/reference/programs/own_impostors.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ const char* const kVertex =
     "void main() { c = (modelview * vec4(place, 1)).xyz; a = mat3(modelview) * way; tint = paint; r = size; "
     "}\n";
 
-/// A square that hides nothing of a sphere about the whole impostor.
+/// A square that covers the bounding sphere of the whole impostor.
 const char* const kGeometry =
     "#version 150\nlayout(points) in; layout(triangle_strip, max_vertices = 4) out;\n"
     "in vec3 c[], a[], tint[]; in float r[]; uniform mat4 projection; out vec3 center, axis, color, at; out "
@@ -128,7 +128,7 @@ TEST(ProgramImpostor, TheViewerTurnsAndNothingIsBuilt) {
   EXPECT_EQ(outcome.statistics.meshesBuilt, 1u);
 }
 
-TEST(ProgramImpostor, WhatIsCulledOrMadeOfTrianglesIsLeftToTheRealOpenGl) {
+TEST(ProgramImpostor, CulledOnesAndThoseOfTrianglesAreLeftToTheRealOne) {
   expectBoth(
       "impostors_culled",
       [](Gl gl) {

@@ -107,7 +107,7 @@ void expectMutantsSeen(const std::string& name, const ShaderTexts& shaders,
       ours.makeCurrent();
       const Drawn got = drawn(ours.gl(), texts);
       ++compiled, traced += got.traced;
-      if (!got.traced) continue;  // some have values that OpenGL leaves undefined: nothing to compare
+      if (!got.traced) continue;  // some use values that OpenGL leaves undefined, so are not compared
       const Comparison c = compare(expected.picture, got.picture, kProgramTolerance);
       EXPECT_TRUE(c.accepted) << mutant.what << "\n" << c.text;
     }

@@ -12,11 +12,11 @@ namespace gluray::test {
 /// The kinds and texts of a program's shaders.
 using ShaderTexts = std::vector<std::pair<GLenum, std::string>>;
 
-/// Compiles and links; 0 where that does not work.
+/// Compiles and links; 0 if that fails.
 GLuint linked(Gl gl, const ShaderTexts& shaders);
 
 struct Mutant {
-  std::string what;  // was changed, for the reader
+  std::string what;  // description of the change
   std::string text;
 };
 /// `text` with each statement of main removed, written twice, exchanged with the next one, and changed in
@@ -24,8 +24,7 @@ struct Mutant {
 std::vector<Mutant> mutantsOf(const std::string& text);
 
 /// Draws each mutant of each shader that can be linked by the real OpenGL and through ours, and expects the
-/// same picture. It must be traced with the shaders as they are, and few mutants of them: those that change
-/// nothing.
+/// same picture. The unchanged program must be traced, and only few mutants: those that change nothing.
 void expectMutantsSeen(const std::string& name, const ShaderTexts& shaders,
                        const std::function<void(Gl, GLuint program)>& draw);
 

@@ -1,6 +1,6 @@
-// Programs that differ from VTK's in one statement of main, as users write who replace parts of VTK's
-// shaders: removed, written twice, changed, or exchanged with the next one. What becomes of it is seen,
-// whoever draws it.
+// Programs that differ from VTK's in one statement of main, as when users replace parts of VTK's
+// shaders: removed, repeated, changed, or exchanged with the next one. The picture must show the change,
+// traced or not.
 #include "tests/reference/programs/program_mutants.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ const Case kCases[] = {
     {"pbr_headlight", {.lights = Lights::pbrHeadlight}},
 };
 
-/// A bowl: both sides of its triangles are seen.
+/// A bowl: both sides of its triangles are visible.
 ProgramMesh bowl() {
   ProgramMesh mesh = ball(12);
   mesh.indices.resize(mesh.indices.size() / 6 * 3);
@@ -55,7 +55,7 @@ void setSurface(Gl gl, GLuint program, const ProgramMesh& mesh, const Surface& s
 
 class ProgramMutants : public testing::TestWithParam<Case> {};
 
-TEST_P(ProgramMutants, AreNotTakenForWhatTheyWereMadeFrom) {
+TEST_P(ProgramMutants, AreNotTakenForTheOriginal) {
   const Surface& surface = GetParam().surface;
   expectMutantsSeen(GetParam().name,
                     {{GL_VERTEX_SHADER, vertexText(surface)}, {GL_FRAGMENT_SHADER, fragmentText(surface)}},

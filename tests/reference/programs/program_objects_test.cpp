@@ -1,4 +1,4 @@
-// Programs as objects: linked again, deleted, named anew, shared between contexts, wrong.
+// Programs as objects: relinked, deleted, names reused, shared between contexts, invalid.
 #include "tests/reference/programs/program_stage.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -23,7 +23,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text;
 }
 
-/// A ball by each of two programs, with something done in between.
+/// A ball drawn by each of two programs, with an action in between.
 void drawTwo(Gl gl, const std::function<GLuint(GLuint first)>& between) {
   const Surface surface{.lightCount = 2};
   const ProgramMesh mesh = ball(16);
@@ -58,7 +58,7 @@ TEST(ProgramObjects, LinkedAgainAsAnotherSurface) {
       2);
 }
 
-TEST(ProgramObjects, LinkedAgainInVain) {
+TEST(ProgramObjects, LinkedAgainWithoutSuccess) {
   expectBoth(
       "unlinked",
       [](Gl gl) {
@@ -95,7 +95,7 @@ TEST(ProgramObjects, DeletedWhileInUseAndItsNameUsedAgain) {
       "deleted",
       [](Gl gl) {
         drawTwo(gl, [&](GLuint program) {
-          gl.DeleteProgram(program);  // it lives on as long as it is in use, whatever is drawn meanwhile
+          gl.DeleteProgram(program);  // it lives on as long as it is in use
           const ProgramMesh mesh = ball(8);
           for (const double x : {-0.2, 0.2}) {
             setView(gl, program, placed(x));
@@ -136,7 +136,7 @@ TEST(ProgramObjects, NoProgramInACoreProfile) {
 }
 
 TEST(ProgramObjects, TwoContextsOfAShareGroup) {
-  // Each context has its uniforms' program, linked again in the other one.
+  // The uniforms of each context's program are reset by relinking it in the other context.
   const auto frame = [](Gl gl, GLuint program, const Surface& surface, const ProgramMesh& mesh) {
     const Upload up = upload(gl, mesh, program);
     beginFrame(gl);
@@ -176,7 +176,7 @@ TEST(ProgramObjects, TwoContextsOfAShareGroup) {
   EXPECT_EQ(two.context().counts.statistics.drawsTraced, 2u);
 }
 
-/// VTK's names with types that mean something else: not what the family describes.
+/// VTK's names with other types: not the program that the family describes.
 struct WrongType {
   const char *name, *what, *by, *use, *instead;
 };

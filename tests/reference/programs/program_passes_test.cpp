@@ -1,5 +1,4 @@
-// Surfaces that shader programs draw in several passes, of which the later ones are of programs that nobody
-// knows.
+// Surfaces that shader programs draw in several passes; the programs of later passes have no family.
 #include "tests/reference/framebuffer.h"
 #include "tests/reference/programs/program_stage.h"
 
@@ -8,7 +7,7 @@
 namespace gluray::test {
 namespace {
 
-/// A ball before a wall, then the ball again; `looked`: somebody looks in between.
+/// A ball in front of a wall, then the ball again; `looked`: the framebuffer is read in between.
 void drawFrames(Gl gl, int frames, bool looked, GLenum func) {
   const ProgramMesh round = ball(24), flat = sheet(8);
   const GLuint program = makeProgram(gl, Surface{}), again = makeUnknownProgram(gl);
@@ -28,7 +27,7 @@ void drawFrames(Gl gl, int frames, bool looked, GLenum func) {
   }
 }
 
-TEST(ProgramPasses, MeetTheDepthOfTheFirst) {
+TEST(ProgramPasses, FindTheDepthOfTheFirst) {
   for (const GLenum func : {GL_LEQUAL, GL_EQUAL, GL_LESS})
     for (const bool looked : {false, true})
       for (const int frames : {1, 3})
@@ -37,7 +36,7 @@ TEST(ProgramPasses, MeetTheDepthOfTheFirst) {
             [&](Gl gl) { drawFrames(gl, frames, looked, func); }, -1);
 }
 
-/// Depth of a pixel that is resolved is any of its samples': colours alone are compared.
+/// The depth of a resolved pixel may be that of any of its samples: compares only colours.
 TEST(ProgramPasses, OfSeveralSamples) {
   for (const bool looked : {false, true})
     expectSame(
@@ -53,8 +52,8 @@ TEST(ProgramPasses, OfSeveralSamples) {
         -1);
 }
 
-/// As a shadow map is made for each of many lights, before anything was ever swapped.
-TEST(ProgramPasses, MeetItAfterOtherFramebuffersWereClearedAndDrawnTo) {
+/// Like shadow maps for many lights, before the first swap.
+TEST(ProgramPasses, FindItAfterOtherFramebuffersWereClearedAndDrawnTo) {
   expectSame(
       "passes_shadow_maps",
       [&](Gl gl) {
@@ -78,7 +77,7 @@ TEST(ProgramPasses, MeetItAfterOtherFramebuffersWereClearedAndDrawnTo) {
       -1);
 }
 
-/// The pass of nobody's program comes first: depth in advance.
+/// The pass of a program without family comes first: a depth pre-pass.
 TEST(ProgramPasses, TheRasterisedPassComesFirst) {
   for (const int frames : {1, 3})
     for (const bool colors : {false, true})

@@ -1,5 +1,5 @@
-// Beads and tubes, not as VTK writes them: what the section [impostors] of family files says of points and
-// lines of so many pixels, each on a program that computes just that.
+// Beads and tubes other than VTK's: the keys of the section [impostors] of family files about points and
+// lines sized in pixels, each tested by a program that computes exactly that.
 #include "tests/reference/programs/own_impostors.h"
 
 #include <gtest/gtest.h>

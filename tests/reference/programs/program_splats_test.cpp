@@ -1,5 +1,4 @@
-// Point Gaussian as VTK draws it since 9.4: a ball's covariance in normalised device coordinates, and a
-// billboard of it.
+// Point Gaussian as in VTK since 9.4: a billboard from a ball's covariance in normalised device coordinates.
 #include "tests/reference/programs/own_impostors.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -67,7 +66,7 @@ const char* const kFragment =
 struct Case {
   const char* name;
   bool parallel = false;
-  glm::vec3 stretch{1};  // of object space, and all that is in it
+  glm::vec3 stretch{1};  // scale of object space
   float radius = 0.25f, field = 40, offset = 0, lowpass = 0, bounds = 2;
   bool flat = false;  // all centres in one plane that faces the viewer
   int draws = 1;
@@ -79,9 +78,9 @@ const Case kCases[] = {
     {.name = "splats_parallel", .parallel = true},
     {.name = "splats_stretched", .stretch = {1.5f, 0.4f, 0.8f}},
     {.name = "splats_parallel_stretched", .parallel = true, .stretch = {1.5f, 0.4f, 0.8f}},
-    // Off the middle they are as much longer as they are aside.
+    // The farther from the middle, the longer they are.
     {.name = "splats_wide_angle", .radius = 0.2f, .field = 110},
-    // Covariances beside the diagonal below 1e-6.
+    // Off-diagonal covariances below 1e-6.
     {.name = "splats_small", .stretch = {2, 0.5f, 1}, .radius = 0.006f},
     {.name = "splats_offset", .offset = -8},
     {.name = "splats_parallel_offset", .parallel = true, .offset = -8},

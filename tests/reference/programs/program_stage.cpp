@@ -111,7 +111,7 @@ Upload upload(Gl gl, const ProgramMesh& mesh, GLuint program) {
   up.normals = add("normalMC", mesh.normals, 3, GL_FLOAT);
   up.colors = add("scalarColor", mesh.colors, 4, GL_UNSIGNED_BYTE);
   up.texcoords = add("tcoord", mesh.texcoords, 2, GL_FLOAT);
-  std::vector<glm::vec2> turned;  // another place for each vertex
+  std::vector<glm::vec2> turned;  // a new position for each vertex
   for (const glm::vec2& at : mesh.texcoords) turned.emplace_back(at.y, 0.3f * at.x);
   add("colorTCoord", turned, 2, GL_FLOAT);
   up.indices = buffer(gl, GL_ELEMENT_ARRAY_BUFFER, mesh.indices);

@@ -14,7 +14,7 @@ namespace gluray::test {
 
 using Gl = const gl::RealGl&;
 
-/// Compiles and links; 0 and a failed test where that does not work.
+/// Compiles and links; if that fails, 0 and a test failure.
 GLuint makeProgram(Gl gl, const std::string& vertex, const std::string& fragment);
 inline GLuint makeProgram(Gl gl, const Surface& s) { return makeProgram(gl, vertexText(s), fragmentText(s)); }
 
@@ -26,7 +26,7 @@ struct ProgramMesh {
   GLsizei count() const { return static_cast<GLsizei>(indices.size()); }
   size_t triangles() const { return indices.size() / 3; }
 };
-/// A wavy sheet of n x n squares over [-1, 1]^2, its normals towards +z, a colour at each vertex.
+/// A wavy surface of n x n squares over [-1, 1]^2 with normals towards +z and a colour at each vertex.
 ProgramMesh sheet(int n);
 /// A ball of radius 1 with outward triangles.
 ProgramMesh ball(int n);
@@ -41,7 +41,7 @@ Upload upload(Gl gl, const ProgramMesh& mesh, GLuint program);
 struct View {
   glm::dmat4 eyeFromObject{1}, clipFromEye{1};
 };
-/// Looks at the origin from 4 away, turned by `degrees` about an axis askew.
+/// Looks at the origin from a distance of 4, rotated by `degrees` about an oblique axis.
 View perspectiveView(double degrees = 0);
 View parallelView(double degrees = 0);
 void setView(Gl gl, GLuint program, const View& view);
@@ -64,18 +64,18 @@ void cellNormals(Gl gl, const ProgramMesh& mesh, GLenum unit, size_t before = 0)
 void colorMap(Gl gl, GLenum unit);
 void chequers(Gl gl, GLenum unit);
 
-/// Cleared for a frame of VTK's: depth test by LEQUAL, blending on.
+/// Clears, and sets state for a VTK frame: depth function LEQUAL, blending on.
 void beginFrame(Gl gl);
 /// Uses the program, sets all, draws the mesh.
 void drawSurface(Gl gl, GLuint program, const Upload& up, const ProgramMesh& mesh, const View& view,
                  const Surface& surface);
 
-/// A program of no family: its colours stripe the window. It puts vertices into place as the others do.
+/// A program of no family: it paints stripes. It transforms vertices as the others do.
 GLuint makeUnknownProgram(Gl gl);
 void drawByUnknown(Gl gl, GLuint program, const Upload& up, const ProgramMesh& mesh, const View& view);
 
 inline constexpr int kProgramWidth = 200, kProgramHeight = 150;
-/// Lighting at each pixel on both sides: edges remain, and one of 255 by rounding.
+/// Tolerance where both light each pixel: only edges differ, and roundings of 1/255.
 inline constexpr scenes::Tolerance kProgramTolerance = {
     2, 0.002, 1e-5f, "silhouettes and folds fall on either side of a pixel's centre"};
 
@@ -84,19 +84,19 @@ struct Outcome {
   Picture expected, got;
 };
 using DrawProgram = std::function<void(Gl)>;
-/// Draws by the real OpenGL and through ours, and expects the same picture, no error, and the state left
-/// alike. `draws`: how many must be traced; negative: nobody cares. `families`: text of a family file; empty:
-/// built-in ones.
+/// Draws with the real OpenGL and through GLuRay; expects the same picture, no error, and the same state
+/// afterwards. `draws`: how many must be traced; negative: any number. `families`: text of a family file;
+/// empty: the built-in families.
 Outcome expectSame(const std::string& name, const DrawProgram& draw, int draws, ContextWish wish = {},
                    const scenes::Tolerance& tolerance = kProgramTolerance, const std::string& families = "");
-/// The same where tracing fails at the first flush: the real OpenGL draws what was kept of each draw.
+/// The same while tracing fails at the first flush: the real OpenGL draws from what each draw has kept.
 void expectSameWhenTracingFails(const std::string& name, const DrawProgram& draw, ContextWish wish = {},
                                 const std::string& families = "");
-/// Both, with one picture of the real OpenGL; the last three arguments as above.
+/// Both of these, with one picture of the real OpenGL; the last three arguments as above.
 void expectBoth(const std::string& name, const DrawProgram& draw, int draws, const ContextWish& wish = {},
                 const scenes::Tolerance& tolerance = kProgramTolerance, const std::string& families = "");
 
-/// Core 3.2, where nothing else is asked for.
+/// The default context: core 3.2.
 inline ContextWish coreWish(int major = 3, int minor = 2) {
   return {kProgramWidth, kProgramHeight, true, major, minor};
 }

@@ -1,5 +1,5 @@
-// Programs of every kind that VTK builds for surfaces, drawn by the real OpenGL and traced: the same colours
-// and depths, and the same again where tracing fails.
+// All kinds of programs that VTK builds for surfaces, drawn by the real OpenGL and traced: the same colours
+// and depths, also while tracing fails.
 #include "tests/reference/programs/program_stage.h"
 
 #include <gtest/gtest.h>
@@ -160,8 +160,7 @@ TEST_P(ProgramSurface, LooksLikeTheRealOneWhereTracingFails) {
 std::string nameOf(const testing::TestParamInfo<Case>& info) { return info.param.name; }
 INSTANTIATE_TEST_SUITE_P(Cases, ProgramSurface, testing::ValuesIn(kCases), nameOf);
 
-/// Colours of the material in place of others that are translucent: opacity is theirs still, so nothing is
-/// traced.
+/// The material's colours replace translucent ones but keep their opacity, so nothing is traced.
 TEST(ProgramSurfaces, TranslucentColorsBeneathOthersShowThrough) {
   for (const Color color : {Color::vertex, Color::cell, Color::mapped}) {
     const Surface surface{.color = color};
@@ -189,7 +188,7 @@ TEST(ProgramSurfaces, TranslucentColorsBeneathOthersShowThrough) {
   }
 }
 
-/// A matrix that divides by another w at each vertex, and one that makes w 0.
+/// A matrix with a different w at each vertex, and one with w = 0.
 TEST(ProgramSurfaces, TexcoordMatricesThatDivideAreLeftToTheRealOne) {
   for (const float w : {1.0f, 0.0f}) {
     const Case c{"tc_matrix_divides", {.actorTexture = true, .tcoordMatrix = true}, false};
@@ -209,7 +208,7 @@ TEST(ProgramSurfaces, TexcoordMatricesThatDivideAreLeftToTheRealOne) {
   }
 }
 
-/// VTK names textures of properties as its user does.
+/// VTK users choose the names of property textures.
 TEST(ProgramSurfaces, ATextureMayHaveAnyName) {
   const Surface surface{.actorTexture = true};
   const auto draw = [&](Gl gl, bool twice) {
@@ -233,7 +232,7 @@ TEST(ProgramSurfaces, ATextureMayHaveAnyName) {
       "texture_named_otherwise", [&](Gl gl) { draw(gl, true); }, 0);
 }
 
-/// The kinds of contexts that programs meet VTK in.
+/// The kinds of contexts in which VTK runs.
 class ProgramContext : public testing::TestWithParam<ContextWish> {};
 
 TEST_P(ProgramContext, TracesTheSame) {

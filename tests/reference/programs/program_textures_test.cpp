@@ -1,4 +1,4 @@
-// Textures that VTK's programs put on front faces alone.
+// Textures that VTK's programs put only on front faces.
 #include "tests/reference/programs/program_stage.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ struct Textured {
   Surface surface = {.lightCount = 2, .actorTexture = true};
 };
 
-/// A ball that the near plane opens.
+/// A ball cut open by the near plane.
 void drawTextured(Gl gl, const Textured& t) {
   const ProgramMesh mesh = ball(24);
   const GLuint program = makeTextured(gl, t.surface);

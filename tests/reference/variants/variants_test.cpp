@@ -1,4 +1,4 @@
-// One scene sent by every path that OpenGL has: the same picture to the bit.
+// One scene sent through every path of OpenGL (lists, arrays, ...): bit-identical pictures.
 #include "tests/reference/drawn_scene.h"
 
 namespace gluray::test {

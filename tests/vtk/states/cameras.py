@@ -46,7 +46,7 @@ def near_plane_cuts(stage):
     stage.read(stage.view.GetRenderWindow())
 
 
-@state("pvbatch", outside=False)  # the corner of the orientation axes has no depth, and the surface behind it has colour
+@state("pvbatch", outside=False)  # the axes' corner has no depth, but shows the surface behind it
 def zoomed_far_in(stage):
     stage.show(stage.simple.Sphere(ThetaResolution=200, PhiResolution=200))
     stage.look(zoom=1)
@@ -87,7 +87,7 @@ def huge_model(stage):
 
 @state("vtk", beyond=0.0025, reason="coordinates of 10,000 in a view of ten units: the real OpenGL's floats are rounded too")
 def shifted_and_scaled(stage):
-    """The same data by every way that VTK moves coordinates before they go to the graphics card."""
+    """The same data with each of VTK's methods for shifting large coordinates before they are uploaded."""
     vtk = stage.vtk
     modes = ("DISABLE_SHIFT_SCALE", "AUTO_SHIFT_SCALE", "ALWAYS_AUTO_SHIFT_SCALE", "AUTO_SHIFT")
     for i, mode in enumerate(modes):

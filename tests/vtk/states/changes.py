@@ -1,4 +1,4 @@
-"""What changes between frames while the program goes on: time, geometry, colours, representations, levels of detail."""
+"""Changes between frames: time, geometry, colours, representations, levels of detail."""
 import numpy as np
 import shapes
 from registry import state
@@ -22,7 +22,7 @@ self.GetOutput().ShallowCopy(ball.GetOutput())
 
 @state("pvbatch")
 def animation(stage):
-    """Time moves the geometry: another mesh in each frame."""
+    """Animated geometry: another mesh in each frame."""
     source = stage.simple.ProgrammableSource(OutputDataSetType="vtkPolyData")
     source.ScriptRequestInformation, source.Script = TIMES, BALL_THAT_SHRINKS
     stage.show(source)
@@ -158,7 +158,7 @@ def points_moved_in_place(stage):
 
 @state("vtk")
 def surface_that_moves(stage):
-    """Large enough, and long enough, for its acceleration structure to be adjusted rather than built."""
+    """Large enough, and animated long enough, for its acceleration structure to be refitted rather than rebuilt."""
     data = shapes.grid(stage.vtk, count=100)
     x, y = np.meshgrid(np.linspace(-1, 1, 100), np.linspace(-1, 1, 100))
     stage.show(data)
@@ -201,7 +201,7 @@ def actors_come_and_go(stage):
 
 @state("vtk")
 def mapper_shared_by_actors(stage):
-    """VTK deletes the buffer of normals that flat actors do not want, while the array object that it draws them with holds it."""
+    """VTK deletes the buffer of normals that flat actors do not need, while its vertex array object still holds it."""
     vtk = stage.vtk
     mapper = stage.mapper(shapes.sphere(vtk, 24))
     for i in range(5):
@@ -214,7 +214,7 @@ def mapper_shared_by_actors(stage):
 
 @state("vtk")
 def time_of_level_of_detail_actor(stage):
-    """vtkQuadricLODActor: the mapper's data are decimated on the program's side."""
+    """vtkQuadricLODActor: VTK decimates the mapper's data."""
     vtk = stage.vtk
     actor = vtk.vtkLODActor()
     actor.SetMapper(stage.mapper(shapes.sphere(vtk, 60)))

@@ -1,4 +1,4 @@
-"""Colours from data: at points and cells, through colour maps and directly, with everything odd that arrays can hold."""
+"""Colours from data: at points and cells, through colour maps and directly, with all odd contents of arrays."""
 import numpy as np
 import shapes
 from registry import state
@@ -48,7 +48,7 @@ def cell_scalars(stage):
 
 @state("pvbatch")
 def cell_scalars_many_blocks(stage):
-    """Cells are counted on from block to block: the textures of their colours are shared."""
+    """Cell numbers continue from block to block: the blocks share textures of cell colours."""
     simple = stage.simple
     vtk = shapes.vtk_modules()
     parts = []
@@ -168,7 +168,7 @@ def constant_scalars(stage):
 
 @state("vtk")
 def scalars_without_normals(stage):
-    """Colours at the vertices, the normal of each triangle from its position."""
+    """Colours at the vertices; each triangle's normal is computed from its positions."""
     data = shapes.grid(stage.vtk)
     data.GetPointData().SetNormals(None)
     data.GetPointData().SetActiveScalars("bump")

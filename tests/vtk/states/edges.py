@@ -22,7 +22,7 @@ def edged(stage, source=None, width=1.5):
 
 
 def plane_with_edges(stage, samples):
-    """Neighbours in one plane that the viewer faces: where they grow over each other their depths are equal."""
+    """Coplanar neighbours that face the viewer: where they grow over each other their depths are equal."""
     vtk = stage.vtk
     source = vtk.vtkPlaneSource()
     source.SetResolution(10, 10)
@@ -54,7 +54,7 @@ def edges_multisampled(stage):
 
 @state("vtk")
 def edges_culled(stage):
-    """The inside of a ball through its culled front, and the front without what is behind."""
+    """The inside of a ball through its culled front, and the front with the back culled."""
     look = edged(stage).GetProperty()
     look.FrontfaceCullingOn()
     stage.look()
@@ -81,7 +81,7 @@ def edges_clipped(stage):
 
 @state("vtk")
 def edges_pushed(stage):
-    """Surfaces at nearly one depth, of which the mapper moves one with edges back."""
+    """Surfaces at nearly equal depth; the mapper moves one of them, with edges, back."""
     mapper = stage.vtk.vtkMapper
     before = mapper.GetResolveCoincidentTopology()
     mapper.SetResolveCoincidentTopologyToPolygonOffset()
@@ -94,7 +94,7 @@ def edges_pushed(stage):
 
 @state("vtk")
 def edges_behind_the_viewer(stage):
-    """Left to the real OpenGL: near the viewer's plane triangles grow by any number of pixels."""
+    """Left to the real OpenGL: near the viewer's plane triangles may grow by any number of pixels."""
     edged(stage, width=3)
     stage.look()
     camera = stage.renderer.GetActiveCamera()

@@ -67,7 +67,7 @@ def hidden_lines(stage):
 
 @state("pvbatch", outside=False)
 def tone_mapped(stage):
-    """Into floats; the pass leaves no depth, so that where there is nothing cannot be told."""
+    """Into a framebuffer of floats; the pass leaves no depth, so pixels outside all surfaces cannot be found."""
     ball(stage)
     stage.view.UseToneMapping = 1
     stage.orbit()
@@ -90,13 +90,13 @@ def with_pass(stage, wrap):
     basic = vtk.vtkRenderStepsPass()
     stage.renderer.SetPass(wrap(vtk, basic))
     stage.look()
-    stage.window.Render()  # some passes show nothing before they have seen a frame
+    stage.window.Render()  # some passes show nothing in their first frame
     stage.orbit()
 
 
 @state("vtk")
 def shadow_maps(stage):
-    """Two lights whose shadows are drawn with depth textures."""
+    """Two lights with shadow maps."""
     vtk = stage.vtk
     stage.show(shapes.sphere(vtk, 32))
     stage.show(vtk.vtkCubeSource(), color=(0.3, 0.5, 0.9), at=(0, -1, 0)).SetScale(4, 0.2, 4)
@@ -155,7 +155,7 @@ def fxaa_of_vtk(stage):
 
 @state("vtk")
 def fxaa_of_two_views(stage):
-    """Each view's pass is over its part of the picture."""
+    """Each view has a pass over its own part of the picture."""
     stage.renderer.SetViewport(0, 0, 0.5, 0.7)
     beside = stage.new_renderer((0.5, 0.2, 1, 1))
     for renderer in (stage.renderer, beside):
@@ -168,7 +168,7 @@ def fxaa_of_two_views(stage):
 
 @state("vtk")
 def custom_shader(stage):
-    """Code of the program's own within VTK's shader: nobody knows what it says."""
+    """The program's own code inside VTK's shader, which no family knows."""
     actor = stage.show(shapes.sphere(stage.vtk, 32))
     actor.GetShaderProperty().AddFragmentShaderReplacement(
         "//VTK::Light::Impl", True, "//VTK::Light::Impl\n  fragOutput0.rgb = fract(vertexVC.xyz * 4.0);\n", False)
@@ -178,7 +178,7 @@ def custom_shader(stage):
 
 @state("vtk")
 def displaced_by_shader(stage):
-    """The vertex shader moves the vertices: buffers do not hold what is seen."""
+    """The vertex shader moves the vertices, so buffers do not hold the visible positions."""
     actor = stage.show(shapes.sphere(stage.vtk, 32))
     actor.GetShaderProperty().AddVertexShaderReplacement(
         "//VTK::PositionVC::Impl", True,
@@ -189,7 +189,7 @@ def displaced_by_shader(stage):
 
 
 def replaced(stage, place, text, vertex=False, first=False):
-    """A sphere whose shader has `text` behind `place`, which needs no variable that VTK's own code has not.
+    """A sphere whose shader has `text` after `place`; the text needs no new variable.
 
     `first`: put there before VTK's code, whose place it leaves in front of `text`.
     """
@@ -227,7 +227,7 @@ def normals_turned_by_shader(stage):
 
 @state("vtk")
 def program_of_lines_for_triangles(stage):
-    """A surface and a wireframe by one mapper: in later frames VTK draws the surface by the lines' program."""
+    """A surface and a wireframe with one mapper: in later frames VTK draws the surface with the lines' program."""
     source, clean = stage.vtk.vtkCubeSource(), stage.vtk.vtkPolyData()
     source.Update()
     clean.SetPoints(source.GetOutput().GetPoints())

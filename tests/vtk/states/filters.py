@@ -1,4 +1,4 @@
-"""What users look at: contours, slices, clipped and threshold grids, unstructured cells, threads of data through filters."""
+"""Typical data: contours, slices, clipped and threshold grids, unstructured cells, threads of data through filters."""
 import shapes
 from registry import state
 

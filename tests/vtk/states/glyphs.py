@@ -40,7 +40,7 @@ def glyph_mapper_colored(stage):
 
 @state("vtk")
 def glyph_mapper_culled(stage):
-    """Levels of detail chosen on the graphics card, by transform feedback."""
+    """Levels of detail chosen by transform feedback."""
     vtk = stage.vtk
     shape, mapper = shapes.sphere(vtk, 16), vtk.vtkGlyph3DMapper()
     mapper.SetInputData(shapes.grid(vtk, 10))
@@ -88,7 +88,7 @@ def sphere_mapper_one_radius(stage):
 
 @state("vtk")
 def molecule(stage):
-    """Spheres and sticks, a quadrilateral each that its shader makes round."""
+    """Impostors: spheres and sticks, each a quadrilateral that its shader makes round."""
     vtk = stage.vtk
     made, mapper = vtk.vtkMolecule(), vtk.vtkMoleculeMapper()
     atoms = [made.AppendAtom(n, x, y, z) for n, x, y, z in
@@ -138,7 +138,7 @@ def glyph_mapper_edges_unlit(stage):
 
 @state("vtk")
 def glyph_mapper_edges_behind_the_viewer(stage):
-    """Left to the real OpenGL where some glyph has a corner behind the viewer."""
+    """Left to the real OpenGL if a glyph has a corner behind the viewer."""
     glyphs(stage)
     camera = stage.renderer.GetActiveCamera()
     camera.SetPosition(0.2, 0.1, 0.15)

@@ -1,16 +1,16 @@
-"""What data should not hold and does: nothing at all, triangles without area, numbers that are none."""
+"""Degenerate data: empty data, triangles without area, NaN and infinity."""
 import numpy as np
 import shapes
 from registry import state
 
 
 def beside(stage):
-    """A sound ball, to be seen in any case."""
+    """A valid ball, which must be visible in any case."""
     return stage.show(shapes.sphere(stage.vtk, 24), color=(0.4, 0.6, 0.9), at=(1.6, 0, 0))
 
 
 def look(stage):
-    """From fixed places: bounds that hold no numbers tell a camera nothing."""
+    """From fixed places: a camera cannot be placed by bounds that are NaN."""
     camera = stage.renderer.GetActiveCamera()
     camera.SetPosition(2, 2, 6)
     camera.SetFocalPoint(0.7, 0, 0)
@@ -46,7 +46,7 @@ def invisible_actors(stage):
 
 @state("vtk")
 def no_area(stage):
-    """Triangles whose corners coincide or lie on a line, among sound ones."""
+    """Triangles whose corners coincide or lie on a line, among valid ones."""
     vtk = stage.vtk
     points = np.array([[0, 0, 0], [1, 0, 0], [0.5, 1, 0], [0.5, 0, 0], [0, 0, 0], [0.5, 0.5, 0.4]])
     corners = [[0, 1, 2], [0, 0, 1], [0, 3, 1], [0, 4, 2], [2, 2, 2], [1, 2, 5]]
@@ -64,7 +64,7 @@ def spoiled(stage, value):
     data.GetPoints().Modified()
     actor = stage.show(data)
     actor.GetMapper().SetVBOShiftScaleMethod(0)
-    # Bounds without numbers would keep the actor from being drawn.
+    # VTK does not draw actors whose bounds are NaN.
     actor.UseBoundsOff()
     beside(stage)
     look(stage)
@@ -107,7 +107,7 @@ def normals_turned_away(stage):
 
 @state("vtk")
 def flat_matrix(stage):
-    """An actor without thickness: its matrix has no inverse."""
+    """An actor scaled flat: its matrix has no inverse."""
     stage.show(shapes.sphere(stage.vtk, 24)).SetScale(1, 1, 0)
     beside(stage)
     look(stage)
@@ -115,7 +115,7 @@ def flat_matrix(stage):
 
 @state("vtk")
 def one_triangle_twice(stage):
-    """The same triangle with two colours: the second is seen, for depth is compared with LEQUAL."""
+    """The same triangle with two colours: the second is visible, because the depth function is LEQUAL."""
     vtk = stage.vtk
     points = np.array([[0, 0, 0], [1, 0, 0.3], [0.5, 1, 0]])
     for color in ((0.9, 0.2, 0.2), (0.2, 0.9, 0.2)):
@@ -126,7 +126,7 @@ def one_triangle_twice(stage):
 
 @state("vtk")
 def coincident_sheets(stage):
-    """Two sheets upon each other, drawn apart by offsets of the mapper."""
+    """Two coincident surfaces, separated by the mapper's offsets."""
     vtk = stage.vtk
     for i, color in enumerate(((0.9, 0.2, 0.2), (0.2, 0.9, 0.2))):
         mapper = stage.mapper(shapes.grid(vtk, 12, 1e-9))

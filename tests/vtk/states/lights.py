@@ -1,4 +1,4 @@
-"""Lights: how many, of which kind, where they are bound."""
+"""Lights: number, kinds, coordinate systems."""
 import shapes
 from registry import state
 
@@ -25,7 +25,7 @@ def no_lights(stage):
 
 @state("pvbatch")
 def light_kit_changed(stage):
-    """Intensity and warmth between frames."""
+    """Intensity and warmth change between frames."""
     ball(stage)
     stage.shoot()
     stage.view.KeyLightIntensity = 1.1

@@ -69,7 +69,7 @@ def surface_with_wide_edges(stage):
 
 @state("pvbatch", beyond=0.004, reason="slivers thinner than a pixel on the outline, which grow by a quarter of a pixel")
 def surface_with_fine_edges(stage):
-    """Triangles of few pixels: nearly everything is painted."""
+    """Triangles of few pixels: edges cover nearly everything."""
     stage.show(stage.simple.Sphere(ThetaResolution=90, PhiResolution=90), Representation="Surface With Edges", EdgeColor=[0.8, 0.1, 0.1])
     stage.look()
     stage.orbit()
@@ -94,7 +94,7 @@ def surface_with_edges_scalars(stage):
 
 @state("pvbatch")
 def wireframe_over_surface(stage):
-    """Lines upon the surface they belong to: the mapper moves them."""
+    """Lines on the surface they belong to: the mapper offsets them."""
     source = stage.simple.Sphere(ThetaResolution=16, PhiResolution=12)
     stage.show(source, DiffuseColor=[0.8, 0.8, 0.4])
     stage.simple.Transform(source)
@@ -105,7 +105,7 @@ def wireframe_over_surface(stage):
 
 @state("pvbatch")
 def lines_as_tubes(stage):
-    """Not brought forward: the shaders that do that add 0 times something undefined, which llvmpipe has as NaN here and there."""
+    """Without coincident topology resolution: its shaders add 0 times something undefined, which is NaN in places in llvmpipe."""
     stage.set(ResolveCoincidentTopology=0)
     stage.show(streamlines(stage), RenderLinesAsTubes=1, LineWidth=6)
     stage.look()
@@ -169,7 +169,7 @@ def vertices_shown(stage):
 
 @state("vtk")
 def verts_lines_and_polygons(stage):
-    """One mapper with every kind of cell: the primitive counts run on through all of them."""
+    """One mapper with every kind of cell: primitive numbers continue through all of them."""
     vtk = stage.vtk
     append = vtk.vtkAppendPolyData()
     line, point, plane = vtk.vtkLineSource(), vtk.vtkPointSource(), shapes.grid(vtk, 6)

@@ -1,4 +1,4 @@
-"""Ways to look at and to light what a state shows, for states that differ in what they show."""
+"""Cameras and lights that several states share."""
 
 
 def orbit_in_parallel(stage):
@@ -8,7 +8,7 @@ def orbit_in_parallel(stage):
 
 
 def from_among(stage, place, clipping):
-    """The viewer stands among the figures, and turns."""
+    """The viewer stands among the impostors and turns."""
     stage.look()
     camera = stage.renderer.GetActiveCamera()
     camera.SetPosition(*place)

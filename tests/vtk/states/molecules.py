@@ -1,4 +1,4 @@
-"""Sticks that shaders cut out of flat cards, and molecules of spheres and sticks."""
+"""Impostors: sticks that shaders cut out of billboards, and molecules of spheres and sticks."""
 import looks
 import numpy as np
 import shapes
@@ -61,7 +61,7 @@ def molecule(stage, settings):
     return stage.show(mapper)
 
 
-@state("vtk", outside=False, reason="what is seen through has no depth")
+@state("vtk", outside=False, reason="translucent surfaces leave no depth")
 def molecule_peeled(stage):
     looks.peel(stage)
     molecule(stage, "BallAndStick").GetProperty().SetOpacity(0.4)

@@ -1,4 +1,4 @@
-"""What lies over, under and around the scene: text, scalar bars, axes, backgrounds, layers of 2D shapes."""
+"""Overlays and backgrounds: text, scalar bars, axes, backgrounds, layers of 2D shapes."""
 import shapes
 from registry import state
 
@@ -89,7 +89,7 @@ def ruler(stage):
 
 @state("vtk")
 def flat_actors(stage):
-    """Lines and polygons in window coordinates, before and behind the scene."""
+    """Lines and polygons in window coordinates, in front of and behind the scene."""
     vtk = stage.vtk
     stage.show(shapes.sphere(vtk, 32))
     for i, layer in enumerate(("SetDisplayLocationToForeground", "SetDisplayLocationToBackground")):
@@ -138,7 +138,7 @@ def caption_and_corner_text(stage):
 
 @state("vtk")
 def picture_behind(stage):
-    """An image actor in the scene and a 2D mapper's picture before it."""
+    """An image actor in the scene, and a 2D mapper's picture in front of it."""
     vtk = stage.vtk
     image = shapes.dotted_image(vtk)
     flat, actor, mapper = vtk.vtkImageActor(), vtk.vtkActor2D(), vtk.vtkImageMapper()

@@ -1,11 +1,11 @@
-"""ParaView in several processes: pictures that are composited of what each process draws, or come from a server."""
+"""ParaView in several processes: pictures composited from those of all processes, or sent by a server."""
 from registry import state
 
 EVERYWHERE = ("mpi2", "mpi4", "remote")
 
 
 def pieces(stage):
-    """Surfaces of which each process has a part."""
+    """Surfaces distributed over the processes."""
     simple = stage.simple
     wavelet = simple.Wavelet(WholeExtent=[-8, 8] * 3)
     return simple.Contour(wavelet, ContourBy=["POINTS", "RTData"], Isosurfaces=[120, 200])

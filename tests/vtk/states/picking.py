@@ -1,4 +1,4 @@
-"""Picking and selecting: ids are drawn as colours and read back, places are read from the depth buffer."""
+"""Picking and selecting: ids are drawn as colours and read back, positions are read from the depth buffer."""
 import shapes
 from registry import state
 
@@ -9,7 +9,7 @@ def clear(stage):
 
 
 def found_by(stage, select, **where):
-    """What a selection in the window finds, as words: for each source pairs of process and id, or names of blocks."""
+    """The result of a selection in the window as text: for each source pairs of process and id, or names of blocks."""
     simple = stage.simple
     clear(stage)
     select(View=stage.view, **where)
@@ -26,7 +26,7 @@ def found_by(stage, select, **where):
 
 
 def select_everywhere(stage, source, *kinds):
-    """By rectangles, of which one lies beside everything, and by a polygon; then shows what is selected."""
+    """Selects by rectangles, one of which is empty, and by a polygon; then shows the selection."""
     simple = stage.simple
     stage.look()
     simple.SetActiveSource(source)
@@ -57,7 +57,7 @@ def select_colored_cells(stage):
 
 @state("pvbatch")
 def select_behind_others(stage):
-    """Only what is seen is selected: another surface hides half of it."""
+    """Only visible cells are selected: another surface hides half of them."""
     source = stage.simple.Sphere(ThetaResolution=24, PhiResolution=24)
     stage.show(source)
     stage.show(stage.simple.Box(Center=[0.25, 0, 0.6], XLength=0.3, YLength=0.3, ZLength=0.2))
@@ -91,7 +91,7 @@ def select_blocks(stage):
 
 
 def nodes(vtk, selection):
-    """A vtkSelection as words, in an order of their own."""
+    """A vtkSelection as text, sorted."""
     lines = []
     for i in range(selection.GetNumberOfNodes()):
         node = selection.GetNode(i)

@@ -1,4 +1,4 @@
-"""Lines as tubes and points as spheres, whose size is in pixels: every look that mappers give them."""
+"""Lines as tubes and points as spheres, sized in pixels: every look of their mappers."""
 import looks
 import numpy as np
 import shapes
@@ -52,7 +52,7 @@ def pixels_parallel(stage):
 
 @state("vtk")
 def pixels_upright(stage):
-    """Lines and points in the middle of pixels and on their borders."""
+    """Lines and points at the centres of pixels and on their borders."""
     tubes(stage, shapes.grid(stage.vtk, 6), width=5)
     beads(stage, shapes.grid(stage.vtk, 4), size=8, color=(0.4, 0.7, 0.9))
     stage.renderer.GetActiveCamera().ParallelProjectionOn()
@@ -70,7 +70,7 @@ def pixels_near(stage):
 
 @state("vtk")
 def pixels_at_the_border(stage):
-    """Points with their centre outside are gone, lines are cut."""
+    """Clipping removes points whose centre is outside, and cuts lines."""
     both(stage)
     stage.look(zoom=2.5)
     stage.orbit(2)
@@ -78,7 +78,7 @@ def pixels_at_the_border(stage):
 
 @state("vtk")
 def pixels_thick(stage):
-    """So thick that lines are shorter than they are wide, and grow at their ends."""
+    """Thicker than long, so that lines grow at their ends."""
     both(stage, width=25, size=40.5)
     stage.look()
     stage.orbit(2)
@@ -104,7 +104,7 @@ def pixels_clipped(stage):
 
 @state("vtk")
 def pixels_on_surfaces(stage):
-    """Half in, half out of triangles, and of each other."""
+    """Half inside triangles and each other."""
     both(stage)
     stage.show(shapes.sphere(stage.vtk, 12), color=(0.3, 0.5, 0.9))
     stage.look()
@@ -112,7 +112,7 @@ def pixels_on_surfaces(stage):
 
 
 def spirals(vtk, count=12, steps=40):
-    """Lines that have no piece in common."""
+    """Lines that share no segment."""
     points, lines = vtk.vtkPoints(), vtk.vtkCellArray()
     for i in range(count):
         lines.InsertNextCell(steps)
@@ -209,13 +209,13 @@ def pushed_forward(stage, slope):
 
 @state("vtk")
 def pixels_pushed_forward(stage):
-    """Coincident topology resolved by a constant: lines and points come forward."""
+    """Coincident topology resolved by a constant: lines and points move towards the viewer."""
     pushed_forward(stage, 0)
 
 
 @state("vtk")
 def pixels_pushed_by_their_slope(stage):
-    """VTK takes the slope of gl_FragDepth before it writes it: left to the real OpenGL."""
+    """VTK reads the slope of gl_FragDepth before it writes it: left to the real OpenGL."""
     pushed_forward(stage, 1)
 
 

@@ -9,7 +9,7 @@ import pictures  # noqa: E402
 
 
 def vtk_modules():
-    """The classes of VTK that states for ParaView need beside its proxies: its `vtk` module is not always there."""
+    """VTK classes that states for ParaView need beside its proxies: its `vtk` module does not always exist."""
     import vtkmodules.vtkCommonCore as core
     import vtkmodules.vtkCommonDataModel as model
     import vtkmodules.vtkFiltersSources as sources

@@ -26,7 +26,7 @@ def steady_cell_scalars(stage):
 
 @state("pvbatch", sends=30000)
 def steady_with_overlays(stage):
-    """Axes and text, which VTK makes anew for each view."""
+    """Axes and text, which VTK rebuilds for each view."""
     display = stage.show(stage.data(shapes.grid(shapes.vtk_modules())), color_by=("POINTS", "bump"))
     display.SetScalarBarVisibility(stage.view, True)
     stage.view.OrientationAxesVisibility = 1
@@ -55,7 +55,7 @@ def steady_beside_translucent(stage):
 
 @state("pvbatch")
 def steady_from_level_of_detail(stage):
-    """The user drags and rests in turn: neither mesh is forgotten in between."""
+    """The user drags and rests in turn: both meshes (reduced and full) stay known."""
     stage.show(stage.simple.Sphere(ThetaResolution=120, PhiResolution=120))
     stage.view.LODThreshold = 0
     stage.look()
@@ -80,7 +80,7 @@ def steady_many_actors(stage):
 
 @state("vtk")
 def steady_moving_actor(stage):
-    """The actor moves, not the camera: its matrix is all that is new."""
+    """The actor moves, not the camera: only its matrix changes."""
     actor = stage.show(shapes.sphere(stage.vtk, 48))
     stage.show(stage.vtk.vtkConeSource(), color=(0.3, 0.5, 0.9))
     stage.look()

@@ -74,7 +74,7 @@ def cull_front(stage):
 def texture(stage):
     simple = stage.simple
     sphere = simple.TextureMaptoSphere(simple.Sphere(ThetaResolution=32, PhiResolution=32), PreventSeam=0)
-    from vtkmodules.vtkIOImage import vtkPNGReader  # not there where the states are listed
+    from vtkmodules.vtkIOImage import vtkPNGReader  # cannot be imported where the states are only listed
     file = str(shapes.checkers(stage.folder / "checkers.png"))
     image, reader = simple.CreateTexture(file), vtkPNGReader()
     stage.show(sphere, Texture=image)
@@ -174,7 +174,7 @@ def thousand_small_actors(stage):
 
 @state("vtk")
 def textures_in_front(stage):
-    """Textures on front faces alone, of an open ball."""
+    """An open ball with a texture on front faces only."""
     vtk = stage.vtk
     stage.kept = vtk.vtkSphereSource()
     stage.kept.SetThetaResolution(32), stage.kept.SetPhiResolution(32), stage.kept.SetEndTheta(220)

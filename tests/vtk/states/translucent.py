@@ -1,4 +1,4 @@
-"""What is seen through: depth peeling, order-independent transparency, sorted blending, volumes.
+"""Translucent surfaces: depth peeling, order-independent transparency, sorted blending, volumes.
 
 Translucent surfaces leave no depth: where they are anti-aliased is not told from where there is nothing (outside=False).
 """
@@ -33,7 +33,7 @@ def peeled_scalars(stage):
 
 
 def six_balls(stage, peels, ratio=0):
-    """One picture of twelve layers, of which so many peels are drawn, or until one writes less than a share of the pixels."""
+    """One picture of twelve layers, with a limit on peels or a minimum share of pixels for a peel (occlusion ratio)."""
     for i in range(6):
         stage.show(shapes.sphere(stage.vtk, 16, 0.5), at=(0.1 * i, 0, i), color=(i % 2, i / 6, 1 - i / 6)).GetProperty().SetOpacity(0.2)
     stage.window.SetAlphaBitPlanes(True)
@@ -68,7 +68,7 @@ def order_independent(stage):
 
 @state("pvbatch", outside=False)
 def order_independent_scalars(stage):
-    """Colours of points and of cells, and lines and labels among what is added up."""
+    """Point and cell colours; lines and labels among the summed surfaces."""
     stage.set(DepthPeeling=0)
     vtk = shapes.vtk_modules()
     stage.show(stage.data(shapes.grid(vtk)), color_by=("POINTS", "bump"), Opacity=0.5)
@@ -124,7 +124,7 @@ def opacity_from_array(stage):
 
 @state("vtk")
 def blended_in_order(stage):
-    """No peeling: translucent actors are blended as they come."""
+    """No peeling: translucent actors are blended in the order of drawing."""
     vtk = stage.vtk
     stage.show(vtk.vtkCubeSource(), color=(0.9, 0.8, 0.1))
     for radius, color in ((0.9, (1, 0.2, 0.2)), (1.1, (0.2, 0.9, 0.3))):

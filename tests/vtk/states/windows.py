@@ -69,7 +69,7 @@ def viewports_overlap(stage):
 
 @state("vtk", same_depth=False, outside=False)
 def layers(stage):
-    """A second scene over the first, which keeps its colours and loses its depth."""
+    """A second scene over the first, whose colours are kept and whose depth is cleared."""
     vtk = stage.vtk
     two_balls(stage)
     upper = stage.new_renderer(layer=1)
@@ -165,7 +165,7 @@ def depth_picture(stage):
 
 @state("pvbatch")
 def screenshot_larger_than_window(stage):
-    """SaveScreenshot renders again, in tiles where the window is too small."""
+    """SaveScreenshot renders again, in tiles if the window is too small."""
     stage.show(stage.simple.Superquadric(ThetaResolution=40, PhiResolution=40))
     stage.view.OrientationAxesVisibility = 1
     stage.look()

@@ -12,8 +12,8 @@ namespace {
 
 using gl::RealGl;
 
-/// Vertices go the way of fixed function, so that they land where they do without us. What differs from the
-/// depth that is there by more than tracing and rasterising do is hidden.
+/// Vertices are transformed by fixed function, for bit-identical positions. Discards fragments whose depth
+/// differs from the existing one by more than tracing and rasterising may differ: they are hidden.
 constexpr const char* kSeenAlone = R"(#version 110
 uniform sampler2D before;
 uniform vec4 place;
@@ -24,8 +24,8 @@ void main() {
 }
 )";
 
-/// Of one sample, which lies `shift` from the pixel's centre, where the fragment's own depth is; `slack`: so
-/// many pixels from there at most.
+/// The same for one sample. `shift`: its position relative to the fragment's depth, which is at the pixel's
+/// centre; `slack`: tolerance of that in pixels.
 constexpr const char* kSamplesSeenAlone = R"(uniform sampler2DMS before;
 uniform vec4 place;
 uniform vec2 shift;
@@ -40,12 +40,12 @@ void main() {
 }
 )";
 
-/// What stands before that: for vertices of fixed function, and of kByMatrix.
+/// Heads of kSamplesSeenAlone: for vertices of fixed function, and of kByMatrix.
 constexpr const char* kFixedHead = "#version 150 compatibility\n#define color gl_FragColor\n";
 constexpr const char* kMatrixHead = "#version 150\nout vec4 color;\n";
 
-/// For surfaces that a shader program puts into place as this one does: to the bit, as compilers treat the
-/// two alike.
+/// For surfaces that a shader program transforms in the same way: bit-identical, because compilers treat both
+/// alike.
 constexpr const char* kByMatrix = R"(#version 150
 in vec4 vertexMC;
 uniform mat4 MCDCMatrix;
@@ -63,7 +63,7 @@ void main() {
 }
 )";
 
-/// `vertex`: null where vertices go the way of fixed function.
+/// `vertex`: null for vertices of fixed function.
 GLuint buildProgram(const RealGl& real, const char* vertex, const std::string& fragment) {
   const GLuint program = real.CreateProgram();
   const auto attach = [&](GLenum kind, const char* source) {
@@ -83,13 +83,13 @@ GLuint buildProgram(const RealGl& real, const char* vertex, const std::string& f
   return 0;
 }
 
-/// Copies the depth of the region into a new texture; 0 where the real OpenGL refuses.
+/// Copies the depth of the region into a new texture; 0 if the real OpenGL refuses.
 GLuint copyDepth(const RealGl& real, const Features& features, const scene::Region& region) {
   GLint framebuffer = 0, buffer = 0;
   if (features.readFramebuffers) real.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
   real.GetIntegerv(GL_DRAW_BUFFER, &buffer);
   StateGuard guard(real, features);
-  guard.plainPack();  // depth as it is, whatever the program has scaled it by
+  guard.plainPack();  // depth without the program's scale and bias
   guard.readFrom(static_cast<GLuint>(framebuffer), static_cast<GLenum>(buffer));
   GLuint name = 0;
   real.GenTextures(1, &name);
@@ -103,8 +103,8 @@ GLuint copyDepth(const RealGl& real, const Features& features, const scene::Regi
   return 0;
 }
 
-/// A framebuffer object of our own, without colours, to copy into; what is drawn into is read from. What was
-/// bound comes back.
+/// A framebuffer object without colours to copy into, from the draw framebuffer. The destructor restores the
+/// bindings.
 class CopyFramebuffer {
  public:
   explicit CopyFramebuffer(const RealGl& real)
@@ -134,7 +134,7 @@ struct DepthFormat {
   GLenum format, attachment;
 };
 
-/// Copies every sample's depth into the texture that is bound, of this format.
+/// Copies every sample's depth into the bound texture, of this format.
 bool copySamplesInto(const RealGl& real, GLuint texture, const DepthFormat& as, const scene::Region& region,
                      GLsizei samples) {
   real.TexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples, as.format, region.width, region.height,
@@ -146,8 +146,8 @@ bool copySamplesInto(const RealGl& real, GLuint texture, const DepthFormat& as, 
   return takeErrors(real).empty();
 }
 
-/// The same as copyDepth() of every sample. Samples are only copied between depths of one format, and that of
-/// a window cannot be asked for: the first that is accepted is it.
+/// copyDepth() for every sample. Samples can only be copied between equal depth formats, and a window's
+/// format cannot be queried: tries formats until one is accepted.
 GLuint copyDepthOfSamples(const RealGl& real, const Features& features, const scene::Region& region,
                           GLsizei samples) {
   constexpr DepthFormat kFormats[] = {
@@ -169,7 +169,7 @@ GLuint copyDepthOfSamples(const RealGl& real, const Features& features, const sc
   return 0;
 }
 
-/// What the depth pass is told about the copy.
+/// Sets the depth pass's uniforms for the copy.
 void tell(const RealGl& real, const Features& features, GLuint program, const scene::Region& region) {
   StateGuard guard(real, features);
   guard.program(program);
@@ -178,7 +178,7 @@ void tell(const RealGl& real, const Features& features, GLuint program, const sc
                  1.0f / static_cast<GLfloat>(region.height));
 }
 
-/// ... and about the sample that it looks at.
+/// Sets the depth pass's uniforms for one sample.
 void tellSample(const RealGl& real, const Features& features, GLuint program, int sample, glm::vec2 shift,
                 float slack) {
   StateGuard guard(real, features);
@@ -188,18 +188,18 @@ void tellSample(const RealGl& real, const Features& features, GLuint program, in
   real.Uniform1i(real.GetUniformLocation(program, "sampleAt"), sample);
 }
 
-/// Draws the depth of the surfaces, with this depth function.
+/// Draws the depth of the surfaces with a depth function.
 using DrawDepth = std::function<bool(GLenum func, const DepthPass& pass)>;
 
-/// The second time for the nearest, where several surfaces are that near to what is seen.
+/// The second draw leaves the nearest of several surfaces that are close to the visible depth.
 bool drawTwice(const DrawDepth& draw, const DepthPass& pass) {
   for (const GLenum func : {GL_ALWAYS, GL_LESS})
     if (!draw(func, pass)) return false;
   return true;
 }
 
-/// Where the program has switched multisampling off the snapshot has one sample, and all of a pixel's get
-/// what is at its centre: the first stands for them. (Mesa 22.3 takes the depth from elsewhere in the pixel.)
+/// If the program has disabled multisampling, the snapshot has one sample, and all samples of a pixel get the
+/// value at its centre: the first represents them. (Mesa 22.3 takes the depth from elsewhere in the pixel.)
 bool drawSamples(const RealGl& real, const Features& features, const scene::Snapshot& snapshot,
                  const DrawDepth& draw, DepthPass pass) {
   if (snapshot.samples <= 1) {
@@ -214,11 +214,11 @@ bool drawSamples(const RealGl& real, const Features& features, const scene::Snap
   return true;
 }
 
-/// What draws the surfaces, and the sources of its program for one sample and for several.
+/// The function that draws the surfaces, and its program's sources for one sample and for several.
 struct Drawer {
   const char* vertex;  // null: fixed function
   const char* single;
-  const char* samplesHead;  // before kSamplesSeenAlone
+  const char* samplesHead;  // precedes kSamplesSeenAlone
   DrawDepth draw;
 };
 

@@ -110,7 +110,7 @@ void neutralFixedFunction(const RealGl& real, const Features& features) {
 
 void setShading(const RealGl& real, const Features& features, const scene::Shading& shading,
                 ShadingTextures& textures) {
-  // Lights are given in eye space.
+  // Light positions are in eye space.
   real.MatrixMode(GL_MODELVIEW);
   real.LoadIdentity();
   enable(real, GL_LIGHTING, shading.lighting);

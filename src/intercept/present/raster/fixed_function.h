@@ -1,12 +1,12 @@
-// Says to the real OpenGL's fixed function what scene::Shading and scene::Instance say. GL thread, used by
-// the raster fallback between glPushAttrib and glPopAttrib.
+// Sets the real OpenGL's fixed-function state from scene::Shading and scene::Instance. GL thread, used by the
+// raster fallback between glPushAttrib and glPopAttrib.
 #pragma once
 #include "intercept/present/raster/fixed_function_textures.h"
 #include "scene/snapshot.h"
 
 namespace gluray::present {
 
-/// Everything a snapshot never holds is off: fog, colour sum, programs; texture units too,
+/// Disables all state that the other functions do not set: fog, colour sum, programs; also texture units,
 /// which setShading() sets.
 void neutralFixedFunction(const gl::RealGl& real, const Features& features);
 /// Lighting, lights, normalisation, shade model, textures.

@@ -51,8 +51,8 @@ GLint envName(scene::TexEnv env) {
   return GL_MODULATE;
 }
 
-/// Internal format whose base format is the image's and which holds its texels. Texels arrive as RGBA:
-/// luminance and intensity are taken from red, alpha from alpha (GL 2.1, table 3.15).
+/// Internal format with the image's base format that can hold its texels. Texels are uploaded as RGBA:
+/// luminance and intensity come from red, alpha from alpha (GL 2.1, table 3.15).
 GLint internalFormat(const scene::TextureImage& image) {
   const bool bytes = image.floats.empty();
   switch (image.baseFormat) {
@@ -110,7 +110,7 @@ void setPart(const RealGl& real, GLenum function, GLenum source, GLenum operand,
   real.TexEnvf(GL_TEXTURE_ENV, scale, part.scale);
 }
 
-/// The level-of-detail bias of unit and texture together becomes that of the unit.
+/// Sets the unit's level-of-detail bias to the sum of unit and texture.
 void setEnvironment(const RealGl& real, const Features& features, const scene::Texture& t) {
   real.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, envName(t.env));
   real.TexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, glm::value_ptr(t.envColor));

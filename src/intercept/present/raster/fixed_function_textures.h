@@ -1,5 +1,5 @@
-// Says to the real OpenGL's texture units what scene::Texture says. GL thread, used by the raster fallback
-// between glPushAttrib and glPopAttrib.
+// Sets the real OpenGL's texture units from scene::Texture. GL thread, used by the raster fallback between
+// glPushAttrib and glPopAttrib.
 #pragma once
 #include "intercept/present/features.h"
 #include "scene/texture.h"
@@ -9,15 +9,15 @@
 
 namespace gluray::present {
 
-/// Textures made for one drawing, deleted at the end of it, and the texture matrices it changes.
+/// Owns textures made for one drawing; the destructor deletes them and restores texture matrices.
 class ShadingTextures {
  public:
   ShadingTextures(const gl::RealGl& real, const Features& features);
   ~ShadingTextures();
   ShadingTextures(const ShadingTextures&) = delete;
   ShadingTextures& operator=(const ShadingTextures&) = delete;
-  /// Sets the units of `textures` and turns off all others. Unit 0 is active afterwards, the modelview matrix
-  /// chosen; it must be the identity, because planes are given in eye space.
+  /// Sets the units of `textures` and disables all others. Afterwards unit 0 is active, and the matrix mode
+  /// is GL_MODELVIEW. Requires an identity modelview matrix, because planes are in eye space.
   void set(const std::vector<scene::Texture>& textures);
 
  private:
@@ -29,7 +29,7 @@ class ShadingTextures {
   const gl::RealGl& real_;
   const Features& features_;
   std::unordered_map<const scene::TextureImage*, GLuint> names_;
-  std::vector<bool> on_;  // units, by what set() did last
+  std::vector<bool> on_;  // units that the last set() enabled
   struct Matrix {
     int unit;
     GLdouble values[16];

@@ -49,7 +49,7 @@ void setUniform(const RealGl& real, const UniformValue& v) {
   real.Uniform4iv(v.location, 1, i);
 }
 
-/// Uniform values of the program in use, as they are now, put back in the end.
+/// Saves uniform values of the program in use; the destructor restores them.
 class KeptUniforms {
  public:
   KeptUniforms(const RealGl& real, GLuint program, const gl::UniformValues& names)
@@ -73,7 +73,7 @@ class KeptUniforms {
   gl::UniformValues values_;
 };
 
-/// Textures of a draw on their units; what was there comes back.
+/// Binds the textures of a draw to their units; the destructor restores the bindings.
 class KeptTextures {
  public:
   KeptTextures(const RealGl& real, const ProgramDraw& draw) : real_(real) {
@@ -102,7 +102,7 @@ class KeptTextures {
   std::vector<ProgramDraw::BoundTexture> was_;
 };
 
-/// Contents of uniform blocks as they were, in buffers of their own; what was bound comes back.
+/// Binds buffers with the kept contents of uniform blocks; the destructor restores the bindings.
 class KeptBlocks {
  public:
   KeptBlocks(const RealGl& real, const std::vector<gl::UniformBlock>& blocks) : real_(real) {
@@ -140,7 +140,7 @@ class KeptBlocks {
   std::vector<GLuint> buffers_;
 };
 
-/// A vertex array object with the draw's arrays, in buffers of its own.
+/// A vertex array object with copies of the draw's arrays in its own buffers.
 class OwnArrays {
  public:
   OwnArrays(const RealGl& real, const ProgramDraw& draw) : real_(real) {

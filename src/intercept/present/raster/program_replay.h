@@ -1,4 +1,4 @@
-// Draws by shader programs, made again by the real OpenGL from what was kept of them. GL thread.
+// Replays kept draws of shader programs with the real OpenGL. GL thread.
 #pragma once
 #include "gl/programs/program_draw.h"
 #include "intercept/present/write_back/state_guard.h"
@@ -8,11 +8,11 @@
 
 namespace gluray::present {
 
-/// Draws them in order into the snapshot's region with the batch's depth state, and leaves all state, the
-/// programs' uniforms included, as it was.
+/// Replays the draws in order into the snapshot's region with the batch's depth state. Restores all state,
+/// including the programs' uniforms.
 void replayProgramDraws(const gl::RealGl& real, const Features& features, const scene::Snapshot& snapshot,
                         GLenum depthFunc, const std::vector<gl::ProgramDraw>& draws);
-/// The same into the draw framebuffer as it is, with the fragment state that is set.
+/// The same into the current draw framebuffer with the current fragment state.
 void replayProgramDraws(const gl::RealGl& real, const Features& features,
                         const std::vector<gl::ProgramDraw>& draws);
 

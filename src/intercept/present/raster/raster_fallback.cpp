@@ -10,7 +10,7 @@
 namespace gluray::present {
 namespace {
 
-/// The matrices that drawing changes. Values, not stacks, are kept: a program may have filled a stack.
+/// Saves and restores the matrices that drawing changes; by value, as the program may have filled a stack.
 class KeptMatrices {
  public:
   explicit KeptMatrices(const gl::RealGl& real) : real_(real) {
@@ -54,7 +54,7 @@ void setUpCamera(const gl::RealGl& real, const scene::Snapshot& snapshot) {
   }
 }
 
-/// Of layers that are blended in the order of drawing.
+/// Sets the blending of layers that are blended in the order of drawing.
 void setBlending(const gl::RealGl& real, const scene::Blending& blending) {
   const auto name = [](auto value) { return static_cast<GLenum>(value); };
   const auto &rgb = blending.rgb, &alpha = blending.alpha;

@@ -1,5 +1,5 @@
-// Draws a snapshot with the real OpenGL: what the program would have had, for when tracing fails after its
-// draws were held back. GL thread, outside glBegin/glEnd.
+// Draws a snapshot with the real OpenGL, if tracing fails after draws were held back. GL thread, outside
+// glBegin/glEnd.
 #pragma once
 #include "gl/batch/presenter.h"
 #include "intercept/present/write_back/state_guard.h"
@@ -7,20 +7,20 @@
 
 namespace gluray::present {
 
-/// Draws every instance, into the framebuffer that is bound, with the target's depth function: those of fixed
-/// function in order, then those of shader programs in order. No queryable state differs afterwards. False,
-/// with nothing drawn, where the attribute stack is full or fixed function is missing and needed.
+/// Draws every instance into the bound framebuffer with the target's depth function: first those of fixed
+/// function in order, then those of shader programs in order. Restores all queryable state. False, with
+/// nothing drawn, if the attribute stack is full, or fixed function is needed but missing.
 bool drawByRealGl(const gl::RealGl& real, const Features& features, const scene::Snapshot& snapshot,
                   const gl::PresentTarget& target);
 
-/// What the depth of surfaces that were traced is drawn again with (depth_again.cpp).
+/// Parameters for redrawing the depth of traced surfaces (depth_redraw.cpp).
 struct DepthPass {
-  GLuint program = 0, depth = 0;  // depth: a texture of the depth that is there
-  bool multisampled = false;      // is the texture
-  int sample = -1;                // the only one to be written; -1: all
+  GLuint program = 0, depth = 0;  // depth: a texture of the existing depth
+  bool multisampled = false;      // the texture is
+  int sample = -1;                // the only sample to write; -1: all
 };
 
-/// The fixed-function instances alone. With `again`, depth alone. False, with nothing drawn, as above.
+/// Draws only the fixed-function instances; with `again`, only their depth. False as above.
 bool drawWithFixedFunction(const gl::RealGl& real, const Features& features, const scene::Snapshot& snapshot,
                            GLenum depthFunc, const DepthPass* again = nullptr);
 

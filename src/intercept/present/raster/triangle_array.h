@@ -1,4 +1,4 @@
-// The triangles of one mesh in a vertex array of our own, to draw their depth. Of depth_again.cpp, GL thread.
+// The triangles of one mesh in our own vertex array, to draw their depth (depth_redraw.cpp). GL thread.
 #pragma once
 #include "intercept/present/raster/raster_fallback.h"
 #include "intercept/present/write_back/state_guard.h"
@@ -14,8 +14,8 @@ class TriangleArray {
   TriangleArray(const TriangleArray&) = delete;
   TriangleArray& operator=(const TriangleArray&) = delete;
 
-  /// Draws them into the region of the snapshot, depth alone, by a program with the uniform MCDCMatrix and
-  /// the attribute 0. No queryable state differs afterwards.
+  /// Draws only their depth into the region of the snapshot, by a program with the uniform MCDCMatrix and the
+  /// attribute 0. Restores all queryable state.
   void draw(const scene::Snapshot& snapshot, const glm::dmat4& clipFromObject, GLenum depthFunc,
             const DepthPass& pass) const;
 

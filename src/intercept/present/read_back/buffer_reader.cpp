@@ -8,7 +8,7 @@
 namespace gluray::present {
 namespace {
 
-/// Makes room for a value a pixel. False where there is no memory.
+/// Resizes `out` to one value per pixel. False if out of memory.
 template <class T>
 bool makeRoom(const scene::Region& region, std::vector<T>& out) noexcept {
   try {

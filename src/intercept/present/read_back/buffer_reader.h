@@ -1,4 +1,4 @@
-// Reads depths and colours of the bound draw framebuffer. GL thread, context current; all state is put back.
+// Reads depths and colours of the bound draw framebuffer. GL thread, context current; restores all state.
 #pragma once
 #include "gl/batch/framebuffer_reader.h"
 #include "intercept/present/presented_pictures.h"

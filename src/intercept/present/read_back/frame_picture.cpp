@@ -32,7 +32,7 @@ void readPixels(const gl::RealGl& real, const Box& box, GLenum format, GLenum ty
   real.ReadPixels(box.x, box.y, box.width, box.height, format, type, target.data());
 }
 
-/// Whether a sample of the image's pixel `i` lies at `depth`, as far as the depth buffer can tell.
+/// Whether a sample of the image's pixel `i` has `depth`, within the depth buffer's precision.
 bool isAt(const Image& image, size_t i, float depth, float step) {
   const size_t plane = static_cast<size_t>(image.width) * static_cast<size_t>(image.height);
   for (size_t s = 0; s < static_cast<size_t>(image.samples); ++s) {

@@ -1,6 +1,5 @@
-// The picture of a frame, and which of its pixels were traced: for `gluray explain --html`. One per context;
-// GL thread. Reading costs a pass over the framebuffer a flush and a frame, so it exists only where it is
-// wanted.
+// Records a frame's picture and which pixels were traced, for `gluray explain --html`. One per context, GL
+// thread. Reads the framebuffer once per flush and once per frame, so it exists only if wanted.
 #pragma once
 #include "base/image.h"
 #include "gl/real.h"
@@ -13,7 +12,7 @@
 
 namespace gluray::present {
 
-/// What a pixel of a finished frame shows.
+/// Origin of a pixel of a finished frame.
 enum class PixelOrigin : uint8_t {
   rasterised = 0,
   drawnOver = 128,  // traced, and changed afterwards
@@ -25,15 +24,15 @@ struct Picture {
   int width = 0, height = 0;        // pixels
   std::vector<uint32_t> color;      // RGBA8, bottom row first
   std::vector<PixelOrigin> origin;  // the same shape
-  uint64_t elsewhere = 0;           // pixels that were traced into framebuffer objects during the frame
+  uint64_t elsewhere = 0;           // pixels traced into framebuffer objects during the frame
 };
 
 class FramePicture {
  public:
-  /// A traced picture has been written into the framebuffer that is bound for drawing: notes which of its
-  /// pixels passed the depth test.
+  /// Call after writing a traced picture into the draw framebuffer: records which pixels passed the depth
+  /// test.
   void written(const gl::RealGl& real, const Image& image);
-  /// The frame is complete and about to be shown: reads it from `buffer` of the window.
+  /// Call when the frame is complete and about to be shown: reads it from the window's `buffer`.
   Picture take(const gl::RealGl& real, GLenum buffer, int width, int height, uint64_t frame);
 
  private:
@@ -47,8 +46,8 @@ class FramePicture {
   uint64_t elsewhere_ = 0;
 };
 
-/// Writes `picture` as two files: BASE.ppm, and BASE.origin.pgm with a PixelOrigin each. False where they
-/// cannot be written. Plain formats: no library of pictures is loaded into the program.
+/// Writes `picture` as two files: BASE.ppm, and BASE.origin.pgm with a PixelOrigin per pixel. False if they
+/// cannot be written. These plain formats need no image library in the program.
 bool writePicture(const Picture& picture, const std::string& base);
 
 }  // namespace gluray::present

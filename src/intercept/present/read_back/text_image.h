@@ -1,4 +1,4 @@
-// Lines of text as a picture: letters of 5x7 squares, which need no font in the program's process. Any
+// Renders lines of text into a picture, with letters of 5x7 squares, so that no font library is needed. Any
 // thread.
 #pragma once
 #include "base/image.h"
@@ -9,17 +9,17 @@
 
 namespace gluray::present {
 
-/// How text looks. Colours are RGBA8, red in the lowest byte.
+/// Colours are RGBA8, red in the lowest byte.
 struct TextStyle {
-  int scale = 2;  // pixels that a square of a letter is wide
+  int scale = 2;  // size of a letter's square, pixels
   uint32_t ink = 0xFFFFFFFF, ground = 0xFF302018;
 };
 
-/// Whether there is a picture of the letter; capitals stand for small ones, blanks for what is missing.
+/// Whether the letter has a picture. Small letters are drawn as capitals, missing ones as blanks.
 bool isDrawable(char letter);
 
-/// Makes `image` the lines on a ground one letter's margin wide, first line on top, at image.x, image.y.
-/// Every pixel is a hit of depth 0.
+/// Draws the lines into `image`, first line on top, with a margin, at image.x, image.y. Every pixel is a hit
+/// of depth 0.
 void drawText(const std::vector<std::string>& lines, const TextStyle& style, Image& image);
 
 }  // namespace gluray::present

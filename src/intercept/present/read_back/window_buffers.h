@@ -1,4 +1,4 @@
-// The buffers of a window, read and cleared whatever the state. GL thread, context current.
+// Reads and clears a window's buffers, independent of the GL state. GL thread, context current.
 #pragma once
 #include "frame/window_content.h"
 #include "gl/batch/presenter.h"
@@ -9,11 +9,11 @@
 
 namespace gluray::present {
 
-/// Reads `buffer` of a window of `size` pixels. False where it cannot be read. State stays as it is.
+/// Reads `buffer` of a window of `size` pixels. False if it cannot be read. Restores all state.
 bool readWindow(const gl::RealGl& real, const Features& features, glm::ivec2 size, GLenum buffer,
                 frame::WindowContent& out);
 
-/// Clears the window's whole back buffer, whatever the state, which stays as it is.
+/// Clears the window's whole back buffer. Restores all state.
 void clearWindow(const gl::RealGl& real, const Features& features, const gl::WindowClear& clear);
 
 }  // namespace gluray::present

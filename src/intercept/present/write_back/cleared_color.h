@@ -1,4 +1,4 @@
-// What a framebuffer holds of the colour that it was cleared to. GL thread, context current.
+// The pixel value that a framebuffer holds after a clear. GL thread, context current.
 #pragma once
 #include "gl/batch/presenter.h"
 #include "intercept/present/features.h"
@@ -10,12 +10,12 @@
 
 namespace gluray::present {
 
-/// Of framebuffers of one format, each with eight bits a channel.
+/// For framebuffers of one format with eight bits per channel.
 class ClearedColor {
  public:
-  /// RGBA8, red in the lowest byte; none where it cannot be read. The framebuffer is bound for drawing.
-  /// Errors that were pending are moved to `pending`. Read once a colour: the real OpenGL clears at once for
-  /// it.
+  /// RGBA8, red in the lowest byte; none if it cannot be read. Requires the framebuffer bound for drawing.
+  /// Moves pending errors to `pending`. Reads once per colour, because a read makes the real OpenGL perform
+  /// the clear.
   std::optional<uint32_t> bits(const gl::RealGl& real, const Features& features,
                                const gl::ClearedTarget& cleared, PendingErrors& pending);
 

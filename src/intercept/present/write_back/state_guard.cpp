@@ -16,7 +16,7 @@ PendingErrors takeErrors(const RealGl& real) {
 
 StateGuard::StateGuard(const RealGl& real, const Features& features) : real_(real), features_(features) {
   log_.reserve(64);
-  // What we do is not the program's doing: its debug callback hears nothing of it.
+  // The program's debug callback must not receive messages about our calls.
   if (features.debugOutput) capability(GL_DEBUG_OUTPUT, false);
 }
 

@@ -1,5 +1,5 @@
-// Sets state of the real OpenGL for drawing of our own, and puts back everything it changed when it dies,
-// newest first. It asks before it sets, so that state which already suits us costs one query. GL thread,
+// Sets the real OpenGL's state for our own drawing; the destructor restores everything it changed, newest
+// first. Queries state before setting it, so that state which is right already costs one query. GL thread,
 // context current, outside glBegin/glEnd and outside list compilation.
 #pragma once
 #include "intercept/present/features.h"
@@ -10,11 +10,11 @@
 
 namespace gluray::present {
 
-/// Errors that the program has caused and not yet fetched. A guard's owner hands them back to be reported
+/// Errors that the program has caused and not yet fetched. The guard's owner returns them to be reported
 /// later.
 using PendingErrors = std::vector<GLenum>;
 
-/// Empties the real OpenGL's error flags. At most 16 are read, in case a lost context repeats one for ever.
+/// Fetches the real OpenGL's errors: at most 16, because a lost context may repeat one for ever.
 PendingErrors takeErrors(const gl::RealGl& real);
 
 class StateGuard {
@@ -29,44 +29,44 @@ class StateGuard {
   /// The same for one index (draw buffer or viewport).
   void capability(GLenum name, GLuint index, bool on);
 
-  /// No test, operation or mask other than depth stands between a fragment and every draw buffer: blending,
-  /// stencil, alpha test, logic operation, stipple, clip planes, culling, rasterizer discard and coverage are
-  /// off, masks are open. Depth test, viewport and scissor are the caller's to set. sRGB encoding and
-  /// dithering stay as the program has them.
+  /// Disables all fragment tests, operations and masks other than depth, for every draw buffer: blending,
+  /// stencil, alpha test, logic operation, stipple, clip planes, culling, rasterizer discard, coverage, write
+  /// masks. The caller sets depth test, viewport and scissor. Keeps the program's sRGB encoding and
+  /// dithering.
   void openFragmentPath();
-  /// The open path into the region of a snapshot: its viewport, depth range and multisampling, depth test
-  /// `func`.
+  /// openFragmentPath() for the region of a snapshot: sets its viewport, depth range and multisampling, and
+  /// depth test `func`.
   void drawInto(const scene::Snapshot& snapshot, GLenum func);
-  void depthTest(GLenum func);  // test on, writes on
-  /// Colours are blended with what is there as gl::addsUp has it. After openFragmentPath().
+  void depthTest(GLenum func);  // enables test and writes
+  /// Sets the blending of layer sums, as in gl::addsUp: adds RGB, multiplies alpha. After openFragmentPath().
   void addUp();
-  /// The same for colours that were multiplied with what they cover, their alpha.
+  /// Sets "over" blending for premultiplied colours. After openFragmentPath().
   void blendOver();
   void colorWrites(const scene::ColorWrites& on);  // to all draw buffers; after openFragmentPath()
   void encoding(bool on);                          // GL_FRAMEBUFFER_SRGB
   void depthWrites(bool on);
   void depthRange(double zNear, double zFar);
-  /// GL_POLYGON_OFFSET_FILL is on, without a clamp.
+  /// Enables GL_POLYGON_OFFSET_FILL, without a clamp.
   void polygonOffset(float factor, float units);
   void viewport(int x, int y, int width, int height);
   void scissor(int x, int y, int width, int height);
   void scissorOff();
 
-  /// Pixel uploads from client memory, values as they are, rows `rowLength` pixels apart (0: tightly packed).
+  /// Pixel uploads from client memory, unconverted, rows `rowLength` pixels apart (0: tightly packed).
   void plainUnpack(int rowLength = 0);
-  /// Pixels read into client memory, values as they are, tightly packed.
+  /// Pixel reads into client memory, unconverted, tightly packed.
   void plainPack();
   /// Draws go to the window's `buffer`.
   void drawToWindow(GLenum buffer);
   /// Reads come from `buffer` of `framebuffer`.
   void readFrom(GLuint framebuffer, GLenum buffer);
   void activeTexture(GLenum unit);
-  void texture2D(int unit, GLuint texture);  // also makes `unit` active and frees it of sampler objects
+  void texture2D(int unit, GLuint texture);  // also activates `unit` and unbinds its sampler object
   void textureMultisample(int unit, GLuint texture);
-  void program(GLuint program);  // transform feedback is paused meanwhile
+  void program(GLuint program);  // also pauses transform feedback
   void vertexArray(GLuint array);
   void lastVertexProvokes();
-  /// Only sample `sample` is written; may be called again for the next sample.
+  /// Writes only sample `sample`; may be called again for the next sample.
   void onlySample(int sample);
 
  private:

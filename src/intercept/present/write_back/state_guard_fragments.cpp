@@ -1,4 +1,4 @@
-// StateGuard: what stands between fragments and draw buffers.
+// StateGuard: fragment tests, blending and masks.
 #include "intercept/present/write_back/state_guard.h"
 
 namespace gluray::present {

@@ -1,4 +1,4 @@
-// How the state guard opens the way of pixels from and to memory.
+// StateGuard: pixel transfers from and to memory.
 #include "intercept/present/write_back/state_guard.h"
 
 namespace gluray::present {

@@ -42,7 +42,7 @@ std::optional<TextureUpload::Attached> TextureUpload::attached(const gl::RealGl&
   to.depth = textureAt(real, GL_DEPTH_ATTACHMENT);
   if (!to.color || !to.depth || !takeErrors(real).empty()) return std::nullopt;
   const glm::ivec2 end(image.x + image.width, image.y + image.height);
-  guard.texture2D(features.textureUnit, to.color);  // an error where it is of another kind
+  guard.texture2D(features.textureUnit, to.color);  // a GL error if it has another target
   if (!takeErrors(real).empty() || !gl::holdsRgba8(real, end)) return std::nullopt;
   guard.texture2D(features.textureUnit + 1, to.depth);
   if (!takeErrors(real).empty() || ofLevel(real, GL_TEXTURE_WIDTH) < end.x ||
@@ -91,7 +91,7 @@ bool TextureUpload::put(const gl::RealGl& real, const Features& features, const 
   if (depths_.size() < image.depth.size()) depths_.resize(image.depth.size());
   const int rows = frame::rowsOfBands(image.height), count = (image.height + rows - 1) / rows;
   std::array<frame::Band, frame::kMaxBands> bands;
-  forEachPart(threads, count, [&](int i) {  // each depth is read once
+  forEachPart(threads, count, [&](int i) {  // reads each depth once
     frame::Band& band = bands[static_cast<size_t>(i)];
     band = frame::hitBand(image.depth.data(), image.width, image.height, i * rows);
     if (band.width > 0) fillDepths(image, band, floats);

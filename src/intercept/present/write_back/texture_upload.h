@@ -1,5 +1,5 @@
-// A traced picture sent straight into the textures of a framebuffer object that holds nothing but what it was
-// cleared to: nothing is drawn. GL thread, context current, outside glBegin/glEnd.
+// Uploads a traced picture into the textures of a framebuffer object that has only been cleared, instead of
+// drawing it. GL thread, context current, outside glBegin/glEnd.
 #pragma once
 #include "base/image.h"
 #include "frame/hit_bands.h"
@@ -14,11 +14,10 @@ namespace gluray::present {
 
 class TextureUpload {
  public:
-  /// Puts the image, whose misses have the cleared colour, into the bound draw framebuffer's textures, as
-  /// WriteBack::write() would have drawn it with GL_LEQUAL over a depth of 1. False where textures are of
-  /// other kinds, or something went wrong: then what was put so far may be drawn over. Errors that were
-  /// pending are moved to `pending`. Works on as many threads as `threads` says (0: all). No state that the
-  /// program can query differs afterwards.
+  /// Uploads the image, whose misses have the cleared colour, into the bound draw framebuffer's textures. The
+  /// result equals WriteBack::write() with GL_LEQUAL over a depth of 1. False if the textures are of other
+  /// kinds or an upload fails; parts uploaded by then may be drawn over. Moves pending errors to `pending`.
+  /// Uses `threads` threads (0: all). Restores all queryable state.
   bool put(const gl::RealGl& real, const Features& features, const Image& image, int threads,
            PendingErrors& pending);
 
@@ -33,7 +32,7 @@ class TextureUpload {
   void send(const gl::RealGl& real, const Features& features, const Image& image, const frame::Band& band,
             bool floats) const;
 
-  std::vector<uint32_t> depths_;  // as sent, the image's shape; memory is kept
+  std::vector<uint32_t> depths_;  // as uploaded, in the image's shape; reused memory
 };
 
 }  // namespace gluray::present

@@ -57,9 +57,9 @@ GLuint WriteBack::newTextureName() const {
     real_.GenTextures(1, &name);
     return name;
   }
-  // Compatibility contexts let a program bind names that it never asked for, small ones as a rule. Ours come
-  // from the end of the range. From the very end in each name space: Mesa goes on after the largest name in
-  // use as long as there are any, and programs use names as array indices.
+  // Compatibility contexts let a program bind names that it never generated, usually small ones. Ours come
+  // from the very end of the name space: Mesa generates names after the largest one in use while any are
+  // left, and programs use names as array indices.
   for (name = 0xFFFFFFFEu; real_.IsTexture(name);) --name;
   return name;
 }
@@ -68,7 +68,7 @@ bool WriteBack::makePlane(StateGuard& guard, int unit, PlaneTexture& plane, GLen
                           GLenum format, GLenum type, int width, int height) {
   const bool fresh = plane.texture == 0;
   if (fresh) {
-    // Taken by the binding: contexts of other threads may share the name space.
+    // Binding reserves the name: contexts of other threads may share the name space.
     static std::mutex naming;
     const std::lock_guard lock(naming);
     plane.texture = newTextureName();
@@ -96,7 +96,7 @@ bool WriteBack::makePlane(StateGuard& guard, int unit, PlaneTexture& plane, GLen
 
 namespace {
 
-/// What the textures of colours and of depths take.
+/// Source pointers for uploads into the textures of colours and depths.
 const void* colorsFrom(const Image& image, size_t pixel) {
   return image.has(Plane::color) ? static_cast<const void*>(&image.color[pixel])
                                  : &image.wideColor[4 * pixel];
@@ -146,7 +146,7 @@ void WriteBack::draw(const Image& image, const Sheet& sheet) const {
     real_.DrawArrays(GL_TRIANGLES, 0, 6 * count);
     return;
   }
-  // glVertex alone changes no current value, and needs no array state.
+  // glVertex changes no current value and needs no array state.
   real_.Begin(GL_QUADS);
   for (int i = 0; i < count; ++i) {
     const GLfloat* c = corners[i];
@@ -203,7 +203,7 @@ bool WriteBack::write(const Image& image, const WriteBackTarget& target, Pending
   if (width > limit || height > limit) return false;
   if (image.samples > 1 && (!features_.sampleMask || image.samples > 32)) return false;
 
-  // Sample planes lie above each other in one texture, as many as it can hold.
+  // One texture holds as many sample planes as fit, one above the other.
   const int planes = std::min(image.samples, limit / height);
   if (target.picture == 0 || target.picture != held_) {
     held_ = 0;
@@ -237,7 +237,7 @@ bool WriteBack::writeInto(StateGuard& guard, const Image& image, const WriteBack
     writeAverages(guard, image, sheets_.front());
     return true;
   }
-  // All uploads of a textureful first: an upload in between would wait for the drawing before it.
+  // First all uploads of a full texture: an upload after a draw would wait for that draw.
   for (size_t first = 0; first < sheets_.size();) {
     size_t end = first;
     for (; end < sheets_.size() && sheets_[end].sample / planes == sheets_[first].sample / planes; ++end)

@@ -13,49 +13,48 @@
 
 namespace gluray::present {
 
-/// What the write must respect besides the image's own rectangle.
+/// Parameters of a write, besides the image's own rectangle.
 struct WriteBackTarget {
-  GLenum depthFunc = GL_LEQUAL;  // how traced pixels meet the depth that is there
-  uint64_t picture = 0;  // number of the image: the same as last time is not sent again; 0: it has none
-  GLenum over = 0;       // into this buffer of the window instead, over everything there; its depth stays
-  bool colors = true, depths = true;    // what is written; without depths none is tested
-  scene::ColorWrites colorWrites = {};  // of the colours
-  std::optional<bool> encodes = {};     // GL_FRAMEBUFFER_SRGB; null: as the program has it
+  GLenum depthFunc = GL_LEQUAL;  // depth test of traced pixels against the framebuffer
+  uint64_t picture = 0;          // id of the image: an equal id is not uploaded again; 0: it has none
+  GLenum over = 0;  // write into this buffer of the window instead, without depth test; keeps its depth
+  bool colors = true, depths = true;    // planes to write; without depths there is no depth test
+  scene::ColorWrites colorWrites = {};  // colour channels to write
+  std::optional<bool> encodes = {};     // GL_FRAMEBUFFER_SRGB; null: the program's setting
 };
 
 class WriteBack {
  public:
-  /// How images hold their colours.
+  /// Kinds of colour planes of images.
   enum class Colors : uint8_t { bytes, floats, sums };
   static Colors colorsOf(const Image& image) {
     if (image.has(Plane::transmittance)) return Colors::sums;
     return image.has(Plane::wideColor) ? Colors::floats : Colors::bytes;
   }
 
-  /// Writes images with such colours alone.
+  /// Writes only images with such colours.
   explicit WriteBack(const gl::RealGl& real, Colors colors = Colors::bytes) : real_(real), colors_(colors) {}
 
-  /// Compiles the program on first use. False, with the reason, where the context cannot do it; the answer
-  /// never changes.
+  /// Compiles the program on first use. False, with the reason, if the context cannot; the result never
+  /// changes.
   bool ready(std::string& why);
 
-  /// Writes every hit pixel (sample, where image.samples > 1) that passes the depth test, in one go over the
-  /// image's rectangle, to all draw buffers. Misses stay untouched. Depth values are window depths:
-  /// glDepthRange is in them. Averages over samples (Image::centerDepth) are blended over what is there,
-  /// their alpha being what they cover, and leave the depth of their centres. Sums are added to the first two
-  /// draw buffers instead, whatever the depth there, which stays: colours times opacity and what is let
-  /// through to the first's, opacities to the second's red, by blending as gl::addsUp has it. No state that
-  /// the program can query differs afterwards; errors that were pending are moved to `pending`. False, with
-  /// nothing drawn or a picture to be drawn again, where the real OpenGL refuses.
+  /// Writes every hit pixel (sample, if image.samples > 1) that passes the depth test to all draw buffers, in
+  /// one pass over the image's rectangle. Keeps pixels of misses. Depths are window depths, including
+  /// glDepthRange. Averages over samples (Image::centerDepth) are blended over the framebuffer, with coverage
+  /// as alpha, and write their centres' depth. Sums ignore and keep depth; blending as in gl::addsUp adds
+  /// them to the first two draw buffers: premultiplied colours and transmittance to the first, opacities to
+  /// the second's red. Restores all queryable state; moves pending errors to `pending`. False, with nothing
+  /// drawn or a picture to be drawn again, if the real OpenGL refuses.
   bool write(const Image& image, const WriteBackTarget& target, PendingErrors& pending);
 
-  /// Names of what lives in the share group, which are no longer ours.
+  /// Releases ownership of our names in the share group, and returns them.
   gl::SharedNames takeNames();
-  /// Deletes our objects. Without this they live as long as the share group.
+  /// Deletes our objects; otherwise they live as long as the share group.
   void release();
 
  private:
-  /// A texture that grows and never shrinks, so that several viewports of one frame share it.
+  /// A texture that grows but never shrinks, so that several viewports of one frame share it.
   struct PlaneTexture {
     GLuint texture = 0;
     int width = 0, height = 0;  // texels
@@ -64,7 +63,7 @@ class WriteBack {
   bool makePlane(StateGuard& guard, int unit, PlaneTexture& plane, GLenum internalFormat, GLenum format,
                  GLenum type, int width, int height);
   GLuint newTextureName() const;
-  /// One sample plane of the image: what of it was hit, and at which row of the textures it lies.
+  /// One sample plane of the image: its bands of hits, and its first row in the textures.
   struct Sheet {
     int sample = 0, row = 0;
     std::vector<frame::Band> bands;
@@ -82,8 +81,8 @@ class WriteBack {
   Features features_;
   enum class State { unknown, ready, impossible } state_ = State::unknown;
   std::string why_;
-  /// Two equal programs, used in turn: Mesa (22.3, llvmpipe) goes on with what a program sampled before if
-  /// nothing else was drawn since, and has lost that where the framebuffer was read or resized meanwhile.
+  /// Two equal programs, used alternately: Mesa (22.3, llvmpipe) reuses a program's earlier texture state if
+  /// nothing else was drawn since, but loses that state if the framebuffer was read or resized meanwhile.
   struct Program {
     GLuint name = 0;
     GLint place = -1, bands = -1;  // uniforms
@@ -94,7 +93,7 @@ class WriteBack {
   GLenum depthInternalFormat_ = 0, depthFormat_ = 0;
   PlaneTexture color_, depth_;
   std::vector<Sheet> sheets_;  // of the last image
-  uint64_t held_ = 0;          // number of the image that the textures hold; 0: none, or not all of one
+  uint64_t held_ = 0;          // id of the image that the textures hold; 0: none or an incomplete one
 };
 
 }  // namespace gluray::present

@@ -7,7 +7,7 @@ namespace {
 
 constexpr const char* kOldVertex = "#version 110\nvoid main() { gl_Position = gl_Vertex; }\n";
 
-// Nearest-filtered texture2D is a third cheaper than texelFetch on llvmpipe (Mesa 22.3).
+// On llvmpipe (Mesa 22.3), texture2D with nearest filtering takes a third less time than texelFetch.
 constexpr const char* kOldFragment = R"(#version 110
 uniform sampler2D colorPlane, depthPlane;
 uniform vec4 place;
@@ -31,7 +31,7 @@ void main() {
 }
 )";
 
-// Two triangles a band: x, y of its lower left corner and of its upper right one, in clip space.
+// Two triangles per band: x, y of its lower left and upper right corners, in clip space.
 constexpr const char* kCoreVertex = R"(
 uniform vec4 bands[32];
 void main() {
@@ -42,7 +42,7 @@ void main() {
 }
 )";
 
-// Without gl_FragColor, every draw buffer is named: 8 is the least that GL 3.0 promises.
+// Without gl_FragColor each draw buffer needs its own output: 8 is the minimum of GL 3.0.
 constexpr const char* kCoreFragment = R"(
 uniform sampler2D colorPlane, depthPlane;
 uniform vec4 place;

@@ -11,7 +11,7 @@ namespace gluray::present {
 /// without any vertex attribute in core contexts. Returns the program's name, or 0 with the reason. Uniforms:
 /// colorPlane and depthPlane (samplers), place = (window x, y of texel (0,0); texture coordinates of one
 /// texel), and in core contexts bands[32] = corners (left, lower, right, upper) in clip space, six vertices
-/// each. For sums, depthPlane is what is let through.
+/// each. For sums, depthPlane is the transmittance.
 GLuint buildWriteBackProgram(const gl::RealGl& real, const Features& features, bool sums, std::string& why);
 
 }  // namespace gluray::present

@@ -1,4 +1,4 @@
-"""Spheres and discs that shaders cut out of flat cards: every look of the mappers that draw them."""
+"""Impostors (spheres and discs that shaders cut out of flat billboards): every look of the mappers that draw them."""
 import looks
 import shapes
 from registry import state
@@ -24,7 +24,7 @@ def spheres_parallel(stage):
 
 @state("vtk")
 def spheres_near(stage):
-    """The viewer among them: the cards are cut off by the near plane, and corners of cards cut spheres."""
+    """The viewer among them: the near plane cuts billboards, and corners of billboards cut spheres."""
     stage.show(spheres(stage, 0.2))
     looks.from_among(stage, place=(0.35, 0.3, 0.5), clipping=(0.05, 5))
 
@@ -54,7 +54,7 @@ def sphere_around_viewer(stage):
 
 @state("vtk")
 def spheres_stretched(stage):
-    """Radii are not scaled by the actor, nor by the matrix that far coordinates are brought near with."""
+    """Neither the actor nor the matrix that shifts far coordinates scales the radii."""
     actor = stage.show(spheres(stage))
     actor.SetScale(2, 1, 0.5)
     actor.RotateX(30)
@@ -77,7 +77,7 @@ def spheres_far_from_origin(stage):
 
 @state("vtk")
 def spheres_clipped(stage):
-    """Planes take whole spheres away, by their centres."""
+    """Planes remove whole spheres, by their centres."""
     mapper, plane = spheres(stage, 0.15), stage.vtk.vtkPlane()
     plane.SetNormal(1, 0.3, 0)
     mapper.AddClippingPlane(plane)
@@ -125,7 +125,7 @@ def spheres_recolored(stage):
     stage.shoot()
 
 
-@state("vtk", outside=False, reason="what is seen through has no depth")
+@state("vtk", outside=False, reason="translucent surfaces leave no depth")
 def spheres_peeled(stage):
     """Translucent spheres and surfaces in one peel, and opaque spheres behind them."""
     looks.peel(stage)
@@ -136,7 +136,7 @@ def spheres_peeled(stage):
     stage.orbit(3)
 
 
-@state("vtk", outside=False, reason="what is seen through has no depth")
+@state("vtk", outside=False, reason="translucent surfaces leave no depth")
 def spheres_summed(stage):
     """The same without peeling: weighted blending."""
     stage.show(spheres(stage, 0.15))
@@ -208,7 +208,7 @@ def round_shades_steady(stage):
 
 @state("pvbatch")
 def gaussians_of_other_presets(stage):
-    """None of them is for tracing: they blend, or are no figures we know."""
+    """None of them is traced: they blend, or are impostors of unknown shape."""
     for preset in ("Gaussian Blur", "Black-edged circle", "Triangle", "Square Outline"):
         points_of(stage, preset)
         stage.shoot()
