@@ -29,16 +29,20 @@ UNITS = {
 }
 
 
-def rows_of(said, path):
-    """Rows from Google Benchmark's JSON; `path` is part of their names. Raises Failed if a benchmark failed."""
+def rates_of(said):
+    """(name, items a second of each repetition), of what Google Benchmark printed as JSON. Failed where a benchmark failed."""
     rates = {}
     for run in said["benchmarks"]:
         if run.get("error_occurred"):
             raise programs.Failed(f"{run['name']}: {run.get('error_message', 'failed')}")
         if run.get("run_type") == "iteration":
-            name = "/".join(run["run_name"].split("/")[:2])
-            rates.setdefault(name, []).append(run["items_per_second"])
-    for name, found in rates.items():
+            rates.setdefault("/".join(run["run_name"].split("/")[:2]), []).append(run["items_per_second"])
+    return rates.items()
+
+
+def rows_of(said, path):
+    """Rows from Google Benchmark's JSON; `path` is part of their names. Raises Failed if a benchmark failed."""
+    for name, found in rates_of(said):
         unit, of = UNITS[name.split("/")[0]]
         values = [of(rate) for rate in found]
         row = {"scene": name, "path": path, unit: statistics.median(values), f"{unit}_low": min(values), f"{unit}_high": max(values)}

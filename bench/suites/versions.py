@@ -14,6 +14,7 @@ import statistics
 import sys
 import tempfile
 
+from suites import micro
 from support import machine, programs
 from support.display import display
 from support.telling import status_of
@@ -21,7 +22,7 @@ from support.telling import status_of
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 SUPPORT = ROOT / "bench" / "support"
 STREAMS = ROOT / "tests" / "streams"
-GROUPS = ["frames", "paraview", "multisampled", "small_scenes"]
+GROUPS = ["frames", "micro", "paraview", "multisampled", "small_scenes"]
 PATHS = ["list", "elements", "vbo", "arrays", "immediate"]
 LOOKS = ["surface", "edges", "translucent", "summed"]
 
@@ -68,6 +69,22 @@ def moving_and_unchanged(said):
     return {"moving_ms": statistics.median(said["moving_ms"]), "unchanged_ms": statistics.median(said["unchanged_ms"])}
 
 
+class Steps:
+    """The single steps of scripts/bench micro, as times: microseconds per frame, a million triangles or a million calls."""
+
+    name = "steps"
+
+    def measure(self, gluray, options):
+        folder = gluray.parents[2] / "bench" / "micro"
+        every = argparse.Namespace(only=".")
+        commands = ([gluray, "--engine", "always", "--", folder / "gluray-bench-door"], [folder / "gluray-bench-micro"])
+        rates = {}
+        for command in commands:
+            for row in micro.rates_of(micro.measured(command, every, {"LP_NUM_THREADS": str(options.threads)})):
+                rates[row[0]] = statistics.median(row[1])
+        return {f"{name} us": 1e6 / rate if rate < 1e5 else 1e12 / rate for name, rate in rates.items()}
+
+
 class Replay:
     """A recorded stream, timed as tests/streams/frame_times.py does it."""
 
@@ -88,6 +105,8 @@ def programs_of(options, folder):
             for path in PATHS:
                 yield Program(f"frames {size}M {path}", [client, "--triangles", size, "--path", path, "--frames", 48 if size > 1 else 72,
                                                          "--orbit", "--warm", 2 + 2 * size], frame_and_first)
+    if "micro" in options.groups:
+        yield Steps()
     if "paraview" in options.groups and there("pvbatch", "paraview"):
         for look in LOOKS:
             yield Program(f"paraview 1M {look}", ["pvbatch", SUPPORT / "paraview_orbit.py", 3, 60, 1024, "-", look, 4], frame_and_first)

@@ -1,5 +1,6 @@
 #include "gl/context.h"
 
+#include "base/process_exit.h"
 #include "parallel/arena.h"
 
 #include <exception>
@@ -130,7 +131,9 @@ void Context::loseCurrent() {
   protect([&] {
     immediate.closeRunIfOpen();
     syncCurrent();
-    flusher.flush();
+    // Nobody sees what is drawn at exit, and the real OpenGL's libraries may have destroyed their static
+    // objects.
+    if (!isExiting()) flusher.flush();
   });
   cleared.forget();
   if (t_thread.context == this) t_thread = {};

@@ -8,9 +8,11 @@
 #include "intercept/stubs/orphan_gl.h"
 
 #include <atomic>
+#include <cstddef>
 #include <cstdio>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <utility>
 
 namespace gluray::intercept {
@@ -80,9 +82,29 @@ Registry& registry() {
   return *r;
 }
 
+namespace {
+
+// The calling thread's Current lives in plain storage: at exit() the main thread's thread_local objects are
+// destroyed before static objects of the program, whose destructors may still leave and destroy contexts.
+alignas(Current) constinit thread_local std::byte t_current[sizeof(Current)]{};
+constinit thread_local bool t_hasCurrent = false;
+
+/// Ends the thread's Current with the thread. What uses it later gets an empty one.
+struct CurrentOwner {
+  ~CurrentOwner() {
+    if (std::exchange(t_hasCurrent, false)) std::destroy_at(reinterpret_cast<Current*>(t_current));
+  }
+};
+
+}  // namespace
+
 Current& current() {
-  static thread_local Current one;
-  return one;
+  if (!t_hasCurrent) {
+    static thread_local CurrentOwner owner;
+    std::construct_at(reinterpret_cast<Current*>(t_current));
+    t_hasCurrent = true;
+  }
+  return *std::launder(reinterpret_cast<Current*>(t_current));
 }
 
 Record::~Record() {

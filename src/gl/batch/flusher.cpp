@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "base/log.h"
+#include "base/process_exit.h"
 #include "base/timeline.h"
 #include "gl/batch/resolve_draws.h"
 #include "gl/errors.h"
@@ -11,10 +12,12 @@
 
 #include <GL/glext.h>
 
+#include <bit>
 #include <string>
 #include <utility>
 
 namespace gluray::gl {
+
 bool Flusher::canTrace() {
   if (supported_) return *supported_;
   std::string why;
@@ -74,7 +77,11 @@ void Flusher::takeResult(const PresentResult& result, bool known) {
   if (result.pendingError != GL_NO_ERROR) p_.shadow.errors.set(result.pendingError);
   Statistics& statistics = p_.counts.statistics;
   statistics.presentSeconds += result.presentSeconds;
-  if (!known) ++statistics.flushes;
+  if (!known) {
+    ++statistics.flushes;
+    // Windows are made before they are drawn into; later windows meet a later power of two.
+    if (std::has_single_bit(uint64_t{statistics.flushes})) watchForExit();
+  }
   if (!known && result.repeated) ++statistics.repeated;
   statistics.buildSeconds += result.cost.buildSeconds;
   statistics.traceSeconds += result.cost.traceSeconds;

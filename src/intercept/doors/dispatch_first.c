@@ -4,13 +4,14 @@
 #include <dlfcn.h>
 #include <stddef.h>
 
-/* libglvnd's library of that name, or null: programs may carry one of their own. */
+/* libglvnd's library of that name; null if it is another library, because programs may ship their own. */
 static void* ofDispatch(const char* name) {
   void* library = dlopen(name, RTLD_LAZY | RTLD_LOCAL);
   return library && dlsym(library, "__glDispatchInit") ? library : NULL;
 }
 
-/* Nobody waits for another thread in here: whoever loads a library may hold the dynamic linker's lock. */
+/* Takes no lock and waits for no other thread: a thread that loads a library may hold the dynamic linker's
+ * lock. */
 void glurayDispatchFirst(void* vendor) {
   static int done;
   if (!vendor || __atomic_load_n(&done, __ATOMIC_ACQUIRE)) return;

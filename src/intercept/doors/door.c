@@ -23,10 +23,10 @@ void gluraySay(const char* line, const char* detail) {
   size_t length = (size_t)snprintf(text, sizeof text, "gluray: %s%s", line, detail ? ": " : "");
   if (detail) length += glurayPrintable(text + length, sizeof text - length, detail, strlen(detail));
   text[length] = '\n';
-  if (write(STDERR_FILENO, text, length + 1) < 0) return; /* nobody to tell */
+  if (write(STDERR_FILENO, text, length + 1) < 0) return; /* stderr is closed */
 }
 
-/* The engine lies beside the door. */
+/* The engine is in the door's directory, unless GLURAY_ENGINE_LIBRARY names it. */
 static void enginePath(char* path, size_t size) {
   const char* chosen = getenv("GLURAY_ENGINE_LIBRARY");
   Dl_info info;
@@ -62,8 +62,8 @@ static unsigned long long mappedBytes(void) {
   return strtoull(text, NULL, 10) * (unsigned long long)sysconf(_SC_PAGESIZE);
 }
 
-/* Whether a limit (ulimit -v) leaves the engine so little address space that libraries which do not survive
-   that, the real OpenGL's compiler among them, would meet its end. */
+/* Whether a limit (ulimit -v) leaves so little address space that libraries would run out of it and crash,
+   such as the real OpenGL's compiler. */
 static int addressSpaceIsShort(void) {
   const unsigned long long least = 512ull << 20;
   struct rlimit limit;
@@ -117,7 +117,7 @@ int glurayFind(const char* name) {
   return -1;
 }
 
-/* Set by the linker: where this library begins and ends in memory. */
+/* Set by the linker: start and end of this library in memory. */
 extern const char __ehdr_start __attribute__((visibility("hidden")));
 extern const char _end __attribute__((visibility("hidden")));
 
@@ -125,7 +125,7 @@ int glurayIsOurs(const void* function) {
   return (const char*)function >= &__ehdr_start && (const char*)function < &_end;
 }
 
-/* Functions that make a context: the engine is loaded for them, and never earlier. */
+/* Functions that create a context: the first call of one loads the engine. */
 static int makesContext(const char* name) {
   return strstr(name, "CreateContext") || strstr(name, "CreateNewContext") || strstr(name, "ImportContext");
 }
@@ -143,7 +143,7 @@ void* glurayResolve(int i) {
   const GlurayEngine* ready = makesContext(name) ? glurayLoadEngine() : glurayEngineIfLoaded();
   void* function = ready ? ready->proc(&glurayDoor, name) : NULL;
   if (!function) function = glurayDoor.realProc(name, apiOf(name));
-  if (!function) return (void*)doNothing; /* looked for again next time: its library may come later */
+  if (!function) return (void*)doNothing; /* searched again next time: its library may be loaded later */
   if (ready || glurayEngineFailed()) __atomic_store_n(&glurayTable[i], function, __ATOMIC_RELAXED);
   return function;
 }

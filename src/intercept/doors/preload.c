@@ -1,7 +1,7 @@
-/* The preload door: for programs that carry their own OpenGL library, for OSMesa, and for systems without
-   libglvnd. Loaded by LD_PRELOAD into the program and all its children: libc alone, nothing at load, no
-   output. Its entry points are generated; here are the real functions behind them and the answers to every
-   GetProcAddress. */
+/* The preload door: for programs that ship their own OpenGL library, for OSMesa, and for systems without
+   libglvnd. LD_PRELOAD loads it into the program and all its children, so it uses libc only, does nothing at
+   load time and prints nothing. Its entry points are generated; this file has the real functions behind them
+   and every GetProcAddress. */
 #define _GNU_SOURCE
 #include "intercept/doors/door.h"
 #include "intercept/doors/door_table.h"
@@ -16,7 +16,7 @@ typedef void* (*Lookup)(const char* name);
 
 static int startsWith(const char* text, const char* start) { return !strncmp(text, start, strlen(start)); }
 
-/* The real GetProcAddress of an API: the one function that knows everything of that API's OpenGL. */
+/* The real GetProcAddress of an API: the only function that knows all of that API's OpenGL functions. */
 static Lookup realLookup(int api) {
   static const char* const names[] = {"glXGetProcAddressARB", "eglGetProcAddress", "OSMesaGetProcAddress"};
   static Lookup found[3];
@@ -45,7 +45,7 @@ static void* realProc(const char* name, int api) {
   }
   void* function = lookedUp(api, name);
   return function ? function
-                  : glurayExported(api, name); /* before EGL 1.5 eglGetProcAddress knew extensions only */
+                  : glurayExported(api, name); /* before EGL 1.5 eglGetProcAddress finds extensions only */
 }
 
 const GlurayDoor glurayDoor = {GLURAY_DOOR_ABI, sizeof(GlurayDoor), GLURAY_DOOR_PRELOAD, realProc};
@@ -55,7 +55,7 @@ EXPORT void* glXGetProcAddressARB(const unsigned char* name);
 EXPORT void* eglGetProcAddress(const char* name);
 EXPORT void* OSMesaGetProcAddress(const char* name);
 
-/* Our function for a name that the real library knows. */
+/* Our function for a name, if the real library has that function. */
 static void* answer(int api, const char* name) {
   if (!name) return NULL;
   if (!strcmp(name, "glXGetProcAddress") || !strcmp(name, "glXGetProcAddressARB"))

@@ -1,7 +1,7 @@
-/* dlopen as the preload door answers it: a program that opens an OpenGL library gets our handle, so that
-   dlsym on it finds our functions. Any other file goes on to libc by a jump, so that libc still sees the
-   program as the caller and applies its RPATH; for the files we open in the program's place, the caller's
-   RPATH or RUNPATH is read here. */
+/* The preload door's dlopen. A program that opens an OpenGL library gets our handle, so that dlsym on it
+   finds our functions. For any other file it jumps to libc's dlopen, so that libc still sees the program as
+   the caller and applies its RPATH. For files that we open in the program's place, this file reads the
+   caller's RPATH or RUNPATH. */
 #define _GNU_SOURCE
 #include "intercept/doors/door.h"
 #include "intercept/doors/real_libraries.h"
@@ -16,7 +16,7 @@
 
 typedef void* (*Dlopen)(const char*, int);
 
-/* Set while we open a library ourselves: what its constructors open is theirs. */
+/* Set while we open a library ourselves: dlopen calls of its constructors go to libc. */
 static __thread int opening __attribute__((tls_model("initial-exec")));
 
 static Dlopen realDlopen(void) {
@@ -48,7 +48,7 @@ static void originOf(const struct link_map* map, char* origin, size_t size) {
   snprintf(origin, size, "%.*s", slash ? (int)(slash - name) : 0, name);
 }
 
-/* One directory of a search list with $ORIGIN expanded, then "/file". 0 where it does not fit. */
+/* Writes one directory of a search list, with $ORIGIN expanded, and "/file". 0 if it does not fit. */
 static int expand(const char* entry, size_t length, const char* origin, const char* file, char* path,
                   size_t size) {
   const char* const words[] = {"$ORIGIN", "${ORIGIN}"};
@@ -85,7 +85,7 @@ static const char* dynamicString(const struct link_map* map, ElfW(Sxword) tag) {
   return found && strings ? strings + offset : NULL;
 }
 
-/* Where the caller's own search path leads a bare file name; 0: nowhere. Order of ld.so(8). */
+/* Finds a bare file name in the caller's own search path, in the order of ld.so(8); 0: not found. */
 static int searchAsCaller(const char* file, const void* caller, char* path, size_t size) {
   Dl_info info;
   struct link_map* map = NULL;
@@ -98,7 +98,7 @@ static int searchAsCaller(const char* file, const void* caller, char* path, size
          searchList(runPath, origin, file, path, size);
 }
 
-/* Opens the real library in the program's place and hands out our own handle instead. */
+/* Opens the real library in the program's place, and returns our own handle. */
 static void* openForProgram(const char* file, int mode, const void* caller) {
   char path[PATH_MAX];
   const int bare = !strchr(file, '/');

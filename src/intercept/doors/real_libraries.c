@@ -8,7 +8,7 @@
 
 #define OPENED_MAX 8
 
-/* Handles that the program's own dlopen calls returned; never closed by us, so that functions stay valid. */
+/* Handles from the program's own dlopen calls; we never close them, so that functions stay valid. */
 static void* opened[GLURAY_LIB_COUNT][OPENED_MAX];
 
 int glurayLibraryOf(const char* file) {
@@ -40,7 +40,7 @@ void glurayRemember(int library, void* handle) {
   }
 }
 
-/* Of a library's functions, one that is not ours. */
+/* The function, or null if it is ours. */
 static void* accept(void* function) { return function && !glurayIsOurs(function) ? function : NULL; }
 
 static void* ofSystem(int library, const char* name) {

@@ -1,8 +1,8 @@
-/* Preloaded by `gluray explain --html`, which runs a program twice and compares a frame of one run with the
-   same frame of the other. What the program itself (not its libraries, nor ours) asks of clocks, random
-   numbers and its process number has the same answers in both runs: time moves by 40 ms with every frame,
-   which the engine tells. A program that waits for time to pass asks again and again; from the hundredth
-   question of a frame on each takes 10 ms, so that nobody waits for ever. libc only. */
+/* Deterministic clocks, random numbers and process number, so that two runs of a program draw equal frames.
+   Preloaded by `gluray explain --html`, which compares a frame of one run with the same frame of another.
+   Applies only to calls of the program itself, not of its libraries or ours. Time advances by 40 ms per
+   frame, on a call from the engine. From the hundredth query of a frame on, each query also advances it by 10
+   ms, so that programs that poll the clock do not wait for ever. libc only. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <link.h>
@@ -17,7 +17,7 @@ enum { kStartSeconds = 1700000000, kFrameMs = 40, kFreeQuestions = 100, kQuestio
 
 static uintptr_t programStart, programEnd;
 static int64_t timeMs;
-static int questions; /* of the current frame */
+static int questions; /* queries in the current frame */
 
 /* The first object reported is the program itself. */
 static int findProgram(struct dl_phdr_info* info, size_t size, void* data) {
@@ -34,7 +34,7 @@ static int findProgram(struct dl_phdr_info* info, size_t size, void* data) {
 
 __attribute__((constructor)) static void start(void) { dl_iterate_phdr(findProgram, NULL); }
 
-/* The engine calls it when a frame has ended. */
+/* Called by the engine at the end of each frame. */
 EXPORT void glurayFrameEnded(void);
 void glurayFrameEnded(void) {
   __atomic_fetch_add(&timeMs, kFrameMs, __ATOMIC_RELAXED);
@@ -80,7 +80,7 @@ EXPORT time_t time(time_t* out) {
 
 EXPORT pid_t getpid(void) { return ASKED_BY_PROGRAM ? kProcess : REAL(getpid)(); }
 
-/* A generator of its own for the program: libraries draw from the C library's at moments that differ.
+/* Separate random generator for the program, because libraries use the C library's at varying times.
    xorshift64, Marsaglia 2003. */
 static uint64_t seed = 88172645463325252u;
 

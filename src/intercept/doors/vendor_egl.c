@@ -35,9 +35,9 @@ static void* openRealVendor(void) {
   return handle;
 }
 
-/* A program may close libEGL and open it again: libEGL then starts anew, while we and the real vendor stay in
-   memory. The vendor may take its exports at its first start only, so it gets a copy of ours that is kept up
-   to date. */
+/* A program may close libEGL and open it again: libEGL then initialises again, while we and the real vendor
+   stay loaded. The vendor may store its exports at its first start only, so it gets a copy that we keep up to
+   date. */
 static int startRealVendor(uint32_t version, const __EGLapiExports* exports, __EGLvendorInfo* vendor,
                            const __EGLapiImports* imports) {
   static void* handle;
@@ -45,7 +45,7 @@ static int startRealVendor(uint32_t version, const __EGLapiExports* exports, __E
   if (EGL_VENDOR_ABI_GET_MAJOR_VERSION(version) != EGL_VENDOR_ABI_MAJOR_VERSION ||
       version < EGL_VENDOR_ABI_VERSION) {
     gluraySay("libglvnd is too old; use gluray --door preload", NULL);
-    return 0; /* its structures are smaller than those we were compiled for */
+    return 0; /* its structures are smaller than ours */
   }
   if (!handle) handle = openRealVendor();
   __PFNEGLMAINPROC realMain = handle ? (__PFNEGLMAINPROC)dlsym(handle, __EGL_MAIN_PROTO_NAME) : NULL;
@@ -67,7 +67,7 @@ __attribute__((visibility("default"))) EGLBoolean __egl_Main(uint32_t version, c
   if (!startRealVendor(version, exports, vendor, imports)) return EGL_FALSE;
   *imports = real;
   imports->getProcAddress = getProcAddress;
-  /* A vendor that patches libglvnd's entry points would lead calls past us. */
+  /* A vendor that patches libglvnd's entry points would bypass us. */
   imports->isPatchSupported = NULL;
   imports->initiatePatch = NULL;
   imports->releasePatch = NULL;

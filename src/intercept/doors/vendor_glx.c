@@ -13,11 +13,11 @@
 #include <string.h>
 
 static __GLXapiImports real;
-static void* vendor; /* the real one's library */
+static void* vendor; /* handle of the real vendor's library */
 
 static void* ofVendor(const GLubyte* name) { return real.getProcAddress ? real.getProcAddress(name) : NULL; }
 
-/* Asked for what is about to be called. */
+/* The real function, for a call that follows. */
 static void* realProc(const char* name, int api) {
   (void)api;
   glurayDispatchFirst(vendor);
@@ -31,11 +31,11 @@ static Bool isScreenSupported(Display* display, int screen) {
 
 const GlurayDoor glurayDoor = {GLURAY_DOOR_ABI, sizeof(GlurayDoor), GLURAY_DOOR_VENDOR_GLX, realProc};
 
-/* libGLdispatch asks for every OpenGL name here at the first MakeCurrent, libGLX for its own functions when
- * it starts. */
+/* libGLdispatch calls this for every OpenGL name at the first MakeCurrent, libGLX for its own functions when
+ * it initialises. */
 static void* getProcAddress(const GLubyte* procName) {
   const char* name = (const char*)procName;
-  void* function = ofVendor(procName); /* libGLX's constructor asks, too: nothing else is done here */
+  void* function = ofVendor(procName); /* also called from libGLX's constructor: does nothing else */
   if (!function) return NULL;
   const int entry = glurayFind(name);
   if (entry >= 0) return glurayJumps[entry];
@@ -58,16 +58,16 @@ static void* openRealVendor(void) {
   return handle;
 }
 
-/* A program may close libGL and open it again: libGLX then starts anew, while we and the real vendor stay in
-   memory. Mesa takes its exports at its first start only, so it gets a copy of ours that is kept up to date,
-   and its imports are remembered. */
+/* A program may close libGL and open it again: libGLX then initialises again, while we and the real vendor
+   stay loaded. Mesa stores its exports at its first start only, so it gets a copy that we keep up to date,
+   and we keep its imports. */
 static int startRealVendor(uint32_t version, const __GLXapiExports* exports, __GLXvendorInfo* info,
                            const __GLXapiImports* imports) {
   static __GLXapiExports lasting;
   if (GLX_VENDOR_ABI_GET_MAJOR_VERSION(version) != GLX_VENDOR_ABI_MAJOR_VERSION ||
       version < GLX_VENDOR_ABI_VERSION) {
     gluraySay("libglvnd is too old; use gluray --door preload", NULL);
-    return 0; /* its structures are smaller than those we were compiled for */
+    return 0; /* its structures are smaller than ours */
   }
   if (!vendor) vendor = openRealVendor();
   __PFNGLXMAINPROC realMain = vendor ? (__PFNGLXMAINPROC)dlsym(vendor, __GLX_MAIN_PROTO_NAME) : NULL;
@@ -89,7 +89,7 @@ __attribute__((visibility("default"))) Bool __glx_Main(uint32_t version, const _
   *imports = real;
   imports->getProcAddress = getProcAddress;
   imports->isScreenSupported = isScreenSupported;
-  /* A vendor that patches libglvnd's entry points would lead calls past us. */
+  /* A vendor that patches libglvnd's entry points would bypass us. */
   imports->isPatchSupported = NULL;
   imports->initiatePatch = NULL;
   imports->releasePatch = NULL;

@@ -1,0 +1,31 @@
+// exit() destroys static objects after isExiting() has become true, when they were made before
+// watchForExit().
+#include "base/process_exit.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+
+namespace gluray {
+namespace {
+
+/// A static object of a program: the process ends with code 3 where it is destroyed while exiting.
+struct Witness {
+  ~Witness() { _exit(isExiting() ? 3 : 4); }
+};
+
+[[noreturn]] void exitWith(bool watch) {
+  static Witness witness;
+  if (watch) watchForExit();
+  std::exit(isExiting() ? 5 : 6);
+}
+
+TEST(ProcessExit, IsKnownToObjectsThatWereMadeBefore) {
+  EXPECT_EXIT(exitWith(true), testing::ExitedWithCode(3), "");
+}
+
+TEST(ProcessExit, IsNotKnownWithoutWatching) { EXPECT_EXIT(exitWith(false), testing::ExitedWithCode(4), ""); }
+
+}  // namespace
+}  // namespace gluray
