@@ -1,7 +1,5 @@
 // Includes Embree 3 or 4, whichever CMake found; no other file includes it. Private to accel/, any thread.
 #pragma once
-#include "accel/occlusion.h"
-
 #if GLURAY_EMBREE_MAJOR >= 4
 #include <embree4/rtcore.h>
 #else
@@ -25,11 +23,14 @@ struct QueryContext {
   const void* user = nullptr;
 };
 
+/// Whether the rays of a packet go much the same way. Embree traces coherent packets as a whole; of rays that
+/// differ that costs half of the speed.
+enum class Coherence : bool { coherent, incoherent };
+
 /// One query of a packet of N rays. `filter` may be null.
 class PacketQuery {
  public:
-  explicit PacketQuery(Coherence coherence, RTCFilterFunctionN filter = nullptr,
-                       const void* user = nullptr) {
+  explicit PacketQuery(Coherence coherence, RTCFilterFunctionN filter = nullptr, const void* user = nullptr) {
     const bool coherent = coherence == Coherence::coherent;
 #if GLURAY_EMBREE_MAJOR >= 4
     rtcInitRayQueryContext(&context_.rtc);

@@ -28,8 +28,11 @@ void onFilter(const RTCFilterFunctionNArguments* arguments) {
     const glm::vec3 org(RTCRayN_org_x(a.ray, a.N, i), RTCRayN_org_y(a.ray, a.N, i),
                         RTCRayN_org_z(a.ray, a.N, i)),
         dir(RTCRayN_dir_x(a.ray, a.N, i), RTCRayN_dir_y(a.ray, a.N, i), RTCRayN_dir_z(a.ray, a.N, i));
-    const Occluder occluder{state.instanceOf(RTCHitN_instID(a.hit, a.N, i, 0)), RTCHitN_primID(a.hit, a.N, i),
-                            RTCHitN_u(a.hit, a.N, i), RTCHitN_v(a.hit, a.N, i), org + t * dir,
+    const Occluder occluder{state.instanceOf(RTCHitN_instID(a.hit, a.N, i, 0)),
+                            RTCHitN_primID(a.hit, a.N, i),
+                            RTCHitN_u(a.hit, a.N, i),
+                            RTCHitN_v(a.hit, a.N, i),
+                            org + t * dir,
                             static_cast<int>(RTCRayN_id(a.ray, a.N, i))};
     if (!state.blocks(occluder)) a.valid[i] = 0;
   }
@@ -38,16 +41,16 @@ void onFilter(const RTCFilterFunctionNArguments* arguments) {
 /// Embree aborts the process where an active lane holds anything else.
 bool isTraceable(const OcclusionRays& r, int i) {
   constexpr float kLargest = 1e18f;
-  const float size =
-      std::max({std::abs(r.orgX[i]), std::abs(r.orgY[i]), std::abs(r.orgZ[i]), std::abs(r.dirX[i]),
-                std::abs(r.dirY[i]), std::abs(r.dirZ[i])});
-  const float sum = r.orgX[i] + r.orgY[i] + r.orgZ[i] + r.dirX[i] + r.dirY[i] + r.dirZ[i];  // NaN where one is
+  const float size = std::max({std::abs(r.orgX[i]), std::abs(r.orgY[i]), std::abs(r.orgZ[i]),
+                               std::abs(r.dirX[i]), std::abs(r.dirY[i]), std::abs(r.dirZ[i])});
+  const float sum =
+      r.orgX[i] + r.orgY[i] + r.orgZ[i] + r.dirX[i] + r.dirY[i] + r.dirZ[i];  // NaN where one is
   return size <= kLargest && sum == sum && r.tNear[i] >= 0 && r.tNear[i] <= r.tFar[i];
 }
 
 }  // namespace
 
-uint32_t World::occluded(const int32_t* valid, OcclusionRays& rays, Coherence coherence,
+uint32_t World::occluded(const int32_t* valid, OcclusionRays& rays,
                          const OccluderFilter* filter) const noexcept {
   if (!scene_) return 0;
   alignas(64) int32_t lanes[kLanes];
@@ -62,7 +65,8 @@ uint32_t World::occluded(const int32_t* valid, OcclusionRays& rays, Coherence co
   }
   if (!any) return 0;
   const OcclusionState state{filter, aloneIndex_, hasImpostors() ? impostors_.data() : nullptr};
-  PacketQuery query(coherence, filter ? onFilter : nullptr, &state);
+  // Not the coherent traversal: that of Embree 3.13 for occlusion may not end.
+  PacketQuery query(Coherence::incoherent, filter ? onFilter : nullptr, &state);
   askInWidth<RTCRay16, RTCRay8, RTCRay4>(
       device_.packetWidth(), rays, sizeof(RTCRay16) / (kLanes * sizeof(float)), lanes,
       [&](const int32_t* asked, auto& packet) { query.occluded(asked, scene_, packet); });

@@ -9,8 +9,8 @@
 
 namespace gluray::accel {
 
-/// A packet of rays org + t*dir, t in [tNear, tFar], world space. Lengths of `dir` are free; t is in units of it.
-/// The layout is that of Embree's packet, which is read and written in place.
+/// A packet of rays org + t*dir, t in [tNear, tFar], world space. Lengths of `dir` are free; t is in units of
+/// it. The layout is that of Embree's packet, which is read and written in place.
 struct alignas(64) OcclusionRays {
   float orgX[kLanes], orgY[kLanes], orgZ[kLanes], tNear[kLanes];
   float dirX[kLanes], dirY[kLanes], dirZ[kLanes], time[kLanes];
@@ -26,17 +26,13 @@ struct Occluder {
   int lane;         // of the ray
 };
 
-/// Decides which surfaces block rays. Called on tracing threads, for each ray in no particular order and at most
-/// once for each primitive.
+/// Decides which surfaces block rays. Called on tracing threads, for each ray in no particular order and at
+/// most once for each primitive.
 class OccluderFilter {
  public:
   virtual ~OccluderFilter() = default;
   /// False: the ray goes on as if nothing were there.
   virtual bool blocks(const Occluder&) const noexcept = 0;
 };
-
-/// Whether the rays of a packet go much the same way. Embree traces coherent packets as a whole; of rays that
-/// differ that costs half of the speed.
-enum class Coherence : bool { coherent, incoherent };
 
 }  // namespace gluray::accel

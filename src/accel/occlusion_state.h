@@ -6,8 +6,8 @@
 namespace gluray::accel {
 
 struct OcclusionState {
-  const OccluderFilter* filter;  // null: everything blocks
-  uint32_t aloneIndex;           // the instance of hits that name none
+  const OccluderFilter* filter;      // null: everything blocks
+  uint32_t aloneIndex;               // the instance of hits that name none
   const PlacedImpostors* impostors;  // by instance; null where there are none
 
   /// `inside`: the instance that Embree names, which is none for a lone mesh.

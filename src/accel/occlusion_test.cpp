@@ -9,8 +9,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <tuple>
 
 namespace gluray::accel {
@@ -98,7 +100,8 @@ scene::Snapshot snapshotOf(const scene::MeshPtr& mesh, BvhQuality quality, const
 }
 
 /// Packet `number` of rays between points of the scene, the lanes in `valid`.
-void aim(uint32_t number, const glm::dmat4& place, OcclusionRays& rays, int32_t* valid) {
+void aim(uint32_t number, const glm::dmat4& place, OcclusionRays& rays, int32_t* valid,
+         bool sameSigns = false) {
   for (int i = 0; i < kLanes; ++i) {
     const uint32_t n = number * kLanes + static_cast<uint32_t>(i);
     glm::vec3 from = 1.5f * inCube(n), to = 1.5f * inCube(n, 3);
@@ -117,7 +120,7 @@ void aim(uint32_t number, const glm::dmat4& place, OcclusionRays& rays, int32_t*
 
 RayPacket packetOf(const OcclusionRays& rays) {
   RayPacket packet{};
-  const auto copy = [](const float (&from)[kLanes], float (&to)[kLanes]) { std::copy_n(from, kLanes, to); };
+  const auto copy = [](const float(&from)[kLanes], float(&to)[kLanes]) { std::copy_n(from, kLanes, to); };
   copy(rays.orgX, packet.orgX), copy(rays.orgY, packet.orgY), copy(rays.orgZ, packet.orgZ);
   copy(rays.dirX, packet.dirX), copy(rays.dirY, packet.dirY), copy(rays.dirZ, packet.dirZ);
   copy(rays.tNear, packet.tNear), copy(rays.tFar, packet.tFar);
@@ -138,12 +141,19 @@ uint32_t lanesThatHit(const World& world, const int32_t* valid, const OcclusionR
 }
 
 enum class Geometry { triangles, grid, spheres, discs, cylinders, beads, tubes, splats };
-constexpr const char* kNames[] = {"triangles", "grid", "spheres", "discs", "cylinders", "beads", "tubes", "splats"};
+constexpr const char* kNames[] = {"triangles", "grid",  "spheres", "discs",
+                                  "cylinders", "beads", "tubes",   "splats"};
 
 scene::MeshPtr meshOf(Geometry geometry) {
   if (geometry == Geometry::triangles) return triangles();
   if (geometry == Geometry::grid) return grid();
   return impostors(static_cast<Shape>(static_cast<int>(geometry) - 1));
+}
+
+std::string nameOf(const testing::TestParamInfo<std::tuple<Geometry, BvhQuality, int>>& info) {
+  const auto [geometry, quality, place] = info.param;
+  return std::string(kNames[static_cast<int>(geometry)]) + "_" + std::to_string(static_cast<int>(quality)) +
+         "_" + std::to_string(place);
 }
 
 const glm::dmat4 kPlaces[] = {
@@ -163,13 +173,11 @@ TEST_P(Occlusion, IsWhereRaysHitSomething) {
   int blocked = 0, open = 0;
   for (uint32_t n = 0; n < 120; ++n) {
     alignas(64) int32_t valid[kLanes];
-    for (const Coherence coherence : {Coherence::coherent, Coherence::incoherent}) {
-      OcclusionRays rays;
-      aim(n, place, rays, valid);
-      const uint32_t hits = lanesThatHit(world, valid, rays);
-      ASSERT_EQ(world.occluded(valid, rays, coherence), hits) << "packet " << n;
-      blocked += std::popcount(hits), open += kLanes - std::popcount(hits);
-    }
+    OcclusionRays rays;
+    aim(n, place, rays, valid);
+    const uint32_t hits = lanesThatHit(world, valid, rays);
+    ASSERT_EQ(world.occluded(valid, rays), hits) << "packet " << n;
+    blocked += std::popcount(hits), open += kLanes - std::popcount(hits);
   }
   EXPECT_GT(blocked, 100);
   EXPECT_GT(open, 100);
@@ -179,13 +187,10 @@ INSTANTIATE_TEST_SUITE_P(
     All, Occlusion,
     testing::Combine(testing::Values(Geometry::triangles, Geometry::grid, Geometry::spheres, Geometry::discs,
                                      Geometry::cylinders, Geometry::beads, Geometry::tubes, Geometry::splats),
-                     testing::Values(BvhQuality::fast, BvhQuality::full, BvhQuality::compact, BvhQuality::least),
+                     testing::Values(BvhQuality::fast, BvhQuality::full, BvhQuality::compact,
+                                     BvhQuality::least),
                      testing::Range(0, 3)),
-    [](const auto& info) {
-      const auto [geometry, quality, place] = info.param;
-      return std::string(kNames[static_cast<int>(geometry)]) + "_" + std::to_string(static_cast<int>(quality)) +
-             "_" + std::to_string(place);
-    });
+    nameOf);
 
 /// Blocks rays only beyond a plane, and counts what it is asked.
 class BeyondPlane : public OccluderFilter {
@@ -215,7 +220,7 @@ TEST_P(FilteredOcclusion, AsksForThePointInObjectSpace) {
       const auto ask = [&](const OccluderFilter* filter) {
         OcclusionRays rays;
         aim(n, kPlaces[0], rays, valid);
-        return world.occluded(valid, rays, Coherence::incoherent, filter);
+        return world.occluded(valid, rays, filter);
       };
       const uint32_t plain = ask(nullptr), some = ask(&half);
       ASSERT_EQ(ask(&all), plain);
@@ -230,7 +235,8 @@ TEST_P(FilteredOcclusion, AsksForThePointInObjectSpace) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, FilteredOcclusion,
-                         testing::Values(Geometry::triangles, Geometry::grid, Geometry::spheres, Geometry::tubes),
+                         testing::Values(Geometry::triangles, Geometry::grid, Geometry::spheres,
+                                         Geometry::tubes),
                          [](const auto& info) { return std::string(kNames[static_cast<int>(info.param)]); });
 
 TEST(OcclusionRays, ThatCannotBeTracedMeetNothing) {
@@ -247,7 +253,7 @@ TEST(OcclusionRays, ThatCannotBeTracedMeetNothing) {
   rays.orgX[0] = nan, rays.orgX[1] = kInfinity, rays.orgX[2] = 1e30f, rays.tNear[3] = -1;
   rays.dirX[4] = nan, rays.dirY[5] = kInfinity, rays.tNear[6] = nan, rays.tFar[7] = nan;
   rays.dirZ[8] = 0, rays.tFar[9] = -1, rays.orgZ[10] = -kInfinity;
-  EXPECT_EQ(world.occluded(valid, rays, Coherence::incoherent), 0xF800u);
+  EXPECT_EQ(world.occluded(valid, rays), 0xF800u);
 }
 
 TEST(OcclusionRays, OfAnEmptyWorldMeetNothing) {
@@ -256,7 +262,7 @@ TEST(OcclusionRays, OfAnEmptyWorldMeetNothing) {
   alignas(64) int32_t valid[kLanes];
   std::fill_n(valid, kLanes, -1);
   std::fill_n(rays.dirZ, kLanes, 1.0f), std::fill_n(rays.tFar, kLanes, 1.0f);
-  EXPECT_EQ(world.occluded(valid, rays, Coherence::coherent), 0u);
+  EXPECT_EQ(world.occluded(valid, rays), 0u);
 }
 
 }  // namespace

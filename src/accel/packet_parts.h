@@ -8,8 +8,8 @@
 
 namespace gluray::accel {
 
-/// Copies lanes [first, first + width) of a wide packet into a narrow one, calls ask(valid, narrow), and copies
-/// them back. Both packets consist of `rows` rows that hold one 4-byte value for each lane.
+/// Copies lanes [first, first + width) of a wide packet into a narrow one, calls ask(valid, narrow), and
+/// copies them back. Both packets consist of `rows` rows that hold one 4-byte value for each lane.
 template <class Narrow, int width, class Ask>
 void askPart(void* wide, size_t rows, const int32_t* valid, int first, Ask&& ask) {
   Narrow narrow;
@@ -24,7 +24,8 @@ void askPart(void* wide, size_t rows, const int32_t* valid, int first, Ask&& ask
   for (size_t row = 0; row < rows; ++row) std::memcpy(wideRow(row), narrowRow(row), width * 4);
 }
 
-/// Calls ask(valid, packet) for the wide packet, or for its parts where the processor handles fewer rays at once.
+/// Calls ask(valid, packet) for the wide packet, or for its parts where the processor handles fewer rays at
+/// once.
 template <class Wide, class Eight, class Four, class Packet, class Ask>
 void askInWidth(int width, Packet& packet, size_t rows, const int32_t* valid, Ask&& ask) {
   static_assert(alignof(Packet) >= alignof(Wide) && sizeof(Packet) >= sizeof(Wide));

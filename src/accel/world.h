@@ -64,11 +64,11 @@ class World {
   /// intersect(); of triangles at one place any is hit.
   void intersectBounced(const int32_t* valid, RayPacket&) const noexcept;
 
-  /// Bit i: something lies on ray i, of the lanes with valid[i] = -1 (others 0), an array aligned to 64 bytes.
-  /// Both sides of surfaces block, culled or not; impostors block as solids. Surfaces that `filter` refuses do
-  /// not; null: all do. Rays whose origin or direction is not finite or beyond what Embree takes, and those
-  /// without length, meet nothing.
-  uint32_t occluded(const int32_t* valid, OcclusionRays&, Coherence,
+  /// Bit i: something lies on ray i, of the lanes with valid[i] = -1 (others 0), an array aligned to 64
+  /// bytes. Both sides of surfaces block, culled or not; impostors block as solids. Surfaces that `filter`
+  /// refuses do not; null: all do. Rays whose origin or direction is not finite or beyond what Embree takes,
+  /// and those without length, meet nothing.
+  uint32_t occluded(const int32_t* valid, OcclusionRays&,
                     const OccluderFilter* filter = nullptr) const noexcept;
 
   /// Whether triangles may coincide.

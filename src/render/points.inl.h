@@ -1,5 +1,5 @@
-// Where the hits of a group are: points and normals in eye space, and origins for rays that leave them. Compiled
-// once for each instruction set.
+// Where the hits of a group are: points and normals in eye space, and origins for rays that leave them.
+// Compiled once for each instruction set.
 #if defined(GLURAY_RENDER_POINTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_POINTS_INL_H_
 #undef GLURAY_RENDER_POINTS_INL_H_
@@ -18,7 +18,8 @@ namespace HWY_NAMESPACE {
 
 /// Points of a packet. Both normals are of unit length, in eye space, on the viewer's side.
 struct SurfacePoints {
-  alignas(64) Row origin[3];     // world space: above the point by its error, so that rays do not meet its surface
+  alignas(
+      64) Row origin[3];  // world space: above the point by its error, so that rays do not meet its surface
   alignas(64) Row geometric[3];  // of the triangle
   alignas(64) Row shading[3];    // of the surface that the triangles stand for
 };
@@ -70,10 +71,10 @@ HWY_INLINE void placeOrigin(const Metric& metric, const Surface& s, const Float3
   store3(transformPoint(metric.worldFromEye, above), out.origin, i);
 }
 
-/// Where smooth normals stand for a curved surface: the way from the triangle to that surface, so that rays along
-/// it are not cut off by the triangle's neighbours (J. Hanika, "Hacking the Shadow Terminator", 2021).
-HWY_INLINE Float3 towardsSmooth(const Surface& s, const Group& group, const Weights& weights, const Float3& object,
-                                const Float3 (&normals)[3], const Float3& side, int i) {
+/// Where smooth normals stand for a curved surface: the way from the triangle to that surface, so that rays
+/// along it are not cut off by the triangle's neighbours (J. Hanika, "Hacking the Shadow Terminator", 2021).
+HWY_INLINE Float3 towardsSmooth(const Surface& s, const Group& group, const Weights& weights,
+                                const Float3& object, const Float3 (&normals)[3], const Float3& side, int i) {
   const glm::mat3 linear(s.eyeFromObject);
   Float3 lift[3];
   for (int k = 0; k < 3; ++k) {
@@ -95,7 +96,8 @@ HWY_ATTR inline void pointsOfTriangles(const Metric& metric, const ColoredHits& 
   const glm::vec3 away(metric.away);
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
     const Weights weights(group, i);
-    const Float3 corner[] = {load3(group.position[0], i), load3(group.position[1], i), load3(group.position[2], i)};
+    const Float3 corner[] = {load3(group.position[0], i), load3(group.position[1], i),
+                             load3(group.position[2], i)};
     const Float3 object = weights(corner[0], corner[1], corner[2]);
     const Float3 eye = transformPoint(s.eyeFromObject, object);
     const Float3 toViewer = sub(scaled(eye, splat(static_cast<float>(metric.away.w))), splat(away));
@@ -107,7 +109,8 @@ HWY_ATTR inline void pointsOfTriangles(const Metric& metric, const ColoredHits& 
     Float3 shading = flat, lift = splat(glm::vec3(0));
     if (smooth) {
       Float3 corners[3];
-      for (int k = 0; k < 3; ++k) corners[k] = direction(transform(s.eyeFromObjectNormal, load3(normal[k], i)), flat);
+      for (int k = 0; k < 3; ++k)
+        corners[k] = direction(transform(s.eyeFromObjectNormal, load3(normal[k], i)), flat);
       shading = facing(direction(weights(corners[0], corners[1], corners[2]), flat), flat);
       lift = towardsSmooth(s, group, weights, object, corners, flat, i);
     }

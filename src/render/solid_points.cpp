@@ -13,7 +13,8 @@ struct Point {
 };
 
 /// What of an impostor is seen along the line of sight through a point that its program computed.
-Point seenFrom(const Metric& metric, const accel::PlacedImpostors& placed, uint32_t primitive, const Point& computed) {
+Point seenFrom(const Metric& metric, const accel::PlacedImpostors& placed, uint32_t primitive,
+               const Point& computed) {
   const glm::dvec3 away = glm::normalize(glm::dvec3(metric.away) - metric.away.w * computed.point);
   const glm::dmat4 eyeFromObject =
       glm::inverse(glm::dmat4(placed.lightingFromEye)) * glm::dmat4(placed.lightingFromObject);
@@ -26,7 +27,8 @@ Point seenFrom(const Metric& metric, const accel::PlacedImpostors& placed, uint3
   const auto hit = accel::meetSolid(placed, primitive, ray);
   if (!hit) return computed;
   const glm::dvec3 normal = glm::normalize(glm::transpose(linear) * glm::dvec3(hit->normal));
-  const glm::dvec3 point(eyeFromObject * glm::dvec4(glm::dvec3(ray.org) + double{hit->t} * glm::dvec3(ray.dir), 1));
+  const glm::dvec3 point(eyeFromObject *
+                         glm::dvec4(glm::dvec3(ray.org) + double{hit->t} * glm::dvec3(ray.dir), 1));
   return {point, glm::dot(normal, away) > 0 ? -normal : normal};
 }
 

@@ -137,7 +137,8 @@ HWY_INLINE const float* corner(const TriangleRun& run, uint32_t triangle, size_t
 template <class D>
 HWY_INLINE bool meet(D d, const Rays<D>& rays, const TriangleRun& run, uint32_t triangle, const float* tFar,
                      Met<D>& met) {
-  return meet(d, rays, corner(run, triangle, 0), corner(run, triangle, 1), corner(run, triangle, 2), tFar, met);
+  return meet(d, rays, corner(run, triangle, 0), corner(run, triangle, 1), corner(run, triangle, 2), tFar,
+              met);
 }
 
 /// The rays that the chooser leaves of those that met the triangle.

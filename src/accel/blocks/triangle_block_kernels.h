@@ -8,7 +8,8 @@
 
 namespace gluray::accel {
 
-/// Pointers into Embree's ray packet: `count` values each. Those from normalX on are null if hits are not written.
+/// Pointers into Embree's ray packet: `count` values each. Those from normalX on are null if hits are not
+/// written.
 struct PacketRows {
   unsigned count;
   const int* valid;  // -1: the ray is active
@@ -43,8 +44,8 @@ using Chooser = uint32_t (*)(const void* query, const PacketRows&, const MetTria
 /// Writes the nearest hits into the packet. A null chooser accepts every hit.
 void meetTriangles(const TriangleRun&, const PacketRows&, const HitNames&, Chooser, const void* query);
 
-/// Sets tFar of the rays that any of the triangles blocks to minus infinity, as Embree marks occluded rays. The
-/// chooser then need not set it. Without a chooser every triangle blocks.
+/// Sets tFar of the rays that any of the triangles blocks to minus infinity, as Embree marks occluded rays.
+/// The chooser then need not set it. Without a chooser every triangle blocks.
 void occludeTriangles(const TriangleRun&, const PacketRows&, Chooser, const void* query);
 
 }  // namespace gluray::accel

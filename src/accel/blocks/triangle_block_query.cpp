@@ -70,8 +70,13 @@ uint32_t chooseBlocked(const void* query, const PacketRows& rows, const MetTrian
   for (uint32_t left = met.rays; left; left &= left - 1) {
     const auto lane = static_cast<unsigned>(std::countr_zero(left));
     const unsigned i = met.first + lane;
-    const glm::vec3 org(rows.orgX[i], rows.orgY[i], rows.orgZ[i]), dir(rows.dirX[i], rows.dirY[i], rows.dirZ[i]);
-    const Occluder occluder{instance,    met.triangle, met.u[lane], met.v[lane], org + met.t[lane] * dir,
+    const glm::vec3 org(rows.orgX[i], rows.orgY[i], rows.orgZ[i]),
+        dir(rows.dirX[i], rows.dirY[i], rows.dirZ[i]);
+    const Occluder occluder{instance,
+                            met.triangle,
+                            met.u[lane],
+                            met.v[lane],
+                            org + met.t[lane] * dir,
                             static_cast<int>(RTCRayN_id(a.ray, a.N, i))};
     if (state.blocks(occluder)) chosen |= 1u << lane;
   }

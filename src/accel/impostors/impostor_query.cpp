@@ -54,7 +54,7 @@ void intersectSolids(const RTCIntersectFunctionNArguments& a, const PlacedImpost
     if (!met) continue;
     RTCRayN_tfar(ray, a.N, i) = met->t;
     RTCHitN_Ng_x(hit, a.N, i) = met->normal.x, RTCHitN_Ng_y(hit, a.N, i) = met->normal.y,
-    RTCHitN_Ng_z(hit, a.N, i) = met->normal.z;
+                           RTCHitN_Ng_z(hit, a.N, i) = met->normal.z;
     RTCHitN_u(hit, a.N, i) = RTCHitN_v(hit, a.N, i) = 0;
     RTCHitN_primID(hit, a.N, i) = a.primID, RTCHitN_geomID(hit, a.N, i) = a.geomID;
     RTCHitN_instID(hit, a.N, i, 0) = a.context->instID[0];
@@ -74,8 +74,8 @@ void occludeImpostors(const RTCOccludedFunctionNArguments* arguments) {
     const ObjectRay ray = rayOf(a.ray, a.N, i);
     const std::optional<SolidHit> met = meetSolid(state->impostors[instance], a.primID, ray);
     if (!met) continue;
-    const Occluder occluder{instance, a.primID, 0, 0, ray.org + met->t * ray.dir,
-                            static_cast<int>(RTCRayN_id(a.ray, a.N, i))};
+    const Occluder occluder{
+        instance, a.primID, 0, 0, ray.org + met->t * ray.dir, static_cast<int>(RTCRayN_id(a.ray, a.N, i))};
     if (state->blocks(occluder)) RTCRayN_tfar(a.ray, a.N, i) = -std::numeric_limits<float>::infinity();
   }
 }

@@ -91,7 +91,8 @@ std::optional<Hit> meetCylinder(const Ray& ray, const Impostor& cylinder) {
   if (!t) return std::nullopt;
   const double at = start + *t * along;
   const glm::dvec3 out = aside + *t * across;
-  const bool onEnd = std::abs(std::abs(at) - half) < 1e-6 * half && glm::dot(out, out) < radius * radius * (1 - 1e-6);
+  const bool onEnd =
+      std::abs(std::abs(at) - half) < 1e-6 * half && glm::dot(out, out) < radius * radius * (1 - 1e-6);
   return Hit{*t, onEnd ? axis * (at > 0 ? 1.0 : -1.0) : out};
 }
 
@@ -107,9 +108,12 @@ struct RoundCone {
       const int larger = radius[0] >= radius[1] ? 0 : 1;
       return meetBall(ray, end[larger], radius[larger]);
     }
-    // The hull is convex: of all points on its parts, the first and the last along the ray are on its surface.
+    // The hull is convex: of all points on its parts, the first and the last along the ray are on its
+    // surface.
     Interval hull = kNowhere;
-    const auto add = [&](double t) { hull.enter = std::min(hull.enter, t), hull.leave = std::max(hull.leave, t); };
+    const auto add = [&](double t) {
+      hull.enter = std::min(hull.enter, t), hull.leave = std::max(hull.leave, t);
+    };
     for (int k = 0; k < 2; ++k) {
       const Interval in = inBall(ray, end[k], radius[k]);
       if (!in.empty()) add(in.enter), add(in.leave);

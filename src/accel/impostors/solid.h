@@ -1,5 +1,6 @@
-// Impostors as the solids that they stand for, met by rays from anywhere: shadows, occlusion and reflections see
-// them so. Rays from the viewer see what programs draw instead (impostors.h, pixel_impostor.h). Any thread.
+// Impostors as the solids that they stand for, met by rays from anywhere: shadows, occlusion and reflections
+// see them so. Rays from the viewer see what programs draw instead (impostors.h, pixel_impostor.h). Any
+// thread.
 #pragma once
 #include "accel/impostors/impostors.h"
 
@@ -28,8 +29,8 @@ struct SolidHit {
 ///   bead      the sphere as wide as the point is in the window
 ///   tube      the cone between two such spheres about the line's ends, and the spheres
 ///   splat     the ball that the program flattens into an ellipse
-/// Nothing where the ray misses it or the instance's planes cut it away. Computed in double precision: radii and
-/// distances may differ by any factor.
+/// Nothing where the ray misses it or the instance's planes cut it away. Computed in double precision: radii
+/// and distances may differ by any factor.
 std::optional<SolidHit> meetSolid(const PlacedImpostors&, uint32_t primitive, const ObjectRay&);
 
 }  // namespace gluray::accel

@@ -61,8 +61,8 @@ void expectAgrees(const Scene& scene, const Distance& distance, const glm::dvec3
   const double little = 1e-5 * reach;
   int hits = 0, misses = 0;
   eachRay(about, reach, [&](const glm::dvec3& org, const glm::dvec3& dir) {
-    ObjectRay ray{glm::vec3(objectFromLighting * glm::dvec4(org, 1)), glm::vec3(glm::dmat3(objectFromLighting) * dir),
-                  0, std::numeric_limits<float>::infinity()};
+    ObjectRay ray{glm::vec3(objectFromLighting * glm::dvec4(org, 1)),
+                  glm::vec3(glm::dmat3(objectFromLighting) * dir), 0, std::numeric_limits<float>::infinity()};
     const auto at = [&](double t) {
       return glm::dvec3(lightingFromObject * glm::dvec4(glm::dvec3(ray.org) + t * glm::dvec3(ray.dir), 1));
     };
@@ -76,8 +76,8 @@ void expectAgrees(const Scene& scene, const Distance& distance, const glm::dvec3
     (hit ? hits : misses) += 1;
     if (!hit) return;
     ASSERT_NEAR(distance(at(hit->t)), 0, little);
-    const glm::dvec3 normal =
-        glm::normalize(glm::inverse(glm::transpose(glm::dmat3(lightingFromObject))) * glm::dvec3(hit->normal));
+    const glm::dvec3 normal = glm::normalize(glm::inverse(glm::transpose(glm::dmat3(lightingFromObject))) *
+                                             glm::dvec3(hit->normal));
     const double step = 0.01 * reach, along = distance(at(hit->t) + step * normal);
     ASSERT_NEAR(along, step, 0.05 * step) << "the normal leads away from the surface";
   });
@@ -85,14 +85,15 @@ void expectAgrees(const Scene& scene, const Distance& distance, const glm::dvec3
   EXPECT_GT(misses, 300);
 }
 
-const glm::dmat4 kTurned = glm::scale(glm::rotate(glm::translate(glm::dmat4(1), {1, 2, -9}), 0.7, {1, 2, 3}),
-                                      glm::dvec3(0.5));
+const glm::dmat4 kTurned =
+    glm::scale(glm::rotate(glm::translate(glm::dmat4(1), {1, 2, -9}), 0.7, {1, 2, 3}), glm::dvec3(0.5));
 glm::dvec3 inLighting(const glm::dvec3& object) { return glm::dvec3(kTurned * glm::dvec4(object, 1)); }
 
 TEST(Solid, SpheresAreBalls) {
   const Scene scene(Shape::spheres, {{1, 0, 0}}, 0.8f, kTurned);
   const glm::dvec3 center = inLighting({1, 0, 0});
-  expectAgrees(scene, [&](const glm::dvec3& p) { return glm::distance(p, center) - 0.8f; }, center, 0.8);
+  expectAgrees(
+      scene, [&](const glm::dvec3& p) { return glm::distance(p, center) - 0.8f; }, center, 0.8);
 }
 
 TEST(Solid, CylindersAreClosedAtBothEnds) {
@@ -113,7 +114,8 @@ TEST(Solid, BeadsAreAsWideAsInTheWindow) {
   scene.place();
   const glm::dvec3 center = inLighting({1, 0, 0});
   const double radius = 0.05 * -center.z * std::tan(glm::radians(30.0));
-  expectAgrees(scene, [&](const glm::dvec3& p) { return glm::distance(p, center) - radius; }, center, radius);
+  expectAgrees(
+      scene, [&](const glm::dvec3& p) { return glm::distance(p, center) - radius; }, center, radius);
 }
 
 TEST(Solid, TubesAreRoundCones) {
@@ -139,7 +141,8 @@ TEST(Solid, TubesAreRoundCones) {
 TEST(Solid, SplatsAreBallsInObjectSpace) {
   const Scene scene(Shape::splats, {{1, 0, 0}}, 0.8f, kTurned);
   const glm::dvec3 center = inLighting({1, 0, 0});
-  expectAgrees(scene, [&](const glm::dvec3& p) { return glm::distance(p, center) - 0.5 * 0.8f; }, center, 0.4);
+  expectAgrees(
+      scene, [&](const glm::dvec3& p) { return glm::distance(p, center) - 0.5 * 0.8f; }, center, 0.4);
 }
 
 TEST(Solid, DiscsBlockFromBothSides) {
@@ -159,7 +162,9 @@ TEST(Solid, PlanesCutLinesAcross) {
   scene.instance.impostors.size = {0.1f, 0.1f};
   scene.instance.impostors.centerPlanes = {{1, 0, 0, 0}};
   scene.place();
-  const auto meets = [&](float x) { return meetSolid(scene.placed, 0, {{x, 0, 3}, {0, 0, -1}, 0, 100}).has_value(); };
+  const auto meets = [&](float x) {
+    return meetSolid(scene.placed, 0, {{x, 0, 3}, {0, 0, -1}, 0, 100}).has_value();
+  };
   EXPECT_TRUE(meets(0.5f));
   EXPECT_FALSE(meets(-0.5f));
 }

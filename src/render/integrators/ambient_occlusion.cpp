@@ -17,8 +17,8 @@ namespace gluray::render {
 namespace HWY_NAMESPACE {
 
 /// Rays of sample `index` into the hemispheres above the points.
-HWY_ATTR inline void aimAbove(const AmbientOcclusion& ao, const SurfacePoints& points, const PixelSeeds& seeds,
-                              uint32_t index, accel::OcclusionRays& rays) {
+HWY_ATTR inline void aimAbove(const AmbientOcclusion& ao, const SurfacePoints& points,
+                              const PixelSeeds& seeds, uint32_t index, accel::OcclusionRays& rays) {
   const glm::mat3 worldFromEye(ao.metric.worldFromEye);
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
     const Float3 flat = load3(points.geometric, i), normal = load3(points.shading, i);
@@ -44,7 +44,7 @@ HWY_ATTR void occlude(const AmbientOcclusion& ao, const ColoredHits& hits, Color
   for (int s = 0; s < ao.samples; ++s) {
     const auto index = static_cast<uint32_t>(hits.sample * ao.samples + s);
     aimAbove(ao, points, seeds, index, rays);
-    uint32_t lanes = ao.frame.world->occluded(valid, rays, accel::Coherence::incoherent, ao.occluders.get());
+    uint32_t lanes = ao.frame.world->occluded(valid, rays, ao.occluders.get());
     for (; lanes; lanes &= lanes - 1) ++blocked[std::countr_zero(lanes)];
   }
   const float perRay = ao.strength / static_cast<float>(ao.samples);

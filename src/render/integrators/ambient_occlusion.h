@@ -8,9 +8,9 @@ namespace gluray::render {
 
 /// The open part of the hemisphere above a point,
 ///   A = 1 - strength/pi * integral of (1 - V(w)) cos(n, w) dw,  V = 0 where something lies within `radius`.
-/// Directions are drawn in proportion to the cosine, so that the estimate is 1 - strength * blocked / samples.
-/// Source: Zhukov, Iones, Kronin, "An Ambient Light Illumination Model", 1998. Colours of the local look are
-/// multiplied by it.
+/// Directions are drawn in proportion to the cosine, so that the estimate is 1 - strength * blocked /
+/// samples. Source: Zhukov, Iones, Kronin, "An Ambient Light Illumination Model", 1998. Colours of the local
+/// look are multiplied by it.
 class AmbientOcclusion final : public Integrator {
  public:
   /// `frame` must outlive it. Throws std::runtime_error where the modelview matrix cannot be inverted.

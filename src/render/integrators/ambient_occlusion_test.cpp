@@ -51,7 +51,8 @@ TEST(AmbientOcclusion, OfAFlatSurfaceIsNone) {
 
 TEST(AmbientOcclusion, BesideAnEndlessWallHalfOfTheSkyIsHidden) {
   // The wall x = 3 stands on the plane that is seen, beyond the view.
-  const test::Traced traced = test::trace(viewOf({backWall(), plane({3, 0, 5e4f}, {0, 5e5f, 0}, {0, 0, 5e4f})}));
+  const test::Traced traced =
+      test::trace(viewOf({backWall(), plane({3, 0, 5e4f}, {0, 5e5f, 0}, {0, 0, 5e4f})}));
   // With the radius of the scene's diagonal all of the wall counts.
   EXPECT_NEAR(mean(traced), 0.5f, 0.004f);
   EXPECT_NEAR(traced.color(kSize / 2, kSize / 2).g / 255, 0.5f, 0.03f);
@@ -117,7 +118,8 @@ scene::MeshPtr ball(int around, bool smooth) {
   };
   for (int j = 0; j < around / 2; ++j)
     for (int i = 0; i < around; ++i)
-      for (const glm::vec3& p : {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j), at(i + 1, j + 1), at(i, j + 1)})
+      for (const glm::vec3& p :
+           {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j), at(i + 1, j + 1), at(i, j + 1)})
         data.positions.push_back(p);
   if (smooth) data.normals = data.positions;
   return test::makeMesh(data);
@@ -131,7 +133,8 @@ TEST(AmbientOcclusion, ConvexSurfacesDoNotDarkenThemselves) {
       const test::Traced traced = test::trace(s);
       for (int y = 0; y < kSize; ++y)
         for (int x = 0; x < kSize; ++x)
-          if (traced.hit(x, y)) ASSERT_EQ(traced.color(x, y), glm::vec4(255)) << around << (smooth ? " smooth" : "");
+          if (traced.hit(x, y))
+            ASSERT_EQ(traced.color(x, y), glm::vec4(255)) << around << (smooth ? " smooth" : "");
     }
 }
 
@@ -139,9 +142,12 @@ TEST(AmbientOcclusion, ConvexSurfacesDoNotDarkenThemselves) {
 test::Traced corner(const glm::dvec3& scale) {
   const glm::dmat4 place = glm::scale(glm::dmat4(1), scale);
   const glm::vec3 inverse(1.0 / scale);
-  const auto piece = [&](glm::vec3 c, glm::vec3 a, glm::vec3 b) { return plane(c * inverse, a * inverse, b * inverse); };
-  scene::Snapshot s = viewOf({piece({0, 0, 0}, {50, 0, 0}, {0, 50, 0}), piece({0.5f, 0, 1}, {0, 50, 0}, {0, 0, 1}),
-                              piece({0, -0.5f, 0.5f}, {50, 0, 0}, {0, 0, 0.5f})});
+  const auto piece = [&](glm::vec3 c, glm::vec3 a, glm::vec3 b) {
+    return plane(c * inverse, a * inverse, b * inverse);
+  };
+  scene::Snapshot s =
+      viewOf({piece({0, 0, 0}, {50, 0, 0}, {0, 50, 0}), piece({0.5f, 0, 1}, {0, 50, 0}, {0, 0, 1}),
+              piece({0, -0.5f, 0.5f}, {50, 0, 0}, {0, 0, 0.5f})});
   s.eyeFromWorld = s.eyeFromWorld * place;
   for (scene::Instance& instance : s.instances) instance.eyeFromObject = s.eyeFromWorld;
   s.settings.ao.samples = 64;
@@ -152,11 +158,13 @@ test::Traced corner(const glm::dvec3& scale) {
 TEST(AmbientOcclusion, IsTheSameHoweverTheWorldIsScaled) {
   const test::Traced plain = corner({1, 1, 1});
   EXPECT_LT(mean(plain), 0.9f);
-  for (const glm::dvec3& scale : {glm::dvec3(1, 1, 10), glm::dvec3(100, 1, 0.01), glm::dvec3(1e-6), glm::dvec3(1e6)}) {
+  for (const glm::dvec3& scale :
+       {glm::dvec3(1, 1, 10), glm::dvec3(100, 1, 0.01), glm::dvec3(1e-6), glm::dvec3(1e6)}) {
     const test::Traced scaled = corner(scale);
     for (int y = 0; y < kSize; ++y)
       for (int x = 0; x < kSize; ++x)
-        ASSERT_LE(test::difference(plain.color(x, y), scaled.color(x, y)), 12) << x << "," << y;
+        // Rays that graze an edge are decided by rounding: four of 64.
+        ASSERT_LE(test::difference(plain.color(x, y), scaled.color(x, y)), 16) << x << "," << y;
     EXPECT_NEAR(mean(plain), mean(scaled), 0.002f);
   }
 }
@@ -174,7 +182,8 @@ TEST(AmbientOcclusion, OfScenesOfAnySize) {
   };
   const test::Traced plain = pictureOf(1);
   EXPECT_LT(mean(plain), 0.95f);
-  for (const double size : {1e-6, 1e-3, 1e3, 1e6}) EXPECT_NEAR(mean(plain), mean(pictureOf(size)), 0.002f) << size;
+  for (const double size : {1e-6, 1e-3, 1e3, 1e6})
+    EXPECT_NEAR(mean(plain), mean(pictureOf(size)), 0.002f) << size;
 }
 
 TEST(AmbientOcclusion, IsTheSameForAnyNumberOfThreadsAndNearlyForAnyInstructionSet) {

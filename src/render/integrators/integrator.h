@@ -1,5 +1,5 @@
-// Light beyond OpenGL's local look: what lies between a point and its surroundings. An integrator is made for a
-// frame, gets hits that the local look has coloured, and changes their colours. Frames without one cost and
+// Light beyond OpenGL's local look: what lies between a point and its surroundings. An integrator is made for
+// a frame, gets hits that the local look has coloured, and changes their colours. Frames without one cost and
 // change nothing. Called on all tracing threads.
 #pragma once
 #include "render/frame_data.h"

@@ -13,7 +13,8 @@ Metric::Metric(const FrameData& frame) {
   eyeFromWorld = glm::mat4(m);
   for (int c = 0; c < 4; ++c)
     for (int r = 0; r < 4; ++r)
-      if (!std::isfinite(worldFromEye[c][r])) throw std::runtime_error("the modelview matrix cannot be inverted");
+      if (!std::isfinite(worldFromEye[c][r]))
+        throw std::runtime_error("the modelview matrix cannot be inverted");
   away = frame.eyeRays.step;
   const glm::dvec3 size(frame.world->upper() - frame.world->lower());
   double most = 0, sum = 0;

@@ -11,8 +11,10 @@ class ClippedOccluders final : public accel::OccluderFilter {
   explicit ClippedOccluders(const scene::Snapshot& snapshot) : planes_(snapshot.instances.size()) {
     for (size_t i = 0; i < planes_.size(); ++i) {
       const scene::Instance& instance = snapshot.instances[i];
-      // A plane acts on eye coordinates; as a row vector it comes to object space by the modelview on its right.
-      for (const glm::dvec4& plane : instance.clipPlanes) planes_[i].push_back(plane * instance.eyeFromObject);
+      // A plane acts on eye coordinates; as a row vector it comes to object space by the modelview on its
+      // right.
+      for (const glm::dvec4& plane : instance.clipPlanes)
+        planes_[i].push_back(plane * instance.eyeFromObject);
     }
   }
   bool blocks(const accel::Occluder& occluder) const noexcept override {

@@ -7,8 +7,8 @@
 
 namespace gluray::render {
 
-/// One seed for each lane: samples are a function of the pixel, the sample's index and the dimension, whatever
-/// the number of threads.
+/// One seed for each lane: samples are a function of the pixel, the sample's index and the dimension,
+/// whatever the number of threads.
 struct PixelSeeds {
   alignas(64) uint32_t seed[kLanes];
 
@@ -25,8 +25,8 @@ struct PixelSeeds {
 /// Who uses which two dimensions of a pixel's samples. Uses are independent of each other.
 enum class Dimensions : uint32_t { ambientOcclusion = 1 };
 
-/// The order in which a use takes the points of the sequence: every power of two of them from the beginning is an
-/// aligned block of the sequence, which is stratified like its beginning.
+/// The order in which a use takes the points of the sequence: every power of two of them from the beginning
+/// is an aligned block of the sequence, which is stratified like its beginning.
 constexpr uint32_t shuffled(uint32_t index, uint32_t use) {
   const auto reversed = [](uint32_t x) {
     uint32_t result = 0;
@@ -38,7 +38,8 @@ constexpr uint32_t shuffled(uint32_t index, uint32_t use) {
   return reversed(x);
 }
 
-/// The second dimension of Sobol's sequence, least significant digit first. The first dimension's is the index.
+/// The second dimension of Sobol's sequence, least significant digit first. The first dimension's is the
+/// index.
 constexpr uint32_t reversedSobol(uint32_t index) {
   // Column k of the generator matrix is row k of Pascal's triangle modulo 2.
   uint32_t result = 0, column = 1;

@@ -1,6 +1,6 @@
-// Points of Sobol's sequence in two dimensions, scrambled as Owen does it: every power of two of them from the
-// beginning is stratified, and pixels with different seeds get independent ones (B. Burley, "Practical Hash-based
-// Owen Scrambling", 2020). Compiled once for each instruction set.
+// Points of Sobol's sequence in two dimensions, scrambled as Owen does it: every power of two of them from
+// the beginning is stratified, and pixels with different seeds get independent ones (B. Burley, "Practical
+// Hash-based Owen Scrambling", 2020). Compiled once for each instruction set.
 #if defined(GLURAY_RENDER_SOBOL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_SOBOL_INL_H_
 #undef GLURAY_RENDER_SOBOL_INL_H_
@@ -20,7 +20,8 @@ using Bits = hn::Vec<BitsTag>;
 
 HWY_INLINE Bits splatBits(uint32_t v) { return hn::Set(BitsTag(), v); }
 
-/// A hash of 32 bits in which every bit of the input changes every bit of the output (C. Wellons, "lowbias32").
+/// A hash of 32 bits in which every bit of the input changes every bit of the output (C. Wellons,
+/// "lowbias32").
 HWY_INLINE Bits hashed(Bits x) {
   x = hn::Mul(hn::Xor(x, hn::ShiftRight<16>(x)), splatBits(0x7feb352du));
   x = hn::Mul(hn::Xor(x, hn::ShiftRight<15>(x)), splatBits(0x846ca68bu));
@@ -40,8 +41,9 @@ HWY_INLINE Bits reversed(Bits x) {
   return hn::Or(hn::ShiftRight<16>(x), hn::ShiftLeft<16>(x));
 }
 
-/// Owen's scrambling of numbers whose digits are reversed: each digit is flipped by those before it (S. Laine and
-/// T. Karras, "Stratified Sampling for Stochastic Transparency", 2011, with Burley's constants). In [0, 1).
+/// Owen's scrambling of numbers whose digits are reversed: each digit is flipped by those before it (S. Laine
+/// and T. Karras, "Stratified Sampling for Stochastic Transparency", 2011, with Burley's constants). In [0,
+/// 1).
 HWY_INLINE Float scrambled(Bits reversedDigits, Bits seed) {
   Bits x = hn::Add(reversedDigits, seed);
   x = hn::Xor(x, hn::Mul(x, splatBits(0x6c50b47cu)));
@@ -60,7 +62,8 @@ struct Sample2 {
 /// Sample `index` of a use's two dimensions, for the lanes from i on.
 HWY_INLINE Sample2 sample2(const PixelSeeds& seeds, int i, uint32_t index, Dimensions use) {
   const auto number = static_cast<uint32_t>(use);
-  const Bits seed = hashed(hn::Xor(hn::Load(BitsTag(), seeds.seed + i), splatBits(number * 0x9e3779b9u + 1u)));
+  const Bits seed =
+      hashed(hn::Xor(hn::Load(BitsTag(), seeds.seed + i), splatBits(number * 0x9e3779b9u + 1u)));
   const uint32_t at = shuffled(index, number);
   return {scrambled(splatBits(at), seed), scrambled(splatBits(reversedSobol(at)), hashed(seed))};
 }

@@ -20,8 +20,8 @@ HWY_INLINE Float3 cosineHemisphere(const Sample2& u) {
   return {hn::Mul(radius, hn::Cos(d, angle)), hn::Mul(radius, hn::Sin(d, angle)), z};
 }
 
-/// Turns a direction about +z to one about the unit vector n (T. Duff and others, "Building an Orthonormal Basis,
-/// Revisited", 2017).
+/// Turns a direction about +z to one about the unit vector n (T. Duff and others, "Building an Orthonormal
+/// Basis, Revisited", 2017).
 HWY_INLINE Float3 aboveSurface(const Float3& n, const Float3& v) {
   const Float sign = hn::CopySign(splat(1), n.z);
   const Float a = hn::Div(splat(-1), hn::Add(sign, n.z)), b = hn::Mul(hn::Mul(n.x, n.y), a);
