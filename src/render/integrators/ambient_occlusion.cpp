@@ -1,14 +1,12 @@
 #include "render/integrators/ambient_occlusion.h"
 
-#include <bit>
-
 #define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/integrators/ambient_occlusion.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 // What follows is included once for each instruction set, after Highway's macros.
-#include "render/points.inl.h"
+#include "render/integrators/points.inl.h"
 #include "render/sampling/sobol.inl.h"
 #include "render/sampling/warp.inl.h"
 
@@ -39,17 +37,18 @@ HWY_ATTR void occlude(const AmbientOcclusion& ao, const ColoredHits& hits, Color
   const PixelSeeds seeds(hits.x, hits.y);
   alignas(64) int32_t valid[kLanes];
   for (int i = 0; i < kLanes; ++i) valid[i] = hits.group.lanes >> i & 1 ? -1 : 0;
-  int blocked[kLanes] = {};
+  float hidden[kLanes] = {};
   accel::OcclusionRays rays;
   for (int s = 0; s < ao.samples; ++s) {
-    const auto index = static_cast<uint32_t>(hits.sample * ao.samples + s);
-    aimAbove(ao, points, seeds, index, rays);
-    uint32_t lanes = ao.frame.world->occluded(valid, rays, ao.occluders.get());
-    for (; lanes; lanes &= lanes - 1) ++blocked[std::countr_zero(lanes)];
+    aimAbove(ao, points, seeds, static_cast<uint32_t>(hits.sample * ao.samples + s), rays);
+    const Transmittance light(ao.occluders);
+    const uint32_t blocked =
+        ao.frame.world->occluded(valid, rays, ao.occluders.areSolid() ? nullptr : &light);
+    for (int i = 0; i < kLanes; ++i) hidden[i] += blocked >> i & 1 ? 1 : 1 - light.through[i];
   }
   const float perRay = ao.strength / static_cast<float>(ao.samples);
   for (int i = 0; i < kLanes; ++i)
-    for (int c = 0; c < 3; ++c) rows.value[c][i] *= 1 - perRay * static_cast<float>(blocked[i]);
+    for (int c = 0; c < 3; ++c) rows.value[c][i] *= 1 - perRay * hidden[i];
 }
 
 }  // namespace HWY_NAMESPACE
@@ -64,7 +63,7 @@ HWY_EXPORT(occlude);
 AmbientOcclusion::AmbientOcclusion(const FrameData& of)
     : frame(of),
       metric(of),
-      occluders(makeOccluders(*of.snapshot)),
+      occluders(*of.snapshot, of.surfaces),
       samples(of.snapshot->settings.ao.samples),
       radius(of.snapshot->settings.ao.radius * metric.diagonal),
       strength(of.snapshot->settings.ao.strength) {}

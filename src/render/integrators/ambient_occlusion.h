@@ -19,7 +19,7 @@ class AmbientOcclusion final : public Integrator {
 
   const FrameData& frame;
   Metric metric;
-  std::unique_ptr<const accel::OccluderFilter> occluders;  // null: every surface blocks
+  Occluders occluders;
   int samples;     // rays a point, >= 1; noise falls as 1/sqrt(samples)
   float radius;    // eye space
   float strength;  // 0: no effect, 1: full

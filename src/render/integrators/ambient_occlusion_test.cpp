@@ -109,6 +109,17 @@ TEST(AmbientOcclusion, CulledSidesOccludeAsWell) {
   }
 }
 
+TEST(AmbientOcclusion, TranslucentSurfacesHideAsMuchAsTheirAlpha) {
+  for (const float alpha : {0.25f, 0.5f, 1.0f}) {
+    scene::Snapshot s = viewOf({backWall(), plane({3, 0, 5e4f}, {0, 5e5f, 0}, {0, 0, 5e4f})});
+    auto layers = std::make_shared<scene::Layers>();
+    layers->opaqueDepth.assign(kSize * kSize, -1.0f);
+    s.layers = layers;
+    s.instances[1].color.a = alpha;
+    EXPECT_NEAR(mean(test::trace(s)), 1 - 0.5f * alpha, 0.005f) << alpha;
+  }
+}
+
 /// A ball of `around` x `around`/2 facets; smooth: with the normals of the sphere.
 scene::MeshPtr ball(int around, bool smooth) {
   test::MeshData data;

@@ -1,6 +1,5 @@
 #include "render/integrators/metric.h"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -17,15 +16,8 @@ Metric::Metric(const FrameData& frame) {
         throw std::runtime_error("the modelview matrix cannot be inverted");
   away = frame.eyeRays.step;
   const glm::dvec3 size(frame.world->upper() - frame.world->lower());
-  double most = 0, sum = 0;
-  for (int c = 0; c < 3; ++c) {
-    const glm::dvec3 axis(m[c]);
-    most = std::max(most, glm::length(axis));
-    sum += glm::dot(axis, axis) * size[c] * size[c];
-  }
-  // Axes of unequal length may add up in the direction between them.
-  stretch = static_cast<float>(most * std::sqrt(3.0));
-  diagonal = static_cast<float>(std::sqrt(sum));
+  axes = {glm::length(glm::dvec3(m[0])), glm::length(glm::dvec3(m[1])), glm::length(glm::dvec3(m[2]))};
+  diagonal = static_cast<float>(glm::length(glm::dvec3(axes) * size));
 }
 
 }  // namespace gluray::render

@@ -1,38 +1,79 @@
 #include "render/integrators/occluders.h"
 
 #include <algorithm>
-#include <vector>
 
 namespace gluray::render {
 namespace {
 
-class ClippedOccluders final : public accel::OccluderFilter {
- public:
-  explicit ClippedOccluders(const scene::Snapshot& snapshot) : planes_(snapshot.instances.size()) {
-    for (size_t i = 0; i < planes_.size(); ++i) {
-      const scene::Instance& instance = snapshot.instances[i];
-      // A plane acts on eye coordinates; as a row vector it comes to object space by the modelview on its
-      // right.
-      for (const glm::dvec4& plane : instance.clipPlanes)
-        planes_[i].push_back(plane * instance.eyeFromObject);
-    }
-  }
-  bool blocks(const accel::Occluder& occluder) const noexcept override {
-    const glm::dvec4 point(occluder.point, 1);
-    const std::vector<glm::dvec4>& planes = planes_[occluder.instance];
-    return std::all_of(planes.begin(), planes.end(), [&](const auto& p) { return glm::dot(p, point) >= 0; });
-  }
+/// Interpolated alpha of the mesh's vertex colours.
+float vertexAlpha(const scene::Mesh& mesh, const accel::Occluder& o) {
+  const auto alpha = [&](uint32_t k) { return scene::fetch(mesh.colors, mesh.corner(o.primitive, k)).a; };
+  return alpha(0) * (1 - o.u - o.v) + alpha(1) * o.u + alpha(2) * o.v;
+}
 
- private:
-  std::vector<std::vector<glm::dvec4>> planes_;  // object space, by instance
-};
+float alphaOfProgram(const Surface& s, const accel::Occluder& o) {
+  using Color = scene::FragmentShading::Color;
+  const scene::Instance& instance = *s.instance;
+  const float material = s.materials[0].front.diffuse.a;
+  const Color color = s.lighting->shading->fragment.color;
+  if (color == Color::perTriangle)
+    return material * scene::fetch(instance.triangleColors, instance.triangleOffset + o.primitive).a;
+  if (color != Color::vertices) return material;
+  return material * (s.colorsVary ? vertexAlpha(*s.mesh, o) : instance.color.a);
+}
+
+float alphaOfFixedFunction(const Surface& s, const accel::Occluder& o) {
+  using Mode = scene::ColorMaterial;
+  const scene::Shading& shading = *s.lighting->shading;
+  if (!shading.lighting) return s.colorsVary ? vertexAlpha(*s.mesh, o) : s.instance->color.a;
+  const Mode::Mode mode = shading.colorMaterial.front;
+  if (s.colorsVary && (mode == Mode::diffuse || mode == Mode::ambientAndDiffuse))
+    return vertexAlpha(*s.mesh, o);
+  const scene::Attribute& materials = s.mesh->materials;
+  uint32_t index = 0;
+  if (materials) {
+    const std::byte* at =
+        materials.data + static_cast<size_t>(s.mesh->corner(o.primitive, 2)) * materials.stride;
+    index = *reinterpret_cast<const uint32_t*>(at);
+  }
+  return s.materials[index < s.materialCount ? index : 0].front.diffuse.a;
+}
 
 }  // namespace
 
-std::unique_ptr<const accel::OccluderFilter> makeOccluders(const scene::Snapshot& snapshot) {
+Occluders::Occluders(const scene::Snapshot& snapshot, const std::vector<Surface>& surfaces)
+    : surfaces_(surfaces), translucent_(snapshot.layers != nullptr) {
   const auto isClipped = [](const scene::Instance& i) { return !i.clipPlanes.empty(); };
-  if (std::none_of(snapshot.instances.begin(), snapshot.instances.end(), isClipped)) return nullptr;
-  return std::make_unique<ClippedOccluders>(snapshot);
+  if (std::none_of(snapshot.instances.begin(), snapshot.instances.end(), isClipped)) return;
+  planes_.resize(snapshot.instances.size());
+  for (size_t i = 0; i < planes_.size(); ++i) {
+    const scene::Instance& instance = snapshot.instances[i];
+    // A plane acts on eye coordinates; as a row vector it comes to object space by the modelview on its
+    // right.
+    for (const glm::dvec4& plane : instance.clipPlanes) planes_[i].push_back(plane * instance.eyeFromObject);
+  }
+}
+
+bool Occluders::isThere(const accel::Occluder& occluder) const {
+  if (planes_.empty()) return true;
+  const glm::dvec4 point(occluder.point, 1);
+  const std::vector<glm::dvec4>& planes = planes_[occluder.instance];
+  return std::all_of(planes.begin(), planes.end(), [&](const auto& p) { return glm::dot(p, point) >= 0; });
+}
+
+float Occluders::opacityOf(const accel::Occluder& occluder) const {
+  if (!translucent_) return 1;
+  const Surface& s = surfaces_[occluder.instance];
+  const bool program = s.lighting->shading->fragment.model != scene::FragmentShading::Model::off;
+  return std::clamp(program ? alphaOfProgram(s, occluder) : alphaOfFixedFunction(s, occluder), 0.0f, 1.0f);
+}
+
+bool Transmittance::blocks(const accel::Occluder& occluder) const noexcept {
+  constexpr float kNothing = 0.5f / 255;  // less is not seen
+  if (!occluders_.isThere(occluder)) return false;
+  float& left = through[occluder.lane];
+  left *= 1 - occluders_.opacityOf(occluder);
+  return left < kNothing;
 }
 
 }  // namespace gluray::render

@@ -1,15 +1,45 @@
-// Which parts of surfaces block rays. Made once a frame, asked on all tracing threads.
+// What surfaces block of rays: clip planes cut all rays, and translucent surfaces block as much as their
+// alpha. Made once a frame, asked on all tracing threads.
 #pragma once
 #include "accel/occlusion.h"
+#include "render/local/surface.h"
 #include "scene/snapshot.h"
 
-#include <memory>
+#include <vector>
 
 namespace gluray::render {
 
-/// A filter that lets rays through what clip planes cut away; null where the snapshot, which must outlive it,
-/// has none. Both sides of surfaces block, culled or not: what a program does not draw because it faces away
-/// still belongs to a solid.
-std::unique_ptr<const accel::OccluderFilter> makeOccluders(const scene::Snapshot&);
+/// The occluders of a snapshot, which must outlive it, as must the surfaces of its instances. Both sides of
+/// surfaces block, culled or not: what a program does not draw because it faces away still belongs to a
+/// solid. Textures do not count: a surface is as opaque as its material and vertices say.
+class Occluders {
+ public:
+  Occluders(const scene::Snapshot&, const std::vector<Surface>&);
+  /// Whether every surface blocks every ray that meets it.
+  bool areSolid() const { return planes_.empty() && !translucent_; }
+  /// Whether no clip plane of its instance cuts the point away.
+  bool isThere(const accel::Occluder&) const;
+  /// 1: nothing passes.
+  float opacityOf(const accel::Occluder&) const;
+
+ private:
+  const std::vector<Surface>& surfaces_;
+  bool translucent_;                             // the program blends its surfaces: alphas count
+  std::vector<std::vector<glm::dvec4>> planes_;  // object space, by instance; empty where there are none
+};
+
+/// What of each ray of one packet passes all that it meets.
+class Transmittance final : public accel::OccluderFilter {
+ public:
+  explicit Transmittance(const Occluders& occluders) : occluders_(occluders) {
+    for (float& t : through) t = 1;
+  }
+  bool blocks(const accel::Occluder&) const noexcept override;
+
+  mutable float through[accel::kLanes];  // of rays that nothing blocks
+
+ private:
+  const Occluders& occluders_;
+};
 
 }  // namespace gluray::render

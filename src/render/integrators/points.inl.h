@@ -1,16 +1,16 @@
 // Where the hits of a group are: points and normals in eye space, and origins for rays that leave them.
 // Compiled once for each instruction set.
-#if defined(GLURAY_RENDER_POINTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLURAY_RENDER_POINTS_INL_H_
-#undef GLURAY_RENDER_POINTS_INL_H_
+#if defined(GLURAY_RENDER_INTEGRATORS_POINTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLURAY_RENDER_INTEGRATORS_POINTS_INL_H_
+#undef GLURAY_RENDER_INTEGRATORS_POINTS_INL_H_
 #else
-#define GLURAY_RENDER_POINTS_INL_H_
+#define GLURAY_RENDER_INTEGRATORS_POINTS_INL_H_
 #endif
 
 #include "render/integrators/integrator.h"
 #include "render/integrators/metric.h"
+#include "render/integrators/solid_points.h"
 #include "render/local/fragment.inl.h"
-#include "render/solid_points.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
@@ -54,19 +54,18 @@ HWY_INLINE Float3 facing(const Float3& v, const Float3& side) {
   return scaled(v, sign);
 }
 
-/// Sum of the sizes of a point's coordinates.
-HWY_INLINE Float sizes(const Float3& v) { return hn::Add(hn::Abs(v.x), hn::Add(hn::Abs(v.y), hn::Abs(v.z))); }
-
 /// Puts the origin above a point in eye space: by what rounding may have moved the point, and by `lift`.
 HWY_INLINE void placeOrigin(const Metric& metric, const Surface& s, const Float3& eye, const Float3& normal,
                             const Float3& lift, SurfacePoints& out, int i) {
   // Coordinates in the world are rounded by 2^-24 of their size, in the point as in what the ray meets.
   constexpr float kRounded = 6e-7f;
   const Float3 world = transformPoint(metric.worldFromEye, eye);
-  const glm::vec3 place = glm::abs(glm::vec3(s.instance->worldFromObject[3])),
-                  view = glm::abs(glm::vec3(metric.worldFromEye[3]));
-  const Float size = hn::Add(sizes(world), splat(place.x + place.y + place.z + view.x + view.y + view.z));
-  const Float error = hn::Mul(size, splat(kRounded * metric.stretch));
+  const glm::vec3 place =
+      glm::abs(glm::vec3(s.instance->worldFromObject[3])) + glm::abs(glm::vec3(metric.worldFromEye[3]));
+  const auto along = [&](Float coordinate, int axis) HWY_ATTR {
+    return hn::Mul(hn::Add(hn::Abs(coordinate), splat(place[axis])), splat(kRounded * metric.axes[axis]));
+  };
+  const Float error = hn::Add(along(world.x, 0), hn::Add(along(world.y, 1), along(world.z, 2)));
   const Float3 above = add(add(eye, scaled(normal, error)), lift);
   store3(transformPoint(metric.worldFromEye, above), out.origin, i);
 }

@@ -1,4 +1,4 @@
-#include "render/solid_points.h"
+#include "render/integrators/solid_points.h"
 
 #include "accel/impostors/solid.h"
 
