@@ -16,6 +16,7 @@ foreach(door door-glx door-egl preload)
   link_test(nodelete.${door} ${link_check} nodelete $<TARGET_FILE:gluray-${door}>)
 endforeach()
 link_test(nodelete.engine ${link_check} nodelete $<TARGET_FILE:gluray-engine>)
+link_test(local_look_alone ${link_check} without-integrators $<TARGET_FILE:gluray_render>)
 link_test(silent_in_true ${link_check} silent $<TARGET_FILE:gluray-preload>)
 
 add_test(NAME style.gl_coverage COMMAND ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/tools/generate.py --check-coverage

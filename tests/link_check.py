@@ -5,6 +5,7 @@ preload-exports LIBRARY    every entry point of OpenGL, GLX, EGL and OSMesa that
 no-constructors LIBRARY    loading the library runs no code of ours
 libc-only LIBRARY          needs libc and nothing else
 nodelete LIBRARY           stays in memory once loaded
+without-integrators ARCHIVE  the kernels of the local look name no integrator
 silent LIBRARY             preloaded into /bin/true: no output; prints its cost in time
 """
 from __future__ import annotations
@@ -47,6 +48,16 @@ def preload_exports(library: str) -> str:
     wanted = {c.name for c in every if not any(p.type in doors.UNKNOWN_TO_ANY_HEADER for p in c.params)}
     core = {"glVertex3f", "glXSwapBuffers", "eglSwapBuffers", "OSMesaMakeCurrent", "glXGetProcAddressARB", "glDrawElements"}
     return compare(exported(library), wanted | core | {"dlopen"})
+
+
+def without_integrators(archive: str) -> str:
+    """Virtual calls need no symbol: whatever names an integrator's class or its maker reaches into light transport."""
+    listed = output("nm", "-A", "-C", "--undefined-only", archive)
+    kernels = [line for line in listed.splitlines() if "kernels.cpp.o:" in line]
+    if not kernels:
+        return "has no kernels"
+    names = ("Integrator", "AmbientOcclusion", "Occluders", "Transmittance", "occluded(")
+    return "; ".join(line.split(":", 2)[2].strip() for line in kernels if any(name in line for name in names))
 
 
 def no_constructors(library: str) -> str:
@@ -92,7 +103,8 @@ def silent(library: str) -> str:
 
 
 CHECKS = {"exports": exports, "preload-exports": preload_exports, "no-constructors": no_constructors,
-          "libc-only": libc_only, "nodelete": nodelete, "silent": silent}
+          "libc-only": libc_only, "nodelete": nodelete, "silent": silent,
+          "without-integrators": without_integrators}
 
 if __name__ == "__main__":
     if len(sys.argv) < 3 or sys.argv[1] not in CHECKS:
