@@ -108,7 +108,7 @@ class Rings(unittest.TestCase):
         near.write_text(FAMILY.read_text().replace('material.shininess = "shininess"', "material.shininess = 3"))
         program = self.explained("--program-families", near)
         self.assertEqual(program["why"], 'no family fits; nearest: rings, but it has uniform "shininess" (float), '
-                         "of which the family says nothing")
+                         "which the family does not describe")
 
     def test_the_table_of_explain_has_them_too(self):
         def text(*options):

@@ -207,6 +207,8 @@ void setDefaults() {
 }
 
 #include "tests/fuzz/null_gl_functions.inl.h"
+// What follows names them.
+#include "tests/fuzz/null_gl_names.inl.h"
 
 }  // namespace
 

@@ -47,7 +47,7 @@ TEST(Weld, StaysExactOverSeveralBlocks) {
     ASSERT_EQ(c.vertex(w.source[w.index[i]])[0], c.vertex(i)[0]);
 }
 
-TEST(BuildMesh, KeepsTriangleOrderAndIdentityWhetherWeldedOrNot) {
+TEST(BuildMesh, KeepsTriangleOrderAndIdentityWithColours) {
   const CapturedVertices plain = grid(40), colored = grid(40, true);
   const KnownMesh a = buildMesh(plain), b = buildMesh(colored);
   ASSERT_TRUE(a.mesh && b.mesh);

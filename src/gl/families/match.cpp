@@ -86,7 +86,7 @@ void needMentioned(const Program& p, const Family& f, std::vector<std::string>& 
   if (!f.strict) return;
   const auto check = [&](const char* kind, const std::string& name, GLenum type) {
     if (isKnown(name, f, p.renamed)) return;
-    const std::string after = " (" + std::string(glslName(type)) + "), of which the family says nothing";
+    const std::string after = " (" + std::string(glslName(type)) + "), which the family does not describe";
     out.push_back(about(kind, name, after));
   };
   for (const auto& [name, uniform] : p.uniforms) check("has uniform ", name, uniform.type);

@@ -35,7 +35,7 @@ TEST_F(Match, ATextureMayHaveAnyName) {
   EXPECT_EQ(found(p).size(), 2u) << "the text uses the family's name otherwise";
 
   p.uniforms["t1"].type = GL_SAMPLER_2D;
-  EXPECT_EQ(found(p), Lines{"has uniform \"bricks\" (sampler2D), of which the family says nothing"});
+  EXPECT_EQ(found(p), Lines{"has uniform \"bricks\" (sampler2D), which the family does not describe"});
   p.uniforms.erase("t1"), p.uniforms["wood"].type = GL_SAMPLER_2D;
   EXPECT_EQ(found(p).size(), 2u) << "two candidates";
   p.uniforms.erase("wood"), p.uniforms["bricks"].type = GL_SAMPLER_CUBE;

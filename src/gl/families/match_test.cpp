@@ -38,10 +38,10 @@ TEST_F(Match, ReportsUnwantedVariables) {
   Program p = fitting();
   p.uniforms["bad"].type = GL_FLOAT;
   EXPECT_EQ(obstaclesOf(p),
-            (Lines{"has \"bad\"", "has uniform \"bad\" (float), of which the family says nothing"}));
+            (Lines{"has \"bad\"", "has uniform \"bad\" (float), which the family does not describe"}));
   p = fitting();
   p.attributes["bone"].type = GL_FLOAT;
-  EXPECT_EQ(obstaclesOf(p), Lines{"has attribute \"bone\" (float), of which the family says nothing"});
+  EXPECT_EQ(obstaclesOf(p), Lines{"has attribute \"bone\" (float), which the family does not describe"});
   p = fitting();
   p.geometryShader = p.tessellation = p.writes = true;
   EXPECT_EQ(obstaclesOf(p),
@@ -87,7 +87,7 @@ TEST_F(Match, AlternativesReplaceMissingNames) {
   EXPECT_EQ(p.uniform("map"), &p.uniforms.at("colors"));
   p.attributes["place2"].type = GL_FLOAT_VEC3;
   EXPECT_EQ(obstacles(real_, p, *family),
-            Lines{"has attribute \"place3\" (vec3), of which the family says nothing"})
+            Lines{"has attribute \"place3\" (vec3), which the family does not describe"})
       << "the first existing alternative replaces the name, and no other";
   p.attributes["p"].type = GL_FLOAT_VEC3, p.attributes.erase("place2"), p.attributes.erase("place3");
   p.uniforms["colors"].type = GL_FLOAT_MAT4;

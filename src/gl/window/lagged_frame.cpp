@@ -26,8 +26,8 @@ LagRefusal WindowPresenter::traceAhead(const RealGl&, const scene::SnapshotPtr&,
 std::string_view describe(LagRefusal refusal) {
   constexpr std::array<std::string_view, kLagRefusals> kWords = {
       "shown later",
-      "nothing waited to be traced at the swap",
-      "what waited was not for a plain back buffer",
+      "no draw was pending at the swap",
+      "the pending draws were not for a plain back buffer",
       "nothing had changed",
       "the real OpenGL drew it, or it was measured",
       "a query, layers or other contexts",

@@ -1,10 +1,10 @@
 // Points, normals and depths of impostors at pixels (scene/impostors.h). Part of kernels.cpp (compiled once
 // for each instruction set).
-#if defined(GLURAY_RENDER_FIGURE_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLURAY_RENDER_FIGURE_INL_H_
-#undef GLURAY_RENDER_FIGURE_INL_H_
+#if defined(GLURAY_RENDER_IMPOSTOR_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLURAY_RENDER_IMPOSTOR_INL_H_
+#undef GLURAY_RENDER_IMPOSTOR_INL_H_
 #else
-#define GLURAY_RENDER_FIGURE_INL_H_
+#define GLURAY_RENDER_IMPOSTOR_INL_H_
 #endif
 
 #include "accel/impostors/pixel_impostor.h"

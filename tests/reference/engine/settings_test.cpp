@@ -68,7 +68,7 @@ TEST(SettingsOfFrames, AClearAfterDrawsBeginsNoFrame) {
   const Settings first = TracedContext::vertexShading();
   SettingsSource source(first);
   TracedContext context({kSize, kSize}, first, takeSettings(seen), nullptr, familiesOfTests(), &source);
-  const Gl gl = context.gl();
+  Gl gl = context.gl();
   gl.Enable(GL_DEPTH_TEST);
   drawBatch(gl, GL_LESS);  // without a clear
   source.store(other());
