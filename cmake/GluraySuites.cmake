@@ -41,7 +41,8 @@ endfunction()
 programs(address_programs ${CMAKE_SOURCE_DIR})
 list(FILTER address_programs EXCLUDE REGEX ${without_address_pattern})
 list(REMOVE_ITEM address_programs ${without_address})
-suites(address_suites ${address_programs})
+# The archive is what link.local_look_alone looks at.
+suites(address_suites ${address_programs} gluray_render)
 suites(thread_suites ${thread_programs})
 add_test(NAME link.suites COMMAND ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/tests/suites_test.py ${CMAKE_CTEST_COMMAND}
          ${CMAKE_BINARY_DIR})
