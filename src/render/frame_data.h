@@ -12,6 +12,7 @@
 
 namespace gluray::render {
 
+struct DirectLook;
 class Integrator;
 
 /// Maps NDC depth to window depth, including glDepthRange and glPolygonOffset.
@@ -50,6 +51,7 @@ struct FrameData {
   // leastDepth). Otherwise null.
   std::unique_ptr<const accel::HitFilter> accepted;
   const Integrator* integrator = nullptr;  // null: the local look alone
+  const DirectLook* direct = nullptr;      // the surfaces without ambient light, if the integrator needs them
   Image* image = nullptr;
 
   /// Prepares tracing `snapshot`, whose instances `world` holds, into `image`, which already has the right

@@ -7,6 +7,7 @@
 #define GLURAY_RENDER_HITS_INL_H_
 #endif
 
+#include "render/integrators/direct_look.h"
 #include "render/integrators/integrator.h"
 #include "render/layers/drawn_fragments.h"
 #include "render/layers/peeled_layers.h"
@@ -198,10 +199,18 @@ HWY_ATTR inline void locateHits(const FrameData& frame, uint32_t instance, const
     computeImpostors(surface, frame.depth, x, y, group, seen);
 }
 
-/// Gives a group's hits to the integrator, which changes their colours.
-HWY_ATTR inline void lightHits(const FrameData& frame, uint32_t instance, const Group& group, int sample,
-                               const float* x, const float* y, LitRows& rows) {
-  if (group.lanes) frame.integrator->light({frame.surfaces[instance], instance, group, sample, x, y}, rows);
+/// Gives a group's hits to the integrator, which changes their colours; bit i of `back`: lane i shows its
+/// back face.
+HWY_ATTR inline void lightHits(const FrameData& frame, uint32_t instance, const Group& group, uint32_t back,
+                               int sample, const float* x, const float* y, LitRows& rows) {
+  if (!group.lanes) return;
+  ColoredHits hits{frame.surfaces[instance], instance, group, sample, x, y};
+  LitRows direct;
+  if (frame.direct) {
+    shade(frame, frame.direct->surfaces[instance], group, back, x, y, direct);
+    hits.direct = &direct;
+  }
+  frame.integrator->light(hits, rows);
 }
 
 /// Shades the hits in `lanes` and calls take(lanes, colours, depths). Returns the lanes whose hit is
@@ -230,7 +239,7 @@ HWY_ATTR uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool mayReje
     const uint32_t failing = shade(frame, surface, group, back, work.x, work.y, rows);
     rejected |= failing;
     group.lanes &= ~failing;
-    if (frame.integrator) lightHits(frame, instance, group, work.sample, work.x, work.y, rows);
+    if (frame.integrator) lightHits(frame, instance, group, back, work.sample, work.x, work.y, rows);
     take(group.lanes, rows, seen.depth);
   }
   return rejected;

@@ -2,6 +2,7 @@
 
 #include "base/timeline.h"
 #include "render/float_guard.h"
+#include "render/integrators/direct_look.h"
 #include "render/integrators/integrator.h"
 #include "render/kernels.h"
 
@@ -72,6 +73,8 @@ bool traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Imag
   FrameData frame(snapshot, world, image);
   const std::unique_ptr<const Integrator> integrator = makeIntegrator(frame);
   frame.integrator = integrator.get();
+  const std::unique_ptr<const DirectLook> direct = makeDirectLook(frame);
+  frame.direct = direct.get();
   const int columns = (image.width + kTileSize - 1) / kTileSize,
             rows = (image.height + kTileSize - 1) / kTileSize;
   tbb::parallel_for(0, columns * rows, [&](int index) {

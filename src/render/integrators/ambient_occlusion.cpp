@@ -47,8 +47,12 @@ HWY_ATTR void occlude(const AmbientOcclusion& ao, const ColoredHits& hits, Color
     for (int i = 0; i < kLanes; ++i) hidden[i] += blocked >> i & 1 ? 1 : 1 - light.through[i];
   }
   const float perRay = ao.strength / static_cast<float>(ao.samples);
-  for (int i = 0; i < kLanes; ++i)
-    for (int c = 0; c < 3; ++c) rows.value[c][i] *= 1 - perRay * hidden[i];
+  for (int c = 0; c < 3; ++c) {
+    for (int i = 0; i < kLanes; ++i) {
+      const float ambient = rows.value[c][i] - (hits.direct ? hits.direct->value[c][i] : 0);
+      rows.value[c][i] -= perRay * hidden[i] * ambient;
+    }
+  }
 }
 
 }  // namespace HWY_NAMESPACE
@@ -65,7 +69,8 @@ AmbientOcclusion::AmbientOcclusion(const FrameData& of)
       metric(of),
       occluders(*of.snapshot, of.surfaces),
       samples(of.snapshot->settings.ao.samples),
-      radius(of.snapshot->settings.ao.radius * metric.diagonal),
+      radius(of.snapshot->settings.ao.distance > 0 ? of.snapshot->settings.ao.distance
+                                                   : of.snapshot->settings.ao.radius * metric.diagonal),
       strength(of.snapshot->settings.ao.strength) {}
 
 void AmbientOcclusion::light(const ColoredHits& hits, ColorRows& rows) const noexcept {

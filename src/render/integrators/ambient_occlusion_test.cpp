@@ -109,6 +109,33 @@ TEST(AmbientOcclusion, CulledSidesOccludeAsWell) {
   }
 }
 
+TEST(AmbientOcclusion, MayActOnAmbientLightAlone) {
+  scene::Snapshot s = viewOf({backWall(), plane({3, 0, 5e4f}, {0, 5e5f, 0}, {0, 0, 5e4f})});
+  s.settings.ao.on = AmbientOcclusionOn::ambient;
+  EXPECT_EQ(mean(test::trace(s)), 1) << "colours without lighting have no ambient part";
+  s.shadings[0].lighting = true;
+  s.shadings[0].globalAmbient = {0.4f, 0.4f, 0.4f, 1};
+  scene::Light light;
+  light.ambient = {0.2f, 0.2f, 0.2f, 1};
+  light.diffuse = {0.25f, 0.25f, 0.25f, 1};
+  s.shadings[0].lights = {light};  // along the wall's normal
+  for (scene::Instance& instance : s.instances) {
+    instance.materials[0].front.ambient = instance.materials[0].front.diffuse = glm::vec4(1);
+    instance.materials[0].back = instance.materials[0].front;
+  }
+  EXPECT_NEAR(mean(test::trace(s)), 0.5f * 0.6f + 0.25f, 0.004f);
+  s.settings.ao.on = AmbientOcclusionOn::look;
+  EXPECT_NEAR(mean(test::trace(s)), 0.5f * 0.85f, 0.004f);
+}
+
+TEST(AmbientOcclusion, ReachesAsFarAsItsDistance) {
+  scene::Snapshot s = viewOf({backWall(), plane({0, 0, 50}, {500, 0, 0}, {0, 500, 0})});
+  s.settings.ao.distance = 49.5f;
+  EXPECT_EQ(mean(test::trace(s)), 1);
+  s.settings.ao.distance = 100;
+  EXPECT_NEAR(mean(test::trace(s)), 0.25f, 0.004f);
+}
+
 TEST(AmbientOcclusion, TranslucentSurfacesHideAsMuchAsTheirAlpha) {
   for (const float alpha : {0.25f, 0.5f, 1.0f}) {
     scene::Snapshot s = viewOf({backWall(), plane({3, 0, 5e4f}, {0, 5e5f, 0}, {0, 0, 5e4f})});

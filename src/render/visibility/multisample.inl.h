@@ -130,7 +130,7 @@ HWY_ATTR inline uint32_t shadeFirst(const FrameData& frame, size_t first, bool m
     rejected |= failing;
     shown.group.lanes &= ~failing;
     if (frame.integrator)
-      lightHits(frame, instance, shown.group, 0, block.centers.x, block.centers.y, shown.rows);
+      lightHits(frame, instance, shown.group, back, 0, block.centers.x, block.centers.y, shown.rows);
     spread(frame, s, first, shown, block);
   }
   return rejected;
