@@ -199,10 +199,11 @@ HWY_ATTR inline void locateHits(const FrameData& frame, uint32_t instance, const
     computeImpostors(surface, frame.depth, x, y, group, seen);
 }
 
-/// Gives a group's hits to the integrator, which changes their colours; bit i of `back`: lane i shows its
-/// back face.
-HWY_ATTR inline void lightHits(const FrameData& frame, uint32_t instance, const Group& group, uint32_t back,
-                               int sample, const float* x, const float* y, LitRows& rows) {
+/// Gives a group's hits to the integrator, which changes their colours. Not inlined, so that frames without
+/// one keep their code. Bit i of `back`: lane i shows its back face.
+HWY_ATTR HWY_NOINLINE inline void lightHits(const FrameData& frame, uint32_t instance, const Group& group,
+                                            uint32_t back, int sample, const float* x, const float* y,
+                                            LitRows& rows) {
   if (!group.lanes) return;
   ColoredHits hits{frame.surfaces[instance], instance, group, sample, x, y};
   LitRows direct;
