@@ -1,0 +1,72 @@
+// Ambient occlusion from a program's calls to its framebuffer: colours change, depth and alpha do not, and
+// switched off nothing does.
+#include "tests/support/traced_context.h"
+
+#include <glm/glm.hpp>
+#include <gtest/gtest.h>
+
+namespace gluray::test {
+namespace {
+
+constexpr int kSize = 64;
+
+void quad(const gl::RealGl& gl, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
+          const glm::vec3& d) {
+  gl.Begin(GL_QUADS);
+  for (const glm::vec3* p : {&a, &b, &c, &d}) gl.Vertex3f(p->x, p->y, p->z);
+  gl.End();
+}
+
+/// A slightly tilted floor that fills the window, and a wall on it at the right, seen edge-on.
+Picture corner(const Settings& settings) {
+  TracedContext context({kSize, kSize}, settings);
+  const gl::RealGl& gl = context.gl();
+  gl.Enable(GL_DEPTH_TEST);
+  gl.ClearColor(0, 0, 0, 0);
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  gl.Color4f(1, 1, 1, 0.5f);
+  quad(gl, {-1, -1, 0.5f}, {1, -1, 0.51f}, {1, 1, 0.51f}, {-1, 1, 0.5f});
+  quad(gl, {0.9f, -1, 0.51f}, {0.95f, -1, -0.9f}, {0.95f, 1, -0.9f}, {0.9f, 1, 0.51f});
+  gl.Finish();
+  EXPECT_GT(context.context().counts.statistics.drawsTraced, 0u);
+  return context.read();
+}
+
+Settings withAo(bool on) {
+  Settings settings = TracedContext::tracing();
+  settings.ao.enabled = on;
+  settings.ao.samples = 256;
+  settings.ao.radius = 1;
+  return settings;
+}
+
+TEST(AmbientOcclusionInPrograms, DarkensCornersAndKeepsDepthAndAlpha) {
+  const Picture off = corner(withAo(false)), on = corner(withAo(true));
+  ASSERT_EQ(off.depths, on.depths);
+  const auto channel = [](const Picture& picture, int x, int c) {
+    return static_cast<int>(picture.colors[static_cast<size_t>(kSize / 2 * kSize + x)] >> (8 * c) & 255);
+  };
+  const int beside = 59, away = 4;
+  EXPECT_EQ(channel(off, beside, 0), 255);
+  EXPECT_EQ(channel(off, away, 0), 255);
+  EXPECT_NEAR(channel(on, beside, 0), 140, 25) << "nearly half of the sky is hidden";
+  EXPECT_GT(channel(on, away, 0), 215);
+  EXPECT_LT(channel(on, away, 0), 255);
+  for (const int x : {beside, away}) EXPECT_EQ(channel(on, x, 3), channel(off, x, 3));
+}
+
+TEST(AmbientOcclusionInPrograms, SwitchedOffChangesNoBitWhateverElseIsSet) {
+  Settings settings = withAo(false);
+  settings.ao.strength = 0.3f, settings.ao.samples = 1;
+  const Picture plain = corner(TracedContext::tracing()), off = corner(settings);
+  EXPECT_EQ(plain.colors, off.colors);
+  EXPECT_EQ(plain.depths, off.depths);
+}
+
+TEST(AmbientOcclusionInPrograms, ChangesThePictureOnlyWhileItIsOn) {
+  EXPECT_FALSE(withAo(false).changesPicture());
+  EXPECT_TRUE(withAo(true).changesPicture());
+}
+
+}  // namespace
+}  // namespace gluray::test
