@@ -100,8 +100,7 @@ scene::Snapshot snapshotOf(const scene::MeshPtr& mesh, BvhQuality quality, const
 }
 
 /// Packet `number` of rays between points of the scene, the lanes in `valid`.
-void aim(uint32_t number, const glm::dmat4& place, OcclusionRays& rays, int32_t* valid,
-         bool sameSigns = false) {
+void aim(uint32_t number, const glm::dmat4& place, OcclusionRays& rays, int32_t* valid) {
   for (int i = 0; i < kLanes; ++i) {
     const uint32_t n = number * kLanes + static_cast<uint32_t>(i);
     glm::vec3 from = 1.5f * inCube(n), to = 1.5f * inCube(n, 3);
