@@ -30,7 +30,7 @@ std::string wordsOf(const Row& row) {
 
 std::string allowedValues(const Row& row) {
   switch (row.type) {
-    case Type::boolean: return "0, 1, false or true";
+    case Type::boolean: return "on, off, true, false, 1 or 0";
     case Type::integer:
     case Type::real: return "a number" + rangeOf(row);
     case Type::choice: return wordsOf(row);

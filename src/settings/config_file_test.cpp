@@ -61,6 +61,17 @@ program-families = "/a.toml:/b.toml"
   EXPECT_EQ(session.programFamilies, (std::vector<std::string>{"/a.toml", "/b.toml"}));
 }
 
+TEST_F(ConfigFile, SwitchesOfGroupsStandInTheirTables) {
+  EXPECT_TRUE(sessionOf("ao = true").settings.ao.enabled);
+  EXPECT_TRUE(sessionOf("ao = \"on\"").settings.ao.enabled);
+  const Session session = sessionOf("[ao]\nenabled = true\nsamples = 64\n");
+  EXPECT_TRUE(session.settings.ao.enabled);
+  EXPECT_EQ(session.settings.ao.samples, 64);
+  EXPECT_EQ(g_complaints, std::vector<std::string>{});
+  EXPECT_FALSE(sessionOf("[threads]\nenabled = 4\n").settings.ao.enabled);
+  EXPECT_EQ(g_complaints.size(), 1u) << "threads heads no group";
+}
+
 TEST_F(ConfigFile, ListsMayBeArrays) {
   const Session session = sessionOf("program-families = [\"/a.toml\", \"/b.toml\"]\nlog = [\"/l\"]\n");
   EXPECT_EQ(session.programFamilies, (std::vector<std::string>{"/a.toml", "/b.toml"}));
@@ -101,7 +112,7 @@ TEST_F(ConfigFile, WrongLinesAreReportedWithTheirNumberAndOthersApply) {
   EXPECT_TRUE(told(file() + ":2: bvh = quick: use auto, fast, full, compact or least"));
   EXPECT_TRUE(told(file() + ":3: no setting is called 'explain'"));
   EXPECT_TRUE(told(file() + ":4: shading: use a string, a whole number, true or false"));
-  EXPECT_TRUE(told(file() + ":5: off = maybe: use 0, 1, false or true"));
+  EXPECT_TRUE(told(file() + ":5: off = maybe: use on, off, true, false, 1 or 0"));
 }
 
 TEST_F(ConfigFile, UnparsableFilesAreReportedInOneLine) {

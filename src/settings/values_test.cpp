@@ -47,7 +47,9 @@ TEST(Values, Switches) {
   const Row row = rowOf(Type::boolean);
   expectRoundTrip(row, "1", true, "true");
   expectRoundTrip(row, "false", false, "false");
-  expectRefused(row, {"", "yes", "2", "True"}, true, "use 0, 1, false or true");
+  expectRoundTrip(row, "on", true, "true");
+  expectRoundTrip(row, "off", false, "false");
+  expectRefused(row, {"", "yes", "2", "True"}, true, "use on, off, true, false, 1 or 0");
 }
 
 TEST(Values, WholeNumbers) {
