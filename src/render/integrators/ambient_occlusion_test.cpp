@@ -171,8 +171,9 @@ TEST(AmbientOcclusion, ConvexSurfacesDoNotDarkenThemselves) {
       const test::Traced traced = test::trace(s);
       for (int y = 0; y < kSize; ++y)
         for (int x = 0; x < kSize; ++x)
-          if (traced.hit(x, y))
+          if (traced.hit(x, y)) {
             ASSERT_EQ(traced.color(x, y), glm::vec4(255)) << around << (smooth ? " smooth" : "");
+          }
     }
 }
 
