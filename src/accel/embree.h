@@ -6,6 +6,8 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include <glm/glm.hpp>
+
 namespace gluray::accel {
 
 #if GLURAY_EMBREE_MAJOR >= 4
@@ -22,6 +24,14 @@ struct QueryContext {
   RtcQueryContext rtc;
   const void* user = nullptr;
 };
+
+/// Origin and direction of one ray of a packet, in the space that the callback is called in.
+inline glm::vec3 originOf(RTCRayN* ray, unsigned count, unsigned i) {
+  return {RTCRayN_org_x(ray, count, i), RTCRayN_org_y(ray, count, i), RTCRayN_org_z(ray, count, i)};
+}
+inline glm::vec3 directionOf(RTCRayN* ray, unsigned count, unsigned i) {
+  return {RTCRayN_dir_x(ray, count, i), RTCRayN_dir_y(ray, count, i), RTCRayN_dir_z(ray, count, i)};
+}
 
 /// Whether the rays of a packet go much the same way. Embree traces coherent packets as a whole; of rays that
 /// differ that costs half of the speed.

@@ -25,9 +25,7 @@ void onFilter(const RTCFilterFunctionNArguments* arguments) {
   for (unsigned i = 0; i < a.N; ++i) {
     if (a.valid[i] != -1) continue;
     const float t = RTCRayN_tfar(a.ray, a.N, i);
-    const glm::vec3 org(RTCRayN_org_x(a.ray, a.N, i), RTCRayN_org_y(a.ray, a.N, i),
-                        RTCRayN_org_z(a.ray, a.N, i)),
-        dir(RTCRayN_dir_x(a.ray, a.N, i), RTCRayN_dir_y(a.ray, a.N, i), RTCRayN_dir_z(a.ray, a.N, i));
+    const glm::vec3 org = originOf(a.ray, a.N, i), dir = directionOf(a.ray, a.N, i);
     const Occluder occluder{state.instanceOf(RTCHitN_instID(a.hit, a.N, i, 0)),
                             RTCHitN_primID(a.hit, a.N, i),
                             RTCHitN_u(a.hit, a.N, i),

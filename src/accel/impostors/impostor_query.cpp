@@ -38,9 +38,7 @@ uint32_t lanesThatMeet(const QueryState& state, uint32_t instance, uint32_t prim
 }
 
 ObjectRay rayOf(RTCRayN* ray, unsigned count, unsigned i) {
-  return {{RTCRayN_org_x(ray, count, i), RTCRayN_org_y(ray, count, i), RTCRayN_org_z(ray, count, i)},
-          {RTCRayN_dir_x(ray, count, i), RTCRayN_dir_y(ray, count, i), RTCRayN_dir_z(ray, count, i)},
-          RTCRayN_tnear(ray, count, i),
+  return {originOf(ray, count, i), directionOf(ray, count, i), RTCRayN_tnear(ray, count, i),
           RTCRayN_tfar(ray, count, i)};
 }
 
