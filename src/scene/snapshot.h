@@ -3,6 +3,7 @@
 #pragma once
 #include "scene/blending.h"
 #include "scene/impostors.h"
+#include "scene/light_sampling.h"
 #include "scene/mesh.h"
 #include "scene/shading.h"
 #include "settings/settings.h"
@@ -123,6 +124,8 @@ struct Layers {
 /// One batch, traced at once and written to one framebuffer.
 struct Snapshot {
   uint64_t frame = 0;  // counts the program's frames, from 1
+  uint64_t view = 0;   // equal in all snapshots that show the same part of the same framebuffer
+  LightSampling lightSampling;
   Camera camera;
   glm::dmat4 eyeFromWorld{1};
   Region region;                           // window pixels to trace

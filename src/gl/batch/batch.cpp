@@ -1,5 +1,7 @@
 #include "gl/batch/batch.h"
 
+#include "base/hash.h"
+
 #include <algorithm>
 
 namespace gluray::gl {
@@ -11,6 +13,13 @@ scene::Region intersect(glm::ivec4 a, glm::ivec4 b) {
                 y1 = std::min(int64_t{a.y} + a.w, int64_t{b.y} + b.w);
   return {x0, y0, static_cast<int>(std::max<int64_t>(0, x1 - x0)),
           static_cast<int>(std::max<int64_t>(0, y1 - y0))};
+}
+
+uint64_t viewOf(const BatchKey& key) {
+  const int framebuffer = static_cast<int>(key.framebuffer);
+  const glm::ivec4& v = key.viewport;
+  const int place[] = {framebuffer, static_cast<int>(key.drawBuffer), v.x, v.y, v.z, v.w};
+  return hashBytes(place, sizeof place).low;
 }
 
 }  // namespace
@@ -44,6 +53,7 @@ void Batch::start(const BatchKey& key, const State& state, const Settings& setti
   instancesAt_.clear();
   snapshot_ = memory_.make();
   snapshot_->frame = frame;
+  snapshot_->view = viewOf(key);
   snapshot_->settings = settings;
   snapshot_->camera = {state.projection, state.viewport, state.depthNear, state.depthFar};
   // Window rows are counted from the top. We guess that the viewport reaches it; errors hardly matter.

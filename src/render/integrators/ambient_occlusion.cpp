@@ -31,28 +31,24 @@ HWY_ATTR inline void aimAbove(const AmbientOcclusion& ao, const SurfacePoints& p
   }
 }
 
-HWY_ATTR void occlude(const AmbientOcclusion& ao, const ColoredHits& hits, ColorRows& rows) {
+HWY_ATTR void occlude(const AmbientOcclusion& ao, const ColoredHits& hits, float* occlusion) {
   SurfacePoints points;
   makePoints(ao.metric, ao.frame, hits, points);
   const PixelSeeds seeds(hits.x, hits.y);
+  const uint32_t first = ao.firstSample(hits.sample);
   alignas(64) int32_t valid[kLanes];
   for (int i = 0; i < kLanes; ++i) valid[i] = hits.group.lanes >> i & 1 ? -1 : 0;
   float hidden[kLanes] = {};
   accel::OcclusionRays rays;
   for (int s = 0; s < ao.samples; ++s) {
-    aimAbove(ao, points, seeds, static_cast<uint32_t>(hits.sample * ao.samples + s), rays);
+    aimAbove(ao, points, seeds, first + static_cast<uint32_t>(s), rays);
     const Transmittance light(ao.occluders);
     const uint32_t blocked =
         ao.frame.world->occluded(valid, rays, ao.occluders.areSolid() ? nullptr : &light);
     for (int i = 0; i < kLanes; ++i) hidden[i] += blocked >> i & 1 ? 1 : 1 - light.through[i];
   }
   const float perRay = ao.strength / static_cast<float>(ao.samples);
-  for (int c = 0; c < 3; ++c) {
-    for (int i = 0; i < kLanes; ++i) {
-      const float ambient = rows.value[c][i] - (hits.direct ? hits.direct->value[c][i] : 0);
-      rows.value[c][i] -= perRay * hidden[i] * ambient;
-    }
-  }
+  for (int i = 0; i < kLanes; ++i) occlusion[i] = 1 - perRay * hidden[i];
 }
 
 }  // namespace HWY_NAMESPACE
@@ -73,14 +69,24 @@ AmbientOcclusion::AmbientOcclusion(const FrameData& of)
                                                    : of.snapshot->settings.ao.radius * metric.diagonal),
       strength(of.snapshot->settings.ao.strength) {}
 
-void AmbientOcclusion::light(const ColoredHits& hits, ColorRows& rows) const noexcept {
-  HWY_DYNAMIC_DISPATCH(occlude)(*this, hits, rows);
+uint32_t AmbientOcclusion::firstSample(int sample) const {
+  const auto perPixel = static_cast<uint32_t>(std::max<size_t>(frame.samplePositions.size(), 1));
+  const uint32_t pass = frame.snapshot->lightSampling.pass;
+  return (pass * perPixel + static_cast<uint32_t>(sample)) * static_cast<uint32_t>(samples);
 }
 
-std::unique_ptr<const Integrator> makeIntegrator(const FrameData& frame) {
-  const auto& ao = frame.snapshot->settings.ao;
-  if (!ao.enabled || ao.strength == 0) return nullptr;
-  return std::make_unique<AmbientOcclusion>(frame);
+void AmbientOcclusion::estimate(const ColoredHits& hits, Factors& factors) const noexcept {
+  HWY_DYNAMIC_DISPATCH(occlude)(*this, hits, factors.occlusion);
+}
+
+void AmbientOcclusion::apply(const ColoredHits& hits, const Factors& factors,
+                             ColorRows& rows) const noexcept {
+  for (int c = 0; c < 3; ++c) {
+    for (int i = 0; i < kLanes; ++i) {
+      const float ambient = rows.value[c][i] - (hits.direct ? hits.direct->value[c][i] : 0);
+      rows.value[c][i] -= (1 - factors.occlusion[i]) * ambient;
+    }
+  }
 }
 
 }  // namespace gluray::render

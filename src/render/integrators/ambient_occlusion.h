@@ -1,6 +1,6 @@
 // Ambient occlusion: surfaces are darkened by what hides the sky above them.
 #pragma once
-#include "render/integrators/integrator.h"
+#include "render/integrators/factors.h"
 #include "render/integrators/metric.h"
 #include "render/integrators/occluders.h"
 
@@ -11,11 +11,14 @@ namespace gluray::render {
 /// Directions are drawn in proportion to the cosine, so that the estimate is 1 - strength * blocked /
 /// samples. Source: Zhukov, Iones, Kronin, "An Ambient Light Illumination Model", 1998. Colours of the local
 /// look are multiplied by it.
-class AmbientOcclusion final : public Integrator {
+class AmbientOcclusion final : public FactorIntegrator {
  public:
   /// `frame` must outlive it. Throws std::runtime_error where the modelview matrix cannot be inverted.
   explicit AmbientOcclusion(const FrameData& frame);
-  void light(const ColoredHits&, ColorRows&) const noexcept override;
+  void estimate(const ColoredHits&, Factors&) const noexcept override;
+  void apply(const ColoredHits&, const Factors&, ColorRows&) const noexcept override;
+  /// Index of the first of the samples that sample `sample` of a pixel takes in this pass.
+  uint32_t firstSample(int sample) const;
 
   const FrameData& frame;
   Metric metric;

@@ -1,0 +1,12 @@
+// How the samples of light become a snapshot's picture. Plain data.
+#pragma once
+#include <cstdint>
+
+namespace gluray::scene {
+
+struct LightSampling {
+  uint32_t pass = 0;  // of a refinement: takes the samples that follow those of the passes before
+  bool operator==(const LightSampling&) const = default;
+};
+
+}  // namespace gluray::scene
