@@ -16,17 +16,17 @@ namespace gluray::scene {
 struct LightSource {
   enum class Kind : uint8_t { distant, point, spot, rectangle, disc, sphere };
   Kind kind = Kind::distant;
-  glm::vec3 color{1};   // linear factor of the surface's colours, not negative
+  glm::vec3 color{1};  // linear factor of the surface's colours, not negative
   float strength = 1;
-  glm::vec3 position{0};           // all but distant; of areas and spheres the centre
-  glm::vec3 direction{0, 0, -1};   // distant, spot, rectangle, disc: the way the light travels, unit length
-  float angle = 0;                 // distant: how wide it appears, degrees; 0: no size of its own
-  float radius = 0;                // point, spot: of the ball that shines, 0: none; disc, sphere: > 0
+  glm::vec3 position{0};          // all but distant; of areas and spheres the centre
+  glm::vec3 direction{0, 0, -1};  // distant, spot, rectangle, disc: the way the light travels, unit length
+  float angle = 0;                // distant: how wide it appears, degrees; 0: no size of its own
+  float radius = 0;               // point, spot: of the ball that shines, 0: none; disc, sphere: > 0
   glm::vec3 halfEdge[2] = {{1, 0, 0}, {0, 1, 0}};  // rectangle: from its centre to the middles of two edges
-  glm::vec3 attenuation{1, 0, 0};  // point, spot: 1 / (x + y*d + z*d*d) at distance d
-  float coneCosine = -1;           // spot: no light where the cosine to its direction is less
-  float coneExponent = 0;          // spot: power of that cosine
-  bool visible = false;            // rays that meet it see it
+  glm::vec3 attenuation{1, 0, 0};                  // point, spot: 1 / (x + y*d + z*d*d) at distance d
+  float coneCosine = -1;                           // spot: no light where the cosine to its direction is less
+  float coneExponent = 0;                          // spot: power of that cosine
+  bool visible = false;                            // rays that meet it see it
   bool operator==(const LightSource&) const = default;
 };
 
