@@ -177,7 +177,8 @@ HWY_ATTR inline void runProgram(const FrameData& frame, const Surface& s, const 
         at.normal = unit(transform(s.instance->normalMatrix, load3(normals, i)));
         if (f.flipBackFaces) at.normal = signedBy(hn::Not(lanesAt(back, i)), at.normal);
       }
-      color = f.model == Shading::Model::pbr ? microfacets(s, m, at, seen.at(i)) : phong(s, m, at, seen.at(i));
+      color =
+          f.model == Shading::Model::pbr ? microfacets(s, m, at, seen.at(i)) : phong(s, m, at, seen.at(i));
     } else {
       color = unlit(f, m, at);
     }
