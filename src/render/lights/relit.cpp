@@ -1,6 +1,7 @@
 #include "render/lights/relit.h"
 
 #include "render/lights/light_conversion.h"
+#include "render/lights/light_file.h"
 #include "render/lights/rig.h"
 
 #include <algorithm>
@@ -30,12 +31,11 @@ LightSource headlight(float strength, const Viewer& away) {
 
 class Relighter {
  public:
-  Relighter(const scene::Snapshot& s, const Rig& rig, const Viewer& away, Relit& out)
+  /// Without a rig, the program's lights stay.
+  Relighter(const scene::Snapshot& s, const Rig* rig, const Viewer& away, Relit& out)
       : snapshot_(s), rig_(rig), away_(away), out_(out), made_(s.shadings.size()) {}
 
   void relightAll() {
-    out_.sources = rig_.lights;
-    out_.dome = rig_.dome;
     for (const scene::Instance& instance : snapshot_.instances) out_.shadingOf.push_back(shadingOf(instance));
   }
 
@@ -62,20 +62,21 @@ class Relighter {
   }
 
   void relightOne(scene::Shading& s, size_t& first, const glm::dmat4& lightingFromEye) const {
-    s.lights.clear(), s.fragment.lights.clear();
+    if (rig_) s.lights.clear(), s.fragment.lights.clear();
+    const float ahead = rig_ ? rig_->headlight : 0;
     if (isProgram(s)) {
-      if (rig_.headlight > 0) s.fragment.lights.push_back({.color = glm::vec3(rig_.headlight)});
+      if (ahead > 0) s.fragment.lights.emplace_back().color = glm::vec3(ahead);
       first = s.fragment.lights.size();
       for (const LightSource& l : out_.sources) s.fragment.lights.push_back(programLight(l, lightingFromEye));
       return;
     }
-    if (rig_.headlight > 0) s.lights.push_back(fixedLight(headlight(rig_.headlight, away_)));
+    if (ahead > 0) s.lights.push_back(fixedLight(headlight(ahead, away_)));
     first = s.lights.size();
     for (const LightSource& l : out_.sources) s.lights.push_back(fixedLight(l));
   }
 
   const scene::Snapshot& snapshot_;
-  const Rig& rig_;
+  const Rig* rig_;
   const Viewer& away_;
   Relit& out_;
   std::vector<std::vector<Made>> made_;  // of the snapshot's shadings
@@ -99,10 +100,16 @@ bool isNearly(const glm::dmat4& a, const glm::dmat4& b, double reach) {
 }
 
 std::shared_ptr<const Relit> relight(const scene::Snapshot& snapshot, const Viewer& away) {
+  const Settings::Lights& settings = snapshot.settings.lights;
+  if (settings.rig == LightRig::program && settings.file.empty()) return nullptr;
   const std::optional<Rig> rig = makeRig(snapshot.settings, snapshot.eyeFromWorld);
-  if (!rig) return nullptr;
+  const auto added = lightsOf(settings.file);
+  if (!rig && (!added || added->empty())) return nullptr;
   auto relit = std::make_shared<Relit>();
-  Relighter(snapshot, *rig, away, *relit).relightAll();
+  if (rig) relit->sources = rig->lights, relit->dome = rig->dome;
+  if (added)
+    for (const FileLight& light : *added) relit->sources.push_back(placed(light, snapshot.eyeFromWorld));
+  Relighter(snapshot, rig ? &*rig : nullptr, away, *relit).relightAll();
   return relit;
 }
 

@@ -26,8 +26,8 @@ struct Rig {
   scene::Dome dome;
 };
 
-/// Nothing for the program's own lights. A white surface that faces the viewer of a scene seen from its front
-/// shows about settings.lights.strength.
+/// Nothing for the program's own lights. The brightest white surface of a scene that is seen from its front
+/// shows settings.lights.strength.
 std::optional<Rig> makeRig(const Settings&, const glm::dmat4& eyeFromWorld);
 
 }  // namespace gluray::render
