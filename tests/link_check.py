@@ -56,7 +56,7 @@ def without_integrators(archive: str) -> str:
     kernels = [line for line in listed.splitlines() if "kernels.cpp.o:" in line]
     if not kernels:
         return "has no kernels"
-    names = ("Integrator", "AmbientOcclusion", "Occluders", "Transmittance", "occluded(")
+    names = ("Integrator", "AmbientOcclusion", "SurfaceLight", "Shadow", "Relit", "Occluders", "Transmittance", "occluded(")
     return "; ".join(line.split(":", 2)[2].strip() for line in kernels if any(name in line for name in names))
 
 

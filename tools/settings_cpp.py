@@ -68,7 +68,7 @@ def structs(rows: list[Row]) -> str:
     session = [r for r in rows if not r.in_settings]
     # What belongs to a switch counts only through it: while it is off, nothing else of its group shows.
     switches = tuple(f"{r.name}." for r in own if r.heads)
-    changed = [f"{'.'.join(r.path)} != initial.{'.'.join(r.path)}" for r in own if r.changes == "picture" and not r.name.startswith(switches)]
+    changed = [f"{'.'.join(r.path)} != initial.{'.'.join(r.path)}" for r in own if r.changes == "picture" and (r.alone or not r.name.startswith(switches))]
     body = "    const Settings initial;\n    return " + " ||\n           ".join(changed) + ";" if changed else "    return false;"
     return f"""{HEADER}#pragma once
 #include "settings/quirks.h"

@@ -60,6 +60,7 @@ class Row:
     explains: bool = True
     exists: bool = False
     in_files: bool = True
+    alone: bool = False
     heads: bool = dataclasses.field(default=False, init=False)  # a switch whose name is a group's, too
 
     @property

@@ -1,5 +1,7 @@
 #include "render/frame_data.h"
 
+#include "render/lights/relit.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -99,11 +101,12 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
       rays(makeRaySetup(s, w.lower(), w.upper())),
       eyeRays(makeEyeRays(s, rays)),
       depth(makeDepthMap(s)),
+      relit(relight(s, eyeRays.step)),
       image(&target) {
   perVertex = s.settings.shading == ShadingRate::vertex;
   oncePerPixel = s.samples > 1 && s.settings.shading != ShadingRate::sample;
-  lightings.reserve(s.shadings.size());
-  for (const scene::Shading& shading : s.shadings) {
+  lightings.reserve(shadings().size());
+  for (const scene::Shading& shading : shadings()) {
     lightings.emplace_back(shading);
     if (shading.fragment.edges && shading.fragment.edgesGrow)
       widestEdge = std::max(widestEdge, shading.fragment.edgeWidth);
@@ -123,10 +126,10 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
   surfaces.resize(s.instances.size());
   tbb::parallel_for(size_t{0}, surfaces.size(), [&](size_t i) {
     const scene::Instance& instance = s.instances[i];
-    if (instance.shading >= lightings.size()) throw std::runtime_error("an instance has no shading state");
+    if (instance.shading >= s.shadings.size()) throw std::runtime_error("an instance has no shading state");
     if (instance.materials.empty()) throw std::runtime_error("an instance has no material");
     if (instance.mesh->triangleCount == 0) return;
-    surfaces[i] = makeSurface(view, instance, lightings[instance.shading], shared);
+    surfaces[i] = makeSurface(view, instance, lightings[shadingOf(i)], shared);
   });
 
   const auto mayRefuse = [](const Surface& f) { return f.cullsCcw || f.cullsCw || f.ownClipPlanes; };
@@ -148,6 +151,14 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
   if (!averages && samplePositions.size() != static_cast<size_t>(std::max(s.samples, 1))) {
     throw std::runtime_error("the number of sample positions is not the number of samples");
   }
+}
+
+const std::vector<scene::Shading>& FrameData::shadings() const {
+  return relit ? relit->shadings : snapshot->shadings;
+}
+
+uint32_t FrameData::shadingOf(size_t instance) const {
+  return relit ? relit->shadingOf[instance] : snapshot->instances[instance].shading;
 }
 
 }  // namespace gluray::render

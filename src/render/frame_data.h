@@ -14,6 +14,7 @@ namespace gluray::render {
 
 struct DirectLook;
 class Integrator;
+struct Relit;
 
 /// Maps NDC depth to window depth, including glDepthRange and glPolygonOffset.
 struct DepthMap {
@@ -32,7 +33,8 @@ struct FrameData {
   RaySetup rays;
   RaySetup eyeRays;  // the same in eye space with equal t; unused if rays.startAtSphere
   DepthMap depth;
-  std::vector<Lighting> lightings;          // one per Snapshot::shadings
+  std::shared_ptr<const Relit> relit;       // shadings in place of the snapshot's, if settings change lights
+  std::vector<Lighting> lightings;          // one per shading
   std::vector<Surface> surfaces;            // one per Snapshot::instances
   std::vector<glm::dvec2> samplePositions;  // within the pixel, one per sample
   bool perVertex = false;
@@ -58,6 +60,9 @@ struct FrameData {
   /// shape. If that holds averages, takes settings.spp samples per pixel. All three must outlive this. Throws
   /// std::runtime_error if a matrix cannot be inverted.
   FrameData(const scene::Snapshot& snapshot, const accel::World& world, Image& image);
+  const std::vector<scene::Shading>& shadings() const;
+  /// Of an instance: an index of shadings() and lightings.
+  uint32_t shadingOf(size_t instance) const;
 };
 
 constexpr int kTileSize = 32;  // pixels, a multiple of 4

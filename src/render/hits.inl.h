@@ -205,7 +205,7 @@ HWY_ATTR HWY_NOINLINE inline void lightHits(const FrameData& frame, uint32_t ins
                                             uint32_t back, int sample, const float* x, const float* y,
                                             LitRows& rows) {
   if (!group.lanes) return;
-  ColoredHits hits{frame.surfaces[instance], instance, group, sample, x, y};
+  ColoredHits hits{frame.surfaces[instance], instance, group, back, sample, x, y};
   LitRows direct;
   if (frame.direct) {
     shade(frame, frame.direct->surfaces[instance], group, back, x, y, direct);

@@ -8,7 +8,7 @@ constexpr glm::vec4 kNone{0, 0, 0, 1};
 }  // namespace
 
 DirectLook::DirectLook(const FrameData& frame)
-    : shadings(frame.snapshot->shadings), materials(frame.surfaces.size()), surfaces(frame.surfaces) {
+    : shadings(frame.shadings()), materials(frame.surfaces.size()), surfaces(frame.surfaces) {
   lightings.reserve(shadings.size());
   for (scene::Shading& shading : shadings) {
     shading.globalAmbient = kNone;
@@ -18,7 +18,7 @@ DirectLook::DirectLook(const FrameData& frame)
   for (size_t i = 0; i < surfaces.size(); ++i) {
     Surface& surface = surfaces[i];
     if (!surface.instance) continue;  // nothing to hit
-    surface.lighting = &lightings[surface.instance->shading];
+    surface.lighting = &lightings[frame.shadingOf(i)];
     materials[i].assign(surface.materials, surface.materials + surface.materialCount);
     // Shader programs have ambient colours of materials alone.
     for (scene::MaterialPair& pair : materials[i]) pair.front.ambient = pair.back.ambient = kNone;

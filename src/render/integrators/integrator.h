@@ -14,6 +14,7 @@ struct ColoredHits {
   const Surface& surface;
   uint32_t instance;
   const Group& group;                 // its lanes count; u and v are where the surface is seen
+  uint32_t back;                      // bit i: lane i shows its back face
   int sample;                         // of those that the pixel takes
   const float *x, *y;                 // window positions of the lanes
   const ColorRows* direct = nullptr;  // the same hits without ambient light, if FrameData::direct is there

@@ -8,7 +8,7 @@ namespace gluray::render {
 Metric::Metric(const FrameData& frame) {
   const glm::dmat4& m = frame.snapshot->eyeFromWorld;
   const glm::dmat4 inverse = glm::inverse(m);
-  worldFromEye = glm::mat4(inverse);
+  worldFromEye = glm::mat4(inverse), eyeFromWorld = glm::mat4(m);
   for (int c = 0; c < 4; ++c)
     for (int r = 0; r < 4; ++r)
       if (!std::isfinite(worldFromEye[c][r]))

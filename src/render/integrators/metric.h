@@ -8,7 +8,7 @@
 namespace gluray::render {
 
 struct Metric {
-  glm::mat4 worldFromEye{1};
+  glm::mat4 worldFromEye{1}, eyeFromWorld{1};
   glm::dvec4 away{0, 0, -1, 0};  // the direction away from the viewer at point p is away.xyz - away.w * p
   glm::vec3 axes{1};             // lengths of the world's axes in eye space
   float diagonal = 1;            // of the world's bounds, eye space: the same however the view turns

@@ -5,30 +5,30 @@
 namespace gluray::render {
 namespace {
 
-/// Interpolated alpha of the mesh's vertex colours.
-float vertexAlpha(const scene::Mesh& mesh, const accel::Occluder& o) {
-  const auto alpha = [&](uint32_t k) { return scene::fetch(mesh.colors, mesh.corner(o.primitive, k)).a; };
-  return alpha(0) * (1 - o.u - o.v) + alpha(1) * o.u + alpha(2) * o.v;
+/// Interpolated vertex colour.
+glm::vec4 vertexColor(const scene::Mesh& mesh, const accel::Occluder& o) {
+  const auto color = [&](uint32_t k) { return scene::fetch(mesh.colors, mesh.corner(o.primitive, k)); };
+  return color(0) * (1 - o.u - o.v) + color(1) * o.u + color(2) * o.v;
 }
 
-float alphaOfProgram(const Surface& s, const accel::Occluder& o) {
+glm::vec4 colorOfProgram(const Surface& s, const accel::Occluder& o) {
   using Color = scene::FragmentShading::Color;
   const scene::Instance& instance = *s.instance;
-  const float material = s.materials[0].front.diffuse.a;
+  const glm::vec4 material = s.materials[0].front.diffuse;
   const Color color = s.lighting->shading->fragment.color;
   if (color == Color::perTriangle)
-    return material * scene::fetch(instance.triangleColors, instance.triangleOffset + o.primitive).a;
+    return material * scene::fetch(instance.triangleColors, instance.triangleOffset + o.primitive);
   if (color != Color::vertices) return material;
-  return material * (s.colorsVary ? vertexAlpha(*s.mesh, o) : instance.color.a);
+  return material * (s.colorsVary ? vertexColor(*s.mesh, o) : instance.color);
 }
 
-float alphaOfFixedFunction(const Surface& s, const accel::Occluder& o) {
+glm::vec4 colorOfFixedFunction(const Surface& s, const accel::Occluder& o) {
   using Mode = scene::ColorMaterial;
   const scene::Shading& shading = *s.lighting->shading;
-  if (!shading.lighting) return s.colorsVary ? vertexAlpha(*s.mesh, o) : s.instance->color.a;
+  if (!shading.lighting) return s.colorsVary ? vertexColor(*s.mesh, o) : s.instance->color;
   const Mode::Mode mode = shading.colorMaterial.front;
   if (s.colorsVary && (mode == Mode::diffuse || mode == Mode::ambientAndDiffuse))
-    return vertexAlpha(*s.mesh, o);
+    return vertexColor(*s.mesh, o);
   const scene::Attribute& materials = s.mesh->materials;
   uint32_t index = 0;
   if (materials) {
@@ -36,7 +36,7 @@ float alphaOfFixedFunction(const Surface& s, const accel::Occluder& o) {
         materials.data + static_cast<size_t>(s.mesh->corner(o.primitive, 2)) * materials.stride;
     index = *reinterpret_cast<const uint32_t*>(at);
   }
-  return s.materials[index < s.materialCount ? index : 0].front.diffuse.a;
+  return s.materials[index < s.materialCount ? index : 0].front.diffuse;
 }
 
 }  // namespace
@@ -61,11 +61,19 @@ bool Occluders::isThere(const accel::Occluder& occluder) const {
   return std::all_of(planes.begin(), planes.end(), [&](const auto& p) { return glm::dot(p, point) >= 0; });
 }
 
-float Occluders::opacityOf(const accel::Occluder& occluder) const {
-  if (!translucent_) return 1;
+glm::vec4 Occluders::surfaceAt(const accel::Occluder& occluder) const {
+  if (!translucent_) return glm::vec4(1);
   const Surface& s = surfaces_[occluder.instance];
   const bool program = s.lighting->shading->fragment.model != scene::FragmentShading::Model::off;
-  return std::clamp(program ? alphaOfProgram(s, occluder) : alphaOfFixedFunction(s, occluder), 0.0f, 1.0f);
+  const glm::vec4 color = program ? colorOfProgram(s, occluder) : colorOfFixedFunction(s, occluder);
+  return glm::clamp(color, 0.0f, 1.0f);
+}
+
+glm::vec3 Occluders::transmittanceOf(const accel::Occluder& occluder) const {
+  const glm::vec4 color = surfaceAt(occluder);
+  const float largest = std::max(color.r, std::max(color.g, color.b));
+  const glm::vec3 hue = largest > 0 ? glm::vec3(color) / largest : glm::vec3(1);
+  return (1 - color.a) * glm::mix(glm::vec3(1), hue, color.a);
 }
 
 bool Transmittance::blocks(const accel::Occluder& occluder) const noexcept {
@@ -74,6 +82,14 @@ bool Transmittance::blocks(const accel::Occluder& occluder) const noexcept {
   float& left = through[occluder.lane];
   left *= 1 - occluders_.opacityOf(occluder);
   return left < kNothing;
+}
+
+bool ColoredTransmittance::blocks(const accel::Occluder& occluder) const noexcept {
+  constexpr float kNothing = 0.5f / 255;  // less is not seen
+  if (!occluders_.isThere(occluder)) return false;
+  glm::vec3& left = through[occluder.lane];
+  left *= occluders_.transmittanceOf(occluder);
+  return std::max(left.r, std::max(left.g, left.b)) < kNothing;
 }
 
 }  // namespace gluray::render

@@ -17,12 +17,20 @@ class Occluders {
   Occluders(const scene::Snapshot&, const std::vector<Surface>&);
   /// Whether every surface blocks every ray that meets it.
   bool areSolid() const { return planes_.empty() && !translucent_; }
+  /// Whether some surface may let a part of a ray pass.
+  bool areTranslucent() const { return translucent_; }
   /// Whether no clip plane of its instance cuts the point away.
   bool isThere(const accel::Occluder&) const;
   /// 1: nothing passes.
-  float opacityOf(const accel::Occluder&) const;
+  float opacityOf(const accel::Occluder& o) const { return surfaceAt(o).a; }
+  /// What passes of light: as much as the surface is not opaque, and tinted by its colour the more the
+  /// opaquer it is. Grey surfaces do not tint.
+  glm::vec3 transmittanceOf(const accel::Occluder&) const;
 
  private:
+  /// Its colour without light, and its opacity, 0 .. 1.
+  glm::vec4 surfaceAt(const accel::Occluder&) const;
+
   const std::vector<Surface>& surfaces_;
   bool translucent_;                             // the program blends its surfaces: alphas count
   std::vector<std::vector<glm::dvec4>> planes_;  // object space, by instance; empty where there are none
@@ -37,6 +45,20 @@ class Transmittance final : public accel::OccluderFilter {
   bool blocks(const accel::Occluder&) const noexcept override;
 
   mutable float through[accel::kLanes];  // of rays that nothing blocks
+
+ private:
+  const Occluders& occluders_;
+};
+
+/// The same in three channels.
+class ColoredTransmittance final : public accel::OccluderFilter {
+ public:
+  explicit ColoredTransmittance(const Occluders& occluders) : occluders_(occluders) {
+    for (glm::vec3& t : through) t = glm::vec3(1);
+  }
+  bool blocks(const accel::Occluder&) const noexcept override;
+
+  mutable glm::vec3 through[accel::kLanes];  // of rays that nothing blocks
 
  private:
   const Occluders& occluders_;

@@ -19,7 +19,8 @@ namespace HWY_NAMESPACE {
 /// Points of a packet. Both normals are of unit length, in eye space, on the viewer's side.
 struct SurfacePoints {
   alignas(
-      64) Row origin[3];  // world space: above the point by its error, so that rays do not meet its surface
+      64) Row origin[3];   // world space: above the point by its error, so that rays do not meet its surface
+  alignas(64) Row eye[3];  // the same point in eye space
   alignas(64) Row geometric[3];  // of the triangle
   alignas(64) Row shading[3];    // of the surface that the triangles stand for
 };
@@ -68,6 +69,7 @@ HWY_INLINE void placeOrigin(const Metric& metric, const Surface& s, const Float3
   const Float error = hn::Add(along(world.x, 0), hn::Add(along(world.y, 1), along(world.z, 2)));
   const Float3 above = add(add(eye, scaled(normal, error)), lift);
   store3(transformPoint(metric.worldFromEye, above), out.origin, i);
+  store3(above, out.eye, i);
 }
 
 /// Where smooth normals stand for a curved surface: the way from the triangle to that surface, so that rays

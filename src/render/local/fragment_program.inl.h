@@ -51,7 +51,8 @@ HWY_INLINE void paintEdge(const scene::FragmentShading& f, const Fragment& at, F
   ambient = add(scaled(ambient, rest), scaled(splat(f.edgeColor), at.edge));
 }
 
-HWY_INLINE Float3 phong(const Surface& s, const scene::Material& m, const Fragment& at) {
+template <class Seen>
+HWY_INLINE Float3 phong(const Surface& s, const scene::Material& m, const Fragment& at, const Seen& seen) {
   const Lighting& lighting = *s.lighting;
   const scene::FragmentShading& f = lighting.shading->fragment;
   const Float zero = splat(0);
@@ -61,12 +62,14 @@ HWY_INLINE Float3 phong(const Surface& s, const scene::Material& m, const Fragme
     const scene::FragmentLight& light = f.lights[l];
     const Incoming in = arriving(light, lighting.coneCosines[l], at.position);
     const Float cosine = hn::Max(zero, hn::Neg(dot(at.normal, in.direction)));
-    diffuse = add(diffuse, scaled(splat(light.color), hn::Mul(cosine, in.factor)));
+    const Float3 color = seen.arriving(l, splat(light.color));
+    diffuse = add(diffuse, scaled(color, hn::Mul(cosine, in.factor)));
     if (!shines) continue;
     const Float shine = highlight(f, light, in.direction, at, cosine, m.shininess);
     const auto lit = hn::Gt(hn::Mul(cosine, in.factor), zero);
-    specular = add(specular, scaled(splat(light.color), hn::IfThenElseZero(lit, hn::Mul(in.factor, shine))));
+    specular = add(specular, scaled(color, hn::IfThenElseZero(lit, hn::Mul(in.factor, shine))));
   }
+  diffuse = seen.withDome(diffuse, splat(glm::vec3(1)), at.normal);
   Float3 ambient = splat(glm::vec3(m.ambient));
   if (!f.colorIsDiffuseOnly) ambient = times(ambient, at.color);
   Float3 reflected = times(times(diffuse, splat(glm::vec3(m.diffuse))), at.color);
@@ -81,9 +84,16 @@ HWY_INLINE Float3 unlit(const scene::FragmentShading& f, const scene::Material& 
   return add(ambient, diffuse);
 }
 
+/// The direction that a mirror of this normal sends light to that comes along -v; both unit length.
+HWY_INLINE Float3 mirrored(const Float3& v, const Float3& normal) {
+  return sub(scaled(normal, hn::Mul(splat(2), dot(normal, v))), v);
+}
+
 /// Physically based shading of VTK 9 without images: GGX distribution, height-correlated Smith visibility,
 /// Schlick's Fresnel term, Lambertian diffuse; the result is gamma-encoded with 1/2.2.
-HWY_INLINE Float3 microfacets(const Surface& s, const scene::Material& m, const Fragment& at) {
+template <class Seen>
+HWY_INLINE Float3 microfacets(const Surface& s, const scene::Material& m, const Fragment& at,
+                              const Seen& seen) {
   constexpr float kInversePi = 0.31830988618f;
   const Lighting& lighting = *s.lighting;
   const scene::FragmentShading& f = lighting.shading->fragment;
@@ -116,9 +126,12 @@ HWY_INLINE Float3 microfacets(const Surface& s, const scene::Material& m, const 
     const Float3 fresnel = add(f0, scaled(sub(f90, f0), away5));
     const Float3 specular = scaled(fresnel, hn::Mul(distribution, visibility));
     const Float3 through = scaled(sub({one, one, one}, fresnel), splat((1 - pbr.metallic) * kInversePi));
-    const Float3 radiance = scaled(splat(f.lights[l].color), hn::Mul(in.factor, nl));
+    const Float3 radiance = scaled(seen.arriving(l, splat(f.lights[l].color)), hn::Mul(in.factor, nl));
     sum = add(sum, times(radiance, add(times(through, albedo), specular)));
   }
+  const Float3 matte = times(sub({one, one, one}, f0), albedo);
+  sum = seen.withDome(sum, scaled(matte, splat((1 - pbr.metallic) * kInversePi)), at.normal);
+  sum = seen.withDome(sum, scaled(f0, splat(kInversePi)), mirrored(at.toViewer, at.normal));
   sum = add(sum, splat(pbr.emissive));
   const Float gamma = splat(1 / 2.2f);
   const auto encoded = [&](Float v) HWY_ATTR { return power(hn::Max(v, zero), gamma); };
@@ -127,8 +140,10 @@ HWY_INLINE Float3 microfacets(const Surface& s, const scene::Material& m, const 
 
 /// Colours of the group from its fragment program, before textures; bit i of `back`: lane i shows its back
 /// face.
+template <class Seen>
 HWY_ATTR inline void runProgram(const FrameData& frame, const Surface& s, const Group& group, uint32_t back,
-                                bool backMaterial, const float* x, const float* y, LitRows& rows) {
+                                bool backMaterial, const float* x, const float* y, const Seen& seen,
+                                LitRows& rows) {
   using Shading = scene::FragmentShading;
   const Shading& f = s.lighting->shading->fragment;
   const scene::Material& m = backMaterial ? s.materials[0].back : s.materials[0].front;
@@ -162,7 +177,8 @@ HWY_ATTR inline void runProgram(const FrameData& frame, const Surface& s, const 
         at.normal = unit(transform(s.instance->normalMatrix, load3(normals, i)));
         if (f.flipBackFaces) at.normal = signedBy(hn::Not(lanesAt(back, i)), at.normal);
       }
-      color = f.model == Shading::Model::pbr ? microfacets(s, m, at) : phong(s, m, at);
+      color =
+          f.model == Shading::Model::pbr ? microfacets(s, m, at, seen.at(i)) : phong(s, m, at, seen.at(i));
     } else {
       color = unlit(f, m, at);
     }

@@ -100,6 +100,17 @@ struct LaneMaterial {
   HWY_INLINE bool specularOn() const { return true; }
 };
 
+/// How much of each light arrives at a hit, and what comes from all sides besides: in the local look all and
+/// nothing. Integrators shade with a policy of their own (integrators/relit_look.cpp).
+struct AllLight {
+  /// For the lanes from i on.
+  HWY_INLINE AllLight at(int) const { return {}; }
+  /// What of `color` light number `light` of the surface's shading leaves.
+  HWY_INLINE Float3 arriving(size_t, const Float3& color) const { return color; }
+  /// Adds what a surface of this colour and normal reflects of the light from all sides.
+  HWY_INLINE Float3 withDome(const Float3& sum, const Float3&, const Float3&) const { return sum; }
+};
+
 /// One light at points `p`: unit vector towards it, and attenuation times spot factor.
 struct Incoming {
   Float3 direction;
@@ -131,8 +142,9 @@ HWY_INLINE Incoming incoming(const PreparedLight& light, const Float3& p) {
 
 /// The lighting equation at points with eye-space position p (read only where lighting.needsPosition) and
 /// normal n. Source: GL 2.1, 2.14.1.
-template <class Material>
-HWY_INLINE Lit light(const Lighting& lighting, const Float3& p, const Float3& n, const Material& material) {
+template <class Material, class Seen = AllLight>
+HWY_INLINE Lit light(const Lighting& lighting, const Float3& p, const Float3& n, const Material& material,
+                     const Seen& seen = {}) {
   const Float zero = hn::Zero(FloatTag());
   const Float3 ambient = material.ambient(), diffuse = material.diffuse(), e = material.emission();
   const auto addScaled = [](Float3& sum, const Float3& color, const glm::vec3& by, Float factor) HWY_ATTR {
@@ -142,12 +154,14 @@ HWY_INLINE Lit light(const Lighting& lighting, const Float3& p, const Float3& n,
   };
   Float3 primary = e, secondary{zero, zero, zero};
   addScaled(primary, ambient, lighting.globalAmbient, splat(1));
+  primary = seen.withDome(primary, diffuse, n);
   const bool localViewer = lighting.shading->localViewer;
-  for (const PreparedLight& l : lighting.lights) {
+  for (size_t index = 0; index < lighting.lights.size(); ++index) {
+    const PreparedLight& l = lighting.lights[index];
     const Incoming in = incoming(l, p);
     const Float cosine = hn::Max(dot(n, in.direction), zero);
     addScaled(primary, ambient, l.ambient, in.factor);
-    addScaled(primary, diffuse, l.diffuse, hn::Mul(in.factor, cosine));
+    addScaled(primary, seen.arriving(index, diffuse), l.diffuse, hn::Mul(in.factor, cosine));
     if (!l.specularOn || !material.specularOn()) continue;
     Float3 half;
     if (localViewer)
@@ -157,7 +171,7 @@ HWY_INLINE Lit light(const Lighting& lighting, const Float3& p, const Float3& n,
     else
       half = unit(add(in.direction, splat(glm::vec3(0, 0, 1))));
     const Float shine = power(hn::Min(hn::Max(dot(n, half), zero), splat(1e18f)), material.shininess());
-    addScaled(secondary, material.specular(), l.specular,
+    addScaled(secondary, seen.arriving(index, material.specular()), l.specular,
               hn::IfThenElseZero(hn::Gt(cosine, zero), hn::Mul(in.factor, shine)));
   }
   if (!lighting.shading->separateSpecular) {

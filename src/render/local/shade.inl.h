@@ -67,28 +67,31 @@ HWY_INLINE Float3 pixelNormal(const Surface& s, const Attributes& a, const Weigh
   return scaled(eye, shading.rescaleNormal ? hn::Mul(length, splat(s.rescale)) : length);
 }
 
+template <class Seen>
 HWY_INLINE Lit lightWith(const MaterialChoice& choice, const Lighting& lighting, int i, const Float3& p,
-                         const Float3& n) {
-  if (choice.uniform) return light(lighting, p, n, UniformMaterial{*choice.uniform});
-  return light(lighting, p, n, LaneMaterial{choice.rows, i});
+                         const Float3& n, const Seen& seen) {
+  if (choice.uniform) return light(lighting, p, n, UniformMaterial{*choice.uniform}, seen.at(i));
+  return light(lighting, p, n, LaneMaterial{choice.rows, i}, seen.at(i));
 }
 
 // Lighting at corner k, as in OpenGL.
+template <class Seen>
 HWY_ATTR inline void lightCorner(const Surface& s, const Group& group, const Attributes& a, int k, bool back,
-                                 LitRows& out) {
+                                 const Seen& seen, LitRows& out) {
   MaterialChoice material;
   chooseMaterial(s, group, k, back, a.color[k], material);
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
     const Float3 n = sided(cornerNormal(s, load3(a.normal[k], i)), back);
     Float3 p{n};
     if (s.lighting->needsPosition) p = transformPoint(s.eyeFromObject, load3(group.position[k], i));
-    out.set(i, lightWith(material, *s.lighting, i, p, n));
+    out.set(i, lightWith(material, *s.lighting, i, p, n, seen));
   }
 }
 
 // Lighting at the hit points.
+template <class Seen>
 HWY_ATTR inline void lightPixels(const Surface& s, const Group& group, const Attributes& a, bool back,
-                                 LitRows& out) {
+                                 const Seen& seen, LitRows& out) {
   alignas(64) Row color[4];
   if (s.colorsVary && s.lighting->shading->colorMaterial != scene::ColorMaterial{}) {
     for (int i = 0; i < kLanes; i += lanesOfVector()) {
@@ -110,7 +113,7 @@ HWY_ATTR inline void lightPixels(const Surface& s, const Group& group, const Att
           weights(load3(group.position[0], i), load3(group.position[1], i), load3(group.position[2], i));
       p = transformPoint(s.eyeFromObject, object);
     }
-    out.set(i, lightWith(material, *s.lighting, i, p, n));
+    out.set(i, lightWith(material, *s.lighting, i, p, n, seen));
   }
 }
 
@@ -139,17 +142,18 @@ HWY_ATTR inline void interpolate(const Group& group, const LitRows (&corners)[3]
 }
 
 // Colours of a group whose lanes all show the same side.
+template <class Seen>
 HWY_ATTR inline void colorSide(const FrameData& frame, const Surface& s, const Group& group,
-                               const Attributes& a, bool back, LitRows& out) {
+                               const Attributes& a, bool back, const Seen& seen, LitRows& out) {
   const scene::Shading& shading = *s.lighting->shading;
   const auto corner = [&](int k, LitRows& rows) HWY_ATTR {
     if (shading.lighting)
-      lightCorner(s, group, a, k, back, rows);
+      lightCorner(s, group, a, k, back, seen, rows);
     else
       colorCorner(a, k, shading.colorSum, rows);
   };
   if (!shading.smooth) return corner(2, out);
-  if (shading.lighting && !frame.perVertex) return lightPixels(s, group, a, back, out);
+  if (shading.lighting && !frame.perVertex) return lightPixels(s, group, a, back, seen, out);
   LitRows corners[3];
   for (int k = 0; k < 3; ++k) corner(k, corners[k]);
   interpolate(group, corners, out);
@@ -202,13 +206,15 @@ HWY_ATTR inline void multiplyByTextures(const FrameData& frame, const Surface& s
 }
 
 // Colours from the surface's fragment program.
+template <class Seen>
 HWY_ATTR inline void shadeByProgram(const FrameData& frame, const Surface& s, const Group& group,
-                                    uint32_t back, const float* x, const float* y, LitRows& rows) {
+                                    uint32_t back, const float* x, const float* y, const Seen& seen,
+                                    LitRows& rows) {
   const bool twoMaterials = s.lighting->shading->fragment.backMaterial && (back & group.lanes) != 0;
-  runProgram(frame, s, group, back, false, x, y, rows);
+  runProgram(frame, s, group, back, false, x, y, seen, rows);
   if (twoMaterials) {
     LitRows backRows;
-    runProgram(frame, s, group, back, true, x, y, backRows);
+    runProgram(frame, s, group, back, true, x, y, seen, backRows);
     for (uint32_t lanes = back & group.lanes; lanes; lanes &= lanes - 1) {
       const int i = std::countr_zero(lanes);
       for (int c = 0; c < 4; ++c) rows.value[c][i] = backRows.value[c][i];
@@ -219,22 +225,24 @@ HWY_ATTR inline void shadeByProgram(const FrameData& frame, const Surface& s, co
 }
 
 /// Colours (the first four rows) of the group's lanes at window positions x, y; bit i of `back`: lane i shows
-/// its back face. Lanes outside the group are undefined. Returns the lanes that fail the alpha test.
+/// its back face. Lanes outside the group are undefined. Returns the lanes that fail the alpha test. `seen`:
+/// what arrives of the lights.
+template <class Seen = AllLight>
 HWY_ATTR inline uint32_t shade(const FrameData& frame, const Surface& s, const Group& group, uint32_t back,
-                               const float* x, const float* y, LitRows& rows) {
+                               const float* x, const float* y, LitRows& rows, const Seen& seen = {}) {
   const scene::Shading& shading = *s.lighting->shading;
   if (shading.fragment.model != scene::FragmentShading::Model::off) {
-    shadeByProgram(frame, s, group, back, x, y, rows);
+    shadeByProgram(frame, s, group, back, x, y, seen, rows);
     return failingLanes(shading.alphaTest, rows) & group.lanes;
   }
   Attributes attributes;
   loadAttributes(s, group, attributes);
   if (!shading.twoSided || !shading.lighting) back = 0;
   const bool frontSeen = (group.lanes & ~back) != 0;
-  if (frontSeen) colorSide(frame, s, group, attributes, false, rows);
+  if (frontSeen) colorSide(frame, s, group, attributes, false, seen, rows);
   if (back) {
     LitRows backRows;
-    colorSide(frame, s, group, attributes, true, frontSeen ? backRows : rows);
+    colorSide(frame, s, group, attributes, true, seen, frontSeen ? backRows : rows);
     for (uint32_t lanes = frontSeen ? back : 0; lanes; lanes &= lanes - 1) {
       const int i = std::countr_zero(lanes);
       for (int c = 0; c < 7; ++c) rows.value[c][i] = backRows.value[c][i];

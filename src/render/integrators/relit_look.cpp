@@ -1,0 +1,61 @@
+#include "render/integrators/relit_look.h"
+
+#define HWY_DISABLED_TARGETS HWY_SSSE3
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/integrators/relit_look.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+// What follows is included once for each instruction set, after Highway's macros.
+#include "render/local/shade.inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gluray::render {
+namespace HWY_NAMESPACE {
+
+/// In place of AllLight: shadowed lights, and light from all sides.
+struct Arriving {
+  const Arrival& what;
+  int first = 0;  // lane
+
+  HWY_INLINE Arriving at(int i) const { return {what, i}; }
+  HWY_INLINE Float3 arriving(size_t light, const Float3& color) const {
+    return shared(light < what.rows.ofLight.size() ? what.rows.ofLight[light] : -1, color);
+  }
+  HWY_INLINE Float3 withDome(const Float3& sum, const Float3& color, const Float3& normal) const {
+    if (!what.dome) return sum;
+    // The cosine-weighted share of the upper hemisphere.
+    const Float above = clamp01(hn::MulAdd(splat(0.5f), dot(normal, splat(what.rows.up)), splat(0.5f)));
+    const Float3 dome =
+        add(scaled(splat(what.dome->sky), above), scaled(splat(what.dome->ground), hn::Sub(splat(1), above)));
+    return add(sum, shared(what.rows.ofDome, times(color, dome)));
+  }
+
+ private:
+  HWY_INLINE Float3 shared(int row, const Float3& color) const {
+    return row < 0 ? color : times(color, load3(what.factors.visibility[row], first));
+  }
+};
+
+HWY_ATTR void shadeArriving(const FrameData& frame, const Surface& surface, const ColoredHits& hits,
+                            const Arrival& arrival, ColorRows& rows) {
+  LitRows lit;
+  shade(frame, surface, hits.group, hits.back, hits.x, hits.y, lit, Arriving{arrival});
+  rows = lit;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace gluray::render
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace gluray::render {
+
+HWY_EXPORT(shadeArriving);
+
+void shadeAgain(const FrameData& frame, const Surface& surface, const ColoredHits& hits,
+                const Arrival& arrival, ColorRows& rows) {
+  HWY_DYNAMIC_DISPATCH(shadeArriving)(frame, surface, hits, arrival, rows);
+}
+
+}  // namespace gluray::render
+#endif

@@ -1,0 +1,127 @@
+#include "render/integrators/shadows.h"
+
+#include "render/integrators/first_sample.h"
+#include "render/lights/relit.h"
+
+#define HWY_DISABLED_TARGETS HWY_SSSE3
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/integrators/shadows.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+// What follows is included once for each instruction set, after Highway's macros.
+#include "render/integrators/points.inl.h"
+#include "render/sampling/lights.inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gluray::render {
+namespace HWY_NAMESPACE {
+
+/// What the dome sends along w, the directions towards it: the mean of the channels.
+HWY_INLINE Float domeAt(const scene::Dome& dome, const Float3& w) {
+  const auto mean = [](const glm::vec3& v) { return (v.x + v.y + v.z) / 3; };
+  const auto above = hn::Gt(dot(w, splat(dome.up)), splat(0));
+  return hn::IfThenElse(above, splat(mean(dome.sky)), splat(mean(dome.ground)));
+}
+
+/// Sample `index` of a light: fills rays and the weights of what arrives along them.
+HWY_ATTR inline void aimAtLight(const Shadows& s, int row, const SurfacePoints& points,
+                                const PixelSeeds& seeds, uint32_t index, accel::OcclusionRays& rays,
+                                Row& weights) {
+  const glm::mat3 worldFromEye(s.metric.worldFromEye);
+  const auto use =
+      static_cast<Dimensions>(static_cast<uint32_t>(Dimensions::shadows) + static_cast<uint32_t>(row));
+  for (int i = 0; i < kLanes; i += lanesOfVector()) {
+    const Float3 normal = load3(points.shading, i);
+    const Sample2 sample = sample2(seeds, i, index, use);
+    TowardsLight towards;
+    if (row == s.lights.dome) {
+      const Float3 w =
+          reflectedAbove(load3(points.geometric, i), aboveSurface(normal, cosineHemisphere(sample)));
+      towards = {w, splat(std::numeric_limits<float>::infinity()), domeAt(s.frame.relit->dome, w)};
+    } else {
+      const scene::LightSource& light = s.lights.lights[static_cast<size_t>(row)];
+      towards = towardsLight(light, s.size, load3(points.eye, i), sample);
+      towards.weight = hn::Mul(towards.weight, hn::Max(dot(normal, towards.direction), hn::Zero(FloatTag())));
+    }
+    const Float3 world = transform(worldFromEye, towards.direction);
+    store(load(points.origin[0] + i), rays.orgX + i), store(load(points.origin[1] + i), rays.orgY + i),
+        store(load(points.origin[2] + i), rays.orgZ + i);
+    store(world.x, rays.dirX + i), store(world.y, rays.dirY + i), store(world.z, rays.dirZ + i);
+    store(hn::Zero(FloatTag()), rays.tNear + i);
+    store(towards.distance, rays.tFar + i);
+    store(towards.weight, weights + i);
+  }
+}
+
+/// Adds what arrives along one packet's rays.
+HWY_ATTR inline void addArriving(const Shadows& s, uint32_t lanes, accel::OcclusionRays& rays,
+                                 const Row& weights, Row (&sums)[3], Row& all) {
+  alignas(64) int32_t valid[kLanes];
+  for (int i = 0; i < kLanes; ++i) {
+    valid[i] = (lanes >> i & 1) && weights[i] > 0 ? -1 : 0;
+    all[i] += weights[i];
+  }
+  const ColoredTransmittance light(s.occluders);
+  const uint32_t blocked = s.frame.world->occluded(valid, rays, s.occluders.areSolid() ? nullptr : &light);
+  for (int i = 0; i < kLanes; ++i)
+    for (int c = 0; c < 3 && !(blocked >> i & 1); ++c) sums[c][i] += weights[i] * light.through[i][c];
+}
+
+HWY_ATTR void traceShadows(const Shadows& s, const ColoredHits& hits, Factors& factors) {
+  const uint32_t used = s.lights.of(hits.instance).used;
+  if (!used) return;
+  SurfacePoints points;
+  makePoints(s.metric, s.frame, hits, points);
+  const PixelSeeds seeds(hits.x, hits.y);
+  accel::OcclusionRays rays;
+  alignas(64) Row weights;
+  for (int row = 0; row < kShadowLights; ++row) {
+    if (!(used >> row & 1)) continue;
+    const int count = s.samplesOf(row);
+    const uint32_t first = firstSample(s.frame, hits.sample, count);
+    Row sums[3] = {}, all = {};
+    for (int k = 0; k < count; ++k) {
+      aimAtLight(s, row, points, seeds, first + static_cast<uint32_t>(k), rays, weights);
+      addArriving(s, hits.group.lanes, rays, weights, sums, all);
+    }
+    for (int c = 0; c < 3; ++c)
+      for (int i = 0; i < kLanes; ++i) {
+        const float seen = all[i] > 0 ? sums[c][i] / all[i] : 0;
+        factors.visibility[row][c][i] = 1 - s.strength * (1 - seen);
+      }
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace gluray::render
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace gluray::render {
+
+HWY_EXPORT(traceShadows);
+
+Shadows::Shadows(const FrameData& f, const Metric& m, const Occluders& o, const ShadowLights& l)
+    : frame(f),
+      metric(m),
+      occluders(o),
+      lights(l),
+      samples(f.snapshot->settings.shadows.samples),
+      size(f.snapshot->settings.shadows.size),
+      strength(f.snapshot->settings.shadows.strength) {}
+
+int Shadows::samplesOf(int row) const {
+  using Kind = scene::LightSource::Kind;
+  if (row == lights.dome) return samples;
+  const scene::LightSource& light = lights.lights[static_cast<size_t>(row)];
+  const bool sized = light.kind == Kind::rectangle || light.kind == Kind::disc || light.angle > 0 ||
+                     light.radius > 0 || size > 0;
+  return sized ? samples : 1;
+}
+
+void Shadows::estimate(const ColoredHits& hits, Factors& factors) const noexcept {
+  HWY_DYNAMIC_DISPATCH(traceShadows)(*this, hits, factors);
+}
+
+}  // namespace gluray::render
+#endif

@@ -1,0 +1,79 @@
+#include "render/integrators/surface_light.h"
+
+#include "base/log.h"
+#include "render/integrators/direct_look.h"
+#include "render/integrators/relit_look.h"
+#include "render/lights/relit.h"
+
+namespace gluray::render {
+namespace {
+
+bool wantsShadows(const Settings& s) { return s.shadows.enabled && s.shadows.strength > 0; }
+
+bool shows(const ColoredHits& hits, const ShadowLights::Rows& rows, const Factors& factors) {
+  for (int row = 0; row < kShadowLights; ++row)
+    for (int c = 0; c < 3 && (rows.used >> row & 1); ++c)
+      for (int i = 0; i < kLanes; ++i)
+        if ((hits.group.lanes >> i & 1) && factors.visibility[row][c][i] != 1) return true;
+  return false;
+}
+
+}  // namespace
+
+SurfaceLight::SurfaceLight(const FrameData& frame)
+    : frame_(frame),
+      metric_(frame),
+      occluders_(*frame.snapshot, frame.surfaces),
+      lights_(findShadowLights(frame, metric_, wantsShadows(frame.snapshot->settings))) {
+  const Settings& settings = frame.snapshot->settings;
+  if (frame.relit && frame.relit->dome.shines()) dome_ = &frame.relit->dome;
+  if (settings.ao.enabled && settings.ao.strength > 0) occlusion_.emplace(frame, metric_, occluders_);
+  if (!wantsShadows(settings)) return;
+  if (!lights_.lights.empty())
+    shadows_.emplace(frame, metric_, occluders_, lights_);
+  else
+    log::once(log::Level::info, "no shadows",
+              "shadows are on, but no light casts one that the viewer sees; the setting lights has such "
+              "lights, for instance lights=headlight+key");
+}
+
+UsedFactors SurfaceLight::used() const noexcept {
+  const int lights = shadows_ ? static_cast<int>(lights_.lights.size()) : 0;
+  return {occlusion_.has_value(), lights, lights > 0 && occluders_.areTranslucent()};
+}
+
+void SurfaceLight::estimate(const ColoredHits& hits, Factors& factors) const noexcept {
+  if (occlusion_) occlusion_->estimate(hits, factors);
+  if (shadows_) shadows_->estimate(hits, factors);
+}
+
+void SurfaceLight::apply(const ColoredHits& hits, const Factors& factors, ColorRows& rows) const noexcept {
+  const ColorRows* direct = hits.direct;
+  ColorRows relitDirect;
+  if (relight(hits, factors, rows) && occlusion_ && direct) {
+    const Arrival arrival{lights_.of(hits.instance), factors, nullptr};
+    shadeAgain(frame_, frame_.direct->surfaces[hits.instance], hits, arrival, relitDirect);
+    direct = &relitDirect;
+  }
+  if (occlusion_) occlude(hits, factors, direct, rows);
+}
+
+bool SurfaceLight::relight(const ColoredHits& hits, const Factors& factors, ColorRows& rows) const {
+  const ShadowLights::Rows& used = lights_.of(hits.instance);
+  const bool domed = dome_ && used.up != glm::vec3(0);
+  if (!domed && !(shadows_ && shows(hits, used, factors))) return false;
+  shadeAgain(frame_, hits.surface, hits, {used, factors, domed ? dome_ : nullptr}, rows);
+  return true;
+}
+
+void SurfaceLight::occlude(const ColoredHits&, const Factors& factors, const ColorRows* direct,
+                           ColorRows& rows) const {
+  for (int c = 0; c < 3; ++c) {
+    for (int i = 0; i < kLanes; ++i) {
+      const float ambient = rows.value[c][i] - (direct ? direct->value[c][i] : 0);
+      rows.value[c][i] -= (1 - factors.occlusion[i]) * ambient;
+    }
+  }
+}
+
+}  // namespace gluray::render

@@ -1,0 +1,36 @@
+// Ambient occlusion and shadows of the local look.
+#pragma once
+#include "render/integrators/ambient_occlusion.h"
+#include "render/integrators/shadows.h"
+
+#include <optional>
+
+namespace gluray::render {
+
+/// The local look whose lights are shadowed, whose surroundings are occluded, or both.
+class SurfaceLight final : public FactorIntegrator {
+ public:
+  /// `frame` must outlive it. Throws std::runtime_error where the modelview matrix cannot be inverted.
+  explicit SurfaceLight(const FrameData& frame);
+  /// False: it would change nothing.
+  bool acts() const { return occlusion_ || shadows_ || dome_; }
+
+  UsedFactors used() const noexcept override;
+  void estimate(const ColoredHits&, Factors&) const noexcept override;
+  void apply(const ColoredHits&, const Factors&, ColorRows&) const noexcept override;
+
+ private:
+  /// Shades again what is shadowed or lit from all sides. Returns whether it did.
+  bool relight(const ColoredHits&, const Factors&, ColorRows&) const;
+  void occlude(const ColoredHits&, const Factors&, const ColorRows* direct, ColorRows&) const;
+
+  const FrameData& frame_;
+  Metric metric_;
+  Occluders occluders_;
+  ShadowLights lights_;
+  const scene::Dome* dome_ = nullptr;  // null: there is none
+  std::optional<AmbientOcclusion> occlusion_;
+  std::optional<Shadows> shadows_;
+};
+
+}  // namespace gluray::render

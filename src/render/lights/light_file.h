@@ -1,0 +1,36 @@
+// Lights of a TOML file (docs/light.md has its format). Any thread.
+#pragma once
+#include "scene/light_source.h"
+
+#include <glm/glm.hpp>
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gluray::render {
+
+struct FileLight {
+  scene::LightSource light;
+  bool onCamera = false;  // its space is eye space, otherwise world space
+  bool operator==(const FileLight&) const = default;
+};
+
+/// "FILE:LINE: WHAT".
+struct LightFileError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Throws LightFileError. `file` names the text in errors.
+std::vector<FileLight> parseLights(std::string_view text, const std::string& file);
+
+/// The lights of a file, which is read again when it has changed. If it cannot be read, logs one line and
+/// gives the last that could; none before. Null for an empty name.
+std::shared_ptr<const std::vector<FileLight>> lightsOf(const std::string& file);
+
+/// The light in eye space.
+scene::LightSource placed(const FileLight&, const glm::dmat4& eyeFromWorld);
+
+}  // namespace gluray::render

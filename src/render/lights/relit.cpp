@@ -1,0 +1,116 @@
+#include "render/lights/relit.h"
+
+#include "render/lights/light_conversion.h"
+#include "render/lights/light_file.h"
+#include "render/lights/rig.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gluray::render {
+namespace {
+
+using scene::FragmentLight;
+using scene::LightSource;
+
+bool isProgram(const scene::Shading& s) { return s.fragment.model != scene::FragmentShading::Model::off; }
+bool isLit(const scene::Shading& s) {
+  return isProgram(s) ? s.fragment.model != scene::FragmentShading::Model::unlit : s.lighting;
+}
+
+/// The light at the viewer for fixed function: in parallel views as far away as the viewer is.
+LightSource headlight(float strength, const Viewer& away) {
+  LightSource light;
+  light.strength = strength;
+  light.direction = glm::vec3(glm::normalize(glm::dvec3(away)));
+  if (away.w == 0) return light;
+  light.kind = LightSource::Kind::point;
+  light.position = glm::vec3(glm::dvec3(away) / away.w);
+  return light;
+}
+
+class Relighter {
+ public:
+  /// Without a rig, the program's lights stay.
+  Relighter(const scene::Snapshot& s, const Rig* rig, const Viewer& away, Relit& out)
+      : snapshot_(s), rig_(rig), away_(away), out_(out), made_(s.shadings.size()) {}
+
+  void relightAll() {
+    for (const scene::Instance& instance : snapshot_.instances) out_.shadingOf.push_back(shadingOf(instance));
+  }
+
+ private:
+  /// Instances share a shading whose lighting spaces lie alike.
+  struct Made {
+    uint32_t shading;
+    glm::dmat4 eyeFromLighting;
+  };
+
+  uint32_t shadingOf(const scene::Instance& instance) {
+    const scene::Shading& shading = snapshot_.shadings.at(instance.shading);
+    const glm::dmat4 space = isProgram(shading) ? eyeFromLighting(instance) : glm::dmat4(1);
+    const double reach = glm::length(glm::dvec3(instance.eyeFromObject[3]));
+    std::vector<Made>& known = made_[instance.shading];
+    for (const Made& made : known)
+      if (isNearly(made.eyeFromLighting, space, reach)) return made.shading;
+    const auto index = static_cast<uint32_t>(out_.shadings.size());
+    known.push_back({index, space});
+    out_.shadings.push_back(shading);
+    out_.firstSource.push_back(0);
+    if (isLit(shading)) relightOne(out_.shadings.back(), out_.firstSource.back(), glm::inverse(space));
+    return index;
+  }
+
+  void relightOne(scene::Shading& s, size_t& first, const glm::dmat4& lightingFromEye) const {
+    if (rig_) s.lights.clear(), s.fragment.lights.clear();
+    const float ahead = rig_ ? rig_->headlight : 0;
+    if (isProgram(s)) {
+      if (ahead > 0) s.fragment.lights.emplace_back().color = glm::vec3(ahead);
+      first = s.fragment.lights.size();
+      for (const LightSource& l : out_.sources) s.fragment.lights.push_back(programLight(l, lightingFromEye));
+      return;
+    }
+    if (ahead > 0) s.lights.push_back(fixedLight(headlight(ahead, away_)));
+    first = s.lights.size();
+    for (const LightSource& l : out_.sources) s.lights.push_back(fixedLight(l));
+  }
+
+  const scene::Snapshot& snapshot_;
+  const Rig* rig_;
+  const Viewer& away_;
+  Relit& out_;
+  std::vector<std::vector<Made>> made_;  // of the snapshot's shadings
+};
+
+}  // namespace
+
+glm::dmat4 eyeFromLighting(const scene::Instance& instance) {
+  const glm::dmat4 lighting(instance.lightingFromObject);
+  if (isNearly(instance.eyeFromObject, lighting, 0)) return glm::dmat4(1);
+  return instance.eyeFromObject * glm::inverse(lighting);
+}
+
+bool isNearly(const glm::dmat4& a, const glm::dmat4& b, double reach) {
+  constexpr double kRounded = 1e-5;
+  for (int c = 0; c < 4; ++c) {
+    const double size = glm::length(glm::dvec3(a[c])) + (c == 3 ? reach : 0);
+    if (glm::length(glm::dvec3(a[c] - b[c])) > kRounded * size) return false;
+  }
+  return true;
+}
+
+std::shared_ptr<const Relit> relight(const scene::Snapshot& snapshot, const Viewer& away) {
+  const Settings::Lights& settings = snapshot.settings.lights;
+  if (settings.rig == LightRig::program && settings.file.empty()) return nullptr;
+  const std::optional<Rig> rig = makeRig(snapshot.settings, snapshot.eyeFromWorld);
+  const auto added = lightsOf(settings.file);
+  if (!rig && (!added || added->empty())) return nullptr;
+  auto relit = std::make_shared<Relit>();
+  if (rig) relit->sources = rig->lights, relit->dome = rig->dome;
+  if (added)
+    for (const FileLight& light : *added) relit->sources.push_back(placed(light, snapshot.eyeFromWorld));
+  Relighter(snapshot, rig ? &*rig : nullptr, away, *relit).relightAll();
+  return relit;
+}
+
+}  // namespace gluray::render
