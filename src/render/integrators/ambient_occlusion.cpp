@@ -1,5 +1,7 @@
 #include "render/integrators/ambient_occlusion.h"
 
+#include "render/integrators/first_sample.h"
+
 #define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/integrators/ambient_occlusion.cpp"
@@ -34,8 +36,8 @@ HWY_ATTR inline void aimAbove(const AmbientOcclusion& ao, const SurfacePoints& p
 HWY_ATTR void occlude(const AmbientOcclusion& ao, const ColoredHits& hits, float* occlusion) {
   SurfacePoints points;
   makePoints(ao.metric, ao.frame, hits, points);
-  const PixelSeeds seeds(hits.x, hits.y);
-  const uint32_t first = ao.firstSample(hits.sample);
+  const PixelSeeds seeds = seedsOf(ao.frame, hits.x, hits.y);
+  const uint32_t first = firstSample(ao.frame, hits.sample, ao.samples);
   alignas(64) int32_t valid[kLanes];
   for (int i = 0; i < kLanes; ++i) valid[i] = hits.group.lanes >> i & 1 ? -1 : 0;
   float hidden[kLanes] = {};
@@ -47,7 +49,7 @@ HWY_ATTR void occlude(const AmbientOcclusion& ao, const ColoredHits& hits, float
         ao.frame.world->occluded(valid, rays, ao.occluders.areSolid() ? nullptr : &light);
     for (int i = 0; i < kLanes; ++i) hidden[i] += blocked >> i & 1 ? 1 : 1 - light.through[i];
   }
-  const float perRay = ao.strength / static_cast<float>(ao.samples);
+  const float perRay = 1 / static_cast<float>(ao.samples);
   for (int i = 0; i < kLanes; ++i) occlusion[i] = 1 - perRay * hidden[i];
 }
 
@@ -64,16 +66,10 @@ AmbientOcclusion::AmbientOcclusion(const FrameData& of)
     : frame(of),
       metric(of),
       occluders(*of.snapshot, of.surfaces),
-      samples(of.snapshot->settings.ao.samples),
+      samples(samplesOf(of, of.snapshot->settings.ao.samples)),
       radius(of.snapshot->settings.ao.distance > 0 ? of.snapshot->settings.ao.distance
                                                    : of.snapshot->settings.ao.radius * metric.diagonal),
       strength(of.snapshot->settings.ao.strength) {}
-
-uint32_t AmbientOcclusion::firstSample(int sample) const {
-  const auto perPixel = static_cast<uint32_t>(std::max<size_t>(frame.samplePositions.size(), 1));
-  const uint32_t pass = frame.snapshot->lightSampling.pass;
-  return (pass * perPixel + static_cast<uint32_t>(sample)) * static_cast<uint32_t>(samples);
-}
 
 void AmbientOcclusion::estimate(const ColoredHits& hits, Factors& factors) const noexcept {
   HWY_DYNAMIC_DISPATCH(occlude)(*this, hits, factors.occlusion);
@@ -84,7 +80,7 @@ void AmbientOcclusion::apply(const ColoredHits& hits, const Factors& factors,
   for (int c = 0; c < 3; ++c) {
     for (int i = 0; i < kLanes; ++i) {
       const float ambient = rows.value[c][i] - (hits.direct ? hits.direct->value[c][i] : 0);
-      rows.value[c][i] -= (1 - factors.occlusion[i]) * ambient;
+      rows.value[c][i] -= strength * (1 - factors.occlusion[i]) * ambient;
     }
   }
 }

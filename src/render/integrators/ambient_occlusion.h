@@ -15,10 +15,9 @@ class AmbientOcclusion final : public FactorIntegrator {
  public:
   /// `frame` must outlive it. Throws std::runtime_error where the modelview matrix cannot be inverted.
   explicit AmbientOcclusion(const FrameData& frame);
+  UsedFactors used() const noexcept override { return {true, 0, false}; }
   void estimate(const ColoredHits&, Factors&) const noexcept override;
   void apply(const ColoredHits&, const Factors&, ColorRows&) const noexcept override;
-  /// Index of the first of the samples that sample `sample` of a pixel takes in this pass.
-  uint32_t firstSample(int sample) const;
 
   const FrameData& frame;
   Metric metric;

@@ -5,19 +5,38 @@
 
 namespace gluray::render {
 
-/// Factors of a packet's colours. Lanes outside the group have no meaning.
+/// Lights of a frame that cast shadows, at most. Further ones, those of least strength, cast none.
+constexpr int kShadowLights = 4;
+
+/// Factors of a packet's colours. Lanes outside the group have no meaning, nor have rows that the integrator
+/// does not use (FactorIntegrator::used).
 struct Factors {
   alignas(64) Row occlusion;  // the share of light from the surroundings that arrives: 0 .. 1
+  // The shares of shadow light r that arrive: 0 .. 1, red, green and blue. Grey (three equal rows) unless
+  // translucent surfaces colour shadows.
+  alignas(64) Row visibility[kShadowLights][3];
+};
+
+/// Which of the factors an integrator uses; the same for all of a frame's hits.
+struct UsedFactors {
+  bool occlusion = false;
+  int lights = 0;        // rows of Factors::visibility
+  bool colored = false;  // their channels may differ
+  bool operator==(const UsedFactors&) const = default;
 };
 
 /// An integrator whose noise is in factors alone, so that these can be filtered without blurring colours.
 class FactorIntegrator : public Integrator {
  public:
+  virtual UsedFactors used() const noexcept = 0;
   /// Traces rays for the group's lanes.
   virtual void estimate(const ColoredHits&, Factors&) const noexcept = 0;
   /// Applies factors to colours of the local look.
   virtual void apply(const ColoredHits&, const Factors&, ColorRows&) const noexcept = 0;
+  /// Equal for frames whose factors mean the same while nothing but the camera moves.
+  virtual uint64_t meaning() const noexcept { return 0; }
   void light(const ColoredHits& hits, ColorRows& rows) const noexcept final {
+    if (hits.factors) return apply(hits, *hits.factors, rows);
     Factors factors;
     estimate(hits, factors);
     apply(hits, factors, rows);

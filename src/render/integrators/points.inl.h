@@ -10,7 +10,7 @@
 #include "render/integrators/integrator.h"
 #include "render/integrators/metric.h"
 #include "render/integrators/solid_points.h"
-#include "render/local/fragment.inl.h"
+#include "render/local/fragment_inputs.inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
@@ -19,7 +19,8 @@ namespace HWY_NAMESPACE {
 /// Points of a packet. Both normals are of unit length, in eye space, on the viewer's side.
 struct SurfacePoints {
   alignas(
-      64) Row origin[3];  // world space: above the point by its error, so that rays do not meet its surface
+      64) Row origin[3];   // world space: above the point by its error, so that rays do not meet its surface
+  alignas(64) Row eye[3];  // the same point in eye space
   alignas(64) Row geometric[3];  // of the triangle
   alignas(64) Row shading[3];    // of the surface that the triangles stand for
 };
@@ -40,11 +41,6 @@ HWY_INLINE Float3 direction(const Float3& v, const Float3& otherwise) {
   const Float3 u = unit(scaled(v, inverse));
   return {hn::IfThenElse(usable, u.x, otherwise.x), hn::IfThenElse(usable, u.y, otherwise.y),
           hn::IfThenElse(usable, u.z, otherwise.z)};
-}
-
-HWY_INLINE Float3 cross(const Float3& a, const Float3& b) {
-  return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
-          hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
 }
 
 /// `v`, or its opposite where it points to the other side than `side`.
@@ -68,6 +64,7 @@ HWY_INLINE void placeOrigin(const Metric& metric, const Surface& s, const Float3
   const Float error = hn::Add(along(world.x, 0), hn::Add(along(world.y, 1), along(world.z, 2)));
   const Float3 above = add(add(eye, scaled(normal, error)), lift);
   store3(transformPoint(metric.worldFromEye, above), out.origin, i);
+  store3(above, out.eye, i);
 }
 
 /// Where smooth normals stand for a curved surface: the way from the triangle to that surface, so that rays
