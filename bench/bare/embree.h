@@ -23,4 +23,19 @@ inline void intersectCoherent(const int* valid, RTCScene scene, RTCRayHit16& ray
 #endif
 }
 
+/// Whether anything lies on 16 rays of different directions: tfar is minus infinity then.
+inline void occludedIncoherent(const int* valid, RTCScene scene, RTCRay16& rays) {
+#if RTC_VERSION_MAJOR >= 4
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
+  arguments.flags = RTC_RAY_QUERY_FLAG_INCOHERENT;
+  rtcOccluded16(valid, scene, &rays, &arguments);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  rtcOccluded16(valid, scene, &context, &rays);
+#endif
+}
+
 }  // namespace gluray::bench

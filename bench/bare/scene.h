@@ -22,6 +22,7 @@ class BareScene {
   /// Traces one ray a pixel and shades what it hits by the light at the camera, 0.2 + cos as the GL client's
   /// scene does. `rgba` is RGBA8, bottom row first, kImageSize * kImageSize * 4 bytes.
   void render(const CameraPose& pose, std::vector<uint8_t>& rgba) const;
+  RTCScene scene() const { return scene_; }
 
  private:
   void renderTile(const CameraPose& pose, int tileX, int tileY, uint8_t* rgba) const;

@@ -36,11 +36,12 @@ class Renderer::Engine {
     cost.blasRefinements = update.blasRefinements;
     cost.bvhBytes = world_->bytes();
     cost.blasRefining = world_->refining();
+    if (!snapshot.settings.ao.enabled) histories_.clear();
     const double built = nowSeconds();
     cost.buildSeconds = built - start;
     {
       const timeline::Span span("trace");
-      render::traceImage(snapshot, *world_, *arena_, image);
+      render::traceImage(snapshot, *world_, *arena_, image, {&histories_, {}});
     }
     cost.traceSeconds = nowSeconds() - built;
   }
@@ -66,6 +67,7 @@ class Renderer::Engine {
   render::FxaaMemory fxaaMemory_;
   std::shared_ptr<Arena> arena_;
   std::optional<accel::World> world_;
+  render::LightHistories histories_;
 };
 
 Renderer::Renderer() : engine_(std::make_unique<Engine>()) {}

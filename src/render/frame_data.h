@@ -15,6 +15,8 @@ namespace gluray::render {
 struct DirectLook;
 class Integrator;
 struct Relit;
+struct HitFilm;
+struct MovingFrame;
 
 /// Maps NDC depth to window depth, including glDepthRange and glPolygonOffset.
 struct DepthMap {
@@ -54,6 +56,10 @@ struct FrameData {
   std::unique_ptr<const accel::HitFilter> accepted;
   const Integrator* integrator = nullptr;  // null: the local look alone
   const DirectLook* direct = nullptr;      // the surfaces without ambient light, if the integrator needs them
+  // Null: pixels get their final colours at once. Otherwise the integrator collects factors first; then
+  // relightTile() colours the hits that are kept here.
+  HitFilm* hits = nullptr;
+  const MovingFrame* moving = nullptr;  // null: light takes all samples that the settings ask for
   Image* image = nullptr;
 
   /// Prepares tracing `snapshot`, whose instances `world` holds, into `image`, which already has the right

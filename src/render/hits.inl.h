@@ -40,6 +40,7 @@ struct Work {
   uint32_t edged = 0;          // bit i: lane i hit a triangle grown by its edges; its depth is edgeDepth
   int imageX = 0, imageY = 0;  // pixel of lane 0
   int sample = 0;
+  const Factors* factors = nullptr;  // of light, where these are known
 };
 
 // Pixel of lane i within its 4x4 block: Z order of 2x2 quads.
@@ -169,6 +170,13 @@ HWY_ATTR inline void merge(uint32_t lanes, const LitRows& rows, const float* dep
   }
 }
 
+// The same for hits of which some are on triangles grown by their edges.
+HWY_ATTR inline void mergeShown(uint32_t lanes, const LitRows& rows, const float* depth, bool wide,
+                                Work& work) {
+  merge(lanes & ~work.edged, rows, depth, wide, work);
+  if (lanes & work.edged) merge(lanes & work.edged, rows, work.edgeDepth, wide, work);
+}
+
 // Lanes whose hit is culled or clipped by the instance's own planes.
 HWY_ATTR inline uint32_t rejectedLanes(const Surface& s, const Group& group, uint32_t ccw) {
   uint32_t rejected = ((s.cullsCcw ? ccw : 0) | (s.cullsCw ? ~ccw : 0)) & group.lanes;
@@ -203,11 +211,12 @@ HWY_ATTR inline void locateHits(const FrameData& frame, uint32_t instance, const
 /// one keep their code. Bit i of `back`: lane i shows its back face.
 HWY_ATTR HWY_NOINLINE inline void lightHits(const FrameData& frame, uint32_t instance, const Group& group,
                                             uint32_t back, int sample, const float* x, const float* y,
-                                            LitRows& rows) {
+                                            LitRows& rows, const Factors* factors = nullptr) {
   if (!group.lanes) return;
   ColoredHits hits{frame.surfaces[instance], instance, group, back, sample, x, y};
+  hits.factors = factors;
   LitRows direct;
-  if (frame.direct) {
+  if (frame.direct && !frame.hits) {
     shade(frame, frame.direct->surfaces[instance], group, back, x, y, direct);
     hits.direct = &direct;
   }
@@ -237,10 +246,13 @@ HWY_ATTR uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool mayReje
     }
     if (surface.mesh->shape == scene::Shape::triangles) moveToSamples(seen, work.edged, group);
     const uint32_t back = (surface.frontIsCcw ? ~seen.ccw : seen.ccw) & group.lanes;
-    const uint32_t failing = shade(frame, surface, group, back, work.x, work.y, rows);
+    // Hits that are kept need colours now only if these decide whether they are there.
+    const bool kept = frame.hits && surface.lighting->shading->alphaTest.function == scene::AlphaTest::always;
+    const uint32_t failing = kept ? 0 : shade(frame, surface, group, back, work.x, work.y, rows);
     rejected |= failing;
     group.lanes &= ~failing;
-    if (frame.integrator) lightHits(frame, instance, group, back, work.sample, work.x, work.y, rows);
+    if (frame.integrator)
+      lightHits(frame, instance, group, back, work.sample, work.x, work.y, rows, work.factors);
     take(group.lanes, rows, seen.depth);
   }
   return rejected;

@@ -18,9 +18,13 @@
 namespace gluray::render {
 
 HWY_EXPORT(traceTile);
+HWY_EXPORT(relightTile);
 HWY_EXPORT(targetName);
 
 void traceTile(const FrameData& frame, const Tile& tile) { HWY_DYNAMIC_DISPATCH(traceTile)(frame, tile); }
+void relightTile(const FrameData& frame, const Tile& tile, const TileFactors& factors) {
+  HWY_DYNAMIC_DISPATCH(relightTile)(frame, tile, factors);
+}
 const char* kernelTarget() { return HWY_DYNAMIC_DISPATCH(targetName)(); }
 
 }  // namespace gluray::render

@@ -5,8 +5,14 @@
 
 namespace gluray::render {
 
+struct TileFactors;
+
 /// Traces and shades one tile of every sample plane. Threads may run it in parallel on different tiles.
 void traceTile(const FrameData&, const Tile&);
+
+/// The second pass over a tile of a moving frame (FrameData::moving): colours the hits that the first one
+/// kept.
+void relightTile(const FrameData&, const Tile&, const TileFactors&);
 
 /// Name of the instruction set that traceTile uses, such as "AVX3".
 const char* kernelTarget();

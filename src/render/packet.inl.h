@@ -8,6 +8,7 @@
 #endif
 
 #include "render/film/averages.inl.h"
+#include "render/moving/relight.inl.h"
 #include "render/visibility/multisample.inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -17,6 +18,7 @@ namespace HWY_NAMESPACE {
 // Last stage: writes colour and depth into the image.
 HWY_ATTR inline void finishWork(const FrameData& frame, const Tile& tile, Work& work, CollectedHits& behind,
                                 Averages* averages) {
+  if (frame.hits) forgetHits(*frame.hits, work);
   clearPixels(averages ? 0 : frame.image->missColor, work);
   if (frame.widestEdge > 0) {
     alignas(64) int32_t valid[kLanes];
@@ -30,7 +32,7 @@ HWY_ATTR inline void finishWork(const FrameData& frame, const Tile& tile, Work& 
     shadeNearest(frame, work);
   if (averages)
     averages->add(frame, tile, work);
-  else
+  else if (!frame.hits)
     storePixels(work, tile, *frame.image);
 }
 

@@ -5,6 +5,8 @@
 #include "render/integrators/direct_look.h"
 #include "render/integrators/integrator.h"
 #include "render/kernels.h"
+#include "render/moving/collector.h"
+#include "render/moving/filter.h"
 
 #include <tbb/parallel_for.h>
 
@@ -68,22 +70,70 @@ void clearImage(const scene::Snapshot& snapshot, Image& image) {
 
 namespace {
 
-/// False if averages cannot be composited over the framebuffer: alpha is written but is no opacity.
-bool traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Image& image) {
-  FrameData frame(snapshot, world, image);
-  const std::unique_ptr<const Integrator> integrator = makeIntegrator(frame);
-  frame.integrator = integrator.get();
-  const std::unique_ptr<const DirectLook> direct = makeDirectLook(frame);
-  frame.direct = direct.get();
+/// Calls work(tile) for all of an image's tiles, on all threads.
+template <class Work>
+void eachTile(const Image& image, const char* name, const Work& work) {
   const int columns = (image.width + kTileSize - 1) / kTileSize,
             rows = (image.height + kTileSize - 1) / kTileSize;
   tbb::parallel_for(0, columns * rows, [&](int index) {
     const FloatGuard guard;
     timeline::nameThread("tracing");
-    const timeline::Span span("tiles", 1, true);
+    const timeline::Span span(name, 1, true);
     const int x = index % columns * kTileSize, y = index / columns * kTileSize;
-    traceTile(frame, {x, y, std::min(x + kTileSize, image.width), std::min(y + kTileSize, image.height)});
+    work(Tile{x, y, std::min(x + kTileSize, image.width), std::min(y + kTileSize, image.height)});
   });
+}
+
+/// Whether the pixels of a frame of an animation have one nearest hit each, whose factors can be smoothed.
+bool isMoving(const scene::Snapshot& snapshot, const FrameData& frame) {
+  const bool plain = !snapshot.layers && !frame.averages && frame.samplePositions.size() == 1;
+  return snapshot.lightSampling.mode == scene::LightSampling::Mode::moving && plain &&
+         frame.eyeRays.linear.usable;
+}
+
+/// Traces all factors, smooths them, and then colours the hits. False, with nothing traced, if it cannot.
+bool traceMoving(FrameData& frame, const MovingOptions& options) {
+  LightHistories own;
+  LightHistory& history = (options.histories ? *options.histories : own).of(frame.snapshot->view);
+  MovingFrame moving;
+  moving.index = history.index(), moving.rays = options.rays;
+  frame.moving = &moving;
+  const std::unique_ptr<const Integrator> integrator = makeIntegrator(frame);
+  frame.moving = nullptr;
+  const auto* factors = dynamic_cast<const FactorIntegrator*>(integrator.get());
+  if (!factors) return false;
+  history.begin(frame, *factors, moving);
+  if (!moving.space.usable) return false;
+  const std::unique_ptr<const DirectLook> direct = makeDirectLook(frame);
+  const Metric metric(frame);
+  const Collector collector(frame, moving, *factors, metric);
+  frame.moving = &moving, frame.direct = direct.get();
+  frame.integrator = &collector, frame.hits = moving.hits;
+  eachTile(*frame.image, "tiles", [&](const Tile& tile) {
+    moving.film->clear(tile.x0, tile.y0, tile.x1, tile.y1);
+    traceTile(frame, tile);
+  });
+  frame.integrator = factors, frame.hits = nullptr;
+  eachTile(*frame.image, "relit tiles", [&](const Tile& tile) {
+    TileFactors smooth;
+    filterTile(moving, tile, smooth);
+    relightTile(frame, tile, smooth);
+  });
+  frame.moving = nullptr, frame.integrator = nullptr, frame.direct = nullptr;
+  history.finish();
+  return true;
+}
+
+/// False if averages cannot be composited over the framebuffer: alpha is written but is no opacity.
+bool traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Image& image,
+                const MovingOptions& options) {
+  FrameData frame(snapshot, world, image);
+  if (isMoving(snapshot, frame) && traceMoving(frame, options)) return true;
+  const std::unique_ptr<const Integrator> integrator = makeIntegrator(frame);
+  frame.integrator = integrator.get();
+  const std::unique_ptr<const DirectLook> direct = makeDirectLook(frame);
+  frame.direct = direct.get();
+  eachTile(image, "tiles", [&](const Tile& tile) { traceTile(frame, tile); });
   for (size_t n = 0; n < LayerCounts::kMost; ++n)
     image.layers.open[n] = frame.layerCounts[0][n], image.layers.before[n] = frame.layerCounts[1][n];
   return snapshot.layers || !frame.seenThrough.load();
@@ -91,15 +141,16 @@ bool traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Imag
 
 }  // namespace
 
-void traceImage(const scene::Snapshot& snapshot, const accel::World& world, Arena& arena, Image& image) {
+void traceImage(const scene::Snapshot& snapshot, const accel::World& world, Arena& arena, Image& image,
+                const MovingOptions& options) {
   if (world.empty()) return clearImage(snapshot, image);
   arena.execute([&] {
     if (wantsAverages(snapshot)) {
       shapeImage(snapshot, image, true);
-      if (traceTiles(snapshot, world, image)) return;
+      if (traceTiles(snapshot, world, image, options)) return;
     }
     shapeImage(snapshot, image, false);
-    traceTiles(snapshot, world, image);
+    traceTiles(snapshot, world, image, options);
   });
 }
 

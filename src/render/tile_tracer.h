@@ -4,9 +4,16 @@
 #include "accel/world.h"
 #include "base/image.h"
 #include "parallel/arena.h"
+#include "render/moving/light_history.h"
 #include "scene/snapshot.h"
 
 namespace gluray::render {
+
+/// How frames of an animation are traced (scene::LightSampling::Mode::moving).
+struct MovingOptions {
+  LightHistories* histories = nullptr;  // null: earlier frames are not used
+  MovingRays rays;
+};
 
 /// Sets every pixel of the snapshot's region to a miss, as the null renderer does. `image` takes the region's
 /// shape.
@@ -15,6 +22,7 @@ void clearImage(const scene::Snapshot&, Image& image);
 /// Computes colour and window depth of every pixel of the snapshot's region, for the instances that `world`
 /// holds. `image` takes the region's shape, one plane per sample. Throws std::runtime_error if a matrix
 /// cannot be inverted, std::bad_alloc.
-void traceImage(const scene::Snapshot&, const accel::World& world, Arena&, Image& image);
+void traceImage(const scene::Snapshot&, const accel::World& world, Arena&, Image& image,
+                const MovingOptions& = {});
 
 }  // namespace gluray::render

@@ -8,6 +8,7 @@
 #endif
 
 #include "render/hits.inl.h"
+#include "render/moving/kept_hits.inl.h"
 
 #include <hwy/cache_control.h>
 
@@ -50,6 +51,15 @@ HWY_ATTR inline const accel::ImpostorQuery* aimRays(const FrameData& frame, Work
   return &work.impostors;
 }
 
+// Prefetches the hit triangles' indices.
+HWY_ATTR inline void prefetchTriangles(const FrameData& frame, const Work& work) {
+  for (uint32_t lanes = work.hits; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    const scene::Mesh& mesh = *frame.surfaces[work.packet.instance[i]].mesh;
+    if (mesh.indices) hwy::Prefetch(mesh.indices.data + static_cast<size_t>(work.packet.primitive[i]) * 12);
+  }
+}
+
 // First stage: traces the rays; prefetches the hit triangles' indices.
 HWY_ATTR inline void traceWork(const FrameData& frame, Work& work) {
   const accel::ImpostorQuery* impostors = aimRays(frame, work);
@@ -61,11 +71,7 @@ HWY_ATTR inline void traceWork(const FrameData& frame, Work& work) {
   }
   frame.world->intersect(work.valid, work.packet, frame.accepted.get(), impostors);
   work.hits = lanesThatHit(work.packet, work.valid);
-  for (uint32_t lanes = work.hits; lanes; lanes &= lanes - 1) {
-    const int i = std::countr_zero(lanes);
-    const scene::Mesh& mesh = *frame.surfaces[work.packet.instance[i]].mesh;
-    if (mesh.indices) hwy::Prefetch(mesh.indices.data + static_cast<size_t>(work.packet.primitive[i]) * 12);
-  }
+  prefetchTriangles(frame, work);
 }
 
 // Second stage: loads the hit triangles' indices; prefetches their positions and normals.
@@ -120,12 +126,12 @@ HWY_ATTR inline void traceBehind(const FrameData& frame, uint32_t lanes, Work& w
   fetchVertices(frame, work);
 }
 
-// Shades the nearest accepted hit of each lane.
+// Shades the nearest accepted hit of each lane, or keeps it, if factors of light are collected first.
 HWY_ATTR inline void shadeNearest(const FrameData& frame, Work& work) {
   const bool wide = frame.image->has(Plane::wideColor);
   const auto take = [&](uint32_t lanes, const LitRows& rows, const float* depth) HWY_ATTR {
-    merge(lanes & ~work.edged, rows, depth, wide, work);
-    if (lanes & work.edged) merge(lanes & work.edged, rows, work.edgeDepth, wide, work);
+    if (frame.hits) return keepHits(*frame.hits, lanes, work);
+    mergeShown(lanes, rows, depth, wide, work);
   };
   uint32_t lanes = shadeHits(frame, work.hits, true, work, take);
   if (!lanes) return;

@@ -1,6 +1,8 @@
 // Which samples of a pixel's sequence a hit takes. Any thread.
 #pragma once
 #include "render/frame_data.h"
+#include "render/moving/moving_frame.h"
+#include "render/sampling/sobol.h"
 
 #include <algorithm>
 
@@ -9,9 +11,22 @@ namespace gluray::render {
 /// Index of the first of the samples that sample `sample` of a pixel takes in this pass, with `count` for
 /// each.
 inline uint32_t firstSample(const FrameData& frame, int sample, int count) {
+  if (frame.moving) return frame.moving->index * static_cast<uint32_t>(count);
   const auto perPixel = static_cast<uint32_t>(std::max<size_t>(frame.samplePositions.size(), 1));
   const uint32_t pass = frame.snapshot->lightSampling.pass;
   return (pass * perPixel + static_cast<uint32_t>(sample)) * static_cast<uint32_t>(count);
+}
+
+/// The number of samples at a point, if settings ask for `count`.
+inline int samplesOf(const FrameData& frame, int count) {
+  return frame.moving ? std::min(count, frame.moving->rays.perPixel) : count;
+}
+
+/// Seeds for hits at window positions: those of their pixels, or in moving frames one sequence for all.
+inline PixelSeeds seedsOf(const FrameData& frame, const float* x, const float* y) {
+  if (!frame.moving) return {x, y};
+  const MovingFrame& moving = *frame.moving;
+  return interleavedSeeds(moving.rays.quarter ? moving.index / 4 : moving.index);
 }
 
 }  // namespace gluray::render

@@ -9,6 +9,8 @@
 
 namespace gluray::render {
 
+struct Factors;
+
 /// Hits on one instance, coloured by the local look.
 struct ColoredHits {
   const Surface& surface;
@@ -18,6 +20,7 @@ struct ColoredHits {
   int sample;                         // of those that the pixel takes
   const float *x, *y;                 // window positions of the lanes
   const ColorRows* direct = nullptr;  // the same hits without ambient light, if FrameData::direct is there
+  const Factors* factors = nullptr;   // where these are known already
 };
 
 class Integrator {

@@ -10,7 +10,7 @@
 #include "render/integrators/integrator.h"
 #include "render/integrators/metric.h"
 #include "render/integrators/solid_points.h"
-#include "render/local/fragment.inl.h"
+#include "render/local/fragment_inputs.inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
@@ -41,11 +41,6 @@ HWY_INLINE Float3 direction(const Float3& v, const Float3& otherwise) {
   const Float3 u = unit(scaled(v, inverse));
   return {hn::IfThenElse(usable, u.x, otherwise.x), hn::IfThenElse(usable, u.y, otherwise.y),
           hn::IfThenElse(usable, u.z, otherwise.z)};
-}
-
-HWY_INLINE Float3 cross(const Float3& a, const Float3& b) {
-  return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
-          hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
 }
 
 /// `v`, or its opposite where it points to the other side than `side`.

@@ -72,7 +72,7 @@ HWY_ATTR void traceShadows(const Shadows& s, const ColoredHits& hits, Factors& f
   if (!used) return;
   SurfacePoints points;
   makePoints(s.metric, s.frame, hits, points);
-  const PixelSeeds seeds(hits.x, hits.y);
+  const PixelSeeds seeds = seedsOf(s.frame, hits.x, hits.y);
   accel::OcclusionRays rays;
   alignas(64) Row weights;
   for (int row = 0; row < kShadowLights; ++row) {
@@ -106,7 +106,7 @@ Shadows::Shadows(const FrameData& f, const Metric& m, const Occluders& o, const 
       metric(m),
       occluders(o),
       lights(l),
-      samples(f.snapshot->settings.shadows.samples),
+      samples(render::samplesOf(f, f.snapshot->settings.shadows.samples)),
       size(f.snapshot->settings.shadows.size),
       strength(f.snapshot->settings.shadows.strength) {}
 

@@ -5,6 +5,8 @@
 #include "render/integrators/relit_look.h"
 #include "render/lights/relit.h"
 
+#include <algorithm>
+
 namespace gluray::render {
 namespace {
 
@@ -44,7 +46,26 @@ UsedFactors SurfaceLight::used() const noexcept {
 
 void SurfaceLight::estimate(const ColoredHits& hits, Factors& factors) const noexcept {
   if (occlusion_) occlusion_->estimate(hits, factors);
-  if (shadows_) shadows_->estimate(hits, factors);
+  if (!shadows_) return;
+  shadows_->estimate(hits, factors);
+  // Filters read the rows of neighbours that other lights shine on.
+  for (size_t row = 0; row < lights_.lights.size(); ++row)
+    if (!(lights_.of(hits.instance).used >> row & 1))
+      std::fill_n(&factors.visibility[row][0][0], 3 * kLanes, 1.0f);
+}
+
+std::vector<float> SurfaceLight::meaning() const {
+  std::vector<float> numbers;
+  const auto keep = [&](const glm::vec3& v) { numbers.insert(numbers.end(), {v.x, v.y, v.z}); };
+  const glm::mat3 linear(metric_.worldFromEye);
+  for (const scene::LightSource& light : lights_.lights) {
+    using Kind = scene::LightSource::Kind;
+    // As shares of the scene, so that its size does not matter.
+    if (light.kind != Kind::distant)
+      keep(glm::vec3(metric_.worldFromEye * glm::vec4(light.position, 1)) / metric_.diagonal);
+    keep(glm::normalize(linear * light.direction));
+  }
+  return numbers;
 }
 
 void SurfaceLight::apply(const ColoredHits& hits, const Factors& factors, ColorRows& rows) const noexcept {
@@ -71,7 +92,7 @@ void SurfaceLight::occlude(const ColoredHits&, const Factors& factors, const Col
   for (int c = 0; c < 3; ++c) {
     for (int i = 0; i < kLanes; ++i) {
       const float ambient = rows.value[c][i] - (direct ? direct->value[c][i] : 0);
-      rows.value[c][i] -= (1 - factors.occlusion[i]) * ambient;
+      rows.value[c][i] -= occlusion_->strength * (1 - factors.occlusion[i]) * ambient;
     }
   }
 }

@@ -18,6 +18,7 @@ class SurfaceLight final : public FactorIntegrator {
   UsedFactors used() const noexcept override;
   void estimate(const ColoredHits&, Factors&) const noexcept override;
   void apply(const ColoredHits&, const Factors&, ColorRows&) const noexcept override;
+  std::vector<float> meaning() const override;
 
  private:
   /// Shades again what is shadowed or lit from all sides. Returns whether it did.

@@ -11,6 +11,10 @@ namespace gluray::render {
 /// whatever the number of threads.
 struct PixelSeeds {
   alignas(64) uint32_t seed[kLanes];
+  // Pixels that share one sequence: each lane's place among the 16 points of a packet, as the last digits of
+  // the index and of the second dimension.
+  bool shared = false;
+  alignas(64) uint32_t first[kLanes], second[kLanes];
 
   /// `x`, `y`: window positions.
   PixelSeeds(const float* x, const float* y) {
@@ -21,6 +25,12 @@ struct PixelSeeds {
     }
   }
 };
+
+/// Seeds of packets whose lanes take 16 points of one sequence, so that neighbours complete each other:
+/// sample `index` of all lanes together is one aligned block of the sequence. `turn`: moves lanes among the
+/// points; sixteen turns give each lane each place. Lanes 4k .. 4k + 3 have one point in each quarter of a
+/// block.
+PixelSeeds interleavedSeeds(uint32_t turn);
 
 /// Who uses which two dimensions of a pixel's samples. Uses are independent of each other.
 enum class Dimensions : uint32_t {
@@ -49,6 +59,18 @@ constexpr uint32_t reversedSobol(uint32_t index) {
   for (; index; index >>= 1, column ^= column << 1)
     if (index & 1) result ^= column;
   return result;
+}
+
+inline PixelSeeds interleavedSeeds(uint32_t turn) {
+  constexpr float kZeros[kLanes] = {};
+  PixelSeeds seeds(kZeros, kZeros);
+  seeds.shared = true;
+  const uint32_t flips = (turn & 1) << 3 | (turn & 2) << 1 | (turn & 4) >> 1 | (turn & 8) >> 3;
+  for (uint32_t i = 0; i < kLanes; ++i) {
+    seeds.first[i] = (i >> 2 | (i & 3) << 2) ^ flips;
+    seeds.second[i] = reversedSobol(seeds.first[i]);
+  }
+  return seeds;
 }
 
 }  // namespace gluray::render

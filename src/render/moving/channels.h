@@ -1,0 +1,31 @@
+// The numbers of Factors that a film holds: those that are used, grey ones once. Any thread.
+#pragma once
+#include "render/integrators/factors.h"
+
+#include <algorithm>
+
+namespace gluray::render {
+
+struct Channels {
+  static constexpr int kMost = 1 + 3 * kShadowLights;
+
+  UsedFactors used;
+  int perLight() const { return used.colored ? 3 : 1; }
+  int count() const { return (used.occlusion ? 1 : 0) + used.lights * perLight(); }
+  Row& of(Factors& factors, int channel) const {
+    if (used.occlusion && channel-- == 0) return factors.occlusion;
+    return factors.visibility[channel / perLight()][channel % perLight()];
+  }
+  const Row& of(const Factors& factors, int channel) const {
+    return of(const_cast<Factors&>(factors), channel);
+  }
+  /// Copies the channels of grey light to its other rows.
+  void spread(Factors& factors) const {
+    for (int light = 0; light < used.lights && !used.colored; ++light)
+      for (int c = 1; c < 3; ++c)
+        std::copy_n(factors.visibility[light][0], kLanes, factors.visibility[light][c]);
+  }
+  bool operator==(const Channels&) const = default;
+};
+
+}  // namespace gluray::render

@@ -1,0 +1,47 @@
+// Factors of light at the pixels of a frame, with the surfaces that they belong to: packed, because reusing
+// them is bound by memory. Written by the frame's tracing threads, read by those of the next.
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace gluray::render {
+
+/// Two words a pixel hold its surface and two factors; each further factor is a plane of its own.
+///   words[2 * pixel]     depth (20 bits), first factor (12)
+///   words[2 * pixel + 1] normal (7 + 7, octahedral), samples (6), second factor (12)
+/// Depth is FilmSpace's, as the leading bits of a float; pixels without samples are empty. Factors are 0
+/// .. 1.
+struct FactorFilm {
+  static constexpr uint32_t kMostSamples = 63;
+  static constexpr float kLargest = 4095;       // of a packed factor
+  static constexpr float kLargestMore = 65535;  // of one in a plane of its own
+
+  int width = 0, height = 0, factors = 0;
+  std::vector<uint32_t> words;
+  std::vector<std::vector<uint16_t>> more;
+
+  size_t pixels() const { return static_cast<size_t>(width) * static_cast<size_t>(height); }
+  /// Contents are undefined afterwards. Throws std::bad_alloc.
+  void resize(int newWidth, int newHeight, int newFactors) {
+    width = newWidth, height = newHeight, factors = newFactors;
+    words.resize(2 * pixels());
+    more.resize(static_cast<size_t>(factors > 2 ? factors - 2 : 0));
+    for (auto& plane : more) plane.resize(pixels());
+  }
+  /// Empties the pixels of a rectangle.
+  void clear(int x0, int y0, int x1, int y1) {
+    for (int y = y0; y < y1; ++y) {
+      const auto row = words.begin() + 2 * static_cast<ptrdiff_t>(y) * width;
+      std::fill(row + 2 * static_cast<ptrdiff_t>(x0), row + 2 * static_cast<ptrdiff_t>(x1), 0u);
+    }
+  }
+  size_t bytes() const {
+    size_t sum = words.capacity() * sizeof(uint32_t);
+    for (const auto& plane : more) sum += plane.capacity() * sizeof(uint16_t);
+    return sum;
+  }
+};
+
+}  // namespace gluray::render

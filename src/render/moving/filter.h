@@ -1,0 +1,22 @@
+// Smooths the factors on a film, within surfaces. Called on all tracing threads.
+#pragma once
+#include "render/integrators/factors.h"
+#include "render/moving/moving_frame.h"
+
+namespace gluray::render {
+
+/// The factors of one tile's packets, row by row.
+struct TileFactors {
+  static constexpr int kColumns = kTileSize / 4;
+  Factors packets[kColumns * kColumns];
+  /// Of the packet that begins at a pixel of the tile.
+  const Factors& at(int x, int y) const { return packets[y / 4 * kColumns + x / 4]; }
+};
+
+/// Means of the factors over 5 x 5 pixels (weights 1/2 1 1 1 1/2, which see each of the 4 x 4 directions of a
+/// packet once), as far as these show the same surface: separable, guided by depth and normal, weighted by
+/// their numbers of samples. Where neighbours differ by more than noise explains, a pixel's own value counts
+/// more (Wiener's filter). Reads the film two pixels beyond the tile.
+void filterTile(const MovingFrame&, const Tile&, TileFactors&);
+
+}  // namespace gluray::render

@@ -1,0 +1,238 @@
+// The edge-stopping filter of factors. Compiled once for each instruction set.
+#if defined(GLURAY_RENDER_FILTER_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLURAY_RENDER_FILTER_INL_H_
+#undef GLURAY_RENDER_FILTER_INL_H_
+#else
+#define GLURAY_RENDER_FILTER_INL_H_
+#endif
+
+#include "render/moving/factor_pixels.inl.h"
+#include "render/moving/filter.h"
+
+#include <cstring>
+
+HWY_BEFORE_NAMESPACE();
+namespace gluray::render {
+namespace HWY_NAMESPACE {
+
+constexpr int kReach = 2;                          // pixels about one that count
+constexpr int kFilmRows = kTileSize + 2 * kReach;  // of a tile with its surroundings
+constexpr int kPadded = kTileSize + kLanes;        // columns: whole vectors about any pixel's surroundings
+constexpr float kWeights[] = {0.5f, 1, 1, 1, 0.5f};
+
+using FilmRow = float[kPadded];
+
+/// A tile's part of the film, unpacked; pixel (x, y) of the tile is at [y + kReach][x + kReach].
+struct UnpackedTile {
+  alignas(64) FilmRow depth[kFilmRows], samples[kFilmRows], x[kFilmRows], y[kFilmRows], z[kFilmRows];
+  alignas(64) FilmRow factor[2][kFilmRows];
+  bool shows = false;  // anything
+};
+
+HWY_ATTR inline void unpackTile(const FactorFilm& film, const Tile& tile, UnpackedTile& out) {
+  const WordTag d;
+  const int left = tile.x0 - kReach, from = std::max(left, 0), to = std::min(left + kFilmRows, film.width);
+  Words any = hn::Zero(d);
+  alignas(64) uint32_t words[2 * kPadded] = {};
+  for (int row = 0; row < kFilmRows; ++row) {
+    const int y = tile.y0 - kReach + row;
+    if (y >= 0 && y < film.height) {
+      const size_t first =
+          static_cast<size_t>(y) * static_cast<size_t>(film.width) + static_cast<size_t>(from);
+      std::memcpy(words + 2 * (from - left), film.words.data() + 2 * first,
+                  8 * static_cast<size_t>(to - from));
+    } else {
+      std::memset(words, 0, sizeof words);
+    }
+    for (int x = 0; x < kPadded; x += lanesOfVector()) {
+      Words word0, word1;
+      hn::LoadInterleaved2(d, words + 2 * x, word0, word1);
+      any = hn::Or(any, word1);
+      const FactorPixels p = FactorPixels::unpacked(word0, word1);
+      store(p.depth, out.depth[row] + x), store(p.samples, out.samples[row] + x);
+      store(p.normal.x, out.x[row] + x), store(p.normal.y, out.y[row] + x), store(p.normal.z, out.z[row] + x);
+      store(p.first, out.factor[0][row] + x), store(p.second, out.factor[1][row] + x);
+    }
+  }
+  out.shows = !hn::AllTrue(d, hn::Eq(any, hn::Zero(d)));
+}
+
+HWY_ATTR inline void unpackMore(const FactorFilm& film, const Tile& tile, int factor, UnpackedTile& out) {
+  const std::vector<uint16_t>& plane = film.more[static_cast<size_t>(factor - 2)];
+  const int left = tile.x0 - kReach, from = std::max(left, 0), to = std::min(left + kFilmRows, film.width);
+  for (int row = 0; row < kFilmRows; ++row) {
+    const int y = tile.y0 - kReach + row;
+    if (y < 0 || y >= film.height) continue;  // has no samples
+    const uint16_t* in = plane.data() + static_cast<size_t>(y) * static_cast<size_t>(film.width);
+    for (int x = from; x < to; ++x)
+      out.factor[0][row][x - left] = static_cast<float>(in[x]) * (1 / FactorFilm::kLargestMore);
+  }
+}
+
+HWY_INLINE Float loadAt(const float* p) { return hn::LoadU(FloatTag(), p); }
+
+/// A pixel's point, and the plane on which its neighbours must lie.
+struct Center {
+  Float depth, reach;  // reach: of the plane, eye space
+  Float3 normal;
+  Float alongRay;  // dot(normal, ray)
+};
+
+HWY_ATTR inline Center centerAt(const FilmSpace& space, const UnpackedTile& tile, int x0, int y0, int row,
+                                int x) {
+  constexpr float kOnPlane = 2.0f;  // pixels
+  Center c;
+  c.depth = loadAt(tile.depth[row] + x);
+  c.normal = {loadAt(tile.x[row] + x), loadAt(tile.y[row] + x), loadAt(tile.z[row] + x)};
+  const Float column = hn::Add(hn::ConvertTo(FloatTag(), hn::Iota(IntTag(), x0 + x - kReach)), splat(0));
+  const glm::vec3 rowRay = space.ray + static_cast<float>(y0 + row - kReach) * space.rayY;
+  c.alongRay = dot(c.normal, add(splat(rowRay), scaled(splat(space.rayX), column)));
+  c.reach = hn::Mul(splat(kOnPlane), hn::MulAdd(c.depth, splat(space.perDepth), splat(space.pixel)));
+  return c;
+}
+
+/// 1 where the pixels `step` columns or rows away show the same surface, else 0. `base`, `ray`: change of
+/// FilmSpace's for one column or row.
+HWY_ATTR inline Float sameSurface(const Center& c, const UnpackedTile& tile, int row, int x, float step,
+                                  const glm::vec3& base, const glm::vec3& ray) {
+  constexpr float kSameNormal = 0.8f;  // cosine
+  const Float depth = loadAt(tile.depth[row] + x);
+  const Float3 normal{loadAt(tile.x[row] + x), loadAt(tile.y[row] + x), loadAt(tile.z[row] + x)};
+  const Float aside = hn::MulAdd(depth, dot(c.normal, splat(step * ray)), dot(c.normal, splat(step * base)));
+  const Float off = hn::MulAdd(hn::Sub(depth, c.depth), c.alongRay, aside);
+  const auto same = hn::And(hn::Le(hn::Abs(off), c.reach), hn::Gt(dot(normal, c.normal), splat(kSameNormal)));
+  return hn::IfThenElseZero(same, splat(1));
+}
+
+/// Sums over the five pixels of rows, and which pixels of columns count.
+struct Sums {
+  alignas(64) float weight[kFilmRows][kTileSize], value[kFilmRows][kTileSize], square[kFilmRows][kTileSize];
+};
+struct Sides {
+  alignas(64) uint8_t rows[kFilmRows][kTileSize], columns[kTileSize][kTileSize];  // bit t: tap t counts
+};
+
+HWY_ATTR inline void storeBits(Ints bits, uint8_t* to) {
+  const hn::Rebind<uint8_t, IntTag> bytes;
+  hn::StoreU(hn::DemoteTo(bytes, bits), bytes, to);
+}
+HWY_ATTR inline Float weightOf(Ints bits, int tap) {
+  const auto counts = hn::TestBit(bits, hn::Set(IntTag(), 1 << tap));
+  return hn::IfThenElseZero(hn::RebindMask(FloatTag(), counts), splat(kWeights[tap]));
+}
+HWY_ATTR inline Ints loadBits(const uint8_t* from) {
+  const hn::Rebind<uint8_t, IntTag> bytes;
+  return hn::PromoteTo(IntTag(), hn::LoadU(bytes, from));
+}
+
+HWY_ATTR inline void findSides(const FilmSpace& space, const UnpackedTile& tile, const Tile& at,
+                               Sides& sides) {
+  const IntTag d;
+  const auto bit = [&](Float same, int tap) HWY_ATTR {
+    const auto counts = hn::RebindMask(d, hn::Ne(same, hn::Zero(FloatTag())));
+    return hn::IfThenElseZero(counts, hn::Set(d, 1 << tap));
+  };
+  for (int row = 0; row < kFilmRows; ++row) {
+    for (int x = 0; x < kTileSize; x += lanesOfVector()) {
+      const Center c = centerAt(space, tile, at.x0, at.y0, row, x + kReach);
+      Ints rows = hn::Set(d, 1 << kReach), columns = rows;
+      const bool inside = row >= kReach && row < kFilmRows - kReach;
+      for (int tap = 0; tap < 5; ++tap) {
+        if (tap == kReach) continue;
+        const int step = tap - kReach;
+        const auto fstep = static_cast<float>(step);
+        rows = hn::Or(rows,
+                      bit(sameSurface(c, tile, row, x + kReach + step, fstep, space.baseX, space.rayX), tap));
+        if (inside)
+          columns =
+              hn::Or(columns,
+                     bit(sameSurface(c, tile, row + step, x + kReach, fstep, space.baseY, space.rayY), tap));
+      }
+      storeBits(rows, sides.rows[row] + x);
+      if (inside) storeBits(columns, sides.columns[row - kReach] + x);
+    }
+  }
+}
+
+HWY_ATTR inline void sumRows(const UnpackedTile& tile, const FilmRow* factor, const Sides& sides, Sums& out) {
+  const FloatTag d;
+  for (int row = 0; row < kFilmRows; ++row) {
+    for (int x = 0; x < kTileSize; x += lanesOfVector()) {
+      const Ints bits = loadBits(sides.rows[row] + x);
+      Float weight = hn::Zero(d), value = weight, square = weight;
+      for (int tap = 0; tap < 5; ++tap) {
+        const Float f = loadAt(factor[row] + x + tap);
+        const Float w = hn::Mul(weightOf(bits, tap), loadAt(tile.samples[row] + x + tap));
+        weight = hn::Add(weight, w), value = hn::MulAdd(w, f, value),
+        square = hn::MulAdd(hn::Mul(w, f), f, square);
+      }
+      store(weight, out.weight[row] + x), store(value, out.value[row] + x),
+          store(square, out.square[row] + x);
+    }
+  }
+}
+
+/// The mean where neighbours are alike but for noise, the pixel's own value where they differ.
+HWY_INLINE Float balanced(Float own, Float samples, Float mean, Float meanSquare) {
+  // A sample is 0 or 1, or between: its variance is at most mean * (1 - mean).
+  const Float noise = hn::Div(hn::Mul(mean, hn::Sub(splat(1), mean)), hn::Max(samples, splat(1)));
+  const Float spread = hn::NegMulAdd(mean, mean, meanSquare);
+  const Float real = hn::Max(hn::NegMulAdd(splat(1.0f), noise, spread), hn::Zero(FloatTag()));
+  const Float share = hn::Div(real, hn::Add(hn::Add(real, noise), splat(1e-6f)));
+  return hn::MulAdd(share, hn::Sub(own, mean), mean);
+}
+
+HWY_ATTR inline void sumColumns(const UnpackedTile& tile, const FilmRow* factor, const Sides& sides,
+                                const Sums& sums, int row, Float* out, int x) {
+  const FloatTag d;
+  const Ints bits = loadBits(sides.columns[row] + x);
+  Float weight = hn::Zero(d), value = weight, square = weight;
+  for (int tap = 0; tap < 5; ++tap) {
+    const Float w = weightOf(bits, tap);
+    weight = hn::MulAdd(w, load(sums.weight[row + tap] + x), weight);
+    value = hn::MulAdd(w, load(sums.value[row + tap] + x), value);
+    square = hn::MulAdd(w, load(sums.square[row + tap] + x), square);
+  }
+  const Float inverse = hn::Div(splat(1), hn::Max(weight, splat(1e-3f)));
+  const Float own = loadAt(factor[row + kReach] + x + kReach);
+  *out = balanced(own, loadAt(tile.samples[row + kReach] + x + kReach), hn::Mul(value, inverse),
+                  hn::Mul(square, inverse));
+}
+
+HWY_ATTR inline void filterFactor(const UnpackedTile& tile, const FilmRow* factor, const Sides& sides,
+                                  Sums& sums, const Channels& channels, int number, TileFactors& out) {
+  sumRows(tile, factor, sides, sums);
+  alignas(64) float line[kTileSize];
+  for (int row = 0; row < kTileSize; ++row) {
+    for (int x = 0; x < kTileSize; x += lanesOfVector()) {
+      Float filtered;
+      sumColumns(tile, factor, sides, sums, row, &filtered, x);
+      store(filtered, line + x);
+    }
+    // Lanes are in Z order of 2 x 2 quads.
+    const int lane = (row & 1) * 2 + (row & 2) * 4;
+    for (int x = 0; x < kTileSize; x += 2)
+      std::memcpy(
+          channels.of(out.packets[row / 4 * TileFactors::kColumns + x / 4], number) + lane + (x & 2) * 2,
+          line + x, 8);
+  }
+}
+
+HWY_ATTR void filterTile(const MovingFrame& moving, const Tile& at, TileFactors& out) {
+  UnpackedTile tile;
+  unpackTile(*moving.film, at, tile);
+  if (!tile.shows) return;
+  Sides sides;
+  findSides(moving.space, tile, at, sides);
+  Sums sums;
+  for (int f = 0; f < moving.channels.count(); ++f) {
+    if (f >= 2) unpackMore(*moving.film, at, f, tile);
+    filterFactor(tile, tile.factor[f == 1], sides, sums, moving.channels, f, out);
+  }
+  for (Factors& packet : out.packets) moving.channels.spread(packet);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace gluray::render
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,62 @@
+#include "render/moving/light_history.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gluray::render {
+namespace {
+
+/// Whether two lists of numbers are equal up to the rounding of matrices.
+bool isNear(const std::vector<float>& a, const std::vector<float>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](float x, float y) {
+    return std::abs(x - y) <= 1e-4f * std::max(1.0f, std::max(std::abs(x), std::abs(y)));
+  });
+}
+
+}  // namespace
+
+void LightHistory::begin(const FrameData& frame, const FactorIntegrator& factors, MovingFrame& moving) {
+  constexpr float kMost = 32, kMostAfterChanges = 3;  // samples
+  const scene::Snapshot& snapshot = *frame.snapshot;
+  const int width = snapshot.region.width, height = snapshot.region.height;
+  const bool same = known_ && region_ == snapshot.region && settings_ == snapshot.settings &&
+                    isNear(meaning_, factors.meaning()) && channels_ == Channels{factors.used()};
+  known_ = false;  // until it is finished
+  settings_ = snapshot.settings, region_ = snapshot.region, meaning_ = factors.meaning();
+  moving.channels = channels_ = {factors.used()};
+  Frame &now = frames_[now_], &before = frames_[1 - now_];
+  now.film.resize(width, height, moving.channels.count());
+  hits_.resize(width, height, frame.widestEdge > 0);
+  now.space = FilmSpace(frame);
+  now.placement.take(snapshot);
+  moving.space = now.space, moving.film = &now.film, moving.hits = &hits_;
+  moving.mostSamples = kMost;
+  moving.earlier = nullptr;
+  if (!same || !before.space.usable) return;
+  moving.earlier = &before.film, moving.earlierSpace = before.space;
+  moving.reprojection = Reprojection(before.placement, before.space, now.placement, frame);
+  if (moving.reprojection.changed) moving.mostSamples = kMostAfterChanges;
+}
+
+size_t LightHistory::bytes() const {
+  return frames_[0].film.bytes() + frames_[1].film.bytes() + hits_.bytes();
+}
+
+LightHistory& LightHistories::of(uint64_t view) {
+  for (auto it = views_.begin(); it != views_.end(); ++it) {
+    if (it->view != view) continue;
+    views_.splice(views_.begin(), views_, it);
+    return views_.front().history;
+  }
+  if (views_.size() >= kMost) views_.pop_back();
+  views_.push_front({view, {}});
+  return views_.front().history;
+}
+
+size_t LightHistories::bytes() const {
+  size_t sum = 0;
+  for (const View& view : views_) sum += view.history.bytes();
+  return sum;
+}
+
+}  // namespace gluray::render

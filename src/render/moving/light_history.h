@@ -1,0 +1,60 @@
+// What frames of animations leave for those that follow, view by view. Owned by frame::Renderer, which traces
+// one frame at a time.
+#pragma once
+#include "render/integrators/factors.h"
+#include "render/moving/moving_frame.h"
+
+#include <list>
+#include <memory>
+
+namespace gluray::render {
+
+/// The films of one view.
+class LightHistory {
+ public:
+  /// Prepares the films for a frame with these factors, and fills `moving`. Earlier frames count as far as
+  /// they show the same: the view's size, settings and what factors mean; where surfaces moved or changed,
+  /// all of them count less. Throws std::bad_alloc.
+  void begin(const FrameData&, const FactorIntegrator&, MovingFrame& moving);
+  /// The frame is traced: the next one may use it.
+  void finish() { now_ = 1 - now_, ++index_, known_ = true; }
+  /// Forgets earlier frames.
+  void forget() { known_ = false; }
+  uint32_t index() const { return index_; }
+  size_t bytes() const;
+
+ private:
+  struct Frame {
+    FactorFilm film;
+    FilmSpace space;
+    Placement placement;
+  };
+  Frame frames_[2];
+  HitFilm hits_;
+  int now_ = 0;  // frames_[now_]: the one to be traced
+  uint32_t index_ = 0;
+  bool known_ = false;
+  std::vector<float> meaning_;
+  Channels channels_;
+  Settings settings_;
+  scene::Region region_;
+};
+
+/// Those of the views seen last.
+class LightHistories {
+ public:
+  static constexpr size_t kMost = 4;
+  /// Throws std::bad_alloc.
+  LightHistory& of(uint64_t view);
+  void clear() { views_.clear(); }
+  size_t bytes() const;
+
+ private:
+  struct View {
+    uint64_t view;
+    LightHistory history;
+  };
+  std::list<View> views_;  // the last one used first
+};
+
+}  // namespace gluray::render

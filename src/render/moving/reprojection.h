@@ -1,0 +1,41 @@
+// Where an earlier frame saw the points of this one, and what has changed since. Made once a frame, read by
+// all tracing threads.
+#pragma once
+#include "render/moving/film_space.h"
+
+#include <vector>
+
+namespace gluray::render {
+
+/// What of a snapshot decides where its surfaces are; kept for the next frame.
+struct Placement {
+  struct Object {
+    Hash128 geometry;
+    uint32_t triangles = 0;
+    glm::dmat4 eyeFromObject{1};
+    float radius = 0;                    // of impostors
+    std::vector<glm::dvec4> clipPlanes;  // object space
+  };
+  std::vector<Object> objects;
+  glm::dmat4 eyeFromWorld{1};
+
+  /// Throws std::bad_alloc.
+  void take(const scene::Snapshot&);
+};
+
+struct Reprojection {
+  glm::mat4 earlierFromEye{1};        // points of what stayed in its place
+  glm::mat3 earlierFromEyeNormal{1};  // their normals, not of unit length
+  glm::mat4 earlierFilmFromEye{1};    // as FilmSpace::filmFromEye
+  std::vector<uint8_t> moved;         // by instance: has moved against the others, or is new
+  bool changed = false;               // some instance has moved, changed, come or gone
+
+  Reprojection() = default;
+  /// `earlier`: the placement and space of the earlier frame. What most triangles did is taken for the
+  /// camera's motion.
+  Reprojection(const Placement& earlier, const FilmSpace& earlierSpace, const Placement& now,
+               const FrameData& frame);
+  bool stayed(uint32_t instance) const { return moved.empty() || !moved[instance]; }
+};
+
+}  // namespace gluray::render
