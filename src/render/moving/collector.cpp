@@ -86,7 +86,7 @@ HWY_ATTR void collect(const Collector& c, const ColoredHits& hits) {
     Group group = hits.group;
     group.lanes = traced;
     Factors fresh{};
-    c.factors.estimate({hits.surface, hits.instance, group, hits.sample, hits.x, hits.y}, fresh);
+    c.factors.estimate({hits.surface, hits.instance, group, hits.back, hits.sample, hits.x, hits.y}, fresh);
     accumulate(c.moving, traced, fresh, known);
   }
   storePixels(c.moving, hits, points, c.frame.snapshot->region, known);
