@@ -71,6 +71,8 @@ def _before(policy: Policy) -> str:
     """The call that prepares for a forwarded command."""
     if policy.flush == "leave":
         return "beforeForward(flushToBind(*ctx, target, framebuffer));"
+    if policy.flush == "read":
+        return "beforeForward(flushToRead(format));"
     how = {False: "none", True: "all", "redirect": "redirect", "look": "look"}[policy.flush]
     return f"beforeForward(Context::Flush::{how});"
 

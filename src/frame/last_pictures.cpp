@@ -33,8 +33,8 @@ bool LastPictures::isSame(Entry& entry, const scene::Snapshot& s) noexcept {
          e.shadings == s.shadings && e.settings == s.settings && isSameLayers(e.layers, s.layers);
 }
 
-const LastPictures::Picture* LastPictures::of(const scene::Snapshot& snapshot,
-                                              std::optional<uint32_t> missColor) noexcept {
+LastPictures::Picture* LastPictures::of(const scene::Snapshot& snapshot,
+                                        std::optional<uint32_t> missColor) noexcept {
   for (Entry& entry : entries_) {
     if (missColor && entry.picture.image.missColor != *missColor) continue;
     if (!isSame(entry, snapshot)) continue;
@@ -42,6 +42,11 @@ const LastPictures::Picture* LastPictures::of(const scene::Snapshot& snapshot,
     return &entry.picture;
   }
   return nullptr;
+}
+
+void LastPictures::forgetPasses(uint64_t view) noexcept {
+  for (Entry& entry : entries_)
+    if (view == 0 || entry.shows.view == view) entry.picture.refinement.reset();
 }
 
 size_t LastPictures::bytes() const noexcept {
@@ -67,6 +72,8 @@ LastPictures::Picture& LastPictures::next() noexcept {
   next_->meshes.clear();
   next_->used = ++uses_;
   next_->picture.id = ++ids_;
+  next_->picture.refinement.reset();
+  next_->picture.refined = false;
   return next_->picture;
 }
 

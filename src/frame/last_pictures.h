@@ -2,6 +2,7 @@
 // event, a cursor, a screenshot. GL thread, one per context.
 #pragma once
 #include "base/image.h"
+#include "frame/refinement.h"
 #include "scene/snapshot.h"
 
 #include <array>
@@ -18,16 +19,23 @@ class LastPictures {
 
   struct Picture {
     Image image;
-    uint64_t id = 0;  // unique; never 0 for a finished picture
+    uint64_t id = 0;  // unique; never 0 for a traced picture
+    // Of pictures with light: their passes so far, and whether more would not make them better.
+    std::unique_ptr<Refinement> refinement;
+    bool refined = false;
   };
   /// The picture of an equal earlier snapshot, with misses in `missColor` if given; null: none. Valid until
   /// next().
-  const Picture* of(const scene::Snapshot& snapshot, std::optional<uint32_t> missColor = {}) noexcept;
+  Picture* of(const scene::Snapshot& snapshot, std::optional<uint32_t> missColor = {}) noexcept;
+  /// Gives a picture a new id, because its pixels change.
+  void renew(Picture& picture) noexcept { picture.id = ++ids_; }
+  /// Frees the passes of pictures of this view; 0: of all.
+  void forgetPasses(uint64_t view = 0) noexcept;
   /// Memory for a new picture; replaces the least recently used one.
   Picture& next() noexcept;
   /// Marks the picture from next() as finished and showing `snapshot`. Does not keep its meshes alive.
   void keep(const scene::Snapshot& snapshot) noexcept;
-  size_t bytes() const noexcept;  // memory of all pictures
+  size_t bytes() const noexcept;  // memory of all pictures, without passes
 
  private:
   struct Entry {

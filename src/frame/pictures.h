@@ -2,9 +2,11 @@
 // GL thread, one per context.
 #pragma once
 #include "frame/last_pictures.h"
+#include "frame/refiner.h"
 #include "frame/trace_ahead.h"
 #include "frame/tracer.h"
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,13 +21,23 @@ class Pictures {
     bool repeated = false;                           // from an earlier frame
     scene::TraceCost cost;
     std::string why;  // one line, if tracing failed
+    // Of pictures with light: passes traced now, and the estimated noise; infinite: not known.
+    uint32_t passes = 0;
+    double noise = std::numeric_limits<double>::infinity();
+  };
+  /// What the caller accepts. Pictures without light are always finished.
+  struct Wish {
+    bool mayRepeat = true;              // an earlier frame's picture
+    std::optional<uint32_t> missColor;  // the colour of misses, if it matters
+    bool finished = false;              // light only with as little noise as the settings want
   };
 
   explicit Pictures(Trace trace, Improves improves = {})
       : trace_(std::move(trace)), improves_(std::move(improves)) {}
 
-  /// The picture of `snapshot`, with misses in `missColor` if given. `mayRepeat`: may be an earlier frame's.
-  Result of(const scene::Snapshot& snapshot, bool mayRepeat, std::optional<uint32_t> missColor);
+  /// The picture of `snapshot`. Finished, too, if its light is sampled in full. Others are one pass at first;
+  /// each time that they are asked for again, they get more, for a limited time.
+  Result of(const scene::Snapshot& snapshot, const Wish& wish);
   /// Whether an earlier frame's picture is available.
   bool knows(const scene::Snapshot& snapshot, std::optional<uint32_t> missColor) noexcept {
     return last_.of(snapshot, missColor) != nullptr;
@@ -36,6 +48,11 @@ class Pictures {
   void dropAhead() noexcept;
 
  private:
+  LastPictures::Picture* known(const scene::Snapshot& snapshot, const Wish& wish, bool refines) noexcept;
+  bool finish(const scene::Snapshot& snapshot, LastPictures::Picture& picture, Result& result) noexcept;
+  void refine(const scene::Snapshot& snapshot, LastPictures::Picture& picture, bool finish,
+              Result& result) noexcept;
+
   Trace trace_;
   Improves improves_;
   LastPictures last_;

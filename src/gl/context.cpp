@@ -12,6 +12,15 @@ constinit thread_local ThreadState t_thread __attribute__((tls_model("initial-ex
 
 namespace {
 
+/// The program reads what is flushed during its life.
+struct Reading {
+  FrameClock& clock;
+  explicit Reading(FrameClock& of) : clock(of) { clock.reads = true; }
+  ~Reading() { clock.reads = false; }
+  Reading(const Reading&) = delete;
+  Reading& operator=(const Reading&) = delete;
+};
+
 /// Large runs are welded on a second thread if the setting `threads` allows more than one.
 VertexStream::Welding weldingOf(const Settings& settings) {
   const unsigned threads =
@@ -109,6 +118,10 @@ void Context::beforeForward(Flush how) noexcept {
   if (how == Flush::none) return;
   protect([&] {
     if (how == Flush::look) return flusher.flush(), shadow.sendBuffers();
+    if (how == Flush::read) {
+      const Reading reading(clock);
+      return flusher.flush(), shadow.sendBuffers();
+    }
     switch (how) {
       case Flush::leave: flusher.leave(); break;
       case Flush::redirect: flusher.redirect(); break;

@@ -75,10 +75,10 @@ class Context {
   /// `compiled`: display lists record it.
   Gate gate(bool anywhere = false, bool compiled = true) noexcept;
   /// Call before forwarding a command that we do not model: sends current attributes to the real OpenGL and
-  /// flushes the batch. Flush describes the command. look: draws nothing, but reads what was drawn; leave:
-  /// binds another framebuffer, reads nothing; redirect: sends later draws elsewhere, or changes what pending
-  /// draws need, and reads nothing; all: may do anything.
-  enum class Flush { none, look, leave, redirect, all };
+  /// flushes the batch. Flush describes the command. look: draws nothing, but reads what was drawn; read: the
+  /// same, and the program gets the colours; leave: binds another framebuffer, reads nothing; redirect: sends
+  /// later draws elsewhere, or changes what pending draws need, and reads nothing; all: may do anything.
+  enum class Flush { none, look, read, leave, redirect, all };
   void beforeForward(Flush flush) noexcept;
   void count(int command) noexcept { ++unknownCalls_[static_cast<size_t>(command)]; }
   void touch(uint32_t groups) { shadow.touch(groups); }

@@ -22,6 +22,9 @@ struct ContextInfo {
   /// Returns width and height of the window or pixmap that the context draws into, in pixels; {0, 0} if
   /// unknown. May be slow: called only if a viewport exceeds the largest known size. Empty: never known.
   std::function<glm::ivec2()> drawableSize;
+  /// Whether the user sees what the context draws, because its drawable is a window on the screen. Called
+  /// while settings change pictures. Empty: no.
+  std::function<bool()> isShown;
   std::shared_ptr<DrawKinds> kinds;            // records draws for `gluray explain`; null: not explaining
   std::shared_ptr<const FamilyList> families;  // of shader programs; null: builtInFamilies()
   /// Called before and after a frame of a single-buffered context ends. May be empty.

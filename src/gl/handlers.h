@@ -163,6 +163,8 @@ uint32_t programChanged(Context& c, GLuint program);
 /// The flush that glBindFramebuffer needs: none if `framebuffer` is already bound to `target`, as in toolkits
 /// that bind it before every swap.
 Context::Flush flushToBind(Context& c, GLenum target, GLuint framebuffer);
+/// The flush that a command needs that reads pixels of this format.
+Context::Flush flushToRead(GLenum format);
 /// A texture is attached to a framebuffer; another framebuffer is bound.
 uint32_t textureAttached(Context& c, GLuint texture);
 uint32_t framebufferBound(Context& c);

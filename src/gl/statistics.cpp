@@ -13,6 +13,8 @@ Statistics& Statistics::operator+=(const Statistics& o) {
   captureSeconds += o.captureSeconds, buildSeconds += o.buildSeconds;
   traceSeconds += o.traceSeconds, presentSeconds += o.presentSeconds;
   blasBuilds += o.blasBuilds, blasRefinements += o.blasRefinements;
+  lightPasses += o.lightPasses;
+  if (o.lightNoise > lightNoise) lightNoise = o.lightNoise;
   if (o.blasRefining > blasRefining) blasRefining = o.blasRefining;
   if (o.bvhBytes > bvhBytes) bvhBytes = o.bvhBytes;  // not a sum: all contexts share one renderer
   return *this;

@@ -49,6 +49,7 @@ struct Current {
   Key key{};
   Drawables drawables;
   AskSize size;
+  AskShown shown;
 };
 /// The calling thread's current context and drawables.
 Current& current();

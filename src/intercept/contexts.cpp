@@ -32,6 +32,13 @@ gl::ContextInfo askInfo(const gl::RealGl& real, const std::string& version) {
   info.settings = *info.source->current();
   info.families = families();
   info.drawableSize = [] { return current().size ? current().size() : glm::ivec2(0); };
+  info.isShown = [] {
+    // Windows that are hidden later stay windows.
+    AskShown& shown = current().shown;
+    if (!shown || !shown()) return false;
+    shown = [] { return true; };
+    return true;
+  };
   int major = 0, minor = 0;
   if (std::sscanf(version.c_str(), "%d.%d", &major, &minor) != 2) info.core = info.off = true;  // OpenGL ES
   GLboolean doubleBuffered = GL_TRUE;
@@ -177,7 +184,7 @@ void stayCurrent() noexcept {
   });
 }
 
-void becameCurrent(Api api, const void* handle, Drawables drawables, AskSize size) noexcept {
+void becameCurrent(Api api, const void* handle, Drawables drawables, AskSize size, AskShown shown) noexcept {
   guarded("this context is not ray traced", [&] {
     gl::t_thread = {};
     std::shared_ptr<Record> record;
@@ -191,7 +198,7 @@ void becameCurrent(Api api, const void* handle, Drawables drawables, AskSize siz
       else  // created unseen by any door
         registry().records[{api, handle}] = record = newRecord({});
     }
-    current() = {record, {api, handle}, drawables, std::move(size)};
+    current() = {record, {api, handle}, drawables, std::move(size), std::move(shown)};
     if (!record) return;
     if (!record->tried) {
       makeContext(*record, api);

@@ -23,6 +23,8 @@ struct Drawables {
 /// Returns width and height of a drawable in pixels; {0, 0} if unknown. Called on the thread where it is
 /// current.
 using AskSize = std::function<glm::ivec2()>;
+/// Whether a drawable is a window that the user sees. Called like AskSize; empty: no.
+using AskShown = std::function<bool()>;
 
 /// A context was created. `share`: the context whose lists and buffers it shares, or null. `display`: EGL's,
 /// or null.
@@ -42,8 +44,9 @@ void stayCurrent() noexcept;
 /// A drawable became the image of a bound texture of the current context.
 void textureImageBound() noexcept;
 /// The real MakeCurrent succeeded: `handle` (null: none) is current in this thread with these drawables.
-/// `size` returns the size of the draw drawable.
-void becameCurrent(Api api, const void* handle, Drawables drawables, AskSize size = {}) noexcept;
+/// `size` and `shown` ask about the draw drawable.
+void becameCurrent(Api api, const void* handle, Drawables drawables, AskSize size = {},
+                   AskShown shown = {}) noexcept;
 /// Whether exactly this is current already. Many programs repeat MakeCurrent every frame; nothing changes
 /// then.
 bool isCurrent(Api api, const void* handle, Drawables drawables) noexcept;

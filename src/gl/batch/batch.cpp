@@ -48,13 +48,15 @@ BatchKey Batch::keyOf(const State& state) {
   return key;
 }
 
-void Batch::start(const BatchKey& key, const State& state, const Settings& settings, uint64_t frame) {
+void Batch::start(const BatchKey& key, const State& state, const Settings& settings, uint64_t frame,
+                  scene::LightSampling::Mode mode) {
   key_ = key;
   instancesAt_.clear();
   snapshot_ = memory_.make();
   snapshot_->frame = frame;
   snapshot_->view = viewOf(key);
   snapshot_->settings = settings;
+  snapshot_->lightSampling.mode = mode;
   snapshot_->camera = {state.projection, state.viewport, state.depthNear, state.depthFar};
   // Window rows are counted from the top. We guess that the viewport reaches it; errors hardly matter.
   if (key.framebuffer == 0) snapshot_->camera.rowsFromTop = state.viewport.y + state.viewport.w;

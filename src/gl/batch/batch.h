@@ -49,7 +49,8 @@ class Batch {
   static BatchKey keyOf(const State& state);
 
   /// Begins a batch; must be empty().
-  void start(const BatchKey& key, const State& state, const Settings& settings, uint64_t frame);
+  void start(const BatchKey& key, const State& state, const Settings& settings, uint64_t frame,
+             scene::LightSampling::Mode mode = scene::LightSampling::full);
   /// Makes all surfaces of the batch layers. Call before adding the first one.
   void seeThrough(std::shared_ptr<const scene::Layers> layers) { snapshot_->layers = std::move(layers); }
   /// The same after the last surface was added, for layers of kind `drawn`, which all lie in `region`.

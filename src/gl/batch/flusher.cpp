@@ -13,6 +13,7 @@
 #include <GL/glext.h>
 
 #include <bit>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -59,7 +60,7 @@ void Flusher::present(Reason reason) {
                                                            .core = p_.shadow.info.core,
                                                            .rasterise = rasterise,
                                                            .programDraws = batch.takeProgramDraws(),
-                                                           .mayRepeat = !p_.clock.measured(),
+                                                           .wish = p_.clock.wish(),
                                                            .cleared = under});
   if (result.averages) p_.cleared.wroteAntialiased(antialiased, key);
   p_.resolves.cleanIs({});
@@ -83,6 +84,8 @@ void Flusher::takeResult(const PresentResult& result, bool known) {
     if (std::has_single_bit(uint64_t{statistics.flushes})) watchForExit();
   }
   if (!known && result.repeated) ++statistics.repeated;
+  statistics.lightPasses += result.passes;
+  if (std::isfinite(result.noise)) statistics.lightNoise = result.noise;
   statistics.buildSeconds += result.cost.buildSeconds;
   statistics.traceSeconds += result.cost.traceSeconds;
   statistics.blasBuilds += result.cost.blasBuilds;
@@ -135,7 +138,7 @@ void Flusher::presentLate(const BatchKey& key, const scene::SnapshotPtr& snapsho
                                                  {.depthFunc = key.depthFunc,
                                                   .core = p_.shadow.info.core,
                                                   .programDraws = std::move(draws),
-                                                  .mayRepeat = known || !p_.clock.measured()});
+                                                  .wish = p_.clock.wish(known)});
   if (bound != key.framebuffer) real.BindFramebuffer(GL_DRAW_FRAMEBUFFER, bound);
   p_.shadow.latch.restore(real);
   takeResult(result, known);

@@ -6,6 +6,7 @@
 #include <GL/gl.h>
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,7 +22,9 @@ struct PresentResult {
   scene::TraceCost cost;
   double presentSeconds = 0;
   bool repeated = false;  // nothing had changed: the last picture was used again
-  bool averages = false;  // pixels are averages of several rays
+  uint32_t passes = 0;    // of light, traced now
+  double noise = std::numeric_limits<double>::infinity();  // estimated, of the picture; infinite: not known
+  bool averages = false;                                   // pixels are averages of several rays
   /// Set if one peel does not show all layers: how many there are. Rasterised, or the picture waits.
   std::optional<LayerCounts> layers;
   std::vector<uint32_t> picture;      // the waiting picture of layers; empty: it was written

@@ -3,6 +3,7 @@
 #pragma once
 #include "gl/batch/cleared_target.h"
 #include "gl/batch/framebuffer_reader.h"
+#include "gl/batch/picture_wish.h"
 #include "gl/batch/present_result.h"
 #include "gl/layers/layer_presenter.h"
 #include "gl/programs/held_pass.h"
@@ -35,8 +36,7 @@ struct PresentTarget {
     scene::MeshPtr mesh;
     glm::dmat4 clipFromObject{1};
   } byMatrix = {};
-  bool mayRepeat =
-      true;  // the last picture may be used if nothing has changed; false: the frame is being measured
+  PictureWish wish = {};
   /// The clear under the snapshot's whole region, if known and if the picture may be uploaded instead of
   /// drawn; no stencil value in the framebuffer matters then.
   std::optional<ClearedTarget> cleared = {};
@@ -50,7 +50,7 @@ struct ResolveTarget {
   /// RGBA8 texture of the resolved size for the colours; 0: the bound draw framebuffer, which takes
   /// the depths in any case.
   GLuint texture = 0;
-  bool mayRepeat = true;  // PresentTarget::mayRepeat
+  PictureWish wish = {};
 };
 
 /// Names of real objects that all contexts of a share group see.

@@ -138,7 +138,7 @@ bool ResolveDraws::into(ResolveTarget& target) {
   target.core = p_.shadow.info.core;
   target.how.background = waiting.cleared.background;
   target.how.farthest = farthestHit(waiting.key.depthFunc, waiting.cleared.depthResolution);
-  target.mayRepeat = waiting.traced || !p_.clock.measured();
+  target.wish = p_.clock.wish(waiting.traced);
   p_.shadow.errors.keepPending();
   p_.cleared.forget();
   const PresentResult result = p_.flusher.presenter.resolve(p_.shadow.real, waiting.snapshot, target);

@@ -142,7 +142,8 @@ bool LayerDraws::startPeeled(const BatchKey& key) {
     if (!(peeling_.tracedKey == key)) return false;
     p_.flusher.batch.resume(key, *peeling_.traced);
   } else {
-    p_.flusher.batch.start(key, p_.shadow.state, p_.shadow.settings, p_.clock.frame);
+    p_.flusher.batch.start(key, p_.shadow.state, p_.shadow.settings, p_.clock.frame,
+                           p_.clock.lightMode(p_.shadow.settings));
     p_.flusher.batch.seeThrough(peeling_.layers);
   }
   return true;
@@ -162,7 +163,7 @@ PresentResult LayerDraws::present(const scene::SnapshotPtr& snapshot, const Batc
   LayersTarget& target = peeling_.target;
   for (ProgramDraw& draw : p_.flusher.batch.takeProgramDraws())
     target.surfaces.draws.push_back(std::move(draw));
-  target.mayRepeat = !p_.clock.measured();
+  target.wish = p_.clock.wish();
   target.mayAsk = mayAsk();
   PresentResult result = p_.flusher.presenter.layers().present(p_.shadow.real, snapshot, target, false);
   if (result.outcome == PresentResult::traced) {

@@ -1,5 +1,6 @@
 // Render passes whose draws are held back because their result is traced. Kept by LayerDraws, GL thread.
 #pragma once
+#include "gl/batch/picture_wish.h"
 #include "gl/programs/program_draw.h"
 
 #include <glm/glm.hpp>
@@ -34,8 +35,8 @@ struct LayersTarget {
   std::vector<glm::vec2> opaqueDepths;  // its content; green: depth of opaque surfaces, or -1
   GLuint result = 0;                    // RGBA8 texture: colour times opacity, and opacity
   glm::ivec2 size{0};                   // of all these textures
-  bool mayRepeat = true;                // PresentTarget::mayRepeat
-  bool written = false;                 // `result` holds a traced picture
+  PictureWish wish;
+  bool written = false;  // `result` holds a traced picture
   bool mayAsk =
       false;  // picture and later peels may wait until we know how many peels the program draws. Then:
   std::vector<uint32_t> picture;  // traced, not yet written to `result`, the newest peel's texture

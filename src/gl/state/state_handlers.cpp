@@ -185,6 +185,12 @@ Context::Flush flushToBind(Context& c, GLenum target, GLuint framebuffer) {
   return bound ? Context::Flush::none : Context::Flush::leave;
 }
 
+Context::Flush flushToRead(GLenum format) {
+  const bool colors =
+      format != GL_DEPTH_COMPONENT && format != GL_STENCIL_INDEX && format != GL_DEPTH_STENCIL;
+  return colors ? Context::Flush::read : Context::Flush::look;
+}
+
 uint32_t framebufferBound(Context& c) {
   c.shadow.textures.framebufferBound();
   return kTarget | kTexture;

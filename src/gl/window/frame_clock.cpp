@@ -6,6 +6,12 @@ namespace gluray::gl {
 
 FrameClock::FrameClock(const ContextInfo& info, const Settings& settings)
     : choice(engineOf(info, settings), threadsOf(settings), info.clock),
+      info_(info),
       passesThrough_(!info.off && choice.way() == EngineChoice::Way::passthrough) {}
+
+scene::LightSampling::Mode FrameClock::lightMode(const Settings& settings) const {
+  using Sampling = scene::LightSampling;
+  return settings.changesPicture() && info_.isShown && info_.isShown() ? Sampling::moving : Sampling::full;
+}
 
 }  // namespace gluray::gl

@@ -1,7 +1,9 @@
 // A context's current frame: its number, when it began, who draws it. A part of each Context, GL thread.
 #pragma once
+#include "gl/batch/picture_wish.h"
 #include "gl/context_info.h"
 #include "gl/window/engine_choice.h"
+#include "scene/light_sampling.h"
 
 #include <cstdint>
 
@@ -9,6 +11,7 @@ namespace gluray::gl {
 
 class FrameClock {
  public:
+  /// `info` must outlive it.
   FrameClock(const ContextInfo& info, const Settings& settings);
 
   uint64_t frame = 1;
@@ -20,6 +23,12 @@ class FrameClock {
   void setPassthrough(bool passesThrough) { passesThrough_ = passesThrough; }
   /// Whether this frame is being measured: then no picture may be repeated or delayed.
   bool measured() const { return choice.wantsStop(); }
+  /// The program reads what flushes write until it is false again.
+  bool reads = false;
+  /// `known`: the picture was shown before, elsewhere.
+  PictureWish wish(bool known = false) const { return {known || !measured(), reads}; }
+  /// How light is sampled for the next picture: in full where nobody watches frames change.
+  scene::LightSampling::Mode lightMode(const Settings& settings) const;
   bool startsMeasuring() const { return choice.wantsStart(); }
   /// Whether a surface of so many triangles is left to the real OpenGL, whatever else the frame holds.
   bool leavesAlone(uint64_t triangles, double viewportPixels) const {
@@ -31,6 +40,7 @@ class FrameClock {
   }
 
  private:
+  const ContextInfo& info_;
   bool passesThrough_ = false;
 };
 

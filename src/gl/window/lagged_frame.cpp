@@ -90,7 +90,7 @@ bool WindowFrames::showsDirectly(const LaggedFrame& frame) {
   if (!frame.cleared || frame.clears.empty() || (frame.clears.front().mask & kBoth) != kBoth) return false;
   const PresentResult result = p_.flusher.presenter.window().show(
       p_.shadow.real, frame.snapshot,
-      {*frame.cleared, frame.farthest, p_.shadow.info.core, true, frame.window.show});
+      {*frame.cleared, frame.farthest, p_.shadow.info.core, {}, frame.window.show});
   p_.shadow.latch.restore(p_.shadow.real);
   if (result.outcome != PresentResult::traced) return false;
   p_.flusher.takeResult(result);

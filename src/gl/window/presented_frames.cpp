@@ -43,7 +43,7 @@ bool WindowFrames::showWithoutSwap(glm::ivec2 window, const ShowPicture& show) n
     p_.shadow.syncCurrent();
     const ShowTarget target{*p_.cleared.target(),
                             farthestHit(key.depthFunc, p_.shadow.state.target.depthResolution),
-                            p_.shadow.info.core, !p_.clock.measured(), show};
+                            p_.shadow.info.core, p_.clock.wish(), show};
     const PresentResult result =
         p_.flusher.presenter.window().show(p_.shadow.real, p_.flusher.batch.pending(), target);
     p_.shadow.latch.restore(p_.shadow.real);

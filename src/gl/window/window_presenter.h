@@ -3,6 +3,7 @@
 #pragma once
 #include "base/image.h"
 #include "gl/batch/cleared_target.h"
+#include "gl/batch/picture_wish.h"
 #include "gl/batch/present_result.h"
 #include "gl/real.h"
 #include "scene/snapshot.h"
@@ -34,7 +35,7 @@ struct ShowTarget {
   ClearedTarget cleared;  // the window's clear
   float farthest = 1;     // ShownPicture::farthest
   bool core = false;      // core profile
-  bool mayRepeat = true;  // PresentTarget::mayRepeat
+  PictureWish wish;
   const ShowPicture& show;
 };
 

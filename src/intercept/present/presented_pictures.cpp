@@ -4,11 +4,14 @@
 
 namespace gluray::present {
 
-const frame::LastPictures::Picture* PresentedPictures::of(const scene::Snapshot& snapshot, bool mayRepeat,
+const frame::LastPictures::Picture* PresentedPictures::of(const scene::Snapshot& snapshot,
+                                                          gl::PictureWish wish,
                                                           std::optional<uint32_t> missColor,
                                                           gl::PresentResult& result, std::string& why) {
-  frame::Pictures::Result got = pictures.of(snapshot, mayRepeat, missColor);
+  frame::Pictures::Result got = pictures.of(snapshot, {wish.mayRepeat, missColor, wish.finished});
   result.cost = got.cost;
+  result.passes = got.passes;
+  result.noise = got.noise;
   result.repeated = got.repeated;
   if (!got.picture) why = std::move(got.why);
   return got.picture;

@@ -23,7 +23,7 @@ struct PresentedPictures {
       : tracer(with), pictures(with.trace, with.improves), written(std::move(onWritten)) {}
 
   /// Pictures::of(); adds the cost to `result`. Null: tracing failed, with the reason in `why`.
-  const frame::LastPictures::Picture* of(const scene::Snapshot& snapshot, bool mayRepeat,
+  const frame::LastPictures::Picture* of(const scene::Snapshot& snapshot, gl::PictureWish wish,
                                          std::optional<uint32_t> missColor, gl::PresentResult& result,
                                          std::string& why);
   const Features& features(const gl::RealGl& real);

@@ -20,7 +20,7 @@ PresentResult TracingPresenter::resolved(const gl::RealGl& real, const scene::Sn
                                          const gl::ResolveTarget& target) {
   PresentResult result;
   if (!shared_.tracer.resolve || !shared_.supported(real, result.why)) return result;
-  const frame::LastPictures::Picture* traced = shared_.of(snapshot, target.mayRepeat, {}, result, result.why);
+  const frame::LastPictures::Picture* traced = shared_.of(snapshot, target.wish, {}, result, result.why);
   if (!traced || traced->image.planes != Image::kPicture) return result;
   const double start = nowSeconds();
   scene::Resolve known = pixels_.how;

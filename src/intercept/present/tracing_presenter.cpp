@@ -40,7 +40,7 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
     const std::optional<uint32_t> under =
         target.cleared ? clearedObject_.bits(real, shared_.features(real), *target.cleared, pending)
                        : std::nullopt;
-    traced = shared_.of(snapshot, target.mayRepeat, under, result, why);
+    traced = shared_.of(snapshot, target.wish, under, result, why);
   }
   const double start = nowSeconds();
   if (traced && written(real, *traced, snapshot, target, pending, why)) {

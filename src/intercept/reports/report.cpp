@@ -75,6 +75,7 @@ json makeReport(const Totals& totals) {
       {"draws", {{"traced", s.drawsTraced}, {"rasterised", reasons}}},
       {"triangles", {{"traced", s.trianglesTraced}, {"rasterised", s.trianglesRasterised}}},
       {"bvh", {{"builds", s.blasBuilds}, {"refined", s.blasRefinements}, {"bytes", s.bvhBytes}}},
+      {"light", {{"passes", s.lightPasses}, {"noise", s.lightNoise}}},
       {"mesh", {{"built", s.meshesBuilt}, {"bytes", s.meshBytes}}},
       {"buffers", {{"bytesSent", gl::Buffer::bytesSent()}}},
       {"ms",

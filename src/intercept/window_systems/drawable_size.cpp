@@ -39,4 +39,13 @@ glm::ivec2 drawableSize(Display* display, GLXDrawable drawable) noexcept {
   return size.x > 0 ? size : sizeOfGlx(connection, name);
 }
 
+bool isMapped(Display* display, XID window) noexcept {
+  if (!display || !window || !xcb().connectionOf || !xcb().askWindow || !xcb().window) return false;
+  xcb_connection_t* const connection = xcb().connectionOf(display);
+  if (!connection) return false;
+  const auto reply =
+      replyTo(xcb().window, connection, xcb().askWindow(connection, static_cast<uint32_t>(window)));
+  return reply && reply->map_state != XCB_MAP_STATE_UNMAPPED;
+}
+
 }  // namespace gluray::intercept

@@ -1,4 +1,4 @@
-// Size of a window, pixmap or pbuffer of an X server. Any thread.
+// Size of a window, pixmap or pbuffer of an X server; whether a window is shown. Any thread.
 #pragma once
 #include <GL/glx.h>
 #include <glm/glm.hpp>
@@ -9,5 +9,8 @@ namespace gluray::intercept {
 /// 0} if the drawable no longer exists or the client libraries are missing. Never calls the program's X error
 /// handler.
 glm::ivec2 drawableSize(Display* display, GLXDrawable drawable) noexcept;
+
+/// Whether the X drawable is a window that is mapped (one round trip). Otherwise like drawableSize().
+bool isMapped(Display* display, XID window) noexcept;
 
 }  // namespace gluray::intercept

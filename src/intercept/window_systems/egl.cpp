@@ -29,6 +29,17 @@ AskSize sizeOf(EGLDisplay display, EGLSurface surface) {
   };
 }
 
+/// Queries whether `surface` is a window: the largest size is known of pbuffers only (EGL 1.5, 3.5.6).
+template <Door D>
+AskShown isWindow(EGLDisplay display, EGLSurface surface) {
+  if (surface == EGL_NO_SURFACE) return {};
+  return [display, surface] {
+    REAL(D, decltype(&eglQuerySurface), "eglQuerySurface");
+    EGLint largest = -1;
+    return real && real(display, surface, EGL_LARGEST_PBUFFER, &largest) && largest == -1;
+  };
+}
+
 /// Flushes pending draws, then runs `call`.
 template <class F>
 auto afterFlush(F&& call) {
@@ -75,7 +86,7 @@ struct Egl {
     leaveCurrent();
     const EGLBoolean done = real(display, draw, read, context);
     if (done)
-      becameCurrent(Api::egl, context, drawables, sizeOf<D>(display, draw));
+      becameCurrent(Api::egl, context, drawables, sizeOf<D>(display, draw), isWindow<D>(display, draw));
     else
       stayCurrent();
     return done;

@@ -42,7 +42,9 @@ Bool makingCurrent(Display* dpy, GLXDrawable draw, GLXDrawable read, GLXContext 
   leaveCurrent();
   const Bool done = call();
   if (done)
-    becameCurrent(Api::glx, context, {draw, read}, [dpy, draw] { return drawableSize(dpy, draw); });
+    becameCurrent(
+        Api::glx, context, {draw, read}, [dpy, draw] { return drawableSize(dpy, draw); },
+        [dpy, draw] { return isMapped(dpy, windowOf(draw)); });
   else
     stayCurrent();
   return done;

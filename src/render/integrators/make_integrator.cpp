@@ -3,11 +3,17 @@
 
 namespace gluray::render {
 
+namespace {
+
+bool wantsOcclusion(const Settings& s) { return s.ao.enabled && s.ao.strength > 0; }
+bool wantsShadows(const Settings& s) { return s.shadows.enabled && s.shadows.strength > 0; }
+
+}  // namespace
+
+bool areLit(const Settings& settings) { return wantsOcclusion(settings) || wantsShadows(settings); }
+
 std::unique_ptr<const Integrator> makeIntegrator(const FrameData& frame) {
-  const Settings& settings = frame.snapshot->settings;
-  const bool occludes = settings.ao.enabled && settings.ao.strength > 0,
-             shadows = settings.shadows.enabled && settings.shadows.strength > 0;
-  if (!occludes && !shadows && !frame.relit) return nullptr;
+  if (!areLit(frame.snapshot->settings) && !frame.relit) return nullptr;
   auto light = std::make_unique<SurfaceLight>(frame);
   return light->acts() ? std::move(light) : nullptr;
 }

@@ -1,0 +1,158 @@
+// When pictures with light get more passes.
+#include "frame/pictures.h"
+
+#include "frame/lit_scene.h"
+
+#include <gtest/gtest.h>
+
+namespace gluray::frame {
+namespace {
+
+using scene::LightSampling;
+using test::litScene;
+
+struct PicturesTest : testing::Test {
+  test::CountingTrace tracer;
+  Pictures pictures{tracer.trace};
+  scene::Snapshot scene = litScene();
+  PicturesTest() { scene.view = 7, scene.lightSampling.mode = LightSampling::moving; }
+  Pictures::Result ask(bool finished = false) { return pictures.of(scene, {.finished = finished}); }
+  /// Passes for which the picture is asked again until it is finished.
+  int askUntilRefined() {
+    int asked = 0;
+    while (!ask().picture->refined && asked < 10000) ++asked;
+    return asked;
+  }
+};
+
+TEST_F(PicturesTest, AMovingPictureIsOnePass) {
+  const Pictures::Result result = ask();
+  ASSERT_TRUE(result.picture);
+  EXPECT_EQ(tracer.traces, 1);
+  EXPECT_EQ(result.picture->image.color, test::CountingTrace().picture(scene).color);
+  EXPECT_FALSE(result.picture->refined);
+  EXPECT_FALSE(result.picture->refinement);
+}
+
+TEST_F(PicturesTest, TheSameFrameGetsBetterUntilItIsFinished) {
+  scene::Snapshot many = scene;
+  many.settings.ao.samples = 1024;
+  const Image truth = tracer.picture(many);
+  const LastPictures::Picture* const one = ask().picture;
+  const Image first = one->image;
+  const uint64_t id = one->id;
+  askUntilRefined();
+  const Pictures::Result last = ask();
+  EXPECT_LT(test::difference(last.picture->image, truth), 0.5 * test::difference(first, truth));
+  EXPECT_LE(test::difference(last.picture->image, truth), 0.012);
+  EXPECT_NE(last.picture->id, id) << "write-backs know pictures by their ids";
+  EXPECT_FALSE(last.picture->refinement);
+  EXPECT_TRUE(last.repeated);
+  const int traces = tracer.traces;
+  EXPECT_EQ(ask().picture->id, last.picture->id);
+  EXPECT_EQ(tracer.traces, traces) << "a finished picture repeats";
+}
+
+TEST_F(PicturesTest, AReadGetsTheFinishedPicture) {
+  const Pictures::Result read = ask(true);
+  ASSERT_TRUE(read.picture);
+  EXPECT_TRUE(read.picture->refined);
+  EXPECT_LE(read.noise, 0.01);
+  EXPECT_EQ(static_cast<int>(read.passes), tracer.traces);
+  EXPECT_GE(tracer.traces, 4);
+}
+
+TEST_F(PicturesTest, AReadAfterMotionFinishesThePicture) {
+  ask();
+  const Image after = ask(true).picture->image;
+  Pictures fresh{tracer.trace};
+  EXPECT_EQ(after.color, fresh.of(scene, {.finished = true}).picture->image.color) << "whatever came before";
+}
+
+TEST_F(PicturesTest, PicturesThatNobodyWatchesAreFinished) {
+  scene.lightSampling.mode = LightSampling::full;
+  const Pictures::Result result = ask();
+  EXPECT_TRUE(result.picture->refined);
+  EXPECT_LE(result.noise, 0.01);
+}
+
+TEST_F(PicturesTest, WithoutANoiseLimitThereIsOnePass) {
+  scene.settings.noise = 0;
+  const Pictures::Result result = ask(true);
+  EXPECT_EQ(tracer.traces, 1);
+  EXPECT_EQ(result.picture->image.color, test::CountingTrace().picture(scene).color);
+  EXPECT_TRUE(ask(true).repeated);
+  EXPECT_EQ(tracer.traces, 1);
+}
+
+TEST_F(PicturesTest, WithoutLightAPictureRepeats) {
+  scene.settings.ao.enabled = false;
+  ask(true);
+  EXPECT_TRUE(ask(true).repeated);
+  EXPECT_EQ(tracer.traces, 1);
+}
+
+TEST_F(PicturesTest, ThereAreMostPasses) {
+  scene.settings.noise = 1e-6f;
+  scene.settings.refine.passes = 6;
+  EXPECT_EQ(ask(true).passes, 6u);
+  EXPECT_TRUE(ask(true).repeated);
+}
+
+TEST_F(PicturesTest, LightWithoutNoiseNeedsTheLeastPasses) {
+  scene = litScene(test::Hides::nothing);
+  EXPECT_EQ(ask(true).passes, kLeastPasses);
+}
+
+TEST_F(PicturesTest, AnotherPictureOfTheViewFreesThePasses) {
+  scene.settings.noise = 1e-6f;
+  ask();
+  const LastPictures::Picture* first = ask().picture;
+  EXPECT_TRUE(first->refinement);
+  scene.eyeFromWorld[3][0] = scene.instances[0].eyeFromObject[3][0] = 0.1;
+  ask();
+  EXPECT_FALSE(first->refinement);
+}
+
+TEST_F(PicturesTest, WithoutLightNoPassesAreKept) {
+  scene.settings.noise = 1e-6f;
+  ask();
+  const LastPictures::Picture* first = ask().picture;
+  EXPECT_TRUE(first->refinement);
+  scene.view = 8;
+  scene.settings.ao.enabled = false;
+  ask();
+  EXPECT_FALSE(first->refinement);
+}
+
+TEST_F(PicturesTest, AFailingPassLeavesTheLastPicture) {
+  const Image first = ask().picture->image;
+  tracer.failAt = 2;
+  const Pictures::Result result = ask(true);
+  ASSERT_TRUE(result.picture);
+  EXPECT_EQ(result.picture->image.color, first.color);
+  EXPECT_TRUE(result.repeated);
+  EXPECT_TRUE(ask(true).repeated) << "it is not tried again";
+}
+
+TEST_F(PicturesTest, AFailureAfterSomePassesLeavesTheirMean) {
+  tracer.failAt = 3;
+  const Pictures::Result result = ask(true);
+  ASSERT_TRUE(result.picture);
+  EXPECT_EQ(result.passes, 2u);
+  scene.settings.ao.samples *= 2;
+  EXPECT_LT(test::difference(result.picture->image, tracer.picture(scene)), 0.003);
+}
+
+TEST_F(PicturesTest, IfNothingCanBeTracedThereIsNoPicture) {
+  Pictures none{[](const scene::Snapshot&, Image&, scene::TraceCost&, std::string& error) {
+    error = "never";
+    return false;
+  }};
+  const Pictures::Result result = none.of(scene, {.finished = true});
+  EXPECT_FALSE(result.picture);
+  EXPECT_EQ(result.why, "never");
+}
+
+}  // namespace
+}  // namespace gluray::frame

@@ -1,0 +1,38 @@
+// Traces passes over one snapshot and keeps their mean. One thread at a time.
+#pragma once
+#include "frame/refinement.h"
+#include "frame/tracer.h"
+
+#include <string>
+
+namespace gluray::frame {
+
+/// Whether passes make pictures of the snapshot better, and there is memory for their sums.
+bool isRefinable(const scene::Snapshot& snapshot);
+
+/// Whether a picture of these passes is finished: as little noise as `noise` allows, or `refine.passes`.
+bool isFinished(const Refinement& refinement, const Settings& settings);
+
+/// Fewer passes tell little about noise: well distributed rays may agree by chance.
+inline constexpr uint32_t kLeastPasses = 4;
+
+class Refiner {
+ public:
+  /// Continues `refinement`, whose passes, if any, were over an equal snapshot; it must outlive this.
+  Refiner(const scene::Snapshot& snapshot, Refinement& refinement);
+  /// Traces one more pass; misses of byte colours get `missColor`. False, with a line in `error`: nothing was
+  /// added. Adds to `cost`.
+  bool pass(const Trace& trace, uint32_t missColor, scene::TraceCost& cost, std::string& error);
+  /// Writes the mean into `out`; misses get out.missColor. Call after pass(). Throws std::bad_alloc.
+  void show(Image& out) const { refinement_.show(image_, wide_, out); }
+  bool finished() const { return isFinished(refinement_, snapshot_.settings); }
+  const Refinement& refinement() const { return refinement_; }
+
+ private:
+  scene::Snapshot snapshot_;  // with wide colours where these are not those of the picture
+  bool wide_;                 // the picture's colours are wide
+  Refinement& refinement_;
+  Image image_;  // of the last pass
+};
+
+}  // namespace gluray::frame

@@ -1,0 +1,12 @@
+// Which pictures a flush accepts. GL thread.
+#pragma once
+
+namespace gluray::gl {
+
+struct PictureWish {
+  bool mayRepeat = true;  // the last picture, if nothing has changed; false: the frame is being measured
+  bool finished =
+      false;  // light only with as little noise as the settings want: the program reads the pixels
+};
+
+}  // namespace gluray::gl
