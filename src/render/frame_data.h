@@ -32,8 +32,10 @@ struct FrameData {
   RaySetup rays;
   RaySetup eyeRays;  // the same in eye space with equal t; unused if rays.startAtSphere
   DepthMap depth;
-  std::vector<Lighting> lightings;          // one per Snapshot::shadings
-  std::vector<Surface> surfaces;            // one per Snapshot::instances
+  // Each one per Snapshot's, and after those one per Surroundings', shadings and instances. Surfaces that
+  // nothing can be seen of have no instance.
+  std::vector<Lighting> lightings;
+  std::vector<Surface> surfaces;
   std::vector<glm::dvec2> samplePositions;  // within the pixel, one per sample
   bool perVertex = false;
   bool oncePerPixel = false;                     // multisampled: surfaces are shaded at pixels' centres
@@ -58,6 +60,9 @@ struct FrameData {
   /// shape. If that holds averages, takes settings.spp samples per pixel. All three must outlive this. Throws
   /// std::runtime_error if a matrix cannot be inverted.
   FrameData(const scene::Snapshot& snapshot, const accel::World& world, Image& image);
+
+ private:
+  void addSurroundings(const View&);
 };
 
 constexpr int kTileSize = 32;  // pixels, a multiple of 4

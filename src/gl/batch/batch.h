@@ -56,6 +56,10 @@ class Batch {
   void seeThrough(std::shared_ptr<const scene::Layers> layers, const scene::Region& region) {
     snapshot_->layers = std::move(layers), snapshot_->region = region;
   }
+  /// Sets what surrounds the batch. Call before it is handed over.
+  void surround(std::shared_ptr<const scene::Surroundings> surroundings) {
+    snapshot_->surroundings = std::move(surroundings);
+  }
   /// Begins a batch with the contents of a snapshot that was taken with the same key.
   void resume(const BatchKey& key, const scene::Snapshot& taken);
   /// Adds an instance whose eyeFromObject is set. Equal shadings are stored once. If an equal surface was
