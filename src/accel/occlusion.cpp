@@ -50,7 +50,8 @@ bool isTraceable(const OcclusionRays& r, int i) {
 
 uint32_t World::occluded(const int32_t* valid, OcclusionRays& rays,
                          const OccluderFilter* filter) const noexcept {
-  if (!scene_) return 0;
+  RTCSceneTy* const scene = lightScene();
+  if (!scene) return 0;
   alignas(64) int32_t lanes[kLanes];
   bool any = false;
   for (int i = 0; i < kLanes; ++i) {
@@ -62,12 +63,12 @@ uint32_t World::occluded(const int32_t* valid, OcclusionRays& rays,
     rays.flags[i] = 0;
   }
   if (!any) return 0;
-  const OcclusionState state{filter, aloneIndex_, hasImpostors() ? impostors_.data() : nullptr};
+  const OcclusionState state{filter, aloneIndex_, impostors_.empty() ? nullptr : impostors_.data()};
   // Not the coherent traversal: that of Embree 3.13 for occlusion may not end.
   PacketQuery query(Coherence::incoherent, filter ? onFilter : nullptr, &state);
   askInWidth<RTCRay16, RTCRay8, RTCRay4>(
       device_.packetWidth(), rays, sizeof(RTCRay16) / (kLanes * sizeof(float)), lanes,
-      [&](const int32_t* asked, auto& packet) { query.occluded(asked, scene_, packet); });
+      [&](const int32_t* asked, auto& packet) { query.occluded(asked, scene, packet); });
   uint32_t blocked = 0;
   for (int i = 0; i < kLanes; ++i)
     if (lanes[i] && rays.tFar[i] < 0) blocked |= 1u << i;

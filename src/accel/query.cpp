@@ -76,10 +76,10 @@ void World::intersectNext(const int32_t* valid, RayPacket& packet, NextHits& hit
 
 void World::intersectBounced(const int32_t* valid, RayPacket& packet) const noexcept {
   QueryState state{nullptr, nullptr, aloneIndex_};
-  if (hasImpostors()) state.impostors = impostors_.data();
+  if (!impostors_.empty()) state.impostors = impostors_.data();
   PacketQuery query(Coherence::incoherent, nullptr, &state);
-  intersectAll(query, scene_, device_.packetWidth(), valid, packet);
-  if (alone_) nameLoneInstance(packet, aloneIndex_);
+  intersectAll(query, lightScene(), device_.packetWidth(), valid, packet);
+  if (alone_ && !light_.scene()) nameLoneInstance(packet, aloneIndex_);
 }
 
 }  // namespace gluray::accel

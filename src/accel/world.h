@@ -1,6 +1,7 @@
 // The scene that rays are traced in: BLASes, TLAS, queries. Owned by frame::Renderer, which calls update()
 // between frames; render/ then queries it from all tracing threads.
 #pragma once
+#include "accel/light_scene.h"
 #include "accel/memory/free_memory.h"
 #include "accel/meshes/blas_cache.h"
 #include "accel/meshes/coincidence.h"
@@ -45,7 +46,9 @@ class World {
   explicit World(size_t idleBudgetBytes = size_t{512} << 20, FreeMemory = freeMemory);
 
   /// Replaces the contents by the snapshot's instances and builds missing structures. Throws Error or
-  /// std::bad_alloc: then nothing may be traced until an update succeeds.
+  /// std::bad_alloc: then nothing may be traced until an update succeeds. Rays from the viewer meet these
+  /// instances alone; occluded() and intersectBounced() also meet the snapshot's surroundings, whose
+  /// instances have the numbers that follow. Surroundings that cannot be built are left out.
   UpdateStatistics update(const scene::Snapshot&, Arena&);
 
   /// Finds the nearest hit of each lane with valid[i] = -1 (others 0). `valid` is aligned to 64 bytes; the
@@ -60,8 +63,8 @@ class World {
   void intersectNext(const int32_t* valid, RayPacket&, NextHits&,
                      const ImpostorQuery* impostors) const noexcept;
 
-  /// Nearest hits of rays from anywhere, which see impostors as solids (impostors/solid.h). Otherwise as
-  /// intersect(); of triangles at one place any is hit.
+  /// Nearest hits of rays from anywhere, which see impostors as solids (impostors/solid.h) and meet the
+  /// surroundings. Otherwise as intersect(); of triangles at one place any is hit.
   void intersectBounced(const int32_t* valid, RayPacket&) const noexcept;
 
   /// Bit i: something lies on ray i, of the lanes with valid[i] = -1 (others 0), an array aligned to 64
@@ -75,7 +78,8 @@ class World {
   bool mayCoincide() const { return mayCoincide_; }
   /// True if there is nothing to hit.
   bool empty() const { return scene_ == nullptr; }
-  bool hasImpostors() const { return !impostors_.empty(); }
+  /// Whether rays from the viewer may meet impostors.
+  bool hasImpostors() const { return hasImpostors_; }
   const PlacedImpostors& impostorsOf(uint32_t instance) const { return impostors_[instance]; }
   /// Bytes of all structures at present.
   size_t bytes() const { return Device::bytes(); }
@@ -87,13 +91,15 @@ class World {
   /// Bounding box of the contents, world space. Only where not empty().
   glm::vec3 lower() const { return lower_; }
   glm::vec3 upper() const { return upper_; }
+  /// The same of all that light meets, in the space of Surroundings::viewFromWorld.
+  Bounds lightBounds() const { return light_.scene() ? light_.bounds() : Bounds{lower_, upper_}; }
   /// The longest triangle edge of a mesh, object space; 0 for impostors. Computed once per mesh.
   float longestEdge(const scene::Mesh& mesh) const { return sizes_.longestEdge(mesh); }
 
  private:
-  /// Whether the TLAS holds these instances, with transforms equal up to the rounding of float matrices.
-  bool stayPlaced(const scene::Snapshot& snapshot, const std::vector<PlacedBlas>& placed) const;
   std::vector<PlacedBlas> place(const scene::Snapshot&);
+  bool placeAround(const scene::Snapshot&, const std::vector<PlacedBlas>& drawn);
+  RTCSceneTy* lightScene() const { return light_.scene() ? light_.scene() : scene_; }
   std::vector<BlasPtr> structures(const std::vector<Geometry>&, BvhQuality);
   void ask(QueryState&, bool filtered, const int32_t* valid, RayPacket&, const ImpostorQuery*) const noexcept;
   void readBounds();
@@ -104,6 +110,7 @@ class World {
   BlasCache cache_;
   mutable TriangleSizes sizes_;
   Tlas tlas_;
+  LightScene light_;
   RTCSceneTy* scene_ = nullptr;  // traced: the TLAS, or the BLAS of a single untransformed mesh
   BlasPtr alone_;
   uint32_t aloneIndex_ = 0;
@@ -112,6 +119,7 @@ class World {
   bool apart_ = false;        // the TLAS holds no triangles that may coincide
   DrawOrder order_;
   std::vector<PlacedImpostors> impostors_;  // per instance; empty where all are triangles
+  bool hasImpostors_ = false;               // some of the snapshot's own instances are
   bool hasPixelImpostors_ = false;          // some have a size in pixels
   glm::vec3 lower_{0}, upper_{0};
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <utility>
 
 namespace gluray::frame {
 namespace {
@@ -15,19 +16,33 @@ bool isSameLayers(const std::shared_ptr<const scene::Layers>& a,
 
 }  // namespace
 
+/// `meshes`: those of the kept instances, which hold none.
+bool LastPictures::areSame(std::vector<scene::Instance>& kept, const std::weak_ptr<const scene::Mesh>* meshes,
+                           const std::vector<scene::Instance>& now) noexcept {
+  if (kept.size() != now.size()) return false;
+  for (size_t i = 0; i < now.size(); ++i) {
+    scene::Instance& one = kept[i];
+    one.mesh = meshes[i].lock();
+    const bool same = one.mesh && one == now[i];
+    one.mesh.reset();
+    if (!same) return false;
+  }
+  return true;
+}
+
 /// Compares the most changeable state first. Allocates nothing.
 bool LastPictures::isSame(Entry& entry, const scene::Snapshot& s) noexcept {
   const scene::Snapshot& e = entry.shows;
   if (!entry.whole || e.eyeFromWorld != s.eyeFromWorld || !(e.camera == s.camera) ||
-      !(e.region == s.region) || e.instances.size() != s.instances.size())
+      !(e.region == s.region) || !areSame(entry.shows.instances, entry.meshes.data(), s.instances))
     return false;
-  for (size_t i = 0; i < s.instances.size(); ++i) {
-    scene::Instance& one = entry.shows.instances[i];
-    one.mesh = entry.meshes[i].lock();
-    const bool same = one.mesh && one == s.instances[i];
-    one.mesh.reset();
-    if (!same) return false;
-  }
+  if (!entry.around != !s.surroundings) return false;
+  if (entry.around && !(entry.around->shadings == s.surroundings->shadings &&
+                        entry.around->blended == s.surroundings->blended &&
+                        entry.around->viewFromWorld == s.surroundings->viewFromWorld &&
+                        areSame(entry.around->instances, entry.meshes.data() + s.instances.size(),
+                                s.surroundings->instances)))
+    return false;
   return e.samples == s.samples && e.samplePositions == s.samplePositions &&
          e.polygonOffset == s.polygonOffset && e.wideColors == s.wideColors && e.laterWins == s.laterWins &&
          e.shadings == s.shadings && e.settings == s.settings && isSameLayers(e.layers, s.layers);
@@ -69,6 +84,7 @@ LastPictures::Picture& LastPictures::next() noexcept {
                                [](const Entry& a, const Entry& b) { return a.used < b.used; });
   next_->whole = false;
   next_->shows = {};
+  next_->around.reset();
   next_->meshes.clear();
   next_->used = ++uses_;
   next_->picture.id = ++ids_;
@@ -78,15 +94,23 @@ LastPictures::Picture& LastPictures::next() noexcept {
 }
 
 void LastPictures::keep(const scene::Snapshot& snapshot) noexcept {
-  if (snapshot.instances.size() > kMostInstances) return;
+  if (scene::countAll(snapshot) > kMostInstances) return;
+  const auto takeMeshes = [this](std::vector<scene::Instance>& instances) {
+    for (scene::Instance& instance : instances)
+      next_->meshes.push_back(std::exchange(instance.mesh, nullptr));
+  };
   try {
     next_->shows = snapshot;
-    for (scene::Instance& instance : next_->shows.instances) {
-      next_->meshes.push_back(instance.mesh);
-      instance.mesh.reset();
+    takeMeshes(next_->shows.instances);
+    if (snapshot.surroundings) {
+      next_->shows.surroundings.reset();
+      next_->around = std::make_shared<scene::Surroundings>(*snapshot.surroundings);
+      takeMeshes(next_->around->instances);
     }
     next_->whole = true;
-  } catch (const std::exception&) { next_->shows = {}; }  // out of memory: trace it again next time
+  } catch (const std::exception&) {
+    next_->shows = {}, next_->around.reset();
+  }  // out of memory: trace it again next time
 }
 
 }  // namespace gluray::frame

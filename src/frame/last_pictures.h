@@ -4,6 +4,7 @@
 #include "base/image.h"
 #include "frame/refinement.h"
 #include "scene/snapshot.h"
+#include "scene/surroundings.h"
 
 #include <array>
 #include <memory>
@@ -41,11 +42,15 @@ class LastPictures {
   struct Entry {
     Picture picture;
     uint64_t used = 0;
-    bool whole = false;     // finished
-    scene::Snapshot shows;  // without meshes
-    std::vector<std::weak_ptr<const scene::Mesh>> meshes;
+    bool whole = false;  // finished
+    // Without meshes.
+    scene::Snapshot shows;
+    std::shared_ptr<scene::Surroundings> around;           // of `shows`; null: none
+    std::vector<std::weak_ptr<const scene::Mesh>> meshes;  // of both
   };
   void keepWithinBudget() noexcept;
+  static bool areSame(std::vector<scene::Instance>& kept, const std::weak_ptr<const scene::Mesh>* meshes,
+                      const std::vector<scene::Instance>& now) noexcept;
   static bool isSame(Entry& entry, const scene::Snapshot& snapshot) noexcept;
 
   std::array<Entry, 3> entries_;

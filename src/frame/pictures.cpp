@@ -82,7 +82,7 @@ Pictures::Result Pictures::of(const scene::Snapshot& snapshot, const Wish& wish)
   Result result;
   const bool ahead = ahead_ && ahead_->has(snapshot);
   const bool refines = isRefinable(snapshot);
-  const bool full = wish.finished || snapshot.lightSampling.mode == scene::LightSampling::full;
+  const bool full = wish.finished || snapshot.lightSampling.mode == scene::LightSampling::Mode::full;
   if (!refines) last_.forgetPasses();
   if (auto* const picture = wish.mayRepeat && !ahead ? known(snapshot, wish, refines) : nullptr) {
     result.repeated = true, result.picture = picture;

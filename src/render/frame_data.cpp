@@ -1,6 +1,7 @@
 #include "render/frame_data.h"
 
 #include "render/lights/relit.h"
+#include "scene/surroundings.h"
 
 #include <tbb/parallel_for.h>
 
@@ -105,8 +106,9 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
       image(&target) {
   perVertex = s.settings.shading == ShadingRate::vertex;
   oncePerPixel = s.samples > 1 && s.settings.shading != ShadingRate::sample;
-  lightings.reserve(shadings().size());
-  for (const scene::Shading& shading : shadings()) {
+  const std::vector<scene::Shading>& own = this->shadings();
+  lightings.reserve(own.size() + (s.surroundings ? s.surroundings->shadings.size() : 0));
+  for (const scene::Shading& shading : own) {
     lightings.emplace_back(shading);
     if (shading.fragment.edges && shading.fragment.edgesGrow)
       widestEdge = std::max(widestEdge, shading.fragment.edgeWidth);
@@ -151,6 +153,22 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
   if (!averages && samplePositions.size() != static_cast<size_t>(std::max(s.samples, 1))) {
     throw std::runtime_error("the number of sample positions is not the number of samples");
   }
+  if (s.surroundings) addSurroundings(view);
+}
+
+/// After all that rays from the viewer meet is known: they do not meet these.
+void FrameData::addSurroundings(const View& view) {
+  const scene::Surroundings& around = *snapshot->surroundings;
+  const size_t drawn = surfaces.size(), shadings = lightings.size();
+  for (const scene::Shading& shading : around.shadings) lightings.emplace_back(shading);
+  surfaces.resize(drawn + around.instances.size());
+  tbb::parallel_for(size_t{0}, around.instances.size(), [&](size_t i) {
+    const scene::Instance& instance = around.instances[i];
+    if (instance.mesh->triangleCount == 0) return;
+    try {
+      surfaces[drawn + i] = makeSurface(view, instance, lightings[shadings + instance.shading], false);
+    } catch (const std::runtime_error&) {}  // its matrix cannot be inverted: rays meet nothing there
+  });
 }
 
 const std::vector<scene::Shading>& FrameData::shadings() const {

@@ -35,9 +35,11 @@ struct FrameData {
   RaySetup rays;
   RaySetup eyeRays;  // the same in eye space with equal t; unused if rays.startAtSphere
   DepthMap depth;
-  std::shared_ptr<const Relit> relit;       // shadings in place of the snapshot's, if settings change lights
-  std::vector<Lighting> lightings;          // one per shading
-  std::vector<Surface> surfaces;            // one per Snapshot::instances
+  std::shared_ptr<const Relit> relit;  // shadings in place of the snapshot's, if settings change lights
+  // Each one per Snapshot's (or relit), and after those one per Surroundings', shadings and instances. Surfaces
+  // that nothing can be seen of have no instance.
+  std::vector<Lighting> lightings;
+  std::vector<Surface> surfaces;
   std::vector<glm::dvec2> samplePositions;  // within the pixel, one per sample
   bool perVertex = false;
   bool oncePerPixel = false;                     // multisampled: surfaces are shaded at pixels' centres
@@ -67,8 +69,11 @@ struct FrameData {
   /// std::runtime_error if a matrix cannot be inverted.
   FrameData(const scene::Snapshot& snapshot, const accel::World& world, Image& image);
   const std::vector<scene::Shading>& shadings() const;
-  /// Of an instance: an index of shadings() and lightings.
+  /// Of one of the snapshot's instances: an index of shadings() and lightings.
   uint32_t shadingOf(size_t instance) const;
+
+ private:
+  void addSurroundings(const View&);
 };
 
 constexpr int kTileSize = 32;  // pixels, a multiple of 4

@@ -121,6 +121,8 @@ struct Layers {
   bool operator==(const Layers&) const = default;
 };
 
+struct Surroundings;
+
 /// One batch, traced at once and written to one framebuffer.
 struct Snapshot {
   uint64_t frame = 0;  // counts the program's frames, from 1
@@ -140,6 +142,7 @@ struct Snapshot {
   bool laterWins = false;  // GL_LEQUAL: of coincident surfaces the last drawn is visible; otherwise the first
   std::vector<Shading> shadings;
   std::vector<Instance> instances;
+  std::shared_ptr<const Surroundings> surroundings;  // null: nothing else blocks or reflects light
   Settings settings;
 };
 using SnapshotPtr = std::shared_ptr<const Snapshot>;

@@ -96,6 +96,32 @@ std::vector<BlasPtr> BlasCache::get(const std::vector<Geometry>& wanted, BvhQual
   return result;
 }
 
+std::vector<BlasPtr> BlasCache::aside(const std::vector<Geometry>& wanted, BvhQuality quality) {
+  std::vector<BlasPtr> result(wanted.size());
+  std::vector<std::pair<Key, Entry>> coming;
+  std::unordered_map<Key, BlasPtr, KeyHash> started;
+  Waiting waiting;
+  for (size_t i = 0; i < wanted.size(); ++i) {
+    if (wanted[i].mesh->triangleCount == 0) continue;
+    const Key key{wanted[i].id(), quality};
+    if (const auto known = entries_.find(key); known != entries_.end()) {
+      known->second.lastUsed = clock_, known->second.lastFrame = frames_;
+      result[i] = known->second.blas;
+      continue;
+    }
+    BlasPtr& blas = started[key];
+    if (!blas) {
+      if (started.size() == 1) waiting = waitingOf(wanted, quality);
+      const BvhQuality first = firstQuality(quality, wanted[i].mesh->triangleCount, waiting, freeMemory_);
+      blas = std::make_shared<Blas>(device_, iota_, wanted[i], first);
+      coming.push_back({key, {blas, first, clock_, frames_, 0, false}});
+    }
+    result[i] = blas;
+  }
+  build(coming);
+  return result;
+}
+
 /// The idle structure of the mesh's latest earlier positions; entries_.end(): none.
 BlasCache::Entries::iterator BlasCache::formerOf(const scene::Mesh& mesh, const std::vector<Geometry>& wanted,
                                                  BvhQuality quality) {

@@ -28,6 +28,9 @@ class BlasCache {
   /// then stay in the cache. `thrifty`: new structures take as little memory as possible, whatever the
   /// quality.
   std::vector<BlasPtr> get(const std::vector<Geometry>& wanted, BvhQuality, bool thrifty = false);
+  /// The same for geometry that is met but not drawn: structures are used, or built where they are missing,
+  /// but that says nothing about what will be drawn, so that neither later builds nor refits change.
+  std::vector<BlasPtr> aside(const std::vector<Geometry>& wanted, BvhQuality);
   /// Whether `thrifty` would change any structure that is still missing.
   bool thriftHelps(const std::vector<Geometry>& wanted, BvhQuality) const;
   /// Frees idle structures beyond the budget.

@@ -46,6 +46,7 @@ void Flusher::present(Reason reason) {
   if (key.layers == BatchKey::Layers::drawn && reason == Reason::traced && !p_.layers.readUnder())
     reason = Reason::framebuffer;
   const bool rasterise = reason != Reason::traced;
+  if (!rasterise) surround();
   const scene::SnapshotPtr snapshot = batch.take();
   const double start = p_.counts.kinds() ? nowSeconds() : 0;
   p_.shadow.syncCurrent();
@@ -62,6 +63,7 @@ void Flusher::present(Reason reason) {
                                                            .programDraws = batch.takeProgramDraws(),
                                                            .wish = p_.clock.wish(),
                                                            .cleared = under});
+  if (result.outcome == PresentResult::traced && !rasterise) p_.surfaces.views.traced(key, snapshot);
   if (result.averages) p_.cleared.wroteAntialiased(antialiased, key);
   p_.resolves.cleanIs({});
   p_.shadow.latch.restore(p_.shadow.real);

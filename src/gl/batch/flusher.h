@@ -62,6 +62,8 @@ class Flusher {
   /// Presents a delayed snapshot into the framebuffer of `key`. `known`: its picture is traced already.
   void presentLate(const BatchKey& key, const scene::SnapshotPtr& snapshot, std::vector<ProgramDraw> draws,
                    bool known);
+  /// Tells the pending batch what surrounds it. Call before it is traced or taken.
+  void surround() { batch.surround(p_.surfaces.views.around(batch.key(), batch.waiting())); }
   /// Adds a result to the statistics. `known`: the picture was shown before, elsewhere.
   void takeResult(const PresentResult& result, bool known = false);
   /// Writes delayed pictures into their framebuffers: all, or those that a draw with so many samples into the

@@ -96,8 +96,10 @@ bool ResolveDraws::hold() {
   if (!waits) return false;
   const UnresolvedPicture::Cleared kept = cleared;
   p_.flusher.settle();
+  p_.flusher.surround();
   UnresolvedPicture::Waiting waiting{kept, key, p_.flusher.batch.take(), p_.flusher.batch.takeProgramDraws()};
   p_.surfaces.passes.flushed(waiting.snapshot);
+  p_.surfaces.views.traced(waiting.key, waiting.snapshot);
   held_.waiting = std::move(waiting);
   return true;
 }

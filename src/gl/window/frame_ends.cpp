@@ -3,6 +3,8 @@
 #include "gl/batch/resolve_draws.h"
 #include "gl/capture/immediate.h"
 #include "gl/lists/list_compiler.h"
+#include "gl/state/state_queries.h"
+#include "gl/window/clears.h"
 #include "gl/window/window_frames.h"
 
 #include <GL/glext.h>
@@ -48,6 +50,7 @@ void FrameEnds::afterSwap() {
   p_.failsafe.protect([&] { takeSettings(); });
   p_.surfaces.passes.clear();
   p_.surfaces.coplanar.clear();
+  p_.surfaces.views.swapped();
   forgetOld();
 }
 
@@ -109,6 +112,7 @@ void FrameEnds::cleared(GLbitfield mask) {
     if (p_.surfaces.passes.anyByProgram()) p_.shadow.refresh(kTarget);
     p_.surfaces.passes.clear(p_.shadow.state.target.framebuffer), p_.surfaces.coplanar.clear();
   }
+  if (mask & GL_DEPTH_BUFFER_BIT && !p_.surfaces.views.empty()) endViews();
   p_.cleared.clear(mask);
   if ((mask & kWhole) != kWhole || p_.counts.work() == workForgotten_) return;
   const int patience = p_.counts.statistics.frames > 0 ? 64 : 4;
@@ -116,6 +120,14 @@ void FrameEnds::cleared(GLbitfield mask) {
   forgetOld();
   if (p_.counts.statistics.frames == 0) p_.failsafe.protect([&] { takeSettings(); });
   p_.surfaces.passes.forgetMany();  // in framebuffers whose depth is never cleared
+}
+
+void FrameEnds::endViews() {
+  const RealGl& real = p_.shadow.real;
+  if (!clearsInFull(real, p_.shadow.state.rare, GL_DEPTH_BUFFER_BIT)) return;
+  const GLint framebuffer = isPresent(real.BindFramebuffer) ? integer(real, GL_DRAW_FRAMEBUFFER_BINDING) : 0;
+  const glm::ivec4 box = scissorBox(real);
+  p_.surfaces.views.depthCleared(static_cast<GLuint>(framebuffer), {box.x, box.y, box.z, box.w});
 }
 
 void FrameEnds::endFrame() {

@@ -49,6 +49,7 @@ class FrameEnds {
   void takeSettings();
   uint64_t draws() const;
   void endFrame();
+  void endViews();
   void showFront();
   void showDrawn();
   void chooseEngine();

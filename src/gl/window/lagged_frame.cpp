@@ -66,6 +66,7 @@ LagRefusal WindowFrames::lag(const LagWindow& window) noexcept {
     refusal = whyNotLag(window.overdue.buffer);
     if (refusal != LagRefusal::none) return;
     p_.shadow.errors.keepPending();
+    p_.flusher.surround();
     LaggedFrame frame{p_.flusher.batch.key(), p_.flusher.batch.pending(), {}, window, {}, 1, {}};
     const glm::ivec2 size = window.overdue.size;
     if (window.show && mayShowDirectly() && contains(p_.cleared.target()->region, {0, 0, size.x, size.y})) {
@@ -77,7 +78,7 @@ LagRefusal WindowFrames::lag(const LagWindow& window) noexcept {
         p_.shadow.real, frame.snapshot, {frame.key.depthFunc, frame.cleared, frame.farthest, window.overdue});
     if (refusal != LagRefusal::none) return;
     lagged_ = std::move(frame);
-    p_.flusher.batch.take();
+    p_.surfaces.views.traced(lagged_->key, p_.flusher.batch.take());
     lagged_->draws = p_.flusher.batch.takeProgramDraws();
     p_.shadow.real.Flush();  // starts the frame's rasterised draws meanwhile
   });

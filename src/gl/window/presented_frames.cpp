@@ -41,6 +41,7 @@ bool WindowFrames::showWithoutSwap(glm::ivec2 window, const ShowPicture& show) n
     const timeline::Span span("batch", p_.flusher.batch.waiting().instances.size());
     const BatchKey key = p_.flusher.batch.key();
     p_.shadow.syncCurrent();
+    p_.flusher.surround();
     const ShowTarget target{*p_.cleared.target(),
                             farthestHit(key.depthFunc, p_.shadow.state.target.depthResolution),
                             p_.shadow.info.core, p_.clock.wish(), show};
@@ -56,6 +57,7 @@ bool WindowFrames::showWithoutSwap(glm::ivec2 window, const ShowPicture& show) n
     p_.flusher.takeResult(result);
     PresentedPicture::Waiting waiting{key, p_.flusher.batch.take(), p_.flusher.batch.takeProgramDraws()};
     p_.surfaces.passes.flushed(waiting.snapshot);
+    p_.surfaces.views.traced(key, waiting.snapshot);
     presented_.waiting = std::move(waiting);
     p_.cleared.forget();
     noteUse(Quirk::softwareShow);

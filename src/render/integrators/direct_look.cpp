@@ -8,7 +8,10 @@ constexpr glm::vec4 kNone{0, 0, 0, 1};
 }  // namespace
 
 DirectLook::DirectLook(const FrameData& frame)
-    : shadings(frame.shadings()), materials(frame.surfaces.size()), surfaces(frame.surfaces) {
+    : shadings(frame.shadings()),
+      materials(frame.snapshot->instances.size()),
+      surfaces(frame.surfaces) {
+  surfaces.resize(materials.size());
   lightings.reserve(shadings.size());
   for (scene::Shading& shading : shadings) {
     shading.globalAmbient = kNone;

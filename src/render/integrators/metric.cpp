@@ -1,9 +1,18 @@
 #include "render/integrators/metric.h"
 
+#include "scene/surroundings.h"
+
 #include <cmath>
 #include <stdexcept>
 
 namespace gluray::render {
+namespace {
+
+glm::vec3 axesOf(const glm::dmat4& m) {
+  return {glm::length(glm::dvec3(m[0])), glm::length(glm::dvec3(m[1])), glm::length(glm::dvec3(m[2]))};
+}
+
+}  // namespace
 
 Metric::Metric(const FrameData& frame) {
   const glm::dmat4& m = frame.snapshot->eyeFromWorld;
@@ -14,9 +23,13 @@ Metric::Metric(const FrameData& frame) {
       if (!std::isfinite(worldFromEye[c][r]))
         throw std::runtime_error("the modelview matrix cannot be inverted");
   away = frame.eyeRays.step;
-  const glm::dvec3 size(frame.world->upper() - frame.world->lower());
-  axes = {glm::length(glm::dvec3(m[0])), glm::length(glm::dvec3(m[1])), glm::length(glm::dvec3(m[2]))};
-  diagonal = static_cast<float>(glm::length(glm::dvec3(axes) * size));
+  axes = axesOf(m);
+  const accel::Bounds bounds = frame.world->lightBounds();
+  const glm::dvec3 size(bounds.upper - bounds.lower);
+  const auto* around = frame.snapshot->surroundings.get();
+  const bool elsewhere = around && around->viewFromWorld != glm::dmat4(1);
+  const glm::vec3 sides = elsewhere ? axesOf(m * glm::inverse(around->viewFromWorld)) : axes;
+  diagonal = static_cast<float>(glm::length(glm::dvec3(sides) * size));
 }
 
 }  // namespace gluray::render

@@ -1,5 +1,7 @@
 #include "render/integrators/occluders.h"
 
+#include "scene/surroundings.h"
+
 #include <algorithm>
 
 namespace gluray::render {
@@ -42,12 +44,17 @@ glm::vec4 colorOfFixedFunction(const Surface& s, const accel::Occluder& o) {
 }  // namespace
 
 Occluders::Occluders(const scene::Snapshot& snapshot, const std::vector<Surface>& surfaces)
-    : surfaces_(surfaces), translucent_(snapshot.layers != nullptr) {
-  const auto isClipped = [](const scene::Instance& i) { return !i.clipPlanes.empty(); };
-  if (std::none_of(snapshot.instances.begin(), snapshot.instances.end(), isClipped)) return;
-  planes_.resize(snapshot.instances.size());
-  for (size_t i = 0; i < planes_.size(); ++i) {
-    const scene::Instance& instance = snapshot.instances[i];
+    : surfaces_(surfaces), snapshot_(snapshot), translucent_(snapshot.layers != nullptr) {
+  const size_t count = scene::countAll(snapshot);
+  bool clipped = false;
+  for (size_t i = 0; i < count; ++i) {
+    clipped |= !scene::instanceOf(snapshot, i).clipPlanes.empty();
+    translucent_ |= scene::isBlended(snapshot, i);
+  }
+  if (!clipped) return;
+  planes_.resize(count);
+  for (size_t i = 0; i < count; ++i) {
+    const scene::Instance& instance = scene::instanceOf(snapshot, i);
     // A plane acts on eye coordinates; as a row vector it comes to object space by the modelview on its
     // right.
     for (const glm::dvec4& plane : instance.clipPlanes) planes_[i].push_back(plane * instance.eyeFromObject);
@@ -62,8 +69,9 @@ bool Occluders::isThere(const accel::Occluder& occluder) const {
 }
 
 glm::vec4 Occluders::surfaceAt(const accel::Occluder& occluder) const {
-  if (!translucent_) return glm::vec4(1);
+  if (!translucent_ || !scene::isBlended(snapshot_, occluder.instance)) return glm::vec4(1);
   const Surface& s = surfaces_[occluder.instance];
+  if (!s.instance) return glm::vec4(1);
   const bool program = s.lighting->shading->fragment.model != scene::FragmentShading::Model::off;
   const glm::vec4 color = program ? colorOfProgram(s, occluder) : colorOfFixedFunction(s, occluder);
   return glm::clamp(color, 0.0f, 1.0f);

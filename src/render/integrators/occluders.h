@@ -9,9 +9,9 @@
 
 namespace gluray::render {
 
-/// The occluders of a snapshot, which must outlive it, as must the surfaces of its instances. Both sides of
-/// surfaces block, culled or not: what a program does not draw because it faces away still belongs to a
-/// solid. Textures do not count: a surface is as opaque as its material and vertices say.
+/// The occluders of a snapshot and its surroundings, which must outlive it, as must their surfaces. Both
+/// sides of surfaces block, culled or not: what a program does not draw because it faces away still belongs
+/// to a solid. Textures do not count: a surface is as opaque as its material and vertices say.
 class Occluders {
  public:
   Occluders(const scene::Snapshot&, const std::vector<Surface>&);
@@ -32,7 +32,8 @@ class Occluders {
   glm::vec4 surfaceAt(const accel::Occluder&) const;
 
   const std::vector<Surface>& surfaces_;
-  bool translucent_;                             // the program blends its surfaces: alphas count
+  const scene::Snapshot& snapshot_;
+  bool translucent_;                             // the program blends some: alphas count
   std::vector<std::vector<glm::dvec4>> planes_;  // object space, by instance; empty where there are none
 };
 

@@ -1,0 +1,29 @@
+// Where structures are placed in the world, as World and its light need it. Private to accel/, one thread.
+#pragma once
+#include "accel/tlas.h"
+#include "scene/snapshot.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace gluray::accel {
+
+/// Whether a transform is affine and invertible: rays are transformed into an instance by its inverse.
+bool isPlaceable(const glm::mat4& worldFromObject);
+
+/// Whether a TLAS that holds `held` may stay as it is for the instances of a snapshot, and after them those
+/// of its surroundings: the structures are the same, and transforms are equal up to the rounding of float
+/// matrices.
+bool stayPlaced(const scene::Snapshot&, const std::vector<PlacedBlas>& held,
+                const std::vector<PlacedBlas>& placed);
+
+struct Bounds {
+  glm::vec3 lower{0}, upper{0};
+  bool empty() const { return !(lower.x <= upper.x && lower.y <= upper.y && lower.z <= upper.z); }
+};
+Bounds boundsOf(RTCSceneTy*);
+/// The box in another space around the boxes of instances.
+Bounds boundsIn(const glm::dmat4& spaceFromWorld, const std::vector<PlacedBlas>&);
+
+}  // namespace gluray::accel

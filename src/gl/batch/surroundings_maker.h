@@ -1,0 +1,39 @@
+// Makes the surroundings of a snapshot from other snapshots of its view. Called by ViewScenes, GL thread.
+#pragma once
+#include "base/hash.h"
+#include "scene/surroundings.h"
+
+#include <glm/glm.hpp>
+
+#include <memory>
+#include <unordered_map>
+#include <utility>
+
+namespace gluray::gl {
+
+/// A surface that is drawn several times, as by several passes, surrounds once; what the snapshot draws
+/// itself does not surround it.
+class SurroundingsMaker {
+ public:
+  explicit SurroundingsMaker(const scene::Snapshot& of);
+  /// Leaves out what equals a surface of `part`, of the same frame as later parts.
+  void skip(const scene::Snapshot& part);
+  /// Adds the surfaces of `part`. `eyeFromPart`: from its eye space to that of the snapshot. `moved`: how
+  /// what it shows has moved in its eye space since.
+  void add(const scene::Snapshot& part, const glm::dmat4& eyeFromPart,
+           const glm::dmat4& moved = glm::dmat4(1));
+  /// Parts from here on were drawn in another frame than those before: equal places mean nothing.
+  void nextFrame() { seen_.clear(); }
+  /// Null where nothing was added.
+  std::shared_ptr<const scene::Surroundings> take(const glm::dmat4& viewFromWorld);
+
+ private:
+  bool isNew(const scene::Instance&);
+
+  const scene::Snapshot& of_;
+  glm::dmat4 worldFromEye_;
+  std::shared_ptr<scene::Surroundings> made_;
+  std::unordered_multimap<Hash128, const scene::Instance*> seen_;  // by geometry and place
+};
+
+}  // namespace gluray::gl

@@ -1,0 +1,44 @@
+// What surrounds a batch: the other surfaces of its view, which the batch does not draw but which block and
+// reflect its light. Made by gl/batch/view_scenes, shared, immutable.
+#pragma once
+#include "scene/snapshot.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace gluray::scene {
+
+struct Surroundings {
+  std::vector<Shading> shadings;
+  /// In the eye space and the world of the snapshot that they surround; Instance::shading is an index into
+  /// `shadings` above. Where instances are numbered, they come after those of the snapshot.
+  std::vector<Instance> instances;
+  std::vector<uint8_t> blended;  // one an instance; not 0: the program blends it, so that its alpha counts
+  glm::dmat4 viewFromWorld{1};   // to the world of the view's first batch, from that of the snapshot
+  bool operator==(const Surroundings&) const = default;
+};
+
+/// Whether the settings ask for light that other surfaces block or reflect. Snapshots have surroundings only
+/// then.
+inline bool needsSurroundings(const Settings& settings) {
+  return settings.ao.enabled && settings.ao.strength > 0;
+}
+
+/// Number of the snapshot's instances and those of its surroundings.
+inline size_t countAll(const Snapshot& s) {
+  return s.instances.size() + (s.surroundings ? s.surroundings->instances.size() : 0);
+}
+/// Instance `i` of both.
+inline const Instance& instanceOf(const Snapshot& s, size_t i) {
+  const size_t drawn = s.instances.size();
+  return i < drawn ? s.instances[i] : s.surroundings->instances[i - drawn];
+}
+/// Whether the program blends it.
+inline bool isBlended(const Snapshot& s, size_t i) {
+  const size_t drawn = s.instances.size();
+  return i < drawn ? s.layers != nullptr : s.surroundings->blended[i - drawn] != 0;
+}
+
+}  // namespace gluray::scene

@@ -1,0 +1,190 @@
+// Surfaces of one view light each other although they are traced in several batches; those of other views do
+// not (adr/0047).
+#include "tests/support/traced_context.h"
+
+#include <glm/glm.hpp>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace gluray::test {
+namespace {
+
+constexpr int kSize = 64;
+using Gl = const gl::RealGl&;
+using Step = std::function<void(Gl)>;
+
+void quad(Gl gl, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d) {
+  gl.Begin(GL_QUADS);
+  for (const glm::vec3* p : {&a, &b, &c, &d}) gl.Vertex3f(p->x, p->y, p->z);
+  gl.End();
+}
+
+/// A slightly tilted floor that fills the window.
+void floor(Gl gl) {
+  gl.Color4f(1, 1, 1, 1);
+  quad(gl, {-1, -1, 0.5f}, {1, -1, 0.51f}, {1, 1, 0.51f}, {-1, 1, 0.5f});
+}
+/// On it at the right, seen edge-on: nearly nothing of it is visible.
+void wall(Gl gl) {
+  gl.Color4f(1, 1, 1, 1);
+  quad(gl, {0.9f, -1, 0.51f}, {0.95f, -1, -0.9f}, {0.95f, 1, -0.9f}, {0.9f, 1, 0.51f});
+}
+void nothing(Gl) {}
+
+Settings withAo(bool on = true) {
+  Settings settings = TracedContext::tracing();
+  settings.ao.enabled = on;
+  settings.ao.samples = 64;
+  settings.ao.distance = 2;
+  return settings;
+}
+
+class Program {
+ public:
+  explicit Program(const Settings& settings) : context_({kSize, kSize}, settings) {
+    gl().Enable(GL_DEPTH_TEST);
+    gl().ClearColor(0, 0, 0, 0);
+  }
+  Gl gl() const { return context_.gl(); }
+  Picture frame(const std::vector<Step>& steps) {
+    gl().DepthFunc(GL_LESS);
+    gl().Viewport(0, 0, kSize, kSize);
+    gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    for (const Step& step : steps) step(gl());
+    gl().Finish();
+    return context_.read();
+  }
+  const gl::Statistics& statistics() const { return context_.context().counts.statistics; }
+  const gl::ViewScenes& views() const { return context_.context().surfaces.views; }
+
+ private:
+  TracedContext context_;
+};
+
+Picture frameOf(const std::vector<Step>& steps, const Settings& settings = withAo()) {
+  return Program(settings).frame(steps);
+}
+
+/// Red of the floor's pixels, left of the wall.
+std::vector<int> floorOf(const Picture& picture) {
+  std::vector<int> result;
+  for (int y = 4; y < kSize - 4; ++y)
+    for (int x = 4; x < 60; ++x)
+      result.push_back(static_cast<int>(picture.colors[static_cast<size_t>(y * kSize + x)] & 255));
+  return result;
+}
+
+/// Has the real OpenGL draw a blended line at the window's rim.
+void blendedLine(Gl gl) {
+  gl.Enable(GL_BLEND);
+  gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  gl.Color4f(0, 0, 1, 0.5f);
+  gl.Begin(GL_LINES);
+  gl.Vertex3f(-1, -0.99f, -0.5f), gl.Vertex3f(1, -0.99f, -0.5f);
+  gl.End();
+  gl.Disable(GL_BLEND);
+}
+
+struct Case {
+  const char* name;
+  Step between;
+};
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+
+const Case kSplits[] = {
+    {"depthFunction", [](Gl gl) { gl.DepthFunc(GL_LEQUAL); }},
+    {"polygonOffset", [](Gl gl) { gl.Enable(GL_POLYGON_OFFSET_FILL), gl.PolygonOffset(1, 1); }},
+    {"blendedDraw", blendedLine},
+    {"readBack",
+     [](Gl gl) {
+       uint32_t pixel = 0;
+       gl.ReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
+     }},
+    {"colorMask", [](Gl gl) { gl.ColorMask(1, 1, 1, 0); }},
+    {"scissor", [](Gl gl) { gl.Enable(GL_SCISSOR_TEST), gl.Scissor(1, 1, kSize - 1, kSize - 1); }},
+    {"depthClearElsewhere",
+     [](Gl gl) {
+       gl.Enable(GL_SCISSOR_TEST), gl.Scissor(0, 0, 3, 3);
+       gl.Clear(GL_DEPTH_BUFFER_BIT);
+       gl.Disable(GL_SCISSOR_TEST);
+     }},
+    {"depthClearMasked",
+     [](Gl gl) {
+       gl.DepthMask(0);
+       gl.Clear(GL_DEPTH_BUFFER_BIT);
+       gl.DepthMask(1);
+     }},
+};
+
+class SplitView : public testing::TestWithParam<Case> {};
+
+TEST_P(SplitView, IsLitAsInOneBatch) {
+  Program program(withAo());
+  const Picture split = program.frame({wall, GetParam().between, floor});
+  EXPECT_GE(program.statistics().flushes, 2u);
+  const std::vector<int> whole = floorOf(frameOf({wall, floor}));
+  EXPECT_EQ(floorOf(split), whole);
+  EXPECT_NE(floorOf(frameOf({floor})), whole);
+}
+
+INSTANTIATE_TEST_SUITE_P(ViewLight, SplitView, testing::ValuesIn(kSplits),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+const Case kEnds[] = {
+    {"depthClear", [](Gl gl) { gl.Clear(GL_DEPTH_BUFFER_BIT); }},
+    {"depthClearOfTheViewport",
+     [](Gl gl) {
+       gl.Enable(GL_SCISSOR_TEST), gl.Scissor(0, 0, kSize, kSize);
+       gl.Clear(GL_DEPTH_BUFFER_BIT);
+       gl.Disable(GL_SCISSOR_TEST);
+     }},
+    {"otherViewport", [](Gl gl) { gl.Viewport(0, 0, kSize, kSize + 1); }},
+    {"otherProjection",
+     [](Gl gl) {
+       gl.MatrixMode(GL_PROJECTION);
+       gl.Scalef(1, 1.01f, 1);
+       gl.MatrixMode(GL_MODELVIEW);
+     }},
+};
+
+class OtherView : public testing::TestWithParam<Case> {};
+
+TEST_P(OtherView, IsNotLitByTheFirst) {
+  const auto [name, end] = GetParam();
+  EXPECT_EQ(floorOf(frameOf({wall, end, floor})), floorOf(frameOf({nothing, end, floor})));
+}
+
+INSTANTIATE_TEST_SUITE_P(ViewLight, OtherView, testing::ValuesIn(kEnds),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST(ViewLight, AMarkerInACornerNeitherShadesNorIsShaded) {
+  const Step marker = [](Gl gl) {
+    gl.Viewport(0, 0, 16, 16);
+    wall(gl), floor(gl);
+    gl.Viewport(0, 0, kSize, kSize);
+  };
+  const Step later = [](Gl gl) { gl.DepthFunc(GL_LEQUAL); };
+  Program with(withAo()), without(withAo());
+  for (int i = 0; i < 3; ++i) {
+    const Picture marked = with.frame({wall, marker, floor}), plain = without.frame({wall, later, floor});
+    for (int y = 16; y < kSize; ++y)
+      for (int x = 4; x < 60; ++x) {
+        const auto at = static_cast<size_t>(y * kSize + x);
+        ASSERT_EQ(marked.colors[at], plain.colors[at]) << x << ' ' << y;
+      }
+  }
+}
+
+TEST(ViewLight, SwitchedOffKeepsNothing) {
+  Program program(withAo(false));
+  const Step split = [](Gl gl) { gl.DepthFunc(GL_LEQUAL); };
+  const Picture off = program.frame({wall, split, floor});
+  EXPECT_TRUE(program.views().empty());
+  EXPECT_EQ(off.colors, frameOf({wall, floor}, withAo(false)).colors);
+}
+
+}  // namespace
+}  // namespace gluray::test
