@@ -42,7 +42,7 @@ HWY_INLINE Float3 direction(const Float3& v, const Float3& otherwise) {
           hn::IfThenElse(usable, u.z, otherwise.z)};
 }
 
-HWY_INLINE Float3 cross(const Float3& a, const Float3& b) {
+HWY_INLINE Float3 crossProduct(const Float3& a, const Float3& b) {
   return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
           hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
 }
@@ -104,7 +104,7 @@ HWY_ATTR inline void pointsOfTriangles(const Metric& metric, const ColoredHits& 
     const glm::mat3 linear(s.eyeFromObject);
     const Float3 edge0 = direction(transform(linear, sub(corner[1], corner[0])), viewer),
                  edge1 = direction(transform(linear, sub(corner[2], corner[0])), viewer);
-    const Float3 flat = facing(direction(cross(edge0, edge1), viewer), viewer);
+    const Float3 flat = facing(direction(crossProduct(edge0, edge1), viewer), viewer);
     Float3 shading = flat, lift = splat(glm::vec3(0));
     if (smooth) {
       Float3 corners[3];

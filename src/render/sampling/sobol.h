@@ -23,7 +23,10 @@ struct PixelSeeds {
 };
 
 /// Who uses which two dimensions of a pixel's samples. Uses are independent of each other.
-enum class Dimensions : uint32_t { ambientOcclusion = 1 };
+enum class Dimensions : uint32_t {
+  ambientOcclusion = 1,
+  path = 1024,  // and those after it: PathUse::count for each vertex of a path
+};
 
 /// The order in which a use takes the points of the sequence: every power of two of them from the beginning
 /// is an aligned block of the sequence, which is stratified like its beginning.
