@@ -31,7 +31,9 @@ DirectLook::DirectLook(const FrameData& frame)
 
 std::unique_ptr<const DirectLook> makeDirectLook(const FrameData& frame) {
   const Settings& settings = frame.snapshot->settings;
-  if (!settings.ao.enabled || settings.ao.on != AmbientOcclusionOn::ambient) return nullptr;
+  const bool ao = settings.ao.enabled || settings.integrator == LightIntegrator::ao;
+  if (!ao || settings.integrator == LightIntegrator::path || settings.ao.on != AmbientOcclusionOn::ambient)
+    return nullptr;
   return std::make_unique<DirectLook>(frame);
 }
 

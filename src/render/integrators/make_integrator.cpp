@@ -1,4 +1,5 @@
 #include "render/integrators/integrator.h"
+#include "render/integrators/path.h"
 #include "render/integrators/surface_light.h"
 
 namespace gluray::render {
@@ -13,7 +14,9 @@ bool wantsShadows(const Settings& s) { return s.shadows.enabled && s.shadows.str
 bool areLit(const Settings& settings) { return wantsOcclusion(settings) || wantsShadows(settings); }
 
 std::unique_ptr<const Integrator> makeIntegrator(const FrameData& frame) {
-  if (!areLit(frame.snapshot->settings) && !frame.relit) return nullptr;
+  const Settings& settings = frame.snapshot->settings;
+  if (settings.integrator == LightIntegrator::path) return std::make_unique<Path>(frame);
+  if (!areLit(settings) && !frame.relit) return nullptr;
   auto light = std::make_unique<SurfaceLight>(frame);
   return light->acts() ? std::move(light) : nullptr;
 }

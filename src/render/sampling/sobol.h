@@ -36,6 +36,7 @@ PixelSeeds interleavedSeeds(uint32_t turn);
 enum class Dimensions : uint32_t {
   ambientOcclusion = 1,
   shadows = 2,  // and the next three: one for each light that casts shadows
+  path = 1024,  // and those after it: PathUse::count for each vertex of a path
 };
 
 /// The order in which a use takes the points of the sequence: every power of two of them from the beginning

@@ -1,0 +1,148 @@
+#include "render/integrators/altered_look.h"
+
+#include <algorithm>
+
+namespace gluray::render {
+namespace {
+
+using Fragment = scene::FragmentShading;
+using Tracking = scene::ColorMaterial;
+
+constexpr glm::vec4 kNone{0, 0, 0, 1};
+
+bool isProgram(const scene::Shading& s) { return s.fragment.model != Fragment::Model::off; }
+
+void blacken(glm::vec4& color) { color = {0, 0, 0, color.a}; }
+
+/// glColorMaterial, as far as it concerns the diffuse colour, which shows as the ambient one.
+Tracking::Mode ofDiffuse(Tracking::Mode mode) {
+  const bool diffuse = mode == Tracking::diffuse || mode == Tracking::ambientAndDiffuse;
+  return diffuse ? Tracking::ambientAndDiffuse : Tracking::off;
+}
+
+/// Lit by one ambient light alone.
+void lightByAmbient(scene::Shading& s, const glm::vec4& ambient) {
+  s.lights.clear();
+  s.globalAmbient = ambient;
+  s.separateSpecular = false;
+}
+
+void toAlbedo(scene::Shading& s) {
+  s.fog.mode = scene::Fog::off;
+  s.alphaTest.function = scene::AlphaTest::always;
+  if (isUnlit(s)) return;
+  if (!isProgram(s)) {
+    lightByAmbient(s, glm::vec4(1));
+    s.colorMaterial = {ofDiffuse(s.colorMaterial.front), ofDiffuse(s.colorMaterial.back)};
+    return;
+  }
+  s.fragment.model = Fragment::Model::unlit;
+  s.fragment.edgeColor = glm::vec3(0);
+}
+
+void toAlbedoWithoutEdges(scene::Shading& s) {
+  toAlbedo(s);
+  s.fragment.edges = false;
+}
+
+void reflectOnly(const scene::Shading& before, scene::Material& m) {
+  if (isUnlit(before)) return;
+  m.ambient = isProgram(before) ? kNone : m.diffuse;
+  blacken(m.emission), blacken(m.specular);
+}
+
+void materialsToAlbedo(const scene::Shading& before, scene::MaterialPair& pair) {
+  reflectOnly(before, pair.front), reflectOnly(before, pair.back);
+}
+
+void toEmission(scene::Shading& s) {
+  s.fog.mode = scene::Fog::off;
+  s.alphaTest.function = scene::AlphaTest::always;
+  if (isUnlit(s)) return;
+  if (!isProgram(s)) {
+    const auto ofEmission = [](Tracking::Mode mode) {
+      return mode == Tracking::emission ? mode : Tracking::off;
+    };
+    lightByAmbient(s, kNone);
+    s.colorMaterial = {ofEmission(s.colorMaterial.front), ofEmission(s.colorMaterial.back)};
+    return;
+  }
+  if (s.fragment.model == Fragment::Model::pbr)
+    s.fragment.colorIsDiffuseOnly = true, s.fragment.edges = false;
+  s.fragment.model = Fragment::Model::unlit;
+}
+
+void toEmissionWithoutEdges(scene::Shading& s) {
+  toEmission(s);
+  s.fragment.edges = false;
+}
+
+void emitOnly(const scene::Shading& before, scene::Material& m) {
+  if (isUnlit(before)) return;
+  if (before.fragment.model == Fragment::Model::pbr) m.ambient = glm::vec4(before.fragment.pbr.emissive, 1);
+  blacken(m.diffuse), blacken(m.specular);
+}
+
+void materialsToEmission(const scene::Shading& before, scene::MaterialPair& pair) {
+  emitOnly(before, pair.front), emitOnly(before, pair.back);
+}
+
+bool isBlack(const glm::vec4& color) { return glm::vec3(color) == glm::vec3(0); }
+
+bool emits(const scene::Shading& s, const scene::Material& m) {
+  if (s.fragment.model == Fragment::Model::pbr) return s.fragment.pbr.emissive != glm::vec3(0);
+  return !isBlack(isProgram(s) ? m.ambient : m.emission);
+}
+
+bool emits(const scene::Snapshot& snapshot, const scene::Instance& instance) {
+  const scene::Shading& s = snapshot.shadings[instance.shading];
+  const auto tracked = [](Tracking::Mode mode) { return mode == Tracking::emission; };
+  if (isUnlit(s)) return false;
+  if (!isProgram(s) && (tracked(s.colorMaterial.front) || tracked(s.colorMaterial.back))) return true;
+  return std::any_of(instance.materials.begin(), instance.materials.end(),
+                     [&](const auto& pair) { return emits(s, pair.front) || emits(s, pair.back); });
+}
+
+}  // namespace
+
+bool isUnlit(const scene::Shading& s) {
+  return isProgram(s) ? s.fragment.model == Fragment::Model::unlit : !s.lighting;
+}
+
+bool paintsEdges(const scene::Snapshot& snapshot) {
+  return std::any_of(snapshot.shadings.begin(), snapshot.shadings.end(),
+                     [](const scene::Shading& s) { return isProgram(s) && s.fragment.edges; });
+}
+
+AlteredLook::AlteredLook(const FrameData& frame, AlterShading alterShading, AlterMaterials alterMaterials)
+    : shadings_(frame.snapshot->shadings), materials_(frame.surfaces.size()), surfaces_(frame.surfaces) {
+  lightings_.reserve(shadings_.size());
+  for (scene::Shading& shading : shadings_) {
+    alterShading(shading);
+    lightings_.emplace_back(shading);
+  }
+  for (size_t i = 0; i < surfaces_.size(); ++i) {
+    Surface& surface = surfaces_[i];
+    if (!surface.instance) continue;  // nothing to hit
+    const scene::Shading& before = *surface.lighting->shading;
+    surface.lighting = &lightings_[surface.instance->shading];
+    materials_[i].assign(surface.materials, surface.materials + surface.materialCount);
+    for (scene::MaterialPair& pair : materials_[i]) alterMaterials(before, pair);
+    surface.materials = materials_[i].data();
+  }
+}
+
+SurfaceColors surfaceColors(const FrameData& frame, bool edges) {
+  SurfaceColors colors;
+  colors.albedo =
+      std::make_unique<AlteredLook>(frame, edges ? toAlbedo : toAlbedoWithoutEdges, materialsToAlbedo);
+  const scene::Snapshot& snapshot = *frame.snapshot;
+  const bool any = std::any_of(snapshot.instances.begin(), snapshot.instances.end(),
+                               [&](const scene::Instance& i) { return emits(snapshot, i); });
+  if (any || (edges && paintsEdges(snapshot)))
+    colors.emission = std::make_unique<AlteredLook>(frame, edges ? toEmission : toEmissionWithoutEdges,
+                                                    materialsToEmission);
+  return colors;
+}
+
+}  // namespace gluray::render

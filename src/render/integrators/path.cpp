@@ -1,0 +1,70 @@
+#include "render/integrators/path.h"
+
+#include "render/integrators/path_vertex.h"
+#include "render/lights/dome.h"
+
+#define HWY_DISABLED_TARGETS HWY_SSSE3
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/integrators/path.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+// What follows is included once for each instruction set, after Highway's macros.
+#include "render/integrators/path_wave.inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gluray::render {
+namespace HWY_NAMESPACE {
+
+HWY_ATTR void lightByPaths(const Path& path, const ColoredHits& hits, ColorRows& rows) {
+  PathVertices camera;
+  alignas(64) Row from[3];
+  cameraVertices(path, hits, from, camera);
+  const PixelSeeds seeds(hits.x, hits.y);
+  const uint32_t first = path.firstSample(hits.sample);
+  glm::vec3 sum[kLanes] = {};
+  for (int s = 0; s < path.samples; ++s) {
+    Wave wave(path, hits, seeds, first + static_cast<uint32_t>(s), camera, from);
+    wave.run();
+    for (int i = 0; i < kLanes; ++i) sum[i] += wave.radiance(i);
+  }
+  finishColors(path, hits, sum, rows);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace gluray::render
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace gluray::render {
+
+HWY_EXPORT(lightByPaths);
+
+Path::Path(const FrameData& of)
+    : frame(of),
+      metric(of),
+      occluders(*of.snapshot, of.surfaces),
+      lights(of),
+      seen(surfaceColors(of, true)),
+      environment(std::make_shared<Dome>(glm::vec3(of.snapshot->settings.environment.strength))),
+      lightScale(of.snapshot->settings.path.lights),
+      samples(of.snapshot->settings.path.samples),
+      depth(of.snapshot->settings.path.depth),
+      mostIndirect(of.snapshot->settings.path.clamp),
+      mirrored(View(of.snapshot->camera).areaSign < 0) {
+  if (paintsEdges(*of.snapshot)) unseen = surfaceColors(of, false);
+}
+
+uint32_t Path::firstSample(int sample) const {
+  const auto perPixel = static_cast<uint32_t>(std::max<size_t>(frame.samplePositions.size(), 1));
+  const uint32_t pass = frame.snapshot->lightSampling.pass;
+  return (pass * perPixel + static_cast<uint32_t>(sample)) * static_cast<uint32_t>(samples);
+}
+
+bsdf::Any Path::materialOf(const PathVertex& v) const { return bsdf::Lambert{v.albedo}; }
+
+void Path::light(const ColoredHits& hits, ColorRows& rows) const noexcept {
+  HWY_DYNAMIC_DISPATCH(lightByPaths)(*this, hits, rows);
+}
+
+}  // namespace gluray::render
+#endif

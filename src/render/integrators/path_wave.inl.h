@@ -1,0 +1,340 @@
+// Sixteen paths of light, one for each lane of a packet, a bounce at a time. Compiled once for each
+// instruction set.
+#if defined(GLURAY_RENDER_INTEGRATORS_PATH_WAVE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLURAY_RENDER_INTEGRATORS_PATH_WAVE_INL_H_
+#undef GLURAY_RENDER_INTEGRATORS_PATH_WAVE_INL_H_
+#else
+#define GLURAY_RENDER_INTEGRATORS_PATH_WAVE_INL_H_
+#endif
+
+#include "render/integrators/path_vertices.inl.h"
+#include "render/sampling/sobol.inl.h"
+
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace gluray::render {
+namespace HWY_NAMESPACE {
+
+/// What the two-dimensional samples of a vertex are for.
+enum class PathUse : uint32_t { direction, lobe, light, environment, count };
+
+inline float largestOf(const glm::vec3& v) { return std::max({v.x, v.y, v.z}); }
+inline bool isUsable(const glm::vec3& v) { return std::isfinite(v.x + v.y + v.z); }
+
+/// Balance of two ways to draw the same direction, with squared densities (Veach 1997, power heuristic).
+inline float powerHeuristic(float pdf, float other) {
+  if (pdf > other) return 1 / (1 + (other / pdf) * (other / pdf));
+  return other > 0 ? (pdf / other) * (pdf / other) / (1 + (pdf / other) * (pdf / other)) : 0;
+}
+
+class Wave {
+ public:
+  Wave(const Path& path, const ColoredHits& hits, const PixelSeeds& seeds, uint32_t index,
+       const PathVertices& camera, const Row (&from)[3])
+      : path_(path), hits_(hits), seeds_(seeds), index_(index), vertices_(camera), alive_(hits.group.lanes) {
+    for (int i = 0; i < kLanes; ++i)
+      back_[i] = {from[0][i], from[1][i], from[2][i]}, throughput_[i] = glm::vec3(1);
+  }
+  const glm::vec3& radiance(int i) const { return radiance_[i]; }
+
+  HWY_ATTR void run() {
+    for (depth_ = 0; alive_; ++depth_) {
+      // Light that the surface itself emits.
+      emit();
+      if (depth_ == path_.depth) return;
+      // Light of the lights, straight from them.
+      sampleLights();
+      // Light of the environment, straight from it.
+      if (path_.environment->isSampled()) sampleEnvironment();
+      // The next direction.
+      scatter();
+      // Paths that bring little end by chance, and those that survive count for more.
+      if (depth_ > 1) roulette();
+      // The next surface; paths that meet none see the environment.
+      extend();
+    }
+  }
+
+ private:
+  HWY_ATTR void draw(PathUse use, Row& x, Row& y) const {
+    const auto number = static_cast<uint32_t>(Dimensions::path) +
+                        static_cast<uint32_t>(depth_) * static_cast<uint32_t>(PathUse::count) +
+                        static_cast<uint32_t>(use);
+    for (int i = 0; i < kLanes; i += lanesOfVector()) {
+      const Sample2 u = sample2(seeds_, i, index_, static_cast<Dimensions>(number));
+      store(u.x, x + i), store(u.y, y + i);
+    }
+  }
+
+  template <class Body>
+  void eachLane(const Body& body) const {
+    for (uint32_t lanes = alive_; lanes; lanes &= lanes - 1) body(std::countr_zero(lanes));
+  }
+
+  /// Adds light that arrives at the viewer along a path.
+  void add(int i, glm::vec3 light) {
+    light *= throughput_[i];
+    if (!isUsable(light)) return;
+    const float largest = largestOf(light);
+    if (depth_ > 0 && path_.mostIndirect > 0 && largest > path_.mostIndirect)
+      light *= path_.mostIndirect / largest;
+    radiance_[i] += light;
+  }
+
+  void emit() {
+    eachLane([&](int i) { add(i, vertices_.lane[i].emission); });
+  }
+
+  HWY_ATTR void sampleLights();
+  HWY_ATTR void sampleEnvironment();
+  HWY_ATTR void scatter();
+  HWY_ATTR void roulette();
+  HWY_ATTR void extend();
+  uint32_t passing(uint32_t lanes, Row& u, accel::RayPacket& packet) const;
+
+  /// The path of lane i meets nothing and sees the environment.
+  void escape(int i) {
+    float weight = 1;
+    if (path_.environment->isSampled() && pdf_[i] > 0)
+      weight = powerHeuristic(pdf_[i], path_.environment->pdf(way_[i]));
+    add(i, weight * path_.environment->radiance(way_[i]));
+  }
+
+  /// World-space origin of rays that leave vertex i along `way`.
+  glm::vec3 originOf(int i, const glm::vec3& way) const {
+    const PathVertex& v = vertices_.lane[i];
+    const bool above = glm::dot(way, v.geometric) >= 0;
+    const glm::vec3 eye = v.point + (above ? v.error * v.geometric + v.lift : -v.error * v.geometric);
+    return glm::vec3(path_.metric.worldFromEye * glm::vec4(eye, 1));
+  }
+
+  template <class Rays>
+  void aim(Rays& rays, int i, const glm::vec3& way, float tFar) const {
+    const glm::vec3 org = originOf(i, way), dir = glm::mat3(path_.metric.worldFromEye) * way;
+    rays.orgX[i] = org.x, rays.orgY[i] = org.y, rays.orgZ[i] = org.z;
+    rays.dirX[i] = dir.x, rays.dirY[i] = dir.y, rays.dirZ[i] = dir.z;
+    rays.tNear[i] = 0, rays.tFar[i] = tFar;
+  }
+
+  /// The share of light that reaches the vertices of `lanes` along rays aimed there.
+  HWY_ATTR void transmit(uint32_t lanes, accel::OcclusionRays& rays, float (&through)[kLanes]) const {
+    alignas(64) int32_t valid[kLanes];
+    for (int i = 0; i < kLanes; ++i) valid[i] = lanes >> i & 1 ? -1 : 0;
+    const Transmittance light(path_.occluders);
+    const uint32_t blocked =
+        path_.frame.world->occluded(valid, rays, path_.occluders.areSolid() ? nullptr : &light);
+    for (int i = 0; i < kLanes; ++i) through[i] = blocked >> i & 1 ? 0 : light.through[i];
+  }
+
+  const Path& path_;
+  const ColoredHits& hits_;
+  const PixelSeeds& seeds_;
+  const uint32_t index_;
+  PathVertices vertices_;
+  uint32_t alive_;
+  int depth_ = 0;
+  glm::vec3 back_[kLanes];        // along the path to the viewer, unit length
+  glm::vec3 way_[kLanes] = {};    // the next direction, unit length
+  glm::vec3 throughput_[kLanes];  // share of light at the vertex that reaches the viewer
+  glm::vec3 radiance_[kLanes] = {};
+  float pdf_[kLanes] = {};  // of way_; 0 where the environment is not asked otherwise
+};
+
+/// One light for each path, chosen by what all of them would give if nothing were in their way.
+HWY_ATTR inline void Wave::sampleLights() {
+  alignas(64) Row u, unused;
+  draw(PathUse::light, u, unused);
+  accel::OcclusionRays rays;
+  uint32_t lanes = 0;
+  glm::vec3 brought[kLanes];
+  eachLane([&](int i) {
+    const PathVertex& v = vertices_.lane[i];
+    const bsdf::LocalFrame local(v.shading);
+    const glm::vec3 wo = local.toLocal(back_[i]);
+    const bsdf::Any material = path_.materialOf(v);
+    float total = 0;
+    ArrivingLight chosen;
+    float share = 0, rest = u[i];
+    for (uint32_t l = 0; l < path_.lights.countOf(v.instance); ++l) {
+      const ArrivingLight light = path_.lights.at(v.instance, l, v.point);
+      // A light of colour 1 has irradiance pi: a white diffuse surface that faces it shows 1.
+      const glm::vec3 value = bsdf::evaluate(material, wo, local.toLocal(light.direction)) * light.color *
+                              (bsdf::kPi * path_.lightScale);
+      const float weight = value.x + value.y + value.z;
+      if (!(weight > 0) || !std::isfinite(weight)) continue;
+      // Weighted reservoir of one, by a single random number.
+      total += weight;
+      const float keep = weight / total;
+      if (rest < keep) {
+        chosen = light, brought[i] = value, share = weight;
+        rest /= keep;
+      } else {
+        rest = (rest - keep) / (1 - keep);
+      }
+    }
+    if (!(total > 0)) return;
+    brought[i] *= total / share;
+    if (depth_ == 0 && chosen.atViewer) return add(i, brought[i]);
+    constexpr float kBefore = 1 - 1e-5f;
+    aim(rays, i, chosen.direction, chosen.distance * kBefore);
+    lanes |= 1u << i;
+  });
+  if (!lanes) return;
+  float through[kLanes];
+  transmit(lanes, rays, through);
+  for (; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    if (through[i] > 0) add(i, brought[i] * through[i]);
+  }
+}
+
+HWY_ATTR inline void Wave::sampleEnvironment() {
+  alignas(64) Row u, v;
+  draw(PathUse::environment, u, v);
+  accel::OcclusionRays rays;
+  uint32_t lanes = 0;
+  glm::vec3 brought[kLanes];
+  eachLane([&](int i) {
+    const PathVertex& at = vertices_.lane[i];
+    const Environment::Arriving sky = path_.environment->sample({u[i], v[i]});
+    if (!(sky.pdf > 0)) return;
+    const bsdf::LocalFrame local(at.shading);
+    const glm::vec3 wo = local.toLocal(back_[i]), wi = local.toLocal(sky.direction);
+    const bsdf::Any material = path_.materialOf(at);
+    const glm::vec3 value = bsdf::evaluate(material, wo, wi);
+    if (!(largestOf(value) > 0)) return;
+    brought[i] = value * sky.radiance * (powerHeuristic(sky.pdf, bsdf::pdf(material, wo, wi)) / sky.pdf);
+    aim(rays, i, sky.direction, std::numeric_limits<float>::infinity());
+    lanes |= 1u << i;
+  });
+  if (!lanes) return;
+  float through[kLanes];
+  transmit(lanes, rays, through);
+  for (; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    if (through[i] > 0) add(i, brought[i] * through[i]);
+  }
+}
+
+HWY_ATTR inline void Wave::scatter() {
+  alignas(64) Row u, v, lobe, unused;
+  draw(PathUse::direction, u, v);
+  draw(PathUse::lobe, lobe, unused);
+  eachLane([&](int i) {
+    const PathVertex& at = vertices_.lane[i];
+    const bsdf::LocalFrame local(at.shading);
+    const bsdf::Scattered next =
+        bsdf::sample(path_.materialOf(at), local.toLocal(back_[i]), {u[i], v[i]}, lobe[i]);
+    throughput_[i] *= next.weight;
+    glm::vec3 way = local.fromLocal(next.wi);
+    // Reflected light stays above the triangle, where the smooth normal leans it below.
+    const float height = glm::dot(way, at.geometric);
+    if (next.wi.z > 0 && height < 0) way -= 2 * height * at.geometric;
+    way_[i] = glm::normalize(way);
+    pdf_[i] = next.exact ? 0 : next.pdf;
+    if (!(largestOf(throughput_[i]) > 0) || !isUsable(way_[i])) alive_ &= ~(1u << i);
+  });
+}
+
+HWY_ATTR inline void Wave::roulette() {
+  alignas(64) Row unused, u;
+  draw(PathUse::lobe, unused, u);
+  eachLane([&](int i) {
+    const float survive = std::min(largestOf(throughput_[i]), 0.95f);
+    if (u[i] < survive)
+      throughput_[i] /= survive;
+    else
+      alive_ &= ~(1u << i);
+  });
+}
+
+/// Whether Embree takes the ray.
+inline bool isTraceable(const accel::RayPacket& r, int i) {
+  constexpr float kLargest = 1e18f;
+  const float values[] = {r.orgX[i], r.orgY[i], r.orgZ[i], r.dirX[i], r.dirY[i], r.dirZ[i]};
+  return std::all_of(std::begin(values), std::end(values), [](float v) { return std::abs(v) <= kLargest; });
+}
+
+/// Those of the lanes' rays that go on behind their hits: where clip planes cut the surface away, and by the
+/// share that translucent surfaces let through. `u`: random numbers, used up.
+inline uint32_t Wave::passing(uint32_t lanes, Row& u, accel::RayPacket& packet) const {
+  constexpr float kBehind = 1 + 0x1p-20f;
+  uint32_t passed = 0;
+  for (; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    const PathVertex& v = vertices_.lane[i];
+    const auto& planes = path_.frame.snapshot->instances[v.instance].clipPlanes;
+    const auto cuts = [&](const glm::dvec4& plane) { return glm::dot(plane, glm::dvec4(v.point, 1)) < 0; };
+    const bool cut = std::any_of(planes.begin(), planes.end(), cuts);
+    const float opacity = !path_.frame.snapshot->layers ? 1 : std::clamp(v.opacity, 0.0f, 1.0f);
+    if (!cut && u[i] < opacity) continue;
+    if (!cut) u[i] = std::min((u[i] - opacity) / (1 - opacity), 0x1.fffffep-1f);
+    packet.tNear[i] = packet.tFar[i] * kBehind;
+    passed |= 1u << i;
+  }
+  return passed;
+}
+
+HWY_ATTR inline void Wave::extend() {
+  constexpr int kMostLayers = 64;  // translucent or clipped surfaces on one ray
+  accel::RayPacket packet;
+  alignas(64) Row back[3];
+  alignas(64) int32_t valid[kLanes];
+  eachLane([&](int i) {
+    aim(packet, i, way_[i], std::numeric_limits<float>::infinity());
+    if (!isTraceable(packet, i)) alive_ &= ~(1u << i);
+  });
+  for (int i = 0; i < kLanes; ++i) {
+    packet.time[i] = 0, packet.mask[i] = ~0u, packet.id[i] = static_cast<uint32_t>(i), packet.flags[i] = 0;
+    for (int c = 0; c < 3; ++c) back[c][i] = -way_[i][c];
+    back_[i] = -way_[i];
+  }
+  uint32_t under = alive_;
+  alignas(64) Row u, unused;
+  if (!path_.occluders.areSolid()) draw(PathUse::lobe, unused, u);
+  for (int layer = 0; under && layer < kMostLayers; ++layer) {
+    for (int i = 0; i < kLanes; ++i) {
+      valid[i] = under >> i & 1 ? -1 : 0;
+      packet.geometry[i] = packet.instance[i] = accel::kNoHit;
+      if (valid[i]) packet.tFar[i] = std::numeric_limits<float>::infinity();
+    }
+    path_.frame.world->intersectBounced(valid, packet);
+    uint32_t hits = 0;
+    for (uint32_t lanes = under; lanes; lanes &= lanes - 1) {
+      const int i = std::countr_zero(lanes);
+      if (packet.geometry[i] != accel::kNoHit)
+        hits |= 1u << i;
+      else
+        escape(i);
+    }
+    alive_ &= ~(under & ~hits);
+    if (hits) bouncedVertices(path_, packet, hits, back, hits_.x, hits_.y, vertices_);
+    if (path_.occluders.areSolid()) return;
+    under = passing(hits, u, packet);
+  }
+  alive_ &= ~under;
+}
+
+/// Replaces the colours of the local look by the paths' mean.
+HWY_ATTR inline void finishColors(const Path& path, const ColoredHits& hits, const glm::vec3 (&sum)[kLanes],
+                                  ColorRows& rows) {
+  const scene::Shading& shading = *hits.surface.lighting->shading;
+  const bool encoded = shading.fragment.model == scene::FragmentShading::Model::pbr;
+  LitRows colors;
+  for (int i = 0; i < kLanes; ++i) {
+    glm::vec3 mean = sum[i] / static_cast<float>(path.samples);
+    // VTK's physically based shading ends with this encoding, as the local look does.
+    if (encoded) mean = glm::pow(mean, glm::vec3(1 / 2.2f));
+    for (int c = 0; c < 3; ++c) colors.value[c][i] = mean[c];
+  }
+  const bool program = shading.fragment.model != scene::FragmentShading::Model::off;
+  if (!program && shading.fog.mode != scene::Fog::off)
+    applyFog(shading.fog, hits.surface, hits.group, colors);
+  for (int c = 0; c < 3; ++c) std::copy_n(colors.value[c], kLanes, rows.value[c]);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace gluray::render
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,24 @@
+// A sky of one colour, or of one that changes from the ground over the horizon to the zenith. Any thread.
+#pragma once
+#include "render/lights/environment.h"
+
+#include <cmath>
+
+namespace gluray::render {
+
+class Dome final : public Environment {
+ public:
+  explicit Dome(const glm::vec3& color) : ground_(color), horizon_(color), zenith_(color) {}
+  /// `up`: unit length.
+  Dome(const glm::vec3& ground, const glm::vec3& horizon, const glm::vec3& zenith, const glm::vec3& up)
+      : ground_(ground), horizon_(horizon), zenith_(zenith), up_(up) {}
+  glm::vec3 radiance(const glm::vec3& direction) const noexcept override {
+    const float height = glm::dot(direction, up_);
+    return glm::mix(horizon_, height < 0 ? ground_ : zenith_, std::min(std::abs(height), 1.0f));
+  }
+
+ private:
+  glm::vec3 ground_, horizon_, zenith_, up_{0, 1, 0};
+};
+
+}  // namespace gluray::render

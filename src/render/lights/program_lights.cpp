@@ -1,0 +1,89 @@
+#include "render/lights/program_lights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gluray::render {
+namespace {
+
+constexpr float kInfinite = std::numeric_limits<float>::infinity();
+
+bool isProgram(const Surface& s) {
+  return s.lighting->shading->fragment.model != scene::FragmentShading::Model::off;
+}
+
+float attenuation(const glm::vec3& factors, float distance) {
+  return 1 / (factors.x + distance * (factors.y + distance * factors.z));
+}
+
+float inCone(float cosine, float least, float exponent) {
+  if (!(cosine >= least)) return 0;
+  return exponent == 0 ? 1 : std::pow(std::max(cosine, 0.0f), exponent);
+}
+
+/// Towards `position` from `point`; scaled first, so that squares neither overflow nor vanish.
+void aim(const glm::vec3& position, const glm::vec3& point, ArrivingLight& light) {
+  const glm::dvec3 way = glm::dvec3(position) - glm::dvec3(point);
+  const double distance = glm::length(way);
+  light.distance = static_cast<float>(distance);
+  if (distance > 0) light.direction = glm::vec3(way / distance);
+}
+
+/// GL 2.1, 2.14.1.
+ArrivingLight arriving(const PreparedLight& l, const glm::vec3& point) {
+  ArrivingLight light{l.position, kInfinite, l.diffuse};
+  if (!l.directional) {
+    aim(l.position, point, light);
+    if (l.attenuated) light.color *= attenuation(l.attenuation, light.distance);
+    light.atViewer = l.position == glm::vec3(0);
+  }
+  if (l.spot)
+    light.color *= inCone(-glm::dot(light.direction, l.spotDirection), l.spotCosCutoff, l.spotExponent);
+  return light;
+}
+
+ArrivingLight arriving(const scene::FragmentLight& l, float coneCosine, const glm::vec3& point) {
+  ArrivingLight light{-l.direction, kInfinite, l.color};
+  light.atViewer = l.kind == scene::FragmentLight::headlight;
+  if (l.kind != scene::FragmentLight::positional) return light;
+  aim(l.position, point, light);
+  light.color *= attenuation(l.attenuation, light.distance);
+  if (l.coneAngle < 90)
+    light.color *= inCone(-glm::dot(light.direction, l.direction), coneCosine, l.exponent);
+  return light;
+}
+
+}  // namespace
+
+ProgramLights::ProgramLights(const FrameData& frame)
+    : surfaces_(frame.surfaces), lightingFromEye_(surfaces_.size(), glm::mat4(1)) {
+  for (size_t i = 0; i < surfaces_.size(); ++i) {
+    const scene::Instance* instance = surfaces_[i].instance;
+    if (instance && isProgram(surfaces_[i]))
+      lightingFromEye_[i] =
+          glm::mat4(glm::dmat4(instance->lightingFromObject) * glm::inverse(instance->eyeFromObject));
+  }
+}
+
+uint32_t ProgramLights::countOf(uint32_t instance) const {
+  const Lighting& lighting = *surfaces_[instance].lighting;
+  return static_cast<uint32_t>(isProgram(surfaces_[instance]) ? lighting.shading->fragment.lights.size()
+                                                              : lighting.lights.size());
+}
+
+ArrivingLight ProgramLights::at(uint32_t instance, uint32_t index, const glm::vec3& point) const {
+  const Lighting& lighting = *surfaces_[instance].lighting;
+  if (!isProgram(surfaces_[instance])) return arriving(lighting.lights[index], point);
+  const glm::mat4& lightingFromEye = lightingFromEye_[instance];
+  const glm::vec3 there(lightingFromEye * glm::vec4(point, 1));
+  ArrivingLight light =
+      arriving(lighting.shading->fragment.lights[index], lighting.coneCosines[index], there);
+  // A program's eye space is OpenGL's, but for a rotation or a scale.
+  const glm::vec3 back = light.direction * glm::mat3(lightingFromEye);
+  const float scale = glm::length(back);
+  if (scale > 0) light.direction = back / scale, light.distance /= scale;
+  return light;
+}
+
+}  // namespace gluray::render

@@ -1,0 +1,33 @@
+// The lights of the program as light transport sees them. Made once a frame, asked on all tracing threads.
+#pragma once
+#include "render/frame_data.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace gluray::render {
+
+/// One light as it reaches a point.
+struct ArrivingLight {
+  glm::vec3 direction{0, 0, 1};  // unit length, towards the light, eye space
+  float distance = 0;            // infinite of directional lights
+  /// The light's colour after attenuation and cone: what a white diffuse surface shows that faces the light.
+  glm::vec3 color{0};
+  bool atViewer = false;  // reaches whatever the viewer sees
+};
+
+/// The lights of each surface, as its own state or program has them.
+class ProgramLights {
+ public:
+  explicit ProgramLights(const FrameData& frame);
+  uint32_t countOf(uint32_t instance) const;
+  /// Light `index` of the surface at an eye-space point of it.
+  ArrivingLight at(uint32_t instance, uint32_t index, const glm::vec3& point) const;
+
+ private:
+  const std::vector<Surface>& surfaces_;
+  std::vector<glm::mat4> lightingFromEye_;  // of surfaces that programs shade
+};
+
+}  // namespace gluray::render
