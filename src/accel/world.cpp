@@ -125,7 +125,9 @@ void World::readBounds() {
 void World::readOrder(const scene::Snapshot& snapshot) {
   // Programs draw points and lines that cells share once per cell, each in its own colour; splats are flat
   // and overlap at equal distance.
-  const auto repeated = [](const scene::Instance& i) { return scene::isInWindow(i.mesh->shape); };
+  const auto repeated = [](const scene::Instance& i) {
+    return scene::isInWindow(i.mesh->shape) || scene::isSolid(i.mesh->shape);
+  };
   const bool known = !alone_ && apart_;
   mayCoincide_ = !known && (coincidence_.possible(snapshot.instances) ||
                             std::any_of(snapshot.instances.begin(), snapshot.instances.end(), repeated));

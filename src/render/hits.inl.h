@@ -12,6 +12,7 @@
 #include "render/layers/drawn_fragments.h"
 #include "render/layers/peeled_layers.h"
 #include "render/local/shade.inl.h"
+#include "render/visibility/capsule.inl.h"
 #include "render/visibility/impostor.inl.h"
 
 #include <algorithm>
@@ -203,6 +204,8 @@ HWY_ATTR inline void locateHits(const FrameData& frame, uint32_t instance, const
     computeDepth(frame, surface, group, x, y, seen);
   else if (scene::isInWindow(surface.mesh->shape))
     computePixelImpostors(surface, frame.world->impostorsOf(instance), x, y, group, seen);
+  else if (scene::isSolid(surface.mesh->shape))
+    computeCapsules(surface, frame.world->impostorsOf(instance), frame.depth, x, y, group, seen);
   else
     computeImpostors(surface, frame.depth, x, y, group, seen);
 }

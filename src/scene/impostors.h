@@ -46,6 +46,11 @@ struct Impostors {
   // viewer at infinity, otherwise bulgeDepth + (z - bulgeDepth) / (1 - b). `depthBias` is then added, and the
   // result clamped to [0, 1].
   float bulge = 0, bulgeDepth = 0, depthBias = 0;
+
+  // Balls and capsules, round in lighting space. Their radius there; 0: half of `size` at each vertex's
+  // distance from the viewer. They exist where no `centerPlanes` cut their points and lines away.
+  float radius = 0;
+  bool unlit = false;  // the program draws them without light: the light that shades them is not its own
   bool operator==(const Impostors&) const = default;
 };
 

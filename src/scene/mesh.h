@@ -55,14 +55,17 @@ inline glm::vec4 fetch(const Attribute& a, uint32_t i) {
 /// Primitive type of a mesh. All but triangles are impostors (scene/impostors.h). Spheres, discs and
 /// cylinders are round in the space of Instance::lightingFromObject and have one vertex, their centre. Beads
 /// (one vertex) and tubes (a line between two) have a size in pixels. Splats (one vertex with a radius) are
-/// ellipses in the window.
-enum class Shape : uint8_t { triangles, spheres, discs, cylinders, beads, tubes, splats };
+/// ellipses in the window. Balls (one vertex) and capsules (the convex hull of balls about the ends of a
+/// line) are the points and lines of programs that draw them flat: they are solid, and every ray meets them
+/// where they are.
+enum class Shape : uint8_t { triangles, spheres, discs, cylinders, beads, tubes, splats, balls, capsules };
 
 /// Vertices per primitive.
 constexpr uint32_t cornersOf(Shape shape) {
-  return shape == Shape::triangles ? 3 : shape == Shape::tubes ? 2 : 1;
+  return shape == Shape::triangles ? 3 : shape == Shape::tubes || shape == Shape::capsules ? 2 : 1;
 }
 constexpr bool isSizedInPixels(Shape shape) { return shape == Shape::beads || shape == Shape::tubes; }
+constexpr bool isSolid(Shape shape) { return shape == Shape::balls || shape == Shape::capsules; }
 /// Whether coverage is computed in the window (accel/impostors/pixel_impostor.h).
 constexpr bool isInWindow(Shape shape) { return isSizedInPixels(shape) || shape == Shape::splats; }
 

@@ -1,6 +1,7 @@
 #include "accel/impostors/impostor_query.h"
 
 #include "accel/embree.h"
+#include "accel/impostors/capsule.h"
 #include "accel/impostors/pixel_impostor.h"
 #include "accel/impostors/solid.h"
 #include "accel/occlusion_state.h"
@@ -27,13 +28,17 @@ uint32_t lanesThatMeet(const QueryState& state, uint32_t instance, uint32_t prim
   const ImpostorQuery& rays = state.rays;
   if (scene::isInWindow(placed.mesh->shape)) return meet(placed, primitive, rays, state.around, lanes, t);
   Impostor impostor;
-  if (!Impostor::make(placed, primitive, impostor)) return 0;
+  Capsule capsule;
+  const bool solid = scene::isSolid(placed.mesh->shape);
+  if (!(solid ? Capsule::make(placed, primitive, capsule) : Impostor::make(placed, primitive, impostor)))
+    return 0;
   const bool apart = rays.samples != rays.centers;
   if (state.raysOf != instance) {
     toLighting(placed, *rays.centers, state.centers);
     if (apart) toLighting(placed, *rays.samples, state.samples);
     state.raysOf = instance;
   }
+  if (solid) return meet(placed, capsule, apart ? state.samples : state.centers, lanes, t);
   return meet(impostor, state.centers, apart ? state.samples : state.centers, lanes, t);
 }
 

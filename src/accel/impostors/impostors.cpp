@@ -25,7 +25,8 @@ float roundedUp(double length) {
 }
 
 ImpostorReach ImpostorReach::of(const scene::Instance& instance, const scene::Camera& camera) {
-  if (scene::isSizedInPixels(instance.mesh->shape)) return reachInPixels(instance, camera);
+  const bool pixels = scene::isSolid(instance.mesh->shape) && instance.impostors.radius == 0;
+  if (scene::isSizedInPixels(instance.mesh->shape) || pixels) return reachInPixels(instance, camera);
   if (instance.mesh->shape == scene::Shape::splats) return reachOfSplats(instance, camera);
   ImpostorReach reach;
   const glm::dmat3 objectFromLighting = glm::inverse(glm::dmat3(glm::mat3(instance.lightingFromObject)));
@@ -34,6 +35,7 @@ ImpostorReach ImpostorReach::of(const scene::Instance& instance, const scene::Ca
   double largest = 1 / double{instance.impostors.radiusDivisor};
   if (instance.impostors.billboards == scene::Impostors::Billboards::triangle)
     largest = std::min(largest, 2.0);  // the triangle's corners
+  if (scene::isSolid(instance.mesh->shape)) largest = double{instance.impostors.radius};
   for (int c = 0; c < 3; ++c) reach.perRadius[c] = roundedUp(glm::length(rows[c]) * largest);
   if (instance.mesh->shape != scene::Shape::cylinders) return reach;
   const glm::dmat3 axes = objectFromLighting * glm::dmat3(instance.impostors.axisMatrix);
@@ -79,12 +81,15 @@ PlacedImpostors::PlacedImpostors(const scene::Instance& instance, const scene::C
   windowCenter = glm::dvec2(camera.viewport.x, camera.viewport.y) + windowHalf;
   depthScale = 0.5 * (double{camera.depthFar} - camera.depthNear);
   depthOffset = 0.5 * (double{camera.depthFar} + camera.depthNear);
-  if (!scene::isSizedInPixels(mesh->shape)) return;
+  if (!scene::isSizedInPixels(mesh->shape) && !scene::isSolid(mesh->shape)) return;
   const glm::dmat4 lightingFromClip = glm::dmat4(lightingFromEye) * glm::inverse(camera.clipFromEye);
   const double x = look.size.x * glm::length(glm::dvec3(lightingFromClip[0])),
                y = look.size.y * glm::length(glm::dvec3(lightingFromClip[1]));
   const double half = 0.5 * std::sqrt(x * y);
   halfWidthPerW = std::isfinite(half) ? half : 0;
+  const glm::dmat4 objectRows = glm::transpose(clipFromObject);
+  objectW = glm::vec4(objectRows[3]), objectNear = glm::vec4(objectRows[2] + objectRows[3]);
+  viewer = glm::vec4(-lightingFromClip[2]);
 }
 
 bool Impostor::make(const PlacedImpostors& placed, uint32_t primitive, Impostor& f) {

@@ -49,8 +49,10 @@ struct PlacedImpostors {
   glm::dvec4 clipZ{0}, clipW{0};              // rows of clipFromEye
   glm::dvec2 windowCenter{0}, windowHalf{1};  // of the viewport, pixels
   double depthScale = 0.5, depthOffset = 0.5;
-  double halfWidthPerW = 0;  // of beads and tubes: half their width in lighting space, by clip-space w
-  std::vector<WindowVertex> window;  // per vertex
+  double halfWidthPerW = 0;  // of sizes in pixels: half their width in lighting space, by clip-space w
+  glm::vec4 objectW{0}, objectNear{0};  // of object space: clip-space w, and the distance from the near plane
+  glm::vec4 viewer{0};                  // homogeneous, lighting space
+  std::vector<WindowVertex> window;     // per vertex
   PlacedImpostors() = default;
   PlacedImpostors(const scene::Instance&, const scene::Camera&);
 };

@@ -1,5 +1,7 @@
 #include "accel/impostors/solid.h"
 
+#include "accel/impostors/capsule.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -178,8 +180,16 @@ std::optional<Hit> meetSplat(const PlacedImpostors& placed, uint32_t vertex, con
   return meetBall(ray, mesh.position(vertex), radius / placed.look.radiusDivisor);
 }
 
+std::optional<Hit> meetCapsule(const PlacedImpostors& placed, uint32_t primitive, const Ray& ray) {
+  Capsule capsule;
+  if (!Capsule::make(placed, primitive, capsule)) return std::nullopt;
+  const RoundCone cone{{capsule.end[0], capsule.end[1]}, {capsule.radius[0], capsule.radius[1]}};
+  return cone.meet(ray);
+}
+
 std::optional<Hit> meetInLighting(const PlacedImpostors& placed, uint32_t primitive, const Ray& ray) {
   const scene::Mesh& mesh = *placed.mesh;
+  if (scene::isSolid(mesh.shape)) return meetCapsule(placed, primitive, ray);
   if (mesh.shape == scene::Shape::tubes) return meetTube(placed, primitive, ray);
   if (mesh.shape == scene::Shape::beads) {
     const uint32_t vertex = mesh.corner(primitive, 0);

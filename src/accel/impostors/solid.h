@@ -28,6 +28,7 @@ struct SolidHit {
 ///   cylinder  with both of its ends
 ///   bead      the sphere as wide as the point is in the window
 ///   tube      the cone between two such spheres about the line's ends, and the spheres
+///   ball, capsule  themselves
 ///   splat     the ball that the program flattens into an ellipse
 /// Nothing where the ray misses it or the instance's planes cut it away. Computed in double precision: radii
 /// and distances may differ by any factor.

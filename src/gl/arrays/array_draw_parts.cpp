@@ -1,6 +1,7 @@
 #include "base/clock.h"
 #include "base/timeline.h"
 #include "gl/arrays/array_draws.h"
+#include "gl/capture/mesh_builder.h"
 #include "gl/handlers.h"
 
 namespace gluray::gl {
@@ -14,8 +15,12 @@ KnownMesh meshOf(Context& c, const ArrayState& arrays, GLenum mode, const Elemen
   KnownMesh known;
   const Hash128 content = contentOf(c.real, arrays, mode, e);
   if (!c.shadow.group.meshes.find(content, known)) {
-    known = arrays.shape == scene::Shape::triangles ? buildArrayMesh(c.real, arrays, mode, e)
-                                                    : buildImpostorMesh(c.real, arrays, mode, e);
+    if (arrays.shape != scene::Shape::triangles)
+      known = buildImpostorMesh(c.real, arrays, mode, e);
+    else if (classOf(mode) != PrimitiveClass::surfaces)
+      known = buildMesh(capture(c.real, arrays, mode, e));
+    else
+      known = buildArrayMesh(c.real, arrays, mode, e);
     c.shadow.group.meshes.put(content, known);
     ++c.counts.statistics.meshesBuilt;
     if (known.mesh) c.counts.statistics.meshBytes += known.mesh->sizeBytes;

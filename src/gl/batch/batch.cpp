@@ -99,7 +99,7 @@ namespace {
 /// Whether two instances cover the same points with equal depth, so that the depth function decides.
 bool coincide(const scene::Instance& a, const scene::Instance& b) {
   return a.mesh->geometryId == b.mesh->geometryId && a.eyeFromObject == b.eyeFromObject && a.cull == b.cull &&
-         a.frontFaceCcw == b.frontFaceCcw && a.clipPlanes == b.clipPlanes;
+         a.frontFaceCcw == b.frontFaceCcw && a.clipPlanes == b.clipPlanes && a.impostors == b.impostors;
 }
 
 uint32_t indexOfShading(std::vector<scene::Shading>& shadings, scene::Shading&& shading) {

@@ -1,5 +1,6 @@
 #include "gl/batch/batch_filler.h"
 
+#include "gl/draws/solid_draws.h"
 #include "gl/layers/layer_draws.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -88,11 +89,23 @@ void BatchFiller::add(const scene::MeshPtr& mesh, SlotMask slots,
   if (mesh->triangleCount == 0) return;
   const bool layer = p_.triage.isLayer(*mesh, materials);
   if (layer) p_.layers.describe(key);
+  if (scene::isSolid(mesh->shape)) return addSolids(key, mesh, slots, materials);
   if (!open(key)) return;
   p_.flusher.batch.add(instanceOf(mesh, slots, materials), shadingOf(slots, materials));
   if (!layer || key.blending.writesDepth)
     p_.surfaces.passes.drawn(mesh, p_.shadow.state.modelview, MultipassSurfaces::How::pending,
                              p_.triage.isPushedBack());
+  settleFailure();
+}
+
+void BatchFiller::addSolids(BatchKey key, const scene::MeshPtr& mesh, SlotMask slots,
+                            const std::vector<MaterialChange>& materials) {
+  key.offset = {};  // of polygons
+  if (!open(key)) return;
+  scene::Instance instance = instanceOf(mesh, slots, materials);
+  scene::Shading shading = shadingOf(slots, materials);
+  makeSolid(p_.shadow, instance, shading);
+  p_.flusher.batch.add(std::move(instance), std::move(shading));
   settleFailure();
 }
 

@@ -44,6 +44,9 @@ class BatchFiller {
                              const std::vector<MaterialChange>& materials) const;
   scene::Shading shadingOf(SlotMask slots, const std::vector<MaterialChange>& materials) const;
 
+  void addSolids(BatchKey key, const scene::MeshPtr& mesh, SlotMask slots,
+                 const std::vector<MaterialChange>& materials);
+
   Parts p_;
   glm::ivec2 drawableSize_{0};  // largest known size of the window
   scene::Region sizeAskedFor_;

@@ -146,6 +146,27 @@ std::vector<uint32_t> triangulate(const CapturedVertices& captured) {
   return triangles;
 }
 
+std::vector<uint32_t> solidCorners(const CapturedVertices& captured) {
+  std::vector<uint32_t> corners;
+  for (const Primitive& p : captured.primitives) {
+    const auto vertexOf = [&](uint32_t i) {
+      return captured.indices.empty() ? p.first + i : captured.indices[p.first + i];
+    };
+    const auto line = [&](uint32_t a, uint32_t b) {
+      corners.push_back(vertexOf(a)), corners.push_back(vertexOf(b));
+    };
+    const uint32_t n = p.count;
+    if (p.mode == GL_POINTS)
+      for (uint32_t i = 0; i < n; ++i) corners.push_back(vertexOf(i));
+    else if (p.mode == GL_LINES)
+      for (uint32_t i = 0; i + 1 < n; i += 2) line(i, i + 1);
+    else
+      for (uint32_t i = 0; i + 1 < n; ++i) line(i, i + 1);
+    if (p.mode == GL_LINE_LOOP && n > 1) line(n - 1, 0);
+  }
+  return corners;
+}
+
 uint64_t countTriangles(GLenum mode, uint64_t count) {
   switch (mode) {
     case GL_TRIANGLES: return count / 3;

@@ -30,7 +30,7 @@ struct Primitive {
   bool operator==(const Primitive&) const = default;
 };
 
-/// What a primitive draws: surfaces may be traced, lines and points never are.
+/// What a primitive draws. Lines and points are traced where settings or a program make solids of them.
 enum class PrimitiveClass : uint8_t { points, lines, surfaces };
 constexpr PrimitiveClass classOf(GLenum mode) {
   return mode == GL_POINTS       ? PrimitiveClass::points
@@ -84,6 +84,9 @@ struct InheritedSlot {
 /// The triangles of `captured`: three vertex numbers each, the provoking vertex last. Polygons and quads are
 /// split as in Mesa.
 std::vector<uint32_t> triangulate(const CapturedVertices& captured);
+
+/// The points or line segments of `captured`: one or two vertex numbers each.
+std::vector<uint32_t> solidCorners(const CapturedVertices& captured);
 
 /// Number of triangles in a primitive of `count` vertices; 0 for lines, points and patches.
 uint64_t countTriangles(GLenum mode, uint64_t count);

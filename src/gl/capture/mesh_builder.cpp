@@ -129,6 +129,26 @@ bool hasOtherW(const CapturedVertices& c) {
   return false;
 }
 
+/// Whether it is of points or lines.
+bool isOfSolids(const CapturedVertices& c) {
+  return !c.primitives.empty() && classOf(c.primitives.front().mode) != PrimitiveClass::surfaces;
+}
+
+/// Whether it has lines or triangles with adjacent vertices, of which no mesh is made.
+bool hasAdjacency(const CapturedVertices& c) {
+  return std::any_of(c.primitives.begin(), c.primitives.end(),
+                     [](const Primitive& p) { return p.mode > GL_POLYGON; });
+}
+
+/// Makes balls of points, capsules of lines.
+void makeSolids(const CapturedVertices& captured, scene::Mesh& mesh) {
+  const bool points = classOf(captured.primitives.front().mode) == PrimitiveClass::points;
+  mesh.shape = points ? scene::Shape::balls : scene::Shape::capsules;
+  std::vector<uint32_t> corners = solidCorners(captured);
+  mesh.triangleCount = static_cast<uint32_t>(corners.size() / scene::cornersOf(mesh.shape));
+  mesh.indices = makeIndices(std::move(corners), mesh.sizeBytes);
+}
+
 void copyAttributes(const Selection& vertices, scene::Mesh& mesh) {
   const VertexLayout& layout = vertices.captured.layout;
   mesh.vertexCount = vertices.count();
@@ -155,8 +175,12 @@ KnownMesh buildMesh(const CapturedVertices& captured) {
     result.homogeneous = true;
     return result;
   }
+  if (hasAdjacency(captured)) return result;
   auto mesh = std::make_shared<scene::Mesh>();
-  if (isSoup(captured) && captured.vertexCount < kWorthWelding) {
+  if (isOfSolids(captured)) {
+    copyAttributes({captured, nullptr}, *mesh);
+    makeSolids(captured, *mesh);
+  } else if (isSoup(captured) && captured.vertexCount < kWorthWelding) {
     copyAttributes({captured, nullptr}, *mesh);
     mesh->triangleCount = captured.vertexCount / 3;
   } else if (isSoup(captured)) {
@@ -176,6 +200,7 @@ KnownMesh buildMesh(const CapturedVertices& captured) {
     mesh->indices = makeIndices(std::move(triangles), mesh->sizeBytes);
   }
   finishMesh(*mesh);
+  if (mesh->shape != scene::Shape::triangles) mesh->geometryId = hashBytes(&mesh->shape, 1, mesh->geometryId);
   result.mesh = std::move(mesh);
   return result;
 }

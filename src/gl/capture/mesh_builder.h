@@ -7,8 +7,8 @@ namespace gluray::gl {
 
 /// Builds the mesh of all surfaces in `captured`. Separate triangles without indices, if there are many, are
 /// welded: bitwise equal corners share a vertex. Triangles keep their order, so that `indices` also replays
-/// the vertices as sent. The mesh is null only if vertices are homogeneous (some w is not 1). Throws
-/// std::bad_alloc.
+/// the vertices as sent. Points become balls, lines capsules. The mesh is null only if vertices are
+/// homogeneous (some w is not 1) or primitives have adjacent vertices. Throws std::bad_alloc.
 KnownMesh buildMesh(const CapturedVertices& captured);
 /// The same, but the mesh takes over arrays that it can use unchanged; `captured` then has none.
 /// If this throws, `captured` is as it was.

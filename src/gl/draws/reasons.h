@@ -9,6 +9,7 @@ namespace gluray::gl {
   X(traced, "traced")                                                        \
   X(points, "points")                                                        \
   X(lines, "lines")                                                          \
+  X(lineStyle, "lines or points with a style that tubes and spheres lack")   \
   X(polygonMode, "polygon mode is not fill")                                 \
   X(renderMode, "selection or feedback")                                     \
   X(noDepthTest, "depth test off")                                           \

@@ -1,6 +1,7 @@
 #include "gl/draws/triage.h"
 
 #include "gl/capture/mesh_builder.h"
+#include "gl/draws/solid_draws.h"
 #include "gl/layers/layer_draws.h"
 #include "gl/textures/texture_env.h"
 
@@ -58,10 +59,15 @@ Reason Triage::ofContext() const {
 Reason Triage::of(PrimitiveClass kind) const {
   if (const Reason reason = ofContext(); reason != Reason::traced) return reason;
   const State& state = p_.shadow.state;
-  if (kind == PrimitiveClass::points) return Reason::points;
-  if (kind == PrimitiveClass::lines) return Reason::lines;
+  const bool solid = drawsSolids(p_.shadow.settings, kind);
+  if (kind == PrimitiveClass::points && !solid) return Reason::points;
+  if (kind == PrimitiveClass::lines && !solid) return Reason::lines;
   if (state.target.wideColors) return Reason::framebuffer;  // fixed function clamps colours to [0, 1]
-  if (state.raster.reason != Reason::traced && !p_.layers.mayBeDrawn()) return state.raster.reason;
+  if (solid) {
+    if (const Reason reason = solidReason(p_.shadow, kind); reason != Reason::traced) return reason;
+  } else if (state.raster.reason != Reason::traced && !p_.layers.mayBeDrawn()) {
+    return state.raster.reason;
+  }
   if (state.raster.program != 0) return Reason::program;
   if (state.raster.firstVertexProvokes && !state.shading.smooth) return Reason::provokingVertex;
   if (state.textureReason != Reason::traced) return state.textureReason;
@@ -87,10 +93,12 @@ Reason Triage::of(const KnownMesh& known, const std::vector<MaterialChange>& mat
 
 Reason Triage::whereEverythingIsTraced(const KnownMesh& known,
                                        const std::vector<MaterialChange>& materials) const {
-  if (known.homogeneous || !known.mesh) return Reason::homogeneous;
+  if (known.homogeneous) return Reason::homogeneous;
+  if (!known.mesh) return Reason::lines;  // with adjacent vertices
   if (isFarAway(*known.mesh)) return Reason::farAway;
   const State& state = p_.shadow.state;
   const glm::dmat4 clipFromObject = state.projection * state.modelview;
+  if (scene::isSolid(known.mesh->shape)) return ofSolids(*known.mesh, materials);
   SurfaceHistory& surfaces = p_.surfaces;
   if (surfaces.precision.isTooLarge(*known.mesh, clipFromObject, {state.viewport.z, state.viewport.w}))
     return Reason::tooLarge;
@@ -108,6 +116,16 @@ Reason Triage::whereEverythingIsTraced(const KnownMesh& known,
   return perSample ? Reason::alphaTest : Reason::traced;
 }
 
+Reason Triage::ofSolids(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const {
+  const State& state = p_.shadow.state;
+  // Plans and menus: whether lines lie before or behind others of their depth depends on the order of
+  // drawing.
+  if (isParallel(state.projection) && isFlat(mesh, state.projection * state.modelview)) return Reason::flat;
+  const bool tested = state.raster.alphaTest != scene::AlphaTest{};
+  if (tested && state.raster.multisample && state.target.samples > 1) return Reason::alphaTest;
+  return isOpaque(mesh, materials) ? Reason::traced : state.raster.unlessOpaque;
+}
+
 SurfacePlace Triage::placeOf(const glm::dmat4& clipFromObject, scene::PolygonOffset offset) const {
   const State& state = p_.shadow.state;
   offset.resolution = state.target.depthResolution;
@@ -116,6 +134,7 @@ SurfacePlace Triage::placeOf(const glm::dmat4& clipFromObject, scene::PolygonOff
 
 bool Triage::isLayer(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const {
   const RasterState& raster = p_.shadow.state.raster;
+  if (scene::isSolid(mesh.shape)) return false;
   return raster.reason != Reason::traced ||
          (raster.unlessOpaque != Reason::traced && !isOpaque(mesh, materials));
 }

@@ -50,6 +50,7 @@ class Triage {
 
  private:
   Reason whereEverythingIsTraced(const KnownMesh& mesh, const std::vector<MaterialChange>& materials) const;
+  Reason ofSolids(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const;
   bool isOpaque(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const;
 
   Parts p_;

@@ -90,8 +90,11 @@ void GeometryRun::rasterise(Context& context) {
     else
       replay(context.real, captured_);
     context.real.EndList();
-    // The real list now holds the vertices of lines and points, which never become a mesh.
-    if (kind_ != PrimitiveClass::surfaces && inherited_.empty()) captured_.vertices.release();
+    // The real list now holds the vertices of lines and points, which need no mesh.
+    if (kind_ != PrimitiveClass::surfaces && inherited_.empty() && !meshBuilt_) {
+      captured_.vertices.release();
+      verticesLost_ = true;
+    }
   }
   context.real.CallList(realList_);
 }
@@ -120,6 +123,8 @@ void GeometryRun::draw(Context& context) {
   inherit(context);
   context.shadow.refresh(kDrawGroups);
   Reason reason = context.triage.of(kind_);
+  if (reason == Reason::traced && verticesLost_)
+    reason = kind_ == PrimitiveClass::points ? Reason::points : Reason::lines;
   if (reason == Reason::traced) {
     reason = context.failsafe.attempt([&] {
       const KnownMesh& known = mesh(context);

@@ -47,7 +47,8 @@ class GeometryRun final : public ListOp {
   uint64_t triangles_;
   KnownMesh mesh_;
   bool meshBuilt_ = false;
-  bool verticesReleased_ = false;
+  bool verticesReleased_ = false;  // to mesh_
+  bool verticesLost_ = false;      // to realList_
   GLuint realList_ = 0;
 };
 

@@ -93,7 +93,7 @@ HWY_ATTR inline void applyFog(const scene::Fog& fog, const Surface& s, const Gro
         weights(load3(group.position[0], i), load3(group.position[1], i), load3(group.position[2], i));
     const Float z = hn::MulAdd(p.x, splat(eyeZ.x),
                                hn::MulAdd(p.y, splat(eyeZ.y), hn::MulAdd(p.z, splat(eyeZ.z), splat(eyeZ.w))));
-    Float distance = hn::Abs(z);
+    Float distance = hn::Abs(scene::isSolid(s.mesh->shape) ? load(group.point[2] + i) : z);
     if (fog.fromCoordinates)
       distance = weights(load(coordinates[0] + i), load(coordinates[1] + i), load(coordinates[2] + i));
     const Float factor = fogFactor(fog, distance);

@@ -102,6 +102,9 @@ HWY_ATTR inline void locate(const FrameData& frame, uint32_t instance, size_t fi
   if (scene::isInWindow(s.mesh->shape))
     computePixelImpostors(s, frame.world->impostorsOf(instance), centers.x, centers.y, shown.group,
                           shown.seen);
+  else if (scene::isSolid(s.mesh->shape))
+    computeCapsules(s, frame.world->impostorsOf(instance), frame.depth, centers.x, centers.y, shown.group,
+                    shown.seen);
   else
     computeImpostors(s, frame.depth, centers.x, centers.y, shown.group, shown.seen);
 }

@@ -88,8 +88,21 @@ void sendVertex(const gl::RealGl& real, const scene::Instance& instance, uint32_
   real.Vertex3fv(glm::value_ptr(mesh.position(vertex)));
 }
 
-void drawInstance(const gl::RealGl& real, const scene::Instance& instance) {
+/// Lines and points as the program sent them, of the size of their tubes and spheres.
+void setSolidState(const gl::RealGl& real, const scene::Instance& instance, const scene::Camera& camera) {
+  const float pixels = instance.impostors.size.x * 0.5f * static_cast<float>(camera.viewport.z);
+  real.LineWidth(pixels), real.PointSize(pixels);
+  if (instance.impostors.unlit) real.Disable(GL_LIGHTING);
+  for (GLenum i = 0; i < instance.impostors.centerPlanes.size(); ++i) {
+    real.ClipPlane(GL_CLIP_PLANE0 + i, glm::value_ptr(glm::dvec4(instance.impostors.centerPlanes[i])));
+    real.Enable(GL_CLIP_PLANE0 + i);
+  }
+}
+
+void drawInstance(const gl::RealGl& real, const scene::Instance& instance, const scene::Camera& camera) {
   setInstanceState(real, instance);
+  const scene::Shape shape = instance.mesh->shape;
+  if (scene::isSolid(shape)) setSolidState(real, instance, camera);
   real.Color4fv(glm::value_ptr(instance.color));
   real.Normal3fv(glm::value_ptr(instance.normal));
   real.SecondaryColor3fv(glm::value_ptr(instance.secondaryColor));
@@ -98,9 +111,12 @@ void drawInstance(const gl::RealGl& real, const scene::Instance& instance) {
   for (uint32_t unit = 1; unit <= instance.texcoordsAbove.size(); ++unit)
     real.MultiTexCoord4fv(GL_TEXTURE0 + unit, glm::value_ptr(instance.texcoordOf(unit)));
   uint32_t material = 0;
-  real.Begin(GL_TRIANGLES);
+  real.Begin(shape == scene::Shape::balls      ? GL_POINTS
+             : shape == scene::Shape::capsules ? GL_LINES
+                                               : GL_TRIANGLES);
   for (uint32_t t = 0; t < instance.mesh->triangleCount; ++t)
-    for (uint32_t k = 0; k < 3; ++k) sendVertex(real, instance, instance.mesh->corner(t, k), material);
+    for (uint32_t k = 0; k < scene::cornersOf(shape); ++k)
+      sendVertex(real, instance, instance.mesh->corner(t, k), material);
   real.End();
 }
 
@@ -136,7 +152,7 @@ bool drawWithFixedFunction(const gl::RealGl& real, const Features& features, con
     for (const scene::Instance& instance : snapshot.instances) {
       if (isByProgram(snapshot, instance)) continue;
       if (!again) setShading(real, features, snapshot.shadings[instance.shading], textures);
-      drawInstance(real, instance);
+      drawInstance(real, instance, snapshot.camera);
     }
   }
   real.PopAttrib();

@@ -1,0 +1,163 @@
+#include "accel/impostors/capsule.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gluray::accel {
+namespace {
+
+/// Part of a line, as shares of its length.
+struct Part {
+  double from = 0, to = 1;
+  /// Keeps where a linear function, given at both ends, is at least 0.
+  void keep(double first, double second) {
+    if (first >= 0 && second >= 0) return;
+    if (!(first >= 0 || second >= 0)) {
+      from = 1, to = 0;
+      return;
+    }
+    const double zero = first / (first - second);
+    first < 0 ? from = std::max(from, zero) : to = std::min(to, zero);
+  }
+  bool empty() const { return !(from <= to); }
+};
+
+Part visiblePart(const PlacedImpostors& placed, const glm::vec4 (&end)[2]) {
+  Part part;
+  for (const glm::vec4& plane : placed.look.centerPlanes)
+    part.keep(glm::dot(glm::dvec4(plane), glm::dvec4(end[0])),
+              glm::dot(glm::dvec4(plane), glm::dvec4(end[1])));
+  if (placed.look.radius > 0) return part;
+  const glm::vec4 &w = placed.objectW, &near = placed.objectNear;
+  if (!(glm::dot(w, end[0]) > 0) || !(glm::dot(w, end[1]) > 0))
+    part.keep(glm::dot(near, end[0]), glm::dot(near, end[1]));
+  return part;
+}
+
+/// The cone between the balls, or the larger ball alone.
+void shape(Capsule& c) {
+  const glm::vec3 line = c.end[1] - c.end[0];
+  const float length = glm::length(line), sine = (c.radius[0] - c.radius[1]) / length;
+  if (std::abs(sine) < 0.999f) {
+    c.axis = line / length, c.halfLength = 0.5f * length, c.sine = sine;
+    return;
+  }
+  const int larger = c.radius[0] >= c.radius[1] ? 0 : 1;
+  c.end[1 - larger] = c.end[larger], c.radius[1 - larger] = c.radius[larger];
+  c.share[1 - larger] = c.share[larger];
+}
+
+}  // namespace
+
+bool Capsule::make(const PlacedImpostors& placed, uint32_t primitive, Capsule& c) {
+  const scene::Mesh& mesh = *placed.mesh;
+  const glm::vec4 end[2] = {{mesh.position(mesh.corner(primitive, 0)), 1},
+                            {mesh.position(mesh.corner(primitive, 1)), 1}};
+  const bool line = mesh.shape == scene::Shape::capsules;
+  if (line && end[0] == end[1]) return false;
+  const Part part = visiblePart(placed, end);
+  if (part.empty()) return false;
+  c = {};
+  const bool whole = part.from == 0 && part.to == 1;
+  for (int k = 0; k < 2; ++k) {
+    c.share[k] = static_cast<float>(k == 0 ? part.from : part.to);
+    const glm::vec4 at = whole ? end[k] : glm::mix(end[0], end[1], c.share[k]);
+    c.end[k] = scene::impostorCenter(placed.lightingFromObject, at);
+    c.radius[k] = placed.look.radius > 0 ? placed.look.radius
+                                         : std::max(glm::dot(placed.objectW, at), 0.0f) *
+                                               static_cast<float>(placed.halfWidthPerW);
+  }
+  shape(c);
+  return c.radius[0] > 0 || c.radius[1] > 0;
+}
+
+bool Capsule::holds(const glm::vec3& point) const {
+  const glm::vec3 from = point - 0.5f * (end[0] + end[1]);
+  const float place = std::clamp(glm::dot(axis, from), -halfLength, halfLength);
+  const float share = halfLength > 0 ? 0.5f + 0.5f * place / halfLength : 0.0f;
+  const float reach = glm::mix(radius[0], radius[1], share);
+  const glm::vec3 aside = from - place * axis;
+  return glm::dot(aside, aside) <= reach * reach;
+}
+
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::infinity();
+
+/// A line of sight, relative to the middle of a capsule and from the point nearest to that.
+struct Sight {
+  glm::dvec3 from, dir;
+};
+
+/// t at which it enters the ball about `center`; kNone: it misses.
+double enterBall(const Sight& s, const glm::dvec3& center, double radius) {
+  const glm::dvec3 from = s.from - center;
+  const double t = -glm::dot(from, s.dir);
+  const glm::dvec3 nearest = from + t * s.dir;
+  const double d = radius * radius - glm::dot(nearest, nearest);
+  return d >= 0 ? t - std::sqrt(d) : kNone;
+}
+
+/// A line of sight and the cone of a capsule, in coordinates along and across the axis.
+struct Cone {
+  double cosine, sine, start, along;
+  glm::dvec3 axis, aside, across;
+
+  Cone(const Sight& s, const Capsule& c)
+      : cosine(std::sqrt(1 - double{c.sine} * c.sine)), sine(c.sine), axis(c.axis) {
+    start = glm::dot(axis, s.from), along = glm::dot(axis, s.dir);
+    aside = s.from - start * axis, across = s.dir - along * axis;
+  }
+  double nearest() const { return -glm::dot(aside, across) / std::max(glm::dot(across, across), 1e-30); }
+
+  /// t at which the line enters the cone between the circles where it touches the balls; kNone: nowhere.
+  double enter(const Capsule& c) const {
+    const double slope = -sine / cosine, middle = 0.5 * (double{c.radius[0]} + c.radius[1]) / cosine;
+    const double lowest = -double{c.halfLength} + c.radius[0] * sine,
+                 highest = double{c.halfLength} + c.radius[1] * sine;
+    const double a = glm::dot(across, across), s = nearest(), q = slope * along;
+    const glm::dvec3 n = aside + s * across;
+    const double n2 = glm::dot(n, n), radius = middle + slope * (start + s * along);
+    const double discriminant = a * (radius * radius - n2) + q * q * n2;
+    if (!(discriminant >= 0)) return kNone;
+    double best = kNone;
+    for (const double sign : {-1.0, 1.0}) {
+      const double t = s + (radius * q + sign * std::sqrt(discriminant)) / (a - q * q),
+                   place = start + t * along;
+      if (place >= lowest && place <= highest) best = std::min(best, t);
+    }
+    return best;
+  }
+};
+
+}  // namespace
+
+CapsulePoint see(const Capsule& c, const glm::dvec3& org, const glm::dvec3& dir) {
+  const glm::dvec3 end[2] = {c.end[0], c.end[1]}, middle = 0.5 * (end[0] + end[1]);
+  const Sight sight{org - middle - glm::dot(org - middle, dir) * dir, dir};
+  const glm::dvec3 half = double{c.halfLength} * glm::dvec3(c.axis);
+  const double first = enterBall(sight, -half, c.radius[0]), second = enterBall(sight, half, c.radius[1]);
+  double t = std::min(first, second);
+  glm::dvec3 center = first <= second ? -half : half;
+  if (!c.isBall()) {
+    const Cone cone(sight, c);
+    const double onCone = cone.enter(c);
+    if (t == kNone && onCone == kNone) t = cone.nearest();
+    if (onCone < t) t = onCone;
+    const double place = cone.start + t * cone.along;
+    const double shifted = place - glm::length(cone.aside + t * cone.across) * cone.sine / cone.cosine;
+    center = std::clamp(shifted, -double{c.halfLength}, double{c.halfLength}) * cone.axis;
+  } else if (t == kNone) {
+    t = 0;
+  }
+  const glm::dvec3 point = sight.from + t * dir;
+  CapsulePoint p;
+  p.point = point + middle;
+  p.normal = glm::vec3(glm::normalize(point - center));
+  const double along = c.isBall() ? 0.0 : glm::dot(center, glm::dvec3(c.axis)) / c.halfLength;
+  p.share = glm::mix(c.share[0], c.share[1], static_cast<float>(0.5 + 0.5 * along));
+  return p;
+}
+
+}  // namespace gluray::accel

@@ -1,0 +1,24 @@
+// Lines and points that settings turn into solids: tubes (scene::Shape::capsules) and spheres (balls). GL
+// thread.
+#pragma once
+#include "gl/capture/captured_vertices.h"
+#include "gl/draws/reasons.h"
+#include "gl/state/shadow_state.h"
+#include "scene/snapshot.h"
+
+namespace gluray::gl {
+
+/// Whether settings turn draws of this class into solids.
+bool drawsSolids(const Settings& settings, PrimitiveClass kind);
+
+/// Whether all lines of sight are parallel.
+bool isParallel(const glm::dmat4& clipFromEye);
+
+/// Why lines or points of fixed function cannot become solids in the current state, or Reason::traced.
+Reason solidReason(const ShadowState& shadow, PrimitiveClass kind);
+
+/// Completes the instance and shading of a fixed-function draw of solids: their size and, unless the program
+/// lights them, a light at the viewer that shows their shape.
+void makeSolid(const ShadowState& shadow, scene::Instance& instance, scene::Shading& shading);
+
+}  // namespace gluray::gl
