@@ -1,6 +1,6 @@
 #include "frame/refiner.h"
 
-#include "render/integrators/integrator.h"
+#include "scene/effects.h"
 
 #include <algorithm>
 #include <exception>
@@ -32,7 +32,7 @@ void addCost(const scene::TraceCost& more, scene::TraceCost& cost) {
 }  // namespace
 
 bool isRefinable(const scene::Snapshot& snapshot) {
-  return render::areLit(snapshot.settings) && snapshot.settings.noise > 0 &&
+  return scene::wantsLight(snapshot.settings) && snapshot.settings.noise > 0 &&
          snapshot.settings.renderer == Renderer::embree &&
          Refinement::bytesFor(valuesOf(snapshot)) <= kMostBytes;
 }

@@ -8,6 +8,7 @@
 #include "render/film/resolve.h"
 #include "render/float_guard.h"
 #include "render/tile_tracer.h"
+#include "scene/effects.h"
 
 #include <mutex>
 #include <optional>
@@ -36,7 +37,7 @@ class Renderer::Engine {
     cost.blasRefinements = update.blasRefinements;
     cost.bvhBytes = world_->bytes();
     cost.blasRefining = world_->refining();
-    if (!snapshot.settings.ao.enabled) histories_.clear();
+    if (!scene::wantsLight(snapshot.settings)) histories_.clear();
     const double built = nowSeconds();
     cost.buildSeconds = built - start;
     {

@@ -36,8 +36,8 @@ struct FrameData {
   RaySetup eyeRays;  // the same in eye space with equal t; unused if rays.startAtSphere
   DepthMap depth;
   std::shared_ptr<const Relit> relit;  // shadings in place of the snapshot's, if settings change lights
-  // Each one per Snapshot's (or relit), and after those one per Surroundings', shadings and instances. Surfaces
-  // that nothing can be seen of have no instance.
+  // Each one per Snapshot's (or relit), and after those one per Surroundings', shadings and instances.
+  // Surfaces that nothing can be seen of have no instance.
   std::vector<Lighting> lightings;
   std::vector<Surface> surfaces;
   std::vector<glm::dvec2> samplePositions;  // within the pixel, one per sample

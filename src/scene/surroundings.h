@@ -1,6 +1,7 @@
 // What surrounds a batch: the other surfaces of its view, which the batch does not draw but which block and
 // reflect its light. Made by gl/batch/view_scenes, shared, immutable.
 #pragma once
+#include "scene/effects.h"
 #include "scene/snapshot.h"
 
 #include <glm/glm.hpp>
@@ -22,9 +23,7 @@ struct Surroundings {
 
 /// Whether the settings ask for light that other surfaces block or reflect. Snapshots have surroundings only
 /// then.
-inline bool needsSurroundings(const Settings& settings) {
-  return settings.ao.enabled && settings.ao.strength > 0;
-}
+inline bool needsSurroundings(const Settings& settings) { return wantsLight(settings); }
 
 /// Number of the snapshot's instances and those of its surroundings.
 inline size_t countAll(const Snapshot& s) {

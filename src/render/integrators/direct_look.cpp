@@ -1,5 +1,7 @@
 #include "render/integrators/direct_look.h"
 
+#include "scene/effects.h"
+
 namespace gluray::render {
 namespace {
 
@@ -8,9 +10,7 @@ constexpr glm::vec4 kNone{0, 0, 0, 1};
 }  // namespace
 
 DirectLook::DirectLook(const FrameData& frame)
-    : shadings(frame.shadings()),
-      materials(frame.snapshot->instances.size()),
-      surfaces(frame.surfaces) {
+    : shadings(frame.shadings()), materials(frame.snapshot->instances.size()), surfaces(frame.surfaces) {
   surfaces.resize(materials.size());
   lightings.reserve(shadings.size());
   for (scene::Shading& shading : shadings) {
@@ -31,9 +31,7 @@ DirectLook::DirectLook(const FrameData& frame)
 
 std::unique_ptr<const DirectLook> makeDirectLook(const FrameData& frame) {
   const Settings& settings = frame.snapshot->settings;
-  const bool ao = settings.ao.enabled || settings.integrator == LightIntegrator::ao;
-  if (!ao || settings.integrator == LightIntegrator::path || settings.ao.on != AmbientOcclusionOn::ambient)
-    return nullptr;
+  if (!scene::wantsOcclusion(settings) || settings.ao.on != AmbientOcclusionOn::ambient) return nullptr;
   return std::make_unique<DirectLook>(frame);
 }
 

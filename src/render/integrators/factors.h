@@ -35,8 +35,8 @@ class FactorIntegrator : public Integrator {
   virtual void estimate(const ColoredHits&, Factors&) const noexcept = 0;
   /// Applies factors to colours of the local look.
   virtual void apply(const ColoredHits&, const Factors&, ColorRows&) const noexcept = 0;
-  /// Numbers that stay the same, up to rounding, while nothing but the camera moves and factors mean the same:
-  /// places and directions of lights in the world.
+  /// Numbers that stay the same, up to rounding, while nothing but the camera moves and factors mean the
+  /// same: places and directions of lights in the world.
   virtual std::vector<float> meaning() const { return {}; }
   void light(const ColoredHits& hits, ColorRows& rows) const noexcept final {
     if (hits.factors) return apply(hits, *hits.factors, rows);

@@ -30,9 +30,6 @@ class Integrator {
   virtual void light(const ColoredHits&, ColorRows&) const noexcept = 0;
 };
 
-/// Whether pictures under these settings have an integrator, whose samples make them noisy.
-bool areLit(const Settings&);
-
 /// The integrator that the snapshot's settings ask for; null where they ask for the local look alone.
 std::unique_ptr<const Integrator> makeIntegrator(const FrameData&);
 

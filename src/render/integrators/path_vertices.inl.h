@@ -54,7 +54,7 @@ HWY_ATTR inline void locateOnTriangles(const Metric& metric, const Surface& s, c
     const Float3 eye = transformPoint(s.eyeFromObject, object), back = load3(from, i);
     const Float3 edge0 = direction(transform(linear, sub(corner[1], corner[0])), back),
                  edge1 = direction(transform(linear, sub(corner[2], corner[0])), back);
-    const Float3 winding = direction(crossProduct(edge0, edge1), back);
+    const Float3 winding = direction(cross(edge0, edge1), back);
     store(dot(winding, back), faces + i);
     const Float3 flat = facing(winding, back);
     Float3 shading = flat, lift = splat(glm::vec3(0));

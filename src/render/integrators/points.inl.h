@@ -101,7 +101,7 @@ HWY_ATTR inline void pointsOfTriangles(const Metric& metric, const ColoredHits& 
     const glm::mat3 linear(s.eyeFromObject);
     const Float3 edge0 = direction(transform(linear, sub(corner[1], corner[0])), viewer),
                  edge1 = direction(transform(linear, sub(corner[2], corner[0])), viewer);
-    const Float3 flat = facing(direction(crossProduct(edge0, edge1), viewer), viewer);
+    const Float3 flat = facing(direction(cross(edge0, edge1), viewer), viewer);
     Float3 shading = flat, lift = splat(glm::vec3(0));
     if (smooth) {
       Float3 corners[3];

@@ -4,13 +4,12 @@
 #include "render/integrators/direct_look.h"
 #include "render/integrators/relit_look.h"
 #include "render/lights/relit.h"
+#include "scene/effects.h"
 
 #include <algorithm>
 
 namespace gluray::render {
 namespace {
-
-bool wantsShadows(const Settings& s) { return s.shadows.enabled && s.shadows.strength > 0; }
 
 bool shows(const ColoredHits& hits, const ShadowLights::Rows& rows, const Factors& factors) {
   for (int row = 0; row < kShadowLights; ++row)
@@ -26,11 +25,11 @@ SurfaceLight::SurfaceLight(const FrameData& frame)
     : frame_(frame),
       metric_(frame),
       occluders_(*frame.snapshot, frame.surfaces),
-      lights_(findShadowLights(frame, metric_, wantsShadows(frame.snapshot->settings))) {
+      lights_(findShadowLights(frame, metric_, scene::wantsShadows(frame.snapshot->settings))) {
   const Settings& settings = frame.snapshot->settings;
   if (frame.relit && frame.relit->dome.shines()) dome_ = &frame.relit->dome;
-  if (settings.ao.enabled && settings.ao.strength > 0) occlusion_.emplace(frame, metric_, occluders_);
-  if (!wantsShadows(settings)) return;
+  if (scene::wantsOcclusion(settings)) occlusion_.emplace(frame, metric_, occluders_);
+  if (!scene::wantsShadows(settings)) return;
   if (!lights_.lights.empty())
     shadows_.emplace(frame, metric_, occluders_, lights_);
   else

@@ -1,0 +1,18 @@
+// Which effects of light the settings ask for. Any thread.
+#pragma once
+#include "settings/settings.h"
+
+namespace gluray::scene {
+
+inline bool wantsPaths(const Settings& s) { return s.integrator == LightIntegrator::path; }
+inline bool wantsOcclusion(const Settings& s) {
+  return !wantsPaths(s) && (s.ao.enabled || s.integrator == LightIntegrator::ao) && s.ao.strength > 0;
+}
+inline bool wantsShadows(const Settings& s) {
+  return !wantsPaths(s) && s.shadows.enabled && s.shadows.strength > 0;
+}
+/// Whether colours depend on rays between surfaces: on other surfaces, and on samples, whose noise passes
+/// reduce.
+inline bool wantsLight(const Settings& s) { return wantsPaths(s) || wantsOcclusion(s) || wantsShadows(s); }
+
+}  // namespace gluray::scene
