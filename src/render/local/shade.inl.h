@@ -89,7 +89,9 @@ HWY_ATTR inline void lightCorner(const Surface& s, const Group& group, const Att
 }
 
 // Lighting at the points of balls and capsules. Flat: with the colour of the last vertex.
-HWY_ATTR inline void lightSolids(const Surface& s, const Group& group, const Attributes& a, LitRows& out) {
+template <class Seen>
+HWY_ATTR inline void lightSolids(const Surface& s, const Group& group, const Attributes& a, const Seen& seen,
+                                 LitRows& out) {
   alignas(64) Row color[4];
   const bool smooth = s.lighting->shading->smooth;
   for (int i = 0; i < kLanes && s.colorsVary; i += lanesOfVector()) {
@@ -102,7 +104,7 @@ HWY_ATTR inline void lightSolids(const Surface& s, const Group& group, const Att
   MaterialChoice material;
   chooseMaterial(s, group, 2, false, color, material);
   for (int i = 0; i < kLanes; i += lanesOfVector())
-    out.set(i, lightWith(material, *s.lighting, i, load3(group.point, i), load3(group.normal, i)));
+    out.set(i, lightWith(material, *s.lighting, i, load3(group.point, i), load3(group.normal, i), seen));
 }
 
 // Lighting at the hit points.
@@ -163,7 +165,7 @@ template <class Seen>
 HWY_ATTR inline void colorSide(const FrameData& frame, const Surface& s, const Group& group,
                                const Attributes& a, bool back, const Seen& seen, LitRows& out) {
   const scene::Shading& shading = *s.lighting->shading;
-  if (scene::isSolid(s.mesh->shape) && shading.lighting) return lightSolids(s, group, a, out);
+  if (scene::isSolid(s.mesh->shape) && shading.lighting) return lightSolids(s, group, a, seen, out);
   const auto corner = [&](int k, LitRows& rows) HWY_ATTR {
     if (shading.lighting)
       lightCorner(s, group, a, k, back, seen, rows);
