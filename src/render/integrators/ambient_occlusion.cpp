@@ -36,7 +36,7 @@ HWY_ATTR inline void aimAbove(const AmbientOcclusion& ao, const SurfacePoints& p
 HWY_ATTR void occlude(const AmbientOcclusion& ao, const ColoredHits& hits, float* occlusion) {
   SurfacePoints points;
   makePoints(ao.metric, ao.frame, hits, points);
-  const PixelSeeds seeds(hits.x, hits.y);
+  const PixelSeeds seeds = seedsOf(ao.frame, hits.x, hits.y);
   const uint32_t first = firstSample(ao.frame, hits.sample, ao.samples);
   alignas(64) int32_t valid[kLanes];
   for (int i = 0; i < kLanes; ++i) valid[i] = hits.group.lanes >> i & 1 ? -1 : 0;
@@ -66,7 +66,7 @@ AmbientOcclusion::AmbientOcclusion(const FrameData& of, const Metric& m, const O
     : frame(of),
       metric(m),
       occluders(o),
-      samples(of.snapshot->settings.ao.samples),
+      samples(samplesOf(of, of.snapshot->settings.ao.samples)),
       radius(of.snapshot->settings.ao.distance > 0 ? of.snapshot->settings.ao.distance
                                                    : of.snapshot->settings.ao.radius * metric.diagonal),
       strength(of.snapshot->settings.ao.strength) {}

@@ -47,7 +47,8 @@ class Finder {
   ShadowLights find(bool casts) {
     ShadowLights out;
     known_.resize(frame_.lightings.size());
-    for (uint32_t i = 0; i < frame_.surfaces.size(); ++i) out.rowsOfInstance.push_back(rowsOf(i, out));
+    for (uint32_t i = 0; i < frame_.snapshot->instances.size(); ++i)
+      out.rowsOfInstance.push_back(rowsOf(i, out));
     choose(casts, out);
     return out;
   }
