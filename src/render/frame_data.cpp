@@ -102,7 +102,7 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
       rays(makeRaySetup(s, w.lower(), w.upper())),
       eyeRays(makeEyeRays(s, rays)),
       depth(makeDepthMap(s)),
-      relit(relight(s, eyeRays.step)),
+      relit(relight(s, eyeRays)),
       image(&target) {
   perVertex = s.settings.shading == ShadingRate::vertex;
   oncePerPixel = s.samples > 1 && s.settings.shading != ShadingRate::sample;
@@ -127,7 +127,8 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
   const View view(s.camera);
   surfaces.resize(s.instances.size());
   tbb::parallel_for(size_t{0}, surfaces.size(), [&](size_t i) {
-    const scene::Instance& instance = s.instances[i];
+    const scene::Instance& instance =
+        relit && !relit->instances.empty() ? relit->instances[i] : s.instances[i];
     if (instance.shading >= s.shadings.size()) throw std::runtime_error("an instance has no shading state");
     if (instance.materials.empty()) throw std::runtime_error("an instance has no material");
     if (instance.mesh->triangleCount == 0) return;

@@ -21,6 +21,7 @@ struct SurfacePoints {
   alignas(
       64) Row origin[3];   // world space: above the point by its error, so that rays do not meet its surface
   alignas(64) Row eye[3];  // the same point in eye space
+  alignas(64) Row lift;    // how far the curved surface is above the triangle; 0: less than rounding
   alignas(64) Row geometric[3];  // of the triangle
   alignas(64) Row shading[3];    // of the surface that the triangles stand for
 };
@@ -65,6 +66,8 @@ HWY_INLINE void placeOrigin(const Metric& metric, const Surface& s, const Float3
   const Float3 above = add(add(eye, scaled(normal, error)), lift);
   store3(transformPoint(metric.worldFromEye, above), out.origin, i);
   store3(above, out.eye, i);
+  const Float height = largestSize(lift);
+  store(hn::IfThenElseZero(hn::Gt(height, error), height), out.lift + i);
 }
 
 /// Where smooth normals stand for a curved surface: the way from the triangle to that surface, so that rays
@@ -72,11 +75,17 @@ HWY_INLINE void placeOrigin(const Metric& metric, const Surface& s, const Float3
 HWY_INLINE Float3 towardsSmooth(const Surface& s, const Group& group, const Weights& weights,
                                 const Float3& object, const Float3 (&normals)[3], const Float3& side, int i) {
   const glm::mat3 linear(s.eyeFromObject);
+  const Float3 n0 = facing(normals[0], side), n1 = facing(normals[1], side), n2 = facing(normals[2], side);
+  // The curve is in what the normals differ by. What they lean to together is none: rays must not leave a
+  // flat triangle from far above it.
+  const Float3 lean = sub(scaled(add(n0, add(n1, n2)), splat(1.0f / 3)), side);
+  const Float3 curved[] = {sub(n0, lean), sub(n1, lean), sub(n2, lean)};
   Float3 lift[3];
   for (int k = 0; k < 3; ++k) {
-    const Float3 n = facing(normals[k], side);
+    const Float3 n = curved[k];
     const Float3 from = transform(linear, sub(object, load3(group.position[k], i)));
-    lift[k] = scaled(n, hn::Neg(hn::Min(dot(from, n), hn::Zero(FloatTag()))));
+    const Float rounded = hn::Mul(largestSize(from), splat(1e-5f));
+    lift[k] = scaled(n, hn::Neg(hn::Min(hn::Add(dot(from, n), rounded), hn::Zero(FloatTag()))));
   }
   return weights(lift[0], lift[1], lift[2]);
 }

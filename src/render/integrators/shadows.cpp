@@ -23,10 +23,28 @@ HWY_INLINE Float domeAt(const scene::Dome& dome, const Float3& w) {
   return hn::IfThenElse(above, splat(mean(dome.sky)), splat(mean(dome.ground)));
 }
 
+/// What a ray brings that grazes the triangle, whose smooth normal faces the light more than the triangle
+/// does: shadows of triangles do not end at once where these turn away. Surfaces that bulge over their
+/// triangles cast no such shadow.
+HWY_INLINE Float grazing(const SurfacePoints& points, int i, const Float3& direction, Float cosine) {
+  constexpr float kFrom = 0.15f;  // cosine to the triangle
+  const Float flat = dot(load3(points.geometric, i), direction);
+  const Float whole = hn::Min(hn::Max(cosine, splat(1e-6f)), splat(kFrom));
+  const Float x = clamp01(hn::Div(flat, whole));
+  const Float smooth = hn::Mul(hn::Mul(x, x), hn::NegMulAdd(splat(2), x, splat(3)));
+  return hn::IfThenElse(hn::Gt(load(points.lift + i), splat(0)), splat(1), smooth);
+}
+
+/// Samples of a light at each lane: the rays, what may arrive along them, and what does past the surface.
+struct LightSamples {
+  accel::OcclusionRays rays;
+  alignas(64) Row weights, grazing;
+};
+
 /// Sample `index` of a light: fills rays and the weights of what arrives along them.
 HWY_ATTR inline void aimAtLight(const Shadows& s, int row, const SurfacePoints& points,
-                                const PixelSeeds& seeds, uint32_t index, accel::OcclusionRays& rays,
-                                Row& weights) {
+                                const PixelSeeds& seeds, uint32_t index, LightSamples& out) {
+  accel::OcclusionRays& rays = out.rays;
   const glm::mat3 worldFromEye(s.metric.worldFromEye);
   const auto use =
       static_cast<Dimensions>(static_cast<uint32_t>(Dimensions::shadows) + static_cast<uint32_t>(row));
@@ -34,6 +52,7 @@ HWY_ATTR inline void aimAtLight(const Shadows& s, int row, const SurfacePoints& 
     const Float3 normal = load3(points.shading, i);
     const Sample2 sample = sample2(seeds, i, index, use);
     TowardsLight towards;
+    Float past = splat(1);
     if (row == s.lights.dome) {
       const Float3 w =
           reflectedAbove(load3(points.geometric, i), aboveSurface(normal, cosineHemisphere(sample)));
@@ -41,7 +60,9 @@ HWY_ATTR inline void aimAtLight(const Shadows& s, int row, const SurfacePoints& 
     } else {
       const scene::LightSource& light = s.lights.lights[static_cast<size_t>(row)];
       towards = towardsLight(light, s.size, load3(points.eye, i), sample);
-      towards.weight = hn::Mul(towards.weight, hn::Max(dot(normal, towards.direction), hn::Zero(FloatTag())));
+      const Float cosine = hn::Max(dot(normal, towards.direction), hn::Zero(FloatTag()));
+      towards.weight = hn::Mul(towards.weight, cosine);
+      past = grazing(points, i, towards.direction, cosine);
     }
     const Float3 world = transform(worldFromEye, towards.direction);
     store(load(points.origin[0] + i), rays.orgX + i), store(load(points.origin[1] + i), rays.orgY + i),
@@ -49,22 +70,25 @@ HWY_ATTR inline void aimAtLight(const Shadows& s, int row, const SurfacePoints& 
     store(world.x, rays.dirX + i), store(world.y, rays.dirY + i), store(world.z, rays.dirZ + i);
     store(hn::Zero(FloatTag()), rays.tNear + i);
     store(towards.distance, rays.tFar + i);
-    store(towards.weight, weights + i);
+    store(towards.weight, out.weights + i);
+    store(past, out.grazing + i);
   }
 }
 
 /// Adds what arrives along one packet's rays.
-HWY_ATTR inline void addArriving(const Shadows& s, uint32_t lanes, accel::OcclusionRays& rays,
-                                 const Row& weights, Row (&sums)[3], Row& all) {
+HWY_ATTR inline void addArriving(const Shadows& s, uint32_t lanes, LightSamples& samples, Row (&sums)[3],
+                                 Row& all) {
   alignas(64) int32_t valid[kLanes];
   for (int i = 0; i < kLanes; ++i) {
-    valid[i] = (lanes >> i & 1) && weights[i] > 0 ? -1 : 0;
-    all[i] += weights[i];
+    valid[i] = (lanes >> i & 1) && samples.weights[i] * samples.grazing[i] > 0 ? -1 : 0;
+    all[i] += samples.weights[i];
   }
   const ColoredTransmittance light(s.occluders);
-  const uint32_t blocked = s.frame.world->occluded(valid, rays, s.occluders.areSolid() ? nullptr : &light);
+  const uint32_t blocked =
+      s.frame.world->occluded(valid, samples.rays, s.occluders.areSolid() ? nullptr : &light);
   for (int i = 0; i < kLanes; ++i)
-    for (int c = 0; c < 3 && !(blocked >> i & 1); ++c) sums[c][i] += weights[i] * light.through[i][c];
+    for (int c = 0; c < 3 && !(blocked >> i & 1); ++c)
+      sums[c][i] += samples.weights[i] * samples.grazing[i] * light.through[i][c];
 }
 
 HWY_ATTR void traceShadows(const Shadows& s, const ColoredHits& hits, Factors& factors) {
@@ -73,16 +97,15 @@ HWY_ATTR void traceShadows(const Shadows& s, const ColoredHits& hits, Factors& f
   SurfacePoints points;
   makePoints(s.metric, s.frame, hits, points);
   const PixelSeeds seeds = seedsOf(s.frame, hits.x, hits.y);
-  accel::OcclusionRays rays;
-  alignas(64) Row weights;
+  LightSamples samples;
   for (int row = 0; row < kShadowLights; ++row) {
     if (!(used >> row & 1)) continue;
-    const int count = s.samplesOf(row);
+    const int count = s.raysOf(row);
     const uint32_t first = firstSample(s.frame, hits.sample, count);
     Row sums[3] = {}, all = {};
     for (int k = 0; k < count; ++k) {
-      aimAtLight(s, row, points, seeds, first + static_cast<uint32_t>(k), rays, weights);
-      addArriving(s, hits.group.lanes, rays, weights, sums, all);
+      aimAtLight(s, row, points, seeds, first + static_cast<uint32_t>(k), samples);
+      addArriving(s, hits.group.lanes, samples, sums, all);
     }
     for (int c = 0; c < 3; ++c)
       for (int i = 0; i < kLanes; ++i) {
@@ -106,11 +129,11 @@ Shadows::Shadows(const FrameData& f, const Metric& m, const Occluders& o, const 
       metric(m),
       occluders(o),
       lights(l),
-      samples(render::samplesOf(f, f.snapshot->settings.shadows.samples)),
+      samples(samplesOf(f, f.snapshot->settings.shadows.samples)),
       size(f.snapshot->settings.shadows.size),
       strength(f.snapshot->settings.shadows.strength) {}
 
-int Shadows::samplesOf(int row) const {
+int Shadows::raysOf(int row) const {
   using Kind = scene::LightSource::Kind;
   if (row == lights.dome) return samples;
   const scene::LightSource& light = lights.lights[static_cast<size_t>(row)];

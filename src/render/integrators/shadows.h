@@ -15,7 +15,7 @@ namespace gluray::render {
 struct Shadows {
   Shadows(const FrameData&, const Metric&, const Occluders&, const ShadowLights&);
   /// Rays that a light needs from each point; one if its shadows are hard.
-  int samplesOf(int row) const;
+  int raysOf(int row) const;
   /// Fills the rows of Factors::visibility that the hits' surface uses.
   void estimate(const ColoredHits&, Factors&) const noexcept;
 

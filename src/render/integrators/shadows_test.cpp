@@ -270,6 +270,24 @@ TEST(Shadows, DoNotCutIntoCoarseSmoothConvexSurfaces) {
     }
 }
 
+TEST(Shadows, FadeWhereTrianglesTurnAwayThatNormalsDoNot) {
+  // A wall of one triangle pair whose normals all lean to the right; the light goes down from there to the
+  // wall's own plane.
+  test::MeshData data = test::quadData({-50, -50, 0}, {50, -50, 0}, {50, 50, 0}, {-50, 50, 0});
+  data.normals.assign(4, glm::normalize(glm::vec3(1, 0, 1)));
+  float before = 1;
+  for (const float degrees : {60.0f, 30.0f, 8.0f, 6.0f, 5.0f, 4.0f, 3.0f, 2.0f, 1.0f, 0.3f, 0.0f, -5.0f}) {
+    const float e = glm::radians(degrees);
+    const float share = sharesOf(
+        test::litView({test::makeMesh(data)}, Shader::fixedFunction, {std::cos(e), 0, std::sin(e), 0}))[32];
+    EXPECT_LE(share, before) << degrees;
+    EXPECT_LT(before - share, 0.3f) << degrees;
+    if (degrees > 9) { EXPECT_EQ(share, 1) << degrees; }
+    before = share;
+  }
+  EXPECT_EQ(before, 0) << "no light comes through";
+}
+
 TEST(Shadows, AreTheSameForAnyNumberOfThreadsAndNearlyForAnyInstructionSet) {
   scene::Snapshot s = screened(Shader::phong);
   s.settings.shadows.size = 20, s.settings.shadows.samples = 4;

@@ -2,6 +2,7 @@
 
 #include "render/lights/light_conversion.h"
 #include "render/lights/light_file.h"
+#include "render/lights/lighting_space.h"
 #include "render/lights/rig.h"
 
 #include <algorithm>
@@ -37,6 +38,7 @@ class Relighter {
 
   void relightAll() {
     for (const scene::Instance& instance : snapshot_.instances) out_.shadingOf.push_back(shadingOf(instance));
+    for (size_t i = 0; i < snapshot_.instances.size(); ++i) placeLighting(i);
   }
 
  private:
@@ -48,7 +50,7 @@ class Relighter {
 
   uint32_t shadingOf(const scene::Instance& instance) {
     const scene::Shading& shading = snapshot_.shadings.at(instance.shading);
-    const glm::dmat4 space = isProgram(shading) ? eyeFromLighting(instance) : glm::dmat4(1);
+    const glm::dmat4 space = isLit(shading) ? eyeFromLighting(instance, shading, away_) : glm::dmat4(1);
     const double reach = glm::length(glm::dvec3(instance.eyeFromObject[3]));
     std::vector<Made>& known = made_[instance.shading];
     for (const Made& made : known)
@@ -59,6 +61,17 @@ class Relighter {
     out_.firstSource.push_back(0);
     if (isLit(shading)) relightOne(out_.shadings.back(), out_.firstSource.back(), glm::inverse(space));
     return index;
+  }
+
+  /// Lights from elsewhere than the viewer need the points that they shine on.
+  void placeLighting(size_t i) {
+    const scene::Instance& instance = snapshot_.instances[i];
+    const scene::Shading& shading = snapshot_.shadings[instance.shading];
+    if (!isProgram(shading) || !isLit(shading)) return;
+    const glm::mat4 lighting(lightingFromObject(instance, shading, away_));
+    if (lighting == instance.lightingFromObject) return;
+    if (out_.instances.empty()) out_.instances = snapshot_.instances;
+    out_.instances[i].lightingFromObject = lighting;
   }
 
   void relightOne(scene::Shading& s, size_t& first, const glm::dmat4& lightingFromEye) const {
@@ -84,32 +97,18 @@ class Relighter {
 
 }  // namespace
 
-glm::dmat4 eyeFromLighting(const scene::Instance& instance) {
-  const glm::dmat4 lighting(instance.lightingFromObject);
-  if (isNearly(instance.eyeFromObject, lighting, 0)) return glm::dmat4(1);
-  return instance.eyeFromObject * glm::inverse(lighting);
-}
-
-bool isNearly(const glm::dmat4& a, const glm::dmat4& b, double reach) {
-  constexpr double kRounded = 1e-5;
-  for (int c = 0; c < 4; ++c) {
-    const double size = glm::length(glm::dvec3(a[c])) + (c == 3 ? reach : 0);
-    if (glm::length(glm::dvec3(a[c] - b[c])) > kRounded * size) return false;
-  }
-  return true;
-}
-
-std::shared_ptr<const Relit> relight(const scene::Snapshot& snapshot, const Viewer& away) {
+std::shared_ptr<const Relit> relight(const scene::Snapshot& snapshot, const RaySetup& eyeRays) {
   const Settings::Lights& settings = snapshot.settings.lights;
   if (settings.rig == LightRig::program && settings.file.empty()) return nullptr;
-  const std::optional<Rig> rig = makeRig(snapshot.settings, snapshot.eyeFromWorld);
   const auto added = lightsOf(settings.file);
+  const Directions camera = cameraDirections(eyeRays, snapshot.camera.viewport);
+  const std::optional<Rig> rig = makeRig(snapshot.settings, snapshot.eyeFromWorld, camera);
   if (!rig && (!added || added->empty())) return nullptr;
   auto relit = std::make_shared<Relit>();
   if (rig) relit->sources = rig->lights, relit->dome = rig->dome;
   if (added)
     for (const FileLight& light : *added) relit->sources.push_back(placed(light, snapshot.eyeFromWorld));
-  Relighter(snapshot, rig ? &*rig : nullptr, away, *relit).relightAll();
+  Relighter(snapshot, rig ? &*rig : nullptr, eyeRays.step, *relit).relightAll();
   return relit;
 }
 

@@ -46,11 +46,28 @@ Directions sceneDirections(const glm::dmat4& eyeFromWorld, int upAxis) {
   return d;
 }
 
-std::optional<Rig> makeRig(const Settings& settings, const glm::dmat4& eyeFromWorld) {
+Directions cameraDirections(const RaySetup& eyeRays, const glm::ivec4& viewport) {
+  const double x = viewport.x + 0.5 * viewport.z, y = viewport.y + 0.5 * viewport.w;
+  const glm::dvec4 middle = eyeRays.start + x * eyeRays.startX + y * eyeRays.startY;
+  const glm::dvec3 at = glm::dvec3(middle) / middle.w;
+  const auto along = [&](const glm::dvec4& step) {
+    return glm::normalize((glm::dvec3(step) - at * step.w) / middle.w);
+  };
+  Directions d;
+  d.up = along(eyeRays.startY);
+  d.front = glm::normalize(glm::cross(along(eyeRays.startX), d.up));
+  if (glm::dot(d.front, along(eyeRays.step)) > 0) d.front = -d.front;
+  const glm::dvec3 right = glm::cross(d.up, d.front);
+  d.right = glm::dot(right, along(eyeRays.startX)) < 0 ? -right : right;
+  return d;
+}
+
+std::optional<Rig> makeRig(const Settings& settings, const glm::dmat4& eyeFromWorld,
+                           const Directions& camera) {
   constexpr float kSun = 0.53f;  // degrees
   const Settings::Lights& s = settings.lights;
   if (s.rig == LightRig::program) return {};
-  const Directions d = onCamera(s) ? Directions() : sceneDirections(eyeFromWorld, static_cast<int>(s.up));
+  const Directions d = onCamera(s) ? camera : sceneDirections(eyeFromWorld, static_cast<int>(s.up));
   const glm::vec3 key = d.towards(s.azimuth, s.elevation);
   const float share = 1 / s.ratio;
   Rig rig;

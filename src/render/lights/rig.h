@@ -1,5 +1,6 @@
 // The lights that the setting `lights` puts in place of the program's. Made once a frame; any thread.
 #pragma once
+#include "render/camera/ray_setup.h"
 #include "scene/light_source.h"
 #include "settings/settings.h"
 
@@ -17,6 +18,10 @@ struct Directions {
   glm::vec3 towards(double azimuth, double elevation) const;
 };
 
+/// As the viewer sees them: right and up in the window, front towards the viewer. Also where eye space is
+/// turned against the view, as in programs that give one matrix for all.
+Directions cameraDirections(const RaySetup& eyeRays, const glm::ivec4& viewport);
+
 /// Directions of the scene with this axis upwards (0: x).
 Directions sceneDirections(const glm::dmat4& eyeFromWorld, int upAxis);
 
@@ -28,6 +33,6 @@ struct Rig {
 
 /// Nothing for the program's own lights. The brightest white surface of a scene that is seen from its front
 /// shows settings.lights.strength.
-std::optional<Rig> makeRig(const Settings&, const glm::dmat4& eyeFromWorld);
+std::optional<Rig> makeRig(const Settings&, const glm::dmat4& eyeFromWorld, const Directions& camera = {});
 
 }  // namespace gluray::render

@@ -112,6 +112,52 @@ TEST(Rig, LightsFixedFunctionAndProgramsAlike) {
   }
 }
 
+TEST(Rig, IsTheSameWhereAProgramGivesOneMatrixForAll) {
+  // As VTK with a light at the viewer: the whole transform is in the projection, and only the matrix of
+  // normals says how the view is turned.
+  const glm::dmat4 view = glm::translate(glm::dmat4(1), {0, 0, -5}) *
+                          glm::rotate(glm::dmat4(1), 1.0, glm::normalize(glm::dvec3(1, 2, -1)));
+  for (const LightRig rig : kRigs)
+    for (const bool parallel : {false, true}) {
+      scene::Snapshot s =
+          test::litView({test::wall(2), test::parallelogram({0.3f, 0.2f, 0.5f}, {0.4f, 0, 0}, {0, 0.4f, 0})},
+                        Shader::phong, {0, 0, 1, 0});
+      s.settings.lights.rig = rig;
+      s.settings.shadows.samples = 64;
+      if (parallel) s.camera.clipFromEye = glm::ortho(-2.0, 2.0, -2.0, 2.0, 0.1, 1000.0);
+      s.eyeFromWorld = view;
+      s.shadings[0].fragment.normals = scene::FragmentShading::Normals::vertices;
+      for (scene::Instance& i : s.instances) {
+        i.eyeFromObject = view, i.lightingFromObject = glm::mat4(view);
+        i.normalMatrix = glm::mat3(glm::transpose(glm::inverse(glm::dmat3(view))));
+        // A parallel view has no viewer at the origin, where the ordinary matrix has one.
+        i.materials[0].front.specular = glm::vec4(parallel ? 0 : 0.3f);
+        i.materials[0].front.shininess = 10;
+        auto mesh = std::make_shared<scene::Mesh>(*i.mesh);
+        mesh->lower = {-2, -2, 0}, mesh->upper = {2, 2, 0.5f};
+        i.mesh = mesh;
+      }
+      const Traced ordinary = test::trace(s);
+      s.camera.clipFromEye = s.camera.clipFromEye * view;
+      s.eyeFromWorld = glm::dmat4(1);
+      for (scene::Instance& i : s.instances)
+        i.eyeFromObject = glm::dmat4(1), i.lightingFromObject = glm::mat4(1);
+      const Traced whole = test::trace(s);
+      double sum = 0;
+      int hits = 0;
+      for (int y = 0; y < test::kLitSize; ++y)
+        for (int x = 0; x < test::kLitSize; ++x)
+          if (ordinary.hit(x, y)) {
+            sum += test::difference(ordinary.color(x, y), whole.color(x, y)), ++hits;
+            EXPECT_LE(test::difference(ordinary.color(x, y), whole.color(x, y)), 60) << x << " " << y;
+          }
+      EXPECT_GT(hits, 300);
+      // Light from all sides has noise.
+      EXPECT_LT(sum / hits, rig == LightRig::sky ? 2.5 : 1)
+          << static_cast<int>(rig) << (parallel ? " parallel" : "");
+    }
+}
+
 TEST(Rig, LeavesUnlitSurfacesAsTheyAre) {
   scene::Snapshot s = test::makeSnapshot({test::makeMesh(test::squareData())}, 8);
   s.instances[0].color = {0.2f, 0.4f, 0.6f, 1};

@@ -3,9 +3,11 @@
 #include "base/log.h"
 #include "render/integrators/factors.h"
 #include "render/lights/light_conversion.h"
+#include "render/lights/lighting_space.h"
 #include "render/lights/relit.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace gluray::render {
@@ -22,7 +24,7 @@ float brightness(const LightSource& l) {
 bool isAtViewer(const LightSource& light, const Metric& metric) {
   constexpr double kNear = 1e-4;
   const glm::dvec3 away(metric.away);
-  const bool parallel = metric.away.w == 0;
+  const bool parallel = std::abs(metric.away.w) * metric.diagonal <= kNear * glm::length(away);
   if (light.kind == Kind::distant)
     return parallel && glm::length(glm::dvec3(light.direction) - glm::normalize(away)) < kNear;
   if (parallel || (light.kind != Kind::point && light.kind != Kind::spot)) return false;
@@ -61,7 +63,7 @@ class Finder {
     const scene::Instance& instance = frame_.snapshot->instances[i];
     const scene::Shading& shading = frame_.shadings()[frame_.shadingOf(i)];
     const bool program = shading.fragment.model != scene::FragmentShading::Model::off;
-    const glm::dmat4 space = program ? eyeFromLighting(instance) : glm::dmat4(1);
+    const glm::dmat4 space = eyeFromLighting(instance, shading, metric_.away);
     const double reach = glm::length(glm::dvec3(instance.eyeFromObject[3]));
     std::vector<Known>& known = known_[frame_.shadingOf(i)];
     for (const Known& k : known)

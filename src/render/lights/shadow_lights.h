@@ -16,7 +16,7 @@ struct ShadowLights {
     std::vector<int8_t> ofLight;
     int8_t ofDome = -1;
     uint32_t used = 0;  // bit r: row r is there
-    glm::vec3 up{0};    // of the dome, in the space of the surface's lighting
+    glm::vec3 up{0};    // of the dome, in the space of the surface's lighting; 0: none shines on it
     bool operator==(const Rows&) const = default;
   };
   std::vector<scene::LightSource> lights;  // eye space; that of the dome has no meaning

@@ -70,7 +70,8 @@ HWY_INLINE TowardsLight towardsBall(const Way& way, Float sine, const Sample2& u
 HWY_INLINE TowardsLight towardsArea(const scene::LightSource& light, const Float3& toMiddle,
                                     const Float3& fromMiddle) {
   const Way way = wayOf(add(toMiddle, fromMiddle)), middle = wayOf(toMiddle);
-  const Float nearness = hn::Div(middle.length, way.length);
+  // A sample at the point itself weighs much, not infinitely much.
+  const Float nearness = hn::Min(hn::Div(middle.length, way.length), splat(1e3f));
   const Float cosine = hn::Max(hn::Neg(dot(way.direction, splat(light.direction))), splat(0));
   return {way.direction, way.length, hn::Mul(cosine, hn::Mul(nearness, nearness))};
 }

@@ -1,0 +1,25 @@
+// The space in which a program lights an instance. Any thread.
+#pragma once
+#include "scene/snapshot.h"
+
+#include <glm/glm.hpp>
+
+namespace gluray::render {
+
+/// Where the viewer is in eye space: at the point away.xyz / away.w, or, with w = 0, infinitely far away
+/// against the direction away.xyz.
+using Viewer = glm::dvec4;
+
+/// Maps object space to the space of the program's normals and lights. A program whose only light is at the
+/// viewer needs no such matrix for points and gives none (Instance::lightingFromObject is the identity); that
+/// of its normals says how the space is turned, and the viewer is its origin.
+glm::dmat4 lightingFromObject(const scene::Instance&, const scene::Shading&, const Viewer&);
+
+/// Maps it to eye space; exactly the identity where they are the same up to the rounding of float matrices,
+/// as in fixed function.
+glm::dmat4 eyeFromLighting(const scene::Instance&, const scene::Shading&, const Viewer&);
+
+/// Whether two such matrices are the same up to that rounding. `reach`: how far from the viewer things are.
+bool isNearly(const glm::dmat4& a, const glm::dmat4& b, double reach);
+
+}  // namespace gluray::render
