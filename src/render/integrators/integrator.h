@@ -29,6 +29,9 @@ class Integrator {
   virtual void light(const ColoredHits&, ColorRows&) const noexcept = 0;
 };
 
+/// Whether the settings ask for more than the local look.
+bool wantsIntegrator(const Settings&);
+
 /// The integrator that the snapshot's settings ask for; null where they ask for the local look alone.
 std::unique_ptr<const Integrator> makeIntegrator(const FrameData&);
 

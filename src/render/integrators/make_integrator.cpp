@@ -3,9 +3,10 @@
 
 namespace gluray::render {
 
+bool wantsIntegrator(const Settings& settings) { return settings.ao.enabled && settings.ao.strength != 0; }
+
 std::unique_ptr<const Integrator> makeIntegrator(const FrameData& frame) {
-  const auto& ao = frame.snapshot->settings.ao;
-  if (!ao.enabled || ao.strength == 0) return nullptr;
+  if (!wantsIntegrator(frame.snapshot->settings)) return nullptr;
   return std::make_unique<AmbientOcclusion>(frame);
 }
 
