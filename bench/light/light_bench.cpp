@@ -10,6 +10,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <fstream>
 #include <map>
 
 namespace {
@@ -22,7 +23,7 @@ struct Options {
   bench::StageOptions stage;
   int frames = 24, rounds = 5, reference = 1024;
   bool quick = false, noRays = false;
-  std::string dump;
+  std::string dump, keep;
 };
 
 void figure(const char* name, double value, const char* unit) {
@@ -45,6 +46,17 @@ const Way kFull{Mode::moving, {1, false}, 1, 0, true, false},
     kQuarter{Mode::moving, {1, true}, 2, 0, true, false};
 const Way kFirst{Mode::moving, {1, false}, 3, 0, true, true};
 
+/// The picture to compare with, from the file if it is there.
+void reference(const Options& options, bench::Stage& stage, Image& image) {
+  std::ifstream in(options.keep, std::ios::binary);
+  stage.trace(options.frames - 1, {Mode::full, {}, 0, in ? 1 : options.reference, true, false}, image);
+  const auto bytes = static_cast<std::streamsize>(image.color.size() * 4);
+  if (in && in.read(reinterpret_cast<char*>(image.color.data()), bytes)) return;
+  if (!options.keep.empty())
+    std::ofstream(options.keep, std::ios::binary)
+        .write(reinterpret_cast<const char*>(image.color.data()), bytes);
+}
+
 /// Times of frames in turn, and the pictures of the last one.
 void measure(const Options& options, bench::Stage& stage) {
   std::map<std::string, std::vector<double>> times, ratios;
@@ -61,17 +73,17 @@ void measure(const Options& options, bench::Stage& stage) {
       if (frame >= options.frames / 3) times[name].push_back(t), ratios[name].push_back(t / base);
     }
   }
-  Image reference;
-  stage.trace(options.frames - 1, {Mode::full, {}, 0, options.reference, true, false}, reference);
+  Image converged;
+  reference(options, stage, converged);
   figure("local_ms", 1e3 * bench::median(times["local"]), "ms");
   for (const auto& [name, way] : ways) {
     figure((name + "_ms").c_str(), 1e3 * bench::median(times[name]), "ms");
     figure((name + "_ratio").c_str(), bench::median(ratios[name]), "of a local frame");
-    figure((name + "_psnr").c_str(), bench::psnr(pictures[name], reference), "dB");
+    figure((name + "_psnr").c_str(), bench::psnr(pictures[name], converged), "dB");
     dump(options, name.c_str(), pictures[name]);
   }
   figure("history_bytes_per_pixel", static_cast<double>(stage.historyBytes()) / 2 / (1024.0 * 1024), "bytes");
-  dump(options, "local", local), dump(options, "reference", reference);
+  dump(options, "local", local), dump(options, "reference", converged);
 }
 
 /// Occlusion rays a second: more rays a pixel, less one ray a pixel.
@@ -117,6 +129,8 @@ int main(int argc, char** argv) {
   app.add_option("--frames", options.frames, "frames of the orbit, a degree each")->check(CLI::Range(3, 360));
   app.add_option("--reference", options.reference, "samples of the picture to compare with")
       ->check(CLI::Range(1, 4096));
+  app.add_option("--keep", options.keep,
+                 "a file for that picture, of the same options: taken from there if it exists");
   app.add_option("--set", options.stage.settings, "NAME=VALUE: a setting (default: ao=on)");
   app.add_flag("--quick", options.quick, "fewer frames, a noisier reference");
   app.add_flag("--no-rays", options.noRays, "leave the bare loop out");

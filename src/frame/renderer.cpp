@@ -3,6 +3,7 @@
 #include "accel/world.h"
 #include "base/clock.h"
 #include "base/timeline.h"
+#include "frame/pace.h"
 #include "parallel/arena.h"
 #include "render/film/fxaa.h"
 #include "render/film/resolve.h"
@@ -10,6 +11,7 @@
 #include "render/tile_tracer.h"
 #include "scene/effects.h"
 
+#include <map>
 #include <mutex>
 #include <optional>
 
@@ -37,14 +39,16 @@ class Renderer::Engine {
     cost.blasRefinements = update.blasRefinements;
     cost.bvhBytes = world_->bytes();
     cost.blasRefining = world_->refining();
-    if (!scene::wantsLight(snapshot.settings)) histories_.clear();
+    const bool moves = isMoving(snapshot);
     const double built = nowSeconds();
     cost.buildSeconds = built - start;
     {
       const timeline::Span span("trace");
-      render::traceImage(snapshot, *world_, *arena_, image, {&histories_, {}});
+      const render::MovingRays rays = moves ? paces_[snapshot.view].rays() : render::MovingRays();
+      render::traceImage(snapshot, *world_, *arena_, image, {&histories_, rays});
     }
     cost.traceSeconds = nowSeconds() - built;
+    if (moves) paces_[snapshot.view].took(cost.traceSeconds, 1 / static_cast<double>(snapshot.settings.fps));
   }
 
   bool improves() const { return world_ && world_->refined(); }
@@ -63,12 +67,23 @@ class Renderer::Engine {
   }
 
  private:
+  /// Frees what moving frames keep, where there are none.
+  bool isMoving(const scene::Snapshot& snapshot) {
+    if (!render::hasLight(snapshot)) histories_.clear(), paces_.clear();
+    if (paces_.size() > kMostPaces) paces_.clear();  // windows come and go
+    return render::hasLight(snapshot) && snapshot.lightSampling.mode == scene::LightSampling::Mode::moving;
+  }
+
+  static constexpr size_t kMostPaces = 64;
+
   void prepareArena(int threads) { arena_ = arenaFor(ArenaUse::frames, threads); }
 
   render::FxaaMemory fxaaMemory_;
   std::shared_ptr<Arena> arena_;
   std::optional<accel::World> world_;
+  // Of moving frames, by view; none while light is off.
   render::LightHistories histories_;
+  std::map<uint64_t, Pace> paces_;
 };
 
 Renderer::Renderer() : engine_(std::make_unique<Engine>()) {}

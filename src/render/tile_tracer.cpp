@@ -1,5 +1,6 @@
 #include "render/tile_tracer.h"
 
+#include "base/log.h"
 #include "base/timeline.h"
 #include "render/float_guard.h"
 #include "render/integrators/direct_look.h"
@@ -7,6 +8,7 @@
 #include "render/kernels.h"
 #include "render/moving/collector.h"
 #include "render/moving/filter.h"
+#include "scene/effects.h"
 
 #include <tbb/parallel_for.h>
 
@@ -63,6 +65,8 @@ void fillWithMisses(Image& image) {
 
 }  // namespace
 
+bool hasLight(const scene::Snapshot& snapshot) { return scene::wantsLight(snapshot.settings); }
+
 void clearImage(const scene::Snapshot& snapshot, Image& image) {
   shapeImage(snapshot, image, wantsAverages(snapshot));
   fillWithMisses(image);
@@ -94,7 +98,8 @@ bool isMoving(const scene::Snapshot& snapshot, const FrameData& frame) {
 /// Traces all factors, smooths them, and then colours the hits. False, with nothing traced, if it cannot.
 bool traceMoving(FrameData& frame, const MovingOptions& options) {
   LightHistories own;
-  LightHistory& history = (options.histories ? *options.histories : own).of(frame.snapshot->view);
+  LightHistories& histories = options.histories ? *options.histories : own;
+  LightHistory& history = histories.of(frame.snapshot->view);
   MovingFrame moving;
   moving.index = history.index(), moving.rays = options.rays;
   frame.moving = &moving;
@@ -102,7 +107,14 @@ bool traceMoving(FrameData& frame, const MovingOptions& options) {
   frame.moving = nullptr;
   const auto* factors = dynamic_cast<const FactorIntegrator*>(integrator.get());
   if (!factors) return false;
-  history.begin(frame, *factors, moving);
+  try {
+    history.begin(frame, *factors, moving);
+  } catch (const std::bad_alloc&) {
+    log::once(log::Level::warning, "moving light",
+              "no memory to smooth the light of moving frames: they take all samples and are slower");
+    histories.clear();
+    return false;
+  }
   if (!moving.space.usable) return false;
   const std::unique_ptr<const DirectLook> direct = makeDirectLook(frame);
   const Metric metric(frame);

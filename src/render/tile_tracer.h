@@ -15,6 +15,9 @@ struct MovingOptions {
   MovingRays rays;
 };
 
+/// Whether the snapshot's settings ask for more than the local look.
+bool hasLight(const scene::Snapshot&);
+
 /// Sets every pixel of the snapshot's region to a miss, as the null renderer does. `image` takes the region's
 /// shape.
 void clearImage(const scene::Snapshot&, Image& image);

@@ -80,7 +80,7 @@ struct Center {
 
 HWY_ATTR inline Center centerAt(const FilmSpace& space, const UnpackedTile& tile, int x0, int y0, int row,
                                 int x) {
-  constexpr float kOnPlane = 2.0f;  // pixels
+  constexpr float kOnPlane = 0.5f;  // pixels
   Center c;
   c.depth = loadAt(tile.depth[row] + x);
   c.normal = {loadAt(tile.x[row] + x), loadAt(tile.y[row] + x), loadAt(tile.z[row] + x)};
@@ -177,7 +177,7 @@ HWY_INLINE Float balanced(Float own, Float samples, Float mean, Float meanSquare
   // A sample is 0 or 1, or between: its variance is at most mean * (1 - mean).
   const Float noise = hn::Div(hn::Mul(mean, hn::Sub(splat(1), mean)), hn::Max(samples, splat(1)));
   const Float spread = hn::NegMulAdd(mean, mean, meanSquare);
-  const Float real = hn::Max(hn::NegMulAdd(splat(1.0f), noise, spread), hn::Zero(FloatTag()));
+  const Float real = hn::Max(hn::NegMulAdd(splat(2), noise, spread), hn::Zero(FloatTag()));
   const Float share = hn::Div(real, hn::Add(hn::Add(real, noise), splat(1e-6f)));
   return hn::MulAdd(share, hn::Sub(own, mean), mean);
 }

@@ -21,7 +21,7 @@ struct Known {
 };
 
 // The same surface: its point lies on the plane of the one sought, its normal is about the same.
-constexpr float kOnPlane = 2;         // pixels
+constexpr float kOnPlane = 0.7f;      // pixels
 constexpr float kSameNormal = 0.85f;  // cosine
 
 /// The four pixels of the earlier film about a position, and the plane on which they must lie.

@@ -16,7 +16,7 @@ bool isNear(const std::vector<float>& a, const std::vector<float>& b) {
 }  // namespace
 
 void LightHistory::begin(const FrameData& frame, const FactorIntegrator& factors, MovingFrame& moving) {
-  constexpr float kMost = 32, kMostAfterChanges = 3;  // samples
+  constexpr float kMost = 16, kMostAfterChanges = 1;  // samples
   const scene::Snapshot& snapshot = *frame.snapshot;
   const int width = snapshot.region.width, height = snapshot.region.height;
   const bool same = known_ && region_ == snapshot.region && settings_ == snapshot.settings &&

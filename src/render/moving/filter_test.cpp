@@ -1,0 +1,142 @@
+// The filter of factors on films made by hand.
+#include "render/moving/filter.h"
+
+#include "render/test_targets.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <functional>
+
+namespace gluray::render {
+namespace {
+
+constexpr int kSize = 64;  // pixels: four tiles
+
+struct Pixel {
+  float depth = 1.5f;
+  bool tilted = false;  // its normal is not that of the others
+  uint32_t samples = 1;
+  float factor = 0;
+};
+
+/// A film whose pixels are one unit wide and look along z; a depth of 1 is 100 units.
+struct Film {
+  FactorFilm film;
+  MovingFrame moving;
+
+  explicit Film(const std::function<Pixel(int, int)>& pixelAt) {
+    film.resize(kSize, kSize, 1);
+    for (int y = 0; y < kSize; ++y)
+      for (int x = 0; x < kSize; ++x) put(x, y, pixelAt(x, y));
+    moving.film = &film;
+    moving.channels.used.occlusion = true;
+    moving.space.usable = true;
+    moving.space.baseX = {1, 0, 0}, moving.space.baseY = {0, 1, 0}, moving.space.ray = {0, 0, 100};
+    moving.space.pixel = 1;
+  }
+  void put(int x, int y, const Pixel& p) {
+    const uint32_t depth = (std::bit_cast<uint32_t>(p.depth) - 0x30000000u) >> 8;
+    const uint32_t normal = p.tilted ? 126u << 7 | 63u : 63u << 7 | 63u;  // +x or +z
+    const size_t at = static_cast<size_t>(y * kSize + x);
+    film.words[2 * at] = depth << 12 | static_cast<uint32_t>(std::lround(p.factor * 4095));
+    film.words[2 * at + 1] = p.samples == 0 ? 0 : normal << 18 | p.samples << 12;
+  }
+  /// All filtered pixels, row by row.
+  std::vector<float> filtered() const {
+    std::vector<float> out(kSize * kSize);
+    for (int y0 = 0; y0 < kSize; y0 += kTileSize)
+      for (int x0 = 0; x0 < kSize; x0 += kTileSize) {
+        TileFactors tile;
+        filterTile(moving, {x0, y0, x0 + kTileSize, y0 + kTileSize}, tile);
+        for (int y = 0; y < kTileSize; ++y)
+          for (int x = 0; x < kTileSize; ++x) {
+            const int lane = (x & 1) | (y & 1) << 1 | (x & 2) << 1 | (y & 2) << 2;
+            out[static_cast<size_t>((y0 + y) * kSize + x0 + x)] = tile.at(x, y).occlusion[lane];
+          }
+      }
+    return out;
+  }
+};
+
+/// 0 or 1, as if by chance.
+float noise(int x, int y) {
+  uint32_t h = static_cast<uint32_t>(x) * 0x9e3779b1u ^ static_cast<uint32_t>(y) * 0x85ebca77u;
+  h = (h ^ h >> 16) * 0x7feb352du, h = (h ^ h >> 15) * 0x846ca68bu;
+  return (h ^ h >> 16) & 1 ? 1.0f : 0.0f;
+}
+
+/// Mean and variance.
+std::pair<double, double> momentsOf(const std::vector<float>& values) {
+  double sum = 0, squares = 0;
+  for (const float v : values) sum += v, squares += static_cast<double>(v) * v;
+  const auto n = static_cast<double>(values.size());
+  return {sum / n, squares / n - sum / n * sum / n};
+}
+
+TEST(FactorFilter, KeepsWhatIsTheSameEverywhere) {
+  test::withEachTarget([](int64_t) {
+    for (const uint32_t samples : {1u, 16u})
+      for (const float v : Film([&](int, int) { return Pixel{1.5f, false, samples, 0.25f}; }).filtered())
+        ASSERT_NEAR(v, 0.25f, 0.0002f);
+  });
+}
+
+TEST(FactorFilter, SeesEachOfSixteenDirectionsOnce) {
+  // A pattern that repeats after four pixels both ways becomes its mean, away from the film's edges.
+  const Film film([](int x, int y) { return Pixel{1.5f, false, 1, (x * 5 + y * 3) % 4 == 0 ? 1.0f : 0.0f}; });
+  const std::vector<float> out = film.filtered();
+  for (int y = 2; y < kSize - 2; ++y)
+    for (int x = 2; x < kSize - 2; ++x) ASSERT_NEAR(out[static_cast<size_t>(y * kSize + x)], 0.25f, 0.0005f);
+}
+
+TEST(FactorFilter, LessensNoiseAsItsWeightsSay) {
+  const Film film([](int x, int y) { return Pixel{1.5f, false, 1, noise(x, y)}; });
+  const auto [mean, variance] = momentsOf(film.filtered());
+  EXPECT_NEAR(mean, 0.5, 0.02);
+  const double row =
+      (3 + 2 * 0.25) / 16;  // sum of squared weights of the row, divided by that of weights, squared
+  // At the film's edges fewer pixels count.
+  EXPECT_NEAR(variance / 0.25, row * row, 0.25 * row * row);
+}
+
+TEST(FactorFilter, DoesNotCrossEdges) {
+  const auto left = [](int x) { return x < 30; };
+  const auto value = [&](int x) { return left(x) ? 0.0f : 1.0f; };
+  const Film depths([&](int x, int) { return Pixel{left(x) ? 1.2f : 1.6f, false, 1, value(x)}; });
+  const Film normals([&](int x, int) { return Pixel{1.5f, left(x), 1, value(x)}; });
+  const Film holes([&](int x, int) { return Pixel{1.5f, false, left(x) ? 0u : 1u, value(x)}; });
+  for (const Film* film : {&depths, &normals, &holes}) {
+    const std::vector<float> out = film->filtered();
+    for (int y = 0; y < kSize; ++y)
+      for (int x = film == &holes ? 30 : 0; x < kSize; ++x)
+        ASSERT_NEAR(out[static_cast<size_t>(y * kSize + x)], value(x), 0.0005f) << x << " " << y;
+  }
+}
+
+TEST(FactorFilter, CrossesSlopes) {
+  // 60 units of depth over 64 pixels: one plane, which its normals say.
+  Film film([](int x, int y) {
+    return Pixel{1.2f + 0.0001f * static_cast<float>(x), false, 1, noise(x, y)};
+  });
+  EXPECT_LT(momentsOf(film.filtered()).second, 0.25 / 10);
+}
+
+TEST(FactorFilter, KeepsDetailThatNoiseDoesNotExplain) {
+  // One dark line of one pixel, known from many samples.
+  const auto at = [](uint32_t samples) {
+    const Film film([&](int x, int) { return Pixel{1.5f, false, samples, x == 20 ? 0.0f : 0.9f}; });
+    return film.filtered()[10 * kSize + 20];
+  };
+  EXPECT_LT(at(16), 0.2f);
+  EXPECT_GT(at(1), 0.4f);
+}
+
+TEST(FactorFilter, ValuesWithMoreSamplesWeighMore) {
+  const Film film([](int x, int) { return Pixel{1.5f, false, x == 20 ? 1u : 15u, x == 20 ? 1.0f : 0.0f}; });
+  EXPECT_LT(film.filtered()[10 * kSize + 20], 0.1f);
+}
+
+}  // namespace
+}  // namespace gluray::render
