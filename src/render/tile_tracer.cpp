@@ -9,11 +9,13 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <stdexcept>
 
 namespace gluray::render {
 namespace {
 
+constexpr int kShortTile = 4;        // rows of tiles that may be interrupted; a multiple of 4
 constexpr int kLargestSide = 65536;  // pixels; larger than any framebuffer
 
 Planes planesOf(const scene::Snapshot& snapshot, bool averages) {
@@ -68,38 +70,49 @@ void clearImage(const scene::Snapshot& snapshot, Image& image) {
 
 namespace {
 
-/// False if averages cannot be composited over the framebuffer: alpha is written but is no opacity.
-bool traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Image& image) {
+enum class Traced {
+  whole,
+  interrupted,
+  seenThrough,  // averages cannot be composited over the framebuffer: alpha is written but is no opacity
+};
+
+Traced traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Image& image,
+                  const Interrupt& interrupt) {
   FrameData frame(snapshot, world, image);
   const std::unique_ptr<const Integrator> integrator = makeIntegrator(frame);
   frame.integrator = integrator.get();
   const std::unique_ptr<const DirectLook> direct = makeDirectLook(frame);
   frame.direct = direct.get();
-  const int columns = (image.width + kTileSize - 1) / kTileSize,
-            rows = (image.height + kTileSize - 1) / kTileSize;
+  const int height = interrupt ? kShortTile : kTileSize;
+  const int columns = (image.width + kTileSize - 1) / kTileSize, rows = (image.height + height - 1) / height;
+  std::atomic<bool> interrupted{false};
   tbb::parallel_for(0, columns * rows, [&](int index) {
+    if (interrupt && interrupt()) return interrupted.store(true, std::memory_order_relaxed);
     const FloatGuard guard;
     timeline::nameThread("tracing");
     const timeline::Span span("tiles", 1, true);
-    const int x = index % columns * kTileSize, y = index / columns * kTileSize;
-    traceTile(frame, {x, y, std::min(x + kTileSize, image.width), std::min(y + kTileSize, image.height)});
+    const int x = index % columns * kTileSize, y = index / columns * height;
+    traceTile(frame, {x, y, std::min(x + kTileSize, image.width), std::min(y + height, image.height)});
   });
+  if (interrupted) return Traced::interrupted;
   for (size_t n = 0; n < LayerCounts::kMost; ++n)
     image.layers.open[n] = frame.layerCounts[0][n], image.layers.before[n] = frame.layerCounts[1][n];
-  return snapshot.layers || !frame.seenThrough.load();
+  return snapshot.layers || !frame.seenThrough.load() ? Traced::whole : Traced::seenThrough;
 }
 
 }  // namespace
 
-void traceImage(const scene::Snapshot& snapshot, const accel::World& world, Arena& arena, Image& image) {
-  if (world.empty()) return clearImage(snapshot, image);
-  arena.execute([&] {
+bool traceImage(const scene::Snapshot& snapshot, const accel::World& world, Arena& arena, Image& image,
+                const Interrupt& interrupt) {
+  if (world.empty()) return clearImage(snapshot, image), true;
+  return arena.execute([&] {
     if (wantsAverages(snapshot)) {
       shapeImage(snapshot, image, true);
-      if (traceTiles(snapshot, world, image)) return;
+      const Traced traced = traceTiles(snapshot, world, image, interrupt);
+      if (traced != Traced::seenThrough) return traced == Traced::whole;
     }
     shapeImage(snapshot, image, false);
-    traceTiles(snapshot, world, image);
+    return traceTiles(snapshot, world, image, interrupt) != Traced::interrupted;
   });
 }
 

@@ -6,15 +6,21 @@
 #include "parallel/arena.h"
 #include "scene/snapshot.h"
 
+#include <functional>
+
 namespace gluray::render {
 
 /// Sets every pixel of the snapshot's region to a miss, as the null renderer does. `image` takes the region's
 /// shape.
 void clearImage(const scene::Snapshot&, Image& image);
 
+/// Whether tracing must stop; asked before each tile, on all tracing threads.
+using Interrupt = std::function<bool()>;
+
 /// Computes colour and window depth of every pixel of the snapshot's region, for the instances that `world`
 /// holds. `image` takes the region's shape, one plane per sample. Throws std::runtime_error if a matrix
-/// cannot be inverted, std::bad_alloc.
-void traceImage(const scene::Snapshot&, const accel::World& world, Arena&, Image& image);
+/// cannot be inverted, std::bad_alloc. False: interrupted; the image is then undefined.
+bool traceImage(const scene::Snapshot&, const accel::World& world, Arena&, Image& image,
+                const Interrupt& interrupt = {});
 
 }  // namespace gluray::render
