@@ -28,6 +28,12 @@ class LastPictures {
   /// The picture of an equal earlier snapshot, with misses in `missColor` if given; null: none. Valid until
   /// next().
   Picture* of(const scene::Snapshot& snapshot, std::optional<uint32_t> missColor = {}) noexcept;
+  /// Null: it was replaced.
+  Picture* withId(uint64_t id) noexcept {
+    for (Entry& entry : entries_)
+      if (entry.picture.id == id) return &entry.picture;
+    return nullptr;
+  }
   /// Gives a picture a new id, because its pixels change.
   void renew(Picture& picture) noexcept { picture.id = ++ids_; }
   /// Frees the passes of pictures of this view; 0: of all.

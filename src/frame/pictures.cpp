@@ -3,6 +3,7 @@
 #include "base/clock.h"
 #include "base/log.h"
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -36,7 +37,7 @@ bool Pictures::finish(const scene::Snapshot& snapshot, LastPictures::Picture& pi
   try {
     Refinement refinement;
     Refiner refiner(snapshot, refinement);
-    const bool all = tracePasses(refiner, trace_, picture.image.missColor, true, result);
+    const bool all = tracePasses(refiner, tracer_.trace, picture.image.missColor, true, result);
     if (!all) logFailure(std::exchange(result.why, {}));
     if (refinement.passes() == 0) return false;
     refiner.show(picture.image);
@@ -50,9 +51,10 @@ void Pictures::refine(const scene::Snapshot& snapshot, LastPictures::Picture& pi
                       Result& result) noexcept {
   try {
     auto passes = std::exchange(picture.refinement, nullptr);
+    if (idle_ && !passes) passes = idle_->take(picture.id);
     if (!passes) passes = std::make_unique<Refinement>();
     Refiner refiner(snapshot, *passes);
-    const bool all = tracePasses(refiner, trace_, picture.image.missColor, finish, result);
+    const bool all = tracePasses(refiner, tracer_.trace, picture.image.missColor, finish, result);
     if (!all) logFailure(std::exchange(result.why, {}));
     // Fewer passes may be worse than the first picture, which may have been filtered.
     if (result.passes > 0 && (refiner.finished() || passes->passes() >= kLeastPasses)) {
@@ -75,11 +77,12 @@ LastPictures::Picture* Pictures::known(const scene::Snapshot& snapshot, const Wi
   LastPictures::Picture* const known = last_.of(snapshot, wish.missColor);
   if (known && refines && !known->refined) return known;
   // A finished full structure takes memory beside the fast one until a trace installs it: do not repeat then.
-  return known && !(improves_ && improves_()) ? known : nullptr;
+  return known && !(tracer_.improves && tracer_.improves()) ? known : nullptr;
 }
 
 Pictures::Result Pictures::of(const scene::Snapshot& snapshot, const Wish& wish) {
   Result result;
+  if (idle_) idle_->stop();
   const bool ahead = ahead_ && ahead_->has(snapshot);
   const bool refines = isRefinable(snapshot);
   const bool full = wish.finished || snapshot.lightSampling.mode == scene::LightSampling::Mode::full;
@@ -94,15 +97,52 @@ Pictures::Result Pictures::of(const scene::Snapshot& snapshot, const Wish& wish)
   fresh.image.missColor = wish.missColor.value_or(0);
   const bool done = ahead ? ahead_->take(fresh.image, result.cost, result.why)
                           : (refines && full && finish(snapshot, fresh, result)) ||
-                                trace_(snapshot, fresh.image, result.cost, result.why);
+                                tracer_.trace(snapshot, fresh.image, result.cost, result.why);
   if (!done) return result;
   last_.keep(snapshot);
   result.picture = &fresh;
   return result;
 }
 
+void Pictures::wrote(const scene::SnapshotPtr& snapshot, const LastPictures::Picture& picture,
+                     const Image& pixels, const scene::Resolve* how) noexcept {
+  constexpr size_t kMost = 4;  // views of one window
+  const bool refines = tracer_.behind && snapshot->settings.refine.idle &&
+                       snapshot->lightSampling.mode == scene::LightSampling::moving && !picture.refined &&
+                       pixels.samples == 1 && pixels.has(Plane::color) && isRefinable(*snapshot);
+  if (!written_.empty() && written_.front().snapshot->frame != snapshot->frame) written_.clear();
+  if (!refines) return;
+  const auto known = std::find_if(written_.begin(), written_.end(),
+                                  [&](const IdlePicture& one) { return one.id == picture.id; });
+  if (known != written_.end()) return;
+  if (written_.size() == kMost) return void(tooMany_ = true);
+  try {
+    IdlePicture one{snapshot, picture.id, {pixels.x, pixels.y}, {pixels.width, pixels.height}, pixels.color};
+    if (how) one.resolve = *how;
+    written_.push_back(std::move(one));
+  } catch (const std::exception&) { tooMany_ = true; }  // out of memory: the frame keeps its noise
+}
+
+void Pictures::refineWhileIdle(const std::function<std::shared_ptr<IdleWindow>()>& open) noexcept {
+  using namespace std::chrono_literals;
+  constexpr auto kQuiet = 100ms;  // frames that follow each other come sooner
+  const bool refines = !written_.empty() && !std::exchange(tooMany_, false);
+  std::vector<IdlePicture> written = std::exchange(written_, {});
+  try {
+    if (!refines) return idle_ ? idle_->start({}, nullptr) : void();
+    if (!idle_) idle_ = std::make_unique<IdleRefiner>(tracer_, kQuiet);
+    for (IdlePicture& one : written)
+      if (auto* const picture = last_.withId(one.id)) one.refinement = std::move(picture->refinement);
+    idle_->start(std::move(written), open());
+  } catch (const std::exception&) {}  // out of memory: the frame keeps its noise
+}
+
+void Pictures::stopRefining() noexcept {
+  if (idle_) idle_->stop();
+}
+
 bool Pictures::startAhead(scene::SnapshotPtr snapshot, uint32_t missColor, TraceAhead::Late late) {
-  if (!ahead_) ahead_ = std::make_unique<TraceAhead>(trace_);
+  if (!ahead_) ahead_ = std::make_unique<TraceAhead>(tracer_.trace);
   return ahead_->start(std::move(snapshot), missColor, std::move(late));
 }
 

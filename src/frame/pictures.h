@@ -1,6 +1,7 @@
 // Provides a context's pictures: from the cache of earlier frames, traced ahead by a thread, or traced now.
 // GL thread, one per context.
 #pragma once
+#include "frame/idle_refiner.h"
 #include "frame/last_pictures.h"
 #include "frame/refiner.h"
 #include "frame/trace_ahead.h"
@@ -10,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace gluray::frame {
 
@@ -32,8 +34,7 @@ class Pictures {
     bool finished = false;              // light only with as little noise as the settings want
   };
 
-  explicit Pictures(Trace trace, Improves improves = {})
-      : trace_(std::move(trace)), improves_(std::move(improves)) {}
+  explicit Pictures(Tracer tracer) : tracer_(std::move(tracer)) {}
 
   /// The picture of `snapshot`. Finished, too, if its light is sampled in full. Others are one pass at first;
   /// each time that they are asked for again, they get more, for a limited time.
@@ -42,6 +43,14 @@ class Pictures {
   bool knows(const scene::Snapshot& snapshot, std::optional<uint32_t> missColor) noexcept {
     return last_.of(snapshot, missColor) != nullptr;
   }
+  /// A picture of of() was written into the frame, as `pixels`; `how`: its samples were resolved. Remembered
+  /// until the frame is shown, if it can be refined then.
+  void wrote(const scene::SnapshotPtr& snapshot, const LastPictures::Picture& picture, const Image& pixels,
+             const scene::Resolve* how = nullptr) noexcept;
+  /// The frame is in the window that `open` opens: refines its pictures there while nothing else is asked.
+  void refineWhileIdle(const std::function<std::shared_ptr<IdleWindow>()>& open) noexcept;
+  /// The frame was shown elsewhere, or another one begins.
+  void stopRefining() noexcept;
   /// Starts tracing ahead: see TraceAhead::start().
   bool startAhead(scene::SnapshotPtr snapshot, uint32_t missColor, TraceAhead::Late late);
   /// Discards the picture that is traced ahead.
@@ -53,9 +62,11 @@ class Pictures {
   void refine(const scene::Snapshot& snapshot, LastPictures::Picture& picture, bool finish,
               Result& result) noexcept;
 
-  Trace trace_;
-  Improves improves_;
+  Tracer tracer_;
   LastPictures last_;
+  std::vector<IdlePicture> written_;   // of this frame
+  bool tooMany_ = false;               // more than are remembered
+  std::unique_ptr<IdleRefiner> idle_;  // made at the first frame that is refined while idle
   std::unique_ptr<TraceAhead> ahead_;  // made at the first lagged frame
 };
 

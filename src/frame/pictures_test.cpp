@@ -13,7 +13,7 @@ using test::litScene;
 
 struct PicturesTest : testing::Test {
   test::CountingTrace tracer;
-  Pictures pictures{tracer.trace};
+  Pictures pictures{Tracer{tracer.trace}};
   scene::Snapshot scene = litScene();
   PicturesTest() { scene.view = 7, scene.lightSampling.mode = LightSampling::Mode::moving; }
   Pictures::Result ask(bool finished = false) { return pictures.of(scene, {.finished = finished}); }
@@ -65,7 +65,7 @@ TEST_F(PicturesTest, AReadGetsTheFinishedPicture) {
 TEST_F(PicturesTest, AReadAfterMotionFinishesThePicture) {
   ask();
   const Image after = ask(true).picture->image;
-  Pictures fresh{tracer.trace};
+  Pictures fresh{Tracer{tracer.trace}};
   EXPECT_EQ(after.color, fresh.of(scene, {.finished = true}).picture->image.color) << "whatever came before";
 }
 
@@ -145,10 +145,10 @@ TEST_F(PicturesTest, AFailureAfterSomePassesLeavesTheirMean) {
 }
 
 TEST_F(PicturesTest, IfNothingCanBeTracedThereIsNoPicture) {
-  Pictures none{[](const scene::Snapshot&, Image&, scene::TraceCost&, std::string& error) {
+  Pictures none{Tracer{[](const scene::Snapshot&, Image&, scene::TraceCost&, std::string& error) {
     error = "never";
     return false;
-  }};
+  }}};
   const Pictures::Result result = none.of(scene, {.finished = true});
   EXPECT_FALSE(result.picture);
   EXPECT_EQ(result.why, "never");

@@ -6,7 +6,9 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <utility>
 
 namespace gluray::frame {
 namespace {
@@ -40,6 +42,22 @@ void colorOf(const Image& image, size_t pixel, float* color) {
   for (unsigned c = 0; c < 4; ++c) color[c] = static_cast<float>(bits >> (8 * c) & 255) / 255;
 }
 
+/// Adds the n-th value to a running mean. A first value counts whatever it is, as without refinement.
+void addTo(float& mean, float value, uint32_t n) {
+  if (n == 1) mean = value;
+  if (n > 1 && std::isfinite(value)) mean += (value - mean) / static_cast<float>(n);
+}
+
+/// Of displayed red, green and blue.
+double squaredDifference(const float* a, const float* b) {
+  double sum = 0;
+  for (int c = 0; c < 3; ++c) {
+    const double d = double{displayed(a[c])} - double{displayed(b[c])};
+    sum += d * d;
+  }
+  return sum;
+}
+
 struct Sum {
   double squares = 0;
   uint64_t pixels = 0;
@@ -50,31 +68,29 @@ struct Sum {
 void Refinement::add(const Image& pass) {
   const size_t pixels = pass.depth.size();
   std::vector<Sum> sums((pixels + kBlock - 1) / kBlock);
-  if (passes_ == 0) mean_.assign(4 * pixels, 0), squares_.assign(pixels, 0);
-  const float n = static_cast<float>(++passes_);
+  if (passes_ == 0) mean_.assign(4 * pixels, 0), half_.assign(3 * pixels, 0);
+  const uint32_t n = ++passes_;
+  const bool doubled = std::has_single_bit(n);
   eachBlock(pixels, [&](size_t first, size_t end, size_t block) {
-    Sum sum;
     for (size_t i = first; i < end; ++i) {
       float color[4];
       colorOf(pass, i, color);
-      float* const mean = &mean_[4 * i];
-      for (int c = 0; c < 4; ++c) {
-        if (passes_ > 1 && !std::isfinite(color[c])) continue;
-        const float before = displayed(mean[c]), now = displayed(color[c]);
-        mean[c] = passes_ == 1 ? color[c] : mean[c] + (color[c] - mean[c]) / n;
-        if (passes_ > 1 && c < 3) squares_[i] += (now - before) * (now - displayed(mean[c]));
-      }
-      if (pass.depth[i] == Image::kMiss && !(squares_[i] > 0)) continue;
-      sum.squares += double{squares_[i]};
-      ++sum.pixels;
+      for (size_t c = 0; c < 4; ++c) addTo(mean_[4 * i + c], color[c], n);
+      const double square = n > 1 ? squaredDifference(&mean_[4 * i], &half_[3 * i]) : 0;
+      if (doubled) std::copy_n(&mean_[4 * i], 3, &half_[3 * i]);
+      if (pass.depth[i] == Image::kMiss && !(square > 0)) continue;
+      sums[block].squares += square;
+      ++sums[block].pixels;
     }
-    sums[block] = sum;
   });
-  if (passes_ < 2) return;
+  const uint32_t halfPasses = std::exchange(halfPasses_, doubled ? n : halfPasses_);
+  if (n < 2) return;
   Sum all;
   for (const Sum& sum : sums) all.squares += sum.squares, all.pixels += sum.pixels;
-  const double values = 3 * static_cast<double>(std::max<uint64_t>(all.pixels, 1));
-  noise_ = std::sqrt(std::max(all.squares, 0.0) / values / (double{n} * (double{n} - 1)));
+  // M, the mean of n passes, and H, that of the first h: (M - H)^2 is expected to be (variance of M) (n - h)
+  // / h.
+  const double h = halfPasses, values = 3 * static_cast<double>(std::max<uint64_t>(all.pixels, 1));
+  noise_ = std::sqrt(all.squares / values * h / (n - h));
 }
 
 void Refinement::show(const Image& pass, bool wide, Image& out) const {

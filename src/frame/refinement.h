@@ -10,8 +10,10 @@
 
 namespace gluray::frame {
 
-/// Running means and variances (Welford, "Note on a Method for Calculating Corrected Sums of Squares and
-/// Products", 1962). A value that is equal in all passes is kept to the bit. Values that are not finite do
+/// Running means of all passes, and of the first 1, 2, 4, 8 ... of them: in these the samples are well
+/// distributed, and in the rest, too, once there are as many, so that their difference tells the noise of the
+/// mean. The variance of single passes, or of even and odd ones, would be too large, because their samples
+/// complete each other. A value that is equal in all passes is kept to the bit. Values that are not finite do
 /// not count. The same passes give the same bits, whatever the number of threads.
 class Refinement {
  public:
@@ -24,14 +26,14 @@ class Refinement {
   /// Writes the means into `out`: colours rounded as the kernels round them, with misses in out.missColor;
   /// floats if `wide`. All else is copied from `pass`.
   void show(const Image& pass, bool wide, Image& out) const;
-  size_t bytes() const { return 4 * (mean_.capacity() + squares_.capacity()); }
+  size_t bytes() const { return 4 * (mean_.capacity() + half_.capacity()); }
   /// Memory for the passes of so many pixels, an image with wide colours included.
-  static size_t bytesFor(size_t pixels) { return 4 * pixels * (4 + 1 + 4 + 1); }
+  static size_t bytesFor(size_t pixels) { return 4 * pixels * (4 + 3 + 4 + 1); }
 
  private:
-  std::vector<float> mean_;     // four a pixel
-  std::vector<float> squares_;  // a pixel's squared deviations from the mean, of displayed colours
-  uint32_t passes_ = 0;
+  std::vector<float> mean_;  // four a pixel
+  std::vector<float> half_;  // three a pixel: the mean of the first halfPasses_
+  uint32_t passes_ = 0, halfPasses_ = 0;
   double noise_ = std::numeric_limits<double>::infinity();
 };
 

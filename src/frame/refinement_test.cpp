@@ -73,9 +73,8 @@ TEST(Refinement, EstimatesItsError) {
   for (const int passes : {4, 16, 64}) {
     const Refined refined(s, passes);
     const double error = difference(refined.image, truth), estimate = refined.refinement.noise();
-    std::printf("%d passes: error %.5f, estimate %.5f\n", passes, error, estimate);
     EXPECT_GT(estimate, 0.8 * error) << passes;
-    EXPECT_LT(estimate, 6 * error) << passes;
+    EXPECT_LT(estimate, 2 * error) << passes;
   }
 }
 

@@ -11,6 +11,7 @@
 #include "render/tile_tracer.h"
 #include "scene/effects.h"
 
+#include <atomic>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -21,10 +22,13 @@ namespace gluray::frame {
 class Renderer::Engine {
  public:
   std::mutex mutex;
+  std::atomic<int> wanted{0};  // calls that wait for the renderer or use it, without those behind all others
 
-  void render(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost) {
+  bool render(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
+              const render::Interrupt& interrupt = {}) {
     cost = {};
-    if (snapshot.settings.renderer == gluray::Renderer::null) return render::clearImage(snapshot, image);
+    if (snapshot.settings.renderer == gluray::Renderer::null)
+      return render::clearImage(snapshot, image), true;
 
     const render::FloatGuard guard;
     const double start = nowSeconds();
@@ -42,13 +46,13 @@ class Renderer::Engine {
     const bool moves = isMoving(snapshot);
     const double built = nowSeconds();
     cost.buildSeconds = built - start;
-    {
-      const timeline::Span span("trace");
-      const render::MovingRays rays = moves ? paces_[snapshot.view].rays() : render::MovingRays();
-      render::traceImage(snapshot, *world_, *arena_, image, {&histories_, rays});
-    }
+    const timeline::Span span("trace");
+    const render::MovingRays rays = moves ? paces_[snapshot.view].rays() : render::MovingRays();
+    const bool whole =
+        render::traceImage(snapshot, *world_, *arena_, image, {&histories_, rays, interrupt});
     cost.traceSeconds = nowSeconds() - built;
     if (moves) paces_[snapshot.view].took(cost.traceSeconds, 1 / static_cast<double>(snapshot.settings.fps));
+    return whole;
   }
 
   bool improves() const { return world_ && world_->refined(); }
@@ -86,6 +90,24 @@ class Renderer::Engine {
   std::map<uint64_t, Pace> paces_;
 };
 
+/// Locks the engine before calls behind all others.
+class Renderer::InFront {
+ public:
+  explicit InFront(Engine& engine) : engine_(engine) {
+    ++engine_.wanted;
+    engine_.mutex.lock();
+  }
+  ~InFront() {
+    engine_.mutex.unlock();
+    --engine_.wanted;
+  }
+  InFront(const InFront&) = delete;
+  InFront& operator=(const InFront&) = delete;
+
+ private:
+  Engine& engine_;
+};
+
 Renderer::Renderer() : engine_(std::make_unique<Engine>()) {}
 Renderer::~Renderer() = default;
 
@@ -96,10 +118,30 @@ Renderer& Renderer::shared() {
 
 bool Renderer::render(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
                       std::string& error) noexcept {
+  return caught(error, [&] {
+    const InFront lock(*engine_);
+    engine_->render(snapshot, image, cost);
+  });
+}
+
+bool Renderer::renderBehind(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
+                            std::string& error, const std::function<bool()>& stop) noexcept {
+  bool whole = false;
+  error.clear();
+  const bool done = caught(error, [&] {
+    const std::unique_lock lock(engine_->mutex, std::try_to_lock);
+    if (!lock) return;
+    const auto interrupt = [&] { return engine_->wanted > 0 || stop(); };
+    whole = !interrupt() && engine_->render(snapshot, image, cost, interrupt);
+  });
+  return done && whole;
+}
+
+/// Runs `body`; false, with the reason in `error`, if it throws.
+bool Renderer::caught(std::string& error, const std::function<void()>& body) noexcept {
   const char* reason = "unknown failure while tracing";
   try {
-    const std::lock_guard lock(engine_->mutex);
-    engine_->render(snapshot, image, cost);
+    body();
     return true;
   } catch (const std::bad_alloc&) {
     reason = "out of memory while tracing";
@@ -124,7 +166,7 @@ bool Renderer::improves() const noexcept {
 bool Renderer::antialias(const Settings& settings, const scene::Fxaa& fxaa, const uint32_t* in, int width,
                          int height, uint32_t* out) noexcept {
   try {
-    const std::lock_guard lock(engine_->mutex);
+    const InFront lock(*engine_);
     engine_->antialias(settings, fxaa, in, width, height, out);
     return true;
   } catch (...) { return false; }
@@ -133,7 +175,7 @@ bool Renderer::antialias(const Settings& settings, const scene::Fxaa& fxaa, cons
 bool Renderer::resolve(const Settings& settings, const scene::Resolve& how, const Image& samples,
                        Image& out) noexcept {
   try {
-    const std::lock_guard lock(engine_->mutex);
+    const InFront lock(*engine_);
     engine_->resolve(settings, how, samples, out);
     return true;
   } catch (...) { return false; }

@@ -7,6 +7,7 @@
 #include "scene/trace_cost.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -28,6 +29,11 @@ class Renderer {
   bool render(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
               std::string& error) noexcept;
 
+  /// The same behind all other calls: stops at the next tile when `stop` says so, or when another thread
+  /// wants the renderer. False without an error: stopped; the image is undefined.
+  bool renderBehind(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
+                    const std::function<bool()>& stop) noexcept;
+
   /// Whether a full-quality acceleration structure is ready for the next render() to install. False while
   /// another thread uses the renderer. Any thread.
   bool improves() const noexcept;
@@ -42,6 +48,8 @@ class Renderer {
 
  private:
   class Engine;
+  class InFront;
+  bool caught(std::string& error, const std::function<void()>& body) noexcept;
   std::unique_ptr<Engine> engine_;
 };
 

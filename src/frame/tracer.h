@@ -16,6 +16,11 @@ namespace gluray::frame {
 /// engine. Any thread.
 using Trace = std::function<bool(const scene::Snapshot&, Image&, scene::TraceCost&, std::string& error)>;
 
+/// The same behind all other pictures, until `stop` says so. False without an error: stopped, or another
+/// picture came first. frame::Renderer::renderBehind in the engine.
+using TraceBehind = std::function<bool(const scene::Snapshot&, Image&, scene::TraceCost&, std::string& error,
+                                       const std::function<bool()>& stop)>;
+
 /// Anti-aliases a picture, `in` to `out`. False on failure; never throws. frame::Renderer::antialias in the
 /// engine.
 using Antialias = std::function<bool(const Settings&, const scene::Fxaa&, const uint32_t* in, int width,
@@ -35,6 +40,7 @@ struct Tracer {
   Antialias antialias = {};
   Resolve resolve = {};
   Improves improves = {};
+  TraceBehind behind = {};
 };
 
 }  // namespace gluray::frame

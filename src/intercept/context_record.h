@@ -8,6 +8,7 @@
 #include "intercept/reports/hud.h"
 #include "intercept/windows/lag.h"
 #include "intercept/windows/present_without_swap.h"
+#include "intercept/windows/x_idle_window.h"
 
 #include <exception>
 #include <map>
@@ -27,6 +28,7 @@ struct Record {
   std::unique_ptr<Hud> hud;                        // if wanted
   LagPtr lag;                                      // if frames may lag
   WindowOfContext window;
+  IdleWindowOfContext idle;
   std::shared_ptr<gl::Context> context;  // null until first current, or if it could not be made
   bool tried = false;
   const void* display = nullptr;

@@ -62,7 +62,8 @@ void makeContext(Record& record, Api api) {
   gl::ContextInfo info = askInfo(real, version);
   record.version = version;
   addExplaining(record, info);
-  std::unique_ptr<gl::Presenter> presenter = makePresenter(info.settings, noteWritten(record));
+  std::unique_ptr<gl::Presenter> presenter =
+      makePresenter(info.settings, noteWritten(record), api == Api::glx);
   std::shared_ptr<gl::Context> context = gl::Context::create(real, record.group, info, *presenter);
   const std::lock_guard lock(registry().mutex);  // another thread may compute the report's totals
   record.vendor = std::move(vendor), record.renderer = std::move(renderer),

@@ -10,6 +10,11 @@ bool trace(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost
   return frame::Renderer::shared().render(snapshot, image, cost, error);
 }
 
+bool behind(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
+            const std::function<bool()>& stop) {
+  return frame::Renderer::shared().renderBehind(snapshot, image, cost, error, stop);
+}
+
 bool antialias(const Settings& settings, const scene::Fxaa& fxaa, const uint32_t* in, int width, int height,
                uint32_t* out) {
   return frame::Renderer::shared().antialias(settings, fxaa, in, width, height, out);
@@ -39,10 +44,12 @@ class NullPresenter final : public gl::Presenter {
 
 }  // namespace
 
-std::unique_ptr<gl::Presenter> makePresenter(const Settings& settings, present::Written onWritten) {
+std::unique_ptr<gl::Presenter> makePresenter(const Settings& settings, present::Written onWritten,
+                                             bool refinesWindows) {
   if (settings.renderer == Renderer::null) return std::make_unique<NullPresenter>();
-  return std::make_unique<present::TracingPresenter>(frame::Tracer{trace, antialias, resolve, improves},
-                                                     std::move(onWritten));
+  frame::Tracer tracer{trace, antialias, resolve, improves};
+  if (refinesWindows) tracer.behind = behind;
+  return std::make_unique<present::TracingPresenter>(tracer, std::move(onWritten));
 }
 
 }  // namespace gluray::intercept

@@ -13,11 +13,13 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <stdexcept>
 
 namespace gluray::render {
 namespace {
 
+constexpr int kShortTile = 4;        // rows of tiles that may be interrupted; a multiple of 4
 constexpr int kLargestSide = 65536;  // pixels; larger than any framebuffer
 
 Planes planesOf(const scene::Snapshot& snapshot, bool averages) {
@@ -74,18 +76,27 @@ void clearImage(const scene::Snapshot& snapshot, Image& image) {
 
 namespace {
 
-/// Calls work(tile) for all of an image's tiles, on all threads.
+enum class Traced {
+  whole,
+  interrupted,
+  seenThrough,  // averages cannot be composited over the framebuffer: alpha is written but is no opacity
+};
+
+/// Calls work(tile) for all of an image's tiles, on all threads. False: interrupted before the last one.
 template <class Work>
-void eachTile(const Image& image, const char* name, const Work& work) {
-  const int columns = (image.width + kTileSize - 1) / kTileSize,
-            rows = (image.height + kTileSize - 1) / kTileSize;
+bool eachTile(const Image& image, const char* name, const Interrupt& interrupt, const Work& work) {
+  const int height = interrupt ? kShortTile : kTileSize;
+  const int columns = (image.width + kTileSize - 1) / kTileSize, rows = (image.height + height - 1) / height;
+  std::atomic<bool> interrupted{false};
   tbb::parallel_for(0, columns * rows, [&](int index) {
+    if (interrupt && interrupt()) return interrupted.store(true, std::memory_order_relaxed);
     const FloatGuard guard;
     timeline::nameThread("tracing");
     const timeline::Span span(name, 1, true);
-    const int x = index % columns * kTileSize, y = index / columns * kTileSize;
-    work(Tile{x, y, std::min(x + kTileSize, image.width), std::min(y + kTileSize, image.height)});
+    const int x = index % columns * kTileSize, y = index / columns * height;
+    work(Tile{x, y, std::min(x + kTileSize, image.width), std::min(y + height, image.height)});
   });
+  return !interrupted;
 }
 
 /// Whether the pixels of a frame of an animation have one nearest hit each, whose factors can be smoothed.
@@ -96,7 +107,7 @@ bool isMoving(const scene::Snapshot& snapshot, const FrameData& frame) {
 }
 
 /// Traces all factors, smooths them, and then colours the hits. False, with nothing traced, if it cannot.
-bool traceMoving(FrameData& frame, const MovingOptions& options) {
+bool traceMoving(FrameData& frame, const TraceOptions& options) {
   LightHistories own;
   LightHistories& histories = options.histories ? *options.histories : own;
   LightHistory& history = histories.of(frame.snapshot->view);
@@ -121,12 +132,12 @@ bool traceMoving(FrameData& frame, const MovingOptions& options) {
   const Collector collector(frame, moving, *factors, metric);
   frame.moving = &moving, frame.direct = direct.get();
   frame.integrator = &collector, frame.hits = moving.hits;
-  eachTile(*frame.image, "tiles", [&](const Tile& tile) {
+  eachTile(*frame.image, "tiles", {}, [&](const Tile& tile) {
     moving.film->clear(tile.x0, tile.y0, tile.x1, tile.y1);
     traceTile(frame, tile);
   });
   frame.integrator = factors, frame.hits = nullptr;
-  eachTile(*frame.image, "relit tiles", [&](const Tile& tile) {
+  eachTile(*frame.image, "relit tiles", {}, [&](const Tile& tile) {
     TileFactors smooth;
     filterTile(moving, tile, smooth);
     relightTile(frame, tile, smooth);
@@ -136,33 +147,35 @@ bool traceMoving(FrameData& frame, const MovingOptions& options) {
   return true;
 }
 
-/// False if averages cannot be composited over the framebuffer: alpha is written but is no opacity.
-bool traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Image& image,
-                const MovingOptions& options) {
+Traced traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Image& image,
+                  const TraceOptions& options) {
   FrameData frame(snapshot, world, image);
-  if (isMoving(snapshot, frame) && traceMoving(frame, options)) return true;
+  if (isMoving(snapshot, frame) && traceMoving(frame, options)) return Traced::whole;
   const std::unique_ptr<const Integrator> integrator = makeIntegrator(frame);
   frame.integrator = integrator.get();
   const std::unique_ptr<const DirectLook> direct = makeDirectLook(frame);
   frame.direct = direct.get();
-  eachTile(image, "tiles", [&](const Tile& tile) { traceTile(frame, tile); });
+  const bool whole =
+      eachTile(image, "tiles", options.interrupt, [&](const Tile& tile) { traceTile(frame, tile); });
+  if (!whole) return Traced::interrupted;
   for (size_t n = 0; n < LayerCounts::kMost; ++n)
     image.layers.open[n] = frame.layerCounts[0][n], image.layers.before[n] = frame.layerCounts[1][n];
-  return snapshot.layers || !frame.seenThrough.load();
+  return snapshot.layers || !frame.seenThrough.load() ? Traced::whole : Traced::seenThrough;
 }
 
 }  // namespace
 
-void traceImage(const scene::Snapshot& snapshot, const accel::World& world, Arena& arena, Image& image,
-                const MovingOptions& options) {
-  if (world.empty()) return clearImage(snapshot, image);
-  arena.execute([&] {
+bool traceImage(const scene::Snapshot& snapshot, const accel::World& world, Arena& arena, Image& image,
+                const TraceOptions& options) {
+  if (world.empty()) return clearImage(snapshot, image), true;
+  return arena.execute([&] {
     if (wantsAverages(snapshot)) {
       shapeImage(snapshot, image, true);
-      if (traceTiles(snapshot, world, image, options)) return;
+      const Traced traced = traceTiles(snapshot, world, image, options);
+      if (traced != Traced::seenThrough) return traced == Traced::whole;
     }
     shapeImage(snapshot, image, false);
-    traceTiles(snapshot, world, image, options);
+    return traceTiles(snapshot, world, image, options) != Traced::interrupted;
   });
 }
 

@@ -7,13 +7,9 @@
 #include "render/moving/light_history.h"
 #include "scene/snapshot.h"
 
-namespace gluray::render {
+#include <functional>
 
-/// How frames of an animation are traced (scene::LightSampling::Mode::moving).
-struct MovingOptions {
-  LightHistories* histories = nullptr;  // null: earlier frames are not used
-  MovingRays rays;
-};
+namespace gluray::render {
 
 /// Whether the snapshot's settings ask for more than the local look.
 bool hasLight(const scene::Snapshot&);
@@ -22,10 +18,20 @@ bool hasLight(const scene::Snapshot&);
 /// shape.
 void clearImage(const scene::Snapshot&, Image& image);
 
+/// Whether tracing must stop; asked before each tile, on all tracing threads.
+using Interrupt = std::function<bool()>;
+
+struct TraceOptions {
+  // Of frames of an animation (scene::LightSampling::Mode::moving).
+  LightHistories* histories = nullptr;  // null: earlier frames are not used
+  MovingRays rays;
+  Interrupt interrupt = {};  // of all other frames
+};
+
 /// Computes colour and window depth of every pixel of the snapshot's region, for the instances that `world`
 /// holds. `image` takes the region's shape, one plane per sample. Throws std::runtime_error if a matrix
-/// cannot be inverted, std::bad_alloc.
-void traceImage(const scene::Snapshot&, const accel::World& world, Arena&, Image& image,
-                const MovingOptions& = {});
+/// cannot be inverted, std::bad_alloc. False: interrupted; the image is then undefined.
+bool traceImage(const scene::Snapshot&, const accel::World& world, Arena&, Image& image,
+                const TraceOptions& = {});
 
 }  // namespace gluray::render

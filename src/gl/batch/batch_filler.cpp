@@ -37,8 +37,7 @@ bool BatchFiller::open(const BatchKey& key) {
   if (!batch.empty() && !(batch.key() == key)) p_.flusher.flush();
   if (!batch.empty()) return true;
   p_.flusher.settleBelow(key.samples);
-  batch.start(key, p_.shadow.state, p_.shadow.settings, p_.clock.frame,
-              p_.clock.lightMode(p_.shadow.settings));
+  batch.start(key, p_.shadow.state, p_.shadow.settings, p_.clock.frame, p_.flusher.begin());
   return true;
 }
 

@@ -29,6 +29,11 @@ bool Flusher::canTrace() {
   return *supported_;
 }
 
+scene::LightSampling::Mode Flusher::begin() {
+  p_.window.stopRefining();
+  return p_.clock.lightMode(p_.shadow.settings);
+}
+
 void Flusher::flushBatch() {
   if (p_.layers.holdsDepths()) p_.layers.giveUp();
   present();
@@ -113,6 +118,7 @@ void Flusher::leave() {
 }
 
 UnresolvedPicture::Cleared Flusher::beforeClear(GLbitfield mask) {
+  p_.window.stopRefining();
   const UnresolvedPicture::Cleared clean = p_.resolves.clearedBy(mask);
   present();
   p_.window.clears(mask);

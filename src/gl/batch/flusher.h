@@ -50,6 +50,8 @@ class Flusher {
   }
   /// Flushes the batch alone, without settling.
   void flushBatch();
+  /// The program begins to draw what will be traced: how light is sampled for it.
+  scene::LightSampling::Mode begin();
   /// flush() for a command that sends later draws elsewhere and reads nothing: held peels may wait on.
   void redirect() {
     settle();

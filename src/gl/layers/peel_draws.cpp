@@ -142,8 +142,7 @@ bool LayerDraws::startPeeled(const BatchKey& key) {
     if (!(peeling_.tracedKey == key)) return false;
     p_.flusher.batch.resume(key, *peeling_.traced);
   } else {
-    p_.flusher.batch.start(key, p_.shadow.state, p_.shadow.settings, p_.clock.frame,
-                           p_.clock.lightMode(p_.shadow.settings));
+    p_.flusher.batch.start(key, p_.shadow.state, p_.shadow.settings, p_.clock.frame, p_.flusher.begin());
     p_.flusher.batch.seeThrough(peeling_.layers);
   }
   return true;

@@ -45,8 +45,7 @@ bool LayerDraws::startSums(const BatchKey& key) {
         p_.shadow.state.target.depthResolution * (key.depthFunc == GL_LEQUAL ? 0.75f : -0.75f);
     for (float& depth : layers->opaqueDepth) depth += margin;
   }
-  p_.flusher.batch.start(key, p_.shadow.state, p_.shadow.settings, p_.clock.frame,
-                         p_.clock.lightMode(p_.shadow.settings));
+  p_.flusher.batch.start(key, p_.shadow.state, p_.shadow.settings, p_.clock.frame, p_.flusher.begin());
   p_.flusher.batch.seeThrough(std::move(layers));
   return true;
 }

@@ -139,6 +139,7 @@ bool WindowFrames::clearsLater(GLbitfield mask) {
   constexpr GLbitfield kKnown = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
   constexpr size_t kMostClears = 8;
   noteBegin();
+  stopRefining();
   if (!lagged_ || !p_.flusher.batch.empty() || mask == 0 || mask & ~kKnown || p_.clock.passesThrough() ||
       p_.failsafe.aside() || p_.clock.startsMeasuring() || p_.shadow.activeQueries > 0 ||
       lagged_->clears.size() >= kMostClears)

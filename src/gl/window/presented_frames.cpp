@@ -65,6 +65,14 @@ bool WindowFrames::showWithoutSwap(glm::ivec2 window, const ShowPicture& show) n
   });
 }
 
+void WindowFrames::refineWhileIdle(const OpenIdleWindow& open) noexcept {
+  const Settings& settings = p_.shadow.settings;
+  const bool wanted = settings.refine.idle && settings.changesPicture() && !lagged_ && !p_.failsafe.aside();
+  if (!wanted && !refines_) return;
+  refines_ = wanted;
+  p_.flusher.presenter.window().refineWhileIdle(wanted ? open : [] { return nullptr; });
+}
+
 void WindowFrames::clears(GLbitfield mask) {
   if (!presented_.waiting) return;
   if (p_.shadow.state.rare.framebufferObjects && integer(p_.shadow.real, GL_DRAW_FRAMEBUFFER_BINDING) != 0)

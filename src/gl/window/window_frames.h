@@ -43,6 +43,13 @@ class WindowFrames {
   /// In place of both: starts tracing the batch, to show the frame later. Returns `none` or why not.
   LagRefusal lag(const LagWindow& window) noexcept;
 
+  /// Call after a swap: refines the frame in the window while the program draws nothing, if light is on.
+  void refineWhileIdle(const OpenIdleWindow& open) noexcept;
+  /// Call when the program begins to draw.
+  void stopRefining() noexcept {
+    if (refines_) p_.flusher.presenter.window().stopRefining();
+  }
+
   /// Whether a lagged frame waits to be shown.
   bool lags() const { return lagged_.has_value(); }
   /// Shows the lagged frame. Call before the window's buffers are read or drawn into.
@@ -66,6 +73,7 @@ class WindowFrames {
   bool showsDirectly(const LaggedFrame& frame);
   PresentResult presentLagged(LaggedFrame& frame);
 
+  bool refines_ = false;  // since the last swap
   PresentedPicture presented_;
   std::optional<LaggedFrame> lagged_;
   Parts p_;

@@ -1,6 +1,7 @@
 // Interface through which WindowFrames shows pictures without a swap of the back buffer, at once or traced
 // while the program prepares its next frame. Implemented in intercept/present/. GL thread.
 #pragma once
+#include "base/idle_window.h"
 #include "base/image.h"
 #include "gl/batch/cleared_target.h"
 #include "gl/batch/picture_wish.h"
@@ -15,6 +16,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 
 namespace gluray::gl {
@@ -66,6 +68,9 @@ struct AheadTarget {
 
 enum class LagRefusal : uint8_t;
 
+/// Opens the window that was swapped; null: not possible.
+using OpenIdleWindow = std::function<std::shared_ptr<IdleWindow>()>;
+
 /// The base class shows nothing.
 class WindowPresenter {
  public:
@@ -82,6 +87,10 @@ class WindowPresenter {
   virtual LagRefusal traceAhead(const RealGl&, const scene::SnapshotPtr&, const AheadTarget&) noexcept;
   /// Discards the picture that is traced ahead.
   virtual void dropAhead() noexcept {}
+  /// The frame is shown in the window that `open` opens: its pictures with light get better there on a thread
+  /// of ours until stopRefining(), another frame, or any other call that traces.
+  virtual void refineWhileIdle(const OpenIdleWindow& /*open*/) noexcept {}
+  virtual void stopRefining() noexcept {}
   /// Makes `clear` in the window's back buffer, whatever the current state. Returns the program's error that
   /// was pending, if any.
   virtual GLenum clear(const RealGl&, const WindowClear& /*clear*/) noexcept { return GL_NO_ERROR; }

@@ -20,7 +20,7 @@ using Written = std::function<void(const gl::RealGl&, const Image&)>;
 
 struct PresentedPictures {
   PresentedPictures(const frame::Tracer& with, Written onWritten)
-      : tracer(with), pictures(with.trace, with.improves), written(std::move(onWritten)) {}
+      : tracer(with), pictures(with), written(std::move(onWritten)) {}
 
   /// Pictures::of(); adds the cost to `result`. Null: tracing failed, with the reason in `why`.
   const frame::LastPictures::Picture* of(const scene::Snapshot& snapshot, gl::PictureWish wish,

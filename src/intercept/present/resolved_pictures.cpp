@@ -12,12 +12,13 @@ using gl::PresentResult;
 PresentResult TracingPresenter::resolve(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                                         const gl::ResolveTarget& target) noexcept {
   try {
-    return resolved(real, *snapshot, target);
+    return resolved(real, snapshot, target);
   } catch (const std::exception&) { return {}; }
 }
 
-PresentResult TracingPresenter::resolved(const gl::RealGl& real, const scene::Snapshot& snapshot,
+PresentResult TracingPresenter::resolved(const gl::RealGl& real, const scene::SnapshotPtr& shared,
                                          const gl::ResolveTarget& target) {
+  const scene::Snapshot& snapshot = *shared;
   PresentResult result;
   if (!shared_.tracer.resolve || !shared_.supported(real, result.why)) return result;
   const frame::LastPictures::Picture* traced = shared_.of(snapshot, target.wish, {}, result, result.why);
@@ -44,6 +45,7 @@ PresentResult TracingPresenter::resolved(const gl::RealGl& real, const scene::Sn
   pending.insert(pending.end(), more.begin(), more.end());
   if (!pending.empty()) result.pendingError = pending.front();
   if (done) result.outcome = PresentResult::traced;
+  if (done && target.colors) shared_.pictures.wrote(shared, *traced, pixels_.image, &target.how);
   result.presentSeconds = nowSeconds() - start;
   if (done && target.colors && shared_.written) shared_.written(real, pixels_.image);
   return result;

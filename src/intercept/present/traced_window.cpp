@@ -65,6 +65,12 @@ LagRefusal TracedWindow::traceAhead(const gl::RealGl& real, const scene::Snapsho
   } catch (const std::exception&) { return LagRefusal::failure; }
 }
 
+void TracedWindow::refineWhileIdle(const gl::OpenIdleWindow& open) noexcept {
+  shared_.pictures.refineWhileIdle(open);
+}
+
+void TracedWindow::stopRefining() noexcept { shared_.pictures.stopRefining(); }
+
 void TracedWindow::dropAhead() noexcept { shared_.pictures.dropAhead(); }
 
 GLenum TracedWindow::clear(const gl::RealGl& real, const gl::WindowClear& clear) noexcept {
@@ -94,7 +100,7 @@ PresentResult TracedWindow::show(const gl::RealGl& real, const scene::SnapshotPt
       return result;
     const double start = nowSeconds();
     if (target.show({traced->image, target.farthest, traced->id, snapshot->settings.threads}))
-      result.outcome = PresentResult::traced;
+      result.outcome = PresentResult::traced, shared_.pictures.wrote(snapshot, *traced, traced->image);
     result.presentSeconds = nowSeconds() - start;
     return result;
   });

@@ -14,6 +14,8 @@ class TracedWindow final : public gl::WindowPresenter {
   gl::LagRefusal traceAhead(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                             const gl::AheadTarget& target) noexcept override;
   void dropAhead() noexcept override;
+  void refineWhileIdle(const gl::OpenIdleWindow& open) noexcept override;
+  void stopRefining() noexcept override;
   GLenum clear(const gl::RealGl& real, const gl::WindowClear& clear) noexcept override;
 
  private:

@@ -17,11 +17,12 @@ using gl::PresentResult;
 
 PresentResult TracingPresenter::present(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                                         const gl::PresentTarget& target) noexcept {
-  return resultOf([&] { return tracedOrRasterised(real, *snapshot, target); });
+  return resultOf([&] { return tracedOrRasterised(real, snapshot, target); });
 }
 
-PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const scene::Snapshot& snapshot,
+PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const scene::SnapshotPtr& shared,
                                                    const gl::PresentTarget& target) {
+  const scene::Snapshot& snapshot = *shared;
   PresentResult result;
   std::string why;
   PendingErrors pending;
@@ -46,6 +47,7 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
   if (traced && written(real, *traced, snapshot, target, pending, why)) {
     result.outcome = PresentResult::traced;
     result.averages = traced->image.isAverages();
+    shared_.pictures.wrote(shared, *traced, traced->image);
   } else {
     result.why = why.empty() ? "the picture could not be written back" : std::move(why);
     const PendingErrors more = takeErrors(real);

@@ -35,13 +35,13 @@ class TracingPresenter final : public gl::Presenter {
   void forget(const gl::RealGl&) noexcept override { shared_.forget(); }
 
  private:
-  gl::PresentResult tracedOrRasterised(const gl::RealGl& real, const scene::Snapshot& snapshot,
+  gl::PresentResult tracedOrRasterised(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                                        const gl::PresentTarget& target);
   /// Writes a picture into the framebuffer. False, with the reason, if that fails.
   bool written(const gl::RealGl& real, const frame::LastPictures::Picture& picture,
                const scene::Snapshot& snapshot, const gl::PresentTarget& target, PendingErrors& pending,
                std::string& why) noexcept;
-  gl::PresentResult resolved(const gl::RealGl& real, const scene::Snapshot& snapshot,
+  gl::PresentResult resolved(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                              const gl::ResolveTarget& target);
 
   PresentedPictures shared_;

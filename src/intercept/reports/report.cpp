@@ -3,6 +3,7 @@
 #include "base/clock.h"
 #include "base/files.h"
 #include "base/log.h"
+#include "frame/idle_refiner.h"
 #include "gl/buffers/buffer.h"
 #include "intercept/contexts.h"
 #include "intercept/reports/explanation.h"
@@ -52,6 +53,15 @@ json lagReport() {
           {"atOnce", because}};
 }
 
+/// Refinement while the program drew nothing.
+json idleReport() {
+  const frame::IdleRefiner::Counts& counts = frame::IdleRefiner::counts();
+  return {{"frames", counts.frames.load()},
+          {"refused", counts.refused.load()},
+          {"passes", counts.passes.load()},
+          {"shown", counts.shown.load()}};
+}
+
 json makeReport(const Totals& totals) {
   const gl::Statistics& s = totals.statistics;
   const uint64_t frames = s.frames + s.framesInFront;
@@ -75,7 +85,7 @@ json makeReport(const Totals& totals) {
       {"draws", {{"traced", s.drawsTraced}, {"rasterised", reasons}}},
       {"triangles", {{"traced", s.trianglesTraced}, {"rasterised", s.trianglesRasterised}}},
       {"bvh", {{"builds", s.blasBuilds}, {"refined", s.blasRefinements}, {"bytes", s.bvhBytes}}},
-      {"light", {{"passes", s.lightPasses}, {"noise", s.lightNoise}}},
+      {"light", {{"passes", s.lightPasses}, {"noise", s.lightNoise}, {"idle", idleReport()}}},
       {"mesh", {{"built", s.meshesBuilt}, {"bytes", s.meshBytes}}},
       {"buffers", {{"bytesSent", gl::Buffer::bytesSent()}}},
       {"ms",

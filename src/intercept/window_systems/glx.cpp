@@ -7,6 +7,7 @@
 #include "intercept/window_systems/hook_table.h"
 #include "intercept/windows/lag.h"
 #include "intercept/windows/present_without_swap.h"
+#include "intercept/windows/x_idle_window.h"
 
 #include <GL/glx.h>
 #include <GL/glxext.h>
@@ -66,6 +67,21 @@ auto swapping(const Outermost& outermost, GLXDrawable drawable, F&& call) {
   return call();
 }
 
+/// Around a swap: nothing older than its frame is put into the window; then the frame may be refined.
+struct Shows {
+  const Outermost& outermost;
+  Display* display;
+  GLXDrawable drawable;
+  Shows(const Outermost& of, Display* dpy, GLXDrawable shown) : outermost(of), display(dpy), drawable(shown) {
+    if (outermost) windowChanges(drawable);
+  }
+  ~Shows() {
+    if (outermost) refineShown(display, drawable);
+  }
+  Shows(const Shows&) = delete;
+  Shows& operator=(const Shows&) = delete;
+};
+
 template <Door D>
 struct Glx {
   static GLXContext createContext(Display* dpy, XVisualInfo* visual, GLXContext share, Bool direct) {
@@ -124,6 +140,7 @@ struct Glx {
   static void swapBuffers(Display* dpy, GLXDrawable drawable) {
     REAL(D, decltype(&glXSwapBuffers), "glXSwapBuffers");
     const Outermost outermost;
+    const Shows shows(outermost, dpy, drawable);
     if (outermost && (swapsLater(dpy, drawable, real) || shownDirectly(dpy, drawable)))
       return swapped(drawable);
     swapping(outermost, drawable, [&] { real(dpy, drawable); });
@@ -132,6 +149,7 @@ struct Glx {
                                 int64_t remainder) {
     REAL(D, PFNGLXSWAPBUFFERSMSCOMLPROC, "glXSwapBuffersMscOML");
     const Outermost outermost;
+    const Shows shows(outermost, dpy, drawable);
     return swapping(outermost, drawable, [&] { return real(dpy, drawable, target, divisor, remainder); });
   }
   static Bool waitForSbc(Display* dpy, GLXDrawable drawable, int64_t target, int64_t* ust, int64_t* msc,
@@ -151,6 +169,7 @@ struct Glx {
   }
   static void copySubBuffer(Display* dpy, GLXDrawable drawable, int x, int y, int width, int height) {
     REAL(D, PFNGLXCOPYSUBBUFFERMESAPROC, "glXCopySubBufferMESA");
+    windowChanges(drawable);
     afterFlush([&] { real(dpy, drawable, x, y, width, height); });
   }
   static void waitGl() {

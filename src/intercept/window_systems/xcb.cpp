@@ -24,6 +24,10 @@ Xcb::Xcb() {
   find(core, "xcb_connection_has_error", failed);
   find(core, "xcb_put_image_checked", putWords);
   find(core, "xcb_get_maximum_request_length", longestRequest);
+  find(core, "xcb_get_image", askImage);
+  find(core, "xcb_get_image_reply", image);
+  find(core, "xcb_get_image_data", imageBytes);
+  find(core, "xcb_get_image_data_length", imageLength);
   find(core, "xcb_get_geometry", askGeometry);
   find(core, "xcb_get_geometry_reply", geometry);
   find(core, "xcb_get_window_attributes", askWindow);

@@ -22,6 +22,10 @@ struct Xcb {
   decltype(xcb_connection_has_error)* failed;
   decltype(xcb_put_image_checked)* putWords;
   decltype(xcb_get_maximum_request_length)* longestRequest;
+  decltype(xcb_get_image)* askImage;
+  decltype(xcb_get_image_reply)* image;
+  decltype(xcb_get_image_data)* imageBytes;
+  decltype(xcb_get_image_data_length)* imageLength;
   decltype(xcb_get_geometry)* askGeometry;
   decltype(xcb_get_geometry_reply)* geometry;
   decltype(xcb_get_window_attributes)* askWindow;

@@ -27,6 +27,26 @@ class XcbBackgroundWindow final : public BackgroundWindow {
     return succeeded(xcb().createGc(connection_, context_, window_, 0, nullptr));
   }
 
+  bool read(WindowPixels& out) noexcept override {
+    try {
+      const auto geometry = askGeometry();
+      if (!geometry || geometry->width == 0 || !xcb().askImage) return false;
+      const auto cookie = xcb().askImage(connection_, XCB_IMAGE_FORMAT_Z_PIXMAP, window_, 0, 0,
+                                         geometry->width, geometry->height, ~uint32_t{0});
+      const auto image = replyTo(xcb().image, connection_, cookie);
+      const size_t width = geometry->width, pixels = width * geometry->height;
+      if (!image || static_cast<size_t>(xcb().imageLength(image.get())) < pixels * sizeof(uint32_t))
+        return false;
+      const auto* const top = reinterpret_cast<const uint32_t*>(xcb().imageBytes(image.get()));
+      out.width = geometry->width, out.height = geometry->height;
+      out.colors.resize(pixels);
+      for (size_t row = 0; row < geometry->height; ++row)
+        std::transform(top + row * width, top + (row + 1) * width,
+                       out.colors.data() + (geometry->height - 1 - row) * width, frame::bgra);
+      return true;
+    } catch (const std::exception&) { return false; }
+  }
+
   bool paint(const uint32_t* pixels, glm::ivec2 size) noexcept override {
     try {
       const auto geometry = askGeometry();

@@ -91,6 +91,7 @@ class Lag {
     window.swap = [=] {
       const Outermost nested;
       const timeline::Span span("swap");
+      windowChanges(drawable);
       swap(display, drawable);
     };
     window.overdue.size = size;

@@ -1,0 +1,67 @@
+// The pictures of one frame that a window shows, refined step by step. Made on the GL thread, then used by
+// the refining thread alone.
+#pragma once
+#include "base/idle_window.h"
+#include "base/image.h"
+#include "frame/refiner.h"
+#include "frame/tracer.h"
+#include "scene/resolve.h"
+#include "scene/snapshot.h"
+
+#include <glm/glm.hpp>
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace gluray::frame {
+
+/// A picture as it was written into the frame.
+struct IdlePicture {
+  scene::SnapshotPtr snapshot;
+  uint64_t id = 0;                              // LastPictures::Picture::id
+  glm::ivec2 corner{0}, size{0};                // pixels of the framebuffer
+  std::vector<uint32_t> colors;                 // RGBA8
+  std::optional<scene::Resolve> resolve;        // of a multisampled framebuffer, how its samples became these
+  std::unique_ptr<Refinement> refinement = {};  // passes so far, which `colors` shows; null: none
+};
+
+/// Where the written colours of one picture are seen in the window, and what they become.
+class IdleFrame {
+ public:
+  IdleFrame(std::vector<IdlePicture> pictures, std::shared_ptr<IdleWindow> window);
+  /// Reads the window. False: nothing can be refined.
+  bool look() noexcept { return window_->read(shown_); }
+  enum class Step { more, done, failed };
+  /// Traces one pass over the picture with the fewest, and shows it if it is much better. `trace` may stop
+  /// early and return false. Throws std::bad_alloc.
+  Step step(const Tracer& tracer, const Trace& trace, bool& shown);
+  /// Whether the window was found to show none of the pictures as they were written.
+  bool refused() const;
+  /// Hands over the passes of the picture of this id.
+  std::unique_ptr<Refinement> take(uint64_t id) noexcept;
+
+ private:
+  struct Part {
+    IdlePicture picture;
+    std::unique_ptr<Refinement> refinement;
+    std::unique_ptr<Refiner> refiner;
+    Image image, pixels;            // the refined picture; the same resolved, if it has samples
+    std::vector<uint32_t> visible;  // pixels of the window in which the picture is seen
+    std::vector<uint32_t> at;       // their places in the picture
+    uint32_t shownPasses = 0;
+    bool looked = false;  // `visible` is known
+    bool finished = false, refused = false;
+  };
+  bool findVisible(Part& part, const Image& image);
+  const Image* imageOf(Part& part, const Tracer& tracer);
+
+  std::shared_ptr<IdleWindow> window_;
+  WindowPixels shown_, next_;
+  std::vector<bool> taken_;  // pixels of the window in which a picture is seen
+  std::vector<Part> parts_;  // the last written first
+};
+
+}  // namespace gluray::frame

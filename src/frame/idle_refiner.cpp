@@ -1,0 +1,127 @@
+#include "frame/idle_refiner.h"
+
+#include "base/timeline.h"
+
+#include <algorithm>
+#include <exception>
+#include <thread>
+#include <utility>
+
+namespace gluray::frame {
+namespace {
+
+using namespace std::chrono_literals;
+constexpr auto kNap = 20ms;         // longest time until the thread notices that the process exits
+constexpr auto kFollowing = 2s;     // frames that come sooner belong to an animation
+constexpr auto kPatience = 1000ms;  // time without frames after which the thread ends
+
+}  // namespace
+
+IdleRefiner::Counts& IdleRefiner::counts() {
+  static auto* const counts = new Counts;  // never destroyed: reports are written while the process exits
+  return *counts;
+}
+
+IdleRefiner::IdleRefiner(Tracer tracer, Clock::duration quiet) : tracer_(std::move(tracer)), quiet_(quiet) {}
+
+IdleRefiner::~IdleRefiner() {
+  stop_ = true;
+  thread_.stop();
+}
+
+void IdleRefiner::start(std::vector<IdlePicture> pictures, std::shared_ptr<IdleWindow> window) noexcept {
+  stop();
+  frame_.reset();
+  if (pictures.empty() || !window) return;
+  try {
+    auto frame = std::make_unique<IdleFrame>(std::move(pictures), std::move(window));
+    std::unique_lock lock(mutex_);
+    frame_ = std::move(frame);
+    const auto now = Clock::now(), before = std::exchange(started_, now);
+    const bool follow = now - before < kFollowing;
+    due_ = now + (follow ? std::max(quiet_, (now - before) * 3 / 2) : quiet_);
+    stop_ = false;
+    state_ = State::waiting;
+    const bool runs = !ended_;
+    lock.unlock();
+    changed_.notify_all();
+    if (runs) return;
+    thread_.stop();
+    ended_ = false;
+    if (!thread_.start([this](const std::atomic<bool>& cancelled) { run(cancelled); },
+                       BackgroundJob::Priority::usual))
+      ended_ = true, state_ = State::empty;
+  } catch (const std::exception&) {}  // out of memory: the picture keeps its noise
+}
+
+void IdleRefiner::stop() noexcept {
+  stop_ = true;
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [&] { return state_ != State::working; });
+  state_ = State::empty;
+}
+
+std::unique_ptr<Refinement> IdleRefiner::take(uint64_t id) noexcept {
+  const std::lock_guard lock(mutex_);
+  return frame_ ? frame_->take(id) : nullptr;
+}
+
+void IdleRefiner::run(const std::atomic<bool>& cancelled) {
+  timeline::nameThread("refines");
+  std::unique_lock lock(mutex_);
+  auto idleSince = Clock::now();
+  while (!cancelled) {
+    const auto now = Clock::now();
+    if (state_ == State::waiting && now >= due_) {
+      workOnce(lock, cancelled);
+      idleSince = Clock::now();
+    } else if (state_ == State::empty && now - idleSince > kPatience) {
+      break;
+    } else {
+      changed_.wait_until(lock, state_ == State::waiting ? std::min(due_, now + kNap) : now + kNap);
+    }
+  }
+  ended_ = true;
+  if (state_ == State::working) state_ = State::empty;
+  changed_.notify_all();
+}
+
+void IdleRefiner::refine(IdleFrame& frame, const Trace& trace, const std::function<bool()>& ends) {
+  if (!frame.look()) return void(++counts().refused);
+  ++counts().frames;
+  auto step = IdleFrame::Step::more;
+  while (step == IdleFrame::Step::more && !ends()) {
+    bool shown = false;
+    step = frame.step(tracer_, trace, shown);
+    if (step == IdleFrame::Step::more) ++counts().passes;
+    if (shown) ++counts().shown;
+  }
+  if (frame.refused()) ++counts().refused;
+}
+
+/// Refines the frame until it is finished or the GL thread stops it.
+void IdleRefiner::workOnce(std::unique_lock<std::mutex>& lock, const std::atomic<bool>& cancelled) {
+  state_ = State::working;
+  IdleFrame& frame = *frame_;
+  lock.unlock();
+  const timeline::Span span("refine");
+  const auto ends = [&] { return stop_ || cancelled; };
+  // Another thread's picture may interrupt a pass: then it is traced again.
+  const Trace trace = [&](const scene::Snapshot& s, Image& image, scene::TraceCost& cost,
+                          std::string& error) {
+    while (!ends()) {
+      if (tracer_.behind(s, image, cost, error, ends)) return true;
+      if (!error.empty()) return false;
+      std::this_thread::sleep_for(1ms);
+    }
+    return false;
+  };
+  try {
+    refine(frame, trace, ends);
+  } catch (const std::exception&) {}  // out of memory: the picture keeps its noise
+  lock.lock();
+  state_ = State::empty;
+  changed_.notify_all();
+}
+
+}  // namespace gluray::frame

@@ -1,0 +1,61 @@
+// Refines the pictures that a window shows while the program draws nothing, and shows them there, on a thread
+// of its own (adr/0046). Called on the GL thread, one per context. The thread starts with the first frame and
+// ends after a second without one.
+#pragma once
+#include "base/background_job.h"
+#include "frame/idle_picture.h"
+#include "frame/tracer.h"
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace gluray::frame {
+
+class IdleRefiner {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// What all of the process have done, for reports.
+  struct Counts {
+    std::atomic<uint64_t> frames{0}, refused{0};  // refined; not: the window does not show what was written
+    std::atomic<uint64_t> passes{0}, shown{0};    // pictures put into windows
+  };
+  static Counts& counts();
+
+  /// `quiet`: for so long the program must do nothing until work begins; longer if its frames take longer.
+  IdleRefiner(Tracer tracer, Clock::duration quiet);
+  ~IdleRefiner();
+  IdleRefiner(const IdleRefiner&) = delete;
+  IdleRefiner& operator=(const IdleRefiner&) = delete;
+
+  /// A frame was shown: refines its pictures if nothing happens. Stops work on the frame before.
+  void start(std::vector<IdlePicture> pictures, std::shared_ptr<IdleWindow> window) noexcept;
+  /// Stops, and waits until the thread touches neither renderer nor window: for one tile of a picture.
+  void stop() noexcept;
+  /// Hands over the passes over the picture of this id; null: there are none. Call after stop().
+  std::unique_ptr<Refinement> take(uint64_t id) noexcept;
+
+ private:
+  enum class State { empty, waiting, working };
+  void run(const std::atomic<bool>& cancelled);
+  void workOnce(std::unique_lock<std::mutex>& lock, const std::atomic<bool>& cancelled);
+  void refine(IdleFrame& frame, const Trace& trace, const std::function<bool()>& ends);
+
+  Tracer tracer_;
+  Clock::duration quiet_;
+  std::atomic<bool> stop_{false};
+  std::mutex mutex_;  // guards the members below
+  std::condition_variable changed_;
+  State state_ = State::empty;
+  bool ended_ = true;                    // the thread takes no more frames
+  Clock::time_point due_{}, started_{};  // the latter: the GL thread's
+  std::unique_ptr<IdleFrame> frame_;     // the thread's while state_ is working
+  BackgroundJob thread_;                 // last member: the thread ends before the others are destroyed
+};
+
+}  // namespace gluray::frame

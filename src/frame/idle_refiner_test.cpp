@@ -1,0 +1,271 @@
+// Pictures of a window that get better while nothing else happens.
+#include "frame/idle_refiner.h"
+
+#include "frame/lit_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <thread>
+
+namespace gluray::frame {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// A window in memory. The program may show something else in it at any time.
+class FakeWindow final : public IdleWindow {
+ public:
+  bool read(WindowPixels& out) noexcept override {
+    const std::lock_guard lock(mutex_);
+    if (!gone_) out = pixels_;
+    return !gone_;
+  }
+  bool replace(const WindowPixels& now, const WindowPixels& next) noexcept override {
+    const std::lock_guard lock(mutex_);
+    if (gone_ || now.colors != pixels_.colors) return false;
+    pixels_ = next;
+    ++painted_;
+    return true;
+  }
+  void show(int width, int height, std::vector<uint32_t> colors) {
+    const std::lock_guard lock(mutex_);
+    pixels_ = {width, height, std::move(colors)};
+  }
+  std::vector<uint32_t> colors() {
+    const std::lock_guard lock(mutex_);
+    return pixels_.colors;
+  }
+  int painted() {
+    const std::lock_guard lock(mutex_);
+    return painted_;
+  }
+  void leave() {
+    const std::lock_guard lock(mutex_);
+    gone_ = true;
+  }
+
+ private:
+  std::mutex mutex_;
+  WindowPixels pixels_;
+  int painted_ = 0;
+  bool gone_ = false;
+};
+
+struct IdleRefinerTest : testing::Test {
+  Renderer renderer;
+  std::atomic<int> passes{0};
+  Tracer tracer;
+  std::shared_ptr<FakeWindow> window = std::make_shared<FakeWindow>();
+  std::shared_ptr<scene::Snapshot> scene = std::make_shared<scene::Snapshot>(test::litScene());
+  Image first;
+
+  IdleRefinerTest() {
+    tracer.behind = [this](const scene::Snapshot& s, Image& image, scene::TraceCost& cost, std::string& error,
+                           const std::function<bool()>& stop) {
+      ++passes;
+      return renderer.renderBehind(s, image, cost, error, stop);
+    };
+    scene::TraceCost cost;
+    std::string error;
+    EXPECT_TRUE(renderer.render(*scene, first, cost, error));
+    window->show(first.width, first.height, first.color);
+  }
+  std::vector<IdlePicture> written() {
+    std::vector<IdlePicture> pictures;
+    pictures.push_back({scene, 5, {first.x, first.y}, {first.width, first.height}, first.color});
+    return pictures;
+  }
+  template <class Done>
+  static bool waitFor(Done&& done) {
+    const auto end = std::chrono::steady_clock::now() + 20s;
+    while (!done() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(1ms);
+    return done();
+  }
+  /// Until no pass was traced for a while.
+  void waitForRest() {
+    int last = -1;
+    waitFor([&] {
+      const int before = std::exchange(last, passes.load());
+      std::this_thread::sleep_for(50ms);
+      return before > 0 && before == passes;
+    });
+  }
+  Image seen() {
+    Image image = first;
+    image.color = window->colors();
+    return image;
+  }
+};
+
+TEST_F(IdleRefinerTest, TheWindowBecomesCleanerAndThenWorkEnds) {
+  scene::Snapshot many = *scene;
+  many.settings.ao.samples = 1024;
+  scene::TraceCost cost;
+  std::string error;
+  Image truth;
+  ASSERT_TRUE(renderer.render(many, truth, cost, error));
+  IdleRefiner refiner(tracer, 1ms);
+  refiner.start(written(), window);
+  waitForRest();
+  EXPECT_LT(test::difference(seen(), truth), 0.012);
+  EXPECT_GT(test::difference(first, truth), 0.05);
+  EXPECT_GE(window->painted(), 2);
+  const int traced = passes;
+  refiner.stop();
+  const auto refinement = refiner.take(5);
+  ASSERT_TRUE(refinement);
+  EXPECT_EQ(static_cast<int>(refinement->passes()), traced);
+  EXPECT_LE(refinement->noise(), 0.01);
+  EXPECT_FALSE(refiner.take(5));
+  EXPECT_FALSE(refiner.take(6));
+}
+
+TEST_F(IdleRefinerTest, WhatWasDrawnOverThePictureStays) {
+  std::vector<uint32_t> overlaid = first.color;
+  for (size_t i = 0; i < 200; ++i) overlaid[i] = 0xff123456;
+  for (size_t i = 300; i < 400; ++i) overlaid[i] ^= 0x010101;  // blended over
+  overlaid[500] ^= 0x80000000;                                 // alpha is not seen
+  window->show(first.width, first.height, overlaid);
+  IdleRefiner refiner(tracer, 1ms);
+  refiner.start(written(), window);
+  waitForRest();
+  const std::vector<uint32_t> after = window->colors();
+  for (size_t i = 0; i < 200; ++i) EXPECT_EQ(after[i], 0xff123456);
+  for (size_t i = 300; i < 400; ++i) EXPECT_EQ(after[i], overlaid[i]);
+  EXPECT_NE(after, overlaid);
+}
+
+TEST_F(IdleRefinerTest, AWindowThatShowsSomethingElseIsLeftAlone) {
+  std::vector<uint32_t> other = first.color;
+  for (uint32_t& color : other) color ^= 0x030303;
+  window->show(first.width, first.height, other);
+  IdleRefiner refiner(tracer, 1ms);
+  const uint64_t refused = IdleRefiner::counts().refused;
+  refiner.start(written(), window);
+  EXPECT_TRUE(waitFor([&] { return IdleRefiner::counts().refused > refused; }));
+  EXPECT_EQ(window->colors(), other);
+  EXPECT_EQ(passes, 1);
+}
+
+TEST_F(IdleRefinerTest, WhatTheProgramShowsMeanwhileStays) {
+  scene->settings.noise = 1e-6f;
+  IdleRefiner refiner(tracer, 1ms);
+  refiner.start(written(), window);
+  ASSERT_TRUE(waitFor([&] { return window->painted() > 0; }));
+  const std::vector<uint32_t> newer(first.color.size(), 0xff00ff00);
+  window->show(first.width, first.height, newer);
+  waitForRest();
+  EXPECT_EQ(window->colors(), newer);
+}
+
+TEST_F(IdleRefinerTest, NothingHappensBeforeItIsQuiet) {
+  IdleRefiner refiner(tracer, 10s);
+  for (int i = 0; i < 20; ++i) refiner.start(written(), window);
+  std::this_thread::sleep_for(30ms);
+  refiner.stop();
+  EXPECT_EQ(passes, 0);
+  EXPECT_EQ(window->colors(), first.color);
+}
+
+TEST_F(IdleRefinerTest, StopsAtOnceAndLeavesTheLastPicture) {
+  scene->settings.noise = 1e-6f;
+  scene->settings.ao.samples = 1024;  // a pass takes long
+  IdleRefiner refiner(tracer, 0ms);
+  for (int i = 0; i < 5; ++i) {
+    window->show(first.width, first.height, first.color);
+    const int before = passes;
+    refiner.start(written(), window);
+    ASSERT_TRUE(waitFor([&] { return passes > before; }));
+    std::this_thread::sleep_for(5ms * i);
+    refiner.stop();
+    const int traced = passes;
+    const std::vector<uint32_t> shown = window->colors();
+    std::this_thread::sleep_for(5ms);
+    EXPECT_EQ(passes, traced);
+    EXPECT_EQ(window->colors(), shown);
+  }
+}
+
+TEST_F(IdleRefinerTest, WindowsMayGo) {
+  IdleRefiner refiner(tracer, 1ms);
+  window->leave();
+  refiner.start(written(), window);
+  std::this_thread::sleep_for(20ms);
+  refiner.start(written(), nullptr);
+  refiner.start({}, window);
+  refiner.stop();
+  EXPECT_EQ(passes, 0);
+}
+
+TEST_F(IdleRefinerTest, EndsWithWorkInHand) {
+  scene->settings.noise = 1e-6f;
+  IdleRefiner refiner(tracer, 0ms);
+  refiner.start(written(), window);
+  waitFor([&] { return passes > 0; });
+}
+
+TEST_F(IdleRefinerTest, AnotherPictureComesFirst) {
+  scene->settings.noise = 1e-6f;
+  IdleRefiner refiner(tracer, 0ms);
+  refiner.start(written(), window);
+  for (int i = 0; i < 20; ++i) {
+    Image image;
+    scene::TraceCost cost;
+    std::string error;
+    ASSERT_TRUE(renderer.render(*scene, image, cost, error)) << error;
+    ASSERT_EQ(image.color, first.color);
+  }
+  const int traced = passes;
+  EXPECT_TRUE(waitFor([&] { return passes > traced + 2; })) << "it goes on afterwards";
+}
+
+TEST_F(IdleRefinerTest, GoesOnFromThePassesSoFar) {
+  scene->settings.refine.passes = 12;
+  scene->settings.noise = 1e-6f;
+  auto refinement = std::make_unique<Refinement>();
+  Refiner before(*scene, *refinement);
+  scene::TraceCost cost;
+  std::string error;
+  const Trace trace = [this](const scene::Snapshot& s, Image& image, scene::TraceCost& c, std::string& why) {
+    return renderer.render(s, image, c, why);
+  };
+  for (int i = 0; i < 8; ++i) ASSERT_TRUE(before.pass(trace, 0, cost, error));
+  before.show(first);
+  window->show(first.width, first.height, first.color);
+  std::vector<IdlePicture> pictures = written();
+  pictures[0].refinement = std::move(refinement);
+  IdleRefiner refiner(tracer, 1ms);
+  refiner.start(std::move(pictures), window);
+  waitForRest();
+  EXPECT_EQ(passes, 4);
+  EXPECT_EQ(window->painted(), 1);
+  refiner.stop();
+  EXPECT_EQ(refiner.take(5)->passes(), 12u);
+}
+
+TEST_F(IdleRefinerTest, SeveralViewsOfAWindowAreRefined) {
+  // Two pictures side by side.
+  auto right = std::make_shared<scene::Snapshot>(*scene);
+  const int w = first.width, h = first.height;
+  std::vector<uint32_t> both(static_cast<size_t>(2 * w * h));
+  for (int y = 0; y < h; ++y)
+    for (int x = 0; x < 2 * w; ++x)
+      both[static_cast<size_t>(y * 2 * w + x)] = first.color[static_cast<size_t>(y * w + x % w)];
+  window->show(2 * w, h, both);
+  std::vector<IdlePicture> pictures = written();
+  pictures.push_back({right, 6, {w, 0}, {w, h}, first.color});
+  IdleRefiner refiner(tracer, 1ms);
+  refiner.start(std::move(pictures), window);
+  waitForRest();
+  const std::vector<uint32_t> after = window->colors();
+  for (int y = 0; y < h; ++y)
+    for (int x = 0; x < w; ++x)
+      ASSERT_EQ(after[static_cast<size_t>(y * 2 * w + x)], after[static_cast<size_t>(y * 2 * w + w + x)]);
+  EXPECT_NE(after, both);
+}
+
+}  // namespace
+}  // namespace gluray::frame
