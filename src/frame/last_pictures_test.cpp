@@ -74,6 +74,37 @@ TEST_F(LastPicturesTest, ChangedSnapshotsAreNotFound) {
   for (size_t i = 0; i < changes.size(); ++i) EXPECT_FALSE(foundAfter(changes[i])) << "change " << i;
 }
 
+TEST_F(LastPicturesTest, SurroundingsAreComparedByContentAndNotKeptAlive) {
+  using A = scene::Surroundings;
+  auto instance = shown_.instances[0];
+  instance.mesh = test::makeMesh(test::squareData(3));
+  auto original = std::make_shared<A>();
+  original->instances = {instance};
+  original->shadings.resize(1);
+  original->blended = {0};
+  shown_.surroundings = original;
+  keep(shown_);
+  const auto foundWith = [&](const std::function<void(A&)>& change) {
+    auto changed = std::make_shared<A>(*original);
+    change(*changed);
+    return foundAfter([&](scene::Snapshot& s) { s.surroundings = changed; });
+  };
+  EXPECT_TRUE(foundWith([](A&) {}));
+  const std::vector<std::function<void(A&)>> changes = {
+      [](A& a) { a.instances[0].worldFromObject[3][1] = 1; },
+      [](A& a) { a.instances[0].mesh = test::makeMesh(test::squareData(4)); },
+      [](A& a) { a.instances.push_back(a.instances[0]), a.blended.push_back(0); },
+      [](A& a) { a.instances.clear(), a.blended.clear(); },
+      [](A& a) { a.shadings[0].lighting = true; },
+      [](A& a) { a.blended[0] = 1; },
+      [](A& a) { a.viewFromWorld[3][0] = 1; },
+  };
+  for (size_t i = 0; i < changes.size(); ++i) EXPECT_FALSE(foundWith(changes[i])) << "change " << i;
+  const std::weak_ptr<const scene::Mesh> mesh = instance.mesh;
+  instance.mesh.reset(), original.reset(), shown_.surroundings.reset();
+  EXPECT_TRUE(mesh.expired());
+}
+
 TEST_F(LastPicturesTest, LayersAreComparedByContent) {
   const auto layered = [&](float depth) {
     scene::Snapshot s = shown_;

@@ -1,30 +1,24 @@
 #include "gl/batch/view_scenes.h"
 
 #include "base/log.h"
-#include "gl/batch/same_camera.h"
 #include "gl/batch/surroundings_maker.h"
 #include "gl/window/clears.h"
 
 #include <algorithm>
-#include <cmath>
 #include <exception>
+#include <iterator>
+#include <utility>
 
 namespace gluray::gl {
 namespace {
 
 constexpr size_t kMostBatches = 256;  // of an epoch that no clear ends
+constexpr size_t kMostAlike = 4;      // ended epochs of one viewport: layers of renderers
+constexpr uint64_t kLongAgo = 256;    // ends
 
 scene::Region united(const scene::Region& a, const scene::Region& b) {
   const int x = std::min(a.x, b.x), y = std::min(a.y, b.y);
   return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
-}
-
-/// A length that tells how far from the eye a snapshot's surfaces are.
-double distanceOf(const scene::Snapshot& s) { return glm::length(glm::dvec3(s.eyeFromWorld[3])); }
-
-std::optional<glm::dmat4> eyeFromEye(const scene::Snapshot& to, const scene::Snapshot& from) {
-  return gl::eyeFromEye(to.camera.clipFromEye, from.camera.clipFromEye,
-                        std::max(distanceOf(to), distanceOf(from)));
 }
 
 /// Passes that draw layers write into textures of their own, which are as large as the view.
@@ -32,20 +26,69 @@ bool drawsAside(const BatchKey& key) {
   return key.layers == BatchKey::Layers::peeled || key.layers == BatchKey::Layers::summed;
 }
 
-}  // namespace
-
-bool ViewScenes::holds(const Epoch& epoch, const BatchKey& key, const scene::Snapshot& s) const {
-  const bool same = epoch.framebuffer == key.framebuffer && epoch.drawBuffer == key.drawBuffer &&
-                    epoch.viewport == key.viewport;
-  const glm::ivec4 &a = epoch.viewport, &b = key.viewport;
-  if (!same && !(drawsAside(key) && a.z == b.z && a.w == b.w)) return false;
-  return eyeFromEye(s, *epoch.batches.front()).has_value();
+bool isAt(const ViewEpoch& epoch, GLuint framebuffer, GLenum drawBuffer, const glm::ivec4& viewport) {
+  return epoch.framebuffer == framebuffer && epoch.drawBuffer == drawBuffer && epoch.viewport == viewport;
 }
 
-ViewScenes::Epoch* ViewScenes::epochOf(const BatchKey& key, const scene::Snapshot& s) {
+bool holds(const ViewEpoch& epoch, const BatchKey& key, const scene::Snapshot& s) {
+  const glm::ivec4 &a = epoch.viewport, &b = key.viewport;
+  if (!isAt(epoch, key.framebuffer, key.drawBuffer, key.viewport) &&
+      !(drawsAside(key) && a.z == b.z && a.w == b.w))
+    return false;
+  return eyeFromEye(s, epoch.first()).has_value();
+}
+
+/// Adds what `last` drew after the batches that are drawn again by now. `first`: of the view in this frame.
+void addLater(const ViewEpoch& last, const Repetition& now, const glm::dmat4& moved,
+              const scene::Snapshot& first, const scene::Snapshot& s, SurroundingsMaker& maker) {
+  maker.nextFrame();
+  for (size_t i = 0; i < now.repeated; ++i) maker.skip(*last.batches[i].snapshot);
+  for (size_t i = now.repeated; i < last.batches.size(); ++i) {
+    const ViewEpoch::Drawn& later = last.batches[i];
+    const auto viewFromPart = eyeFromEye(last.first(), *later.snapshot), eyeFromView = eyeFromEye(s, first);
+    if (!viewFromPart || !eyeFromView) continue;
+    // What stood still while the first surfaces moved does so again.
+    const glm::dmat4 inView = later.still && last.moves ? glm::dmat4(1) : moved;
+    const glm::dmat4 inPart = inView == glm::dmat4(1) || *viewFromPart == glm::dmat4(1)
+                                  ? inView
+                                  : glm::inverse(*viewFromPart) * inView * *viewFromPart;
+    maker.add(*later.snapshot, *eyeFromView * *viewFromPart, inPart);
+  }
+}
+
+/// How the view has moved since the epoch that it repeats, by what was drawn again up to the batch.
+glm::dmat4 movementOf(const ViewEpoch& last, const ViewEpoch* epoch, const Repetition& now,
+                      const scene::Snapshot& s) {
+  Movement movement;
+  size_t repeated = 0;
+  if (epoch)
+    for (const ViewEpoch::Drawn& drawn : epoch->batches) {
+      const Repetition earlier = repetitionOf(last, repeated, *drawn.snapshot);
+      if (earlier.of) movement.compare(*earlier.of->snapshot, *drawn.snapshot);
+      repeated = earlier.repeated;
+    }
+  if (now.of) movement.compare(*now.of->snapshot, s);
+  return movement.shared().value_or(glm::dmat4(1));
+}
+
+}  // namespace
+
+ViewEpoch* ViewScenes::epochOf(const BatchKey& key, const scene::Snapshot& s) {
   const auto found =
-      std::find_if(open_.rbegin(), open_.rend(), [&](const Epoch& e) { return holds(e, key, s); });
+      std::find_if(open_.rbegin(), open_.rend(), [&](const ViewEpoch& e) { return holds(e, key, s); });
   return found == open_.rend() ? nullptr : &*found;
+}
+
+/// The ended epoch that a view repeats which begins with this batch.
+ViewScenes::Ended::iterator ViewScenes::lastOf(const BatchKey& key, const scene::Snapshot& s) {
+  auto found = ended_.end();
+  Likeness best = Likeness::none;
+  for (auto it = ended_.begin(); it != ended_.end(); ++it) {
+    if (!isAt(**it, key.framebuffer, key.drawBuffer, key.viewport)) continue;
+    const Likeness likeness = likenessOf((*it)->first(), s);
+    if (likeness != Likeness::none && likeness >= best) best = likeness, found = it;
+  }
+  return found;
 }
 
 std::shared_ptr<const scene::Surroundings> ViewScenes::around(const BatchKey& key,
@@ -55,12 +98,21 @@ std::shared_ptr<const scene::Surroundings> ViewScenes::around(const BatchKey& ke
     return nullptr;
   }
   try {
-    const Epoch* epoch = epochOf(key, s);
-    if (!epoch) return nullptr;
+    const ViewEpoch* epoch = epochOf(key, s);
+    const ViewEpoch* last = epoch ? epoch->last.get() : nullptr;
+    if (!epoch && !drawsAside(key))
+      if (const auto found = lastOf(key, s); found != ended_.end()) last = found->get();
+    if (!epoch && !last) return nullptr;
     SurroundingsMaker maker(s);
-    for (const scene::SnapshotPtr& earlier : epoch->batches)
-      if (const auto eyeFromPart = eyeFromEye(s, *earlier)) maker.add(*earlier, *eyeFromPart);
-    const scene::Snapshot& first = *epoch->batches.front();
+    const scene::Snapshot& first = epoch ? epoch->first() : s;
+    if (epoch)
+      for (const ViewEpoch::Drawn& earlier : epoch->batches)
+        if (const auto eyeFromPart = eyeFromEye(s, *earlier.snapshot))
+          maker.add(*earlier.snapshot, *eyeFromPart);
+    if (last) {
+      const Repetition now = repetitionOf(*last, epoch ? epoch->repeated : 0, s);
+      addLater(*last, now, movementOf(*last, epoch, now, s), first, s, maker);
+    }
     const glm::dmat4 eyeFromView = *eyeFromEye(s, first) * first.eyeFromWorld;
     return maker.take(eyeFromView == s.eyeFromWorld ? glm::dmat4(1)
                                                     : glm::inverse(eyeFromView) * s.eyeFromWorld);
@@ -75,25 +127,66 @@ std::shared_ptr<const scene::Surroundings> ViewScenes::around(const BatchKey& ke
 void ViewScenes::traced(const BatchKey& key, const scene::SnapshotPtr& snapshot) noexcept {
   if (!scene::needsSurroundings(snapshot->settings)) return;
   try {
-    Epoch* epoch = epochOf(key, *snapshot);
+    ViewEpoch* epoch = epochOf(key, *snapshot);
     // Nothing tells when such an epoch would end.
     if (!epoch && drawsAside(key)) return;
-    if (!epoch)
-      epoch = &open_.emplace_back(Epoch{key.framebuffer, key.drawBuffer, key.viewport, snapshot->region, {}});
+    if (!epoch) {
+      ViewEpoch fresh{key.framebuffer, key.drawBuffer, key.viewport, snapshot->region, {}};
+      if (const auto found = lastOf(key, *snapshot); found != ended_.end())
+        fresh.last = *found, ended_.erase(found);
+      epoch = &open_.emplace_back(std::move(fresh));
+    }
+    ViewEpoch::Drawn drawn{snapshot};
+    if (epoch->last) {
+      const Repetition now = repetitionOf(*epoch->last, epoch->repeated, *snapshot);
+      drawn.still = now.of && isStill(*now.of->snapshot, *snapshot);
+      if (epoch->batches.empty()) epoch->moves = now.of && !drawn.still;
+      epoch->repeated = now.repeated;
+    }
     if (epoch->batches.size() >= kMostBatches) epoch->batches.erase(epoch->batches.begin());
-    epoch->batches.push_back(snapshot);
-    if (!drawsAside(key)) epoch->drawn = united(epoch->drawn, snapshot->region);
+    epoch->batches.push_back(std::move(drawn));
+    if (!drawsAside(key)) epoch->region = united(epoch->region, snapshot->region);
   } catch (const std::exception&) { forget(); }
 }
 
-void ViewScenes::depthCleared(GLuint framebuffer, const scene::Region& box) {
-  std::erase_if(open_, [&](const Epoch& epoch) {
-    return epoch.framebuffer == framebuffer && contains(box, epoch.drawn);
+template <class Ends>
+void ViewScenes::end(const Ends& ends) noexcept {
+  const auto first =
+      std::stable_partition(open_.begin(), open_.end(), [&](const auto& e) { return !ends(e); });
+  if (first == open_.end()) return;
+  ++clock_;
+  try {
+    for (auto epoch = first; epoch != open_.end(); ++epoch) {
+      if (epoch->batches.size() < 2) continue;  // nothing comes later
+      epoch->last.reset();
+      epoch->ended = clock_;
+      ended_.push_back(std::make_shared<const ViewEpoch>(std::move(*epoch)));
+    }
+    open_.erase(first, open_.end());
+    forgetOld();
+  } catch (const std::exception&) { forget(); }
+}
+
+void ViewScenes::forgetOld() {
+  Ended kept;
+  for (auto it = ended_.rbegin(); it != ended_.rend(); ++it) {
+    const ViewEpoch& e = **it;
+    const auto alike = std::count_if(kept.begin(), kept.end(), [&](const auto& k) {
+      return isAt(*k, e.framebuffer, e.drawBuffer, e.viewport);
+    });
+    if (clock_ - e.ended < kLongAgo && static_cast<size_t>(alike) < kMostAlike) kept.push_back(*it);
+  }
+  ended_.assign(kept.rbegin(), kept.rend());
+}
+
+void ViewScenes::depthCleared(GLuint framebuffer, const scene::Region& box) noexcept {
+  end([&](const ViewEpoch& epoch) {
+    return epoch.framebuffer == framebuffer && contains(box, epoch.region);
   });
 }
 
-void ViewScenes::swapped() {
-  std::erase_if(open_, [](const Epoch& epoch) { return epoch.framebuffer == 0; });
+void ViewScenes::swapped() noexcept {
+  end([](const ViewEpoch& epoch) { return epoch.framebuffer == 0; });
 }
 
 }  // namespace gluray::gl

@@ -2,7 +2,7 @@
 // although they are traced in several batches (adr/0047). Empty while no setting asks for light. A part of
 // each Context, GL thread.
 #pragma once
-#include "gl/batch/batch.h"
+#include "gl/batch/view_epoch.h"
 #include "scene/surroundings.h"
 
 #include <memory>
@@ -10,8 +10,11 @@
 
 namespace gluray::gl {
 
-/// A view: one camera and viewport of one framebuffer, from one clear of its depth to the next (a depth
-/// epoch).
+class SurroundingsMaker;
+
+/// A view is one camera and viewport of one framebuffer, from one clear of its depth to the next (a depth
+/// epoch). What was drawn before a batch surrounds it; and of what the last frame drew after it, that it will
+/// be drawn again is taken for granted: at the place where it would be if the camera alone had moved.
 class ViewScenes {
  public:
   /// What surrounds a batch that is about to be traced. Null where nothing does, where no setting asks for
@@ -20,24 +23,23 @@ class ViewScenes {
   /// The batch was traced, or surely will be: it belongs to its view.
   void traced(const BatchKey&, const scene::SnapshotPtr&) noexcept;
   /// Depth of the framebuffer was cleared in `box`: views whose surfaces all lie there begin anew.
-  void depthCleared(GLuint framebuffer, const scene::Region& box);
+  void depthCleared(GLuint framebuffer, const scene::Region& box) noexcept;
   /// The same for the window, whose content is undefined after a swap.
-  void swapped();
-  void forget() { open_.clear(); }
-  bool empty() const { return open_.empty(); }
+  void swapped() noexcept;
+  void forget() { open_.clear(), ended_.clear(); }
+  bool empty() const { return open_.empty() && ended_.empty(); }
 
  private:
-  struct Epoch {
-    GLuint framebuffer = 0;
-    GLenum drawBuffer = 0;
-    glm::ivec4 viewport{0};
-    scene::Region drawn;                      // the regions of all batches lie in it
-    std::vector<scene::SnapshotPtr> batches;  // in the order of drawing, never empty
-  };
-  bool holds(const Epoch&, const BatchKey&, const scene::Snapshot&) const;
-  Epoch* epochOf(const BatchKey&, const scene::Snapshot&);
+  using Ended = std::vector<std::shared_ptr<const ViewEpoch>>;
+  ViewEpoch* epochOf(const BatchKey&, const scene::Snapshot&);
+  Ended::iterator lastOf(const BatchKey&, const scene::Snapshot&);
+  template <class Ends>
+  void end(const Ends&) noexcept;
+  void forgetOld();
 
-  std::vector<Epoch> open_;  // the newest one last
+  std::vector<ViewEpoch> open_;  // the newest one last
+  Ended ended_;                  // those of several batches that no open one repeats; the newest one last
+  uint64_t clock_ = 0;           // counts ends
 };
 
 }  // namespace gluray::gl

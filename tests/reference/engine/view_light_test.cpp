@@ -50,6 +50,7 @@ class Program {
   }
   Gl gl() const { return context_.gl(); }
   Picture frame(const std::vector<Step>& steps) {
+    context_.makeCurrent();
     gl().DepthFunc(GL_LESS);
     gl().Viewport(0, 0, kSize, kSize);
     gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -175,6 +176,83 @@ TEST(ViewLight, AMarkerInACornerNeitherShadesNorIsShaded) {
         const auto at = static_cast<size_t>(y * kSize + x);
         ASSERT_EQ(marked.colors[at], plain.colors[at]) << x << ' ' << y;
       }
+  }
+}
+
+const Step kSplit = [](Gl gl) { gl.DepthFunc(GL_LEQUAL); };
+
+TEST(ViewLight, WhatComesLaterIsKnownFromTheFrameBefore) {
+  Program program(withAo());
+  const std::vector<int> whole = floorOf(frameOf({floor, wall})), alone = floorOf(frameOf({floor}));
+  ASSERT_NE(whole, alone);
+  EXPECT_EQ(floorOf(program.frame({floor, kSplit, wall})), alone);
+  EXPECT_EQ(floorOf(program.frame({floor, kSplit, wall})), whole);
+  EXPECT_EQ(floorOf(program.frame({floor, kSplit, wall})), whole);
+  const uint64_t repeated = program.statistics().repeated;
+  EXPECT_EQ(floorOf(program.frame({floor, kSplit, wall})), whole);
+  EXPECT_EQ(program.statistics().repeated, repeated + 2) << "pictures are used again while nothing changes";
+  EXPECT_EQ(floorOf(program.frame({floor})), whole) << "what the program leaves out is missed a frame later";
+  EXPECT_EQ(floorOf(program.frame({floor})), alone);
+}
+
+/// The mean of the floor's pixels.
+double meanOf(const std::vector<int>& values) {
+  double sum = 0;
+  for (const int value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+TEST(ViewLight, WhatComesLaterMovesWithTheCamera) {
+  const auto turned = [](float degrees) {
+    return Step([degrees](Gl gl) { gl.LoadIdentity(), gl.Rotatef(degrees, 0, 0, 1), gl.Scalef(2, 2, 1); });
+  };
+  Program program(withAo());
+  for (const float degrees : {0.0f, 10.0f, 20.0f}) {
+    const Picture split = program.frame({turned(degrees), floor, kSplit, wall});
+    if (degrees == 0) continue;
+    const std::vector<int> now = floorOf(split), whole = floorOf(frameOf({turned(degrees), floor, wall})),
+                           alone = floorOf(frameOf({turned(degrees), floor}));
+    EXPECT_GT(meanOf(alone) - meanOf(whole), 5);
+    EXPECT_NEAR(meanOf(now), meanOf(whole), 0.05) << "rays differ by the rounding of matrices alone";
+  }
+}
+
+TEST(ViewLight, WhatStandsStillIsNotTakenForTurningWithWhatIsDrawnFirst) {
+  // What is drawn first spins in its place before a camera that stands still.
+  const auto spinning = [](float degrees) {
+    return Step([degrees](Gl gl) {
+      gl.LoadIdentity(), gl.Rotatef(degrees, 0, 0, 1), gl.Scalef(2, 2, 1);
+      floor(gl);
+      gl.LoadIdentity();
+    });
+  };
+  Program program(withAo());
+  for (const float degrees : {0.0f, 90.0f, 180.0f, 270.0f}) {
+    const Picture split = program.frame({spinning(degrees), kSplit, wall});
+    if (degrees <= 90) continue;  // not known yet
+    const std::vector<int> whole = floorOf(frameOf({spinning(degrees), wall}));
+    EXPECT_GT(meanOf(floorOf(frameOf({spinning(degrees)}))) - meanOf(whole), 5);
+    EXPECT_NEAR(meanOf(floorOf(split)), meanOf(whole), 0.05);
+  }
+}
+
+TEST(ViewLight, LayersOfRenderersStayApartFromFrameToFrame) {
+  // Two cameras' pictures one over the other, with a depth clear between them; the wall is in the second.
+  const Step lowerHalf = [](Gl gl) { quad(gl, {-1, -1, 0.4f}, {1, -1, 0.4f}, {1, 0, 0.4f}, {-1, 0, 0.4f}); };
+  const Step speck = [](Gl gl) {
+    quad(gl, {-1, -1, -0.9f}, {-0.99f, -1, -0.9f}, {-0.99f, -0.99f, -0.9f}, {-1, -0.99f, -0.9f});
+  };
+  const Step over = [](Gl gl) { gl.Clear(GL_DEPTH_BUFFER_BIT), gl.DepthFunc(GL_LESS); };
+  Program program(withAo());
+  const auto upper = [](const Picture& picture) {
+    std::vector<int> result = floorOf(picture);
+    return std::vector<int>(result.begin() + static_cast<std::ptrdiff_t>(result.size() / 2 + 112),
+                            result.end());
+  };
+  const std::vector<int> alone = upper(frameOf({floor, speck}));
+  for (int i = 0; i < 4; ++i) {
+    const Picture both = program.frame({floor, kSplit, speck, over, lowerHalf, kSplit, wall});
+    EXPECT_EQ(upper(both), alone) << "frame " << i;
   }
 }
 

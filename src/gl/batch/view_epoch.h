@@ -1,0 +1,63 @@
+// One view during one depth epoch: what was traced in it, and the epoch of an earlier frame that it repeats.
+// Kept by ViewScenes, GL thread.
+#pragma once
+#include "gl/batch/batch.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace gluray::gl {
+
+/// The matrix from the eye space of one snapshot to that of another; none where cameras differ.
+std::optional<glm::dmat4> eyeFromEye(const scene::Snapshot& to, const scene::Snapshot& from);
+
+struct ViewEpoch {
+  struct Drawn {
+    scene::SnapshotPtr snapshot;
+    bool still = false;  // in eye space, since the frame before; false if unknown
+  };
+  GLuint framebuffer = 0;
+  GLenum drawBuffer = 0;
+  glm::ivec4 viewport{0};
+  scene::Region region;        // the regions of all batches lie in it
+  std::vector<Drawn> batches;  // in the order of drawing, not empty
+  bool moves = false;          // what was drawn first has moved in eye space since the frame before
+  uint64_t ended = 0;          // when
+  std::shared_ptr<const ViewEpoch> last;  // null: nothing is known
+  size_t repeated = 0;                    // number of its batches that are drawn again by now
+
+  const scene::Snapshot& first() const { return *batches.front().snapshot; }
+};
+
+/// Where a batch stands in the frame that is drawn again.
+struct Repetition {
+  size_t repeated = 0;                   // number of `last`'s batches that are drawn again with this one
+  const ViewEpoch::Drawn* of = nullptr;  // the one that this batch repeats; null: none
+};
+Repetition repetitionOf(const ViewEpoch& last, size_t repeated, const scene::Snapshot&);
+
+/// Whether a view that begins with this batch is likely to repeat the epoch.
+enum class Likeness : uint8_t { none, resembles, same };
+Likeness likenessOf(const scene::Snapshot& earlier, const scene::Snapshot& now);
+
+/// How what most surfaces show has moved in eye space between two frames, by the surfaces of these batches,
+/// of which each repeats the other.
+class Movement {
+ public:
+  void compare(const scene::Snapshot& before, const scene::Snapshot& now);
+  /// The movement that most surfaces share; none where nothing could be compared.
+  std::optional<glm::dmat4> shared() const;
+
+ private:
+  static constexpr size_t kMost = 16;  // surfaces are enough
+  std::vector<glm::dmat4> moved_;
+};
+
+/// Whether all surfaces have equal places in eye space.
+bool isStill(const scene::Snapshot& before, const scene::Snapshot& now);
+
+}  // namespace gluray::gl
