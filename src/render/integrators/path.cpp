@@ -44,6 +44,7 @@ Path::Path(const FrameData& of)
       metric(of),
       occluders(*of.snapshot, of.surfaces),
       lights(of),
+      materials(of.surfaces.size(), MaterialModel::of(of.snapshot->settings, metric.diagonal)),
       seen(surfaceColors(of, true)),
       environment(std::make_shared<Dome>(glm::vec3(of.snapshot->settings.environment.strength))),
       lightScale(of.snapshot->settings.path.lights),
@@ -52,6 +53,11 @@ Path::Path(const FrameData& of)
       mostIndirect(of.snapshot->settings.path.clamp),
       mirrored(View(of.snapshot->camera).areaSign < 0) {
   if (paintsEdges(*of.snapshot)) unseen = surfaceColors(of, false);
+  for (size_t i = 0; i < materials.size(); ++i)
+    if (of.surfaces[i].lighting && isUnlit(*of.surfaces[i].lighting->shading)) materials[i] = {};
+  hasGlass = std::any_of(materials.begin(), materials.end(),
+                         [](const MaterialModel& m) { return m.isTransparent(); });
+  bsdf::ggxMeanAlbedo(1);  // makes its table
 }
 
 uint32_t Path::firstSample(int sample) const {
@@ -60,7 +66,18 @@ uint32_t Path::firstSample(int sample) const {
   return (pass * perPixel + static_cast<uint32_t>(sample)) * static_cast<uint32_t>(samples);
 }
 
-bsdf::Any Path::materialOf(const PathVertex& v) const { return bsdf::Lambert{v.albedo}; }
+bsdf::Any Path::bsdfOf(const PathVertex& v, bool inside) const {
+  const scene::FragmentShading& fragment = frame.surfaces[v.instance].lighting->shading->fragment;
+  const MaterialModel& material = materials[v.instance];
+  if (material.isProgram() && fragment.model == scene::FragmentShading::Model::pbr)
+    return vtkBsdf(fragment.pbr, v.albedo);
+  return material.bsdf(v.albedo, inside);
+}
+
+float Path::irradianceOfOne(const PathVertex& v) const {
+  const scene::FragmentShading& fragment = frame.surfaces[v.instance].lighting->shading->fragment;
+  return fragment.model == scene::FragmentShading::Model::pbr ? 1 : bsdf::kPi;
+}
 
 void Path::light(const ColoredHits& hits, ColorRows& rows) const noexcept {
   HWY_DYNAMIC_DISPATCH(lightByPaths)(*this, hits, rows);
