@@ -1,5 +1,7 @@
 #include "render/integrators/direct_look.h"
 
+#include "render/integrators/integrator.h"
+
 namespace gluray::render {
 namespace {
 
@@ -29,8 +31,7 @@ DirectLook::DirectLook(const FrameData& frame)
 std::unique_ptr<const DirectLook> makeDirectLook(const FrameData& frame) {
   const Settings& settings = frame.snapshot->settings;
   const bool ao = settings.ao.enabled || settings.integrator == LightIntegrator::ao;
-  if (!ao || settings.integrator == LightIntegrator::path || settings.ao.on != AmbientOcclusionOn::ambient)
-    return nullptr;
+  if (!ao || tracesPaths(settings) || settings.ao.on != AmbientOcclusionOn::ambient) return nullptr;
   return std::make_unique<DirectLook>(frame);
 }
 

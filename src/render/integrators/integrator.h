@@ -26,6 +26,11 @@ class Integrator {
   virtual void light(const ColoredHits&, ColorRows&) const noexcept = 0;
 };
 
+/// Whether paths take the place of the local look.
+inline bool tracesPaths(const Settings& s) {
+  return s.integrator == LightIntegrator::path || s.integrator == LightIntegrator::whitted;
+}
+
 /// The integrator that the snapshot's settings ask for; null where they ask for the local look alone.
 std::unique_ptr<const Integrator> makeIntegrator(const FrameData&);
 

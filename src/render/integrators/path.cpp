@@ -1,7 +1,10 @@
 #include "render/integrators/path.h"
 
+#include "render/bsdf/material_rules.h"
 #include "render/integrators/path_vertex.h"
-#include "render/lights/dome.h"
+#include "render/lights/make_environment.h"
+
+#include <algorithm>
 
 #define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
@@ -44,17 +47,16 @@ Path::Path(const FrameData& of)
       metric(of),
       occluders(*of.snapshot, of.surfaces),
       lights(of),
-      materials(of.surfaces.size(), MaterialModel::of(of.snapshot->settings, metric.diagonal)),
+      materials(materialsOf(*of.snapshot, metric.diagonal)),
       seen(surfaceColors(of, true)),
-      environment(std::make_shared<Dome>(glm::vec3(of.snapshot->settings.environment.strength))),
+      environment(makeEnvironment(of.snapshot->settings, of.snapshot->eyeFromWorld)),
       lightScale(of.snapshot->settings.path.lights),
       samples(of.snapshot->settings.path.samples),
       depth(of.snapshot->settings.path.depth),
       mostIndirect(of.snapshot->settings.path.clamp),
+      bounces(of.snapshot->settings.integrator == LightIntegrator::path),
       mirrored(View(of.snapshot->camera).areaSign < 0) {
   if (paintsEdges(*of.snapshot)) unseen = surfaceColors(of, false);
-  for (size_t i = 0; i < materials.size(); ++i)
-    if (of.surfaces[i].lighting && isUnlit(*of.surfaces[i].lighting->shading)) materials[i] = {};
   hasGlass = std::any_of(materials.begin(), materials.end(),
                          [](const MaterialModel& m) { return m.isTransparent(); });
   bsdf::ggxMeanAlbedo(1);  // makes its table

@@ -48,6 +48,7 @@ class Path final : public Integrator {
   int samples;         // paths a pixel's sample
   int depth;           // vertices of a path
   float mostIndirect;  // firefly clamp: largest component of what one path brings from bounces; 0: any
+  bool bounces;        // false: only mirrors and glass send paths on (T. Whitted, 1980)
   bool hasGlass = false;
   bool mirrored;  // the projection mirrors the window
 };

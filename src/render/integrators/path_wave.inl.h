@@ -45,6 +45,7 @@ class Wave {
       // Light that the surface itself emits.
       emit();
       if (depth_ == path_.depth) return;
+      alive_ &= ~ending_;
       // Light of the lights, straight from them.
       sampleLights();
       // Light of the environment, straight from it.
@@ -182,6 +183,7 @@ class Wave {
   glm::vec3 radiance_[kLanes] = {};
   int64_t body_[kLanes];              // instance whose inside the path is in; -1: none
   glm::vec3 bodyColor_[kLanes] = {};  // of that
+  uint32_t ending_ = 0;               // bit i: path i ends at its next surface
   float pdf_[kLanes] = {};            // of way_; 0 where the environment is not asked otherwise
 };
 
@@ -281,6 +283,7 @@ HWY_ATTR inline void Wave::scatter() {
     if (next.wi.z < 0 && path_.materials[at.instance].isBody()) cross(i);
     way_[i] = glm::normalize(way);
     pdf_[i] = next.exact ? 0 : next.pdf;
+    if (!path_.bounces && !next.exact) ending_ |= 1u << i;
     if (!(largestOf(throughput_[i]) > 0) || !isUsable(way_[i])) alive_ &= ~(1u << i);
   });
 }
