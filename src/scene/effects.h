@@ -4,7 +4,10 @@
 
 namespace gluray::scene {
 
-inline bool wantsPaths(const Settings& s) { return s.integrator == LightIntegrator::path; }
+/// Whether paths take the place of the local look.
+inline bool wantsPaths(const Settings& s) {
+  return s.integrator == LightIntegrator::path || s.integrator == LightIntegrator::whitted;
+}
 inline bool wantsOcclusion(const Settings& s) {
   return !wantsPaths(s) && (s.ao.enabled || s.integrator == LightIntegrator::ao) && s.ao.strength > 0;
 }

@@ -29,6 +29,7 @@ class Integrator {
   /// Changes colours of the group's lanes; those of others have no meaning.
   virtual void light(const ColoredHits&, ColorRows&) const noexcept = 0;
 };
+
 /// The integrator that the snapshot's settings ask for; null where they ask for the local look alone.
 std::unique_ptr<const Integrator> makeIntegrator(const FrameData&);
 

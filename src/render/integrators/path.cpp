@@ -1,7 +1,10 @@
 #include "render/integrators/path.h"
 
+#include "render/bsdf/material_rules.h"
 #include "render/integrators/path_vertex.h"
-#include "render/lights/dome.h"
+#include "render/lights/make_environment.h"
+
+#include <algorithm>
 
 #define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
@@ -44,14 +47,19 @@ Path::Path(const FrameData& of)
       metric(of),
       occluders(*of.snapshot, of.surfaces),
       lights(of),
+      materials(materialsOf(*of.snapshot, metric.diagonal)),
       seen(surfaceColors(of, true)),
-      environment(std::make_shared<Dome>(glm::vec3(of.snapshot->settings.environment.strength))),
+      environment(makeEnvironment(of.snapshot->settings, of.snapshot->eyeFromWorld)),
       lightScale(of.snapshot->settings.path.lights),
       samples(of.snapshot->settings.path.samples),
       depth(of.snapshot->settings.path.depth),
       mostIndirect(of.snapshot->settings.path.clamp),
+      bounces(of.snapshot->settings.integrator == LightIntegrator::path),
       mirrored(View(of.snapshot->camera).areaSign < 0) {
   if (paintsEdges(*of.snapshot)) unseen = surfaceColors(of, false);
+  hasGlass = std::any_of(materials.begin(), materials.end(),
+                         [](const MaterialModel& m) { return m.isTransparent(); });
+  bsdf::ggxMeanAlbedo(1);  // makes its table
 }
 
 uint32_t Path::firstSample(int sample) const {
@@ -60,7 +68,18 @@ uint32_t Path::firstSample(int sample) const {
   return (pass * perPixel + static_cast<uint32_t>(sample)) * static_cast<uint32_t>(samples);
 }
 
-bsdf::Any Path::materialOf(const PathVertex& v) const { return bsdf::Lambert{v.albedo}; }
+bsdf::Any Path::bsdfOf(const PathVertex& v, bool inside) const {
+  const scene::FragmentShading& fragment = frame.surfaces[v.instance].lighting->shading->fragment;
+  const MaterialModel& material = materials[v.instance];
+  if (material.isProgram() && fragment.model == scene::FragmentShading::Model::pbr)
+    return vtkBsdf(fragment.pbr, v.albedo);
+  return material.bsdf(v.albedo, inside);
+}
+
+float Path::irradianceOfOne(const PathVertex& v) const {
+  const scene::FragmentShading& fragment = frame.surfaces[v.instance].lighting->shading->fragment;
+  return fragment.model == scene::FragmentShading::Model::pbr ? 1 : bsdf::kPi;
+}
 
 void Path::light(const ColoredHits& hits, ColorRows& rows) const noexcept {
   HWY_DYNAMIC_DISPATCH(lightByPaths)(*this, hits, rows);

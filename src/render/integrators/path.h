@@ -1,6 +1,6 @@
 // Path tracing: light that bounces between surfaces before it reaches the viewer.
 #pragma once
-#include "render/bsdf/any.h"
+#include "render/bsdf/material_model.h"
 #include "render/integrators/altered_look.h"
 #include "render/integrators/integrator.h"
 #include "render/integrators/metric.h"
@@ -9,6 +9,7 @@
 #include "render/lights/program_lights.h"
 
 #include <memory>
+#include <vector>
 
 namespace gluray::render {
 
@@ -30,19 +31,26 @@ class Path final : public Integrator {
   uint32_t firstSample(int sample) const;
   /// Colours where paths meet surfaces that the camera does not look at.
   const SurfaceColors& bounced() const { return unseen.albedo ? unseen : seen; }
-  bsdf::Any materialOf(const PathVertex&) const;
+  /// `inside`: the path comes from within the surface's body.
+  bsdf::Any bsdfOf(const PathVertex&, bool inside) const;
+  /// A light of colour 1 has this irradiance: pi, so that a white diffuse surface that faces it shows 1;
+  /// VTK's physically based shading has 1.
+  float irradianceOfOne(const PathVertex&) const;
 
   const FrameData& frame;
   Metric metric;
   Occluders occluders;
   ProgramLights lights;
-  SurfaceColors seen, unseen;  // of hits of the camera, of others where they differ
+  std::vector<MaterialModel> materials;  // one for each instance
+  SurfaceColors seen, unseen;            // of hits of the camera, of others where they differ
   std::shared_ptr<const Environment> environment;
   float lightScale;    // of the program's lights
   int samples;         // paths a pixel's sample
   int depth;           // vertices of a path
   float mostIndirect;  // firefly clamp: largest component of what one path brings from bounces; 0: any
-  bool mirrored;       // the projection mirrors the window
+  bool bounces;        // false: only mirrors and glass send paths on (T. Whitted, 1980)
+  bool hasGlass = false;
+  bool mirrored;  // the projection mirrors the window
 };
 
 }  // namespace gluray::render

@@ -134,6 +134,51 @@ TEST(Path, PhongSurfacesOfProgramsAreAsBrightAsTheirLocalLook) {
   expectEqualPictures(radiances(s), radiances(local(s)), 2e-3f);
 }
 
+TEST(Path, HighlightsAreThoseOfTheLocalLook) {
+  scene::Snapshot s = test::pathView({test::ballMesh(60)});
+  s.settings.environment.strength = 0;
+  s.settings.path.depth = 1, s.settings.path.samples = 64;
+  s.shadings[0].globalAmbient = {0, 0, 0, 1};
+  s.shadings[0].normalize = true;
+  scene::Material& m = s.instances[0].materials[0].front;
+  m.diffuse = {0.4f, 0.3f, 0.2f, 1}, m.specular = {0.5f, 0.4f, 0.3f, 1}, m.shininess = 12;
+  s.shadings[0].lights = {lightAt({0.3f, 0.2f, 1, 0}, glm::vec3(0.8f))};
+  s.shadings[0].lights[0].specular = {0.6f, 0.7f, 0.8f, 1};
+  for (const bool localViewer : {false, true}) {
+    s.shadings[0].localViewer = localViewer;
+    expectEqualPictures(radiances(s), radiances(local(s)), 3e-3f);
+  }
+  s.shadings[0].fragment.model = scene::FragmentShading::Model::phong;
+  s.shadings[0].fragment.lights.resize(1);
+  s.instances[0].lightingFromObject = glm::mat4(s.instances[0].eyeFromObject);
+  m.ambient = {0, 0, 0, 1};
+  using Light = scene::FragmentLight;
+  for (const auto kind : {Light::headlight, Light::directional})
+    for (const auto specular :
+         {scene::FragmentShading::Specular::half, scene::FragmentShading::Specular::reflect}) {
+      s.shadings[0].fragment.lights[0].kind = kind;
+      s.shadings[0].fragment.specular = specular;
+      expectEqualPictures(radiances(s), radiances(local(s)), 3e-3f);
+    }
+}
+
+TEST(Path, VtksPhysicallyBasedSurfacesAreAsBrightAsTheirLocalLook) {
+  scene::Snapshot s = test::pathView({test::ballMesh(60)});
+  s.settings.environment.strength = 0;
+  s.settings.path.depth = 1, s.settings.path.samples = 64;
+  s.shadings[0].fragment.model = scene::FragmentShading::Model::pbr;
+  s.shadings[0].fragment.lights.resize(1);
+  s.shadings[0].fragment.lights[0].color = glm::vec3(3);
+  s.instances[0].lightingFromObject = glm::mat4(s.instances[0].eyeFromObject);
+  s.instances[0].materials[0].front.diffuse = {0.7f, 0.5f, 0.3f, 1};
+  s.shadings[0].fragment.pbr.emissive = {0.1f, 0.05f, 0};
+  for (const float metallic : {0.0f, 0.5f, 1.0f})
+    for (const float roughness : {0.2f, 0.5f, 0.9f}) {
+      s.shadings[0].fragment.pbr.metallic = metallic, s.shadings[0].fragment.pbr.roughness = roughness;
+      expectEqualPictures(radiances(s), radiances(local(s)), 6e-3f);
+    }
+}
+
 TEST(Path, LightsAreHiddenBySurfacesInTheirWay) {
   scene::Snapshot s =
       test::pathView({test::backWall(), test::parallelogram({100, 0, 100}, {0, 90, 0}, {0, 0, 90})});

@@ -16,6 +16,8 @@ struct PathVertex {
   float error = 0;        // bound of the rounding errors of `point`
   glm::vec3 albedo{0};    // the surface's own colour
   glm::vec3 emission{0};  // of surfaces without lighting: their colour
+  glm::vec3 specular{0};  // colour of the highlights that the program's equation has
+  float shininess = 0;    // their exponent
   float opacity = 1;      // the rest goes straight through
   uint32_t instance = 0;
   bool front = true;  // the path comes from the side that the surface's winding calls its front

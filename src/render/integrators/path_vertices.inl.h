@@ -99,7 +99,12 @@ HWY_ATTR inline void colorVertices(const Path& path, const SurfaceColors& colors
   const uint32_t ccw = mirrored ? ~rows.ccw : rows.ccw, back = (s.frontIsCcw ? ~ccw : ccw) & group.lanes;
   LitRows albedo, emission;
   shade(path.frame, (*colors.albedo)[instance], group, back, x, y, albedo);
-  const bool unlit = isUnlit(*s.lighting->shading), emits = colors.emission && !unlit;
+  const MaterialModel& model = path.materials[instance];
+  const scene::Shading& shading = *s.lighting->shading;
+  const bool program = shading.fragment.model != scene::FragmentShading::Model::off;
+  const bool sided = program ? shading.fragment.backMaterial : shading.twoSided;
+  const bool unlit = isUnlit(shading) && model.isProgram();
+  const bool emits = colors.emission && !isUnlit(shading);
   if (emits) shade(path.frame, (*colors.emission)[instance], group, back, x, y, emission);
   const auto at = [](const Row* r, int i) { return glm::vec3(r[0][i], r[1][i], r[2][i]); };
   for (uint32_t lanes = group.lanes; lanes; lanes &= lanes - 1) {
@@ -112,6 +117,10 @@ HWY_ATTR inline void colorVertices(const Path& path, const SurfaceColors& colors
     v.albedo = unlit ? glm::vec3(0) : glm::clamp(color, 0.0f, 1.0f);
     v.emission = unlit ? color : emits ? at(emission.value, i) : glm::vec3(0);
     v.opacity = albedo.value[3][i];
+    const bool backMaterial = sided && (back >> i & 1);
+    const scene::Material& m = faceOf(s.materials[materialIndex(s, group.vertex[2][i])], backMaterial);
+    v.specular = model.isProgram() ? glm::vec3(m.specular) : glm::vec3(0);
+    v.shininess = m.shininess;
     v.instance = instance;
     v.front = !(back >> i & 1);
   }

@@ -7,6 +7,7 @@
 #define GLURAY_RENDER_INTEGRATORS_PATH_WAVE_INL_H_
 #endif
 
+#include "render/integrators/clear_shadows.h"
 #include "render/integrators/path_vertices.inl.h"
 #include "render/sampling/sobol.inl.h"
 
@@ -33,6 +34,7 @@ class Wave {
   Wave(const Path& path, const ColoredHits& hits, const PixelSeeds& seeds, uint32_t index,
        const PathVertices& camera, const Row (&from)[3])
       : path_(path), hits_(hits), seeds_(seeds), index_(index), vertices_(camera), alive_(hits.group.lanes) {
+    std::fill_n(body_, kLanes, int64_t{-1});
     for (int i = 0; i < kLanes; ++i)
       back_[i] = {from[0][i], from[1][i], from[2][i]}, throughput_[i] = glm::vec3(1);
   }
@@ -43,6 +45,7 @@ class Wave {
       // Light that the surface itself emits.
       emit();
       if (depth_ == path_.depth) return;
+      alive_ &= ~ending_;
       // Light of the lights, straight from them.
       sampleLights();
       // Light of the environment, straight from it.
@@ -72,6 +75,24 @@ class Wave {
     for (uint32_t lanes = alive_; lanes; lanes &= lanes - 1) body(std::countr_zero(lanes));
   }
 
+  /// Whether the path comes to vertex i from within the body of its surface. Paths know which body they are
+  /// in, so that triangles may be wound in either order.
+  bool isInside(int i) const { return body_[i] == static_cast<int64_t>(vertices_.lane[i].instance); }
+  /// The path goes through the surface at vertex i.
+  void cross(int i) {
+    const PathVertex& v = vertices_.lane[i];
+    body_[i] = isInside(i) ? -1 : static_cast<int64_t>(v.instance);
+    bodyColor_[i] = v.albedo;
+  }
+
+  /// Unit vector to the viewer that highlights are computed for.
+  glm::vec3 viewerOf(int i) const {
+    const scene::Shading& shading = *path_.frame.surfaces[vertices_.lane[i].instance].lighting->shading;
+    const bool atInfinity =
+        shading.fragment.model == scene::FragmentShading::Model::off && !shading.localViewer;
+    return depth_ == 0 && atInfinity ? glm::vec3(0, 0, 1) : back_[i];
+  }
+
   /// Adds light that arrives at the viewer along a path.
   void add(int i, glm::vec3 light) {
     light *= throughput_[i];
@@ -91,6 +112,17 @@ class Wave {
   HWY_ATTR void scatter();
   HWY_ATTR void roulette();
   HWY_ATTR void extend();
+  /// Light loses its way through bodies (Beer and Lambert).
+  void absorb(uint32_t lanes, const accel::RayPacket& packet) {
+    for (; lanes; lanes &= lanes - 1) {
+      const int i = std::countr_zero(lanes);
+      if (body_[i] < 0) continue;
+      const float length = path_.materials[static_cast<size_t>(body_[i])].absorption;
+      if (length > 0)
+        throughput_[i] *= glm::pow(bodyColor_[i], glm::vec3((packet.tFar[i] - packet.tNear[i]) / length));
+    }
+  }
+
   uint32_t passing(uint32_t lanes, Row& u, accel::RayPacket& packet) const;
 
   /// The path of lane i meets nothing and sees the environment.
@@ -117,7 +149,18 @@ class Wave {
     rays.tNear[i] = 0, rays.tFar[i] = tFar;
   }
 
-  /// The share of light that reaches the vertices of `lanes` along rays aimed there.
+  /// The share of the lights' light that reaches the vertices of `lanes` along rays aimed there.
+  HWY_ATTR void transmitFromLights(uint32_t lanes, accel::OcclusionRays& rays,
+                                   float (&through)[kLanes]) const {
+    if (!path_.hasGlass) return transmit(lanes, rays, through);
+    alignas(64) int32_t valid[kLanes];
+    for (int i = 0; i < kLanes; ++i) valid[i] = lanes >> i & 1 ? -1 : 0;
+    const ClearShadows light(path_.occluders, path_.materials);
+    const uint32_t blocked = path_.frame.world->occluded(valid, rays, &light);
+    for (int i = 0; i < kLanes; ++i) through[i] = blocked >> i & 1 ? 0 : light.through[i];
+  }
+
+  /// The share of the environment's light that reaches the vertices of `lanes` along rays aimed there.
   HWY_ATTR void transmit(uint32_t lanes, accel::OcclusionRays& rays, float (&through)[kLanes]) const {
     alignas(64) int32_t valid[kLanes];
     for (int i = 0; i < kLanes; ++i) valid[i] = lanes >> i & 1 ? -1 : 0;
@@ -138,7 +181,10 @@ class Wave {
   glm::vec3 way_[kLanes] = {};    // the next direction, unit length
   glm::vec3 throughput_[kLanes];  // share of light at the vertex that reaches the viewer
   glm::vec3 radiance_[kLanes] = {};
-  float pdf_[kLanes] = {};  // of way_; 0 where the environment is not asked otherwise
+  int64_t body_[kLanes];              // instance whose inside the path is in; -1: none
+  glm::vec3 bodyColor_[kLanes] = {};  // of that
+  uint32_t ending_ = 0;               // bit i: path i ends at its next surface
+  float pdf_[kLanes] = {};            // of way_; 0 where the environment is not asked otherwise
 };
 
 /// One light for each path, chosen by what all of them would give if nothing were in their way.
@@ -152,15 +198,18 @@ HWY_ATTR inline void Wave::sampleLights() {
     const PathVertex& v = vertices_.lane[i];
     const bsdf::LocalFrame local(v.shading);
     const glm::vec3 wo = local.toLocal(back_[i]);
-    const bsdf::Any material = path_.materialOf(v);
+    const bsdf::Any material = path_.bsdfOf(v, isInside(i));
+    const float irradiance = path_.irradianceOfOne(v) * path_.lightScale;
     float total = 0;
     ArrivingLight chosen;
     float share = 0, rest = u[i];
     for (uint32_t l = 0; l < path_.lights.countOf(v.instance); ++l) {
       const ArrivingLight light = path_.lights.at(v.instance, l, v.point);
-      // A light of colour 1 has irradiance pi: a white diffuse surface that faces it shows 1.
-      const glm::vec3 value = bsdf::evaluate(material, wo, local.toLocal(light.direction)) * light.color *
-                              (bsdf::kPi * path_.lightScale);
+      glm::vec3 value =
+          bsdf::evaluate(material, wo, local.toLocal(light.direction)) * light.color * irradiance;
+      if (v.specular != glm::vec3(0))
+        value += path_.lightScale * v.specular *
+                 path_.lights.highlight(v.instance, l, light, v.shading, viewerOf(i), v.shininess);
       const float weight = value.x + value.y + value.z;
       if (!(weight > 0) || !std::isfinite(weight)) continue;
       // Weighted reservoir of one, by a single random number.
@@ -182,7 +231,7 @@ HWY_ATTR inline void Wave::sampleLights() {
   });
   if (!lanes) return;
   float through[kLanes];
-  transmit(lanes, rays, through);
+  transmitFromLights(lanes, rays, through);
   for (; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
     if (through[i] > 0) add(i, brought[i] * through[i]);
@@ -201,7 +250,7 @@ HWY_ATTR inline void Wave::sampleEnvironment() {
     if (!(sky.pdf > 0)) return;
     const bsdf::LocalFrame local(at.shading);
     const glm::vec3 wo = local.toLocal(back_[i]), wi = local.toLocal(sky.direction);
-    const bsdf::Any material = path_.materialOf(at);
+    const bsdf::Any material = path_.bsdfOf(at, isInside(i));
     const glm::vec3 value = bsdf::evaluate(material, wo, wi);
     if (!(largestOf(value) > 0)) return;
     brought[i] = value * sky.radiance * (powerHeuristic(sky.pdf, bsdf::pdf(material, wo, wi)) / sky.pdf);
@@ -225,14 +274,16 @@ HWY_ATTR inline void Wave::scatter() {
     const PathVertex& at = vertices_.lane[i];
     const bsdf::LocalFrame local(at.shading);
     const bsdf::Scattered next =
-        bsdf::sample(path_.materialOf(at), local.toLocal(back_[i]), {u[i], v[i]}, lobe[i]);
+        bsdf::sample(path_.bsdfOf(at, isInside(i)), local.toLocal(back_[i]), {u[i], v[i]}, lobe[i]);
     throughput_[i] *= next.weight;
     glm::vec3 way = local.fromLocal(next.wi);
-    // Reflected light stays above the triangle, where the smooth normal leans it below.
+    // Reflected light stays above the triangle, where the smooth normal leans it below; and the reverse.
     const float height = glm::dot(way, at.geometric);
-    if (next.wi.z > 0 && height < 0) way -= 2 * height * at.geometric;
+    if (next.wi.z * height < 0) way -= 2 * height * at.geometric;
+    if (next.wi.z < 0 && path_.materials[at.instance].isBody()) cross(i);
     way_[i] = glm::normalize(way);
     pdf_[i] = next.exact ? 0 : next.pdf;
+    if (!path_.bounces && !next.exact) ending_ |= 1u << i;
     if (!(largestOf(throughput_[i]) > 0) || !isUsable(way_[i])) alive_ &= ~(1u << i);
   });
 }
@@ -309,6 +360,7 @@ HWY_ATTR inline void Wave::extend() {
         escape(i);
     }
     alive_ &= ~(under & ~hits);
+    absorb(hits, packet);
     if (hits) bouncedVertices(path_, packet, hits, back, hits_.x, hits_.y, vertices_);
     if (path_.occluders.areSolid()) return;
     under = passing(hits, u, packet);

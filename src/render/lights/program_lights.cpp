@@ -32,25 +32,27 @@ void aim(const glm::vec3& position, const glm::vec3& point, ArrivingLight& light
 
 /// GL 2.1, 2.14.1.
 ArrivingLight arriving(const PreparedLight& l, const glm::vec3& point) {
-  ArrivingLight light{l.position, kInfinite, l.diffuse};
+  ArrivingLight light{l.position, kInfinite, l.diffuse, l.specular};
+  float factor = 1;
   if (!l.directional) {
     aim(l.position, point, light);
-    if (l.attenuated) light.color *= attenuation(l.attenuation, light.distance);
+    if (l.attenuated) factor *= attenuation(l.attenuation, light.distance);
     light.atViewer = l.position == glm::vec3(0);
   }
-  if (l.spot)
-    light.color *= inCone(-glm::dot(light.direction, l.spotDirection), l.spotCosCutoff, l.spotExponent);
+  if (l.spot) factor *= inCone(-glm::dot(light.direction, l.spotDirection), l.spotCosCutoff, l.spotExponent);
+  light.color *= factor, light.specular *= factor;
   return light;
 }
 
 ArrivingLight arriving(const scene::FragmentLight& l, float coneCosine, const glm::vec3& point) {
-  ArrivingLight light{-l.direction, kInfinite, l.color};
+  ArrivingLight light{-l.direction, kInfinite, l.color, l.color};
   light.atViewer = l.kind == scene::FragmentLight::headlight;
   if (l.kind != scene::FragmentLight::positional) return light;
   aim(l.position, point, light);
   light.color *= attenuation(l.attenuation, light.distance);
   if (l.coneAngle < 90)
     light.color *= inCone(-glm::dot(light.direction, l.direction), coneCosine, l.exponent);
+  light.specular = light.color;
   return light;
 }
 
@@ -84,6 +86,28 @@ ArrivingLight ProgramLights::at(uint32_t instance, uint32_t index, const glm::ve
   const float scale = glm::length(back);
   if (scale > 0) light.direction = back / scale, light.distance /= scale;
   return light;
+}
+
+glm::vec3 ProgramLights::highlight(uint32_t instance, uint32_t index, const ArrivingLight& light,
+                                   const glm::vec3& normal, const glm::vec3& toViewer,
+                                   float shininess) const {
+  const scene::Shading& shading = *surfaces_[instance].lighting->shading;
+  const scene::FragmentShading& f = shading.fragment;
+  const float cosine = glm::dot(normal, light.direction);
+  if (!(cosine > 0)) return glm::vec3(0);
+  float base;
+  if (isProgram(surfaces_[instance])) {
+    if (f.model != scene::FragmentShading::Model::phong) return glm::vec3(0);
+    if (f.lights[index].kind == scene::FragmentLight::headlight)
+      base = cosine;
+    else if (f.specular == scene::FragmentShading::Specular::half)
+      base = glm::dot(normal, glm::normalize(toViewer + light.direction));
+    else
+      base = std::max(glm::dot(2 * cosine * normal - light.direction, toViewer), 1e-5f);
+  } else {
+    base = glm::dot(normal, glm::normalize(light.direction + toViewer));
+  }
+  return light.specular * std::pow(std::clamp(base, 0.0f, 1.0f), shininess);
 }
 
 }  // namespace gluray::render

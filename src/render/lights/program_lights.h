@@ -14,6 +14,7 @@ struct ArrivingLight {
   float distance = 0;            // infinite of directional lights
   /// The light's colour after attenuation and cone: what a white diffuse surface shows that faces the light.
   glm::vec3 color{0};
+  glm::vec3 specular{0};  // the same of highlights
   bool atViewer = false;  // reaches whatever the viewer sees
 };
 
@@ -24,6 +25,10 @@ class ProgramLights {
   uint32_t countOf(uint32_t instance) const;
   /// Light `index` of the surface at an eye-space point of it.
   ArrivingLight at(uint32_t instance, uint32_t index, const glm::vec3& point) const;
+  /// The highlight that the surface's equation gives a light as at() returned it, without the material's
+  /// colour. `toViewer`: unit length.
+  glm::vec3 highlight(uint32_t instance, uint32_t index, const ArrivingLight&, const glm::vec3& normal,
+                      const glm::vec3& toViewer, float shininess) const;
 
  private:
   const std::vector<Surface>& surfaces_;

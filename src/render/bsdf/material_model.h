@@ -1,0 +1,34 @@
+// Which model a surface has, and its parameters; its colours come from the program at each hit. Made once a
+// frame from settings and rules, read by every tracing thread.
+#pragma once
+#include "render/bsdf/any.h"
+#include "scene/fragment_shading.h"
+#include "settings/settings.h"
+
+namespace gluray::render {
+
+struct MaterialModel {
+  SurfaceMaterial kind = SurfaceMaterial::program;
+  float roughness = 0.2f, ior = 1.5f;
+  SurfaceMetal metal = SurfaceMetal::aluminium;
+  float metallic = 0, specular = 0.5f, transmission = 0, coat = 0;  // of `principled`
+  float absorption =
+      0;  // eye space: light takes on the colour once on this way through glass; 0: at surfaces
+
+  /// As the settings say for lit surfaces. `diagonal`: of the scene's bounds, eye space.
+  static MaterialModel of(const Settings&, float diagonal);
+
+  bool isProgram() const { return kind == SurfaceMaterial::program; }
+  /// Whether light goes through to the inside.
+  bool isBody() const {
+    return kind == SurfaceMaterial::glass || (kind == SurfaceMaterial::principled && transmission > 0);
+  }
+  bool isTransparent() const { return isBody() || kind == SurfaceMaterial::thinGlass; }
+  /// `inside`: the path comes from within the body.
+  bsdf::Any bsdf(const glm::vec3& color, bool inside) const;
+};
+
+/// The model of VTK's physically based surfaces.
+bsdf::VtkPbr vtkBsdf(const scene::PbrSurface&, const glm::vec3& color);
+
+}  // namespace gluray::render

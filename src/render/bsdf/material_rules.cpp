@@ -1,0 +1,189 @@
+#include "render/bsdf/material_rules.h"
+
+#include "base/files.h"
+#include "base/log.h"
+#include "render/integrators/altered_look.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <mutex>
+#include <stdexcept>
+
+namespace gluray::render {
+namespace {
+
+constexpr std::pair<const char*, SurfaceMaterial> kMaterials[] = {
+    {"program", SurfaceMaterial::program}, {"matte", SurfaceMaterial::matte},
+    {"plastic", SurfaceMaterial::plastic}, {"metal", SurfaceMaterial::metal},
+    {"glass", SurfaceMaterial::glass},     {"thin-glass", SurfaceMaterial::thinGlass},
+    {"mirror", SurfaceMaterial::mirror},   {"principled", SurfaceMaterial::principled}};
+constexpr std::pair<const char*, SurfaceMetal> kMetals[] = {
+    {"Ag", SurfaceMetal::silver},   {"Al", SurfaceMetal::aluminium}, {"Au", SurfaceMetal::gold},
+    {"Cr", SurfaceMetal::chromium}, {"Cu", SurfaceMetal::copper},    {"Fe", SurfaceMetal::iron}};
+
+[[noreturn]] void fail(const toml::node& at, const std::string& why) {
+  throw std::runtime_error("line " + std::to_string(at.source().begin.line) + ": " + why);
+}
+
+template <class Choices>
+auto chosen(const toml::node& node, const Choices& choices) {
+  const auto word = node.value<std::string>();
+  for (const auto& [name, value] : choices)
+    if (word == name) return value;
+  fail(node, "'" + word.value_or("") + "' is none of the choices");
+}
+
+float number(const toml::node& node, float least, float most) {
+  const auto value = node.value<double>();
+  if (!value || !(*value >= double{least} && *value <= double{most}))
+    fail(node, "a number from " + std::to_string(least) + " to " + std::to_string(most) + " is needed");
+  return static_cast<float>(*value);
+}
+
+std::vector<uint32_t> numbers(const toml::node& node) {
+  std::vector<uint32_t> result;
+  const toml::array* all = node.as_array();
+  if (!all) fail(node, "a list of numbers is needed");
+  for (const toml::node& one : *all) {
+    const auto value = one.value<int64_t>();
+    if (!value || *value < 0 || *value > UINT32_MAX) fail(one, "a number that is not negative is needed");
+    result.push_back(static_cast<uint32_t>(*value));
+  }
+  return result;
+}
+
+glm::vec3 color(const toml::node& node) {
+  const std::string text = node.value<std::string>().value_or("");
+  const bool digits = text.size() == 7 && text[0] == '#' &&
+                      text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+  if (!digits) fail(node, "a colour like \"#ff8000\" is needed");
+  const unsigned long v = std::stoul(text.substr(1), nullptr, 16);
+  return glm::vec3(v >> 16 & 255, v >> 8 & 255, v & 255) / 255.0f;
+}
+
+void readField(const std::string& key, const toml::node& node, float diagonal, MaterialRule& rule) {
+  MaterialModel& m = rule.model;
+  if (key == "objects") {
+    rule.objects = numbers(node);
+  } else if (key == "color") {
+    rule.color = color(node);
+  } else if (key == "triangles") {
+    const std::vector<uint32_t> range = numbers(node);
+    if (range.size() != 2) fail(node, "triangles needs the least and the most");
+    rule.triangles = glm::uvec2(range[0], range[1]);
+  } else if (key == "material") {
+    m.kind = chosen(node, kMaterials);
+  } else if (key == "metal") {
+    m.metal = chosen(node, kMetals);
+  } else if (key == "roughness") {
+    m.roughness = number(node, 0, 1);
+  } else if (key == "ior") {
+    m.ior = number(node, 1.0001f, 4);
+  } else if (key == "metallic") {
+    m.metallic = number(node, 0, 1);
+  } else if (key == "specular") {
+    m.specular = number(node, 0, 1);
+  } else if (key == "transmission") {
+    m.transmission = number(node, 0, 1);
+  } else if (key == "coat") {
+    m.coat = number(node, 0, 1);
+  } else if (key == "absorption") {
+    m.absorption = number(node, 0, 1000) * diagonal;
+  } else {
+    fail(node, "rules have no '" + key + "'");
+  }
+}
+
+/// The colour that an object's state gives it, before vertices and textures.
+glm::vec3 ownColor(const scene::Shading& shading, const scene::Instance& instance) {
+  const bool program = shading.fragment.model != scene::FragmentShading::Model::off;
+  const bool vertices = !program && (!shading.lighting || shading.colorMaterial != scene::ColorMaterial{});
+  return glm::vec3(vertices ? instance.color : instance.materials[0].front.diffuse);
+}
+
+/// The text of the last file that could be read.
+class LastRules {
+ public:
+  std::string textOf(const std::string& path) {
+    std::error_code ignored;
+    const auto time = std::filesystem::last_write_time(path, ignored).time_since_epoch().count();
+    const std::string key = path + ' ' + std::to_string(time);
+    const std::lock_guard lock(mutex_);
+    if (key == key_) return text_;
+    key_ = key;
+    const files::Content content = files::read(path, size_t{1} << 20);
+    try {
+      if (!content.why.empty()) throw std::runtime_error(content.why);
+      readMaterialRules(content.text, {}, 1);  // whether it can be read
+      text_ = content.text;
+    } catch (const std::exception& e) {
+      log::once(log::Level::warning, "material.file " + key, "material.file: " + path + ": " + e.what());
+    }
+    return text_;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::string key_, text_;
+};
+
+LastRules& lastRules() {
+  static auto* last = new LastRules;  // never destroyed: threads may trace while the process exits
+  return *last;
+}
+
+}  // namespace
+
+bool MaterialRule::holdsFor(uint32_t object, const scene::Instance& instance) const {
+  const uint32_t count = instance.mesh->triangleCount;
+  if (!objects.empty() && std::find(objects.begin(), objects.end(), object) == objects.end()) return false;
+  return !triangles || (count >= triangles->x && count <= triangles->y);
+}
+
+std::vector<MaterialRule> readMaterialRules(const std::string& text, const MaterialModel& otherwise,
+                                            float diagonal) {
+  toml::table table;
+  try {
+    table = toml::parse(text);
+  } catch (const toml::parse_error& e) {
+    throw std::runtime_error("line " + std::to_string(e.source().begin.line) + ": " +
+                             std::string(e.description()));
+  }
+  std::vector<MaterialRule> rules;
+  for (const auto& [name, node] : table) {
+    const toml::array* all = node.as_array();
+    if (name.str() != "rule" || !all) fail(node, "a file of materials has tables [[rule]] alone");
+    for (const toml::node& one : *all) {
+      const toml::table* fields = one.as_table();
+      if (!fields) fail(one, "a rule is a table");
+      MaterialRule& rule = rules.emplace_back();
+      rule.model = otherwise;
+      for (const auto& [key, value] : *fields) readField(std::string(key.str()), value, diagonal, rule);
+    }
+  }
+  return rules;
+}
+
+std::vector<MaterialModel> materialsOf(const scene::Snapshot& snapshot, float diagonal) {
+  const MaterialModel everywhere = MaterialModel::of(snapshot.settings, diagonal);
+  std::vector<MaterialModel> models(snapshot.instances.size(), everywhere);
+  std::vector<MaterialRule> rules;
+  if (!snapshot.settings.material.file.empty())
+    rules = readMaterialRules(lastRules().textOf(snapshot.settings.material.file), everywhere, diagonal);
+  for (size_t i = 0; i < models.size(); ++i) {
+    const scene::Instance& instance = snapshot.instances[i];
+    const scene::Shading& shading = snapshot.shadings[instance.shading];
+    if (isUnlit(shading)) models[i] = {};
+    const glm::vec3 own = ownColor(shading, instance);
+    for (const MaterialRule& rule : rules) {
+      if (!rule.holdsFor(instance.order, instance)) continue;
+      const glm::vec3 off = rule.color ? glm::abs(*rule.color - own) : glm::vec3(0);
+      if (std::max({off.x, off.y, off.z}) <= 1.01f / 255) models[i] = rule.model;
+    }
+  }
+  return models;
+}
+
+}  // namespace gluray::render

@@ -1,0 +1,38 @@
+// Materials of single objects, by rules in a file:
+//   [[rule]]
+//   objects = [1, 3]              # numbers in the order of drawing, from 0; absent: all
+//   color = "#ff0000"             # the object's own colour, to one in 255; absent: any
+//   triangles = [100, 5000]       # least and most; absent: any
+//   material = "glass"            # and roughness, ior, metal, metallic, specular, transmission, coat,
+//   absorption
+// A rule holds for objects that meet all its conditions; later rules win. Read once, kept while the file
+// stays the same. Any thread.
+#pragma once
+#include "render/bsdf/material_model.h"
+#include "scene/snapshot.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gluray::render {
+
+struct MaterialRule {
+  std::vector<uint32_t> objects;  // empty: all
+  std::optional<glm::vec3> color;
+  std::optional<glm::uvec2> triangles;
+  MaterialModel model;  // what the rule does not say is as the settings have it
+
+  bool holdsFor(uint32_t object, const scene::Instance&) const;
+};
+
+/// Throws std::runtime_error with the line of what is wrong.
+std::vector<MaterialRule> readMaterialRules(const std::string& toml, const MaterialModel& otherwise,
+                                            float diagonal);
+
+/// One for each instance of the snapshot: by settings where the surface is lit, by rules for any. `diagonal`:
+/// of the scene's bounds, eye space. A file that cannot be read is reported in one line; the last one that
+/// could stays.
+std::vector<MaterialModel> materialsOf(const scene::Snapshot&, float diagonal);
+
+}  // namespace gluray::render

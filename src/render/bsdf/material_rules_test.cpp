@@ -1,0 +1,96 @@
+// Rules that give objects materials.
+#include "render/bsdf/material_rules.h"
+
+#include "accel/test_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+namespace gluray::render {
+namespace {
+
+std::vector<MaterialRule> rules(const std::string& text) { return readMaterialRules(text, {}, 10); }
+
+TEST(MaterialRules, SayWhatTheyHoldForAndWhatItIs) {
+  const auto all = rules(R"(
+[[rule]]
+objects = [1, 3]
+color = "#ff8000"
+triangles = [10, 20]
+material = "metal"
+metal = "Cu"
+roughness = 0.1
+[[rule]]
+material = "thin-glass"
+ior = 1.3
+absorption = 0.5
+)");
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].model.kind, SurfaceMaterial::metal);
+  EXPECT_EQ(all[0].model.metal, SurfaceMetal::copper);
+  EXPECT_FLOAT_EQ(all[0].model.roughness, 0.1f);
+  EXPECT_FLOAT_EQ(all[0].color->g, 128 / 255.0f);
+  EXPECT_EQ(all[1].model.kind, SurfaceMaterial::thinGlass);
+  EXPECT_FLOAT_EQ(all[1].model.absorption, 5);
+  scene::Instance instance;
+  auto mesh = std::make_shared<scene::Mesh>();
+  instance.mesh = mesh;
+  mesh->triangleCount = 15;
+  EXPECT_TRUE(all[0].holdsFor(3, instance));
+  EXPECT_FALSE(all[0].holdsFor(2, instance));
+  mesh->triangleCount = 21;
+  EXPECT_FALSE(all[0].holdsFor(3, instance));
+  EXPECT_TRUE(all[1].holdsFor(77, instance));
+}
+
+TEST(MaterialRules, MistakesAreNamedWithTheirLine) {
+  const auto why = [](const std::string& text) -> std::string {
+    try {
+      rules(text);
+    } catch (const std::runtime_error& e) { return e.what(); }
+    return "";
+  };
+  EXPECT_EQ(why("[[rule]]\nmaterial = \"gold\"\n"), "line 2: 'gold' is none of the choices");
+  EXPECT_TRUE(why("[[rule]]\n\nroughness = 2\n").starts_with("line 3: a number from"));
+  EXPECT_EQ(why("[[rule]]\nshine = 2\n"), "line 2: rules have no 'shine'");
+  EXPECT_TRUE(why("[[rule]]\nobjects = [-1]\n").starts_with("line 2:"));
+  EXPECT_TRUE(why("[[rule]]\ncolor = \"red\"\n").starts_with("line 2:"));
+  EXPECT_TRUE(why("[[rule]]\ntriangles = [1]\n").starts_with("line 2:"));
+  EXPECT_TRUE(why("roughness = 1\n").starts_with("line 1:"));
+  EXPECT_TRUE(why("[[rule\n").starts_with("line 1:"));
+}
+
+TEST(MaterialRules, LaterRulesWinAndUnlitSurfacesStayUnlessARuleNamesThem) {
+  scene::Snapshot s =
+      test::makeSnapshot({test::makeMesh(test::squareData()), test::makeMesh(test::squareData(0.5f)),
+                          test::makeMesh(test::squareData(0.7f))});
+  s.shadings.push_back(s.shadings[0]);
+  s.shadings[1].lighting = true;
+  s.instances[1].shading = s.instances[2].shading = 1;
+  s.instances[1].order = 1, s.instances[2].order = 2;
+  s.instances[2].materials[0].front.diffuse = {1, 0, 0, 1};
+  s.settings.material.kind = SurfaceMaterial::plastic;
+  std::vector<MaterialModel> models = materialsOf(s, 1);
+  EXPECT_EQ(models[0].kind, SurfaceMaterial::program);
+  EXPECT_EQ(models[1].kind, SurfaceMaterial::plastic);
+  const std::string path = ::testing::TempDir() + "gluray_rules_test.toml";
+  std::FILE* file = std::fopen(path.c_str(), "w");
+  ASSERT_NE(file, nullptr);
+  std::fputs(
+      "[[rule]]\nobjects = [0, 2]\nmaterial = \"glass\"\n[[rule]]\ncolor = \"#ff0000\"\nmaterial = "
+      "\"mirror\"\n",
+      file);
+  std::fclose(file);
+  s.settings.material.file = path;
+  models = materialsOf(s, 1);
+  EXPECT_EQ(models[0].kind, SurfaceMaterial::glass);
+  EXPECT_EQ(models[1].kind, SurfaceMaterial::plastic);
+  EXPECT_EQ(models[2].kind, SurfaceMaterial::mirror);
+  std::remove(path.c_str());
+  s.settings.material.file = "/nowhere/rules.toml";
+  EXPECT_EQ(materialsOf(s, 1)[2].kind, SurfaceMaterial::mirror) << "the last rules that could be read stay";
+}
+
+}  // namespace
+}  // namespace gluray::render

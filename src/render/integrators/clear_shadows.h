@@ -1,0 +1,35 @@
+// What of a light's ray passes the surfaces in its way, glass among them. Any thread.
+#pragma once
+#include "render/bsdf/material_model.h"
+#include "render/integrators/occluders.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace gluray::render {
+
+/// Light of lights without a size goes straight through glass, because no path that bends could meet them.
+class ClearShadows final : public accel::OccluderFilter {
+ public:
+  ClearShadows(const Occluders& occluders, const std::vector<MaterialModel>& materials)
+      : occluders_(occluders), materials_(materials) {
+    for (float& t : through) t = 1;
+  }
+  bool blocks(const accel::Occluder& occluder) const noexcept override {
+    constexpr float kNothing = 0.5f / 255;  // less is not seen
+    if (!occluders_.isThere(occluder)) return false;
+    const MaterialModel& material = materials_[occluder.instance];
+    float& left = through[occluder.lane];
+    left *= material.isTransparent() ? 1 - bsdf::reflectanceAtNormal(material.ior)
+                                     : 1 - occluders_.opacityOf(occluder);
+    return left < kNothing;
+  }
+
+  mutable float through[accel::kLanes];  // of rays that nothing blocks
+
+ private:
+  const Occluders& occluders_;
+  const std::vector<MaterialModel>& materials_;
+};
+
+}  // namespace gluray::render
