@@ -1,5 +1,9 @@
 #include "render/frame_data.h"
 
+#include "render/camera/focus.h"
+#include "render/camera/lens.h"
+#include "settings/samples.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -93,6 +97,8 @@ double DepthMap::constantOf(double ndc, double further) const {
   return constant + floatUnits * std::ldexp(1.0, std::ilogb(static_cast<float>(largest)) - 23);
 }
 
+FrameData::~FrameData() = default;
+
 FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& target)
     : world(&w),
       snapshot(&s),
@@ -101,7 +107,9 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
       depth(makeDepthMap(s)),
       image(&target) {
   perVertex = s.settings.shading == ShadingRate::vertex;
-  oncePerPixel = s.samples > 1 && s.settings.shading != ShadingRate::sample;
+  averages = target.isAverages();
+  const int samples = averages ? 1 : s.samples;
+  oncePerPixel = samples > 1 && s.settings.shading != ShadingRate::sample;
   lightings.reserve(s.shadings.size());
   for (const scene::Shading& shading : s.shadings) {
     lightings.emplace_back(shading);
@@ -142,11 +150,14 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
 
   ownPlanes = std::any_of(surfaces.begin(), surfaces.end(), [](const Surface& f) { return f.ownClipPlanes; });
 
-  averages = target.isAverages();
-  samplePositions = positionsInPixel(averages ? s.settings.spp : 1);
-  if (s.samples > 1) samplePositions.assign(s.samplePositions.begin(), s.samplePositions.end());
-  if (!averages && samplePositions.size() != static_cast<size_t>(std::max(s.samples, 1))) {
+  samplePositions = positionsInPixel(averages ? samplesPerPixel(s.settings) : 1);
+  if (samples > 1) samplePositions.assign(s.samplePositions.begin(), s.samplePositions.end());
+  if (!averages && samplePositions.size() != static_cast<size_t>(std::max(samples, 1))) {
     throw std::runtime_error("the number of sample positions is not the number of samples");
+  }
+  if (averages && s.settings.camera.aperture > 0) {
+    lens = makeLens(s, distanceInFocus(*this));
+    if (lens) samplePositions.insert(samplePositions.begin(), samplePositions.front());
   }
 }
 

@@ -13,6 +13,7 @@
 namespace gluray::render {
 
 struct DirectLook;
+struct Lens;
 class Integrator;
 
 /// Maps NDC depth to window depth, including glDepthRange and glPolygonOffset.
@@ -36,9 +37,12 @@ struct FrameData {
   std::vector<Surface> surfaces;            // one per Snapshot::instances
   std::vector<glm::dvec2> samplePositions;  // within the pixel, one per sample
   bool perVertex = false;
-  bool oncePerPixel = false;                     // multisampled: surfaces are shaded at pixels' centres
-  bool ownPlanes = false;                        // some surface has its own clip planes
-  bool averages = false;                         // a pixel averages all samples (Image::centerDepth)
+  bool oncePerPixel = false;  // multisampled: surfaces are shaded at pixels' centres
+  bool ownPlanes = false;     // some surface has its own clip planes
+  bool averages = false;      // a pixel averages all samples (Image::centerDepth)
+  // Null: rays leave the viewpoint. Otherwise sample 0 gives a pixel's depth alone, through the middle of the
+  // lens, and the others its colour.
+  std::unique_ptr<const Lens> lens;
   mutable std::atomic<bool> seenThrough{false};  // averages: some hit has an alpha other than 1
   // Layers: LayerCounts::open and ::before.
   mutable std::array<std::array<std::atomic<uint32_t>, LayerCounts::kMost>, 2> layerCounts{};
@@ -58,6 +62,7 @@ struct FrameData {
   /// shape. If that holds averages, takes settings.spp samples per pixel. All three must outlive this. Throws
   /// std::runtime_error if a matrix cannot be inverted.
   FrameData(const scene::Snapshot& snapshot, const accel::World& world, Image& image);
+  ~FrameData();
 };
 
 constexpr int kTileSize = 32;  // pixels, a multiple of 4

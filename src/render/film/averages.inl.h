@@ -18,6 +18,7 @@ class Averages {
  public:
   HWY_ATTR void add(const FrameData& frame, const Tile& tile, const Work& work) {
     const bool bytes = frame.image->has(Plane::color);
+    const bool depthAlone = frame.lens && work.sample == 0;
     bool seenThrough = false;
     for (int i = 0; i < kLanes; ++i) {
       const int x = work.imageX + laneX(i), y = work.imageY + laneY(i);
@@ -26,19 +27,20 @@ class Averages {
       const bool hit = work.depth[i] != Image::kMiss;
       if (work.sample == 0) pixel.center = work.depth[i];
       pixel.nearest = std::min(pixel.nearest, work.depth[i]);
-      pixel.through += work.through[i];
       float alpha = work.wide[3][i];
-      for (int c = 0; c < 4; ++c)
-        pixel.sum[c] += bytes ? static_cast<float>(work.color[i] >> (8 * c) & 255) : work.wide[c][i];
       if (bytes) alpha = static_cast<float>(work.color[i] >> 24) / 255;
       seenThrough |= hit && alpha != 1;
+      if (depthAlone) continue;
+      pixel.through += work.through[i];
+      for (int c = 0; c < 4; ++c)
+        pixel.sum[c] += bytes ? static_cast<float>(work.color[i] >> (8 * c) & 255) : work.wide[c][i];
     }
     if (seenThrough) frame.seenThrough.store(true, std::memory_order_relaxed);
   }
 
   HWY_ATTR void store(const FrameData& frame, const Tile& tile) {
     Image& image = *frame.image;
-    const float share = 1 / static_cast<float>(frame.samplePositions.size());
+    const float share = 1 / static_cast<float>(frame.samplePositions.size() - (frame.lens ? 1 : 0));
     for (int y = tile.y0; y < tile.y1; ++y) {
       for (int x = tile.x0; x < tile.x1; ++x) {
         const Pixel& pixel = at(x - tile.x0, y - tile.y0);

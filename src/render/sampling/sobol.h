@@ -23,7 +23,7 @@ struct PixelSeeds {
 };
 
 /// Who uses which two dimensions of a pixel's samples. Uses are independent of each other.
-enum class Dimensions : uint32_t { ambientOcclusion = 1 };
+enum class Dimensions : uint32_t { ambientOcclusion = 1, lens = 40 };
 
 /// The order in which a use takes the points of the sequence: every power of two of them from the beginning
 /// is an aligned block of the sequence, which is stratified like its beginning.

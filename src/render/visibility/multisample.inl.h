@@ -103,7 +103,7 @@ HWY_ATTR inline void locate(const FrameData& frame, uint32_t instance, size_t fi
     computePixelImpostors(s, frame.world->impostorsOf(instance), centers.x, centers.y, shown.group,
                           shown.seen);
   else
-    computeImpostors(s, frame.depth, centers.x, centers.y, shown.group, shown.seen);
+    computeImpostors(s, frame.depth, Pinhole(), centers.x, centers.y, shown.group, shown.seen);
 }
 
 /// Shades the triangles that sample `first` is the first to show. Returns the lanes whose hit is rejected:
