@@ -2,6 +2,7 @@
 
 #include "render/camera/focus.h"
 #include "render/camera/lens.h"
+#include "render/film/pixel_filter.h"
 #include "settings/samples.h"
 
 #include <tbb/parallel_for.h>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 namespace gluray::render {
@@ -99,6 +101,19 @@ double DepthMap::constantOf(double ndc, double further) const {
 
 FrameData::~FrameData() = default;
 
+void FrameData::prepareAverages() {
+  FilteredSamples samples = filteredSamples(snapshot->settings.pixelFilter, std::move(samplePositions));
+  samplePositions = std::move(samples.positions), sampleWeights = std::move(samples.weights);
+  const float sum = sampleWeights.empty() ? static_cast<float>(samplePositions.size())
+                                          : std::accumulate(sampleWeights.begin(), sampleWeights.end(), 0.0f);
+  averageFactor = 1 / sum;
+  if (!(snapshot->settings.camera.aperture > 0)) return;
+  lens = makeLens(*snapshot, distanceInFocus(*this));
+  if (!lens) return;
+  samplePositions.insert(samplePositions.begin(), samplePositions.front());
+  if (!sampleWeights.empty()) sampleWeights.insert(sampleWeights.begin(), 0.0f);
+}
+
 FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& target)
     : world(&w),
       snapshot(&s),
@@ -110,8 +125,11 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
   averages = target.isAverages();
   const int samples = averages ? 1 : s.samples;
   oncePerPixel = samples > 1 && s.settings.shading != ShadingRate::sample;
-  lightings.reserve(s.shadings.size());
-  for (const scene::Shading& shading : s.shadings) {
+  tone = makeToneMap(s);
+  if (s.settings.look == Look::honest) honest.emplace(s);
+  const std::vector<scene::Shading>& shadings = honest ? honest->shadings() : s.shadings;
+  lightings.reserve(shadings.size());
+  for (const scene::Shading& shading : shadings) {
     lightings.emplace_back(shading);
     if (shading.fragment.edges && shading.fragment.edgesGrow)
       widestEdge = std::max(widestEdge, shading.fragment.edgeWidth);
@@ -135,6 +153,7 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
     if (instance.materials.empty()) throw std::runtime_error("an instance has no material");
     if (instance.mesh->triangleCount == 0) return;
     surfaces[i] = makeSurface(view, instance, lightings[instance.shading], shared);
+    if (honest) honest->apply(i, surfaces[i]);
   });
 
   const auto mayRefuse = [](const Surface& f) { return f.cullsCcw || f.cullsCw || f.ownClipPlanes; };
@@ -155,10 +174,7 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
   if (!averages && samplePositions.size() != static_cast<size_t>(std::max(samples, 1))) {
     throw std::runtime_error("the number of sample positions is not the number of samples");
   }
-  if (averages && s.settings.camera.aperture > 0) {
-    lens = makeLens(s, distanceInFocus(*this));
-    if (lens) samplePositions.insert(samplePositions.begin(), samplePositions.front());
-  }
+  if (averages) prepareAverages();
 }
 
 }  // namespace gluray::render

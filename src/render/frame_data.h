@@ -3,11 +3,14 @@
 #pragma once
 #include "accel/world.h"
 #include "base/image.h"
+#include "render/film/tone.h"
+#include "render/local/honest_look.h"
 #include "render/local/surface.h"
 
 #include <array>
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace gluray::render {
@@ -35,7 +38,9 @@ struct FrameData {
   DepthMap depth;
   std::vector<Lighting> lightings;          // one per Snapshot::shadings
   std::vector<Surface> surfaces;            // one per Snapshot::instances
-  std::vector<glm::dvec2> samplePositions;  // within the pixel, one per sample
+  std::vector<glm::dvec2> samplePositions;  // from the pixel's lower left corner, one per sample
+  std::vector<float> sampleWeights;         // of averages; empty: all 1
+  float averageFactor = 1;                  // of averages: 1 / the sum of weights
   bool perVertex = false;
   bool oncePerPixel = false;  // multisampled: surfaces are shaded at pixels' centres
   bool ownPlanes = false;     // some surface has its own clip planes
@@ -55,7 +60,9 @@ struct FrameData {
   // leastDepth). Otherwise null.
   std::unique_ptr<const accel::HitFilter> accepted;
   const Integrator* integrator = nullptr;  // null: the local look alone
+  std::optional<ToneMap> tone;             // none: colours stay
   const DirectLook* direct = nullptr;      // the surfaces without ambient light, if the integrator needs them
+  std::optional<HonestLook> honest;        // none: the local look is the program's
   Image* image = nullptr;
 
   /// Prepares tracing `snapshot`, whose instances `world` holds, into `image`, which already has the right
@@ -63,6 +70,11 @@ struct FrameData {
   /// std::runtime_error if a matrix cannot be inverted.
   FrameData(const scene::Snapshot& snapshot, const accel::World& world, Image& image);
   ~FrameData();
+  /// Whether anything changes the colours of the local look.
+  bool changesColors() const { return integrator || tone; }
+
+ private:
+  void prepareAverages();
 };
 
 constexpr int kTileSize = 32;  // pixels, a multiple of 4

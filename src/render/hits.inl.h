@@ -228,19 +228,22 @@ HWY_ATTR HWY_NOINLINE inline void locateThroughLens(const FrameData& frame, uint
   computePixelImpostors(surface, frame.world->impostorsOf(instance), x, y, group, seen);
 }
 
-/// Gives a group's hits to the integrator, which changes their colours. Not inlined, so that frames without
-/// one keep their code. Bit i of `back`: lane i shows its back face.
+/// Gives a group's hits to the integrator, which changes their colours, and to the tone map. Not inlined, so
+/// that frames without either keep their code. Bit i of `back`: lane i shows its back face.
 HWY_ATTR HWY_NOINLINE inline void lightHits(const FrameData& frame, uint32_t instance, const Group& group,
                                             uint32_t back, int sample, const float* x, const float* y,
                                             LitRows& rows) {
   if (!group.lanes || (frame.lens && sample == 0)) return;
-  ColoredHits hits{frame.surfaces[instance], instance, group, sample, x, y};
-  LitRows direct;
-  if (frame.direct) {
-    shade(frame, frame.direct->surfaces[instance], group, back, x, y, direct);
-    hits.direct = &direct;
+  if (frame.integrator) {
+    ColoredHits hits{frame.surfaces[instance], instance, group, sample, x, y};
+    LitRows direct;
+    if (frame.direct) {
+      shade(frame, frame.direct->surfaces[instance], group, back, x, y, direct);
+      hits.direct = &direct;
+    }
+    frame.integrator->light(hits, rows);
   }
-  frame.integrator->light(hits, rows);
+  if (frame.tone) frame.tone->apply(rows);
 }
 
 /// Shades the hits in `lanes` and calls take(lanes, colours, depths). Returns the lanes whose hit is
@@ -274,7 +277,7 @@ HWY_ATTR uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool mayReje
     const uint32_t failing = shade(frame, surface, group, back, x, y, rows);
     rejected |= failing;
     group.lanes &= ~failing;
-    if (frame.integrator) lightHits(frame, instance, group, back, work.sample, work.x, work.y, rows);
+    if (frame.changesColors()) lightHits(frame, instance, group, back, work.sample, work.x, work.y, rows);
     take(group.lanes, rows, seen.depth);
   }
   return rejected;

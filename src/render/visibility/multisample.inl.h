@@ -129,7 +129,7 @@ HWY_ATTR inline uint32_t shadeFirst(const FrameData& frame, size_t first, bool m
     const uint32_t failing = shade(frame, s, shown.group, back, block.centers.x, block.centers.y, shown.rows);
     rejected |= failing;
     shown.group.lanes &= ~failing;
-    if (frame.integrator)
+    if (frame.changesColors())
       lightHits(frame, instance, shown.group, back, 0, block.centers.x, block.centers.y, shown.rows);
     spread(frame, s, first, shown, block);
   }
