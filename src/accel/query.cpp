@@ -47,7 +47,7 @@ void World::ask(QueryState& state, bool filtered, const int32_t* valid, RayPacke
                 const ImpostorQuery* impostors) const noexcept {
   if (impostors) {
     state.impostors = impostors_.data(), state.rays = *impostors;
-    if (hasPixelImpostors_) state.around = WindowRectangle(*impostors->samples);
+    if (hasPixelImpostors_ && impostors->samples) state.around = WindowRectangle(*impostors->samples);
   }
   PacketQuery query(Coherence::coherent, filtered ? onFilter : nullptr, &state);
   intersectAll(query, scene_, device_.packetWidth(), valid, packet);

@@ -34,7 +34,8 @@ struct alignas(64) PixelRays {
 };
 
 /// Rays against impostors (scene/impostors.h): shader programs compute them at pixel centres, for the samples
-/// that their billboards cover.
+/// that their billboards cover. Without either, rays meet impostors as solids (impostors/solid.h), as do rays
+/// through a lens.
 struct ImpostorQuery {
   const PixelRays* centers = nullptr;  // through the centres of the rays' pixels
   const PixelRays* samples = nullptr;  // the packet's rays

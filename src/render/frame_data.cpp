@@ -1,13 +1,18 @@
 #include "render/frame_data.h"
 
+#include "render/camera/focus.h"
+#include "render/camera/lens.h"
+#include "render/film/pixel_filter.h"
 #include "render/lights/relit.h"
 #include "scene/surroundings.h"
+#include "settings/samples.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 namespace gluray::render {
@@ -96,6 +101,21 @@ double DepthMap::constantOf(double ndc, double further) const {
   return constant + floatUnits * std::ldexp(1.0, std::ilogb(static_cast<float>(largest)) - 23);
 }
 
+FrameData::~FrameData() = default;
+
+void FrameData::prepareAverages() {
+  FilteredSamples samples = filteredSamples(snapshot->settings.pixelFilter, std::move(samplePositions));
+  samplePositions = std::move(samples.positions), sampleWeights = std::move(samples.weights);
+  const float sum = sampleWeights.empty() ? static_cast<float>(samplePositions.size())
+                                          : std::accumulate(sampleWeights.begin(), sampleWeights.end(), 0.0f);
+  averageFactor = 1 / sum;
+  if (!(snapshot->settings.camera.aperture > 0)) return;
+  lens = makeLens(*snapshot, distanceInFocus(*this));
+  if (!lens) return;
+  samplePositions.insert(samplePositions.begin(), samplePositions.front());
+  if (!sampleWeights.empty()) sampleWeights.insert(sampleWeights.begin(), 0.0f);
+}
+
 FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& target)
     : world(&w),
       snapshot(&s),
@@ -105,7 +125,11 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
       relit(relight(s, eyeRays)),
       image(&target) {
   perVertex = s.settings.shading == ShadingRate::vertex;
-  oncePerPixel = s.samples > 1 && s.settings.shading != ShadingRate::sample;
+  averages = target.isAverages();
+  const int samples = averages ? 1 : s.samples;
+  oncePerPixel = samples > 1 && s.settings.shading != ShadingRate::sample;
+  tone = makeToneMap(s);
+  if (s.settings.look == Look::honest) honest.emplace(s), relit = nullptr;
   const std::vector<scene::Shading>& own = this->shadings();
   lightings.reserve(own.size() + (s.surroundings ? s.surroundings->shadings.size() : 0));
   for (const scene::Shading& shading : own) {
@@ -133,6 +157,7 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
     if (instance.materials.empty()) throw std::runtime_error("an instance has no material");
     if (instance.mesh->triangleCount == 0) return;
     surfaces[i] = makeSurface(view, instance, lightings[shadingOf(i)], shared);
+    if (honest) honest->apply(i, surfaces[i]);
   });
 
   const auto mayRefuse = [](const Surface& f) { return f.cullsCcw || f.cullsCw || f.ownClipPlanes; };
@@ -148,31 +173,32 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
 
   ownPlanes = std::any_of(surfaces.begin(), surfaces.end(), [](const Surface& f) { return f.ownClipPlanes; });
 
-  averages = target.isAverages();
-  samplePositions = positionsInPixel(averages ? s.settings.spp : 1);
-  if (s.samples > 1) samplePositions.assign(s.samplePositions.begin(), s.samplePositions.end());
-  if (!averages && samplePositions.size() != static_cast<size_t>(std::max(s.samples, 1))) {
+  samplePositions = positionsInPixel(averages ? samplesPerPixel(s.settings) : 1);
+  if (samples > 1) samplePositions.assign(s.samplePositions.begin(), s.samplePositions.end());
+  if (!averages && samplePositions.size() != static_cast<size_t>(std::max(samples, 1))) {
     throw std::runtime_error("the number of sample positions is not the number of samples");
   }
+  if (averages) prepareAverages();
   if (s.surroundings) addSurroundings(view);
 }
 
 /// After all that rays from the viewer meet is known: they do not meet these.
 void FrameData::addSurroundings(const View& view) {
   const scene::Surroundings& around = *snapshot->surroundings;
-  const size_t drawn = surfaces.size(), shadings = lightings.size();
+  const size_t drawn = surfaces.size(), first = lightings.size();
   for (const scene::Shading& shading : around.shadings) lightings.emplace_back(shading);
   surfaces.resize(drawn + around.instances.size());
   tbb::parallel_for(size_t{0}, around.instances.size(), [&](size_t i) {
     const scene::Instance& instance = around.instances[i];
     if (instance.mesh->triangleCount == 0) return;
     try {
-      surfaces[drawn + i] = makeSurface(view, instance, lightings[shadings + instance.shading], false);
+      surfaces[drawn + i] = makeSurface(view, instance, lightings[first + instance.shading], false);
     } catch (const std::runtime_error&) {}  // its matrix cannot be inverted: rays meet nothing there
   });
 }
 
 const std::vector<scene::Shading>& FrameData::shadings() const {
+  if (honest) return honest->shadings();
   return relit ? relit->shadings : snapshot->shadings;
 }
 

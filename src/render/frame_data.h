@@ -3,16 +3,20 @@
 #pragma once
 #include "accel/world.h"
 #include "base/image.h"
+#include "render/film/tone.h"
+#include "render/local/honest_look.h"
 #include "render/local/surface.h"
 
 #include <array>
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace gluray::render {
 
 struct DirectLook;
+struct Lens;
 class Integrator;
 struct Relit;
 struct HitFilm;
@@ -40,11 +44,16 @@ struct FrameData {
   // Surfaces that nothing can be seen of have no instance.
   std::vector<Lighting> lightings;
   std::vector<Surface> surfaces;
-  std::vector<glm::dvec2> samplePositions;  // within the pixel, one per sample
+  std::vector<glm::dvec2> samplePositions;  // from the pixel's lower left corner, one per sample
+  std::vector<float> sampleWeights;         // of averages; empty: all 1
+  float averageFactor = 1;                  // of averages: 1 / the sum of weights
   bool perVertex = false;
-  bool oncePerPixel = false;                     // multisampled: surfaces are shaded at pixels' centres
-  bool ownPlanes = false;                        // some surface has its own clip planes
-  bool averages = false;                         // a pixel averages all samples (Image::centerDepth)
+  bool oncePerPixel = false;  // multisampled: surfaces are shaded at pixels' centres
+  bool ownPlanes = false;     // some surface has its own clip planes
+  bool averages = false;      // a pixel averages all samples (Image::centerDepth)
+  // Null: rays leave the viewpoint. Otherwise sample 0 gives a pixel's depth alone, through the middle of the
+  // lens, and the others its colour.
+  std::unique_ptr<const Lens> lens;
   mutable std::atomic<bool> seenThrough{false};  // averages: some hit has an alpha other than 1
   // Layers: LayerCounts::open and ::before.
   mutable std::array<std::array<std::atomic<uint32_t>, LayerCounts::kMost>, 2> layerCounts{};
@@ -57,22 +66,28 @@ struct FrameData {
   // leastDepth). Otherwise null.
   std::unique_ptr<const accel::HitFilter> accepted;
   const Integrator* integrator = nullptr;  // null: the local look alone
+  std::optional<ToneMap> tone;             // none: colours stay
   const DirectLook* direct = nullptr;      // the surfaces without ambient light, if the integrator needs them
   // Null: pixels get their final colours at once. Otherwise the integrator collects factors first; then
   // relightTile() colours the hits that are kept here.
   HitFilm* hits = nullptr;
   const MovingFrame* moving = nullptr;  // null: light takes all samples that the settings ask for
+  std::optional<HonestLook> honest;     // none: the local look is the program's
   Image* image = nullptr;
 
   /// Prepares tracing `snapshot`, whose instances `world` holds, into `image`, which already has the right
   /// shape. If that holds averages, takes settings.spp samples per pixel. All three must outlive this. Throws
   /// std::runtime_error if a matrix cannot be inverted.
   FrameData(const scene::Snapshot& snapshot, const accel::World& world, Image& image);
+  ~FrameData();
   const std::vector<scene::Shading>& shadings() const;
   /// Of one of the snapshot's instances: an index of shadings() and lightings.
   uint32_t shadingOf(size_t instance) const;
+  /// Whether anything changes the colours of the local look.
+  bool changesColors() const { return integrator || tone; }
 
  private:
+  void prepareAverages();
   void addSurroundings(const View&);
 };
 

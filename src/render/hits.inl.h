@@ -14,6 +14,7 @@
 #include "render/local/shade.inl.h"
 #include "render/visibility/capsule.inl.h"
 #include "render/visibility/impostor.inl.h"
+#include "render/visibility/lens_hits.inl.h"
 
 #include <algorithm>
 #include <vector>
@@ -42,6 +43,8 @@ struct Work {
   int imageX = 0, imageY = 0;  // pixel of lane 0
   int sample = 0;
   const Factors* factors = nullptr;  // of light, where these are known
+  const Lens* lens = nullptr;        // null: the rays leave the viewpoint
+  LensPoints lensPoints;
 };
 
 // Pixel of lane i within its 4x4 block: Z order of 2x2 quads.
@@ -74,10 +77,15 @@ struct Centers {
 };
 
 /// Whether a hit is neither culled nor clipped by the instance's own planes. Fixed function clips triangles;
-/// programs discard fragments, at the pixels' centres if these are given.
+/// programs discard fragments, at the pixels' centres if these are given. `lens`: where the rays leave it.
 inline bool isLeft(const FrameData& frame, uint32_t instance, uint32_t primitive, float u, float v,
-                   const Centers* centers, int lane) {
+                   const Centers* centers, int lane, const LensPoints* lens = nullptr) {
   const Surface& surface = frame.surfaces[instance];
+  if (lens) {
+    const glm::dvec4 viewer =
+        frame.lens->objects[instance].of(surface.depth.b, double{lens->x[lane]}, double{lens->y[lane]});
+    return surface.acceptsFrom(viewer, primitive, u, v);
+  }
   const bool program = surface.lighting->shading->fragment.model != scene::FragmentShading::Model::off;
   if (!centers || !program || !surface.ownClipPlanes) return surface.accepts(primitive, u, v);
   const WindowMap map(frame.snapshot->camera.viewport);
@@ -89,12 +97,13 @@ inline bool isLeft(const FrameData& frame, uint32_t instance, uint32_t primitive
 /// Rejects hits that are culled, clipped by their instance's own planes, or that failed the alpha test.
 class RejectingFilter : public accel::HitFilter {
  public:
-  explicit RejectingFilter(const FrameData& frame, const Centers* centers = nullptr)
-      : frame_(frame), centers_(centers) {}
+  explicit RejectingFilter(const FrameData& frame, const Centers* centers = nullptr,
+                           const LensPoints* lens = nullptr)
+      : frame_(frame), centers_(centers), lens_(lens) {}
   bool accepts(uint32_t instance, uint32_t primitive, float u, float v, int lane) const noexcept override {
     for (const Hit& hit : failed_[lane])
       if (hit.instance == instance && hit.primitive == primitive) return false;
-    return isLeft(frame_, instance, primitive, u, v, centers_, lane);
+    return isLeft(frame_, instance, primitive, u, v, centers_, lane, lens_);
   }
   /// Makes the lane's ray ignore its hit. Returns the distance from which to continue: slightly less than the
   /// hit's, because further hits may lie at that distance, up to rounding.
@@ -113,6 +122,7 @@ class RejectingFilter : public accel::HitFilter {
   };
   const FrameData& frame_;
   const Centers* centers_;
+  const LensPoints* lens_;
   std::vector<Hit> failed_[kLanes];
 };
 
@@ -179,12 +189,14 @@ HWY_ATTR inline void mergeShown(uint32_t lanes, const LitRows& rows, const float
 }
 
 // Lanes whose hit is culled or clipped by the instance's own planes.
-HWY_ATTR inline uint32_t rejectedLanes(const Surface& s, const Group& group, uint32_t ccw) {
+HWY_ATTR inline uint32_t rejectedLanes(const Surface& s, const Group& group, uint32_t ccw, bool lens) {
   uint32_t rejected = ((s.cullsCcw ? ccw : 0) | (s.cullsCw ? ~ccw : 0)) & group.lanes;
   if (!s.ownClipPlanes) return rejected;
   for (uint32_t lanes = group.lanes & ~rejected; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
-    if (!s.accepts(group.primitive[i], group.u[i], group.v[i])) rejected |= 1u << i;
+    const bool left = lens ? !s.isCutAway(group.primitive[i], group.u[i], group.v[i])
+                           : s.accepts(group.primitive[i], group.u[i], group.v[i]);
+    if (!left) rejected |= 1u << i;
   }
   return rejected;
 }
@@ -207,23 +219,48 @@ HWY_ATTR inline void locateHits(const FrameData& frame, uint32_t instance, const
   else if (scene::isSolid(surface.mesh->shape))
     computeCapsules(surface, frame.world->impostorsOf(instance), frame.depth, x, y, group, seen);
   else
-    computeImpostors(surface, frame.depth, x, y, group, seen);
+    computeImpostors(surface, frame.depth, Pinhole(), x, y, group, seen);
 }
 
-/// Gives a group's hits to the integrator, which changes their colours. Not inlined, so that frames without
-/// one keep their code. Bit i of `back`: lane i shows its back face.
+/// The same for hits of rays through the lens. x, y become the window positions where the viewpoint sees the
+/// hit points.
+HWY_ATTR HWY_NOINLINE inline void locateThroughLens(const FrameData& frame, uint32_t instance,
+                                                    const Work& work, Group& group, DepthAndFacing& seen,
+                                                    float* x, float* y) {
+  const Surface& surface = frame.surfaces[instance];
+  loadCorners(*surface.mesh, group);
+  const Lens& lens = *work.lens;
+  if (surface.mesh->shape == scene::Shape::triangles)
+    return seeTriangles(frame, surface, {lens.objects[instance], work.lensPoints}, group, seen, x, y);
+  std::copy_n(work.x, kLanes, x), std::copy_n(work.y, kLanes, y);
+  if (scene::isSolid(surface.mesh->shape)) {
+    seePoints(frame, work.packet, group.lanes, x, y);
+    return computeCapsules(surface, frame.world->impostorsOf(instance), frame.depth, x, y, group, seen);
+  }
+  if (!scene::isInWindow(surface.mesh->shape))
+    return computeImpostors(surface, frame.depth, OpenLens{lens.lightings[instance], work.lensPoints}, x, y,
+                            group, seen);
+  seePoints(frame, work.packet, group.lanes, x, y);
+  computePixelImpostors(surface, frame.world->impostorsOf(instance), x, y, group, seen);
+}
+
+/// Gives a group's hits to the integrator, which changes their colours, and to the tone map. Not inlined, so
+/// that frames without either keep their code. Bit i of `back`: lane i shows its back face.
 HWY_ATTR HWY_NOINLINE inline void lightHits(const FrameData& frame, uint32_t instance, const Group& group,
                                             uint32_t back, int sample, const float* x, const float* y,
                                             LitRows& rows, const Factors* factors = nullptr) {
-  if (!group.lanes) return;
-  ColoredHits hits{frame.surfaces[instance], instance, group, back, sample, x, y};
-  hits.factors = factors;
-  LitRows direct;
-  if (frame.direct && !frame.hits) {
-    shade(frame, frame.direct->surfaces[instance], group, back, x, y, direct);
-    hits.direct = &direct;
+  if (!group.lanes || (frame.lens && sample == 0)) return;
+  if (frame.integrator) {
+    ColoredHits hits{frame.surfaces[instance], instance, group, back, sample, x, y};
+    hits.factors = factors;
+    LitRows direct;
+    if (frame.direct && !frame.hits) {
+      shade(frame, frame.direct->surfaces[instance], group, back, x, y, direct);
+      hits.direct = &direct;
+    }
+    frame.integrator->light(hits, rows);
   }
-  frame.integrator->light(hits, rows);
+  if (frame.tone) frame.tone->apply(rows);
 }
 
 /// Shades the hits in `lanes` and calls take(lanes, colours, depths). Returns the lanes whose hit is
@@ -235,14 +272,19 @@ HWY_ATTR uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool mayReje
   Group group;
   DepthAndFacing seen;
   LitRows rows;
+  alignas(64) Row throughX, throughY;  // window positions of hits through the lens
   while (lanes) {
     gather(work, lanes, group);
     lanes &= ~group.lanes;
     const uint32_t instance = work.packet.instance[std::countr_zero(group.lanes)];
     const Surface& surface = frame.surfaces[instance];
-    locateHits(frame, instance, work.x, work.y, group, seen);
+    const float *x = work.x, *y = work.y;
+    if (work.lens)
+      locateThroughLens(frame, instance, work, group, seen, throughX, throughY), x = throughX, y = throughY;
+    else
+      locateHits(frame, instance, x, y, group, seen);
     if (mayReject) {
-      const uint32_t now = rejectedLanes(surface, group, seen.ccw);
+      const uint32_t now = rejectedLanes(surface, group, seen.ccw, work.lens != nullptr);
       rejected |= now;
       group.lanes &= ~now;
       if (group.lanes == 0) continue;
@@ -251,11 +293,10 @@ HWY_ATTR uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool mayReje
     const uint32_t back = (surface.frontIsCcw ? ~seen.ccw : seen.ccw) & group.lanes;
     // Hits that are kept need colours now only if these decide whether they are there.
     const bool kept = frame.hits && surface.lighting->shading->alphaTest.function == scene::AlphaTest::always;
-    const uint32_t failing = kept ? 0 : shade(frame, surface, group, back, work.x, work.y, rows);
+    const uint32_t failing = kept ? 0 : shade(frame, surface, group, back, x, y, rows);
     rejected |= failing;
     group.lanes &= ~failing;
-    if (frame.integrator)
-      lightHits(frame, instance, group, back, work.sample, work.x, work.y, rows, work.factors);
+    if (frame.changesColors()) lightHits(frame, instance, group, back, work.sample, x, y, rows, work.factors);
     take(group.lanes, rows, seen.depth);
   }
   return rejected;

@@ -20,12 +20,12 @@ HWY_ATTR inline void finishWork(const FrameData& frame, const Tile& tile, Work& 
                                 Averages* averages) {
   if (frame.hits) forgetHits(*frame.hits, work);
   clearPixels(averages ? 0 : frame.image->missColor, work);
-  if (frame.widestEdge > 0) {
+  if (frame.widestEdge > 0 && !work.lens) {
     alignas(64) int32_t valid[kLanes];
     std::copy_n(work.valid, kLanes, valid);
     pickEdged(frame, valid, work);
   }
-  if (frame.leastDepth) pickLeastDepth(frame, centersOf(work), behind, work);
+  if (frame.leastDepth && !work.lens) pickLeastDepth(frame, centersOf(work), behind, work);
   if (work.hits && frame.snapshot->layers)
     shadeLayers(frame, *frame.snapshot->layers, work);
   else if (work.hits)

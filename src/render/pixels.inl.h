@@ -8,10 +8,23 @@
 #endif
 
 #include "render/hits.inl.h"
+#include "render/sampling/warp.inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
+
+/// Chooses the points of the lens that the packet's rays leave.
+HWY_ATTR HWY_NOINLINE inline void aimThroughLens(const FrameData& frame, Work& work) {
+  const PixelSeeds seeds(work.x, work.y);
+  const auto perPixel = static_cast<uint32_t>(frame.samplePositions.size()) - 1;
+  const uint32_t index =
+      frame.snapshot->lightSampling.pass * perPixel + static_cast<uint32_t>(work.sample) - 1;
+  for (int i = 0; i < kLanes; i += lanesOfVector()) {
+    const Sample2 at = unitDisc(sample2(seeds, i, index, Dimensions::lens));
+    store(at.x, work.lensPoints.x + i), store(at.y, work.lensPoints.y + i);
+  }
+}
 
 // Sets up the packet of the 4x4 pixels from image pixel (x, y) on.
 HWY_ATTR inline void aim(const FrameData& frame, const Tile& tile, int x, int y, int sample, Work& work) {
@@ -31,6 +44,8 @@ HWY_ATTR inline void aim(const FrameData& frame, const Tile& tile, int x, int y,
   work.imageX = x;
   work.imageY = y;
   work.sample = sample;
+  work.lens = frame.lens && sample > 0 ? frame.lens.get() : nullptr;
+  if (work.lens) aimThroughLens(frame, work);
 }
 
 HWY_ATTR inline Centers centersOf(const Work& work) {

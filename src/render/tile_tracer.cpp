@@ -30,10 +30,12 @@ Planes planesOf(const scene::Snapshot& snapshot, bool averages) {
 
 bool areDrawn(const scene::Layers* layers) { return layers && layers->of == scene::Layers::Of::drawn; }
 
-/// Whether pixels average more samples than the framebuffer has. Layers blended with the framebuffer's
+/// Whether pixels average more samples than the framebuffer has; through an open lens all samples of a
+/// framebuffer's pixel get the same average. Layers blended with the framebuffer's
 /// colours in the order of drawing use the framebuffer's samples.
 bool wantsAverages(const scene::Snapshot& snapshot) {
-  return snapshot.samples <= 1 && snapshot.settings.spp > 1 && !areDrawn(snapshot.layers.get());
+  if (areDrawn(snapshot.layers.get())) return false;
+  return snapshot.settings.camera.aperture > 0 || (snapshot.samples <= 1 && snapshot.settings.spp > 1);
 }
 
 /// Whether the layers' arrays have one element per pixel.
@@ -53,7 +55,8 @@ void shapeImage(const scene::Snapshot& snapshot, Image& image, bool averages) {
   }
   image.x = region.x;
   image.y = region.y;
-  image.resize(region.width, region.height, std::max(snapshot.samples, 1), planesOf(snapshot, averages));
+  image.resize(region.width, region.height, averages ? 1 : std::max(snapshot.samples, 1),
+               planesOf(snapshot, averages));
   image.layers = {};
 }
 

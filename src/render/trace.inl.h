@@ -35,6 +35,12 @@ HWY_ATTR inline void aimInEye(const FrameData& frame, const float* x, const floa
 
 // Generates the rays of a packet; returns the rays for impostors, null if there are none.
 HWY_ATTR inline const accel::ImpostorQuery* aimRays(const FrameData& frame, Work& work) {
+  if (work.lens) {
+    generateLensRays(frame.rays, {work.lens->world, work.lensPoints}, work.x, work.y, work.packet,
+                     work.valid);
+    work.impostors = {};  // as solids
+    return frame.world->hasImpostors() ? &work.impostors : nullptr;
+  }
   generateRays(frame.rays, work.x, work.y, work.packet, work.valid);
   if (!frame.world->hasImpostors()) return nullptr;
   alignas(64) float x[kLanes], y[kLanes];
@@ -69,7 +75,7 @@ HWY_ATTR inline void traceWork(const FrameData& frame, Work& work) {
       if (work.valid[i]) work.hits |= 1u << i;
     return;
   }
-  frame.world->intersect(work.valid, work.packet, frame.accepted.get(), impostors);
+  frame.world->intersect(work.valid, work.packet, work.lens ? nullptr : frame.accepted.get(), impostors);
   work.hits = lanesThatHit(work.packet, work.valid);
   prefetchTriangles(frame, work);
 }
@@ -136,7 +142,7 @@ HWY_ATTR inline void shadeNearest(const FrameData& frame, Work& work) {
   uint32_t lanes = shadeHits(frame, work.hits, true, work, take);
   if (!lanes) return;
   work.edged &= ~lanes;
-  RejectingFilter filter(frame);
+  RejectingFilter filter(frame, nullptr, work.lens ? &work.lensPoints : nullptr);
   alignas(64) float passed[kLanes] = {};
   while (lanes) {
     traceOn(frame, lanes, filter, passed, work);

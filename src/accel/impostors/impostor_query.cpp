@@ -47,15 +47,19 @@ ObjectRay rayOf(RTCRayN* ray, unsigned count, unsigned i) {
           RTCRayN_tfar(ray, count, i)};
 }
 
-/// Hits of rays that do not come from the viewer.
-void intersectSolids(const RTCIntersectFunctionNArguments& a, const PlacedImpostors& placed) {
+/// Hits of rays that do not come from the viewpoint.
+void intersectSolids(const RTCIntersectFunctionNArguments& a, const QueryState& state, uint32_t instance) {
+  const PlacedImpostors& placed = state.impostors[instance];
   RTCRayN* ray = RTCRayHitN_RayN(a.rayhit, a.N);
   RTCHitN* hit = RTCRayHitN_HitN(a.rayhit, a.N);
   for (unsigned i = 0; i < a.N; ++i) {
     if (a.valid[i] != -1) continue;
     const std::optional<SolidHit> met = meetSolid(placed, a.primID, rayOf(ray, a.N, i));
     if (!met) continue;
-    RTCRayN_tfar(ray, a.N, i) = met->t;
+    float distance = met->t;
+    if (!state.counts(static_cast<int>(RTCRayN_id(ray, a.N, i)), instance, a.primID, 0, 0, distance))
+      continue;
+    RTCRayN_tfar(ray, a.N, i) = distance;
     RTCHitN_Ng_x(hit, a.N, i) = met->normal.x, RTCHitN_Ng_y(hit, a.N, i) = met->normal.y,
                            RTCHitN_Ng_z(hit, a.N, i) = met->normal.z;
     RTCHitN_u(hit, a.N, i) = RTCHitN_v(hit, a.N, i) = 0;
@@ -90,7 +94,7 @@ void intersectImpostors(const RTCIntersectFunctionNArguments* arguments) {
   const auto& state = *static_cast<const QueryState*>(user);
   const uint32_t inside = a.context->instID[0];
   const uint32_t instance = inside == RTC_INVALID_GEOMETRY_ID ? state.aloneIndex : inside;
-  if (!state.rays.centers) return intersectSolids(a, state.impostors[instance]);
+  if (!state.rays.centers) return intersectSolids(a, state, instance);
   RTCRayN* ray = RTCRayHitN_RayN(a.rayhit, a.N);
   RTCHitN* hit = RTCRayHitN_HitN(a.rayhit, a.N);
   const uint32_t first = RTCRayN_id(ray, a.N, 0);

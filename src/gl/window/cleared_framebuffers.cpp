@@ -2,6 +2,7 @@
 
 #include "gl/state/state_queries.h"
 #include "gl/window/clears.h"
+#include "settings/samples.h"
 
 #include <GL/glext.h>
 
@@ -12,7 +13,7 @@ void ClearedFramebuffers::clear(GLbitfield mask) {
   const RealGl& real = shadow_.real;
   const RareState& rare = shadow_.state.rare;
   cleared_.reset();
-  if (mask & GL_COLOR_BUFFER_BIT && shadow_.settings.spp > 1 && !clock_.passesThrough())
+  if (mask & GL_COLOR_BUFFER_BIT && samplesPerPixel(shadow_.settings) > 1 && !clock_.passesThrough())
     antialiased_.clear(real, rare);
   if ((mask & kBoth) != kBoth || clock_.passesThrough() || failsafe_.aside() || shadow_.activeQueries > 0 ||
       !shadow_.isSoftwareBelow())

@@ -22,7 +22,9 @@ PresentResult TracingPresenter::resolved(const gl::RealGl& real, const scene::Sn
   PresentResult result;
   if (!shared_.tracer.resolve || !shared_.supported(real, result.why)) return result;
   const frame::LastPictures::Picture* traced = shared_.of(snapshot, target.wish, {}, result, result.why);
-  if (!traced || traced->image.planes != Image::kPicture) return result;
+  const Planes averages = Image::kPicture | Plane::centerDepth;  // through an open lens
+  if (!traced || (traced->image.planes != Image::kPicture && !(traced->image.planes == averages)))
+    return result;
   const double start = nowSeconds();
   scene::Resolve known = pixels_.how;
   if (!target.colors) known.gamma = target.how.gamma;  // gamma does not affect depths

@@ -7,6 +7,7 @@
 #endif
 
 #include "accel/ray_packet.h"
+#include "render/camera/lens.h"
 #include "render/camera/ray_setup.h"
 
 #include <hwy/highway.h>
@@ -92,8 +93,39 @@ HWY_INLINE void refuseRays(const DoubleRays& r, Double w, int32_t* valid) {
   for (size_t i = 0; i < hn::Lanes(d); ++i) valid[i] &= static_cast<int32_t>(usable[i]);
 }
 
+/// Points of the lens that a packet's rays leave, in the unit disc.
+struct LensPoints {
+  alignas(64) float x[kLanes], y[kLanes];
+};
+
+/// Rays through the middle of the lens.
+struct Pinhole {
+  HWY_INLINE void bend(DoubleRays&, int) const {}
+  /// Where programs compute what a window position shows of impostors.
+  HWY_INLINE Double position(Double at) const { return hn::Add(hn::Floor(at), hn::Set(DoubleTag(), 0.5)); }
+};
+
+struct OpenLens {
+  const LensShear& shear;
+  const LensPoints& points;
+
+  HWY_INLINE Double position(Double at) const { return at; }
+  HWY_INLINE void bend(DoubleRays& r, int i) const {
+    const DoubleTag d;
+    const Double x = loadDouble(points.x + i), y = loadDouble(points.y + i);
+    const Double atOrigin = hn::Add(dot3(r.org, shear.along), hn::Set(d, shear.along.w));
+    const Double along = dot3(r.dir, shear.along);
+    for (int c = 0; c < 3; ++c) {
+      const Double aside = hn::MulAdd(x, hn::Set(d, shear.right[c]), hn::Mul(y, hn::Set(d, shear.up[c])));
+      r.org[c] = hn::MulAdd(aside, atOrigin, r.org[c]);
+      r.dir[c] = hn::MulAdd(aside, along, r.dir[c]);
+    }
+  }
+};
+
 // Generates rays for any projection, with clip planes.
-HWY_ATTR inline void generateAnyRays(const RaySetup& setup, const float* x, const float* y,
+template <class Bend>
+HWY_ATTR inline void generateAnyRays(const RaySetup& setup, const Bend& lens, const float* x, const float* y,
                                      accel::RayPacket& packet, int32_t* valid) {
   const DoubleTag d;
   const auto set = [&](double v) HWY_ATTR { return hn::Set(d, v); };
@@ -115,6 +147,7 @@ HWY_ATTR inline void generateAnyRays(const RaySetup& setup, const float* x, cons
     r.near = hn::Zero(d);
     r.far =
         hn::IfThenElse(endless, set(HUGE_VAL), hn::Div(set(2.0 / setup.directionScale), hn::Div(endW, w)));
+    lens.bend(r, i);
     for (const glm::dvec4& plane : setup.clipPlanes) clipRays(plane, r);
     if (setup.startAtSphere) moveToSphere(setup, r);
     refuseRays(r, w, valid + i);
@@ -155,7 +188,15 @@ HWY_ATTR inline void generateRays(const RaySetup& setup, const float* x, const f
                                   accel::RayPacket& packet, int32_t* valid) {
   clearHits(packet);
   if (setup.linear.usable && setup.clipPlanes.empty()) return generateLinearRays(setup.linear, x, y, packet);
-  generateAnyRays(setup, x, y, packet, valid);
+  generateAnyRays(setup, Pinhole(), x, y, packet, valid);
+}
+
+/// The same rays, but from points of a lens. `lens`: the shear in world space.
+HWY_ATTR HWY_NOINLINE inline void generateLensRays(const RaySetup& setup, const OpenLens& lens,
+                                                   const float* x, const float* y, accel::RayPacket& packet,
+                                                   int32_t* valid) {
+  clearHits(packet);
+  generateAnyRays(setup, lens, x, y, packet, valid);
 }
 
 }  // namespace HWY_NAMESPACE

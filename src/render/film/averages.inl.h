@@ -18,6 +18,9 @@ class Averages {
  public:
   HWY_ATTR void add(const FrameData& frame, const Tile& tile, const Work& work) {
     const bool bytes = frame.image->has(Plane::color);
+    const bool depthAlone = frame.lens && work.sample == 0;
+    const float weight =
+        frame.sampleWeights.empty() ? 1.0f : frame.sampleWeights[static_cast<size_t>(work.sample)];
     bool seenThrough = false;
     for (int i = 0; i < kLanes; ++i) {
       const int x = work.imageX + laneX(i), y = work.imageY + laneY(i);
@@ -26,31 +29,38 @@ class Averages {
       const bool hit = work.depth[i] != Image::kMiss;
       if (work.sample == 0) pixel.center = work.depth[i];
       pixel.nearest = std::min(pixel.nearest, work.depth[i]);
-      pixel.through += work.through[i];
       float alpha = work.wide[3][i];
-      for (int c = 0; c < 4; ++c)
-        pixel.sum[c] += bytes ? static_cast<float>(work.color[i] >> (8 * c) & 255) : work.wide[c][i];
       if (bytes) alpha = static_cast<float>(work.color[i] >> 24) / 255;
       seenThrough |= hit && alpha != 1;
+      if (depthAlone) continue;
+      pixel.through += weight * work.through[i];
+      for (int c = 0; c < 4; ++c)
+        pixel.sum[c] +=
+            weight * (bytes ? static_cast<float>(work.color[i] >> (8 * c) & 255) : work.wide[c][i]);
     }
     if (seenThrough) frame.seenThrough.store(true, std::memory_order_relaxed);
   }
 
   HWY_ATTR void store(const FrameData& frame, const Tile& tile) {
     Image& image = *frame.image;
-    const float share = 1 / static_cast<float>(frame.samplePositions.size());
+    const float share = frame.averageFactor;
+    // Filters with negative weights overshoot.
+    const bool signedWeights = !frame.sampleWeights.empty(), coverage = !image.has(Plane::transmittance);
+    const float least = signedWeights ? 0 : std::numeric_limits<float>::lowest();
     for (int y = tile.y0; y < tile.y1; ++y) {
       for (int x = tile.x0; x < tile.x1; ++x) {
         const Pixel& pixel = at(x - tile.x0, y - tile.y0);
         const size_t i = static_cast<size_t>(y) * static_cast<size_t>(image.width) + static_cast<size_t>(x);
         image.centerDepth[i] = pixel.center;
         image.depth[i] = pixel.center != Image::kMiss ? pixel.center : pixel.nearest;
-        if (image.has(Plane::transmittance)) image.transmittance[i] = pixel.through * share;
+        if (image.has(Plane::transmittance)) image.transmittance[i] = std::max(pixel.through * share, least);
         uint32_t color = 0;
         for (size_t c = 0; c < 4; ++c) {
-          const float average = pixel.sum[c] * share;
+          float average = std::max(pixel.sum[c] * share, least);
+          if (signedWeights && coverage && c == 3)
+            average = std::min(average, image.has(Plane::color) ? 255.0f : 1.0f);
           if (image.has(Plane::color))
-            color |= static_cast<uint32_t>(average + 0.5f) << (8 * c);
+            color |= static_cast<uint32_t>(std::min(average, 255.0f) + 0.5f) << (8 * c);
           else
             image.wideColor[4 * i + c] = average;
         }

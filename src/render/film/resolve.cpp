@@ -49,6 +49,23 @@ uint32_t mean(const uint32_t* colors, int count, int shift) {
   return std::bit_cast<uint32_t>(average * (255.0f / 256.0f) + 32768.0f) & 255u;
 }
 
+/// An average over rays, premultiplied by its coverage, over the background. Red, green and blue are mixed
+/// with the exponent `gamma`.
+uint32_t over(uint32_t average, uint32_t background, float gamma) {
+  const float share = static_cast<float>(average >> 24) / 255;
+  uint32_t result = 0;
+  for (int shift = 0; shift < 32; shift += 8) {
+    const auto above = static_cast<float>(average >> shift & 255u),
+               below = static_cast<float>(background >> shift & 255u);
+    float mixed = above + (1 - share) * below;
+    if (gamma != 1 && shift < 24 && share > 0)
+      mixed =
+          std::pow(share * std::pow(above / share, gamma) + (1 - share) * std::pow(below, gamma), 1 / gamma);
+    result |= static_cast<uint32_t>(std::lround(std::min(mixed, 255.0f))) << shift;
+  }
+  return result;
+}
+
 /// Resolves rows of a picture.
 class Rows {
  public:
@@ -57,6 +74,16 @@ class Rows {
         powerMean_(how.gamma),
         samples_(samples),
         plane_(static_cast<size_t>(samples.width) * static_cast<size_t>(samples.height)) {}
+
+  /// The same for averages, which cover all samples of a pixel.
+  void resolveAverages(size_t from, size_t count, uint32_t* colors, float* depths) const {
+    for (size_t i = 0; i < count; ++i) {
+      const bool seen = samples_.depth[from + i] <= how_.farthest;
+      colors[i] = seen ? over(samples_.color[from + i], how_.background, how_.gamma) : how_.background;
+      const float depth = samples_.centerDepth[from + i];
+      depths[i] = depth <= how_.farthest ? depth : 1.0f;
+    }
+  }
 
   /// Resolves `count` pixels from pixel `from` of the picture. N: samples; 0: the picture's number.
   template <int N>
@@ -115,7 +142,9 @@ void resolve(const scene::Resolve& how, const Image& samples, Image& out) {
       const auto count = static_cast<size_t>(last - first);
       uint32_t* const colors = &out.color[static_cast<size_t>(start + first)];
       float* const depths = &out.depth[static_cast<size_t>(start + first)];
-      if (samples.samples == 4)
+      if (samples.isAverages())
+        all.resolveAverages(from, count, colors, depths);
+      else if (samples.samples == 4)
         all.resolve<4>(from, count, colors, depths);
       else
         all.resolve<0>(from, count, colors, depths);

@@ -52,6 +52,27 @@ TEST(Resolve, AveragesColoursWithGammaAndAlphaWithout) {
   EXPECT_EQ(out.color[place(out, 1, 2)], 0x40000000u | red);
 }
 
+TEST(Resolve, AveragesOverRaysAreBlendedWithTheBackground) {
+  Image average;
+  average.resize(1, 1, 1, Image::kPicture | Plane::centerDepth);
+  average.x = 1, average.y = 2;
+  average.color = {0x80004080u};  // half covered, by the colour 0xFF0080FF
+  average.depth = {0.25f}, average.centerDepth = {Image::kMiss};
+  Image out;
+  resolve({{3, 4}, 0xFF808000u, 1, 1}, average, out);
+  const auto half = [](uint32_t above, uint32_t below) { return above + (below * 127 + 127) / 255; };
+  EXPECT_EQ(out.color[place(out, 1, 2)],
+            half(0x80, 0xFF) << 24 | half(0, 0x80) << 16 | half(0x40, 0x80) << 8 | half(0x80, 0));
+  EXPECT_EQ(out.depth[place(out, 1, 2)], 1.0f);
+  average.centerDepth = {0.25f};
+  resolve({{3, 4}, 0xFF808000u, 1, 2.2f}, average, out);
+  const double share = 128.0 / 255;
+  EXPECT_NEAR(out.color[place(out, 1, 2)] & 255,
+              255 * std::pow(share * std::pow(128 / share / 255, 2.2), 1 / 2.2), 1);
+  EXPECT_EQ(out.depth[place(out, 1, 2)], 0.25f);
+  EXPECT_EQ(out.color[place(out, 0, 0)], 0xFF808000u);
+}
+
 TEST(Resolve, HitsThatFailTheDepthTestAreBackground) {
   const Image samples = fourSamples({7, 7, 7, 7}, {1, 1, 1, 1});
   Image out;

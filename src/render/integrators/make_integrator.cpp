@@ -6,6 +6,7 @@
 namespace gluray::render {
 
 std::unique_ptr<const Integrator> makeIntegrator(const FrameData& frame) {
+  if (frame.honest) return nullptr;
   const Settings& settings = frame.snapshot->settings;
   if (scene::wantsPaths(settings)) return std::make_unique<Path>(frame);
   if (!scene::wantsLight(settings) && !frame.relit) return nullptr;

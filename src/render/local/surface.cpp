@@ -112,16 +112,19 @@ Surface makeSurface(const View& view, const scene::Instance& instance, const Lig
   return s;
 }
 
-bool Surface::isCcw(uint32_t primitive) const {
-  return depth.areaSign * glm::dot(planeOf(*mesh, primitive), depth.b) > 0;
+bool Surface::isCcwFrom(const glm::dvec4& viewer, uint32_t primitive) const {
+  return depth.areaSign * glm::dot(planeOf(*mesh, primitive), viewer) > 0;
 }
 
-bool Surface::accepts(uint32_t primitive, float u, float v) const {
-  if ((cullsCcw || cullsCw) && (isCcw(primitive) ? cullsCcw : cullsCw)) return false;
-  if (!ownClipPlanes) return true;
+bool Surface::acceptsFrom(const glm::dvec4& viewer, uint32_t primitive, float u, float v) const {
+  if ((cullsCcw || cullsCw) && (isCcwFrom(viewer, primitive) ? cullsCcw : cullsCw)) return false;
+  return !ownClipPlanes || !isCutAway(primitive, u, v);
+}
+
+bool Surface::isCutAway(uint32_t primitive, float u, float v) const {
   const glm::dvec4 eye = instance->eyeFromObject * glm::dvec4(pointOf(*mesh, primitive, u, v), 1.0);
-  return std::all_of(instance->clipPlanes.begin(), instance->clipPlanes.end(),
-                     [&](const glm::dvec4& plane) { return glm::dot(plane, eye) >= 0; });
+  return !std::all_of(instance->clipPlanes.begin(), instance->clipPlanes.end(),
+                      [&](const glm::dvec4& plane) { return glm::dot(plane, eye) >= 0; });
 }
 
 glm::vec3 Surface::centerOfImpostor(const glm::vec3& object) const {

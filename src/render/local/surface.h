@@ -45,7 +45,11 @@ struct Surface {
   bool colorsVary = false;  // the mesh has vertex colours
 
   /// True if neither culling nor the instance's own clip planes remove the point (primitive, u, v).
-  bool accepts(uint32_t primitive, float u, float v) const;
+  bool accepts(uint32_t primitive, float u, float v) const { return acceptsFrom(depth.b, primitive, u, v); }
+  /// The same as seen from a homogeneous point in object space; that of the camera is depth.b.
+  bool acceptsFrom(const glm::dvec4& viewer, uint32_t primitive, float u, float v) const;
+  /// Whether the instance's own clip planes remove the point.
+  bool isCutAway(uint32_t primitive, float u, float v) const;
   /// Weights of corners 1 and 2 at the point of a triangle's plane at an NDC position; (0, 0) if there is
   /// none.
   glm::vec2 weightsAt(uint32_t primitive, const glm::dvec2& ndc) const;
@@ -57,7 +61,8 @@ struct Surface {
   /// multiply-adds would round differently from the programs.
   glm::vec3 centerOfImpostor(const glm::vec3& object) const;
   /// True if the triangle's window-space area is positive.
-  bool isCcw(uint32_t primitive) const;
+  bool isCcw(uint32_t primitive) const { return isCcwFrom(depth.b, primitive); }
+  bool isCcwFrom(const glm::dvec4& viewer, uint32_t primitive) const;
 };
 
 /// Replaces the components of material `m` that `mode` names by `color`.

@@ -36,6 +36,7 @@ PixelSeeds interleavedSeeds(uint32_t turn);
 enum class Dimensions : uint32_t {
   ambientOcclusion = 1,
   shadows = 2,  // and the next three: one for each light that casts shadows
+  lens = 40,
   path = 1024,  // and those after it: PathUse::count for each vertex of a path
 };
 

@@ -12,6 +12,13 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
+/// A point of the unit disc, evenly distributed.
+HWY_INLINE Sample2 unitDisc(const Sample2& u) {
+  const FloatTag d;
+  const Float radius = hn::Sqrt(u.x), angle = hn::Mul(u.y, splat(6.2831853f));
+  return {hn::Mul(radius, hn::Cos(d, angle)), hn::Mul(radius, hn::Sin(d, angle))};
+}
+
 /// A direction about +z with density cos(theta)/pi.
 HWY_INLINE Float3 cosineHemisphere(const Sample2& u) {
   const FloatTag d;

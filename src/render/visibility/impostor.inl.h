@@ -48,19 +48,25 @@ struct Lines {
   Double3 center, org, dir;  // dir: unit length
 };
 
-HWY_INLINE Lines linesThrough(const Surface& s, const Group& group, Double x, Double y, int i) {
+template <class Bend>
+HWY_INLINE Lines linesThrough(const Surface& s, const Group& group, const Bend& lens, Double x, Double y,
+                              int i) {
   const ImpostorSpace& space = s.impostors;
   Double h[4];
   for (int c = 0; c < 4; ++c)
     h[c] = hn::MulAdd(x, splatDouble(space.startX[c]),
                       hn::MulAdd(y, splatDouble(space.startY[c]), splatDouble(space.start[c])));
   const Double w = hn::Div(splatDouble(1), h[3]);
-  const Double3 start{hn::Mul(h[0], w), hn::Mul(h[1], w), hn::Mul(h[2], w)};
   const Double stepW = splatDouble(space.step.w);
+  DoubleRays r;
+  for (int c = 0; c < 3; ++c) {
+    r.org[c] = hn::Mul(h[c], w);
+    r.dir[c] = hn::NegMulAdd(r.org[c], stepW, splatDouble(space.step[c]));
+  }
+  lens.bend(r, i);
+  const Double3 start{r.org[0], r.org[1], r.org[2]};
   Lines lines;
-  lines.dir = unit({hn::NegMulAdd(start.x, stepW, splatDouble(space.step.x)),
-                    hn::NegMulAdd(start.y, stepW, splatDouble(space.step.y)),
-                    hn::NegMulAdd(start.z, stepW, splatDouble(space.step.z))});
+  lines.dir = unit({r.dir[0], r.dir[1], r.dir[2]});
   lines.center = {loadDouble(group.point[0] + i), loadDouble(group.point[1] + i),
                   loadDouble(group.point[2] + i)};
   lines.org = sub(start, lines.center);
@@ -124,9 +130,11 @@ HWY_INLINE void storeRows(const Double3& v, Row (&rows)[3], int i) {
 }
 
 /// Points, normals and depths of the group's impostors at window positions x, y: programs compute them at
-/// pixel centres. Depth is the point's, which the program writes, clamped to [0, 1]. All are front-facing.
-HWY_ATTR inline void computeImpostors(const Surface& surface, const DepthMap& map, const float* x,
-                                      const float* y, Group& group, DepthAndFacing& out) {
+/// pixel centres, an open lens (in lighting space) where its rays are. Depth is the point's, which the
+/// program writes, clamped to [0, 1]. All are front-facing.
+template <class Bend>
+HWY_ATTR inline void computeImpostors(const Surface& surface, const DepthMap& map, const Bend& lens,
+                                      const float* x, const float* y, Group& group, DepthAndFacing& out) {
   const scene::Mesh& mesh = *surface.mesh;
   alignas(64) Row radius;
   for (int i = 0; i < kLanes; ++i) {
@@ -137,12 +145,11 @@ HWY_ATTR inline void computeImpostors(const Surface& surface, const DepthMap& ma
   }
   if (mesh.shape == scene::Shape::cylinders)
     loadVec3(mesh.axes, mesh.vertexCount, group.vertex[0], group.normal);
-  const Double zero = splatDouble(0), one = splatDouble(1), half = splatDouble(0.5);
+  const Double zero = splatDouble(0), one = splatDouble(1);
   const Double smaller = splatDouble(1 / double{surface.instance->impostors.radiusDivisor});
   for (int i = 0; i < kLanes; i += static_cast<int>(hn::Lanes(DoubleTag()))) {
-    const Double px = hn::Add(hn::Floor(loadDouble(x + i)), half);
-    const Double py = hn::Add(hn::Floor(loadDouble(y + i)), half);
-    const Lines lines = linesThrough(surface, group, px, py, i);
+    const Double px = lens.position(loadDouble(x + i)), py = lens.position(loadDouble(y + i));
+    const Lines lines = linesThrough(surface, group, lens, px, py, i);
     const Double r = hn::Mul(loadDouble(radius + i), smaller);
     Seen seen;
     if (mesh.shape == scene::Shape::spheres)

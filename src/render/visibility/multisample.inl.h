@@ -106,7 +106,7 @@ HWY_ATTR inline void locate(const FrameData& frame, uint32_t instance, size_t fi
     computeCapsules(s, frame.world->impostorsOf(instance), frame.depth, centers.x, centers.y, shown.group,
                     shown.seen);
   else
-    computeImpostors(s, frame.depth, centers.x, centers.y, shown.group, shown.seen);
+    computeImpostors(s, frame.depth, Pinhole(), centers.x, centers.y, shown.group, shown.seen);
 }
 
 /// Shades the triangles that sample `first` is the first to show. Returns the lanes whose hit is rejected:
@@ -132,7 +132,7 @@ HWY_ATTR inline uint32_t shadeFirst(const FrameData& frame, size_t first, bool m
     const uint32_t failing = shade(frame, s, shown.group, back, block.centers.x, block.centers.y, shown.rows);
     rejected |= failing;
     shown.group.lanes &= ~failing;
-    if (frame.integrator)
+    if (frame.changesColors())
       lightHits(frame, instance, shown.group, back, 0, block.centers.x, block.centers.y, shown.rows);
     spread(frame, s, first, shown, block);
   }

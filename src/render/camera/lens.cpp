@@ -1,0 +1,83 @@
+#include "render/camera/lens.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace gluray::render {
+namespace {
+
+glm::dmat4 inverseOf(const glm::dmat4& m, const char* what) {
+  const glm::dmat4 inverse = glm::inverse(m);
+  for (int c = 0; c < 4; ++c)
+    for (int r = 0; r < 4; ++r)
+      if (!std::isfinite(inverse[c][r])) throw std::runtime_error(std::string(what) + " cannot be inverted");
+  return inverse;
+}
+
+glm::dvec3 unit(const glm::dvec3& v) {
+  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  return largest > 0 ? glm::normalize(v / largest) : v;
+}
+
+/// Whether the view volume is a frustum, beyond the rounding of matrices that programs multiply in float.
+bool isPerspective(const glm::dmat4& eyeFromClip) {
+  const double change = std::abs(eyeFromClip[0].w) + std::abs(eyeFromClip[1].w) + std::abs(eyeFromClip[2].w);
+  return change > 0x1p-22 * std::abs(eyeFromClip[3].w);
+}
+
+/// The direction from one homogeneous point to another.
+glm::dvec3 direction(const glm::dvec4& from, const glm::dvec4& to) {
+  return unit(glm::dvec3(to) * from.w - glm::dvec3(from) * to.w);
+}
+
+}  // namespace
+
+LensShear LensShear::in(const glm::dmat4& thisFromOther) const {
+  const glm::dmat3 otherFromThis = glm::inverse(glm::dmat3(thisFromOther));
+  return {along * thisFromOther, otherFromThis * right, otherFromThis * up};
+}
+
+LensAxis::LensAxis(const scene::Camera& camera) {
+  const glm::dmat4 eyeFromClip = inverseOf(camera.clipFromEye, "the projection matrix");
+  const glm::dvec4 w = glm::transpose(camera.clipFromEye)[3];
+  const glm::dvec4 middle[] = {eyeFromClip * glm::dvec4(0, 0, -1, 1), eyeFromClip * glm::dvec4(0, 0, 1, 1)};
+  glm::dvec3 axis;
+  if (isPerspective(eyeFromClip)) {  // clip-space w is proportional to the distance from the viewer
+    depth_ = w / glm::length(glm::dvec3(w));
+    axis = glm::dvec3(depth_);
+  } else {
+    axis = direction(middle[0], middle[1]);
+    const double near = glm::dot(axis, glm::dvec3(middle[0]) / middle[0].w);
+    start_ = std::min(near, 0.0);
+    depth_ = {axis, -start_};
+  }
+  const glm::dvec3 across = direction(middle[0], eyeFromClip * glm::dvec4(1, 0, -1, 1));
+  right_ = unit(across - glm::dot(across, axis) * axis);
+  up_ = glm::cross(axis, right_);
+}
+
+double LensAxis::distanceOf(const glm::dvec3& eye) const { return glm::dot(depth_, glm::dvec4(eye, 1)); }
+
+LensShear LensAxis::shear(double radius, double focus) const {
+  return {glm::dvec4(0, 0, 0, 1) - depth_ / focus, radius * right_, radius * up_};
+}
+
+std::unique_ptr<const Lens> makeLens(const scene::Snapshot& snapshot, double focus) {
+  if (!(focus > 0) || !std::isfinite(focus)) return nullptr;
+  const LensShear eye = LensAxis(snapshot.camera).shear(double{snapshot.settings.camera.aperture}, focus);
+  auto lens = std::make_unique<Lens>();
+  lens->world = eye.in(snapshot.eyeFromWorld);
+  lens->objects.reserve(snapshot.instances.size());
+  lens->lightings.resize(snapshot.instances.size());
+  for (const scene::Instance& instance : snapshot.instances) {
+    lens->objects.push_back(eye.in(instance.eyeFromObject));
+    if (instance.mesh->shape == scene::Shape::triangles || instance.mesh->triangleCount == 0) continue;
+    const glm::dmat4 objectFromLighting =
+        inverseOf(glm::dmat4(instance.lightingFromObject), "an instance's lighting matrix");
+    lens->lightings[lens->objects.size() - 1] = lens->objects.back().in(objectFromLighting);
+  }
+  return lens;
+}
+
+}  // namespace gluray::render

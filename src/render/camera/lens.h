@@ -1,0 +1,62 @@
+// A thin lens: rays through the same window position leave it at different points and meet again at the
+// distance in focus. Made once a frame on the calling thread, read by every tracing thread.
+#pragma once
+#include "scene/snapshot.h"
+
+#include <glm/glm.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace gluray::render {
+
+/// The ray from a point of the lens is that from its centre, sheared: a homogeneous point p of the one
+/// becomes
+///   p + dot(along, p) * (x * right + y * up),
+/// with (x, y) in the unit disc. `along` is 1 at the lens and 0 at the distance in focus. So the shear
+/// followed by the projection is the projection as seen from that point of the lens.
+struct LensShear {
+  glm::dvec4 along{0};
+  glm::dvec3 right{0}, up{0};  // radius of the lens, in the space of the points
+  /// The same shear of the points of another space.
+  LensShear in(const glm::dmat4& thisFromOther) const;
+  glm::dvec4 of(const glm::dvec4& p, double x, double y) const {
+    return p + glm::dvec4(glm::dot(along, p) * (x * right + y * up), 0);
+  }
+};
+
+/// The thin lens of R. Cook and others, "Distributed Ray Tracing", 1984: a point at distance d along the axis
+/// shows as a disc with the radius of the lens times |d - f| / f, measured at d, f being the distance in
+/// focus.
+/// Differs: with a parallel projection there is no viewpoint to place the lens at. Distances count from the
+/// plane of the eye, or from the near plane if that lies behind it; the disc is the same.
+struct Lens {
+  LensShear world;
+  std::vector<LensShear> objects;    // one for each of Snapshot::instances
+  std::vector<LensShear> lightings;  // the same in the impostors' lighting space; unused for triangles
+};
+
+/// The viewer's axis, whatever space the projection is given in.
+class LensAxis {
+ public:
+  /// Throws std::runtime_error where the projection cannot be inverted.
+  explicit LensAxis(const scene::Camera&);
+  /// Distance from the lens, along the axis, of a point in eye space.
+  double distanceOf(const glm::dvec3& eye) const;
+  /// The shear in eye space of a lens with this radius that is focused at distance `focus` > 0 from it.
+  LensShear shear(double radius, double focus) const;
+  /// The lens's distance from the plane of the eye: 0 unless that lies behind the near plane of a parallel
+  /// projection.
+  double start() const { return start_; }
+
+ private:
+  glm::dvec4 depth_{0};  // dot(depth_, p) is the distance from the lens
+  glm::dvec3 right_{1, 0, 0}, up_{0, 1, 0};
+  double start_ = 0;
+};
+
+/// The lens of the snapshot's settings, focused at `focus` from it along the axis; null unless that is
+/// positive. Throws std::runtime_error where a matrix cannot be inverted.
+std::unique_ptr<const Lens> makeLens(const scene::Snapshot&, double focus);
+
+}  // namespace gluray::render

@@ -1,0 +1,33 @@
+// Filters over the samples in and around a pixel (setting pixel-filter). Made once a frame, any thread.
+#pragma once
+#include "settings/settings.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace gluray::render {
+
+/// A filter along one axis; that of a pixel is the product of both axes'. Any constant factor.
+class FilterCurve {
+ public:
+  explicit FilterCurve(PixelFilter filter) : filter_(filter) {}
+  /// At `x` pixels from the pixel's centre; 0 beyond radius().
+  double operator()(double x) const;
+  double radius() const;
+
+ private:
+  PixelFilter filter_;
+};
+
+struct FilteredSamples {
+  std::vector<glm::dvec2> positions;  // from the pixel's lower left corner, in pixels
+  std::vector<float> weights;         // empty: all 1
+};
+
+/// Filter importance sampling (M. Ernst and others, "Filter Importance Sampling", 2006): places points of the
+/// unit square in proportion to the filter's magnitude, so that weights are 1, or -1 where it is negative.
+/// The square's centre stays the pixel's. The box filter leaves all points as they are.
+FilteredSamples filteredSamples(PixelFilter, std::vector<glm::dvec2> unitSquare);
+
+}  // namespace gluray::render

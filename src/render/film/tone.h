@@ -1,0 +1,30 @@
+// Exposure and tone mapping of hits' colours (settings exposure, tone). Made once a frame, called on tracing
+// threads.
+#pragma once
+#include "render/local/group.h"
+#include "scene/snapshot.h"
+
+#include <optional>
+
+namespace gluray::render {
+
+/// Colours are decoded to linear light, multiplied, bent by a curve, and encoded again. Framebuffers hold
+/// colours as sRGB displays show them, except where the real OpenGL encodes what is written.
+///   reinhard  L / (1 + L), L being the luminance; hue stays (E. Reinhard and others, "Photographic Tone
+///             Reproduction for Digital Images", 2002, equation 3)
+///   aces      K. Narkowicz, "ACES Filmic Tone Mapping Curve", 2015, with that page's exposure factor of 0.6
+///   filmic    J. Hable, "Filmic Tonemapping Operators", 2010, with that page's exposure bias of 2 and white
+///             at 11.2
+struct ToneMap {
+  float exposure = 1;  // factor of linear light
+  Tone curve = Tone::none;
+  bool encoded = true;  // colours are sRGB values
+
+  /// Changes the first three rows. Alpha stays.
+  void apply(ColorRows&) const;
+};
+
+/// None where the settings leave colours as they are.
+std::optional<ToneMap> makeToneMap(const scene::Snapshot&);
+
+}  // namespace gluray::render
