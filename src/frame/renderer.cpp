@@ -48,8 +48,7 @@ class Renderer::Engine {
     cost.buildSeconds = built - start;
     const timeline::Span span("trace");
     const render::MovingRays rays = moves ? paces_[snapshot.view].rays() : render::MovingRays();
-    const bool whole =
-        render::traceImage(snapshot, *world_, *arena_, image, {&histories_, rays, interrupt});
+    const bool whole = render::traceImage(snapshot, *world_, *arena_, image, {&histories_, rays, interrupt});
     cost.traceSeconds = nowSeconds() - built;
     if (moves) paces_[snapshot.view].took(cost.traceSeconds, 1 / static_cast<double>(snapshot.settings.fps));
     return whole;
