@@ -1,5 +1,7 @@
 #include "render/moving/reprojection.h"
 
+#include "scene/surroundings.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,9 +10,9 @@ namespace gluray::render {
 
 void Placement::take(const scene::Snapshot& s) {
   eyeFromWorld = s.eyeFromWorld;
-  objects.resize(s.instances.size());
+  objects.resize(scene::countAll(s));
   for (size_t i = 0; i < objects.size(); ++i) {
-    const scene::Instance& instance = s.instances[i];
+    const scene::Instance& instance = scene::instanceOf(s, i);
     Object& object = objects[i];
     object.geometry = instance.mesh->geometryId, object.triangles = instance.mesh->triangleCount;
     object.eyeFromObject = instance.eyeFromObject, object.radius = instance.mesh->radius;

@@ -7,7 +7,7 @@
 
 namespace gluray::render {
 
-/// What of a snapshot decides where its surfaces are; kept for the next frame.
+/// What of a snapshot and its surroundings decides where surfaces are; kept for the next frame.
 struct Placement {
   struct Object {
     Hash128 geometry;
