@@ -54,7 +54,9 @@ class Transmittance final : public accel::OccluderFilter {
 /// The same in three channels.
 class ColoredTransmittance final : public accel::OccluderFilter {
  public:
-  explicit ColoredTransmittance(const Occluders& occluders) : occluders_(occluders) {
+  /// `ignored`: instances that block nothing, sorted.
+  ColoredTransmittance(const Occluders& occluders, const std::vector<uint32_t>& ignored)
+      : occluders_(occluders), ignored_(ignored) {
     for (glm::vec3& t : through) t = glm::vec3(1);
   }
   bool blocks(const accel::Occluder&) const noexcept override;
@@ -63,6 +65,7 @@ class ColoredTransmittance final : public accel::OccluderFilter {
 
  private:
   const Occluders& occluders_;
+  const std::vector<uint32_t>& ignored_;
 };
 
 }  // namespace gluray::render

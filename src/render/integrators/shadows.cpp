@@ -76,16 +76,17 @@ HWY_ATTR inline void aimAtLight(const Shadows& s, int row, const SurfacePoints& 
 }
 
 /// Adds what arrives along one packet's rays.
-HWY_ATTR inline void addArriving(const Shadows& s, uint32_t lanes, LightSamples& samples, Row (&sums)[3],
-                                 Row& all) {
+HWY_ATTR inline void addArriving(const Shadows& s, int row, uint32_t lanes, LightSamples& samples,
+                                 Row (&sums)[3], Row& all) {
   alignas(64) int32_t valid[kLanes];
   for (int i = 0; i < kLanes; ++i) {
     valid[i] = (lanes >> i & 1) && samples.weights[i] * samples.grazing[i] > 0 ? -1 : 0;
     all[i] += samples.weights[i];
   }
-  const ColoredTransmittance light(s.occluders);
-  const uint32_t blocked =
-      s.frame.world->occluded(valid, samples.rays, s.occluders.areSolid() ? nullptr : &light);
+  const std::vector<uint32_t>& lamps = s.lights.lamps[static_cast<size_t>(row)];
+  const ColoredTransmittance light(s.occluders, lamps);
+  const bool plain = s.occluders.areSolid() && lamps.empty();
+  const uint32_t blocked = s.frame.world->occluded(valid, samples.rays, plain ? nullptr : &light);
   for (int i = 0; i < kLanes; ++i)
     for (int c = 0; c < 3 && !(blocked >> i & 1); ++c)
       sums[c][i] += samples.weights[i] * samples.grazing[i] * light.through[i][c];
@@ -93,6 +94,9 @@ HWY_ATTR inline void addArriving(const Shadows& s, uint32_t lanes, LightSamples&
 
 HWY_ATTR void traceShadows(const Shadows& s, const ColoredHits& hits, Factors& factors) {
   const uint32_t used = s.lights.of(hits.instance).used;
+  for (size_t row = 0; row < s.lights.lights.size(); ++row)
+    for (int c = 0; c < 3 && !(used >> row & 1); ++c)
+      std::fill_n(factors.visibility[row][c], kLanes, 1.0f);  // nothing to hide
   if (!used) return;
   SurfacePoints points;
   makePoints(s.metric, s.frame, hits, points);
@@ -105,7 +109,7 @@ HWY_ATTR void traceShadows(const Shadows& s, const ColoredHits& hits, Factors& f
     Row sums[3] = {}, all = {};
     for (int k = 0; k < count; ++k) {
       aimAtLight(s, row, points, seeds, first + static_cast<uint32_t>(k), samples);
-      addArriving(s, hits.group.lanes, samples, sums, all);
+      addArriving(s, row, hits.group.lanes, samples, sums, all);
     }
     for (int c = 0; c < 3; ++c)
       for (int i = 0; i < kLanes; ++i) {

@@ -16,7 +16,7 @@ struct Shadows {
   Shadows(const FrameData&, const Metric&, const Occluders&, const ShadowLights&);
   /// Rays that a light needs from each point; one if its shadows are hard.
   int raysOf(int row) const;
-  /// Fills the rows of Factors::visibility that the hits' surface uses.
+  /// Fills the rows of Factors::visibility.
   void estimate(const ColoredHits&, Factors&) const noexcept;
 
   const FrameData& frame;

@@ -105,6 +105,34 @@ TEST(Shadows, ConvergeAsTheSquareRootOfTheirSamplesOrFaster) {
   EXPECT_GT(few, 0.02) << "there is noise to converge";
 }
 
+TEST(Shadows, LampsDoNotHideTheirLights) {
+  // An unlit box around the light at (4, 0, 4).
+  const auto box = test::parallelogram({4, 0, 3.9f}, {0.2f, 0, 0}, {0, 0.2f, 0});
+  for (const bool lit : {false, true}) {
+    scene::Snapshot s = test::litView({test::wall(10), box}, Shader::fixedFunction, {4, 0, -1, 1});
+    auto mesh = std::make_shared<scene::Mesh>(*s.instances[1].mesh);
+    mesh->lower = {3.8f, -0.2f, 3.8f}, mesh->upper = {4.2f, 0.2f, 4.2f};
+    s.instances[1].mesh = mesh;
+    s.shadings.push_back(s.shadings[0]);
+    s.shadings[1].lighting = lit;
+    s.instances[1].shading = 1;
+    EXPECT_EQ(sharesOf(s)[30] < 1, lit);
+  }
+}
+
+TEST(Shadows, OfMoreThanFourLightsAreThoseOfTheStrongest) {
+  scene::Snapshot s = screened(Shader::fixedFunction);
+  scene::Light light = s.shadings[0].lights[0];
+  s.shadings[0].lights.clear();
+  for (int i = 0; i < 6; ++i) {
+    light.diffuse = {0.02f * static_cast<float>(i + 1), 0.02f * static_cast<float>(i + 1), 0, 1};
+    light.position = {1, 0.02f * static_cast<float>(i), 1, 0};
+    s.shadings[0].lights.push_back(light);
+  }
+  // The first two, of 0.02 and 0.04, are not shadowed.
+  EXPECT_NEAR(test::trace(s).color(60, 32).g, 255 * 0.06f * 0.7071f, 1);
+}
+
 TEST(Shadows, TakeAsMuchAsTheirStrength) {
   scene::Snapshot s = screened(Shader::phong);
   s.settings.shadows.strength = 0.25f;

@@ -40,6 +40,22 @@ bool isSame(const LightSource& a, const LightSource& b, const Metric& metric) {
          glm::length(a.position - b.position) <= near * metric.diagonal;
 }
 
+bool isLit(const scene::Shading& s) {
+  using Model = scene::FragmentShading::Model;
+  return s.fragment.model == Model::off ? s.lighting : s.fragment.model != Model::unlit;
+}
+
+/// Programs draw small unlit things around their lights, to show where they are.
+bool isLamp(const scene::Instance& instance, const LightSource& light, const Metric& metric) {
+  constexpr double kSmall = 0.1;  // of the scene
+  const glm::dvec3 lower(instance.mesh->lower), upper(instance.mesh->upper),
+      at(glm::inverse(instance.eyeFromObject) * glm::dvec4(light.position, 1));
+  for (int c = 0; c < 3; ++c)
+    if (!(at[c] >= lower[c] && at[c] <= upper[c])) return false;
+  const glm::dvec3 size = glm::dmat3(instance.eyeFromObject) * (upper - lower);
+  return glm::length(size) < kSmall * metric.diagonal;
+}
+
 class Finder {
  public:
   Finder(const FrameData& frame, const Metric& metric) : frame_(frame), metric_(metric) {}
@@ -81,9 +97,7 @@ class Finder {
     numbers_.emplace_back();
     for (size_t l = 0; l < count; ++l)
       numbers_.back().push_back(numberOf(index, l, program, eyeFromLighting));
-    const bool lit =
-        program ? shading.fragment.model != scene::FragmentShading::Model::unlit : shading.lighting;
-    if (frame_.relit && frame_.relit->dome.shines() && lit) {
+    if (frame_.relit && frame_.relit->dome.shines() && isLit(shading)) {
       const glm::dmat3 lightingFromEye(glm::inverse(eyeFromLighting));
       rows.up = glm::vec3(glm::normalize(lightingFromEye * glm::dvec3(frame_.relit->dome.up)));
     }
@@ -127,8 +141,20 @@ class Finder {
       row[static_cast<size_t>(i)] = static_cast<int8_t>(out.lights.size());
       out.lights.push_back(lights_[static_cast<size_t>(i)]);
     }
-    if (casts && dome) out.dome = static_cast<int>(out.lights.size()), out.lights.emplace_back();
+    for (const LightSource& light : out.lights) out.lamps.push_back(lampsOf(light));
+    if (casts && dome)
+      out.dome = static_cast<int>(out.lights.size()), out.lights.emplace_back(), out.lamps.emplace_back();
     for (size_t r = 0; r < out.rows.size(); ++r) fill(numbers_[r], row, out.dome, out.rows[r]);
+  }
+
+  std::vector<uint32_t> lampsOf(const LightSource& light) const {
+    std::vector<uint32_t> lamps;
+    if (light.kind != Kind::point && light.kind != Kind::spot) return lamps;
+    const std::vector<scene::Instance>& instances = frame_.snapshot->instances;
+    for (uint32_t i = 0; i < instances.size(); ++i)
+      if (!isLit(frame_.snapshot->shadings[instances[i].shading]) && isLamp(instances[i], light, metric_))
+        lamps.push_back(i);
+    return lamps;
   }
 
   static void fill(const std::vector<int>& numbers, const std::vector<int8_t>& row, int dome,

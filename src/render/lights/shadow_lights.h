@@ -20,7 +20,9 @@ struct ShadowLights {
     bool operator==(const Rows&) const = default;
   };
   std::vector<scene::LightSource> lights;  // eye space; that of the dome has no meaning
-  int dome = -1;                           // its row; -1: it has no shadow
+  // Of each light: the instances that show where it is, and so do not hide it. Sorted.
+  std::vector<std::vector<uint32_t>> lamps;
+  int dome = -1;  // its row; -1: it has no shadow
   std::vector<Rows> rows;
   std::vector<uint32_t> rowsOfInstance;  // indices of `rows`
   const Rows& of(uint32_t instance) const { return rows[rowsOfInstance[instance]]; }
