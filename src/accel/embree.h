@@ -1,5 +1,7 @@
 // Includes Embree 3 or 4, whichever CMake found; no other file includes it. Private to accel/, any thread.
 #pragma once
+#include "accel/ray_packet.h"
+
 #if GLURAY_EMBREE_MAJOR >= 4
 #include <embree4/rtcore.h>
 #else
@@ -32,10 +34,6 @@ inline glm::vec3 originOf(RTCRayN* ray, unsigned count, unsigned i) {
 inline glm::vec3 directionOf(RTCRayN* ray, unsigned count, unsigned i) {
   return {RTCRayN_dir_x(ray, count, i), RTCRayN_dir_y(ray, count, i), RTCRayN_dir_z(ray, count, i)};
 }
-
-/// Whether the rays of a packet go much the same way. Embree traces coherent packets as a whole; of rays that
-/// differ that costs half of the speed.
-enum class Coherence : bool { coherent, incoherent };
 
 /// One query of a packet of N rays. `filter` may be null.
 class PacketQuery {

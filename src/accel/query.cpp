@@ -44,34 +44,34 @@ void nameLoneInstance(RayPacket& packet, uint32_t index) {
 }  // namespace
 
 void World::ask(QueryState& state, bool filtered, const int32_t* valid, RayPacket& packet,
-                const ImpostorQuery* impostors) const noexcept {
+                const ImpostorQuery* impostors, Coherence coherence) const noexcept {
   if (impostors) {
     state.impostors = impostors_.data(), state.rays = *impostors;
     if (hasPixelImpostors_ && impostors->samples) state.around = WindowRectangle(*impostors->samples);
   }
-  PacketQuery query(Coherence::coherent, filtered ? onFilter : nullptr, &state);
+  PacketQuery query(coherence, filtered ? onFilter : nullptr, &state);
   intersectAll(query, scene_, device_.packetWidth(), valid, packet);
 }
 
 void World::intersect(const int32_t* valid, RayPacket& packet, const HitFilter* filter,
-                      const ImpostorQuery* impostors) const noexcept {
+                      const ImpostorQuery* impostors, Coherence coherence) const noexcept {
   if (!filter && !mayCoincide_ && !impostors) {
-    PacketQuery query(Coherence::coherent);
+    PacketQuery query(coherence);
     intersectAll(query, scene_, device_.packetWidth(), valid, packet);
   } else {
     TieBreaker ties(order_);
     QueryState state{filter, mayCoincide_ ? &ties : nullptr, aloneIndex_};
-    ask(state, filter || mayCoincide_, valid, packet, impostors);
+    ask(state, filter || mayCoincide_, valid, packet, impostors, coherence);
     if (mayCoincide_) ties.restoreDistances(packet);
   }
   if (alone_) nameLoneInstance(packet, aloneIndex_);
 }
 
 void World::intersectNext(const int32_t* valid, RayPacket& packet, NextHits& hits,
-                          const ImpostorQuery* impostors) const noexcept {
+                          const ImpostorQuery* impostors, Coherence coherence) const noexcept {
   QueryState state{nullptr, nullptr, aloneIndex_};
   state.next = &hits;
-  ask(state, true, valid, packet, impostors);
+  ask(state, true, valid, packet, impostors, coherence);
 }
 
 void World::intersectBounced(const int32_t* valid, RayPacket& packet) const noexcept {

@@ -8,6 +8,10 @@ namespace gluray::accel {
 constexpr int kLanes = 16;                // rays in a packet
 constexpr uint32_t kNoHit = 0xFFFFFFFFu;  // value of `geometry` where the ray hit nothing
 
+/// Whether the rays of a packet go much the same way. Embree traces coherent packets as a whole; of rays that
+/// differ that costs half of the speed.
+enum class Coherence : bool { coherent, incoherent };
+
 /// A packet of rays org + t*dir, t in (tNear, tFar]. `dir` may have any length; t is in units of it.
 /// The lanes are 4x4 pixels in Z order of 2x2 quads: lanes 0-3 are one quad, 0-7 a 4x2 block.
 /// Same layout as Embree's packet: Embree reads and writes it in place.

@@ -56,12 +56,13 @@ class World {
   /// accepts all. Where triangles coincide, the hit is on the one that the snapshot's order of drawing and
   /// depth function leave. Without `impostors` rays hit no impostors.
   void intersect(const int32_t* valid, RayPacket&, const HitFilter* filter = nullptr,
-                 const ImpostorQuery* impostors = nullptr) const noexcept;
+                 const ImpostorQuery* impostors = nullptr,
+                 Coherence coherence = Coherence::coherent) const noexcept;
 
   /// Finds up to NextHits::kMost nearest hits of each valid lane, except those already passed on. Of
   /// coincident triangles it reports all. The packet's own fields are undefined afterwards.
-  void intersectNext(const int32_t* valid, RayPacket&, NextHits&,
-                     const ImpostorQuery* impostors) const noexcept;
+  void intersectNext(const int32_t* valid, RayPacket&, NextHits&, const ImpostorQuery* impostors,
+                     Coherence coherence = Coherence::coherent) const noexcept;
 
   /// Nearest hits of rays from anywhere, which see impostors as solids (impostors/solid.h) and meet the
   /// surroundings. Otherwise as intersect(); of triangles at one place any is hit.
@@ -101,7 +102,8 @@ class World {
   bool placeAround(const scene::Snapshot&, const std::vector<PlacedBlas>& drawn);
   RTCSceneTy* lightScene() const { return light_.scene() ? light_.scene() : scene_; }
   std::vector<BlasPtr> structures(const std::vector<Geometry>&, BvhQuality);
-  void ask(QueryState&, bool filtered, const int32_t* valid, RayPacket&, const ImpostorQuery*) const noexcept;
+  void ask(QueryState&, bool filtered, const int32_t* valid, RayPacket&, const ImpostorQuery*,
+           Coherence) const noexcept;
   void readBounds();
   void readOrder(const scene::Snapshot&);
   void readImpostors(const scene::Snapshot&);

@@ -45,6 +45,10 @@ struct Work {
   const Factors* factors = nullptr;  // of light, where these are known
   const Lens* lens = nullptr;        // null: the rays leave the viewpoint
   LensPoints lensPoints;
+  /// Rays of neighbouring pixels leave different points of a lens.
+  accel::Coherence coherence() const {
+    return lens ? accel::Coherence::incoherent : accel::Coherence::coherent;
+  }
 };
 
 // Pixel of lane i within its 4x4 block: Z order of 2x2 quads.

@@ -75,7 +75,8 @@ HWY_ATTR inline void traceWork(const FrameData& frame, Work& work) {
       if (work.valid[i]) work.hits |= 1u << i;
     return;
   }
-  frame.world->intersect(work.valid, work.packet, work.lens ? nullptr : frame.accepted.get(), impostors);
+  frame.world->intersect(work.valid, work.packet, work.lens ? nullptr : frame.accepted.get(), impostors,
+                         work.coherence());
   work.hits = lanesThatHit(work.packet, work.valid);
   prefetchTriangles(frame, work);
 }
@@ -111,7 +112,7 @@ HWY_ATTR inline void traceOn(const FrameData& frame, uint32_t lanes, RejectingFi
   }
   const accel::ImpostorQuery* impostors = aimRays(frame, work);
   for (int i = 0; i < kLanes; ++i) work.packet.tNear[i] = std::max(work.packet.tNear[i], passed[i]);
-  frame.world->intersect(work.valid, work.packet, &filter, impostors);
+  frame.world->intersect(work.valid, work.packet, &filter, impostors, work.coherence());
   work.hits = lanesThatHit(work.packet, work.valid);
   fetchVertices(frame, work);
 }

@@ -43,9 +43,11 @@ LensAxis::LensAxis(const scene::Camera& camera) {
   const glm::dvec4 w = glm::transpose(camera.clipFromEye)[3];
   const glm::dvec4 middle[] = {eyeFromClip * glm::dvec4(0, 0, -1, 1), eyeFromClip * glm::dvec4(0, 0, 1, 1)};
   glm::dvec3 axis;
-  if (isPerspective(eyeFromClip)) {  // clip-space w is proportional to the distance from the viewer
-    depth_ = w / glm::length(glm::dvec3(w));
-    axis = glm::dvec3(depth_);
+  if (isPerspective(eyeFromClip)) {
+    const double perUnit = glm::length(glm::dvec3(w));
+    depth_ = w;
+    unit_ = 1 / perUnit;
+    axis = glm::dvec3(w) / perUnit;
   } else {
     axis = direction(middle[0], middle[1]);
     const double near = glm::dot(axis, glm::dvec3(middle[0]) / middle[0].w);
@@ -60,7 +62,7 @@ LensAxis::LensAxis(const scene::Camera& camera) {
 double LensAxis::distanceOf(const glm::dvec3& eye) const { return glm::dot(depth_, glm::dvec4(eye, 1)); }
 
 LensShear LensAxis::shear(double radius, double focus) const {
-  return {glm::dvec4(0, 0, 0, 1) - depth_ / focus, radius * right_, radius * up_};
+  return {glm::dvec4(0, 0, 0, 1) - depth_ / focus, radius * unit_ * right_, radius * unit_ * up_};
 }
 
 std::unique_ptr<const Lens> makeLens(const scene::Snapshot& snapshot, double focus) {

@@ -36,7 +36,9 @@ struct Lens {
   std::vector<LensShear> lightings;  // the same in the impostors' lighting space; unused for triangles
 };
 
-/// The viewer's axis, whatever space the projection is given in.
+/// The viewer's axis, whatever space the projection is given in. Lengths are in units of the clip-space w of
+/// perspective projections: ordinary ones have the distance from the viewer there, also where programs give
+/// no more than the product of all their matrices. With a parallel projection they are in those of eye space.
 class LensAxis {
  public:
   /// Throws std::runtime_error where the projection cannot be inverted.
@@ -53,6 +55,7 @@ class LensAxis {
   glm::dvec4 depth_{0};  // dot(depth_, p) is the distance from the lens
   glm::dvec3 right_{1, 0, 0}, up_{0, 1, 0};
   double start_ = 0;
+  double unit_ = 1;  // length of a unit in eye space
 };
 
 /// The lens of the snapshot's settings, focused at `focus` from it along the axis; null unless that is

@@ -117,9 +117,14 @@ TEST(Lens, OfAProjectionThatHoldsTheViewIsTheSame) {
   // Some programs put the camera's place into the projection matrix.
   const glm::dmat4 view = glm::lookAt(glm::dvec3(3, 4, 5), glm::dvec3(0, 1, 0), glm::dvec3(0, 1, 0));
   scene::Snapshot s = viewOf({halfPlane(8, 0.1, 1)});
-  s.camera.clipFromEye = s.camera.clipFromEye * view;
-  s.eyeFromWorld = s.instances[0].eyeFromObject = glm::inverse(view);
-  EXPECT_LT(errorOfEdge(test::trace(s), kSize / 2 + 0.1 * pixelsAt(8), 0.2 * 3 / 5 * pixelsAt(8)), kNoise);
+  const glm::dmat4 projection = s.camera.clipFromEye;
+  for (const double scale : {1.0, 0.01, 100.0}) {  // and scale their coordinates
+    const glm::dmat4 viewFromEye = glm::scale(view, glm::dvec3(scale));
+    s.camera.clipFromEye = projection * viewFromEye;
+    s.eyeFromWorld = s.instances[0].eyeFromObject = glm::inverse(viewFromEye);
+    const double radius = 0.2 * 3 / 5 * pixelsAt(8);
+    EXPECT_LT(errorOfEdge(test::trace(s), kSize / 2 + 0.1 * pixelsAt(8), radius), kNoise) << scale;
+  }
 }
 
 TEST(Lens, DepthIsThatOfTheViewpoint) {

@@ -106,7 +106,7 @@ HWY_ATTR void walkLayers(const FrameData& frame, Work& work, End&& end, Put&& pu
     for (int i = 0; i < kLanes; ++i) work.valid[i] = lanes >> i & 1 ? -1 : 0;
     const accel::ImpostorQuery* impostors = aimRays(frame, work);
     for (int i = 0; i < kLanes; ++i) work.packet.tNear[i] = std::max(work.packet.tNear[i], passed[i]);
-    frame.world->intersectNext(work.valid, work.packet, hits, impostors);
+    frame.world->intersectNext(work.valid, work.packet, hits, impostors, work.coherence());
     for (int i = 0; i < accel::NextHits::kMost; ++i) {
       work.hits = takeHits(hits, i, lanes & ~ended, work);
       if (!work.hits) break;
