@@ -93,8 +93,9 @@ TEST(Bsdf, ScattersNoMoreLightThanArrives) {
     for (const float cosine : {1.0f, 0.8f, 0.5f, 0.2f, 0.05f}) {
       const glm::vec3 share = albedoOf(m.model, directionAt(cosine));
       for (int c = 0; c < 3; ++c) {
-        // VTK's visibility is not that of its distribution.
-        const float most = m.name.starts_with("VTK") ? 1.5f : 1.01f;
+        // VTK adds all diffuse light to the highlight of the half vector: up to 2.6 % too much at grazing
+        // angles.
+        const float most = m.name.starts_with("VTK") ? 1.3f : 1.01f;
         EXPECT_LE(share[c], most) << m.name << " at " << cosine;
         if (m.keepsAll) { EXPECT_NEAR(share[c], 1, 0.015f) << m.name << " at " << cosine; }
       }

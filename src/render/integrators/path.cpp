@@ -42,6 +42,15 @@ namespace gluray::render {
 
 HWY_EXPORT(lightByPaths);
 
+namespace {
+
+/// Whether surfaces that the viewer sees from the side where their corners turn counterclockwise turn the
+/// other way in the window. Ordinary projections have a negative determinant: depth grows against eye space's
+/// z.
+bool isMirrored(const View& view) { return view.areaSign * view.away > 0; }
+
+}  // namespace
+
 Path::Path(const FrameData& of)
     : frame(of),
       metric(of),
@@ -55,7 +64,7 @@ Path::Path(const FrameData& of)
       depth(of.snapshot->settings.path.depth),
       mostIndirect(of.snapshot->settings.path.clamp),
       bounces(of.snapshot->settings.integrator == LightIntegrator::path),
-      mirrored(View(of.snapshot->camera).areaSign < 0) {
+      mirrored(isMirrored(View(of.snapshot->camera))) {
   if (paintsEdges(*of.snapshot)) unseen = surfaceColors(of, false);
   hasGlass = std::any_of(materials.begin(), materials.end(),
                          [](const MaterialModel& m) { return m.isTransparent(); });
