@@ -12,7 +12,9 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <stdexcept>
+#include <vector>
 
 namespace gluray::render {
 namespace {
@@ -73,19 +75,62 @@ void clearImage(const scene::Snapshot& snapshot, Image& image) {
 
 namespace {
 
+/// The tiles of an image, row by row.
+struct Tiles {
+  int width, height, columns, rows;
+  explicit Tiles(const Image& image)
+      : width(image.width),
+        height(image.height),
+        columns((width + kTileSize - 1) / kTileSize),
+        rows((height + kTileSize - 1) / kTileSize) {}
+  Tile at(int index) const {
+    const int x = index % columns * kTileSize, y = index / columns * kTileSize;
+    return {x, y, std::min(x + kTileSize, width), std::min(y + kTileSize, height)};
+  }
+};
+
 /// Calls work(tile) for all of an image's tiles, on all threads.
 template <class Work>
 void eachTile(const Image& image, const char* name, const Work& work) {
-  const int columns = (image.width + kTileSize - 1) / kTileSize,
-            rows = (image.height + kTileSize - 1) / kTileSize;
-  tbb::parallel_for(0, columns * rows, [&](int index) {
+  const Tiles tiles(image);
+  tbb::parallel_for(0, tiles.columns * tiles.rows, [&](int index) {
     const FloatGuard guard;
     timeline::nameThread("tracing");
     const timeline::Span span(name, 1, true);
-    const int x = index % columns * kTileSize, y = index / columns * kTileSize;
-    work(Tile{x, y, std::min(x + kTileSize, image.width), std::min(y + kTileSize, image.height)});
+    work(tiles.at(index));
   });
 }
+
+/// Tells when all of a tile's neighbours are finished, so that its surroundings can be read while they are in
+/// the caches.
+class TilesAround {
+ public:
+  explicit TilesAround(const Image& image)
+      : tiles_(image), unfinished_(static_cast<size_t>(tiles_.columns) * static_cast<size_t>(tiles_.rows)) {
+    for (int y = 0; y < tiles_.rows; ++y)
+      for (int x = 0; x < tiles_.columns; ++x) around(x, y, [&](int, int) { ++counterOf(x, y); });
+  }
+  /// Calls ready(tile) for each tile that waited for this one alone. Any thread.
+  template <class Ready>
+  void finish(const Tile& tile, const Ready& ready) {
+    around(tile.x0 / kTileSize, tile.y0 / kTileSize, [&](int x, int y) {
+      if (--counterOf(x, y) == 0) ready(tiles_.at(y * tiles_.columns + x));
+    });
+  }
+
+ private:
+  std::atomic<int>& counterOf(int x, int y) {
+    return unfinished_[static_cast<size_t>(y) * static_cast<size_t>(tiles_.columns) + static_cast<size_t>(x)];
+  }
+  template <class Each>
+  void around(int x, int y, const Each& each) const {
+    for (int row = std::max(y - 1, 0); row <= std::min(y + 1, tiles_.rows - 1); ++row)
+      for (int column = std::max(x - 1, 0); column <= std::min(x + 1, tiles_.columns - 1); ++column)
+        each(column, row);
+  }
+  Tiles tiles_;
+  std::vector<std::atomic<int>> unfinished_;  // of each tile and its neighbours
+};
 
 /// Whether the pixels of a frame of an animation have one nearest hit each, whose factors can be smoothed.
 bool isMoving(const scene::Snapshot& snapshot, const FrameData& frame) {
@@ -119,18 +164,20 @@ bool traceMoving(FrameData& frame, const MovingOptions& options) {
   const Metric metric(frame);
   const Collector collector(frame, moving, *factors, metric);
   frame.moving = &moving, frame.direct = direct.get();
-  frame.integrator = &collector, frame.hits = moving.hits;
+  frame.integrator = factors, frame.collector = &collector, frame.hits = moving.hits;
+  TilesAround waiting(*frame.image);
   eachTile(*frame.image, "tiles", [&](const Tile& tile) {
     moving.film->clear(tile.x0, tile.y0, tile.x1, tile.y1);
     traceTile(frame, tile);
-  });
-  frame.integrator = factors, frame.hits = nullptr;
-  eachTile(*frame.image, "relit tiles", [&](const Tile& tile) {
-    TileFactors smooth;
-    filterTile(moving, tile, smooth);
-    relightTile(frame, tile, smooth);
+    waiting.finish(tile, [&](const Tile& ready) {
+      const timeline::Span span("relit tiles", 1, true);
+      TileFactors smooth;
+      filterTile(moving, ready, smooth);
+      relightTile(frame, ready, smooth);
+    });
   });
   frame.moving = nullptr, frame.integrator = nullptr, frame.direct = nullptr;
+  frame.collector = nullptr, frame.hits = nullptr;
   history.finish();
   return true;
 }
