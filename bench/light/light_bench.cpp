@@ -73,6 +73,16 @@ void measure(const Options& options, bench::Stage& stage) {
       if (frame >= options.frames / 3) times[name].push_back(t), ratios[name].push_back(t / base);
     }
   }
+  // Without rays: what history, filter and composition cost. After all others, whose history it uses.
+  std::vector<double> rest;
+  for (int round = 0; round < std::max(options.rounds, 5); ++round) {
+    Way none = kFull;
+    none.rays.perPixel = 0;
+    Image unused;
+    const double base = stage.trace(options.frames - 1, kLocal, local);
+    rest.push_back((stage.trace(options.frames - 1, none, unused) - base) / base);
+  }
+  figure("without_rays_ratio", bench::median(rest), "of a local frame, added to it");
   Image converged;
   reference(options, stage, converged);
   figure("local_ms", 1e3 * bench::median(times["local"]), "ms");

@@ -68,9 +68,10 @@ struct FrameData {
   const Integrator* integrator = nullptr;  // null: the local look alone
   std::optional<ToneMap> tone;             // none: colours stay
   const DirectLook* direct = nullptr;      // the surfaces without ambient light, if the integrator needs them
-  // Null: pixels get their final colours at once. Otherwise the integrator collects factors first; then
-  // relightTile() colours the hits that are kept here.
+  // Null: pixels get their final colours at once. Otherwise traceTile() keeps the hits here, and the
+  // collector their factors of light; then relightTile() colours them.
   HitFilm* hits = nullptr;
+  const Integrator* collector = nullptr;
   const MovingFrame* moving = nullptr;  // null: light takes all samples that the settings ask for
   std::optional<HonestLook> honest;     // none: the local look is the program's
   Image* image = nullptr;

@@ -258,11 +258,12 @@ HWY_ATTR HWY_NOINLINE inline void lightHits(const FrameData& frame, uint32_t ins
     ColoredHits hits{frame.surfaces[instance], instance, group, back, sample, x, y};
     hits.factors = factors;
     LitRows direct;
-    if (frame.direct && !frame.hits) {
+    const bool collects = frame.collector && !factors;
+    if (frame.direct && !collects) {
       shade(frame, frame.direct->surfaces[instance], group, back, x, y, direct);
       hits.direct = &direct;
     }
-    frame.integrator->light(hits, rows);
+    (collects ? frame.collector : frame.integrator)->light(hits, rows);
   }
   if (frame.tone) frame.tone->apply(rows);
 }
@@ -296,7 +297,8 @@ HWY_ATTR uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool mayReje
     if (surface.mesh->shape == scene::Shape::triangles) moveToSamples(seen, work.edged, group);
     const uint32_t back = (surface.frontIsCcw ? ~seen.ccw : seen.ccw) & group.lanes;
     // Hits that are kept need colours now only if these decide whether they are there.
-    const bool kept = frame.hits && surface.lighting->shading->alphaTest.function == scene::AlphaTest::always;
+    const bool kept = frame.hits && !work.factors &&
+                      surface.lighting->shading->alphaTest.function == scene::AlphaTest::always;
     const uint32_t failing = kept ? 0 : shade(frame, surface, group, back, x, y, rows);
     rejected |= failing;
     group.lanes &= ~failing;

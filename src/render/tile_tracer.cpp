@@ -1,19 +1,12 @@
 #include "render/tile_tracer.h"
 
-#include "base/log.h"
-#include "base/timeline.h"
-#include "render/float_guard.h"
 #include "render/integrators/direct_look.h"
 #include "render/integrators/integrator.h"
 #include "render/kernels.h"
-#include "render/moving/collector.h"
-#include "render/moving/filter.h"
+#include "render/moving/trace_moving.h"
 #include "scene/effects.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
-#include <atomic>
 #include <stdexcept>
 
 namespace gluray::render {
@@ -85,81 +78,17 @@ enum class Traced {
   seenThrough,  // averages cannot be composited over the framebuffer: alpha is written but is no opacity
 };
 
-/// Calls work(tile) for all of an image's tiles, on all threads. False: interrupted before the last one.
-template <class Work>
-bool eachTile(const Image& image, const char* name, const Interrupt& interrupt, const Work& work) {
-  const int height = interrupt ? kShortTile : kTileSize;
-  const int columns = (image.width + kTileSize - 1) / kTileSize, rows = (image.height + height - 1) / height;
-  std::atomic<bool> interrupted{false};
-  tbb::parallel_for(0, columns * rows, [&](int index) {
-    if (interrupt && interrupt()) return interrupted.store(true, std::memory_order_relaxed);
-    const FloatGuard guard;
-    timeline::nameThread("tracing");
-    const timeline::Span span(name, 1, true);
-    const int x = index % columns * kTileSize, y = index / columns * height;
-    work(Tile{x, y, std::min(x + kTileSize, image.width), std::min(y + height, image.height)});
-  });
-  return !interrupted;
-}
-
-/// Whether the pixels of a frame of an animation have one nearest hit each, whose factors can be smoothed.
-bool isMoving(const scene::Snapshot& snapshot, const FrameData& frame) {
-  const bool plain = !snapshot.layers && !frame.averages && frame.samplePositions.size() == 1;
-  return snapshot.lightSampling.mode == scene::LightSampling::Mode::moving && plain &&
-         frame.eyeRays.linear.usable;
-}
-
-/// Traces all factors, smooths them, and then colours the hits. False, with nothing traced, if it cannot.
-bool traceMoving(FrameData& frame, const TraceOptions& options) {
-  LightHistories own;
-  LightHistories& histories = options.histories ? *options.histories : own;
-  LightHistory& history = histories.of(frame.snapshot->view);
-  MovingFrame moving;
-  moving.index = history.index(), moving.rays = options.rays;
-  frame.moving = &moving;
-  const std::unique_ptr<const Integrator> integrator = makeIntegrator(frame);
-  frame.moving = nullptr;
-  const auto* factors = dynamic_cast<const FactorIntegrator*>(integrator.get());
-  if (!factors) return false;
-  try {
-    history.begin(frame, *factors, moving);
-  } catch (const std::bad_alloc&) {
-    log::once(log::Level::warning, "moving light",
-              "no memory to smooth the light of moving frames: they take all samples and are slower");
-    histories.clear();
-    return false;
-  }
-  if (!moving.space.usable) return false;
-  const std::unique_ptr<const DirectLook> direct = makeDirectLook(frame);
-  const Metric metric(frame);
-  const Collector collector(frame, moving, *factors, metric);
-  frame.moving = &moving, frame.direct = direct.get();
-  frame.integrator = &collector, frame.hits = moving.hits;
-  eachTile(*frame.image, "tiles", {}, [&](const Tile& tile) {
-    moving.film->clear(tile.x0, tile.y0, tile.x1, tile.y1);
-    traceTile(frame, tile);
-  });
-  frame.integrator = factors, frame.hits = nullptr;
-  eachTile(*frame.image, "relit tiles", {}, [&](const Tile& tile) {
-    TileFactors smooth;
-    filterTile(moving, tile, smooth);
-    relightTile(frame, tile, smooth);
-  });
-  frame.moving = nullptr, frame.integrator = nullptr, frame.direct = nullptr;
-  history.finish();
-  return true;
-}
-
 Traced traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Image& image,
                   const TraceOptions& options) {
   FrameData frame(snapshot, world, image);
-  if (isMoving(snapshot, frame) && traceMoving(frame, options)) return Traced::whole;
+  if (isMoving(frame) && traceMoving(frame, options.histories, options.rays)) return Traced::whole;
   const std::unique_ptr<const Integrator> integrator = makeIntegrator(frame);
   frame.integrator = integrator.get();
   const std::unique_ptr<const DirectLook> direct = makeDirectLook(frame);
   frame.direct = direct.get();
+  const Tiles tiles(image, options.interrupt ? kShortTile : kTileSize);
   const bool whole =
-      eachTile(image, "tiles", options.interrupt, [&](const Tile& tile) { traceTile(frame, tile); });
+      eachTile(tiles, "tiles", options.interrupt, [&](const Tile& tile) { traceTile(frame, tile); });
   if (!whole) return Traced::interrupted;
   for (size_t n = 0; n < LayerCounts::kMost; ++n)
     image.layers.open[n] = frame.layerCounts[0][n], image.layers.before[n] = frame.layerCounts[1][n];

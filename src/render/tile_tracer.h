@@ -5,9 +5,8 @@
 #include "base/image.h"
 #include "parallel/arena.h"
 #include "render/moving/light_history.h"
+#include "render/tiles.h"
 #include "scene/snapshot.h"
-
-#include <functional>
 
 namespace gluray::render {
 
@@ -17,9 +16,6 @@ bool hasLight(const scene::Snapshot&);
 /// Sets every pixel of the snapshot's region to a miss, as the null renderer does. `image` takes the region's
 /// shape.
 void clearImage(const scene::Snapshot&, Image& image);
-
-/// Whether tracing must stop; asked before each tile, on all tracing threads.
-using Interrupt = std::function<bool()>;
 
 struct TraceOptions {
   // Of frames of an animation (scene::LightSampling::Mode::moving).

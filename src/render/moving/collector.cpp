@@ -15,6 +15,7 @@ namespace HWY_NAMESPACE {
 
 /// Lanes that trace rays in this frame.
 HWY_ATTR inline uint32_t tracedLanes(const MovingFrame& moving, uint32_t lanes, const Known& known) {
+  if (moving.rays.perPixel == 0) return 0;
   if (!moving.rays.quarter) return lanes;
   constexpr uint32_t kOneOfEachQuad = 0x1111;
   constexpr uint32_t kTurns[] = {0, 3, 1, 2};

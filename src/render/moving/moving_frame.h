@@ -11,7 +11,7 @@ namespace gluray::render {
 
 /// How many rays each use of light takes in a moving frame.
 struct MovingRays {
-  int perPixel = 1;      // of the pixels that trace any
+  int perPixel = 1;      // of the pixels that trace any; 0: none does, what is known is shown
   bool quarter = false;  // one pixel of four traces, in turn; and all without a history
 };
 

@@ -238,6 +238,28 @@ TEST(Moving, ChangedSettingsForgetEarlierFrames) {
   EXPECT_NEAR(meanOf(animation.frame(s).image), meanOf(animation.converged(s).image), 1.5);
 }
 
+TEST(Moving, ImpostorsAndCulledSidesAreFoundAgain) {
+  auto spheres = std::make_shared<scene::Mesh>();
+  spheres->shape = scene::Shape::spheres;
+  spheres->vertexCount = spheres->triangleCount = 2;
+  spheres->positions =
+      test::makeAttribute<glm::vec3>({{-0.3f, 0, 0.3f}, {0.4f, 0.5f, 0.2f}}, scene::Format::float3);
+  spheres->radius = 0.3f;
+  spheres->lower = {-0.6f, -0.3f, -0.1f}, spheres->upper = {0.7f, 0.8f, 0.6f};
+  Animation animation;
+  scene::Snapshot s = test::makeSnapshot(
+      {plane({0, 0, 0}, {3, 0, 0}, {0, 3, 0}), spheres, plane({0, 0, 1.2f}, {3, 0, 0}, {0, 3, 0})}, kSize);
+  s.settings.ao.enabled = true;
+  s.instances[2].cull = scene::CullFace::both;
+  for (int i = 0; i < 4; ++i) {
+    turn(s, i);
+    s.instances[1].lightingFromObject = glm::mat4(s.instances[1].eyeFromObject);
+    const test::Traced moving = animation.frame(s);
+    EXPECT_EQ(moving.image.depth, animation.frame(s, Mode::full).image.depth);
+    EXPECT_NEAR(meanOf(moving.image), meanOf(animation.converged(s).image), 2);
+  }
+}
+
 TEST(Moving, ViewsHaveHistoriesOfTheirOwn) {
   Animation animation;
   scene::Snapshot s = boards();
