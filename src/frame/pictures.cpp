@@ -85,7 +85,7 @@ Pictures::Result Pictures::of(const scene::Snapshot& snapshot, const Wish& wish)
   if (idle_) idle_->stop();
   const bool ahead = ahead_ && ahead_->has(snapshot);
   const bool refines = isRefinable(snapshot);
-  const bool full = wish.finished || snapshot.lightSampling.mode == scene::LightSampling::full;
+  const bool full = wish.finished || snapshot.lightSampling.mode == scene::LightSampling::Mode::full;
   if (!refines) last_.forgetPasses();
   if (auto* const picture = wish.mayRepeat && !ahead ? known(snapshot, wish, refines) : nullptr) {
     result.repeated = true, result.picture = picture;
@@ -122,8 +122,8 @@ void Pictures::wrote(const scene::SnapshotPtr& snapshot, const LastPictures::Pic
                      const Image& pixels, const scene::Resolve* how) noexcept {
   constexpr size_t kMost = 4;  // views of one window
   const bool refines = tracer_.behind && snapshot->settings.refine.idle &&
-                       snapshot->lightSampling.mode == scene::LightSampling::moving && !picture.refined &&
-                       pixels.has(Plane::color) && isRefinable(*snapshot);
+                       snapshot->lightSampling.mode == scene::LightSampling::Mode::moving &&
+                       !picture.refined && pixels.has(Plane::color) && isRefinable(*snapshot);
   if (!written_.empty() && written_.front().snapshot->frame != snapshot->frame) written_.clear();
   if (!refines) return;
   const auto known = std::find_if(written_.begin(), written_.end(),

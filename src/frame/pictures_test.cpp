@@ -15,7 +15,7 @@ struct PicturesTest : testing::Test {
   test::CountingTrace tracer;
   Pictures pictures{Tracer{tracer.trace}};
   scene::Snapshot scene = litScene();
-  PicturesTest() { scene.view = 7, scene.lightSampling.mode = LightSampling::moving; }
+  PicturesTest() { scene.view = 7, scene.lightSampling.mode = LightSampling::Mode::moving; }
   Pictures::Result ask(bool finished = false) { return pictures.of(scene, {.finished = finished}); }
   /// Passes for which the picture is asked again until it is finished.
   int askUntilRefined() {
@@ -70,7 +70,7 @@ TEST_F(PicturesTest, AReadAfterMotionFinishesThePicture) {
 }
 
 TEST_F(PicturesTest, PicturesThatNobodyWatchesAreFinished) {
-  scene.lightSampling.mode = LightSampling::full;
+  scene.lightSampling.mode = LightSampling::Mode::full;
   const Pictures::Result result = ask();
   EXPECT_TRUE(result.picture->refined);
   EXPECT_LE(result.noise, 0.01);

@@ -47,7 +47,7 @@ Refiner::Refiner(const scene::Snapshot& snapshot, Refinement& refinement)
     : snapshot_(snapshot),
       wide_(snapshot.wideColors || (snapshot.layers && snapshot.layers->of == scene::Layers::Of::sums)),
       refinement_(refinement) {
-  snapshot_.lightSampling.mode = scene::LightSampling::full;
+  snapshot_.lightSampling.mode = scene::LightSampling::Mode::full;
   if (usesWideColors(snapshot)) snapshot_.wideColors = true;
 }
 

@@ -5,8 +5,11 @@
 namespace gluray::scene {
 
 struct LightSampling {
-  enum Mode : uint8_t { full, moving };
-  Mode mode = full;   // moving: one of a row of pictures that differ, shown for a moment
+  enum class Mode : uint8_t {
+    full,    // all samples that the settings ask for
+    moving,  // few samples, reused and smoothed: a frame of an animation
+  };
+  Mode mode = Mode::full;
   uint32_t pass = 0;  // of a refinement: takes the samples that follow those of the passes before
   bool operator==(const LightSampling&) const = default;
 };

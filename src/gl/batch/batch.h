@@ -50,7 +50,7 @@ class Batch {
 
   /// Begins a batch; must be empty().
   void start(const BatchKey& key, const State& state, const Settings& settings, uint64_t frame,
-             scene::LightSampling::Mode mode = scene::LightSampling::full);
+             scene::LightSampling::Mode mode = scene::LightSampling::Mode::full);
   /// Makes all surfaces of the batch layers. Call before adding the first one.
   void seeThrough(std::shared_ptr<const scene::Layers> layers) { snapshot_->layers = std::move(layers); }
   /// The same after the last surface was added, for layers of kind `drawn`, which all lie in `region`.

@@ -11,7 +11,8 @@ FrameClock::FrameClock(const ContextInfo& info, const Settings& settings)
 
 scene::LightSampling::Mode FrameClock::lightMode(const Settings& settings) const {
   using Sampling = scene::LightSampling;
-  return settings.changesPicture() && info_.isShown && info_.isShown() ? Sampling::moving : Sampling::full;
+  return settings.changesPicture() && info_.isShown && info_.isShown() ? Sampling::Mode::moving
+                                                                       : Sampling::Mode::full;
 }
 
 }  // namespace gluray::gl
