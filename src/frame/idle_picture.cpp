@@ -24,27 +24,56 @@ IdleFrame::IdleFrame(std::vector<IdlePicture> pictures, std::shared_ptr<IdleWind
   }
 }
 
+/// The window's colour where the picture's pixel is; null: outside.
+const uint32_t* IdleFrame::shownAt(const IdlePicture& picture, glm::ivec2 at) const {
+  const glm::ivec2 place = picture.corner + at;
+  if (place.x < 0 || place.y < 0 || place.x >= shown_.width || place.y >= shown_.height) return nullptr;
+  return &shown_.colors[static_cast<size_t>(place.y) * static_cast<size_t>(shown_.width) +
+                        static_cast<size_t>(place.x)];
+}
+
+/// Whether a pixel that is equal shows the picture: no pixel close by that does not show it has its colour.
+/// Noise may equal a flat overlay here and there, but not all around.
+bool IdleFrame::isVisible(const IdlePicture& picture, glm::ivec2 at, const std::vector<bool>& equal) const {
+  constexpr int kReach = 3;
+  const uint32_t color = *shownAt(picture, at) & kColors;
+  for (int y = at.y - kReach; y <= at.y + kReach; ++y) {
+    for (int x = at.x - kReach; x <= at.x + kReach; ++x) {
+      const bool inside = x >= 0 && y >= 0 && x < picture.size.x && y < picture.size.y;
+      if (!inside || equal[static_cast<size_t>(y * picture.size.x + x)]) continue;
+      const uint32_t* const shown = shownAt(picture, {x, y});
+      if (shown && (*shown & kColors) == color) return false;
+    }
+  }
+  return true;
+}
+
 /// Pixels where the window shows exactly what the picture wrote: nothing was drawn or blended over it. False:
 /// too few, so that the window need not show this picture at all.
 bool IdleFrame::findVisible(Part& part, const Image& image) {
   const IdlePicture& p = part.picture;
-  if (image.width != p.size.x || image.height != p.size.y || image.samples != 1) return false;
+  if (image.width != p.size.x || image.height != p.size.y) return false;
   if (taken_.empty()) taken_.resize(shown_.colors.size());
-  size_t hits = 0;
-  for (int y = 0; y < p.size.y; ++y) {
-    for (int x = 0; x < p.size.x; ++x) {
-      const auto at = static_cast<uint32_t>(y * p.size.x + x);
-      if (image.depth[at] == Image::kMiss) continue;
-      ++hits;
-      const glm::ivec2 place = p.corner + glm::ivec2(x, y);
-      if (place.x < 0 || place.y < 0 || place.x >= shown_.width || place.y >= shown_.height) continue;
-      const auto pixel = static_cast<uint32_t>(place.y * shown_.width + place.x);
-      if (taken_[pixel] || ((shown_.colors[pixel] ^ p.colors[at]) & kColors) != 0) continue;
-      taken_[pixel] = true;
-      part.visible.push_back(pixel), part.at.push_back(at);
-    }
+  std::vector<bool> equal(p.colors.size());
+  size_t hits = 0, same = 0;
+  for (size_t i = 0; i < equal.size(); ++i) {
+    if (image.depth[i] == Image::kMiss) continue;
+    ++hits;
+    const int at = static_cast<int>(i);
+    const uint32_t* const shown = shownAt(p, {at % p.size.x, at / p.size.x});
+    if (!shown || taken_[static_cast<size_t>(shown - shown_.colors.data())]) continue;
+    equal[i] = ((*shown ^ p.colors[i]) & kColors) == 0;
+    same += equal[i];
   }
-  return static_cast<double>(part.visible.size()) >= kLeastShare * static_cast<double>(hits);
+  if (static_cast<double>(same) < kLeastShare * static_cast<double>(hits)) return false;
+  for (size_t i = 0; i < equal.size(); ++i) {
+    const glm::ivec2 at(static_cast<int>(i) % p.size.x, static_cast<int>(i) / p.size.x);
+    if (!equal[i] || (!p.mixed.empty() && p.mixed[i]) || !isVisible(p, at, equal)) continue;
+    const auto pixel = static_cast<uint32_t>(shownAt(p, at) - shown_.colors.data());
+    taken_[pixel] = true;
+    part.visible.push_back(pixel), part.at.push_back(static_cast<uint32_t>(i));
+  }
+  return true;
 }
 
 /// The part's refined pixels as the program would have written them; null: they cannot be made.

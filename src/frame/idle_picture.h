@@ -23,9 +23,10 @@ struct IdlePicture {
   scene::SnapshotPtr snapshot;
   uint64_t id = 0;                              // LastPictures::Picture::id
   glm::ivec2 corner{0}, size{0};                // pixels of the framebuffer
-  std::vector<uint32_t> colors;                 // RGBA8
+  std::vector<uint32_t> colors;                 // RGBA8; of a multisampled framebuffer, the first samples
   std::optional<scene::Resolve> resolve;        // of a multisampled framebuffer, how its samples became these
   std::unique_ptr<Refinement> refinement = {};  // passes so far, which `colors` shows; null: none
+  std::vector<bool> mixed = {};                 // pixels whose samples differ; empty: none
 };
 
 /// Where the written colours of one picture are seen in the window, and what they become.
@@ -56,6 +57,8 @@ class IdleFrame {
     bool finished = false, refused = false;
   };
   bool findVisible(Part& part, const Image& image);
+  bool isVisible(const IdlePicture& picture, glm::ivec2 at, const std::vector<bool>& equal) const;
+  const uint32_t* shownAt(const IdlePicture& picture, glm::ivec2 at) const;
   const Image* imageOf(Part& part, const Tracer& tracer);
 
   std::shared_ptr<IdleWindow> window_;

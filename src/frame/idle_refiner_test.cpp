@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <map>
 #include <mutex>
 #include <thread>
 
@@ -136,6 +138,54 @@ TEST_F(IdleRefinerTest, WhatWasDrawnOverThePictureStays) {
   for (size_t i = 0; i < 200; ++i) EXPECT_EQ(after[i], 0xff123456);
   for (size_t i = 300; i < 400; ++i) EXPECT_EQ(after[i], overlaid[i]);
   EXPECT_NE(after, overlaid);
+}
+
+TEST_F(IdleRefinerTest, NoiseThatEqualsAFlatOverlayIsNotTakenForThePicture) {
+  // An overlay of the picture's commonest colour over its middle: some pixels beneath it are equal by chance.
+  std::map<uint32_t, int> counts;
+  for (const uint32_t color : first.color) ++counts[color];
+  const auto common = std::max_element(counts.begin(), counts.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  std::vector<uint32_t> overlaid = first.color;
+  const auto covered = [&](size_t i) {
+    const int x = static_cast<int>(i) % first.width, y = static_cast<int>(i) / first.width;
+    return x >= 8 && x < 24 && y >= 10 && y < 22;
+  };
+  int equal = 0;
+  for (size_t i = 0; i < overlaid.size(); ++i) {
+    if (!covered(i)) continue;
+    equal += overlaid[i] == common->first;
+    overlaid[i] = common->first;
+  }
+  ASSERT_GT(equal, 5);
+  window->show(first.width, first.height, overlaid);
+  IdleRefiner refiner(tracer, 1ms);
+  refiner.start(written(), window);
+  waitForRest();
+  const std::vector<uint32_t> after = window->colors();
+  for (size_t i = 0; i < after.size(); ++i) {
+    if (covered(i)) { EXPECT_EQ(after[i], common->first) << i; }
+  }
+  EXPECT_NE(after, overlaid);
+}
+
+TEST_F(IdleRefinerTest, InsidesOfMultisampledPicturesAreRefined) {
+  scene->samples = 4;
+  scene->samplePositions = {{0.4f, 0.1f}, {0.9f, 0.4f}, {0.1f, 0.6f}, {0.6f, 0.9f}};
+  scene::TraceCost cost;
+  std::string error;
+  ASSERT_TRUE(renderer.render(*scene, first, cost, error));
+  first.color.resize(first.color.size() / 4);
+  window->show(first.width, first.height, first.color);
+  std::vector<IdlePicture> pictures = written();
+  pictures[0].mixed.resize(first.color.size());
+  pictures[0].mixed[500] = true;
+  IdleRefiner refiner(tracer, 1ms);
+  refiner.start(std::move(pictures), window);
+  waitForRest();
+  const std::vector<uint32_t> after = window->colors();
+  EXPECT_NE(after, first.color);
+  EXPECT_EQ(after[500], first.color[500]);
 }
 
 TEST_F(IdleRefinerTest, AWindowThatShowsSomethingElseIsLeftAlone) {

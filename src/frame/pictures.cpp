@@ -104,12 +104,26 @@ Pictures::Result Pictures::of(const scene::Snapshot& snapshot, const Wish& wish)
   return result;
 }
 
+namespace {
+
+/// Pixels of a multisampled picture whose samples differ.
+std::vector<bool> mixedPixels(const Image& image) {
+  if (image.samples == 1) return {};
+  const size_t pixels = image.color.size() / static_cast<size_t>(image.samples);
+  std::vector<bool> mixed(pixels);
+  for (size_t i = pixels; i < image.color.size(); ++i)
+    if (image.color[i] != image.color[i % pixels]) mixed[i % pixels] = true;
+  return mixed;
+}
+
+}  // namespace
+
 void Pictures::wrote(const scene::SnapshotPtr& snapshot, const LastPictures::Picture& picture,
                      const Image& pixels, const scene::Resolve* how) noexcept {
   constexpr size_t kMost = 4;  // views of one window
   const bool refines = tracer_.behind && snapshot->settings.refine.idle &&
-                       snapshot->lightSampling.mode == scene::LightSampling::moving && !picture.refined &&
-                       pixels.samples == 1 && pixels.has(Plane::color) && isRefinable(*snapshot);
+                       snapshot->lightSampling.mode == scene::LightSampling::Mode::moving &&
+                       !picture.refined && pixels.has(Plane::color) && isRefinable(*snapshot);
   if (!written_.empty() && written_.front().snapshot->frame != snapshot->frame) written_.clear();
   if (!refines) return;
   const auto known = std::find_if(written_.begin(), written_.end(),
@@ -119,6 +133,8 @@ void Pictures::wrote(const scene::SnapshotPtr& snapshot, const LastPictures::Pic
   try {
     IdlePicture one{snapshot, picture.id, {pixels.x, pixels.y}, {pixels.width, pixels.height}, pixels.color};
     if (how) one.resolve = *how;
+    one.mixed = mixedPixels(pixels);
+    one.colors.resize(static_cast<size_t>(pixels.width) * static_cast<size_t>(pixels.height));
     written_.push_back(std::move(one));
   } catch (const std::exception&) { tooMany_ = true; }  // out of memory: the frame keeps its noise
 }
