@@ -156,14 +156,15 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
 /// After all that rays from the viewer meet is known: they do not meet these.
 void FrameData::addSurroundings(const View& view) {
   const scene::Surroundings& around = *snapshot->surroundings;
-  const size_t drawn = surfaces.size(), shadings = lightings.size();
+  const size_t drawn = surfaces.size();
   for (const scene::Shading& shading : around.shadings) lightings.emplace_back(shading);
   surfaces.resize(drawn + around.instances.size());
   tbb::parallel_for(size_t{0}, around.instances.size(), [&](size_t i) {
     const scene::Instance& instance = around.instances[i];
     if (instance.mesh->triangleCount == 0) return;
     try {
-      surfaces[drawn + i] = makeSurface(view, instance, lightings[shadings + instance.shading], false);
+      surfaces[drawn + i] =
+          makeSurface(view, instance, lightings[scene::shadingOf(*snapshot, drawn + i)], false);
     } catch (const std::runtime_error&) {}  // its matrix cannot be inverted: rays meet nothing there
   });
 }
