@@ -66,6 +66,8 @@ class Flusher {
                    bool known);
   /// Tells the pending batch what surrounds it. Call before it is traced or taken.
   void surround() { batch.surround(p_.surfaces.views.around(batch.key(), batch.waiting())); }
+  /// Peeled layers that were traced are drawn by the real OpenGL after all: they light nothing.
+  void withdrawPeeled() noexcept { p_.surfaces.views.withdrawPeeled(p_.clock.frame); }
   /// Adds a result to the statistics. `known`: the picture was shown before, elsewhere.
   void takeResult(const PresentResult& result, bool known = false);
   /// Writes delayed pictures into their framebuffers: all, or those that a draw with so many samples into the

@@ -149,6 +149,15 @@ void ViewScenes::traced(const BatchKey& key, const scene::SnapshotPtr& snapshot)
   } catch (const std::exception&) { forget(); }
 }
 
+void ViewScenes::withdrawPeeled(uint64_t frame) noexcept {
+  const auto isPeeled = [&](const ViewEpoch::Drawn& drawn) {
+    const scene::Snapshot& s = *drawn.snapshot;
+    return s.frame == frame && s.layers && s.layers->of == scene::Layers::Of::order;
+  };
+  for (ViewEpoch& epoch : open_) std::erase_if(epoch.batches, isPeeled);
+  std::erase_if(open_, [](const ViewEpoch& epoch) { return epoch.batches.empty(); });
+}
+
 template <class Ends>
 void ViewScenes::end(const Ends& ends) noexcept {
   const auto first =

@@ -22,6 +22,8 @@ class ViewScenes {
   std::shared_ptr<const scene::Surroundings> around(const BatchKey&, const scene::Snapshot&) noexcept;
   /// The batch was traced, or surely will be: it belongs to its view.
   void traced(const BatchKey&, const scene::SnapshotPtr&) noexcept;
+  /// Peeled layers of this frame that were traced are drawn by the real OpenGL after all.
+  void withdrawPeeled(uint64_t frame) noexcept;
   /// Depth of the framebuffer was cleared in `box`: views whose surfaces all lie there begin anew.
   void depthCleared(GLuint framebuffer, const scene::Region& box) noexcept;
   /// The same for the window, whose content is undefined after a swap.

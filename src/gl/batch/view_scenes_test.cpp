@@ -186,6 +186,21 @@ TEST_F(ViewScenesTest, PassesOfLayersBelongToTheViewOfTheirSizeAndCamera) {
   EXPECT_EQ(trace(peeled, layersOf(4)), Found{});
 }
 
+TEST_F(ViewScenesTest, PeeledLayersThatTheRealOpenGLDrawsLightNothing) {
+  BatchKey peeled = keyOf(9);
+  peeled.layers = BatchKey::Layers::peeled;
+  auto layers = snapshotOf({instanceOf(2)});
+  layers->layers = std::make_shared<scene::Layers>();
+  trace(keyOf(), {instanceOf(1)});
+  trace(peeled, layers);
+  views_.withdrawPeeled(1);
+  EXPECT_EQ(trace(keyOf(), {instanceOf(3)}), (Found{1, 2})) << "of another frame";
+  views_.withdrawPeeled(0);
+  EXPECT_EQ(trace(keyOf(), {instanceOf(4)}), (Found{1, 3}));
+  clear();
+  EXPECT_EQ(trace(keyOf(), {instanceOf(1)}), (Found{3, 4}));
+}
+
 TEST_F(ViewScenesTest, NothingIsKeptWhileNoSettingAsksForLight) {
   lit_ = false;
   std::weak_ptr<const scene::Mesh> mesh;

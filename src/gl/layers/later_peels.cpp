@@ -245,6 +245,7 @@ bool LayerDraws::showWaiting() {
   } else {
     if (peeling_.traced) p_.counts.asRasterised(*peeling_.traced, Reason::programPass);
     countHeld();
+    p_.flusher.withdrawPeeled();
     p_.failsafe.stepAside(result.why.empty() ? "traced layers could not be shown" : result.why.c_str());
   }
   end();

@@ -216,6 +216,7 @@ void LayerDraws::giveUp() {
     snapshot = p_.flusher.batch.take();
   }
   if (snapshot) p_.counts.asRasterised(*snapshot, Reason::programPass);
+  p_.flusher.withdrawPeeled();
   const PresentResult result = p_.flusher.presenter.layers().present(p_.shadow.real, nullptr, target, true);
   if (result.pendingError != GL_NO_ERROR) p_.shadow.errors.set(result.pendingError);
   countHeld();
