@@ -37,10 +37,11 @@ Part visiblePart(const PlacedImpostors& placed, const glm::vec4 (&end)[2]) {
 
 /// The cone between the balls, or the larger ball alone.
 void shape(Capsule& c) {
-  const glm::vec3 line = c.end[1] - c.end[0];
-  const float length = glm::length(line), sine = (c.radius[0] - c.radius[1]) / length;
-  if (std::abs(sine) < 0.999f) {
-    c.axis = line / length, c.halfLength = 0.5f * length, c.sine = sine;
+  const glm::dvec3 line = glm::dvec3(c.end[1]) - glm::dvec3(c.end[0]);
+  const double length = glm::length(line), sine = (double{c.radius[0]} - c.radius[1]) / length;
+  if (std::abs(sine) < 0.999) {
+    c.axis = glm::vec3(line / length), c.halfLength = static_cast<float>(0.5 * length);
+    c.sine = static_cast<float>(sine);
     return;
   }
   const int larger = c.radius[0] >= c.radius[1] ? 0 : 1;
@@ -73,12 +74,11 @@ bool Capsule::make(const PlacedImpostors& placed, uint32_t primitive, Capsule& c
 }
 
 bool Capsule::holds(const glm::vec3& point) const {
-  const glm::vec3 from = point - 0.5f * (end[0] + end[1]);
-  const float place = std::clamp(glm::dot(axis, from), -halfLength, halfLength);
-  const float share = halfLength > 0 ? 0.5f + 0.5f * place / halfLength : 0.0f;
-  const float reach = glm::mix(radius[0], radius[1], share);
-  const glm::vec3 aside = from - place * axis;
-  return glm::dot(aside, aside) <= reach * reach;
+  const glm::dvec3 line(axis), from = glm::dvec3(point) - 0.5 * (glm::dvec3(end[0]) + glm::dvec3(end[1]));
+  const double half = halfLength, place = std::clamp(glm::dot(line, from), -half, half);
+  const double reach =
+      glm::mix(double{radius[0]}, double{radius[1]}, half > 0 ? 0.5 + 0.5 * place / half : 0.0);
+  return glm::length(from - place * line) <= reach;
 }
 
 namespace {
@@ -155,6 +155,7 @@ CapsulePoint see(const Capsule& c, const glm::dvec3& org, const glm::dvec3& dir)
   CapsulePoint p;
   p.point = point + middle;
   p.normal = glm::vec3(glm::normalize(point - center));
+  p.cosine = static_cast<float>(-glm::dot(glm::dvec3(p.normal), dir));
   const double along = c.isBall() ? 0.0 : glm::dot(center, glm::dvec3(c.axis)) / c.halfLength;
   p.share = glm::mix(c.share[0], c.share[1], static_cast<float>(0.5 + 0.5 * along));
   return p;
