@@ -23,24 +23,36 @@ struct Part {
   bool empty() const { return !(from <= to); }
 };
 
-Part visiblePart(const PlacedImpostors& placed, const glm::vec4 (&end)[2]) {
+Part visiblePart(const PlacedImpostors& placed, const glm::vec4 (&end)[2], const float (&w)[2]) {
   Part part;
   for (const glm::vec4& plane : placed.look.centerPlanes)
     part.keep(glm::dot(glm::dvec4(plane), glm::dvec4(end[0])),
               glm::dot(glm::dvec4(plane), glm::dvec4(end[1])));
   if (placed.look.radius > 0) return part;
-  const glm::vec4 &w = placed.objectW, &near = placed.objectNear;
-  if (!(glm::dot(w, end[0]) > 0) || !(glm::dot(w, end[1]) > 0))
-    part.keep(glm::dot(near, end[0]), glm::dot(near, end[1]));
+  if (!(w[0] > 0) || !(w[1] > 0))
+    part.keep(glm::dot(placed.objectNear, end[0]), glm::dot(placed.objectNear, end[1]));
   return part;
+}
+
+/// Length and direction; in doubles where squares leave the range of floats.
+float lengthOf(const glm::vec3& line, glm::vec3& direction) {
+  const float squared = glm::dot(line, line);
+  if (squared > 1e-30f && squared < 1e30f) {
+    const float length = std::sqrt(squared);
+    direction = line * (1 / length);
+    return length;
+  }
+  const double length = glm::length(glm::dvec3(line));
+  direction = glm::vec3(glm::dvec3(line) / length);
+  return static_cast<float>(length);
 }
 
 /// The cone between the balls, or the larger ball alone.
 void shape(Capsule& c) {
-  const glm::vec3 line = c.end[1] - c.end[0];
-  const float length = glm::length(line), sine = (c.radius[0] - c.radius[1]) / length;
+  glm::vec3 direction;
+  const float length = lengthOf(c.end[1] - c.end[0], direction), sine = (c.radius[0] - c.radius[1]) / length;
   if (std::abs(sine) < 0.999f) {
-    c.axis = line / length, c.halfLength = 0.5f * length, c.sine = sine;
+    c.axis = direction, c.halfLength = 0.5f * length, c.sine = sine;
     return;
   }
   const int larger = c.radius[0] >= c.radius[1] ? 0 : 1;
@@ -56,29 +68,36 @@ bool Capsule::make(const PlacedImpostors& placed, uint32_t primitive, Capsule& c
                             {mesh.position(mesh.corner(primitive, 1)), 1}};
   const bool line = mesh.shape == scene::Shape::capsules;
   if (line && end[0] == end[1]) return false;
-  const Part part = visiblePart(placed, end);
-  if (part.empty()) return false;
-  c = {};
-  const bool whole = part.from == 0 && part.to == 1;
-  for (int k = 0; k < 2; ++k) {
-    c.share[k] = static_cast<float>(k == 0 ? part.from : part.to);
-    const glm::vec4 at = whole ? end[k] : glm::mix(end[0], end[1], c.share[k]);
+  const float w[2] = {glm::dot(placed.objectW, end[0]), glm::dot(placed.objectW, end[1])};
+  const auto perW = static_cast<float>(placed.halfWidthPerW);
+  const bool pixels = !(placed.look.radius > 0);
+  const auto put = [&](int k, float share, const glm::vec4& at, float clipW) {
+    c.share[k] = share;
     c.end[k] = scene::impostorCenter(placed.lightingFromObject, at);
-    c.radius[k] = placed.look.radius > 0 ? placed.look.radius
-                                         : std::max(glm::dot(placed.objectW, at), 0.0f) *
-                                               static_cast<float>(placed.halfWidthPerW);
+    c.radius[k] = pixels ? std::max(clipW, 0.0f) * perW : placed.look.radius;
+  };
+  c.axis = {0, 0, 1}, c.halfLength = c.sine = 0;
+  if (placed.look.centerPlanes.empty() && (!pixels || (w[0] > 0 && w[1] > 0))) {
+    for (int k = 0; k < 2; ++k) put(k, static_cast<float>(k), end[k], w[k]);
+  } else {
+    const Part part = visiblePart(placed, end, w);
+    if (part.empty()) return false;
+    for (int k = 0; k < 2; ++k) {
+      const auto share = static_cast<float>(k == 0 ? part.from : part.to);
+      const glm::vec4 at = glm::mix(end[0], end[1], share);
+      put(k, share, at, glm::dot(placed.objectW, at));
+    }
   }
   shape(c);
   return c.radius[0] > 0 || c.radius[1] > 0;
 }
 
 bool Capsule::holds(const glm::vec3& point) const {
-  const glm::vec3 from = point - 0.5f * (end[0] + end[1]);
-  const float place = std::clamp(glm::dot(axis, from), -halfLength, halfLength);
-  const float share = halfLength > 0 ? 0.5f + 0.5f * place / halfLength : 0.0f;
-  const float reach = glm::mix(radius[0], radius[1], share);
-  const glm::vec3 aside = from - place * axis;
-  return glm::dot(aside, aside) <= reach * reach;
+  const glm::dvec3 line(axis), from = glm::dvec3(point) - 0.5 * (glm::dvec3(end[0]) + glm::dvec3(end[1]));
+  const double half = halfLength, place = std::clamp(glm::dot(line, from), -half, half);
+  const double reach =
+      glm::mix(double{radius[0]}, double{radius[1]}, half > 0 ? 0.5 + 0.5 * place / half : 0.0);
+  return glm::length(from - place * line) <= reach;
 }
 
 namespace {
@@ -111,8 +130,12 @@ struct Cone {
   }
   double nearest() const { return -glm::dot(aside, across) / std::max(glm::dot(across, across), 1e-30); }
 
-  /// t at which the line enters the cone between the circles where it touches the balls; kNone: nowhere.
-  double enter(const Capsule& c) const {
+  /// t at which the line meets the cone between the circles where it touches the balls; kNone: nowhere. The
+  /// first root is where the line enters the whole capsule.
+  struct Roots {
+    double first = kNone, second = kNone;
+  };
+  Roots meet(const Capsule& c) const {
     const double slope = -sine / cosine, middle = 0.5 * (double{c.radius[0]} + c.radius[1]) / cosine;
     const double lowest = -double{c.halfLength} + c.radius[0] * sine,
                  highest = double{c.halfLength} + c.radius[1] * sine;
@@ -120,14 +143,15 @@ struct Cone {
     const glm::dvec3 n = aside + s * across;
     const double n2 = glm::dot(n, n), radius = middle + slope * (start + s * along);
     const double discriminant = a * (radius * radius - n2) + q * q * n2;
-    if (!(discriminant >= 0)) return kNone;
-    double best = kNone;
-    for (const double sign : {-1.0, 1.0}) {
-      const double t = s + (radius * q + sign * std::sqrt(discriminant)) / (a - q * q),
-                   place = start + t * along;
-      if (place >= lowest && place <= highest) best = std::min(best, t);
-    }
-    return best;
+    if (!(discriminant >= 0)) return {};
+    const double root = std::sqrt(discriminant), scale = 1 / (a - q * q);
+    const auto within = [&](double t) {
+      const double place = start + t * along;
+      return place >= lowest && place <= highest ? t : kNone;
+    };
+    const double one = within(s + (radius * q - root) * scale),
+                 other = within(s + (radius * q + root) * scale);
+    return scale > 0 ? Roots{one, other} : Roots{kNone, std::min(one, other)};
   }
 };
 
@@ -137,24 +161,30 @@ CapsulePoint see(const Capsule& c, const glm::dvec3& org, const glm::dvec3& dir)
   const glm::dvec3 end[2] = {c.end[0], c.end[1]}, middle = 0.5 * (end[0] + end[1]);
   const Sight sight{org - middle - glm::dot(org - middle, dir) * dir, dir};
   const glm::dvec3 half = double{c.halfLength} * glm::dvec3(c.axis);
-  const double first = enterBall(sight, -half, c.radius[0]), second = enterBall(sight, half, c.radius[1]);
-  double t = std::min(first, second);
-  glm::dvec3 center = first <= second ? -half : half;
-  if (!c.isBall()) {
+  double t = kNone;
+  glm::dvec3 center(0);
+  const auto meetBalls = [&] {
+    const double first = enterBall(sight, -half, c.radius[0]), second = enterBall(sight, half, c.radius[1]);
+    center = first <= second ? -half : half;
+    return std::min(first, second);
+  };
+  if (c.isBall()) {
+    t = meetBalls();
+    if (t == kNone) t = 0;
+  } else {
     const Cone cone(sight, c);
-    const double onCone = cone.enter(c);
-    if (t == kNone && onCone == kNone) t = cone.nearest();
-    if (onCone < t) t = onCone;
+    const Cone::Roots roots = cone.meet(c);
+    t = roots.first != kNone ? roots.first : std::min(meetBalls(), roots.second);
+    if (t == kNone) t = cone.nearest();
     const double place = cone.start + t * cone.along;
     const double shifted = place - glm::length(cone.aside + t * cone.across) * cone.sine / cone.cosine;
     center = std::clamp(shifted, -double{c.halfLength}, double{c.halfLength}) * cone.axis;
-  } else if (t == kNone) {
-    t = 0;
   }
   const glm::dvec3 point = sight.from + t * dir;
   CapsulePoint p;
   p.point = point + middle;
   p.normal = glm::vec3(glm::normalize(point - center));
+  p.cosine = static_cast<float>(-glm::dot(glm::dvec3(p.normal), dir));
   const double along = c.isBall() ? 0.0 : glm::dot(center, glm::dvec3(c.axis)) / c.halfLength;
   p.share = glm::mix(c.share[0], c.share[1], static_cast<float>(0.5 + 0.5 * along));
   return p;

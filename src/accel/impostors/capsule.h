@@ -40,6 +40,7 @@ uint32_t meet(const PlacedImpostors&, const Capsule&, const ImpostorRays&, uint3
 struct CapsulePoint {
   glm::dvec3 point;
   glm::vec3 normal;  // unit, outwards
+  float cosine;      // of the angle between the normal and the direction to the viewer
   float share;       // place on the primitive's line: 0 at its first vertex, 1 at its second
 };
 /// `dir`: unit length, away from the viewer. A line that misses the capsule gets the point nearest to it.

@@ -85,10 +85,14 @@ HWY_INLINE void meetCone(const Rays& r, const Capsule& c, Within& in) {
   add(hn::Sub(middle, root)), add(hn::Add(middle, root));
 }
 
-CapsuleHits meetLanes(const Capsule& c, const ImpostorRays& rays, uint32_t lanes, float* out) {
-  const glm::vec3 middle = 0.5f * (c.end[0] + c.end[1]), half = c.halfLength * c.axis;
-  const float reach = c.halfLength + std::max(c.radius[0], c.radius[1]);
-  const Float zero = hn::Zero(Tag());
+CapsuleHits meetLanes(const Capsule& whole, const ImpostorRays& rays, uint32_t lanes, float* out) {
+  // In units of the capsule's size: squares of lengths then neither overflow nor vanish.
+  const glm::vec3 middle = 0.5f * (whole.end[0] + whole.end[1]);
+  const float size = whole.halfLength + std::max(whole.radius[0], whole.radius[1]), perSize = 1 / size;
+  Capsule c = whole;
+  for (float* length : {&c.radius[0], &c.radius[1], &c.halfLength}) *length *= perSize;
+  const glm::vec3 half = c.halfLength * c.axis;
+  const Float zero = hn::Zero(Tag()), toUnits = splat(perSize);
   CapsuleHits met;
   for (int i = 0; i < kLanes; i += width()) {
     if (!(lanes >> i & ((1u << width()) - 1))) continue;
@@ -96,12 +100,13 @@ CapsuleHits meetLanes(const Capsule& c, const ImpostorRays& rays, uint32_t lanes
     Rays r;
     r.dir = {hn::Mul(load(rays.dir[0] + i), inverse), hn::Mul(load(rays.dir[1] + i), inverse),
              hn::Mul(load(rays.dir[2] + i), inverse)};
-    r.from = {hn::Sub(load(rays.org[0] + i), splat(middle.x)),
-              hn::Sub(load(rays.org[1] + i), splat(middle.y)),
-              hn::Sub(load(rays.org[2] + i), splat(middle.z))};
+    const auto from = [&](int axis) HWY_ATTR {
+      return hn::Mul(hn::Sub(load(rays.org[axis] + i), splat(middle[axis])), toUnits);
+    };
+    r.from = {from(0), from(1), from(2)};
     const Float to = hn::Neg(dot(r.from, r.dir));
     r.from = along(r.from, to, r.dir);
-    const Mask near = hn::Le(dot(r.from, r.from), splat(reach * reach * 1.0001f));
+    const Mask near = hn::Le(dot(r.from, r.from), splat(1.0001f));
     if (hn::AllFalse(Tag(), near)) continue;
     Within in{splat(HUGE_VALF), splat(-HUGE_VALF)};
     meetBall(r, -half, c.radius[0], in);
@@ -115,7 +120,7 @@ CapsuleHits meetLanes(const Capsule& c, const ImpostorRays& rays, uint32_t lanes
     const Mask hit = hn::Ge(leave, zero);
     met.lanes |= bitsOf(hit);
     met.early |= bitsOf(hn::And(hit, hn::Lt(enter, zero)));
-    hn::Store(hn::Mul(hn::Max(enter, zero), inverse), Tag(), out + i);
+    hn::Store(hn::Mul(hn::Mul(hn::Max(enter, zero), splat(size)), inverse), Tag(), out + i);
   }
   met.lanes &= lanes, met.early &= lanes;
   return met;

@@ -184,7 +184,14 @@ void raysToLighting(const glm::mat4& m, bool parallelView, const PixelRays& from
     }
     const Float3 ways{dir[0], dir[1], dir[2]};
     const Float squared = hn::Max(dot(ways, ways), splat(1e-37f));
-    hn::Store(hn::Div(splat(1), hn::Sqrt(squared)), Tag(), to.inverseLength + i);
+    // Very small and very large scenes: squares leave the range of floats.
+    const Float most =
+        hn::Max(hn::Max(hn::Abs(dir[0]), hn::Abs(dir[1])), hn::Max(hn::Abs(dir[2]), splat(1e-37f)));
+    const Float3 shares{hn::Div(dir[0], most), hn::Div(dir[1], most), hn::Div(dir[2], most)};
+    const Mask usual = hn::And(hn::Gt(squared, splat(1e-30f)), hn::Lt(squared, splat(1e30f)));
+    const Float inverse = hn::Div(splat(1), hn::Sqrt(squared)),
+                scaled = hn::Div(hn::Div(splat(1), hn::Sqrt(dot(shares, shares))), most);
+    hn::Store(hn::IfThenElse(usual, inverse, scaled), Tag(), to.inverseLength + i);
     const Float eye = hn::Neg(hn::Div(dot({org[0], org[1], org[2]}, ways), squared));
     hn::Store(parallelView ? splat(-HUGE_VALF) : eye, Tag(), to.eye + i);
     hn::Store(load(from.tFar + i), Tag(), to.tFar + i);

@@ -36,6 +36,20 @@ inline std::array<glm::dvec4, 8> boundsInClip(const scene::Mesh& mesh, const glm
   return corners;
 }
 
+/// Whether all points of the mesh have the same window depth: then drawing order, not distance, decides.
+inline bool isFlat(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
+  double lower = INFINITY, upper = -INFINITY;
+  for (int i = 0; i < 8; ++i) {
+    const glm::dvec4 corner(i & 1 ? mesh.upper.x : mesh.lower.x, i & 2 ? mesh.upper.y : mesh.lower.y,
+                            i & 4 ? mesh.upper.z : mesh.lower.z, 1);
+    const glm::dvec4 clip = clipFromObject * corner;
+    const double depth = clip.z / clip.w;
+    lower = std::min(lower, depth), upper = std::max(upper, depth);
+  }
+  constexpr double kDepthStep = 1.0 / (1 << 23);  // in NDC: slightly more than one 24-bit step
+  return !(upper - lower > kDepthStep);
+}
+
 /// Whether all of the mesh's bounds have positive w.
 inline bool isBeforeViewer(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
   const auto corners = boundsInClip(mesh, clipFromObject);

@@ -24,10 +24,11 @@ bool isAttenuated(const RealGl& real) {
 }
 
 /// The program's line width or point size, pixels.
-float programSize(const RealGl& real, bool points) {
+float programSize(const RealGl& real, bool core, bool points) {
   GLfloat size = 1, range[2] = {1, 1};
   real.GetFloatv(points ? GL_POINT_SIZE : GL_LINE_WIDTH, &size);
-  real.GetFloatv(points ? GL_ALIASED_POINT_SIZE_RANGE : GL_ALIASED_LINE_WIDTH_RANGE, range);
+  const GLenum pointRange = core ? GL_POINT_SIZE_RANGE : GL_ALIASED_POINT_SIZE_RANGE;
+  real.GetFloatv(points ? pointRange : GL_ALIASED_LINE_WIDTH_RANGE, range);
   return std::clamp(size, range[0], std::max(range[0], range[1]));
 }
 
@@ -43,7 +44,7 @@ void setSize(const ShadowState& shadow, scene::Shape shape, const glm::dmat4& ey
   look.radius =
       static_cast<float>(double{points ? s.points.radius : s.lines.radius} * stretchOf(eyeFromObject));
   const float asked = points ? s.points.size : s.lines.width;
-  const float pixels = asked > 0 ? asked : programSize(shadow.real, points);
+  const float pixels = asked > 0 ? asked : programSize(shadow.real, shadow.info.core, points);
   look.size = glm::vec2(2 * pixels) / glm::vec2(shadow.state.viewport.z, shadow.state.viewport.w);
 }
 
@@ -73,6 +74,10 @@ void lightFromViewer(const glm::dmat4& clipFromEye, scene::Instance& instance, s
 bool drawsSolids(const Settings& settings, PrimitiveClass kind) {
   return (kind == PrimitiveClass::lines && settings.lines.look == LineLook::tubes) ||
          (kind == PrimitiveClass::points && settings.points.look == PointLook::spheres);
+}
+
+bool drawsAnySolids(const Settings& settings) {
+  return drawsSolids(settings, PrimitiveClass::lines) || drawsSolids(settings, PrimitiveClass::points);
 }
 
 bool isParallel(const glm::dmat4& clipFromEye) {
@@ -106,6 +111,49 @@ void makeSolid(const ShadowState& shadow, scene::Instance& instance, scene::Shad
   instance.cull = scene::CullFace::none;
   instance.lightingFromObject = glm::mat4(instance.eyeFromObject);
   if (look.unlit) lightFromViewer(state.projection, instance, shading);
+}
+
+Reason programSolidReason(const ShadowState& shadow, PrimitiveClass kind) {
+  const State& state = shadow.state;
+  if (state.raster.reason != Reason::traced && !isOfPolygons(state.raster.reason)) return state.raster.reason;
+  const RealGl& real = shadow.real;
+  const bool points = kind == PrimitiveClass::points;
+  const bool blends = state.raster.unlessOpaque != Reason::traced;
+  const bool compatible = !shadow.info.core;
+  if (blends && (points ? compatible && isOn(real, GL_POINT_SMOOTH) : isOn(real, GL_LINE_SMOOTH)))
+    return Reason::blend;
+  if (!points && compatible && isOn(real, GL_LINE_STIPPLE)) return Reason::lineStyle;
+  const bool ownSize = points && shadow.settings.points.size == 0 && shadow.settings.points.radius == 0;
+  if (ownSize && isOn(real, GL_PROGRAM_POINT_SIZE)) return Reason::lineStyle;
+  const scene::Shading& shading = state.program.shading;
+  if (!shading.textures.empty() || shading.fragment.edges ||
+      shadow.attributes.shape != scene::Shape::triangles || !shadow.attributes.instanceTransform.empty())
+    return Reason::lineStyle;
+  return Reason::traced;
+}
+
+namespace {
+
+/// Eye space, as far as the program knows it: it may have only the matrix for normals, or none.
+glm::dmat4 eyeOf(const ProgramState& program) {
+  if (program.eyeFromObject) return *program.eyeFromObject;
+  const glm::dmat3 linear = glm::inverse(glm::transpose(glm::dmat3(program.normalMatrix)));
+  return std::isfinite(glm::determinant(linear)) ? glm::dmat4(linear) : glm::dmat4(1);
+}
+
+}  // namespace
+
+void makeProgramSolid(const ShadowState& shadow, scene::Instance& instance) {
+  const ProgramState& program = shadow.state.program;
+  const glm::dmat4 eyeFromObject = eyeOf(program);
+  scene::Impostors& look = instance.impostors;
+  look = {};
+  setSize(shadow, instance.mesh->shape, eyeFromObject, look);
+  look.parallelView = isParallel(program.clipFromObject);
+  look.unlit = program.shading.fragment.model == scene::FragmentShading::Model::unlit;
+  look.centerPlanes.assign(program.clipPlanes.begin(), program.clipPlanes.end());
+  instance.clipPlanes.clear();
+  instance.lightingFromObject = glm::mat4(eyeFromObject);
 }
 
 }  // namespace gluray::gl

@@ -11,6 +11,8 @@ namespace gluray::gl {
 /// Whether settings turn draws of this class into solids.
 bool drawsSolids(const Settings& settings, PrimitiveClass kind);
 
+bool drawsAnySolids(const Settings& settings);
+
 /// Whether all lines of sight are parallel.
 bool isParallel(const glm::dmat4& clipFromEye);
 
@@ -20,5 +22,10 @@ Reason solidReason(const ShadowState& shadow, PrimitiveClass kind);
 /// Completes the instance and shading of a fixed-function draw of solids: their size and, unless the program
 /// lights them, a light at the viewer that shows their shape.
 void makeSolid(const ShadowState& shadow, scene::Instance& instance, scene::Shading& shading);
+
+/// The same two for draws of the current shader program. Programs that light lines give them normals: the
+/// solid's own normals replace those.
+Reason programSolidReason(const ShadowState& shadow, PrimitiveClass kind);
+void makeProgramSolid(const ShadowState& shadow, scene::Instance& instance);
 
 }  // namespace gluray::gl

@@ -1,6 +1,7 @@
 #include "gl/draws/triage.h"
 
 #include "gl/capture/mesh_builder.h"
+#include "gl/draws/affine.h"
 #include "gl/draws/solid_draws.h"
 #include "gl/layers/layer_draws.h"
 #include "gl/textures/texture_env.h"
@@ -29,20 +30,6 @@ bool isOpaque(const scene::Shading& shading, const scene::MaterialPair& material
   if (!shading.lighting) return true;
   return faceAlpha(material.front, shading.colorMaterial.front) >= 1.0f &&
          (!shading.twoSided || faceAlpha(material.back, shading.colorMaterial.back) >= 1.0f);
-}
-
-/// Whether all points of the mesh have the same window depth: then drawing order, not distance, decides.
-bool isFlat(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
-  double lower = INFINITY, upper = -INFINITY;
-  for (int i = 0; i < 8; ++i) {
-    const glm::dvec4 corner(i & 1 ? mesh.upper.x : mesh.lower.x, i & 2 ? mesh.upper.y : mesh.lower.y,
-                            i & 4 ? mesh.upper.z : mesh.lower.z, 1);
-    const glm::dvec4 clip = clipFromObject * corner;
-    const double depth = clip.z / clip.w;
-    lower = std::min(lower, depth), upper = std::max(upper, depth);
-  }
-  constexpr double kDepthStep = 1.0 / (1 << 23);  // in NDC: slightly more than one 24-bit step
-  return !(upper - lower > kDepthStep);
 }
 
 }  // namespace

@@ -93,7 +93,8 @@ struct Family {
   NeutralValues neutral;                            // do not affect the picture at these values
   std::vector<std::string> code;  // sections that hold all of its statements; empty: any code
   std::string codeAt;             // file and line that name them
-  bool strict = true;  // programs with active variables that the family does not mention do not fit
+  bool onlySolids = false;  // describes draws of lines and points alone, where settings turn them into solids
+  bool strict = true;       // programs with active variables that the family does not mention do not fit
 
   std::string position, normal, color, texcoord;                 // attributes
   std::string instanceTransform, instanceNormal, instanceColor;  // per-instance attributes

@@ -95,6 +95,7 @@ class FamilyReader : FamilyTable {
     names("ignored", family_.ignored);
     neutralValues("neutral", family_.neutral);
     flag("strict", family_.strict);
+    flag("only_lines_and_points", family_.onlySolids);
     flag("geometry_shader", family_.geometryShader);
     text("rasterise", family_.rasteriseBecause);
   }

@@ -55,6 +55,7 @@ ProgramDraw captureProgramDraw(const RealGl& real, const Program& program, const
   }
   real.ActiveTexture(static_cast<GLenum>(active));
   real.GetFloatv(GL_POINT_SIZE, &draw.pointSize);
+  real.GetFloatv(GL_LINE_WIDTH, &draw.lineWidth);
   draw.offset = isOn(real, GL_POLYGON_OFFSET_FILL);
   real.GetFloatv(GL_POLYGON_OFFSET_FACTOR, &draw.offsetFactor);
   real.GetFloatv(GL_POLYGON_OFFSET_UNITS, &draw.offsetUnits);

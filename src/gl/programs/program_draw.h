@@ -43,7 +43,7 @@ struct ProgramDraw {
   std::vector<UniformBlock> blocks;
   bool cull = false;
   GLenum cullFace = GL_BACK, frontFace = GL_CCW;
-  float pointSize = 1;
+  float pointSize = 1, lineWidth = 1;
   bool offset = false;  // GL_POLYGON_OFFSET_FILL
   float offsetFactor = 0, offsetUnits = 0;
 };

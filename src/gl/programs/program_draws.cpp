@@ -3,6 +3,7 @@
 #include "gl/arrays/array_indices.h"
 #include "gl/capture/mesh_builder.h"
 #include "gl/draws/affine.h"
+#include "gl/draws/solid_draws.h"
 #include "gl/layers/layer_draws.h"
 #include "gl/programs/pixel_impostors.h"
 #include "gl/state/state_queries.h"
@@ -28,9 +29,16 @@ Reason ProgramDraws::triage(PrimitiveClass kind) {
   if (const Reason reason = p_.triage.ofContext(); reason != Reason::traced) return reason;
   // The program's reason tells the user more than the kind of primitive.
   if (p_.shadow.state.program.reason != Reason::traced) return p_.shadow.state.program.reason;
-  if (kind == PrimitiveClass::points) return Reason::points;
-  if (kind == PrimitiveClass::lines) return Reason::lines;
-  if (p_.shadow.state.raster.reason != Reason::traced) return p_.shadow.state.raster.reason;
+  const bool solid = drawsSolids(p_.shadow.settings, kind);
+  if (!solid && p_.shadow.state.program.known->family->onlySolids) return Reason::program;
+  if (kind == PrimitiveClass::points && !solid) return Reason::points;
+  if (kind == PrimitiveClass::lines && !solid) return Reason::lines;
+  if (solid) {
+    if (layersOf(p_.shadow.state.program) != BatchKey::Layers::none) return Reason::lines;
+    if (const Reason reason = programSolidReason(p_.shadow, kind); reason != Reason::traced) return reason;
+  } else if (p_.shadow.state.raster.reason != Reason::traced) {
+    return p_.shadow.state.raster.reason;
+  }
   if (p_.shadow.state.raster.alphaTest != scene::AlphaTest{}) return Reason::alphaTest;
   if (p_.shadow.state.program.known->program.blocks)
     p_.shadow.dirty |= kProgram;  // we do not track changes of uniform buffers
@@ -45,6 +53,7 @@ namespace {
 /// The depth offset of the program's draws: the program's own or, if it does not write depth, OpenGL's.
 scene::PolygonOffset offsetOf(const State& state, scene::Shape shape) {
   const ProgramState& program = state.program;
+  if (scene::isSolid(shape)) return {};
   if (program.depthOffset != scene::PolygonOffset{}) return program.depthOffset;
   return shape == scene::Shape::triangles ? Batch::keyOf(state).offset : scene::PolygonOffset{};
 }
@@ -97,7 +106,8 @@ Reason ProgramDraws::triage(const KnownMesh& known) const {
 }
 
 Reason ProgramDraws::triageAlways(const KnownMesh& known) const {
-  if (known.homogeneous || !known.mesh) return Reason::homogeneous;
+  if (known.homogeneous) return Reason::homogeneous;
+  if (!known.mesh) return Reason::lines;  // with adjacent vertices
   if (isFarAway(*known.mesh)) return Reason::farAway;
   if (offsetsProgramDepth(p_.shadow.state, known.mesh->shape)) return Reason::program;
   const ProgramState& program = p_.shadow.state.program;
@@ -105,7 +115,11 @@ Reason ProgramDraws::triageAlways(const KnownMesh& known) const {
   if (p_.shadow.attributes.instanceTransform.empty() &&
       p_.surfaces.precision.isTooLarge(*known.mesh, program.clipFromObject, {viewport.z, viewport.w}))
     return Reason::tooLarge;
-  if (layersOf(program) == BatchKey::Layers::none && isOneOfPasses(*known.mesh)) return Reason::passes;
+  const bool solid = scene::isSolid(known.mesh->shape);
+  if (solid && isParallel(program.clipFromObject) && isFlat(*known.mesh, program.clipFromObject))
+    return Reason::flat;
+  if (!solid && layersOf(program) == BatchKey::Layers::none && isOneOfPasses(*known.mesh))
+    return Reason::passes;
   const uint64_t triangles = known.mesh->triangleCount;
   if (program.triangleColors && program.triangleOffset + triangles > program.triangleColorCount)
     return Reason::arrayState;
@@ -227,9 +241,11 @@ Reason ProgramDraws::add(const scene::MeshPtr& mesh, GLenum mode, const Elements
   instance.impostors = program.impostors;
   if (mesh->shape == scene::Shape::triangles)
     instance.cull = p_.shadow.state.raster.cull;  // points have no faces
+  if (scene::isSolid(mesh->shape)) makeProgramSolid(p_.shadow, instance);
   instance.frontFaceCcw = p_.shadow.state.raster.frontFaceCcw;
   const glm::dmat4 objectFromEye = glm::inverse(p_.shadow.state.modelview);
-  for (const glm::dvec4& plane : program.clipPlanes) instance.clipPlanes.push_back(plane * objectFromEye);
+  if (!scene::isSolid(mesh->shape))
+    for (const glm::dvec4& plane : program.clipPlanes) instance.clipPlanes.push_back(plane * objectFromEye);
   ProgramDraw kept = captureProgramDraw(p_.shadow.real, program.known->program, program.uniforms,
                                         p_.shadow.attributes, mode, elements);
   if (many) {

@@ -215,10 +215,14 @@ bool isSane(const ProgramState& s) {
 }  // namespace
 
 void readProgram(const RealGl& real, ShareGroup& group, const RareState& has, TextureCache& textures,
-                 ProgramState& state) {
+                 ProgramState& state, bool solids) {
   state.why.clear();
   if (!state.known->family) {
     state.reason = state.known->unknownCode ? Reason::programCode : Reason::program;
+    return;
+  }
+  if (state.known->family->onlySolids && !solids) {
+    state.reason = Reason::program;
     return;
   }
   if (!state.known->family->rasteriseBecause.empty()) {

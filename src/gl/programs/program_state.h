@@ -49,9 +49,10 @@ const std::string& mapTexcoord(const Program& program, const Family& family);
 /// textures use 1.
 bool hasTwoTexcoords(const Program& program, const Family& family);
 
-/// Reads program `known` into `state`. Textures are looked up in `textures`.
+/// Reads program `known` into `state`. Textures are looked up in `textures`. `solids`: settings turn lines or
+/// points into solids.
 void readProgram(const RealGl& real, ShareGroup& group, const RareState& has, TextureCache& textures,
-                 ProgramState& state);
+                 ProgramState& state, bool solids);
 
 /// Reads the vertex arrays that the program's family names; all other enabled ones go to ArrayState::generic.
 /// `program`: null if its family is unknown.

@@ -1,5 +1,6 @@
 #include "gl/state/shadow_state.h"
 
+#include "gl/draws/solid_draws.h"
 #include "gl/errors.h"
 #include "gl/failsafe.h"
 
@@ -89,7 +90,7 @@ void ShadowState::readProgramInUse() {
     inUse.reason = Reason::program;
     return;
   }
-  readProgram(real, group, state.rare, textures, inUse);
+  readProgram(real, group, state.rare, textures, inUse, drawsAnySolids(settings));
   // A deleted program lives only while it is in use: the write-back, which uses another, would end it.
   GLint deleted = 0;
   real.GetProgramiv(name, GL_DELETE_STATUS, &deleted);

@@ -28,6 +28,7 @@ HWY_ATTR inline void computeCapsules(const Surface& surface, const accel::Placed
                                      const DepthMap& map, const float* x, const float* y, Group& group,
                                      DepthAndFacing& out) {
   const int leader = std::countr_zero(group.lanes);
+  const bool unlit = surface.instance->impostors.unlit;  // by a shader program: fixed function gets a light
   const auto compute = [&](int i) HWY_ATTR {
     accel::Capsule capsule;
     accel::Capsule::make(placed, group.primitive[i], capsule);
@@ -35,11 +36,12 @@ HWY_ATTR inline void computeCapsules(const Surface& surface, const accel::Placed
     for (int c = 0; c < 3; ++c)
       group.point[c][i] = static_cast<float>(seen.point[c]), group.normal[c][i] = seen.normal[c];
     group.u[i] = seen.share;
+    group.fade[i] = unlit ? std::max(seen.cosine, 0.0f) : 1.0f;
     const glm::dvec4 point(seen.point, 1);
     const double ndc = glm::dot(surface.impostors.clipZ, point) / glm::dot(surface.impostors.clipW, point);
     out.depth[i] = static_cast<float>(std::clamp(ndc, -1.0, 1.0) * map.scale + map.offset);
   };
-  for (int i = 0; i < kLanes; ++i) group.fade[i] = 1, group.v[i] = 0;
+  for (int i = 0; i < kLanes; ++i) group.v[i] = 0;
   compute(leader);
   for (int i = 0; i < kLanes; ++i) {
     if (i == leader) continue;
@@ -49,7 +51,7 @@ HWY_ATTR inline void computeCapsules(const Surface& surface, const accel::Placed
     }
     for (int c = 0; c < 3; ++c)
       group.point[c][i] = group.point[c][leader], group.normal[c][i] = group.normal[c][leader];
-    group.u[i] = group.u[leader], out.depth[i] = out.depth[leader];
+    group.u[i] = group.u[leader], group.fade[i] = group.fade[leader], out.depth[i] = out.depth[leader];
   }
   out.ccw = surface.frontIsCcw ? ~0u : 0;
 }

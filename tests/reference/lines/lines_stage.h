@@ -42,14 +42,16 @@ inline Settings asTubes() {
   return settings;
 }
 
-/// A perspective view along -z of what lies between z = -1 and z = -3; at z = -2 the window is 4 units wide.
+/// A narrow perspective view along -z, from (0, 0, 8), of what lies between z = 3 and z = -7. At z = -2 the
+/// window is 4 units wide, and the eye is 10 away.
 inline void prepareLineStage(const gl::RealGl& gl) {
   gl.Viewport(0, 0, kLineStage, kLineStage);
   gl.MatrixMode(GL_PROJECTION);
   gl.LoadIdentity();
-  gl.Frustum(-1, 1, -1, 1, 1, 3);
+  gl.Frustum(-1, 1, -1, 1, 5, 15);
   gl.MatrixMode(GL_MODELVIEW);
   gl.LoadIdentity();
+  gl.Translatef(0, 0, -8);
   gl.Enable(GL_DEPTH_TEST);
   gl.ClearColor(0, 0, 0, 0);
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

@@ -37,7 +37,7 @@ TEST(Tubes, ShineInTheMiddleAndDarkenTowardsTheirSides) {
 TEST(Tubes, HaveTheDepthOfTheirSurface) {
   const LinePicture flat = drawnFlat(across(16)), round = drawnRound(across(16));
   // 8 of 64 pixels of a window 4 units wide: the radius is 0.5, so the tube begins at z = -1.5.
-  const auto depth = [](double z) { return 0.5 * ((-4 * z - 6) / (-z * 2)) + 0.5; };
+  const auto depth = [](double z) { return 0.5 * (2 * (8 - z) - 15) / (8 - z) + 0.5; };
   EXPECT_NEAR(flat.depth(32, 32), depth(-2), 1e-4);
   EXPECT_NEAR(round.depth(32, 32), depth(-1.5), 1e-3);
 }

@@ -205,6 +205,8 @@ void replayProgramDraws(const RealGl& real, const Features& features, const std:
   real.GetIntegerv(GL_CULL_FACE_MODE, &cullFace);
   GLfloat pointSize = 1;
   real.GetFloatv(GL_POINT_SIZE, &pointSize);
+  GLfloat lineWidth = 1;
+  real.GetFloatv(GL_LINE_WIDTH, &lineWidth);
   for (const ProgramDraw& draw : draws) {
     StateGuard own(real, features);
     own.program(draw.program);
@@ -215,6 +217,7 @@ void replayProgramDraws(const RealGl& real, const Features& features, const std:
       own.capability(GL_POLYGON_OFFSET_FILL, false);
     real.CullFace(draw.cullFace);
     if (draw.mode == GL_POINTS) real.PointSize(draw.pointSize);
+    if (draw.mode != GL_POINTS && draw.mode <= GL_LINE_STRIP) real.LineWidth(draw.lineWidth);
     real.FrontFace(draw.frontFace);
     const KeptUniforms uniforms(real, draw.program, *draw.uniforms);
     for (const UniformValue& value : *draw.uniforms) setUniform(real, value);
@@ -225,6 +228,7 @@ void replayProgramDraws(const RealGl& real, const Features& features, const std:
   }
   real.FrontFace(static_cast<GLenum>(frontFace));
   real.PointSize(pointSize);
+  real.LineWidth(lineWidth);
   real.CullFace(static_cast<GLenum>(cullFace));
 }
 
