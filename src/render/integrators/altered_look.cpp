@@ -94,8 +94,10 @@ bool emits(const scene::Shading& s, const scene::Material& m) {
   return !isBlack(isProgram(s) ? m.ambient : m.emission);
 }
 
-bool emits(const scene::Snapshot& snapshot, const scene::Instance& instance) {
-  const scene::Shading& s = snapshot.shadings[instance.shading];
+bool emits(const Surface& surface) {
+  if (!surface.instance) return false;
+  const scene::Instance& instance = *surface.instance;
+  const scene::Shading& s = *surface.lighting->shading;
   const auto tracked = [](Tracking::Mode mode) { return mode == Tracking::emission; };
   if (isUnlit(s)) return false;
   if (!isProgram(s) && (tracked(s.colorMaterial.front) || tracked(s.colorMaterial.back))) return true;
@@ -115,17 +117,17 @@ bool paintsEdges(const scene::Snapshot& snapshot) {
 }
 
 AlteredLook::AlteredLook(const FrameData& frame, AlterShading alterShading, AlterMaterials alterMaterials)
-    : shadings_(frame.snapshot->shadings), materials_(frame.surfaces.size()), surfaces_(frame.surfaces) {
-  lightings_.reserve(shadings_.size());
-  for (scene::Shading& shading : shadings_) {
-    alterShading(shading);
-    lightings_.emplace_back(shading);
+    : materials_(frame.surfaces.size()), surfaces_(frame.surfaces) {
+  shadings_.reserve(frame.lightings.size()), lightings_.reserve(frame.lightings.size());
+  for (const Lighting& lighting : frame.lightings) {
+    alterShading(shadings_.emplace_back(*lighting.shading));
+    lightings_.emplace_back(shadings_.back());
   }
   for (size_t i = 0; i < surfaces_.size(); ++i) {
     Surface& surface = surfaces_[i];
     if (!surface.instance) continue;  // nothing to hit
     const scene::Shading& before = *surface.lighting->shading;
-    surface.lighting = &lightings_[surface.instance->shading];
+    surface.lighting = &lightings_[static_cast<size_t>(surface.lighting - frame.lightings.data())];
     materials_[i].assign(surface.materials, surface.materials + surface.materialCount);
     for (scene::MaterialPair& pair : materials_[i]) alterMaterials(before, pair);
     surface.materials = materials_[i].data();
@@ -137,8 +139,8 @@ SurfaceColors surfaceColors(const FrameData& frame, bool edges) {
   colors.albedo =
       std::make_unique<AlteredLook>(frame, edges ? toAlbedo : toAlbedoWithoutEdges, materialsToAlbedo);
   const scene::Snapshot& snapshot = *frame.snapshot;
-  const bool any = std::any_of(snapshot.instances.begin(), snapshot.instances.end(),
-                               [&](const scene::Instance& i) { return emits(snapshot, i); });
+  const bool any = std::any_of(frame.surfaces.begin(), frame.surfaces.end(),
+                               [](const Surface& surface) { return emits(surface); });
   if (any || (edges && paintsEdges(snapshot)))
     colors.emission = std::make_unique<AlteredLook>(frame, edges ? toEmission : toEmissionWithoutEdges,
                                                     materialsToEmission);

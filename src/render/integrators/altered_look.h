@@ -22,7 +22,7 @@ class AlteredLook {
   std::vector<scene::Shading> shadings_;
   std::vector<Lighting> lightings_;  // of these
   std::vector<std::vector<scene::MaterialPair>> materials_;
-  std::vector<Surface> surfaces_;  // one for each of Snapshot::instances
+  std::vector<Surface> surfaces_;  // as FrameData::surfaces
 };
 
 /// What light transport asks the local look for.

@@ -13,7 +13,8 @@ namespace gluray::render {
 class TilesAround {
  public:
   explicit TilesAround(const Image& image)
-      : tiles_(image, kTileSize), unfinished_(static_cast<size_t>(tiles_.columns) * static_cast<size_t>(tiles_.rows)) {
+      : tiles_(image, kTileSize),
+        unfinished_(static_cast<size_t>(tiles_.columns) * static_cast<size_t>(tiles_.rows)) {
     for (int y = 0; y < tiles_.rows; ++y)
       for (int x = 0; x < tiles_.columns; ++x) around(x, y, [&](int, int) { ++counterOf(x, y); });
   }

@@ -6,12 +6,12 @@
 
 namespace gluray::render {
 
-/// Whether the frame is one of an animation (scene::LightSampling::Mode::moving) whose pixels have one nearest hit
-/// each, so that factors can be smoothed.
+/// Whether the frame is one of an animation (scene::LightSampling::Mode::moving) whose pixels have one
+/// nearest hit each, so that factors can be smoothed.
 bool isMoving(const FrameData&);
 
-/// Traces all factors, smooths them, and then colours the hits. `kept`: what earlier frames left; null: nothing.
-/// False, with nothing traced, if the settings ask for no factors or there is no memory.
+/// Traces all factors, smooths them, and then colours the hits. `kept`: what earlier frames left; null:
+/// nothing. False, with nothing traced, if the settings ask for no factors or there is no memory.
 bool traceMoving(FrameData&, LightHistories* kept, const MovingRays&);
 
 }  // namespace gluray::render
