@@ -36,7 +36,7 @@ TEST_F(PicturesTest, AMovingPictureIsOnePass) {
 
 TEST_F(PicturesTest, TheSameFrameGetsBetterUntilItIsFinished) {
   scene::Snapshot many = scene;
-  many.settings.ao.samples = 1024;
+  many.settings.ao.samples = 1024, many.lightSampling.mode = LightSampling::Mode::full;
   const Image truth = tracer.picture(many);
   const LastPictures::Picture* const one = ask().picture;
   const Image first = one->image;
@@ -140,7 +140,7 @@ TEST_F(PicturesTest, AFailureAfterSomePassesLeavesTheirMean) {
   const Pictures::Result result = ask(true);
   ASSERT_TRUE(result.picture);
   EXPECT_EQ(result.passes, 2u);
-  scene.settings.ao.samples *= 2;
+  scene.settings.ao.samples *= 2, scene.lightSampling.mode = LightSampling::Mode::full;
   EXPECT_LT(test::difference(result.picture->image, tracer.picture(scene)), 0.003);
 }
 

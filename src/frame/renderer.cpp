@@ -115,6 +115,32 @@ Renderer& Renderer::shared() {
   return *renderer;
 }
 
+namespace {
+
+/// Runs `body`; false, with the reason in `error`, if it throws.
+template <class Body>
+bool caught(std::string& error, const Body& body) noexcept {
+  const char* reason = "unknown failure while tracing";
+  try {
+    body();
+    return true;
+  } catch (const std::bad_alloc&) {
+    reason = "out of memory while tracing";
+  } catch (const std::exception& e) {
+    try {
+      error = e.what();
+      return false;
+    } catch (...) { reason = "out of memory while tracing"; }
+  } catch (...) {}
+  try {
+    error = reason;
+  } catch (...) {  // out of memory: leave the error line empty
+  }
+  return false;
+}
+
+}  // namespace
+
 bool Renderer::render(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
                       std::string& error) noexcept {
   return caught(error, [&] {
@@ -134,27 +160,6 @@ bool Renderer::renderBehind(const scene::Snapshot& snapshot, Image& image, scene
     whole = !interrupt() && engine_->render(snapshot, image, cost, interrupt);
   });
   return done && whole;
-}
-
-/// Runs `body`; false, with the reason in `error`, if it throws.
-bool Renderer::caught(std::string& error, const std::function<void()>& body) noexcept {
-  const char* reason = "unknown failure while tracing";
-  try {
-    body();
-    return true;
-  } catch (const std::bad_alloc&) {
-    reason = "out of memory while tracing";
-  } catch (const std::exception& e) {
-    try {
-      error = e.what();
-      return false;
-    } catch (...) { reason = "out of memory while tracing"; }
-  } catch (...) {}
-  try {
-    error = reason;
-  } catch (...) {  // out of memory: leave the error line empty
-  }
-  return false;
 }
 
 bool Renderer::improves() const noexcept {

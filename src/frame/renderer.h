@@ -49,7 +49,6 @@ class Renderer {
  private:
   class Engine;
   class InFront;
-  bool caught(std::string& error, const std::function<void()>& body) noexcept;
   std::unique_ptr<Engine> engine_;
 };
 
