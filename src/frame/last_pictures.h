@@ -24,6 +24,7 @@ class LastPictures {
     // Of pictures with light: their passes so far, and whether more would not make them better.
     std::unique_ptr<Refinement> refinement;
     bool refined = false;
+    bool moving = false;  // few rays, smoothed: a frame of an animation
   };
   /// The picture of an equal earlier snapshot, with misses in `missColor` if given; null: none. Valid until
   /// next().
@@ -33,6 +34,11 @@ class LastPictures {
     for (Entry& entry : entries_)
       if (entry.picture.id == id) return &entry.picture;
     return nullptr;
+  }
+  /// The picture shows nothing from now on; its memory serves the next one.
+  void drop(const Picture& picture) noexcept {
+    for (Entry& entry : entries_)
+      if (&entry.picture == &picture) entry.whole = false, entry.used = 0;
   }
   /// Gives a picture a new id, because its pixels change.
   void renew(Picture& picture) noexcept { picture.id = ++ids_; }

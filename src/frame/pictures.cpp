@@ -80,24 +80,41 @@ LastPictures::Picture* Pictures::known(const scene::Snapshot& snapshot, const Wi
   return known && !(tracer_.improves && tracer_.improves()) ? known : nullptr;
 }
 
+/// Traces a new picture in one pass: with all samples, whatever the snapshot asks for, if it is to be `full`.
+bool Pictures::traceOnce(const scene::Snapshot& snapshot, bool full, LastPictures::Picture& picture,
+                         Result& result) {
+  using Mode = scene::LightSampling::Mode;
+  picture.moving = !full && snapshot.lightSampling.mode == Mode::moving;
+  if (picture.moving || snapshot.lightSampling.mode == Mode::full)
+    return tracer_.trace(snapshot, picture.image, result.cost, result.why);
+  scene::Snapshot all = snapshot;
+  all.lightSampling.mode = Mode::full;
+  return tracer_.trace(all, picture.image, result.cost, result.why);
+}
+
 Pictures::Result Pictures::of(const scene::Snapshot& snapshot, const Wish& wish) {
   Result result;
   if (idle_) idle_->stop();
   const bool ahead = ahead_ && ahead_->has(snapshot);
   const bool refines = isRefinable(snapshot);
-  const bool full = wish.finished || snapshot.lightSampling.mode == scene::LightSampling::Mode::full;
+  bool full = wish.finished || snapshot.lightSampling.mode == scene::LightSampling::Mode::full;
   if (!refines) last_.forgetPasses();
   if (auto* const picture = wish.mayRepeat && !ahead ? known(snapshot, wish, refines) : nullptr) {
-    result.repeated = true, result.picture = picture;
-    if (refines && !picture->refined) refine(snapshot, *picture, full, result);
-    return result;
+    if (refines || !picture->moving) {
+      result.repeated = true, result.picture = picture;
+      if (refines && !picture->refined) refine(snapshot, *picture, full, result);
+      return result;
+    }
+    last_.drop(*picture);
+    full = true;  // nothing moves
   }
   last_.forgetPasses(snapshot.view);
   LastPictures::Picture& fresh = last_.next();
   fresh.image.missColor = wish.missColor.value_or(0);
+  fresh.moving = false;
   const bool done = ahead ? ahead_->take(fresh.image, result.cost, result.why)
                           : (refines && full && finish(snapshot, fresh, result)) ||
-                                tracer_.trace(snapshot, fresh.image, result.cost, result.why);
+                                traceOnce(snapshot, full, fresh, result);
   if (!done) return result;
   last_.keep(snapshot);
   result.picture = &fresh;

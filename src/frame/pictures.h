@@ -57,6 +57,7 @@ class Pictures {
   void dropAhead() noexcept;
 
  private:
+  bool traceOnce(const scene::Snapshot& snapshot, bool full, LastPictures::Picture& picture, Result& result);
   LastPictures::Picture* known(const scene::Snapshot& snapshot, const Wish& wish, bool refines) noexcept;
   bool finish(const scene::Snapshot& snapshot, LastPictures::Picture& picture, Result& result) noexcept;
   void refine(const scene::Snapshot& snapshot, LastPictures::Picture& picture, bool finish,

@@ -34,6 +34,17 @@ TEST_F(PicturesTest, AMovingPictureIsOnePass) {
   EXPECT_FALSE(result.picture->refinement);
 }
 
+TEST_F(PicturesTest, WithoutRefinementTheSameFrameTakesAllSamplesOnce) {
+  scene.settings.noise = 0;
+  scene::Snapshot full = scene;
+  full.lightSampling.mode = LightSampling::Mode::full;
+  const std::vector<uint32_t> expected = test::CountingTrace().picture(full).color;
+  EXPECT_NE(ask().picture->image.color, expected);
+  EXPECT_EQ(ask().picture->image.color, expected);
+  EXPECT_TRUE(ask().repeated);
+  EXPECT_EQ(tracer.traces, 2);
+}
+
 TEST_F(PicturesTest, TheSameFrameGetsBetterUntilItIsFinished) {
   scene::Snapshot many = scene;
   many.settings.ao.samples = 1024, many.lightSampling.mode = LightSampling::Mode::full;
@@ -80,7 +91,9 @@ TEST_F(PicturesTest, WithoutANoiseLimitThereIsOnePass) {
   scene.settings.noise = 0;
   const Pictures::Result result = ask(true);
   EXPECT_EQ(tracer.traces, 1);
-  EXPECT_EQ(result.picture->image.color, test::CountingTrace().picture(scene).color);
+  scene::Snapshot full = scene;
+  full.lightSampling.mode = LightSampling::Mode::full;
+  EXPECT_EQ(result.picture->image.color, test::CountingTrace().picture(full).color);
   EXPECT_TRUE(ask(true).repeated);
   EXPECT_EQ(tracer.traces, 1);
 }
