@@ -1,6 +1,7 @@
 #include "settings/config_file.h"
 
 #include "base/files.h"
+#include "base/toml_text.h"
 #include "settings/rows.h"
 
 #include <toml++/toml.h>
@@ -109,7 +110,7 @@ std::vector<FileSetting> readConfigFile(const std::string& file, Absent absent, 
     return settings;
   }
   try {
-    Collector(settings).file(toml::parse(content.text));
+    Collector(settings).file(parseToml(content.text));
   } catch (const toml::parse_error& error) {
     settings.clear();
     complain(file + ":" + std::to_string(error.source().begin.line) + ": " +

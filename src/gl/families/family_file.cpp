@@ -1,4 +1,5 @@
 // Parses family files: TOML to Family.
+#include "base/toml_text.h"
 #include "gl/families/code_sections.h"
 #include "gl/families/family.h"
 #include "gl/families/family_table.h"
@@ -277,7 +278,7 @@ FamilyList parseFamilies(std::string_view text, const std::string& file) {
   FamilyList list;
   toml::table root;
   try {
-    root = toml::parse(text, file);
+    root = parseToml(text, file);
   } catch (const toml::parse_error& e) {
     throw FamilyError(file + ":" + std::to_string(e.source().begin.line) + ": " +
                       std::string(e.description()));

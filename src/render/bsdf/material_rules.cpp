@@ -2,6 +2,7 @@
 
 #include "base/files.h"
 #include "base/log.h"
+#include "base/toml_text.h"
 #include "render/integrators/altered_look.h"
 
 #include <toml++/toml.h>
@@ -146,10 +147,11 @@ std::vector<MaterialRule> readMaterialRules(const std::string& text, const Mater
                                             float diagonal) {
   toml::table table;
   try {
-    table = toml::parse(text);
+    table = parseToml(text);
   } catch (const toml::parse_error& e) {
-    throw std::runtime_error("line " + std::to_string(e.source().begin.line) + ": " +
-                             std::string(e.description()));
+    std::string why = "line ";
+    why += std::to_string(e.source().begin.line);
+    throw std::runtime_error(why.append(": ").append(e.description()));
   }
   std::vector<MaterialRule> rules;
   for (const auto& [name, node] : table) {

@@ -2,6 +2,7 @@
 
 #include "base/files.h"
 #include "base/log.h"
+#include "base/toml_text.h"
 
 #include <sys/stat.h>
 #include <toml++/toml.h>
@@ -193,7 +194,7 @@ std::vector<FileLight> parseLights(std::string_view text, const std::string& fil
   constexpr size_t kMost = 64;
   toml::table root;
   try {
-    root = toml::parse(text, file);
+    root = parseToml(text, file);
   } catch (const toml::parse_error& error) {
     throw LightFileError(placeOf(file, error.source()) + std::string(error.description()));
   }

@@ -53,9 +53,9 @@ struct Animation {
     traceImage(s, world, arena, traced.image, {&histories, rays});
     return traced;
   }
-  /// The same with 1024 samples.
+  /// The same with 256 samples.
   test::Traced converged(scene::Snapshot s) {
-    s.settings.ao.samples = 1024;
+    s.settings.ao.samples = 256;
     return frame(s, Mode::full);
   }
 };

@@ -1,0 +1,81 @@
+#include "base/toml_text.h"
+
+#include <cstddef>
+#include <string>
+
+namespace gluray {
+namespace {
+
+bool beginsKey(char c) {
+  return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '-' ||
+         c == '"' || c == '\'' || (c & 0x80) != 0;
+}
+
+/// Walks over a text's strings, comments and arrays.
+class Scanner {
+ public:
+  explicit Scanner(std::string_view text) : text_(text) {}
+
+  /// The line of the first table header without a key, from 1; 0: none.
+  size_t lineOfBrokenHeader() {
+    for (bool first = true; at_ < text_.size(); ++at_) {  // first: only blanks so far on this line
+      const char c = text_[at_];
+      if (c == '\n') ++line_, first = true;
+      if (c == '\n' || c == ' ' || c == '\t' || c == '\r') continue;
+      if (c == '#') skipLine();
+      if (c == '"' || c == '\'') skipString(c);
+      if (c == '[' && first && depth_ == 0) {
+        if (!headerHasKey()) return line_;
+        skipLine();
+      } else if (c == '[' || c == '{') {
+        ++depth_;
+      } else if ((c == ']' || c == '}') && depth_ > 0) {
+        --depth_;
+      }
+      first = false;
+    }
+    return 0;
+  }
+
+ private:
+  bool startsWith(std::string_view what) const { return text_.substr(at_, what.size()) == what; }
+  void skipLine() {
+    while (at_ + 1 < text_.size() && text_[at_ + 1] != '\n') ++at_;
+  }
+  /// To the string's last character.
+  void skipString(char quote) {
+    const std::string three(3, quote);
+    const bool lines = startsWith(three);
+    at_ += lines ? 3 : 1;
+    for (; at_ < text_.size(); ++at_) {
+      if (text_[at_] == '\n') ++line_;
+      if (text_[at_] == '\\' && quote == '"') {
+        ++at_;
+      } else if (lines ? startsWith(three) : text_[at_] == quote) {
+        at_ += lines ? 2 : 0;
+        return;
+      }
+    }
+  }
+  bool headerHasKey() {
+    if (startsWith("[[")) ++at_;
+    while (at_ + 1 < text_.size() && (text_[at_ + 1] == ' ' || text_[at_ + 1] == '\t')) ++at_;
+    return at_ + 1 < text_.size() && beginsKey(text_[at_ + 1]);
+  }
+
+  std::string_view text_;
+  size_t at_ = 0, line_ = 1;
+  int depth_ = 0;
+};
+
+}  // namespace
+
+toml::table parseToml(std::string_view text, std::string_view file) {
+  if (const size_t line = Scanner(text).lineOfBrokenHeader()) {
+    const toml::source_position place{static_cast<toml::source_index>(line), 1};
+    throw toml::parse_error("a table has no name", toml::source_region{place, place, nullptr});
+  }
+  return toml::parse(text, file);
+}
+
+}  // namespace gluray
