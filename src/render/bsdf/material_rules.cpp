@@ -25,7 +25,9 @@ constexpr std::pair<const char*, SurfaceMetal> kMetals[] = {
     {"Cr", SurfaceMetal::chromium}, {"Cu", SurfaceMetal::copper},    {"Fe", SurfaceMetal::iron}};
 
 [[noreturn]] void fail(const toml::node& at, const std::string& why) {
-  throw std::runtime_error("line " + std::to_string(at.source().begin.line) + ": " + why);
+  std::string line = "line ";
+  line += std::to_string(at.source().begin.line);
+  throw std::runtime_error(line.append(": ").append(why));
 }
 
 template <class Choices>
@@ -33,7 +35,7 @@ auto chosen(const toml::node& node, const Choices& choices) {
   const auto word = node.value<std::string>();
   for (const auto& [name, value] : choices)
     if (word == name) return value;
-  fail(node, "'" + word.value_or("") + "' is none of the choices");
+  fail(node, std::string("'").append(word.value_or("")).append("' is none of the choices"));
 }
 
 float number(const toml::node& node, float least, float most) {
@@ -93,7 +95,7 @@ void readField(const std::string& key, const toml::node& node, float diagonal, M
   } else if (key == "absorption") {
     m.absorption = number(node, 0, 1000) * diagonal;
   } else {
-    fail(node, "rules have no '" + key + "'");
+    fail(node, std::string("rules have no '").append(key).append("'"));
   }
 }
 
