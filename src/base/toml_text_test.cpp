@@ -31,7 +31,8 @@ TEST(TomlText, BracketsInValuesStringsAndCommentsAreNone) {
 }
 
 TEST(TomlText, AnyTextParsesOrFails) {
-  const std::string good = "[[light]]\nkind = 'spot'\np = [0, 4, 0]\ns = \"\"\"\n[x]\"\"\"\n[a.b]\nc = {d = 1}\n";
+  const std::string good =
+      "[[light]]\nkind = 'spot'\np = [0, 4, 0]\ns = \"\"\"\n[x]\"\"\"\n[a.b]\nc = {d = 1}\n";
   for (size_t i = 0; i < good.size(); ++i)
     for (const char c : {'\0', '[', ']', '\'', '"', '9', 'e', '\n', '=', '{', '#', '.'}) {
       std::string broken = good;
