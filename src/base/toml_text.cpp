@@ -16,14 +16,15 @@ class Scanner {
  public:
   explicit Scanner(std::string_view text) : text_(text) {}
 
-  /// The line of the first table header without a key, from 1; 0: none.
-  size_t lineOfBrokenHeader() {
+  /// The line of the first table header without a key or key without a value, from 1; 0: none.
+  size_t lineOfGap() {
     for (bool first = true; at_ < text_.size(); ++at_) {  // first: only blanks so far on this line
       const char c = text_[at_];
       if (c == '\n') ++line_, first = true;
       if (c == '\n' || c == ' ' || c == '\t' || c == '\r') continue;
       if (c == '#') skipLine();
       if (c == '"' || c == '\'') skipString(c);
+      if (c == '=' && !valueFollows()) return line_;
       if (c == '[' && first && depth_ == 0) {
         if (!headerHasKey()) return line_;
         skipLine();
@@ -63,6 +64,11 @@ class Scanner {
     return at_ + 1 < text_.size() && beginsKey(text_[at_ + 1]);
   }
 
+  bool valueFollows() const {
+    const size_t value = text_.find_first_not_of(" \t", at_ + 1);
+    return value != text_.npos && std::string_view("\r\n]},#=").find(text_[value]) == std::string_view::npos;
+  }
+
   std::string_view text_;
   size_t at_ = 0, line_ = 1;
   int depth_ = 0;
@@ -71,9 +77,9 @@ class Scanner {
 }  // namespace
 
 toml::table parseToml(std::string_view text, std::string_view file) {
-  if (const size_t line = Scanner(text).lineOfBrokenHeader()) {
+  if (const size_t line = Scanner(text).lineOfGap()) {
     const toml::source_position place{static_cast<toml::source_index>(line), 1};
-    throw toml::parse_error("a table has no name", toml::source_region{place, place, nullptr});
+    throw toml::parse_error("a name or a value is missing", toml::source_region{place, place, nullptr});
   }
   return toml::parse(text, file);
 }

@@ -14,12 +14,14 @@ int errorLine(const std::string& text) {
   return 0;
 }
 
-TEST(TomlText, TablesWithoutNamesAreErrorsWithTheirLine) {
+TEST(TomlText, MissingNamesAndValuesAreErrorsWithTheirLine) {
   EXPECT_EQ(errorLine("[=]\n"), 1);
   EXPECT_EQ(errorLine("a = 1\n\n  [[ ]]\n"), 3);
   EXPECT_EQ(errorLine("[[%a]]\n"), 1);
   EXPECT_EQ(errorLine("["), 1);
   EXPECT_EQ(errorLine(std::string("[[\0]]", 5)), 1);
+  EXPECT_EQ(errorLine("\na = {b = }\n"), 2);
+  EXPECT_EQ(errorLine("a =\n"), 1);
   EXPECT_GT(errorLine("a = [1,\n"), 0);
 }
 
