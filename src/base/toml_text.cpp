@@ -16,7 +16,8 @@ class Scanner {
  public:
   explicit Scanner(std::string_view text) : text_(text) {}
 
-  /// The line of the first table header without a key or key without a value, from 1; 0: none.
+  /// The line of the first table header without a key, key without a value, or bracket that closes none, from
+  /// 1; 0: none.
   size_t lineOfGap() {
     for (bool first = true; at_ < text_.size(); ++at_) {  // first: only blanks so far on this line
       const char c = text_[at_];
@@ -25,13 +26,14 @@ class Scanner {
       if (c == '#') skipLine();
       if (c == '"' || c == '\'') skipString(c);
       if (c == '=' && !valueFollows()) return line_;
-      if (c == '[' && first && depth_ == 0) {
+      if (c == '[' && first && open_.empty()) {
         if (!headerHasKey()) return line_;
         skipLine();
       } else if (c == '[' || c == '{') {
-        ++depth_;
-      } else if ((c == ']' || c == '}') && depth_ > 0) {
-        --depth_;
+        open_ += c;
+      } else if (c == ']' || c == '}') {
+        if (open_.empty() || open_.back() != (c == ']' ? '[' : '{')) return line_;
+        open_.pop_back();
       }
       first = false;
     }
@@ -71,7 +73,7 @@ class Scanner {
 
   std::string_view text_;
   size_t at_ = 0, line_ = 1;
-  int depth_ = 0;
+  std::string open_;  // brackets of the values around this place
 };
 
 }  // namespace
@@ -79,7 +81,8 @@ class Scanner {
 toml::table parseToml(std::string_view text, std::string_view file) {
   if (const size_t line = Scanner(text).lineOfGap()) {
     const toml::source_position place{static_cast<toml::source_index>(line), 1};
-    throw toml::parse_error("a name or a value is missing", toml::source_region{place, place, nullptr});
+    throw toml::parse_error("a name, a value or a bracket is missing",
+                            toml::source_region{place, place, nullptr});
   }
   return toml::parse(text, file);
 }

@@ -22,6 +22,7 @@ TEST(TomlText, MissingNamesAndValuesAreErrorsWithTheirLine) {
   EXPECT_EQ(errorLine(std::string("[[\0]]", 5)), 1);
   EXPECT_EQ(errorLine("\na = {b = }\n"), 2);
   EXPECT_EQ(errorLine("a =\n"), 1);
+  EXPECT_EQ(errorLine("a = [}\n"), 1);
   EXPECT_GT(errorLine("a = [1,\n"), 0);
 }
 
