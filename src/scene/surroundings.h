@@ -34,9 +34,10 @@ inline const Instance& instanceOf(const Snapshot& s, size_t i) {
   const size_t drawn = s.instances.size();
   return i < drawn ? s.instances[i] : s.surroundings->instances[i - drawn];
 }
-/// Its shading's index into the snapshot's shadings followed by those of its surroundings.
-inline size_t shadingOf(const Snapshot& s, size_t i) {
-  return instanceOf(s, i).shading + (i < s.instances.size() ? 0 : s.shadings.size());
+/// Its shading.
+inline const Shading& shadingOf(const Snapshot& s, size_t i) {
+  const std::vector<Shading>& all = i < s.instances.size() ? s.shadings : s.surroundings->shadings;
+  return all[instanceOf(s, i).shading];
 }
 /// Whether the program blends it.
 inline bool isBlended(const Snapshot& s, size_t i) {

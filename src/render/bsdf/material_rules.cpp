@@ -4,6 +4,7 @@
 #include "base/log.h"
 #include "base/toml_text.h"
 #include "render/integrators/altered_look.h"
+#include "scene/surroundings.h"
 
 #include <toml++/toml.h>
 
@@ -172,13 +173,13 @@ std::vector<MaterialRule> readMaterialRules(const std::string& text, const Mater
 
 std::vector<MaterialModel> materialsOf(const scene::Snapshot& snapshot, float diagonal) {
   const MaterialModel everywhere = MaterialModel::of(snapshot.settings, diagonal);
-  std::vector<MaterialModel> models(snapshot.instances.size(), everywhere);
+  std::vector<MaterialModel> models(scene::countAll(snapshot), everywhere);
   std::vector<MaterialRule> rules;
   if (!snapshot.settings.material.file.empty())
     rules = readMaterialRules(lastRules().textOf(snapshot.settings.material.file), everywhere, diagonal);
   for (size_t i = 0; i < models.size(); ++i) {
-    const scene::Instance& instance = snapshot.instances[i];
-    const scene::Shading& shading = snapshot.shadings[instance.shading];
+    const scene::Instance& instance = scene::instanceOf(snapshot, i);
+    const scene::Shading& shading = scene::shadingOf(snapshot, i);
     if (isUnlit(shading)) models[i] = {};
     const glm::vec3 own = ownColor(shading, instance);
     for (const MaterialRule& rule : rules) {

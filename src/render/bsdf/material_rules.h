@@ -30,9 +30,9 @@ struct MaterialRule {
 std::vector<MaterialRule> readMaterialRules(const std::string& toml, const MaterialModel& otherwise,
                                             float diagonal);
 
-/// One for each instance of the snapshot: by settings where the surface is lit, by rules for any. `diagonal`:
-/// of the scene's bounds, eye space. A file that cannot be read is reported in one line; the last one that
-/// could stays.
+/// One for each instance of the snapshot and its surroundings: by settings where the surface is lit, by rules
+/// for any. `diagonal`: of the scene's bounds, eye space. A file that cannot be read is reported in one line;
+/// the last one that could stays.
 std::vector<MaterialModel> materialsOf(const scene::Snapshot&, float diagonal);
 
 }  // namespace gluray::render

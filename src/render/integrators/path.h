@@ -41,7 +41,7 @@ class Path final : public Integrator {
   Metric metric;
   Occluders occluders;
   ProgramLights lights;
-  std::vector<MaterialModel> materials;  // one for each instance
+  std::vector<MaterialModel> materials;  // as FrameData::surfaces
   SurfaceColors seen, unseen;            // of hits of the camera, of others where they differ
   std::shared_ptr<const Environment> environment;
   float lightScale;    // of the program's lights

@@ -10,6 +10,7 @@
 #include "render/integrators/clear_shadows.h"
 #include "render/integrators/path_vertices.inl.h"
 #include "render/sampling/sobol.inl.h"
+#include "scene/surroundings.h"
 
 #include <limits>
 
@@ -315,10 +316,11 @@ inline uint32_t Wave::passing(uint32_t lanes, Row& u, accel::RayPacket& packet) 
   for (; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
     const PathVertex& v = vertices_.lane[i];
-    const auto& planes = path_.frame.snapshot->instances[v.instance].clipPlanes;
+    const scene::Snapshot& snapshot = *path_.frame.snapshot;
+    const auto& planes = scene::instanceOf(snapshot, v.instance).clipPlanes;
     const auto cuts = [&](const glm::dvec4& plane) { return glm::dot(plane, glm::dvec4(v.point, 1)) < 0; };
     const bool cut = std::any_of(planes.begin(), planes.end(), cuts);
-    const float opacity = !path_.frame.snapshot->layers ? 1 : std::clamp(v.opacity, 0.0f, 1.0f);
+    const float opacity = scene::isBlended(snapshot, v.instance) ? std::clamp(v.opacity, 0.0f, 1.0f) : 1;
     if (!cut && u[i] < opacity) continue;
     if (!cut) u[i] = std::min((u[i] - opacity) / (1 - opacity), 0x1.fffffep-1f);
     packet.tNear[i] = packet.tFar[i] * kBehind;

@@ -61,6 +61,22 @@ TEST(Surroundings, DarkenAsInOneSnapshotToTheBit) {
   }
 }
 
+TEST(Surroundings, LightPathsAsInOneSnapshotToTheBit) {
+  for (const bool clipped : {false, true}) {
+    scene::Snapshot s = whole();
+    s.settings.integrator = LightIntegrator::path;
+    s.settings.path.samples = 16;
+    s.shadings[0].lighting = true;
+    for (size_t i = 1; i < 3; ++i) {
+      for (scene::MaterialPair& pair : s.instances[i].materials)
+        pair.front.diffuse = pair.back.diffuse = {1, 0, 0, 1};
+      if (clipped) s.instances[i].clipPlanes = {{0, 0, 1, 4}};
+    }
+    const test::Traced expected = test::trace(s), got = test::trace(split(s));
+    EXPECT_EQ(got.image.color, expected.image.color);
+  }
+}
+
 TEST(Surroundings, AreNotSeen) {
   scene::Snapshot s = split(whole());
   auto around = std::make_shared<scene::Surroundings>(*s.surroundings);
