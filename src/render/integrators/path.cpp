@@ -12,7 +12,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 // What follows is included once for each instruction set, after Highway's macros.
-#include "render/integrators/path_wave.inl.h"
+#include "render/integrators/path_extension.inl.h"
+#include "render/integrators/path_next_event.inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {

@@ -10,7 +10,6 @@
 #include "render/integrators/clear_shadows.h"
 #include "render/integrators/path_vertices.inl.h"
 #include "render/sampling/sobol.inl.h"
-#include "scene/surroundings.h"
 
 #include <limits>
 
@@ -188,85 +187,6 @@ class Wave {
   float pdf_[kLanes] = {};            // of way_; 0 where the environment is not asked otherwise
 };
 
-/// One light for each path, chosen by what all of them would give if nothing were in their way.
-HWY_ATTR inline void Wave::sampleLights() {
-  alignas(64) Row u, unused;
-  draw(PathUse::light, u, unused);
-  accel::OcclusionRays rays;
-  uint32_t lanes = 0;
-  glm::vec3 brought[kLanes];
-  eachLane([&](int i) {
-    const PathVertex& v = vertices_.lane[i];
-    const bsdf::LocalFrame local(v.shading);
-    const glm::vec3 wo = local.toLocal(back_[i]);
-    const bsdf::Any material = path_.bsdfOf(v, isInside(i));
-    const float irradiance = path_.irradianceOfOne(v) * path_.lightScale;
-    float total = 0;
-    ArrivingLight chosen;
-    float share = 0, rest = u[i];
-    for (uint32_t l = 0; l < path_.lights.countOf(v.instance); ++l) {
-      const ArrivingLight light = path_.lights.at(v.instance, l, v.point);
-      glm::vec3 value =
-          bsdf::evaluate(material, wo, local.toLocal(light.direction)) * light.color * irradiance;
-      if (v.specular != glm::vec3(0))
-        value += path_.lightScale * v.specular *
-                 path_.lights.highlight(v.instance, l, light, v.shading, viewerOf(i), v.shininess);
-      const float weight = value.x + value.y + value.z;
-      if (!(weight > 0) || !std::isfinite(weight)) continue;
-      // Weighted reservoir of one, by a single random number.
-      total += weight;
-      const float keep = weight / total;
-      if (rest < keep) {
-        chosen = light, brought[i] = value, share = weight;
-        rest /= keep;
-      } else {
-        rest = (rest - keep) / (1 - keep);
-      }
-    }
-    if (!(total > 0)) return;
-    brought[i] *= total / share;
-    if (depth_ == 0 && chosen.atViewer) return add(i, brought[i]);
-    constexpr float kBefore = 1 - 1e-5f;
-    aim(rays, i, chosen.direction, chosen.distance * kBefore);
-    lanes |= 1u << i;
-  });
-  if (!lanes) return;
-  float through[kLanes];
-  transmitFromLights(lanes, rays, through);
-  for (; lanes; lanes &= lanes - 1) {
-    const int i = std::countr_zero(lanes);
-    if (through[i] > 0) add(i, brought[i] * through[i]);
-  }
-}
-
-HWY_ATTR inline void Wave::sampleEnvironment() {
-  alignas(64) Row u, v;
-  draw(PathUse::environment, u, v);
-  accel::OcclusionRays rays;
-  uint32_t lanes = 0;
-  glm::vec3 brought[kLanes];
-  eachLane([&](int i) {
-    const PathVertex& at = vertices_.lane[i];
-    const Environment::Arriving sky = path_.environment->sample({u[i], v[i]});
-    if (!(sky.pdf > 0)) return;
-    const bsdf::LocalFrame local(at.shading);
-    const glm::vec3 wo = local.toLocal(back_[i]), wi = local.toLocal(sky.direction);
-    const bsdf::Any material = path_.bsdfOf(at, isInside(i));
-    const glm::vec3 value = bsdf::evaluate(material, wo, wi);
-    if (!(largestOf(value) > 0)) return;
-    brought[i] = value * sky.radiance * (powerHeuristic(sky.pdf, bsdf::pdf(material, wo, wi)) / sky.pdf);
-    aim(rays, i, sky.direction, std::numeric_limits<float>::infinity());
-    lanes |= 1u << i;
-  });
-  if (!lanes) return;
-  float through[kLanes];
-  transmit(lanes, rays, through);
-  for (; lanes; lanes &= lanes - 1) {
-    const int i = std::countr_zero(lanes);
-    if (through[i] > 0) add(i, brought[i] * through[i]);
-  }
-}
-
 HWY_ATTR inline void Wave::scatter() {
   alignas(64) Row u, v, lobe, unused;
   draw(PathUse::direction, u, v);
@@ -299,75 +219,6 @@ HWY_ATTR inline void Wave::roulette() {
     else
       alive_ &= ~(1u << i);
   });
-}
-
-/// Whether Embree takes the ray.
-inline bool isTraceable(const accel::RayPacket& r, int i) {
-  constexpr float kLargest = 1e18f;
-  const float values[] = {r.orgX[i], r.orgY[i], r.orgZ[i], r.dirX[i], r.dirY[i], r.dirZ[i]};
-  return std::all_of(std::begin(values), std::end(values), [](float v) { return std::abs(v) <= kLargest; });
-}
-
-/// Those of the lanes' rays that go on behind their hits: where clip planes cut the surface away, and by the
-/// share that translucent surfaces let through. `u`: random numbers, used up.
-inline uint32_t Wave::passing(uint32_t lanes, Row& u, accel::RayPacket& packet) const {
-  constexpr float kBehind = 1 + 0x1p-20f;
-  uint32_t passed = 0;
-  for (; lanes; lanes &= lanes - 1) {
-    const int i = std::countr_zero(lanes);
-    const PathVertex& v = vertices_.lane[i];
-    const scene::Snapshot& snapshot = *path_.frame.snapshot;
-    const auto& planes = scene::instanceOf(snapshot, v.instance).clipPlanes;
-    const auto cuts = [&](const glm::dvec4& plane) { return glm::dot(plane, glm::dvec4(v.point, 1)) < 0; };
-    const bool cut = std::any_of(planes.begin(), planes.end(), cuts);
-    const float opacity = scene::isBlended(snapshot, v.instance) ? std::clamp(v.opacity, 0.0f, 1.0f) : 1;
-    if (!cut && u[i] < opacity) continue;
-    if (!cut) u[i] = std::min((u[i] - opacity) / (1 - opacity), 0x1.fffffep-1f);
-    packet.tNear[i] = packet.tFar[i] * kBehind;
-    passed |= 1u << i;
-  }
-  return passed;
-}
-
-HWY_ATTR inline void Wave::extend() {
-  constexpr int kMostLayers = 64;  // translucent or clipped surfaces on one ray
-  accel::RayPacket packet;
-  alignas(64) Row back[3];
-  alignas(64) int32_t valid[kLanes];
-  eachLane([&](int i) {
-    aim(packet, i, way_[i], std::numeric_limits<float>::infinity());
-    if (!isTraceable(packet, i)) alive_ &= ~(1u << i);
-  });
-  for (int i = 0; i < kLanes; ++i) {
-    packet.time[i] = 0, packet.mask[i] = ~0u, packet.id[i] = static_cast<uint32_t>(i), packet.flags[i] = 0;
-    for (int c = 0; c < 3; ++c) back[c][i] = -way_[i][c];
-    back_[i] = -way_[i];
-  }
-  uint32_t under = alive_;
-  alignas(64) Row u, unused;
-  if (!path_.occluders.areSolid()) draw(PathUse::lobe, unused, u);
-  for (int layer = 0; under && layer < kMostLayers; ++layer) {
-    for (int i = 0; i < kLanes; ++i) {
-      valid[i] = under >> i & 1 ? -1 : 0;
-      packet.geometry[i] = packet.instance[i] = accel::kNoHit;
-      if (valid[i]) packet.tFar[i] = std::numeric_limits<float>::infinity();
-    }
-    path_.frame.world->intersectBounced(valid, packet);
-    uint32_t hits = 0;
-    for (uint32_t lanes = under; lanes; lanes &= lanes - 1) {
-      const int i = std::countr_zero(lanes);
-      if (packet.geometry[i] != accel::kNoHit)
-        hits |= 1u << i;
-      else
-        escape(i);
-    }
-    alive_ &= ~(under & ~hits);
-    absorb(hits, packet);
-    if (hits) bouncedVertices(path_, packet, hits, back, hits_.x, hits_.y, vertices_);
-    if (path_.occluders.areSolid()) return;
-    under = passing(hits, u, packet);
-  }
-  alive_ &= ~under;
 }
 
 /// Replaces the colours of the local look by the paths' mean.
