@@ -1,6 +1,6 @@
 #include "render/integrators/integrator.h"
-#include "render/integrators/path.h"
 #include "render/integrators/surface_light.h"
+#include "render/paths/path.h"
 #include "scene/effects.h"
 
 namespace gluray::render {

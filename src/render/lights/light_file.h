@@ -1,4 +1,4 @@
-// Lights of a TOML file (docs/light.md has its format). Any thread.
+// Lights of a TOML file (docs/light/shadows.md has its format). Any thread.
 #pragma once
 #include "scene/light_source.h"
 

@@ -1,13 +1,13 @@
 // Light that reaches the vertices of paths straight from lights and the environment. Compiled once for each
 // instruction set.
-#if defined(GLURAY_RENDER_INTEGRATORS_PATH_NEXT_EVENT_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLURAY_RENDER_INTEGRATORS_PATH_NEXT_EVENT_INL_H_
-#undef GLURAY_RENDER_INTEGRATORS_PATH_NEXT_EVENT_INL_H_
+#if defined(GLURAY_RENDER_PATHS_PATH_NEXT_EVENT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLURAY_RENDER_PATHS_PATH_NEXT_EVENT_INL_H_
+#undef GLURAY_RENDER_PATHS_PATH_NEXT_EVENT_INL_H_
 #else
-#define GLURAY_RENDER_INTEGRATORS_PATH_NEXT_EVENT_INL_H_
+#define GLURAY_RENDER_PATHS_PATH_NEXT_EVENT_INL_H_
 #endif
 
-#include "render/integrators/path_wave.inl.h"
+#include "render/paths/path_wave.inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {

@@ -1,12 +1,12 @@
 // The next surfaces that paths meet. Compiled once for each instruction set.
-#if defined(GLURAY_RENDER_INTEGRATORS_PATH_EXTENSION_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLURAY_RENDER_INTEGRATORS_PATH_EXTENSION_INL_H_
-#undef GLURAY_RENDER_INTEGRATORS_PATH_EXTENSION_INL_H_
+#if defined(GLURAY_RENDER_PATHS_PATH_EXTENSION_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLURAY_RENDER_PATHS_PATH_EXTENSION_INL_H_
+#undef GLURAY_RENDER_PATHS_PATH_EXTENSION_INL_H_
 #else
-#define GLURAY_RENDER_INTEGRATORS_PATH_EXTENSION_INL_H_
+#define GLURAY_RENDER_PATHS_PATH_EXTENSION_INL_H_
 #endif
 
-#include "render/integrators/path_wave.inl.h"
+#include "render/paths/path_wave.inl.h"
 #include "scene/surroundings.h"
 
 HWY_BEFORE_NAMESPACE();

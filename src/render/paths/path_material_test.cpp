@@ -1,5 +1,5 @@
 // Materials of settings in the path tracer: mirrors, glass, furnaces.
-#include "render/integrators/path_scenes.h"
+#include "render/paths/path_scenes.h"
 
 namespace gluray::render {
 namespace {

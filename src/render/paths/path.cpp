@@ -1,19 +1,19 @@
-#include "render/integrators/path.h"
+#include "render/paths/path.h"
 
 #include "render/bsdf/material_rules.h"
-#include "render/integrators/path_vertex.h"
 #include "render/lights/make_environment.h"
+#include "render/paths/path_vertex.h"
 
 #include <algorithm>
 
 #define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "render/integrators/path.cpp"
+#define HWY_TARGET_INCLUDE "render/paths/path.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 // What follows is included once for each instruction set, after Highway's macros.
-#include "render/integrators/path_extension.inl.h"
-#include "render/integrators/path_next_event.inl.h"
+#include "render/paths/path_extension.inl.h"
+#include "render/paths/path_next_event.inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {

@@ -1,14 +1,14 @@
 // Sixteen paths of light, one for each lane of a packet, a bounce at a time. Compiled once for each
 // instruction set.
-#if defined(GLURAY_RENDER_INTEGRATORS_PATH_WAVE_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLURAY_RENDER_INTEGRATORS_PATH_WAVE_INL_H_
-#undef GLURAY_RENDER_INTEGRATORS_PATH_WAVE_INL_H_
+#if defined(GLURAY_RENDER_PATHS_PATH_WAVE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLURAY_RENDER_PATHS_PATH_WAVE_INL_H_
+#undef GLURAY_RENDER_PATHS_PATH_WAVE_INL_H_
 #else
-#define GLURAY_RENDER_INTEGRATORS_PATH_WAVE_INL_H_
+#define GLURAY_RENDER_PATHS_PATH_WAVE_INL_H_
 #endif
 
 #include "render/integrators/clear_shadows.h"
-#include "render/integrators/path_vertices.inl.h"
+#include "render/paths/path_vertices.inl.h"
 #include "render/sampling/sobol.inl.h"
 
 #include <limits>

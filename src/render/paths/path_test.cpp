@@ -1,5 +1,5 @@
 // Path tracing against scenes whose light is known in closed form.
-#include "render/integrators/path_scenes.h"
+#include "render/paths/path_scenes.h"
 
 namespace gluray::render {
 namespace {

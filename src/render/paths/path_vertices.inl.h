@@ -1,17 +1,17 @@
 // Makes vertices of paths: where they are, and the colours that the local look gives them. Compiled once for
 // each instruction set.
-#if defined(GLURAY_RENDER_INTEGRATORS_PATH_VERTICES_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLURAY_RENDER_INTEGRATORS_PATH_VERTICES_INL_H_
-#undef GLURAY_RENDER_INTEGRATORS_PATH_VERTICES_INL_H_
+#if defined(GLURAY_RENDER_PATHS_PATH_VERTICES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLURAY_RENDER_PATHS_PATH_VERTICES_INL_H_
+#undef GLURAY_RENDER_PATHS_PATH_VERTICES_INL_H_
 #else
-#define GLURAY_RENDER_INTEGRATORS_PATH_VERTICES_INL_H_
+#define GLURAY_RENDER_PATHS_PATH_VERTICES_INL_H_
 #endif
 
 #include "render/integrators/altered_look.h"
-#include "render/integrators/path.h"
-#include "render/integrators/path_vertex.h"
 #include "render/integrators/points.inl.h"
 #include "render/local/shade.inl.h"
+#include "render/paths/path.h"
+#include "render/paths/path_vertex.h"
 
 #include <bit>
 

@@ -1,5 +1,5 @@
 // What paths meet on their way: impostors, translucent surfaces, what clip planes cut away, edges, textures.
-#include "render/integrators/path_scenes.h"
+#include "render/paths/path_scenes.h"
 
 namespace gluray::render {
 namespace {

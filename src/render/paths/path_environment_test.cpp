@@ -1,7 +1,7 @@
 // Environments in the path tracer: two ways to draw directions together agree with each alone, and with a
 // second, plain implementation.
-#include "render/integrators/path_scenes.h"
 #include "render/lights/make_environment.h"
+#include "render/paths/path_scenes.h"
 
 #include <random>
 
