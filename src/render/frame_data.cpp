@@ -109,7 +109,7 @@ void FrameData::prepareAverages() {
   const float sum = sampleWeights.empty() ? static_cast<float>(samplePositions.size())
                                           : std::accumulate(sampleWeights.begin(), sampleWeights.end(), 0.0f);
   averageFactor = 1 / sum;
-  if (!(snapshot->settings.camera.aperture > 0)) return;
+  if (!hasOpenLens(snapshot->settings)) return;
   lens = makeLens(*snapshot, distanceInFocus(*this));
   if (!lens) return;
   samplePositions.insert(samplePositions.begin(), samplePositions.front());

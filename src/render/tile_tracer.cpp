@@ -5,6 +5,7 @@
 #include "render/kernels.h"
 #include "render/moving/trace_moving.h"
 #include "scene/effects.h"
+#include "settings/samples.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -28,7 +29,7 @@ bool areDrawn(const scene::Layers* layers) { return layers && layers->of == scen
 /// colours in the order of drawing use the framebuffer's samples.
 bool wantsAverages(const scene::Snapshot& snapshot) {
   if (areDrawn(snapshot.layers.get())) return false;
-  return snapshot.settings.camera.aperture > 0 || (snapshot.samples <= 1 && snapshot.settings.spp > 1);
+  return hasOpenLens(snapshot.settings) || (snapshot.samples <= 1 && snapshot.settings.spp > 1);
 }
 
 /// Whether the layers' arrays have one element per pixel.

@@ -8,9 +8,14 @@ namespace gluray {
 
 constexpr int kLeastLensSamples = 16;  // rays through an open lens; with fewer, blurred edges fall apart
 
+/// Whether settings ask for depth of field.
+inline bool hasOpenLens(const Settings& settings) {
+  return settings.camera.aperture > 0 || settings.camera.fNumber > 0;
+}
+
 /// The setting spp, and no fewer rays than an open lens needs.
 inline int samplesPerPixel(const Settings& settings) {
-  return settings.camera.aperture > 0 ? std::max(settings.spp, kLeastLensSamples) : settings.spp;
+  return hasOpenLens(settings) ? std::max(settings.spp, kLeastLensSamples) : settings.spp;
 }
 
 }  // namespace gluray

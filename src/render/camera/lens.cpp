@@ -43,7 +43,8 @@ LensAxis::LensAxis(const scene::Camera& camera) {
   const glm::dvec4 w = glm::transpose(camera.clipFromEye)[3];
   const glm::dvec4 middle[] = {eyeFromClip * glm::dvec4(0, 0, -1, 1), eyeFromClip * glm::dvec4(0, 0, 1, 1)};
   glm::dvec3 axis;
-  if (isPerspective(eyeFromClip)) {
+  const bool perspective = isPerspective(eyeFromClip);
+  if (perspective) {
     const double perUnit = glm::length(glm::dvec3(w));
     depth_ = w;
     unit_ = 1 / perUnit;
@@ -57,6 +58,8 @@ LensAxis::LensAxis(const scene::Camera& camera) {
   const glm::dvec3 across = direction(middle[0], eyeFromClip * glm::dvec4(1, 0, -1, 1));
   right_ = unit(across - glm::dot(across, axis) * axis);
   up_ = glm::cross(axis, right_);
+  if (perspective)
+    angle_ = 1 / std::abs(unit_ * glm::dot(glm::dvec3(glm::transpose(camera.clipFromEye)[1]), up_));
 }
 
 double LensAxis::distanceOf(const glm::dvec3& eye) const { return glm::dot(depth_, glm::dvec4(eye, 1)); }
@@ -65,9 +68,20 @@ LensShear LensAxis::shear(double radius, double focus) const {
   return {glm::dvec4(0, 0, 0, 1) - depth_ / focus, radius * unit_ * right_, radius * unit_ * up_};
 }
 
+double LensAxis::radius(const Settings::Camera& camera, double focus) const {
+  if (!(camera.fNumber > 0)) return double{camera.aperture};
+  if (!(angle_ > 0) || !std::isfinite(angle_)) return 0;
+  const double behind = double{camera.film} / (2 * angle_);  // from the lens to the film
+  const double focalLength = 1 / (1 / focus + 1 / behind);
+  return focalLength / (2 * double{camera.fNumber});
+}
+
 std::unique_ptr<const Lens> makeLens(const scene::Snapshot& snapshot, double focus) {
   if (!(focus > 0) || !std::isfinite(focus)) return nullptr;
-  const LensShear eye = LensAxis(snapshot.camera).shear(double{snapshot.settings.camera.aperture}, focus);
+  const LensAxis axis(snapshot.camera);
+  const double radius = axis.radius(snapshot.settings.camera, focus);
+  if (!(radius > 0)) return nullptr;
+  const LensShear eye = axis.shear(radius, focus);
   auto lens = std::make_unique<Lens>();
   lens->world = eye.in(snapshot.eyeFromWorld);
   lens->objects.reserve(snapshot.instances.size());

@@ -47,6 +47,9 @@ class LensAxis {
   double distanceOf(const glm::dvec3& eye) const;
   /// The shear in eye space of a lens with this radius that is focused at distance `focus` > 0 from it.
   LensShear shear(double radius, double focus) const;
+  /// The radius of the lens whose settings these are. 0 for an f-number and a parallel projection, which has
+  /// no focal length.
+  double radius(const Settings::Camera&, double focus) const;
   /// The lens's distance from the plane of the eye: 0 unless that lies behind the near plane of a parallel
   /// projection.
   double start() const { return start_; }
@@ -55,7 +58,8 @@ class LensAxis {
   glm::dvec4 depth_{0};  // dot(depth_, p) is the distance from the lens
   glm::dvec3 right_{1, 0, 0}, up_{0, 1, 0};
   double start_ = 0;
-  double unit_ = 1;  // length of a unit in eye space
+  double angle_ = 0;  // tangent of half the view's angle of height; 0: parallel
+  double unit_ = 1;   // length of a unit in eye space
 };
 
 /// The lens of the snapshot's settings, focused at `focus` from it along the axis; null unless that is

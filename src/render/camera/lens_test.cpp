@@ -67,6 +67,39 @@ TEST(Lens, BlursAnEdgeByTheThinLensFormula) {
   }
 }
 
+TEST(Lens, OfAnFNumberHasThisPartOfTheFocalLength) {
+  scene::Snapshot s = viewOf({halfPlane(8, 0.1, 1)});
+  s.settings.camera.aperture = 0;
+  s.settings.camera.film = 0.5f;
+  const double behind = 0.25 / std::tan(glm::radians(20.0)), focalLength = 5 * behind / (5 + behind);
+  for (const double number : {1.4, 2.8}) {
+    s.settings.camera.fNumber = static_cast<float>(number);
+    const double radius = focalLength / number / 2 * 3 / 5 * pixelsAt(8);
+    EXPECT_GT(radius, 0.5);
+    EXPECT_LT(errorOfEdge(test::trace(s), kSize / 2 + 0.1 * pixelsAt(8), radius), kNoise) << number;
+  }
+}
+
+TEST(Lens, OfAnFNumberIsTheSameWhereTheProjectionHoldsTheView) {
+  scene::Snapshot plain = viewOf({halfPlane(8, 0.1, 1)});
+  plain.settings.camera.fNumber = 1.4f, plain.settings.camera.film = 0.5f;
+  scene::Snapshot whole = plain;
+  const glm::dmat4 view = glm::rotate(glm::dmat4(1), 0.3, {1.0, 2.0, 3.0});
+  whole.camera.clipFromEye = plain.camera.clipFromEye * view;
+  whole.eyeFromWorld = whole.instances[0].eyeFromObject = glm::inverse(view);
+  const test::Traced a = test::trace(plain), b = test::trace(whole);
+  for (int x = 0; x < kSize; ++x) ASSERT_NEAR(a.color(x, 32).a, b.color(x, 32).a, 6) << x;
+}
+
+TEST(Lens, OfAnFNumberIsClosedForParallelProjections) {
+  scene::Snapshot s = viewOf({halfPlane(8, 0.1, 1)});
+  s.camera.clipFromEye = glm::ortho(-2.0, 2.0, -2.0, 2.0, 1.0, 20.0);
+  s.settings.camera.aperture = 0;
+  const test::Traced sharp = test::trace(s);
+  s.settings.camera.fNumber = 1.4f;
+  EXPECT_EQ(test::trace(s).image.color, sharp.image.color);
+}
+
 TEST(Lens, KeepsWhatIsInFocusSharp) {
   const test::Traced traced = test::trace(viewOf({halfPlane(5, 0.1, 1)}));
   EXPECT_LT(errorOfEdge(traced, kSize / 2 + 0.1 * pixelsAt(5), 0), kNoise);
@@ -219,6 +252,14 @@ TEST(Lens, AbsurdLensesDoNoHarm) {
       s.settings.camera.aperture = aperture, s.settings.camera.focus = focus;
       const test::Traced traced = test::trace(s);
       EXPECT_EQ(traced.image.color.size(), size_t{kSize} * kSize);
+    }
+  }
+  for (const float number : {1e-30f, 1000.0f}) {
+    for (const float film : {1e-30f, 1e30f}) {
+      scene::Snapshot s = viewOf({halfPlane(8, 0.1, 1)});
+      s.settings.spp = 16;
+      s.settings.camera.fNumber = number, s.settings.camera.film = film;
+      EXPECT_EQ(test::trace(s).image.color.size(), size_t{kSize} * kSize);
     }
   }
 }

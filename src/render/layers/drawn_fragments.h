@@ -26,6 +26,16 @@ class DrawnFragments {
   void sort() {
     for (std::vector<DrawnFragment>& all : of_) std::sort(all.begin(), all.end());
   }
+  /// By depth, farthest first; in the order of drawing where stored(depth) is equal.
+  template <class Stored>
+  void sortBackToFront(Stored&& stored) {
+    for (std::vector<DrawnFragment>& all : of_) {
+      for (DrawnFragment& fragment : all) fragment.depth = stored(fragment.depth);
+      std::sort(all.begin(), all.end(), [](const DrawnFragment& a, const DrawnFragment& b) {
+        return a.depth != b.depth ? a.depth > b.depth : a.order < b.order;
+      });
+    }
+  }
   /// Copies the n-th fragment of each lane that has one; returns those lanes.
   uint32_t nth(size_t n, float* depth, uint32_t* color) const {
     uint32_t lanes = 0;

@@ -61,12 +61,17 @@ HWY_ATTR inline void gatherDrawn(const FrameData& frame, const scene::Layers& la
   });
 }
 
-/// Blends all fragments into colour and depth; pixels where none passes are misses.
+/// Blends all fragments into colour and depth; pixels where none passes are misses. Ordered fragments do not
+/// hide each other by depth, and the nearest of them becomes the pixel's.
 HWY_ATTR inline void blendLayers(const FrameData& frame, const scene::Layers& layers, Work& work) {
   const uint32_t lanes = work.hits;
+  const bool ordered = areOrdered(frame);
   gatherDrawn(frame, layers, work);
-  work.fragments.sort();
   const DrawnDepthTest test(layers.depthSteps, frame.snapshot->laterWins);
+  if (ordered)
+    work.fragments.sortBackToFront([&](float z) { return test.stored(z); });
+  else
+    work.fragments.sort();
   alignas(64) Row there[4] = {};
   alignas(64) float stored[kLanes] = {}, depth[kLanes] = {};
   alignas(64) uint32_t color[kLanes] = {};
@@ -76,6 +81,8 @@ HWY_ATTR inline void blendLayers(const FrameData& frame, const scene::Layers& la
     stored[i] = layers.opaqueDepth[pixel];
     for (int c = 0; c < 4; ++c) there[c][i] = static_cast<float>(layers.colors[pixel] >> (8 * c) & 255);
   }
+  alignas(64) float final[kLanes];
+  std::copy_n(stored, kLanes, final);
   uint32_t drawn = 0;
   for (size_t n = 0;; ++n) {
     const uint32_t any = work.fragments.nth(n, depth, color);
@@ -85,7 +92,9 @@ HWY_ATTR inline void blendLayers(const FrameData& frame, const scene::Layers& la
       const int i = std::countr_zero(rest);
       if (!test.passes(depth[i], stored[i])) continue;
       passing |= 1u << i;
-      if (layers.blending.writesDepth) stored[i] = test.stored(depth[i]);
+      if (!layers.blending.writesDepth) continue;
+      final[i] = test.stored(depth[i]);
+      if (!ordered) stored[i] = final[i];
     }
     if (passing) blendRows(layers.blending, frame.snapshot->colorWrites, passing, color, there);
     drawn |= passing;
@@ -93,7 +102,7 @@ HWY_ATTR inline void blendLayers(const FrameData& frame, const scene::Layers& la
   for (int i = 0; i < kLanes; ++i) {
     work.depth[i] = Image::kMiss;
     if (!(drawn >> i & 1)) continue;
-    work.color[i] = 0, work.depth[i] = stored[i];
+    work.color[i] = 0, work.depth[i] = final[i];
     for (int c = 0; c < 4; ++c) work.color[i] |= static_cast<uint32_t>(there[c][i]) << (8 * c);
   }
 }

@@ -234,8 +234,37 @@ class EdgeHits {
   std::vector<Hit> hits_[kLanes];
 };
 
+inline bool areOrdered(const FrameData& frame) {
+  return frame.snapshot->settings.transparency == Transparency::ordered;
+}
+
+/// Sums whose mean colour, rgb/sum of opacities, is that of the layers over each other, with the same total
+/// opacity.
+HWY_ATTR inline void sumOrdered(const FrameData& frame, const scene::Layers& layers, Work& work) {
+  Gathered g;
+  for (float& place : g.place) place = -1;
+  const auto end = [&](uint32_t lanes, const float* depth)
+                       HWY_ATTR { return lanesBehind(layers, frame, work, lanes, depth); };
+  EdgeHits edges;
+  walkLayers(frame, work, end, [&](uint32_t lanes, const LitRows& rows, const float* depth) HWY_ATTR {
+    lanes &= ~edges.again(lanes, work.packet);
+    putBehind(lanes, rows, depth, layers.tolerance, g);
+    for (; lanes; lanes &= lanes - 1) {
+      const int i = std::countr_zero(lanes);
+      work.wide[3][i] += rows.value[3][i];
+    }
+    return 0u;
+  });
+  for (int i = 0; i < kLanes; ++i) {
+    if (!(g.now[3][i] > 0)) continue;
+    for (int c = 0; c < 3; ++c) work.wide[c][i] = g.now[c][i] * (work.wide[3][i] / g.now[3][i]);
+    work.through[i] = 1 - g.now[3][i];
+  }
+}
+
 /// Sums all hits of the packet's rays.
 HWY_ATTR inline void sumLayers(const FrameData& frame, const scene::Layers& layers, Work& work) {
+  if (areOrdered(frame)) return sumOrdered(frame, layers, work);
   EdgeHits edges;
   const auto end = [&](uint32_t lanes, const float* depth)
                        HWY_ATTR { return lanesBehind(layers, frame, work, lanes, depth); };

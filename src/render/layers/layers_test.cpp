@@ -173,6 +173,34 @@ TEST(DrawnLayers, AreHiddenByTheFramebuffersDepth) {
   EXPECT_FALSE(test::trace(drawn({{0, kRed}}, false, there, 0.5f)).hit(3, 3)) << "GL_LESS";
 }
 
+TEST(DrawnLayers, OrderedAreBlendedBackToFront) {
+  const vec4 there(0.2f, 0.4f, 0.6f, 1);
+  const vec4 expected = over(over(over(there, kBlue), kGreen), kRed);
+  std::vector<Sheet> all{{0.8f, kRed}, {0.1f, kGreen}, {-0.7f, kBlue}};
+  do {
+    for (const bool writesDepth : {false, true}) {
+      auto s = drawn(all, writesDepth, there);
+      s.settings.transparency = Transparency::ordered;
+      expectColor(s, expected);
+      EXPECT_FLOAT_EQ(test::trace(s).depth(2, 2), writesDepth ? 0.1f : 1.0f);
+    }
+  } while (std::next_permutation(all.begin(), all.end(), [](auto& a, auto& b) { return a.z < b.z; }));
+}
+
+TEST(DrawnLayers, OrderedAtEqualDepthFollowTheDrawingOrder) {
+  const vec4 there(0.2f, 0.4f, 0.6f, 1);
+  auto s = drawn({{0, kRed}, {1e-8f, kBlue}}, false, there);
+  s.settings.transparency = Transparency::ordered;
+  expectColor(s, over(over(there, kRed), kBlue));
+}
+
+TEST(DrawnLayers, OrderedAreHiddenByTheFramebuffersDepth) {
+  const vec4 there(0.2f, 0.4f, 0.6f, 1);
+  auto s = drawn({{0.8f, kRed}, {-0.7f, kBlue}, {0, kGreen}}, true, there, 0.6f);
+  s.settings.transparency = Transparency::ordered;
+  expectColor(s, over(over(there, kGreen), kRed));
+}
+
 // --- Sums --------------------------------------------------------------------------------------------------
 
 scene::Snapshot summed(const std::vector<Sheet>& all, float opaqueDepth = -1) {
@@ -219,6 +247,29 @@ TEST(LayerSums, EndAtTheOpaqueSurface) {
   const std::vector<Sheet> all{{0.8f, kRed}, {0.1f, kGreen}, {-0.7f, kBlue}};
   expectSums(summed(all, 0.5f), {all[0], all[1]});
   expectSums(summed(all, 0.05f), {});
+}
+
+TEST(LayerSums, OrderedHaveTheColourOfTheLayersOverEachOther) {
+  const vec4 expected = under(under(under(vec4(0), kRed), kGreen), kBlue);
+  std::vector<Sheet> all{{0.8f, kRed}, {0.1f, kGreen}, {-0.7f, kBlue}};
+  do {
+    auto s = summed(all);
+    s.settings.transparency = Transparency::ordered;
+    const Image image = test::trace(s).image;
+    ASSERT_NEAR(image.transmittance[0], 1 - expected.a, 1e-5f);
+    ASSERT_NEAR(image.wideColor[3], kRed.a + kGreen.a + kBlue.a, 1e-5f);
+    for (int c = 0; c < 3; ++c)
+      ASSERT_NEAR(image.wideColor[static_cast<size_t>(c)] / image.wideColor[3], expected[c] / expected.a,
+                  1e-5f);
+  } while (std::next_permutation(all.begin(), all.end(), [](auto& a, auto& b) { return a.z < b.z; }));
+}
+
+TEST(LayerSums, OrderedOfNoLayersHaveFullTransmittance) {
+  auto s = summed({});
+  s.settings.transparency = Transparency::ordered;
+  const Image image = test::trace(s).image;
+  EXPECT_EQ(image.wideColor, std::vector<float>(size_t{4} * 16 * 16, 0.0f));
+  EXPECT_EQ(image.transmittance, std::vector<float>(16 * 16, 1.0f));
 }
 
 TEST(LayerSums, OfNoLayersHaveFullTransmittance) {

@@ -40,13 +40,20 @@ void Summer::frame(const std::vector<Layer>& all) {
   gl_.Enable(GL_BLEND);
   gl_.BlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
   gl_.DepthFunc(depthFunc);
-  bool first = true;
+  std::vector<std::function<void()>> draws;  // ready, so that nothing but drawing comes between them
   for (const Layer& one : all) {
     if (one.opacity == 1) continue;
+    const GLuint program = makeProgram(gl_, vertexText(one.surface), summedText(one.surface));
+    draws.push_back([this, program, &one, uploaded = upload(gl_, one.mesh, program)] {
+      drawLayer(gl_, program, uploaded, one);
+    });
+  }
+  bool first = true;
+  for (const auto& draw : draws) {
     if (!first && between) between();
     first = false;
     gl_.DepthMask(GL_FALSE);
-    drawFresh(gl_, makeProgram(gl_, vertexText(one.surface), summedText(one.surface)), one);
+    draw();
     gl_.DepthMask(GL_TRUE);
   }
   gl_.BindFramebuffer(GL_FRAMEBUFFER, below_);
