@@ -64,6 +64,18 @@ class Doctor(unittest.TestCase):
         self.assertRegex(self.finding(findings, "OpenGL (GLX)")[0], r"\d\.\d")
         self.assertIn("GB of memory", self.finding(findings, "machine")[0])
 
+    def test_programs_of_vtk_get_a_word_about_its_own_light(self):
+        _, findings = self.ask(CLIENT)
+        self.assertNotIn("light", [f["topic"] for f in findings])
+        library = self.folder / "libvtkRenderingOpenGL2-9.9.so.1"
+        source = self.program("client.c", "int main(void) { return 0; }")
+        empty = self.program("empty.c", "")
+        subprocess.run(["cc", "-shared", "-o", library, empty, f"-Wl,-soname,{library.name}"], check=True)
+        client = self.folder / "client"
+        subprocess.run(["cc", "-o", client, source, "-Wl,--no-as-needed", library, f"-Wl,-rpath,{self.folder}"], check=True)
+        _, findings = self.ask(client)
+        self.assertIn("switch VTK's own off", self.finding(findings, "light")[0])
+
     def test_the_text_ends_with_a_summary(self):
         done = subprocess.run([str(GLURAY), "doctor"], capture_output=True, text=True, timeout=60)
         self.assertEqual((done.returncode, done.stdout.splitlines()[-1]), (0, "all is well"))

@@ -79,6 +79,18 @@ void reportWay(const Program& program, const std::vector<WalkedLibrary>& walk, D
                   "that use it: gluray explain shows whether it does");
 }
 
+/// VTK's own passes of light keep its surfaces from being traced.
+void reportLight(const std::vector<WalkedLibrary>& walk, Diagnosis& diagnosis) {
+  const auto isVtk = [](const WalkedLibrary& library) {
+    return library.name.starts_with("libvtkRenderingOpenGL2");
+  };
+  if (!std::any_of(walk.begin(), walk.end(), isVtk)) return;
+  diagnosis.ok("light",
+               "it draws with VTK. To get GLuRay's light, switch VTK's own off in the program: screen-space "
+               "ambient occlusion and shadow maps keep surfaces from being traced; gluray explain shows "
+               "whether it uses them");
+}
+
 /// Examines a script by its interpreter.
 void examineScript(const CommandLine& line, const Program& program, Diagnosis& diagnosis) {
   CommandLine deeper = line;
@@ -104,6 +116,7 @@ void examineBinary(const CommandLine& line, const Program& program, Diagnosis& d
   const auto walk = walkLibraries(program.path, pathsOf(program.libraries), readElf);
   reportMissing(walk, diagnosis);
   reportWay(program, walk, diagnosis);
+  reportLight(walk, diagnosis);
   if (program.usesX && !hasDisplay())
     diagnosis.broken(kTopic, "it links X11, and there is no display",
                      "xvfb-run -s '-screen 0 1280x1024x24' gluray " + line.program[0]);
