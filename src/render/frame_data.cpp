@@ -186,7 +186,9 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
 void FrameData::addSurroundings(const View& view) {
   const scene::Surroundings& around = *snapshot->surroundings;
   const size_t drawn = surfaces.size(), first = lightings.size();
-  for (const scene::Shading& shading : around.shadings) lightings.emplace_back(shading);
+  const bool relights = relit && !relit->surroundings.empty();
+  for (const scene::Shading& shading : relights ? relit->surroundings : around.shadings)
+    lightings.emplace_back(shading);
   surfaces.resize(drawn + around.instances.size());
   tbb::parallel_for(size_t{0}, around.instances.size(), [&](size_t i) {
     const scene::Instance& instance = around.instances[i];

@@ -1,7 +1,9 @@
 #include "render/paths/path.h"
 
 #include "render/bsdf/material_rules.h"
+#include "render/lights/dome.h"
 #include "render/lights/make_environment.h"
+#include "render/lights/relit.h"
 #include "render/paths/path_vertex.h"
 
 #include <algorithm>
@@ -50,6 +52,14 @@ namespace {
 /// z.
 bool isMirrored(const View& view) { return view.areaSign * view.away > 0; }
 
+/// The sky of a rig takes the place of the constant environment.
+std::shared_ptr<const Environment> environmentOf(const FrameData& frame) {
+  const Settings& s = frame.snapshot->settings;
+  if (frame.relit && frame.relit->dome.shines() && s.environment.kind == EnvironmentKind::constant)
+    return std::make_shared<RigSky>(frame.relit->dome, s.path.lights);
+  return makeEnvironment(s, frame.snapshot->eyeFromWorld);
+}
+
 }  // namespace
 
 Path::Path(const FrameData& of)
@@ -59,7 +69,7 @@ Path::Path(const FrameData& of)
       lights(of),
       materials(materialsOf(*of.snapshot, metric.diagonal)),
       seen(surfaceColors(of, true)),
-      environment(makeEnvironment(of.snapshot->settings, of.snapshot->eyeFromWorld)),
+      environment(environmentOf(of)),
       lightScale(of.snapshot->settings.path.lights),
       samples(of.snapshot->settings.path.samples),
       depth(of.snapshot->settings.path.depth),
@@ -69,6 +79,7 @@ Path::Path(const FrameData& of)
   if (paintsEdges(*of.snapshot)) unseen = surfaceColors(of, false);
   hasGlass = std::any_of(materials.begin(), materials.end(),
                          [](const MaterialModel& m) { return m.isTransparent(); });
+  added = AddedLights(of, hasGlass);
   bsdf::ggxMeanAlbedo(1);  // makes its table
 }
 

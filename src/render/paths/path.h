@@ -5,6 +5,7 @@
 #include "render/integrators/integrator.h"
 #include "render/integrators/metric.h"
 #include "render/integrators/occluders.h"
+#include "render/lights/added_lights.h"
 #include "render/lights/environment.h"
 #include "render/lights/program_lights.h"
 
@@ -41,10 +42,11 @@ class Path final : public Integrator {
   Metric metric;
   Occluders occluders;
   ProgramLights lights;
+  AddedLights added;
   std::vector<MaterialModel> materials;  // as FrameData::surfaces
   SurfaceColors seen, unseen;            // of hits of the camera, of others where they differ
   std::shared_ptr<const Environment> environment;
-  float lightScale;    // of the program's lights
+  float lightScale;    // of the lights
   int samples;         // paths a pixel's sample
   int depth;           // vertices of a path
   float mostIndirect;  // firefly clamp: largest component of what one path brings from bounces; 0: any

@@ -68,6 +68,7 @@ HWY_ATTR inline void Wave::extend() {
     uint32_t hits = 0;
     for (uint32_t lanes = under; lanes; lanes &= lanes - 1) {
       const int i = std::countr_zero(lanes);
+      if (!path_.added.empty() && meetLights(i, packet.tNear[i], packet.tFar[i])) continue;
       if (packet.geometry[i] != accel::kNoHit)
         hits |= 1u << i;
       else
