@@ -152,5 +152,44 @@ TEST(PathLights, AnotherEnvironmentTakesThePlaceOfTheRigsSky) {
   EXPECT_NEAR(radiances(s).mean().g, 0.25f, 1e-4f);
 }
 
+/// The same scene by the local look with shadows.
+scene::Snapshot local(scene::Snapshot s) {
+  s.settings.integrator = LightIntegrator::local;
+  s.settings.shadows.enabled = true, s.settings.shadows.samples = 1024;
+  return s;
+}
+
+TEST(PathLights, AgreeWithShadowsOfTheLocalLook) {
+  // A ball between the wall and lights whose middles are partly below the horizon of what they shine on. Both
+  // pictures take 1024 samples a pixel; their noise is measured by halves of the paths.
+  const LightFile file(
+      "[[light]]\nkind = 'rectangle'\nposition = [-2, 1, 2]\ntarget = [0, 0, 0]\nwidth = 2\nheight = 3\n"
+      "[[light]]\nkind = 'disc'\nposition = [2, -1, 1]\ndirection = [-1, 0.5, 0]\nradius = 0.8\nstrength = "
+      "0.5\n"
+      "[[light]]\nkind = 'sphere'\nposition = [0, 2.5, 0.4]\nradius = 0.6\nstrength = 0.7\n");
+  scene::Snapshot s = litBy(file, {test::backWall(), test::ballMesh(60, 0.8f, {0, 0, 1})}, 40);
+  s.settings.path.samples = 512;
+  for (scene::Instance& i : s.instances) {
+    test::setAlbedo(i, {0.5f, 0.6f, 0.7f});
+    i.materials[0].front.ambient = i.materials[0].back.ambient = {0, 0, 0, 1};
+  }
+  s.shadings[0].globalAmbient = {0, 0, 0, 1};
+  const auto look = radiances(local(s)), first = radiances(s);
+  s.lightSampling.pass = 1;
+  const auto second = radiances(s);
+  double apart = 0, noise = 0, biased = 0, brightness = 0;
+  int count = 0;
+  for (int y = 0; y < test::kPathSize; ++y)
+    for (int x = 0; x < test::kPathSize; ++x) {
+      const double a = first.at(x, y).g, b = second.at(x, y).g, c = look.at(x, y).g;
+      apart += std::pow(0.5 * (a + b) - c, 2), noise += std::pow(0.5 * (a - b), 2);
+      biased += 0.5 * (a + b) - c, brightness += c, ++count;
+    }
+  EXPECT_NEAR(biased / count, 0, 0.002 * brightness / count);
+  EXPECT_LT(std::sqrt(noise / count), 0.005);
+  // The look's noise is of the paths' order.
+  EXPECT_LT(apart, 4 * noise);
+}
+
 }  // namespace
 }  // namespace gluray::render
