@@ -3,6 +3,7 @@
 #include "render/camera/focus.h"
 #include "render/camera/lens.h"
 #include "render/film/pixel_filter.h"
+#include "render/lights/lamps.h"
 #include "render/lights/relit.h"
 #include "scene/surroundings.h"
 #include "settings/samples.h"
@@ -180,6 +181,7 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
   }
   if (averages) prepareAverages();
   if (s.surroundings) addSurroundings(view);
+  lamps = Lamps::of(*this);
 }
 
 /// After all that rays from the viewer meet is known: they do not meet these.

@@ -194,9 +194,8 @@ std::optional<LightShape::Met> LightShape::meetArea(const glm::dvec3& point,
   return Met{static_cast<float>(distance), static_cast<float>(std::min(pdf, 1e30)), usable(color_)};
 }
 
-std::optional<LightShape::Met> LightShape::meet(const glm::vec3& point, const glm::vec3& direction) const {
-  return isArea() ? meetArea(glm::dvec3(point), glm::dvec3(direction))
-                  : meetCone(glm::dvec3(point), glm::dvec3(direction));
+std::optional<LightShape::Met> LightShape::meet(const glm::dvec3& point, const glm::dvec3& direction) const {
+  return isArea() ? meetArea(point, direction) : meetCone(point, direction);
 }
 
 glm::vec3 LightShape::estimate(const glm::vec3& point, const glm::vec3* normal) const {

@@ -35,7 +35,9 @@ class LightShape {
   Arriving sample(const glm::vec3& point, const glm::vec2& u) const;
   /// Where a ray from the point meets the light, and the density of sample() there. Nothing for lights whose
   /// sample() has no density.
-  std::optional<Met> meet(const glm::vec3& point, const glm::vec3& direction) const;
+  std::optional<Met> meet(const glm::dvec3& point, const glm::dvec3& direction) const;
+  /// What the viewer sees of it where it is visible.
+  glm::vec3 shown() const { return glm::vec3(color_); }
   /// About what sample()'s irradiance is in the mean, times the cosine to `normal`; not 0 where some light
   /// arrives on its side. Null: from all sides.
   glm::vec3 estimate(const glm::vec3& point, const glm::vec3* normal) const;

@@ -46,23 +46,24 @@ inline glm::vec3 Wave::bringAdded(int i, const bsdf::Any& material, size_t light
 inline bool Wave::meetLights(int i, float from, float to) {
   const bool exact = !(pdf_[i] > 0);
   const LitPoint& at = lit_[i];
-  std::optional<LightShape::Met> nearest;
+  float nearest = std::numeric_limits<float>::infinity();
+  const LightShape* shown = nullptr;
   for (size_t l = 0; l < path_.added.size(); ++l) {
     const LightShape& light = path_.added[l];
     if (exact ? !light.isVisible() : !path_.added.isMet(l)) continue;
-    const auto met = light.meet(at.point, way_[i]);
+    const auto met = light.meet(glm::dvec3(at.point), glm::dvec3(way_[i]));
     if (!met || !(met->distance > from && met->distance <= to)) continue;
     if (exact) {
-      if (!nearest || met->distance < nearest->distance) nearest = met;
+      if (!shown || met->distance < nearest) nearest = met->distance, shown = &light;
       continue;
     }
     const float chance = at.total > 0 ? weightOf(at, l) / at.total : 0;
     add(i, absorbed(i, met->distance - from) * met->radiance *
                (at.factor * powerHeuristic(pdf_[i], chance * met->pdf)));
   }
-  if (!nearest) return false;
+  if (!shown) return false;
   // Mirrors and clear glass show the light as the viewer would see it.
-  add(i, absorbed(i, nearest->distance - from) * nearest->radiance * path_.lightScale);
+  add(i, absorbed(i, nearest - from) * shown->shown() * path_.lightScale);
   return true;
 }
 
