@@ -37,20 +37,7 @@ std::unique_ptr<const Lamps> Lamps::of(const FrameData& frame) {
   return std::make_unique<Lamps>(frame);
 }
 
-Lamps::Ray Lamps::rayAt(double x, double y) const {
-  const RaySetup& rays = frame_.eyeRays;
-  const glm::dvec4 at = rays.start + x * rays.startX + y * rays.startY;
-  const glm::dvec3 near = glm::dvec3(at) / at.w, way = glm::dvec3(rays.step) - rays.step.w * near;
-  Ray ray{near, glm::normalize(way * (at.w > 0 ? 1.0 : -1.0))};
-  if (rays.step.w != 0) {
-    ray.origin = glm::dvec3(rays.step) / rays.step.w;
-  } else if (ray.direction.z < 0 && near.z < 0) {  // parallel: from the plane of the eye
-    ray.origin -= ray.direction * (near.z / ray.direction.z);
-  }
-  return ray;
-}
-
-Lamps::Ray Lamps::rayOf(const accel::RayPacket& rays, int i) const {
+EyeRay Lamps::rayOf(const accel::RayPacket& rays, int i) const {
   const glm::dmat4& eyeFromWorld = frame_.snapshot->eyeFromWorld;
   const glm::dvec3 org(eyeFromWorld * glm::dvec4(rays.orgX[i], rays.orgY[i], rays.orgZ[i], 1));
   return {org,
@@ -68,7 +55,7 @@ uint32_t Lamps::show(const float* x, const float* y, const accel::RayPacket* ray
                      ColorRows& rows) const noexcept {
   uint32_t lanes = 0;
   for (int i = 0; i < kLanes; ++i) {
-    const Ray ray = rays ? rayOf(*rays, i) : rayAt(double{x[i]}, double{y[i]});
+    const EyeRay ray = rays ? rayOf(*rays, i) : eyeRayAt(frame_.eyeRays, double{x[i]}, double{y[i]});
     float nearest = std::numeric_limits<float>::infinity();
     for (const LightShape& shape : shapes_) {
       const auto met = shape.meet(ray.origin, ray.direction);

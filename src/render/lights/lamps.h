@@ -1,6 +1,7 @@
 // Lights that can be seen (`visible` in files of lights): what the viewer sees of them. Made once a frame,
 // asked on all tracing threads.
 #pragma once
+#include "render/camera/eye_ray.h"
 #include "render/frame_data.h"
 #include "render/lights/light_shape.h"
 #include "render/local/group.h"
@@ -24,11 +25,7 @@ class Lamps {
                 ColorRows& rows) const noexcept;
 
  private:
-  struct Ray {
-    glm::dvec3 origin, direction;
-  };
-  Ray rayAt(double x, double y) const;
-  Ray rayOf(const accel::RayPacket&, int i) const;
+  EyeRay rayOf(const accel::RayPacket&, int i) const;
   float depthAt(const glm::dvec3& point) const;
 
   const FrameData& frame_;

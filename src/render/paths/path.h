@@ -52,6 +52,7 @@ class Path final : public Integrator {
   float mostIndirect;  // firefly clamp: largest component of what one path brings from bounces; 0: any
   bool bounces;        // false: only mirrors and glass send paths on (T. Whitted, 1980)
   bool hasGlass = false;
+  bool filters;   // some texture needs to know how wide pixels are
   bool mirrored;  // the projection mirrors the window
 };
 

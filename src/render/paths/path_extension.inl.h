@@ -76,11 +76,11 @@ HWY_ATTR inline void Wave::extend() {
     }
     alive_ &= ~(under & ~hits);
     absorb(hits, packet);
-    if (hits) bouncedVertices(path_, packet, hits, back, hits_.x, hits_.y, vertices_);
-    if (path_.occluders.areSolid()) return;
-    under = passing(hits, u, packet);
+    if (hits) bouncedVertices(path_, packet, hits, back, hits_.x, hits_.y, cone_, vertices_);
+    under = path_.occluders.areSolid() ? 0 : passing(hits, u, packet);
   }
   alive_ &= ~under;
+  if (path_.filters) eachLane([&](int i) { cone_[i].width = cone_[i].widthAt(packet.tFar[i]); });
 }
 
 }  // namespace HWY_NAMESPACE

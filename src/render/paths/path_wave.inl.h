@@ -32,9 +32,10 @@ inline float powerHeuristic(float pdf, float other) {
 class Wave {
  public:
   Wave(const Path& path, const ColoredHits& hits, const PixelSeeds& seeds, uint32_t index,
-       const PathVertices& camera, const Row (&from)[3])
+       const PathVertices& camera, const Row (&from)[3], const RayCone (&cones)[kLanes])
       : path_(path), hits_(hits), seeds_(seeds), index_(index), vertices_(camera), alive_(hits.group.lanes) {
     std::fill_n(body_, kLanes, int64_t{-1});
+    std::copy_n(cones, kLanes, cone_);
     for (int i = 0; i < kLanes; ++i)
       back_[i] = {from[0][i], from[1][i], from[2][i]}, throughput_[i] = glm::vec3(1);
   }
@@ -226,6 +227,7 @@ class Wave {
   glm::vec3 bodyColor_[kLanes] = {};  // of that
   uint32_t ending_ = 0;               // bit i: path i ends at its next surface
   float pdf_[kLanes] = {};            // of way_; 0 where lights and environment are not asked otherwise
+  RayCone cone_[kLanes];              // of way_; only if textures are filtered
   LitPoint lit_[kLanes];              // the vertices that way_ leaves; only with added lights
 };
 
@@ -246,6 +248,7 @@ HWY_ATTR inline void Wave::scatter() {
     if (next.wi.z < 0 && path_.materials[at.instance].isBody()) cross(i);
     way_[i] = glm::normalize(way);
     pdf_[i] = next.exact ? 0 : next.pdf;
+    if (path_.filters && !next.exact) cone_[i] = scattered(cone_[i], next.pdf, path_.samples);
     if (!path_.bounces && !next.exact) ending_ |= 1u << i;
     if (!(largestOf(throughput_[i]) > 0) || !isUsable(way_[i])) alive_ &= ~(1u << i);
   });
