@@ -3,6 +3,7 @@
 #include "render/camera/focus.h"
 #include "render/camera/lens.h"
 #include "render/film/pixel_filter.h"
+#include "render/lights/lamps.h"
 #include "render/lights/relit.h"
 #include "scene/surroundings.h"
 #include "settings/samples.h"
@@ -180,13 +181,16 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
   }
   if (averages) prepareAverages();
   if (s.surroundings) addSurroundings(view);
+  lamps = Lamps::of(*this);
 }
 
 /// After all that rays from the viewer meet is known: they do not meet these.
 void FrameData::addSurroundings(const View& view) {
   const scene::Surroundings& around = *snapshot->surroundings;
   const size_t drawn = surfaces.size(), first = lightings.size();
-  for (const scene::Shading& shading : around.shadings) lightings.emplace_back(shading);
+  const bool relights = relit && !relit->surroundings.empty();
+  for (const scene::Shading& shading : relights ? relit->surroundings : around.shadings)
+    lightings.emplace_back(shading);
   surfaces.resize(drawn + around.instances.size());
   tbb::parallel_for(size_t{0}, around.instances.size(), [&](size_t i) {
     const scene::Instance& instance = around.instances[i];

@@ -16,6 +16,7 @@
 namespace gluray::render {
 
 struct DirectLook;
+class Lamps;
 struct Lens;
 class Integrator;
 struct Relit;
@@ -67,6 +68,7 @@ struct FrameData {
   std::unique_ptr<const accel::HitFilter> accepted;
   const Integrator* integrator = nullptr;  // null: the local look alone
   std::optional<ToneMap> tone;             // none: colours stay
+  std::unique_ptr<const Lamps> lamps;      // null: the viewer sees no lights
   const DirectLook* direct = nullptr;      // the surfaces without ambient light, if the integrator needs them
   // Null: pixels get their final colours at once. Otherwise traceTile() keeps the hits here, and the
   // collector their factors of light; then relightTile() colours them.

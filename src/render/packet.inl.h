@@ -30,6 +30,7 @@ HWY_ATTR inline void finishWork(const FrameData& frame, const Tile& tile, Work& 
     shadeLayers(frame, *frame.snapshot->layers, work);
   else if (work.hits)
     shadeNearest(frame, work);
+  if (frame.lamps && !frame.hits) showLamps(frame, work);
   if (averages)
     averages->add(frame, tile, work);
   else if (!frame.hits)

@@ -8,6 +8,7 @@
 #endif
 
 #include "render/hits.inl.h"
+#include "render/lights/lamps.h"
 #include "render/sampling/warp.inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -66,6 +67,17 @@ HWY_ATTR inline void clearPixels(uint32_t missColor, Work& work) {
     for (Row& row : work.wide) row[i] = 0;
   }
   work.edged = 0;
+}
+
+/// Shows lights that can be seen in front of the packet's surfaces. Not inlined, as lightHits().
+HWY_ATTR HWY_NOINLINE inline void showLamps(const FrameData& frame, Work& work) {
+  LitRows rows;
+  alignas(64) Row depth;
+  std::copy_n(work.depth, kLanes, depth);
+  const uint32_t lanes = frame.lamps->show(work.x, work.y, work.lens ? &work.packet : nullptr, depth, rows);
+  if (!lanes) return;
+  if (frame.tone) frame.tone->apply(rows);
+  merge(lanes, rows, depth, frame.image->has(Plane::wideColor), work);
 }
 
 /// Calls store(pixel index, lane) for the packet's pixels within the tile.

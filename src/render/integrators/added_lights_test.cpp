@@ -1,12 +1,10 @@
 // Lights of files: their brightness and shadows against integrals computed plainly.
 #include "render/integrators/lit_scene.h"
+#include "render/test_light_file.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <cstdio>
-#include <fstream>
 #include <functional>
 #include <random>
 
@@ -14,20 +12,9 @@ namespace gluray::render {
 namespace {
 
 using test::kLitSize;
+using test::LightFile;
 using test::Shader;
 using test::Traced;
-
-/// A file of lights; removed when it goes.
-class LightFile {
- public:
-  explicit LightFile(const std::string& text) { write(text); }
-  LightFile(const LightFile&) = delete;
-  LightFile& operator=(const LightFile&) = delete;
-  ~LightFile() { std::remove(name.c_str()); }
-  void write(const std::string& text) const { std::ofstream(name) << text; }
-  const std::string name = ::testing::TempDir() + "gluray_lights_" + std::to_string(getpid()) + "_" +
-                           std::to_string(reinterpret_cast<uintptr_t>(this)) + ".toml";
-};
 
 /// The wall near the origin and a screen at z = 2 from x = 0.05 on, just outside the view, without lights of
 /// their own.

@@ -1,11 +1,14 @@
 #include "render/integrators/relit_look.h"
 
+#include "render/lights/form_factor.h"
+
 #define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/integrators/relit_look.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 // What follows is included once for each instruction set, after Highway's macros.
+#include "render/integrators/points.inl.h"
 #include "render/local/shade.inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -15,9 +18,14 @@ namespace HWY_NAMESPACE {
 /// In place of AllLight: shadowed lights, and light from all sides.
 struct Arriving {
   const Arrival& what;
-  int first = 0;  // lane
+  const SurfacePoints* points;  // if some lights have an area
+  int first = 0;                // lane
+  static constexpr bool kHasSizes = true;
 
-  HWY_INLINE Arriving at(int i) const { return {what, i}; }
+  HWY_INLINE Arriving at(int i) const { return {what, points, i}; }
+  HWY_INLINE Float diffuse(size_t light, Float share, const Float3& normal) const {
+    return points && light >= what.areas->first ? ofArea(light - what.areas->first, share, normal) : share;
+  }
   HWY_INLINE Float3 arriving(size_t light, const Float3& color) const {
     return shared(light < what.rows.ofLight.size() ? what.rows.ofLight[light] : -1, color);
   }
@@ -31,6 +39,18 @@ struct Arriving {
   }
 
  private:
+  HWY_ATTR HWY_NOINLINE Float ofArea(size_t source, Float share, const Float3& normal) const {
+    const scene::LightSource& light = what.areas->sources[source];
+    if (!isArea(light)) return share;
+    alignas(64) Row n[3], result;
+    store3(direction(transform(what.rows.eyeFromLighting, normal), normal), n, 0);
+    for (int i = 0; i < lanesOfVector(); ++i) {
+      const int lane = first + i;
+      result[i] = formFactor(light, {points->eye[0][lane], points->eye[1][lane], points->eye[2][lane]},
+                             {n[0][i], n[1][i], n[2][i]});
+    }
+    return load(result);
+  }
   HWY_INLINE Float3 shared(int row, const Float3& color) const {
     return row < 0 ? color : times(color, load3(what.factors.visibility[row], first));
   }
@@ -39,7 +59,10 @@ struct Arriving {
 HWY_ATTR void shadeArriving(const FrameData& frame, const Surface& surface, const ColoredHits& hits,
                             const Arrival& arrival, ColorRows& rows) {
   LitRows lit;
-  shade(frame, surface, hits.group, hits.back, hits.x, hits.y, lit, Arriving{arrival});
+  SurfacePoints points;
+  if (arrival.areas) makePoints(arrival.areas->metric, frame, hits, points);
+  shade(frame, surface, hits.group, hits.back, hits.x, hits.y, lit,
+        Arriving{arrival, arrival.areas ? &points : nullptr});
   rows = lit;
 }
 

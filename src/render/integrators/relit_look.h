@@ -2,15 +2,24 @@
 // and light comes from all sides. Tracing threads.
 #pragma once
 #include "render/integrators/factors.h"
+#include "render/integrators/metric.h"
 #include "render/lights/shadow_lights.h"
 
 namespace gluray::render {
+
+/// Lights of a surface's shading that settings add; of those with an area the diffuse light is an integral.
+struct AreaLights {
+  const Metric& metric;
+  const std::vector<scene::LightSource>& sources;
+  size_t first;  // the shading's light that is sources[0]
+};
 
 /// What arrives at hits on one instance.
 struct Arrival {
   const ShadowLights::Rows& rows;
   const Factors& factors;
-  const scene::Dome* dome;  // null: none shines on the surface
+  const scene::Dome* dome;            // null: none shines on the surface
+  const AreaLights* areas = nullptr;  // null: no light has an area
 };
 
 /// Shades the hits as the local look does, on `surface`, with what arrives of its lights.

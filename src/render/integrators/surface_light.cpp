@@ -3,6 +3,7 @@
 #include "base/log.h"
 #include "render/integrators/direct_look.h"
 #include "render/integrators/relit_look.h"
+#include "render/lights/form_factor.h"
 #include "render/lights/relit.h"
 #include "scene/effects.h"
 
@@ -28,6 +29,7 @@ SurfaceLight::SurfaceLight(const FrameData& frame)
       lights_(findShadowLights(frame, metric_, scene::wantsShadows(frame.snapshot->settings))) {
   const Settings& settings = frame.snapshot->settings;
   if (frame.relit && frame.relit->dome.shines()) dome_ = &frame.relit->dome;
+  hasAreas_ = frame.relit && std::any_of(frame.relit->sources.begin(), frame.relit->sources.end(), isArea);
   if (scene::wantsOcclusion(settings)) occlusion_.emplace(frame, metric_, occluders_);
   if (!scene::wantsShadows(settings)) return;
   if (!lights_.lights.empty())
@@ -71,8 +73,7 @@ void SurfaceLight::apply(const ColoredHits& hits, const Factors& factors, ColorR
   const ColorRows* direct = hits.direct;
   ColorRows relitDirect;
   if (relight(hits, factors, rows) && occlusion_ && direct) {
-    const Arrival arrival{lights_.of(hits.instance), factors, nullptr};
-    shadeAgain(frame_, frame_.direct->surfaces[hits.instance], hits, arrival, relitDirect);
+    shadeArriving(frame_.direct->surfaces[hits.instance], hits, factors, nullptr, relitDirect);
     direct = &relitDirect;
   }
   if (occlusion_) occlude(hits, factors, direct, rows);
@@ -81,9 +82,19 @@ void SurfaceLight::apply(const ColoredHits& hits, const Factors& factors, ColorR
 bool SurfaceLight::relight(const ColoredHits& hits, const Factors& factors, ColorRows& rows) const {
   const ShadowLights::Rows& used = lights_.of(hits.instance);
   const bool domed = dome_ && used.up != glm::vec3(0);
-  if (!domed && !(shadows_ && shows(hits, used, factors))) return false;
-  shadeAgain(frame_, hits.surface, hits, {used, factors, domed ? dome_ : nullptr}, rows);
+  if (!domed && !hasAreas_ && !(shadows_ && shows(hits, used, factors))) return false;
+  shadeArriving(hits.surface, hits, factors, domed ? dome_ : nullptr, rows);
   return true;
+}
+
+void SurfaceLight::shadeArriving(const Surface& surface, const ColoredHits& hits, const Factors& factors,
+                                 const scene::Dome* dome, ColorRows& rows) const {
+  Arrival arrival{lights_.of(hits.instance), factors, dome};
+  if (!hasAreas_) return shadeAgain(frame_, surface, hits, arrival, rows);
+  const Relit& relit = *frame_.relit;
+  const AreaLights areas{metric_, relit.sources, relit.firstSource[frame_.shadingOf(hits.instance)]};
+  arrival.areas = &areas;
+  shadeAgain(frame_, surface, hits, arrival, rows);
 }
 
 void SurfaceLight::occlude(const ColoredHits&, const Factors& factors, const ColorRows* direct,

@@ -13,7 +13,7 @@ class SurfaceLight final : public FactorIntegrator {
   /// `frame` must outlive it. Throws std::runtime_error where the modelview matrix cannot be inverted.
   explicit SurfaceLight(const FrameData& frame);
   /// False: it would change nothing.
-  bool acts() const { return occlusion_ || shadows_ || dome_; }
+  bool acts() const { return occlusion_ || shadows_ || dome_ || hasAreas_; }
 
   UsedFactors used() const noexcept override;
   void estimate(const ColoredHits&, Factors&) const noexcept override;
@@ -23,6 +23,8 @@ class SurfaceLight final : public FactorIntegrator {
  private:
   /// Shades again what is shadowed or lit from all sides. Returns whether it did.
   bool relight(const ColoredHits&, const Factors&, ColorRows&) const;
+  void shadeArriving(const Surface&, const ColoredHits&, const Factors&, const scene::Dome*,
+                     ColorRows&) const;
   void occlude(const ColoredHits&, const Factors&, const ColorRows* direct, ColorRows&) const;
 
   const FrameData& frame_;
@@ -30,6 +32,7 @@ class SurfaceLight final : public FactorIntegrator {
   Occluders occluders_;
   ShadowLights lights_;
   const scene::Dome* dome_ = nullptr;  // null: there is none
+  bool hasAreas_ = false;              // some light is an area
   std::optional<AmbientOcclusion> occlusion_;
   std::optional<Shadows> shadows_;
 };

@@ -1,6 +1,8 @@
-// A sky of one colour, or of one that changes from the ground over the horizon to the zenith. Any thread.
+// A sky of one colour, of one that changes from the ground over the horizon to the zenith, or of two. Any
+// thread.
 #pragma once
 #include "render/lights/environment.h"
+#include "scene/light_source.h"
 
 #include <cmath>
 
@@ -19,6 +21,19 @@ class Dome final : public Environment {
 
  private:
   glm::vec3 ground_, horizon_, zenith_, up_{0, 1, 0};
+};
+
+/// The sky and the ground of a light rig.
+class RigSky final : public Environment {
+ public:
+  RigSky(const scene::Dome& dome, float strength)
+      : up_(dome.up), sky_(strength * dome.sky), ground_(strength * dome.ground) {}
+  glm::vec3 radiance(const glm::vec3& direction) const noexcept override {
+    return glm::dot(direction, up_) > 0 ? sky_ : ground_;
+  }
+
+ private:
+  glm::vec3 up_, sky_, ground_;
 };
 
 }  // namespace gluray::render

@@ -75,12 +75,13 @@ class Table {
  private:
   float numberIn(const toml::node& node, const char* key, float least, float most) const {
     const std::optional<double> value = node.is_number() ? node.value<double>() : std::nullopt;
-    if (!value || !(*value >= least && *value <= most)) {
+    const float rounded = value ? static_cast<float>(std::clamp(*value, -1e38, 1e38)) : 0;
+    if (!value || !(rounded >= least && rounded <= most)) {
       char range[80];
       std::snprintf(range, sizeof range, " must be numbers from %g to %g", double{least}, double{most});
       fail(key + std::string(range), &node);
     }
-    return static_cast<float>(*value);
+    return rounded;
   }
 
   const toml::table& table_;
@@ -151,7 +152,7 @@ FileLight readLight(Table& table) {
   }
   if (light.kind != Kind::point && light.kind != Kind::sphere) light.direction = directionOf(table, light);
   readSize(table, light);
-  if (table.flag("visible")) table.fail("visible = true is not supported: lights are not drawn");
+  light.visible = table.flag("visible");
   table.refuseOthers();
   return read;
 }

@@ -85,8 +85,8 @@ TEST(LightFile, ErrorsNameTheLineAndWhatToDo) {
             "lights.toml:4: strength must be numbers from 0 to 1e+06");
   EXPECT_EQ(errorOf("[[light]]\nkind = 'distant'\ndirection = [0, 0, 1]\nradius = 1\n"),
             "lights.toml:4: this kind of light has no radius");
-  EXPECT_EQ(errorOf("[[light]]\nkind = 'sphere'\nposition = [0, 0, 1]\nvisible = true\n"),
-            "lights.toml:1: visible = true is not supported: lights are not drawn");
+  EXPECT_EQ(errorOf("[[light]]\nkind = 'sphere'\nposition = [0, 0, 1]\nvisible = 1\n"),
+            "lights.toml:4: visible must be true or false");
   EXPECT_EQ(errorOf("[light]\nkind = 'sphere'\n"), "lights.toml:1: only tables [[light]] may stand here");
   EXPECT_NE(errorOf("[[light]]\nkind = \n").find("lights.toml:2: "), std::string::npos);
 }

@@ -1,5 +1,7 @@
 #include "render/lights/program_lights.h"
 
+#include "render/lights/relit.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -59,19 +61,21 @@ ArrivingLight arriving(const scene::FragmentLight& l, float coneCosine, const gl
 }  // namespace
 
 ProgramLights::ProgramLights(const FrameData& frame)
-    : surfaces_(frame.surfaces), lightingFromEye_(surfaces_.size(), glm::mat4(1)) {
+    : surfaces_(frame.surfaces), counts_(surfaces_.size()), lightingFromEye_(surfaces_.size(), glm::mat4(1)) {
+  const size_t drawn = frame.snapshot->instances.size();
   for (size_t i = 0; i < surfaces_.size(); ++i) {
     const scene::Instance* instance = surfaces_[i].instance;
-    if (instance && isProgram(surfaces_[i]))
+    if (!instance) continue;
+    const Lighting& lighting = *surfaces_[i].lighting;
+    const bool program = isProgram(surfaces_[i]);
+    counts_[i] =
+        static_cast<uint32_t>(program ? lighting.shading->fragment.lights.size() : lighting.lights.size());
+    if (frame.relit && i < drawn)
+      counts_[i] = static_cast<uint32_t>(frame.relit->firstSource[frame.shadingOf(i)]);
+    if (program)
       lightingFromEye_[i] =
           glm::mat4(glm::dmat4(instance->lightingFromObject) * glm::inverse(instance->eyeFromObject));
   }
-}
-
-uint32_t ProgramLights::countOf(uint32_t instance) const {
-  const Lighting& lighting = *surfaces_[instance].lighting;
-  return static_cast<uint32_t>(isProgram(surfaces_[instance]) ? lighting.shading->fragment.lights.size()
-                                                              : lighting.lights.size());
 }
 
 ArrivingLight ProgramLights::at(uint32_t instance, uint32_t index, const glm::vec3& point) const {
@@ -91,23 +95,35 @@ ArrivingLight ProgramLights::at(uint32_t instance, uint32_t index, const glm::ve
 glm::vec3 ProgramLights::highlight(uint32_t instance, uint32_t index, const ArrivingLight& light,
                                    const glm::vec3& normal, const glm::vec3& toViewer,
                                    float shininess) const {
-  const scene::Shading& shading = *surfaces_[instance].lighting->shading;
-  const scene::FragmentShading& f = shading.fragment;
-  const float cosine = glm::dot(normal, light.direction);
-  if (!(cosine > 0)) return glm::vec3(0);
+  const scene::FragmentShading& f = surfaces_[instance].lighting->shading->fragment;
+  const bool ahead =
+      isProgram(surfaces_[instance]) && f.lights[index].kind == scene::FragmentLight::headlight;
+  return light.specular * highlight(instance, ahead, light.direction, normal, toViewer, shininess);
+}
+
+float ProgramLights::highlight(uint32_t instance, const glm::vec3& direction, const glm::vec3& normal,
+                               const glm::vec3& toViewer, float shininess) const {
+  return highlight(instance, false, direction, normal, toViewer, shininess);
+}
+
+float ProgramLights::highlight(uint32_t instance, bool ahead, const glm::vec3& direction,
+                               const glm::vec3& normal, const glm::vec3& toViewer, float shininess) const {
+  const scene::FragmentShading& f = surfaces_[instance].lighting->shading->fragment;
+  const float cosine = glm::dot(normal, direction);
+  if (!(cosine > 0)) return 0;
   float base;
   if (isProgram(surfaces_[instance])) {
-    if (f.model != scene::FragmentShading::Model::phong) return glm::vec3(0);
-    if (f.lights[index].kind == scene::FragmentLight::headlight)
+    if (f.model != scene::FragmentShading::Model::phong) return 0;
+    if (ahead)
       base = cosine;
     else if (f.specular == scene::FragmentShading::Specular::half)
-      base = glm::dot(normal, glm::normalize(toViewer + light.direction));
+      base = glm::dot(normal, glm::normalize(toViewer + direction));
     else
-      base = std::max(glm::dot(2 * cosine * normal - light.direction, toViewer), 1e-5f);
+      base = std::max(glm::dot(2 * cosine * normal - direction, toViewer), 1e-5f);
   } else {
-    base = glm::dot(normal, glm::normalize(light.direction + toViewer));
+    base = glm::dot(normal, glm::normalize(direction + toViewer));
   }
-  return light.specular * std::pow(std::clamp(base, 0.0f, 1.0f), shininess);
+  return std::pow(std::clamp(base, 0.0f, 1.0f), shininess);
 }
 
 }  // namespace gluray::render

@@ -4,6 +4,7 @@
 #include "render/lights/light_file.h"
 #include "render/lights/lighting_space.h"
 #include "render/lights/rig.h"
+#include "scene/surroundings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +40,10 @@ class Relighter {
   void relightAll() {
     for (const scene::Instance& instance : snapshot_.instances) out_.shadingOf.push_back(shadingOf(instance));
     for (size_t i = 0; i < snapshot_.instances.size(); ++i) placeLighting(i);
+    if (!rig_ || !snapshot_.surroundings) return;
+    out_.surroundings = snapshot_.surroundings->shadings;
+    for (scene::Shading& s : out_.surroundings)
+      if (isLit(s)) lightByRig(s);
   }
 
  private:
@@ -58,7 +63,7 @@ class Relighter {
     const auto index = static_cast<uint32_t>(out_.shadings.size());
     known.push_back({index, space});
     out_.shadings.push_back(shading);
-    out_.firstSource.push_back(0);
+    out_.firstSource.push_back(isProgram(shading) ? shading.fragment.lights.size() : shading.lights.size());
     if (isLit(shading)) relightOne(out_.shadings.back(), out_.firstSource.back(), glm::inverse(space));
     return index;
   }
@@ -74,16 +79,23 @@ class Relighter {
     out_.instances[i].lightingFromObject = lighting;
   }
 
+  /// Leaves it the rig's light at the viewer alone.
+  void lightByRig(scene::Shading& s) const {
+    s.lights.clear(), s.fragment.lights.clear();
+    if (!(rig_->headlight > 0)) return;
+    if (isProgram(s))
+      s.fragment.lights.emplace_back().color = glm::vec3(rig_->headlight);
+    else
+      s.lights.push_back(fixedLight(headlight(rig_->headlight, away_)));
+  }
+
   void relightOne(scene::Shading& s, size_t& first, const glm::dmat4& lightingFromEye) const {
-    if (rig_) s.lights.clear(), s.fragment.lights.clear();
-    const float ahead = rig_ ? rig_->headlight : 0;
+    if (rig_) lightByRig(s);
     if (isProgram(s)) {
-      if (ahead > 0) s.fragment.lights.emplace_back().color = glm::vec3(ahead);
       first = s.fragment.lights.size();
       for (const LightSource& l : out_.sources) s.fragment.lights.push_back(programLight(l, lightingFromEye));
       return;
     }
-    if (ahead > 0) s.lights.push_back(fixedLight(headlight(ahead, away_)));
     first = s.lights.size();
     for (const LightSource& l : out_.sources) s.lights.push_back(fixedLight(l));
   }

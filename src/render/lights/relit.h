@@ -18,8 +18,11 @@ struct Relit {
   // In place of the snapshot's, if some do not say where their lighting space is; otherwise empty.
   std::vector<scene::Instance> instances;
   std::vector<scene::LightSource> sources;  // eye space
-  std::vector<size_t> firstSource;          // of a shading: the index of its light that is source 0
-  scene::Dome dome;                         // shines on all that is lit
+  // Of a shading: the index of its light that is source 0; the number of its lights if it has no sources.
+  std::vector<size_t> firstSource;
+  // Of the snapshot's surroundings, without sources; empty: these keep their lights.
+  std::vector<scene::Shading> surroundings;
+  scene::Dome dome;  // shines on all that is lit
 };
 
 /// Null where the snapshot's settings leave the program its lights. `eyeRays`: of the snapshot's camera.

@@ -93,6 +93,7 @@ class Finder {
   ShadowLights::Rows numbersOf(uint32_t index, bool program, const glm::dmat4& eyeFromLighting) {
     const scene::Shading& shading = frame_.shadings()[index];
     ShadowLights::Rows rows;
+    rows.eyeFromLighting = glm::mat3(eyeFromLighting);
     const size_t count = program ? shading.fragment.lights.size() : frame_.lightings[index].lights.size();
     numbers_.emplace_back();
     for (size_t l = 0; l < count; ++l)

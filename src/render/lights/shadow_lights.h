@@ -17,6 +17,7 @@ struct ShadowLights {
     int8_t ofDome = -1;
     uint32_t used = 0;  // bit r: row r is there
     glm::vec3 up{0};    // of the dome, in the space of the surface's lighting; 0: none shines on it
+    glm::mat3 eyeFromLighting{1};
     bool operator==(const Rows&) const = default;
   };
   std::vector<scene::LightSource> lights;  // eye space; that of the dome has no meaning

@@ -63,7 +63,7 @@ HWY_INLINE Float3 phong(const Surface& s, const scene::Material& m, const Fragme
     const Incoming in = arriving(light, lighting.coneCosines[l], at.position);
     const Float cosine = hn::Max(zero, hn::Neg(dot(at.normal, in.direction)));
     const Float3 color = seen.arriving(l, splat(light.color));
-    diffuse = add(diffuse, scaled(color, hn::Mul(cosine, in.factor)));
+    diffuse = add(diffuse, scaled(color, seen.diffuse(l, hn::Mul(cosine, in.factor), at.normal)));
     if (!shines) continue;
     const Float shine = highlight(f, light, in.direction, at, cosine, m.shininess);
     const auto lit = hn::Gt(hn::Mul(cosine, in.factor), zero);
@@ -126,8 +126,14 @@ HWY_INLINE Float3 microfacets(const Surface& s, const scene::Material& m, const 
     const Float3 fresnel = add(f0, scaled(sub(f90, f0), away5));
     const Float3 specular = scaled(fresnel, hn::Mul(distribution, visibility));
     const Float3 through = scaled(sub({one, one, one}, fresnel), splat((1 - pbr.metallic) * kInversePi));
-    const Float3 radiance = scaled(seen.arriving(l, splat(f.lights[l].color)), hn::Mul(in.factor, nl));
-    sum = add(sum, times(radiance, add(times(through, albedo), specular)));
+    const Float3 color = seen.arriving(l, splat(f.lights[l].color));
+    const Float3 radiance = scaled(color, hn::Mul(in.factor, nl));
+    if constexpr (Seen::kHasSizes) {
+      const Float3 matte = scaled(color, seen.diffuse(l, hn::Mul(in.factor, nl), at.normal));
+      sum = add(sum, add(times(matte, times(through, albedo)), times(radiance, specular)));
+    } else {
+      sum = add(sum, times(radiance, add(times(through, albedo), specular)));
+    }
   }
   const Float3 matte = times(sub({one, one, one}, f0), albedo);
   sum = seen.withDome(sum, scaled(matte, splat((1 - pbr.metallic) * kInversePi)), at.normal);

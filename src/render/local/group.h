@@ -3,6 +3,8 @@
 #pragma once
 #include "accel/ray_packet.h"
 
+#include <glm/glm.hpp>
+
 #include <cstdint>
 
 namespace gluray::render {
@@ -11,6 +13,11 @@ using accel::kLanes;
 
 /// One float for each lane; row[c] of several is component c.
 using Row = float[kLanes];
+
+/// Changes of the weights of a triangle's corners from one pixel to the next.
+struct WeightSteps {
+  glm::dvec3 x{0}, y{0};
+};
 
 /// The lanes of a packet that hit one instance. Lanes outside the group repeat a lane of it, so that every
 /// load is valid.
@@ -23,6 +30,8 @@ struct Group {
   // Of impostors (impostor.inl.h): the hit point and the normal there in the lighting space, and the factor
   // of colours.
   alignas(64) Row point[3], normal[3], fade;
+  // One a lane: the footprints of hits that no window position shows. Null: window positions give them.
+  const WeightSteps* steps = nullptr;
 };
 
 /// Colours of a packet: rows red, green, blue, alpha, and the secondary colour's three.

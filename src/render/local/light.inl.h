@@ -107,6 +107,9 @@ struct AllLight {
   HWY_INLINE AllLight at(int) const { return {}; }
   /// What of `color` light number `light` of the surface's shading leaves.
   HWY_INLINE Float3 arriving(size_t, const Float3& color) const { return color; }
+  /// What counts for the diffuse part: attenuation times cosine, of lights without a size.
+  HWY_INLINE Float diffuse(size_t, Float share, const Float3&) const { return share; }
+  static constexpr bool kHasSizes = false;  // whether diffuse() may return something else
   /// Adds what a surface of this colour and normal reflects of the light from all sides.
   HWY_INLINE Float3 withDome(const Float3& sum, const Float3&, const Float3&) const { return sum; }
 };
@@ -161,7 +164,8 @@ HWY_INLINE Lit light(const Lighting& lighting, const Float3& p, const Float3& n,
     const Incoming in = incoming(l, p);
     const Float cosine = hn::Max(dot(n, in.direction), zero);
     addScaled(primary, ambient, l.ambient, in.factor);
-    addScaled(primary, seen.arriving(index, diffuse), l.diffuse, hn::Mul(in.factor, cosine));
+    addScaled(primary, seen.arriving(index, diffuse), l.diffuse,
+              seen.diffuse(index, hn::Mul(in.factor, cosine), n));
     if (!l.specularOn || !material.specularOn()) continue;
     Float3 half;
     if (localViewer)

@@ -185,7 +185,8 @@ HWY_ATTR inline void textureLanes(const FrameData& frame, const Surface& s, cons
   for (uint32_t lanes = group.lanes; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
     const glm::vec4 primary(rows.value[0][i], rows.value[1][i], rows.value[2][i], rows.value[3][i]);
-    const glm::vec4 color = triangle.color(group.primitive[i], group.u[i], group.v[i], {x[i], y[i]}, primary);
+    const glm::vec4 color = triangle.color(group.primitive[i], group.u[i], group.v[i], {x[i], y[i]}, primary,
+                                           group.steps ? group.steps + i : nullptr);
     for (int c = 0; c < 4; ++c) rows.value[c][i] = color[c];
   }
 }
@@ -219,8 +220,8 @@ HWY_ATTR inline void multiplyByTextures(const FrameData& frame, const Surface& s
   TexturedTriangle triangle(s, frame.snapshot->camera);
   for (; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
-    const glm::vec4 factor =
-        triangle.color(group.primitive[i], group.u[i], group.v[i], {x[i], y[i]}, glm::vec4(1));
+    const glm::vec4 factor = triangle.color(group.primitive[i], group.u[i], group.v[i], {x[i], y[i]},
+                                            glm::vec4(1), group.steps ? group.steps + i : nullptr);
     for (int c = 0; c < 4; ++c) rows.value[c][i] *= factor[c];
   }
 }

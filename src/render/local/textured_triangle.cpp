@@ -127,22 +127,37 @@ Footprint TexturedTriangle::footprintOf(const Texture& t, const Coordinates& c, 
   return footprint;
 }
 
+Footprint TexturedTriangle::footprintOf(const Texture& t, const Coordinates& c, const glm::dvec3& weights,
+                                        const WeightSteps& steps) {
+  const auto at = [&](const glm::dvec3& w) {
+    return w.x * c.corner[0] + w.y * c.corner[1] + w.z * c.corner[2];
+  };
+  const glm::dvec4 here = at(weights);
+  const auto change = [&](const glm::dvec3& step) {
+    const glm::dvec4 there = at(weights + step);
+    if (t.target != TextureTarget::cubeMap) return project(t, there, 0) - project(t, here, 0);
+    return changeInFace(cubeFace(glm::dvec3(here)), glm::dvec3(here), glm::dvec3(there - here));
+  };
+  return {change(steps.x) * sizeOf(t), change(steps.y) * sizeOf(t)};
+}
+
 glm::vec4 TexturedTriangle::sample(const Texture& t, const Coordinates& c, const glm::dvec3& weights,
-                                   glm::dvec2 window) const {
+                                   glm::dvec2 window, const WeightSteps* steps) const {
   const glm::dvec4 strq = weights.x * c.corner[0] + weights.y * c.corner[1] + weights.z * c.corner[2];
   const int face = t.target == TextureTarget::cubeMap ? cubeFace(glm::dvec3(strq)) : 0;
-  const Footprint footprint = needsFootprint(t) ? footprintOf(t, c, window) : Footprint{};
+  Footprint footprint;
+  if (needsFootprint(t)) footprint = steps ? footprintOf(t, c, weights, *steps) : footprintOf(t, c, window);
   return sampleTexture(t, footprint, project(t, strq, face));
 }
 
 glm::vec4 TexturedTriangle::color(uint32_t primitive, float u, float v, glm::dvec2 window,
-                                  const glm::vec4& primary) {
+                                  const glm::vec4& primary, const WeightSteps* steps) {
   if (primitive != primitive_) enter(primitive);
   const glm::dvec3 weights(1.0 - u - v, u, v);
   CombineInputs in;
   in.primary = primary;
   for (size_t i = 0; i < textures_.size(); ++i)
-    in.texels[textures_[i].unit] = sample(textures_[i], coordinates_[i], weights, window);
+    in.texels[textures_[i].unit] = sample(textures_[i], coordinates_[i], weights, window, steps);
   glm::vec4 color = primary;
   for (const Texture& t : textures_) color = glm::clamp(applyEnvironment(t, in, color), 0.0f, 1.0f);
   return color;

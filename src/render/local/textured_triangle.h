@@ -1,5 +1,6 @@
 // Fixed-function texturing of fragments. Used by the kernels on tracing threads.
 #pragma once
+#include "render/local/group.h"
 #include "render/local/mipmap.h"
 #include "render/local/surface.h"
 
@@ -15,8 +16,10 @@ class TexturedTriangle {
   TexturedTriangle(const Surface&, const scene::Camera&);
 
   /// The colour after all texture units, every channel in 0 .. 1, of the fragment at (u, v) of a triangle and
-  /// at a window position. `primary`: its colour before texturing.
-  glm::vec4 color(uint32_t primitive, float u, float v, glm::dvec2 window, const glm::vec4& primary);
+  /// at a window position. `primary`: its colour before texturing. `steps`: the pixel's extent on the
+  /// triangle; null: as the window position has it.
+  glm::vec4 color(uint32_t primitive, float u, float v, glm::dvec2 window, const glm::vec4& primary,
+                  const WeightSteps* steps = nullptr);
 
  private:
   /// Homogeneous coordinates (s, t, r, q) of a unit: at the corners, and as a linear function of the window
@@ -28,8 +31,10 @@ class TexturedTriangle {
   void enter(uint32_t primitive);
   void cornersOf(const scene::Texture&, Coordinates&) const;
   Footprint footprintOf(const scene::Texture&, const Coordinates&, glm::dvec2 window) const;
-  glm::vec4 sample(const scene::Texture&, const Coordinates&, const glm::dvec3& weights,
-                   glm::dvec2 window) const;
+  static Footprint footprintOf(const scene::Texture&, const Coordinates&, const glm::dvec3& weights,
+                               const WeightSteps&);
+  glm::vec4 sample(const scene::Texture&, const Coordinates&, const glm::dvec3& weights, glm::dvec2 window,
+                   const WeightSteps* steps) const;
 
   const Surface& surface_;
   const WindowMap map_;

@@ -28,6 +28,7 @@ HWY_ATTR inline void relightWork(const FrameData& frame, const Tile& tile, const
               [&](uint32_t lanes, const LitRows& rows, const float* depth)
                   HWY_ATTR { mergeShown(lanes, rows, depth, wide, work); });
   }
+  if (frame.lamps) showLamps(frame, work);
   storePixels(work, tile, *frame.image);
 }
 

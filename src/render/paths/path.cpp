@@ -1,7 +1,10 @@
 #include "render/paths/path.h"
 
 #include "render/bsdf/material_rules.h"
+#include "render/lights/dome.h"
 #include "render/lights/make_environment.h"
+#include "render/lights/relit.h"
+#include "render/local/mipmap.h"
 #include "render/paths/path_vertex.h"
 
 #include <algorithm>
@@ -23,11 +26,14 @@ HWY_ATTR void lightByPaths(const Path& path, const ColoredHits& hits, ColorRows&
   PathVertices camera;
   alignas(64) Row from[3];
   cameraVertices(path, hits, from, camera);
+  RayCone cones[kLanes];
+  for (int i = 0; i < kLanes && path.filters; ++i)
+    cones[i] = coneAt(path.frame.eyeRays, double{hits.x[i]}, double{hits.y[i]}, camera.lane[i].point);
   const PixelSeeds seeds(hits.x, hits.y);
   const uint32_t first = path.firstSample(hits.sample);
   glm::vec3 sum[kLanes] = {};
   for (int s = 0; s < path.samples; ++s) {
-    Wave wave(path, hits, seeds, first + static_cast<uint32_t>(s), camera, from);
+    Wave wave(path, hits, seeds, first + static_cast<uint32_t>(s), camera, from, cones);
     wave.run();
     for (int i = 0; i < kLanes; ++i) sum[i] += wave.radiance(i);
   }
@@ -50,6 +56,20 @@ namespace {
 /// z.
 bool isMirrored(const View& view) { return view.areaSign * view.away > 0; }
 
+bool filtersTextures(const Surface& s) {
+  if (!s.instance) return false;
+  const auto& textures = s.lighting->shading->textures;
+  return std::any_of(textures.begin(), textures.end(), needsFootprint);
+}
+
+/// The sky of a rig takes the place of the constant environment.
+std::shared_ptr<const Environment> environmentOf(const FrameData& frame) {
+  const Settings& s = frame.snapshot->settings;
+  if (frame.relit && frame.relit->dome.shines() && s.environment.kind == EnvironmentKind::constant)
+    return std::make_shared<RigSky>(frame.relit->dome, s.path.lights);
+  return makeEnvironment(s, frame.snapshot->eyeFromWorld);
+}
+
 }  // namespace
 
 Path::Path(const FrameData& of)
@@ -59,16 +79,18 @@ Path::Path(const FrameData& of)
       lights(of),
       materials(materialsOf(*of.snapshot, metric.diagonal)),
       seen(surfaceColors(of, true)),
-      environment(makeEnvironment(of.snapshot->settings, of.snapshot->eyeFromWorld)),
+      environment(environmentOf(of)),
       lightScale(of.snapshot->settings.path.lights),
       samples(of.snapshot->settings.path.samples),
       depth(of.snapshot->settings.path.depth),
       mostIndirect(of.snapshot->settings.path.clamp),
       bounces(of.snapshot->settings.integrator == LightIntegrator::path),
       mirrored(isMirrored(View(of.snapshot->camera))) {
+  filters = std::any_of(of.surfaces.begin(), of.surfaces.end(), filtersTextures);
   if (paintsEdges(*of.snapshot)) unseen = surfaceColors(of, false);
   hasGlass = std::any_of(materials.begin(), materials.end(),
                          [](const MaterialModel& m) { return m.isTransparent(); });
+  added = AddedLights(of, hasGlass);
   bsdf::ggxMeanAlbedo(1);  // makes its table
 }
 

@@ -5,6 +5,7 @@
 #include "render/integrators/integrator.h"
 #include "render/integrators/metric.h"
 #include "render/integrators/occluders.h"
+#include "render/lights/added_lights.h"
 #include "render/lights/environment.h"
 #include "render/lights/program_lights.h"
 
@@ -41,15 +42,17 @@ class Path final : public Integrator {
   Metric metric;
   Occluders occluders;
   ProgramLights lights;
+  AddedLights added;
   std::vector<MaterialModel> materials;  // as FrameData::surfaces
   SurfaceColors seen, unseen;            // of hits of the camera, of others where they differ
   std::shared_ptr<const Environment> environment;
-  float lightScale;    // of the program's lights
+  float lightScale;    // of the lights
   int samples;         // paths a pixel's sample
   int depth;           // vertices of a path
   float mostIndirect;  // firefly clamp: largest component of what one path brings from bounces; 0: any
   bool bounces;        // false: only mirrors and glass send paths on (T. Whitted, 1980)
   bool hasGlass = false;
+  bool filters;   // some texture needs to know how wide pixels are
   bool mirrored;  // the projection mirrors the window
 };
 

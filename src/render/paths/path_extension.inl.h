@@ -68,6 +68,7 @@ HWY_ATTR inline void Wave::extend() {
     uint32_t hits = 0;
     for (uint32_t lanes = under; lanes; lanes &= lanes - 1) {
       const int i = std::countr_zero(lanes);
+      if (!path_.added.empty() && meetLights(i, packet.tNear[i], packet.tFar[i])) continue;
       if (packet.geometry[i] != accel::kNoHit)
         hits |= 1u << i;
       else
@@ -75,11 +76,11 @@ HWY_ATTR inline void Wave::extend() {
     }
     alive_ &= ~(under & ~hits);
     absorb(hits, packet);
-    if (hits) bouncedVertices(path_, packet, hits, back, hits_.x, hits_.y, vertices_);
-    if (path_.occluders.areSolid()) return;
-    under = passing(hits, u, packet);
+    if (hits) bouncedVertices(path_, packet, hits, back, hits_.x, hits_.y, cone_, vertices_);
+    under = path_.occluders.areSolid() ? 0 : passing(hits, u, packet);
   }
   alive_ &= ~under;
+  if (path_.filters) eachLane([&](int i) { cone_[i].width = cone_[i].widthAt(packet.tFar[i]); });
 }
 
 }  // namespace HWY_NAMESPACE

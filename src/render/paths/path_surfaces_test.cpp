@@ -108,6 +108,29 @@ TEST(PathSurfaces, ColoursComeFromVerticesMaterialsAndPrograms) {
   EXPECT_NEAR(radiances(s).mean().g, 0.4f + 0.5f * 0.4f, 1e-4f) << "ambient colours shine";
 }
 
+TEST(PathSurfaces, FogLiesOnTheWayFromTheViewerToWhatItSees) {
+  // A wall at distance 5, and a mirror that shows another one behind the viewer: both are as foggy as what is
+  // at their place, whatever stands beyond the mirror.
+  for (const auto kind : {SurfaceMaterial::program, SurfaceMaterial::mirror}) {
+    scene::Snapshot s =
+        test::pathView({test::backWall(), test::parallelogram({0, 0, 100}, {500, 0, 0}, {0, 500, 0})});
+    s.settings.material.kind = kind;
+    s.settings.environment.strength = 0, s.settings.path.samples = 4;
+    s.shadings.push_back(s.shadings[0]);
+    s.shadings[1].lighting = false;
+    for (scene::Shading& shading : s.shadings) {
+      shading.fog.mode = scene::Fog::linear;
+      shading.fog.start = 0, shading.fog.end = 20;
+      shading.fog.color = {0, 1, 0};
+    }
+    s.instances[1].shading = 1, s.instances[1].color = {1, 0, 0, 1};
+    if (kind == SurfaceMaterial::program) s.instances[0].shading = 1, s.instances[0].color = {1, 0, 0, 1};
+    const glm::vec3 mean = radiances(s).mean();
+    EXPECT_NEAR(mean.r, 0.75f, 1e-3f);
+    EXPECT_NEAR(mean.g, 0.25f, 1e-3f);
+  }
+}
+
 TEST(PathSurfaces, BackFacesHaveTheirOwnMaterial) {
   scene::Snapshot s = test::pathView({test::backWall()});
   s.settings.path.samples = 4;

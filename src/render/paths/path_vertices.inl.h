@@ -12,6 +12,7 @@
 #include "render/local/shade.inl.h"
 #include "render/paths/path.h"
 #include "render/paths/path_vertex.h"
+#include "render/paths/ray_cone.h"
 
 #include <bit>
 
@@ -192,12 +193,28 @@ inline void bouncedSolids(const Path& path, const Surface& s, const accel::RayPa
   }
 }
 
-/// Vertices of the lanes of a packet that hit something. `from`: back along its rays, unit length.
+/// How wide pixels are on the triangles of the group. `cones`: of the packet's rays.
+inline void footprintsOf(const Surface& s, const Group& group, const accel::RayPacket& packet,
+                         const Row (&from)[3], const RayCone (&cones)[kLanes], WeightSteps (&out)[kLanes]) {
+  for (uint32_t lanes = group.lanes; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    glm::dvec3 corner[3];
+    for (int k = 0; k < 3; ++k) {
+      const Row(&p)[3] = group.position[k];
+      corner[k] = glm::dvec3(s.eyeFromObject * glm::vec4(p[0][i], p[1][i], p[2][i], 1));
+    }
+    out[i] = stepsOn(corner, {from[0][i], from[1][i], from[2][i]}, double{cones[i].widthAt(packet.tFar[i])});
+  }
+}
+
+/// Vertices of the lanes of a packet that hit something. `from`: back along its rays, unit length; `cones`:
+/// of these rays, if textures are filtered.
 HWY_ATTR inline void bouncedVertices(const Path& path, const accel::RayPacket& packet, uint32_t lanes,
                                      const Row (&from)[3], const float* x, const float* y,
-                                     PathVertices& out) {
+                                     const RayCone (&cones)[kLanes], PathVertices& out) {
   Group group;
   VertexRows rows;
+  WeightSteps steps[kLanes];
   while (lanes) {
     gatherBounced(path.frame, packet, lanes, group);
     lanes &= ~group.lanes;
@@ -206,7 +223,9 @@ HWY_ATTR inline void bouncedVertices(const Path& path, const accel::RayPacket& p
     loadCorners(*s.mesh, group);
     if (s.mesh->shape == scene::Shape::triangles) {
       locateOnTriangles(path.metric, s, group, from, rows);
+      if (path.filters) footprintsOf(s, group, packet, from, cones, steps), group.steps = steps;
     } else {
+      group.steps = nullptr;
       bouncedSolids(path, s, packet, group, from, rows);
       finishSolids(path.metric, s, rows);
     }

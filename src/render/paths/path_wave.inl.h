@@ -32,9 +32,10 @@ inline float powerHeuristic(float pdf, float other) {
 class Wave {
  public:
   Wave(const Path& path, const ColoredHits& hits, const PixelSeeds& seeds, uint32_t index,
-       const PathVertices& camera, const Row (&from)[3])
+       const PathVertices& camera, const Row (&from)[3], const RayCone (&cones)[kLanes])
       : path_(path), hits_(hits), seeds_(seeds), index_(index), vertices_(camera), alive_(hits.group.lanes) {
     std::fill_n(body_, kLanes, int64_t{-1});
+    std::copy_n(cones, kLanes, cone_);
     for (int i = 0; i < kLanes; ++i)
       back_[i] = {from[0][i], from[1][i], from[2][i]}, throughput_[i] = glm::vec3(1);
   }
@@ -61,9 +62,12 @@ class Wave {
 
  private:
   HWY_ATTR void draw(PathUse use, Row& x, Row& y) const {
-    const auto number = static_cast<uint32_t>(Dimensions::path) +
-                        static_cast<uint32_t>(depth_) * static_cast<uint32_t>(PathUse::count) +
-                        static_cast<uint32_t>(use);
+    drawFrom(static_cast<uint32_t>(Dimensions::path) +
+                 static_cast<uint32_t>(depth_) * static_cast<uint32_t>(PathUse::count) +
+                 static_cast<uint32_t>(use),
+             x, y);
+  }
+  HWY_ATTR void drawFrom(uint32_t number, Row& x, Row& y) const {
     for (int i = 0; i < kLanes; i += lanesOfVector()) {
       const Sample2 u = sample2(seeds_, i, index_, static_cast<Dimensions>(number));
       store(u.x, x + i), store(u.y, y + i);
@@ -108,18 +112,56 @@ class Wave {
   }
 
   HWY_ATTR void sampleLights();
+  /// Chooses by weights, one after the other, with a single random number (weighted reservoir of one).
+  struct Choice {
+    float rest;                  // the random number, in [0, 1)
+    float total = 0, share = 0;  // sum of the weights; the chosen one's
+    /// Whether the one of this weight is chosen so far.
+    bool takes(float weight) {
+      if (!(weight > 0) || !std::isfinite(weight)) return false;
+      total += weight;
+      const float keep = weight / total;
+      if (rest < keep) {
+        share = weight, rest /= keep;
+        return true;
+      }
+      rest = (rest - keep) / (1 - keep);
+      return false;
+    }
+  };
+  /// What the choice among added lights goes by, kept until the path meets the next surface.
+  struct LitPoint {
+    glm::vec3 point{0}, normal{0, 0, 1};
+    bool sided = false;      // no light counts that comes from below
+    float factor = 0;        // of all light of added lights
+    glm::vec3 reflected{0};  // about the share of irradiance that leaves, times `factor`
+    float total = 0;         // of the weights of all lights
+  };
+  void litBy(int i, const bsdf::Any& material);
+  float weightOf(const LitPoint& at, size_t light) const {
+    const glm::vec3 e = path_.added[light].estimate(at.point, at.sided ? &at.normal : nullptr) * at.reflected;
+    return e.x + e.y + e.z;
+  }
+  /// What added light `light` brings by a point of it, drawn by u, if nothing is in its way. `chance`: that
+  /// this light was chosen.
+  glm::vec3 bringAdded(int i, const bsdf::Any& material, size_t light, float chance, const glm::vec2& u,
+                       ArrivingLight& out) const;
+  /// Light of the added lights that the path of lane i meets between two distances. Returns whether it ends
+  /// at one.
+  bool meetLights(int i, float from, float to);
   HWY_ATTR void sampleEnvironment();
   HWY_ATTR void scatter();
   HWY_ATTR void roulette();
   HWY_ATTR void extend();
-  /// Light loses its way through bodies (Beer and Lambert).
+  /// What light keeps on its way through the body that the path of lane i is in (Beer and Lambert).
+  glm::vec3 absorbed(int i, float distance) const {
+    const float length = body_[i] < 0 ? 0 : path_.materials[static_cast<size_t>(body_[i])].absorption;
+    return length > 0 ? glm::pow(bodyColor_[i], glm::vec3(distance / length)) : glm::vec3(1);
+  }
   void absorb(uint32_t lanes, const accel::RayPacket& packet) {
     for (; lanes; lanes &= lanes - 1) {
       const int i = std::countr_zero(lanes);
-      if (body_[i] < 0) continue;
-      const float length = path_.materials[static_cast<size_t>(body_[i])].absorption;
-      if (length > 0)
-        throughput_[i] *= glm::pow(bodyColor_[i], glm::vec3((packet.tFar[i] - packet.tNear[i]) / length));
+      throughput_[i] *= absorbed(i, packet.tFar[i] - packet.tNear[i]);
     }
   }
 
@@ -184,7 +226,9 @@ class Wave {
   int64_t body_[kLanes];              // instance whose inside the path is in; -1: none
   glm::vec3 bodyColor_[kLanes] = {};  // of that
   uint32_t ending_ = 0;               // bit i: path i ends at its next surface
-  float pdf_[kLanes] = {};            // of way_; 0 where the environment is not asked otherwise
+  float pdf_[kLanes] = {};            // of way_; 0 where lights and environment are not asked otherwise
+  RayCone cone_[kLanes];              // of way_; only if textures are filtered
+  LitPoint lit_[kLanes];              // the vertices that way_ leaves; only with added lights
 };
 
 HWY_ATTR inline void Wave::scatter() {
@@ -204,6 +248,7 @@ HWY_ATTR inline void Wave::scatter() {
     if (next.wi.z < 0 && path_.materials[at.instance].isBody()) cross(i);
     way_[i] = glm::normalize(way);
     pdf_[i] = next.exact ? 0 : next.pdf;
+    if (path_.filters && !next.exact) cone_[i] = scattered(cone_[i], next.pdf, path_.samples);
     if (!path_.bounces && !next.exact) ending_ |= 1u << i;
     if (!(largestOf(throughput_[i]) > 0) || !isUsable(way_[i])) alive_ &= ~(1u << i);
   });

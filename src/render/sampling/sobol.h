@@ -37,7 +37,8 @@ enum class Dimensions : uint32_t {
   ambientOcclusion = 1,
   shadows = 2,  // and the next three: one for each light that casts shadows
   lens = 40,
-  path = 1024,  // and those after it: PathUse::count for each vertex of a path
+  path = 1024,            // and those after it: PathUse::count for each vertex of a path
+  addedLights = 1 << 20,  // and those after it: one for each vertex of a path
 };
 
 /// The order in which a use takes the points of the sequence: every power of two of them from the beginning

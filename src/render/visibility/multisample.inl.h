@@ -173,7 +173,10 @@ HWY_ATTR inline void finishBlock(const FrameData& frame, const Tile& tile, Sampl
     shareHits(frame, block);
     shadeOpen(frame, false, block);
   }
-  for (const Work& work : block.samples) storePixels(work, tile, *frame.image);
+  for (Work& work : block.samples) {
+    if (frame.lamps) showLamps(frame, work);
+    storePixels(work, tile, *frame.image);
+  }
 }
 
 /// Traces the tile in every sample plane. Pipelines three blocks, each a stage apart.
