@@ -61,6 +61,8 @@ class Batch {
   void surround(std::shared_ptr<const scene::Surroundings> surroundings) {
     snapshot_->surroundings = std::move(surroundings);
   }
+  /// Sets what the setting `ground` adds. Call before it is handed over.
+  void stand(scene::GroundUse ground) { snapshot_->ground = ground; }
   /// Begins a batch with the contents of a snapshot that was taken with the same key.
   void resume(const BatchKey& key, const scene::Snapshot& taken);
   /// Adds an instance whose eyeFromObject is set. Equal shadings are stored once. If an equal surface was

@@ -65,7 +65,10 @@ class Flusher {
   void presentLate(const BatchKey& key, const scene::SnapshotPtr& snapshot, std::vector<ProgramDraw> draws,
                    bool known);
   /// Tells the pending batch what surrounds it. Call before it is traced or taken.
-  void surround() { batch.surround(p_.surfaces.views.around(batch.key(), batch.waiting())); }
+  void surround() {
+    batch.surround(p_.surfaces.views.around(batch.key(), batch.waiting()));
+    batch.stand(p_.surfaces.views.groundOf(batch.key(), batch.waiting()));
+  }
   /// Peeled layers that were traced are drawn by the real OpenGL after all: they light nothing.
   void withdrawPeeled() noexcept { p_.surfaces.views.withdrawPeeled(p_.clock.frame); }
   /// Adds a result to the statistics. `known`: the picture was shown before, elsewhere.

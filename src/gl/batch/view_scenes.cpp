@@ -124,9 +124,21 @@ std::shared_ptr<const scene::Surroundings> ViewScenes::around(const BatchKey& ke
   }
 }
 
+scene::GroundUse ViewScenes::groundOf(const BatchKey& key, const scene::Snapshot& s) noexcept {
+  using scene::GroundUse;
+  if (!scene::wantsGround(s.settings)) return GroundUse::none;
+  if (const ViewEpoch* epoch = epochOf(key, s))
+    for (const ViewEpoch::Drawn& drawn : epoch->batches)
+      if (drawn.snapshot->ground == GroundUse::drawn) return GroundUse::around;
+  const scene::ColorWrites& writes = key.colorWrites;
+  const bool seen = key.layers == BatchKey::Layers::none && (writes.red || writes.green || writes.blue);
+  return seen && holdsLitSurface(s) && shown_.mayStand(key, s.frame) ? GroundUse::drawn : GroundUse::none;
+}
+
 void ViewScenes::traced(const BatchKey& key, const scene::SnapshotPtr& snapshot) noexcept {
   if (!scene::needsSurroundings(snapshot->settings)) return;
   try {
+    if (scene::wantsGround(snapshot->settings)) shown_.traced(key, *snapshot);
     ViewEpoch* epoch = epochOf(key, *snapshot);
     // Nothing tells when such an epoch would end.
     if (!epoch && drawsAside(key)) return;

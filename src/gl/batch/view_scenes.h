@@ -2,6 +2,7 @@
 // although they are traced in several batches (adr/0047). Empty while no setting asks for light. A part of
 // each Context, GL thread.
 #pragma once
+#include "gl/batch/shown_views.h"
 #include "gl/batch/view_epoch.h"
 #include "scene/surroundings.h"
 
@@ -20,16 +21,23 @@ class ViewScenes {
   /// What surrounds a batch that is about to be traced. Null where nothing does, where no setting asks for
   /// light, and where memory has run out.
   std::shared_ptr<const scene::Surroundings> around(const BatchKey&, const scene::Snapshot&) noexcept;
+  /// What the setting `ground` means to that batch: the first opaque one of a view that holds a lit surface
+  /// shows it.
+  scene::GroundUse groundOf(const BatchKey&, const scene::Snapshot&) noexcept;
   /// The batch was traced, or surely will be: it belongs to its view.
   void traced(const BatchKey&, const scene::SnapshotPtr&) noexcept;
   /// Peeled layers of this frame that were traced are drawn by the real OpenGL after all.
   void withdrawPeeled(uint64_t frame) noexcept;
   /// Depth of the framebuffer was cleared in `box`: views whose surfaces all lie there begin anew.
   void depthCleared(GLuint framebuffer, const scene::Region& box) noexcept;
-  /// The same for the window, whose content is undefined after a swap.
+  /// Colours of the framebuffer were cleared in `box`.
+  void colorCleared(GLuint framebuffer, const scene::Region& box) noexcept {
+    shown_.colorCleared(framebuffer, box);
+  }
+  /// As depthCleared() for the window, whose content is undefined after a swap.
   void swapped() noexcept;
-  void forget() { open_.clear(), ended_.clear(); }
-  bool empty() const { return open_.empty() && ended_.empty(); }
+  void forget() { open_.clear(), ended_.clear(), shown_.clear(); }
+  bool empty() const { return open_.empty() && ended_.empty() && shown_.empty(); }
 
  private:
   using Ended = std::vector<std::shared_ptr<const ViewEpoch>>;
@@ -41,6 +49,7 @@ class ViewScenes {
 
   std::vector<ViewEpoch> open_;  // the newest one last
   Ended ended_;                  // those of several batches that no open one repeats; the newest one last
+  ShownViews shown_;             // while settings ask for a ground
   uint64_t clock_ = 0;           // counts ends
 };
 
