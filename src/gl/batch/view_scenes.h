@@ -7,6 +7,7 @@
 #include "scene/surroundings.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace gluray::gl {
@@ -30,10 +31,10 @@ class ViewScenes {
   void withdrawPeeled(uint64_t frame) noexcept;
   /// Depth of the framebuffer was cleared in `box`: views whose surfaces all lie there begin anew.
   void depthCleared(GLuint framebuffer, const scene::Region& box) noexcept;
-  /// Colours of the framebuffer were cleared in `box`.
-  void colorCleared(GLuint framebuffer, const scene::Region& box) noexcept {
-    shown_.colorCleared(framebuffer, box);
-  }
+  /// The clear in whose place the batch shows a background (setting `background`), if it does.
+  std::optional<ShownViews::Clear> paintsOver(const BatchKey&, const scene::Snapshot&) const noexcept;
+  /// Colours of a framebuffer were cleared.
+  void colorCleared(const ShownViews::Clear&) noexcept;
   /// As depthCleared() for the window, whose content is undefined after a swap.
   void swapped() noexcept;
   void forget() { open_.clear(), ended_.clear(), shown_.clear(); }
@@ -43,13 +44,14 @@ class ViewScenes {
   using Ended = std::vector<std::shared_ptr<const ViewEpoch>>;
   ViewEpoch* epochOf(const BatchKey&, const scene::Snapshot&);
   Ended::iterator lastOf(const BatchKey&, const scene::Snapshot&);
+  void forgetUnwanted(const Settings&);
   template <class Ends>
   void end(const Ends&) noexcept;
   void forgetOld();
 
   std::vector<ViewEpoch> open_;  // the newest one last
   Ended ended_;                  // those of several batches that no open one repeats; the newest one last
-  ShownViews shown_;             // while settings ask for a ground
+  ShownViews shown_;             // while settings ask for a ground or a background
   uint64_t clock_ = 0;           // counts ends
 };
 

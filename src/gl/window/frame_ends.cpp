@@ -112,7 +112,7 @@ void FrameEnds::cleared(GLbitfield mask) {
     if (p_.surfaces.passes.anyByProgram()) p_.shadow.refresh(kTarget);
     p_.surfaces.passes.clear(p_.shadow.state.target.framebuffer), p_.surfaces.coplanar.clear();
   }
-  if (!p_.surfaces.views.empty()) endViews(mask);
+  if (!p_.surfaces.views.empty() || wantsShownViews(p_.shadow.settings)) endViews(mask);
   p_.cleared.clear(mask);
   if ((mask & kWhole) != kWhole || p_.counts.work() == workForgotten_) return;
   const int patience = p_.counts.statistics.frames > 0 ? 64 : 4;
@@ -133,7 +133,11 @@ void FrameEnds::endViews(GLbitfield mask) {
       static_cast<GLuint>(isPresent(real.BindFramebuffer) ? integer(real, GL_DRAW_FRAMEBUFFER_BINDING) : 0);
   const glm::ivec4 at = scissorBox(real);
   const scene::Region box{at.x, at.y, at.z, at.w};
-  if (color) p_.surfaces.views.colorCleared(framebuffer, box);
+  if (color) {
+    glm::vec4 to(0);
+    real.GetFloatv(GL_COLOR_CLEAR_VALUE, &to[0]);
+    p_.surfaces.views.colorCleared({framebuffer, box, to, p_.counts.statistics.drawsRasterised});
+  }
   if (depth) p_.surfaces.views.depthCleared(framebuffer, box);
 }
 
