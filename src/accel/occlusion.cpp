@@ -48,9 +48,9 @@ bool isTraceable(const OcclusionRays& r, int i) {
 
 }  // namespace
 
-uint32_t World::occluded(const int32_t* valid, OcclusionRays& rays,
-                         const OccluderFilter* filter) const noexcept {
-  RTCSceneTy* const scene = lightScene();
+uint32_t World::occluded(const int32_t* valid, OcclusionRays& rays, const OccluderFilter* filter,
+                         RayKind kind) const noexcept {
+  RTCSceneTy* const scene = lightScene(kind);
   if (!scene) return 0;
   alignas(64) int32_t lanes[kLanes];
   bool any = false;

@@ -55,6 +55,7 @@ void World::ask(QueryState& state, bool filtered, const int32_t* valid, RayPacke
 
 void World::intersect(const int32_t* valid, RayPacket& packet, const HitFilter* filter,
                       const ImpostorQuery* impostors, Coherence coherence) const noexcept {
+  if (!scene_) return ground_.intersect(valid, packet);
   if (!filter && !mayCoincide_ && !impostors) {
     PacketQuery query(coherence);
     intersectAll(query, scene_, device_.packetWidth(), valid, packet);
@@ -65,10 +66,12 @@ void World::intersect(const int32_t* valid, RayPacket& packet, const HitFilter* 
     if (mayCoincide_) ties.restoreDistances(packet);
   }
   if (alone_) nameLoneInstance(packet, aloneIndex_);
+  if (ground_.exists()) ground_.intersect(valid, packet);
 }
 
 void World::intersectNext(const int32_t* valid, RayPacket& packet, NextHits& hits,
                           const ImpostorQuery* impostors, Coherence coherence) const noexcept {
+  if (!scene_) return;
   QueryState state{nullptr, nullptr, aloneIndex_};
   state.next = &hits;
   ask(state, true, valid, packet, impostors, coherence);
@@ -78,8 +81,10 @@ void World::intersectBounced(const int32_t* valid, RayPacket& packet) const noex
   QueryState state{nullptr, nullptr, aloneIndex_};
   if (!impostors_.empty()) state.impostors = impostors_.data();
   PacketQuery query(Coherence::incoherent, nullptr, &state);
-  intersectAll(query, lightScene(), device_.packetWidth(), valid, packet);
-  if (alone_ && !light_.scene()) nameLoneInstance(packet, aloneIndex_);
+  RTCSceneTy* const scene = lightScene(RayKind::reflection);
+  if (!scene) return;
+  intersectAll(query, scene, device_.packetWidth(), valid, packet);
+  if (alone_ && !light_.exists()) nameLoneInstance(packet, aloneIndex_);
 }
 
 }  // namespace gluray::accel

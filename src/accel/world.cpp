@@ -12,6 +12,8 @@
 namespace gluray::accel {
 namespace {
 
+const std::vector<scene::Instance> kNone;
+
 bool isImpostors(const scene::Instance& i) { return i.mesh->shape != scene::Shape::triangles; }
 
 Geometry geometryOf(const scene::Instance& instance, const scene::Camera& camera) {
@@ -20,12 +22,24 @@ Geometry geometryOf(const scene::Instance& instance, const scene::Camera& camera
   return geometry;
 }
 
+/// Removes what rays from the viewer do not meet in a structure. True if there was any.
+bool removeUnseen(const scene::Snapshot& snapshot, const HiddenFrom& hidden,
+                  std::vector<PlacedBlas>& placed) {
+  bool any = false;
+  for (size_t i = 0; i < placed.size(); ++i) {
+    if (!snapshot.instances[i].ground && !isHidden(hidden, i, RayKind::camera)) continue;
+    placed[i].blas = nullptr;
+    any = true;
+  }
+  return any;
+}
+
 }  // namespace
 
 World::World(size_t idleBudgetBytes, FreeMemory freeMemory)
     : cache_(device_, idleBudgetBytes, freeMemory), tlas_(device_), light_(device_) {}
 
-UpdateStatistics World::update(const scene::Snapshot& snapshot, Arena& arena) {
+UpdateStatistics World::update(const scene::Snapshot& snapshot, Arena& arena, const HiddenFrom& hidden) {
   return arena.execute([&] {
     UpdateStatistics statistics;
     const uint64_t before = cache_.builds();
@@ -33,7 +47,9 @@ UpdateStatistics World::update(const scene::Snapshot& snapshot, Arena& arena) {
     scene_ = nullptr;
     cache_.beginBatch(snapshot.frame);
     std::vector<PlacedBlas> placed = place(snapshot);
-    if (placeAround(snapshot, placed)) ++statistics.tlasBuilds;
+    if (placeAround(snapshot, placed, hidden)) ++statistics.tlasBuilds;
+    const bool unseen = removeUnseen(snapshot, hidden, placed);
+    ground_ = Ground(snapshot);
     statistics.blasBuilds = cache_.builds() - before;
     statistics.blasRefits = cache_.refits() - refits;
     statistics.blasRefinements = cache_.refinements() - refined;
@@ -54,6 +70,7 @@ UpdateStatistics World::update(const scene::Snapshot& snapshot, Arena& arena) {
     }
     cache_.evict();
     if (scene_) readBounds();
+    if (!scene_ && unseen && light_.exists()) lower_ = light_.bounds().lower, upper_ = light_.bounds().upper;
     readOrder(snapshot);
     readImpostors(snapshot);
     return statistics;
@@ -93,20 +110,21 @@ std::vector<BlasPtr> World::structures(const std::vector<Geometry>& meshes, BvhQ
 }
 
 /// Places what surrounds the snapshot. True if a structure over the instances was built.
-bool World::placeAround(const scene::Snapshot& snapshot, const std::vector<PlacedBlas>& drawn) {
+bool World::placeAround(const scene::Snapshot& snapshot, const std::vector<PlacedBlas>& drawn,
+                        const HiddenFrom& hidden) {
   light_.clear(snapshot);
-  if (!snapshot.surroundings) return false;
+  if (!snapshot.surroundings && hidden.empty() && snapshot.ground == scene::GroundUse::none) return false;
   try {
+    const auto& others = snapshot.surroundings ? snapshot.surroundings->instances : kNone;
     std::vector<Geometry> meshes;
-    for (const scene::Instance& instance : snapshot.surroundings->instances)
-      meshes.push_back(geometryOf(instance, snapshot.camera));
+    for (const scene::Instance& instance : others) meshes.push_back(geometryOf(instance, snapshot.camera));
     std::vector<BlasPtr> blases = cache_.aside(meshes, snapshot.settings.bvh);
     std::vector<PlacedBlas> around(blases.size());
     for (size_t i = 0; i < blases.size(); ++i) {
-      const glm::mat4& place = snapshot.surroundings->instances[i].worldFromObject;
+      const glm::mat4& place = others[i].worldFromObject;
       if (isPlaceable(place)) around[i] = {std::move(blases[i]), place};
     }
-    return light_.update(snapshot, drawn, std::move(around));
+    return light_.update(snapshot, drawn, std::move(around), hidden);
   } catch (const std::exception& e) {
     log::once(log::Level::warning, "surroundings",
               std::string("surfaces light only those that are drawn with them (") + e.what() +
@@ -143,7 +161,7 @@ void World::readImpostors(const scene::Snapshot& snapshot) {
   hasPixelImpostors_ = false;
   const auto& drawn = snapshot.instances;
   hasImpostors_ = std::any_of(drawn.begin(), drawn.end(), isImpostors);
-  const size_t count = light_.scene() ? scene::countAll(snapshot) : drawn.size();
+  const size_t count = light_.exists() ? scene::countAll(snapshot) : drawn.size();
   for (size_t i = 0; i < count; ++i) {
     const scene::Instance& instance = scene::instanceOf(snapshot, i);
     if (!isImpostors(instance)) continue;

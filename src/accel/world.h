@@ -1,6 +1,7 @@
 // The scene that rays are traced in: BLASes, TLAS, queries. Owned by frame::Renderer, which calls update()
 // between frames; render/ then queries it from all tracing threads.
 #pragma once
+#include "accel/ground.h"
 #include "accel/light_scene.h"
 #include "accel/memory/free_memory.h"
 #include "accel/meshes/blas_cache.h"
@@ -48,8 +49,9 @@ class World {
   /// Replaces the contents by the snapshot's instances and builds missing structures. Throws Error or
   /// std::bad_alloc: then nothing may be traced until an update succeeds. Rays from the viewer meet these
   /// instances alone; occluded() and intersectBounced() also meet the snapshot's surroundings, whose
-  /// instances have the numbers that follow. Surroundings that cannot be built are left out.
-  UpdateStatistics update(const scene::Snapshot&, Arena&);
+  /// instances have the numbers that follow. Surroundings that cannot be built are left out. Rays do not meet
+  /// what is hidden from them. No BLAS depends on that.
+  UpdateStatistics update(const scene::Snapshot&, Arena&, const HiddenFrom& hidden = {});
 
   /// Finds the nearest hit of each lane with valid[i] = -1 (others 0). `valid` is aligned to 64 bytes; the
   /// packet's hit fields must be cleared (geometry = kNoHit). Ignores hits that `filter` rejects; null
@@ -71,14 +73,14 @@ class World {
   /// Bit i: something lies on ray i, of the lanes with valid[i] = -1 (others 0), an array aligned to 64
   /// bytes. Both sides of surfaces block, culled or not; impostors block as solids. Surfaces that `filter`
   /// refuses do not; null: all do. Rays whose origin or direction is not finite or beyond what Embree takes,
-  /// and those without length, meet nothing.
-  uint32_t occluded(const int32_t* valid, OcclusionRays&,
-                    const OccluderFilter* filter = nullptr) const noexcept;
+  /// and those without length, meet nothing. `kind`: shadow or occlusion.
+  uint32_t occluded(const int32_t* valid, OcclusionRays&, const OccluderFilter* filter = nullptr,
+                    RayKind kind = RayKind::shadow) const noexcept;
 
   /// Whether triangles may coincide.
   bool mayCoincide() const { return mayCoincide_; }
   /// True if there is nothing to hit.
-  bool empty() const { return scene_ == nullptr; }
+  bool empty() const { return scene_ == nullptr && !ground_.exists(); }
   /// Whether rays from the viewer may meet impostors.
   bool hasImpostors() const { return hasImpostors_; }
   const PlacedImpostors& impostorsOf(uint32_t instance) const { return impostors_[instance]; }
@@ -89,18 +91,18 @@ class World {
   bool refining() const { return cache_.refining(); }
   /// Whether the next update() will install one.
   bool refined() const { return cache_.refined(); }
-  /// Bounding box of the contents, world space. Only where not empty().
+  /// Bounding box of what the viewer may see, without the ground, world space. Only where not empty().
   glm::vec3 lower() const { return lower_; }
   glm::vec3 upper() const { return upper_; }
   /// The same of all that light meets, in the space of Surroundings::viewFromWorld.
-  Bounds lightBounds() const { return light_.scene() ? light_.bounds() : Bounds{lower_, upper_}; }
+  Bounds lightBounds() const { return light_.exists() ? light_.bounds() : Bounds{lower_, upper_}; }
   /// The longest triangle edge of a mesh, object space; 0 for impostors. Computed once per mesh.
   float longestEdge(const scene::Mesh& mesh) const { return sizes_.longestEdge(mesh); }
 
  private:
   std::vector<PlacedBlas> place(const scene::Snapshot&);
-  bool placeAround(const scene::Snapshot&, const std::vector<PlacedBlas>& drawn);
-  RTCSceneTy* lightScene() const { return light_.scene() ? light_.scene() : scene_; }
+  bool placeAround(const scene::Snapshot&, const std::vector<PlacedBlas>& drawn, const HiddenFrom&);
+  RTCSceneTy* lightScene(RayKind kind) const { return light_.exists() ? light_.scene(kind) : scene_; }
   std::vector<BlasPtr> structures(const std::vector<Geometry>&, BvhQuality);
   void ask(QueryState&, bool filtered, const int32_t* valid, RayPacket&, const ImpostorQuery*,
            Coherence) const noexcept;
@@ -113,6 +115,7 @@ class World {
   mutable TriangleSizes sizes_;
   Tlas tlas_;
   LightScene light_;
+  Ground ground_;
   RTCSceneTy* scene_ = nullptr;  // traced: the TLAS, or the BLAS of a single untransformed mesh
   BlasPtr alone_;
   uint32_t aloneIndex_ = 0;

@@ -1,5 +1,7 @@
 #include "frame/last_pictures.h"
 
+#include "scene/backdrop.h"
+
 #include <algorithm>
 #include <exception>
 #include <utility>
@@ -11,6 +13,11 @@ constexpr size_t kMostInstances = 2000;  // more are not worth the time to compa
 
 bool isSameLayers(const std::shared_ptr<const scene::Layers>& a,
                   const std::shared_ptr<const scene::Layers>& b) {
+  return a == b || (a && b && *a == *b);
+}
+
+bool isSameBackdrop(const std::shared_ptr<const scene::Backdrop>& a,
+                    const std::shared_ptr<const scene::Backdrop>& b) {
   return a == b || (a && b && *a == *b);
 }
 
@@ -45,7 +52,8 @@ bool LastPictures::isSame(Entry& entry, const scene::Snapshot& s) noexcept {
     return false;
   return e.samples == s.samples && e.samplePositions == s.samplePositions &&
          e.polygonOffset == s.polygonOffset && e.wideColors == s.wideColors && e.laterWins == s.laterWins &&
-         e.shadings == s.shadings && e.settings == s.settings && isSameLayers(e.layers, s.layers);
+         e.shadings == s.shadings && e.settings == s.settings && e.ground == s.ground &&
+         isSameLayers(e.layers, s.layers) && isSameBackdrop(e.backdrop, s.backdrop);
 }
 
 LastPictures::Picture* LastPictures::of(const scene::Snapshot& snapshot,

@@ -8,6 +8,7 @@
 #include "render/film/fxaa.h"
 #include "render/film/resolve.h"
 #include "render/float_guard.h"
+#include "render/ground/staged_scene.h"
 #include "render/tile_tracer.h"
 #include "scene/effects.h"
 
@@ -24,11 +25,12 @@ class Renderer::Engine {
   std::mutex mutex;
   std::atomic<int> wanted{0};  // calls that wait for the renderer or use it, without those behind all others
 
-  bool render(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
+  bool render(const scene::Snapshot& given, Image& image, scene::TraceCost& cost,
               const render::Interrupt& interrupt = {}) {
     cost = {};
-    if (snapshot.settings.renderer == gluray::Renderer::null)
-      return render::clearImage(snapshot, image), true;
+    if (given.settings.renderer == gluray::Renderer::null) return render::clearImage(given, image), true;
+    const render::StagedScene staged(given);
+    const scene::Snapshot& snapshot = staged.snapshot();
 
     const render::FloatGuard guard;
     const double start = nowSeconds();
@@ -36,7 +38,7 @@ class Renderer::Engine {
     if (!world_) world_.emplace();
     const accel::UpdateStatistics update = [&] {
       const timeline::Span span("build", snapshot.instances.size());
-      return world_->update(snapshot, *arena_);
+      return world_->update(snapshot, *arena_, staged.hidden());
     }();
     cost.blasBuilds = update.blasBuilds;
     cost.tlasBuilds = update.tlasBuilds;

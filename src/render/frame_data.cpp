@@ -5,6 +5,7 @@
 #include "render/film/pixel_filter.h"
 #include "render/lights/lamps.h"
 #include "render/lights/relit.h"
+#include "scene/effects.h"
 #include "scene/surroundings.h"
 #include "settings/samples.h"
 
@@ -95,6 +96,11 @@ class AcceptedHits : public accel::HitFilter {
 
 }  // namespace
 
+bool isComposed(const scene::Snapshot& s) {
+  if (s.layers) return false;
+  return s.backdrop || (s.ground == scene::GroundUse::drawn && scene::wantsCatcher(s.settings));
+}
+
 double DepthMap::constantOf(double ndc, double further) const {
   if (floatUnits == 0) return constant;
   const double largest = std::max(ndc * scale, further * scale) + offset;
@@ -174,12 +180,17 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
 
   ownPlanes = std::any_of(surfaces.begin(), surfaces.end(), [](const Surface& f) { return f.ownClipPlanes; });
 
-  samplePositions = positionsInPixel(averages ? samplesPerPixel(s.settings) : 1);
+  const bool composed = averages && isComposed(s);
+  samplePositions =
+      positionsInPixel(averages ? std::max(samplesPerPixel(s.settings), composed ? s.samples : 1) : 1);
   if (samples > 1) samplePositions.assign(s.samplePositions.begin(), s.samplePositions.end());
   if (!averages && samplePositions.size() != static_cast<size_t>(std::max(samples, 1))) {
     throw std::runtime_error("the number of sample positions is not the number of samples");
   }
   if (averages) prepareAverages();
+  if (averages && s.backdrop) backdrop.emplace(s, eyeRays);
+  for (size_t i = 0; i < s.instances.size() && scene::wantsCatcher(s.settings); ++i)
+    if (s.instances[i].ground) catcher = static_cast<uint32_t>(i);
   if (s.surroundings) addSurroundings(view);
   lamps = Lamps::of(*this);
 }

@@ -4,6 +4,7 @@
 #include "accel/world.h"
 #include "base/image.h"
 #include "render/film/tone.h"
+#include "render/ground/backdrop_look.h"
 #include "render/local/honest_look.h"
 #include "render/local/surface.h"
 
@@ -34,6 +35,9 @@ struct DepthMap {
   double constantOf(double ndc, double further) const;
 };
 
+/// Whether the picture is blended over the framebuffer, because it holds a catcher or a background.
+bool isComposed(const scene::Snapshot&);
+
 struct FrameData {
   const accel::World* world = nullptr;
   const scene::Snapshot* snapshot = nullptr;
@@ -52,6 +56,8 @@ struct FrameData {
   bool oncePerPixel = false;  // multisampled: surfaces are shaded at pixels' centres
   bool ownPlanes = false;     // some surface has its own clip planes
   bool averages = false;      // a pixel averages all samples (Image::centerDepth)
+  // The instance that shows nothing but what falls on it, which only averages can show; kNoHit: none.
+  uint32_t catcher = accel::kNoHit;
   // Null: rays leave the viewpoint. Otherwise sample 0 gives a pixel's depth alone, through the middle of the
   // lens, and the others its colour.
   std::unique_ptr<const Lens> lens;
@@ -74,8 +80,9 @@ struct FrameData {
   // collector their factors of light; then relightTile() colours them.
   HitFilm* hits = nullptr;
   const Integrator* collector = nullptr;
-  const MovingFrame* moving = nullptr;  // null: light takes all samples that the settings ask for
-  std::optional<HonestLook> honest;     // none: the local look is the program's
+  const MovingFrame* moving = nullptr;   // null: light takes all samples that the settings ask for
+  std::optional<HonestLook> honest;      // none: the local look is the program's
+  std::optional<BackdropLook> backdrop;  // of averages: what misses show; none: the framebuffer's content
   Image* image = nullptr;
 
   /// Prepares tracing `snapshot`, whose instances `world` holds, into `image`, which already has the right

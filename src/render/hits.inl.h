@@ -7,6 +7,7 @@
 #define GLURAY_RENDER_HITS_INL_H_
 #endif
 
+#include "render/ground/catcher.h"
 #include "render/integrators/direct_look.h"
 #include "render/integrators/integrator.h"
 #include "render/visibility/capsule.inl.h"
@@ -140,6 +141,7 @@ HWY_ATTR HWY_NOINLINE inline void lightHits(const FrameData& frame, uint32_t ins
       shade(frame, frame.direct->surfaces[instance], group, back, x, y, direct);
       hits.direct = &direct;
     }
+    if (instance == frame.catcher) return catchLight(*frame.integrator, hits, rows);
     (collects ? frame.collector : frame.integrator)->light(hits, rows);
   }
   if (frame.tone) frame.tone->apply(rows);
@@ -180,6 +182,10 @@ HWY_ATTR uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool mayReje
     rejected |= failing;
     group.lanes &= ~failing;
     if (frame.changesColors()) lightHits(frame, instance, group, back, work.sample, x, y, rows, work.factors);
+    if (instance == frame.catcher) {
+      if (!frame.averages || !frame.integrator) continue;
+      for (float& depth : seen.depth) depth = caughtAt(depth);
+    }
     take(group.lanes, rows, seen.depth);
   }
   return rejected;

@@ -1,5 +1,6 @@
 #include "render/tile_tracer.h"
 
+#include "base/log.h"
 #include "render/integrators/direct_look.h"
 #include "render/integrators/integrator.h"
 #include "render/kernels.h"
@@ -29,6 +30,7 @@ bool areDrawn(const scene::Layers* layers) { return layers && layers->of == scen
 /// colours in the order of drawing use the framebuffer's samples.
 bool wantsAverages(const scene::Snapshot& snapshot) {
   if (areDrawn(snapshot.layers.get())) return false;
+  if (isComposed(snapshot)) return true;
   return hasOpenLens(snapshot.settings) || (snapshot.samples <= 1 && snapshot.settings.spp > 1);
 }
 
@@ -106,6 +108,10 @@ bool traceImage(const scene::Snapshot& snapshot, const accel::World& world, Aren
       shapeImage(snapshot, image, true);
       const Traced traced = traceTiles(snapshot, world, image, options);
       if (traced != Traced::seenThrough) return traced == Traced::whole;
+      if (isComposed(snapshot))
+        log::once(log::Level::info, "not composed",
+                  "the program gives opaque surfaces an alpha that is no opacity: its views keep their own "
+                  "background and show no catcher");
     }
     shapeImage(snapshot, image, false);
     return traceTiles(snapshot, world, image, options) != Traced::interrupted;

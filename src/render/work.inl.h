@@ -45,6 +45,11 @@ struct Work {
   }
 };
 
+/// Averages know hits on a catcher by their depth: below 0, in place of `depth`.
+constexpr float caughtAt(float depth) { return -1 - depth; }
+constexpr bool isCaught(float depth) { return depth < 0; }
+constexpr float depthOfCaught(float depth) { return -1 - depth; }
+
 // Pixel of lane i within its 4x4 block: Z order of 2x2 quads.
 constexpr int laneX(int i) { return (i & 1) + (i >> 1 & 2); }
 constexpr int laneY(int i) { return (i >> 1 & 1) + (i >> 2 & 2); }

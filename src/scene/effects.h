@@ -17,5 +17,14 @@ inline bool wantsShadows(const Settings& s) {
 /// Whether colours depend on rays between surfaces: on other surfaces, and on samples, whose noise passes
 /// reduce.
 inline bool wantsLight(const Settings& s) { return wantsPaths(s) || wantsOcclusion(s) || wantsShadows(s); }
+/// Whether scenes get a ground. A catcher shows what light does; without any there is nothing to show.
+inline bool wantsGround(const Settings& s) {
+  if (s.look == Look::honest) return false;
+  return s.ground.kind == GroundKind::plane || (s.ground.kind == GroundKind::catcher && wantsLight(s));
+}
+inline bool wantsCatcher(const Settings& s) {
+  return wantsGround(s) && s.ground.kind == GroundKind::catcher;
+}
+inline bool wantsBackdrop(const Settings& s) { return s.background.kind != BackgroundKind::program; }
 
 }  // namespace gluray::scene

@@ -88,6 +88,7 @@ struct Instance {
   CullFace cull = CullFace::none;
   bool frontFaceCcw = true;            // GL_CCW is front
   std::vector<glm::dvec4> clipPlanes;  // eye space; keeps points p with dot(plane, p) >= 0 for every plane
+  bool ground = false;                 // the setting `ground` added it: it does not count as the scene's
   bool operator==(const Instance&) const = default;
 };
 
@@ -121,6 +122,14 @@ struct Layers {
   bool operator==(const Layers&) const = default;
 };
 
+/// What the setting `ground` adds to a batch.
+enum class GroundUse : uint8_t {
+  none,
+  around,  // it blocks and reflects the batch's light; another batch of the view shows it
+  drawn,
+};
+
+struct Backdrop;
 struct Surroundings;
 
 /// One batch, traced at once and written to one framebuffer.
@@ -143,6 +152,8 @@ struct Snapshot {
   std::vector<Shading> shadings;
   std::vector<Instance> instances;
   std::shared_ptr<const Surroundings> surroundings;  // null: nothing else blocks or reflects light
+  GroundUse ground = GroundUse::none;
+  std::shared_ptr<const Backdrop> backdrop;  // null: pixels of misses keep what the framebuffer holds
   Settings settings;
 };
 using SnapshotPtr = std::shared_ptr<const Snapshot>;

@@ -21,9 +21,11 @@ struct Surroundings {
   bool operator==(const Surroundings&) const = default;
 };
 
-/// Whether the settings ask for light that other surfaces block or reflect. Snapshots have surroundings only
-/// then.
-inline bool needsSurroundings(const Settings& settings) { return wantsLight(settings); }
+/// Whether the settings ask for light that other surfaces block or reflect, or for a ground below them all.
+/// Snapshots have surroundings only then.
+inline bool needsSurroundings(const Settings& settings) {
+  return wantsLight(settings) || wantsGround(settings);
+}
 
 /// Number of the snapshot's instances and those of its surroundings.
 inline size_t countAll(const Snapshot& s) {

@@ -61,6 +61,10 @@ class Batch {
   void surround(std::shared_ptr<const scene::Surroundings> surroundings) {
     snapshot_->surroundings = std::move(surroundings);
   }
+  /// Sets what the settings `ground` and `background` add. Call before it is handed over.
+  void stand(scene::GroundUse ground, std::shared_ptr<const scene::Backdrop> backdrop) {
+    snapshot_->ground = ground, snapshot_->backdrop = std::move(backdrop);
+  }
   /// Begins a batch with the contents of a snapshot that was taken with the same key.
   void resume(const BatchKey& key, const scene::Snapshot& taken);
   /// Adds an instance whose eyeFromObject is set. Equal shadings are stored once. If an equal surface was

@@ -13,6 +13,7 @@
 
 #include <GL/gl.h>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -65,7 +66,7 @@ class Flusher {
   void presentLate(const BatchKey& key, const scene::SnapshotPtr& snapshot, std::vector<ProgramDraw> draws,
                    bool known);
   /// Tells the pending batch what surrounds it. Call before it is traced or taken.
-  void surround() { batch.surround(p_.surfaces.views.around(batch.key(), batch.waiting())); }
+  void surround();
   /// Peeled layers that were traced are drawn by the real OpenGL after all: they light nothing.
   void withdrawPeeled() noexcept { p_.surfaces.views.withdrawPeeled(p_.clock.frame); }
   /// Adds a result to the statistics. `known`: the picture was shown before, elsewhere.
@@ -84,6 +85,8 @@ class Flusher {
   void contentsChange(GLuint buffer) noexcept;
 
  private:
+  std::shared_ptr<const scene::Backdrop> backdrop();
+
   Parts p_;
   std::optional<bool> supported_;
 };

@@ -93,10 +93,8 @@ ViewScenes::Ended::iterator ViewScenes::lastOf(const BatchKey& key, const scene:
 
 std::shared_ptr<const scene::Surroundings> ViewScenes::around(const BatchKey& key,
                                                               const scene::Snapshot& s) noexcept {
-  if (!scene::needsSurroundings(s.settings)) {
-    if (!empty()) forget();
-    return nullptr;
-  }
+  forgetUnwanted(s.settings);
+  if (!scene::needsSurroundings(s.settings)) return nullptr;
   try {
     const ViewEpoch* epoch = epochOf(key, s);
     const ViewEpoch* last = epoch ? epoch->last.get() : nullptr;
@@ -124,9 +122,39 @@ std::shared_ptr<const scene::Surroundings> ViewScenes::around(const BatchKey& ke
   }
 }
 
-void ViewScenes::traced(const BatchKey& key, const scene::SnapshotPtr& snapshot) noexcept {
-  if (!scene::needsSurroundings(snapshot->settings)) return;
+void ViewScenes::forgetUnwanted(const Settings& settings) {
+  if (!scene::needsSurroundings(settings)) open_.clear(), ended_.clear();
+  if (!wantsShownViews(settings)) shown_.clear();
+}
+
+std::optional<ShownViews::Clear> ViewScenes::paintsOver(const BatchKey& key,
+                                                        const scene::Snapshot& s) const noexcept {
+  const bool seen = key.layers == BatchKey::Layers::none && key.colorWrites.all();
+  if (!scene::wantsBackdrop(s.settings) || !seen || !holdsLitSurface(s)) return std::nullopt;
+  return shown_.mayPaint(key, s.region, s.frame);
+}
+
+void ViewScenes::colorCleared(const ShownViews::Clear& clear) noexcept {
   try {
+    shown_.colorCleared(clear);
+  } catch (const std::exception&) { forget(); }
+}
+
+scene::GroundUse ViewScenes::groundOf(const BatchKey& key, const scene::Snapshot& s) noexcept {
+  using scene::GroundUse;
+  if (!scene::wantsGround(s.settings)) return GroundUse::none;
+  if (const ViewEpoch* epoch = epochOf(key, s))
+    for (const ViewEpoch::Drawn& drawn : epoch->batches)
+      if (drawn.snapshot->ground == GroundUse::drawn) return GroundUse::around;
+  const scene::ColorWrites& writes = key.colorWrites;
+  const bool seen = key.layers == BatchKey::Layers::none && (writes.red || writes.green || writes.blue);
+  return seen && holdsLitSurface(s) && shown_.mayStand(key, s.frame) ? GroundUse::drawn : GroundUse::none;
+}
+
+void ViewScenes::traced(const BatchKey& key, const scene::SnapshotPtr& snapshot) noexcept {
+  try {
+    if (wantsShownViews(snapshot->settings)) shown_.traced(key, *snapshot);
+    if (!scene::needsSurroundings(snapshot->settings)) return;
     ViewEpoch* epoch = epochOf(key, *snapshot);
     // Nothing tells when such an epoch would end.
     if (!epoch && drawsAside(key)) return;

@@ -2,10 +2,12 @@
 // although they are traced in several batches (adr/0047). Empty while no setting asks for light. A part of
 // each Context, GL thread.
 #pragma once
+#include "gl/batch/shown_views.h"
 #include "gl/batch/view_epoch.h"
 #include "scene/surroundings.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace gluray::gl {
@@ -20,27 +22,36 @@ class ViewScenes {
   /// What surrounds a batch that is about to be traced. Null where nothing does, where no setting asks for
   /// light, and where memory has run out.
   std::shared_ptr<const scene::Surroundings> around(const BatchKey&, const scene::Snapshot&) noexcept;
+  /// What the setting `ground` means to that batch: the first opaque one of a view that holds a lit surface
+  /// shows it.
+  scene::GroundUse groundOf(const BatchKey&, const scene::Snapshot&) noexcept;
   /// The batch was traced, or surely will be: it belongs to its view.
   void traced(const BatchKey&, const scene::SnapshotPtr&) noexcept;
   /// Peeled layers of this frame that were traced are drawn by the real OpenGL after all.
   void withdrawPeeled(uint64_t frame) noexcept;
   /// Depth of the framebuffer was cleared in `box`: views whose surfaces all lie there begin anew.
   void depthCleared(GLuint framebuffer, const scene::Region& box) noexcept;
-  /// The same for the window, whose content is undefined after a swap.
+  /// The clear in whose place the batch shows a background (setting `background`), if it does.
+  std::optional<ShownViews::Clear> paintsOver(const BatchKey&, const scene::Snapshot&) const noexcept;
+  /// Colours of a framebuffer were cleared.
+  void colorCleared(const ShownViews::Clear&) noexcept;
+  /// As depthCleared() for the window, whose content is undefined after a swap.
   void swapped() noexcept;
-  void forget() { open_.clear(), ended_.clear(); }
-  bool empty() const { return open_.empty() && ended_.empty(); }
+  void forget() { open_.clear(), ended_.clear(), shown_.clear(); }
+  bool empty() const { return open_.empty() && ended_.empty() && shown_.empty(); }
 
  private:
   using Ended = std::vector<std::shared_ptr<const ViewEpoch>>;
   ViewEpoch* epochOf(const BatchKey&, const scene::Snapshot&);
   Ended::iterator lastOf(const BatchKey&, const scene::Snapshot&);
+  void forgetUnwanted(const Settings&);
   template <class Ends>
   void end(const Ends&) noexcept;
   void forgetOld();
 
   std::vector<ViewEpoch> open_;  // the newest one last
   Ended ended_;                  // those of several batches that no open one repeats; the newest one last
+  ShownViews shown_;             // while settings ask for a ground or a background
   uint64_t clock_ = 0;           // counts ends
 };
 

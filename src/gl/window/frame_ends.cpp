@@ -112,7 +112,7 @@ void FrameEnds::cleared(GLbitfield mask) {
     if (p_.surfaces.passes.anyByProgram()) p_.shadow.refresh(kTarget);
     p_.surfaces.passes.clear(p_.shadow.state.target.framebuffer), p_.surfaces.coplanar.clear();
   }
-  if (mask & GL_DEPTH_BUFFER_BIT && !p_.surfaces.views.empty()) endViews();
+  if (!p_.surfaces.views.empty() || wantsShownViews(p_.shadow.settings)) endViews(mask);
   p_.cleared.clear(mask);
   if ((mask & kWhole) != kWhole || p_.counts.work() == workForgotten_) return;
   const int patience = p_.counts.statistics.frames > 0 ? 64 : 4;
@@ -122,12 +122,23 @@ void FrameEnds::cleared(GLbitfield mask) {
   p_.surfaces.passes.forgetMany();  // in framebuffers whose depth is never cleared
 }
 
-void FrameEnds::endViews() {
+void FrameEnds::endViews(GLbitfield mask) {
   const RealGl& real = p_.shadow.real;
-  if (!clearsInFull(real, p_.shadow.state.rare, GL_DEPTH_BUFFER_BIT)) return;
-  const GLint framebuffer = isPresent(real.BindFramebuffer) ? integer(real, GL_DRAW_FRAMEBUFFER_BINDING) : 0;
-  const glm::ivec4 box = scissorBox(real);
-  p_.surfaces.views.depthCleared(static_cast<GLuint>(framebuffer), {box.x, box.y, box.z, box.w});
+  const auto clears = [&](GLbitfield bit) {
+    return (mask & bit) && clearsInFull(real, p_.shadow.state.rare, bit);
+  };
+  const bool depth = clears(GL_DEPTH_BUFFER_BIT), color = clears(GL_COLOR_BUFFER_BIT);
+  if (!depth && !color) return;
+  const auto framebuffer =
+      static_cast<GLuint>(isPresent(real.BindFramebuffer) ? integer(real, GL_DRAW_FRAMEBUFFER_BINDING) : 0);
+  const glm::ivec4 at = scissorBox(real);
+  const scene::Region box{at.x, at.y, at.z, at.w};
+  if (color) {
+    glm::vec4 to(0);
+    real.GetFloatv(GL_COLOR_CLEAR_VALUE, &to[0]);
+    p_.surfaces.views.colorCleared({framebuffer, box, to, p_.counts.statistics.drawsRasterised});
+  }
+  if (depth) p_.surfaces.views.depthCleared(framebuffer, box);
 }
 
 void FrameEnds::endFrame() {

@@ -49,7 +49,7 @@ class FrameEnds {
   void takeSettings();
   uint64_t draws() const;
   void endFrame();
-  void endViews();
+  void endViews(GLbitfield mask);
   void showFront();
   void showDrawn();
   void chooseEngine();

@@ -67,8 +67,21 @@ glm::vec3 color(const toml::node& node) {
   return glm::vec3(v >> 16 & 255, v >> 8 & 255, v & 255) / 255.0f;
 }
 
-void readField(const std::string& key, const toml::node& node, float diagonal, MaterialRule& rule) {
-  MaterialModel& m = rule.model;
+constexpr std::pair<const char*, accel::RayKind> kRays[] = {{"camera", accel::RayKind::camera},
+                                                            {"shadow", accel::RayKind::shadow},
+                                                            {"occlusion", accel::RayKind::occlusion},
+                                                            {"reflection", accel::RayKind::reflection}};
+
+uint8_t rays(const toml::node& node) {
+  const toml::array* all = node.as_array();
+  if (!all) fail(node, "a list of kinds of rays is needed: camera, shadow, occlusion, reflection");
+  unsigned bits = 0;
+  for (const toml::node& one : *all) bits |= bitOf(chosen(one, kRays));
+  return static_cast<uint8_t>(bits);
+}
+
+/// Conditions and visibility. False: the key is none of these.
+bool readCondition(const std::string& key, const toml::node& node, MaterialRule& rule) {
   if (key == "objects") {
     rule.objects = numbers(node);
   } else if (key == "color") {
@@ -77,7 +90,19 @@ void readField(const std::string& key, const toml::node& node, float diagonal, M
     const std::vector<uint32_t> range = numbers(node);
     if (range.size() != 2) fail(node, "triangles needs the least and the most");
     rule.triangles = glm::uvec2(range[0], range[1]);
-  } else if (key == "material") {
+  } else if (key == "hidden-from") {
+    rule.hiddenFrom = rays(node);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void readField(const std::string& key, const toml::node& node, float diagonal, MaterialRule& rule) {
+  if (readCondition(key, node, rule)) return;
+  MaterialModel& m = rule.model;
+  rule.looks = true;
+  if (key == "material") {
     m.kind = chosen(node, kMaterials);
   } else if (key == "metal") {
     m.metal = chosen(node, kMetals);
@@ -140,10 +165,27 @@ LastRules& lastRules() {
 
 }  // namespace
 
-bool MaterialRule::holdsFor(uint32_t object, const scene::Instance& instance) const {
+bool MaterialRule::holdsFor(const scene::Instance& instance, const scene::Shading& shading) const {
   const uint32_t count = instance.mesh->triangleCount;
-  if (!objects.empty() && std::find(objects.begin(), objects.end(), object) == objects.end()) return false;
-  return !triangles || (count >= triangles->x && count <= triangles->y);
+  if (instance.ground) return false;
+  if (!objects.empty() && std::find(objects.begin(), objects.end(), instance.order) == objects.end())
+    return false;
+  if (triangles && (count < triangles->x || count > triangles->y)) return false;
+  const glm::vec3 off = color ? glm::abs(*color - ownColor(shading, instance)) : glm::vec3(0);
+  return std::max({off.x, off.y, off.z}) <= 1.01f / 255;
+}
+
+accel::HiddenFrom hiddenByRules(const scene::Snapshot& snapshot) {
+  const std::vector<MaterialRule> rules =
+      readMaterialRules(lastRules().textOf(snapshot.settings.material.file), {}, 1);
+  const auto hides = [](const MaterialRule& rule) { return rule.hiddenFrom.value_or(0) != 0; };
+  if (std::none_of(rules.begin(), rules.end(), hides)) return {};
+  accel::HiddenFrom hidden(scene::countAll(snapshot), 0);
+  for (size_t i = 0; i < hidden.size(); ++i)
+    for (const MaterialRule& rule : rules)
+      if (rule.hiddenFrom && rule.holdsFor(scene::instanceOf(snapshot, i), scene::shadingOf(snapshot, i)))
+        hidden[i] = *rule.hiddenFrom;
+  return hidden;
 }
 
 std::vector<MaterialRule> readMaterialRules(const std::string& text, const MaterialModel& otherwise,
@@ -180,13 +222,9 @@ std::vector<MaterialModel> materialsOf(const scene::Snapshot& snapshot, float di
   for (size_t i = 0; i < models.size(); ++i) {
     const scene::Instance& instance = scene::instanceOf(snapshot, i);
     const scene::Shading& shading = scene::shadingOf(snapshot, i);
-    if (isUnlit(shading)) models[i] = {};
-    const glm::vec3 own = ownColor(shading, instance);
-    for (const MaterialRule& rule : rules) {
-      if (!rule.holdsFor(instance.order, instance)) continue;
-      const glm::vec3 off = rule.color ? glm::abs(*rule.color - own) : glm::vec3(0);
-      if (std::max({off.x, off.y, off.z}) <= 1.01f / 255) models[i] = rule.model;
-    }
+    if (isUnlit(shading) || instance.ground) models[i] = {};
+    for (const MaterialRule& rule : rules)
+      if ((rule.looks || !rule.hiddenFrom) && rule.holdsFor(instance, shading)) models[i] = rule.model;
   }
   return models;
 }

@@ -5,9 +5,12 @@
 //   triangles = [100, 5000]       # least and most; absent: any
 //   material = "glass"            # and roughness, ior, metal, metallic, specular, transmission, coat,
 //   absorption
+//   hidden-from = ["camera"]      # kinds of rays that it does not exist for: and shadow, occlusion,
+//   reflection
 // A rule holds for objects that meet all its conditions; later rules win. Read once, kept while the file
 // stays the same. Any thread.
 #pragma once
+#include "accel/ray_kind.h"
 #include "render/bsdf/material_model.h"
 #include "scene/snapshot.h"
 
@@ -21,14 +24,19 @@ struct MaterialRule {
   std::vector<uint32_t> objects;  // empty: all
   std::optional<glm::vec3> color;
   std::optional<glm::uvec2> triangles;
-  MaterialModel model;  // what the rule does not say is as the settings have it
+  std::optional<uint8_t> hiddenFrom;  // bits as in accel::HiddenFrom; absent: as earlier rules say
+  bool looks = false;                 // the rule says what the object is made of
+  MaterialModel model;                // what the rule does not say is as the settings have it
 
-  bool holdsFor(uint32_t object, const scene::Instance&) const;
+  bool holdsFor(const scene::Instance&, const scene::Shading&) const;
 };
 
 /// Throws std::runtime_error with the line of what is wrong.
 std::vector<MaterialRule> readMaterialRules(const std::string& toml, const MaterialModel& otherwise,
                                             float diagonal);
+
+/// What the rules of settings.material.file hide. Empty where they hide nothing.
+accel::HiddenFrom hiddenByRules(const scene::Snapshot&);
 
 /// One for each instance of the snapshot and its surroundings: by settings where the surface is lit, by rules
 /// for any. `diagonal`: of the scene's bounds, eye space. A file that cannot be read is reported in one line;

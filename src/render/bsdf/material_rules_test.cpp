@@ -37,11 +37,26 @@ absorption = 0.5
   auto mesh = std::make_shared<scene::Mesh>();
   instance.mesh = mesh;
   mesh->triangleCount = 15;
-  EXPECT_TRUE(all[0].holdsFor(3, instance));
-  EXPECT_FALSE(all[0].holdsFor(2, instance));
+  instance.order = 3;
+  instance.color = {1, 128 / 255.0f, 0, 1};
+  instance.materials.resize(1);
+  EXPECT_TRUE(all[0].holdsFor(instance, {}));
+  instance.order = 2;
+  EXPECT_FALSE(all[0].holdsFor(instance, {}));
+  instance.order = 3;
   mesh->triangleCount = 21;
-  EXPECT_FALSE(all[0].holdsFor(3, instance));
-  EXPECT_TRUE(all[1].holdsFor(77, instance));
+  EXPECT_FALSE(all[0].holdsFor(instance, {}));
+  EXPECT_TRUE(all[1].holdsFor(instance, {}));
+}
+
+TEST(MaterialRules, HideObjectsFromKindsOfRays) {
+  const auto all =
+      rules("[[rule]]\nhidden-from = [\"camera\", \"reflection\"]\n[[rule]]\nhidden-from = []\n");
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].hiddenFrom,
+            accel::bitOf(accel::RayKind::camera) | accel::bitOf(accel::RayKind::reflection));
+  EXPECT_EQ(all[1].hiddenFrom, 0);
+  EXPECT_FALSE(all[0].looks) << "materials stay";
 }
 
 TEST(MaterialRules, MistakesAreNamedWithTheirLine) {
@@ -57,6 +72,8 @@ TEST(MaterialRules, MistakesAreNamedWithTheirLine) {
   EXPECT_TRUE(why("[[rule]]\nobjects = [-1]\n").starts_with("line 2:"));
   EXPECT_TRUE(why("[[rule]]\ncolor = \"red\"\n").starts_with("line 2:"));
   EXPECT_TRUE(why("[[rule]]\ntriangles = [1]\n").starts_with("line 2:"));
+  EXPECT_EQ(why("[[rule]]\nhidden-from = [\"light\"]\n"), "line 2: 'light' is none of the choices");
+  EXPECT_TRUE(why("[[rule]]\nhidden-from = \"camera\"\n").starts_with("line 2: a list of kinds"));
   EXPECT_TRUE(why("roughness = 1\n").starts_with("line 1:"));
   EXPECT_TRUE(why("[[rule\n").starts_with("line 1:"));
 }

@@ -26,13 +26,18 @@ class Averages {
       const int x = work.imageX + laneX(i), y = work.imageY + laneY(i);
       if (x >= tile.x1 || y >= tile.y1) continue;
       Pixel& pixel = at(x - tile.x0, y - tile.y0);
-      const bool hit = work.depth[i] != Image::kMiss;
-      if (work.sample == 0) pixel.center = work.depth[i];
-      pixel.nearest = std::min(pixel.nearest, work.depth[i]);
+      const bool hit = work.depth[i] != Image::kMiss, caught = isCaught(work.depth[i]);
+      // A catcher lies where it is, but hides nothing.
+      if (work.sample == 0) pixel.center = caught ? Image::kMiss : work.depth[i];
+      pixel.nearest = std::min(pixel.nearest, caught ? depthOfCaught(work.depth[i]) : work.depth[i]);
       float alpha = work.wide[3][i];
       if (bytes) alpha = static_cast<float>(work.color[i] >> 24) / 255;
-      seenThrough |= hit && alpha != 1;
+      seenThrough |= hit && !caught && alpha != 1;
       if (depthAlone) continue;
+      const bool covered = (!hit || caught) && frame.backdrop && frame.backdrop->covers(x, y);
+      if (covered)
+        addBackdrop(*frame.backdrop, work, i, weight * (hit ? 1 - alpha : 1), bytes ? 255 : 1, pixel);
+      if (covered) pixel.nearest = std::min(pixel.nearest, BackdropLook::kDepth);
       pixel.through += weight * work.through[i];
       for (int c = 0; c < 4; ++c)
         pixel.sum[c] +=
@@ -75,6 +80,16 @@ class Averages {
     float through = 0;
     float center = Image::kMiss, nearest = Image::kMiss;
   };
+  /// `scale`: what the value 1 is in sums.
+  static void addBackdrop(const BackdropLook& backdrop, const Work& work, int i, float weight, float scale,
+                          Pixel& pixel) {
+    const glm::vec3 color = backdrop.at(work.x[i], work.y[i]);
+    for (int c = 0; c < 3; ++c) {
+      const float shown = scale == 1 ? color[c] : std::clamp(color[c], 0.0f, 1.0f);
+      pixel.sum[c] += weight * scale * shown;
+    }
+    pixel.sum[3] += weight * scale;
+  }
   Pixel& at(int x, int y) { return pixels_[y * kTileSize + x]; }
   Pixel pixels_[kTileSize * kTileSize];
 };

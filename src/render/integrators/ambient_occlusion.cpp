@@ -45,8 +45,8 @@ HWY_ATTR void occlude(const AmbientOcclusion& ao, const ColoredHits& hits, float
   for (int s = 0; s < ao.samples; ++s) {
     aimAbove(ao, points, seeds, first + static_cast<uint32_t>(s), rays);
     const Transmittance light(ao.occluders);
-    const uint32_t blocked =
-        ao.frame.world->occluded(valid, rays, ao.occluders.areSolid() ? nullptr : &light);
+    const uint32_t blocked = ao.frame.world->occluded(valid, rays, ao.occluders.areSolid() ? nullptr : &light,
+                                                      accel::RayKind::occlusion);
     for (int i = 0; i < kLanes; ++i) hidden[i] += blocked >> i & 1 ? 1 : 1 - light.through[i];
   }
   const float perRay = 1 / static_cast<float>(ao.samples);

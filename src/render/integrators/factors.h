@@ -3,6 +3,7 @@
 #pragma once
 #include "render/integrators/integrator.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace gluray::render {
@@ -43,6 +44,12 @@ class FactorIntegrator : public Integrator {
     Factors factors;
     estimate(hits, factors);
     apply(hits, factors, rows);
+  }
+  void lightAlone(const ColoredHits& hits, ColorRows& rows) const noexcept final {
+    Factors all;
+    std::fill_n(all.occlusion, kLanes, 1.0f);
+    std::fill_n(&all.visibility[0][0][0], kShadowLights * 3 * kLanes, 1.0f);
+    apply(hits, all, rows);
   }
 };
 

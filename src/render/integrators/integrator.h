@@ -28,6 +28,8 @@ class Integrator {
   virtual ~Integrator() = default;
   /// Changes colours of the group's lanes; those of others have no meaning.
   virtual void light(const ColoredHits&, ColorRows&) const noexcept = 0;
+  /// The same as if the surface were alone in the scene.
+  virtual void lightAlone(const ColoredHits& hits, ColorRows& rows) const noexcept { light(hits, rows); }
 };
 
 /// The integrator that the snapshot's settings ask for; null where they ask for the local look alone.

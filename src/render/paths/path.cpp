@@ -22,7 +22,8 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-HWY_ATTR void lightByPaths(const Path& path, const ColoredHits& hits, ColorRows& rows) {
+/// `alone`: paths meet no other surface.
+HWY_ATTR void lightByPaths(const Path& path, const ColoredHits& hits, bool alone, ColorRows& rows) {
   PathVertices camera;
   alignas(64) Row from[3];
   cameraVertices(path, hits, from, camera);
@@ -33,7 +34,7 @@ HWY_ATTR void lightByPaths(const Path& path, const ColoredHits& hits, ColorRows&
   const uint32_t first = path.firstSample(hits.sample);
   glm::vec3 sum[kLanes] = {};
   for (int s = 0; s < path.samples; ++s) {
-    Wave wave(path, hits, seeds, first + static_cast<uint32_t>(s), camera, from, cones);
+    Wave wave(path, hits, seeds, first + static_cast<uint32_t>(s), camera, from, cones, alone);
     wave.run();
     for (int i = 0; i < kLanes; ++i) sum[i] += wave.radiance(i);
   }
@@ -114,7 +115,11 @@ float Path::irradianceOfOne(const PathVertex& v) const {
 }
 
 void Path::light(const ColoredHits& hits, ColorRows& rows) const noexcept {
-  HWY_DYNAMIC_DISPATCH(lightByPaths)(*this, hits, rows);
+  HWY_DYNAMIC_DISPATCH(lightByPaths)(*this, hits, false, rows);
+}
+
+void Path::lightAlone(const ColoredHits& hits, ColorRows& rows) const noexcept {
+  HWY_DYNAMIC_DISPATCH(lightByPaths)(*this, hits, true, rows);
 }
 
 }  // namespace gluray::render

@@ -28,6 +28,7 @@ class Path final : public Integrator {
   /// `frame` must outlive it. Throws std::runtime_error where the modelview matrix cannot be inverted.
   explicit Path(const FrameData& frame);
   void light(const ColoredHits&, ColorRows&) const noexcept override;
+  void lightAlone(const ColoredHits&, ColorRows&) const noexcept override;
   /// Index of the first of the samples that sample `sample` of a pixel takes in this pass.
   uint32_t firstSample(int sample) const;
   /// Colours where paths meet surfaces that the camera does not look at.

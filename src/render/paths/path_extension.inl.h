@@ -64,7 +64,7 @@ HWY_ATTR inline void Wave::extend() {
       packet.geometry[i] = packet.instance[i] = accel::kNoHit;
       if (valid[i]) packet.tFar[i] = std::numeric_limits<float>::infinity();
     }
-    path_.frame.world->intersectBounced(valid, packet);
+    if (!alone_) path_.frame.world->intersectBounced(valid, packet);
     uint32_t hits = 0;
     for (uint32_t lanes = under; lanes; lanes &= lanes - 1) {
       const int i = std::countr_zero(lanes);

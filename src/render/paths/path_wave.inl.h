@@ -32,8 +32,14 @@ inline float powerHeuristic(float pdf, float other) {
 class Wave {
  public:
   Wave(const Path& path, const ColoredHits& hits, const PixelSeeds& seeds, uint32_t index,
-       const PathVertices& camera, const Row (&from)[3], const RayCone (&cones)[kLanes])
-      : path_(path), hits_(hits), seeds_(seeds), index_(index), vertices_(camera), alive_(hits.group.lanes) {
+       const PathVertices& camera, const Row (&from)[3], const RayCone (&cones)[kLanes], bool alone)
+      : path_(path),
+        hits_(hits),
+        seeds_(seeds),
+        index_(index),
+        alone_(alone),
+        vertices_(camera),
+        alive_(hits.group.lanes) {
     std::fill_n(body_, kLanes, int64_t{-1});
     std::copy_n(cones, kLanes, cone_);
     for (int i = 0; i < kLanes; ++i)
@@ -194,7 +200,7 @@ class Wave {
   /// The share of the lights' light that reaches the vertices of `lanes` along rays aimed there.
   HWY_ATTR void transmitFromLights(uint32_t lanes, accel::OcclusionRays& rays,
                                    float (&through)[kLanes]) const {
-    if (!path_.hasGlass) return transmit(lanes, rays, through);
+    if (alone_ || !path_.hasGlass) return transmit(lanes, rays, through);
     alignas(64) int32_t valid[kLanes];
     for (int i = 0; i < kLanes; ++i) valid[i] = lanes >> i & 1 ? -1 : 0;
     const ClearShadows light(path_.occluders, path_.materials);
@@ -204,6 +210,7 @@ class Wave {
 
   /// The share of the environment's light that reaches the vertices of `lanes` along rays aimed there.
   HWY_ATTR void transmit(uint32_t lanes, accel::OcclusionRays& rays, float (&through)[kLanes]) const {
+    if (alone_) return void(std::fill_n(through, kLanes, 1.0f));
     alignas(64) int32_t valid[kLanes];
     for (int i = 0; i < kLanes; ++i) valid[i] = lanes >> i & 1 ? -1 : 0;
     const Transmittance light(path_.occluders);
@@ -216,6 +223,7 @@ class Wave {
   const ColoredHits& hits_;
   const PixelSeeds& seeds_;
   const uint32_t index_;
+  const bool alone_;  // no ray meets anything
   PathVertices vertices_;
   uint32_t alive_;
   int depth_ = 0;

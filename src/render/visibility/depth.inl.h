@@ -69,7 +69,10 @@ HWY_ATTR inline Double floatOffsets(const Surface& surface, const DepthMap& map,
 /// Depth of a point of a triangle that is seen edge-on.
 HWY_INLINE float depthFromCorners(const Surface& surface, const DepthMap& map, uint32_t primitive, float u,
                                   float v) {
-  const double ndc = std::clamp(surface.ndcDepth(primitive, u, v), -1.0, 1.0);
+  // The ground reaches beyond the near and the far plane. There its depth is next to theirs, so that the
+  // ground is still before what was cleared.
+  const double most = surface.instance->ground ? 1 - 0x1p-22 : 1.0;
+  const double ndc = std::clamp(surface.ndcDepth(primitive, u, v), -most, most);
   const glm::dvec2 depths = surface.ndcDepths(primitive);
   const double offset = map.offset + map.constantOf(depths.x, depths.y);
   return static_cast<float>(std::clamp(ndc * map.scale + offset, 0.0, 1.0));

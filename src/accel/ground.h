@@ -1,0 +1,31 @@
+// The ground as rays from the viewer meet it: also before the near and behind the far plane, which programs
+// set around their own scene. Rays that leave surfaces meet it as any other instance. Owned by World.
+#pragma once
+#include "accel/ray_packet.h"
+#include "scene/snapshot.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+
+namespace gluray::accel {
+
+class Ground {
+ public:
+  Ground() = default;
+  /// None, unless one of the snapshot's own instances is the ground (Instance::ground).
+  explicit Ground(const scene::Snapshot&);
+  bool exists() const { return instance_ != kNoHit; }
+  /// Replaces the hits of valid lanes where the ground lies before them; those of a catcher only where there
+  /// is none. A ray that begins at its start (tNear = 0) comes from the viewer.
+  void intersect(const int32_t* valid, RayPacket&) const noexcept;
+
+ private:
+  uint32_t instance_ = kNoHit;
+  bool catches_ = false;
+  double half_ = 1;  // of its sides, object space
+  glm::dmat4 objectFromWorld_{1};
+  glm::dvec4 viewer_{0};  // world space; w = 0: infinitely far away
+};
+
+}  // namespace gluray::accel

@@ -1,0 +1,43 @@
+// What shows where a view has no surface (setting `background`). Made once a frame, asked on all tracing
+// threads.
+#pragma once
+#include "render/camera/ray_setup.h"
+#include "render/film/tone.h"
+#include "render/lights/environment.h"
+#include "scene/backdrop.h"
+#include "scene/snapshot.h"
+
+#include <glm/glm.hpp>
+
+#include <memory>
+#include <optional>
+
+namespace gluray::render {
+
+class BackdropLook {
+ public:
+  /// The depth at which it lies: the farthest before what a depth of 1 was cleared to.
+  static constexpr float kDepth = 0x1.fffffep-1f;
+
+  /// `eyeRays`: of the snapshot's camera. Its backdrop must not be null; both must outlive this.
+  BackdropLook(const scene::Snapshot&, const RaySetup& eyeRays);
+  /// Whether pixel (x, y) of the region may show it.
+  bool covers(int x, int y) const {
+    return isClear_.empty() || isClear_[static_cast<size_t>(y) * width_ + static_cast<size_t>(x)] != 0;
+  }
+  /// Its colour at a window position, as framebuffers hold colours.
+  glm::vec3 at(float x, float y) const noexcept;
+
+ private:
+  glm::vec3 environmentAt(float x, float y) const noexcept;
+
+  const std::vector<uint8_t>& isClear_;
+  size_t width_;
+  const RaySetup& rays_;
+  std::optional<ToneMap> tone_;                     // of the environment
+  std::shared_ptr<const Environment> environment_;  // null: colours
+  glm::vec3 bottom_{0}, top_{0};
+  float base_ = 0, height_ = 1;  // of the view, pixels
+};
+
+}  // namespace gluray::render

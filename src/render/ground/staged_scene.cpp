@@ -1,0 +1,40 @@
+#include "render/ground/staged_scene.h"
+
+#include "render/bsdf/material_rules.h"
+#include "render/ground/ground_surface.h"
+#include "scene/surroundings.h"
+
+#include <memory>
+#include <utility>
+
+namespace gluray::render {
+
+StagedScene::StagedScene(const scene::Snapshot& given) : given_(given) {
+  if (given.ground != scene::GroundUse::none) addGround();
+  if (!given.settings.material.file.empty()) hidden_ = hiddenByRules(snapshot());
+}
+
+void StagedScene::addGround() {
+  const std::optional<GroundPlace> place = placeGround(given_);
+  own_ = given_;
+  if (!place) {
+    own_->ground = scene::GroundUse::none;
+    return;
+  }
+  GroundSurface ground = makeGround(given_, *place);
+  if (own_->ground == scene::GroundUse::drawn) {
+    ground.instance.shading = static_cast<uint32_t>(own_->shadings.size());
+    own_->shadings.push_back(std::move(ground.shading));
+    own_->instances.push_back(std::move(ground.instance));
+    return;
+  }
+  auto around = given_.surroundings ? std::make_shared<scene::Surroundings>(*given_.surroundings)
+                                    : std::make_shared<scene::Surroundings>();
+  ground.instance.shading = static_cast<uint32_t>(around->shadings.size());
+  around->shadings.push_back(std::move(ground.shading));
+  around->instances.push_back(std::move(ground.instance));
+  around->blended.push_back(0);
+  own_->surroundings = std::move(around);
+}
+
+}  // namespace gluray::render

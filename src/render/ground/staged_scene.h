@@ -1,0 +1,26 @@
+// A snapshot as it is traced: with what settings add to it. Made once a frame by frame::Renderer.
+#pragma once
+#include "accel/ray_kind.h"
+#include "scene/snapshot.h"
+
+#include <optional>
+
+namespace gluray::render {
+
+/// The snapshot with its ground (adr/0051), and what material.file hides from which rays. Where settings ask
+/// for neither, the snapshot itself. The snapshot must outlive it.
+class StagedScene {
+ public:
+  explicit StagedScene(const scene::Snapshot&);
+  const scene::Snapshot& snapshot() const { return own_ ? *own_ : given_; }
+  const accel::HiddenFrom& hidden() const { return hidden_; }
+
+ private:
+  void addGround();
+
+  const scene::Snapshot& given_;
+  std::optional<scene::Snapshot> own_;
+  accel::HiddenFrom hidden_;
+};
+
+}  // namespace gluray::render
