@@ -2,6 +2,8 @@
 
 #include "base/clock.h"
 #include "base/log.h"
+#include "frame/noise_picture.h"
+#include "scene/effects.h"
 
 #include <algorithm>
 #include <exception>
@@ -10,18 +12,28 @@
 namespace gluray::frame {
 namespace {
 
-constexpr double kRedrawSeconds = 1.0 / 20;  // for passes when a program draws the same frame again
-
 void logFailure(const std::string& why) {
   log::once(log::Level::warning, "refinement", "cannot refine a picture: " + why + "; it keeps its noise");
 }
 
+/// Time for passes when a program draws the same frame again: as long as a moving frame may take.
+double redrawSeconds(const Settings& settings) { return 1 / std::max(double{settings.fps}, 1.0); }
+
+/// In place of colours where passes tell nothing of the noise (look = noise).
+void paintUnrefined(const scene::Snapshot& snapshot, Image& image) {
+  if (snapshot.settings.look != Look::noise || snapshot.layers) return;
+  if (scene::wantsLight(snapshot.settings))
+    paintNoise({}, snapshot.settings.noise, image);
+  else
+    paintNoNoise(image);
+}
+
 /// Traces passes until the picture is finished or, unless it must be, the time is up. False: a pass failed.
 bool tracePasses(Refiner& refiner, const Trace& trace, uint32_t missColor, bool finish,
-                 Pictures::Result& result) {
+                 double mostSeconds, Pictures::Result& result) {
   const double start = nowSeconds();
   double now = start, last = 0;
-  while (!refiner.finished() && (finish || result.passes == 0 || now + last < start + kRedrawSeconds)) {
+  while (!refiner.finished() && (finish || result.passes == 0 || now + last < start + mostSeconds)) {
     if (!refiner.pass(trace, missColor, result.cost, result.why)) return false;
     ++result.passes;
     last = nowSeconds() - now, now += last;
@@ -37,7 +49,7 @@ bool Pictures::finish(const scene::Snapshot& snapshot, LastPictures::Picture& pi
   try {
     Refinement refinement;
     Refiner refiner(snapshot, refinement);
-    const bool all = tracePasses(refiner, tracer_.trace, picture.image.missColor, true, result);
+    const bool all = tracePasses(refiner, tracer_.trace, picture.image.missColor, true, 0, result);
     if (!all) logFailure(std::exchange(result.why, {}));
     if (refinement.passes() == 0) return false;
     refiner.show(picture.image);
@@ -54,7 +66,8 @@ void Pictures::refine(const scene::Snapshot& snapshot, LastPictures::Picture& pi
     if (idle_ && !passes) passes = idle_->take(picture.id);
     if (!passes) passes = std::make_unique<Refinement>();
     Refiner refiner(snapshot, *passes);
-    const bool all = tracePasses(refiner, tracer_.trace, picture.image.missColor, finish, result);
+    const bool all = tracePasses(refiner, tracer_.trace, picture.image.missColor, finish,
+                                 redrawSeconds(snapshot.settings), result);
     if (!all) logFailure(std::exchange(result.why, {}));
     // Fewer passes may be worse than the first picture, which may have been filtered.
     if (result.passes > 0 && (refiner.finished() || passes->passes() >= kLeastPasses)) {
@@ -112,10 +125,11 @@ Pictures::Result Pictures::of(const scene::Snapshot& snapshot, const Wish& wish)
   LastPictures::Picture& fresh = last_.next();
   fresh.image.missColor = wish.missColor.value_or(0);
   fresh.moving = false;
-  const bool done = ahead ? ahead_->take(fresh.image, result.cost, result.why)
-                          : (refines && full && finish(snapshot, fresh, result)) ||
-                                traceOnce(snapshot, full, fresh, result);
+  const bool finished = !ahead && refines && full && finish(snapshot, fresh, result);
+  const bool done = finished || (ahead ? ahead_->take(fresh.image, result.cost, result.why)
+                                       : traceOnce(snapshot, full, fresh, result));
   if (!done) return result;
+  if (!finished) paintUnrefined(snapshot, fresh.image);
   last_.keep(snapshot);
   result.picture = &fresh;
   return result;

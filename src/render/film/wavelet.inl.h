@@ -155,7 +155,7 @@ HWY_ATTR inline void smoothVariance(WaveletPlanes& p, bool known) {
 /// One round: the set `from` of light to the other one. `margin`: rows and columns about the tile that later
 /// rounds read.
 HWY_ATTR inline void waveletRound(WaveletPlanes& p, int from, int step, int margin) {
-  constexpr float kDeviations = 18;  // squared: three of the difference of two pixels
+  constexpr float kDeviations = 50;  // squared: five of the difference of two pixels
   const FloatTag d;
   const int first = WaveletTile::kReach - margin, last = WaveletTile::kReach + WaveletTile::kSize + margin;
   float* const(&in)[4] = p.light[from];
