@@ -2,6 +2,8 @@
 
 #include "base/log.h"
 #include "base/timeline.h"
+#include "frame/oidn_filter.h"
+#include "frame/pixel_noise.h"
 #include "parallel/arena.h"
 #include "render/film/wavelet.h"
 #include "render/float_guard.h"
@@ -31,6 +33,12 @@ render::NoisyPicture planeOf(const Refinement& r, const Image& image, size_t fir
   return picture;
 }
 
+void writePixel(const float* rgb, size_t at, Image& out) {
+  if (out.has(Plane::wideColor)) return void(std::copy_n(rgb, 3, &out.wideColor[4 * at]));
+  const uint32_t alpha = out.color[at] & 0xff000000u;
+  out.color[at] = alpha | byteOf(rgb[0]) | byteOf(rgb[1]) << 8 | byteOf(rgb[2]) << 16;
+}
+
 void writeTile(const WaveletTile& tile, const float* smooth, size_t first, Image& out) {
   const int width = std::min(WaveletTile::kSize, out.width - tile.x),
             height = std::min(WaveletTile::kSize, out.height - tile.y);
@@ -38,12 +46,7 @@ void writeTile(const WaveletTile& tile, const float* smooth, size_t first, Image
     for (int x = 0; x < width; ++x) {
       const size_t i = first + static_cast<size_t>(tile.y + y) * static_cast<size_t>(out.width) +
                        static_cast<size_t>(tile.x + x);
-      if (out.depth[i] == Image::kMiss) continue;
-      const float* const rgb = smooth + 3 * (y * WaveletTile::kSize + x);
-      if (out.has(Plane::wideColor))
-        std::copy_n(rgb, 3, &out.wideColor[4 * i]);
-      else
-        out.color[i] = (out.color[i] & 0xff000000u) | byteOf(rgb[0]) | byteOf(rgb[1]) << 8 | byteOf(rgb[2]) << 16;
+      if (out.depth[i] != Image::kMiss) writePixel(smooth + 3 * (y * WaveletTile::kSize + x), i, out);
     }
   }
 }
@@ -64,6 +67,29 @@ void smooth(const render::NoisyPicture& picture, size_t first, Image& out) {
     if (render::smoothTile(picture, tile, memory.planes.data(), memory.out.data()))
       writeTile(tile, memory.out.data(), first, out);
   });
+}
+
+/// The same by Open Image Denoise. Pixels get as much of it as of the filter's (render::smoothTile).
+bool smoothByLibrary(const Refinement& refinement, const Settings& settings, size_t first, Image& out) {
+  std::vector<float> colors;
+  std::string why;
+  if (!smoothByOidn(refinement, settings, out, first, colors, why)) {
+    log::once(log::Level::warning, "oidn", "denoise=oidn: " + why + "; pictures are smoothed by GLuRay's filter");
+    return false;
+  }
+  const float target = settings.noise;
+  for (size_t i = 0; i < colors.size() / 3; ++i) {
+    const int x = static_cast<int>(i) % out.width, y = static_cast<int>(i) / out.width;
+    const float* const mean = refinement.mean().data() + 4 * (first + i);
+    const bool known = !refinement.pixelNoise().empty();
+    const float noise = known ? noiseAbout(refinement.pixelNoise(), out, first, x, y) : 1;
+    const float share = noise > target ? 1 - target * target / (noise * noise) : 0;
+    if (out.depth[first + i] == Image::kMiss || !(share > 0)) continue;
+    float rgb[3];
+    for (size_t c = 0; c < 3; ++c) rgb[c] = mean[c] + share * (colors[3 * i + c] - mean[c]);
+    writePixel(rgb, first + i, out);
+  }
+  return true;
 }
 
 }  // namespace
@@ -87,7 +113,8 @@ bool denoise(const Refinement& refinement, const Settings& settings, Image& out)
     const size_t pixels = static_cast<size_t>(out.width) * static_cast<size_t>(out.height);
     sharedArena()->execute([&] {
       for (size_t first = 0; first < out.depth.size(); first += pixels)
-        smooth(planeOf(refinement, out, first, settings.noise), first, out);
+        if (settings.denoise != Denoise::oidn || !smoothByLibrary(refinement, settings, first, out))
+          smooth(planeOf(refinement, out, first, settings.noise), first, out);
     });
     return true;
   } catch (const std::exception&) {

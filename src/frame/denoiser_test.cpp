@@ -125,6 +125,14 @@ TEST(Denoiser, ScenesMayHaveAnySize) {
   }
 }
 
+TEST(Denoiser, TheLibraryOrElseTheFilterSmooths) {
+  scene::Snapshot s = litScene(test::Hides::some, 96);
+  const Image truth = test::CountingTrace().picture(many(s));
+  const double plain = dB(Refined(s, 4).image, truth);
+  s.settings.denoise = Denoise::oidn;
+  EXPECT_GT(dB(Refined(s, 4).image, truth), plain + 4);
+}
+
 TEST(Denoiser, TakesNoMemoryWhileOff) {
   const Refined off(litScene(), 3), on(smoothed(litScene()), 3);
   const size_t pixels = off.image.depth.size();

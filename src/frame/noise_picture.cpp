@@ -1,6 +1,6 @@
 #include "frame/noise_picture.h"
 
-#include "render/film/wavelet.h"
+#include "frame/pixel_noise.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,21 +26,6 @@ void paint(const Rgb& c, size_t pixel, Image& image) {
   image.color[pixel] = bits;
 }
 
-/// Root mean square over 3 x 3 pixels hit: that of a single one is known badly.
-float noiseAt(const std::vector<uint16_t>& noise, const Image& image, size_t first, int x, int y) {
-  double sum = 0;
-  int count = 0;
-  for (int row = std::max(y - 1, 0); row <= std::min(y + 1, image.height - 1); ++row)
-    for (int column = std::max(x - 1, 0); column <= std::min(x + 1, image.width - 1); ++column) {
-      const size_t i = first + static_cast<size_t>(row) * static_cast<size_t>(image.width) +
-                       static_cast<size_t>(column);
-      if (image.depth[i] == Image::kMiss) continue;
-      const double error = noise[i] / double{render::kNoiseOne};
-      sum += error * error, ++count;
-    }
-  return static_cast<float>(std::sqrt(sum / std::max(count, 1)));
-}
-
 }  // namespace
 
 void paintNoise(const std::vector<uint16_t>& noise, float allowed, Image& image) {
@@ -50,7 +35,7 @@ void paintNoise(const std::vector<uint16_t>& noise, float allowed, Image& image)
     if (image.depth[i] == Image::kMiss) continue;
     const size_t at = i % pixels;
     const int x = static_cast<int>(at) % image.width, y = static_cast<int>(at) / image.width;
-    paint(known ? colorOf(noiseAt(noise, image, i - at, x, y) / allowed) : Rgb{1, 1, 1}, i, image);
+    paint(known ? colorOf(noiseAbout(noise, image, i - at, x, y) / allowed) : Rgb{1, 1, 1}, i, image);
   }
 }
 
