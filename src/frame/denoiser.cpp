@@ -20,7 +20,9 @@ namespace {
 using render::WaveletTile;
 
 /// As the kernels round.
-uint32_t byteOf(float v) { return static_cast<uint32_t>(std::nearbyint((v > 0 ? std::min(v, 1.0f) : 0) * 255)); }
+uint32_t byteOf(float v) {
+  return static_cast<uint32_t>(std::nearbyint((v > 0 ? std::min(v, 1.0f) : 0) * 255));
+}
 
 /// The part of a picture with the samples of one number.
 render::NoisyPicture planeOf(const Refinement& r, const Image& image, size_t first, float target) {
@@ -74,7 +76,8 @@ bool smoothByLibrary(const Refinement& refinement, const Settings& settings, siz
   std::vector<float> colors;
   std::string why;
   if (!smoothByOidn(refinement, settings, out, first, colors, why)) {
-    log::once(log::Level::warning, "oidn", "denoise=oidn: " + why + "; pictures are smoothed by GLuRay's filter");
+    log::once(log::Level::warning, "oidn",
+              "denoise=oidn: " + why + "; pictures are smoothed by GLuRay's filter");
     return false;
   }
   const float target = settings.noise;

@@ -82,9 +82,7 @@ TEST(Denoiser, KeepsDepthAlphaAndMisses) {
   int changed = 0;
   for (size_t i = 0; i < plain.color.size(); ++i) {
     EXPECT_EQ(plain.color[i] >> 24, filtered.color[i] >> 24);
-    if (plain.depth[i] == Image::kMiss) {
-      EXPECT_EQ(plain.color[i], filtered.color[i]);
-    }
+    if (plain.depth[i] == Image::kMiss) { EXPECT_EQ(plain.color[i], filtered.color[i]); }
     changed += plain.color[i] != filtered.color[i];
   }
   EXPECT_GT(changed, 10);

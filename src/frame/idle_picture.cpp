@@ -118,6 +118,13 @@ bool IdleFrame::refused() const {
   return std::all_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.refused; });
 }
 
+double IdleFrame::noise() const {
+  double most = 0;
+  for (const Part& part : parts_)
+    if (!part.refused && part.refinement) most = std::max(most, part.refinement->noise());
+  return most;
+}
+
 std::unique_ptr<Refinement> IdleFrame::take(uint64_t id) noexcept {
   for (Part& part : parts_)
     if (part.picture.id == id && part.refinement && part.refinement->passes() > 0) {

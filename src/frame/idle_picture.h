@@ -41,6 +41,8 @@ class IdleFrame {
   Step step(const Tracer& tracer, const Trace& trace, bool& shown);
   /// Whether the window was found to show none of the pictures as they were written.
   bool refused() const;
+  /// Of its noisiest picture; infinite: not known yet.
+  double noise() const;
   /// Hands over the passes of the picture of this id.
   std::unique_ptr<Refinement> take(uint64_t id) noexcept;
 

@@ -3,6 +3,7 @@
 #include "base/timeline.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <thread>
 #include <utility>
@@ -95,7 +96,9 @@ void IdleRefiner::refine(IdleFrame& frame, const Trace& trace, const std::functi
     step = frame.step(tracer_, trace, shown);
     if (step == IdleFrame::Step::more) ++counts().passes;
     if (shown) ++counts().shown;
+    if (std::isfinite(frame.noise())) counts().noise = frame.noise();
   }
+  if (step == IdleFrame::Step::done && !frame.refused()) ++counts().finished;
   if (frame.refused()) ++counts().refused;
 }
 

@@ -14,7 +14,9 @@ struct Rgb {
 
 /// `times`: how often the allowed noise is in a pixel's.
 Rgb colorOf(float times) {
-  const auto ramp = [&](float from, float to) { return std::clamp((times - from) / (to - from), 0.0f, 1.0f); };
+  const auto ramp = [&](float from, float to) {
+    return std::clamp((times - from) / (to - from), 0.0f, 1.0f);
+  };
   return {ramp(0, 1), ramp(1, 2), ramp(2, 4)};
 }
 

@@ -13,7 +13,8 @@ namespace {
 Image surfaces(int width) {
   Image image;
   image.resize(width, 1, 1);
-  image.color.assign(static_cast<size_t>(width), 0x80112233u), image.depth.assign(static_cast<size_t>(width), 0.5f);
+  image.color.assign(static_cast<size_t>(width), 0x80112233u),
+      image.depth.assign(static_cast<size_t>(width), 0.5f);
   return image;
 }
 

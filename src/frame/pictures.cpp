@@ -29,8 +29,8 @@ void paintUnrefined(const scene::Snapshot& snapshot, Image& image) {
 }
 
 /// Traces passes until the picture is finished or, unless it must be, the time is up. False: a pass failed.
-bool tracePasses(Refiner& refiner, const Trace& trace, uint32_t missColor, bool finish,
-                 double mostSeconds, Pictures::Result& result) {
+bool tracePasses(Refiner& refiner, const Trace& trace, uint32_t missColor, bool finish, double mostSeconds,
+                 Pictures::Result& result) {
   const double start = nowSeconds();
   double now = start, last = 0;
   while (!refiner.finished() && (finish || result.passes == 0 || now + last < start + mostSeconds)) {

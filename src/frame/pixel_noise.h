@@ -17,8 +17,8 @@ inline float noiseAbout(const std::vector<uint16_t>& noise, const Image& image, 
   int count = 0;
   for (int row = std::max(y - 1, 0); row <= std::min(y + 1, image.height - 1); ++row)
     for (int column = std::max(x - 1, 0); column <= std::min(x + 1, image.width - 1); ++column) {
-      const size_t i = first + static_cast<size_t>(row) * static_cast<size_t>(image.width) +
-                       static_cast<size_t>(column);
+      const size_t i =
+          first + static_cast<size_t>(row) * static_cast<size_t>(image.width) + static_cast<size_t>(column);
       if (image.depth[i] == Image::kMiss) continue;
       const double error = noise[i] / double{render::kNoiseOne};
       sum += error * error, ++count;

@@ -90,9 +90,11 @@ void Refinement::addTile(const Image& pass, size_t index) {
   Tile tile;
   for (int sample = 0; sample < pass.samples; ++sample)
     for (int y = y0; y < std::min(y0 + side, pass.height); ++y) {
-      const size_t row = (static_cast<size_t>(sample) * static_cast<size_t>(pass.height) + static_cast<size_t>(y)) *
-                         static_cast<size_t>(pass.width);
-      for (int x = x0; x < std::min(x0 + side, pass.width); ++x) addPixel(pass, row + static_cast<size_t>(x), tile);
+      const size_t row =
+          (static_cast<size_t>(sample) * static_cast<size_t>(pass.height) + static_cast<size_t>(y)) *
+          static_cast<size_t>(pass.width);
+      for (int x = x0; x < std::min(x0 + side, pass.width); ++x)
+        addPixel(pass, row + static_cast<size_t>(x), tile);
     }
   sums_[index] = tile;
 }
@@ -113,7 +115,8 @@ void Refinement::add(const Image& pass) {
       if (!tiles_ || (*tiles_)[tile]) addTile(pass, tile);
     });
   });
-  tracedTiles_ += tiles_ ? static_cast<uint64_t>(std::count(tiles_->begin(), tiles_->end(), 1)) : sums_.size();
+  tracedTiles_ +=
+      tiles_ ? static_cast<uint64_t>(std::count(tiles_->begin(), tiles_->end(), 1)) : sums_.size();
   if (std::has_single_bit(passes_)) halfPasses_ = passes_;
   if (passes_ < 2) return;
   Tile all;

@@ -71,7 +71,7 @@ class Refinement {
   std::vector<float> half_;  // three a pixel: the mean of the first halfPasses_
   std::vector<uint16_t> pixelNoise_;
   std::vector<Tile> sums_;
-  int columns_ = 0, rows_ = 0;         // of tiles
+  int columns_ = 0, rows_ = 0;  // of tiles
   std::shared_ptr<const Tiles> tiles_;
   uint64_t tracedTiles_ = 0;
   uint32_t passes_ = 0, halfPasses_ = 0;

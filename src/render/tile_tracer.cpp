@@ -99,10 +99,9 @@ Traced traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Im
   const std::unique_ptr<const DirectLook> direct = makeDirectLook(frame);
   frame.direct = direct.get();
   const Tiles tiles(image, options.interrupt ? kShortTile : kTileSize);
-  const bool whole =
-      eachTile(tiles, "tiles", options.interrupt, [&](const Tile& tile) {
-        if (isWanted(snapshot, tile)) traceTile(frame, tile);
-      });
+  const bool whole = eachTile(tiles, "tiles", options.interrupt, [&](const Tile& tile) {
+    if (isWanted(snapshot, tile)) traceTile(frame, tile);
+  });
   if (!whole) return Traced::interrupted;
   for (size_t n = 0; n < LayerCounts::kMost; ++n)
     image.layers.open[n] = frame.layerCounts[0][n], image.layers.before[n] = frame.layerCounts[1][n];

@@ -16,8 +16,8 @@ struct LightSampling {
   };
   Mode mode = Mode::full;
   uint32_t pass = 0;  // of a refinement: takes the samples that follow those of the passes before
-  /// Of a pass: the tiles that it traces, a byte each, row by row, kTile pixels wide and high; the image keeps
-  /// what it has elsewhere. Null: all.
+  /// Of a pass: the tiles that it traces, a byte each, row by row, kTile pixels wide and high; the image
+  /// keeps what it has elsewhere. Null: all.
   std::shared_ptr<const std::vector<uint8_t>> tiles;
   static constexpr int kTile = 32;
   bool operator==(const LightSampling&) const = default;

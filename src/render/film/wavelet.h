@@ -16,8 +16,8 @@ struct GuideView {
 /// A picture whose pixels have noise.
 struct NoisyPicture {
   int width = 0, height = 0;
-  const float* color = nullptr;      // RGBA
-  const uint16_t* noise = nullptr;   // estimated standard error, kNoiseOne being 1; null: not known
+  const float* color = nullptr;     // RGBA
+  const uint16_t* noise = nullptr;  // estimated standard error, kNoiseOne being 1; null: not known
   GuideView guides;
   float target = 0;  // pixels with less noise stay
 };
@@ -36,16 +36,15 @@ struct WaveletTile {
   int x = 0, y = 0;                              // its corner
 };
 
-/// An edge-stopping wavelet transform of light, that is colour divided by reflectance (H. Dammertz and others,
-/// "Edge-Avoiding A-Trous Wavelet Transform for fast Global Illumination Filtering", 2010): four rounds of
-/// 5 x 5 pixels 1, 2, 4 and 8 apart. Neighbours count that lie on the plane of the pixel, with about its
-/// normal and reflectance, and whose light differs by no more than the noise allows (C. Schied and others,
-/// "Spatiotemporal Variance-Guided Filtering", 2017).
-/// Differs: weights are Tukey's biweights, which end, so that nothing crosses an edge. A pixel gets the share
-/// 1 - (target / noise)^2 of its smoothed light: none where its noise is no more than the target. Where noise
-/// is not known it is the deviation among neighbours.
-/// Writes kSize x kSize RGB to `out`, row by row, as far as they are inside. False: all pixels stay, and
-/// nothing was written. `memory`: waveletFloats() floats.
+/// An edge-stopping wavelet transform of light, that is colour divided by reflectance (H. Dammertz and
+/// others, "Edge-Avoiding A-Trous Wavelet Transform for fast Global Illumination Filtering", 2010): four
+/// rounds of 5 x 5 pixels 1, 2, 4 and 8 apart. Neighbours count that lie on the plane of the pixel, with
+/// about its normal and reflectance, and whose light differs by no more than the noise allows (C. Schied and
+/// others, "Spatiotemporal Variance-Guided Filtering", 2017). Differs: weights are Tukey's biweights, which
+/// end, so that nothing crosses an edge. A pixel gets the share 1 - (target / noise)^2 of its smoothed light:
+/// none where its noise is no more than the target. Where noise is not known it is the deviation among
+/// neighbours. Writes kSize x kSize RGB to `out`, row by row, as far as they are inside. False: all pixels
+/// stay, and nothing was written. `memory`: waveletFloats() floats.
 bool smoothTile(const NoisyPicture&, const WaveletTile&, float* memory, float* out);
 size_t waveletFloats();
 

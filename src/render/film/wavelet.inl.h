@@ -88,12 +88,8 @@ struct WaveletCenter {
 };
 
 HWY_ATTR inline WaveletCenter waveletCenter(const WaveletPlanes& p, int i) {
-  return {at(p.a, i),
-          at(p.b, i),
-          at(p.c, i),
-          at(p.distance, i),
-          at(p.z, i),
-          {at(p.red[0], i), at(p.red[1], i), at(p.red[2], i)}};
+  return {at(p.a, i),        at(p.b, i), at(p.c, i),
+          at(p.distance, i), at(p.z, i), {at(p.red[0], i), at(p.red[1], i), at(p.red[2], i)}};
 }
 
 /// How much of a neighbour (dx, dy) pixels away shows the same surface, 0 .. 1.
@@ -102,7 +98,8 @@ HWY_ATTR inline Float likeness(const WaveletPlanes& p, const WaveletCenter& m, i
   constexpr float kReflectance = 0.1f;
   const FloatTag d;
   const Float distance = at(p.distance, j);
-  const Float along = hn::MulAdd(m.a, splat(static_cast<float>(dx)), hn::Mul(m.b, splat(static_cast<float>(dy))));
+  const Float along =
+      hn::MulAdd(m.a, splat(static_cast<float>(dx)), hn::Mul(m.b, splat(static_cast<float>(dy))));
   const Float off = hn::MulAdd(m.c, hn::Sub(splat(1), hn::Div(m.distance, distance)), along);
   const float reach = kOffPlane + kOffFar * static_cast<float>(std::max(std::abs(dx), std::abs(dy)));
   const auto near = hn::And(hn::Gt(distance, hn::Zero(d)), hn::Le(hn::Abs(off), splat(reach)));
@@ -165,8 +162,7 @@ HWY_ATTR inline void waveletRound(WaveletPlanes& p, int from, int step, int marg
       const int i = row * kStride + x;
       const WaveletCenter m = waveletCenter(p, i);
       const Float l = luminance(at(in[0], i), at(in[1], i), at(in[2], i)), variance = at(in[3], i);
-      const Float scale =
-          hn::Div(splat(1), hn::MulAdd(variance, splat(kDeviations), splat(1e-12f)));
+      const Float scale = hn::Div(splat(1), hn::MulAdd(variance, splat(kDeviations), splat(1e-12f)));
       Float weights = hn::Zero(d), sum[3] = {weights, weights, weights}, sumVariance = weights;
       eachNeighbour(step, [&](int dx, int dy, float kernel) HWY_ATTR {
         const int j = i + dy * kStride + dx;

@@ -44,8 +44,12 @@ struct Wall {
     packedReflectance.resize(n), normal.resize(n), facing.resize(n), distance.resize(n);
     packGuides(reflectance.data(), n, packedReflectance.data());
     packGeometry(geometry.data(), depth.data(), n, normal.data(), facing.data(), distance.data());
-    return {width, height, color.data(), knowsNoise ? noise.data() : nullptr,
-            {packedReflectance.data(), normal.data(), facing.data(), distance.data()}, target};
+    return {width,
+            height,
+            color.data(),
+            knowsNoise ? noise.data() : nullptr,
+            {packedReflectance.data(), normal.data(), facing.data(), distance.data()},
+            target};
   }
   /// The smoothed picture's reds; `changed` tells whether any tile was smoothed.
   std::vector<float> smooth(bool knowsNoise = true, bool* changed = nullptr) {
@@ -79,7 +83,8 @@ double deviation(const std::vector<float>& values, double mean) {
 TEST(Wavelet, ConstantLightStaysConstant) {
   Wall wall;
   wall.each([&](int x, int y, size_t i) {
-    for (size_t c = 0; c < 3; ++c) wall.reflectance[4 * i + c] = 0.2f + 0.008f * static_cast<float>((x + y) % 90);
+    for (size_t c = 0; c < 3; ++c)
+      wall.reflectance[4 * i + c] = 0.2f + 0.008f * static_cast<float>((x + y) % 90);
     wall.light(i, 0.7f);
   });
   bool changed = false;
@@ -160,9 +165,7 @@ TEST(Wavelet, PixelsBelowTheTargetKeepTheirBits) {
   const std::vector<float> out = wall.smooth();
   int changed = 0;
   wall.each([&](int x, int, size_t i) {
-    if (x >= 66) {
-      EXPECT_EQ(out[i], wall.color[4 * i]) << x;
-    }
+    if (x >= 66) { EXPECT_EQ(out[i], wall.color[4 * i]) << x; }
     changed += x < 60 && out[i] != wall.color[4 * i];
   });
   EXPECT_GT(changed, 3000);
@@ -178,9 +181,7 @@ TEST(Wavelet, ValuesThatAreNotFiniteDoNotSpread) {
   wall.reflectance[4 * wall.at(50, 30)] = std::nanf("");
   const std::vector<float> out = wall.smooth();
   wall.each([&](int x, int y, size_t i) {
-    if (x != 20 || y != 20) {
-      EXPECT_TRUE(std::isfinite(out[i])) << x << ' ' << y;
-    }
+    if (x != 20 || y != 20) { EXPECT_TRUE(std::isfinite(out[i])) << x << ' ' << y; }
   });
 }
 

@@ -42,8 +42,7 @@ HWY_ATTR void showGeometry(const GeometryGuide& guide, const ColoredHits& hits, 
     } else {
       along = hn::Mul(dot(normal, splat(glm::normalize(space.ray))), splat(GeometryGuide::kFarAway));
       const float pixels = glm::length(space.ray) / width;
-      distance =
-          hn::MulAdd(hn::Sub(depth, splat(1)), splat(pixels), splat(GeometryGuide::kFarAway));
+      distance = hn::MulAdd(hn::Sub(depth, splat(1)), splat(pixels), splat(GeometryGuide::kFarAway));
     }
     store(dot(normal, splat(right)), rows.value[0] + i), store(dot(normal, splat(up)), rows.value[1] + i);
     store(along, rows.value[2] + i), store(distance, rows.value[3] + i);
