@@ -30,12 +30,13 @@ IdleRefiner::~IdleRefiner() {
   thread_.stop();
 }
 
-void IdleRefiner::start(std::vector<IdlePicture> pictures, std::shared_ptr<IdleWindow> window) noexcept {
+void IdleRefiner::start(std::vector<IdlePicture> pictures, std::shared_ptr<IdleWindow> window,
+                        std::vector<IdleFxaa> passes) noexcept {
   stop();
   frame_.reset();
   if (pictures.empty() || !window) return;
   try {
-    auto frame = std::make_unique<IdleFrame>(std::move(pictures), std::move(window));
+    auto frame = std::make_unique<IdleFrame>(std::move(pictures), std::move(window), std::move(passes));
     std::unique_lock lock(mutex_);
     frame_ = std::move(frame);
     const auto now = Clock::now(), before = std::exchange(started_, now);

@@ -36,7 +36,9 @@ class IdleRefiner {
   IdleRefiner& operator=(const IdleRefiner&) = delete;
 
   /// A frame was shown: refines its pictures if nothing happens. Stops work on the frame before.
-  void start(std::vector<IdlePicture> pictures, std::shared_ptr<IdleWindow> window) noexcept;
+  /// `passes`: that went over them before.
+  void start(std::vector<IdlePicture> pictures, std::shared_ptr<IdleWindow> window,
+             std::vector<IdleFxaa> passes = {}) noexcept;
   /// Stops, and waits until the thread touches neither renderer nor window: for one tile of a picture.
   void stop() noexcept;
   /// Hands over the passes over the picture of this id; null: there are none. Call after stop().

@@ -155,7 +155,8 @@ void Pictures::wrote(const scene::SnapshotPtr& snapshot, const LastPictures::Pic
   const bool refines = tracer_.behind && snapshot->settings.refine.idle &&
                        snapshot->lightSampling.mode == scene::LightSampling::Mode::moving &&
                        !picture.refined && pixels.has(Plane::color) && isRefinable(*snapshot);
-  if (!written_.empty() && written_.front().snapshot->frame != snapshot->frame) written_.clear();
+  if (!written_.empty() && written_.front().snapshot->frame != snapshot->frame)
+    written_.clear(), antialiased_.clear();
   if (!refines) return;
   const auto known = std::find_if(written_.begin(), written_.end(),
                                   [&](const IdlePicture& one) { return one.id == picture.id; });
@@ -170,17 +171,29 @@ void Pictures::wrote(const scene::SnapshotPtr& snapshot, const LastPictures::Pic
   } catch (const std::exception&) { tooMany_ = true; }  // out of memory: the frame keeps its noise
 }
 
+void Pictures::antialiased(const scene::Fxaa& how, const scene::Region& region, const uint32_t* before,
+                           const Settings& settings) noexcept {
+  constexpr size_t kMost = 4;  // views of one window
+  if (written_.empty()) return;
+  if (antialiased_.size() == kMost) return void(tooMany_ = true);
+  try {
+    const size_t pixels = static_cast<size_t>(region.width) * static_cast<size_t>(region.height);
+    antialiased_.push_back({how, region, settings, {before, before + pixels}});
+  } catch (const std::exception&) { tooMany_ = true; }  // out of memory: the frame keeps its noise
+}
+
 void Pictures::refineWhileIdle(const std::function<std::shared_ptr<IdleWindow>()>& open) noexcept {
   using namespace std::chrono_literals;
   constexpr auto kQuiet = 100ms;  // frames that follow each other come sooner
   const bool refines = !written_.empty() && !std::exchange(tooMany_, false);
   std::vector<IdlePicture> written = std::exchange(written_, {});
+  std::vector<IdleFxaa> passes = std::exchange(antialiased_, {});
   try {
     if (!refines) return idle_ ? idle_->start({}, nullptr) : void();
     if (!idle_) idle_ = std::make_unique<IdleRefiner>(tracer_, kQuiet);
     for (IdlePicture& one : written)
       if (auto* const picture = last_.withId(one.id)) one.refinement = std::move(picture->refinement);
-    idle_->start(std::move(written), open());
+    idle_->start(std::move(written), open(), std::move(passes));
   } catch (const std::exception&) {}  // out of memory: the frame keeps its noise
 }
 
