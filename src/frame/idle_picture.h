@@ -5,6 +5,7 @@
 #include "base/image.h"
 #include "frame/refiner.h"
 #include "frame/tracer.h"
+#include "scene/fxaa.h"
 #include "scene/resolve.h"
 #include "scene/snapshot.h"
 
@@ -29,10 +30,20 @@ struct IdlePicture {
   std::vector<bool> mixed = {};                 // pixels whose samples differ; empty: none
 };
 
+/// An anti-aliasing pass of the program that GLuRay made over pictures of the frame.
+struct IdleFxaa {
+  scene::Fxaa how;
+  scene::Region region;  // of the framebuffer
+  Settings settings;
+  std::vector<uint32_t> before;  // RGBA8 of the region
+  std::vector<bool> seen = {};   // pixels where the window shows what the pass made of them
+};
+
 /// Where the written colours of one picture are seen in the window, and what they become.
 class IdleFrame {
  public:
-  IdleFrame(std::vector<IdlePicture> pictures, std::shared_ptr<IdleWindow> window);
+  IdleFrame(std::vector<IdlePicture> pictures, std::shared_ptr<IdleWindow> window,
+            std::vector<IdleFxaa> passes = {});
   /// Reads the window. False: nothing can be refined.
   bool look() noexcept { return window_->read(shown_); }
   enum class Step { more, done, failed };
@@ -41,6 +52,8 @@ class IdleFrame {
   Step step(const Tracer& tracer, const Trace& trace, bool& shown);
   /// Whether the window was found to show none of the pictures as they were written.
   bool refused() const;
+  /// Of its noisiest picture; infinite: not known yet.
+  double noise() const;
   /// Hands over the passes of the picture of this id.
   std::unique_ptr<Refinement> take(uint64_t id) noexcept;
 
@@ -57,14 +70,17 @@ class IdleFrame {
     bool finished = false, refused = false;
   };
   bool findVisible(Part& part, const Image& image);
-  bool isVisible(const IdlePicture& picture, glm::ivec2 at, const std::vector<bool>& equal) const;
-  const uint32_t* shownAt(const IdlePicture& picture, glm::ivec2 at) const;
+  void undoPasses(const Tracer& tracer);
+  bool composeNext(const Part& part, const Image& image, const Tracer& tracer);
   const Image* imageOf(Part& part, const Tracer& tracer);
 
   std::shared_ptr<IdleWindow> window_;
   WindowPixels shown_, next_;
-  std::vector<bool> taken_;  // pixels of the window in which a picture is seen
-  std::vector<Part> parts_;  // the last written first
+  WindowPixels under_, nextUnder_;  // the same before anti-aliasing
+  std::vector<IdleFxaa> passes_;    // those whose result the window shows
+  bool undone_ = false;             // under_ is known
+  std::vector<bool> taken_;         // pixels of the window in which a picture is seen
+  std::vector<Part> parts_;         // the last written first
 };
 
 }  // namespace gluray::frame

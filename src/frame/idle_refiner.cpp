@@ -3,6 +3,7 @@
 #include "base/timeline.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <thread>
 #include <utility>
@@ -29,12 +30,13 @@ IdleRefiner::~IdleRefiner() {
   thread_.stop();
 }
 
-void IdleRefiner::start(std::vector<IdlePicture> pictures, std::shared_ptr<IdleWindow> window) noexcept {
+void IdleRefiner::start(std::vector<IdlePicture> pictures, std::shared_ptr<IdleWindow> window,
+                        std::vector<IdleFxaa> passes) noexcept {
   stop();
   frame_.reset();
   if (pictures.empty() || !window) return;
   try {
-    auto frame = std::make_unique<IdleFrame>(std::move(pictures), std::move(window));
+    auto frame = std::make_unique<IdleFrame>(std::move(pictures), std::move(window), std::move(passes));
     std::unique_lock lock(mutex_);
     frame_ = std::move(frame);
     const auto now = Clock::now(), before = std::exchange(started_, now);
@@ -95,7 +97,9 @@ void IdleRefiner::refine(IdleFrame& frame, const Trace& trace, const std::functi
     step = frame.step(tracer_, trace, shown);
     if (step == IdleFrame::Step::more) ++counts().passes;
     if (shown) ++counts().shown;
+    if (std::isfinite(frame.noise())) counts().noise = frame.noise();
   }
+  if (step == IdleFrame::Step::done && !frame.refused()) ++counts().finished;
   if (frame.refused()) ++counts().refused;
 }
 

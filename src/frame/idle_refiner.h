@@ -24,6 +24,8 @@ class IdleRefiner {
   struct Counts {
     std::atomic<uint64_t> frames{0}, refused{0};  // refined; not: the window does not show what was written
     std::atomic<uint64_t> passes{0}, shown{0};    // pictures put into windows
+    std::atomic<uint64_t> finished{0};            // frames whose noise is as small as it is to be
+    std::atomic<double> noise{0};                 // of the last refined frame, estimated; 0: none was
   };
   static Counts& counts();
 
@@ -34,7 +36,9 @@ class IdleRefiner {
   IdleRefiner& operator=(const IdleRefiner&) = delete;
 
   /// A frame was shown: refines its pictures if nothing happens. Stops work on the frame before.
-  void start(std::vector<IdlePicture> pictures, std::shared_ptr<IdleWindow> window) noexcept;
+  /// `passes`: that went over them before.
+  void start(std::vector<IdlePicture> pictures, std::shared_ptr<IdleWindow> window,
+             std::vector<IdleFxaa> passes = {}) noexcept;
   /// Stops, and waits until the thread touches neither renderer nor window: for one tile of a picture.
   void stop() noexcept;
   /// Hands over the passes over the picture of this id; null: there are none. Call after stop().

@@ -2,6 +2,8 @@
 
 #include "base/clock.h"
 #include "base/log.h"
+#include "frame/noise_picture.h"
+#include "scene/effects.h"
 
 #include <algorithm>
 #include <exception>
@@ -10,18 +12,28 @@
 namespace gluray::frame {
 namespace {
 
-constexpr double kRedrawSeconds = 1.0 / 20;  // for passes when a program draws the same frame again
-
 void logFailure(const std::string& why) {
   log::once(log::Level::warning, "refinement", "cannot refine a picture: " + why + "; it keeps its noise");
 }
 
+/// Time for passes when a program draws the same frame again: as long as a moving frame may take.
+double redrawSeconds(const Settings& settings) { return 1 / std::max(double{settings.fps}, 1.0); }
+
+/// In place of colours where passes tell nothing of the noise (look = noise).
+void paintUnrefined(const scene::Snapshot& snapshot, Image& image) {
+  if (snapshot.settings.look != Look::noise || snapshot.layers) return;
+  if (scene::wantsLight(snapshot.settings))
+    paintNoise({}, snapshot.settings.noise, image);
+  else
+    paintNoNoise(image);
+}
+
 /// Traces passes until the picture is finished or, unless it must be, the time is up. False: a pass failed.
-bool tracePasses(Refiner& refiner, const Trace& trace, uint32_t missColor, bool finish,
+bool tracePasses(Refiner& refiner, const Trace& trace, uint32_t missColor, bool finish, double mostSeconds,
                  Pictures::Result& result) {
   const double start = nowSeconds();
   double now = start, last = 0;
-  while (!refiner.finished() && (finish || result.passes == 0 || now + last < start + kRedrawSeconds)) {
+  while (!refiner.finished() && (finish || result.passes == 0 || now + last < start + mostSeconds)) {
     if (!refiner.pass(trace, missColor, result.cost, result.why)) return false;
     ++result.passes;
     last = nowSeconds() - now, now += last;
@@ -37,7 +49,7 @@ bool Pictures::finish(const scene::Snapshot& snapshot, LastPictures::Picture& pi
   try {
     Refinement refinement;
     Refiner refiner(snapshot, refinement);
-    const bool all = tracePasses(refiner, tracer_.trace, picture.image.missColor, true, result);
+    const bool all = tracePasses(refiner, tracer_.trace, picture.image.missColor, true, 0, result);
     if (!all) logFailure(std::exchange(result.why, {}));
     if (refinement.passes() == 0) return false;
     refiner.show(picture.image);
@@ -54,7 +66,8 @@ void Pictures::refine(const scene::Snapshot& snapshot, LastPictures::Picture& pi
     if (idle_ && !passes) passes = idle_->take(picture.id);
     if (!passes) passes = std::make_unique<Refinement>();
     Refiner refiner(snapshot, *passes);
-    const bool all = tracePasses(refiner, tracer_.trace, picture.image.missColor, finish, result);
+    const bool all = tracePasses(refiner, tracer_.trace, picture.image.missColor, finish,
+                                 redrawSeconds(snapshot.settings), result);
     if (!all) logFailure(std::exchange(result.why, {}));
     // Fewer passes may be worse than the first picture, which may have been filtered.
     if (result.passes > 0 && (refiner.finished() || passes->passes() >= kLeastPasses)) {
@@ -112,10 +125,11 @@ Pictures::Result Pictures::of(const scene::Snapshot& snapshot, const Wish& wish)
   LastPictures::Picture& fresh = last_.next();
   fresh.image.missColor = wish.missColor.value_or(0);
   fresh.moving = false;
-  const bool done = ahead ? ahead_->take(fresh.image, result.cost, result.why)
-                          : (refines && full && finish(snapshot, fresh, result)) ||
-                                traceOnce(snapshot, full, fresh, result);
+  const bool finished = !ahead && refines && full && finish(snapshot, fresh, result);
+  const bool done = finished || (ahead ? ahead_->take(fresh.image, result.cost, result.why)
+                                       : traceOnce(snapshot, full, fresh, result));
   if (!done) return result;
+  if (!finished) paintUnrefined(snapshot, fresh.image);
   last_.keep(snapshot);
   result.picture = &fresh;
   return result;
@@ -141,7 +155,8 @@ void Pictures::wrote(const scene::SnapshotPtr& snapshot, const LastPictures::Pic
   const bool refines = tracer_.behind && snapshot->settings.refine.idle &&
                        snapshot->lightSampling.mode == scene::LightSampling::Mode::moving &&
                        !picture.refined && pixels.has(Plane::color) && isRefinable(*snapshot);
-  if (!written_.empty() && written_.front().snapshot->frame != snapshot->frame) written_.clear();
+  if (!written_.empty() && written_.front().snapshot->frame != snapshot->frame)
+    written_.clear(), antialiased_.clear();
   if (!refines) return;
   const auto known = std::find_if(written_.begin(), written_.end(),
                                   [&](const IdlePicture& one) { return one.id == picture.id; });
@@ -156,17 +171,29 @@ void Pictures::wrote(const scene::SnapshotPtr& snapshot, const LastPictures::Pic
   } catch (const std::exception&) { tooMany_ = true; }  // out of memory: the frame keeps its noise
 }
 
+void Pictures::antialiased(const scene::Fxaa& how, const scene::Region& region, const uint32_t* before,
+                           const Settings& settings) noexcept {
+  constexpr size_t kMost = 4;  // views of one window
+  if (written_.empty()) return;
+  if (antialiased_.size() == kMost) return void(tooMany_ = true);
+  try {
+    const size_t pixels = static_cast<size_t>(region.width) * static_cast<size_t>(region.height);
+    antialiased_.push_back({how, region, settings, {before, before + pixels}});
+  } catch (const std::exception&) { tooMany_ = true; }  // out of memory: the frame keeps its noise
+}
+
 void Pictures::refineWhileIdle(const std::function<std::shared_ptr<IdleWindow>()>& open) noexcept {
   using namespace std::chrono_literals;
   constexpr auto kQuiet = 100ms;  // frames that follow each other come sooner
   const bool refines = !written_.empty() && !std::exchange(tooMany_, false);
   std::vector<IdlePicture> written = std::exchange(written_, {});
+  std::vector<IdleFxaa> passes = std::exchange(antialiased_, {});
   try {
     if (!refines) return idle_ ? idle_->start({}, nullptr) : void();
     if (!idle_) idle_ = std::make_unique<IdleRefiner>(tracer_, kQuiet);
     for (IdlePicture& one : written)
       if (auto* const picture = last_.withId(one.id)) one.refinement = std::move(picture->refinement);
-    idle_->start(std::move(written), open());
+    idle_->start(std::move(written), open(), std::move(passes));
   } catch (const std::exception&) {}  // out of memory: the frame keeps its noise
 }
 

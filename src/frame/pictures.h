@@ -47,6 +47,9 @@ class Pictures {
   /// until the frame is shown, if it can be refined then.
   void wrote(const scene::SnapshotPtr& snapshot, const LastPictures::Picture& picture, const Image& pixels,
              const scene::Resolve* how = nullptr) noexcept;
+  /// What was written into the region of the frame was anti-aliased: `before` are its pixels, RGBA8.
+  void antialiased(const scene::Fxaa& how, const scene::Region& region, const uint32_t* before,
+                   const Settings& settings) noexcept;
   /// The frame is in the window that `open` opens: refines its pictures there while nothing else is asked.
   void refineWhileIdle(const std::function<std::shared_ptr<IdleWindow>()>& open) noexcept;
   /// The frame was shown elsewhere, or another one begins.
@@ -66,6 +69,7 @@ class Pictures {
   Tracer tracer_;
   LastPictures last_;
   std::vector<IdlePicture> written_;   // of this frame
+  std::vector<IdleFxaa> antialiased_;  // over these
   bool tooMany_ = false;               // more than are remembered
   std::unique_ptr<IdleRefiner> idle_;  // made at the first frame that is refined while idle
   std::unique_ptr<TraceAhead> ahead_;  // made at the first lagged frame

@@ -2,6 +2,7 @@
 
 #include "parallel/arena.h"
 #include "render/float_guard.h"
+#include "scene/light_sampling.h"
 
 #include <tbb/parallel_for.h>
 
@@ -58,39 +59,89 @@ double squaredDifference(const float* a, const float* b) {
   return sum;
 }
 
-struct Sum {
-  double squares = 0;
-  uint64_t pixels = 0;
-};
-
 }  // namespace
+
+double Refinement::Tile::noise() const {
+  return std::sqrt(squares / (3 * static_cast<double>(std::max<uint64_t>(pixels, 1))));
+}
+
+/// Adds a pixel of the pass to the means. Call after passes_ has counted the pass.
+void Refinement::addPixel(const Image& pass, size_t i, Tile& tile) {
+  const uint32_t n = passes_;
+  float color[4];
+  colorOf(pass, i, color);
+  for (size_t c = 0; c < 4; ++c) addTo(mean_[4 * i + c], color[c], n);
+  // M, the mean of n passes, and H, that of the first h: (M - H)^2 is expected to be (variance of M) (n - h)
+  // / h.
+  const double h = halfPasses_;
+  const double square =
+      n > 1 ? squaredDifference(&mean_[4 * i], &half_[3 * i]) * h / (static_cast<double>(n) - h) : 0;
+  if (std::has_single_bit(n)) std::copy_n(&mean_[4 * i], 3, &half_[3 * i]);
+  if (!pixelNoise_.empty())
+    pixelNoise_[i] = static_cast<uint16_t>(std::lround(std::min(std::sqrt(square / 3), 1.0) * 65535));
+  if (pass.depth[i] == Image::kMiss && !(square > 0)) return;
+  tile.squares += square;
+  ++tile.pixels;
+}
+
+void Refinement::addTile(const Image& pass, size_t index) {
+  const int side = scene::LightSampling::kTile, column = static_cast<int>(index) % columns_;
+  const int x0 = column * side, y0 = static_cast<int>(index) / columns_ * side;
+  Tile tile;
+  for (int sample = 0; sample < pass.samples; ++sample)
+    for (int y = y0; y < std::min(y0 + side, pass.height); ++y) {
+      const size_t row =
+          (static_cast<size_t>(sample) * static_cast<size_t>(pass.height) + static_cast<size_t>(y)) *
+          static_cast<size_t>(pass.width);
+      for (int x = x0; x < std::min(x0 + side, pass.width); ++x)
+        addPixel(pass, row + static_cast<size_t>(x), tile);
+    }
+  sums_[index] = tile;
+}
 
 void Refinement::add(const Image& pass) {
   const size_t pixels = pass.depth.size();
-  std::vector<Sum> sums((pixels + kBlock - 1) / kBlock);
-  if (passes_ == 0) mean_.assign(4 * pixels, 0), half_.assign(3 * pixels, 0);
-  const uint32_t n = ++passes_;
-  const bool doubled = std::has_single_bit(n);
-  eachBlock(pixels, [&](size_t first, size_t end, size_t block) {
-    for (size_t i = first; i < end; ++i) {
-      float color[4];
-      colorOf(pass, i, color);
-      for (size_t c = 0; c < 4; ++c) addTo(mean_[4 * i + c], color[c], n);
-      const double square = n > 1 ? squaredDifference(&mean_[4 * i], &half_[3 * i]) : 0;
-      if (doubled) std::copy_n(&mean_[4 * i], 3, &half_[3 * i]);
-      if (pass.depth[i] == Image::kMiss && !(square > 0)) continue;
-      sums[block].squares += square;
-      ++sums[block].pixels;
-    }
+  if (passes_ == 0) {
+    constexpr int kTile = scene::LightSampling::kTile;
+    columns_ = (pass.width + kTile - 1) / kTile, rows_ = (pass.height + kTile - 1) / kTile;
+    sums_.assign(static_cast<size_t>(columns_) * static_cast<size_t>(rows_), {});
+    mean_.assign(4 * pixels, 0), half_.assign(3 * pixels, 0);
+  }
+  if (passes_ == 1 && keepsNoise_) pixelNoise_.assign(pixels, 0);
+  ++passes_;
+  sharedArena()->execute([&] {
+    tbb::parallel_for(size_t{0}, sums_.size(), [&](size_t tile) {
+      const render::FloatGuard guard;
+      if (!tiles_ || (*tiles_)[tile]) addTile(pass, tile);
+    });
   });
-  const uint32_t halfPasses = std::exchange(halfPasses_, doubled ? n : halfPasses_);
-  if (n < 2) return;
-  Sum all;
-  for (const Sum& sum : sums) all.squares += sum.squares, all.pixels += sum.pixels;
-  // M, the mean of n passes, and H, that of the first h: (M - H)^2 is expected to be (variance of M) (n - h)
-  // / h.
-  const double h = halfPasses, values = 3 * static_cast<double>(std::max<uint64_t>(all.pixels, 1));
-  noise_ = std::sqrt(all.squares / values * h / (n - h));
+  tracedTiles_ +=
+      tiles_ ? static_cast<uint64_t>(std::count(tiles_->begin(), tiles_->end(), 1)) : sums_.size();
+  if (std::has_single_bit(passes_)) halfPasses_ = passes_;
+  if (passes_ < 2) return;
+  Tile all;
+  for (const Tile& tile : sums_) all.squares += tile.squares, all.pixels += tile.pixels;
+  noise_ = all.noise();
+}
+
+/// Whether neither the tile nor a neighbour has more noise than `least`.
+bool Refinement::isQuiet(int x, int y, double least) const {
+  for (int row = std::max(y - 1, 0); row <= std::min(y + 1, rows_ - 1); ++row)
+    for (int column = std::max(x - 1, 0); column <= std::min(x + 1, columns_ - 1); ++column)
+      if (!(sums_[static_cast<size_t>(row * columns_ + column)].noise() <= least)) return false;
+  return true;
+}
+
+void Refinement::leaveOut(double least) {
+  // The rest of the passes must be about as many as the first half: their noise is known best then. Rare
+  // looks also find few tiles quiet by chance.
+  const bool tells = std::has_single_bit(passes_) || (passes_ % 3 == 0 && std::has_single_bit(passes_ / 3));
+  if (passes_ < 4 || !tells) return;
+  auto next = tiles_ ? std::make_shared<Tiles>(*tiles_) : std::make_shared<Tiles>(sums_.size(), uint8_t{1});
+  for (int y = 0; y < rows_; ++y)
+    for (int x = 0; x < columns_; ++x)
+      if (isQuiet(x, y, least)) (*next)[static_cast<size_t>(y * columns_ + x)] = 0;
+  tiles_ = std::move(next);
 }
 
 void Refinement::show(const Image& pass, bool wide, Image& out) const {

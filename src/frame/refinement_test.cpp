@@ -177,6 +177,69 @@ TEST(Refinement, ValuesThatAreNotFiniteDoNotCount) {
   EXPECT_EQ(refinement.noise(), 0) << "what is brighter than white looks alike";
 }
 
+constexpr float kUneven = 0.005f;
+
+/// Plates in the middle of a large wall, of which the rest has little noise.
+scene::Snapshot unevenScene() {
+  scene::Snapshot s = litScene(test::Hides::some, 256);
+  s.settings.ao.radius = 1e-3f;  // of a diagonal of about 1400
+  s.eyeFromWorld = glm::translate(glm::dmat4(1), {0, 0, -14});
+  for (scene::Instance& instance : s.instances) instance.eyeFromObject = s.eyeFromWorld;
+  s.settings.noise = kUneven;
+  return s;
+}
+
+/// A picture of as many passes as its noise asks for.
+struct Finished {
+  Refinement refinement;
+  Image image;
+  explicit Finished(const scene::Snapshot& s) {
+    test::CountingTrace tracer;
+    scene::TraceCost cost;
+    std::string error;
+    Refiner refiner(s, refinement);
+    while (!refiner.finished()) EXPECT_TRUE(refiner.pass(tracer.trace, 0, cost, error)) << error;
+    refiner.show(image);
+  }
+};
+
+TEST(Refinement, AdaptivePassesMeetTheSameNoiseWithFewerRays) {
+  scene::Snapshot s = unevenScene();
+  const Finished adaptive(s);
+  s.settings.refine.adaptive = false;
+  const Finished all(s);
+  const Image truth = reference(s, 4096);
+  const double error = difference(adaptive.image, truth), without = difference(all.image, truth);
+  EXPECT_LE(adaptive.refinement.noise(), kUneven);
+  // The estimate is good to some percent.
+  EXPECT_LT(error, 1.05 * kUneven) << without;
+  EXPECT_LT(adaptive.refinement.tracedTiles(), 0.6 * static_cast<double>(all.refinement.tracedTiles()));
+  RecordProperty("error", std::to_string(error) + " instead of " + std::to_string(without));
+  RecordProperty("tiles", std::to_string(adaptive.refinement.tracedTiles()) + " instead of " +
+                              std::to_string(all.refinement.tracedTiles()));
+}
+
+TEST(Refinement, AdaptivePassesDoNotDependOnThreadsOrInterruptions) {
+  scene::Snapshot s = unevenScene();
+  const Finished whole(s);
+  s.settings.threads = 3;
+  test::CountingTrace tracer;
+  Refinement refinement;
+  Image image;
+  // Each pass by a refiner of its own, as a program that draws the frame again and again.
+  for (bool finished = false; !finished;) {
+    Refiner refiner(s, refinement);
+    scene::TraceCost cost;
+    std::string error;
+    ASSERT_TRUE(refiner.pass(tracer.trace, 0, cost, error)) << error;
+    refiner.show(image);
+    finished = refiner.finished();
+  }
+  EXPECT_EQ(refinement.passes(), whole.refinement.passes());
+  EXPECT_EQ(image.color, whole.image.color);
+  EXPECT_EQ(image.depth, whole.image.depth);
+}
+
 TEST(Refinement, IsTheSameForAnyNumberOfThreads) {
   scene::Snapshot s = litScene(test::Hides::some, 80);
   const Refined one(s, 3);

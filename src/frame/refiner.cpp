@@ -1,5 +1,7 @@
 #include "frame/refiner.h"
 
+#include "frame/denoiser.h"
+#include "frame/noise_picture.h"
 #include "scene/effects.h"
 
 #include <algorithm>
@@ -9,6 +11,7 @@ namespace gluray::frame {
 namespace {
 
 constexpr size_t kMostBytes = size_t{1} << 30;  // of sums
+constexpr double kQuiet = 0.5;  // of the noise that a picture may have: tiles with less take no more passes
 
 size_t valuesOf(const scene::Snapshot& s) {
   return static_cast<size_t>(s.region.width) * static_cast<size_t>(s.region.height) *
@@ -29,12 +32,20 @@ void addCost(const scene::TraceCost& more, scene::TraceCost& cost) {
   cost.blasBuilds += blas, cost.tlasBuilds += tlas, cost.blasRefinements += refinements;
 }
 
+/// Whether each pixel is one sample of one surface. Averages and layers are traced as a whole: what the rest
+/// of the picture has decides how.
+bool isSimple(const scene::Snapshot& s) {
+  return !s.layers && !(s.settings.camera.aperture > 0) && (s.samples > 1 || s.settings.spp <= 1);
+}
+
+bool isFiltered(const scene::Snapshot& s) { return s.settings.denoise != Denoise::off && isSimple(s); }
+
 }  // namespace
 
 bool isRefinable(const scene::Snapshot& snapshot) {
   return scene::wantsLight(snapshot.settings) && snapshot.settings.noise > 0 &&
          snapshot.settings.renderer == Renderer::embree &&
-         Refinement::bytesFor(valuesOf(snapshot)) <= kMostBytes;
+         Refinement::bytesFor(valuesOf(snapshot), isFiltered(snapshot)) <= kMostBytes;
 }
 
 bool isFinished(const Refinement& refinement, const Settings& settings) {
@@ -46,24 +57,59 @@ bool isFinished(const Refinement& refinement, const Settings& settings) {
 Refiner::Refiner(const scene::Snapshot& snapshot, Refinement& refinement)
     : snapshot_(snapshot),
       wide_(snapshot.wideColors || (snapshot.layers && snapshot.layers->of == scene::Layers::Of::sums)),
-      refinement_(refinement) {
+      refinement_(refinement),
+      filters_(isFiltered(snapshot)) {
   snapshot_.lightSampling.mode = scene::LightSampling::Mode::full;
   if (usesWideColors(snapshot)) snapshot_.wideColors = true;
+  if (filters_ || snapshot.settings.look == Look::noise) refinement.keepNoise();
+}
+
+/// False with a line in `error`: there are none; without one: tracing was interrupted.
+bool Refiner::traceGuides(const Trace& trace, scene::TraceCost& cost, std::string& error) {
+  using Mode = scene::LightSampling::Mode;
+  scene::Snapshot guides = snapshot_;
+  guides.wideColors = true;
+  LightGuides found;
+  for (const Mode mode : {Mode::reflectance, Mode::geometry}) {
+    guides.lightSampling = {mode};
+    scene::TraceCost own;
+    if (!trace(guides, image_, own, error)) return false;
+    addCost(own, cost);
+    keepGuides(mode, image_, found);
+  }
+  refinement_.guides = std::move(found);
+  return true;
 }
 
 bool Refiner::pass(const Trace& trace, uint32_t missColor, scene::TraceCost& cost, std::string& error) {
-  snapshot_.lightSampling.pass = refinement_.passes();
-  image_.missColor = missColor;
-  scene::TraceCost own;
-  if (!trace(snapshot_, image_, own, error)) return false;
-  addCost(own, cost);
   try {
+    if (filters_ && !refinement_.guides.known() && !traceGuides(trace, cost, error)) {
+      if (error.empty()) return false;
+      logNoFilter(error);
+      filters_ = false, error.clear();
+    }
+    snapshot_.lightSampling.pass = refinement_.passes();
+    if (snapshot_.settings.refine.adaptive && isSimple(snapshot_))
+      refinement_.leaveOut(kQuiet * double{snapshot_.settings.noise});
+    snapshot_.lightSampling.tiles = whole_ ? refinement_.tiles() : nullptr;
+    image_.missColor = missColor;
+    scene::TraceCost own;
+    if (!trace(snapshot_, image_, own, error)) return whole_ = false;
+    whole_ = true;
+    addCost(own, cost);
     refinement_.add(image_);
     return true;
   } catch (const std::exception&) {
     error = "out of memory while refining a picture";
     return false;
   }
+}
+
+void Refiner::show(Image& out) const {
+  refinement_.show(image_, wide_, out);
+  if (snapshot_.settings.look == Look::noise && !snapshot_.layers)
+    return paintNoise(refinement_.pixelNoise(), snapshot_.settings.noise, out);
+  if (filters_ && !denoise(refinement_, snapshot_.settings, out)) refinement_.show(image_, wide_, out);
 }
 
 }  // namespace gluray::frame

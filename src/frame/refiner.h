@@ -24,15 +24,19 @@ class Refiner {
   /// added. Adds to `cost`.
   bool pass(const Trace& trace, uint32_t missColor, scene::TraceCost& cost, std::string& error);
   /// Writes the mean into `out`; misses get out.missColor. Call after pass(). Throws std::bad_alloc.
-  void show(Image& out) const { refinement_.show(image_, wide_, out); }
+  void show(Image& out) const;
   bool finished() const { return isFinished(refinement_, snapshot_.settings); }
   const Refinement& refinement() const { return refinement_; }
 
  private:
+  bool traceGuides(const Trace& trace, scene::TraceCost& cost, std::string& error);
+
   scene::Snapshot snapshot_;  // with wide colours where these are not those of the picture
   bool wide_;                 // the picture's colours are wide
   Refinement& refinement_;
-  Image image_;  // of the last pass
+  Image image_;         // of the last pass
+  bool whole_ = false;  // image_ has all tiles
+  bool filters_;        // pictures are smoothed
 };
 
 }  // namespace gluray::frame

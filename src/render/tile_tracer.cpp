@@ -2,6 +2,7 @@
 
 #include "base/log.h"
 #include "render/integrators/direct_look.h"
+#include "render/integrators/guides.h"
 #include "render/integrators/integrator.h"
 #include "render/kernels.h"
 #include "render/moving/trace_moving.h"
@@ -75,6 +76,16 @@ void clearImage(const scene::Snapshot& snapshot, Image& image) {
 
 namespace {
 
+/// Whether the pass traces the tile. Masks of other shapes ask for all tiles.
+bool isWanted(const scene::Snapshot& snapshot, const Tile& tile) {
+  static_assert(scene::LightSampling::kTile == kTileSize);
+  const auto* const tiles = snapshot.lightSampling.tiles.get();
+  if (!tiles) return true;
+  const Tiles all(snapshot.region.width, snapshot.region.height, kTileSize);
+  const auto at = static_cast<size_t>(tile.y0 / kTileSize * all.columns + tile.x0 / kTileSize);
+  return at >= tiles->size() || (*tiles)[at];
+}
+
 enum class Traced {
   whole,
   interrupted,
@@ -84,14 +95,16 @@ enum class Traced {
 Traced traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Image& image,
                   const TraceOptions& options) {
   FrameData frame(snapshot, world, image);
+  if (wantsGuide(snapshot)) frame.tone.reset();
   if (isMoving(frame) && traceMoving(frame, options.histories, options.rays)) return Traced::whole;
   const std::unique_ptr<const Integrator> integrator = makeIntegrator(frame);
   frame.integrator = integrator.get();
   const std::unique_ptr<const DirectLook> direct = makeDirectLook(frame);
   frame.direct = direct.get();
   const Tiles tiles(image, options.interrupt ? kShortTile : kTileSize);
-  const bool whole =
-      eachTile(tiles, "tiles", options.interrupt, [&](const Tile& tile) { traceTile(frame, tile); });
+  const bool whole = eachTile(tiles, "tiles", options.interrupt, [&](const Tile& tile) {
+    if (isWanted(snapshot, tile)) traceTile(frame, tile);
+  });
   if (!whole) return Traced::interrupted;
   for (size_t n = 0; n < LayerCounts::kMost; ++n)
     image.layers.open[n] = frame.layerCounts[0][n], image.layers.before[n] = frame.layerCounts[1][n];

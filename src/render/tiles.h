@@ -19,9 +19,10 @@ using Interrupt = std::function<bool()>;
 /// The tiles of an image, row by row, kTileSize pixels wide and at most as high.
 struct Tiles {
   int width, height, tileHeight, columns, rows;
-  Tiles(const Image& image, int heightOfTiles)
-      : width(image.width),
-        height(image.height),
+  Tiles(const Image& image, int heightOfTiles) : Tiles(image.width, image.height, heightOfTiles) {}
+  Tiles(int imageWidth, int imageHeight, int heightOfTiles)
+      : width(imageWidth),
+        height(imageHeight),
         tileHeight(heightOfTiles),
         columns((width + kTileSize - 1) / kTileSize),
         rows((height + tileHeight - 1) / tileHeight) {}

@@ -1,6 +1,8 @@
 // How the samples of light become a snapshot's picture. Plain data.
 #pragma once
 #include <cstdint>
+#include <memory>
+#include <vector>
 
 namespace gluray::scene {
 
@@ -8,9 +10,16 @@ struct LightSampling {
   enum class Mode : uint8_t {
     full,    // all samples that the settings ask for
     moving,  // few samples, reused and smoothed: a frame of an animation
+    // No light; colours tell a filter what a pixel shows (render/integrators/guides.h):
+    reflectance,  // what multiplies light there
+    geometry,     // where it is, and its normal
   };
   Mode mode = Mode::full;
   uint32_t pass = 0;  // of a refinement: takes the samples that follow those of the passes before
+  /// Of a pass: the tiles that it traces, a byte each, row by row, kTile pixels wide and high; the image
+  /// keeps what it has elsewhere. Null: all.
+  std::shared_ptr<const std::vector<uint8_t>> tiles;
+  static constexpr int kTile = 32;
   bool operator==(const LightSampling&) const = default;
 };
 

@@ -154,6 +154,23 @@ std::string lagLine(const json& report) {
   return "\nframe lag: " + grouped(number(lag, "later")) + " frames were shown later" + others + "\n";
 }
 
+std::string noise(const json& object) {
+  const double value = object.value("noise", 0.0);
+  return value > 0 ? ", noise " + fixed(value, 4) : "";
+}
+
+/// How far pictures with light were refined; empty where none was.
+std::string lightLine(const json& report) {
+  const json light = report.value("light", json::object()), idle = light.value("idle", json::object());
+  const auto passes = light.value("passes", uint64_t{0}), idlePasses = idle.value("passes", uint64_t{0});
+  const auto refused = idle.value("refused", uint64_t{0});
+  if (passes + idlePasses + refused == 0) return "";
+  return "  light: " + grouped(passes) + " passes" + noise(light) + "; while the program drew nothing " +
+         grouped(idlePasses) + " passes over " + grouped(idle.value("frames", uint64_t{0})) + " frames, " +
+         grouped(idle.value("finished", uint64_t{0})) + " finished, " + grouped(refused) + " left alone" +
+         noise(idle) + "\n";
+}
+
 }  // namespace
 
 double tracedPercent(const json& report) {
@@ -166,11 +183,11 @@ std::string explanationText(const json& report) {
   const json& explain = report.at("explain");
   const double frames = std::max(1.0, report.at("frames").get<double>());
   return heading(report) + "\ndraws, of all frames\n" + drawTable(explain.at("kinds"), frames) +
-         tracingLine(report) + lagLine(report) + programLines(explain.value("programs", json::array())) +
-         "\ncontexts, through the door " + text(report, "door") + "\n" +
-         contextLines(explain.at("contexts")) + walkedPastLines(report) + "\nframebuffers\n" +
-         targetLines(explain.at("framebuffers")) + "\nquirks\n" + quirkLines(explain.at("quirks")) +
-         unknownCallLines(report);
+         tracingLine(report) + lightLine(report) + lagLine(report) +
+         programLines(explain.value("programs", json::array())) + "\ncontexts, through the door " +
+         text(report, "door") + "\n" + contextLines(explain.at("contexts")) + walkedPastLines(report) +
+         "\nframebuffers\n" + targetLines(explain.at("framebuffers")) + "\nquirks\n" +
+         quirkLines(explain.at("quirks")) + unknownCallLines(report);
 }
 
 }  // namespace gluray::launcher

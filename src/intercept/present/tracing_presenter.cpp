@@ -109,7 +109,9 @@ bool TracingPresenter::antialias(const gl::RealGl& real, const scene::Fxaa& fxaa
       return false;
     real.TexSubImage2D(GL_TEXTURE_2D, 0, region.x, region.y, region.width, region.height, GL_RGBA,
                        GL_UNSIGNED_BYTE, after_.data());
-    return takeErrors(real).empty();
+    if (!takeErrors(real).empty()) return false;
+    shared_.pictures.antialiased(fxaa, region, before_.data(), settings);
+    return true;
   } catch (const std::exception&) { return false; }
 }
 

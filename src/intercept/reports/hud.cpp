@@ -49,6 +49,14 @@ std::string share(const HudFigures& f) {
   return text;
 }
 
+/// How far pictures with light are refined.
+std::string light(const HudFigures& f) {
+  char text[64];
+  std::snprintf(text, sizeof text, "LIGHT %s PASSES, NOISE %.4f",
+                rounded(static_cast<double>(f.lightPasses)).c_str(), f.lightNoise);
+  return text;
+}
+
 }  // namespace
 
 HudFigures between(const gl::Statistics& before, const gl::Statistics& now, double seconds) {
@@ -59,6 +67,7 @@ HudFigures between(const gl::Statistics& before, const gl::Statistics& now, doub
   f.traced = now.trianglesTraced - before.trianglesTraced;
   f.rasterised = now.trianglesRasterised - before.trianglesRasterised;
   f.flushes = now.flushes - before.flushes, f.repeated = now.repeated - before.repeated;
+  f.lightPasses = now.lightPasses - before.lightPasses, f.lightNoise = now.lightNoise;
   f.bvhBytes = now.bvhBytes, f.refining = now.blasRefining != 0;
   return f;
 }
@@ -70,6 +79,7 @@ std::vector<std::string> hudLines(const HudFigures& f) {
   if (f.bvhBytes) lines.push_back("BVH " + rounded(static_cast<double>(f.bvhBytes)) + "B");
   if (f.bvhBytes && f.refining) lines.back() += ", IMPROVING";
   if (f.bvhBytes && f.flushes && f.repeated == f.flushes) lines.back() += ", NOTHING CHANGED";
+  if (f.lightNoise > 0) lines.push_back(light(f));
   return lines;
 }
 

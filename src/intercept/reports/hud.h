@@ -18,6 +18,8 @@ struct HudFigures {
   uint64_t traced = 0, rasterised = 0;           // triangles
   uint64_t flushes = 0, repeated = 0;            // pictures; of these repeated ones
   uint64_t bvhBytes = 0;                         // of all acceleration structures at present
+  uint64_t lightPasses = 0;                      // refining pictures with light
+  double lightNoise = 0;                         // of the last refined picture; 0: not known
   bool refining = false;                         // a full-quality one is being built
 };
 

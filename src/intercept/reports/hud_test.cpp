@@ -36,6 +36,13 @@ TEST(HudLines, ShowThatNothingChanged) {
   EXPECT_EQ(hudLines(f).back(), "BVH 1.00 KB, NOTHING CHANGED");
 }
 
+TEST(HudLines, ShowHowFarLightIsRefined) {
+  HudFigures f{.seconds = 1, .frames = 9, .traced = 90, .lightPasses = 44, .lightNoise = 0.00981};
+  EXPECT_EQ(hudLines(f).back(), "LIGHT 44 PASSES, NOISE 0.0098");
+  f.lightNoise = 0;
+  EXPECT_EQ(hudLines(f).back(), "10 TRIANGLES, 100 % TRACED");
+}
+
 TEST(HudLines, ShowTheNameBeforeAnyFigures) { EXPECT_EQ(hudLines({}), Lines{"GLURAY"}); }
 
 TEST(HudLines, UseDrawableLetters) {
@@ -46,6 +53,8 @@ TEST(HudLines, UseDrawableLetters) {
                        .flushes = 1,
                        .repeated = 1,
                        .bvhBytes = 12345678901,
+                       .lightPasses = 3,
+                       .lightNoise = 0.5,
                        .refining = true};
   for (const std::string& line : hudLines(all))
     for (const char letter : line) EXPECT_TRUE(present::isDrawable(letter)) << line << ": " << letter;

@@ -56,10 +56,9 @@ json lagReport() {
 /// Refinement while the program drew nothing.
 json idleReport() {
   const frame::IdleRefiner::Counts& counts = frame::IdleRefiner::counts();
-  return {{"frames", counts.frames.load()},
-          {"refused", counts.refused.load()},
-          {"passes", counts.passes.load()},
-          {"shown", counts.shown.load()}};
+  return {{"frames", counts.frames.load()},     {"refused", counts.refused.load()},
+          {"finished", counts.finished.load()}, {"passes", counts.passes.load()},
+          {"noise", counts.noise.load()},       {"shown", counts.shown.load()}};
 }
 
 json makeReport(const Totals& totals) {
@@ -115,11 +114,15 @@ constexpr double kInterval = 0.1;  // seconds; a report costs about a tenth of a
 constexpr double kQuiet = 1;       // seconds without a frame after which draws alone cause a report
 constexpr int kAtOnce = 32;        // first frames that are written at once: a signal may end short programs
 
+using Progress = std::array<uint64_t, 6>;
+
 /// The statistics whose change causes a new report.
-auto progress(const Totals& sum) {
+Progress progress(const Totals& sum) {
   const gl::Statistics& s = sum.statistics;
-  return std::array<uint64_t, 5>{static_cast<uint64_t>(sum.contexts), s.frames, s.flushes, s.drawsTraced,
-                                 s.drawsRasterised};
+  const frame::IdleRefiner::Counts& idle = frame::IdleRefiner::counts();
+  return Progress{
+      static_cast<uint64_t>(sum.contexts),      s.frames, s.flushes, s.drawsTraced, s.drawsRasterised,
+      idle.passes.load() + idle.finished.load()};
 }
 
 /// State shared by the program's threads, the watcher and the exit handler. Never destroyed: the watcher may
@@ -129,7 +132,7 @@ struct Reporter {
   Totals latest;           // as of the last frame
   std::string walkedPast;  // as of the last frame
   bool waiting = false;    // `latest` is not in the file yet
-  std::array<uint64_t, 5> written{};
+  Progress written{};
   double next = 0, lastFrame = 0;  // times of the next report and of the last frame's end
   int atOnce = kAtOnce;
   bool watched = false;

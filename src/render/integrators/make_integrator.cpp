@@ -1,3 +1,4 @@
+#include "render/integrators/guides.h"
 #include "render/integrators/integrator.h"
 #include "render/integrators/surface_light.h"
 #include "render/paths/path.h"
@@ -6,6 +7,7 @@
 namespace gluray::render {
 
 std::unique_ptr<const Integrator> makeIntegrator(const FrameData& frame) {
+  if (wantsGuide(*frame.snapshot)) return makeGuide(frame);
   if (frame.honest) return nullptr;
   const Settings& settings = frame.snapshot->settings;
   if (scene::wantsPaths(settings)) return std::make_unique<Path>(frame);

@@ -1,0 +1,52 @@
+"""pictures at rest: noise and time of passes, smoothed or not, adaptive or not
+
+The Wavelet's isosurfaces, 1024x1024, ambient occlusion and paths. PSNR is that of pixels that hit something, against a picture of 1024 samples.
+Times of guides and smoothing are shares of one pass. Needs no display. Results go to bench/results/NAME.json.
+"""
+import argparse
+import pathlib
+import shlex
+
+from suites.light import figures_of
+from support import machine, programs
+from support.telling import status_of
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+
+
+def arguments(argv):
+    parser = argparse.ArgumentParser(prog="scripts/bench refine", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--sizes", default="1", help="millions of triangles (1)")
+    parser.add_argument("--reference", type=int, default=1024, help="samples of the picture to compare with")
+    parser.add_argument("--threads", type=int, default=2)
+    parser.add_argument("--name", default="refine", help="name of the result file")
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="build folder")
+    return parser.parse_args(argv)
+
+
+def measured(options, size, light):
+    program = options.build / "bench" / "refine" / "gluray-bench-refine"
+    programs.require(program)
+    command = [program, "--triangles", size, "--threads", options.threads, "--reference", options.reference]
+    command += ["--paths", "--samples", 1] if light == "paths" else []
+    code, out, err = programs.run([str(word) for word in command], {}, 1800)
+    if code != 0:
+        raise programs.Failed(f"exit code {code}: {' '.join(map(str, command))}\n{err}")
+    return figures_of(out)
+
+
+def run(options, argv):
+    result = {"suite": "refine", "command": ("scripts/bench refine " + shlex.join(argv)).strip(), **machine.describe(ROOT), "rows": []}
+    for size in options.sizes.split(","):
+        for light in ("occlusion", "paths"):
+            row = {"millions": float(size), "light": light, **measured(options, size, light)}
+            for name, value in row.items():
+                if name not in ("millions", "light"):
+                    print(f"{size}M {light} {name:28} {value:10.3f}", flush=True)
+            result["rows"].append(row)
+    machine.write(ROOT, options.name, result)
+
+
+def main(argv):
+    options = arguments(argv)
+    return status_of(lambda: run(options, argv))

@@ -1,0 +1,23 @@
+// What filters of light know of a picture's pixels beside their colours. Plain data.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace gluray::frame {
+
+/// Packed (render/film/wavelet.h). Empty: not known.
+struct LightGuides {
+  static constexpr size_t kBytes = 14;  // a pixel
+
+  std::vector<uint32_t> reflectance, normal;
+  std::vector<uint16_t> facing;
+  std::vector<float> distance;
+
+  bool known() const { return !distance.empty(); }
+  size_t bytes() const {
+    return 4 * (reflectance.capacity() + normal.capacity() + distance.capacity()) + 2 * facing.capacity();
+  }
+};
+
+}  // namespace gluray::frame

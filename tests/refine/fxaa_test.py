@@ -1,0 +1,57 @@
+"""Windows under VTK's FXAA get better while the program waits: fxaa_test.py GLURAY, with an X server at hand."""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SCRIPT = """
+import sys, time
+import vtk
+source = vtk.vtkRTAnalyticSource()
+contour = vtk.vtkContourFilter()
+contour.SetInputConnection(source.GetOutputPort())
+contour.SetValue(0, 150)
+mapper = vtk.vtkPolyDataMapper()
+mapper.SetInputConnection(contour.GetOutputPort())
+mapper.ScalarVisibilityOff()
+actor = vtk.vtkActor()
+actor.SetMapper(mapper)
+renderer = vtk.vtkRenderer()
+renderer.AddActor(actor)
+renderer.SetBackground(0.2, 0.3, 0.4)
+renderer.SetUseFXAA(sys.argv[1] == "on")
+window = vtk.vtkRenderWindow()
+window.SetMultiSamples(0)
+window.SetSize(200, 200)
+window.AddRenderer(renderer)
+window.Render()
+window.Render()
+time.sleep(5)
+"""
+
+
+class Fxaa(unittest.TestCase):
+    def idle(self, fxaa):
+        with tempfile.TemporaryDirectory() as folder:
+            report = pathlib.Path(folder, "report.json")
+            subprocess.run([GLURAY, "--report", report, "--ao", "--set", "ao.samples=4", "--", "/usr/bin/python3", "-c", SCRIPT, fxaa],
+                           capture_output=True, timeout=100, check=True)
+            return json.loads(report.read_text())["light"]["idle"]
+
+    def test_windows_are_refined_with_and_without_fxaa(self):
+        for fxaa in ("off", "on"):
+            idle = self.idle(fxaa)
+            print(f"FXAA {fxaa}: {idle}")
+            self.assertEqual(idle["refused"], 0, fxaa)
+            self.assertGreaterEqual(idle["shown"], 1, fxaa)
+            self.assertEqual(idle["finished"], 1, fxaa)
+
+
+if __name__ == "__main__":
+    GLURAY = sys.argv[1]
+    if subprocess.run(["/usr/bin/python3", "-c", "import vtk"], capture_output=True).returncode:
+        print("no VTK")
+        sys.exit(77)
+    unittest.main(argv=sys.argv[:1] + sys.argv[2:], verbosity=2)
