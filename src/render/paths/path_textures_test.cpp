@@ -77,7 +77,7 @@ TEST(PathTextures, InMirrorsAreAsFarAwayAsTheWayOfTheLight) {
   const auto wall = [](bool mirrored) {
     const float z = mirrored ? 6 : -6;
     test::MeshData data = test::quadData({-50, -50, z}, {50, -50, z}, {50, 50, z}, {-50, 50, z});
-    for (const glm::vec3& p : data.positions) data.texcoords.emplace_back(2 * p.x, 2 * p.y, 0, 1);
+    for (const glm::vec3& p : data.positions) data.texcoords.emplace_back(9 * p.x, 9 * p.y, 0, 1);
     return viewOf(data, mirrored, true);
   };
   const auto straight = radiances(wall(false)), mirrored = radiances(wall(true));
