@@ -34,12 +34,8 @@ scene::Texture checkerboard(bool filtered) {
 
 /// A floor of checkerboards that the camera at z = 5 sees: straight, from z = -6 on; or, behind the viewer,
 /// in a mirror at z = 0.
-scene::Snapshot floorView(bool mirrored, bool filtered) {
-  const float side = mirrored ? 1 : -1;
-  test::MeshData floor =
-      test::quadData({-60, -2, side * 6}, {60, -2, side * 6}, {60, -2, side * 400}, {-60, -2, side * 400});
-  for (const glm::vec3& p : floor.positions) floor.texcoords.emplace_back(p.x / 2, std::abs(p.z) / 2, 0, 1);
-  std::vector<scene::MeshPtr> meshes{test::makeMesh(floor)};
+scene::Snapshot viewOf(const test::MeshData& textured, bool mirrored, bool filtered) {
+  std::vector<scene::MeshPtr> meshes{test::makeMesh(textured)};
   if (mirrored) meshes.push_back(test::backWall());
   scene::Snapshot s = test::pathView(meshes);
   s.shadings.push_back(s.shadings[0]);
@@ -50,6 +46,15 @@ scene::Snapshot floorView(bool mirrored, bool filtered) {
   s.settings.environment.strength = 0;
   s.settings.path.samples = 1;
   return s;
+}
+
+/// A floor of checkerboards from z = -6 on, or from 6 on.
+scene::Snapshot floorView(bool mirrored, bool filtered) {
+  const float side = mirrored ? 1 : -1;
+  test::MeshData floor =
+      test::quadData({-60, -2, side * 6}, {60, -2, side * 6}, {60, -2, side * 400}, {-60, -2, side * 400});
+  for (const glm::vec3& p : floor.positions) floor.texcoords.emplace_back(p.x / 2, std::abs(p.z) / 2, 0, 1);
+  return viewOf(floor, mirrored, filtered);
 }
 
 /// Root mean square of the difference in pixels below the horizon.
@@ -64,6 +69,19 @@ double apart(const test::Radiances& a, const test::Radiances& b) {
 TEST(PathTextures, InMirrorsAreFilteredAsThoseSeenStraight) {
   const auto straight = radiances(floorView(false, true)), mirrored = radiances(floorView(true, true));
   EXPECT_GT(straight.mean().g, 0.4f);
+  EXPECT_LT(apart(straight, mirrored), 0.03);
+}
+
+TEST(PathTextures, InMirrorsAreAsFarAwayAsTheWayOfTheLight) {
+  // A wall one behind the viewer, which the mirror shows at a distance of 11.
+  const auto wall = [](bool mirrored) {
+    const float z = mirrored ? 6 : -6;
+    test::MeshData data = test::quadData({-50, -50, z}, {50, -50, z}, {50, 50, z}, {-50, 50, z});
+    for (const glm::vec3& p : data.positions) data.texcoords.emplace_back(9 * p.x, 9 * p.y, 0, 1);
+    return viewOf(data, mirrored, true);
+  };
+  const auto straight = radiances(wall(false)), mirrored = radiances(wall(true));
+  EXPECT_GT(straight.mean().g, 0.3f);
   EXPECT_LT(apart(straight, mirrored), 0.03);
 }
 
