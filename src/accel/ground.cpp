@@ -44,6 +44,16 @@ Ground::Ground(const scene::Snapshot& s) {
   if (!(std::abs(viewer_.w) * half_ > 1e-12 * size)) viewer_.w = 0;  // parallel but for rounding
 }
 
+void Ground::extend(glm::vec3& lower, glm::vec3& upper) const {
+  if (!exists()) return;
+  const glm::dmat4 worldFromObject = glm::inverse(objectFromWorld_);
+  for (int corner = 0; corner < 4; ++corner) {
+    const glm::vec3 at(worldFromObject *
+                       glm::dvec4(corner & 1 ? half_ : -half_, corner & 2 ? half_ : -half_, 0, 1));
+    lower = glm::min(lower, at), upper = glm::max(upper, at);
+  }
+}
+
 void Ground::intersect(const int32_t* valid, RayPacket& p) const noexcept {
   for (int i = 0; i < kLanes; ++i) {
     const bool met = p.geometry[i] != kNoHit;

@@ -16,6 +16,8 @@ class Ground {
   /// None, unless one of the snapshot's own instances is the ground (Instance::ground).
   explicit Ground(const scene::Snapshot&);
   bool exists() const { return instance_ != kNoHit; }
+  /// Extends a box in world space to hold it.
+  void extend(glm::vec3& lower, glm::vec3& upper) const;
   /// Replaces the hits of valid lanes where the ground lies before them; those of a catcher only where there
   /// is none. A ray that begins at its start (tNear = 0) comes from the viewer.
   void intersect(const int32_t* valid, RayPacket&) const noexcept;

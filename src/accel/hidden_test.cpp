@@ -144,6 +144,7 @@ TEST(Ground, IsMetBeyondTheEndOfTheViewersRaysAndCountsForNoBounds) {
   const Bounds bounds = world.lightBounds();
   EXPECT_EQ(bounds.lower, glm::vec3(-1, -1, 0));
   EXPECT_EQ(bounds.upper, glm::vec3(1, 1, 2));
+  EXPECT_EQ(world.seenBounds().lower, glm::vec3(-4, -4, -1));
   RayPacket bounced = packetDown();
   bounced.orgX[0] = 3;
   world.intersectBounced(valid, bounced);

@@ -94,7 +94,13 @@ class World {
   /// Bounding box of what the viewer may see, without the ground, world space. Only where not empty().
   glm::vec3 lower() const { return lower_; }
   glm::vec3 upper() const { return upper_; }
-  /// The same of all that light meets, in the space of Surroundings::viewFromWorld.
+  /// The same with the ground.
+  Bounds seenBounds() const {
+    Bounds bounds{lower_, upper_};
+    ground_.extend(bounds.lower, bounds.upper);
+    return bounds;
+  }
+  /// The same without it of all that light meets, in the space of Surroundings::viewFromWorld.
   Bounds lightBounds() const { return light_.exists() ? light_.bounds() : Bounds{lower_, upper_}; }
   /// The longest triangle edge of a mesh, object space; 0 for impostors. Computed once per mesh.
   float longestEdge(const scene::Mesh& mesh) const { return sizes_.longestEdge(mesh); }

@@ -7,7 +7,6 @@
 #define GLURAY_RENDER_HITS_INL_H_
 #endif
 
-#include "render/ground/catcher.h"
 #include "render/integrators/direct_look.h"
 #include "render/integrators/integrator.h"
 #include "render/visibility/capsule.inl.h"
@@ -141,7 +140,6 @@ HWY_ATTR HWY_NOINLINE inline void lightHits(const FrameData& frame, uint32_t ins
       shade(frame, frame.direct->surfaces[instance], group, back, x, y, direct);
       hits.direct = &direct;
     }
-    if (instance == frame.catcher) return catchLight(*frame.integrator, hits, rows);
     (collects ? frame.collector : frame.integrator)->light(hits, rows);
   }
   if (frame.tone) frame.tone->apply(rows);

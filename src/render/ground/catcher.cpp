@@ -5,10 +5,11 @@
 
 namespace gluray::render {
 
-void catchLight(const Integrator& integrator, const ColoredHits& hits, ColorRows& rows) noexcept {
+void CatcherLook::light(const ColoredHits& hits, ColorRows& rows) const noexcept {
+  if (hits.instance != catcher_) return light_->light(hits, rows);
   ColorRows open = rows;
-  integrator.lightAlone(hits, open);
-  integrator.light(hits, rows);
+  light_->lightAlone(hits, open);
+  light_->light(hits, rows);
   // Rec. 709
   const auto luminance = [](const ColorRows& r, int i) {
     return 0.2126f * r.value[0][i] + 0.7152f * r.value[1][i] + 0.0722f * r.value[2][i];

@@ -10,7 +10,8 @@ namespace {
 /// Least and largest dot(axis, corner) of the world's bounds in eye space.
 glm::dvec2 extent(const FrameData& frame, const glm::dvec3& axis) {
   const glm::dmat4& eyeFromWorld = frame.snapshot->eyeFromWorld;
-  const glm::dvec3 ends[] = {frame.world->lower(), frame.world->upper()};
+  const accel::Bounds seen = frame.world->seenBounds();
+  const glm::dvec3 ends[] = {seen.lower, seen.upper};
   glm::dvec2 range(std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
   for (int corner = 0; corner < 8; ++corner) {
     const glm::dvec4 world(ends[corner & 1].x, ends[corner >> 1 & 1].y, ends[corner >> 2].z, 1);

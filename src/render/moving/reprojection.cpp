@@ -27,7 +27,8 @@ namespace {
 using Corners = std::array<glm::dvec4, 8>;  // of the world's bounds, eye space
 
 Corners cornersOf(const FrameData& frame) {
-  const glm::dvec3 ends[] = {frame.world->lower(), frame.world->upper()};
+  const accel::Bounds seen = frame.world->seenBounds();
+  const glm::dvec3 ends[] = {seen.lower, seen.upper};
   Corners corners;
   for (size_t i = 0; i < corners.size(); ++i)
     corners[i] =
