@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -23,7 +24,7 @@ struct Wall {
   std::vector<uint32_t> packedReflectance, normal;
   std::vector<uint16_t> facing;
   std::vector<float> distance;
-  float target = 0;
+  float target = 0, most = std::numeric_limits<float>::max();
 
   explicit Wall(int w = 80, int h = 70) : width(w), height(h) {
     const size_t n = static_cast<size_t>(w) * static_cast<size_t>(h);
@@ -51,7 +52,8 @@ struct Wall {
             color.data(),
             knowsNoise ? noise.data() : nullptr,
             {packedReflectance.data(), normal.data(), facing.data(), distance.data()},
-            target};
+            target,
+            most};
   }
   /// The smoothed picture's reds; `changed` tells whether any tile was smoothed.
   std::vector<float> smooth(bool knowsNoise = true, bool* changed = nullptr) {
@@ -185,6 +187,19 @@ TEST(Wavelet, ValuesThatAreNotFiniteDoNotSpread) {
   wall.each([&](int x, int y, size_t i) {
     if (x != 20 || y != 20) { EXPECT_TRUE(std::isfinite(out[i])) << x << ' ' << y; }
   });
+}
+
+TEST(Wavelet, BrightDotsAreNoise) {
+  Wall wall;
+  addNoise(wall);
+  wall.each([&](int x, int y, size_t i) {
+    if (x % 16 != 8 || y % 16 != 8) return;
+    wall.light(i, 50);
+    wall.noise[i] = static_cast<uint16_t>(0.7f * kNoiseOne);
+  });
+  wall.most = 1;
+  const std::vector<float> out = wall.smooth();
+  EXPECT_LT(*std::max_element(out.begin(), out.end()), 0.7f);
 }
 
 TEST(Wavelet, TilesDoNotShow) {
