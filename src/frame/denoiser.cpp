@@ -29,6 +29,7 @@ render::NoisyPicture planeOf(const Refinement& r, const Image& image, size_t fir
   render::NoisyPicture picture;
   picture.width = image.width, picture.height = image.height, picture.target = target;
   picture.color = r.mean().data() + 4 * first;
+  if (!image.has(Plane::wideColor)) picture.most = 1;
   if (!r.pixelNoise().empty()) picture.noise = r.pixelNoise().data() + first;
   picture.guides = {r.guides.reflectance.data() + first, r.guides.normal.data() + first,
                     r.guides.facing.data() + first, r.guides.distance.data() + first};

@@ -107,7 +107,11 @@ void Refinement::add(const Image& pass) {
     sums_.assign(static_cast<size_t>(columns_) * static_cast<size_t>(rows_), {});
     mean_.assign(4 * pixels, 0), half_.assign(3 * pixels, 0);
   }
-  if (passes_ == 1 && keepsNoise_) pixelNoise_.assign(pixels, 0);
+  if (passes_ == 1 && keepsNoise_) {
+    try {
+      pixelNoise_.assign(pixels, 0);
+    } catch (const std::bad_alloc&) { keepsNoise_ = false; }  // it stays unknown
+  }
   ++passes_;
   sharedArena()->execute([&] {
     tbb::parallel_for(size_t{0}, sums_.size(), [&](size_t tile) {

@@ -38,14 +38,17 @@ bool isSimple(const scene::Snapshot& s) {
   return !s.layers && !(s.settings.camera.aperture > 0) && (s.samples > 1 || s.settings.spp <= 1);
 }
 
-bool isFiltered(const scene::Snapshot& s) { return s.settings.denoise != Denoise::off && isSimple(s); }
+bool isFiltered(const scene::Snapshot& s) {
+  return s.settings.denoise != Denoise::off && s.settings.look != Look::noise && isSimple(s) &&
+         Refinement::bytesFor(valuesOf(s), true) <= kMostBytes;
+}
 
 }  // namespace
 
 bool isRefinable(const scene::Snapshot& snapshot) {
   return scene::wantsLight(snapshot.settings) && snapshot.settings.noise > 0 &&
          snapshot.settings.renderer == Renderer::embree &&
-         Refinement::bytesFor(valuesOf(snapshot), isFiltered(snapshot)) <= kMostBytes;
+         Refinement::bytesFor(valuesOf(snapshot)) <= kMostBytes;
 }
 
 bool isFinished(const Refinement& refinement, const Settings& settings) {
@@ -75,7 +78,9 @@ bool Refiner::traceGuides(const Trace& trace, scene::TraceCost& cost, std::strin
     scene::TraceCost own;
     if (!trace(guides, image_, own, error)) return false;
     addCost(own, cost);
-    keepGuides(mode, image_, found);
+    try {
+      keepGuides(mode, image_, found);
+    } catch (const std::bad_alloc&) { return error = "out of memory", false; }
   }
   refinement_.guides = std::move(found);
   return true;

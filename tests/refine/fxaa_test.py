@@ -18,6 +18,7 @@ mapper.SetInputConnection(contour.GetOutputPort())
 mapper.ScalarVisibilityOff()
 actor = vtk.vtkActor()
 actor.SetMapper(mapper)
+actor.GetProperty().EdgeVisibilityOn()  # contrast everywhere, which FXAA changes
 renderer = vtk.vtkRenderer()
 renderer.AddActor(actor)
 renderer.SetBackground(0.2, 0.3, 0.4)
@@ -33,10 +34,10 @@ time.sleep(5)
 
 
 class Fxaa(unittest.TestCase):
-    def idle(self, fxaa):
+    def idle(self, fxaa, *options):
         with tempfile.TemporaryDirectory() as folder:
             report = pathlib.Path(folder, "report.json")
-            subprocess.run([GLURAY, "--report", report, "--ao", "--set", "ao.samples=4", "--", "/usr/bin/python3", "-c", SCRIPT, fxaa],
+            subprocess.run([GLURAY, "--report", report, "--ao", "--set", "ao.samples=4", *options, "--", "/usr/bin/python3", "-c", SCRIPT, fxaa],
                            capture_output=True, timeout=100, check=True)
             return json.loads(report.read_text())["light"]["idle"]
 
@@ -47,6 +48,10 @@ class Fxaa(unittest.TestCase):
             self.assertEqual(idle["refused"], 0, fxaa)
             self.assertGreaterEqual(idle["shown"], 1, fxaa)
             self.assertEqual(idle["finished"], 1, fxaa)
+
+    def test_what_opengl_filters_is_left_alone(self):
+        idle = self.idle("on", "--quirk", "software-fxaa=off")
+        self.assertEqual((idle["refused"], idle["shown"]), (1, 0))
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace gluray::render {
 
@@ -20,6 +21,9 @@ struct NoisyPicture {
   const uint16_t* noise = nullptr;  // estimated standard error, kNoiseOne being 1; null: not known
   GuideView guides;
   float target = 0;  // pixels with less noise stay
+  // The brightest value that is shown: what is brighter counts as this, because noise is that of what is
+  // shown.
+  float most = std::numeric_limits<float>::max();
 };
 
 constexpr float kNoiseOne = 65535;

@@ -50,7 +50,8 @@ HWY_ATTR inline bool unpackPixel(const NoisyPicture& in, size_t pixel, WaveletPl
   p.distance[i] = g.distance[pixel], p.a[i] = normal.x, p.b[i] = normal.y;
   p.c[i] = unpackFacing(g.facing[pixel]);
   p.z[i] = std::sqrt(std::max(1 - glm::dot(normal, normal), 0.0f));
-  for (int c = 0; c < 3; ++c) p.red[c][i] = reflectance[c], p.light[0][c][i] = color[c] / reflectance[c];
+  for (int c = 0; c < 3; ++c)
+    p.red[c][i] = reflectance[c], p.light[0][c][i] = std::min(color[c], in.most) / reflectance[c];
   const float error = in.noise ? static_cast<float>(in.noise[pixel]) / kNoiseOne : 0;
   const float scaled = error / std::max({reflectance.x, reflectance.y, reflectance.z});
   p.light[0][3][i] = scaled * scaled;
@@ -198,7 +199,8 @@ HWY_ATTR inline void blendPixels(const NoisyPicture& in, const WaveletTile& tile
       const float share = square > 0 ? std::max(1 - in.target * in.target / square, 0.0f) : 0;
       for (int c = 0; c < 3; ++c) {
         const float smooth = p.light[set][c][i] * p.red[c][i];
-        to[c] = share > 0 && p.distance[i] > 0 ? from[c] + share * (smooth - from[c]) : from[c];
+        const float own = std::min(from[c], in.most);
+        to[c] = share > 0 && p.distance[i] > 0 ? own + share * (smooth - own) : from[c];
       }
     }
   }
