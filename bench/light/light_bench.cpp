@@ -23,7 +23,7 @@ struct Options {
   bench::StageOptions stage;
   int frames = 24, rounds = 5, reference = 1024;
   bool quick = false, noRays = false;
-  std::string dump, keep;
+  std::string dump, keep, only;
 };
 
 void figure(const char* name, double value, const char* unit) {
@@ -68,6 +68,7 @@ void measure(const Options& options, bench::Stage& stage) {
     const double base = stage.trace(frame, kLocal, local);
     times["local"].push_back(base);
     for (const auto& [name, way] : ways) {
+      if (!options.only.empty() && options.only != name) continue;
       const double t = stage.trace(frame, way, pictures[name]);
       // The first frames have little history, and fewer pixels that need no rays.
       if (frame >= options.frames / 3) times[name].push_back(t), ratios[name].push_back(t / base);
@@ -87,6 +88,7 @@ void measure(const Options& options, bench::Stage& stage) {
   reference(options, stage, converged);
   figure("local_ms", 1e3 * bench::median(times["local"]), "ms");
   for (const auto& [name, way] : ways) {
+    if (times[name].empty()) continue;
     figure((name + "_ms").c_str(), 1e3 * bench::median(times[name]), "ms");
     figure((name + "_ratio").c_str(), bench::median(ratios[name]), "of a local frame");
     figure((name + "_psnr").c_str(), bench::psnr(pictures[name], converged), "dB");
@@ -142,6 +144,8 @@ int main(int argc, char** argv) {
   app.add_option("--keep", options.keep,
                  "a file for that picture, of the same options: taken from there if it exists");
   app.add_option("--set", options.stage.settings, "NAME=VALUE: a setting (default: ao=on)");
+  app.add_option("--only", options.only,
+                 "of the moving ways this alone, for profilers: first, moving_full, moving_quarter");
   app.add_flag("--quick", options.quick, "fewer frames, a noisier reference");
   app.add_flag("--no-rays", options.noRays, "leave the bare loop out");
   app.add_option("--dump", options.dump, "write pictures: the beginning of their names");

@@ -1,6 +1,7 @@
 // Which samples of a pixel's sequence a hit takes. Any thread.
 #pragma once
 #include "render/frame_data.h"
+#include "render/integrators/surface_points.h"
 #include "render/moving/moving_frame.h"
 #include "render/sampling/sobol.h"
 
@@ -22,11 +23,11 @@ inline int samplesOf(const FrameData& frame, int count) {
   return frame.moving ? std::min(count, frame.moving->rays.perPixel) : count;
 }
 
-/// Seeds for hits at window positions: those of their pixels, or in moving frames one sequence for all.
-inline PixelSeeds seedsOf(const FrameData& frame, const float* x, const float* y) {
-  if (!frame.moving) return {x, y};
+/// Seeds for points: those of their pixels, or in moving frames one sequence for all.
+inline PixelSeeds seedsOf(const FrameData& frame, const AskedPoints& asked) {
+  if (!frame.moving) return {asked.x, asked.y};
   const MovingFrame& moving = *frame.moving;
-  return interleavedSeeds(moving.rays.quarter ? moving.index / 4 : moving.index);
+  return interleavedSeeds(moving.rays.quarter ? moving.index / 4 : moving.index, asked.place);
 }
 
 }  // namespace gluray::render

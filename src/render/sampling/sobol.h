@@ -30,7 +30,7 @@ struct PixelSeeds {
 /// sample `index` of all lanes together is one aligned block of the sequence. `turn`: moves lanes among the
 /// points; sixteen turns give each lane each place. Lanes 4k .. 4k + 3 have one point in each quarter of a
 /// block.
-PixelSeeds interleavedSeeds(uint32_t turn);
+PixelSeeds interleavedSeeds(uint32_t turn, const uint32_t (&places)[kLanes]);
 
 /// Who uses which two dimensions of a pixel's samples. Uses are independent of each other.
 enum class Dimensions : uint32_t {
@@ -63,13 +63,13 @@ constexpr uint32_t reversedSobol(uint32_t index) {
   return result;
 }
 
-inline PixelSeeds interleavedSeeds(uint32_t turn) {
+inline PixelSeeds interleavedSeeds(uint32_t turn, const uint32_t (&places)[kLanes]) {
   constexpr float kZeros[kLanes] = {};
   PixelSeeds seeds(kZeros, kZeros);
   seeds.shared = true;
   const uint32_t flips = (turn & 1) << 3 | (turn & 2) << 1 | (turn & 4) >> 1 | (turn & 8) >> 3;
   for (uint32_t i = 0; i < kLanes; ++i) {
-    seeds.first[i] = (i >> 2 | (i & 3) << 2) ^ flips;
+    seeds.first[i] = (places[i] >> 2 | (places[i] & 3) << 2) ^ flips;
     seeds.second[i] = reversedSobol(seeds.first[i]);
   }
   return seeds;
