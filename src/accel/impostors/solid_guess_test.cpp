@@ -107,7 +107,7 @@ TEST(SolidGuess, IsSeldomOpen) {
     for (const bool inPixels : {false, true}) {
       const Counts counts = compare(place(shape, 1, glm::vec3(1), inPixels), 1, 2);
       EXPECT_GT(counts.hits, 30) << static_cast<int>(shape);
-      EXPECT_LT(counts.open, (counts.hits + counts.misses) / 15) << static_cast<int>(shape);
+      EXPECT_LT(counts.open, (counts.hits + counts.misses) / 10) << static_cast<int>(shape);
     }
 }
 
