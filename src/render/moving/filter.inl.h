@@ -16,7 +16,6 @@ namespace gluray::render {
 namespace HWY_NAMESPACE {
 
 constexpr int kReach = 4, kNarrow = 2;  // pixels about one that count: at most; usually
-constexpr int kTaps = 2 * kReach + 1;
 constexpr int kFilmRows = kTileSize + 2 * kReach;  // of a tile with its surroundings
 constexpr int kPadded = kTileSize + kLanes;        // columns: whole vectors about any pixel's surroundings
 // Weights by distance: both kinds see each of the 4 x 4 directions of a packet equally often.
@@ -107,16 +106,17 @@ HWY_ATTR inline Float sameSurface(const Center& c, const UnpackedTile& tile, int
   return hn::IfThenElseZero(same, splat(1));
 }
 
-/// Sums over the five pixels of rows, and which pixels of columns count.
+/// Sums over the pixels of rows.
 struct Sums {
   alignas(64) float weight[kFilmRows][kTileSize], value[kFilmRows][kTileSize], square[kFilmRows][kTileSize];
 };
+/// Which pixels of rows and columns show the same surface as the middle one.
 struct Sides {
   // Bit t: tap t counts; the middle one always does, and has none.
   alignas(64) uint8_t rows[kFilmRows][kTileSize], columns[kTileSize][kTileSize];
 };
 
-/// The bit of a tap, 0 .. kTaps - 1.
+/// The bit of a tap, 0 .. 2 * kReach.
 constexpr int bitOf(int tap) { return 1 << (tap < kReach ? tap : tap - 1); }
 
 HWY_ATTR inline void storeBits(Ints bits, uint8_t* to) {
