@@ -131,11 +131,11 @@ HWY_ATTR HWY_NOINLINE inline void locateThroughLens(const FrameData& frame, uint
 HWY_ATTR HWY_NOINLINE inline void lightHits(const FrameData& frame, uint32_t instance, const Group& group,
                                             uint32_t back, int sample, const float* x, const float* y,
                                             LitRows& rows, const Factors* factors = nullptr,
-                                            Wave* wave = nullptr) {
+                                            WaitingPoints* waiting = nullptr) {
   if (!group.lanes || (frame.lens && sample == 0)) return;
   if (frame.integrator) {
     ColoredHits hits{frame.surfaces[instance], instance, group, back, sample, x, y};
-    hits.factors = factors, hits.wave = wave;
+    hits.factors = factors, hits.waiting = waiting;
     LitRows direct;
     const bool collects = frame.collector && !factors;
     if (frame.direct && !collects) {
@@ -191,7 +191,7 @@ HWY_ATTR uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool mayReje
     rejected |= failing;
     group.lanes &= ~failing;
     if (frame.changesColors())
-      lightHits(frame, instance, group, back, work.sample, x, y, rows, work.factors, work.wave);
+      lightHits(frame, instance, group, back, work.sample, x, y, rows, work.factors, work.waiting);
     take(group.lanes, rows, seen.depth);
   }
   return rejected;

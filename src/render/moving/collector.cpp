@@ -60,7 +60,7 @@ HWY_ATTR inline void storePixels(const MovingFrame& moving, uint32_t lanes, cons
 }
 
 /// Traces the rays of the points that wait, and adds their samples to what is known.
-HWY_ATTR void traceWaiting(const Collector& c, Wave& waiting) {
+HWY_ATTR void traceWaiting(const Collector& c, WaitingPoints& waiting) {
   const MovingFrame& moving = c.moving;
   FactorFilm& film = *moving.film;
   waiting.asked.lanes = (1u << waiting.count) - 1;
@@ -91,7 +91,7 @@ HWY_ATTR void traceWaiting(const Collector& c, Wave& waiting) {
 
 /// Lets a lane's point wait; traces it and those that wait already once they fill a packet.
 HWY_ATTR inline void wait(const Collector& c, const ColoredHits& hits, const SurfacePoints& points,
-                          const Known& known, uint32_t pixel, int lane, Wave& to) {
+                          const Known& known, uint32_t pixel, int lane, WaitingPoints& to) {
   const int at = to.count++;
   for (int axis = 0; axis < 3; ++axis) {
     to.asked.points.origin[axis][at] = points.origin[axis][lane];
@@ -124,12 +124,12 @@ HWY_ATTR void collect(const Collector& c, const ColoredHits& hits) {
   storePixels(c.moving, hits.group.lanes, pixels, points, known);
   for (uint32_t lanes = tracedLanes(c.moving, hits.group.lanes, known); lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
-    wait(c, hits, points, known, pixels[i], i, *hits.wave);
+    wait(c, hits, points, known, pixels[i], i, *hits.waiting);
   }
 }
 
-HWY_ATTR void finishWave(const Collector& c, Wave& wave) {
-  if (wave.count) traceWaiting(c, wave);
+HWY_ATTR void finishWaiting(const Collector& c, WaitingPoints& waiting) {
+  if (waiting.count) traceWaiting(c, waiting);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -140,13 +140,15 @@ HWY_AFTER_NAMESPACE();
 namespace gluray::render {
 
 HWY_EXPORT(collect);
-HWY_EXPORT(finishWave);
+HWY_EXPORT(finishWaiting);
 
 void Collector::light(const ColoredHits& hits, ColorRows&) const noexcept {
   HWY_DYNAMIC_DISPATCH(collect)(*this, hits);
 }
 
-void Collector::finish(Wave& wave) const noexcept { HWY_DYNAMIC_DISPATCH(finishWave)(*this, wave); }
+void Collector::finish(WaitingPoints& waiting) const noexcept {
+  HWY_DYNAMIC_DISPATCH(finishWaiting)(*this, waiting);
+}
 
 }  // namespace gluray::render
 #endif

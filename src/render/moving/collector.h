@@ -3,7 +3,7 @@
 #include "render/integrators/factors.h"
 #include "render/integrators/metric.h"
 #include "render/moving/moving_frame.h"
-#include "render/moving/wave.h"
+#include "render/moving/waiting_points.h"
 
 namespace gluray::render {
 
@@ -14,10 +14,10 @@ class Collector final : public Integrator {
   Collector(const FrameData& frame, const MovingFrame& moving, const FactorIntegrator& factors,
             const Metric& metric)
       : frame(frame), moving(moving), factors(factors), metric(metric) {}
-  /// Points that trace rays join ColoredHits::wave, which traces those that fill a packet.
+  /// Points that trace rays join ColoredHits::waiting, which traces those that fill a packet.
   void light(const ColoredHits&, ColorRows&) const noexcept override;
   /// Traces what still waits.
-  void finish(Wave&) const noexcept;
+  void finish(WaitingPoints&) const noexcept;
 
   const FrameData& frame;
   const MovingFrame& moving;

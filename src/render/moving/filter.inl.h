@@ -15,7 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-constexpr int kReach = 4, kNarrow = 2;  // pixels about one that count: at most; usually
+constexpr int kReach = 4, kNarrow = 2;             // pixels about one that count: at most; usually
 constexpr int kFilmRows = kTileSize + 2 * kReach;  // of a tile with its surroundings
 constexpr int kPadded = kTileSize + kLanes;        // columns: whole vectors about any pixel's surroundings
 // Weights by distance: both kinds see each of the 4 x 4 directions of a packet equally often.

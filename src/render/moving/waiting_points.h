@@ -7,7 +7,7 @@ namespace gluray::render {
 
 /// Points that take samples, with what is known of them. Those of several packets of pixels fill one packet
 /// of rays, so that it is full although few pixels of each block trace.
-struct Wave {
+struct WaitingPoints {
   AskedPoints asked;
   alignas(64) uint32_t pixel[kLanes];  // of the film
   alignas(64) Row samples;
