@@ -1,16 +1,19 @@
-// gluray-bench-light: what light beyond the local look costs, and how noisy moving frames are, on the
-// Wavelet's isosurfaces at 1024x1024. One line a figure.
+// gluray-bench-light: what light beyond the local look costs, and how noisy pictures are, on the Wavelet's
+// isosurfaces or on lines at 1024x1024. One line a figure.
 #include "bench/data/orbit.h"
+#include "bench/data/picture_error.h"
 #include "bench/data/png.h"
 #include "bench/data/report.h"
-#include "bench/light/rays.h"
+#include "bench/light/compare_rays.h"
 #include "bench/light/stage.h"
+#include "frame/refinement.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <exception>
-#include <fstream>
 #include <map>
 
 namespace {
@@ -21,129 +24,180 @@ using Mode = scene::LightSampling::Mode;
 
 struct Options {
   bench::StageOptions stage;
+  std::vector<std::string> settings, shadows;
   int frames = 24, rounds = 5, reference = 1024;
-  bool quick = false, noRays = false;
-  std::string dump, keep;
+  bool quick = false, noRays = false, noRest = false;
+  std::string dump, only;
 };
 
-void figure(const char* name, double value, const char* unit) {
-  std::printf("%-28s %10.3f %s\n", name, value, unit);
-  std::fflush(stdout);
-}
+/// Measures with one set of settings, whose figures begin with a prefix.
+class Measurement {
+ public:
+  Measurement(const Options& options, bench::Stage& stage, std::string prefix)
+      : options_(options), stage_(stage), prefix_(std::move(prefix)) {}
 
-void dump(const Options& options, const char* name, const Image& image) {
-  if (options.dump.empty()) return;
-  std::vector<uint8_t> pixels(image.color.size() * 4);
-  for (size_t i = 0; i < image.color.size(); ++i)
-    for (size_t c = 0; c < 4; ++c)
-      pixels[4 * i + c] = c == 3 ? 255 : static_cast<uint8_t>(image.color[i] >> (8 * c));
-  bench::writePng(bench::pictureFromGl(image.width, image.height, pixels),
-                  options.dump + "_" + name + ".png");
-}
-
-const Way kLocal{Mode::full, {}, 0, 0, false, false};
-const Way kFull{Mode::moving, {1, false}, 1, 0, true, false},
-    kQuarter{Mode::moving, {1, true}, 2, 0, true, false};
-const Way kFirst{Mode::moving, {1, false}, 3, 0, true, true};
-
-/// The picture to compare with, from the file if it is there.
-void reference(const Options& options, bench::Stage& stage, Image& image) {
-  std::ifstream in(options.keep, std::ios::binary);
-  stage.trace(options.frames - 1, {Mode::full, {}, 0, in ? 1 : options.reference, true, false}, image);
-  const auto bytes = static_cast<std::streamsize>(image.color.size() * 4);
-  if (in && in.read(reinterpret_cast<char*>(image.color.data()), bytes)) return;
-  if (!options.keep.empty())
-    std::ofstream(options.keep, std::ios::binary)
-        .write(reinterpret_cast<const char*>(image.color.data()), bytes);
-}
-
-/// Times of frames in turn, and the pictures of the last one.
-void measure(const Options& options, bench::Stage& stage) {
-  std::map<std::string, std::vector<double>> times, ratios;
-  const std::map<std::string, Way> ways{
-      {"moving_full", kFull}, {"moving_quarter", kQuarter}, {"first", kFirst}};
-  std::map<std::string, Image> pictures;
-  Image local;
-  for (int frame = 0; frame < options.frames; ++frame) {
-    const double base = stage.trace(frame, kLocal, local);
-    times["local"].push_back(base);
-    for (const auto& [name, way] : ways) {
-      const double t = stage.trace(frame, way, pictures[name]);
-      // The first frames have little history, and fewer pixels that need no rays.
-      if (frame >= options.frames / 3) times[name].push_back(t), ratios[name].push_back(t / base);
+  /// Times of frames in turn, and the noise of the last ones.
+  void moving() {
+    std::map<std::string, std::vector<double>> times, ratios;
+    std::map<std::string, Image> pictures;
+    std::vector<double> locals;
+    Image local;
+    for (int frame = 0; frame < options_.frames; ++frame) {
+      const double base = stage_.trace(frame, kLocal, local);
+      locals.push_back(base);
+      for (const auto& [name, way] : kWays) {
+        if (!options_.only.empty() && options_.only != name) continue;
+        const double t = stage_.trace(frame, way, pictures[name]);
+        // The first frames have little history, and fewer pixels that need no rays.
+        if (frame >= options_.frames / 3) times[name].push_back(t), ratios[name].push_back(t / base);
+      }
     }
+    local_ = bench::median(locals);
+    figure("local_ms", 1e3 * local_, "ms");
+    if (options_.only.empty()) figure("without_rays_ratio", withoutRays(), "of a local frame, added to it");
+    converge();
+    for (const auto& [name, picture] : pictures) {
+      figure(name + "_ms", 1e3 * bench::median(times[name]), "ms");
+      figure(name + "_ratio", bench::median(ratios[name]), "of a local frame");
+      figure(name + "_psnr", errorOf(picture), "dB");
+      dump(name, picture);
+    }
+    const double views = static_cast<double>(pictures.size());
+    figure("history_bytes_per_pixel", static_cast<double>(stage_.historyBytes()) / views / kPixels, "bytes");
+    dump("local", local), dump("reference", converged_);
   }
-  // Without rays: what history, filter and composition cost. After all others, whose history it uses.
-  std::vector<double> rest;
-  for (int round = 0; round < std::max(options.rounds, 5); ++round) {
-    Way none = kFull;
-    none.rays.perPixel = 0;
-    Image unused;
-    const double base = stage.trace(options.frames - 1, kLocal, local);
-    rest.push_back((stage.trace(options.frames - 1, none, unused) - base) / base);
-  }
-  figure("without_rays_ratio", bench::median(rest), "of a local frame, added to it");
-  Image converged;
-  reference(options, stage, converged);
-  figure("local_ms", 1e3 * bench::median(times["local"]), "ms");
-  for (const auto& [name, way] : ways) {
-    figure((name + "_ms").c_str(), 1e3 * bench::median(times[name]), "ms");
-    figure((name + "_ratio").c_str(), bench::median(ratios[name]), "of a local frame");
-    figure((name + "_psnr").c_str(), bench::psnr(pictures[name], converged), "dB");
-    dump(options, name.c_str(), pictures[name]);
-  }
-  figure("history_bytes_per_pixel", static_cast<double>(stage.historyBytes()) / 2 / (1024.0 * 1024), "bytes");
-  dump(options, "local", local), dump(options, "reference", converged);
-}
 
-/// Occlusion rays a second: more rays a pixel, less one ray a pixel.
-void compareRays(const Options& options, bench::Stage& stage) {
-  constexpr int kMore = 5;
-  const bench::BareRays bare =
-      bench::shootBareRays(stage.mesh(), bench::orbitPose(0, 360), 2 * 0.1 * bench::kDataReach,
-                           options.stage.threads, options.rounds);
-  std::vector<double> seconds;
-  Image image;
-  for (int round = 0; round < options.rounds; ++round) {
-    Way more = kFirst;
-    more.rays.perPixel = kMore;
-    const double one = stage.trace(0, kFirst, image);
-    seconds.push_back(stage.trace(0, more, image) - one);
+  /// Passes over a frame at rest until its error is 40 dB.
+  void atRest() {
+    constexpr double kGoal = 40;
+    constexpr int kMost = 256;
+    frame::Refinement refinement;
+    double seconds = 0, error = 0;
+    for (uint32_t pass = 0; pass < kMost && error < kGoal; ++pass) {
+      Way way = kFull;
+      way.wide = true, way.pass = pass;
+      way.more = {"ao.samples=" + std::to_string(kPassRays), "shadows.samples=" + std::to_string(kPassRays)};
+      Image wide, picture;
+      seconds += stage_.trace(options_.frames - 1, way, wide);
+      const auto start = std::chrono::steady_clock::now();
+      refinement.add(wide);
+      refinement.show(wide, false, picture);
+      seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      error = errorOf(picture);
+    }
+    figure("at_rest_psnr", error, "dB");
+    figure("at_rest_rays", kPassRays * static_cast<double>(refinement.passes()), "a point");
+    figure("at_rest_ratio", seconds / local_, "local frames");
   }
-  const double ours = (kMore - 1) * static_cast<double>(bare.rays) / bench::median(seconds);
-  const double loop = static_cast<double>(bare.rays) / bare.seconds;
-  figure("bare_occlusion_rays", loop * 1e-6, "Mray/s");
-  figure("our_occlusion_rays", ours * 1e-6, "Mray/s");
-  figure("occlusion_rays_ratio", ours / loop, "of the bare loop");
+
+ private:
+  static constexpr double kPixels = double{bench::kImageSize} * bench::kImageSize;
+  static constexpr int kPassRays = 8;
+  static inline const Way kLocal{Mode::full, {}, 0, false, {"ao=off", "shadows=off"}};
+  static inline const Way kFull{Mode::full, {}, 0, false, {}};
+  static inline const std::map<std::string, Way> kWays{{"moving_full", {Mode::moving, {1, false}, 1}},
+                                                       {"moving_quarter", {Mode::moving, {1, true}, 2}},
+                                                       {"first", {Mode::moving, {1, false}, 3, true}}};
+
+  void figure(const std::string& name, double value, const char* unit) const {
+    std::printf("%-32s %10.3f %s\n", (prefix_ + name).c_str(), value, unit);
+    std::fflush(stdout);
+  }
+
+  /// What history, filter and composition add. After all others, whose history it uses.
+  double withoutRays() {
+    std::vector<double> rest;
+    Way none = kWays.at("moving_full");
+    none.rays.perPixel = 0;
+    Image local, unused;
+    for (int round = 0; round < 3 * options_.rounds; ++round) {
+      const double base = stage_.trace(options_.frames - 1, kLocal, local);
+      rest.push_back((stage_.trace(options_.frames - 1, none, unused) - base) / base);
+    }
+    return bench::median(rest);
+  }
+
+  /// The picture to compare with.
+  void converge() {
+    Way way = kFull;
+    const std::string count = std::to_string(options_.reference);
+    way.more = {"ao.samples=" + count, "shadows.samples=" + count}, way.allThreads = true;
+    stage_.trace(options_.frames - 1, way, converged_);
+    hits_ = bench::hitsOf(converged_);
+  }
+
+  double errorOf(const Image& picture) const { return bench::psnr(picture.color, converged_.color, hits_); }
+
+  void dump(const std::string& name, const Image& image) const {
+    if (options_.dump.empty()) return;
+    std::vector<uint8_t> pixels(image.color.size() * 4);
+    for (size_t i = 0; i < image.color.size(); ++i)
+      for (size_t c = 0; c < 4; ++c)
+        pixels[4 * i + c] = c == 3 ? 255 : static_cast<uint8_t>(image.color[i] >> (8 * c));
+    bench::writePng(bench::pictureFromGl(image.width, image.height, pixels),
+                    options_.dump + "_" + prefix_ + name + ".png");
+  }
+
+  const Options& options_;
+  bench::Stage& stage_;
+  std::string prefix_;
+  double local_ = 0;
+  Image converged_;
+  std::vector<uint8_t> hits_;
+};
+
+void print(const bench::ComparedRays& rays, const char* kind) {
+  const std::string name = std::string(kind) + "_rays";
+  std::printf("%-32s %10.3f Mray/s\n", ("bare_" + name).c_str(), rays.bare * 1e-6);
+  std::printf("%-32s %10.3f Mray/s\n", ("our_" + name).c_str(), rays.ours * 1e-6);
+  std::printf("%-32s %10.3f of the bare loop\n", (name + "_ratio").c_str(), rays.ours / rays.bare);
 }
 
 void run(Options options) {
   if (options.quick)
     options.frames = std::min(options.frames, 12), options.rounds = 3,
     options.reference = std::min(options.reference, 256);
-  if (options.stage.settings.empty()) options.stage.settings = {"ao=on", "ao.samples=16"};
+  if (options.settings.empty()) options.settings = {"ao=on"};
+  std::vector<std::string> shadowed = options.settings;
+  shadowed.insert(shadowed.end(), options.shadows.begin(), options.shadows.end());
   bench::Stage stage(options.stage);
-  figure("triangles", static_cast<double>(stage.mesh().triangleCount()) * 1e-6, "million");
-  measure(options, stage);
-  if (!options.noRays) compareRays(options, stage);
+  std::printf("%-32s %10.3f million\n", "primitives", static_cast<double>(stage.primitives()) * 1e-6);
+  const auto measure = [&](const std::vector<std::string>& settings, const char* prefix) {
+    stage.use(settings);
+    Measurement measurement(options, stage, prefix);
+    measurement.moving();
+    if (!options.noRest) measurement.atRest();
+  };
+  measure(options.settings, "");
+  if (!options.shadows.empty()) measure(shadowed, "shadow_");
+  if (options.noRays || options.stage.lines > 0) return;
+  stage.use(shadowed);
+  print(bench::compareRays(stage, bench::RayUse::occlusion, options.stage.threads, options.rounds),
+        "occlusion");
+  if (!options.shadows.empty())
+    print(bench::compareRays(stage, bench::RayUse::shadow, options.stage.threads, options.rounds), "shadow");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app("Times and noise of frames with light, on isosurfaces of the Wavelet.");
+  CLI::App app("Times and noise of frames with light, on isosurfaces of the Wavelet or on lines.");
   app.add_option("--triangles", options.stage.millionTriangles, "millions of triangles, about")
       ->check(CLI::Range(0.1, 256.0));
+  app.add_option("--lines", options.stage.lines, "so many lines as tubes, instead of triangles")
+      ->check(CLI::Range(1, 1000000));
   app.add_option("--threads", options.stage.threads, "0: one a core")->check(CLI::Range(0, 1024));
   app.add_option("--frames", options.frames, "frames of the orbit, a degree each")->check(CLI::Range(3, 360));
   app.add_option("--reference", options.reference, "samples of the picture to compare with")
       ->check(CLI::Range(1, 4096));
-  app.add_option("--keep", options.keep,
-                 "a file for that picture, of the same options: taken from there if it exists");
-  app.add_option("--set", options.stage.settings, "NAME=VALUE: a setting (default: ao=on)");
+  app.add_option("--set", options.settings, "NAME=VALUE: a setting (default: ao=on)");
+  app.add_option("--shadow", options.shadows,
+                 "NAME=VALUE: a setting of a second measurement beside the first");
+  app.add_option("--only", options.only, "one way alone: first, moving_full or moving_quarter");
   app.add_flag("--quick", options.quick, "fewer frames, a noisier reference");
-  app.add_flag("--no-rays", options.noRays, "leave the bare loop out");
+  app.add_flag("--no-rays", options.noRays, "leave the bare loops out");
+  app.add_flag("--no-rest", options.noRest, "leave pictures at rest out");
   app.add_option("--dump", options.dump, "write pictures: the beginning of their names");
   CLI11_PARSE(app, argc, argv);
   try {

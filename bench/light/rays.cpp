@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 namespace gluray::bench {
 namespace {
@@ -25,22 +26,31 @@ struct Packet {
 struct Aim {
   const TriangleMesh& mesh;
   const CameraPose& pose;
-  float radius;
+  const BareAim& to;
 
-  void direct(int lane, const float (&n)[3], RTCRay16& ray) const {
-    // One of 16 strata of the cosine-weighted hemisphere, by bits of the lane.
+  /// One of 16 strata of the cosine-weighted hemisphere about the normal, or of the light, by bits of the
+  /// lane. False: the light is behind the surface.
+  bool direct(int lane, const float (&normal)[3], RTCRay16& ray) const {
+    double n[] = {normal[0], normal[1], normal[2]};
     const double a = ((lane & 3) + 0.5) / 4, b = ((lane >> 2) + 0.5) / 4;
-    const double r = std::sqrt(a), x = r * std::cos(2 * M_PI * b), y = r * std::sin(2 * M_PI * b),
-                 z = std::sqrt(1 - a);
+    double z = std::sqrt(1 - a);
+    if (to.towardsLight) {
+      const double facing = n[0] * to.light[0] + n[1] * to.light[1] + n[2] * to.light[2];
+      std::copy(to.light.begin(), to.light.end(), n);
+      z = 1 - a * (1 - std::cos(to.angle / 2 * M_PI / 180));
+      if (facing <= 0) return false;
+    }
+    const double r = std::sqrt(1 - z * z), x = r * std::cos(2 * M_PI * b), y = r * std::sin(2 * M_PI * b);
     const double sign = std::copysign(1.0, n[2]), c = -1 / (sign + n[2]), d = n[0] * n[1] * c;
     const double t[] = {1 + sign * n[0] * n[0] * c, sign * d, -sign * n[0]},
-                 s[] = {d, sign + n[1] * n[1] * c, -double(n[1])};
+                 s[] = {d, sign + n[1] * n[1] * c, -n[1]};
     ray.dir_x[lane] = float(x * t[0] + y * s[0] + z * n[0]);
     ray.dir_y[lane] = float(x * t[1] + y * s[1] + z * n[1]);
     ray.dir_z[lane] = float(x * t[2] + y * s[2] + z * n[2]);
+    return true;
   }
 
-  void above(int lane, const RTCRayHit16& hit, Packet& out) const {
+  bool above(int lane, const RTCRayHit16& hit, Packet& out) const {
     const uint32_t* corner = mesh.indices.data() + 3 * size_t(hit.hit.primID[lane]);
     const float u = hit.hit.u[lane], v = hit.hit.v[lane], w = 1 - u - v;
     const Vertex &a = mesh.normals[corner[0]], &b = mesh.normals[corner[1]], &c = mesh.normals[corner[2]];
@@ -53,9 +63,10 @@ struct Aim {
     out.rays.org_x[lane] = hit.ray.org_x[lane] + t * hit.ray.dir_x[lane] + lift * n[0];
     out.rays.org_y[lane] = hit.ray.org_y[lane] + t * hit.ray.dir_y[lane] + lift * n[1];
     out.rays.org_z[lane] = hit.ray.org_z[lane] + t * hit.ray.dir_z[lane] + lift * n[2];
-    out.rays.tnear[lane] = 0, out.rays.tfar[lane] = radius;
+    out.rays.tnear[lane] = 0,
+    out.rays.tfar[lane] = to.length > 0 ? float(to.length) : std::numeric_limits<float>::infinity();
     out.rays.time[lane] = 0, out.rays.mask[lane] = ~0u, out.rays.flags[lane] = 0;
-    direct(lane, n, out.rays);
+    return direct(lane, n, out.rays);
   }
 };
 
@@ -79,18 +90,18 @@ void aimPacket(const BareScene& scene, const Aim& aim, int blockX, int blockY, P
   intersectCoherent(valid, scene.scene(), rays);
   for (int i = 0; i < kLanes; ++i) {
     out.valid[i] = rays.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID ? 0 : -1;
-    if (out.valid[i]) aim.above(i, rays, out);
+    if (out.valid[i] && !aim.above(i, rays, out)) out.valid[i] = 0;
   }
 }
 
 }  // namespace
 
-BareRays shootBareRays(const TriangleMesh& mesh, const CameraPose& pose, double radius, int threads,
+BareRays shootBareRays(const TriangleMesh& mesh, const CameraPose& pose, const BareAim& to, int threads,
                        int rounds) {
   const int most = threads > 0 ? threads : tbb::info::default_concurrency();
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, size_t(most));
   const BareScene scene(mesh, "full", most);
-  const Aim aim{mesh, pose, float(radius)};
+  const Aim aim{mesh, pose, to};
   constexpr int kTiles = kImageSize / 32;
   const auto eachPacket = [](const auto& work) {
     tbb::parallel_for(0, kTiles * kTiles, [&](int tile) {

@@ -1,7 +1,9 @@
-// Occlusion rays of a bare Embree loop, to compare the integrators' with.
+// Occlusion and shadow rays of a bare Embree loop, to compare the integrators' with.
 #pragma once
 #include "bench/data/orbit.h"
 #include "bench/data/triangle_mesh.h"
+
+#include <array>
 
 namespace gluray::bench {
 
@@ -10,9 +12,16 @@ struct BareRays {
   size_t rays = 0;
 };
 
-/// Shoots one ray from each point that the camera sees, with one of 16 directions about the normal for each
-/// pixel of a 4x4 packet, as long as `radius`; packets of 16, the incoherent flag, `threads` threads (0:
-/// all).
-BareRays shootBareRays(const TriangleMesh&, const CameraPose&, double radius, int threads, int rounds);
+/// Where a bare loop's rays go, one from each point that the camera sees, with one of 16 samples for each
+/// pixel of a 4x4 packet.
+struct BareAim {
+  double length = 0;              // of the rays; 0: without end
+  bool towardsLight = false;      // false: over the hemisphere about the normal
+  std::array<double, 3> light{};  // unit vector towards it; surfaces that face away have no rays
+  double angle = 0;               // of the light, degrees
+};
+
+/// Shoots them in packets of 16, the incoherent flag, with `threads` threads (0: all).
+BareRays shootBareRays(const TriangleMesh&, const CameraPose&, const BareAim&, int threads, int rounds);
 
 }  // namespace gluray::bench

@@ -3,85 +3,72 @@
 #include "bench/data/isosurface.h"
 #include "bench/data/orbit.h"
 #include "bench/data/wavelet.h"
+#include "bench/light/lines.h"
+#include "bench/render/settings.h"
 #include "bench/render/wavelet_snapshot.h"
 #include "render/float_guard.h"
-#include "settings/values.h"
 
 #include <chrono>
-#include <cmath>
-#include <stdexcept>
 
 namespace gluray::bench {
 namespace {
 
-TriangleMesh meshOf(double millions) {
+TriangleMesh meshOf(const StageOptions& options) {
+  if (options.lines > 0) return {};
   const Volume volume = wavelet();
   const auto [low, high] = volume.range();
-  return isosurfaces(volume, evenIsovalues(low, high, waveletSurfaces(millions)));
+  return isosurfaces(volume, evenIsovalues(low, high, waveletSurfaces(options.millionTriangles)));
 }
 
-/// False where there is no such setting.
-bool set(Session& session, const std::string& name, const std::string& value) {
-  const Row* row = findSetting(name);
-  if (!row) return false;
-  const std::string problem = readValue(*row, value, session);
-  if (!problem.empty()) throw std::runtime_error(name + ": " + problem);
-  return true;
-}
-
-Settings settingsOf(const StageOptions& options) {
-  Session session;
-  session.settings.bvh = BvhQuality::full;
-  session.settings.threads = options.threads;
-  for (const std::string& setting : options.settings) {
-    const size_t equals = setting.find('=');
-    if (equals == std::string::npos || !set(session, setting.substr(0, equals), setting.substr(equals + 1)))
-      throw std::runtime_error("there is no setting " + setting);
-  }
-  return session.settings;
+void look(scene::Snapshot& s, int degree) {
+  lookFrom(s, orbitPose(degree, 360));
+  s.instances[0].lightingFromObject = glm::mat4(s.instances[0].eyeFromObject);
 }
 
 }  // namespace
 
 Stage::Stage(const StageOptions& options)
-    : mesh_(meshOf(options.millionTriangles)), arena_(options.threads), snapshot_(waveletSnapshot(mesh_)) {
-  snapshot_.settings = settingsOf(options);
-  lookFrom(snapshot_, orbitPose(0, 360));
+    : mesh_(meshOf(options)),
+      arena_(options.threads),
+      snapshot_(waveletSnapshot(mesh_)),
+      threads_(options.threads) {
+  if (options.lines > 0) {
+    snapshot_.instances[0].mesh = fieldLines(options.lines);
+    snapshot_.instances[0].impostors.size = glm::vec2(2 * 2.0f / kImageSize);
+  }
+  use({});
+  look(snapshot_, 0);
   const render::FloatGuard guard;
-  world_.update(snapshot_, arena_);
+  world_.update(snapshot_, all_);
+}
+
+void Stage::use(const std::vector<std::string>& settings) {
+  snapshot_.settings = {};
+  snapshot_.settings.bvh = BvhQuality::full;
+  snapshot_.settings.threads = threads_;
+  for (const std::string& setting : settings) set(snapshot_.settings, setting);
+  histories_.clear();
 }
 
 double Stage::trace(int degree, const Way& way, Image& image) {
   scene::Snapshot s = snapshot_;
-  lookFrom(s, orbitPose(degree, 360));
-  s.view = way.view;
-  s.lightSampling.mode = way.mode;
-  Session session{s.settings};
-  for (const char* name : {"ao.samples", "shadows.samples"})
-    if (way.samples > 0) set(session, name, std::to_string(way.samples));
-  for (const char* name : {"ao", "shadows"})
-    if (!way.light) set(session, name, "off");
-  s.settings = session.settings;
+  look(s, degree);
+  s.view = way.view, s.wideColors = way.wide;
+  s.lightSampling.mode = way.mode, s.lightSampling.pass = way.pass;
+  for (const std::string& setting : way.more) set(s.settings, setting);
   render::LightHistories none;
+  Arena& arena = way.allThreads ? all_ : arena_;
   const render::FloatGuard guard;
-  world_.update(s, arena_);
+  world_.update(s, arena);
   const auto start = std::chrono::steady_clock::now();
-  render::traceImage(s, world_, arena_, image, {way.fresh ? &none : &histories_, way.rays});
+  render::traceImage(s, world_, arena, image, {way.fresh ? &none : &histories_, way.rays});
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-double psnr(const Image& picture, const Image& reference) {
-  double sum = 0;
-  size_t count = 0;
-  for (size_t i = 0; i < reference.color.size(); ++i) {
-    if (reference.depth[i] == Image::kMiss) continue;
-    for (int c = 0; c < 24; c += 8) {
-      const double d = static_cast<double>(picture.color[i] >> c & 255) -
-                       static_cast<double>(reference.color[i] >> c & 255);
-      sum += d * d, ++count;
-    }
-  }
-  return 10 * std::log10(255.0 * 255 * static_cast<double>(count) / std::max(sum, 1e-9));
+std::vector<uint8_t> hitsOf(const Image& image) {
+  std::vector<uint8_t> hit(image.depth.size());
+  for (size_t i = 0; i < hit.size(); ++i) hit[i] = image.depth[i] != Image::kMiss;
+  return hit;
 }
 
 }  // namespace gluray::bench

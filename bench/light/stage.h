@@ -1,4 +1,4 @@
-// The scene of the light benchmark: a mesh, a world, a camera on an orbit of one degree a frame.
+// The scene of the light benchmark: a mesh or lines, a world, a camera on an orbit of one degree a frame.
 #pragma once
 #include "accel/world.h"
 #include "base/image.h"
@@ -13,8 +13,8 @@ namespace gluray::bench {
 
 struct StageOptions {
   double millionTriangles = 1;
+  int lines = 0;  // so many field lines of a star as tubes of two pixels, in place of triangles
   int threads = 0;
-  std::vector<std::string> settings;  // NAME=VALUE
 };
 
 /// How a frame is traced.
@@ -22,30 +22,36 @@ struct Way {
   scene::LightSampling::Mode mode = scene::LightSampling::Mode::full;
   render::MovingRays rays;
   uint64_t view = 0;
-  int samples = 0;     // ao.samples, and those of shadows; 0: as set
-  bool light = true;   // false: the local look
-  bool fresh = false;  // without history
+  bool fresh = false;             // without history
+  std::vector<std::string> more;  // settings beside the stage's
+  uint32_t pass = 0;              // of full frames
+  bool wide = false;              // colours as floats
+  bool allThreads = false;        // of the machine
 };
 
 class Stage {
  public:
-  /// Throws std::runtime_error where a setting is unknown, or Embree fails.
+  /// Throws std::runtime_error where Embree fails.
   explicit Stage(const StageOptions&);
+  /// Sets NAME=VALUE each; forgets earlier frames. Throws std::runtime_error where a setting is unknown.
+  void use(const std::vector<std::string>& settings);
   /// Seconds that frame `degree` took, without building structures.
   double trace(int degree, const Way&, Image&);
   const TriangleMesh& mesh() const { return mesh_; }
+  const Settings& settings() const { return snapshot_.settings; }
+  size_t primitives() const { return snapshot_.instances[0].mesh->triangleCount; }
   size_t historyBytes() const { return histories_.bytes(); }
-  Arena& arena() { return arena_; }
 
  private:
   TriangleMesh mesh_;
-  Arena arena_;
+  Arena arena_, all_{0};
   scene::Snapshot snapshot_;
   accel::World world_;
   render::LightHistories histories_;
+  int threads_;
 };
 
-/// Peak signal to noise, dB, of the pixels that hit something.
-double psnr(const Image& picture, const Image& reference);
+/// Which pixels show something.
+std::vector<uint8_t> hitsOf(const Image&);
 
 }  // namespace gluray::bench

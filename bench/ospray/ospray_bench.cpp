@@ -2,13 +2,13 @@
 // seconds a frame, and the error of each against its own picture of many samples.
 #include "bench/data/isosurface.h"
 #include "bench/data/orbit.h"
+#include "bench/data/picture_error.h"
 #include "bench/data/report.h"
 #include "bench/data/wavelet.h"
 #include "bench/ospray/ospray_scene.h"
-#include "bench/ospray/picture_error.h"
+#include "bench/render/settings.h"
 #include "bench/render/wavelet_snapshot.h"
 #include "frame/renderer.h"
-#include "settings/values.h"
 
 #include <CLI/CLI.hpp>
 
@@ -32,18 +32,6 @@ struct Options {
   std::vector<std::string> settings;
 };
 
-/// Sets NAME=VALUE in the settings of a snapshot.
-void set(Settings& settings, const std::string& assignment) {
-  const size_t equals = assignment.find('=');
-  const Row* row = findSetting(assignment.substr(0, equals));
-  if (!row || equals == std::string::npos) throw std::runtime_error(unknownSetting(assignment));
-  Session session;
-  session.settings = settings;
-  const std::string wrong = readValue(*row, assignment.substr(equals + 1), session);
-  if (!wrong.empty()) throw std::runtime_error(assignment + ": " + wrong);
-  settings = session.settings;
-}
-
 double seconds(const std::function<void()>& work) {
   const Clock::time_point start = Clock::now();
   work();
@@ -56,7 +44,7 @@ class Ours {
   Ours(const Options& options, const bench::TriangleMesh& mesh) : snapshot_(bench::waveletSnapshot(mesh)) {
     snapshot_.settings.threads = options.threads;
     snapshot_.settings.bvh = BvhQuality::full;
-    for (const std::string& setting : options.settings) set(snapshot_.settings, setting);
+    for (const std::string& setting : options.settings) bench::set(snapshot_.settings, setting);
     // Towards the light, in eye space: above the viewer's right shoulder.
     snapshot_.shadings[0].lights[0].position = {0.45f, 0.6f, 0.66f, 0};
   }

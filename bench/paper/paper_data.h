@@ -27,9 +27,9 @@ TriangleMesh star(double millionTriangles);
 /// of `step`, all of it `scale` times larger.
 void place(TriangleMesh& mesh, const std::array<float, 3>& origin, float step, float scale);
 
-/// The lines of star(), in the order of its tubes, all of kStarSegments pieces.
+/// The lines of star(), in the order of its tubes, followed in steps of `step`, all of `pieces` pieces.
 inline constexpr int kStarSegments = 149;
-std::vector<Line> starLines(int count);
+std::vector<Line> starLines(int count, double step = 1, int pieces = kStarSegments);
 /// How many lines star() has.
 int starLineCount(double millionTriangles);
 

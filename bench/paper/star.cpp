@@ -53,7 +53,7 @@ int starLineCount(double millionTriangles) {
   return std::max(1, int(std::lround(kLinesOfAll * millionTriangles / kMillionsOfAll)));
 }
 
-std::vector<Line> starLines(int count) {
+std::vector<Line> starLines(int count, double step, int pieces) {
   const std::vector<Charge> all = charges();
   std::vector<Line> lines(static_cast<size_t>(count));
   tbb::parallel_for(size_t(0), lines.size(), [&](size_t i) {
@@ -69,11 +69,11 @@ std::vector<Line> starLines(int count) {
       for (double& component : b) component *= out;
       return b;
     };
-    const Line line = streamline(field, seed, 1.0, 600, [](const Point& p) {
+    const Line line = streamline(field, seed, step, int(600 / step), [](const Point& p) {
       const double r = fromCentre(p);
       return r >= kStarRadius && r <= kFarthest;
     });
-    lines[i] = resampled(line, kStarSegments);
+    lines[i] = resampled(line, pieces);
   });
   return lines;
 }

@@ -8,6 +8,7 @@
 #endif
 
 #include "render/integrators/direct_look.h"
+#include "render/integrators/factors.h"
 #include "render/integrators/integrator.h"
 #include "render/visibility/capsule.inl.h"
 #include "render/work.inl.h"
@@ -129,11 +130,12 @@ HWY_ATTR HWY_NOINLINE inline void locateThroughLens(const FrameData& frame, uint
 /// that frames without either keep their code. Bit i of `back`: lane i shows its back face.
 HWY_ATTR HWY_NOINLINE inline void lightHits(const FrameData& frame, uint32_t instance, const Group& group,
                                             uint32_t back, int sample, const float* x, const float* y,
-                                            LitRows& rows, const Factors* factors = nullptr) {
+                                            LitRows& rows, const Factors* factors = nullptr,
+                                            WaitingPoints* waiting = nullptr) {
   if (!group.lanes || (frame.lens && sample == 0)) return;
   if (frame.integrator) {
     ColoredHits hits{frame.surfaces[instance], instance, group, back, sample, x, y};
-    hits.factors = factors;
+    hits.factors = factors, hits.waiting = waiting;
     LitRows direct;
     const bool collects = frame.collector && !factors;
     if (frame.direct && !collects) {
@@ -143,6 +145,14 @@ HWY_ATTR HWY_NOINLINE inline void lightHits(const FrameData& frame, uint32_t ins
     (collects ? frame.collector : frame.integrator)->light(hits, rows);
   }
   if (frame.tone) frame.tone->apply(rows);
+}
+
+/// Whether the integrator shades hits again, and no alpha decides whether they are there.
+inline bool isReplaced(const FrameData& frame, uint32_t instance, uint32_t lanes, const Factors& factors) {
+  const bool tested =
+      frame.surfaces[instance].lighting->shading->alphaTest.function != scene::AlphaTest::always;
+  return !tested &&
+         static_cast<const FactorIntegrator*>(frame.integrator)->replaces(instance, lanes, factors);
 }
 
 /// Shades the hits in `lanes` and calls take(lanes, colours, depths). Returns the lanes whose hit is
@@ -176,10 +186,12 @@ HWY_ATTR uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool mayReje
     // Hits that are kept need colours now only if these decide whether they are there.
     const bool kept = frame.hits && !work.factors &&
                       surface.lighting->shading->alphaTest.function == scene::AlphaTest::always;
-    const uint32_t failing = kept ? 0 : shade(frame, surface, group, back, x, y, rows);
+    const bool replaced = work.factors && isReplaced(frame, instance, group.lanes, *work.factors);
+    const uint32_t failing = kept || replaced ? 0 : shade(frame, surface, group, back, x, y, rows);
     rejected |= failing;
     group.lanes &= ~failing;
-    if (frame.changesColors()) lightHits(frame, instance, group, back, work.sample, x, y, rows, work.factors);
+    if (frame.changesColors())
+      lightHits(frame, instance, group, back, work.sample, x, y, rows, work.factors, work.waiting);
     if (instance == frame.catcher) {
       if (!frame.averages || !frame.integrator) continue;
       for (float& depth : seen.depth) depth = caughtAt(depth);

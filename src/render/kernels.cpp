@@ -21,7 +21,9 @@ HWY_EXPORT(traceTile);
 HWY_EXPORT(relightTile);
 HWY_EXPORT(targetName);
 
-void traceTile(const FrameData& frame, const Tile& tile) { HWY_DYNAMIC_DISPATCH(traceTile)(frame, tile); }
+void traceTile(const FrameData& frame, const Tile& tile, WaitingPoints* waiting) {
+  HWY_DYNAMIC_DISPATCH(traceTile)(frame, tile, waiting);
+}
 void relightTile(const FrameData& frame, const Tile& tile, const TileFactors& factors) {
   HWY_DYNAMIC_DISPATCH(relightTile)(frame, tile, factors);
 }

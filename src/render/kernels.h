@@ -6,9 +6,11 @@
 namespace gluray::render {
 
 struct TileFactors;
+struct WaitingPoints;
 
 /// Traces and shades one tile of every sample plane. Threads may run it in parallel on different tiles.
-void traceTile(const FrameData&, const Tile&);
+/// `waiting`: where points wait for rays, if factors of light are collected (FrameData::collector).
+void traceTile(const FrameData&, const Tile&, WaitingPoints* waiting = nullptr);
 
 /// The second pass over a tile of a moving frame (FrameData::moving): colours the hits that the first one
 /// kept.

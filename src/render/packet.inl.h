@@ -39,10 +39,11 @@ HWY_ATTR inline void finishWork(const FrameData& frame, const Tile& tile, Work& 
 
 /// Pipelines three packets, each a stage apart, so that the prefetches of one stage complete while others
 /// compute.
-HWY_ATTR inline void traceSamples(const FrameData& frame, const Tile& tile, Averages* averages) {
+HWY_ATTR inline void traceSamples(const FrameData& frame, const Tile& tile, Averages* averages,
+                                  WaitingPoints* waiting) {
   Work works[3];
   CollectedHits behind;  // scratch, for one packet at a time
-  for (Work& work : works) initPacket(work.packet);
+  for (Work& work : works) initPacket(work.packet), work.waiting = waiting;
   int count = 0;
   const bool layered = frame.snapshot->layers != nullptr;  // layers are traced in the last stage
   const auto back = [&](int stages) HWY_ATTR -> Work& { return works[(count - stages) % 3]; };
@@ -61,11 +62,11 @@ HWY_ATTR inline void traceSamples(const FrameData& frame, const Tile& tile, Aver
   if (count > 0) finishWork(frame, tile, back(1), behind, averages);
 }
 
-HWY_ATTR void traceTile(const FrameData& frame, const Tile& tile) {
+HWY_ATTR void traceTile(const FrameData& frame, const Tile& tile, WaitingPoints* waiting) {
   if (frame.oncePerPixel) return traceMultisampled(frame, tile);
-  if (!frame.averages) return traceSamples(frame, tile, nullptr);
+  if (!frame.averages) return traceSamples(frame, tile, nullptr, waiting);
   Averages averages;
-  traceSamples(frame, tile, &averages);
+  traceSamples(frame, tile, &averages, waiting);
   averages.store(frame, tile);
 }
 

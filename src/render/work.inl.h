@@ -37,6 +37,7 @@ struct Work {
   int imageX = 0, imageY = 0;  // pixel of lane 0
   int sample = 0;
   const Factors* factors = nullptr;  // of light, where these are known
+  WaitingPoints* waiting = nullptr;  // where points wait for rays, if factors are collected
   const Lens* lens = nullptr;        // null: the rays leave the viewpoint
   LensPoints lensPoints;
   /// Rays of neighbouring pixels leave different points of a lens.

@@ -22,9 +22,7 @@ inline bool wantsGround(const Settings& s) {
   if (s.look == Look::honest) return false;
   return s.ground.kind == GroundKind::plane || (s.ground.kind == GroundKind::catcher && wantsLight(s));
 }
-inline bool wantsCatcher(const Settings& s) {
-  return wantsGround(s) && s.ground.kind == GroundKind::catcher;
-}
+inline bool wantsCatcher(const Settings& s) { return wantsGround(s) && s.ground.kind == GroundKind::catcher; }
 inline bool wantsBackdrop(const Settings& s) { return s.background.kind != BackgroundKind::program; }
 
 }  // namespace gluray::scene

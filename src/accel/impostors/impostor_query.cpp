@@ -4,6 +4,7 @@
 #include "accel/impostors/capsule.h"
 #include "accel/impostors/pixel_impostor.h"
 #include "accel/impostors/solid.h"
+#include "accel/impostors/solid_guess.h"
 #include "accel/occlusion_state.h"
 #include "accel/query_state.h"
 
@@ -14,7 +15,8 @@ namespace gluray::accel {
 namespace {
 
 /// The active lanes of Embree's call, whose rays are consecutive lanes of the packet from `first` on.
-uint32_t lanesAsked(const RTCIntersectFunctionNArguments& a, uint32_t first) {
+template <class Arguments>
+uint32_t lanesAsked(const Arguments& a, uint32_t first) {
   uint32_t lanes = 0;
   for (unsigned i = 0; i < a.N; ++i)
     if (a.valid[i] == -1) lanes |= 1u << (first + i);
@@ -47,13 +49,22 @@ ObjectRay rayOf(RTCRayN* ray, unsigned count, unsigned i) {
           RTCRayN_tfar(ray, count, i)};
 }
 
+SolidGuess guess(const PlacedImpostors& placed, uint32_t primitive, const RTCRayN* rays, unsigned count,
+                 uint32_t lanes) {
+  const std::optional<RoundHull> hull = hullOf(placed, primitive);
+  if (!hull) return {};
+  return guessSolid(placed, *hull, reinterpret_cast<const float*>(rays), count, lanes);
+}
+
 /// Hits of rays that do not come from the viewpoint.
 void intersectSolids(const RTCIntersectFunctionNArguments& a, const QueryState& state, uint32_t instance) {
   const PlacedImpostors& placed = state.impostors[instance];
   RTCRayN* ray = RTCRayHitN_RayN(a.rayhit, a.N);
   RTCHitN* hit = RTCRayHitN_HitN(a.rayhit, a.N);
-  for (unsigned i = 0; i < a.N; ++i) {
-    if (a.valid[i] != -1) continue;
+  uint32_t lanes = lanesAsked(a, 0);
+  lanes &= ~guess(placed, a.primID, ray, a.N, lanes).misses;
+  for (; lanes; lanes &= lanes - 1) {
+    const auto i = static_cast<unsigned>(std::countr_zero(lanes));
     const std::optional<SolidHit> met = meetSolid(placed, a.primID, rayOf(ray, a.N, i));
     if (!met) continue;
     float distance = met->t;
@@ -76,10 +87,17 @@ void occludeImpostors(const RTCOccludedFunctionNArguments* arguments) {
       static_cast<const OcclusionState*>(reinterpret_cast<const QueryContext*>(a.context)->user);
   if (!state || !state->impostors) return;
   const uint32_t instance = state->instanceOf(a.context->instID[0]);
-  for (unsigned i = 0; i < a.N; ++i) {
-    if (a.valid[i] != -1) continue;
+  const PlacedImpostors& placed = state->impostors[instance];
+  uint32_t lanes = lanesAsked(a, 0);
+  const SolidGuess sure = guess(placed, a.primID, a.ray, a.N, lanes);
+  const uint32_t blocked = state->filter ? 0 : sure.hits;  // a filter asks for the point
+  for (uint32_t hits = blocked; hits; hits &= hits - 1)
+    RTCRayN_tfar(a.ray, a.N, static_cast<unsigned>(std::countr_zero(hits))) =
+        -std::numeric_limits<float>::infinity();
+  for (lanes &= ~(sure.misses | blocked); lanes; lanes &= lanes - 1) {
+    const auto i = static_cast<unsigned>(std::countr_zero(lanes));
     const ObjectRay ray = rayOf(a.ray, a.N, i);
-    const std::optional<SolidHit> met = meetSolid(state->impostors[instance], a.primID, ray);
+    const std::optional<SolidHit> met = meetSolid(placed, a.primID, ray);
     if (!met) continue;
     const Occluder occluder{
         instance, a.primID, 0, 0, ray.org + met->t * ray.dir, static_cast<int>(RTCRayN_id(a.ray, a.N, i))};

@@ -1,6 +1,7 @@
 #include "accel/impostors/solid.h"
 
 #include "accel/impostors/capsule.h"
+#include "accel/impostors/solid_guess.h"
 
 #include <algorithm>
 #include <cmath>
@@ -205,6 +206,29 @@ std::optional<Hit> meetInLighting(const PlacedImpostors& placed, uint32_t primit
 }
 
 }  // namespace
+
+std::optional<RoundHull> hullOf(const PlacedImpostors& placed, uint32_t primitive) {
+  const scene::Mesh& mesh = *placed.mesh;
+  if (scene::isSolid(mesh.shape)) {
+    Capsule c;
+    if (!Capsule::make(placed, primitive, c)) return std::nullopt;
+    return RoundHull{{c.end[0], c.end[1]}, {c.radius[0], c.radius[1]}};
+  }
+  if (mesh.shape == scene::Shape::tubes || mesh.shape == scene::Shape::beads) {
+    const int last = mesh.shape == scene::Shape::tubes ? 1 : 0;
+    RoundHull hull;
+    for (int k = 0; k < 2; ++k) {
+      const uint32_t vertex = mesh.corner(primitive, std::min(k, last));
+      hull.end[k] = scene::impostorCenter(placed.lightingFromObject, mesh.position(vertex));
+      hull.radius[k] = static_cast<float>(halfWidth(placed, vertex));
+    }
+    hull.whole = placed.look.centerPlanes.empty();
+    return hull;
+  }
+  Impostor ball;
+  if (mesh.shape != scene::Shape::spheres || !Impostor::make(placed, primitive, ball)) return std::nullopt;
+  return RoundHull{{ball.center, ball.center}, {ball.radius, ball.radius}};
+}
 
 std::optional<SolidHit> meetSolid(const PlacedImpostors& placed, uint32_t primitive, const ObjectRay& r) {
   const Ray ray{r.org, r.dir, r.tNear, r.tFar};

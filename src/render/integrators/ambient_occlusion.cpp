@@ -33,17 +33,15 @@ HWY_ATTR inline void aimAbove(const AmbientOcclusion& ao, const SurfacePoints& p
   }
 }
 
-HWY_ATTR void occlude(const AmbientOcclusion& ao, const ColoredHits& hits, float* occlusion) {
-  SurfacePoints points;
-  makePoints(ao.metric, ao.frame, hits, points);
-  const PixelSeeds seeds = seedsOf(ao.frame, hits.x, hits.y);
-  const uint32_t first = firstSample(ao.frame, hits.sample, ao.samples);
+HWY_ATTR void occlude(const AmbientOcclusion& ao, const AskedPoints& asked, float* occlusion) {
+  const PixelSeeds seeds = seedsOf(ao.frame, asked);
+  const uint32_t first = firstSample(ao.frame, asked.sample, ao.samples);
   alignas(64) int32_t valid[kLanes];
-  for (int i = 0; i < kLanes; ++i) valid[i] = hits.group.lanes >> i & 1 ? -1 : 0;
+  for (int i = 0; i < kLanes; ++i) valid[i] = asked.lanes >> i & 1 ? -1 : 0;
   float hidden[kLanes] = {};
   accel::OcclusionRays rays;
   for (int s = 0; s < ao.samples; ++s) {
-    aimAbove(ao, points, seeds, first + static_cast<uint32_t>(s), rays);
+    aimAbove(ao, asked.points, seeds, first + static_cast<uint32_t>(s), rays);
     const Transmittance light(ao.occluders);
     const uint32_t blocked = ao.frame.world->occluded(valid, rays, ao.occluders.areSolid() ? nullptr : &light,
                                                       accel::RayKind::occlusion);
@@ -71,8 +69,8 @@ AmbientOcclusion::AmbientOcclusion(const FrameData& of, const Metric& m, const O
                                                    : of.snapshot->settings.ao.radius * metric.diagonal),
       strength(of.snapshot->settings.ao.strength) {}
 
-void AmbientOcclusion::estimate(const ColoredHits& hits, Factors& factors) const noexcept {
-  HWY_DYNAMIC_DISPATCH(occlude)(*this, hits, factors.occlusion);
+void AmbientOcclusion::estimate(const AskedPoints& asked, Factors& factors) const noexcept {
+  HWY_DYNAMIC_DISPATCH(occlude)(*this, asked, factors.occlusion);
 }
 
 }  // namespace gluray::render

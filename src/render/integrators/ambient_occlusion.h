@@ -13,7 +13,7 @@ namespace gluray::render {
 struct AmbientOcclusion {
   AmbientOcclusion(const FrameData&, const Metric&, const Occluders&);
   /// Fills Factors::occlusion.
-  void estimate(const ColoredHits&, Factors&) const noexcept;
+  void estimate(const AskedPoints&, Factors&) const noexcept;
 
   const FrameData& frame;
   const Metric& metric;

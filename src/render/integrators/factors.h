@@ -2,6 +2,7 @@
 // threads.
 #pragma once
 #include "render/integrators/integrator.h"
+#include "render/integrators/surface_points.h"
 
 #include <algorithm>
 #include <vector>
@@ -32,8 +33,12 @@ struct UsedFactors {
 class FactorIntegrator : public Integrator {
  public:
   virtual UsedFactors used() const noexcept = 0;
-  /// Traces rays for the group's lanes.
-  virtual void estimate(const ColoredHits&, Factors&) const noexcept = 0;
+  /// Traces rays for the points' lanes.
+  virtual void estimate(const AskedPoints&, Factors&) const noexcept = 0;
+  /// The points of hits, for estimate().
+  virtual void locate(const ColoredHits&, AskedPoints&) const noexcept = 0;
+  /// Whether apply() would compute the colours anew from the surface, so that they need not be there before.
+  virtual bool replaces(uint32_t instance, uint32_t lanes, const Factors&) const noexcept = 0;
   /// Applies factors to colours of the local look.
   virtual void apply(const ColoredHits&, const Factors&, ColorRows&) const noexcept = 0;
   /// Numbers that stay the same, up to rounding, while nothing but the camera moves and factors mean the
@@ -41,8 +46,10 @@ class FactorIntegrator : public Integrator {
   virtual std::vector<float> meaning() const { return {}; }
   void light(const ColoredHits& hits, ColorRows& rows) const noexcept final {
     if (hits.factors) return apply(hits, *hits.factors, rows);
+    AskedPoints points;
+    locate(hits, points);
     Factors factors;
-    estimate(hits, factors);
+    estimate(points, factors);
     apply(hits, factors, rows);
   }
   void lightAlone(const ColoredHits& hits, ColorRows& rows) const noexcept final {

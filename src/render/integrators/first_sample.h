@@ -1,6 +1,7 @@
 // Which samples of a pixel's sequence a hit takes. Any thread.
 #pragma once
 #include "render/frame_data.h"
+#include "render/integrators/surface_points.h"
 #include "render/moving/moving_frame.h"
 #include "render/sampling/sobol.h"
 
@@ -22,11 +23,21 @@ inline int samplesOf(const FrameData& frame, int count) {
   return frame.moving ? std::min(count, frame.moving->rays.perPixel) : count;
 }
 
-/// Seeds for hits at window positions: those of their pixels, or in moving frames one sequence for all.
-inline PixelSeeds seedsOf(const FrameData& frame, const float* x, const float* y) {
-  if (!frame.moving) return {x, y};
+/// Seeds for points: those of their pixels, or in moving frames one sequence for all.
+inline PixelSeeds seedsOf(const FrameData& frame, const AskedPoints& asked) {
+  if (!frame.moving) return {asked.x, asked.y};
   const MovingFrame& moving = *frame.moving;
-  return interleavedSeeds(moving.rays.quarter ? moving.index / 4 : moving.index);
+  // Where the filter sees more than 4x4 pixels of few samples each, neighbouring blocks take different
+  // points.
+  const uint32_t apart = moving.rays.quarter || !moving.earlier ? 1 : 0;
+  const scene::Region& region = frame.snapshot->region;
+  uint32_t places[kLanes];
+  for (int i = 0; i < kLanes; ++i) {
+    const auto column = static_cast<uint32_t>(static_cast<int32_t>(asked.x[i]) - region.x) >> 2,
+               row = static_cast<uint32_t>(static_cast<int32_t>(asked.y[i]) - region.y) >> 2;
+    places[i] = asked.place[i] | (column & apart) << 4 | (row & apart) << 5;
+  }
+  return interleavedSeeds(moving.rays.quarter ? moving.index / 4 : moving.index, apart ? 64 : 16, places);
 }
 
 }  // namespace gluray::render

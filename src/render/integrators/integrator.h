@@ -10,6 +10,7 @@
 namespace gluray::render {
 
 struct Factors;
+struct WaitingPoints;
 
 /// Hits on one instance, coloured by the local look.
 struct ColoredHits {
@@ -21,6 +22,7 @@ struct ColoredHits {
   const float *x, *y;                 // window positions of the lanes
   const ColorRows* direct = nullptr;  // the same hits without ambient light, if FrameData::direct is there
   const Factors* factors = nullptr;   // where these are known already
+  WaitingPoints* waiting = nullptr;   // where points wait for rays, if factors are collected
 };
 
 class Integrator {

@@ -10,21 +10,12 @@
 #include "render/integrators/integrator.h"
 #include "render/integrators/metric.h"
 #include "render/integrators/solid_points.h"
+#include "render/integrators/surface_points.h"
 #include "render/local/fragment_inputs.inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
-
-/// Points of a packet. Both normals are of unit length, in eye space, on the viewer's side.
-struct SurfacePoints {
-  alignas(
-      64) Row origin[3];   // world space: above the point by its error, so that rays do not meet its surface
-  alignas(64) Row eye[3];  // the same point in eye space
-  alignas(64) Row lift;    // how far the curved surface is above the triangle; 0: less than rounding
-  alignas(64) Row geometric[3];  // of the triangle
-  alignas(64) Row shading[3];    // of the surface that the triangles stand for
-};
 
 HWY_INLINE void store3(const Float3& v, Row (&rows)[3], int i) {
   store(v.x, rows[0] + i), store(v.y, rows[1] + i), store(v.z, rows[2] + i);

@@ -3,6 +3,8 @@
 #include "render/integrators/first_sample.h"
 #include "render/lights/relit.h"
 
+#include <bit>
+
 #define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/integrators/shadows.cpp"
@@ -92,29 +94,35 @@ HWY_ATTR inline void addArriving(const Shadows& s, int row, uint32_t lanes, Ligh
       sums[c][i] += samples.weights[i] * samples.grazing[i] * light.through[i][c];
 }
 
-HWY_ATTR void traceShadows(const Shadows& s, const ColoredHits& hits, Factors& factors) {
-  const uint32_t used = s.lights.of(hits.instance).used;
-  for (size_t row = 0; row < s.lights.lights.size(); ++row)
-    for (int c = 0; c < 3 && !(used >> row & 1); ++c)
-      std::fill_n(factors.visibility[row][c], kLanes, 1.0f);  // nothing to hide
-  if (!used) return;
-  SurfacePoints points;
-  makePoints(s.metric, s.frame, hits, points);
-  const PixelSeeds seeds = seedsOf(s.frame, hits.x, hits.y);
+HWY_ATTR  /// The lanes that a light shines on.
+    inline uint32_t
+    litLanes(const Shadows& s, const AskedPoints& asked, int row) {
+  uint32_t lit = 0;
+  for (uint32_t lanes = asked.lanes; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    lit |= (s.lights.of(asked.instance[i]).used >> row & 1) << i;
+  }
+  return lit;
+}
+
+HWY_ATTR void traceShadows(const Shadows& s, const AskedPoints& asked, Factors& factors) {
+  const PixelSeeds seeds = seedsOf(s.frame, asked);
   LightSamples samples;
-  for (int row = 0; row < kShadowLights; ++row) {
-    if (!(used >> row & 1)) continue;
+  for (int row = 0; row < static_cast<int>(s.lights.lights.size()); ++row) {
+    for (Row& channel : factors.visibility[row]) std::fill_n(channel, kLanes, 1.0f);  // nothing to hide
+    const uint32_t lit = litLanes(s, asked, row);
+    if (!lit) continue;
     const int count = s.raysOf(row);
-    const uint32_t first = firstSample(s.frame, hits.sample, count);
+    const uint32_t first = firstSample(s.frame, asked.sample, count);
     Row sums[3] = {}, all = {};
     for (int k = 0; k < count; ++k) {
-      aimAtLight(s, row, points, seeds, first + static_cast<uint32_t>(k), samples);
-      addArriving(s, row, hits.group.lanes, samples, sums, all);
+      aimAtLight(s, row, asked.points, seeds, first + static_cast<uint32_t>(k), samples);
+      addArriving(s, row, lit, samples, sums, all);
     }
     for (int c = 0; c < 3; ++c)
       for (int i = 0; i < kLanes; ++i) {
         const float seen = all[i] > 0 ? sums[c][i] / all[i] : 0;
-        factors.visibility[row][c][i] = 1 - s.strength * (1 - seen);
+        if (lit >> i & 1) factors.visibility[row][c][i] = 1 - s.strength * (1 - seen);
       }
   }
 }
@@ -146,8 +154,8 @@ int Shadows::raysOf(int row) const {
   return sized ? samples : 1;
 }
 
-void Shadows::estimate(const ColoredHits& hits, Factors& factors) const noexcept {
-  HWY_DYNAMIC_DISPATCH(traceShadows)(*this, hits, factors);
+void Shadows::estimate(const AskedPoints& asked, Factors& factors) const noexcept {
+  HWY_DYNAMIC_DISPATCH(traceShadows)(*this, asked, factors);
 }
 
 }  // namespace gluray::render

@@ -17,7 +17,7 @@ struct Shadows {
   /// Rays that a light needs from each point; one if its shadows are hard.
   int raysOf(int row) const;
   /// Fills the rows of Factors::visibility.
-  void estimate(const ColoredHits&, Factors&) const noexcept;
+  void estimate(const AskedPoints&, Factors&) const noexcept;
 
   const FrameData& frame;
   const Metric& metric;

@@ -2,6 +2,7 @@
 
 #include "base/log.h"
 #include "render/integrators/direct_look.h"
+#include "render/integrators/points.h"
 #include "render/integrators/relit_look.h"
 #include "render/lights/form_factor.h"
 #include "render/lights/relit.h"
@@ -12,11 +13,11 @@
 namespace gluray::render {
 namespace {
 
-bool shows(const ColoredHits& hits, const ShadowLights::Rows& rows, const Factors& factors) {
+bool shows(uint32_t lanes, const ShadowLights::Rows& rows, const Factors& factors) {
   for (int row = 0; row < kShadowLights; ++row)
     for (int c = 0; c < 3 && (rows.used >> row & 1); ++c)
       for (int i = 0; i < kLanes; ++i)
-        if ((hits.group.lanes >> i & 1) && factors.visibility[row][c][i] != 1) return true;
+        if ((lanes >> i & 1) && factors.visibility[row][c][i] != 1) return true;
   return false;
 }
 
@@ -45,14 +46,18 @@ UsedFactors SurfaceLight::used() const noexcept {
   return {occlusion_.has_value(), lights, lights > 0 && occluders_.areTranslucent()};
 }
 
-void SurfaceLight::estimate(const ColoredHits& hits, Factors& factors) const noexcept {
-  if (occlusion_) occlusion_->estimate(hits, factors);
-  if (!shadows_) return;
-  shadows_->estimate(hits, factors);
-  // Filters read the rows of neighbours that other lights shine on.
-  for (size_t row = 0; row < lights_.lights.size(); ++row)
-    if (!(lights_.of(hits.instance).used >> row & 1))
-      std::fill_n(&factors.visibility[row][0][0], 3 * kLanes, 1.0f);
+void SurfaceLight::estimate(const AskedPoints& asked, Factors& factors) const noexcept {
+  if (occlusion_) occlusion_->estimate(asked, factors);
+  if (shadows_) shadows_->estimate(asked, factors);
+}
+
+void SurfaceLight::locate(const ColoredHits& hits, AskedPoints& points) const noexcept {
+  askedPointsOf(metric_, frame_, hits, points);
+}
+
+bool SurfaceLight::replaces(uint32_t instance, uint32_t lanes, const Factors& factors) const noexcept {
+  const ShadowLights::Rows& used = lights_.of(instance);
+  return isDomed(used) || hasAreas_ || (shadows_ && shows(lanes, used, factors));
 }
 
 std::vector<float> SurfaceLight::meaning() const {
@@ -80,10 +85,9 @@ void SurfaceLight::apply(const ColoredHits& hits, const Factors& factors, ColorR
 }
 
 bool SurfaceLight::relight(const ColoredHits& hits, const Factors& factors, ColorRows& rows) const {
+  if (!replaces(hits.instance, hits.group.lanes, factors)) return false;
   const ShadowLights::Rows& used = lights_.of(hits.instance);
-  const bool domed = dome_ && used.up != glm::vec3(0);
-  if (!domed && !hasAreas_ && !(shadows_ && shows(hits, used, factors))) return false;
-  shadeArriving(hits.surface, hits, factors, domed ? dome_ : nullptr, rows);
+  shadeArriving(hits.surface, hits, factors, isDomed(used) ? dome_ : nullptr, rows);
   return true;
 }
 

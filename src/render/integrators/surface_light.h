@@ -16,11 +16,14 @@ class SurfaceLight final : public FactorIntegrator {
   bool acts() const { return occlusion_ || shadows_ || dome_ || hasAreas_; }
 
   UsedFactors used() const noexcept override;
-  void estimate(const ColoredHits&, Factors&) const noexcept override;
+  void estimate(const AskedPoints&, Factors&) const noexcept override;
+  void locate(const ColoredHits&, AskedPoints&) const noexcept override;
+  bool replaces(uint32_t instance, uint32_t lanes, const Factors&) const noexcept override;
   void apply(const ColoredHits&, const Factors&, ColorRows&) const noexcept override;
   std::vector<float> meaning() const override;
 
  private:
+  bool isDomed(const ShadowLights::Rows& used) const { return dome_ && used.up != glm::vec3(0); }
   /// Shades again what is shadowed or lit from all sides. Returns whether it did.
   bool relight(const ColoredHits&, const Factors&, ColorRows&) const;
   void shadeArriving(const Surface&, const ColoredHits&, const Factors&, const scene::Dome*,

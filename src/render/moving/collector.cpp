@@ -25,29 +25,21 @@ HWY_ATTR inline uint32_t tracedLanes(const MovingFrame& moving, uint32_t lanes, 
   return traced & lanes;
 }
 
-/// Adds this frame's samples to what is known.
-HWY_ATTR inline void accumulate(const MovingFrame& moving, uint32_t traced, const Factors& fresh,
-                                Known& known) {
-  const FloatTag d;
-  const auto rays = static_cast<float>(moving.rays.perPixel);
+/// Indices of the packet's pixels on the film.
+HWY_ATTR inline void pixelsOf(const MovingFrame& moving, const ColoredHits& hits, const scene::Region& region,
+                              uint32_t (&pixels)[kLanes]) {
+  const IntTag d;
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
-    const Float before = load(known.samples + i);
-    const Float added = hn::IfThenElseZero(lanesAt(traced, i), splat(rays));
-    const Float sum = hn::Add(before, added);
-    const Float share = hn::IfThenElseZero(hn::Gt(sum, hn::Zero(d)), hn::Div(added, sum));
-    for (int f = 0; f < moving.channels.count(); ++f) {
-      const Float old = load(moving.channels.of(known.factors, f) + i),
-                  now = load(moving.channels.of(fresh, f) + i);
-      store(hn::IfThenElse(lanesAt(traced, i), hn::MulAdd(share, hn::Sub(now, old), old), old),
-            moving.channels.of(known.factors, f) + i);
-    }
-    store(hn::Min(sum, splat(static_cast<float>(FactorFilm::kMostSamples))), known.samples + i);
+    const Ints x = hn::ConvertTo(d, hn::Sub(load(hits.x + i), splat(static_cast<float>(region.x)))),
+               y = hn::ConvertTo(d, hn::Sub(load(hits.y + i), splat(static_cast<float>(region.y))));
+    const Ints at = hn::Add(hn::Mul(y, hn::Set(d, moving.film->width)), x);
+    hn::Store(hn::BitCast(WordTag(), at), WordTag(), pixels + i);
   }
 }
 
-HWY_ATTR inline void storePixels(const MovingFrame& moving, const ColoredHits& hits,
-                                 const SurfacePoints& points, const scene::Region& region,
-                                 const Known& known) {
+/// Puts the surfaces and what is known of them onto the film.
+HWY_ATTR inline void storePixels(const MovingFrame& moving, uint32_t lanes, const uint32_t (&pixels)[kLanes],
+                                 const SurfacePoints& points, const Known& known) {
   FactorFilm& film = *moving.film;
   const FilmSpace& space = moving.space;
   alignas(64) uint32_t word0[kLanes], word1[kLanes];
@@ -55,20 +47,65 @@ HWY_ATTR inline void storePixels(const MovingFrame& moving, const ColoredHits& h
     const Float depth =
         hn::Add(dot(splat(glm::vec3(space.depth)), load3(points.eye, i)), splat(space.depth.w));
     const Float second = film.factors > 1 ? load(moving.channels.of(known.factors, 1) + i) : splat(0);
-    const FactorPixels pixels{depth, load(known.samples + i), load(moving.channels.of(known.factors, 0) + i),
+    const FactorPixels packed{depth, load(known.samples + i), load(moving.channels.of(known.factors, 0) + i),
                               second, load3(points.shading, i)};
-    hn::Store(pixels.word0(), WordTag(), word0 + i), hn::Store(pixels.word1(), WordTag(), word1 + i);
+    hn::Store(packed.word0(), WordTag(), word0 + i), hn::Store(packed.word1(), WordTag(), word1 + i);
   }
-  for (uint32_t lanes = hits.group.lanes; lanes; lanes &= lanes - 1) {
+  for (; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
-    const int x = static_cast<int>(hits.x[i] - static_cast<float>(region.x)),
-              y = static_cast<int>(hits.y[i] - static_cast<float>(region.y));
-    const size_t at = static_cast<size_t>(y) * static_cast<size_t>(film.width) + static_cast<size_t>(x);
-    film.words[2 * at] = word0[i], film.words[2 * at + 1] = word1[i];
+    film.words[2 * size_t{pixels[i]}] = word0[i], film.words[2 * size_t{pixels[i]} + 1] = word1[i];
     for (int f = 2; f < film.factors; ++f)
-      film.more[static_cast<size_t>(f - 2)][at] = static_cast<uint16_t>(
-          std::clamp(moving.channels.of(known.factors, f)[i], 0.0f, 1.0f) * FactorFilm::kLargestMore + 0.5f);
+      film.setMore(f, pixels[i], moving.channels.of(known.factors, f)[i]);
   }
+}
+
+/// Traces the rays of the points that wait, and adds their samples to what is known.
+HWY_ATTR void traceWaiting(const Collector& c, WaitingPoints& waiting) {
+  const MovingFrame& moving = c.moving;
+  FactorFilm& film = *moving.film;
+  waiting.asked.lanes = (1u << waiting.count) - 1;
+  Factors fresh{};
+  c.factors.estimate(waiting.asked, fresh);
+  alignas(64) uint32_t first[kLanes], second[kLanes] = {};
+  const Float added = splat(static_cast<float>(moving.rays.perPixel));
+  for (int i = 0; i < kLanes; i += lanesOfVector()) {
+    const Float before = load(waiting.samples + i), sum = hn::Add(before, added), share = hn::Div(added, sum);
+    for (int f = 0; f < film.factors; ++f) {
+      const Float old = load(waiting.factors[f] + i), now = load(moving.channels.of(fresh, f) + i);
+      store(hn::MulAdd(share, hn::Sub(now, old), old), waiting.factors[f] + i);
+    }
+    const Words samples = toWord(hn::Min(sum, splat(static_cast<float>(FactorFilm::kMostSamples))));
+    hn::Store(packFactor(load(waiting.factors[0] + i)), WordTag(), first + i);
+    const Words other = film.factors > 1 ? packFactor(load(waiting.factors[1] + i)) : hn::Zero(WordTag());
+    hn::Store(hn::Or(hn::ShiftLeft<12>(samples), other), WordTag(), second + i);
+  }
+  for (int i = 0; i < waiting.count; ++i) {
+    const uint32_t pixel = waiting.pixel[i];
+    uint32_t* words = film.words.data() + 2 * size_t{pixel};
+    words[0] = (words[0] & ~FactorFilm::kFactorBits) | first[i];
+    words[1] = (words[1] & FactorFilm::kNormalBits) | second[i];
+    for (int f = 2; f < film.factors; ++f) film.setMore(f, pixel, waiting.factors[f][i]);
+  }
+  waiting.count = 0;
+}
+
+/// Lets a lane's point wait; traces it and those that wait already once they fill a packet.
+HWY_ATTR inline void wait(const Collector& c, const ColoredHits& hits, const SurfacePoints& points,
+                          const Known& known, uint32_t pixel, int lane, WaitingPoints& to) {
+  const int at = to.count++;
+  for (int axis = 0; axis < 3; ++axis) {
+    to.asked.points.origin[axis][at] = points.origin[axis][lane];
+    to.asked.points.eye[axis][at] = points.eye[axis][lane];
+    to.asked.points.geometric[axis][at] = points.geometric[axis][lane];
+    to.asked.points.shading[axis][at] = points.shading[axis][lane];
+  }
+  to.asked.points.lift[at] = points.lift[lane];
+  to.asked.x[at] = hits.x[lane], to.asked.y[at] = hits.y[lane];
+  to.asked.instance[at] = hits.instance, to.asked.place[at] = static_cast<uint32_t>(lane);
+  to.pixel[at] = pixel, to.samples[at] = known.samples[lane];
+  for (int f = 0; f < c.moving.film->factors; ++f)
+    to.factors[f][at] = c.moving.channels.of(known.factors, f)[lane];
+  if (to.count == kLanes) traceWaiting(c, to);
 }
 
 HWY_ATTR void collect(const Collector& c, const ColoredHits& hits) {
@@ -82,15 +119,17 @@ HWY_ATTR void collect(const Collector& c, const ColoredHits& hits) {
     for (int f = 0; f < c.moving.channels.count(); ++f)
       std::fill_n(c.moving.channels.of(known.factors, f), kLanes, 0.0f);
   }
-  const uint32_t traced = tracedLanes(c.moving, hits.group.lanes, known);
-  if (traced) {
-    Group group = hits.group;
-    group.lanes = traced;
-    Factors fresh{};
-    c.factors.estimate({hits.surface, hits.instance, group, hits.back, hits.sample, hits.x, hits.y}, fresh);
-    accumulate(c.moving, traced, fresh, known);
+  alignas(64) uint32_t pixels[kLanes];
+  pixelsOf(c.moving, hits, c.frame.snapshot->region, pixels);
+  storePixels(c.moving, hits.group.lanes, pixels, points, known);
+  for (uint32_t lanes = tracedLanes(c.moving, hits.group.lanes, known); lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    wait(c, hits, points, known, pixels[i], i, *hits.waiting);
   }
-  storePixels(c.moving, hits, points, c.frame.snapshot->region, known);
+}
+
+HWY_ATTR void finishWaiting(const Collector& c, WaitingPoints& waiting) {
+  if (waiting.count) traceWaiting(c, waiting);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -101,9 +140,14 @@ HWY_AFTER_NAMESPACE();
 namespace gluray::render {
 
 HWY_EXPORT(collect);
+HWY_EXPORT(finishWaiting);
 
 void Collector::light(const ColoredHits& hits, ColorRows&) const noexcept {
   HWY_DYNAMIC_DISPATCH(collect)(*this, hits);
+}
+
+void Collector::finish(WaitingPoints& waiting) const noexcept {
+  HWY_DYNAMIC_DISPATCH(finishWaiting)(*this, waiting);
 }
 
 }  // namespace gluray::render

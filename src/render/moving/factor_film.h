@@ -15,8 +15,10 @@ namespace gluray::render {
 /// .. 1.
 struct FactorFilm {
   static constexpr uint32_t kMostSamples = 63;
-  static constexpr float kLargest = 4095;       // of a packed factor
-  static constexpr float kLargestMore = 65535;  // of one in a plane of its own
+  static constexpr uint32_t kFactorBits = 0xFFFu;       // of both words
+  static constexpr uint32_t kNormalBits = 0xFFFC0000u;  // of the second
+  static constexpr float kLargest = 4095;               // of a packed factor
+  static constexpr float kLargestMore = 65535;          // of one in a plane of its own
 
   int width = 0, height = 0, factors = 0;
   std::vector<uint32_t> words;
@@ -29,6 +31,11 @@ struct FactorFilm {
     words.resize(2 * pixels());
     more.resize(static_cast<size_t>(factors > 2 ? factors - 2 : 0));
     for (auto& plane : more) plane.resize(pixels());
+  }
+  /// Factor number `f` of those in planes of their own.
+  void setMore(int f, size_t pixel, float value) {
+    more[static_cast<size_t>(f - 2)][pixel] =
+        static_cast<uint16_t>(std::clamp(value, 0.0f, 1.0f) * kLargestMore + 0.5f);
   }
   /// Empties the pixels of a rectangle.
   void clear(int x0, int y0, int x1, int y1) {

@@ -63,6 +63,8 @@ HWY_INLINE Float3 unpackNormal(Words code) {
   return unit({hn::Sub(x, hn::CopySign(fold, x)), hn::Sub(y, hn::CopySign(fold, y)), z});
 }
 
+HWY_INLINE Words packFactor(Float v) { return toWord(hn::Mul(clamp01(v), splat(FactorFilm::kLargest))); }
+
 /// Pixels of a film, as many as a vector has lanes.
 struct FactorPixels {
   Float depth, samples, first, second;
@@ -80,11 +82,6 @@ struct FactorPixels {
             toFloat(hn::And(hn::ShiftRight<12>(word1), splatWord(FactorFilm::kMostSamples))),
             hn::Mul(toFloat(hn::And(word0, factor)), splat(scale)),
             hn::Mul(toFloat(hn::And(word1, factor)), splat(scale)), unpackNormal(hn::ShiftRight<18>(word1))};
-  }
-
- private:
-  static HWY_INLINE Words packFactor(Float v) {
-    return toWord(hn::Mul(clamp01(v), splat(FactorFilm::kLargest)));
   }
 };
 

@@ -14,9 +14,10 @@ struct TileFactors {
 };
 
 /// Means of the factors over 5 x 5 pixels (weights 1/2 1 1 1 1/2, which see each of the 4 x 4 directions of a
-/// packet once), as far as these show the same surface: separable, guided by depth and normal, weighted by
-/// their numbers of samples. Where neighbours differ by more than noise explains, a pixel's own value counts
-/// more (Wiener's filter). Reads the film two pixels beyond the tile.
+/// packet once), or over 9 x 9 where a pixel has few samples, as far as these show the same surface:
+/// separable, guided by depth and normal, weighted by their numbers of samples. Where neighbours differ by
+/// more than noise explains, a pixel's own value counts more (Wiener's filter). Reads the film four pixels
+/// beyond the tile.
 void filterTile(const MovingFrame&, const Tile&, TileFactors&);
 
 }  // namespace gluray::render

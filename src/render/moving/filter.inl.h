@@ -15,10 +15,12 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-constexpr int kReach = 2;                          // pixels about one that count
+constexpr int kReach = 4, kNarrow = 2;             // pixels about one that count: at most; usually
 constexpr int kFilmRows = kTileSize + 2 * kReach;  // of a tile with its surroundings
 constexpr int kPadded = kTileSize + kLanes;        // columns: whole vectors about any pixel's surroundings
-constexpr float kWeights[] = {0.5f, 1, 1, 1, 0.5f};
+// Weights by distance: both kinds see each of the 4 x 4 directions of a packet equally often.
+constexpr float kNarrowWeights[] = {1, 1, 0.5f, 0, 0}, kWideWeights[] = {1, 1, 1, 1, 0.5f};
+constexpr float kFewSamples = 8;  // pixels with so few are smoothed over more of their neighbours
 
 using FilmRow = float[kPadded];
 
@@ -104,22 +106,44 @@ HWY_ATTR inline Float sameSurface(const Center& c, const UnpackedTile& tile, int
   return hn::IfThenElseZero(same, splat(1));
 }
 
-/// Sums over the five pixels of rows, and which pixels of columns count.
+/// Sums over the pixels of rows.
 struct Sums {
   alignas(64) float weight[kFilmRows][kTileSize], value[kFilmRows][kTileSize], square[kFilmRows][kTileSize];
 };
+/// Which pixels of rows and columns show the same surface as the middle one.
 struct Sides {
-  alignas(64) uint8_t rows[kFilmRows][kTileSize], columns[kTileSize][kTileSize];  // bit t: tap t counts
+  // Bit t: tap t counts; the middle one always does, and has none.
+  alignas(64) uint8_t rows[kFilmRows][kTileSize], columns[kTileSize][kTileSize];
 };
+
+/// The bit of a tap, 0 .. 2 * kReach.
+constexpr int bitOf(int tap) { return 1 << (tap < kReach ? tap : tap - 1); }
 
 HWY_ATTR inline void storeBits(Ints bits, uint8_t* to) {
   const hn::Rebind<uint8_t, IntTag> bytes;
   hn::StoreU(hn::DemoteTo(bytes, bits), bytes, to);
 }
-HWY_ATTR inline Float weightOf(Ints bits, int tap) {
-  const auto counts = hn::TestBit(bits, hn::Set(IntTag(), 1 << tap));
-  return hn::IfThenElseZero(hn::RebindMask(FloatTag(), counts), splat(kWeights[tap]));
+using FloatMask = hn::Mask<FloatTag>;
+
+/// Pixels that are smoothed over more of their neighbours.
+HWY_INLINE FloatMask isWide(Float samples) { return hn::Le(samples, splat(kFewSamples)); }
+
+HWY_INLINE Float weightOf(Ints bits, FloatMask wide, int tap) {
+  const int distance = tap < kReach ? kReach - tap : tap - kReach;
+  const Float weight = hn::IfThenElse(wide, splat(kWideWeights[distance]), splat(kNarrowWeights[distance]));
+  if (distance == 0) return weight;
+  const auto counts = hn::TestBit(bits, hn::Set(IntTag(), bitOf(tap)));
+  return hn::IfThenElseZero(hn::RebindMask(FloatTag(), counts), weight);
 }
+
+/// The taps that may count where some pixel is wide or none is.
+struct TapRange {
+  int first, last;
+  HWY_INLINE explicit TapRange(FloatMask wide) {
+    const int reach = hn::AllFalse(FloatTag(), wide) ? kNarrow : kReach;
+    first = kReach - reach, last = kReach + reach;
+  }
+};
 HWY_ATTR inline Ints loadBits(const uint8_t* from) {
   const hn::Rebind<uint8_t, IntTag> bytes;
   return hn::PromoteTo(IntTag(), hn::LoadU(bytes, from));
@@ -130,14 +154,15 @@ HWY_ATTR inline void findSides(const FilmSpace& space, const UnpackedTile& tile,
   const IntTag d;
   const auto bit = [&](Float same, int tap) HWY_ATTR {
     const auto counts = hn::RebindMask(d, hn::Ne(same, hn::Zero(FloatTag())));
-    return hn::IfThenElseZero(counts, hn::Set(d, 1 << tap));
+    return hn::IfThenElseZero(counts, hn::Set(d, bitOf(tap)));
   };
   for (int row = 0; row < kFilmRows; ++row) {
     for (int x = 0; x < kTileSize; x += lanesOfVector()) {
       const Center c = centerAt(space, tile, at.x0, at.y0, row, x + kReach);
-      Ints rows = hn::Set(d, 1 << kReach), columns = rows;
+      Ints rows = hn::Zero(d), columns = rows;
       const bool inside = row >= kReach && row < kFilmRows - kReach;
-      for (int tap = 0; tap < 5; ++tap) {
+      const TapRange taps(isWide(loadAt(tile.samples[row] + x + kReach)));
+      for (int tap = taps.first; tap <= taps.last; ++tap) {
         if (tap == kReach) continue;
         const int step = tap - kReach;
         const auto fstep = static_cast<float>(step);
@@ -159,10 +184,12 @@ HWY_ATTR inline void sumRows(const UnpackedTile& tile, const FilmRow* factor, co
   for (int row = 0; row < kFilmRows; ++row) {
     for (int x = 0; x < kTileSize; x += lanesOfVector()) {
       const Ints bits = loadBits(sides.rows[row] + x);
+      const FloatMask wide = isWide(loadAt(tile.samples[row] + x + kReach));
+      const TapRange taps(wide);
       Float weight = hn::Zero(d), value = weight, square = weight;
-      for (int tap = 0; tap < 5; ++tap) {
+      for (int tap = taps.first; tap <= taps.last; ++tap) {
         const Float f = loadAt(factor[row] + x + tap);
-        const Float w = hn::Mul(weightOf(bits, tap), loadAt(tile.samples[row] + x + tap));
+        const Float w = hn::Mul(weightOf(bits, wide, tap), loadAt(tile.samples[row] + x + tap));
         weight = hn::Add(weight, w), value = hn::MulAdd(w, f, value),
         square = hn::MulAdd(hn::Mul(w, f), f, square);
       }
@@ -186,9 +213,11 @@ HWY_ATTR inline void sumColumns(const UnpackedTile& tile, const FilmRow* factor,
                                 const Sums& sums, int row, Float* out, int x) {
   const FloatTag d;
   const Ints bits = loadBits(sides.columns[row] + x);
+  const FloatMask wide = isWide(loadAt(tile.samples[row + kReach] + x + kReach));
+  const TapRange taps(wide);
   Float weight = hn::Zero(d), value = weight, square = weight;
-  for (int tap = 0; tap < 5; ++tap) {
-    const Float w = weightOf(bits, tap);
+  for (int tap = taps.first; tap <= taps.last; ++tap) {
+    const Float w = weightOf(bits, wide, tap);
     weight = hn::MulAdd(w, load(sums.weight[row + tap] + x), weight);
     value = hn::MulAdd(w, load(sums.value[row + tap] + x), value);
     square = hn::MulAdd(w, load(sums.square[row + tap] + x), square);

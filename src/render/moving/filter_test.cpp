@@ -84,21 +84,32 @@ TEST(FactorFilter, KeepsWhatIsTheSameEverywhere) {
 }
 
 TEST(FactorFilter, SeesEachOfSixteenDirectionsOnce) {
-  // A pattern that repeats after four pixels both ways becomes its mean, away from the film's edges.
-  const Film film([](int x, int y) { return Pixel{1.5f, false, 1, (x * 5 + y * 3) % 4 == 0 ? 1.0f : 0.0f}; });
-  const std::vector<float> out = film.filtered();
-  for (int y = 2; y < kSize - 2; ++y)
-    for (int x = 2; x < kSize - 2; ++x) ASSERT_NEAR(out[static_cast<size_t>(y * kSize + x)], 0.25f, 0.0005f);
+  // A pattern that repeats after four pixels both ways becomes its mean, away from the film's edges; of few
+  // samples and of more, as far as those do not explain the pattern.
+  for (const uint32_t samples : {1u, 9u}) {
+    const Film film([&](int x, int y) {
+      return Pixel{1.5f, false, samples, 0.4f + ((x * 5 + y * 3) % 4 == 0 ? 0.1f : 0.0f)};
+    });
+    const std::vector<float> out = film.filtered();
+    for (int y = 4; y < kSize - 4; ++y)
+      for (int x = 4; x < kSize - 4; ++x)
+        ASSERT_NEAR(out[static_cast<size_t>(y * kSize + x)], 0.425f, 0.0005f) << samples;
+  }
 }
 
 TEST(FactorFilter, LessensNoiseAsItsWeightsSay) {
-  const Film film([](int x, int y) { return Pixel{1.5f, false, 1, noise(x, y)}; });
-  const auto [mean, variance] = momentsOf(film.filtered());
-  EXPECT_NEAR(mean, 0.5, 0.02);
-  const double row =
-      (3 + 2 * 0.25) / 16;  // sum of squared weights of the row, divided by that of weights, squared
-  // At the film's edges fewer pixels count.
-  EXPECT_NEAR(variance / 0.25, row * row, 0.25 * row * row);
+  // Sums of squared weights of a row, divided by that of weights, squared: of few samples, and of more.
+  const double wide = (7 + 2 * 0.25) / 64, narrow = (3 + 2 * 0.25) / 16;
+  for (const auto& [samples, row] : {std::pair{1u, wide}, std::pair{9u, narrow}}) {
+    // So little noise that as many samples explain it.
+    const Film film([&, samples = samples](int x, int y) {
+      return Pixel{1.5f, false, samples, 0.4f + 0.2f * noise(x, y)};
+    });
+    const auto [mean, variance] = momentsOf(film.filtered());
+    EXPECT_NEAR(mean, 0.5, 0.01);
+    // At the film's edges fewer pixels count.
+    EXPECT_NEAR(variance / 0.01, row * row, 0.35 * row * row) << samples;
+  }
 }
 
 TEST(FactorFilter, DoesNotCrossEdges) {

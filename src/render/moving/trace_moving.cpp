@@ -45,7 +45,9 @@ bool traceMoving(FrameData& frame, LightHistories* kept, const MovingRays& rays)
   TilesAround waiting(*frame.image);
   eachTile(Tiles(*frame.image, kTileSize), "tiles", {}, [&](const Tile& tile) {
     moving.film->clear(tile.x0, tile.y0, tile.x1, tile.y1);
-    traceTile(frame, tile);
+    WaitingPoints points{};
+    traceTile(frame, tile, &points);
+    collector.finish(points);
     waiting.finish(tile, [&](const Tile& ready) {
       const timeline::Span span("relit tiles", 1, true);
       TileFactors smooth;

@@ -11,9 +11,9 @@ namespace gluray::render {
 /// whatever the number of threads.
 struct PixelSeeds {
   alignas(64) uint32_t seed[kLanes];
-  // Pixels that share one sequence: each lane's place among the 16 points of a packet, as the last digits of
-  // the index and of the second dimension.
-  bool shared = false;
+  // Pixels that share one sequence: each lane's place among the points of a block, as the last digits of the
+  // index and of the second dimension.
+  uint32_t sharing = 0;  // so many points in a block: 16 or 64; 0: each pixel has a sequence of its own
   alignas(64) uint32_t first[kLanes], second[kLanes];
 
   /// `x`, `y`: window positions.
@@ -26,11 +26,12 @@ struct PixelSeeds {
   }
 };
 
-/// Seeds of packets whose lanes take 16 points of one sequence, so that neighbours complete each other:
-/// sample `index` of all lanes together is one aligned block of the sequence. `turn`: moves lanes among the
-/// points; sixteen turns give each lane each place. Lanes 4k .. 4k + 3 have one point in each quarter of a
-/// block.
-PixelSeeds interleavedSeeds(uint32_t turn);
+/// Seeds of pixels that take points of one sequence, so that neighbours complete each other: sample `index`
+/// of the 16 pixels of a 4x4 block, or of the 64 of 8x8, is one aligned block of the sequence. `places`: lane
+/// in the 4x4 block (0 .. 15); of 64 pixels plus 16 times the number of that block (0 .. 3). `turn`: moves
+/// pixels among the points of their 4x4 block; sixteen turns give each pixel each place. Pixels 4k .. 4k + 3
+/// have one point in each quarter of the unit square.
+PixelSeeds interleavedSeeds(uint32_t turn, uint32_t sharing, const uint32_t (&places)[kLanes]);
 
 /// Who uses which two dimensions of a pixel's samples. Uses are independent of each other.
 enum class Dimensions : uint32_t {
@@ -64,13 +65,14 @@ constexpr uint32_t reversedSobol(uint32_t index) {
   return result;
 }
 
-inline PixelSeeds interleavedSeeds(uint32_t turn) {
+inline PixelSeeds interleavedSeeds(uint32_t turn, uint32_t sharing, const uint32_t (&places)[kLanes]) {
   constexpr float kZeros[kLanes] = {};
   PixelSeeds seeds(kZeros, kZeros);
-  seeds.shared = true;
+  seeds.sharing = sharing;
   const uint32_t flips = (turn & 1) << 3 | (turn & 2) << 1 | (turn & 4) >> 1 | (turn & 8) >> 3;
   for (uint32_t i = 0; i < kLanes; ++i) {
-    seeds.first[i] = (i >> 2 | (i & 3) << 2) ^ flips;
+    const uint32_t pixel = places[i] & 15;
+    seeds.first[i] = (pixel >> 2 | (pixel & 3) << 2 | (places[i] & ~15u)) ^ flips;
     seeds.second[i] = reversedSobol(seeds.first[i]);
   }
   return seeds;

@@ -64,8 +64,8 @@ HWY_INLINE Sample2 sample2(const PixelSeeds& seeds, int i, uint32_t index, Dimen
   const auto number = static_cast<uint32_t>(use);
   const Bits seed =
       hashed(hn::Xor(hn::Load(BitsTag(), seeds.seed + i), splatBits(number * 0x9e3779b9u + 1u)));
-  if (seeds.shared) {
-    const uint32_t block = shuffled(index * kLanes, number) & ~uint32_t{kLanes - 1};
+  if (seeds.sharing) {
+    const uint32_t block = shuffled(index * seeds.sharing, number) & ~(seeds.sharing - 1);
     const Bits at = hn::Xor(splatBits(block), hn::Load(BitsTag(), seeds.first + i)),
                across = hn::Xor(splatBits(reversedSobol(block)), hn::Load(BitsTag(), seeds.second + i));
     return {scrambled(at, seed), scrambled(across, hashed(seed))};

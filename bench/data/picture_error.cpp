@@ -1,4 +1,4 @@
-#include "bench/ospray/picture_error.h"
+#include "bench/data/picture_error.h"
 
 #include <cmath>
 #include <cstddef>

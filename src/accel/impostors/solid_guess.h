@@ -1,0 +1,34 @@
+// Quick answers about rays and solids in single precision, which are right wherever they are given. Any
+// thread.
+#pragma once
+#include "accel/impostors/impostors.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <optional>
+
+namespace gluray::accel {
+
+/// The convex hull of two balls in lighting space; of one ball where their centres are equal.
+struct RoundHull {
+  glm::vec3 end[2];
+  float radius[2];
+  bool whole = true;  // no plane cuts through it
+};
+
+/// The hull that an impostor is for rays from anywhere (solid.h); nothing for other solids and for those that
+/// do not exist.
+std::optional<RoundHull> hullOf(const PlacedImpostors&, uint32_t primitive);
+
+/// What meetSolid() would say; lanes in neither are open, because rounding could decide.
+struct SolidGuess {
+  uint32_t misses = 0, hits = 0;  // bit i: lane i
+};
+
+/// `rays`: rows of `count` <= 16 values, in the order of Embree's RTCRayN: origin x y z, tNear, direction x y
+/// z, time, tFar; object space.
+SolidGuess guessSolid(const PlacedImpostors&, const RoundHull&, const float* rays, unsigned count,
+                      uint32_t lanes);
+
+}  // namespace gluray::accel
