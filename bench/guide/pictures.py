@@ -26,6 +26,8 @@ def key(up, azimuth):
 
 METAL = ["integrator=path", "path.depth=6", "environment=gradient", "environment.up=0,0,1", "environment.strength=0.6",
          "path.lights=0.5", f"material.file={ROOT / 'bench' / 'guide' / 'impact.toml'}"]
+OUTDOORS = ["integrator=path", "path.depth=8", "path.lights=0", "environment=sky", "environment.up=0,0,1", "environment.sun=-0.7,0.6,0.5",
+            "ground=plane", "lights.up=z", "background=environment", "denoise=filter"]
 # Name of the picture: scene, settings.
 PICTURES = {
     "head": ("head", []),
@@ -39,6 +41,11 @@ PICTURES = {
     "impact": ("impact", []),
     "impact-key": ("impact", [*OCCLUSION, *key("z", -25)]),
     "impact-path": ("impact", METAL),
+    "impact-ground": ("impact", ["shadows=on", "lights=sun", "lights.up=z", "lights.azimuth=-25", "ground=plane", "ground.color=#b8b0a0",
+                                 "background=gradient", "ao=on", "ao.on=ambient"]),
+    "head-catcher": ("head", [*OCCLUSION, *key("z", 165), "ground=catcher"]),
+    "balls": ("balls", []),
+    "balls-path": ("balls", [*OUTDOORS, f"material.file={ROOT / 'bench' / 'guide' / 'materials.toml'}"]),
 }
 
 

@@ -152,4 +152,16 @@ def impact():
     return actors, ((0.25, -1.0, 0.62), (0, 0, 1), 1.6)
 
 
-SCENES = {"head": head, "wavelet": wavelet, "star": star, "impact": impact}
+def balls():
+    """Nine balls, numbered by row from the back left; materials.toml says what they are of."""
+    actors = []
+    colors = [(0.8, 0.35, 0.25), (0.2, 0.4, 0.8), (0.9, 0.9, 0.9), (0.95, 0.95, 0.95), (0.95, 0.95, 0.95), (0.95, 0.95, 0.95),
+              (0.85, 0.95, 0.9), (0.9, 0.95, 1.0), (0.3, 0.7, 0.3)]
+    for index, color in enumerate(colors):
+        ball = vtk.vtkSphereSource()
+        ball.SetRadius(0.46), ball.SetCenter(index % 3 - 1, 1 - index // 3, 0.46), ball.SetThetaResolution(120), ball.SetPhiResolution(120)
+        actors.append(actor(ball, color))
+    return actors, ((0.2, -1.0, 0.9), (0, 0, 1), 1.2)
+
+
+SCENES = {"balls": balls, "head": head, "wavelet": wavelet, "star": star, "impact": impact}

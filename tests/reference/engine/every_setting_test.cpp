@@ -88,7 +88,8 @@ std::vector<Change> changes() {
                clear = with(path, {{"environment", "sky"}});
   const Values metal = with(path, {{"material", "metal"}}), glass = with(path, {{"material", "glass"}}),
                principled = with(path, {{"material", "principled"}});
-  const Values tubes{{"lines", "tubes"}}, spheres{{"points", "spheres"}}, lens{{"camera.aperture", "0.3"}};
+  const Values tubes{{"lines", "tubes"}}, spheres{{"points", "spheres"}}, lens{{"camera.aperture", "0.3"}},
+      plane{{"ground", "plane"}};
   return {
       {"spp", "4", {}},
       {"ao", "on", {}},
@@ -153,12 +154,20 @@ std::vector<Change> changes() {
       {"tone", "filmic", {}},
       {"look", "honest", {}},
       {"transparency", "ordered", {}},
+      {"ground", "plane", {}},
+      {"ground.color", "1,0,0", plane},
+      {"ground.offset", "0.3", plane},
+      {"ground.size", "0.2", plane},
+      {"background", "color", {}},
+      {"background.color", "1,0,0", {{"background", "color"}}},
+      {"background.bottom", "1,0,0", {{"background", "gradient"}}},
   };
 }
 
-/// Settings of pictures that this scene or one frame cannot tell apart, and those of how pictures are made.
+/// Settings of how pictures are made, and of passes, of which these pictures have one.
 const std::set<std::string> kElsewhere = {
-    "engine", "bvh", "shading", "quirks", "fps", "noise", "refine.passes", "refine.idle",
+    "engine", "bvh",           "shading",     "quirks",          "fps",
+    "noise",  "refine.passes", "refine.idle", "refine.adaptive", "denoise",
 };
 
 /// One read is one pass: samples, not the wish for little noise, make the picture.
@@ -206,8 +215,8 @@ TEST(EverySetting, ChangesThePictureAndLeavesNothingBehind) {
     EXPECT_TRUE(shown(set(change.base)) == before) << change.name << " leaves something behind";
     EXPECT_TRUE(shown(plain().settings) == first) << change.name << " leaves something behind";
   }
-  // Lines and points become solids once.
-  EXPECT_LE(counts.blasBuilds, builds + 6);
+  // Lines and points become solids once for each of three widths, and a ground is made for two places.
+  EXPECT_LE(counts.blasBuilds, builds + 2 * 3 + 2);
 }
 
 TEST(EverySetting, LightSwitchedAHundredTimesLeavesThePicture) {

@@ -81,9 +81,9 @@ class Program {
 
 Settings with(GroundKind ground, BackgroundKind background = BackgroundKind::program) {
   Settings settings = TracedContext::tracing();
-  settings.ground.enabled = ground;
+  settings.ground.kind = ground;
   settings.ground.offset = 0.3f;
-  settings.background.enabled = background;
+  settings.background.kind = background;
   settings.background.color = {0, 1, 0};
   return settings;
 }
