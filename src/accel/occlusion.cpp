@@ -4,10 +4,9 @@
 #include "accel/embree.h"
 #include "accel/occlusion_state.h"
 #include "accel/packet_parts.h"
+#include "accel/traceable.h"
 #include "accel/world.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 namespace gluray::accel {
@@ -36,16 +35,6 @@ void onFilter(const RTCFilterFunctionNArguments* arguments) {
   }
 }
 
-/// Embree aborts the process where an active lane holds anything else.
-bool isTraceable(const OcclusionRays& r, int i) {
-  constexpr float kLargest = 1e18f;
-  const float size = std::max({std::abs(r.orgX[i]), std::abs(r.orgY[i]), std::abs(r.orgZ[i]),
-                               std::abs(r.dirX[i]), std::abs(r.dirY[i]), std::abs(r.dirZ[i])});
-  const float sum =
-      r.orgX[i] + r.orgY[i] + r.orgZ[i] + r.dirX[i] + r.dirY[i] + r.dirZ[i];  // NaN where one is
-  return size <= kLargest && sum == sum && r.tNear[i] >= 0 && r.tNear[i] <= r.tFar[i];
-}
-
 }  // namespace
 
 uint32_t World::occluded(const int32_t* valid, OcclusionRays& rays, const OccluderFilter* filter,
@@ -64,7 +53,7 @@ uint32_t World::occluded(const int32_t* valid, OcclusionRays& rays, const Occlud
   }
   if (!any) return 0;
   const OcclusionState state{filter, aloneIndex_, impostors_.empty() ? nullptr : impostors_.data()};
-  // Not the coherent traversal: that of Embree 3.13 for occlusion may not end.
+  // Not the coherent traversal: that of Embree 3.13 for occlusion may not end (adr/0043).
   PacketQuery query(Coherence::incoherent, filter ? onFilter : nullptr, &state);
   askInWidth<RTCRay16, RTCRay8, RTCRay4>(
       device_.packetWidth(), rays, sizeof(RTCRay16) / (kLanes * sizeof(float)), lanes,

@@ -94,9 +94,8 @@ HWY_ATTR inline void addArriving(const Shadows& s, int row, uint32_t lanes, Ligh
       sums[c][i] += samples.weights[i] * samples.grazing[i] * light.through[i][c];
 }
 
-HWY_ATTR  /// The lanes that a light shines on.
-    inline uint32_t
-    litLanes(const Shadows& s, const AskedPoints& asked, int row) {
+/// The lanes that a light shines on.
+HWY_ATTR inline uint32_t litLanes(const Shadows& s, const AskedPoints& asked, int row) {
   uint32_t lit = 0;
   for (uint32_t lanes = asked.lanes; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);

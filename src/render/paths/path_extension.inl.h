@@ -6,19 +6,13 @@
 #define GLURAY_RENDER_PATHS_PATH_EXTENSION_INL_H_
 #endif
 
+#include "accel/traceable.h"
 #include "render/paths/path_wave.inl.h"
 #include "scene/surroundings.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
-
-/// Whether Embree takes the ray.
-inline bool isTraceable(const accel::RayPacket& r, int i) {
-  constexpr float kLargest = 1e18f;
-  const float values[] = {r.orgX[i], r.orgY[i], r.orgZ[i], r.dirX[i], r.dirY[i], r.dirZ[i]};
-  return std::all_of(std::begin(values), std::end(values), [](float v) { return std::abs(v) <= kLargest; });
-}
 
 /// Those of the lanes' rays that go on behind their hits: where clip planes cut the surface away, and by the
 /// share that translucent surfaces let through. `u`: random numbers, used up.
@@ -48,7 +42,7 @@ HWY_ATTR inline void Wave::extend() {
   alignas(64) int32_t valid[kLanes];
   eachLane([&](int i) {
     aim(packet, i, way_[i], std::numeric_limits<float>::infinity());
-    if (!isTraceable(packet, i)) alive_ &= ~(1u << i);
+    if (!accel::isTraceable(packet, i)) alive_ &= ~(1u << i);
   });
   for (int i = 0; i < kLanes; ++i) {
     packet.time[i] = 0, packet.mask[i] = ~0u, packet.id[i] = static_cast<uint32_t>(i), packet.flags[i] = 0;
