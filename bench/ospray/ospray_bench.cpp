@@ -6,15 +6,11 @@
 #include "bench/data/report.h"
 #include "bench/data/wavelet.h"
 #include "bench/ospray/ospray_scene.h"
-#include "bench/render/settings.h"
-#include "bench/render/wavelet_snapshot.h"
-#include "frame/renderer.h"
+#include "bench/ospray/our_scene.h"
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <functional>
@@ -28,6 +24,7 @@ using Pixels = std::vector<uint32_t>;
 struct Options {
   double millionTriangles = 1;
   int frames = 20, threads = 0, reference = 256;
+  double decibels = 0;  // 0: frames of an animation; otherwise pictures at rest
   bench::OsprayScene::Options ospray;
   std::vector<std::string> settings;
 };
@@ -38,52 +35,7 @@ double seconds(const std::function<void()>& work) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Our renderer on the benchmark's snapshot.
-class Ours {
- public:
-  Ours(const Options& options, const bench::TriangleMesh& mesh) : snapshot_(bench::waveletSnapshot(mesh)) {
-    snapshot_.settings.threads = options.threads;
-    snapshot_.settings.bvh = BvhQuality::full;
-    for (const std::string& setting : options.settings) bench::set(snapshot_.settings, setting);
-    // Towards the light, in eye space: above the viewer's right shoulder.
-    snapshot_.shadings[0].lights[0].position = {0.45f, 0.6f, 0.66f, 0};
-  }
-  void render(const bench::CameraPose& pose, Image& image) {
-    bench::lookFrom(snapshot_, pose);
-    ++snapshot_.frame;
-    std::string error;
-    scene::TraceCost cost;
-    if (!renderer_.render(snapshot_, image, cost, error)) throw std::runtime_error(error);
-  }
-  /// The mean of many passes.
-  Pixels reference(const bench::CameraPose& pose, int passes) {
-    const scene::LightSampling was = snapshot_.lightSampling;
-    snapshot_.lightSampling = {};
-    snapshot_.wideColors = true;
-    std::vector<double> sum;
-    Image image;
-    for (int pass = 0; pass < passes; ++pass) {
-      snapshot_.lightSampling.pass = static_cast<uint32_t>(pass);
-      render(pose, image);
-      sum.resize(image.wideColor.size());
-      for (size_t i = 0; i < sum.size(); ++i) sum[i] += image.wideColor[i];
-    }
-    Pixels pixels(sum.size() / 4);
-    for (size_t i = 0; i < pixels.size(); ++i)
-      for (unsigned c = 0; c < 4; ++c)
-        pixels[i] |= static_cast<uint32_t>(std::lround(255 * std::clamp(sum[4 * i + c] / passes, 0.0, 1.0)))
-                     << (8 * c);
-    snapshot_.wideColors = false;
-    snapshot_.lightSampling = was;
-    return pixels;
-  }
-
- private:
-  scene::Snapshot snapshot_;
-  frame::Renderer renderer_;
-};
-
-/// The light of Ours, world space: the way it shines.
+/// The light of OurScene, world space: the way it shines.
 std::array<double, 3> lightOf(const bench::CameraPose& pose) {
   std::array<double, 3> way{};
   for (size_t axis = 0; axis < 3; ++axis)
@@ -91,13 +43,15 @@ std::array<double, 3> lightOf(const bench::CameraPose& pose) {
   return way;
 }
 
-void run(const Options& options) {
+bench::TriangleMesh meshOf(const Options& options) {
   const bench::Volume volume = bench::wavelet();
   const auto [low, high] = volume.range();
-  const bench::TriangleMesh mesh = bench::isosurfaces(
+  return bench::isosurfaces(
       volume, bench::evenIsovalues(low, high, bench::waveletSurfaces(options.millionTriangles)));
-  bench::OsprayScene theirs(mesh, options.ospray);
-  Ours ours(options, mesh);
+}
+
+/// Frames of an animation in turn, and the error of the last one.
+void compareFrames(const Options& options, bench::OurScene& ours, bench::OsprayScene& theirs) {
   std::vector<double> ourSeconds, theirSeconds;
   Image image;
   for (int frame = 0; frame <= options.frames; ++frame) {
@@ -108,16 +62,62 @@ void run(const Options& options) {
     if (frame > 0) ourSeconds.push_back(a), theirSeconds.push_back(b);
   }
   const bench::CameraPose last = bench::orbitPose(options.frames, 360);
-  std::vector<uint8_t> hit(image.depth.size());
-  for (size_t i = 0; i < hit.size(); ++i) hit[i] = image.depth[i] != Image::kMiss;
   const Pixels theirPicture = theirs.pixels();
-  for (int n = 0; n < options.reference; ++n) theirs.render(last, n > 0);
-  const double theirError = bench::psnr(theirPicture, theirs.pixels(), hit);
-  const double ourError = bench::psnr(image.color, ours.reference(last, options.reference), hit);
-  std::printf(
-      "{\"triangles\": %zu, \"gluray_s\": %.5f, \"gluray_db\": %.2f, \"ospray_s\": %.5f, "
-      "\"ospray_db\": %.2f}\n",
-      mesh.triangleCount(), bench::median(ourSeconds), ourError, bench::median(theirSeconds), theirError);
+  for (int n = 0; n < options.reference; ++n) theirs.render(last, n > 0), ours.pass(last, n > 0);
+  const std::vector<uint8_t> hits = ours.hits();
+  std::printf("\"gluray_s\": %.5f, \"gluray_db\": %.2f, \"ospray_s\": %.5f, \"ospray_db\": %.2f",
+              bench::median(ourSeconds), bench::psnr(image.color, ours.pixels(), hits),
+              bench::median(theirSeconds), bench::psnr(theirPicture, theirs.pixels(), hits));
+}
+
+struct Reached {
+  double seconds = 0;
+  int passes = 0;
+};
+
+/// Passes, and their time, until the picture is as near to its reference as `decibels` say.
+template <class Pass, class Show>
+Reached reach(double decibels, const Pixels& reference, const std::vector<uint8_t>& hits, Pass&& pass,
+              Show&& show) {
+  constexpr int kMost = 4096;
+  Reached reached;
+  do reached.seconds += seconds([&] { pass(reached.passes > 0); });
+  while (++reached.passes < kMost && bench::psnr(show(), reference, hits) < decibels);
+  return reached;
+}
+
+/// The time of each, in turn, until its picture at rest has little noise.
+void compareRest(const Options& options, bench::OurScene& ours, bench::OsprayScene& theirs) {
+  const bench::CameraPose pose = bench::orbitPose(0, 360);
+  theirs.shine(lightOf(pose));
+  const auto ourPass = [&](bool more) { ours.pass(pose, more); };
+  const auto theirPass = [&](bool more) { theirs.render(pose, more); };
+  for (int n = 0; n < options.reference; ++n) ourPass(n > 0), theirPass(n > 0);
+  const Pixels ourReference = ours.pixels(), theirReference = theirs.pixels();
+  const std::vector<uint8_t> hits = ours.hits();
+  std::vector<double> ourSeconds, theirSeconds;
+  int ourPasses = 0, theirPasses = 0;
+  for (int round = 0; round < 3; ++round) {
+    const Reached a = reach(options.decibels, ourReference, hits, ourPass, [&] { return ours.pixels(); });
+    const Reached b =
+        reach(options.decibels, theirReference, hits, theirPass, [&] { return theirs.pixels(); });
+    ourSeconds.push_back(a.seconds), theirSeconds.push_back(b.seconds);
+    ourPasses = a.passes, theirPasses = b.passes;
+  }
+  std::printf("\"gluray_s\": %.4f, \"gluray_passes\": %d, \"ospray_s\": %.4f, \"ospray_passes\": %d",
+              bench::median(ourSeconds), ourPasses, bench::median(theirSeconds), theirPasses);
+}
+
+void run(const Options& options) {
+  const bench::TriangleMesh mesh = meshOf(options);
+  bench::OsprayScene theirs(mesh, options.ospray);
+  bench::OurScene ours(mesh, options.threads, options.settings);
+  std::printf("{\"triangles\": %zu, ", mesh.triangleCount());
+  if (options.decibels > 0)
+    compareRest(options, ours, theirs);
+  else
+    compareFrames(options, ours, theirs);
+  std::printf("}\n");
 }
 
 }  // namespace
@@ -132,6 +132,9 @@ int main(int argc, char** argv) {
   app.add_option("--threads", options.threads, "0: one a core")->check(CLI::Range(0, 1024));
   app.add_option("--reference", options.reference, "passes of the reference pictures")
       ->check(CLI::Range(1, 100000));
+  app.add_option("--until", options.decibels,
+                 "dB: time pictures at rest until they are so near to the reference")
+      ->check(CLI::Range(1.0, 60.0));
   app.add_option("--renderer", options.ospray.renderer, "OSPRay's: scivis or pathtracer")
       ->check(CLI::IsMember(std::vector<std::string>{"scivis", "pathtracer"}));
   app.add_option("--ao", options.ospray.occlusionSamples, "occlusion samples of scivis")

@@ -2,6 +2,7 @@
 // line a figure.
 #include "bench/data/isosurface.h"
 #include "bench/data/orbit.h"
+#include "bench/data/picture_error.h"
 #include "bench/data/report.h"
 #include "bench/data/wavelet.h"
 #include "bench/render/wavelet_snapshot.h"
@@ -38,17 +39,11 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Peak signal to noise, dB, of the pixels that hit something.
+/// dB, of the pixels that hit something.
 double psnr(const Image& picture, const Image& reference) {
-  double sum = 0, count = 0;
-  for (size_t i = 0; i < reference.color.size(); ++i) {
-    if (reference.depth[i] == Image::kMiss) continue;
-    for (int c = 0; c < 24; c += 8, ++count) {
-      const double d = double(picture.color[i] >> c & 255) - double(reference.color[i] >> c & 255);
-      sum += d * d;
-    }
-  }
-  return 10 * std::log10(255.0 * 255 * count / std::max(sum, 1e-9));
+  std::vector<uint8_t> hits(reference.depth.size());
+  for (size_t i = 0; i < hits.size(); ++i) hits[i] = reference.depth[i] != Image::kMiss;
+  return bench::psnr(picture.color, reference.color, hits);
 }
 
 /// Refines pictures of one scene.
