@@ -50,6 +50,19 @@ bench::TriangleMesh meshOf(const Options& options) {
       volume, bench::evenIsovalues(low, high, bench::waveletSurfaces(options.millionTriangles)));
 }
 
+/// The mean of green where `hits` is not 0, of 255: tells whether both pictures are as bright.
+double brightness(const Pixels& pixels, const std::vector<uint8_t>& hits) {
+  double sum = 0, count = 0;
+  for (size_t i = 0; i < pixels.size(); ++i)
+    if (hits[i]) sum += pixels[i] >> 8 & 255, ++count;
+  return sum / count;
+}
+
+void printBrightness(const Pixels& ours, const Pixels& theirs, const std::vector<uint8_t>& hits) {
+  std::printf("\"gluray_green\": %.1f, \"ospray_green\": %.1f, ", brightness(ours, hits),
+              brightness(theirs, hits));
+}
+
 /// Frames of an animation in turn, and the error of the last one.
 void compareFrames(const Options& options, bench::OurScene& ours, bench::OsprayScene& theirs) {
   std::vector<double> ourSeconds, theirSeconds;
@@ -57,7 +70,7 @@ void compareFrames(const Options& options, bench::OurScene& ours, bench::OsprayS
   for (int frame = 0; frame <= options.frames; ++frame) {
     const bench::CameraPose pose = bench::orbitPose(frame, 360);
     theirs.shine(lightOf(pose));
-    const double a = seconds([&] { ours.render(pose, image); });
+    const double a = seconds([&] { ours.frame(pose, image); });
     const double b = seconds([&] { theirs.render(pose, false); });
     if (frame > 0) ourSeconds.push_back(a), theirSeconds.push_back(b);
   }
@@ -65,6 +78,7 @@ void compareFrames(const Options& options, bench::OurScene& ours, bench::OsprayS
   const Pixels theirPicture = theirs.pixels();
   for (int n = 0; n < options.reference; ++n) theirs.render(last, n > 0), ours.pass(last, n > 0);
   const std::vector<uint8_t> hits = ours.hits();
+  printBrightness(ours.pixels(), theirs.pixels(), hits);
   std::printf("\"gluray_s\": %.5f, \"gluray_db\": %.2f, \"ospray_s\": %.5f, \"ospray_db\": %.2f",
               bench::median(ourSeconds), bench::psnr(image.color, ours.pixels(), hits),
               bench::median(theirSeconds), bench::psnr(theirPicture, theirs.pixels(), hits));
@@ -95,6 +109,7 @@ void compareRest(const Options& options, bench::OurScene& ours, bench::OspraySce
   for (int n = 0; n < options.reference; ++n) ourPass(n > 0), theirPass(n > 0);
   const Pixels ourReference = ours.pixels(), theirReference = theirs.pixels();
   const std::vector<uint8_t> hits = ours.hits();
+  printBrightness(ourReference, theirReference, hits);
   std::vector<double> ourSeconds, theirSeconds;
   int ourPasses = 0, theirPasses = 0;
   for (int round = 0; round < 3; ++round) {

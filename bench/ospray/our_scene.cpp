@@ -18,6 +18,12 @@ OurScene::OurScene(const TriangleMesh& mesh, int threads, const std::vector<std:
   snapshot_.shadings[0].lights[0].position = {0.45f, 0.6f, 0.66f, 0};
 }
 
+void OurScene::frame(const CameraPose& pose, Image& image) {
+  snapshot_.lightSampling.mode = scene::LightSampling::Mode::moving;
+  render(pose, image);
+  snapshot_.lightSampling = {};
+}
+
 void OurScene::render(const CameraPose& pose, Image& image) {
   lookFrom(snapshot_, pose);
   ++snapshot_.frame;

@@ -14,8 +14,8 @@ class OurScene {
  public:
   /// `settings`: NAME=VALUE. `mesh` must outlive it. Throws std::runtime_error.
   OurScene(const TriangleMesh& mesh, int threads, const std::vector<std::string>& settings);
-  /// A frame of an animation.
-  void render(const CameraPose& pose, Image& image);
+  /// A frame of an animation, as programs get it while the camera moves.
+  void frame(const CameraPose& pose, Image& image);
   /// One pass of a picture at rest. `accumulate`: added to those since the last call without it.
   void pass(const CameraPose& pose, bool accumulate);
   /// The mean of the passes: RGBA8, bottom row first.
@@ -24,6 +24,8 @@ class OurScene {
   std::vector<uint8_t> hits() const;
 
  private:
+  void render(const CameraPose& pose, Image& image);
+
   scene::Snapshot snapshot_;
   frame::Renderer renderer_;
   Image image_;  // of the last pass
