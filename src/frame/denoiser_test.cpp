@@ -1,6 +1,7 @@
 // Pictures smoothed: nearer to converged ones, and to the bit where nothing is noisy.
 #include "frame/denoiser.h"
 
+#include "base/sanitized.h"
 #include "frame/lit_scene.h"
 
 #include <gtest/gtest.h>
@@ -55,6 +56,7 @@ scene::Snapshot many(scene::Snapshot s) {
 }
 
 TEST(Denoiser, BringsFewPassesNearerToTheConvergedPicture) {
+  GLURAY_RELEASE_ONLY();
   for (const bool paths : {false, true}) {
     scene::Snapshot s = paths ? pathScene(96) : litScene(test::Hides::some, 96);
     const Image truth = test::CountingTrace().picture(many(s));

@@ -1,6 +1,7 @@
 // Means of passes: equal to one picture of as many samples; known answers; noise against the true error.
 #include "frame/refinement.h"
 
+#include "base/sanitized.h"
 #include "frame/lit_scene.h"
 
 #include <gtest/gtest.h>
@@ -204,6 +205,7 @@ struct Finished {
 };
 
 TEST(Refinement, AdaptivePassesMeetTheSameNoiseWithFewerRays) {
+  GLURAY_RELEASE_ONLY();
   scene::Snapshot s = unevenScene();
   const Finished adaptive(s);
   s.settings.refine.adaptive = false;

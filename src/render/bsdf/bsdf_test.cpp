@@ -1,4 +1,5 @@
 // Laws that every model obeys: energy, reciprocity, densities that integrate to 1, samples that follow them.
+#include "base/sanitized.h"
 #include "render/bsdf/any.h"
 #include "render/bsdf/metals.h"
 
@@ -89,6 +90,7 @@ double overSphere(const std::function<double(const glm::vec3&)>& f) {
 }
 
 TEST(Bsdf, ScattersNoMoreLightThanArrives) {
+  GLURAY_RELEASE_ONLY();
   for (const Named& m : models())
     for (const float cosine : {1.0f, 0.8f, 0.5f, 0.2f, 0.05f}) {
       const glm::vec3 share = albedoOf(m.model, directionAt(cosine));
@@ -103,6 +105,7 @@ TEST(Bsdf, ScattersNoMoreLightThanArrives) {
 }
 
 TEST(Bsdf, DensitiesIntegrateToOneOrToWhatIsNotExact) {
+  GLURAY_RELEASE_ONLY();
   for (const Named& m : models())
     for (const float cosine : {0.9f, 0.4f}) {
       if (m.name.ends_with("0.100000")) continue;  // too narrow for the grid
@@ -119,6 +122,7 @@ TEST(Bsdf, DensitiesIntegrateToOneOrToWhatIsNotExact) {
 }
 
 TEST(Bsdf, EvaluatedLightIsThatOfSamples) {
+  GLURAY_RELEASE_ONLY();
   for (const Named& m : models()) {
     if (m.name.ends_with("0.100000")) continue;
     const glm::vec3 wo = directionAt(0.6f);
@@ -135,6 +139,7 @@ TEST(Bsdf, EvaluatedLightIsThatOfSamples) {
 }
 
 TEST(Bsdf, SamplesFollowTheirDensity) {
+  GLURAY_RELEASE_ONLY();
   // Counts in cells of equal solid angle against the integral of the density over each.
   constexpr int kRings = 8, kParts = 12;
   constexpr uint32_t kSamples = 1 << 16;

@@ -1,4 +1,5 @@
 // Shadows against scenes whose edges and penumbrae are known in closed form.
+#include "base/sanitized.h"
 #include "render/integrators/lit_scene.h"
 #include "render/test_targets.h"
 
@@ -87,6 +88,7 @@ TEST(Shadows, HavePenumbraeAsWideAsTheLightAppears) {
 }
 
 TEST(Shadows, ConvergeAsTheSquareRootOfTheirSamplesOrFaster) {
+  GLURAY_RELEASE_ONLY();
   const auto errorOf = [](int samples) {
     scene::Snapshot s = screened(Shader::fixedFunction);
     s.settings.shadows.size = 20, s.settings.shadows.samples = samples;

@@ -1,5 +1,6 @@
 // Environments in the path tracer: two ways to draw directions together agree with each alone, and with a
 // second, plain implementation.
+#include "base/sanitized.h"
 #include "render/lights/make_environment.h"
 #include "render/paths/path_scenes.h"
 
@@ -55,6 +56,7 @@ double byBruteForce(const Environment& sky, double x, int bounces, std::mt19937&
 }
 
 TEST(PathEnvironment, AgreesWithAPlainImplementation) {
+  GLURAY_RELEASE_ONLY();
   scene::Snapshot s = underSky();
   s.settings.path.depth = 4, s.settings.path.samples = 256;
   const auto sky = makeEnvironment(s.settings, glm::dmat4(1));  // in world space
@@ -73,6 +75,7 @@ TEST(PathEnvironment, AgreesWithAPlainImplementation) {
 }
 
 TEST(PathEnvironment, AnEvenPictureIsAConstantEnvironment) {
+  GLURAY_RELEASE_ONLY();
   // Both ways to draw directions are used for the picture, one for the constant.
   scene::Snapshot s = test::pathView({test::backWall(), test::ballMesh(40, 1, {0, 0, 1.5f})});
   for (const SurfaceMaterial kind :

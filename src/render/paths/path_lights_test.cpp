@@ -1,4 +1,5 @@
 // Lights of rigs and files in paths, against their light in closed form.
+#include "base/sanitized.h"
 #include "render/paths/path_scenes.h"
 #include "render/test_light_file.h"
 #include "scene/surroundings.h"
@@ -161,6 +162,7 @@ scene::Snapshot local(scene::Snapshot s) {
 }
 
 TEST(PathLights, AgreeWithShadowsOfTheLocalLook) {
+  GLURAY_RELEASE_ONLY();
   // A ball between the wall and lights whose middles are partly below the horizon of what they shine on. Both
   // pictures take 1024 samples a pixel; their noise is measured by halves of the paths.
   const LightFile file(
@@ -231,6 +233,7 @@ scene::Snapshot roughMetal(const LightFile& file, float roughness) {
 }
 
 TEST(PathLights, ReflectionsOfLightsAreThoseOfBallsThatEmit) {
+  GLURAY_RELEASE_ONLY();
   // The ball stands behind the viewer, so that only paths see it. The mesh is met by chance alone.
   const LightFile file("[[light]]\nkind = 'sphere'\nposition = [0, 1, 8]\nradius = 2\n"), none("");
   for (const float roughness : {0.1f, 0.3f, 0.7f}) {
@@ -249,6 +252,7 @@ TEST(PathLights, ReflectionsOfLightsAreThoseOfBallsThatEmit) {
 }
 
 TEST(PathLights, ShineThroughGlassWhetherSeenOrNot) {
+  GLURAY_RELEASE_ONLY();
   // Between light and wall stands a pane, which paths cross straight: a visible light is met behind it, an
   // invisible one shines through it.
   float brightness[2];
@@ -272,6 +276,7 @@ TEST(PathLights, ShineThroughGlassWhetherSeenOrNot) {
 }
 
 TEST(PathLights, AreTheSameForAnyNumberOfThreadsAndNearlyForAnyInstructionSet) {
+  GLURAY_RELEASE_ONLY();
   const LightFile file(
       "[[light]]\nkind = 'rectangle'\nposition = [0, 3, 2]\ntarget = [0, 0, 0]\n"
       "[[light]]\nkind = 'sphere'\nposition = [2, 0, 2]\nradius = 0.3\nvisible = true\n"

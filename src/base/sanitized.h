@@ -1,0 +1,9 @@
+// For tests: sanitizers make code ten times slower. What only counts many samples leaves it to the release
+// suite; the same code runs under sanitizers in other tests.
+#pragma once
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define GLURAY_RELEASE_ONLY() GTEST_SKIP() << "counts many samples: the release suite runs it"
+#else
+#define GLURAY_RELEASE_ONLY() static_cast<void>(0)
+#endif
