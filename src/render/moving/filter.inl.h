@@ -114,6 +114,7 @@ struct Sums {
 struct Sides {
   // Bit t: tap t counts; the middle one always does, and has none.
   alignas(64) uint8_t rows[kFilmRows][kTileSize], columns[kTileSize][kTileSize];
+  int least = 0;  // of the four nearest: so many must count where pixels farther away do
 };
 
 /// The bit of a tap, 0 .. 2 * kReach.
@@ -125,8 +126,20 @@ HWY_ATTR inline void storeBits(Ints bits, uint8_t* to) {
 }
 using FloatMask = hn::Mask<FloatTag>;
 
-/// Pixels that are smoothed over more of their neighbours.
+/// Pixels that are smoothed over more of their neighbours: those of few samples.
 HWY_INLINE FloatMask isWide(Float samples) { return hn::Le(samples, splat(kFewSamples)); }
+/// The same, if `bits` say that `least` of the four nearest neighbours in a line show the same surface.
+HWY_INLINE FloatMask isWide(Float samples, Ints bits, int least) {
+  const auto one = hn::Set(IntTag(), 1);
+  Ints count = hn::Zero(IntTag());
+  count = hn::Add(count, hn::And(hn::ShiftRight<2>(bits), one));
+  count = hn::Add(count, hn::And(hn::ShiftRight<3>(bits), one));
+  count = hn::Add(count, hn::And(hn::ShiftRight<4>(bits), one));
+  count = hn::Add(count, hn::And(hn::ShiftRight<5>(bits), one));
+  const auto enough = hn::Gt(count, hn::Set(IntTag(), least - 1));
+  return hn::And(isWide(samples), hn::RebindMask(FloatTag(), enough));
+}
+static_assert(bitOf(kReach - 2) == 1 << 2 && bitOf(kReach + 2) == 1 << 5);
 
 HWY_INLINE Float weightOf(Ints bits, FloatMask wide, int tap) {
   const int distance = tap < kReach ? kReach - tap : tap - kReach;
@@ -184,7 +197,7 @@ HWY_ATTR inline void sumRows(const UnpackedTile& tile, const FilmRow* factor, co
   for (int row = 0; row < kFilmRows; ++row) {
     for (int x = 0; x < kTileSize; x += lanesOfVector()) {
       const Ints bits = loadBits(sides.rows[row] + x);
-      const FloatMask wide = isWide(loadAt(tile.samples[row] + x + kReach));
+      const FloatMask wide = isWide(loadAt(tile.samples[row] + x + kReach), bits, sides.least);
       const TapRange taps(wide);
       Float weight = hn::Zero(d), value = weight, square = weight;
       for (int tap = taps.first; tap <= taps.last; ++tap) {
@@ -213,7 +226,7 @@ HWY_ATTR inline void sumColumns(const UnpackedTile& tile, const FilmRow* factor,
                                 const Sums& sums, int row, Float* out, int x) {
   const FloatTag d;
   const Ints bits = loadBits(sides.columns[row] + x);
-  const FloatMask wide = isWide(loadAt(tile.samples[row + kReach] + x + kReach));
+  const FloatMask wide = isWide(loadAt(tile.samples[row + kReach] + x + kReach), bits, sides.least);
   const TapRange taps(wide);
   Float weight = hn::Zero(d), value = weight, square = weight;
   for (int tap = taps.first; tap <= taps.last; ++tap) {
@@ -251,7 +264,11 @@ HWY_ATTR void filterTile(const MovingFrame& moving, const Tile& at, TileFactors&
   UnpackedTile tile;
   unpackTile(*moving.film, at, tile);
   if (!tile.shows) return;
+  // Where surfaces are as small as pixels, neighbours farther away show others by chance. That matters less
+  // than noise while nothing is known of earlier frames.
+  constexpr int kLeast = 3;
   Sides sides;
+  sides.least = moving.earlier ? kLeast : 0;
   findSides(moving.space, tile, at, sides);
   Sums sums;
   for (int f = 0; f < moving.channels.count(); ++f) {

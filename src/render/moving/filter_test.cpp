@@ -112,6 +112,20 @@ TEST(FactorFilter, LessensNoiseAsItsWeightsSay) {
   }
 }
 
+TEST(FactorFilter, WithHistoryLooksFarOnlyWhereTheNearestShowTheSameSurface) {
+  // Strips two pixels wide at two depths: beyond the nearest neighbour, every strip but one is another
+  // surface; farther strips at the same depth are other surfaces of the same look.
+  const auto strip = [](int x) { return x / 2; };
+  Film film([&](int x, int) {
+    return Pixel{strip(x) % 2 ? 1.6f : 1.2f, false, 1, strip(x) % 4 < 2 ? 0.25f : 0.75f};
+  });
+  film.moving.earlier = &film.film;
+  const std::vector<float> out = film.filtered();
+  for (int y = 4; y < kSize - 4; ++y)
+    for (int x = 4; x < kSize - 4; ++x)
+      ASSERT_NEAR(out[static_cast<size_t>(y * kSize + x)], strip(x) % 4 < 2 ? 0.25f : 0.75f, 0.0005f) << x;
+}
+
 TEST(FactorFilter, DoesNotCrossEdges) {
   const auto left = [](int x) { return x < 30; };
   const auto value = [&](int x) { return left(x) ? 0.0f : 1.0f; };
