@@ -11,21 +11,7 @@
 namespace gluray::frame {
 namespace {
 
-using test::difference, test::litScene;
-
-/// A picture of so many passes.
-struct Refined {
-  test::CountingTrace tracer;
-  Refinement refinement;
-  Image image;
-  scene::TraceCost cost;
-  std::string error;
-  Refined(const scene::Snapshot& s, int passes) {
-    Refiner refiner(s, refinement);
-    for (int i = 0; i < passes; ++i) EXPECT_TRUE(refiner.pass(tracer.trace, 0, cost, error)) << error;
-    refiner.show(image);
-  }
-};
+using test::difference, test::litScene, test::Refined;
 
 scene::Snapshot smoothed(scene::Snapshot s) {
   s.settings.denoise = Denoise::filter;

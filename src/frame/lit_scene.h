@@ -5,6 +5,7 @@
 #include "frame/renderer.h"
 
 #include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
@@ -53,6 +54,20 @@ struct CountingTrace {
     std::string error;
     renderer.render(s, image, cost, error);
     return image;
+  }
+};
+
+/// The mean of so many passes.
+struct Refined {
+  CountingTrace tracer;
+  Refinement refinement;
+  Image image;
+  scene::TraceCost cost;
+  std::string error;
+  Refined(const scene::Snapshot& s, int passes) {
+    Refiner refiner(s, refinement);
+    for (int i = 0; i < passes; ++i) EXPECT_TRUE(refiner.pass(tracer.trace, 0, cost, error)) << error;
+    refiner.show(image);
   }
 };
 

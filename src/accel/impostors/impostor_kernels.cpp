@@ -9,28 +9,15 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+// What follows is included once for each instruction set, after Highway's macros.
+#include "accel/impostors/lanes.inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace gluray::accel {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
 
-using Tag = hn::CappedTag<float, kLanes>;
-using Float = hn::Vec<Tag>;
-using Mask = hn::Mask<Tag>;
-
-HWY_INLINE Float splat(float v) { return hn::Set(Tag(), v); }
-HWY_INLINE Float load(const float* p) { return hn::Load(Tag(), p); }
-HWY_INLINE int width() { return static_cast<int>(hn::Lanes(Tag())); }
-
-struct Float3 {
-  Float x, y, z;
-};
-HWY_INLINE Float3 splat(const glm::vec3& v) { return {splat(v.x), splat(v.y), splat(v.z)}; }
-HWY_INLINE Float dot(const Float3& a, const Float3& b) {
-  return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
-}
 /// a*s - b
-HWY_INLINE Float3 along(const Float3& a, Float s, const Float3& b) {
+HWY_INLINE Float3 scaledMinus(const Float3& a, Float s, const Float3& b) {
   return {hn::MulSub(a.x, s, b.x), hn::MulSub(a.y, s, b.y), hn::MulSub(a.z, s, b.z)};
 }
 
@@ -67,7 +54,7 @@ HWY_INLINE OnBillboard onPlane(const Rays& r, const glm::vec3& normal, float off
   const Float3 n = splat(normal);
   OnBillboard c;
   c.t = hn::Div(hn::Add(dot(n, r.toCenter), splat(offset)), dot(n, r.dir));
-  c.from = along(r.dir, c.t, r.toCenter);
+  c.from = scaledMinus(r.dir, c.t, r.toCenter);
   c.seen = hn::And(hn::Ge(c.t, hn::Zero(Tag())), hn::Le(c.t, r.tFar));
   return c;
 }
@@ -91,7 +78,7 @@ HWY_INLINE Float bounded(const Rays& r, Float t) {
 
 HWY_INLINE Mask meetSphere(const Impostor& f, const Rays& r, const Rays& sample, Float& t) {
   const Float b = dot(r.toCenter, r.unit);
-  const Float3 nearest = along(r.unit, b, r.toCenter);
+  const Float3 nearest = scaledMinus(r.unit, b, r.toCenter);
   const Float d = hn::Sub(splat(f.radius * f.radius), dot(nearest, nearest));
   const Float half = hn::Sqrt(hn::Max(d, hn::Zero(Tag())));
   t = hn::Mul(f.inside ? hn::Add(b, half) : hn::Sub(b, half), r.inverseLength);
@@ -127,8 +114,9 @@ HWY_INLINE Mask meetCylinder(const Impostor& f, const Rays& r, const Rays& sampl
   const Float3 axis = splat(f.axis);
   const Float dirZ = dot(axis, r.unit), orgZ = hn::Neg(dot(axis, r.toCenter));
   // Components perpendicular to the axis: of the direction, and of the vector from the axis to the origin.
-  const Float3 d = along(axis, hn::Neg(dirZ), {hn::Neg(r.unit.x), hn::Neg(r.unit.y), hn::Neg(r.unit.z)});
-  const Float3 o = along(axis, hn::Neg(orgZ), r.toCenter);
+  const Float3 d =
+      scaledMinus(axis, hn::Neg(dirZ), {hn::Neg(r.unit.x), hn::Neg(r.unit.y), hn::Neg(r.unit.z)});
+  const Float3 o = scaledMinus(axis, hn::Neg(orgZ), r.toCenter);
   const Float a = hn::Max(dot(d, d), splat(1e-20f));
   const Float s = hn::Neg(hn::Div(dot(o, d), a));  // closest to the axis
   const Float3 nearest = {hn::MulAdd(d.x, s, o.x), hn::MulAdd(d.y, s, o.y), hn::MulAdd(d.z, s, o.z)};
