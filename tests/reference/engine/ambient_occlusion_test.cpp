@@ -1,5 +1,6 @@
 // Ambient occlusion from a program's calls to its framebuffer: colours change, depth and alpha do not, and
 // switched off nothing does.
+#include "tests/reference/engine/quad.h"
 #include "tests/support/traced_context.h"
 
 #include <glm/glm.hpp>
@@ -9,13 +10,6 @@ namespace gluray::test {
 namespace {
 
 constexpr int kSize = 64;
-
-void quad(const gl::RealGl& gl, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
-          const glm::vec3& d) {
-  gl.Begin(GL_QUADS);
-  for (const glm::vec3* p : {&a, &b, &c, &d}) gl.Vertex3f(p->x, p->y, p->z);
-  gl.End();
-}
 
 /// A slightly tilted floor that fills the window, and a wall on it at the right, seen edge-on.
 Picture corner(const Settings& settings) {

@@ -1,5 +1,6 @@
 // The settings ground and background in a program's framebuffer: which views get them, and that what the
 // program draws itself stays.
+#include "tests/reference/engine/quad.h"
 #include "tests/support/traced_context.h"
 
 #include <glm/glm.hpp>
@@ -16,12 +17,6 @@ namespace {
 constexpr int kSize = 64;
 using Gl = const gl::RealGl&;
 using Step = std::function<void(Gl)>;
-
-void quad(Gl gl, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d) {
-  gl.Begin(GL_QUADS);
-  for (const glm::vec3* p : {&a, &b, &c, &d}) gl.Vertex3f(p->x, p->y, p->z);
-  gl.End();
-}
 
 /// A white level plate about (x, 0.5, 0), lit from above.
 void plateAt(Gl gl, float x, float half = 0.5f) {

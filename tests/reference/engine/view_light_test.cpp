@@ -1,5 +1,6 @@
 // Surfaces of one view light each other although they are traced in several batches; those of other views do
 // not (adr/0047).
+#include "tests/reference/engine/quad.h"
 #include "tests/support/traced_context.h"
 
 #include <glm/glm.hpp>
@@ -15,12 +16,6 @@ namespace {
 constexpr int kSize = 64;
 using Gl = const gl::RealGl&;
 using Step = std::function<void(Gl)>;
-
-void quad(Gl gl, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d) {
-  gl.Begin(GL_QUADS);
-  for (const glm::vec3* p : {&a, &b, &c, &d}) gl.Vertex3f(p->x, p->y, p->z);
-  gl.End();
-}
 
 /// A slightly tilted floor that fills the window.
 void floor(Gl gl) {
