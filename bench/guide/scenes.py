@@ -153,7 +153,7 @@ def impact():
 
 
 def balls():
-    """Nine balls, numbered by row from the back left; materials.toml says what they are of."""
+    """Nine balls, numbered by row from the back left, and a small one over them; materials.toml says what they are of."""
     actors = []
     colors = [(0.8, 0.35, 0.25), (0.2, 0.4, 0.8), (0.9, 0.9, 0.9), (0.95, 0.95, 0.95), (0.95, 0.95, 0.95), (0.95, 0.95, 0.95),
               (0.85, 0.95, 0.9), (0.9, 0.95, 1.0), (0.3, 0.7, 0.3)]
@@ -161,6 +161,9 @@ def balls():
         ball = vtk.vtkSphereSource()
         ball.SetRadius(0.46), ball.SetCenter(index % 3 - 1, 1 - index // 3, 0.46), ball.SetThetaResolution(120), ball.SetPhiResolution(120)
         actors.append(actor(ball, color))
+    lamp = vtk.vtkSphereSource()
+    lamp.SetRadius(0.15), lamp.SetCenter(0.5, -0.5, 1.0), lamp.SetThetaResolution(60), lamp.SetPhiResolution(60)
+    actors.append(actor(lamp, (1.0, 0.7, 0.35)))
     return actors, ((0.2, -1.0, 0.9), (0, 0, 1), 1.2)
 
 

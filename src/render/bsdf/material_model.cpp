@@ -26,6 +26,7 @@ MaterialModel MaterialModel::of(const Settings& settings, float diagonal) {
   model.roughness = m.roughness, model.ior = m.ior;
   model.metallic = m.metallic, model.specular = m.specular;
   model.transmission = m.transmission, model.coat = m.coat;
+  model.emission = m.emission;
   model.absorption = m.absorption * diagonal;
   return model;
 }
@@ -44,6 +45,7 @@ bsdf::Any MaterialModel::bsdf(const glm::vec3& color, bool inside) const {
     case SurfaceMaterial::principled:
       return bsdf::Principled{color, metallic, specular, transmission, coat, eta, ggx};
     case SurfaceMaterial::matte: return bsdf::OrenNayar{color, roughness};
+    case SurfaceMaterial::emissive: return bsdf::Lambert{glm::vec3(0)};
     case SurfaceMaterial::program: break;
   }
   return bsdf::Lambert{color};

@@ -12,6 +12,7 @@ struct MaterialModel {
   float roughness = 0.2f, ior = 1.5f;
   SurfaceMetal metal = SurfaceMetal::aluminium;
   float metallic = 0, specular = 0.5f, transmission = 0, coat = 0;  // of `principled`
+  float emission = 1;  // of `emissive`: radiance, in multiples of the program's colour
   float absorption =
       0;  // eye space: light takes on the colour once on this way through glass; 0: at surfaces
 
@@ -19,6 +20,7 @@ struct MaterialModel {
   static MaterialModel of(const Settings&, float diagonal);
 
   bool isProgram() const { return kind == SurfaceMaterial::program; }
+  bool isEmissive() const { return kind == SurfaceMaterial::emissive; }
   /// Whether light goes through to the inside.
   bool isBody() const {
     return kind == SurfaceMaterial::glass || (kind == SurfaceMaterial::principled && transmission > 0);

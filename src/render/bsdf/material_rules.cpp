@@ -17,10 +17,11 @@ namespace gluray::render {
 namespace {
 
 constexpr std::pair<const char*, SurfaceMaterial> kMaterials[] = {
-    {"program", SurfaceMaterial::program}, {"matte", SurfaceMaterial::matte},
-    {"plastic", SurfaceMaterial::plastic}, {"metal", SurfaceMaterial::metal},
-    {"glass", SurfaceMaterial::glass},     {"thin-glass", SurfaceMaterial::thinGlass},
-    {"mirror", SurfaceMaterial::mirror},   {"principled", SurfaceMaterial::principled}};
+    {"program", SurfaceMaterial::program},  {"matte", SurfaceMaterial::matte},
+    {"plastic", SurfaceMaterial::plastic},  {"metal", SurfaceMaterial::metal},
+    {"glass", SurfaceMaterial::glass},      {"thin-glass", SurfaceMaterial::thinGlass},
+    {"mirror", SurfaceMaterial::mirror},    {"principled", SurfaceMaterial::principled},
+    {"emissive", SurfaceMaterial::emissive}};
 constexpr std::pair<const char*, SurfaceMetal> kMetals[] = {
     {"Ag", SurfaceMetal::silver},   {"Al", SurfaceMetal::aluminium}, {"Au", SurfaceMetal::gold},
     {"Cr", SurfaceMetal::chromium}, {"Cu", SurfaceMetal::copper},    {"Fe", SurfaceMetal::iron}};
@@ -118,6 +119,8 @@ void readField(const std::string& key, const toml::node& node, float diagonal, M
     m.transmission = number(node, 0, 1);
   } else if (key == "coat") {
     m.coat = number(node, 0, 1);
+  } else if (key == "emission") {
+    m.emission = number(node, 0, 10000);
   } else if (key == "absorption") {
     m.absorption = number(node, 0, 1000) * diagonal;
   } else {

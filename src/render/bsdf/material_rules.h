@@ -4,7 +4,7 @@
 //   color = "#ff0000"             # the object's own colour, to one in 255; absent: any
 //   triangles = [100, 5000]       # least and most; absent: any
 //   material = "glass"            # and roughness, ior, metal, metallic, specular, transmission, coat,
-//   absorption
+//   emission, absorption
 //   hidden-from = ["camera"]      # kinds of rays that it does not exist for: and shadow, occlusion,
 //   reflection
 // A rule holds for objects that meet all its conditions; later rules win. Read once, kept while the file

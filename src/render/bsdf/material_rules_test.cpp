@@ -25,14 +25,19 @@ roughness = 0.1
 material = "thin-glass"
 ior = 1.3
 absorption = 0.5
+[[rule]]
+material = "emissive"
+emission = 4
 )");
-  ASSERT_EQ(all.size(), 2u);
+  ASSERT_EQ(all.size(), 3u);
   EXPECT_EQ(all[0].model.kind, SurfaceMaterial::metal);
   EXPECT_EQ(all[0].model.metal, SurfaceMetal::copper);
   EXPECT_FLOAT_EQ(all[0].model.roughness, 0.1f);
   EXPECT_FLOAT_EQ(all[0].color->g, 128 / 255.0f);
   EXPECT_EQ(all[1].model.kind, SurfaceMaterial::thinGlass);
   EXPECT_FLOAT_EQ(all[1].model.absorption, 5);
+  EXPECT_TRUE(all[2].model.isEmissive());
+  EXPECT_FLOAT_EQ(all[2].model.emission, 4);
   scene::Instance instance;
   auto mesh = std::make_shared<scene::Mesh>();
   instance.mesh = mesh;

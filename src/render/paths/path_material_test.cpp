@@ -2,6 +2,9 @@
 #include "base/sanitized.h"
 #include "render/paths/path_scenes.h"
 
+#include <fstream>
+#include <string>
+
 namespace gluray::render {
 namespace {
 
@@ -156,6 +159,41 @@ TEST(PathMaterials, MetalsHaveTheirColour) {
   const glm::vec3 gold = radiances(s).mean();
   EXPECT_NEAR(gold.r, 0.945f, 3e-3f);
   EXPECT_GT(gold.g, gold.b + 0.3f);
+}
+
+/// A wall of 0.5, 0.25, 0 before the viewer, and one of any colour behind the viewer that faces it; each is
+/// far wider than they are apart. By the file of rules the one with number `emitter` gives off light.
+scene::Snapshot betweenWalls(int emitter) {
+  scene::Snapshot s = test::pathView({test::parallelogram({0, 0, -2}, {500, 0, 0}, {0, 500, 0}),
+                                      test::parallelogram({0, 0, 7}, {500, 0, 0}, {0, 500, 0})});
+  s.settings.environment.strength = 0;
+  s.camera.clipFromEye = glm::ortho(-1.0, 1.0, -1.0, 1.0, 0.1, 100.0);
+  test::setAlbedo(s.instances[0], {0.5f, 0.25f, 0});
+  test::setAlbedo(s.instances[1], glm::vec3(1));
+  for (uint32_t i = 0; i < 2; ++i) s.instances[i].order = i;
+  const std::string file = testing::TempDir() + "emissive_" + std::to_string(emitter) + ".toml";
+  std::ofstream(file) << "[[rule]]\nobjects = [" << emitter << "]\nmaterial = \"emissive\"\nemission = 3\n";
+  s.settings.material.file = file;
+  return s;
+}
+
+TEST(PathMaterials, EmissiveSurfacesShowTheirColourTimesTheirStrength) {
+  for (const LightIntegrator integrator : {LightIntegrator::path, LightIntegrator::whitted}) {
+    scene::Snapshot s = betweenWalls(0);
+    s.settings.integrator = integrator;
+    const glm::vec3 seen = radiances(s).mean();
+    EXPECT_NEAR(seen.r, 1.5f, 1e-5f);
+    EXPECT_NEAR(seen.g, 0.75f, 1e-5f);
+    EXPECT_EQ(seen.b, 0);
+  }
+}
+
+TEST(PathMaterials, EmissiveSurfacesLightOthersAndReflectNothing) {
+  // Radiance 3 fills half of the sky of the wall before it; what that wall reflects is lost at the emitter.
+  const glm::vec3 seen = radiances(betweenWalls(1)).mean();
+  EXPECT_NEAR(seen.r, 1.5f, 0.01f);
+  EXPECT_NEAR(seen.g, 0.75f, 0.01f);
+  EXPECT_EQ(seen.b, 0);
 }
 
 TEST(PathMaterials, LightsShineStraightThroughGlass) {

@@ -15,7 +15,7 @@ struct PathVertex {
   glm::vec3 lift{0};      // from the triangle to the curved surface that it stands for
   float error = 0;        // bound of the rounding errors of `point`
   glm::vec3 albedo{0};    // the surface's own colour
-  glm::vec3 emission{0};  // of surfaces without lighting: their colour
+  glm::vec3 emission{0};  // radiance that the surface gives off; without lighting: its colour
   glm::vec3 specular{0};  // colour of the highlights that the program's equation has
   float shininess = 0;    // their exponent
   float opacity = 1;      // the rest goes straight through

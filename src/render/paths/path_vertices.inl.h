@@ -117,6 +117,7 @@ HWY_ATTR inline void colorVertices(const Path& path, const SurfaceColors& colors
     const glm::vec3 color = at(albedo.value, i);
     v.albedo = unlit ? glm::vec3(0) : glm::clamp(color, 0.0f, 1.0f);
     v.emission = unlit ? color : emits ? at(emission.value, i) : glm::vec3(0);
+    if (model.isEmissive()) v.albedo = glm::vec3(0), v.emission = model.emission * color;
     v.opacity = albedo.value[3][i];
     const bool backMaterial = sided && (back >> i & 1);
     const scene::Material& m = faceOf(s.materials[materialIndex(s, group.vertex[2][i])], backMaterial);

@@ -87,7 +87,8 @@ std::vector<Change> changes() {
   const Values gradient = with(path, {{"environment", "gradient"}}),
                clear = with(path, {{"environment", "sky"}});
   const Values metal = with(path, {{"material", "metal"}}), glass = with(path, {{"material", "glass"}}),
-               principled = with(path, {{"material", "principled"}});
+               principled = with(path, {{"material", "principled"}}),
+               emissive = with(path, {{"material", "emissive"}});
   const Values tubes{{"lines", "tubes"}}, spheres{{"points", "spheres"}}, lens{{"camera.aperture", "0.3"}},
       plane{{"ground", "plane"}};
   return {
@@ -136,6 +137,7 @@ std::vector<Change> changes() {
       {"material.specular", "1", principled},
       {"material.transmission", "1", principled},
       {"material.coat", "1", principled},
+      {"material.emission", "2", emissive},
       {"material.file", written("rules.toml", "[[rule]]\nobjects = [0]\nmaterial = 'mirror'\n"), path},
       {"lines", "tubes", {}},
       {"lines.width", "9", tubes},
