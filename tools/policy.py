@@ -11,7 +11,7 @@ import glxml
 POLICY = pathlib.Path(__file__).resolve().parent.parent / "spec/policy.toml"
 CLASSES = {"attribute": "tracked", "track": "tracked", "own": "tracked", "forward": "forwarded"}
 COVERAGES = ("traced", "tracked", "forwarded", "masked")
-FIELDS = {"commands", "except", "class", "flush", "sync", "touch", "handler", "list", "begin", "copy", "fragment", "coverage", "reason"}
+FIELDS = {"commands", "except", "class", "flush", "sync", "touch", "handler", "list", "begin", "copy", "fragment", "scope", "coverage", "reason"}
 GROUPS = {"modelview", "projection", "viewport", "raster", "lighting", "material", "texture", "clip", "target", "arrays", "attributes", "program",
           "current", "all"}
 
@@ -52,6 +52,7 @@ class Policy:
         self.touch: str = _groups(command.name, touch)
         self.handler: bool = fields.get("handler", self.kind == "own" or (self.kind == "track" and not touch))
         self.immediate: bool = fields.get("list") == "immediate" or command.ret != "void"
+        self.scope: str = fields.get("scope", "")
         self.fragment: str = fields.get("fragment", "")
         self.copy: dict[str, str] = fields.get("copy", {})
         self.coverage: str = fields.get("coverage", CLASSES[self.kind])

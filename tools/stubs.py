@@ -108,8 +108,9 @@ def _forward(c: glxml.Command, policy: Policy, index: int) -> str:
         f"case Gate::compile: ctx->lists.recordFragment([&] {{ {real}; }});{later} return;\n      case Gate::run: break;")
     # Afterwards once more: another context that reads an image or a buffer again must find it changed.
     touch = f"  ctx->touch({policy.touch.replace('{c}', '*ctx')});\n" if policy.touch else ""
+    scope = f"  {policy.scope.replace('{c}', '*ctx')}\n" if policy.scope else ""
     return (_gate(c, policy, compile_case) + f"  ctx->count({index});\n"
-            f"  ctx->{_before(policy)}\n" +
+            f"  ctx->{_before(policy)}\n{scope}" +
             (f"{touch}  return {real};\n" if c.ret != "void" else
              f"{touch}  {real};\n{touch if '{c}' in policy.touch else ''}"))
 

@@ -174,14 +174,54 @@ const Image* IdleFrame::imageOf(Part& part, const Tracer& tracer) {
   return tracer.resolve && tracer.resolve(settings, *how, part.image, part.pixels) ? &part.pixels : nullptr;
 }
 
+bool IdleFrame::looked() const {
+  return std::any_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.looked; });
+}
+
+glm::ivec2 IdleFrame::size() const {
+  glm::ivec2 size(0);
+  for (const Part& part : parts_) size = glm::max(size, part.picture.corner + part.picture.size);
+  return size;
+}
+
+bool IdleFrame::look() noexcept {
+  if (!looked()) return window_->read(shown_);
+  // `next_` is free between steps.
+  return window_->read(next_) && next_.width == shown_.width && next_.height == shown_.height &&
+         std::equal(next_.colors.begin(), next_.colors.end(), shown_.colors.begin(),
+                    [](uint32_t a, uint32_t b) { return ((a ^ b) & kColors) == 0; });
+}
+
+std::unique_ptr<IdleFrame> IdleFrame::lend(std::shared_ptr<IdleWindow> window) {
+  auto lent = std::make_unique<IdleFrame>(std::vector<IdlePicture>{}, std::move(window), passes_);
+  lent->parts_.resize(parts_.size());
+  for (size_t i = 0; i < parts_.size(); ++i) lent->parts_[i].picture = parts_[i].picture.copy();
+  for (size_t i = 0; i < parts_.size(); ++i) {  // nothing throws from here on
+    lent->parts_[i].refinement = std::move(parts_[i].refinement);
+    lent->parts_[i].refiner = std::move(parts_[i].refiner);
+    lent->parts_[i].finished = lent->parts_[i].refused = !lent->parts_[i].refiner;
+  }
+  return lent;
+}
+
+void IdleFrame::takeBack(IdleFrame& lent) noexcept {
+  for (size_t i = 0; i < parts_.size(); ++i) {
+    parts_[i].refinement = std::move(lent.parts_[i].refinement);
+    parts_[i].refiner = std::move(lent.parts_[i].refiner);
+  }
+}
+
 IdleFrame::Step IdleFrame::step(const Tracer& tracer, const Trace& trace, bool& shown) {
-  const auto part = std::min_element(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) {
-    return std::pair(a.finished, a.refinement->passes()) < std::pair(b.finished, b.refinement->passes());
-  });
+  const auto rank = [](const Part& p) {
+    return std::pair(p.finished, p.finished ? 0 : p.refinement->passes());
+  };
+  const auto part = std::min_element(parts_.begin(), parts_.end(),
+                                     [&](const Part& a, const Part& b) { return rank(a) < rank(b); });
   if (part == parts_.end() || part->finished) return Step::done;
   scene::TraceCost cost;
   std::string error;
-  if (!part->refiner->pass(trace, 0, cost, error)) return Step::failed;
+  const bool enough = part->refiner->hasPass() && part->refiner->finished();
+  if (!enough && !part->refiner->pass(trace, 0, cost, error)) return Step::failed;
   if (!undone_) undoPasses(tracer);
   if (!std::exchange(part->looked, true)) {
     const Image* const image = imageOf(*part, tracer);
@@ -217,6 +257,7 @@ std::unique_ptr<Refinement> IdleFrame::take(uint64_t id) noexcept {
   for (Part& part : parts_)
     if (part.picture.id == id && part.refinement && part.refinement->passes() > 0) {
       part.refiner.reset();
+      part.finished = true;
       return std::move(part.refinement);
     }
   return nullptr;

@@ -28,6 +28,9 @@ struct IdlePicture {
   std::optional<scene::Resolve> resolve;        // of a multisampled framebuffer, how its samples became these
   std::unique_ptr<Refinement> refinement = {};  // passes so far, which `colors` shows; null: none
   std::vector<bool> mixed = {};                 // pixels whose samples differ; empty: none
+
+  /// Without `refinement`.
+  IdlePicture copy() const { return {snapshot, id, corner, size, colors, resolve, nullptr, mixed}; }
 };
 
 /// An anti-aliasing pass of the program that GLuRay made over pictures of the frame.
@@ -44,14 +47,20 @@ class IdleFrame {
  public:
   IdleFrame(std::vector<IdlePicture> pictures, std::shared_ptr<IdleWindow> window,
             std::vector<IdleFxaa> passes = {});
-  /// Reads the window. False: nothing can be refined.
-  bool look() noexcept { return window_->read(shown_); }
+  /// Reads the window. False: nothing can be refined, or it does not show what it was left with.
+  bool look() noexcept;
+  /// The same pictures, for another window. It has their passes until takeBack().
+  std::unique_ptr<IdleFrame> lend(std::shared_ptr<IdleWindow> window);
+  void takeBack(IdleFrame& lent) noexcept;
   enum class Step { more, done, failed };
-  /// Traces one pass over the picture with the fewest, and shows it if it is much better. `trace` may stop
-  /// early and return false. Throws std::bad_alloc.
+  /// Traces one pass over the picture with the fewest, unless it is finished, and shows it if it is much
+  /// better. `trace` may stop early and return false. Throws std::bad_alloc.
   Step step(const Tracer& tracer, const Trace& trace, bool& shown);
   /// Whether the window was found to show none of the pictures as they were written.
   bool refused() const;
+  bool looked() const;  // for any of the pictures
+  bool hasWindow() const { return window_ != nullptr; }
+  glm::ivec2 size() const;  // of a framebuffer that has room for them
   /// Of its noisiest picture; infinite: not known yet.
   double noise() const;
   /// Hands over the passes of the picture of this id.

@@ -30,30 +30,38 @@ IdleRefiner::~IdleRefiner() {
   thread_.stop();
 }
 
-void IdleRefiner::start(std::vector<IdlePicture> pictures, std::shared_ptr<IdleWindow> window,
-                        std::vector<IdleFxaa> passes) noexcept {
+void IdleRefiner::start(std::unique_ptr<IdleFrame> frame) noexcept {
   stop();
-  frame_.reset();
-  if (pictures.empty() || !window) return;
+  frame_ = std::move(frame);  // state_ is empty: the thread leaves it alone
+  if (!frame_) return;
   try {
-    auto frame = std::make_unique<IdleFrame>(std::move(pictures), std::move(window), std::move(passes));
-    std::unique_lock lock(mutex_);
-    frame_ = std::move(frame);
     const auto now = Clock::now(), before = std::exchange(started_, now);
     const bool follow = now - before < kFollowing;
-    due_ = now + (follow ? std::max(quiet_, (now - before) * 3 / 2) : quiet_);
-    stop_ = false;
-    state_ = State::waiting;
-    const bool runs = !ended_;
-    lock.unlock();
-    changed_.notify_all();
-    if (runs) return;
-    thread_.stop();
-    ended_ = false;
-    if (!thread_.start([this](const std::atomic<bool>& cancelled) { run(cancelled); },
-                       BackgroundJob::Priority::usual))
-      ended_ = true, state_ = State::empty;
+    if (frame_->hasWindow()) begin(now + (follow ? std::max(quiet_, (now - before) * 3 / 2) : quiet_));
   } catch (const std::exception&) {}  // out of memory: the picture keeps its noise
+}
+
+void IdleRefiner::resume() noexcept {
+  try {
+    if (frame_ && frame_->hasWindow()) begin(Clock::now() + quiet_);
+  } catch (const std::exception&) {}
+}
+
+/// The thread, which is started if it has ended, works on frame_ when it is `due`.
+void IdleRefiner::begin(Clock::time_point due) {
+  std::unique_lock lock(mutex_);
+  due_ = due;
+  stop_ = false;
+  state_ = State::waiting;
+  const bool runs = !ended_;
+  lock.unlock();
+  changed_.notify_all();
+  if (runs) return;
+  thread_.stop();
+  ended_ = false;
+  if (!thread_.start([this](const std::atomic<bool>& cancelled) { run(cancelled); },
+                     BackgroundJob::Priority::usual))
+    ended_ = true, state_ = State::empty;
 }
 
 void IdleRefiner::stop() noexcept {
@@ -89,8 +97,9 @@ void IdleRefiner::run(const std::atomic<bool>& cancelled) {
 }
 
 void IdleRefiner::refine(IdleFrame& frame, const Trace& trace, const std::function<bool()>& ends) {
-  if (!frame.look()) return void(++counts().refused);
-  ++counts().frames;
+  const bool again = frame.looked();
+  if (!frame.look()) return void(counts().refused += !again);
+  if (!again) ++counts().frames;
   auto step = IdleFrame::Step::more;
   while (step == IdleFrame::Step::more && !ends()) {
     bool shown = false;

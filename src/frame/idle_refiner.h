@@ -35,17 +35,21 @@ class IdleRefiner {
   IdleRefiner(const IdleRefiner&) = delete;
   IdleRefiner& operator=(const IdleRefiner&) = delete;
 
-  /// A frame was shown: refines its pictures if nothing happens. Stops work on the frame before.
-  /// `passes`: that went over them before.
-  void start(std::vector<IdlePicture> pictures, std::shared_ptr<IdleWindow> window,
-             std::vector<IdleFxaa> passes = {}) noexcept;
+  /// A frame was shown: refines its pictures if nothing happens. Stops work on the frame before. Without a
+  /// window the frame is only kept; null: there is none.
+  void start(std::unique_ptr<IdleFrame> frame) noexcept;
   /// Stops, and waits until the thread touches neither renderer nor window: for one tile of a picture.
   void stop() noexcept;
+  /// The frame of the last start(); null: none. Only its size may be asked for before stop().
+  IdleFrame* frame() noexcept { return frame_.get(); }
+  /// Goes on with that frame after stop(), if its window still shows what it was left with.
+  void resume() noexcept;
   /// Hands over the passes over the picture of this id; null: there are none. Call after stop().
   std::unique_ptr<Refinement> take(uint64_t id) noexcept;
 
  private:
   enum class State { empty, waiting, working };
+  void begin(Clock::time_point due);
   void run(const std::atomic<bool>& cancelled);
   void workOnce(std::unique_lock<std::mutex>& lock, const std::atomic<bool>& cancelled);
   void refine(IdleFrame& frame, const Trace& trace, const std::function<bool()>& ends);

@@ -56,6 +56,11 @@ class FakeWindow final : public IdleWindow {
   bool gone_ = false;
 };
 
+std::unique_ptr<IdleFrame> frameOf(std::vector<IdlePicture> pictures, std::shared_ptr<IdleWindow> window,
+                                   std::vector<IdleFxaa> passes = {}) {
+  return std::make_unique<IdleFrame>(std::move(pictures), std::move(window), std::move(passes));
+}
+
 struct IdleRefinerTest : testing::Test {
   Renderer renderer;
   std::atomic<int> passes{0};
@@ -110,7 +115,7 @@ TEST_F(IdleRefinerTest, TheWindowBecomesCleanerAndThenWorkEnds) {
   Image truth;
   ASSERT_TRUE(renderer.render(many, truth, cost, error));
   IdleRefiner refiner(tracer, 1ms);
-  refiner.start(written(), window);
+  refiner.start(frameOf(written(), window));
   waitForRest();
   EXPECT_LT(test::difference(seen(), truth), 0.012);
   EXPECT_GT(test::difference(first, truth), 0.05);
@@ -147,7 +152,7 @@ struct AntialiasedWindow : IdleRefinerTest {
   }
   void refine() {
     IdleRefiner refiner(tracer, 1ms);
-    refiner.start(written(), window, {pass});
+    refiner.start(frameOf(written(), window, {pass}));
     waitForRest();
   }
 };
@@ -204,7 +209,7 @@ TEST_F(IdleRefinerTest, WhatWasDrawnOverThePictureStays) {
   overlaid[500] ^= 0x80000000;                                 // alpha is not seen
   window->show(first.width, first.height, overlaid);
   IdleRefiner refiner(tracer, 1ms);
-  refiner.start(written(), window);
+  refiner.start(frameOf(written(), window));
   waitForRest();
   const std::vector<uint32_t> after = window->colors();
   for (size_t i = 0; i < 200; ++i) EXPECT_EQ(after[i], 0xff123456);
@@ -232,7 +237,7 @@ TEST_F(IdleRefinerTest, NoiseThatEqualsAFlatOverlayIsNotTakenForThePicture) {
   ASSERT_GT(equal, 5);
   window->show(first.width, first.height, overlaid);
   IdleRefiner refiner(tracer, 1ms);
-  refiner.start(written(), window);
+  refiner.start(frameOf(written(), window));
   waitForRest();
   const std::vector<uint32_t> after = window->colors();
   for (size_t i = 0; i < after.size(); ++i) {
@@ -253,7 +258,7 @@ TEST_F(IdleRefinerTest, InsidesOfMultisampledPicturesAreRefined) {
   pictures[0].mixed.resize(first.color.size());
   pictures[0].mixed[500] = true;
   IdleRefiner refiner(tracer, 1ms);
-  refiner.start(std::move(pictures), window);
+  refiner.start(frameOf(std::move(pictures), window));
   waitForRest();
   const std::vector<uint32_t> after = window->colors();
   EXPECT_NE(after, first.color);
@@ -266,7 +271,7 @@ TEST_F(IdleRefinerTest, AWindowThatShowsSomethingElseIsLeftAlone) {
   window->show(first.width, first.height, other);
   IdleRefiner refiner(tracer, 1ms);
   const uint64_t refused = IdleRefiner::counts().refused;
-  refiner.start(written(), window);
+  refiner.start(frameOf(written(), window));
   EXPECT_TRUE(waitFor([&] { return IdleRefiner::counts().refused > refused; }));
   EXPECT_EQ(window->colors(), other);
   EXPECT_EQ(passes, 1);
@@ -275,7 +280,7 @@ TEST_F(IdleRefinerTest, AWindowThatShowsSomethingElseIsLeftAlone) {
 TEST_F(IdleRefinerTest, WhatTheProgramShowsMeanwhileStays) {
   scene->settings.noise = 1e-6f;
   IdleRefiner refiner(tracer, 1ms);
-  refiner.start(written(), window);
+  refiner.start(frameOf(written(), window));
   ASSERT_TRUE(waitFor([&] { return window->painted() > 0; }));
   const std::vector<uint32_t> newer(first.color.size(), 0xff00ff00);
   window->show(first.width, first.height, newer);
@@ -285,7 +290,7 @@ TEST_F(IdleRefinerTest, WhatTheProgramShowsMeanwhileStays) {
 
 TEST_F(IdleRefinerTest, NothingHappensBeforeItIsQuiet) {
   IdleRefiner refiner(tracer, 10s);
-  for (int i = 0; i < 20; ++i) refiner.start(written(), window);
+  for (int i = 0; i < 20; ++i) refiner.start(frameOf(written(), window));
   std::this_thread::sleep_for(30ms);
   refiner.stop();
   EXPECT_EQ(passes, 0);
@@ -299,7 +304,7 @@ TEST_F(IdleRefinerTest, StopsAtOnceAndLeavesTheLastPicture) {
   for (int i = 0; i < 5; ++i) {
     window->show(first.width, first.height, first.color);
     const int before = passes;
-    refiner.start(written(), window);
+    refiner.start(frameOf(written(), window));
     ASSERT_TRUE(waitFor([&] { return passes > before; }));
     std::this_thread::sleep_for(5ms * i);
     refiner.stop();
@@ -314,10 +319,10 @@ TEST_F(IdleRefinerTest, StopsAtOnceAndLeavesTheLastPicture) {
 TEST_F(IdleRefinerTest, WindowsMayGo) {
   IdleRefiner refiner(tracer, 1ms);
   window->leave();
-  refiner.start(written(), window);
+  refiner.start(frameOf(written(), window));
   std::this_thread::sleep_for(20ms);
-  refiner.start(written(), nullptr);
-  refiner.start({}, window);
+  refiner.start(frameOf(written(), nullptr));
+  refiner.start(frameOf({}, window));
   refiner.stop();
   EXPECT_EQ(passes, 0);
 }
@@ -325,14 +330,14 @@ TEST_F(IdleRefinerTest, WindowsMayGo) {
 TEST_F(IdleRefinerTest, EndsWithWorkInHand) {
   scene->settings.noise = 1e-6f;
   IdleRefiner refiner(tracer, 0ms);
-  refiner.start(written(), window);
+  refiner.start(frameOf(written(), window));
   waitFor([&] { return passes > 0; });
 }
 
 TEST_F(IdleRefinerTest, AnotherPictureComesFirst) {
   scene->settings.noise = 1e-6f;
   IdleRefiner refiner(tracer, 0ms);
-  refiner.start(written(), window);
+  refiner.start(frameOf(written(), window));
   for (int i = 0; i < 20; ++i) {
     Image image;
     scene::TraceCost cost;
@@ -360,7 +365,7 @@ TEST_F(IdleRefinerTest, GoesOnFromThePassesSoFar) {
   std::vector<IdlePicture> pictures = written();
   pictures[0].refinement = std::move(refinement);
   IdleRefiner refiner(tracer, 1ms);
-  refiner.start(std::move(pictures), window);
+  refiner.start(frameOf(std::move(pictures), window));
   waitForRest();
   EXPECT_EQ(passes, 4);
   EXPECT_EQ(window->painted(), 1);
@@ -380,7 +385,7 @@ TEST_F(IdleRefinerTest, SeveralViewsOfAWindowAreRefined) {
   std::vector<IdlePicture> pictures = written();
   pictures.push_back({right, 6, {w, 0}, {w, h}, first.color});
   IdleRefiner refiner(tracer, 1ms);
-  refiner.start(std::move(pictures), window);
+  refiner.start(frameOf(std::move(pictures), window));
   waitForRest();
   const std::vector<uint32_t> after = window->colors();
   for (int y = 0; y < h; ++y)

@@ -28,12 +28,14 @@ void paintUnrefined(const scene::Snapshot& snapshot, Image& image) {
     paintNoNoise(image);
 }
 
-/// Traces passes until the picture is finished or, unless it must be, the time is up. False: a pass failed.
+/// Traces passes, at least the one that showing the picture needs, until it is finished or, unless it must
+/// be, the time is up. False: a pass failed.
 bool tracePasses(Refiner& refiner, const Trace& trace, uint32_t missColor, bool finish, double mostSeconds,
                  Pictures::Result& result) {
   const double start = nowSeconds();
   double now = start, last = 0;
-  while (!refiner.finished() && (finish || result.passes == 0 || now + last < start + mostSeconds)) {
+  while (!refiner.hasPass() ||
+         (!refiner.finished() && (finish || result.passes == 0 || now + last < start + mostSeconds))) {
     if (!refiner.pass(trace, missColor, result.cost, result.why)) return false;
     ++result.passes;
     last = nowSeconds() - now, now += last;
@@ -63,7 +65,7 @@ void Pictures::refine(const scene::Snapshot& snapshot, LastPictures::Picture& pi
                       Result& result) noexcept {
   try {
     auto passes = std::exchange(picture.refinement, nullptr);
-    if (idle_ && !passes) passes = idle_->take(picture.id);
+    if (!passes) passes = frame_.take(picture.id);
     if (!passes) passes = std::make_unique<Refinement>();
     Refiner refiner(snapshot, *passes);
     const bool all = tracePasses(refiner, tracer_.trace, picture.image.missColor, finish,
@@ -107,7 +109,7 @@ bool Pictures::traceOnce(const scene::Snapshot& snapshot, bool full, LastPicture
 
 Pictures::Result Pictures::of(const scene::Snapshot& snapshot, const Wish& wish) {
   Result result;
-  if (idle_) idle_->stop();
+  frame_.next();
   const bool ahead = ahead_ && ahead_->has(snapshot);
   const bool refines = isRefinable(snapshot);
   bool full = wish.finished || snapshot.lightSampling.mode == scene::LightSampling::Mode::full;
@@ -133,72 +135,6 @@ Pictures::Result Pictures::of(const scene::Snapshot& snapshot, const Wish& wish)
   last_.keep(snapshot);
   result.picture = &fresh;
   return result;
-}
-
-namespace {
-
-/// Pixels of a multisampled picture whose samples differ.
-std::vector<bool> mixedPixels(const Image& image) {
-  if (image.samples == 1) return {};
-  const size_t pixels = image.color.size() / static_cast<size_t>(image.samples);
-  std::vector<bool> mixed(pixels);
-  for (size_t i = pixels; i < image.color.size(); ++i)
-    if (image.color[i] != image.color[i % pixels]) mixed[i % pixels] = true;
-  return mixed;
-}
-
-}  // namespace
-
-void Pictures::wrote(const scene::SnapshotPtr& snapshot, const LastPictures::Picture& picture,
-                     const Image& pixels, const scene::Resolve* how) noexcept {
-  constexpr size_t kMost = 4;  // views of one window
-  const bool refines = tracer_.behind && snapshot->settings.refine.idle &&
-                       snapshot->lightSampling.mode == scene::LightSampling::Mode::moving &&
-                       !picture.refined && pixels.has(Plane::color) && isRefinable(*snapshot);
-  if (!written_.empty() && written_.front().snapshot->frame != snapshot->frame)
-    written_.clear(), antialiased_.clear();
-  if (!refines) return;
-  const auto known = std::find_if(written_.begin(), written_.end(),
-                                  [&](const IdlePicture& one) { return one.id == picture.id; });
-  if (known != written_.end()) return;
-  if (written_.size() == kMost) return void(tooMany_ = true);
-  try {
-    IdlePicture one{snapshot, picture.id, {pixels.x, pixels.y}, {pixels.width, pixels.height}, pixels.color};
-    if (how) one.resolve = *how;
-    one.mixed = mixedPixels(pixels);
-    one.colors.resize(static_cast<size_t>(pixels.width) * static_cast<size_t>(pixels.height));
-    written_.push_back(std::move(one));
-  } catch (const std::exception&) { tooMany_ = true; }  // out of memory: the frame keeps its noise
-}
-
-void Pictures::antialiased(const scene::Fxaa& how, const scene::Region& region, const uint32_t* before,
-                           const Settings& settings) noexcept {
-  constexpr size_t kMost = 4;  // views of one window
-  if (written_.empty()) return;
-  if (antialiased_.size() == kMost) return void(tooMany_ = true);
-  try {
-    const size_t pixels = static_cast<size_t>(region.width) * static_cast<size_t>(region.height);
-    antialiased_.push_back({how, region, settings, {before, before + pixels}});
-  } catch (const std::exception&) { tooMany_ = true; }  // out of memory: the frame keeps its noise
-}
-
-void Pictures::refineWhileIdle(const std::function<std::shared_ptr<IdleWindow>()>& open) noexcept {
-  using namespace std::chrono_literals;
-  constexpr auto kQuiet = 100ms;  // frames that follow each other come sooner
-  const bool refines = !written_.empty() && !std::exchange(tooMany_, false);
-  std::vector<IdlePicture> written = std::exchange(written_, {});
-  std::vector<IdleFxaa> passes = std::exchange(antialiased_, {});
-  try {
-    if (!refines) return idle_ ? idle_->start({}, nullptr) : void();
-    if (!idle_) idle_ = std::make_unique<IdleRefiner>(tracer_, kQuiet);
-    for (IdlePicture& one : written)
-      if (auto* const picture = last_.withId(one.id)) one.refinement = std::move(picture->refinement);
-    idle_->start(std::move(written), open(), std::move(passes));
-  } catch (const std::exception&) {}  // out of memory: the frame keeps its noise
-}
-
-void Pictures::stopRefining() noexcept {
-  if (idle_) idle_->stop();
 }
 
 bool Pictures::startAhead(scene::SnapshotPtr snapshot, uint32_t missColor, TraceAhead::Late late) {

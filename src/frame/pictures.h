@@ -1,7 +1,7 @@
 // Provides a context's pictures: from the cache of earlier frames, traced ahead by a thread, or traced now.
 // GL thread, one per context.
 #pragma once
-#include "frame/idle_refiner.h"
+#include "frame/frame_pictures.h"
 #include "frame/last_pictures.h"
 #include "frame/refiner.h"
 #include "frame/trace_ahead.h"
@@ -43,17 +43,8 @@ class Pictures {
   bool knows(const scene::Snapshot& snapshot, std::optional<uint32_t> missColor) noexcept {
     return last_.of(snapshot, missColor) != nullptr;
   }
-  /// A picture of of() was written into the frame, as `pixels`; `how`: its samples were resolved. Remembered
-  /// until the frame is shown, if it can be refined then.
-  void wrote(const scene::SnapshotPtr& snapshot, const LastPictures::Picture& picture, const Image& pixels,
-             const scene::Resolve* how = nullptr) noexcept;
-  /// What was written into the region of the frame was anti-aliased: `before` are its pixels, RGBA8.
-  void antialiased(const scene::Fxaa& how, const scene::Region& region, const uint32_t* before,
-                   const Settings& settings) noexcept;
-  /// The frame is in the window that `open` opens: refines its pictures there while nothing else is asked.
-  void refineWhileIdle(const std::function<std::shared_ptr<IdleWindow>()>& open) noexcept;
-  /// The frame was shown elsewhere, or another one begins.
-  void stopRefining() noexcept;
+  /// Pictures of of() that were written.
+  FramePictures& frame() { return frame_; }
   /// Starts tracing ahead: see TraceAhead::start().
   bool startAhead(scene::SnapshotPtr snapshot, uint32_t missColor, TraceAhead::Late late);
   /// Discards the picture that is traced ahead.
@@ -68,10 +59,7 @@ class Pictures {
 
   Tracer tracer_;
   LastPictures last_;
-  std::vector<IdlePicture> written_;   // of this frame
-  std::vector<IdleFxaa> antialiased_;  // over these
-  bool tooMany_ = false;               // more than are remembered
-  std::unique_ptr<IdleRefiner> idle_;  // made at the first frame that is refined while idle
+  FramePictures frame_{tracer_, last_};
   std::unique_ptr<TraceAhead> ahead_;  // made at the first lagged frame
 };
 

@@ -25,6 +25,8 @@ class Refiner {
   bool pass(const Trace& trace, uint32_t missColor, scene::TraceCost& cost, std::string& error);
   /// Writes the mean into `out`; misses get out.missColor. Call after pass(). Throws std::bad_alloc.
   void show(Image& out) const;
+  /// Whether show() may be called.
+  bool hasPass() const { return !image_.depth.empty(); }
   bool finished() const { return isFinished(refinement_, snapshot_.settings); }
   const Refinement& refinement() const { return refinement_; }
 

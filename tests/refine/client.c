@@ -2,9 +2,11 @@
  *
  * Draws a scene of rings on a floor, and lines over it, then does as its habit says. Pictures of the window,
  * as X shows it, go to standard output as PPM after a line that names them. */
+#define GL_GLEXT_PROTOTYPES
 #include "tests/doors/ring.h"
 
 #include <GL/gl.h>
+#include <GL/glext.h>
 #include <GL/glx.h>
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
@@ -64,6 +66,26 @@ static void readPixels(const char* name) {
     for (int x = 0; x < kWidth; ++x) fwrite(pixels[y][x], 1, 3, stdout);
 }
 
+/* The same by floats, into a buffer object, with rows that have room. */
+static void readFloats(const char* name) {
+  enum { kRoom = kWidth + 3 };
+  GLuint buffer;
+  glGenBuffers(1, &buffer);
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer);
+  glBufferData(GL_PIXEL_PACK_BUFFER, sizeof(float) * 3 * kRoom * kHeight, NULL, GL_STREAM_READ);
+  glPixelStorei(GL_PACK_ROW_LENGTH, kRoom);
+  glReadPixels(0, 0, kWidth, kHeight, GL_BGR, GL_FLOAT, NULL);
+  glPixelStorei(GL_PACK_ROW_LENGTH, 0);
+  const float(*pixels)[kRoom][3] = glMapBuffer(GL_PIXEL_PACK_BUFFER, GL_READ_ONLY);
+  begin(name);
+  for (int y = kHeight - 1; y >= 0; --y)
+    for (int x = 0; x < kWidth; ++x)
+      for (int c = 2; c >= 0; --c) putchar((int)(pixels[y][x][c] * 255 + 0.5f));
+  glUnmapBuffer(GL_PIXEL_PACK_BUFFER);
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  glDeleteBuffers(1, &buffer);
+}
+
 static void drawScene(float angle) {
   glClearColor(0.1f, 0.2f, 0.3f, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -120,6 +142,56 @@ static void redraws(void) {
 static void reads(void) {
   drawScene(0);
   readPixels("last");
+}
+
+/* As programs save what their window shows. OpenGL does not say what the back buffer holds after a swap, but
+ * Mesa keeps the frame there, and has none in the front buffer of software contexts. */
+static void readsShown(void) {
+  show(0, 1);
+  look("first");
+  readPixels("last");
+  readPixels("again");
+  readFloats("floats");
+  if (glGetError() != GL_NO_ERROR) exit(3);
+  nap(1500);
+  look("window");
+}
+
+static GLuint makeFramebuffer(void) {
+  GLuint name, buffers[2];
+  glGenFramebuffers(1, &name), glGenRenderbuffers(2, buffers);
+  glBindFramebuffer(GL_FRAMEBUFFER, name);
+  for (int i = 0; i < 2; ++i) {
+    glBindRenderbuffer(GL_RENDERBUFFER, buffers[i]);
+    glRenderbufferStorage(GL_RENDERBUFFER, i ? GL_DEPTH_COMPONENT24 : GL_RGBA8, kWidth, kHeight);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, i ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                              buffers[i]);
+  }
+  return name;
+}
+
+/* Draws into a framebuffer object, shows a copy, and reads another one; before the swap, too. */
+static void readsCopies(void) {
+  const GLuint drawn = makeFramebuffer(), copied = makeFramebuffer();
+  glBindFramebuffer(GL_FRAMEBUFFER, drawn);
+  drawScene(0);
+  drawOverlay();
+  for (int i = 0; i < 2; ++i) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn), glBindFramebuffer(GL_DRAW_FRAMEBUFFER, i ? 0 : copied);
+    glBlitFramebuffer(0, 0, kWidth, kHeight, 0, 0, kWidth, kHeight, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, copied);
+  readPixels("last");
+  glXSwapBuffers(g_display, g_window);
+  look("first");
+  readPixels("again");
+  readFloats("floats");
+  GLint bound = 0;
+  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &bound);
+  if (glGetError() != GL_NO_ERROR || bound != (GLint)copied) exit(3);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  nap(1500);
+  look("window");
 }
 
 /* Waits, then goes on: what the window shows is always the newest frame. */
@@ -186,10 +258,19 @@ int main(int argc, char** argv) {
     const char* name;
     void (*run)(void);
     int hidden;
-  } habits[] = {{"plain", plain, 0},       {"overlays", overlays, 0}, {"redraws", redraws, 0},
-                {"reads", reads, 0},       {"hidden", reads, 1},      {"goes-on", goesOn, 0},
-                {"paints", paints, 0},     {"leaves", leaves, 0},     {"closes", closes, 0},
-                {"destroys", destroys, 0}, {"resizes", resizes, 0}};
+  } habits[] = {{"plain", plain, 0},
+                {"overlays", overlays, 0},
+                {"redraws", redraws, 0},
+                {"reads", reads, 0},
+                {"hidden", reads, 1},
+                {"goes-on", goesOn, 0},
+                {"paints", paints, 0},
+                {"leaves", leaves, 0},
+                {"closes", closes, 0},
+                {"destroys", destroys, 0},
+                {"resizes", resizes, 0},
+                {"reads-shown", readsShown, 0},
+                {"reads-copies", readsCopies, 0}};
   for (size_t i = 0; argc > 1 && i < sizeof habits / sizeof *habits; ++i) {
     if (strcmp(argv[1], habits[i].name) != 0) continue;
     if (!openWindow(!habits[i].hidden)) return 1;

@@ -59,6 +59,12 @@ class Refine(unittest.TestCase):
     def truth(self):
         return self.run_client("reads", "--ao", *MANY)[0][1]
 
+    def check_overlays(self, seen):
+        line = [i for i in range(WIDTH * HEIGHT) if 0.06 * HEIGHT < i // WIDTH < 0.09 * HEIGHT]
+        self.assertEqual({tuple(seen["last"][i]) for i in line}, {(255, 0, 255)})
+        blended = [i for i in range(WIDTH * HEIGHT) if i % WIDTH < 0.19 * WIDTH]
+        self.assertEqual([seen["first"][i] for i in blended], [seen["last"][i] for i in blended])
+
     def test_a_waiting_window_becomes_cleaner(self):
         truth = self.truth()
         seen = self.lit("plain")
@@ -73,10 +79,7 @@ class Refine(unittest.TestCase):
         truth = self.truth()
         seen = self.lit("overlays")
         self.assertGreater(psnr(seen["last"], truth, overlaid), psnr(seen["first"], truth, overlaid) + 6)
-        line = [i for i in range(WIDTH * HEIGHT) if 0.06 * HEIGHT < i // WIDTH < 0.09 * HEIGHT]
-        self.assertEqual({tuple(seen["last"][i]) for i in line}, {(255, 0, 255)})
-        blended = [i for i in range(WIDTH * HEIGHT) if i % WIDTH < 0.19 * WIDTH]
-        self.assertEqual([seen["first"][i] for i in blended], [seen["last"][i] for i in blended])
+        self.check_overlays(seen)
 
     def test_redrawing_the_same_frame_makes_it_cleaner(self):
         truth = self.truth()
@@ -92,6 +95,20 @@ class Refine(unittest.TestCase):
             self.assertEqual(first, again, "passes follow from noise, not from time")
             self.assertLessEqual(self.report["light"]["noise"], 0.01)
             self.assertLess(psnr(self.lit(habit, "--set", "noise=0")["last"], truth), 36, habit)
+
+    def test_reads_of_what_was_shown_or_copied_get_finished_pictures(self):
+        truth = self.truth()
+        for habit in ("reads-shown", "reads-copies"):
+            seen = self.lit(habit)
+            print(f"{habit}: {psnr(seen['first'], truth, overlaid):.1f} dB, read {psnr(seen['last'], truth, overlaid):.1f},"
+                  f" then {psnr(seen['window'], truth, overlaid):.1f}")
+            self.assertGreater(psnr(seen["last"], truth, overlaid), psnr(seen["first"], truth, overlaid) + 3, habit)
+            self.assertGreater(psnr(seen["window"], truth, overlaid), 38, habit)
+            for other in ("again", "floats"):
+                self.assertEqual(seen[other], seen["last"], f"{habit}, {other}")
+            self.check_overlays(seen)
+            quick = self.lit(habit, "--set", "noise=0")
+            self.assertEqual(quick["first"], quick["last"], habit)
 
     def test_the_newest_frame_is_always_seen(self):
         without = [p for _, p in self.run_client("goes-on", "--ao", *FEW, "--set", "refine.idle=off")]

@@ -1,6 +1,7 @@
-// Reads the framebuffer's depth and colours for layers that are traced over it. Implemented in
-// intercept/present/read_back/. GL thread, context current; restores all state.
+// Reads the framebuffer's depth and colours for layers that are traced over it, and prepares what the program
+// reads. Implemented in intercept/present/read_back/. GL thread, context current; restores all state.
 #pragma once
+#include "gl/batch/present_result.h"
 #include "gl/real.h"
 #include "scene/snapshot.h"
 
@@ -24,6 +25,12 @@ class FramebufferReader {
                           std::vector<uint32_t>& /*out*/) noexcept {
     return false;
   }
+  /// The program reads colours of this region of the bound read framebuffer next. If that holds pictures with
+  /// light as they were written, finishes them and binds a copy with the finished ones for reading. Not
+  /// traced: nothing was bound. Never throws.
+  virtual PresentResult bindFinished(const RealGl&, const scene::Region& /*region*/) noexcept { return {}; }
+  /// Binds the program's framebuffer again. Call after bindFinished() has bound a copy.
+  virtual void unbindFinished(const RealGl&) noexcept {}
 };
 
 }  // namespace gluray::gl

@@ -47,7 +47,7 @@ PresentResult TracingPresenter::resolved(const gl::RealGl& real, const scene::Sn
   pending.insert(pending.end(), more.begin(), more.end());
   if (!pending.empty()) result.pendingError = pending.front();
   if (done) result.outcome = PresentResult::traced;
-  if (done && target.colors) shared_.pictures.wrote(shared, *traced, pixels_.image, &target.how);
+  if (done && target.colors) shared_.pictures.frame().wrote(shared, *traced, pixels_.image, &target.how);
   result.presentSeconds = nowSeconds() - start;
   if (done && target.colors && shared_.written) shared_.written(real, pixels_.image);
   return result;

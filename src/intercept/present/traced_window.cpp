@@ -66,10 +66,10 @@ LagRefusal TracedWindow::traceAhead(const gl::RealGl& real, const scene::Snapsho
 }
 
 void TracedWindow::refineWhileIdle(const gl::OpenIdleWindow& open) noexcept {
-  shared_.pictures.refineWhileIdle(open);
+  shared_.pictures.frame().refineWhileIdle(open);
 }
 
-void TracedWindow::stopRefining() noexcept { shared_.pictures.stopRefining(); }
+void TracedWindow::stopRefining() noexcept { shared_.pictures.frame().stop(); }
 
 void TracedWindow::dropAhead() noexcept { shared_.pictures.dropAhead(); }
 
@@ -100,7 +100,8 @@ PresentResult TracedWindow::show(const gl::RealGl& real, const scene::SnapshotPt
       return result;
     const double start = nowSeconds();
     if (target.show({traced->image, target.farthest, traced->id, snapshot->settings.threads}))
-      result.outcome = PresentResult::traced, shared_.pictures.wrote(snapshot, *traced, traced->image);
+      result.outcome = PresentResult::traced,
+      shared_.pictures.frame().wrote(snapshot, *traced, traced->image);
     result.presentSeconds = nowSeconds() - start;
     return result;
   });

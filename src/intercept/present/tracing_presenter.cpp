@@ -47,7 +47,7 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
   if (traced && written(real, *traced, snapshot, target, pending, why)) {
     result.outcome = PresentResult::traced;
     result.averages = traced->image.isAverages();
-    shared_.pictures.wrote(shared, *traced, traced->image);
+    shared_.pictures.frame().wrote(shared, *traced, traced->image);
   } else {
     result.why = why.empty() ? "the picture could not be written back" : std::move(why);
     const PendingErrors more = takeErrors(real);
@@ -110,7 +110,7 @@ bool TracingPresenter::antialias(const gl::RealGl& real, const scene::Fxaa& fxaa
     real.TexSubImage2D(GL_TEXTURE_2D, 0, region.x, region.y, region.width, region.height, GL_RGBA,
                        GL_UNSIGNED_BYTE, after_.data());
     if (!takeErrors(real).empty()) return false;
-    shared_.pictures.antialiased(fxaa, region, before_.data(), settings);
+    shared_.pictures.frame().antialiased(fxaa, region, before_.data(), settings);
     return true;
   } catch (const std::exception&) { return false; }
 }

@@ -5,6 +5,7 @@
 #include "gl/handlers.h"
 #include "gl/lists/param_counts.h"
 #include "gl/stub.h"
+#include "gl/window/finished_read.h"
 #include "intercept/stubs/orphan_gl.h"
 
 #include <cstddef>

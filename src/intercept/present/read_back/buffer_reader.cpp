@@ -33,6 +33,12 @@ bool BufferReader::read(const gl::RealGl& real, const scene::Region& region, GLe
   } catch (const std::exception&) { return false; }
 }
 
+gl::PresentResult BufferReader::bindFinished(const gl::RealGl& real, const scene::Region& region) noexcept {
+  try {
+    return finished_.bind(real, shared_, region);
+  } catch (const std::exception&) { return {}; }  // out of memory: the program reads what is there
+}
+
 bool BufferReader::readDepth(const gl::RealGl& real, const scene::Region& region,
                              std::vector<float>& out) noexcept {
   return makeRoom(region, out) && read(real, region, GL_DEPTH_COMPONENT, GL_FLOAT, out.data());

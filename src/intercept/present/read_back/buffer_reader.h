@@ -1,7 +1,9 @@
-// Reads depths and colours of the bound draw framebuffer. GL thread, context current; restores all state.
+// Reads depths and colours of the bound draw framebuffer, and finishes pictures that the program reads. GL
+// thread, context current; restores all state.
 #pragma once
 #include "gl/batch/framebuffer_reader.h"
 #include "intercept/present/presented_pictures.h"
+#include "intercept/present/read_back/finished_framebuffer.h"
 
 #include <cstdint>
 #include <vector>
@@ -15,12 +17,15 @@ class BufferReader final : public gl::FramebufferReader {
                  std::vector<float>& out) noexcept override;
   bool readColors(const gl::RealGl& real, const scene::Region& region,
                   std::vector<uint32_t>& out) noexcept override;
+  gl::PresentResult bindFinished(const gl::RealGl& real, const scene::Region& region) noexcept override;
+  void unbindFinished(const gl::RealGl& real) noexcept override { finished_.unbind(real); }
 
  private:
   bool read(const gl::RealGl& real, const scene::Region& region, GLenum format, GLenum type,
             void* out) noexcept;
 
   PresentedPictures& shared_;
+  FinishedFramebuffer finished_;
 };
 
 }  // namespace gluray::present
