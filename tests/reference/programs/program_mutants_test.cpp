@@ -19,16 +19,19 @@ struct Case {
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
 const Case kCases[] = {
-    {"unlit", {.lights = Lights::none}},
     {"headlight", {.lights = Lights::headlight}},
-    {"directional", {.color = Color::vertex, .lightCount = 2}},
     {"positional", {.lights = Lights::positional, .lightCount = 2}},
+    {"mapped", {.color = Color::mapped, .actorTexture = true, .colorTcoord = true, .tcoordMatrix = true}},
+    {"pbr", {.lights = Lights::pbr}},
+};
+/// Label `program`: scripts/test --all.
+const Case kMoreCases[] = {
+    {"unlit", {.lights = Lights::none}},
+    {"directional", {.color = Color::vertex, .lightCount = 2}},
     {"cells", {.color = Color::cell, .normals = Normals::cell}},
     {"triangle_normals", {.normals = Normals::triangle}},
-    {"mapped", {.color = Color::mapped, .actorTexture = true, .colorTcoord = true, .tcoordMatrix = true}},
     {"back_material_clipped", {.backMaterial = true, .clipPlanes = true}},
     {"depth_offset", {.depthOffset = true}},
-    {"pbr", {.lights = Lights::pbr}},
     {"pbr_headlight", {.lights = Lights::pbrHeadlight}},
 };
 
@@ -71,6 +74,8 @@ TEST_P(ProgramMutants, AreNotTakenForTheOriginal) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, ProgramMutants, testing::ValuesIn(kCases),
+                         [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(MoreCases, ProgramMutants, testing::ValuesIn(kMoreCases),
                          [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
