@@ -69,6 +69,8 @@ def read_rows(path: pathlib.Path = POLICY) -> list[dict]:
             raise PolicyError(f"{path.name}, row of {name}: class must be one of {', '.join(CLASSES)}")
         if row.get("flush", True) not in (True, False, "look", "read", "redirect", "leave"):
             raise PolicyError(f"{path.name}, row of {name}: flush must be true, false, \"look\", \"read\", \"redirect\" or \"leave\"")
+        if "scope" in row and row.get("class", "forward") != "forward":
+            raise PolicyError(f"{path.name}, row of {name}: scope is for forwarded commands")
         if row.get("coverage", "traced") not in COVERAGES:
             raise PolicyError(f"{path.name}, row of {name}: coverage must be one of {', '.join(COVERAGES)}")
     return rows

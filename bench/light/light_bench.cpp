@@ -6,7 +6,7 @@
 #include "bench/data/report.h"
 #include "bench/light/compare_rays.h"
 #include "bench/light/stage.h"
-#include "frame/refinement.h"
+#include "frame/refiner.h"
 
 #include <CLI/CLI.hpp>
 
@@ -29,6 +29,12 @@ struct Options {
   bool quick = false, noRays = false, noRest = false;
   std::string dump, only;
 };
+
+double secondsOf(const auto& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
 
 /// Measures with one set of settings, whose figures begin with a prefix.
 class Measurement {
@@ -69,7 +75,6 @@ class Measurement {
 
   /// Passes over a frame at rest until its error is 40 dB.
   void atRest() {
-    constexpr double kGoal = 40;
     constexpr int kMost = 256;
     frame::Refinement refinement;
     double seconds = 0, error = 0;
@@ -79,10 +84,7 @@ class Measurement {
       way.more = {"ao.samples=" + std::to_string(kPassRays), "shadows.samples=" + std::to_string(kPassRays)};
       Image wide, picture;
       seconds += stage_.trace(options_.frames - 1, way, wide);
-      const auto start = std::chrono::steady_clock::now();
-      refinement.add(wide);
-      refinement.show(wide, false, picture);
-      seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      seconds += secondsOf([&] { refinement.add(wide), refinement.show(wide, false, picture); });
       error = errorOf(picture);
     }
     figure("at_rest_psnr", error, "dB");
@@ -90,9 +92,35 @@ class Measurement {
     figure("at_rest_ratio", seconds / local_, "local frames");
   }
 
+  /// The same with `denoise = filter`: passes, guides, and smoothing once, when the picture is shown.
+  void atRestSmoothed() {
+    constexpr int kMost = 64, kRays = 2;
+    const std::string count = std::to_string(kRays);
+    frame::Refinement refinement;
+    frame::Refiner refiner(
+        stage_.at(options_.frames - 1, {"ao.samples=" + count, "shadows.samples=" + count, "denoise=filter"}),
+        refinement);
+    const frame::Trace trace = [&](const scene::Snapshot& s, Image& image, scene::TraceCost&, std::string&) {
+      return stage_.trace(s, image) >= 0;
+    };
+    double passes = 0, show = 0, error = 0;
+    for (int pass = 0; pass < kMost && error < kGoal; ++pass) {
+      scene::TraceCost cost;
+      std::string why;
+      Image picture;
+      passes += secondsOf([&] { refiner.pass(trace, 0, cost, why); });
+      show = secondsOf([&] { refiner.show(picture); });
+      error = errorOf(picture);
+    }
+    figure("at_rest_smoothed_psnr", error, "dB");
+    figure("at_rest_smoothed_rays", kRays * static_cast<double>(refinement.passes()), "a point");
+    figure("at_rest_smoothed_ratio", (passes + show) / local_, "local frames");
+  }
+
  private:
   static constexpr double kPixels = double{bench::kImageSize} * bench::kImageSize;
   static constexpr int kPassRays = 8;
+  static constexpr double kGoal = 40;  // dB, at rest
   static inline const Way kLocal{Mode::full, {}, 0, false, {"ao=off", "shadows=off"}};
   static inline const Way kFull{Mode::full, {}, 0, false, {}};
   static inline const std::map<std::string, Way> kWays{{"moving_full", {Mode::moving, {1, false}, 1}},
@@ -166,7 +194,7 @@ void run(Options options) {
     stage.use(settings);
     Measurement measurement(options, stage, prefix);
     measurement.moving();
-    if (!options.noRest) measurement.atRest();
+    if (!options.noRest) measurement.atRest(), measurement.atRestSmoothed();
   };
   measure(options.settings, "");
   if (!options.shadows.empty()) measure(shadowed, "shadow_");

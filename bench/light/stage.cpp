@@ -50,12 +50,25 @@ void Stage::use(const std::vector<std::string>& settings) {
   histories_.clear();
 }
 
-double Stage::trace(int degree, const Way& way, Image& image) {
+scene::Snapshot Stage::at(int degree, const std::vector<std::string>& more) const {
   scene::Snapshot s = snapshot_;
   look(s, degree);
+  for (const std::string& setting : more) set(s.settings, setting);
+  return s;
+}
+
+double Stage::trace(const scene::Snapshot& s, Image& image) {
+  const render::FloatGuard guard;
+  world_.update(s, arena_);
+  const auto start = std::chrono::steady_clock::now();
+  render::traceImage(s, world_, arena_, image, {});
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double Stage::trace(int degree, const Way& way, Image& image) {
+  scene::Snapshot s = at(degree, way.more);
   s.view = way.view, s.wideColors = way.wide;
   s.lightSampling.mode = way.mode, s.lightSampling.pass = way.pass;
-  for (const std::string& setting : way.more) set(s.settings, setting);
   render::LightHistories none;
   Arena& arena = way.allThreads ? all_ : arena_;
   const render::FloatGuard guard;

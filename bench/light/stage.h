@@ -37,6 +37,10 @@ class Stage {
   void use(const std::vector<std::string>& settings);
   /// Seconds that frame `degree` took, without building structures.
   double trace(int degree, const Way&, Image&);
+  /// What frame `degree` shows, with settings beside the stage's.
+  scene::Snapshot at(int degree, const std::vector<std::string>& more) const;
+  /// Seconds that a picture took that does not move.
+  double trace(const scene::Snapshot&, Image&);
   const TriangleMesh& mesh() const { return mesh_; }
   const Settings& settings() const { return snapshot_.settings; }
   size_t primitives() const { return snapshot_.instances[0].mesh->triangleCount; }

@@ -1,5 +1,5 @@
-// A window whose picture gets better while its program draws nothing. Made on a GL thread, implemented by
-// intercept/; used by the thread that refines.
+// Pixels that show traced pictures which get better: a window while its program draws nothing, or what a program
+// reads. Made on a GL thread, implemented by intercept/; used by one thread at a time.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -15,7 +15,7 @@ struct WindowPixels {
 class IdleWindow {
  public:
   virtual ~IdleWindow() = default;
-  /// The pixels that the user sees. False: it is gone, hidden, or the program has drawn something newer.
+  /// The pixels that are seen. False: it is gone, hidden, or the program has drawn something newer.
   virtual bool read(WindowPixels& out) noexcept = 0;
   /// Shows `next` if the window still shows `now`, to the bit. False: nothing was changed.
   virtual bool replace(const WindowPixels& now, const WindowPixels& next) noexcept = 0;

@@ -1,5 +1,6 @@
 #include "frame/frame_pictures.h"
 
+#include "base/log.h"
 #include "frame/refiner.h"
 
 #include <algorithm>
@@ -21,6 +22,22 @@ std::vector<bool> mixedPixels(const Image& image) {
   return mixed;
 }
 
+/// Pixels of a picture whose first sample hit something; empty: not known.
+std::vector<bool> hitPixels(const Image& image) {
+  const size_t pixels = image.color.size() / static_cast<size_t>(image.samples);
+  if (image.depth.size() < pixels) return {};
+  std::vector<bool> hits(pixels);
+  for (size_t i = 0; i < pixels; ++i) hits[i] = image.depth[i] != Image::kMiss;
+  return hits;
+}
+
+void logFailure(const std::string& why) noexcept {
+  try {
+    log::once(log::Level::warning, "finishing",
+              "cannot finish a picture that is read: " + why + "; it keeps its noise");
+  } catch (const std::exception&) {}
+}
+
 }  // namespace
 
 void FramePictures::wrote(const scene::SnapshotPtr& snapshot, const LastPictures::Picture& picture,
@@ -28,7 +45,7 @@ void FramePictures::wrote(const scene::SnapshotPtr& snapshot, const LastPictures
   const bool refines = tracer_.behind && snapshot->lightSampling.mode == scene::LightSampling::Mode::moving &&
                        !picture.refined && pixels.has(Plane::color) && isRefinable(*snapshot);
   if (!written_.empty() && written_.front().snapshot->frame != snapshot->frame) forget();
-  if (!refines) return;
+  if (!refines || (shown_ && idle_->frame() && idle_->frame()->has(picture.id))) return;
   const auto known = std::find_if(written_.begin(), written_.end(),
                                   [&](const IdlePicture& one) { return one.id == picture.id; });
   if (known != written_.end()) return;
@@ -37,7 +54,7 @@ void FramePictures::wrote(const scene::SnapshotPtr& snapshot, const LastPictures
     IdlePicture one{snapshot, picture.id, {pixels.x, pixels.y}, {pixels.width, pixels.height}, pixels.color};
     if (how) one.resolve = *how;
     takeBackPasses();
-    one.mixed = mixedPixels(pixels);
+    one.mixed = mixedPixels(pixels), one.hits = hitPixels(pixels);
     one.colors.resize(static_cast<size_t>(pixels.width) * static_cast<size_t>(pixels.height));
     written_.push_back(std::move(one));
   } catch (const std::exception&) { tooMany_ = true; }  // out of memory: the frame keeps its noise
@@ -49,6 +66,7 @@ void FramePictures::antialiased(const scene::Fxaa& how, const scene::Region& reg
   if (antialiased_.size() == kMost) return void(tooMany_ = true);
   try {
     const size_t pixels = static_cast<size_t>(region.width) * static_cast<size_t>(region.height);
+    takeBackPasses();
     antialiased_.push_back({how, region, settings, {before, before + pixels}});
   } catch (const std::exception&) { tooMany_ = true; }  // out of memory: the frame keeps its noise
 }
@@ -57,7 +75,11 @@ void FramePictures::refineWhileIdle(const std::function<std::shared_ptr<IdleWind
   using namespace std::chrono_literals;
   constexpr auto kQuiet = 100ms;  // frames that follow each other come sooner
   const bool refines = !written_.empty() && !tooMany_;
-  shown_ = false;
+  shown_ = rests_ = false;
+  if (!open) {
+    forget();
+    return idle_ ? idle_->start(nullptr) : void();
+  }
   try {
     std::unique_ptr<IdleFrame> frame;
     if (refines && read_) frame = read_->lend(open());
@@ -66,11 +88,12 @@ void FramePictures::refineWhileIdle(const std::function<std::shared_ptr<IdleWind
     forget();
     if (refines && !idle_) idle_ = std::make_unique<IdleRefiner>(tracer_, kQuiet);
     if (idle_) idle_->start(std::move(frame));
-    shown_ = refines;
+    shown_ = rests_ = refines;
   } catch (const std::exception&) {}  // out of memory: the frame keeps its noise
 }
 
 void FramePictures::stop() noexcept {
+  rests_ = false;
   if (idle_) idle_->stop();
 }
 
@@ -96,12 +119,13 @@ void FramePictures::takeBackPasses() noexcept {
   read_.reset();
 }
 
-glm::ivec2 FramePictures::size() const noexcept {
-  glm::ivec2 size(0);
-  if (tooMany_) return size;
-  if (written_.empty()) return shown_ && idle_->frame() ? idle_->frame()->size() : size;
-  for (const IdlePicture& one : written_) size = glm::max(size, one.corner + one.size);
-  return size;
+std::vector<scene::Region> FramePictures::regions() const {
+  if (tooMany_) return {};
+  if (written_.empty())
+    return shown_ && idle_->frame() ? idle_->frame()->regions() : std::vector<scene::Region>();
+  std::vector<scene::Region> regions;
+  for (const IdlePicture& one : written_) regions.push_back(one.region());
+  return regions;
 }
 
 /// The frame that the program reads; null: none. Throws std::bad_alloc.
@@ -117,24 +141,25 @@ IdleFrame* FramePictures::remembered() {
 
 FramePictures::Finished FramePictures::finishIn(const std::shared_ptr<IdleWindow>& window) noexcept {
   Finished result;
-  stop();
+  if (idle_) idle_->stop();
   try {
     IdleFrame* const frame = remembered();
     if (!frame) return result;
     const std::unique_ptr<IdleFrame> lent = frame->lend(window);
-    auto step = lent->look() ? IdleFrame::Step::more : IdleFrame::Step::failed;
+    IdleFrame::Done done;
     try {
+      auto step = lent->look() ? IdleFrame::Step::more : IdleFrame::Step::failed;
       while (step == IdleFrame::Step::more) {
-        bool shown = false;
-        step = lent->step(tracer_, tracer_.trace, shown);
-        result.passes += step == IdleFrame::Step::more;
-        result.any = result.any || shown;
+        step = lent->step(tracer_, tracer_.trace, done);
+        result.passes += done.traced;
+        result.any = result.any || done.shown;
       }
-    } catch (const std::exception&) {}  // out of memory: the rest keeps its noise
-    result.noise = lent->noise();
+    } catch (const std::exception&) { done.why = "out of memory"; }
+    if (!done.why.empty()) logFailure(done.why);
+    result.noise = lent->noise(), result.cost = done.cost;
     frame->takeBack(*lent);
-  } catch (const std::exception&) {}
-  if (shown_ && idle_) idle_->resume();
+  } catch (const std::exception& e) { logFailure(e.what()); }
+  if (rests_ && idle_) idle_->resume();
   return result;
 }
 

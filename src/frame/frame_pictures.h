@@ -25,21 +25,23 @@ class FramePictures {
   void antialiased(const scene::Fxaa& how, const scene::Region& region, const uint32_t* before,
                    const Settings& settings) noexcept;
   /// The frame is in the window that `open` opens: refines its pictures there while nothing else is asked.
+  /// Without a window they are only remembered; without `open` nothing is from now on.
   void refineWhileIdle(const std::function<std::shared_ptr<IdleWindow>()>& open) noexcept;
-  /// The frame was shown elsewhere, or another one begins.
+  /// The program draws something: the window is not refined any more.
   void stop() noexcept;
   /// A picture of another frame is asked for.
   void next() noexcept { stop(), shown_ = false; }
   /// Hands over the passes over the picture of this id; null: there are none. Call after next().
   std::unique_ptr<Refinement> take(uint64_t id) noexcept;
 
-  /// The size of a framebuffer that has room for the remembered pictures of this frame or, if it is shown and
-  /// no other one began, of the last frame; 0: there are none.
-  glm::ivec2 size() const noexcept;
+  /// Where the remembered pictures of this frame are in its framebuffer, or those of the last frame, if it is
+  /// shown and no other one began. Throws std::bad_alloc.
+  std::vector<scene::Region> regions() const;
   struct Finished {
     bool any = false;  // `window` has finished pixels
     uint32_t passes = 0;
     double noise = 0;  // of the noisiest picture
+    scene::TraceCost cost;
   };
   /// Refines those of these pictures that `window` shows until they are finished, and puts them there.
   Finished finishIn(const std::shared_ptr<IdleWindow>& window) noexcept;
@@ -58,6 +60,7 @@ class FramePictures {
   std::unique_ptr<IdleFrame> read_;    // the same with their passes, once the program has read them
   std::unique_ptr<IdleRefiner> idle_;  // made at the first frame that is refined while idle
   bool shown_ = false;                 // idle_ has the frame before this one
+  bool rests_ = false;                 // the program has drawn nothing since that was shown
 };
 
 }  // namespace gluray::frame

@@ -140,14 +140,13 @@ bool IdleFrame::composeNext(const Part& part, const Image& image, const Tracer& 
 
 /// Pixels where the window shows exactly what the picture wrote: nothing was drawn or blended over it. False:
 /// too few, so that the window need not show this picture at all.
-bool IdleFrame::findVisible(Part& part, const Image& image) {
+bool IdleFrame::findVisible(Part& part) {
   const IdlePicture& p = part.picture;
-  if (image.width != p.size.x || image.height != p.size.y) return false;
   if (taken_.empty()) taken_.resize(under_.colors.size());
   Compared compared{under_, p.corner, p.size, std::vector<bool>(p.colors.size())};
   size_t hits = 0, same = 0;
   for (size_t i = 0; i < p.colors.size(); ++i) {
-    if (image.depth[i] == Image::kMiss) continue;
+    if (!p.hits.empty() && !p.hits[i]) continue;
     ++hits;
     const uint32_t* const shown = compared.shownAt(compared.placeOf(i));
     if (!shown || taken_[static_cast<size_t>(shown - under_.colors.data())]) continue;
@@ -178,10 +177,14 @@ bool IdleFrame::looked() const {
   return std::any_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.looked; });
 }
 
-glm::ivec2 IdleFrame::size() const {
-  glm::ivec2 size(0);
-  for (const Part& part : parts_) size = glm::max(size, part.picture.corner + part.picture.size);
-  return size;
+std::vector<scene::Region> IdleFrame::regions() const {
+  std::vector<scene::Region> regions;
+  for (const Part& part : parts_) regions.push_back(part.picture.region());
+  return regions;
+}
+
+bool IdleFrame::has(uint64_t id) const {
+  return std::any_of(parts_.begin(), parts_.end(), [&](const Part& p) { return p.picture.id == id; });
 }
 
 bool IdleFrame::look() noexcept {
@@ -211,34 +214,35 @@ void IdleFrame::takeBack(IdleFrame& lent) noexcept {
   }
 }
 
-IdleFrame::Step IdleFrame::step(const Tracer& tracer, const Trace& trace, bool& shown) {
+IdleFrame::Step IdleFrame::step(const Tracer& tracer, const Trace& trace, Done& done) {
+  done.traced = done.shown = false;
   const auto rank = [](const Part& p) {
     return std::pair(p.finished, p.finished ? 0 : p.refinement->passes());
   };
   const auto part = std::min_element(parts_.begin(), parts_.end(),
                                      [&](const Part& a, const Part& b) { return rank(a) < rank(b); });
   if (part == parts_.end() || part->finished) return Step::done;
-  scene::TraceCost cost;
-  std::string error;
-  const bool enough = part->refiner->hasPass() && part->refiner->finished();
-  if (!enough && !part->refiner->pass(trace, 0, cost, error)) return Step::failed;
   if (!undone_) undoPasses(tracer);
   if (!std::exchange(part->looked, true)) {
-    const Image* const image = imageOf(*part, tracer);
-    part->refused = !image || !findVisible(*part, *image);
+    part->refused = !findVisible(*part);
     if (part->refused) return part->finished = true, Step::more;
+  }
+  if (!part->refiner->hasPass() || !part->refiner->finished()) {
+    if (!part->refiner->pass(trace, 0, done.cost, done.why)) return Step::failed;
+    done.traced = true;
   }
   part->finished = part->refiner->finished();
   const uint32_t passes = part->refinement->passes();
   const bool better = passes >= kLeastPasses && passes >= kBetter * part->shownPasses;
   if (!better && !part->finished) return Step::more;
   const Image* const image = imageOf(*part, tracer);
-  if (!image) return Step::failed;
+  if (!image || image->width != part->picture.size.x || image->height != part->picture.size.y)
+    return Step::failed;
   if (!composeNext(*part, *image, tracer)) return Step::failed;
   if (!window_->replace(shown_, next_)) return Step::failed;
   std::swap(shown_, next_), std::swap(under_, nextUnder_);
   part->shownPasses = passes;
-  shown = true;
+  done.shown = true;
   return Step::more;
 }
 

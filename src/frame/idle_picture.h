@@ -1,5 +1,5 @@
-// The pictures of one frame that a window shows, refined step by step. Made on the GL thread, then used by
-// the refining thread alone.
+// The pictures of one frame that a window shows, refined step by step. Used by one thread at a time: the
+// refining thread, or the GL thread while that one is stopped.
 #pragma once
 #include "base/idle_window.h"
 #include "base/image.h"
@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace gluray::frame {
@@ -26,11 +27,13 @@ struct IdlePicture {
   glm::ivec2 corner{0}, size{0};                // pixels of the framebuffer
   std::vector<uint32_t> colors;                 // RGBA8; of a multisampled framebuffer, the first samples
   std::optional<scene::Resolve> resolve;        // of a multisampled framebuffer, how its samples became these
-  std::unique_ptr<Refinement> refinement = {};  // passes so far, which `colors` shows; null: none
+  std::unique_ptr<Refinement> refinement = {};  // passes so far; null: none
   std::vector<bool> mixed = {};                 // pixels whose samples differ; empty: none
+  std::vector<bool> hits = {};                  // pixels that show surfaces; empty: all
 
   /// Without `refinement`.
-  IdlePicture copy() const { return {snapshot, id, corner, size, colors, resolve, nullptr, mixed}; }
+  IdlePicture copy() const { return {snapshot, id, corner, size, colors, resolve, nullptr, mixed, hits}; }
+  scene::Region region() const { return {corner.x, corner.y, size.x, size.y}; }
 };
 
 /// An anti-aliasing pass of the program that GLuRay made over pictures of the frame.
@@ -47,20 +50,27 @@ class IdleFrame {
  public:
   IdleFrame(std::vector<IdlePicture> pictures, std::shared_ptr<IdleWindow> window,
             std::vector<IdleFxaa> passes = {});
-  /// Reads the window. False: nothing can be refined, or it does not show what it was left with.
+  /// Reads the window. False: that is not possible, or it has changed since the last step.
   bool look() noexcept;
   /// The same pictures, for another window. It has their passes until takeBack().
   std::unique_ptr<IdleFrame> lend(std::shared_ptr<IdleWindow> window);
   void takeBack(IdleFrame& lent) noexcept;
   enum class Step { more, done, failed };
-  /// Traces one pass over the picture with the fewest, unless it is finished, and shows it if it is much
-  /// better. `trace` may stop early and return false. Throws std::bad_alloc.
-  Step step(const Tracer& tracer, const Trace& trace, bool& shown);
+  struct Done {
+    bool traced = false, shown = false;
+    scene::TraceCost cost;  // of all steps
+    std::string why;        // the last one failed: one line; empty: it was stopped, or the window has changed
+  };
+  /// Traces one pass over the picture with the fewest, if the window shows it and it is not finished, and
+  /// shows it if it is much better. `trace` may stop early and return false. Throws std::bad_alloc.
+  Step step(const Tracer& tracer, const Trace& trace, Done& done);
   /// Whether the window was found to show none of the pictures as they were written.
   bool refused() const;
   bool looked() const;  // for any of the pictures
   bool hasWindow() const { return window_ != nullptr; }
-  glm::ivec2 size() const;  // of a framebuffer that has room for them
+  /// Where the pictures are in their framebuffer.
+  std::vector<scene::Region> regions() const;
+  bool has(uint64_t id) const;
   /// Of its noisiest picture; infinite: not known yet.
   double noise() const;
   /// Hands over the passes of the picture of this id.
@@ -78,7 +88,7 @@ class IdleFrame {
     bool looked = false;  // `visible` is known
     bool finished = false, refused = false;
   };
-  bool findVisible(Part& part, const Image& image);
+  bool findVisible(Part& part);
   void undoPasses(const Tracer& tracer);
   bool composeNext(const Part& part, const Image& image, const Tracer& tracer);
   const Image* imageOf(Part& part, const Tracer& tracer);

@@ -101,13 +101,16 @@ void IdleRefiner::refine(IdleFrame& frame, const Trace& trace, const std::functi
   if (!frame.look()) return void(counts().refused += !again);
   if (!again) ++counts().frames;
   auto step = IdleFrame::Step::more;
+  IdleFrame::Done done;
+  bool any = false;
   while (step == IdleFrame::Step::more && !ends()) {
-    bool shown = false;
-    step = frame.step(tracer_, trace, shown);
-    if (step == IdleFrame::Step::more) ++counts().passes;
-    if (shown) ++counts().shown;
+    step = frame.step(tracer_, trace, done);
+    counts().passes += done.traced;
+    counts().shown += done.shown;
+    any = any || done.traced;
     if (std::isfinite(frame.noise())) counts().noise = frame.noise();
   }
+  if (again && !any) return;
   if (step == IdleFrame::Step::done && !frame.refused()) ++counts().finished;
   if (frame.refused()) ++counts().refused;
 }

@@ -28,8 +28,8 @@ void paintUnrefined(const scene::Snapshot& snapshot, Image& image) {
     paintNoNoise(image);
 }
 
-/// Traces passes, at least the one that showing the picture needs, until it is finished or, unless it must
-/// be, the time is up. False: a pass failed.
+/// Traces at least one pass, because showing needs one. Stops when the picture is finished or, unless
+/// `finish`, when the time is up. False: a pass failed.
 bool tracePasses(Refiner& refiner, const Trace& trace, uint32_t missColor, bool finish, double mostSeconds,
                  Pictures::Result& result) {
   const double start = nowSeconds();
@@ -109,6 +109,10 @@ bool Pictures::traceOnce(const scene::Snapshot& snapshot, bool full, LastPicture
 
 Pictures::Result Pictures::of(const scene::Snapshot& snapshot, const Wish& wish) {
   Result result;
+  if (auto* const picture = wish.asShown ? last_.of(snapshot, wish.missColor) : nullptr) {
+    result.repeated = true, result.picture = picture;
+    return result;
+  }
   frame_.next();
   const bool ahead = ahead_ && ahead_->has(snapshot);
   const bool refines = isRefinable(snapshot);

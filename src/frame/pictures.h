@@ -32,6 +32,7 @@ class Pictures {
     bool mayRepeat = true;              // an earlier frame's picture
     std::optional<uint32_t> missColor;  // the colour of misses, if it matters
     bool finished = false;              // light only with as little noise as the settings want
+    bool asShown = false;               // an earlier frame's picture with the noise that it had
   };
 
   explicit Pictures(Tracer tracer) : tracer_(std::move(tracer)) {}

@@ -26,7 +26,7 @@ class Refiner {
   /// Writes the mean into `out`; misses get out.missColor. Call after pass(). Throws std::bad_alloc.
   void show(Image& out) const;
   /// Whether show() may be called.
-  bool hasPass() const { return !image_.depth.empty(); }
+  bool hasPass() const { return whole_; }
   bool finished() const { return isFinished(refinement_, snapshot_.settings); }
   const Refinement& refinement() const { return refinement_; }
 

@@ -146,15 +146,26 @@ static void reads(void) {
 
 /* As programs save what their window shows. OpenGL does not say what the back buffer holds after a swap, but
  * Mesa keeps the frame there, and has none in the front buffer of software contexts. */
-static void readsShown(void) {
-  show(0, 1);
+static void readsAfter(int overlay) {
+  show(0, overlay);
   look("first");
+  glEnable(GL_TEXTURE); /* an error, which the read must leave */
   readPixels("last");
   readPixels("again");
   readFloats("floats");
-  if (glGetError() != GL_NO_ERROR) exit(3);
+  if (glGetError() != GL_INVALID_ENUM || glGetError() != GL_NO_ERROR) exit(3);
   nap(1500);
   look("window");
+}
+
+static void readsShown(void) { readsAfter(1); }
+static void readsPlain(void) { readsAfter(0); }
+
+/* As programs find out what is under the pointer. */
+static void picks(void) {
+  unsigned char pixels[16 * 16 * 4];
+  show(0, 1);
+  for (int i = 0; i < 100; ++i) glReadPixels(i, i, 16, 16, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
 }
 
 static GLuint makeFramebuffer(void) {
@@ -270,6 +281,8 @@ int main(int argc, char** argv) {
                 {"destroys", destroys, 0},
                 {"resizes", resizes, 0},
                 {"reads-shown", readsShown, 0},
+                {"reads-plain", readsPlain, 0},
+                {"picks", picks, 0},
                 {"reads-copies", readsCopies, 0}};
   for (size_t i = 0; argc > 1 && i < sizeof habits / sizeof *habits; ++i) {
     if (strcmp(argv[1], habits[i].name) != 0) continue;

@@ -146,7 +146,7 @@ void Flusher::presentLate(const BatchKey& key, const scene::SnapshotPtr& snapsho
                                                  {.depthFunc = key.depthFunc,
                                                   .core = p_.shadow.info.core,
                                                   .programDraws = std::move(draws),
-                                                  .wish = p_.clock.wish(known)});
+                                                  .wish = known ? p_.clock.wishAsShown() : p_.clock.wish()});
   if (bound != key.framebuffer) real.BindFramebuffer(GL_DRAW_FRAMEBUFFER, bound);
   p_.shadow.latch.restore(real);
   takeResult(result, known);

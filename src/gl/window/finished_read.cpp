@@ -5,7 +5,9 @@
 namespace gluray::gl {
 
 void FinishedRead::bind(const scene::Region& region, GLenum format) noexcept {
-  if (flushToRead(format) != Context::Flush::read || context_.clock.passesThrough()) return;
+  if (flushToRead(format) != Context::Flush::read || context_.clock.passesThrough() ||
+      context_.failsafe.aside())
+    return;
   context_.protect([&] {
     const PresentResult result = context_.flusher.presenter.reader().bindFinished(context_.real, region);
     context_.flusher.takeResult(result, true);

@@ -1,5 +1,5 @@
-// While it lives, a read of the bound read framebuffer gets finished pictures where that holds pictures with
-// light that are not. Used by the generated stubs around commands that give the program pixels; GL thread.
+// If the bound read framebuffer shows unfinished pictures with light, the program's read sees finished ones
+// while this lives (adr/0054). Used by the generated stubs around glReadPixels; GL thread.
 #pragma once
 #include "gl/context.h"
 

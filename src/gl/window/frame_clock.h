@@ -27,6 +27,8 @@ class FrameClock {
   bool reads = false;
   /// `known`: the picture was shown before, elsewhere.
   PictureWish wish(bool known = false) const { return {known || !measured(), reads}; }
+  /// For a picture that the window shows already: reads find it there (FinishedRead).
+  PictureWish wishAsShown() const { return {true, false, true}; }
   /// How light is sampled for the next picture: in full where nobody watches frames change.
   scene::LightSampling::Mode lightMode(const Settings& settings) const;
   bool startsMeasuring() const { return choice.wantsStart(); }

@@ -67,10 +67,14 @@ bool WindowFrames::showWithoutSwap(glm::ivec2 window, const ShowPicture& show) n
 
 void WindowFrames::refineWhileIdle(const OpenIdleWindow& open) noexcept {
   const Settings& settings = p_.shadow.settings;
-  const bool wanted = settings.refine.idle && settings.changesPicture() && !lagged_ && !p_.failsafe.aside();
-  if (!wanted && !refines_) return;
-  refines_ = wanted;
-  p_.flusher.presenter.window().refineWhileIdle(wanted ? open : [] { return nullptr; });
+  const bool lit = settings.changesPicture() && !p_.failsafe.aside();
+  if (!lit && !refines_) return;
+  refines_ = lit;
+  WindowPresenter& window = p_.flusher.presenter.window();
+  if (!lit)
+    window.refineWhileIdle({});
+  else
+    window.refineWhileIdle(settings.refine.idle && !lagged_ ? open : [] { return nullptr; });
 }
 
 void WindowFrames::clears(GLbitfield mask) {

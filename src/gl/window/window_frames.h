@@ -43,7 +43,8 @@ class WindowFrames {
   /// In place of both: starts tracing the batch, to show the frame later. Returns `none` or why not.
   LagRefusal lag(const LagWindow& window) noexcept;
 
-  /// Call after a swap: refines the frame in the window while the program draws nothing, if light is on.
+  /// Call after a swap: if light is on, remembers the frame's pictures, and refines them in the window while
+  /// the program draws nothing. `open` may return null.
   void refineWhileIdle(const OpenIdleWindow& open) noexcept;
   /// Call when the program begins to draw.
   void stopRefining() noexcept {

@@ -88,7 +88,8 @@ class WindowPresenter {
   /// Discards the picture that is traced ahead.
   virtual void dropAhead() noexcept {}
   /// The frame is shown in the window that `open` opens: its pictures with light get better there on a thread
-  /// of ours until stopRefining(), another frame, or any other call that traces.
+  /// of ours until stopRefining(), another frame, or any other call that traces. Without a window they are
+  /// only remembered for reads; an empty `open` forgets them.
   virtual void refineWhileIdle(const OpenIdleWindow& /*open*/) noexcept {}
   virtual void stopRefining() noexcept {}
   /// Makes `clear` in the window's back buffer, whatever the current state. Returns the program's error that

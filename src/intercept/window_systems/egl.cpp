@@ -4,6 +4,7 @@
 #include "intercept/contexts.h"
 #include "intercept/engine.h"
 #include "intercept/window_systems/hook_table.h"
+#include "intercept/windows/x_idle_window.h"
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -57,7 +58,7 @@ EGLBoolean swapping(EGLSurface surface, F&& call) {
     const timeline::Span span("swap");
     return call();
   }();
-  if (outermost) swapped(drawableOf(surface));
+  if (outermost) swapped(drawableOf(surface)), refineShown(nullptr, drawableOf(surface));
   return done;
 }
 

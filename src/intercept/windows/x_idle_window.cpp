@@ -91,7 +91,7 @@ void refineShown(_XDisplay* display, uintptr_t drawable) noexcept {
     return;
   record->context->window.refineWhileIdle([&]() -> std::shared_ptr<IdleWindow> {
     std::shared_ptr<IdleWindow> window;
-    guarded("cannot refine a window", [&] { window = record->idle.open(display, drawable); });
+    if (display) guarded("cannot refine a window", [&] { window = record->idle.open(display, drawable); });
     return window;
   });
 }

@@ -25,7 +25,8 @@ class IdleWindowOfContext {
   std::shared_ptr<BackgroundWindow> window_;
 };
 
-/// Call when a swap of `drawable` has shown a frame: refines it while the program draws nothing.
+/// Call when a swap of `drawable` has shown a frame: refines it while the program draws nothing. Without a
+/// display (EGL) its pictures are only remembered for reads.
 void refineShown(_XDisplay* display, uintptr_t drawable) noexcept;
 
 /// Call before the program shows something else in the drawable's window. Waits while a picture is being put

@@ -18,7 +18,9 @@ class BufferReader final : public gl::FramebufferReader {
   bool readColors(const gl::RealGl& real, const scene::Region& region,
                   std::vector<uint32_t>& out) noexcept override;
   gl::PresentResult bindFinished(const gl::RealGl& real, const scene::Region& region) noexcept override;
-  void unbindFinished(const gl::RealGl& real) noexcept override { finished_.unbind(real); }
+  void unbindFinished(const gl::RealGl& real) noexcept override {
+    finished_.unbind(real, shared_.features(real));
+  }
 
  private:
   bool read(const gl::RealGl& real, const scene::Region& region, GLenum format, GLenum type,

@@ -3,6 +3,7 @@
 #pragma once
 #include "gl/batch/present_result.h"
 #include "intercept/present/presented_pictures.h"
+#include "intercept/present/write_back/state_guard.h"
 
 namespace gluray::present {
 
@@ -12,10 +13,11 @@ class FinishedFramebuffer {
   /// shows them. Not traced: nothing was bound. Throws std::bad_alloc.
   gl::PresentResult bind(const gl::RealGl& real, PresentedPictures& pictures, const scene::Region& read);
   /// Binds the framebuffer again that was bound before, and deletes the copy.
-  void unbind(const gl::RealGl& real) noexcept;
+  void unbind(const gl::RealGl& real, const Features& features) noexcept;
 
  private:
-  void make(const gl::RealGl& real, const Features& features, const WindowPixels& pixels);
+  WindowPixels read(const gl::RealGl& real, StateGuard& guard, glm::ivec2 size) const;
+  void make(const gl::RealGl& real, StateGuard& guard, const Features& features, const WindowPixels& pixels);
 
   GLuint program_ = 0;  // the program's framebuffer
   GLuint copy_ = 0, texture_ = 0;
