@@ -1,15 +1,3 @@
-# gluray_precompile(TARGET [HEADER...]): compiles common headers of the C++ library, of glm, and these, once for the target if it has many
-# files. Every file still includes what it uses: the clang preset has no precompiled headers.
-function(gluray_precompile TARGET)
-  get_target_property(sources ${TARGET} SOURCES)
-  list(LENGTH sources count)
-  if(count LESS 15)
-    return()
-  endif()
-  target_precompile_headers(${TARGET} PRIVATE <algorithm> <array> <atomic> <chrono> <cmath> <cstdint> <exception> <functional> <memory> <mutex>
-                            <optional> <string> <string_view> <utility> <variant> <vector> <glm/glm.hpp> ${ARGN})
-endfunction()
-
 # gluray_module(NAME DEPS a b LIBS x y): the static library gluray_NAME from every src/NAME/**.cpp except *_test.cpp,
 # and, where tests are built, the program NAME_tests from the *_test.cpp files beside them.
 # THREAD_TESTS are those of the tests' files that the thread sanitizer needs: it builds no others.
@@ -33,7 +21,6 @@ function(gluray_module NAME)
   set(target gluray_${NAME})
   if(sources)
     add_library(${target} STATIC ${sources})
-    gluray_precompile(${target})
     set(scope PUBLIC)
   else()
     add_library(${target} INTERFACE)
@@ -48,7 +35,6 @@ function(gluray_module NAME)
     add_executable(${NAME}_tests ${tests})
     target_link_libraries(${NAME}_tests PRIVATE ${target} gluray_test_main ${ARG_TEST_LIBS})
     target_compile_options(${NAME}_tests PRIVATE ${GLURAY_TEST_OPTIONS})
-    gluray_precompile(${NAME}_tests <gtest/gtest.h>)
     gluray_discover_tests(${NAME}_tests PREFIX ${NAME}. LABEL unit)
   endif()
 endfunction()
@@ -58,5 +44,5 @@ function(gluray_file_options FILE)
   if(NOT EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${FILE})
     message(FATAL_ERROR "${CMAKE_CURRENT_SOURCE_DIR}/${FILE} is gone: its compile options are set here")
   endif()
-  set_source_files_properties(${FILE} PROPERTIES COMPILE_OPTIONS "${ARGN}" SKIP_PRECOMPILE_HEADERS ON)
+  set_source_files_properties(${FILE} PROPERTIES COMPILE_OPTIONS "${ARGN}")
 endfunction()

@@ -38,12 +38,19 @@ function(suites NAME)
   file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/suites/${NAME}.txt CONTENT "${files}")
 endfunction()
 
-programs(address_programs ${CMAKE_SOURCE_DIR})
+programs(release_programs ${CMAKE_SOURCE_DIR})
+set(address_programs ${release_programs})
 list(FILTER address_programs EXCLUDE REGEX ${without_address_pattern})
 list(REMOVE_ITEM address_programs ${without_address})
 # The archive is what link.local_look_alone looks at.
 suites(address_suites ${address_programs} gluray_render)
 suites(thread_suites ${thread_programs})
+# What the release suite runs: everything but the benchmarks.
+if(GLURAY_BENCH)
+  programs(bench_programs ${CMAKE_SOURCE_DIR}/bench)
+  list(REMOVE_ITEM release_programs ${bench_programs})
+endif()
+suites(release_suites ${release_programs})
 add_test(NAME link.suites COMMAND ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/tests/suites_test.py ${CMAKE_CTEST_COMMAND}
          ${CMAKE_BINARY_DIR})
 add_test(NAME link.cases COMMAND ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/tests/cases_test.py ${CMAKE_CTEST_COMMAND}

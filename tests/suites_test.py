@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fails if a test that a sanitizer must run uses a program that the sanitizer's target does not build: there it would be
+"""Fails if a test that scripts/test must run uses a program that its target does not build: there it would be
 left out without a word, since a suite that was not built has no tests with labels.
 
 suites_test.py CTEST BUILD    BUILD holds suites/TARGET.txt: the files that each target builds (cmake/GluraySuites.cmake)
@@ -9,8 +9,9 @@ import pathlib
 import subprocess
 import sys
 
-# Target, and the labels of the tests whose programs it must build.
-SUITES = {"address_suites": {"unit", "variant", "link", "fuzz", "long"}, "thread_suites": {"thread"}}
+# Target, and the labels of the tests whose programs it must build. scripts/test builds and runs them.
+SUITES = {"address_suites": {"unit", "variant", "link", "fuzz", "long"}, "thread_suites": {"thread"},
+          "release_suites": {"unit", "variant", "link", "thread", "reference", "stream", "style", "live"}}
 
 
 def labels(test):

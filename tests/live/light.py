@@ -1,0 +1,62 @@
+"""Runs one real program without and with ambient occlusion, and compares the pictures in its window.
+
+    light.py --gluray GLURAY --freeze FREEZE.SO --out FOLDER NAME
+
+Occlusion darkens what stands close together and nothing else: no pixel may become brighter, and some must become darker. Needs an X server of
+its own (tests/doors/with_display.py). Leaves NAME-plain.png and NAME-ao.png in FOLDER. Exit code 77: the program is not installed.
+"""
+import argparse
+import pathlib
+import sys
+import tempfile
+
+import run
+import numpy as np
+import pictures
+import programs
+
+BRIGHTER = 0.002  # share of pixels that may be brighter by more than VISIBLE: noise of moving frames, and edges
+DARKER = 0.002    # least share of pixels that are darker by more than that
+OCCLUSION = ("--set", "ao=on", "--set", "ao.radius=0.2")
+
+
+def check(name, plain, lit, report):
+    box = pictures.window_box(np.maximum(plain, lit))
+    change = lit[box].astype(np.int16) - plain[box].astype(np.int16)
+    brighter, darker = float((change.max(axis=2) > pictures.VISIBLE).mean()), float((change.min(axis=2) < -pictures.VISIBLE).mean())
+    print(f"{name}: {brighter:.4%} of its pixels are brighter, {darker:.2%} darker; {report and report['light']}")
+    wrong = []
+    if brighter > BRIGHTER:
+        wrong.append(f"{name}: occlusion makes {brighter:.4%} of its pixels brighter")
+    if darker < DARKER:
+        wrong.append(f"{name}: occlusion makes only {darker:.4%} of its pixels darker")
+    return wrong
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    for option in ("gluray", "freeze", "out"):
+        parser.add_argument(f"--{option}", required=True)
+    parser.add_argument("name", choices=[*programs.PROGRAMS, *programs.MORE])
+    given = parser.parse_args()
+    program = (programs.PROGRAMS | programs.MORE)[given.name]
+    with tempfile.TemporaryDirectory() as folder:
+        why = programs.missing(program, pathlib.Path(folder))
+    if why:
+        print(f"skipped: {why}")
+        return 77
+    out = pathlib.Path(given.out)
+    out.mkdir(parents=True, exist_ok=True)
+    launcher, place = [str(pathlib.Path(given.gluray).resolve())], out / f"{given.name}-light.home"
+    plain, _ = run.run(program, launcher, given.freeze, place)
+    lit, report = run.run(program, [*launcher, *OCCLUSION], given.freeze, place)
+    box = pictures.window_box(np.maximum(plain, lit))
+    for kind, picture in (("plain", plain), ("ao", lit)):
+        pictures.write_png(out / f"{given.name}-{kind}.png", picture[box])
+    wrong = check(given.name, plain, lit, report)
+    print("\n".join(wrong))
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
