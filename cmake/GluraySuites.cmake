@@ -45,12 +45,13 @@ list(REMOVE_ITEM address_programs ${without_address})
 # The archive is what link.local_look_alone looks at.
 suites(address_suites ${address_programs} gluray_render)
 suites(thread_suites ${thread_programs})
-# What the release suite runs: everything but the benchmarks.
+# What the release suite runs: everything but the benchmarks (their tests stay), and the same archive.
 if(GLURAY_BENCH)
   programs(bench_programs ${CMAKE_SOURCE_DIR}/bench)
+  list(FILTER bench_programs EXCLUDE REGEX "_tests$")
   list(REMOVE_ITEM release_programs ${bench_programs})
 endif()
-suites(release_suites ${release_programs})
+suites(release_suites ${release_programs} gluray_render)
 add_test(NAME link.suites COMMAND ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/tests/suites_test.py ${CMAKE_CTEST_COMMAND}
          ${CMAKE_BINARY_DIR})
 add_test(NAME link.cases COMMAND ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/tests/cases_test.py ${CMAKE_CTEST_COMMAND}
