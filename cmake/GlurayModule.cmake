@@ -26,6 +26,7 @@ function(gluray_module NAME)
     add_library(${target} INTERFACE)
     set(scope INTERFACE)
   endif()
+  gluray_unity(${target} ${sources})
   target_include_directories(${target} ${scope} ${CMAKE_SOURCE_DIR}/src ${CMAKE_BINARY_DIR}/gen)
   foreach(dep ${ARG_DEPS})
     target_link_libraries(${target} ${scope} gluray_${dep})
@@ -37,6 +38,23 @@ function(gluray_module NAME)
     target_compile_options(${NAME}_tests PRIVATE ${GLURAY_TEST_OPTIONS})
     gluray_discover_tests(${NAME}_tests PREFIX ${NAME}. LABEL unit)
   endif()
+endfunction()
+
+# gluray_unity(TARGET SOURCE...): with GLURAY_UNITY, eight of the target's sources compile as one. Those that Highway compiles once
+# for every instruction set stay alone.
+function(gluray_unity TARGET)
+  if(NOT GLURAY_UNITY OR NOT ARGN)
+    return()
+  endif()
+  foreach(file ${ARGN})
+    file(STRINGS ${file} many REGEX "^#include <hwy/foreach_target.h>" LIMIT_COUNT 1)
+    if(many)
+      set_source_files_properties(${file} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    endif()
+  endforeach()
+  set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  # An anonymous namespace of a source that another includes is not one of a header.
+  target_compile_options(${TARGET} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endfunction()
 
 # gluray_file_options(FILE OPTION...): compile options of one file. CMake takes those of a file that is not there in silence.

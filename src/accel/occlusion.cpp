@@ -17,7 +17,7 @@ static_assert(sizeof(RTCRay16) == sizeof(OcclusionRays));
 static_assert(offsetof(OcclusionRays, tFar) == offsetof(RTCRay16, tfar));
 static_assert(offsetof(OcclusionRays, flags) == offsetof(RTCRay16, flags));
 
-void onFilter(const RTCFilterFunctionNArguments* arguments) {
+void onOccluder(const RTCFilterFunctionNArguments* arguments) {
   const RTCFilterFunctionNArguments& a = *arguments;
   const auto& state =
       *static_cast<const OcclusionState*>(reinterpret_cast<const QueryContext*>(a.context)->user);
@@ -54,7 +54,7 @@ uint32_t World::occluded(const int32_t* valid, OcclusionRays& rays, const Occlud
   if (!any) return 0;
   const OcclusionState state{filter, aloneIndex_, impostors_.empty() ? nullptr : impostors_.data()};
   // Not the coherent traversal: that of Embree 3.13 for occlusion may not end (adr/0043).
-  PacketQuery query(Coherence::incoherent, filter ? onFilter : nullptr, &state);
+  PacketQuery query(Coherence::incoherent, filter ? onOccluder : nullptr, &state);
   askInWidth<RTCRay16, RTCRay8, RTCRay4>(
       device_.packetWidth(), rays, sizeof(RTCRay16) / (kLanes * sizeof(float)), lanes,
       [&](const int32_t* asked, auto& packet) { query.occluded(asked, scene, packet); });

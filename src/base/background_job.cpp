@@ -16,7 +16,7 @@ namespace {
 constexpr time_t kExitPatience = 2;  // seconds by which exit() may be delayed
 constexpr useconds_t kParkingMicroseconds = 20'000;
 
-std::atomic<bool> g_exiting{false};
+std::atomic<bool> g_abandoned{false};
 std::atomic<int> g_parked{0};  // threads in parkAtExit()
 
 }  // namespace
@@ -51,7 +51,7 @@ struct RunningJobs {
     const std::unique_lock lock(mutex, std::try_to_lock);
     if (!lock) return;
     exiting = true;
-    g_exiting = true;
+    g_abandoned = true;
     for (BackgroundJob* job : jobs) job->abandonAtExit();
   }
 };
@@ -79,7 +79,7 @@ class SignalsBlocked {
 }  // namespace
 
 void parkAtExit() noexcept {
-  if (!g_exiting) return;
+  if (!g_abandoned) return;
   ++g_parked;
   for (;;) pause();
 }

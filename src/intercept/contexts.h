@@ -36,6 +36,13 @@ void displayTerminated(const void* display) noexcept;
 
 /// Flushes the current context's pending draws, before anything reads or shows its framebuffer.
 void flushCurrent() noexcept;
+/// Flushes pending draws, then runs `call`, the real function.
+template <class F>
+auto afterFlush(F&& call) {
+  const Outermost outermost;
+  if (outermost) flushCurrent();
+  return call();
+}
 /// Before the real MakeCurrent: flushes the current context's pending draws while its framebuffer is
 /// accessible.
 void leaveCurrent() noexcept;

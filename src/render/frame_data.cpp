@@ -41,10 +41,6 @@ bool clipPlanesShared(const std::vector<scene::Instance>& instances) {
                      [&](const scene::Instance& i) { return i.clipPlanes == instances.front().clipPlanes; });
 }
 
-bool isProgram(const scene::Shading& shading) {
-  return shading.fragment.model != scene::FragmentShading::Model::off;
-}
-
 bool writesDepth(const scene::Shading& shading) { return shading.fragment.writesDepth; }
 
 /// The R2 sequence (M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018): starts at
@@ -147,7 +143,7 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
 
   // Triangles that grow by their edges are clipped by their corners' distances from the planes, not at the
   // rays. Fragment programs discard clipped fragments at the position where they run.
-  const bool discarded = oncePerPixel && std::any_of(s.shadings.begin(), s.shadings.end(), isProgram);
+  const bool discarded = oncePerPixel && std::any_of(s.shadings.begin(), s.shadings.end(), scene::isProgram);
   const bool shared = widestEdge == 0 && !discarded && clipPlanesShared(s.instances);
   if (shared && !s.instances.empty()) {
     // A plane acts on eye coordinates; as a row vector, times the modelview matrix, it acts on world

@@ -86,4 +86,11 @@ struct Shading {
   bool operator==(const Shading&) const = default;
 };
 
+/// Whether a shader program shades it, not fixed function.
+inline bool isProgram(const Shading& s) { return s.fragment.model != FragmentShading::Model::off; }
+/// Whether lights act on it.
+inline bool isLit(const Shading& s) {
+  return isProgram(s) ? s.fragment.model != FragmentShading::Model::unlit : s.lighting;
+}
+
 }  // namespace gluray::scene

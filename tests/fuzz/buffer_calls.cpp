@@ -6,7 +6,7 @@
 namespace gluray::fuzz {
 namespace {
 
-GLenum target(Player& p) {
+GLenum bufferTarget(Player& p) {
   return p.pick({GL_ARRAY_BUFFER, GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER, GL_COPY_READ_BUFFER});
 }
 GLenum usage(Player& p) { return p.pick({GL_STATIC_DRAW, GL_DYNAMIC_DRAW, GL_STREAM_DRAW}); }
@@ -23,7 +23,7 @@ void write(Player& p, void* mapped, size_t bytes) {
 
 /// The mapped range may be smaller than the data.
 void mapBuffer(Player& p) {
-  const GLenum which = target(p);
+  const GLenum which = bufferTarget(p);
   const auto* data = p.read();
   p.gl.BindBuffer(which, p.name(kIndexBuffer));
   p.gl.BufferData(which, Player::kWholeBuffer, data, GL_STATIC_DRAW);
@@ -31,7 +31,7 @@ void mapBuffer(Player& p) {
 }
 
 void mapRange(Player& p) {
-  const GLenum which = target(p);
+  const GLenum which = bufferTarget(p);
   const GLintptr offset = 16 * p.below(4);
   const GLsizeiptr length = 16 * static_cast<GLsizeiptr>(p.below(5));
   write(p,
@@ -42,20 +42,20 @@ void mapRange(Player& p) {
 const Op kBufferOps[] = {
     {"BindBuffer", 6,
      [](Player& p) {
-       const GLenum which = target(p);
+       const GLenum which = bufferTarget(p);
        p.gl.BindBuffer(which, p.name(kIndexBuffer));
      }},
-    {"unbind buffer", 4, [](Player& p) { p.gl.BindBuffer(target(p), 0); }},
+    {"unbind buffer", 4, [](Player& p) { p.gl.BindBuffer(bufferTarget(p), 0); }},
     {"BufferData", 10,
      [](Player& p) {
-       const GLenum which = target(p);
+       const GLenum which = bufferTarget(p);
        const GLsizei size = sizeOfData(p);
        const auto* data = p.read();
        p.gl.BufferData(which, size, data, usage(p));
      }},
     {"BufferSubData", 6,
      [](Player& p) {
-       const GLenum which = target(p);
+       const GLenum which = bufferTarget(p);
        const GLintptr offset = p.below(256);
        const GLsizei size = p.count(512);
        p.gl.BufferSubData(which, offset, size, p.read());
@@ -63,7 +63,7 @@ const Op kBufferOps[] = {
     {"MapBuffer", 2, mapBuffer},
     {"MapBufferRange", 3, mapRange},
     {"UnmapBuffer", 8,
-     [](Player& p) { p.answer("UnmapBuffer", {static_cast<double>(p.gl.UnmapBuffer(target(p)))}); }},
+     [](Player& p) { p.answer("UnmapBuffer", {static_cast<double>(p.gl.UnmapBuffer(bufferTarget(p)))}); }},
     {"CopyBufferSubData", 2,
      [](Player& p) {
        const GLintptr from = p.below(64), to = p.below(64);
@@ -80,7 +80,7 @@ const Op kBufferOps[] = {
     {"GetBufferSubData", 3,
      [](Player& p) {
        GLubyte got[64] = {};
-       const GLenum which = target(p);
+       const GLenum which = bufferTarget(p);
        p.gl.GetBufferSubData(which, p.below(32), 64, got);
        double sum = 0;
        for (size_t i = 0; i < sizeof got; ++i) sum += got[i] * static_cast<double>(i + 1);
@@ -89,7 +89,7 @@ const Op kBufferOps[] = {
     {"GetBufferParameteriv", 3,
      [](Player& p) {
        GLint got = -5;
-       const GLenum which = target(p);
+       const GLenum which = bufferTarget(p);
        p.gl.GetBufferParameteriv(
            which, p.pick({GL_BUFFER_SIZE, GL_BUFFER_USAGE, GL_BUFFER_MAPPED, GL_BUFFER_ACCESS}), &got);
        p.answer("GetBufferParameteriv", {static_cast<double>(got)});

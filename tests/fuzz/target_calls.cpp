@@ -7,7 +7,7 @@ namespace {
 
 constexpr GLuint kObjects = 2, kQueries = 2;  // framebuffers and renderbuffers; queries
 
-GLenum target(Player& p) {
+GLenum framebufferTarget(Player& p) {
   return p.pick({GL_FRAMEBUFFER, GL_FRAMEBUFFER, GL_DRAW_FRAMEBUFFER, GL_READ_FRAMEBUFFER});
 }
 
@@ -18,7 +18,7 @@ void renderMode(Player& p, GLenum mode) {
 const Op kTargetOps[] = {
     {"BindFramebuffer", 6,
      [](Player& p) {
-       const GLenum which = target(p);
+       const GLenum which = framebufferTarget(p);
        p.gl.BindFramebuffer(which, p.name(kObjects));
      }},
     {"BindFramebuffer 0", 12, [](Player& p) { p.gl.BindFramebuffer(GL_FRAMEBUFFER, 0); }},
@@ -27,11 +27,11 @@ const Op kTargetOps[] = {
        p.gl.Finish();  // avoided.md
        p.gl.BindTexture(GL_TEXTURE_2D, 11);
        p.gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kSize, kSize, 0, GL_RGBA, GL_UNSIGNED_BYTE, p.read());
-       p.gl.FramebufferTexture2D(target(p), GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 11, 0);
+       p.gl.FramebufferTexture2D(framebufferTarget(p), GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 11, 0);
      }},
     {"FramebufferTexture2D", 2,
      [](Player& p) {
-       const GLenum which = target(p);
+       const GLenum which = framebufferTarget(p);
        p.gl.FramebufferTexture2D(which, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, p.below(4), 0);
      }},
     {"renderbuffer", 4,
@@ -41,14 +41,14 @@ const Op kTargetOps[] = {
        p.gl.BindRenderbuffer(GL_RENDERBUFFER, name);
        p.gl.RenderbufferStorage(GL_RENDERBUFFER,
                                 p.pick({GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT24, GL_RGBA8}), kSize, kSize);
-       const GLenum which = target(p);
+       const GLenum which = framebufferTarget(p);
        p.gl.FramebufferRenderbuffer(which,
                                     p.pick({GL_DEPTH_ATTACHMENT, GL_DEPTH_ATTACHMENT, GL_COLOR_ATTACHMENT0}),
                                     GL_RENDERBUFFER, name);
      }},
     {"CheckFramebufferStatus", 3,
      [](Player& p) {
-       const GLenum which = target(p);
+       const GLenum which = framebufferTarget(p);
        if (p.executing) return;  // avoided.md
        p.answer("CheckFramebufferStatus", {static_cast<double>(p.gl.CheckFramebufferStatus(which))});
      }},

@@ -5,7 +5,7 @@ namespace {
 
 constexpr uint32_t kTextures = 5;
 
-GLenum target(Player& p) {
+GLenum textureTarget(Player& p) {
   return p.pick({GL_TEXTURE_2D, GL_TEXTURE_2D, GL_TEXTURE_2D, GL_TEXTURE_1D, GL_TEXTURE_3D});
 }
 GLint internalFormat(Player& p) {
@@ -33,7 +33,7 @@ void texImage2D(Player& p) {
 const Op kTextureOps[] = {
     {"BindTexture", 10,
      [](Player& p) {
-       const GLenum which = target(p);
+       const GLenum which = textureTarget(p);
        // A texture keeps the target that it was first bound to, so each target has its own names.
        const GLuint base = which == GL_TEXTURE_1D ? 20 : which == GL_TEXTURE_3D ? 40 : 0;
        const GLuint name = p.name(kTextures);
@@ -83,7 +83,7 @@ const Op kTextureOps[] = {
      }},
     {"TexParameteri", 8,
      [](Player& p) {
-       const GLenum which = target(p);
+       const GLenum which = textureTarget(p);
        const GLenum name =
            p.pick({GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER, GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T,
                    GL_TEXTURE_BASE_LEVEL, GL_TEXTURE_MAX_LEVEL, GL_GENERATE_MIPMAP});
@@ -98,7 +98,7 @@ const Op kTextureOps[] = {
      }},
     {"TexParameterfv", 2,
      [](Player& p) {
-       const GLenum which = target(p);
+       const GLenum which = textureTarget(p);
        p.gl.TexParameterfv(which, p.pick({GL_TEXTURE_BORDER_COLOR, GL_TEXTURE_PRIORITY, GL_TEXTURE_LOD_BIAS}),
                            p.reals<4>().data());
      }},
@@ -129,7 +129,7 @@ const Op kTextureOps[] = {
        p.gl.ActiveTexture(p.pick({GL_TEXTURE1, GL_TEXTURE7}));
      }},
     {"ActiveTexture 0", 4, [](Player& p) { p.gl.ActiveTexture(GL_TEXTURE0); }},
-    {"GenerateMipmap", 1, [](Player& p) { p.gl.GenerateMipmap(target(p)); }},
+    {"GenerateMipmap", 1, [](Player& p) { p.gl.GenerateMipmap(textureTarget(p)); }},
     {"DeleteTextures", 2,
      [](Player& p) {
        const GLuint name = p.name(kTextures);

@@ -11,7 +11,7 @@
 namespace gluray::launcher {
 namespace {
 
-constexpr double kLeft = 120, kWidth = 1060, kRow = 26, kLane = 9, kPanelGap = 46;  // pixels
+constexpr double kLeft = 120, kChartWidth = 1060, kRow = 26, kLane = 9, kPanelGap = 46;  // pixels
 constexpr int kLanes = 2;  // deeper spans share the last lane
 
 /// Colour-blind safe colours (P. Tol's bright and muted schemes).
@@ -59,7 +59,7 @@ class Panel {
 
  private:
   double xOf(double t) const {
-    return kLeft + kWidth * (t - stretch_.from) / std::max(stretch_.to - stretch_.from, 1e-9);
+    return kLeft + kChartWidth * (t - stretch_.from) / std::max(stretch_.to - stretch_.from, 1e-9);
   }
   double rowOf(size_t track) const { return top_ + static_cast<double>(track) * kRow; }
 
@@ -69,7 +69,7 @@ class Panel {
     for (const Timeline::Span& span : timeline_.spans) {
       if (span.end < stretch_.from || span.start > stretch_.to) continue;
       const int lane = std::min(span.depth, kLanes - 1);
-      const double x0 = std::max(xOf(span.start), kLeft), x1 = std::min(xOf(span.end), kLeft + kWidth);
+      const double x0 = std::max(xOf(span.start), kLeft), x1 = std::min(xOf(span.end), kLeft + kChartWidth);
       double& last = drawnTo.try_emplace({span.track, lane}, -1).first->second;
       if (x1 - x0 < 1 && x1 < last + 0.5) continue;
       last = std::max(x1, x0 + 0.5);
@@ -121,7 +121,7 @@ Stretch typicalFrames(const Timeline& timeline) {
 void writeChart(const Timeline& timeline, const Stretch& near, std::ostream& out) {
   constexpr double kTop = 60;
   const double panel = Panel::height(timeline), height = kTop + 2 * panel;
-  out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << kLeft + kWidth + 20 << "\" height=\""
+  out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << kLeft + kChartWidth + 20 << "\" height=\""
       << height
       << "\" font-family=\"sans-serif\" font-size=\"11\">\n<rect width=\"100%\" height=\"100%\" "
          "fill=\"white\"/>\n";

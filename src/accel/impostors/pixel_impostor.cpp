@@ -19,8 +19,6 @@ double rounded(double v) {
 }
 glm::dvec2 rounded(const glm::dvec2& v) { return {rounded(v.x), rounded(v.y)}; }
 
-double turn(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
-
 glm::dvec2 windowOf(const WindowVertex& v) { return {v.x, v.y}; }
 
 }  // namespace

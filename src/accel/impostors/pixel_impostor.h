@@ -10,6 +10,9 @@
 
 namespace gluray::accel {
 
+/// Twice the signed area of the triangle from the origin to `a` and `b`; positive where `b` is left of `a`.
+inline double turn(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
+
 /// Bounding rectangle of a packet's window positions.
 struct WindowRectangle {
   float left = 0, right = 0, lower = 0, upper = 0;

@@ -10,8 +10,6 @@
 namespace gluray::accel {
 namespace {
 
-double turn(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
-
 /// Upper bound of an impostor's extent about its point or line, pixels.
 float pixelReach(const PlacedImpostors& placed) {
   const glm::vec2 size = placed.look.size * glm::vec2(placed.windowHalf);

@@ -24,7 +24,7 @@ uint32_t corner(const scene::Mesh& mesh, uint32_t triangle, uint32_t k) {
   return vertex;
 }
 
-struct Box {
+struct Extent {
   glm::vec3 lower{std::numeric_limits<float>::max()}, upper{std::numeric_limits<float>::lowest()};
   void add(glm::vec3 p) { lower = glm::min(lower, p), upper = glm::max(upper, p); }
   double area() const {
@@ -34,7 +34,7 @@ struct Box {
 };
 
 /// Morton code: interleaves ten bits of each coordinate within the box.
-uint32_t mortonCode(glm::vec3 p, const Box& box) {
+uint32_t mortonCode(glm::vec3 p, const Extent& box) {
   const auto spread = [](uint32_t v) {
     v = (v | v << 16) & 0x030000ff;
     v = (v | v << 8) & 0x0300f00f;
@@ -66,7 +66,7 @@ bool allInReach(const scene::Mesh& mesh) {
 
 Neighbours::Neighbours(const scene::Mesh& mesh) {
   const uint32_t step = std::max<uint32_t>(1, mesh.triangleCount / (kGroup * kGroups));
-  Box all;
+  Extent all;
   std::vector<std::pair<uint32_t, uint32_t>> byPlace;
   for (uint32_t t = 0; t < mesh.triangleCount; t += step) all.add(position(mesh, corner(mesh, t, 0)));
   for (uint32_t t = 0; t < mesh.triangleCount; t += step)
@@ -79,10 +79,10 @@ Neighbours::Neighbours(const scene::Mesh& mesh) {
 }
 
 double Neighbours::areaShare(const scene::Mesh& mesh) const {
-  Box all;
+  Extent all;
   double sum = 0;
   for (size_t first = 0; first < triangles_.size(); first += kGroup) {
-    Box group;
+    Extent group;
     for (size_t i = first; i < first + kGroup; ++i)
       for (uint32_t k = 0; k < 3; ++k) group.add(position(mesh, corner(mesh, triangles_[i], k)));
     sum += group.area();

@@ -14,11 +14,6 @@ bool contains(const glm::ivec4& outer, const glm::ivec4& inner) {
          int64_t{inner.y} + inner.w <= int64_t{outer.y} + outer.w;
 }
 
-bool isLit(const scene::Shading& s) {
-  using Model = scene::FragmentShading::Model;
-  return s.fragment.model == Model::off ? s.lighting : s.fragment.model != Model::unlit;
-}
-
 }  // namespace
 
 bool ShownViews::mayStand(const BatchKey& key, uint64_t frame) const {

@@ -41,14 +41,6 @@ AskShown isWindow(EGLDisplay display, EGLSurface surface) {
   };
 }
 
-/// Flushes pending draws, then runs `call`.
-template <class F>
-auto afterFlush(F&& call) {
-  const Outermost outermost;
-  if (outermost) flushCurrent();
-  return call();
-}
-
 /// Runs `call`, which shows the back buffer of `surface`.
 template <class F>
 EGLBoolean swapping(EGLSurface surface, F&& call) {
@@ -186,5 +178,7 @@ struct Egl {
 void* eglHook(Door door, const char* name) {
   return door == kPreload ? Egl<kPreload>::find(name) : Egl<kVendorEgl>::find(name);
 }
+
+#undef REAL
 
 }  // namespace gluray::intercept

@@ -18,14 +18,6 @@ namespace {
 /// The real function of the same name and type as `FUNCTION`, behind door D.
 #define REAL(D, TYPE, NAME) static const auto real = realFunction<TYPE>(D, Api::glx, NAME)
 
-/// Flushes pending draws, then runs `call`.
-template <class F>
-auto afterFlush(F&& call) {
-  const Outermost outermost;
-  if (outermost) flushCurrent();
-  return call();
-}
-
 /// Runs `call`, which creates a context that shares with `share`.
 template <class F>
 GLXContext creating(GLXContext share, F&& call) {
@@ -265,5 +257,7 @@ struct Glx {
 void* glxHook(Door door, const char* name) {
   return door == kPreload ? Glx<kPreload>::find(name) : Glx<kVendorGlx>::find(name);
 }
+
+#undef REAL
 
 }  // namespace gluray::intercept

@@ -87,4 +87,6 @@ void* osmesaHook(const char* name) {
   return findHook(hooks, name);
 }
 
+#undef REAL
+
 }  // namespace gluray::intercept

@@ -225,7 +225,7 @@ std::vector<MaterialModel> materialsOf(const scene::Snapshot& snapshot, float di
   for (size_t i = 0; i < models.size(); ++i) {
     const scene::Instance& instance = scene::instanceOf(snapshot, i);
     const scene::Shading& shading = scene::shadingOf(snapshot, i);
-    if (isUnlit(shading) || instance.ground) models[i] = {};
+    if (!isLit(shading) || instance.ground) models[i] = {};
     for (const MaterialRule& rule : rules)
       if ((rule.looks || !rule.hiddenFrom) && rule.holdsFor(instance, shading)) models[i] = rule.model;
   }

@@ -13,12 +13,6 @@ namespace gluray::render {
 namespace {
 
 using scene::FragmentLight;
-using scene::FragmentShading;
-
-bool isProgram(const scene::Shading& s) { return s.fragment.model != FragmentShading::Model::off; }
-bool isLit(const scene::Shading& s) {
-  return isProgram(s) ? s.fragment.model != FragmentShading::Model::unlit : s.lighting;
-}
 
 /// Two triangles that face +z.
 scene::MeshPtr squareMesh(float half) {

@@ -10,8 +10,6 @@ using Tracking = scene::ColorMaterial;
 
 constexpr glm::vec4 kNone{0, 0, 0, 1};
 
-bool isProgram(const scene::Shading& s) { return s.fragment.model != Fragment::Model::off; }
-
 void blacken(glm::vec4& color) { color = {0, 0, 0, color.a}; }
 
 /// glColorMaterial, as far as it concerns the diffuse colour, which shows as the ambient one.
@@ -30,7 +28,7 @@ void lightByAmbient(scene::Shading& s, const glm::vec4& ambient) {
 void toAlbedo(scene::Shading& s) {
   s.fog.mode = scene::Fog::off;
   s.alphaTest.function = scene::AlphaTest::always;
-  if (isUnlit(s)) return;
+  if (!isLit(s)) return;
   if (!isProgram(s)) {
     lightByAmbient(s, glm::vec4(1));
     s.colorMaterial = {ofDiffuse(s.colorMaterial.front), ofDiffuse(s.colorMaterial.back)};
@@ -46,7 +44,7 @@ void toAlbedoWithoutEdges(scene::Shading& s) {
 }
 
 void reflectOnly(const scene::Shading& before, scene::Material& m) {
-  if (isUnlit(before)) return;
+  if (!isLit(before)) return;
   m.ambient = isProgram(before) ? kNone : m.diffuse;
   blacken(m.emission), blacken(m.specular);
 }
@@ -58,7 +56,7 @@ void materialsToAlbedo(const scene::Shading& before, scene::MaterialPair& pair) 
 void toEmission(scene::Shading& s) {
   s.fog.mode = scene::Fog::off;
   s.alphaTest.function = scene::AlphaTest::always;
-  if (isUnlit(s)) return;
+  if (!isLit(s)) return;
   if (!isProgram(s)) {
     const auto ofEmission = [](Tracking::Mode mode) {
       return mode == Tracking::emission ? mode : Tracking::off;
@@ -78,7 +76,7 @@ void toEmissionWithoutEdges(scene::Shading& s) {
 }
 
 void emitOnly(const scene::Shading& before, scene::Material& m) {
-  if (isUnlit(before)) return;
+  if (!isLit(before)) return;
   if (before.fragment.model == Fragment::Model::pbr) m.ambient = glm::vec4(before.fragment.pbr.emissive, 1);
   blacken(m.diffuse), blacken(m.specular);
 }
@@ -99,17 +97,13 @@ bool emits(const Surface& surface) {
   const scene::Instance& instance = *surface.instance;
   const scene::Shading& s = *surface.lighting->shading;
   const auto tracked = [](Tracking::Mode mode) { return mode == Tracking::emission; };
-  if (isUnlit(s)) return false;
+  if (!isLit(s)) return false;
   if (!isProgram(s) && (tracked(s.colorMaterial.front) || tracked(s.colorMaterial.back))) return true;
   return std::any_of(instance.materials.begin(), instance.materials.end(),
                      [&](const auto& pair) { return emits(s, pair.front) || emits(s, pair.back); });
 }
 
 }  // namespace
-
-bool isUnlit(const scene::Shading& s) {
-  return isProgram(s) ? s.fragment.model == Fragment::Model::unlit : !s.lighting;
-}
 
 bool paintsEdges(const scene::Snapshot& snapshot) {
   return std::any_of(snapshot.shadings.begin(), snapshot.shadings.end(),

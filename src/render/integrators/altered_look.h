@@ -37,7 +37,4 @@ SurfaceColors surfaceColors(const FrameData&, bool edges);
 /// Whether some program paints edges.
 bool paintsEdges(const scene::Snapshot&);
 
-/// Whether a surface's colours are what it looks like under any light.
-bool isUnlit(const scene::Shading&);
-
 }  // namespace gluray::render

@@ -5,7 +5,7 @@
 namespace gluray::render {
 namespace {
 
-constexpr glm::vec4 kNone{0, 0, 0, 1};
+constexpr glm::vec4 kBlack{0, 0, 0, 1};
 
 }  // namespace
 
@@ -14,8 +14,8 @@ DirectLook::DirectLook(const FrameData& frame)
   surfaces.resize(materials.size());
   lightings.reserve(shadings.size());
   for (scene::Shading& shading : shadings) {
-    shading.globalAmbient = kNone;
-    for (scene::Light& light : shading.lights) light.ambient = kNone;
+    shading.globalAmbient = kBlack;
+    for (scene::Light& light : shading.lights) light.ambient = kBlack;
     lightings.emplace_back(shading);
   }
   for (size_t i = 0; i < surfaces.size(); ++i) {
@@ -24,7 +24,7 @@ DirectLook::DirectLook(const FrameData& frame)
     surface.lighting = &lightings[frame.shadingOf(i)];
     materials[i].assign(surface.materials, surface.materials + surface.materialCount);
     // Shader programs have ambient colours of materials alone.
-    for (scene::MaterialPair& pair : materials[i]) pair.front.ambient = pair.back.ambient = kNone;
+    for (scene::MaterialPair& pair : materials[i]) pair.front.ambient = pair.back.ambient = kBlack;
     surface.materials = materials[i].data();
   }
 }

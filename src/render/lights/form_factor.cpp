@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace gluray::render {
 namespace {
 
 using Kind = scene::LightSource::Kind;
 
-constexpr double kPi = 3.14159265358979323846;
+using std::numbers::pi;
 constexpr int kDiscCorners = 32;
 
 /// A convex polygon as seen from the origin.
@@ -40,7 +41,7 @@ double ofPolygon(const Polygon& polygon, const glm::dvec3& normal) {
     const double sine = glm::length(across);
     if (sine > 0) sum += std::atan2(sine, glm::dot(seen[i], seen[i + 1])) * glm::dot(across, normal) / sine;
   }
-  return std::abs(sum) / (2 * kPi);
+  return std::abs(sum) / (2 * pi);
 }
 
 double ofSphere(const glm::dvec3& toMiddle, double radius, const glm::dvec3& normal) {
@@ -51,7 +52,7 @@ double ofSphere(const glm::dvec3& toMiddle, double radius, const glm::dvec3& nor
   if (std::abs(cosine) >= sine) return square * std::max(cosine, 0.0);
   const double x = std::sqrt(1 / square - 1), across = std::sqrt(1 - cosine * cosine),
                y = std::clamp(-x * cosine / across, -1.0, 1.0), z = across * std::sqrt(1 - y * y);
-  return ((cosine * std::acos(y) - x * z) * square + std::atan2(z, x)) / kPi;
+  return ((cosine * std::acos(y) - x * z) * square + std::atan2(z, x)) / pi;
 }
 
 Polygon polygonOf(const scene::LightSource& light, const glm::dvec3& toMiddle) {
@@ -61,7 +62,7 @@ Polygon polygonOf(const scene::LightSource& light, const glm::dvec3& toMiddle) {
     p.add(toMiddle - x - y), p.add(toMiddle + x - y), p.add(toMiddle + x + y), p.add(toMiddle - x + y);
     return p;
   }
-  constexpr double kStep = 2 * kPi / kDiscCorners;
+  constexpr double kStep = 2 * pi / kDiscCorners;
   // As large as the disc.
   const double radius = light.radius * std::sqrt(kStep / std::sin(kStep));
   const glm::dvec3 n(light.direction);

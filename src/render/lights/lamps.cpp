@@ -13,11 +13,6 @@ namespace {
 // Depth of what lies beyond the far plane: in front of what framebuffers are cleared to.
 constexpr float kBeyond = 1 - 0x1p-22f;
 
-bool isLit(const scene::Shading& s) {
-  using Model = scene::FragmentShading::Model;
-  return s.fragment.model == Model::off ? s.lighting : s.fragment.model != Model::unlit;
-}
-
 }  // namespace
 
 Lamps::Lamps(const FrameData& frame) : frame_(frame) {
@@ -33,7 +28,7 @@ std::unique_ptr<const Lamps> Lamps::of(const FrameData& frame) {
   const auto visible = [](const scene::LightSource& l) { return l.visible; };
   const auto& shadings = frame.snapshot->shadings;
   if (std::none_of(sources.begin(), sources.end(), visible)) return nullptr;
-  if (std::none_of(shadings.begin(), shadings.end(), isLit)) return nullptr;
+  if (std::none_of(shadings.begin(), shadings.end(), scene::isLit)) return nullptr;
   return std::make_unique<Lamps>(frame);
 }
 

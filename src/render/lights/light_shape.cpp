@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace gluray::render {
 namespace {
 
 using Kind = scene::LightSource::Kind;
 
-constexpr double kPi = 3.14159265358979323846;
+using std::numbers::pi;
 // Sine of half the angle of the smallest light that rays meet: directions are rounded to floats.
 constexpr double kSmallest = 1e-4;
 
@@ -54,7 +55,7 @@ struct LightShape::Cone {
   glm::dvec3 color{0};       // irradiance / pi of a surface that faces it
   bool met = false;
   glm::dvec3 radiance() const { return rim > 1 ? color : color / (rim * (2 - rim)); }
-  double pdf() const { return 1 / (2 * kPi * rim); }
+  double pdf() const { return 1 / (2 * pi * rim); }
 };
 
 LightShape::LightShape(const scene::LightSource& light, float size)
@@ -69,7 +70,7 @@ LightShape::LightShape(const scene::LightSource& light, float size)
     reach_ = std::max(glm::length(a + b), glm::length(a - b));
   } else if (light.kind == Kind::disc) {
     reach_ = light.radius;
-    area_ = kPi * reach_ * reach_;
+    area_ = pi * reach_ * reach_;
   }
 }
 
@@ -110,10 +111,10 @@ LightShape::Arriving LightShape::sampleCone(const glm::dvec3& point, const glm::
   Arriving a;
   if (cone.rim == 0) {
     a.direction = glm::vec3(cone.axis), a.distance = static_cast<float>(cone.distance);
-    a.irradiance = usable(kPi * cone.color);
+    a.irradiance = usable(pi * cone.color);
     return a;
   }
-  const double k = u.x * cone.rim, across = std::sqrt(std::max(k * (2 - k), 0.0)), angle = 2 * kPi * u.y;
+  const double k = u.x * cone.rim, across = std::sqrt(std::max(k * (2 - k), 0.0)), angle = 2 * pi * u.y;
   const Basis basis(cone.axis);
   const glm::dvec3 way =
       across * (std::cos(angle) * basis.x + std::sin(angle) * basis.y) + (1 - k) * cone.axis;
@@ -136,7 +137,7 @@ LightShape::Arriving LightShape::sampleArea(const glm::dvec3& point, const glm::
     at += (2.0 * u.x - 1) * glm::dvec3(light_.halfEdge[0]) + (2.0 * u.y - 1) * glm::dvec3(light_.halfEdge[1]);
   } else {
     const Basis basis(direction_);
-    const double radius = light_.radius * std::sqrt(double{u.x}), angle = 2 * kPi * u.y;
+    const double radius = light_.radius * std::sqrt(double{u.x}), angle = 2 * pi * u.y;
     at += radius * (std::cos(angle) * basis.x + std::sin(angle) * basis.y);
   }
   const glm::dvec3 way = at - point;
@@ -206,14 +207,14 @@ glm::vec3 LightShape::estimate(const glm::vec3& point, const glm::vec3* normal) 
   if (!isArea()) {
     const Cone cone = coneFrom(glm::dvec3(point));
     const double sine = cone.rim >= 1 ? 1 : std::sqrt(cone.rim * (2 - cone.rim));
-    return usable(kPi * cone.color * facing(cone.axis, sine));
+    return usable(pi * cone.color * facing(cone.axis, sine));
   }
   const glm::dvec3 way = middle_ - glm::dvec3(point);
   if (!(glm::dot(way, direction_) < 0)) return glm::vec3(0);
   const double distance = glm::length(way), sine = reach_ / distance;
   const double shown = area_ * largestCosine(-glm::dot(way, direction_) / distance, sine);
-  const double share = std::min(shown / (kPi * distance * distance), 1.0);
-  return usable(kPi * color_ * share * facing(way / distance, sine));
+  const double share = std::min(shown / (pi * distance * distance), 1.0);
+  return usable(pi * color_ * share * facing(way / distance, sine));
 }
 
 }  // namespace gluray::render

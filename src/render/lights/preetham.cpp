@@ -1,12 +1,14 @@
 #include "render/lights/preetham.h"
 
+#include "render/bsdf/local_frame.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace gluray::render {
 namespace {
 
-constexpr float kPi = 3.14159265358979f;
+using bsdf::kPi;
 
 /// Perez' formula with five coefficients, each a line in the turbidity (appendix A.2).
 struct Perez {

@@ -11,9 +11,7 @@ namespace {
 
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 
-bool isProgram(const Surface& s) {
-  return s.lighting->shading->fragment.model != scene::FragmentShading::Model::off;
-}
+bool isProgram(const Surface& s) { return isProgram(*s.lighting->shading); }
 
 float attenuation(const glm::vec3& factors, float distance) {
   return 1 / (factors.x + distance * (factors.y + distance * factors.z));

@@ -15,11 +15,6 @@ namespace {
 using scene::FragmentLight;
 using scene::LightSource;
 
-bool isProgram(const scene::Shading& s) { return s.fragment.model != scene::FragmentShading::Model::off; }
-bool isLit(const scene::Shading& s) {
-  return isProgram(s) ? s.fragment.model != scene::FragmentShading::Model::unlit : s.lighting;
-}
-
 /// The light at the viewer for fixed function: in parallel views as far away as the viewer is.
 LightSource headlight(float strength, const Viewer& away) {
   LightSource light;

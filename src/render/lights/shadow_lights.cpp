@@ -40,11 +40,6 @@ bool isSame(const LightSource& a, const LightSource& b, const Metric& metric) {
          glm::length(a.position - b.position) <= near * metric.diagonal;
 }
 
-bool isLit(const scene::Shading& s) {
-  using Model = scene::FragmentShading::Model;
-  return s.fragment.model == Model::off ? s.lighting : s.fragment.model != Model::unlit;
-}
-
 /// Programs draw small unlit things around their lights, to show where they are.
 bool isLamp(const scene::Instance& instance, const LightSource& light, const Metric& metric) {
   constexpr double kSmall = 0.1;  // of the scene

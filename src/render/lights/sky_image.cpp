@@ -1,12 +1,14 @@
 #include "render/lights/sky_image.h"
 
+#include "render/bsdf/local_frame.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace gluray::render {
 namespace {
 
-constexpr float kPi = 3.14159265358979f;
+using bsdf::kPi;
 
 /// From a direction to the picture, and the sine of its angle to the zenith.
 glm::vec2 placeOf(const glm::vec3& d, float& sine) {

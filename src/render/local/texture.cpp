@@ -88,7 +88,7 @@ glm::vec4 borderTexel(const scene::Texture& t) {
 
 /// Four channels in one register (a vector extension of GCC and Clang).
 using Color = float __attribute__((vector_size(16)));
-using Channels = int32_t __attribute__((vector_size(16)));
+using Integers = int32_t __attribute__((vector_size(16)));
 
 inline Color colorOf(const glm::vec4& c) { return Color{c.r, c.g, c.b, c.a}; }
 
@@ -109,7 +109,7 @@ class TexelReader {
     if (floats_) return colorOf(floats_[at]);
     const uint32_t c = texels_[at];
     const auto channel = [&](int shift) { return static_cast<int32_t>(c >> shift & 255); };
-    return __builtin_convertvector((Channels{channel(0), channel(8), channel(16), channel(24)}), Color);
+    return __builtin_convertvector((Integers{channel(0), channel(8), channel(16), channel(24)}), Color);
   }
 
   glm::vec4 finished(Color c) const {

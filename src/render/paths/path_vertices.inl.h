@@ -104,8 +104,8 @@ HWY_ATTR inline void colorVertices(const Path& path, const SurfaceColors& colors
   const scene::Shading& shading = *s.lighting->shading;
   const bool program = shading.fragment.model != scene::FragmentShading::Model::off;
   const bool sided = program ? shading.fragment.backMaterial : shading.twoSided;
-  const bool unlit = isUnlit(shading) && model.isProgram();
-  const bool emits = colors.emission && !isUnlit(shading);
+  const bool unlit = !isLit(shading) && model.isProgram();
+  const bool emits = colors.emission && isLit(shading);
   if (emits) shade(path.frame, (*colors.emission)[instance], group, back, x, y, emission);
   const auto at = [](const Row* r, int i) { return glm::vec3(r[0][i], r[1][i], r[2][i]); };
   for (uint32_t lanes = group.lanes; lanes; lanes &= lanes - 1) {

@@ -2,6 +2,7 @@
 
 #include "base/files.h"
 #include "gl/state/buffer_bits.h"
+#include "gl/state/state_queries.h"
 #include "intercept/present/write_back/state_guard.h"
 
 #include <GL/gl.h>
@@ -13,12 +14,6 @@
 
 namespace gluray::present {
 namespace {
-
-GLint integer(const gl::RealGl& real, GLenum name) {
-  GLint value = 0;
-  real.GetIntegerv(name, &value);
-  return value;
-}
 
 struct Box {
   int x = 0, y = 0, width = 0, height = 0;
@@ -65,7 +60,7 @@ void FramePicture::resize(int width, int height) {
 
 void FramePicture::written(const gl::RealGl& real, const Image& image) {
   const Features& known = features(real);
-  const GLint framebuffer = known.readFramebuffers ? integer(real, GL_DRAW_FRAMEBUFFER_BINDING) : 0;
+  const GLint framebuffer = known.readFramebuffers ? gl::integer(real, GL_DRAW_FRAMEBUFFER_BINDING) : 0;
   if (framebuffer != 0) {
     const size_t plane = static_cast<size_t>(image.width) * static_cast<size_t>(image.height);
     elsewhere_ += static_cast<uint64_t>(std::count_if(image.depth.begin(),
@@ -80,7 +75,7 @@ void FramePicture::written(const gl::RealGl& real, const Image& image) {
   {
     StateGuard guard(real, known);
     guard.plainPack();
-    guard.readFrom(0, static_cast<GLenum>(integer(real, GL_DRAW_BUFFER)));
+    guard.readFrom(0, static_cast<GLenum>(gl::integer(real, GL_DRAW_BUFFER)));
     readPixels(real, box, GL_RGBA, GL_UNSIGNED_BYTE, color);
     readPixels(real, box, GL_DEPTH_COMPONENT, GL_FLOAT, depth);
   }
