@@ -28,6 +28,12 @@ void paintUnrefined(const scene::Snapshot& snapshot, Image& image) {
     paintNoNoise(image);
 }
 
+void colorMisses(uint32_t color, Image& image) {
+  const uint32_t before = std::exchange(image.missColor, color);
+  for (size_t i = 0; i < image.color.size(); ++i)
+    if (image.depth[i] == Image::kMiss && image.color[i] == before) image.color[i] = color;
+}
+
 /// Traces at least one pass, because showing needs one. Stops when the picture is finished or, unless
 /// `finish`, when the time is up. False: a pass failed.
 bool tracePasses(Refiner& refiner, const Trace& trace, uint32_t missColor, bool finish, double mostSeconds,
@@ -86,10 +92,29 @@ void Pictures::refine(const scene::Snapshot& snapshot, LastPictures::Picture& pi
   }
 }
 
+/// An earlier frame's picture whose misses may get another colour; null: none. Passes of layers contain it.
+LastPictures::Picture* Pictures::recolorable(const scene::Snapshot& snapshot) noexcept {
+  LastPictures::Picture* const picture = snapshot.layers ? nullptr : last_.of(snapshot);
+  return picture && picture->image.isPlain() ? picture : nullptr;
+}
+
+/// An earlier frame's picture with misses in `missColor`, if given. A frame has one picture, however it is
+/// shown: a second one would have passes and noise of its own.
+LastPictures::Picture* Pictures::ofColor(const scene::Snapshot& snapshot,
+                                         std::optional<uint32_t> missColor) noexcept {
+  if (auto* const same = last_.of(snapshot, missColor)) return same;
+  LastPictures::Picture* const other = missColor ? recolorable(snapshot) : nullptr;
+  if (!other) return nullptr;
+  if (!other->refinement) other->refinement = frame_.take(other->id);
+  last_.renew(*other);
+  colorMisses(*missColor, other->image);
+  return other;
+}
+
 /// An earlier frame's picture; null: it must be traced.
 LastPictures::Picture* Pictures::known(const scene::Snapshot& snapshot, const Wish& wish,
                                        bool refines) noexcept {
-  LastPictures::Picture* const known = last_.of(snapshot, wish.missColor);
+  LastPictures::Picture* const known = ofColor(snapshot, wish.missColor);
   if (known && refines && !known->refined) return known;
   // A finished full structure takes memory beside the fast one until a trace installs it: do not repeat then.
   return known && !(tracer_.improves && tracer_.improves()) ? known : nullptr;
@@ -109,7 +134,7 @@ bool Pictures::traceOnce(const scene::Snapshot& snapshot, bool full, LastPicture
 
 Pictures::Result Pictures::of(const scene::Snapshot& snapshot, const Wish& wish) {
   Result result;
-  if (auto* const picture = wish.asShown ? last_.of(snapshot, wish.missColor) : nullptr) {
+  if (auto* const picture = wish.asShown ? ofColor(snapshot, wish.missColor) : nullptr) {
     result.repeated = true, result.picture = picture;
     return result;
   }

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace gluray::frame {
 namespace {
 
@@ -68,6 +70,37 @@ TEST_F(PicturesTest, TheSameFrameGetsBetterUntilItIsFinished) {
   const int traces = tracer.traces;
   EXPECT_EQ(ask().picture->id, last.picture->id);
   EXPECT_EQ(tracer.traces, traces) << "a finished picture repeats";
+}
+
+/// Windows that show pictures themselves want misses in the colour that the window was cleared to;
+/// write-backs do not care.
+TEST_F(PicturesTest, MissesOfOneColorOrAnotherAreTheSamePicture) {
+  scene.settings.fps = 1000;                       // redraws have time for few passes
+  scene.instances.erase(scene.instances.begin());  // the wall: misses instead
+  Pictures steady{Tracer{tracer.trace}};
+  while (!steady.of(scene, {}).picture->refined) {}
+  const std::vector<uint32_t> expected = steady.of(scene, {}).picture->image.color;
+  const int traces = std::exchange(tracer.traces, 0);
+  constexpr uint32_t kRed = 0xff0000ff, kBlue = 0xffff0000;
+  for (bool refined = false, direct = true; !refined; direct = !direct) {
+    const Pictures::Wish wish = direct ? Pictures::Wish{.missColor = kRed} : Pictures::Wish{};
+    const LastPictures::Picture& picture = *pictures.of(scene, wish).picture;
+    EXPECT_EQ(picture.image.missColor, kRed);
+    refined = picture.refined;
+    EXPECT_EQ(pictures.of(scene, {.asShown = true}).picture, &picture);
+  }
+  EXPECT_EQ(tracer.traces, traces);
+  const uint64_t id = pictures.of(scene, {.missColor = kRed}).picture->id;
+  const LastPictures::Picture& blue = *pictures.of(scene, {.missColor = kBlue}).picture;
+  EXPECT_NE(blue.id, id) << "write-backs know pictures by their ids";
+  ASSERT_EQ(blue.image.color.size(), expected.size());
+  size_t misses = 0;
+  for (size_t i = 0; i < expected.size(); ++i) {
+    const bool miss = blue.image.depth[i] == Image::kMiss;
+    misses += miss;
+    EXPECT_EQ(blue.image.color[i], miss ? kBlue : expected[i]);
+  }
+  EXPECT_GT(misses, 0u);
 }
 
 TEST_F(PicturesTest, AReadGetsTheFinishedPicture) {
