@@ -52,6 +52,7 @@ if(GLURAY_BENCH)
   list(REMOVE_ITEM release_programs ${bench_programs})
 endif()
 suites(release_suites ${release_programs} gluray_render)
+add_dependencies(release_suites packed_documents)  # of the package
 add_test(NAME link.suites COMMAND ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/tests/suites_test.py ${CMAKE_CTEST_COMMAND}
          ${CMAKE_BINARY_DIR})
 add_test(NAME link.cases COMMAND ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/tests/cases_test.py ${CMAKE_CTEST_COMMAND}

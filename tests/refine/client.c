@@ -168,17 +168,44 @@ static void picks(void) {
   for (int i = 0; i < 100; ++i) glReadPixels(i, i, 16, 16, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
 }
 
-static GLuint makeFramebuffer(void) {
+static GLuint makeFramebufferOf(GLenum colors, int samples) {
   GLuint name, buffers[2];
   glGenFramebuffers(1, &name), glGenRenderbuffers(2, buffers);
   glBindFramebuffer(GL_FRAMEBUFFER, name);
   for (int i = 0; i < 2; ++i) {
     glBindRenderbuffer(GL_RENDERBUFFER, buffers[i]);
-    glRenderbufferStorage(GL_RENDERBUFFER, i ? GL_DEPTH_COMPONENT24 : GL_RGBA8, kWidth, kHeight);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, i ? GL_DEPTH_COMPONENT24 : colors, kWidth,
+                                     kHeight);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, i ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
                               buffers[i]);
   }
   return name;
+}
+
+static GLuint makeFramebuffer(void) { return makeFramebufferOf(GL_RGBA8, 0); }
+
+/* Reads framebuffers beside the shown window that cannot hold its finished picture: of floats, of integers,
+ * and multisampled, which OpenGL refuses to read. */
+static void readsOthers(void) {
+  static GLuint numbers[kWidth * kHeight * 4];
+  const GLuint seven[4] = {7, 7, 7, 7};
+  show(0, 1);
+  look("first");
+  const GLuint floats = makeFramebufferOf(GL_RGBA32F, 0);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+  glBlitFramebuffer(0, 0, kWidth, kHeight, 0, 0, kWidth, kHeight, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, floats);
+  readPixels("last");
+  makeFramebufferOf(GL_RGBA32UI, 0);
+  glClearBufferuiv(GL_COLOR, 0, seven);
+  glReadPixels(0, 0, kWidth, kHeight, GL_RGBA_INTEGER, GL_UNSIGNED_INT, numbers);
+  if (glGetError() != GL_NO_ERROR) exit(3);
+  for (int i = 0; i < kWidth * kHeight * 4; ++i)
+    if (numbers[i] != 7) exit(4);
+  makeFramebufferOf(GL_RGBA8, 4);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glReadPixels(0, 0, kWidth, kHeight, GL_RGBA, GL_UNSIGNED_BYTE, numbers);
+  if (glGetError() != GL_INVALID_OPERATION || glGetError() != GL_NO_ERROR) exit(5);
 }
 
 /* Draws into a framebuffer object, shows a copy, and reads another one; before the swap, too. */
@@ -283,7 +310,8 @@ int main(int argc, char** argv) {
                 {"reads-shown", readsShown, 0},
                 {"reads-plain", readsPlain, 0},
                 {"picks", picks, 0},
-                {"reads-copies", readsCopies, 0}};
+                {"reads-copies", readsCopies, 0},
+                {"reads-others", readsOthers, 0}};
   for (size_t i = 0; argc > 1 && i < sizeof habits / sizeof *habits; ++i) {
     if (strcmp(argv[1], habits[i].name) != 0) continue;
     if (!openWindow(!habits[i].hidden)) return 1;

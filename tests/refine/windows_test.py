@@ -112,6 +112,15 @@ class Refine(unittest.TestCase):
             quick = self.lit(habit, "--set", "noise=0")
             self.assertEqual(quick["first"], quick["last"], habit)
 
+    def test_reads_do_not_need_refinement_of_windows(self):
+        seen, idle = self.lit("reads-shown", "--set", "refine.idle=off"), self.lit("reads-shown")
+        self.assertEqual(seen["last"], idle["last"])
+        self.assertEqual(self.lit("reads-shown", "--set", "refine.idle=off")["window"], seen["first"], "nobody refines it")
+
+    def test_framebuffers_of_other_kinds_are_read_as_they_are(self):
+        seen = self.lit("reads-others")
+        self.assertGreater(psnr(seen["last"], seen["first"]), 48)
+
     def test_small_reads_are_not_waited_for(self):
         self.run_client("picks", "--ao", *FEW)
         self.assertEqual(self.report["light"]["passes"], 0)

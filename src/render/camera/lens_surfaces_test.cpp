@@ -1,4 +1,5 @@
 // Depth of field of all kinds of surfaces: layers, clipped ones, impostors, far viewers.
+#include "base/sanitized.h"
 #include "render/camera/lens.h"
 #include "render/test_targets.h"
 #include "render/test_trace.h"
@@ -40,6 +41,7 @@ void expectColumns(const std::vector<double>& got, const std::vector<double>& ex
 }
 
 TEST(LensSurfaces, OfLayersAreBlurredAlike) {
+  GLURAY_RELEASE_ONLY();
   scene::Snapshot s = viewOf({halfPlane(8, 0.1f)});
   const std::vector<double> solid = columns(test::trace(s).image);
   s.instances[0].color.a = 0.5f;
@@ -117,6 +119,7 @@ scene::Snapshot impostorView(scene::Shape shape, std::vector<glm::vec3> points) 
 }
 
 TEST(LensSurfaces, ImpostorsSpreadAndKeepTheirLight) {
+  GLURAY_RELEASE_ONLY();
   using scene::Shape;
   const std::pair<Shape, std::vector<glm::vec3>> kinds[] = {
       {Shape::spheres, {{0.2f, 0.1f, -10}}},

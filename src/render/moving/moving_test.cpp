@@ -1,4 +1,5 @@
 // Frames of animations against full ones.
+#include "base/sanitized.h"
 #include "render/test_trace.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -167,6 +168,7 @@ TEST(Moving, FullFramesDoNotDependOnEarlierOnes) {
 }
 
 TEST(Moving, ScenesMayHaveAnySize) {
+  GLURAY_RELEASE_ONLY();
   double expected = 0;
   for (const float size : {1.0f, 1e-6f, 1e6f, 1e-9f, 1e9f}) {
     Animation animation;
@@ -180,6 +182,7 @@ TEST(Moving, ScenesMayHaveAnySize) {
 }
 
 TEST(Moving, AnyProjectionWillDo) {
+  GLURAY_RELEASE_ONLY();
   const auto quality = [](const glm::dmat4& clipFromEye, bool reversed) {
     Animation animation;
     scene::Snapshot s = boards();
