@@ -30,6 +30,7 @@ void paintUnrefined(const scene::Snapshot& snapshot, Image& image) {
 
 void colorMisses(uint32_t color, Image& image) {
   const uint32_t before = std::exchange(image.missColor, color);
+  if (image.isAverages()) return;  // misses are 0
   for (size_t i = 0; i < image.color.size(); ++i)
     if (image.depth[i] == Image::kMiss && image.color[i] == before) image.color[i] = color;
 }
@@ -92,10 +93,10 @@ void Pictures::refine(const scene::Snapshot& snapshot, LastPictures::Picture& pi
   }
 }
 
-/// An earlier frame's picture whose misses may get another colour; null: none. Passes of layers contain it.
+/// An earlier frame's picture whose misses may get another colour; null: none. Passes of layers contain that.
 LastPictures::Picture* Pictures::recolorable(const scene::Snapshot& snapshot) noexcept {
   LastPictures::Picture* const picture = snapshot.layers ? nullptr : last_.of(snapshot);
-  return picture && picture->image.isPlain() ? picture : nullptr;
+  return picture && picture->image.has(Plane::color) && picture->image.samples == 1 ? picture : nullptr;
 }
 
 /// An earlier frame's picture with misses in `missColor`, if given. A frame has one picture, however it is

@@ -72,6 +72,17 @@ TEST_F(PicturesTest, TheSameFrameGetsBetterUntilItIsFinished) {
   EXPECT_EQ(tracer.traces, traces) << "a finished picture repeats";
 }
 
+TEST_F(PicturesTest, AveragesHaveMissesOfNoColor) {
+  scene.settings.spp = 4;
+  scene.instances.erase(scene.instances.begin());  // the wall: misses instead
+  const std::vector<uint32_t> expected = ask(true).picture->image.color;
+  const int traces = tracer.traces;
+  const LastPictures::Picture& red = *pictures.of(scene, {.missColor = 0xff0000ff, .finished = true}).picture;
+  EXPECT_EQ(red.image.missColor, 0xff0000ffu);
+  EXPECT_EQ(red.image.color, expected);
+  EXPECT_EQ(tracer.traces, traces);
+}
+
 /// Windows that show pictures themselves want misses in the colour that the window was cleared to;
 /// write-backs do not care.
 TEST_F(PicturesTest, MissesOfOneColorOrAnotherAreTheSamePicture) {
