@@ -14,7 +14,7 @@ CHANGES = ("picture", "way")
 RESERVED = {"GLURAY_COMMAND_LINE", "GLURAY_CONFIG", "GLURAY_ENGINE_LIBRARY", "GLURAY_PID", "GLURAY_PROGRAM", "GLURAY_PROJECT", "GLURAY_REAL_EGL",
             "GLURAY_REAL_GLX", "GLURAY_ROOTS"}
 # Names of tables in files, and words of the launcher.
-RESERVED_NAMES = {"program"}
+RESERVED_NAMES = {"program", "presets"}
 
 
 class SettingsError(Exception):

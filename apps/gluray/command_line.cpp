@@ -11,8 +11,6 @@
 namespace gluray::launcher {
 namespace {
 
-constexpr int kUsageError = 2;
-
 const char* const kExamples = R"(
 Examples:
   gluray glxgears
@@ -29,6 +27,8 @@ Commands, each with its own --help:
   gluray doctor [PROGRAM]  how the program reaches OpenGL, and what this machine has and lacks
   gluray quirks            workarounds for single OpenGL implementations, and how to switch them
   gluray settings          all settings, their values and origins
+  gluray get NAME          the value of a setting; with --why the values of all layers
+  gluray presets           sets of settings by name, and what is in them
   gluray timeline FILE     what each thread did in a run with --timeline FILE
 
 The exit code is the program's;
@@ -55,11 +55,15 @@ void addExplainOptions(CLI::App& app, CommandLine& line) {
       ->capture_default_str();
 }
 
+void addProfileOption(CLI::App& app, CommandLine& line) {
+  app.add_option("--program", line.profile, "Apply the profiles of this program")->type_name("NAME");
+}
+
 void addListOptions(CLI::App& app, CommandLine& line) {
   app.add_option("--why", line.why, "Show one setting and the value from each layer (file, environment ...)")
       ->type_name("NAME");
   app.add_flag("--changed", line.changed, "Leave out settings with their built-in values");
-  app.add_option("--program", line.profile, "Apply the profiles of this program")->type_name("NAME");
+  addProfileOption(app, line);
 }
 
 void addOptions(CLI::App& app, CommandLine& line) {
@@ -83,7 +87,8 @@ int complain(const std::string& what) {
 bool namesCommand(int argc, char** argv, Command& command) {
   static const std::map<std::string, Command> commands = {
       {"run", Command::run},       {"explain", Command::explain},   {"doctor", Command::doctor},
-      {"quirks", Command::quirks}, {"settings", Command::settings}, {"timeline", Command::timeline}};
+      {"quirks", Command::quirks}, {"settings", Command::settings}, {"timeline", Command::timeline},
+      {"get", Command::get},       {"presets", Command::presets}};
   const auto found = argc > 1 ? commands.find(argv[1]) : commands.end();
   if (found == commands.end()) return false;
   command = found->second;
@@ -140,9 +145,26 @@ void describe(CLI::App& app, CommandLine& line) {
       usage("options");
       addListOptions(app, line);
       break;
+    case Command::get:
+      app.description("Prints the values of settings, as a program that starts now would get them.");
+      app.name("gluray get");
+      app.add_option("NAME", line.names, "Settings; none: all that differ from their built-in values");
+      app.add_flag("--why", line.layers, "Show the value from each layer (file, preset, environment ...)");
+      addProfileOption(app, line);
+      break;
+    case Command::presets:
+      app.description("Lists the presets: sets of settings that --preset NAME chooses.");
+      app.name("gluray presets");
+      app.add_option("NAME", line.names, "Show the values of these presets");
+      break;
     case Command::timeline: return;
   }
   addOptions(app, line);
+}
+
+/// Whether a program may follow the options: the others take names or a file.
+bool takesProgram(Command command) {
+  return command != Command::timeline && command != Command::get && command != Command::presets;
 }
 
 /// Index of the program's word, from `first` on: after "--", or the first word that is neither an option
@@ -169,7 +191,7 @@ Parsed parse(int argc, char** argv) {
   const int first = namesCommand(argc, argv, line.command) ? 2 : 1;
   describe(app, line);
 
-  const bool runs = line.command != Command::timeline;  // timeline takes a file, not a program
+  const bool runs = takesProgram(line.command);
   const int program = runs ? firstProgramWord(app, first, argc, argv) : argc;
   std::vector<std::string> own(argv + std::min(first, program), argv + program);
   try {

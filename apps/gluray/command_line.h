@@ -7,7 +7,9 @@
 
 namespace gluray::launcher {
 
-enum class Command { run, explain, doctor, quirks, settings, timeline };
+inline constexpr int kUsageError = 2;  // exit code: what the user typed is wrong
+
+enum class Command { run, explain, doctor, quirks, settings, get, presets, timeline };
 
 struct CommandLine {
   Command command = Command::run;
@@ -22,9 +24,11 @@ struct CommandLine {
   int frames = 100;
   double restSeconds = 3, limitSeconds = 120;  // 0: never
   std::string html;                            // file; empty: none
-  // settings
-  std::string why, profile;  // a setting, a program; empty: none
-  bool changed = false;      // only settings that differ from their built-in values
+  // settings, get, presets
+  std::string why, profile;        // a setting, a program; empty: none
+  bool changed = false;            // only settings that differ from their built-in values
+  std::vector<std::string> names;  // of settings
+  bool layers = false;             // each layer's value
   // timeline; its file is in `program`
   std::string chart;          // file; empty: none
   double from = -1, to = -1;  // close-up view, milliseconds; negative: some frames in the middle of the run

@@ -7,12 +7,14 @@
 #include "programs/launch.h"
 #include "programs/program.h"
 #include "say.h"
+#include "settings/presets_list.h"
 #include "settings/quirks_list.h"
 #include "settings/settings_list.h"
 #include "timeline/show_timeline.h"
 
 #include <cstring>
 #include <exception>
+#include <string>
 
 namespace {
 
@@ -25,11 +27,14 @@ int run(const CommandLine& line) {
 }
 
 int perform(const CommandLine& line) {
+  if (const std::string why = wrongPreset(line); !why.empty()) return say(why), kUsageError;
   switch (line.command) {
     case Command::explain: return explain(line);
     case Command::doctor: return doctor(line);
     case Command::quirks: return listQuirks(line);
     case Command::settings: return listSettings(line);
+    case Command::get: return getSettings(line);
+    case Command::presets: return listPresets(line);
     case Command::timeline: return showTimeline(line);
     default: return run(line);
   }

@@ -3,6 +3,7 @@
 #include "base/files.h"
 #include "base/log.h"
 #include "base/timeline.h"
+#include "settings/live_settings.h"
 
 #include <unistd.h>
 
@@ -19,14 +20,18 @@ static_assert(static_cast<int>(LogLevel::off) == static_cast<int>(log::Level::of
 bool mayTalk(const Session& session) { return !session.logFile.empty() || launchedProcess(); }
 
 const Session* readSession() {
-  static std::vector<std::string> complaints;
-  const auto* session =
-      new Session(sessionFromEnvironment([](const std::string& line) { complaints.push_back(line); }));
-  settingsSource().store(session->settings);
+  static std::vector<std::string> complaints;  // before the log is configured
+  static bool logs = false;
+  static auto* const live = new LiveSettings(settingsSource(), [](const std::string& line) {
+    logs ? log::write(log::Level::warning, line) : complaints.push_back(line);
+  });  // never destroyed: programs call OpenGL while they exit
+  const auto* session = new Session(live->start(sourcesOfProcess()));
   log::configure(mayTalk(*session) ? static_cast<log::Level>(session->logLevel) : log::Level::off,
                  session->logFile);
   for (const std::string& line : complaints) log::write(log::Level::warning, line);
   complaints.clear();
+  logs = true;
+  settingsSource().watch([]() noexcept { live->look(); });
   if (!session->timelineFile.empty()) timeline::record(fileOfThisProcess(session->timelineFile));
   return session;
 }

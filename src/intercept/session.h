@@ -1,4 +1,5 @@
-// The user's settings for this process, read once when the engine starts. Any thread.
+// The user's settings for this process, read when the engine starts; settings of frames also when files
+// change. Any thread.
 #pragma once
 #include "settings/settings_source.h"
 

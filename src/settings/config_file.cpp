@@ -59,39 +59,56 @@ class Collector {
   void file(const toml::table& all) {
     for (const auto& [key, node] : all) {
       if (key.str() == "program")
-        profiles(node);
+        sections(Section::Kind::program, "program", "[program.glxgears]", node);
+      else if (key.str() == "presets")
+        sections(Section::Kind::preset, "presets", "[presets.mine]", node);
       else
-        entry("", std::string(key.str()), node);
+        entry({}, std::string(key.str()), node);
     }
   }
 
  private:
-  void profiles(const toml::node& node) {
+  void sections(Section::Kind kind, const std::string& word, const char* example, const toml::node& node) {
     const toml::table* table = node.as_table();
     if (!table ||
         std::any_of(table->begin(), table->end(), [](const auto& e) { return !e.second.is_table(); }))
-      return add("", "program", node, "", "program: use tables such as [program.glxgears]");
-    for (const auto& [program, settings] : *table)
-      for (const auto& [key, value] : *settings.as_table())
-        entry(std::string(program.str()), std::string(key.str()), value);
+      return add({}, word, node, "", word + ": use tables such as " + example);
+    for (const auto& [key, settings] : *table) {
+      const std::string name(key.str());
+      if (kind == Section::Kind::preset && (name.empty() || name == kNoPreset))
+        add({}, word, settings, "", word + "." + name + ": a preset needs another name");
+      else
+        for (const auto& [setting, value] : *settings.as_table())
+          entry({kind, name}, std::string(setting.str()), value);
+    }
   }
 
-  void entry(const std::string& program, const std::string& name, const toml::node& node) {
+  void entry(const Section& section, const std::string& name, const toml::node& node) {
     const Row* row = findSetting(name);
     if (isGroup(name) && node.is_table()) {
       for (const auto& [key, value] : *node.as_table())
         // A switch that heads a group: TOML has no room for ao = true beside ao.samples.
-        entry(program, row && key.str() == "enabled" ? name : name + "." + std::string(key.str()), value);
+        entry(section, row && key.str() == "enabled" ? name : name + "." + std::string(key.str()), value);
       return;
     }
-    if (!row || !row->inFiles) return add(program, name, node, "", unknownSetting(name));
+    const bool preset = section.kind == Section::Kind::preset;
+    if (preset && name == "help") return help(section, node);
+    if (preset && name == "preset")
+      return add(section, name, node, "", "preset: a preset cannot name another");
+    if (!row || !row->inFiles) return add(section, name, node, "", unknownSetting(name));
     const std::optional<std::string> text = asText(*row, node);
-    add(program, name, node, text.value_or(""), text ? "" : name + ": " + kindsOf(*row));
+    add(section, name, node, text.value_or(""), text ? "" : name + ": " + kindsOf(*row));
   }
 
-  void add(const std::string& program, const std::string& name, const toml::node& node, std::string value,
+  /// What lists of presets say about it.
+  void help(const Section& section, const toml::node& node) {
+    const auto* text = node.as_string();
+    add(section, "help", node, text ? text->get() : "", text ? "" : "help: use a string");
+  }
+
+  void add(const Section& section, const std::string& name, const toml::node& node, std::string value,
            std::string wrong) {
-    settings_.push_back({program, name, std::move(value), node.source().begin.line, std::move(wrong)});
+    settings_.push_back({section, name, std::move(value), node.source().begin.line, std::move(wrong)});
   }
 
   std::vector<FileSetting>& settings_;
@@ -100,7 +117,7 @@ class Collector {
 }  // namespace
 
 std::vector<FileSetting> readConfigFile(const std::string& file, Absent absent, Trust trust,
-                                        Complain complain) {
+                                        const Complain& complain) {
   constexpr size_t kMost = size_t{16} << 20;
   std::vector<FileSetting> settings;
   if (file.empty()) return settings;
@@ -110,12 +127,17 @@ std::vector<FileSetting> readConfigFile(const std::string& file, Absent absent, 
     return settings;
   }
   try {
-    Collector(settings).file(parseToml(content.text));
+    return readConfigText(content.text);
   } catch (const toml::parse_error& error) {
-    settings.clear();
     complain(file + ":" + std::to_string(error.source().begin.line) + ": " +
              std::string(error.description()));
+    return settings;
   }
+}
+
+std::vector<FileSetting> readConfigText(std::string_view text) {
+  std::vector<FileSetting> settings;
+  Collector(settings).file(parseToml(text));
   std::stable_sort(settings.begin(), settings.end(),
                    [](const FileSetting& a, const FileSetting& b) { return a.line < b.line; });
   return settings;

@@ -1,16 +1,30 @@
-// Reads gluray.toml: settings for every run, or for all runs of one program ([program.NAME]). Any thread.
+// Reads gluray.toml: settings for every run, for all runs of one program ([program.NAME]), and presets
+// ([presets.NAME]). Any thread.
 #pragma once
 #include "settings/settings.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gluray {
 
-/// One setting in a file.
+/// The preset's name that means none.
+inline constexpr std::string_view kNoPreset = "none";
+
+/// The part of a file that a setting is in.
+struct Section {
+  enum class Kind : uint8_t { all, program, preset };
+  Kind kind = Kind::all;
+  std::string name;  // of the program or preset
+  bool operator==(const Section&) const = default;
+};
+
+/// One setting in a file; in presets also `help`, a sentence for lists.
 struct FileSetting {
-  std::string program;  // the program whose profile it is in; empty: for all
+  Section section;
   std::string name, value;
   size_t line = 0;
   std::string wrong;  // error; empty: `value` is valid text
@@ -23,7 +37,10 @@ enum class Trust : uint8_t { any, ownOnly };
 /// The settings of a file in line order; none if `file` is empty. If the file cannot be read, reports one
 /// line through `complain`.
 std::vector<FileSetting> readConfigFile(const std::string& file, Absent absent, Trust trust,
-                                        Complain complain);
+                                        const Complain& complain);
+
+/// The same of a text; throws toml::parse_error.
+std::vector<FileSetting> readConfigText(std::string_view text);
 
 /// $GLURAY_CONFIG, or gluray/gluray.toml in $XDG_CONFIG_HOME (~/.config if unset). Empty: none.
 std::string userConfigFile();

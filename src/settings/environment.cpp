@@ -30,11 +30,13 @@ int threadsOfRank(int cores, int allowed, int ranks) {
   return std::max(1, cores / ranks);
 }
 
-Session sessionFromEnvironment(Complain complain) {
+int threadsOfThisRank() {
+  return threadsOfRank(static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN)), coresAllowed(), localRanks());
+}
+
+Session sessionFromEnvironment(const Complain& complain) {
   Session session = readLayers(sourcesOfProcess(), complain).session;
-  if (session.settings.threads == 0)
-    session.settings.threads =
-        threadsOfRank(static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN)), coresAllowed(), localRanks());
+  if (session.settings.threads == 0) session.settings.threads = threadsOfThisRank();
   return session;
 }
 

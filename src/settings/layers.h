@@ -1,10 +1,14 @@
-// Layers of settings: later layers override earlier ones; every value has its origin. Read on the GL thread,
-// once per process, and by the launcher.
+// Layers of settings: later layers override earlier ones; every value has its origin. Read by the process,
+// when it starts and when files change (live_settings.h), and by the launcher. Any thread.
 #pragma once
+#include "settings/config_file.h"
+#include "settings/presets.h"
 #include "settings/rows.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -18,11 +22,12 @@ enum class Layer : uint8_t {
   user,         // ~/.config/gluray/gluray.toml, or the file that GLURAY_CONFIG names
   project,      // gluray.toml of the directory in which gluray was started
   program,      // [program.NAME] in any of these files
+  preset,       // the preset that the setting `preset` names
   environment,  // GLURAY_THREADS ...
   commandLine,  // options of the launcher
   live,         // changes at run time
 };
-inline constexpr size_t kLayerCount = 8;
+inline constexpr size_t kLayerCount = 9;
 /// "built-in", "system", ...
 std::string_view nameOf(Layer layer);
 
@@ -51,6 +56,9 @@ struct Sources {
   /// list tells which of these are options; one that has changed since is not.
   std::vector<std::pair<std::string, std::string>> commandLine;
   bool passed = false;  // the launcher passed the options in variables
+  /// Names and values of variables; none: those of the process when the layers are read.
+  std::optional<std::vector<std::pair<std::string, std::string>>> variables;
+  std::vector<std::pair<std::string, std::string>> live;  // names and values
 };
 
 /// The sources of this process, from its environment, working directory and executable name.
@@ -59,8 +67,25 @@ Sources sourcesOfProcess();
 /// Path of gluray.toml in the working directory; empty if that is unknown.
 std::string projectFileHere();
 
-/// Reads all layers. Reports unreadable entries through `complain`, one line each ("gluray.toml:3: bvh =
+/// What one file says.
+struct ConfigFile {
+  Layer layer;
+  std::string path;
+  std::vector<FileSetting> settings;
+};
+using ConfigFiles = std::array<ConfigFile, 3>;  // system, user, project
+
+/// Reads the files. Reports those that cannot be read through `complain`, one line each.
+ConfigFiles readConfigFiles(const Sources& sources, const Complain& complain);
+
+/// All presets: those shipped, and those of the files.
+std::vector<Preset> presetsOf(const ConfigFiles& files);
+
+/// Puts the layers together. Reports wrong entries through `complain`, one line each ("gluray.toml:3: bvh =
 /// quick: use auto, fast, full, compact or least"), and skips them.
-Layers readLayers(const Sources& sources, Complain complain);
+Layers layersOf(const Sources& sources, const ConfigFiles& files, const Complain& complain);
+
+/// Both.
+Layers readLayers(const Sources& sources, const Complain& complain);
 
 }  // namespace gluray

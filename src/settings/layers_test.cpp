@@ -1,6 +1,9 @@
 // Precedence of layers, origins of values, and files that are refused.
 #include "settings/layers.h"
 
+#include "settings/presets.h"
+#include "settings/values.h"
+
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -78,6 +81,96 @@ TEST_F(LayersOf, ProfilesOfLaterFilesAndLaterNamesWin) {
   EXPECT_EQ(read("spp"), "3 (program " + sources_.systemFile + ":4)");
   sources_.programs = {"perl"};
   EXPECT_EQ(read("spp"), "");
+}
+
+TEST_F(LayersOf, PresetsAreBetweenProfilesAndVariables) {
+  sources_.programs = {"viewer"};
+  sources_.userFile =
+      file("user.toml", "preset = 'mine'\nspp = 2\n[program.viewer]\nspp = 3\n[presets.mine]\nspp = 4\n");
+  EXPECT_EQ(read("spp"), "4 (preset mine, " + sources_.userFile + ":6)");
+  EXPECT_EQ(read("preset"), "mine (user " + sources_.userFile + ":1)");
+  setenv("GLURAY_SPP", "5", 1);
+  EXPECT_EQ(read("spp"), "5 (environment GLURAY_SPP)");
+  unsetenv("GLURAY_SPP");
+  sources_.live = {{"spp", "6"}};
+  EXPECT_EQ(read("spp"), "6 (live live)");
+  EXPECT_EQ(g_complaints, std::vector<std::string>{});
+}
+
+TEST_F(LayersOf, TheHighestLayerNamesThePreset) {
+  sources_.userFile =
+      file("user.toml", "preset = 'a'\n[presets.a]\nspp = 2\n[presets.b]\nspp = 3\n[presets.c]\nspp = 4\n");
+  sources_.projectFile = file("project.toml", "preset = 'b'\n");
+  EXPECT_EQ(read("spp"), "3 (preset b, " + sources_.userFile + ":5)");
+  sources_.programs = {"viewer"};
+  sources_.systemFile = file("system.toml", "[program.viewer]\npreset = 'c'\n");
+  EXPECT_EQ(read("spp"), "4 (preset c, " + sources_.userFile + ":7)");
+  setenv("GLURAY_PRESET", "a", 1);
+  EXPECT_EQ(read("spp"), "2 (preset a, " + sources_.userFile + ":3)");
+  sources_.commandLine = {{"preset", "b"}};
+  EXPECT_EQ(read("spp"), "3 (preset b, " + sources_.userFile + ":5)");
+  for (const char* none : {"none", ""}) {
+    sources_.live = {{"preset", none}};
+    EXPECT_EQ(read("spp"), "");
+  }
+  EXPECT_EQ(g_complaints, std::vector<std::string>{});
+  sources_.live = {{"preset", "bb"}};
+  EXPECT_EQ(read("spp"), "3 (preset b, " + sources_.userFile + ":5)") << "wrong values change nothing";
+  EXPECT_EQ(read("preset"), "b (command line --preset)");
+  EXPECT_EQ(g_complaints[0], "preset=bb: there is no such preset; did you mean 'b'?");
+}
+
+TEST_F(LayersOf, FilesAddToPresets) {
+  sources_.commandLine = {{"preset", "draft"}};
+  EXPECT_EQ(read("ao"), "false (preset draft, shipped)");
+  sources_.userFile = file("user.toml", "[presets.draft]\nhelp = 'mine'\nthreads = 2\nspp = 2\n");
+  sources_.projectFile = file("project.toml", "[presets.draft]\nspp = 3\n");
+  EXPECT_EQ(read("ao"), "false (preset draft, shipped)");
+  EXPECT_EQ(read("threads"), "2 (preset draft, " + sources_.userFile + ":3)");
+  EXPECT_EQ(read("spp"), "3 (preset draft, " + sources_.projectFile + ":2)");
+  EXPECT_EQ(g_complaints, std::vector<std::string>{});
+}
+
+TEST_F(LayersOf, WrongPresetsAreReported) {
+  sources_.userFile = file("user.toml", "preset = 'drat'\n");
+  read("spp");
+  EXPECT_EQ(g_complaints,
+            std::vector<std::string>{sources_.userFile +
+                                     ":1: preset = drat: there is no such preset; did you mean 'draft'?"});
+  g_complaints.clear();
+  sources_.userFile =
+      file("user.toml", "preset = 'mine'\n[presets.mine]\nsp = 2\nao.samples = 0\npreset = 'draft'\n");
+  read("spp");
+  EXPECT_EQ(g_complaints,
+            (std::vector<std::string>{
+                sources_.userFile + ":3: no setting is called 'sp'; did you mean 'spp'?",
+                "mine, " + sources_.userFile + ":4: ao.samples = 0: use a number from 1 to 4096",
+                sources_.userFile + ":5: preset: a preset cannot name another"}));
+  g_complaints.clear();
+  sources_.userFile = file("user.toml", "presets = 3\n");
+  read("spp");
+  EXPECT_EQ(g_complaints,
+            std::vector<std::string>{sources_.userFile + ":1: presets: use tables such as [presets.mine]"});
+  g_complaints.clear();
+  sources_.userFile = file("user.toml", "[presets.none]\nspp = 2\n");
+  read("spp");
+  EXPECT_EQ(g_complaints,
+            std::vector<std::string>{sources_.userFile + ":1: presets.none: a preset needs another name"});
+}
+
+TEST(Presets, AreAllRight) {
+  const std::vector<Preset> all = allPresets({});
+  std::vector<std::string> names;
+  for (const Preset& preset : all) {
+    names.push_back(preset.name);
+    EXPECT_FALSE(preset.help.empty()) << preset.name;
+    for (const PresetValue& v : preset.values) {
+      ASSERT_EQ(v.wrong, "") << preset.name;
+      Session session;
+      EXPECT_EQ(readValue(*findSetting(v.name), v.value, session), "") << preset.name << ": " << v.name;
+    }
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"draft", "presentation", "publication", "paper", "ospray"}));
 }
 
 TEST_F(LayersOf, WrongProfilesAreReported) {

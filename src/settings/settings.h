@@ -3,19 +3,23 @@
 #pragma once
 #include "settings/settings.gen.h"
 
+#include <functional>
 #include <string>
 
 namespace gluray {
 
 /// Receives one line for the user about an entry that was not read.
-using Complain = void (*)(const std::string& line);
+using Complain = std::function<void(const std::string& line)>;
 
 /// Threads for one of `ranks` processes that share the `cores` cores of a host; this process may use
 /// `allowed` of them. 0 (all it may use) if it runs alone or is bound to cores of its own.
 int threadsOfRank(int cores, int allowed, int ranks);
 
+/// The same for this process, from its affinity and the variables of MPI launchers.
+int threadsOfThisRank();
+
 /// The settings of this process from all layers (settings/layers.h). Reports each unreadable value once
 /// through `complain` ("GLURAY_BVH=x: use auto, fast, full, compact or least") and ignores it.
-Session sessionFromEnvironment(Complain complain);
+Session sessionFromEnvironment(const Complain& complain);
 
 }  // namespace gluray

@@ -24,6 +24,11 @@ class SettingsSource {
     now_.swap(next);
     version_.fetch_add(1, std::memory_order_release);
   }
+  /// `look` is called when frames begin, before they take the settings: it may store others.
+  void watch(void (*look)() noexcept) noexcept { look_.store(look, std::memory_order_release); }
+  void look() const noexcept {
+    if (auto* const watcher = look_.load(std::memory_order_acquire)) watcher();
+  }
   /// Increases with every store; frames check it first, without a lock.
   uint64_t version() const noexcept { return version_.load(std::memory_order_acquire); }
 
@@ -31,6 +36,7 @@ class SettingsSource {
   mutable std::mutex mutex_;
   std::shared_ptr<const Settings> now_;
   std::atomic<uint64_t> version_{1};
+  std::atomic<void (*)() noexcept> look_{nullptr};
 };
 
 /// The process's source; holds the built-in settings until the session is read. Never destroyed.

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
+#include <string_view>
 
 namespace gluray {
 namespace {
@@ -17,10 +18,17 @@ std::string environment(const char* name) {
   return value ? value : "";
 }
 
+/// Programs change their working directory.
+std::string absolute(const std::string& file) {
+  std::error_code error;
+  const fs::path whole = file.empty() ? fs::path() : fs::absolute(file, error);
+  return error ? file : whole.string();
+}
+
 /// The project file of the launcher's working directory; without a launcher, of this process's.
 std::string projectFile() {
   std::string named = environment("GLURAY_PROJECT");
-  return named.empty() ? projectFileHere() : named;
+  return named.empty() ? projectFileHere() : absolute(named);
 }
 
 /// The executable's name; and the name that the user typed, in the process that the launcher became.
@@ -33,6 +41,18 @@ std::vector<std::string> programNames() {
   const bool launched = environment("GLURAY_PID") == std::to_string(getpid());
   if (launched && !typed.empty() && (names.empty() || names[0] != typed)) names.push_back(typed);
   return names;
+}
+
+/// GLURAY_... and their values.
+std::vector<std::pair<std::string, std::string>> variablesOfProcess() {
+  std::vector<std::pair<std::string, std::string>> variables;
+  for (char** entry = environ; entry && *entry; ++entry) {
+    const std::string_view text = *entry;
+    const size_t sign = text.find('=');
+    if (text.starts_with("GLURAY_") && sign != text.npos)
+      variables.emplace_back(text.substr(0, sign), text.substr(sign + 1));
+  }
+  return variables;
 }
 
 /// The options that the launcher passed, as lines NAME=VALUE.
@@ -56,12 +76,13 @@ std::string projectFileHere() {
 Sources sourcesOfProcess() {
   Sources sources;
   sources.systemFile = "/etc/gluray/gluray.toml";
-  sources.userFile = userConfigFile();
+  sources.userFile = absolute(userConfigFile());
   sources.userFileNamed = !environment("GLURAY_CONFIG").empty();
   sources.projectFile = projectFile();
   sources.programs = programNames();
   sources.commandLine = passedOptions();
   sources.passed = true;
+  sources.variables = variablesOfProcess();
   return sources;
 }
 

@@ -2,7 +2,6 @@
 
 #include "base/printable.h"
 #include "say.h"
-#include "settings/layers.h"
 #include "settings/values.h"
 #include "text_table.h"
 
@@ -10,26 +9,23 @@
 
 #include <filesystem>
 #include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace gluray::launcher {
 namespace {
 
 using nlohmann::json;
 
-constexpr int kUsageError = 2;
+struct UnknownName : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 constexpr std::string_view kApplies[] = {"from the next frame on", "to contexts made afterwards",
                                          "to the next run"};
 
 Layers layersOf(const CommandLine& line) {
-  Sources sources = sourcesOfProcess();
-  if (!line.config.empty()) sources.userFile = line.config, sources.userFileNamed = true;
-  sources.projectFile = projectFileHere();
-  sources.programs.clear();
-  if (!line.profile.empty())
-    sources.programs.push_back(std::filesystem::path(line.profile).filename().string());
-  sources.commandLine = passedValues(line.settings);
-  sources.passed = false;
-  return readLayers(sources, [](const std::string& complaint) { say(complaint); });
+  return readLayers(sourcesOf(line), [](const std::string& complaint) { say(complaint); });
 }
 
 std::string shown(const std::string& value) { return value.empty() ? "-" : printable(value); }
@@ -89,17 +85,66 @@ void printWhy(const Layers& layers, const Row& row) {
   std::cout << table.text("  ");
 }
 
+json all(const Layers& layers, const Row& row) {
+  json one = describe(layers, row);
+  one["more"] = row.more, one["layers"] = layersOf(layers, row);
+  return one;
+}
+
 int explainOne(const CommandLine& line, const Layers& layers) {
   const Row* row = findSetting(line.why);
   if (!row) return say(unknownSetting(line.why)), kUsageError;
   if (!line.json) return printWhy(layers, *row), 0;
-  json all = describe(layers, *row);
-  all["more"] = row->more, all["layers"] = layersOf(layers, *row);
-  std::cout << jsonText(all) << "\n";
+  std::cout << jsonText(all(layers, *row)) << "\n";
   return 0;
 }
 
+/// The rows that the command line names; all that differ from their built-in values if it names none.
+std::vector<const Row*> wanted(const CommandLine& line, const Layers& layers) {
+  std::vector<const Row*> rows;
+  for (const std::string& name : line.names) {
+    const Row* row = findSetting(name);
+    if (!row) throw UnknownName(unknownSetting(name));
+    rows.push_back(row);
+  }
+  for (const Row& row : settingRows())
+    if (line.names.empty() && !sameValue(row, layers.session, Session{})) rows.push_back(&row);
+  return rows;
+}
+
 }  // namespace
+
+Sources sourcesOf(const CommandLine& line) {
+  Sources sources = sourcesOfProcess();
+  if (!line.config.empty()) sources.userFile = line.config, sources.userFileNamed = true;
+  sources.projectFile = projectFileHere();
+  sources.programs.clear();
+  if (!line.profile.empty())
+    sources.programs.push_back(std::filesystem::path(line.profile).filename().string());
+  sources.commandLine = passedValues(line.settings);
+  sources.passed = false;
+  return sources;
+}
+
+int getSettings(const CommandLine& line) {
+  const Layers layers = layersOf(line);
+  json list = json::array();
+  try {
+    const std::vector<const Row*> rows = wanted(line, layers);
+    for (const Row* row : rows) {
+      if (line.json)
+        list.push_back(line.layers ? all(layers, *row) : describe(layers, *row));
+      else if (line.layers)
+        printWhy(layers, *row);
+      else if (rows.size() == 1 && !line.names.empty())
+        std::cout << printable(printValue(*row, layers.session)) << "\n";
+      else
+        std::cout << row->name << " = " << shown(printValue(*row, layers.session)) << "\n";
+    }
+  } catch (const UnknownName& name) { return say(name.what()), kUsageError; }
+  if (line.json) std::cout << jsonText(list) << "\n";
+  return 0;
+}
 
 int listSettings(const CommandLine& line) {
   const Layers layers = layersOf(line);

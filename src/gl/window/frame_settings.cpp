@@ -20,6 +20,7 @@ int threadsOf(const Settings& settings) {
 
 bool FrameSettings::take() {
   if (!source_) return false;
+  source_->look();
   const uint64_t version = source_->version();
   if (version == version_) return false;
   Settings next = *source_->current();

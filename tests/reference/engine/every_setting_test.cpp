@@ -168,8 +168,8 @@ std::vector<Change> changes() {
 
 /// Settings of how pictures are made, and of passes, of which these pictures have one.
 const std::set<std::string> kElsewhere = {
-    "engine", "bvh",           "shading",     "quirks",          "fps",
-    "noise",  "refine.passes", "refine.idle", "refine.adaptive", "denoise",
+    "engine",        "bvh",         "shading",         "quirks",  "fps",    "noise",
+    "refine.passes", "refine.idle", "refine.adaptive", "denoise", "preset",
 };
 
 /// One read is one pass: samples, not the wish for little noise, make the picture.

@@ -1,0 +1,75 @@
+// The settings of this process while it runs: its layers, read again when one of their files changes, and
+// values that are set live. Any thread.
+#pragma once
+#include "base/clock.h"
+#include "settings/layers.h"
+#include "settings/settings_source.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gluray {
+
+class LiveSettings {
+ public:
+  /// New settings go to `source`; lines for the user to `complain`. Both must outlive this.
+  LiveSettings(SettingsSource& source, Complain complain) : source_(source), complain_(std::move(complain)) {}
+
+  /// Reads all layers.
+  Session start(Sources sources);
+
+  /// Reads the files again if one has changed. Cheap: looks at most every kLookSeconds, less often where
+  /// files are slow. If a file has a new mistake, all settings stay as they are until it is corrected.
+  void look(double now = nowSeconds()) noexcept;
+
+  /// A value that is set live; none: the other layers count again.
+  struct Change {
+    std::string name;
+    std::optional<std::string> value;
+  };
+  struct Answer {
+    std::string why;       // error: nothing has changed; empty: done
+    uint64_t version = 0;  // of the source, from which on the change counts
+  };
+  /// Makes all changes, or none if one is wrong. Throws std::bad_alloc.
+  Answer change(std::span<const Change> changes);
+
+  std::shared_ptr<const Layers> layers() const;
+
+  static constexpr double kLookSeconds = 0.05;
+
+ private:
+  /// What tells that a file has changed; rights and owner change the second time.
+  struct Stamp {
+    int64_t device = 0, inode = 0, size = -1;   // size -1: there is none
+    int64_t modified[2] = {}, changed[2] = {};  // seconds, nanoseconds
+    bool operator==(const Stamp&) const = default;
+    static Stamp of(const std::string& file);
+  };
+  using Stamps = std::array<Stamp, 3>;
+  using Lines = std::vector<std::string>;
+  Stamps stamps() const;
+  bool settled(const Stamps& now) const;
+  bool isNew(const std::string& mistake) const;
+  Session take(Layers layers);
+
+  SettingsSource& source_;
+  const Complain complain_;
+  mutable std::mutex mutex_;  // of what follows
+  Sources sources_;
+  int ownThreads_ = 0;  // for `threads` = 0
+  ConfigFiles files_;   // as they were read last without a new mistake
+  Lines mistakes_;      // in them, without numbers of lines
+  std::shared_ptr<const Layers> layers_;
+  Stamps read_, seen_;  // of the files that were read last; when look() looked last
+  double next_ = 0;     // seconds: no look before
+};
+
+}  // namespace gluray
