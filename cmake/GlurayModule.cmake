@@ -53,7 +53,7 @@ function(gluray_unity TARGET)
     endif()
   endforeach()
   set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
-  # An anonymous namespace of a source that another includes is not one of a header.
+  # GCC takes the sources that are included for headers, and warns about their anonymous namespaces.
   target_compile_options(${TARGET} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endfunction()
 

@@ -72,13 +72,8 @@ class Reader {
     if (std::string value = variable(variableOf(row)); !value.empty()) names.push_back(std::move(value));
     names.push_back(layers_.session.settings.preset);
     return *std::find_if(names.begin(), names.end(), [&](const std::string& name) {
-      return &name == &names.back() || whyNoPreset(name).empty();
+      return &name == &names.back() || name.empty() || whyNoPreset(name, presets()).empty();
     });
-  }
-
-  std::string whyNoPreset(const std::string& name) {
-    const bool fine = name.empty() || name == kNoPreset || findPreset(name, presets());
-    return fine ? "" : unknownPreset(name, presets());
   }
 
   const std::vector<Preset>& presets() {
@@ -125,8 +120,8 @@ class Reader {
 
   /// `what` names the value in an error message.
   void give(const Row& row, Layer layer, std::string value, std::string place, const std::string& what) {
-    const std::string unknown = row.name == "preset" ? whyNoPreset(value) : "";
-    const std::string why = unknown.empty() ? readValue(row, value, layers_.session) : unknown;
+    std::string why = row.name == "preset" && !value.empty() ? whyNoPreset(value, presets()) : "";
+    if (why.empty()) why = readValue(row, value, layers_.session);
     if (!why.empty()) return complain_(what + ": " + why);
     layers_.given.push_back({&row, layer, std::move(value), std::move(place)});
   }

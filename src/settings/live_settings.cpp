@@ -71,12 +71,10 @@ bool LiveSettings::isNew(const std::string& mistake) const {
   return std::find(mistakes_.begin(), mistakes_.end(), withoutLine(mistake)) == mistakes_.end();
 }
 
-Session LiveSettings::take(Layers layers) {
-  Session session = layers.session;
+Session LiveSettings::take(Session session) {
   if (session.settings.threads == 0) session.settings.threads = ownThreads_;
-  auto next = std::make_shared<const Layers>(std::move(layers));
   if (session.settings != *source_.current()) source_.store(session.settings);
-  layers_ = std::move(next);
+  started_ = true;
   return session;
 }
 
@@ -90,13 +88,13 @@ Session LiveSettings::start(Sources sources) {
     complain_(line);
   };
   files_ = readConfigFiles(sources_, report);
-  return take(layersOf(sources_, files_, report));
+  return take(layersOf(sources_, files_, report).session);
 }
 
 void LiveSettings::look(double now) noexcept {
   try {
     const std::unique_lock lock(mutex_, std::try_to_lock);
-    if (!lock || !layers_ || now < next_) return;
+    if (!lock || !started_ || now < next_) return;
     const double before = nowSeconds();
     const Stamps current = stamps();
     next_ = now + std::max(kLookSeconds, (nowSeconds() - before) / kShare);
@@ -111,7 +109,7 @@ void LiveSettings::look(double now) noexcept {
     for (const std::string& line : mistakes)
       complain_(fine ? line : line + "; all settings stay as they are");
     if (fine) {
-      take(std::move(layers));
+      take(std::move(layers.session));
       files_ = std::move(files);
       for (std::string& line : mistakes) line = withoutLine(line);
       mistakes_ = std::move(mistakes);
@@ -135,14 +133,9 @@ LiveSettings::Answer LiveSettings::change(std::span<const Change> changes) {
     if (why.empty() && isNew(line)) why = line;
   });
   if (!why.empty()) return {std::move(why), 0};
-  take(std::move(layers));
+  take(std::move(layers.session));
   sources_ = std::move(next);
   return {"", source_.version()};
-}
-
-std::shared_ptr<const Layers> LiveSettings::layers() const {
-  const std::lock_guard lock(mutex_);
-  return layers_;
 }
 
 }  // namespace gluray

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -41,8 +40,6 @@ class LiveSettings {
   /// Makes all changes, or none if one is wrong. Throws std::bad_alloc.
   Answer change(std::span<const Change> changes);
 
-  std::shared_ptr<const Layers> layers() const;
-
   static constexpr double kLookSeconds = 0.05;
 
  private:
@@ -58,16 +55,16 @@ class LiveSettings {
   Stamps stamps() const;
   bool settled(const Stamps& now) const;
   bool isNew(const std::string& mistake) const;
-  Session take(Layers layers);
+  Session take(Session session);
 
   SettingsSource& source_;
   const Complain complain_;
-  mutable std::mutex mutex_;  // of what follows
+  std::mutex mutex_;  // of what follows
   Sources sources_;
   int ownThreads_ = 0;  // for `threads` = 0
   ConfigFiles files_;   // as they were read last without a new mistake
   Lines mistakes_;      // in them, without numbers of lines
-  std::shared_ptr<const Layers> layers_;
+  bool started_ = false;
   Stamps read_, seen_;  // of the files that were read last; when look() looked last
   double next_ = 0;     // seconds: no look before
 };

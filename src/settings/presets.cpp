@@ -25,7 +25,7 @@ void collect(const PresetSource& source, std::vector<Preset>& presets) {
   }
 }
 
-/// Those that are shipped. None if their text is wrong, which a test would have told.
+/// Those that are shipped; none if their text is wrong, which the tests check.
 std::vector<FileSetting> shipped() {
   try {
     return readConfigText(kBuiltInPresets);
@@ -48,7 +48,8 @@ const Preset* findPreset(std::string_view name, std::span<const Preset> presets)
   return found == presets.end() ? nullptr : &*found;
 }
 
-std::string unknownPreset(std::string_view name, std::span<const Preset> presets) {
+std::string whyNoPreset(std::string_view name, std::span<const Preset> presets) {
+  if (name.empty() || name == kNoPreset || findPreset(name, presets)) return "";
   std::vector<std::string_view> names{kNoPreset};
   std::string list;
   for (const Preset& preset : presets) {

@@ -34,7 +34,8 @@ std::vector<Preset> allPresets(std::span<const PresetSource> files);
 /// One of them; null: there is none of that name.
 const Preset* findPreset(std::string_view name, std::span<const Preset> presets);
 
-/// "there is no such preset; did you mean 'draft'?"
-std::string unknownPreset(std::string_view name, std::span<const Preset> presets);
+/// Why the setting `preset` may not have this value: "there is no such preset; did you mean 'draft'?". Empty:
+/// it may.
+std::string whyNoPreset(std::string_view name, std::span<const Preset> presets);
 
 }  // namespace gluray

@@ -40,8 +40,11 @@ int listPresets(const CommandLine& line) {
   // That of a program that starts now.
   const std::string chosen = layersOf(sources, files, complain).session.settings.preset;
   nlohmann::json list = nlohmann::json::array();
-  for (const std::string& name : line.names)
-    if (!findPreset(name, all)) return say(printable(name) + ": " + unknownPreset(name, all)), kUsageError;
+  for (const std::string& name : line.names) {
+    if (findPreset(name, all)) continue;
+    const std::string why = whyNoPreset(name, all);
+    return say(printable(name) + ": " + (why.empty() ? "this means no preset" : why)), kUsageError;
+  }
   for (const Preset& preset : all) {
     const bool named = std::find(line.names.begin(), line.names.end(), preset.name) != line.names.end();
     if (!line.names.empty() && !named) continue;
@@ -56,9 +59,10 @@ int listPresets(const CommandLine& line) {
 
 std::string wrongPreset(const CommandLine& line) {
   const std::string name = line.settings.find("preset");
-  if (name.empty() || name == kNoPreset) return "";
-  const std::vector<Preset> all = presetsOf(readConfigFiles(sourcesOf(line), [](const std::string&) {}));
-  return findPreset(name, all) ? "" : "--preset " + printable(name) + ": " + unknownPreset(name, all);
+  if (name.empty()) return "";
+  const ConfigFiles files = readConfigFiles(sourcesOf(line), [](const std::string&) {});
+  const std::string why = whyNoPreset(name, presetsOf(files));
+  return why.empty() ? "" : "--preset " + printable(name) + ": " + why;
 }
 
 }  // namespace gluray::launcher

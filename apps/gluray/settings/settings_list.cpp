@@ -9,7 +9,6 @@
 
 #include <filesystem>
 #include <iostream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -18,9 +17,6 @@ namespace {
 
 using nlohmann::json;
 
-struct UnknownName : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 constexpr std::string_view kApplies[] = {"from the next frame on", "to contexts made afterwards",
                                          "to the next run"};
 
@@ -102,11 +98,7 @@ int explainOne(const CommandLine& line, const Layers& layers) {
 /// The rows that the command line names; all that differ from their built-in values if it names none.
 std::vector<const Row*> wanted(const CommandLine& line, const Layers& layers) {
   std::vector<const Row*> rows;
-  for (const std::string& name : line.names) {
-    const Row* row = findSetting(name);
-    if (!row) throw UnknownName(unknownSetting(name));
-    rows.push_back(row);
-  }
+  for (const std::string& name : line.names) rows.push_back(findSetting(name));
   for (const Row& row : settingRows())
     if (line.names.empty() && !sameValue(row, layers.session, Session{})) rows.push_back(&row);
   return rows;
@@ -127,21 +119,20 @@ Sources sourcesOf(const CommandLine& line) {
 }
 
 int getSettings(const CommandLine& line) {
+  for (const std::string& name : line.names)
+    if (!findSetting(name)) return say(unknownSetting(name)), kUsageError;
   const Layers layers = layersOf(line);
   json list = json::array();
-  try {
-    const std::vector<const Row*> rows = wanted(line, layers);
-    for (const Row* row : rows) {
-      if (line.json)
-        list.push_back(line.layers ? all(layers, *row) : describe(layers, *row));
-      else if (line.layers)
-        printWhy(layers, *row);
-      else if (rows.size() == 1 && !line.names.empty())
-        std::cout << printable(printValue(*row, layers.session)) << "\n";
-      else
-        std::cout << row->name << " = " << shown(printValue(*row, layers.session)) << "\n";
-    }
-  } catch (const UnknownName& name) { return say(name.what()), kUsageError; }
+  for (const Row* row : wanted(line, layers)) {
+    if (line.json)
+      list.push_back(line.layers ? all(layers, *row) : describe(layers, *row));
+    else if (line.layers)
+      printWhy(layers, *row);
+    else if (line.names.size() == 1)
+      std::cout << printable(printValue(*row, layers.session)) << "\n";
+    else
+      std::cout << row->name << " = " << shown(printValue(*row, layers.session)) << "\n";
+  }
   if (line.json) std::cout << jsonText(list) << "\n";
   return 0;
 }
