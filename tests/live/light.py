@@ -8,12 +8,10 @@ its own (tests/doors/with_display.py). Leaves NAME-plain.png and NAME-ao.png in 
 import argparse
 import pathlib
 import sys
-import tempfile
 
 import run
 import numpy as np
 import pictures
-import programs
 
 BRIGHTER = 0.002  # share of pixels that may be brighter by more than VISIBLE: noise of moving frames, and edges
 DARKER = 0.002    # least share of pixels that are darker by more than that
@@ -34,19 +32,7 @@ def check(name, plain, lit, report):
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    for option in ("gluray", "freeze", "out"):
-        parser.add_argument(f"--{option}", required=True)
-    parser.add_argument("name", choices=[*programs.PROGRAMS, *programs.MORE])
-    given = parser.parse_args()
-    program = (programs.PROGRAMS | programs.MORE)[given.name]
-    with tempfile.TemporaryDirectory() as folder:
-        why = programs.missing(program, pathlib.Path(folder))
-    if why:
-        print(f"skipped: {why}")
-        return 77
-    out = pathlib.Path(given.out)
-    out.mkdir(parents=True, exist_ok=True)
+    given, program, out = run.begin(argparse.ArgumentParser())
     launcher, place = [str(pathlib.Path(given.gluray).resolve())], out / f"{given.name}-light.home"
     plain, _ = run.run(program, launcher, given.freeze, place)
     lit, report = run.run(program, [*launcher, *OCCLUSION], given.freeze, place)

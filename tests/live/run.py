@@ -127,12 +127,11 @@ def check(name, program, seen, report):
     return wrong
 
 
-def main():
-    parser = argparse.ArgumentParser()
+def begin(parser):
+    """Parses the command line, to which it adds what all scripts take, and makes the folder. Returns the arguments, the program and the folder. Ends
+    with exit code 77 if the program is not installed."""
     for option in ("gluray", "freeze", "out"):
         parser.add_argument(f"--{option}", required=True)
-    parser.add_argument("--shading", default="vertex")
-    parser.add_argument("--door", default="auto")
     parser.add_argument("name", choices=[*programs.PROGRAMS, *programs.MORE])
     given = parser.parse_args()
     program = (programs.PROGRAMS | programs.MORE)[given.name]
@@ -140,9 +139,17 @@ def main():
         why = programs.missing(program, pathlib.Path(folder))
     if why:
         print(f"skipped: {why}")
-        return 77
+        sys.exit(77)
     out = pathlib.Path(given.out)
     out.mkdir(parents=True, exist_ok=True)
+    return given, program, out
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--shading", default="vertex")
+    parser.add_argument("--door", default="auto")
+    given, program, out = begin(parser)
 
     launcher = [str(pathlib.Path(given.gluray).resolve()), "--door", given.door]
     place = out / f"{given.name}.home"
