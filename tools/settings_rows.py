@@ -12,7 +12,7 @@ APPLIES = ("frame", "context", "process")
 CHANGES = ("picture", "way")
 # Environment variables that are not settings.
 RESERVED = {"GLURAY_COMMAND_LINE", "GLURAY_CONFIG", "GLURAY_ENGINE_LIBRARY", "GLURAY_PID", "GLURAY_PROGRAM", "GLURAY_PROJECT", "GLURAY_REAL_EGL",
-            "GLURAY_REAL_GLX", "GLURAY_ROOTS"}
+            "GLURAY_REAL_GLX", "GLURAY_ROOTS", "GLURAY_RUNTIME"}
 # Names of tables in files, and words of the launcher.
 RESERVED_NAMES = {"program", "presets"}
 

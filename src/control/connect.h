@@ -1,0 +1,33 @@
+// Connects programs and clients to the hub. Any thread; callbacks on the thread that runs the io_context.
+#pragma once
+#include "control/connection.h"
+
+#include <asio/io_context.hpp>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace gluray::control {
+
+/// Where the hub is.
+struct HubAddress {
+  std::string directory;  // its runtime directory, unless `host` says otherwise
+  std::string host;       // "HOST:PORT": by TCP; empty: on this machine
+  std::string keyFile;    // for TCP
+};
+
+/// A connection over which nothing but the authentication has been sent, not started; or null and one line
+/// that says why.
+using Connected = std::function<void(std::shared_ptr<Connection> connection, const std::string& why)>;
+
+/// Never blocks. Calls `connected` once, not before it returns.
+void connectToHub(asio::io_context& io, const HubAddress& address, Connected connected);
+
+/// The path of the hub's socket in a runtime directory.
+std::string socketIn(const std::string& directory);
+
+/// Whether the process at the other end of a Unix socket runs for this user.
+bool sameUser(int socket);
+
+}  // namespace gluray::control

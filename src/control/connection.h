@@ -1,0 +1,74 @@
+// One connection of the control protocol (docs/control-protocol.md): messages over a Unix socket or TCP.
+// All calls and callbacks on the thread that runs the socket's io_context.
+#pragma once
+#include "control/messages/message.h"
+
+#include <asio/generic/stream_protocol.hpp>
+#include <asio/steady_timer.hpp>
+#include <nlohmann/json_fwd.hpp>
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace gluray::control {
+
+inline constexpr size_t kMostWaiting = size_t{4} << 20;  // bytes that wait for a slow peer
+inline constexpr int kMostMessages = 2000;               // a second, from one peer of a hub
+
+class Connection : public std::enable_shared_from_this<Connection> {
+ public:
+  using Socket = asio::generic::stream_protocol::socket;
+  using Line = std::shared_ptr<const std::string>;  // with its line feed
+  struct Handlers {
+    std::function<void(nlohmann::json&& message)> message;
+    std::function<void(const std::string& why)> closed;  // called once; why: "the other side closed it", ...
+    std::function<void()> drained;  // may be empty: all lines have been given to the system
+  };
+
+  /// `messagesPerSecond`: how many it reads at most; 0: any number.
+  explicit Connection(Socket socket, int messagesPerSecond = 0);
+
+  /// Begins to read. The connection keeps itself until it closes; handlers are released then.
+  void start(Handlers handlers);
+  /// Sends a message after those sent before. Closes the connection if more than kMostWaiting bytes wait.
+  /// Ignored once closed.
+  void send(const nlohmann::json& message);
+  void send(Line line);
+  /// Bytes that wait to be sent.
+  size_t waiting() const { return waiting_; }
+  /// Closes it after what waits has been sent, or after a second.
+  void finish(const std::string& why);
+  /// Closes it at once.
+  void close(const std::string& why);
+  bool open() const { return open_; }
+
+ private:
+  void read();
+  void take(size_t bytes);
+  void takeLines();
+  void write();
+  void wrote(size_t lines);
+
+  Socket socket_;
+  asio::steady_timer pause_, end_;
+  Handlers handlers_;
+  LineReader reader_;
+  std::array<char, size_t{16} << 10> buffer_{};
+  std::deque<Line> lines_;
+  size_t waiting_ = 0;
+  bool open_ = true, started_ = false, writing_ = false;
+  std::string finishing_;  // why it closes when all is sent; empty: it stays open
+  const int most_;         // messages a second
+  int taken_ = 0;          // messages since `second_` began
+  std::chrono::steady_clock::time_point second_{};
+};
+
+/// The line of a message, to send to several peers.
+Connection::Line sharedLine(const nlohmann::json& message);
+
+}  // namespace gluray::control

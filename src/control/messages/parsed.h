@@ -1,0 +1,16 @@
+// A parsed message, for those that read its members. Any thread.
+#pragma once
+#include "control/messages/message.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace gluray::control {
+
+struct Parsed {
+  nlohmann::json message;  // an object with a text `type`, unless `why` says otherwise
+  std::string why;
+};
+
+}  // namespace gluray::control
