@@ -1,5 +1,6 @@
 #include "settings/layers.h"
 
+#include "settings/profiles.h"
 #include "settings/values.h"
 
 #include <algorithm>
@@ -24,6 +25,7 @@ class Reader {
 
   Layers read() {
     for (const ConfigFile& f : files_) takeFile(f, f.layer, {});
+    for (const std::string& program : sources_.programs) takeShippedProfile(program);
     for (const std::string& program : sources_.programs)
       for (const ConfigFile& f : files_) takeFile(f, Layer::program, {Section::Kind::program, program});
     takePreset();
@@ -44,6 +46,12 @@ class Reader {
       else
         complain_(place + ": " + s.wrong);
     }
+  }
+
+  void takeShippedProfile(const std::string& program) {
+    for (const FileSetting& s : shippedProfile(program))
+      give(*findSetting(s.name), Layer::program, s.value, "shipped",
+           program + ", shipped: " + s.name + " = " + s.value);
   }
 
   /// The values of the preset that the highest layer names.

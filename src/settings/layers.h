@@ -21,7 +21,7 @@ enum class Layer : uint8_t {
   system,       // /etc/gluray/gluray.toml
   user,         // ~/.config/gluray/gluray.toml, or the file that GLURAY_CONFIG names
   project,      // gluray.toml of the directory in which gluray was started
-  program,      // [program.NAME] in any of these files
+  program,      // the profile that is shipped for the program; [program.NAME] in any of these files
   preset,       // the preset that the setting `preset` names
   environment,  // GLURAY_THREADS ...
   commandLine,  // options of the launcher
