@@ -14,15 +14,16 @@ using nlohmann::json;
 
 /// Whether a `set` can join one that waits.
 bool sameGesture(const ChangeRequest& a, const ChangeRequest& b) {
-  return a.type == "set" && b.type == "set" && a.client == b.client && !a.gesture.empty() && a.gesture == b.gesture;
+  return a.type == "set" && b.type == "set" && a.client == b.client && !a.gesture.empty() &&
+         a.gesture == b.gesture;
 }
 
 /// Why a program cannot be changed now; empty: it can.
 std::string whyNotReady(const Program* program) {
   if (!program) return "it has ended";
   if (program->complete()) return "";
-  return "only " + std::to_string(program->members.size()) + " of the job's " + std::to_string(program->ranks) +
-         " ranks are connected";
+  return "only " + std::to_string(program->members.size()) + " of the job's " +
+         std::to_string(program->ranks) + " ranks are connected";
 }
 
 }  // namespace
@@ -30,7 +31,8 @@ std::string whyNotReady(const Program* program) {
 void Changes::add(uint64_t program, ChangeRequest request, Questions::Done done) {
   Line& line = lines_[program];
   Part part{std::move(request.values), questions_.now() + kSetPatience, std::move(done)};
-  if (!line.waiting.empty() && !line.waiting.back().alone && sameGesture(line.waiting.back().request, request)) {
+  if (!line.waiting.empty() && !line.waiting.back().alone &&
+      sameGesture(line.waiting.back().request, request)) {
     line.waiting.back().parts.push_back(std::move(part));
   } else {
     Change change{std::move(request), {}, false};

@@ -81,7 +81,8 @@ void HubCore::hello(uint64_t connection, Peer& peer, const json& message) {
 void HubCore::fromProgram(uint64_t connection, const std::string& type, const json& message) {
   if (type == "answer") return questions_.answered(connection, message);
   if (type == "error") return;  // an answer to it could be answered in turn
-  if (type != "event") return peers_.complain(connection, "a program sends hello, answer, event and error only");
+  if (type != "event")
+    return peers_.complain(connection, "a program sends hello, answer, event and error only");
   const Program* program = programs_.ofConnection(connection);
   if (program && program->speaker() == connection) observers_.event(*program, message);
 }

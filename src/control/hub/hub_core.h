@@ -1,5 +1,5 @@
-// The hub without sockets and clocks: who is connected, and what is passed to whom (docs/control-protocol.md).
-// HubServer calls it, on its thread.
+// The hub without sockets and clocks: who is connected, and what is passed to whom
+// (docs/control-protocol.md). HubServer calls it, on its thread.
 #pragma once
 #include "control/hub/requests.h"
 
@@ -7,7 +7,7 @@
 
 namespace gluray::control {
 
-inline constexpr size_t kMostRequests = 256;            // of one client, that wait
+inline constexpr size_t kMostRequests = 256;  // of one client, that wait
 inline constexpr std::chrono::seconds kHelloPatience{5};
 
 class HubCore {

@@ -40,13 +40,14 @@ class JobChange : public std::enable_shared_from_this<JobChange> {
       : questions_(questions), ranks_(std::move(ranks)), done_(std::move(done)) {}
 
   void hold(const json& change) {
-    askAll(kHoldPatience,
-           [&](int) {
-             json message = change;
-             message["hold"] = true;
-             return message;
-           },
-           &JobChange::held);
+    askAll(
+        kHoldPatience,
+        [&](int) {
+          json message = change;
+          message["hold"] = true;
+          return message;
+        },
+        &JobChange::held);
   }
 
  private:
@@ -74,13 +75,14 @@ class JobChange : public std::enable_shared_from_this<JobChange> {
     held_[rank] = *at;
     if (--missing_ > 0) return;
     const auto frames = framesToApply(held_);
-    askAll(kApplyPatience,
-           [&](int each) {
-             json message = about("apply", each);
-             message["frame"] = frames.at(each);
-             return message;
-           },
-           &JobChange::applied);
+    askAll(
+        kApplyPatience,
+        [&](int each) {
+          json message = about("apply", each);
+          message["frame"] = frames.at(each);
+          return message;
+        },
+        &JobChange::applied);
   }
 
   void drop(int refusing, const std::string& why) {
@@ -94,7 +96,8 @@ class JobChange : public std::enable_shared_from_this<JobChange> {
     if (late && late->is_boolean() && late->get<bool>()) late_.push_back(rank);
     if (--missing_ > 0) return;
     // All ranks have the change: now a rank that begins a frame finds the others ready.
-    askAll(kDrawPatience, [&](int each) { return about("draw", each); }, &JobChange::drawn);
+    askAll(
+        kDrawPatience, [&](int each) { return about("draw", each); }, &JobChange::drawn);
   }
 
   void drawn(int rank, json&& result) {

@@ -8,8 +8,9 @@
 
 namespace gluray::control {
 
-inline constexpr size_t kMostCharacters = 64;            // of an id, a gesture, a name of a call
-inline constexpr int64_t kMostFrame = int64_t{1} << 53;  // the largest whole number that every JSON reader keeps
+inline constexpr size_t kMostCharacters = 64;  // of an id, a gesture, a name of a call
+inline constexpr int64_t kMostFrame = int64_t{1}
+                                      << 53;  // the largest whole number that every JSON reader keeps
 
 /// The member of an object; null where there is none, or `object` is none.
 const nlohmann::json* member(const nlohmann::json& object, const char* name);

@@ -12,7 +12,8 @@ HubTime later(HubTime now, double seconds) {
 
 }  // namespace
 
-void Newest::offer(const Key& key, PeerLink::Line line, double every, HubTime now, bool slow, const Send& send) {
+void Newest::offer(const Key& key, PeerLink::Line line, double every, HubTime now, bool slow,
+                   const Send& send) {
   Slot& slot = slots_[key];
   slot.due = std::min(slot.due, later(now, every));  // `every` may be shorter than before
   slot.every = every;

@@ -1,4 +1,5 @@
-// Events of which a client needs only the newest: kept while it reads slowly, and no more often than it asked. On the hub's thread.
+// Events of which a client needs only the newest: kept while it reads slowly, and no more often than it
+// asked. On the hub's thread.
 #pragma once
 #include "control/hub/peers.h"
 
@@ -25,10 +26,10 @@ class Newest {
 
  private:
   struct Slot {
-    PeerLink::Line kept;   // null: nothing waits
-    HubTime due{};         // not before
+    PeerLink::Line kept;  // null: nothing waits
+    HubTime due{};        // not before
     double every = 0;
-    uint64_t order = 0;    // of those that wait
+    uint64_t order = 0;  // of those that wait
   };
   std::map<Key, Slot> slots_;
   uint64_t last_ = 0;

@@ -1,4 +1,5 @@
-// Which client observes which programs: asks programs for what any client wants, and passes events on. On the hub's thread.
+// Which client observes which programs: asks programs for what any client wants, and passes events on. On the
+// hub's thread.
 #pragma once
 #include "control/hub/newest.h"
 #include "control/hub/programs.h"

@@ -45,7 +45,8 @@ class Programs {
   /// Adds a program to its job's entry, or makes an entry. A second program with the same rank of a job, or
   /// with another number of ranks, gets an entry of its own outside the job. `since`: seconds since 1970.
   Program& add(uint64_t connection, const ProgramHello& hello, double since);
-  /// Removes a connection. Returns the number of its entry, and whether that is gone, too. 0: it was no program.
+  /// Removes a connection. Returns the number of its entry, and whether that is gone, too. 0: it was no
+  /// program.
   struct Removed {
     uint64_t number = 0;
     bool gone = false, wasSpeaker = false;

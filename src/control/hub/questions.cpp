@@ -24,7 +24,8 @@ json resultOf(const json& answer) {
 
 std::string patienceText(std::chrono::milliseconds patience) {
   char text[64];
-  std::snprintf(text, sizeof text, "it did not answer within %g s", static_cast<double>(patience.count()) / 1000);
+  std::snprintf(text, sizeof text, "it did not answer within %g s",
+                static_cast<double>(patience.count()) / 1000);
   return text;
 }
 

@@ -12,7 +12,8 @@ namespace gluray::control {
 
 class Questions {
  public:
-  /// Gets the program's result: an object, which has `why` where the program has failed, ended, or not answered.
+  /// Gets the program's result: an object, which has `why` where the program has failed, ended, or not
+  /// answered.
   using Done = std::function<void(nlohmann::json&& result)>;
 
   explicit Questions(Peers& peers) : peers_(peers) {}
@@ -21,7 +22,8 @@ class Questions {
   void setNow(HubTime now) { now_ = now; }
   HubTime now() const { return now_; }
 
-  /// Sends the request under a new id. Calls `done` once, never before it returns. `patience`: how long it waits.
+  /// Sends the request under a new id. Calls `done` once, never before it returns. `patience`: how long it
+  /// waits.
   uint64_t ask(uint64_t program, nlohmann::json message, std::chrono::milliseconds patience, Done done);
   /// The same without a limit.
   uint64_t askForever(uint64_t program, nlohmann::json message, Done done);

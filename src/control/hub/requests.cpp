@@ -38,14 +38,16 @@ std::shared_ptr<Gathered> gather(size_t count, Requests::Done&& done) {
 json noResults() { return json{{"results", json::array()}}; }
 
 bool areTexts(const json& list) {
-  return list.is_array() && std::all_of(list.begin(), list.end(), [](const json& word) { return word.is_string(); });
+  return list.is_array() &&
+         std::all_of(list.begin(), list.end(), [](const json& word) { return word.is_string(); });
 }
 
 /// What is wrong with a request that goes to programs as it is; empty: nothing.
 std::string mistakeIn(const std::string& type, const json& request) {
   const json* values = member(request, "values");
   const json* gesture = member(request, "gesture");
-  if (type == "set" && (!values || !values->is_object())) return "values: use an object with names and values";
+  if (type == "set" && (!values || !values->is_object()))
+    return "values: use an object with names and values";
   if (type == "set" && gesture && !isText(gesture)) return "gesture: use a text of at most 64 characters";
   const json* names = member(request, "names");
   if (type == "get" && names && !areTexts(*names)) return "names: use a list of names";
@@ -99,7 +101,9 @@ void Requests::carryOut(uint64_t client, const json& request, Done done) {
   if (name == "list") return done(json{{"programs", programs_.rows()}});
   if (name == "batch") return batch(client, request, std::move(done));
   if (!oneOf(name, {"get", "describe", "call", "set", "undo", "redo", "observe"}))
-    return done(failure("no request has type " + (isText(type) ? type->dump(-1, ' ', false, json::error_handler_t::replace) : "of that length")));
+    return done(failure(
+        "no request has type " +
+        (isText(type) ? type->dump(-1, ' ', false, json::error_handler_t::replace) : "of that length")));
   carryOutFor(client, name, request, std::move(done));
 }
 
@@ -150,7 +154,8 @@ void Requests::observe(uint64_t client, const json& request, const Chosen& chose
     wish.settings = wish.settings || word == "settings";
     wish.thumbnail = wish.thumbnail || word == "thumbnail";
     list = list || word == "programs";
-    known = word.is_string() && oneOf(word.get<std::string>(), {"state", "settings", "thumbnail", "programs"});
+    known =
+        word.is_string() && oneOf(word.get<std::string>(), {"state", "settings", "thumbnail", "programs"});
   }
   if (!known) return done(failure("what: use a list of state, settings, programs, thumbnail"));
   wish.every = 1;
