@@ -109,28 +109,24 @@ void Changes::finished(uint64_t program, json&& result) {
   for (const Part& part : change.parts) part.done(json(result));
 }
 
+// Those that wait stand in the order in which they came, so the first one's limit is the first to pass.
 void Changes::passed() {
   std::vector<Part> late;
   for (auto& [program, line] : lines_)
-    for (Change& change : line.waiting)
-      for (size_t i = 0; i < change.parts.size();)
-        if (change.parts[i].limit <= questions_.now()) {
-          late.push_back(std::move(change.parts[i]));
-          change.parts.erase(change.parts.begin() + static_cast<ptrdiff_t>(i));
-        } else {
-          ++i;
-        }
-  for (auto& [program, line] : lines_)
-    std::erase_if(line.waiting, [](const Change& change) { return change.parts.empty(); });
+    while (!line.waiting.empty() && line.waiting.front().parts.front().limit <= questions_.now()) {
+      std::vector<Part>& parts = line.waiting.front().parts;
+      late.push_back(std::move(parts.front()));
+      parts.erase(parts.begin());
+      if (parts.empty()) line.waiting.pop_front();
+    }
   for (const Part& part : late)
-    part.done(failure("it did not come to this within 3 s; earlier requests still wait for its answer"));
+    part.done(failure("its turn did not come within 3 s: the program has not answered earlier requests"));
 }
 
 HubTime Changes::next() const {
   HubTime next = HubTime::max();
   for (const auto& [program, line] : lines_)
-    for (const Change& change : line.waiting)
-      for (const Part& part : change.parts) next = std::min(next, part.limit);
+    if (!line.waiting.empty()) next = std::min(next, line.waiting.front().parts.front().limit);
   return next;
 }
 

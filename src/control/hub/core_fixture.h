@@ -1,7 +1,7 @@
 // A hub with peers that keep what they are sent, for tests.
 #pragma once
 #include "control/hub/hub_core.h"
-#include "control/hub/members.h"
+#include "control/messages/members.h"
 #include "control/messages/parsed.h"
 
 #include <gtest/gtest.h>
@@ -79,7 +79,7 @@ class HubCoreTest : public testing::Test {
                 {"ranks", ranks},
                 {"job", job}});
     EXPECT_EQ(peer.finished, "");
-    peer.got.clear();
+    peer.take("hello");
     return peer;
   }
   /// The program answers a request of the hub.

@@ -1,6 +1,6 @@
 #include "control/hub/hub_core.h"
 
-#include "control/hub/members.h"
+#include "control/messages/members.h"
 
 #include <algorithm>
 #include <cmath>
@@ -137,8 +137,8 @@ void HubCore::due() {
     if (peer.role == Role::unknown && !peer.finished && peer.helloLimit <= questions_.now())
       silent.push_back(connection);
   for (const uint64_t connection : silent) peers_.expel(connection, "no hello came within 5 s");
+  changes_.passed();  // before an answer that is overdue lets the next one begin
   questions_.passed();
-  changes_.passed();
   observers_.passed();
 }
 

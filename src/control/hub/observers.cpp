@@ -1,6 +1,6 @@
 #include "control/hub/observers.h"
 
-#include "control/hub/members.h"
+#include "control/messages/members.h"
 #include "control/messages/message.h"
 
 #include <algorithm>
@@ -137,6 +137,10 @@ void Observers::clientEnded(uint64_t client) {
   for (const auto& [number, program] : programs_.all())
     if (const auto last = asked_.find(number); last != asked_.end() && !(last->second == together(number)))
       ask(number, {});
+}
+
+void Observers::listChanged() {
+  for (const auto& [connection, client] : clients_) listChanged_ = listChanged_ || client.list;
 }
 
 PeerLink::Line Observers::listLine() const {

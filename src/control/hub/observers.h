@@ -42,7 +42,7 @@ class Observers {
   void programEnded(uint64_t program);
   void clientEnded(uint64_t client);
   /// The answer to `list` has changed.
-  void listChanged() { listChanged_ = true; }
+  void listChanged();
   /// Sends what a client may have now.
   void drained(uint64_t client);
   void passed();

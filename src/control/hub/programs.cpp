@@ -1,6 +1,6 @@
 #include "control/hub/programs.h"
 
-#include "control/hub/members.h"
+#include "control/messages/members.h"
 
 #include <algorithm>
 #include <limits>

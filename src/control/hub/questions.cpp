@@ -1,6 +1,6 @@
 #include "control/hub/questions.h"
 
-#include "control/hub/members.h"
+#include "control/messages/members.h"
 
 #include <cstdio>
 #include <limits>

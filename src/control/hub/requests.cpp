@@ -1,6 +1,6 @@
 #include "control/hub/requests.h"
 
-#include "control/hub/members.h"
+#include "control/messages/members.h"
 
 #include <algorithm>
 #include <memory>

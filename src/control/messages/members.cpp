@@ -1,4 +1,4 @@
-#include "control/hub/members.h"
+#include "control/messages/members.h"
 
 #include <algorithm>
 #include <limits>
