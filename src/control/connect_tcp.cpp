@@ -51,12 +51,13 @@ class TcpAttempt : public std::enable_shared_from_this<TcpAttempt> {
       endpoints_ = {tcp::endpoint(address, static_cast<unsigned short>(to.port))};
       return asio::post(io_, [self = shared_from_this()] { self->tryNext("it has no address"); });
     }
-    resolver_.async_resolve(to.host, std::to_string(to.port),
-                            [self = shared_from_this()](const error_code& error, const tcp::resolver::results_type& all) {
-                              if (error) return self->fail(error.message());
-                              for (const auto& each : all) self->endpoints_.push_back(each.endpoint());
-                              self->tryNext("it has no address");
-                            });
+    resolver_.async_resolve(
+        to.host, std::to_string(to.port),
+        [self = shared_from_this()](const error_code& error, const tcp::resolver::results_type& all) {
+          if (error) return self->fail(error.message());
+          for (const auto& each : all) self->endpoints_.push_back(each.endpoint());
+          self->tryNext("it has no address");
+        });
   }
 
  private:
@@ -66,11 +67,12 @@ class TcpAttempt : public std::enable_shared_from_this<TcpAttempt> {
     const tcp::endpoint to = endpoints_[tried_++];
     socket_ = newSocket(io_, to);
     if (!socket_) return tryNext("no socket can be made");
-    socket_->async_connect(HandshakeSocket::endpoint_type(to), [self = shared_from_this()](const error_code& error) {
-      if (!self->connected_) return;
-      if (error) return self->tryNext(error.message());
-      self->prove();
-    });
+    socket_->async_connect(HandshakeSocket::endpoint_type(to),
+                           [self = shared_from_this()](const error_code& error) {
+                             if (!self->connected_) return;
+                             if (error) return self->tryNext(error.message());
+                             self->prove();
+                           });
   }
 
   void prove() {
@@ -114,7 +116,8 @@ std::optional<HostAndPort> hostAndPort(const std::string& text) {
   HostAndPort result{text.substr(0, colon), 0};
   const char* const end = text.data() + text.size();
   const auto read = std::from_chars(text.data() + colon + 1, end, result.port);
-  if (read.ec != std::errc{} || read.ptr != end || result.port < 0 || result.port > kMostPort) return std::nullopt;
+  if (read.ec != std::errc{} || read.ptr != end || result.port < 0 || result.port > kMostPort)
+    return std::nullopt;
   std::string& host = result.host;
   if (host.size() > 2 && host.front() == '[' && host.back() == ']')
     host = host.substr(1, host.size() - 2);

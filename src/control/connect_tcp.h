@@ -13,7 +13,8 @@ struct HostAndPort {
 };
 std::optional<HostAndPort> hostAndPort(const std::string& text);
 
-/// As connectToHub(), for an address with a host. Looks the name up, connects and proves that it knows the key, in 3 s.
+/// As connectToHub(), for an address with a host. Looks the name up, connects and proves that it knows the
+/// key, in 3 s.
 void connectByTcp(asio::io_context& io, const HubAddress& address, Connected connected);
 
 /// A connection that has been dead for a minute is found to be.

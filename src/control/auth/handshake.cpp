@@ -44,22 +44,24 @@ class HandshakeLines : public std::enable_shared_from_this<HandshakeLines> {
 
   /// Reads a message of this type.
   void read(const char* type, std::function<void(const json&)> then) {
-    asio::async_read(socket_, asio::buffer(&byte_, 1),
-                     [self = shared_from_this(), type, then = std::move(then)](const error_code& error, size_t) {
-                       if (self->over_) return;
-                       if (error) return self->fail(Failure::gone);
-                       self->take(type, then);
-                     });
+    asio::async_read(
+        socket_, asio::buffer(&byte_, 1),
+        [self = shared_from_this(), type, then = std::move(then)](const error_code& error, size_t) {
+          if (self->over_) return;
+          if (error) return self->fail(Failure::gone);
+          self->take(type, then);
+        });
   }
 
   void write(const json& message, std::function<void()> then) {
     const auto line = std::make_shared<const std::string>(lineOf(message));
-    asio::async_write(socket_, asio::buffer(*line),
-                      [self = shared_from_this(), line, then = std::move(then)](const error_code& error, size_t) {
-                        if (self->over_) return;
-                        if (error) return self->fail(Failure::gone);
-                        then();
-                      });
+    asio::async_write(
+        socket_, asio::buffer(*line),
+        [self = shared_from_this(), line, then = std::move(then)](const error_code& error, size_t) {
+          if (self->over_) return;
+          if (error) return self->fail(Failure::gone);
+          then();
+        });
   }
 
   void fail(Failure failure) {

@@ -108,7 +108,8 @@ std::string proofOf(const Key& key, Prover prover, std::string_view hubNonce, st
   std::string text = prover == Prover::peer ? "gluray 1 peer " : "gluray 1 hub ";
   text.append(hubNonce).append(peerNonce);
   std::array<unsigned char, crypto_auth_hmacsha256_BYTES> mac{};
-  crypto_auth_hmacsha256(mac.data(), reinterpret_cast<const unsigned char*>(text.data()), text.size(), key.data());
+  crypto_auth_hmacsha256(mac.data(), reinterpret_cast<const unsigned char*>(text.data()), text.size(),
+                         key.data());
   return hexOf(mac.data(), mac.size());
 }
 

@@ -14,11 +14,12 @@ struct KeyOrWhy {
   Key key{};
   std::string why;
 };
-/// Takes a regular file of at least 32 bytes, that belongs to the user and that nobody else can read or write.
+/// Takes a regular file of at least 32 bytes, that belongs to the user and that nobody else can read or
+/// write.
 KeyOrWhy readKey(const std::string& path);
 
-/// Writes a new key file: 32 random bytes as hexadecimal digits, mode 0600. Never replaces a file. Returns why it
-/// could not; empty: it is there.
+/// Writes a new key file: 32 random bytes as hexadecimal digits, mode 0600. Never replaces a file. Returns
+/// why it could not; empty: it is there.
 std::string writeNewKey(const std::string& path);
 
 /// 32 random bytes as 64 hexadecimal digits; empty where there are no random numbers.

@@ -38,8 +38,7 @@ std::string HubPlace::take(const std::string& directory, bool& otherHub) {
   if (std::string why = makeRuntimeDirectory(directory); !why.empty()) return why;
   const std::string path = directory + "/hub.lock";
   const int lock = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0600);
-  if (lock < 0)
-    return errno == ELOOP ? path + " is a symbolic link; remove it" : whyOfSystem(path);
+  if (lock < 0) return errno == ELOOP ? path + " is a symbolic link; remove it" : whyOfSystem(path);
   struct stat status {};
   std::string why;
   if (fstat(lock, &status) != 0)

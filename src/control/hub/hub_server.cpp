@@ -94,7 +94,8 @@ std::string HubServer::Parts::listen(const HubOptions& options) {
     if (tcp >= 0) ::close(tcp);
     return why;
   }
-  here_ = std::make_shared<Listener>(io_, here, [this](int socket, const std::string&) { acceptHere(socket); });
+  here_ =
+      std::make_shared<Listener>(io_, here, [this](int socket, const std::string&) { acceptHere(socket); });
   if (tcp >= 0)
     tcp_ = std::make_shared<Listener>(
         io_, tcp, [this](int socket, const std::string& address) { acceptTcp(socket, address); });
@@ -135,7 +136,8 @@ void HubServer::Parts::acceptTcp(int socket, const std::string& address) {
   socklen_t size = sizeof local;
   getsockname(socket, reinterpret_cast<sockaddr*>(&local), &size);
   HandshakeSocket taken(io_, HandshakeSocket::protocol_type(local.ss_family, IPPROTO_TCP), socket);
-  if (!running_ || full() || unproven_ >= kMostUnproven || refusals_.refused(address, steady_clock::now())) return;
+  if (!running_ || full() || unproven_ >= kMostUnproven || refusals_.refused(address, steady_clock::now()))
+    return;
   keepAlive(socket);
   ++unproven_;
   proveAsHub(
@@ -214,7 +216,8 @@ size_t HubServer::programs() const { return parts_->core().programs(); }
 
 size_t HubServer::expected() const {
   size_t count = 0;
-  for (const ProgramFile& file : programFiles(parts_->directory)) count += !parts_->core().hasProcess(file.pid);
+  for (const ProgramFile& file : programFiles(parts_->directory))
+    count += !parts_->core().hasProcess(file.pid);
   return count;
 }
 

@@ -22,8 +22,8 @@ constexpr std::chrono::milliseconds kWithoutDescriptors{200};
 std::string numericAddress(const sockaddr_storage& address, socklen_t size) {
   if (address.ss_family == AF_UNIX) return "";
   std::array<char, NI_MAXHOST> host{};
-  const int error = getnameinfo(reinterpret_cast<const sockaddr*>(&address), size, host.data(), host.size(), nullptr, 0,
-                                NI_NUMERICHOST);
+  const int error = getnameinfo(reinterpret_cast<const sockaddr*>(&address), size, host.data(), host.size(),
+                                nullptr, 0, NI_NUMERICHOST);
   return error == 0 ? host.data() : "?";
 }
 

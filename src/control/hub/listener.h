@@ -12,8 +12,8 @@ namespace gluray::control {
 
 class Listener : public std::enable_shared_from_this<Listener> {
  public:
-  /// Gets a socket that does not block and that child processes do not get; it is the receiver's. `address`: the other
-  /// side's IP address, empty for a Unix socket.
+  /// Gets a socket that does not block and that child processes do not get; it is the receiver's. `address`:
+  /// the other side's IP address, empty for a Unix socket.
   using Accepted = std::function<void(int socket, const std::string& address)>;
 
   /// Takes the listening descriptor.

@@ -39,7 +39,8 @@ std::string textOfFile(int directory, const std::string& name) {
   if (fstat(file, &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == geteuid()) {
     std::array<char, kMostFileBytes + 1> bytes;
     const ssize_t size = read(file, bytes.data(), bytes.size());
-    if (size > 0 && static_cast<size_t>(size) <= kMostFileBytes) text.assign(bytes.data(), static_cast<size_t>(size));
+    if (size > 0 && static_cast<size_t>(size) <= kMostFileBytes)
+      text.assign(bytes.data(), static_cast<size_t>(size));
   }
   close(file);
   return text;
@@ -62,7 +63,8 @@ std::vector<ProgramFile> programFiles(const std::string& directory) {
   const int folder = open((directory + "/programs").c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW);
   if (folder < 0) return files;
   struct stat status {};
-  DIR* const entries = fstat(folder, &status) == 0 && status.st_uid == geteuid() ? fdopendir(folder) : nullptr;
+  DIR* const entries =
+      fstat(folder, &status) == 0 && status.st_uid == geteuid() ? fdopendir(folder) : nullptr;
   if (!entries) return close(folder), files;
   for (size_t seen = 0; seen < kMostFiles; ++seen) {
     const dirent* const entry = readdir(entries);
