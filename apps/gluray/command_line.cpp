@@ -29,6 +29,7 @@ Commands, each with its own --help:
   gluray settings          all settings, their values and origins
   gluray get NAME          the value of a setting; with --why the values of all layers
   gluray presets           sets of settings by name, and what is in them
+  gluray hub               pass messages between programs and those who control them
   gluray timeline FILE     what each thread did in a run with --timeline FILE
 
 The exit code is the program's;
@@ -88,7 +89,7 @@ bool namesCommand(int argc, char** argv, Command& command) {
   static const std::map<std::string, Command> commands = {
       {"run", Command::run},       {"explain", Command::explain},   {"doctor", Command::doctor},
       {"quirks", Command::quirks}, {"settings", Command::settings}, {"timeline", Command::timeline},
-      {"get", Command::get},       {"presets", Command::presets}};
+      {"get", Command::get},       {"presets", Command::presets},   {"hub", Command::hub}};
   const auto found = argc > 1 ? commands.find(argv[1]) : commands.end();
   if (found == commands.end()) return false;
   command = found->second;
@@ -109,10 +110,25 @@ void describeTimeline(CLI::App& app, CommandLine& line) {
       ->type_name("MS");
 }
 
+void describeHub(CLI::App& app, CommandLine& line) {
+  app.description(
+      "Runs the hub, through which running programs are controlled, until it is interrupted. gluray panel "
+      "and "
+      "gluray set have a hub of their own where none runs.");
+  app.name("gluray hub");
+  auto* key = app.add_option("--key", line.hub.key, "The key file that other machines must have, too");
+  key->type_name("FILE");
+  app.add_option("--listen", line.hub.listen, "Listen for other machines on this address, too")
+      ->needs(key)
+      ->type_name("HOST:PORT");
+  app.add_option("--new-key", line.hub.newKey, "Write a new key to FILE and end")->type_name("FILE");
+}
+
 /// Adds the options and the help text of the command in `line`.
 void describe(CLI::App& app, CommandLine& line) {
   const auto usage = [&](const char* text) { app.get_formatter()->label("OPTIONS", text); };
   if (line.command == Command::timeline) return describeTimeline(app, line);
+  if (line.command == Command::hub) return describeHub(app, line);
   if (line.command != Command::run) app.add_flag("--json", line.json, "Print JSON");
   switch (line.command) {
     case Command::run:
@@ -157,14 +173,16 @@ void describe(CLI::App& app, CommandLine& line) {
       app.name("gluray presets");
       app.add_option("NAME", line.names, "Show the values of these presets");
       break;
-    case Command::timeline: return;
+    case Command::timeline:
+    case Command::hub: return;
   }
   addOptions(app, line);
 }
 
 /// Whether a program may follow the options: the others take names or a file.
 bool takesProgram(Command command) {
-  return command != Command::timeline && command != Command::get && command != Command::presets;
+  return command != Command::timeline && command != Command::get && command != Command::presets &&
+         command != Command::hub;
 }
 
 /// Index of the program's word, from `first` on: after "--", or the first word that is neither an option

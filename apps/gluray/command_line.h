@@ -9,7 +9,12 @@ namespace gluray::launcher {
 
 inline constexpr int kUsageError = 2;  // exit code: what the user typed is wrong
 
-enum class Command { run, explain, doctor, quirks, settings, get, presets, timeline };
+enum class Command { run, explain, doctor, quirks, settings, get, presets, timeline, hub };
+
+/// Options of gluray hub; empty: not given.
+struct HubLine {
+  std::string listen, key, newKey;  // HOST:PORT, files
+};
 
 struct CommandLine {
   Command command = Command::run;
@@ -30,7 +35,8 @@ struct CommandLine {
   std::vector<std::string> names;  // of settings
   bool layers = false;             // each layer's value
   // timeline; its file is in `program`
-  std::string chart;          // file; empty: none
+  std::string chart;  // file; empty: none
+  HubLine hub;
   double from = -1, to = -1;  // close-up view, milliseconds; negative: some frames in the middle of the run
 };
 

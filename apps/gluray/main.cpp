@@ -1,6 +1,7 @@
 // gluray, the launcher: sets the environment so that a program's OpenGL calls go through GLuRay, and replaces
 // itself by the program (exec); or runs one of the other commands, such as explain and doctor.
 #include "command_line.h"
+#include "control/hub.h"
 #include "doctor/doctor.h"
 #include "doctor/probe_context.h"
 #include "explain/explain.h"
@@ -36,6 +37,7 @@ int perform(const CommandLine& line) {
     case Command::get: return getSettings(line);
     case Command::presets: return listPresets(line);
     case Command::timeline: return showTimeline(line);
+    case Command::hub: return runHub(line);
     default: return run(line);
   }
 }
