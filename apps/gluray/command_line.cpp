@@ -165,7 +165,7 @@ void describe(CLI::App& app, CommandLine& line) {
       app.add_option("NAME", line.names, "Settings; none: all that differ from their built-in values");
       app.add_flag("--why", line.layers, "Show the value from each layer (file, preset, environment ...)");
       app.add_flag("--live", line.control.live, "Ask all running programs, rather than the files");
-      addProgramOptions(app, line.control);
+      addProgramOptions(app, line.control, true);
       addProfileOption(app, line);
       break;
     case Command::presets:

@@ -88,6 +88,7 @@ class FakeHub:
         self.rows, self.programs, self.instead, self.observers, self.requests = list(rows), {}, {}, [], []
         self.hello = hello or {"type": "hello", "version": 1, "role": "hub", "pid": os.getpid(), "host": "here"}
         self.key, self.lock, self.number = key and hashlib.sha256(key).digest(), threading.RLock(), 0
+        self.ending, self.path = threading.RLock(), None
         if key:
             self.listener = socket.create_server(("127.0.0.1", 0))
             self.address = "127.0.0.1:%d" % self.listener.getsockname()[1]
@@ -95,7 +96,8 @@ class FakeHub:
             directory = pathlib.Path(directory)
             directory.mkdir(mode=0o700, exist_ok=True)
             self.listener = socket.socket(socket.AF_UNIX)
-            self.listener.bind(str(directory / "hub.sock"))
+            self.path = directory / "hub.sock"
+            self.listener.bind(str(self.path))
             self.listener.listen()
         self.connections = []
         threading.Thread(target=self.accept, daemon=True).start()
@@ -107,16 +109,17 @@ class FakeHub:
         self.end()
 
     def end(self):
-        """Closes everything, as the end of a hub does."""
-        name = self.listener.getsockname() if self.listener.fileno() >= 0 else ()  # an end before
-        for one in [self.listener, *self.connections]:
-            try:
-                one.shutdown(socket.SHUT_RDWR)
-            except OSError:
-                pass
-            one.close()
-        if isinstance(name, str) and os.path.exists(name):
-            os.remove(name)
+        """Removes the socket and closes everything, as the end of a hub does."""
+        with self.ending:
+            if self.path:
+                self.path.unlink(missing_ok=True)
+            self.path = None
+            for one in [self.listener, *self.connections]:
+                try:
+                    one.shutdown(socket.SHUT_RDWR)
+                except OSError:
+                    pass
+                one.close()
 
     def add(self, name, pid):
         with self.lock:
@@ -159,7 +162,7 @@ class FakeHub:
             connection.sendall(self.hello if isinstance(self.hello, bytes) else line_of(self.hello))
             for line in lines:
                 message = json.loads(line)
-                if message["type"] != "hello":
+                if message["type"] not in ("hello", "error"):
                     with self.lock:
                         self.take(connection, message)
         except OSError:

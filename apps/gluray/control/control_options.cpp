@@ -4,6 +4,7 @@
 #include "control/change.h"
 #include "control/programs_list.h"
 #include "control/watch.h"
+#include "settings/rows.h"
 
 #include <CLI/CLI.hpp>
 
@@ -25,10 +26,14 @@ const char* wordOf(Command command) {
   return nullptr;
 }
 
-void addHubOptions(CLI::App& app, ControlOptions& options) {
-  app.add_option("--hub", options.hub, "Reach the hub of another machine by TCP [setting hub]")
-      ->type_name("HOST:PORT");
-  app.add_option("--key", options.keyFile, "The file with the hub's key [setting hub-key]")
+void addHubOptions(CLI::App& app, ControlOptions& options, bool settingsHaveOptions) {
+  const Row* row = findSetting("hub");
+  const bool there = settingsHaveOptions && row && !row->option.empty();  // --hub and --hub-key
+  if (!there)
+    app.add_option("--hub", options.hub, "Reach the hub of another machine by TCP [setting hub]")
+        ->type_name("HOST:PORT");
+  app.add_option(there ? "--key" : "--key,--hub-key", options.keyFile,
+                 "The file with the hub's key [setting hub-key]")
       ->type_name("FILE");
 }
 
@@ -55,13 +60,13 @@ void describeWatch(CLI::App& app, CommandLine& line) {
 
 }  // namespace
 
-void addProgramOptions(CLI::App& app, ControlOptions& options) {
+void addProgramOptions(CLI::App& app, ControlOptions& options, bool settingsHaveOptions) {
   app.add_option("-p", options.programs,
                  "A running program: its number in `gluray list`, process id, or name; may be given several\n"
                  "times [all]")
       ->allow_extra_args(false)
       ->type_name("PROGRAM");
-  addHubOptions(app, options);
+  addHubOptions(app, options, settingsHaveOptions);
 }
 
 bool namesControlCommand(const std::string& word, Command& command) {
@@ -94,9 +99,9 @@ bool describeControl(CLI::App& app, CommandLine& line) {
     default: break;
   }
   if (line.command == Command::list)
-    addHubOptions(app, options);
+    addHubOptions(app, options, false);
   else
-    addProgramOptions(app, options);
+    addProgramOptions(app, options, false);
   return true;
 }
 

@@ -31,8 +31,8 @@ bool isControlCommand(Command command);
 /// Adds the options and the help text of the command in `line`, unless it is not one of these commands.
 bool describeControl(CLI::App& app, CommandLine& line);
 
-/// -p, --hub and --key.
-void addProgramOptions(CLI::App& app, ControlOptions& options);
+/// -p, --hub and --key; without --hub where the command has the options of settings.
+void addProgramOptions(CLI::App& app, ControlOptions& options, bool settingsHaveOptions);
 
 /// Carries the command in `line` out, unless it is not one of these commands. Returns its exit code.
 bool performControl(const CommandLine& line, int& exitCode);

@@ -17,7 +17,9 @@ using nlohmann::json;
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-constexpr double kConnectSeconds = 5, kAnswerSeconds = 5;
+constexpr double kConnectSeconds = 5, kListSeconds = 5;
+// More than the hub gives a program: then it says which one does not answer.
+constexpr double kAnswerSeconds = 12;
 // Programs look for a hub when a frame begins, at most every 50 ms. Those that draw nothing are woken.
 constexpr milliseconds kLeast{120}, kMost{1000};
 
@@ -65,7 +67,7 @@ void HubSession::beHub(const std::string& directory) {
 std::vector<RunningProgram> HubSession::programs() { return programsOf(ask({{"type", "list"}})); }
 
 json HubSession::ask(const json& request) {
-  control::Client::Answer answer = client_.ask(request, kAnswerSeconds);
+  control::Client::Answer answer = client_.ask(request, request["type"] == "list" ? kListSeconds : kAnswerSeconds);
   if (!answer.why.empty()) throw std::runtime_error(answer.why);
   return std::move(answer.message);
 }
