@@ -20,7 +20,7 @@ constexpr CommandWord kWords[] = {{"list", Command::list},   {"set", Command::se
                                   {"watch", Command::watch}, {"undo", Command::undo},
                                   {"redo", Command::redo}};
 
-const char* wordOf(Command command) {
+const char* wordOfCommand(Command command) {
   for (const CommandWord& known : kWords)
     if (known.command == command) return known.word;
   return nullptr;
@@ -75,12 +75,12 @@ bool namesControlCommand(const std::string& word, Command& command) {
   return false;
 }
 
-bool isControlCommand(Command command) { return wordOf(command) != nullptr; }
+bool isControlCommand(Command command) { return wordOfCommand(command) != nullptr; }
 
 bool describeControl(CLI::App& app, CommandLine& line) {
   ControlOptions& options = line.control;
   if (!isControlCommand(line.command)) return false;
-  app.name(std::string("gluray ") + wordOf(line.command));
+  app.name(std::string("gluray ") + wordOfCommand(line.command));
   app.get_formatter()->label("OPTIONS", "options");
   switch (line.command) {
     case Command::list: app.description("Lists the programs that run under GLuRay."); break;

@@ -67,7 +67,8 @@ void HubSession::beHub(const std::string& directory) {
 std::vector<RunningProgram> HubSession::programs() { return programsOf(ask({{"type", "list"}})); }
 
 json HubSession::ask(const json& request) {
-  control::Client::Answer answer = client_.ask(request, request["type"] == "list" ? kListSeconds : kAnswerSeconds);
+  control::Client::Answer answer =
+      client_.ask(request, request["type"] == "list" ? kListSeconds : kAnswerSeconds);
   if (!answer.why.empty()) throw std::runtime_error(answer.why);
   return std::move(answer.message);
 }

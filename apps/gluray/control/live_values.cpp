@@ -47,7 +47,7 @@ void printLayers(const std::string& name, const json& described) {
   std::cout << table.text("  ");
 }
 
-void print(const CommandLine& line, const std::string& prefix, const json& values) {
+void printValues(const CommandLine& line, const std::string& prefix, const json& values) {
   for (const auto& [name, described] : values.items()) {
     const json value = described.value("value", json());
     if (line.names.size() == 1 && prefix.empty() && !line.layers) {
@@ -81,7 +81,7 @@ int getLiveSettings(const CommandLine& line) {
     else
       one["why"] = why, failed = true, say(labelOf(program) + ": " + why);
     if (why.empty() && !line.json)
-      print(line, programs.size() > 1 ? labelOf(program) + ": " : "", one["values"]);
+      printValues(line, programs.size() > 1 ? labelOf(program) + ": " : "", one["values"]);
     list.push_back(std::move(one));
   });
   if (line.json) std::cout << jsonText(list) << "\n";
