@@ -9,7 +9,7 @@ namespace {
 using nlohmann::json;
 using std::chrono::steady_clock;
 
-constexpr int kVersion = 1;
+constexpr int kClientVersion = 1;
 
 /// A text member of an untrusted message; empty if there is none.
 std::string textOfMember(const json& message, const char* name) {
@@ -17,7 +17,7 @@ std::string textOfMember(const json& message, const char* name) {
   return found != message.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
-std::string whyOf(const json& message) {
+std::string refusalOf(const json& message) {
   const std::string why = textOfMember(message, "why");
   return why.empty() ? "the hub refuses, and does not say why" : why;
 }
@@ -76,7 +76,7 @@ void Client::start(std::shared_ptr<Connection> connection) {
                         if (Client* client = mine()) client->close("the connection to the hub ended: " + why);
                       },
                       {}});
-  connection_->send(json{{"type", "hello"}, {"version", kVersion}, {"role", "client"}});
+  connection_->send(json{{"type", "hello"}, {"version", kClientVersion}, {"role", "client"}});
 }
 
 void Client::close(const std::string& why) {
@@ -88,7 +88,7 @@ void Client::close(const std::string& why) {
 void Client::takeHello(const json& message) {
   const auto version = message.find("version");
   const bool versioned = version != message.end() && version->is_number_integer();
-  if (textOfMember(message, "type") == "error") return close(whyOf(message));
+  if (textOfMember(message, "type") == "error") return close(refusalOf(message));
   if (textOfMember(message, "type") != "hello" || textOfMember(message, "role") != "hub" || !versioned ||
       version->get<int64_t>() < 1)
     return close("what listens there is no hub of GLuRay; end it, and start gluray hub");
@@ -108,11 +108,11 @@ void Client::take(json&& message) {
   const bool named = id != message.end();
   if (named && (!id->is_number_integer() || id->get<int64_t>() != asked_)) return;  // of an older request
   if (type == "error") {
-    answer_ = {{}, whyOf(message)};
+    answer_ = {{}, refusalOf(message)};
   } else if (type != "answer" || !named) {
     return;
   } else if (message.contains("why") || !holdsList(message)) {
-    answer_ = {{}, message.contains("why") ? whyOf(message) : "the hub's answer has no results"};
+    answer_ = {{}, message.contains("why") ? refusalOf(message) : "the hub's answer has no results"};
   } else {
     answer_ = {std::move(message), ""};
   }
