@@ -4,8 +4,8 @@
 
 namespace gluray::launcher {
 
-/// Asks the X server to expose the window, so that its program draws it again. Ignores errors; returns after
-/// half a second at most. Any thread.
+/// Asks the X server to expose the window, so that its program draws it again. Returns at once; ignores
+/// errors. Any thread.
 void wakeWindow(const std::string& display, unsigned long window);
 
 }  // namespace gluray::launcher
