@@ -43,7 +43,7 @@ HubSession::HubSession(const CommandLine& line) {
   const control::HubAddress address = addressOf(line);
   std::string why = client_.connect(address, kConnectSeconds);
   if (why.empty()) return;
-  if (!address.host.empty()) throw std::runtime_error(why);
+  if (client_.reached() || !address.host.empty()) throw std::runtime_error(why);
   beHub(address.directory);
   why = client_.connect(address, kConnectSeconds);
   if (!why.empty()) throw std::runtime_error(why);

@@ -50,7 +50,7 @@ bool Client::wait(double seconds, const std::function<bool()>& done) {
 
 std::string Client::connect(const HubAddress& address, double seconds) {
   close("it connects again");
-  whyClosed_.clear(), greeted_ = false;
+  whyClosed_.clear(), greeted_ = reached_ = false;
   connectToHub(
       io_, address,
       [self = self_, attempt = ++attempts_](std::shared_ptr<Connection> connection, const std::string& why) {
@@ -66,6 +66,7 @@ std::string Client::connect(const HubAddress& address, double seconds) {
 
 void Client::start(std::shared_ptr<Connection> connection) {
   connection_ = std::move(connection);
+  reached_ = true;
   const auto mine = [self = self_, which = connection_.get()] {
     return *self && (*self)->connection_.get() == which ? *self : nullptr;
   };

@@ -31,6 +31,8 @@ class Client {
 
   /// Connects and exchanges hellos. Returns one line that says why it cannot; empty: it is connected.
   std::string connect(const HubAddress& address, double seconds);
+  /// Whether something listened when it connected last, hub or not.
+  bool reached() const { return reached_; }
   /// The answer to a request, which gets an id. Events that arrive meanwhile wait for next().
   Answer ask(nlohmann::json request, double seconds);
   /// The next event; null: none came in that time, or the connection has ended, or interrupt() was called.
@@ -56,6 +58,7 @@ class Client {
   int64_t asked_ = 0;     // id of the last request
   bool waiting_ = false;  // for its answer
   bool greeted_ = false;  // the hub has said hello
+  bool reached_ = false;
   bool interrupted_ = false;
   Answer answer_;
   std::string whyClosed_ = "not connected";

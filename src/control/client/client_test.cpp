@@ -58,6 +58,7 @@ struct ClientTest : testing::Test {
 TEST_F(ClientTest, SaysThatNoHubRuns) {
   EXPECT_EQ(connect(), "no hub runs here; start gluray panel or gluray hub");
   EXPECT_EQ(client.ask({{"type", "list"}}, kLong).why, client.whyClosed());
+  EXPECT_FALSE(client.reached());
 }
 
 TEST_F(ClientTest, AsksAndGetsTheAnswerWithTheSameId) {
@@ -149,6 +150,7 @@ TEST_F(ClientTest, OtherListenersAreRefused) {
     std::filesystem::remove(socketIn(directory));
     listen(hello);
     EXPECT_EQ(connect(), "what listens there is no hub of GLuRay; end it, and start gluray hub") << hello;
+    EXPECT_TRUE(client.reached());
   }
   std::filesystem::remove(socketIn(directory));
   listen(json{{"type", "error"}, {"why", "the hub is full"}});
