@@ -9,7 +9,7 @@ import tempfile
 import time
 import unittest
 
-from fake_hub import FakeHub, line_of
+from fake_hub import FakeHub, FakeProgram, line_of, seek_hub
 
 ALONE = "no program runs under GLuRay; start one with: gluray PROGRAM"
 SILENT = "the hub does not answer; end it, and start gluray hub"
@@ -197,6 +197,24 @@ class Cli(unittest.TestCase):
         self.assertEqual(self.failure("set", "spp=4"), ALONE)
         self.assertLess(time.monotonic() - begin, 10)
         self.assertFalse((self.folder / "run/hub.sock").exists())
+
+    def test_without_a_hub_commands_are_one(self):
+        program = FakeProgram(1, "paraview", 4242, ROWS)
+        end = seek_hub(program, self.folder / "run")
+        self.addCleanup(end)
+        self.assertEqual(self.output("set", "spp=4", "ao=on"), "paraview (4242): ao = true, spp = 4 from frame 1042\n")
+        self.assertEqual(self.output("get", "--live"), "ao = true\nspp = 4\n")
+        self.assertEqual(self.output("undo"), "paraview (4242): ao = false, spp = 1 from frame 1042\n")
+        program.refuses["spp"] = "spp: not now"
+        self.assertEqual(self.failure("set", "spp=2"), "paraview (4242): spp: not now")
+        self.assertFalse((self.folder / "run/hub.sock").exists())
+        watch = self.watch()
+        time.sleep(1.5)  # the longest that it waits for programs
+        self.assertIn("paraview", self.output("list"))
+        end()
+        self.assertEqual(watch.stdout.readline(), "paraview (4242): ended\n")
+        watch.send_signal(signal.SIGINT)
+        self.assertEqual(watch.wait(20), 0)
 
     def test_unsafe_directories_are_refused(self):
         (self.folder / "run").mkdir(mode=0o755)

@@ -1,10 +1,10 @@
-"""A hub for tests of its clients, after docs/control-protocol.md, with programs that exist in its memory only.
+"""A hub for tests of its clients, and a program for tests of hubs, after docs/control-protocol.md; programs exist in memory only.
 
     with FakeHub(directory) as hub:
         paraview = hub.add("paraview", pid=4242)
 
 `paraview` is a FakeProgram: its settings, the frame that it is at, and what it refuses can be changed. hub.instead maps types of requests to
-what the hub does instead of answering: "silence", "garbage", "end", or a message.
+what the hub does instead of answering: "silence", "garbage", "end", or a message. seek_hub() lets a FakeProgram talk to a real hub.
 """
 import hashlib
 import hmac
@@ -217,3 +217,44 @@ class FakeHub:
     def tell_settings(self, program, names):
         self.tell({"type": "event", "what": "settings", "program": program.entry["program"],
                    "values": {n: program.described(n) for n in names}, "undo": len(program.steps), "redo": len(program.undone)})
+
+
+def seek_hub(program, directory):
+    """Does what a program does: looks for a hub, says hello, answers until the hub ends, and looks again. Returns a function that ends it."""
+    ended, connections = threading.Event(), []
+
+    def talk():
+        with socket.socket(socket.AF_UNIX) as connection:
+            connection.connect(str(pathlib.Path(directory) / "hub.sock"))
+            connections.append(connection)
+            answer(connection)
+
+    def answer(connection):
+        hello = {name: program.entry[name] for name in ("pid", "host", "name", "ranks")}
+        connection.sendall(line_of({"type": "hello", "version": 1, "role": "program", "rank": 0, "job": ""} | hello))
+        for line in connection.makefile("rb"):
+            request = json.loads(line)
+            if request["type"] in ("get", "set", "undo", "redo", "describe"):
+                connection.sendall(line_of({"type": "answer", "id": request["id"], "results": [getattr(program, request["type"])(request)]}))
+            elif request["type"] == "observe":
+                connection.sendall(line_of({"type": "answer", "id": request["id"], "results": []}))
+
+    def look():
+        while not ended.wait(0.05):
+            try:
+                talk()
+            except OSError:
+                pass
+
+    def end():
+        ended.set()
+        for connection in connections:
+            try:
+                connection.shutdown(socket.SHUT_RDWR)
+            except OSError:
+                pass
+        thread.join(10)
+
+    thread = threading.Thread(target=look, daemon=True)
+    thread.start()
+    return end
