@@ -36,7 +36,7 @@ MPI_FILES = 1  # number of files in dist/ that may include mpi.h
 MAX_LINES = 500
 CODE = {".c", ".cpp", ".h", ".hpp", ".S"}
 MEASURED = CODE | {".py"}
-TREES = ["apps", "bench", "examples", "scenes", "scripts", "src", "tests", "tools"]
+TREES = ["apps", "bench", "examples", "python", "scenes", "scripts", "src", "tests", "tools"]
 INCLUDE = re.compile(r'^\s*#\s*(?:include|include_next)\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 MODULE = re.compile(r"gluray_module\(\s*\w+([^)]*)\)")
 

@@ -29,9 +29,19 @@ Commands, each with its own --help:
   gluray settings          all settings, their values and origins
   gluray get NAME          the value of a setting; with --why the values of all layers
   gluray presets           sets of settings by name, and what is in them
+
+Commands for programs that run:
+  gluray list              the programs
+  gluray set NAME=VALUE    change settings; also: gluray unset NAME, gluray preset NAME
+  gluray undo              take the last change back; gluray redo makes it again
+  gluray get --live NAME   the value of a setting in the running programs
+  gluray watch             print settings that change, programs that come and go
   gluray hub               pass messages between programs and those who control them
+
+After a run:
   gluray timeline FILE     what each thread did in a run with --timeline FILE
 
+A program whose name is a command, such as watch: gluray run watch, or gluray -- watch.
 The exit code is the program's;
 127: program not found, 126: it cannot be executed, 2: wrong usage.)";
 
@@ -90,6 +100,7 @@ bool namesCommand(int argc, char** argv, Command& command) {
       {"run", Command::run},       {"explain", Command::explain},   {"doctor", Command::doctor},
       {"quirks", Command::quirks}, {"settings", Command::settings}, {"timeline", Command::timeline},
       {"get", Command::get},       {"presets", Command::presets},   {"hub", Command::hub}};
+  if (argc > 1 && namesControlCommand(argv[1], command)) return true;
   const auto found = argc > 1 ? commands.find(argv[1]) : commands.end();
   if (found == commands.end()) return false;
   command = found->second;
@@ -130,6 +141,7 @@ void describe(CLI::App& app, CommandLine& line) {
   if (line.command == Command::timeline) return describeTimeline(app, line);
   if (line.command == Command::hub) return describeHub(app, line);
   if (line.command != Command::run) app.add_flag("--json", line.json, "Print JSON");
+  if (describeControl(app, line)) return;
   switch (line.command) {
     case Command::run:
       usage("options] [--] PROGRAM [ARGUMENTS...");
@@ -162,10 +174,14 @@ void describe(CLI::App& app, CommandLine& line) {
       addListOptions(app, line);
       break;
     case Command::get:
-      app.description("Prints the values of settings, as a program that starts now would get them.");
+      app.description(
+          "Prints the values of settings, as a program that starts now would get them, or with -p or --live\n"
+          "those of running programs.");
       app.name("gluray get");
       app.add_option("NAME", line.names, "Settings; none: all that differ from their built-in values");
       app.add_flag("--why", line.layers, "Show the value from each layer (file, preset, environment ...)");
+      app.add_flag("--live", line.control.live, "Ask all running programs, rather than the files");
+      addProgramOptions(app, line.control, true);
       addProfileOption(app, line);
       break;
     case Command::presets:
@@ -173,8 +189,7 @@ void describe(CLI::App& app, CommandLine& line) {
       app.name("gluray presets");
       app.add_option("NAME", line.names, "Show the values of these presets");
       break;
-    case Command::timeline:
-    case Command::hub: return;
+    default: return;
   }
   addOptions(app, line);
 }
@@ -182,7 +197,7 @@ void describe(CLI::App& app, CommandLine& line) {
 /// Whether a program may follow the options: the others take names or a file.
 bool takesProgram(Command command) {
   return command != Command::timeline && command != Command::get && command != Command::presets &&
-         command != Command::hub;
+         command != Command::hub && !isControlCommand(command);
 }
 
 /// Index of the program's word, from `first` on: after "--", or the first word that is neither an option

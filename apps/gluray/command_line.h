@@ -1,5 +1,6 @@
 // The launcher's command line, parsed.
 #pragma once
+#include "control/control_options.h"
 #include "settings/chosen_settings.h"
 
 #include <string>
@@ -9,7 +10,24 @@ namespace gluray::launcher {
 
 inline constexpr int kUsageError = 2;  // exit code: what the user typed is wrong
 
-enum class Command { run, explain, doctor, quirks, settings, get, presets, timeline, hub };
+enum class Command {
+  run,
+  explain,
+  doctor,
+  quirks,
+  settings,
+  get,
+  presets,
+  timeline,
+  list,
+  set,
+  unset,
+  preset,
+  watch,
+  undo,
+  redo,
+  hub
+};
 
 /// Options of gluray hub; empty: not given.
 struct HubLine {
@@ -23,21 +41,22 @@ struct CommandLine {
   std::string config;                // file; empty: the usual one
   ChosenSettings settings;
 
-  // explain, doctor, quirks, settings
-  bool json = false;
+  ControlOptions control;  // get, and commands for running programs
+
+  bool json = false;  // all but run and timeline
   // explain
   int frames = 100;
   double restSeconds = 3, limitSeconds = 120;  // 0: never
   std::string html;                            // file; empty: none
-  // settings, get, presets
+  // settings, get, presets, watch
   std::string why, profile;        // a setting, a program; empty: none
   bool changed = false;            // only settings that differ from their built-in values
-  std::vector<std::string> names;  // of settings
+  std::vector<std::string> names;  // of settings or presets
   bool layers = false;             // each layer's value
   // timeline; its file is in `program`
-  std::string chart;  // file; empty: none
-  HubLine hub;
+  std::string chart;          // file; empty: none
   double from = -1, to = -1;  // close-up view, milliseconds; negative: some frames in the middle of the run
+  HubLine hub;
 };
 
 /// Result of parsing: a command to run, or (`run` false) the exit code after help or an error was printed.

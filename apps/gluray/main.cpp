@@ -2,6 +2,7 @@
 // itself by the program (exec); or runs one of the other commands, such as explain and doctor.
 #include "command_line.h"
 #include "control/hub.h"
+#include "control/live_values.h"
 #include "doctor/doctor.h"
 #include "doctor/probe_context.h"
 #include "explain/explain.h"
@@ -29,12 +30,14 @@ int run(const CommandLine& line) {
 
 int perform(const CommandLine& line) {
   if (const std::string why = wrongPreset(line); !why.empty()) return say(why), kUsageError;
+  if (int exitCode = 0; performControl(line, exitCode)) return exitCode;
   switch (line.command) {
     case Command::explain: return explain(line);
     case Command::doctor: return doctor(line);
     case Command::quirks: return listQuirks(line);
     case Command::settings: return listSettings(line);
-    case Command::get: return getSettings(line);
+    case Command::get:
+      return line.control.live || !line.control.programs.empty() ? getLiveSettings(line) : getSettings(line);
     case Command::presets: return listPresets(line);
     case Command::timeline: return showTimeline(line);
     case Command::hub: return runHub(line);

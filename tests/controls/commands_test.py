@@ -46,13 +46,22 @@ class Commands(unittest.TestCase):
         one = json.loads(self.output("get", "--why", "--json", "--program", "viewer", "--set", "ao.samples=12", "ao.samples", GLURAY_AO_SAMPLES="13"))[0]
         layers = {layer["layer"]: (layer["value"], layer["place"]) for layer in one["layers"]}
         self.assertEqual(layers, {
-            "built-in": ("16", ""), "system": (None, ""), "user": ("8", f"{self.user}:1"), "project": ("11", f"{self.project}:1"),
-            "program": ("10", f"{self.user}:6"), "preset": ("9", f"paper, {self.user}:4"), "environment": ("13", "GLURAY_AO_SAMPLES"),
-            "command line": ("12", "--set ao.samples"), "live": (None, "")})
-        self.assertEqual((one["value"], one["layer"]), ("12", "command line"))
+            "built-in": (16, ""), "system": (None, ""), "user": (8, f"{self.user}:1"), "project": (11, f"{self.project}:1"),
+            "program": (10, f"{self.user}:6"), "preset": (9, f"paper, {self.user}:4"), "environment": (13, "GLURAY_AO_SAMPLES"),
+            "command line": (12, "--set ao.samples"), "live": (None, "")})
+        self.assertEqual((one["value"], one["layer"], one["default"]), (12, "command line", 16))
         text = " ".join(self.output("get", "--why", "ao.samples").split())
         for part in ("ao.samples = 9 (preset: paper, ", "user", "11", "Default: 16", "from the next frame on"):
             self.assertIn(part, text)
+
+    def test_json_has_types(self):
+        found = {one["name"]: one for one in json.loads(self.output("settings", "--json", "--set", "ao=on", "--set", "lights.up=z"))}
+        values = {name: found[name]["value"] for name in ("ao", "ao.samples", "ao.strength", "lights.up", "report", "program-families")}
+        self.assertEqual(values, {"ao": True, "ao.samples": 16, "ao.strength": 1, "lights.up": "z", "report": "", "program-families": []})
+        self.assertEqual((found["ao"]["type"], found["ao"]["applies"], found["ao"]["default"]), ("boolean", "frame", False))
+        self.assertEqual((found["ao.samples"]["least"], found["ao.samples"]["most"]), (1, 4096))
+        self.assertIn("embree", [word["word"] for word in found["renderer"]["words"]])
+        self.assertEqual(json.loads(self.output("get", "--json", "--set", "spp=4"))[0]["value"], 4)
 
     def test_mistakes(self):
         self.assertIn("did you mean 'ao.samples'?", self.refusal("get", "ao.sample"))

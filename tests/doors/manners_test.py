@@ -53,7 +53,7 @@ class Launcher(Folder):
         (self.folder / "gluray.toml").write_text("spp = 3\n")
         (self.folder / "gluray.toml").chmod(0o644)
         changed = self.listed("--changed", "--bvh", "fast", "--program", "/usr/bin/viewer", GLURAY_SHADING="vertex")
-        self.assertEqual(changed, {"threads": ("2", "user"), "spp": ("3", "project"), "lag": ("on", "program"),
+        self.assertEqual(changed, {"threads": (2, "user"), "spp": (3, "project"), "lag": ("on", "program"),
                                    "shading": ("vertex", "environment"), "bvh": ("fast", "command line")})
         everything = self.listed()
         self.assertEqual((everything["lag"], everything["engine"]), (("off", "built-in"), ("auto", "built-in")))

@@ -69,11 +69,12 @@ def completions(file: pathlib.Path, *words: str) -> list[str]:
 def check_completion(file: pathlib.Path, gluray: pathlib.Path) -> None:
     cases = [(("gluray", "--bv"), "--bvh"), (("gluray", "--bvh", "co"), "compact"), (("gluray", "ru"), "run"),
              (("gluray", "--threads", "4", "dpkg-de"), "dpkg-deb"), (("gluray", "run", "--of"), "--off"), (("gluray", "explain", "--ht"), "--html"),
-             (("gluray", "doct"), "doctor"), (("gluray", "doctor", "--js"), "--json"), (("gluray", "timeline", "t.json", "--fr"), "--from")]
+             (("gluray", "doct"), "doctor"), (("gluray", "doctor", "--js"), "--json"), (("gluray", "timeline", "t.json", "--fr"), "--from"),
+             (("gluray", "set", "ao.sam"), "ao.samples="), (("gluray", "unset", "ao.sam"), "ao.samples"), (("gluray", "watch", "--st"), "--state")]
     for words, wanted in cases:
         if wanted not in (got := completions(file, *words)):
             fail(f"'{' '.join(words)}' is completed to {got}, not to {wanted}")
-    for command in ("run", "explain", "doctor", "quirks", "settings", "timeline"):
+    for command in ("run", "explain", "doctor", "quirks", "settings", "timeline", "list", "set", "unset", "preset", "undo", "redo", "watch"):
         help_text = run(gluray, command, "--help").stdout
         options = set(re.findall(r"(?:^ +|,)(--[a-z-]+)", help_text, re.MULTILINE))
         offered = completions(file, "gluray", command, "--")

@@ -4,6 +4,7 @@
 #include "control/hub/hub_server.h"
 #include "control/runtime_directory.h"
 #include "say.h"
+#include "wake/wake.h"
 
 #include <asio/signal_set.hpp>
 #include <sys/resource.h>
@@ -52,6 +53,7 @@ int runHub(const CommandLine& line) {
   options.directory = control::runtimeDirectory();
   options.listen = line.hub.listen;
   options.keyFile = line.hub.key;
+  options.wake = wakeWindow;
   if (const std::string why = hub.start(options); !why.empty()) return say(why), 1;
   say("the hub listens in " + placesOf(hub, line.hub, options.directory));
   io.run();

@@ -20,16 +20,6 @@ std::string absolute(const std::string& file) {
   return file.empty() || files::isStream(file) ? file : std::filesystem::absolute(file).string();
 }
 
-std::string absoluteFiles(const Row& row, const std::string& value) {
-  if (row.type != Type::list) return absolute(value);
-  Session session;
-  readValue(row, value, session);
-  std::string text;
-  for (const std::string& file : *std::get<std::vector<std::string>*>(row.place(session)))
-    text = joined(text, separatorOf(row), absolute(file));
-  return text;
-}
-
 }  // namespace
 
 void ChosenSettings::add(std::string_view name, const std::string& value) {
@@ -51,6 +41,16 @@ std::string ChosenSettings::find(std::string_view name) const {
   const auto found =
       std::find_if(values_.begin(), values_.end(), [&](const auto& entry) { return entry.first == name; });
   return found == values_.end() ? "" : found->second;
+}
+
+std::string absoluteFiles(const Row& row, const std::string& value) {
+  if (row.type != Type::list) return absolute(value);
+  Session session;
+  readValue(row, value, session);
+  std::string text;
+  for (const std::string& file : *std::get<std::vector<std::string>*>(row.place(session)))
+    text = joined(text, separatorOf(row), absolute(file));
+  return text;
 }
 
 NamedValues passedValues(const ChosenSettings& chosen) {

@@ -1,5 +1,7 @@
 // Settings that the user chose by options of the launcher.
 #pragma once
+#include "settings/rows.h"
+
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,6 +25,9 @@ class ChosenSettings {
  private:
   NamedValues values_;
 };
+
+/// The value of a setting that names files, with absolute file names: programs may have another directory.
+std::string absoluteFiles(const Row& row, const std::string& value);
 
 /// The values to pass to the program: with absolute file names, since it may change its directory, and with
 /// the environment's entries added to lists and quirks.

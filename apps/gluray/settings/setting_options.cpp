@@ -32,17 +32,8 @@ std::string problemOf(const Row& row, const std::string& value) {
   const Place place = row.place(session);
   const auto* list = std::get_if<std::vector<std::string>*>(&place);
   for (std::string file : list ? **list : std::vector<std::string>{value})
-    if (why = CLI::ExistingFile(file); !why.empty()) return why;
+    if (why = file.empty() ? "" : CLI::ExistingFile(file); !why.empty()) return why;
   return "";
-}
-
-std::string problemOfPair(const std::string& pair) {
-  const size_t sign = pair.find('=');
-  if (sign == pair.npos) return pair + ": use NAME=VALUE";
-  const Row* row = findSetting(pair.substr(0, sign));
-  if (!row) return unknownSetting(pair.substr(0, sign));
-  const std::string why = problemOf(*row, pair.substr(sign + 1));
-  return why.empty() ? "" : std::string(row->name) + " = " + why;
 }
 
 void addOption(CLI::App& app, ChosenSettings& chosen, const Row& row) {
@@ -61,6 +52,15 @@ void addOption(CLI::App& app, ChosenSettings& chosen, const Row& row) {
 }
 
 }  // namespace
+
+std::string problemOfPair(const std::string& pair) {
+  const size_t sign = pair.find('=');
+  if (sign == pair.npos) return pair + ": use NAME=VALUE";
+  const Row* row = findSetting(pair.substr(0, sign));
+  if (!row) return unknownSetting(pair.substr(0, sign));
+  const std::string why = problemOf(*row, pair.substr(sign + 1));
+  return why.empty() ? "" : std::string(row->name) + " = " + why;
+}
 
 void addSettingOptions(CLI::App& app, ChosenSettings& chosen, bool explain) {
   for (const Row& row : settingRows())

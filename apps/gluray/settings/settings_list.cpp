@@ -1,6 +1,8 @@
 #include "settings/settings_list.h"
 
 #include "base/printable.h"
+#include "control/messages/value.h"
+#include "control/setting_values.h"
 #include "say.h"
 #include "settings/values.h"
 #include "text_table.h"
@@ -17,6 +19,7 @@ namespace {
 
 using nlohmann::json;
 
+// In text; in JSON it is "frame", "context" or "process".
 constexpr std::string_view kApplies[] = {"from the next frame on", "to contexts made afterwards",
                                          "to the next run"};
 
@@ -30,35 +33,41 @@ std::string originOf(const Given* given) {
   return given ? std::string(nameOf(given->layer)) + ": " + printable(given->place) : "built-in";
 }
 
+/// A layer's value, typed.
+json typed(const Row& row, const std::string& text) {
+  Session session;
+  const bool partly = row.type == Type::quirks;  // names only some
+  return !partly && readValue(row, text, session).empty() ? control::valueOf(row, printValue(row, session))
+                                                          : json(text);
+}
+
 /// The setting's value in each layer.
 json layersOf(const Layers& layers, const Row& row) {
   json list = json::array();
   for (size_t i = 0; i < kLayerCount; ++i) {
     const auto layer = static_cast<Layer>(i);
     bool any = layer == Layer::builtIn;
-    if (any) list.push_back({{"layer", nameOf(layer)}, {"value", printValue(row, Session{})}, {"place", ""}});
+    if (any)
+      list.push_back(
+          {{"layer", nameOf(layer)}, {"value", typed(row, printValue(row, Session{}))}, {"place", ""}});
     for (const Given& g : layers.given)
       if (g.row == &row && g.layer == layer) {
         any = true;
-        list.push_back({{"layer", nameOf(layer)}, {"value", g.value}, {"place", g.place}});
+        list.push_back({{"layer", nameOf(layer)}, {"value", typed(row, g.value)}, {"place", g.place}});
       }
     if (!any) list.push_back({{"layer", nameOf(layer)}, {"value", nullptr}, {"place", ""}});
   }
   return list;
 }
 
+/// As programs describe their settings (control::description), with the value.
 json describe(const Layers& layers, const Row& row) {
   const Given* given = layers.last(row);
-  return {{"name", row.name},
-          {"value", printValue(row, layers.session)},
-          {"layer", nameOf(given ? given->layer : Layer::builtIn)},
-          {"place", given ? given->place : ""},
-          {"default", printValue(row, Session{})},
-          {"values", allowedValues(row)},
-          {"unit", row.unit},
-          {"applies", kApplies[static_cast<size_t>(row.applies)]},
-          {"changesPicture", row.changes == Changes::picture},
-          {"help", row.help}};
+  json one = control::description(row);
+  one["value"] = control::valueOf(row, printValue(row, layers.session));
+  one["layer"] = nameOf(given ? given->layer : Layer::builtIn);
+  one["place"] = given ? given->place : "";
+  return one;
 }
 
 void printWhy(const Layers& layers, const Row& row) {
@@ -76,14 +85,14 @@ void printWhy(const Layers& layers, const Row& row) {
             << "\n";
   TextTable table("lll");
   for (const json& layer : layersOf(layers, row))
-    table.row({layer["layer"], layer["value"].is_null() ? "-" : shown(layer["value"]),
+    table.row({layer["layer"], valueText(std::string(row.name), layer["value"]),
                printable(layer["place"].get<std::string>())});
   std::cout << table.text("  ");
 }
 
 json all(const Layers& layers, const Row& row) {
   json one = describe(layers, row);
-  one["more"] = row.more, one["layers"] = layersOf(layers, row);
+  one["layers"] = layersOf(layers, row);
   return one;
 }
 

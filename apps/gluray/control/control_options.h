@@ -1,0 +1,40 @@
+// Commands that talk to running programs (set, watch ...): their words and options.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace gluray::launcher {
+
+struct CommandLine;
+enum class Command;
+
+/// What these commands are given.
+struct ControlOptions {
+  std::vector<std::string> programs;  // numbers of `gluray list`, process ids, names; empty: all
+  std::vector<std::string> values;    // NAME=VALUE
+  std::vector<std::string> resets;    // names of settings that go back to what the other layers say
+  std::string preset;
+  std::string hub, keyFile;  // "HOST:PORT" and its key; empty: as the settings say
+  bool live = false;         // get: ask the running programs, also where `programs` is empty
+  bool state = false;        // watch: a line a second
+  double seconds = 0;        // watch: ends after that time; 0: never
+};
+
+/// Whether the word names one of these commands, and which one.
+bool namesControlCommand(const std::string& word, Command& command);
+bool isControlCommand(Command command);
+
+/// Adds the options and the help text of the command in `line`, unless it is not one of these commands.
+bool describeControl(CLI::App& app, CommandLine& line);
+
+/// -p, --hub and --key; without --hub where the command has the options of settings.
+void addProgramOptions(CLI::App& app, ControlOptions& options, bool settingsHaveOptions);
+
+/// Carries the command in `line` out, unless it is not one of these commands. Returns its exit code.
+bool performControl(const CommandLine& line, int& exitCode);
+
+}  // namespace gluray::launcher

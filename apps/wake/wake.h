@@ -1,0 +1,11 @@
+// Makes programs that wait for something draw a frame.
+#pragma once
+#include <string>
+
+namespace gluray {
+
+/// Asks the X server to expose the window, so that its program draws it again. Returns at once; ignores
+/// errors. Any thread.
+void wakeWindow(const std::string& display, unsigned long window);
+
+}  // namespace gluray

@@ -1,0 +1,157 @@
+"""Settings of programs that run under GLuRay.
+
+    import gluray
+    gluray.set(ao=True, ao_samples=16)      # in all programs
+    p = gluray.programs()[0]
+    p["ao.samples"] = 32
+    with gluray.settings(shadows=True):     # for as long as the block lasts
+        ...
+
+Talks to the hub (docs/control-protocol.md): that of gluray panel or gluray hub, or, where none runs, `gluray hub` as a child process,
+which ends with this one; $GLURAY is the path of the program gluray if it is not on the PATH. $GLURAY_HUB ("HOST:PORT") and
+$GLURAY_HUB_KEY (a file), or connect(), name the hub of another machine.
+
+Every failure is a GlurayError, whose text is one line. No call but watch() waits longer than some seconds
+for the hub or a program.
+"""
+import contextlib
+import json
+import subprocess
+import time
+
+from . import hub as _hub
+from .errors import GlurayError, HubError
+from .hub import connect
+from .program import Program
+
+__all__ = ["GlurayError", "HubError", "Program", "connect", "help", "preset", "programs", "redo", "set", "settings", "undo", "watch"]
+
+
+def programs(name=None):
+    """The programs that run under GLuRay; with `name` those of that name. A list of Program, possibly empty."""
+    return [p for p in _by_number(_hub.ask({"type": "list"})).values() if name is None or p.name == name]
+
+
+def _by_number(message):
+    """The programs of an answer or an event, by their numbers."""
+    entries = message.get("programs")
+    entries = entries if isinstance(entries, list) else []
+    return {entry["program"]: Program(entry) for entry in entries if isinstance(entry, dict) and isinstance(entry.get("program"), int)}
+
+
+def _some():
+    found = programs()
+    if not found:
+        raise GlurayError("no program runs under GLuRay; start one with: gluray PROGRAM")
+    return found
+
+
+def set(values=None, **more):
+    """Changes settings of all programs: gluray.set(ao=True, **{"ao.samples": 16}). A value None: what the other layers say.
+
+    Returns the first frames with the new values, by Program (see Program.set). Raises GlurayError if a program refuses; the
+    others have changed then.
+    """
+    return _each(lambda p: p.set(values, **more))
+
+
+def preset(name):
+    """Applies a preset to all programs."""
+    return _each(lambda p: p.preset(name))
+
+
+def undo():
+    """Takes back the last change of settings in all programs."""
+    return _each(lambda p: p.undo())
+
+
+def redo():
+    """Makes the change again that was taken back last, in all programs."""
+    return _each(lambda p: p.redo())
+
+
+def _each(act):
+    frames, failures = {}, []
+    for p in _some():
+        try:
+            frames[p] = act(p)
+        except HubError:
+            raise
+        except GlurayError as error:
+            failures.append(str(error))
+    if failures:
+        raise GlurayError("; ".join(failures))
+    return frames
+
+
+@contextlib.contextmanager
+def settings(values=None, **more):
+    """`with gluray.settings(ao=True):` settings of all programs, which get back what they had at the end."""
+    with contextlib.ExitStack() as stack:
+        for p in _some():
+            stack.enter_context(p.changed(values, **more))
+        yield
+
+
+def watch(what=("settings", "programs"), every=1.0, seconds=None):
+    """Events as they come: dicts as docs/control-protocol.md (Events) says, with a Program or None as "program".
+
+    `what`: of "settings", "programs", "state"; `every`: seconds between two events "state" of one program; ends after `seconds`
+    (None: when the hub ends, which raises HubError, or the loop is left).
+    """
+    connection = _hub.another()
+    try:
+        # Observes before it asks for the programs, so that none is missed.
+        connection.ask({"type": "observe", "program": "all", "what": list(what), "every": every})
+        known = _by_number(connection.ask({"type": "list"}))
+        end = None if seconds is None else time.monotonic() + seconds
+        while end is None or time.monotonic() < end:
+            event = connection.event(1.0 if end is None else max(0.0, min(1.0, end - time.monotonic())))
+            if event is None:
+                continue
+            if event.get("what") == "programs":
+                now = _by_number(event)
+                known = {number: known.get(number, p) for number, p in now.items()}
+                yield {"what": "programs", "programs": list(known.values())}
+            else:
+                number = event.get("program")
+                rest = {name: value for name, value in event.items() if name not in ("type", "program")}
+                yield {**rest, "program": known.get(number) if isinstance(number, int) else None}
+    finally:
+        connection.close()
+
+
+def help(name):
+    """Prints what a setting is, its unit, and the values that it takes."""
+    try:
+        found = programs()
+    except GlurayError:
+        found = []
+    if found:
+        name = found[0].resolve(name)
+        row = found[0].describe().get(name)
+        if row is None:
+            found[0].why(name)  # raises with the nearest name
+            raise GlurayError(f"no setting is called '{name}'")
+    else:
+        row = _row_of_executable(name)
+    print(f"{row['name']} (default: {json.dumps(row.get('default'))})")
+    print("  " + " ".join(f"{row.get('help', '')} {row.get('more', '')}".split()))
+    for word in row.get("words") or []:
+        if word.get("help"):
+            print(f"    {word['word']}: {word['help']}")
+    if row.get("values"):
+        print(f"  Values: {row['values']}" + (f" {row['unit']}" if row.get("unit") else ""))
+
+
+def _row_of_executable(name):
+    program = _hub.executable()
+    if not program:
+        raise GlurayError("no program runs under GLuRay, and gluray is not on the PATH; set GLURAY to its path")
+    try:
+        done = subprocess.run([program, "get", "--json", name], capture_output=True, text=True, timeout=10)
+        if done.returncode:
+            raise GlurayError(done.stderr.strip().replace("gluray: ", "", 1))
+        return json.loads(done.stdout)[0]
+    except (OSError, ValueError, subprocess.TimeoutExpired) as error:
+        raise GlurayError(f"{program}: {error}") from None

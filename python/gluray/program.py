@@ -1,0 +1,163 @@
+"""One program that runs under GLuRay."""
+import contextlib
+import secrets
+import time
+
+from . import hub
+from .errors import GlurayError
+
+
+class Program:
+    """A program that runs under GLuRay: `name`, `pid`, `host`, `ranks` (of an MPI job), `since` (seconds since 1970).
+
+    p["ao.samples"] reads and writes a setting. Methods raise GlurayError, whose text is one line that says what to do.
+    """
+
+    def __init__(self, entry):
+        self._take(entry)
+        self._names, self._gesture = None, None
+
+    def _take(self, entry):
+        self._entry, self._generation = entry, hub.generation
+        self.name, self.pid, self.host = str(entry.get("name", "")), entry.get("pid"), str(entry.get("host", ""))
+        self.ranks, self.since = entry.get("ranks", 1), entry.get("since", 0)
+
+    def __repr__(self):
+        return f"<gluray.Program {self.name} ({self.pid})>"
+
+    def __eq__(self, other):
+        return isinstance(other, Program) and (self.pid, self.host, self.name) == (other.pid, other.host, other.name)
+
+    def __hash__(self):
+        return hash((self.pid, self.host, self.name))
+
+    # Settings
+
+    def get(self, name):
+        """The value of a setting: a bool, number, text or list."""
+        return self.why(name)["value"]
+
+    def why(self, name):
+        """{"value": ..., "layer": "live", "place": ""}: a setting's value and what it comes from."""
+        name = self.resolve(name)
+        found = self._ask({"type": "get", "names": [name]}).get("values")
+        if not isinstance(found, dict) or not isinstance(found.get(name), dict) or "value" not in found[name]:
+            raise GlurayError(f"{self.name} ({self.pid}): {name}: it does not answer")
+        return found[name]
+
+    def settings(self):
+        """The values of all settings, by name."""
+        found = self._ask({"type": "get", "names": []}).get("values")
+        return {name: one.get("value") for name, one in sorted(found.items()) if isinstance(one, dict)} if isinstance(found, dict) else {}
+
+    def set(self, values=None, **more):
+        """Changes settings, all or none: p.set({"ao.samples": 16}), p.set(ao=True, ao_samples=16).
+
+        A value None gives the setting what files, variables ... say. Returns the number of the first frame with the new values,
+        counted from the program's first; None if it draws nothing now: they count from its next frame.
+        """
+        changes = {self.resolve(name): value for name, value in {**(values or {}), **more}.items()}
+        request = {"type": "set", "values": changes}
+        if self._gesture:
+            request["gesture"] = self._gesture
+        return self._ask(request).get("frame")
+
+    def __getitem__(self, name):
+        return self.get(name)
+
+    def __setitem__(self, name, value):
+        self.set({name: value})
+
+    def preset(self, name):
+        """Applies a preset by its name, or "none". Returns as set()."""
+        return self.set({"preset": name})
+
+    def undo(self):
+        """Takes back the last change of settings by any client. Returns the first frame without it, as set()."""
+        return self._ask({"type": "undo"}).get("frame")
+
+    def redo(self):
+        """Makes the change again that was taken back last. Returns as set()."""
+        return self._ask({"type": "redo"}).get("frame")
+
+    @contextlib.contextmanager
+    def gesture(self):
+        """`with p.gesture():` all changes inside are undone together."""
+        outer, self._gesture = self._gesture, self._gesture or secrets.token_hex(8)
+        try:
+            yield self
+        finally:
+            self._gesture = outer
+
+    @contextlib.contextmanager
+    def changed(self, values=None, **more):
+        """`with p.changed(ao=True):` the settings get back what they had at the end."""
+        names = [self.resolve(name) for name in {**(values or {}), **more}]
+        before = {name: self.why(name) for name in names}
+        self.set(values, **more)
+        try:
+            yield self
+        finally:
+            self.set({name: one["value"] if one.get("layer") == "live" else None for name, one in before.items()})
+
+    def describe(self):
+        """What is to be known of each setting, by name: type, default, least, most, words, unit, help ..."""
+        rows = self._ask({"type": "describe"}).get("settings")
+        return {row["name"]: row for row in rows or [] if isinstance(row, dict) and isinstance(row.get("name"), str)}
+
+    def resolve(self, name):
+        """The setting that a name means: "ao.samples" itself, or ao_samples, if only one setting's name is spelt so."""
+        if not isinstance(name, str):
+            raise GlurayError(f"{name!r} is no name of a setting")
+        if "_" not in name:
+            return name
+        if self._names is None:
+            self._names = list(self.describe())
+        same = [known for known in self._names if known.replace(".", "_").replace("-", "_") == name]
+        if name in self._names or not same:
+            return name
+        if len(same) > 1:
+            raise GlurayError(f"{name} may mean {' or '.join(same)}; use the setting's own name")
+        return same[0]
+
+    # State
+
+    def state(self, seconds=5.0):
+        """What the program does, as a dict: frame, fps (frames a second), triangles, traced (share, 0 to 1), memory (bytes),
+        noise, passes, windows, opengl, warnings ... (docs/control-protocol.md, Events). Waits at most `seconds`."""
+        connection = hub.another()
+        try:
+            end = time.monotonic() + seconds
+            connection.ask({"type": "observe", "program": self._number(), "what": ["state"], "every": 0.05}, seconds)
+            while time.monotonic() < end:
+                event = connection.event(end - time.monotonic())
+                if event and event.get("what") == "state" and isinstance(event.get("state"), dict):
+                    return event["state"]
+        finally:
+            connection.close()
+        raise GlurayError(f"{self.name} ({self.pid}): it does not tell its state")
+
+    def _number(self):
+        """Its number at the present hub. Raises GlurayError if the program has ended."""
+        if self._generation != hub.ensure():
+            answer = hub.ask({"type": "list"})
+            for entry in answer.get("programs") or []:
+                if isinstance(entry, dict) and (entry.get("pid"), entry.get("host")) == (self.pid, self.host):
+                    self._take(entry)
+                    break
+            else:
+                raise GlurayError(f"{self.name} ({self.pid}): it has ended")
+        return self._entry.get("program")
+
+    def _ask(self, request):
+        number = self._number()
+        try:
+            answer = hub.ask({**request, "program": number}, of=self._generation)
+        except (TypeError, ValueError) as error:
+            raise GlurayError(f"a value is no boolean, number, text or list: {error}") from None
+        for result in answer.get("results") or []:
+            if isinstance(result, dict) and result.get("program") == number:
+                if "why" in result:
+                    raise GlurayError(f"{self.name} ({self.pid}): {' '.join(str(result['why']).split())}")
+                return result
+        raise GlurayError(f"{self.name} ({self.pid}): it does not answer")

@@ -1,0 +1,276 @@
+"""import gluray, with a hub that only pretends: python_test.py GLURAY PYTHON_FOLDER."""
+import contextlib
+import io
+import itertools
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+
+from fake_hub import FakeHub, line_of
+
+# What $GLURAY is in the tests: `gluray hub` by a hub that pretends.
+HUB = """#!{python}
+import json, os, signal, sys
+sys.path.insert(0, {folder!r})
+from fake_hub import FakeHub
+if {fails!r}:
+    sys.exit("gluray: {fails}")
+hub = FakeHub(os.environ["GLURAY_RUNTIME"], json.load(open({rows!r})))
+signal.signal(signal.SIGTERM, lambda *_: (hub.end(), sys.exit(0)))
+hub.add("late", 9)
+while True:
+    signal.pause()
+"""
+
+
+class Python(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        os.environ |= {"GLURAY_RUNTIME": str(self.folder / "run"), "GLURAY": "/nowhere/gluray", "XDG_CONFIG_HOME": "/nowhere"}
+        self.addCleanup(gluray.hub._drop)
+
+    def hub(self, **options):
+        hub = FakeHub(self.folder / "run", ROWS, **options)
+        self.addCleanup(hub.end)
+        return hub
+
+    def two(self):
+        hub = self.hub()
+        first, second = hub.add("paraview", 4242), hub.add("vmd", 77)
+        second.frame = None
+        return hub, first, second
+
+    def refusal(self, act, kind=None):
+        with self.assertRaises(kind or gluray.GlurayError) as raised:
+            act()
+        self.assertNotIn("\n", str(raised.exception))
+        return str(raised.exception)
+
+    def test_programs(self):
+        self.two()
+        paraview, vmd = gluray.programs()
+        self.assertEqual((paraview.name, paraview.pid, paraview.ranks, paraview.since, repr(vmd)), ("paraview", 4242, 1, 1764000000.5, "<gluray.Program vmd (77)>"))
+        self.assertEqual(gluray.programs("vmd"), [vmd])
+
+    def test_set_and_get(self):
+        _, first, second = self.two()
+        paraview, vmd = gluray.programs()
+        self.assertEqual(gluray.set(ao=True, **{"ao.samples": 8}), {paraview: 1042, vmd: None})
+        self.assertEqual((first.live, second.live), ({"ao": True, "ao.samples": 8},) * 2)
+        paraview["ao.samples"] = 32
+        self.assertEqual((paraview["ao.samples"], paraview.get("ao"), vmd["ao.samples"]), (32, True, 8))
+        self.assertEqual(paraview.why("ao.samples"), {"value": 32, "layer": "live", "place": ""})
+        self.assertEqual(paraview.set({"ao": None}, ao_samples=4), 1042)
+        self.assertEqual(first.live, {"ao.samples": 4})
+        self.assertEqual(paraview.settings()["ao.samples"], 4)
+        self.assertEqual(vmd.preset("draft"), None)
+        self.assertEqual(second.live["preset"], "draft")
+        gluray.preset("paper")
+        self.assertEqual(first.live["preset"], "paper")
+
+    def test_undo_and_gestures(self):
+        _, first, _ = self.two()
+        p = gluray.programs()[0]
+        with p.gesture():
+            for samples in (1, 2, 3):
+                p["ao.samples"] = samples
+        p["spp"] = 4
+        gluray.programs("vmd")[0].set(spp=2)
+        gluray.undo()
+        self.assertEqual(first.live, {"ao.samples": 3})
+        p.undo()
+        self.assertEqual((first.live, p.redo(), first.live), ({}, 1042, {"ao.samples": 3}))
+        gluray.redo()
+        p.undo(), p.undo()
+        self.assertEqual(self.refusal(p.undo), "paraview (4242): there is nothing to undo")
+
+    def test_settings_for_a_while(self):
+        _, first, second = self.two()
+        gluray.programs()[0]["spp"] = 2
+        with self.assertRaises(ZeroDivisionError), gluray.settings(ao=True, spp=4):
+            self.assertEqual((first.live, second.live), ({"ao": True, "spp": 4},) * 2)
+            gluray.programs()[0]["ao.samples"] = 3
+            1 / 0
+        self.assertEqual((first.live, second.live), ({"spp": 2, "ao.samples": 3}, {}))
+
+    def test_names(self):
+        hub, first, _ = self.two()
+        hub.rows += [{"name": "a.b-c", "value": 1, "layer": "built-in", "place": "", "default": 1}, {"name": "a.b.c", "value": 1, "layer": "built-in", "place": "", "default": 1}]
+        p = gluray.programs()[0]
+        p.set(camera_f_number=4, log_level="debug")
+        self.assertEqual(first.live, {"camera.f-number": 4, "log-level": "debug"})
+        self.assertEqual(self.refusal(lambda: p.set(ao_sample=1)), "paraview (4242): no setting is called 'ao_sample'")
+        self.assertIn("no name", self.refusal(lambda: p.set({3: 1})))
+        hub.add("third", 3)
+        third = gluray.programs("third")[0]
+        self.assertEqual(self.refusal(lambda: third.get("a_b_c")), "a_b_c may mean a.b-c or a.b.c; use the setting's own name")
+
+    def test_values(self):
+        _, first, _ = self.two()
+        p = gluray.programs()[0]
+
+        class Array:
+            def tolist(self):
+                return [1.0, 0.5]
+
+        p["lights.up"] = Array()
+        self.assertEqual(first.live["lights.up"], [1.0, 0.5])
+        for value in (object(), float("nan"), {1, 2}):
+            self.assertIn("a value is no boolean, number, text or list", self.refusal(lambda: p.set(spp=value)))
+        self.assertEqual(p["spp"], 1)
+        self.assertIn("longer than 1 MiB", self.refusal(lambda: p.set(report="x" * (1 << 20))))
+
+    def test_programs_refuse(self):
+        _, first, second = self.two()
+        first.refuses["spp"] = "spp: not\nnow"
+        self.assertEqual(self.refusal(lambda: gluray.set(spp=4)), "paraview (4242): spp: not now")
+        self.assertEqual(second.live, {"spp": 4})
+
+    def test_state(self):
+        hub, *_ = self.two()
+        p = gluray.programs()[0]
+        threading.Timer(0.3, lambda: hub.tell({"type": "event", "what": "state", "program": 1, "state": {"fps": 24.0}})).start()
+        self.assertEqual(p.state(), {"fps": 24.0})
+        self.assertEqual(self.refusal(lambda: p.state(seconds=0.2)), "paraview (4242): it does not tell its state")
+
+    def test_watch(self):
+        hub, first, second = self.two()
+        events = gluray.watch(seconds=20)
+        threading.Timer(0.3, lambda: (gluray.set(spp=4), hub.add("third", 3), hub.remove(second))).start()
+        seen = list(itertools.islice((e for e in events if e.get("values") != {}), 4))
+        self.assertEqual([(e["what"], e["program"].name, e["values"]["spp"]["value"]) for e in seen[:2]], [("settings", "paraview", 4), ("settings", "vmd", 4)])
+        self.assertEqual([[p.name for p in e["programs"]] for e in seen[2:]], [["paraview", "vmd", "third"], ["paraview", "third"]])
+        events.close()
+        self.assertEqual(list(gluray.watch(what=["programs"], seconds=0.2)), [])
+        events = gluray.watch()
+        hub.add("fourth", 4)
+        threading.Timer(0.3, hub.end).start()
+        with self.assertRaisesRegex(gluray.HubError, "the connection to the hub ended"):
+            list(events)
+
+    def test_help(self):
+        os.environ["GLURAY"] = GLURAY
+        hub, *_ = self.two()
+        for _ in range(2):  # from a program, then from the executable
+            text = io.StringIO()
+            with contextlib.redirect_stdout(text):
+                gluray.help("ao.samples")
+            self.assertIn("ao.samples (default: 16)", text.getvalue())
+            self.assertIn("from 1 to 4096", text.getvalue())
+            self.refusal(lambda: gluray.help("ao.sample"))
+            hub.end()
+            hub = self.hub()
+
+    def test_no_program(self):
+        self.hub()
+        for act in (lambda: gluray.set(spp=4), gluray.undo, lambda: gluray.settings(spp=4).__enter__()):
+            self.assertEqual(self.refusal(act), "no program runs under GLuRay; start one with: gluray PROGRAM")
+        self.assertEqual(gluray.programs(), [])
+
+    def test_no_hub(self):
+        self.assertEqual(self.refusal(gluray.programs, gluray.HubError), "/nowhere/gluray: No such file or directory; set GLURAY to the path of the program gluray")
+        del os.environ["GLURAY"]
+        path, os.environ["PATH"] = os.environ["PATH"], "/nowhere"
+        try:
+            self.assertEqual(self.refusal(gluray.programs), "no hub runs here; start gluray panel or gluray hub, or set GLURAY to the path of the program gluray")
+        finally:
+            os.environ["PATH"] = path
+
+    def own_hub(self, fails=""):
+        script, rows = self.folder / "gluray", self.folder / "rows"
+        rows.write_text(json.dumps(ROWS))
+        script.write_text(HUB.format(python=sys.executable, folder=str(pathlib.Path(__file__).parent), rows=str(rows), fails=fails))
+        script.chmod(0o755)
+        os.environ["GLURAY"] = str(script)
+
+    def test_a_hub_of_its_own_ends_with_the_process(self):
+        self.own_hub()
+        done = subprocess.run([sys.executable, "-c", "import gluray; print(gluray.programs()); gluray.set(ao=True)"], capture_output=True, text=True, timeout=30,
+                              env={**os.environ, "PYTHONPATH": FOLDER})
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "[<gluray.Program late (9)>]\n", ""))
+        self.assertFalse((self.folder / "run/hub.sock").exists())
+
+    def test_a_hub_of_its_own_that_does_not_start(self):
+        self.own_hub("another hub hangs")
+        self.assertEqual(self.refusal(gluray.programs), "gluray: another hub hangs")
+
+    def test_a_hub_that_ends_is_found_again(self):
+        hub, first, _ = self.two()
+        p = gluray.programs()[1]
+        hub.end()
+        time.sleep(0.1)
+        hub = self.hub()
+        hub.add("other", 5), hub.add("more", 6)
+        vmd = hub.add("vmd", 77)
+        p["spp"] = 4  # has another number now
+        self.assertEqual([one.live for one in hub.programs.values()], [{}, {}, {"spp": 4}])
+        hub.remove(vmd)
+        gluray.hub._drop()
+        self.assertEqual(self.refusal(lambda: p.get("spp")), "vmd (77): it has ended")
+
+    def test_hubs_that_fail(self):
+        for instead, line in (("end", "the connection to the hub ended"), ("garbage", "is no message"), ({"why": "the hub is\nbusy"}, "the hub is busy"),
+                              ({"results": [3, {"program": "x"}]}, "does not answer"), ({}, "does not answer"), ({"results": [{"program": 1, "why": 3}]}, ": 3")):
+            hub = self.hub()
+            hub.add("paraview", 4242)
+            hub.instead["set"] = instead
+            p = gluray.programs()[0]
+            self.assertIn(line, self.refusal(lambda: p.set(spp=4)))
+            hub.end()
+            gluray.hub._drop()
+
+    def test_hubs_that_never_answer(self):
+        hub = self.hub()
+        hub.instead["list"] = "silence"
+        begin = time.monotonic()
+        self.assertIn("the hub does not answer", self.refusal(gluray.programs))
+        self.assertLess(time.monotonic() - begin, 8)
+
+    def test_other_listeners_are_refused(self):
+        for hello, line in ((line_of({"type": "hello", "version": 0, "role": "hub"}), "no hub of GLuRay"), (b"SSH-2.0-OpenSSH_9.2\n", "is no message"),
+                            (b"[" * 100000 + b"\n", "is no message"), (line_of({"type": "error", "why": "the hub is full"}), "the hub is full")):
+            hub = self.hub(hello=hello)
+            self.assertIn(line, self.refusal(gluray.programs))
+            hub.end()
+
+    def test_unsafe_directories_are_refused(self):
+        (self.folder / "run").mkdir(mode=0o755)
+        self.assertIn("mode 700", self.refusal(gluray.programs))
+
+    def test_tcp(self):
+        key = self.folder / "key"
+        key.write_bytes(b"k" * 32)
+        key.chmod(0o600)
+        hub = self.hub(key=b"k" * 32)
+        hub.add("paraview", 4242)
+        self.addCleanup(setattr, gluray.hub, "_address", ("", ""))
+        gluray.connect(hub.address, str(key))
+        gluray.set(spp=4)
+        self.assertEqual(gluray.programs()[0]["spp"], 4)
+        self.assertIn("HOST:PORT", self.refusal(lambda: gluray.connect("nowhere", str(key))))
+        key.write_bytes(b"l" * 32)
+        self.assertIn("same key file", self.refusal(lambda: gluray.connect(hub.address, str(key))))
+        key.write_bytes(b"k" * 31)
+        self.assertIn("at least 32 bytes", self.refusal(lambda: gluray.connect(hub.address, str(key))))
+        key.chmod(0o644)
+        self.assertIn("chmod 600", self.refusal(lambda: gluray.connect(hub.address, str(key))))
+        self.assertIn("no key file", self.refusal(lambda: gluray.connect(hub.address)))
+
+
+if __name__ == "__main__":
+    GLURAY, FOLDER = sys.argv[1:3]
+    sys.path.insert(0, FOLDER)
+    sys.dont_write_bytecode = True
+    for variable in [name for name in os.environ if name.startswith("GLURAY")]:
+        del os.environ[variable]
+    import gluray
+    ROWS = json.loads(subprocess.run([GLURAY, "settings", "--json"], capture_output=True, check=True, cwd="/", env={**os.environ, "XDG_CONFIG_HOME": "/nowhere"}).stdout)
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:], verbosity=2)
