@@ -36,5 +36,47 @@ TEST(SettingsSource, StoresAndReadsMayOverlap) {
   EXPECT_EQ(source.current()->spp, 1000);
 }
 
+TEST(SettingsSource, FramesThatTookAVersionAreKnown) {
+  SettingsSource source;
+  uint64_t version = 0;
+  EXPECT_EQ(source.frame(), 1u);
+  EXPECT_FALSE(source.firstFrameWith(1));
+  EXPECT_TRUE(source.take(version));
+  EXPECT_EQ(source.firstFrameWith(1), 1u);
+  source.beginFrame();
+  EXPECT_EQ(source.take(version), nullptr);
+  source.store({}), source.store({});
+  EXPECT_FALSE(source.firstFrameWith(2));
+  source.beginFrame();
+  EXPECT_TRUE(source.take(version));
+  uint64_t other = 0;  // of another context
+  source.beginFrame();
+  EXPECT_TRUE(source.take(other));
+  EXPECT_EQ(source.firstFrameWith(2), 3u);
+  EXPECT_EQ(source.firstFrameWith(3), 3u);
+  EXPECT_FALSE(source.firstFrameWith(4));
+}
+
+TEST(SettingsSource, LaterSettingsCountInTheirFrame) {
+  SettingsSource source;
+  uint64_t version = 0;
+  source.take(version);
+  Settings next;
+  next.spp = 4;
+  const uint64_t ticket = source.storeAt(3, next);
+  source.beginFrame();
+  EXPECT_EQ(source.take(version), nullptr);
+  EXPECT_FALSE(source.counts(ticket));
+  Settings both = next;
+  both.threads = 2, next.threads = 2, next.spp = 1;
+  source.storeBoth(next, both);
+  EXPECT_EQ(source.take(version)->spp, 1);
+  source.beginFrame();
+  EXPECT_EQ(*source.take(version), both);
+  EXPECT_EQ(source.firstFrameOfTicket(ticket), 3u);
+  source.storeBoth(next, both);
+  EXPECT_EQ(*source.current(), both) << "nothing waits";
+}
+
 }  // namespace
 }  // namespace gluray

@@ -47,6 +47,7 @@ void FrameEnds::afterSwap() {
   chooseEngine();
   ++p_.clock.frame;
   begun_ = false, drawsBefore_ = draws();
+  p_.settings.beginFrame();
   p_.failsafe.protect([&] { takeSettings(); });
   p_.surfaces.passes.clear();
   p_.surfaces.coplanar.clear();
@@ -118,7 +119,10 @@ void FrameEnds::cleared(GLbitfield mask) {
   const int patience = p_.counts.statistics.frames > 0 ? 64 : 4;
   if (++clears_ < patience) return;
   forgetOld();
-  if (p_.counts.statistics.frames == 0) p_.failsafe.protect([&] { takeSettings(); });
+  if (p_.counts.statistics.frames == 0) {
+    p_.settings.beginFrame();
+    p_.failsafe.protect([&] { takeSettings(); });
+  }
   p_.surfaces.passes.forgetMany();  // in framebuffers whose depth is never cleared
 }
 

@@ -20,12 +20,16 @@ class FrameSettings {
       : source_(info.source), now_(source_ ? *source_->current() : info.settings) {}
 
   const Settings& now() const { return now_; }
-  /// Call when a frame begins: takes the current settings, except those that are fixed for the context.
-  /// Returns whether the source had new ones.
+  /// Call when a frame begins, before take(): counts it.
+  void beginFrame() noexcept {
+    if (source_) source_->beginFrame();
+  }
+  /// Call when a frame begins, and again before its first command: takes the current settings, except those
+  /// that are fixed for the context. Returns whether the source had new ones.
   bool take();
 
  private:
-  const SettingsSource* const source_;
+  SettingsSource* const source_;
   Settings now_;
   uint64_t version_ = 0;  // the source's version when now_ was taken
 };
