@@ -57,8 +57,8 @@ class LiveSettings {
     std::string place;  // as in Given; empty: built in
     bool operator==(const Value&) const = default;
   };
-  /// All settings that may stand in files. Changes that wait for a frame are not among them.
-  std::vector<Value> values();
+  /// All settings that may stand in files. `waiting`: with changes that wait for a frame.
+  std::vector<Value> values(bool waiting = false);
   /// Increases whenever values() may have changed.
   uint64_t revision() noexcept;
 

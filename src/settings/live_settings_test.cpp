@@ -202,7 +202,7 @@ TEST_F(Live, ChangesMayWaitForAFrame) {
   uint64_t version = source_.version();
   const LiveSettings::Answer answer = live_.change(Changes{{"spp", "8"}}, 3);
   EXPECT_EQ(answer.why, "");
-  source_.beginFrame();
+  source_.endFrame();
   EXPECT_EQ(source_.take(version), nullptr);
   EXPECT_EQ(spp(), 1);
   EXPECT_FALSE(live_.firstFrameWith(answer));
@@ -210,7 +210,7 @@ TEST_F(Live, ChangesMayWaitForAFrame) {
   look();
   EXPECT_EQ(source_.current()->threads, 3);
   EXPECT_EQ(spp(), 1);
-  source_.beginFrame();
+  source_.endFrame(), source_.beginFrame();
   ASSERT_TRUE(source_.take(version));
   EXPECT_EQ(spp(), 8);
   EXPECT_EQ(source_.current()->threads, 3) << "files that changed meanwhile count, too";
@@ -228,7 +228,7 @@ TEST_F(Live, ChangesThatWaitCountWithLaterOnes) {
   EXPECT_EQ(spp(), 8);
   EXPECT_EQ(source_.current()->threads, 3);
   uint64_t version = 0;
-  source_.beginFrame(), source_.take(version);
+  source_.endFrame(), source_.take(version), source_.beginFrame();
   EXPECT_EQ(live_.firstFrameWith(waits), 2u);
   EXPECT_EQ(live_.firstFrameWith(answer), 2u);
   EXPECT_EQ(whyOf({{"spp", {}}}), "");
@@ -237,11 +237,11 @@ TEST_F(Live, ChangesThatWaitCountWithLaterOnes) {
 
 TEST_F(Live, FramesThatHaveBegunAreNotWaitedFor) {
   live_.start(sources_);
-  for (int i = 0; i < 9; ++i) source_.beginFrame();
+  for (int i = 0; i < 9; ++i) source_.endFrame();
   const LiveSettings::Answer answer = live_.change(Changes{{"spp", "8"}}, 5);
   EXPECT_EQ(spp(), 8);
   uint64_t version = 0;
-  source_.beginFrame(), source_.take(version);
+  source_.endFrame(), source_.take(version), source_.beginFrame();
   EXPECT_EQ(live_.firstFrameWith(answer), 11u);
 }
 

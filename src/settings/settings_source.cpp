@@ -50,9 +50,30 @@ void SettingsSource::storeBoth(const Settings& now, const Settings& later) {
   publish(waits ? next : then);
 }
 
+void SettingsSource::endFrame() noexcept {
+  constexpr auto relaxed = std::memory_order_relaxed;
+  if (const uint64_t frame = this->frame(); begun_.load(relaxed) < frame)
+    noteBegun(frame, ended_.load(relaxed));
+  ended_.store(nowSeconds(), relaxed);
+  frame_.fetch_add(1, relaxed);
+}
+
 void SettingsSource::beginFrame() noexcept {
-  began_.store(nowSeconds(), std::memory_order_relaxed);
-  frame_.fetch_add(1, std::memory_order_relaxed);
+  if (const uint64_t frame = this->frame(); begun_.load(std::memory_order_relaxed) < frame)
+    noteBegun(frame, nowSeconds());
+}
+
+void SettingsSource::noteBegun(uint64_t frame, double when) noexcept {
+  before_.store(began_.load(std::memory_order_relaxed), std::memory_order_relaxed);
+  began_.store(when, std::memory_order_relaxed);
+  begun_.store(frame, std::memory_order_release);
+}
+
+SettingsSource::Begun SettingsSource::begun() const noexcept {
+  constexpr auto relaxed = std::memory_order_relaxed;
+  Begun now{begun_.load(std::memory_order_acquire), began_.load(relaxed), before_.load(relaxed), 0};
+  now.active = std::max(now.began, ended_.load(relaxed));
+  return now;
 }
 
 SettingsSource::Shared SettingsSource::take(uint64_t& version) noexcept {
@@ -74,9 +95,10 @@ void SettingsSource::note(uint64_t version) noexcept {
 }
 
 std::optional<uint64_t> SettingsSource::firstFrame(uint64_t version) const {
-  for (const Taken& taken : taken_)
-    if (taken.version >= version) return taken.frame;
-  return std::nullopt;
+  const auto found = std::find_if(taken_.begin(), taken_.end(),
+                                  [&](const Taken& taken) { return taken.version >= version; });
+  if (found == taken_.end() || found->frame > begun_.load(std::memory_order_acquire)) return std::nullopt;
+  return found->frame;
 }
 
 std::optional<uint64_t> SettingsSource::firstFrameWith(uint64_t version) const {

@@ -34,19 +34,27 @@ class SettingsSource {
   /// already, stores `later`.
   void storeBoth(const Settings& now, const Settings& later);
 
-  // Frames:
-  /// Call when a frame begins. One frame is begun by the process: numbers count all contexts together.
+  // Frames, counted from 1, all contexts together. A frame begins with its first clear; one without a clear,
+  // when the frame before it is shown.
+  /// Call when a frame has been shown.
+  void endFrame() noexcept;
+  /// Call before a frame's first clear.
   void beginFrame() noexcept;
-  /// The number of the process's frame that began last, from 1.
+  /// The number of the frame that is drawn, or that will be drawn next.
   uint64_t frame() const noexcept { return frame_.load(std::memory_order_relaxed); }
-  /// When it began, on the clock nowSeconds(); 0: it is the first.
-  double frameBegan() const noexcept { return began_.load(std::memory_order_relaxed); }
-  /// Call when a frame begins or before its first command: looks, and returns the settings if their version
-  /// is not `version`, which becomes theirs. Null: nothing new.
+  /// The last frame that has begun. Times are those of nowSeconds().
+  struct Begun {
+    uint64_t frame = 0;
+    double began = 0, before = 0;  // when it began, and the one before it; 0: never
+    double active = 0;             // when a frame last began or was shown; 0: never
+  };
+  Begun begun() const noexcept;
+  /// Call when a frame has been shown, and before the first clear of the next: looks, and returns the
+  /// settings if their version is not `version`, which becomes theirs. Null: nothing new.
   Shared take(uint64_t& version) noexcept;
-  /// The first frame that took this version or a later one; none: no frame has.
+  /// The first frame that took this version or a later one; none: none of these has begun.
   std::optional<uint64_t> firstFrameWith(uint64_t version) const;
-  /// The first frame that took the settings of this ticket; none: no frame has.
+  /// The first frame that took the settings of this ticket; none: it has not begun.
   std::optional<uint64_t> firstFrameOfTicket(uint64_t ticket) const;
   /// Whether settings of this ticket, or later ones, count.
   bool counts(uint64_t ticket) const;
@@ -60,6 +68,7 @@ class SettingsSource {
   struct Taken {
     uint64_t version = 0, frame = 0;
   };
+  void noteBegun(uint64_t frame, double when) noexcept;
   // These require the mutex.
   void publish(Shared& next) noexcept;
   void publishLater() noexcept;
@@ -75,7 +84,8 @@ class SettingsSource {
   std::atomic<uint64_t> laterFrame_{kNever};    // from which later_ counts
   std::atomic<uint64_t> version_{1};
   std::atomic<uint64_t> frame_{1};
-  std::atomic<double> began_{0};
+  std::atomic<uint64_t> begun_{0};
+  std::atomic<double> began_{0}, before_{0}, ended_{0};
   std::atomic<void (*)() noexcept> look_{nullptr};
 };
 

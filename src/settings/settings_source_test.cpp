@@ -36,24 +36,43 @@ TEST(SettingsSource, StoresAndReadsMayOverlap) {
   EXPECT_EQ(source.current()->spp, 1000);
 }
 
+TEST(SettingsSource, FramesBeginWithAClearOrWhenTheOneBeforeIsShown) {
+  SettingsSource source;
+  EXPECT_EQ(source.frame(), 1u);
+  EXPECT_EQ(source.begun().frame, 0u);
+  EXPECT_EQ(source.begun().active, 0);
+  source.beginFrame(), source.beginFrame();
+  EXPECT_EQ(source.begun().frame, 1u);
+  const double first = source.begun().began;
+  EXPECT_GT(first, 0);
+  source.endFrame();
+  EXPECT_EQ(source.frame(), 2u);
+  EXPECT_EQ(source.begun().frame, 1u);
+  const double shown = source.begun().active;
+  source.endFrame();
+  EXPECT_EQ(source.begun().frame, 2u);
+  EXPECT_EQ(source.begun().began, shown) << "frame 2 had no clear";
+  EXPECT_EQ(source.begun().before, first);
+  EXPECT_EQ(source.frame(), 3u);
+}
+
 TEST(SettingsSource, FramesThatTookAVersionAreKnown) {
   SettingsSource source;
   uint64_t version = 0;
-  EXPECT_EQ(source.frame(), 1u);
+  const auto next = [&](uint64_t& of) { source.endFrame(), source.take(of); };
   EXPECT_FALSE(source.firstFrameWith(1));
   EXPECT_TRUE(source.take(version));
-  EXPECT_EQ(source.firstFrameWith(1), 1u);
+  EXPECT_FALSE(source.firstFrameWith(1)) << "it has not begun";
   source.beginFrame();
-  EXPECT_EQ(source.take(version), nullptr);
+  EXPECT_EQ(source.firstFrameWith(1), 1u);
   source.store({}), source.store({});
+  next(version);
   EXPECT_FALSE(source.firstFrameWith(2));
   source.beginFrame();
-  EXPECT_TRUE(source.take(version));
+  EXPECT_EQ(source.firstFrameWith(2), 2u);
   uint64_t other = 0;  // of another context
-  source.beginFrame();
-  EXPECT_TRUE(source.take(other));
-  EXPECT_EQ(source.firstFrameWith(2), 3u);
-  EXPECT_EQ(source.firstFrameWith(3), 3u);
+  next(other), source.beginFrame();
+  EXPECT_EQ(source.firstFrameWith(3), 2u);
   EXPECT_FALSE(source.firstFrameWith(4));
 }
 
@@ -64,15 +83,16 @@ TEST(SettingsSource, LaterSettingsCountInTheirFrame) {
   Settings next;
   next.spp = 4;
   const uint64_t ticket = source.storeAt(3, next);
-  source.beginFrame();
+  source.endFrame();
   EXPECT_EQ(source.take(version), nullptr);
   EXPECT_FALSE(source.counts(ticket));
   Settings both = next;
   both.threads = 2, next.threads = 2, next.spp = 1;
   source.storeBoth(next, both);
   EXPECT_EQ(source.take(version)->spp, 1);
-  source.beginFrame();
+  source.endFrame();
   EXPECT_EQ(*source.take(version), both);
+  source.beginFrame();
   EXPECT_EQ(source.firstFrameOfTicket(ticket), 3u);
   source.storeBoth(next, both);
   EXPECT_EQ(*source.current(), both) << "nothing waits";

@@ -47,7 +47,7 @@ void FrameEnds::afterSwap() {
   chooseEngine();
   ++p_.clock.frame;
   begun_ = false, drawsBefore_ = draws();
-  p_.settings.beginFrame();
+  p_.settings.endFrame();
   p_.failsafe.protect([&] { takeSettings(); });
   p_.surfaces.passes.clear();
   p_.surfaces.coplanar.clear();
@@ -72,7 +72,9 @@ void FrameEnds::takeSettings() {
 }
 
 void FrameEnds::beforeClear() noexcept {
-  if (std::exchange(begun_, true) || draws() != drawsBefore_) return;
+  if (std::exchange(begun_, true)) return;
+  p_.settings.beginFrame();
+  if (draws() != drawsBefore_) return;
   p_.failsafe.protect([&] { takeSettings(); });
 }
 
@@ -120,7 +122,7 @@ void FrameEnds::cleared(GLbitfield mask) {
   if (++clears_ < patience) return;
   forgetOld();
   if (p_.counts.statistics.frames == 0) {
-    p_.settings.beginFrame();
+    p_.settings.endFrame();
     p_.failsafe.protect([&] { takeSettings(); });
   }
   p_.surfaces.passes.forgetMany();  // in framebuffers whose depth is never cleared
