@@ -115,7 +115,7 @@ void ChangeRequests::apply(const json& id, Held& held, const json& message) {
   LiveSettings::Answer answer;
   if (const std::string why = make(held.change, *frame, answer); !why.empty()) return refuse(id, why);
   held.applied = std::move(answer);
-  answer_(id, json{{"late", late}});
+  answer_(id, json{{"frame", *frame}, {"late", late}});
 }
 
 void ChangeRequests::wait(const json& id, const Change& change, LiveSettings::Answer&& answer, double now) {

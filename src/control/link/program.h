@@ -26,6 +26,8 @@ class Program {
   virtual nlohmann::json call(const std::string& name, const nlohmann::json& arguments, std::string& why) = 0;
   /// Makes the program draw, if that is possible.
   virtual void wake() noexcept = 0;
+  /// The connection to the hub has ended: lets go of what is needed only for that.
+  virtual void linkEnded() noexcept {}
 };
 
 }  // namespace gluray::control

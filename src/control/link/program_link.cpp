@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <exception>
 #include <optional>
 #include <thread>
@@ -33,6 +34,15 @@ constexpr size_t kStackBytes = size_t{256} << 10;
 void makeAsiosObjects() {
   asio::error::get_system_category(), asio::error::get_netdb_category();
   asio::error::get_addrinfo_category(), asio::error::get_misc_category();
+}
+
+std::atomic<ProgramLink*> g_ends{nullptr};
+
+/// Lets exit() end the link's thread before objects that it uses are destroyed.
+void endAtExit(ProgramLink& link) {
+  if (g_ends.exchange(&link)) return;
+  makeAsiosObjects();
+  std::atexit([] { g_ends.load()->exiting(); });
 }
 
 /// Starts a detached thread with all signals blocked. False: none can be started.
@@ -149,6 +159,7 @@ bool ProgramLink::hubIsHere(double now) {
 
 void ProgramLink::start() noexcept {
   if (running_.exchange(true)) return;
+  endAtExit(*this);
   const auto run = [](void* link) -> void* {
     static_cast<ProgramLink*>(link)->run();
     return nullptr;
@@ -159,7 +170,6 @@ void ProgramLink::start() noexcept {
 /// The thread's main function.
 void ProgramLink::run() noexcept {
   pthread_setname_np(pthread_self(), "gluray-control");
-  makeAsiosObjects();
   const bool tcp = !hub_.host.empty();
   double pause = kTcpSeconds;
   do {
@@ -170,6 +180,7 @@ void ProgramLink::run() noexcept {
       log::once(log::Level::warning, "control", std::string("the link to the hub failed: ") + e.what());
     } catch (...) {}
     noteSocket(-1);
+    if (!exiting_) program_.linkEnded();
     backoff_ = greeted ? kLookSeconds : std::min(2 * backoff_, kMostBackoff);
     if (!tcp) break;
     pause = greeted ? kTcpSeconds : pause;

@@ -189,7 +189,7 @@ TEST_F(ProgramSideTest, HeldChangesCountFromTheirFrame) {
   EXPECT_EQ(at["drawing"], true);
   EXPECT_TRUE(at["age"].is_number() && at["period"].is_number()) << at;
   EXPECT_EQ(ask({{"type", "draw"}, {"of", "a"}}).value("why", ""), "what is held was not applied");
-  EXPECT_EQ(ask({{"type", "apply"}, {"of", "a"}, {"frame", 4}}), json({{"late", false}}));
+  EXPECT_EQ(ask({{"type", "apply"}, {"of", "a"}, {"frame", 4}}), json({{"frame", 4}, {"late", false}}));
   EXPECT_EQ(ask({{"type", "draw"}, {"of", "a"}}), json());
   const size_t before = sent.size();
   source.endFrame(), begin(), pass(0.01);
@@ -206,7 +206,7 @@ TEST_F(ProgramSideTest, HeldChangesMayBeLateDroppedOrForgotten) {
   hold["hold"] = true;
   ask(hold);
   frame(), frame();
-  EXPECT_EQ(ask({{"type", "apply"}, {"of", 1}, {"frame", 2}}), json({{"late", true}}));
+  EXPECT_EQ(ask({{"type", "apply"}, {"of", 1}, {"frame", 2}}), json({{"frame", 2}, {"late", true}}));
   EXPECT_EQ(source.current()->spp, 4);
   hold["values"]["spp"] = 5;
   ask(hold);
