@@ -5,6 +5,7 @@
 
 #include <unistd.h>
 
+#include <deque>
 #include <mutex>
 #include <set>
 #include <string>
@@ -17,6 +18,7 @@ struct State {
   int descriptor = STDERR_FILENO;
   Level level = Level::warning;
   std::set<std::string, std::less<>> said;
+  std::deque<std::string> recent;
 };
 
 State& state() {
@@ -27,6 +29,12 @@ State& state() {
 /// Writes a line in one piece, so that lines of several processes do not mix.
 void writeLine(int descriptor, std::string_view message) {
   files::writeAll(descriptor, "gluray: " + printable(message) + "\n");
+}
+
+void keep(std::deque<std::string>& recent, std::string_view message) {
+  constexpr size_t kMostOfIt = 400;
+  recent.emplace_back(printable(message.substr(0, kMostOfIt)));
+  if (recent.size() > kRecent) recent.pop_front();
 }
 
 }  // namespace
@@ -49,8 +57,9 @@ void write(Level level, std::string_view message) noexcept {
   try {
     State& s = state();
     const std::lock_guard lock(s.mutex);
-    if (level < s.level || level == Level::off) return;
-    writeLine(s.descriptor, message);
+    if (level == Level::off) return;
+    if (level >= s.level) writeLine(s.descriptor, message);
+    if (level >= Level::warning) keep(s.recent, message);
   } catch (...) {  // drop the line
   }
 }
@@ -64,6 +73,12 @@ void once(Level level, std::string_view key, std::string_view message) noexcept 
     }
     write(level, message);
   } catch (...) {}
+}
+
+std::vector<std::string> recent() {
+  State& s = state();
+  const std::lock_guard lock(s.mutex);
+  return {s.recent.begin(), s.recent.end()};
 }
 
 }  // namespace gluray::log

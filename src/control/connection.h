@@ -46,6 +46,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
   /// Closes it at once.
   void close(const std::string& why);
   bool open() const { return open_; }
+  /// Of the socket; below 0 once closed.
+  int descriptor() { return socket_.is_open() ? socket_.native_handle() : -1; }
 
  private:
   void read();

@@ -99,13 +99,13 @@ void IdleRefiner::run(const std::atomic<bool>& cancelled) {
 void IdleRefiner::refine(IdleFrame& frame, const Trace& trace, const std::function<bool()>& ends) {
   const bool again = frame.looked();
   if (!frame.look()) return void(counts().refused += !again);
-  if (!again) ++counts().frames;
+  if (!again) ++counts().frames, counts().framePasses = 0;
   auto step = IdleFrame::Step::more;
   IdleFrame::Done done;
   bool any = false;
   while (step == IdleFrame::Step::more && !ends()) {
     step = frame.step(tracer_, trace, done);
-    counts().passes += done.traced;
+    counts().passes += done.traced, counts().framePasses += done.traced;
     counts().shown += done.shown;
     any = any || done.traced;
     if (std::isfinite(frame.noise())) counts().noise = frame.noise();

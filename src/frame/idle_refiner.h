@@ -24,6 +24,7 @@ class IdleRefiner {
   struct Counts {
     std::atomic<uint64_t> frames{0}, refused{0};  // refined; not: the window does not show what was written
     std::atomic<uint64_t> passes{0}, shown{0};    // pictures put into windows
+    std::atomic<uint64_t> framePasses{0};         // of the last refined frame
     std::atomic<uint64_t> finished{0};            // frames whose noise is as small as it is to be
     std::atomic<double> noise{0};                 // of the last refined frame, estimated; 0: none was
   };

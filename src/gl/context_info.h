@@ -14,11 +14,11 @@
 namespace gluray::gl {
 
 struct ContextInfo {
-  bool core = false;                       // core profile: no fixed function
-  bool doubleBuffered = true;              // otherwise glFlush and glFinish show the picture
-  bool off = false;                        // pass every call through
-  Settings settings;                       // used if `source` is null
-  const SettingsSource* source = nullptr;  // read when the context is created and when a frame begins
+  bool core = false;                 // core profile: no fixed function
+  bool doubleBuffered = true;        // otherwise glFlush and glFinish show the picture
+  bool off = false;                  // pass every call through
+  Settings settings;                 // used if `source` is null
+  SettingsSource* source = nullptr;  // read when the context is created and when a frame begins
   /// Returns width and height of the window or pixmap that the context draws into, in pixels; {0, 0} if
   /// unknown. May be slow: called only if a viewport exceeds the largest known size. Empty: never known.
   std::function<glm::ivec2()> drawableSize;

@@ -2,6 +2,7 @@
 
 #include "base/timeline.h"
 #include "intercept/context_record.h"
+#include "intercept/control/link.h"
 #include "intercept/families.h"
 #include "intercept/reports/report.h"
 #include "intercept/session.h"
@@ -221,6 +222,7 @@ void passThroughAfterFork() noexcept {
   g_forked = true;
   timeline::g_recording = false;
   gl::t_thread = {};
+  leaveHubToParent();
 }
 
 bool isForkedChild() noexcept { return g_forked; }

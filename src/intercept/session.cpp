@@ -1,8 +1,11 @@
 #include "intercept/session.h"
 
+#include "base/clock.h"
 #include "base/files.h"
 #include "base/log.h"
 #include "base/timeline.h"
+#include "control/link/job.h"
+#include "intercept/control/link.h"
 #include "settings/live_settings.h"
 
 #include <unistd.h>
@@ -19,6 +22,11 @@ static_assert(static_cast<int>(LogLevel::off) == static_cast<int>(log::Level::of
 /// Whether this process may log: processes that the launcher did not start log only to a file.
 bool mayTalk(const Session& session) { return !session.logFile.empty() || launchedProcess(); }
 
+/// Whether hubs may see this process: like logging, and the ranks of an MPI job that the launcher started.
+bool mayLink(const Session& session) {
+  return session.control && (mayTalk(session) || control::jobOfThisProcess().ranks > 1);
+}
+
 const Session* readSession() {
   static std::vector<std::string> complaints;  // before the log is configured
   static bool logs = false;
@@ -31,7 +39,12 @@ const Session* readSession() {
   for (const std::string& line : complaints) log::write(log::Level::warning, line);
   complaints.clear();
   logs = true;
-  settingsSource().watch([]() noexcept { live->look(); });
+  settingsSource().watch([]() noexcept {
+    const double now = nowSeconds();
+    live->look(now);
+    lookForHub(now);
+  });
+  if (mayLink(*session)) allowControl(*live);
   if (!session->timelineFile.empty()) timeline::record(fileOfThisProcess(session->timelineFile));
   return session;
 }

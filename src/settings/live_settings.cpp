@@ -33,7 +33,7 @@ std::string withoutLine(const std::string& mistake) {
 }
 
 /// Why the setting cannot be set live; empty: it can.
-std::string whyNot(const Row& row) {
+std::string whyNotLive(const Row& row) {
   if (!row.inFiles) return std::string(row.name) + " belongs to one run";
   if (row.applies == Applies::process)
     return std::string(row.name) + " applies to the next run only; set it in gluray.toml or as an option";
@@ -71,11 +71,25 @@ bool LiveSettings::isNew(const std::string& mistake) const {
   return std::find(mistakes_.begin(), mistakes_.end(), withoutLine(mistake)) == mistakes_.end();
 }
 
+Settings LiveSettings::withThreads(Settings settings) const {
+  if (settings.threads == 0) settings.threads = ownThreads_;
+  return settings;
+}
+
 Session LiveSettings::take(Session session) {
-  if (session.settings.threads == 0) session.settings.threads = ownThreads_;
+  session.settings = withThreads(std::move(session.settings));
   if (session.settings != *source_.current()) source_.store(session.settings);
   started_ = true;
+  ++revision_;
   return session;
+}
+
+/// Changes that waited for a frame are like all others once it has begun.
+void LiveSettings::settle() {
+  if (!later_ || !source_.counts(ticket_)) return;
+  sources_ = std::move(*later_);
+  later_.reset();
+  ++revision_;
 }
 
 Session LiveSettings::start(Sources sources) {
@@ -95,6 +109,7 @@ void LiveSettings::look(double now) noexcept {
   try {
     const std::unique_lock lock(mutex_, std::try_to_lock);
     if (!lock || !started_ || now < next_) return;
+    settle();
     const double before = nowSeconds();
     const Stamps current = stamps();
     next_ = now + std::max(kLookSeconds, (nowSeconds() - before) / kShare);
@@ -109,7 +124,12 @@ void LiveSettings::look(double now) noexcept {
     for (const std::string& line : mistakes)
       complain_(fine ? line : line + "; all settings stay as they are");
     if (fine) {
-      take(std::move(layers.session));
+      if (later_)
+        source_.storeBoth(withThreads(layers.session.settings),
+                          withThreads(layersOf(*later_, files, note).session.settings)),
+            ++revision_;
+      else
+        take(std::move(layers.session));
       files_ = std::move(files);
       for (std::string& line : mistakes) line = withoutLine(line);
       mistakes_ = std::move(mistakes);
@@ -118,24 +138,81 @@ void LiveSettings::look(double now) noexcept {
   } catch (const std::exception&) {}  // out of memory: the settings stay as they are
 }
 
-LiveSettings::Answer LiveSettings::change(std::span<const Change> changes) {
-  const std::lock_guard lock(mutex_);
-  Sources next = sources_;
+/// The sources after the changes, and the layers that they make; or why not.
+struct LiveSettings::Next {
+  Sources sources;
+  Settings settings;
+  Changes before;
+  std::string why;
+};
+
+LiveSettings::Next LiveSettings::next(std::span<const Change> changes) const {
+  Next next{later_ ? *later_ : sources_, {}, {}, ""};
+  auto& live = next.sources.live;
   for (const Change& c : changes) {
     const Row* const row = findSetting(c.name);
-    if (!row) return {unknownSetting(c.name), 0};
-    if (std::string why = whyNot(*row); !why.empty()) return {std::move(why), 0};
-    std::erase_if(next.live, [&](const auto& known) { return known.first == c.name; });
-    if (c.value) next.live.emplace_back(c.name, *c.value);
+    next.why = row ? whyNotLive(*row) : unknownSetting(c.name);
+    if (!next.why.empty()) return next;
+    const auto known =
+        std::find_if(live.begin(), live.end(), [&](const auto& l) { return l.first == c.name; });
+    next.before.push_back({c.name, known == live.end() ? std::nullopt : std::optional(known->second)});
+    if (known != live.end()) live.erase(known);
+    if (c.value) live.emplace_back(c.name, *c.value);
   }
-  std::string why;  // the first new mistake
-  Layers layers = layersOf(next, files_, [&](const std::string& line) {
-    if (why.empty() && isNew(line)) why = line;
-  });
-  if (!why.empty()) return {std::move(why), 0};
-  take(std::move(layers.session));
-  sources_ = std::move(next);
-  return {"", source_.version()};
+  next.settings = withThreads(layersOf(next.sources, files_, [&](const std::string& line) {
+                                if (next.why.empty() && isNew(line)) next.why = line;
+                              }).session.settings);
+  return next;
+}
+
+LiveSettings::Answer LiveSettings::change(std::span<const Change> changes, uint64_t frame) {
+  const std::lock_guard lock(mutex_);
+  settle();
+  Next next = this->next(changes);
+  if (!next.why.empty()) return {std::move(next.why), 0, 0, {}};
+  ++revision_;
+  if (frame > source_.frame()) {
+    ticket_ = source_.storeAt(frame, next.settings);
+    later_ = std::move(next.sources);
+    return {"", 0, ticket_, std::move(next.before)};
+  }
+  if (later_ || next.settings != *source_.current()) source_.store(next.settings);
+  sources_ = std::move(next.sources);
+  later_.reset();
+  return {"", source_.version(), 0, std::move(next.before)};
+}
+
+std::string LiveSettings::whyNot(std::span<const Change> changes) {
+  const std::lock_guard lock(mutex_);
+  settle();
+  return next(changes).why;
+}
+
+std::optional<uint64_t> LiveSettings::firstFrameWith(const Answer& answer) const {
+  return answer.ticket ? source_.firstFrameOfTicket(answer.ticket) : source_.firstFrameWith(answer.version);
+}
+
+std::vector<LiveSettings::Value> LiveSettings::values(bool waiting) {
+  const std::lock_guard lock(mutex_);
+  settle();
+  const Layers layers = layersOf(waiting && later_ ? *later_ : sources_, files_, [](const std::string&) {});
+  std::vector<Value> values;
+  for (const Row& row : settingRows()) {
+    if (!row.inFiles) continue;
+    const Given* const given = layers.last(row);
+    values.push_back({&row, printValue(row, layers.session), given ? given->layer : Layer::builtIn,
+                      given ? given->place : ""});
+  }
+  return values;
+}
+
+uint64_t LiveSettings::revision() noexcept {
+  if (const std::unique_lock lock(mutex_, std::try_to_lock); lock) {
+    try {
+      settle();
+    } catch (const std::exception&) {}  // out of memory: next time
+  }
+  return revision_;
 }
 
 }  // namespace gluray

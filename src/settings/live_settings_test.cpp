@@ -8,7 +8,9 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -192,6 +194,87 @@ TEST_F(Live, RightsCount) {
   chmod(sources_.projectFile.c_str(), 0644);
   look();
   EXPECT_EQ(spp(), 3);
+}
+
+TEST_F(Live, ChangesMayWaitForAFrame) {
+  write(sources_.userFile, "threads = 2\n");
+  live_.start(sources_);
+  uint64_t version = source_.version();
+  const LiveSettings::Answer answer = live_.change(Changes{{"spp", "8"}}, 3);
+  EXPECT_EQ(answer.why, "");
+  source_.endFrame();
+  EXPECT_EQ(source_.take(version), nullptr);
+  EXPECT_EQ(spp(), 1);
+  EXPECT_FALSE(live_.firstFrameWith(answer));
+  write(sources_.userFile, "threads = 3\n");
+  look();
+  EXPECT_EQ(source_.current()->threads, 3);
+  EXPECT_EQ(spp(), 1);
+  source_.endFrame(), source_.beginFrame();
+  ASSERT_TRUE(source_.take(version));
+  EXPECT_EQ(spp(), 8);
+  EXPECT_EQ(source_.current()->threads, 3) << "files that changed meanwhile count, too";
+  EXPECT_EQ(live_.firstFrameWith(answer), 3u);
+  write(sources_.userFile, "threads = 4\n");
+  look();
+  EXPECT_EQ(spp(), 8);
+  EXPECT_EQ(source_.current()->threads, 4);
+}
+
+TEST_F(Live, ChangesThatWaitCountWithLaterOnes) {
+  live_.start(sources_);
+  const LiveSettings::Answer waits = live_.change(Changes{{"spp", "8"}}, 50);
+  const LiveSettings::Answer answer = live_.change(Changes{{"threads", "3"}});
+  EXPECT_EQ(spp(), 8);
+  EXPECT_EQ(source_.current()->threads, 3);
+  uint64_t version = 0;
+  source_.endFrame(), source_.take(version), source_.beginFrame();
+  EXPECT_EQ(live_.firstFrameWith(waits), 2u);
+  EXPECT_EQ(live_.firstFrameWith(answer), 2u);
+  EXPECT_EQ(whyOf({{"spp", {}}}), "");
+  EXPECT_EQ(spp(), 1);
+}
+
+TEST_F(Live, FramesThatHaveBegunAreNotWaitedFor) {
+  live_.start(sources_);
+  for (int i = 0; i < 9; ++i) source_.endFrame();
+  const LiveSettings::Answer answer = live_.change(Changes{{"spp", "8"}}, 5);
+  EXPECT_EQ(spp(), 8);
+  uint64_t version = 0;
+  source_.endFrame(), source_.take(version), source_.beginFrame();
+  EXPECT_EQ(live_.firstFrameWith(answer), 11u);
+}
+
+TEST_F(Live, AnswersSayHowToUndo) {
+  write(sources_.userFile, "spp = 2\n");
+  live_.start(sources_);
+  Changes before = live_.change(Changes{{"spp", "8"}, {"ao", "on"}}).before;
+  ASSERT_EQ(before.size(), 2u);
+  EXPECT_FALSE(before[0].value);
+  before = live_.change(Changes{{"spp", "9"}}).before;
+  EXPECT_EQ(before[0].value, "8");
+  EXPECT_EQ(live_.change(before).why, "");
+  EXPECT_EQ(spp(), 8);
+}
+
+TEST_F(Live, ValuesHaveTheirLayers) {
+  write(sources_.userFile, "spp = 2\n");
+  live_.start(sources_);
+  const uint64_t revision = live_.revision();
+  EXPECT_EQ(whyOf({{"ao", "on"}}), "");
+  EXPECT_GT(live_.revision(), revision);
+  std::map<std::string_view, LiveSettings::Value> values;
+  for (const LiveSettings::Value& v : live_.values()) values.emplace(v.row->name, v);
+  EXPECT_EQ(values.at("spp").text, "2");
+  EXPECT_EQ(values.at("spp").layer, Layer::user);
+  EXPECT_EQ(values.at("spp").place, sources_.userFile + ":1");
+  EXPECT_EQ(values.at("ao").text, "true");
+  EXPECT_EQ(values.at("ao").layer, Layer::live);
+  EXPECT_EQ(values.at("threads").layer, Layer::builtIn);
+  EXPECT_EQ(values.at("threads").place, "");
+  EXPECT_EQ(live_.whyNot(Changes{{"spp", "0"}}), "spp=0: use a number from 1 (the centre) to 1024");
+  EXPECT_EQ(live_.whyNot(Changes{{"spp", "4"}}), "");
+  EXPECT_EQ(spp(), 2);
 }
 
 TEST_F(Live, ManyThreadsMayLookAndChange) {

@@ -1,41 +1,91 @@
 // The current settings. Contexts read them once per frame, at its start, so that a change at run time is one
-// store. Any thread.
+// store. Counts the frames of the process. Any thread; nothing here waits for anything slow.
 #pragma once
 #include "settings/settings.h"
 
+#include <array>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 namespace gluray {
 
 class SettingsSource {
  public:
+  using Shared = std::shared_ptr<const Settings>;
   explicit SettingsSource(const Settings& first = {}) : now_(std::make_shared<const Settings>(first)) {}
 
-  std::shared_ptr<const Settings> current() const {
+  Shared current() const {
     const std::lock_guard lock(mutex_);
     return now_;
-  }
-  void store(const Settings& settings) {
-    auto next = std::make_shared<const Settings>(settings);
-    const std::lock_guard lock(mutex_);
-    now_.swap(next);
-    version_.fetch_add(1, std::memory_order_release);
-  }
-  /// `look` is called when frames begin, before they take the settings: it may store others.
-  void watch(void (*look)() noexcept) noexcept { look_.store(look, std::memory_order_release); }
-  void look() const noexcept {
-    if (auto* const watcher = look_.load(std::memory_order_acquire)) watcher();
   }
   /// Increases with every store; frames check it first, without a lock.
   uint64_t version() const noexcept { return version_.load(std::memory_order_acquire); }
 
+  /// Stores settings that count at once. What storeAt() has stored is dropped: `settings` have it, too.
+  void store(const Settings& settings);
+  /// Stores settings that count from a frame on, in place of those stored so before. Returns their ticket.
+  uint64_t storeAt(uint64_t frame, const Settings& settings);
+  /// Stores `now`, and `later` in place of settings of storeAt() that do not count yet. If they count
+  /// already, stores `later`.
+  void storeBoth(const Settings& now, const Settings& later);
+
+  // Frames, counted from 1, all contexts together. A frame begins with its first clear; one without a clear,
+  // when the frame before it is shown.
+  /// Call when a frame has been shown.
+  void endFrame() noexcept;
+  /// Call before a frame's first clear.
+  void beginFrame() noexcept;
+  /// The number of the frame that is drawn, or that will be drawn next.
+  uint64_t frame() const noexcept { return frame_.load(std::memory_order_relaxed); }
+  /// The last frame that has begun. Times are those of nowSeconds().
+  struct Begun {
+    uint64_t frame = 0;
+    double began = 0, before = 0;  // when it began, and the one before it; 0: never
+    double active = 0;             // when a frame last began or was shown; 0: never
+  };
+  Begun begun() const noexcept;
+  /// Call when a frame has been shown, and before the first clear of the next: looks, and returns the
+  /// settings if their version is not `version`, which becomes theirs. Null: nothing new.
+  Shared take(uint64_t& version) noexcept;
+  /// The first frame that took this version or a later one; none: none of these has begun.
+  std::optional<uint64_t> firstFrameWith(uint64_t version) const;
+  /// The first frame that took the settings of this ticket; none: it has not begun.
+  std::optional<uint64_t> firstFrameOfTicket(uint64_t ticket) const;
+  /// Whether settings of this ticket, or later ones, count.
+  bool counts(uint64_t ticket) const;
+
+  /// `look` is called when frames begin, before they take the settings: it may store others.
+  void watch(void (*look)() noexcept) noexcept { look_.store(look, std::memory_order_release); }
+
  private:
+  static constexpr uint64_t kNever = std::numeric_limits<uint64_t>::max();
+  static constexpr size_t kRemembered = 16;  // versions whose first frames are known
+  struct Taken {
+    uint64_t version = 0, frame = 0;
+  };
+  void noteBegun(uint64_t frame, double when) noexcept;
+  // These require the mutex.
+  void publish(Shared& next) noexcept;
+  void publishLater() noexcept;
+  void note(uint64_t version) noexcept;
+  std::optional<uint64_t> firstFrame(uint64_t version) const;
+
   mutable std::mutex mutex_;
-  std::shared_ptr<const Settings> now_;
+  Shared now_;
+  Shared later_;                                // null: none
+  uint64_t laterTicket_ = 0;                    // of the newest storeAt()
+  uint64_t countingTicket_ = 0, countsIn_ = 0;  // of those that count; the version in which they do
+  std::array<Taken, kRemembered> taken_{};      // by version, newest last
+  std::atomic<uint64_t> laterFrame_{kNever};    // from which later_ counts
   std::atomic<uint64_t> version_{1};
+  std::atomic<uint64_t> frame_{1};
+  std::atomic<uint64_t> begun_{0};
+  std::atomic<double> began_{0}, before_{0}, ended_{0};
   std::atomic<void (*)() noexcept> look_{nullptr};
 };
 

@@ -20,7 +20,7 @@ Settings TracedContext::vertexShading() {
 
 TracedContext::TracedContext(const ContextWish& wish, Settings settings,
                              std::unique_ptr<gl::Presenter> presenter, const TracedContext* share,
-                             std::shared_ptr<const gl::FamilyList> families, const SettingsSource* source)
+                             std::shared_ptr<const gl::FamilyList> families, SettingsSource* source)
     : below_(OsmesaContext::create(wish, share ? share->below_.get() : nullptr)),
       presenter_(std::move(presenter)) {
   gl::ContextInfo info;

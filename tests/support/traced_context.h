@@ -17,7 +17,7 @@ class TracedContext {
                          std::unique_ptr<gl::Presenter> presenter = nullptr,
                          const TracedContext* share = nullptr,
                          std::shared_ptr<const gl::FamilyList> families = familiesOfTests(),
-                         const SettingsSource* source = nullptr);
+                         SettingsSource* source = nullptr);
   ~TracedContext();
   TracedContext(const TracedContext&) = delete;
   TracedContext& operator=(const TracedContext&) = delete;

@@ -47,6 +47,7 @@ void FrameEnds::afterSwap() {
   chooseEngine();
   ++p_.clock.frame;
   begun_ = false, drawsBefore_ = draws();
+  p_.settings.endFrame();
   p_.failsafe.protect([&] { takeSettings(); });
   p_.surfaces.passes.clear();
   p_.surfaces.coplanar.clear();
@@ -71,7 +72,9 @@ void FrameEnds::takeSettings() {
 }
 
 void FrameEnds::beforeClear() noexcept {
-  if (std::exchange(begun_, true) || draws() != drawsBefore_) return;
+  if (std::exchange(begun_, true)) return;
+  p_.settings.beginFrame();
+  if (draws() != drawsBefore_) return;
   p_.failsafe.protect([&] { takeSettings(); });
 }
 
@@ -118,7 +121,10 @@ void FrameEnds::cleared(GLbitfield mask) {
   const int patience = p_.counts.statistics.frames > 0 ? 64 : 4;
   if (++clears_ < patience) return;
   forgetOld();
-  if (p_.counts.statistics.frames == 0) p_.failsafe.protect([&] { takeSettings(); });
+  if (p_.counts.statistics.frames == 0) {
+    p_.settings.endFrame();
+    p_.failsafe.protect([&] { takeSettings(); });
+  }
   p_.surfaces.passes.forgetMany();  // in framebuffers whose depth is never cleared
 }
 

@@ -20,12 +20,10 @@ int threadsOf(const Settings& settings) {
 
 bool FrameSettings::take() {
   if (!source_) return false;
-  source_->look();
-  const uint64_t version = source_->version();
-  if (version == version_) return false;
-  Settings next = *source_->current();
+  const SettingsSource::Shared newer = source_->take(version_);
+  if (!newer) return false;
+  Settings next = *newer;
   keepBetweenFrames(next, now_);
-  version_ = version;
   now_ = std::move(next);
   return true;
 }

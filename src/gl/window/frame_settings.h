@@ -20,12 +20,19 @@ class FrameSettings {
       : source_(info.source), now_(source_ ? *source_->current() : info.settings) {}
 
   const Settings& now() const { return now_; }
-  /// Call when a frame begins: takes the current settings, except those that are fixed for the context.
-  /// Returns whether the source had new ones.
+  /// Call when a frame has been shown, and before the first clear of the next: counts it.
+  void endFrame() noexcept {
+    if (source_) source_->endFrame();
+  }
+  void beginFrame() noexcept {
+    if (source_) source_->beginFrame();
+  }
+  /// Call after these: takes the current settings, except those that are fixed for the context. Returns
+  /// whether the source had new ones.
   bool take();
 
  private:
-  const SettingsSource* const source_;
+  SettingsSource* const source_;
   Settings now_;
   uint64_t version_ = 0;  // the source's version when now_ was taken
 };

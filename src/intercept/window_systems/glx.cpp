@@ -2,6 +2,7 @@
 #include "base/timeline.h"
 #include "gl/stub.h"
 #include "intercept/contexts.h"
+#include "intercept/control/shown_windows.h"
 #include "intercept/engine.h"
 #include "intercept/window_systems/drawable_size.h"
 #include "intercept/window_systems/hook_table.h"
@@ -68,7 +69,7 @@ struct Shows {
     if (outermost) windowChanges(drawable);
   }
   ~Shows() {
-    if (outermost) refineShown(display, drawable);
+    if (outermost) refineShown(display, drawable), noteShown(display, drawable);
   }
   Shows(const Shows&) = delete;
   Shows& operator=(const Shows&) = delete;

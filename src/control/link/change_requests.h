@@ -1,0 +1,78 @@
+// Requests that change settings: set, undo and redo; and hold, apply, draw and drop of MPI jobs. They are
+// answered when a frame has begun with the values. Control thread; times in seconds.
+#pragma once
+#include "settings/live_settings.h"
+#include "settings/settings_history.h"
+
+#include <nlohmann/json.hpp>
+
+#include <deque>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gluray::control {
+
+class ChangeRequests {
+ public:
+  static constexpr double kPatience = 0.5;   // for a frame with the values
+  static constexpr double kQuiet = 0.1;      // without a frame: the program draws nothing
+  static constexpr double kAskAgain = 0.15;  // between two requests to draw
+  static constexpr double kPoll = 0.004;     // between two looks at the frames
+  static constexpr double kHoldSeconds = 5;
+  static constexpr size_t kMostHeld = 16, kMostWaiting = 256, kMostOfValue = size_t{16} << 10;
+
+  /// `result` has `why` if the request is refused.
+  using Answer = std::function<void(const nlohmann::json& id, nlohmann::json result)>;
+  ChangeRequests(LiveSettings& live, const SettingsSource& source, std::function<void()> wake, Answer answer)
+      : live_(live), source_(source), wake_(std::move(wake)), answer_(std::move(answer)) {}
+
+  /// Whether take() knows the type.
+  static bool knows(const std::string& type);
+  void take(const std::string& type, const nlohmann::json& id, const nlohmann::json& message, double now);
+  /// Answers, asks to draw, and drops what is due.
+  void passed(double now);
+  /// When passed() is to be called next; infinity: not before the next request.
+  double next(double now) const;
+
+  const SettingsHistory& history() const { return history_; }
+
+ private:
+  using Changes = LiveSettings::Changes;
+  enum class Kind { set, undo, redo };
+  struct Change {
+    Kind kind = Kind::set;
+    Changes changes;
+    std::string gesture;
+  };
+  struct Held {
+    nlohmann::json id;
+    Change change;
+    double until;
+    std::optional<LiveSettings::Answer> applied;
+  };
+  struct Waiting {
+    nlohmann::json id;
+    LiveSettings::Answer answer;
+    std::vector<std::string> names;
+    double until, wake;
+  };
+  std::string read(const std::string& type, const nlohmann::json& message, Change& change) const;
+  std::string make(const Change& change, uint64_t frame, LiveSettings::Answer& answer);
+  void hold(const nlohmann::json& id, Change&& change, double now);
+  void apply(const nlohmann::json& id, Held& held, const nlohmann::json& message);
+  void wait(const nlohmann::json& id, const Change& change, LiveSettings::Answer&& answer, double now);
+  bool answered(const Waiting& waiting, double now);
+  void refuse(const nlohmann::json& id, const std::string& why);
+
+  LiveSettings& live_;
+  const SettingsSource& source_;
+  const std::function<void()> wake_;
+  const Answer answer_;
+  SettingsHistory history_;
+  std::deque<Held> held_;
+  std::vector<Waiting> waiting_;
+};
+
+}  // namespace gluray::control

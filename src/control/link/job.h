@@ -1,0 +1,23 @@
+// The place of this process in an MPI job, from the variables that MPI's launchers set: Open MPI, PMIx,
+// MVAPICH, MPICH (Hydra) and Slurm. Any thread.
+#pragma once
+#include <functional>
+#include <string>
+
+namespace gluray::control {
+
+struct Job {
+  int rank = 0, ranks = 1;
+  std::string name;  // the same for all ranks of the job; empty: no job
+};
+
+/// The value of a variable; empty: it is not set.
+using AskVariable = std::function<std::string(const char* name)>;
+
+/// `launcher`: what names this process's launcher where no variable names the job, such as "node7 4100".
+Job jobOf(const AskVariable& variable, const std::string& launcher);
+
+/// Of this process.
+Job jobOfThisProcess();
+
+}  // namespace gluray::control

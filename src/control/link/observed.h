@@ -1,0 +1,53 @@
+// Events that the hub has asked for: the program's state, and settings that change. Control thread; times in
+// seconds.
+#pragma once
+#include "control/link/program.h"
+#include "control/link/rates.h"
+#include "settings/live_settings.h"
+#include "settings/settings_history.h"
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <map>
+#include <string>
+
+namespace gluray::control {
+
+/// A setting's value, layer and place.
+nlohmann::json described(const LiveSettings::Value& value);
+
+class Observed {
+ public:
+  static constexpr double kLeastEvery = 0.05, kMostEvery = 3600;
+  static constexpr double kSample = 0.25;  // at most so long between samples for rates
+
+  using Send = std::function<void(nlohmann::json event)>;
+  Observed(Program& program, LiveSettings& live, const SettingsSource& source, Send send)
+      : program_(program), live_(live), source_(source), send_(std::move(send)) {}
+
+  /// Observes what the request says and nothing else. Returns the answer; it has `why` if the request is
+  /// wrong.
+  nlohmann::json take(const nlohmann::json& message, double now);
+  /// Sends what is due. `slow`: the hub does not read what was sent; states are left out.
+  void passed(const SettingsHistory& history, bool slow, double now);
+  double next() const;
+
+ private:
+  void sendState();
+  void sendSettings(const SettingsHistory& history);
+
+  Program& program_;
+  LiveSettings& live_;
+  const SettingsSource& source_;
+  const Send send_;
+  bool state_ = false, settings_ = false;
+  bool first_ = true;  // no settings were sent since take()
+  double every_ = 1, nextState_ = 0, nextLook_ = 0;
+  uint64_t revision_ = 0;  // of the settings that were sent
+  size_t undo_ = 0, redo_ = 0;
+  std::map<std::string, LiveSettings::Value, std::less<>> sent_;
+  Rates rates_;
+};
+
+}  // namespace gluray::control

@@ -1,0 +1,33 @@
+// What a program tells the hub about itself and what the hub may ask of it: implemented by the engine, and by
+// a fake one in tests. All calls on the control thread.
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstdint>
+#include <string>
+
+namespace gluray::control {
+
+/// Counts since the process began.
+struct Figures {
+  uint64_t triangles = 0;               // traced
+  uint64_t traced = 0, rasterised = 0;  // draws
+};
+
+class Program {
+ public:
+  virtual ~Program() = default;
+  /// The members of hello: pid, host, name, rank, ranks, job.
+  virtual nlohmann::json identity() = 0;
+  virtual Figures figures() = 0;
+  /// The members of `state` that figures() does not give.
+  virtual nlohmann::json state() = 0;
+  /// The value that a call returns; or in `why` one line that says why it is not carried out.
+  virtual nlohmann::json call(const std::string& name, const nlohmann::json& arguments, std::string& why) = 0;
+  /// Makes the program draw, if that is possible.
+  virtual void wake() noexcept = 0;
+  /// The connection to the hub has ended: lets go of what is needed only for that.
+  virtual void linkEnded() noexcept {}
+};
+
+}  // namespace gluray::control

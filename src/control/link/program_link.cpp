@@ -1,0 +1,243 @@
+#include "control/link/program_link.h"
+
+#include "base/clock.h"
+#include "base/log.h"
+#include "control/link/program_side.h"
+#include "control/runtime_directory.h"
+
+#include <asio/error.hpp>
+#include <asio/io_context.hpp>
+#include <asio/steady_timer.hpp>
+#include <pthread.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <exception>
+#include <optional>
+#include <thread>
+#include <utility>
+
+namespace gluray::control {
+namespace {
+
+using asio::error_code;
+using nlohmann::json;
+
+constexpr size_t kStackBytes = size_t{256} << 10;
+
+/// Asio's objects that exit() would destroy before handlers that were registered earlier.
+void makeAsiosObjects() {
+  asio::error::get_system_category(), asio::error::get_netdb_category();
+  asio::error::get_addrinfo_category(), asio::error::get_misc_category();
+}
+
+std::atomic<ProgramLink*> g_ends{nullptr};
+
+/// Lets exit() end the link's thread before objects that it uses are destroyed.
+void endAtExit(ProgramLink& link) {
+  if (g_ends.exchange(&link)) return;
+  makeAsiosObjects();
+  std::atexit([] { g_ends.load()->exiting(); });
+}
+
+/// Starts a detached thread with all signals blocked. False: none can be started.
+bool startThread(void* (*run)(void*), void* argument) {
+  sigset_t all, before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  pthread_attr_t attributes;
+  pthread_attr_init(&attributes);
+  pthread_attr_setdetachstate(&attributes, PTHREAD_CREATE_DETACHED);
+  pthread_t thread;
+  pthread_attr_setstacksize(&attributes, kStackBytes);
+  bool started = pthread_create(&thread, &attributes, run, argument) == 0;
+  if (!started) {  // the program's thread-local objects may not fit into that stack
+    pthread_attr_t usual;
+    pthread_attr_init(&usual);
+    pthread_attr_setdetachstate(&usual, PTHREAD_CREATE_DETACHED);
+    started = pthread_create(&thread, &usual, run, argument) == 0;
+    pthread_attr_destroy(&usual);
+  }
+  pthread_attr_destroy(&attributes);
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  return started;
+}
+
+uint64_t inodeOf(int descriptor) {
+  struct stat status {};
+  if (descriptor < 0 || fstat(descriptor, &status) != 0 || !S_ISSOCK(status.st_mode)) return 0;
+  return static_cast<uint64_t>(status.st_ino);
+}
+
+}  // namespace
+
+/// One connection to the hub, from the attempt to its end.
+struct ProgramLink::Serving {
+  explicit Serving(ProgramLink& of) : link(of) {}
+
+  /// Returns when the connection has ended, or there is none.
+  void run() {
+    connectToHub(io, link.hub_, [this](std::shared_ptr<Connection> made, const std::string& why) {
+      if (!made) return log::write(log::Level::debug, "no hub: " + why);
+      connection = std::move(made);
+      serve();
+    });
+    io.run();
+  }
+
+  void serve() {
+    link.noteSocket(connection->descriptor());
+    side.emplace(link.program_, link.live_, link.source_,
+                 ProgramSide::Peer{[this](Connection::Line line) { connection->send(std::move(line)); },
+                                   [this](const std::string& why) { connection->finish(why); },
+                                   [this] { return connection->waiting(); }});
+    connection->start({[this](json&& message) {
+                         side->take(message, nowSeconds());
+                         greeted = greeted || side->greeted();
+                         schedule();
+                       },
+                       [this](const std::string& why) {
+                         link.noteSocket(-1);
+                         timer.cancel();
+                         log::write(log::Level::debug, "the hub has gone: " + why);
+                       },
+                       {}});
+    side->begin(nowSeconds());
+    schedule();
+  }
+
+  void schedule() {
+    const double now = nowSeconds(), next = side->next(now);
+    if (!connection->open() || !std::isfinite(next)) return void(timer.cancel());
+    timer.expires_after(std::chrono::duration_cast<asio::steady_timer::duration>(
+        std::chrono::duration<double>(std::clamp(next - now, 0.0, 3600.0))));
+    timer.async_wait([this](const error_code& error) {
+      if (error || !connection->open()) return;
+      side->passed(nowSeconds());
+      schedule();
+    });
+  }
+
+  ProgramLink& link;
+  asio::io_context io{1};
+  asio::steady_timer timer{io};
+  std::shared_ptr<Connection> connection;
+  std::optional<ProgramSide> side;
+  bool greeted = false;
+};
+
+ProgramLink::ProgramLink(Program& program, LiveSettings& live, const SettingsSource& source, HubAddress hub)
+    : program_(program),
+      live_(live),
+      source_(source),
+      hub_(std::move(hub)),
+      socket_(hub_.host.empty() ? socketIn(hub_.directory) : "") {}
+
+void ProgramLink::look(double now) noexcept {
+  double next = next_.load(std::memory_order_relaxed);
+  if (now < next || running_.load(std::memory_order_relaxed)) return;
+  if (exiting_ || forked_ || !next_.compare_exchange_strong(next, now + kLookSeconds)) return;
+  try {
+    if (hub_.host.empty() ? hubIsHere(now) : true) start();
+  } catch (const std::exception&) {}  // out of memory: the next look
+}
+
+bool ProgramLink::hubIsHere(double now) {
+  struct stat status {};
+  if (stat(socket_.c_str(), &status) != 0 || !S_ISSOCK(status.st_mode)) return false;
+  const std::string why = whyUnsafe(hub_.directory);
+  if (why.empty()) return true;
+  log::once(log::Level::warning, "unsafe runtime directory", "the hub is not used: " + why);
+  next_ = now + kMostBackoff;
+  return false;
+}
+
+void ProgramLink::start() noexcept {
+  if (running_.exchange(true)) return;
+  endAtExit(*this);
+  const auto run = [](void* link) -> void* {
+    static_cast<ProgramLink*>(link)->run();
+    return nullptr;
+  };
+  if (!startThread(run, this)) running_ = false, next_ = nowSeconds() + kMostBackoff;
+}
+
+/// The thread's main function.
+void ProgramLink::run() noexcept {
+  pthread_setname_np(pthread_self(), "gluray-control");
+  const bool tcp = !hub_.host.empty();
+  double pause = kTcpSeconds;
+  do {
+    bool greeted = false;
+    try {
+      greeted = serve();
+    } catch (const std::exception& e) {
+      log::once(log::Level::warning, "control", std::string("the link to the hub failed: ") + e.what());
+    } catch (...) {}
+    noteSocket(-1);
+    if (!exiting_) program_.linkEnded();
+    backoff_ = greeted ? kLookSeconds : std::min(2 * backoff_, kMostBackoff);
+    if (!tcp) break;
+    pause = greeted ? kTcpSeconds : pause;
+    for (double slept = 0; slept < pause && !exiting_; slept += kLookSeconds)
+      std::this_thread::sleep_for(std::chrono::duration<double>(kLookSeconds));
+    pause = std::min(2 * pause, kMostTcpSeconds);
+  } while (!exiting_);
+  next_ = nowSeconds() + backoff_;
+  running_ = false;
+}
+
+/// Serves one connection. Returns whether the hub has said hello.
+bool ProgramLink::serve() {
+  auto serving = std::make_unique<Serving>(*this);
+  {
+    const std::lock_guard lock(mutex_);
+    if (exiting_) return false;
+    serving_ = serving.get();
+  }
+  struct Forget {
+    ProgramLink& link;
+    ~Forget() {
+      const std::lock_guard lock(link.mutex_);
+      link.serving_ = nullptr;
+    }
+  };
+  {
+    const Forget forget{*this};
+    serving->run();
+  }
+  const bool greeted = serving->greeted;
+  if (exiting_) serving.release();  // what it would use may be gone
+  return greeted;
+}
+
+/// Keeps the socket for forked(). Below 0: there is none.
+void ProgramLink::noteSocket(int descriptor) noexcept {
+  descriptor_ = -1;
+  socketNumber_ = inodeOf(descriptor);
+  descriptor_ = descriptor;
+}
+
+void ProgramLink::forked() noexcept {
+  forked_ = true;
+  // The number may have been closed and used again by another thread just before the fork.
+  const int descriptor = descriptor_;
+  if (descriptor >= 0 && socketNumber_ != 0 && inodeOf(descriptor) == socketNumber_) close(descriptor);
+}
+
+void ProgramLink::exiting() noexcept {
+  if (forked_) return;
+  exiting_ = true;
+  constexpr int kPatience = 500;  // milliseconds
+  for (int i = 0; i < kPatience && running_; ++i) {
+    if (const std::unique_lock lock(mutex_, std::try_to_lock); lock && serving_) serving_->io.stop();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+}  // namespace gluray::control

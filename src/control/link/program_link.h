@@ -1,0 +1,55 @@
+// The link from this program to the hub: a thread that exists while there is a hub. Never destroyed: programs
+// draw while they exit.
+#pragma once
+#include "control/connect.h"
+#include "control/link/program.h"
+#include "settings/live_settings.h"
+
+#include <atomic>
+#include <cstdint>
+#include <mutex>
+#include <string>
+
+namespace gluray::control {
+
+class ProgramLink {
+ public:
+  static constexpr double kLookSeconds = 0.05,
+                          kMostBackoff = 2;  // between two looks for a hub of this machine
+  static constexpr double kTcpSeconds = 2, kMostTcpSeconds = 8;  // between two attempts to reach another one
+
+  ProgramLink(Program& program, LiveSettings& live, const SettingsSource& source, HubAddress hub);
+  ProgramLink(const ProgramLink&) = delete;
+  ProgramLink& operator=(const ProgramLink&) = delete;
+
+  /// Call when a frame begins. Looks for a hub at most every kLookSeconds, and starts the thread if there is
+  /// one. Any thread; `now`: nowSeconds().
+  void look(double now) noexcept;
+  /// In the child of a fork, which has no such thread: closes the child's copy of the socket.
+  void forked() noexcept;
+  /// When the process exits: ends the thread, and waits for it for a short time.
+  void exiting() noexcept;
+
+ private:
+  struct Serving;
+  bool hubIsHere(double now);
+  void start() noexcept;
+  void run() noexcept;
+  bool serve();
+  void noteSocket(int descriptor) noexcept;
+
+  Program& program_;
+  LiveSettings& live_;
+  const SettingsSource& source_;
+  const HubAddress hub_;
+  const std::string socket_;  // the hub's path
+  std::atomic<double> next_{0};
+  std::atomic<bool> running_{false}, exiting_{false}, forked_{false};
+  std::mutex mutex_;
+  Serving* serving_ = nullptr;             // guarded by mutex_; null: nothing to stop
+  double backoff_ = kLookSeconds;          // the thread's, or of who starts it
+  std::atomic<int> descriptor_{-1};        // of the connection
+  std::atomic<uint64_t> socketNumber_{0};  // its inode
+};
+
+}  // namespace gluray::control

@@ -1,0 +1,136 @@
+#include "control/link/program_side.h"
+
+#include "control/link/asked.h"
+#include "control/messages/value.h"
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+namespace gluray::control {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kVersion = 1;
+
+json descriptions() {
+  json rows = json::array();
+  for (const Row& row : settingRows())
+    if (row.inFiles) rows.push_back(description(row));
+  return rows;
+}
+
+}  // namespace
+
+ProgramSide::ProgramSide(Program& program, LiveSettings& live, const SettingsSource& source, Peer peer)
+    : program_(program),
+      live_(live),
+      peer_(std::move(peer)),
+      changes_(
+          live, source, [&program] { program.wake(); },
+          [this](const json& id, json result) { answer(id, std::move(result)); }),
+      observed_(program, live, source, [this](const json& event) { send(event); }) {}
+
+void ProgramSide::begin(double now) {
+  helloBy_ = now + kHelloSeconds;
+  json hello = program_.identity();
+  hello["type"] = "hello", hello["version"] = kVersion, hello["role"] = "program";
+  send(hello);
+}
+
+void ProgramSide::send(const json& message) {
+  const Connection::Line line = sharedLine(message);
+  if (line->size() <= kMostBytes) return peer_.send(line);
+  if (const json* const id = Asked(message).id()) answer(*id, {{"why", "the answer is longer than 1 MiB"}});
+}
+
+void ProgramSide::error(const std::string& why) { send({{"type", "error"}, {"why", why}}); }
+
+void ProgramSide::answer(const json& id, json result) {
+  json message{{"type", "answer"}, {"id", id}};
+  if (const auto why = result.find("why"); why != result.end())
+    message["why"] = *why;
+  else
+    message["results"] = result.empty() ? json::array() : json::array({std::move(result)});
+  send(message);
+}
+
+void ProgramSide::greet(const std::string& type, const json& message) {
+  const auto version = Asked(message).number("version");
+  greeted_ = type == "hello" && version && *version >= 1;
+  if (greeted_) return;
+  const std::string why =
+      type == "hello" ? "this version is not supported" : "the first message must be hello";
+  error(why);
+  peer_.finish(why);
+}
+
+void ProgramSide::take(const json& message, double now) {
+  const std::string type = Asked(message).text("type").value_or("");
+  if (!greeted_) return greet(type, message);
+  if (type == "hello" || type == "answer" || type == "event" || type == "error") return;
+  const json* const id = Asked(message).id();
+  if (!id) return error("a request needs an id: a number or a short text");
+  try {
+    carryOut(type, *id, message, now);
+  } catch (const std::exception& e) { answer(*id, {{"why", std::string("it failed: ") + e.what()}}); }
+}
+
+void ProgramSide::carryOut(const std::string& type, const json& id, const json& message, double now) {
+  if (ChangeRequests::knows(type))
+    changes_.take(type, id, message, now);
+  else if (type == "get")
+    answer(id, valuesOf(Asked(message).at("names")));
+  else if (type == "describe")
+    answer(id, {{"settings", descriptions()}});
+  else if (type == "observe")
+    answer(id, observed_.take(message, now));
+  else if (type == "call")
+    answer(id, calling(message));
+  else
+    answer(id, {{"why", "programs do not know the request '" + type + "'"}});
+  passed(now);
+}
+
+json ProgramSide::valuesOf(const json* names) {
+  const bool all = !names || names->is_null() || (names->is_array() && names->empty());
+  if (!all && !names->is_array()) return {{"why", "names must be a list"}};
+  json found = json::object();
+  for (const LiveSettings::Value& value : live_.values())
+    if (all || std::find(names->begin(), names->end(), value.row->name) != names->end())
+      found[std::string(value.row->name)] = described(value);
+  if (!all)
+    for (const json& name : *names) {
+      if (!name.is_string()) return {{"why", "names must be texts"}};
+      if (const auto& text = name.get_ref<const std::string&>(); !found.contains(text))
+        return {{"why", unknownSetting(text.substr(0, Asked::kMostOfName))}};
+    }
+  return {{"values", std::move(found)}};
+}
+
+json ProgramSide::calling(const json& message) {
+  const Asked asked(message);
+  const auto name = asked.text("name");
+  const json* const arguments = asked.at("arguments");
+  if (!name) return {{"why", "name must be a short text"}};
+  if (arguments && !arguments->is_object()) return {{"why", "arguments must be an object"}};
+  std::string why;
+  json value = program_.call(*name, arguments ? *arguments : json::object(), why);
+  return why.empty() ? json{{"value", std::move(value)}} : json{{"why", why}};
+}
+
+void ProgramSide::passed(double now) {
+  if (!greeted_) {
+    if (now >= helloBy_) peer_.finish("the hub does not say hello");
+    return;
+  }
+  changes_.passed(now);
+  observed_.passed(changes_.history(), peer_.waiting() > kMuchWaiting, now);
+}
+
+double ProgramSide::next(double now) const {
+  return greeted_ ? std::min(changes_.next(now), observed_.next()) : helloBy_;
+}
+
+}  // namespace gluray::control

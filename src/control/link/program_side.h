@@ -1,0 +1,58 @@
+// What a program says to the hub (docs/control-protocol.md): answers to requests, and events. Knows no
+// sockets and no clock. Control thread; times in seconds, on the clock nowSeconds().
+#pragma once
+#include "control/connection.h"
+#include "control/link/change_requests.h"
+#include "control/link/observed.h"
+#include "control/link/program.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <string>
+
+namespace gluray::control {
+
+class ProgramSide {
+ public:
+  static constexpr double kHelloSeconds = 5;                 // until the hub's hello
+  static constexpr size_t kMuchWaiting = size_t{256} << 10;  // bytes: the hub reads slowly
+
+  /// The connection to the hub.
+  struct Peer {
+    std::function<void(Connection::Line line)> send;
+    std::function<void(const std::string& why)> finish;
+    std::function<size_t()> waiting;  // bytes that are not sent yet
+  };
+  ProgramSide(Program& program, LiveSettings& live, const SettingsSource& source, Peer peer);
+
+  /// Says hello.
+  void begin(double now);
+  /// A message of the hub.
+  void take(const nlohmann::json& message, double now);
+  void passed(double now);
+  /// When passed() is to be called next; infinity: not before the next message.
+  double next(double now) const;
+  /// Whether the hub has said hello.
+  bool greeted() const { return greeted_; }
+
+ private:
+  void send(const nlohmann::json& message);
+  void error(const std::string& why);
+  void answer(const nlohmann::json& id, nlohmann::json result);
+  void greet(const std::string& type, const nlohmann::json& message);
+  void carryOut(const std::string& type, const nlohmann::json& id, const nlohmann::json& message, double now);
+  nlohmann::json valuesOf(const nlohmann::json* names);
+  nlohmann::json calling(const nlohmann::json& message);
+
+  Program& program_;
+  LiveSettings& live_;
+  const Peer peer_;
+  ChangeRequests changes_;
+  Observed observed_;
+  bool greeted_ = false;
+  double helloBy_ = 0;
+};
+
+}  // namespace gluray::control

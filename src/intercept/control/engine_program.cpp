@@ -1,0 +1,106 @@
+#include "intercept/control/engine_program.h"
+
+#include "base/log.h"
+#include "control/link/job.h"
+#include "frame/idle_refiner.h"
+#include "intercept/contexts.h"
+
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+namespace gluray::intercept {
+namespace {
+
+using nlohmann::json;
+
+constexpr size_t kMostOfName = 200;
+
+/// Bytes of resident memory; null: unknown.
+json residentMemory() {
+  std::ifstream file("/proc/self/statm");
+  uint64_t all = 0, resident = 0;
+  if (!(file >> all >> resident)) return {};
+  return resident * static_cast<uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
+json reasonsOf(const gl::Statistics& statistics) {
+  json reasons = json::object();
+  for (int i = 0; i < gl::kReasonCount; ++i)
+    if (const uint64_t draws = statistics.rasterisedBecause[static_cast<size_t>(i)])
+      reasons[std::string(describe(static_cast<gl::Reason>(i)))] = draws;
+  return reasons;
+}
+
+}  // namespace
+
+std::string executableName() {
+  std::error_code error;
+  const std::filesystem::path path = std::filesystem::read_symlink("/proc/self/exe", error);
+  return error ? "" : path.filename().string().substr(0, kMostOfName);
+}
+
+json EngineProgram::identity() {
+  char host[256] = {};
+  if (gethostname(host, sizeof host - 1) != 0) host[0] = '\0';
+  const control::Job job = control::jobOfThisProcess();
+  return {{"pid", getpid()},  {"host", host},       {"name", executableName()},
+          {"rank", job.rank}, {"ranks", job.ranks}, {"job", job.name}};
+}
+
+control::Figures EngineProgram::figures() {
+  const gl::Statistics s = totals().statistics;
+  return {s.trianglesTraced, s.drawsTraced, s.drawsRasterised};
+}
+
+json EngineProgram::state() {
+  const Totals sum = totals();
+  const gl::Statistics& s = sum.statistics;
+  const frame::IdleRefiner::Counts& idle = frame::IdleRefiner::counts();
+  const uint64_t passes = s.lightPasses, idlePasses = idle.passes;
+  if (idlePasses != idlePasses_ || passes != passes_) idle_ = idlePasses != idlePasses_;
+  const double noise = idle_ ? idle.noise.load() : double{s.lightNoise};
+  json done;
+  if (idle_) done = idle.framePasses.load();
+  passes_ = passes, idlePasses_ = idlePasses;
+  return {{"reasons", reasonsOf(s)},
+          {"memory", residentMemory()},
+          {"building", s.blasRefining != 0},
+          {"noise", noise > 0 ? json(noise) : json()},
+          {"passes", std::move(done)},
+          {"windows", windows()},
+          {"opengl", {{"vendor", sum.vendor}, {"renderer", sum.renderer}, {"version", sum.version}}},
+          {"warnings", log::recent()}};
+}
+
+json EngineProgram::windows() {
+  json list = json::array();
+  for (const ShownWindow& window : shownWindows()) {
+    const glm::ivec2 size = servers_.sizeOf(window);
+    if (size == glm::ivec2(0))
+      forgetShown(window);
+    else
+      list.push_back({{"width", size.x}, {"height", size.y}});
+  }
+  return list;
+}
+
+/// Calls are found here by name; there are none yet.
+json EngineProgram::call(const std::string& name, const json&, std::string& why) {
+  why = "this program has no call '" + name + "'";
+  return {};
+}
+
+void EngineProgram::wake() noexcept {
+  try {
+    for (const ShownWindow& window : shownWindows()) servers_.expose(window);
+  } catch (const std::exception&) {}  // out of memory: it draws when it draws
+}
+
+void EngineProgram::linkEnded() noexcept { servers_.close(); }
+
+}  // namespace gluray::intercept

@@ -1,0 +1,30 @@
+// This process as the hub sees it. Control thread.
+#pragma once
+#include "control/link/program.h"
+#include "intercept/control/x_server.h"
+
+#include <cstdint>
+
+namespace gluray::intercept {
+
+class EngineProgram final : public control::Program {
+ public:
+  nlohmann::json identity() override;
+  control::Figures figures() override;
+  nlohmann::json state() override;
+  nlohmann::json call(const std::string& name, const nlohmann::json& arguments, std::string& why) override;
+  void wake() noexcept override;
+  void linkEnded() noexcept override;
+
+ private:
+  nlohmann::json windows();
+
+  XServers servers_;
+  uint64_t passes_ = 0, idlePasses_ = 0;  // when the state was last asked for
+  bool idle_ = false;                     // the last passes were made while the program drew nothing
+};
+
+/// The name of this process's executable.
+std::string executableName();
+
+}  // namespace gluray::intercept

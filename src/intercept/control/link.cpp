@@ -1,0 +1,80 @@
+#include "intercept/control/link.h"
+
+#include "base/log.h"
+#include "control/link/program_link.h"
+#include "control/link/registration.h"
+#include "control/runtime_directory.h"
+#include "intercept/contexts.h"
+#include "intercept/control/engine_program.h"
+#include "intercept/session.h"
+#include "settings/live_settings.h"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <exception>
+#include <string>
+
+namespace gluray::intercept {
+namespace {
+
+std::atomic<LiveSettings*> g_live{nullptr};
+
+/// Never destroyed: programs draw while they exit.
+struct Link {
+  EngineProgram program;
+  control::ProgramLink link;
+  explicit Link(LiveSettings& live)
+      : link(
+            program, live, settingsSource(),
+            {session().hub.empty() ? control::runtimeDirectory() : "", session().hub, session().hubKeyFile}) {
+  }
+};
+std::atomic<Link*> g_link{nullptr};
+std::atomic<bool> g_left{false};  // the file was written, or cannot be
+
+Link& link() {
+  static Link* const once = [] {
+    auto* const made = new Link(*g_live);
+    g_link = made;
+    return made;
+  }();
+  return *once;
+}
+
+void removeFile() {
+  if (isForkedChild()) return;
+  try {
+    unlink(control::registrationFile(control::runtimeDirectory()).c_str());
+  } catch (const std::exception&) {}  // out of memory: the next hub removes it
+}
+
+}  // namespace
+
+void allowControl(LiveSettings& live) noexcept { g_live = &live; }
+
+bool mayBeControlled() noexcept { return g_live.load(std::memory_order_relaxed); }
+
+void lookForHub(double now) noexcept {
+  if (!mayBeControlled() || isForkedChild()) return;
+  try {
+    link().link.look(now);
+  } catch (const std::exception&) {}  // out of memory: the next frame
+}
+
+void leaveFile(const ShownWindow& window) noexcept {
+  if (g_left.exchange(true)) return;
+  try {
+    const std::string why = control::leaveRegistration(control::runtimeDirectory(),
+                                                       {executableName(), window.display, window.window});
+    if (!why.empty()) return log::write(log::Level::debug, "hubs will not find this program: " + why);
+    std::atexit(removeFile);
+  } catch (const std::exception&) {}  // out of memory: hubs find it when it draws
+}
+
+void leaveHubToParent() noexcept {
+  if (Link* const made = g_link) made->link.forked();
+}
+
+}  // namespace gluray::intercept

@@ -1,0 +1,27 @@
+// The link to the hub of this process: src/control knows the protocol, this folder what the program is. Any
+// thread.
+#pragma once
+#include "intercept/control/shown_windows.h"
+
+namespace gluray {
+class LiveSettings;
+}
+
+namespace gluray::intercept {
+
+/// Call once, when the session has been read and before frames are drawn. `live` must live forever. Without
+/// this call nothing is done.
+void allowControl(LiveSettings& live) noexcept;
+/// Whether allowControl() was called.
+bool mayBeControlled() noexcept;
+
+/// Call when a frame begins: looks for a hub now and then. `now`: nowSeconds().
+void lookForHub(double now) noexcept;
+
+/// Leaves the file by which hubs find this program, once.
+void leaveFile(const ShownWindow& window) noexcept;
+
+/// Call in the child of a fork.
+void leaveHubToParent() noexcept;
+
+}  // namespace gluray::intercept

@@ -1,0 +1,27 @@
+// The X windows that the program shows frames in: noted on GL threads when they swap, used on the control
+// thread.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+struct _XDisplay;  // Xlib's Display, without its header's macros
+
+namespace gluray::intercept {
+
+struct ShownWindow {
+  std::string display;  // name of the X server
+  uint32_t window = 0;
+  bool operator==(const ShownWindow&) const = default;
+};
+
+/// Call when a swap has shown a frame in a GLX drawable; for the first window leaves the file by which hubs
+/// find this program. Costs a comparison while swaps show the same drawable.
+void noteShown(_XDisplay* display, uintptr_t drawable) noexcept;
+
+/// The windows in which frames were shown, last first; they may be gone.
+std::vector<ShownWindow> shownWindows();
+/// Forgets a window that is gone.
+void forgetShown(const ShownWindow& window);
+
+}  // namespace gluray::intercept

@@ -1,0 +1,34 @@
+// What the control thread asks of X servers about the program's windows, over connections of its own: never
+// the program's, whose error handler could end it. Control thread.
+#pragma once
+#include "intercept/control/shown_windows.h"
+
+#include <glm/glm.hpp>
+
+#include <map>
+#include <string>
+
+struct xcb_connection_t;
+
+namespace gluray::intercept {
+
+class XServers {
+ public:
+  XServers() = default;
+  ~XServers();
+  XServers(const XServers&) = delete;
+  XServers& operator=(const XServers&) = delete;
+
+  /// Width and height in pixels; {0, 0}: it is gone.
+  glm::ivec2 sizeOf(const ShownWindow& window);
+  /// Has the server tell the program that it must draw the window. False: it is gone, or not supported.
+  bool expose(const ShownWindow& window);
+  /// Closes all connections.
+  void close() noexcept;
+
+ private:
+  xcb_connection_t* connectionTo(const std::string& display);
+  std::map<std::string, xcb_connection_t*> connections_;  // null: none is possible
+};
+
+}  // namespace gluray::intercept
