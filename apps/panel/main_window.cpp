@@ -34,9 +34,16 @@ MainWindow::MainWindow(Controls& controls) : controls_(controls) {
   connect(&controls_, &Controls::programsChanged, this, &MainWindow::showSettings);
   connect(&controls_, &Controls::stateChanged, this, &MainWindow::showState);
   connect(&controls_, &Controls::said, this, [this](const QString& line) { statusBar()->showMessage(line); });
-  statusBar()->setSizeGripEnabled(false);
+  connect(&controls_, &Controls::programsChanged, this, &MainWindow::greet);
+  connect(tabs_, &QTabWidget::currentChanged, this, [this] { why_->show(controls_.shown()); });
   resize(980, 760);
   showSettings();
+  greet();
+}
+
+void MainWindow::greet() {
+  statusBar()->showMessage(
+      controls_.shown() ? "" : tr("No program runs under GLuRay; start one with: gluray PROGRAM"));
 }
 
 QWidget* MainWindow::makePrograms() {
@@ -76,11 +83,14 @@ void MainWindow::makeToolBar() {
   bar->addWidget(presets_);
   bar->addSeparator();
   search_ = new QLineEdit(bar);
+  search_->setObjectName("search");
   search_->setPlaceholderText(tr("Search"));
   search_->setClearButtonEnabled(true);
   search_->setAccessibleName(tr("Search settings"));
+  search_->setMaximumWidth(fontMetrics().averageCharWidth() * 40);
   bar->addWidget(search_);
   changedOnly_ = new QCheckBox(tr("&Changed only"), bar);
+  changedOnly_->setObjectName("changed");
   bar->addWidget(changedOnly_);
   connect(search_, &QLineEdit::textChanged, this, &MainWindow::filter);
   connect(changedOnly_, &QCheckBox::toggled, this, &MainWindow::filter);
@@ -92,6 +102,7 @@ void MainWindow::makeToolBar() {
 
 void MainWindow::makePresets() {
   presets_ = new QComboBox(this);
+  presets_->setObjectName("presets");
   presets_->setAccessibleName(tr("Preset"));
   presets_->setMinimumContentsLength(12);
   presets_->addItem(QString::fromUtf8(kNoPreset.data()));
@@ -115,7 +126,6 @@ void MainWindow::showSettings() {
   const QString name = preset.is_string() ? QString::fromStdString(preset.get<std::string>()) : "";
   presets_->setCurrentIndex(name.isEmpty() ? 0 : presets_->findText(name));
   why_->show(program);
-  if (!program) statusBar()->showMessage(tr("No program runs under GLuRay; start one with: gluray PROGRAM"));
   if (changedOnly_->isChecked()) filter();
 }
 

@@ -30,6 +30,7 @@ class MainWindow : public QMainWindow {
   void showSettings();
   void showState(int program);
   void filter();
+  void greet();
 
   Controls& controls_;
   QTabWidget* tabs_ = nullptr;

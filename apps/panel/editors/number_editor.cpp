@@ -1,7 +1,9 @@
 #include "editors/number_editor.h"
 
+#include "control/messages/value.h"
 #include "editors/number_box.h"
 #include "qt_text.h"
+#include "settings/values.h"
 
 #include <QHBoxLayout>
 #include <QSignalBlocker>
@@ -12,11 +14,16 @@
 namespace gluray::panel {
 namespace {
 
-constexpr double kMostToSlide = 1e7;        // ranges beyond it have no slider
-constexpr double kLinearUpTo = 1e3;         // ratio of the range's ends
-constexpr double kLeastOfLogarithm = 1e-3;  // share of the range, where it begins at 0
+constexpr double kMostToSlide = 1e7;  // ranges beyond it have no slider
+constexpr double kLinearUpTo = 1e3;   // ratio of the range's ends
+constexpr double kBelowUsual = 1e-2;  // times the usual value: where a logarithmic range from 0 begins
 
 bool slides(const Row& row) { return row.ranged && row.most <= kMostToSlide && row.least >= -kMostToSlide; }
+
+double builtIn(const Row& row) {
+  const nlohmann::json value = control::valueOf(row, printValue(row, Session{}));
+  return value.is_number() ? value.get<double>() : 0;
+}
 
 /// Three digits are enough for what the hand can do.
 double rounded(double value) {
@@ -27,13 +34,14 @@ double rounded(double value) {
 
 }  // namespace
 
-Scale::Scale(double least, double most) : first_(0), least_(least), most_(most) {
+Scale::Scale(double least, double most, double usual) : first_(0), least_(least), most_(most) {
   if (least < 0 || most <= 0) return;
-  const double first = least > 0 ? least : std::min(most * kLeastOfLogarithm, 1.0);
+  const double first = least > 0 ? least : usual > 0 ? usual * kBelowUsual : most / kLinearUpTo;
   if (most / first > kLinearUpTo) first_ = first;
 }
 
 int Scale::positionOf(double value) const {
+  if (value <= least_) return 0;
   double share;
   if (first_ > 0)  // position 0 is the least value, which may be 0
     share = value < first_
@@ -54,7 +62,7 @@ double Scale::valueAt(int position) const {
 NumberEditor::NumberEditor(const Row& row, QWidget* parent)
     : Editor(parent),
       whole_(row.type == Type::integer),
-      scale_(row.least, row.most),
+      scale_(row.least, row.most, builtIn(row)),
       box_(new NumberBox(row, this)) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);

@@ -8,11 +8,13 @@ class QSlider;
 
 namespace gluray::panel {
 
-/// Positions of a slider over a range; logarithmic if it covers more than three powers of ten.
+/// Positions of a slider over a range; logarithmic if the range covers more than three powers of ten.
 class Scale {
  public:
   static constexpr int kSteps = 1000;
-  Scale(double least, double most);
+  /// `usual`: a value of the order that is wanted most often; a range that begins at 0 is fine-grained around
+  /// it.
+  Scale(double least, double most, double usual);
   /// 0 to kSteps; values outside the range are at its ends.
   int positionOf(double value) const;
   double valueAt(int position) const;

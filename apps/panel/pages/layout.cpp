@@ -35,6 +35,8 @@ constexpr Place kPlaces[] = {
     {"bvh", "Speed"},
     {"threads", "Speed"},
     {"quirks", "Speed"},
+    {"renderer", "Speed"},
+    {"program-families", "Speed"},
     {"exposure", "Picture"},
     {"tone", "Picture"},
     {"look", "Picture"},
