@@ -1,0 +1,137 @@
+#include "main_window.h"
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QSlider>
+#include <QStatusBar>
+#include <QTabWidget>
+#include <QTest>
+#include <cstdlib>
+
+namespace gluray::panel {
+namespace {
+
+using nlohmann::json;
+
+struct MainWindowTest : testing::Test {
+  void take(const json& message) { controls.take(std::make_shared<const json>(message)); }
+  void SetUp() override { window.show(); }
+  void appear() {
+    take({{"type", "event"},
+          {"what", "programs"},
+          {"programs",
+           {{{"program", 1}, {"pid", 4242}, {"name", "paraview"}, {"host", "here"}, {"ranks", 1}}}}});
+    take({{"type", "event"},
+          {"what", "settings"},
+          {"program", 1},
+          {"values", {{"ao", {{"value", true}, {"layer", "live"}, {"place", ""}}}}},
+          {"undo", 2},
+          {"redo", 0}});
+    for (int i = 0; i < 200; ++i)
+      take({{"type", "event"},
+            {"what", "state"},
+            {"program", 1},
+            {"state",
+             {{"fps", 20 + i % 7},
+              {"triangles", 1234567},
+              {"traced", 0.98},
+              {"reasons", {{"lines with a width", 12}}},
+              {"warnings", {"a warning"}}}}});
+  }
+  /// Saves a picture where GLURAY_PICTURES names a folder.
+  void picture(const char* name) {
+    if (const char* folder = std::getenv("GLURAY_PICTURES"))
+      window.grab().save(QString("%1/%2.png").arg(folder, name));
+  }
+  QWidget* setting(const char* name) { return window.findChild<QWidget*>(name); }
+
+  std::vector<json> sent;
+  Controls controls{[this](json message) { sent.push_back(std::move(message)); }};
+  MainWindow window{controls};
+};
+
+TEST_F(MainWindowTest, SaysThatThereIsNoProgram) {
+  EXPECT_EQ(window.statusBar()->currentMessage(),
+            "No program runs under GLuRay; start one with: gluray PROGRAM");
+  EXPECT_FALSE(setting("ao")->isEnabled());
+  picture("panel-empty");
+}
+
+TEST_F(MainWindowTest, ShowsAProgramsValues) {
+  appear();
+  EXPECT_TRUE(setting("ao")->isEnabled());
+  EXPECT_TRUE(window.findChild<QTabWidget*>());
+  picture("panel-light");
+  window.findChild<QTabWidget*>()->setCurrentIndex(window.findChild<QTabWidget*>()->count() - 1);
+  picture("panel-why");
+}
+
+TEST_F(MainWindowTest, ADragIsOneGesture) {
+  appear();
+  sent.clear();
+  auto* slider = setting("ao.samples")->findChild<QSlider*>();
+  slider->setSliderDown(true);
+  for (int i = 1; i < 50; ++i) slider->setValue(i * 10);
+  slider->setSliderDown(false);
+  ASSERT_GT(sent.size(), 10u);
+  for (const json& message : sent) EXPECT_EQ(message["gesture"], sent[0]["gesture"]);
+  EXPECT_FALSE(sent[0]["gesture"].get<std::string>().empty());
+  const json first = sent[0]["gesture"];
+  slider->setSliderDown(true);
+  slider->setValue(3);
+  EXPECT_NE(sent.back()["gesture"], first);
+}
+
+TEST_F(MainWindowTest, ValuesOfTheProgramDoNotMoveASliderThatIsHeld) {
+  appear();
+  auto* slider = setting("ao.samples")->findChild<QSlider*>();
+  slider->setSliderDown(true);
+  slider->setValue(900);
+  take({{"type", "event"},
+        {"what", "settings"},
+        {"program", 1},
+        {"values", {{"ao.samples", {{"value", 2}, {"layer", "live"}, {"place", ""}}}}}});
+  EXPECT_EQ(slider->value(), 900);
+}
+
+TEST_F(MainWindowTest, SearchesInAllPages) {
+  appear();
+  auto* search = window.findChild<QLineEdit*>("search");
+  ASSERT_NE(search, nullptr);
+  QTest::keyClicks(search, "aperture");
+  auto* tabs = window.findChild<QTabWidget*>();
+  EXPECT_EQ(tabs->tabText(tabs->currentIndex()).section(' ', 0, 0), "Camera");
+  EXPECT_TRUE(setting("camera.aperture")->isVisible());
+  picture("panel-search");
+  search->clear();
+  EXPECT_EQ(tabs->tabText(0), "Light");
+}
+
+TEST_F(MainWindowTest, HidesWhatIsNotChanged) {
+  appear();
+  auto* changed = window.findChild<QCheckBox*>("changed");
+  ASSERT_NE(changed, nullptr);
+  changed->click();
+  EXPECT_TRUE(setting("ao")->isVisible());
+  EXPECT_FALSE(setting("ao.samples")->isVisible());
+  picture("panel-changed");
+}
+
+TEST_F(MainWindowTest, PresetsAndUndoAreRequests) {
+  appear();
+  auto* presets = window.findChild<QComboBox*>("presets");
+  ASSERT_NE(presets, nullptr);
+  presets->setCurrentText("draft");
+  emit presets->activated(presets->currentIndex());
+  EXPECT_EQ(sent.back()["values"], json({{"preset", "draft"}}));
+  for (QAction* action : window.findChildren<QAction*>())
+    if (action->text() == "Undo") action->trigger();
+  EXPECT_EQ(sent.back()["type"], "undo");
+}
+
+}  // namespace
+}  // namespace gluray::panel

@@ -1,0 +1,93 @@
+// What the panel knows of the hub's programs, and the requests that it makes. GUI thread.
+#pragma once
+#include "model/hub_thread.h"
+
+#include <nlohmann/json.hpp>
+
+#include <QObject>
+#include <QString>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gluray::panel {
+
+/// A setting's value in a program.
+struct Value {
+  nlohmann::json value;
+  std::string layer, place;
+};
+
+/// A program, or the ranks of an MPI job.
+struct Program {
+  int number = 0;
+  int pid = 0, ranks = 1;
+  std::string host, name;
+  std::map<std::string, Value> values;  // of settings that differ from their built-in values, or did
+  int undo = 0, redo = 0;               // steps
+  nlohmann::json state = nlohmann::json::object();
+  std::deque<double> fps;  // one entry a state event, newest last
+  QString title() const;
+};
+
+class Controls : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `send` takes requests for the hub.
+  explicit Controls(std::function<void(nlohmann::json)> send) : send_(std::move(send)) {}
+
+  const std::vector<Program>& programs() const { return programs_; }
+  const Program* find(int number) const;
+
+  /// The program that widgets show and change; none: all of them.
+  void choose(std::optional<int> program);
+  std::optional<int> chosen() const { return chosen_; }
+  /// The chosen program; of all, the first. Null: there is none.
+  const Program* shown() const;
+  /// The setting's value in shown(); the built-in one where it says nothing.
+  Value value(const std::string& name) const;
+  /// Whether programs that are chosen together have different values.
+  bool differs(const std::string& name) const;
+
+  /// Null: what the other layers say. Changes with the same, not empty gesture are undone together.
+  void set(const std::string& name, const nlohmann::json& value, const std::string& gesture = "");
+  void undo();
+  void redo();
+
+  // Called as the hub's thread reports.
+  void connected();
+  void disconnected(const QString& why);
+  void take(const Message& message);
+
+ signals:
+  void programsChanged();
+  void chosenChanged();
+  /// Values, or the number of steps, of shown() have changed.
+  void settingsChanged();
+  void stateChanged(int program);
+  /// One line for the user. Empty: the last request was carried out.
+  void said(const QString& line);
+
+ private:
+  void request(nlohmann::json message, const QString& what = {});
+  nlohmann::json target() const;
+  void takePrograms(const nlohmann::json& list);
+  void takeAnswer(const nlohmann::json& answer);
+  void takeEvent(const nlohmann::json& event);
+  void takeSettings(Program& program, const nlohmann::json& event);
+  void takeState(Program& program, const nlohmann::json& state);
+  Program* findMutable(int number);
+
+  const std::function<void(nlohmann::json)> send_;
+  std::vector<Program> programs_;
+  std::optional<int> chosen_;
+  uint64_t next_ = 1;                  // id of the next request
+  std::map<uint64_t, QString> asked_;  // requests without an answer, and what they are about
+};
+
+}  // namespace gluray::panel

@@ -1,0 +1,125 @@
+#include "model/controls.h"
+
+#include <gtest/gtest.h>
+
+namespace gluray::panel {
+namespace {
+
+using nlohmann::json;
+
+struct ControlsTest : testing::Test {
+  void SetUp() override {
+    QObject::connect(&controls, &Controls::said, &controls,
+                     [this](const QString& line) { said.push_back(line.toStdString()); });
+    QObject::connect(&controls, &Controls::settingsChanged, &controls, [this] { ++settings; });
+  }
+  void take(const json& message) { controls.take(std::make_shared<const json>(message)); }
+  void takePrograms(std::initializer_list<int> numbers) {
+    json list = json::array();
+    for (const int n : numbers)
+      list.push_back({{"program", n},
+                      {"pid", 100 + n},
+                      {"host", "here"},
+                      {"name", "p" + std::to_string(n)},
+                      {"ranks", 1}});
+    take({{"type", "event"}, {"what", "programs"}, {"programs", list}});
+  }
+  void takeValue(int program, const char* name, const json& value) {
+    take({{"type", "event"},
+          {"what", "settings"},
+          {"program", program},
+          {"values", {{name, {{"value", value}, {"layer", "live"}, {"place", ""}}}}},
+          {"undo", 1},
+          {"redo", 0}});
+  }
+
+  std::vector<json> sent;
+  Controls controls{[this](json message) { sent.push_back(std::move(message)); }};
+  std::vector<std::string> said;
+  int settings = 0;
+};
+
+TEST_F(ControlsTest, AsksForEverythingWhenConnected) {
+  controls.connected();
+  ASSERT_EQ(sent.size(), 2u);
+  EXPECT_EQ(sent[0]["type"], "observe");
+  EXPECT_EQ(sent[1]["type"], "list");
+  take({{"type", "answer"}, {"id", sent[1]["id"]}, {"programs", {{{"program", 1}, {"name", "p"}}}}});
+  ASSERT_NE(controls.shown(), nullptr);
+  EXPECT_EQ(controls.shown()->name, "p");
+}
+
+TEST_F(ControlsTest, ValuesAreBuiltInUntilAProgramSaysMore) {
+  EXPECT_EQ(controls.value("ao").value, false);
+  takePrograms({1});
+  takeValue(1, "ao", true);
+  EXPECT_EQ(controls.value("ao").value, true);
+  EXPECT_EQ(controls.value("ao").layer, "live");
+  EXPECT_EQ(controls.shown()->undo, 1);
+}
+
+TEST_F(ControlsTest, ChangesGoToTheChosenProgramOrAll) {
+  takePrograms({1, 2});
+  controls.set("ao", true);
+  EXPECT_EQ(sent.back()["program"], "all");
+  controls.choose(2);
+  controls.set("ao.samples", 4, "drag");
+  EXPECT_EQ(sent.back()["program"], 2);
+  EXPECT_EQ(sent.back()["values"], json({{"ao.samples", 4}}));
+  EXPECT_EQ(sent.back()["gesture"], "drag");
+  controls.undo();
+  EXPECT_EQ(sent.back()["type"], "undo");
+}
+
+TEST_F(ControlsTest, ProgramsMayDiffer) {
+  takePrograms({1, 2});
+  EXPECT_FALSE(controls.differs("ao"));
+  takeValue(2, "ao", true);
+  EXPECT_TRUE(controls.differs("ao"));
+  controls.choose(1);
+  EXPECT_FALSE(controls.differs("ao"));
+}
+
+TEST_F(ControlsTest, RefusalsAreSaidAndTheOldValuesShownAgain) {
+  takePrograms({1});
+  controls.set("ao.samples", 0);
+  settings = 0;
+  take({{"type", "answer"},
+        {"id", sent.back()["id"]},
+        {"results", {{{"program", 1}, {"why", "ao.samples=0: use a number"}}}}});
+  EXPECT_EQ(said.back(), "ao.samples=0: use a number");
+  EXPECT_EQ(settings, 1);
+}
+
+TEST_F(ControlsTest, ProgramsThatEndAreForgottenAndOthersKeepTheirValues) {
+  takePrograms({1, 2});
+  takeValue(2, "ao", true);
+  controls.choose(1);
+  takePrograms({2});
+  EXPECT_FALSE(controls.chosen());
+  EXPECT_EQ(controls.value("ao").value, true);
+  controls.disconnected("the other side closed it");
+  EXPECT_EQ(controls.shown(), nullptr);
+  EXPECT_EQ(said.back(), "the other side closed it");
+}
+
+TEST_F(ControlsTest, SurvivesMessagesThatAreNoneOfTheProtocol) {
+  takePrograms({1});
+  for (const json& message :
+       {json::object(), json{{"type", 3}}, json{{"type", "event"}},
+        json{{"type", "event"}, {"what", "settings"}, {"program", "x"}},
+        json{{"type", "event"}, {"what", "settings"}, {"program", 1}, {"values", 7}},
+        json{{"type", "event"}, {"what", "settings"}, {"program", 1}, {"values", {{"ao", 1}}}},
+        json{{"type", "event"}, {"what", "programs"}, {"programs", {1, "a", json::object()}}},
+        json{{"type", "event"}, {"what", "programs"}, {"programs", 5}},
+        json{{"type", "event"},
+             {"what", "state"},
+             {"program", 1},
+             {"state", {{"fps", "fast"}, {"traced", "x"}}}},
+        json{{"type", "answer"}, {"id", -1}}, json{{"type", "answer"}, {"id", 1.5}, {"results", 3}},
+        json{{"type", "error"}, {"why", 5}}})
+    take(message);
+}
+
+}  // namespace
+}  // namespace gluray::panel

@@ -1,0 +1,88 @@
+#include "pages/setting_row.h"
+
+#include "control/messages/value.h"
+#include "editors/editor.h"
+#include "qt_text.h"
+#include "settings/values.h"
+
+#include <QApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QStyle>
+#include <QToolButton>
+#include <utility>
+
+namespace gluray::panel {
+namespace {
+
+QString helpOf(const Row& row) {
+  QString text = "<p><b>" + qtText(row.name).toHtmlEscaped() + "</b></p><p>" +
+                 qtText(row.help).toHtmlEscaped() + " " + qtText(row.more).toHtmlEscaped() + "</p>";
+  if (const std::string values = allowedValues(row); !values.empty())
+    text +=
+        "<p>" + SettingRow::tr("Values: %1.").arg(QString::fromStdString(values).toHtmlEscaped()) + "</p>";
+  for (const Word& word : row.words)
+    text += "<p><i>" + qtText(word.word) + "</i>: " + qtText(word.help).toHtmlEscaped() + "</p>";
+  return text;
+}
+
+/// "samples" of "ao.samples"; "ao" of "ao".
+QString shortName(const Row& row) {
+  const size_t dot = row.name.find('.');
+  return qtText(dot == row.name.npos ? row.name : row.name.substr(dot + 1));
+}
+
+std::string newGesture() {
+  static uint64_t last = 0;
+  return "panel " + std::to_string(QCoreApplication::applicationPid()) + " " + std::to_string(++last);
+}
+
+}  // namespace
+
+SettingRow::SettingRow(const Row& row, Controls& controls, QWidget* parent)
+    : QWidget(parent),
+      row_(row),
+      controls_(controls),
+      label_(new QLabel(shortName(row), this)),
+      editor_(makeEditor(row, this)),
+      reset_(new QToolButton(this)) {
+  label_->setMinimumWidth(fontMetrics().horizontalAdvance("transmission  "));
+  label_->setBuddy(editor_);
+  label_->setToolTip(helpOf(row));
+  editor_->setToolTip(helpOf(row));
+  reset_->setText("\u21ba");
+  reset_->setAutoRaise(true);
+  reset_->setAccessibleName(tr("Reset %1").arg(qtText(row.name)));
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(label_);
+  layout->addWidget(editor_, 1);
+  layout->addWidget(reset_);
+  connect(editor_, &Editor::changed, this, &SettingRow::send);
+  connect(reset_, &QToolButton::clicked, this, [this] { controls_.set(std::string(row_.name), nullptr); });
+  update();
+}
+
+void SettingRow::update() {
+  const std::string name(row_.name);
+  const Value now = controls_.value(name);
+  const nlohmann::json builtIn = control::valueOf(row_, printValue(row_, Session{}));
+  changed_ = now.value != builtIn;
+  if (!editor_->busy()) editor_->show(now.value);
+  QFont font = label_->font();
+  font.setBold(changed_);
+  label_->setFont(font);
+  label_->setText(shortName(row_) + (controls_.differs(name) ? " \u2260" : ""));
+  const QString from = now.place.empty() ? QString::fromStdString(now.layer)
+                                         : QString::fromStdString(now.layer + ": " + now.place);
+  reset_->setEnabled(now.layer == "live");
+  reset_->setToolTip(now.layer == "live" ? tr("Back to what files and options say")
+                                         : tr("Value from: %1").arg(from));
+}
+
+void SettingRow::send(const nlohmann::json& value, bool more) {
+  if (more && gesture_.empty()) gesture_ = newGesture();
+  controls_.set(std::string(row_.name), value, more ? gesture_ : std::exchange(gesture_, {}));
+}
+
+}  // namespace gluray::panel
