@@ -3,6 +3,7 @@
 #include "main_window.h"
 #include "model/controls.h"
 #include "model/hub_thread.h"
+#include "wake/wake.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -28,7 +29,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   panel::HubThread thread(
-      {control::runtimeDirectory(), parser.value(hub).toStdString(), parser.value(key).toStdString()}, {});
+      {control::runtimeDirectory(), parser.value(hub).toStdString(), parser.value(key).toStdString()}, wakeWindow);
   panel::Controls controls([&](nlohmann::json message) { thread.send(std::move(message)); });
   QObject::connect(&thread, &panel::HubThread::connected, &controls, &panel::Controls::connected);
   QObject::connect(&thread, &panel::HubThread::received, &controls, &panel::Controls::take);
