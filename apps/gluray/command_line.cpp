@@ -123,9 +123,8 @@ void describeTimeline(CLI::App& app, CommandLine& line) {
 
 void describeHub(CLI::App& app, CommandLine& line) {
   app.description(
-      "Runs the hub, through which running programs are controlled, until it is interrupted. gluray panel "
-      "and "
-      "gluray set have a hub of their own where none runs.");
+      "Runs the hub, through which running programs are controlled, until it is interrupted.\n"
+      "gluray panel and gluray set have a hub of their own where none runs.");
   app.name("gluray hub");
   auto* key = app.add_option("--key", line.hub.key, "The key file that other machines must have, too");
   key->type_name("FILE");

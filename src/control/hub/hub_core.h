@@ -45,7 +45,7 @@ class HubCore {
   Peers peers_;
   Programs programs_;
   Questions questions_;
-  Changes changes_;
+  ChangeQueue changes_;
   Observers observers_;
   Requests requests_;
 };

@@ -79,6 +79,8 @@ class HubServer::Parts : public std::enable_shared_from_this<Parts> {
 
 std::string HubServer::Parts::listen(const HubOptions& options) {
   directory = options.directory;
+  here_ = tcp_ = nullptr;
+  tcpPort = 0;
   if (std::string why = place_.take(directory, otherHub); !why.empty()) return why;
   std::string why;
   int tcp = -1;
@@ -103,6 +105,7 @@ std::string HubServer::Parts::listen(const HubOptions& options) {
 }
 
 std::string HubServer::Parts::start(const HubOptions& options) {
+  if (running_) return "this hub runs already";
   if (std::string why = listen(options); !why.empty()) {
     tcpPort = 0;
     place_.leave();
@@ -216,6 +219,7 @@ size_t HubServer::programs() const { return parts_->core().programs(); }
 
 size_t HubServer::expected() const {
   size_t count = 0;
+  if (parts_->directory.empty()) return count;  // it has not started
   for (const ProgramFile& file : programFiles(parts_->directory))
     count += !parts_->core().hasProcess(file.pid);
   return count;

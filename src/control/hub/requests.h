@@ -1,6 +1,6 @@
 // Requests of clients: checks them, passes them on, and gathers results. On the hub's thread.
 #pragma once
-#include "control/hub/changes.h"
+#include "control/hub/change_queue.h"
 #include "control/hub/observers.h"
 
 #include <functional>
@@ -17,7 +17,7 @@ class Requests {
   /// Gets the members of the answer: `results`, `programs`, `answers`, or `why`.
   using Done = std::function<void(nlohmann::json&& body)>;
 
-  Requests(Programs& programs, Questions& questions, Changes& changes, Observers& observers)
+  Requests(Programs& programs, Questions& questions, ChangeQueue& changes, Observers& observers)
       : programs_(programs), questions_(questions), changes_(changes), observers_(observers) {}
 
   /// Carries out a request of any content. Calls `done` once, perhaps before it returns.
@@ -39,7 +39,7 @@ class Requests {
 
   Programs& programs_;
   Questions& questions_;
-  Changes& changes_;
+  ChangeQueue& changes_;
   Observers& observers_;
 };
 

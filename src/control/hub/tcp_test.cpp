@@ -77,6 +77,18 @@ TEST_F(HubTcp, ThoseWithTheKeyAreHeard) {
   EXPECT_EQ(next(socket)["id"], 1);
 }
 
+TEST_F(HubTcp, AHubMayStartAgainWithoutTcp) {
+  EXPECT_EQ(hub_.expected(), 0u);
+  start();
+  EXPECT_NE(hub_.start(options_), "");
+  EXPECT_GT(hub_.port(), 0) << "it still runs";
+  hub_.stop();
+  options_.listen.clear();
+  start();
+  EXPECT_EQ(hub_.port(), 0);
+  client();
+}
+
 TEST_F(HubTcp, AnotherKeyIsFound) {
   start();
   ASSERT_EQ(writeNewKey(folder_ / "other"), "");

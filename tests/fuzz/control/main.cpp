@@ -37,8 +37,12 @@ int main(int argc, char** argv) {
   }
   std::signal(SIGABRT, nameSession);
   std::signal(SIGSEGV, nameSession);
-  uint64_t played = 0;
-  for (playing = seed; played == 0 || (!single && played < messages); ++playing)
-    played += gluray::fuzz::playSession(playing);
-  std::printf("control fuzz: %llu messages, no failure\n", static_cast<unsigned long long>(played));
+  gluray::fuzz::HubPlayer::Counts all;
+  for (playing = seed; all.messages == 0 || (!single && all.messages < messages); ++playing) {
+    const auto counts = gluray::fuzz::playSession(playing);
+    all.messages += counts.messages, all.answers += counts.answers, all.asked += counts.asked;
+  }
+  std::printf("control fuzz: %llu messages, %llu answers, %llu questions to programs; no failure\n",
+              static_cast<unsigned long long>(all.messages), static_cast<unsigned long long>(all.answers),
+              static_cast<unsigned long long>(all.asked));
 }

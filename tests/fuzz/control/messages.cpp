@@ -139,35 +139,55 @@ std::string nextLine(Random& random, HubPlayer& player, size_t peer, bool progra
 
 }  // namespace
 
-uint64_t playSession(uint64_t seed) {
-  constexpr uint32_t kLeastSteps = 100, kMostMore = 400, kMostPeers = 12;
-  Random random(seed);
+namespace {
+
+/// Some peers, those that were closed included, and which of them are programs.
+struct Session {
   HubPlayer player;
   std::vector<bool> programs;
-  uint64_t messages = 0;
+
+  void connect(Random& random) {
+    programs.push_back(random.chance(50));
+    const size_t peer = player.connect();
+    json first = hello(random, programs.back());
+    if (random.chance(5)) mutate(random, first);
+    player.feed(peer, control::lineOf(first));
+  }
+  /// Something else than a message; false: nothing.
+  bool disturb(Random& random, size_t peer) {
+    const uint32_t kind = random.below(100);
+    if (kind < 1) player.disconnect(peer);
+    if (kind >= 1 && kind < 4) player.slow(peer, random.chance(50));
+    if (kind >= 4 && kind < 15) player.wait(milliseconds(random.below(random.chance(10) ? 4000 : 100)));
+    return kind < 15;
+  }
+};
+
+}  // namespace
+
+HubPlayer::Counts playSession(uint64_t seed) {
+  constexpr uint32_t kLeastSteps = 100, kMostMore = 400, kMostOpen = 10;
+  Random random(seed);
+  Session session;
+  HubPlayer& player = session.player;
+  std::vector<size_t> open;
   for (uint32_t steps = kLeastSteps + random.below(kMostMore); steps > 0; --steps) {
-    if (player.peers() < 2 || (player.peers() < kMostPeers && random.chance(8))) {
-      programs.push_back(random.chance(50));
-      const size_t peer = player.connect();
-      json first = hello(random, programs.back());
-      if (random.chance(5)) mutate(random, first);
-      player.feed(peer, control::lineOf(first)), ++messages;
+    open.clear();
+    for (size_t peer = 0; peer < player.peers(); ++peer)
+      if (player.open(peer)) open.push_back(peer);
+    if (open.size() < 3 || (open.size() < kMostOpen && random.chance(8))) {
+      session.connect(random);
       continue;
     }
-    const size_t peer = random.below(static_cast<uint32_t>(player.peers()));
-    const uint32_t kind = random.below(100);
-    if (kind < 2) player.disconnect(peer);
-    if (kind >= 2 && kind < 6) player.slow(peer, random.chance(50));
-    if (kind >= 6 && kind < 20) player.wait(milliseconds(random.below(random.chance(10) ? 4000 : 100)));
-    if (kind < 20) continue;
-    const std::string line = nextLine(random, player, peer, programs[peer]);
+    const size_t peer = oneOf(random, open);
+    if (session.disturb(random, peer)) continue;
+    const std::string line = nextLine(random, player, peer, session.programs[peer]);
     const size_t cut = random.below(static_cast<uint32_t>(line.size()) + 1);
     player.feed(peer, std::string_view(line).substr(0, cut));
     player.feed(peer, std::string_view(line).substr(cut));
-    messages += static_cast<uint64_t>(std::count(line.begin(), line.end(), '\n'));
   }
   player.end();
-  return messages;
+  return player.counts();
 }
 
 void playBytes(std::string_view bytes) {

@@ -5,8 +5,8 @@
 
 namespace gluray::fuzz {
 
-/// Plays a session of some hundred messages from a seed; how many there were.
-uint64_t playSession(uint64_t seed);
+/// Plays a session of some hundred messages from a seed.
+HubPlayer::Counts playSession(uint64_t seed);
 /// Plays a session that bytes describe, as libFuzzer changes them.
 void playBytes(std::string_view bytes);
 

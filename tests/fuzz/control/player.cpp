@@ -57,6 +57,7 @@ void HubPlayer::message(size_t peer, const json& message) {
   if (one.client && *type != "hello" && *type != "error" && isId(id))
     repeated = !one.asked.insert(*id).second;
   const size_t errors = one.errors;
+  ++counts_.messages;
   hub_.received(peer + 1, message, now_);
   if (repeated) require(one.errors == errors + 1, "an id that waits must be refused", message);
   if (!said && one.open) {
@@ -79,8 +80,9 @@ void HubPlayer::sent(size_t peer, const std::string& line) {
                     message.contains("programs") ==
                 1,
             "an answer that is none", message);
-    ++answers_;
+    ++counts_.answers;
   }
+  counts_.asked += one.program && message.contains("id");
   if (one.program && message.contains("id") && one.questions.size() < kMostQuestions)
     one.questions.push_back(message);
 }

@@ -29,7 +29,12 @@ class HubPlayer {
   std::vector<nlohmann::json> questions(size_t peer);
   /// Lets all time limits pass: then no request may wait.
   void end();
-  uint64_t answers() const { return answers_; }
+  bool open(size_t peer) const { return peers_[peer]->open; }
+  /// Messages that the hub was given, its answers, and what it asked programs.
+  struct Counts {
+    uint64_t messages = 0, answers = 0, asked = 0;
+  };
+  const Counts& counts() const { return counts_; }
 
  private:
   struct One {
@@ -46,7 +51,7 @@ class HubPlayer {
   control::HubTime now_{std::chrono::seconds(1000)};
   control::HubCore hub_{control::HubCore::Self{"host", 1, 0}};
   std::vector<std::unique_ptr<One>> peers_;  // connection numbers are one more than indices
-  uint64_t answers_ = 0;
+  Counts counts_;
 };
 
 }  // namespace gluray::fuzz

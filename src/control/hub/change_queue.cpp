@@ -1,4 +1,4 @@
-#include "control/hub/changes.h"
+#include "control/hub/change_queue.h"
 
 #include "base/hash.h"
 #include "control/hub/job_change.h"
@@ -28,7 +28,7 @@ std::string whyNotReady(const Program* program) {
 
 }  // namespace
 
-void Changes::add(uint64_t program, ChangeRequest request, Questions::Done done) {
+void ChangeQueue::add(uint64_t program, ChangeRequest request, Questions::Done done) {
   Line& line = lines_[program];
   Part part{std::move(request.values), questions_.now() + kSetPatience, std::move(done)};
   if (!line.waiting.empty() && !line.waiting.back().alone &&
@@ -42,7 +42,7 @@ void Changes::add(uint64_t program, ChangeRequest request, Questions::Done done)
   if (!line.current) begin(program);
 }
 
-json Changes::messageOf(const Change& change) const {
+json ChangeQueue::messageOf(const Change& change) const {
   json message{{"type", change.request.type}};
   if (change.request.type != "set") return message;
   json& values = message["values"] = json::object();
@@ -51,7 +51,7 @@ json Changes::messageOf(const Change& change) const {
   return message;
 }
 
-std::string Changes::gestureName(const ChangeRequest& request) const {
+std::string ChangeQueue::gestureName(const ChangeRequest& request) const {
   const std::string text = self_ + " " + std::to_string(request.client) + " " + request.gesture;
   const Hash128 hash = hashBytes(text.data(), text.size());
   char name[40];
@@ -60,7 +60,7 @@ std::string Changes::gestureName(const ChangeRequest& request) const {
   return name;
 }
 
-void Changes::begin(uint64_t program) {
+void ChangeQueue::begin(uint64_t program) {
   while (true) {
     const auto found = lines_.find(program);
     if (found == lines_.end() || found->second.current) return;
@@ -78,7 +78,7 @@ void Changes::begin(uint64_t program) {
   }
 }
 
-void Changes::send(const Program& entry) {
+void ChangeQueue::send(const Program& entry) {
   const auto done = [this, program = entry.number](json&& result) { finished(program, std::move(result)); };
   const json message = messageOf(*lines_.at(entry.number).current);
   if (entry.ranks == 1) return void(questions_.ask(entry.speaker(), message, kSetPatience, done));
@@ -87,7 +87,7 @@ void Changes::send(const Program& entry) {
   changeJob(questions_, ranks, message, done);
 }
 
-void Changes::finished(uint64_t program, json&& result) {
+void ChangeQueue::finished(uint64_t program, json&& result) {
   const auto found = lines_.find(program);
   if (found == lines_.end() || !found->second.current) return;
   Change change = std::move(*found->second.current);
@@ -110,7 +110,7 @@ void Changes::finished(uint64_t program, json&& result) {
 }
 
 // Those that wait stand in the order in which they came, so the first one's limit is the first to pass.
-void Changes::passed() {
+void ChangeQueue::passed() {
   std::vector<Part> late;
   for (auto& [program, line] : lines_)
     while (!line.waiting.empty() && line.waiting.front().parts.front().limit <= questions_.now()) {
@@ -123,14 +123,14 @@ void Changes::passed() {
     part.done(failure("its turn did not come within 3 s: the program has not answered earlier requests"));
 }
 
-HubTime Changes::next() const {
+HubTime ChangeQueue::next() const {
   HubTime next = HubTime::max();
   for (const auto& [program, line] : lines_)
     if (!line.waiting.empty()) next = std::min(next, line.waiting.front().parts.front().limit);
   return next;
 }
 
-void Changes::ended(uint64_t program) {
+void ChangeQueue::ended(uint64_t program) {
   const auto found = lines_.find(program);
   if (found == lines_.end()) return;
   const std::deque<Change> waiting = std::exchange(found->second.waiting, {});

@@ -21,10 +21,10 @@ struct ChangeRequest {
   nlohmann::json values;  // of set
 };
 
-class Changes {
+class ChangeQueue {
  public:
   /// `self`: text that no other hub has; gestures are passed on under names made of it.
-  Changes(Programs& programs, Questions& questions, std::string self)
+  ChangeQueue(Programs& programs, Questions& questions, std::string self)
       : programs_(programs), questions_(questions), self_(std::move(self)) {}
 
   /// Carries it out after those that wait for the same program. Calls `done` once, perhaps before it returns.
