@@ -36,6 +36,7 @@ Commands for programs that run:
   gluray undo              take the last change back; gluray redo makes it again
   gluray get --live NAME   the value of a setting in the running programs
   gluray watch             print settings that change, programs that come and go
+  gluray hub               pass messages between programs and those who control them
 
 After a run:
   gluray timeline FILE     what each thread did in a run with --timeline FILE
@@ -98,7 +99,7 @@ bool namesCommand(int argc, char** argv, Command& command) {
   static const std::map<std::string, Command> commands = {
       {"run", Command::run},       {"explain", Command::explain},   {"doctor", Command::doctor},
       {"quirks", Command::quirks}, {"settings", Command::settings}, {"timeline", Command::timeline},
-      {"get", Command::get},       {"presets", Command::presets}};
+      {"get", Command::get},       {"presets", Command::presets},   {"hub", Command::hub}};
   if (argc > 1 && namesControlCommand(argv[1], command)) return true;
   const auto found = argc > 1 ? commands.find(argv[1]) : commands.end();
   if (found == commands.end()) return false;
@@ -120,10 +121,25 @@ void describeTimeline(CLI::App& app, CommandLine& line) {
       ->type_name("MS");
 }
 
+void describeHub(CLI::App& app, CommandLine& line) {
+  app.description(
+      "Runs the hub, through which running programs are controlled, until it is interrupted. gluray panel "
+      "and "
+      "gluray set have a hub of their own where none runs.");
+  app.name("gluray hub");
+  auto* key = app.add_option("--key", line.hub.key, "The key file that other machines must have, too");
+  key->type_name("FILE");
+  app.add_option("--listen", line.hub.listen, "Listen for other machines on this address, too")
+      ->needs(key)
+      ->type_name("HOST:PORT");
+  app.add_option("--new-key", line.hub.newKey, "Write a new key to FILE and end")->type_name("FILE");
+}
+
 /// Adds the options and the help text of the command in `line`.
 void describe(CLI::App& app, CommandLine& line) {
   const auto usage = [&](const char* text) { app.get_formatter()->label("OPTIONS", text); };
   if (line.command == Command::timeline) return describeTimeline(app, line);
+  if (line.command == Command::hub) return describeHub(app, line);
   if (line.command != Command::run) app.add_flag("--json", line.json, "Print JSON");
   if (describeControl(app, line)) return;
   switch (line.command) {
@@ -181,7 +197,7 @@ void describe(CLI::App& app, CommandLine& line) {
 /// Whether a program may follow the options: the others take names or a file.
 bool takesProgram(Command command) {
   return command != Command::timeline && command != Command::get && command != Command::presets &&
-         !isControlCommand(command);
+         command != Command::hub && !isControlCommand(command);
 }
 
 /// Index of the program's word, from `first` on: after "--", or the first word that is neither an option

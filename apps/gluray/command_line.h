@@ -19,6 +19,7 @@ enum class Command {
   get,
   presets,
   timeline,
+  hub,
   list,
   set,
   unset,
@@ -26,6 +27,11 @@ enum class Command {
   watch,
   undo,
   redo
+};
+
+/// Options of gluray hub; empty: not given.
+struct HubLine {
+  std::string listen, key, newKey;  // HOST:PORT, files
 };
 
 struct CommandLine {
@@ -36,6 +42,7 @@ struct CommandLine {
   ChosenSettings settings;
 
   ControlOptions control;  // get, and commands for running programs
+  HubLine hub;
 
   bool json = false;  // all but run and timeline
   // explain

@@ -1,6 +1,7 @@
 // gluray, the launcher: sets the environment so that a program's OpenGL calls go through GLuRay, and replaces
 // itself by the program (exec); or runs one of the other commands, such as explain and doctor.
 #include "command_line.h"
+#include "control/hub.h"
 #include "control/live_values.h"
 #include "doctor/doctor.h"
 #include "doctor/probe_context.h"
@@ -39,6 +40,7 @@ int perform(const CommandLine& line) {
       return line.control.live || !line.control.programs.empty() ? getLiveSettings(line) : getSettings(line);
     case Command::presets: return listPresets(line);
     case Command::timeline: return showTimeline(line);
+    case Command::hub: return runHub(line);
     default: return run(line);
   }
 }

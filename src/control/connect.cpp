@@ -1,5 +1,6 @@
 #include "control/connect.h"
 
+#include "control/connect_tcp.h"
 #include "control/runtime_directory.h"
 
 #include <asio/local/stream_protocol.hpp>
@@ -62,12 +63,9 @@ bool sameUser(int socket) {
 }
 
 void connectToHub(asio::io_context& io, const HubAddress& address, Connected connected) {
+  if (!address.host.empty()) return connectByTcp(io, address, std::move(connected));
   std::string why;
-  std::shared_ptr<Connection> connection;
-  if (address.host.empty())
-    connection = connectHere(io, address.directory, why);
-  else
-    why = "hub = " + address.host + ": TCP is not supported";
+  std::shared_ptr<Connection> connection = connectHere(io, address.directory, why);
   asio::post(io, [connected = std::move(connected), connection = std::move(connection), why] {
     connected(connection, why);
   });

@@ -21,7 +21,8 @@ struct HubAddress {
 /// that says why.
 using Connected = std::function<void(std::shared_ptr<Connection> connection, const std::string& why)>;
 
-/// Never blocks. Calls `connected` once, not before it returns.
+/// Never blocks. Calls `connected` once, not before it returns. By TCP it takes 3 s at most; a host that is a
+/// name is looked up on a thread of asio's, for which the io_context waits when it is destroyed.
 void connectToHub(asio::io_context& io, const HubAddress& address, Connected connected);
 
 /// The path of the hub's socket in a runtime directory.

@@ -35,7 +35,7 @@ class HubServer {
 
  private:
   class Parts;
-  std::unique_ptr<Parts> parts_;
+  std::shared_ptr<Parts> parts_;
 };
 
 }  // namespace gluray::control

@@ -3,6 +3,7 @@
 #include "control/messages/parsed.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace gluray::control {
 namespace {
@@ -57,9 +58,15 @@ std::optional<std::string> LineReader::next() {
   return line;
 }
 
+std::string whyUnfit(std::string_view line) {
+  if (line.size() > kMostBytes) return "the message is longer than 1 MiB";
+  if (depthOf(line) > kMostDepth) return "the message is nested deeper than 16";
+  return "";
+}
+
 Parsed parse(std::string_view line) {
   if (line.size() >= kMostBytes) return {{}, "the message is longer than 1 MiB"};
-  if (depthOf(line) > kMostDepth) return {{}, "the message is nested deeper than 16"};
+  if (std::string why = whyUnfit(line); !why.empty()) return {{}, std::move(why)};
   try {
     json message = json::parse(line);
     if (!message.is_object()) return {{}, "the message is not a JSON object"};

@@ -36,6 +36,10 @@ class LineReader {
 struct Parsed;
 Parsed parse(std::string_view line);
 
+/// Why receivers would not take a line, with its line feed: it is too long or nested too deep. Empty: they
+/// would.
+std::string whyUnfit(std::string_view line);
+
 /// The message as a line, with its line feed. Text that is not UTF-8 gets replacement characters.
 std::string lineOf(const nlohmann::json& message);
 

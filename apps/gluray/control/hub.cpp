@@ -1,0 +1,64 @@
+#include "control/hub.h"
+
+#include "control/auth/key.h"
+#include "control/hub/hub_server.h"
+#include "control/runtime_directory.h"
+#include "control/wake.h"
+#include "say.h"
+
+#include <asio/signal_set.hpp>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <exception>
+
+namespace gluray::launcher {
+namespace {
+
+constexpr rlim_t kDescriptors = 4096;  // more than the connections that a hub takes
+
+void allowManyConnections() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= kDescriptors) return;
+  limit.rlim_cur =
+      limit.rlim_max == RLIM_INFINITY || limit.rlim_max > kDescriptors ? kDescriptors : limit.rlim_max;
+  setrlimit(RLIMIT_NOFILE, &limit);
+}
+
+int writeKeyFile(const std::string& file) {
+  if (const std::string why = control::writeNewKey(file); !why.empty()) return say(why), 1;
+  say("wrote a key to " + file + "; copy it to the other machines, and let nobody else read it");
+  return 0;
+}
+
+/// Where the hub listens.
+std::string placesOf(const control::HubServer& hub, const HubLine& line, const std::string& directory) {
+  if (line.listen.empty()) return directory;
+  const std::string host = line.listen.substr(0, line.listen.rfind(':'));
+  return directory + " and on " + host + ":" + std::to_string(hub.port());
+}
+
+}  // namespace
+
+int runHub(const CommandLine& line) {
+  if (!line.hub.newKey.empty()) return writeKeyFile(line.hub.newKey);
+  allowManyConnections();
+  asio::io_context io;
+  asio::signal_set signals(io, SIGINT, SIGTERM);
+  signals.async_wait([&](const asio::error_code& error, int) {
+    if (!error) io.stop();
+  });
+  control::HubServer hub(io);
+  control::HubOptions options;
+  options.directory = control::runtimeDirectory();
+  options.listen = line.hub.listen;
+  options.keyFile = line.hub.key;
+  options.wake = wakeWindow;
+  if (const std::string why = hub.start(options); !why.empty()) return say(why), 1;
+  say("the hub listens in " + placesOf(hub, line.hub, options.directory));
+  io.run();
+  hub.stop();
+  return 0;
+}
+
+}  // namespace gluray::launcher

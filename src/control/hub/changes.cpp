@@ -1,0 +1,142 @@
+#include "control/hub/changes.h"
+
+#include "base/hash.h"
+#include "control/hub/job_change.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+namespace gluray::control {
+namespace {
+
+using nlohmann::json;
+
+/// Whether a `set` can join one that waits.
+bool sameGesture(const ChangeRequest& a, const ChangeRequest& b) {
+  return a.type == "set" && b.type == "set" && a.client == b.client && !a.gesture.empty() &&
+         a.gesture == b.gesture;
+}
+
+/// Why a program cannot be changed now; empty: it can.
+std::string whyNotReady(const Program* program) {
+  if (!program) return "it has ended";
+  if (program->complete()) return "";
+  return "only " + std::to_string(program->members.size()) + " of the job's " +
+         std::to_string(program->ranks) + " ranks are connected";
+}
+
+}  // namespace
+
+void Changes::add(uint64_t program, ChangeRequest request, Questions::Done done) {
+  Line& line = lines_[program];
+  Part part{std::move(request.values), questions_.now() + kSetPatience, std::move(done)};
+  if (!line.waiting.empty() && !line.waiting.back().alone &&
+      sameGesture(line.waiting.back().request, request)) {
+    line.waiting.back().parts.push_back(std::move(part));
+  } else {
+    Change change{std::move(request), {}, false};
+    change.parts.push_back(std::move(part));
+    line.waiting.push_back(std::move(change));
+  }
+  if (!line.current) begin(program);
+}
+
+json Changes::messageOf(const Change& change) const {
+  json message{{"type", change.request.type}};
+  if (change.request.type != "set") return message;
+  json& values = message["values"] = json::object();
+  for (const Part& part : change.parts) values.update(part.values);
+  if (!change.request.gesture.empty()) message["gesture"] = gestureName(change.request);
+  return message;
+}
+
+std::string Changes::gestureName(const ChangeRequest& request) const {
+  const std::string text = self_ + " " + std::to_string(request.client) + " " + request.gesture;
+  const Hash128 hash = hashBytes(text.data(), text.size());
+  char name[40];
+  std::snprintf(name, sizeof name, "%016llx%016llx", static_cast<unsigned long long>(hash.high),
+                static_cast<unsigned long long>(hash.low));
+  return name;
+}
+
+void Changes::begin(uint64_t program) {
+  while (true) {
+    const auto found = lines_.find(program);
+    if (found == lines_.end() || found->second.current) return;
+    Line& line = found->second;
+    if (line.waiting.empty()) return void(lines_.erase(found));
+    Change change = std::move(line.waiting.front());
+    line.waiting.pop_front();
+    const Program* entry = programs_.find(program);
+    if (const std::string why = whyNotReady(entry); why.empty()) {
+      line.current = std::move(change);
+      return send(*entry);
+    } else {
+      for (const Part& part : change.parts) part.done(failure(why));
+    }
+  }
+}
+
+void Changes::send(const Program& entry) {
+  const auto done = [this, program = entry.number](json&& result) { finished(program, std::move(result)); };
+  const json message = messageOf(*lines_.at(entry.number).current);
+  if (entry.ranks == 1) return void(questions_.ask(entry.speaker(), message, kSetPatience, done));
+  std::map<int, uint64_t> ranks;
+  for (const auto& [rank, one] : entry.members) ranks[rank] = one.connection;
+  changeJob(questions_, ranks, message, done);
+}
+
+void Changes::finished(uint64_t program, json&& result) {
+  const auto found = lines_.find(program);
+  if (found == lines_.end() || !found->second.current) return;
+  Change change = std::move(*found->second.current);
+  found->second.current.reset();
+  if (!whyOf(result).empty() && change.parts.size() > 1) {
+    // One of the merged ones may be wrong: each alone, in their order. Those that have waited too long fail.
+    std::vector<Part> parts = std::exchange(change.parts, {});
+    for (size_t i = parts.size(); i-- > 0;) {
+      if (parts[i].limit <= questions_.now()) {
+        change.parts.insert(change.parts.begin(), std::move(parts[i]));
+        continue;
+      }
+      Change single{change.request, {}, true};
+      single.parts.push_back(std::move(parts[i]));
+      found->second.waiting.push_front(std::move(single));
+    }
+  }
+  begin(program);
+  for (const Part& part : change.parts) part.done(json(result));
+}
+
+// Those that wait stand in the order in which they came, so the first one's limit is the first to pass.
+void Changes::passed() {
+  std::vector<Part> late;
+  for (auto& [program, line] : lines_)
+    while (!line.waiting.empty() && line.waiting.front().parts.front().limit <= questions_.now()) {
+      std::vector<Part>& parts = line.waiting.front().parts;
+      late.push_back(std::move(parts.front()));
+      parts.erase(parts.begin());
+      if (parts.empty()) line.waiting.pop_front();
+    }
+  for (const Part& part : late)
+    part.done(failure("its turn did not come within 3 s: the program has not answered earlier requests"));
+}
+
+HubTime Changes::next() const {
+  HubTime next = HubTime::max();
+  for (const auto& [program, line] : lines_)
+    if (!line.waiting.empty()) next = std::min(next, line.waiting.front().parts.front().limit);
+  return next;
+}
+
+void Changes::ended(uint64_t program) {
+  const auto found = lines_.find(program);
+  if (found == lines_.end()) return;
+  const std::deque<Change> waiting = std::exchange(found->second.waiting, {});
+  if (!found->second.current) lines_.erase(found);
+  for (const Change& change : waiting)
+    for (const Part& part : change.parts) part.done(failure("it has ended"));
+}
+
+}  // namespace gluray::control

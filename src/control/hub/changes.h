@@ -1,0 +1,65 @@
+// Requests that change a program, one at a time: set, undo, redo. On the hub's thread.
+#pragma once
+#include "control/hub/programs.h"
+#include "control/hub/questions.h"
+
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gluray::control {
+
+inline constexpr std::chrono::seconds kSetPatience{3};  // for an answer, and for the turn before it
+
+/// What a client asks for.
+struct ChangeRequest {
+  std::string type;  // set, undo, redo
+  uint64_t client = 0;
+  std::string gesture;    // of this client; empty: none
+  nlohmann::json values;  // of set
+};
+
+class Changes {
+ public:
+  /// `self`: text that no other hub has; gestures are passed on under names made of it.
+  Changes(Programs& programs, Questions& questions, std::string self)
+      : programs_(programs), questions_(questions), self_(std::move(self)) {}
+
+  /// Carries it out after those that wait for the same program. Calls `done` once, perhaps before it returns.
+  void add(uint64_t program, ChangeRequest request, Questions::Done done);
+  /// Ends those whose turn has not come in time.
+  void passed();
+  HubTime next() const;
+  /// The program has gone: those that wait fail.
+  void ended(uint64_t program);
+
+ private:
+  struct Part {
+    nlohmann::json values;
+    HubTime limit;  // for its turn
+    Questions::Done done;
+  };
+  struct Change {
+    ChangeRequest request;
+    std::vector<Part> parts;
+    bool alone = false;  // not merged with others
+  };
+  struct Line {
+    std::optional<Change> current;  // in flight
+    std::deque<Change> waiting;
+  };
+  void begin(uint64_t program);
+  void send(const Program& entry);
+  void finished(uint64_t program, nlohmann::json&& result);
+  nlohmann::json messageOf(const Change& change) const;
+  std::string gestureName(const ChangeRequest& request) const;
+
+  Programs& programs_;
+  Questions& questions_;
+  const std::string self_;
+  std::map<uint64_t, Line> lines_;  // by program; those with a change
+};
+
+}  // namespace gluray::control

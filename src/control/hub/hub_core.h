@@ -1,0 +1,53 @@
+// The hub without sockets and clocks: who is connected, and what is passed to whom
+// (docs/control-protocol.md). HubServer calls it, on its thread.
+#pragma once
+#include "control/hub/requests.h"
+
+#include <string>
+
+namespace gluray::control {
+
+inline constexpr size_t kMostRequests = 256;  // of one client, that wait
+inline constexpr std::chrono::seconds kHelloPatience{5};
+
+class HubCore {
+ public:
+  struct Self {
+    std::string host;
+    int pid = 0;
+    double secondsAtZero = 0;  // since 1970, when HubTime is 0
+  };
+  explicit HubCore(Self self);
+
+  /// A new connection, with a number that was not used before, not 0. Sends the hub's hello.
+  void connected(uint64_t connection, PeerLink link, HubTime now);
+  /// A message: an object with a text `type`, and anything else.
+  void received(uint64_t connection, const nlohmann::json& message, HubTime now);
+  void disconnected(uint64_t connection, HubTime now);
+  /// All that was sent to it has been given to the system.
+  void drained(uint64_t connection, HubTime now);
+  /// Does what is due.
+  void passed(HubTime now);
+  /// When passed() must be called.
+  HubTime next();
+
+  size_t programs() const { return programs_.connections(); }
+  /// Whether a program with this process of this host is connected.
+  bool hasProcess(int pid) const { return programs_.hasProcess(self_.host, pid); }
+
+ private:
+  void hello(uint64_t connection, Peer& peer, const nlohmann::json& message);
+  void fromProgram(uint64_t connection, const std::string& type, const nlohmann::json& message);
+  void fromClient(uint64_t connection, Peer& peer, const nlohmann::json& message);
+  void due();
+
+  const Self self_;
+  Peers peers_;
+  Programs programs_;
+  Questions questions_;
+  Changes changes_;
+  Observers observers_;
+  Requests requests_;
+};
+
+}  // namespace gluray::control

@@ -1,0 +1,224 @@
+#include "control/hub/hub_server.h"
+
+#include "control/auth/handshake.h"
+#include "control/auth/refusals.h"
+#include "control/connect.h"
+#include "control/connect_tcp.h"
+#include "control/connection.h"
+#include "control/hub/hub_core.h"
+#include "control/hub/hub_place.h"
+#include "control/hub/listener.h"
+#include "control/hub/program_files.h"
+
+#include <asio/post.hpp>
+#include <asio/steady_timer.hpp>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <exception>
+#include <map>
+#include <utility>
+
+namespace gluray::control {
+namespace {
+
+using std::chrono::steady_clock;
+
+constexpr size_t kMostConnections = 1024, kMostUnproven = 64;
+constexpr std::chrono::milliseconds kProofPatience{5000};
+constexpr std::chrono::milliseconds kSoonest{1};
+
+HubCore::Self thisHub() {
+  std::array<char, 256> host{};
+  gethostname(host.data(), host.size() - 1);
+  const auto calendar = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch());
+  const auto steady = std::chrono::duration<double>(steady_clock::now().time_since_epoch());
+  return {host.data(), getpid(), (calendar - steady).count()};
+}
+
+}  // namespace
+
+class HubServer::Parts : public std::enable_shared_from_this<Parts> {
+ public:
+  explicit Parts(asio::io_context& io) : io_(io), timer_(io), core_(thisHub()) {}
+
+  std::string start(const HubOptions& options);
+  void stop();
+
+  bool otherHub = false;
+  int tcpPort = 0;
+  std::string directory;
+  const HubCore& core() const { return core_; }
+
+ private:
+  std::string listen(const HubOptions& options);
+  void acceptHere(int socket);
+  void acceptTcp(int socket, const std::string& address);
+  void take(Connection::Socket socket);
+  void ended(uint64_t number);
+  /// Calls the core, and passed() again when something is due.
+  template <class Call>
+  void withCore(Call call);
+  void rest();
+  bool full() const { return connections_.size() + unproven_ >= kMostConnections; }
+
+  asio::io_context& io_;
+  asio::steady_timer timer_;
+  HubTime timerAt_ = HubTime::max();
+  HubCore core_;
+  HubPlace place_;
+  Refusals refusals_;
+  Key key_{};
+  std::shared_ptr<Listener> here_, tcp_;
+  std::map<uint64_t, std::shared_ptr<Connection>> connections_;
+  uint64_t last_ = 0;
+  size_t unproven_ = 0;
+  bool running_ = false;
+};
+
+std::string HubServer::Parts::listen(const HubOptions& options) {
+  directory = options.directory;
+  if (std::string why = place_.take(directory, otherHub); !why.empty()) return why;
+  std::string why;
+  int tcp = -1;
+  if (!options.listen.empty()) {
+    const KeyOrWhy key = readKey(options.keyFile);
+    if (!key.why.empty()) return key.why;
+    key_ = key.key;
+    tcp = listenOnTcp(options.listen, tcpPort, why);
+    if (tcp < 0) return why;
+  }
+  const int here = place_.listenHere(why);
+  if (here < 0) {
+    if (tcp >= 0) ::close(tcp);
+    return why;
+  }
+  here_ =
+      std::make_shared<Listener>(io_, here, [this](int socket, const std::string&) { acceptHere(socket); });
+  if (tcp >= 0)
+    tcp_ = std::make_shared<Listener>(
+        io_, tcp, [this](int socket, const std::string& address) { acceptTcp(socket, address); });
+  return "";
+}
+
+std::string HubServer::Parts::start(const HubOptions& options) {
+  if (std::string why = listen(options); !why.empty()) {
+    tcpPort = 0;
+    place_.leave();
+    return why;
+  }
+  running_ = true;
+  here_->start();
+  if (tcp_) tcp_->start();
+  for (const ProgramFile& file : programFiles(directory))
+    if (options.wake) options.wake(file.display, file.window);
+  return "";
+}
+
+void HubServer::Parts::stop() {
+  if (!std::exchange(running_, false)) return;
+  here_->stop();
+  if (tcp_) tcp_->stop();
+  timer_.cancel();
+  for (const auto& [number, connection] : std::exchange(connections_, {})) connection->close("the hub ends");
+  place_.leave();
+  tcpPort = 0;
+}
+
+void HubServer::Parts::acceptHere(int socket) {
+  Connection::Socket taken(io_, Connection::Socket::protocol_type(AF_UNIX, 0), socket);
+  if (running_ && !full() && sameUser(socket)) take(std::move(taken));
+}
+
+void HubServer::Parts::acceptTcp(int socket, const std::string& address) {
+  sockaddr_storage local{};
+  socklen_t size = sizeof local;
+  getsockname(socket, reinterpret_cast<sockaddr*>(&local), &size);
+  HandshakeSocket taken(io_, HandshakeSocket::protocol_type(local.ss_family, IPPROTO_TCP), socket);
+  if (!running_ || full() || unproven_ >= kMostUnproven || refusals_.refused(address, steady_clock::now()))
+    return;
+  keepAlive(socket);
+  ++unproven_;
+  proveAsHub(
+      std::move(taken), key_, kProofPatience,
+      [self = shared_from_this(), address](HubProof&& proof) {
+        if (proof.wrong) self->refusals_.failed(address, steady_clock::now());
+        if (proof.socket && self->running_) self->take(std::move(*proof.socket));
+      },
+      [self = shared_from_this()] { --self->unproven_; });
+}
+
+void HubServer::Parts::take(Connection::Socket socket) {
+  const uint64_t number = ++last_;
+  const auto connection = std::make_shared<Connection>(std::move(socket), kMostMessages);
+  connections_[number] = connection;
+  const std::weak_ptr<Parts> weak = weak_from_this();
+  PeerLink link;
+  link.send = [connection](const PeerLink::Line& line) { connection->send(line); };
+  link.waiting = [connection] { return connection->waiting(); };
+  link.finish = [connection](const std::string& why) { connection->finish(why); };
+  withCore([&] { core_.connected(number, std::move(link), steady_clock::now()); });
+  connection->start({[weak, number](nlohmann::json&& message) {
+                       if (const auto self = weak.lock())
+                         self->withCore([&] { self->core_.received(number, message, steady_clock::now()); });
+                     },
+                     // The core may be what closed it: it hears of it later.
+                     [weak, number, &io = io_](const std::string&) {
+                       asio::post(io, [weak, number] {
+                         if (const auto self = weak.lock()) self->ended(number);
+                       });
+                     },
+                     [weak, number] {
+                       if (const auto self = weak.lock())
+                         self->withCore([&] { self->core_.drained(number, steady_clock::now()); });
+                     }});
+}
+
+void HubServer::Parts::ended(uint64_t number) {
+  connections_.erase(number);
+  withCore([&] { core_.disconnected(number, steady_clock::now()); });
+}
+
+template <class Call>
+void HubServer::Parts::withCore(Call call) {
+  try {
+    call();
+  } catch (const std::exception&) {  // no memory: the message is lost, the hub is not
+  }
+  rest();
+}
+
+void HubServer::Parts::rest() {
+  const HubTime next = core_.next();
+  if (!running_ || next == timerAt_) return;
+  timerAt_ = next;
+  timer_.cancel();
+  if (next == HubTime::max()) return;
+  // Not before the next round of the io_context: what is overdue must not keep it from its sockets.
+  timer_.expires_at(std::max(next, steady_clock::now() + kSoonest));
+  timer_.async_wait([weak = weak_from_this()](const asio::error_code& error) {
+    const auto self = weak.lock();
+    if (error || !self || !self->running_) return;
+    self->timerAt_ = HubTime::max();
+    self->withCore([&] { self->core_.passed(steady_clock::now()); });
+  });
+}
+
+HubServer::HubServer(asio::io_context& io) : parts_(std::make_shared<Parts>(io)) {}
+HubServer::~HubServer() { parts_->stop(); }
+
+std::string HubServer::start(const HubOptions& options) { return parts_->start(options); }
+void HubServer::stop() { parts_->stop(); }
+bool HubServer::otherHubRuns() const { return parts_->otherHub; }
+int HubServer::port() const { return parts_->tcpPort; }
+size_t HubServer::programs() const { return parts_->core().programs(); }
+
+size_t HubServer::expected() const {
+  size_t count = 0;
+  for (const ProgramFile& file : programFiles(parts_->directory))
+    count += !parts_->core().hasProcess(file.pid);
+  return count;
+}
+
+}  // namespace gluray::control

@@ -1,0 +1,54 @@
+#include "control/hub/newest.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace gluray::control {
+namespace {
+
+HubTime later(HubTime now, double seconds) {
+  return now + std::chrono::duration_cast<HubTime::duration>(std::chrono::duration<double>(seconds));
+}
+
+}  // namespace
+
+void Newest::offer(const Key& key, PeerLink::Line line, double every, HubTime now, bool slow,
+                   const Send& send) {
+  Slot& slot = slots_[key];
+  slot.due = std::min(slot.due, later(now, every));  // `every` may be shorter than before
+  slot.every = every;
+  if (!slow && slot.due <= now) {
+    slot.kept = nullptr;
+    slot.due = later(now, every);
+    return send(line);
+  }
+  if (!slot.kept) slot.order = ++last_;
+  slot.kept = std::move(line);
+}
+
+void Newest::flush(HubTime now, const std::function<bool()>& slow, const Send& send) {
+  std::vector<Slot*> ready;
+  for (auto& [key, slot] : slots_)
+    if (slot.kept && slot.due <= now) ready.push_back(&slot);
+  std::sort(ready.begin(), ready.end(), [](const Slot* a, const Slot* b) { return a->order < b->order; });
+  for (Slot* slot : ready) {
+    if (slow()) return;
+    send(std::exchange(slot->kept, nullptr));
+    slot->due = later(now, slot->every);
+  }
+}
+
+void Newest::forget(uint64_t program) {
+  std::erase_if(slots_, [&](const auto& slot) { return slot.first.first == program; });
+}
+
+void Newest::forget(const Key& key) { slots_.erase(key); }
+
+HubTime Newest::next() const {
+  HubTime next = HubTime::max();
+  for (const auto& [key, slot] : slots_)
+    if (slot.kept) next = std::min(next, slot.due);
+  return next;
+}
+
+}  // namespace gluray::control

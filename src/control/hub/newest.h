@@ -1,0 +1,38 @@
+// Events of which a client needs only the newest: kept while it reads slowly, and no more often than it
+// asked. On the hub's thread.
+#pragma once
+#include "control/hub/peers.h"
+
+#include <deque>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace gluray::control {
+
+class Newest {
+ public:
+  using Key = std::pair<uint64_t, std::string>;  // program, `what`
+  using Send = std::function<void(const PeerLink::Line&)>;
+
+  /// Sends the line, or keeps it in place of the one before. `every`: seconds between two of this key.
+  void offer(const Key& key, PeerLink::Line line, double every, HubTime now, bool slow, const Send& send);
+  /// Sends those whose time has come, oldest first, while `slow` says no.
+  void flush(HubTime now, const std::function<bool()>& slow, const Send& send);
+  void forget(uint64_t program);
+  void forget(const Key& key);
+  /// When the next one that is kept may be sent.
+  HubTime next() const;
+
+ private:
+  struct Slot {
+    PeerLink::Line kept;  // null: nothing waits
+    HubTime due{};        // not before
+    double every = 0;
+    uint64_t order = 0;  // of those that wait
+  };
+  std::map<Key, Slot> slots_;
+  uint64_t last_ = 0;
+};
+
+}  // namespace gluray::control

@@ -1,0 +1,77 @@
+// Which client observes which programs: asks programs for what any client wants, and passes events on. On the
+// hub's thread.
+#pragma once
+#include "control/hub/newest.h"
+#include "control/hub/programs.h"
+#include "control/hub/questions.h"
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace gluray::control {
+
+inline constexpr double kLeastEvery = 0.05, kMostEvery = 3600;  // seconds
+inline constexpr size_t kBehind = size_t{256} << 10;  // bytes that wait for a client that reads slowly
+
+/// What a client, or all of them together, want to know of a program.
+struct Wish {
+  bool state = false, settings = false, thumbnail = false;
+  double every = kMostEvery;
+  bool empty() const { return !state && !settings && !thumbnail; }
+  void add(const Wish& other);
+  bool operator==(const Wish&) const = default;
+};
+
+class Observers {
+ public:
+  Observers(Peers& peers, Programs& programs, Questions& questions)
+      : peers_(peers), programs_(programs), questions_(questions) {}
+
+  /// Replaces what the client observes of these programs.
+  void observe(uint64_t client, const std::vector<uint64_t>& programs, const Wish& wish, bool list);
+  /// The same of all programs, also of those that come later. `list`: `programs`.
+  void observeAll(uint64_t client, const Wish& wish, bool list);
+
+  /// An event of the program's speaker.
+  void event(const Program& program, const nlohmann::json& message);
+  /// A program came or has another speaker.
+  void speakerCame(uint64_t program);
+  void programEnded(uint64_t program);
+  void clientEnded(uint64_t client);
+  /// The answer to `list` has changed.
+  void listChanged();
+  /// Sends what a client may have now.
+  void drained(uint64_t client);
+  void passed();
+  HubTime next() const;
+
+ private:
+  struct Client {
+    std::map<uint64_t, Wish> wishes;
+    std::optional<Wish> all;  // of programs not in `wishes`
+    bool list = false;
+    std::set<uint64_t> told;  // programs whose `settings` it may have: a first event with all of them comes
+    Newest newest;
+    Wish wishOf(uint64_t program) const;
+  };
+  void wished(uint64_t program, uint64_t client);
+  void ask(uint64_t program, std::vector<uint64_t> clients);
+  Wish together(uint64_t program) const;
+  PeerLink::Line listLine() const;
+  void sendList(uint64_t client, Client& state, const PeerLink::Line& line);
+  void sendLists();
+  bool slow(uint64_t client) { return peers_.waiting(client) > kBehind; }
+
+  Peers& peers_;
+  Programs& programs_;
+  Questions& questions_;
+  std::map<uint64_t, Client> clients_;
+  std::map<uint64_t, Wish> asked_;  // of programs, last
+  bool listChanged_ = false;        // since the last event `programs`
+  HubTime listDue_{};               // not before
+};
+
+}  // namespace gluray::control

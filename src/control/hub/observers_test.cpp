@@ -1,0 +1,142 @@
+// Who is told what, how often, and how slow clients are spared.
+#include "control/hub/core_fixture.h"
+
+namespace gluray::control::test {
+namespace {
+
+struct HubCoreObservers : HubCoreTest {
+  void observe(FakePeer& from, const json& program, const json& what, double every = 0.05) {
+    give(from, {{"type", "observe"}, {"id", "o"}, {"program", program}, {"what", what}, {"every", every}});
+    for (const json& answer : from.take("answer"))
+      EXPECT_EQ(answer, (json{{"type", "answer"}, {"id", "o"}, {"results", json::array()}}));
+  }
+  void state(const FakePeer& program, int frame) {
+    give(program, {{"type", "event"}, {"what", "state"}, {"state", {{"frame", frame}}}});
+  }
+  static std::vector<int> frames(FakePeer& peer) {
+    std::vector<int> frames;
+    for (const json& event : peer.take("event")) frames.push_back(event["state"]["frame"].get<int>());
+    return frames;
+  }
+};
+
+TEST_F(HubCoreObservers, AProgramIsAskedForWhatAnyClientWants) {
+  FakePeer& one = program();
+  FakePeer& peer = client();
+  FakePeer& other = client();
+  observe(peer, 1, {"state"}, 2);
+  json asked = one.one("observe");
+  EXPECT_EQ(asked, (json{{"type", "observe"}, {"id", asked["id"]}, {"what", {"state"}}, {"every", 2.0}}));
+  observe(other, "all", {"thumbnail"}, 0.5);
+  asked = one.one("observe");
+  EXPECT_EQ(asked["what"], json::array({"state", "thumbnail"}));
+  EXPECT_EQ(asked["every"], 0.5);
+  observe(other, "all", {"thumbnail"}, 0.5);
+  EXPECT_TRUE(one.got.empty()) << "nothing has changed";
+  end(other);
+  EXPECT_EQ(one.one("observe")["what"], json::array({"state"}));
+  observe(peer, 1, json::array());
+  asked = one.one("observe");
+  EXPECT_EQ(asked["what"], json::array());
+  state(one, 1);
+  EXPECT_TRUE(peer.got.empty());
+}
+
+TEST_F(HubCoreObservers, EventsGoToThoseThatWantThem) {
+  FakePeer& one = program();
+  FakePeer& two = program();
+  FakePeer& peer = client();
+  FakePeer& other = client();
+  FakePeer& third = client();
+  observe(peer, 1, {"state"});
+  observe(other, "all", {"state"});
+  state(one, 5), state(two, 6);
+  EXPECT_EQ(peer.one("event"),
+            (json{{"type", "event"}, {"what", "state"}, {"program", 1}, {"state", {{"frame", 5}}}}));
+  EXPECT_EQ(frames(other), (std::vector<int>{5, 6}));
+  EXPECT_TRUE(third.got.empty());
+  for (const json& what : {json("programs"), json("nothing"), json(1), json()})
+    give(one, {{"type", "event"}, {"what", what}});
+  give(one, {{"type", "event"}});
+  EXPECT_TRUE(other.got.empty());
+  FakePeer& later = program();
+  EXPECT_EQ(later.one("observe")["what"], json::array({"state"})) << "all: also those that come later";
+}
+
+TEST_F(HubCoreObservers, EachClientGetsStatesAsOftenAsItAsked) {
+  FakePeer& one = program();
+  FakePeer& often = client();
+  FakePeer& seldom = client();
+  observe(often, 1, {"state"}, 0.05);
+  observe(seldom, 1, {"state"}, 1);
+  for (int frame = 0; frame < 40; ++frame) state(one, frame), wait(milliseconds(50));
+  EXPECT_EQ(frames(often).size(), 40u);
+  EXPECT_EQ(frames(seldom), (std::vector<int>{0, 19, 39})) << "the newest, each second";
+}
+
+TEST_F(HubCoreObservers, ASlowClientGetsTheNewest) {
+  FakePeer& one = program();
+  FakePeer& two = program();
+  FakePeer& peer = client();
+  observe(peer, "all", {"state", "settings"});
+  for (const json& asked : one.take("observe")) answer(one, asked, json::object());
+  peer.waiting = kBehind + 1;
+  for (int frame = 0; frame < 100; ++frame)
+    state(two, frame + 1000), state(one, frame), wait(milliseconds(50));
+  EXPECT_TRUE(peer.got.empty());
+  EXPECT_EQ(hub_.next(), HubTime::max()) << "nothing is due before it reads";
+  give(one, {{"type", "event"}, {"what", "settings"}, {"values", {{"ao", 1}}}});
+  EXPECT_EQ(peer.one("event")["values"], (json{{"ao", 1}})) << "changes are never left out";
+  peer.waiting = 0;
+  hub_.drained(peer.connection, now_);
+  EXPECT_EQ(frames(peer), (std::vector<int>{1099, 99})) << "those that wait longest come first";
+  hub_.drained(peer.connection, now_);
+  EXPECT_TRUE(peer.got.empty());
+}
+
+TEST_F(HubCoreObservers, SettingsBeginWithAllOfThem) {
+  FakePeer& one = program();
+  FakePeer& first = client();
+  FakePeer& second = client();
+  const auto settings = [&](int value) {
+    give(one,
+         {{"type", "event"}, {"what", "settings"}, {"values", {{"ao", value}}}, {"undo", 1}, {"redo", 0}});
+  };
+  observe(first, 1, {"settings"});
+  answer(one, one.one("observe"), json::object());
+  settings(1);
+  EXPECT_EQ(first.one("event")["undo"], 1);
+  observe(second, 1, {"settings"});
+  settings(2);  // sent before the program saw the second observe
+  EXPECT_TRUE(second.got.empty());
+  answer(one, one.one("observe"), json::object());
+  settings(3);
+  EXPECT_EQ(second.one("event")["values"]["ao"], 3);
+  EXPECT_EQ(first.take("event").size(), 2u);
+  observe(second, 1, {"state"});
+  settings(4);
+  EXPECT_TRUE(second.got.empty());
+}
+
+TEST_F(HubCoreObservers, ProgramsAreToldWhenTheyChange) {
+  FakePeer& peer = client();
+  observe(peer, "all", {"programs"});
+  EXPECT_EQ(peer.one("event"), (json{{"type", "event"}, {"what", "programs"}, {"programs", json::array()}}));
+  wait(milliseconds(50));
+  for (int i = 0; i < 200; ++i) program();
+  const std::vector<json> at = peer.take("event");
+  EXPECT_LE(at.size(), 1u) << "not one for each";
+  wait(milliseconds(50));
+  EXPECT_EQ(peer.one("event")["programs"].size(), 200u);
+  observe(peer, 3, {"state"});
+  end(*peers_[5]);
+  wait(milliseconds(100));
+  EXPECT_EQ(peer.take("event").back()["programs"].size(), 199u) << "lasts until an observe of all without it";
+  observe(peer, "all", json::array());
+  program();
+  wait(milliseconds(100));
+  EXPECT_TRUE(peer.got.empty());
+}
+
+}  // namespace
+}  // namespace gluray::control::test

@@ -1,0 +1,31 @@
+// Members of messages, read from peers that nobody trusts. Any thread.
+#pragma once
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace gluray::control {
+
+inline constexpr size_t kMostCharacters = 64;  // of an id, a gesture, a name of a call
+inline constexpr int64_t kMostFrame = int64_t{1}
+                                      << 53;  // the largest whole number that every JSON reader keeps
+
+/// The member of an object; null where there is none, or `object` is none.
+const nlohmann::json* member(const nlohmann::json& object, const char* name);
+
+/// A whole number from `least` to `most`; 1.0 and true are none.
+std::optional<int64_t> wholeNumber(const nlohmann::json* value, int64_t least, int64_t most);
+
+/// A text of at most `characters` Unicode characters.
+bool isText(const nlohmann::json* value, size_t characters = kMostCharacters);
+
+/// Whether an answer can repeat it: a number or a text of at most kMostCharacters.
+bool isId(const nlohmann::json* value);
+
+/// The text of a member, `otherwise` where there is none; nothing where it is no text, or a longer one.
+std::optional<std::string> textMember(const nlohmann::json& object, const char* name, size_t characters,
+                                      const char* otherwise = nullptr);
+
+}  // namespace gluray::control
