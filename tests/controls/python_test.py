@@ -12,13 +12,13 @@ import threading
 import time
 import unittest
 
-from fake_hub import FakeHub, FakeProgram, line_of, seek_hub
+from memory_hub import FakeHub, FakeProgram, line_of, seek_hub
 
 # What $GLURAY is in the tests: `gluray hub` by a hub that pretends.
 HUB = """#!{python}
 import json, os, signal, sys
 sys.path.insert(0, {folder!r})
-from fake_hub import FakeHub
+from memory_hub import FakeHub
 if {fails!r}:
     sys.exit("gluray: {fails}")
 hub = FakeHub(os.environ["GLURAY_RUNTIME"], json.load(open({rows!r})))
