@@ -137,7 +137,9 @@ class Python(unittest.TestCase):
     def test_state(self):
         hub, *_ = self.two()
         p = gluray.programs()[0]
-        threading.Timer(0.3, lambda: hub.tell({"type": "event", "what": "state", "program": 1, "state": {"fps": 24.0}})).start()
+        for fps, moment in ((0.0, 0.2), (24.0, 0.5)):
+            event = {"type": "event", "what": "state", "program": 1, "state": {"fps": fps}}
+            threading.Timer(moment, hub.tell, [event]).start()
         self.assertEqual(p.state(), {"fps": 24.0})
         self.assertEqual(self.refusal(lambda: p.state(seconds=0.2)), "paraview (4242): it does not tell its state")
 
