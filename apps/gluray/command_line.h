@@ -19,14 +19,14 @@ enum class Command {
   get,
   presets,
   timeline,
+  hub,
   list,
   set,
   unset,
   preset,
   watch,
   undo,
-  redo,
-  hub
+  redo
 };
 
 /// Options of gluray hub; empty: not given.
@@ -42,6 +42,7 @@ struct CommandLine {
   ChosenSettings settings;
 
   ControlOptions control;  // get, and commands for running programs
+  HubLine hub;
 
   bool json = false;  // all but run and timeline
   // explain

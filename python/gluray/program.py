@@ -6,6 +6,8 @@ import time
 from . import hub
 from .errors import GlurayError
 
+MEASURED = 1.1  # seconds: the rates of a program's state are over the last one
+
 
 class Program:
     """A program that runs under GLuRay: `name`, `pid`, `host`, `ranks` (of an MPI job), `since` (seconds since 1970).
@@ -124,15 +126,18 @@ class Program:
 
     def state(self, seconds=5.0):
         """What the program does, as a dict: frame, fps (frames a second), triangles, traced (share, 0 to 1), memory (bytes),
-        noise, passes, windows, opengl, warnings ... (docs/control-protocol.md, Events). Waits at most `seconds`."""
+        noise, passes, windows, opengl, warnings ... (docs/control-protocol.md, Events). Takes a second, over which rates are measured;
+        raises GlurayError if the program tells nothing within `seconds`."""
         connection = hub.another()
         try:
-            end = time.monotonic() + seconds
-            connection.ask({"type": "observe", "program": self._number(), "what": ["state"], "every": 0.05}, seconds)
-            while time.monotonic() < end:
-                event = connection.event(end - time.monotonic())
+            connection.ask({"type": "observe", "program": self._number(), "what": ["state"], "every": 0.1}, seconds)
+            begin, newest = time.monotonic(), None
+            while time.monotonic() < begin + (seconds if newest is None else min(MEASURED, seconds)):
+                event = connection.event(0.1)
                 if event and event.get("what") == "state" and isinstance(event.get("state"), dict):
-                    return event["state"]
+                    newest = event["state"]
+            if newest is not None:
+                return newest
         finally:
             connection.close()
         raise GlurayError(f"{self.name} ({self.pid}): it does not tell its state")

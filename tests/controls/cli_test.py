@@ -9,7 +9,7 @@ import tempfile
 import time
 import unittest
 
-from fake_hub import FakeHub, FakeProgram, line_of, seek_hub
+from memory_hub import FakeHub, FakeProgram, line_of, seek_hub
 
 ALONE = "no program runs under GLuRay; start one with: gluray PROGRAM"
 SILENT = "the hub does not answer; end it, and start gluray hub"

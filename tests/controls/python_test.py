@@ -12,13 +12,13 @@ import threading
 import time
 import unittest
 
-from fake_hub import FakeHub, line_of
+from memory_hub import FakeHub, FakeProgram, line_of, seek_hub
 
 # What $GLURAY is in the tests: `gluray hub` by a hub that pretends.
 HUB = """#!{python}
 import json, os, signal, sys
 sys.path.insert(0, {folder!r})
-from fake_hub import FakeHub
+from memory_hub import FakeHub
 if {fails!r}:
     sys.exit("gluray: {fails}")
 hub = FakeHub(os.environ["GLURAY_RUNTIME"], json.load(open({rows!r})))
@@ -137,7 +137,9 @@ class Python(unittest.TestCase):
     def test_state(self):
         hub, *_ = self.two()
         p = gluray.programs()[0]
-        threading.Timer(0.3, lambda: hub.tell({"type": "event", "what": "state", "program": 1, "state": {"fps": 24.0}})).start()
+        for fps, moment in ((0.0, 0.2), (24.0, 0.5)):
+            event = {"type": "event", "what": "state", "program": 1, "state": {"fps": fps}}
+            threading.Timer(moment, hub.tell, [event]).start()
         self.assertEqual(p.state(), {"fps": 24.0})
         self.assertEqual(self.refusal(lambda: p.state(seconds=0.2)), "paraview (4242): it does not tell its state")
 
@@ -197,6 +199,34 @@ class Python(unittest.TestCase):
                               env={**os.environ, "PYTHONPATH": FOLDER})
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "[<gluray.Program late (9)>]\n", ""))
         self.assertFalse((self.folder / "run/hub.sock").exists())
+
+    def test_without_a_hub_gluray_hub_is_started(self):
+        os.environ["GLURAY"] = GLURAY
+        self.addCleanup(seek_hub(FakeProgram(1, "paraview", 4242, ROWS), self.folder / "run"))
+        code = "import gluray; p, = gluray.programs(); p['spp'] = 4; print(p['spp'], p.set({'ao': True}), p.undo(), p.settings()['ao'])"
+        done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=30, env={**os.environ, "PYTHONPATH": FOLDER})
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "4 1042 1042 False\n", ""))
+        self.assertFalse((self.folder / "run/hub.sock").exists())
+
+    def test_tcp_to_gluray_hub(self):
+        key = str(self.folder / "key")
+        subprocess.run([GLURAY, "hub", "--new-key", key], check=True, capture_output=True, timeout=20)
+        hub = subprocess.Popen([GLURAY, "hub", "--listen", "127.0.0.1:0", "--key", key], stderr=subprocess.PIPE, text=True)
+        self.addCleanup(hub.communicate)
+        self.addCleanup(hub.terminate)
+        self.addCleanup(setattr, gluray.hub, "_address", ("", ""))
+        address = hub.stderr.readline().split()[-1]
+        self.addCleanup(seek_hub(FakeProgram(1, "paraview", 4242, ROWS), self.folder / "run"))
+        gluray.connect(address, key)
+        time.sleep(0.5)
+        gluray.set(spp=4)
+        self.assertEqual(gluray.programs()[0]["spp"], 4)
+        done = subprocess.run([GLURAY, "get", "--live", "--hub", address, "--key", key, "--why", "spp"], capture_output=True, text=True, timeout=20,
+                              env={**os.environ, "GLURAY_RUNTIME": str(self.folder)})
+        self.assertEqual((done.stdout, done.stderr), ("spp = 4  (live)\n  built-in  1\n  live      4\n", ""))
+        (self.folder / "other").write_bytes(b"o" * 32)
+        (self.folder / "other").chmod(0o600)
+        self.assertIn("same key file", self.refusal(lambda: gluray.connect(address, str(self.folder / "other"))))
 
     def test_a_hub_of_its_own_that_does_not_start(self):
         self.own_hub("another hub hangs")

@@ -42,7 +42,8 @@ std::string valueText(const std::string& name, const json& value) {
 
 std::string originText(const json& described) {
   const std::string layer = textMember(described, "layer"), place = textMember(described, "place");
-  return printable(layer.empty() ? "-" : layer) + (place.empty() ? "" : ": " + printable(place));
+  return printable(layer.empty() ? "-" : layer) +
+         (place.empty() || place == layer ? "" : ": " + printable(place));
 }
 
 std::string valuesText(const json& values) {

@@ -51,6 +51,8 @@ std::string mistakeIn(const std::string& type, const json& request) {
   if (type == "set" && gesture && !isText(gesture)) return "gesture: use a text of at most 64 characters";
   const json* names = member(request, "names");
   if (type == "get" && names && !areTexts(*names)) return "names: use a list of names";
+  const json* layers = member(request, "layers");
+  if (type == "get" && layers && !layers->is_boolean()) return "layers: use true or false";
   const json* arguments = member(request, "arguments");
   if (type == "call" && !isText(member(request, "name"))) return "name: use a text of at most 64 characters";
   if (type == "call" && arguments && !arguments->is_object()) return "arguments: use an object";
@@ -60,7 +62,7 @@ std::string mistakeIn(const std::string& type, const json& request) {
 /// The request without what is between the client and the hub.
 json forProgram(const std::string& type, const json& request) {
   json message{{"type", type}};
-  for (const char* name : {"names", "name", "arguments"})
+  for (const char* name : {"names", "layers", "name", "arguments"})
     if (const json* value = member(request, name)) message[name] = *value;
   if (type == "call" && !message.contains("arguments")) message["arguments"] = json::object();
   return message;
