@@ -1,6 +1,6 @@
 /* A program that draws a frame for each line that it reads from standard input, and prints a checksum of the
- * picture that it reads back: client [exposed]. exposed: Expose events of its window make it draw, too. The line
- * "fork" makes a child process that ends a second later, and prints its number. */
+ * picture that it reads back: client [exposed]. exposed: Expose events of its window make it draw, too. The
+ * line "fork" makes a child process that ends a second later, and prints its number. */
 #include "tests/doors/ring.h"
 #include "tests/doors/x_window.h"
 
@@ -48,7 +48,8 @@ static void makeChild(void) {
 /* Whether the server has exposed the window. */
 static int takeExposures(Display* display) {
   int exposed = 0;
-  for (XEvent event; XPending(display) > 0; exposed = exposed || event.type == Expose) XNextEvent(display, &event);
+  for (XEvent event; XPending(display) > 0; exposed = exposed || event.type == Expose)
+    XNextEvent(display, &event);
   return exposed;
 }
 
