@@ -92,8 +92,7 @@ void refineShown(_XDisplay* display, uintptr_t drawable) noexcept {
   guarded("cannot refine a window", [&] {  // making the function below may throw
     record->context->window.refineWhileIdle([&]() -> std::shared_ptr<IdleWindow> {
       std::shared_ptr<IdleWindow> window;
-      if (display)
-        guarded("cannot refine a window", [&] { window = record->idle.open(display, drawable); });
+      if (display) guarded("cannot refine a window", [&] { window = record->idle.open(display, drawable); });
       return window;
     });
   });
