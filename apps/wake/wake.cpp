@@ -10,13 +10,25 @@
 namespace gluray {
 namespace {
 
+/// Nothing is cleared: programs that do not draw at once keep what they show. Waits for the server, which may
+/// have gone.
 void expose(const std::string& display, unsigned long window) {
+  union {
+    xcb_expose_event_t event;
+    char bytes[32];  // of every event
+  } exposed{};
+  exposed.event.response_type = XCB_EXPOSE;
+  exposed.event.window = static_cast<xcb_window_t>(window);
   xcb_connection_t* server = xcb_connect(display.c_str(), nullptr);
   if (!xcb_connection_has_error(server)) {
-    constexpr uint8_t kExposures = 1;
-    // Zeros: the whole window. Waits until the server has done it; what it answers does not matter.
-    std::free(xcb_request_check(
-        server, xcb_clear_area_checked(server, kExposures, static_cast<xcb_window_t>(window), 0, 0, 0, 0)));
+    auto* size = xcb_get_geometry_reply(server, xcb_get_geometry(server, exposed.event.window), nullptr);
+    if (size) {
+      exposed.event.width = size->width, exposed.event.height = size->height;
+      const auto sent = xcb_send_event_checked(server, /*propagate=*/0, exposed.event.window,
+                                               XCB_EVENT_MASK_EXPOSURE, exposed.bytes);
+      std::free(xcb_request_check(server, sent));
+    }
+    std::free(size);
   }
   xcb_disconnect(server);
 }

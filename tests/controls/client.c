@@ -1,11 +1,15 @@
 /* A program that draws a frame for each line that it reads from standard input, and prints a checksum of the
- * picture that it reads back: client. */
+ * picture that it reads back: client [exposed]. exposed: Expose events of its window make it draw, too. The
+ * line "fork" makes a child process that ends a second later, and prints its number. */
 #include "tests/doors/ring.h"
 #include "tests/doors/x_window.h"
 
 #include <GL/glx.h>
+#include <poll.h>
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
 
 enum { kWidth = 160, kHeight = 120 };
 
@@ -27,7 +31,30 @@ static void drawRings(void) {
   glPopMatrix();
 }
 
-int main(void) {
+static void showRings(Display* display, Window window) {
+  drawRings();
+  printf("%016llx\n", (unsigned long long)checksum());
+  fflush(stdout);
+  glXSwapBuffers(display, window);
+}
+
+static void makeChild(void) {
+  const pid_t child = fork();
+  if (child == 0) sleep(1), exit(0);
+  printf("%d\n", (int)child);
+  fflush(stdout);
+}
+
+/* Whether the server has exposed the window. */
+static int takeExposures(Display* display) {
+  int exposed = 0;
+  for (XEvent event; XPending(display) > 0; exposed = exposed || event.type == Expose)
+    XNextEvent(display, &event);
+  return exposed;
+}
+
+int main(int argc, char** argv) {
+  const int exposed = argc > 1 && strcmp(argv[1], "exposed") == 0;
   static int wanted[] = {GLX_RGBA, GLX_DOUBLEBUFFER, GLX_DEPTH_SIZE, 24, None};
   Display* display = openDisplay();
   XVisualInfo* visual = glXChooseVisual(display, DefaultScreen(display), wanted);
@@ -35,12 +62,16 @@ int main(void) {
   const Window window = makeWindow(display, visual);
   XResizeWindow(display, window, kWidth, kHeight);
   XSync(display, False);
+  if (exposed) XSelectInput(display, window, ExposureMask);
   glXMakeCurrent(display, window, glXCreateContext(display, visual, NULL, True));
-  for (char line[64]; fgets(line, sizeof line, stdin);) {
-    drawRings();
-    printf("%016llx\n", (unsigned long long)checksum());
-    fflush(stdout);
-    glXSwapBuffers(display, window);
+  setvbuf(stdin, NULL, _IONBF, 0); /* poll() sees what is not read yet */
+  struct pollfd inputs[] = {{STDIN_FILENO, POLLIN, 0}, {ConnectionNumber(display), POLLIN, 0}};
+  for (char line[64];;) {
+    if (takeExposures(display)) showRings(display, window);
+    if (XPending(display) > 0) continue;
+    poll(inputs, 2, -1);
+    if (!inputs[0].revents) continue;
+    if (!fgets(line, sizeof line, stdin)) return 0;
+    strcmp(line, "fork\n") == 0 ? makeChild() : showRings(display, window);
   }
-  return 0;
 }

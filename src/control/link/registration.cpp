@@ -1,13 +1,21 @@
 #include "control/link/registration.h"
 
 #include "base/files.h"
-#include "control/messages/message.h"
 #include "control/runtime_directory.h"
 
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
 namespace gluray::control {
+namespace {
+
+/// Objects of this library must not be destroyed on a thread of the program: that allocates, and ends the
+/// program if there is no memory. Texts are fine.
+std::string quoted(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+}  // namespace
 
 std::string registrationFile(const std::string& directory) {
   return directory + "/programs/" + std::to_string(getpid());
@@ -17,10 +25,11 @@ std::string leaveRegistration(const std::string& directory, const Registration& 
   std::string why = makeRuntimeDirectory(directory);
   if (why.empty()) why = makeRuntimeDirectory(directory + "/programs");
   if (!why.empty()) return why;
-  return files::replace(registrationFile(directory), lineOf({{"pid", getpid()},
-                                                             {"name", registration.name},
-                                                             {"display", registration.display},
-                                                             {"window", registration.window}}));
+  const std::string line = "{\"pid\": " + std::to_string(getpid()) +
+                           ", \"name\": " + quoted(registration.name) +
+                           ", \"display\": " + quoted(registration.display) +
+                           ", \"window\": " + std::to_string(registration.window) + "}\n";
+  return files::replace(registrationFile(directory), line);
 }
 
 }  // namespace gluray::control

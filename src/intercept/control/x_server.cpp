@@ -15,7 +15,7 @@ void XServers::close() noexcept {
 }
 
 xcb_connection_t* XServers::connectionTo(const std::string& display) {
-  if (!xcb().connect || !xcb().clearArea || !xcb().flush) return nullptr;
+  if (!xcb().connect || !xcb().sendEvent || !xcb().flush) return nullptr;
   xcb_connection_t*& connection = connections_[display];
   if (connection && xcb().failed(connection)) xcb().disconnect(std::exchange(connection, nullptr));
   if (!connection) connection = xcb().connect(display.c_str(), nullptr);
@@ -31,12 +31,18 @@ glm::ivec2 XServers::sizeOf(const ShownWindow& window) {
 }
 
 bool XServers::expose(const ShownWindow& window) {
-  // Drawables that are no windows, and windows whose input only counts, have no area.
-  if (sizeOf(window) == glm::ivec2(0)) return false;
-  xcb_connection_t* const connection = connectionTo(window.display);
+  const glm::ivec2 size = sizeOf(window);
+  xcb_connection_t* const connection = size.x > 0 ? connectionTo(window.display) : nullptr;
   if (!connection) return false;
-  // Of an area of one pixel: programs draw all of it, and what the server clears is hardly seen.
-  xcb().clearArea(connection, /*exposures=*/1, window.window, 0, 0, 1, 1);
+  // Sent, not caused by clearing an area: programs that do not draw keep what they show.
+  union {
+    xcb_expose_event_t event;
+    char bytes[32];  // of every event
+  } exposed{};
+  exposed.event.response_type = XCB_EXPOSE;
+  exposed.event.window = window.window;
+  exposed.event.width = static_cast<uint16_t>(size.x), exposed.event.height = static_cast<uint16_t>(size.y);
+  xcb().sendEvent(connection, /*propagate=*/0, window.window, XCB_EVENT_MASK_EXPOSURE, exposed.bytes);
   return xcb().flush(connection) > 0;
 }
 

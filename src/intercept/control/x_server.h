@@ -21,7 +21,7 @@ class XServers {
 
   /// Width and height in pixels; {0, 0}: it is gone.
   glm::ivec2 sizeOf(const ShownWindow& window);
-  /// Has the server tell the program that it must draw the window. False: it is gone, or not supported.
+  /// Sends the program an Expose event of the whole window. False: it is gone, or not supported.
   bool expose(const ShownWindow& window);
   /// Closes all connections.
   void close() noexcept;

@@ -46,7 +46,7 @@ Xcb::Xcb() {
   find(core, "xcb_free_gc", freeGc);
   find(core, "xcb_request_check", check);
   find(core, "xcb_flush", flush);
-  find(core, "xcb_clear_area", clearArea);
+  find(core, "xcb_send_event", sendEvent);
   find(core, "xcb_get_extension_data", extension);
   void* const shm = dlopen("libxcb-shm.so.0", RTLD_LAZY | RTLD_LOCAL);
   find(shm, "xcb_shm_id", shmId);

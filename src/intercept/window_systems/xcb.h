@@ -44,7 +44,7 @@ struct Xcb {
   decltype(xcb_free_gc)* freeGc;
   decltype(xcb_request_check)* check;
   decltype(xcb_flush)* flush;
-  decltype(xcb_clear_area)* clearArea;
+  decltype(xcb_send_event)* sendEvent;
   decltype(xcb_get_extension_data)* extension;
   xcb_extension_t* shmId;
   decltype(xcb_shm_attach_checked)* attach;

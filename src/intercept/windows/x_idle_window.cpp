@@ -89,10 +89,12 @@ void refineShown(_XDisplay* display, uintptr_t drawable) noexcept {
   if (!record || !record->context || record->context.get() != gl::t_thread.context ||
       current().drawables.draw != drawable || !record->context->info().doubleBuffered)
     return;
-  record->context->window.refineWhileIdle([&]() -> std::shared_ptr<IdleWindow> {
-    std::shared_ptr<IdleWindow> window;
-    if (display) guarded("cannot refine a window", [&] { window = record->idle.open(display, drawable); });
-    return window;
+  guarded("cannot refine a window", [&] {  // making the function below may throw
+    record->context->window.refineWhileIdle([&]() -> std::shared_ptr<IdleWindow> {
+      std::shared_ptr<IdleWindow> window;
+      if (display) guarded("cannot refine a window", [&] { window = record->idle.open(display, drawable); });
+      return window;
+    });
   });
 }
 

@@ -1,0 +1,468 @@
+"""A program and a hub: link_test.py GLURAY CLIENT, with an X server at hand."""
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+
+from fake_hub import Hub
+
+LOOK = 0.05  # seconds between looks for a hub
+
+
+def plain_environment():
+    """Without settings, but with the engine that tests choose."""
+    return {k: v for k, v in os.environ.items() if not k.startswith("GLURAY_") or k == "GLURAY_ENGINE"}
+
+
+class Linked(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.runtime, self.log = self.folder / "runtime", self.folder / "log"
+        self.client, self.code = None, 0
+
+    def start(self, *options, **variables):
+        environment = plain_environment() | {"XDG_CONFIG_HOME": "/nowhere", "GLURAY_RUNTIME": str(self.runtime), **variables}
+        with self.log.open("w") as log:
+            self.client = subprocess.Popen([GLURAY, *options, "--", CLIENT, "exposed"], cwd=self.folder, env=environment, text=True,
+                                           stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=log)
+        self.addCleanup(self.end)
+        return self.settled()
+
+    def end(self):
+        self.client.stdin.close()
+        self.client.stdout.read()
+        self.assertEqual(self.client.wait(20), self.code)
+        self.client.stdout.close()
+
+    def frame(self):
+        print("frame", file=self.client.stdin, flush=True)
+        return self.client.stdout.readline().strip()
+
+    def settled(self):
+        """The checksum when the frames of the window's first Expose events are drawn."""
+        self.frame()
+        time.sleep(0.2)
+        os.set_blocking(self.client.stdout.fileno(), False)
+        while self.client.stdout.readline():
+            pass
+        os.set_blocking(self.client.stdout.fileno(), True)
+        return self.frame()
+
+    def frames_until(self, done, patience=15):
+        """Draws until `done()`; False: it never was."""
+        until = time.monotonic() + patience
+        while not done():
+            if time.monotonic() > until:
+                return False
+            self.frame()
+            time.sleep(0.01)
+        return True
+
+    def hub(self):
+        hub = Hub(self.runtime)
+        self.addCleanup(hub.close)
+        return hub
+
+    def connect(self, hub):
+        self.assertTrue(self.frames_until(lambda: hub.wait_for_program(0.02)))
+        return hub.greet()
+
+    def linked(self, *options, **variables):
+        """A program that draws, and the hub that it is connected to."""
+        hub = self.hub()
+        self.start(*options, **variables)
+        self.connect(hub)
+        return hub
+
+    def set(self, hub, **members):
+        """A `set` of a program that draws."""
+        id = hub.start("set", **members)
+        time.sleep(0.02)
+        self.frame()
+        return hub.result(id)
+
+    def threads(self):
+        tasks = pathlib.Path(f"/proc/{self.client.pid}/task").iterdir()
+        return [(task / "comm").read_text().strip() for task in tasks]
+
+    def descriptors(self):
+        return len(os.listdir(f"/proc/{self.client.pid}/fd"))
+
+    def lines(self):
+        return self.log.read_text().splitlines()
+
+    def picture(self, *options):
+        """The checksum in a run of its own."""
+        words = [GLURAY, "--set", "control=off", *options, "--", CLIENT]
+        environment = plain_environment() | {"XDG_CONFIG_HOME": "/nowhere"}
+        done = subprocess.run(words, input="frame\n" * 3, capture_output=True, text=True, timeout=60, env=environment, check=True, cwd="/")
+        return done.stdout.split()[-1]
+
+
+class Requests(Linked):
+    def test_hello(self):
+        hub = self.hub()
+        self.start()
+        hello = self.connect(hub)
+        self.assertEqual({k: hello[k] for k in ("type", "version", "role", "pid", "name", "rank", "ranks", "job")},
+                         {"type": "hello", "version": 1, "role": "program", "pid": self.client.pid, "name": "client", "rank": 0, "ranks": 1, "job": ""})
+
+    def test_set_changes_the_picture_in_the_frame_of_the_answer(self):
+        plain, occluded = self.picture(), self.picture("--ao", "--set", "ao.samples=8")
+        self.assertNotEqual(plain, occluded)
+        hub = self.linked()
+        self.assertEqual(self.frame(), plain)
+        hub.ask("observe", what=["state"], every=0.05)
+        before = hub.event("state")["state"]["frame"]
+        hub.ask("observe", what=[])
+        id = hub.start("set", values={"ao": True, "ao.samples": 8})
+        time.sleep(0.02)
+        self.assertEqual(self.frame(), occluded)
+        result = hub.result(id)
+        self.assertEqual(result["values"], {"ao": True, "ao.samples": 8})
+        self.assertEqual(result["frame"], before + 1)
+        self.assertEqual(self.set(hub, values={"ao": None})["values"], {"ao": False})
+        self.assertEqual(self.frame(), plain)
+
+    def test_wrong_values_change_nothing(self):
+        hub = self.linked()
+        plain = self.frame()
+        for values, word in (({"ao": True, "ao.samples": 0}, "use a number from 1"), ({"ao": True, "aoo": 1}, "did you mean 'ao'?"),
+                             ({"ao": "some"}, "use on, off"), ({"report": "/tmp/x", "ao": True}, "next run"), ("ao", "object")):
+            self.assertIn(word, hub.ask("set", values=values)["why"])
+            self.assertEqual(self.frame(), plain)
+        self.assertIn("nothing to undo", hub.ask("undo")["why"])
+
+    def test_undo_and_gestures(self):
+        hub = self.linked()
+        plain = self.frame()
+        self.set(hub, values={"ao": True})
+        occluded = self.frame()
+        for strength in (0.1, 0.2, 0.3):
+            self.set(hub, values={"ao.strength": strength}, gesture="drag")
+        self.assertNotIn(self.frame(), (plain, occluded))
+        for type, picture in (("undo", occluded), ("undo", plain), ("redo", occluded), ("undo", plain)):
+            id = hub.start(type)
+            time.sleep(0.02)
+            self.assertEqual(self.frame(), picture)
+            self.assertIn("frame", hub.result(id))
+
+    def test_get_and_describe(self):
+        hub = self.linked("--set", "spp=2", GLURAY_AO_SAMPLES="5")
+        values = hub.ask("get", names=["spp", "ao.samples", "ao"])["values"]
+        self.assertEqual(values["spp"], {"value": 2, "layer": "command line", "place": "--spp"})
+        self.assertEqual(values["ao.samples"], {"value": 5, "layer": "environment", "place": "GLURAY_AO_SAMPLES"})
+        self.assertEqual(values["ao"], {"value": False, "layer": "built-in", "place": ""})
+        rows = {row["name"]: row for row in hub.ask("describe")["settings"]}
+        self.assertEqual(rows["ao.samples"]["default"], 16)
+        self.assertEqual(set(rows), set(hub.ask("get")["values"]))
+        self.assertIn("why", hub.ask("call", name="dance", arguments={}))
+        self.assertIn("why", hub.ask("dance"))
+
+    def test_state_and_settings_are_observed(self):
+        hub = self.linked()
+        hub.ask("observe", what=["state", "settings"], every=0.1)
+        self.assertEqual(hub.event("settings")["values"].keys() & {"ao", "spp"}, set())
+        until = time.monotonic() + 1.5
+        while time.monotonic() < until:
+            self.frame()
+        hub.ask("observe", what=["state"], every=0.1)  # what came before is old
+        hub.events = [e for e in hub.events if e["what"] == "settings"]
+        state = hub.event("state")["state"]
+        self.assertGreater(state["frame"], 10)
+        self.assertGreater(state["fps"], 5)
+        self.assertGreater(state["triangles"], 10)
+        self.assertEqual(state["traced"], 1)
+        self.assertGreater(state["memory"], 1 << 20)
+        self.assertEqual(state["windows"], [{"width": 160, "height": 120}])
+        self.assertTrue(state["opengl"]["renderer"])
+        self.assertEqual((state["reasons"], state["building"], state["warnings"]), ({}, False, []))
+        until = time.monotonic() + 3
+        while hub.event("state")["state"]["fps"] > 0:
+            self.assertLess(time.monotonic(), until)
+        hub.ask("observe", what=["settings"])
+        hub.event("settings")
+        self.set(hub, values={"ao": True})
+        self.assertEqual(hub.event("settings"), {"type": "event", "what": "settings", "undo": 1, "redo": 0,
+                                                 "values": {"ao": {"value": True, "layer": "live", "place": "live"}}})
+
+    def test_held_changes_count_from_their_frame(self):
+        hub = self.linked()
+        plain = self.frame()
+        held = hub.start("set", hold=True, values={"ao": True})
+        at = hub.result(held)
+        self.assertTrue(at["drawing"])
+        self.assertEqual(hub.ask("apply", of=held, frame=at["frame"] + 3), {"frame": at["frame"] + 3, "late": False})
+        drawn = hub.start("draw", of=held)
+        self.assertEqual([self.frame(), self.frame()], [plain, plain])
+        occluded = self.frame()
+        self.assertNotEqual(occluded, plain)
+        self.assertEqual(hub.result(drawn), {"frame": at["frame"] + 3, "values": {"ao": True}})
+        held = hub.start("undo", hold=True)
+        at = hub.result(held)
+        self.frame(), self.frame()
+        self.assertTrue(hub.ask("apply", of=held, frame=at["frame"] + 1)["late"])
+        self.assertEqual(self.frame(), plain)
+        held = hub.start("set", hold=True, values={"ao": True})
+        hub.result(held), hub.ask("drop", of=held)
+        self.assertIn("why", hub.ask("apply", of=held, frame=1))
+        self.assertIn("why", hub.ask("set", hold=True, values={"ao": "some"}))
+        self.assertEqual(self.frame(), plain)
+
+
+class Idle(Linked):
+    def test_idle_programs_are_woken(self):
+        hub = self.linked()
+        plain = self.frame()
+        time.sleep(0.3)
+        before = time.monotonic()
+        result = hub.ask("set", values={"ao": True})
+        self.assertIsInstance(result["frame"], int)
+        self.assertLess(time.monotonic() - before, 0.45)
+        self.assertNotEqual(self.client.stdout.readline().strip(), plain)
+
+    def test_programs_that_do_not_draw_are_answered_for(self):
+        hub = self.linked()
+        plain = self.frame()
+        # It waits for the end of a line.
+        self.client.stdin.write("fra")
+        self.client.stdin.flush()
+        time.sleep(0.3)
+        before = time.monotonic()
+        result = hub.ask("set", values={"ao": True})
+        self.assertEqual(result, {"frame": None, "values": {"ao": True}})
+        self.assertGreater(time.monotonic() - before, 0.4)
+        print("me", file=self.client.stdin, flush=True)
+        self.assertNotEqual(self.client.stdout.readline().strip(), plain)
+
+    def test_its_file(self):
+        self.start()
+        file = self.runtime / "programs" / str(self.client.pid)
+        line = json.loads(file.read_text())
+        self.assertEqual((line["pid"], line["name"], line["display"]), (self.client.pid, "client", os.environ["DISPLAY"]))
+        self.assertGreater(line["window"], 0)
+        self.assertEqual([f.stat().st_mode & 0o777 for f in (self.runtime, file.parent)], [0o700, 0o700])
+        self.client.stdin.close()
+        self.client.wait(20)
+        self.assertFalse(file.exists())
+
+
+class Ends(Linked):
+    def test_no_thread_and_no_file_without_a_hub(self):
+        self.start()
+        threads, descriptors = self.threads(), self.descriptors()
+        self.assertNotIn("gluray-control", threads)
+        for _ in range(3):
+            hub = Hub(self.runtime)
+            self.connect(hub)
+            self.assertIn("gluray-control", self.threads())
+            hub.ask("observe", what=["state"], every=0.05)
+            hub.event("state")
+            hub.close()
+            self.frames_until(lambda: "gluray-control" not in self.threads())
+            self.assertNotIn("gluray-control", self.threads())
+            self.assertLessEqual(self.descriptors(), descriptors)
+        self.assertEqual(self.lines(), [])
+
+    def test_the_next_hub_finds_the_program_and_its_settings(self):
+        hub = self.linked()
+        plain = self.frame()
+        self.set(hub, values={"ao": True})
+        occluded = self.frame()
+        self.assertNotEqual(occluded, plain)
+        hub.close()
+        self.assertEqual([self.frame() for _ in range(5)], [occluded] * 5)
+        hub = self.hub()
+        self.connect(hub)
+        self.assertEqual(hub.ask("get", names=["ao"])["values"]["ao"]["layer"], "live")
+
+    def test_what_hubs_leave_is_no_hub(self):
+        hub = self.linked()
+        hub.hang_up()
+        hub.listener.close()  # the socket's file stays
+        plain = self.frame()
+        until = time.monotonic() + 3
+        while time.monotonic() < until:
+            self.assertEqual(self.frame(), plain)
+        os.remove(hub.path)
+        self.connect(self.hub())
+
+    def test_garbage(self):
+        hub = self.linked()
+        plain = self.frame()
+        self.set(hub, values={"ao": True})
+        occluded = self.frame()
+        deep = b"[" * 200 + b"]" * 200
+        for bytes in (b"what?\n", b"\n", b"[]\n", b"{}\n", b'{"type":3}\n', b'{"type":"get","id":1,"names":' + deep + b"}\n", b"\xff\xfe{\n",
+                      b'{"type":"x","id":1,"\xc3\x28":1}\n', b"x" * (3 << 20), b'{"type":"set","values":"' + b"y" * (2 << 20) + b'"}\n', b"\0" * 5000 + b"\n"):
+            try:
+                hub.peer.sendall(bytes)
+                while (message := hub.message()) is not None:
+                    self.assertEqual(message["type"], "error")
+            except (BrokenPipeError, ConnectionResetError):
+                pass
+            self.assertEqual(self.frame(), occluded, bytes[:20])
+            hub.hang_up()
+            self.connect(hub)
+        for first in ({"type": "get", "id": 1}, {"type": "hello", "version": 0}, {"type": "hello"}):
+            hub.hang_up()
+            self.assertTrue(self.frames_until(lambda: hub.wait_for_program(0.02)))
+            hub.tell(first)
+            while (message := hub.message()) is not None:
+                self.assertIn(message["type"], ("hello", "error"))
+        self.assertEqual(self.frame(), occluded)
+        self.assertEqual(self.lines(), [])
+
+    def test_wrong_members_are_answered(self):
+        hub = self.linked()
+        plain = self.frame()
+        nonsense = (None, True, -1, 1.5, 1e300, "x" * 5000, [], [[]], {}, {"a": 1})
+        for type in ("get", "set", "undo", "apply", "draw", "drop", "observe", "call"):
+            for member in ("names", "values", "hold", "gesture", "of", "frame", "what", "every", "name", "arguments"):
+                for value in nonsense:
+                    hub.start(type, **{member: value})
+        last, answered = hub.start("get", names=["ao"]), set()
+        while last not in answered:
+            message = hub.message()
+            self.assertIn(message["type"], ("answer", "event"))
+            answered.add(message.get("id"))
+        self.assertEqual(self.frame(), plain)
+
+
+class Silence(Linked):
+    def speed(self, seconds=1):
+        """Frames a second, and the longest one."""
+        count, longest, until = 0, 0.0, time.monotonic() + seconds
+        while time.monotonic() < until:
+            before = time.monotonic()
+            self.frame()
+            count, longest = count + 1, max(longest, time.monotonic() - before)
+        return count / seconds, longest
+
+    def test_hubs_that_say_nothing(self):
+        self.start()
+        hub = self.hub()
+        self.assertTrue(self.frames_until(lambda: hub.wait_for_program(0.02)))
+        rate, longest = self.speed()
+        self.assertGreater(rate, 10)
+        self.assertLess(longest, 1)
+        self.assertTrue(self.frames_until(lambda: "gluray-control" not in self.threads()), "it waits for hello for five seconds")
+
+    def test_hubs_that_do_not_accept(self):
+        self.start()
+        self.hub()
+        rate, longest = self.speed()
+        self.assertGreater(rate, 10)
+        self.assertLess(longest, 1)
+
+    def test_hubs_that_do_not_read(self):
+        hub = self.linked()
+        hub.ask("observe", what=["state", "settings"], every=0.05)
+        for _ in range(20000):
+            hub.start("get", names=["ao"])
+            if not self.threads().count("gluray-control"):
+                break
+        self.assertGreater(self.speed()[0], 10)
+
+    def test_stopped_hubs(self):
+        script = ("import sys; sys.path.insert(0, sys.argv[2]); from fake_hub import Hub; hub = Hub(sys.argv[1]); hub.wait_for_program(60); hub.greet();"
+                  "hub.ask('observe', what=['state'], every=0.05); print('ready', flush=True)\nwhile True: hub.event('state')")
+        self.start()
+        hub = subprocess.Popen([sys.executable, "-c", script, self.runtime, os.path.dirname(__file__)], stdout=subprocess.PIPE, text=True)
+        self.addCleanup(hub.stdout.close)
+        self.addCleanup(hub.wait)
+        self.addCleanup(hub.kill)
+        ready = threading.Thread(target=hub.stdout.readline)
+        ready.start()
+        self.assertTrue(self.frames_until(lambda: not ready.is_alive()))
+        hub.send_signal(signal.SIGSTOP)
+        rate, longest = self.speed(2)
+        self.assertGreater(rate, 10)
+        self.assertLess(longest, 1)
+        hub.kill()
+        self.assertTrue(self.frames_until(lambda: "gluray-control" not in self.threads()))
+
+
+class Trust(Linked):
+    def refused(self, folder, *options):
+        """Whether a program does not use the hub of this folder."""
+        hub = Hub(folder)
+        self.addCleanup(hub.close)
+        self.start(*options)
+        for _ in range(30):
+            self.frame()
+            time.sleep(0.01)
+        self.assertNotIn("gluray-control", self.threads())
+        return not hub.wait_for_program(0)
+
+    def test_directories_that_others_may_write(self):
+        self.runtime.mkdir()
+        self.runtime.chmod(0o755)
+        self.assertTrue(self.refused(self.runtime))
+        self.assertEqual(len(self.lines()), 1, self.lines())
+        self.assertIn("mode 755", self.lines()[0])
+        self.assertFalse((self.runtime / "programs").exists())
+
+    def test_links(self):
+        (self.folder / "other").mkdir(mode=0o700)
+        self.runtime.symlink_to(self.folder / "other")
+        self.assertTrue(self.refused(self.runtime))
+        self.assertIn("symbolic link", self.lines()[0])
+        self.assertFalse((self.folder / "other/programs").exists())
+
+    @unittest.skipIf(os.getuid(), "only root gives directories away")
+    def test_other_users(self):
+        self.runtime.mkdir(mode=0o700)
+        os.chown(self.runtime, 65534, 65534)
+        self.assertTrue(self.refused(self.runtime))
+        self.assertIn("another user", self.lines()[0])
+
+    def test_unsafe_directories_without_a_hub_are_no_matter(self):
+        self.runtime.mkdir()
+        self.runtime.chmod(0o755)
+        self.start()
+        self.frame()
+        self.assertEqual(self.lines(), [])
+
+    def test_off(self):
+        self.assertTrue(self.refused(self.runtime, "--set", "control=off"))
+        self.assertFalse((self.runtime / "programs").exists())
+
+
+class Forks(Linked):
+    def test_children_let_go_of_the_socket(self):
+        hub = self.linked()
+        print("fork", file=self.client.stdin, flush=True)
+        child = int(self.client.stdout.readline())
+        sockets = [os.readlink(f"/proc/{child}/fd/{fd}") for fd in os.listdir(f"/proc/{child}/fd")]
+        unix = pathlib.Path("/proc/net/unix").read_text().splitlines()
+        peers = {f"socket:[{line.split()[6]}]" for line in unix if line.endswith("hub.sock")}
+        self.assertFalse(peers & set(sockets))
+        self.set(hub, values={"ao": True})
+        time.sleep(1.3)  # the child has ended, and its exit handlers have run
+        self.assertEqual(hub.ask("get", names=["ao"])["values"]["ao"]["value"], True)
+        self.assertTrue((self.runtime / "programs" / str(self.client.pid)).exists())
+
+    def test_the_connection_ends_with_the_program(self):
+        hub = self.linked()
+        print("fork", file=self.client.stdin, flush=True)
+        self.client.stdout.readline()
+        before = time.monotonic()
+        self.client.kill()
+        self.client.wait()
+        self.assertIsNone(hub.message())
+        self.assertLess(time.monotonic() - before, 0.8)
+        self.code = -signal.SIGKILL
+
+
+if __name__ == "__main__":
+    GLURAY, CLIENT = sys.argv[1:3]
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:], verbosity=2)
