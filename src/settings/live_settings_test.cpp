@@ -5,10 +5,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -289,6 +291,30 @@ TEST_F(Live, ManyThreadsMayLookAndChange) {
   }
   other.join();
   EXPECT_EQ(spp(), 200);
+}
+
+TEST_F(Live, FramesOfTwoContextsAndChangesOverlap) {
+  live_.start(sources_);
+  std::atomic<bool> done{false};
+  const auto draw = [&] {
+    uint64_t version = 0;
+    while (!done) {
+      source_.endFrame(), source_.take(version);
+      source_.beginFrame(), source_.take(version);
+    }
+  };
+  std::thread one(draw), two(draw);
+  for (int i = 1; i <= 300; ++i) {
+    const uint64_t frame = i % 2 ? source_.frame() + 3 : 0;
+    const LiveSettings::Answer answer = live_.change(Changes{{"spp", std::to_string(i)}}, frame);
+    ASSERT_EQ(answer.why, "");
+    std::optional<uint64_t> first;
+    while (!(first = live_.firstFrameWith(answer))) std::this_thread::yield();
+    EXPECT_GE(*first, frame);
+    EXPECT_EQ(spp(), i);
+  }
+  done = true;
+  one.join(), two.join();
 }
 
 }  // namespace

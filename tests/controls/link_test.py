@@ -1,4 +1,5 @@
 """A program and a hub: link_test.py GLURAY CLIENT, with an X server at hand."""
+import contextlib
 import json
 import os
 import pathlib
@@ -90,8 +91,11 @@ class Linked(unittest.TestCase):
         return hub.result(id)
 
     def threads(self):
-        tasks = pathlib.Path(f"/proc/{self.client.pid}/task").iterdir()
-        return [(task / "comm").read_text().strip() for task in tasks]
+        names = []
+        for task in pathlib.Path(f"/proc/{self.client.pid}/task").iterdir():
+            with contextlib.suppress(FileNotFoundError, ProcessLookupError):  # it has ended meanwhile
+                names.append((task / "comm").read_text().strip())
+        return names
 
     def descriptors(self):
         return len(os.listdir(f"/proc/{self.client.pid}/fd"))
