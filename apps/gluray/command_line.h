@@ -57,7 +57,6 @@ struct CommandLine {
   // timeline; its file is in `program`
   std::string chart;          // file; empty: none
   double from = -1, to = -1;  // close-up view, milliseconds; negative: some frames in the middle of the run
-  HubLine hub;
 };
 
 /// Result of parsing: a command to run, or (`run` false) the exit code after help or an error was printed.

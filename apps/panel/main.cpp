@@ -29,7 +29,8 @@ int main(int argc, char** argv) {
     return 2;
   }
   panel::HubThread thread(
-      {control::runtimeDirectory(), parser.value(hub).toStdString(), parser.value(key).toStdString()}, wakeWindow);
+      {control::runtimeDirectory(), parser.value(hub).toStdString(), parser.value(key).toStdString()},
+      wakeWindow);
   panel::Controls controls([&](nlohmann::json message) { thread.send(std::move(message)); });
   QObject::connect(&thread, &panel::HubThread::connected, &controls, &panel::Controls::connected);
   QObject::connect(&thread, &panel::HubThread::received, &controls, &panel::Controls::take);

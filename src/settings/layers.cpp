@@ -11,8 +11,6 @@
 namespace gluray {
 namespace {
 
-constexpr const char* kLivePlace = "live";
-
 std::string optionOf(const Row& row) {
   return row.option.empty() ? "--set " + std::string(row.name) : std::string(row.option);
 }
@@ -123,7 +121,7 @@ class Reader {
   void takeLive(const std::string& name, const std::string& value) {
     const Row* row = findSetting(name);
     if (!row) return complain_(unknownSetting(name));
-    give(*row, Layer::live, value, kLivePlace, name + "=" + value);
+    give(*row, Layer::live, value, "", name + "=" + value);
   }
 
   /// `what` names the value in an error message.

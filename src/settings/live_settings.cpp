@@ -192,10 +192,14 @@ std::optional<uint64_t> LiveSettings::firstFrameWith(const Answer& answer) const
   return answer.ticket ? source_.firstFrameOfTicket(answer.ticket) : source_.firstFrameWith(answer.version);
 }
 
-std::vector<LiveSettings::Value> LiveSettings::values(bool waiting) {
+Layers LiveSettings::layers(bool waiting) {
   const std::lock_guard lock(mutex_);
   settle();
-  const Layers layers = layersOf(waiting && later_ ? *later_ : sources_, files_, [](const std::string&) {});
+  return layersOf(waiting && later_ ? *later_ : sources_, files_, [](const std::string&) {});
+}
+
+std::vector<LiveSettings::Value> LiveSettings::values(bool waiting) {
+  const Layers layers = this->layers(waiting);
   std::vector<Value> values;
   for (const Row& row : settingRows()) {
     if (!row.inFiles) continue;

@@ -59,6 +59,8 @@ class LiveSettings {
   };
   /// All settings that may stand in files. `waiting`: with changes that wait for a frame.
   std::vector<Value> values(bool waiting = false);
+  /// What all layers say.
+  Layers layers(bool waiting = false);
   /// Increases whenever values() may have changed.
   uint64_t revision() noexcept;
 

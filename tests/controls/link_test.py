@@ -196,7 +196,7 @@ class Requests(Linked):
         hub.event("settings")
         self.set(hub, values={"ao": True})
         self.assertEqual(hub.event("settings"), {"type": "event", "what": "settings", "undo": 1, "redo": 0,
-                                                 "values": {"ao": {"value": True, "layer": "live", "place": "live"}}})
+                                                 "values": {"ao": {"value": True, "layer": "live", "place": ""}}})
 
     def test_held_changes_count_from_their_frame(self):
         hub = self.linked()

@@ -1,10 +1,10 @@
 #include "control/hub_session.h"
 
 #include "control/runtime_directory.h"
-#include "wake/wake.h"
 #include "say.h"
 #include "settings/settings_list.h"
 #include "settings/values.h"
+#include "wake/wake.h"
 
 #include <algorithm>
 #include <chrono>

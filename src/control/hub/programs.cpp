@@ -38,7 +38,11 @@ std::variant<ProgramHello, std::string> programHello(const json& message) {
   if (!rank) return "rank: a whole number from 0 to ranks - 1";
   const auto version = wholeNumber(member(message, "version"), 1, kMostFrame);
   const int common = static_cast<int>(std::min<int64_t>(version.value_or(1), kProtocolVersion));
-  return ProgramHello{common, static_cast<int>(*pid), *host, *name, *job, *rank, *ranks};
+  const json* const since = member(message, "since");
+  if (since && !(since->is_number() && *since >= 0 && *since <= kMostFrame))
+    return "since: seconds since 1970";
+  return ProgramHello{common, static_cast<int>(*pid),          *host, *name, *job, *rank,
+                      *ranks, since ? since->get<double>() : 0};
 }
 
 uint64_t Program::speaker() const {
@@ -64,7 +68,7 @@ Program& Programs::add(uint64_t connection, const ProgramHello& hello, double si
   if (entry == programs_.end() || !inJob) {
     Program made;
     made.number = ++last_;
-    made.since = since;
+    made.since = hello.since > 0 ? hello.since : since;
     if (inJob) made.job = hello.job, made.ranks = hello.ranks;
     entry = programs_.emplace(made.number, std::move(made)).first;
   }

@@ -18,6 +18,7 @@ struct ProgramHello {
   int pid = 0;
   std::string host, name, job;
   int rank = 0, ranks = 1;
+  double since = 0;  // seconds since 1970; 0: not said
 };
 /// Reads it; a text says what is wrong with it.
 std::variant<ProgramHello, std::string> programHello(const nlohmann::json& message);

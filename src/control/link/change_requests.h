@@ -25,8 +25,10 @@ class ChangeRequests {
 
   /// `result` has `why` if the request is refused.
   using Answer = std::function<void(const nlohmann::json& id, nlohmann::json result)>;
-  ChangeRequests(LiveSettings& live, const SettingsSource& source, std::function<void()> wake, Answer answer)
-      : live_(live), source_(source), wake_(std::move(wake)), answer_(std::move(answer)) {}
+  /// `history` outlives this: hubs come and go.
+  ChangeRequests(LiveSettings& live, const SettingsSource& source, SettingsHistory& history,
+                 std::function<void()> wake, Answer answer)
+      : live_(live), source_(source), history_(history), wake_(std::move(wake)), answer_(std::move(answer)) {}
 
   /// Whether take() knows the type.
   static bool knows(const std::string& type);
@@ -68,9 +70,9 @@ class ChangeRequests {
 
   LiveSettings& live_;
   const SettingsSource& source_;
+  SettingsHistory& history_;
   const std::function<void()> wake_;
   const Answer answer_;
-  SettingsHistory history_;
   std::deque<Held> held_;
   std::vector<Waiting> waiting_;
 };

@@ -92,7 +92,7 @@ struct ProgramLink::Serving {
 
   void serve() {
     link.noteSocket(connection->descriptor());
-    side.emplace(link.program_, link.live_, link.source_,
+    side.emplace(link.program_, link.live_, link.source_, link.history_,
                  ProgramSide::Peer{[this](Connection::Line line) { connection->send(std::move(line)); },
                                    [this](const std::string& why) { connection->finish(why); },
                                    [this] { return connection->waiting(); }});

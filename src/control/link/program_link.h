@@ -4,6 +4,7 @@
 #include "control/connect.h"
 #include "control/link/program.h"
 #include "settings/live_settings.h"
+#include "settings/settings_history.h"
 
 #include <atomic>
 #include <cstdint>
@@ -43,6 +44,7 @@ class ProgramLink {
   const SettingsSource& source_;
   const HubAddress hub_;
   const std::string socket_;  // the hub's path
+  SettingsHistory history_;   // the thread's; of one thread after the other
   std::atomic<double> next_{0};
   std::atomic<bool> running_{false}, exiting_{false}, forked_{false};
   std::mutex mutex_;

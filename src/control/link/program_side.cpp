@@ -2,6 +2,7 @@
 
 #include "control/link/asked.h"
 #include "control/messages/value.h"
+#include "settings/values.h"
 
 #include <algorithm>
 #include <exception>
@@ -21,14 +22,33 @@ json descriptions() {
   return rows;
 }
 
+/// What each layer says, the lowest first; null where it says nothing.
+json layersOf(const Layers& layers, const Row& row) {
+  json list = json::array();
+  for (size_t i = 0; i < kLayerCount; ++i) {
+    const auto layer = static_cast<Layer>(i);
+    json value, place = "";
+    if (layer == Layer::builtIn) value = valueOf(row, printValue(row, Session{}));
+    for (const Given& given : layers.given)
+      if (given.row == &row && given.layer == layer) {
+        Session session;
+        readValue(row, given.value, session);  // "on" is true
+        value = valueOf(row, printValue(row, session)), place = given.place;
+      }
+    list.push_back({{"layer", nameOf(layer)}, {"value", value}, {"place", place}});
+  }
+  return list;
+}
+
 }  // namespace
 
-ProgramSide::ProgramSide(Program& program, LiveSettings& live, const SettingsSource& source, Peer peer)
+ProgramSide::ProgramSide(Program& program, LiveSettings& live, const SettingsSource& source,
+                         SettingsHistory& history, Peer peer)
     : program_(program),
       live_(live),
       peer_(std::move(peer)),
       changes_(
-          live, source, [&program] { program.wake(); },
+          live, source, history, [&program] { program.wake(); },
           [this](const json& id, json result) { answer(id, std::move(result)); }),
       observed_(program, live, source, [this](const json& event) { send(event); }) {}
 
@@ -81,7 +101,7 @@ void ProgramSide::carryOut(const std::string& type, const json& id, const json& 
   if (ChangeRequests::knows(type))
     changes_.take(type, id, message, now);
   else if (type == "get")
-    answer(id, valuesOf(Asked(message).at("names")));
+    answer(id, valuesOf(Asked(message).at("names"), message.value("layers", json()) == true));
   else if (type == "describe")
     answer(id, {{"settings", descriptions()}});
   else if (type == "observe")
@@ -93,13 +113,17 @@ void ProgramSide::carryOut(const std::string& type, const json& id, const json& 
   passed(now);
 }
 
-json ProgramSide::valuesOf(const json* names) {
+json ProgramSide::valuesOf(const json* names, bool withLayers) {
   const bool all = !names || names->is_null() || (names->is_array() && names->empty());
   if (!all && !names->is_array()) return {{"why", "names must be a list"}};
   json found = json::object();
   for (const LiveSettings::Value& value : live_.values())
     if (all || std::find(names->begin(), names->end(), value.row->name) != names->end())
       found[std::string(value.row->name)] = described(value);
+  if (withLayers) {
+    const Layers layers = live_.layers();
+    for (auto& [name, value] : found.items()) value["layers"] = layersOf(layers, *findSetting(name));
+  }
   if (!all)
     for (const json& name : *names) {
       if (!name.is_string()) return {{"why", "names must be texts"}};

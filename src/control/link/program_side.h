@@ -25,7 +25,9 @@ class ProgramSide {
     std::function<void(const std::string& why)> finish;
     std::function<size_t()> waiting;  // bytes that are not sent yet
   };
-  ProgramSide(Program& program, LiveSettings& live, const SettingsSource& source, Peer peer);
+  /// `history`: the steps that can be taken back; it outlives connections.
+  ProgramSide(Program& program, LiveSettings& live, const SettingsSource& source, SettingsHistory& history,
+              Peer peer);
 
   /// Says hello.
   void begin(double now);
@@ -43,7 +45,7 @@ class ProgramSide {
   void answer(const nlohmann::json& id, nlohmann::json result);
   void greet(const std::string& type, const nlohmann::json& message);
   void carryOut(const std::string& type, const nlohmann::json& id, const nlohmann::json& message, double now);
-  nlohmann::json valuesOf(const nlohmann::json* names);
+  nlohmann::json valuesOf(const nlohmann::json* names, bool withLayers);
   nlohmann::json calling(const nlohmann::json& message);
 
   Program& program_;

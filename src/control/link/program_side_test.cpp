@@ -81,9 +81,11 @@ struct ProgramSideTest : testing::Test {
   FakeProgram program;
   std::vector<json> sent;
   std::vector<std::string> finished;
+  SettingsHistory history;
   ProgramSide side{program,
                    live,
                    source,
+                   history,
                    {[this](const Connection::Line& line) { sent.push_back(json::parse(*line)); },
                     [this](const std::string& why) { finished.push_back(why); }, [this] { return waiting; }}};
   size_t waiting = 0;
@@ -95,7 +97,7 @@ TEST_F(ProgramSideTest, SaysHelloAndWantsOne) {
             json({{"type", "hello"}, {"version", 1}, {"role", "program"}, {"pid", 7}, {"name", "fake"}}));
   const auto refuses = [&](const json& first) {
     std::vector<std::string> why;
-    ProgramSide other(program, live, source,
+    ProgramSide other(program, live, source, history,
                       {[](const Connection::Line&) {}, [&](const std::string& w) { why.push_back(w); },
                        [] { return size_t{0}; }});
     other.begin(now);
@@ -242,7 +244,7 @@ TEST_F(ProgramSideTest, IdleRanksTakeTheValuesInTheFrameThatTheyAreAskedFor) {
 TEST_F(ProgramSideTest, GetAndDescribe) {
   set({{"spp", 2}});
   EXPECT_EQ(ask({{"type", "get"}, {"names", {"spp", "ao.radius"}}})["values"]["spp"],
-            json({{"value", 2}, {"layer", "live"}, {"place", "live"}}));
+            json({{"value", 2}, {"layer", "live"}, {"place", ""}}));
   const json all = ask({{"type", "get"}})["values"];
   EXPECT_GT(all.size(), 50u);
   EXPECT_EQ(all["ao"], json({{"value", false}, {"layer", "built-in"}, {"place", ""}}));
@@ -282,7 +284,7 @@ TEST_F(ProgramSideTest, SettingsAreSentWhenTheyChange) {
   ask({{"type", "observe"}, {"what", {"settings"}}});
   EXPECT_EQ(last(), json({{"type", "event"},
                           {"what", "settings"},
-                          {"values", {{"spp", {{"value", 2}, {"layer", "live"}, {"place", "live"}}}}},
+                          {"values", {{"spp", {{"value", 2}, {"layer", "live"}, {"place", ""}}}}},
                           {"undo", 1},
                           {"redo", 0}}));
   const size_t before = sent.size();

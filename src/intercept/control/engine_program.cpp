@@ -8,9 +8,13 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include <cstdlib>
+#include <ctime>
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
+#include <string>
 #include <system_error>
 
 namespace gluray::intercept {
@@ -36,9 +40,34 @@ json reasonsOf(const gl::Statistics& statistics) {
   return reasons;
 }
 
+/// When the process began, seconds since 1970; 0: unknown.
+double beginOfProcess() {
+  std::ifstream file("/proc/self/stat");
+  std::string text;
+  std::getline(file, text);
+  const size_t name = text.rfind(')');  // the second field, in brackets, may hold anything
+  if (name == text.npos) return 0;
+  std::istringstream fields(text.substr(name + 1));
+  std::string skipped;
+  constexpr int kFieldsBetween = 19;  // proc(5): the start is field 22
+  for (int i = 0; i < kFieldsBetween; ++i) fields >> skipped;
+  double ticks = 0;
+  if (!(fields >> ticks)) return 0;
+  timespec now{}, sinceBoot{};
+  clock_gettime(CLOCK_REALTIME, &now), clock_gettime(CLOCK_BOOTTIME, &sinceBoot);
+  const auto seconds = [](const timespec& t) {
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+  };
+  return seconds(now) - seconds(sinceBoot) + ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
 }  // namespace
 
-std::string executableName() {
+std::string programName() {
+  const char* const launched = std::getenv("GLURAY_PID");
+  const char* const typed = std::getenv("GLURAY_PROGRAM");
+  if (launched && typed && *typed && std::to_string(getpid()) == launched)
+    return std::filesystem::path(typed).filename().string().substr(0, kMostOfName);
   std::error_code error;
   const std::filesystem::path path = std::filesystem::read_symlink("/proc/self/exe", error);
   return error ? "" : path.filename().string().substr(0, kMostOfName);
@@ -48,8 +77,8 @@ json EngineProgram::identity() {
   char host[256] = {};
   if (gethostname(host, sizeof host - 1) != 0) host[0] = '\0';
   const control::Job job = control::jobOfThisProcess();
-  return {{"pid", getpid()},  {"host", host},       {"name", executableName()},
-          {"rank", job.rank}, {"ranks", job.ranks}, {"job", job.name}};
+  return {{"pid", getpid()},    {"host", host},    {"name", programName()},    {"rank", job.rank},
+          {"ranks", job.ranks}, {"job", job.name}, {"since", beginOfProcess()}};
 }
 
 control::Figures EngineProgram::figures() {

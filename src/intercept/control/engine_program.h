@@ -24,7 +24,7 @@ class EngineProgram final : public control::Program {
   bool idle_ = false;                     // the last passes were made while the program drew nothing
 };
 
-/// The name of this process's executable.
-std::string executableName();
+/// The name of the program as it was given to the launcher; in other processes that of the executable.
+std::string programName();
 
 }  // namespace gluray::intercept

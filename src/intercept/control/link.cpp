@@ -67,7 +67,7 @@ void leaveFile(const ShownWindow& window) noexcept {
   if (g_left.exchange(true)) return;
   try {
     const std::string why = control::leaveRegistration(control::runtimeDirectory(),
-                                                       {executableName(), window.display, window.window});
+                                                       {programName(), window.display, window.window});
     if (!why.empty()) return log::write(log::Level::debug, "hubs will not find this program: " + why);
     std::atexit(removeFile);
   } catch (const std::exception&) {}  // out of memory: hubs find it when it draws
