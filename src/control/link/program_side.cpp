@@ -23,7 +23,8 @@ json descriptions() {
 
 }  // namespace
 
-ProgramSide::ProgramSide(Program& program, LiveSettings& live, const SettingsSource& source, Peer peer)
+ProgramSide::ProgramSide(ControlledProgram& program, LiveSettings& live, const SettingsSource& source,
+                         Peer peer)
     : program_(program),
       live_(live),
       peer_(std::move(peer)),

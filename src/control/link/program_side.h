@@ -25,7 +25,7 @@ class ProgramSide {
     std::function<void(const std::string& why)> finish;
     std::function<size_t()> waiting;  // bytes that are not sent yet
   };
-  ProgramSide(Program& program, LiveSettings& live, const SettingsSource& source, Peer peer);
+  ProgramSide(ControlledProgram& program, LiveSettings& live, const SettingsSource& source, Peer peer);
 
   /// Says hello.
   void begin(double now);
@@ -46,7 +46,7 @@ class ProgramSide {
   nlohmann::json valuesOf(const nlohmann::json* names);
   nlohmann::json calling(const nlohmann::json& message);
 
-  Program& program_;
+  ControlledProgram& program_;
   LiveSettings& live_;
   const Peer peer_;
   ChangeRequests changes_;
