@@ -25,7 +25,7 @@ constexpr Launcher kLaunchers[] = {
     {"PMIX_RANK", "SLURM_NTASKS", {"PMIX_NAMESPACE", nullptr, nullptr}},
 };
 
-std::optional<int> numberOf(const std::string& text) {
+std::optional<int> rankNumber(const std::string& text) {
   int number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   const bool whole = error == std::errc() && end == text.data() + text.size();
@@ -34,7 +34,7 @@ std::optional<int> numberOf(const std::string& text) {
 
 /// A job of several ranks; nothing if the numbers are missing or wrong.
 std::optional<Job> jobFrom(const std::string& rank, const std::string& ranks, const std::string& name) {
-  const std::optional<int> place = numberOf(rank), count = numberOf(ranks);
+  const std::optional<int> place = rankNumber(rank), count = rankNumber(ranks);
   if (!place || !count || *count < 2 || *place >= *count) return std::nullopt;
   constexpr size_t kMostOfName = 200;
   return Job{*place, *count, name.substr(0, kMostOfName)};
@@ -57,7 +57,7 @@ Job jobOf(const AskVariable& variable, const std::string& launcher) {
   }
   // Shells of batch jobs have SLURM_NTASKS, too, but no step of their own.
   const std::string id = variable("SLURM_JOB_ID"), step = variable("SLURM_STEP_ID");
-  if (!id.empty() && numberOf(step))
+  if (!id.empty() && rankNumber(step))
     if (auto job = jobFrom(variable("SLURM_PROCID"), variable("SLURM_NTASKS"), "slurm " + id + "." + step))
       return *job;
   return {};

@@ -23,7 +23,7 @@ class Observed {
   static constexpr double kSample = 0.25;  // at most so long between samples for rates
 
   using Send = std::function<void(nlohmann::json event)>;
-  Observed(Program& program, LiveSettings& live, const SettingsSource& source, Send send)
+  Observed(ControlledProgram& program, LiveSettings& live, const SettingsSource& source, Send send)
       : program_(program), live_(live), source_(source), send_(std::move(send)) {}
 
   /// Observes what the request says and nothing else. Returns the answer; it has `why` if the request is
@@ -37,7 +37,7 @@ class Observed {
   void sendState();
   void sendSettings(const SettingsHistory& history);
 
-  Program& program_;
+  ControlledProgram& program_;
   LiveSettings& live_;
   const SettingsSource& source_;
   const Send send_;

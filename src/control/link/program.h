@@ -14,9 +14,9 @@ struct Figures {
   uint64_t traced = 0, rasterised = 0;  // draws
 };
 
-class Program {
+class ControlledProgram {
  public:
-  virtual ~Program() = default;
+  virtual ~ControlledProgram() = default;
   /// The members of hello: pid, host, name, rank, ranks, job.
   virtual nlohmann::json identity() = 0;
   virtual Figures figures() = 0;

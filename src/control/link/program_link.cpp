@@ -131,7 +131,8 @@ struct ProgramLink::Serving {
   bool greeted = false;
 };
 
-ProgramLink::ProgramLink(Program& program, LiveSettings& live, const SettingsSource& source, HubAddress hub)
+ProgramLink::ProgramLink(ControlledProgram& program, LiveSettings& live, const SettingsSource& source,
+                         HubAddress hub)
     : program_(program),
       live_(live),
       source_(source),

@@ -19,7 +19,7 @@ class ProgramLink {
                           kMostBackoff = 2;  // between two looks for a hub of this machine
   static constexpr double kTcpSeconds = 2, kMostTcpSeconds = 8;  // between two attempts to reach another one
 
-  ProgramLink(Program& program, LiveSettings& live, const SettingsSource& source, HubAddress hub);
+  ProgramLink(ControlledProgram& program, LiveSettings& live, const SettingsSource& source, HubAddress hub);
   ProgramLink(const ProgramLink&) = delete;
   ProgramLink& operator=(const ProgramLink&) = delete;
 
@@ -39,7 +39,7 @@ class ProgramLink {
   bool serve();
   void noteSocket(int descriptor) noexcept;
 
-  Program& program_;
+  ControlledProgram& program_;
   LiveSettings& live_;
   const SettingsSource& source_;
   const HubAddress hub_;

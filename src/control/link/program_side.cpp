@@ -42,7 +42,7 @@ json layersOf(const Layers& layers, const Row& row) {
 
 }  // namespace
 
-ProgramSide::ProgramSide(Program& program, LiveSettings& live, const SettingsSource& source,
+ProgramSide::ProgramSide(ControlledProgram& program, LiveSettings& live, const SettingsSource& source,
                          SettingsHistory& history, Peer peer)
     : program_(program),
       live_(live),

@@ -26,7 +26,7 @@ class ProgramSide {
     std::function<size_t()> waiting;  // bytes that are not sent yet
   };
   /// `history`: the steps that can be taken back; it outlives connections.
-  ProgramSide(Program& program, LiveSettings& live, const SettingsSource& source, SettingsHistory& history,
+  ProgramSide(ControlledProgram& program, LiveSettings& live, const SettingsSource& source, SettingsHistory& history,
               Peer peer);
 
   /// Says hello.
@@ -48,7 +48,7 @@ class ProgramSide {
   nlohmann::json valuesOf(const nlohmann::json* names, bool withLayers);
   nlohmann::json calling(const nlohmann::json& message);
 
-  Program& program_;
+  ControlledProgram& program_;
   LiveSettings& live_;
   const Peer peer_;
   ChangeRequests changes_;

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-struct FakeProgram final : Program {
+struct FakeProgram final : ControlledProgram {
   json identity() override { return {{"pid", 7}, {"name", "fake"}}; }
   Figures figures() override { return figures_; }
   json state() override { return {{"memory", 5}}; }

@@ -7,7 +7,7 @@
 
 namespace gluray::intercept {
 
-class EngineProgram final : public control::Program {
+class EngineProgram final : public control::ControlledProgram {
  public:
   nlohmann::json identity() override;
   control::Figures figures() override;
