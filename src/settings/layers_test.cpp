@@ -93,7 +93,7 @@ TEST_F(LayersOf, PresetsAreBetweenProfilesAndVariables) {
   EXPECT_EQ(read("spp"), "5 (environment GLURAY_SPP)");
   unsetenv("GLURAY_SPP");
   sources_.live = {{"spp", "6"}};
-  EXPECT_EQ(read("spp"), "6 (live live)");
+  EXPECT_EQ(read("spp"), "6 (live )");
   EXPECT_EQ(g_complaints, std::vector<std::string>{});
 }
 
