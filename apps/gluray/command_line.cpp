@@ -31,6 +31,7 @@ Commands, each with its own --help:
   gluray presets           sets of settings by name, and what is in them
 
 Commands for programs that run:
+  gluray panel             a window with all programs and their settings
   gluray list              the programs
   gluray set NAME=VALUE    change settings; also: gluray unset NAME, gluray preset NAME
   gluray undo              take the last change back; gluray redo makes it again
@@ -139,7 +140,8 @@ void describe(CLI::App& app, CommandLine& line) {
   const auto usage = [&](const char* text) { app.get_formatter()->label("OPTIONS", text); };
   if (line.command == Command::timeline) return describeTimeline(app, line);
   if (line.command == Command::hub) return describeHub(app, line);
-  if (line.command != Command::run) app.add_flag("--json", line.json, "Print JSON");
+  if (line.command != Command::run && line.command != Command::panel)
+    app.add_flag("--json", line.json, "Print JSON");
   if (describeControl(app, line)) return;
   switch (line.command) {
     case Command::run:

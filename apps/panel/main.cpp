@@ -8,9 +8,29 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <cstdio>
+#include <cstring>
+
+namespace {
+
+/// One line on standard error instead of Qt's abort. False: there is no display that the panel could use.
+bool displayIsThere(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i)
+    if (!std::strcmp(argv[i], "-platform") || !std::strcmp(argv[i], "-display")) return true;
+  if (qEnvironmentVariableIsSet("QT_QPA_PLATFORM") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY"))
+    return true;
+  const QByteArray display = qgetenv("DISPLAY");
+  if (!display.isEmpty() && gluray::canReach(display.toStdString())) return true;
+  const char* const why = display.isEmpty() ? "no display: DISPLAY is not set" : "no display can be reached";
+  std::fprintf(stderr, "gluray-panel: %s%s; use ssh -X, or gluray list and gluray set, which need none\n",
+               why, display.isEmpty() ? "" : (" at " + display).constData());
+  return false;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   using namespace gluray;
+  if (!displayIsThere(argc, argv)) return 1;
   QApplication application(argc, argv);
   QApplication::setApplicationName("gluray-panel");
   QApplication::setApplicationVersion(GLURAY_VERSION);

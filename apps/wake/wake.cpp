@@ -35,6 +35,13 @@ void expose(const std::string& display, unsigned long window) {
 
 }  // namespace
 
+bool canReach(const std::string& display) {
+  xcb_connection_t* server = xcb_connect(display.c_str(), nullptr);
+  const bool there = !xcb_connection_has_error(server);
+  xcb_disconnect(server);
+  return there;
+}
+
 void wakeWindow(const std::string& display, unsigned long window) {
   // A thread of its own, which nobody waits for: xcb has no time limits.
   try {

@@ -8,4 +8,7 @@ namespace gluray {
 /// errors. Any thread.
 void wakeWindow(const std::string& display, unsigned long window);
 
+/// Whether the X server answers.
+bool canReach(const std::string& display);
+
 }  // namespace gluray

@@ -2,6 +2,7 @@
 
 #include "command_line.h"
 #include "control/change.h"
+#include "control/panel.h"
 #include "control/programs_list.h"
 #include "control/watch.h"
 #include "settings/rows.h"
@@ -18,7 +19,7 @@ struct CommandWord {
 constexpr CommandWord kWords[] = {{"list", Command::list},   {"set", Command::set},
                                   {"unset", Command::unset}, {"preset", Command::preset},
                                   {"watch", Command::watch}, {"undo", Command::undo},
-                                  {"redo", Command::redo}};
+                                  {"redo", Command::redo},   {"panel", Command::panel}};
 
 const char* wordOfCommand(Command command) {
   for (const CommandWord& known : kWords)
@@ -96,9 +97,12 @@ bool describeControl(CLI::App& app, CommandLine& line) {
     case Command::undo: app.description("Takes back the last change of running programs' settings."); break;
     case Command::redo: app.description("Makes the change again that was taken back last."); break;
     case Command::watch: describeWatch(app, line); break;
+    case Command::panel:
+      app.description("Opens a window that shows running programs and changes their settings.");
+      break;
     default: break;
   }
-  if (line.command == Command::list)
+  if (line.command == Command::list || line.command == Command::panel)
     addHubOptions(app, options, false);
   else
     addProgramOptions(app, options, false);
@@ -114,6 +118,7 @@ bool performControl(const CommandLine& line, int& exitCode) {
     case Command::undo:
     case Command::redo: exitCode = stepBackOrForth(line); return true;
     case Command::watch: exitCode = watchPrograms(line); return true;
+    case Command::panel: exitCode = openPanel(line); return true;
     default: return false;
   }
 }

@@ -28,6 +28,8 @@ std::string settingOr(const Layers& layers, const char* name, const std::string&
   return row ? printValue(*row, layers.session) : given;
 }
 
+}  // namespace
+
 control::HubAddress addressOf(const CommandLine& line) {
   const Layers layers = readLayers(sourcesOf(line), [](const std::string& complaint) { say(complaint); });
   control::HubAddress address;
@@ -36,8 +38,6 @@ control::HubAddress addressOf(const CommandLine& line) {
   address.keyFile = settingOr(layers, "hub-key", line.control.keyFile);
   return address;
 }
-
-}  // namespace
 
 HubSession::HubSession(const CommandLine& line) {
   const control::HubAddress address = addressOf(line);

@@ -13,6 +13,9 @@
 
 namespace gluray::launcher {
 
+/// Where the hub is: as the command or the settings say, otherwise on this machine.
+control::HubAddress addressOf(const CommandLine& line);
+
 class HubSession {
  public:
   /// Connects; where no hub runs on this machine, is one, and gives programs a second to connect. Throws

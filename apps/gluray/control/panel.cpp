@@ -1,0 +1,47 @@
+#include "control/panel.h"
+
+#include "control/hub_session.h"
+#include "say.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace gluray::launcher {
+namespace {
+
+constexpr const char* kPanel = "gluray-panel";
+
+/// Beside this executable; in a build tree beside its folder; otherwise on the PATH.
+std::string panelProgram() {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+  for (const fs::path& place : {folder / kPanel, folder.parent_path() / "panel" / kPanel})
+    if (!error && access(place.c_str(), X_OK) == 0) return place;
+  return kPanel;
+}
+
+}  // namespace
+
+int openPanel(const CommandLine& line) {
+  const std::string program = panelProgram();
+  std::vector<std::string> words{program};
+  const control::HubAddress address = addressOf(line);
+  if (!address.host.empty()) words.insert(words.end(), {"--hub", address.host, "--key", address.keyFile});
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  execvp(program.c_str(), arguments.data());
+  if (errno == ENOENT)
+    say("gluray-panel is missing; install the package gluray-panel, or build GLuRay where Qt 6 is installed");
+  else
+    say(program + ": " + std::strerror(errno));
+  return 1;
+}
+
+}  // namespace gluray::launcher
