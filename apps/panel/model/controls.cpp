@@ -129,8 +129,13 @@ void Controls::takeAnswer(const json& answer) {
 void Controls::takeEvent(const json& event) {
   const std::string what = member<std::string>(event, "what", "");
   if (what == "programs" && event.contains("programs")) return takePrograms(event["programs"]);
-  Program* program = findMutable(member<int>(event, "program", -1));
-  if (!program) return;
+  const int number = member<int>(event, "program", 0);
+  if (number <= 0) return;
+  Program* program = findMutable(number);
+  if (!program) {  // its entry in the list follows
+    program = &programs_.emplace_back();
+    program->number = number;
+  }
   if (what == "settings") takeSettings(*program, event);
   if (what == "state" && event.contains("state")) takeState(*program, event["state"]);
 }

@@ -103,6 +103,15 @@ TEST_F(ControlsTest, ProgramsThatEndAreForgottenAndOthersKeepTheirValues) {
   EXPECT_EQ(said.back(), "the other side closed it");
 }
 
+TEST_F(ControlsTest, SettingsMayComeBeforeTheList) {
+  takeValue(7, "ao", true);
+  takePrograms({7});
+  EXPECT_EQ(controls.programs().size(), 1u);
+  EXPECT_EQ(controls.value("ao").value, true);
+  EXPECT_EQ(controls.shown()->undo, 1);
+  EXPECT_EQ(controls.shown()->name, "p7");
+}
+
 TEST_F(ControlsTest, SurvivesMessagesThatAreNoneOfTheProtocol) {
   takePrograms({1});
   for (const json& message :
