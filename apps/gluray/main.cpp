@@ -1,6 +1,7 @@
 // gluray, the launcher: sets the environment so that a program's OpenGL calls go through GLuRay, and replaces
 // itself by the program (exec); or runs one of the other commands, such as explain and doctor.
 #include "command_line.h"
+#include "control/control_commands.h"
 #include "control/hub.h"
 #include "control/live_values.h"
 #include "doctor/doctor.h"

@@ -35,6 +35,8 @@ std::string withoutLine(const std::string& mistake) {
 /// Why the setting cannot be set live; empty: it can.
 std::string whyNotLive(const Row& row) {
   if (!row.inFiles) return std::string(row.name) + " belongs to one run";
+  if (row.applies == Applies::context)
+    return std::string(row.name) + " applies when windows are made; set it in gluray.toml or as an option";
   if (row.applies == Applies::process)
     return std::string(row.name) + " applies to the next run only; set it in gluray.toml or as an option";
   return "";

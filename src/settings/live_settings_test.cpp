@@ -119,8 +119,8 @@ TEST_F(Live, MistakesInFilesDoNotStopLiveChanges) {
   live_.start(sources_);
   write(sources_.userFile, "spp = many\n");
   look();
-  EXPECT_EQ(whyOf({{"threads", "2"}}), "");
-  EXPECT_EQ(source_.current()->threads, 2);
+  EXPECT_EQ(whyOf({{"ao.samples", "2"}}), "");
+  EXPECT_EQ(source_.current()->ao.samples, 2);
   EXPECT_EQ(spp(), 2);
 }
 
@@ -223,12 +223,18 @@ TEST_F(Live, ChangesMayWaitForAFrame) {
   EXPECT_EQ(source_.current()->threads, 4);
 }
 
+TEST_F(Live, SettingsOfContextsAndProcessesAreRefused) {
+  live_.start(sources_);
+  EXPECT_EQ(whyOf({{"threads", "2"}}), "threads applies when windows are made; set it in gluray.toml or as an option");
+  EXPECT_EQ(whyOf({{"log", "/tmp/x"}}), "log applies to the next run only; set it in gluray.toml or as an option");
+}
+
 TEST_F(Live, ChangesThatWaitCountWithLaterOnes) {
   live_.start(sources_);
   const LiveSettings::Answer waits = live_.change(Changes{{"spp", "8"}}, 50);
-  const LiveSettings::Answer answer = live_.change(Changes{{"threads", "3"}});
+  const LiveSettings::Answer answer = live_.change(Changes{{"ao.samples", "3"}});
   EXPECT_EQ(spp(), 8);
-  EXPECT_EQ(source_.current()->threads, 3);
+  EXPECT_EQ(source_.current()->ao.samples, 3);
   uint64_t version = 0;
   source_.endFrame(), source_.take(version), source_.beginFrame();
   EXPECT_EQ(live_.firstFrameWith(waits), 2u);

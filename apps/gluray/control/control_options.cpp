@@ -1,10 +1,6 @@
 #include "control/control_options.h"
 
 #include "command_line.h"
-#include "control/change.h"
-#include "control/panel.h"
-#include "control/programs_list.h"
-#include "control/watch.h"
 #include "settings/rows.h"
 
 #include <CLI/CLI.hpp>
@@ -107,20 +103,6 @@ bool describeControl(CLI::App& app, CommandLine& line) {
   else
     addProgramOptions(app, options, false);
   return true;
-}
-
-bool performControl(const CommandLine& line, int& exitCode) {
-  switch (line.command) {
-    case Command::list: exitCode = listPrograms(line); return true;
-    case Command::set:
-    case Command::unset:
-    case Command::preset: exitCode = changeSettings(line); return true;
-    case Command::undo:
-    case Command::redo: exitCode = stepBackOrForth(line); return true;
-    case Command::watch: exitCode = watchPrograms(line); return true;
-    case Command::panel: exitCode = openPanel(line); return true;
-    default: return false;
-  }
 }
 
 }  // namespace gluray::launcher

@@ -34,7 +34,4 @@ bool describeControl(CLI::App& app, CommandLine& line);
 /// -p, --hub and --key; without --hub where the command has the options of settings.
 void addProgramOptions(CLI::App& app, ControlOptions& options, bool settingsHaveOptions);
 
-/// Carries the command in `line` out, unless it is not one of these commands. Returns its exit code.
-bool performControl(const CommandLine& line, int& exitCode);
-
 }  // namespace gluray::launcher

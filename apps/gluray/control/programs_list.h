@@ -4,7 +4,7 @@
 
 namespace gluray::launcher {
 
-/// Prints a line a program. Returns the exit code: 1 where there is none.
+/// Prints a line a program. Returns the exit code. Throws where no program runs.
 int listPrograms(const CommandLine& line);
 
 }  // namespace gluray::launcher

@@ -71,7 +71,7 @@ std::vector<Page> pages() {
   std::vector<Page> all;
   for (const std::string_view title : kPages) all.push_back({std::string(title), {}});
   for (const Row& row : settingRows()) {
-    if (row.applies == Applies::process || row.name == "preset") continue;
+    if (row.applies != Applies::frame || row.name == "preset") continue;
     std::vector<Section>& sections = pageCalled(pageOf(row), all).sections;
     const auto section = std::find_if(sections.begin(), sections.end(),
                                       [&](const Section& s) { return s.word == wordOf(row); });

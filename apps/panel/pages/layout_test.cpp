@@ -13,7 +13,7 @@ TEST(Pages, HaveEverySettingOfRunningProgramsOnce) {
     for (const Section& section : page.sections)
       for (const Row* row : section.rows) ++times[row->name];
   for (const Row& row : settingRows())
-    EXPECT_EQ(times[row.name], row.applies != Applies::process && row.name != "preset") << row.name;
+    EXPECT_EQ(times[row.name], row.applies == Applies::frame && row.name != "preset") << row.name;
 }
 
 TEST(Pages, BeginWithTheirFixedOrder) {

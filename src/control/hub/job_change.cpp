@@ -74,12 +74,12 @@ class JobChange : public std::enable_shared_from_this<JobChange> {
     if (!why.empty()) return drop(rank, why);
     held_[rank] = *at;
     if (--missing_ > 0) return;
-    const auto frames = framesToApply(held_);
+    frames_ = framesToApply(held_);
     askAll(
         kApplyPatience,
         [&](int each) {
           json message = about("apply", each);
-          message["frame"] = frames.at(each);
+          message["frame"] = frames_.at(each);
           return message;
         },
         &JobChange::applied);
@@ -102,6 +102,9 @@ class JobChange : public std::enable_shared_from_this<JobChange> {
 
   void drawn(int rank, json&& result) {
     note(rank, result);
+    const json* const frame = member(result, "frame");
+    const bool began = frame && frame->is_number_integer() && frame->get<int64_t>() > frames_.at(rank);
+    if (began && std::find(late_.begin(), late_.end(), rank) == late_.end()) late_.push_back(rank);
     if (rank == 0) result_ = std::move(result);
     if (--missing_ > 0) return;
     if (!why_.empty()) return end(failure(why_));
@@ -124,6 +127,7 @@ class JobChange : public std::enable_shared_from_this<JobChange> {
   Questions::Done done_;                 // empty: it has ended
   std::map<int, uint64_t> holds_;        // ids of the first requests
   std::map<int, HeldAt> held_;
+  std::map<int, int64_t> frames_;  // from which the values shall count
   std::vector<int> late_;
   std::string why_;
   json result_;

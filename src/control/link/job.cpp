@@ -1,5 +1,7 @@
 #include "control/link/job.h"
 
+#include "control/process_start.h"
+
 #include <unistd.h>
 
 #include <array>
@@ -7,6 +9,7 @@
 #include <cstdlib>
 #include <initializer_list>
 #include <optional>
+#include <string_view>
 
 namespace gluray::control {
 namespace {
@@ -40,9 +43,21 @@ std::optional<Job> jobFrom(const std::string& rank, const std::string& ranks, co
   return Job{*place, *count, name.substr(0, kMostOfName)};
 }
 
-std::string hostName() {
-  char name[256] = {};
-  return gethostname(name, sizeof name - 1) == 0 ? name : "";
+/// Host and process of MPICH's launcher on this host, which may have started the rank through a shell; empty:
+/// none.
+std::string launcherOfThisProcess() {
+  char host[256] = {};
+  if (gethostname(host, sizeof host - 1) != 0) return "";
+  constexpr int kMostGenerations = 8;
+  pid_t process = getppid();
+  for (int i = 0; i < kMostGenerations && process > 1; ++i) {
+    const ProcessStat stat = statOf(process);
+    const std::string_view name = stat.name;
+    if (name.starts_with("hydra_") || name.starts_with("mpiexec"))
+      return std::string(host).append(" ").append(std::to_string(process));
+    process = stat.parent;
+  }
+  return "";
 }
 
 }  // namespace
@@ -52,7 +67,10 @@ Job jobOf(const AskVariable& variable, const std::string& launcher) {
     std::string name;
     for (const char* const known : l.names)
       if (known && name.empty()) name = variable(known);
-    if (name.empty()) name = launcher;
+    // The launcher's process is the same for all ranks if they run on one host.
+    if (name.empty() && variable("MPI_LOCALNRANKS") == variable(l.ranks)) name = launcher;
+    // Ranks that cannot tell which job they are of are programs of their own.
+    if (name.empty()) continue;
     if (auto job = jobFrom(variable(l.rank), variable(l.ranks), name)) return *job;
   }
   // Shells of batch jobs have SLURM_NTASKS, too, but no step of their own.
@@ -68,7 +86,7 @@ Job jobOfThisProcess() {
     const char* const value = std::getenv(name);
     return std::string(value ? value : "");
   };
-  return jobOf(variable, hostName() + " " + std::to_string(getppid()));
+  return jobOf(variable, launcherOfThisProcess());
 }
 
 }  // namespace gluray::control

@@ -38,11 +38,12 @@ TEST(Job, OpenMpi) {
       jobWith(
           {{"OMPI_COMM_WORLD_RANK", "3"}, {"OMPI_COMM_WORLD_SIZE", "8"}, {"OMPI_MCA_ess_base_jobid", "99"}}),
       3, 8, "99");
-  expectJob(jobWith({{"OMPI_COMM_WORLD_RANK", "3"}, {"OMPI_COMM_WORLD_SIZE", "8"}}), 3, 8, "node7 4100");
+  expectJob(jobWith({{"OMPI_COMM_WORLD_RANK", "3"}, {"OMPI_COMM_WORLD_SIZE", "8"}}), 0, 1, "");
 }
 
 TEST(Job, HydraAndMvapich) {
-  expectJob(jobWith({{"PMI_RANK", "1"}, {"PMI_SIZE", "2"}}), 1, 2, "node7 4100");
+  expectJob(jobWith({{"PMI_RANK", "1"}, {"PMI_SIZE", "2"}, {"MPI_LOCALNRANKS", "2"}}), 1, 2, "node7 4100");
+  expectJob(jobWith({{"PMI_RANK", "1"}, {"PMI_SIZE", "2"}, {"MPI_LOCALNRANKS", "1"}}), 0, 1, "");
   expectJob(jobWith({{"PMI_RANK", "1"}, {"PMI_SIZE", "2"}, {"PMI_PORT", "node1:99"}}), 1, 2, "node1:99");
   expectJob(jobWith({{"MV2_COMM_WORLD_RANK", "1"}, {"MV2_COMM_WORLD_SIZE", "2"}, {"MPISPAWN_ID", "0"}}), 1, 2,
             "0");

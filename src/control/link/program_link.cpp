@@ -28,8 +28,6 @@ namespace {
 using asio::error_code;
 using nlohmann::json;
 
-constexpr size_t kStackBytes = size_t{256} << 10;
-
 /// Asio's objects that exit() would destroy before handlers that were registered earlier.
 void makeAsiosObjects() {
   asio::error::get_system_category(), asio::error::get_netdb_category();
@@ -45,6 +43,12 @@ void endAtExit(ProgramLink& link) {
   std::atexit([] { g_ends.load()->exiting(); });
 }
 
+void noteFailure(const std::exception& error) noexcept {
+  try {
+    log::once(log::Level::warning, "control", std::string("the link to the hub failed: ") + error.what());
+  } catch (...) {}  // out of memory
+}
+
 /// Starts a detached thread with all signals blocked. False: none can be started.
 bool startThread(void* (*run)(void*), void* argument) {
   sigset_t all, before;
@@ -54,15 +58,8 @@ bool startThread(void* (*run)(void*), void* argument) {
   pthread_attr_init(&attributes);
   pthread_attr_setdetachstate(&attributes, PTHREAD_CREATE_DETACHED);
   pthread_t thread;
-  pthread_attr_setstacksize(&attributes, kStackBytes);
-  bool started = pthread_create(&thread, &attributes, run, argument) == 0;
-  if (!started) {  // the program's thread-local objects may not fit into that stack
-    pthread_attr_t usual;
-    pthread_attr_init(&usual);
-    pthread_attr_setdetachstate(&usual, PTHREAD_CREATE_DETACHED);
-    started = pthread_create(&thread, &usual, run, argument) == 0;
-    pthread_attr_destroy(&usual);
-  }
+  // The usual stack: a smaller one may be used up by the program's thread-local objects.
+  const bool started = pthread_create(&thread, &attributes, run, argument) == 0;
   pthread_attr_destroy(&attributes);
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
   return started;
@@ -177,9 +174,8 @@ void ProgramLink::run() noexcept {
     bool greeted = false;
     try {
       greeted = serve();
-    } catch (const std::exception& e) {
-      log::once(log::Level::warning, "control", std::string("the link to the hub failed: ") + e.what());
-    } catch (...) {}
+    } catch (const std::exception& e) { noteFailure(e); } catch (...) {
+    }
     noteSocket(-1);
     if (!exiting_) program_.linkEnded();
     backoff_ = greeted ? kLookSeconds : std::min(2 * backoff_, kMostBackoff);

@@ -1,6 +1,7 @@
 #include "control/link/registration.h"
 
 #include "base/files.h"
+#include "control/process_start.h"
 #include "control/runtime_directory.h"
 
 #include <nlohmann/json.hpp>
@@ -28,7 +29,8 @@ std::string leaveRegistration(const std::string& directory, const Registration& 
   const std::string line = "{\"pid\": " + std::to_string(getpid()) +
                            ", \"name\": " + quoted(registration.name) +
                            ", \"display\": " + quoted(registration.display) +
-                           ", \"window\": " + std::to_string(registration.window) + "}\n";
+                           ", \"window\": " + std::to_string(registration.window) +
+                           ", \"since\": " + std::to_string(statOf(getpid()).started) + "}\n";
   return files::replace(registrationFile(directory), line);
 }
 

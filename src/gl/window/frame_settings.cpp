@@ -20,10 +20,12 @@ int threadsOf(const Settings& settings) {
 
 bool FrameSettings::take() {
   if (!source_) return false;
-  const SettingsSource::Shared newer = source_->take(version_);
+  uint64_t version = version_;
+  const SettingsSource::Shared newer = source_->take(version);
   if (!newer) return false;
-  Settings next = *newer;
+  Settings next = *newer;  // may throw
   keepBetweenFrames(next, now_);
+  version_ = version;
   now_ = std::move(next);
   return true;
 }

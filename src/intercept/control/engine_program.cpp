@@ -1,7 +1,8 @@
 #include "intercept/control/engine_program.h"
 
+#include "base/clock.h"
 #include "base/log.h"
-#include "control/link/job.h"
+#include "control/process_start.h"
 #include "frame/idle_refiner.h"
 #include "intercept/contexts.h"
 
@@ -9,11 +10,9 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <ctime>
 #include <exception>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <system_error>
 
@@ -40,27 +39,6 @@ json reasonsOf(const gl::Statistics& statistics) {
   return reasons;
 }
 
-/// When the process began, seconds since 1970; 0: unknown.
-double beginOfProcess() {
-  std::ifstream file("/proc/self/stat");
-  std::string text;
-  std::getline(file, text);
-  const size_t name = text.rfind(')');  // the second field, in brackets, may hold anything
-  if (name == text.npos) return 0;
-  std::istringstream fields(text.substr(name + 1));
-  std::string skipped;
-  constexpr int kFieldsBetween = 19;  // proc(5): the start is field 22
-  for (int i = 0; i < kFieldsBetween; ++i) fields >> skipped;
-  double ticks = 0;
-  if (!(fields >> ticks)) return 0;
-  timespec now{}, sinceBoot{};
-  clock_gettime(CLOCK_REALTIME, &now), clock_gettime(CLOCK_BOOTTIME, &sinceBoot);
-  const auto seconds = [](const timespec& t) {
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-  };
-  return seconds(now) - seconds(sinceBoot) + ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
-}
-
 }  // namespace
 
 std::string programName() {
@@ -73,12 +51,18 @@ std::string programName() {
   return error ? "" : path.filename().string().substr(0, kMostOfName);
 }
 
+EngineProgram::EngineProgram() : name_(programName()), job_(control::jobOfThisProcess()) {}
+
 json EngineProgram::identity() {
   char host[256] = {};
   if (gethostname(host, sizeof host - 1) != 0) host[0] = '\0';
-  const control::Job job = control::jobOfThisProcess();
-  return {{"pid", getpid()},    {"host", host},    {"name", programName()},    {"rank", job.rank},
-          {"ranks", job.ranks}, {"job", job.name}, {"since", beginOfProcess()}};
+  return {{"pid", getpid()},
+          {"host", host},
+          {"name", name_},
+          {"rank", job_.rank},
+          {"ranks", job_.ranks},
+          {"job", job_.name},
+          {"since", control::beginOfProcess()}};
 }
 
 control::Figures EngineProgram::figures() {
@@ -106,7 +90,10 @@ json EngineProgram::state() {
           {"warnings", log::recent()}};
 }
 
+/// Asks the X server at most every two seconds, over a connection that does not stay: servers have few.
 json EngineProgram::windows() {
+  constexpr double kEvery = 2;
+  if (listed_ > 0 && nowSeconds() - listed_ < kEvery) return windows_;
   json list = json::array();
   for (const ShownWindow& window : shownWindows()) {
     const glm::ivec2 size = servers_.sizeOf(window);
@@ -115,6 +102,8 @@ json EngineProgram::windows() {
     else
       list.push_back({{"width", size.x}, {"height", size.y}});
   }
+  servers_.close();
+  windows_ = list, listed_ = nowSeconds();
   return list;
 }
 
@@ -127,6 +116,7 @@ json EngineProgram::call(const std::string& name, const json&, std::string& why)
 void EngineProgram::wake() noexcept {
   try {
     for (const ShownWindow& window : shownWindows()) servers_.expose(window);
+    servers_.close();
   } catch (const std::exception&) {}  // out of memory: it draws when it draws
 }
 

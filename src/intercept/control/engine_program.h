@@ -1,14 +1,20 @@
 // This process as the hub sees it. Control thread.
 #pragma once
+#include "control/link/job.h"
 #include "control/link/program.h"
 #include "intercept/control/x_server.h"
 
+#include <nlohmann/json.hpp>
+
 #include <cstdint>
+#include <string>
 
 namespace gluray::intercept {
 
 class EngineProgram final : public control::ControlledProgram {
  public:
+  /// On a thread of the program, which may change its environment later.
+  EngineProgram();
   nlohmann::json identity() override;
   control::Figures figures() override;
   nlohmann::json state() override;
@@ -19,7 +25,11 @@ class EngineProgram final : public control::ControlledProgram {
  private:
   nlohmann::json windows();
 
+  const std::string name_;
+  const control::Job job_;
   XServers servers_;
+  nlohmann::json windows_;                // as they were listed last
+  double listed_ = 0;                     // when
   uint64_t passes_ = 0, idlePasses_ = 0;  // when the state was last asked for
   bool idle_ = false;                     // the last passes were made while the program drew nothing
 };

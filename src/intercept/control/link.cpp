@@ -43,11 +43,10 @@ Link& link() {
   return *once;
 }
 
+const std::string* g_file = nullptr;  // that was left
+
 void removeFile() {
-  if (isForkedChild()) return;
-  try {
-    unlink(control::registrationFile(control::runtimeDirectory()).c_str());
-  } catch (const std::exception&) {}  // out of memory: the next hub removes it
+  if (!isForkedChild()) unlink(g_file->c_str());
 }
 
 }  // namespace
@@ -66,9 +65,11 @@ void lookForHub(double now) noexcept {
 void leaveFile(const ShownWindow& window) noexcept {
   if (g_left.exchange(true)) return;
   try {
-    const std::string why = control::leaveRegistration(control::runtimeDirectory(),
-                                                       {programName(), window.display, window.window});
+    const std::string directory = control::runtimeDirectory();
+    const std::string why =
+        control::leaveRegistration(directory, {programName(), window.display, window.window});
     if (!why.empty()) return log::write(log::Level::debug, "hubs will not find this program: " + why);
+    g_file = new std::string(control::registrationFile(directory));  // never destroyed
     std::atexit(removeFile);
   } catch (const std::exception&) {}  // out of memory: hubs find it when it draws
 }
