@@ -26,8 +26,8 @@ class ProgramSide {
     std::function<size_t()> waiting;  // bytes that are not sent yet
   };
   /// `history`: the steps that can be taken back; it outlives connections.
-  ProgramSide(ControlledProgram& program, LiveSettings& live, const SettingsSource& source, SettingsHistory& history,
-              Peer peer);
+  ProgramSide(ControlledProgram& program, LiveSettings& live, const SettingsSource& source,
+              SettingsHistory& history, Peer peer);
 
   /// Says hello.
   void begin(double now);
