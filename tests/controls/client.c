@@ -1,6 +1,7 @@
 /* A program that draws a frame for each line that it reads from standard input, and prints a checksum of the
  * picture that it reads back: client [exposed | always [MILLISECONDS]]. exposed: Expose events of its window
- * make it draw, too. always: it draws all the time, a frame in so many milliseconds (0: as fast as it can).
+ * make it draw, too. always: it draws all the time, turning, a frame in so many milliseconds (0: as fast
+ * as it can).
  * The line "fork" makes a child process that ends a second later, and prints its number; "count" prints the
  * number of frames since the start and the seconds of the monotonic clock. */
 #include "tests/doors/ring.h"
@@ -24,10 +25,10 @@ static uint64_t checksum(void) {
   return hash;
 }
 
-static void drawRings(void) {
+static void drawRings(float angle) {
   glClearColor(0.1f, 0.2f, 0.3f, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  setRingView(kWidth, kHeight, 20);
+  setRingView(kWidth, kHeight, angle);
   sendRing();
   glPushMatrix(), glScalef(0.5f, 1.2f, 0.5f);
   sendRing();
@@ -36,9 +37,9 @@ static void drawRings(void) {
 
 static long frames;
 
-static void showRings(Display* display, Window window, int prints) {
+static void showRings(Display* display, Window window, int turns, int prints) {
   ++frames;
-  drawRings();
+  drawRings(20 + (turns ? (float)(frames % 360) : 0));
   if (prints) printf("%016llx\n", (unsigned long long)checksum());
   fflush(stdout);
   glXSwapBuffers(display, window);
@@ -82,12 +83,12 @@ int main(int argc, char** argv) {
   struct pollfd inputs[] = {{STDIN_FILENO, POLLIN, 0}, {ConnectionNumber(display), POLLIN, 0}};
   double due = now();
   for (char line[64];;) {
-    if (takeExposures(display) && exposed) showRings(display, window, 1);
+    if (takeExposures(display) && exposed) showRings(display, window, 0, 1);
     if (XPending(display) > 0) continue;
     const double rest = due - now();
     if (always && rest <= 0) {
       due = rest < -period ? now() + period : due + period;
-      showRings(display, window, 0);
+      showRings(display, window, 1, 0);
     }
     poll(inputs, 2, !always ? -1 : due > now() ? (int)((due - now()) * 1000) + 1 : 0);
     if (!inputs[0].revents) continue;
@@ -97,6 +98,6 @@ int main(int argc, char** argv) {
     else if (strcmp(line, "count\n") == 0)
       printf("%ld %.9f\n", frames, now()), fflush(stdout);
     else
-      showRings(display, window, 1);
+      showRings(display, window, always, 1);
   }
 }
