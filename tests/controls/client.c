@@ -1,6 +1,9 @@
 /* A program that draws a frame for each line that it reads from standard input, and prints a checksum of the
- * picture that it reads back: client [exposed]. exposed: Expose events of its window make it draw, too. The
- * line "fork" makes a child process that ends a second later, and prints its number. */
+ * picture that it reads back: client [exposed | always [MILLISECONDS]]. exposed: Expose events of its window
+ * make it draw, too. always: it draws all the time, turning, a frame in so many milliseconds (0: as fast
+ * as it can).
+ * The line "fork" makes a child process that ends a second later, and prints its number; "count" prints the
+ * number of frames since the start and the seconds of the monotonic clock. */
 #include "tests/doors/ring.h"
 #include "tests/doors/x_window.h"
 
@@ -9,6 +12,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 #include <unistd.h>
 
 enum { kWidth = 160, kHeight = 120 };
@@ -21,21 +25,30 @@ static uint64_t checksum(void) {
   return hash;
 }
 
-static void drawRings(void) {
+static void drawRings(float angle) {
   glClearColor(0.1f, 0.2f, 0.3f, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  setRingView(kWidth, kHeight, 20);
+  setRingView(kWidth, kHeight, angle);
   sendRing();
   glPushMatrix(), glScalef(0.5f, 1.2f, 0.5f);
   sendRing();
   glPopMatrix();
 }
 
-static void showRings(Display* display, Window window) {
-  drawRings();
-  printf("%016llx\n", (unsigned long long)checksum());
+static long frames;
+
+static void showRings(Display* display, Window window, int turns, int prints) {
+  ++frames;
+  drawRings(20 + (turns ? (float)(frames % 360) : 0));
+  if (prints) printf("%016llx\n", (unsigned long long)checksum());
   fflush(stdout);
   glXSwapBuffers(display, window);
+}
+
+static double now(void) {
+  struct timespec time;
+  clock_gettime(CLOCK_MONOTONIC, &time);
+  return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
 static void makeChild(void) {
@@ -55,6 +68,8 @@ static int takeExposures(Display* display) {
 
 int main(int argc, char** argv) {
   const int exposed = argc > 1 && strcmp(argv[1], "exposed") == 0;
+  const int always = argc > 1 && strcmp(argv[1], "always") == 0;
+  const double period = argc > 2 ? atof(argv[2]) / 1000 : 0;
   static int wanted[] = {GLX_RGBA, GLX_DOUBLEBUFFER, GLX_DEPTH_SIZE, 24, None};
   Display* display = openDisplay();
   XVisualInfo* visual = glXChooseVisual(display, DefaultScreen(display), wanted);
@@ -66,12 +81,23 @@ int main(int argc, char** argv) {
   glXMakeCurrent(display, window, glXCreateContext(display, visual, NULL, True));
   setvbuf(stdin, NULL, _IONBF, 0); /* poll() sees what is not read yet */
   struct pollfd inputs[] = {{STDIN_FILENO, POLLIN, 0}, {ConnectionNumber(display), POLLIN, 0}};
+  double due = now();
   for (char line[64];;) {
-    if (takeExposures(display)) showRings(display, window);
+    if (takeExposures(display) && exposed) showRings(display, window, 0, 1);
     if (XPending(display) > 0) continue;
-    poll(inputs, 2, -1);
+    const double rest = due - now();
+    if (always && rest <= 0) {
+      due = rest < -period ? now() + period : due + period;
+      showRings(display, window, 1, 0);
+    }
+    poll(inputs, 2, !always ? -1 : due > now() ? (int)((due - now()) * 1000) + 1 : 0);
     if (!inputs[0].revents) continue;
     if (!fgets(line, sizeof line, stdin)) return 0;
-    strcmp(line, "fork\n") == 0 ? makeChild() : showRings(display, window);
+    if (strcmp(line, "fork\n") == 0)
+      makeChild();
+    else if (strcmp(line, "count\n") == 0)
+      printf("%ld %.9f\n", frames, now()), fflush(stdout);
+    else
+      showRings(display, window, always, 1);
   }
 }

@@ -75,7 +75,7 @@ class HubThread::Link {
     connection_->start({[this](json&& message) { take(std::move(message)); },
                         [this](const std::string& why) {
                           connection_.reset();
-                          fail(why);
+                          fail("the connection to the hub ended (" + why + "); the panel looks for another");
                         },
                         {}});
     connection_->send(json{{"type", "hello"}, {"version", 1}, {"role", "client"}});

@@ -38,7 +38,8 @@ void FpsPlot::paintEvent(QPaintEvent*) {
     return;
   }
   const std::deque<double>& fps = program->fps;
-  const double top = roundedUp(*std::max_element(fps.begin(), fps.end()));
+  constexpr double kHeadroom = 1.05;  // a steady line does not lie on the edge
+  const double top = roundedUp(kHeadroom * *std::max_element(fps.begin(), fps.end()));
   const double room = height() - 2.0, step = width() / 599.0;
   QPainterPath path;
   for (size_t i = 0; i < fps.size(); ++i) {

@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QStyle>
 #include <QToolButton>
+#include <chrono>
 #include <utility>
 
 namespace gluray::panel {
@@ -31,6 +32,9 @@ QString shortName(const Row& row) {
   const size_t dot = row.name.find('.');
   return qtText(dot == row.name.npos ? row.name : row.name.substr(dot + 1));
 }
+
+// Between two changes of a movement. A hub takes 256 requests that wait, each for six seconds at most.
+constexpr std::chrono::milliseconds kPause{25};
 
 std::string newGesture() {
   static uint64_t last = 0;
@@ -60,6 +64,10 @@ SettingRow::SettingRow(const Row& row, Controls& controls, QWidget* parent)
   layout->addWidget(reset_);
   connect(editor_, &Editor::changed, this, &SettingRow::send);
   connect(reset_, &QToolButton::clicked, this, [this] { controls_.set(std::string(row_.name), nullptr); });
+  pause_.setSingleShot(true);
+  connect(&pause_, &QTimer::timeout, this, [this] {
+    if (waits_) send(nlohmann::json(*waits_), true);
+  });
   update();
 }
 
@@ -82,6 +90,9 @@ void SettingRow::update() {
 
 void SettingRow::send(const nlohmann::json& value, bool more) {
   if (more && gesture_.empty()) gesture_ = newGesture();
+  waits_.reset();
+  if (more && pause_.isActive()) return void(waits_ = value);
+  more ? pause_.start(kPause) : pause_.stop();
   controls_.set(std::string(row_.name), value, more ? gesture_ : std::exchange(gesture_, {}));
 }
 

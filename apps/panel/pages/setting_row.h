@@ -3,7 +3,9 @@
 #include "model/controls.h"
 #include "settings/rows.h"
 
+#include <QTimer>
 #include <QWidget>
+#include <optional>
 #include <string>
 
 class QLabel;
@@ -34,7 +36,9 @@ class SettingRow : public QWidget {
   Editor* editor_;
   QToolButton* reset_;
   bool changed_ = false;
-  std::string gesture_;  // of the movement that goes on; empty: none
+  std::string gesture_;                  // of the movement that goes on; empty: none
+  QTimer pause_;                         // runs for a moment after each change of a movement
+  std::optional<nlohmann::json> waits_;  // the newest value meanwhile
 };
 
 }  // namespace gluray::panel

@@ -17,6 +17,7 @@
 
 #include <array>
 #include <exception>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -28,6 +29,10 @@ using std::chrono::steady_clock;
 constexpr size_t kMostConnections = 1024, kMostUnproven = 64;
 constexpr std::chrono::milliseconds kProofPatience{5000};
 constexpr std::chrono::milliseconds kSoonest{1};
+// Before each repetition. A program whose frame began a moment before the hub listens looks for none in the
+// next one; one that lost its hub waits up to two seconds.
+constexpr std::chrono::milliseconds kWakeAgain[] = {
+    std::chrono::milliseconds(150), std::chrono::milliseconds(350), std::chrono::milliseconds(2500)};
 
 HubCore::Self thisHub() {
   std::array<char, 256> host{};
@@ -41,7 +46,7 @@ HubCore::Self thisHub() {
 
 class HubServer::Parts : public std::enable_shared_from_this<Parts> {
  public:
-  explicit Parts(asio::io_context& io) : io_(io), timer_(io), core_(thisHub()) {}
+  explicit Parts(asio::io_context& io) : io_(io), timer_(io), waking_(io), core_(thisHub()) {}
 
   std::string start(const HubOptions& options);
   void stop();
@@ -53,6 +58,8 @@ class HubServer::Parts : public std::enable_shared_from_this<Parts> {
 
  private:
   std::string listen(const HubOptions& options);
+  /// Wakes programs that are not connected, and does so again. `times`: how often it has.
+  void wake(size_t times);
   void acceptHere(int socket);
   void acceptTcp(int socket, const std::string& address);
   void take(Connection::Socket socket);
@@ -64,7 +71,8 @@ class HubServer::Parts : public std::enable_shared_from_this<Parts> {
   bool full() const { return connections_.size() + unproven_ >= kMostConnections; }
 
   asio::io_context& io_;
-  asio::steady_timer timer_;
+  asio::steady_timer timer_, waking_;
+  std::function<void(const std::string&, unsigned long)> wake_;
   HubTime timerAt_ = HubTime::max();
   HubCore core_;
   HubPlace place_;
@@ -114,9 +122,20 @@ std::string HubServer::Parts::start(const HubOptions& options) {
   running_ = true;
   here_->start();
   if (tcp_) tcp_->start();
-  for (const ProgramFile& file : programFiles(directory))
-    if (options.wake) options.wake(file.display, file.window);
+  wake_ = options.wake;
+  if (wake_) wake(0);
   return "";
+}
+
+void HubServer::Parts::wake(size_t times) {
+  for (const ProgramFile& file : programFiles(directory))
+    if (!core_.hasProcess(file.pid)) wake_(file.display, file.window);
+  if (times >= std::size(kWakeAgain)) return;
+  waking_.expires_after(kWakeAgain[times]);
+  waking_.async_wait([weak = weak_from_this(), times](const asio::error_code& error) {
+    const auto self = weak.lock();
+    if (!error && self && self->running_) self->wake(times + 1);
+  });
 }
 
 void HubServer::Parts::stop() {
@@ -124,6 +143,7 @@ void HubServer::Parts::stop() {
   here_->stop();
   if (tcp_) tcp_->stop();
   timer_.cancel();
+  waking_.cancel();
   for (const auto& [number, connection] : std::exchange(connections_, {})) connection->close("the hub ends");
   place_.leave();
   tcpPort = 0;

@@ -222,6 +222,8 @@ TEST_F(HubServerTest, FilesOfProgramsAreReadWithCare) {
   EXPECT_EQ(woken, std::vector<std::string>{":7 77"});
   EXPECT_EQ(hub_.expected(), 1u);
   EXPECT_FALSE(fs::exists(files / std::to_string(gone)));
+  for (int i = 0; i < 500 && woken.size() < 2; ++i) io_.run_one_for(std::chrono::milliseconds(20));
+  EXPECT_EQ(woken, std::vector<std::string>(2, ":7 77")) << "again, while it is not connected";
   for (const std::string& wrong :
        {content(self + 1), std::string("[["), content(self) + std::string(5000, ' '), std::string(),
         std::string("7"),
