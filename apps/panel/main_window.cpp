@@ -42,8 +42,9 @@ MainWindow::MainWindow(Controls& controls) : controls_(controls) {
 }
 
 void MainWindow::greet() {
-  statusBar()->showMessage(
-      controls_.shown() ? "" : tr("No program runs under GLuRay; start one with: gluray PROGRAM"));
+  statusBar()->showMessage(!controls_.programs().empty()
+                               ? ""
+                               : tr("No program runs under GLuRay; start one with: gluray PROGRAM"));
 }
 
 QWidget* MainWindow::makePrograms() {
@@ -120,8 +121,8 @@ void MainWindow::showSettings() {
   const Program* program = controls_.shown();
   for (SettingsPage* page : pages_) page->widget()->setEnabled(program), page->update();
   presets_->setEnabled(program);
-  undo_->setEnabled(program && program->undo > 0);
-  redo_->setEnabled(program && program->redo > 0);
+  undo_->setEnabled(controls_.undoSteps() > 0);
+  redo_->setEnabled(controls_.redoSteps() > 0);
   const nlohmann::json preset = controls_.value("preset").value;
   const QString name = preset.is_string() ? QString::fromStdString(preset.get<std::string>()) : "";
   presets_->setCurrentIndex(name.isEmpty() ? 0 : presets_->findText(name));

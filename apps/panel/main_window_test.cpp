@@ -104,6 +104,47 @@ TEST_F(MainWindowTest, ValuesOfTheProgramDoNotMoveASliderThatIsHeld) {
   EXPECT_EQ(slider->value(), 900);
 }
 
+TEST_F(MainWindowTest, KeysThatFollowEachOtherAreOneGesture) {
+  appear();
+  sent.clear();
+  auto* slider = setting("ao.samples")->findChild<QSlider*>();
+  for (int i = 0; i < 5; ++i) QTest::keyClick(slider, Qt::Key_PageUp);
+  ASSERT_EQ(sent.size(), 5u);
+  for (const json& message : sent) EXPECT_EQ(message["gesture"], sent[0]["gesture"]);
+}
+
+TEST_F(MainWindowTest, ANumberThatIsTypedStays) {
+  appear();
+  window.activateWindow();
+  auto* box = setting("ao.samples")->findChild<QDoubleSpinBox*>();
+  box->setFocus();
+  QTest::qWait(1);
+  ASSERT_TRUE(box->hasFocus());
+  box->selectAll();
+  QTest::keyClicks(box, "51");
+  take({{"type", "event"}, {"what", "settings"}, {"program", 1}, {"values", json::object()}});
+  EXPECT_EQ(box->text(), "51");
+  QTest::keyClick(box, Qt::Key_Return);
+  EXPECT_EQ(sent.back()["values"], json({{"ao.samples", 51}}));
+}
+
+TEST_F(MainWindowTest, ReturnInABoxThatWasNotTouchedSendsNothing) {
+  appear();
+  take({{"type", "event"},
+        {"what", "settings"},
+        {"program", 1},
+        {"values", {{"ao.radius", {{"value", 0.123456789}, {"layer", "user"}, {"place", "f:1"}}}}}});
+  sent.clear();
+  auto* box = setting("ao.radius")->findChild<QDoubleSpinBox*>();
+  QTest::keyClick(box, Qt::Key_Return);
+  EXPECT_TRUE(sent.empty());
+  box->selectAll();
+  QTest::keyClicks(box, "0,25");  // as some write it
+  QTest::keyClick(box, Qt::Key_Return);
+  ASSERT_EQ(sent.size(), 1u);
+  EXPECT_EQ(sent[0]["values"], json({{"ao.radius", 0.25}}));
+}
+
 TEST_F(MainWindowTest, SearchesInAllPages) {
   appear();
   auto* search = window.findChild<QLineEdit*>("search");

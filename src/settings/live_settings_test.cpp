@@ -225,8 +225,10 @@ TEST_F(Live, ChangesMayWaitForAFrame) {
 
 TEST_F(Live, SettingsOfContextsAndProcessesAreRefused) {
   live_.start(sources_);
-  EXPECT_EQ(whyOf({{"threads", "2"}}), "threads applies when windows are made; set it in gluray.toml or as an option");
-  EXPECT_EQ(whyOf({{"log", "/tmp/x"}}), "log applies to the next run only; set it in gluray.toml or as an option");
+  EXPECT_EQ(whyOf({{"threads", "2"}}),
+            "threads applies when windows are made; set it in gluray.toml or as an option");
+  EXPECT_EQ(whyOf({{"log", "/tmp/x"}}),
+            "log applies to the next run only; set it in gluray.toml or as an option");
 }
 
 TEST_F(Live, ChangesThatWaitCountWithLaterOnes) {

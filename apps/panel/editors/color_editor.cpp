@@ -7,6 +7,7 @@
 #include <QPixmap>
 #include <QPushButton>
 #include <algorithm>
+#include <memory>
 
 namespace gluray::panel {
 namespace {
@@ -44,11 +45,17 @@ void ColorEditor::ask() {
   auto* dialog = new QColorDialog(color_, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(objectName());
-  // The picture follows; Cancel brings the old colour back.
-  connect(dialog, &QColorDialog::currentColorChanged, this,
-          [this](const QColor& color) { emit changed(color.name().toStdString(), true); });
-  connect(dialog, &QColorDialog::finished, this, [this, dialog, old = color_](int result) {
-    emit changed((result == QDialog::Accepted ? dialog->currentColor() : old).name().toStdString(), false);
+  // The picture follows.
+  const auto sent = std::make_shared<bool>(false);
+  connect(dialog, &QColorDialog::currentColorChanged, this, [this, sent](const QColor& color) {
+    *sent = true;
+    emit changed(color.name().toStdString(), true);
+  });
+  connect(dialog, &QColorDialog::finished, this, [this, dialog, sent](int result) {
+    if (!*sent) return;
+    result == QDialog::Accepted ? emit changed(dialog->currentColor().name().toStdString(), false)
+                                : emit
+                                  cancelled();
   });
   dialog->open();
 }

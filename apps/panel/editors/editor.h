@@ -21,6 +21,8 @@ class Editor : public QWidget {
  signals:
   /// The user has chosen a value. `more`: further changes of the same movement follow.
   void changed(const nlohmann::json& value, bool more);
+  /// The user takes the changes of this movement back.
+  void cancelled();
 };
 
 /// The editor for the setting's type and range; `name` is what screen readers call it.

@@ -2,6 +2,7 @@
 
 #include "qt_text.h"
 
+#include <QLineEdit>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,7 @@ NumberBox::NumberBox(const Row& row, QWidget* parent)
   setDecimals(whole_ ? 0 : kDigits);
   setRange(row.ranged ? row.least : -kLargest, row.ranged ? row.most : kLargest);
   setKeyboardTracking(false);  // a number counts when it is complete
+  connect(this, &QDoubleSpinBox::editingFinished, this, [this] { lineEdit()->setModified(false); });
   setFocusPolicy(Qt::StrongFocus);
   if (!row.unit.empty()) setSuffix(" " + qtText(row.unit));
   setMinimumWidth(fontMetrics().horizontalAdvance("0.0000000 pixels"));
@@ -34,10 +36,14 @@ QString NumberBox::textFromValue(double value) const {
 double NumberBox::valueFromText(const QString& text) const {
   QString number = text;
   if (!suffix().isEmpty() && number.endsWith(suffix())) number.chop(suffix().size());
-  return number.trimmed().toDouble();
+  // What the box shows has fewer digits than its value.
+  return text == textFromValue(value()) + suffix() ? value() : number.trimmed().toDouble();
 }
 
+bool NumberBox::typing() const { return hasFocus() && lineEdit()->isModified(); }
+
 QValidator::State NumberBox::validate(QString& text, int&) const {
+  text.replace(',', '.');  // numbers are written as in files
   QString number = text;
   if (!suffix().isEmpty() && number.endsWith(suffix())) number.chop(suffix().size());
   number = number.trimmed();

@@ -14,6 +14,8 @@ class NumberBox : public QDoubleSpinBox {
   double valueFromText(const QString& text) const override;
   QValidator::State validate(QString& text, int& at) const override;
   void stepBy(int steps) override;
+  /// Whether the user has begun to type and not finished.
+  bool typing() const;
 
  protected:
   void wheelEvent(QWheelEvent* event) override;

@@ -82,7 +82,7 @@ NumberEditor::NumberEditor(const Row& row, QWidget* parent)
   connect(box_, &QDoubleSpinBox::valueChanged, this, [this](double value) { typed(value); });
 }
 
-bool NumberEditor::busy() const { return slider_ && slider_->isSliderDown(); }
+bool NumberEditor::busy() const { return box_->typing() || (slider_ && slider_->isSliderDown()); }
 
 void NumberEditor::show(const nlohmann::json& value) {
   const QSignalBlocker quietBox(box_), quietSlider(slider_);

@@ -3,10 +3,11 @@
 #pragma once
 #include "editors/editor.h"
 
-class QDoubleSpinBox;
 class QSlider;
 
 namespace gluray::panel {
+
+class NumberBox;
 
 /// Positions of a slider over a range; logarithmic if the range covers more than three powers of ten.
 class Scale {
@@ -36,7 +37,7 @@ class NumberEditor : public Editor {
 
   const bool whole_;
   const Scale scale_;
-  QDoubleSpinBox* box_;
+  NumberBox* box_;
   QSlider* slider_ = nullptr;
 };
 

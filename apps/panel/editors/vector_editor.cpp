@@ -5,6 +5,7 @@
 
 #include <QHBoxLayout>
 #include <QSignalBlocker>
+#include <algorithm>
 
 namespace gluray::panel {
 
@@ -21,6 +22,10 @@ VectorEditor::VectorEditor(const Row& row, QWidget* parent) : Editor(parent) {
     });
   }
   setFocusProxy(boxes_[0]);
+}
+
+bool VectorEditor::busy() const {
+  return std::any_of(boxes_.begin(), boxes_.end(), [](const NumberBox* box) { return box->typing(); });
 }
 
 void VectorEditor::show(const nlohmann::json& value) {

@@ -4,17 +4,18 @@
 
 #include <array>
 
-class QDoubleSpinBox;
-
 namespace gluray::panel {
+
+class NumberBox;
 
 class VectorEditor : public Editor {
  public:
   VectorEditor(const Row& row, QWidget* parent);
   void show(const nlohmann::json& value) override;
+  bool busy() const override;
 
  private:
-  std::array<QDoubleSpinBox*, 3> boxes_;
+  std::array<NumberBox*, 3> boxes_;
 };
 
 }  // namespace gluray::panel

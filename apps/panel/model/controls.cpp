@@ -42,7 +42,34 @@ const Program* Controls::find(int number) const { return const_cast<Controls*>(t
 
 const Program* Controls::shown() const {
   if (chosen_) return find(*chosen_);
-  return programs_.empty() ? nullptr : &programs_.front();
+  return !all_ || programs_.empty() ? nullptr : &programs_.front();
+}
+
+std::vector<const Program*> Controls::targets() const {
+  std::vector<const Program*> result;
+  for (const Program& program : programs_)
+    if (all_ || chosen_ == program.number) result.push_back(&program);
+  return result;
+}
+
+int Controls::undoSteps() const {
+  int most = 0;
+  for (const Program* program : targets()) most = std::max(most, program->undo);
+  return most;
+}
+
+int Controls::redoSteps() const {
+  int most = 0;
+  for (const Program* program : targets()) most = std::max(most, program->redo);
+  return most;
+}
+
+bool Controls::isLive(const std::string& name) const {
+  const std::vector<const Program*> all = targets();
+  return std::any_of(all.begin(), all.end(), [&](const Program* program) {
+    const auto known = program->values.find(name);
+    return known != program->values.end() && known->second.layer == "live";
+  });
 }
 
 Value Controls::value(const std::string& name) const {
@@ -53,7 +80,7 @@ Value Controls::value(const std::string& name) const {
 }
 
 bool Controls::differs(const std::string& name) const {
-  if (chosen_) return false;
+  if (!all_) return false;
   const json first = value(name).value;
   return std::any_of(programs_.begin(), programs_.end(), [&](const Program& program) {
     const auto known = program.values.find(name);
@@ -64,11 +91,30 @@ bool Controls::differs(const std::string& name) const {
   });
 }
 
-void Controls::choose(std::optional<int> program) {
-  if (program && !find(*program)) program.reset();
-  if (program == chosen_) return;
-  chosen_ = program;
+void Controls::choose(int number) {
+  const Program* program = find(number);
+  if (!program || chosen_ == number) return;
+  chosen_ = number, all_ = false;
+  identity_ = {program->host, program->pid};
   emit chosenChanged();
+}
+
+void Controls::chooseAll() {
+  if (all_) return;
+  chosen_.reset(), all_ = true;
+  emit chosenChanged();
+}
+
+/// `first`: there was no program before.
+void Controls::chooseAgain(bool first) {
+  if (chosen_ && !find(*chosen_)) {
+    chosen_.reset();
+    emit chosenChanged();
+  }
+  if (chosen_ || all_) return;
+  for (const Program& program : programs_)
+    if (identity_ == std::pair(program.host, program.pid)) return choose(program.number);
+  if (first && programs_.size() == 1) choose(programs_.front().number);
 }
 
 json Controls::target() const { return chosen_ ? json(*chosen_) : json("all"); }
@@ -80,14 +126,19 @@ void Controls::request(json message, const QString& what) {
 }
 
 void Controls::set(const std::string& name, const json& value, const std::string& gesture) {
+  if (!chosen_ && !all_) return;
   json message{{"type", "set"}, {"program", target()}, {"values", {{name, value}}}};
   if (!gesture.empty()) message["gesture"] = gesture;
   request(std::move(message), QString::fromStdString(name));
 }
 
-void Controls::undo() { request({{"type", "undo"}, {"program", target()}}, tr("undo")); }
+void Controls::undo() {
+  if (chosen_ || all_) request({{"type", "undo"}, {"program", target()}}, tr("undo"));
+}
 
-void Controls::redo() { request({{"type", "redo"}, {"program", target()}}, tr("redo")); }
+void Controls::redo() {
+  if (chosen_ || all_) request({{"type", "redo"}, {"program", target()}}, tr("redo"));
+}
 
 void Controls::connected() {
   asked_.clear();
@@ -118,12 +169,24 @@ void Controls::takeAnswer(const json& answer) {
   asked_.erase(asked);
   if (const auto list = answer.find("programs"); list != answer.end()) takePrograms(*list);
   if (what.isEmpty()) return;
-  std::string why = member<std::string>(answer, "why", "");
-  if (const auto results = answer.find("results"); results != answer.end() && results->is_array())
-    for (const json& result : *results)
-      if (why.empty() && result.is_object()) why = member<std::string>(result, "why", "");
+  const std::string why = failureOf(answer);
   emit said(QString::fromStdString(why));
   if (!why.empty()) emit settingsChanged();  // editors show the old values again
+}
+
+/// The first failure; of several programs with its name.
+std::string Controls::failureOf(const json& answer) const {
+  if (std::string why = member<std::string>(answer, "why", ""); !why.empty()) return why;
+  const auto results = answer.find("results");
+  if (results == answer.end() || !results->is_array()) return "";
+  for (const json& result : *results) {
+    if (!result.is_object()) continue;
+    const std::string why = member<std::string>(result, "why", "");
+    const Program* program = find(member<int>(result, "program", 0));
+    if (!why.empty())
+      return results->size() > 1 && program ? program->title().toStdString() + ": " + why : why;
+  }
+  return "";
 }
 
 void Controls::takeEvent(const json& event) {
@@ -153,9 +216,11 @@ void Controls::takePrograms(const json& list) {
     program.name = member<std::string>(entry, "name", "");
     next.push_back(std::move(program));
   }
+  const bool first =
+      std::none_of(programs_.begin(), programs_.end(), [](const Program& p) { return p.pid != 0; });
   programs_ = std::move(next);
   emit programsChanged();
-  if (chosen_ && !find(*chosen_)) choose(std::nullopt);
+  chooseAgain(first);
   emit settingsChanged();
 }
 
@@ -167,7 +232,7 @@ void Controls::takeSettings(Program& program, const json& event) {
                                 member<std::string>(entry, "place", "")};
   program.undo = member<int>(event, "undo", program.undo);
   program.redo = member<int>(event, "redo", program.redo);
-  if (&program == shown() || !chosen_) emit settingsChanged();
+  if (all_ || &program == shown()) emit settingsChanged();
 }
 
 void Controls::takeState(Program& program, const json& state) {

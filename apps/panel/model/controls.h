@@ -12,6 +12,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gluray::panel {
@@ -44,11 +45,19 @@ class Controls : public QObject {
   const std::vector<Program>& programs() const { return programs_; }
   const Program* find(int number) const;
 
-  /// The program that widgets show and change; none: all of them.
-  void choose(std::optional<int> program);
+  /// What widgets show and change: one program, all of them, or, at first and after the chosen one has
+  /// ended, none. A program that is alone when it comes is chosen; one that a new hub knows again stays so.
+  void choose(int program);
+  void chooseAll();
   std::optional<int> chosen() const { return chosen_; }
+  bool all() const { return all_; }
   /// The chosen program; of all, the first. Null: there is none.
   const Program* shown() const;
+  /// Of what is chosen: the most steps that a program can take back, and make again.
+  int undoSteps() const;
+  int redoSteps() const;
+  /// Whether a chosen program has a live value of the setting.
+  bool isLive(const std::string& name) const;
   /// The setting's value in shown(); the built-in one where it says nothing.
   Value value(const std::string& name) const;
   /// Whether programs that are chosen together have different values.
@@ -77,6 +86,9 @@ class Controls : public QObject {
   void request(nlohmann::json message, const QString& what = {});
   nlohmann::json target() const;
   void takePrograms(const nlohmann::json& list);
+  void chooseAgain(bool first);
+  std::vector<const Program*> targets() const;
+  std::string failureOf(const nlohmann::json& answer) const;
   void takeAnswer(const nlohmann::json& answer);
   void takeEvent(const nlohmann::json& event);
   void takeSettings(Program& program, const nlohmann::json& event);
@@ -86,8 +98,10 @@ class Controls : public QObject {
   const std::function<void(nlohmann::json)> send_;
   std::vector<Program> programs_;
   std::optional<int> chosen_;
-  uint64_t next_ = 1;                  // id of the next request
-  std::map<uint64_t, QString> asked_;  // requests without an answer, and what they are about
+  bool all_ = false;
+  std::pair<std::string, int> identity_;  // host and process of the chosen program
+  uint64_t next_ = 1;                     // id of the next request
+  std::map<uint64_t, QString> asked_;     // requests without an answer, and what they are about
 };
 
 }  // namespace gluray::panel

@@ -61,6 +61,10 @@ TEST_F(ControlsTest, ValuesAreBuiltInUntilAProgramSaysMore) {
 TEST_F(ControlsTest, ChangesGoToTheChosenProgramOrAll) {
   takePrograms({1, 2});
   controls.set("ao", true);
+  controls.undo();
+  EXPECT_TRUE(sent.empty());  // nothing is chosen
+  controls.chooseAll();
+  controls.set("ao", true);
   EXPECT_EQ(sent.back()["program"], "all");
   controls.choose(2);
   controls.set("ao.samples", 4, "drag");
@@ -73,6 +77,7 @@ TEST_F(ControlsTest, ChangesGoToTheChosenProgramOrAll) {
 
 TEST_F(ControlsTest, ProgramsMayDiffer) {
   takePrograms({1, 2});
+  controls.chooseAll();
   EXPECT_FALSE(controls.differs("ao"));
   takeValue(2, "ao", true);
   EXPECT_TRUE(controls.differs("ao"));
@@ -97,6 +102,9 @@ TEST_F(ControlsTest, ProgramsThatEndAreForgottenAndOthersKeepTheirValues) {
   controls.choose(1);
   takePrograms({2});
   EXPECT_FALSE(controls.chosen());
+  EXPECT_FALSE(controls.all());  // what was meant for one program is not for another
+  EXPECT_EQ(controls.shown(), nullptr);
+  controls.choose(2);
   EXPECT_EQ(controls.value("ao").value, true);
   controls.disconnected("the other side closed it");
   EXPECT_EQ(controls.shown(), nullptr);
@@ -110,6 +118,44 @@ TEST_F(ControlsTest, SettingsMayComeBeforeTheList) {
   EXPECT_EQ(controls.value("ao").value, true);
   EXPECT_EQ(controls.shown()->undo, 1);
   EXPECT_EQ(controls.shown()->name, "p7");
+}
+
+TEST_F(ControlsTest, AProgramThatComesAloneIsChosenAndStaysSo) {
+  takePrograms({3});
+  EXPECT_EQ(controls.chosen(), 3);
+  takePrograms({3, 4});
+  EXPECT_EQ(controls.chosen(), 3);
+  controls.set("ao", true);
+  EXPECT_EQ(sent.back()["program"], 3);
+}
+
+TEST_F(ControlsTest, TheChosenProgramIsKnownAgainAtAnotherHub) {
+  const auto list = [&](int first, int second) {
+    take({{"type", "event"},
+          {"what", "programs"},
+          {"programs",
+           {{{"program", first}, {"pid", 50}, {"host", "here"}, {"name", "a"}},
+            {{"program", second}, {"pid", 60}, {"host", "here"}, {"name", "b"}}}}});
+  };
+  list(1, 2);
+  controls.choose(2);
+  controls.disconnected("it ended");
+  EXPECT_EQ(controls.shown(), nullptr);
+  list(8, 7);
+  EXPECT_EQ(controls.chosen(), 7);
+}
+
+TEST_F(ControlsTest, FailuresOfSeveralNameTheProgram) {
+  takePrograms({1, 2});
+  controls.chooseAll();
+  takeValue(2, "ao", true);
+  EXPECT_EQ(controls.undoSteps(), 1);
+  controls.undo();
+  take(
+      {{"type", "answer"},
+       {"id", sent.back()["id"]},
+       {"results", {{{"program", 1}, {"why", "there is nothing to undo"}}, {{"program", 2}, {"frame", 3}}}}});
+  EXPECT_EQ(said.back(), "p1 (101): there is nothing to undo");
 }
 
 TEST_F(ControlsTest, SurvivesMessagesThatAreNoneOfTheProtocol) {

@@ -39,10 +39,10 @@ ProgramList::ProgramList(Controls& controls, QWidget* parent) : QTreeWidget(pare
   connect(&controls_, &Controls::programsChanged, this, &ProgramList::fill);
   connect(&controls_, &Controls::chosenChanged, this, &ProgramList::mark);
   connect(&controls_, &Controls::stateChanged, this, &ProgramList::showState);
-  connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
-    if (!item) return;
-    const int program = item->data(0, kNumber).toInt();
-    controls_.choose(program ? std::optional(program) : std::nullopt);
+  connect(this, &QTreeWidget::itemSelectionChanged, this, [this] {
+    if (selectedItems().isEmpty()) return;
+    const int program = selectedItems().first()->data(0, kNumber).toInt();
+    program ? controls_.choose(program) : controls_.chooseAll();
   });
   fill();
 }
@@ -50,7 +50,7 @@ ProgramList::ProgramList(Controls& controls, QWidget* parent) : QTreeWidget(pare
 void ProgramList::fill() {
   const QSignalBlocker quiet(this);
   clear();
-  if (controls_.programs().size() != 1) {
+  if (controls_.programs().size() != 1 || controls_.all()) {
     auto* all =
         new QTreeWidgetItem(this, {controls_.programs().empty() ? tr("No program") : tr("All programs")});
     all->setData(0, kNumber, 0);
@@ -69,8 +69,8 @@ void ProgramList::fill() {
 void ProgramList::mark() {
   const QSignalBlocker quiet(this);
   for (int i = 0; i < topLevelItemCount(); ++i)
-    if (topLevelItem(i)->data(0, kNumber).toInt() == controls_.chosen().value_or(0) ||
-        topLevelItemCount() == 1)
+    if (const int number = topLevelItem(i)->data(0, kNumber).toInt();
+        number ? controls_.chosen() == number : controls_.all())
       setCurrentItem(topLevelItem(i));
 }
 

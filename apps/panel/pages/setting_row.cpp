@@ -36,6 +36,8 @@ QString shortName(const Row& row) {
 // Between two changes of a movement. A hub takes 256 requests that wait, each for six seconds at most.
 constexpr std::chrono::milliseconds kPause{25};
 
+constexpr int kApart = 1000;  // milliseconds
+
 std::string newGesture() {
   static uint64_t last = 0;
   return "panel " + std::to_string(QCoreApplication::applicationPid()) + " " + std::to_string(++last);
@@ -63,6 +65,7 @@ SettingRow::SettingRow(const Row& row, Controls& controls, QWidget* parent)
   layout->addWidget(editor_, 1);
   layout->addWidget(reset_);
   connect(editor_, &Editor::changed, this, &SettingRow::send);
+  connect(editor_, &Editor::cancelled, this, &SettingRow::takeBack);
   connect(reset_, &QToolButton::clicked, this, [this] { controls_.set(std::string(row_.name), nullptr); });
   pause_.setSingleShot(true);
   connect(&pause_, &QTimer::timeout, this, [this] {
@@ -83,17 +86,29 @@ void SettingRow::update() {
   label_->setText(shortName(row_) + (controls_.differs(name) ? " \u2260" : ""));
   const QString from = now.place.empty() ? QString::fromStdString(now.layer)
                                          : QString::fromStdString(now.layer + ": " + now.place);
-  reset_->setEnabled(now.layer == "live");
+  reset_->setEnabled(controls_.isLive(name));
   reset_->setToolTip(now.layer == "live" ? tr("Back to what files and options say")
                                          : tr("Value from: %1").arg(from));
 }
 
+/// Changes that follow each other within a second, such as those of a key that is held, are one step, too.
 void SettingRow::send(const nlohmann::json& value, bool more) {
-  if (more && gesture_.empty()) gesture_ = newGesture();
+  if (gesture_.empty() || (!moving_ && (more || last_.elapsed() > kApart))) {
+    gesture_ = newGesture();
+    before_ = controls_.value(std::string(row_.name));
+  }
+  moving_ = more;
+  last_.start();
   waits_.reset();
   if (more && pause_.isActive()) return void(waits_ = value);
   more ? pause_.start(kPause) : pause_.stop();
-  controls_.set(std::string(row_.name), value, more ? gesture_ : std::exchange(gesture_, {}));
+  controls_.set(std::string(row_.name), value, gesture_);
+}
+
+void SettingRow::takeBack() {
+  if (!moving_) return;  // nothing was sent
+  const bool live = before_.layer == "live";
+  send(live ? before_.value : nlohmann::json(), false);
 }
 
 }  // namespace gluray::panel

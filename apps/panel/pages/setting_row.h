@@ -3,6 +3,7 @@
 #include "model/controls.h"
 #include "settings/rows.h"
 
+#include <QElapsedTimer>
 #include <QTimer>
 #include <QWidget>
 #include <optional>
@@ -29,6 +30,7 @@ class SettingRow : public QWidget {
 
  private:
   void send(const nlohmann::json& value, bool more);
+  void takeBack();
 
   const Row& row_;
   Controls& controls_;
@@ -36,6 +38,9 @@ class SettingRow : public QWidget {
   Editor* editor_;
   QToolButton* reset_;
   bool changed_ = false;
+  Value before_;                         // the value when the movement began
+  QElapsedTimer last_;                   // since the last change
+  bool moving_ = false;                  // further changes of the movement follow
   std::string gesture_;                  // of the movement that goes on; empty: none
   QTimer pause_;                         // runs for a moment after each change of a movement
   std::optional<nlohmann::json> waits_;  // the newest value meanwhile
