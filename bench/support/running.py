@@ -116,7 +116,7 @@ def observed(place, every):
         while not ended.is_set():
             with contextlib.suppress(TimeoutError):
                 peer.take()
-    reader = threading.Thread(target=read)
+    reader = threading.Thread(target=read, daemon=True)
     reader.start()
     try:
         yield
@@ -132,7 +132,8 @@ def end_gently(process):
 
 
 class Drag:
-    """A slider that is moved: a request for each event, without waiting for answers."""
+    """A slider that is moved, as in the panel: a request for the newest event every 25 ms, and one for the last; answers are not waited for."""
+    PAUSE = 0.025  # seconds
 
     def __init__(self, place, program, gesture):
         self.peer, self.folder, self.program, self.gesture = place.peer(), place.runtime, program, gesture
@@ -140,7 +141,7 @@ class Drag:
         self.sent = self.refused = self.most_waiting = 0
         self.ended = False
         self.peer.socket.settimeout(0.1)
-        self.reader = threading.Thread(target=self.read)
+        self.reader = threading.Thread(target=self.read, daemon=True)
         self.reader.start()
 
     def read(self):
@@ -153,12 +154,14 @@ class Drag:
 
     def move(self, rate, seconds):
         """Seconds from the last event to its answer."""
-        begin, last = time.perf_counter(), 0
-        for number in range(int(rate * seconds)):
+        begin, last, requests, events = time.perf_counter(), 0, 0, int(rate * seconds)
+        for number in range(events):
             time.sleep(max(0, begin + number / rate - time.perf_counter()))
+            if number + 1 < events and time.perf_counter() < self.sent + self.PAUSE:
+                continue
             last = self.peer.start("set", program=self.program, values={"ao.samples": number % 4000 + 1}, gesture=self.gesture)
-            self.sent = time.perf_counter()
-            self.most_waiting = max(self.most_waiting, number + 1 - len(self.answered))
+            self.sent, requests = time.perf_counter(), requests + 1
+            self.most_waiting = max(self.most_waiting, requests - len(self.answered))
         if not wait_for(lambda: last in self.answered):
             raise programs.Failed("a request got no answer")
         if self.value() != number % 4000 + 1:
