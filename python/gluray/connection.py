@@ -16,6 +16,7 @@ from .errors import GlurayError, HubError
 MOST_BYTES = 1 << 20  # of a message
 MOST_EVENTS = 1000    # that wait to be taken; older ones are lost
 LIST_SECONDS, ANSWER_SECONDS = 5.0, 12.0  # the second is more than the hub gives a program: then it says which one does not answer
+MOST_SECONDS = 1e6    # of a wait: poll() counts milliseconds in 32 bits
 NO_ANSWER = "the hub does not answer; end it, and start gluray hub"
 
 
@@ -76,7 +77,7 @@ class Connection:
     def alive(self):
         """Whether the hub has not ended since the last request, as far as is known."""
         try:
-            while self._socket and select.select([self._socket], [], [], 0)[0] and len(self._buffer) < MOST_BYTES:
+            while self._socket and _ready(self._socket, select.POLLIN, 0) and len(self._buffer) < MOST_BYTES:
                 got = self._socket.recv(1 << 16)
                 if not got:
                     self.close()
@@ -171,9 +172,7 @@ class Connection:
             raise HubError("the connection to the hub ended")
         if not writing and b"\n" in self._buffer:
             return True
-        waited = [self._socket]
-        readable, writable, _ = select.select([] if writing else waited, waited if writing else [], [], max(0.0, end - time.monotonic()))
-        return bool(readable or writable)
+        return _ready(self._socket, select.POLLOUT if writing else select.POLLIN, end - time.monotonic())
 
     def _send(self, message, end):
         rest = memoryview(json.dumps(message, allow_nan=False, default=_plain).encode() + b"\n")
@@ -218,6 +217,13 @@ class Connection:
     def _fail(self, why):
         self.close()
         raise HubError(why)
+
+
+def _ready(waited, events, seconds):
+    """Whether the socket is ready in time, or has failed. select() takes no descriptor above 1023, which ParaView has."""
+    poll = select.poll()
+    poll.register(waited, events)
+    return bool(poll.poll(min(max(0.0, seconds), MOST_SECONDS) * 1000))  # rounds up to milliseconds
 
 
 def _plain(value):

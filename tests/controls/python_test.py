@@ -5,6 +5,7 @@ import itertools
 import json
 import os
 import pathlib
+import resource
 import subprocess
 import sys
 import tempfile
@@ -274,6 +275,22 @@ class Python(unittest.TestCase):
     def test_unsafe_directories_are_refused(self):
         (self.folder / "run").mkdir(mode=0o755)
         self.assertIn("mode 700", self.refusal(gluray.programs))
+
+    def test_descriptors_above_1023(self):
+        soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+        if hard != resource.RLIM_INFINITY and hard < 1300:
+            self.skipTest("fewer descriptors are allowed")
+        resource.setrlimit(resource.RLIMIT_NOFILE, (max(soft, 1300), hard))
+        self.addCleanup(resource.setrlimit, resource.RLIMIT_NOFILE, (soft, hard))
+        hub, first, _ = self.two()
+        nothing = [os.open(os.devnull, os.O_RDONLY) for _ in range(1100)]
+        for descriptor in nothing:
+            self.addCleanup(os.close, descriptor)
+        p = gluray.programs()[0]
+        self.assertGreater(gluray.hub._connection._socket.fileno(), 1023)
+        p["spp"] = 4
+        self.assertEqual((first.live, p["spp"]), ({"spp": 4}, 4))
+        self.assertEqual(list(gluray.watch(what=["state"], seconds=0.1)), [])
 
     def test_tcp(self):
         key = self.folder / "key"
