@@ -89,7 +89,9 @@ def _with_own_hub(error):
     if not program:
         raise HubError(f"{error}, or set GLURAY to the path of the program gluray") from None
     try:
-        _child = subprocess.Popen([program, "hub"], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        # The system closes the pipe to its input when this process ends, however it ends. In a session of its own no Ctrl+C reaches it.
+        _child = subprocess.Popen([program, "hub", "--with-parent"], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
+                                  stderr=subprocess.PIPE, bufsize=0, start_new_session=True)
     except OSError as problem:
         raise HubError(f"{program}: {problem.strerror}; set GLURAY to the path of the program gluray") from None
     atexit.register(_end, _child, os.getpid())

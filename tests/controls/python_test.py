@@ -6,6 +6,8 @@ import json
 import os
 import pathlib
 import resource
+import select
+import signal
 import subprocess
 import sys
 import tempfile
@@ -187,6 +189,11 @@ class Python(unittest.TestCase):
         finally:
             os.environ["PATH"] = path
 
+    def python(self, code):
+        """Runs it in a process of its own, which can be spoken to."""
+        return subprocess.Popen([sys.executable, "-c", code], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                env={**os.environ, "PYTHONPATH": FOLDER})
+
     def own_hub(self, fails=""):
         script, rows = self.folder / "gluray", self.folder / "rows"
         rows.write_text(json.dumps(ROWS))
@@ -200,6 +207,37 @@ class Python(unittest.TestCase):
                               env={**os.environ, "PYTHONPATH": FOLDER})
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "[<gluray.Program late (9)>]\n", ""))
         self.assertFalse((self.folder / "run/hub.sock").exists())
+
+    def test_a_hub_of_its_own_ends_however_the_process_ends(self):
+        os.environ["GLURAY"] = GLURAY
+        code = ("import gluray, os, sys; gluray.programs(); print(os.getpgid(gluray.hub._child.pid) != os.getpgid(0), gluray.hub._child.pid, flush=True);"
+                "sys.stdin.readline(); os._exit(3)")
+        for end in (signal.SIGTERM, signal.SIGKILL, signal.SIGINT, None):
+            with self.subTest(end=end), self.python(code) as python:
+                own, hub = python.stdout.readline().split()
+                self.assertEqual(own, "True")
+                watched = os.pidfd_open(int(hub))
+                self.addCleanup(os.close, watched)
+                if end:
+                    python.send_signal(end)
+                else:
+                    python.stdin.write("\n"), python.stdin.flush()
+                self.assertTrue(select.select([watched], [], [], 20)[0], "the hub goes on")
+                self.assertFalse((self.folder / "run/hub.sock").exists())
+                python.communicate(timeout=20)
+
+    def test_a_hub_with_a_parent(self):
+        for stdin in (subprocess.DEVNULL, subprocess.PIPE):
+            done = subprocess.Popen([GLURAY, "hub", "--with-parent"], stdin=stdin, stderr=subprocess.PIPE, text=True)
+            self.addCleanup(done.kill)
+            self.assertIn("listens", done.stderr.readline())
+            if stdin == subprocess.PIPE:
+                done.stdin.write("word\n" * 1000), done.stdin.flush()
+                with self.assertRaises(subprocess.TimeoutExpired):
+                    done.wait(0.3)
+            self.assertEqual((done.communicate(timeout=20), done.returncode), ((None, ""), 0))
+        done = subprocess.run(["sh", "-c", '"$0" hub --with-parent <&-', GLURAY], capture_output=True, text=True, timeout=20)
+        self.assertEqual(done.returncode, 0)
 
     def test_without_a_hub_gluray_hub_is_started(self):
         os.environ["GLURAY"] = GLURAY
