@@ -9,7 +9,9 @@ import select
 import socket
 import stat
 import struct
+import threading
 import time
+import weakref
 
 from .errors import GlurayError, HubError
 
@@ -47,10 +49,13 @@ def key_of(file):
 
 
 class Connection:
-    """Raises HubError with one line if it cannot connect within `seconds`. For one thread at a time."""
+    """Raises HubError with one line if it cannot connect within `seconds`. For one thread at a time; a forked child has none."""
+
+    all = weakref.WeakSet()
 
     def __init__(self, hub="", key="", seconds=5.0):
         end = time.monotonic() + seconds
+        Connection.all.add(self)
         self._buffer, self._events, self._id, self._socket = bytearray(), collections.deque(maxlen=MOST_EVENTS), 0, None
         try:
             if hub:
@@ -88,17 +93,28 @@ class Connection:
 
     def ask(self, request, seconds=None):
         """The answer to a request. Raises GlurayError with the hub's reason, HubError if there is no answer in that time."""
-        end = time.monotonic() + (seconds or (LIST_SECONDS if request["type"] == "list" else ANSWER_SECONDS))
-        self._id += 1
-        self._send({**request, "id": self._id}, end)
-        while True:
+        answer, = self.ask_all([request], seconds)
+        if isinstance(answer, GlurayError):
+            raise answer
+        return answer
+
+    def ask_all(self, requests, seconds=None):
+        """The answers to requests that are sent at once, in their order; a GlurayError in the place of one that failed."""
+        end = time.monotonic() + (seconds or (LIST_SECONDS if all(r["type"] == "list" for r in requests) else ANSWER_SECONDS))
+        answers = {}  # by id; None: not yet here
+        for request in requests:
+            self._id += 1
+            self._send({**request, "id": self._id}, end)
+            answers[self._id] = None
+        while None in answers.values():
             message = self._receive(end)
             if message["type"] == "event":
                 self._events.append(message)
-            elif message["type"] == "error" or (message["type"] == "answer" and message.get("id") == self._id):
-                if message["type"] == "error" or "why" in message:
-                    raise GlurayError(_why(message))
-                return message
+            elif message["type"] == "error":
+                raise GlurayError(_why(message))
+            elif message["type"] == "answer" and isinstance(message.get("id"), int) and message["id"] in answers:
+                answers[message["id"]] = GlurayError(_why(message)) if "why" in message else message
+        return list(answers.values())
 
     def event(self, seconds):
         """The next event; None if there is none in that time."""
@@ -141,10 +157,15 @@ class Connection:
         host, sign, port = hub.rpartition(":")
         if not sign or not host or not port.isdigit():
             raise HubError(f"hub = {hub}: use HOST:PORT")
-        try:
-            connected = socket.create_connection((host.strip("[]"), int(port)), timeout=seconds)
-        except (OSError, OverflowError) as error:
-            raise HubError(f"hub = {hub}: {error}") from None
+        end, connected = time.monotonic() + seconds, None
+        for address in _addresses(hub, host.strip("[]"), int(port), seconds):
+            try:
+                connected = socket.create_connection(address, timeout=max(0.1, end - time.monotonic()))
+                break
+            except (OSError, OverflowError) as error:
+                why = error
+        if not connected:
+            raise HubError(f"hub = {hub}: {why}")
         connected.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         connected.setblocking(False)
         return connected
@@ -217,6 +238,24 @@ class Connection:
     def _fail(self, why):
         self.close()
         raise HubError(why)
+
+
+def _addresses(hub, host, port, seconds):
+    """The host's addresses, at least one. A thread asks for them, because the system's look-up has no limit of time."""
+    found = []
+
+    def look():
+        try:
+            found.append([entry[4][:2] for entry in socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)])
+        except (OSError, OverflowError, UnicodeError) as error:
+            found.append(error)
+
+    thread = threading.Thread(target=look, daemon=True)
+    thread.start()
+    thread.join(seconds)
+    if not found or not isinstance(found[0], list):
+        raise HubError(f"hub = {hub}: {found[0] if found else 'looking up the name takes too long'}")
+    return found[0]
 
 
 def _ready(waited, events, seconds):
