@@ -133,6 +133,8 @@ void describeHub(CLI::App& app, CommandLine& line) {
       ->needs(key)
       ->type_name("HOST:PORT");
   app.add_option("--new-key", line.hub.newKey, "Write a new key to FILE and end")->type_name("FILE");
+  app.add_flag("--with-parent", line.hub.withParent,
+               "End when standard input does, such as a pipe whose other side ends");
 }
 
 /// Adds the options and the help text of the command in `line`.

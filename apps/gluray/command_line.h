@@ -33,6 +33,7 @@ enum class Command {
 /// Options of gluray hub; empty: not given.
 struct HubLine {
   std::string listen, key, newKey;  // HOST:PORT, files
+  bool withParent = false;          // ends when standard input does
 };
 
 struct CommandLine {

@@ -20,11 +20,13 @@ import subprocess
 import time
 
 from . import hub as _hub
+from . import several as _several
 from .errors import GlurayError, HubError
 from .hub import connect
 from .program import Program
 
-__all__ = ["GlurayError", "HubError", "Program", "connect", "help", "preset", "programs", "redo", "set", "settings", "undo", "watch"]
+# Not set and help: `from gluray import *` leaves Python's own alone.
+__all__ = ["GlurayError", "HubError", "Program", "connect", "preset", "programs", "redo", "settings", "undo", "watch"]
 
 
 def programs(name=None):
@@ -52,45 +54,44 @@ def set(values=None, **more):
     Returns the first frames with the new values, by Program (see Program.set). Raises GlurayError if a program refuses; the
     others have changed then.
     """
-    return _each(lambda p: p.set(values, **more))
+    found = _some()
+    return _frames(found, *_several.set(found, {**(values or {}), **more}))
 
 
 def preset(name):
     """Applies a preset to all programs."""
-    return _each(lambda p: p.preset(name))
+    return set({"preset": name})
 
 
 def undo():
     """Takes back the last change of settings in all programs."""
-    return _each(lambda p: p.undo())
+    found = _some()
+    return _frames(found, *_several.ask([({"type": "undo"}, found)]))
 
 
 def redo():
     """Makes the change again that was taken back last, in all programs."""
-    return _each(lambda p: p.redo())
+    found = _some()
+    return _frames(found, *_several.ask([({"type": "redo"}, found)]))
 
 
-def _each(act):
-    frames, failures = {}, []
-    for p in _some():
-        try:
-            frames[p] = act(p)
-        except HubError:
-            raise
-        except GlurayError as error:
-            failures.append(str(error))
-    if failures:
-        raise GlurayError("; ".join(failures))
-    return frames
+def _frames(programs, results, failures):
+    _several.check(programs, failures)
+    return {p: results[p].get("frame") for p in programs}
 
 
 @contextlib.contextmanager
 def settings(values=None, **more):
     """`with gluray.settings(ao=True):` settings of all programs, which get back what they had at the end."""
-    with contextlib.ExitStack() as stack:
-        for p in _some():
-            stack.enter_context(p.changed(values, **more))
+    found, changes = _some(), {**(values or {}), **more}
+    before, failures = _several.values(found, list(changes))
+    _several.check(found, failures)
+    changed, failures = _several.set(found, changes)
+    try:
+        _several.check(found, failures)
         yield
+    finally:
+        _several.check(found, _several.give_back({p: before[p] for p in changed})[1])
 
 
 def watch(what=("settings", "programs"), every=1.0, seconds=None):

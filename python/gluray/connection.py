@@ -9,13 +9,16 @@ import select
 import socket
 import stat
 import struct
+import threading
 import time
+import weakref
 
 from .errors import GlurayError, HubError
 
 MOST_BYTES = 1 << 20  # of a message
 MOST_EVENTS = 1000    # that wait to be taken; older ones are lost
 LIST_SECONDS, ANSWER_SECONDS = 5.0, 12.0  # the second is more than the hub gives a program: then it says which one does not answer
+MOST_SECONDS = 1e6    # of a wait: poll() counts milliseconds in 32 bits
 NO_ANSWER = "the hub does not answer; end it, and start gluray hub"
 
 
@@ -46,10 +49,13 @@ def key_of(file):
 
 
 class Connection:
-    """Raises HubError with one line if it cannot connect within `seconds`. For one thread at a time."""
+    """Raises HubError with one line if it cannot connect within `seconds`. For one thread at a time; a forked child has none."""
+
+    all = weakref.WeakSet()
 
     def __init__(self, hub="", key="", seconds=5.0):
         end = time.monotonic() + seconds
+        Connection.all.add(self)
         self._buffer, self._events, self._id, self._socket = bytearray(), collections.deque(maxlen=MOST_EVENTS), 0, None
         try:
             if hub:
@@ -76,7 +82,7 @@ class Connection:
     def alive(self):
         """Whether the hub has not ended since the last request, as far as is known."""
         try:
-            while self._socket and select.select([self._socket], [], [], 0)[0] and len(self._buffer) < MOST_BYTES:
+            while self._socket and _ready(self._socket, select.POLLIN, 0) and len(self._buffer) < MOST_BYTES:
                 got = self._socket.recv(1 << 16)
                 if not got:
                     self.close()
@@ -87,17 +93,28 @@ class Connection:
 
     def ask(self, request, seconds=None):
         """The answer to a request. Raises GlurayError with the hub's reason, HubError if there is no answer in that time."""
-        end = time.monotonic() + (seconds or (LIST_SECONDS if request["type"] == "list" else ANSWER_SECONDS))
-        self._id += 1
-        self._send({**request, "id": self._id}, end)
-        while True:
+        answer, = self.ask_all([request], seconds)
+        if isinstance(answer, GlurayError):
+            raise answer
+        return answer
+
+    def ask_all(self, requests, seconds=None):
+        """The answers to requests that are sent at once, in their order; a GlurayError in the place of one that failed."""
+        end = time.monotonic() + (seconds or (LIST_SECONDS if all(r["type"] == "list" for r in requests) else ANSWER_SECONDS))
+        answers = {}  # by id; None: not yet here
+        for request in requests:
+            self._id += 1
+            self._send({**request, "id": self._id}, end)
+            answers[self._id] = None
+        while None in answers.values():
             message = self._receive(end)
             if message["type"] == "event":
                 self._events.append(message)
-            elif message["type"] == "error" or (message["type"] == "answer" and message.get("id") == self._id):
-                if message["type"] == "error" or "why" in message:
-                    raise GlurayError(_why(message))
-                return message
+            elif message["type"] == "error":
+                raise GlurayError(_why(message))
+            elif message["type"] == "answer" and isinstance(message.get("id"), int) and message["id"] in answers:
+                answers[message["id"]] = GlurayError(_why(message)) if "why" in message else message
+        return list(answers.values())
 
     def event(self, seconds):
         """The next event; None if there is none in that time."""
@@ -140,10 +157,15 @@ class Connection:
         host, sign, port = hub.rpartition(":")
         if not sign or not host or not port.isdigit():
             raise HubError(f"hub = {hub}: use HOST:PORT")
-        try:
-            connected = socket.create_connection((host.strip("[]"), int(port)), timeout=seconds)
-        except (OSError, OverflowError) as error:
-            raise HubError(f"hub = {hub}: {error}") from None
+        end, connected = time.monotonic() + seconds, None
+        for address in _addresses(hub, host.strip("[]"), int(port), seconds):
+            try:
+                connected = socket.create_connection(address, timeout=max(0.1, end - time.monotonic()))
+                break
+            except (OSError, OverflowError) as error:
+                why = error
+        if not connected:
+            raise HubError(f"hub = {hub}: {why}")
         connected.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         connected.setblocking(False)
         return connected
@@ -171,9 +193,7 @@ class Connection:
             raise HubError("the connection to the hub ended")
         if not writing and b"\n" in self._buffer:
             return True
-        waited = [self._socket]
-        readable, writable, _ = select.select([] if writing else waited, waited if writing else [], [], max(0.0, end - time.monotonic()))
-        return bool(readable or writable)
+        return _ready(self._socket, select.POLLOUT if writing else select.POLLIN, end - time.monotonic())
 
     def _send(self, message, end):
         rest = memoryview(json.dumps(message, allow_nan=False, default=_plain).encode() + b"\n")
@@ -218,6 +238,31 @@ class Connection:
     def _fail(self, why):
         self.close()
         raise HubError(why)
+
+
+def _addresses(hub, host, port, seconds):
+    """The host's addresses, at least one. A thread asks for them, because the system's look-up has no limit of time."""
+    found = []
+
+    def look():
+        try:
+            found.append([entry[4][:2] for entry in socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)])
+        except (OSError, OverflowError, UnicodeError) as error:
+            found.append(error)
+
+    thread = threading.Thread(target=look, daemon=True)
+    thread.start()
+    thread.join(seconds)
+    if not found or not isinstance(found[0], list):
+        raise HubError(f"hub = {hub}: {found[0] if found else 'looking up the name takes too long'}")
+    return found[0]
+
+
+def _ready(waited, events, seconds):
+    """Whether the socket is ready in time, or has failed. select() takes no descriptor above 1023, which ParaView has."""
+    poll = select.poll()
+    poll.register(waited, events)
+    return bool(poll.poll(min(max(0.0, seconds), MOST_SECONDS) * 1000))  # rounds up to milliseconds
 
 
 def _plain(value):

@@ -7,13 +7,13 @@ import threading
 import time
 
 from .connection import Connection
-from .errors import HubError
+from .errors import GlurayError, HubError
 
 _lock = threading.RLock()
 _address = ("", "")        # "HOST:PORT" and key file; empty: this machine
 _connection = _child = None
-_owner = 0                 # process of the connection: a fork does not share it
 generation = 0             # of connections
+LATE = 0.5                 # seconds from taking the hub's lock to listening, at most
 
 
 def connect(hub="", key=""):
@@ -27,12 +27,20 @@ def connect(hub="", key=""):
 
 def ask(request, of=None):
     """The hub's answer; connects first. Raises GlurayError. `of`: the generation whose numbers the request has."""
+    answer, = ask_all([request], of)
+    if isinstance(answer, GlurayError):
+        raise answer
+    return answer
+
+
+def ask_all(requests, of=None):
+    """As ask(), for requests that are sent at once: their answers, in their order; a GlurayError in the place of one that failed."""
     with _lock:
         connection = _connected()
         if of is not None and of != generation:
             raise HubError("another hub runs since a moment ago; ask again")
         try:
-            return connection.ask(request)
+            return connection.ask_all(requests)
         except HubError:
             _drop()
             raise
@@ -62,8 +70,8 @@ def _where():
 
 
 def _connected():
-    global _connection, _owner, generation
-    if _connection is None or _owner != os.getpid() or not _connection.alive():
+    global _connection, generation
+    if _connection is None or not _connection.alive():
         _drop()
         hub, key = _where()
         try:
@@ -72,13 +80,13 @@ def _connected():
             if hub or "no hub runs here" not in str(error):
                 raise
             _connection = _with_own_hub(error)
-        _owner, generation = os.getpid(), generation + 1
+        generation += 1
     return _connection
 
 
 def _drop():
     global _connection
-    if _connection and _owner == os.getpid():
+    if _connection:
         _connection.close()
     _connection = None
 
@@ -89,25 +97,34 @@ def _with_own_hub(error):
     if not program:
         raise HubError(f"{error}, or set GLURAY to the path of the program gluray") from None
     try:
-        _child = subprocess.Popen([program, "hub"], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        # The system closes the pipe to its input when this process ends, however it ends. In a session of its own no Ctrl+C reaches it.
+        _child = subprocess.Popen([program, "hub", "--with-parent"], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
+                                  stderr=subprocess.PIPE, bufsize=0, start_new_session=True)
     except OSError as problem:
         raise HubError(f"{program}: {problem.strerror}; set GLURAY to the path of the program gluray") from None
     atexit.register(_end, _child, os.getpid())
-    end = time.monotonic() + 5
+    end, ended = time.monotonic() + 5, False
     while True:
         try:
             connection = Connection(seconds=max(0.1, end - time.monotonic()))
             break
         except HubError:
-            ended = _child.poll() is not None
-            if ended or time.monotonic() > end:
+            if time.monotonic() > end:
                 _end(_child, os.getpid())
                 said = (_child.stderr.read() or b"").decode(errors="replace").strip().splitlines()
                 raise HubError(said[-1] if said else f"{program} hub does not start") from None
+            if not ended and _child.poll() is not None:  # perhaps because another process was first: its hub will listen soon
+                ended, end = True, min(end, time.monotonic() + LATE)
             time.sleep(0.02)
-    threading.Thread(target=_child.stderr.read, daemon=True).start()  # a full pipe would stop it
+    threading.Thread(target=_empty, args=[_child.stderr], daemon=True).start()
     _settle(connection)
     return connection
+
+
+def _empty(pipe):
+    """Reads what nobody wants: a full pipe would stop the hub."""
+    while pipe.read(1 << 12):
+        pass
 
 
 def _settle(connection):
@@ -130,3 +147,18 @@ def _end(child, owner):
     except subprocess.TimeoutExpired:
         child.kill()
         child.wait(2)
+
+
+def _forked():
+    """A child has no connection, is no parent of the hub, and holds no lock that a thread of its parent had."""
+    global _lock, _connection, _child
+    _lock = threading.RLock()
+    for connection in list(Connection.all):
+        connection.close()
+    _connection = None
+    if _child:  # whose input must end with the parent
+        _child.stdin.close(), _child.stderr.close()
+    _child = None
+
+
+os.register_at_fork(after_in_child=_forked)

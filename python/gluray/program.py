@@ -104,8 +104,12 @@ class Program:
 
     def describe(self):
         """What is to be known of each setting, by name: type, default, least, most, words, unit, help ..."""
-        rows = self._ask({"type": "describe"}).get("settings")
-        return {row["name"]: row for row in rows or [] if isinstance(row, dict) and isinstance(row.get("name"), str)}
+        return self._rows(self._ask({"type": "describe"}))
+
+    @staticmethod
+    def _rows(result):
+        rows = result.get("settings")
+        return {row["name"]: row for row in (rows if isinstance(rows, list) else []) if isinstance(row, dict) and isinstance(row.get("name"), str)}
 
     def resolve(self, name):
         """The setting that a name means: "ao.samples" itself, or ao_samples, if only one setting's name is spelt so."""
@@ -114,13 +118,16 @@ class Program:
         if "_" not in name:
             return name
         if self._names is None:
-            self._names = list(self.describe())
+            self._take_names(self._ask({"type": "describe"}))
         same = [known for known in self._names if known.replace(".", "_").replace("-", "_") == name]
         if name in self._names or not same:
             return name
         if len(same) > 1:
             raise GlurayError(f"{name} may mean {' or '.join(same)}; use the setting's own name")
         return same[0]
+
+    def _take_names(self, result):
+        self._names = list(self._rows(result))
 
     # State
 
@@ -160,7 +167,12 @@ class Program:
             answer = hub.ask({**request, "program": number}, of=self._generation)
         except (TypeError, ValueError) as error:
             raise GlurayError(f"a value is no boolean, number, text or list: {error}") from None
-        for result in answer.get("results") or []:
+        return self._result(answer, number)
+
+    def _result(self, answer, number):
+        """Its result in an answer. Raises GlurayError if it failed."""
+        results = answer.get("results")
+        for result in results if isinstance(results, list) else []:
             if isinstance(result, dict) and result.get("program") == number:
                 if "why" in result:
                     raise GlurayError(f"{self.name} ({self.pid}): {' '.join(str(result['why']).split())}")

@@ -5,6 +5,10 @@ import itertools
 import json
 import os
 import pathlib
+import resource
+import select
+import signal
+import socket
 import subprocess
 import sys
 import tempfile
@@ -19,13 +23,16 @@ HUB = """#!{python}
 import json, os, signal, sys
 sys.path.insert(0, {folder!r})
 from memory_hub import FakeHub
-if {fails!r}:
+if {fails!r} and not ({first!r} and os.fork() == 0):
     sys.exit("gluray: {fails}")
+if {first!r}:
+    import time
+    time.sleep(0.2)
 hub = FakeHub(os.environ["GLURAY_RUNTIME"], json.load(open({rows!r})))
 signal.signal(signal.SIGTERM, lambda *_: (hub.end(), sys.exit(0)))
 hub.add("late", 9)
-while True:
-    signal.pause()
+sys.stdin.read()
+hub.end()
 """
 
 
@@ -53,6 +60,63 @@ class Python(unittest.TestCase):
             act()
         self.assertNotIn("\n", str(raised.exception))
         return str(raised.exception)
+
+    def test_names_of_python_stay(self):
+        names = {}
+        exec("from gluray import *", names)
+        self.assertEqual({"set", "help"} & set(names), set())
+        self.assertIs(names["settings"], gluray.settings)
+
+    def test_forked_children_connect_anew(self):
+        """Even while another thread of the parent waits for an answer, which holds the lock."""
+        os.environ["GLURAY"] = GLURAY
+        code = """
+import gluray, os, sys, threading, time
+gluray.programs()
+held = threading.Event()
+def hold():
+    with gluray.hub._lock:
+        held.set()
+        time.sleep(3)
+threading.Thread(target=hold).start()
+events = gluray.watch(what=["programs"])
+held.wait()
+hub, before = gluray.hub._child.pid, gluray.hub._connection
+sockets = {os.readlink(f"/proc/self/fd/{c._socket.fileno()}") for c in gluray.connection.Connection.all}
+pipe = os.readlink(f"/proc/self/fd/{gluray.hub._child.stdin.fileno()}")
+child = os.fork()
+if child == 0:
+    open_now = set()
+    for name in os.listdir("/proc/self/fd"):
+        try:
+            open_now.add(os.readlink(f"/proc/self/fd/{name}"))
+        except OSError:
+            pass
+    gluray.programs()
+    print(bool(open_now & (sockets | {pipe})), gluray.hub._child, gluray.hub._connection is before, len(gluray.programs()), flush=True)
+    sys.exit(0)
+print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), gluray.hub._connection is before, gluray.programs() == [], gluray.hub._child.poll())
+"""
+        with self.python(code) as python:
+            said, failed = python.communicate(timeout=60)
+        self.assertEqual((said, failed), ("False None False 0\n0 True True None\n", ""))
+
+    def test_another_process_becomes_the_hub_first(self):
+        self.own_hub("another hub runs already", first=True)
+        with self.python("import gluray; print(gluray.programs(), gluray.hub._child.poll())") as python:
+            said, failed = python.communicate(timeout=30)
+        self.assertEqual((said, failed), ("[<gluray.Program late (9)>] 1\n", ""))
+
+    def test_looking_up_a_name_has_a_limit(self):
+        key = self.folder / "key"
+        key.write_bytes(b"k" * 32)
+        key.chmod(0o600)
+        ended, real = threading.Event(), socket.getaddrinfo
+        self.addCleanup(setattr, socket, "getaddrinfo", real)
+        self.addCleanup(ended.set)
+        socket.getaddrinfo = lambda *_, **__: [] if ended.wait() else []
+        with self.assertRaisesRegex(gluray.HubError, "hub = far:4500: looking up the name takes too long"):
+            gluray.connection.Connection("far:4500", str(key), seconds=0.2)
 
     def test_programs(self):
         self.two()
@@ -134,6 +198,46 @@ class Python(unittest.TestCase):
         self.assertEqual(self.refusal(lambda: gluray.set(spp=4)), "paraview (4242): spp: not now")
         self.assertEqual(second.live, {"spp": 4})
 
+    def test_all_programs_get_one_request(self):
+        hub, first, second = self.two()
+        gluray.set(ao_samples=8), gluray.preset("draft"), gluray.undo(), gluray.redo()
+        with gluray.settings(spp=3):
+            pass
+        sent = [(r["type"], r["program"]) for r in hub.requests if r["type"] not in ("list", "describe")]
+        self.assertEqual(sent, [(kind, [1, 2]) for kind in ("set", "set", "undo", "redo", "get", "set", "set")])
+        self.assertEqual((first.live, second.live), ({"ao.samples": 8, "preset": "draft"},) * 2)
+
+    def test_silent_programs_delay_all_by_one_limit(self):
+        real_hub = subprocess.Popen([GLURAY, "hub", "--with-parent"], stdin=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(real_hub.communicate)
+        real_hub.stderr.readline()
+        programs = [FakeProgram(1, f"p{i}", i, ROWS) for i in range(1, 7)]
+        for program in programs:
+            self.addCleanup(seek_hub(program, self.folder / "run"))
+        while len(gluray.programs()) < 6:
+            time.sleep(0.05)
+        gluray.set(spp=2)
+        for program in programs[1:]:
+            program.silent = ("set", "undo", "redo")
+        silent, seen = [f"p{i} ({i})" for i in range(2, 7)], []
+        for act in (lambda: gluray.set(spp=4), gluray.undo, lambda: gluray.settings(spp=5).__enter__()):
+            begin = time.monotonic()
+            said = self.refusal(act)
+            self.assertLess(time.monotonic() - begin, 9)  # one after the other: 15
+            self.assertEqual([name for name in silent if name in said], silent)
+            self.assertNotIn("p1", said)
+            seen.append(programs[0].live)
+        self.assertEqual(seen, [{"spp": 4}, {"spp": 2}, {"spp": 2}])
+
+    def test_programs_that_end_meanwhile(self):
+        hub, first, second = self.two()
+        found = gluray.programs()
+        hub.remove(second)
+        real, gluray._some = gluray._some, lambda: found
+        self.addCleanup(setattr, gluray, "_some", real)
+        self.assertEqual(self.refusal(lambda: gluray.set(spp=4)), "vmd (77): it has ended")
+        self.assertEqual(first.live, {"spp": 4})
+
     def test_state(self):
         hub, *_ = self.two()
         p = gluray.programs()[0]
@@ -186,10 +290,15 @@ class Python(unittest.TestCase):
         finally:
             os.environ["PATH"] = path
 
-    def own_hub(self, fails=""):
+    def python(self, code):
+        """Runs it in a process of its own, which can be spoken to."""
+        return subprocess.Popen([sys.executable, "-c", code], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                env={**os.environ, "PYTHONPATH": FOLDER})
+
+    def own_hub(self, fails="", first=False):
         script, rows = self.folder / "gluray", self.folder / "rows"
         rows.write_text(json.dumps(ROWS))
-        script.write_text(HUB.format(python=sys.executable, folder=str(pathlib.Path(__file__).parent), rows=str(rows), fails=fails))
+        script.write_text(HUB.format(python=sys.executable, folder=str(pathlib.Path(__file__).parent), rows=str(rows), fails=fails, first=first))
         script.chmod(0o755)
         os.environ["GLURAY"] = str(script)
 
@@ -199,6 +308,37 @@ class Python(unittest.TestCase):
                               env={**os.environ, "PYTHONPATH": FOLDER})
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "[<gluray.Program late (9)>]\n", ""))
         self.assertFalse((self.folder / "run/hub.sock").exists())
+
+    def test_a_hub_of_its_own_ends_however_the_process_ends(self):
+        os.environ["GLURAY"] = GLURAY
+        code = ("import gluray, os, sys; gluray.programs(); print(os.getpgid(gluray.hub._child.pid) != os.getpgid(0), gluray.hub._child.pid, flush=True);"
+                "sys.stdin.readline(); os._exit(3)")
+        for end in (signal.SIGTERM, signal.SIGKILL, signal.SIGINT, None):
+            with self.subTest(end=end), self.python(code) as python:
+                own, hub = python.stdout.readline().split()
+                self.assertEqual(own, "True")
+                watched = os.pidfd_open(int(hub))
+                self.addCleanup(os.close, watched)
+                if end:
+                    python.send_signal(end)
+                else:
+                    python.stdin.write("\n"), python.stdin.flush()
+                self.assertTrue(select.select([watched], [], [], 20)[0], "the hub goes on")
+                self.assertFalse((self.folder / "run/hub.sock").exists())
+                python.communicate(timeout=20)
+
+    def test_a_hub_with_a_parent(self):
+        for stdin in (subprocess.DEVNULL, subprocess.PIPE):
+            done = subprocess.Popen([GLURAY, "hub", "--with-parent"], stdin=stdin, stderr=subprocess.PIPE, text=True)
+            self.addCleanup(done.kill)
+            self.assertIn("listens", done.stderr.readline())
+            if stdin == subprocess.PIPE:
+                done.stdin.write("word\n" * 1000), done.stdin.flush()
+                with self.assertRaises(subprocess.TimeoutExpired):
+                    done.wait(0.3)
+            self.assertEqual((done.communicate(timeout=20), done.returncode), ((None, ""), 0))
+        done = subprocess.run(["sh", "-c", '"$0" hub --with-parent <&-', GLURAY], capture_output=True, text=True, timeout=20)
+        self.assertEqual(done.returncode, 0)
 
     def test_without_a_hub_gluray_hub_is_started(self):
         os.environ["GLURAY"] = GLURAY
@@ -274,6 +414,22 @@ class Python(unittest.TestCase):
     def test_unsafe_directories_are_refused(self):
         (self.folder / "run").mkdir(mode=0o755)
         self.assertIn("mode 700", self.refusal(gluray.programs))
+
+    def test_descriptors_above_1023(self):
+        soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+        if hard != resource.RLIM_INFINITY and hard < 1300:
+            self.skipTest("fewer descriptors are allowed")
+        resource.setrlimit(resource.RLIMIT_NOFILE, (max(soft, 1300), hard))
+        self.addCleanup(resource.setrlimit, resource.RLIMIT_NOFILE, (soft, hard))
+        hub, first, _ = self.two()
+        nothing = [os.open(os.devnull, os.O_RDONLY) for _ in range(1100)]
+        for descriptor in nothing:
+            self.addCleanup(os.close, descriptor)
+        p = gluray.programs()[0]
+        self.assertGreater(gluray.hub._connection._socket.fileno(), 1023)
+        p["spp"] = 4
+        self.assertEqual((first.live, p["spp"]), ({"spp": 4}, 4))
+        self.assertEqual(list(gluray.watch(what=["state"], seconds=0.1)), [])
 
     def test_tcp(self):
         key = self.folder / "key"

@@ -6,11 +6,13 @@
 #include "say.h"
 #include "wake/wake.h"
 
+#include <asio/posix/stream_descriptor.hpp>
 #include <asio/signal_set.hpp>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <csignal>
-#include <exception>
+#include <optional>
 
 namespace gluray::launcher {
 namespace {
@@ -30,6 +32,34 @@ int writeKeyFile(const std::string& file) {
   say("wrote a key to " + file + "; copy it to the other machines, and let nobody else read it");
   return 0;
 }
+
+/// Stops the context when standard input reaches its end: the process that holds a pipe's other side has
+/// ended, however it ended. What is written to the pipe is thrown away.
+class InputEnd {
+ public:
+  explicit InputEnd(asio::io_context& io) : io_(io), input_(io) {
+    asio::error_code error;
+    input_.assign(STDIN_FILENO, error);
+    if (error)
+      io_.stop();  // it is closed
+    else
+      wait();
+  }
+
+ private:
+  void wait() {
+    // No read of asio's: that would make the input non-blocking for others who use it, too.
+    input_.async_wait(asio::posix::stream_descriptor::wait_read, [this](const asio::error_code& error) {
+      char bytes[256];
+      if (error == asio::error::operation_aborted) return;
+      if (error || read(STDIN_FILENO, bytes, sizeof bytes) <= 0) return io_.stop();
+      wait();
+    });
+  }
+
+  asio::io_context& io_;
+  asio::posix::stream_descriptor input_;
+};
 
 /// Where the hub listens.
 std::string placesOf(const control::HubServer& hub, const HubLine& line, const std::string& directory) {
@@ -55,6 +85,8 @@ int runHub(const CommandLine& line) {
   options.keyFile = line.hub.key;
   options.wake = wakeWindow;
   if (const std::string why = hub.start(options); !why.empty()) return say(why), 1;
+  std::optional<InputEnd> inputEnd;
+  if (line.hub.withParent) inputEnd.emplace(io);
   say("the hub listens in " + placesOf(hub, line.hub, options.directory));
   io.run();
   hub.stop();

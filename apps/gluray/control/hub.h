@@ -4,7 +4,8 @@
 
 namespace gluray::launcher {
 
-/// Runs until SIGINT or SIGTERM. The exit code: 1 where it cannot, such as where another hub runs.
+/// Runs until SIGINT or SIGTERM, or (--with-parent) the end of standard input. The exit code: 1 where it
+/// cannot, such as where another hub runs.
 int runHub(const CommandLine& line);
 
 }  // namespace gluray::launcher
