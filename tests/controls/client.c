@@ -1,6 +1,7 @@
 /* A program that draws a frame for each line that it reads from standard input, and prints a checksum of the
  * picture that it reads back: client [exposed]. exposed: Expose events of its window make it draw, too. The
- * line "fork" makes a child process that ends a second later, and prints its number. */
+ * line "fork" makes a child process that ends a second later, and prints its number. The line "show" draws a
+ * frame that is not read back, and prints "shown"; from then on so do Expose events. */
 #include "tests/doors/ring.h"
 #include "tests/doors/x_window.h"
 
@@ -31,11 +32,18 @@ static void drawRings(void) {
   glPopMatrix();
 }
 
+static int isRead = 1; /* frames are read back */
+
 static void showRings(Display* display, Window window) {
   drawRings();
-  printf("%016llx\n", (unsigned long long)checksum());
-  fflush(stdout);
+  if (isRead) printf("%016llx\n", (unsigned long long)checksum()), fflush(stdout);
   glXSwapBuffers(display, window);
+}
+
+static void showUnread(Display* display, Window window) {
+  isRead = 0;
+  showRings(display, window);
+  printf("shown\n"), fflush(stdout);
 }
 
 static void makeChild(void) {
@@ -72,6 +80,11 @@ int main(int argc, char** argv) {
     poll(inputs, 2, -1);
     if (!inputs[0].revents) continue;
     if (!fgets(line, sizeof line, stdin)) return 0;
-    strcmp(line, "fork\n") == 0 ? makeChild() : showRings(display, window);
+    if (strcmp(line, "fork\n") == 0)
+      makeChild();
+    else if (strcmp(line, "show\n") == 0)
+      showUnread(display, window);
+    else
+      isRead = 1, showRings(display, window);
   }
 }

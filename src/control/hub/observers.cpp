@@ -29,6 +29,7 @@ void Wish::add(const Wish& other) {
   state = state || other.state;
   settings = settings || other.settings;
   thumbnail = thumbnail || other.thumbnail;
+  size = std::max(size, other.size);
   every = std::min(every, other.every);
 }
 
@@ -85,6 +86,7 @@ void Observers::ask(uint64_t program, std::vector<uint64_t> clients) {
   asked_[program] = wish;
   json message{{"type", "observe"}, {"what", wordsOf(wish)}};
   if (!wish.empty()) message["every"] = wish.every;
+  if (wish.size > 0) message["size"] = wish.size;
   questions_.askForever(entry->speaker(), std::move(message),
                         [this, program, clients = std::move(clients)](json&&) {
                           if (!programs_.find(program)) return;

@@ -14,11 +14,14 @@
 namespace gluray::control {
 
 inline constexpr double kLeastEvery = 0.05, kMostEvery = 3600;  // seconds
+inline constexpr int kLeastSize = 16, kMostSize = 512,
+                     kUsualSize = 256;                // pixels of a thumbnail's longest side
 inline constexpr size_t kBehind = size_t{256} << 10;  // bytes that wait for a client that reads slowly
 
 /// What a client, or all of them together, want to know of a program.
 struct Wish {
   bool state = false, settings = false, thumbnail = false;
+  int size = 0;  // of thumbnails, in pixels; 0: not said
   double every = kMostEvery;
   bool empty() const { return !state && !settings && !thumbnail; }
   void add(const Wish& other);
