@@ -26,7 +26,8 @@ enum class Command {
   preset,
   watch,
   undo,
-  redo
+  redo,
+  shot
 };
 
 /// Options of gluray hub; empty: not given.

@@ -1,6 +1,7 @@
 """Pictures of a program's window: pictures_test.py GLURAY CLIENT PYTHON_FOLDER, with an X server at hand."""
 import base64
 import json
+import os
 import subprocess
 import sys
 import time
@@ -8,6 +9,7 @@ import unittest
 
 import link_test
 from link_test import Linked
+from memory_hub import picture_of
 
 WIDTH, HEIGHT = 160, 120  # of the client's window
 
@@ -94,6 +96,25 @@ class Shots(Pictured):
         self.assertEqual((kept, self.kept(hub)), (1, 1))
 
 
+class Saved(Pictured):
+    def test_by_the_shell_and_by_python(self):
+        environment = {k: v for k, v in os.environ.items() if not k.startswith("GLURAY_")}
+        environment |= {"XDG_CONFIG_HOME": "/nowhere", "GLURAY_RUNTIME": str(self.runtime), "PYTHONPATH": PYTHON, "GLURAY": GLURAY}
+        real = subprocess.Popen([GLURAY, "hub"], env=environment, stderr=subprocess.DEVNULL)
+        self.addCleanup(lambda: (real.terminate(), real.wait(10)))
+        until = time.monotonic() + 10
+        while not (self.runtime / "hub.sock").exists():
+            self.assertLess(time.monotonic(), until)
+            time.sleep(0.01)
+        self.start()
+        self.assertTrue(self.frames_until(lambda: "gluray-control" in self.threads()))
+        time.sleep(0.2)  # it says hello
+        for words in ([GLURAY, "shot", "a.png"], [sys.executable, "-c", "import gluray; gluray.programs()[0].shot('a.png')"]):
+            subprocess.run(words, check=True, cwd=self.folder, env=environment, timeout=60, stdout=subprocess.DEVNULL)
+            self.assertTrue(picture_of(self.folder / "a.png") == (WIDTH, HEIGHT, self.screen()))
+            (self.folder / "a.png").unlink()
+
+
 class Thumbnails(Pictured):
     def thumbnail(self, hub):
         event = hub.event("thumbnail")
@@ -160,5 +181,5 @@ class Thumbnails(Pictured):
 
 if __name__ == "__main__":
     link_test.GLURAY, link_test.CLIENT = GLURAY, CLIENT = sys.argv[1:3]
-    sys.path.insert(0, sys.argv[3])
+    PYTHON = sys.argv[3]
     unittest.main(argv=sys.argv[:1] + sys.argv[4:], verbosity=2)

@@ -3,6 +3,7 @@
 #include "command_line.h"
 #include "control/change.h"
 #include "control/programs_list.h"
+#include "control/shot.h"
 #include "control/watch.h"
 #include "settings/rows.h"
 
@@ -18,7 +19,7 @@ struct CommandWord {
 constexpr CommandWord kWords[] = {{"list", Command::list},   {"set", Command::set},
                                   {"unset", Command::unset}, {"preset", Command::preset},
                                   {"watch", Command::watch}, {"undo", Command::undo},
-                                  {"redo", Command::redo}};
+                                  {"redo", Command::redo},   {"shot", Command::shot}};
 
 const char* wordOfCommand(Command command) {
   for (const CommandWord& known : kWords)
@@ -96,6 +97,11 @@ bool describeControl(CLI::App& app, CommandLine& line) {
     case Command::undo: app.description("Takes back the last change of running programs' settings."); break;
     case Command::redo: app.description("Makes the change again that was taken back last."); break;
     case Command::watch: describeWatch(app, line); break;
+    case Command::shot:
+      app.description(
+          "Saves the picture that a running program's window shows. Replaces PNG files, no others.");
+      app.add_option("FILE", options.file, "The picture: a name that ends in .png")->required();
+      break;
     default: break;
   }
   if (line.command == Command::list)
@@ -114,6 +120,7 @@ bool performControl(const CommandLine& line, int& exitCode) {
     case Command::undo:
     case Command::redo: exitCode = stepBackOrForth(line); return true;
     case Command::watch: exitCode = watchPrograms(line); return true;
+    case Command::shot: exitCode = saveShot(line); return true;
     default: return false;
   }
 }
