@@ -72,9 +72,10 @@ class Observers {
   Programs& programs_;
   Questions& questions_;
   std::map<uint64_t, Client> clients_;
-  std::map<uint64_t, Wish> asked_;  // of programs, last
-  bool listChanged_ = false;        // since the last event `programs`
-  HubTime listDue_{};               // not before
+  std::map<uint64_t, Wish> asked_;                 // of programs, last
+  std::map<uint64_t, PeerLink::Line> thumbnails_;  // the newest of programs, for clients that come later
+  bool listChanged_ = false;                       // since the last event `programs`
+  HubTime listDue_{};                              // not before
 };
 
 }  // namespace gluray::control
