@@ -37,6 +37,7 @@ Commands for programs that run:
   gluray undo              take the last change back; gluray redo makes it again
   gluray get --live NAME   the value of a setting in the running programs
   gluray watch             print settings that change, programs that come and go
+  gluray shot FILE.png     save the picture of a program's window
   gluray hub               pass messages between programs and those who control them
 
 After a run:

@@ -27,7 +27,8 @@ enum class Command {
   watch,
   undo,
   redo,
-  panel
+  panel,
+  shot
 };
 
 /// Options of gluray hub; empty: not given.

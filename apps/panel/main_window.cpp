@@ -2,6 +2,7 @@
 
 #include "pages/fps_plot.h"
 #include "pages/layout.h"
+#include "pages/live_picture.h"
 #include "pages/program_list.h"
 #include "pages/settings_page.h"
 #include "pages/why_page.h"
@@ -52,6 +53,7 @@ QWidget* MainWindow::makePrograms() {
   auto* layout = new QVBoxLayout(side);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(new ProgramList(controls_, side), 1);
+  layout->addWidget(new LivePicture(controls_, side), 1);
   layout->addWidget(new FpsPlot(controls_, side));
   return side;
 }

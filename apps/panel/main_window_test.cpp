@@ -1,5 +1,9 @@
 #include "main_window.h"
 
+#include "control/messages/base64.h"
+#include "pages/live_picture.h"
+#include "pages/program_list.h"
+
 #include <gtest/gtest.h>
 
 #include <QAction>
@@ -42,6 +46,19 @@ struct MainWindowTest : testing::Test {
               {"traced", 0.98},
               {"reasons", {{"lines with a width", 12}}},
               {"warnings", {"a warning"}}}}});
+    show(64, 48);
+  }
+  /// A thumbnail arrives, the left half of which is red, the right one blue.
+  void show(int width, int height) {
+    std::string bytes;
+    for (int i = 0; i < width * height; ++i)
+      bytes += i % width < width / 2 ? std::string("\xff\0\0", 3) : std::string("\0\0\xff", 3);
+    take({{"type", "event"},
+          {"what", "thumbnail"},
+          {"program", 1},
+          {"width", width},
+          {"height", height},
+          {"pixels", control::toBase64(bytes)}});
   }
   /// Saves a picture where GLURAY_PICTURES names a folder.
   void picture(const char* name) {
@@ -69,6 +86,20 @@ TEST_F(MainWindowTest, ShowsAProgramsValues) {
   picture("panel-light");
   window.findChild<QTabWidget*>()->setCurrentIndex(window.findChild<QTabWidget*>()->count() - 1);
   picture("panel-why");
+}
+
+TEST_F(MainWindowTest, ShowsThePictureOfAProgram) {
+  appear();
+  const auto colors = [](const QImage& image) {
+    const int y = image.height() / 2;
+    return std::pair(image.pixelColor(image.width() / 3, y), image.pixelColor(2 * image.width() / 3, y));
+  };
+  const std::pair<QColor, QColor> wanted(Qt::red, Qt::blue);
+  EXPECT_EQ(colors(window.findChild<LivePicture*>()->grab().toImage()), wanted);
+  auto* list = window.findChild<ProgramList*>();
+  const QIcon icon = list->topLevelItem(0)->icon(0);
+  ASSERT_FALSE(icon.isNull());
+  EXPECT_EQ(colors(icon.pixmap(48, 36).toImage()), wanted);
 }
 
 TEST_F(MainWindowTest, ADragIsOneGesture) {

@@ -1,11 +1,14 @@
 """One program that runs under GLuRay."""
+import base64
 import contextlib
 import secrets
 import time
 
 from . import hub
 from .errors import GlurayError
+from .png import check_file, write_png
 
+MOST_SIDE = 1 << 15  # pixels of a picture
 MEASURED = 1.1  # seconds: the rates of a program's state are over the last one
 
 
@@ -148,6 +151,35 @@ class Program:
         finally:
             connection.close()
         raise GlurayError(f"{self.name} ({self.pid}): it does not tell its state")
+
+    # Pictures
+
+    def shot(self, file):
+        """Saves the picture that the program's window shows as PNG. Replaces PNG files, no others. Returns (width, height).
+
+        A program that draws nothing is asked to draw; raises GlurayError if it shows no frame within eight seconds.
+        """
+        check_file(file)
+        value = self._call("shot", {})
+        width, height = value.get("width"), value.get("height")
+        rows = bytearray()
+        while isinstance(width, int) and isinstance(height, int) and 0 < width <= MOST_SIDE and len(rows) // (3 * width) < height <= MOST_SIDE:
+            piece = self._call("pixels", {"shot": value.get("shot"), "row": len(rows) // (3 * width)})
+            try:
+                pixels = base64.b64decode(piece.get("pixels"), validate=True)
+            except (TypeError, ValueError):
+                break
+            if not pixels or len(pixels) % (3 * width):
+                break
+            rows += pixels
+        if not rows or len(rows) != 3 * width * height:
+            raise GlurayError(f"{self.name} ({self.pid}): it sends no picture")
+        write_png(file, width, height, bytes(rows))
+        return width, height
+
+    def _call(self, name, arguments):
+        value = self._ask({"type": "call", "name": name, "arguments": arguments}).get("value")
+        return value if isinstance(value, dict) else {}
 
     def _number(self):
         """Its number at the present hub. Raises GlurayError if the program has ended."""

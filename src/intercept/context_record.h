@@ -14,6 +14,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -26,6 +27,7 @@ struct Record {
   std::unique_ptr<gl::Presenter> presenter;        // outlives the context, which uses it
   std::unique_ptr<present::FramePicture> picture;  // if pictures are wanted; outlives the context, too
   std::unique_ptr<Hud> hud;                        // if wanted
+  std::optional<present::Features> features;       // read when a picture is kept first
   LagPtr lag;                                      // if frames may lag
   WindowOfContext window;
   IdleWindowOfContext idle;

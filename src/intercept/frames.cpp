@@ -2,6 +2,8 @@
 #include "base/clock.h"
 #include "base/timeline.h"
 #include "intercept/context_record.h"
+#include "intercept/control/link.h"
+#include "intercept/control/window_pictures.h"
 #include "intercept/reports/explanation.h"
 #include "intercept/reports/report.h"
 #include "intercept/session.h"
@@ -58,11 +60,16 @@ void drawHud(Record& record) {
 
 void addExplaining(Record& record, gl::ContextInfo& info) {
   if (!session().reportFile.empty()) info.frameEnded = endFrame;
+  const bool pictures = session().explainFrames && session().picture;
+  const bool es = record.version.starts_with("OpenGL ES");
+  if (!es && (pictures || mayBeControlled()))
+    info.frameEnding = [&record] {
+      takePicture(record, GL_FRONT);
+      keepBuffer(record, GL_FRONT, ShownFrame::now);
+    };
   if (!session().explainFrames) return;
   info.kinds = std::make_shared<gl::DrawKinds>(!info.core);
-  if (!session().picture || record.version.starts_with("OpenGL ES")) return;
-  record.picture = std::make_unique<present::FramePicture>();
-  info.frameEnding = [&record] { takePicture(record, GL_FRONT); };
+  if (!es && pictures) record.picture = std::make_unique<present::FramePicture>();
 }
 
 present::Written noteWritten(const Record& record) {
@@ -78,7 +85,8 @@ void swapping(uintptr_t drawable) noexcept {
     if (gl::t_thread.context && current().drawables.draw == drawable)
       gl::t_thread.context->passthrough.stopMeasuring();
   });
-  if (!session().picture && !session().hud) return;
+  const bool wanted = wantedPicture() != control::Wanted::none;
+  if (!session().picture && !session().hud && !wanted) return;
   if (!current().record || current().drawables.draw != drawable || !current().record->context ||
       !current().record->context->info().doubleBuffered)
     return;
@@ -88,6 +96,7 @@ void swapping(uintptr_t drawable) noexcept {
   guarded("cannot show figures", [&] {
     if (session().hud) drawHud(*current().record);
   });
+  if (wanted) keepBuffer(*current().record, GL_BACK, ShownFrame::now);
 }
 
 void swapped(uintptr_t drawable) noexcept {

@@ -9,7 +9,7 @@ import tempfile
 import time
 import unittest
 
-from memory_hub import FakeHub, FakeProgram, line_of, seek_hub
+from memory_hub import PICTURE, FakeHub, FakeProgram, line_of, picture_of, seek_hub
 
 ALONE = "no program runs under GLuRay; start one with: gluray PROGRAM"
 SILENT = "the hub does not answer; end it, and start gluray hub"
@@ -114,6 +114,39 @@ class Cli(unittest.TestCase):
                          (1, "vmd (77): spp = 4 from its next frame\n", "gluray: paraview (4242): spp: not \\x1b[31mnow\n"))
         self.assertEqual(json.loads(self.run_gluray("set", "--json", "spp=4").stdout)[0],
                          {"program": 1, "name": "paraview", "pid": 4242, "why": "spp: not \x1b[31mnow"})
+
+    def test_shot(self):
+        _, first, _ = self.two()
+        self.assertIn("choose one with -p", self.failure("shot", "a.png"))
+        self.assertEqual(self.output("shot", "-p", "paraview", "a.png"), "paraview (4242): a.png, 5 x 3\n")
+        self.assertEqual(picture_of(self.folder / "a.png"), (5, 3, PICTURE))
+        found = json.loads(self.output("shot", "-p", "1", "--json", "a.png"))  # replaces it
+        self.assertEqual(found, {"program": 1, "name": "paraview", "pid": 4242, "frame": 1042, "file": "a.png", "width": 5, "height": 3})
+        first.no_picture = "its windows have shown no frame for 8 seconds"
+        self.assertEqual(self.failure("shot", "-p", "1", "b.png"), "paraview (4242): its windows have shown no frame for 8 seconds")
+        self.assertFalse((self.folder / "b.png").exists())
+
+    def test_shots_replace_pictures_alone(self):
+        hub, *_ = self.two()
+        (self.folder / "notes.png").write_text("notes")
+        (self.folder / "folder.png").mkdir()
+        (self.folder / "link.png").symlink_to("notes.png")
+        for name in ("notes.png", "folder.png", "link.png"):
+            self.assertIn("is no PNG file", self.failure("shot", "-p", "1", name, code=2))
+        for words in (("a.jpg",), (".png",), ()):
+            self.failure("shot", *words, code=2)
+        self.assertIn("No such file", self.failure("shot", "-p", "1", "nowhere/a.png"))
+        self.assertEqual((self.folder / "notes.png").read_text(), "notes")
+        self.assertTrue((self.folder / "link.png").is_symlink())
+
+    def test_wrong_shots(self):
+        hub, *_ = self.two()
+        size = {"shot": 1, "width": 5, "height": 3}
+        for value in (3, {}, size | {"width": 0}, size | {"width": 1 << 40}, size | {"height": -3}, size | {"height": "3"},
+                      size | {"rows": 4, "pixels": ""}, size | {"rows": 3, "pixels": "AAAA"}, size | {"rows": 1, "pixels": "?"}):
+            hub.instead["call"] = {"results": [{"program": 1, "value": value}]}
+            self.assertEqual(self.failure("shot", "-p", "1", "a.png"), "paraview (4242): it sends no picture", value)
+        self.assertFalse((self.folder / "a.png").exists())
 
     def test_get(self):
         self.two()

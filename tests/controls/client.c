@@ -3,7 +3,9 @@
  * make it draw, too. always: it draws all the time, turning, a frame in so many milliseconds (0: as fast
  * as it can).
  * The line "fork" makes a child process that ends a second later, and prints its number; "count" prints the
- * number of frames since the start and the seconds of the monotonic clock. */
+ * number of frames since the start and the seconds of the monotonic clock.
+ * The line "show" draws a frame that is not read back, and prints "shown"; from then on so do Expose events.
+ */
 #include "tests/doors/ring.h"
 #include "tests/doors/x_window.h"
 
@@ -35,6 +37,7 @@ static void drawRings(float angle) {
   glPopMatrix();
 }
 
+static int isRead = 1; /* frames are read back */
 static long frames;
 
 static void showRings(Display* display, Window window, int turns, int prints) {
@@ -49,6 +52,12 @@ static double now(void) {
   struct timespec time;
   clock_gettime(CLOCK_MONOTONIC, &time);
   return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+static void showUnread(Display* display, Window window) {
+  isRead = 0;
+  showRings(display, window, 0, 0);
+  printf("shown\n"), fflush(stdout);
 }
 
 static void makeChild(void) {
@@ -83,7 +92,7 @@ int main(int argc, char** argv) {
   struct pollfd inputs[] = {{STDIN_FILENO, POLLIN, 0}, {ConnectionNumber(display), POLLIN, 0}};
   double due = now();
   for (char line[64];;) {
-    if (takeExposures(display) && exposed) showRings(display, window, 0, 1);
+    if (takeExposures(display) && exposed) showRings(display, window, 0, isRead);
     if (XPending(display) > 0) continue;
     const double rest = due - now();
     if (always && rest <= 0) {
@@ -97,7 +106,9 @@ int main(int argc, char** argv) {
       makeChild();
     else if (strcmp(line, "count\n") == 0)
       printf("%ld %.9f\n", frames, now()), fflush(stdout);
+    else if (strcmp(line, "show\n") == 0)
+      showUnread(display, window);
     else
-      showRings(display, window, always, 1);
+      isRead = 1, showRings(display, window, always, 1);
   }
 }

@@ -6,6 +6,7 @@
 `paraview` is a FakeProgram: its settings, the frame that it is at, and what it refuses can be changed. hub.instead maps types of requests to
 what the hub does instead of answering: "silence", "garbage", "end", or a message. seek_hub() lets a FakeProgram talk to a real hub.
 """
+import base64
 import hashlib
 import hmac
 import json
@@ -13,7 +14,18 @@ import os
 import pathlib
 import secrets
 import socket
+import subprocess
 import threading
+
+
+PICTURE = bytes(range(45))  # RGB bytes of every program's picture
+
+
+def picture_of(file):
+    """Width, height and RGB bytes of a PNG file, as ImageMagick reads it."""
+    size = subprocess.run(["identify", "-format", "%w %h", str(file)], check=True, capture_output=True, text=True, timeout=30).stdout
+    rgb = subprocess.run(["convert", str(file), "-depth", "8", "rgb:-"], check=True, capture_output=True, timeout=30).stdout
+    return (*map(int, size.split()), rgb)
 
 
 def line_of(message):
@@ -28,6 +40,7 @@ class FakeProgram:
         self.frame = 1042
         self.refuses = {}  # by name of a setting: why
         self.silent = ()   # types of requests that seek_hub() does not answer
+        self.no_picture = ""  # why it has none
 
     def described(self, name):
         row = self.rows[name]
@@ -78,6 +91,16 @@ class FakeProgram:
 
     def redo(self, _):
         return self.step(self.undone, self.steps, 1)
+
+    def call(self, request):
+        """shot and pixels of a picture of 5 x 3, two rows at a time."""
+        if self.no_picture:
+            return {"why": self.no_picture}
+        if request["name"] == "shot":
+            return {"value": {"shot": 4, "width": 5, "height": 3, "frame": self.frame}}
+        row, rows = request["arguments"]["row"], min(2, 3 - request["arguments"]["row"])
+        assert request["name"] == "pixels" and request["arguments"]["shot"] == 4, request
+        return {"value": {"row": row, "rows": rows, "pixels": base64.b64encode(PICTURE[15 * row:15 * (row + rows)]).decode()}}
 
     def describe(self, _):
         return {"settings": list(self.rows.values())}

@@ -16,7 +16,7 @@ import threading
 import time
 import unittest
 
-from memory_hub import FakeHub, FakeProgram, line_of, seek_hub
+from memory_hub import PICTURE, FakeHub, FakeProgram, line_of, picture_of, seek_hub
 
 # What $GLURAY is in the tests: `gluray hub` by a hub that pretends.
 HUB = """#!{python}
@@ -164,6 +164,37 @@ print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), gluray.hub._connection
             gluray.programs()[0]["ao.samples"] = 3
             1 / 0
         self.assertEqual((first.live, second.live), ({"spp": 2, "ao.samples": 3}, {}))
+
+    def test_shot(self):
+        hub, first, _ = self.two()
+        p = gluray.programs()[0]
+        file = self.folder / "a.png"
+        self.assertEqual((p.shot(file), p.shot(str(file))), ((5, 3), (5, 3)))
+        self.assertEqual(picture_of(file), (5, 3, PICTURE))
+        first.no_picture = "no"
+        self.assertEqual(self.refusal(lambda: p.shot(file)), "paraview (4242): no")
+        self.assertEqual([one.name for one in self.folder.iterdir() if one.name != "run"], ["a.png"])
+
+    def test_shots_replace_pictures_alone(self):
+        self.two()
+        p = gluray.programs()[0]
+        notes = self.folder / "notes.png"
+        notes.write_text("notes")
+        (self.folder / "folder.png").mkdir()
+        (self.folder / "link.png").symlink_to("notes.png")
+        for name in ("notes.png", "folder.png", "link.png"):
+            self.assertIn("is no PNG file", self.refusal(lambda: p.shot(self.folder / name)))
+        self.assertIn(".png", self.refusal(lambda: p.shot(self.folder / "a.jpg")))
+        self.assertIn("No such file", self.refusal(lambda: p.shot(self.folder / "nowhere" / "a.png")))
+        self.assertEqual(notes.read_text(), "notes")
+
+    def test_wrong_shots(self):
+        hub, *_ = self.two()
+        p, size = gluray.programs()[0], {"shot": 1, "width": 5, "height": 3}
+        for value in (3, {}, size | {"width": 0}, size | {"width": 1 << 40}, size | {"height": "3"}, size, size | {"pixels": "AAAA"}, size | {"pixels": "?"}):
+            hub.instead["call"] = {"results": [{"program": 1, "value": value}]}
+            self.assertEqual(self.refusal(lambda: p.shot(self.folder / "a.png")), "paraview (4242): it sends no picture")
+        self.assertFalse((self.folder / "a.png").exists())
 
     def test_names(self):
         hub, first, _ = self.two()

@@ -1,5 +1,6 @@
 // A write-back changes no queryable state, whatever the program had set.
 #include "base/sanitized.h"
+#include "intercept/present/read_back/window_buffers.h"
 #include "intercept/present/write_back/write_back.h"
 #include "tests/support/gl_state.h"
 #include "tests/support/osmesa_context.h"
@@ -115,6 +116,37 @@ TEST_P(StateLeakTest, UnusualState) {
 TEST_P(StateLeakTest, UnusualStateWithSamples) {
   unusualState(context_->real(), GetParam().core);
   expectNothingChanges(picture(4));
+}
+
+TEST_P(StateLeakTest, ReadingTheWindow) {
+  const gl::RealGl& gl = context_->real();
+  gl.ClearColor(1, 0.5f, 0, 1);
+  gl.Clear(GL_COLOR_BUFFER_BIT);
+  unusualState(gl, GetParam().core);
+  for (GLenum store :
+       {GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS, GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST})
+    gl.PixelStorei(store, 1);
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 8);
+  GLuint buffer = 0, framebuffer = 0;
+  gl.GenBuffers(1, &buffer);
+  gl.BindBuffer(GL_PIXEL_PACK_BUFFER, buffer);
+  const Features features = readFeatures(gl);
+  if (features.readFramebuffers)
+    gl.GenFramebuffers(1, &framebuffer), gl.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+  const test::GlState before = test::queryState(gl);
+  gl.DepthFunc(GL_ONE);
+  std::vector<uint32_t> pixels(64 * 64);
+  bool read = false;
+  EXPECT_EQ(readColors(gl, features, {64, 64}, GL_FRONT, pixels, read), GLenum{GL_INVALID_ENUM});
+  EXPECT_TRUE(read);
+  EXPECT_EQ(gl.GetError(), GLenum{GL_NO_ERROR});
+  for (const uint32_t pixel : pixels)
+    ASSERT_TRUE((pixel & 0xffffff) == 0x007fff || (pixel & 0xffffff) == 0x0080ff) << pixel;
+  EXPECT_EQ(test::differences(before, test::queryState(gl)), std::vector<std::string>{});
+  EXPECT_EQ(readColors(gl, features, {64, 64}, GL_COLOR_ATTACHMENT0, pixels, read), GLenum{GL_NO_ERROR});
+  EXPECT_FALSE(read) << "there is no such buffer";
+  EXPECT_EQ(gl.GetError(), GLenum{GL_NO_ERROR});
+  EXPECT_EQ(test::differences(before, test::queryState(gl)), std::vector<std::string>{});
 }
 
 TEST_P(StateLeakTest, TheTableSeesAChange) {

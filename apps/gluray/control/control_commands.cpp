@@ -4,6 +4,7 @@
 #include "control/change.h"
 #include "control/panel.h"
 #include "control/programs_list.h"
+#include "control/shot.h"
 #include "control/watch.h"
 
 namespace gluray::launcher {
@@ -17,6 +18,7 @@ bool performControl(const CommandLine& line, int& exitCode) {
     case Command::undo:
     case Command::redo: exitCode = stepBackOrForth(line); return true;
     case Command::watch: exitCode = watchPrograms(line); return true;
+    case Command::shot: exitCode = saveShot(line); return true;
     case Command::panel: exitCode = openPanel(line); return true;
     default: return false;
   }

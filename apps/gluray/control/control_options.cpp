@@ -12,10 +12,10 @@ struct CommandWord {
   const char* word;
   Command command;
 };
-constexpr CommandWord kWords[] = {{"list", Command::list},   {"set", Command::set},
-                                  {"unset", Command::unset}, {"preset", Command::preset},
-                                  {"watch", Command::watch}, {"undo", Command::undo},
-                                  {"redo", Command::redo},   {"panel", Command::panel}};
+constexpr CommandWord kWords[] = {
+    {"list", Command::list},     {"set", Command::set},     {"unset", Command::unset},
+    {"preset", Command::preset}, {"watch", Command::watch}, {"undo", Command::undo},
+    {"redo", Command::redo},     {"panel", Command::panel}, {"shot", Command::shot}};
 
 const char* wordOfCommand(Command command) {
   for (const CommandWord& known : kWords)
@@ -95,6 +95,11 @@ bool describeControl(CLI::App& app, CommandLine& line) {
     case Command::watch: describeWatch(app, line); break;
     case Command::panel:
       app.description("Opens a window that shows running programs and changes their settings.");
+      break;
+    case Command::shot:
+      app.description(
+          "Saves the picture that a running program's window shows. Replaces PNG files, no others.");
+      app.add_option("FILE", options.file, "The picture: a name that ends in .png")->required();
       break;
     default: break;
   }

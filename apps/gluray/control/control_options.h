@@ -18,6 +18,7 @@ struct ControlOptions {
   std::vector<std::string> values;    // NAME=VALUE
   std::vector<std::string> resets;    // names of settings that go back to what the other layers say
   std::string preset;
+  std::string file;          // shot
   std::string hub, keyFile;  // "HOST:PORT" and its key; empty: as the settings say
   bool live = false;         // get: ask the running programs, also where `programs` is empty
   bool state = false;        // watch: a line a second

@@ -1,6 +1,7 @@
 #include "explain/html_page.h"
 
 #include "base/printable.h"
+#include "control/messages/base64.h"
 #include "text_table.h"
 
 namespace gluray::launcher {
@@ -35,7 +36,7 @@ std::string escaped(const std::string& text) {
 
 std::string figure(const std::string& id, const Pixels& pixels, const std::string& caption) {
   return "<figure><img id=\"" + id + "\" alt=\"" + id + "\" width=\"" + std::to_string(pixels.width) +
-         "\" src=\"data:image/png;base64," + base64(pngOf(pixels)) + "\"><figcaption>" + caption +
+         "\" src=\"data:image/png;base64," + control::toBase64(pngOf(pixels)) + "\"><figcaption>" + caption +
          "</figcaption></figure>\n";
 }
 

@@ -69,19 +69,6 @@ std::string pngOf(const Pixels& pixels) {
   return bytes;
 }
 
-std::string base64(const std::string& bytes) {
-  constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (size_t i = 0; i < bytes.size(); i += 3) {
-    const size_t rest = std::min<size_t>(3, bytes.size() - i);
-    uint32_t group = 0;
-    for (size_t k = 0; k < 3; ++k) group = group << 8 | (k < rest ? static_cast<uint8_t>(bytes[i + k]) : 0u);
-    for (size_t k = 0; k < 4; ++k) text.push_back(k <= rest ? kDigits[group >> (18 - 6 * k) & 63] : '=');
-  }
-  return text;
-}
-
 Comparison compare(const Pixels& with, const Pixels& without, const Pixels& origin) {
   Comparison result;
   const auto sameShape = [&](const Pixels& p) { return p.width == with.width && p.height == with.height; };

@@ -21,9 +21,6 @@ std::optional<Pixels> readNetpbm(const std::string& path);
 /// The bytes of a PNG file. Throws std::runtime_error.
 std::string pngOf(const Pixels& pixels);
 
-/// Base64 (RFC 4648) without line breaks.
-std::string base64(const std::string& bytes);
-
 /// Who drew a pixel of the frame with GLuRay. The origin picture holds one a pixel.
 enum class Origin : uint8_t { rasterised = 0, drawnOver = 128, traced = 255 };
 

@@ -70,15 +70,6 @@ TEST(Pixels, OriginsAreTinted) {
   EXPECT_EQ(t.bytes, (std::vector<uint8_t>{0, 0, 0, 128, 80, 0, 0, 112, 0}));
 }
 
-TEST(Pixels, Base64FollowsRfc4648) {  // RFC 4648, section 10
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foo"), "Zm9v");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-  EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
-}
-
 TEST(Pixels, PngHoldsThePicture) {
   Pixels picture = filled(5, 3, 10);
   set(picture, 4, 2, 77);

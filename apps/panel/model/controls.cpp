@@ -1,5 +1,6 @@
 #include "model/controls.h"
 
+#include "control/messages/base64.h"
 #include "control/messages/value.h"
 #include "settings/values.h"
 
@@ -13,6 +14,7 @@ using nlohmann::json;
 
 constexpr size_t kMostFps = 600;        // entries of the plot
 constexpr double kStateSeconds = 0.25;  // between events
+constexpr int kMostThumbnail = 512;     // pixels of its longest side
 
 /// A member of an object, if it has the type of `otherwise`.
 template <class T>
@@ -144,7 +146,7 @@ void Controls::connected() {
   asked_.clear();
   request({{"type", "observe"},
            {"program", "all"},
-           {"what", {"programs", "settings", "state"}},
+           {"what", {"programs", "settings", "state", "thumbnail"}},
            {"every", kStateSeconds}});
   request({{"type", "list"}});
 }
@@ -201,6 +203,7 @@ void Controls::takeEvent(const json& event) {
   }
   if (what == "settings") takeSettings(*program, event);
   if (what == "state" && event.contains("state")) takeState(*program, event["state"]);
+  if (what == "thumbnail") takeThumbnail(*program, event);
 }
 
 void Controls::takePrograms(const json& list) {
@@ -233,6 +236,17 @@ void Controls::takeSettings(Program& program, const json& event) {
   program.undo = member<int>(event, "undo", program.undo);
   program.redo = member<int>(event, "redo", program.redo);
   if (all_ || &program == shown()) emit settingsChanged();
+}
+
+void Controls::takeThumbnail(Program& program, const json& event) {
+  const int width = member<int>(event, "width", 0), height = member<int>(event, "height", 0);
+  const auto bytes = control::fromBase64(member<std::string>(event, "pixels", ""));
+  if (width < 1 || height < 1 || width > kMostThumbnail || height > kMostThumbnail || !bytes ||
+      bytes->size() != 3 * static_cast<size_t>(width) * static_cast<size_t>(height))
+    return;
+  const auto* const rows = reinterpret_cast<const uchar*>(bytes->data());
+  program.thumbnail = QImage(rows, width, height, 3 * width, QImage::Format_RGB888).copy();
+  emit thumbnailChanged(program.number);
 }
 
 void Controls::takeState(Program& program, const json& state) {

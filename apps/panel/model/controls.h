@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <QImage>
 #include <QObject>
 #include <QString>
 #include <cstdint>
@@ -31,6 +32,7 @@ struct Program {
   std::map<std::string, Value> values;  // of settings that differ from their built-in values, or did
   int undo = 0, redo = 0;               // steps
   nlohmann::json state = nlohmann::json::object();
+  QImage thumbnail;        // of its window; null: none has come
   std::deque<double> fps;  // one entry a state event, newest last
   QString title() const;
 };
@@ -79,6 +81,7 @@ class Controls : public QObject {
   /// Values, or the number of steps, of shown() have changed.
   void settingsChanged();
   void stateChanged(int program);
+  void thumbnailChanged(int program);
   /// One line for the user. Empty: the last request was carried out.
   void said(const QString& line);
 
@@ -93,6 +96,7 @@ class Controls : public QObject {
   void takeEvent(const nlohmann::json& event);
   void takeSettings(Program& program, const nlohmann::json& event);
   void takeState(Program& program, const nlohmann::json& state);
+  void takeThumbnail(Program& program, const nlohmann::json& event);
   Program* findMutable(int number);
 
   const std::function<void(nlohmann::json)> send_;

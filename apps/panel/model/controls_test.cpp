@@ -49,6 +49,27 @@ TEST_F(ControlsTest, AsksForEverythingWhenConnected) {
   EXPECT_EQ(controls.shown()->name, "p");
 }
 
+TEST_F(ControlsTest, ThumbnailsAreChecked) {
+  takePrograms({1});
+  const auto thumbnail = [&](const json& width, const json& height, const json& pixels) {
+    take({{"type", "event"},
+          {"what", "thumbnail"},
+          {"program", 1},
+          {"width", width},
+          {"height", height},
+          {"pixels", pixels}});
+    return controls.shown()->thumbnail.size();
+  };
+  for (const json& pixels : {json("AAAA"), json("AAAAAAAAAAA="), json("?"), json(), json(3)})
+    EXPECT_TRUE(thumbnail(2, 1, pixels).isEmpty()) << pixels;
+  EXPECT_TRUE(thumbnail(-1, -1, "AAAA").isEmpty());
+  EXPECT_TRUE(thumbnail(1 << 20, 1 << 20, "AAAA").isEmpty());
+  EXPECT_TRUE(thumbnail("1", 1, "AAAA").isEmpty());
+  EXPECT_EQ(thumbnail(2, 1, "/wAAAAD/"), QSize(2, 1));
+  EXPECT_EQ(controls.shown()->thumbnail.pixelColor(1, 0), QColor(Qt::blue));
+  EXPECT_EQ(thumbnail(2, 1, "AAAA"), QSize(2, 1)) << "the last one stays";
+}
+
 TEST_F(ControlsTest, ValuesAreBuiltInUntilAProgramSaysMore) {
   EXPECT_EQ(controls.value("ao").value, false);
   takePrograms({1});

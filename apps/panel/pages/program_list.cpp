@@ -1,6 +1,7 @@
 #include "pages/program_list.h"
 
 #include <QHeaderView>
+#include <QPainter>
 #include <QSignalBlocker>
 #include <cmath>
 
@@ -11,6 +12,7 @@ using nlohmann::json;
 
 constexpr int kNumber = Qt::UserRole;  // of the program; 0: all
 constexpr int kFps = 1, kTriangles = 2;
+constexpr QSize kIcon(48, 36);
 
 double number(const json& state, const char* name) {
   const auto found = state.find(name);
@@ -25,6 +27,17 @@ QString shortNumber(double value) {
   return QString::number(value, 'f', unit > 0 && value < 99.5 ? 1 : 0) + kUnits[unit];
 }
 
+/// The picture in the middle of an icon, which has the same size for all programs.
+QIcon iconOf(const QImage& picture, qreal dots) {
+  const QSize size = kIcon * dots;
+  QPixmap icon(size);
+  icon.fill(Qt::transparent);
+  const QImage small = picture.scaled(size, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+  QPainter(&icon).drawImage((size.width() - small.width()) / 2, (size.height() - small.height()) / 2, small);
+  icon.setDevicePixelRatio(dots);
+  return icon;
+}
+
 }  // namespace
 
 ProgramList::ProgramList(Controls& controls, QWidget* parent) : QTreeWidget(parent), controls_(controls) {
@@ -32,6 +45,7 @@ ProgramList::ProgramList(Controls& controls, QWidget* parent) : QTreeWidget(pare
   setRootIsDecorated(false);
   setAllColumnsShowFocus(true);
   setAccessibleName(tr("Programs"));
+  setIconSize(kIcon);
   header()->setStretchLastSection(false);
   header()->setSectionResizeMode(0, QHeaderView::Stretch);
   header()->setSectionResizeMode(kFps, QHeaderView::ResizeToContents);
@@ -39,6 +53,7 @@ ProgramList::ProgramList(Controls& controls, QWidget* parent) : QTreeWidget(pare
   connect(&controls_, &Controls::programsChanged, this, &ProgramList::fill);
   connect(&controls_, &Controls::chosenChanged, this, &ProgramList::mark);
   connect(&controls_, &Controls::stateChanged, this, &ProgramList::showState);
+  connect(&controls_, &Controls::thumbnailChanged, this, &ProgramList::showThumbnail);
   connect(this, &QTreeWidget::itemSelectionChanged, this, [this] {
     if (selectedItems().isEmpty()) return;
     const int program = selectedItems().first()->data(0, kNumber).toInt();
@@ -62,6 +77,7 @@ void ProgramList::fill() {
     for (const int column : {kFps, kTriangles})
       item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     showState(program.number);
+    showThumbnail(program.number);
   }
   mark();
 }
@@ -83,6 +99,13 @@ void ProgramList::showState(int number_) {
     item->setText(kFps, fps > 0 ? QString::number(fps, 'f', fps < 10 ? 1 : 0) : tr("idle"));
     item->setText(kTriangles, shortNumber(number(program->state, "triangles")));
   }
+}
+
+void ProgramList::showThumbnail(int number_) {
+  const Program* program = controls_.find(number_);
+  for (int i = 0; program && !program->thumbnail.isNull() && i < topLevelItemCount(); ++i)
+    if (topLevelItem(i)->data(0, kNumber).toInt() == number_)
+      topLevelItem(i)->setIcon(0, iconOf(program->thumbnail, devicePixelRatioF()));
 }
 
 }  // namespace gluray::panel

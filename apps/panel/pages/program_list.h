@@ -16,6 +16,7 @@ class ProgramList : public QTreeWidget {
   void fill();
   void mark();
   void showState(int program);
+  void showThumbnail(int program);
 
   Controls& controls_;
 };

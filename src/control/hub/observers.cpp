@@ -29,6 +29,7 @@ void Wish::add(const Wish& other) {
   state = state || other.state;
   settings = settings || other.settings;
   thumbnail = thumbnail || other.thumbnail;
+  size = std::max(size, other.size);
   every = std::min(every, other.every);
 }
 
@@ -70,11 +71,13 @@ void Observers::wished(uint64_t program, uint64_t client) {
   const Wish wish = state.wishOf(program);
   if (!wish.state) state.newest.forget({program, "state"});
   if (!wish.thumbnail) state.newest.forget({program, "thumbnail"});
-  if (wish.settings)
-    ask(program, {client});
-  else if (const auto last = asked_.find(program);
-           last == asked_.end() ? !wish.empty() : !(last->second == together(program)))
-    ask(program, {});
+  if (wish.settings) return ask(program, {client});
+  const auto last = asked_.find(program);
+  if (last == asked_.end() ? !wish.empty() : !(last->second == together(program))) return ask(program, {});
+  // The program sends no thumbnail because of this client.
+  if (const auto known = thumbnails_.find(program); wish.thumbnail && known != thumbnails_.end())
+    state.newest.offer({program, "thumbnail"}, known->second, wish.every, questions_.now(), slow(client),
+                       [&](const PeerLink::Line& each) { peers_.send(client, each); });
 }
 
 /// Asks the program for what all want. Then the first event with all settings follows, for `clients`.
@@ -83,8 +86,10 @@ void Observers::ask(uint64_t program, std::vector<uint64_t> clients) {
   if (!entry || entry->speaker() == 0) return;
   const Wish wish = together(program);
   asked_[program] = wish;
+  if (!wish.thumbnail) thumbnails_.erase(program);
   json message{{"type", "observe"}, {"what", wordsOf(wish)}};
   if (!wish.empty()) message["every"] = wish.every;
+  if (wish.size > 0) message["size"] = wish.size;
   questions_.askForever(entry->speaker(), std::move(message),
                         [this, program, clients = std::move(clients)](json&&) {
                           if (!programs_.find(program)) return;
@@ -111,6 +116,7 @@ void Observers::event(const Program& program, const json& message) {
   std::string text = lineOf(copy);
   if (!whyUnfit(text).empty()) return;
   const auto line = std::make_shared<const std::string>(std::move(text));
+  if (*what == "thumbnail" && together(program.number).thumbnail) thumbnails_[program.number] = line;
   for (auto& [number, client] : clients_) {
     const uint64_t connection = number;
     const Wish wish = client.wishOf(program.number);
@@ -124,7 +130,7 @@ void Observers::event(const Program& program, const json& message) {
 }
 
 void Observers::programEnded(uint64_t program) {
-  asked_.erase(program);
+  asked_.erase(program), thumbnails_.erase(program);
   for (auto& [connection, client] : clients_) {
     client.wishes.erase(program);
     client.told.erase(program);

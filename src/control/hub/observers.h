@@ -14,11 +14,14 @@
 namespace gluray::control {
 
 inline constexpr double kLeastEvery = 0.05, kMostEvery = 3600;  // seconds
+inline constexpr int kLeastSize = 16, kMostSize = 512,
+                     kUsualSize = 256;                // pixels of a thumbnail's longest side
 inline constexpr size_t kBehind = size_t{256} << 10;  // bytes that wait for a client that reads slowly
 
 /// What a client, or all of them together, want to know of a program.
 struct Wish {
   bool state = false, settings = false, thumbnail = false;
+  int size = 0;  // of thumbnails, in pixels; 0: not said
   double every = kMostEvery;
   bool empty() const { return !state && !settings && !thumbnail; }
   void add(const Wish& other);
@@ -69,9 +72,10 @@ class Observers {
   Programs& programs_;
   Questions& questions_;
   std::map<uint64_t, Client> clients_;
-  std::map<uint64_t, Wish> asked_;  // of programs, last
-  bool listChanged_ = false;        // since the last event `programs`
-  HubTime listDue_{};               // not before
+  std::map<uint64_t, Wish> asked_;                 // of programs, last
+  std::map<uint64_t, PeerLink::Line> thumbnails_;  // the newest of programs, for clients that come later
+  bool listChanged_ = false;                       // since the last event `programs`
+  HubTime listDue_{};                              // not before
 };
 
 }  // namespace gluray::control

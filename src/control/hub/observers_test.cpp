@@ -42,6 +42,39 @@ TEST_F(HubCoreObservers, AProgramIsAskedForWhatAnyClientWants) {
   EXPECT_TRUE(peer.got.empty());
 }
 
+TEST_F(HubCoreObservers, ThumbnailsHaveTheLargestSizeThatIsWanted) {
+  FakePeer& one = program();
+  FakePeer& peer = client();
+  FakePeer& other = client();
+  observe(peer, 1, {"thumbnail"});
+  EXPECT_EQ(one.one("observe")["size"], 256);
+  give(other, {{"type", "observe"}, {"id", 1}, {"program", 1}, {"what", {"thumbnail"}}, {"size", 300}});
+  EXPECT_EQ(one.one("observe")["size"], 300);
+  end(other);
+  EXPECT_EQ(one.one("observe")["size"], 256);
+  for (const json& size : {json(15), json(513), json("64"), json(20.5)}) {
+    peer.take("answer");
+    give(peer, {{"type", "observe"}, {"id", 1}, {"program", 1}, {"what", {"thumbnail"}}, {"size", size}});
+    EXPECT_NE(peer.one("answer").value("why", ""), "") << size;
+  }
+}
+
+TEST_F(HubCoreObservers, ClientsThatComeLaterGetTheNewestThumbnail) {
+  FakePeer& one = program();
+  FakePeer& peer = client();
+  FakePeer& other = client();
+  observe(peer, 1, {"thumbnail"});
+  give(one, {{"type", "event"}, {"what", "thumbnail"}, {"width", 4}});
+  EXPECT_EQ(peer.one("event")["width"], 4);
+  one.got.clear();
+  observe(other, 1, {"thumbnail"});
+  EXPECT_TRUE(one.got.empty()) << "nothing has changed for it";
+  EXPECT_EQ(other.one("event")["width"], 4);
+  observe(peer, 1, json::array()), observe(other, 1, json::array());
+  observe(other, 1, {"thumbnail"});
+  EXPECT_TRUE(other.take("event").empty()) << "it may be old; the program is asked";
+}
+
 TEST_F(HubCoreObservers, EventsGoToThoseThatWantThem) {
   FakePeer& one = program();
   FakePeer& two = program();

@@ -166,6 +166,12 @@ void Requests::observe(uint64_t client, const json& request, const Chosen& chose
       return done(failure("every: use a number of seconds from 0.05 to 3600"));
     wish.every = every->get<double>();
   }
+  if (wish.thumbnail) wish.size = kUsualSize;
+  if (const json* size = member(request, "size")) {
+    const auto pixels = wholeNumber(size, kLeastSize, kMostSize);
+    if (!pixels) return done(failure("size: use a number of pixels from 16 to 512"));
+    if (wish.thumbnail) wish.size = static_cast<int>(*pixels);
+  }
   done(noResults());
   if (chosen.all) return observers_.observeAll(client, wish, list);
   observers_.observe(client, chosen.programs, wish, list);

@@ -23,10 +23,14 @@ json Observed::take(const json& message, double now) {
   const auto names = [&](const char* name) {
     return std::find(what->begin(), what->end(), name) != what->end();
   };
-  if (names("thumbnail") && what->size() == 1) return {{"why", "thumbnails are not supported yet"}};
+  const auto size = asked.number("size");
+  constexpr int kLeast = ThumbnailWish::kLeastSize, kMost = ThumbnailWish::kMostSize;
+  if (asked.at("size") && !(size && *size >= kLeast && *size <= kMost))
+    return {{"why", "size must be a number of pixels from 16 to 512"}};
   every_ = every ? every->get<double>() : 1;
   every_ = every_ >= kLeastEvery ? std::min(every_, kMostEvery) : kLeastEvery;  // also of what is no number
   state_ = names("state"), settings_ = names("settings");
+  thumbnails_ = {names("thumbnail"), size ? static_cast<int>(*size) : ThumbnailWish::kUsualSize, every_};
   first_ = true;
   nextState_ = nextLook_ = now;
   sent_.clear();

@@ -1,6 +1,7 @@
-// Events that the hub has asked for: the program's state, and settings that change. Control thread; times in
-// seconds.
+// Events that the hub has asked for: the program's state, and settings that change; and what it asks for of
+// thumbnails. Control thread; times in seconds.
 #pragma once
+#include "control/link/pictures.h"
 #include "control/link/program.h"
 #include "control/link/rates.h"
 #include "settings/live_settings.h"
@@ -32,6 +33,8 @@ class Observed {
   /// Sends what is due. `slow`: the hub does not read what was sent; states are left out.
   void passed(const SettingsHistory& history, bool slow, double now);
   double next() const;
+  /// What the last request says of thumbnails.
+  const ThumbnailWish& thumbnails() const { return thumbnails_; }
 
  private:
   void sendState();
@@ -42,6 +45,7 @@ class Observed {
   const SettingsSource& source_;
   const Send send_;
   bool state_ = false, settings_ = false;
+  ThumbnailWish thumbnails_;
   bool first_ = true;  // no settings were sent since take()
   double every_ = 1, nextState_ = 0, nextLook_ = 0;
   uint64_t revision_ = 0;  // of the settings that were sent

@@ -1,9 +1,12 @@
 // What a program tells the hub about itself and what the hub may ask of it: implemented by the engine, and by
 // a fake one in tests. All calls on the control thread.
 #pragma once
+#include "control/link/picture.h"
+
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
 namespace gluray::control {
@@ -12,6 +15,13 @@ namespace gluray::control {
 struct Figures {
   uint64_t triangles = 0;               // traced
   uint64_t traced = 0, rasterised = 0;  // draws
+};
+
+/// Which shown frame is to be kept as a picture.
+enum class Wanted {
+  none,
+  any,  // the next one that is shown, whenever the program ended it
+  next  // the next one that the program ends; it is not delayed
 };
 
 class ControlledProgram {
@@ -26,6 +36,10 @@ class ControlledProgram {
   virtual nlohmann::json call(const std::string& name, const nlohmann::json& arguments, std::string& why) = 0;
   /// Makes the program draw, if that is possible.
   virtual void wake() noexcept = 0;
+  /// Keeps such a frame, once; the newest wish counts.
+  virtual void wantPicture(Wanted /*wanted*/) noexcept {}
+  /// The picture that was kept since the last call; null: none was.
+  virtual std::unique_ptr<Picture> takePicture() noexcept { return nullptr; }
   /// The connection to the hub has ended: lets go of what is needed only for that.
   virtual void linkEnded() noexcept {}
 };

@@ -50,7 +50,10 @@ ProgramSide::ProgramSide(ControlledProgram& program, LiveSettings& live, const S
       changes_(
           live, source, history, [&program] { program.wake(); },
           [this](const json& id, json result) { answer(id, std::move(result)); }),
-      observed_(program, live, source, [this](const json& event) { send(event); }) {}
+      observed_(program, live, source, [this](const json& event) { send(event); }),
+      pictures_(
+          program, source, [this](const json& id, json result) { answer(id, std::move(result)); },
+          [this](const json& event) { send(event); }) {}
 
 void ProgramSide::begin(double now) {
   helloBy_ = now + kHelloSeconds;
@@ -105,9 +108,9 @@ void ProgramSide::carryOut(const std::string& type, const json& id, const json& 
   else if (type == "describe")
     answer(id, {{"settings", descriptions()}});
   else if (type == "observe")
-    answer(id, observed_.take(message, now));
+    observe(id, message, now);
   else if (type == "call")
-    answer(id, calling(message));
+    call(id, message, now);
   else
     answer(id, {{"why", "programs do not know the request '" + type + "'"}});
   passed(now);
@@ -133,15 +136,23 @@ json ProgramSide::valuesOf(const json* names, bool withLayers) {
   return {{"values", std::move(found)}};
 }
 
-json ProgramSide::calling(const json& message) {
+void ProgramSide::observe(const json& id, const json& message, double now) {
+  json result = observed_.take(message, now);
+  if (!result.contains("why")) pictures_.observe(observed_.thumbnails(), now);
+  answer(id, std::move(result));
+}
+
+void ProgramSide::call(const json& id, const json& message, double now) {
   const Asked asked(message);
   const auto name = asked.text("name");
-  const json* const arguments = asked.at("arguments");
-  if (!name) return {{"why", "name must be a short text"}};
-  if (arguments && !arguments->is_object()) return {{"why", "arguments must be an object"}};
+  const json* const given = asked.at("arguments");
+  if (!name) return answer(id, {{"why", "name must be a short text"}});
+  if (given && !given->is_object()) return answer(id, {{"why", "arguments must be an object"}});
+  const json arguments = given ? *given : json::object();
+  if (Pictures::knows(*name)) return pictures_.take(*name, id, arguments, now);
   std::string why;
-  json value = program_.call(*name, arguments ? *arguments : json::object(), why);
-  return why.empty() ? json{{"value", std::move(value)}} : json{{"why", why}};
+  json value = program_.call(*name, arguments, why);
+  answer(id, why.empty() ? json{{"value", std::move(value)}} : json{{"why", why}});
 }
 
 void ProgramSide::passed(double now) {
@@ -150,11 +161,13 @@ void ProgramSide::passed(double now) {
     return;
   }
   changes_.passed(now);
-  observed_.passed(changes_.history(), peer_.waiting() > kMuchWaiting, now);
+  const bool slow = peer_.waiting() > kMuchWaiting;
+  observed_.passed(changes_.history(), slow, now);
+  pictures_.passed(slow, now);
 }
 
 double ProgramSide::next(double now) const {
-  return greeted_ ? std::min(changes_.next(now), observed_.next()) : helloBy_;
+  return greeted_ ? std::min({changes_.next(now), observed_.next(), pictures_.next(now)}) : helloBy_;
 }
 
 }  // namespace gluray::control

@@ -4,6 +4,7 @@
 #include "control/connection.h"
 #include "control/link/change_requests.h"
 #include "control/link/observed.h"
+#include "control/link/pictures.h"
 #include "control/link/program.h"
 
 #include <nlohmann/json.hpp>
@@ -46,13 +47,15 @@ class ProgramSide {
   void greet(const std::string& type, const nlohmann::json& message);
   void carryOut(const std::string& type, const nlohmann::json& id, const nlohmann::json& message, double now);
   nlohmann::json valuesOf(const nlohmann::json* names, bool withLayers);
-  nlohmann::json calling(const nlohmann::json& message);
+  void observe(const nlohmann::json& id, const nlohmann::json& message, double now);
+  void call(const nlohmann::json& id, const nlohmann::json& message, double now);
 
   ControlledProgram& program_;
   LiveSettings& live_;
   const Peer peer_;
   ChangeRequests changes_;
   Observed observed_;
+  Pictures pictures_;
   bool greeted_ = false;
   double helloBy_ = 0;
 };

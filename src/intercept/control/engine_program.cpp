@@ -5,6 +5,7 @@
 #include "control/process_start.h"
 #include "frame/idle_refiner.h"
 #include "intercept/contexts.h"
+#include "intercept/control/window_pictures.h"
 
 #include <nlohmann/json.hpp>
 #include <unistd.h>
@@ -86,6 +87,7 @@ json EngineProgram::state() {
           {"noise", noise > 0 ? json(noise) : json()},
           {"passes", std::move(done)},
           {"windows", windows()},
+          {"pictures", keptPictures()},
           {"opengl", {{"vendor", sum.vendor}, {"renderer", sum.renderer}, {"version", sum.version}}},
           {"warnings", log::recent()}};
 }
@@ -120,6 +122,14 @@ void EngineProgram::wake() noexcept {
   } catch (const std::exception&) {}  // out of memory: it draws when it draws
 }
 
-void EngineProgram::linkEnded() noexcept { servers_.close(); }
+void EngineProgram::wantPicture(control::Wanted wanted) noexcept { wantWindowPicture(wanted); }
+
+std::unique_ptr<control::Picture> EngineProgram::takePicture() noexcept { return takeWindowPicture(); }
+
+void EngineProgram::linkEnded() noexcept {
+  wantWindowPicture(control::Wanted::none);
+  takeWindowPicture();
+  servers_.close();
+}
 
 }  // namespace gluray::intercept

@@ -20,6 +20,8 @@ class EngineProgram final : public control::ControlledProgram {
   nlohmann::json state() override;
   nlohmann::json call(const std::string& name, const nlohmann::json& arguments, std::string& why) override;
   void wake() noexcept override;
+  void wantPicture(control::Wanted wanted) noexcept override;
+  std::unique_ptr<control::Picture> takePicture() noexcept override;
   void linkEnded() noexcept override;
 
  private:

@@ -3,6 +3,7 @@
 #include "base/clock.h"
 #include "base/timeline.h"
 #include "intercept/context_record.h"
+#include "intercept/control/window_pictures.h"
 #include "intercept/session.h"
 #include "intercept/window_systems/drawable_size.h"
 #include "intercept/windows/background_window.h"
@@ -88,8 +89,9 @@ class Lag {
     if (size.x <= 0) return LagRefusal::window;
     const auto closed = closed_;
     window.stands = [=] { return !*closed && drawableSize(display, drawable).x > 0; };
-    window.swap = [=] {
+    window.swap = [=, &record] {
       const Outermost nested;
+      keepBuffer(record, GL_BACK, ShownFrame::later);
       const timeline::Span span("swap");
       windowChanges(drawable);
       swap(display, drawable);
@@ -97,12 +99,18 @@ class Lag {
     window.overdue.size = size;
     window.show = [=, &to = record.window](const gl::ShownPicture& picture) {
       ShmWindow* const put = shmWindowFor(display, drawable, to);
-      return put && to.isKnown(put->size()) && put->put(picture);
+      if (!put) return false;
+      const glm::ivec2 now = put->size();
+      if (!to.isKnown(now) || !put->put(picture)) return false;
+      keepShownPicture(picture, now, ShownFrame::later);
+      return true;
     };
     if (!background_) return LagRefusal::none;
     window.overdue.after = kOverdue;
     window.overdue.show = [background = background_, size](const uint32_t* pixels) {
-      if (background->paint(pixels, size)) ++g_shownByUs;
+      if (!background->paint(pixels, size)) return;
+      ++g_shownByUs;
+      keepPixels(pixels, size);
     };
     return LagRefusal::none;
   }
@@ -129,7 +137,8 @@ bool mayLag(GLXDrawable drawable) {
   const std::shared_ptr<Record>& record = current().record;
   return session().lag != LagMode::off && !g_never && record && record->context &&
          gl::t_thread.context == record->context.get() && current().drawables.draw == drawable &&
-         record->context->info().doubleBuffered && !session().picture;
+         record->context->info().doubleBuffered && !session().picture &&
+         wantedPicture() != control::Wanted::next;
 }
 
 LagRefusal lagged(Record& record, Display* display, GLXDrawable drawable, RealSwap swap) {

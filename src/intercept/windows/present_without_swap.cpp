@@ -1,6 +1,7 @@
 #include "intercept/windows/present_without_swap.h"
 
 #include "intercept/context_record.h"
+#include "intercept/control/window_pictures.h"
 #include "intercept/session.h"
 
 #include <cstddef>
@@ -43,7 +44,11 @@ bool show(_XDisplay* display, uintptr_t drawable, Record& record) {
   if (!put) return false;
   const glm::ivec2 size = put->size();
   if (record.window.isKnown(size) &&
-      record.context->window.showWithoutSwap(size, [&](const gl::ShownPicture& p) { return put->put(p); }))
+      record.context->window.showWithoutSwap(size, [&](const gl::ShownPicture& p) {
+        if (!put->put(p)) return false;
+        keepShownPicture(p, size, ShownFrame::now);
+        return true;
+      }))
     return true;
   if (size.x == 0) record.window.put.reset();  // do not try again
   return false;

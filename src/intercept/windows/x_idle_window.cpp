@@ -1,6 +1,7 @@
 #include "intercept/windows/x_idle_window.h"
 
 #include "intercept/context_record.h"
+#include "intercept/control/window_pictures.h"
 #include "intercept/windows/background_window.h"
 #include "intercept/windows/present_without_swap.h"
 
@@ -59,7 +60,9 @@ class XIdleWindow final : public IdleWindow {
       return false;
     const bool same = std::equal(now.colors.begin(), now.colors.end(), seen_.colors.begin(),
                                  [](uint32_t a, uint32_t b) { return ((a ^ b) & kColors) == 0; });
-    return same && shown_->paint(next.colors.data(), {next.width, next.height});
+    if (!same || !shown_->paint(next.colors.data(), {next.width, next.height})) return false;
+    keepPixels(next.colors.data(), {next.width, next.height});
+    return true;
   }
 
  private:

@@ -21,6 +21,19 @@ bool readWindow(const gl::RealGl& real, const Features& features, glm::ivec2 siz
   return takeErrors(real).empty();
 }
 
+GLenum readColors(const gl::RealGl& real, const Features& features, glm::ivec2 size, GLenum buffer,
+                  std::span<uint32_t> out, bool& read) {
+  const PendingErrors pending = takeErrors(real);
+  {
+    StateGuard guard(real, features);
+    guard.plainPack();
+    guard.readFrom(0, buffer);
+    real.ReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, out.data());
+  }
+  read = takeErrors(real).empty();
+  return pending.empty() ? GLenum{GL_NO_ERROR} : pending.front();
+}
+
 void clearWindow(const gl::RealGl& real, const Features& features, const gl::WindowClear& clear) {
   StateGuard guard(real, features);
   guard.openFragmentPath();

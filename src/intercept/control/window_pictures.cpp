@@ -1,0 +1,88 @@
+#include "intercept/control/window_pictures.h"
+
+#include "intercept/context_record.h"
+#include "intercept/present/read_back/window_buffers.h"
+#include "intercept/windows/shm_window.h"
+#include "settings/settings_source.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace gluray::intercept {
+namespace {
+
+using control::Picture, control::Wanted;
+
+std::atomic<Picture*> g_keptPicture{nullptr};
+std::atomic<uint64_t> g_keptPictures{0};
+
+bool isWanted(ShownFrame shown) noexcept {
+  const Wanted wanted = wantedPicture();
+  return wanted == Wanted::any || (wanted == Wanted::next && shown == ShownFrame::now);
+}
+
+/// Room for a picture of a frame; `next` is decided before the picture is read.
+std::unique_ptr<Picture> newPicture(glm::ivec2 size, Picture::Layout layout, ShownFrame shown) {
+  auto picture = std::make_unique<Picture>();
+  picture->width = size.x, picture->height = size.y, picture->layout = layout;
+  picture->pixels.resize(static_cast<size_t>(size.x) * static_cast<size_t>(size.y));
+  picture->frame = shown == ShownFrame::now ? settingsSource().frame() : 0;
+  picture->next = wantedPicture() == Wanted::next;
+  return picture;
+}
+
+void keep(std::unique_ptr<Picture> picture) noexcept {
+  delete g_keptPicture.exchange(picture.release());
+  g_wantedPicture.store(Wanted::none, std::memory_order_relaxed);  // until the control thread asks again
+  ++g_keptPictures;
+}
+
+}  // namespace
+
+void wantWindowPicture(Wanted wanted) noexcept { g_wantedPicture.store(wanted, std::memory_order_relaxed); }
+
+std::unique_ptr<Picture> takeWindowPicture() noexcept {
+  return std::unique_ptr<Picture>(g_keptPicture.exchange(nullptr));
+}
+
+uint64_t keptPictures() noexcept { return g_keptPictures; }
+
+void keepBuffer(Record& record, GLenum buffer, ShownFrame shown) noexcept {
+  if (!isWanted(shown)) return;
+  guarded("cannot keep a picture", [&] {
+    gl::Context* const context = record.context.get();
+    if (!context || record.version.starts_with("OpenGL ES") || context->lists.compiling() ||
+        context->immediate.insideBegin())
+      return;
+    const glm::ivec2 size = current().size ? current().size() : glm::ivec2(0);
+    if (size.x <= 0 || size.y <= 0) return;
+    if (!record.features) record.features = present::readFeatures(context->real);
+    auto picture = newPicture(size, Picture::Layout::openGl, shown);
+    bool read = false;
+    const GLenum pending =
+        present::readColors(context->real, *record.features, size, buffer, picture->pixels, read);
+    if (pending != GL_NO_ERROR) context->errors.set(pending);
+    if (read) keep(std::move(picture));
+  });
+}
+
+void keepShownPicture(const gl::ShownPicture& shown, glm::ivec2 size, ShownFrame when) noexcept {
+  if (!isWanted(when) || size.x <= 0 || size.y <= 0) return;
+  guarded("cannot keep a picture", [&] {
+    auto picture = newPicture(size, Picture::Layout::x, when);
+    fillWindow(shown, size, picture->pixels.data());
+    keep(std::move(picture));
+  });
+}
+
+void keepPixels(const uint32_t* pixels, glm::ivec2 size) noexcept {
+  if (!isWanted(ShownFrame::later) || size.x <= 0 || size.y <= 0) return;
+  guarded("cannot keep a picture", [&] {
+    auto picture = newPicture(size, Picture::Layout::openGl, ShownFrame::later);
+    picture->frame = settingsSource().begun().frame;  // the program draws nothing
+    std::copy_n(pixels, picture->pixels.size(), picture->pixels.data());
+    keep(std::move(picture));
+  });
+}
+
+}  // namespace gluray::intercept

@@ -1,0 +1,42 @@
+// The pictures of shown frames that the control thread asks for: GL threads keep them, without waiting for
+// anyone; while none is wanted a swap costs one load.
+#pragma once
+#include "control/link/program.h"
+#include "gl/batch/presenter.h"
+
+#include <glm/glm.hpp>
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+
+namespace gluray::intercept {
+
+struct Record;
+
+inline std::atomic<control::Wanted> g_wantedPicture{control::Wanted::none};
+
+/// Which frame is to be kept now. Any thread.
+inline control::Wanted wantedPicture() noexcept { return g_wantedPicture.load(std::memory_order_relaxed); }
+
+/// Control thread.
+void wantWindowPicture(control::Wanted wanted) noexcept;
+std::unique_ptr<control::Picture> takeWindowPicture() noexcept;
+
+/// How a frame is shown.
+enum class ShownFrame {
+  now,   // as the program ends it
+  later  // it ended before (frame lag), or gets better: no answer to Wanted::next
+};
+/// Call before a swap, with all draws flushed and the context current: reads `buffer` of the window if a
+/// picture is wanted. Restores all state.
+void keepBuffer(Record& record, GLenum buffer, ShownFrame shown) noexcept;
+/// Call when a picture was shown without a swap in a window of `size` pixels. Keeps it if wanted.
+void keepShownPicture(const gl::ShownPicture& picture, glm::ivec2 size, ShownFrame shown) noexcept;
+/// Call when pixels were put into a window: RGBA8, bottom row first. Keeps them if wanted.
+void keepPixels(const uint32_t* pixels, glm::ivec2 size) noexcept;
+
+/// Pictures that were kept since the process began.
+uint64_t keptPictures() noexcept;
+
+}  // namespace gluray::intercept
