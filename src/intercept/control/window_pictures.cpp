@@ -27,7 +27,7 @@ std::unique_ptr<Picture> newPicture(glm::ivec2 size, Picture::Layout layout, Sho
   picture->width = size.x, picture->height = size.y, picture->layout = layout;
   picture->pixels.resize(static_cast<size_t>(size.x) * static_cast<size_t>(size.y));
   picture->frame = shown == ShownFrame::now ? settingsSource().frame() : 0;
-  picture->next = wantedPicture() == Wanted::next;
+  picture->next = shown == ShownFrame::now && wantedPicture() == Wanted::next;
   return picture;
 }
 
