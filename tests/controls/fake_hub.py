@@ -17,7 +17,7 @@ class Hub:
         self.listener = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
         self.listener.bind(self.path)
         self.listener.listen(8)
-        self.peer, self.bytes, self.ids, self.events = None, b"", 0, []
+        self.peer, self.bytes, self.ids, self.events, self.answers = None, b"", 0, [], {}
 
     def wait_for_program(self, patience=PATIENCE):
         """Whether one has connected; call it while the program draws."""
@@ -57,14 +57,16 @@ class Hub:
         return self.ids
 
     def result(self, id):
-        """The answer's result, or the answer if it has `why`. Keeps events."""
-        while True:
+        """The answer's result, or the answer if it has `why`. Keeps events, and answers to earlier requests."""
+        while id not in self.answers:
             message = self.message()
             if message["type"] == "event":
                 self.events.append(message)
             else:
-                assert message["type"] == "answer" and message["id"] == id, message
-                return message if "why" in message else (message["results"] or [{}])[0]
+                assert message["type"] == "answer" and 0 < message["id"] <= self.ids, message
+                self.answers[message["id"]] = message
+        message = self.answers.pop(id)
+        return message if "why" in message else (message["results"] or [{}])[0]
 
     def ask(self, type, **members):
         return self.result(self.start(type, **members))

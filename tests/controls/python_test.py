@@ -55,6 +55,22 @@ class Python(unittest.TestCase):
         second.frame = None
         return hub, first, second
 
+    def real_hub(self, *programs):
+        """gluray hub with these programs."""
+        hub = subprocess.Popen([GLURAY, "hub", "--with-parent"], stdin=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(hub.communicate)
+        hub.stderr.readline()
+        for program in programs:
+            self.addCleanup(seek_hub(program, self.folder / "run"))
+        self.until(lambda: len(gluray.programs()) == len(programs))
+        return programs
+
+    def until(self, done):
+        end = time.monotonic() + 20
+        while not done():
+            self.assertLess(time.monotonic(), end)
+            time.sleep(0.02)
+
     def refusal(self, act, kind=None):
         with self.assertRaises(kind or gluray.GlurayError) as raised:
             act()
@@ -239,14 +255,7 @@ print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), gluray.hub._connection
         self.assertEqual((first.live, second.live), ({"ao.samples": 8, "preset": "draft"},) * 2)
 
     def test_silent_programs_delay_all_by_one_limit(self):
-        real_hub = subprocess.Popen([GLURAY, "hub", "--with-parent"], stdin=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        self.addCleanup(real_hub.communicate)
-        real_hub.stderr.readline()
-        programs = [FakeProgram(1, f"p{i}", i, ROWS) for i in range(1, 7)]
-        for program in programs:
-            self.addCleanup(seek_hub(program, self.folder / "run"))
-        while len(gluray.programs()) < 6:
-            time.sleep(0.05)
+        programs = self.real_hub(*(FakeProgram(1, f"p{i}", i, ROWS) for i in range(1, 7)))
         gluray.set(spp=2)
         for program in programs[1:]:
             program.silent = ("set", "undo", "redo")
@@ -259,6 +268,55 @@ print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), gluray.hub._connection
             self.assertNotIn("p1", said)
             seen.append(programs[0].live)
         self.assertEqual(seen, [{"spp": 4}, {"spp": 2}, {"spp": 2}])
+
+    def test_two_clients(self):
+        """A change of one is seen and taken back by the other; gestures of two clients are two steps, also where they meet."""
+        first, second = self.real_hub(FakeProgram(1, "paraview", 4242, ROWS), FakeProgram(1, "vmd", 77, ROWS))
+        paraview, vmd = sorted(gluray.programs(), key=lambda p: p.name)
+        other = "import gluray, sys\np, = gluray.programs('paraview')\nwith p.gesture():\n"
+        other += "    for line in sys.stdin:\n        print(p.set({'ao.radius': float(line)}), flush=True)\nprint(p.undo(), sorted(gluray.undo().values()))"
+        with self.python(other) as python, paraview.gesture():
+            for radius in (1, 2):
+                paraview["ao.radius"] = radius
+            python.stdin.write("3\n"), python.stdin.flush()
+            self.assertEqual(python.stdout.readline(), "1042\n")
+            paraview["ao.radius"] = 4
+            self.assertEqual([step[1]["ao.radius"] for step in first.steps], [2, 3.0, 4])
+            paraview.undo()
+            self.assertEqual(paraview["ao.radius"], 3)
+            vmd["spp"] = 2
+            said, failed = python.communicate(timeout=20)
+        self.assertEqual((said.split("\n")[0], failed), ("1042 [1042, 1042]", ""))
+        self.assertEqual((first.live, second.live), ({}, {}))
+
+    def test_settings_for_a_while_of_programs_that_differ(self):
+        first, second, third = self.real_hub(*(FakeProgram(1, name, pid, ROWS) for pid, name in ((1, "a"), (2, "b"), (3, "c"))))
+        a, b, _ = sorted(gluray.programs(), key=lambda p: p.name)
+        a["ao.samples"], b["ao.samples"] = 2, 3
+        with gluray.settings(ao_samples=9, spp=4):
+            self.assertEqual([p.live for p in (first, second, third)], [{"ao.samples": 9, "spp": 4}] * 3)
+        self.assertEqual([p.live for p in (first, second, third)], [{"ao.samples": 2}, {"ao.samples": 3}, {}])
+        second.refuses["spp"] = "spp: not now"
+        with self.assertRaisesRegex(gluray.GlurayError, r"^b \(2\): spp: not now$"), gluray.settings(spp=4):
+            self.fail("the block is not entered")
+        self.assertEqual([p.live for p in (first, second, third)], [{"ao.samples": 2}, {"ao.samples": 3}, {}])
+
+    def test_the_hub_of_another_script_may_end(self):
+        os.environ["GLURAY"] = GLURAY
+        self.addCleanup(seek_hub(FakeProgram(1, "paraview", 4242, ROWS), self.folder / "run"))
+        code = "import gluray, sys\nfor line in sys.stdin: p, = gluray.programs('paraview'); print(p.set(eval(line)), gluray.hub._child is not None, flush=True)"
+        with self.python(code) as one, self.python(code) as two:
+            for python, said in ((one, "1042 True\n"), (two, "1042 False\n")):
+                python.stdin.write("{'spp': 2}\n"), python.stdin.flush()
+                self.assertEqual(python.stdout.readline(), said)
+            hub, = pathlib.Path(f"/proc/{one.pid}/task/{one.pid}/children").read_text().split()
+            watched = os.pidfd_open(int(hub))
+            self.addCleanup(os.close, watched)
+            one.kill(), one.wait()
+            self.assertTrue(select.select([watched], [], [], 20)[0])
+            two.stdin.write("{'spp': 3}\n"), two.stdin.flush()
+            self.assertEqual(two.stdout.readline(), "1042 True\n")
+            two.communicate(timeout=20)
 
     def test_programs_that_end_meanwhile(self):
         hub, first, second = self.two()
