@@ -59,7 +59,8 @@ class PanelLiveTest : public testing::Test {
     window_.show();
     thread_.start();
     ASSERT_TRUE(until([&] { return controls_.programs().size() == programs; }));
-    ASSERT_TRUE(until([&] { return controls_.shown()->fps.size() > 4; }));
+    if (programs > 1) controls_.chooseAll();
+    ASSERT_TRUE(until([&] { return controls_.shown() && controls_.shown()->fps.size() > 4; }));
   }
   /// What `gluray get --live` prints of the setting, a line for each program.
   QString live(const QString& name) {
