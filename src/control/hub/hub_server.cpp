@@ -28,6 +28,7 @@ using std::chrono::steady_clock;
 constexpr size_t kMostConnections = 1024, kMostUnproven = 64;
 constexpr std::chrono::milliseconds kProofPatience{5000};
 constexpr std::chrono::milliseconds kSoonest{1};
+constexpr std::chrono::milliseconds kYoung{1000}, kCountAgain{20};
 
 HubCore::Self thisHub() {
   std::array<char, 256> host{};
@@ -50,6 +51,7 @@ class HubServer::Parts : public std::enable_shared_from_this<Parts> {
   int tcpPort = 0;
   std::string directory;
   const HubCore& core() const { return core_; }
+  size_t expected() const;
 
  private:
   std::string listen(const HubOptions& options);
@@ -57,6 +59,7 @@ class HubServer::Parts : public std::enable_shared_from_this<Parts> {
   void acceptTcp(int socket, const std::string& address);
   void take(Connection::Socket socket);
   void ended(uint64_t number);
+  HubCore::Beginning beginning();
   /// Calls the core, and passed() again when something is due.
   template <class Call>
   void withCore(Call call);
@@ -66,6 +69,8 @@ class HubServer::Parts : public std::enable_shared_from_this<Parts> {
   asio::io_context& io_;
   asio::steady_timer timer_;
   HubTime timerAt_ = HubTime::max();
+  HubTime began_{}, counted_ = HubTime::min();  // `counted_`: when `expected_` was
+  size_t expected_ = 0;
   HubCore core_;
   HubPlace place_;
   Refusals refusals_;
@@ -112,6 +117,8 @@ std::string HubServer::Parts::start(const HubOptions& options) {
     return why;
   }
   running_ = true;
+  began_ = steady_clock::now();
+  counted_ = HubTime::min();
   here_->start();
   if (tcp_) tcp_->start();
   for (const ProgramFile& file : programFiles(directory))
@@ -161,7 +168,7 @@ void HubServer::Parts::take(Connection::Socket socket) {
   link.send = [connection](const PeerLink::Line& line) { connection->send(line); };
   link.waiting = [connection] { return connection->waiting(); };
   link.finish = [connection](const std::string& why) { connection->finish(why); };
-  withCore([&] { core_.connected(number, std::move(link), steady_clock::now()); });
+  withCore([&] { core_.connected(number, std::move(link), steady_clock::now(), beginning()); });
   connection->start({[weak, number](nlohmann::json&& message) {
                        if (const auto self = weak.lock())
                          self->withCore([&] { self->core_.received(number, message, steady_clock::now()); });
@@ -176,6 +183,22 @@ void HubServer::Parts::take(Connection::Socket socket) {
                        if (const auto self = weak.lock())
                          self->withCore([&] { self->core_.drained(number, steady_clock::now()); });
                      }});
+}
+
+/// Reads the files of programs seldom: many may connect at once.
+HubCore::Beginning HubServer::Parts::beginning() {
+  const HubTime now = steady_clock::now();
+  const auto age = now - began_;
+  if (counted_ == HubTime::min() || now - counted_ >= (age < kYoung ? kCountAgain : kYoung))
+    expected_ = expected(), counted_ = now;
+  return {expected_, std::chrono::duration<double>(age).count()};
+}
+
+size_t HubServer::Parts::expected() const {
+  size_t count = 0;
+  if (directory.empty()) return count;  // it has not started
+  for (const ProgramFile& file : programFiles(directory)) count += !core_.hasProcess(file.pid);
+  return count;
 }
 
 void HubServer::Parts::ended(uint64_t number) {
@@ -216,13 +239,7 @@ void HubServer::stop() { parts_->stop(); }
 bool HubServer::otherHubRuns() const { return parts_->otherHub; }
 int HubServer::port() const { return parts_->tcpPort; }
 size_t HubServer::programs() const { return parts_->core().programs(); }
-
-size_t HubServer::expected() const {
-  size_t count = 0;
-  if (parts_->directory.empty()) return count;  // it has not started
-  for (const ProgramFile& file : programFiles(parts_->directory))
-    count += !parts_->core().hasProcess(file.pid);
-  return count;
-}
+size_t HubServer::clients() const { return parts_->core().clients(); }
+size_t HubServer::expected() const { return parts_->expected(); }
 
 }  // namespace gluray::control

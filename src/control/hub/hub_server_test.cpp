@@ -221,6 +221,11 @@ TEST_F(HubServerTest, FilesOfProgramsAreReadWithCare) {
   start();
   EXPECT_EQ(woken, std::vector<std::string>{":7 77"});
   EXPECT_EQ(hub_.expected(), 1u);
+  const json hello = next(connectHere());
+  EXPECT_EQ(hello.value("expected", 0), 1);
+  EXPECT_GE(hello.value("age", -1.0), 0);
+  EXPECT_LT(hello.value("age", 60.0), 60);
+  EXPECT_EQ(hub_.clients(), 1u) << "it may become one";
   EXPECT_FALSE(fs::exists(files / std::to_string(gone)));
   for (const std::string& wrong :
        {content(self + 1), std::string("[["), content(self) + std::string(5000, ' '), std::string(),
