@@ -7,23 +7,12 @@
 #include "wake/wake.h"
 
 #include <asio/signal_set.hpp>
-#include <sys/resource.h>
 
 #include <csignal>
 #include <exception>
 
 namespace gluray::launcher {
 namespace {
-
-constexpr rlim_t kDescriptors = 4096;  // more than the connections that a hub takes
-
-void allowManyConnections() {
-  rlimit limit{};
-  if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= kDescriptors) return;
-  limit.rlim_cur =
-      limit.rlim_max == RLIM_INFINITY || limit.rlim_max > kDescriptors ? kDescriptors : limit.rlim_max;
-  setrlimit(RLIMIT_NOFILE, &limit);
-}
 
 int writeKeyFile(const std::string& file) {
   if (const std::string why = control::writeNewKey(file); !why.empty()) return say(why), 1;
@@ -42,7 +31,6 @@ std::string placesOf(const control::HubServer& hub, const HubLine& line, const s
 
 int runHub(const CommandLine& line) {
   if (!line.hub.newKey.empty()) return writeKeyFile(line.hub.newKey);
-  allowManyConnections();
   asio::io_context io;
   asio::signal_set signals(io, SIGINT, SIGTERM);
   signals.async_wait([&](const asio::error_code& error, int) {
@@ -56,7 +44,11 @@ int runHub(const CommandLine& line) {
   options.wake = wakeWindow;
   if (const std::string why = hub.start(options); !why.empty()) return say(why), 1;
   say("the hub listens in " + placesOf(hub, line.hub, options.directory));
-  io.run();
+  while (!io.stopped()) try {
+      io.run();
+    } catch (const std::exception& error) {  // no memory: what it was about is lost, the hub is not
+      say(error.what());
+    }
   hub.stop();
   return 0;
 }
