@@ -5,7 +5,7 @@
 namespace gluray {
 
 /// Asks the X server to expose the window, so that its program draws it again. Returns at once; ignores
-/// errors. Any thread.
+/// errors. Windows are woken one after the other. Any thread.
 void wakeWindow(const std::string& display, unsigned long window);
 
 /// Whether the X server answers.

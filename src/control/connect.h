@@ -1,5 +1,6 @@
 // Connects programs and clients to the hub. Any thread; callbacks on the thread that runs the io_context.
 #pragma once
+#include "control/connect_failure.h"
 #include "control/connection.h"
 
 #include <asio/io_context.hpp>
@@ -21,9 +22,14 @@ struct HubAddress {
 /// that says why.
 using Connected = std::function<void(std::shared_ptr<Connection> connection, const std::string& why)>;
 
+/// The same, with a reason to decide by.
+using ConnectedOrNot = std::function<void(std::shared_ptr<Connection> connection, const std::string& why,
+                                          ConnectFailure failure)>;
+
 /// Never blocks. Calls `connected` once, not before it returns. By TCP it takes 3 s at most; a host that is a
 /// name is looked up on a thread of asio's, for which the io_context waits when it is destroyed.
 void connectToHub(asio::io_context& io, const HubAddress& address, Connected connected);
+void connectToHub(asio::io_context& io, const HubAddress& address, ConnectedOrNot connected);
 
 /// The path of the hub's socket in a runtime directory.
 std::string socketIn(const std::string& directory);

@@ -24,19 +24,19 @@ using std::chrono::steady_clock;
 constexpr milliseconds kConnectPatience{3000};
 constexpr int kMostPort = 65535;
 
-/// A socket that child processes do not get.
+/// A socket that child processes do not get. Throws where it cannot be watched.
 std::optional<HandshakeSocket> newSocket(asio::io_context& io, const tcp::endpoint& to) {
   const int family = to.protocol().family();
-  const int socket = ::socket(family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, IPPROTO_TCP);
-  if (socket < 0) return std::nullopt;
-  keepAlive(socket);
-  return HandshakeSocket(io, HandshakeSocket::protocol_type(family, IPPROTO_TCP), socket);
+  Descriptor socket(::socket(family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, IPPROTO_TCP));
+  if (socket.get() < 0) return std::nullopt;
+  keepAlive(socket.get());
+  return socketOf(io, family, IPPROTO_TCP, std::move(socket));
 }
 
 /// One attempt. It lives as long as something is expected.
 class TcpAttempt : public std::enable_shared_from_this<TcpAttempt> {
  public:
-  TcpAttempt(asio::io_context& io, const std::string& name, const Key& key, Connected connected)
+  TcpAttempt(asio::io_context& io, const std::string& name, const Key& key, ConnectedOrNot connected)
       : io_(io), name_(name), key_(key), connected_(std::move(connected)), resolver_(io), timer_(io) {}
 
   void start(const HostAndPort& to) {
@@ -80,26 +80,28 @@ class TcpAttempt : public std::enable_shared_from_this<TcpAttempt> {
     const auto left = std::chrono::duration_cast<milliseconds>(end_ - steady_clock::now());
     proveAsPeer(std::move(*socket_), key_, std::max(left, milliseconds(1)),
                 [self = shared_from_this()](PeerProof&& proof) {
-                  if (!proof.socket) return self->fail(proof.why);
-                  const Connected connected = std::exchange(self->connected_, nullptr);
-                  if (connected) connected(std::make_shared<Connection>(std::move(*proof.socket)), "");
+                  if (!proof.socket) return self->fail(proof.why, proof.failure);
+                  const ConnectedOrNot connected = std::exchange(self->connected_, nullptr);
+                  if (connected)
+                    connected(std::make_shared<Connection>(std::move(*proof.socket)), "",
+                              ConnectFailure::none);
                 });
   }
 
-  void fail(const std::string& why) {
-    const Connected connected = std::exchange(connected_, nullptr);
+  void fail(const std::string& why, ConnectFailure failure = ConnectFailure::unreachable) {
+    const ConnectedOrNot connected = std::exchange(connected_, nullptr);
     if (!connected) return;
     timer_.cancel();
     resolver_.cancel();
     error_code ignored;
     if (socket_) socket_->close(ignored);
-    connected(nullptr, "the hub at " + name_ + ": " + why);
+    connected(nullptr, "the hub at " + name_ + ": " + why, failure);
   }
 
   asio::io_context& io_;
   const std::string name_;
   const Key key_;
-  Connected connected_;  // empty: it has been called
+  ConnectedOrNot connected_;  // empty: it has been called
   tcp::resolver resolver_;
   asio::steady_timer timer_;
   steady_clock::time_point end_;
@@ -133,10 +135,12 @@ void keepAlive(int socket) {
   setsockopt(socket, IPPROTO_TCP, TCP_KEEPIDLE, &idleSeconds, sizeof idleSeconds);
   setsockopt(socket, IPPROTO_TCP, TCP_KEEPINTVL, &betweenSeconds, sizeof betweenSeconds);
   setsockopt(socket, IPPROTO_TCP, TCP_KEEPCNT, &probes, sizeof probes);
+  const unsigned int mostUnacknowledged = 60000;  // milliseconds; probes are not sent while data waits
+  setsockopt(socket, IPPROTO_TCP, TCP_USER_TIMEOUT, &mostUnacknowledged, sizeof mostUnacknowledged);
   setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
 }
 
-void connectByTcp(asio::io_context& io, const HubAddress& address, Connected connected) {
+void connectByTcp(asio::io_context& io, const HubAddress& address, ConnectedOrNot connected) {
   const auto to = hostAndPort(address.host);
   KeyOrWhy key;
   if (!to || to->port == 0)
@@ -144,7 +148,9 @@ void connectByTcp(asio::io_context& io, const HubAddress& address, Connected con
   else
     key = readKey(address.keyFile);
   if (!key.why.empty())
-    return asio::post(io, [connected = std::move(connected), why = key.why] { connected(nullptr, why); });
+    return asio::post(io, [connected = std::move(connected), why = key.why] {
+      connected(nullptr, why, ConnectFailure::settings);
+    });
   std::make_shared<TcpAttempt>(io, address.host, key.key, std::move(connected))->start(*to);
 }
 

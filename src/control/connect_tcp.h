@@ -15,9 +15,10 @@ std::optional<HostAndPort> hostAndPort(const std::string& text);
 
 /// As connectToHub(), for an address with a host. Looks the name up, connects and proves that it knows the
 /// key, in 3 s.
-void connectByTcp(asio::io_context& io, const HubAddress& address, Connected connected);
+void connectByTcp(asio::io_context& io, const HubAddress& address, ConnectedOrNot connected);
 
-/// A connection that has been dead for a minute is found to be.
+/// A connection that has been dead for a minute is found to be, also while something waits to be sent over
+/// it.
 void keepAlive(int socket);
 
 }  // namespace gluray::control

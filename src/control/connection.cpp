@@ -5,6 +5,8 @@
 #include <asio/buffer.hpp>
 #include <asio/write.hpp>
 
+#include <exception>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -31,6 +33,15 @@ Connection::Connection(Socket socket, int messagesPerSecond)
       end_(socket_.get_executor()),
       most_(messagesPerSecond) {}
 
+template <class Work>
+void Connection::guarded(Work work) {
+  try {
+    work();
+  } catch (const std::exception& error) {  // no memory, or a handler's
+    close(error.what());
+  }
+}
+
 void Connection::start(Handlers handlers) {
   handlers_ = std::move(handlers);
   started_ = true;
@@ -43,7 +54,7 @@ void Connection::read() {
                           [self = shared_from_this()](const error_code& error, size_t bytes) {
                             if (!self->open_) return;
                             if (error) return self->close(reasonOf(error));
-                            self->take(bytes);
+                            self->guarded([&] { self->take(bytes); });
                           });
 }
 
@@ -62,7 +73,7 @@ void Connection::takeLines() {
     if (most_ > 0 && taken_ >= most_) {
       pause_.expires_at(second_ + std::chrono::seconds(1));
       return pause_.async_wait([self = shared_from_this()](const error_code& error) {
-        if (!error) self->takeLines();
+        if (!error) self->guarded([&] { self->takeLines(); });
       });
     }
     const auto line = reader_.next();
@@ -100,7 +111,7 @@ void Connection::write() {
   asio::async_write(socket_, buffers, [self = shared_from_this(), kept](const error_code& error, size_t) {
     if (!self->open_) return;
     if (error) return self->close(reasonOf(error));
-    self->wrote(kept.size());
+    self->guarded([&] { self->wrote(kept.size()); });
   });
 }
 
@@ -133,6 +144,15 @@ void Connection::close(const std::string& why) {
   waiting_ = 0;
   const Handlers handlers = std::exchange(handlers_, {});
   if (handlers.closed) handlers.closed(why);
+}
+
+Connection::Socket socketOf(asio::io_context& io, int family, int protocol, Descriptor descriptor) {
+  Connection::Socket socket(io);
+  error_code error;
+  socket.assign(Connection::Socket::protocol_type(family, protocol), descriptor.get(), error);
+  if (error) throw std::system_error(error);
+  descriptor.release();
+  return socket;
 }
 
 Connection::Line sharedLine(const json& message) {

@@ -1,9 +1,11 @@
 // One connection of the control protocol (docs/control-protocol.md): messages over a Unix socket or TCP.
 // All calls and callbacks on the thread that runs the socket's io_context.
 #pragma once
+#include "control/descriptor.h"
 #include "control/messages/message.h"
 
 #include <asio/generic/stream_protocol.hpp>
+#include <asio/io_context.hpp>
 #include <asio/steady_timer.hpp>
 #include <nlohmann/json_fwd.hpp>
 
@@ -50,6 +52,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
   int descriptor() { return socket_.is_open() ? socket_.native_handle() : -1; }
 
  private:
+  /// Closes the connection where `work` throws.
+  template <class Work>
+  void guarded(Work work);
   void read();
   void take(size_t bytes);
   void takeLines();
@@ -69,6 +74,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
   int taken_ = 0;          // messages since `second_` began
   std::chrono::steady_clock::time_point second_{};
 };
+
+/// A socket that owns the descriptor. Throws std::exception.
+Connection::Socket socketOf(asio::io_context& io, int family, int protocol, Descriptor descriptor);
 
 /// The line of a message, to send to several peers.
 Connection::Line sharedLine(const nlohmann::json& message);

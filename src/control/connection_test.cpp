@@ -1,6 +1,7 @@
 #include "control/connection.h"
 
 #include <asio/io_context.hpp>
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <sys/socket.h>
@@ -116,6 +117,27 @@ TEST_F(ConnectionTest, FinishSendsWhatWaits) {
   connection->finish("done");
   EXPECT_EQ(got(), "{\"type\":\"bye\"}\n");
   EXPECT_EQ(closed, std::vector<std::string>{"done"});
+}
+
+TEST_F(ConnectionTest, AHandlerThatThrowsEndsThisConnectionAlone) {
+  connection = std::make_shared<Connection>(Connection::Socket(io, protocol, socket));
+  connection->start({[](json&&) { throw std::bad_alloc(); },
+                     [this](const std::string& why) { closed.push_back(why); },
+                     {}});
+  EXPECT_NO_THROW(give("{\"type\":\"a\"}\n{\"type\":\"b\"}\n"));
+  EXPECT_EQ(closed.size(), 1u);
+  EXPECT_FALSE(connection->open());
+}
+
+TEST_F(ConnectionTest, ADescriptorIsClosedWhereNoSocketIsMade) {
+  connection = std::make_shared<Connection>(Connection::Socket(io, protocol, socket));
+  EXPECT_THROW(socketOf(io, AF_UNIX, 0, Descriptor(-2)), std::exception);
+  int ends[2];
+  ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
+  { const Descriptor owner(ends[0]); }
+  EXPECT_EQ(fcntl(ends[0], F_GETFD), -1);
+  Connection::Socket made = socketOf(io, AF_UNIX, 0, Descriptor(ends[1]));
+  EXPECT_EQ(made.native_handle(), ends[1]);
 }
 
 TEST_F(ConnectionTest, AHandlerMayCloseIt) {

@@ -249,6 +249,29 @@ class Cli(unittest.TestCase):
         watch.send_signal(signal.SIGINT)
         self.assertEqual(watch.wait(20), 0)
 
+    def test_commands_at_once_share_a_hub(self):
+        for number in range(1, 6):
+            program = FakeProgram(number, "paraview", 4242, ROWS)
+            end = seek_hub(program, self.folder / "run")
+            self.addCleanup(end)
+            commands = [subprocess.Popen([GLURAY, "set", f"spp={n}"], env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) for n in range(2, 6)]
+            for n, command in enumerate(commands, 2):
+                out, error = command.communicate(timeout=60)
+                self.assertEqual((out, error, command.returncode), (f"paraview (4242): spp = {n} from frame 1042\n", "", 0))
+            end()
+
+    def test_a_command_that_is_the_hub_waits_for_others(self):
+        program = FakeProgram(1, "paraview", 4242, ROWS)
+        self.addCleanup(seek_hub(program, self.folder / "run"))
+        first = self.watch()
+        time.sleep(1.5)
+        second = self.watch("--seconds", "2")
+        time.sleep(0.5)
+        first.send_signal(signal.SIGINT)
+        self.assertEqual(second.wait(20), 0)
+        self.assertEqual(first.wait(20), 0)
+        self.assertFalse((self.folder / "run/hub.sock").exists())
+
     def test_unsafe_directories_are_refused(self):
         (self.folder / "run").mkdir(mode=0o755)
         self.assertIn("run chmod 700", self.failure("list"))

@@ -8,24 +8,14 @@
 
 #include <asio/posix/stream_descriptor.hpp>
 #include <asio/signal_set.hpp>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <exception>
 #include <optional>
 
 namespace gluray::launcher {
 namespace {
-
-constexpr rlim_t kDescriptors = 4096;  // more than the connections that a hub takes
-
-void allowManyConnections() {
-  rlimit limit{};
-  if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= kDescriptors) return;
-  limit.rlim_cur =
-      limit.rlim_max == RLIM_INFINITY || limit.rlim_max > kDescriptors ? kDescriptors : limit.rlim_max;
-  setrlimit(RLIMIT_NOFILE, &limit);
-}
 
 int writeKeyFile(const std::string& file) {
   if (const std::string why = control::writeNewKey(file); !why.empty()) return say(why), 1;
@@ -72,7 +62,6 @@ std::string placesOf(const control::HubServer& hub, const HubLine& line, const s
 
 int runHub(const CommandLine& line) {
   if (!line.hub.newKey.empty()) return writeKeyFile(line.hub.newKey);
-  allowManyConnections();
   asio::io_context io;
   asio::signal_set signals(io, SIGINT, SIGTERM);
   signals.async_wait([&](const asio::error_code& error, int) {
@@ -88,7 +77,11 @@ int runHub(const CommandLine& line) {
   std::optional<InputEnd> inputEnd;
   if (line.hub.withParent) inputEnd.emplace(io);
   say("the hub listens in " + placesOf(hub, line.hub, options.directory));
-  io.run();
+  while (!io.stopped()) try {
+      io.run();
+    } catch (const std::exception& error) {  // no memory: what it was about is lost, the hub is not
+      say(error.what());
+    }
   hub.stop();
   return 0;
 }

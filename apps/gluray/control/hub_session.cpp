@@ -8,7 +8,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
+#include <iostream>
 #include <stdexcept>
+#include <thread>
 
 namespace gluray::launcher {
 namespace {
@@ -22,6 +25,11 @@ constexpr double kConnectSeconds = 5, kListSeconds = 5;
 constexpr double kAnswerSeconds = 12;
 // Programs look for a hub when a frame begins, at most every 50 ms. Those that draw nothing are woken.
 constexpr milliseconds kLeast{120}, kMost{1000};
+constexpr milliseconds kPause{20};
+constexpr std::chrono::seconds kMostForOthers{15};
+constexpr int64_t kNoProgram = 0;
+
+double seconds(milliseconds time) { return std::chrono::duration<double>(time).count(); }
 
 std::string settingOr(const Layers& layers, const char* name, const std::string& given) {
   const Row* row = given.empty() ? findSetting(name) : nullptr;
@@ -39,37 +47,124 @@ control::HubAddress addressOf(const CommandLine& line) {
   return address;
 }
 
-HubSession::HubSession(const CommandLine& line) {
-  const control::HubAddress address = addressOf(line);
-  std::string why = client_.connect(address, kConnectSeconds);
-  if (why.empty()) return;
-  if (client_.reached() || !address.host.empty()) throw std::runtime_error(why);
-  beHub(address.directory);
-  why = client_.connect(address, kConnectSeconds);
-  if (!why.empty()) throw std::runtime_error(why);
+HubSession::HubSession(const CommandLine& line) : address_(addressOf(line)) {
+  join();
+  waitForPrograms();
 }
 
-void HubSession::beHub(const std::string& directory) {
-  control::HubOptions options;
-  options.directory = directory;
-  options.wake = wakeWindow;
-  const std::string why = hub_.start(options);
-  if (hub_.otherHubRuns()) return;  // it has begun since
-  if (!why.empty()) throw std::runtime_error(why);
-  const auto begin = steady_clock::now();
-  for (auto now = begin; now < begin + kMost; now = steady_clock::now()) {
-    if (now >= begin + kLeast && hub_.expected() == 0 && hub_.programs() > 0) return;
-    if (io_.stopped()) io_.restart();
-    io_.run_one_for(milliseconds(20));
+HubSession::~HubSession() {
+  client_.leave();
+  if (!isHub_) return;
+  std::cout.flush();
+  try {
+    const auto end = steady_clock::now() + kMostForOthers;
+    do {
+      while (hub_.clients() > 0 && steady_clock::now() < end) pause();
+      if (io_.stopped()) io_.restart();
+      io_.poll();  // those that connect just now
+    } while (hub_.clients() > 0 && steady_clock::now() < end);
+  } catch (const std::exception&) {  // no memory: others look for another hub
   }
 }
 
-std::vector<RunningProgram> HubSession::programs() { return programsOf(ask({{"type", "list"}})); }
+/// Lets the hub work for a moment.
+void HubSession::pause() {
+  const auto end = steady_clock::now() + kPause;
+  while (steady_clock::now() < end) {
+    if (io_.stopped()) io_.restart();
+    if (io_.run_one_until(end) == 0 && io_.stopped()) std::this_thread::sleep_until(end);
+  }
+}
+
+/// A hub that ends, or one that begins, is in nobody's way for longer than a moment.
+void HubSession::join() {
+  const auto end = steady_clock::now() + kMost;
+  while (true) {
+    const std::string why = client_.connect(address_, kConnectSeconds);
+    if (why.empty()) return;
+    const bool none = !client_.reached();
+    if (!address_.host.empty() || (!none && !client_.ended()) || steady_clock::now() >= end)
+      throw std::runtime_error(why);
+    if (none && !isHub_) beHub();
+    if (!isHub_) pause();
+  }
+}
+
+void HubSession::beHub() {
+  control::HubOptions options;
+  options.directory = address_.directory;
+  options.wake = wakeWindow;
+  const std::string why = hub_.start(options);
+  if (hub_.otherHubRuns()) return;
+  if (!why.empty()) throw std::runtime_error(why);
+  isHub_ = true;
+}
+
+/// Each hello says anew how many programs are expected.
+void HubSession::waitForPrograms() {
+  const auto end = steady_clock::now() + kMost;
+  while (client_.hubAge() < seconds(kMost) && steady_clock::now() < end) {
+    if (client_.hubAge() >= seconds(kLeast) && client_.hubExpects() == 0 &&
+        !programsOf(client_.ask({{"type", "list"}}, kListSeconds).message).empty())
+      return;
+    pause();
+    join();
+  }
+}
+
+std::vector<RunningProgram> HubSession::programs() {
+  known_.clear();
+  numbers_.clear();
+  known_ = programsOf(ask({{"type", "list"}}));
+  return known_;
+}
+
+/// The hub has ended: its programs have other numbers at the next one.
+void HubSession::joinNext() {
+  join();
+  waitForPrograms();
+  if (!observed_.is_null()) client_.ask(observed_, kAnswerSeconds);
+  const std::vector<RunningProgram> now = programsOf(client_.ask({{"type", "list"}}, kListSeconds).message);
+  numbers_.clear();
+  for (const RunningProgram& before : known_)
+    for (const RunningProgram& after : now)
+      if (before.pid == after.pid && before.host == after.host && before.name == after.name)
+        numbers_[before.number] = after.number;
+  for (const RunningProgram& before : known_)
+    if (!numbers_.contains(before.number)) numbers_[before.number] = kNoProgram;
+}
+
+json HubSession::numbered(json request) const {
+  const auto named = request.find("program");
+  if (numbers_.empty() || named == request.end() || !named->is_array()) return request;
+  for (json& number : *named) {
+    const auto found = numbers_.find(number.get<int64_t>());
+    if (found == numbers_.end() || found->second == kNoProgram)
+      throw std::runtime_error("the hub has ended, and a program has not come to the next one; try again");
+    number = found->second;
+  }
+  return request;
+}
 
 json HubSession::ask(const json& request) {
-  control::Client::Answer answer =
-      client_.ask(request, request["type"] == "list" ? kListSeconds : kAnswerSeconds);
+  const std::string type = request["type"];
+  const double patience = type == "list" ? kListSeconds : kAnswerSeconds;
+  control::Client::Answer answer = client_.ask(numbered(request), patience);
+  const bool again = !answer.sent || type == "list" || type == "get" || type == "observe";
+  if (!answer.why.empty() && client_.ended() && again && address_.host.empty()) {
+    joinNext();
+    answer = client_.ask(numbered(request), patience);
+  }
   if (!answer.why.empty()) throw std::runtime_error(answer.why);
+  if (type == "observe") observed_ = request;
+  const auto results = answer.message.find("results");
+  if (!numbers_.empty() && results != answer.message.end() && results->is_array())
+    for (json& result : *results)
+      for (const auto& [before, after] : numbers_)
+        if (result.is_object() && result.value("program", json()) == after) {
+          result["program"] = before;
+          break;
+        }
   return std::move(answer.message);
 }
 

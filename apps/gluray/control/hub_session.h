@@ -8,6 +8,7 @@
 #include <asio/io_context.hpp>
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -18,20 +19,36 @@ control::HubAddress addressOf(const CommandLine& line);
 
 class HubSession {
  public:
-  /// Connects; where no hub runs on this machine, is one, and gives programs a second to connect. Throws
-  /// std::runtime_error with one line.
+  /// Connects; where no hub runs on this machine, is one. Gives programs a second to connect to a hub that
+  /// has just begun. Throws std::runtime_error with one line.
   explicit HubSession(const CommandLine& line);
+  /// A hub of its own ends when no other client is connected, or after 15 s.
+  ~HubSession();
+  HubSession(const HubSession&) = delete;
+  HubSession& operator=(const HubSession&) = delete;
 
   /// The programs that the hub knows. Throws.
   std::vector<RunningProgram> programs();
-  /// The hub's answer. Throws where there is none, or the request failed as a whole.
+  /// The hub's answer. Where the hub ends instead, asks the next one, unless the request may have changed
+  /// something. Numbers of programs are those that programs() returned. Throws where there is none, or the
+  /// request failed as a whole.
   nlohmann::json ask(const nlohmann::json& request);
   control::Client& client() { return client_; }
   asio::io_context& io() { return io_; }
 
  private:
-  void beHub(const std::string& directory);
+  void join();
+  void beHub();
+  void waitForPrograms();
+  void joinNext();
+  nlohmann::json numbered(nlohmann::json request) const;
+  void pause();
 
+  const control::HubAddress address_;
+  bool isHub_ = false;
+  std::vector<RunningProgram> known_;   // what programs() returned
+  std::map<int64_t, int64_t> numbers_;  // of these at the next hub; empty: it is still the same
+  nlohmann::json observed_;             // the last request `observe`
   asio::io_context io_;
   control::HubServer hub_{io_};
   control::Client client_{io_};

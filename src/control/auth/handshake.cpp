@@ -168,7 +168,7 @@ class PeerSide : public HandshakeLines {
   void check(const json& proof) {
     if (!sameProof(textOr(proof, "mac"), proofOf(key_, Prover::hub, hubNonce_, peerNonce_)))
       return fail(Failure::wrong);
-    done_(PeerProof{handOver(), ""});
+    done_(PeerProof{handOver(), "", ConnectFailure::none});
   }
   void failed(Failure failure) override {
     error_code ignored;
@@ -177,7 +177,11 @@ class PeerSide : public HandshakeLines {
                       : proved_                  ? kOtherKey
                       : failure == Failure::gone ? "the hub refuses this machine; wait a minute"
                                                  : "no hub of GLuRay listens there";
-    done_(PeerProof{std::nullopt, why});
+    const auto kind = failure == Failure::late   ? ConnectFailure::unreachable
+                      : proved_                  ? ConnectFailure::key
+                      : failure == Failure::gone ? ConnectFailure::refused
+                                                 : ConnectFailure::unreachable;
+    done_(PeerProof{std::nullopt, why, kind});
   }
 
   const Done done_;

@@ -2,6 +2,7 @@
 // io_context.
 #pragma once
 #include "control/auth/key.h"
+#include "control/connect_failure.h"
 
 #include <asio/generic/stream_protocol.hpp>
 
@@ -31,6 +32,7 @@ void proveAsHub(HandshakeSocket socket, const Key& key, std::chrono::millisecond
 struct PeerProof {
   std::optional<HandshakeSocket> socket;
   std::string why;
+  ConnectFailure failure = ConnectFailure::none;
 };
 /// Calls `done` once. `patience`: for all of it.
 void proveAsPeer(HandshakeSocket socket, const Key& key, std::chrono::milliseconds patience,

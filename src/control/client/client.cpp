@@ -50,7 +50,7 @@ bool Client::wait(double seconds, const std::function<bool()>& done) {
 
 std::string Client::connect(const HubAddress& address, double seconds) {
   close("it connects again");
-  whyClosed_.clear(), greeted_ = reached_ = false;
+  whyClosed_.clear(), events_.clear(), greeted_ = reached_ = ended_ = false;
   connectToHub(
       io_, address,
       [self = self_, attempt = ++attempts_](std::shared_ptr<Connection> connection, const std::string& why) {
@@ -74,7 +74,8 @@ void Client::start(std::shared_ptr<Connection> connection) {
                         if (Client* client = mine()) client->take(std::move(message));
                       },
                       [mine](const std::string& why) {
-                        if (Client* client = mine()) client->close("the connection to the hub ended: " + why);
+                        if (Client* client = mine())
+                          client->ended_ = true, client->close("the connection to the hub ended: " + why);
                       },
                       {}});
   connection_->send(json{{"type", "hello"}, {"version", kClientVersion}, {"role", "client"}});
@@ -93,6 +94,9 @@ void Client::takeHello(const json& message) {
   if (textOfMember(message, "type") != "hello" || textOfMember(message, "role") != "hub" || !versioned ||
       version->get<int64_t>() < 1)
     return close("what listens there is no hub of GLuRay; end it, and start gluray hub");
+  const auto age = message.find("age"), expected = message.find("expected");
+  hubAge_ = age != message.end() && age->is_number() && *age >= 0 ? age->get<double>() : kOld;
+  hubExpects_ = expected != message.end() && expected->is_number_integer() ? expected->get<int64_t>() : 0;
   greeted_ = true;
 }
 
@@ -109,26 +113,28 @@ void Client::take(json&& message) {
   const bool named = id != message.end();
   if (named && (!id->is_number_integer() || id->get<int64_t>() != asked_)) return;  // of an older request
   if (type == "error") {
-    answer_ = {{}, refusalOf(message)};
+    answer_ = {{}, refusalOf(message), true};
   } else if (type != "answer" || !named) {
     return;
   } else if (message.contains("why") || !holdsList(message)) {
-    answer_ = {{}, message.contains("why") ? refusalOf(message) : "the hub's answer has no results"};
+    answer_ = {{}, message.contains("why") ? refusalOf(message) : "the hub's answer has no results", true};
   } else {
-    answer_ = {std::move(message), ""};
+    answer_ = {std::move(message), "", true};
   }
   waiting_ = false;
 }
 
 Client::Answer Client::ask(json request, double seconds) {
-  if (!connection_) return {{}, whyClosed_};
+  if (io_.stopped()) io_.restart();
+  io_.poll();  // a connection that has ended is found to be
+  if (!connection_) return {{}, whyClosed_, false};
   request["id"] = ++asked_;
   waiting_ = true;
   connection_->send(request);
   wait(seconds, [&] { return !waiting_ || !connection_; });
   if (!std::exchange(waiting_, false)) return std::exchange(answer_, {});
-  if (!connection_) return {{}, whyClosed_};
-  return {{}, "the hub does not answer; end it, and start gluray hub"};
+  if (!connection_) return {{}, whyClosed_, true};
+  return {{}, "the hub does not answer; end it, and start gluray hub", true};
 }
 
 json Client::next(double seconds) {

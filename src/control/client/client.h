@@ -24,6 +24,7 @@ class Client {
   struct Answer {
     nlohmann::json message;  // with a list `results` or `programs`; null if `why` says something
     std::string why;
+    bool sent = false;  // the hub may have carried it out
   };
 
   explicit Client(asio::io_context& io);
@@ -33,6 +34,14 @@ class Client {
   std::string connect(const HubAddress& address, double seconds);
   /// Whether something listened when it connected last, hub or not.
   bool reached() const { return reached_; }
+  /// Whether the other side closed the connection.
+  bool ended() const { return ended_; }
+  /// What the hub's hello says: seconds since it began, and how many programs it expects. A hub that does not
+  /// say so is old, and expects none.
+  double hubAge() const { return hubAge_; }
+  int64_t hubExpects() const { return hubExpects_; }
+  /// Ends the connection.
+  void leave() { close("the client has left"); }
   /// The answer to a request, which gets an id. Events that arrive meanwhile wait for next().
   Answer ask(nlohmann::json request, double seconds);
   /// The next event; null: none came in that time, or the connection has ended, or interrupt() was called.
@@ -43,6 +52,7 @@ class Client {
   const std::string& whyClosed() const { return whyClosed_; }
 
  private:
+  static constexpr double kOld = 1e9;  // seconds
   void take(nlohmann::json&& message);
   void takeHello(const nlohmann::json& message);
   void start(std::shared_ptr<Connection> connection);
@@ -59,6 +69,9 @@ class Client {
   bool waiting_ = false;  // for its answer
   bool greeted_ = false;  // the hub has said hello
   bool reached_ = false;
+  bool ended_ = false;
+  double hubAge_ = kOld;
+  int64_t hubExpects_ = 0;
   bool interrupted_ = false;
   Answer answer_;
   std::string whyClosed_ = "not connected";

@@ -12,6 +12,9 @@ namespace {
 
 using nlohmann::json;
 
+constexpr const char* kNoTurn =
+    "its turn did not come within 3 s: the program has not answered earlier requests";
+
 /// Whether a `set` can join one that waits.
 bool sameGesture(const ChangeRequest& a, const ChangeRequest& b) {
   return a.type == "set" && b.type == "set" && a.client == b.client && !a.gesture.empty() &&
@@ -92,8 +95,10 @@ void ChangeQueue::finished(uint64_t program, json&& result) {
   if (found == lines_.end() || !found->second.current) return;
   Change change = std::move(*found->second.current);
   found->second.current.reset();
-  if (!whyOf(result).empty() && change.parts.size() > 1) {
-    // One of the merged ones may be wrong: each alone, in their order. Those that have waited too long fail.
+  const bool split = !whyOf(result).empty() && change.parts.size() > 1;
+  if (split) {
+    // One of the merged ones may be wrong: each alone, in their order. Those that have waited too long fail,
+    // and not for the reason of another one.
     std::vector<Part> parts = std::exchange(change.parts, {});
     for (size_t i = parts.size(); i-- > 0;) {
       if (parts[i].limit <= questions_.now()) {
@@ -105,28 +110,26 @@ void ChangeQueue::finished(uint64_t program, json&& result) {
       found->second.waiting.push_front(std::move(single));
     }
   }
+  if (split) result = failure(kNoTurn);
   begin(program);
   for (const Part& part : change.parts) part.done(json(result));
 }
 
-// Those that wait stand in the order in which they came, so the first one's limit is the first to pass.
+// Those that wait stand in the order of their newest parts, so the first one's limit is the first to pass.
 void ChangeQueue::passed() {
   std::vector<Part> late;
   for (auto& [program, line] : lines_)
-    while (!line.waiting.empty() && line.waiting.front().parts.front().limit <= questions_.now()) {
-      std::vector<Part>& parts = line.waiting.front().parts;
-      late.push_back(std::move(parts.front()));
-      parts.erase(parts.begin());
-      if (parts.empty()) line.waiting.pop_front();
+    while (!line.waiting.empty() && line.waiting.front().parts.back().limit <= questions_.now()) {
+      for (Part& part : line.waiting.front().parts) late.push_back(std::move(part));
+      line.waiting.pop_front();
     }
-  for (const Part& part : late)
-    part.done(failure("its turn did not come within 3 s: the program has not answered earlier requests"));
+  for (const Part& part : late) part.done(failure(kNoTurn));
 }
 
 HubTime ChangeQueue::next() const {
   HubTime next = HubTime::max();
   for (const auto& [program, line] : lines_)
-    if (!line.waiting.empty()) next = std::min(next, line.waiting.front().parts.front().limit);
+    if (!line.waiting.empty()) next = std::min(next, line.waiting.front().parts.back().limit);
   return next;
 }
 

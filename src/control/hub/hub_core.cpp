@@ -34,14 +34,16 @@ HubCore::HubCore(Self self)
       observers_(peers_, programs_, questions_),
       requests_(programs_, questions_, changes_, observers_) {}
 
-void HubCore::connected(uint64_t connection, PeerLink link, HubTime now) {
+void HubCore::connected(uint64_t connection, PeerLink link, HubTime now, const Beginning& beginning) {
   questions_.setNow(now);
   peers_.add(connection, std::move(link), now + kHelloPatience);
   peers_.send(connection, json{{"type", "hello"},
                                {"version", kProtocolVersion},
                                {"role", "hub"},
                                {"pid", self_.pid},
-                               {"host", self_.host}});
+                               {"host", self_.host},
+                               {"expected", beginning.expected},
+                               {"age", beginning.age}});
 }
 
 void HubCore::received(uint64_t connection, const json& message, HubTime now) {
@@ -129,6 +131,12 @@ void HubCore::drained(uint64_t connection, HubTime now) {
 void HubCore::passed(HubTime now) {
   questions_.setNow(now);
   due();
+}
+
+size_t HubCore::clients() const {
+  return static_cast<size_t>(std::count_if(peers_.all().begin(), peers_.all().end(), [](const auto& peer) {
+    return peer.second.role != Role::program;
+  }));
 }
 
 void HubCore::due() {

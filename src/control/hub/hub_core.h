@@ -19,8 +19,16 @@ class HubCore {
   };
   explicit HubCore(Self self);
 
+  /// What the hub's hello says of the programs that may still come.
+  struct Beginning {
+    size_t expected = 0;  // programs that left a file, run, and are not connected
+    double age = 0;       // seconds since the hub began
+  };
   /// A new connection, with a number that was not used before, not 0. Sends the hub's hello.
-  void connected(uint64_t connection, PeerLink link, HubTime now);
+  void connected(uint64_t connection, PeerLink link, HubTime now, const Beginning& beginning);
+  void connected(uint64_t connection, PeerLink link, HubTime now) {
+    connected(connection, std::move(link), now, Beginning{});
+  }
   /// A message: an object with a text `type`, and anything else.
   void received(uint64_t connection, const nlohmann::json& message, HubTime now);
   void disconnected(uint64_t connection, HubTime now);
@@ -32,6 +40,8 @@ class HubCore {
   HubTime next();
 
   size_t programs() const { return programs_.connections(); }
+  /// Connected clients, and connections that may become one.
+  size_t clients() const;
   /// Whether a program with this process of this host is connected.
   bool hasProcess(int pid) const { return programs_.hasProcess(self_.host, pid); }
 

@@ -8,8 +8,13 @@ struct HubCoreRequests : HubCoreTest {};
 
 TEST_F(HubCoreRequests, TheHubSaysHelloAtOnce) {
   FakePeer& peer = connect();
-  EXPECT_EQ(peer.one("hello"),
-            (json{{"type", "hello"}, {"version", 1}, {"role", "hub"}, {"pid", 4100}, {"host", "node7"}}));
+  EXPECT_EQ(peer.one("hello"), (json{{"type", "hello"},
+                                     {"version", 1},
+                                     {"role", "hub"},
+                                     {"pid", 4100},
+                                     {"host", "node7"},
+                                     {"expected", 0},
+                                     {"age", 0.0}}));
 }
 
 TEST_F(HubCoreRequests, AFirstMessageThatIsNoRightHelloEndsTheConnection) {

@@ -12,9 +12,11 @@
 
 #include <asio/post.hpp>
 #include <asio/steady_timer.hpp>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <exception>
 #include <iterator>
@@ -28,11 +30,13 @@ using std::chrono::steady_clock;
 
 constexpr size_t kMostConnections = 1024, kMostUnproven = 64;
 constexpr std::chrono::milliseconds kProofPatience{5000};
+constexpr rlim_t kDescriptors = 4096;  // more than the connections that a hub takes
 constexpr std::chrono::milliseconds kSoonest{1};
 // Before each repetition. A program whose frame began a moment before the hub listens looks for none in the
 // next one; one that lost its hub waits up to two seconds.
 constexpr std::chrono::milliseconds kWakeAgain[] = {
     std::chrono::milliseconds(150), std::chrono::milliseconds(350), std::chrono::milliseconds(2500)};
+constexpr std::chrono::milliseconds kYoung{1000}, kCountAgain{20};
 
 HubCore::Self thisHub() {
   std::array<char, 256> host{};
@@ -40,6 +44,13 @@ HubCore::Self thisHub() {
   const auto calendar = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch());
   const auto steady = std::chrono::duration<double>(steady_clock::now().time_since_epoch());
   return {host.data(), getpid(), (calendar - steady).count()};
+}
+
+void allowManyConnections() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= kDescriptors) return;
+  limit.rlim_cur = std::min(limit.rlim_max, kDescriptors);  // RLIM_INFINITY is the highest number
+  setrlimit(RLIMIT_NOFILE, &limit);
 }
 
 }  // namespace
@@ -55,15 +66,17 @@ class HubServer::Parts : public std::enable_shared_from_this<Parts> {
   int tcpPort = 0;
   std::string directory;
   const HubCore& core() const { return core_; }
+  size_t expected() const;
 
  private:
   std::string listen(const HubOptions& options);
   /// Wakes programs that are not connected, and does so again. `times`: how often it has.
   void wake(size_t times);
-  void acceptHere(int socket);
-  void acceptTcp(int socket, const std::string& address);
+  void acceptHere(Connection::Socket socket);
+  void acceptTcp(HandshakeSocket socket, const std::string& address);
   void take(Connection::Socket socket);
   void ended(uint64_t number);
+  HubCore::Beginning beginning();
   /// Calls the core, and passed() again when something is due.
   template <class Call>
   void withCore(Call call);
@@ -74,6 +87,8 @@ class HubServer::Parts : public std::enable_shared_from_this<Parts> {
   asio::steady_timer timer_, waking_;
   std::function<void(const std::string&, unsigned long)> wake_;
   HubTime timerAt_ = HubTime::max();
+  HubTime began_{}, counted_ = HubTime::min();  // `counted_`: when `expected_` was
+  size_t expected_ = 0;
   HubCore core_;
   HubPlace place_;
   Refusals refusals_;
@@ -91,35 +106,42 @@ std::string HubServer::Parts::listen(const HubOptions& options) {
   tcpPort = 0;
   if (std::string why = place_.take(directory, otherHub); !why.empty()) return why;
   std::string why;
-  int tcp = -1;
+  Descriptor tcp;
   if (!options.listen.empty()) {
     const KeyOrWhy key = readKey(options.keyFile);
     if (!key.why.empty()) return key.why;
     key_ = key.key;
-    tcp = listenOnTcp(options.listen, tcpPort, why);
-    if (tcp < 0) return why;
+    tcp = Descriptor(listenOnTcp(options.listen, tcpPort, why));
+    if (tcp.get() < 0) return why;
   }
-  const int here = place_.listenHere(why);
-  if (here < 0) {
-    if (tcp >= 0) ::close(tcp);
-    return why;
-  }
-  here_ =
-      std::make_shared<Listener>(io_, here, [this](int socket, const std::string&) { acceptHere(socket); });
-  if (tcp >= 0)
-    tcp_ = std::make_shared<Listener>(
-        io_, tcp, [this](int socket, const std::string& address) { acceptTcp(socket, address); });
+  Descriptor here(place_.listenHere(why));
+  if (here.get() < 0) return why;
+  here_ = std::make_shared<Listener>(
+      io_, std::move(here),
+      [this](Connection::Socket socket, const std::string&) { acceptHere(std::move(socket)); });
+  if (tcp.get() >= 0)
+    tcp_ = std::make_shared<Listener>(io_, std::move(tcp),
+                                      [this](HandshakeSocket socket, const std::string& address) {
+                                        acceptTcp(std::move(socket), address);
+                                      });
   return "";
 }
 
 std::string HubServer::Parts::start(const HubOptions& options) {
   if (running_) return "this hub runs already";
-  if (std::string why = listen(options); !why.empty()) {
+  allowManyConnections();
+  std::string why;
+  try {
+    why = listen(options);
+  } catch (const std::exception& error) { why = std::string("the hub cannot listen: ") + error.what(); }
+  if (!why.empty()) {
     tcpPort = 0;
     place_.leave();
     return why;
   }
   running_ = true;
+  began_ = steady_clock::now();
+  counted_ = HubTime::min();
   here_->start();
   if (tcp_) tcp_->start();
   wake_ = options.wake;
@@ -149,27 +171,24 @@ void HubServer::Parts::stop() {
   tcpPort = 0;
 }
 
-void HubServer::Parts::acceptHere(int socket) {
-  Connection::Socket taken(io_, Connection::Socket::protocol_type(AF_UNIX, 0), socket);
-  if (running_ && !full() && sameUser(socket)) take(std::move(taken));
+void HubServer::Parts::acceptHere(Connection::Socket socket) {
+  if (running_ && !full() && sameUser(socket.native_handle())) take(std::move(socket));
 }
 
-void HubServer::Parts::acceptTcp(int socket, const std::string& address) {
-  sockaddr_storage local{};
-  socklen_t size = sizeof local;
-  getsockname(socket, reinterpret_cast<sockaddr*>(&local), &size);
-  HandshakeSocket taken(io_, HandshakeSocket::protocol_type(local.ss_family, IPPROTO_TCP), socket);
+void HubServer::Parts::acceptTcp(HandshakeSocket socket, const std::string& address) {
   if (!running_ || full() || unproven_ >= kMostUnproven || refusals_.refused(address, steady_clock::now()))
     return;
-  keepAlive(socket);
+  keepAlive(socket.native_handle());
   ++unproven_;
+  // Counted as long as the handshake keeps it, however that ends.
+  const std::shared_ptr<void> counted(nullptr, [self = shared_from_this()](void*) { --self->unproven_; });
   proveAsHub(
-      std::move(taken), key_, kProofPatience,
+      std::move(socket), key_, kProofPatience,
       [self = shared_from_this(), address](HubProof&& proof) {
         if (proof.wrong) self->refusals_.failed(address, steady_clock::now());
         if (proof.socket && self->running_) self->take(std::move(*proof.socket));
       },
-      [self = shared_from_this()] { --self->unproven_; });
+      [counted] {});
 }
 
 void HubServer::Parts::take(Connection::Socket socket) {
@@ -181,21 +200,43 @@ void HubServer::Parts::take(Connection::Socket socket) {
   link.send = [connection](const PeerLink::Line& line) { connection->send(line); };
   link.waiting = [connection] { return connection->waiting(); };
   link.finish = [connection](const std::string& why) { connection->finish(why); };
-  withCore([&] { core_.connected(number, std::move(link), steady_clock::now()); });
-  connection->start({[weak, number](nlohmann::json&& message) {
-                       if (const auto self = weak.lock())
-                         self->withCore([&] { self->core_.received(number, message, steady_clock::now()); });
-                     },
-                     // The core may be what closed it: it hears of it later.
-                     [weak, number, &io = io_](const std::string&) {
-                       asio::post(io, [weak, number] {
-                         if (const auto self = weak.lock()) self->ended(number);
-                       });
-                     },
-                     [weak, number] {
-                       if (const auto self = weak.lock())
-                         self->withCore([&] { self->core_.drained(number, steady_clock::now()); });
-                     }});
+  withCore([&] { core_.connected(number, std::move(link), steady_clock::now(), beginning()); });
+  try {
+    connection->start({[weak, number](nlohmann::json&& message) {
+                         if (const auto self = weak.lock())
+                           self->withCore(
+                               [&] { self->core_.received(number, message, steady_clock::now()); });
+                       },
+                       // The core may be what closed it: it hears of it later.
+                       [weak, number, &io = io_](const std::string&) {
+                         asio::post(io, [weak, number] {
+                           if (const auto self = weak.lock()) self->ended(number);
+                         });
+                       },
+                       [weak, number] {
+                         if (const auto self = weak.lock())
+                           self->withCore([&] { self->core_.drained(number, steady_clock::now()); });
+                       }});
+  } catch (const std::exception& error) {  // no memory
+    connection->close(error.what());
+    ended(number);
+  }
+}
+
+/// Reads the files of programs seldom: many may connect at once.
+HubCore::Beginning HubServer::Parts::beginning() {
+  const HubTime now = steady_clock::now();
+  const auto age = now - began_;
+  if (counted_ == HubTime::min() || now - counted_ >= (age < kYoung ? kCountAgain : kYoung))
+    expected_ = expected(), counted_ = now;
+  return {expected_, std::chrono::duration<double>(age).count()};
+}
+
+size_t HubServer::Parts::expected() const {
+  size_t count = 0;
+  if (directory.empty()) return count;  // it has not started
+  for (const ProgramFile& file : programFiles(directory)) count += !core_.hasProcess(file.pid);
+  return count;
 }
 
 void HubServer::Parts::ended(uint64_t number) {
@@ -209,7 +250,11 @@ void HubServer::Parts::withCore(Call call) {
     call();
   } catch (const std::exception&) {  // no memory: the message is lost, the hub is not
   }
-  rest();
+  try {
+    rest();
+  } catch (const std::exception&) {  // no memory for a timer: the next message sets it
+    timerAt_ = HubTime::max();
+  }
 }
 
 void HubServer::Parts::rest() {
@@ -236,13 +281,7 @@ void HubServer::stop() { parts_->stop(); }
 bool HubServer::otherHubRuns() const { return parts_->otherHub; }
 int HubServer::port() const { return parts_->tcpPort; }
 size_t HubServer::programs() const { return parts_->core().programs(); }
-
-size_t HubServer::expected() const {
-  size_t count = 0;
-  if (parts_->directory.empty()) return count;  // it has not started
-  for (const ProgramFile& file : programFiles(parts_->directory))
-    count += !parts_->core().hasProcess(file.pid);
-  return count;
-}
+size_t HubServer::clients() const { return parts_->core().clients(); }
+size_t HubServer::expected() const { return parts_->expected(); }
 
 }  // namespace gluray::control

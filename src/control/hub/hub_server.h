@@ -31,6 +31,7 @@ class HubServer {
   bool otherHubRuns() const;  // why start() failed
   int port() const;           // of TCP; 0: it does not listen there
   size_t programs() const;    // connected ones that have said hello, ranks counted one by one
+  size_t clients() const;     // connected ones, and connections that may become one
   size_t expected() const;    // programs that left a file, are alive, and are not connected
 
  private:

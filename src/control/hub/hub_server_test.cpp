@@ -221,6 +221,11 @@ TEST_F(HubServerTest, FilesOfProgramsAreReadWithCare) {
   start();
   EXPECT_EQ(woken, std::vector<std::string>{":7 77"});
   EXPECT_EQ(hub_.expected(), 1u);
+  const json hello = next(connectHere());
+  EXPECT_EQ(hello.value("expected", 0), 1);
+  EXPECT_GE(hello.value("age", -1.0), 0);
+  EXPECT_LT(hello.value("age", 60.0), 60);
+  EXPECT_EQ(hub_.clients(), 1u) << "it may become one";
   EXPECT_FALSE(fs::exists(files / std::to_string(gone)));
   for (int i = 0; i < 500 && woken.size() < 2; ++i) io_.run_one_for(std::chrono::milliseconds(20));
   EXPECT_EQ(woken, std::vector<std::string>(2, ":7 77")) << "again, while it is not connected";
@@ -231,9 +236,32 @@ TEST_F(HubServerTest, FilesOfProgramsAreReadWithCare) {
     std::ofstream(files / std::to_string(self)) << wrong;
     EXPECT_EQ(hub_.expected(), 0u) << wrong;
   }
-  fs::remove(files / std::to_string(self));
+  json dated = json::parse(content(self));
+  std::ifstream stat("/proc/self/stat");
+  std::string word;
+  while (word.find(')') == word.npos) stat >> word;
+  for (int field = 3; field <= 22; ++field) stat >> word;
+  dated["since"] = std::stoll(word);
+  std::ofstream(files / std::to_string(self)) << dated.dump();
+  EXPECT_EQ(hub_.expected(), 1u);
+  dated["since"] = std::stoll(word) + 1;
+  std::ofstream(files / std::to_string(self)) << dated.dump();
+  EXPECT_EQ(hub_.expected(), 0u) << "another process had this number";
+  EXPECT_FALSE(fs::exists(files / std::to_string(self)));
   ASSERT_EQ(mkfifo((files / std::to_string(self)).c_str(), 0600), 0);
   EXPECT_EQ(hub_.expected(), 0u) << "and it does not wait for a writer";
+}
+
+TEST_F(HubServerTest, AllowsManyConnections) {
+  rlimit before{}, after{};
+  getrlimit(RLIMIT_NOFILE, &before);
+  rlimit low = before;
+  low.rlim_cur = std::min<rlim_t>(256, before.rlim_max);
+  setrlimit(RLIMIT_NOFILE, &low);
+  start();
+  getrlimit(RLIMIT_NOFILE, &after);
+  EXPECT_EQ(after.rlim_cur, std::min<rlim_t>(4096, before.rlim_max));
+  setrlimit(RLIMIT_NOFILE, &before);
 }
 
 TEST_F(HubServerTest, ConnectToHubFindsIt) {

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cerrno>
+#include <exception>
 #include <system_error>
 
 namespace gluray::control {
@@ -49,8 +50,21 @@ int listenOn(const addrinfo& at) {
 
 }  // namespace
 
-Listener::Listener(asio::io_context& io, int descriptor, Accepted accepted)
-    : descriptor_(io, descriptor), pause_(io), accepted_(std::move(accepted)) {}
+Listener::Listener(asio::io_context& io, Descriptor descriptor, Accepted accepted)
+    : io_(io), descriptor_(io), pause_(io), accepted_(std::move(accepted)) {
+  error_code error;
+  descriptor_.assign(descriptor.get(), error);
+  if (error) throw std::system_error(error);
+  descriptor.release();
+}
+
+void Listener::handOver(Descriptor socket, const sockaddr_storage& address, socklen_t size) {
+  const int protocol = address.ss_family == AF_UNIX ? 0 : IPPROTO_TCP;
+  try {
+    accepted_(socketOf(io_, address.ss_family, protocol, std::move(socket)), numericAddress(address, size));
+  } catch (const std::exception&) {  // no memory: the socket is closed
+  }
+}
 
 void Listener::wait() {
   descriptor_.async_wait(asio::posix::stream_descriptor::wait_read,
@@ -66,7 +80,7 @@ void Listener::accept() {
     const int socket = accept4(descriptor_.native_handle(), reinterpret_cast<sockaddr*>(&address), &size,
                                SOCK_CLOEXEC | SOCK_NONBLOCK);
     if (socket >= 0) {
-      accepted_(socket, numericAddress(address, size));
+      handOver(Descriptor(socket), address, size);
       continue;
     }
     if (errno == EINTR || errno == ECONNABORTED) continue;

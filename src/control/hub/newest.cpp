@@ -20,20 +20,21 @@ void Newest::offer(const Key& key, PeerLink::Line line, double every, HubTime no
   if (!slow && slot.due <= now) {
     slot.kept = nullptr;
     slot.due = later(now, every);
-    return send(line);
+    return send(key.first, line);
   }
   if (!slot.kept) slot.order = ++last_;
   slot.kept = std::move(line);
 }
 
 void Newest::flush(HubTime now, const std::function<bool()>& slow, const Send& send) {
-  std::vector<Slot*> ready;
+  std::vector<std::pair<uint64_t, Slot*>> ready;
   for (auto& [key, slot] : slots_)
-    if (slot.kept && slot.due <= now) ready.push_back(&slot);
-  std::sort(ready.begin(), ready.end(), [](const Slot* a, const Slot* b) { return a->order < b->order; });
-  for (Slot* slot : ready) {
+    if (slot.kept && slot.due <= now) ready.emplace_back(key.first, &slot);
+  std::sort(ready.begin(), ready.end(),
+            [](const auto& a, const auto& b) { return a.second->order < b.second->order; });
+  for (const auto& [program, slot] : ready) {
     if (slow()) return;
-    send(std::exchange(slot->kept, nullptr));
+    send(program, std::exchange(slot->kept, nullptr));
     slot->due = later(now, slot->every);
   }
 }

@@ -13,7 +13,7 @@ namespace gluray::control {
 class Newest {
  public:
   using Key = std::pair<uint64_t, std::string>;  // program, `what`
-  using Send = std::function<void(const PeerLink::Line&)>;
+  using Send = std::function<void(uint64_t program, const PeerLink::Line&)>;
 
   /// Sends the line, or keeps it in place of the one before. `every`: seconds between two of this key.
   void offer(const Key& key, PeerLink::Line line, double every, HubTime now, bool slow, const Send& send);

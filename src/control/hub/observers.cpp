@@ -11,8 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kListEvery = 0.05;  // seconds between two events `programs`
-constexpr std::chrono::milliseconds kListPause{50};
+constexpr std::chrono::milliseconds kListPause{50};  // between two events `programs`
 
 json wordsOf(const Wish& wish) {
   json words = json::array();
@@ -48,7 +47,7 @@ Wish Observers::together(uint64_t program) const {
 void Observers::observe(uint64_t client, const std::vector<uint64_t>& programs, const Wish& wish, bool list) {
   Client& state = clients_[client];
   for (const uint64_t program : programs) state.wishes[program] = wish;
-  if (list && !state.list) state.list = true, sendList(client, state, listLine());
+  if (list && !state.list) state.list = true, listIsDue(client, state);
   for (const uint64_t program : programs) wished(program, client);
 }
 
@@ -57,10 +56,8 @@ void Observers::observeAll(uint64_t client, const Wish& wish, bool list) {
   state.wishes.clear();
   state.all = wish;
   state.list = list;
-  if (list)
-    sendList(client, state, listLine());
-  else
-    state.newest.forget(0);
+  state.listDue = false;
+  if (list) listIsDue(client, state);
   for (const auto& [number, program] : programs_.all()) wished(number, client);
 }
 
@@ -121,10 +118,12 @@ void Observers::event(const Program& program, const json& message) {
     const uint64_t connection = number;
     const Wish wish = client.wishOf(program.number);
     if (*what == "settings") {
-      if (wish.settings && client.told.contains(program.number)) peers_.send(connection, line);
+      if (wish.settings && client.told.contains(program.number))
+        sendEvent(connection, client, program.number, line);
     } else if (*what == "state" ? wish.state : wish.thumbnail) {
-      client.newest.offer({program.number, *what}, line, wish.every, questions_.now(), slow(connection),
-                          [&](const PeerLink::Line& each) { peers_.send(connection, each); });
+      client.newest.offer(
+          {program.number, *what}, line, wish.every, questions_.now(), slow(connection),
+          [&](uint64_t of, const PeerLink::Line& each) { sendEvent(connection, client, of, each); });
     }
   }
 }
@@ -146,45 +145,55 @@ void Observers::clientEnded(uint64_t client) {
 }
 
 void Observers::listChanged() {
-  for (const auto& [connection, client] : clients_) listChanged_ = listChanged_ || client.list;
+  listLine_ = nullptr;
+  for (auto& [connection, client] : clients_) client.listDue = client.list;
 }
 
-PeerLink::Line Observers::listLine() const {
-  std::string text = lineOf({{"type", "event"}, {"what", "programs"}, {"programs", programs_.rows()}});
-  return whyUnfit(text).empty() ? std::make_shared<const std::string>(std::move(text)) : nullptr;
+void Observers::listIsDue(uint64_t client, Client& state) {
+  state.listDue = true;
+  if (!slow(client) && state.listAt <= questions_.now()) sendList(client, state);
 }
 
-void Observers::sendList(uint64_t client, Client& state, const PeerLink::Line& line) {
-  if (line)
-    state.newest.offer({0, "programs"}, line, kListEvery, questions_.now(), slow(client),
-                       [&](const PeerLink::Line& each) { peers_.send(client, each); });
+/// The list as it is now.
+void Observers::sendList(uint64_t client, Client& state) {
+  state.listDue = false;
+  state.listAt = questions_.now() + kListPause;
+  if (!programs_.all().empty()) state.listed = std::max(state.listed, programs_.all().rbegin()->first);
+  if (!listLine_) {
+    std::string text = lineOf({{"type", "event"}, {"what", "programs"}, {"programs", programs_.rows()}});
+    if (!whyUnfit(text).empty()) return;
+    listLine_ = std::make_shared<const std::string>(std::move(text));
+  }
+  peers_.send(client, listLine_);
 }
 
-void Observers::sendLists() {
-  listChanged_ = false;
-  listDue_ = questions_.now() + kListPause;
-  PeerLink::Line line;
-  for (auto& [connection, client] : clients_)
-    if (client.list) sendList(connection, client, line ? line : line = listLine());
+/// Before the first event of a program comes the list that has it.
+void Observers::sendEvent(uint64_t client, Client& state, uint64_t program, const PeerLink::Line& line) {
+  if (state.listDue && program > state.listed) sendList(client, state);
+  peers_.send(client, line);
 }
 
 void Observers::drained(uint64_t client) {
   const auto found = clients_.find(client);
-  if (found == clients_.end()) return;
-  found->second.newest.flush(
+  if (found == clients_.end() || slow(client)) return;
+  Client& state = found->second;
+  if (state.listDue && state.listAt <= questions_.now()) sendList(client, state);
+  state.newest.flush(
       questions_.now(), [&] { return slow(client); },
-      [&](const PeerLink::Line& line) { peers_.send(client, line); });
+      [&](uint64_t program, const PeerLink::Line& line) { sendEvent(client, state, program, line); });
 }
 
 void Observers::passed() {
-  if (listChanged_ && listDue_ <= questions_.now()) sendLists();
   for (auto& [connection, client] : clients_) drained(connection);
 }
 
 HubTime Observers::next() const {
-  HubTime next = listChanged_ ? listDue_ : HubTime::max();
-  for (const auto& [connection, client] : clients_)
-    if (peers_.waiting(connection) <= kBehind) next = std::min(next, client.newest.next());
+  HubTime next = HubTime::max();
+  for (const auto& [connection, client] : clients_) {
+    if (peers_.waiting(connection) > kBehind) continue;
+    next = std::min(next, client.newest.next());
+    if (client.listDue) next = std::min(next, client.listAt);
+  }
   return next;
 }
 

@@ -56,6 +56,9 @@ class Observers {
     std::map<uint64_t, Wish> wishes;
     std::optional<Wish> all;  // of programs not in `wishes`
     bool list = false;
+    bool listDue = false;     // the list has changed since it was last sent
+    HubTime listAt{};         // not sent before
+    uint64_t listed = 0;      // the highest number of a program in the lists that were sent
     std::set<uint64_t> told;  // programs whose `settings` it may have: a first event with all of them comes
     Newest newest;
     Wish wishOf(uint64_t program) const;
@@ -63,19 +66,18 @@ class Observers {
   void wished(uint64_t program, uint64_t client);
   void ask(uint64_t program, std::vector<uint64_t> clients);
   Wish together(uint64_t program) const;
-  PeerLink::Line listLine() const;
-  void sendList(uint64_t client, Client& state, const PeerLink::Line& line);
-  void sendLists();
+  void listIsDue(uint64_t client, Client& state);
+  void sendList(uint64_t client, Client& state);
+  void sendEvent(uint64_t client, Client& state, uint64_t program, const PeerLink::Line& line);
   bool slow(uint64_t client) { return peers_.waiting(client) > kBehind; }
 
   Peers& peers_;
   Programs& programs_;
   Questions& questions_;
   std::map<uint64_t, Client> clients_;
-  std::map<uint64_t, Wish> asked_;                 // of programs, last
+  std::map<uint64_t, Wish> asked_;  // of programs, last
   std::map<uint64_t, PeerLink::Line> thumbnails_;  // the newest of programs, for clients that come later
-  bool listChanged_ = false;                       // since the last event `programs`
-  HubTime listDue_{};                              // not before
+  PeerLink::Line listLine_;         // the event `programs`; null: not made since the list has changed
 };
 
 }  // namespace gluray::control

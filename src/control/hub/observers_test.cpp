@@ -171,5 +171,50 @@ TEST_F(HubCoreObservers, ProgramsAreToldWhenTheyChange) {
   EXPECT_TRUE(peer.got.empty());
 }
 
+TEST_F(HubCoreObservers, TheListComesBeforeEventsOfNewPrograms) {
+  FakePeer& peer = client();
+  observe(peer, "all", {"programs", "settings", "state"});
+  program();
+  wait(milliseconds(1000));
+  peer.got.clear();
+  program();
+  FakePeer& second = program();
+  FakePeer& third = program();  // within the 50 ms after a list
+  answer(second, second.one("observe"), json::object());
+  peer.got.clear();
+  give(second, {{"type", "event"}, {"what", "settings"}, {"values", json::object()}});
+  std::vector<json> events = peer.take("event");
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_EQ(events[0]["programs"].size(), 4u);
+  EXPECT_EQ(events[1]["what"], "settings");
+  state(third, 1), state(second, 1);
+  EXPECT_EQ(frames(peer), (std::vector<int>{1, 1})) << "the list has not changed since";
+  wait(milliseconds(1000));
+  EXPECT_TRUE(peer.got.empty());
+}
+
+TEST_F(HubCoreObservers, AListIsMadeWhenItIsSent) {
+  FakePeer& peer = client();
+  observe(peer, "all", {"programs", "state"});
+  wait(milliseconds(1000));
+  peer.got.clear();
+  peer.waiting = kBehind + 1;
+  FakePeer& one = program();
+  wait(milliseconds(10));
+  FakePeer& two = program();
+  end(one);
+  state(two, 7);
+  EXPECT_TRUE(peer.got.empty());
+  peer.waiting = 0;
+  hub_.drained(peer.connection, now_);
+  const std::vector<json> events = peer.take("event");
+  ASSERT_EQ(events.size(), 2u);
+  ASSERT_EQ(events[0]["programs"].size(), 1u) << events[0];
+  EXPECT_EQ(events[0]["programs"][0]["program"], 2);
+  EXPECT_EQ(events[1]["state"]["frame"], 7);
+  wait(milliseconds(1000));
+  EXPECT_TRUE(peer.got.empty());
+}
+
 }  // namespace
 }  // namespace gluray::control::test

@@ -38,7 +38,7 @@ class Peers {
   void add(uint64_t connection, PeerLink link, HubTime helloLimit);
   void remove(uint64_t connection) { peers_.erase(connection); }
   Peer* find(uint64_t connection);
-  std::map<uint64_t, Peer>& all() { return peers_; }
+  const std::map<uint64_t, Peer>& all() const { return peers_; }
 
   /// False: the message is one that receivers do not take. Nothing is sent to a connection that is gone.
   bool send(uint64_t to, const nlohmann::json& message);

@@ -11,8 +11,11 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <cstdint>
+#include <fstream>
 #include <limits>
 #include <optional>
+#include <sstream>
 
 namespace gluray::control {
 namespace {
@@ -20,6 +23,7 @@ namespace {
 using nlohmann::json;
 
 constexpr size_t kMostFileBytes = 4096, kMostFiles = 4096, kMostDisplayCharacters = 255;
+constexpr int kStartField = 22;  // of /proc/PID/stat
 
 /// The process that a file's name means; 0: none.
 int pidOfName(const std::string& name) {
@@ -30,6 +34,28 @@ int pidOfName(const std::string& name) {
 
 /// A process of another user has the number of one that has ended.
 bool runs(int pid) { return kill(pid, 0) == 0; }
+
+/// When the process began, in clock ticks since the machine began; 0: unknown.
+uint64_t startOf(int pid) {
+  std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
+  std::string line;
+  std::getline(file, line, '\0');
+  const size_t name = line.rfind(')');  // ends field 2, which may hold anything
+  if (name == line.npos) return 0;
+  std::istringstream fields(line.substr(name + 1));
+  std::string skipped;
+  for (int field = 3; field < kStartField; ++field) fields >> skipped;
+  uint64_t start = 0;
+  return fields >> start ? start : 0;
+}
+
+/// Whether the file was left by an earlier process with the same number.
+bool ofEarlierProcess(const std::string& text, int pid) {
+  const json content = json::parse(text, nullptr, false);
+  const auto since = wholeNumber(member(content, "since"), 1, kMostFrame);
+  const uint64_t start = since ? startOf(pid) : 0;
+  return start != 0 && static_cast<uint64_t>(*since) != start;
+}
 
 std::string textOfFile(int directory, const std::string& name) {
   const int file = openat(directory, name.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
@@ -72,11 +98,12 @@ std::vector<ProgramFile> programFiles(const std::string& directory) {
     const std::string name = entry->d_name;
     const int pid = pidOfName(name);
     if (pid == 0) continue;
-    if (!runs(pid)) {
+    const std::string text = runs(pid) ? textOfFile(folder, name) : "";
+    if (!runs(pid) || ofEarlierProcess(text, pid)) {
       unlinkat(folder, name.c_str(), 0);
       continue;
     }
-    if (auto file = programFile(textOfFile(folder, name), pid)) files.push_back(std::move(*file));
+    if (auto file = programFile(text, pid)) files.push_back(std::move(*file));
   }
   closedir(entries);
   return files;

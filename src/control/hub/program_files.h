@@ -12,8 +12,8 @@ struct ProgramFile {
   unsigned long window = 0;
 };
 
-/// Those whose process runs. Removes the others. Takes regular files of this user of at most 4 KiB, and no
-/// links.
+/// Those whose process runs, and began when the file says. Removes the others. Takes regular files of this
+/// user of at most 4 KiB, and no links.
 std::vector<ProgramFile> programFiles(const std::string& directory);
 
 }  // namespace gluray::control

@@ -7,6 +7,7 @@
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
+#include <netinet/tcp.h>
 
 #include <algorithm>
 #include <fstream>
@@ -94,6 +95,36 @@ TEST_F(HubTcp, AnotherKeyIsFound) {
   ASSERT_EQ(writeNewKey(folder_ / "other"), "");
   EXPECT_NE(connectAsProgram(folder_ / "other").find("same key"), std::string::npos);
   EXPECT_EQ(connectAsProgram(options_.keyFile), "");
+}
+
+TEST_F(HubTcp, FailuresCanBeToldApart) {
+  start();
+  const auto failure = [&](const std::string& host, const std::string& keyFile) {
+    std::optional<ConnectFailure> got;
+    connectToHub(
+        io_, {"", host, keyFile},
+        [&](const std::shared_ptr<Connection>&, const std::string&, ConnectFailure why) { got = why; });
+    EXPECT_TRUE(until([&] { return got.has_value(); }));
+    return got.value_or(ConnectFailure::none);
+  };
+  const std::string here = "127.0.0.1:" + std::to_string(hub_.port());
+  ASSERT_EQ(writeNewKey(folder_ / "other"), "");
+  EXPECT_EQ(failure(here, options_.keyFile), ConnectFailure::none);
+  EXPECT_EQ(failure("here", options_.keyFile), ConnectFailure::settings);
+  EXPECT_EQ(failure(here, folder_ / "none"), ConnectFailure::settings);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(failure(here, folder_ / "other"), ConnectFailure::key);
+  EXPECT_EQ(failure(here, options_.keyFile), ConnectFailure::refused);
+  EXPECT_EQ(failure("127.0.0.1:1", options_.keyFile), ConnectFailure::unreachable);
+}
+
+TEST_F(HubTcp, ADeadConnectionIsFoundAlsoWhileDataWaits) {
+  start();
+  const int socket = connectTcp();
+  keepAlive(socket);
+  unsigned int time = 0;
+  socklen_t size = sizeof time;
+  ASSERT_EQ(getsockopt(socket, IPPROTO_TCP, TCP_USER_TIMEOUT, &time, &size), 0);
+  EXPECT_EQ(time, 60000u);
 }
 
 TEST_F(HubTcp, AProofIsGoodOnce) {
