@@ -2,7 +2,6 @@
 import contextlib
 import io
 import itertools
-import json
 import os
 import pathlib
 import resource
@@ -11,72 +10,15 @@ import signal
 import socket
 import subprocess
 import sys
-import tempfile
 import threading
 import time
 import unittest
 
-from memory_hub import FakeHub, FakeProgram, line_of, seek_hub
-
-# What $GLURAY is in the tests: `gluray hub` by a hub that pretends.
-HUB = """#!{python}
-import json, os, signal, sys
-sys.path.insert(0, {folder!r})
-from memory_hub import FakeHub
-if {fails!r} and not ({first!r} and os.fork() == 0):
-    sys.exit("gluray: {fails}")
-if {first!r}:
-    import time
-    time.sleep(0.2)
-hub = FakeHub(os.environ["GLURAY_RUNTIME"], json.load(open({rows!r})))
-signal.signal(signal.SIGTERM, lambda *_: (hub.end(), sys.exit(0)))
-hub.add("late", 9)
-sys.stdin.read()
-hub.end()
-"""
+from memory_hub import FakeProgram, line_of, seek_hub
+from python_case import FOLDER, GLURAY, ROWS, PythonCase, gluray
 
 
-class Python(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        os.environ |= {"GLURAY_RUNTIME": str(self.folder / "run"), "GLURAY": "/nowhere/gluray", "XDG_CONFIG_HOME": "/nowhere"}
-        self.addCleanup(gluray.hub._drop)
-
-    def hub(self, **options):
-        hub = FakeHub(self.folder / "run", ROWS, **options)
-        self.addCleanup(hub.end)
-        return hub
-
-    def two(self):
-        hub = self.hub()
-        first, second = hub.add("paraview", 4242), hub.add("vmd", 77)
-        second.frame = None
-        return hub, first, second
-
-    def real_hub(self, *programs):
-        """gluray hub with these programs."""
-        hub = subprocess.Popen([GLURAY, "hub", "--with-parent"], stdin=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        self.addCleanup(hub.communicate)
-        hub.stderr.readline()
-        for program in programs:
-            self.addCleanup(seek_hub(program, self.folder / "run"))
-        self.until(lambda: len(gluray.programs()) == len(programs))
-        return programs
-
-    def until(self, done):
-        end = time.monotonic() + 20
-        while not done():
-            self.assertLess(time.monotonic(), end)
-            time.sleep(0.02)
-
-    def refusal(self, act, kind=None):
-        with self.assertRaises(kind or gluray.GlurayError) as raised:
-            act()
-        self.assertNotIn("\n", str(raised.exception))
-        return str(raised.exception)
-
+class Python(PythonCase):
     def test_names_of_python_stay(self):
         names = {}
         exec("from gluray import *", names)
@@ -348,18 +290,6 @@ print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), gluray.hub._connection
         finally:
             os.environ["PATH"] = path
 
-    def python(self, code):
-        """Runs it in a process of its own, which can be spoken to."""
-        return subprocess.Popen([sys.executable, "-c", code], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                                env={**os.environ, "PYTHONPATH": FOLDER})
-
-    def own_hub(self, fails="", first=False):
-        script, rows = self.folder / "gluray", self.folder / "rows"
-        rows.write_text(json.dumps(ROWS))
-        script.write_text(HUB.format(python=sys.executable, folder=str(pathlib.Path(__file__).parent), rows=str(rows), fails=fails, first=first))
-        script.chmod(0o755)
-        os.environ["GLURAY"] = str(script)
-
     def test_a_hub_of_its_own_ends_with_the_process(self):
         self.own_hub()
         done = subprocess.run([sys.executable, "-c", "import gluray; print(gluray.programs()); gluray.set(ao=True)"], capture_output=True, text=True, timeout=30,
@@ -510,11 +440,4 @@ print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), gluray.hub._connection
 
 
 if __name__ == "__main__":
-    GLURAY, FOLDER = sys.argv[1:3]
-    sys.path.insert(0, FOLDER)
-    sys.dont_write_bytecode = True
-    for variable in [name for name in os.environ if name.startswith("GLURAY")]:
-        del os.environ[variable]
-    import gluray
-    ROWS = json.loads(subprocess.run([GLURAY, "settings", "--json"], capture_output=True, check=True, cwd="/", env={**os.environ, "XDG_CONFIG_HOME": "/nowhere"}).stdout)
     unittest.main(argv=sys.argv[:1] + sys.argv[3:], verbosity=2)
