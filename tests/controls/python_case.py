@@ -1,4 +1,4 @@
-"""What the tests of the Python module share: a folder of their own, hubs that pretend, real ones."""
+"""import gluray from the folder that is tested, and hubs for it: the tests of python_test.py GLURAY PYTHON_FOLDER."""
 import json
 import os
 import pathlib
@@ -9,6 +9,33 @@ import time
 import unittest
 
 from memory_hub import FakeHub, seek_hub
+
+GLURAY, FOLDER = sys.argv[1:3]
+sys.path.insert(0, FOLDER)
+sys.dont_write_bytecode = True
+for variable in [name for name in os.environ if name.startswith("GLURAY")]:
+    del os.environ[variable]
+import gluray  # noqa: E402: the one in FOLDER
+
+ROWS = json.loads(subprocess.run([GLURAY, "settings", "--json"], capture_output=True, check=True, cwd="/", env={**os.environ, "XDG_CONFIG_HOME": "/nowhere"}).stdout)
+
+# What $GLURAY is in the tests: `gluray hub` by a hub that pretends.
+HUB = """#!{python}
+import json, os, signal, sys
+sys.path.insert(0, {folder!r})
+from memory_hub import FakeHub
+if {fails!r} and not ({first!r} and os.fork() == 0):
+    sys.exit("gluray: {fails}")
+if {first!r}:
+    import time
+    time.sleep(0.2)
+hub = FakeHub(os.environ["GLURAY_RUNTIME"], json.load(open({rows!r})))
+signal.signal(signal.SIGTERM, lambda *_: (hub.end(), sys.exit(0)))
+hub.add("late", 9)
+sys.stdin.read()
+hub.end()
+"""
+
 
 class PythonCase(unittest.TestCase):
     def setUp(self):
@@ -51,16 +78,14 @@ class PythonCase(unittest.TestCase):
         self.assertNotIn("\n", str(raised.exception))
         return str(raised.exception)
 
+    def python(self, code):
+        """Runs it in a process of its own, which can be spoken to."""
+        return subprocess.Popen([sys.executable, "-c", code], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                env={**os.environ, "PYTHONPATH": FOLDER})
 
-def prepare(module):
-    """Gives a test module the names GLURAY, FOLDER, ROWS and gluray, of its command line: GLURAY PYTHON_FOLDER."""
-    gluray_program, folder = sys.argv[1:3]
-    sys.path.insert(0, folder)
-    sys.dont_write_bytecode = True
-    for variable in [name for name in os.environ if name.startswith("GLURAY")]:
-        del os.environ[variable]
-    import gluray
-    rows = json.loads(subprocess.run([gluray_program, "settings", "--json"], capture_output=True, check=True, cwd="/",
-                                     env={**os.environ, "XDG_CONFIG_HOME": "/nowhere"}).stdout)
-    for names in (globals(), module):
-        names.update(GLURAY=gluray_program, FOLDER=folder, ROWS=rows, gluray=gluray)
+    def own_hub(self, fails="", first=False):
+        script, rows = self.folder / "gluray", self.folder / "rows"
+        rows.write_text(json.dumps(ROWS))
+        script.write_text(HUB.format(python=sys.executable, folder=str(pathlib.Path(__file__).parent), rows=str(rows), fails=fails, first=first))
+        script.chmod(0o755)
+        os.environ["GLURAY"] = str(script)

@@ -75,9 +75,9 @@ class Observers {
   Programs& programs_;
   Questions& questions_;
   std::map<uint64_t, Client> clients_;
-  std::map<uint64_t, Wish> asked_;  // of programs, last
+  std::map<uint64_t, Wish> asked_;                 // of programs, last
   std::map<uint64_t, PeerLink::Line> thumbnails_;  // the newest of programs, for clients that come later
-  PeerLink::Line listLine_;         // the event `programs`; null: not made since the list has changed
+  PeerLink::Line listLine_;  // the event `programs`; null: not made since the list has changed
 };
 
 }  // namespace gluray::control

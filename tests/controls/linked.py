@@ -1,4 +1,4 @@
-"""A program with a link and a hub that a test plays. The test's command line begins with GLURAY CLIENT."""
+"""A program that runs with a hub of the test's: the tests of link_test.py GLURAY CLIENT."""
 import contextlib
 import os
 import pathlib
