@@ -74,7 +74,7 @@ void Observers::wished(uint64_t program, uint64_t client) {
   // The program sends no thumbnail because of this client.
   if (const auto known = thumbnails_.find(program); wish.thumbnail && known != thumbnails_.end())
     state.newest.offer({program, "thumbnail"}, known->second, wish.every, questions_.now(), slow(client),
-                       [&](const PeerLink::Line& each) { peers_.send(client, each); });
+                       [&](uint64_t of, const PeerLink::Line& each) { sendEvent(client, state, of, each); });
 }
 
 /// Asks the program for what all want. Then the first event with all settings follows, for `clients`.
