@@ -36,6 +36,7 @@ MainWindow::MainWindow(Controls& controls) : controls_(controls) {
   connect(&controls_, &Controls::stateChanged, this, &MainWindow::showState);
   connect(&controls_, &Controls::said, this, [this](const QString& line) { statusBar()->showMessage(line); });
   connect(&controls_, &Controls::programsChanged, this, &MainWindow::greet);
+  connect(&controls_, &Controls::chosenChanged, this, &MainWindow::greet);
   connect(tabs_, &QTabWidget::currentChanged, this, [this] { why_->show(controls_.shown()); });
   resize(980, 760);
   showSettings();
@@ -43,9 +44,12 @@ MainWindow::MainWindow(Controls& controls) : controls_(controls) {
 }
 
 void MainWindow::greet() {
-  statusBar()->showMessage(!controls_.programs().empty()
-                               ? ""
-                               : tr("No program runs under GLuRay; start one with: gluray PROGRAM"));
+  QString line;
+  if (controls_.programs().empty())
+    line = tr("No program runs under GLuRay; start one with: gluray PROGRAM");
+  else if (!controls_.shown())
+    line = tr("Choose a program on the left");
+  statusBar()->showMessage(line);
 }
 
 QWidget* MainWindow::makePrograms() {

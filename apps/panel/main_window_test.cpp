@@ -79,6 +79,18 @@ TEST_F(MainWindowTest, SaysThatThereIsNoProgram) {
   picture("panel-empty");
 }
 
+TEST_F(MainWindowTest, AsksForAChoiceAmongSeveralPrograms) {
+  take({{"type", "event"},
+        {"what", "programs"},
+        {"programs",
+         {{{"program", 1}, {"pid", 1}, {"name", "a"}}, {{"program", 2}, {"pid", 2}, {"name", "b"}}}}});
+  EXPECT_EQ(window.statusBar()->currentMessage(), "Choose a program on the left");
+  EXPECT_FALSE(setting("ao")->isEnabled());
+  controls.choose(2);
+  EXPECT_EQ(window.statusBar()->currentMessage(), "");
+  EXPECT_TRUE(setting("ao")->isEnabled());
+}
+
 TEST_F(MainWindowTest, ShowsAProgramsValues) {
   appear();
   EXPECT_TRUE(setting("ao")->isEnabled());
