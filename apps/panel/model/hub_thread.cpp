@@ -15,6 +15,8 @@ namespace {
 
 using asio::error_code;
 using nlohmann::json;
+constexpr std::chrono::milliseconds kAfterRefusal{
+    90000};                                       // longer than hubs refuse a machine whose key is wrong
 constexpr std::chrono::milliseconds kAgain{250};  // between attempts to connect
 
 }  // namespace
@@ -27,13 +29,13 @@ class HubThread::Link {
       : owner_(owner), address_(std::move(address)), wake_(std::move(wake)), server_(io_), again_(io_) {}
 
   void run() noexcept {
+    asio::post(io_, [this] { open(); });
     while (!stopped_) try {
-        open();
         io_.run();
         break;
       } catch (const std::exception& error) {
-        emit owner_.lost(QString::fromUtf8(error.what()));
-        io_.restart();
+        // Out of memory, for instance. A connection that ends tries again.
+        connection_ ? connection_->close(error.what()) : fail(error.what());
       }
   }
 
@@ -65,8 +67,9 @@ class HubThread::Link {
       if (!serves_ && !server_.otherHubRuns()) return fail(why);
     }
     control::connectToHub(io_, address_,
-                          [this](std::shared_ptr<control::Connection> connection, const std::string& why) {
-                            connection ? begin(std::move(connection)) : fail(why);
+                          [this](std::shared_ptr<control::Connection> connection, const std::string& why,
+                                 control::ConnectFailure failure) {
+                            connection ? begin(std::move(connection)) : fail(why, failure);
                           });
   }
 
@@ -89,10 +92,12 @@ class HubThread::Link {
       emit owner_.received(std::make_shared<const json>(std::move(message)));
   }
 
-  void fail(const std::string& why) {
+  void fail(const std::string& why, control::ConnectFailure failure = control::ConnectFailure::unreachable) {
     if (stopped_) return;
     emit owner_.lost(QString::fromStdString(why));
-    again_.expires_after(kAgain);
+    const bool refused =
+        failure == control::ConnectFailure::key || failure == control::ConnectFailure::refused;
+    again_.expires_after(refused ? kAfterRefusal : kAgain);
     again_.async_wait([this](const error_code& error) {
       if (!error) open();
     });

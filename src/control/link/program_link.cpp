@@ -43,6 +43,12 @@ void endAtExit(ProgramLink& link) {
   std::atexit([] { g_ends.load()->exiting(); });
 }
 
+/// A hub that is not there may come; what is wrong with the settings stays wrong until the user corrects it.
+void noteNoHub(const std::string& why, ConnectFailure failure) {
+  if (failure == ConnectFailure::unreachable) return log::write(log::Level::debug, "no hub: " + why);
+  log::once(log::Level::warning, "hub " + why, "the hub cannot be used: " + why);
+}
+
 void noteFailure(const std::exception& error) noexcept {
   try {
     log::once(log::Level::warning, "control", std::string("the link to the hub failed: ") + error.what());
@@ -79,11 +85,13 @@ struct ProgramLink::Serving {
 
   /// Returns when the connection has ended, or there is none.
   void run() {
-    connectToHub(io, link.hub_, [this](std::shared_ptr<Connection> made, const std::string& why) {
-      if (!made) return log::write(log::Level::debug, "no hub: " + why);
-      connection = std::move(made);
-      serve();
-    });
+    connectToHub(io, link.hub_,
+                 [this](std::shared_ptr<Connection> made, const std::string& why, ConnectFailure failure) {
+                   link.failure_ = failure;
+                   if (!made) return noteNoHub(why, failure);
+                   connection = std::move(made);
+                   serve();
+                 });
     io.run();
   }
 
@@ -180,10 +188,11 @@ void ProgramLink::run() noexcept {
     if (!exiting_) program_.linkEnded();
     backoff_ = greeted ? kLookSeconds : std::min(2 * backoff_, kMostBackoff);
     if (!tcp) break;
-    pause = greeted ? kTcpSeconds : pause;
+    const bool refused = failure_ == ConnectFailure::key || failure_ == ConnectFailure::refused;
+    pause = greeted ? kTcpSeconds : refused ? kRefusedSeconds : pause;
     for (double slept = 0; slept < pause && !exiting_; slept += kLookSeconds)
       std::this_thread::sleep_for(std::chrono::duration<double>(kLookSeconds));
-    pause = std::min(2 * pause, kMostTcpSeconds);
+    pause = refused ? kTcpSeconds : std::min(2 * pause, kMostTcpSeconds);
   } while (!exiting_);
   next_ = nowSeconds() + backoff_;
   running_ = false;

@@ -18,6 +18,7 @@ class ProgramLink {
   static constexpr double kLookSeconds = 0.05,
                           kMostBackoff = 2;  // between two looks for a hub of this machine
   static constexpr double kTcpSeconds = 2, kMostTcpSeconds = 8;  // between two attempts to reach another one
+  static constexpr double kRefusedSeconds = 90;  // longer than hubs refuse a machine whose key is wrong
 
   ProgramLink(ControlledProgram& program, LiveSettings& live, const SettingsSource& source, HubAddress hub);
   ProgramLink(const ProgramLink&) = delete;
@@ -48,10 +49,11 @@ class ProgramLink {
   std::atomic<double> next_{0};
   std::atomic<bool> running_{false}, exiting_{false}, forked_{false};
   std::mutex mutex_;
-  Serving* serving_ = nullptr;             // guarded by mutex_; null: nothing to stop
-  double backoff_ = kLookSeconds;          // the thread's, or of who starts it
-  std::atomic<int> descriptor_{-1};        // of the connection
-  std::atomic<uint64_t> socketNumber_{0};  // its inode
+  Serving* serving_ = nullptr;                     // guarded by mutex_; null: nothing to stop
+  ConnectFailure failure_ = ConnectFailure::none;  // the thread's: of the last attempt
+  double backoff_ = kLookSeconds;                  // the thread's, or of who starts it
+  std::atomic<int> descriptor_{-1};                // of the connection
+  std::atomic<uint64_t> socketNumber_{0};          // its inode
 };
 
 }  // namespace gluray::control
