@@ -11,7 +11,6 @@ namespace {
 using nlohmann::json;
 
 constexpr size_t kMostNameCharacters = 255;
-constexpr int kMostRanks = 1 << 20;
 constexpr int kMostInt = std::numeric_limits<int>::max();
 
 /// A whole number, `otherwise` where there is none.

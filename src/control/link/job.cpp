@@ -1,5 +1,6 @@
 #include "control/link/job.h"
 
+#include "control/messages/members.h"
 #include "control/process_start.h"
 
 #include <unistd.h>
@@ -13,8 +14,6 @@
 
 namespace gluray::control {
 namespace {
-
-constexpr int kMostRanks = 1 << 24;
 
 /// What a launcher sets. Names of the job in order of preference; null: none.
 struct Launcher {

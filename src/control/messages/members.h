@@ -9,6 +9,7 @@
 namespace gluray::control {
 
 inline constexpr size_t kMostCharacters = 64;  // of an id, a gesture, a name of a call
+inline constexpr int kMostRanks = 1 << 20;     // of an MPI job
 inline constexpr int64_t kMostFrame = int64_t{1}
                                       << 53;  // the largest whole number that every JSON reader keeps
 
