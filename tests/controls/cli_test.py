@@ -1,39 +1,24 @@
 """Commands for running programs, with a hub that only pretends: cli_test.py GLURAY."""
 import json
 import os
-import pathlib
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
-from memory_hub import PICTURE, FakeHub, FakeProgram, line_of, picture_of, seek_hub
+from hub_case import HubCase
+from memory_hub import PICTURE, FakeProgram, line_of, picture_of, seek_hub
 
 ALONE = "no program runs under GLuRay; start one with: gluray PROGRAM"
 SILENT = "the hub does not answer; end it, and start gluray hub"
 
 
-class Cli(unittest.TestCase):
+class Cli(HubCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
+        super().setUp()
         self.environment = {k: v for k, v in os.environ.items() if not k.startswith("GLURAY_")}
-        self.environment |= {"XDG_CONFIG_HOME": folder.name, "GLURAY_RUNTIME": str(self.folder / "run"), "TZ": "UTC"}
-
-    def hub(self, **options):
-        hub = FakeHub(self.folder / "run", ROWS, **options)
-        self.addCleanup(hub.end)
-        return hub
-
-    def two(self):
-        """A hub with two programs, the second of which draws nothing."""
-        hub = self.hub()
-        first, second = hub.add("paraview", 4242), hub.add("vmd", 77)
-        second.frame = None
-        return hub, first, second
+        self.environment |= {"XDG_CONFIG_HOME": str(self.folder), "GLURAY_RUNTIME": str(self.folder / "run"), "TZ": "UTC"}
 
     def run_gluray(self, *words):
         return subprocess.run([GLURAY, *words], capture_output=True, text=True, cwd=self.folder, env=self.environment, timeout=30)
@@ -323,4 +308,5 @@ if __name__ == "__main__":
     GLURAY = sys.argv[1]
     ROWS = json.loads(subprocess.run([GLURAY, "settings", "--json"], capture_output=True, check=True, cwd="/",
                                      env={"PATH": os.environ["PATH"], "XDG_CONFIG_HOME": "/nowhere"}).stdout)
+    Cli.ROWS = ROWS
     unittest.main(argv=sys.argv[:1] + sys.argv[2:], verbosity=2)

@@ -6,7 +6,7 @@
  * number of frames since the start and the seconds of the monotonic clock.
  * The line "show" draws a frame that is not read back, and prints "shown"; from then on so do Expose events.
  */
-#include "tests/doors/ring.h"
+#include "tests/doors/two_rings.h"
 #include "tests/doors/x_window.h"
 
 #include <GL/glx.h>
@@ -27,22 +27,12 @@ static uint64_t checksum(void) {
   return hash;
 }
 
-static void drawRings(float angle) {
-  glClearColor(0.1f, 0.2f, 0.3f, 1);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  setRingView(kWidth, kHeight, angle);
-  sendRing();
-  glPushMatrix(), glScalef(0.5f, 1.2f, 0.5f);
-  sendRing();
-  glPopMatrix();
-}
-
 static int isRead = 1; /* frames are read back */
 static long frames;
 
 static void showRings(Display* display, Window window, int turns, int prints) {
   ++frames;
-  drawRings(20 + (turns ? (float)(frames % 360) : 0));
+  drawTwoRings(kWidth, kHeight, 20 + (turns ? (float)(frames % 360) : 0));
   if (prints) printf("%016llx\n", (unsigned long long)checksum());
   fflush(stdout);
   glXSwapBuffers(display, window);

@@ -4,11 +4,10 @@ import os
 import pathlib
 import subprocess
 import sys
-import tempfile
 import time
-import unittest
 
-from memory_hub import FakeHub, seek_hub
+from hub_case import HubCase
+from memory_hub import seek_hub
 
 GLURAY, FOLDER = sys.argv[1:3]
 sys.path.insert(0, FOLDER)
@@ -37,24 +36,13 @@ hub.end()
 """
 
 
-class PythonCase(unittest.TestCase):
+class PythonCase(HubCase):
+    ROWS = ROWS
+
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
+        super().setUp()
         os.environ |= {"GLURAY_RUNTIME": str(self.folder / "run"), "GLURAY": "/nowhere/gluray", "XDG_CONFIG_HOME": "/nowhere"}
         self.addCleanup(gluray.hub._drop)
-
-    def hub(self, **options):
-        hub = FakeHub(self.folder / "run", ROWS, **options)
-        self.addCleanup(hub.end)
-        return hub
-
-    def two(self):
-        hub = self.hub()
-        first, second = hub.add("paraview", 4242), hub.add("vmd", 77)
-        second.frame = None
-        return hub, first, second
 
     def real_hub(self, *programs):
         """gluray hub with these programs."""

@@ -3,7 +3,7 @@
  * Draws a scene of rings on a floor, and lines over it, then does as its habit says. Pictures of the window,
  * as X shows it, go to standard output as PPM after a line that names them. */
 #define GL_GLEXT_PROTOTYPES
-#include "tests/doors/ring.h"
+#include "tests/doors/two_rings.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -87,13 +87,7 @@ static void readFloats(const char* name) {
 }
 
 static void drawScene(float angle) {
-  glClearColor(0.1f, 0.2f, 0.3f, 1);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  setRingView(kWidth, kHeight, angle);
-  sendRing();
-  glPushMatrix(), glScalef(0.5f, 1.2f, 0.5f);
-  sendRing();
-  glPopMatrix();
+  drawTwoRings(kWidth, kHeight, angle);
   glNormal3f(0, 1, 0);
   glBegin(GL_QUADS);
   glVertex3f(-2, -0.5f, -2), glVertex3f(-2, -0.5f, 2), glVertex3f(2, -0.5f, 2), glVertex3f(2, -0.5f, -2);

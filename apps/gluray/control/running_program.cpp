@@ -1,6 +1,7 @@
 #include "control/running_program.h"
 
 #include "base/printable.h"
+#include "control/messages/members.h"
 #include "settings/nearest.h"
 
 #include <nlohmann/json.hpp>
@@ -13,18 +14,8 @@
 namespace gluray::launcher {
 namespace {
 
+using control::numberIn, control::textIn;
 using nlohmann::json;
-
-std::string textIn(const json& object, const char* name) {
-  const auto found = object.find(name);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
-}
-
-template <typename Number>
-Number numberIn(const json& object, const char* name, Number otherwise) {
-  const auto found = object.find(name);
-  return found != object.end() && found->is_number() ? found->get<Number>() : otherwise;
-}
 
 std::string thisHost() {
   char name[256] = {};

@@ -1,6 +1,7 @@
 #include "control/setting_values.h"
 
 #include "base/printable.h"
+#include "control/messages/members.h"
 #include "control/messages/value.h"
 #include "settings/chosen_settings.h"
 #include "settings/values.h"
@@ -8,17 +9,7 @@
 #include <nlohmann/json.hpp>
 
 namespace gluray::launcher {
-namespace {
-
 using nlohmann::json;
-
-std::string textMember(const json& object, const char* name) {
-  if (!object.is_object()) return "";
-  const auto found = object.find(name);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
-}
-
-}  // namespace
 
 json sentValue(const std::string& name, const std::string& text) {
   const Row& row = *findSetting(name);
@@ -41,7 +32,7 @@ std::string valueText(const std::string& name, const json& value) {
 }
 
 std::string originText(const json& described) {
-  const std::string layer = textMember(described, "layer"), place = textMember(described, "place");
+  const std::string layer = control::textIn(described, "layer"), place = control::textIn(described, "place");
   return printable(layer.empty() ? "-" : layer) +
          (place.empty() || place == layer ? "" : ": " + printable(place));
 }

@@ -23,7 +23,7 @@ using nlohmann::json;
 constexpr std::string_view kApplies[] = {"from the next frame on", "to contexts made afterwards",
                                          "to the next run"};
 
-Layers layersOf(const CommandLine& line) {
+Layers layersFor(const CommandLine& line) {
   return readLayers(sourcesOf(line), [](const std::string& complaint) { say(complaint); });
 }
 
@@ -31,33 +31,6 @@ std::string shown(const std::string& value) { return value.empty() ? "-" : print
 
 std::string originOf(const Given* given) {
   return given ? std::string(nameOf(given->layer)) + ": " + printable(given->place) : "built-in";
-}
-
-/// A layer's value, typed.
-json typed(const Row& row, const std::string& text) {
-  Session session;
-  const bool partly = row.type == Type::quirks;  // names only some
-  return !partly && readValue(row, text, session).empty() ? control::valueOf(row, printValue(row, session))
-                                                          : json(text);
-}
-
-/// The setting's value in each layer.
-json layersOf(const Layers& layers, const Row& row) {
-  json list = json::array();
-  for (size_t i = 0; i < kLayerCount; ++i) {
-    const auto layer = static_cast<Layer>(i);
-    bool any = layer == Layer::builtIn;
-    if (any)
-      list.push_back(
-          {{"layer", nameOf(layer)}, {"value", typed(row, printValue(row, Session{}))}, {"place", ""}});
-    for (const Given& g : layers.given)
-      if (g.row == &row && g.layer == layer) {
-        any = true;
-        list.push_back({{"layer", nameOf(layer)}, {"value", typed(row, g.value)}, {"place", g.place}});
-      }
-    if (!any) list.push_back({{"layer", nameOf(layer)}, {"value", nullptr}, {"place", ""}});
-  }
-  return list;
 }
 
 /// As programs describe their settings (control::description), with the value.
@@ -84,7 +57,7 @@ void printWhy(const Layers& layers, const Row& row) {
                        76, "  ")
             << "\n";
   TextTable table("lll");
-  for (const json& layer : layersOf(layers, row))
+  for (const json& layer : control::layersOf(layers, row))
     table.row({layer["layer"], valueText(std::string(row.name), layer["value"]),
                printable(layer["place"].get<std::string>())});
   std::cout << table.text("  ");
@@ -92,7 +65,7 @@ void printWhy(const Layers& layers, const Row& row) {
 
 json all(const Layers& layers, const Row& row) {
   json one = describe(layers, row);
-  one["layers"] = layersOf(layers, row);
+  one["layers"] = control::layersOf(layers, row);
   return one;
 }
 
@@ -130,7 +103,7 @@ Sources sourcesOf(const CommandLine& line) {
 int getSettings(const CommandLine& line) {
   for (const std::string& name : line.names)
     if (!findSetting(name)) return say(unknownSetting(name)), kUsageError;
-  const Layers layers = layersOf(line);
+  const Layers layers = layersFor(line);
   json list = json::array();
   for (const Row* row : wanted(line, layers)) {
     if (line.json)
@@ -147,7 +120,7 @@ int getSettings(const CommandLine& line) {
 }
 
 int listSettings(const CommandLine& line) {
-  const Layers layers = layersOf(line);
+  const Layers layers = layersFor(line);
   if (!line.why.empty()) return explainOne(line, layers);
   json list = json::array();
   TextTable table("lll");

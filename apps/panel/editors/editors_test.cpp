@@ -1,6 +1,7 @@
 #include "control/messages/value.h"
 #include "editors/editor.h"
 #include "editors/number_editor.h"
+#include "settings/named_row.h"
 #include "settings/values.h"
 
 #include <gtest/gtest.h>
@@ -17,15 +18,9 @@ namespace {
 
 using nlohmann::json;
 
-const Row& row(const char* name) {
-  const Row* found = findSetting(name);
-  if (!found) ADD_FAILURE() << name;
-  return found ? *found : settingRows()[0];
-}
-
 /// An editor and what it emits.
 struct Made {
-  explicit Made(const char* name) : editor(makeEditor(row(name), nullptr)) {
+  explicit Made(const char* name) : editor(makeEditor(namedRow(name), nullptr)) {
     QObject::connect(editor.get(), &Editor::changed, editor.get(), [this](const json& value, bool more) {
       values.push_back(value), mores.push_back(more);
     });

@@ -1,6 +1,7 @@
 #include "model/controls.h"
 
 #include "control/messages/base64.h"
+#include "control/messages/members.h"
 #include "control/messages/value.h"
 #include "settings/values.h"
 
@@ -10,22 +11,12 @@
 namespace gluray::panel {
 namespace {
 
+using control::numberIn, control::textIn;
 using nlohmann::json;
 
 constexpr size_t kMostFps = 600;        // entries of the plot
 constexpr double kStateSeconds = 0.25;  // between events
 constexpr int kMostThumbnail = 512;     // pixels of its longest side
-
-/// A member of an object, if it has the type of `otherwise`.
-template <class T>
-T member(const json& object, const char* name, T otherwise) {
-  const auto found = object.find(name);
-  if (found == object.end()) return otherwise;
-  if constexpr (std::is_same_v<T, std::string>)
-    return found->is_string() ? found->get<std::string>() : otherwise;
-  else
-    return found->is_number() ? found->get<T>() : otherwise;
-}
 
 }  // namespace
 
@@ -158,14 +149,17 @@ void Controls::disconnected(const QString& why) {
 }
 
 void Controls::take(const Message& message) {
-  const std::string type = member<std::string>(*message, "type", "");
+  const std::string type = textIn(*message, "type");
   if (type == "answer") takeAnswer(*message);
   if (type == "event") takeEvent(*message);
-  if (type == "error") emit said(QString::fromStdString(member<std::string>(*message, "why", "error")));
+  if (type == "error") {
+    const std::string why = textIn(*message, "why");
+    emit said(QString::fromStdString(why.empty() ? type : why));
+  }
 }
 
 void Controls::takeAnswer(const json& answer) {
-  const auto asked = asked_.find(member<uint64_t>(answer, "id", 0));
+  const auto asked = asked_.find(numberIn<uint64_t>(answer, "id", 0));
   if (asked == asked_.end()) return;
   const QString what = std::exchange(asked->second, {});
   asked_.erase(asked);
@@ -178,13 +172,13 @@ void Controls::takeAnswer(const json& answer) {
 
 /// The first failure; of several programs with its name.
 std::string Controls::failureOf(const json& answer) const {
-  if (std::string why = member<std::string>(answer, "why", ""); !why.empty()) return why;
+  if (std::string why = textIn(answer, "why"); !why.empty()) return why;
   const auto results = answer.find("results");
   if (results == answer.end() || !results->is_array()) return "";
   for (const json& result : *results) {
     if (!result.is_object()) continue;
-    const std::string why = member<std::string>(result, "why", "");
-    const Program* program = find(member<int>(result, "program", 0));
+    const std::string why = textIn(result, "why");
+    const Program* program = find(numberIn<int>(result, "program", 0));
     if (!why.empty())
       return results->size() > 1 && program ? program->title().toStdString() + ": " + why : why;
   }
@@ -192,9 +186,9 @@ std::string Controls::failureOf(const json& answer) const {
 }
 
 void Controls::takeEvent(const json& event) {
-  const std::string what = member<std::string>(event, "what", "");
+  const std::string what = textIn(event, "what");
   if (what == "programs" && event.contains("programs")) return takePrograms(event["programs"]);
-  const int number = member<int>(event, "program", 0);
+  const int number = numberIn<int>(event, "program", 0);
   if (number <= 0) return;
   Program* program = findMutable(number);
   if (!program) {  // its entry in the list follows
@@ -211,12 +205,12 @@ void Controls::takePrograms(const json& list) {
   for (const json& entry : list) {
     if (!entry.is_object()) continue;
     Program program;
-    program.number = member<int>(entry, "program", 0);
+    program.number = numberIn<int>(entry, "program", 0);
     if (const Program* known = find(program.number)) program = *known;
-    program.pid = member<int>(entry, "pid", 0);
-    program.ranks = member<int>(entry, "ranks", 1);
-    program.host = member<std::string>(entry, "host", "");
-    program.name = member<std::string>(entry, "name", "");
+    program.pid = numberIn<int>(entry, "pid", 0);
+    program.ranks = numberIn<int>(entry, "ranks", 1);
+    program.host = textIn(entry, "host");
+    program.name = textIn(entry, "name");
     next.push_back(std::move(program));
   }
   const bool first =
@@ -231,16 +225,15 @@ void Controls::takeSettings(Program& program, const json& event) {
   if (const auto values = event.find("values"); values != event.end() && values->is_object())
     for (const auto& [name, entry] : values->items())
       if (entry.is_object() && entry.contains("value"))
-        program.values[name] = {entry["value"], member<std::string>(entry, "layer", ""),
-                                member<std::string>(entry, "place", "")};
-  program.undo = member<int>(event, "undo", program.undo);
-  program.redo = member<int>(event, "redo", program.redo);
+        program.values[name] = {entry["value"], textIn(entry, "layer"), textIn(entry, "place")};
+  program.undo = numberIn<int>(event, "undo", program.undo);
+  program.redo = numberIn<int>(event, "redo", program.redo);
   if (all_ || &program == shown()) emit settingsChanged();
 }
 
 void Controls::takeThumbnail(Program& program, const json& event) {
-  const int width = member<int>(event, "width", 0), height = member<int>(event, "height", 0);
-  const auto bytes = control::fromBase64(member<std::string>(event, "pixels", ""));
+  const int width = numberIn<int>(event, "width", 0), height = numberIn<int>(event, "height", 0);
+  const auto bytes = control::fromBase64(textIn(event, "pixels"));
   if (width < 1 || height < 1 || width > kMostThumbnail || height > kMostThumbnail || !bytes ||
       bytes->size() != 3 * static_cast<size_t>(width) * static_cast<size_t>(height))
     return;
@@ -252,7 +245,7 @@ void Controls::takeThumbnail(Program& program, const json& event) {
 void Controls::takeState(Program& program, const json& state) {
   if (!state.is_object()) return;
   program.state = state;
-  program.fps.push_back(member<double>(state, "fps", 0));
+  program.fps.push_back(numberIn<double>(state, "fps", 0));
   if (program.fps.size() > kMostFps) program.fps.pop_front();
   emit stateChanged(program.number);
 }

@@ -1,5 +1,7 @@
 #include "control/client/client.h"
 
+#include "control/messages/members.h"
+
 #include <cmath>
 #include <utility>
 
@@ -11,14 +13,8 @@ using std::chrono::steady_clock;
 
 constexpr int kClientVersion = 1;
 
-/// A text member of an untrusted message; empty if there is none.
-std::string textOfMember(const json& message, const char* name) {
-  const auto found = message.find(name);
-  return found != message.end() && found->is_string() ? found->get<std::string>() : "";
-}
-
 std::string refusalOf(const json& message) {
-  const std::string why = textOfMember(message, "why");
+  const std::string why = textIn(message, "why");
   return why.empty() ? "the hub refuses, and does not say why" : why;
 }
 
@@ -90,8 +86,8 @@ void Client::close(const std::string& why) {
 void Client::takeHello(const json& message) {
   const auto version = message.find("version");
   const bool versioned = version != message.end() && version->is_number_integer();
-  if (textOfMember(message, "type") == "error") return close(refusalOf(message));
-  if (textOfMember(message, "type") != "hello" || textOfMember(message, "role") != "hub" || !versioned ||
+  if (textIn(message, "type") == "error") return close(refusalOf(message));
+  if (textIn(message, "type") != "hello" || textIn(message, "role") != "hub" || !versioned ||
       version->get<int64_t>() < 1)
     return close("what listens there is no hub of GLuRay; end it, and start gluray hub");
   const auto age = message.find("age"), expected = message.find("expected");
@@ -102,7 +98,7 @@ void Client::takeHello(const json& message) {
 
 void Client::take(json&& message) {
   if (!greeted_) return takeHello(message);
-  const std::string type = textOfMember(message, "type");
+  const std::string type = textIn(message, "type");
   if (type == "event") {
     if (events_.size() >= kMostEvents) events_.pop_front();
     events_.push_back(std::move(message));

@@ -1,5 +1,7 @@
 // Members of requests, checked: nobody trusts who sends them. Any thread.
 #pragma once
+#include "control/messages/members.h"
+
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
@@ -11,17 +13,12 @@ namespace gluray::control {
 
 class Asked {
  public:
-  static constexpr size_t kMostOfName = 256;                // bytes of an id, a name, a gesture
-  static constexpr int64_t kMostNumber = int64_t{1} << 53;  // whole numbers that every JSON reader keeps
+  static constexpr size_t kMostOfName = 256;  // bytes of an id, a name, a gesture
 
   explicit Asked(const nlohmann::json& message) : message_(message) {}
 
   /// The member; null: there is none.
-  const nlohmann::json* at(const char* name) const {
-    if (!message_.is_object()) return nullptr;
-    const auto found = message_.find(name);
-    return found == message_.end() ? nullptr : &*found;
-  }
+  const nlohmann::json* at(const char* name) const { return member(message_, name); }
   /// A text; none: it is missing, longer than kMostOfName, or something else.
   std::optional<std::string> text(const char* name) const {
     const nlohmann::json* const value = at(name);
@@ -29,13 +26,10 @@ class Asked {
     auto found = value->get<std::string>();
     return found.size() <= kMostOfName ? std::optional(std::move(found)) : std::nullopt;
   }
-  /// A whole number from 0 to kMostNumber.
+  /// A whole number from 0 to kMostFrame.
   std::optional<uint64_t> number(const char* name) const {
-    const nlohmann::json* const value = at(name);
-    if (!value || !value->is_number_integer()) return std::nullopt;
-    if (!value->is_number_unsigned() && value->get<int64_t>() < 0) return std::nullopt;
-    const auto found = value->get<uint64_t>();
-    return found <= static_cast<uint64_t>(kMostNumber) ? std::optional(found) : std::nullopt;
+    const auto found = wholeNumber(at(name), 0, kMostFrame);
+    return found ? std::optional(static_cast<uint64_t>(*found)) : std::nullopt;
   }
   bool isTrue(const char* name) const {
     const nlohmann::json* const value = at(name);

@@ -22,24 +22,6 @@ json descriptions() {
   return rows;
 }
 
-/// What each layer says, the lowest first; null where it says nothing.
-json layersOf(const Layers& layers, const Row& row) {
-  json list = json::array();
-  for (size_t i = 0; i < kLayerCount; ++i) {
-    const auto layer = static_cast<Layer>(i);
-    json value, place = "";
-    if (layer == Layer::builtIn) value = valueOf(row, printValue(row, Session{}));
-    for (const Given& given : layers.given)
-      if (given.row == &row && given.layer == layer) {
-        Session session;
-        readValue(row, given.value, session);  // "on" is true
-        value = valueOf(row, printValue(row, session)), place = given.place;
-      }
-    list.push_back({{"layer", nameOf(layer)}, {"value", value}, {"place", place}});
-  }
-  return list;
-}
-
 }  // namespace
 
 ProgramSide::ProgramSide(ControlledProgram& program, LiveSettings& live, const SettingsSource& source,
@@ -104,7 +86,7 @@ void ProgramSide::carryOut(const std::string& type, const json& id, const json& 
   if (ChangeRequests::knows(type))
     changes_.take(type, id, message, now);
   else if (type == "get")
-    answer(id, valuesOf(Asked(message).at("names"), message.value("layers", json()) == true));
+    answer(id, valuesOf(Asked(message).at("names"), Asked(message).isTrue("layers")));
   else if (type == "describe")
     answer(id, {{"settings", descriptions()}});
   else if (type == "observe")

@@ -47,4 +47,9 @@ std::optional<std::string> textMember(const json& object, const char* name, size
   return value->get<std::string>();
 }
 
+std::string textIn(const json& object, const char* name) {
+  const json* const value = member(object, name);
+  return value && value->is_string() ? value->get<std::string>() : "";
+}
+
 }  // namespace gluray::control

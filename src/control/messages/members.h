@@ -29,4 +29,14 @@ bool isId(const nlohmann::json* value);
 std::optional<std::string> textMember(const nlohmann::json& object, const char* name, size_t characters,
                                       const char* otherwise = nullptr);
 
+/// The text of a member; empty where there is none.
+std::string textIn(const nlohmann::json& object, const char* name);
+
+/// The number of a member; `otherwise` where there is none.
+template <class Number>
+Number numberIn(const nlohmann::json& object, const char* name, Number otherwise) {
+  const nlohmann::json* const value = member(object, name);
+  return value && value->is_number() ? value->get<Number>() : otherwise;
+}
+
 }  // namespace gluray::control

@@ -40,6 +40,14 @@ std::string scalarText(const json& value) {
   return value.is_number() ? value.dump() : "";
 }
 
+/// A layer's value, typed.
+json typedValue(const Row& row, const std::string& text) {
+  Session session;
+  const bool partly = row.type == Type::quirks;  // names only some
+  return !partly && readValue(row, text, session).empty() ? valueOf(row, printValue(row, session))
+                                                          : json(text);
+}
+
 }  // namespace
 
 json valueOf(const Row& row, const std::string& text) {
@@ -67,6 +75,24 @@ TextOrWhy textOf(const Row& row, const json& value) {
     text += scalarText(entry);
   }
   return {text, ""};
+}
+
+json layersOf(const Layers& layers, const Row& row) {
+  json list = json::array();
+  for (size_t i = 0; i < kLayerCount; ++i) {
+    const auto layer = static_cast<Layer>(i);
+    bool any = layer == Layer::builtIn;
+    if (any)
+      list.push_back(
+          {{"layer", nameOf(layer)}, {"value", valueOf(row, printValue(row, Session{}))}, {"place", ""}});
+    for (const Given& g : layers.given)
+      if (g.row == &row && g.layer == layer) {
+        any = true;
+        list.push_back({{"layer", nameOf(layer)}, {"value", typedValue(row, g.value)}, {"place", g.place}});
+      }
+    if (!any) list.push_back({{"layer", nameOf(layer)}, {"value", nullptr}, {"place", ""}});
+  }
+  return list;
 }
 
 json description(const Row& row) {

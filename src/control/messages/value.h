@@ -1,5 +1,6 @@
 // Values of settings as JSON, and back (docs/control-protocol.md, Requests). Any thread.
 #pragma once
+#include "settings/layers.h"
 #include "settings/rows.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -16,6 +17,10 @@ struct TextOrWhy {
   std::string text, why;
 };
 TextOrWhy textOf(const Row& row, const nlohmann::json& value);
+
+/// What each layer says of a setting, the lowest first: objects with `layer`, `value` (null: nothing),
+/// `place`. A layer may say something in several places.
+nlohmann::json layersOf(const Layers& layers, const Row& row);
 
 /// What is to be known of a setting: an object with `name`, `type`, `default`, `least`, `most` (null: no
 /// limit), `words` (a list of objects with `word`, `help`), `unit`, `help`, `more`, `group`, `applies`,

@@ -1,5 +1,6 @@
 #include "control/messages/value.h"
 
+#include "settings/named_row.h"
 #include "settings/values.h"
 
 #include <gtest/gtest.h>
@@ -10,16 +11,10 @@ namespace {
 
 using nlohmann::json;
 
-const Row& row(const char* name) {
-  const Row* found = findSetting(name);
-  if (!found) ADD_FAILURE() << name;
-  return found ? *found : settingRows()[0];
-}
-
 TEST(ValueOf, HasTheSettingsType) {
-  EXPECT_EQ(valueOf(row("ao"), "true"), json(true));
-  EXPECT_EQ(valueOf(row("ao.samples"), "16"), json(16));
-  EXPECT_EQ(valueOf(row("bvh"), "fast"), json("fast"));
+  EXPECT_EQ(valueOf(namedRow("ao"), "true"), json(true));
+  EXPECT_EQ(valueOf(namedRow("ao.samples"), "16"), json(16));
+  EXPECT_EQ(valueOf(namedRow("bvh"), "fast"), json("fast"));
 }
 
 TEST(ValueOf, OfEverySettingIsReadAgainAsTheSameValue) {
@@ -34,10 +29,10 @@ TEST(ValueOf, OfEverySettingIsReadAgainAsTheSameValue) {
 }
 
 TEST(TextOf, TakesStringsAsInFiles) {
-  EXPECT_EQ(textOf(row("ao"), json("on")).text, "on");
-  EXPECT_EQ(textOf(row("ao.samples"), json("16")).text, "16");
-  EXPECT_EQ(textOf(row("ao.samples"), json(16)).text, "16");
-  EXPECT_EQ(textOf(row("ao"), json(false)).text, "false");
+  EXPECT_EQ(textOf(namedRow("ao"), json("on")).text, "on");
+  EXPECT_EQ(textOf(namedRow("ao.samples"), json("16")).text, "16");
+  EXPECT_EQ(textOf(namedRow("ao.samples"), json(16)).text, "16");
+  EXPECT_EQ(textOf(namedRow("ao"), json(false)).text, "false");
 }
 
 TEST(TextOf, JoinsLists) {
@@ -55,19 +50,19 @@ TEST(TextOf, JoinsLists) {
 TEST(TextOf, RefusesWhatIsNoValue) {
   for (const json& value :
        {json(), json::object(), json({json::object()}), json({json::array()}), json({nullptr})}) {
-    const TextOrWhy text = textOf(row("ao"), value);
+    const TextOrWhy text = textOf(namedRow("ao"), value);
     EXPECT_EQ(text.text, "") << value;
     EXPECT_EQ(text.why, "ao: use a boolean, a number, a string or a list of these") << value;
   }
 }
 
 TEST(Description, HasWhatWidgetsNeed) {
-  const json samples = description(row("ao.samples"));
+  const json samples = description(namedRow("ao.samples"));
   EXPECT_EQ(samples["type"], "integer");
   EXPECT_EQ(samples["least"], 1);
   EXPECT_TRUE(samples["most"].is_number());
   EXPECT_FALSE(samples["help"].get<std::string>().empty());
-  const json bvh = description(row("bvh"));
+  const json bvh = description(namedRow("bvh"));
   EXPECT_EQ(bvh["type"], "choice");
   EXPECT_GT(bvh["words"].size(), 2u);
 }
