@@ -109,7 +109,7 @@ def table_row(row: Row) -> str:
     least, most = row.range or (0, 0)
     flags = [f".{name} = {str(value).lower()}" for name, value in
              (("ranged", row.range is not None), ("files", row.is_file), ("explains", row.explains), ("exists", row.exists), ("inFiles", row.in_files))]
-    words = f", .words = {list_name(row)}" if row.choices else ""
+    words = f", .words = {list_name(row)}" if row.choices else f", .check = {row.check}" if row.check else ""
     return f"""    {{.name = {quoted(row.name)},
      .type = Type::{KINDS.get(row.type, row.type)},
      .applies = Applies::{row.applies},

@@ -61,6 +61,7 @@ class Row:
     exists: bool = False
     in_files: bool = True
     alone: bool = False
+    check: str = ""
     heads: bool = dataclasses.field(default=False, init=False)  # a switch whose name is a group's, too
 
     @property
@@ -144,6 +145,8 @@ def checked(fields: dict) -> Row:
         fail(name, "numbers need a range")
     if row.range is None and row.type == "color":
         row.range = [0, 1]
+    if row.check and row.type != "list":
+        fail(name, "only the entries of lists have a check")
     if (row.type == "choice") != bool(row.choices):
         fail(name, "the type choice, and only it, needs choices")
     row.choices = [Choice(**c) for c in row.choices]

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace gluray {
 namespace {
@@ -91,12 +92,15 @@ std::string readText(const Row& row, std::string_view text, glm::vec3& value) {
 std::string readText(const Row&, std::string_view text, std::string& value) { return value = text, ""; }
 
 std::string readText(const Row& row, std::string_view text, std::vector<std::string>& value) {
-  value.clear();
+  std::vector<std::string> entries;
   while (!text.empty()) {
     const size_t end = text.find(separatorOf(row));
-    if (end != 0) value.emplace_back(text.substr(0, end));
+    const std::string_view entry = text.substr(0, end);
+    if (std::string why = row.check && !entry.empty() ? row.check(entry) : ""; !why.empty()) return why;
+    if (!entry.empty()) entries.emplace_back(entry);
     text = end == text.npos ? std::string_view() : text.substr(end + 1);
   }
+  value = std::move(entries);
   return "";
 }
 

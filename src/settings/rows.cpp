@@ -1,6 +1,7 @@
 #include "settings/rows.h"
 
 #include "settings/nearest.h"
+#include "settings/object_rule.h"
 
 #include <algorithm>
 #include <cctype>

@@ -38,6 +38,7 @@ struct Row {
   std::string_view leastMeans, unit, help, more, group, since;
   std::string_view option, placeholder;  // "--threads" (empty: only --set) and "N" for its value
   std::span<const Word> words = {};
+  std::string (*check)(std::string_view entry) = nullptr;  // of a list: empty, or what is wrong with an entry
   Place (*place)(Session&);
 };
 
