@@ -56,6 +56,13 @@ struct ColorWrites {
   bool operator==(const ColorWrites&) const = default;
 };
 
+/// Which object of the program an instance is (gl/objects), from 1; 0: not known. Two instances that differ
+/// in this alone are equal: rules by object stand in the settings.
+struct ObjectNumber {
+  uint32_t value = 0;
+  bool operator==(const ObjectNumber&) const { return true; }
+};
+
 /// A mesh placed in the scene, with the state it was drawn with. "World" is the object space of the
 /// snapshot's first instance, so that a camera move changes only eyeFromWorld.
 struct Instance {
@@ -64,6 +71,7 @@ struct Instance {
   glm::mat4 worldFromObject{1};  // exactly the identity if eyeFromObject equals the snapshot's eyeFromWorld
   uint32_t shading = 0;          // index into Snapshot::shadings
   uint32_t order = 0;            // instances with higher numbers were drawn later
+  ObjectNumber object;
   // Values of attributes that the mesh does not carry.
   glm::vec4 color{1};
   glm::vec3 normal{0, 0, 1};

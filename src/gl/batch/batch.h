@@ -44,6 +44,8 @@ class Batch {
   /// The draws added so far. Must not be empty().
   const scene::Snapshot& waiting() const { return *snapshot_; }
   scene::SnapshotPtr pending() const { return snapshot_; }
+  /// The same, to give its surfaces numbers. Call before it is handed over.
+  scene::Snapshot& unnumbered() { return *snapshot_; }
 
   /// The key of draws in this state. Its region is empty if they could draw no pixel.
   static BatchKey keyOf(const State& state);

@@ -68,7 +68,7 @@ void Flusher::present(Reason reason) {
                                                            .programDraws = batch.takeProgramDraws(),
                                                            .wish = p_.clock.wish(),
                                                            .cleared = under});
-  if (result.outcome == PresentResult::traced && !rasterise) p_.surfaces.views.traced(key, snapshot);
+  if (result.outcome == PresentResult::traced && !rasterise) p_.surfaces.traced(key, snapshot);
   if (result.averages) p_.cleared.wroteAntialiased(antialiased, key);
   p_.resolves.cleanIs({});
   p_.shadow.latch.restore(p_.shadow.real);

@@ -65,7 +65,8 @@ class Flusher {
   /// Presents a delayed snapshot into the framebuffer of `key`. `known`: its picture is traced already.
   void presentLate(const BatchKey& key, const scene::SnapshotPtr& snapshot, std::vector<ProgramDraw> draws,
                    bool known);
-  /// Tells the pending batch what surrounds it. Call before it is traced or taken.
+  /// Numbers the surfaces of the pending batch, and tells it what surrounds it. Call before it is traced or
+  /// taken.
   void surround();
   /// Peeled layers that were traced are drawn by the real OpenGL after all: they light nothing.
   void withdrawPeeled() noexcept { p_.surfaces.views.withdrawPeeled(p_.clock.frame); }

@@ -99,7 +99,7 @@ bool ResolveDraws::hold() {
   p_.flusher.surround();
   UnresolvedPicture::Waiting waiting{kept, key, p_.flusher.batch.take(), p_.flusher.batch.takeProgramDraws()};
   p_.surfaces.passes.flushed(waiting.snapshot);
-  p_.surfaces.views.traced(waiting.key, waiting.snapshot);
+  p_.surfaces.traced(waiting.key, waiting.snapshot);
   held_.waiting = std::move(waiting);
   return true;
 }

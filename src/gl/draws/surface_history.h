@@ -1,10 +1,11 @@
 // What earlier draws tell about later ones: surfaces drawn in several passes, coplanar surfaces, triangles
-// too large for rays, and what surrounds batches. A part of each Context, GL thread.
+// too large for rays, what surrounds batches, and which objects they draw. A part of each Context, GL thread.
 #pragma once
 #include "gl/batch/view_scenes.h"
 #include "gl/draws/coplanar_surfaces.h"
 #include "gl/draws/multipass_surfaces.h"
 #include "gl/draws/ray_precision.h"
+#include "gl/objects/drawn_objects.h"
 
 namespace gluray::gl {
 
@@ -13,6 +14,13 @@ struct SurfaceHistory {
   CoplanarSurfaces coplanar;
   RayPrecision precision;
   ViewScenes views;
+  DrawnObjects objects;
+
+  /// The batch was traced, or surely will be.
+  void traced(const BatchKey& key, const scene::SnapshotPtr& snapshot) noexcept {
+    views.traced(key, snapshot);
+    objects.traced(key, snapshot);
+  }
 };
 
 }  // namespace gluray::gl

@@ -41,6 +41,7 @@ void FrameEnds::beforeSwap() {
 
 void FrameEnds::afterSwap() {
   p_.cleared.forget();  // the back buffer is undefined
+  p_.surfaces.objects.shown(p_.settings.frame());
   ++p_.counts.statistics.frames;
   if (p_.clock.passesThrough()) ++p_.counts.statistics.framesPassedThrough;
   p_.clock.beganSeconds = 0;
@@ -63,9 +64,11 @@ uint64_t FrameEnds::draws() const {
 void FrameEnds::takeSettings() {
   if (p_.lists.compiling() || p_.immediate.insideBegin()) return;
   const ContextInfo& info = p_.shadow.info;
-  const Engine before = engineOf(info, p_.settings.now());
-  if (!p_.settings.take()) return;
-  const Engine now = engineOf(info, p_.settings.now());
+  DrawnObjects& objects = p_.surfaces.objects;
+  const Engine before = engineOf(info, p_.settings.now(), objects.asked());
+  const bool looked = objects.look();
+  if (!p_.settings.take() && !looked) return;
+  const Engine now = engineOf(info, p_.settings.now(), objects.asked());
   if (before == now) return;
   p_.flusher.flush();
   p_.passthrough.startAnew(now);
@@ -115,7 +118,8 @@ void FrameEnds::cleared(GLbitfield mask) {
     if (p_.surfaces.passes.anyByProgram()) p_.shadow.refresh(kTarget);
     p_.surfaces.passes.clear(p_.shadow.state.target.framebuffer), p_.surfaces.coplanar.clear();
   }
-  if (!p_.surfaces.views.empty() || wantsShownViews(p_.shadow.settings)) endViews(mask);
+  if (!p_.surfaces.views.empty() || !p_.surfaces.objects.empty() || wantsShownViews(p_.shadow.settings))
+    endViews(mask);
   p_.cleared.clear(mask);
   if ((mask & kWhole) != kWhole || p_.counts.work() == workForgotten_) return;
   const int patience = p_.counts.statistics.frames > 0 ? 64 : 4;
@@ -143,6 +147,7 @@ void FrameEnds::endViews(GLbitfield mask) {
     glm::vec4 to(0);
     real.GetFloatv(GL_COLOR_CLEAR_VALUE, &to[0]);
     p_.surfaces.views.colorCleared({framebuffer, box, to, p_.counts.statistics.drawsRasterised});
+    p_.surfaces.objects.colorCleared(framebuffer, box);
   }
   if (depth) p_.surfaces.views.depthCleared(framebuffer, box);
 }

@@ -8,8 +8,9 @@
 
 namespace gluray::gl {
 
-Engine engineOf(const ContextInfo& info, const Settings& settings) {
-  const bool choice = !info.off && settings.renderer != Renderer::null && !settings.changesPicture();
+Engine engineOf(const ContextInfo& info, const Settings& settings, bool asked) {
+  const bool choice =
+      !info.off && settings.renderer != Renderer::null && !settings.changesPicture() && !asked;
   return choice || settings.engine == Engine::never ? settings.engine : Engine::always;
 }
 

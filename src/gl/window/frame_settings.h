@@ -7,8 +7,9 @@
 namespace gluray::gl {
 
 /// The engine that draws. `automatic` becomes `always` if settings change the picture, so that the real
-/// OpenGL would show another one, or if the renderer is `null` (to measure interception alone).
-Engine engineOf(const ContextInfo& info, const Settings& settings);
+/// OpenGL would show another one, or if the renderer is `null` (to measure interception alone), or if
+/// somebody asks for what is drawn (DrawnObjects).
+Engine engineOf(const ContextInfo& info, const Settings& settings, bool asked = false);
 
 /// Number of tracing threads, for EngineChoice.
 int threadsOf(const Settings& settings);
@@ -20,6 +21,8 @@ class FrameSettings {
       : source_(info.source), now_(source_ ? *source_->current() : info.settings) {}
 
   const Settings& now() const { return now_; }
+  /// The number of the last frame that has begun, as the source counts; 0: without a source.
+  uint64_t frame() const noexcept { return source_ ? source_->begun().frame : 0; }
   /// Call when a frame has been shown, and before the first clear of the next: counts it.
   void endFrame() noexcept {
     if (source_) source_->endFrame();

@@ -78,7 +78,7 @@ LagRefusal WindowFrames::lag(const LagWindow& window) noexcept {
         p_.shadow.real, frame.snapshot, {frame.key.depthFunc, frame.cleared, frame.farthest, window.overdue});
     if (refusal != LagRefusal::none) return;
     lagged_ = std::move(frame);
-    p_.surfaces.views.traced(lagged_->key, p_.flusher.batch.take());
+    p_.surfaces.traced(lagged_->key, p_.flusher.batch.take());
     lagged_->draws = p_.flusher.batch.takeProgramDraws();
     p_.shadow.real.Flush();  // starts the frame's rasterised draws meanwhile
   });

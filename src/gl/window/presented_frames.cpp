@@ -57,7 +57,7 @@ bool WindowFrames::showWithoutSwap(glm::ivec2 window, const ShowPicture& show) n
     p_.flusher.takeResult(result);
     PresentedPicture::Waiting waiting{key, p_.flusher.batch.take(), p_.flusher.batch.takeProgramDraws()};
     p_.surfaces.passes.flushed(waiting.snapshot);
-    p_.surfaces.views.traced(key, waiting.snapshot);
+    p_.surfaces.traced(key, waiting.snapshot);
     presented_.waiting = std::move(waiting);
     p_.cleared.forget();
     noteUse(Quirk::softwareShow);

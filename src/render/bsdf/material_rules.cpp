@@ -3,6 +3,7 @@
 #include "base/files.h"
 #include "base/log.h"
 #include "base/toml_text.h"
+#include "render/bsdf/object_rules.h"
 #include "render/integrators/altered_look.h"
 #include "scene/surroundings.h"
 
@@ -179,15 +180,21 @@ bool MaterialRule::holdsFor(const scene::Instance& instance, const scene::Shadin
 }
 
 accel::HiddenFrom hiddenByRules(const scene::Snapshot& snapshot) {
-  const std::vector<MaterialRule> rules =
-      readMaterialRules(lastRules().textOf(snapshot.settings.material.file), {}, 1);
+  const Settings& settings = snapshot.settings;
+  std::vector<MaterialRule> rules;
+  if (!settings.material.file.empty())
+    rules = readMaterialRules(lastRules().textOf(settings.material.file), {}, 1);
+  const ObjectRules entries(settings);
   const auto hides = [](const MaterialRule& rule) { return rule.hiddenFrom.value_or(0) != 0; };
-  if (std::none_of(rules.begin(), rules.end(), hides)) return {};
+  if (std::none_of(rules.begin(), rules.end(), hides) && !entries.hide()) return {};
   accel::HiddenFrom hidden(scene::countAll(snapshot), 0);
-  for (size_t i = 0; i < hidden.size(); ++i)
+  for (size_t i = 0; i < hidden.size(); ++i) {
+    const scene::Instance& instance = scene::instanceOf(snapshot, i);
     for (const MaterialRule& rule : rules)
-      if (rule.hiddenFrom && rule.holdsFor(scene::instanceOf(snapshot, i), scene::shadingOf(snapshot, i)))
+      if (rule.hiddenFrom && rule.holdsFor(instance, scene::shadingOf(snapshot, i)))
         hidden[i] = *rule.hiddenFrom;
+    if (const auto own = entries.hiddenFrom(instance)) hidden[i] = *own;
+  }
   return hidden;
 }
 
@@ -222,12 +229,14 @@ std::vector<MaterialModel> materialsOf(const scene::Snapshot& snapshot, float di
   std::vector<MaterialRule> rules;
   if (!snapshot.settings.material.file.empty())
     rules = readMaterialRules(lastRules().textOf(snapshot.settings.material.file), everywhere, diagonal);
+  const ObjectRules entries(snapshot.settings);
   for (size_t i = 0; i < models.size(); ++i) {
     const scene::Instance& instance = scene::instanceOf(snapshot, i);
     const scene::Shading& shading = scene::shadingOf(snapshot, i);
     if (!isLit(shading) || instance.ground) models[i] = {};
     for (const MaterialRule& rule : rules)
       if ((rule.looks || !rule.hiddenFrom) && rule.holdsFor(instance, shading)) models[i] = rule.model;
+    if (const auto own = entries.modelOf(instance, diagonal)) models[i] = *own;
   }
   return models;
 }

@@ -8,7 +8,8 @@
 //   hidden-from = ["camera"]      # kinds of rays that it does not exist for: and shadow, occlusion,
 //   reflection
 // A rule holds for objects that meet all its conditions; later rules win. Read once, kept while the file
-// stays the same. Any thread.
+// stays the same. Entries of the setting material.objects (settings/object_rule.h) win over all of these.
+// Any thread.
 #pragma once
 #include "accel/ray_kind.h"
 #include "render/bsdf/material_model.h"
@@ -35,12 +36,13 @@ struct MaterialRule {
 std::vector<MaterialRule> readMaterialRules(const std::string& toml, const MaterialModel& otherwise,
                                             float diagonal);
 
-/// What the rules of settings.material.file hide. Empty where they hide nothing.
+/// What the rules of settings.material.file and the entries of settings.material.objects hide. Empty where
+/// they hide nothing.
 accel::HiddenFrom hiddenByRules(const scene::Snapshot&);
 
 /// One for each instance of the snapshot and its surroundings: by settings where the surface is lit, by rules
-/// for any. `diagonal`: of the scene's bounds, eye space. A file that cannot be read is reported in one line;
-/// the last one that could stays.
+/// and entries for any. `diagonal`: of the scene's bounds, eye space. A file that cannot be read is reported
+/// in one line; the last one that could stays.
 std::vector<MaterialModel> materialsOf(const scene::Snapshot&, float diagonal);
 
 }  // namespace gluray::render

@@ -114,5 +114,24 @@ TEST(MaterialRules, LaterRulesWinAndUnlitSurfacesStayUnlessARuleNamesThem) {
   EXPECT_EQ(materialsOf(s, 1)[2].kind, SurfaceMaterial::mirror) << "the last rules that could be read stay";
 }
 
+TEST(MaterialRules, EntriesOfSingleObjectsWinAndFollowTheObject) {
+  scene::Snapshot s =
+      test::makeSnapshot({test::makeMesh(test::squareData()), test::makeMesh(test::squareData(0.5f)),
+                          test::makeMesh(test::squareData(0.7f))});
+  s.instances[0].object = {7}, s.instances[1].object = {3}, s.instances[2].ground = true;
+  s.settings.material.roughness = 0.4f;
+  s.settings.material.objects = {"3 glass ior=1.3", "7 hidden-from=camera+shadow", "3 hidden-from=none",
+                                 "0 x"};
+  const std::vector<MaterialModel> models = materialsOf(s, 1);
+  EXPECT_EQ(models[0].kind, SurfaceMaterial::program);
+  EXPECT_EQ(models[1].kind, SurfaceMaterial::glass);
+  EXPECT_FLOAT_EQ(models[1].ior, 1.3f);
+  EXPECT_FLOAT_EQ(models[1].roughness, 0.4f);
+  EXPECT_EQ(hiddenByRules(s), (accel::HiddenFrom{3, 0, 0}));
+  s.settings.material.objects = {"3 glass", "3 matte"};
+  EXPECT_EQ(materialsOf(s, 1)[1].kind, SurfaceMaterial::matte);
+  EXPECT_TRUE(hiddenByRules(s).empty());
+}
+
 }  // namespace
 }  // namespace gluray::render

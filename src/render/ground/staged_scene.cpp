@@ -11,7 +11,8 @@ namespace gluray::render {
 
 StagedScene::StagedScene(const scene::Snapshot& given) : given_(given) {
   if (given.ground != scene::GroundUse::none) addGround();
-  if (!given.settings.material.file.empty()) hidden_ = hiddenByRules(snapshot());
+  const Settings::Material& material = given.settings.material;
+  if (!material.file.empty() || !material.objects.empty()) hidden_ = hiddenByRules(snapshot());
 }
 
 void StagedScene::addGround() {

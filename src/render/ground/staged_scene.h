@@ -7,7 +7,7 @@
 
 namespace gluray::render {
 
-/// The snapshot with its ground (adr/0051), and what material.file hides from which rays. Where settings ask
+/// The snapshot with its ground (adr/0051), and what rules hide from which rays. Where settings ask
 /// for neither, the snapshot itself. The snapshot must outlive it.
 class StagedScene {
  public:

@@ -49,6 +49,13 @@ HWY_ATTR void showGeometry(const GeometryGuide& guide, const ColoredHits& hits, 
   }
 }
 
+HWY_ATTR void showSurfaces(const SurfaceGuide& guide, const ColoredHits& hits, ColorRows& rows) {
+  SurfacePoints points;
+  makePoints(guide.metric, guide.frame, hits, points);
+  for (int c = 0; c < 3; ++c) std::copy_n(points.shading[c], kLanes, rows.value[c]);
+  std::fill_n(rows.value[3], kLanes, static_cast<float>(hits.instance + 1));
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace gluray::render
 HWY_AFTER_NAMESPACE();
@@ -58,6 +65,7 @@ namespace gluray::render {
 
 HWY_EXPORT(showReflectance);
 HWY_EXPORT(showGeometry);
+HWY_EXPORT(showSurfaces);
 
 void ReflectanceGuide::light(const ColoredHits& hits, ColorRows& rows) const noexcept {
   HWY_DYNAMIC_DISPATCH(showReflectance)(*this, hits, rows);
@@ -71,15 +79,21 @@ void GeometryGuide::light(const ColoredHits& hits, ColorRows& rows) const noexce
   HWY_DYNAMIC_DISPATCH(showGeometry)(*this, hits, rows);
 }
 
+void SurfaceGuide::light(const ColoredHits& hits, ColorRows& rows) const noexcept {
+  HWY_DYNAMIC_DISPATCH(showSurfaces)(*this, hits, rows);
+}
+
 using Mode = scene::LightSampling::Mode;
 
 bool wantsGuide(const scene::Snapshot& snapshot) {
   const Mode mode = snapshot.lightSampling.mode;
-  return mode == Mode::reflectance || mode == Mode::geometry;
+  return mode == Mode::reflectance || mode == Mode::geometry || mode == Mode::surfaces;
 }
 
 std::unique_ptr<const Integrator> makeGuide(const FrameData& frame) {
-  if (frame.snapshot->lightSampling.mode == Mode::geometry) return std::make_unique<GeometryGuide>(frame);
+  const Mode mode = frame.snapshot->lightSampling.mode;
+  if (mode == Mode::geometry) return std::make_unique<GeometryGuide>(frame);
+  if (mode == Mode::surfaces) return std::make_unique<SurfaceGuide>(frame);
   // The local look lacks light from all sides.
   const bool domed = frame.relit && frame.relit->dome.shines();
   if (!domed && !scene::wantsPaths(frame.snapshot->settings)) return nullptr;

@@ -1,5 +1,6 @@
-// What a filter of finished pictures must know of each pixel, in place of its colour. Made for passes of the
-// modes reflectance and geometry (scene/light_sampling.h); called on all tracing threads.
+// What a filter of finished pictures, or somebody who picks a pixel, must know of it in place of its colour.
+// Made for passes of the modes reflectance, geometry and surfaces (scene/light_sampling.h); called on all
+// tracing threads.
 #pragma once
 #include "render/integrators/altered_look.h"
 #include "render/integrators/integrator.h"
@@ -34,6 +35,17 @@ class GeometryGuide final : public Integrator {
   const FrameData& frame;
   Metric metric;
   FilmSpace space;
+};
+
+/// Red, green and blue become the normal, of unit length, in eye space, on the viewer's side; alpha the
+/// number of the instance, counted from 1. Exact for the first 2^24 instances.
+class SurfaceGuide final : public Integrator {
+ public:
+  explicit SurfaceGuide(const FrameData& of) : frame(of), metric(of) {}
+  void light(const ColoredHits&, ColorRows&) const noexcept override;
+
+  const FrameData& frame;
+  Metric metric;
 };
 
 /// The guide that the snapshot's mode asks for; null where colours of the local look are the answer.

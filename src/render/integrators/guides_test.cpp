@@ -115,5 +115,18 @@ TEST(Guides, PassesTraceTheTilesThatTheyAreAskedFor) {
   }
 }
 
+TEST(SurfaceGuide, NamesTheInstanceAndItsNormal) {
+  for (const bool perspective : {true, false}) {
+    const scene::Snapshot s = tilted(perspective, 0.2);
+    const Image guides = pass(s, Mode::surfaces);
+    const glm::vec3 normal(glm::normalize(glm::dvec3(s.eyeFromWorld * glm::dvec4(0, 0, 1, 0))));
+    for (const int x : {10, 40}) {
+      const float* const at = guides.wideColor.data() + 4 * static_cast<size_t>(24 * guides.width + x);
+      EXPECT_EQ(at[3], x < 24 ? 1 : 2);
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(at[c], normal[c], 1e-5) << perspective << x << c;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace gluray::render

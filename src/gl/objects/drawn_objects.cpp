@@ -1,0 +1,65 @@
+#include "gl/objects/drawn_objects.h"
+
+#include "gl/window/clears.h"
+
+#include <exception>
+#include <utility>
+
+namespace gluray::gl {
+
+DrawnObjects::~DrawnObjects() { forget(); }
+
+bool DrawnObjects::look() noexcept {
+  const bool asked = shownFrames().wanted();
+  if (asked == asked_) return false;
+  if (!asked) forget();
+  asked_ = asked;
+  return true;
+}
+
+void DrawnObjects::forget() noexcept {
+  batches_.clear();
+  if (asked_) shownFrames().forget(this);
+}
+
+void DrawnObjects::number(const BatchKey& key, scene::Snapshot& batch) noexcept {
+  if (!asked_ && batch.settings.material.objects.empty()) return numbers_.reset();
+  try {
+    if (!numbers_) numbers_ = std::make_unique<ObjectNumbers>();
+    if ((frame_ != batch.frame || ended_) && !numbers_->fresh()) numbers_->beginFrame();
+    if (numbers_->fresh()) firstFramebuffer_ = key.framebuffer, firstRegion_ = batch.region;
+    frame_ = batch.frame, ended_ = false;
+    numbers_->number(key, batch);
+  } catch (const std::exception&) { numbers_.reset(); }  // out of memory: numbers begin anew
+}
+
+void DrawnObjects::traced(const BatchKey& key, const scene::SnapshotPtr& snapshot) noexcept {
+  if (!asked_) return;
+  try {
+    if (batches_.size() >= kMostBatches) batches_.erase(batches_.begin());
+    batches_.push_back({snapshot, key.framebuffer});
+  } catch (const std::exception&) { batches_.clear(); }
+  if (!swaps_) publish(0);
+}
+
+void DrawnObjects::colorCleared(uint32_t framebuffer, const scene::Region& box) noexcept {
+  std::erase_if(batches_, [&](const ShownBatch& batch) {
+    return batch.framebuffer == framebuffer && contains(box, batch.snapshot->region);
+  });
+  ended_ |= framebuffer == firstFramebuffer_ && contains(box, firstRegion_);
+}
+
+void DrawnObjects::publish(uint64_t frame) noexcept {
+  try {
+    shownFrames().show(this, std::make_shared<const ShownFrame>(ShownFrame{frame, batches_}));
+  } catch (const std::exception&) {}  // the next one is shown
+}
+
+void DrawnObjects::shown(uint64_t frame) noexcept {
+  swaps_ = true;
+  if (!asked_) return;
+  publish(frame);
+  std::erase_if(batches_, [](const ShownBatch& batch) { return batch.framebuffer == 0; });
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,57 @@
+// What contexts have drawn, for those who ask about it: the control thread. While nobody asks, nothing is
+// kept, and frames cost a load. Any thread.
+#pragma once
+#include "base/clock.h"
+#include "scene/snapshot.h"
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace gluray::gl {
+
+/// One traced batch of a frame.
+struct ShownBatch {
+  scene::SnapshotPtr snapshot;
+  uint32_t framebuffer = 0;  // OpenGL's name; 0: the window
+};
+
+/// A frame that was shown: its batches in the order of drawing. Their surfaces have numbers.
+struct ShownFrame {
+  uint64_t frame = 0;  // as SettingsSource counts; 0: not known
+  std::vector<ShownBatch> batches;
+};
+using ShownFramePtr = std::shared_ptr<const ShownFrame>;
+
+class ShownFrames {
+ public:
+  /// Frames are kept until this time, on the clock nowSeconds(); 0: not at all, and those that are kept are
+  /// forgotten.
+  void wantUntil(double when) noexcept;
+  bool wanted() const noexcept {
+    const double until = until_.load(std::memory_order_relaxed);
+    return until > 0 && nowSeconds() < until;
+  }
+  /// Call when a context has shown a frame; replaces its last one. `context` is any key of it.
+  void show(const void* context, ShownFramePtr frame) noexcept;
+  /// Call when the context keeps none any more.
+  void forget(const void* context) noexcept;
+  /// The frame that was shown last; of contexts that have shown none, null.
+  ShownFramePtr last() const;
+
+ private:
+  struct Entry {
+    const void* context;
+    ShownFramePtr frame;
+  };
+  std::atomic<double> until_{0};
+  mutable std::mutex mutex_;
+  std::vector<Entry> entries_;  // the last shown one at the end
+};
+
+/// The process's. Never destroyed.
+ShownFrames& shownFrames();
+
+}  // namespace gluray::gl
