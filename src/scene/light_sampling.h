@@ -13,7 +13,9 @@ struct LightSampling {
     // No light; colours tell a filter what a pixel shows (render/integrators/guides.h):
     reflectance,  // what multiplies light there
     geometry,     // where it is, and its normal
-    surfaces,     // or tell who picks a pixel: which instance it is, and its normal
+    // or somebody who picks a pixel:
+    surfaces,  // which instance it shows, and its normal
+    points,    // which instance it shows, and where
   };
   Mode mode = Mode::full;
   uint32_t pass = 0;  // of a refinement: takes the samples that follow those of the passes before

@@ -52,7 +52,8 @@ HWY_ATTR void showGeometry(const GeometryGuide& guide, const ColoredHits& hits, 
 HWY_ATTR void showSurfaces(const SurfaceGuide& guide, const ColoredHits& hits, ColorRows& rows) {
   SurfacePoints points;
   makePoints(guide.metric, guide.frame, hits, points);
-  for (int c = 0; c < 3; ++c) std::copy_n(points.shading[c], kLanes, rows.value[c]);
+  const bool normals = guide.frame.snapshot->lightSampling.mode == scene::LightSampling::Mode::surfaces;
+  for (int c = 0; c < 3; ++c) std::copy_n(normals ? points.shading[c] : points.eye[c], kLanes, rows.value[c]);
   std::fill_n(rows.value[3], kLanes, static_cast<float>(hits.instance + 1));
 }
 
@@ -87,13 +88,14 @@ using Mode = scene::LightSampling::Mode;
 
 bool wantsGuide(const scene::Snapshot& snapshot) {
   const Mode mode = snapshot.lightSampling.mode;
-  return mode == Mode::reflectance || mode == Mode::geometry || mode == Mode::surfaces;
+  return mode == Mode::reflectance || mode == Mode::geometry || mode == Mode::surfaces ||
+         mode == Mode::points;
 }
 
 std::unique_ptr<const Integrator> makeGuide(const FrameData& frame) {
   const Mode mode = frame.snapshot->lightSampling.mode;
   if (mode == Mode::geometry) return std::make_unique<GeometryGuide>(frame);
-  if (mode == Mode::surfaces) return std::make_unique<SurfaceGuide>(frame);
+  if (mode == Mode::surfaces || mode == Mode::points) return std::make_unique<SurfaceGuide>(frame);
   // The local look lacks light from all sides.
   const bool domed = frame.relit && frame.relit->dome.shines();
   if (!domed && !scene::wantsPaths(frame.snapshot->settings)) return nullptr;

@@ -37,8 +37,8 @@ class GeometryGuide final : public Integrator {
   FilmSpace space;
 };
 
-/// Red, green and blue become the normal, of unit length, in eye space, on the viewer's side; alpha the
-/// number of the instance, counted from 1. Exact for the first 2^24 instances.
+/// Red, green and blue become the normal (mode surfaces: of unit length, on the viewer's side) or the point,
+/// in eye space; alpha the number of the instance, counted from 1. Exact for the first 2^24 instances.
 class SurfaceGuide final : public Integrator {
  public:
   explicit SurfaceGuide(const FrameData& of) : frame(of), metric(of) {}

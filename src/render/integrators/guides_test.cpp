@@ -124,6 +124,11 @@ TEST(SurfaceGuide, NamesTheInstanceAndItsNormal) {
       const float* const at = guides.wideColor.data() + 4 * static_cast<size_t>(24 * guides.width + x);
       EXPECT_EQ(at[3], x < 24 ? 1 : 2);
       for (int c = 0; c < 3; ++c) EXPECT_NEAR(at[c], normal[c], 1e-5) << perspective << x << c;
+      const Image points = pass(s, Mode::points);
+      const float* const point = points.wideColor.data() + 4 * static_cast<size_t>(24 * points.width + x);
+      const glm::dvec4 world = glm::inverse(s.eyeFromWorld) * glm::dvec4(point[0], point[1], point[2], 1);
+      EXPECT_NEAR(world.z, x < 24 ? 0 : -0.2, 1e-5) << perspective;
+      EXPECT_EQ(point[3], at[3]);
     }
   }
 }

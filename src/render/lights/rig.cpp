@@ -34,6 +34,12 @@ glm::vec3 Directions::towards(double azimuth, double elevation) const {
   return glm::vec3(std::sin(e) * up + std::cos(e) * (std::cos(a) * front + std::sin(a) * right));
 }
 
+glm::dvec2 Directions::anglesOf(const glm::dvec3& direction) const {
+  const glm::dvec3 d = glm::normalize(direction);
+  return {glm::degrees(std::atan2(glm::dot(d, right), glm::dot(d, front))),
+          glm::degrees(std::asin(std::clamp(glm::dot(d, up), -1.0, 1.0)))};
+}
+
 Directions sceneDirections(const glm::dmat4& eyeFromWorld, int upAxis) {
   const auto axis = [&](int i) { return glm::normalize(glm::dvec3(eyeFromWorld[i % 3])); };
   const auto across = [](const glm::dvec3& v, const glm::dvec3& n) {
@@ -62,12 +68,17 @@ Directions cameraDirections(const RaySetup& eyeRays, const glm::ivec4& viewport)
   return d;
 }
 
+Directions rigDirections(const Settings& settings, const glm::dmat4& eyeFromWorld, const Directions& camera) {
+  const Settings::Lights& s = settings.lights;
+  return onCamera(s) ? camera : sceneDirections(eyeFromWorld, static_cast<int>(s.up));
+}
+
 std::optional<Rig> makeRig(const Settings& settings, const glm::dmat4& eyeFromWorld,
                            const Directions& camera) {
   constexpr float kSun = 0.53f;  // degrees
   const Settings::Lights& s = settings.lights;
   if (s.rig == LightRig::program) return {};
-  const Directions d = onCamera(s) ? camera : sceneDirections(eyeFromWorld, static_cast<int>(s.up));
+  const Directions d = rigDirections(settings, eyeFromWorld, camera);
   const glm::vec3 key = d.towards(s.azimuth, s.elevation);
   const float share = 1 / s.ratio;
   Rig rig;

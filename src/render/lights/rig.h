@@ -16,6 +16,8 @@ struct Directions {
   glm::dvec3 right{1, 0, 0}, up{0, 1, 0}, front{0, 0, 1};
   /// Towards a light. Degrees: to the right of the front, above the horizon.
   glm::vec3 towards(double azimuth, double elevation) const;
+  /// Azimuth and elevation of a direction: the inverse.
+  glm::dvec2 anglesOf(const glm::dvec3& direction) const;
 };
 
 /// As the viewer sees them: right and up in the window, front towards the viewer. Also where eye space is
@@ -24,6 +26,9 @@ Directions cameraDirections(const RaySetup& eyeRays, const glm::ivec4& viewport)
 
 /// Directions of the scene with this axis upwards (0: x).
 Directions sceneDirections(const glm::dmat4& eyeFromWorld, int upAxis);
+
+/// Those that the rig of the settings is directed by.
+Directions rigDirections(const Settings&, const glm::dmat4& eyeFromWorld, const Directions& camera);
 
 struct Rig {
   std::vector<scene::LightSource> lights;
