@@ -22,9 +22,7 @@ void Pictures::take(const std::string& call, const json& id, const json& argumen
 
 void Pictures::shoot(const json& id, double now) {
   collect(/*slow=*/true, now);  // what was kept before this request is not for it
-  const double active = source_.begun().active;
-  const bool draws = active > 0 && now - active < kQuiet;
-  waiting_.push_back({id, now + kPatience, draws ? now + kQuiet : now, kAskAgain});
+  waiting_.push_back({id, FrameWait(source_, now)});
 }
 
 /// Rows of a kept shot.
@@ -58,7 +56,7 @@ void Pictures::observe(const ThumbnailWish& wish, double now) {
 void Pictures::passed(bool slow, double now) {
   collect(slow, now);
   std::erase_if(waiting_, [&](const Waiting& waiting) {
-    if (now < waiting.until) return false;
+    if (!waiting.wait.isOver(now)) return false;
     answer_(waiting.id,
             {{"why", "its windows have shown no frame for 8 seconds; draw in one, and try again"}});
     return true;
@@ -105,14 +103,14 @@ void Pictures::sendThumbnail(const Picture& picture, double now) {
 bool Pictures::missesFrames(double now) {
   const SettingsSource::Begun begun = source_.begun();
   if (std::exchange(begun_, begun.frame) != begun.frame && now - askedAt_ > kSettle) askedInARow_ = 0;
-  return begun.frame != shown_ && begun.frame != asked_ && askedInARow_ < kMostAsked &&
-         now - begun.active >= kQuiet;
+  const bool asksSoon = begun.frame != asked_ && askedInARow_ < kMostAsked;
+  return begun.frame != shown_ && (asksSoon || now - askedAt_ >= kRarely) &&
+         now - begun.active >= FrameWait::kQuiet;
 }
 
 void Pictures::wakeIfDue(bool slow, double now) {
   bool wake = false;
-  for (Waiting& waiting : waiting_)
-    if (now >= waiting.wake) wake = true, waiting.wake = now + waiting.pause, waiting.pause *= 2;
+  for (Waiting& waiting : waiting_) wake |= waiting.wait.wakes(now);
   if (wish_.on && !slow && now >= due_ && missesFrames(now)) {
     wake = asks_ = true;
     asked_ = begun_, askedAt_ = now, ++askedInARow_;

@@ -1,6 +1,7 @@
 // Pictures of the program's windows: the calls `shot` and `pixels`, and the event `thumbnail`. Control
 // thread; times in seconds.
 #pragma once
+#include "control/link/frame_wait.h"
 #include "control/link/program.h"
 #include "settings/settings_source.h"
 
@@ -23,14 +24,12 @@ struct ThumbnailWish {
 
 class Pictures {
  public:
-  static constexpr double kPatience = 8;     // for a frame
-  static constexpr double kQuiet = 0.1;      // without a frame: the program draws nothing
-  static constexpr double kAskAgain = 0.15;  // until the second request to draw; then twice as long each time
-  static constexpr double kPoll = 0.004;     // between two looks while a shot waits
-  static constexpr double kLook = 0.05;      // the same for thumbnails
+  static constexpr double kPoll = 0.004;      // between two looks while a shot waits
+  static constexpr double kLook = 0.05;       // the same for thumbnails
   static constexpr double kKeepSeconds = 10;  // a shot after its last use
   static constexpr double kSettle = 1;  // frames within this time of a request to draw may be its frames
-  static constexpr int kMostAsked = 3;  // requests to draw for thumbnails, if only their frames are drawn
+  static constexpr int kMostAsked = 3;  // requests to draw for thumbnails, if only their frames are drawn,
+  static constexpr double kRarely = 5;  // and none or those alone come: until the next one
   static constexpr size_t kMostKept = 4, kMostWaiting = 16;
   static constexpr int64_t kMostPixels = 196608;            // of a thumbnail: its message has room
   static constexpr size_t kPieceBytes = size_t{600} << 10;  // of pixels, before base64
@@ -52,7 +51,7 @@ class Pictures {
  private:
   struct Waiting {
     nlohmann::json id;
-    double until, wake, pause;
+    FrameWait wait;
   };
   struct Kept {
     uint64_t number;

@@ -24,6 +24,11 @@ enum class Wanted {
   next  // the next one that the program ends; it is not delayed
 };
 
+enum class Called : uint8_t {
+  done,
+  later  // a frame must be drawn first: call again then
+};
+
 class ControlledProgram {
  public:
   virtual ~ControlledProgram() = default;
@@ -32,8 +37,9 @@ class ControlledProgram {
   virtual Figures figures() = 0;
   /// The members of `state` that figures() does not give.
   virtual nlohmann::json state() = 0;
-  /// The value that a call returns; or in `why` one line that says why it is not carried out.
-  virtual nlohmann::json call(const std::string& name, const nlohmann::json& arguments, std::string& why) = 0;
+  /// Carries out a call: gives its value, or in `why` one line that says why it is not carried out.
+  virtual Called call(const std::string& name, const nlohmann::json& arguments, nlohmann::json& value,
+                      std::string& why) = 0;
   /// Makes the program draw, if that is possible.
   virtual void wake() noexcept = 0;
   /// Keeps such a frame, once; the newest wish counts.

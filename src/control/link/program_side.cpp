@@ -35,7 +35,8 @@ ProgramSide::ProgramSide(ControlledProgram& program, LiveSettings& live, const S
       observed_(program, live, source, [this](const json& event) { send(event); }),
       pictures_(
           program, source, [this](const json& id, json result) { answer(id, std::move(result)); },
-          [this](const json& event) { send(event); }) {}
+          [this](const json& event) { send(event); }),
+      calls_(program, source, [this](const json& id, json result) { answer(id, std::move(result)); }) {}
 
 void ProgramSide::begin(double now) {
   helloBy_ = now + kHelloSeconds;
@@ -132,9 +133,7 @@ void ProgramSide::call(const json& id, const json& message, double now) {
   if (given && !given->is_object()) return answer(id, {{"why", "arguments must be an object"}});
   const json arguments = given ? *given : json::object();
   if (Pictures::knows(*name)) return pictures_.take(*name, id, arguments, now);
-  std::string why;
-  json value = program_.call(*name, arguments, why);
-  answer(id, why.empty() ? json{{"value", std::move(value)}} : json{{"why", why}});
+  calls_.take(*name, id, arguments, now);
 }
 
 void ProgramSide::passed(double now) {
@@ -146,10 +145,12 @@ void ProgramSide::passed(double now) {
   const bool slow = peer_.waiting() > kMuchWaiting;
   observed_.passed(changes_.history(), slow, now);
   pictures_.passed(slow, now);
+  calls_.passed(now);
 }
 
 double ProgramSide::next(double now) const {
-  return greeted_ ? std::min({changes_.next(now), observed_.next(), pictures_.next(now)}) : helloBy_;
+  return greeted_ ? std::min({changes_.next(now), observed_.next(), pictures_.next(now), calls_.next(now)})
+                  : helloBy_;
 }
 
 }  // namespace gluray::control

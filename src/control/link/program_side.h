@@ -2,6 +2,7 @@
 // sockets and no clock. Control thread; times in seconds, on the clock nowSeconds().
 #pragma once
 #include "control/connection.h"
+#include "control/link/calls.h"
 #include "control/link/change_requests.h"
 #include "control/link/observed.h"
 #include "control/link/pictures.h"
@@ -56,6 +57,7 @@ class ProgramSide {
   ChangeRequests changes_;
   Observed observed_;
   Pictures pictures_;
+  Calls calls_;
   bool greeted_ = false;
   double helloBy_ = 0;
 };

@@ -17,14 +17,17 @@ struct FakeProgram final : ControlledProgram {
   json identity() override { return {{"pid", 7}, {"name", "fake"}}; }
   Figures figures() override { return figures_; }
   json state() override { return {{"memory", 5}}; }
-  json call(const std::string& name, const json& arguments, std::string& why) override {
-    if (name != "double") why = "no call is named " + name;
-    return arguments.contains("of") ? json(2 * arguments["of"].get<int>()) : json();
+  Called call(const std::string& name, const json& arguments, json& value, std::string& why) override {
+    if (name == "late" && !drawn) return Called::later;
+    if (name != "double" && name != "late") why = "no call is named " + name;
+    if (arguments.contains("of")) value = 2 * arguments["of"].get<int>();
+    return Called::done;
   }
   void wake() noexcept override { ++woken; }
 
   Figures figures_;
   int woken = 0;
+  bool drawn = false;  // what the call "late" needs
 };
 
 struct ProgramSideTest : testing::Test {
@@ -318,6 +321,23 @@ TEST_F(ProgramSideTest, Calls) {
   EXPECT_NE(ask({{"type", "call"}, {"name", "double"}, {"arguments", 3}}).value("why", ""), "");
   EXPECT_NE(ask({{"type", "call"}, {"name", "double"}, {"arguments", {{"of", "x"}}}}).value("why", ""), "")
       << "throws";
+}
+
+TEST_F(ProgramSideTest, CallsWaitForAFrame) {
+  const json late{{"type", "call"}, {"name", "late"}, {"arguments", {{"of", 4}}}};
+  pass(1);
+  EXPECT_EQ(ask(late), json());
+  pass(0);
+  EXPECT_EQ(program.woken, 1);
+  EXPECT_LT(side.next(now), now + 0.1);
+  program.drawn = true, pass(0.1);
+  EXPECT_EQ(resultOf(last()), json({{"value", 8}}));
+  EXPECT_EQ(sent.size(), 1u);
+  program.drawn = false;
+  EXPECT_EQ(ask(late), json());
+  for (int i = 0; i < 100; ++i) pass(0.09);
+  EXPECT_NE(resultOf(last()).value("why", "").find("no frame for 8 seconds"), std::string::npos);
+  EXPECT_EQ(sent.size(), 2u);
 }
 
 TEST_F(ProgramSideTest, NonsenseIsAnswered) {

@@ -23,7 +23,7 @@ void DrawnObjects::forget() noexcept {
 }
 
 void DrawnObjects::number(const BatchKey& key, scene::Snapshot& batch) noexcept {
-  if (!asked_ && batch.settings.material.objects.empty()) return numbers_.reset();
+  if (!numbers_ && !asked_ && batch.settings.material.objects.empty()) return;
   try {
     if (!numbers_) numbers_ = std::make_unique<ObjectNumbers>();
     if ((frame_ != batch.frame || ended_) && !numbers_->fresh()) numbers_->beginFrame();

@@ -109,10 +109,19 @@ json EngineProgram::windows() {
   return list;
 }
 
-/// Calls are found here by name; there are none yet.
-json EngineProgram::call(const std::string& name, const json&, std::string& why) {
+/// Of the window that showed a frame last.
+glm::ivec2 EngineProgram::windowSize() {
+  const std::vector<ShownWindow> shown = shownWindows();
+  const glm::ivec2 size = shown.empty() ? glm::ivec2(0) : servers_.sizeOf(shown.front());
+  servers_.close();
+  return size;
+}
+
+control::Called EngineProgram::call(const std::string& name, const json& arguments, json& value,
+                                    std::string& why) {
+  if (SceneCalls::knows(name)) return sceneCalls_.call(name, arguments, value, why);
   why = "this program has no call '" + name + "'";
-  return {};
+  return control::Called::done;
 }
 
 void EngineProgram::wake() noexcept {

@@ -2,6 +2,7 @@
 #pragma once
 #include "control/link/job.h"
 #include "control/link/program.h"
+#include "intercept/control/scene_calls.h"
 #include "intercept/control/x_server.h"
 
 #include <nlohmann/json.hpp>
@@ -18,7 +19,8 @@ class EngineProgram final : public control::ControlledProgram {
   nlohmann::json identity() override;
   control::Figures figures() override;
   nlohmann::json state() override;
-  nlohmann::json call(const std::string& name, const nlohmann::json& arguments, std::string& why) override;
+  control::Called call(const std::string& name, const nlohmann::json& arguments, nlohmann::json& value,
+                       std::string& why) override;
   void wake() noexcept override;
   void wantPicture(control::Wanted wanted) noexcept override;
   std::unique_ptr<control::Picture> takePicture() noexcept override;
@@ -26,6 +28,7 @@ class EngineProgram final : public control::ControlledProgram {
 
  private:
   nlohmann::json windows();
+  glm::ivec2 windowSize();
 
   const std::string name_;
   const control::Job job_;
@@ -34,6 +37,7 @@ class EngineProgram final : public control::ControlledProgram {
   double listed_ = 0;                     // when
   uint64_t passes_ = 0, idlePasses_ = 0;  // when the state was last asked for
   bool idle_ = false;                     // the last passes were made while the program drew nothing
+  SceneCalls sceneCalls_{[this] { return windowSize(); }};
 };
 
 /// The name of the program as it was given to the launcher; in other processes that of the executable.

@@ -139,6 +139,7 @@ std::vector<Change> changes() {
       {"material.coat", "1", principled},
       {"material.emission", "2", emissive},
       {"material.file", written("rules.toml", "[[rule]]\nobjects = [0]\nmaterial = 'mirror'\n"), path},
+      {"material.objects", "1 mirror,2 mirror,3 mirror", path},
       {"lines", "tubes", {}},
       {"lines.width", "9", tubes},
       {"lines.radius", "0.1", tubes},

@@ -1,0 +1,44 @@
+#include "control/link/calls.h"
+
+#include <limits>
+#include <utility>
+
+namespace gluray::control {
+
+using nlohmann::json;
+
+void Calls::take(const std::string& name, const json& id, const json& arguments, double now) {
+  if (carryOut(name, id, arguments)) return;
+  if (waiting_.size() >= kMostWaiting) return answer_(id, {{"why", "too many calls wait for a frame"}});
+  waiting_.push_back({name, id, arguments, FrameWait(source_, now)});
+}
+
+/// False: it waits for a frame.
+bool Calls::carryOut(const std::string& name, const json& id, const json& arguments) {
+  json value;
+  std::string why;
+  if (program_.call(name, arguments, value, why) == Called::later) return false;
+  answer_(id, why.empty() ? json{{"value", std::move(value)}} : json{{"why", why}});
+  return true;
+}
+
+void Calls::passed(double now) {
+  bool wake = false;
+  std::erase_if(waiting_, [&](Waiting& waiting) {
+    if (carryOut(waiting.name, waiting.id, waiting.arguments)) return true;
+    if (waiting.wait.isOver(now)) {
+      answer_(waiting.id,
+              {{"why", "it has drawn no frame for 8 seconds; draw in one of its windows, and try again"}});
+      return true;
+    }
+    wake |= waiting.wait.wakes(now);
+    return false;
+  });
+  if (wake) program_.wake();
+}
+
+double Calls::next(double now) const {
+  return waiting_.empty() ? std::numeric_limits<double>::infinity() : now + kPoll;
+}
+
+}  // namespace gluray::control

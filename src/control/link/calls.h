@@ -1,0 +1,45 @@
+// Calls that the program carries out itself; those that need a frame wait for one. Control thread; times in
+// seconds.
+#pragma once
+#include "control/link/frame_wait.h"
+#include "control/link/program.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace gluray::control {
+
+class Calls {
+ public:
+  static constexpr double kPoll = 0.004;  // between two looks while one waits
+  static constexpr size_t kMostWaiting = 64;
+
+  /// `result` has `why` if the call is refused.
+  using Answer = std::function<void(const nlohmann::json& id, nlohmann::json result)>;
+  Calls(ControlledProgram& program, const SettingsSource& source, Answer answer)
+      : program_(program), source_(source), answer_(std::move(answer)) {}
+
+  void take(const std::string& name, const nlohmann::json& id, const nlohmann::json& arguments, double now);
+  /// Answers what is due.
+  void passed(double now);
+  double next(double now) const;
+
+ private:
+  struct Waiting {
+    std::string name;
+    nlohmann::json id, arguments;
+    FrameWait wait;
+  };
+  bool carryOut(const std::string& name, const nlohmann::json& id, const nlohmann::json& arguments);
+
+  ControlledProgram& program_;
+  const SettingsSource& source_;
+  const Answer answer_;
+  std::vector<Waiting> waiting_;
+};
+
+}  // namespace gluray::control

@@ -1,0 +1,142 @@
+#include "intercept/control/scene_calls.h"
+
+#include "control/messages/members.h"
+#include "frame/questions/listed_lights.h"
+#include "intercept/control/described_objects.h"
+#include "settings/settings_source.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+
+namespace gluray::intercept {
+namespace {
+
+using control::Called;
+using nlohmann::json;
+
+constexpr std::array<std::string_view, 5> kCalls = {"objects", "pick", "highlight", "lights", "cameras"};
+constexpr int64_t kMostObjects = 1000;  // of one answer
+
+/// Throws where the member is no number in its range.
+int64_t wholeIn(const json& arguments, const char* name, int64_t least, int64_t most, int64_t otherwise) {
+  const json* const value = control::member(arguments, name);
+  if (!value) return otherwise;
+  if (const auto found = control::wholeNumber(value, least, most)) return *found;
+  throw std::runtime_error(std::string(name) + ": use a number from " + std::to_string(least) + " to " +
+                           std::to_string(most));
+}
+
+double numberOf(const json& arguments, const char* name, double least, double most, double otherwise) {
+  const json* const value = control::member(arguments, name);
+  if (!value && std::isfinite(otherwise)) return otherwise;
+  const double found = value && value->is_number() ? value->get<double>() : NAN;
+  if (found >= least && found <= most) return found;
+  throw std::runtime_error(std::string(name) + ": use a number from " +
+                           std::to_string(static_cast<int64_t>(least)) + " to " +
+                           std::to_string(static_cast<int64_t>(most)));
+}
+
+json frameOf(const gl::ShownFrame& frame) { return frame.frame != 0 ? json(frame.frame) : json(); }
+
+}  // namespace
+
+bool SceneCalls::knows(const std::string& name) {
+  return std::find(kCalls.begin(), kCalls.end(), name) != kCalls.end();
+}
+
+Called SceneCalls::call(const std::string& name, const json& arguments, json& value, std::string& why) {
+  if (settingsSource().current()->engine == Engine::never) {
+    why = "engine = never: the real OpenGL draws everything";
+    return Called::done;
+  }
+  gl::shownFrames().wantUntil(nowSeconds() + kRemembered);
+  const gl::ShownFramePtr frame = gl::shownFrames().last();
+  if (!frame) return Called::later;
+  try {
+    if (name == "objects") value = objects(arguments, frame);
+    if (name == "pick") value = pick(arguments, *frame);
+    if (name == "highlight") value = highlight(arguments, *frame);
+    if (name == "lights") value = {{"lights", describeLights(viewsOf(*frame))}};
+    if (name == "cameras") value = {{"cameras", describeCameras(viewsOf(*frame))}};
+  } catch (const std::runtime_error& error) { why = error.what(); }
+  return Called::done;
+}
+
+/// Lists the frame's objects, unless they are listed already.
+void SceneCalls::list(const gl::ShownFramePtr& frame) {
+  if (listed_.lock() == frame) return;
+  list_ = describeObjects(viewsOf(*frame));
+  listed_ = frame;
+  size_t hash = list_.size();
+  for (json object : list_) {
+    object.erase("lower"), object.erase("upper");
+    hash = hash * 1000003 ^ std::hash<json>()(object);
+  }
+  if (version_ == 0 || hash != hash_) ++version_;
+  hash_ = hash;
+}
+
+json SceneCalls::objects(const json& arguments, const gl::ShownFramePtr& frame) {
+  constexpr int64_t kAny = control::kMostFrame;
+  const int64_t after = wholeIn(arguments, "after", 0, kAny, 0),
+                count = wholeIn(arguments, "count", 1, kMostObjects, kMostObjects),
+                known = wholeIn(arguments, "known", 0, kAny, -1);
+  list(frame);
+  json value{{"frame", frameOf(*frame)}, {"version", version_}, {"total", list_.size()}};
+  if (known == static_cast<int64_t>(version_)) {
+    value["same"] = true;
+    return value;
+  }
+  json& objects = value["objects"] = json::array();
+  for (const json& object : list_)
+    if (object["object"].get<int64_t>() > after && static_cast<int64_t>(objects.size()) < count)
+      objects.push_back(object);
+  return value;
+}
+
+std::optional<ShownPoint> SceneCalls::pointAt(const json& arguments, const std::vector<ShownView>& views) {
+  constexpr double kLargest = 1 << 15;  // pixels
+  const glm::ivec2 known = windowSize_(), size = known == glm::ivec2(0) ? extentOf(views) : known;
+  if (size.x <= 0 || size.y <= 0) return std::nullopt;  // nothing is drawn
+  const double width = numberOf(arguments, "width", 1, kLargest, size.x),
+               height = numberOf(arguments, "height", 1, kLargest, size.y);
+  const double x = numberOf(arguments, "x", 0, width, NAN), y = numberOf(arguments, "y", 0, height, NAN);
+  const glm::dvec2 at(x / width * size.x, (1 - y / height) * size.y);
+  return intercept::pointAt(views, glm::min(at, glm::dvec2(size) - 0.5), known);
+}
+
+json SceneCalls::pick(const json& arguments, const gl::ShownFrame& frame) {
+  const std::vector<ShownView> views = viewsOf(frame);
+  const auto found = pointAt(arguments, views);
+  json value{{"frame", frameOf(frame)}, {"object", nullptr}, {"view", nullptr},
+             {"position", nullptr},     {"normal", nullptr}, {"distance", nullptr}};
+  if (!found) return value;
+  const ShownView& view = views[found->view];
+  const scene::Snapshot& s = *found->snapshot;
+  const glm::dmat4 world = view.viewFromWorld(s);
+  const double scale =
+      std::cbrt(std::abs(glm::determinant(glm::dmat3(world * glm::inverse(s.eyeFromWorld)))));
+  if (found->instance->object.value != 0) value["object"] = found->instance->object.value;
+  value["view"] = found->view + 1;
+  value["position"] = arrayOf(glm::dvec3(world * glm::dvec4(frame::worldPoint(s, found->point), 1)));
+  value["normal"] =
+      arrayOf(glm::normalize(glm::dvec3(world * glm::dvec4(frame::worldDirection(s, found->normal), 0))));
+  value["distance"] = frame::Viewer(s).distanceOf(found->point) * scale;
+  return value;
+}
+
+json SceneCalls::highlight(const json& arguments, const gl::ShownFrame& frame) {
+  const std::vector<ShownView> views = viewsOf(frame);
+  const auto found = pointAt(arguments, views);
+  json value{{"object", nullptr}, {"azimuth", nullptr}, {"elevation", nullptr}};
+  if (!found) return value;
+  const glm::dvec2 angles = frame::anglesOfHighlight(*found->snapshot, found->point, found->normal);
+  if (found->instance->object.value != 0) value["object"] = found->instance->object.value;
+  value["azimuth"] = angles.x, value["elevation"] = angles.y;
+  return value;
+}
+
+}  // namespace gluray::intercept
