@@ -268,7 +268,7 @@ def seek_hub(program, directory):
             request = json.loads(line)
             if request["type"] in program.silent:
                 continue
-            if request["type"] in ("get", "set", "undo", "redo", "describe"):
+            if request["type"] in ("get", "set", "undo", "redo", "describe", "call"):
                 connection.sendall(line_of({"type": "answer", "id": request["id"], "results": [getattr(program, request["type"])(request)]}))
             elif request["type"] == "observe":
                 connection.sendall(line_of({"type": "answer", "id": request["id"], "results": []}))

@@ -5,6 +5,7 @@ import unittest
 
 from cli_case import CliCase
 from fake_scene import CAMERA, LIGHT, an_object
+from memory_hub import FakeProgram, seek_hub
 
 SEVERAL = "several programs run; choose one with -p"
 
@@ -67,6 +68,19 @@ class Objects(CliCase):
                          [{"x": 2, "y": 1.5}, {"x": 50, "y": 0, "width": 100, "height": 100}, {"x": 2, "y": 0}, {"x": 0, "y": 2}])
         self.assertEqual(json.loads(self.output("pick", "--json", "2", "1")),
                          {"program": 1, "name": "paraview", "pid": 4242, "frame": 1042, "object": 3, "view": 1, "position": [0.5, 0.25, -1e-7], "normal": [0, 0, 1], "distance": 5.25})
+
+    def test_commands_are_a_hub(self):
+        program = FakeProgram(1, "paraview", 4242, self.ROWS)
+        program.draws = 1
+        self.addCleanup(seek_hub(program, self.folder / "run"))
+        program.scene.objects = [an_object(n) for n in range(1, 2501)]
+        self.assertEqual(len(json.loads(self.output("objects", "--json"))[0]["objects"]), 2500)
+        self.assertIn("object 3 in view 1", self.output("pick", "2", "1"))
+        self.output("material", "2000-2003", "--hide")
+        self.assertEqual(program.live["material.objects"], [f"{n} hidden-from=all" for n in range(2000, 2004)])
+        self.output("light", "at", "2", "1")
+        self.output("film", "a.png", "--frames", "3", "--set", "spp=1..3")
+        self.assertEqual(len(program.steps), 3)
 
     def test_wrong_points(self):
         hub, _, _ = self.two()
