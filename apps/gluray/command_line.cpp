@@ -38,7 +38,15 @@ Commands for programs that run:
   gluray get --live NAME   the value of a setting in the running programs
   gluray watch             print settings that change, programs that come and go
   gluray shot FILE.png     save the picture of a program's window
+  gluray film FILE.png     save its next frames as numbered pictures
   gluray hub               pass messages between programs and those who control them
+
+Commands for what they draw:
+  gluray objects           the objects: shape, color, material
+  gluray pick X Y          the object at a point of the window
+  gluray material 3 glass  what single objects are made of; --hide hides them
+  gluray light             the lights; gluray light azimuth=30 changes them
+  gluray camera            the cameras; gluray camera focus X Y focuses on a surface
 
 After a run:
   gluray timeline FILE     what each thread did in a run with --timeline FILE

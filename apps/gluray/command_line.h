@@ -28,7 +28,13 @@ enum class Command {
   undo,
   redo,
   panel,
-  shot
+  shot,
+  objects,
+  pick,
+  material,
+  light,
+  camera,
+  film
 };
 
 /// Options of gluray hub; empty: not given.

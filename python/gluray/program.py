@@ -5,14 +5,16 @@ import secrets
 import time
 
 from . import hub
+from .drawn import Drawn
 from .errors import GlurayError
+from .film import film
 from .png import check_file, write_png
 
 MOST_SIDE = 1 << 15  # pixels of a picture
 MEASURED = 1.1  # seconds: the rates of a program's state are over the last one
 
 
-class Program:
+class Program(Drawn):
     """A program that runs under GLuRay: `name`, `pid`, `host`, `ranks` (of an MPI job), `since` (seconds since 1970).
 
     p["ao.samples"] reads and writes a setting. Methods raise GlurayError, whose text is one line that says what to do.
@@ -138,9 +140,8 @@ class Program:
         """What the program does, as a dict: frame, fps (frames a second), triangles, traced (share, 0 to 1), memory (bytes),
         noise, passes, windows, opengl, warnings ... (docs/control-protocol.md, Events). Takes a second, over which rates are measured;
         raises GlurayError if the program tells nothing within `seconds`."""
-        connection = hub.another()
+        connection = self._observe(["state"], 0.1, seconds)
         try:
-            connection.ask({"type": "observe", "program": self._number(), "what": ["state"], "every": 0.1}, seconds)
             begin, newest = time.monotonic(), None
             while time.monotonic() < begin + (seconds if newest is None else min(MEASURED, seconds)):
                 event = connection.event(0.1)
@@ -152,6 +153,16 @@ class Program:
             connection.close()
         raise GlurayError(f"{self.name} ({self.pid}): it does not tell its state")
 
+    def _observe(self, what, every, seconds=None):
+        """A connection of its own with events of the program. Raises GlurayError."""
+        connection = hub.another()
+        try:
+            connection.ask({"type": "observe", "program": self._number(), "what": what, "every": every}, seconds)
+        except BaseException:
+            connection.close()
+            raise
+        return connection
+
     # Pictures
 
     def shot(self, file):
@@ -160,11 +171,33 @@ class Program:
         A program that draws nothing is asked to draw; raises GlurayError if it shows no frame within eight seconds.
         """
         check_file(file)
-        value = self._call("shot", {})
-        width, height = value.get("width"), value.get("height")
+        shot, width, height = self._take_shot()
+        write_png(file, width, height, self._rows_of(shot, width, height))
+        return width, height
+
+    def film(self, name, frames, every=None, set=None, passes=None, progress=None):
+        """Saves the next frames that its window shows as numbered PNG files, each of a later frame than the one before.
+
+        `name`: "turn-%04d.png", or "turn.png" for turn-0001.png ...; `every`: seconds between pictures (None: as fast as frames come);
+        `set`: settings that vary from picture to picture, {"lights.azimuth": (0, 90)}, which get back what they had, in one step for undo;
+        `passes`: waits until each picture has been refined so often or is finished, for a minute at most; `progress`: called with
+        (done, of) after each picture, ends the film by returning False. Returns the numbers of the frames, None where one is not known.
+        """
+        return film(self, name, frames, every, set, passes, progress)
+
+    def _take_shot(self):
+        """A shot that the program keeps for some seconds, its width and height. Raises GlurayError."""
+        shot = self._call("shot", {})
+        width, height = shot.get("width"), shot.get("height")
+        if not all(isinstance(side, int) and 0 < side <= MOST_SIDE for side in (width, height)):
+            raise GlurayError(f"{self.name} ({self.pid}): it sends no picture")
+        return shot, width, height
+
+    def _rows_of(self, shot, width, height):
+        """The RGB bytes of a shot, the top row first. Raises GlurayError."""
         rows = bytearray()
-        while isinstance(width, int) and isinstance(height, int) and 0 < width <= MOST_SIDE and len(rows) // (3 * width) < height <= MOST_SIDE:
-            piece = self._call("pixels", {"shot": value.get("shot"), "row": len(rows) // (3 * width)})
+        while len(rows) < 3 * width * height:
+            piece = self._call("pixels", {"shot": shot.get("shot"), "row": len(rows) // (3 * width)})
             try:
                 pixels = base64.b64decode(piece.get("pixels"), validate=True)
             except (TypeError, ValueError):
@@ -172,10 +205,9 @@ class Program:
             if not pixels or len(pixels) % (3 * width):
                 break
             rows += pixels
-        if not rows or len(rows) != 3 * width * height:
+        if len(rows) != 3 * width * height:
             raise GlurayError(f"{self.name} ({self.pid}): it sends no picture")
-        write_png(file, width, height, bytes(rows))
-        return width, height
+        return bytes(rows)
 
     def _call(self, name, arguments):
         value = self._ask({"type": "call", "name": name, "arguments": arguments}).get("value")

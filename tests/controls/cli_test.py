@@ -7,32 +7,14 @@ import sys
 import time
 import unittest
 
-from hub_case import HubCase
+from cli_case import GLURAY, CliCase
 from memory_hub import PICTURE, FakeProgram, line_of, picture_of, seek_hub
 
 ALONE = "no program runs under GLuRay; start one with: gluray PROGRAM"
 SILENT = "the hub does not answer; end it, and start gluray hub"
 
 
-class Cli(HubCase):
-    def setUp(self):
-        super().setUp()
-        self.environment = {k: v for k, v in os.environ.items() if not k.startswith("GLURAY_")}
-        self.environment |= {"XDG_CONFIG_HOME": str(self.folder), "GLURAY_RUNTIME": str(self.folder / "run"), "TZ": "UTC"}
-
-    def run_gluray(self, *words):
-        return subprocess.run([GLURAY, *words], capture_output=True, text=True, cwd=self.folder, env=self.environment, timeout=30)
-
-    def output(self, *words):
-        done = self.run_gluray(*words)
-        self.assertEqual((done.returncode, done.stderr), (0, ""), words)
-        return done.stdout
-
-    def failure(self, *words, code=1):
-        done = self.run_gluray(*words)
-        self.assertEqual((done.returncode, done.stderr[:8], done.stderr.count("\n")), (code, "gluray: ", 1), done)
-        return done.stderr[8:-1]
-
+class Cli(CliCase):
     def test_list(self):
         self.two()
         self.assertEqual(self.output("list").split("\n")[1].split()[:3], ["1", "paraview", "4242"])
@@ -217,7 +199,7 @@ class Cli(HubCase):
         self.assertFalse((self.folder / "run/hub.sock").exists())
 
     def test_without_a_hub_commands_are_one(self):
-        program = FakeProgram(1, "paraview", 4242, ROWS)
+        program = FakeProgram(1, "paraview", 4242, self.ROWS)
         end = seek_hub(program, self.folder / "run")
         self.addCleanup(end)
         self.assertEqual(self.output("set", "spp=4", "ao=on"), "paraview (4242): ao = true, spp = 4 from frame 1042\n")
@@ -236,7 +218,7 @@ class Cli(HubCase):
 
     def test_commands_at_once_share_a_hub(self):
         for number in range(1, 6):
-            program = FakeProgram(number, "paraview", 4242, ROWS)
+            program = FakeProgram(number, "paraview", 4242, self.ROWS)
             end = seek_hub(program, self.folder / "run")
             self.addCleanup(end)
             commands = [subprocess.Popen([GLURAY, "set", f"spp={n}"], env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) for n in range(2, 6)]
@@ -246,7 +228,7 @@ class Cli(HubCase):
             end()
 
     def test_a_command_that_is_the_hub_waits_for_others(self):
-        program = FakeProgram(1, "paraview", 4242, ROWS)
+        program = FakeProgram(1, "paraview", 4242, self.ROWS)
         self.addCleanup(seek_hub(program, self.folder / "run"))
         first = self.watch()
         time.sleep(1.5)
@@ -305,8 +287,4 @@ class Cli(HubCase):
 
 
 if __name__ == "__main__":
-    GLURAY = sys.argv[1]
-    ROWS = json.loads(subprocess.run([GLURAY, "settings", "--json"], capture_output=True, check=True, cwd="/",
-                                     env={"PATH": os.environ["PATH"], "XDG_CONFIG_HOME": "/nowhere"}).stdout)
-    Cli.ROWS = ROWS
     unittest.main(argv=sys.argv[:1] + sys.argv[2:], verbosity=2)

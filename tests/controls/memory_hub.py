@@ -17,6 +17,7 @@ import socket
 import subprocess
 import threading
 
+from fake_scene import FakeScene
 
 PICTURE = bytes(range(45))  # RGB bytes of every program's picture
 
@@ -41,6 +42,8 @@ class FakeProgram:
         self.refuses = {}  # by name of a setting: why
         self.silent = ()   # types of requests that seek_hub() does not answer
         self.no_picture = ""  # why it has none
+        self.scene, self.calls = FakeScene(), []  # what it draws; the calls that came
+        self.draws = 0  # frames that it draws for each shot
 
     def described(self, name):
         row = self.rows[name]
@@ -93,13 +96,18 @@ class FakeProgram:
         return self.step(self.undone, self.steps, 1)
 
     def call(self, request):
-        """shot and pixels of a picture of 5 x 3, two rows at a time."""
+        """What it draws; shot and pixels of a picture of 5 x 3, two rows at a time."""
+        name, arguments = request["name"], request["arguments"]
+        self.calls.append((name, arguments))
+        if (found := self.scene.call(name, arguments, self.frame)) is not None:
+            return found
         if self.no_picture:
             return {"why": self.no_picture}
-        if request["name"] == "shot":
+        if name == "shot":
+            self.frame = self.frame and self.frame + self.draws
             return {"value": {"shot": 4, "width": 5, "height": 3, "frame": self.frame}}
-        row, rows = request["arguments"]["row"], min(2, 3 - request["arguments"]["row"])
-        assert request["name"] == "pixels" and request["arguments"]["shot"] == 4, request
+        row, rows = arguments["row"], min(2, 3 - arguments["row"])
+        assert name == "pixels" and arguments["shot"] == 4, request
         return {"value": {"row": row, "rows": rows, "pixels": base64.b64encode(PICTURE[15 * row:15 * (row + rows)]).decode()}}
 
     def describe(self, _):
@@ -260,7 +268,7 @@ def seek_hub(program, directory):
             request = json.loads(line)
             if request["type"] in program.silent:
                 continue
-            if request["type"] in ("get", "set", "undo", "redo", "describe"):
+            if request["type"] in ("get", "set", "undo", "redo", "describe", "call"):
                 connection.sendall(line_of({"type": "answer", "id": request["id"], "results": [getattr(program, request["type"])(request)]}))
             elif request["type"] == "observe":
                 connection.sendall(line_of({"type": "answer", "id": request["id"], "results": []}))

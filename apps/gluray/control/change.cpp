@@ -1,6 +1,6 @@
 #include "control/change.h"
 
-#include "control/hub_session.h"
+#include "control/one_program.h"
 #include "control/setting_values.h"
 #include "say.h"
 #include "settings/setting_options.h"
@@ -43,10 +43,16 @@ std::string whenText(const json& result) {
   return text + " (later on rank " + ranks + ")";
 }
 
-/// Sends the request to the chosen programs, prints their results, and returns the exit code.
-int change(const CommandLine& line, json request) {
+/// For the chosen programs.
+int change(const CommandLine& line, const json& request) {
   HubSession hub(line);
-  const std::vector<RunningProgram> programs = chosenPrograms(hub.programs(), line.control.programs);
+  return sendChange(line, hub, chosenPrograms(hub.programs(), line.control.programs), request);
+}
+
+}  // namespace
+
+int sendChange(const CommandLine& line, HubSession& hub, const std::vector<RunningProgram>& programs,
+               json request) {
   request["program"] = numbersOf(programs);
   const json answer = hub.ask(request);
   json list = json::array();
@@ -54,7 +60,7 @@ int change(const CommandLine& line, json request) {
   forEachResult(answer, programs, [&](const RunningProgram& program, const json& result) {
     const std::string why = whyFailed(result);
     failed = failed || !why.empty();
-    json one = {{"program", program.number}, {"name", program.name}, {"pid", program.pid}};
+    json one = named(program);
     if (why.empty())
       one["frame"] = result.value("frame", json()), one["values"] = result.value("values", json::object());
     else
@@ -70,11 +76,13 @@ int change(const CommandLine& line, json request) {
   return failed ? 1 : 0;
 }
 
-}  // namespace
-
 int changeSettings(const CommandLine& line) {
   json values = json::object();
   if (const std::string why = addChanges(line, values); !why.empty()) return say(why), kUsageError;
+  return changeValues(line, values);
+}
+
+int changeValues(const CommandLine& line, const json& values) {
   return change(line, {{"type", "set"}, {"values", values}});
 }
 

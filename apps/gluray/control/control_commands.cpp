@@ -1,7 +1,12 @@
 #include "control/control_commands.h"
 
 #include "command_line.h"
+#include "control/camera.h"
 #include "control/change.h"
+#include "control/film.h"
+#include "control/light.h"
+#include "control/material.h"
+#include "control/objects.h"
 #include "control/panel.h"
 #include "control/programs_list.h"
 #include "control/shot.h"
@@ -19,6 +24,12 @@ bool performControl(const CommandLine& line, int& exitCode) {
     case Command::redo: exitCode = stepBackOrForth(line); return true;
     case Command::watch: exitCode = watchPrograms(line); return true;
     case Command::shot: exitCode = saveShot(line); return true;
+    case Command::objects: exitCode = listObjects(line); return true;
+    case Command::pick: exitCode = pickObject(line); return true;
+    case Command::material: exitCode = changeMaterials(line); return true;
+    case Command::light: exitCode = changeLights(line); return true;
+    case Command::camera: exitCode = changeCamera(line); return true;
+    case Command::film: exitCode = makeFilm(line); return true;
     case Command::panel: exitCode = openPanel(line); return true;
     default: return false;
   }

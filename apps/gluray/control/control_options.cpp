@@ -1,6 +1,7 @@
 #include "control/control_options.h"
 
 #include "command_line.h"
+#include "control/scene_options.h"
 #include "settings/rows.h"
 
 #include <CLI/CLI.hpp>
@@ -13,9 +14,11 @@ struct CommandWord {
   Command command;
 };
 constexpr CommandWord kWords[] = {
-    {"list", Command::list},     {"set", Command::set},     {"unset", Command::unset},
-    {"preset", Command::preset}, {"watch", Command::watch}, {"undo", Command::undo},
-    {"redo", Command::redo},     {"panel", Command::panel}, {"shot", Command::shot}};
+    {"list", Command::list},       {"set", Command::set},       {"unset", Command::unset},
+    {"preset", Command::preset},   {"watch", Command::watch},   {"undo", Command::undo},
+    {"redo", Command::redo},       {"panel", Command::panel},   {"shot", Command::shot},
+    {"objects", Command::objects}, {"pick", Command::pick},     {"material", Command::material},
+    {"light", Command::light},     {"camera", Command::camera}, {"film", Command::film}};
 
 const char* wordOfCommand(Command command) {
   for (const CommandWord& known : kWords)
@@ -101,7 +104,7 @@ bool describeControl(CLI::App& app, CommandLine& line) {
           "Saves the picture that a running program's window shows. Replaces PNG files, no others.");
       app.add_option("FILE", options.file, "The picture: a name that ends in .png")->required();
       break;
-    default: break;
+    default: describeSceneCommand(app, line); break;
   }
   if (line.command == Command::list || line.command == Command::panel)
     addHubOptions(app, options, false);

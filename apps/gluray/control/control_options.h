@@ -12,17 +12,28 @@ namespace gluray::launcher {
 struct CommandLine;
 enum class Command;
 
+/// What gluray film is given besides.
+struct FilmOptions {
+  int frames = 0;                  // 0: no limit
+  std::vector<std::string> ramps;  // NAME=FROM..TO
+  int passes = 0;                  // 0: pictures are taken as they are
+};
+
 /// What these commands are given.
 struct ControlOptions {
   std::vector<std::string> programs;  // numbers of `gluray list`, process ids, names; empty: all
   std::vector<std::string> values;    // NAME=VALUE
   std::vector<std::string> resets;    // names of settings that go back to what the other layers say
   std::string preset;
-  std::string file;          // shot
-  std::string hub, keyFile;  // "HOST:PORT" and its key; empty: as the settings say
-  bool live = false;         // get: ask the running programs, also where `programs` is empty
-  bool state = false;        // watch: a line a second
-  double seconds = 0;        // watch: ends after that time; 0: never
+  std::string file;  // shot, film
+  FilmOptions film;
+  std::vector<std::string> words;                  // pick, material, light, camera
+  bool hide = false, show = false, reset = false;  // material
+  std::string hideFrom;                            // material; empty: not given
+  std::string hub, keyFile;                        // "HOST:PORT" and its key; empty: as the settings say
+  bool live = false;   // get: ask the running programs, also where `programs` is empty
+  bool state = false;  // watch: a line a second
+  double seconds = 0;  // watch, film: ends after that time; 0: never
 };
 
 /// Whether the word names one of these commands, and which one.
