@@ -34,7 +34,7 @@ void Calls::passed(double now) {
     wake |= waiting.wait.wakes(now);
     return false;
   });
-  if (wake) program_.wake();
+  if (wake) waker_.wake();
 }
 
 double Calls::next(double now) const {

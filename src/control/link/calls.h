@@ -3,6 +3,7 @@
 #pragma once
 #include "control/link/frame_wait.h"
 #include "control/link/program.h"
+#include "control/link/waker.h"
 
 #include <nlohmann/json.hpp>
 
@@ -20,8 +21,8 @@ class Calls {
 
   /// `result` has `why` if the call is refused.
   using Answer = std::function<void(const nlohmann::json& id, nlohmann::json result)>;
-  Calls(ControlledProgram& program, const SettingsSource& source, Answer answer)
-      : program_(program), source_(source), answer_(std::move(answer)) {}
+  Calls(ControlledProgram& program, const SettingsSource& source, Waker& waker, Answer answer)
+      : program_(program), source_(source), waker_(waker), answer_(std::move(answer)) {}
 
   void take(const std::string& name, const nlohmann::json& id, const nlohmann::json& arguments, double now);
   /// Answers what is due.
@@ -38,6 +39,7 @@ class Calls {
 
   ControlledProgram& program_;
   const SettingsSource& source_;
+  Waker& waker_;
   const Answer answer_;
   std::vector<Waiting> waiting_;
 };

@@ -115,7 +115,7 @@ void Pictures::wakeIfDue(bool slow, double now) {
     wake = asks_ = true;
     asked_ = begun_, askedAt_ = now, ++askedInARow_;
   }
-  if (wake) program_.wake();
+  if (wake) waker_.wake();
 }
 
 double Pictures::next(double now) const {

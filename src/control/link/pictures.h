@@ -3,6 +3,7 @@
 #pragma once
 #include "control/link/frame_wait.h"
 #include "control/link/program.h"
+#include "control/link/waker.h"
 #include "settings/settings_source.h"
 
 #include <nlohmann/json.hpp>
@@ -37,8 +38,12 @@ class Pictures {
   /// `result` has `why` if the request is refused.
   using Answer = std::function<void(const nlohmann::json& id, nlohmann::json result)>;
   using Send = std::function<void(nlohmann::json event)>;
-  Pictures(ControlledProgram& program, const SettingsSource& source, Answer answer, Send send)
-      : program_(program), source_(source), answer_(std::move(answer)), send_(std::move(send)) {}
+  Pictures(ControlledProgram& program, const SettingsSource& source, Waker& waker, Answer answer, Send send)
+      : program_(program),
+        source_(source),
+        waker_(waker),
+        answer_(std::move(answer)),
+        send_(std::move(send)) {}
 
   /// Whether take() carries out the call.
   static bool knows(const std::string& call) { return call == "shot" || call == "pixels"; }
@@ -67,6 +72,7 @@ class Pictures {
 
   ControlledProgram& program_;
   const SettingsSource& source_;
+  Waker& waker_;
   const Answer answer_;
   const Send send_;
   std::vector<Waiting> waiting_;

@@ -39,18 +39,18 @@ struct WindowProgram final : ControlledProgram {
 };
 
 struct PicturesTest : testing::Test {
-  void pass(double seconds) { pictures.passed(slow, now += seconds); }
+  void pass(double seconds) { pictures.passed(slow, now += seconds), waker.passed(now); }
   /// The program begins and shows a frame.
   void frame(int width = 4, int height = 2) {
     source.beginFrame();
     program.show(source.frame(), width, height);
     source.endFrame();
     now = std::max(now, nowSeconds() + ahead);
-    pictures.passed(slow, now);
+    pictures.passed(slow, now), waker.passed(now);
   }
   void shoot(const json& arguments = json::object()) {
     pictures.take("shot", ++id, arguments, now);
-    pictures.passed(slow, now);
+    pictures.passed(slow, now), waker.passed(now);
   }
   json piece(const json& shot, const json& row) {
     pictures.take("pixels", ++id, {{"shot", shot}, {"row", row}}, now);
@@ -64,7 +64,8 @@ struct PicturesTest : testing::Test {
   double ahead = 0, now = nowSeconds();
   bool slow = false;
   int id = 0;
-  Pictures pictures{program, source,
+  Waker waker{program, source};
+  Pictures pictures{program, source, waker,
                     [this](const json&, json result) { answers.push_back(std::move(result)); },
                     [this](json event) { events.push_back(std::move(event)); }};
 };

@@ -15,6 +15,7 @@ namespace gluray::control {
 struct Figures {
   uint64_t triangles = 0;               // traced
   uint64_t traced = 0, rasterised = 0;  // draws
+  uint64_t scene = 0;  // draws of its scenes: those that were traced, or left out because scenes are small
 };
 
 /// Which shown frame is to be kept as a picture.
@@ -42,6 +43,9 @@ class ControlledProgram {
                       std::string& why) = 0;
   /// Makes the program draw, if that is possible.
   virtual void wake() noexcept = 0;
+  /// For programs that then show again what they drew: tells them that their windows are one pixel wider, or
+  /// as wide as they are.
+  virtual void tellSize(bool /*wider*/) noexcept {}
   /// Keeps such a frame, once; the newest wish counts.
   virtual void wantPicture(Wanted /*wanted*/) noexcept {}
   /// The picture that was kept since the last call; null: none was.

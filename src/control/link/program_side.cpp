@@ -29,14 +29,16 @@ ProgramSide::ProgramSide(ControlledProgram& program, LiveSettings& live, const S
     : program_(program),
       live_(live),
       peer_(std::move(peer)),
+      waker_(program, source),
       changes_(
-          live, source, history, [&program] { program.wake(); },
+          live, source, history, [this] { waker_.wake(); },
           [this](const json& id, json result) { answer(id, std::move(result)); }),
       observed_(program, live, source, [this](const json& event) { send(event); }),
       pictures_(
-          program, source, [this](const json& id, json result) { answer(id, std::move(result)); },
+          program, source, waker_, [this](const json& id, json result) { answer(id, std::move(result)); },
           [this](const json& event) { send(event); }),
-      calls_(program, source, [this](const json& id, json result) { answer(id, std::move(result)); }) {}
+      calls_(program, source, waker_,
+             [this](const json& id, json result) { answer(id, std::move(result)); }) {}
 
 void ProgramSide::begin(double now) {
   helloBy_ = now + kHelloSeconds;
@@ -146,10 +148,12 @@ void ProgramSide::passed(double now) {
   observed_.passed(changes_.history(), slow, now);
   pictures_.passed(slow, now);
   calls_.passed(now);
+  waker_.passed(now);
 }
 
 double ProgramSide::next(double now) const {
-  return greeted_ ? std::min({changes_.next(now), observed_.next(), pictures_.next(now), calls_.next(now)})
+  return greeted_ ? std::min({changes_.next(now), observed_.next(), pictures_.next(now), calls_.next(now),
+                              waker_.next(now)})
                   : helloBy_;
 }
 

@@ -7,6 +7,7 @@
 #include "control/link/observed.h"
 #include "control/link/pictures.h"
 #include "control/link/program.h"
+#include "control/link/waker.h"
 
 #include <nlohmann/json.hpp>
 
@@ -54,6 +55,7 @@ class ProgramSide {
   ControlledProgram& program_;
   LiveSettings& live_;
   const Peer peer_;
+  Waker waker_;
   ChangeRequests changes_;
   Observed observed_;
   Pictures pictures_;

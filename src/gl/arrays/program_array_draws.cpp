@@ -1,6 +1,7 @@
 // Array draws by shader programs.
 #include "gl/arrays/array_draws.h"
 #include "gl/handlers.h"
+#include "gl/objects/shown_places.h"
 #include "gl/stub.h"
 
 namespace gluray::gl {
@@ -61,6 +62,8 @@ void drawByProgram(Context& c, GLenum mode, const Elements& e) {
     if (done) return;
   }
   const Load load = loadOf(c, mode, e);
+  if (c.surfaces.objects.asked()) [[unlikely]]
+    c.protect([&] { c.surfaces.objects.placed(placesOf(c.shadow, e)); });
   c.protect([&] { c.programs.meetPasses(load.kind, mode, e); });
   c.counts.rasterised(reason, pathOf(e), load.kind, load.triangles);
   c.raster.before(load.kind);

@@ -49,9 +49,13 @@ void DrawnObjects::colorCleared(uint32_t framebuffer, const scene::Region& box) 
   ended_ |= framebuffer == firstFramebuffer_ && contains(box, firstRegion_);
 }
 
+void DrawnObjects::placed(const std::vector<glm::ivec4>& places) {
+  if (asked_ && places_.size() < kMostPlaces) places_.insert(places_.end(), places.begin(), places.end());
+}
+
 void DrawnObjects::publish(uint64_t frame) noexcept {
   try {
-    shownFrames().show(this, std::make_shared<const ShownFrame>(ShownFrame{frame, batches_}));
+    shownFrames().show(this, std::make_shared<const ShownFrame>(ShownFrame{frame, batches_, places_}));
   } catch (const std::exception&) {}  // the next one is shown
 }
 
@@ -59,6 +63,7 @@ void DrawnObjects::shown(uint64_t frame) noexcept {
   swaps_ = true;
   if (!asked_) return;
   publish(frame);
+  places_.clear();
   std::erase_if(batches_, [](const ShownBatch& batch) { return batch.framebuffer == 0; });
 }
 

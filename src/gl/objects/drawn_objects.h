@@ -29,6 +29,8 @@ class DrawnObjects {
   void number(const BatchKey& key, scene::Snapshot& batch) noexcept;
   /// The batch was traced, or surely will be.
   void traced(const BatchKey& key, const scene::SnapshotPtr& snapshot) noexcept;
+  /// The real OpenGL draws a picture into the window that may fill these rectangles (shown_places.h).
+  void placed(const std::vector<glm::ivec4>& places);
   /// Colours of the framebuffer were cleared in `box`.
   void colorCleared(uint32_t framebuffer, const scene::Region& box) noexcept;
   /// A frame was shown; `frame`: as SettingsSource counts. The window's content is undefined.
@@ -37,7 +39,7 @@ class DrawnObjects {
   bool empty() const { return !numbers_ && batches_.empty(); }
 
  private:
-  static constexpr size_t kMostBatches = 256;
+  static constexpr size_t kMostBatches = 256, kMostPlaces = 256;
   void publish(uint64_t frame) noexcept;
   void forget() noexcept;
 
@@ -50,6 +52,7 @@ class DrawnObjects {
   scene::Region firstRegion_;
   bool ended_ = false;               // that was cleared
   std::vector<ShownBatch> batches_;  // what framebuffers show now
+  std::vector<glm::ivec4> places_;   // of this frame
 };
 
 }  // namespace gluray::gl

@@ -35,7 +35,16 @@ void ShownFrames::forget(const void* context) noexcept {
 
 ShownFramePtr ShownFrames::last() const {
   const std::lock_guard lock(mutex_);
+  for (auto it = entries_.rbegin(); it != entries_.rend(); ++it)
+    if (!it->frame->batches.empty()) return it->frame;
   return entries_.empty() ? nullptr : entries_.back().frame;
+}
+
+std::vector<glm::ivec4> ShownFrames::places() const {
+  const std::lock_guard lock(mutex_);
+  for (auto it = entries_.rbegin(); it != entries_.rend(); ++it)
+    if (!it->frame->places.empty()) return it->frame->places;
+  return {};
 }
 
 ShownFrames& shownFrames() {

@@ -4,6 +4,8 @@
 #include "base/clock.h"
 #include "scene/snapshot.h"
 
+#include <glm/glm.hpp>
+
 #include <atomic>
 #include <cstdint>
 #include <memory>
@@ -22,6 +24,7 @@ struct ShownBatch {
 struct ShownFrame {
   uint64_t frame = 0;  // as SettingsSource counts; 0: not known
   std::vector<ShownBatch> batches;
+  std::vector<glm::ivec4> places;  // where pictures of framebuffer objects may be in the window
 };
 using ShownFramePtr = std::shared_ptr<const ShownFrame>;
 
@@ -38,8 +41,12 @@ class ShownFrames {
   void show(const void* context, ShownFramePtr frame) noexcept;
   /// Call when the context keeps none any more.
   void forget(const void* context) noexcept;
-  /// The frame that was shown last; of contexts that have shown none, null.
+  /// The last frame of the context that traced one last; if none has traced any, the last one. Null: none was
+  /// shown.
   ShownFramePtr last() const;
+  /// ShownFrame::places of the frame that was shown last and has some: a toolkit may have a context of its
+  /// own for its windows.
+  std::vector<glm::ivec4> places() const;
 
  private:
   struct Entry {

@@ -68,7 +68,8 @@ json EngineProgram::identity() {
 
 control::Figures EngineProgram::figures() {
   const gl::Statistics s = totals().statistics;
-  return {s.trianglesTraced, s.drawsTraced, s.drawsRasterised};
+  return {s.trianglesTraced, s.drawsTraced, s.drawsRasterised,
+          s.drawsTraced + s.rasterisedBecause[static_cast<size_t>(gl::Reason::smallScene)]};
 }
 
 json EngineProgram::state() {
@@ -127,6 +128,13 @@ control::Called EngineProgram::call(const std::string& name, const json& argumen
 void EngineProgram::wake() noexcept {
   try {
     for (const ShownWindow& window : shownWindows()) servers_.expose(window);
+    servers_.close();
+  } catch (const std::exception&) {}  // out of memory: it draws when it draws
+}
+
+void EngineProgram::tellSize(bool wider) noexcept {
+  try {
+    for (const ShownWindow& window : shownWindows()) servers_.tellSize(window, wider);
     servers_.close();
   } catch (const std::exception&) {}  // out of memory: it draws when it draws
 }

@@ -22,6 +22,7 @@ class EngineProgram final : public control::ControlledProgram {
   control::Called call(const std::string& name, const nlohmann::json& arguments, nlohmann::json& value,
                        std::string& why) override;
   void wake() noexcept override;
+  void tellSize(bool wider) noexcept override;
   void wantPicture(control::Wanted wanted) noexcept override;
   std::unique_ptr<control::Picture> takePicture() noexcept override;
   void linkEnded() noexcept override;

@@ -105,7 +105,7 @@ std::optional<ShownPoint> SceneCalls::pointAt(const json& arguments, const std::
                height = numberOf(arguments, "height", 1, kLargest, size.y);
   const double x = numberOf(arguments, "x", 0, width, NAN), y = numberOf(arguments, "y", 0, height, NAN);
   const glm::dvec2 at(x / width * size.x, (1 - y / height) * size.y);
-  return intercept::pointAt(views, glm::min(at, glm::dvec2(size) - 0.5), known);
+  return intercept::pointAt(views, glm::min(at, glm::dvec2(size) - 0.5), {known, gl::shownFrames().places()});
 }
 
 json SceneCalls::pick(const json& arguments, const gl::ShownFrame& frame) {

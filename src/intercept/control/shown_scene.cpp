@@ -27,17 +27,31 @@ bool isIn(const glm::ivec4& viewport, const glm::dvec2& at) {
          at.y < viewport.y + viewport.w;
 }
 
-/// Framebuffer objects are shown somewhere; where, is known only if they are as large as the window.
-bool isPlaced(const std::vector<ShownView>& views, const gl::ShownBatch& batch, const glm::ivec2& size) {
-  if (batch.framebuffer == 0 || size == glm::ivec2(0)) return true;
+/// Width and height of a framebuffer, by what is drawn into it.
+glm::ivec2 extentOf(const std::vector<ShownView>& views, uint32_t framebuffer) {
   glm::ivec2 extent(0);
   for (const ShownView& view : views)
-    for (const gl::ShownBatch* other : view.batches) {
-      if (other->framebuffer != batch.framebuffer) continue;
-      const glm::ivec4& v = other->snapshot->camera.viewport;
-      extent = glm::max(extent, glm::ivec2(v.x + v.z, v.y + v.w));
+    for (const gl::ShownBatch* batch : view.batches) {
+      const glm::ivec4& v = batch->snapshot->camera.viewport;
+      if (batch->framebuffer == framebuffer) extent = glm::max(extent, glm::ivec2(v.x + v.z, v.y + v.w));
     }
-  return extent == size;
+  return extent;
+}
+
+/// Where the window shows the framebuffer's lower left corner. A framebuffer object is where it fits: in all
+/// of the window, or in the only rectangle of its size. None: not known.
+std::optional<glm::ivec2> placeOf(const std::vector<ShownView>& views, uint32_t framebuffer,
+                                  const ShownWindowPlaces& window) {
+  if (framebuffer == 0 || window.size == glm::ivec2(0)) return glm::ivec2(0);
+  const glm::ivec2 extent = extentOf(views, framebuffer);
+  if (extent == window.size) return glm::ivec2(0);
+  std::optional<glm::ivec2> found;
+  for (const glm::ivec4& place : window.places) {
+    if (glm::ivec2(place.z, place.w) != extent) continue;
+    if (found && *found != glm::ivec2(place.x, place.y)) return std::nullopt;
+    found = glm::ivec2(place.x, place.y);
+  }
+  return found;
 }
 
 }  // namespace
@@ -67,15 +81,17 @@ glm::ivec2 extentOf(const std::vector<ShownView>& views) {
   return extent;
 }
 
-std::optional<ShownPoint> pointAt(const std::vector<ShownView>& views, const glm::dvec2& at,
-                                  const glm::ivec2& size) {
+std::optional<ShownPoint> pointAt(const std::vector<ShownView>& views, const glm::dvec2& position,
+                                  const ShownWindowPlaces& window) {
   bool placed = views.empty();
   for (size_t v = views.size(); v-- > 0;) {
     std::optional<ShownPoint> nearest;
     float depth = 2;
     for (const gl::ShownBatch* batch : views[v].batches) {
-      if (!isPlaced(views, *batch, size)) continue;
+      const auto place = placeOf(views, batch->framebuffer, window);
+      if (!place) continue;
       placed = true;
+      const glm::dvec2 at = position - glm::dvec2(*place);
       const scene::Snapshot& s = *batch->snapshot;
       if (!isIn(s.camera.viewport, at)) continue;
       const auto picked = frame::pick(frame::Renderer::shared(), s, at);

@@ -33,10 +33,14 @@ struct ShownPoint {
 };
 
 /// What the window shows at a position in pixels from its lower left corner; views that are drawn later cover
-/// others. `size`: of the window, {0, 0}: not known. Throws std::runtime_error with one line, also where
-/// it is not known where the window shows the views.
+/// others. Throws std::runtime_error with one line, also where it is not known where the window shows the
+/// views.
+struct ShownWindowPlaces {
+  glm::ivec2 size{0};              // of the window, {0, 0}: not known
+  std::vector<glm::ivec4> places;  // ShownFrames::places()
+};
 std::optional<ShownPoint> pointAt(const std::vector<ShownView>& views, const glm::dvec2& at,
-                                  const glm::ivec2& size);
+                                  const ShownWindowPlaces& window);
 /// The smallest window that the views fit into.
 glm::ivec2 extentOf(const std::vector<ShownView>& views);
 

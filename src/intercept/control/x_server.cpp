@@ -2,6 +2,7 @@
 
 #include "intercept/window_systems/xcb.h"
 
+#include <string_view>
 #include <utility>
 
 namespace gluray::intercept {
@@ -43,6 +44,51 @@ bool XServers::expose(const ShownWindow& window) {
   exposed.event.window = window.window;
   exposed.event.width = static_cast<uint16_t>(size.x), exposed.event.height = static_cast<uint16_t>(size.y);
   xcb().sendEvent(connection, /*propagate=*/0, window.window, XCB_EVENT_MASK_EXPOSURE, exposed.bytes);
+  return xcb().flush(connection) > 0;
+}
+
+/// Window managers leave a property on the windows that they manage; without one, they are children of the
+/// root.
+bool XServers::isTopLevel(xcb_connection_t* connection, uint32_t window, uint32_t root) {
+  static constexpr std::string_view kManaged = "WM_STATE";
+  const auto atom =
+      replyTo(xcb().atom, connection,
+              xcb().askAtom(connection, 1, static_cast<uint16_t>(kManaged.size()), kManaged.data()));
+  if (atom && atom->atom != XCB_ATOM_NONE) {
+    const auto state = replyTo(xcb().property, connection,
+                               xcb().askProperty(connection, 0, window, atom->atom, XCB_ATOM_ANY, 0, 0));
+    if (state && state->type != XCB_ATOM_NONE) return true;
+  }
+  const auto tree = replyTo(xcb().tree, connection, xcb().askTree(connection, window));
+  return tree && tree->parent == root;
+}
+
+bool XServers::tellSize(const ShownWindow& window, bool wider) {
+  xcb_connection_t* const connection = connectionTo(window.display);
+  const bool able = xcb().askTree && xcb().tree && xcb().askPlace && xcb().place && xcb().askAtom &&
+                    xcb().atom && xcb().askProperty && xcb().property;
+  if (!connection || !able) return false;
+  const auto geometry = replyTo(xcb().geometry, connection, xcb().askGeometry(connection, window.window));
+  if (!geometry) return false;
+  // As window managers do: places of windows of their own are those on the screen.
+  glm::ivec2 at(geometry->x, geometry->y);
+  if (isTopLevel(connection, window.window, geometry->root)) {
+    const auto place =
+        replyTo(xcb().place, connection, xcb().askPlace(connection, window.window, geometry->root, 0, 0));
+    if (!place) return false;
+    at = {place->dst_x, place->dst_y};
+  }
+  union {
+    xcb_configure_notify_event_t event;
+    char bytes[32];  // of every event
+  } told{};
+  told.event.response_type = XCB_CONFIGURE_NOTIFY;
+  told.event.event = told.event.window = window.window;
+  told.event.x = static_cast<int16_t>(at.x), told.event.y = static_cast<int16_t>(at.y);
+  told.event.width = static_cast<uint16_t>(geometry->width + (wider ? 1 : 0));
+  told.event.height = geometry->height;
+  told.event.border_width = geometry->border_width;
+  xcb().sendEvent(connection, /*propagate=*/0, window.window, XCB_EVENT_MASK_STRUCTURE_NOTIFY, told.bytes);
   return xcb().flush(connection) > 0;
 }
 

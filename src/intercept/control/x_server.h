@@ -23,11 +23,15 @@ class XServers {
   glm::ivec2 sizeOf(const ShownWindow& window);
   /// Sends the program an Expose event of the whole window. False: it is gone, or not supported.
   bool expose(const ShownWindow& window);
+  /// Tells the program that the window has the width that it has, or one pixel more. Toolkits that show again
+  /// what they drew when they are exposed draw anew when a size changes. False: as above.
+  bool tellSize(const ShownWindow& window, bool wider);
   /// Closes all connections.
   void close() noexcept;
 
  private:
   xcb_connection_t* connectionTo(const std::string& display);
+  static bool isTopLevel(xcb_connection_t* connection, uint32_t window, uint32_t root);
   std::map<std::string, xcb_connection_t*> connections_;  // null: none is possible
 };
 

@@ -30,6 +30,14 @@ Xcb::Xcb() {
   find(core, "xcb_get_image_data_length", imageLength);
   find(core, "xcb_get_geometry", askGeometry);
   find(core, "xcb_get_geometry_reply", geometry);
+  find(core, "xcb_query_tree", askTree);
+  find(core, "xcb_query_tree_reply", tree);
+  find(core, "xcb_translate_coordinates", askPlace);
+  find(core, "xcb_translate_coordinates_reply", place);
+  find(core, "xcb_intern_atom", askAtom);
+  find(core, "xcb_intern_atom_reply", atom);
+  find(core, "xcb_get_property", askProperty);
+  find(core, "xcb_get_property_reply", property);
   find(core, "xcb_get_window_attributes", askWindow);
   find(core, "xcb_get_window_attributes_reply", window);
   find(core, "xcb_get_setup", setup);

@@ -28,6 +28,14 @@ struct Xcb {
   decltype(xcb_get_image_data_length)* imageLength;
   decltype(xcb_get_geometry)* askGeometry;
   decltype(xcb_get_geometry_reply)* geometry;
+  decltype(xcb_query_tree)* askTree;
+  decltype(xcb_query_tree_reply)* tree;
+  decltype(xcb_translate_coordinates)* askPlace;
+  decltype(xcb_translate_coordinates_reply)* place;
+  decltype(xcb_intern_atom)* askAtom;
+  decltype(xcb_intern_atom_reply)* atom;
+  decltype(xcb_get_property)* askProperty;
+  decltype(xcb_get_property_reply)* property;
   decltype(xcb_get_window_attributes)* askWindow;
   decltype(xcb_get_window_attributes_reply)* window;
   decltype(xcb_get_setup)* setup;
