@@ -7,7 +7,8 @@ from .errors import GlurayError
 from .png import check_file, write_png
 
 LATER_SECONDS = 10.0                     # for a frame later than the one before
-PASSES_SECONDS, STALL_SECONDS = 60.0, 10.0  # for the passes of a picture; without a pass, after which none is expected
+PASSES_SECONDS = 60.0                    # for the passes of a picture
+BEGIN_SECONDS, STALL_SECONDS = 4.0, 10.0  # without a pass, after which none is expected: until the first one, and later
 
 
 def file_names(name):
@@ -62,14 +63,16 @@ def _value(first, last, whole, number, frames):
 
 def _shoot(program, names, frames, every, ramps, passes, progress):
     refined = _Refined(program, passes) if passes else None
-    made, last = [], None
+    made, last, before = [], None, None
     due = time.monotonic()
     try:
         for number in range(1, frames + 1):
             time.sleep(max(0.0, due - time.monotonic()))
             due = max(due + (every or 0), time.monotonic())
-            first = program.set({setting: _value(*ramp, number, frames) for setting, ramp in ramps.items()}) if ramps else None
-            if refined:
+            values = {setting: _value(*ramp, number, frames) for setting, ramp in ramps.items()}
+            same, before = bool(ramps) and values == before, values
+            first = program.set(values) if ramps and not same else None
+            if refined and not same:
                 refined.wait(first)
             last = _save_later(program, names(number), first, last)
             made.append(last)
@@ -122,14 +125,15 @@ class _Refined:
         while self.connection.event(0):  # states of earlier moments
             pass
         begin = progress = time.monotonic()
+        patience = BEGIN_SECONDS
         passes, own = self.before, frame is None or not self.before  # the state has the passes of the picture before until the new one has some
-        while time.monotonic() < min(begin + PASSES_SECONDS, progress + STALL_SECONDS):
+        while time.monotonic() < min(begin + PASSES_SECONDS, progress + patience):
             state = self._state(0.2)
             if not state or not isinstance(state.get("frame", 0), int) or state.get("frame", 0) < (frame or 0):
                 continue
             now = self._passes(state)
             if now != passes:
-                own, progress = True, time.monotonic()
+                own, progress, patience = True, time.monotonic(), STALL_SECONDS
             passes, noise = now, state.get("noise")
             finished = now >= self.most or (isinstance(noise, (int, float)) and noise <= self.noise)
             if own and now and (now >= self.passes or finished):

@@ -185,7 +185,7 @@ class Passes(FilmCase):
 
     def test_finished_pictures_are_taken(self):
         hub, program = self.refining(lambda passes: 0.01 if passes >= 3 else 1.0)
-        self.assertIn("; 2 pictures with fewer passes\n", self.output("film", "a.png", "--frames", "2", "--passes", "9", "--set", "spp=1..2"))
+        self.assertIn("; 2 pictures with fewer new passes\n", self.output("film", "a.png", "--frames", "2", "--passes", "9", "--set", "spp=1..2"))
         self.assertTrue(min(hub.taken) >= 3, hub.taken)
 
     def test_pictures_with_most_passes_are_taken(self):
@@ -193,6 +193,20 @@ class Passes(FilmCase):
         program.live["refine.passes"] = 5
         self.assertEqual(json.loads(self.output("film", "a.png", "--frames", "2", "--passes", "9", "--json"))["unfinished"], 2)
         self.assertTrue(min(hub.taken) >= 5, hub.taken)
+
+    def test_the_same_picture_again_is_not_waited_for(self):
+        hub, program = self.refining()
+        begin = time.monotonic()
+        self.output("film", "a.png", "--frames", "8", "--passes", "4", "--set", "spp=1..2")
+        self.assertEqual([r["values"] for r in hub.requests if r["type"] == "set"], [{"spp": 1}, {"spp": 2}, {"spp": None}])
+        self.assertTrue(len(hub.taken) == 8 and min(hub.taken) >= 4 and time.monotonic() < begin + 4, hub.taken)
+
+    def test_pictures_without_passes_are_taken(self):
+        hub, program = self.refining()
+        hub.frozen = True
+        begin = time.monotonic()
+        self.assertIn("; 1 picture with fewer new passes\n", self.output("film", "a.png", "--frames", "1", "--passes", "4"))
+        self.assertTrue(3 < time.monotonic() - begin < 8)
 
     def test_interrupt_while_it_waits(self):
         hub, program = self.refining()

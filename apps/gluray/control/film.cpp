@@ -81,8 +81,10 @@ class FilmMaker {
     const std::string file = plan_.name.file(number);
     if (const std::string why = whyNotInto(file); !why.empty()) throw std::runtime_error(why);
     const std::optional<int64_t> first = settings_.set(number, plan_.frames);
-    if (refined_) made_.unfinished += !refined_->wait(first, [this] { return ended(); });
+    if (refined_ && !settings_.same(number, plan_.frames))  // otherwise it is the same picture again
+      unfinished_ = !refined_->wait(first, [this] { return ended(); });
     if (refined_ && ended()) return false;
+    made_.unfinished += unfinished_;
     const std::optional<WindowPicture> picture = laterPicture(first.value_or(0));
     if (!picture) return false;
     if (const std::string why = files::replace(file, pngOf(picture->pixels)); !why.empty())
@@ -112,7 +114,7 @@ class FilmMaker {
   std::optional<RefinedState> refined_;
   std::optional<steady_clock::time_point> end_;
   asio::signal_set signals_;
-  bool stopped_ = false;
+  bool stopped_ = false, unfinished_ = false;
   FilmMade made_;
 };
 

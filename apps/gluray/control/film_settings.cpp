@@ -32,12 +32,20 @@ std::optional<int64_t> FilmSettings::send(const json& values) {
   return control::wholeNumber(control::member(result, "frame"), 0, control::kMostFrame);
 }
 
-std::optional<int64_t> FilmSettings::set(int picture, int of) {
-  if (ramps_.empty()) return std::nullopt;
+json FilmSettings::values(int picture, int of) const {
   json values = json::object();
   for (const Ramp& ramp : ramps_) values[ramp.name] = ramp.value(picture, of);
+  return values;
+}
+
+bool FilmSettings::same(int picture, int of) const {
+  return !ramps_.empty() && picture > 1 && values(picture, of) == values(picture - 1, of);
+}
+
+std::optional<int64_t> FilmSettings::set(int picture, int of) {
+  if (ramps_.empty() || same(picture, of)) return std::nullopt;
   changed_ = true;
-  return send(values);
+  return send(values(picture, of));
 }
 
 void FilmSettings::giveBack() {

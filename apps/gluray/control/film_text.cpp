@@ -37,7 +37,7 @@ std::string filmAsText(const FilmMade& made) {
   if (const int64_t missed = made.missed(); missed > 0)
     text += "; " + std::to_string(missed) + (missed == 1 ? " frame" : " frames") + " between them missed";
   if (made.unfinished > 0)
-    text += "; " + countedPictures(static_cast<size_t>(made.unfinished)) + " with fewer passes";
+    text += "; " + countedPictures(static_cast<size_t>(made.unfinished)) + " with fewer new passes";
   return text;
 }
 

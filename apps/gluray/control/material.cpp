@@ -54,7 +54,7 @@ std::vector<uint32_t> objectsWithEntries(const Entries& entries) {
   return objects;
 }
 
-std::string joined(const Entries& words) {
+std::string joinedWords(const Entries& words) {
   std::string text;
   for (const std::string& word : words) text.append(text.empty() ? "" : " ").append(word);
   return text;
@@ -67,7 +67,7 @@ int printEntries(const CommandLine& line, const RunningProgram& program, const E
   uint32_t missing = 0;
   json found = json::object();
   for (const uint32_t object : choice.empty() ? objects : chosenObjects(choice, objects, missing))
-    found[std::to_string(object)] = joined(wordsOf(entries, object));
+    found[std::to_string(object)] = joinedWords(wordsOf(entries, object));
   if (line.json) {
     json all = named(program);
     all["materials"] = found;

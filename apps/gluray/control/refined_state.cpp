@@ -13,7 +13,9 @@ using std::chrono::steady_clock;
 constexpr double kEvery = 0.1;         // seconds between states
 constexpr double kFirstSeconds = 1;    // until the first one
 constexpr double kMostForPasses = 60;  // seconds a frame
-constexpr double kStall = 10;          // seconds without a pass, after which none is expected
+// Seconds without a pass, after which none is expected. Programs begin to refine at most 3 s after a frame; a
+// picture that they have refined before is finished at once.
+constexpr double kBegin = 4, kStall = 10;
 
 double secondsSince(steady_clock::time_point begin) {
   return std::chrono::duration<double>(steady_clock::now() - begin).count();
@@ -49,14 +51,15 @@ bool RefinedState::wait(std::optional<int64_t> frame, const std::function<bool()
   }
   const auto begin = steady_clock::now();
   auto progress = begin;
+  double patience = kBegin;
   int64_t passes = before_;
   // While a new frame's picture has no passes, the state still has those of the picture before.
   bool own = !frame || before_ == 0;
-  while (secondsSince(begin) < kMostForPasses && secondsSince(progress) < kStall && !stopped()) {
+  while (secondsSince(begin) < kMostForPasses && secondsSince(progress) < patience && !stopped()) {
     const json state = next(2 * kEvery);
     if (!state.is_object() || countIn(state, "frame") < frame.value_or(0)) continue;
     const int64_t now = countIn(state, "passes");
-    if (now != passes) own = true, progress = steady_clock::now();
+    if (now != passes) own = true, patience = kStall, progress = steady_clock::now();
     passes = now;
     const bool finished = now >= most_ || control::numberIn<double>(state, "noise", 1) <= noise_;
     if (own && now > 0 && (now >= passes_ || finished)) break;
