@@ -1,11 +1,20 @@
 #include "gl/objects/drawn_objects.h"
 
-#include "gl/window/clears.h"
-
+#include <algorithm>
 #include <exception>
 #include <utility>
 
 namespace gluray::gl {
+namespace {
+
+/// Whether a clear of `box` leaves little of what was drawn: sizes of windows change between frames.
+bool coversMost(const scene::Region& box, const scene::Region& drawn) {
+  const int width = std::min(box.x + box.width, drawn.x + drawn.width) - std::max(box.x, drawn.x),
+            height = std::min(box.y + box.height, drawn.y + drawn.height) - std::max(box.y, drawn.y);
+  return width > 0 && height > 0 && int64_t{width} * height * 4 >= int64_t{drawn.width} * drawn.height * 3;
+}
+
+}  // namespace
 
 DrawnObjects::~DrawnObjects() { forget(); }
 
@@ -44,9 +53,9 @@ void DrawnObjects::traced(const BatchKey& key, const scene::SnapshotPtr& snapsho
 
 void DrawnObjects::colorCleared(uint32_t framebuffer, const scene::Region& box) noexcept {
   std::erase_if(batches_, [&](const ShownBatch& batch) {
-    return batch.framebuffer == framebuffer && contains(box, batch.snapshot->region);
+    return batch.framebuffer == framebuffer && coversMost(box, batch.snapshot->region);
   });
-  ended_ |= framebuffer == firstFramebuffer_ && contains(box, firstRegion_);
+  ended_ |= framebuffer == firstFramebuffer_ && coversMost(box, firstRegion_);
 }
 
 void DrawnObjects::placed(const std::vector<glm::ivec4>& places) {

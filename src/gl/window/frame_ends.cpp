@@ -74,7 +74,17 @@ void FrameEnds::takeSettings() {
   p_.passthrough.startAnew(now);
 }
 
+/// In a context that never swaps, frames end when another one of the process does: toolkits draw views in
+/// contexts of their own.
+void FrameEnds::endWithOthers() {
+  const uint64_t frame = p_.settings.sourceFrame();
+  if (frame == sourceFrame_ || p_.counts.statistics.frames > 0) return;
+  sourceFrame_ = frame;
+  begun_ = false, drawsBefore_ = draws();
+}
+
 void FrameEnds::beforeClear() noexcept {
+  endWithOthers();
   if (std::exchange(begun_, true)) return;
   p_.settings.beginFrame();
   if (draws() != drawsBefore_) return;

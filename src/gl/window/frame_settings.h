@@ -23,6 +23,8 @@ class FrameSettings {
   const Settings& now() const { return now_; }
   /// The number of the last frame that has begun, as the source counts; 0: without a source.
   uint64_t frame() const noexcept { return source_ ? source_->begun().frame : 0; }
+  /// The number of the frame that any context draws now; 0: without a source.
+  uint64_t sourceFrame() const noexcept { return source_ ? source_->frame() : 0; }
   /// Call when a frame has been shown, and before the first clear of the next: counts it.
   void endFrame() noexcept {
     if (source_) source_->endFrame();

@@ -2,6 +2,7 @@
 
 #include "control/messages/members.h"
 #include "frame/questions/listed_lights.h"
+#include "intercept/contexts.h"
 #include "intercept/control/described_objects.h"
 #include "settings/settings_source.h"
 
@@ -52,8 +53,7 @@ Called SceneCalls::call(const std::string& name, const json& arguments, json& va
     why = "engine = never: the real OpenGL draws everything";
     return Called::done;
   }
-  gl::shownFrames().wantUntil(nowSeconds() + kRemembered);
-  const gl::ShownFramePtr frame = gl::shownFrames().last();
+  const gl::ShownFramePtr frame = shownFrame();
   if (!frame) return Called::later;
   try {
     if (name == "objects") value = objects(arguments, frame);
@@ -63,6 +63,17 @@ Called SceneCalls::call(const std::string& name, const json& arguments, json& va
     if (name == "cameras") value = {{"cameras", describeCameras(viewsOf(*frame))}};
   } catch (const std::runtime_error& error) { why = error.what(); }
   return Called::done;
+}
+
+/// Null: none that counts has been shown yet.
+gl::ShownFramePtr SceneCalls::shownFrame() {
+  gl::ShownFrames& frames = gl::shownFrames();
+  const double now = nowSeconds();
+  if (!frames.wanted()) began_ = now;
+  frames.wantUntil(now + kRemembered);
+  gl::ShownFramePtr frame = frames.last();
+  const bool mayFill = frame && frame->batches.empty() && now - began_ < kEmpty;
+  return mayFill && totals().statistics.drawsTraced > 0 ? nullptr : frame;
 }
 
 /// Lists the frame's objects, unless they are listed already.

@@ -19,6 +19,8 @@ namespace gluray::intercept {
 class SceneCalls {
  public:
   static constexpr double kRemembered = 60;  // seconds after the last call
+  static constexpr double kEmpty =
+      2;  // seconds: a frame without surfaces may be one that shows an old picture
 
   /// `windowSize`: of the window that showed a frame last, in pixels; {0, 0}: not known.
   explicit SceneCalls(std::function<glm::ivec2()> windowSize) : windowSize_(std::move(windowSize)) {}
@@ -31,6 +33,7 @@ class SceneCalls {
   nlohmann::json pick(const nlohmann::json& arguments, const gl::ShownFrame& frame);
   nlohmann::json highlight(const nlohmann::json& arguments, const gl::ShownFrame& frame);
   std::optional<ShownPoint> pointAt(const nlohmann::json& arguments, const std::vector<ShownView>& views);
+  gl::ShownFramePtr shownFrame();
   void list(const gl::ShownFramePtr& frame);
 
   const std::function<glm::ivec2()> windowSize_;
@@ -38,6 +41,7 @@ class SceneCalls {
   std::vector<nlohmann::json> list_;            // in the order of their numbers
   size_t hash_ = 0;                             // of the list without bounds
   uint64_t version_ = 0;
+  double began_ = 0;  // when frames were kept first, without a pause since
 };
 
 }  // namespace gluray::intercept
