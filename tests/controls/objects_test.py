@@ -127,7 +127,8 @@ class Objects(Linked):
         self.assertEqual((recolored[0], recolored[1]), (0, 255))
         self.set(hub, values={"material.objects": []})
         self.shown = ALL
-        self.assertEqual((self.pixel(hub, 50, 100), self.pixel(hub, 150, 100)), before)
+        for got, wanted in zip(self.pixel(hub, 50, 100) + self.pixel(hub, 150, 100), before[0] + before[1]):
+            self.assertAlmostEqual(got, wanted, delta=3)  # both are averages of few paths
 
     def test_objects_can_be_hidden(self):
         hub = self.shown_by()

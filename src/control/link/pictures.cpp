@@ -64,9 +64,10 @@ void Pictures::passed(bool slow, double now) {
   std::erase_if(kept_, [&](const Kept& kept) { return now >= kept.until; });
   wakeIfDue(slow, now);
   const bool thumbnail = wish_.on && !slow && now >= due_;
-  program_.wantPicture(!waiting_.empty() || (thumbnail && asks_) ? Wanted::next
-                       : thumbnail                               ? Wanted::any
-                                                                 : Wanted::none);
+  program_.wantPicture(waker_.widens()                             ? Wanted::none
+                       : !waiting_.empty() || (thumbnail && asks_) ? Wanted::next
+                       : thumbnail                                 ? Wanted::any
+                                                                   : Wanted::none);
 }
 
 /// Hands the picture that the program has kept to those who wait for it.

@@ -146,9 +146,9 @@ void ProgramSide::passed(double now) {
   changes_.passed(now);
   const bool slow = peer_.waiting() > kMuchWaiting;
   observed_.passed(changes_.history(), slow, now);
-  pictures_.passed(slow, now);
   calls_.passed(now);
   waker_.passed(now);
+  pictures_.passed(slow, now);
 }
 
 double ProgramSide::next(double now) const {

@@ -46,7 +46,7 @@ void Waker::passed(double now) {
 }
 
 double Waker::next(double now) const {
-  if (step_ == Step::rest) return std::numeric_limits<double>::infinity();
+  if (step_ == Step::rest) return wanted_ ? now : std::numeric_limits<double>::infinity();
   return step_ == Step::wider ? due_ : std::min(due_, now + kPoll);
 }
 

@@ -28,6 +28,8 @@ class Waker {
   void wake() noexcept { wanted_ = true; }
   void passed(double now);
   double next(double now) const;
+  /// Whether frames that are shown now may be for windows of another size.
+  bool widens() const { return step_ == Step::wider; }
 
  private:
   enum class Step {
