@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace gluray {
 
@@ -30,5 +31,16 @@ std::string checkObjectRule(std::string_view entry);
 
 /// The number at the beginning of an entry; 0: there is none.
 uint32_t objectOf(std::string_view entry) noexcept;
+
+/// `entries` of material.objects with what `words` say of the object: a material, KEY=VALUE. What they do not
+/// name stays as it was, except that a material forgets the values that the object had, but not hidden-from.
+/// "KEY=" takes the value out. No words: no entry. The entry keeps its place; a new one comes last. Words are
+/// not checked: checkObjectRule() does that.
+std::vector<std::string> withObject(std::vector<std::string> entries, uint32_t object,
+                                    const std::vector<std::string>& words);
+
+/// The words of the entry of an object: the material, values, hidden-from. Those of several entries are
+/// merged, later ones win. Empty: there is none.
+std::vector<std::string> wordsOf(const std::vector<std::string>& entries, uint32_t object);
 
 }  // namespace gluray

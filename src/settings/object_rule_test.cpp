@@ -59,5 +59,54 @@ TEST(ObjectRuleTest, TheSettingTakesEntriesThatCanBeReadAlone) {
   EXPECT_TRUE(session.settings.changesPicture());
 }
 
+using Words = std::vector<std::string>;
+
+TEST(ObjectEntriesTest, WordsOfSeveralEntriesAreMerged) {
+  const Words entries{"3 glass roughness=0.1", "7 matte", "3 hidden-from=camera",
+                      " 3  ior=1.4  roughness=0.3"};
+  EXPECT_EQ(wordsOf(entries, 3), (Words{"glass", "roughness=0.3", "ior=1.4", "hidden-from=camera"}));
+  EXPECT_EQ(wordsOf(entries, 7), Words{"matte"});
+  EXPECT_EQ(wordsOf(entries, 4), Words());
+  EXPECT_EQ(wordsOf({"3 glass", "3 matte"}, 3), Words{"matte"});
+  EXPECT_EQ(wordsOf({"glass", "", "x 3"}, 0), Words());
+}
+
+TEST(ObjectEntriesTest, WhatIsNotNamedStays) {
+  const Words entries{"3 glass hidden-from=camera", "7 matte"};
+  EXPECT_EQ(withObject(entries, 3, {"roughness=0.1"}),
+            (Words{"3 glass roughness=0.1 hidden-from=camera", "7 matte"}));
+  EXPECT_EQ(withObject(entries, 3, {"hidden-from=all"}), (Words{"3 glass hidden-from=all", "7 matte"}));
+  EXPECT_EQ(withObject(entries, 7, {"hidden-from=shadow"}),
+            (Words{"3 glass hidden-from=camera", "7 matte hidden-from=shadow"}));
+}
+
+TEST(ObjectEntriesTest, AMaterialForgetsTheValuesThatTheObjectHad) {
+  const Words entries{"3 glass roughness=0.1 ior=1.4 hidden-from=camera"};
+  EXPECT_EQ(withObject(entries, 3, {"matte"}), Words{"3 matte hidden-from=camera"});
+  EXPECT_EQ(withObject(entries, 3, {"metal=Au", "metal"}), Words{"3 metal metal=Au hidden-from=camera"});
+  EXPECT_EQ(withObject(entries, 3, {"glass"}), Words{"3 glass hidden-from=camera"});
+}
+
+TEST(ObjectEntriesTest, EntriesKeepTheirPlacesAndNewOnesComeLast) {
+  const Words entries{"5 mirror", "3 glass", "5 coat=1", "7 matte"};
+  EXPECT_EQ(withObject(entries, 5, {"roughness=0"}),
+            (Words{"5 mirror coat=1 roughness=0", "3 glass", "7 matte"}));
+  EXPECT_EQ(withObject(entries, 3, {"matte"}), (Words{"5 mirror", "3 matte", "5 coat=1", "7 matte"}));
+  EXPECT_EQ(withObject({"5 mirror"}, 1, {"glass"}), (Words{"5 mirror", "1 glass"}));
+  EXPECT_EQ(withObject({}, 1, {"glass"}), Words{"1 glass"});
+}
+
+TEST(ObjectEntriesTest, WithoutWordsThereIsNoEntry) {
+  EXPECT_EQ(withObject({"3 glass", "7 matte", "3 coat=1"}, 3, {}), Words{"7 matte"});
+  EXPECT_EQ(withObject({"7 matte"}, 3, {}), Words{"7 matte"});
+}
+
+TEST(ObjectEntriesTest, NothingAfterTheSignTakesTheValueOut) {
+  EXPECT_EQ(withObject({"3 glass hidden-from=camera"}, 3, {"hidden-from="}), Words{"3 glass"});
+  EXPECT_EQ(withObject({"3 glass", "3 ior=1.4"}, 3, {"ior="}), Words{"3 glass"});
+  EXPECT_EQ(withObject({"3 hidden-from=camera", "7 matte"}, 3, {"hidden-from="}), Words{"7 matte"});
+  EXPECT_EQ(withObject({}, 3, {"hidden-from="}), Words());
+}
+
 }  // namespace
 }  // namespace gluray

@@ -1,0 +1,76 @@
+#include "settings/object_rule.h"
+
+#include <algorithm>
+
+namespace gluray {
+namespace {
+
+constexpr std::string_view kHidden = "hidden-from";
+
+/// What a word says something of; empty: of the material.
+std::string_view keyOf(std::string_view word) {
+  const size_t equals = word.find('=');
+  return equals == word.npos ? "" : word.substr(0, equals);
+}
+
+/// 0: the material, 1: values, 2: hidden-from.
+int placeOf(std::string_view word) {
+  const std::string_view key = keyOf(word);
+  return key.empty() ? 0 : key == kHidden ? 2 : 1;
+}
+
+/// Puts the word in place of the one with its key, otherwise behind those that come before it in an entry.
+void merge(std::vector<std::string>& words, const std::string& word) {
+  const auto old = std::find_if(words.begin(), words.end(),
+                                [&](const std::string& known) { return keyOf(known) == keyOf(word); });
+  if (old != words.end()) {
+    *old = word;
+    return;
+  }
+  const auto behind = std::find_if(words.begin(), words.end(),
+                                   [&](const std::string& known) { return placeOf(known) > placeOf(word); });
+  words.insert(behind, word);
+}
+
+/// Words of an entry behind its number.
+std::vector<std::string> wordsBehindNumber(std::string_view entry) {
+  std::vector<std::string> words;
+  for (size_t begin = entry.find_first_not_of(' '); begin < entry.size();
+       begin = entry.find_first_not_of(' ', begin)) {
+    const size_t end = std::min(entry.find(' ', begin), entry.size());
+    words.emplace_back(entry.substr(begin, end - begin));
+    begin = end;
+  }
+  if (!words.empty()) words.erase(words.begin());
+  return words;
+}
+
+}  // namespace
+
+std::vector<std::string> wordsOf(const std::vector<std::string>& entries, uint32_t object) {
+  std::vector<std::string> words;
+  for (const std::string& entry : entries)
+    if (object != 0 && objectOf(entry) == object)
+      for (const std::string& word : wordsBehindNumber(entry)) merge(words, word);
+  return words;
+}
+
+std::vector<std::string> withObject(std::vector<std::string> entries, uint32_t object,
+                                    const std::vector<std::string>& words) {
+  std::vector<std::string> merged = words.empty() ? words : wordsOf(entries, object);
+  if (std::any_of(words.begin(), words.end(), [](const std::string& word) { return placeOf(word) == 0; }))
+    std::erase_if(merged, [](const std::string& word) { return placeOf(word) != 2; });
+  for (const std::string& word : words) merge(merged, word);
+  std::erase_if(merged, [](const std::string& word) { return word.ends_with('='); });
+
+  std::string entry = std::to_string(object);
+  for (const std::string& word : merged) entry += " " + word;
+  const auto ofObject = [&](const std::string& known) { return objectOf(known) == object; };
+  const auto old = std::find_if(entries.begin(), entries.end(), ofObject);
+  const auto place = old - entries.begin();
+  entries.erase(std::remove_if(old, entries.end(), ofObject), entries.end());
+  if (!merged.empty()) entries.insert(entries.begin() + place, entry);
+  return entries;
+}
+
+}  // namespace gluray
