@@ -119,10 +119,14 @@ void Controls::request(json message, const QString& what) {
 }
 
 void Controls::set(const std::string& name, const json& value, const std::string& gesture) {
-  if (!chosen_ && !all_) return;
-  json message{{"type", "set"}, {"program", target()}, {"values", {{name, value}}}};
+  change({{name, value}}, gesture);
+}
+
+void Controls::change(const json& values, const std::string& gesture) {
+  if ((!chosen_ && !all_) || !values.is_object() || values.empty()) return;
+  json message{{"type", "set"}, {"program", target()}, {"values", values}};
   if (!gesture.empty()) message["gesture"] = gesture;
-  request(std::move(message), QString::fromStdString(name));
+  request(std::move(message), QString::fromStdString(values.begin().key()));
 }
 
 void Controls::undo() {
@@ -133,17 +137,51 @@ void Controls::redo() {
   if (chosen_ || all_) request({{"type", "redo"}, {"program", target()}}, tr("redo"));
 }
 
+void Controls::call(int program, const char* name, json arguments, QObject* receiver, CallTaker then) {
+  calls_.wait(next_, program, receiver, [then = std::move(then)](const std::vector<CallAnswer>& answers) {
+    if (!answers.empty()) then(answers.front());
+  });
+  send_({{"type", "call"},
+         {"id", next_++},
+         {"program", program},
+         {"name", name},
+         {"arguments", std::move(arguments)}});
+}
+
+void Controls::batch(int program, json requests, QObject* receiver, BatchTaker then) {
+  for (json& request : requests) request["program"] = program;
+  calls_.wait(next_, program, receiver, std::move(then));
+  send_({{"type", "batch"}, {"id", next_++}, {"requests", std::move(requests)}});
+}
+
+void Controls::wantThumbnails(const QObject* who, int size) {
+  size > 0 ? void(sizes_[who] = std::min(size, kMostThumbnail)) : void(sizes_.erase(who));
+  if (isConnected_) observe();
+}
+
+void Controls::observe() {
+  json message{{"type", "observe"},
+               {"program", "all"},
+               {"what", {"programs", "settings", "state", "thumbnail"}},
+               {"every", kStateSeconds}};
+  int size = 0;
+  for (const auto& [who, wanted] : sizes_) size = std::max(size, wanted);
+  if (size > 0) message["size"] = size;
+  request(std::move(message));
+}
+
 void Controls::connected() {
   asked_.clear();
-  request({{"type", "observe"},
-           {"program", "all"},
-           {"what", {"programs", "settings", "state", "thumbnail"}},
-           {"every", kStateSeconds}});
+  calls_.end("the hub has changed");
+  isConnected_ = true;
+  observe();
   request({{"type", "list"}});
 }
 
 void Controls::disconnected(const QString& why) {
   asked_.clear();
+  isConnected_ = false;
+  calls_.end("the connection to the hub ended");
   if (!programs_.empty()) takePrograms(json::array());
   emit said(why);
 }
@@ -159,7 +197,9 @@ void Controls::take(const Message& message) {
 }
 
 void Controls::takeAnswer(const json& answer) {
-  const auto asked = asked_.find(numberIn<uint64_t>(answer, "id", 0));
+  const uint64_t id = numberIn<uint64_t>(answer, "id", 0);
+  if (calls_.take(id, answer)) return;
+  const auto asked = asked_.find(id);
   if (asked == asked_.end()) return;
   const QString what = std::exchange(asked->second, {});
   asked_.erase(asked);
@@ -216,6 +256,9 @@ void Controls::takePrograms(const json& list) {
   const bool first =
       std::none_of(programs_.begin(), programs_.end(), [](const Program& p) { return p.pid != 0; });
   programs_ = std::move(next);
+  std::vector<int> numbers;
+  for (const Program& program : programs_) numbers.push_back(program.number);
+  calls_.endOthers(numbers, "the program has ended");
   emit programsChanged();
   chooseAgain(first);
   emit settingsChanged();
