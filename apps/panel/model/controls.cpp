@@ -6,6 +6,7 @@
 #include "settings/values.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace gluray::panel {
@@ -14,7 +15,6 @@ namespace {
 using control::numberIn, control::textIn;
 using nlohmann::json;
 
-constexpr size_t kMostFps = 600;        // entries of the plot
 constexpr double kStateSeconds = 0.25;  // between events
 constexpr int kMostThumbnail = 512;     // pixels of its longest side
 
@@ -288,8 +288,13 @@ void Controls::takeThumbnail(Program& program, const json& event) {
 void Controls::takeState(Program& program, const json& state) {
   if (!state.is_object()) return;
   program.state = state;
-  program.fps.push_back(numberIn<double>(state, "fps", 0));
-  if (program.fps.size() > kMostFps) program.fps.pop_front();
+  const auto keep = [&](std::deque<double>& values, const char* name, double otherwise) {
+    values.push_back(numberIn<double>(state, name, otherwise));
+    if (values.size() > kMostPlotted) values.pop_front();
+  };
+  keep(program.fps, "fps", 0);
+  keep(program.noise, "noise", std::numeric_limits<double>::quiet_NaN());
+  keep(program.passes, "passes", std::numeric_limits<double>::quiet_NaN());
   emit stateChanged(program.number);
 }
 

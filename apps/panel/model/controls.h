@@ -19,6 +19,8 @@
 
 namespace gluray::panel {
 
+inline constexpr size_t kMostPlotted = 600;  // state events that are remembered
+
 /// A setting's value in a program.
 struct Value {
   nlohmann::json value;
@@ -33,8 +35,9 @@ struct Program {
   std::map<std::string, Value> values;  // of settings that differ from their built-in values, or did
   int undo = 0, redo = 0;               // steps
   nlohmann::json state = nlohmann::json::object();
-  QImage thumbnail;        // of its window; null: none has come
-  std::deque<double> fps;  // one entry a state event, newest last
+  QImage thumbnail;                  // of its window; null: none has come
+  std::deque<double> fps;            // one entry a state event, newest last
+  std::deque<double> noise, passes;  // the same; NaN where the program says nothing
   QString title() const;
 };
 

@@ -35,7 +35,8 @@ SettingRow::SettingRow(const Row& row, Controls& controls, QWidget* parent)
     : QWidget(parent),
       row_(row),
       controls_(controls),
-      label_(new QLabel(shortName(row), this)),
+      text_(shortName(row)),
+      label_(new QLabel(text_, this)),
       editor_(makeEditor(row, this)),
       reset_(new QToolButton(this)),
       movement_(controls, this) {
@@ -57,6 +58,11 @@ SettingRow::SettingRow(const Row& row, Controls& controls, QWidget* parent)
   update();
 }
 
+void SettingRow::headsGroup() {
+  text_ = row_.type == Type::boolean ? tr("enabled") : row_.type == Type::choice ? tr("kind") : tr("value");
+  update();
+}
+
 void SettingRow::update() {
   const std::string name(row_.name);
   const Value now = controls_.value(name);
@@ -66,7 +72,7 @@ void SettingRow::update() {
   QFont font = label_->font();
   font.setBold(changed_);
   label_->setFont(font);
-  label_->setText(shortName(row_) + (controls_.differs(name) ? " \u2260" : ""));
+  label_->setText(text_ + (controls_.differs(name) ? " \u2260" : ""));
   const QString from = now.place.empty() ? QString::fromStdString(now.layer)
                                          : QString::fromStdString(now.layer + ": " + now.place);
   reset_->setEnabled(controls_.isLive(name));

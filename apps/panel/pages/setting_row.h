@@ -24,6 +24,8 @@ class SettingRow : public QWidget {
   /// Shows what the chosen program has.
   void update();
   QLabel* label() const { return label_; }
+  /// The setting heads the group under whose name it stands, such as `ao`: its label does not repeat that.
+  void headsGroup();
 
  private:
   void send(const nlohmann::json& value, bool more);
@@ -31,6 +33,7 @@ class SettingRow : public QWidget {
 
   const Row& row_;
   Controls& controls_;
+  QString text_;  // of the label
   QLabel* label_;
   Editor* editor_;
   QToolButton* reset_;

@@ -1,0 +1,67 @@
+// What the selected objects are made of, and which rays do not meet them: shows and changes their entries of
+// the setting material.objects. GUI thread.
+#pragma once
+#include "model/movement.h"
+#include "model/object_list.h"
+#include "settings/rows.h"
+
+#include <QElapsedTimer>
+#include <QWidget>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+class QCheckBox;
+class QGridLayout;
+class QLabel;
+class QPushButton;
+
+namespace gluray::panel {
+
+class Editor;
+
+class ObjectEditor : public QWidget {
+  Q_OBJECT
+
+ public:
+  ObjectEditor(Controls& controls, QWidget* parent);
+  /// Chooses what is edited; none: nothing can be.
+  void show(std::vector<DrawnObject> objects);
+  /// Shows the values again.
+  void update();
+
+ private:
+  struct Field {
+    const Row* row = nullptr;
+    QLabel* label = nullptr;
+    Editor* editor = nullptr;
+  };
+
+  void makeFields(QGridLayout* grid);
+  QWidget* makeRays();
+  void changeRays();
+  /// Says `words` of all objects; none: takes their entries out.
+  void change(const std::vector<std::string>& words, bool more);
+  void send(std::vector<std::string> entries, bool more);
+  void takeBack();
+  std::vector<std::string> entries() const;
+  /// The setting's value for an object; `said`: its entry has it.
+  nlohmann::json valueOf(const Row& row, const DrawnObject& object, bool& said) const;
+  QStringList hiddenOf(const DrawnObject& object, bool& said) const;
+  void showField(const Field& field);
+  void showRays();
+
+  Controls& controls_;
+  Movement movement_;
+  std::vector<DrawnObject> objects_;
+  std::vector<Field> fields_;
+  std::array<QCheckBox*, 4> rays_{};
+  QLabel *title_ = nullptr, *hidden_ = nullptr;
+  QPushButton* remove_ = nullptr;
+  std::optional<std::vector<std::string>> sent_;  // what the program has not yet said again
+  QElapsedTimer sentAt_;
+  Value before_;  // when the movement began
+};
+
+}  // namespace gluray::panel
