@@ -6,13 +6,17 @@
 namespace gluray::panel {
 namespace {
 
+/// "12 345".
+QString grouped(int64_t number) {
+  return QLocale(QLocale::English).toString(static_cast<qlonglong>(number)).replace(',', ' ');
+}
+
 QString columnText(const DrawnObject& object, ObjectColumn column) {
   switch (column) {
     case ObjectColumn::number: return QString::number(object.number);
     case ObjectColumn::color: return object.color.isValid() ? object.color.name() : ObjectTable::tr("varies");
     case ObjectColumn::shape: return object.shape;
-    case ObjectColumn::triangles:
-      return QLocale::c().toString(static_cast<qlonglong>(object.triangles)).replace(',', ' ');
+    case ObjectColumn::triangles: return grouped(object.triangles);
     case ObjectColumn::material: return object.material;
     case ObjectColumn::hidden: return object.hidden.join(", ");
     default: return {};
