@@ -30,16 +30,19 @@ namespace gluray::panel {
 namespace {
 
 constexpr const char* kTitle = "page-title";  // property of a page: its tab's text without a number
+constexpr int kSide = 290;                    // pixels: width of the list of programs
 constexpr int kToolLine = 12000;              // milliseconds
 
 }  // namespace
 
 MainWindow::MainWindow(Controls& controls) : controls_(controls) {
   setWindowTitle(tr("GLuRay"));
+  resize(1080, 800);
   auto* splitter = new QSplitter(this);
   splitter->addWidget(makePrograms());
   splitter->addWidget(makePages());
   splitter->setStretchFactor(1, 1);
+  splitter->setSizes({kSide, width()});
   setCentralWidget(splitter);
   makeToolBar();
   connect(&controls_, &Controls::settingsChanged, this, &MainWindow::showSettings);
@@ -52,7 +55,6 @@ MainWindow::MainWindow(Controls& controls) : controls_(controls) {
   connect(tabs_, &QTabWidget::currentChanged, this, [this] { why_->show(controls_.shown()); });
   setAcceptDrops(true);
   for (QLineEdit* line : findChildren<QLineEdit*>()) line->setAcceptDrops(false);  // the window takes files
-  resize(1080, 800);
   showSettings();
   greet();
 }
@@ -77,7 +79,7 @@ void MainWindow::greet() {
 QWidget* MainWindow::makePrograms() {
   auto* side = new QWidget(this);
   auto* layout = new QVBoxLayout(side);
-  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setContentsMargins(4, 4, 0, 4);
   auto* view = new LiveView(controls_, side);
   listenTo(*view);
   connect(view, &LiveView::enlarged, this, &MainWindow::enlarge);

@@ -237,6 +237,28 @@ TEST_F(WindowToolsTest, SearchCountsObjectsAndStaysOnTheirPage) {
   EXPECT_EQ(tabs().tabText(tabs().currentIndex()), "Objects");
 }
 
+QPalette darkPalette() {
+  QPalette dark(QColor(45, 45, 48), QColor(45, 45, 48));
+  dark.setColor(QPalette::Base, QColor(30, 30, 30));
+  dark.setColor(QPalette::Highlight, QColor(70, 140, 220));
+  return dark;
+}
+
+TEST_F(WindowToolsTest, PicturesOfADarkDesktop) {
+  const QPalette before = QApplication::palette();
+  QApplication::setPalette(darkPalette());
+  for (int i = 0; i < 100; ++i) program.state({{"noise", 0.3 / (i + 1)}, {"passes", i}, {"fps", 20 + i % 7}});
+  for (const char* title : {"Light", "Objects", "Why"}) {
+    open(title);
+    QTest::qWait(50);
+    window.findChild<ObjectsPage*>()->select(2);
+    picture(window, ("dark-" + std::string(title)).c_str());
+  }
+  const QImage drawn = window.findChild<QWidget*>("fps-plot")->grab().toImage();
+  EXPECT_EQ(drawn.pixelColor(drawn.width() / 2, drawn.height() / 2), QColor(30, 30, 30)) << "no white boxes";
+  QApplication::setPalette(before);
+}
+
 TEST_F(WindowToolsTest, Pictures) {
   for (int i = 0; i < 100; ++i) program.state({{"noise", 0.3 / (i + 1)}, {"passes", i}, {"fps", 20 + i % 7}});
   program.say("lights", "headlight+key");

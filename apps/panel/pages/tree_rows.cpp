@@ -20,7 +20,8 @@ void setRows(QTreeWidget& tree, const std::vector<QStringList>& rows) {
     for (int column = 0; column < tree.columnCount(); ++column)
       if (const QString text = texts.value(column); item->text(column) != text) item->setText(column, text);
     for (int column = 1; column < tree.columnCount(); ++column)
-      item->setTextAlignment(column, Qt::Alignment(tree.headerItem()->textAlignment(column)));
+      if (const int alignment = tree.headerItem()->textAlignment(column))
+        item->setTextAlignment(column, Qt::Alignment(alignment));
     if (had && !again && texts.value(0) == current) again = item;
   }
   if (!had || again == tree.currentItem()) return;

@@ -56,7 +56,7 @@ FilmDialog::FilmDialog(Controls& controls, QWidget* parent) : QDialog(parent), c
   start_ = new QPushButton(tr("&Start"), this);
   start_->setObjectName("film-start");
   start_->setDefault(true);
-  close_ = new QPushButton(tr("C&lose"), this);
+  close_ = new QPushButton(tr("&Close"), this);
   auto* buttons = new QHBoxLayout;
   buttons->addStretch(1);
   buttons->addWidget(start_);
@@ -75,7 +75,7 @@ FilmDialog::FilmDialog(Controls& controls, QWidget* parent) : QDialog(parent), c
 void FilmDialog::makeFields(QFormLayout* form) {
   folder_ = new QLineEdit(QDir::homePath(), fields_);
   folder_->setObjectName("film-folder");
-  auto* choose = new QPushButton(tr("Choose..."), fields_);
+  auto* choose = new QPushButton(tr("C&hoose..."), fields_);
   choose->setAutoDefault(false);
   auto* line = new QHBoxLayout;
   line->addWidget(folder_, 1);
@@ -111,10 +111,10 @@ void FilmDialog::makeVaried(QFormLayout* form) {
     if (row.applies == Applies::frame && isNumber(row)) setting_->addItem(qtText(row.name));
   setting_->setToolTip(tr("It changes over the film, and is afterwards what it was"));
   form->addRow(tr("S&etting that changes"), setting_);
-  from_ = newValueBox(tr("From"), "film-from", fields_);
-  to_ = newValueBox(tr("To"), "film-to", fields_);
-  form->addRow(tr("F&rom"), from_);
-  form->addRow(tr("&To"), to_);
+  from_ = newValueBox(tr("First value"), "film-from", fields_);
+  to_ = newValueBox(tr("Last value"), "film-to", fields_);
+  form->addRow(tr("F&irst value"), from_);
+  form->addRow(tr("&Last value"), to_);
   connect(setting_, &QComboBox::currentIndexChanged, this, &FilmDialog::showRange);
   showRange();
 }

@@ -27,7 +27,10 @@ struct LiveViewTest : testing::Test {
   }
   QToolButton& button(const char* name) { return *view.findChild<QToolButton*>(name); }
   LivePicture& picture() { return view.picture(); }
-  QColor pixel(int x, int y) { return picture().grab().toImage().pixelColor(x, y); }
+  QColor pixel(int x, int y) {
+    const QImage image = picture().grab().toImage();
+    return image.pixelColor((QPointF(x, y) * image.devicePixelRatio()).toPoint());
+  }
   void press(int x, int y) { QTest::mousePress(&picture(), Qt::LeftButton, {}, {x, y}); }
   void move(int x, int y) { QTest::mouseMove(&picture(), {x, y}); }
   void release(int x, int y) { QTest::mouseRelease(&picture(), Qt::LeftButton, {}, {x, y}); }

@@ -70,6 +70,9 @@ ObjectEditor::ObjectEditor(Controls& controls, QWidget* parent)
   layout->addWidget(makeRays());
   layout->addStretch(1);
   connect(remove_, &QPushButton::clicked, this, [this] { change({}, false); });
+  connect(&controls_, &Controls::said, this, [this](const QString& line) {
+    if (!line.isEmpty()) sent_.reset(), update();  // the program may have refused it
+  });
   show({});
 }
 
@@ -121,43 +124,42 @@ void ObjectEditor::show(std::vector<DrawnObject> objects) {
   update();
 }
 
-std::vector<std::string> ObjectEditor::entries() const {
+std::vector<std::string> ObjectEditor::entriesNow() const {
   if (sent_ && sentAt_.elapsed() < kUntilSaid) return *sent_;
   return entriesOf(controls_.value(kSetting).value);
 }
 
-json ObjectEditor::valueOf(const Row& row, const DrawnObject& object, bool& said) const {
-  const auto value = valueIn(wordsOf(entries(), object.number), row);
-  said = value.has_value();
-  if (value) return *value;
-  if (row.name == "material" && !object.material.isEmpty()) return object.material.toStdString();
-  return controls_.value(std::string(row.name)).value;
+json ObjectEditor::valueOf(const Row& row, size_t at, const json& otherwise, bool& said) const {
+  if (const auto value = valueIn(words_[at], row)) {
+    said = true;
+    return *value;
+  }
+  const QString& material = objects_[at].material;
+  return row.name == "material" && !material.isEmpty() ? json(material.toStdString()) : otherwise;
 }
 
-QStringList ObjectEditor::hiddenOf(const DrawnObject& object, bool& said) const {
-  const auto rays = raysIn(wordsOf(entries(), object.number));
-  said = rays.has_value();
-  return rays.value_or(object.hidden);
+QStringList ObjectEditor::hiddenOf(size_t at, bool& said) const {
+  const auto rays = raysIn(words_[at]);
+  said |= rays.has_value();
+  return rays.value_or(objects_[at].hidden);
 }
 
 void ObjectEditor::update() {
   if (sent_ && entriesOf(controls_.value(kSetting).value) == *sent_) sent_.reset();
+  const ObjectEntries entries(entriesNow());
+  words_.clear();
+  for (const DrawnObject& object : objects_) words_.push_back(entries.words(object.number));
   for (const Field& field : fields_) showField(field);
   showRays();
-  remove_->setEnabled(std::any_of(objects_.begin(), objects_.end(), [&](const DrawnObject& object) {
-    return !wordsOf(entries(), object.number).empty();
-  }));
+  remove_->setEnabled(
+      std::any_of(words_.begin(), words_.end(), [](const auto& words) { return !words.empty(); }));
 }
 
 void ObjectEditor::showField(const Field& field) {
   bool said = false, differs = false;
-  const json first = objects_.empty() ? controls_.value(std::string(field.row->name)).value
-                                      : valueOf(*field.row, objects_[0], said);
-  for (const DrawnObject& object : objects_) {
-    bool alsoSaid = false;
-    differs |= valueOf(*field.row, object, alsoSaid) != first;
-    said |= alsoSaid;
-  }
+  const json otherwise = controls_.value(std::string(field.row->name)).value;
+  const json first = objects_.empty() ? otherwise : valueOf(*field.row, 0, otherwise, said);
+  for (size_t i = 1; i < objects_.size(); ++i) differs |= valueOf(*field.row, i, otherwise, said) != first;
   if (!field.editor->busy()) field.editor->show(first);
   field.label->setText(qtText(field.row->name.substr(field.row->name.find('.') + 1)) +
                        (differs ? " \u2260" : ""));
@@ -167,10 +169,8 @@ void ObjectEditor::showField(const Field& field) {
 void ObjectEditor::showRays() {
   std::array<size_t, 4> times{};
   bool said = false;
-  for (const DrawnObject& object : objects_) {
-    bool alsoSaid = false;
-    const QStringList rays = hiddenOf(object, alsoSaid);
-    said |= alsoSaid;
+  for (size_t at = 0; at < objects_.size(); ++at) {
+    const QStringList rays = hiddenOf(at, said);
     for (size_t i = 0; i < times.size(); ++i) times[i] += rays.contains(qtText(kRayWords[i]));
   }
   for (size_t i = 0; i < rays_.size(); ++i) {
@@ -184,25 +184,25 @@ void ObjectEditor::showRays() {
 
 /// A kind that only some of the objects are hidden from stays so for each of them.
 void ObjectEditor::changeRays() {
-  std::vector<std::string> next = entries();
-  for (const DrawnObject& object : objects_) {
+  ObjectEntries next(entriesNow());
+  for (size_t at = 0; at < objects_.size(); ++at) {
     bool said = false;
-    const QStringList had = hiddenOf(object, said);
+    const QStringList had = hiddenOf(at, said);
     QStringList rays;
     for (size_t i = 0; i < rays_.size(); ++i) {
       const Qt::CheckState state = rays_[i]->checkState();
       const QString ray = qtText(kRayWords[i]);
       if (state == Qt::PartiallyChecked ? had.contains(ray) : state == Qt::Checked) rays << ray;
     }
-    next = withObject(std::move(next), object.number, {wordForRays(rays)});
+    next.change(objects_[at].number, {wordForRays(rays)});
   }
-  send(std::move(next), false);
+  send(next.all(), false);
 }
 
 void ObjectEditor::change(const std::vector<std::string>& words, bool more) {
-  std::vector<std::string> next = entries();
-  for (const DrawnObject& object : objects_) next = withObject(std::move(next), object.number, words);
-  send(std::move(next), more);
+  ObjectEntries next(entriesNow());
+  for (const DrawnObject& object : objects_) next.change(object.number, words);
+  send(next.all(), more);
 }
 
 void ObjectEditor::send(std::vector<std::string> next, bool more) {

@@ -45,16 +45,18 @@ class ObjectEditor : public QWidget {
   void change(const std::vector<std::string>& words, bool more);
   void send(std::vector<std::string> entries, bool more);
   void takeBack();
-  std::vector<std::string> entries() const;
-  /// The setting's value for an object; `said`: its entry has it.
-  nlohmann::json valueOf(const Row& row, const DrawnObject& object, bool& said) const;
-  QStringList hiddenOf(const DrawnObject& object, bool& said) const;
+  /// Those that the program has, or was last sent.
+  std::vector<std::string> entriesNow() const;
+  /// The setting's value for objects_[at]; `said` becomes true if its entry has it.
+  nlohmann::json valueOf(const Row& row, size_t at, const nlohmann::json& otherwise, bool& said) const;
+  QStringList hiddenOf(size_t at, bool& said) const;
   void showField(const Field& field);
   void showRays();
 
   Controls& controls_;
   Movement movement_;
   std::vector<DrawnObject> objects_;
+  std::vector<std::vector<std::string>> words_;  // of the objects' entries
   std::vector<Field> fields_;
   std::array<QCheckBox*, 4> rays_{};
   QLabel *title_ = nullptr, *hidden_ = nullptr;

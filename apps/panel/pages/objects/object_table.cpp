@@ -35,14 +35,15 @@ bool isNumeric(ObjectColumn column) {
 
 }  // namespace
 
-void ObjectTable::take(const std::vector<DrawnObject>& objects) {
+bool ObjectTable::take(const std::vector<DrawnObject>& objects) {
   const bool same =
       std::equal(objects.begin(), objects.end(), objects_.begin(), objects_.end(),
                  [](const DrawnObject& a, const DrawnObject& b) { return a.number == b.number; });
   if (!same) {
     beginResetModel();
     objects_ = objects;
-    return endResetModel();
+    endResetModel();
+    return true;
   }
   for (size_t i = 0; i < objects.size(); ++i) {
     if (objects[i] == objects_[i]) continue;
@@ -50,6 +51,7 @@ void ObjectTable::take(const std::vector<DrawnObject>& objects) {
     const int row = static_cast<int>(i);
     emit dataChanged(index(row, 0), index(row, columnCount() - 1));
   }
+  return false;
 }
 
 int ObjectTable::rowCount(const QModelIndex& parent) const {

@@ -13,6 +13,11 @@
 #include <QVBoxLayout>
 
 namespace gluray::panel {
+namespace {
+
+constexpr int kMostHeight = 10000;  // pixels: the table gets what the editor does not need
+
+}  // namespace
 
 ObjectsPage::ObjectsPage(Controls& controls, QWidget* parent)
     : QWidget(parent), controls_(controls), list_(controls, this), message_(new QLabel(this)) {
@@ -26,10 +31,17 @@ ObjectsPage::ObjectsPage(Controls& controls, QWidget* parent)
   below->setWidget(editor_);
   below->setWidgetResizable(true);
   below->setFrameShape(QFrame::NoFrame);
+  below->viewport()->setAutoFillBackground(false);
+  editor_->setAutoFillBackground(false);
+  auto* above = new QWidget(this);  // stays where it is while there is no table
+  auto* around = new QVBoxLayout(above);
+  around->setContentsMargins(0, 0, 0, 0);
+  around->addWidget(table_);
   auto* splitter = new QSplitter(Qt::Vertical, this);
-  splitter->addWidget(table_);
+  splitter->addWidget(above);
   splitter->addWidget(below);
   splitter->setStretchFactor(0, 1);
+  splitter->setSizes({kMostHeight, editor_->sizeHint().height()});
   splitter->setChildrenCollapsible(false);
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(message_);
@@ -105,11 +117,11 @@ QString ObjectsPage::messageNow() const {
 void ObjectsPage::takeList() {
   const int scrolled = table_->verticalScrollBar()->value();
   marking_ = true;  // a reset clears the selection
-  rows_.take(list_.objects());
+  const bool reset = rows_.take(list_.objects());
   marking_ = false;
   table_->setVisible(!list_.objects().empty());
-  mark();
-  table_->verticalScrollBar()->setValue(scrolled);
+  if (reset) table_->verticalScrollBar()->setValue(scrolled);
+  reset ? mark() : edit();
   message_->setText(messageNow());
 }
 
@@ -123,14 +135,20 @@ void ObjectsPage::select(uint32_t number) {
 /// Selects the rows of selected_, as far as they are there.
 void ObjectsPage::mark() {
   QItemSelection selection;
-  for (int row = 0; row < filter_.rowCount(); ++row) {
-    const QModelIndex index = filter_.index(row, 0);
-    if (selected_.contains(rows_.object(filter_.mapToSource(index).row()).number))
-      selection.select(index, index);
+  const auto isSelected = [&](int row) {
+    return row < filter_.rowCount() &&
+           selected_.contains(rows_.object(filter_.mapToSource(filter_.index(row, 0)).row()).number);
+  };
+  for (int row = 0; row < filter_.rowCount() && !selected_.empty(); ++row) {
+    const int first = row;
+    while (isSelected(row)) ++row;
+    if (row > first) selection.select(filter_.index(first, 0), filter_.index(row - 1, 0));
   }
   if (!selection.isEmpty() && wanted_) {
     wanted_.reset();
-    table_->scrollTo(selection.indexes().first());
+    const QModelIndex index = selection.indexes().first();
+    table_->scrollTo(index);
+    table_->selectionModel()->setCurrentIndex(index, QItemSelectionModel::NoUpdate);
   }
   marking_ = true;
   table_->selectionModel()->select(selection,

@@ -211,6 +211,33 @@ TEST_F(ObjectsPageTest, TakesEntriesBack) {
   EXPECT_FALSE(remove->isEnabled());
 }
 
+TEST_F(ObjectsPageTest, ManyObjectsAreChangedAtOnce) {
+  program.values["objects"] = fakeObjects(1000);
+  showThem();
+  table().selectAll();
+  auto& material = part<QComboBox>("object.material");
+  material.setCurrentText("glass");
+  QElapsedTimer time;
+  time.start();
+  emit material.activated(material.currentIndex());
+  QTest::qWait(5);
+  part<QDoubleSpinBox>("object.material.ior").setValue(1.75);
+  EXPECT_LT(time.elapsed(), 2000);
+  EXPECT_EQ(program.sets().back()["values"]["material.objects"].size(), 1000u);
+  EXPECT_EQ(program.sets().back()["values"]["material.objects"][999], "1000 glass ior=1.75");
+}
+
+TEST_F(ObjectsPageTest, WhatAProgramRefusesIsNotShown) {
+  showThem();
+  page.select(2);
+  program.answers = false;
+  auto& material = part<QComboBox>("object.material");
+  material.setCurrentText("glass");
+  emit material.activated(material.currentIndex());
+  program.take({{"type", "answer"}, {"id", program.sent.back()["id"]}, {"why", "the list is too long"}});
+  EXPECT_EQ(material.currentText(), "program");
+}
+
 TEST_F(ObjectsPageTest, ShowsWhyThereAreNone) {
   program.refusals["objects"] = "no call is named objects";
   program.appear();
