@@ -11,14 +11,18 @@ namespace {
 using control::member, control::textIn;
 using nlohmann::json;
 
+constexpr size_t kMostWhy = 400;  // bytes that are shown
+
+std::string whyIn(const json& object) { return textIn(object, "why").substr(0, kMostWhy); }
+
 /// Of an answer with one result.
 CallAnswer answerOf(const json& answer) {
-  if (std::string why = textIn(answer, "why"); !why.empty()) return {nullptr, std::move(why)};
+  if (std::string why = whyIn(answer); !why.empty()) return {nullptr, std::move(why)};
   const json* const results = member(answer, "results");
   if (!results || !results->is_array() || results->size() != 1 || !results->front().is_object())
     return {nullptr, "the program's answer cannot be read"};
   const json& result = results->front();
-  if (std::string why = textIn(result, "why"); !why.empty()) return {nullptr, std::move(why)};
+  if (std::string why = whyIn(result); !why.empty()) return {nullptr, std::move(why)};
   const json* const value = member(result, "value");
   return {value ? *value : result, ""};  // of a set: its frame and values
 }

@@ -19,6 +19,7 @@
 
 namespace gluray::panel {
 
+inline constexpr int kMostThumbnail = 512;   // pixels of its longest side: the protocol's limit
 inline constexpr size_t kMostPlotted = 600;  // state events that are remembered
 
 /// A setting's value in a program.

@@ -16,7 +16,14 @@ using nlohmann::json;
 constexpr std::chrono::milliseconds kAskAgain{1000};
 constexpr size_t kPageOfObjects = 1000;
 constexpr size_t kMostObjects = 20000;  // that are shown
+constexpr int kMostCell = 64;           // characters
+constexpr int kMostHidden = 16;         // words
 constexpr int64_t kMostNumber = std::numeric_limits<uint32_t>::max();
+
+/// As much as a cell shows.
+QString cellText(const json& object, const char* name) {
+  return QString::fromStdString(textIn(object, name)).left(kMostCell);
+}
 
 /// None: it has no number.
 std::optional<DrawnObject> objectIn(const json& entry) {
@@ -24,14 +31,14 @@ std::optional<DrawnObject> objectIn(const json& entry) {
   if (!number) return std::nullopt;
   DrawnObject object;
   object.number = static_cast<uint32_t>(*number);
-  if (const std::string color = textIn(entry, "color"); !color.empty())
-    object.color = QColor(QString::fromStdString(color));
-  object.shape = QString::fromStdString(textIn(entry, "shape"));
-  object.material = QString::fromStdString(textIn(entry, "material"));
+  if (!textIn(entry, "color").empty()) object.color = QColor(cellText(entry, "color"));
+  object.shape = cellText(entry, "shape");
+  object.material = cellText(entry, "material");
   object.triangles = wholeNumber(member(entry, "triangles"), 0, control::kMostFrame).value_or(0);
   if (const json* hidden = member(entry, "hidden"); hidden && hidden->is_array())
     for (const json& word : *hidden)
-      if (word.is_string()) object.hidden << QString::fromStdString(word.get<std::string>());
+      if (word.is_string() && object.hidden.size() < kMostHidden)
+        object.hidden << QString::fromStdString(word.get<std::string>()).left(kMostCell);
   return object;
 }
 

@@ -15,7 +15,7 @@ using control::member, control::textIn, control::wholeNumber;
 using nlohmann::json;
 
 constexpr int kMostSide = 1 << 15;  // of a picture
-constexpr int64_t kMostPixels = int64_t{1} << 27;
+constexpr int64_t kMostPixels = int64_t{1} << 26;
 
 }  // namespace
 

@@ -16,19 +16,20 @@ using nlohmann::json;
 
 constexpr int kFirstNumber = 4;  // column
 constexpr size_t kMostLights = 256;
+constexpr int kMostText = 64;  // characters of a cell
 
 QString numberText(const json& light, const char* name) {
   const json* const value = member(light, name);
   return value && value->is_number() ? QString::number(value->get<double>(), 'g', 3) : QString();
 }
 
+QString lightText(const json& light, const char* name) {
+  return QString::fromStdString(textIn(light, name)).left(kMostText);
+}
+
 QStringList rowOf(const json& light) {
-  return {QString::fromStdString(textIn(light, "name")),
-          QString::fromStdString(textIn(light, "from")),
-          QString::fromStdString(textIn(light, "kind")),
-          QString::fromStdString(textIn(light, "color")),
-          numberText(light, "azimuth"),
-          numberText(light, "elevation"),
+  return {lightText(light, "name"),     lightText(light, "from"),     lightText(light, "kind"),
+          lightText(light, "color"),    numberText(light, "azimuth"), numberText(light, "elevation"),
           numberText(light, "strength")};
 }
 

@@ -26,6 +26,14 @@ void paintLabel(QPainter& painter, const QRectF& room, Qt::Alignment side, const
 
 }  // namespace
 
+const QImage& FittedImage::of(const QImage& picture, const QSize& dots) {
+  if (picture.cacheKey() == key_ && dots == dots_) return fitted_;
+  key_ = picture.cacheKey(), dots_ = dots;
+  const bool larger = picture.width() > dots.width() && picture.height() > dots.height();
+  fitted_ = larger ? picture.scaled(dots, Qt::IgnoreAspectRatio, Qt::SmoothTransformation) : picture;
+  return fitted_;
+}
+
 LivePicture::LivePicture(Controls& controls, QWidget* parent)
     : ShownWidget(controls, tr("Picture of the program's window"), parent) {
   setFocusPolicy(Qt::StrongFocus);
@@ -68,11 +76,16 @@ void LivePicture::paintEvent(QPaintEvent*) {
   if (room.isEmpty()) return paintNothing(tr("no picture"));
   QPainter painter(this);
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
-  painter.drawImage(room, picture());
+  painter.drawImage(room, fittedPicture_.of(picture(), dotsOf(room)));
   if (compares_) paintCompared(painter, room);
   if (!hasFocus()) return;
   painter.setPen(palette().color(QPalette::Highlight));
   painter.drawRect(room.adjusted(0, 0, -1, -1));
+}
+
+/// Of the screen.
+QSize LivePicture::dotsOf(const QRectF& room) const {
+  return (room.size() * devicePixelRatioF()).toSize().expandedTo({1, 1});
 }
 
 void LivePicture::paintCompared(QPainter& painter, const QRectF& room) {
@@ -82,7 +95,7 @@ void LivePicture::paintCompared(QPainter& painter, const QRectF& room) {
   if (!other_.isNull()) {
     painter.save();
     painter.setClipRect(left);
-    painter.drawImage(room, other_);
+    painter.drawImage(room, fittedOther_.of(other_, dotsOf(room)));
     painter.restore();
   }
   painter.fillRect(QRectF(x - 1.5, room.top(), 3, room.height()), Qt::black);

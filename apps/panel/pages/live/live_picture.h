@@ -6,6 +6,18 @@
 
 namespace gluray::panel {
 
+/// A picture in the size in which it is painted: large ones are scaled once, and not whenever they are
+/// painted.
+class FittedImage {
+ public:
+  const QImage& of(const QImage& picture, const QSize& dots);
+
+ private:
+  QImage fitted_;
+  qint64 key_ = 0;
+  QSize dots_;
+};
+
 /// A place in the picture, counted from its left and top in a picture of that size: what calls such as `pick`
 /// take.
 struct PicturePoint {
@@ -51,9 +63,11 @@ class LivePicture : public ShownWidget {
   bool isAtDivider(const QPointF& at) const;
   void setDivider(double share);
   PicturePoint pointAt(const QPointF& at) const;
+  QSize dotsOf(const QRectF& room) const;
   void paintCompared(QPainter& painter, const QRectF& room);
 
   QImage still_, other_;
+  FittedImage fittedPicture_, fittedOther_;
   bool compares_ = false;
   double divider_ = 0.5;
   enum class Held { nothing, picture, divider } held_ = Held::nothing;

@@ -3,25 +3,25 @@
 #include "pages/live/live_view.h"
 
 #include <QHideEvent>
+#include <QLabel>
 #include <QShortcut>
 #include <QShowEvent>
 #include <QVBoxLayout>
 
 namespace gluray::panel {
-namespace {
-
-constexpr int kLargeThumbnail = 512;  // pixels; the protocol's limit
-
-}  // namespace
-
 LiveWindow::LiveWindow(Controls& controls, QWidget* owner)
     : QWidget(owner, Qt::Window),
       controls_(controls),
       view_(new LiveView(controls, this)),
+      line_(new QLabel(this)),
       still_(controls, this) {
   setObjectName("live-window");
   auto* layout = new QVBoxLayout(this);
-  layout->addWidget(view_);
+  layout->addWidget(view_, 1);
+  layout->addWidget(line_);
+  line_->setTextFormat(Qt::PlainText);
+  line_->setWordWrap(true);
+  connect(view_, &LiveView::said, line_, &QLabel::setText);
   view_->isLarge();
   resize(900, 740);
   connect(&still_, &StillPicture::changed, this,
@@ -42,7 +42,7 @@ void LiveWindow::showTitle() {
 void LiveWindow::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   if (event->spontaneous()) return;
-  controls_.wantThumbnails(this, kLargeThumbnail);
+  controls_.wantThumbnails(this, kMostThumbnail);
   still_.watch(true);
 }
 

@@ -5,6 +5,8 @@
 
 #include <QWidget>
 
+class QLabel;
+
 namespace gluray::panel {
 
 class LiveView;
@@ -27,6 +29,7 @@ class LiveWindow : public QWidget {
 
   Controls& controls_;
   LiveView* view_;
+  QLabel* line_;  // what the tools say
   StillPicture still_;
 };
 

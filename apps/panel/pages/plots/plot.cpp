@@ -89,7 +89,7 @@ void NoisePlot::paintEvent(QPaintEvent*) {
   if (!program()) return paintNothing(tr("noise"));
   QPainter(this).fillRect(rect(), palette().base());
   const double top = topFor(program()->noise, kLeastNoise);
-  paintLine(program()->passes, topFor(program()->passes, 1), QPalette::Mid);
+  paintLine(program()->passes, topFor(program()->passes, 1), QPalette::PlaceholderText);
   paintLine(program()->noise, top, QPalette::Highlight);
   paintText(Qt::AlignLeft | Qt::AlignTop, tr("noise, to %1").arg(top));
   const double noise = newestOf(program()->noise), passes = newestOf(program()->passes);
