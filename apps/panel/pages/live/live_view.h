@@ -18,6 +18,8 @@ class LiveView : public QWidget {
  public:
   LiveView(Controls& controls, QWidget* parent);
   LivePicture& picture() { return *picture_; }
+  /// The real OpenGL's, while it is compared; null: there is none.
+  const QImage& openGlPicture() const { return comparison_.picture(); }
   /// Leaves out the button that shows it in a window of its own: it is in that window.
   void isLarge();
   /// Saves the window's picture in full size as a PNG file.

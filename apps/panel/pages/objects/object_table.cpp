@@ -45,12 +45,14 @@ bool ObjectTable::take(const std::vector<DrawnObject>& objects) {
     endResetModel();
     return true;
   }
+  int first = -1, last = -1;  // rows that change
   for (size_t i = 0; i < objects.size(); ++i) {
     if (objects[i] == objects_[i]) continue;
     objects_[i] = objects[i];
-    const int row = static_cast<int>(i);
-    emit dataChanged(index(row, 0), index(row, columnCount() - 1));
+    last = static_cast<int>(i);
+    if (first < 0) first = last;
   }
+  if (first >= 0) emit dataChanged(index(first, 0), index(last, columnCount() - 1));
   return false;
 }
 
