@@ -60,7 +60,8 @@ void Comparison::stateCame(int number) {
 void Comparison::renew() {
   const Program* program = controls_.shown();
   program_ = program ? program->number : 0;
-  if (!on_ || !program || underWay_) return;
+  if (!on_ || !program) return;
+  if (underWay_) return settled_.start();  // once more
   underWay_ = true;
   windows_ = windowsOf(*program);
   const auto known = program->values.find("engine");

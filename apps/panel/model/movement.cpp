@@ -49,4 +49,9 @@ void Movement::end() {
   pause_.stop();
 }
 
+void Movement::next() {
+  end();
+  gesture_.clear();
+}
+
 }  // namespace gluray::panel

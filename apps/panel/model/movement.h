@@ -28,6 +28,8 @@ class Movement : public QObject {
   bool send(const nlohmann::json& values, bool more);
   /// The movement is over; what waits is sent.
   void end();
+  /// The same; the next change is of another movement, however soon it comes.
+  void next();
   /// Whether further changes follow.
   bool goesOn() const { return moving_; }
 

@@ -47,7 +47,6 @@ TEST_F(LivePicturesTest, ComparesWithTheRealOpenGL) {
 TEST_F(LivePicturesTest, TheComparisonFollowsTheWindowsSize) {
   button("tool-compare").click();
   ASSERT_TRUE(program.until([&] { return program.calls("pixels").size() == 3; }));
-  const json first = program.sent.front();
   program.state();
   program.width = 60, program.height = 20;
   program.state();

@@ -58,10 +58,10 @@ void LiveView::makeTools(QGridLayout* grid) {
                          tr("Drag over the picture: the key light's highlight follows"));
   focusTool_ = addButton(grid, 0, "tool-focus", tr("Focus"), "F", tr("Click what shall be in focus"));
   compareTool_ =
-      addButton(grid, 0, "tool-compare", tr("Compare"), "C",
+      addButton(grid, 0, "tool-compare", tr("Compare"), "Ctrl+B",
                 tr("The real OpenGL's picture left of a divider, which can be dragged or moved by the "
                    "Left and Right keys. For one frame the program's window shows that picture"));
-  renew_ = addButton(grid, 0, "compare-renew", tr("Renew"), "R",
+  renew_ = addButton(grid, 0, "compare-renew", tr("Renew"), "F5",
                      tr("Gets the real OpenGL's picture again; the program's window shows it for one frame"));
   for (QToolButton* tool : {lightTool_, focusTool_, compareTool_}) tool->setCheckable(true);
   const auto exclude = [](QToolButton* one, QToolButton* other) {

@@ -69,7 +69,7 @@ ObjectEditor::ObjectEditor(Controls& controls, QWidget* parent)
   makeFields(grid);
   layout->addWidget(makeRays());
   layout->addStretch(1);
-  connect(remove_, &QPushButton::clicked, this, [this] { change({}, false); });
+  connect(remove_, &QPushButton::clicked, this, [this] { change(remove_, {}, false); });
   connect(&controls_, &Controls::said, this, [this](const QString& line) {
     if (!line.isEmpty()) sent_.reset(), update();  // the program may have refused it
   });
@@ -91,9 +91,10 @@ void ObjectEditor::makeFields(QGridLayout* grid) {
     field.label->setToolTip(qtText(row->help));
     grid->addWidget(field.label, at % lines, 2 * (at / lines));
     grid->addWidget(field.editor, at % lines, 2 * (at / lines) + 1);
-    connect(field.editor, &Editor::changed, this, [this, row](const json& value, bool more) {
-      if (const std::string word = wordFor(*row, value); !word.empty()) change({word}, more);
-    });
+    connect(field.editor, &Editor::changed, this,
+            [this, row, editor = field.editor](const json& value, bool more) {
+              if (const std::string word = wordFor(*row, value); !word.empty()) change(editor, {word}, more);
+            });
     connect(field.editor, &Editor::cancelled, this, &ObjectEditor::takeBack);
   }
   for (int column = 0; column < kFieldColumns; ++column) grid->setColumnStretch(2 * column + 1, 1);
@@ -118,6 +119,9 @@ QWidget* ObjectEditor::makeRays() {
 }
 
 void ObjectEditor::show(std::vector<DrawnObject> objects) {
+  const bool same = std::equal(objects.begin(), objects.end(), objects_.begin(), objects_.end(),
+                               [](const auto& a, const auto& b) { return a.number == b.number; });
+  if (!same) moved_ = nullptr;
   objects_ = std::move(objects);
   setEnabled(!objects_.empty());
   title_->setText(titleOf(objects_));
@@ -196,17 +200,18 @@ void ObjectEditor::changeRays() {
     }
     next.change(objects_[at].number, {wordForRays(rays)});
   }
-  send(next.all(), false);
+  send(hidden_, next.all(), false);
 }
 
-void ObjectEditor::change(const std::vector<std::string>& words, bool more) {
+void ObjectEditor::change(const QObject* editor, const std::vector<std::string>& words, bool more) {
   ObjectEntries next(entriesNow());
   for (const DrawnObject& object : objects_) next.change(object.number, words);
-  send(next.all(), more);
+  send(editor, next.all(), more);
 }
 
-void ObjectEditor::send(std::vector<std::string> next, bool more) {
+void ObjectEditor::send(const QObject* editor, std::vector<std::string> next, bool more) {
   if (objects_.empty()) return;
+  if (std::exchange(moved_, editor) != editor) movement_.next();
   const Value now = controls_.value(kSetting);
   if (movement_.send({{kSetting, next}}, more)) before_ = now;
   sent_ = std::move(next);

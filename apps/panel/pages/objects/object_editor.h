@@ -41,9 +41,9 @@ class ObjectEditor : public QWidget {
   void makeFields(QGridLayout* grid);
   QWidget* makeRays();
   void changeRays();
-  /// Says `words` of all objects; none: takes their entries out.
-  void change(const std::vector<std::string>& words, bool more);
-  void send(std::vector<std::string> entries, bool more);
+  /// Says `words` of all objects; none: takes their entries out. Changes of one editor may be one movement.
+  void change(const QObject* editor, const std::vector<std::string>& words, bool more);
+  void send(const QObject* editor, std::vector<std::string> entries, bool more);
   void takeBack();
   /// Those that the program has, or was last sent.
   std::vector<std::string> entriesNow() const;
@@ -55,6 +55,7 @@ class ObjectEditor : public QWidget {
 
   Controls& controls_;
   Movement movement_;
+  const QObject* moved_ = nullptr;  // the editor whose movement it is
   std::vector<DrawnObject> objects_;
   std::vector<std::vector<std::string>> words_;  // of the objects' entries
   std::vector<Field> fields_;

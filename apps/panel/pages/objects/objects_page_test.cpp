@@ -159,6 +159,7 @@ TEST_F(ObjectsPageTest, ChoosesTheMaterialOfTheSelectedObjects) {
   ior.setValue(1.75);
   EXPECT_EQ(program.sets().back()["values"], json({{"material.objects", {"2 glass ior=1.75"}}}))
       << "the program has not yet said that it took the first";
+  EXPECT_NE(program.sets()[0]["gesture"], program.sets()[1]["gesture"]) << "two steps of undo";
   QTest::qWait(5);
   EXPECT_EQ(material.currentText(), "glass");
   page.select(1);
