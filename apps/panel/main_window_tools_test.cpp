@@ -107,7 +107,7 @@ TEST_F(WindowToolsTest, ALineOfAToolStaysWhenARequestIsCarriedOut) {
   QTest::mouseClick(&picture_, Qt::LeftButton, {}, picture_.pictureRect().center().toPoint());
   ASSERT_TRUE(program.until([&] { return status().startsWith("Nothing"); }));
   program.controls.set("ao", true);
-  QTest::qWait(5);
+  program.settle();
   EXPECT_TRUE(status().startsWith("Nothing"));
   program.controls.set("ao", true);
   program.take({{"type", "answer"}, {"id", program.sent.back()["id"]}, {"why", "it is busy"}});

@@ -96,13 +96,22 @@ class FakeProgram {
     take(
         {{"type", "answer"}, {"id", request["id"]}, {"results", {{{"program", kNumber}, {"value", value}}}}});
   }
+  /// Until all requests are answered, also those that answers lead to.
+  bool settle() {
+    return until([this] { return waiting_ == 0; });
+  }
   static bool until(const std::function<bool()>& done) { return QTest::qWaitFor(done, 5000); }
 
  private:
+  int waiting_ = 0;  // requests that are still to be answered
+
   void receive(json message) {
     sent.push_back(message);
     if (answers && message["type"] != "observe" && message["type"] != "list")
-      QTimer::singleShot(0, &controls, [this, message] { answer(message); });
+      ++waiting_, QTimer::singleShot(0, &controls, [this, message] {
+        answer(message);
+        --waiting_;
+      });
   }
   json answerOf(const json& request) {
     if (request["type"] == "batch") {

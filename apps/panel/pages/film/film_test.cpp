@@ -55,7 +55,7 @@ TEST_F(FilmTest, ASettingChangesOverTheFilmAndIsAfterwardsWhatItWas) {
   what.setting = "lights.azimuth", what.from = 10, what.to = 30;
   make(what);
   ASSERT_TRUE(program.until([&] { return !ended.isEmpty(); }));
-  QTest::qWait(5);
+  program.settle();
   std::vector<json> values;
   for (const json& set : program.sets()) {
     values.push_back(set["values"]["lights.azimuth"]);

@@ -105,7 +105,7 @@ TEST(LightListTest, ShowsTheLightsWhileItIsSeen) {
                                 "x"}}};
   LightList list(program.controls, nullptr);
   program.appear();
-  QTest::qWait(5);
+  program.settle();
   EXPECT_TRUE(program.calls("lights").empty());
   list.show();
   auto* tree = list.findChild<QTreeWidget*>();
@@ -120,7 +120,7 @@ TEST(LightListTest, ShowsTheLightsWhileItIsSeen) {
     program.refusals.clear();
     program.values["lights"] = value;
     list.hide(), list.show();
-    QTest::qWait(5);
+    program.settle();
   }
   EXPECT_EQ(label->text(), "No light shines on what is traced.");
 }

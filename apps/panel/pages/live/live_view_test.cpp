@@ -101,7 +101,7 @@ TEST_F(LiveViewTest, LightStaysWhereNothingIsHit) {
                             json(), json{{"azimuth", "x"}, {"elevation", 4}}}) {
     program.values["highlight"] = value;
     click(30, 30);
-    QTest::qWait(5);
+    program.settle();
   }
   EXPECT_EQ(program.calls("highlight").size(), 8u) << "pressed and released";
   EXPECT_TRUE(program.sets().empty());

@@ -50,7 +50,7 @@ struct ObjectsPageTest : testing::Test {
     const size_t before = program.calls("objects").size();
     page.hide(), page.show();
     ASSERT_TRUE(program.until([&] { return program.calls("objects").size() > before; }));
-    QTest::qWait(5);
+    program.settle();
   }
 
   FakeProgram program;
@@ -73,7 +73,7 @@ TEST_F(ObjectsPageTest, ShowsWhatTheProgramDraws) {
 
 TEST_F(ObjectsPageTest, AsksWithTheVersionItKnowsWhileItIsSeen) {
   program.appear();
-  QTest::qWait(5);
+  program.settle();
   EXPECT_TRUE(program.calls("objects").empty()) << "nobody looks";
   showThem();
   EXPECT_EQ(program.calls("objects")[0]["arguments"], json({{"after", 0}, {"count", 1000}}));
@@ -160,7 +160,7 @@ TEST_F(ObjectsPageTest, ChoosesTheMaterialOfTheSelectedObjects) {
   EXPECT_EQ(program.sets().back()["values"], json({{"material.objects", {"2 glass ior=1.75"}}}))
       << "the program has not yet said that it took the first";
   EXPECT_NE(program.sets()[0]["gesture"], program.sets()[1]["gesture"]) << "two steps of undo";
-  QTest::qWait(5);
+  program.settle();
   EXPECT_EQ(material.currentText(), "glass");
   page.select(1);
   EXPECT_EQ(material.currentText(), "program");
@@ -221,7 +221,7 @@ TEST_F(ObjectsPageTest, ManyObjectsAreChangedAtOnce) {
   QElapsedTimer time;
   time.start();
   emit material.activated(material.currentIndex());
-  QTest::qWait(5);
+  program.settle();
   part<QDoubleSpinBox>("object.material.ior").setValue(1.75);
   EXPECT_LT(time.elapsed(), 2000);
   EXPECT_EQ(program.sets().back()["values"]["material.objects"].size(), 1000u);
