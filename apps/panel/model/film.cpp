@@ -88,7 +88,7 @@ void Film::take(const QImage& picture, const QString& why) {
 
 void Film::finish(const QString& why) {
   if (std::exchange(finished_, true)) return;
-  if (varied_ && controls_.find(program_))  // what the setting was; ends where it began, so there is no step
+  if (varied_ && controls_.find(program_))  // what the setting was: the gesture ends where it began
     controls_.batch(program_, json::array({setRequest(plan_.setting, before_, gesture_)}), this,
                     [](const std::vector<CallAnswer>&) {});
   emit finished(why);
