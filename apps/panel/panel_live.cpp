@@ -188,6 +188,9 @@ TEST_F(PanelLiveTest, PickedObjectsGetMaterials) {
   while (material.currentText() != "plastic") QTest::keyClick(&material, Qt::Key_Down);
   EXPECT_TRUE(becomes("material.objects", object + " plastic")) << qPrintable(live("material.objects"));
   EXPECT_TRUE(until([&] { return controls_.undoSteps() > 0; }));
+  const QModelIndex index = rows.selectedRows()[0];
+  EXPECT_TRUE(until([&] { return index.siblingAtColumn(int(ObjectColumn::material)).data() == "plastic"; }))
+      << "the program says so, too";
   picture("picked");
 }
 
