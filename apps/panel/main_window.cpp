@@ -1,8 +1,12 @@
 #include "main_window.h"
 
-#include "pages/fps_plot.h"
+#include "drop_files.h"
 #include "pages/layout.h"
-#include "pages/live_picture.h"
+#include "pages/light/light_panel.h"
+#include "pages/live/live_view.h"
+#include "pages/live/live_window.h"
+#include "pages/objects/objects_page.h"
+#include "pages/plots/plot.h"
 #include "pages/program_list.h"
 #include "pages/settings_page.h"
 #include "pages/why_page.h"
@@ -12,8 +16,10 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDragEnterEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMimeData>
 #include <QSplitter>
 #include <QStatusBar>
 #include <QTabWidget>
@@ -21,26 +27,44 @@
 #include <QVBoxLayout>
 
 namespace gluray::panel {
+namespace {
+
+constexpr const char* kTitle = "page-title";  // property of a page: its tab's text without a number
+constexpr int kSide = 290;                    // pixels: width of the list of programs
+constexpr int kToolLine = 12000;              // milliseconds
+
+}  // namespace
 
 MainWindow::MainWindow(Controls& controls) : controls_(controls) {
   setWindowTitle(tr("GLuRay"));
+  resize(1080, 800);
   auto* splitter = new QSplitter(this);
   splitter->addWidget(makePrograms());
   splitter->addWidget(makePages());
   splitter->setStretchFactor(1, 1);
+  splitter->setSizes({kSide, width()});
   setCentralWidget(splitter);
   makeToolBar();
   connect(&controls_, &Controls::settingsChanged, this, &MainWindow::showSettings);
   connect(&controls_, &Controls::chosenChanged, this, &MainWindow::showSettings);
   connect(&controls_, &Controls::programsChanged, this, &MainWindow::showSettings);
   connect(&controls_, &Controls::stateChanged, this, &MainWindow::showState);
-  connect(&controls_, &Controls::said, this, [this](const QString& line) { statusBar()->showMessage(line); });
+  connect(&controls_, &Controls::said, this, [this](const QString& line) { say(line, false); });
   connect(&controls_, &Controls::programsChanged, this, &MainWindow::greet);
   connect(&controls_, &Controls::chosenChanged, this, &MainWindow::greet);
   connect(tabs_, &QTabWidget::currentChanged, this, [this] { why_->show(controls_.shown()); });
-  resize(980, 760);
+  setAcceptDrops(true);
+  for (QLineEdit* line : findChildren<QLineEdit*>()) line->setAcceptDrops(false);  // the window takes files
   showSettings();
   greet();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::say(const QString& line, bool ofTool) {
+  if (line.isEmpty() && toolSpoke_ && !statusBar()->currentMessage().isEmpty()) return;
+  toolSpoke_ = ofTool;
+  statusBar()->showMessage(line, ofTool ? kToolLine : 0);
 }
 
 void MainWindow::greet() {
@@ -49,29 +73,83 @@ void MainWindow::greet() {
     line = tr("No program runs under GLuRay; start one with: gluray PROGRAM");
   else if (!controls_.shown())
     line = tr("Choose a program on the left");
-  statusBar()->showMessage(line);
+  say(line, false);
 }
 
 QWidget* MainWindow::makePrograms() {
   auto* side = new QWidget(this);
   auto* layout = new QVBoxLayout(side);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(new ProgramList(controls_, side), 1);
-  layout->addWidget(new LivePicture(controls_, side), 1);
+  layout->setContentsMargins(4, 4, 0, 4);
+  auto* view = new LiveView(controls_, side);
+  listenTo(*view);
+  connect(view, &LiveView::enlarged, this, &MainWindow::enlarge);
+  layout->addWidget(new ProgramList(controls_, side), 2);
+  layout->addWidget(view, 3);
   layout->addWidget(new FpsPlot(controls_, side));
+  layout->addWidget(new NoisePlot(controls_, side));
   return side;
+}
+
+void MainWindow::listenTo(LiveView& view) {
+  connect(&view, &LiveView::said, this, [this](const QString& line) { say(line, true); });
+  connect(&view, &LiveView::picked, this, &MainWindow::showPicked);
+}
+
+void MainWindow::showPicked(int program, uint32_t object) {
+  if (controls_.chosen() != program) return;  // the page shows the objects of one program
+  objects_->select(object);
+  if (object > 0) tabs_->setCurrentWidget(objects_);
+}
+
+void MainWindow::enlarge() {
+  if (!large_) {
+    large_ = new LiveWindow(controls_, this);
+    listenTo(large_->view());
+  }
+  large_->show();
+  large_->raise();
+  large_->activateWindow();
 }
 
 QWidget* MainWindow::makePages() {
   tabs_ = new QTabWidget(this);
+  const auto add = [this](QWidget* page, const QString& title) {
+    page->setProperty(kTitle, title);
+    tabs_->addTab(page, title);
+  };
   for (const Page& page : pages()) {
     pages_.push_back(new SettingsPage(page, controls_, tabs_));
-    titles_.push_back(QString::fromStdString(page.title));
-    tabs_->addTab(pages_.back(), titles_.back());
+    add(pages_.back(), QString::fromStdString(page.title));
+    if (page.title == "Light") {
+      light_ = new LightPanel(controls_, pages_.back());
+      pages_.back()->setTop(light_);
+      connect(light_, &LightPanel::said, this, [this](const QString& line) { say(line, true); });
+    }
+    if (page.title == "Materials") add(objects_ = new ObjectsPage(controls_, tabs_), tr("Objects"));
   }
-  why_ = new WhyPage(tabs_);
-  tabs_->addTab(why_, tr("Why"));
+  add(why_ = new WhyPage(tabs_), tr("Why"));
   return tabs_;
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  event->acceptProposedAction();
+  for (const QUrl& url : event->mimeData()->urls())
+    takeFile(url.isLocalFile() ? url.toLocalFile() : url.toString());
+}
+
+void MainWindow::takeFile(const QString& file) {
+  if (!controls_.shown()) return say(tr("Choose a program before you drop a file"), true);
+  const DropMeaning meaning = meaningOf(file);
+  if (!meaning.why.isEmpty()) return say(meaning.why, true);
+  QStringList parts;
+  for (const auto& [name, value] : meaning.values.items())
+    parts << QString::fromStdString(name + " = " + value.get<std::string>());
+  say(parts.join(", "), true);
+  controls_.change(meaning.values);
 }
 
 void MainWindow::makeToolBar() {
@@ -125,7 +203,9 @@ void MainWindow::makePresets() {
 
 void MainWindow::showSettings() {
   const Program* program = controls_.shown();
-  for (SettingsPage* page : pages_) page->widget()->setEnabled(program), page->update();
+  for (SettingsPage* page : pages_) page->setUsable(program), page->update();
+  light_->update();
+  objects_->update();
   presets_->setEnabled(program);
   undo_->setEnabled(controls_.undoSteps() > 0);
   redo_->setEnabled(controls_.redoSteps() > 0);
@@ -142,16 +222,22 @@ void MainWindow::showState(int program) {
 }
 
 void MainWindow::filter() {
-  const bool filters = !search_->text().isEmpty() || changedOnly_->isChecked();
-  int best = -1;
-  for (size_t i = 0; i < pages_.size(); ++i) {
-    const int left = pages_[i]->filter(search_->text(), changedOnly_->isChecked());
-    const int tab = static_cast<int>(i);
-    tabs_->setTabText(tab, filters ? titles_[i] + " (" + QString::number(left) + ")" : titles_[i]);
-    if (left > 0 && (best < 0 || tab == tabs_->currentIndex())) best = tab;
+  const QString search = search_->text();
+  const bool changed = changedOnly_->isChecked(), filters = !search.isEmpty() || changed;
+  const auto show = [&](QWidget* page, int left) {
+    const QString title = page->property(kTitle).toString();
+    tabs_->setTabText(tabs_->indexOf(page), filters ? title + " (" + QString::number(left) + ")" : title);
+  };
+  SettingsPage* best = nullptr;
+  bool current = false;  // a page of settings is shown
+  for (SettingsPage* page : pages_) {
+    const int left = page->filter(search, changed);
+    show(page, left);
+    current |= page == tabs_->currentWidget();
+    if (left > 0 && (!best || page == tabs_->currentWidget())) best = page;
   }
-  if (filters && best >= 0 && tabs_->currentIndex() < static_cast<int>(pages_.size()))
-    tabs_->setCurrentIndex(best);
+  show(objects_, objects_->filter(search));
+  if (filters && best && current) tabs_->setCurrentWidget(best);
 }
 
 }  // namespace gluray::panel

@@ -13,6 +13,10 @@ class QTabWidget;
 
 namespace gluray::panel {
 
+class LightPanel;
+class LiveView;
+class LiveWindow;
+class ObjectsPage;
 class SettingsPage;
 class WhyPage;
 
@@ -21,6 +25,12 @@ class MainWindow : public QMainWindow {
 
  public:
   explicit MainWindow(Controls& controls);
+  ~MainWindow() override;
+
+ protected:
+  // Files that are dropped anywhere.
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
  private:
   QWidget* makePrograms();
@@ -31,12 +41,21 @@ class MainWindow : public QMainWindow {
   void showState(int program);
   void filter();
   void greet();
+  /// One line for the user. Of a tool: it stays when a request has been carried out.
+  void say(const QString& line, bool ofTool);
+  void listenTo(LiveView& view);
+  void showPicked(int program, uint32_t object);
+  void enlarge();
+  void takeFile(const QString& file);
 
   Controls& controls_;
   QTabWidget* tabs_ = nullptr;
   std::vector<SettingsPage*> pages_;
-  std::vector<QString> titles_;
+  LightPanel* light_ = nullptr;
+  ObjectsPage* objects_ = nullptr;
   WhyPage* why_ = nullptr;
+  LiveWindow* large_ = nullptr;  // null until it is wanted
+  bool toolSpoke_ = false;       // the line in the status bar is a tool's
   QComboBox* presets_ = nullptr;
   QLineEdit* search_ = nullptr;
   QCheckBox* changedOnly_ = nullptr;

@@ -1,7 +1,7 @@
 #include "main_window.h"
 
 #include "control/messages/base64.h"
-#include "pages/live_picture.h"
+#include "pages/live/live_picture.h"
 #include "pages/program_list.h"
 
 #include <gtest/gtest.h>

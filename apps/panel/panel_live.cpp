@@ -3,11 +3,15 @@
 #include "control/runtime_directory.h"
 #include "main_window.h"
 #include "model/controls.h"
+#include "model/film.h"
 #include "model/hub_thread.h"
+#include "pages/live/live_view.h"
+#include "pages/objects/objects_page.h"
 #include "wake/wake.h"
 
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
@@ -17,6 +21,7 @@
 #include <QStatusBar>
 #include <QStyleOptionSlider>
 #include <QTabWidget>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTreeWidget>
@@ -80,6 +85,15 @@ class PanelLiveTest : public testing::Test {
   template <class Widget>
   Widget& part(const char* setting) {
     return *window_.findChild<QWidget*>(setting)->findChild<Widget*>();
+  }
+  LiveView& view() { return *window_.findChild<LiveView*>(); }
+  /// Shows the only program. Returns where its picture has a surface.
+  QPoint showAndPoint() {
+    show(1);
+    LivePicture& live_ = view().picture();
+    EXPECT_TRUE(until([&] { return !live_.pictureRect().isEmpty(); }));
+    const QRectF room = live_.pictureRect();
+    return (room.topLeft() + QPointF(room.width() * 0.5, room.height() * 0.8)).toPoint();
   }
   void drag(QSlider& slider, double from, double to) {
     QStyleOptionSlider option;
@@ -157,6 +171,63 @@ TEST_F(PanelLiveTest, TakesTheHubsPlaceAndForgetsProgramsThatEnd) {
   EXPECT_FALSE(part<QCheckBox>("ao").isEnabled());
   EXPECT_TRUE(window_.statusBar()->currentMessage().startsWith("No program runs"));
   picture("ended");
+}
+
+TEST_F(PanelLiveTest, PickedObjectsGetMaterials) {
+  program("painter");
+  const QPoint surface = showAndPoint();
+  QTest::mouseClick(&view().picture(), Qt::LeftButton, {}, surface);
+  auto& objects = *window_.findChild<ObjectsPage*>();
+  ASSERT_TRUE(until([&] { return objects.isVisible(); }))
+      << qPrintable(window_.statusBar()->currentMessage());
+  auto& rows = *objects.findChild<QTableView*>()->selectionModel();
+  ASSERT_TRUE(until([&] { return rows.selectedRows().size() == 1; }));
+  const QString object = rows.selectedRows()[0].data().toString();
+  auto& material = part<QComboBox>("object.material");
+  material.setFocus();
+  while (material.currentText() != "plastic") QTest::keyClick(&material, Qt::Key_Down);
+  EXPECT_TRUE(becomes("material.objects", object + " plastic")) << qPrintable(live("material.objects"));
+  EXPECT_TRUE(until([&] { return controls_.undoSteps() > 0; }));
+  const QModelIndex index = rows.selectedRows()[0];
+  EXPECT_TRUE(until([&] { return index.siblingAtColumn(int(ObjectColumn::material)).data() == "plastic"; }))
+      << "the program says so, too";
+  picture("picked");
+}
+
+TEST_F(PanelLiveTest, LightFollowsTheMouse) {
+  program("painter");
+  const QPoint surface = showAndPoint();
+  LivePicture& live_ = view().picture();
+  window_.findChild<QAbstractButton*>("tool-light")->click();
+  QTest::mousePress(&live_, Qt::LeftButton, {}, surface);
+  for (int i = 0; i < 20; ++i) QTest::mouseMove(&live_, surface + QPoint(i, 0)), QTest::qWait(5);
+  QTest::mouseRelease(&live_, Qt::LeftButton, {}, surface + QPoint(20, 0));
+  EXPECT_TRUE(becomes("lights", "headlight+key"));
+  EXPECT_TRUE(until([&] { return controls_.isLive("lights.azimuth"); }));
+  EXPECT_TRUE(until([&] { return controls_.undoSteps() == 1; })) << controls_.undoSteps();
+  picture("light");
+}
+
+TEST_F(PanelLiveTest, ComparesAndFilms) {
+  program("painter");
+  showAndPoint();
+  window_.findChild<QAbstractButton*>("tool-compare")->click();
+  ASSERT_TRUE(until([&] { return !view().openGlPicture().isNull(); }))
+      << qPrintable(window_.statusBar()->currentMessage());
+  EXPECT_TRUE(until([&] { return !controls_.isLive("engine"); })) << "it traces again";
+  picture("compare");
+
+  Film film(controls_, {folder_.path(), "film", 4, "lights.azimuth", 0, 90, false}, nullptr);
+  bool ended = false;
+  QObject::connect(&film, &Film::finished, &film, [&](const QString& why) {
+    EXPECT_EQ(why.toStdString(), "");
+    ended = true;
+  });
+  film.start();
+  ASSERT_TRUE(until([&] { return ended; }));
+  const QImage first(film.fileOf(0)), last(film.fileOf(3));
+  EXPECT_EQ(first.size(), view().openGlPicture().size());
+  EXPECT_NE(first, last);
 }
 
 TEST_F(PanelLiveTest, Pages) {

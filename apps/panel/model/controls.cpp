@@ -6,6 +6,7 @@
 #include "settings/values.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace gluray::panel {
@@ -13,10 +14,6 @@ namespace {
 
 using control::numberIn, control::textIn;
 using nlohmann::json;
-
-constexpr size_t kMostFps = 600;        // entries of the plot
-constexpr double kStateSeconds = 0.25;  // between events
-constexpr int kMostThumbnail = 512;     // pixels of its longest side
 
 }  // namespace
 
@@ -110,40 +107,18 @@ void Controls::chooseAgain(bool first) {
   if (first && programs_.size() == 1) choose(programs_.front().number);
 }
 
-json Controls::target() const { return chosen_ ? json(*chosen_) : json("all"); }
-
-void Controls::request(json message, const QString& what) {
-  message["id"] = next_;
-  asked_[next_++] = what;
-  send_(std::move(message));
-}
-
-void Controls::set(const std::string& name, const json& value, const std::string& gesture) {
-  if (!chosen_ && !all_) return;
-  json message{{"type", "set"}, {"program", target()}, {"values", {{name, value}}}};
-  if (!gesture.empty()) message["gesture"] = gesture;
-  request(std::move(message), QString::fromStdString(name));
-}
-
-void Controls::undo() {
-  if (chosen_ || all_) request({{"type", "undo"}, {"program", target()}}, tr("undo"));
-}
-
-void Controls::redo() {
-  if (chosen_ || all_) request({{"type", "redo"}, {"program", target()}}, tr("redo"));
-}
-
 void Controls::connected() {
   asked_.clear();
-  request({{"type", "observe"},
-           {"program", "all"},
-           {"what", {"programs", "settings", "state", "thumbnail"}},
-           {"every", kStateSeconds}});
+  calls_.end("the hub has changed");
+  isConnected_ = true;
+  observe();
   request({{"type", "list"}});
 }
 
 void Controls::disconnected(const QString& why) {
   asked_.clear();
+  isConnected_ = false;
+  calls_.end("the connection to the hub ended");
   if (!programs_.empty()) takePrograms(json::array());
   emit said(why);
 }
@@ -159,7 +134,9 @@ void Controls::take(const Message& message) {
 }
 
 void Controls::takeAnswer(const json& answer) {
-  const auto asked = asked_.find(numberIn<uint64_t>(answer, "id", 0));
+  const uint64_t id = numberIn<uint64_t>(answer, "id", 0);
+  if (calls_.take(id, answer)) return;
+  const auto asked = asked_.find(id);
   if (asked == asked_.end()) return;
   const QString what = std::exchange(asked->second, {});
   asked_.erase(asked);
@@ -216,6 +193,9 @@ void Controls::takePrograms(const json& list) {
   const bool first =
       std::none_of(programs_.begin(), programs_.end(), [](const Program& p) { return p.pid != 0; });
   programs_ = std::move(next);
+  std::vector<int> numbers;
+  for (const Program& program : programs_) numbers.push_back(program.number);
+  calls_.endOthers(numbers, "the program has ended");
   emit programsChanged();
   chooseAgain(first);
   emit settingsChanged();
@@ -245,8 +225,13 @@ void Controls::takeThumbnail(Program& program, const json& event) {
 void Controls::takeState(Program& program, const json& state) {
   if (!state.is_object()) return;
   program.state = state;
-  program.fps.push_back(numberIn<double>(state, "fps", 0));
-  if (program.fps.size() > kMostFps) program.fps.pop_front();
+  const auto keep = [&](std::deque<double>& values, const char* name, double otherwise) {
+    values.push_back(numberIn<double>(state, name, otherwise));
+    if (values.size() > kMostPlotted) values.pop_front();
+  };
+  keep(program.fps, "fps", 0);
+  keep(program.noise, "noise", std::numeric_limits<double>::quiet_NaN());
+  keep(program.passes, "passes", std::numeric_limits<double>::quiet_NaN());
   emit stateChanged(program.number);
 }
 

@@ -1,5 +1,6 @@
 // What the panel knows of the hub's programs, and the requests that it makes. GUI thread.
 #pragma once
+#include "model/calls.h"
 #include "model/hub_thread.h"
 
 #include <nlohmann/json.hpp>
@@ -18,6 +19,9 @@
 
 namespace gluray::panel {
 
+inline constexpr int kMostThumbnail = 512;   // pixels of its longest side: the protocol's limit
+inline constexpr size_t kMostPlotted = 600;  // state events that are remembered
+
 /// A setting's value in a program.
 struct Value {
   nlohmann::json value;
@@ -32,8 +36,9 @@ struct Program {
   std::map<std::string, Value> values;  // of settings that differ from their built-in values, or did
   int undo = 0, redo = 0;               // steps
   nlohmann::json state = nlohmann::json::object();
-  QImage thumbnail;        // of its window; null: none has come
-  std::deque<double> fps;  // one entry a state event, newest last
+  QImage thumbnail;                  // of its window; null: none has come
+  std::deque<double> fps;            // one entry a state event, newest last
+  std::deque<double> noise, passes;  // the same; NaN where the program says nothing
   QString title() const;
 };
 
@@ -67,8 +72,18 @@ class Controls : public QObject {
 
   /// Null: what the other layers say. Changes with the same, not empty gesture are undone together.
   void set(const std::string& name, const nlohmann::json& value, const std::string& gesture = "");
+  /// The same for several settings, by name, that change together.
+  void change(const nlohmann::json& values, const std::string& gesture = "");
   void undo();
   void redo();
+
+  /// Calls a function of a program (docs/control-protocol.md). `then` is called later, on this thread, once,
+  /// unless `receiver` has gone; also if the program ends.
+  void call(int program, const char* name, nlohmann::json arguments, QObject* receiver, CallTaker then);
+  /// Requests of one program without `program`, carried out one after the other.
+  void batch(int program, nlohmann::json requests, QObject* receiver, BatchTaker then);
+  /// How large thumbnails should be, in pixels of their longest side; of several wishes the largest counts.
+  void wantThumbnails(const QObject* who, int size);
 
   // Called as the hub's thread reports.
   void connected();
@@ -87,6 +102,7 @@ class Controls : public QObject {
 
  private:
   void request(nlohmann::json message, const QString& what = {});
+  void observe();
   nlohmann::json target() const;
   void takePrograms(const nlohmann::json& list);
   void chooseAgain(bool first);
@@ -103,9 +119,12 @@ class Controls : public QObject {
   std::vector<Program> programs_;
   std::optional<int> chosen_;
   bool all_ = false;
+  bool isConnected_ = false;
   std::pair<std::string, int> identity_;  // host and process of the chosen program
   uint64_t next_ = 1;                     // id of the next request
   std::map<uint64_t, QString> asked_;     // requests without an answer, and what they are about
+  Calls calls_;                           // those that a part of the panel waits for
+  std::map<const QObject*, int> sizes_;   // of thumbnails that are wanted
 };
 
 }  // namespace gluray::panel

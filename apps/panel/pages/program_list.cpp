@@ -42,6 +42,8 @@ QIcon iconOf(const QImage& picture, qreal dots) {
 
 ProgramList::ProgramList(Controls& controls, QWidget* parent) : QTreeWidget(parent), controls_(controls) {
   setHeaderLabels({tr("Program"), tr("fps"), tr("Triangles")});
+  for (const int column : {kFps, kTriangles})
+    headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
   setRootIsDecorated(false);
   setAllColumnsShowFocus(true);
   setAccessibleName(tr("Programs"));

@@ -5,13 +5,9 @@
 #include "qt_text.h"
 #include "settings/values.h"
 
-#include <QApplication>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QStyle>
 #include <QToolButton>
-#include <chrono>
-#include <utility>
 
 namespace gluray::panel {
 namespace {
@@ -33,25 +29,17 @@ QString shortName(const Row& row) {
   return qtText(dot == row.name.npos ? row.name : row.name.substr(dot + 1));
 }
 
-// Between two changes of a movement. A hub takes 256 requests that wait, each for six seconds at most.
-constexpr std::chrono::milliseconds kPause{25};
-
-constexpr int kApart = 1000;  // milliseconds
-
-std::string newGesture() {
-  static uint64_t last = 0;
-  return "panel " + std::to_string(QCoreApplication::applicationPid()) + " " + std::to_string(++last);
-}
-
 }  // namespace
 
 SettingRow::SettingRow(const Row& row, Controls& controls, QWidget* parent)
     : QWidget(parent),
       row_(row),
       controls_(controls),
-      label_(new QLabel(shortName(row), this)),
+      text_(shortName(row)),
+      label_(new QLabel(text_, this)),
       editor_(makeEditor(row, this)),
-      reset_(new QToolButton(this)) {
+      reset_(new QToolButton(this)),
+      movement_(controls, this) {
   label_->setMinimumWidth(fontMetrics().horizontalAdvance("transmission  "));
   label_->setBuddy(editor_);
   label_->setToolTip(helpOf(row));
@@ -67,10 +55,11 @@ SettingRow::SettingRow(const Row& row, Controls& controls, QWidget* parent)
   connect(editor_, &Editor::changed, this, &SettingRow::send);
   connect(editor_, &Editor::cancelled, this, &SettingRow::takeBack);
   connect(reset_, &QToolButton::clicked, this, [this] { controls_.set(std::string(row_.name), nullptr); });
-  pause_.setSingleShot(true);
-  connect(&pause_, &QTimer::timeout, this, [this] {
-    if (waits_) send(nlohmann::json(*waits_), true);
-  });
+  update();
+}
+
+void SettingRow::headsGroup() {
+  text_ = row_.type == Type::boolean ? tr("enabled") : row_.type == Type::choice ? tr("kind") : tr("value");
   update();
 }
 
@@ -83,7 +72,7 @@ void SettingRow::update() {
   QFont font = label_->font();
   font.setBold(changed_);
   label_->setFont(font);
-  label_->setText(shortName(row_) + (controls_.differs(name) ? " \u2260" : ""));
+  label_->setText(text_ + (controls_.differs(name) ? " \u2260" : ""));
   const QString from = now.place.empty() ? QString::fromStdString(now.layer)
                                          : QString::fromStdString(now.layer + ": " + now.place);
   reset_->setEnabled(controls_.isLive(name));
@@ -91,22 +80,13 @@ void SettingRow::update() {
                                          : tr("Value from: %1").arg(from));
 }
 
-/// Changes that follow each other within a second, such as those of a key that is held, are one step, too.
 void SettingRow::send(const nlohmann::json& value, bool more) {
-  if (gesture_.empty() || (!moving_ && (more || last_.elapsed() > kApart))) {
-    gesture_ = newGesture();
-    before_ = controls_.value(std::string(row_.name));
-  }
-  moving_ = more;
-  last_.start();
-  waits_.reset();
-  if (more && pause_.isActive()) return void(waits_ = value);
-  more ? pause_.start(kPause) : pause_.stop();
-  controls_.set(std::string(row_.name), value, gesture_);
+  const Value now = controls_.value(std::string(row_.name));
+  if (movement_.send({{std::string(row_.name), value}}, more)) before_ = now;
 }
 
 void SettingRow::takeBack() {
-  if (!moving_) return;  // nothing was sent
+  if (!movement_.goesOn()) return;  // nothing was sent
   const bool live = before_.layer == "live";
   send(live ? before_.value : nlohmann::json(), false);
 }

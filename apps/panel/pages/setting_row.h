@@ -1,13 +1,10 @@
 // One setting in the panel: its name, an editor, a button that resets it. GUI thread.
 #pragma once
 #include "model/controls.h"
+#include "model/movement.h"
 #include "settings/rows.h"
 
-#include <QElapsedTimer>
-#include <QTimer>
 #include <QWidget>
-#include <optional>
-#include <string>
 
 class QLabel;
 class QToolButton;
@@ -27,6 +24,8 @@ class SettingRow : public QWidget {
   /// Shows what the chosen program has.
   void update();
   QLabel* label() const { return label_; }
+  /// The setting heads the group under whose name it stands, such as `ao`: its label does not repeat that.
+  void headsGroup();
 
  private:
   void send(const nlohmann::json& value, bool more);
@@ -34,16 +33,13 @@ class SettingRow : public QWidget {
 
   const Row& row_;
   Controls& controls_;
+  QString text_;  // of the label
   QLabel* label_;
   Editor* editor_;
   QToolButton* reset_;
   bool changed_ = false;
-  Value before_;                         // the value when the movement began
-  QElapsedTimer last_;                   // since the last change
-  bool moving_ = false;                  // further changes of the movement follow
-  std::string gesture_;                  // of the movement that goes on; empty: none
-  QTimer pause_;                         // runs for a moment after each change of a movement
-  std::optional<nlohmann::json> waits_;  // the newest value meanwhile
+  Value before_;  // the value when the movement began
+  Movement movement_;
 };
 
 }  // namespace gluray::panel

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+class QVBoxLayout;
+
 namespace gluray::panel {
 
 class SettingsPage : public QScrollArea {
@@ -20,8 +22,17 @@ class SettingsPage : public QScrollArea {
   /// Hides settings that do not match, and with `changedOnly` those that have their built-in values. Returns
   /// how many are left.
   int filter(const QString& search, bool changedOnly);
+  /// Puts a widget above the settings; it is hidden while settings are searched.
+  void setTop(QWidget* top);
+  /// Whether the settings can be changed.
+  void setUsable(bool usable);
 
  private:
+  void addSection(const Section& section);
+
+  Controls& controls_;
+  QVBoxLayout* layout_;
+  QWidget* top_ = nullptr;
   std::vector<std::pair<QGroupBox*, std::vector<SettingRow*>>> boxes_;
 };
 

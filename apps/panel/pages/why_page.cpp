@@ -1,5 +1,7 @@
 #include "pages/why_page.h"
 
+#include "pages/tree_rows.h"
+
 #include <QHeaderView>
 #include <QLabel>
 #include <QPlainTextEdit>
@@ -27,6 +29,7 @@ WhyPage::WhyPage(QWidget* parent)
       warnings_(new QPlainTextEdit(this)) {
   share_->setWordWrap(true);
   reasons_->setHeaderLabels({tr("Left to the real OpenGL because"), tr("Draws")});
+  reasons_->headerItem()->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
   reasons_->setRootIsDecorated(false);
   reasons_->header()->setStretchLastSection(false);
   reasons_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
@@ -43,12 +46,12 @@ WhyPage::WhyPage(QWidget* parent)
 void WhyPage::show(const Program* program) {
   const json state = program ? program->state : json::object();
   share_->setText(program ? shareText(state) : tr("No program."));
-  reasons_->clear();
+  std::vector<QStringList> rows;
   if (const auto reasons = state.find("reasons"); reasons != state.end() && reasons->is_object())
     for (const auto& [reason, draws] : reasons->items())
       if (draws.is_number())
-        new QTreeWidgetItem(reasons_,
-                            {QString::fromStdString(reason), QString::number(draws.get<double>(), 'f', 0)});
+        rows.push_back({QString::fromStdString(reason), QString::number(draws.get<double>(), 'f', 0)});
+  setRows(*reasons_, rows);
   QString lines;
   if (const auto warnings = state.find("warnings"); warnings != state.end() && warnings->is_array())
     for (const json& line : *warnings)

@@ -1,0 +1,287 @@
+#include "pages/objects/objects_page.h"
+
+#include "editors/editor.h"
+#include "testing/fake_program.h"
+
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QSlider>
+#include <QTableView>
+#include <QTest>
+
+namespace gluray::panel {
+namespace {
+
+using nlohmann::json;
+
+struct ObjectsPageTest : testing::Test {
+  void SetUp() override {
+    program.values["objects"] = fakeObjects(4);
+    QObject::connect(&program.controls, &Controls::settingsChanged, &page, [this] { page.update(); });
+  }
+  void showThem() {
+    program.appear();
+    page.show();
+    ASSERT_TRUE(program.until([&] { return rows() > 0; }));
+  }
+  int rows() { return table().model()->rowCount(); }
+  QTableView& table() { return *page.findChild<QTableView*>(); }
+  QString message() { return page.findChild<QLabel*>("objects-message")->text(); }
+  QString title() { return page.findChild<QLabel*>("objects-title")->text(); }
+  QString cell(int row, int column) { return table().model()->index(row, column).data().toString(); }
+  std::vector<std::string> selected() {
+    std::vector<std::string> numbers;
+    for (const QModelIndex& index : table().selectionModel()->selectedRows())
+      numbers.push_back(index.data().toString().toStdString());
+    return numbers;
+  }
+  template <class Widget>
+  Widget& part(const char* editor) {
+    return *page.findChild<QWidget*>(editor)->findChild<Widget*>();
+  }
+  /// The next poll, without waiting for its second.
+  void poll() {
+    const size_t before = program.calls("objects").size();
+    page.hide(), page.show();
+    ASSERT_TRUE(program.until([&] { return program.calls("objects").size() > before; }));
+    program.settle();
+  }
+
+  FakeProgram program;
+  ObjectsPage page{program.controls, nullptr};
+};
+
+TEST_F(ObjectsPageTest, ShowsWhatTheProgramDraws) {
+  program.values["objects"]["objects"][1] = fakeObject(2, nullptr, "glass");
+  program.values["objects"]["objects"][1]["hidden"] = {"camera", "shadow"};
+  showThem();
+  EXPECT_EQ(rows(), 4);
+  EXPECT_EQ(cell(0, 0), "1");
+  EXPECT_EQ(cell(0, 1), "#cc4400");
+  EXPECT_EQ(cell(1, 1), "varies");
+  EXPECT_EQ(cell(1, 3), "2 000");
+  EXPECT_EQ(cell(1, 4), "glass");
+  EXPECT_EQ(cell(1, 5), "camera, shadow");
+  EXPECT_EQ(message(), "4 objects.");
+}
+
+TEST_F(ObjectsPageTest, AsksWithTheVersionItKnowsWhileItIsSeen) {
+  program.appear();
+  program.settle();
+  EXPECT_TRUE(program.calls("objects").empty()) << "nobody looks";
+  showThem();
+  EXPECT_EQ(program.calls("objects")[0]["arguments"], json({{"after", 0}, {"count", 1000}}));
+  program.values["objects"] = {{"frame", 6}, {"version", 1}, {"total", 4}, {"same", true}};
+  poll();
+  EXPECT_EQ(program.calls("objects").back()["arguments"]["known"], 1);
+  EXPECT_EQ(rows(), 4);
+  const size_t before = program.calls("objects").size();
+  ASSERT_TRUE(program.until([&] { return program.calls("objects").size() > before; })) << "every second";
+  page.hide();
+  const size_t hidden = program.calls("objects").size();
+  QTest::qWait(1200);
+  EXPECT_EQ(program.calls("objects").size(), hidden);
+}
+
+TEST_F(ObjectsPageTest, LongListsComeInPieces) {
+  program.answers = false;
+  program.appear();
+  page.show();
+  const json all = fakeObjects(2500)["objects"];
+  for (const int from : {0, 1000, 2000}) {
+    const json request = program.calls("objects").back();
+    EXPECT_EQ(request["arguments"]["after"], from);
+    json piece = json::array();
+    for (size_t i = static_cast<size_t>(from); i < all.size() && piece.size() < 1000; ++i)
+      piece.push_back(all[i]);
+    program.answerValue(request, {{"version", 1}, {"total", 2500}, {"objects", piece}});
+  }
+  EXPECT_EQ(rows(), 2500);
+  EXPECT_EQ(program.calls("objects").size(), 3u);
+}
+
+TEST_F(ObjectsPageTest, TheSelectionStaysWhenObjectsComeAndGo) {
+  showThem();
+  page.select(3);
+  EXPECT_EQ(selected(), std::vector<std::string>{"3"});
+  program.values["objects"] = fakeObjects(9, 2);
+  program.values["objects"]["objects"].erase(0);
+  poll();
+  EXPECT_EQ(rows(), 8);
+  EXPECT_EQ(selected(), std::vector<std::string>{"3"});
+  EXPECT_EQ(title(), "Object 3");
+  page.select(0);
+  EXPECT_TRUE(selected().empty());
+  EXPECT_EQ(title(), "No object is selected.");
+}
+
+TEST_F(ObjectsPageTest, AnObjectThatIsNotYetKnownIsSelectedWhenItComes) {
+  showThem();
+  page.select(7);
+  EXPECT_TRUE(selected().empty());
+  program.values["objects"] = fakeObjects(8, 2);
+  poll();
+  EXPECT_EQ(selected(), std::vector<std::string>{"7"});
+}
+
+TEST_F(ObjectsPageTest, SortsByNumbersAndFilters) {
+  program.values["objects"] = fakeObjects(12);
+  showThem();
+  table().sortByColumn(3, Qt::DescendingOrder);
+  EXPECT_EQ(cell(0, 0), "12");
+  EXPECT_EQ(cell(11, 0), "1");
+  page.select(6);
+  EXPECT_EQ(page.filter("SPHERES cc44"), 4);
+  EXPECT_EQ(selected(), std::vector<std::string>{"6"});
+  EXPECT_EQ(page.filter("nothing"), 0);
+  EXPECT_EQ(title(), "No object is selected.") << "what is not seen is not changed";
+  EXPECT_EQ(page.filter(""), 12);
+}
+
+TEST_F(ObjectsPageTest, ChoosesTheMaterialOfTheSelectedObjects) {
+  showThem();
+  table().selectAll();
+  EXPECT_EQ(title(), "4 objects: 1, 2, 3, 4");
+  page.select(2);
+  auto& material = part<QComboBox>("object.material");
+  EXPECT_EQ(material.currentText(), "program");
+  material.setCurrentText("glass");
+  emit material.activated(material.currentIndex());
+  ASSERT_EQ(program.sets().size(), 1u);
+  EXPECT_EQ(program.sets()[0]["values"], json({{"material.objects", {"2 glass"}}}));
+  auto& ior = part<QDoubleSpinBox>("object.material.ior");
+  ior.setValue(1.75);
+  EXPECT_EQ(program.sets().back()["values"], json({{"material.objects", {"2 glass ior=1.75"}}}))
+      << "the program has not yet said that it took the first";
+  EXPECT_NE(program.sets()[0]["gesture"], program.sets()[1]["gesture"]) << "two steps of undo";
+  program.settle();
+  EXPECT_EQ(material.currentText(), "glass");
+  page.select(1);
+  EXPECT_EQ(material.currentText(), "program");
+}
+
+TEST_F(ObjectsPageTest, ADragIsOneGestureForAllSelectedObjects) {
+  showThem();
+  program.say("material.objects", {"3 glass"});
+  table().selectAll();
+  auto& slider = part<QSlider>("object.material.roughness");
+  slider.setSliderDown(true);
+  for (int i = 1; i < 30; ++i) slider.setValue(i * 20);
+  slider.setSliderDown(false);
+  const auto sets = program.sets();
+  ASSERT_GE(sets.size(), 2u);
+  EXPECT_LT(sets.size(), 20u);
+  for (const json& set : sets) EXPECT_EQ(set["gesture"], sets[0]["gesture"]);
+  const json entries = sets.back()["values"]["material.objects"];
+  ASSERT_EQ(entries.size(), 4u);
+  EXPECT_EQ(entries[0].get<std::string>().substr(0, 18), "3 glass roughness=");
+}
+
+TEST_F(ObjectsPageTest, HidesObjectsFromRays) {
+  showThem();
+  program.say("material.objects", {"1 hidden-from=shadow", "2 mirror"});
+  page.select(1);
+  auto* camera = page.findChild<QCheckBox*>("hidden-from.camera");
+  auto* shadow = page.findChild<QCheckBox*>("hidden-from.shadow");
+  EXPECT_TRUE(shadow->isChecked());
+  table().selectAll();
+  EXPECT_EQ(shadow->checkState(), Qt::PartiallyChecked);
+  page.select(1);
+  camera->click();
+  EXPECT_EQ(program.sets().back()["values"],
+            json({{"material.objects", {"1 hidden-from=camera+shadow", "2 mirror"}}}));
+  camera->click(), shadow->click();
+  EXPECT_EQ(program.sets().back()["values"]["material.objects"][0], "1 hidden-from=none");
+}
+
+TEST_F(ObjectsPageTest, TakesEntriesBack) {
+  showThem();
+  auto* remove = page.findChild<QPushButton*>("objects-remove");
+  page.select(2);
+  EXPECT_FALSE(remove->isEnabled());
+  program.say("material.objects", {"1 glass", "2 mirror ior=2"});
+  EXPECT_TRUE(remove->isEnabled());
+  remove->click();
+  EXPECT_EQ(program.sets().back()["values"], json({{"material.objects", {"1 glass"}}}));
+  EXPECT_FALSE(remove->isEnabled());
+}
+
+TEST_F(ObjectsPageTest, ManyObjectsAreChangedAtOnce) {
+  program.values["objects"] = fakeObjects(1000);
+  showThem();
+  table().selectAll();
+  auto& material = part<QComboBox>("object.material");
+  material.setCurrentText("glass");
+  QElapsedTimer time;
+  time.start();
+  emit material.activated(material.currentIndex());
+  program.settle();
+  part<QDoubleSpinBox>("object.material.ior").setValue(1.75);
+  EXPECT_LT(time.elapsed(), 2000);
+  EXPECT_EQ(program.sets().back()["values"]["material.objects"].size(), 1000u);
+  EXPECT_EQ(program.sets().back()["values"]["material.objects"][999], "1000 glass ior=1.75");
+}
+
+TEST_F(ObjectsPageTest, WhatAProgramRefusesIsNotShown) {
+  showThem();
+  page.select(2);
+  program.answers = false;
+  auto& material = part<QComboBox>("object.material");
+  material.setCurrentText("glass");
+  emit material.activated(material.currentIndex());
+  program.take({{"type", "answer"}, {"id", program.sent.back()["id"]}, {"why", "the list is too long"}});
+  EXPECT_EQ(material.currentText(), "program");
+}
+
+TEST_F(ObjectsPageTest, ShowsWhyThereAreNone) {
+  program.refusals["objects"] = "no call is named objects";
+  program.appear();
+  page.show();
+  ASSERT_TRUE(program.until([&] { return message() == "No objects: no call is named objects"; }));
+  EXPECT_FALSE(table().isVisible());
+  program.refusals.clear();
+  ASSERT_TRUE(program.until([&] { return rows() == 4; })) << "it is asked again";
+  EXPECT_TRUE(table().isVisible());
+  program.end();
+  EXPECT_EQ(rows(), 0);
+  EXPECT_EQ(message(), "No program is chosen.");
+}
+
+TEST_F(ObjectsPageTest, SaysWhereMaterialsAreSeen) {
+  showThem();
+  auto* note = page.findChild<QWidget*>("objects-note");
+  EXPECT_TRUE(note->isVisible());
+  note->findChild<QPushButton*>()->click();
+  EXPECT_EQ(program.sets().back()["values"], json({{"integrator", "path"}}));
+  ASSERT_TRUE(program.until([&] { return !note->isVisible(); }));
+}
+
+TEST_F(ObjectsPageTest, SurvivesAnswersThatAreNoneOfTheProtocol) {
+  program.answers = false;
+  program.appear();
+  page.show();
+  const json good = fakeObject(1);
+  json odd = good;
+  odd.update({{"object", 2}, {"color", 5}, {"shape", nullptr}, {"triangles", "many"}, {"hidden", {1, "x"}}});
+  for (const json& value :
+       {json(), json(3), json::array(), json{{"objects", 3}}, json{{"objects", {1, nullptr, json::object()}}},
+        json{{"objects", {{{"object", -4}}}}}, json{{"objects", {good, good}}, {"total", -1}},
+        json{{"same", 1}}, json{{"objects", json::array()}, {"total", 1e300}},
+        json{{"objects", {odd}}, {"version", json::object()}, {"total", 1}}}) {
+    program.answerValue(program.calls("objects").back(), value);
+    page.hide(), page.show();
+  }
+  program.say("material.objects", {1, "x", "1 hidden-from=nonsense glass=2 ior=?", nullptr});
+  program.say("material.objects", 5);
+  page.select(2);
+  EXPECT_EQ(cell(0, 1), "varies");
+}
+
+}  // namespace
+}  // namespace gluray::panel
