@@ -23,7 +23,10 @@ void SettingsHistory::add(const Changes& changes, const Changes& before, const s
   }
   if (step.after.empty()) return;
   if (continues(gesture)) {
+    const bool back = std::equal(step.before.begin(), step.before.end(), step.after.begin(), step.after.end(),
+                                 [](const auto& a, const auto& b) { return a.value == b.value; });
     steps_.back() = std::move(step);
+    if (back) steps_.pop_back(), made_ = steps_.size();
     return;
   }
   steps_.push_back(std::move(step));  // may throw: nothing has changed then

@@ -15,7 +15,8 @@ class SettingsHistory {
   static constexpr size_t kMostSteps = 100;
 
   /// Adds a step; what was taken back is forgotten. A step continues the one before if both have the same
-  /// gesture, not empty. Changes that change nothing are no steps. `before`: as in LiveSettings::Answer.
+  /// gesture, not empty. Changes that change nothing are no steps, nor are gestures that end where they
+  /// began. `before`: as in LiveSettings::Answer.
   void add(const Changes& changes, const Changes& before, const std::string& gesture);
 
   size_t undoSteps() const { return made_; }

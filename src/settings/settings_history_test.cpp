@@ -89,6 +89,18 @@ TEST_F(SettingsHistoryTest, WhatChangesNothingIsNoStep) {
   EXPECT_EQ(history.undoSteps(), 1u);
 }
 
+TEST_F(SettingsHistoryTest, GesturesThatEndWhereTheyBeganAreNoStep) {
+  set({{"spp", "2"}});
+  set({{"engine", "never"}}, "compare");
+  EXPECT_EQ(history.undoSteps(), 2u);
+  set({{"engine", std::nullopt}}, "compare");
+  EXPECT_EQ(history.undoSteps(), 1u);
+  set({{"engine", "always"}}, "compare");
+  EXPECT_EQ(history.undoSteps(), 2u) << "the gesture goes on";
+  undo();
+  EXPECT_EQ(history.undoSteps(), 1u);
+}
+
 TEST_F(SettingsHistoryTest, TheLastHundredStepsAreKept) {
   for (int i = 0; i < 250; ++i) set({{"a", std::to_string(i)}});
   EXPECT_EQ(history.undoSteps(), SettingsHistory::kMostSteps);
