@@ -1,10 +1,12 @@
-/* A program that draws what it reads from standard input, a line a frame, and prints "drawn":
+/* A program that draws what it reads from standard input, a line a frame, and prints "drawn"; with EGL if the
+ * variable CLIENT_EGL is set, otherwise with GLX:
  * items separated by ';', each "STEPS X Y HALF Z BUMP RRGGBB": a lit grid of 2 STEPS^2 triangles about (X,
  * Y), HALF of its width high and wide, its right side nearer by 0.06, and its middle by BUMP. Expose events
  * draw the last line again.
  */
 #include "tests/doors/x_window.h"
 
+#include <EGL/egl.h>
 #include <GL/glx.h>
 #include <math.h>
 #include <poll.h>
@@ -69,30 +71,69 @@ static void prepare(void) {
   glEnable(GL_DEPTH_TEST), glEnable(GL_LIGHTING), glEnable(GL_LIGHT0), glEnable(GL_NORMALIZE);
 }
 
-int main(void) {
+static EGLDisplay egl;
+static EGLSurface surface;
+
+static XVisualInfo* visualOf(Display* display, EGLConfig* config) {
   static int wanted[] = {GLX_RGBA, GLX_DOUBLEBUFFER, GLX_DEPTH_SIZE, 24, None};
+  static const EGLint alike[] = {
+      EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_ALPHA_SIZE, 0, EGL_DEPTH_SIZE, 24, EGL_NONE};
+  if (!getenv("CLIENT_EGL")) return glXChooseVisual(display, DefaultScreen(display), wanted);
+  EGLConfig found[64];
+  EGLint count = 0, id = 0, blue = 0;
+  egl = eglGetDisplay((EGLNativeDisplayType)display);
+  eglInitialize(egl, NULL, NULL), eglBindAPI(EGL_OPENGL_API);
+  eglChooseConfig(egl, alike, found, 64, &count);
+  for (EGLint i = 0; i < count; ++i) { /* deeper colours come first */
+    XVisualInfo asked = {0};
+    int visuals = 0;
+    eglGetConfigAttrib(egl, found[i], EGL_NATIVE_VISUAL_ID, &id),
+        eglGetConfigAttrib(egl, found[i], EGL_BLUE_SIZE, &blue);
+    asked.visualid = (VisualID)id, *config = found[i];
+    XVisualInfo* visual = XGetVisualInfo(display, VisualIDMask, &asked, &visuals);
+    if (visual && blue == 8) return visual;
+  }
+  return NULL;
+}
+
+static void makeCurrent(Display* display, Window window, XVisualInfo* visual, EGLConfig config) {
+  if (!egl) {
+    glXMakeCurrent(display, window, glXCreateContext(display, visual, NULL, True));
+    return;
+  }
+  const EGLContext context = eglCreateContext(egl, config, EGL_NO_CONTEXT, NULL);
+  surface = eglCreateWindowSurface(egl, config, window, NULL);
+  eglMakeCurrent(egl, surface, surface, context);
+}
+
+static void swap(Display* display, Window window) {
+  egl ? (void)eglSwapBuffers(egl, surface) : glXSwapBuffers(display, window);
+}
+
+int main(void) {
   static char line[4096], last[4096];
+  EGLConfig config = NULL;
   Display* display = openDisplay();
-  XVisualInfo* visual = glXChooseVisual(display, DefaultScreen(display), wanted);
+  XVisualInfo* visual = visualOf(display, &config);
   if (!visual) return fprintf(stderr, "no visual\n"), 1;
   const Window window = makeWindow(display, visual);
   XResizeWindow(display, window, kWidth, kHeight);
   XSelectInput(display, window, ExposureMask);
   XSync(display, False);
-  glXMakeCurrent(display, window, glXCreateContext(display, visual, NULL, True));
+  makeCurrent(display, window, visual, config);
   prepare();
   setvbuf(stdin, NULL, _IONBF, 0); /* poll() sees what is not read yet */
   struct pollfd inputs[] = {{STDIN_FILENO, POLLIN, 0}, {ConnectionNumber(display), POLLIN, 0}};
   for (;;) {
     int exposed = 0;
     for (XEvent event; XPending(display) > 0; exposed |= event.type == Expose) XNextEvent(display, &event);
-    if (exposed && *last) draw(last), glXSwapBuffers(display, window);
+    if (exposed && *last) draw(last), swap(display, window);
     if (XPending(display) > 0) continue;
     poll(inputs, 2, -1);
     if (!inputs[0].revents) continue;
     if (!fgets(line, sizeof line, stdin)) return 0;
     strcpy(last, line);
-    draw(last), glXSwapBuffers(display, window);
+    draw(last), swap(display, window);
     printf("drawn\n"), fflush(stdout);
   }
 }

@@ -151,6 +151,15 @@ class Objects(Linked):
         hub = self.shown_by("--engine", "never")
         self.assertEqual(hub.ask("call", name="objects", arguments={})["why"], "engine = never: the real OpenGL draws everything")
 
+    def test_windows_of_egl_are_known_and_woken(self):
+        hub = self.shown_by(CLIENT_EGL="1")
+        self.assertEqual(self.value(hub, "objects")["total"], 3)
+        hub.ask("observe", what=["state"], every=1)
+        self.assertEqual(hub.event("state")["state"]["windows"], [{"width": 200, "height": 200}])
+        shot = self.value(hub, "shot")  # the program draws nothing
+        self.assertEqual((shot["width"], shot["height"]), (200, 200))
+        self.assertEqual(self.value(hub, "pick", x=150, y=100)["object"], 2)
+
     def test_small_scenes_are_traced_while_somebody_asks(self):
         hub = self.shown_by("--engine", "auto", GLURAY_ENGINE="auto")
         for _ in range(30):

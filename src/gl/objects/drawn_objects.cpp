@@ -35,7 +35,9 @@ void DrawnObjects::number(const BatchKey& key, scene::Snapshot& batch) noexcept 
   if (!numbers_ && !asked_ && batch.settings.material.objects.empty()) return;
   try {
     if (!numbers_) numbers_ = std::make_unique<ObjectNumbers>();
-    if ((frame_ != batch.frame || ended_) && !numbers_->fresh()) numbers_->beginFrame();
+    const bool begins = frame_ != batch.frame || ended_;
+    if (begins && !swaps_) batches_.clear();  // framebuffers may have other names in each frame
+    if (begins && !numbers_->fresh()) numbers_->beginFrame();
     if (numbers_->fresh()) firstFramebuffer_ = key.framebuffer, firstRegion_ = batch.region;
     frame_ = batch.frame, ended_ = false;
     numbers_->number(key, batch);

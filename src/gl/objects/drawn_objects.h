@@ -31,6 +31,8 @@ class DrawnObjects {
   void traced(const BatchKey& key, const scene::SnapshotPtr& snapshot) noexcept;
   /// The real OpenGL draws a picture into the window that may fill these rectangles (shown_places.h).
   void placed(const std::vector<glm::ivec4>& places);
+  /// A frame of a context that never swaps is over: another context has swapped, or many clears were made.
+  void endFrame() noexcept { ended_ = true; }
   /// Colours of the framebuffer were cleared in `box`.
   void colorCleared(uint32_t framebuffer, const scene::Region& box) noexcept;
   /// A frame was shown; `frame`: as SettingsSource counts. The window's content is undefined.
@@ -50,7 +52,7 @@ class DrawnObjects {
   uint64_t frame_ = 0;
   uint32_t firstFramebuffer_ = 0;
   scene::Region firstRegion_;
-  bool ended_ = false;               // that was cleared
+  bool ended_ = false;               // that was cleared, or endFrame() was called
   std::vector<ShownBatch> batches_;  // what framebuffers show now
   std::vector<glm::ivec4> places_;   // of this frame
 };

@@ -1,6 +1,8 @@
 #include "gl/objects/shown_frames.h"
 
+#include <cstddef>
 #include <exception>
+#include <new>
 #include <utility>
 
 namespace gluray::gl {
@@ -48,7 +50,8 @@ std::vector<glm::ivec4> ShownFrames::places() const {
 }
 
 ShownFrames& shownFrames() {
-  static auto* frames = new ShownFrames;
+  alignas(ShownFrames) static std::byte room[sizeof(ShownFrames)];
+  static auto* frames = new (room) ShownFrames;  // allocates nothing: callers may not throw
   return *frames;
 }
 

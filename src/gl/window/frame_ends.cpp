@@ -80,6 +80,7 @@ void FrameEnds::endWithOthers() {
   const uint64_t frame = p_.settings.sourceFrame();
   if (frame == sourceFrame_ || p_.counts.statistics.frames > 0) return;
   sourceFrame_ = frame;
+  p_.surfaces.objects.endFrame();
   begun_ = false, drawsBefore_ = draws();
 }
 
@@ -136,6 +137,7 @@ void FrameEnds::cleared(GLbitfield mask) {
   if (++clears_ < patience) return;
   forgetOld();
   if (p_.counts.statistics.frames == 0) {
+    p_.surfaces.objects.endFrame();
     p_.settings.endFrame();
     p_.failsafe.protect([&] { takeSettings(); });
   }

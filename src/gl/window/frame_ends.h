@@ -31,7 +31,7 @@ class FrameEnds {
     Immediate& immediate;
     const ListCompiler& lists;
   };
-  explicit FrameEnds(const Parts& parts) : p_(parts) {}
+  explicit FrameEnds(const Parts& parts) : p_(parts), sourceFrame_(parts.settings.sourceFrame()) {}
 
   /// Call before a buffer swap: writes all pending pictures into the window.
   void beforeSwap();
@@ -60,7 +60,7 @@ class FrameEnds {
   Parts p_;
   bool begun_ = false;          // this frame has cleared
   uint64_t drawsBefore_ = 0;    // draws before this frame
-  uint64_t sourceFrame_ = 0;    // FrameSettings::sourceFrame() when a frame was begun last
+  uint64_t sourceFrame_;        // FrameSettings::sourceFrame() when a frame was begun last
   uint64_t drawsInFront_ = 0;   // draws up to the last frame in the front buffer
   int clears_ = 0;              // clears of colour and depth since forgetOld()
   uint64_t workForgotten_ = 0;  // DrawCounts::work() at the last forgetOld()

@@ -8,8 +8,12 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
+#include <cstdlib>
 #include <exception>
+#include <map>
 #include <mutex>
+#include <new>
 
 namespace gluray::intercept {
 namespace {
@@ -20,34 +24,77 @@ constexpr size_t kMostShown = 16;
 struct Shown {
   std::mutex mutex;
   std::vector<ShownWindow> windows;          // last first
+  std::map<const void*, uint32_t> surfaces;  // EGL's, and their X windows
   std::atomic<uintptr_t> last{0};            // drawable of the last swap; 0: ask again
   std::atomic<_XDisplay*> display{nullptr};  // its display
 
   static Shown& instance() {
-    static auto* const shown = new Shown;
+    alignas(Shown) static std::byte room[sizeof(Shown)];
+    static auto* const shown = new (room) Shown;  // allocates nothing: callers may not throw
     return *shown;
   }
 };
 
 }  // namespace
 
-void noteShown(_XDisplay* display, uintptr_t drawable) noexcept {
+namespace {
+
+/// `name`: of the window; called if the drawable is not that of the last swap.
+template <class Name>
+void note(_XDisplay* display, uintptr_t drawable, const Name& name) noexcept {
   if (!mayBeControlled() || isForkedChild()) return;
   try {
     Shown& shown = Shown::instance();
     if (shown.last.load(std::memory_order_relaxed) == drawable &&
         shown.display.load(std::memory_order_relaxed) == display)
       return;
-    ShownWindow now{DisplayString(display), static_cast<uint32_t>(windowOf(drawable))};
+    const ShownWindow now = name();
     {
       const std::lock_guard lock(shown.mutex);
+      shown.last = drawable, shown.display = display;
+      if (now.window == 0) return;
       std::erase(shown.windows, now);
       if (shown.windows.size() >= kMostShown) shown.windows.pop_back();
       shown.windows.insert(shown.windows.begin(), now);
-      shown.last = drawable, shown.display = display;
     }
     leaveFile(now);
   } catch (const std::exception&) {}  // out of memory: the next swap
+}
+
+}  // namespace
+
+void noteShown(_XDisplay* display, uintptr_t drawable) noexcept {
+  note(display, drawable, [&] {
+    return ShownWindow{DisplayString(display), static_cast<uint32_t>(windowOf(drawable))};
+  });
+}
+
+void noteSurface(const void* surface, uint64_t window) noexcept {
+  constexpr uint64_t kMostX = (uint64_t{1} << 29) - 1;  // X11, chapter 1: names have at most 29 bits
+  if (!surface || window == 0 || window > kMostX) return;
+  try {
+    Shown& shown = Shown::instance();
+    const std::lock_guard lock(shown.mutex);
+    shown.surfaces[surface] = static_cast<uint32_t>(window);
+  } catch (const std::exception&) {}  // out of memory: the window is not known
+}
+
+void forgetSurface(const void* surface) noexcept {
+  Shown& shown = Shown::instance();
+  const std::lock_guard lock(shown.mutex);
+  shown.surfaces.erase(surface);
+  if (shown.last == reinterpret_cast<uintptr_t>(surface)) shown.last = 0;  // its address may be used again
+}
+
+void noteShownSurface(const void* surface) noexcept {
+  note(nullptr, reinterpret_cast<uintptr_t>(surface), [&] {
+    Shown& shown = Shown::instance();
+    const std::lock_guard lock(shown.mutex);
+    const auto found = shown.surfaces.find(surface);
+    return found == shown.surfaces.end() || !std::getenv("DISPLAY")
+               ? ShownWindow{}
+               : ShownWindow{std::getenv("DISPLAY"), found->second};
+  });
 }
 
 std::vector<ShownWindow> shownWindows() {

@@ -19,6 +19,12 @@ struct ShownWindow {
 /// find this program. Costs a comparison while swaps show the same drawable.
 void noteShown(_XDisplay* display, uintptr_t drawable) noexcept;
 
+/// The same for EGL. Call when a surface was made of the native window, which is an X window if its number
+/// may be one, and when it goes. Whether it is one on the server of DISPLAY turns out when it is asked for.
+void noteSurface(const void* surface, uint64_t window) noexcept;
+void forgetSurface(const void* surface) noexcept;
+void noteShownSurface(const void* surface) noexcept;
+
 /// The windows in which frames were shown, last first; they may be gone.
 std::vector<ShownWindow> shownWindows();
 /// Forgets a window that is gone.

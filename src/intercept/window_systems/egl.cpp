@@ -2,6 +2,7 @@
 // show pictures.
 #include "base/timeline.h"
 #include "intercept/contexts.h"
+#include "intercept/control/shown_windows.h"
 #include "intercept/engine.h"
 #include "intercept/window_systems/hook_table.h"
 #include "intercept/windows/x_idle_window.h"
@@ -50,7 +51,8 @@ EGLBoolean swapping(EGLSurface surface, F&& call) {
     const timeline::Span span("swap");
     return call();
   }();
-  if (outermost) swapped(drawableOf(surface)), refineShown(nullptr, drawableOf(surface));
+  if (outermost)
+    swapped(drawableOf(surface)), refineShown(nullptr, drawableOf(surface)), noteShownSurface(surface);
   return done;
 }
 
@@ -142,10 +144,35 @@ struct Egl {
     textureImageBound();
     return done;
   }
+  static EGLSurface createWindowSurface(EGLDisplay display, EGLConfig config, EGLNativeWindowType window,
+                                        const EGLint* attributes) {
+    REAL(D, decltype(&eglCreateWindowSurface), "eglCreateWindowSurface");
+    const Outermost outermost;
+    const EGLSurface surface = real(display, config, window, attributes);
+    if (outermost) noteSurface(surface, (uint64_t)window);  // a number or a pointer, by EGL's headers
+    return surface;
+  }
+  /// On X11 `window` points to the window's name.
+  static EGLSurface createPlatformWindow(EGLDisplay display, EGLConfig config, void* window,
+                                         const EGLAttrib* attributes) {
+    REAL(D, decltype(&eglCreatePlatformWindowSurface), "eglCreatePlatformWindowSurface");
+    const Outermost outermost;
+    const EGLSurface surface = real(display, config, window, attributes);
+    if (outermost && surface) noteSurface(surface, *static_cast<const unsigned long*>(window));
+    return surface;
+  }
+  static EGLSurface createPlatformWindowExt(EGLDisplay display, EGLConfig config, void* window,
+                                            const EGLint* attributes) {
+    REAL(D, PFNEGLCREATEPLATFORMWINDOWSURFACEEXTPROC, "eglCreatePlatformWindowSurfaceEXT");
+    const Outermost outermost;
+    const EGLSurface surface = real(display, config, window, attributes);
+    if (outermost && surface) noteSurface(surface, *static_cast<const unsigned long*>(window));
+    return surface;
+  }
   static EGLBoolean destroySurface(EGLDisplay display, EGLSurface surface) {
     REAL(D, decltype(&eglDestroySurface), "eglDestroySurface");
     const Outermost outermost;
-    if (outermost) drawableGoing(drawableOf(surface));
+    if (outermost) drawableGoing(drawableOf(surface)), forgetSurface(surface);
     return real(display, surface);
   }
 
@@ -166,6 +193,9 @@ struct Egl {
         HOOK("eglWaitGL", waitGl),
         HOOK("eglWaitClient", waitClient),
         HOOK("eglBindTexImage", bindTexImage),
+        HOOK("eglCreateWindowSurface", createWindowSurface),
+        HOOK("eglCreatePlatformWindowSurface", createPlatformWindow),
+        HOOK("eglCreatePlatformWindowSurfaceEXT", createPlatformWindowExt),
         HOOK("eglDestroySurface", destroySurface),
     };
 #undef HOOK
