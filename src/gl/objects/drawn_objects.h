@@ -31,7 +31,7 @@ class DrawnObjects {
   void traced(const BatchKey& key, const scene::SnapshotPtr& snapshot) noexcept;
   /// The real OpenGL draws a picture into the window that may fill these rectangles (shown_places.h).
   void placed(const std::vector<glm::ivec4>& places);
-  /// A frame of a context that never swaps is over: another context has swapped, or many clears were made.
+  /// A frame of a context that never swaps is over: another context has swapped.
   void endFrame() noexcept { ended_ = true; }
   /// Colours of the framebuffer were cleared in `box`.
   void colorCleared(uint32_t framebuffer, const scene::Region& box) noexcept;

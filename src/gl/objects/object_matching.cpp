@@ -5,12 +5,12 @@
 namespace gluray::gl {
 namespace {
 
-constexpr size_t kMostCompared = size_t{1} << 18;  // pairs
+constexpr size_t kMostPairsCompared = size_t{1} << 18;  // pairs
 
-using Traits = std::vector<const ObjectTraits*>;
+using TraitsList = std::vector<const ObjectTraits*>;
 
 /// The longest common subsequence, weighted by likeness.
-std::vector<size_t> alignBest(const Traits& before, const Traits& now) {
+std::vector<size_t> alignBest(const TraitsList& before, const TraitsList& now) {
   const size_t columns = before.size() + 1;
   std::vector<double> best((now.size() + 1) * columns, 0);  // of what follows
   for (size_t i = now.size(); i-- > 0;)
@@ -41,8 +41,8 @@ double likeness(const ObjectTraits& earlier, const ObjectTraits& now) {
   return 0.3 + (earlier.look == now.look ? 0.4 : 0) + 0.3 * (more > 0 ? less / more : 1);
 }
 
-std::vector<size_t> alignObjects(const Traits& before, const Traits& now) {
-  if (before.size() != now.size() && before.size() * now.size() <= kMostCompared)
+std::vector<size_t> alignObjects(const TraitsList& before, const TraitsList& now) {
+  if (before.size() != now.size() && before.size() * now.size() <= kMostPairsCompared)
     return alignBest(before, now);
   std::vector<size_t> found(now.size(), kNoObject);
   for (size_t i = 0; i < std::min(before.size(), now.size()); ++i)

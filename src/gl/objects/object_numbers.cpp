@@ -11,7 +11,7 @@ namespace gluray::gl {
 namespace {
 
 constexpr size_t kMostGone = 4096;
-constexpr size_t kMostCompared = size_t{1} << 16;  // places of surfaces of equal geometry
+constexpr size_t kMostPlacesCompared = size_t{1} << 16;  // places of surfaces of equal geometry
 
 uint32_t nextObject() noexcept {
   static std::atomic<uint32_t> last{0};  // of all contexts
@@ -33,7 +33,7 @@ ObjectTraits traitsOf(const scene::Instance& instance) {
   return {mesh.geometryId, mesh.shape, mesh.triangleCount, hashBytes(colors, sizeof colors).low ^ formats};
 }
 
-bool areNear(const glm::mat4& a, const glm::mat4& b) {
+bool areAtOnePlace(const glm::mat4& a, const glm::mat4& b) {
   constexpr float kRounding = 1e-4f;
   const float distance = std::max(glm::length(glm::vec3(a[3])), glm::length(glm::vec3(b[3])));
   for (int c = 0; c < 4; ++c)
@@ -146,10 +146,10 @@ void ObjectNumbers::takeByGeometry(Batch& batch) {
 /// Takes surfaces of equal geometry that are where they were out of both lists.
 void ObjectNumbers::takeByPlace(Batch& batch, std::vector<size_t>& instances,
                                 std::vector<size_t>& candidates) {
-  if (instances.size() * candidates.size() > kMostCompared) return;
+  if (instances.size() * candidates.size() > kMostPlacesCompared) return;
   for (size_t& instance : instances) {
     const auto near = std::find_if(candidates.begin(), candidates.end(), [&](size_t k) {
-      return areNear(last_[k].place, batch.at(instance).worldFromObject);
+      return areAtOnePlace(last_[k].place, batch.at(instance).worldFromObject);
     });
     if (near == candidates.end()) continue;
     take(batch, std::exchange(instance, kNoObject), *near);

@@ -22,9 +22,10 @@ struct ShownBatch {
 
 /// A frame that was shown: its batches in the order of drawing. Their surfaces have numbers.
 struct ShownFrame {
-  uint64_t frame = 0;  // as SettingsSource counts; 0: not known
+  uint64_t frame = 0;  // as SettingsSource counts; 0: not known, it may not be whole yet
   std::vector<ShownBatch> batches;
   std::vector<glm::ivec4> places;  // where pictures of framebuffer objects may be in the window
+  double when = nowSeconds();      // it was shown
 };
 using ShownFramePtr = std::shared_ptr<const ShownFrame>;
 

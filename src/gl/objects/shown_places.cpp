@@ -26,7 +26,7 @@ std::vector<glm::mat4> matricesOf(const ShadowState& shadow) {
   return matrices;
 }
 
-bool isNear(double a, double b) { return std::abs(a - b) < 0.1; }
+bool isOneLine(double a, double b) { return std::abs(a - b) < 0.1; }
 
 }  // namespace
 
@@ -41,8 +41,8 @@ glm::ivec4 rectangleOf(const std::vector<glm::vec4>& points, const glm::ivec4& v
   }
   unsigned corners = 0;
   for (const glm::dvec2& p : at) {
-    const bool right = isNear(p.x, upper.x), top = isNear(p.y, upper.y);
-    if (!(right || isNear(p.x, lower.x)) || !(top || isNear(p.y, lower.y))) return glm::ivec4(0);
+    const bool right = isOneLine(p.x, upper.x), top = isOneLine(p.y, upper.y);
+    if (!(right || isOneLine(p.x, lower.x)) || !(top || isOneLine(p.y, lower.y))) return glm::ivec4(0);
     corners |= 1u << (right + 2 * top);
   }
   constexpr double kLargest = 1 << 15;

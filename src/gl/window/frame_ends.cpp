@@ -79,7 +79,7 @@ void FrameEnds::takeSettings() {
 void FrameEnds::endWithOthers() {
   const uint64_t frame = p_.settings.sourceFrame();
   if (frame == sourceFrame_ || p_.counts.statistics.frames > 0) return;
-  sourceFrame_ = frame;
+  sourceFrame_ = frame, othersSwap_ = true;
   p_.surfaces.objects.endFrame();
   begun_ = false, drawsBefore_ = draws();
 }
@@ -136,9 +136,9 @@ void FrameEnds::cleared(GLbitfield mask) {
   const int patience = p_.counts.statistics.frames > 0 ? 64 : 4;
   if (++clears_ < patience) return;
   forgetOld();
-  if (p_.counts.statistics.frames == 0) {
-    p_.surfaces.objects.endFrame();
+  if (p_.counts.statistics.frames == 0 && !othersSwap_) {
     p_.settings.endFrame();
+    sourceFrame_ = p_.settings.sourceFrame();
     p_.failsafe.protect([&] { takeSettings(); });
   }
   p_.surfaces.passes.forgetMany();  // in framebuffers whose depth is never cleared

@@ -61,6 +61,7 @@ class FrameEnds {
   bool begun_ = false;          // this frame has cleared
   uint64_t drawsBefore_ = 0;    // draws before this frame
   uint64_t sourceFrame_;        // FrameSettings::sourceFrame() when a frame was begun last
+  bool othersSwap_ = false;     // frames end with those of another context
   uint64_t drawsInFront_ = 0;   // draws up to the last frame in the front buffer
   int clears_ = 0;              // clears of colour and depth since forgetOld()
   uint64_t workForgotten_ = 0;  // DrawCounts::work() at the last forgetOld()

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -154,7 +155,12 @@ bool showsLit(const scene::Snapshot& s) {
 
 }  // namespace
 
-json arrayOf(const glm::dvec3& v) { return json::array({v.x, v.y, v.z}); }
+json arrayOf(const glm::dvec3& v) {
+  // What is left of rounding is 0.
+  const double least = 1e-12 * std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  const auto plain = [&](double x) { return std::abs(x) <= least ? 0 : x; };
+  return json::array({plain(v.x), plain(v.y), plain(v.z)});
+}
 
 std::vector<json> describeObjects(const std::vector<ShownView>& views) {
   std::map<uint32_t, json> found;

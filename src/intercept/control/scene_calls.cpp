@@ -72,8 +72,10 @@ gl::ShownFramePtr SceneCalls::shownFrame() {
   if (!frames.wanted()) began_ = now;
   frames.wantUntil(now + kRemembered);
   gl::ShownFramePtr frame = frames.last();
-  const bool mayFill = frame && frame->batches.empty() && now - began_ < kEmpty;
-  return mayFill && totals().statistics.drawsTraced > 0 ? nullptr : frame;
+  if (!frame || now - began_ >= kDoubt) return frame;
+  const bool mayFill = frame->batches.empty() ? totals().statistics.drawsTraced > 0
+                                              : frame->frame == 0 && now - frame->when < kWhole;
+  return mayFill ? nullptr : frame;
 }
 
 /// Lists the frame's objects, unless they are listed already.

@@ -19,8 +19,10 @@ namespace gluray::intercept {
 class SceneCalls {
  public:
   static constexpr double kRemembered = 60;  // seconds after the last call
-  static constexpr double kEmpty =
-      2;  // seconds: a frame without surfaces may be one that shows an old picture
+  // Seconds after the first call: a frame without surfaces may be one that shows an old picture, and one
+  // whose end is not known may not be whole.
+  static constexpr double kDoubt = 2;
+  static constexpr double kWhole = 0.1;  // seconds without another batch
 
   /// `windowSize`: of the window that showed a frame last, in pixels; {0, 0}: not known.
   explicit SceneCalls(std::function<glm::ivec2()> windowSize) : windowSize_(std::move(windowSize)) {}

@@ -36,8 +36,9 @@ glm::vec3 Directions::towards(double azimuth, double elevation) const {
 
 glm::dvec2 Directions::anglesOf(const glm::dvec3& direction) const {
   const glm::dvec3 d = glm::normalize(direction);
-  return {glm::degrees(std::atan2(glm::dot(d, right), glm::dot(d, front))),
-          glm::degrees(std::asin(std::clamp(glm::dot(d, up), -1.0, 1.0)))};
+  const auto plain = [](double degrees) { return std::abs(degrees) < 1e-9 ? 0 : degrees; };  // rounding
+  return {plain(glm::degrees(std::atan2(glm::dot(d, right), glm::dot(d, front)))),
+          plain(glm::degrees(std::asin(std::clamp(glm::dot(d, up), -1.0, 1.0))))};
 }
 
 Directions sceneDirections(const glm::dmat4& eyeFromWorld, int upAxis) {
