@@ -47,7 +47,7 @@ bool isFiltered(const scene::Snapshot& s) {
 
 bool isRefinable(const scene::Snapshot& snapshot) {
   return scene::wantsLight(snapshot.settings) && snapshot.settings.noise > 0 &&
-         snapshot.settings.renderer == Renderer::embree &&
+         snapshot.settings.renderer == gluray::Renderer::embree &&
          Refinement::bytesFor(valuesOf(snapshot)) <= kMostBytes;
 }
 

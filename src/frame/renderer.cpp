@@ -74,7 +74,9 @@ class Renderer::Engine {
  private:
   /// Frees what moving frames keep, where there are none.
   bool isMoving(const scene::Snapshot& snapshot) {
-    if (!render::hasLight(snapshot)) histories_.clear(), paces_.clear();
+    const bool picks = snapshot.lightSampling.mode == scene::LightSampling::Mode::surfaces ||
+                       snapshot.lightSampling.mode == scene::LightSampling::Mode::points;
+    if (!render::hasLight(snapshot) && !picks) histories_.clear(), paces_.clear();
     if (paces_.size() > kMostPaces) paces_.clear();  // windows come and go
     return render::hasLight(snapshot) && snapshot.lightSampling.mode == scene::LightSampling::Mode::moving;
   }

@@ -74,9 +74,10 @@ class Objects(Linked):
         numbers = self.numbers(hub, ALL)
         found = self.value(hub, "pick", x=50, y=100)
         self.assertEqual((found["object"], found["view"]), (numbers["#cc0000"], 1))
-        for got, wanted in zip(found["position"] + found["normal"], (-0.495, 0.005, 0.0005, -0.099504, 0, 0.995037)):
+        for got, wanted in zip(found["position"] + found["normal"], (-0.495, -0.005, 0.0005, -0.099504, 0, 0.995037)):
             self.assertAlmostEqual(got, wanted, 4)
         self.assertAlmostEqual(found["distance"], 3.9995, 4)
+        self.assertEqual(found["share"], [50.5 / 200, 99.5 / 200])
         self.assertEqual(self.value(hub, "pick", x=150, y=100)["object"], numbers["#00cc00"])
         self.assertEqual(self.value(hub, "pick", x=150, y=60)["object"], numbers["#0000cc"])
         self.assertEqual(self.value(hub, "pick", x=75, y=50, width=100, height=100)["object"], numbers["#00cc00"])

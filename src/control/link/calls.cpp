@@ -1,5 +1,6 @@
 #include "control/link/calls.h"
 
+#include <exception>
 #include <limits>
 #include <utility>
 
@@ -17,7 +18,9 @@ void Calls::take(const std::string& name, const json& id, const json& arguments,
 bool Calls::carryOut(const std::string& name, const json& id, const json& arguments) {
   json value;
   std::string why;
-  if (program_.call(name, arguments, value, why) == Called::later) return false;
+  try {
+    if (program_.call(name, arguments, value, why) == Called::later) return false;
+  } catch (const std::exception& e) { why = std::string("it failed: ") + e.what(); }
   answer_(id, why.empty() ? json{{"value", std::move(value)}} : json{{"why", why}});
   return true;
 }

@@ -36,7 +36,10 @@ void DrawnObjects::number(const BatchKey& key, scene::Snapshot& batch) noexcept 
   try {
     if (!numbers_) numbers_ = std::make_unique<ObjectNumbers>();
     const bool begins = frame_ != batch.frame || ended_;
-    if (begins && !swaps_) batches_.clear();  // framebuffers may have other names in each frame
+    if (begins && asked_) {
+      shownFrames().whole(this);
+      batches_.clear();  // framebuffers may have other names in each frame
+    }
     if (begins && !numbers_->fresh()) numbers_->beginFrame();
     if (numbers_->fresh()) firstFramebuffer_ = key.framebuffer, firstRegion_ = batch.region;
     frame_ = batch.frame, ended_ = false;

@@ -42,8 +42,9 @@ double likeness(const ObjectTraits& earlier, const ObjectTraits& now) {
 }
 
 std::vector<size_t> alignObjects(const TraitsList& before, const TraitsList& now) {
-  if (before.size() != now.size() && before.size() * now.size() <= kMostPairsCompared)
-    return alignBest(before, now);
+  const auto mayBe = [](const ObjectTraits* a, const ObjectTraits* b) { return likeness(*a, *b) > 0; };
+  const bool inOrder = std::equal(before.begin(), before.end(), now.begin(), now.end(), mayBe);
+  if (!inOrder && before.size() * now.size() <= kMostPairsCompared) return alignBest(before, now);
   std::vector<size_t> found(now.size(), kNoObject);
   for (size_t i = 0; i < std::min(before.size(), now.size()); ++i)
     if (likeness(*before[i], *now[i]) > 0) found[i] = i;

@@ -24,8 +24,8 @@ double likeness(const ObjectTraits& earlier, const ObjectTraits& now);
 inline constexpr size_t kNoObject = static_cast<size_t>(-1);
 
 /// For each surface of `now` the index of the one of `before` that it is, or kNoObject. Keeps the order of
-/// both; of all such assignments it has the largest sum of likenesses, unless the lists are so long that they
-/// are compared one by one.
+/// both. Lists of one length whose surfaces can be the same one by one are the same; of others the assignment
+/// has the largest sum of likenesses, unless they are so long that they are compared one by one.
 std::vector<size_t> alignObjects(const std::vector<const ObjectTraits*>& before,
                                  const std::vector<const ObjectTraits*>& now);
 

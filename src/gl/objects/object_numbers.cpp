@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <unordered_set>
 #include <utility>
 
 namespace gluray::gl {
@@ -51,8 +52,9 @@ struct ObjectNumbers::Batch {
   View& view;
   size_t viewIndex;
   std::vector<size_t> known;  // by instance: index of last_, or kNoObject
+  std::vector<bool> again;    // an instance before it is the same surface
   scene::Instance& at(size_t i) { return snapshot.instances[i]; }
-  bool open(size_t i) { return at(i).object.value == 0; }
+  bool open(size_t i) { return at(i).object.value == 0 && !again[i]; }
 };
 
 void ObjectNumbers::beginFrame() {
@@ -105,7 +107,9 @@ size_t ObjectNumbers::lastViewOf(const View& view) const {
 
 void ObjectNumbers::number(const BatchKey& key, scene::Snapshot& snapshot) {
   const size_t index = viewOf(key, snapshot);
-  Batch batch{snapshot, views_[index], index, std::vector<size_t>(snapshot.instances.size(), kNoObject)};
+  const size_t count = snapshot.instances.size();
+  Batch batch{snapshot, views_[index], index, std::vector<size_t>(count, kNoObject),
+              std::vector<bool>(count)};
   takeDrawnBefore(batch);
   takeByGeometry(batch);
   takeGone(batch);
@@ -115,9 +119,13 @@ void ObjectNumbers::number(const BatchKey& key, scene::Snapshot& snapshot) {
 }
 
 void ObjectNumbers::takeDrawnBefore(Batch& batch) {
-  for (scene::Instance& instance : batch.snapshot.instances)
-    if (const auto found = batch.view.numbered.find(placeInEye(instance)); found != batch.view.numbered.end())
-      instance.object.value = found->second;
+  std::unordered_set<Hash128> here;
+  for (size_t i = 0; i < batch.known.size(); ++i) {
+    const Hash128 place = placeInEye(batch.at(i));
+    const auto found = batch.view.numbered.find(place);
+    if (found != batch.view.numbered.end()) batch.at(i).object.value = found->second;
+    batch.again[i] = !here.insert(place).second;
+  }
 }
 
 void ObjectNumbers::take(Batch& batch, size_t instance, size_t known) {
@@ -137,34 +145,54 @@ void ObjectNumbers::takeByGeometry(Batch& batch) {
       if (!last_[it->second].taken && last_[it->second].view == batch.view.last)
         candidates.push_back(it->second);
     std::sort(candidates.begin(), candidates.end());
-    if (candidates.size() != instances.size()) takeByPlace(batch, instances, candidates);
+    takeByPlace(batch, instances, candidates);
     for (size_t i = 0; i < std::min(instances.size(), candidates.size()); ++i)
       take(batch, instances[i], candidates[i]);
   }
 }
 
-/// Takes surfaces of equal geometry that are where they were out of both lists.
-void ObjectNumbers::takeByPlace(Batch& batch, std::vector<size_t>& instances,
-                                std::vector<size_t>& candidates) {
-  if (instances.size() * candidates.size() > kMostPlacesCompared) return;
-  for (size_t& instance : instances) {
-    const auto near = std::find_if(candidates.begin(), candidates.end(), [&](size_t k) {
-      return areAtOnePlace(last_[k].place, batch.at(instance).worldFromObject);
-    });
+/// Those of the instances that are where one of the candidates was.
+std::vector<ObjectNumbers::Pair> ObjectNumbers::atOnePlace(Batch& batch, const std::vector<size_t>& instances,
+                                                           std::vector<size_t> candidates,
+                                                           glm::mat4 Known::*space) const {
+  std::vector<Pair> pairs;
+  for (const size_t instance : instances) {
+    const scene::Instance& now = batch.at(instance);
+    const glm::mat4 place = space == &Known::inEye ? glm::mat4(now.eyeFromObject) : now.worldFromObject;
+    const auto near = std::find_if(candidates.begin(), candidates.end(),
+                                   [&](size_t k) { return areAtOnePlace(last_[k].*space, place); });
     if (near == candidates.end()) continue;
-    take(batch, std::exchange(instance, kNoObject), *near);
+    pairs.push_back({instance, *near});
     candidates.erase(near);
   }
-  std::erase(instances, kNoObject);
+  return pairs;
+}
+
+/// Takes surfaces of equal geometry that are where they were out of both lists. The camera may have moved, or
+/// the batch may begin with another surface.
+void ObjectNumbers::takeByPlace(Batch& batch, std::vector<size_t>& instances,
+                                std::vector<size_t>& candidates) {
+  if (candidates.empty() || instances.size() * candidates.size() > kMostPlacesCompared) return;
+  std::vector<Pair> pairs = atOnePlace(batch, instances, candidates, &Known::inEye);
+  if (pairs.size() < std::min(instances.size(), candidates.size())) {
+    std::vector<Pair> inWorld = atOnePlace(batch, instances, candidates, &Known::place);
+    if (inWorld.size() > pairs.size()) pairs = std::move(inWorld);
+  }
+  for (const Pair& pair : pairs) {
+    take(batch, pair.instance, pair.known);
+    std::erase(instances, pair.instance), std::erase(candidates, pair.known);
+  }
 }
 
 void ObjectNumbers::takeGone(Batch& batch) {
   for (size_t i = 0; i < batch.known.size() && !gone_.empty(); ++i) {
     if (!batch.open(i)) continue;
-    const auto found = gone_.find(batch.at(i).mesh->geometryId);
-    if (found == gone_.end()) continue;
-    batch.at(i).object.value = found->second;
-    gone_.erase(found);
+    const auto [first, last] = gone_.equal_range(batch.at(i).mesh->geometryId);
+    const auto oldest =
+        std::min_element(first, last, [](const auto& a, const auto& b) { return a.second < b.second; });
+    if (oldest == last) continue;
+    batch.at(i).object.value = oldest->second;
+    gone_.erase(oldest);
   }
 }
 
@@ -207,11 +235,13 @@ void ObjectNumbers::alignGap(Batch& batch, size_t begin, size_t end, size_t firs
 void ObjectNumbers::finish(Batch& batch) {
   for (scene::Instance& instance : batch.snapshot.instances) {
     const Hash128 place = placeInEye(instance);
-    if (instance.object.value == 0) instance.object.value = nextObject();
-    if (batch.view.numbered.contains(place)) continue;
+    const auto found = batch.view.numbered.find(place);
+    const bool known = found != batch.view.numbered.end();
+    if (instance.object.value == 0) instance.object.value = known ? found->second : nextObject();
+    if (known) continue;
     batch.view.numbered.emplace(place, instance.object.value);
     now_.push_back({traitsOf(instance), instance.object.value, batch.viewIndex, batch.view.batches,
-                    instance.worldFromObject, false});
+                    instance.worldFromObject, glm::mat4(instance.eyeFromObject), false});
   }
 }
 

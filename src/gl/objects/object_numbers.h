@@ -15,9 +15,9 @@
 namespace gluray::gl {
 
 /// Surfaces are known again, in this order: drawn again in the same frame by another pass; by their geometry,
-/// those that have equal geometry by their places, then in the order of drawing; by geometry that was drawn
-/// in an earlier frame and left out since; by their place in the order of drawing, between surfaces that are
-/// known. All others are new objects.
+/// those that have equal geometry by their places, in eye space or in the world, whichever fits more of them,
+/// then in the order of drawing; by geometry that was drawn in an earlier frame and left out since; by their
+/// place in the order of drawing, between surfaces that are known. All others are new objects.
 class ObjectNumbers {
  public:
   /// A frame begins: what it draws is compared with what the last one drew.
@@ -33,7 +33,8 @@ class ObjectNumbers {
     uint32_t number = 0;
     size_t view = 0;     // of the frame
     uint32_t batch = 0;  // of the view
-    glm::mat4 place{1};  // worldFromObject
+    glm::mat4 place{1};  // worldFromObject: the world is that of the batch's first surface
+    glm::mat4 inEye{1};  // eyeFromObject
     bool taken = false;  // drawn again in this frame
   };
   struct View {
@@ -51,6 +52,11 @@ class ObjectNumbers {
   size_t lastViewOf(const View& view) const;
   void takeDrawnBefore(Batch& batch);
   void takeByGeometry(Batch& batch);
+  struct Pair {
+    size_t instance, known;  // indices of the batch, and of last_
+  };
+  std::vector<Pair> atOnePlace(Batch& batch, const std::vector<size_t>& instances,
+                               std::vector<size_t> candidates, glm::mat4 Known::*space) const;
   void takeByPlace(Batch& batch, std::vector<size_t>& instances, std::vector<size_t>& candidates);
   void takeGone(Batch& batch);
   void takeByOrder(Batch& batch);

@@ -38,7 +38,7 @@ class ObjectNumbersTest : public testing::Test {
       mesh->triangleCount = thing.triangles;
       scene::Instance& instance = s.instances.emplace_back();
       instance.mesh = mesh;
-      instance.worldFromObject[3][0] = static_cast<float>(thing.x);
+      instance.worldFromObject[3][0] = static_cast<float>(thing.x - things.front().x);  // as batches have it
       instance.eyeFromObject = camera_ * glm::translate(glm::dmat4(1), {thing.x, 0, 0});
       instance.materials.resize(1);
       instance.materials[0].front.diffuse.r = thing.red;
@@ -105,7 +105,29 @@ TEST_F(ObjectNumbersTest, EqualGeometryIsToldApartByItsPlace) {
   EXPECT_EQ(different(first), 3u);
   EXPECT_EQ(frame({{1, 1}, {1, 3}}), (Numbers{first[0], first[2]}));
   EXPECT_EQ(frame({{1, 1}, {1, 2}, {1, 3}}), first);
-  EXPECT_EQ(frame({{1, 5}, {1, 6}, {1, 7}}), first) << "all have moved: their order";
+  EXPECT_EQ(frame({{1, 5}, {1, 6}, {1, 8}}), first) << "all have moved: their order";
+}
+
+TEST_F(ObjectNumbersTest, EqualSurfacesKeepTheirNumbersWithoutTheFirst) {
+  const Numbers first = frame({{1, 1}, {1, 2}, {1, 3}});
+  EXPECT_EQ(frame({{1, 2}, {1, 3}}), (Numbers{first[1], first[2]}));
+  EXPECT_EQ(frame({{1, 1}, {1, 2}, {1, 3}}), first);
+  camera_ = glm::translate(glm::dmat4(1), {1, 0, 0});  // by their distance
+  EXPECT_EQ(frame({{1, 1}, {1, 2}, {1, 3}}), first);
+}
+
+TEST_F(ObjectNumbersTest, EqualSurfacesComeBackInTheirOrder) {
+  const Numbers first = frame({{1, 1}, {1, 2}, {1, 3}, {7}});
+  frame({{7}});
+  frame({{7}});
+  EXPECT_EQ(frame({{1, 1}, {1, 2}, {1, 3}, {7}}), first);
+}
+
+TEST_F(ObjectNumbersTest, ASurfaceThatIsDrawnTwiceIsOneObject) {
+  const Numbers first = frame({{1}, {1}, {2}});
+  EXPECT_EQ(first[0], first[1]);
+  EXPECT_EQ(frame({{1}, {1}, {2}}), first);
+  EXPECT_EQ(frame({{1}, {1}, {2}}), first);
 }
 
 TEST_F(ObjectNumbersTest, FurtherPassesDrawTheSameObjects) {
@@ -148,10 +170,21 @@ TEST(ObjectMatchingTest, OtherShapesAreOtherObjects) {
 }
 
 TEST(ObjectMatchingTest, LongListsAreComparedOneByOne) {
-  const ObjectTraits one{{1, 0}, scene::Shape::triangles, 5, 0};
-  const std::vector<const ObjectTraits*> before(2000, &one), now(1000, &one);
+  const ObjectTraits one{{1, 0}, scene::Shape::triangles, 5, 0}, tubes{{2, 0}, scene::Shape::tubes, 5, 0};
+  std::vector<const ObjectTraits*> before(2000, &one);
+  const std::vector<const ObjectTraits*> now(1000, &one);
+  before[0] = &tubes;
   const std::vector<size_t> found = alignObjects(before, now);
-  for (size_t i = 0; i < found.size(); ++i) ASSERT_EQ(found[i], i);
+  EXPECT_EQ(found[0], kNoObject);
+  for (size_t i = 1; i < found.size(); ++i) ASSERT_EQ(found[i], i);
+}
+
+TEST(ObjectMatchingTest, EquallyManyKeepTheirOrderOnlyIfAllCanBeTheSame) {
+  const ObjectTraits triangles{{1, 0}, scene::Shape::triangles, 5, 0},
+      tubes{{2, 0}, scene::Shape::tubes, 5, 0};
+  EXPECT_EQ(alignObjects({&triangles, &triangles}, {&triangles, &triangles}), (std::vector<size_t>{0, 1}));
+  const std::vector<size_t> found = alignObjects({&triangles, &tubes}, {&tubes, &triangles});
+  EXPECT_TRUE(found == (std::vector<size_t>{1, kNoObject}) || found == (std::vector<size_t>{kNoObject, 0}));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "gl/objects/shown_frames.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <exception>
 #include <new>
@@ -16,20 +17,36 @@ void ShownFrames::wantUntil(double when) noexcept {
 }
 
 void ShownFrames::show(const void* context, ShownFramePtr frame) noexcept {
-  forget(context);
   const std::lock_guard lock(mutex_);
   if (until_ <= 0) return;
+  const auto of = [&](const Entry& entry) { return entry.context == context; };
+  const auto known = std::find_if(entries_.begin(), entries_.end(), of);
   try {
-    entries_.push_back({context, std::move(frame)});
-  } catch (const std::exception&) {}  // it is asked for again
+    if (known == entries_.end())
+      entries_.push_back({context, nullptr, nullptr});
+    else
+      std::rotate(known, known + 1, entries_.end());
+  } catch (const std::exception&) { return; }  // it is asked for again
+  entries_.back().frame.swap(frame);
+  // A swap shows what other contexts have drawn.
+  if (entries_.back().frame->frame == 0) return;
+  for (Entry& entry : entries_)
+    if (entry.frame->frame == 0) entry.whole = entry.frame;
+}
+
+void ShownFrames::whole(const void* context) noexcept {
+  ShownFramePtr old;  // freed without the lock
+  const std::lock_guard lock(mutex_);
+  for (Entry& entry : entries_)
+    if (entry.context == context) old = std::exchange(entry.whole, entry.frame);
 }
 
 void ShownFrames::forget(const void* context) noexcept {
-  ShownFramePtr old;  // freed without the lock
+  ShownFramePtr old, whole;  // freed without the lock
   const std::lock_guard lock(mutex_);
   for (auto it = entries_.begin(); it != entries_.end(); ++it)
     if (it->context == context) {
-      old = std::move(it->frame);
+      old = std::move(it->frame), whole = std::move(it->whole);
       entries_.erase(it);
       return;
     }
@@ -37,9 +54,19 @@ void ShownFrames::forget(const void* context) noexcept {
 
 ShownFramePtr ShownFrames::last() const {
   const std::lock_guard lock(mutex_);
+  const double now = nowSeconds();
   for (auto it = entries_.rbegin(); it != entries_.rend(); ++it)
-    if (!it->frame->batches.empty()) return it->frame;
+    if (!it->frame->batches.empty()) return it->settled(now);
   return entries_.empty() ? nullptr : entries_.back().frame;
+}
+
+std::vector<ShownFramePtr> ShownFrames::all() const {
+  const std::lock_guard lock(mutex_);
+  const double now = nowSeconds();
+  std::vector<ShownFramePtr> frames;
+  for (const Entry& entry : entries_)
+    if (!entry.frame->batches.empty()) frames.push_back(entry.settled(now));
+  return frames;
 }
 
 std::vector<glm::ivec4> ShownFrames::places() const {

@@ -38,13 +38,18 @@ class ShownFrames {
     const double until = until_.load(std::memory_order_relaxed);
     return until > 0 && nowSeconds() < until;
   }
-  /// Call when a context has shown a frame; replaces its last one. `context` is any key of it.
+  /// Call when a context has shown a frame, or in one that never swaps when it has traced a batch; replaces
+  /// its last one. `context` is any key of it.
   void show(const void* context, ShownFramePtr frame) noexcept;
+  /// Call when the frame that show() was given last is over, and the context draws another.
+  void whole(const void* context) noexcept;
   /// Call when the context keeps none any more.
   void forget(const void* context) noexcept;
   /// The last frame of the context that traced one last; if none has traced any, the last one. Null: none was
-  /// shown.
+  /// shown. Of frames that may not be whole, those before them while they change.
   ShownFramePtr last() const;
+  /// The same of each context that has traced any.
+  std::vector<ShownFramePtr> all() const;
   /// ShownFrame::places of the frame that was shown last and has some: a toolkit may have a context of its
   /// own for its windows.
   std::vector<glm::ivec4> places() const;
@@ -52,8 +57,12 @@ class ShownFrames {
  private:
   struct Entry {
     const void* context;
-    ShownFramePtr frame;
+    ShownFramePtr frame, whole;  // the last one; the last whole one before it, or null
+    const ShownFramePtr& settled(double now) const {
+      return frame->frame == 0 && whole && now - frame->when < kSettles ? whole : frame;
+    }
   };
+  static constexpr double kSettles = 0.1;  // seconds without another batch
   std::atomic<double> until_{0};
   mutable std::mutex mutex_;
   std::vector<Entry> entries_;  // the last shown one at the end

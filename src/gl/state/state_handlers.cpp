@@ -12,7 +12,7 @@ namespace gluray::gl {
 namespace {
 
 void clearNow(Context& c, GLbitfield mask) {
-  c.frames.beforeClear();
+  c.frames.beforeClear(mask);
   c.syncCurrent();
   c.layers.clearing();
   if (c.layers.clearsLater(mask)) return;

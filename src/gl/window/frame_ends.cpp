@@ -75,17 +75,17 @@ void FrameEnds::takeSettings() {
 }
 
 /// In a context that never swaps, frames end when another one of the process does: toolkits draw views in
-/// contexts of their own.
-void FrameEnds::endWithOthers() {
+/// contexts of their own. The next one begins with a clear of colours.
+void FrameEnds::endWithOthers(GLbitfield mask) {
   const uint64_t frame = p_.settings.sourceFrame();
-  if (frame == sourceFrame_ || p_.counts.statistics.frames > 0) return;
+  if (frame == sourceFrame_ || !(mask & GL_COLOR_BUFFER_BIT) || p_.counts.statistics.frames > 0) return;
   sourceFrame_ = frame, othersSwap_ = true;
   p_.surfaces.objects.endFrame();
   begun_ = false, drawsBefore_ = draws();
 }
 
-void FrameEnds::beforeClear() noexcept {
-  endWithOthers();
+void FrameEnds::beforeClear(GLbitfield mask) noexcept {
+  endWithOthers(mask);
   if (std::exchange(begun_, true)) return;
   p_.settings.beginFrame();
   if (draws() != drawsBefore_) return;

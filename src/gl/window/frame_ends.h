@@ -40,14 +40,14 @@ class FrameEnds {
   /// For glFlush and glFinish: flushes if the pending batch could be seen before the next swap.
   void showIfVisible();
   /// Call before a clear: if the frame begins with it, takes the current settings.
-  void beforeClear() noexcept;
+  void beforeClear(GLbitfield mask) noexcept;
   /// Call before and after the real clear. Clears of colour and depth end frames of programs that never swap.
   void clearing(GLbitfield mask);
   void cleared(GLbitfield mask);
 
  private:
   void takeSettings();
-  void endWithOthers();
+  void endWithOthers(GLbitfield mask);
   uint64_t draws() const;
   void endFrame();
   void endViews(GLbitfield mask);

@@ -144,6 +144,7 @@ void EngineProgram::wantPicture(control::Wanted wanted) noexcept { wantWindowPic
 std::unique_ptr<control::Picture> EngineProgram::takePicture() noexcept { return takeWindowPicture(); }
 
 void EngineProgram::linkEnded() noexcept {
+  gl::shownFrames().wantUntil(0);
   wantWindowPicture(control::Wanted::none);
   takeWindowPicture();
   servers_.close();

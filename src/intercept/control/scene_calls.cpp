@@ -40,6 +40,20 @@ double numberOf(const json& arguments, const char* name, double least, double mo
                            std::to_string(static_cast<int64_t>(most)));
 }
 
+/// The frames of all contexts that trace, or the only one.
+std::vector<gl::ShownFramePtr> allFrames(const gl::ShownFramePtr& last) {
+  std::vector<gl::ShownFramePtr> frames = gl::shownFrames().all();
+  if (frames.empty()) frames.push_back(last);
+  return frames;
+}
+
+std::vector<ShownView> viewsOf(const std::vector<gl::ShownFramePtr>& frames) {
+  std::vector<ShownView> views;
+  for (const gl::ShownFramePtr& frame : frames)
+    for (ShownView& view : intercept::viewsOf(*frame)) views.push_back(std::move(view));
+  return views;
+}
+
 json frameOf(const gl::ShownFrame& frame) { return frame.frame != 0 ? json(frame.frame) : json(); }
 
 }  // namespace
@@ -49,18 +63,19 @@ bool SceneCalls::knows(const std::string& name) {
 }
 
 Called SceneCalls::call(const std::string& name, const json& arguments, json& value, std::string& why) {
-  if (settingsSource().current()->engine == Engine::never) {
+  const gl::ShownFramePtr frame = shownFrame();
+  if (!frame && settingsSource().current()->engine == Engine::never) {
     why = "engine = never: the real OpenGL draws everything";
     return Called::done;
   }
-  const gl::ShownFramePtr frame = shownFrame();
   if (!frame) return Called::later;
   try {
-    if (name == "objects") value = objects(arguments, frame);
-    if (name == "pick") value = pick(arguments, *frame);
+    const Frames frames = allFrames(frame);
+    if (name == "objects") value = objects(arguments, frames);
+    if (name == "pick") value = pick(arguments, *frame, viewsOf(frames).size());
     if (name == "highlight") value = highlight(arguments, *frame);
-    if (name == "lights") value = {{"lights", describeLights(viewsOf(*frame))}};
-    if (name == "cameras") value = {{"cameras", describeCameras(viewsOf(*frame))}};
+    if (name == "lights") value = {{"lights", describeLights(viewsOf(frames))}};
+    if (name == "cameras") value = {{"cameras", describeCameras(viewsOf(frames))}};
   } catch (const std::runtime_error& error) { why = error.what(); }
   return Called::done;
 }
@@ -78,11 +93,13 @@ gl::ShownFramePtr SceneCalls::shownFrame() {
   return mayFill ? nullptr : frame;
 }
 
-/// Lists the frame's objects, unless they are listed already.
-void SceneCalls::list(const gl::ShownFramePtr& frame) {
-  if (listed_.lock() == frame) return;
-  list_ = describeObjects(viewsOf(*frame));
-  listed_ = frame;
+/// Lists the objects of these frames, unless they are listed already.
+void SceneCalls::list(const Frames& frames) {
+  const bool same = std::equal(frames.begin(), frames.end(), listed_.begin(), listed_.end(),
+                               [](const auto& frame, const auto& listed) { return listed.lock() == frame; });
+  if (same) return;
+  list_ = describeObjects(viewsOf(frames));
+  listed_.assign(frames.begin(), frames.end());
   size_t hash = list_.size();
   for (json object : list_) {
     object.erase("lower"), object.erase("upper");
@@ -92,13 +109,13 @@ void SceneCalls::list(const gl::ShownFramePtr& frame) {
   hash_ = hash;
 }
 
-json SceneCalls::objects(const json& arguments, const gl::ShownFramePtr& frame) {
+json SceneCalls::objects(const json& arguments, const Frames& frames) {
   constexpr int64_t kAny = control::kMostFrame;
   const int64_t after = wholeIn(arguments, "after", 0, kAny, 0),
                 count = wholeIn(arguments, "count", 1, kMostObjects, kMostObjects),
                 known = wholeIn(arguments, "known", 0, kAny, -1);
-  list(frame);
-  json value{{"frame", frameOf(*frame)}, {"version", version_}, {"total", list_.size()}};
+  list(frames);
+  json value{{"frame", frameOf(*frames.back())}, {"version", version_}, {"total", list_.size()}};
   if (known == static_cast<int64_t>(version_)) {
     value["same"] = true;
     return value;
@@ -117,15 +134,18 @@ std::optional<ShownPoint> SceneCalls::pointAt(const json& arguments, const std::
   const double width = numberOf(arguments, "width", 1, kLargest, size.x),
                height = numberOf(arguments, "height", 1, kLargest, size.y);
   const double x = numberOf(arguments, "x", 0, width, NAN), y = numberOf(arguments, "y", 0, height, NAN);
-  const glm::dvec2 at(x / width * size.x, (1 - y / height) * size.y);
-  return intercept::pointAt(views, glm::min(at, glm::dvec2(size) - 0.5), {known, gl::shownFrames().places()});
+  const glm::ivec2 pixel(static_cast<int>(x * size.x / width), static_cast<int>(y * size.y / height));
+  const glm::ivec2 inside = glm::min(pixel, size - 1);
+  const glm::dvec2 at(inside.x + 0.5, size.y - inside.y - 0.5);
+  return intercept::pointAt(views, at, {known, gl::shownFrames().places()});
 }
 
-json SceneCalls::pick(const json& arguments, const gl::ShownFrame& frame) {
-  const std::vector<ShownView> views = viewsOf(frame);
+/// `allViews`: number of the views of all frames; those of `frame` are the last ones.
+json SceneCalls::pick(const json& arguments, const gl::ShownFrame& frame, size_t allViews) {
+  const std::vector<ShownView> views = intercept::viewsOf(frame);
   const auto found = pointAt(arguments, views);
-  json value{{"frame", frameOf(frame)}, {"object", nullptr}, {"view", nullptr},
-             {"position", nullptr},     {"normal", nullptr}, {"distance", nullptr}};
+  json value{{"frame", frameOf(frame)}, {"object", nullptr},   {"view", nullptr}, {"position", nullptr},
+             {"normal", nullptr},       {"distance", nullptr}, {"share", nullptr}};
   if (!found) return value;
   const ShownView& view = views[found->view];
   const scene::Snapshot& s = *found->snapshot;
@@ -133,7 +153,8 @@ json SceneCalls::pick(const json& arguments, const gl::ShownFrame& frame) {
   const double scale =
       std::cbrt(std::abs(glm::determinant(glm::dmat3(world * glm::inverse(s.eyeFromWorld)))));
   if (found->instance->object.value != 0) value["object"] = found->instance->object.value;
-  value["view"] = found->view + 1;
+  value["view"] = allViews - views.size() + found->view + 1;
+  value["share"] = {found->share.x, found->share.y};
   value["position"] = arrayOf(glm::dvec3(world * glm::dvec4(frame::worldPoint(s, found->point), 1)));
   value["normal"] =
       arrayOf(glm::normalize(glm::dvec3(world * glm::dvec4(frame::worldDirection(s, found->normal), 0))));
@@ -142,7 +163,7 @@ json SceneCalls::pick(const json& arguments, const gl::ShownFrame& frame) {
 }
 
 json SceneCalls::highlight(const json& arguments, const gl::ShownFrame& frame) {
-  const std::vector<ShownView> views = viewsOf(frame);
+  const std::vector<ShownView> views = intercept::viewsOf(frame);
   const auto found = pointAt(arguments, views);
   json value{{"object", nullptr}, {"azimuth", nullptr}, {"elevation", nullptr}};
   if (!found) return value;

@@ -31,17 +31,18 @@ class SceneCalls {
                        std::string& why);
 
  private:
-  nlohmann::json objects(const nlohmann::json& arguments, const gl::ShownFramePtr& frame);
-  nlohmann::json pick(const nlohmann::json& arguments, const gl::ShownFrame& frame);
+  using Frames = std::vector<gl::ShownFramePtr>;
+  nlohmann::json objects(const nlohmann::json& arguments, const Frames& frames);
+  nlohmann::json pick(const nlohmann::json& arguments, const gl::ShownFrame& frame, size_t allViews);
   nlohmann::json highlight(const nlohmann::json& arguments, const gl::ShownFrame& frame);
   std::optional<ShownPoint> pointAt(const nlohmann::json& arguments, const std::vector<ShownView>& views);
   gl::ShownFramePtr shownFrame();
-  void list(const gl::ShownFramePtr& frame);
+  void list(const Frames& frames);
 
   const std::function<glm::ivec2()> windowSize_;
-  std::weak_ptr<const gl::ShownFrame> listed_;  // whose objects are `list_`
-  std::vector<nlohmann::json> list_;            // in the order of their numbers
-  size_t hash_ = 0;                             // of the list without bounds
+  std::vector<std::weak_ptr<const gl::ShownFrame>> listed_;  // whose objects are `list_`
+  std::vector<nlohmann::json> list_;                         // in the order of their numbers
+  size_t hash_ = 0;                                          // of the list without bounds
   uint64_t version_ = 0;
   double began_ = 0;  // when frames were kept first, without a pause since
 };

@@ -97,7 +97,9 @@ std::optional<ShownPoint> pointAt(const std::vector<ShownView>& views, const glm
       const auto picked = frame::pick(frame::Renderer::shared(), s, at);
       if (!picked || picked->depth >= depth) continue;
       depth = picked->depth;
-      nearest = {v, &s, &s.instances[picked->instance], picked->point, picked->normal};
+      const glm::ivec4& viewport = s.camera.viewport;
+      const glm::dvec2 share = (at - glm::dvec2(viewport.x, viewport.y)) / glm::dvec2(viewport.z, viewport.w);
+      nearest = {v, &s, &s.instances[picked->instance], picked->point, picked->normal, share};
     }
     if (nearest) return nearest;
   }

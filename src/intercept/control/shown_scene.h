@@ -30,6 +30,7 @@ struct ShownPoint {
   const scene::Snapshot* snapshot = nullptr;
   const scene::Instance* instance = nullptr;
   glm::dvec3 point, normal;  // in the snapshot's eye space
+  glm::dvec2 share;          // of the view's width and height, from its lower left corner
 };
 
 /// What the window shows at a position in pixels from its lower left corner; views that are drawn later cover

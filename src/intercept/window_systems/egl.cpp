@@ -10,6 +10,9 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+#include <cstdint>
+#include <cstring>
+
 namespace gluray::intercept {
 namespace {
 
@@ -54,6 +57,14 @@ EGLBoolean swapping(EGLSurface surface, F&& call) {
   if (outermost)
     swapped(drawableOf(surface)), refineShown(nullptr, drawableOf(surface)), noteShownSurface(surface);
   return done;
+}
+
+/// The name of the X window that a native window points to: a number of 32 bits (XCB), or one of 64 (Xlib)
+/// whose lower half comes first. Of other platforms a number that is no window of the X server.
+uint32_t nameAt(const void* window) {
+  uint32_t name = 0;
+  std::memcpy(&name, window, sizeof name);
+  return name;
 }
 
 template <Door D>
@@ -152,13 +163,12 @@ struct Egl {
     if (outermost) noteSurface(surface, (uint64_t)window);  // a number or a pointer, by EGL's headers
     return surface;
   }
-  /// On X11 `window` points to the window's name.
   static EGLSurface createPlatformWindow(EGLDisplay display, EGLConfig config, void* window,
                                          const EGLAttrib* attributes) {
     REAL(D, decltype(&eglCreatePlatformWindowSurface), "eglCreatePlatformWindowSurface");
     const Outermost outermost;
     const EGLSurface surface = real(display, config, window, attributes);
-    if (outermost && surface) noteSurface(surface, *static_cast<const unsigned long*>(window));
+    if (outermost && surface) noteSurface(surface, nameAt(window));
     return surface;
   }
   static EGLSurface createPlatformWindowExt(EGLDisplay display, EGLConfig config, void* window,
@@ -166,7 +176,7 @@ struct Egl {
     REAL(D, PFNEGLCREATEPLATFORMWINDOWSURFACEEXTPROC, "eglCreatePlatformWindowSurfaceEXT");
     const Outermost outermost;
     const EGLSurface surface = real(display, config, window, attributes);
-    if (outermost && surface) noteSurface(surface, *static_cast<const unsigned long*>(window));
+    if (outermost && surface) noteSurface(surface, nameAt(window));
     return surface;
   }
   static EGLBoolean destroySurface(EGLDisplay display, EGLSurface surface) {

@@ -128,8 +128,9 @@ TEST(MaterialRules, EntriesOfSingleObjectsWinAndFollowTheObject) {
   EXPECT_FLOAT_EQ(models[1].ior, 1.3f);
   EXPECT_FLOAT_EQ(models[1].roughness, 0.4f);
   EXPECT_EQ(hiddenByRules(s), (accel::HiddenFrom{3, 0, 0}));
-  s.settings.material.objects = {"3 glass", "3 matte"};
+  s.settings.material.objects = {"3 glass roughness=0.2", "3 matte"};
   EXPECT_EQ(materialsOf(s, 1)[1].kind, SurfaceMaterial::matte);
+  EXPECT_FLOAT_EQ(materialsOf(s, 1)[1].roughness, 0.2f) << "later entries add to earlier ones";
   EXPECT_TRUE(hiddenByRules(s).empty());
 }
 

@@ -11,8 +11,10 @@ ObjectRules::ObjectRules(const Settings& settings) {
   Settings::Material otherwise = settings.material;
   otherwise.objects.clear(), otherwise.file.clear();
   for (const std::string& entry : settings.material.objects) {
+    const auto earlier = rules_.find(objectOf(entry));
+    const bool more = earlier != rules_.end() && earlier->second.looks;  // it adds to that
     ObjectRule rule;
-    if (!readObjectRule(entry, otherwise, rule).empty()) continue;
+    if (!readObjectRule(entry, more ? earlier->second.material : otherwise, rule).empty()) continue;
     ObjectRule& kept = rules_.try_emplace(rule.object, rule).first->second;
     if (rule.looks) kept.looks = true, kept.material = rule.material;
     if (rule.hiddenFrom) kept.hiddenFrom = rule.hiddenFrom;
