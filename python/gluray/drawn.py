@@ -4,8 +4,9 @@ import operator
 from .entries import HIDDEN, object_of, with_object, words_of
 from .errors import GlurayError
 
-RIG_FOR_HIGHLIGHT = "sun"  # of the rigs with a key light, the one whose axes are those in which programs without a rig answer
-MOST_IN_ANSWER = 1000      # objects
+RIG_FOR_HIGHLIGHT = "headlight+key"  # of the rigs with a key light, the one that keeps the brightness; fixed to the scene by lights.attached = auto
+WITHOUT_KEY = ("program", "sky")     # values of lights
+MOST_IN_ANSWER = 1000                # objects
 
 
 class Drawn:
@@ -103,14 +104,14 @@ class Drawn:
         return self._list(self._call("lights", {}), "lights")
 
     def light_at(self, x, y, width=None, height=None):
-        """Puts the highlight of the key light at a point of its picture, as pick() takes it. Where the program's own lights shine,
-        lights = sun takes their place. Returns as set(); raises GlurayError if nothing is there."""
+        """Puts the highlight of the key light at a point of its picture, as pick() takes it. Where lights is program or
+        sky, which have no key light, it becomes headlight+key. Returns as set(); raises GlurayError if nothing is there."""
         found = self._at("highlight", x, y, width, height)
         if found is None:
             raise GlurayError(f"{self.name} ({self.pid}): nothing is there")
         if not _numbers([found.get("azimuth"), found.get("elevation")], 2):
             raise self._unreadable("azimuth")
-        rig = {"lights": RIG_FOR_HIGHLIGHT} if self.get("lights") == "program" else {}
+        rig = {"lights": RIG_FOR_HIGHLIGHT} if self.get("lights") in WITHOUT_KEY else {}
         return self.set({"lights.azimuth": found["azimuth"], "lights.elevation": found["elevation"], **rig})
 
     def cameras(self):

@@ -136,15 +136,18 @@ class Lights(CliCase):
 
     def test_light_at(self):
         _, program = self.one()
-        self.assertEqual(self.output("light", "at", "2", "1"), "paraview (4242): lights = sun, lights.azimuth = 20.5, lights.elevation = -10.25 from frame 1042\n"
-                                                               "The program's own lights have no key light: lights = sun takes their place.\n")
-        self.assertEqual((program.live, len(program.steps)), ({"lights.azimuth": 20.5, "lights.elevation": -10.25, "lights": "sun"}, 1))
+        self.assertEqual(self.output("light", "at", "2", "1"), "paraview (4242): lights = headlight+key, lights.azimuth = 20.5, lights.elevation = -10.25 from frame 1042\n"
+                                                               "The program's own lights have no key light: lights = headlight+key is set, too.\n")
+        self.assertEqual((program.live, len(program.steps)), ({"lights.azimuth": 20.5, "lights.elevation": -10.25, "lights": "headlight+key"}, 1))
+        program.live = {"lights": "sky"}
+        self.assertIn("lights = sky has no key light: lights = headlight+key is set, too.\n", self.output("light", "at", "2", "1"))
+        self.assertEqual(program.live["lights"], "headlight+key")
         program.live = {"lights": "three-point"}
         self.assertEqual(self.output("light", "at", "50%", "50%"), "paraview (4242): lights.azimuth = 20.5, lights.elevation = -10.25 from frame 1042\n")
         self.assertEqual(program.live["lights"], "three-point")
         self.assertEqual(program.calls[-1], ("highlight", {"x": 50, "y": 50, "width": 100, "height": 100}))
         self.assertEqual(self.failure("light", "at", "0", "1"), "paraview (4242): nothing is there")
-        self.assertEqual(len(program.steps), 2)
+        self.assertEqual(len(program.steps), 3)
         program.scene.instead["highlight"] = {"value": {"object": 3, "azimuth": "x", "elevation": 1}}
         self.assertIn("'azimuth' is no number", self.failure("light", "at", "2", "1"))
 

@@ -55,7 +55,10 @@ class Drawn(DrawnCase):
     def test_light_at(self):
         program, p = self.one()
         self.assertEqual(p.light_at(2, 1), 1042)
-        self.assertEqual((program.live, len(program.steps)), ({"lights": "sun", "lights.azimuth": 20.5, "lights.elevation": -10.25}, 1))
+        self.assertEqual((program.live, len(program.steps)), ({"lights": "headlight+key", "lights.azimuth": 20.5, "lights.elevation": -10.25}, 1))
+        program.live = {"lights": "sky"}
+        p.light_at(2, 1)
+        self.assertEqual(program.live["lights"], "headlight+key")
         program.live = {"lights": "three-point"}
         p.light_at(0.5, 0.5, 1, 1)
         self.assertEqual(program.live["lights"], "three-point")

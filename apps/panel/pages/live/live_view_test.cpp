@@ -94,6 +94,16 @@ TEST_F(LiveViewTest, LightFollowsTheNewestPlaceOneCallAtATime) {
   EXPECT_EQ(program.sets().size(), sets.size() + 1) << "a click is a movement, too";
 }
 
+TEST_F(LiveViewTest, TheSkyGetsAKeyLight) {
+  program.values["highlight"] = {{"object", 1}, {"azimuth", 10}, {"elevation", 20}};
+  program.say("lights", "sky");
+  button("tool-light").click();
+  click(30, 30);
+  ASSERT_TRUE(program.until([&] { return !program.sets().empty(); }));
+  EXPECT_EQ(program.sets()[0]["values"]["lights"], "headlight+key");
+  EXPECT_EQ(said.back(), "lights = headlight+key in place of sky, which has no key light");
+}
+
 TEST_F(LiveViewTest, LightStaysWhereNothingIsHit) {
   program.say("lights", "sun");
   button("tool-light").click();
