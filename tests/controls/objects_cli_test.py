@@ -1,6 +1,7 @@
 """Commands for what programs draw, with a hub that only pretends: objects_cli_test.py GLURAY."""
 import json
 import sys
+import time
 import unittest
 
 from cli_case import CliCase
@@ -214,6 +215,20 @@ class Materials(CliCase):
         self.output("material", "all", "matte", "--json")
         self.assertEqual(self.objects(program), ["1 matte", "3 matte", "7 matte"])
         self.output("undo")
+        self.assertEqual(self.objects(program), [])
+
+    def test_many_objects(self):
+        _, program = self.one()
+        program.scene.objects = [an_object(n) for n in range(1, 100001)]
+        begin = time.monotonic()
+        self.assertEqual(self.failure("material", "all", "glass"),
+                         "paraview (4242): material.objects takes 16 KiB: 1590 of these 100000 objects fit")
+        self.assertLess(time.monotonic() - begin, 30)
+        self.assertEqual(program.steps, [])
+        self.seen("1-1590", "glass")
+        self.assertEqual(len(self.objects(program)), 1590)
+        self.assertIn("0 of these 1 objects fit", self.failure("material", "1591", "glass"))
+        self.seen("all", "--reset")
         self.assertEqual(self.objects(program), [])
 
     def test_files_that_hide_are_overruled(self):
