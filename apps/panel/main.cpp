@@ -2,6 +2,7 @@
 #include "control/runtime_directory.h"
 #include "main_window.h"
 #include "model/controls.h"
+#include "model/finish_changes.h"
 #include "model/hub_thread.h"
 #include "wake/wake.h"
 
@@ -58,5 +59,7 @@ int main(int argc, char** argv) {
   panel::MainWindow window(controls);
   window.show();
   thread.start();
-  return QApplication::exec();
+  const int code = QApplication::exec();
+  panel::finishChanges(controls);  // the connection ends with the thread, and what is left of batches with it
+  return code;
 }

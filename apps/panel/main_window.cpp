@@ -1,6 +1,8 @@
 #include "main_window.h"
 
 #include "drop_files.h"
+#include "model/comparison.h"
+#include "model/film.h"
 #include "pages/layout.h"
 #include "pages/light/light_panel.h"
 #include "pages/live/live_view.h"
@@ -15,6 +17,7 @@
 
 #include <QAction>
 #include <QCheckBox>
+#include <QCloseEvent>
 #include <QComboBox>
 #include <QDragEnterEvent>
 #include <QLabel>
@@ -60,6 +63,13 @@ MainWindow::MainWindow(Controls& controls) : controls_(controls) {
 }
 
 MainWindow::~MainWindow() = default;
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  // Those of the large window, too, and of dialogs.
+  for (Film* film : findChildren<Film*>()) film->stop();
+  for (Comparison* comparison : findChildren<Comparison*>()) comparison->watch(false);
+  QMainWindow::closeEvent(event);
+}
 
 void MainWindow::say(const QString& line, bool ofTool) {
   if (line.isEmpty() && toolSpoke_ && !statusBar()->currentMessage().isEmpty()) return;

@@ -28,6 +28,8 @@ class MainWindow : public QMainWindow {
   ~MainWindow() override;
 
  protected:
+  /// Ends what changes settings for a while; finishChanges() then waits until they are set back.
+  void closeEvent(QCloseEvent* event) override;
   // Files that are dropped anywhere.
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;

@@ -1,6 +1,7 @@
 // The window with a program that answers: what the parts do together. Leaves pictures where GLURAY_PICTURES
 // names a folder.
 #include "main_window.h"
+#include "model/finish_changes.h"
 #include "pages/film/film_dialog.h"
 #include "pages/live/live_view.h"
 #include "pages/live/live_window.h"
@@ -235,6 +236,54 @@ TEST_F(WindowToolsTest, SearchCountsObjectsAndStaysOnTheirPage) {
   EXPECT_EQ(tabs().tabText(tabs().currentIndex()), "Objects (1)");
   window.findChild<QLineEdit*>("search")->clear();
   EXPECT_EQ(tabs().tabText(tabs().currentIndex()), "Objects");
+}
+
+TEST_F(WindowToolsTest, ClosingWaitsForTheComparison) {
+  program.answers = false;
+  window.findChild<QAbstractButton*>("tool-compare")->click();
+  ASSERT_EQ(program.sent.back()["type"], "batch");
+  const json batch = program.sent.back();
+  window.close();
+  EXPECT_FALSE(window.isVisible());
+  EXPECT_TRUE(program.controls.isChanging());
+  QTimer::singleShot(50, &window, [&] { program.answer(batch); });
+  finishChanges(program.controls);
+  EXPECT_EQ(program.sets().back()["values"], json({{"engine", nullptr}}));
+  EXPECT_FALSE(program.controls.isChanging());
+  EXPECT_TRUE(program.calls("pixels").empty()) << "nobody sees the picture";
+  program.state({{"windows", {{{"width", 7}, {"height", 7}}}}});  // it does not compare any more
+  const size_t before = program.sent.size();
+  QTest::qWait(700);
+  EXPECT_EQ(program.sent.size(), before);
+}
+
+TEST_F(WindowToolsTest, ClosingSetsBackWhatAFilmVaries) {
+  const QTemporaryDir folder;
+  program.say("spp", 4);
+  window.findChild<QAbstractButton*>("film")->click();
+  auto* dialog = window.findChild<FilmDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  dialog->findChild<QLineEdit*>("film-folder")->setText(folder.path());
+  auto* setting = dialog->findChild<QComboBox*>("film-setting");
+  setting->setCurrentIndex(setting->findText("spp"));
+  dialog->findChild<QAbstractButton*>("film-start")->click();
+  ASSERT_TRUE(program.until([&] { return program.calls("shot").size() == 2; }));
+  window.close();
+  finishChanges(program.controls);
+  EXPECT_FALSE(program.controls.isChanging());
+  EXPECT_EQ(program.controls.value("spp").value, 4);
+  EXPECT_EQ(program.sets().back()["values"], json({{"spp", 4}}));
+}
+
+TEST_F(WindowToolsTest, ClosingDoesNotWaitForever) {
+  program.answers = false;
+  window.findChild<QAbstractButton*>("tool-compare")->click();
+  window.close();
+  finishChanges(program.controls, std::chrono::milliseconds(20));
+  EXPECT_TRUE(program.controls.isChanging());
+  program.end();
+  EXPECT_FALSE(program.controls.isChanging()) << "nobody is left to answer";
+  finishChanges(program.controls);
 }
 
 QPalette darkPalette() {

@@ -4,8 +4,9 @@ import operator
 from .entries import HIDDEN, object_of, with_object, words_of
 from .errors import GlurayError
 
-RIG_FOR_HIGHLIGHT = "sun"  # of the rigs with a key light, the one whose axes are those in which programs without a rig answer
-MOST_IN_ANSWER = 1000      # objects
+RIG_FOR_HIGHLIGHT = "headlight+key"  # of the rigs with a key light, the one that keeps the brightness; fixed to the scene by lights.attached = auto
+WITHOUT_KEY = ("program", "sky")     # values of lights
+MOST_IN_ANSWER = 1000                # objects
 
 
 class Drawn:
@@ -30,13 +31,16 @@ class Drawn:
                 return found
 
     def pick(self, x, y, width=None, height=None):
-        """What is at a point of its picture, in pixels from the top left: a dict with object, view, position, normal, distance; None: nothing.
+        """What is at a point of its picture, in pixels from the top left: a dict with object, view, position, normal, distance, and share (where
+        the point lies in its view, as shares of the view's width and height from the lower left corner); None: nothing.
 
         `width`, `height`: of the picture that x and y are counted in; 1 and 1 for shares of it. None: that of the window.
         """
         found = self._at("pick", x, y, width, height)
         if found is not None and not (_numbers(found.get("position"), 3) and _numbers(found.get("normal"), 3)):
             raise self._unreadable("position")
+        if found is not None and not _numbers(found.get("share"), 2):
+            raise self._unreadable("share")
         return found
 
     def _at(self, name, x, y, width, height):
@@ -100,14 +104,14 @@ class Drawn:
         return self._list(self._call("lights", {}), "lights")
 
     def light_at(self, x, y, width=None, height=None):
-        """Puts the highlight of the key light at a point of its picture, as pick() takes it. Where the program's own lights shine,
-        lights = sun takes their place. Returns as set(); raises GlurayError if nothing is there."""
+        """Puts the highlight of the key light at a point of its picture, as pick() takes it. Where lights is program or
+        sky, which have no key light, it becomes headlight+key. Returns as set(); raises GlurayError if nothing is there."""
         found = self._at("highlight", x, y, width, height)
         if found is None:
             raise GlurayError(f"{self.name} ({self.pid}): nothing is there")
         if not _numbers([found.get("azimuth"), found.get("elevation")], 2):
             raise self._unreadable("azimuth")
-        rig = {"lights": RIG_FOR_HIGHLIGHT} if self.get("lights") == "program" else {}
+        rig = {"lights": RIG_FOR_HIGHLIGHT} if self.get("lights") in WITHOUT_KEY else {}
         return self.set({"lights.azimuth": found["azimuth"], "lights.elevation": found["elevation"], **rig})
 
     def cameras(self):
@@ -118,17 +122,11 @@ class Drawn:
     def focus_at(self, x, y, width=None, height=None):
         """Focuses on the surface at a point of its picture, as pick() takes it: camera.focus-x and camera.focus-y. It counts while
         camera.aperture or camera.f-number is above 0. Returns as set(); raises GlurayError if nothing is there."""
-        _, real_width, real_height = self._take_shot()
-        found = self._at("pick", x, y, width or real_width, height or real_height)
+        found = self.pick(x, y, width, height)
         if found is None:
             raise GlurayError(f"{self.name} ({self.pid}): nothing is there")
-        x, y = x * real_width / (width or real_width), y * real_height / (height or real_height)
-        for camera in self.cameras():
-            viewport = camera.get("viewport")
-            if camera.get("view") == found.get("view") and _numbers(viewport, 4) and viewport[2] > 0 and viewport[3] > 0:
-                right, up = (x - viewport[0]) / viewport[2], (real_height - y - viewport[1]) / viewport[3]
-                return self.set({"camera.focus": 0, "camera.focus-x": min(max(right, 0), 1), "camera.focus-y": min(max(up, 0), 1)})
-        raise GlurayError(f"{self.name} ({self.pid}): it does not say where the view of this surface is")
+        right, up = (min(max(share, 0), 1) for share in found["share"])
+        return self.set({"camera.focus": 0, "camera.focus-x": right, "camera.focus-y": up})
 
     # Answers
 

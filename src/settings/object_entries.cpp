@@ -1,6 +1,9 @@
+#include "settings/object_entries.h"
+
 #include "settings/object_rule.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace gluray {
 namespace {
@@ -71,6 +74,35 @@ std::vector<std::string> withObject(std::vector<std::string> entries, uint32_t o
   entries.erase(std::remove_if(old, entries.end(), ofObject), entries.end());
   if (!merged.empty()) entries.insert(entries.begin() + place, entry);
   return entries;
+}
+
+ObjectEntries::ObjectEntries(const std::vector<std::string>& entries) {
+  for (const std::string& entry : entries) {
+    const uint32_t object = objectOf(entry);
+    const auto [place, isNew] = entries_.try_emplace(object);
+    if (isNew) order_.push_back(object);
+    place->second.push_back(entry);
+  }
+}
+
+std::vector<std::string> ObjectEntries::words(uint32_t object) const {
+  const auto found = entries_.find(object);
+  return found == entries_.end() ? std::vector<std::string>() : wordsOf(found->second, object);
+}
+
+void ObjectEntries::change(uint32_t object, const std::vector<std::string>& words) {
+  const auto [place, isNew] = entries_.try_emplace(object);
+  if (isNew) order_.push_back(object);
+  place->second = withObject(std::move(place->second), object, words);
+}
+
+std::vector<std::string> ObjectEntries::all() const {
+  std::vector<std::string> result;
+  for (const uint32_t object : order_) {
+    const std::vector<std::string>& own = entries_.at(object);
+    result.insert(result.end(), own.begin(), own.end());
+  }
+  return result;
 }
 
 }  // namespace gluray

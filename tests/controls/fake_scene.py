@@ -38,10 +38,10 @@ class FakeScene:
         return {"version": 5, "total": len(self.objects), "objects": wanted[:min(self.most, arguments.get("count", 1000))]}
 
     def _pick(self, arguments):
-        x = arguments["x"] * 5 / arguments.get("width", 5)
+        x, y = arguments["x"] * 5 / arguments.get("width", 5), arguments["y"] * 3 / arguments.get("height", 3)
         if x < 1:
-            return {"object": None, "view": None, "position": None, "normal": None, "distance": None}
-        return {"object": 3, "view": 1, "position": [0.5, 0.25, -1e-7], "normal": [0, 0, 1], "distance": 5.25}
+            return {"object": None, "view": None, "share": None, "position": None, "normal": None, "distance": None}
+        return {"object": 3, "view": 1, "share": [(x - 1) / 4, (3 - y) / 2], "position": [0.5, 0.25, -1e-7], "normal": [0, 0, 1], "distance": 5.25}
 
     def _highlight(self, arguments):
         found = self._pick(arguments)["object"]

@@ -12,6 +12,8 @@ import unittest
 from cli_case import GLURAY, CliCase
 from memory_hub import PICTURE, picture_of
 
+PATIENCE = 40  # seconds, on a machine that has much to do
+
 
 class FilmCase(CliCase):
     def one(self, draws=1):
@@ -31,7 +33,7 @@ class FilmCase(CliCase):
         return process
 
     def until(self, done):
-        end = time.monotonic() + 20
+        end = time.monotonic() + PATIENCE
         while not done():
             self.assertLess(time.monotonic(), end)
             time.sleep(0.01)
@@ -107,7 +109,7 @@ class Film(FilmCase):
             film = self.start("a.png", "--frames", "1000000", "--set", "spp=1..2")
             self.until(lambda: len(self.pictures()) > 3)
             film.send_signal(number)
-            out, error = film.communicate(timeout=20)
+            out, error = film.communicate(timeout=PATIENCE)
             self.assertEqual((film.returncode, error), (0, ""))
             self.assertTrue(out.startswith(f"paraview (4242): {len(self.pictures())} pictures, a-0001.png to "), out)
             self.assertEqual(program.live, {})
@@ -118,15 +120,15 @@ class Film(FilmCase):
     def test_seconds(self):
         self.one()
         begin = time.monotonic()
-        self.output("film", "a.png", "--seconds", "0.4")
-        self.assertLess(0.35, time.monotonic() - begin)
+        self.output("film", "a.png", "--seconds", "2")
+        self.assertLess(1.9, time.monotonic() - begin)
         self.assertGreater(len(self.pictures()), 1)
 
     def test_progress_on_a_terminal(self):
         self.one()
         main, other = pty.openpty()
         film = self.start("a.png", "--frames", "2", stderr=other)
-        film.wait(20)
+        film.wait(PATIENCE)
         os.close(other)
         said = os.read(main, 1000).decode()
         os.close(main)
@@ -199,14 +201,14 @@ class Passes(FilmCase):
         begin = time.monotonic()
         self.output("film", "a.png", "--frames", "8", "--passes", "4", "--set", "spp=1..2")
         self.assertEqual([r["values"] for r in hub.requests if r["type"] == "set"], [{"spp": 1}, {"spp": 2}, {"spp": None}])
-        self.assertTrue(len(hub.taken) == 8 and min(hub.taken) >= 4 and time.monotonic() < begin + 4, hub.taken)
+        self.assertTrue(len(hub.taken) == 8 and min(hub.taken) >= 4 and time.monotonic() < begin + 12, hub.taken)  # six pictures again, 4 s each
 
     def test_pictures_without_passes_are_taken(self):
         hub, program = self.refining()
         hub.frozen = True
         begin = time.monotonic()
         self.assertIn("; 1 picture with fewer new passes\n", self.output("film", "a.png", "--frames", "1", "--passes", "4"))
-        self.assertTrue(3 < time.monotonic() - begin < 8)
+        self.assertTrue(3 < time.monotonic() - begin < 30)  # not the 60 s that --passes waits at most
 
     def test_interrupt_while_it_waits(self):
         hub, program = self.refining()
@@ -215,7 +217,7 @@ class Passes(FilmCase):
         self.until(lambda: any(r["type"] == "observe" for r in hub.requests))
         time.sleep(0.5)
         film.send_signal(signal.SIGINT)
-        out, error = film.communicate(timeout=5)
+        out, error = film.communicate(timeout=PATIENCE)
         self.assertEqual((film.returncode, out, error), (0, "paraview (4242): 0 pictures\n", ""))
 
     def test_programs_that_do_not_refine(self):

@@ -1,6 +1,7 @@
 """Commands for what programs draw, with a hub that only pretends: objects_cli_test.py GLURAY."""
 import json
 import sys
+import time
 import unittest
 
 from cli_case import CliCase
@@ -67,7 +68,8 @@ class Objects(CliCase):
         self.assertEqual([arguments for _, arguments in program.calls],
                          [{"x": 2, "y": 1.5}, {"x": 50, "y": 0, "width": 100, "height": 100}, {"x": 2, "y": 0}, {"x": 0, "y": 2}])
         self.assertEqual(json.loads(self.output("pick", "--json", "2", "1")),
-                         {"program": 1, "name": "paraview", "pid": 4242, "frame": 1042, "object": 3, "view": 1, "position": [0.5, 0.25, -1e-7], "normal": [0, 0, 1], "distance": 5.25})
+                         {"program": 1, "name": "paraview", "pid": 4242, "frame": 1042, "object": 3, "view": 1, "share": [0.25, 1],
+                          "position": [0.5, 0.25, -1e-7], "normal": [0, 0, 1], "distance": 5.25})
 
     def test_commands_are_a_hub(self):
         program = FakeProgram(1, "paraview", 4242, self.ROWS)
@@ -94,10 +96,15 @@ class Objects(CliCase):
 
     def test_wrong_picks(self):
         _, program = self.one()
-        good = {"object": 3, "view": 1, "position": [0, 0, 0], "normal": [0, 0, 1], "distance": 5}
-        for value in (7, {}, good | {"object": "x"}, good | {"position": [1, 2]}, good | {"position": [1, 2, "3"]}, good | {"normal": 3}, good | {"distance": []}, good | {"view": 1.5}):
+        good = {"object": 3, "view": 1, "share": [0, 1], "position": [0, 0, 0], "normal": [0, 0, 1], "distance": 5}
+        for value in (7, {}, good | {"object": "x"}, good | {"position": [1, 2]}, good | {"position": [1, 2, "3"]}, good | {"normal": 3}, good | {"distance": []}, good | {"view": 1.5},
+                      good | {"share": None}, good | {"share": [1]}, {name: good[name] for name in good if name != "share"}):
             program.scene.instead["pick"] = {"value": value}
             self.assertIn("paraview (4242): its answer cannot be read: ", self.failure("pick", "2", "3"))
+        for share in (None, [1], "x", [1, None]):
+            program.scene.instead["pick"] = {"value": good | {"share": share}}
+            self.assertIn("paraview (4242): its answer cannot be read: 'share' is no", self.failure("camera", "focus", "2", "3"))
+        self.assertEqual(program.steps, [])
         program.scene.instead["pick"] = {"why": "x is outside of the picture"}
         self.assertEqual(self.failure("pick", "9", "3"), "paraview (4242): x is outside of the picture")
 
@@ -130,15 +137,18 @@ class Lights(CliCase):
 
     def test_light_at(self):
         _, program = self.one()
-        self.assertEqual(self.output("light", "at", "2", "1"), "paraview (4242): lights = sun, lights.azimuth = 20.5, lights.elevation = -10.25 from frame 1042\n"
-                                                               "The program's own lights have no key light: lights = sun takes their place.\n")
-        self.assertEqual((program.live, len(program.steps)), ({"lights.azimuth": 20.5, "lights.elevation": -10.25, "lights": "sun"}, 1))
+        self.assertEqual(self.output("light", "at", "2", "1"), "paraview (4242): lights = headlight+key, lights.azimuth = 20.5, lights.elevation = -10.25 from frame 1042\n"
+                                                               "The program's own lights have no key light: lights = headlight+key is set, too.\n")
+        self.assertEqual((program.live, len(program.steps)), ({"lights.azimuth": 20.5, "lights.elevation": -10.25, "lights": "headlight+key"}, 1))
+        program.live = {"lights": "sky"}
+        self.assertIn("lights = sky has no key light: lights = headlight+key is set, too.\n", self.output("light", "at", "2", "1"))
+        self.assertEqual(program.live["lights"], "headlight+key")
         program.live = {"lights": "three-point"}
         self.assertEqual(self.output("light", "at", "50%", "50%"), "paraview (4242): lights.azimuth = 20.5, lights.elevation = -10.25 from frame 1042\n")
         self.assertEqual(program.live["lights"], "three-point")
         self.assertEqual(program.calls[-1], ("highlight", {"x": 50, "y": 50, "width": 100, "height": 100}))
         self.assertEqual(self.failure("light", "at", "0", "1"), "paraview (4242): nothing is there")
-        self.assertEqual(len(program.steps), 2)
+        self.assertEqual(len(program.steps), 3)
         program.scene.instead["highlight"] = {"value": {"object": 3, "azimuth": "x", "elevation": 1}}
         self.assertIn("'azimuth' is no number", self.failure("light", "at", "2", "1"))
 
@@ -164,15 +174,13 @@ class Lights(CliCase):
         done = self.run_gluray("camera", "focus", "2", "2")
         self.assertEqual((done.returncode, done.stderr.count("\n")), (0, 1))
         self.assertIn("gluray: the lens is closed", done.stderr)
-        self.assertEqual(program.live, {"camera.focus": 0, "camera.focus-x": 0.25, "camera.focus-y": 0.5})  # of the viewport 1 0 4 2
+        self.assertEqual(program.live, {"camera.focus": 0, "camera.focus-x": 0.25, "camera.focus-y": 0.5})
+        self.assertEqual(program.calls, [("pick", {"x": 2, "y": 2})])
         program.live |= {"camera.f-number": 2.8}
         self.output("camera", "focus", "100%", "0%")
         self.assertEqual((program.live["camera.focus-x"], program.live["camera.focus-y"], len(program.steps)), (1, 1, 2))
         self.assertEqual(self.failure("camera", "focus", "0", "2"), "paraview (4242): nothing is there")
-        program.scene.cameras = []
-        self.assertIn("does not say where the view", self.failure("camera", "focus", "2", "2"))
-        program.scene.cameras = [CAMERA | {"viewport": [0, 0, 0, 0]}]
-        self.assertIn("does not say where the view", self.failure("camera", "focus", "2", "2"))
+        self.assertEqual(program.calls[1], ("pick", {"x": 100, "y": 0, "width": 100, "height": 100}))
 
 
 class Materials(CliCase):
@@ -207,6 +215,20 @@ class Materials(CliCase):
         self.output("material", "all", "matte", "--json")
         self.assertEqual(self.objects(program), ["1 matte", "3 matte", "7 matte"])
         self.output("undo")
+        self.assertEqual(self.objects(program), [])
+
+    def test_many_objects(self):
+        _, program = self.one()
+        program.scene.objects = [an_object(n) for n in range(1, 100001)]
+        begin = time.monotonic()
+        self.assertEqual(self.failure("material", "all", "glass"),
+                         "paraview (4242): material.objects takes 16 KiB: 1590 of these 100000 objects fit")
+        self.assertLess(time.monotonic() - begin, 30)
+        self.assertEqual(program.steps, [])
+        self.seen("1-1590", "glass")
+        self.assertEqual(len(self.objects(program)), 1590)
+        self.assertIn("0 of these 1 objects fit", self.failure("material", "1591", "glass"))
+        self.seen("all", "--reset")
         self.assertEqual(self.objects(program), [])
 
     def test_files_that_hide_are_overruled(self):

@@ -4,7 +4,7 @@ import threading
 import time
 import unittest
 
-from fake_scene import CAMERA, an_object
+from fake_scene import an_object
 from memory_hub import PICTURE, picture_of
 from python_case import PythonCase, gluray
 
@@ -35,12 +35,13 @@ class Drawn(DrawnCase):
     def test_pick(self):
         program, p = self.one()
         found = p.pick(2, 1)
-        self.assertEqual((found["object"], found["view"], found["position"], found["distance"]), (3, 1, [0.5, 0.25, -1e-7], 5.25))
-        self.assertEqual(p.pick(0.5, 0.5, 1, 1), found)
+        self.assertEqual((found["object"], found["view"], found["position"], found["distance"], found["share"]), (3, 1, [0.5, 0.25, -1e-7], 5.25, [0.25, 1]))
+        self.assertEqual(p.pick(0.5, 0.5, 1, 1), found | {"share": [0.375, 0.75]})
         self.assertIsNone(p.pick(0, 2))
         self.assertEqual(program.calls, [("pick", {"x": 2, "y": 1}), ("pick", {"x": 0.5, "y": 0.5, "width": 1, "height": 1}), ("pick", {"x": 0, "y": 2})])
         for value, name in (({}, "object"), ({"object": "x"}, "object"), ({"object": 0}, "object"), ({"object": True}, "object"), ({"object": 3}, "position"),
-                            ({"object": 3, "position": [1, 2, "3"], "normal": [0, 0, 1]}, "position")):
+                            ({"object": 3, "position": [1, 2, "3"], "normal": [0, 0, 1]}, "position"),
+                            ({"object": 3, "position": [1, 2, 3], "normal": [0, 0, 1]}, "share")):
             program.scene.instead["pick"] = {"value": value}
             self.unreadable(lambda: p.pick(2, 3), name)
 
@@ -54,7 +55,10 @@ class Drawn(DrawnCase):
     def test_light_at(self):
         program, p = self.one()
         self.assertEqual(p.light_at(2, 1), 1042)
-        self.assertEqual((program.live, len(program.steps)), ({"lights": "sun", "lights.azimuth": 20.5, "lights.elevation": -10.25}, 1))
+        self.assertEqual((program.live, len(program.steps)), ({"lights": "headlight+key", "lights.azimuth": 20.5, "lights.elevation": -10.25}, 1))
+        program.live = {"lights": "sky"}
+        p.light_at(2, 1)
+        self.assertEqual(program.live["lights"], "headlight+key")
         program.live = {"lights": "three-point"}
         p.light_at(0.5, 0.5, 1, 1)
         self.assertEqual(program.live["lights"], "three-point")
@@ -65,12 +69,13 @@ class Drawn(DrawnCase):
     def test_focus_at(self):
         program, p = self.one()
         self.assertEqual(p.focus_at(2, 2), 1042)
-        self.assertEqual(program.live, {"camera.focus": 0, "camera.focus-x": 0.25, "camera.focus-y": 0.5})  # of the viewport 1 0 4 2
+        self.assertEqual(program.live, {"camera.focus": 0, "camera.focus-x": 0.25, "camera.focus-y": 0.5})
+        self.assertEqual(program.calls, [("pick", {"x": 2, "y": 2})])
         p.focus_at(50, 0, 50, 100)
         self.assertEqual((program.live["camera.focus-x"], program.live["camera.focus-y"]), (1, 1))
         self.assertEqual(self.refusal(lambda: p.focus_at(0, 1)), "paraview (4242): nothing is there")
-        program.scene.cameras = [CAMERA | {"viewport": "all"}]
-        self.assertIn("does not say where the view", self.refusal(lambda: p.focus_at(2, 2)))
+        program.scene.instead["pick"] = {"value": {"object": 3, "position": [1, 2, 3], "normal": [0, 0, 1], "share": None}}
+        self.unreadable(lambda: p.focus_at(2, 2), "share")
 
 
 class Materials(DrawnCase):

@@ -1,11 +1,10 @@
 #include "control/camera.h"
 
 #include "control/change.h"
-#include "control/focus.h"
+#include "control/objects.h"
 #include "control/point.h"
 #include "control/program_lists.h"
 #include "control/short_names.h"
-#include "control/window_picture.h"
 #include "say.h"
 #include "text_table.h"
 
@@ -50,22 +49,10 @@ int listCameras(const CommandLine& line) {
 }
 
 /// The settings that put the surface at the point into focus; null: nothing is there. Throws.
-json settingsForFocus(HubSession& hub, const RunningProgram& program, Point point) {
-  const Shot shot = takeShot(hub, program);
-  if (point.percent) point = {point.x / 100 * shot.width, point.y / 100 * shot.height};
-  const json found = callOf(hub, program, "pick",
-                            {{"x", point.x}, {"y", point.y}, {"width", shot.width}, {"height", shot.height}});
-  const AnswerReader reader(found);
-  if (!reader.whole("object")) return {};
-  const auto view = reader.whole("view");
-  for (const json& entry : camerasOf(hub, program)) {
-    const AnswerReader camera(entry);
-    const std::vector<double> viewport = camera.numbers("viewport", 4);
-    if (camera.whole("view") != view || viewport.empty() || viewport[2] <= 0 || viewport[3] <= 0) continue;
-    const FocusPosition focus = focusPosition(point.x, point.y, shot.height, viewport);
-    return {{"camera.focus", 0}, {"camera.focus-x", focus.x}, {"camera.focus-y", focus.y}};
-  }
-  throw std::runtime_error("it does not say where the view of this surface is");
+json settingsForFocus(HubSession& hub, const RunningProgram& program, const Point& point) {
+  const std::vector<double> share = shareIn(callOf(hub, program, "pick", argumentsOf(point)));
+  if (share.empty()) return {};
+  return {{"camera.focus", 0}, {"camera.focus-x", share[0]}, {"camera.focus-y", share[1]}};
 }
 
 /// Whether everything is sharp wherever the focus is.

@@ -13,8 +13,16 @@ namespace {
 
 using nlohmann::json;
 
-// Of the rigs with a key light, this one keeps the axes in which the program answers while it has none.
-constexpr const char* kRigForHighlight = "sun";
+// Of the rigs with a key light, this one keeps the picture's brightness: it has a light at the viewer, too.
+// By lights.attached = auto it is fixed to the scene, as what the program answers where there is no key
+// light; three-point is fixed to the camera. The panel and Python take the same one.
+constexpr const char* kRigForHighlight = "headlight+key";
+
+/// Why it takes the place of what shines; empty: that has a key light.
+std::string whyOtherRig(const json& rig) {
+  if (rig == "program") return "The program's own lights have no key light";
+  return rig == "sky" ? "lights = sky has no key light" : "";
+}
 
 std::vector<std::string> lightCells(const AnswerReader& light) {
   return {light.text("name"),
@@ -41,27 +49,30 @@ int listLights(const CommandLine& line) {
              lightCells});
 }
 
-/// The settings with which the highlight is there; null: nothing is there. Throws.
-json settingsForHighlight(HubSession& hub, const RunningProgram& program, const Point& point) {
+/// The settings with which the highlight is there; null: nothing is there. `why`: why `lights` is one of
+/// them. Throws.
+json settingsForHighlight(HubSession& hub, const RunningProgram& program, const Point& point,
+                          std::string& why) {
   const json found = callOf(hub, program, "highlight", argumentsOf(point));
   const AnswerReader reader(found);
   if (!reader.whole("object")) return {};
   const auto azimuth = reader.number("azimuth"), elevation = reader.number("elevation");
   if (!azimuth || !elevation) return {};
   json values = {{"lights.azimuth", *azimuth}, {"lights.elevation", *elevation}};
-  if (valuesIn(hub, program, {"lights"})["lights"] == "program") values["lights"] = kRigForHighlight;
+  why = whyOtherRig(valuesIn(hub, program, {"lights"})["lights"]);
+  if (!why.empty()) values["lights"] = kRigForHighlight;
   return values;
 }
 
 int lightAt(const CommandLine& line, const Point& point) {
   HubSession hub(line);
   const RunningProgram program = oneProgram(hub, line);
-  const json values = labelled(program, [&] { return settingsForHighlight(hub, program, point); });
+  std::string why;
+  const json values = labelled(program, [&] { return settingsForHighlight(hub, program, point, why); });
   if (values.is_null()) return say(labelOf(program) + ": nothing is there"), 1;
   const int code = sendChange(line, hub, {program}, {{"type", "set"}, {"values", values}});
-  if (code == 0 && values.contains("lights") && !line.json)
-    std::cout << "The program's own lights have no key light: lights = " << kRigForHighlight
-              << " takes their place.\n";
+  if (code == 0 && !why.empty() && !line.json)
+    std::cout << why << ": lights = " << kRigForHighlight << " is set, too.\n";
   return code;
 }
 

@@ -2,9 +2,11 @@
 
 #include "base/printable.h"
 #include "control/change.h"
+#include "control/messages/value.h"
 #include "control/object_words.h"
 #include "control/objects.h"
 #include "say.h"
+#include "settings/object_entries.h"
 #include "settings/object_rule.h"
 
 #include <algorithm>
@@ -15,6 +17,8 @@ namespace {
 
 using nlohmann::json;
 using Entries = std::vector<std::string>;
+
+constexpr size_t kMostOfValue = size_t{16} << 10;  // bytes that programs take (docs/control-protocol.md)
 
 /// What the user asks for.
 struct MaterialChange {
@@ -66,8 +70,9 @@ int printEntries(const CommandLine& line, const RunningProgram& program, const E
   std::sort(objects.begin(), objects.end());
   uint32_t missing = 0;
   json found = json::object();
+  const ObjectEntries known(entries);
   for (const uint32_t object : choice.empty() ? objects : chosenObjects(choice, objects, missing))
-    found[std::to_string(object)] = joinedWords(wordsOf(entries, object));
+    found[std::to_string(object)] = joinedWords(known.words(object));
   if (line.json) {
     json all = named(program);
     all["materials"] = found;
@@ -100,6 +105,31 @@ std::vector<uint32_t> changedObjects(HubSession& hub, const RunningProgram& prog
   return chosen;
 }
 
+/// The entries with what the words say of the first `count` objects.
+Entries changed(const Entries& entries, const std::vector<uint32_t>& objects, size_t count,
+                const Entries& words) {
+  ObjectEntries all(entries);
+  for (size_t i = 0; i < count; ++i) all.change(objects[i], words);
+  return all.all();
+}
+
+bool fits(const Entries& entries) {
+  return control::textOf(*findSetting("material.objects"), entries).text.size() <= kMostOfValue;
+}
+
+/// Throws if the entries are more than programs take.
+Entries changed(const Entries& entries, const std::vector<uint32_t>& objects, const Entries& words) {
+  Entries all = changed(entries, objects, objects.size(), words);
+  if (fits(all)) return all;
+  size_t most = 0, tooMany = std::min(objects.size(), kMostOfValue);  // an entry has more than a byte
+  while (most + 1 < tooMany) {
+    const size_t middle = (most + tooMany) / 2;
+    (fits(changed(entries, objects, middle, words)) ? most : tooMany) = middle;
+  }
+  throw std::runtime_error("material.objects takes 16 KiB: " + std::to_string(most) + " of these " +
+                           std::to_string(objects.size()) + " objects fit");
+}
+
 /// Rules of material.file hide objects, too: these are overruled.
 std::string wordToShow(const json& values) {
   return values["material.file"] == "" ? "hidden-from=" : "hidden-from=none";
@@ -130,10 +160,8 @@ int changeMaterials(const CommandLine& line) {
   if (!change.changes()) return printEntries(line, program, entries, change.objects);
 
   if (change.show) change.words.push_back(wordToShow(values));
-  labelled(program, [&] {
-    for (const uint32_t object : changedObjects(hub, program, change, entries))
-      entries = withObject(entries, object, change.words);
-  });
+  labelled(program,
+           [&] { entries = changed(entries, changedObjects(hub, program, change, entries), change.words); });
   if (entries == before && !line.json) {
     std::cout << labelOf(program) << ": nothing changes\n";
     return 0;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <string_view>
+#include <unordered_set>
 
 namespace gluray::launcher {
 namespace {
@@ -48,13 +49,12 @@ std::string takeObjects(std::vector<std::string>& words, ObjectChoice& choice) {
 std::vector<uint32_t> chosenObjects(const ObjectChoice& choice, const std::vector<uint32_t>& objects,
                                     uint32_t& missing) {
   missing = 0;
-  for (const auto& [first, last] : choice.ranges)
-    if (missing == 0 && first == last && std::find(objects.begin(), objects.end(), first) == objects.end())
-      missing = first;
+  std::unordered_set<uint32_t> there;
   std::vector<uint32_t> chosen;
   for (const uint32_t object : objects)
-    if (choice.has(object) && std::find(chosen.begin(), chosen.end(), object) == chosen.end())
-      chosen.push_back(object);
+    if (there.insert(object).second && choice.has(object)) chosen.push_back(object);
+  for (const auto& [first, last] : choice.ranges)
+    if (missing == 0 && first == last && !there.contains(first)) missing = first;
   return chosen;
 }
 

@@ -5,6 +5,7 @@
 #include "say.h"
 #include "text_table.h"
 
+#include <algorithm>
 #include <iostream>
 #include <limits>
 
@@ -39,6 +40,15 @@ std::string pickText(const AnswerReader& found) {
 }
 
 }  // namespace
+
+std::vector<double> shareIn(const json& found) {
+  const AnswerReader reader(found);
+  if (!reader.whole("object")) return {};
+  std::vector<double> share = reader.numbers("share", 2);
+  if (share.empty()) throw std::runtime_error("its answer cannot be read: 'share' is no list of 2 numbers");
+  for (double& part : share) part = std::clamp(part, 0.0, 1.0);
+  return share;
+}
 
 int64_t objectNumber(const json& object) {
   const auto number = AnswerReader(object).whole("object");
@@ -85,6 +95,7 @@ int pickObject(const CommandLine& line) {
   labelled(program, [&] {
     const json found = callOf(hub, program, "pick", argumentsOf(point));
     const std::string text = pickText(AnswerReader(found));
+    shareIn(found);
     json all = found;
     all.update(named(program));
     if (line.json)

@@ -11,6 +11,10 @@ nlohmann::json objectsOf(HubSession& hub, const RunningProgram& program);
 /// The number of an object. Throws where the entry is none.
 int64_t objectNumber(const nlohmann::json& object);
 
+/// Where the point of an answer to `pick` lies in its view: shares of the view's width and height from its
+/// lower left corner; empty: nothing is there. Throws.
+std::vector<double> shareIn(const nlohmann::json& found);
+
 /// Prints tables of objects. Returns the exit code.
 int listObjects(const CommandLine& line);
 

@@ -38,8 +38,12 @@ std::vector<CallAnswer> answersOf(const json& answer) {
 
 }  // namespace
 
-void Calls::wait(uint64_t id, int program, QObject* receiver, BatchTaker then) {
-  waiting_[id] = {program, receiver, std::move(then)};
+void Calls::wait(uint64_t id, int program, QObject* receiver, BatchTaker then, bool changes) {
+  waiting_[id] = {program, receiver, std::move(then), changes};
+}
+
+bool Calls::anyChanges() const {
+  return std::any_of(waiting_.begin(), waiting_.end(), [](const auto& call) { return call.second.changes; });
 }
 
 bool Calls::take(uint64_t id, const json& answer) {

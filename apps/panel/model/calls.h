@@ -24,8 +24,10 @@ using BatchTaker = std::function<void(const std::vector<CallAnswer>&)>;
 
 class Calls {
  public:
-  /// `receiver`: nobody is called after it has gone.
-  void wait(uint64_t id, int program, QObject* receiver, BatchTaker then);
+  /// `receiver`: nobody is called after it has gone. `changes`: the request may change settings.
+  void wait(uint64_t id, int program, QObject* receiver, BatchTaker then, bool changes = false);
+  /// Whether a request that may change settings is unanswered, also where its receiver has gone.
+  bool anyChanges() const;
   /// Whether the answer is that of a call; then its taker has been called.
   bool take(uint64_t id, const nlohmann::json& answer);
   /// Calls of programs that are not in the list end with `why`: late answers are nobody's.
@@ -38,6 +40,7 @@ class Calls {
     int program = 0;
     QPointer<QObject> receiver;
     BatchTaker then;
+    bool changes = false;
   };
   std::map<uint64_t, Waiting> waiting_;
 };

@@ -82,6 +82,8 @@ class Controls : public QObject {
   void call(int program, const char* name, nlohmann::json arguments, QObject* receiver, CallTaker then);
   /// Requests of one program without `program`, carried out one after the other.
   void batch(int program, nlohmann::json requests, QObject* receiver, BatchTaker then);
+  /// Whether a batch is unanswered: while one is under way, settings may be what they shall not stay.
+  bool isChanging() const { return calls_.anyChanges(); }
   /// How large thumbnails should be, in pixels of their longest side; of several wishes the largest counts.
   void wantThumbnails(const QObject* who, int size);
 

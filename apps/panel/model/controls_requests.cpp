@@ -53,7 +53,7 @@ void Controls::call(int program, const char* name, json arguments, QObject* rece
 
 void Controls::batch(int program, json requests, QObject* receiver, BatchTaker then) {
   for (json& request : requests) request["program"] = program;
-  calls_.wait(next_, program, receiver, std::move(then));
+  calls_.wait(next_, program, receiver, std::move(then), true);
   send_({{"type", "batch"}, {"id", next_++}, {"requests", std::move(requests)}});
 }
 

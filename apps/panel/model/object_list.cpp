@@ -14,6 +14,8 @@ using control::member, control::textIn, control::wholeNumber;
 using nlohmann::json;
 
 constexpr std::chrono::milliseconds kAskAgain{1000};
+constexpr std::chrono::milliseconds kFailureIsShown{
+    3000};  // for a comparison, nothing is traced for a moment
 constexpr size_t kPageOfObjects = 1000;
 constexpr size_t kMostObjects = 20000;  // that are shown
 constexpr int kMostCell = 64;           // characters
@@ -70,6 +72,7 @@ void ObjectList::restart() {
   version_ = nullptr;
   total_ = 0;
   why_.clear();
+  failing_.invalidate();
   emit changed();
   ask();
 }
@@ -117,8 +120,15 @@ void ObjectList::take(const CallAnswer& answer, uint64_t round) {
 }
 
 void ObjectList::finish(const QString& why) {
-  underWay_ = false, known_ = true;
+  underWay_ = false;
+  const bool isShown = known_ && why_.isEmpty();
+  known_ = true;
+  if (!why.isEmpty() && isShown) {
+    if (!failing_.isValid()) failing_.start();
+    if (!failing_.hasExpired(kFailureIsShown.count())) return next_.clear();
+  }
   if (why.isEmpty()) {
+    failing_.invalidate();
     objects_ = std::move(next_);
     version_ = std::move(nextVersion_), total_ = nextTotal_;
   } else {

@@ -4,6 +4,7 @@
 #include "model/controls.h"
 
 #include <QColor>
+#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 #include <QStringList>
@@ -28,7 +29,7 @@ class ObjectList : public QObject {
   ObjectList(Controls& controls, QObject* parent);
   /// Whether somebody looks: only then is the chosen program asked, once a second.
   void watch(bool on);
-  /// In the order of their numbers.
+  /// In the order of their numbers. What was there stays for some seconds when the program fails to say it.
   const std::vector<DrawnObject>& objects() const { return objects_; }
   /// How many there are; more than objects() has if there are too many to show.
   int64_t total() const { return total_; }
@@ -54,6 +55,7 @@ class ObjectList : public QObject {
   nlohmann::json nextVersion_;
   int64_t total_ = 0, nextTotal_ = 0;
   QString why_;
+  QElapsedTimer failing_;  // since the first failure after objects_ came; not valid: none
   int program_ = 0;
   uint64_t round_ = 0;  // answers of earlier rounds do not count
   bool watched_ = false, underWay_ = false, known_ = false;

@@ -42,8 +42,16 @@ LightDirection directionFor(const QPointF& highlight) {
 nlohmann::json lightValues(const Controls& controls, const LightDirection& direction) {
   nlohmann::json values{{"lights.azimuth", tenths(direction.azimuth)},
                         {"lights.elevation", tenths(direction.elevation)}};
-  if (controls.value("lights").value == "program") values["lights"] = kRigWithKey;
+  if (!lineAboutRig(controls).isEmpty()) values["lights"] = kRigWithKey;
   return values;
+}
+
+QString lineAboutRig(const Controls& controls) {
+  const nlohmann::json rig = controls.value("lights").value;
+  if (rig == "program") return QObject::tr("lights = %1 in place of the program's lights").arg(kRigWithKey);
+  if (rig == "sky")
+    return QObject::tr("lights = %1 in place of sky, which has no key light").arg(kRigWithKey);
+  return {};
 }
 
 }  // namespace gluray::panel

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <QPointF>
+#include <QString>
 
 namespace gluray::panel {
 
@@ -28,10 +29,14 @@ QPointF highlightAt(const LightDirection& direction);
 LightDirection directionFor(const QPointF& highlight);
 
 /// What to set for the direction, rounded to a tenth of a degree: also `lights`, to a rig with a key light,
-/// if the program's own lights shine.
+/// if there is none: the program's own lights shine, or those of `sky`.
 nlohmann::json lightValues(const Controls& controls, const LightDirection& direction);
 
-/// The rig that lightValues() chooses.
+/// Says so before it happens; empty: lightValues() does not change the rig.
+QString lineAboutRig(const Controls& controls);
+
+/// The rig that lightValues() chooses: it keeps the picture's brightness, and is fixed to the scene by
+/// lights.attached = auto.
 inline constexpr const char* kRigWithKey = "headlight+key";
 
 }  // namespace gluray::panel

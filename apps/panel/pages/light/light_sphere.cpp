@@ -155,8 +155,7 @@ void LightSphere::keyPressEvent(QKeyEvent* event) {
 
 void LightSphere::turnTo(LightDirection direction, bool more) {
   const nlohmann::json values = lightValues(controls_, direction);
-  if (values.contains("lights"))
-    emit said(tr("lights = %1 in place of the program's lights").arg(kRigWithKey));
+  if (const QString line = lineAboutRig(controls_); !line.isEmpty()) emit said(line);
   direction_ = {values["lights.azimuth"], values["lights.elevation"]};
   movement_.send(values, more);
   setAccessibleDescription(valueText());

@@ -15,14 +15,6 @@ using nlohmann::json;
 
 constexpr double kMostAzimuth = 360, kMostElevation = 90;
 
-/// What a change of the lights is about, where it is not obvious.
-QString lineAbout(const Controls& controls) {
-  const json rig = controls.value("lights").value;
-  if (rig == "program") return LightDrag::tr("lights = %1 in place of the program's lights").arg(kRigWithKey);
-  if (rig == "sky") return LightDrag::tr("lights = sky has no key light: choose another rig");
-  return {};
-}
-
 }  // namespace
 
 LightDrag::LightDrag(Controls& controls, QObject* parent)
@@ -35,7 +27,7 @@ void LightDrag::point(const PicturePoint& at, LivePicture::Stage stage) {
     movement_.end();
     ++drag_;
     program_ = program->number;
-    if (const QString line = lineAbout(controls_); !line.isEmpty()) emit said(line);
+    if (const QString line = lineAboutRig(controls_); !line.isEmpty()) emit said(line);
   }
   released_ = stage == LivePicture::Stage::release;
   if (program_ != program->number) return finish();

@@ -94,6 +94,16 @@ TEST_F(LiveViewTest, LightFollowsTheNewestPlaceOneCallAtATime) {
   EXPECT_EQ(program.sets().size(), sets.size() + 1) << "a click is a movement, too";
 }
 
+TEST_F(LiveViewTest, TheSkyGetsAKeyLight) {
+  program.values["highlight"] = {{"object", 1}, {"azimuth", 10}, {"elevation", 20}};
+  program.say("lights", "sky");
+  button("tool-light").click();
+  click(30, 30);
+  ASSERT_TRUE(program.until([&] { return !program.sets().empty(); }));
+  EXPECT_EQ(program.sets()[0]["values"]["lights"], "headlight+key");
+  EXPECT_EQ(said.back(), "lights = headlight+key in place of sky, which has no key light");
+}
+
 TEST_F(LiveViewTest, LightStaysWhereNothingIsHit) {
   program.say("lights", "sun");
   button("tool-light").click();
@@ -124,42 +134,43 @@ TEST_F(LiveViewTest, ADragEndsWithItsProgram) {
 }
 
 TEST_F(LiveViewTest, FocusIsSharesOfItsView) {
-  program.width = 400, program.height = 300;
-  program.state();
   program.say("camera.aperture", 0.1);
-  // The view is the right half of the window.
-  program.values["pick"] = {{"object", 2}, {"view", 2}};
-  program.values["cameras"] = {
-      {"cameras",
-       {{{"view", 1}, {"viewport", {0, 0, 200, 300}}}, {{"view", 2}, {"viewport", {200, 0, 200, 300}}}}}};
+  program.values["pick"] = {{"object", 2}, {"view", 2}, {"share", {0.5, 0.7504}}};
   button("tool-focus").click();
   click(150, 37);
   ASSERT_TRUE(program.until([&] { return !program.sets().empty(); }));
-  const json values = program.sets()[0]["values"];
-  EXPECT_EQ(values["camera.focus"], 0);
-  EXPECT_NEAR(values["camera.focus-x"].get<double>(), 0.5, 0.01);
-  EXPECT_NEAR(values["camera.focus-y"].get<double>(), 0.75, 0.01) << "upwards";
+  EXPECT_EQ(program.sets()[0]["values"],
+            json({{"camera.focus", 0}, {"camera.focus-x", 0.5}, {"camera.focus-y", 0.75}}));
   EXPECT_EQ(said.back(), "Object 2 is in focus.");
+  EXPECT_EQ(program.calls("pick").size(), 1u);
+  EXPECT_TRUE(program.calls("cameras").empty());
 }
 
-TEST_F(LiveViewTest, FocusSurvivesWhatProgramsAnswer) {
+TEST_F(LiveViewTest, FocusStaysWhereNothingCanBeRead) {
   button("tool-focus").click();
-  for (const json& cameras :
-       {json(), json(4),
-        json{{"cameras", {1, {{"view", 1}}, {{"view", 1}, {"viewport", {0, 0, "x", -1}}}}}}}) {
-    program.values["pick"] = {{"object", 1}, {"view", 1}};
-    program.values["cameras"] = cameras;
-    const size_t before = program.sets().size();
+  for (const json& value : {json(), json(4), json{{"object", 1}}, json{{"object", 1}, {"share", nullptr}},
+                            json{{"object", 1}, {"share", {1}}}, json{{"object", 1}, {"share", {1, "x"}}},
+                            json{{"object", "x"}, {"share", {0, 0}}}}) {
+    program.values["pick"] = value;
+    said.clear();
     click(100, 75);
-    ASSERT_TRUE(program.until([&] { return program.sets().size() > before; }));
-    EXPECT_NEAR(program.sets().back()["values"]["camera.focus-x"].get<double>(), 0.5, 0.01);
+    ASSERT_TRUE(program.until([&] { return !said.empty(); }));
+    EXPECT_EQ(said.back(), "the program's answer cannot be read") << value.dump();
   }
-  EXPECT_TRUE(said.back().contains("nothing is blurred")) << "the lens is closed";
-  program.values["pick"] = {{"object", nullptr}};
-  const size_t before = program.sets().size();
+  program.values["pick"] = {{"object", nullptr}, {"share", nullptr}};
   click(100, 75);
   ASSERT_TRUE(program.until([&] { return said.back().startsWith("Nothing"); }));
-  EXPECT_EQ(program.sets().size(), before);
+  program.refusals["pick"] = "the view is shown at a place that is not known";
+  click(100, 75);
+  ASSERT_TRUE(program.until([&] { return said.back().startsWith("the view is shown"); }));
+  EXPECT_TRUE(program.sets().empty());
+  program.refusals.clear();
+  program.values["pick"] = {{"object", 1}, {"share", {-0.1, 7}}};
+  click(100, 75);
+  ASSERT_TRUE(program.until([&] { return !program.sets().empty(); }));
+  EXPECT_EQ(program.sets()[0]["values"],
+            json({{"camera.focus", 0}, {"camera.focus-x", 0.0}, {"camera.focus-y", 1.0}}));
+  EXPECT_TRUE(said.back().contains("nothing is blurred")) << "the lens is closed";
 }
 
 TEST_F(LiveViewTest, LightAndFocusExcludeEachOther) {

@@ -33,63 +33,22 @@ QString lineOf(uint32_t object, const json& answer) {
   return line;
 }
 
-/// x, y from the bottom, width, height in pixels.
-using Viewport = std::array<double, 4>;
-
-std::optional<Viewport> viewportOf(const json& cameras, int64_t view) {
-  const json* const list = member(cameras, "cameras");
-  if (!list || !list->is_array()) return std::nullopt;
-  for (const json& camera : *list) {
-    const json* const viewport = member(camera, "viewport");
-    if (wholeNumber(member(camera, "view"), 1, kMostObject) != view || !viewport || !viewport->is_array() ||
-        viewport->size() != 4)
-      continue;
-    Viewport result{};
-    for (size_t i = 0; i < 4; ++i)
-      if ((*viewport)[i].is_number()) result[i] = (*viewport)[i].get<double>();
-    if (result[2] >= 1 && result[3] >= 1) return result;
-  }
-  return std::nullopt;
-}
-
-/// Width and height of the program's window; where it has several, of that with the picture's form.
-std::optional<std::array<double, 2>> windowOf(const Program& program, const PicturePoint& at) {
-  const json* const windows = member(program.state, "windows");
-  if (!windows || !windows->is_array()) return std::nullopt;
-  std::optional<std::array<double, 2>> best;
-  double least = HUGE_VAL;
-  for (const json& window : *windows) {
-    const double width = control::numberIn(window, "width", 0.0),
-                 height = control::numberIn(window, "height", 0.0);
-    if (width < 1 || height < 1) continue;
-    const double off = std::abs(std::log(width / height * at.height / at.width));
-    if (off < least) least = off, best = {width, height};
-  }
-  return best;
-}
-
-/// The place in shares of its view's width and height, from the lower left corner.
-std::array<double, 2> sharesOf(const Program& program, const PicturePoint& at,
-                               const std::vector<CallAnswer>& answers) {
-  const double x = (at.x + 0.5) / at.width, y = 1 - (at.y + 0.5) / at.height;
-  const auto window = windowOf(program, at);
-  std::optional<Viewport> view;
-  if (const auto number = wholeNumber(member(answers[0].value, "view"), 1, kMostObject);
-      number && answers.size() > 1)
-    view = viewportOf(answers[1].value, *number);
-  if (!window || !view) return {x, y};
-  return {std::clamp((x * (*window)[0] - (*view)[0]) / (*view)[2], 0.0, 1.0),
-          std::clamp((y * (*window)[1] - (*view)[1]) / (*view)[3], 0.0, 1.0)};
+/// Where the point lies in its view; none: the answer cannot be read.
+std::optional<std::array<double, 2>> shareIn(const json& answer) {
+  const json* const share = member(answer, "share");
+  if (!share || !share->is_array() || share->size() != 2 || !(*share)[0].is_number() ||
+      !(*share)[1].is_number())
+    return std::nullopt;
+  return {{std::clamp((*share)[0].get<double>(), 0.0, 1.0), std::clamp((*share)[1].get<double>(), 0.0, 1.0)}};
 }
 
 double thousandths(double value) { return std::round(value * 1000) / 1000; }
 
-QString focusLine(const Controls& controls, const std::vector<CallAnswer>& answers) {
+QString focusLine(const Controls& controls, int64_t object) {
   if (controls.value("camera.aperture").value == 0 && controls.value("camera.f-number").value == 0)
     return QObject::tr(
         "The focus is there; nothing is blurred while camera.aperture and camera.f-number are 0.");
-  const auto object = wholeNumber(member(answers[0].value, "object"), 1, kMostObject);
-  return object ? QObject::tr("Object %1 is in focus.").arg(*object) : QObject::tr("The focus is there.");
+  return QObject::tr("Object %1 is in focus.").arg(object);
 }
 
 }  // namespace
@@ -119,22 +78,21 @@ void focusOn(Controls& controls, const PicturePoint& at, QObject* receiver,
              std::function<void(const QString&)> said) {
   const Program* shown = controls.shown();
   if (!shown) return;
-  const json requests = {{{"type", "call"}, {"name", "pick"}, {"arguments", argumentsOf(at)}},
-                         {{"type", "call"}, {"name", "cameras"}, {"arguments", json::object()}}};
-  controls.batch(
-      shown->number, requests, receiver,
-      [&controls, at, number = shown->number,
-       said = std::move(said)](const std::vector<CallAnswer>& answers) {
-        const Program* program = controls.shown();
-        if (!program || program->number != number || answers.empty()) return;
-        const json* const object = member(answers[0].value, "object");
-        if (answers[0].why.empty() && object && object->is_null())
-          return said(QObject::tr("Nothing that GLuRay traces is there; the focus stays."));
-        const auto [x, y] = sharesOf(*program, at, answers);
-        controls.change(
-            {{"camera.focus", 0}, {"camera.focus-x", thousandths(x)}, {"camera.focus-y", thousandths(y)}});
-        said(focusLine(controls, answers));
-      });
+  controls.call(shown->number, "pick", argumentsOf(at), receiver,
+                [&controls, number = shown->number, said = std::move(said)](const CallAnswer& answer) {
+                  const Program* program = controls.shown();
+                  if (!program || program->number != number) return;
+                  if (!answer.why.empty()) return said(QString::fromStdString(answer.why));
+                  if (const json* const object = member(answer.value, "object"); object && object->is_null())
+                    return said(QObject::tr("Nothing that GLuRay traces is there; the focus stays."));
+                  const auto object = wholeNumber(member(answer.value, "object"), 1, kMostObject);
+                  const auto share = shareIn(answer.value);
+                  if (!object || !share) return said(QObject::tr("the program's answer cannot be read"));
+                  controls.change({{"camera.focus", 0},
+                                   {"camera.focus-x", thousandths((*share)[0])},
+                                   {"camera.focus-y", thousandths((*share)[1])}});
+                  said(focusLine(controls, *object));
+                });
 }
 
 }  // namespace gluray::panel

@@ -17,7 +17,8 @@ void pickObject(Controls& controls, const PicturePoint& at, QObject* receiver,
                 std::function<void(const QString& why)> failed);
 
 /// Makes what is there the surface in focus: camera.focus = 0, camera.focus-x and camera.focus-y, which are
-/// shares of the view at that place. `said` gets a line for the user.
+/// shares of the view at that place. Nothing changes where the program cannot say what is there. `said` gets
+/// a line for the user.
 void focusOn(Controls& controls, const PicturePoint& at, QObject* receiver,
              std::function<void(const QString& line)> said);
 

@@ -4,8 +4,6 @@
 #include "settings/values.h"
 
 #include <algorithm>
-#include <iterator>
-#include <utility>
 
 namespace gluray::panel {
 namespace {
@@ -27,35 +25,6 @@ std::vector<std::string> entriesOf(const json& value) {
     for (const json& entry : value)
       if (entry.is_string()) entries.push_back(entry.get<std::string>());
   return entries;
-}
-
-ObjectEntries::ObjectEntries(const std::vector<std::string>& entries) {
-  for (const std::string& entry : entries) {
-    const uint32_t object = objectOf(entry);
-    const auto [place, isNew] = entries_.try_emplace(object);
-    if (isNew) order_.push_back(object);
-    place->second.push_back(entry);
-  }
-}
-
-std::vector<std::string> ObjectEntries::words(uint32_t object) const {
-  const auto found = entries_.find(object);
-  return found == entries_.end() ? std::vector<std::string>() : wordsOf(found->second, object);
-}
-
-void ObjectEntries::change(uint32_t object, const std::vector<std::string>& words) {
-  const auto [place, isNew] = entries_.try_emplace(object);
-  if (isNew) order_.push_back(object);
-  place->second = withObject(std::move(place->second), object, words);
-}
-
-std::vector<std::string> ObjectEntries::all() const {
-  std::vector<std::string> result;
-  for (const uint32_t object : order_) {
-    const std::vector<std::string>& own = entries_.at(object);
-    result.insert(result.end(), own.begin(), own.end());
-  }
-  return result;
 }
 
 std::optional<json> valueIn(const std::vector<std::string>& words, const Row& row) {

@@ -8,6 +8,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QElapsedTimer>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
@@ -251,6 +252,22 @@ TEST_F(ObjectsPageTest, ShowsWhyThereAreNone) {
   program.end();
   EXPECT_EQ(rows(), 0);
   EXPECT_EQ(message(), "No program is chosen.");
+}
+
+TEST_F(ObjectsPageTest, KeepsWhatIsThereWhileTheProgramFailsForAMoment) {
+  showThem();
+  program.refusals["objects"] = "nothing is traced";
+  poll();
+  EXPECT_EQ(rows(), 4);
+  EXPECT_EQ(message(), "4 objects.");
+  program.refusals.clear();
+  poll();
+  program.refusals["objects"] = "nothing is traced";
+  QElapsedTimer time;
+  time.start();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return message() == "No objects: nothing is traced"; }, 20000));
+  EXPECT_GE(time.elapsed(), 3000) << "since the last failure";
+  EXPECT_EQ(rows(), 0);
 }
 
 TEST_F(ObjectsPageTest, SaysWhereMaterialsAreSeen) {
