@@ -18,17 +18,19 @@ void Waker::begin(double now) {
 }
 
 void Waker::tellWider(double now) {
+  draws_ = program_.figures().scene;
   program_.tellSize(true);
   go(Step::wider, now + kWider);
 }
 
-/// A program that has shown a frame, but has drawn nothing of its scene, kept a picture.
+/// A program that has begun and shown a frame since, but has drawn nothing of its scene, kept a picture.
 void Waker::seeExposure(double now) {
   if (drew()) return go(Step::rest, 0);
   if (std::exchange(wanted_, false)) program_.wake();
   if (now < due_) return;
-  const bool showed = source_.begun().frame != frame_ && draws_ > 0;
-  showed&& failures_ < kMostFailures ? tellWider(now) : go(Step::rest, 0);
+  const bool showed = source_.frame() >= frame_ + 2 && draws_ > 0;
+  if (showed && failures_ < kMostFailures) return tellWider(now);
+  go(Step::rest, 0);
 }
 
 void Waker::passed(double now) {
