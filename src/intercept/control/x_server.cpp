@@ -16,7 +16,7 @@ void XServers::close() noexcept {
 }
 
 xcb_connection_t* XServers::connectionTo(const std::string& display) {
-  if (!xcb().connect || !xcb().sendEvent || !xcb().flush) return nullptr;
+  if (!xcb().connect || !xcb().sendEvent) return nullptr;
   xcb_connection_t*& connection = connections_[display];
   if (connection && xcb().failed(connection)) xcb().disconnect(std::exchange(connection, nullptr));
   if (!connection) connection = xcb().connect(display.c_str(), nullptr);
@@ -29,6 +29,11 @@ glm::ivec2 XServers::sizeOf(const ShownWindow& window) {
   if (!connection) return {0, 0};
   const auto geometry = replyTo(xcb().geometry, connection, xcb().askGeometry(connection, window.window));
   return geometry ? glm::ivec2(geometry->width, geometry->height) : glm::ivec2(0);
+}
+
+/// Waits until the server has executed the requests: it drops those of a connection that is closed before.
+bool XServers::arrived(xcb_connection_t* connection, const ShownWindow& window) {
+  return replyTo(xcb().geometry, connection, xcb().askGeometry(connection, window.window)) != nullptr;
 }
 
 bool XServers::expose(const ShownWindow& window) {
@@ -44,7 +49,7 @@ bool XServers::expose(const ShownWindow& window) {
   exposed.event.window = window.window;
   exposed.event.width = static_cast<uint16_t>(size.x), exposed.event.height = static_cast<uint16_t>(size.y);
   xcb().sendEvent(connection, /*propagate=*/0, window.window, XCB_EVENT_MASK_EXPOSURE, exposed.bytes);
-  return xcb().flush(connection) > 0;
+  return arrived(connection, window);
 }
 
 /// Window managers leave a property on the windows that they manage; without one, they are children of the
@@ -89,7 +94,7 @@ bool XServers::tellSize(const ShownWindow& window, bool wider) {
   told.event.height = geometry->height;
   told.event.border_width = geometry->border_width;
   xcb().sendEvent(connection, /*propagate=*/0, window.window, XCB_EVENT_MASK_STRUCTURE_NOTIFY, told.bytes);
-  return xcb().flush(connection) > 0;
+  return arrived(connection, window);
 }
 
 }  // namespace gluray::intercept

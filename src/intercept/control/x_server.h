@@ -31,6 +31,7 @@ class XServers {
 
  private:
   xcb_connection_t* connectionTo(const std::string& display);
+  static bool arrived(xcb_connection_t* connection, const ShownWindow& window);
   static bool isTopLevel(xcb_connection_t* connection, uint32_t window, uint32_t root);
   std::map<std::string, xcb_connection_t*> connections_;  // null: none is possible
 };
