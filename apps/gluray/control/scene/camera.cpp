@@ -1,10 +1,10 @@
-#include "control/camera.h"
+#include "control/scene/camera.h"
 
-#include "control/change.h"
-#include "control/objects.h"
-#include "control/point.h"
 #include "control/program_lists.h"
-#include "control/short_names.h"
+#include "control/scene/objects.h"
+#include "control/scene/point.h"
+#include "control/values/change.h"
+#include "control/values/short_names.h"
 #include "say.h"
 #include "text_table.h"
 

@@ -1,4 +1,4 @@
-#include "control/object_words.h"
+#include "control/scene/object_words.h"
 
 #include "settings/object_rule.h"
 

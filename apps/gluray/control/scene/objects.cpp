@@ -1,7 +1,7 @@
-#include "control/objects.h"
+#include "control/scene/objects.h"
 
-#include "control/point.h"
 #include "control/program_lists.h"
+#include "control/scene/point.h"
 #include "say.h"
 #include "text_table.h"
 

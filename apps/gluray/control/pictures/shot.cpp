@@ -1,9 +1,9 @@
-#include "control/shot.h"
+#include "control/pictures/shot.h"
 
 #include "base/files.h"
 #include "base/printable.h"
 #include "control/one_program.h"
-#include "control/window_picture.h"
+#include "control/pictures/window_picture.h"
 #include "say.h"
 
 #include <iostream>

@@ -1,7 +1,7 @@
 // Settings that vary over a film, and get back what they had when it ends.
 #pragma once
-#include "control/film_plan.h"
 #include "control/one_program.h"
+#include "control/pictures/film_plan.h"
 
 #include <cstdint>
 #include <optional>

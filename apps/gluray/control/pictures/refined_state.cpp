@@ -1,4 +1,4 @@
-#include "control/refined_state.h"
+#include "control/pictures/refined_state.h"
 
 #include "control/messages/members.h"
 

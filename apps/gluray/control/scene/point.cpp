@@ -1,4 +1,4 @@
-#include "control/point.h"
+#include "control/scene/point.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-#include "control/film_text.h"
+#include "control/pictures/film_text.h"
 
 #include "base/printable.h"
 #include "control/one_program.h"

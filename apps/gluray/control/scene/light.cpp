@@ -1,9 +1,9 @@
-#include "control/light.h"
+#include "control/scene/light.h"
 
-#include "control/change.h"
-#include "control/point.h"
 #include "control/program_lists.h"
-#include "control/short_names.h"
+#include "control/scene/point.h"
+#include "control/values/change.h"
+#include "control/values/short_names.h"
 #include "say.h"
 
 #include <iostream>

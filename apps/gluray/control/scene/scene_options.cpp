@@ -1,4 +1,4 @@
-#include "control/scene_options.h"
+#include "control/scene/scene_options.h"
 
 #include "command_line.h"
 

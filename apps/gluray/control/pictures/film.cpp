@@ -1,11 +1,11 @@
-#include "control/film.h"
+#include "control/pictures/film.h"
 
 #include "base/files.h"
 #include "base/printable.h"
-#include "control/film_settings.h"
-#include "control/film_text.h"
-#include "control/refined_state.h"
-#include "control/window_picture.h"
+#include "control/pictures/film_settings.h"
+#include "control/pictures/film_text.h"
+#include "control/pictures/refined_state.h"
+#include "control/pictures/window_picture.h"
 #include "say.h"
 
 #include <asio/signal_set.hpp>

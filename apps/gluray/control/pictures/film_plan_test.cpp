@@ -1,4 +1,4 @@
-#include "control/film_plan.h"
+#include "control/pictures/film_plan.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,9 +1,9 @@
-#include "control/live_values.h"
+#include "control/values/live_values.h"
 
 #include "base/printable.h"
 #include "control/hub_session.h"
 #include "control/messages/value.h"
-#include "control/setting_values.h"
+#include "control/values/setting_values.h"
 #include "say.h"
 #include "settings/values.h"
 #include "text_table.h"

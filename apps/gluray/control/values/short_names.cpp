@@ -1,6 +1,6 @@
-#include "control/short_names.h"
+#include "control/values/short_names.h"
 
-#include "control/setting_values.h"
+#include "control/values/setting_values.h"
 #include "settings/nearest.h"
 #include "settings/rows.h"
 #include "settings/setting_options.h"

@@ -1,9 +1,9 @@
 // What gluray film has made, and what it says of it.
 #pragma once
 #include "command_line.h"
-#include "control/film_plan.h"
+#include "control/pictures/film_plan.h"
+#include "control/pictures/window_picture.h"
 #include "control/running_program.h"
-#include "control/window_picture.h"
 
 #include <cstdint>
 #include <optional>

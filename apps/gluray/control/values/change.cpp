@@ -1,7 +1,7 @@
-#include "control/change.h"
+#include "control/values/change.h"
 
 #include "control/one_program.h"
-#include "control/setting_values.h"
+#include "control/values/setting_values.h"
 #include "say.h"
 #include "settings/setting_options.h"
 

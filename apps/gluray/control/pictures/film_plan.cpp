@@ -1,4 +1,4 @@
-#include "control/film_plan.h"
+#include "control/pictures/film_plan.h"
 
 #include "settings/setting_options.h"
 

@@ -1,4 +1,4 @@
-#include "control/window_picture.h"
+#include "control/pictures/window_picture.h"
 
 #include "base/printable.h"
 #include "control/messages/base64.h"

@@ -1,4 +1,4 @@
-#include "control/setting_values.h"
+#include "control/values/setting_values.h"
 
 #include "base/printable.h"
 #include "control/messages/members.h"

@@ -1,4 +1,4 @@
-#include "control/film_settings.h"
+#include "control/pictures/film_settings.h"
 
 #include "control/messages/members.h"
 
