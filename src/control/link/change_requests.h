@@ -1,8 +1,8 @@
 // Requests that change settings: set, undo and redo; and hold, apply, draw and drop of MPI jobs. They are
 // answered when a frame has begun with the values. Control thread; times in seconds.
 #pragma once
-#include "settings/live_settings.h"
-#include "settings/settings_history.h"
+#include "settings/live/live_settings.h"
+#include "settings/live/settings_history.h"
 
 #include <nlohmann/json.hpp>
 

@@ -4,8 +4,8 @@
 #include "control/link/pictures.h"
 #include "control/link/program.h"
 #include "control/link/rates.h"
-#include "settings/live_settings.h"
-#include "settings/settings_history.h"
+#include "settings/live/live_settings.h"
+#include "settings/live/settings_history.h"
 
 #include <nlohmann/json.hpp>
 

@@ -4,7 +4,7 @@
 #include "control/link/frame_wait.h"
 #include "control/link/program.h"
 #include "control/link/waker.h"
-#include "settings/settings_source.h"
+#include "settings/live/settings_source.h"
 
 #include <nlohmann/json.hpp>
 

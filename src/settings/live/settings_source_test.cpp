@@ -1,4 +1,4 @@
-#include "settings/settings_source.h"
+#include "settings/live/settings_source.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The profiles of programs that GLuRay ships (spec/profiles.toml). Any thread.
 #pragma once
-#include "settings/config_file.h"
+#include "settings/layers/config_file.h"
 
 #include <string_view>
 #include <vector>

@@ -1,6 +1,6 @@
-#include "settings/layers.h"
+#include "settings/layers/layers.h"
 
-#include "settings/profiles.h"
+#include "settings/layers/profiles.h"
 #include "settings/values.h"
 
 #include <algorithm>

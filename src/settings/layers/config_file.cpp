@@ -1,4 +1,4 @@
-#include "settings/config_file.h"
+#include "settings/layers/config_file.h"
 
 #include "base/files.h"
 #include "base/toml_text.h"

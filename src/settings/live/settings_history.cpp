@@ -1,4 +1,4 @@
-#include "settings/settings_history.h"
+#include "settings/live/settings_history.h"
 
 #include <algorithm>
 #include <iterator>

@@ -2,8 +2,8 @@
 // values that are set live. Any thread.
 #pragma once
 #include "base/clock.h"
-#include "settings/layers.h"
-#include "settings/settings_source.h"
+#include "settings/layers/layers.h"
+#include "settings/live/settings_source.h"
 
 #include <array>
 #include <atomic>

@@ -1,5 +1,5 @@
 // Steps of live changes: taken back, made again, continued by gestures.
-#include "settings/settings_history.h"
+#include "settings/live/settings_history.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Presets: named sets of settings, shipped (spec/presets.toml) or in tables [presets.NAME] of gluray.toml.
 // Any thread.
 #pragma once
-#include "settings/config_file.h"
+#include "settings/layers/config_file.h"
 
 #include <span>
 #include <string>

@@ -1,4 +1,4 @@
-#include "settings/profiles.h"
+#include "settings/layers/profiles.h"
 
 #include "settings/built_in_profiles.gen.h"
 

@@ -1,5 +1,5 @@
-#include "settings/config_file.h"
-#include "settings/layers.h"
+#include "settings/layers/config_file.h"
+#include "settings/layers/layers.h"
 
 #include <unistd.h>
 

@@ -1,7 +1,7 @@
 // The steps by which settings were set live, to take them back and make them again. Not thread-safe: the
 // control thread's.
 #pragma once
-#include "settings/live_settings.h"
+#include "settings/live/live_settings.h"
 
 #include <cstddef>
 #include <deque>

@@ -1,4 +1,4 @@
-#include "settings/layers.h"
+#include "settings/layers/layers.h"
 
 #include <sched.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "settings/live_settings.h"
+#include "settings/live/live_settings.h"
 
 #include "settings/values.h"
 

@@ -1,7 +1,7 @@
 // Precedence of layers, origins of values, and files that are refused.
-#include "settings/layers.h"
+#include "settings/layers/layers.h"
 
-#include "settings/presets.h"
+#include "settings/layers/presets.h"
 #include "settings/values.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "settings/presets.h"
+#include "settings/layers/presets.h"
 
 #include "settings/built_in_presets.gen.h"
 #include "settings/nearest.h"

@@ -1,4 +1,4 @@
-#include "settings/config_file.h"
+#include "settings/layers/config_file.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,8 +1,8 @@
 // Layers of settings: later layers override earlier ones; every value has its origin. Read by the process,
-// when it starts and when files change (live_settings.h), and by the launcher. Any thread.
+// when it starts and when files change (settings/live/live_settings.h), and by the launcher. Any thread.
 #pragma once
-#include "settings/config_file.h"
-#include "settings/presets.h"
+#include "settings/layers/config_file.h"
+#include "settings/layers/presets.h"
 #include "settings/rows.h"
 
 #include <array>

@@ -1,5 +1,5 @@
 // Settings that change while a process runs: files that are edited, and values that are set live.
-#include "settings/live_settings.h"
+#include "settings/live/live_settings.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
