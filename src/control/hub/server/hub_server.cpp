@@ -1,4 +1,4 @@
-#include "control/hub/hub_server.h"
+#include "control/hub/server/hub_server.h"
 
 #include "control/auth/handshake.h"
 #include "control/auth/refusals.h"
@@ -6,9 +6,9 @@
 #include "control/connect_tcp.h"
 #include "control/connection.h"
 #include "control/hub/hub_core.h"
-#include "control/hub/hub_place.h"
-#include "control/hub/listener.h"
-#include "control/hub/program_files.h"
+#include "control/hub/server/hub_place.h"
+#include "control/hub/server/listener.h"
+#include "control/hub/server/program_files.h"
 
 #include <asio/post.hpp>
 #include <asio/steady_timer.hpp>

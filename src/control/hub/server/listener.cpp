@@ -1,4 +1,4 @@
-#include "control/hub/listener.h"
+#include "control/hub/server/listener.h"
 
 #include "control/connect_tcp.h"
 

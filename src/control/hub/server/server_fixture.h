@@ -1,7 +1,7 @@
 // A hub on real sockets in a directory of its own, for tests. One thread runs the hub and the test.
 #pragma once
 #include "control/connect.h"
-#include "control/hub/hub_server.h"
+#include "control/hub/server/hub_server.h"
 #include "control/messages/parsed.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "control/hub/program_files.h"
+#include "control/hub/server/program_files.h"
 
 #include "control/messages/members.h"
 

@@ -1,4 +1,4 @@
-#include "control/hub/hub_place.h"
+#include "control/hub/server/hub_place.h"
 
 #include "control/connect.h"
 #include "control/runtime_directory.h"

@@ -3,7 +3,7 @@
 #include "control/auth/key.h"
 #include "control/auth/refusals.h"
 #include "control/connect_tcp.h"
-#include "control/hub/server_fixture.h"
+#include "control/hub/server/server_fixture.h"
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
