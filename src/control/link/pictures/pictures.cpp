@@ -1,4 +1,4 @@
-#include "control/link/pictures.h"
+#include "control/link/pictures/pictures.h"
 
 #include "control/link/asked.h"
 #include "control/messages/base64.h"

@@ -1,4 +1,4 @@
-#include "control/link/picture.h"
+#include "control/link/pictures/picture.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // Shots and thumbnails, with a fake program and a fake clock.
-#include "control/link/pictures.h"
+#include "control/link/pictures/pictures.h"
 
 #include "base/clock.h"
 #include "control/messages/base64.h"
