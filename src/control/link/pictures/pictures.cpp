@@ -1,7 +1,7 @@
 #include "control/link/pictures/pictures.h"
 
-#include "control/link/asked.h"
 #include "control/messages/base64.h"
+#include "control/messages/members.h"
 
 #include <algorithm>
 #include <limits>
@@ -27,23 +27,23 @@ void Pictures::shoot(const json& id, double now) {
 
 /// Rows of a kept shot.
 json Pictures::piece(const json& arguments, double now) {
-  const Asked asked(arguments);
-  const auto number = asked.number("shot"), row = asked.number("row");
-  const auto kept =
-      std::find_if(kept_.begin(), kept_.end(), [&](const Kept& k) { return number && k.number == *number; });
+  const auto number = wholeNumber(member(arguments, "shot"), 0, kMostFrame);
+  const auto kept = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& k) {
+    return number && k.number == static_cast<uint64_t>(*number);
+  });
   if (kept == kept_.end()) return {{"why", "this shot is not kept any more; take another"}};
   const RgbPicture& picture = kept->picture;
-  if (!row || *row >= static_cast<uint64_t>(picture.height))
-    return {{"why", "row: use a number from 0 to " + std::to_string(picture.height - 1)}};
+  const auto asked = wholeNumber(member(arguments, "row"), 0, picture.height - 1);
+  if (!asked) return {{"why", "row: use a number from 0 to " + std::to_string(picture.height - 1)}};
   kept->until = now + kKeepSeconds;
+  const auto row = static_cast<size_t>(*asked);
   const size_t rowBytes = 3 * static_cast<size_t>(picture.width);
   const size_t rows =
-      std::min(std::max<size_t>(kPieceBytes / rowBytes, 1), static_cast<size_t>(picture.height) - *row);
+      std::min(std::max<size_t>(kPieceBytes / rowBytes, 1), static_cast<size_t>(picture.height) - row);
   const std::string_view bytes(picture.bytes);
-  return {{"value",
-           {{"row", *row},
-            {"rows", rows},
-            {"pixels", toBase64(bytes.substr(*row * rowBytes, rows * rowBytes))}}}};
+  return {
+      {"value",
+       {{"row", row}, {"rows", rows}, {"pixels", toBase64(bytes.substr(row * rowBytes, rows * rowBytes))}}}};
 }
 
 void Pictures::observe(const ThumbnailWish& wish, double now) {
