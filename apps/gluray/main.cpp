@@ -3,7 +3,7 @@
 #include "command_line.h"
 #include "control/control_commands.h"
 #include "control/hub.h"
-#include "control/live_values.h"
+#include "control/values/live_values.h"
 #include "doctor/doctor.h"
 #include "doctor/probe_context.h"
 #include "explain/explain.h"

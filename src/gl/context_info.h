@@ -4,7 +4,7 @@
 #include "gl/draws/draw_kinds.h"
 #include "gl/families/family.h"
 #include "gl/window/engine_choice.h"
-#include "settings/settings_source.h"
+#include "settings/live/settings_source.h"
 
 #include <glm/glm.hpp>
 

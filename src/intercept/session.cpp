@@ -6,7 +6,7 @@
 #include "base/timeline.h"
 #include "control/link/job.h"
 #include "intercept/control/link.h"
-#include "settings/live_settings.h"
+#include "settings/live/live_settings.h"
 
 #include <unistd.h>
 

@@ -1,7 +1,7 @@
 // The user's settings for this process, read when the engine starts; settings of frames also when files
 // change. Any thread.
 #pragma once
-#include "settings/settings_source.h"
+#include "settings/live/settings_source.h"
 
 #include <string>
 

@@ -1,4 +1,4 @@
-"""A program that runs with a hub of the test's: the tests of link_test.py GLURAY CLIENT."""
+"""A program that runs with a hub of the test's: the tests of link_test.py, hubs_test.py and pictures_test.py GLURAY CLIENT."""
 import contextlib
 import os
 import pathlib

@@ -7,8 +7,7 @@ import sys
 import time
 import unittest
 
-import link_test
-from link_test import Linked
+from linked import GLURAY, Linked
 from memory_hub import picture_of
 
 WIDTH, HEIGHT = 160, 120  # of the client's window
@@ -180,6 +179,5 @@ class Thumbnails(Pictured):
 
 
 if __name__ == "__main__":
-    link_test.GLURAY, link_test.CLIENT = GLURAY, CLIENT = sys.argv[1:3]
     PYTHON = sys.argv[3]
     unittest.main(argv=sys.argv[:1] + sys.argv[4:], verbosity=2)

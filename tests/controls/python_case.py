@@ -1,4 +1,4 @@
-"""import gluray from the folder that is tested, and hubs for it: the tests of python_test.py GLURAY PYTHON_FOLDER."""
+"""import gluray from the folder that is tested, and hubs for it: the tests of python_test.py and its like, with GLURAY PYTHON_FOLDER."""
 import json
 import os
 import pathlib

@@ -1,15 +1,15 @@
 #include "control/control_commands.h"
 
 #include "command_line.h"
-#include "control/camera.h"
-#include "control/change.h"
-#include "control/film.h"
-#include "control/light.h"
-#include "control/material.h"
-#include "control/objects.h"
 #include "control/panel.h"
+#include "control/pictures/film.h"
+#include "control/pictures/shot.h"
 #include "control/programs_list.h"
-#include "control/shot.h"
+#include "control/scene/camera.h"
+#include "control/scene/light.h"
+#include "control/scene/material.h"
+#include "control/scene/objects.h"
+#include "control/values/change.h"
 #include "control/watch.h"
 
 namespace gluray::launcher {

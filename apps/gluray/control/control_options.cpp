@@ -1,7 +1,7 @@
 #include "control/control_options.h"
 
 #include "command_line.h"
-#include "control/scene_options.h"
+#include "control/scene/scene_options.h"
 #include "settings/rows.h"
 
 #include <CLI/CLI.hpp>

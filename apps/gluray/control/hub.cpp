@@ -1,7 +1,7 @@
 #include "control/hub.h"
 
 #include "control/auth/key.h"
-#include "control/hub/hub_server.h"
+#include "control/hub/server/hub_server.h"
 #include "control/runtime_directory.h"
 #include "say.h"
 #include "wake/wake.h"

@@ -2,7 +2,7 @@
 #pragma once
 #include "command_line.h"
 #include "control/client/client.h"
-#include "control/hub/hub_server.h"
+#include "control/hub/server/hub_server.h"
 #include "control/running_program.h"
 
 #include <asio/io_context.hpp>

@@ -2,8 +2,8 @@
 
 #include "base/printable.h"
 #include "control/hub_session.h"
-#include "control/setting_values.h"
 #include "control/state_text.h"
+#include "control/values/setting_values.h"
 #include "say.h"
 #include "settings/rows.h"
 

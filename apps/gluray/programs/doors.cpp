@@ -2,7 +2,7 @@
 
 #include "base/files.h"
 #include "intercept/probe/real_vendor.h"
-#include "settings/layers.h"
+#include "settings/layers/layers.h"
 
 #include <unistd.h>
 

@@ -2,7 +2,7 @@
 
 #include "base/printable.h"
 #include "control/messages/value.h"
-#include "control/setting_values.h"
+#include "control/values/setting_values.h"
 #include "say.h"
 #include "settings/values.h"
 #include "text_table.h"

@@ -1,6 +1,6 @@
 #include "model/hub_thread.h"
 
-#include "control/hub/hub_server.h"
+#include "control/hub/server/hub_server.h"
 
 #include <asio/executor_work_guard.hpp>
 #include <asio/io_context.hpp>

@@ -97,7 +97,7 @@ void ObjectList::take(const CallAnswer& answer, uint64_t round) {
   if (round != round_) return;
   if (!answer.why.empty()) return finish(QString::fromStdString(answer.why));
   const json* const same = member(answer.value, "same");
-  if (next_.empty() && same && same->is_boolean() && same->get<bool>()) {
+  if (next_.empty() && control::isTrue(same)) {
     underWay_ = false;
     return;
   }

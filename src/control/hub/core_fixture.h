@@ -105,4 +105,7 @@ class HubCoreTest : public testing::Test {
   uint64_t last_ = 0;
 };
 
+/// The suite of hub_core_test.cpp and answers_test.cpp.
+struct HubCoreRequests : HubCoreTest {};
+
 }  // namespace gluray::control::test

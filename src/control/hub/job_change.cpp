@@ -93,7 +93,7 @@ class JobChange : public std::enable_shared_from_this<JobChange> {
   void applied(int rank, json&& result) {
     note(rank, result);
     const json* late = member(result, "late");
-    if (late && late->is_boolean() && late->get<bool>()) late_.push_back(rank);
+    if (isTrue(late)) late_.push_back(rank);
     if (--missing_ > 0) return;
     // All ranks have the change: now a rank that begins a frame finds the others ready.
     askAll(

@@ -1,6 +1,6 @@
 #include "control/link/change_requests.h"
 
-#include "control/link/asked.h"
+#include "control/messages/members.h"
 #include "control/messages/value.h"
 #include "settings/values.h"
 
@@ -18,7 +18,7 @@ std::string readChanges(const json* values, LiveSettings::Changes& changes) {
   if (!values || !values->is_object()) return "values must be an object of settings and their values";
   for (const auto& [name, value] : values->items()) {
     const Row* const row = findSetting(name);
-    if (!row) return unknownSetting(name.substr(0, Asked::kMostOfName));
+    if (!row) return unknownSetting(name.substr(0, ChangeRequests::kMostOfName));
     if (value.is_null()) {
       changes.push_back({name, std::nullopt});
       continue;
@@ -41,9 +41,8 @@ bool ChangeRequests::knows(const std::string& type) {
 void ChangeRequests::refuse(const json& id, const std::string& why) { answer_(id, json{{"why", why}}); }
 
 void ChangeRequests::take(const std::string& type, const json& id, const json& message, double now) {
-  const Asked asked(message);
   if (type == "apply" || type == "draw" || type == "drop") {
-    const json* const of = asked.id("of");
+    const json* const of = member(message, "of");
     const auto held =
         std::find_if(held_.begin(), held_.end(), [&](const Held& h) { return of && h.id == *of; });
     if (type == "drop") {
@@ -59,7 +58,7 @@ void ChangeRequests::take(const std::string& type, const json& id, const json& m
   }
   Change change;
   std::string why = read(type, message, change);
-  if (why.empty() && asked.isTrue("hold")) return hold(id, std::move(change), now);
+  if (why.empty() && isTrue(member(message, "hold"))) return hold(id, std::move(change), now);
   LiveSettings::Answer answer;
   if (why.empty() && waiting_.size() >= kMostWaiting) why = "too many requests wait for a frame";
   if (why.empty()) why = make(change, 0, answer);
@@ -69,11 +68,10 @@ void ChangeRequests::take(const std::string& type, const json& id, const json& m
 
 std::string ChangeRequests::read(const std::string& type, const json& message, Change& change) const {
   if (type == "set") {
-    const Asked asked(message);
-    const auto gesture = asked.text("gesture");
-    if (asked.at("gesture") && !gesture) return "gesture must be a short text";
-    change.gesture = gesture.value_or("");
-    return readChanges(asked.at("values"), change.changes);
+    const auto gesture = textMember(message, "gesture", kMostCharacters, "");
+    if (!gesture) return "gesture must be a short text";
+    change.gesture = *gesture;
+    return readChanges(member(message, "values"), change.changes);
   }
   const bool undo = type == "undo";
   if ((undo ? history_.undoSteps() : history_.redoSteps()) == 0)
@@ -108,14 +106,15 @@ void ChangeRequests::hold(const json& id, Change&& change, double now) {
 }
 
 void ChangeRequests::apply(const json& id, Held& held, const json& message) {
-  const auto frame = Asked(message).number("frame");
-  if (!frame) return refuse(id, "frame must be a whole number");
+  const auto asked = wholeNumber(member(message, "frame"), 0, kMostFrame);
+  if (!asked) return refuse(id, "frame must be a whole number");
   if (held.applied) return refuse(id, "what is held was applied before");
-  const bool late = source_.begun().frame >= *frame;
+  const auto frame = static_cast<uint64_t>(*asked);
+  const bool late = source_.begun().frame >= frame;
   LiveSettings::Answer answer;
-  if (const std::string why = make(held.change, *frame, answer); !why.empty()) return refuse(id, why);
+  if (const std::string why = make(held.change, frame, answer); !why.empty()) return refuse(id, why);
   held.applied = std::move(answer);
-  answer_(id, json{{"frame", *frame}, {"late", late}});
+  answer_(id, json{{"frame", frame}, {"late", late}});
 }
 
 void ChangeRequests::wait(const json& id, const Change& change, LiveSettings::Answer&& answer, double now) {

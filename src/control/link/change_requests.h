@@ -1,8 +1,8 @@
 // Requests that change settings: set, undo and redo; and hold, apply, draw and drop of MPI jobs. They are
 // answered when a frame has begun with the values. Control thread; times in seconds.
 #pragma once
-#include "settings/live_settings.h"
-#include "settings/settings_history.h"
+#include "settings/live/live_settings.h"
+#include "settings/live/settings_history.h"
 
 #include <nlohmann/json.hpp>
 
@@ -22,6 +22,7 @@ class ChangeRequests {
   static constexpr double kPoll = 0.004;     // between two looks at the frames
   static constexpr double kHoldSeconds = 5;
   static constexpr size_t kMostHeld = 16, kMostWaiting = 256, kMostOfValue = size_t{16} << 10;
+  static constexpr size_t kMostOfName = 256;  // bytes of the name of an unknown setting that an answer quotes
 
   /// `result` has `why` if the request is refused.
   using Answer = std::function<void(const nlohmann::json& id, nlohmann::json result)>;

@@ -1,7 +1,7 @@
 // How a request waits for a frame of the program: when the program is asked to draw, and how long it is
 // waited for. Control thread; times in seconds.
 #pragma once
-#include "settings/settings_source.h"
+#include "settings/live/settings_source.h"
 
 namespace gluray::control {
 

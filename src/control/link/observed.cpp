@@ -1,6 +1,6 @@
 #include "control/link/observed.h"
 
-#include "control/link/asked.h"
+#include "control/messages/members.h"
 #include "control/messages/value.h"
 
 #include <algorithm>
@@ -16,17 +16,15 @@ json described(const LiveSettings::Value& value) {
 }
 
 json Observed::take(const json& message, double now) {
-  const Asked asked(message);
-  const json *const what = asked.at("what"), *const every = asked.at("every");
+  const json *const what = member(message, "what"), *const every = member(message, "every");
   if (!what || !what->is_array()) return {{"why", "what must be a list"}};
   if (every && !every->is_number()) return {{"why", "every must be a number of seconds"}};
   const auto names = [&](const char* name) {
     return std::find(what->begin(), what->end(), name) != what->end();
   };
-  const auto size = asked.number("size");
-  constexpr int kLeast = ThumbnailWish::kLeastSize, kMost = ThumbnailWish::kMostSize;
-  if (asked.at("size") && !(size && *size >= kLeast && *size <= kMost))
-    return {{"why", "size must be a number of pixels from 16 to 512"}};
+  const json* const askedSize = member(message, "size");
+  const auto size = wholeNumber(askedSize, ThumbnailWish::kLeastSize, ThumbnailWish::kMostSize);
+  if (askedSize && !size) return {{"why", "size must be a number of pixels from 16 to 512"}};
   every_ = every ? every->get<double>() : 1;
   every_ = every_ >= kLeastEvery ? std::min(every_, kMostEvery) : kLeastEvery;  // also of what is no number
   state_ = names("state"), settings_ = names("settings");

@@ -1,7 +1,7 @@
 // What a program tells the hub about itself and what the hub may ask of it: implemented by the engine, and by
 // a fake one in tests. All calls on the control thread.
 #pragma once
-#include "control/link/picture.h"
+#include "control/link/pictures/picture.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -3,8 +3,8 @@
 #pragma once
 #include "control/connect.h"
 #include "control/link/program.h"
-#include "settings/live_settings.h"
-#include "settings/settings_history.h"
+#include "settings/live/live_settings.h"
+#include "settings/live/settings_history.h"
 
 #include <atomic>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "control/link/program_side.h"
 
-#include "control/link/asked.h"
+#include "control/messages/members.h"
 #include "control/messages/value.h"
 #include "settings/values.h"
 
@@ -50,7 +50,8 @@ void ProgramSide::begin(double now) {
 void ProgramSide::send(const json& message) {
   const Connection::Line line = sharedLine(message);
   if (line->size() <= kMostBytes) return peer_.send(line);
-  if (const json* const id = Asked(message).id()) answer(*id, {{"why", "the answer is longer than 1 MiB"}});
+  if (const json* const id = member(message, "id"); isId(id))
+    answer(*id, {{"why", "the answer is longer than 1 MiB"}});
 }
 
 void ProgramSide::error(const std::string& why) { send({{"type", "error"}, {"why", why}}); }
@@ -65,8 +66,7 @@ void ProgramSide::answer(const json& id, json result) {
 }
 
 void ProgramSide::greet(const std::string& type, const json& message) {
-  const auto version = Asked(message).number("version");
-  greeted_ = type == "hello" && version && *version >= 1;
+  greeted_ = type == "hello" && wholeNumber(member(message, "version"), 1, kMostFrame);
   if (greeted_) return;
   const std::string why =
       type == "hello" ? "this version is not supported" : "the first message must be hello";
@@ -75,11 +75,11 @@ void ProgramSide::greet(const std::string& type, const json& message) {
 }
 
 void ProgramSide::take(const json& message, double now) {
-  const std::string type = Asked(message).text("type").value_or("");
+  const std::string type = textMember(message, "type", kMostCharacters).value_or("");
   if (!greeted_) return greet(type, message);
   if (type == "hello" || type == "answer" || type == "event" || type == "error") return;
-  const json* const id = Asked(message).id();
-  if (!id) return error("a request needs an id: a number or a short text");
+  const json* const id = member(message, "id");
+  if (!isId(id)) return error("a request needs an id: a number or a short text");
   try {
     carryOut(type, *id, message, now);
   } catch (const std::exception& e) { answer(*id, {{"why", std::string("it failed: ") + e.what()}}); }
@@ -89,7 +89,7 @@ void ProgramSide::carryOut(const std::string& type, const json& id, const json& 
   if (ChangeRequests::knows(type))
     changes_.take(type, id, message, now);
   else if (type == "get")
-    answer(id, valuesOf(Asked(message).at("names"), Asked(message).isTrue("layers")));
+    answer(id, valuesOf(member(message, "names"), isTrue(member(message, "layers"))));
   else if (type == "describe")
     answer(id, {{"settings", descriptions()}});
   else if (type == "observe")
@@ -116,7 +116,7 @@ json ProgramSide::valuesOf(const json* names, bool withLayers) {
     for (const json& name : *names) {
       if (!name.is_string()) return {{"why", "names must be texts"}};
       if (const auto& text = name.get_ref<const std::string&>(); !found.contains(text))
-        return {{"why", unknownSetting(text.substr(0, Asked::kMostOfName))}};
+        return {{"why", unknownSetting(text.substr(0, ChangeRequests::kMostOfName))}};
     }
   return {{"values", std::move(found)}};
 }
@@ -128,9 +128,8 @@ void ProgramSide::observe(const json& id, const json& message, double now) {
 }
 
 void ProgramSide::call(const json& id, const json& message, double now) {
-  const Asked asked(message);
-  const auto name = asked.text("name");
-  const json* const given = asked.at("arguments");
+  const auto name = textMember(message, "name", kMostCharacters);
+  const json* const given = member(message, "arguments");
   if (!name) return answer(id, {{"why", "name must be a short text"}});
   if (given && !given->is_object()) return answer(id, {{"why", "arguments must be an object"}});
   const json arguments = given ? *given : json::object();

@@ -5,7 +5,7 @@
 #include "control/link/calls.h"
 #include "control/link/change_requests.h"
 #include "control/link/observed.h"
-#include "control/link/pictures.h"
+#include "control/link/pictures/pictures.h"
 #include "control/link/program.h"
 #include "control/link/waker.h"
 

@@ -3,7 +3,7 @@
 // Which kind it is, is found out by trying. Control thread; times in seconds.
 #pragma once
 #include "control/link/program.h"
-#include "settings/settings_source.h"
+#include "settings/live/settings_source.h"
 
 #include <cstdint>
 

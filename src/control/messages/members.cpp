@@ -37,6 +37,8 @@ bool isText(const json* value, size_t characters) {
   return value && value->is_string() && charactersIn(value->get_ref<const std::string&>()) <= characters;
 }
 
+bool isTrue(const json* value) { return value && value->is_boolean() && value->get<bool>(); }
+
 bool isId(const json* value) { return value && (value->is_number() || isText(value)); }
 
 std::optional<std::string> textMember(const json& object, const char* name, size_t characters,

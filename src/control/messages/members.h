@@ -22,6 +22,9 @@ std::optional<int64_t> wholeNumber(const nlohmann::json* value, int64_t least, i
 /// A text of at most `characters` Unicode characters.
 bool isText(const nlohmann::json* value, size_t characters = kMostCharacters);
 
+/// Whether it is the boolean true.
+bool isTrue(const nlohmann::json* value);
+
 /// Whether an answer can repeat it: a number or a text of at most kMostCharacters.
 bool isId(const nlohmann::json* value);
 

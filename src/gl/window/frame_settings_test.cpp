@@ -1,7 +1,7 @@
 // When frames take the settings.
 #include "gl/window/frame_settings.h"
 
-#include "settings/settings_source.h"
+#include "settings/live/settings_source.h"
 
 #include <gtest/gtest.h>
 

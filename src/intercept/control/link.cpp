@@ -7,7 +7,7 @@
 #include "intercept/contexts.h"
 #include "intercept/control/engine_program.h"
 #include "intercept/session.h"
-#include "settings/live_settings.h"
+#include "settings/live/live_settings.h"
 
 #include <unistd.h>
 

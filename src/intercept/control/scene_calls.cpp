@@ -4,7 +4,7 @@
 #include "frame/questions/listed_lights.h"
 #include "intercept/contexts.h"
 #include "intercept/control/described_objects.h"
-#include "settings/settings_source.h"
+#include "settings/live/settings_source.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 #include "intercept/context_record.h"
 #include "intercept/present/read_back/window_buffers.h"
 #include "intercept/windows/shm_window.h"
-#include "settings/settings_source.h"
+#include "settings/live/settings_source.h"
 
 #include <algorithm>
 #include <utility>

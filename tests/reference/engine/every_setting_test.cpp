@@ -1,7 +1,7 @@
 // Every setting that changes pictures changes one, and leaves nothing behind when it is set back: not a bit
 // of the picture, no acceleration structure.
 #include "scenes/stage.h"
-#include "settings/settings_source.h"
+#include "settings/live/settings_source.h"
 #include "settings/values.h"
 #include "tests/support/traced_context.h"
 

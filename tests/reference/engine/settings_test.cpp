@@ -1,6 +1,6 @@
 // A frame keeps the settings from its beginning; the next frame takes those stored since.
 #include "scenes/stage.h"
-#include "settings/settings_source.h"
+#include "settings/live/settings_source.h"
 #include "tests/support/snapshot_taker.h"
 #include "tests/support/traced_context.h"
 

@@ -1,62 +1,13 @@
-#include "pages/objects/objects_page.h"
+// The page of objects: which ones it shows, how it asks for them, and what is selected.
+#include "testing/objects_page_fixture.h"
 
-#include "editors/editor.h"
-#include "testing/fake_program.h"
-
-#include <gtest/gtest.h>
-
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QElapsedTimer>
-#include <QHeaderView>
-#include <QLabel>
-#include <QPushButton>
-#include <QSlider>
-#include <QTableView>
 #include <QTest>
 
 namespace gluray::panel {
 namespace {
 
 using nlohmann::json;
-
-struct ObjectsPageTest : testing::Test {
-  void SetUp() override {
-    program.values["objects"] = fakeObjects(4);
-    QObject::connect(&program.controls, &Controls::settingsChanged, &page, [this] { page.update(); });
-  }
-  void showThem() {
-    program.appear();
-    page.show();
-    ASSERT_TRUE(program.until([&] { return rows() > 0; }));
-  }
-  int rows() { return table().model()->rowCount(); }
-  QTableView& table() { return *page.findChild<QTableView*>(); }
-  QString message() { return page.findChild<QLabel*>("objects-message")->text(); }
-  QString title() { return page.findChild<QLabel*>("objects-title")->text(); }
-  QString cell(int row, int column) { return table().model()->index(row, column).data().toString(); }
-  std::vector<std::string> selected() {
-    std::vector<std::string> numbers;
-    for (const QModelIndex& index : table().selectionModel()->selectedRows())
-      numbers.push_back(index.data().toString().toStdString());
-    return numbers;
-  }
-  template <class Widget>
-  Widget& part(const char* editor) {
-    return *page.findChild<QWidget*>(editor)->findChild<Widget*>();
-  }
-  /// The next poll, without waiting for its second.
-  void poll() {
-    const size_t before = program.calls("objects").size();
-    page.hide(), page.show();
-    ASSERT_TRUE(program.until([&] { return program.calls("objects").size() > before; }));
-    program.settle();
-  }
-
-  FakeProgram program;
-  ObjectsPage page{program.controls, nullptr};
-};
 
 TEST_F(ObjectsPageTest, ShowsWhatTheProgramDraws) {
   program.values["objects"]["objects"][1] = fakeObject(2, nullptr, "glass");
@@ -145,101 +96,6 @@ TEST_F(ObjectsPageTest, SortsByNumbersAndFilters) {
   EXPECT_EQ(page.filter(""), 12);
 }
 
-TEST_F(ObjectsPageTest, ChoosesTheMaterialOfTheSelectedObjects) {
-  showThem();
-  table().selectAll();
-  EXPECT_EQ(title(), "4 objects: 1, 2, 3, 4");
-  page.select(2);
-  auto& material = part<QComboBox>("object.material");
-  EXPECT_EQ(material.currentText(), "program");
-  material.setCurrentText("glass");
-  emit material.activated(material.currentIndex());
-  ASSERT_EQ(program.sets().size(), 1u);
-  EXPECT_EQ(program.sets()[0]["values"], json({{"material.objects", {"2 glass"}}}));
-  auto& ior = part<QDoubleSpinBox>("object.material.ior");
-  ior.setValue(1.75);
-  EXPECT_EQ(program.sets().back()["values"], json({{"material.objects", {"2 glass ior=1.75"}}}))
-      << "the program has not yet said that it took the first";
-  EXPECT_NE(program.sets()[0]["gesture"], program.sets()[1]["gesture"]) << "two steps of undo";
-  program.settle();
-  EXPECT_EQ(material.currentText(), "glass");
-  page.select(1);
-  EXPECT_EQ(material.currentText(), "program");
-}
-
-TEST_F(ObjectsPageTest, ADragIsOneGestureForAllSelectedObjects) {
-  showThem();
-  program.say("material.objects", {"3 glass"});
-  table().selectAll();
-  auto& slider = part<QSlider>("object.material.roughness");
-  slider.setSliderDown(true);
-  for (int i = 1; i < 30; ++i) slider.setValue(i * 20);
-  slider.setSliderDown(false);
-  const auto sets = program.sets();
-  ASSERT_GE(sets.size(), 2u);
-  EXPECT_LT(sets.size(), 20u);
-  for (const json& set : sets) EXPECT_EQ(set["gesture"], sets[0]["gesture"]);
-  const json entries = sets.back()["values"]["material.objects"];
-  ASSERT_EQ(entries.size(), 4u);
-  EXPECT_EQ(entries[0].get<std::string>().substr(0, 18), "3 glass roughness=");
-}
-
-TEST_F(ObjectsPageTest, HidesObjectsFromRays) {
-  showThem();
-  program.say("material.objects", {"1 hidden-from=shadow", "2 mirror"});
-  page.select(1);
-  auto* camera = page.findChild<QCheckBox*>("hidden-from.camera");
-  auto* shadow = page.findChild<QCheckBox*>("hidden-from.shadow");
-  EXPECT_TRUE(shadow->isChecked());
-  table().selectAll();
-  EXPECT_EQ(shadow->checkState(), Qt::PartiallyChecked);
-  page.select(1);
-  camera->click();
-  EXPECT_EQ(program.sets().back()["values"],
-            json({{"material.objects", {"1 hidden-from=camera+shadow", "2 mirror"}}}));
-  camera->click(), shadow->click();
-  EXPECT_EQ(program.sets().back()["values"]["material.objects"][0], "1 hidden-from=none");
-}
-
-TEST_F(ObjectsPageTest, TakesEntriesBack) {
-  showThem();
-  auto* remove = page.findChild<QPushButton*>("objects-remove");
-  page.select(2);
-  EXPECT_FALSE(remove->isEnabled());
-  program.say("material.objects", {"1 glass", "2 mirror ior=2"});
-  EXPECT_TRUE(remove->isEnabled());
-  remove->click();
-  EXPECT_EQ(program.sets().back()["values"], json({{"material.objects", {"1 glass"}}}));
-  EXPECT_FALSE(remove->isEnabled());
-}
-
-TEST_F(ObjectsPageTest, ManyObjectsAreChangedAtOnce) {
-  program.values["objects"] = fakeObjects(1000);
-  showThem();
-  table().selectAll();
-  auto& material = part<QComboBox>("object.material");
-  material.setCurrentText("glass");
-  QElapsedTimer time;
-  time.start();
-  emit material.activated(material.currentIndex());
-  program.settle();
-  part<QDoubleSpinBox>("object.material.ior").setValue(1.75);
-  EXPECT_LT(time.elapsed(), 2000);
-  EXPECT_EQ(program.sets().back()["values"]["material.objects"].size(), 1000u);
-  EXPECT_EQ(program.sets().back()["values"]["material.objects"][999], "1000 glass ior=1.75");
-}
-
-TEST_F(ObjectsPageTest, WhatAProgramRefusesIsNotShown) {
-  showThem();
-  page.select(2);
-  program.answers = false;
-  auto& material = part<QComboBox>("object.material");
-  material.setCurrentText("glass");
-  emit material.activated(material.currentIndex());
-  program.take({{"type", "answer"}, {"id", program.sent.back()["id"]}, {"why", "the list is too long"}});
-  EXPECT_EQ(material.currentText(), "program");
-}
-
 TEST_F(ObjectsPageTest, ShowsWhyThereAreNone) {
   program.refusals["objects"] = "no call is named objects";
   program.appear();
@@ -268,15 +124,6 @@ TEST_F(ObjectsPageTest, KeepsWhatIsThereWhileTheProgramFailsForAMoment) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return message() == "No objects: nothing is traced"; }, 20000));
   EXPECT_GE(time.elapsed(), 3000) << "since the last failure";
   EXPECT_EQ(rows(), 0);
-}
-
-TEST_F(ObjectsPageTest, SaysWhereMaterialsAreSeen) {
-  showThem();
-  auto* note = page.findChild<QWidget*>("objects-note");
-  EXPECT_TRUE(note->isVisible());
-  note->findChild<QPushButton*>()->click();
-  EXPECT_EQ(program.sets().back()["values"], json({{"integrator", "path"}}));
-  ASSERT_TRUE(program.until([&] { return !note->isVisible(); }));
 }
 
 TEST_F(ObjectsPageTest, SurvivesAnswersThatAreNoneOfTheProtocol) {

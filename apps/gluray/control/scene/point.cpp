@@ -1,0 +1,39 @@
+#include "control/scene/point.h"
+
+#include <nlohmann/json.hpp>
+
+#include <charconv>
+#include <cmath>
+
+namespace gluray::launcher {
+namespace {
+
+constexpr double kMostCoordinate = 1 << 15;  // pixels
+
+/// "240", "50%". Empty, or what is wrong.
+std::string readCoordinate(std::string text, double& value, bool& percent) {
+  const std::string why = text.substr(0, 40) + ": use pixels, such as 320 240, or percent from 0% to 100%";
+  percent = text.ends_with('%');
+  if (percent) text.pop_back();
+  const char* const end = text.data() + text.size();
+  const auto [last, error] = std::from_chars(text.data(), end, value);
+  const bool number = error == std::errc() && last == end && std::isfinite(value);
+  return number && value >= 0 && value <= (percent ? 100 : kMostCoordinate) ? "" : why;
+}
+
+}  // namespace
+
+std::string readPoint(const std::string& x, const std::string& y, Point& point) {
+  bool percent = false;
+  if (std::string why = readCoordinate(x, point.x, point.percent); !why.empty()) return why;
+  if (std::string why = readCoordinate(y, point.y, percent); !why.empty()) return why;
+  return percent == point.percent ? "" : x + " " + y + ": use pixels or percent for both";
+}
+
+nlohmann::json argumentsOf(const Point& point) {
+  nlohmann::json arguments = {{"x", point.x}, {"y", point.y}};
+  if (point.percent) arguments["width"] = arguments["height"] = 100;
+  return arguments;
+}
+
+}  // namespace gluray::launcher
