@@ -1,11 +1,12 @@
 #include "control/runtime_directory.h"
 
+#include "base/environment_variable.h"
+
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
 #include <system_error>
 #include <utility>
 
@@ -13,11 +14,6 @@ namespace gluray::control {
 namespace {
 
 constexpr mode_t kMode = 0700;
-
-std::string variable(const char* name) {
-  const char* value = std::getenv(name);
-  return value ? value : "";
-}
 
 std::string reason(int error) { return std::error_code(error, std::generic_category()).message(); }
 
@@ -29,8 +25,9 @@ std::string withoutSlashes(std::string path) {
 }  // namespace
 
 std::string runtimeDirectory() {
-  if (std::string named = variable("GLURAY_RUNTIME"); !named.empty()) return withoutSlashes(std::move(named));
-  if (const std::string session = variable("XDG_RUNTIME_DIR"); !session.empty())
+  if (std::string named = environmentVariable("GLURAY_RUNTIME"); !named.empty())
+    return withoutSlashes(std::move(named));
+  if (const std::string session = environmentVariable("XDG_RUNTIME_DIR"); !session.empty())
     return withoutSlashes(session) + "/gluray";
   return "/tmp/gluray-" + std::to_string(getuid());
 }

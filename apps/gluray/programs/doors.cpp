@@ -1,5 +1,6 @@
 #include "programs/doors.h"
 
+#include "base/environment_variable.h"
 #include "base/files.h"
 #include "intercept/probe/real_vendor.h"
 #include "settings/layers/layers.h"
@@ -14,16 +15,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string environment(const char* name) {
-  const char* value = std::getenv(name);
-  return value ? value : "";
-}
-
 void set(const char* name, const std::string& value) { setenv(name, value.c_str(), 1); }
 
 /// Puts `entry` in front of a colon-separated list unless the list has it.
 void putFirst(const char* name, const std::string& entry) {
-  const std::string list = environment(name);
+  const std::string list = environmentVariable(name);
   if ((":" + list + ":").find(":" + entry + ":") != std::string::npos) return;
   set(name, list.empty() ? entry : entry + ":" + list);
 }

@@ -1,5 +1,6 @@
 #include "control/link/job.h"
 
+#include "base/environment_variable.h"
 #include "control/messages/members.h"
 #include "control/process_start.h"
 
@@ -7,7 +8,6 @@
 
 #include <array>
 #include <charconv>
-#include <cstdlib>
 #include <initializer_list>
 #include <optional>
 #include <string_view>
@@ -80,12 +80,6 @@ Job jobOf(const AskVariable& variable, const std::string& launcher) {
   return {};
 }
 
-Job jobOfThisProcess() {
-  const auto variable = [](const char* name) {
-    const char* const value = std::getenv(name);
-    return std::string(value ? value : "");
-  };
-  return jobOf(variable, launcherOfThisProcess());
-}
+Job jobOfThisProcess() { return jobOf(environmentVariable, launcherOfThisProcess()); }
 
 }  // namespace gluray::control

@@ -1,5 +1,7 @@
 #include "intercept/probe/real_vendor.h"
 
+#include "base/environment_variable.h"
+
 #include <dlfcn.h>
 #include <nlohmann/json.hpp>
 #include <poll.h>
@@ -8,7 +10,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -19,11 +20,6 @@ namespace gluray::probe {
 namespace {
 
 constexpr int kPatienceMs = 2000;
-
-std::string environment(const char* name) {
-  const char* value = std::getenv(name);
-  return value ? value : "";
-}
 
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts;
@@ -54,7 +50,7 @@ std::string vendorsOfDisplay() {
   };
   void* xcb = dlopen("libxcb.so.1", RTLD_NOW);
   void* glx = dlopen("libxcb-glx.so.0", RTLD_NOW);
-  if (!xcb || !glx || environment("DISPLAY").empty()) return "";
+  if (!xcb || !glx || environmentVariable("DISPLAY").empty()) return "";
   const auto connect = reinterpret_cast<void* (*)(const char*, int*)>(dlsym(xcb, "xcb_connect"));
   const auto hasError = reinterpret_cast<int (*)(void*)>(dlsym(xcb, "xcb_connection_has_error"));
   const auto query =
@@ -78,8 +74,8 @@ std::string vendorsOfDisplay() {
 }
 
 std::string findGlx() {
-  std::string chosen = environment("__GLX_VENDOR_LIBRARY_NAME");
-  if (chosen == "gluray") chosen = environment("GLURAY_REAL_GLX");
+  std::string chosen = environmentVariable("__GLX_VENDOR_LIBRARY_NAME");
+  if (chosen == "gluray") chosen = environmentVariable("GLURAY_REAL_GLX");
   std::vector<std::string> names = chosen.empty() ? split(vendorsOfDisplay(), ' ') : std::vector{chosen};
   names.push_back("mesa");
   for (const std::string& name : names)
@@ -89,10 +85,10 @@ std::string findGlx() {
 
 /// The EGL driver of the same vendor as the GLX driver if there is one, otherwise the first that loads.
 std::string findEgl(const std::string& glx) {
-  std::string files = environment("__EGL_VENDOR_LIBRARY_FILENAMES");
-  if (files.find("gluray_egl.json") != std::string::npos) return environment("GLURAY_REAL_EGL");
+  std::string files = environmentVariable("__EGL_VENDOR_LIBRARY_FILENAMES");
+  if (files.find("gluray_egl.json") != std::string::npos) return environmentVariable("GLURAY_REAL_EGL");
   std::vector<std::string> libraries =
-      split(eglVendorLibraries(files, environment("__EGL_VENDOR_LIBRARY_DIRS")), ':');
+      split(eglVendorLibraries(files, environmentVariable("__EGL_VENDOR_LIBRARY_DIRS")), ':');
   std::stable_partition(libraries.begin(), libraries.end(), [&](const std::string& library) {
     return !glx.empty() && library.find("_" + glx + ".") != std::string::npos;
   });

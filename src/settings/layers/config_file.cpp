@@ -1,5 +1,6 @@
 #include "settings/layers/config_file.h"
 
+#include "base/environment_variable.h"
 #include "base/files.h"
 #include "base/toml_text.h"
 #include "settings/rows.h"
@@ -7,17 +8,11 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <optional>
 #include <string_view>
 
 namespace gluray {
 namespace {
-
-std::string environment(const char* name) {
-  const char* value = std::getenv(name);
-  return value ? value : "";
-}
 
 bool takesArrays(const Row& row) {
   return row.type == Type::list || row.type == Type::color || row.type == Type::vector;
@@ -144,9 +139,10 @@ std::vector<FileSetting> readConfigText(std::string_view text) {
 }
 
 std::string userConfigFile() {
-  if (const std::string named = environment("GLURAY_CONFIG"); !named.empty()) return named;
-  std::string directory = environment("XDG_CONFIG_HOME");
-  if (directory.empty() && !environment("HOME").empty()) directory = environment("HOME") + "/.config";
+  if (const std::string named = environmentVariable("GLURAY_CONFIG"); !named.empty()) return named;
+  std::string directory = environmentVariable("XDG_CONFIG_HOME");
+  if (directory.empty() && !environmentVariable("HOME").empty())
+    directory = environmentVariable("HOME") + "/.config";
   return directory.empty() ? "" : directory + "/gluray/gluray.toml";
 }
 

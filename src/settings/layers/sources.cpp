@@ -1,9 +1,9 @@
+#include "base/environment_variable.h"
 #include "settings/layers/config_file.h"
 #include "settings/layers/layers.h"
 
 #include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <sstream>
 #include <string_view>
@@ -12,11 +12,6 @@ namespace gluray {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string environment(const char* name) {
-  const char* value = std::getenv(name);
-  return value ? value : "";
-}
 
 /// Programs change their working directory.
 std::string absolute(const std::string& file) {
@@ -27,7 +22,7 @@ std::string absolute(const std::string& file) {
 
 /// The project file of the launcher's working directory; without a launcher, of this process's.
 std::string projectFile() {
-  std::string named = environment("GLURAY_PROJECT");
+  std::string named = environmentVariable("GLURAY_PROJECT");
   return named.empty() ? projectFileHere() : absolute(named);
 }
 
@@ -37,8 +32,8 @@ std::vector<std::string> programNames() {
   std::error_code error;
   const fs::path executable = fs::read_symlink("/proc/self/exe", error);
   if (!error) names.push_back(executable.filename().string());
-  const std::string typed = environment("GLURAY_PROGRAM");
-  const bool launched = environment("GLURAY_PID") == std::to_string(getpid());
+  const std::string typed = environmentVariable("GLURAY_PROGRAM");
+  const bool launched = environmentVariable("GLURAY_PID") == std::to_string(getpid());
   if (launched && !typed.empty() && (names.empty() || names[0] != typed)) names.push_back(typed);
   return names;
 }
@@ -58,7 +53,7 @@ std::vector<std::pair<std::string, std::string>> variablesOfProcess() {
 /// The options that the launcher passed, as lines NAME=VALUE.
 std::vector<std::pair<std::string, std::string>> passedOptions() {
   std::vector<std::pair<std::string, std::string>> options;
-  std::istringstream lines(environment("GLURAY_COMMAND_LINE"));
+  std::istringstream lines(environmentVariable("GLURAY_COMMAND_LINE"));
   for (std::string line; std::getline(lines, line);)
     if (const size_t sign = line.find('='); sign != line.npos)
       options.emplace_back(line.substr(0, sign), line.substr(sign + 1));
@@ -77,7 +72,7 @@ Sources sourcesOfProcess() {
   Sources sources;
   sources.systemFile = "/etc/gluray/gluray.toml";
   sources.userFile = absolute(userConfigFile());
-  sources.userFileNamed = !environment("GLURAY_CONFIG").empty();
+  sources.userFileNamed = !environmentVariable("GLURAY_CONFIG").empty();
   sources.projectFile = projectFile();
   sources.programs = programNames();
   sources.commandLine = passedOptions();
