@@ -19,7 +19,7 @@ constexpr std::array<const char*, 12> kColors = {"#4477aa", "#ee6677", "#228833"
                                                  "#66ccee", "#aa3377", "#999933", "#882255",
                                                  "#44aa99", "#ddcc77", "#332288", "#bbbbbb"};
 
-std::string escaped(const std::string& text) {
+std::string escapedForSvg(const std::string& text) {
   std::string out;
   for (const char c : text) out += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
   return out;
@@ -76,7 +76,7 @@ class Panel {
       out_ << "<rect x=\"" << fixed(x0, 2) << "\" y=\""
            << fixed(rowOf(span.track) + 3 + lane * (kLane + 1), 1) << "\" width=\""
            << fixed(std::max(x1 - x0, 0.5), 2) << "\" height=\"" << kLane << "\" fill=\""
-           << kColors[span.name % kColors.size()] << "\"><title>" << escaped(timeline_.names[span.name])
+           << kColors[span.name % kColors.size()] << "\"><title>" << escapedForSvg(timeline_.names[span.name])
            << ": " << fixed(span.end - span.start, 3) << " ms"
            << (span.amount ? ", " + std::to_string(span.amount) : "") << "</title></rect>\n";
     }
@@ -88,7 +88,7 @@ class Panel {
   }
   void text(double x, double y, const std::string& what, const char* anchor) {
     out_ << "<text x=\"" << fixed(x, 1) << "\" y=\"" << fixed(y, 1) << "\" text-anchor=\"" << anchor << "\">"
-         << escaped(what) << "</text>\n";
+         << escapedForSvg(what) << "</text>\n";
   }
 
   const Timeline& timeline_;
@@ -129,7 +129,7 @@ void writeChart(const Timeline& timeline, const Stretch& near, std::ostream& out
   for (size_t i = 0; i < timeline.names.size(); ++i) {
     out << "<rect x=\"" << x << "\" y=\"10\" width=\"10\" height=\"10\" fill=\""
         << kColors[i % kColors.size()] << "\"/><text x=\"" << x + 14 << "\" y=\"19\">"
-        << escaped(timeline.names[i]) << "</text>\n";
+        << escapedForSvg(timeline.names[i]) << "</text>\n";
     x += 26 + 6.2 * static_cast<double>(timeline.names[i].size());
   }
   Panel(timeline, {timeline.start, timeline.end}, kTop, out).draw("whole run");
