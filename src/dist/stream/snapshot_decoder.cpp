@@ -1,0 +1,226 @@
+#include "dist/stream/snapshot_decoder.h"
+
+#include "dist/stream/archive.h"
+#include "dist/stream/settings_codec.h"
+#include "dist/stream/snapshot_checks.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <initializer_list>
+#include <utility>
+
+namespace gluray::dist {
+namespace {
+
+using scene::Format;
+
+constexpr size_t kMostUnits = scene::kTextureUnits;
+
+/// Largest element of an array of uint32; 0 if it is empty.
+uint32_t largest(const scene::Attribute& a, uint32_t count) {
+  uint32_t most = 0;
+  for (uint32_t i = 0; i < count; ++i) {
+    uint32_t element;
+    std::memcpy(&element, a.data + size_t{4} * i, sizeof element);
+    most = std::max(most, element);
+  }
+  return most;
+}
+
+class Decoding : public ReadArchive<Decoding> {
+ public:
+  Decoding(std::span<const std::byte> message, const FindArray& arrays, DecodedParts& parts)
+      : ReadArchive(message), arrays_(arrays), parts_(parts) {}
+  using ReadArchive::value;
+
+  void value(scene::MeshPtr& mesh);
+  void value(scene::Instance& instance);
+  void value(std::shared_ptr<const scene::TextureImage>& image);
+  void value(Settings& settings) { settings = readSettings(in_); }
+  bool atEnd() const { return in_.left() == 0; }
+
+ private:
+  using Formats = std::initializer_list<Format>;
+  /// Absent, or of one of the formats and of `count` elements.
+  scene::Attribute attribute(uint32_t count, Formats formats);
+  Array array(size_t bytes);
+  scene::MeshPtr readMesh(DecodedParts::Mesh& made);
+  void readAttributes(scene::Mesh& mesh);
+  void readGrid(scene::TexelGrid& grid);
+  /// Mixes what identifies a mesh or an image: the names of its arrays and `bytes` of the message.
+  void identify(const void* bytes, size_t count) { identity_ = hashBytes(bytes, count, identity_); }
+
+  const FindArray& arrays_;
+  DecodedParts& parts_;
+  Hash128 identity_;  // of the part that is being read
+  std::vector<DecodedParts::Mesh> meshes_;
+  std::vector<scene::MeshPtr> kept_;
+  std::vector<std::shared_ptr<const scene::TextureImage>> images_;
+};
+
+Array Decoding::array(size_t bytes) {
+  const auto name = in_.get<Hash128>();
+  identify(&name, sizeof name);
+  Array found = arrays_(name);
+  if (!found.owner) throw Malformed("an array is not known");
+  if (found.bytes.size() != bytes) throw Malformed("an array has another size");
+  return found;
+}
+
+scene::Attribute Decoding::attribute(uint32_t count, Formats formats) {
+  scene::Attribute a;
+  (*this)(a.format);
+  identify(&a.format, sizeof a.format);
+  if (!a) return a;
+  if (std::find(formats.begin(), formats.end(), a.format) == formats.end())
+    throw Malformed("an attribute has the wrong format");
+  const uint32_t element = bytesOf(a.format);
+  const Array found = array(size_t{count} * element);
+  a.owner = found.owner, a.data = found.bytes.data(), a.stride = element;
+  return a;
+}
+
+void Decoding::readAttributes(scene::Mesh& mesh) {
+  constexpr Formats kColors = {Format::float3, Format::float4, Format::unorm8x4},
+                    kTexcoords = {Format::float1, Format::float2, Format::float3, Format::float4};
+  const uint32_t count = mesh.vertexCount;
+  mesh.radii = attribute(count, {Format::float1});
+  mesh.axes = attribute(count, {Format::float3});
+  mesh.normals = attribute(count, {Format::float3});
+  mesh.colors = attribute(count, kColors);
+  mesh.texcoords = attribute(count, kTexcoords);
+  mesh.secondaryColors = attribute(count, {Format::float3, Format::float4});
+  mesh.fogCoords = attribute(count, {Format::float1});
+  mesh.materials = attribute(count, {Format::uint32});
+  const size_t above = in_.count(1);
+  if (above >= kMostUnits) throw Malformed("too many texture units");
+  for (size_t i = 0; i < above; ++i) mesh.texcoordsAbove.push_back(attribute(count, kTexcoords));
+}
+
+scene::MeshPtr Decoding::readMesh(DecodedParts::Mesh& made) {
+  identity_ = {};
+  auto read = std::make_shared<scene::Mesh>();
+  scene::Mesh& mesh = *read;
+  (*this)(mesh.shape, mesh.triangleCount, mesh.vertexCount, mesh.radius, mesh.lower, mesh.upper,
+          mesh.opaqueColors);
+  const uint64_t corners = uint64_t{mesh.triangleCount} * scene::cornersOf(mesh.shape);
+  if (corners > UINT32_MAX) throw Malformed("a mesh is too large");
+  const std::array<uint32_t, 3> shape = {static_cast<uint32_t>(mesh.shape), mesh.triangleCount,
+                                         mesh.vertexCount};
+  identify(shape.data(), sizeof shape);
+  mesh.positions = attribute(mesh.vertexCount, {Format::float3});
+  mesh.indices = attribute(static_cast<uint32_t>(corners), {Format::uint32});
+  if (!mesh.positions) throw Malformed("a mesh has no positions");
+  mesh.geometryId = identity_;
+  readAttributes(mesh);
+  const std::array<float, 8> rest = {mesh.radius,  mesh.lower.x, mesh.lower.y, mesh.lower.z,
+                                     mesh.upper.x, mesh.upper.y, mesh.upper.z, mesh.opaqueColors ? 1.0f : 0.0f};
+  identify(rest.data(), sizeof rest);
+  if (const auto known = parts_.meshes.find(identity_); known != parts_.meshes.end())
+    if (scene::MeshPtr same = known->second.mesh.lock()) {
+      made = known->second;
+      return same;
+    }
+  const bool inside = mesh.indices ? corners == 0 || largest(mesh.indices, static_cast<uint32_t>(corners)) <
+                                                         mesh.vertexCount
+                                   : corners <= mesh.vertexCount;
+  if (!inside) throw Malformed("a triangle has a vertex that does not exist");
+  made.materials = mesh.materials && mesh.vertexCount > 0 ? largest(mesh.materials, mesh.vertexCount) : 0;
+  made.mesh = read;
+  parts_.meshes[identity_] = made;
+  return read;
+}
+
+void Decoding::value(scene::MeshPtr& mesh) {
+  const auto index = in_.get<uint32_t>();
+  if (index > kept_.size()) throw Malformed("there is no such mesh");
+  if (index == kept_.size()) {
+    DecodedParts::Mesh made;
+    scene::MeshPtr read = readMesh(made);
+    kept_.push_back(std::move(read)), meshes_.push_back(std::move(made));
+  }
+  mesh = kept_[index];
+}
+
+void Decoding::value(scene::Instance& i) {
+  auto& [mesh, eyeFromObject, worldFromObject, shading, order, object, color, normal, secondaryColor, fogCoord,
+         texcoord, texcoordsAbove, materials, lightingFromObject, normalMatrix, triangleColors, triangleNormals,
+         triangleEdges, triangleOffset, impostors, cull, frontFaceCcw, clipPlanes, ground] = i;
+  (*this)(mesh, eyeFromObject, worldFromObject, shading, order, object, color, normal, secondaryColor, fogCoord,
+          texcoord, texcoordsAbove, materials, lightingFromObject, normalMatrix, impostors, cull, frontFaceCcw,
+          clipPlanes, ground);
+  triangleOffset = 0;
+  triangleColors = attribute(mesh->triangleCount, {Format::float4, Format::unorm8x4});
+  triangleNormals = attribute(mesh->triangleCount, {Format::float3, Format::float4});
+  triangleEdges = attribute(mesh->triangleCount, {Format::bits8});
+  const auto known = std::find(kept_.begin(), kept_.end(), mesh) - kept_.begin();
+  if (materials.size() <= meshes_[static_cast<size_t>(known)].materials)
+    throw Malformed("a material does not exist");
+  if (texcoordsAbove.size() >= kMostUnits) throw Malformed("too many texture units");
+}
+
+void Decoding::readGrid(scene::TexelGrid& grid) {
+  bool isFloats = false;
+  (*this)(grid.width, grid.height, grid.depth, isFloats);
+  const std::array<int, 4> shape = {grid.width, grid.height, grid.depth, isFloats};
+  identify(shape.data(), sizeof shape);
+  constexpr int kMost = 1 << 16;
+  if (std::min({grid.width, grid.height, grid.depth}) < 0 ||
+      std::max({grid.width, grid.height, grid.depth}) > kMost)
+    throw Malformed("an image has no such size");
+  const size_t count = static_cast<size_t>(grid.width) * static_cast<size_t>(grid.height) *
+                       static_cast<size_t>(grid.depth);
+  const Array found = array(count * (isFloats ? sizeof(glm::vec4) : sizeof(uint32_t)));
+  if (count == 0) return;
+  isFloats ? grid.floats.resize(count) : grid.texels.resize(count);
+  std::memcpy(isFloats ? static_cast<void*>(grid.floats.data()) : grid.texels.data(), found.bytes.data(),
+              found.bytes.size());
+}
+
+void Decoding::value(std::shared_ptr<const scene::TextureImage>& image) {
+  const auto index = in_.get<uint32_t>();
+  if (index > images_.size()) throw Malformed("there is no such image");
+  if (index < images_.size()) {
+    image = images_[index];
+    return;
+  }
+  bool exists = false;
+  (*this)(exists);
+  if (exists) {
+    identity_ = {};
+    auto read = std::make_shared<scene::TextureImage>();
+    (*this)(read->baseFormat, read->opaque);
+    const std::array<int, 2> kind = {static_cast<int>(read->baseFormat), read->opaque};
+    identify(kind.data(), sizeof kind);
+    readGrid(*read);
+    for (size_t levels = in_.count(1); levels > 0; --levels) readGrid(read->mipmaps.emplace_back());
+    std::weak_ptr<const scene::TextureImage>& known = parts_.images[identity_];
+    image = known.lock();
+    if (!image) known = image = read;
+  }
+  images_.push_back(image);
+}
+
+}  // namespace
+
+void DecodedParts::forgetGone() {
+  std::erase_if(meshes, [](const auto& entry) { return entry.second.mesh.expired(); });
+  std::erase_if(images, [](const auto& entry) { return entry.second.expired(); });
+}
+
+scene::SnapshotPtr SnapshotDecoder::decode(std::span<const std::byte> message) {
+  const size_t parts = parts_.meshes.size() + parts_.images.size();
+  if (parts > 2 * partsAfterForgetting_ + 64) {
+    parts_.forgetGone();
+    partsAfterForgetting_ = parts_.meshes.size() + parts_.images.size();
+  }
+  Decoding decoding(message, arrays_, parts_);
+  auto snapshot = std::make_shared<scene::Snapshot>();
+  decoding(*snapshot);
+  if (!decoding.atEnd()) throw Malformed("it goes on after its end");
+  check(*snapshot);
+  return snapshot;
+}
+
+}  // namespace gluray::dist

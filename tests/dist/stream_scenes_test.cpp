@@ -1,0 +1,80 @@
+// Every scene, traced from what another process reads: the same picture to the bit.
+#include "dist/stream/snapshot_decoder.h"
+#include "dist/stream/snapshot_encoder.h"
+#include "frame/renderer.h"
+#include "intercept/present/tracing_presenter.h"
+#include "scenes/scene.h"
+#include "tests/reference/drawn_scene.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <unordered_map>
+
+namespace gluray::test {
+namespace {
+
+/// Traces what arrives at the other end of a stream, with a renderer of its own.
+class FarRenderer {
+ public:
+  bool render(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error) {
+    const dist::EncodedSnapshot sent = encoder_.encode(snapshot);
+    for (const dist::ArraySource& array : sent.arrays)
+      if (!arrays_.contains(array.name)) arrays_[array.name] = dist::makeArray(array);
+    try {
+      const scene::SnapshotPtr received = decoder_.decode(sent.message);
+      ++count;
+      return renderer_.render(*received, image, cost, error);
+    } catch (const dist::Malformed& malformed) {
+      ADD_FAILURE() << malformed.what();
+      return false;
+    }
+  }
+  int count = 0;
+
+ private:
+  dist::SnapshotEncoder encoder_;
+  std::unordered_map<Hash128, dist::Array> arrays_;
+  dist::SnapshotDecoder decoder_{[this](const Hash128& name) {
+    const auto known = arrays_.find(name);
+    return known == arrays_.end() ? dist::Array{} : known->second;
+  }};
+  frame::Renderer renderer_;
+};
+
+class StreamTest : public testing::TestWithParam<const scenes::Scene*> {
+ protected:
+  static Picture drawn(TracedContext& context) {
+    GetParam()->draw(context.gl(), kWidth, kHeight);
+    return context.read();
+  }
+  static void expectSamePicture(const Settings& settings) {
+    TracedContext ours({kWidth, kHeight}, settings);
+    const Picture expected = drawn(ours);
+    FarRenderer far;
+    frame::Tracer tracer;
+    tracer.trace = [&](const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error) {
+      return far.render(snapshot, image, cost, error);
+    };
+    TracedContext theirs({kWidth, kHeight}, settings, std::make_unique<present::TracingPresenter>(tracer));
+    const Picture got = drawn(theirs);
+    EXPECT_TRUE(far.count > 0 || !GetParam()->traced);
+    EXPECT_TRUE(expected == got) << compare(expected, got, {0, 0, 0, "none"}).text;
+    if (!(expected == got)) writeFailure(TEST_OUTPUT, GetParam()->name, expected, got);
+  }
+};
+
+TEST_P(StreamTest, LooksTheSame) { expectSamePicture(TracedContext::vertexShading()); }
+
+TEST_P(StreamTest, LooksTheSameWithLight) {
+  Settings settings = TracedContext::tracing();
+  settings.ao.enabled = settings.shadows.enabled = true;
+  settings.ground.kind = GroundKind::catcher;
+  settings.lights.rig = LightRig::threePoint;
+  expectSamePicture(settings);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, StreamTest, testing::ValuesIn(pointers(scenes::scenes())), nameOf);
+
+}  // namespace
+}  // namespace gluray::test
