@@ -19,10 +19,7 @@ class Malformed : public std::runtime_error {
 
 class ByteWriter {
  public:
-  void put(const void* bytes, size_t size) {
-    const auto* first = static_cast<const std::byte*>(bytes);
-    bytes_.insert(bytes_.end(), first, first + size);
-  }
+  void put(const void* bytes, size_t size);
   template <class T>
     requires std::is_trivially_copyable_v<T>
   void put(const T& value) {
@@ -39,12 +36,7 @@ class ByteWriter {
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
-  std::span<const std::byte> take(size_t size) {
-    if (size > bytes_.size()) throw Malformed("it ends too early");
-    const auto taken = bytes_.first(size);
-    bytes_ = bytes_.subspan(size);
-    return taken;
-  }
+  std::span<const std::byte> take(size_t size);
   template <class T>
     requires std::is_trivially_copyable_v<T>
   T get() {
@@ -54,11 +46,7 @@ class ByteReader {
   }
   /// Number of elements that follow, each of which takes at least `least` bytes: longer lists than what
   /// is left are refused before memory is allocated for them.
-  size_t count(size_t least) {
-    const auto count = get<uint64_t>();
-    if (count > bytes_.size() / least) throw Malformed("a list is longer than the message");
-    return static_cast<size_t>(count);
-  }
+  size_t count(size_t least);
   size_t left() const { return bytes_.size(); }
 
  private:

@@ -82,7 +82,7 @@ scene::Attribute Decoding::attribute(uint32_t count, Formats formats) {
 }
 
 void Decoding::readAttributes(scene::Mesh& mesh) {
-  constexpr Formats kColors = {Format::float3, Format::float4, Format::unorm8x4},
+  const Formats kColors = {Format::float3, Format::float4, Format::unorm8x4},
                     kTexcoords = {Format::float1, Format::float2, Format::float3, Format::float4};
   const uint32_t count = mesh.vertexCount;
   mesh.radii = attribute(count, {Format::float1});

@@ -136,7 +136,8 @@ class Ends {
 
 TEST(SnapshotStream, WhatIsReadWritesTheSameMessage) {
   Ends ends;
-  const scene::SnapshotPtr read = ends.sent(snapshot());
+  const scene::SnapshotPtr once = ends.sent(snapshot());  // has each mesh once
+  const scene::SnapshotPtr read = ends.sent(*once);
   const EncodedSnapshot first = ends.last;
   ends.sent(*read);
   EXPECT_EQ(first.message, ends.last.message);
