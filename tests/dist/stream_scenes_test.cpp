@@ -53,9 +53,8 @@ class StreamTest : public testing::TestWithParam<const scenes::Scene*> {
     const Picture expected = drawn(ours);
     FarRenderer far;
     frame::Tracer tracer;
-    tracer.trace = [&](const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error) {
-      return far.render(snapshot, image, cost, error);
-    };
+    tracer.trace = [&](const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
+                       std::string& error) { return far.render(snapshot, image, cost, error); };
     TracedContext theirs({kWidth, kHeight}, settings, std::make_unique<present::TracingPresenter>(tracer));
     const Picture got = drawn(theirs);
     EXPECT_TRUE(far.count > 0 || !GetParam()->traced);

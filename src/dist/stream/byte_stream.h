@@ -21,10 +21,8 @@ class ByteWriter {
  public:
   void put(const void* bytes, size_t size);
   template <class T>
-    requires std::is_trivially_copyable_v<T>
-  void put(const T& value) {
-    put(&value, sizeof value);
-  }
+  requires std::is_trivially_copyable_v<T>
+  void put(const T& value) { put(&value, sizeof value); }
   const std::vector<std::byte>& bytes() const { return bytes_; }
   std::vector<std::byte> take() { return std::move(bytes_); }
 
@@ -38,8 +36,7 @@ class ByteReader {
   explicit ByteReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
   std::span<const std::byte> take(size_t size);
   template <class T>
-    requires std::is_trivially_copyable_v<T>
-  T get() {
+  requires std::is_trivially_copyable_v<T> T get() {
     T value;
     std::memcpy(&value, take(sizeof value).data(), sizeof value);
     return value;

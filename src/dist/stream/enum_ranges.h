@@ -10,31 +10,56 @@ namespace gluray::dist {
 template <class E>
 inline constexpr E kLast = E::no_range_is_known;
 
-template <> inline constexpr auto kLast<scene::CullFace> = scene::CullFace::both;
-template <> inline constexpr auto kLast<scene::GroundUse> = scene::GroundUse::drawn;
-template <> inline constexpr auto kLast<scene::Layers::Of> = scene::Layers::Of::drawn;
-template <> inline constexpr auto kLast<scene::LightSampling::Mode> = scene::LightSampling::Mode::points;
-template <> inline constexpr auto kLast<scene::ColorMaterial::Mode> = scene::ColorMaterial::ambientAndDiffuse;
-template <> inline constexpr auto kLast<scene::Fog::Mode> = scene::Fog::exp2;
-template <> inline constexpr auto kLast<scene::AlphaTest::Function> = scene::AlphaTest::notEqual;
-template <> inline constexpr auto kLast<scene::FragmentLight::Kind> = scene::FragmentLight::positional;
-template <> inline constexpr auto kLast<scene::FragmentShading::Model> = scene::FragmentShading::Model::pbr;
-template <> inline constexpr auto kLast<scene::FragmentShading::Specular> = scene::FragmentShading::Specular::half;
-template <> inline constexpr auto kLast<scene::FragmentShading::Normals> = scene::FragmentShading::Normals::perTriangle;
-template <> inline constexpr auto kLast<scene::FragmentShading::Color> = scene::FragmentShading::Color::perTriangle;
-template <> inline constexpr auto kLast<scene::TextureTarget> = scene::TextureTarget::rectangle;
-template <> inline constexpr auto kLast<scene::Wrap> = scene::Wrap::mirrorClampToBorder;
-template <> inline constexpr auto kLast<scene::Filter> = scene::Filter::linear;
-template <> inline constexpr auto kLast<scene::MipFilter> = scene::MipFilter::linear;
-template <> inline constexpr auto kLast<scene::BaseFormat> = scene::BaseFormat::rgba;
-template <> inline constexpr auto kLast<scene::LodRule> = scene::LodRule::llvmpipe;
-template <> inline constexpr auto kLast<scene::TexEnv> = scene::TexEnv::combine;
-template <> inline constexpr auto kLast<scene::Combine::Function> = scene::Combine::dot3Rgba;
-template <> inline constexpr auto kLast<scene::Combine::Operand> = scene::Combine::oneMinusAlpha;
-template <> inline constexpr auto kLast<scene::TexGen::Mode> = scene::TexGen::reflectionMap;
-template <> inline constexpr auto kLast<scene::Format> = scene::Format::bits8;
-template <> inline constexpr auto kLast<scene::Shape> = scene::Shape::capsules;
-template <> inline constexpr auto kLast<scene::Impostors::Billboards> = scene::Impostors::Billboards::faces;
+template <>
+inline constexpr auto kLast<scene::CullFace> = scene::CullFace::both;
+template <>
+inline constexpr auto kLast<scene::GroundUse> = scene::GroundUse::drawn;
+template <>
+inline constexpr auto kLast<scene::Layers::Of> = scene::Layers::Of::drawn;
+template <>
+inline constexpr auto kLast<scene::LightSampling::Mode> = scene::LightSampling::Mode::points;
+template <>
+inline constexpr auto kLast<scene::ColorMaterial::Mode> = scene::ColorMaterial::ambientAndDiffuse;
+template <>
+inline constexpr auto kLast<scene::Fog::Mode> = scene::Fog::exp2;
+template <>
+inline constexpr auto kLast<scene::AlphaTest::Function> = scene::AlphaTest::notEqual;
+template <>
+inline constexpr auto kLast<scene::FragmentLight::Kind> = scene::FragmentLight::positional;
+template <>
+inline constexpr auto kLast<scene::FragmentShading::Model> = scene::FragmentShading::Model::pbr;
+template <>
+inline constexpr auto kLast<scene::FragmentShading::Specular> = scene::FragmentShading::Specular::half;
+template <>
+inline constexpr auto kLast<scene::FragmentShading::Normals> = scene::FragmentShading::Normals::perTriangle;
+template <>
+inline constexpr auto kLast<scene::FragmentShading::Color> = scene::FragmentShading::Color::perTriangle;
+template <>
+inline constexpr auto kLast<scene::TextureTarget> = scene::TextureTarget::rectangle;
+template <>
+inline constexpr auto kLast<scene::Wrap> = scene::Wrap::mirrorClampToBorder;
+template <>
+inline constexpr auto kLast<scene::Filter> = scene::Filter::linear;
+template <>
+inline constexpr auto kLast<scene::MipFilter> = scene::MipFilter::linear;
+template <>
+inline constexpr auto kLast<scene::BaseFormat> = scene::BaseFormat::rgba;
+template <>
+inline constexpr auto kLast<scene::LodRule> = scene::LodRule::llvmpipe;
+template <>
+inline constexpr auto kLast<scene::TexEnv> = scene::TexEnv::combine;
+template <>
+inline constexpr auto kLast<scene::Combine::Function> = scene::Combine::dot3Rgba;
+template <>
+inline constexpr auto kLast<scene::Combine::Operand> = scene::Combine::oneMinusAlpha;
+template <>
+inline constexpr auto kLast<scene::TexGen::Mode> = scene::TexGen::reflectionMap;
+template <>
+inline constexpr auto kLast<scene::Format> = scene::Format::bits8;
+template <>
+inline constexpr auto kLast<scene::Shape> = scene::Shape::capsules;
+template <>
+inline constexpr auto kLast<scene::Impostors::Billboards> = scene::Impostors::Billboards::faces;
 
 template <class E>
 constexpr bool isKnown(E value) {

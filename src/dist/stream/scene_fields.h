@@ -131,8 +131,8 @@ void fields(auto& archive, Like<scene::Shading> auto& value) {
 void fields(auto& archive, Like<scene::Impostors> auto& value) {
   auto& [billboards, parallelView, inside, fades, radiusDivisor, axisMatrix, centerPlanes, size, grows, bulge,
          bulgeDepth, depthBias, radius, unlit] = value;
-  archive(billboards, parallelView, inside, fades, radiusDivisor, axisMatrix, centerPlanes, size, grows, bulge,
-          bulgeDepth, depthBias, radius, unlit);
+  archive(billboards, parallelView, inside, fades, radiusDivisor, axisMatrix, centerPlanes, size, grows,
+          bulge, bulgeDepth, depthBias, radius, unlit);
 }
 void fields(auto& archive, Like<scene::Surroundings> auto& value) {
   auto& [shadings, instances, blended, viewFromWorld] = value;

@@ -69,7 +69,7 @@ void get(ByteReader& in, const Row& row, uint8_t& word) {
 }
 void get(ByteReader& in, const Row&, glm::vec3& value) { value = in.get<glm::vec3>(); }
 template <class T>
-  requires std::is_arithmetic_v<T>
+requires std::is_arithmetic_v<T>
 void get(ByteReader& in, const Row& row, T& value) {
   value = in.get<T>();
   if (row.ranged && !(value >= row.least && value <= row.most))

@@ -26,7 +26,8 @@ void checkPixels(const scene::Snapshot& s) {
               std::abs(r.x) <= kMostPixels && std::abs(r.y) <= kMostPixels,
           "the region has no such size");
   const glm::ivec4& v = s.camera.viewport;
-  require(v.z > 0 && v.w > 0 && v.z <= 2 * kMostPixels && v.w <= 2 * kMostPixels, "the viewport has no such size");
+  require(v.z > 0 && v.w > 0 && v.z <= 2 * kMostPixels && v.w <= 2 * kMostPixels,
+          "the viewport has no such size");
   require(s.samples >= 1 && s.samples <= kMostSamples, "there are too many samples");
   require(s.samplePositions.size() <= static_cast<size_t>(kMostSamples), "there are too many samples");
   require(s.samples == 1 || s.samplePositions.size() == static_cast<size_t>(s.samples),
@@ -50,14 +51,16 @@ void checkPixels(const scene::Snapshot& s) {
 void checkTexture(const scene::Texture& texture) {
   require(texture.image != nullptr, "a texture has no image");
   require(texture.unit < scene::kTextureUnits, "there is no such texture unit");
-  require(texture.image->width > 0 && texture.image->height > 0 && texture.image->depth > 0, "an image is empty");
+  require(texture.image->width > 0 && texture.image->height > 0 && texture.image->depth > 0,
+          "an image is empty");
   for (const scene::TexelGrid& level : texture.image->mipmaps)
     require(level.width > 0 && level.height > 0 && level.depth > 0, "an image is empty");
   if (texture.target == scene::TextureTarget::cubeMap)
     require(texture.image->depth == 6, "a cube map does not have six faces");
   for (const scene::Combine::Part* part : {&texture.combine.rgb, &texture.combine.alphaPart})
     for (const scene::Combine::Argument& argument : part->arguments)
-      require(argument.source < scene::Combine::textureUnit + scene::kTextureUnits, "there is no such texture unit");
+      require(argument.source < scene::Combine::textureUnit + scene::kTextureUnits,
+              "there is no such texture unit");
 }
 
 void checkShadings(const std::vector<scene::Shading>& shadings) {
@@ -70,7 +73,8 @@ void checkShadings(const std::vector<scene::Shading>& shadings) {
   }
 }
 
-void checkInstances(const std::vector<scene::Instance>& instances, const std::vector<scene::Shading>& shadings) {
+void checkInstances(const std::vector<scene::Instance>& instances,
+                    const std::vector<scene::Shading>& shadings) {
   for (const scene::Instance& instance : instances) {
     require(instance.shading < shadings.size(), "a shading does not exist");
     require(!instance.materials.empty(), "an instance has no material");

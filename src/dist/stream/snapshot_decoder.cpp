@@ -83,7 +83,7 @@ scene::Attribute Decoding::attribute(uint32_t count, Formats formats) {
 
 void Decoding::readAttributes(scene::Mesh& mesh) {
   const Formats kColors = {Format::float3, Format::float4, Format::unorm8x4},
-                    kTexcoords = {Format::float1, Format::float2, Format::float3, Format::float4};
+                kTexcoords = {Format::float1, Format::float2, Format::float3, Format::float4};
   const uint32_t count = mesh.vertexCount;
   mesh.radii = attribute(count, {Format::float1});
   mesh.axes = attribute(count, {Format::float3});
@@ -114,17 +114,18 @@ scene::MeshPtr Decoding::readMesh(DecodedParts::Mesh& made) {
   if (!mesh.positions) throw Malformed("a mesh has no positions");
   mesh.geometryId = identity_;
   readAttributes(mesh);
-  const std::array<float, 8> rest = {mesh.radius,  mesh.lower.x, mesh.lower.y, mesh.lower.z,
-                                     mesh.upper.x, mesh.upper.y, mesh.upper.z, mesh.opaqueColors ? 1.0f : 0.0f};
+  const std::array<float, 8> rest = {
+      mesh.radius,  mesh.lower.x, mesh.lower.y, mesh.lower.z,
+      mesh.upper.x, mesh.upper.y, mesh.upper.z, mesh.opaqueColors ? 1.0f : 0.0f};
   identify(rest.data(), sizeof rest);
   if (const auto known = parts_.meshes.find(identity_); known != parts_.meshes.end())
     if (scene::MeshPtr same = known->second.mesh.lock()) {
       made = known->second;
       return same;
     }
-  const bool inside = mesh.indices ? corners == 0 || largest(mesh.indices, static_cast<uint32_t>(corners)) <
-                                                         mesh.vertexCount
-                                   : corners <= mesh.vertexCount;
+  const bool inside =
+      mesh.indices ? corners == 0 || largest(mesh.indices, static_cast<uint32_t>(corners)) < mesh.vertexCount
+                   : corners <= mesh.vertexCount;
   if (!inside) throw Malformed("a triangle has a vertex that does not exist");
   made.materials = mesh.materials && mesh.vertexCount > 0 ? largest(mesh.materials, mesh.vertexCount) : 0;
   made.mesh = read;
@@ -144,12 +145,13 @@ void Decoding::value(scene::MeshPtr& mesh) {
 }
 
 void Decoding::value(scene::Instance& i) {
-  auto& [mesh, eyeFromObject, worldFromObject, shading, order, object, color, normal, secondaryColor, fogCoord,
-         texcoord, texcoordsAbove, materials, lightingFromObject, normalMatrix, triangleColors, triangleNormals,
-         triangleEdges, triangleOffset, impostors, cull, frontFaceCcw, clipPlanes, ground] = i;
-  (*this)(mesh, eyeFromObject, worldFromObject, shading, order, object, color, normal, secondaryColor, fogCoord,
-          texcoord, texcoordsAbove, materials, lightingFromObject, normalMatrix, impostors, cull, frontFaceCcw,
-          clipPlanes, ground);
+  auto& [mesh, eyeFromObject, worldFromObject, shading, order, object, color, normal, secondaryColor,
+         fogCoord, texcoord, texcoordsAbove, materials, lightingFromObject, normalMatrix, triangleColors,
+         triangleNormals, triangleEdges, triangleOffset, impostors, cull, frontFaceCcw, clipPlanes, ground] =
+      i;
+  (*this)(mesh, eyeFromObject, worldFromObject, shading, order, object, color, normal, secondaryColor,
+          fogCoord, texcoord, texcoordsAbove, materials, lightingFromObject, normalMatrix, impostors, cull,
+          frontFaceCcw, clipPlanes, ground);
   triangleOffset = 0;
   triangleColors = attribute(mesh->triangleCount, {Format::float4, Format::unorm8x4});
   triangleNormals = attribute(mesh->triangleCount, {Format::float3, Format::float4});
@@ -169,8 +171,8 @@ void Decoding::readGrid(scene::TexelGrid& grid) {
   if (std::min({grid.width, grid.height, grid.depth}) < 0 ||
       std::max({grid.width, grid.height, grid.depth}) > kMost)
     throw Malformed("an image has no such size");
-  const size_t count = static_cast<size_t>(grid.width) * static_cast<size_t>(grid.height) *
-                       static_cast<size_t>(grid.depth);
+  const size_t count =
+      static_cast<size_t>(grid.width) * static_cast<size_t>(grid.height) * static_cast<size_t>(grid.depth);
   const Array found = array(count * (isFloats ? sizeof(glm::vec4) : sizeof(uint32_t)));
   if (count == 0) return;
   isFloats ? grid.floats.resize(count) : grid.texels.resize(count);

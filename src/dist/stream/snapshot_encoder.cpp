@@ -65,12 +65,13 @@ void Encoding::write(const scene::Mesh& mesh) {
 }
 
 void Encoding::value(const scene::Instance& instance) {
-  auto& [mesh, eyeFromObject, worldFromObject, shading, order, object, color, normal, secondaryColor, fogCoord,
-         texcoord, texcoordsAbove, materials, lightingFromObject, normalMatrix, triangleColors, triangleNormals,
-         triangleEdges, triangleOffset, impostors, cull, frontFaceCcw, clipPlanes, ground] = instance;
-  (*this)(mesh, eyeFromObject, worldFromObject, shading, order, object, color, normal, secondaryColor, fogCoord,
-          texcoord, texcoordsAbove, materials, lightingFromObject, normalMatrix, impostors, cull, frontFaceCcw,
-          clipPlanes, ground);
+  auto& [mesh, eyeFromObject, worldFromObject, shading, order, object, color, normal, secondaryColor,
+         fogCoord, texcoord, texcoordsAbove, materials, lightingFromObject, normalMatrix, triangleColors,
+         triangleNormals, triangleEdges, triangleOffset, impostors, cull, frontFaceCcw, clipPlanes, ground] =
+      instance;
+  (*this)(mesh, eyeFromObject, worldFromObject, shading, order, object, color, normal, secondaryColor,
+          fogCoord, texcoord, texcoordsAbove, materials, lightingFromObject, normalMatrix, impostors, cull,
+          frontFaceCcw, clipPlanes, ground);
   for (const scene::Attribute* a : {&triangleColors, &triangleNormals, &triangleEdges})
     write(*a, mesh->triangleCount, triangleOffset);
 }

@@ -3,9 +3,8 @@
 #include "scene/backdrop.h"
 #include "scene/surroundings.h"
 
-#include <gtest/gtest.h>
-
 #include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
 
 #include <array>
 #include <memory>
@@ -29,14 +28,17 @@ scene::MeshPtr twoTriangles() {
   auto mesh = std::make_shared<scene::Mesh>();
   mesh->triangleCount = 2, mesh->vertexCount = 4;
   std::vector<std::array<glm::vec3, 2>> vertices(4);
-  for (size_t i = 0; i < 4; ++i) vertices[i] = {glm::vec3(i & 1, i >> 1, 0), glm::vec3(0, 0.1f * static_cast<float>(i), 1)};
+  for (size_t i = 0; i < 4; ++i)
+    vertices[i] = {glm::vec3(i & 1, i >> 1, 0), glm::vec3(0, 0.1f * static_cast<float>(i), 1)};
   mesh->positions = attributeOf(vertices, scene::Format::float3);
   mesh->normals = mesh->positions;
   mesh->normals.data += sizeof(glm::vec3);
   mesh->indices = attributeOf<uint32_t>({0, 1, 2, 2, 1, 3}, scene::Format::uint32);
-  mesh->colors = attributeOf<uint32_t>({0xff0000ff, 0xff00ff00, 0xffff0000, 0x80ffffff}, scene::Format::unorm8x4);
+  mesh->colors =
+      attributeOf<uint32_t>({0xff0000ff, 0xff00ff00, 0xffff0000, 0x80ffffff}, scene::Format::unorm8x4);
   mesh->materials = attributeOf<uint32_t>({0, 0, 1, 1}, scene::Format::uint32);
-  mesh->texcoordsAbove = {{}, attributeOf<glm::vec2>(std::vector<glm::vec2>(4, {0.5f, 1}), scene::Format::float2)};
+  mesh->texcoordsAbove = {
+      {}, attributeOf<glm::vec2>(std::vector<glm::vec2>(4, {0.5f, 1}), scene::Format::float2)};
   mesh->upper = {1, 1, 0};
   mesh->opaqueColors = false;
   mesh->geometryId = hashBytes("two", 3);
@@ -92,11 +94,13 @@ scene::Snapshot snapshot() {
   s.camera.viewport = {0, 0, 640, 480};
   s.camera.clipFromEye = glm::perspective(1.0, 1.5, 0.1, 10.0);
   s.samplePositions = {{0.5f, 0.5f}};
-  s.lightSampling = {scene::LightSampling::Mode::moving, 4, std::make_shared<const std::vector<uint8_t>>(1, uint8_t{1})};
+  s.lightSampling = {scene::LightSampling::Mode::moving, 4,
+                     std::make_shared<const std::vector<uint8_t>>(1, uint8_t{1})};
   auto layers = std::make_shared<scene::Layers>();
   layers->of = scene::Layers::Of::drawn;
   layers->opaqueDepth.assign(6, 0.5f), layers->colors.assign(6, 0xff102030);
-  layers->blending.rgb = {scene::BlendEquation::subtract, scene::BlendFactor::constantAlpha, scene::BlendFactor::one};
+  layers->blending.rgb = {scene::BlendEquation::subtract, scene::BlendFactor::constantAlpha,
+                          scene::BlendFactor::one};
   s.layers = layers;
   s.shadings = {shading(), {}};
   const scene::MeshPtr mesh = twoTriangles();
@@ -197,7 +201,8 @@ TEST(SnapshotStream, ShortMessagesAreRefused) {
   Ends ends;
   ends.sent(snapshot());
   for (size_t length = 0; length < ends.last.message.size(); ++length)
-    EXPECT_THROW(ends.read({ends.last.message.begin(), ends.last.message.begin() + static_cast<std::ptrdiff_t>(length)}),
+    EXPECT_THROW(ends.read({ends.last.message.begin(),
+                            ends.last.message.begin() + static_cast<std::ptrdiff_t>(length)}),
                  Malformed);
   std::vector<std::byte> longer = ends.last.message;
   longer.push_back({});
@@ -215,7 +220,8 @@ TEST(SnapshotStream, ChangedMessagesAreRefusedOrSane) {
       message[random() % message.size()] = static_cast<std::byte>(random() % 5 == 0 ? 0xff : random());
     try {
       const scene::SnapshotPtr read = ends.read(message);
-      for (const scene::Instance& instance : read->instances) ASSERT_LT(instance.shading, read->shadings.size());
+      for (const scene::Instance& instance : read->instances)
+        ASSERT_LT(instance.shading, read->shadings.size());
     } catch (const Malformed&) { ++refused; }
   }
   EXPECT_GT(refused, 1000);

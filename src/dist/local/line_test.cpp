@@ -1,0 +1,109 @@
+#include "dist/local/line.h"
+
+#include "dist/stream/byte_stream.h"
+
+#include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace gluray::dist {
+namespace {
+
+constexpr int kPatienceMs = 20000;
+
+std::pair<Line, Line> ends() {
+  std::array<int, 2> sockets{};
+  EXPECT_EQ(socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets.data()), 0);
+  return {Line(Descriptor(sockets[0])), Line(Descriptor(sockets[1]))};
+}
+
+std::vector<std::byte> numbered(size_t size) {
+  std::vector<std::byte> bytes(size);
+  for (size_t i = 0; i < size; ++i) bytes[i] = static_cast<std::byte>(i * 7 + i / 256);
+  return bytes;
+}
+
+TEST(Line, MessagesArriveInOrderWhateverTheirSize) {
+  auto [here, there] = ends();
+  const std::vector<size_t> sizes{0, 1, 70000, 3, size_t{9} << 20, 0};
+  std::thread sender([&line = here, &sizes] {
+    for (size_t i = 0; i < sizes.size(); ++i)
+      EXPECT_TRUE(line.send(static_cast<uint16_t>(i), numbered(sizes[i]), -1, kPatienceMs));
+  });
+  for (size_t i = 0; i < sizes.size(); ++i) {
+    const auto message = there.receive(kPatienceMs);
+    ASSERT_TRUE(message);
+    EXPECT_EQ(message->type, i);
+    EXPECT_TRUE(message->body == numbered(sizes[i]));
+    EXPECT_FALSE(message->attached);
+  }
+  sender.join();
+  EXPECT_FALSE(there.hasMore());
+}
+
+TEST(Line, SealedMemoryGoesWithMessages) {
+  auto [here, there] = ends();
+  const std::vector<std::byte> content = numbered(100000);
+  const Descriptor memory =
+      sealedMemory(content.size(), [&](std::byte* to) { std::memcpy(to, content.data(), content.size()); });
+  ASSERT_TRUE(here.send(1, {}, memory.get(), kPatienceMs));
+  ASSERT_TRUE(here.send(2, numbered(10), -1, kPatienceMs));
+  Array array;
+  {
+    const auto message = there.receive(kPatienceMs);
+    ASSERT_TRUE(message && message->attached);
+    EXPECT_THROW(mapSealed(message->attached, content.size() - 1), Malformed);
+    array = mapSealed(message->attached, content.size());
+  }
+  EXPECT_EQ(std::memcmp(array.bytes.data(), content.data(), content.size()), 0);
+  EXPECT_EQ(array.bytes.data()[content.size() + kArrayPadding - 1], std::byte{0});
+  const auto second = there.receive(kPatienceMs);
+  ASSERT_TRUE(second);
+  EXPECT_EQ(second->type, 2);
+  EXPECT_FALSE(second->attached);
+  EXPECT_LT(pwrite(memory.get(), "x", 1, 0), 0);  // sealed at this end, too
+}
+
+TEST(Line, MemoryThatMayChangeIsRefused) {
+  Descriptor open(memfd_create("test", MFD_CLOEXEC | MFD_ALLOW_SEALING));
+  ASSERT_EQ(ftruncate(open.get(), 4096 + kArrayPadding), 0);
+  EXPECT_THROW(mapSealed(open, 4096), Malformed);
+  std::array<int, 2> pipes{};
+  ASSERT_EQ(pipe(pipes.data()), 0);
+  EXPECT_THROW(mapSealed(Descriptor(pipes[0]), 0), Malformed);
+  close(pipes[1]);
+}
+
+TEST(Line, WhatIsNoMessageEndsIt) {
+  for (const char* const said : {"GET / HTTP/1.1\r\n\r\n", "yRLG0123456789abcdef", ""}) {
+    auto [here, there] = ends();
+    ASSERT_EQ(::send(here.descriptor(), said, std::strlen(said), 0), static_cast<ssize_t>(std::strlen(said)));
+    here = Line(Descriptor());
+    EXPECT_FALSE(there.receive(kPatienceMs)) << said;
+  }
+}
+
+TEST(Line, AnEndThatSaysNothingOrReadsNothingIsGivenUp) {
+  auto [here, there] = ends();
+  EXPECT_FALSE(there.receive(30));
+  EXPECT_FALSE(here.send(1, numbered(size_t{16} << 20), -1, 30));
+}
+
+TEST(Line, AMessageThatPromisesMoreThanItHasTakesNoMemory) {
+  auto [here, there] = ends();
+  const std::array<uint64_t, 2> head{0x7952'4c47, Line::kMostBytes};
+  ASSERT_EQ(::send(here.descriptor(), head.data(), sizeof head, 0), static_cast<ssize_t>(sizeof head));
+  here = Line(Descriptor());
+  EXPECT_FALSE(there.receive(kPatienceMs));
+}
+
+}  // namespace
+}  // namespace gluray::dist

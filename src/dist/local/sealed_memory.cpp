@@ -1,0 +1,59 @@
+#include "dist/local/sealed_memory.h"
+
+#include "dist/stream/byte_stream.h"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <memory>
+#include <system_error>
+
+namespace gluray::dist {
+namespace {
+
+constexpr int kSeals = F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE | F_SEAL_SEAL;
+
+[[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
+
+/// Unmapped when the last user lets go of it.
+std::shared_ptr<std::byte> mapping(int descriptor, size_t size, int protection, int kind) {
+  void* const address = mmap(nullptr, size, protection, kind, descriptor, 0);
+  if (address == MAP_FAILED) fail("cannot map shared memory");
+  return {static_cast<std::byte*>(address), [size](std::byte* at) { munmap(at, size); }};
+}
+
+}  // namespace
+
+void Descriptor::reset() {
+  if (number_ >= 0) close(release());
+}
+
+Descriptor sealedMemory(size_t bytes, const std::function<void(std::byte*)>& fill) {
+  Descriptor memory(memfd_create("gluray", MFD_CLOEXEC | MFD_ALLOW_SEALING));
+  if (!memory) fail("cannot make shared memory");
+  const size_t size = bytes + kArrayPadding;
+  // Allocates the pages now: a machine without memory would end the process at the first write.
+  if (const int error = posix_fallocate(memory.get(), 0, static_cast<off_t>(size)); error != 0)
+    throw std::system_error(error, std::generic_category(), "cannot allocate shared memory");
+  fill(mapping(memory.get(), size, PROT_READ | PROT_WRITE, MAP_SHARED).get());
+  if (fcntl(memory.get(), F_ADD_SEALS, kSeals) != 0) fail("cannot seal shared memory");
+  return memory;
+}
+
+Array mapSealed(const Descriptor& memory, size_t bytes) {
+  const int seals = fcntl(memory.get(), F_GET_SEALS);
+  if (seals < 0 || (seals & (F_SEAL_SHRINK | F_SEAL_WRITE)) != (F_SEAL_SHRINK | F_SEAL_WRITE))
+    throw Malformed("shared memory is not sealed");
+  struct stat status {};
+  if (fstat(memory.get(), &status) != 0) fail("cannot read the size of shared memory");
+  const size_t size = bytes + kArrayPadding;
+  if (status.st_size < 0 || static_cast<size_t>(status.st_size) != size)
+    throw Malformed("shared memory has another size");
+  const std::shared_ptr<std::byte> at = mapping(memory.get(), size, PROT_READ, MAP_SHARED);
+  return {at, {at.get(), bytes}};
+}
+
+}  // namespace gluray::dist
