@@ -208,6 +208,7 @@ TEST(Refinement, AdaptivePassesMeetTheSameNoiseWithFewerRays) {
 }
 
 TEST(Refinement, AdaptivePassesDoNotDependOnThreadsOrInterruptions) {
+  GLURAY_RELEASE_ONLY();
   scene::Snapshot s = unevenScene();
   const Finished whole(s);
   s.settings.threads = 3;

@@ -76,6 +76,22 @@ TEST_F(HubCoreRequests, WhatAProgramAnswersIsChecked) {
   }
 }
 
+TEST_F(HubCoreRequests, IdsAreTheSameWhereTheyAreWrittenAlike) {
+  FakePeer& one = program();
+  FakePeer& peer = client();
+  const json most = std::uint64_t{18446744073709551615u};  // as a signed number it would be -1
+  const std::vector<json> ids{-1, most, 18446744073709551615.0, 1, 1.0, "1"};
+  for (const json& id : ids) give(peer, {{"type", "get"}, {"id", id}, {"program", 1}});
+  EXPECT_TRUE(peer.got.empty()) << json(peer.got);
+  give(peer, {{"type", "get"}, {"id", most}, {"program", 1}});
+  EXPECT_NE(peer.one("error").value("why", ""), "");
+  for (const json& asked : one.take("get")) answer(one, asked, {{"values", json::object()}});
+  std::vector<std::string> answered;
+  for (const json& message : peer.take("answer")) answered.push_back(message["id"].dump());
+  EXPECT_EQ(answered, (std::vector<std::string>{"-1", "18446744073709551615", "1.8446744073709552e+19", "1",
+                                                "1.0", "\"1\""}));
+}
+
 TEST_F(HubCoreRequests, APeerThatGoesEndsItsRequests) {
   FakePeer& one = program();
   FakePeer& peer = client();

@@ -96,13 +96,14 @@ void HubCore::fromClient(uint64_t connection, Peer& peer, const json& message) {
   if (!isId(named))
     return peers_.complain(connection, "a request needs an id: a number, or a text of at most 64 characters");
   const json id = *named;
-  if (peer.ids.contains(id))
+  const std::string text = id.dump();
+  if (peer.ids.contains(text))
     return peers_.complain(connection, "a request with this id waits for its answer");
   if (peer.ids.size() >= kMostRequests)
     return peers_.answer(connection, id, failure("256 requests wait for answers; wait for some of them"));
-  peer.ids.insert(id);
-  requests_.carryOut(connection, message, [this, connection, id](json&& body) {
-    if (Peer* asking = peers_.find(connection)) asking->ids.erase(id);
+  peer.ids.insert(text);
+  requests_.carryOut(connection, message, [this, connection, id, text](json&& body) {
+    if (Peer* asking = peers_.find(connection)) asking->ids.erase(text);
     peers_.answer(connection, id, std::move(body));
   });
 }

@@ -28,9 +28,10 @@ enum class Role { unknown, program, client };
 struct Peer {
   PeerLink link;
   Role role = Role::unknown;
-  HubTime helloLimit;            // while the role is unknown
-  std::set<nlohmann::json> ids;  // of requests that wait for answers
-  bool finished = false;         // it is being closed: what it says is not read
+  HubTime helloLimit;  // while the role is unknown
+  // Ids of requests that wait for answers, as text: JSON values of mixed kinds of numbers have no order.
+  std::set<std::string> ids;
+  bool finished = false;  // it is being closed: what it says is not read
 };
 
 class Peers {

@@ -57,7 +57,7 @@ std::optional<Picked> pick(Renderer& renderer, const scene::Snapshot& snapshot, 
     picked.instance = static_cast<size_t>(std::lround(found[3])) - 1;
     if (picked.instance >= snapshot.instances.size()) return std::nullopt;
     picked.depth = image.depth[0];
-    (mode == Mode::points ? picked.point : picked.normal) = {found[0], found[1], found[2]};
+    (mode == Mode::points ? picked.point : picked.normal) = glm::dvec3(found[0], found[1], found[2]);
   }
   return picked;
 }

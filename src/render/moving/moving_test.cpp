@@ -91,6 +91,7 @@ TEST(Moving, FirstFrameIsNearTheConvergedOne) {
 }
 
 TEST(Moving, FramesOfAnOrbitConverge) {
+  GLURAY_RELEASE_ONLY();
   for (const bool quarter : {false, true}) {
     Animation animation;
     animation.rays.quarter = quarter;

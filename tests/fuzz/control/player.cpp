@@ -55,7 +55,7 @@ void HubPlayer::message(size_t peer, const json& message) {
   const json* type = member(message, "type");
   bool repeated = false;
   if (one.client && *type != "hello" && *type != "error" && isId(id))
-    repeated = !one.asked.insert(*id).second;
+    repeated = !one.asked.insert(id->dump()).second;
   const size_t errors = one.errors;
   ++counts_.messages;
   hub_.received(peer + 1, message, now_);
@@ -75,7 +75,7 @@ void HubPlayer::sent(size_t peer, const std::string& line) {
   if (message["type"] == "error") ++one.errors;
   if (message["type"] == "answer") {
     const json* id = member(message, "id");
-    require(one.client && id && one.asked.erase(*id) == 1, "an answer that nobody waits for", message);
+    require(one.client && id && one.asked.erase(id->dump()) == 1, "an answer that nobody waits for", message);
     require(message.contains("why") + message.contains("results") + message.contains("answers") +
                     message.contains("programs") ==
                 1,

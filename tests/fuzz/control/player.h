@@ -41,7 +41,7 @@ class HubPlayer {
     control::LineReader reader;
     bool open = true, client = false, program = false;
     size_t waiting = 0;
-    std::set<nlohmann::json> asked;  // ids that wait for an answer
+    std::set<std::string> asked;  // ids that wait for an answer, as text
     std::vector<nlohmann::json> questions;
     size_t errors = 0;
   };
