@@ -1,4 +1,4 @@
-"""Programs whose hub is on another machine, reached by TCP: tcp_test.py GLURAY CLIENT, with an X server at hand."""
+"""Programs whose hub is on another machine, reached by TCP: tcp_test.py GLURAY CLIENT PYTHON_FOLDER, with an X server at hand."""
 import os
 import sys
 import unittest
@@ -78,4 +78,4 @@ class Tcp(Parts):
 
 if __name__ == "__main__":
     Parts.gluray, Parts.client = map(os.path.abspath, sys.argv[1:3])
-    unittest.main(argv=sys.argv[:1] + sys.argv[3:], verbosity=2)
+    unittest.main(argv=sys.argv[:1] + sys.argv[4:], verbosity=2)
