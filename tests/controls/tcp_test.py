@@ -11,8 +11,12 @@ class Tcp(Parts):
     def setUp(self):
         super().setUp()
         self.key = self.new_key("key")
-        hub = self.spawn(self.gluray, "hub", "--listen", "127.0.0.1:0", "--key", self.key)
-        self.address = hub.stderr.readline().split()[-1]
+        self.hub, self.address = self.listening("127.0.0.1:0")
+
+    def listening(self, address):
+        """A hub, and the address where it listens."""
+        hub = self.spawn(self.gluray, "hub", "--listen", address, "--key", self.key)
+        return hub, hub.stderr.readline().split()[-1]
 
     def new_key(self, name):
         path = str(self.folder / name)
@@ -59,21 +63,12 @@ class Tcp(Parts):
         painter, _ = self.far("painter", "--set", f"hub={self.address}", "--set", f"hub-key={self.key}")
         self.listed(1)
         self.results("set", "ao.samples=3")
-        for process in self.hubs():
-            self.kill(process)
+        self.kill(self.hub)
         before = self.frames(painter)
         self.assertTrue(wait_for(lambda: self.frames(painter) > before + 20))
-        self.spawn(self.gluray, "hub", "--listen", self.address, "--key", self.key).stderr.readline()
+        self.listening(self.address)
         self.listed(1)
         self.assertEqual(self.values("ao.samples"), {"painter": 3})
-
-    def hubs(self):
-        return [one for one in self.spawned if "hub" in one.args]
-
-    def spawn(self, *words, **more):
-        process = super().spawn(*words, **more)
-        self.spawned = [*getattr(self, "spawned", []), process]
-        return process
 
 
 if __name__ == "__main__":
