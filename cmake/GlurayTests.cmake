@@ -24,11 +24,11 @@ function(gluray_discover_tests TARGET)
 endfunction()
 
 # gluray_use_test_headers(TARGET): the sources of a GoogleTest program begin with tests/headers/precompiled.h, which is compiled once
-# for all: they compile in six sevenths of the time. For programs compiled with GLURAY_TEST_OPTIONS. Clang's builds go
+# for all. For programs compiled with GLURAY_TEST_OPTIONS. Clang's builds go
 # without (CMAKE_DISABLE_PRECOMPILE_HEADERS), so that they find missing includes.
 function(gluray_use_test_headers TARGET)
   target_precompile_headers(${TARGET} REUSE_FROM gluray_test_headers)
-  # GCC 12 takes strings that are joined for ones that are overrun where <string> is precompiled.
+  # GCC 12 reports joined strings as overrun where <string> is precompiled.
   target_compile_options(${TARGET} PRIVATE "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow>")
 endfunction()
 

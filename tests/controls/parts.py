@@ -76,14 +76,14 @@ class Parts(unittest.TestCase):
         process.wait()
 
     def listed(self, count):
-        """Waits until the hub knows so many programs; they are returned by name."""
+        """Waits until the hub knows so many programs, with all their ranks; they are returned by name."""
         def known():
             peer = Peer(self.runtime)
             try:
                 return peer.ask("list")["programs"]
             finally:
                 peer.close()
-        wait_for(lambda: len(known()) == count)
+        wait_for(lambda: len(found := known()) == count and all(one["connected"] == one["ranks"] for one in found))
         programs = known()
         self.assertEqual(len(programs), count, programs)
         return {program["name"]: program for program in programs}

@@ -1,4 +1,4 @@
-"""Programs whose hub is on another machine, reached by TCP: tcp_test.py GLURAY CLIENT, with an X server at hand."""
+"""Programs whose hub is on another machine, reached by TCP: tcp_test.py GLURAY CLIENT PYTHON_FOLDER, with an X server at hand."""
 import os
 import sys
 import unittest
@@ -11,8 +11,12 @@ class Tcp(Parts):
     def setUp(self):
         super().setUp()
         self.key = self.new_key("key")
-        hub = self.spawn(self.gluray, "hub", "--listen", "127.0.0.1:0", "--key", self.key)
-        self.address = hub.stderr.readline().split()[-1]
+        self.hub, self.address = self.listening("127.0.0.1:0")
+
+    def listening(self, address):
+        """A hub, and the address where it listens."""
+        hub = self.spawn(self.gluray, "hub", "--listen", address, "--key", self.key)
+        return hub, hub.stderr.readline().split()[-1]
 
     def new_key(self, name):
         path = str(self.folder / name)
@@ -59,23 +63,14 @@ class Tcp(Parts):
         painter, _ = self.far("painter", "--set", f"hub={self.address}", "--set", f"hub-key={self.key}")
         self.listed(1)
         self.results("set", "ao.samples=3")
-        for process in self.hubs():
-            self.kill(process)
+        self.kill(self.hub)
         before = self.frames(painter)
         self.assertTrue(wait_for(lambda: self.frames(painter) > before + 20))
-        self.spawn(self.gluray, "hub", "--listen", self.address, "--key", self.key).stderr.readline()
+        self.listening(self.address)
         self.listed(1)
         self.assertEqual(self.values("ao.samples"), {"painter": 3})
-
-    def hubs(self):
-        return [one for one in self.spawned if "hub" in one.args]
-
-    def spawn(self, *words, **more):
-        process = super().spawn(*words, **more)
-        self.spawned = [*getattr(self, "spawned", []), process]
-        return process
 
 
 if __name__ == "__main__":
     Parts.gluray, Parts.client = map(os.path.abspath, sys.argv[1:3])
-    unittest.main(argv=sys.argv[:1] + sys.argv[3:], verbosity=2)
+    unittest.main(argv=sys.argv[:1] + sys.argv[4:], verbosity=2)

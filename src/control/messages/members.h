@@ -10,8 +10,8 @@ namespace gluray::control {
 
 inline constexpr size_t kMostCharacters = 64;  // of an id, a gesture, a name of a call
 inline constexpr int kMostRanks = 1 << 20;     // of an MPI job
-inline constexpr int64_t kMostFrame = int64_t{1}
-                                      << 53;  // the largest whole number that every JSON reader keeps
+// The largest whole number that every JSON reader keeps.
+inline constexpr int64_t kMostFrame = int64_t{1} << 53;
 
 /// The member of an object; null where there is none, or `object` is none.
 const nlohmann::json* member(const nlohmann::json& object, const char* name);

@@ -79,8 +79,7 @@ int changeCamera(const CommandLine& line) {
   if (words.empty()) return listCameras(line);
   if (words[0] == "focus") {
     Point point;
-    if (words.size() != 3) return say("use gluray camera focus X Y, such as 320 240 or 50% 50%"), kUsageError;
-    if (const std::string why = readPoint(words[1], words[2], point); !why.empty())
+    if (const std::string why = readPoint("camera focus", words, point); !why.empty())
       return say(why), kUsageError;
     return focusAt(line, point);
   }

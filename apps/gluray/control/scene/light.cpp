@@ -83,8 +83,7 @@ int changeLights(const CommandLine& line) {
   if (words.empty()) return listLights(line);
   if (words[0] == "at") {
     Point point;
-    if (words.size() != 3) return say("use gluray light at X Y, such as 320 240 or 50% 50%"), kUsageError;
-    if (const std::string why = readPoint(words[1], words[2], point); !why.empty())
+    if (const std::string why = readPoint("light at", words, point); !why.empty())
       return say(why), kUsageError;
     return lightAt(line, point);
   }

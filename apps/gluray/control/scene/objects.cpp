@@ -86,9 +86,7 @@ int listObjects(const CommandLine& line) {
 
 int pickObject(const CommandLine& line) {
   Point point;
-  const std::vector<std::string>& words = line.control.words;
-  if (words.size() != 2) return say("use gluray pick X Y, such as 320 240 or 50% 50%"), kUsageError;
-  if (const std::string why = readPoint(words[0], words[1], point); !why.empty())
+  if (const std::string why = readPoint("pick", line.control.words, point); !why.empty())
     return say(why), kUsageError;
   HubSession hub(line);
   const RunningProgram program = oneProgram(hub, line);

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -23,7 +24,10 @@ std::string readCoordinate(std::string text, double& value, bool& percent) {
 
 }  // namespace
 
-std::string readPoint(const std::string& x, const std::string& y, Point& point) {
+std::string readPoint(const std::string& command, const std::vector<std::string>& words, Point& point) {
+  const auto first = static_cast<size_t>(std::ranges::count(command, ' '));  // "pick" is not among `words`
+  if (words.size() != first + 2) return "use gluray " + command + " X Y, such as 320 240 or 50% 50%";
+  const std::string &x = words[first], &y = words[first + 1];
   bool percent = false;
   if (std::string why = readCoordinate(x, point.x, point.percent); !why.empty()) return why;
   if (std::string why = readCoordinate(y, point.y, percent); !why.empty()) return why;

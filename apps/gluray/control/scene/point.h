@@ -3,6 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <string>
+#include <vector>
 
 namespace gluray::launcher {
 
@@ -11,8 +12,9 @@ struct Point {
   bool percent = false;  // of the picture's width and height
 };
 
-/// Reads "320" "240", or "50%" "50%". Empty, or one line that says what is wrong.
-std::string readPoint(const std::string& x, const std::string& y, Point& point);
+/// Reads what follows the words of `command` in `words`: "320" "240", or "50%" "50%". `command` is "pick",
+/// "light at". Empty, or one line that says what is wrong.
+std::string readPoint(const std::string& command, const std::vector<std::string>& words, Point& point);
 
 /// The arguments of the calls pick and highlight.
 nlohmann::json argumentsOf(const Point& point);
