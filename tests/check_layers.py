@@ -21,7 +21,7 @@ ALLOWED = {
     "render": {"base", "settings", "scene", "parallel", "accel"},
     "frame": {"base", "settings", "scene", "parallel", "accel", "render"},
     "control": {"base", "settings"},
-    "dist": {"base", "settings", "scene", "accel", "render", "frame"},
+    "dist": {"base", "settings", "scene", "parallel", "accel", "render", "frame", "control"},
     "intercept": {"base", "settings", "scene", "parallel", "gl", "accel", "render", "frame", "control", "dist"},
 }
 # Name of the monopoly, pattern of its headers, folders that may include them. Holds for tests beside the code, too.

@@ -34,7 +34,4 @@ void connectToHub(asio::io_context& io, const HubAddress& address, ConnectedOrNo
 /// The path of the hub's socket in a runtime directory.
 std::string socketIn(const std::string& directory);
 
-/// Whether the process at the other end of a Unix socket runs for this user.
-bool sameUser(int socket);
-
 }  // namespace gluray::control

@@ -26,9 +26,10 @@ class Renderer::Engine {
   std::atomic<int> wanted{0};  // calls that wait for the renderer or use it, without those behind all others
 
   bool render(const scene::Snapshot& given, Image& image, scene::TraceCost& cost,
-              const render::Interrupt& interrupt = {}) {
+              render::TraceOptions options = {}) {
     cost = {};
-    if (given.settings.renderer == gluray::Renderer::null) return render::clearImage(given, image), true;
+    if (given.settings.renderer == gluray::Renderer::null && !options.source)
+      return render::clearImage(given, image), true;
     const render::StagedScene staged(given);
     const scene::Snapshot& snapshot = staged.snapshot();
 
@@ -50,7 +51,8 @@ class Renderer::Engine {
     cost.buildSeconds = built - start;
     const timeline::Span span("trace");
     const render::MovingRays rays = moves ? paces_[snapshot.view].rays() : render::MovingRays();
-    const bool whole = render::traceImage(snapshot, *world_, *arena_, image, {&histories_, rays, interrupt});
+    options.histories = &histories_, options.rays = rays;
+    const bool whole = render::traceImage(snapshot, *world_, *arena_, image, options);
     cost.traceSeconds = nowSeconds() - built;
     if (moves) paces_[snapshot.view].took(cost.traceSeconds, 1 / static_cast<double>(snapshot.settings.fps));
     return whole;
@@ -161,9 +163,21 @@ bool Renderer::renderBehind(const scene::Snapshot& snapshot, Image& image, scene
     const std::unique_lock lock(engine_->mutex, std::try_to_lock);
     if (!lock) return;
     const auto interrupt = [&] { return engine_->wanted > 0 || stop(); };
-    whole = !interrupt() && engine_->render(snapshot, image, cost, interrupt);
+    render::TraceOptions options;
+    options.interrupt = interrupt;
+    whole = !interrupt() && engine_->render(snapshot, image, cost, options);
   });
   return done && whole;
+}
+
+bool Renderer::renderTiles(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
+                           std::string& error, render::TileSource& source, bool averages) noexcept {
+  return caught(error, [&] {
+    const InFront lock(*engine_);
+    render::TraceOptions options;
+    options.source = &source, options.averages = averages;
+    engine_->render(snapshot, image, cost, options);
+  });
 }
 
 bool Renderer::improves() const noexcept {

@@ -11,6 +11,10 @@
 #include <memory>
 #include <string>
 
+namespace gluray::render {
+class TileSource;
+}
+
 namespace gluray::frame {
 
 /// Renders one snapshot at a time; other threads wait. Keeps acceleration structures between frames.
@@ -33,6 +37,11 @@ class Renderer {
   /// wants the renderer. False without an error: stopped; the image is undefined.
   bool renderBehind(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
                     const std::function<bool()>& stop) noexcept;
+
+  /// Traces the tiles that `source` hands out, for a picture that several processes trace together. `averages`
+  /// false: pixels hold one sample, whatever settings ask for.
+  bool renderTiles(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
+                   render::TileSource& source, bool averages) noexcept;
 
   /// Whether a full-quality acceleration structure is ready for the next render() to install. False while
   /// another thread uses the renderer. Any thread.

@@ -2,17 +2,19 @@
 
 #include "frame/renderer.h"
 #include "intercept/present/tracing_presenter.h"
+#include "intercept/workers.h"
 
 namespace gluray::intercept {
 namespace {
 
-bool trace(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error) {
-  return frame::Renderer::shared().render(snapshot, image, cost, error);
-}
-
 bool behind(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
             const std::function<bool()>& stop) {
-  return frame::Renderer::shared().renderBehind(snapshot, image, cost, error, stop);
+  if (dist::RemoteTracer* const job = workers()) return job->trace(snapshot, image, cost, error, stop);
+  return traceHere(snapshot, image, cost, error, stop);
+}
+
+bool trace(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error) {
+  return behind(snapshot, image, cost, error, nullptr);
 }
 
 bool antialias(const Settings& settings, const scene::Fxaa& fxaa, const uint32_t* in, int width, int height,
@@ -24,7 +26,10 @@ bool resolve(const Settings& settings, const scene::Resolve& how, const Image& s
   return frame::Renderer::shared().resolve(settings, how, samples, out);
 }
 
-bool improves() { return frame::Renderer::shared().improves(); }
+bool improves() {
+  const dist::RemoteTracer* const job = workers();
+  return job ? job->improves() : frame::Renderer::shared().improves();
+}
 
 /// Traces and writes back nothing, to measure the cost of interception.
 class NullPresenter final : public gl::Presenter {

@@ -1,5 +1,6 @@
 #include "render/tile_tracer.h"
 
+#include "base/clock.h"
 #include "base/log.h"
 #include "render/integrators/direct_look.h"
 #include "render/integrators/guides.h"
@@ -92,20 +93,47 @@ enum class Traced {
   seenThrough,  // averages cannot be composited over the framebuffer: alpha is written but is no opacity
 };
 
+/// Calls work(tile) for the tiles that the source hands out, on all threads.
+template <class Work>
+void eachTileOf(TileSource& source, const Image& image, const Work& work) {
+  source.begin(image);
+  const Tiles tiles(image, kTileSize);
+  tbb::parallel_for(
+      0, tbb::this_task_arena::max_concurrency(), [&](int) {
+        const FloatGuard guard;
+        timeline::nameThread("tracing");
+        for (int index = source.next(); index >= 0; index = source.next()) {
+          const timeline::Span span("tiles", 1, true);
+          const double start = nowSeconds();
+          const bool seenThrough = work(tiles.at(index));
+          source.done(index, nowSeconds() - start, seenThrough);
+        }
+      },
+      tbb::simple_partitioner());
+}
+
 Traced traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Image& image,
                   const TraceOptions& options) {
   FrameData frame(snapshot, world, image);
   if (wantsGuide(snapshot)) frame.tone.reset();
-  if (isMoving(frame) && traceMoving(frame, options.histories, options.rays)) return Traced::whole;
+  if (!options.source && isMoving(frame) && traceMoving(frame, options.histories, options.rays))
+    return Traced::whole;
   const std::unique_ptr<const Integrator> integrator = makeIntegrator(frame);
   frame.integrator = integrator.get();
   const std::unique_ptr<const DirectLook> direct = makeDirectLook(frame);
   frame.direct = direct.get();
-  const Tiles tiles(image, options.interrupt ? kShortTile : kTileSize);
-  const bool whole = eachTile(tiles, "tiles", options.interrupt, [&](const Tile& tile) {
-    if (isWanted(snapshot, tile)) traceTile(frame, tile);
-  });
-  if (!whole) return Traced::interrupted;
+  if (options.source) {
+    eachTileOf(*options.source, image, [&](const Tile& tile) {
+      traceTile(frame, tile);
+      return !snapshot.layers && frame.seenThrough.load(std::memory_order_relaxed);
+    });
+  } else {
+    const Tiles tiles(image, options.interrupt ? kShortTile : kTileSize);
+    const bool whole = eachTile(tiles, "tiles", options.interrupt, [&](const Tile& tile) {
+      if (isWanted(snapshot, tile)) traceTile(frame, tile);
+    });
+    if (!whole) return Traced::interrupted;
+  }
   for (size_t n = 0; n < LayerCounts::kMost; ++n)
     image.layers.open[n] = frame.layerCounts[0][n], image.layers.before[n] = frame.layerCounts[1][n];
   return snapshot.layers || !frame.seenThrough.load() ? Traced::whole : Traced::seenThrough;
@@ -115,9 +143,20 @@ Traced traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Im
 
 bool traceImage(const scene::Snapshot& snapshot, const accel::World& world, Arena& arena, Image& image,
                 const TraceOptions& options) {
-  if (world.empty()) return clearImage(snapshot, image), true;
+  const bool averages = options.averages && wantsAverages(snapshot);
   return arena.execute([&] {
-    if (wantsAverages(snapshot)) {
+    if (options.source) {
+      shapeImage(snapshot, image, averages);
+      if (world.empty()) {
+        fillWithMisses(image);
+        eachTileOf(*options.source, image, [](const Tile&) { return false; });
+      } else {
+        traceTiles(snapshot, world, image, options);
+      }
+      return true;
+    }
+    if (world.empty()) return clearImage(snapshot, image), true;
+    if (averages) {
       shapeImage(snapshot, image, true);
       const Traced traced = traceTiles(snapshot, world, image, options);
       if (traced != Traced::seenThrough) return traced == Traced::whole;

@@ -22,11 +22,15 @@ struct TraceOptions {
   LightHistories* histories = nullptr;  // null: earlier frames are not used
   MovingRays rays;
   Interrupt interrupt = {};  // of all other frames
+  // Null: this process traces all tiles. Otherwise those that it hands out, moving frames like others.
+  TileSource* source = nullptr;
+  bool averages = true;  // pixels average several samples where settings ask for it; only false with a source
 };
 
 /// Computes colour and window depth of every pixel of the snapshot's region, for the instances that `world`
 /// holds. `image` takes the region's shape, one plane per sample. Throws std::runtime_error if a matrix
 /// cannot be inverted, std::bad_alloc. False: interrupted; the image is then undefined.
+/// With a source, images of averages that cannot be composited are not traced anew.
 bool traceImage(const scene::Snapshot&, const accel::World& world, Arena&, Image& image,
                 const TraceOptions& = {});
 

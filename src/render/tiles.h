@@ -32,6 +32,19 @@ struct Tiles {
   }
 };
 
+/// Hands out the tiles of an image that several processes trace together. All tracing threads.
+class TileSource {
+ public:
+  virtual ~TileSource() = default;
+  /// Called once, before all else: the image has its shape and keeps its place; its pixels are undefined.
+  virtual void begin(const Image& image) noexcept = 0;
+  /// The next tile to trace, an index of Tiles; negative: there are no more. May wait.
+  virtual int next() noexcept = 0;
+  /// The tile's pixels are in the image. `seenThrough`: averages cannot be composited over the framebuffer,
+  /// as far as this process has seen: the image must be traced anew without them.
+  virtual void done(int tile, double seconds, bool seenThrough) noexcept = 0;
+};
+
 /// Calls work(tile) for all tiles, on all threads. False: interrupted before the last one.
 template <class Work>
 bool eachTile(const Tiles& tiles, const char* name, const Interrupt& interrupt, const Work& work) {

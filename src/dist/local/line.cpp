@@ -8,16 +8,10 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <utility>
 
 namespace gluray::dist {
 namespace {
-
-struct Head {
-  uint32_t magic = kMagic;
-  uint16_t type = 0, attached = 0;
-  uint64_t bytes = 0;
-  static constexpr uint32_t kMagic = 0x7952'4c47;  // "GLRy"; in another byte order it is another number
-};
 
 int64_t nowMs() {
   return std::chrono::duration_cast<std::chrono::milliseconds>(
@@ -63,27 +57,26 @@ bool Line::sendAll(const std::byte* bytes, size_t size, int attached, int64_t de
   return true;
 }
 
-bool Line::receiveAll(std::byte* bytes, size_t size, Descriptor* attached, int64_t deadlineMs) {
-  while (size > 0) {
-    iovec part{bytes, size};
+bool Line::receiveMore(std::byte* bytes, size_t size, size_t& got) {
+  while (got < size) {
+    iovec part{bytes + got, size - got};
     msghdr message{};
     message.msg_iov = &part, message.msg_iovlen = 1;
     alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int))> room{};
     message.msg_control = room.data(), message.msg_controllen = room.size();
-    const ssize_t got = recvmsg(socket_.get(), &message, MSG_DONTWAIT | MSG_CMSG_CLOEXEC);
-    if (got == 0) return false;
-    if (got < 0) {
-      if (!mayGoOn(got) || !ready(POLLIN, deadlineMs)) return false;
-      continue;
+    const ssize_t count = recvmsg(socket_.get(), &message, MSG_DONTWAIT | MSG_CMSG_CLOEXEC);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) {
+      broken_ = count == 0 || !mayGoOn(count);
+      return false;
     }
     for (cmsghdr* head = CMSG_FIRSTHDR(&message); head; head = CMSG_NXTHDR(&message, head))
       if (head->cmsg_level == SOL_SOCKET && head->cmsg_type == SCM_RIGHTS) {
         int number = -1;
         std::memcpy(&number, CMSG_DATA(head), sizeof number);
-        Descriptor one(number);  // closed unless it is wanted
-        if (attached) *attached = std::move(one);
+        message_.attached = Descriptor(number);  // one a message; more are closed
       }
-    bytes += got, size -= static_cast<size_t>(got);
+    got += static_cast<size_t>(count);
   }
   return true;
 }
@@ -97,25 +90,31 @@ bool Line::send(uint16_t type, std::span<const std::byte> body, int attached, in
          sendAll(body.data(), body.size(), -1, deadline);
 }
 
-std::optional<Message> Line::receive(int timeoutMs) {
-  Head head;
-  Message message;
-  const int64_t deadline = nowMs() + timeoutMs;
-  if (!receiveAll(reinterpret_cast<std::byte*>(&head), sizeof head, &message.attached, deadline)) return {};
-  if (head.magic != Head::kMagic || head.bytes > kMostBytes || (head.attached == 1) != bool{message.attached})
+std::optional<Message> Line::receive() {
+  if (broken_ || !receiveMore(reinterpret_cast<std::byte*>(&head_), sizeof head_, headBytes_)) return {};
+  if (head_.magic != Head::kMagic || head_.bytes > kMostBytes ||
+      (head_.attached == 1) != (message_.attached.get() >= 0)) {
+    broken_ = true;
     return {};
-  message.type = head.type;
+  }
   // Grows with what arrives: the other end may promise more than it sends.
   constexpr size_t kStep = size_t{1} << 22;
-  for (size_t left = head.bytes; left > 0;) {
-    const size_t step = std::min(left, kStep), before = message.body.size();
-    message.body.resize(before + step);
-    if (!receiveAll(message.body.data() + before, step, nullptr, deadline)) return {};
-    left -= step;
+  while (bodyBytes_ < head_.bytes) {
+    const size_t wanted = std::min<size_t>(head_.bytes, (bodyBytes_ / kStep + 1) * kStep);
+    message_.body.resize(wanted);
+    if (!receiveMore(message_.body.data(), wanted, bodyBytes_)) return {};
   }
-  return message;
+  message_.type = head_.type;
+  headBytes_ = bodyBytes_ = 0;
+  return std::exchange(message_, Message());
 }
 
-bool Line::hasMore() const { return ready(POLLIN, 0); }
+std::optional<Message> Line::receive(int timeoutMs) {
+  const int64_t deadline = nowMs() + timeoutMs;
+  for (;;) {
+    if (auto message = receive()) return message;
+    if (broken_ || !ready(POLLIN, deadline)) return {};
+  }
+}
 
 }  // namespace gluray::dist

@@ -14,7 +14,7 @@ namespace gluray::dist {
 struct Message {
   uint16_t type = 0;
   std::vector<std::byte> body;
-  Descriptor attached;  // none: empty
+  Descriptor attached;  // none: negative
 };
 
 class Line {
@@ -27,19 +27,33 @@ class Line {
   /// the line is then of no more use. `attached`: -1: none.
   bool send(uint16_t type, std::span<const std::byte> body, int attached, int timeoutMs);
 
-  /// The next message; none: the other end is gone, says nothing whole in time, or says what is no message.
+  /// The next message, if the whole of it has arrived. Never blocks.
+  std::optional<Message> receive();
+  /// Waits for it; none also where it has not arrived in time.
   std::optional<Message> receive(int timeoutMs);
-
-  /// Whether something waits to be read.
-  bool hasMore() const;
+  /// The other end is gone, or says what is no message: nothing more arrives.
+  bool isBroken() const { return broken_; }
   int descriptor() const { return socket_.get(); }
 
  private:
+  struct Head {
+    uint32_t magic = kMagic;
+    uint16_t type = 0, attached = 0;
+    uint64_t bytes = 0;
+    static constexpr uint32_t kMagic = 0x7952'4c47;  // "GLRy"; in another byte order it is another number
+  };
+
   bool ready(short events, int64_t deadlineMs) const;
   bool sendAll(const std::byte* bytes, size_t size, int attached, int64_t deadlineMs);
-  bool receiveAll(std::byte* bytes, size_t size, Descriptor* attached, int64_t deadlineMs);
+  /// Reads what is there, up to `size` bytes in all. True: `got` equals `size`.
+  bool receiveMore(std::byte* bytes, size_t size, size_t& got);
 
   Descriptor socket_;
+  bool broken_ = false;
+  // Of the message that arrives.
+  Head head_;
+  size_t headBytes_ = 0, bodyBytes_ = 0;
+  Message message_;
 };
 
 }  // namespace gluray::dist

@@ -43,10 +43,10 @@ TEST(Line, MessagesArriveInOrderWhateverTheirSize) {
     ASSERT_TRUE(message);
     EXPECT_EQ(message->type, i);
     EXPECT_TRUE(message->body == numbered(sizes[i]));
-    EXPECT_FALSE(message->attached);
+    EXPECT_LT(message->attached.get(), 0);
   }
   sender.join();
-  EXPECT_FALSE(there.hasMore());
+  EXPECT_FALSE(there.receive());
 }
 
 TEST(Line, SealedMemoryGoesWithMessages) {
@@ -59,7 +59,7 @@ TEST(Line, SealedMemoryGoesWithMessages) {
   Array array;
   {
     const auto message = there.receive(kPatienceMs);
-    ASSERT_TRUE(message && message->attached);
+    ASSERT_TRUE(message && message->attached.get() >= 0);
     EXPECT_THROW(mapSealed(message->attached, content.size() - 1), Malformed);
     array = mapSealed(message->attached, content.size());
   }
@@ -68,7 +68,7 @@ TEST(Line, SealedMemoryGoesWithMessages) {
   const auto second = there.receive(kPatienceMs);
   ASSERT_TRUE(second);
   EXPECT_EQ(second->type, 2);
-  EXPECT_FALSE(second->attached);
+  EXPECT_LT(second->attached.get(), 0);
   EXPECT_LT(pwrite(memory.get(), "x", 1, 0), 0);  // sealed at this end, too
 }
 
@@ -88,12 +88,14 @@ TEST(Line, WhatIsNoMessageEndsIt) {
     ASSERT_EQ(::send(here.descriptor(), said, std::strlen(said), 0), static_cast<ssize_t>(std::strlen(said)));
     here = Line(Descriptor());
     EXPECT_FALSE(there.receive(kPatienceMs)) << said;
+    EXPECT_TRUE(there.isBroken());
   }
 }
 
 TEST(Line, AnEndThatSaysNothingOrReadsNothingIsGivenUp) {
   auto [here, there] = ends();
   EXPECT_FALSE(there.receive(30));
+  EXPECT_FALSE(there.isBroken());
   EXPECT_FALSE(here.send(1, numbered(size_t{16} << 20), -1, 30));
 }
 

@@ -1,6 +1,7 @@
 // Memory that processes of one machine share and nobody can change any more: arrays go from the program to
 // workers without another copy. Any thread.
 #pragma once
+#include "control/descriptor.h"
 #include "dist/stream/arrays.h"
 
 #include <cstddef>
@@ -8,29 +9,7 @@
 
 namespace gluray::dist {
 
-/// A file descriptor that is closed with it.
-class Descriptor {
- public:
-  Descriptor() = default;
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() { reset(); }
-  Descriptor(Descriptor&& other) noexcept : number_(other.release()) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
-    if (this != &other) reset(), number_ = other.release();
-    return *this;
-  }
-  explicit operator bool() const { return number_ >= 0; }
-  int get() const { return number_; }
-  int release() {
-    const int number = number_;
-    number_ = -1;
-    return number;
-  }
-  void reset();
-
- private:
-  int number_ = -1;
-};
+using control::Descriptor;
 
 /// New memory of `bytes` bytes and kArrayPadding zeros, which `fill` writes; sealed afterwards. Throws
 /// std::system_error where there is none.
@@ -40,5 +19,17 @@ Descriptor sealedMemory(size_t bytes, const std::function<void(std::byte*)>& fil
 /// could change it while it is read, or cut it off, or where it does not hold `bytes` bytes;
 /// std::system_error.
 Array mapSealed(const Descriptor& memory, size_t bytes);
+
+/// Memory of `bytes` bytes that one process writes and another reads; its size is sealed.
+struct WrittenMemory {
+  Descriptor memory;
+  std::shared_ptr<std::byte> at;
+  size_t bytes = 0;
+};
+/// Throws std::system_error.
+WrittenMemory writtenMemory(size_t bytes);
+/// Maps another process's for reading. Throws Malformed where its size is another one, or not sealed: its
+/// writer could cut it off; std::system_error.
+std::shared_ptr<const std::byte> mapWritten(const Descriptor& memory, size_t bytes);
 
 }  // namespace gluray::dist

@@ -2,6 +2,7 @@
 
 #include <cstring>
 #include <iterator>
+#include <utility>
 
 namespace gluray::dist {
 namespace {
@@ -12,12 +13,6 @@ Hash128 contentHash(const ArraySource& source) {
   std::vector<std::byte> copy(source.bytes());
   source.copyTo(copy.data());
   return hashBytes(copy.data(), copy.size());
-}
-
-std::shared_ptr<std::byte[]> room(size_t bytes) {
-  std::shared_ptr<std::byte[]> memory(new std::byte[bytes + kArrayPadding]);
-  std::memset(memory.get() + bytes, 0, kArrayPadding);
-  return memory;
 }
 
 }  // namespace
@@ -31,16 +26,22 @@ void ArraySource::copyTo(std::byte* to) const {
     std::memcpy(to, data + static_cast<size_t>(i) * stride, element);
 }
 
+ArrayRoom arrayRoom(size_t bytes) {
+  std::shared_ptr<std::byte[]> memory(new std::byte[bytes + kArrayPadding]);
+  std::memset(memory.get() + bytes, 0, kArrayPadding);
+  return {std::move(memory), bytes};
+}
+
 Array makeArray(std::span<const std::byte> content) {
-  const std::shared_ptr<std::byte[]> memory = room(content.size());
-  if (!content.empty()) std::memcpy(memory.get(), content.data(), content.size());
-  return {memory, {memory.get(), content.size()}};
+  const ArrayRoom room = arrayRoom(content.size());
+  if (!content.empty()) std::memcpy(room.memory.get(), content.data(), content.size());
+  return room.array();
 }
 
 Array makeArray(const ArraySource& source) {
-  const std::shared_ptr<std::byte[]> memory = room(source.bytes());
-  source.copyTo(memory.get());
-  return {memory, {memory.get(), source.bytes()}};
+  const ArrayRoom room = arrayRoom(source.bytes());
+  source.copyTo(room.memory.get());
+  return room.array();
 }
 
 size_t ArrayNames::KeyHash::operator()(const Key& key) const noexcept {

@@ -32,6 +32,14 @@ struct Array {
 };
 constexpr size_t kArrayPadding = 16;  // as scene/mesh.h promises
 Array makeArray(std::span<const std::byte> content);
+/// An array of so many bytes, which the caller fills.
+struct ArrayRoom {
+  std::shared_ptr<std::byte[]> memory;
+  size_t bytes = 0;
+  std::span<std::byte> content() const { return {memory.get(), bytes}; }
+  Array array() const { return {memory, {memory.get(), bytes}}; }
+};
+ArrayRoom arrayRoom(size_t bytes);
 /// The same of a source.
 Array makeArray(const ArraySource& source);
 

@@ -211,7 +211,7 @@ void DecodedParts::forgetGone() {
   std::erase_if(images, [](const auto& entry) { return entry.second.expired(); });
 }
 
-scene::SnapshotPtr SnapshotDecoder::decode(std::span<const std::byte> message) {
+std::shared_ptr<scene::Snapshot> SnapshotDecoder::decode(std::span<const std::byte> message) {
   const size_t parts = parts_.meshes.size() + parts_.images.size();
   if (parts > 2 * partsAfterForgetting_ + 64) {
     parts_.forgetGone();

@@ -34,7 +34,7 @@ class SnapshotDecoder {
 
   /// Throws Malformed where the message is none of SnapshotEncoder or names arrays that are not known;
   /// std::bad_alloc.
-  scene::SnapshotPtr decode(std::span<const std::byte> message);
+  std::shared_ptr<scene::Snapshot> decode(std::span<const std::byte> message);
 
  private:
   FindArray arrays_;

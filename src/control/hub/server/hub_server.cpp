@@ -6,9 +6,10 @@
 #include "control/connect_tcp.h"
 #include "control/connection.h"
 #include "control/hub/hub_core.h"
-#include "control/hub/server/hub_place.h"
 #include "control/hub/server/listener.h"
 #include "control/hub/server/program_files.h"
+#include "control/listening_place.h"
+#include "control/local_socket.h"
 
 #include <asio/post.hpp>
 #include <asio/steady_timer.hpp>
@@ -90,7 +91,7 @@ class HubServer::Parts : public std::enable_shared_from_this<Parts> {
   HubTime began_{}, counted_ = HubTime::min();  // `counted_`: when `expected_` was
   size_t expected_ = 0;
   HubCore core_;
-  HubPlace place_;
+  ListeningPlace place_{"hub", "hub"};
   Refusals refusals_;
   Key key_{};
   std::shared_ptr<Listener> here_, tcp_;

@@ -1,6 +1,5 @@
-#include "control/hub/server/hub_place.h"
+#include "control/listening_place.h"
 
-#include "control/connect.h"
 #include "control/runtime_directory.h"
 
 #include <fcntl.h>
@@ -23,7 +22,7 @@ std::string whyOfSystem(const std::string& path) {
   return path + ": " + std::error_code(errno, std::generic_category()).message();
 }
 
-/// Removes a socket or a link. Other files are not the hub's.
+/// Removes a socket or a link. Other files are not ours.
 std::string removeOldSocket(const std::string& path) {
   struct stat status {};
   if (lstat(path.c_str(), &status) != 0) return errno == ENOENT ? "" : whyOfSystem(path);
@@ -33,10 +32,11 @@ std::string removeOldSocket(const std::string& path) {
 
 }  // namespace
 
-std::string HubPlace::take(const std::string& directory, bool& otherHub) {
-  otherHub = false;
+std::string ListeningPlace::take(const std::string& directory, bool& taken) {
+  taken = false;
   if (std::string why = makeRuntimeDirectory(directory); !why.empty()) return why;
-  const std::string path = directory + "/hub.lock";
+  directory_ = directory;
+  const std::string path = this->path(".lock");
   const int lock = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0600);
   if (lock < 0) return errno == ELOOP ? path + " is a symbolic link; remove it" : whyOfSystem(path);
   struct stat status {};
@@ -46,17 +46,16 @@ std::string HubPlace::take(const std::string& directory, bool& otherHub) {
   else if (!S_ISREG(status.st_mode) || status.st_uid != geteuid())
     why = path + " is no file of yours; remove it";
   else if (flock(lock, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-    otherHub = true, why = "another hub runs already in " + directory;
+    taken = true, why = "another " + what_ + " runs already in " + directory;
   else if (flock(lock, LOCK_EX | LOCK_NB) != 0)
     why = whyOfSystem(path);
   if (!why.empty()) return close(lock), why;
   lock_ = lock;
-  directory_ = directory;
   return "";
 }
 
-int HubPlace::listenHere(std::string& why) {
-  const std::string path = socketIn(directory_);
+int ListeningPlace::listenHere(std::string& why) {
+  const std::string path = this->path(".sock");
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   if (path.size() >= sizeof address.sun_path)
@@ -76,9 +75,9 @@ int HubPlace::listenHere(std::string& why) {
   return socket;
 }
 
-void HubPlace::leave() {
+void ListeningPlace::leave() {
   if (lock_ < 0) return;
-  if (listens_) unlink(socketIn(directory_).c_str());
+  if (listens_) unlink(path(".sock").c_str());
   flock(lock_, LOCK_UN);  // also where a child process has inherited the descriptor
   close(lock_);
   lock_ = -1;

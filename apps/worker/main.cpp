@@ -1,0 +1,92 @@
+// gluray-worker: traces pictures for programs whose setting `workers` names its job. Started once, or by
+// mpirun or srun as a job of many ranks.
+#include "base/environment_variable.h"
+#include "control/listening_place.h"
+#include "control/runtime_directory.h"
+#include "dist/program/worker_link.h"
+#include "dist/worker/worker.h"
+#include "mpi_choice.h"
+
+#include <CLI/CLI.hpp>
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <string>
+
+namespace {
+
+using namespace gluray;
+
+std::atomic<bool> stop{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+struct Options {
+  std::string job = "job", mpi = "auto";
+  int threads = 0;
+  bool quiet = false;
+};
+
+int fail(const std::string& why) {
+  std::fprintf(stderr, "gluray-worker: %s\n", why.c_str());
+  return 1;
+}
+
+/// As many as the machine has for each of its ranks; launchers that bind ranks to cores have seen to that.
+int threadsFor(const dist::Ranks& ranks, int wanted) {
+  if (wanted > 0) return wanted;
+  cpu_set_t allowed;
+  if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return 0;
+  const int here = CPU_COUNT(&allowed);
+  const auto all = static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
+  return here < all ? here : std::max(here / std::max(ranks.sizeHere(), 1), 1);
+}
+
+int work(const Options& options, int argc, char** argv) {
+  if (const std::string why = dist::whyNoJobName(options.job); !why.empty()) return fail(why);
+  const std::string mpi = options.mpi == "auto" ? worker::launchersMpi(environmentVariable) : options.mpi;
+  std::string why;
+  const std::unique_ptr<dist::Ranks> ranks = worker::startRanks(mpi, &argc, &argv, why);
+  if (!ranks) return fail(why);
+
+  control::ListeningPlace place(dist::workerPlace(options.job, ranks->rankHere()),
+                                "gluray-worker --job " + options.job);
+  bool taken = false;
+  if (why = place.take(control::runtimeDirectory(), taken); !why.empty()) return fail(why);
+  control::Descriptor listening(place.listenHere(why));
+  if (listening.get() < 0) return fail(why);
+
+  const auto say = [&](const std::string& line) {
+    if (!options.quiet) std::fprintf(stderr, "gluray-worker %d: %s\n", ranks->rank(), line.c_str());
+  };
+  const int threads = threadsFor(*ranks, options.threads);
+  if (ranks->rank() == 0)
+    say("job \"" + options.job + "\": " + std::to_string(ranks->size()) + (ranks->size() == 1 ? " rank, " : " ranks, ") +
+        std::to_string(threads) + (threads == 1 ? " thread" : " threads") + " each, " + ranks->implementation() +
+        "; programs join with gluray --workers " + options.job);
+  dist::Worker(*ranks, threads, std::move(listening), say).run(stop);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Traces pictures for programs started with gluray --workers JOB.\n"
+               "As a job of many ranks: mpirun -n 16 gluray-worker --job JOB");
+  Options options;
+  app.add_option("--job", options.job, "name of the job, which programs give as --workers")->capture_default_str();
+  app.add_option("--threads", options.threads, "threads of each rank; 0: the machine's, shared by its ranks")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  app.add_option("--mpi", options.mpi, "openmpi, mpich, none, or a library; auto: that of the launcher")
+      ->capture_default_str();
+  app.add_flag("--quiet", options.quiet, "no messages but errors");
+  app.set_version_flag("--version", "gluray-worker " GLURAY_VERSION);
+  CLI11_PARSE(app, argc, argv);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, [](int) { stop = true; });
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    return work(options, argc, argv);
+  } catch (const std::exception& error) { return fail(error.what()); }
+}

@@ -1,0 +1,107 @@
+// What a program and a worker of its machine say to each other, over a Line. Any thread.
+#pragma once
+#include "dist/messages/codec.h"
+
+namespace gluray::dist {
+
+// From the program.
+
+struct Hello {
+  static constexpr uint16_t kType = 1;
+  std::string version;  // of GLuRay
+  std::string program;
+  int32_t process = 0;
+};
+/// An array whose sealed memory is attached.
+struct ArrayComes {
+  static constexpr uint16_t kType = 2;
+  Hash128 name;
+  uint64_t bytes = 0;
+};
+/// No later snapshot names these, unless they come again.
+struct ArraysGo {
+  static constexpr uint16_t kType = 3;
+  std::vector<Hash128> names;
+};
+struct TraceRequest {
+  static constexpr uint16_t kType = 4;
+  uint64_t id = 0;    // rises
+  uint64_t view = 0;  // Snapshot::view
+  int32_t width = 0, height = 0;
+  bool shared = true;            // whether ranks may share it tile by tile
+  bool layered = false;          // Snapshot::layers is there
+  uint32_t missColor = 0;        // Image::missColor
+  std::vector<uint8_t> wanted;   // LightSampling::tiles; empty: all
+  std::vector<std::byte> snapshot;
+};
+struct Cancel {
+  static constexpr uint16_t kType = 5;
+  uint64_t id = 0;
+};
+
+// From the worker.
+
+struct Welcome {
+  static constexpr uint16_t kType = 101;
+  std::string refusal;  // why it traces nothing for this program; empty: it does
+  int32_t ranks = 1, threads = 1;  // of the job
+};
+/// It is at work on the picture.
+struct AtWork {
+  static constexpr uint16_t kType = 102;
+  uint64_t id = 0;
+};
+/// Attached memory in which pictures of at most so many bytes come from now on.
+struct PictureMemory {
+  static constexpr uint16_t kType = 103;
+  uint64_t bytes = 0;
+};
+struct PictureDone {
+  static constexpr uint16_t kType = 104;
+  uint64_t id = 0;
+  bool whole = false;  // false: cancelled, or `error` says why
+  bool improves = false;
+  std::string error;
+  ImageShape shape;
+  LayerCounts layers;
+  scene::TraceCost cost;
+};
+
+void fields(auto& archive, Like<Hello> auto& value) {
+  auto& [version, program, process] = value;
+  archive(version, program, process);
+}
+void fields(auto& archive, Like<ArrayComes> auto& value) {
+  auto& [name, bytes] = value;
+  archive(name, bytes);
+}
+void fields(auto& archive, Like<ArraysGo> auto& value) {
+  auto& [names] = value;
+  archive(names);
+}
+void fields(auto& archive, Like<TraceRequest> auto& value) {
+  auto& [id, view, width, height, shared, layered, missColor, wanted, snapshot] = value;
+  archive(id, view, width, height, shared, layered, missColor, wanted, snapshot);
+}
+void fields(auto& archive, Like<Cancel> auto& value) {
+  auto& [id] = value;
+  archive(id);
+}
+void fields(auto& archive, Like<Welcome> auto& value) {
+  auto& [refusal, ranks, threads] = value;
+  archive(refusal, ranks, threads);
+}
+void fields(auto& archive, Like<AtWork> auto& value) {
+  auto& [id] = value;
+  archive(id);
+}
+void fields(auto& archive, Like<PictureMemory> auto& value) {
+  auto& [bytes] = value;
+  archive(bytes);
+}
+void fields(auto& archive, Like<PictureDone> auto& value) {
+  auto& [id, whole, improves, error, shape, layers, cost] = value;
+  archive(id, whole, improves, error, shape, layers, cost);
+}
+
+}  // namespace gluray::dist

@@ -1,0 +1,118 @@
+// What the ranks of a job of workers say to each other. Of a program's pictures, the rank that it is connected
+// to is the head. Any thread.
+#pragma once
+#include "dist/messages/codec.h"
+
+namespace gluray::dist {
+
+/// To rank 0, which orders the broadcasts of the job: the sender has an array for all.
+struct TurnWanted {
+  static constexpr uint16_t kType = 1;
+  Hash128 name;
+  uint64_t bytes = 0;
+};
+/// From rank 0 to all: the next broadcast is this one.
+struct Turn {
+  static constexpr uint16_t kType = 2;
+  int32_t root = 0;
+  Hash128 name;
+  uint64_t bytes = 0;
+};
+/// From a head to all: its programs' snapshots do not name these any more.
+struct Forget {
+  static constexpr uint16_t kType = 3;
+  std::vector<Hash128> names;
+};
+/// From a head: a picture to take part in.
+struct TraceOrder {
+  static constexpr uint16_t kType = 4;
+  uint64_t id = 0;                // of the head's pictures
+  bool shared = true;             // false: the head traces it alone
+  bool averages = true;           // frame::Renderer::renderTiles
+  uint32_t missColor = 0;
+  std::vector<Hash128> needs;     // arrays that may still be on their way
+  std::vector<std::byte> snapshot;
+};
+/// From a head: tiles to trace.
+struct MoreTiles {
+  static constexpr uint16_t kType = 5;
+  uint64_t id = 0;
+  std::vector<int32_t> tiles;
+};
+/// From a head: nothing more of this picture is to be traced.
+struct EndOfPicture {
+  static constexpr uint16_t kType = 6;
+  uint64_t id = 0;
+};
+/// To a head: a traced tile.
+struct TracedTile {
+  static constexpr uint16_t kType = 7;
+  uint64_t id = 0;
+  ImageShape shape;
+  int32_t tile = 0;
+  float seconds = 0;
+  bool seenThrough = false;  // render::TileSource::done
+  std::vector<std::byte> pixels;
+};
+/// To a head, after the end of the picture, or before where it cannot be traced.
+struct Finished {
+  static constexpr uint16_t kType = 8;
+  uint64_t id = 0;
+  bool improves = false;
+  std::string error;  // empty: there was none
+  LayerCounts layers;
+  scene::TraceCost cost;
+};
+/// To a head, while one of its pictures is at work.
+struct Alive {
+  static constexpr uint16_t kType = 9;
+  int32_t threads = 1;
+};
+
+void fields(auto& archive, Like<TurnWanted> auto& value) {
+  auto& [name, bytes] = value;
+  archive(name, bytes);
+}
+void fields(auto& archive, Like<Turn> auto& value) {
+  auto& [root, name, bytes] = value;
+  archive(root, name, bytes);
+}
+void fields(auto& archive, Like<Forget> auto& value) {
+  auto& [names] = value;
+  archive(names);
+}
+void fields(auto& archive, Like<TraceOrder> auto& value) {
+  auto& [id, shared, averages, missColor, needs, snapshot] = value;
+  archive(id, shared, averages, missColor, needs, snapshot);
+}
+void fields(auto& archive, Like<MoreTiles> auto& value) {
+  auto& [id, tiles] = value;
+  archive(id, tiles);
+}
+void fields(auto& archive, Like<EndOfPicture> auto& value) {
+  auto& [id] = value;
+  archive(id);
+}
+void fields(auto& archive, Like<TracedTile> auto& value) {
+  auto& [id, shape, tile, seconds, seenThrough, pixels] = value;
+  archive(id, shape, tile, seconds, seenThrough, pixels);
+}
+void fields(auto& archive, Like<Finished> auto& value) {
+  auto& [id, improves, error, layers, cost] = value;
+  archive(id, improves, error, layers, cost);
+}
+void fields(auto& archive, Like<Alive> auto& value) {
+  auto& [threads] = value;
+  archive(threads);
+}
+
+/// With its number in front, as ranks send it.
+template <class M>
+std::vector<std::byte> forRanks(const M& message) {
+  WriteMessage archive;
+  archive.out().put(M::kType);
+  archive(message);
+  return archive.out().take();
+}
+
+}  // namespace gluray::dist

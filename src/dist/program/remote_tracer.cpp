@@ -1,0 +1,111 @@
+#include "dist/program/remote_tracer.h"
+
+#include "base/clock.h"
+#include "render/tiles.h"
+
+#include <exception>
+#include <utility>
+
+namespace gluray::dist {
+namespace {
+
+constexpr int kLookMs = 20;  // how often a call looks whether it must stop
+
+/// Copies the picture, or of a pass over some tiles those.
+void copyPixels(const scene::Snapshot& snapshot, const PictureDone& picture, const std::byte* pixels, Image& image) {
+  const ImageShape& shape = picture.shape;
+  const auto* const wanted = snapshot.lightSampling.tiles.get();
+  const bool some = wanted && shapeOf(image) == shape;
+  image.x = snapshot.region.x, image.y = snapshot.region.y;
+  if (!some) image.resize(shape.width, shape.height, shape.samples, shape.planes);
+  const PlanePointers from = planesIn(const_cast<std::byte*>(pixels), shape), to = planesOf(image);
+  const render::Tiles tiles(shape.width, shape.height, render::kTileSize);
+  for (int tile = 0; tile < tiles.columns * tiles.rows; ++tile)
+    if (!some || static_cast<size_t>(tile) >= wanted->size() || (*wanted)[static_cast<size_t>(tile)])
+      copyTile(from, to, shape, tiles.at(tile));
+  image.layers = picture.layers;
+}
+
+}  // namespace
+
+RemoteTracer::RemoteTracer(std::string directory, std::string job, int place, frame::TraceBehind here,
+                           std::function<void(const std::string&)> say)
+    : job_(job), here_(std::move(here)), say_(std::move(say)), link_(std::move(directory), std::move(job), place) {}
+
+void RemoteTracer::tell(const std::string& why) {
+  if (why == told_ && !traced_) return;
+  told_ = why;
+  traced_ = false;
+  say_("workers = " + job_ + ": " + why + "; this process traces until they do");
+}
+
+bool RemoteTracer::trace(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
+                         const std::function<bool()>& stop) noexcept {
+  Result result = Result::nobody;
+  try {
+    error.clear();
+    const struct Wanted {
+      explicit Wanted(std::atomic<int>* count) : count(count) {
+        if (count) ++*count;
+      }
+      ~Wanted() {
+        if (count) --*count;
+      }
+      std::atomic<int>* count;
+    } wanted(stop ? nullptr : &wanted_);
+    std::unique_lock lock(mutex_, std::defer_lock);
+    if (!stop)
+      lock.lock();
+    else if (!lock.try_lock() || wanted_ > 0)
+      return false;
+    result = byWorkers(snapshot, image, cost, error, stop);
+  } catch (const std::exception&) {}  // no memory: the other way may need less
+  if (result == Result::done) return true;
+  if (result == Result::stopped) return false;
+  return here_(snapshot, image, cost, error, stop);
+}
+
+RemoteTracer::Result RemoteTracer::byWorkers(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
+                                             std::string& error, const std::function<bool()>& stop) {
+  const double now = nowSeconds();
+  if (!link_.isReady(now)) return tell(link_.why()), Result::nobody;
+  try {
+    if (!link_.ask(snapshot, image.missColor)) {
+      link_.disconnect("the worker is gone", now);
+      return tell(link_.why()), Result::nobody;
+    }
+    const Result result = receive(snapshot, image, cost, error, stop);
+    if (result == Result::done) traced_ = true;
+    return result;
+  } catch (const std::exception& why) {
+    link_.disconnect(why.what(), nowSeconds());
+    tell(link_.why());
+  }
+  return Result::nobody;
+}
+
+RemoteTracer::Result RemoteTracer::receive(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
+                                           std::string& error, const std::function<bool()>& stop) {
+  for (;;) {
+    if (stop && (wanted_ > 0 || stop())) return link_.cancel(), Result::stopped;
+    switch (link_.wait(kLookMs, nowSeconds())) {
+      case WorkerLink::Came::nothing:
+      case WorkerLink::Came::sign: continue;
+      case WorkerLink::Came::failure:
+        link_.disconnect("the worker does not answer", nowSeconds());
+        return tell(link_.why()), Result::nobody;
+      case WorkerLink::Came::picture: break;
+    }
+    const PictureDone& picture = link_.picture();
+    if (!picture.whole) {
+      tell(picture.error);
+      return error = picture.error, Result::failed;
+    }
+    copyPixels(snapshot, picture, link_.pixels(), image);
+    cost = picture.cost;
+    improves_ = picture.improves;
+    return Result::done;
+  }
+}
+
+}  // namespace gluray::dist

@@ -1,0 +1,46 @@
+// Pictures by a job of workers, in place of this process's renderer. Any thread.
+#pragma once
+#include "dist/program/worker_link.h"
+#include "frame/tracer.h"
+
+#include <atomic>
+#include <functional>
+#include <mutex>
+#include <string>
+
+namespace gluray::dist {
+
+/// Gives one picture at a time to the workers. Where no worker answers, this process traces; it says so once,
+/// and looks for workers again.
+class RemoteTracer {
+ public:
+  /// `here`: traces in this process. `say`: one line for the user.
+  RemoteTracer(std::string directory, std::string job, int place, frame::TraceBehind here,
+               std::function<void(const std::string&)> say);
+
+  /// As frame::Trace and frame::TraceBehind. `stop` null: in front of calls that may be stopped.
+  bool trace(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
+             const std::function<bool()>& stop) noexcept;
+  /// As frame::Improves, of the last picture.
+  bool improves() const noexcept { return improves_; }
+
+ private:
+  enum class Result : uint8_t { done, stopped, failed, nobody };
+  Result byWorkers(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
+                   const std::function<bool()>& stop);
+  Result receive(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
+                 const std::function<bool()>& stop);
+  void tell(const std::string& why);
+
+  const std::string job_;
+  const frame::TraceBehind here_;
+  const std::function<void(const std::string&)> say_;
+  std::mutex mutex_;
+  std::atomic<int> wanted_{0};  // calls in front that wait or trace
+  std::atomic<bool> improves_{false};
+  WorkerLink link_;
+  bool traced_ = false;   // the last picture came from workers
+  std::string told_;      // why the one before did not
+};
+
+}  // namespace gluray::dist

@@ -1,0 +1,173 @@
+#include "dist/program/worker_link.h"
+
+#include "base/clock.h"
+#include "control/local_socket.h"
+#include "control/runtime_directory.h"
+#include "dist/messages/version.h"
+#include "scene/effects.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+namespace gluray::dist {
+namespace {
+
+constexpr int kFirstWelcomeMs = 2000, kWelcomeMs = 20;
+constexpr int kSendMs = 5000;
+constexpr double kTryAgain = 1, kSilence = 1.5, kWelcomePatience = 5;  // seconds
+
+/// Whether ranks may share the picture tile by tile: moving light is smoothed across tiles.
+bool isShared(const scene::Snapshot& snapshot) {
+  return snapshot.lightSampling.mode != scene::LightSampling::Mode::moving || !scene::wantsLight(snapshot.settings);
+}
+
+}  // namespace
+
+std::string workerPlace(const std::string& job, int place) { return "worker-" + job + "." + std::to_string(place); }
+
+std::string whyNoJobName(const std::string& job) {
+  constexpr size_t kMost = 40;  // as the message says
+  const auto usual = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+  };
+  if (!job.empty() && job.size() <= kMost && std::ranges::all_of(job, usual)) return "";
+  std::string why = "\"";
+  return why.append(job, 0, kMost).append("\" names no job of workers: use letters, digits, - and _, 40 at most");
+}
+
+WorkerLink::WorkerLink(std::string directory, std::string job, int place)
+    : directory_(std::move(directory)), job_(std::move(job)), place_(place) {}
+
+template <class M>
+bool WorkerLink::send(const M& message, int attached) {
+  return line_->send(M::kType, encoded(message), attached, kSendMs);
+}
+
+void WorkerLink::disconnect(std::string why, double now) {
+  line_.reset();
+  welcome_ = false;
+  sent_.clear();
+  memory_.reset();
+  why_ = std::move(why);
+  nextTry_ = now + kTryAgain;
+}
+
+bool WorkerLink::isReady(double now) {
+  if (!line_ && (now < nextTry_ || !connect(now))) return false;
+  if (!welcome_) greet(everTried_ ? kWelcomeMs : kFirstWelcomeMs, now);
+  everTried_ = true;
+  return welcome_;
+}
+
+bool WorkerLink::connect(double now) {
+  nextTry_ = now + kTryAgain;
+  if (why_ = whyNoJobName(job_); !why_.empty()) return false;
+  std::error_code error;
+  if (std::filesystem::exists(directory_, error))
+    if (why_ = control::whyUnsafe(directory_); !why_.empty()) return false;
+  bool nobody = false;
+  // A machine may have fewer workers than ranks of the program.
+  for (int place = place_; !line_ && place >= 0; place = place > 0 ? place / 2 : -1) {
+    control::Descriptor socket =
+        control::connectedSocket(directory_ + "/" + workerPlace(job_, place) + ".sock", why_, nobody);
+    if (socket.get() >= 0) line_.emplace(std::move(socket));
+  }
+  if (!line_) {
+    if (nobody) why_ = "no gluray-worker --job " + job_ + " runs on this machine";
+    return false;
+  }
+  const Hello hello{version(), program_invocation_short_name, static_cast<int32_t>(getpid())};
+  if (!send(hello)) return disconnect("the worker is gone", now), false;
+  helloAt_ = now;
+  return true;
+}
+
+bool WorkerLink::greet(int timeoutMs, double now) {
+  try {
+    const std::optional<Message> message = line_->receive(timeoutMs);
+    if (!message && line_->isBroken()) return disconnect("the worker is gone", now), false;
+    if (!message) {
+      why_ = "the worker does not answer";
+      if (now - helloAt_ > kWelcomePatience) disconnect(why_, now);
+      return false;
+    }
+    if (message->type != Welcome::kType) throw Malformed("it is no welcome");
+    const auto welcome = decoded<Welcome>(message->body);
+    if (!welcome.refusal.empty()) {
+      disconnect(welcome.refusal, now);
+      nextTry_ = now + 60;
+      return false;
+    }
+    ranks_ = welcome.ranks;
+    why_.clear();
+    return welcome_ = true;
+  } catch (const std::exception& error) { disconnect(error.what(), now); }
+  return false;
+}
+
+bool WorkerLink::sendArrays(const EncodedSnapshot& encoded) {
+  for (const ArraySource& source : encoded.arrays) {
+    const auto [known, isNew] = sent_.try_emplace(source.name);
+    known->second = source.owner;
+    if (!isNew) continue;
+    const Descriptor memory = sealedMemory(source.bytes(), [&](std::byte* to) { source.copyTo(to); });
+    if (!send(ArrayComes{source.name, source.bytes()}, memory.get())) return false;
+  }
+  return true;
+}
+
+void WorkerLink::forgetGone() {
+  if (sent_.size() <= sentAfterForgetting_ + sentAfterForgetting_ / 8 + 16) return;
+  ArraysGo gone;
+  for (const auto& [name, owner] : sent_)
+    if (owner.expired()) gone.names.push_back(name);
+  for (const Hash128& name : gone.names) sent_.erase(name);
+  sentAfterForgetting_ = sent_.size();
+  if (!gone.names.empty()) send(gone);
+}
+
+bool WorkerLink::ask(const scene::Snapshot& snapshot, uint32_t missColor) {
+  EncodedSnapshot encoded = encoder_.encode(snapshot);
+  if (!sendArrays(encoded)) return false;
+  forgetGone();
+  TraceRequest request;
+  request.id = ++lastId_, request.view = snapshot.view;
+  request.width = snapshot.region.width, request.height = snapshot.region.height;
+  request.shared = isShared(snapshot), request.layered = snapshot.layers != nullptr;
+  request.missColor = missColor;
+  if (snapshot.lightSampling.tiles) request.wanted = *snapshot.lightSampling.tiles;
+  request.snapshot = std::move(encoded.message);
+  lastSign_ = nowSeconds();
+  return send(request);
+}
+
+WorkerLink::Came WorkerLink::wait(int timeoutMs, double now) {
+  const std::optional<Message> message = line_->receive(timeoutMs);
+  if (!message) return line_->isBroken() || now - lastSign_ > kSilence ? Came::failure : Came::nothing;
+  lastSign_ = now;
+  switch (message->type) {
+    case AtWork::kType: return Came::sign;
+    case PictureMemory::kType: {
+      memoryBytes_ = decoded<PictureMemory>(message->body).bytes;
+      memory_ = mapWritten(message->attached, memoryBytes_);
+      return Came::sign;
+    }
+    case PictureDone::kType: {
+      auto picture = decoded<PictureDone>(message->body);
+      if (picture.id != lastId_) return Came::sign;  // of an earlier request
+      if (picture.whole && bytesOf(picture.shape) > memoryBytes_) throw Malformed("its pixels are missing");
+      picture_ = std::move(picture);
+      return Came::picture;
+    }
+    default: throw Malformed("its kind is not known");
+  }
+}
+
+void WorkerLink::cancel() { send(Cancel{lastId_}); }
+
+}  // namespace gluray::dist

@@ -1,0 +1,67 @@
+// A program's connection to the worker of its machine. One thread at a time.
+#pragma once
+#include "dist/local/line.h"
+#include "dist/messages/program_messages.h"
+#include "dist/stream/snapshot_encoder.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+
+namespace gluray::dist {
+
+class WorkerLink {
+ public:
+  /// The worker of the job `job` whose socket is in `directory`. `place`: which of those on this machine, by
+  /// the program's rank on it.
+  WorkerLink(std::string directory, std::string job, int place);
+
+  /// Connects where it is not connected. False: no worker traces for this program at present; why() says why.
+  /// The first attempt waits for the worker's welcome, later ones do not.
+  bool isReady(double now);
+  const std::string& why() const { return why_; }
+  int ranks() const { return ranks_; }
+
+  /// Sends the snapshot and those of its arrays that the worker lacks. False: the connection has failed.
+  bool ask(const scene::Snapshot& snapshot, uint32_t missColor);
+  enum class Came : uint8_t { nothing, sign, picture, failure };
+  /// Waits for what the worker says of the picture. `failure`: it has said nothing for long, or is gone.
+  Came wait(int timeoutMs, double now);
+  /// After Came::picture.
+  const PictureDone& picture() const { return picture_; }
+  /// The picture's pixels, until the next ask().
+  const std::byte* pixels() const { return memory_.get(); }
+  void cancel();
+  void disconnect(std::string why, double now);
+
+ private:
+  bool connect(double now);
+  bool greet(int timeoutMs, double now);
+  bool sendArrays(const EncodedSnapshot& encoded);
+  void forgetGone();
+  template <class M>
+  bool send(const M& message, int attached = -1);
+
+  const std::string directory_, job_;
+  const int place_;
+  std::optional<Line> line_;
+  bool welcome_ = false, everTried_ = false;
+  double nextTry_ = 0, lastSign_ = 0, helloAt_ = 0;
+  std::string why_;
+  int ranks_ = 1;
+  SnapshotEncoder encoder_;
+  std::unordered_map<Hash128, std::weak_ptr<const void>> sent_;
+  size_t sentAfterForgetting_ = 0;
+  uint64_t lastId_ = 0;
+  std::shared_ptr<const std::byte> memory_;
+  size_t memoryBytes_ = 0;
+  PictureDone picture_;
+};
+
+/// "worker-JOB.PLACE": the stem of the names of a worker's files in the runtime directory.
+std::string workerPlace(const std::string& job, int place);
+/// Why no job may have this name; empty: it may.
+std::string whyNoJobName(const std::string& job);
+
+}  // namespace gluray::dist

@@ -1,0 +1,39 @@
+// The arrays that a worker has, for the snapshots of all programs. Any thread.
+#pragma once
+#include "dist/stream/arrays.h"
+
+#include <condition_variable>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <unordered_map>
+#include <vector>
+
+namespace gluray::dist {
+
+class ArrayStore {
+ public:
+  /// Keeps the array until each head (a rank) has forgotten it as often as it has put it here. Puts and
+  /// forgets of a head may come in any order: a broadcast takes longer than a message.
+  void put(int head, const Hash128& name, Array array);
+  void forget(int head, const std::vector<Hash128>& names);
+  /// None: it is not here.
+  Array find(const Hash128& name) const;
+  /// Waits until all are here, or `stop`; looks at `stop` when wake() is called. True: all are here.
+  bool waitFor(const std::vector<Hash128>& names, const std::function<bool()>& stop);
+  void wake();
+  size_t bytes() const;
+
+ private:
+  struct Kept {
+    Array array;
+    std::map<int, int> uses;  // by head: puts without forgets; never 0
+  };
+  /// True: no head uses it any more.
+  static bool change(Kept& kept, int head, int by);
+  mutable std::mutex mutex_;
+  std::condition_variable more_;
+  std::unordered_map<Hash128, Kept> arrays_;
+};
+
+}  // namespace gluray::dist

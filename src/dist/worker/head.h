@@ -1,0 +1,64 @@
+// A rank as the head of the programs that are connected to it: takes their snapshots and arrays, shares their
+// pictures among the ranks, and gives them back. The worker's main thread.
+#pragma once
+#include "dist/ranks/ranks.h"
+#include "dist/worker/array_store.h"
+#include "dist/worker/program_side.h"
+#include "dist/worker/rank_states.h"
+
+#include <functional>
+#include <list>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace gluray::dist {
+
+class Head {
+ public:
+  /// One line for the user.
+  using Say = std::function<void(const std::string&)>;
+
+  /// `threads`: with which this rank traces. All must outlive it.
+  Head(Ranks& ranks, ArrayStore& store, int threads, Say say);
+
+  void add(control::Descriptor socket);
+  /// Sockets to wait for.
+  std::vector<int> descriptors();
+  /// Reads what programs have sent.
+  void readPrograms(double now);
+  void take(int rank, const TracedTile& tile, double now);
+  void take(int rank, const Finished& result, double now);
+  void take(int rank, const Alive& alive, double now);
+  /// Notices ranks that say nothing, says to programs that work goes on. Call ten times a second or more.
+  void tick(double now);
+  /// Whether some picture is at work.
+  bool isBusy() const;
+  size_t programs() const { return programs_.size(); }
+
+ private:
+  void handle(ProgramSide& program, const Message& message, double now);
+  void greet(ProgramSide& program, const Hello& hello);
+  void takeArray(ProgramSide& program, const ArrayComes& array, const control::Descriptor& memory);
+  void forget(ProgramSide& program, const std::vector<Hash128>& names);
+  void start(ProgramSide& program, bool averages, double now);
+  void giveTiles(ProgramSide& program);
+  void endPicture(ProgramSide& program);
+  /// Gives the program its picture, if that is done.
+  void finish(ProgramSide& program, double now);
+  void leaveOut(int rank);
+  void leave(ProgramSide& program);
+  ProgramSide* programOf(uint64_t picture);
+  template <class M>
+  void sendToAll(const M& message);
+
+  Ranks& ranks_;
+  ArrayStore& store_;
+  Say say_;
+  RankStates states_;
+  std::list<ProgramSide> programs_;
+  std::unordered_map<Hash128, int> holders_;  // programs that use an array
+  uint64_t lastPicture_ = 0;
+};
+
+}  // namespace gluray::dist

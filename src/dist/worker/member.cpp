@@ -1,0 +1,70 @@
+#include "dist/worker/member.h"
+
+namespace gluray::dist {
+namespace {
+
+constexpr double kAliveEvery = 0.2;                   // seconds
+constexpr uint64_t kMostBytes = uint64_t{1} << 46;    // of an array
+
+}  // namespace
+
+Member::Member(Ranks& ranks, ArrayStore& store, Outbox& outbox, int threads)
+    : ranks_(ranks), store_(store), outbox_(outbox), threads_(threads), tracing_(store, outbox, threads) {}
+
+Member::~Member() {
+  for (auto& [key, queue] : queues_) queue->close();
+  store_.wake();
+}
+
+void Member::take(int head, TraceOrder order, double now) {
+  const Key key{head, order.id};
+  auto queue = std::make_shared<TileQueue>(head, order.id, outbox_);
+  queues_[key] = queue;
+  tracing_.add({head, std::move(order), std::move(queue)});
+  ranks_.send(head, forRanks(Alive{threads_}));
+  saidAlive_ = now;
+}
+
+void Member::take(int head, const MoreTiles& tiles) {
+  if (const auto found = queues_.find({head, tiles.id}); found != queues_.end()) found->second->add(tiles.tiles);
+}
+
+void Member::take(int head, const EndOfPicture& end) {
+  const auto found = queues_.find({head, end.id});
+  if (found == queues_.end()) return;
+  found->second->close();
+  queues_.erase(found);
+  store_.wake();
+}
+
+void Member::take(int head, const Forget& forget) { store_.forget(head, forget.names); }
+
+void Member::take(int root, const TurnWanted& wanted) {
+  for (int rank = 0; rank < ranks_.size(); ++rank)
+    ranks_.send(rank, forRanks(Turn{root, wanted.name, wanted.bytes}));
+}
+
+void Member::take(const Turn& turn) {
+  if (turn.bytes > kMostBytes || turn.root < 0 || turn.root >= ranks_.size()) throw Malformed("no such array");
+  if (turn.root == ranks_.rank()) {
+    const Array array = store_.find(turn.name);
+    // Forgotten before its turn came: the others take part all the same.
+    const ArrayRoom room = array.owner ? ArrayRoom{} : arrayRoom(turn.bytes);
+    const std::span<std::byte> content =
+        array.owner ? std::span(const_cast<std::byte*>(array.bytes.data()), array.bytes.size()) : room.content();
+    ranks_.broadcast(turn.root, content, [array, room] {});
+    return;
+  }
+  const ArrayRoom room = arrayRoom(turn.bytes);
+  ranks_.broadcast(turn.root, room.content(), [this, room, turn] { store_.put(turn.root, turn.name, room.array()); });
+}
+
+void Member::tick(double now) {
+  if (queues_.empty() || now - saidAlive_ < kAliveEvery) return;
+  saidAlive_ = now;
+  int last = -1;
+  for (const auto& [key, queue] : queues_)
+    if (key.first != last) ranks_.send(last = key.first, forRanks(Alive{threads_}));
+}
+
+}  // namespace gluray::dist

@@ -1,0 +1,68 @@
+// A picture that a program asked for, at the head: who traces which of its tiles, and the pixels that come
+// back. The worker's main thread.
+#pragma once
+#include "dist/local/sealed_memory.h"
+#include "dist/messages/program_messages.h"
+#include "dist/messages/rank_messages.h"
+#include "dist/shares/tile_shares.h"
+#include "dist/worker/rank_states.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gluray::dist {
+
+class Picture {
+ public:
+  /// `costs`: of the tiles, as measured before; other numbers of tiles count as unknown.
+  Picture(const TraceRequest& request, uint64_t id, bool averages, const RankStates& ranks,
+          const std::vector<float>& costs, double now);
+
+  uint64_t id() const { return id_; }
+  bool averages() const { return averages_; }
+  bool takesPart(int rank) const { return here_[static_cast<size_t>(rank)]; }
+
+  /// Tiles that the rank gets now.
+  std::vector<int> more(int rank) { return shares_.more(rank); }
+  size_t pending(int rank) const { return shares_.pending(rank); }
+  /// Puts the tile into `memory`, which it makes large enough (`grew`). Throws Malformed where the tile does
+  /// not fit the picture; std::system_error.
+  void take(int rank, const TracedTile& tile, WrittenMemory& memory, bool& grew, double now);
+  void finished(int rank, const Finished& result);
+  void drop(int rank);
+  /// Others take over what ranks have had for long without a result, once nothing else is left. Returns these
+  /// ranks.
+  std::vector<int> passOnSlow(double now);
+
+  /// Averages cannot be composited: the picture must be traced anew without them.
+  bool isSeenThrough() const { return seenThrough_; }
+  bool isTraced() const { return shares_.done(); }
+  /// Whether all that the program gets has come.
+  bool isDone() const;
+  /// Why it cannot be done; empty: it can.
+  const std::string& error() const { return error_; }
+  /// What the program gets.
+  PictureDone result(double now) const;
+  /// Seconds by tile, as measured now or before.
+  const std::vector<float>& costs() const { return costs_; }
+
+ private:
+  static size_t tilesOf(const TraceRequest& request);
+
+  const uint64_t id_, programId_;
+  const bool averages_, layered_;
+  const int width_, height_;
+  const double start_;
+  const int self_;  // whose figures stand for the picture's
+  std::vector<float> costs_;
+  TileShares shares_;
+  std::vector<bool> here_, ended_;
+  std::vector<double> lastResult_;
+  std::optional<ImageShape> shape_;
+  bool seenThrough_ = false;
+  std::string error_;
+  PictureDone result_;
+};
+
+}  // namespace gluray::dist

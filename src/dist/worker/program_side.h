@@ -1,0 +1,45 @@
+// A program that is connected to this worker. The worker's main thread.
+#pragma once
+#include "dist/local/line.h"
+#include "dist/local/sealed_memory.h"
+#include "dist/messages/program_messages.h"
+#include "dist/worker/picture.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+namespace gluray::dist {
+
+class ProgramSide {
+ public:
+  explicit ProgramSide(Line line) : line_(std::move(line)) {}
+
+  Line& line() { return line_; }
+  bool isGone() const { return gone_ || line_.isBroken(); }
+  /// Closes the connection at the next occasion.
+  void end() { gone_ = true; }
+
+  template <class M>
+  void send(const M& message, int attached = -1) {
+    if (!line_.send(M::kType, encoded(message), attached, kPatienceMs)) gone_ = true;
+  }
+
+  std::string name;  // for messages to the user; empty: it has not said hello
+  std::unordered_set<Hash128> arrays;
+  std::vector<Hash128> newArrays;  // since the last request
+  std::optional<TraceRequest> request;
+  std::optional<Picture> picture;
+  WrittenMemory memory;
+  std::map<uint64_t, std::vector<float>> costs;  // of tiles, by view
+  double saidAtWork = 0;
+
+ private:
+  static constexpr int kPatienceMs = 200;  // for a program that does not read
+  Line line_;
+  bool gone_ = false;
+};
+
+}  // namespace gluray::dist

@@ -1,0 +1,52 @@
+// The thread that traces a worker's share of pictures, one after the other.
+#pragma once
+#include "dist/messages/rank_messages.h"
+#include "dist/stream/snapshot_decoder.h"
+#include "dist/worker/array_store.h"
+#include "dist/worker/tile_queue.h"
+#include "frame/renderer.h"
+
+#include <condition_variable>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+namespace gluray::dist {
+
+class TracingThread {
+ public:
+  struct Task {
+    int head = 0;
+    TraceOrder order;
+    std::shared_ptr<TileQueue> tiles;  // whoever closes it calls store.wake(), too
+  };
+
+  /// `threads`: that trace; 0: as many as the process may use. All must outlive it.
+  TracingThread(ArrayStore& store, Outbox& outbox, int threads);
+  /// Waits for the picture that is being traced. All queues must be closed.
+  ~TracingThread();
+  TracingThread(const TracingThread&) = delete;
+  TracingThread& operator=(const TracingThread&) = delete;
+
+  void add(Task task);
+
+ private:
+  void run();
+  void trace(const Task& task);
+  void render(const Task& task, Finished& result);
+
+  ArrayStore& store_;
+  Outbox& outbox_;
+  const int threads_;
+  frame::Renderer renderer_;
+  SnapshotDecoder decoder_;
+  Image image_;
+  std::mutex mutex_;
+  std::condition_variable more_;
+  std::deque<Task> tasks_;
+  bool ends_ = false;
+  std::thread thread_;
+};
+
+}  // namespace gluray::dist

@@ -1,0 +1,93 @@
+#include "dist/worker/worker.h"
+
+#include "base/clock.h"
+#include "control/local_socket.h"
+#include "parallel/arena.h"
+
+#include <poll.h>
+#include <sys/socket.h>
+
+#include <exception>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gluray::dist {
+namespace {
+
+// How long the loop may sleep, which messages of other ranks do not end.
+constexpr double kAwake = 0.1;  // seconds after the last work, in which more of it is likely
+constexpr timespec kActive{0, 50'000}, kIdle{0, 1'000'000}, kAlone{0, 100'000'000};
+
+int threadsOf(int threads) { return threads > 0 ? threads : Arena(0).threads(); }
+
+}  // namespace
+
+Worker::Worker(Ranks& ranks, int threads, control::Descriptor listening, Head::Say say)
+    : ranks_(ranks),
+      threads_(threadsOf(threads)),
+      head_(ranks, store_, threads_, say),
+      member_(ranks, store_, outbox_, threads_),
+      listening_(std::move(listening)),
+      say_(std::move(say)) {}
+
+void Worker::run(const std::atomic<bool>& stop) {
+  while (!stop) {
+    if (look() || head_.isBusy() || member_.isBusy()) lastBusy_ = nowSeconds();
+    wait();
+  }
+}
+
+bool Worker::look() {
+  const double now = nowSeconds();
+  bool found = false;
+  accept();
+  head_.readPrograms(now);
+  for (Outbox::Letter& letter : outbox_.take()) ranks_.send(letter.to, std::move(letter.message)), found = true;
+  ranks_.progress();
+  while (std::optional<RankMessage> message = ranks_.receive()) handle(*message, now), found = true;
+  head_.tick(now);
+  member_.tick(now);
+  return found;
+}
+
+void Worker::handle(const RankMessage& message, double now) {
+  const int from = message.from;
+  try {
+    ByteReader in(message.bytes);
+    const auto type = in.get<uint16_t>();
+    const auto as = [&]<class M>(M) { return decoded<M>(in.take(in.left())); };
+    switch (type) {
+      case TurnWanted::kType: return member_.take(from, as(TurnWanted{}));
+      case Turn::kType: return member_.take(as(Turn{}));
+      case Forget::kType: return member_.take(from, as(Forget{}));
+      case TraceOrder::kType: return member_.take(from, as(TraceOrder{}), now);
+      case MoreTiles::kType: return member_.take(from, as(MoreTiles{}));
+      case EndOfPicture::kType: return member_.take(from, as(EndOfPicture{}));
+      case TracedTile::kType: return head_.take(from, as(TracedTile{}), now);
+      case Finished::kType: return head_.take(from, as(Finished{}), now);
+      case Alive::kType: return head_.take(from, as(Alive{}), now);
+      default: throw Malformed("its kind is not known");
+    }
+  } catch (const Malformed& error) { say_("rank " + std::to_string(from) + ": " + error.what()); }
+}
+
+void Worker::accept() {
+  if (listening_.get() < 0) return;
+  for (;;) {
+    control::Descriptor socket(::accept4(listening_.get(), nullptr, nullptr, SOCK_CLOEXEC));
+    if (socket.get() < 0) return;
+    if (control::sameUser(socket.get())) head_.add(std::move(socket));
+  }
+}
+
+void Worker::wait() {
+  std::vector<pollfd> all{{outbox_.descriptor(), POLLIN, 0}};
+  if (listening_.get() >= 0) all.push_back({listening_.get(), POLLIN, 0});
+  for (const int socket : head_.descriptors()) all.push_back({socket, POLLIN, 0});
+  const bool active = ranks_.busy() || nowSeconds() - lastBusy_ < kAwake;
+  const timespec* const longest = ranks_.size() == 1 && !ranks_.busy() ? &kAlone : active ? &kActive : &kIdle;
+  ppoll(all.data(), all.size(), longest, nullptr);
+}
+
+}  // namespace gluray::dist

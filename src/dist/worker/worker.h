@@ -1,0 +1,39 @@
+// A rank of a job of workers: the loop of its main thread.
+#pragma once
+#include "control/descriptor.h"
+#include "dist/ranks/ranks.h"
+#include "dist/worker/head.h"
+#include "dist/worker/member.h"
+
+#include <atomic>
+
+namespace gluray::dist {
+
+class Worker {
+ public:
+  /// `threads`: that trace, 0: as many as the process may use. `listening`: a socket that programs connect to,
+  /// not blocking; none: negative. `ranks` must outlive it. Throws std::system_error.
+  Worker(Ranks& ranks, int threads, control::Descriptor listening, Head::Say say);
+
+  /// Until `stop`, which is looked at ten times a second. Throws RanksFailed.
+  void run(const std::atomic<bool>& stop);
+
+ private:
+  /// Handles what has come. False: nothing has.
+  bool look();
+  void handle(const RankMessage& message, double now);
+  void accept();
+  void wait();
+
+  Ranks& ranks_;
+  const int threads_;
+  ArrayStore store_;
+  Outbox outbox_;
+  Head head_;
+  Member member_;
+  control::Descriptor listening_;
+  Head::Say say_;
+  double lastBusy_ = 0;
+};
+
+}  // namespace gluray::dist

@@ -1,0 +1,272 @@
+#include "accel/test_scene.h"
+#include "base/clock.h"
+#include "control/local_socket.h"
+#include "dist/messages/version.h"
+#include "dist/worker/job_fixture.h"
+#include "frame/lit_scene.h"
+
+#include <algorithm>
+#include <chrono>
+#include <random>
+#include <string>
+
+namespace gluray::dist {
+namespace {
+
+using frame::test::litScene;
+using test::expectedPicture;
+using test::expectSame;
+using test::Program;
+using test::WorkerJob;
+
+class WorkerTest : public testing::TestWithParam<int> {
+ protected:
+  test::RuntimeFolder folder_;
+  const std::string directory_ = folder_.directory();
+};
+
+scene::Snapshot plainScene(int size = 150) {
+  scene::Snapshot s = litScene(frame::test::Hides::some, size);
+  s.settings.ao.enabled = false;
+  return s;
+}
+
+TEST_P(WorkerTest, PicturesAreThoseOfOneProcess) {
+  WorkerJob job(directory_, GetParam());
+  Program program(directory_);
+  for (const scene::Snapshot& s : {plainScene(), plainScene(33), litScene(frame::test::Hides::some, 100)})
+    expectSame(program.picture(s, 0xFF203040u), expectedPicture(s, 0xFF203040u));
+  EXPECT_EQ(program.tracedHere, 0) << program.said;
+}
+
+TEST_P(WorkerTest, ChangedScenesAreTraced) {
+  WorkerJob job(directory_, GetParam());
+  Program program(directory_);
+  scene::Snapshot s = plainScene();
+  for (int i = 0; i < 5; ++i) {
+    s.instances[0].color = {0.1f * static_cast<float>(i), 1, 0, 1};
+    s.instances.push_back(s.instances[1]);
+    s.instances.back().mesh = gluray::test::makeMesh(gluray::test::squareData(-0.1f * static_cast<float>(i)));
+    expectSame(program.picture(s), expectedPicture(s));
+  }
+  EXPECT_EQ(program.tracedHere, 0) << program.said;
+}
+
+TEST_P(WorkerTest, GeometryIsSentOnce) {
+  WorkerJob job(directory_, GetParam());
+  Program program(directory_);
+  scene::Snapshot s = plainScene(32);
+  s.instances[0].mesh = gluray::test::makeMesh([] {
+    gluray::test::MeshData data;
+    for (int i = 0; i < 30000; ++i)
+      data.positions.push_back({static_cast<float>(i % 7), static_cast<float>(i % 11), -1e-4f * static_cast<float>(i)});
+    return data;
+  }());
+  program.picture(s);
+  const uint64_t before = job.sentBytes();
+  for (int i = 0; i < 4; ++i) program.picture(s);
+  EXPECT_LT(job.sentBytes() - before, 30000 * sizeof(glm::vec3)) << "of four frames";
+}
+
+TEST_P(WorkerTest, AveragesAndSamplesOfPixels) {
+  WorkerJob job(directory_, GetParam());
+  Program program(directory_);
+  scene::Snapshot averages = plainScene();
+  averages.settings.spp = 4;
+  expectSame(program.picture(averages), expectedPicture(averages));
+  scene::Snapshot samples = plainScene();
+  samples.samples = 4;
+  samples.samplePositions = {{0.4f, 0.1f}, {0.9f, 0.4f}, {0.1f, 0.6f}, {0.6f, 0.9f}};
+  expectSame(program.picture(samples), expectedPicture(samples));
+  scene::Snapshot wide = plainScene();
+  wide.wideColors = true;
+  expectSame(program.picture(wide), expectedPicture(wide));
+  EXPECT_EQ(program.tracedHere, 0) << program.said;
+}
+
+TEST_P(WorkerTest, AveragesThatCannotBeComposited) {
+  WorkerJob job(directory_, GetParam());
+  Program program(directory_);
+  scene::Snapshot s = plainScene();
+  s.settings.spp = 4;
+  s.instances[0].color = {1, 1, 1, 0.5f};
+  const Image expected = expectedPicture(s);
+  EXPECT_FALSE(expected.isAverages());
+  expectSame(program.picture(s), expected);
+  EXPECT_EQ(program.tracedHere, 0) << program.said;
+}
+
+TEST_P(WorkerTest, Layers) {
+  WorkerJob job(directory_, GetParam());
+  Program program(directory_);
+  scene::Snapshot s = plainScene(100);
+  auto layers = std::make_shared<scene::Layers>();
+  layers->opaqueDepth.assign(100 * 100, -1);
+  s.layers = layers;
+  for (scene::Instance& instance : s.instances) instance.color.a = 0.5f;
+  expectSame(program.picture(s), expectedPicture(s));
+  EXPECT_EQ(program.tracedHere, 0) << program.said;
+}
+
+TEST_P(WorkerTest, PassesOverSomeTiles) {
+  WorkerJob job(directory_, GetParam());
+  Program program(directory_);
+  scene::Snapshot s = litScene(frame::test::Hides::some, 100);
+  Image image = program.picture(s), expected = expectedPicture(s);
+  s.lightSampling.pass = 3;
+  s.lightSampling.tiles = std::make_shared<std::vector<uint8_t>>(std::vector<uint8_t>{0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1});
+  std::string error;
+  scene::TraceCost cost;
+  ASSERT_TRUE(program.tracer.trace(s, image, cost, error, nullptr));
+  frame::Renderer renderer;
+  ASSERT_TRUE(renderer.render(s, expected, cost, error));
+  expectSame(image, expected);
+}
+
+TEST_P(WorkerTest, NothingIsHit) {
+  WorkerJob job(directory_, GetParam());
+  Program program(directory_);
+  scene::Snapshot s = plainScene(50);
+  s.instances.clear();
+  expectSame(program.picture(s, 7), expectedPicture(s, 7));
+  EXPECT_EQ(program.tracedHere, 0) << program.said;
+}
+
+TEST_P(WorkerTest, CallsThatAreStoppedReturn) {
+  WorkerJob job(directory_, GetParam());
+  Program program(directory_);
+  scene::Snapshot s = litScene(frame::test::Hides::some, 200, 400);
+  Image image;
+  scene::TraceCost cost;
+  std::string error;
+  int asked = 0;
+  EXPECT_FALSE(program.tracer.trace(s, image, cost, error, [&] { return ++asked > 2; }));
+  EXPECT_EQ(error, "");
+  s = plainScene();
+  expectSame(program.picture(s), expectedPicture(s));
+}
+
+TEST_P(WorkerTest, ProgramsOfSeveralRanks) {
+  const int ranks = GetParam();
+  WorkerJob job(directory_, ranks);
+  std::vector<std::thread> threads;
+  for (int place = 0; place < ranks + 1; ++place)
+    threads.emplace_back([&, place] {
+      Program program(directory_, place);
+      for (int i = 0; i < 3; ++i) {
+        const scene::Snapshot s = plainScene(40 + 10 * place);
+        expectSame(program.picture(s), expectedPicture(s));
+      }
+      EXPECT_EQ(program.tracedHere, 0) << program.said;
+    });
+  for (std::thread& thread : threads) thread.join();
+}
+
+INSTANTIATE_TEST_SUITE_P(Ranks, WorkerTest, testing::Values(1, 2, 5));
+
+class WorkerFaults : public WorkerTest {};
+
+TEST_F(WorkerFaults, WithoutAWorkerTheProgramTraces) {
+  Program program(directory_);
+  const scene::Snapshot s = plainScene();
+  expectSame(program.picture(s), expectedPicture(s));
+  expectSame(program.picture(s), expectedPicture(s));
+  EXPECT_EQ(program.tracedHere, 2);
+  EXPECT_EQ(std::ranges::count(program.said, '\n'), 1) << program.said;
+}
+
+TEST_F(WorkerFaults, AJobThatEndsAndComesBack) {
+  Program program(directory_);
+  const scene::Snapshot s = plainScene();
+  {
+    WorkerJob job(directory_, 2);
+    expectSame(program.picture(s), expectedPicture(s));
+  }
+  expectSame(program.picture(s), expectedPicture(s));
+  EXPECT_EQ(program.tracedHere, 1);
+  WorkerJob job(directory_, 3);
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+  expectSame(program.picture(s), expectedPicture(s));
+  EXPECT_EQ(program.tracedHere, 1) << program.said;
+}
+
+TEST_F(WorkerFaults, ARankThatIsStoppedIsLeftOutUntilItGoesOn) {
+  WorkerJob job(directory_, 3);
+  Program program(directory_);
+  const scene::Snapshot s = plainScene();
+  expectSame(program.picture(s), expectedPicture(s));
+  job.rank(2).isDeaf = true;
+  const double start = nowSeconds();
+  expectSame(program.picture(s), expectedPicture(s));
+  EXPECT_LT(nowSeconds() - start, 2.5);
+  const double next = nowSeconds();
+  expectSame(program.picture(s), expectedPicture(s));
+  EXPECT_LT(nowSeconds() - next, 0.9) << "it is not waited for again";
+  EXPECT_NE(job.said().find("rank 2 does not answer"), std::string::npos) << job.said();
+  job.rank(2).isDeaf = false;
+  for (int i = 0; i < 3; ++i) expectSame(program.picture(s), expectedPicture(s));
+  EXPECT_EQ(program.tracedHere, 0) << program.said;
+}
+
+/// A connection that says whatever it likes.
+Line strangerTo(const std::string& directory) {
+  std::string why;
+  bool nobody = false;
+  Line line(control::connectedSocket(directory + "/" + workerPlace("job", 0) + ".sock", why, nobody));
+  EXPECT_EQ(why, "");
+  return line;
+}
+
+/// What a program says when it asks for a picture.
+std::vector<Message> conversation(const scene::Snapshot& snapshot) {
+  std::vector<Message> all;
+  const auto add = [&]<class M>(const M& message) { all.push_back({M::kType, encoded(message), Descriptor()}); };
+  SnapshotEncoder encoder;
+  const EncodedSnapshot sent = encoder.encode(snapshot);
+  add(Hello{version(), "stranger", 1});
+  for (const ArraySource& source : sent.arrays) {
+    add(ArrayComes{source.name, source.bytes()});
+    all.back().attached = sealedMemory(source.bytes(), [&](std::byte* to) { source.copyTo(to); });
+  }
+  TraceRequest request;
+  request.id = 1, request.width = snapshot.region.width, request.height = snapshot.region.height;
+  request.snapshot = sent.message;
+  add(request);
+  add(Cancel{1});
+  add(ArraysGo{{sent.arrays[0].name}});
+  return all;
+}
+
+TEST_F(WorkerFaults, WhateverAProgramSaysOthersGetTheirPictures) {
+  WorkerJob job(directory_, 2);
+  const scene::Snapshot s = plainScene(40);
+  const Image expected = expectedPicture(s);
+  std::mt19937 random(7);
+  Program program(directory_);
+  for (int round = 0; round < 300; ++round) {
+    Line line = strangerTo(directory_);
+    std::vector<Message> said = conversation(s);
+    const size_t wrong = random() % said.size();
+    for (size_t i = 0; i < said.size(); ++i) {
+      Message& message = said[i];
+      if (i == wrong) {
+        if (random() % 4 == 0) message.type = static_cast<uint16_t>(random() % 12);
+        for (int change = 0; change < 3 && !message.body.empty(); ++change)
+          message.body[random() % message.body.size()] ^= static_cast<std::byte>(1 << random() % 8);
+        if (random() % 4 == 0) message.body.resize(random() % (message.body.size() + 1));
+        if (random() % 8 == 0) message.attached = Descriptor();
+      }
+      if (!line.send(message.type, message.body, message.attached.get(), 1000)) break;
+    }
+    if (round % 10 == 0) expectSame(program.picture(s), expected);
+  }
+  EXPECT_EQ(program.tracedHere, 0) << program.said;
+}
+
+TEST_F(WorkerFaults, NamesOfJobsAreChecked) {
+  EXPECT_EQ(whyNoJobName("job"), "");
+  for (const std::string& name : std::vector<std::string>{"", "a/b", "../x", "a b", std::string(41, 'a')}) EXPECT_NE(whyNoJobName(name), "") << name;
+}
+
+}  // namespace
+}  // namespace gluray::dist
