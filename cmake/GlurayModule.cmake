@@ -41,7 +41,7 @@ function(gluray_module NAME)
   endif()
 endfunction()
 
-# gluray_unity(TARGET SOURCE...): with GLURAY_UNITY, eight of the target's sources compile as one. Those that Highway compiles once
+# gluray_unity(TARGET SOURCE...): with GLURAY_UNITY, sixteen of the target's sources compile as one. Those that Highway compiles once
 # for every instruction set stay alone.
 function(gluray_unity TARGET)
   if(NOT GLURAY_UNITY OR NOT ARGN)
@@ -53,7 +53,7 @@ function(gluray_unity TARGET)
       set_source_files_properties(${file} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     endif()
   endforeach()
-  set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
   # GCC takes the sources that are included for headers, and warns about their anonymous namespaces.
   target_compile_options(${TARGET} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endfunction()

@@ -8,11 +8,9 @@
 namespace gluray::accel {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// Where the viewer stands on the ray.
 double viewerOn(const glm::dvec4& viewer, const glm::dvec3& org, const glm::dvec3& dir) {
-  if (viewer.w == 0) return -kInfinity;
+  if (viewer.w == 0) return -std::numeric_limits<double>::infinity();
   const double size = std::abs(dir.x) + std::abs(dir.y) + std::abs(dir.z);
   const glm::dvec3 unit = dir / size;  // squares neither overflow nor vanish
   return glm::dot(glm::dvec3(viewer) / viewer.w - org, unit) / (glm::dot(unit, unit) * size);

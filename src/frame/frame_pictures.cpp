@@ -31,7 +31,7 @@ std::vector<bool> hitPixels(const Image& image) {
   return hits;
 }
 
-void logFailure(const std::string& why) noexcept {
+void logUnfinished(const std::string& why) noexcept {
   try {
     log::once(log::Level::warning, "finishing",
               "cannot finish a picture that is read: " + why + "; it keeps its noise");
@@ -155,10 +155,10 @@ FramePictures::Finished FramePictures::finishIn(const std::shared_ptr<IdleWindow
         result.any = result.any || done.shown;
       }
     } catch (const std::exception&) { done.why = "out of memory"; }
-    if (!done.why.empty()) logFailure(done.why);
+    if (!done.why.empty()) logUnfinished(done.why);
     result.noise = lent->noise(), result.cost = done.cost;
     frame->takeBack(*lent);
-  } catch (const std::exception& e) { logFailure(e.what()); }
+  } catch (const std::exception& e) { logUnfinished(e.what()); }
   if (rests_ && idle_) idle_->resume();
   return result;
 }

@@ -12,7 +12,7 @@
 namespace gluray::frame {
 namespace {
 
-void logFailure(const std::string& why) {
+void logUnrefined(const std::string& why) {
   log::once(log::Level::warning, "refinement", "cannot refine a picture: " + why + "; it keeps its noise");
 }
 
@@ -59,12 +59,12 @@ bool Pictures::finish(const scene::Snapshot& snapshot, LastPictures::Picture& pi
     Refinement refinement;
     Refiner refiner(snapshot, refinement);
     const bool all = tracePasses(refiner, tracer_.trace, picture.image.missColor, true, 0, result);
-    if (!all) logFailure(std::exchange(result.why, {}));
+    if (!all) logUnrefined(std::exchange(result.why, {}));
     if (refinement.passes() == 0) return false;
     refiner.show(picture.image);
     result.noise = refinement.noise();
     return picture.refined = true;
-  } catch (const std::exception& e) { return logFailure(e.what()), false; }
+  } catch (const std::exception& e) { return logUnrefined(e.what()), false; }
 }
 
 /// Adds passes to a known picture. Whatever fails, the picture stays as good as it was.
@@ -77,7 +77,7 @@ void Pictures::refine(const scene::Snapshot& snapshot, LastPictures::Picture& pi
     Refiner refiner(snapshot, *passes);
     const bool all = tracePasses(refiner, tracer_.trace, picture.image.missColor, finish,
                                  redrawSeconds(snapshot.settings), result);
-    if (!all) logFailure(std::exchange(result.why, {}));
+    if (!all) logUnrefined(std::exchange(result.why, {}));
     // Fewer passes may be worse than the first picture, which may have been filtered.
     if (result.passes > 0 && (refiner.finished() || passes->passes() >= kLeastPasses)) {
       last_.renew(picture);
@@ -88,7 +88,7 @@ void Pictures::refine(const scene::Snapshot& snapshot, LastPictures::Picture& pi
     picture.refined = refiner.finished() || !all;
     if (!picture.refined) picture.refinement = std::move(passes);
   } catch (const std::exception& e) {
-    logFailure(e.what());
+    logUnrefined(e.what());
     picture.refined = true;
   }
 }

@@ -19,7 +19,7 @@ glm::vec3 unit(const glm::dvec3& v) {
 double stretch(const glm::dmat4& m) { return std::cbrt(std::abs(glm::determinant(glm::dmat3(m)))); }
 
 /// What a light of fixed function or of a program has: areas as points.
-struct Point {
+struct PointLight {
   glm::vec3 attenuation{1, 0, 0};
   float coneAngle = 180, exponent = 0;  // degrees from the axis
 };
@@ -32,7 +32,7 @@ float squaredRadius(const LightSource& s) {
 
 /// A disc of radius R is seen as R^2 / (R^2 + d^2) of the sky's cosine-weighted share from a facing patch at
 /// distance d on its axis, and a sphere as R^2 / d^2.
-Point pointOf(const LightSource& s) {
+PointLight pointOf(const LightSource& s) {
   switch (s.kind) {
     case Kind::sphere: return {{0, 0, 1 / squaredRadius(s)}};
     case Kind::disc:
@@ -85,7 +85,7 @@ scene::Light fixedLight(const LightSource& s) {
     light.position = glm::vec4(-s.direction, 0);
     return light;
   }
-  const Point point = pointOf(s);
+  const PointLight point = pointOf(s);
   light.position = glm::vec4(s.position, 1);
   light.attenuation = point.attenuation;
   if (point.coneAngle < 180) light.spotDirection = s.direction;
@@ -100,7 +100,7 @@ scene::FragmentLight programLight(const LightSource& s, const glm::dmat4& lighti
   light.direction = unit(glm::dmat3(lightingFromEye) * glm::dvec3(s.direction));
   light.kind = scene::FragmentLight::directional;
   if (s.kind == Kind::distant) return light;
-  const Point point = pointOf(s);
+  const PointLight point = pointOf(s);
   const double longer = stretch(lightingFromEye);
   light.kind = scene::FragmentLight::positional;
   light.position = glm::vec3(lightingFromEye * glm::dvec4(s.position, 1));
