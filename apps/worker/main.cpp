@@ -62,8 +62,9 @@ int work(const Options& options, int argc, char** argv) {
   };
   const int threads = threadsFor(*ranks, options.threads);
   if (ranks->rank() == 0)
-    say("job \"" + options.job + "\": " + std::to_string(ranks->size()) + (ranks->size() == 1 ? " rank, " : " ranks, ") +
-        std::to_string(threads) + (threads == 1 ? " thread" : " threads") + " each, " + ranks->implementation() +
+    say("job \"" + options.job + "\": " + std::to_string(ranks->size()) +
+        (ranks->size() == 1 ? " rank, " : " ranks, ") + std::to_string(threads) +
+        (threads == 1 ? " thread" : " threads") + " each, " + ranks->implementation() +
         "; programs join with gluray --workers " + options.job);
   dist::Worker(*ranks, threads, std::move(listening), say).run(stop);
   return 0;
@@ -72,10 +73,12 @@ int work(const Options& options, int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Traces pictures for programs started with gluray --workers JOB.\n"
-               "As a job of many ranks: mpirun -n 16 gluray-worker --job JOB");
+  CLI::App app(
+      "Traces pictures for programs started with gluray --workers JOB.\n"
+      "As a job of many ranks: mpirun -n 16 gluray-worker --job JOB");
   Options options;
-  app.add_option("--job", options.job, "name of the job, which programs give as --workers")->capture_default_str();
+  app.add_option("--job", options.job, "name of the job, which programs give as --workers")
+      ->capture_default_str();
   app.add_option("--threads", options.threads, "threads of each rank; 0: the machine's, shared by its ranks")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();

@@ -17,7 +17,8 @@ std::string libraryOf(const std::string& name) {
   std::error_code error;
   const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
   for (const char* way : {"../lib/gluray", "../../lib/gluray"})
-    if (const auto path = folder / way / ("libgluray-mpi-" + name + ".so"); std::filesystem::exists(path, error))
+    if (const auto path = folder / way / ("libgluray-mpi-" + name + ".so");
+        std::filesystem::exists(path, error))
       return path.lexically_normal();
   return "";
 }
@@ -36,7 +37,8 @@ std::unique_ptr<dist::Ranks> startRanks(const std::string& name, int* argc, char
   if (name == "none") return std::make_unique<dist::Alone>();
   const std::string path = name.find('/') == std::string::npos ? libraryOf(name) : name;
   if (path.empty()) {
-    why = "this GLuRay was built without " + name + "; build it where that is installed, or name a library with --mpi";
+    why = "this GLuRay was built without " + name +
+          "; build it where that is installed, or name a library with --mpi";
     return nullptr;
   }
   // Global: MPI's own plugins look for its symbols.

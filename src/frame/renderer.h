@@ -38,8 +38,8 @@ class Renderer {
   bool renderBehind(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
                     const std::function<bool()>& stop) noexcept;
 
-  /// Traces the tiles that `source` hands out, for a picture that several processes trace together. `averages`
-  /// false: pixels hold one sample, whatever settings ask for.
+  /// Traces the tiles that `source` hands out, for a picture that several processes trace together.
+  /// `averages` false: pixels hold one sample, whatever settings ask for.
   bool renderTiles(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
                    render::TileSource& source, bool averages) noexcept;
 

@@ -4,7 +4,8 @@
 
 namespace gluray::intercept {
 
-/// Those that the session's settings name; null: this process traces. Made at the first call, never destroyed.
+/// Those that the session's settings name; null: this process traces. Made at the first call, never
+/// destroyed.
 dist::RemoteTracer* workers();
 
 /// Traces in this process. `stop` as in frame::TraceBehind; null: frame::Trace.

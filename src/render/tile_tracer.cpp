@@ -99,7 +99,8 @@ void eachTileOf(TileSource& source, const Image& image, const Work& work) {
   source.begin(image);
   const Tiles tiles(image, kTileSize);
   tbb::parallel_for(
-      0, tbb::this_task_arena::max_concurrency(), [&](int) {
+      0, tbb::this_task_arena::max_concurrency(),
+      [&](int) {
         const FloatGuard guard;
         timeline::nameThread("tracing");
         for (int index = source.next(); index >= 0; index = source.next()) {

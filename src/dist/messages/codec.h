@@ -1,5 +1,5 @@
-// Messages as bytes: their members are named by fields() and written by the archives of dist/stream. A message
-// is a struct with a number, kType. Any thread.
+// Messages as bytes: their members are named by fields() and written by the archives of dist/stream. A
+// message is a struct with a number, kType. Any thread.
 #pragma once
 #include "base/hash.h"
 #include "base/image.h"

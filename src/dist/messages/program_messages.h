@@ -28,10 +28,10 @@ struct TraceRequest {
   uint64_t id = 0;    // rises
   uint64_t view = 0;  // Snapshot::view
   int32_t width = 0, height = 0;
-  bool shared = true;            // whether ranks may share it tile by tile
-  bool layered = false;          // Snapshot::layers is there
-  uint32_t missColor = 0;        // Image::missColor
-  std::vector<uint8_t> wanted;   // LightSampling::tiles; empty: all
+  bool shared = true;           // whether ranks may share it tile by tile
+  bool layered = false;         // Snapshot::layers is there
+  uint32_t missColor = 0;       // Image::missColor
+  std::vector<uint8_t> wanted;  // LightSampling::tiles; empty: all
   std::vector<std::byte> snapshot;
 };
 struct Cancel {
@@ -43,7 +43,7 @@ struct Cancel {
 
 struct Welcome {
   static constexpr uint16_t kType = 101;
-  std::string refusal;  // why it traces nothing for this program; empty: it does
+  std::string refusal;             // why it traces nothing for this program; empty: it does
   int32_t ranks = 1, threads = 1;  // of the job
 };
 /// It is at work on the picture.

@@ -1,5 +1,5 @@
-// What the ranks of a job of workers say to each other. Of a program's pictures, the rank that it is connected
-// to is the head. Any thread.
+// What the ranks of a job of workers say to each other. Of a program's pictures, the rank that it is
+// connected to is the head. Any thread.
 #pragma once
 #include "dist/messages/codec.h"
 
@@ -26,11 +26,11 @@ struct Forget {
 /// From a head: a picture to take part in.
 struct TraceOrder {
   static constexpr uint16_t kType = 4;
-  uint64_t id = 0;                // of the head's pictures
-  bool shared = true;             // false: the head traces it alone
-  bool averages = true;           // frame::Renderer::renderTiles
+  uint64_t id = 0;       // of the head's pictures
+  bool shared = true;    // false: the head traces it alone
+  bool averages = true;  // frame::Renderer::renderTiles
   uint32_t missColor = 0;
-  std::vector<Hash128> needs;     // arrays that may still be on their way
+  std::vector<Hash128> needs;  // arrays that may still be on their way
   std::vector<std::byte> snapshot;
 };
 /// From a head: tiles to trace.

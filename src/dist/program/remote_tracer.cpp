@@ -12,7 +12,8 @@ namespace {
 constexpr int kLookMs = 20;  // how often a call looks whether it must stop
 
 /// Copies the picture, or of a pass over some tiles those.
-void copyPixels(const scene::Snapshot& snapshot, const PictureDone& picture, const std::byte* pixels, Image& image) {
+void copyPixels(const scene::Snapshot& snapshot, const PictureDone& picture, const std::byte* pixels,
+                Image& image) {
   const ImageShape& shape = picture.shape;
   const auto* const wanted = snapshot.lightSampling.tiles.get();
   const bool some = wanted && shapeOf(image) == shape;
@@ -30,7 +31,10 @@ void copyPixels(const scene::Snapshot& snapshot, const PictureDone& picture, con
 
 RemoteTracer::RemoteTracer(std::string directory, std::string job, int place, frame::TraceBehind here,
                            std::function<void(const std::string&)> say)
-    : job_(job), here_(std::move(here)), say_(std::move(say)), link_(std::move(directory), std::move(job), place) {}
+    : job_(job),
+      here_(std::move(here)),
+      say_(std::move(say)),
+      link_(std::move(directory), std::move(job), place) {}
 
 void RemoteTracer::tell(const std::string& why) {
   if (why == told_ && !traced_) return;
@@ -39,8 +43,8 @@ void RemoteTracer::tell(const std::string& why) {
   say_("workers = " + job_ + ": " + why + "; this process traces until they do");
 }
 
-bool RemoteTracer::trace(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
-                         const std::function<bool()>& stop) noexcept {
+bool RemoteTracer::trace(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
+                         std::string& error, const std::function<bool()>& stop) noexcept {
   Result result = Result::nobody;
   try {
     error.clear();
@@ -65,8 +69,9 @@ bool RemoteTracer::trace(const scene::Snapshot& snapshot, Image& image, scene::T
   return here_(snapshot, image, cost, error, stop);
 }
 
-RemoteTracer::Result RemoteTracer::byWorkers(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
-                                             std::string& error, const std::function<bool()>& stop) {
+RemoteTracer::Result RemoteTracer::byWorkers(const scene::Snapshot& snapshot, Image& image,
+                                             scene::TraceCost& cost, std::string& error,
+                                             const std::function<bool()>& stop) {
   const double now = nowSeconds();
   if (!link_.isReady(now)) return tell(link_.why()), Result::nobody;
   try {
@@ -84,8 +89,9 @@ RemoteTracer::Result RemoteTracer::byWorkers(const scene::Snapshot& snapshot, Im
   return Result::nobody;
 }
 
-RemoteTracer::Result RemoteTracer::receive(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
-                                           std::string& error, const std::function<bool()>& stop) {
+RemoteTracer::Result RemoteTracer::receive(const scene::Snapshot& snapshot, Image& image,
+                                           scene::TraceCost& cost, std::string& error,
+                                           const std::function<bool()>& stop) {
   for (;;) {
     if (stop && (wanted_ > 0 || stop())) return link_.cancel(), Result::stopped;
     switch (link_.wait(kLookMs, nowSeconds())) {

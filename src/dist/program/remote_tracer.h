@@ -39,8 +39,8 @@ class RemoteTracer {
   std::atomic<int> wanted_{0};  // calls in front that wait or trace
   std::atomic<bool> improves_{false};
   WorkerLink link_;
-  bool traced_ = false;   // the last picture came from workers
-  std::string told_;      // why the one before did not
+  bool traced_ = false;  // the last picture came from workers
+  std::string told_;     // why the one before did not
 };
 
 }  // namespace gluray::dist

@@ -23,12 +23,15 @@ constexpr double kTryAgain = 1, kSilence = 1.5, kWelcomePatience = 5;  // second
 
 /// Whether ranks may share the picture tile by tile: moving light is smoothed across tiles.
 bool isShared(const scene::Snapshot& snapshot) {
-  return snapshot.lightSampling.mode != scene::LightSampling::Mode::moving || !scene::wantsLight(snapshot.settings);
+  return snapshot.lightSampling.mode != scene::LightSampling::Mode::moving ||
+         !scene::wantsLight(snapshot.settings);
 }
 
 }  // namespace
 
-std::string workerPlace(const std::string& job, int place) { return "worker-" + job + "." + std::to_string(place); }
+std::string workerPlace(const std::string& job, int place) {
+  return "worker-" + job + "." + std::to_string(place);
+}
 
 std::string whyNoJobName(const std::string& job) {
   constexpr size_t kMost = 40;  // as the message says
@@ -37,7 +40,8 @@ std::string whyNoJobName(const std::string& job) {
   };
   if (!job.empty() && job.size() <= kMost && std::ranges::all_of(job, usual)) return "";
   std::string why = "\"";
-  return why.append(job, 0, kMost).append("\" names no job of workers: use letters, digits, - and _, 40 at most");
+  return why.append(job, 0, kMost)
+      .append("\" names no job of workers: use letters, digits, - and _, 40 at most");
 }
 
 WorkerLink::WorkerLink(std::string directory, std::string job, int place)

@@ -64,8 +64,8 @@ std::vector<int> TileShares::more(int number) {
   const size_t low = enough(rank.tracer);
   if (!rank.takes() || rank.pending >= low) return {};
   if (rank.rest.empty()) takeFromOthers(rank);
-  const auto end =
-      rank.rest.begin() + static_cast<ptrdiff_t>(std::min(rank.rest.size(), std::max(low, rank.rest.size() / kPart)));
+  const auto end = rank.rest.begin() + static_cast<ptrdiff_t>(std::min(
+                                           rank.rest.size(), std::max(low, rank.rest.size() / kPart)));
   const std::vector<int> tiles(rank.rest.begin(), end);
   rank.rest.erase(rank.rest.begin(), end);
   rank.pending += tiles.size();

@@ -13,8 +13,8 @@ struct Tracer {
   bool here = true;
 };
 
-/// The tiles of one picture. A rank's share is one run of neighbouring tiles. It gets a part of it at once and
-/// more when it has traced most of that; a rank whose share is used up takes from the end of the largest
+/// The tiles of one picture. A rank's share is one run of neighbouring tiles. It gets a part of it at once
+/// and more when it has traced most of that; a rank whose share is used up takes from the end of the largest
 /// rest. One thread.
 class TileShares {
  public:

@@ -18,8 +18,11 @@ struct Simulation {
   std::vector<std::vector<int>> queues;
 
   Simulation(std::vector<float> tiles, std::vector<float> slowness, const std::vector<Tracer>& tracers)
-      : shares(tiles, nullptr, tracers), costs(std::move(tiles)), perUnit(std::move(slowness)),
-        clock(perUnit.size()), queues(perUnit.size()) {}
+      : shares(tiles, nullptr, tracers),
+        costs(std::move(tiles)),
+        perUnit(std::move(slowness)),
+        clock(perUnit.size()),
+        queues(perUnit.size()) {}
 
   void fill() {
     for (size_t r = 0; r < queues.size(); ++r) {
@@ -32,7 +35,8 @@ struct Simulation {
     fill();
     int first = -1;
     for (size_t r = 0; r < queues.size(); ++r)
-      if (!queues[r].empty() && (first < 0 || clock[r] < clock[static_cast<size_t>(first)])) first = static_cast<int>(r);
+      if (!queues[r].empty() && (first < 0 || clock[r] < clock[static_cast<size_t>(first)]))
+        first = static_cast<int>(r);
     if (first < 0) return false;
     const auto r = static_cast<size_t>(first);
     const int tile = queues[r].front();

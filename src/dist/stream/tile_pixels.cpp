@@ -90,7 +90,8 @@ PlanePointers planesIn(std::byte* memory, const ImageShape& shape) {
 
 size_t bytesOf(const ImageShape& shape) { return shape.pixels() * bytesOfPixel(shape.planes); }
 
-void copyTile(const PlanePointers& from, const PlanePointers& to, const ImageShape& shape, const render::Tile& tile) {
+void copyTile(const PlanePointers& from, const PlanePointers& to, const ImageShape& shape,
+              const render::Tile& tile) {
   eachRow(shape, tile, [&](PlaneOf plane, size_t offset, size_t size) {
     std::memcpy(to.*plane + offset, from.*plane + offset, size);
   });

@@ -38,7 +38,8 @@ PlanePointers planesIn(std::byte* memory, const ImageShape& shape);
 size_t bytesOf(const ImageShape& shape);
 
 /// Copies one tile of all planes and samples.
-void copyTile(const PlanePointers& from, const PlanePointers& to, const ImageShape& shape, const render::Tile& tile);
+void copyTile(const PlanePointers& from, const PlanePointers& to, const ImageShape& shape,
+              const render::Tile& tile);
 /// The tile's pixels of all planes and samples.
 std::vector<std::byte> packTile(const Image& image, const render::Tile& tile);
 /// Throws Malformed where `bytes` are not of packTile() for a tile of this size and shape.

@@ -50,7 +50,8 @@ void Head::readPrograms(double now) {
         handle(program, *message, now);
       }
     } catch (const std::exception& error) {
-      say_((program.name.empty() ? "a program" : program.name) + ": " + error.what() + "; it is disconnected");
+      say_((program.name.empty() ? "a program" : program.name) + ": " + error.what() +
+           "; it is disconnected");
       program.end();
     }
   }
@@ -78,7 +79,8 @@ void Head::handle(ProgramSide& program, const Message& message, double now) {
     case Cancel::kType:
       if (!program.picture || program.request->id != as(Cancel{}).id) return;
       endPicture(program);
-      return program.send(PictureDone{program.request->id, false, false, "", {1, 1, 1, Image::kPicture}, {}, {}});
+      return program.send(
+          PictureDone{program.request->id, false, false, "", {1, 1, 1, Image::kPicture}, {}, {}});
     default: throw Malformed("its kind is not known");
   }
 }
@@ -87,8 +89,8 @@ void Head::greet(ProgramSide& program, const Hello& hello) {
   program.name = hello.program + " (process " + std::to_string(hello.process) + ")";
   Welcome welcome{"", ranks_.size(), states_.allThreads()};
   if (hello.version != version())
-    welcome.refusal = "the worker is of GLuRay " + std::string(version()) + ", the program of " + hello.version +
-                      "; use one version for both";
+    welcome.refusal = "the worker is of GLuRay " + std::string(version()) + ", the program of " +
+                      hello.version + "; use one version for both";
   program.send(welcome);
   say_(program.name + (welcome.refusal.empty() ? " is connected" : ": " + welcome.refusal));
   if (!welcome.refusal.empty()) program.end();
@@ -101,7 +103,8 @@ void Head::takeArray(ProgramSide& program, const ArrayComes& array, const contro
   } else {
     const Array content = mapSealed(memory, array.bytes);
     // Other programs may use it by this name.
-    if (hashBytes(content.bytes.data(), content.bytes.size()) != array.name) throw Malformed("an array is not what its name says");
+    if (hashBytes(content.bytes.data(), content.bytes.size()) != array.name)
+      throw Malformed("an array is not what its name says");
     store_.put(ranks_.rank(), array.name, content);
     holders_[array.name] = 1;
     if (ranks_.size() > 1) ranks_.send(kCoordinator, forRanks(TurnWanted{array.name, array.bytes}));
@@ -127,7 +130,8 @@ void Head::start(ProgramSide& program, bool averages, double now) {
   if (program.costs.size() > kMostViews) program.costs.clear();
   program.picture.emplace(request, ++lastPicture_, averages, states_, program.costs[request.view], now);
   const Picture& picture = *program.picture;
-  const TraceOrder order{picture.id(), request.shared, averages, request.missColor, program.newArrays, request.snapshot};
+  const TraceOrder order{picture.id(),      request.shared,    averages,
+                         request.missColor, program.newArrays, request.snapshot};
   program.newArrays.clear();
   for (int rank = 0; rank < ranks_.size(); ++rank) {
     if (!picture.takesPart(rank)) continue;

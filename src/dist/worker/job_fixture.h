@@ -7,7 +7,6 @@
 #include "frame/renderer.h"
 
 #include <gtest/gtest.h>
-
 #include <unistd.h>
 
 #include <atomic>
@@ -24,7 +23,8 @@ namespace gluray::dist::test {
 /// A runtime directory of its own.
 class RuntimeFolder {
  public:
-  RuntimeFolder() : folder_(std::filesystem::path(testing::TempDir()) / ("gluray-dist-" + std::to_string(getpid()))) {
+  RuntimeFolder()
+      : folder_(std::filesystem::path(testing::TempDir()) / ("gluray-dist-" + std::to_string(getpid()))) {
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }
@@ -92,14 +92,15 @@ class WorkerJob {
 /// A program's side.
 struct Program {
   explicit Program(const std::string& directory, int place = 0, const std::string& job = "job")
-      : tracer(directory, job, place,
-               [this](const scene::Snapshot& s, Image& image, scene::TraceCost& cost, std::string& error,
-                      const std::function<bool()>& stop) {
-                 ++tracedHere;
-                 return stop ? renderer.renderBehind(s, image, cost, error, stop)
-                             : renderer.render(s, image, cost, error);
-               },
-               [this](const std::string& line) { said += line + "\n"; }) {}
+      : tracer(
+            directory, job, place,
+            [this](const scene::Snapshot& s, Image& image, scene::TraceCost& cost, std::string& error,
+                   const std::function<bool()>& stop) {
+              ++tracedHere;
+              return stop ? renderer.renderBehind(s, image, cost, error, stop)
+                          : renderer.render(s, image, cost, error);
+            },
+            [this](const std::string& line) { said += line + "\n"; }) {}
 
   Image picture(const scene::Snapshot& snapshot, uint32_t missColor = 0) {
     Image image;

@@ -3,8 +3,8 @@
 namespace gluray::dist {
 namespace {
 
-constexpr double kAliveEvery = 0.2;                   // seconds
-constexpr uint64_t kMostBytes = uint64_t{1} << 46;    // of an array
+constexpr double kAliveEvery = 0.2;                 // seconds
+constexpr uint64_t kMostBytes = uint64_t{1} << 46;  // of an array
 
 }  // namespace
 
@@ -26,7 +26,8 @@ void Member::take(int head, TraceOrder order, double now) {
 }
 
 void Member::take(int head, const MoreTiles& tiles) {
-  if (const auto found = queues_.find({head, tiles.id}); found != queues_.end()) found->second->add(tiles.tiles);
+  if (const auto found = queues_.find({head, tiles.id}); found != queues_.end())
+    found->second->add(tiles.tiles);
 }
 
 void Member::take(int head, const EndOfPicture& end) {
@@ -45,18 +46,21 @@ void Member::take(int root, const TurnWanted& wanted) {
 }
 
 void Member::take(const Turn& turn) {
-  if (turn.bytes > kMostBytes || turn.root < 0 || turn.root >= ranks_.size()) throw Malformed("no such array");
+  if (turn.bytes > kMostBytes || turn.root < 0 || turn.root >= ranks_.size())
+    throw Malformed("no such array");
   if (turn.root == ranks_.rank()) {
     const Array array = store_.find(turn.name);
     // Forgotten before its turn came: the others take part all the same.
     const ArrayRoom room = array.owner ? ArrayRoom{} : arrayRoom(turn.bytes);
     const std::span<std::byte> content =
-        array.owner ? std::span(const_cast<std::byte*>(array.bytes.data()), array.bytes.size()) : room.content();
+        array.owner ? std::span(const_cast<std::byte*>(array.bytes.data()), array.bytes.size())
+                    : room.content();
     ranks_.broadcast(turn.root, content, [array, room] {});
     return;
   }
   const ArrayRoom room = arrayRoom(turn.bytes);
-  ranks_.broadcast(turn.root, room.content(), [this, room, turn] { store_.put(turn.root, turn.name, room.array()); });
+  ranks_.broadcast(turn.root, room.content(),
+                   [this, room, turn] { store_.put(turn.root, turn.name, room.array()); });
 }
 
 void Member::tick(double now) {

@@ -40,8 +40,7 @@ Picture::Picture(const TraceRequest& request, uint64_t id, bool averages, const 
       start_(now),
       self_(ranks.self()),
       costs_(knownCosts(costs, tilesOf(request))),
-      shares_(costs_, request.wanted.empty() ? nullptr : &request.wanted,
-              ranks.tracers(!request.shared)),
+      shares_(costs_, request.wanted.empty() ? nullptr : &request.wanted, ranks.tracers(!request.shared)),
       here_(hereOf(ranks.tracers(!request.shared))),
       ended_(here_.size()),
       lastResult_(here_.size(), now) {}
@@ -49,7 +48,8 @@ Picture::Picture(const TraceRequest& request, uint64_t id, bool averages, const 
 void Picture::take(int rank, const TracedTile& tile, WrittenMemory& memory, bool& grew, double now) {
   grew = false;
   if (!shape_) {
-    if (tile.shape.width != width_ || tile.shape.height != height_) throw Malformed("a tile of another picture");
+    if (tile.shape.width != width_ || tile.shape.height != height_)
+      throw Malformed("a tile of another picture");
     if (bytesOf(tile.shape) > memory.bytes) memory = writtenMemory(bytesOf(tile.shape)), grew = true;
     shape_ = tile.shape;
   }
@@ -57,7 +57,8 @@ void Picture::take(int rank, const TracedTile& tile, WrittenMemory& memory, bool
   lastResult_[static_cast<size_t>(rank)] = now;
   shares_.resume(rank);
   if (!shares_.finish(tile.tile)) return;
-  unpackTile(tile.pixels, *shape_, planesIn(memory.at.get(), *shape_), dist::tilesOf(width_, height_).at(tile.tile));
+  unpackTile(tile.pixels, *shape_, planesIn(memory.at.get(), *shape_),
+             dist::tilesOf(width_, height_).at(tile.tile));
   costs_[static_cast<size_t>(tile.tile)] = std::max(tile.seconds, 1e-6f);
   seenThrough_ = seenThrough_ || tile.seenThrough;
 }
@@ -83,8 +84,7 @@ void Picture::drop(int rank) {
 
 std::vector<int> Picture::passOnSlow(double now) {
   bool idle = false;
-  for (size_t rank = 0; rank < here_.size(); ++rank)
-    idle = idle || shares_.isIdle(static_cast<int>(rank));
+  for (size_t rank = 0; rank < here_.size(); ++rank) idle = idle || shares_.isIdle(static_cast<int>(rank));
   // Numbers of layers are those of all that ranks have traced: nothing may be traced twice.
   if (!idle || layered_ || shares_.done()) return {};
   std::vector<int> slow;

@@ -43,7 +43,8 @@ bool Worker::look() {
   bool found = false;
   accept();
   head_.readPrograms(now);
-  for (Outbox::Letter& letter : outbox_.take()) ranks_.send(letter.to, std::move(letter.message)), found = true;
+  for (Outbox::Letter& letter : outbox_.take())
+    ranks_.send(letter.to, std::move(letter.message)), found = true;
   ranks_.progress();
   while (std::optional<RankMessage> message = ranks_.receive()) handle(*message, now), found = true;
   head_.tick(now);

@@ -11,8 +11,8 @@ namespace gluray::dist {
 
 class Worker {
  public:
-  /// `threads`: that trace, 0: as many as the process may use. `listening`: a socket that programs connect to,
-  /// not blocking; none: negative. `ranks` must outlive it. Throws std::system_error.
+  /// `threads`: that trace, 0: as many as the process may use. `listening`: a socket that programs connect
+  /// to, not blocking; none: negative. `ranks` must outlive it. Throws std::system_error.
   Worker(Ranks& ranks, int threads, control::Descriptor listening, Head::Say say);
 
   /// Until `stop`, which is looked at ten times a second. Throws RanksFailed.

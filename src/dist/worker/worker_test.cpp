@@ -59,7 +59,8 @@ TEST_P(WorkerTest, GeometryIsSentOnce) {
   s.instances[0].mesh = gluray::test::makeMesh([] {
     gluray::test::MeshData data;
     for (int i = 0; i < 30000; ++i)
-      data.positions.push_back({static_cast<float>(i % 7), static_cast<float>(i % 11), -1e-4f * static_cast<float>(i)});
+      data.positions.push_back(
+          {static_cast<float>(i % 7), static_cast<float>(i % 11), -1e-4f * static_cast<float>(i)});
     return data;
   }());
   program.picture(s);
@@ -114,7 +115,8 @@ TEST_P(WorkerTest, PassesOverSomeTiles) {
   scene::Snapshot s = litScene(frame::test::Hides::some, 100);
   Image image = program.picture(s), expected = expectedPicture(s);
   s.lightSampling.pass = 3;
-  s.lightSampling.tiles = std::make_shared<std::vector<uint8_t>>(std::vector<uint8_t>{0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1});
+  s.lightSampling.tiles = std::make_shared<std::vector<uint8_t>>(
+      std::vector<uint8_t>{0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1});
   std::string error;
   scene::TraceCost cost;
   ASSERT_TRUE(program.tracer.trace(s, image, cost, error, nullptr));
@@ -220,7 +222,9 @@ Line strangerTo(const std::string& directory) {
 /// What a program says when it asks for a picture.
 std::vector<Message> conversation(const scene::Snapshot& snapshot) {
   std::vector<Message> all;
-  const auto add = [&]<class M>(const M& message) { all.push_back({M::kType, encoded(message), Descriptor()}); };
+  const auto add = [&]<class M>(const M& message) {
+    all.push_back({M::kType, encoded(message), Descriptor()});
+  };
   SnapshotEncoder encoder;
   const EncodedSnapshot sent = encoder.encode(snapshot);
   add(Hello{version(), "stranger", 1});
@@ -265,7 +269,8 @@ TEST_F(WorkerFaults, WhateverAProgramSaysOthersGetTheirPictures) {
 
 TEST_F(WorkerFaults, NamesOfJobsAreChecked) {
   EXPECT_EQ(whyNoJobName("job"), "");
-  for (const std::string& name : std::vector<std::string>{"", "a/b", "../x", "a b", std::string(41, 'a')}) EXPECT_NE(whyNoJobName(name), "") << name;
+  for (const std::string& name : std::vector<std::string>{"", "a/b", "../x", "a b", std::string(41, 'a')})
+    EXPECT_NE(whyNoJobName(name), "") << name;
 }
 
 }  // namespace
