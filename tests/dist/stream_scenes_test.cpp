@@ -10,6 +10,7 @@
 #include <memory>
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 namespace gluray::test {
 namespace {
@@ -65,7 +66,9 @@ class StreamTest : public testing::TestWithParam<const scenes::Scene*> {
 
 TEST_P(StreamTest, LooksTheSame) { expectSamePicture(TracedContext::vertexShading()); }
 
-TEST_P(StreamTest, LooksTheSameWithLight) {
+class LitStreamTest : public StreamTest {};
+
+TEST_P(LitStreamTest, LooksTheSame) {
   Settings settings = TracedContext::tracing();
   settings.ao.enabled = settings.shadows.enabled = true;
   settings.ground.kind = GroundKind::catcher;
@@ -73,7 +76,16 @@ TEST_P(StreamTest, LooksTheSameWithLight) {
   expectSamePicture(settings);
 }
 
+/// Every so many-th scene.
+std::vector<const scenes::Scene*> some(size_t step) {
+  std::vector<const scenes::Scene*> all = pointers(scenes::scenes()), chosen;
+  for (size_t i = 0; i < all.size(); i += step) chosen.push_back(all[i]);
+  return chosen;
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, StreamTest, testing::ValuesIn(pointers(scenes::scenes())), nameOf);
+INSTANTIATE_TEST_SUITE_P(SomeScenes, LitStreamTest, testing::ValuesIn(some(15)), nameOf);
+INSTANTIATE_TEST_SUITE_P(MoreCases, LitStreamTest, testing::ValuesIn(pointers(scenes::scenes())), nameOf);
 
 }  // namespace
 }  // namespace gluray::test
