@@ -5,7 +5,7 @@
 namespace gluray::dist {
 namespace {
 
-constexpr int kMostSide = 65536, kMostSamples = 64;
+constexpr int kMostSide = 65536, kMostSamplesOfPixel = 64;
 
 using PlaneOf = std::byte* PlanePointers::*;
 struct PlaneSize {
@@ -66,7 +66,7 @@ ImageShape readShape(ByteReader& in) {
   shape.width = in.get<int32_t>(), shape.height = in.get<int32_t>(), shape.samples = in.get<int32_t>();
   const auto inside = [](int32_t value, int most) { return value >= 1 && value <= most; };
   if (!inside(shape.width, kMostSide) || !inside(shape.height, kMostSide) ||
-      !inside(shape.samples, kMostSamples))
+      !inside(shape.samples, kMostSamplesOfPixel))
     throw Malformed("no image has this size");
   const auto bits = in.get<uint8_t>();
   for (const Planes planes : {Image::kPicture, Image::kWide, Image::kSums})
