@@ -22,6 +22,8 @@ namespace gluray::frame {
 /// State kept between frames. Each part is made at its first use, and again if that failed.
 class Renderer::Engine {
  public:
+  explicit Engine(Threads threads) : threads_(threads) {}
+
   std::mutex mutex;
   std::atomic<int> wanted{0};  // calls that wait for the renderer or use it, without those behind all others
 
@@ -85,8 +87,14 @@ class Renderer::Engine {
 
   static constexpr size_t kMostPaces = 64;
 
-  void prepareArena(int threads) { arena_ = arenaFor(ArenaUse::frames, threads); }
+  void prepareArena(int threads) {
+    if (threads_ == Threads::shared)
+      arena_ = arenaFor(ArenaUse::frames, threads);
+    else if (!arena_)
+      arena_ = std::make_shared<Arena>(threads);
+  }
 
+  const Threads threads_;
   render::FxaaMemory fxaaMemory_;
   std::shared_ptr<Arena> arena_;
   std::optional<accel::World> world_;
@@ -113,7 +121,7 @@ class Renderer::InFront {
   Engine& engine_;
 };
 
-Renderer::Renderer() : engine_(std::make_unique<Engine>()) {}
+Renderer::Renderer(Threads threads) : engine_(std::make_unique<Engine>(threads)) {}
 Renderer::~Renderer() = default;
 
 Renderer& Renderer::shared() {
@@ -171,11 +179,12 @@ bool Renderer::renderBehind(const scene::Snapshot& snapshot, Image& image, scene
 }
 
 bool Renderer::renderTiles(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
-                           std::string& error, render::TileSource& source, bool averages) noexcept {
+                           std::string& error, render::TileSource& source, bool averages,
+                           render::RemoteSurfaces* remote) noexcept {
   return caught(error, [&] {
     const InFront lock(*engine_);
     render::TraceOptions options;
-    options.source = &source, options.averages = averages;
+    options.source = &source, options.averages = averages, options.remote = remote;
     engine_->render(snapshot, image, cost, options);
   });
 }

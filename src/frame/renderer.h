@@ -12,15 +12,19 @@
 #include <string>
 
 namespace gluray::render {
+class RemoteSurfaces;
 class TileSource;
-}
+}  // namespace gluray::render
 
 namespace gluray::frame {
 
 /// Renders one snapshot at a time; other threads wait. Keeps acceleration structures between frames.
 class Renderer {
  public:
-  Renderer();
+  /// Whose threads trace: those that all renderers of the process share, or its own, so that a picture may
+  /// wait for that of another renderer.
+  enum class Threads : bool { shared, own };
+  explicit Renderer(Threads = Threads::shared);
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
@@ -39,9 +43,11 @@ class Renderer {
                     const std::function<bool()>& stop) noexcept;
 
   /// Traces the tiles that `source` hands out, for a picture that several processes trace together.
-  /// `averages` false: pixels hold one sample, whatever settings ask for.
+  /// `averages` false: pixels hold one sample, whatever settings ask for. `remote`: surfaces of the view that
+  /// other processes hold; null: there are none, or the settings ask for no light.
   bool renderTiles(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
-                   render::TileSource& source, bool averages) noexcept;
+                   render::TileSource& source, bool averages,
+                   render::RemoteSurfaces* remote = nullptr) noexcept;
 
   /// Whether a full-quality acceleration structure is ready for the next render() to install. False while
   /// another thread uses the renderer. Any thread.

@@ -2,6 +2,7 @@
 
 #include "base/environment_variable.h"
 #include "base/log.h"
+#include "control/link/job.h"
 #include "control/runtime_directory.h"
 #include "frame/renderer.h"
 #include "intercept/session.h"
@@ -36,7 +37,9 @@ dist::RemoteTracer* workers() {
   static dist::RemoteTracer* const job = [] {
     const std::string& name = session().workers;
     if (name.empty()) return static_cast<dist::RemoteTracer*>(nullptr);
-    return new dist::RemoteTracer(control::runtimeDirectory(), name, rankOnMachine(), traceHere,
+    const control::Job mpi = control::jobOfThisProcess();
+    return new dist::RemoteTracer(control::runtimeDirectory(), name,
+                                  {rankOnMachine(), mpi.name, mpi.rank, mpi.ranks}, traceHere,
                                   [](const std::string& line) { log::write(log::Level::warning, line); });
   }();
   return job;

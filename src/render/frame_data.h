@@ -20,6 +20,7 @@ struct DirectLook;
 class Lamps;
 struct Lens;
 class Integrator;
+class RemoteSurfaces;
 struct Relit;
 struct HitFilm;
 struct MovingFrame;
@@ -73,6 +74,7 @@ struct FrameData {
   // leastDepth). Otherwise null.
   std::unique_ptr<const accel::HitFilter> accepted;
   const Integrator* integrator = nullptr;  // null: the local look alone
+  RemoteSurfaces* remote = nullptr;        // null: no other process holds surfaces of this view
   std::optional<ToneMap> tone;             // none: colours stay
   std::unique_ptr<const Lamps> lamps;      // null: the viewer sees no lights
   const DirectLook* direct = nullptr;      // the surfaces without ambient light, if the integrator needs them

@@ -7,6 +7,7 @@
 #include "render/integrators/integrator.h"
 #include "render/kernels.h"
 #include "render/moving/trace_moving.h"
+#include "render/remote/remote_surfaces.h"
 #include "scene/effects.h"
 #include "settings/samples.h"
 
@@ -117,6 +118,8 @@ Traced traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Im
                   const TraceOptions& options) {
   FrameData frame(snapshot, world, image);
   if (wantsGuide(snapshot)) frame.tone.reset();
+  frame.remote = options.remote;
+  if (frame.remote) frame.remote->begin(frame);
   if (!options.source && isMoving(frame) && traceMoving(frame, options.histories, options.rays))
     return Traced::whole;
   const std::unique_ptr<const Integrator> integrator = makeIntegrator(frame);
@@ -137,6 +140,7 @@ Traced traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Im
   }
   for (size_t n = 0; n < LayerCounts::kMost; ++n)
     image.layers.open[n] = frame.layerCounts[0][n], image.layers.before[n] = frame.layerCounts[1][n];
+  if (frame.remote) frame.remote->hold();
   return snapshot.layers || !frame.seenThrough.load() ? Traced::whole : Traced::seenThrough;
 }
 
@@ -149,6 +153,7 @@ bool traceImage(const scene::Snapshot& snapshot, const accel::World& world, Aren
     if (options.source) {
       shapeImage(snapshot, image, averages);
       if (world.empty()) {
+        if (options.remote) options.remote->beginEmpty(snapshot);
         fillWithMisses(image);
         eachTileOf(*options.source, image, [](const Tile&) { return false; });
       } else {

@@ -17,6 +17,8 @@ bool hasLight(const scene::Snapshot&);
 /// shape.
 void clearImage(const scene::Snapshot&, Image& image);
 
+class RemoteSurfaces;
+
 struct TraceOptions {
   // Of frames of an animation (scene::LightSampling::Mode::moving).
   LightHistories* histories = nullptr;  // null: earlier frames are not used
@@ -24,6 +26,8 @@ struct TraceOptions {
   Interrupt interrupt = {};  // of all other frames
   // Null: this process traces all tiles. Otherwise those that it hands out, moving frames like others.
   TileSource* source = nullptr;
+  // Null: all surfaces of the view are here. Only with a source, and where the settings ask for light.
+  RemoteSurfaces* remote = nullptr;
   bool averages = true;  // pixels average several samples where settings ask for it; only false with a source
 };
 

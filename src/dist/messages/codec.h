@@ -76,4 +76,13 @@ M decoded(std::span<const std::byte> bytes) {
   return message;
 }
 
+/// With its number in front, as ranks send it.
+template <class M>
+std::vector<std::byte> forRanks(const M& message) {
+  WriteMessage archive;
+  archive.out().put(M::kType);
+  archive(message);
+  return archive.out().take();
+}
+
 }  // namespace gluray::dist

@@ -11,6 +11,9 @@ struct Hello {
   std::string version;  // of GLuRay
   std::string program;
   int32_t process = 0;
+  // Of its MPI job, whose other ranks hold other parts of the scene; one rank: it has none.
+  std::string mpiJob;
+  int32_t rank = 0, ranks = 1;
 };
 /// An array whose sealed memory is attached.
 struct ArrayComes {
@@ -28,9 +31,11 @@ struct TraceRequest {
   uint64_t id = 0;    // rises
   uint64_t view = 0;  // Snapshot::view
   int32_t width = 0, height = 0;
-  bool shared = true;           // whether ranks may share it tile by tile
-  bool layered = false;         // Snapshot::layers is there
-  uint32_t missColor = 0;       // Image::missColor
+  bool shared = true;       // whether ranks may share it tile by tile
+  bool layered = false;     // Snapshot::layers is there
+  bool meetsPeers = false;  // light that falls on it may be blocked by surfaces of the program's other ranks
+  glm::ivec4 viewport{0};   // Snapshot::camera's
+  uint32_t missColor = 0;   // Image::missColor
   std::vector<uint8_t> wanted;  // LightSampling::tiles; empty: all
   std::vector<std::byte> snapshot;
 };
@@ -68,8 +73,8 @@ struct PictureDone {
 };
 
 void fields(auto& archive, Like<Hello> auto& value) {
-  auto& [version, program, process] = value;
-  archive(version, program, process);
+  auto& [version, program, process, mpiJob, rank, ranks] = value;
+  archive(version, program, process, mpiJob, rank, ranks);
 }
 void fields(auto& archive, Like<ArrayComes> auto& value) {
   auto& [name, bytes] = value;
@@ -80,8 +85,8 @@ void fields(auto& archive, Like<ArraysGo> auto& value) {
   archive(names);
 }
 void fields(auto& archive, Like<TraceRequest> auto& value) {
-  auto& [id, view, width, height, shared, layered, missColor, wanted, snapshot] = value;
-  archive(id, view, width, height, shared, layered, missColor, wanted, snapshot);
+  auto& [id, view, width, height, shared, layered, meetsPeers, viewport, missColor, wanted, snapshot] = value;
+  archive(id, view, width, height, shared, layered, meetsPeers, viewport, missColor, wanted, snapshot);
 }
 void fields(auto& archive, Like<Cancel> auto& value) {
   auto& [id] = value;

@@ -26,9 +26,10 @@ struct Forget {
 /// From a head: a picture to take part in.
 struct TraceOrder {
   static constexpr uint16_t kType = 4;
-  uint64_t id = 0;       // of the head's pictures
-  bool shared = true;    // false: the head traces it alone
-  bool averages = true;  // frame::Renderer::renderTiles
+  uint64_t id = 0;          // of the head's pictures
+  bool shared = true;       // false: the head traces it alone
+  bool averages = true;     // frame::Renderer::renderTiles
+  bool meetsPeers = false;  // TraceRequest::meetsPeers
   uint32_t missColor = 0;
   std::vector<Hash128> needs;  // arrays that may still be on their way
   std::vector<std::byte> snapshot;
@@ -82,8 +83,8 @@ void fields(auto& archive, Like<Forget> auto& value) {
   archive(names);
 }
 void fields(auto& archive, Like<TraceOrder> auto& value) {
-  auto& [id, shared, averages, missColor, needs, snapshot] = value;
-  archive(id, shared, averages, missColor, needs, snapshot);
+  auto& [id, shared, averages, meetsPeers, missColor, needs, snapshot] = value;
+  archive(id, shared, averages, meetsPeers, missColor, needs, snapshot);
 }
 void fields(auto& archive, Like<MoreTiles> auto& value) {
   auto& [id, tiles] = value;
@@ -104,15 +105,6 @@ void fields(auto& archive, Like<Finished> auto& value) {
 void fields(auto& archive, Like<Alive> auto& value) {
   auto& [threads] = value;
   archive(threads);
-}
-
-/// With its number in front, as ranks send it.
-template <class M>
-std::vector<std::byte> forRanks(const M& message) {
-  WriteMessage archive;
-  archive.out().put(M::kType);
-  archive(message);
-  return archive.out().take();
 }
 
 }  // namespace gluray::dist

@@ -29,12 +29,12 @@ void copyPixels(const scene::Snapshot& snapshot, const PictureDone& picture, con
 
 }  // namespace
 
-RemoteTracer::RemoteTracer(std::string directory, std::string job, int place, frame::TraceBehind here,
+RemoteTracer::RemoteTracer(std::string directory, std::string job, MpiPlace place, frame::TraceBehind here,
                            std::function<void(const std::string&)> say)
     : job_(job),
       here_(std::move(here)),
       say_(std::move(say)),
-      link_(std::move(directory), std::move(job), place) {}
+      link_(std::move(directory), std::move(job), std::move(place)) {}
 
 void RemoteTracer::tell(const std::string& why) {
   if (why == told_ && !traced_) return;

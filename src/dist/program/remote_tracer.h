@@ -15,7 +15,7 @@ namespace gluray::dist {
 class RemoteTracer {
  public:
   /// `here`: traces in this process. `say`: one line for the user.
-  RemoteTracer(std::string directory, std::string job, int place, frame::TraceBehind here,
+  RemoteTracer(std::string directory, std::string job, MpiPlace place, frame::TraceBehind here,
                std::function<void(const std::string&)> say);
 
   /// As frame::Trace and frame::TraceBehind. `stop` null: in front of calls that may be stopped.

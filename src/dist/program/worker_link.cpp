@@ -27,6 +27,14 @@ bool isShared(const scene::Snapshot& snapshot) {
          !scene::wantsLight(snapshot.settings);
 }
 
+/// Whether light falls on the picture that surfaces of other ranks may block.
+bool fallsOnSurfaces(const scene::Snapshot& snapshot) {
+  using Mode = scene::LightSampling::Mode;
+  const Mode mode = snapshot.lightSampling.mode;
+  return (mode == Mode::full || mode == Mode::moving) &&
+         (scene::wantsOcclusion(snapshot.settings) || scene::wantsShadows(snapshot.settings));
+}
+
 }  // namespace
 
 std::string workerPlace(const std::string& job, int place) {
@@ -44,8 +52,8 @@ std::string whyNoJobName(const std::string& job) {
       .append("\" names no job of workers: use letters, digits, - and _, 40 at most");
 }
 
-WorkerLink::WorkerLink(std::string directory, std::string job, int place)
-    : directory_(std::move(directory)), job_(std::move(job)), place_(place) {}
+WorkerLink::WorkerLink(std::string directory, std::string job, MpiPlace place)
+    : directory_(std::move(directory)), job_(std::move(job)), place_(std::move(place)) {}
 
 template <class M>
 bool WorkerLink::send(const M& message, int attached) {
@@ -76,7 +84,7 @@ bool WorkerLink::connect(double now) {
     if (why_ = control::whyUnsafe(directory_); !why_.empty()) return false;
   bool nobody = false;
   // A machine may have fewer workers than ranks of the program.
-  for (int place = place_; !line_ && place >= 0; place = place > 0 ? place / 2 : -1) {
+  for (int place = place_.onMachine; !line_ && place >= 0; place = place > 0 ? place / 2 : -1) {
     control::Descriptor socket =
         control::connectedSocket(directory_ + "/" + workerPlace(job_, place) + ".sock", why_, nobody);
     if (socket.get() >= 0) line_.emplace(std::move(socket));
@@ -85,7 +93,9 @@ bool WorkerLink::connect(double now) {
     if (nobody) why_ = "no gluray-worker --job " + job_ + " runs on this machine";
     return false;
   }
-  const Hello hello{version(), program_invocation_short_name, static_cast<int32_t>(getpid())};
+  const Hello hello{
+      version(),   program_invocation_short_name, static_cast<int32_t>(getpid()), place_.job, place_.rank,
+      place_.ranks};
   if (!send(hello)) return disconnect("the worker is gone", now), false;
   helloAt_ = now;
   return true;
@@ -143,6 +153,8 @@ bool WorkerLink::ask(const scene::Snapshot& snapshot, uint32_t missColor) {
   request.id = ++lastId_, request.view = snapshot.view;
   request.width = snapshot.region.width, request.height = snapshot.region.height;
   request.shared = isShared(snapshot), request.layered = snapshot.layers != nullptr;
+  request.meetsPeers = place_.ranks > 1 && fallsOnSurfaces(snapshot);
+  request.viewport = snapshot.camera.viewport;
   request.missColor = missColor;
   if (snapshot.lightSampling.tiles) request.wanted = *snapshot.lightSampling.tiles;
   request.snapshot = std::move(encoded.message);

@@ -11,11 +11,18 @@
 
 namespace gluray::dist {
 
+/// Where a program stands among the ranks of its MPI job.
+struct MpiPlace {
+  int onMachine = 0;  // its number among those of its machine
+  std::string job;    // empty: it is no MPI program
+  int rank = 0, ranks = 1;
+};
+
 class WorkerLink {
  public:
-  /// The worker of the job `job` whose socket is in `directory`. `place`: which of those on this machine, by
-  /// the program's rank on it.
-  WorkerLink(std::string directory, std::string job, int place);
+  /// The worker of the job `job` whose socket is in `directory`; of several on this machine, that of the
+  /// program's place.
+  WorkerLink(std::string directory, std::string job, MpiPlace place);
 
   /// Connects where it is not connected. False: no worker traces for this program at present; why() says why.
   /// The first attempt waits for the worker's welcome, later ones do not.
@@ -44,7 +51,7 @@ class WorkerLink {
   bool send(const M& message, int attached = -1);
 
   const std::string directory_, job_;
-  const int place_;
+  const MpiPlace place_;
   std::optional<Line> line_;
   bool welcome_ = false, everTried_ = false;
   double nextTry_ = 0, lastSign_ = 0, helloAt_ = 0;

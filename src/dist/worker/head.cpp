@@ -15,8 +15,12 @@ constexpr size_t kMostViews = 64;     // whose costs are remembered
 
 }  // namespace
 
-Head::Head(Ranks& ranks, ArrayStore& store, int threads, Say say)
-    : ranks_(ranks), store_(store), say_(std::move(say)), states_(ranks.size(), ranks.rank(), threads) {}
+Head::Head(Ranks& ranks, ArrayStore& store, PeerPrograms& peers, int threads, Say say)
+    : ranks_(ranks),
+      store_(store),
+      peers_(peers),
+      say_(std::move(say)),
+      states_(ranks.size(), ranks.rank(), threads) {}
 
 template <class M>
 void Head::sendToAll(const M& message) {
@@ -75,6 +79,7 @@ void Head::handle(ProgramSide& program, const Message& message, double now) {
     case TraceRequest::kType:
       if (program.picture) endPicture(program);
       program.request = as(TraceRequest{});
+      if (program.peer) program.request->shared = false;
       return start(program, true, now);
     case Cancel::kType:
       if (!program.picture || program.request->id != as(Cancel{}).id) return;
@@ -91,6 +96,8 @@ void Head::greet(ProgramSide& program, const Hello& hello) {
   if (hello.version != version())
     welcome.refusal = "the worker is of GLuRay " + std::string(version()) + ", the program of " +
                       hello.version + "; use one version for both";
+  if (welcome.refusal.empty() && hello.ranks > 1)
+    program.peer = peers_.add(hashBytes(hello.mpiJob.data(), hello.mpiJob.size()), hello.rank, hello.ranks);
   program.send(welcome);
   say_(program.name + (welcome.refusal.empty() ? " is connected" : ": " + welcome.refusal));
   if (!welcome.refusal.empty()) program.end();
@@ -98,29 +105,34 @@ void Head::greet(ProgramSide& program, const Hello& hello) {
 
 void Head::takeArray(ProgramSide& program, const ArrayComes& array, const control::Descriptor& memory) {
   if (program.arrays.contains(array.name)) return;
-  if (const auto known = holders_.find(array.name); known != holders_.end()) {
-    ++known->second;
-  } else {
+  Holders& holders = holders_[array.name];
+  if (++holders.programs == 1) {
     const Array content = mapSealed(memory, array.bytes);
     // Other programs may use it by this name.
     if (hashBytes(content.bytes.data(), content.bytes.size()) != array.name)
       throw Malformed("an array is not what its name says");
     store_.put(ranks_.rank(), array.name, content);
-    holders_[array.name] = 1;
-    if (ranks_.size() > 1) ranks_.send(kCoordinator, forRanks(TurnWanted{array.name, array.bytes}));
+  }
+  // Ranks of sort-last programs keep what is theirs.
+  if (ranks_.size() > 1 && !program.peer && !holders.everywhere) {
+    holders.everywhere = true;
+    ranks_.send(kCoordinator, forRanks(TurnWanted{array.name, array.bytes}));
   }
   program.arrays.insert(array.name);
   program.newArrays.push_back(array.name);
 }
 
 void Head::forget(ProgramSide& program, const std::vector<Hash128>& names) {
-  Forget all;
+  Forget all, here;
   for (const Hash128& name : names) {
-    if (program.arrays.erase(name) == 0 || --holders_[name] > 0) continue;
+    if (program.arrays.erase(name) == 0) continue;
+    Holders& holders = holders_[name];
+    if (--holders.programs > 0) continue;
+    (holders.everywhere ? all : here).names.push_back(name);
     holders_.erase(name);
-    all.names.push_back(name);
   }
   if (!all.names.empty()) sendToAll(all);
+  if (!here.names.empty()) store_.forget(ranks_.rank(), here.names);
 }
 
 void Head::start(ProgramSide& program, bool averages, double now) {
@@ -130,19 +142,21 @@ void Head::start(ProgramSide& program, bool averages, double now) {
   if (program.costs.size() > kMostViews) program.costs.clear();
   program.picture.emplace(request, ++lastPicture_, averages, states_, program.costs[request.view], now);
   const Picture& picture = *program.picture;
-  const TraceOrder order{picture.id(),      request.shared,    averages,
+  const TraceOrder order{picture.id(),      request.shared,    averages,        request.meetsPeers,
                          request.missColor, program.newArrays, request.snapshot};
   program.newArrays.clear();
+  program.saidAtWork = now;
+  if (program.peer) return peers_.trace(program.peer, order, request.viewport, now);
   for (int rank = 0; rank < ranks_.size(); ++rank) {
     if (!picture.takesPart(rank)) continue;
     ranks_.send(rank, forRanks(order));
     states_.asked(rank, now);
   }
-  program.saidAtWork = now;
   giveTiles(program);
 }
 
 void Head::giveTiles(ProgramSide& program) {
+  if (program.peer) return;
   Picture& picture = *program.picture;
   for (int rank = 0; rank < ranks_.size(); ++rank) {
     if (!picture.takesPart(rank)) continue;
@@ -167,7 +181,7 @@ void Head::take(int rank, const TracedTile& tile, double now) {
     return start(*program, false, now);
   }
   if (!picture.isTraced()) return giveTiles(*program);
-  if (!wasTraced) sendToAll(EndOfPicture{picture.id()});
+  if (!wasTraced) end(*program, picture.id());
   finish(*program, now);
 }
 
@@ -184,8 +198,15 @@ void Head::take(int rank, const Alive& alive, double now) {
   states_.setThreads(rank, std::clamp(alive.threads, 1, 1 << 16));
 }
 
+void Head::end(ProgramSide& program, uint64_t picture) {
+  if (program.peer)
+    peers_.end(program.peer, picture);
+  else
+    sendToAll(EndOfPicture{picture});
+}
+
 void Head::endPicture(ProgramSide& program) {
-  sendToAll(EndOfPicture{program.picture->id()});
+  end(program, program.picture->id());
   program.picture.reset();
 }
 
@@ -224,6 +245,7 @@ void Head::leaveOut(int rank) {
 
 void Head::leave(ProgramSide& program) {
   if (program.picture) endPicture(program);
+  if (program.peer) peers_.remove(program.peer);
   forget(program, {program.arrays.begin(), program.arrays.end()});
   if (!program.name.empty()) say_(program.name + " is gone");
 }

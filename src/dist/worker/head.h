@@ -1,6 +1,7 @@
 // A rank as the head of the programs that are connected to it: takes their snapshots and arrays, shares their
 // pictures among the ranks, and gives them back. The worker's main thread.
 #pragma once
+#include "dist/peers/peer_programs.h"
 #include "dist/ranks/ranks.h"
 #include "dist/worker/array_store.h"
 #include "dist/worker/program_side.h"
@@ -20,7 +21,7 @@ class Head {
   using Say = std::function<void(const std::string&)>;
 
   /// `threads`: with which this rank traces. All must outlive it.
-  Head(Ranks& ranks, ArrayStore& store, int threads, Say say);
+  Head(Ranks& ranks, ArrayStore& store, PeerPrograms& peers, int threads, Say say);
 
   void add(control::Descriptor socket);
   /// Sockets to wait for.
@@ -37,12 +38,17 @@ class Head {
   size_t programs() const { return programs_.size(); }
 
  private:
+  struct Holders {
+    int programs = 0;
+    bool everywhere = false;  // all ranks of the job have it
+  };
   void handle(ProgramSide& program, const Message& message, double now);
   void greet(ProgramSide& program, const Hello& hello);
   void takeArray(ProgramSide& program, const ArrayComes& array, const control::Descriptor& memory);
   void forget(ProgramSide& program, const std::vector<Hash128>& names);
   void start(ProgramSide& program, bool averages, double now);
   void giveTiles(ProgramSide& program);
+  void end(ProgramSide& program, uint64_t picture);
   void endPicture(ProgramSide& program);
   /// Gives the program its picture, if that is done.
   void finish(ProgramSide& program, double now);
@@ -54,10 +60,11 @@ class Head {
 
   Ranks& ranks_;
   ArrayStore& store_;
+  PeerPrograms& peers_;
   Say say_;
   RankStates states_;
   std::list<ProgramSide> programs_;
-  std::unordered_map<Hash128, int> holders_;  // programs that use an array
+  std::unordered_map<Hash128, Holders> holders_;  // of each array
   uint64_t lastPicture_ = 0;
 };
 

@@ -91,9 +91,9 @@ class WorkerJob {
 
 /// A program's side.
 struct Program {
-  explicit Program(const std::string& directory, int place = 0, const std::string& job = "job")
+  explicit Program(const std::string& directory, MpiPlace place = {}, const std::string& job = "job")
       : tracer(
-            directory, job, place,
+            directory, job, std::move(place),
             [this](const scene::Snapshot& s, Image& image, scene::TraceCost& cost, std::string& error,
                    const std::function<bool()>& stop) {
               ++tracedHere;

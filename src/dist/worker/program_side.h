@@ -27,7 +27,8 @@ class ProgramSide {
     if (!line_.send(M::kType, encoded(message), attached, kPatienceMs)) gone_ = true;
   }
 
-  std::string name;  // for messages to the user; empty: it has not said hello
+  uint64_t peer = 0;  // its number in PeerPrograms; 0: it is a program of one process
+  std::string name;   // for messages to the user; empty: it has not said hello
   std::unordered_set<Hash128> arrays;
   std::vector<Hash128> newArrays;  // since the last request
   std::optional<TraceRequest> request;

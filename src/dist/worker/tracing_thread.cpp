@@ -7,10 +7,12 @@
 
 namespace gluray::dist {
 
-TracingThread::TracingThread(ArrayStore& store, Outbox& outbox, int threads)
+TracingThread::TracingThread(ArrayStore& store, Outbox& outbox, int threads, PeerExchange* peers)
     : store_(store),
       outbox_(outbox),
       threads_(threads),
+      peers_(peers),
+      renderer_(peers ? frame::Renderer::Threads::own : frame::Renderer::Threads::shared),
       decoder_([&store](const Hash128& name) { return store.find(name); }),
       thread_([this] { run(); }) {}
 
@@ -48,26 +50,43 @@ void TracingThread::run() {
 void TracingThread::trace(const Task& task) {
   Finished result;
   result.id = task.order.id;
+  sent_ = false;
+  const double start = nowSeconds();
+  const auto whole = [&] {
+    result.layers = image_.layers;
+    task.tiles->doneAll(image_, nowSeconds() - start);
+    send(task, result);
+  };
+  if (peers_) peers_->start(task.order.averages, whole);
   try {
     if (!store_.waitFor(task.order.needs, [&] { return task.tiles->isClosed(); })) return;
-    render(task, result);
+    const std::shared_ptr<scene::Snapshot> snapshot = decoder_.decode(task.order.snapshot);
+    snapshot->settings.threads = threads_;
+    image_.missColor = task.order.missColor;
+    render(task, *snapshot, result);
+    if (!task.order.shared && !sent_ && result.error.empty()) whole();
   } catch (const std::exception& error) { result.error = error.what(); }
-  result.improves = renderer_.improves();
-  outbox_.push(task.head, forRanks(result));
+  if (peers_) peers_->finish();
+  if (!sent_) send(task, result);
 }
 
-void TracingThread::render(const Task& task, Finished& result) {
-  const std::shared_ptr<scene::Snapshot> snapshot = decoder_.decode(task.order.snapshot);
-  snapshot->settings.threads = threads_;
-  image_.missColor = task.order.missColor;
+void TracingThread::send(const Task& task, Finished& result) {
+  result.improves = renderer_.improves();
+  outbox_.push(task.head, forRanks(result));
+  sent_ = true;
+}
+
+void TracingThread::render(const Task& task, const scene::Snapshot& snapshot, Finished& result) {
   if (task.order.shared) {
-    renderer_.renderTiles(*snapshot, image_, result.cost, result.error, *task.tiles, task.order.averages);
+    renderer_.renderTiles(snapshot, image_, result.cost, result.error, *task.tiles, task.order.averages);
+    result.layers = image_.layers;
+  } else if (peers_ && task.order.meetsPeers) {
+    do {
+      renderer_.renderTiles(snapshot, image_, result.cost, result.error, *peers_, peers_->averages(), peers_);
+    } while (result.error.empty() && peers_->again());
   } else {
-    const double start = nowSeconds();
-    if (renderer_.render(*snapshot, image_, result.cost, result.error))
-      task.tiles->doneAll(image_, nowSeconds() - start);
+    renderer_.render(snapshot, image_, result.cost, result.error);
   }
-  result.layers = image_.layers;
 }
 
 }  // namespace gluray::dist

@@ -1,6 +1,7 @@
 // The thread that traces a worker's share of pictures, one after the other.
 #pragma once
 #include "dist/messages/rank_messages.h"
+#include "dist/peers/peer_exchange.h"
 #include "dist/stream/snapshot_decoder.h"
 #include "dist/worker/array_store.h"
 #include "dist/worker/tile_queue.h"
@@ -22,8 +23,9 @@ class TracingThread {
     std::shared_ptr<TileQueue> tiles;  // whoever closes it calls store.wake(), too
   };
 
-  /// `threads`: that trace; 0: as many as the process may use. All must outlive it.
-  TracingThread(ArrayStore& store, Outbox& outbox, int threads);
+  /// `threads`: that trace; 0: as many as the process may use. `peers`: null, or those of the program whose
+  /// pictures these are. All must outlive it.
+  TracingThread(ArrayStore& store, Outbox& outbox, int threads, PeerExchange* peers = nullptr);
   /// Waits for the picture that is being traced. All queues must be closed.
   ~TracingThread();
   TracingThread(const TracingThread&) = delete;
@@ -34,14 +36,17 @@ class TracingThread {
  private:
   void run();
   void trace(const Task& task);
-  void render(const Task& task, Finished& result);
+  void render(const Task& task, const scene::Snapshot& snapshot, Finished& result);
+  void send(const Task& task, Finished& result);
 
   ArrayStore& store_;
   Outbox& outbox_;
   const int threads_;
+  PeerExchange* const peers_;
   frame::Renderer renderer_;
   SnapshotDecoder decoder_;
   Image image_;
+  bool sent_ = false;  // the result of the picture
   std::mutex mutex_;
   std::condition_variable more_;
   std::deque<Task> tasks_;

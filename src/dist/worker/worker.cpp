@@ -26,14 +26,15 @@ int threadsOf(int threads) { return threads > 0 ? threads : Arena(0).threads(); 
 Worker::Worker(Ranks& ranks, int threads, control::Descriptor listening, Head::Say say)
     : ranks_(ranks),
       threads_(threadsOf(threads)),
-      head_(ranks, store_, threads_, say),
+      peers_(ranks, store_, outbox_, threads_, say),
+      head_(ranks, store_, peers_, threads_, say),
       member_(ranks, store_, outbox_, threads_),
       listening_(std::move(listening)),
       say_(std::move(say)) {}
 
 void Worker::run(const std::atomic<bool>& stop) {
   while (!stop) {
-    if (look() || head_.isBusy() || member_.isBusy()) lastBusy_ = nowSeconds();
+    if (look() || head_.isBusy() || member_.isBusy() || peers_.isBusy()) lastBusy_ = nowSeconds();
     wait();
   }
 }
@@ -49,6 +50,7 @@ bool Worker::look() {
   while (std::optional<RankMessage> message = ranks_.receive()) handle(*message, now), found = true;
   head_.tick(now);
   member_.tick(now);
+  peers_.tick(now);
   return found;
 }
 
@@ -68,7 +70,8 @@ void Worker::handle(const RankMessage& message, double now) {
       case TracedTile::kType: return head_.take(from, as(TracedTile{}), now);
       case Finished::kType: return head_.take(from, as(Finished{}), now);
       case Alive::kType: return head_.take(from, as(Alive{}), now);
-      default: throw Malformed("its kind is not known");
+      default:
+        if (!peers_.take(from, type, in.take(in.left()), now)) throw Malformed("its kind is not known");
     }
   } catch (const Malformed& error) { say_("rank " + std::to_string(from) + ": " + error.what()); }
 }

@@ -13,6 +13,7 @@ class Worker {
  public:
   /// `threads`: that trace, 0: as many as the process may use. `listening`: a socket that programs connect
   /// to, not blocking; none: negative. `ranks` must outlive it. Throws std::system_error.
+  /// `say`: any thread.
   Worker(Ranks& ranks, int threads, control::Descriptor listening, Head::Say say);
 
   /// Until `stop`, which is looked at ten times a second. Throws RanksFailed.
@@ -29,6 +30,7 @@ class Worker {
   const int threads_;
   ArrayStore store_;
   Outbox outbox_;
+  PeerPrograms peers_;
   Head head_;
   Member member_;
   control::Descriptor listening_;

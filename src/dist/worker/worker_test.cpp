@@ -154,7 +154,7 @@ TEST_P(WorkerTest, ProgramsOfSeveralRanks) {
   std::vector<std::thread> threads;
   for (int place = 0; place < ranks + 1; ++place)
     threads.emplace_back([&, place] {
-      Program program(directory_, place);
+      Program program(directory_, {place, "", 0, 1});
       for (int i = 0; i < 3; ++i) {
         const scene::Snapshot s = plainScene(40 + 10 * place);
         expectSame(program.picture(s), expectedPicture(s));

@@ -1,15 +1,10 @@
 #include "gl/batch/view_epoch.h"
 
-#include "gl/batch/same_camera.h"
-
 #include <algorithm>
 #include <cmath>
 
 namespace gluray::gl {
 namespace {
-
-/// A length that tells how far from the eye a snapshot's surfaces are.
-double distanceOf(const scene::Snapshot& s) { return glm::length(glm::dvec3(s.eyeFromWorld[3])); }
 
 bool areNear(const glm::dmat4& a, const glm::dmat4& b) {
   constexpr double kRounding = 1e-4;
@@ -21,11 +16,6 @@ bool areNear(const glm::dmat4& a, const glm::dmat4& b) {
 }
 
 }  // namespace
-
-std::optional<glm::dmat4> eyeFromEye(const scene::Snapshot& to, const scene::Snapshot& from) {
-  return gl::eyeFromEye(to.camera.clipFromEye, from.camera.clipFromEye,
-                        std::max(distanceOf(to), distanceOf(from)));
-}
 
 Likeness likenessOf(const scene::Snapshot& earlier, const scene::Snapshot& now) {
   const bool layers = !earlier.layers == !now.layers && (!now.layers || earlier.layers->of == now.layers->of);

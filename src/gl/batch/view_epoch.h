@@ -12,9 +12,6 @@
 
 namespace gluray::gl {
 
-/// The matrix from the eye space of one snapshot to that of another; none where cameras differ.
-std::optional<glm::dmat4> eyeFromEye(const scene::Snapshot& to, const scene::Snapshot& from);
-
 struct ViewEpoch {
   struct Drawn {
     scene::SnapshotPtr snapshot;

@@ -3,6 +3,7 @@
 #include "base/log.h"
 #include "gl/batch/surroundings_maker.h"
 #include "gl/window/clears.h"
+#include "scene/same_camera.h"
 
 #include <algorithm>
 #include <exception>

@@ -1,6 +1,6 @@
 #include "gl/objects/object_numbers.h"
 
-#include "gl/batch/same_camera.h"
+#include "scene/same_camera.h"
 
 #include <algorithm>
 #include <atomic>
@@ -79,8 +79,8 @@ size_t ObjectNumbers::viewOf(const BatchKey& key, const scene::Snapshot& batch) 
     const View& view = views_[i];
     const glm::ivec4 &a = view.viewport, &b = key.viewport;
     const bool alike = view.framebuffer == key.framebuffer ? a == b : a.z == b.z && a.w == b.w;
-    if (alike &&
-        eyeFromEye(view.camera.clipFromEye, batch.camera.clipFromEye, std::max(distance, view.distance)))
+    if (alike && scene::eyeFromEye(view.camera.clipFromEye, batch.camera.clipFromEye,
+                                   std::max(distance, view.distance)))
       return i;
   }
   View& view = views_.emplace_back();

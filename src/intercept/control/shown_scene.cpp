@@ -1,19 +1,13 @@
 #include "intercept/control/shown_scene.h"
 
 #include "frame/questions/pick.h"
-#include "gl/batch/same_camera.h"
+#include "scene/same_camera.h"
 
 #include <algorithm>
 #include <stdexcept>
 
 namespace gluray::intercept {
 namespace {
-
-std::optional<glm::dmat4> eyeFromEye(const scene::Snapshot& to, const scene::Snapshot& from) {
-  const double distance =
-      std::max(glm::length(glm::dvec3(to.eyeFromWorld[3])), glm::length(glm::dvec3(from.eyeFromWorld[3])));
-  return gl::eyeFromEye(to.camera.clipFromEye, from.camera.clipFromEye, distance);
-}
 
 bool shows(const ShownView& view, const gl::ShownBatch& batch) {
   const gl::ShownBatch& first = *view.batches.front();

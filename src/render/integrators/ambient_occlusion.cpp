@@ -1,6 +1,7 @@
 #include "render/integrators/ambient_occlusion.h"
 
 #include "render/integrators/first_sample.h"
+#include "render/remote/remote_surfaces.h"
 
 #define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
@@ -43,8 +44,9 @@ HWY_ATTR void occlude(const AmbientOcclusion& ao, const AskedPoints& asked, floa
   for (int s = 0; s < ao.samples; ++s) {
     aimAbove(ao, asked.points, seeds, first + static_cast<uint32_t>(s), rays);
     const Transmittance light(ao.occluders);
-    const uint32_t blocked = ao.frame.world->occluded(valid, rays, ao.occluders.areSolid() ? nullptr : &light,
-                                                      accel::RayKind::occlusion);
+    const uint32_t blocked =
+        occludedAnywhere(ao.frame, valid, rays, accel::RayKind::occlusion,
+                         ao.occluders.areSolid() ? nullptr : &light, {.grey = light.through});
     for (int i = 0; i < kLanes; ++i) hidden[i] += blocked >> i & 1 ? 1 : 1 - light.through[i];
   }
   const float perRay = 1 / static_cast<float>(ao.samples);

@@ -1,5 +1,6 @@
 #include "render/integrators/metric.h"
 
+#include "render/remote/remote_surfaces.h"
 #include "scene/surroundings.h"
 
 #include <cmath>
@@ -24,7 +25,7 @@ Metric::Metric(const FrameData& frame) {
         throw std::runtime_error("the modelview matrix cannot be inverted");
   away = frame.eyeRays.step;
   axes = axesOf(m);
-  const accel::Bounds bounds = frame.world->lightBounds();
+  const accel::Bounds bounds = frame.remote ? frame.remote->bounds() : frame.world->lightBounds();
   const glm::dvec3 size(bounds.upper - bounds.lower);
   const auto* around = frame.snapshot->surroundings.get();
   const bool elsewhere = around && around->viewFromWorld != glm::dmat4(1);

@@ -2,6 +2,7 @@
 
 #include "render/integrators/first_sample.h"
 #include "render/lights/relit.h"
+#include "render/remote/remote_surfaces.h"
 
 #include <bit>
 
@@ -77,6 +78,14 @@ HWY_ATTR inline void aimAtLight(const Shadows& s, int row, const SurfacePoints& 
   }
 }
 
+/// Where a light is that something may stand for, which does not hide it; null: there is no such place.
+const glm::vec3* lampOf(const Shadows& s, int row) {
+  using Kind = scene::LightSource::Kind;
+  const scene::LightSource& light = s.lights.lights[static_cast<size_t>(row)];
+  return row != s.lights.dome && (light.kind == Kind::point || light.kind == Kind::spot) ? &light.position
+                                                                                         : nullptr;
+}
+
 /// Adds what arrives along one packet's rays.
 HWY_ATTR inline void addArriving(const Shadows& s, int row, uint32_t lanes, LightSamples& samples,
                                  Row (&sums)[3], Row& all) {
@@ -88,7 +97,9 @@ HWY_ATTR inline void addArriving(const Shadows& s, int row, uint32_t lanes, Ligh
   const std::vector<uint32_t>& lamps = s.lights.lamps[static_cast<size_t>(row)];
   const ColoredTransmittance light(s.occluders, lamps);
   const bool plain = s.occluders.areSolid() && lamps.empty();
-  const uint32_t blocked = s.frame.world->occluded(valid, samples.rays, plain ? nullptr : &light);
+  const uint32_t blocked =
+      occludedAnywhere(s.frame, valid, samples.rays, accel::RayKind::shadow, plain ? nullptr : &light,
+                       {.colored = light.through}, lampOf(s, row));
   for (int i = 0; i < kLanes; ++i)
     for (int c = 0; c < 3 && !(blocked >> i & 1); ++c)
       sums[c][i] += samples.weights[i] * samples.grazing[i] * light.through[i][c];

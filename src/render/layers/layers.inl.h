@@ -8,6 +8,7 @@
 #endif
 
 #include "accel/next_hits.h"
+#include "render/remote/remote_surfaces.h"
 #include "render/visibility/edges.inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -127,6 +128,7 @@ HWY_ATTR void walkLayers(const FrameData& frame, Work& work, End&& end, Put&& pu
 /// Counts the layers of the packet's pixels; neighbours mostly have equal counts.
 HWY_ATTR inline void countLayers(const FrameData& frame, const scene::Layers& layers, const Work& work,
                                  const Gathered& g) {
+  if (frame.remote && frame.remote->isReplaying()) return;  // counted the first time
   for (int i = 0; i < kLanes;) {
     const uint8_t places = g.places[i];
     if (places < 2) {

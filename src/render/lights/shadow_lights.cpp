@@ -41,10 +41,10 @@ bool isSame(const LightSource& a, const LightSource& b, const Metric& metric) {
 }
 
 /// Programs draw small unlit things around their lights, to show where they are.
-bool isLamp(const scene::Instance& instance, const LightSource& light, const Metric& metric) {
+bool isLamp(const scene::Instance& instance, const glm::vec3& light, const Metric& metric) {
   constexpr double kSmall = 0.1;  // of the scene
   const glm::dvec3 lower(instance.mesh->lower), upper(instance.mesh->upper),
-      at(glm::inverse(instance.eyeFromObject) * glm::dvec4(light.position, 1));
+      at(glm::inverse(instance.eyeFromObject) * glm::dvec4(light, 1));
   for (int c = 0; c < 3; ++c)
     if (!(at[c] >= lower[c] && at[c] <= upper[c])) return false;
   const glm::dvec3 size = glm::dmat3(instance.eyeFromObject) * (upper - lower);
@@ -137,20 +137,13 @@ class Finder {
       row[static_cast<size_t>(i)] = static_cast<int8_t>(out.lights.size());
       out.lights.push_back(lights_[static_cast<size_t>(i)]);
     }
-    for (const LightSource& light : out.lights) out.lamps.push_back(lampsOf(light));
+    for (const LightSource& light : out.lights) {
+      const bool mayHave = light.kind == Kind::point || light.kind == Kind::spot;
+      out.lamps.push_back(mayHave ? lampsOf(frame_, metric_, light.position) : std::vector<uint32_t>());
+    }
     if (casts && dome)
       out.dome = static_cast<int>(out.lights.size()), out.lights.emplace_back(), out.lamps.emplace_back();
     for (size_t r = 0; r < out.rows.size(); ++r) fill(numbers_[r], row, out.dome, out.rows[r]);
-  }
-
-  std::vector<uint32_t> lampsOf(const LightSource& light) const {
-    std::vector<uint32_t> lamps;
-    if (light.kind != Kind::point && light.kind != Kind::spot) return lamps;
-    const std::vector<scene::Instance>& instances = frame_.snapshot->instances;
-    for (uint32_t i = 0; i < instances.size(); ++i)
-      if (!isLit(frame_.snapshot->shadings[instances[i].shading]) && isLamp(instances[i], light, metric_))
-        lamps.push_back(i);
-    return lamps;
   }
 
   static void fill(const std::vector<int>& numbers, const std::vector<int8_t>& row, int dome,
@@ -172,6 +165,15 @@ class Finder {
 };
 
 }  // namespace
+
+std::vector<uint32_t> lampsOf(const FrameData& frame, const Metric& metric, const glm::vec3& light) {
+  std::vector<uint32_t> lamps;
+  const std::vector<scene::Instance>& instances = frame.snapshot->instances;
+  for (uint32_t i = 0; i < instances.size(); ++i)
+    if (!isLit(frame.snapshot->shadings[instances[i].shading]) && isLamp(instances[i], light, metric))
+      lamps.push_back(i);
+  return lamps;
+}
 
 ShadowLights findShadowLights(const FrameData& frame, const Metric& metric, bool casts) {
   return Finder(frame, metric).find(casts);

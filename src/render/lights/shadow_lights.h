@@ -29,6 +29,9 @@ struct ShadowLights {
   const Rows& of(uint32_t instance) const { return rows[rowsOfInstance[instance]]; }
 };
 
+/// The frame's instances that show where a light at `light` (eye space) is, and so do not hide it. Sorted.
+std::vector<uint32_t> lampsOf(const FrameData&, const Metric&, const glm::vec3& light);
+
 /// At most kShadowLights, the strongest ones; logs one line where there are more. `casts`: false leaves out
 /// all shadows; the dome shines anyway.
 ShadowLights findShadowLights(const FrameData&, const Metric&, bool casts);

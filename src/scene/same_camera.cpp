@@ -1,9 +1,9 @@
-#include "gl/batch/same_camera.h"
+#include "scene/same_camera.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace gluray::gl {
+namespace gluray::scene {
 namespace {
 
 /// Matrices of programs are floats, and the far plane may be thousands of times as far as the near plane.
@@ -41,4 +41,10 @@ std::optional<glm::dmat4> eyeFromEye(const glm::dmat4& clipFromTo, const glm::dm
   return m;
 }
 
-}  // namespace gluray::gl
+std::optional<glm::dmat4> eyeFromEye(const Snapshot& to, const Snapshot& from) {
+  const double distance =
+      std::max(glm::length(glm::dvec3(to.eyeFromWorld[3])), glm::length(glm::dvec3(from.eyeFromWorld[3])));
+  return eyeFromEye(to.camera.clipFromEye, from.camera.clipFromEye, distance);
+}
+
+}  // namespace gluray::scene

@@ -1,9 +1,9 @@
-#include "gl/batch/same_camera.h"
+#include "scene/same_camera.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
-namespace gluray::gl {
+namespace gluray::scene {
 namespace {
 
 const glm::dmat4 kPerspective = glm::perspective(0.6, 1.5, 0.1, 1000.0);
@@ -49,4 +49,4 @@ TEST(SameCamera, HoldsInScenesOfAnySize) {
 }
 
 }  // namespace
-}  // namespace gluray::gl
+}  // namespace gluray::scene

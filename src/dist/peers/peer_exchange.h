@@ -1,0 +1,129 @@
+// The light of a sort-last program's pictures on one rank: asks peers about rays that may meet their
+// surfaces, and answers theirs. Tiles that must ask are traced twice: first all their queries are collected,
+// then they get the answers. Messages come on the worker's main thread; one thread traces, with those of its
+// renderer.
+#pragma once
+#include "dist/messages/peer_messages.h"
+#include "dist/peers/meetings.h"
+#include "dist/peers/near_peer.h"
+#include "dist/peers/tile_ledger.h"
+#include "render/remote/occlusion_answers.h"
+#include "render/remote/remote_surfaces.h"
+#include "render/tiles.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gluray::dist {
+
+class PeerExchange final : public render::TileSource, public render::RemoteSurfaces {
+ public:
+  /// Sends to a peer. Any thread.
+  using Send = std::function<void(int peer, std::vector<std::byte> message)>;
+  using Say = std::function<void(const std::string&)>;
+
+  /// `self`: this rank, of the program's `ranks`. `say`: one line for the user, any thread.
+  PeerExchange(Hash128 program, int self, int ranks, Send send, Say say);
+
+  // The main thread.
+  void joins(int rank);
+  void leaves(int rank);
+  void take(const SceneComes& coming, double now);
+  void take(const SceneHeld& scene);
+  void take(OcclusionQueries queries);
+  void take(const OcclusionReplies& replies, double now);
+  void take(const DoneAsking& done);
+  void take(const StillHere& here, double now);
+  /// The program wants a picture: what is held ends as soon as peers have their answers. `viewport`: of the
+  /// picture, if light of peers falls on it.
+  void announce(std::optional<glm::ivec4> viewport, double now);
+  /// Says to peers that work goes on. Call ten times a second or more.
+  void tick(double now);
+  /// The program does not want its picture any more.
+  void cancel();
+  /// Nothing is traced any more.
+  void close();
+
+  // The tracing thread.
+  /// What announce() announced begins. `traced` is called when the picture is whole.
+  void start(bool averages, std::function<void()> traced);
+  /// Whether the picture must be traced anew: without a peer that is gone, or without averages.
+  bool again() const { return again_; }
+  bool averages() const { return averages_; }
+  /// The scene is gone. Call when tracing has ended, whatever happened.
+  void finish() noexcept;
+
+  void begin(const Image& image) noexcept override;
+  int next() noexcept override;
+  void done(int tile, double seconds, bool seenThrough) noexcept override;
+  void begin(const render::FrameData& frame) override;
+  void beginEmpty(const scene::Snapshot& snapshot) override;
+  accel::Bounds bounds() const noexcept override { return bounds_; }
+  uint32_t occluded(const render::RemoteQuery& query, uint32_t blocked,
+                    render::Passing passing) noexcept override;
+  bool recall(uint32_t& blocked) noexcept override;
+  bool isReplaying() const noexcept override;
+  void hold() noexcept override;
+
+ private:
+  using Lock = std::unique_lock<std::mutex>;
+  /// What is known of one of near_.
+  struct Asked {
+    double heard = 0;
+    size_t waiting = 0;  // tiles that wait for its answers
+  };
+
+  template <class M>
+  void sendTo(int peer, M message) const;
+  template <class M>
+  void sendToAll(const M& message) const;
+  void meet(const scene::Snapshot& snapshot, const accel::Bounds& bounds);
+  void addNear(double now);
+  size_t nearOf(int rank) const;  // near_.size(): none
+  void sendQueries(int tile, TileRecord& record, double now);
+  void answer(const OcclusionQueries& queries) const noexcept;
+  void answerAll(std::deque<OcclusionQueries> queries) const;
+  void serve(Lock& lock);
+  void drop(int rank, const std::string& why);
+  bool isAsked() const;
+  bool isCancelled() const { return started_ <= cancelled_; }
+  bool ends() const { return isCancelled() || closed_ || again_; }
+
+  const Hash128 program_;
+  const int self_;
+  const Send send_;
+  const Say say_;
+
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  Meetings meetings_;
+  std::vector<bool> asking_;  // peers that may ask about the scene held
+  std::deque<OcclusionQueries> queries_;
+  uint64_t round_ = 0;                                  // rises with each scene
+  SceneHeld scene_;                                     // of this round
+  bool held_ = false;                                   // it is there, or comes
+  size_t announced_ = 0, started_ = 0, cancelled_ = 0;  // counts of pictures
+  double wantedAt_ = 0;
+  std::optional<glm::ivec4> coming_;  // the view whose scene is built
+  double saidComing_ = 0, saidHere_ = 0;
+  bool closed_ = false;
+
+  // Of the picture. What tracing threads read without the lock does not change while they trace.
+  std::function<void()> traced_;
+  std::atomic<bool> again_{false}, averages_{true};
+  const scene::Snapshot* snapshot_ = nullptr;
+  std::optional<render::OcclusionAnswers> answers_;
+  std::vector<NearPeer> near_;
+  accel::Bounds bounds_;
+  std::vector<Asked> asked_;  // beside near_
+  uint64_t attempt_ = 0;
+  TileLedger ledger_;
+};
+
+}  // namespace gluray::dist

@@ -1,0 +1,130 @@
+#include "dist/peers/peer_programs.h"
+
+#include <utility>
+
+namespace gluray::dist {
+namespace {
+
+constexpr int kMostRanks = 1 << 20;
+
+}  // namespace
+
+PeerPrograms::PeerPrograms(Ranks& ranks, ArrayStore& store, Outbox& outbox, int threads, Say say)
+    : ranks_(ranks), store_(store), outbox_(outbox), threads_(threads), say_(std::move(say)) {}
+
+PeerPrograms::~PeerPrograms() {
+  while (!locals_.empty()) remove(locals_.begin()->first);
+}
+
+uint64_t PeerPrograms::add(const Hash128& program, int rank, int ranks) {
+  if (ranks < 2 || ranks > kMostRanks || rank < 0 || rank >= ranks)
+    throw Malformed("it is no rank of a program");
+  Local& local = locals_[++last_];
+  local.program = program, local.rank = rank, local.ranks = ranks;
+  const auto send = [this, program](int peer, std::vector<std::byte> message) {
+    if (const std::optional<int> worker = directory_.workerOf(program, peer))
+      outbox_.push(*worker, std::move(message));
+  };
+  local.exchange = std::make_unique<PeerExchange>(program, rank, ranks, send, say_);
+  local.thread = std::make_unique<TracingThread>(store_, outbox_, threads_, local.exchange.get());
+  tellAll(local, true);
+  return last_;
+}
+
+void PeerPrograms::remove(uint64_t number) {
+  const auto found = locals_.find(number);
+  if (found == locals_.end()) return;
+  Local& local = found->second;
+  tellAll(local, false);
+  if (local.tiles) local.tiles->close();
+  local.exchange->close();
+  store_.wake();
+  local.thread.reset();
+  locals_.erase(found);
+}
+
+void PeerPrograms::tellAll(const Local& local, bool here) {
+  const PeerAddress address{local.program, local.rank, local.rank};
+  for (int rank = 0; rank < ranks_.size(); ++rank)
+    ranks_.send(rank, here ? forRanks(PeerJoins{address}) : forRanks(PeerLeaves{address}));
+}
+
+void PeerPrograms::trace(uint64_t number, TraceOrder order, const glm::ivec4& viewport, double now) {
+  Local& local = locals_.at(number);
+  local.picture = order.id;
+  local.tiles = std::make_shared<TileQueue>(ranks_.rank(), order.id, outbox_);
+  local.exchange->announce(order.meetsPeers ? std::optional(viewport) : std::nullopt, now);
+  local.thread->add({ranks_.rank(), std::move(order), local.tiles});
+}
+
+void PeerPrograms::end(uint64_t number, uint64_t picture) {
+  const auto found = locals_.find(number);
+  if (found == locals_.end() || found->second.picture != picture) return;
+  Local& local = found->second;
+  local.picture = 0;
+  std::exchange(local.tiles, nullptr)->close();
+  local.exchange->cancel();
+  store_.wake();
+}
+
+PeerPrograms::Local* PeerPrograms::find(const PeerAddress& address) {
+  for (auto& [number, local] : locals_) {
+    if (local.program != address.program || local.rank != address.to) continue;
+    if (address.from < 0 || address.from >= local.ranks || address.from == local.rank)
+      throw Malformed("the program has no such rank");
+    return &local;
+  }
+  return nullptr;
+}
+
+void PeerPrograms::joins(int from, const PeerAddress& address) {
+  if (address.from < 0 || address.from >= kMostRanks) throw Malformed("the program has no such rank");
+  if (!directory_.add(address.program, address.from, from)) return;
+  for (auto& [number, local] : locals_) {
+    if (local.program != address.program || local.rank == address.from) continue;
+    if (address.from >= local.ranks) throw Malformed("the program has no such rank");
+    local.exchange->joins(address.from);
+    // It may have come after this one had told all.
+    if (from != ranks_.rank())
+      ranks_.send(from, forRanks(PeerJoins{{local.program, local.rank, local.rank}}));
+  }
+}
+
+void PeerPrograms::leaves(int from, const PeerAddress& address) {
+  if (directory_.workerOf(address.program, address.from) != from) return;
+  directory_.remove(address.program, address.from);
+  for (auto& [number, local] : locals_)
+    if (local.program == address.program && local.rank != address.from && address.from < local.ranks)
+      local.exchange->leaves(address.from);
+}
+
+bool PeerPrograms::take(int from, uint16_t type, std::span<const std::byte> body, double now) {
+  const auto give = [&]<class M>(M message, const auto&... more) {
+    message = decoded<M>(body);
+    if (Local* const local = find(message.address)) local->exchange->take(std::move(message), more...);
+    return true;
+  };
+  switch (type) {
+    case PeerJoins::kType: return joins(from, decoded<PeerJoins>(body).address), true;
+    case PeerLeaves::kType: return leaves(from, decoded<PeerLeaves>(body).address), true;
+    case SceneComes::kType: return give(SceneComes{}, now);
+    case SceneHeld::kType: return give(SceneHeld{});
+    case OcclusionQueries::kType: return give(OcclusionQueries{});
+    case OcclusionReplies::kType: return give(OcclusionReplies{}, now);
+    case DoneAsking::kType: return give(DoneAsking{});
+    case StillHere::kType: return give(StillHere{}, now);
+    default: return false;
+  }
+}
+
+void PeerPrograms::tick(double now) {
+  for (auto& [number, local] : locals_) local.exchange->tick(now);
+}
+
+bool PeerPrograms::isBusy() const {
+  for (const auto& [number, local] : locals_)
+    if (local.picture != 0) return true;
+  return false;
+}
+
+}  // namespace gluray::dist
