@@ -49,12 +49,12 @@ void Meetings::holds(const SceneHeld& scene) {
 void Meetings::begin(const SceneHeld& own, double now) {
   own_ = own;
   began_ = now;
-  for (Peer& peer : peers_) peer.failed = false;
+  for (auto& [rank, peer] : peers_) peer.failed = false;
 }
 
 bool Meetings::holdsTheSame(int rank) const {
-  const Peer& peer = peers_[static_cast<size_t>(rank)];
-  return peer.scene && showsView(*peer.scene) && isNow(peer);
+  const auto peer = peers_.find(rank);
+  return peer != peers_.end() && peer->second.scene && showsView(*peer->second.scene) && isNow(peer->second);
 }
 
 Meetings::State Meetings::stateOf(int rank, double now) {

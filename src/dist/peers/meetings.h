@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 namespace gluray::dist {
@@ -15,7 +16,7 @@ class Meetings {
   /// Seconds until a rank goes on without a peer.
   static constexpr double kPatience = 1;
 
-  Meetings(int self, int ranks) : self_(self), peers_(static_cast<size_t>(ranks)) {}
+  Meetings(int self, int ranks) : self_(self), ranks_(ranks) {}
 
   void joins(int rank) { at(rank) = {}; }
   void leaves(int rank);
@@ -41,13 +42,13 @@ class Meetings {
   /// Whether some peer is awaited.
   bool awaits(double now);
   /// Of a peer that is here.
-  const SceneHeld& sceneOf(int rank) const { return *peers_[static_cast<size_t>(rank)].scene; }
+  const SceneHeld& sceneOf(int rank) const { return *peers_.at(rank).scene; }
   /// From the peer's eye space to the rank's own.
   glm::dmat4 eyeFromPeer(int rank) const;
   /// Peers that have become late since the last call.
   std::vector<int> newlyLate();
   int self() const { return self_; }
-  int ranks() const { return static_cast<int>(peers_.size()); }
+  int ranks() const { return ranks_; }
 
  private:
   struct Peer {
@@ -59,13 +60,13 @@ class Meetings {
     bool metBefore = false;  // so that `ahead` is known
     bool late = false, failed = false, told = false;
   };
-  Peer& at(int rank) { return peers_[static_cast<size_t>(rank)]; }
+  Peer& at(int rank) { return peers_[rank]; }
   bool showsView(const SceneHeld& scene) const;
   bool isNow(const Peer& peer) const;
   bool comesHere(const Peer& peer) const { return own_ && peer.coming == own_->viewport; }
 
-  const int self_;
-  std::vector<Peer> peers_;
+  const int self_, ranks_;
+  std::unordered_map<int, Peer> peers_;
   std::optional<SceneHeld> own_;
   double began_ = 0;
   uint64_t arrivals_ = 0, ended_ = 0;

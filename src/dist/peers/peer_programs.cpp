@@ -5,7 +5,7 @@
 namespace gluray::dist {
 namespace {
 
-constexpr int kMostRanks = 1 << 20;
+constexpr int kMostRanks = 1 << 16;  // of a program
 
 }  // namespace
 

@@ -105,18 +105,19 @@ void Head::greet(ProgramSide& program, const Hello& hello) {
 
 void Head::takeArray(ProgramSide& program, const ArrayComes& array, const control::Descriptor& memory) {
   if (program.arrays.contains(array.name)) return;
-  Holders& holders = holders_[array.name];
-  if (++holders.programs == 1) {
+  if (!holders_.contains(array.name)) {
     const Array content = mapSealed(memory, array.bytes);
     // Other programs may use it by this name.
     if (hashBytes(content.bytes.data(), content.bytes.size()) != array.name)
       throw Malformed("an array is not what its name says");
     store_.put(ranks_.rank(), array.name, content);
   }
+  Holders& holders = holders_[array.name];
+  ++holders.programs;
   // Ranks of sort-last programs keep what is theirs.
   if (ranks_.size() > 1 && !program.peer && !holders.everywhere) {
     holders.everywhere = true;
-    ranks_.send(kCoordinator, forRanks(TurnWanted{array.name, array.bytes}));
+    ranks_.send(kCoordinator, forRanks(TurnWanted{array.name, store_.find(array.name).bytes.size()}));
   }
   program.arrays.insert(array.name);
   program.newArrays.push_back(array.name);

@@ -220,20 +220,21 @@ Line strangerTo(const std::string& directory) {
 }
 
 /// What a program says when it asks for a picture.
-std::vector<Message> conversation(const scene::Snapshot& snapshot) {
+std::vector<Message> conversation(const scene::Snapshot& snapshot, bool isRank) {
   std::vector<Message> all;
   const auto add = [&]<class M>(const M& message) {
     all.push_back({M::kType, encoded(message), Descriptor()});
   };
   SnapshotEncoder encoder;
   const EncodedSnapshot sent = encoder.encode(snapshot);
-  add(Hello{version(), "stranger", 1});
+  add(isRank ? Hello{version(), "stranger", 1, "mpi", 1, 3} : Hello{version(), "stranger", 1});
   for (const ArraySource& source : sent.arrays) {
     add(ArrayComes{source.name, source.bytes()});
     all.back().attached = sealedMemory(source.bytes(), [&](std::byte* to) { source.copyTo(to); });
   }
   TraceRequest request;
   request.id = 1, request.width = snapshot.region.width, request.height = snapshot.region.height;
+  request.meetsPeers = isRank;
   request.snapshot = sent.message;
   add(request);
   add(Cancel{1});
@@ -249,7 +250,7 @@ TEST_F(WorkerFaults, WhateverAProgramSaysOthersGetTheirPictures) {
   Program program(directory_);
   for (int round = 0; round < 300; ++round) {
     Line line = strangerTo(directory_);
-    std::vector<Message> said = conversation(s);
+    std::vector<Message> said = conversation(s, round % 3 == 0);
     const size_t wrong = random() % said.size();
     for (size_t i = 0; i < said.size(); ++i) {
       Message& message = said[i];
