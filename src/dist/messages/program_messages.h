@@ -26,6 +26,12 @@ struct ArraysGo {
   static constexpr uint16_t kType = 3;
   std::vector<Hash128> names;
 };
+/// A view of a frame, as the ranks of a program name it.
+struct ViewName {
+  uint64_t frame = 0;      // Snapshot::frame
+  glm::ivec4 viewport{0};  // Snapshot::camera's
+  bool operator==(const ViewName&) const = default;
+};
 struct TraceRequest {
   static constexpr uint16_t kType = 4;
   uint64_t id = 0;    // rises
@@ -34,7 +40,7 @@ struct TraceRequest {
   bool shared = true;       // whether ranks may share it tile by tile
   bool layered = false;     // Snapshot::layers is there
   bool meetsPeers = false;  // light that falls on it may be blocked by surfaces of the program's other ranks
-  glm::ivec4 viewport{0};   // Snapshot::camera's
+  ViewName shown;           // of such light
   uint32_t missColor = 0;   // Image::missColor
   std::vector<uint8_t> wanted;  // LightSampling::tiles; empty: all
   std::vector<std::byte> snapshot;
@@ -84,9 +90,13 @@ void fields(auto& archive, Like<ArraysGo> auto& value) {
   auto& [names] = value;
   archive(names);
 }
+void fields(auto& archive, Like<ViewName> auto& value) {
+  auto& [frame, viewport] = value;
+  archive(frame, viewport);
+}
 void fields(auto& archive, Like<TraceRequest> auto& value) {
-  auto& [id, view, width, height, shared, layered, meetsPeers, viewport, missColor, wanted, snapshot] = value;
-  archive(id, view, width, height, shared, layered, meetsPeers, viewport, missColor, wanted, snapshot);
+  auto& [id, view, width, height, shared, layered, meetsPeers, shown, missColor, wanted, snapshot] = value;
+  archive(id, view, width, height, shared, layered, meetsPeers, shown, missColor, wanted, snapshot);
 }
 void fields(auto& archive, Like<Cancel> auto& value) {
   auto& [id] = value;

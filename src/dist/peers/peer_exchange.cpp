@@ -13,6 +13,7 @@ namespace gluray::dist {
 namespace {
 
 constexpr double kSayEvery = 0.2;  // seconds
+constexpr int kMostRefusals = 3;   // of a picture
 constexpr auto kLook = std::chrono::milliseconds(20);
 
 thread_local TileRecord* record = nullptr;  // of the tile that this thread traces
@@ -27,7 +28,10 @@ PeerExchange::PeerExchange(Hash128 program, int self, int ranks, Send send, Say 
       send_(std::move(send)),
       say_(std::move(say)),
       meetings_(self, ranks),
-      asking_(static_cast<size_t>(ranks)) {}
+      asking_(static_cast<size_t>(ranks)),
+      heard_(static_cast<size_t>(ranks)) {
+  scene_.address = {program, self, self};
+}
 
 template <class M>
 void PeerExchange::sendTo(int peer, M message) const {
@@ -50,7 +54,7 @@ void PeerExchange::joins(int rank) {
 
 void PeerExchange::leaves(int rank) {
   const std::lock_guard lock(mutex_);
-  if (nearOf(rank) < near_.size()) drop(rank, "is gone");
+  if (nearOf(rank) < near_.size() && !ledger_.isDone()) drop(rank, "is gone");
   meetings_.leaves(rank);
   asking_[static_cast<size_t>(rank)] = false;
   changed_.notify_all();
@@ -62,16 +66,19 @@ void PeerExchange::take(const SceneComes& coming, double now) {
   changed_.notify_all();
 }
 
-void PeerExchange::take(const SceneHeld& scene) {
+void PeerExchange::take(const SceneHeld& scene, double now) {
   const std::lock_guard lock(mutex_);
   meetings_.holds(scene);
   asking_[static_cast<size_t>(scene.address.from)] = true;
+  heard_[static_cast<size_t>(scene.address.from)] = now;
   changed_.notify_all();
 }
 
-void PeerExchange::take(OcclusionQueries queries) {
+void PeerExchange::take(OcclusionQueries queries, double now) {
   const std::lock_guard lock(mutex_);
-  if (!held_ || queries.round != round_)
+  heard_[static_cast<size_t>(queries.address.from)] = now;
+  // Between two pictures of one view they wait for the second.
+  if (queries.round != scene_.round || (!held_ && !coming_))
     return sendTo(queries.address.from, OcclusionReplies{{}, queries.id, true, {}});
   queries_.push_back(std::move(queries));
   changed_.notify_all();
@@ -82,31 +89,36 @@ void PeerExchange::take(const OcclusionReplies& replies, double now) {
   const int rank = replies.address.from;
   const size_t near = nearOf(rank);
   if (replies.id >> 32 != attempt_ || near == near_.size() || ends()) return;  // of an earlier picture
-  if (replies.refused) return drop(rank, "has gone on to its next picture");
+  if (replies.refused) {
+    // It has another scene by now: of this view again, or of its next picture.
+    if (++refusals_ > kMostRefusals) return drop(rank, "has gone on to its next picture");
+    again_ = true;
+    return changed_.notify_all();
+  }
   try {
     ledger_.answer(static_cast<int>(replies.id & 0xFFFF'FFFF), static_cast<int>(near), replies.answers);
-    asked_[near].heard = now;
-    --asked_[near].waiting;
+    heard_[static_cast<size_t>(rank)] = now;
+    --waiting_[near];
     changed_.notify_all();
   } catch (const Malformed& error) { drop(rank, error.what()); }
 }
 
-void PeerExchange::take(const DoneAsking& done) {
+void PeerExchange::take(const DoneAsking& done, double now) {
   const std::lock_guard lock(mutex_);
+  heard_[static_cast<size_t>(done.address.from)] = now;
   asking_[static_cast<size_t>(done.address.from)] = false;
   changed_.notify_all();
 }
 
 void PeerExchange::take(const StillHere& here, double now) {
   const std::lock_guard lock(mutex_);
-  if (const size_t near = nearOf(here.address.from); near < near_.size()) asked_[near].heard = now;
+  heard_[static_cast<size_t>(here.address.from)] = now;
 }
 
-void PeerExchange::announce(std::optional<glm::ivec4> viewport, double now) {
+void PeerExchange::announce(const std::optional<ViewName>& shown) {
   const std::lock_guard lock(mutex_);
   ++announced_;
-  wantedAt_ = now;
-  coming_ = viewport;
+  coming_ = shown;
   saidComing_ = 0;  // at the next tick
   changed_.notify_all();
 }
@@ -115,16 +127,19 @@ void PeerExchange::tick(double now) {
   const std::lock_guard lock(mutex_);
   if (coming_ && now - saidComing_ > kSayEvery) {
     saidComing_ = now;
-    sendToAll(SceneComes{{}, *coming_});
+    sendToAll(SceneComes{{}, coming_->viewport});
   }
   if (held_ && now - saidHere_ > kSayEvery) {
     saidHere_ = now;
-    for (size_t rank = 0; rank < asking_.size(); ++rank)
-      if (asking_[rank]) sendTo(static_cast<int>(rank), StillHere{});
+    for (int rank = 0; rank < meetings_.ranks(); ++rank)
+      if (asking_[static_cast<size_t>(rank)] || nearOf(rank) < near_.size()) sendTo(rank, StillHere{});
   }
   for (size_t i = 0; i < near_.size() && !ends(); ++i)
-    if (asked_[i].waiting > 0 && now - asked_[i].heard > Meetings::kPatience)
-      drop(near_[i].rank(), "does not answer");
+    if (waiting_[i] > 0 && isSilent(near_[i].rank(), now)) drop(near_[i].rank(), "does not answer");
+}
+
+bool PeerExchange::isSilent(int rank, double now) const {
+  return now - heard_[static_cast<size_t>(rank)] > Meetings::kPatience;
 }
 
 void PeerExchange::cancel() {
@@ -147,12 +162,19 @@ void PeerExchange::drop(int rank, const std::string& why) {
   changed_.notify_all();
 }
 
-void PeerExchange::start(bool averages, std::function<void()> traced) {
+void PeerExchange::start(bool averages, bool meets, std::function<void()> traced) {
   const std::lock_guard lock(mutex_);
   ++started_;
   averages_ = averages;
   traced_ = std::move(traced);
-  ++round_;
+  refusals_ = 0;
+  if (!meets) refuseAll();
+}
+
+void PeerExchange::refuseAll() {
+  ++scene_.round;
+  for (const OcclusionQueries& queries : std::exchange(queries_, {}))
+    sendTo(queries.address.from, OcclusionReplies{{}, queries.id, true, {}});
 }
 
 void PeerExchange::finish() noexcept {
@@ -160,12 +182,10 @@ void PeerExchange::finish() noexcept {
     const std::lock_guard lock(mutex_);
     if (held_) sendToAll(DoneAsking{});
     held_ = false;
-    coming_.reset();
     again_ = false;
-    near_.clear(), asked_.clear();
+    near_.clear();
     answers_.reset();
-    for (const OcclusionQueries& queries : std::exchange(queries_, {}))
-      sendTo(queries.address.from, OcclusionReplies{{}, queries.id, true, {}});
+    if (announced_ == started_) coming_.reset(), refuseAll();
     meetings_.end();
   } catch (const std::exception&) {}  // no memory: peers go on without an answer
 }
@@ -185,30 +205,41 @@ void PeerExchange::begin(const render::FrameData& frame) {
 }
 
 void PeerExchange::meet(const scene::Snapshot& snapshot, const accel::Bounds& bounds) {
+  SceneHeld scene;
+  scene.address = {program_, self_, self_};
+  scene.frame = snapshot.frame, scene.viewport = snapshot.camera.viewport;
+  scene.clipFromEye = snapshot.camera.clipFromEye, scene.eyeFromWorld = snapshot.eyeFromWorld;
+  if (snapshot.surroundings) scene.viewFromWorld = snapshot.surroundings->viewFromWorld;
+  scene.lower = bounds.lower, scene.upper = bounds.upper;
+
   Lock lock(mutex_);
   snapshot_ = &snapshot;
   answers_.reset();
   again_ = false;
-  coming_.reset();
-  held_ = true;
-  scene_ = {{program_, self_, self_}, round_, snapshot.frame};
-  scene_.viewport = snapshot.camera.viewport;
-  scene_.clipFromEye = snapshot.camera.clipFromEye, scene_.eyeFromWorld = snapshot.eyeFromWorld;
-  if (snapshot.surroundings) scene_.viewFromWorld = snapshot.surroundings->viewFromWorld;
-  scene_.lower = bounds.lower, scene_.upper = bounds.upper;
-  meetings_.begin(scene_, nowSeconds());
-  sendToAll(scene_);
+  setScene(scene);
   while (!isCancelled() && !closed_ && meetings_.awaits(nowSeconds())) changed_.wait_for(lock, kLook);
   for (const int rank : meetings_.newlyLate())
     say_(nameOf(rank) + " draws nothing here: light and shadow come from the others");
-  addNear(nowSeconds());
+  addNear();
 }
 
-void PeerExchange::addNear(double now) {
+/// Queries that peers have sent stay if this is the scene that they ask about.
+void PeerExchange::setScene(SceneHeld scene) {
+  scene.round = scene_.round;
+  if (encoded(scene) != encoded(scene_)) refuseAll();
+  scene.round = scene_.round;
+  scene_ = scene;
+  held_ = true;
+  if (announced_ == started_) coming_.reset();
+  meetings_.begin(scene_, nowSeconds());
+  sendToAll(scene_);
+}
+
+void PeerExchange::addNear() {
   near_.clear();
   bounds_ = {scene_.lower, scene_.upper};
   for (int rank = 0; rank < meetings_.ranks(); ++rank) {
-    if (meetings_.stateOf(rank, now) != Meetings::State::here) continue;
+    if (meetings_.stateOf(rank, nowSeconds()) != Meetings::State::here) continue;
     const SceneHeld& scene = meetings_.sceneOf(rank);
     if (accel::Bounds{scene.lower, scene.upper}.empty()) continue;
     const NearPeer& peer = near_.emplace_back(scene_, scene, meetings_.eyeFromPeer(rank));
@@ -216,7 +247,7 @@ void PeerExchange::addNear(double now) {
     bounds_.lower = glm::min(bounds_.lower, peer.bounds().lower);
     bounds_.upper = glm::max(bounds_.upper, peer.bounds().upper);
   }
-  asked_.assign(near_.size(), {now, 0});
+  waiting_.assign(near_.size(), 0);
 }
 
 void PeerExchange::begin(const Image& image) noexcept {
@@ -269,7 +300,7 @@ void PeerExchange::sendQueries(int tile, TileRecord& traced, double now) {
   for (size_t i = 0; i < near_.size(); ++i) {
     if (traced.raysFor(static_cast<int>(i)) == 0) continue;
     ++answers;
-    if (asked_[i].waiting++ == 0) asked_[i].heard = now;
+    if (waiting_[i]++ == 0) heard_[static_cast<size_t>(near_[i].rank())] = now;
     const uint64_t id = attempt_ << 32 | static_cast<uint32_t>(tile);
     sendTo(near_[i].rank(),
            OcclusionQueries{{}, near_[i].round(), id, traced.queriesFor(static_cast<int>(i))});
@@ -330,9 +361,10 @@ void PeerExchange::answerAll(std::deque<OcclusionQueries> queries) const {
   });
 }
 
-bool PeerExchange::isAsked() const {
+bool PeerExchange::isAsked(double now) const {
   for (int rank = 0; rank < meetings_.ranks(); ++rank)
-    if (asking_[static_cast<size_t>(rank)] && meetings_.holdsTheSame(rank)) return true;
+    if (asking_[static_cast<size_t>(rank)] && meetings_.holdsTheSame(rank) && !isSilent(rank, now))
+      return true;
   return false;
 }
 
@@ -358,7 +390,8 @@ void PeerExchange::serve(Lock& lock) {
       answerAll(std::move(queries));
       lock.lock();
     } else if (announced_ > started_) {
-      if (!isAsked() || nowSeconds() - wantedAt_ > Meetings::kPatience) return;
+      const bool sameView = coming_ == ViewName{scene_.frame, scene_.viewport};
+      if (sameView || !isAsked(nowSeconds())) return;
       changed_.wait_for(lock, kLook);
     } else {
       changed_.wait(lock);

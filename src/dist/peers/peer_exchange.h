@@ -4,6 +4,7 @@
 // renderer.
 #pragma once
 #include "dist/messages/peer_messages.h"
+#include "dist/messages/program_messages.h"
 #include "dist/peers/meetings.h"
 #include "dist/peers/near_peer.h"
 #include "dist/peers/tile_ledger.h"
@@ -35,14 +36,14 @@ class PeerExchange final : public render::TileSource, public render::RemoteSurfa
   void joins(int rank);
   void leaves(int rank);
   void take(const SceneComes& coming, double now);
-  void take(const SceneHeld& scene);
-  void take(OcclusionQueries queries);
+  void take(const SceneHeld& scene, double now);
+  void take(OcclusionQueries queries, double now);
   void take(const OcclusionReplies& replies, double now);
-  void take(const DoneAsking& done);
+  void take(const DoneAsking& done, double now);
   void take(const StillHere& here, double now);
-  /// The program wants a picture: what is held ends as soon as peers have their answers. `viewport`: of the
-  /// picture, if light of peers falls on it.
-  void announce(std::optional<glm::ivec4> viewport, double now);
+  /// The program wants a picture: what is held ends as soon as peers have their answers, or at once if it is
+  /// of the same view. `shown`: that view, if surfaces of peers may block its light.
+  void announce(const std::optional<ViewName>& shown);
   /// Says to peers that work goes on. Call ten times a second or more.
   void tick(double now);
   /// The program does not want its picture any more.
@@ -51,8 +52,9 @@ class PeerExchange final : public render::TileSource, public render::RemoteSurfa
   void close();
 
   // The tracing thread.
-  /// What announce() announced begins. `traced` is called when the picture is whole.
-  void start(bool averages, std::function<void()> traced);
+  /// What announce() announced begins. `traced` is called when the picture is whole. `meets`: surfaces of
+  /// peers may block its light.
+  void start(bool averages, bool meets, std::function<void()> traced);
   /// Whether the picture must be traced anew: without a peer that is gone, or without averages.
   bool again() const { return again_; }
   bool averages() const { return averages_; }
@@ -73,25 +75,22 @@ class PeerExchange final : public render::TileSource, public render::RemoteSurfa
 
  private:
   using Lock = std::unique_lock<std::mutex>;
-  /// What is known of one of near_.
-  struct Asked {
-    double heard = 0;
-    size_t waiting = 0;  // tiles that wait for its answers
-  };
-
   template <class M>
   void sendTo(int peer, M message) const;
   template <class M>
   void sendToAll(const M& message) const;
   void meet(const scene::Snapshot& snapshot, const accel::Bounds& bounds);
-  void addNear(double now);
+  void addNear();
+  void setScene(SceneHeld scene);
+  void refuseAll();
+  bool isSilent(int rank, double now) const;
   size_t nearOf(int rank) const;  // near_.size(): none
   void sendQueries(int tile, TileRecord& record, double now);
   void answer(const OcclusionQueries& queries) const noexcept;
   void answerAll(std::deque<OcclusionQueries> queries) const;
   void serve(Lock& lock);
   void drop(int rank, const std::string& why);
-  bool isAsked() const;
+  bool isAsked(double now) const;
   bool isCancelled() const { return started_ <= cancelled_; }
   bool ends() const { return isCancelled() || closed_ || again_; }
 
@@ -103,14 +102,13 @@ class PeerExchange final : public render::TileSource, public render::RemoteSurfa
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   Meetings meetings_;
-  std::vector<bool> asking_;  // peers that may ask about the scene held
+  std::vector<bool> asking_;   // peers that may ask about the scene held
+  std::vector<double> heard_;  // when each peer said something
   std::deque<OcclusionQueries> queries_;
-  uint64_t round_ = 0;                                  // rises with each scene
-  SceneHeld scene_;                                     // of this round
+  SceneHeld scene_;                                     // the last one; its round rises with each
   bool held_ = false;                                   // it is there, or comes
   size_t announced_ = 0, started_ = 0, cancelled_ = 0;  // counts of pictures
-  double wantedAt_ = 0;
-  std::optional<glm::ivec4> coming_;  // the view whose scene is built
+  std::optional<ViewName> coming_;                      // whose scene is built
   double saidComing_ = 0, saidHere_ = 0;
   bool closed_ = false;
 
@@ -121,8 +119,9 @@ class PeerExchange final : public render::TileSource, public render::RemoteSurfa
   std::optional<render::OcclusionAnswers> answers_;
   std::vector<NearPeer> near_;
   accel::Bounds bounds_;
-  std::vector<Asked> asked_;  // beside near_
+  std::vector<size_t> waiting_;  // beside near_: tiles that wait for answers
   uint64_t attempt_ = 0;
+  int refusals_ = 0;
   TileLedger ledger_;
 };
 

@@ -49,11 +49,11 @@ void PeerPrograms::tellAll(const Local& local, bool here) {
     ranks_.send(rank, here ? forRanks(PeerJoins{address}) : forRanks(PeerLeaves{address}));
 }
 
-void PeerPrograms::trace(uint64_t number, TraceOrder order, const glm::ivec4& viewport, double now) {
+void PeerPrograms::trace(uint64_t number, TraceOrder order, const ViewName& shown) {
   Local& local = locals_.at(number);
   local.picture = order.id;
   local.tiles = std::make_shared<TileQueue>(ranks_.rank(), order.id, outbox_);
-  local.exchange->announce(order.meetsPeers ? std::optional(viewport) : std::nullopt, now);
+  local.exchange->announce(order.meetsPeers ? std::optional(shown) : std::nullopt);
   local.thread->add({ranks_.rank(), std::move(order), local.tiles});
 }
 
@@ -108,10 +108,10 @@ bool PeerPrograms::take(int from, uint16_t type, std::span<const std::byte> body
     case PeerJoins::kType: return joins(from, decoded<PeerJoins>(body).address), true;
     case PeerLeaves::kType: return leaves(from, decoded<PeerLeaves>(body).address), true;
     case SceneComes::kType: return give(SceneComes{}, now);
-    case SceneHeld::kType: return give(SceneHeld{});
-    case OcclusionQueries::kType: return give(OcclusionQueries{});
+    case SceneHeld::kType: return give(SceneHeld{}, now);
+    case OcclusionQueries::kType: return give(OcclusionQueries{}, now);
     case OcclusionReplies::kType: return give(OcclusionReplies{}, now);
-    case DoneAsking::kType: return give(DoneAsking{});
+    case DoneAsking::kType: return give(DoneAsking{}, now);
     case StillHere::kType: return give(StillHere{}, now);
     default: return false;
   }

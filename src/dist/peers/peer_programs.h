@@ -2,6 +2,7 @@
 // pictures and an exchange with its peers. The worker's main thread.
 #pragma once
 #include "dist/messages/peer_messages.h"
+#include "dist/messages/program_messages.h"
 #include "dist/messages/rank_messages.h"
 #include "dist/peers/peer_directory.h"
 #include "dist/peers/peer_exchange.h"
@@ -30,7 +31,7 @@ class PeerPrograms {
   /// Rank `rank` of `ranks` of the program that `program` names. Returns its number.
   uint64_t add(const Hash128& program, int rank, int ranks);
   void remove(uint64_t number);
-  void trace(uint64_t number, TraceOrder order, const glm::ivec4& viewport, double now);
+  void trace(uint64_t number, TraceOrder order, const ViewName& shown);
   /// Nothing more of the picture is to be traced.
   void end(uint64_t number, uint64_t picture);
   /// A message of rank `from` of the job. False: it is none for this. Throws Malformed.

@@ -154,7 +154,7 @@ bool WorkerLink::ask(const scene::Snapshot& snapshot, uint32_t missColor) {
   request.width = snapshot.region.width, request.height = snapshot.region.height;
   request.shared = isShared(snapshot), request.layered = snapshot.layers != nullptr;
   request.meetsPeers = place_.ranks > 1 && fallsOnSurfaces(snapshot);
-  request.viewport = snapshot.camera.viewport;
+  request.shown = {snapshot.frame, snapshot.camera.viewport};
   request.missColor = missColor;
   if (snapshot.lightSampling.tiles) request.wanted = *snapshot.lightSampling.tiles;
   request.snapshot = std::move(encoded.message);

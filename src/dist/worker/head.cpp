@@ -147,7 +147,7 @@ void Head::start(ProgramSide& program, bool averages, double now) {
                          request.missColor, program.newArrays, request.snapshot};
   program.newArrays.clear();
   program.saidAtWork = now;
-  if (program.peer) return peers_.trace(program.peer, order, request.viewport, now);
+  if (program.peer) return peers_.trace(program.peer, order, request.shown);
   for (int rank = 0; rank < ranks_.size(); ++rank) {
     if (!picture.takesPart(rank)) continue;
     ranks_.send(rank, forRanks(order));

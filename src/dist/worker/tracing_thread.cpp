@@ -57,7 +57,7 @@ void TracingThread::trace(const Task& task) {
     task.tiles->doneAll(image_, nowSeconds() - start);
     send(task, result);
   };
-  if (peers_) peers_->start(task.order.averages, whole);
+  if (peers_) peers_->start(task.order.averages, task.order.meetsPeers, whole);
   try {
     if (!store_.waitFor(task.order.needs, [&] { return task.tiles->isClosed(); })) return;
     const std::shared_ptr<scene::Snapshot> snapshot = decoder_.decode(task.order.snapshot);
