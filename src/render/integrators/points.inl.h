@@ -106,7 +106,7 @@ HWY_ATTR inline void pointsOfTriangles(const Metric& metric, const ColoredHits& 
     if (smooth) {
       Float3 corners[3];
       for (int k = 0; k < 3; ++k)
-        corners[k] = direction(transform(s.eyeFromObjectNormal, load3(normal[k], i)), flat);
+        corners[k] = direction(transform(s.eyeFromVertexNormal, load3(normal[k], i)), flat);
       shading = facing(direction(weights(corners[0], corners[1], corners[2]), flat), flat);
       lift = towardsSmooth(s, group, weights, object, corners, flat, i);
     }

@@ -1,5 +1,6 @@
 #include "render/lights/lighting_space.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gluray::render {
@@ -25,6 +26,23 @@ bool agree(const glm::dmat3& points, const glm::dmat3& normals) {
   for (int c = 0; c < 3; ++c)
     if (!(glm::length(a[c] - b[c]) <= kRounded * glm::length(a[c]))) return false;
   return true;
+}
+
+/// What each axis of object space is multiplied by, so that points are turned as normals are: their sizes,
+/// relative to each other; exactly 1 where they are equal up to rounding.
+glm::dvec3 scalesOfAxes(const glm::dmat3& points, const glm::dmat3& normals) {
+  constexpr double kRounded = 1e-4;
+  const glm::dmat3 turned = glm::transpose(glm::inverse(normals));
+  glm::dvec3 scales(1);
+  for (int c = 0; c < 3; ++c) scales[c] = glm::length(turned[c]) / glm::length(points[c]);
+  scales /= std::cbrt(scales.x * scales.y * scales.z);
+  const glm::dvec3 off = glm::abs(scales - 1.0);
+  const double most = std::max(off.x, std::max(off.y, off.z));
+  return most > kRounded && std::isfinite(most) ? scales : glm::dvec3(1);
+}
+
+glm::dmat3 scaledAxes(const glm::dmat3& m, const glm::dvec3& scales) {
+  return {m[0] * scales.x, m[1] * scales.y, m[2] * scales.z};
 }
 
 /// A point from which everything is seen as the viewer sees it, object space: not so far away that floats
@@ -57,8 +75,10 @@ glm::dmat4 lightingFromObject(const scene::Instance& instance, const scene::Shad
   const glm::dmat4 given(instance.lightingFromObject);
   if (!usesNormalMatrix(instance, shading)) return given;
   const glm::dmat3 normals(instance.normalMatrix);
-  if (agree(glm::dmat3(given), normals)) return given;
-  glm::dmat4 found(glm::transpose(glm::inverse(normals)));
+  if (given != glm::dmat4(1)) return given;
+  const glm::dvec3 scales = scalesOfAxes(glm::dmat3(instance.eyeFromObject), normals);
+  if (scales == glm::dvec3(1) && agree(glm::dmat3(given), normals)) return given;
+  glm::dmat4 found(scaledAxes(glm::transpose(glm::inverse(normals)), 1.0 / scales));
   found[3] = glm::dvec4(-(glm::dmat3(found) * viewpoint(instance, away)), 1);
   return isFinite(found) ? found : given;
 }
@@ -69,6 +89,16 @@ glm::dmat4 eyeFromLighting(const scene::Instance& instance, const scene::Shading
   const glm::dmat4 lighting = lightingFromObject(instance, shading, away);
   if (isNearly(instance.eyeFromObject, lighting, 0)) return glm::dmat4(1);
   return instance.eyeFromObject * glm::inverse(lighting);
+}
+
+std::optional<glm::dmat3> eyeFromVertexNormal(const scene::Instance& instance,
+                                              const scene::Shading& shading) {
+  if (shading.fragment.model == FragmentShading::Model::off || !usesNormalMatrix(instance, shading))
+    return std::nullopt;
+  const glm::dmat3 points(instance.eyeFromObject);
+  const glm::dvec3 scales = scalesOfAxes(points, glm::dmat3(instance.normalMatrix));
+  if (scales == glm::dvec3(1)) return std::nullopt;
+  return glm::transpose(glm::inverse(scaledAxes(points, scales)));
 }
 
 bool isNearly(const glm::dmat4& a, const glm::dmat4& b, double reach) {

@@ -4,6 +4,8 @@
 
 #include <glm/glm.hpp>
 
+#include <optional>
+
 namespace gluray::render {
 
 /// Where the viewer is in eye space: at the point away.xyz / away.w, or, with w = 0, infinitely far away
@@ -18,6 +20,11 @@ glm::dmat4 lightingFromObject(const scene::Instance&, const scene::Shading&, con
 /// Maps it to eye space; exactly the identity where they are the same up to the rounding of float matrices,
 /// as in fixed function.
 glm::dmat4 eyeFromLighting(const scene::Instance&, const scene::Shading&, const Viewer&);
+
+/// Turns the normals of the mesh's vertices to eye space, up to their length. Toolkits such as VTK scale the
+/// positions of a mesh, each axis by itself, and not its normals. None where it is the inverse transpose of
+/// Instance::eyeFromObject, up to the rounding of float matrices.
+std::optional<glm::dmat3> eyeFromVertexNormal(const scene::Instance&, const scene::Shading&);
 
 /// Whether two such matrices are the same up to that rounding. `reach`: how far from the viewer things are.
 bool isNearly(const glm::dmat4& a, const glm::dmat4& b, double reach);

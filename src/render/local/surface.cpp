@@ -1,5 +1,7 @@
 #include "render/local/surface.h"
 
+#include "render/lights/lighting_space.h"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -47,8 +49,10 @@ ImpostorSpace makeImpostorSpace(const View& view, const Surface& s, const glm::d
   return space;
 }
 
-void prepareNormals(Surface& s, const glm::dmat3& objectFromEye) {
+void prepareNormals(Surface& s, const scene::Shading& shading, const glm::dmat3& objectFromEye) {
   s.eyeFromObjectNormal = glm::mat3(glm::transpose(objectFromEye));
+  const std::optional<glm::dmat3> own = eyeFromVertexNormal(*s.instance, shading);
+  s.eyeFromVertexNormal = own ? glm::mat3(*own) : s.eyeFromObjectNormal;
   const double third = glm::length(glm::dvec3(objectFromEye[0][2], objectFromEye[1][2], objectFromEye[2][2]));
   s.rescale = third > 0 ? static_cast<float>(1.0 / third) : 1.0f;
 }
@@ -100,7 +104,7 @@ Surface makeSurface(const View& view, const scene::Instance& instance, const Lig
   s.depth = makePlaneDepth(view, objectFromClip, instance.eyeFromObject);
   if (s.mesh->shape != scene::Shape::triangles) s.impostors = makeImpostorSpace(view, s, objectFromClip);
   // Modelview matrices are affine: the inverse's upper left 3x3 part is the inverse of the upper left part.
-  prepareNormals(s, glm::dmat3(objectFromEye));
+  prepareNormals(s, *lighting.shading, glm::dmat3(objectFromEye));
   prepareMaterials(s, instance, lighting.shading->colorMaterial);
 
   const bool cullsFront = instance.cull == scene::CullFace::front || instance.cull == scene::CullFace::both;

@@ -34,6 +34,7 @@ struct Surface {
   glm::dmat4 clipFromObject{1};
   glm::mat4 eyeFromObject{1};
   glm::mat3 eyeFromObjectNormal{1};  // inverse transpose of the modelview's upper left 3x3
+  glm::mat3 eyeFromVertexNormal{1};  // for the mesh's normals, as the program turns them
   float rescale = 1;  // GL_RESCALE_NORMAL: 1 / length of the third row of the inverse modelview
   bool cullsCcw = false, cullsCw = false;
   bool ownClipPlanes = false;  // planes that not all instances share: tested at each hit

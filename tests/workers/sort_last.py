@@ -1,0 +1,19 @@
+"""A plane and spheres, which ParaView splits among its ranks: sort_last.py PICTURE.ppm, run by pvbatch."""
+import sys
+
+import paraview.simple as pv
+
+pv._DisableFirstRenderCameraReset()
+view = pv.CreateView("RenderView")
+view.ViewSize = [300, 240]
+view.OrientationAxesVisibility = 0
+view.UseColorPaletteForBackground = 0
+view.Background = [0.2, 0.3, 0.4]
+pv.Show(pv.Plane(Origin=[-3, -3, -0.6], Point1=[3, -3, -0.6], Point2=[-3, 3, -0.6]), view)
+for i in range(4):
+    pv.Show(pv.Sphere(Center=[i - 1.5, 0.3 * (i % 2), 0], Radius=0.5, ThetaResolution=48, PhiResolution=48), view)
+view.CameraPosition = [0, -6, 4]
+view.CameraFocalPoint = [0, 0, 0]
+view.CameraViewUp = [0, 0, 1]
+pv.Render(view)
+pv.SaveScreenshot(sys.argv[1], view)

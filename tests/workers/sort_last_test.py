@@ -1,0 +1,84 @@
+"""Light across the ranks of pvbatch, whose workers ask each other: sort_last_test.py GLURAY WORKER, with an X server at hand. Exits with 77
+where pvbatch or Open MPI is missing."""
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+HERE = pathlib.Path(__file__).resolve().parent
+LIGHT = ["--set", "ao=on", "--set", "ao.samples=16", "--set", "refine.passes=1"]
+STEP = 2  # of 255: colours that differ by less are equal, because each rank rounds coordinates in a space of its own
+
+
+def pixels(path):
+    """Red, green and blue of each pixel of a binary PPM file."""
+    content = path.read_bytes()
+    fields = content.split(None, 4)
+    assert fields[0] == b"P6" and fields[3] == b"255", fields[:4]
+    return content[len(content) - 3 * int(fields[1]) * int(fields[2]):]
+
+
+def compare(a, b):
+    """Mean difference of channels, and the share of pixels that differ by more than STEP."""
+    differences = [abs(x - y) for x, y in zip(a, b)]
+    off = sum(max(differences[i:i + 3]) > STEP for i in range(0, len(differences), 3))
+    return sum(differences) / len(differences), off / (len(differences) // 3)
+
+
+class Pictures:
+    def __init__(self, gluray, worker, folder):
+        self.gluray, self.worker, self.folder = gluray, worker, folder
+        self.environment = dict(os.environ, GALLIUM_DRIVER="llvmpipe", LIBGL_ALWAYS_SOFTWARE="1", XDG_RUNTIME_DIR=str(folder / "run"),
+                                XDG_CONFIG_HOME=str(folder), HOME=str(folder))
+        (folder / "run").mkdir(mode=0o700)
+
+    def draw(self, name, ranks, *options):
+        """The picture, and what was said."""
+        path = self.folder / f"{name}.ppm"
+        launcher = ["mpirun", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1", "-np", str(ranks)] if ranks > 1 else []
+        if launcher and os.getuid() == 0:
+            launcher.insert(1, "--allow-run-as-root")
+        done = subprocess.run([*launcher, self.gluray, "--engine", "always", *LIGHT, *options, "--", "pvbatch", HERE / "sort_last.py", path],
+                              env=self.environment, stderr=subprocess.PIPE, text=True, timeout=240, check=False)
+        assert done.returncode == 0, done.stderr
+        return pixels(path), done.stderr
+
+    def job(self):
+        """One worker for all ranks, and the file of its messages."""
+        log = self.folder / "log"
+        with log.open("w") as file:
+            process = subprocess.Popen([self.worker, "--job", "test"], env=self.environment, stderr=file)
+        for _ in range(200):
+            if "programs join with" in log.read_text():
+                return process, log
+            time.sleep(0.05)
+        raise AssertionError(log.read_text())
+
+
+def main(gluray, worker):
+    if not shutil.which("pvbatch") or not shutil.which("mpirun"):
+        return 77
+    with tempfile.TemporaryDirectory() as folder:
+        pictures = Pictures(os.path.abspath(gluray), os.path.abspath(worker), pathlib.Path(folder))
+        expected, _ = pictures.draw("one", 1)
+        alone, _ = pictures.draw("alone", 2)
+        job, log = pictures.job()
+        try:
+            together, said = pictures.draw("together", 2, "--workers", "test")
+        finally:
+            job.terminate()
+            job.wait()
+        without, across = compare(expected, alone), compare(expected, together)
+        print(f"mean difference and share of pixels: without workers {without}, with workers {across}")
+        assert without[1] > 0.05, "the scene shows nothing of other ranks"
+        # Rays that graze the cut through a sphere meet it or not.
+        assert across[0] < 0.1 and across[1] < 0.01, log.read_text() + said
+        assert "does not" not in log.read_text() and "draws nothing" not in log.read_text(), log.read_text()
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:3]))
