@@ -1,4 +1,4 @@
-"""A plane and spheres, which ParaView splits among its ranks: sort_last.py PICTURE.ppm, run by pvbatch."""
+"""A plane and spheres, which ParaView splits among its ranks: sort_last.py PICTURE.png, run by pvbatch."""
 import sys
 
 import paraview.simple as pv

@@ -1,5 +1,5 @@
 """Light across the ranks of pvbatch, whose workers ask each other: sort_last_test.py GLURAY WORKER, with an X server at hand. Exits with 77
-where pvbatch or Open MPI is missing."""
+where pvbatch, Open MPI or ImageMagick is missing."""
 import os
 import pathlib
 import shutil
@@ -14,11 +14,8 @@ STEP = 2  # of 255: colours that differ by less are equal, because each rank rou
 
 
 def pixels(path):
-    """Red, green and blue of each pixel of a binary PPM file."""
-    content = path.read_bytes()
-    fields = content.split(None, 4)
-    assert fields[0] == b"P6" and fields[3] == b"255", fields[:4]
-    return content[len(content) - 3 * int(fields[1]) * int(fields[2]):]
+    """Red, green and blue of each pixel of a PNG file."""
+    return subprocess.run(["convert", path, "-depth", "8", "rgb:-"], stdout=subprocess.PIPE, check=True).stdout
 
 
 def compare(a, b):
@@ -37,13 +34,13 @@ class Pictures:
 
     def draw(self, name, ranks, *options):
         """The picture, and what was said."""
-        path = self.folder / f"{name}.ppm"
+        path = self.folder / f"{name}.png"
         launcher = ["mpirun", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1", "-np", str(ranks)] if ranks > 1 else []
         if launcher and os.getuid() == 0:
             launcher.insert(1, "--allow-run-as-root")
         done = subprocess.run([*launcher, self.gluray, "--engine", "always", *LIGHT, *options, "--", "pvbatch", HERE / "sort_last.py", path],
                               env=self.environment, stderr=subprocess.PIPE, text=True, timeout=240, check=False)
-        assert done.returncode == 0, done.stderr
+        assert done.returncode == 0 and path.exists(), done.stderr
         return pixels(path), done.stderr
 
     def job(self):
@@ -59,7 +56,7 @@ class Pictures:
 
 
 def main(gluray, worker):
-    if not shutil.which("pvbatch") or not shutil.which("mpirun"):
+    if not all(map(shutil.which, ("pvbatch", "mpirun", "convert"))):
         return 77
     with tempfile.TemporaryDirectory() as folder:
         pictures = Pictures(os.path.abspath(gluray), os.path.abspath(worker), pathlib.Path(folder))
