@@ -47,11 +47,12 @@ void findSilent(const JobFacts& facts, Diagnosis& diagnosis) {
   for (const RankFacts& rank : facts.ranks)
     if (!rank.answered) silent.push_back(&rank);
   if (silent.empty()) return;
-  diagnosis.limited("answers",
-                    named(silent) + (silent.size() == 1 ? " has" : " have") +
-                        " not answered within 2 seconds; the others trace what these would",
-                    "check whether the processes are stopped and their hosts can be reached, or start the job "
-                    "again without these hosts");
+  diagnosis.limited(
+      "answers",
+      named(silent) + (silent.size() == 1 ? " has" : " have") +
+          " not answered within 2 seconds; the others trace what these would",
+      "check whether the processes are stopped and their hosts can be reached, or start the job "
+      "again without these hosts");
 }
 
 /// "A: ranks 0, 1; B: rank 2"
@@ -129,16 +130,17 @@ void findMemory(const std::map<std::string, RankList>& hosts, Diagnosis& diagnos
   for (const auto& [host, ranks] : hosts) most = std::max(most, shareOf(ranks));
   for (const auto& [host, ranks] : hosts) {
     const RankFacts& rank = *ranks[0];
-    const std::string available = host + " has " + inGigabytes(rank.availableBytes) + " GB of memory available";
+    const std::string available =
+        host + " has " + inGigabytes(rank.availableBytes) + " GB of memory available";
     if (rank.availableBytes < rank.memoryBytes / 10)
       diagnosis.limited("memory", available + " of " + inGigabytes(rank.memoryBytes) + " GB",
                         "end other programs there, or start the job without this host");
     else if (shareOf(ranks) < most / 2)
-      diagnosis.limited(
-          "memory",
-          available + ", " + inGigabytes(shareOf(ranks)) + " GB for each rank; on other hosts each rank has up to " +
-              inGigabytes(most) + " GB. Each rank holds all of the geometry, so the least decides",
-          ranks.size() > 1 ? "fewer ranks on the host, or leave it out" : "leave the host out");
+      diagnosis.limited("memory",
+                        available + ", " + inGigabytes(shareOf(ranks)) +
+                            " GB for each rank; on other hosts each rank has up to " + inGigabytes(most) +
+                            " GB. Each rank holds all of the geometry, so the least decides",
+                        ranks.size() > 1 ? "fewer ranks on the host, or leave it out" : "leave the host out");
   }
 }
 

@@ -47,11 +47,11 @@ void sayJob(const std::string& job, const JobFacts& facts, Diagnosis& diagnosis)
 }
 
 void sayRank(const RankFacts& rank, Diagnosis& diagnosis) {
-  std::string text =
-      placeText(rank) + counted(static_cast<size_t>(std::max(rank.threads, 0)), "thread", "threads") + " on " +
-      coresText(rank) + "; " + inGigabytes(rank.memoryBytes) + " GB of memory, " +
-      inGigabytes(rank.availableBytes) + " GB of it available; /dev/shm " + inGigabytes(rank.shmFreeBytes) +
-      " GB free";
+  std::string text = placeText(rank) +
+                     counted(static_cast<size_t>(std::max(rank.threads, 0)), "thread", "threads") + " on " +
+                     coresText(rank) + "; " + inGigabytes(rank.memoryBytes) + " GB of memory, " +
+                     inGigabytes(rank.availableBytes) + " GB of it available; /dev/shm " +
+                     inGigabytes(rank.shmFreeBytes) + " GB free";
   if (!rank.hugePages.empty()) text += "; huge pages: " + rank.hugePages;
   diagnosis.ok("rank " + std::to_string(rank.rank), text);
 }

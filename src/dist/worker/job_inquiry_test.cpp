@@ -3,12 +3,14 @@
 #include "dist/messages/version.h"
 #include "dist/program/job_question.h"
 #include "dist/worker/job_fixture.h"
+#include "frame/lit_scene.h"
 
 #include <sys/socket.h>
 #include <sys/stat.h>
 
-#include <chrono>
+#include <atomic>
 #include <string>
+#include <thread>
 
 namespace gluray::dist {
 namespace {
@@ -75,6 +77,21 @@ TEST_F(JobInquiryTest, WhoeverAsksAndGoesHoldsNobodyUp) {
   const auto facts = ask();
   ASSERT_TRUE(facts) << why_;
   EXPECT_TRUE(facts->ranks[1].answered);
+}
+
+TEST_F(JobInquiryTest, PicturesGoOnMeanwhile) {
+  test::WorkerJob job(directory_, 3);
+  const scene::Snapshot snapshot = frame::test::litScene(frame::test::Hides::some, 100);
+  const Image expected = test::expectedPicture(snapshot);
+  std::atomic<bool> over{false};
+  std::thread asker([&] {
+    while (!over) EXPECT_TRUE(ask()) << why_;
+  });
+  test::Program program(directory_);
+  for (int i = 0; i < 20; ++i) test::expectSame(program.picture(snapshot), expected);
+  over = true;
+  asker.join();
+  EXPECT_EQ(program.tracedHere, 0) << program.said;
 }
 
 TEST_F(JobInquiryTest, RanksOfOtherVersionsAreTold) {

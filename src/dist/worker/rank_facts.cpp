@@ -86,7 +86,7 @@ RankFacts factsOf(const Ranks& ranks, int threads) {
   const std::string memory = contentOf("/proc/meminfo");
   facts.memoryBytes = memoryOf(lineOf(memory, "MemTotal"));
   facts.availableBytes = memoryOf(lineOf(memory, "MemAvailable"));
-  if (struct statvfs shm {}; statvfs("/dev/shm", &shm) == 0) {
+  if (struct statvfs shm{}; statvfs("/dev/shm", &shm) == 0) {
     facts.shmBytes = uint64_t{shm.f_blocks} * shm.f_frsize;
     facts.shmFreeBytes = uint64_t{shm.f_bavail} * shm.f_frsize;
   }

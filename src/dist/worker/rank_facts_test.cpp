@@ -9,7 +9,8 @@ namespace gluray::dist {
 namespace {
 
 TEST(RankFacts, LinesOfFiles) {
-  const std::string text = "MemTotal:       64 kB\nMemAvailableX:  1 kB\nMemAvailable:\t32 kB\nEmpty:\nLast: 0-3,8";
+  const std::string text =
+      "MemTotal:       64 kB\nMemAvailableX:  1 kB\nMemAvailable:\t32 kB\nEmpty:\nLast: 0-3,8";
   EXPECT_EQ(lineOf(text, "MemTotal"), "64 kB");
   EXPECT_EQ(lineOf(text, "MemAvailable"), "32 kB");
   EXPECT_EQ(lineOf(text, "Empty"), "");
@@ -20,7 +21,8 @@ TEST(RankFacts, LinesOfFiles) {
 
 TEST(RankFacts, Memory) {
   EXPECT_EQ(memoryOf("64 kB"), 65536u);
-  for (const char* wrong : {"", "kB", "64", "64 MB", "-1 kB", "99999999999999999999 kB", "9000000000000000000 kB"})
+  for (const char* wrong :
+       {"", "kB", "64", "64 MB", "-1 kB", "99999999999999999999 kB", "9000000000000000000 kB"})
     EXPECT_EQ(memoryOf(wrong), 0u) << wrong;
 }
 
