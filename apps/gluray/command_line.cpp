@@ -24,7 +24,8 @@ Examples:
 Commands, each with its own --help:
   gluray run PROGRAM       the same as gluray PROGRAM
   gluray explain PROGRAM   a table of what the program drew; with --html a page of pictures too
-  gluray doctor [PROGRAM]  how the program reaches OpenGL, and what this machine has and lacks
+  gluray doctor [PROGRAM]  how the program reaches OpenGL, and what this machine has and lacks;
+                           with --job what the hosts of a job of workers have and lack
   gluray quirks            workarounds for single OpenGL implementations, and how to switch them
   gluray settings          all settings, their values and origins
   gluray get NAME          the value of a setting; with --why the values of all layers
@@ -74,6 +75,17 @@ void addExplainOptions(CLI::App& app, CommandLine& line) {
       ->check(CLI::Range(0.0, 1e6))
       ->type_name("S")
       ->capture_default_str();
+}
+
+void addJobOption(CLI::App& app, CommandLine& line) {
+  const auto take = [&line](const std::vector<std::string>& names) {
+    line.job = names.empty() || names[0].empty() ? "job" : names[0];
+  };
+  app.add_option_function<std::vector<std::string>>(
+         "--job", take,
+         "Check the running job of gluray-worker with this name [job] instead: its ranks and their hosts")
+      ->expected(0, 1)
+      ->type_name("[NAME]");
 }
 
 void addProfileOption(CLI::App& app, CommandLine& line) {
@@ -169,10 +181,13 @@ void describe(CLI::App& app, CommandLine& line) {
       break;
     case Command::doctor:
       app.description(
-          "Checks this machine and a program, one line each, and names a fix where something is missing.\n"
+          "Checks this machine and a program, or a running job of workers, one line each, and names a fix "
+          "where\n"
+          "something is missing.\n"
           "Exit code 0: all is well, 1: it works with limitations, 2: it will not work.");
       app.name("gluray doctor");
       usage("options] [--] [PROGRAM");
+      addJobOption(app, line);
       return;
     case Command::quirks:
       app.description("Lists the workarounds for single OpenGL implementations.");
@@ -261,6 +276,8 @@ Parsed parse(int argc, char** argv) {
     parsed.exitCode = complain("quirks takes no program");
   else if (line.command == Command::settings && !line.program.empty())
     parsed.exitCode = complain("settings takes no program; use --program NAME");
+  else if (!line.job.empty() && !line.program.empty())
+    parsed.exitCode = complain("doctor checks a program or a job, not both");
   else
     parsed.run = true;
   return parsed;

@@ -54,6 +54,7 @@ struct CommandLine {
   HubLine hub;
 
   bool json = false;  // all but run and timeline
+  std::string job;    // doctor: of workers; empty: none is checked
   // explain
   int frames = 100;
   double restSeconds = 3, limitSeconds = 120;  // 0: never

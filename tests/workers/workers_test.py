@@ -1,41 +1,18 @@
 """Programs whose pictures gluray-worker traces: workers_test.py GLURAY WORKER CLIENT, with an X server at hand. Jobs of many ranks
 use the launchers that are installed."""
 import os
-import pathlib
-import shutil
 import signal
 import sys
 import time
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "controls"))
-from fake_programs import wait_for  # noqa: E402
-from parts import Parts  # noqa: E402
+from jobs import Jobs, wait_for
 
 LIGHT = ["--set", "ao=on", "--set", "ao.samples=4", "--set", "shadows=on"]
 STALL = 2.5  # seconds that a picture may take when a worker is gone
 
 
-class Workers(Parts):
-    worker = ""
-
-    def setUp(self):
-        super().setUp()
-        self.logs = 0
-
-    def log(self):
-        self.logs += 1
-        return self.folder / f"log{self.logs}"
-
-    def job(self, *launcher):
-        """A job of gluray-worker; its process and the file of its messages, once it listens."""
-        path = self.log()
-        with path.open("w") as file:
-            process = self.spawn(*launcher, self.worker, "--job", "test", stderr=file, stdout=file)
-        self.assertTrue(wait_for(lambda: "programs join with" in path.read_text() or process.poll() is not None))
-        self.assertIsNone(process.poll(), path.read_text())
-        return process, path
-
+class Workers(Jobs):
     def client_of(self, *options, mode=()):
         """A program that traces everything, and the file of its messages."""
         path = self.log()
@@ -54,15 +31,6 @@ class Workers(Parts):
             expected, _ = self.checksum(*options)
             self.assertEqual(self.checksum("--workers", "test", *options), (expected, ""), options)
         self.assertTrue(wait_for(lambda: log.read_text().count("is connected") == 3), log.read_text())
-
-    def mpi(self, name, *options):
-        for path in (f"mpirun.{name}", f"mpiexec.{name}"):
-            if shutil.which(path):
-                return [path, "-n", "3", *options]
-        self.skipTest(f"{name} is not installed")
-
-    def openmpi(self):
-        return self.mpi("openmpi", "--oversubscribe", *(["--allow-run-as-root"] if os.getuid() == 0 else []))
 
     def test_one_worker(self):
         _, log = self.job()
@@ -130,18 +98,6 @@ class Workers(Parts):
         self.check_goes_on(painter)
         self.assertEqual(said.read_text(), "")
 
-    def rank_process(self, launcher, rank):
-        """Number of the process of a rank that `launcher` started."""
-        for folder in pathlib.Path("/proc").iterdir():
-            try:
-                if int((folder / "stat").read_text().rsplit(")", 1)[1].split()[1]) != launcher:
-                    continue
-                if f"OMPI_COMM_WORLD_RANK={rank}".encode() in (folder / "environ").read_bytes().split(b"\0"):
-                    return int(folder.name)
-            except (OSError, ValueError, IndexError):
-                continue
-        self.fail(f"no process of rank {rank}")
-
     def test_a_second_job_of_the_name_is_refused(self):
         self.job()
         second = self.spawn(self.worker, "--job", "test")
@@ -159,5 +115,5 @@ class Workers(Parts):
 
 
 if __name__ == "__main__":
-    Parts.gluray, Workers.worker, Parts.client = map(os.path.abspath, sys.argv[1:4])
+    Jobs.gluray, Jobs.worker, Jobs.client = map(os.path.abspath, sys.argv[1:4])
     unittest.main(argv=sys.argv[:1] + sys.argv[4:], verbosity=2)

@@ -1,5 +1,6 @@
 #include "doctor/doctor.h"
 
+#include "doctor/doctor_job.h"
 #include "doctor/doctor_machine.h"
 #include "doctor/doctor_program.h"
 #include "say.h"
@@ -9,6 +10,7 @@
 namespace gluray::launcher {
 
 int doctor(const CommandLine& line) {
+  if (!line.job.empty()) return doctorJob(line);
   Diagnosis diagnosis;
   const bool whole = examineInstall(diagnosis);
   examineMachine(diagnosis);

@@ -1,4 +1,5 @@
-// gluray doctor: checks this machine, this install and a program without starting the program.
+// gluray doctor: checks this machine, this install and a program without starting the program; or a job of
+// workers.
 #pragma once
 #include "command_line.h"
 

@@ -1,6 +1,7 @@
 // What a program and a worker of its machine say to each other, over a Line. Any thread.
 #pragma once
 #include "dist/messages/codec.h"
+#include "dist/messages/fact_messages.h"
 
 namespace gluray::dist {
 
@@ -49,6 +50,10 @@ struct Cancel {
   static constexpr uint16_t kType = 5;
   uint64_t id = 0;
 };
+/// The job's ranks and their hosts are asked for.
+struct JobQuestion {
+  static constexpr uint16_t kType = 50;
+};
 
 // From the worker.
 
@@ -77,6 +82,11 @@ struct PictureDone {
   LayerCounts layers;
   scene::TraceCost cost;
 };
+/// Answers JobQuestion.
+struct JobFacts {
+  static constexpr uint16_t kType = 150;
+  std::vector<RankFacts> ranks;  // in order, also those that have not answered
+};
 
 void fields(auto& archive, Like<Hello> auto& value) {
   auto& [version, program, process, mpiJob, rank, ranks] = value;
@@ -102,6 +112,7 @@ void fields(auto& archive, Like<Cancel> auto& value) {
   auto& [id] = value;
   archive(id);
 }
+void fields(auto&, Like<JobQuestion> auto&) {}
 void fields(auto& archive, Like<Welcome> auto& value) {
   auto& [refusal, ranks, threads] = value;
   archive(refusal, ranks, threads);
@@ -117,6 +128,10 @@ void fields(auto& archive, Like<PictureMemory> auto& value) {
 void fields(auto& archive, Like<PictureDone> auto& value) {
   auto& [id, whole, improves, error, shape, layers, cost] = value;
   archive(id, whole, improves, error, shape, layers, cost);
+}
+void fields(auto& archive, Like<JobFacts> auto& value) {
+  auto& [ranks] = value;
+  archive(ranks);
 }
 
 }  // namespace gluray::dist

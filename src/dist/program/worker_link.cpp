@@ -1,8 +1,6 @@
 #include "dist/program/worker_link.h"
 
 #include "base/clock.h"
-#include "control/local_socket.h"
-#include "control/runtime_directory.h"
 #include "dist/messages/version.h"
 #include "scene/effects.h"
 
@@ -10,8 +8,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <filesystem>
-#include <system_error>
 #include <utility>
 
 namespace gluray::dist {
@@ -36,21 +32,6 @@ bool fallsOnSurfaces(const scene::Snapshot& snapshot) {
 }
 
 }  // namespace
-
-std::string workerPlace(const std::string& job, int place) {
-  return "worker-" + job + "." + std::to_string(place);
-}
-
-std::string whyNoJobName(const std::string& job) {
-  constexpr size_t kMost = 40;  // as the message says
-  const auto usual = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
-  };
-  if (!job.empty() && job.size() <= kMost && std::ranges::all_of(job, usual)) return "";
-  std::string why = "\"";
-  return why.append(job, 0, kMost)
-      .append("\" names no job of workers: use letters, digits, - and _, 40 at most");
-}
 
 WorkerLink::WorkerLink(std::string directory, std::string job, MpiPlace place)
     : directory_(std::move(directory)), job_(std::move(job)), place_(std::move(place)) {}
@@ -78,21 +59,10 @@ bool WorkerLink::isReady(double now) {
 
 bool WorkerLink::connect(double now) {
   nextTry_ = now + kTryAgain;
-  if (why_ = whyNoJobName(job_); !why_.empty()) return false;
-  std::error_code error;
-  if (std::filesystem::exists(directory_, error))
-    if (why_ = control::whyUnsafe(directory_); !why_.empty()) return false;
-  bool nobody = false;
-  // A machine may have fewer workers than ranks of the program.
-  for (int place = place_.onMachine; !line_ && place >= 0; place = place > 0 ? place / 2 : -1) {
-    control::Descriptor socket =
-        control::connectedSocket(directory_ + "/" + workerPlace(job_, place) + ".sock", why_, nobody);
-    if (socket.get() >= 0) line_.emplace(std::move(socket));
-  }
-  if (!line_) {
-    if (nobody) why_ = "no gluray-worker --job " + job_ + " runs on this machine";
+  if (std::optional<Line> line = lineToWorker(directory_, job_, place_.onMachine, why_))
+    line_.emplace(*std::move(line));
+  else
     return false;
-  }
   const Hello hello{
       version(),   program_invocation_short_name, static_cast<int32_t>(getpid()), place_.job, place_.rank,
       place_.ranks};

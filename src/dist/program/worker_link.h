@@ -2,6 +2,7 @@
 #pragma once
 #include "dist/local/line.h"
 #include "dist/messages/program_messages.h"
+#include "dist/program/worker_place.h"
 #include "dist/stream/snapshot_encoder.h"
 
 #include <memory>
@@ -65,10 +66,5 @@ class WorkerLink {
   size_t memoryBytes_ = 0;
   PictureDone picture_;
 };
-
-/// "worker-JOB.PLACE": the stem of the names of a worker's files in the runtime directory.
-std::string workerPlace(const std::string& job, int place);
-/// Why no job may have this name; empty: it may.
-std::string whyNoJobName(const std::string& job);
 
 }  // namespace gluray::dist

@@ -15,10 +15,11 @@ constexpr size_t kMostViews = 64;     // whose costs are remembered
 
 }  // namespace
 
-Head::Head(Ranks& ranks, ArrayStore& store, PeerPrograms& peers, int threads, Say say)
+Head::Head(Ranks& ranks, ArrayStore& store, PeerPrograms& peers, JobInquiry& inquiry, int threads, Say say)
     : ranks_(ranks),
       store_(store),
       peers_(peers),
+      inquiry_(inquiry),
       say_(std::move(say)),
       states_(ranks.size(), ranks.rank(), threads) {}
 
@@ -86,6 +87,7 @@ void Head::handle(ProgramSide& program, const Message& message, double now) {
       endPicture(program);
       return program.send(
           PictureDone{program.request->id, false, false, "", {1, 1, 1, Image::kPicture}, {}, {}});
+    case JobQuestion::kType: as(JobQuestion{}); return inquiry_.ask(program, now);
     default: throw Malformed("its kind is not known");
   }
 }
@@ -247,6 +249,7 @@ void Head::leaveOut(int rank) {
 void Head::leave(ProgramSide& program) {
   if (program.picture) endPicture(program);
   if (program.peer) peers_.remove(program.peer);
+  inquiry_.forget(program);
   forget(program, {program.arrays.begin(), program.arrays.end()});
   if (!program.name.empty()) say_(program.name + " is gone");
 }

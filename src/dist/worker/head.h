@@ -4,6 +4,7 @@
 #include "dist/peers/peer_programs.h"
 #include "dist/ranks/ranks.h"
 #include "dist/worker/array_store.h"
+#include "dist/worker/job_inquiry.h"
 #include "dist/worker/program_side.h"
 #include "dist/worker/rank_states.h"
 
@@ -21,7 +22,7 @@ class Head {
   using Say = std::function<void(const std::string&)>;
 
   /// `threads`: with which this rank traces. All must outlive it.
-  Head(Ranks& ranks, ArrayStore& store, PeerPrograms& peers, int threads, Say say);
+  Head(Ranks& ranks, ArrayStore& store, PeerPrograms& peers, JobInquiry& inquiry, int threads, Say say);
 
   void add(control::Descriptor socket);
   /// Sockets to wait for.
@@ -61,6 +62,7 @@ class Head {
   Ranks& ranks_;
   ArrayStore& store_;
   PeerPrograms& peers_;
+  JobInquiry& inquiry_;
   Say say_;
   RankStates states_;
   std::list<ProgramSide> programs_;

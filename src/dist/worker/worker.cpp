@@ -27,7 +27,8 @@ Worker::Worker(Ranks& ranks, int threads, control::Descriptor listening, Head::S
     : ranks_(ranks),
       threads_(threadsOf(threads)),
       peers_(ranks, store_, outbox_, threads_, say),
-      head_(ranks, store_, peers_, threads_, say),
+      inquiry_(ranks, threads_),
+      head_(ranks, store_, peers_, inquiry_, threads_, say),
       member_(ranks, store_, outbox_, threads_),
       listening_(std::move(listening)),
       say_(std::move(say)) {}
@@ -51,6 +52,7 @@ bool Worker::look() {
   head_.tick(now);
   member_.tick(now);
   peers_.tick(now);
+  inquiry_.tick(now);
   return found;
 }
 
@@ -70,6 +72,8 @@ void Worker::handle(const RankMessage& message, double now) {
       case TracedTile::kType: return head_.take(from, as(TracedTile{}), now);
       case Finished::kType: return head_.take(from, as(Finished{}), now);
       case Alive::kType: return head_.take(from, as(Alive{}), now);
+      case FactsWanted::kType: return inquiry_.take(from, as(FactsWanted{}));
+      case FactsGiven::kType: return inquiry_.take(from, as(FactsGiven{}));
       default:
         if (!peers_.take(from, type, in.take(in.left()), now)) throw Malformed("its kind is not known");
     }

@@ -3,6 +3,7 @@
 #include "control/descriptor.h"
 #include "dist/ranks/ranks.h"
 #include "dist/worker/head.h"
+#include "dist/worker/job_inquiry.h"
 #include "dist/worker/member.h"
 
 #include <atomic>
@@ -31,6 +32,7 @@ class Worker {
   ArrayStore store_;
   Outbox outbox_;
   PeerPrograms peers_;
+  JobInquiry inquiry_;
   Head head_;
   Member member_;
   control::Descriptor listening_;

@@ -237,6 +237,7 @@ std::vector<Message> conversation(const scene::Snapshot& snapshot, bool isRank) 
   request.meetsPeers = isRank;
   request.snapshot = sent.message;
   add(request);
+  add(JobQuestion{});
   add(Cancel{1});
   add(ArraysGo{{sent.arrays[0].name}});
   return all;
