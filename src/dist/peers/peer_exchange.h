@@ -76,9 +76,15 @@ class PeerExchange final : public render::TileSource, public render::RemoteSurfa
  private:
   using Lock = std::unique_lock<std::mutex>;
   template <class M>
-  void sendTo(int peer, M message) const;
+  void sendTo(int peer, M message) const {
+    message.address = {program_, self_, peer};
+    send_(peer, forRanks(message));
+  }
   template <class M>
-  void sendToAll(const M& message) const;
+  void sendToAll(const M& message) const {
+    for (int rank = 0; rank < meetings_.ranks(); ++rank)
+      if (rank != self_) sendTo(rank, message);
+  }
   void meet(const scene::Snapshot& snapshot, const accel::Bounds& bounds);
   void addNear();
   void setScene(SceneHeld scene);
@@ -124,5 +130,8 @@ class PeerExchange final : public render::TileSource, public render::RemoteSurfa
   int refusals_ = 0;
   TileLedger ledger_;
 };
+
+/// For messages to the user.
+inline std::string peerName(int rank) { return "rank " + std::to_string(rank) + " of the program"; }
 
 }  // namespace gluray::dist
