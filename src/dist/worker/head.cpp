@@ -72,7 +72,10 @@ void Head::readPrograms(double now) {
 
 void Head::handle(ProgramSide& program, const Message& message, double now) {
   const auto as = [&]<class M>(M) { return decoded<M>(message.body); };
-  if (message.type == Hello::kType) return greet(program, as(Hello{}));
+  if (message.type == Hello::kType) {
+    if (!program.name.empty()) throw Malformed("it says hello twice");
+    return greet(program, as(Hello{}));
+  }
   if (program.name.empty()) throw Malformed("it says no hello");
   switch (message.type) {
     case ArrayComes::kType: return takeArray(program, as(ArrayComes{}), message.attached);

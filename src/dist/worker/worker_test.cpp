@@ -269,6 +269,16 @@ TEST_F(WorkerFaults, WhateverAProgramSaysOthersGetTheirPictures) {
   EXPECT_EQ(program.tracedHere, 0) << program.said;
 }
 
+TEST_F(WorkerFaults, WhoeverSaysHelloTwiceIsDisconnected) {
+  WorkerJob job(directory_, 1);
+  Line line = strangerTo(directory_);
+  for (int i = 0; i < 2; ++i)
+    line.send(Hello::kType, encoded(Hello{version(), "stranger", 1, "mpi", 1, 3}), -1, 1000);
+  while (line.receive(5000)) continue;
+  EXPECT_TRUE(line.isBroken());
+  EXPECT_NE(job.said().find("it says hello twice"), std::string::npos) << job.said();
+}
+
 TEST_F(WorkerFaults, NamesOfJobsAreChecked) {
   EXPECT_EQ(whyNoJobName("job"), "");
   for (const std::string& name : std::vector<std::string>{"", "a/b", "../x", "a b", std::string(41, 'a')})
