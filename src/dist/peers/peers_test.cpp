@@ -154,21 +154,18 @@ INSTANTIATE_TEST_SUITE_P(Jobs, PeersTest,
 
 class PeersFaultsTest : public PeersTest {};
 
-TEST_F(PeersFaultsTest, RankThatDrawsNothingIsWaitedForOnce) {
+TEST_F(PeersFaultsTest, RankThatDrawsNothingIsLeftOut) {
   WorkerJob job(directory_, 3);
   Ranks ranks(directory_, 3, 2);  // the third one never joins
   const scene::Snapshot all = plates(64);
   scene::Snapshot two = all;
   two.instances = partOf(all, 0, 3).instances;
   for (const scene::Instance& instance : partOf(all, 1, 3).instances) two.instances.push_back(instance);
-  const auto start = std::chrono::steady_clock::now();
   for (int frame = 1; frame < 6; ++frame) {
     std::vector<scene::Snapshot> parts = {partOf(all, 0, 3), partOf(all, 1, 3)};
     parts[0].frame = parts[1].frame = static_cast<uint64_t>(frame);
     EXPECT_EQ(differing(composed(ranks.pictures(parts)), expectedPicture(two)), 0) << frame << job.said();
   }
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  EXPECT_LT(seconds, 3 * Meetings::kPatience);
   EXPECT_NE(job.said().find("rank 2 of the program draws nothing here"), std::string::npos) << job.said();
 }
 
@@ -207,9 +204,7 @@ TEST_F(PeersFaultsTest, StoppedRankIsLeftOut) {
   job.rank(1).isDeaf = true;
   scene::Snapshot part = partOf(all, 0, 2);
   part.frame = 2;
-  const auto start = std::chrono::steady_clock::now();
   EXPECT_EQ(differing(ranks.program(0).picture(part), expectedPicture(part)), 0);
-  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 3);
   job.rank(1).isDeaf = false;
   std::vector<scene::Snapshot> parts = {partOf(all, 0, 2), partOf(all, 1, 2)};
   for (int frame = 3; frame < 6; ++frame) {
