@@ -1,9 +1,11 @@
 # gluray_module(NAME DEPS a b LIBS x y): the static library gluray_NAME from every src/NAME/**.cpp except *_test.cpp,
 # and, where tests are built, the program NAME_tests from the *_test.cpp files beside them.
 # THREAD_TESTS are those of the tests' files that the thread sanitizer needs: it builds no others.
+# UNITY_TESTS: with GLURAY_UNITY, sixteen tests compile as one, too. Their anonymous namespaces must not share names.
+# TEST_HEADERS: a header that the tests begin with, in place of tests/headers/precompiled.h.
 # DEPS are other modules; tests/check_layers.py verifies that includes stay within them.
 function(gluray_module NAME)
-  cmake_parse_arguments(ARG "" "" "DEPS;LIBS;SOURCES;TEST_LIBS;THREAD_TESTS" ${ARGN})
+  cmake_parse_arguments(ARG "UNITY_TESTS" "TEST_HEADERS" "DEPS;LIBS;SOURCES;TEST_LIBS;THREAD_TESTS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   # A folder with a CMakeLists.txt of its own is another module.
   file(GLOB_RECURSE others CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*/CMakeLists.txt)
@@ -34,9 +36,12 @@ function(gluray_module NAME)
   target_link_libraries(${target} ${scope} ${ARG_LIBS})
   if(GLURAY_TESTS AND tests)
     add_executable(${NAME}_tests ${tests})
+    if(ARG_UNITY_TESTS)
+      gluray_unity(${NAME}_tests ${tests})
+    endif()
     target_link_libraries(${NAME}_tests PRIVATE ${target} gluray_test_main ${ARG_TEST_LIBS})
     target_compile_options(${NAME}_tests PRIVATE ${GLURAY_TEST_OPTIONS})
-    gluray_use_test_headers(${NAME}_tests)
+    gluray_use_test_headers(${NAME}_tests ${ARG_TEST_HEADERS})
     gluray_discover_tests(${NAME}_tests PREFIX ${NAME}. LABEL unit)
   endif()
 endfunction()

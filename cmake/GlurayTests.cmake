@@ -23,11 +23,16 @@ function(gluray_discover_tests TARGET)
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${include})
 endfunction()
 
-# gluray_use_test_headers(TARGET): the sources of a GoogleTest program begin with tests/headers/precompiled.h, which is compiled once
-# for all. For programs compiled with GLURAY_TEST_OPTIONS. Clang's builds go
+# gluray_use_test_headers(TARGET [HEADER]): the sources of a GoogleTest program begin with tests/headers/precompiled.h, which is
+# compiled once for all, or with a header of their own. For programs compiled with GLURAY_TEST_OPTIONS. Clang's builds go
 # without (CMAKE_DISABLE_PRECOMPILE_HEADERS), so that they find missing includes.
 function(gluray_use_test_headers TARGET)
-  target_precompile_headers(${TARGET} REUSE_FROM gluray_test_headers)
+  if(ARGN)
+    target_precompile_headers(${TARGET} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/${ARGN})
+    target_include_directories(${TARGET} PRIVATE ${CMAKE_SOURCE_DIR})
+  else()
+    target_precompile_headers(${TARGET} REUSE_FROM gluray_test_headers)
+  endif()
   # GCC 12 reports joined strings as overrun where <string> is precompiled.
   target_compile_options(${TARGET} PRIVATE "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow>")
 endfunction()
