@@ -114,6 +114,7 @@ TEST(Denoiser, ScenesMayHaveAnySize) {
 }
 
 TEST(Denoiser, TheLibraryOrElseTheFilterSmooths) {
+  GLURAY_RELEASE_ONLY();
   scene::Snapshot s = litScene(test::Hides::some, 96);
   const Image truth = test::CountingTrace().picture(many(s));
   const double plain = dB(Refined(s, 4).image, truth);

@@ -242,6 +242,7 @@ TEST(Moving, ChangedSettingsForgetEarlierFrames) {
 }
 
 TEST(Moving, ImpostorsAndCulledSidesAreFoundAgain) {
+  GLURAY_RELEASE_ONLY();
   auto spheres = std::make_shared<scene::Mesh>();
   spheres->shape = scene::Shape::spheres;
   spheres->vertexCount = spheres->triangleCount = 2;
