@@ -187,7 +187,7 @@ void Head::take(int rank, const TracedTile& tile, double now) {
     return start(*program, false, now);
   }
   if (!picture.isTraced()) return giveTiles(*program);
-  if (!wasTraced) end(*program, picture.id());
+  if (!wasTraced) end(*program);
   finish(*program, now);
 }
 
@@ -204,15 +204,16 @@ void Head::take(int rank, const Alive& alive, double now) {
   states_.setThreads(rank, std::clamp(alive.threads, 1, 1 << 16));
 }
 
-void Head::end(ProgramSide& program, uint64_t picture) {
-  if (program.peer)
-    peers_.end(program.peer, picture);
-  else
-    sendToAll(EndOfPicture{picture});
+void Head::end(ProgramSide& program) {
+  const Picture& picture = *program.picture;
+  if (program.peer) return peers_.end(program.peer, picture.id());
+  // Only to ranks that have it: a stopped rank would find the ends of all pictures made meanwhile.
+  for (int rank = 0; rank < ranks_.size(); ++rank)
+    if (picture.asks(rank)) ranks_.send(rank, forRanks(EndOfPicture{picture.id()}));
 }
 
 void Head::endPicture(ProgramSide& program) {
-  end(program, program.picture->id());
+  end(program);
   program.picture.reset();
 }
 

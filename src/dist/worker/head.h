@@ -49,7 +49,7 @@ class Head {
   void forget(ProgramSide& program, const std::vector<Hash128>& names);
   void start(ProgramSide& program, bool averages, double now);
   void giveTiles(ProgramSide& program);
-  void end(ProgramSide& program, uint64_t picture);
+  void end(ProgramSide& program);
   void endPicture(ProgramSide& program);
   /// Gives the program its picture, if that is done.
   void finish(ProgramSide& program, double now);

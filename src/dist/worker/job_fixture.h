@@ -56,6 +56,11 @@ class WorkerJob {
   }
   ThreadRanks& rank(int number) { return *std::next(ranks_.begin(), number); }
   uint64_t sentBytes() const { return job_->sentBytes; }
+  /// Messages that the rank has not received yet.
+  size_t waiting(int rank) {
+    const std::lock_guard lock(job_->mutex);
+    return job_->inboxes[static_cast<size_t>(rank)].size();
+  }
   std::string said() {
     const std::lock_guard lock(mutex_);
     return said_;

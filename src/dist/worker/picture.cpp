@@ -41,7 +41,8 @@ Picture::Picture(const TraceRequest& request, uint64_t id, bool averages, const 
       self_(ranks.self()),
       costs_(knownCosts(costs, tilesOf(request))),
       shares_(costs_, request.wanted.empty() ? nullptr : &request.wanted, ranks.tracers(!request.shared)),
-      here_(hereOf(ranks.tracers(!request.shared))),
+      asked_(hereOf(ranks.tracers(!request.shared))),
+      here_(asked_),
       ended_(here_.size()),
       lastResult_(here_.size(), now) {}
 

@@ -22,6 +22,8 @@ class Picture {
   uint64_t id() const { return id_; }
   bool averages() const { return averages_; }
   bool takesPart(int rank) const { return here_[static_cast<size_t>(rank)]; }
+  /// Whether the rank took part in the beginning.
+  bool asks(int rank) const { return asked_[static_cast<size_t>(rank)]; }
 
   /// Tiles that the rank gets now.
   std::vector<int> more(int rank) { return shares_.more(rank); }
@@ -57,6 +59,7 @@ class Picture {
   const int self_;  // whose figures stand for the picture's
   std::vector<float> costs_;
   TileShares shares_;
+  const std::vector<bool> asked_;
   std::vector<bool> here_, ended_;
   std::vector<double> lastResult_;
   std::optional<ImageShape> shape_;

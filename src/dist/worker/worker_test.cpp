@@ -210,6 +210,18 @@ TEST_F(WorkerFaults, ARankThatIsStoppedIsLeftOutUntilItGoesOn) {
   EXPECT_EQ(program.tracedHere, 0) << program.said;
 }
 
+TEST_F(WorkerFaults, NothingPilesUpForARankThatIsStopped) {
+  WorkerJob job(directory_, 3);
+  Program program(directory_);
+  const scene::Snapshot s = plainScene();
+  program.picture(s);
+  job.rank(2).isDeaf = true;
+  program.picture(s);
+  const size_t waiting = job.waiting(2);
+  for (int i = 0; i < 20; ++i) expectSame(program.picture(s), expectedPicture(s));
+  EXPECT_EQ(job.waiting(2), waiting);
+}
+
 /// A connection that says whatever it likes.
 Line strangerTo(const std::string& directory) {
   std::string why;
