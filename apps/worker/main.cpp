@@ -13,6 +13,8 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <memory>
+#include <stdexcept>
 #include <string>
 
 namespace {
@@ -43,31 +45,49 @@ int threadsFor(const dist::Ranks& ranks, int wanted) {
   return here < all ? here : std::max(here / std::max(ranks.sizeHere(), 1), 1);
 }
 
+void say(const dist::Ranks& ranks, const std::string& line) {
+  std::fprintf(stderr, "gluray-worker %d: %s\n", ranks.rank(), line.c_str());
+}
+
+std::string described(const Options& options, const dist::Ranks& ranks, int threads) {
+  return "job \"" + options.job + "\": " + std::to_string(ranks.size()) +
+         (ranks.size() == 1 ? " rank, " : " ranks, ") + std::to_string(threads) +
+         (threads == 1 ? " thread" : " threads") + " each, " + ranks.implementation() +
+         "; programs join with gluray --workers " + options.job;
+}
+
+/// Until a signal ends it. Throws std::exception, with a line for the user.
+void serve(const Options& options, dist::Ranks& ranks) {
+  control::ListeningPlace place(dist::workerPlace(options.job, ranks.rankHere()),
+                                "gluray-worker --job " + options.job);
+  bool taken = false;
+  std::string why = place.take(control::runtimeDirectory(), taken);
+  control::Descriptor listening(why.empty() ? place.listenHere(why) : -1);
+  if (!why.empty()) throw std::runtime_error(why);
+
+  const int threads = threadsFor(ranks, options.threads);
+  dist::Worker worker(ranks, threads, std::move(listening), [&](const std::string& line) {
+    if (!options.quiet) say(ranks, line);
+  });
+  worker.meet(stop);
+  if (ranks.rank() == 0 && !options.quiet && !stop) say(ranks, described(options, ranks, threads));
+  worker.run(stop);
+}
+
 int work(const Options& options, int argc, char** argv) {
   if (const std::string why = dist::whyNoJobName(options.job); !why.empty()) return fail(why);
   const std::string mpi = options.mpi == "auto" ? worker::launchersMpi(environmentVariable) : options.mpi;
   std::string why;
   const std::unique_ptr<dist::Ranks> ranks = worker::startRanks(mpi, &argc, &argv, why);
   if (!ranks) return fail(why);
-
-  control::ListeningPlace place(dist::workerPlace(options.job, ranks->rankHere()),
-                                "gluray-worker --job " + options.job);
-  bool taken = false;
-  if (why = place.take(control::runtimeDirectory(), taken); !why.empty()) return fail(why);
-  control::Descriptor listening(place.listenHere(why));
-  if (listening.get() < 0) return fail(why);
-
-  const auto say = [&](const std::string& line) {
-    if (!options.quiet) std::fprintf(stderr, "gluray-worker %d: %s\n", ranks->rank(), line.c_str());
-  };
-  const int threads = threadsFor(*ranks, options.threads);
-  if (ranks->rank() == 0)
-    say("job \"" + options.job + "\": " + std::to_string(ranks->size()) +
-        (ranks->size() == 1 ? " rank, " : " ranks, ") + std::to_string(threads) +
-        (threads == 1 ? " thread" : " threads") + " each, " + ranks->implementation() +
-        "; programs join with gluray --workers " + options.job);
-  dist::Worker(*ranks, threads, std::move(listening), say).run(stop);
-  return 0;
+  try {
+    serve(options, *ranks);
+    return 0;
+  } catch (const std::exception& error) {
+    say(*ranks, error.what());
+    ranks->endJob();
+  }
+  return 1;
 }
 
 }  // namespace

@@ -5,6 +5,18 @@
 
 namespace gluray::dist {
 
+/// To rank 0, before all else. Number and members stay as they are, so that other versions understand them.
+struct RankHello {
+  static constexpr uint16_t kType = 0x4848;  // in both byte orders
+  static constexpr uint32_t kOrder = 0x01020304;
+  uint32_t order = kOrder;  // shows the sender's byte order
+  std::string version;      // of GLuRay
+  std::string host;
+};
+/// From rank 0 to all: programs may come.
+struct AllAreAlike {
+  static constexpr uint16_t kType = 10;
+};
 /// To rank 0, which orders the broadcasts of the job: the sender has an array for all.
 struct TurnWanted {
   static constexpr uint16_t kType = 1;
@@ -70,6 +82,11 @@ struct Alive {
   int32_t threads = 1;
 };
 
+void fields(auto& archive, Like<RankHello> auto& value) {
+  auto& [order, version, host] = value;
+  archive(order, version, host);
+}
+void fields(auto&, Like<AllAreAlike> auto&) {}
 void fields(auto& archive, Like<TurnWanted> auto& value) {
   auto& [name, bytes] = value;
   archive(name, bytes);

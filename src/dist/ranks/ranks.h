@@ -46,6 +46,9 @@ class Ranks {
   virtual void progress() = 0;
   /// Whether something has begun that progress() must go on with.
   virtual bool busy() const = 0;
+  /// Ends all processes of the job, where MPI can: this one fails, and the others would wait for it. May not
+  /// return.
+  virtual void endJob() noexcept {}
 };
 
 }  // namespace gluray::dist

@@ -20,11 +20,6 @@ std::string contentOf(const char* path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-std::string hostName() {
-  char name[256] = {};
-  return gethostname(name, sizeof name - 1) == 0 ? name : "";
-}
-
 /// Reads a number at the front of `text` and removes it; negative: there is none.
 int64_t takeNumber(std::string_view& text) {
   int64_t number = -1;
@@ -35,6 +30,11 @@ int64_t takeNumber(std::string_view& text) {
 }
 
 }  // namespace
+
+std::string hostName() {
+  char name[256] = {};
+  return gethostname(name, sizeof name - 1) == 0 ? name : "";
+}
 
 std::string lineOf(std::string_view text, std::string_view name) {
   while (!text.empty()) {

@@ -9,6 +9,8 @@
 
 namespace gluray::dist {
 
+/// Empty: this machine has none.
+std::string hostName();
 /// `threads`: with which this rank traces. All members but `answered` are set.
 RankFacts factsOf(const Ranks& ranks, int threads);
 

@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "control/local_socket.h"
+#include "dist/messages/version.h"
 #include "parallel/arena.h"
 
 #include <poll.h>
@@ -28,16 +29,23 @@ Worker::Worker(Ranks& ranks, int threads, control::Descriptor listening, Head::S
       threads_(threadsOf(threads)),
       peers_(ranks, store_, outbox_, threads_, say),
       inquiry_(ranks, threads_),
+      roll_(ranks, version(), say),
       head_(ranks, store_, peers_, inquiry_, threads_, say),
       member_(ranks, store_, outbox_, threads_),
       listening_(std::move(listening)),
       say_(std::move(say)) {}
 
+void Worker::meet(const std::atomic<bool>& stop) {
+  while (!stop && !roll_.isOver()) goOn();
+}
+
 void Worker::run(const std::atomic<bool>& stop) {
-  while (!stop) {
-    if (look() || head_.isBusy() || member_.isBusy() || peers_.isBusy()) lastBusy_ = nowSeconds();
-    wait();
-  }
+  while (!stop) goOn();
+}
+
+void Worker::goOn() {
+  if (look() || head_.isBusy() || member_.isBusy() || peers_.isBusy()) lastBusy_ = nowSeconds();
+  wait();
 }
 
 bool Worker::look() {
@@ -53,6 +61,7 @@ bool Worker::look() {
   member_.tick(now);
   peers_.tick(now);
   inquiry_.tick(now);
+  roll_.tick(now);
   return found;
 }
 
@@ -61,8 +70,10 @@ void Worker::handle(const RankMessage& message, double now) {
   try {
     ByteReader in(message.bytes);
     const auto type = in.get<uint16_t>();
+    if (type == RankHello::kType) return roll_.takeHello(from, in.take(in.left()));
     const auto as = [&]<class M>(M) { return decoded<M>(in.take(in.left())); };
     switch (type) {
+      case AllAreAlike::kType: as(AllAreAlike{}); return roll_.takeEnd();
       case TurnWanted::kType: return member_.take(from, as(TurnWanted{}));
       case Turn::kType: return member_.take(as(Turn{}));
       case Forget::kType: return member_.take(from, as(Forget{}));
@@ -81,7 +92,7 @@ void Worker::handle(const RankMessage& message, double now) {
 }
 
 void Worker::accept() {
-  if (listening_.get() < 0) return;
+  if (listening_.get() < 0 || !roll_.isOver()) return;
   for (;;) {
     control::Descriptor socket(::accept4(listening_.get(), nullptr, nullptr, SOCK_CLOEXEC));
     if (socket.get() < 0) return;
@@ -91,7 +102,7 @@ void Worker::accept() {
 
 void Worker::wait() {
   std::vector<pollfd> all{{outbox_.descriptor(), POLLIN, 0}};
-  if (listening_.get() >= 0) all.push_back({listening_.get(), POLLIN, 0});
+  if (listening_.get() >= 0 && roll_.isOver()) all.push_back({listening_.get(), POLLIN, 0});
   for (const int socket : head_.descriptors()) all.push_back({socket, POLLIN, 0});
   const bool active = ranks_.busy() || nowSeconds() - lastBusy_ < kAwake;
   const timespec* const longest = ranks_.size() == 1 && !ranks_.busy() ? &kAlone : active ? &kActive : &kIdle;

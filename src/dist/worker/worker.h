@@ -5,6 +5,7 @@
 #include "dist/worker/head.h"
 #include "dist/worker/job_inquiry.h"
 #include "dist/worker/member.h"
+#include "dist/worker/roll_call.h"
 
 #include <atomic>
 
@@ -17,12 +18,15 @@ class Worker {
   /// `say`: any thread.
   Worker(Ranks& ranks, int threads, control::Descriptor listening, Head::Say say);
 
+  /// Until all ranks are known to be of this version, and programs may come, or `stop`. Throws RanksFailed.
+  void meet(const std::atomic<bool>& stop);
   /// Until `stop`, which is looked at ten times a second. Throws RanksFailed.
   void run(const std::atomic<bool>& stop);
 
  private:
   /// Handles what has come. False: nothing has.
   bool look();
+  void goOn();
   void handle(const RankMessage& message, double now);
   void accept();
   void wait();
@@ -33,6 +37,7 @@ class Worker {
   Outbox outbox_;
   PeerPrograms peers_;
   JobInquiry inquiry_;
+  RollCall roll_;
   Head head_;
   Member member_;
   control::Descriptor listening_;

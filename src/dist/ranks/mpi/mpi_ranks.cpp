@@ -67,7 +67,7 @@ class MpiRanks final : public Ranks {
   }
   ~MpiRanks() override {
     // Whoever leaves in the middle of something cannot wait for its end.
-    if (busy()) MPI_Abort(MPI_COMM_WORLD, 1);
+    if (busy()) endJob();
   }
 
   int rank() const override { return rank_; }
@@ -80,6 +80,7 @@ class MpiRanks final : public Ranks {
   std::optional<RankMessage> receive() override;
   void broadcast(int root, std::span<std::byte> bytes, std::function<void()> done) override;
   void progress() override;
+  void endJob() noexcept override { MPI_Abort(MPI_COMM_WORLD, 1); }
   bool busy() const override { return !sends_.empty() || !broadcasts_.empty() || !toItself_.empty(); }
 
  private:
