@@ -1,9 +1,13 @@
-"""A plane and spheres, which ParaView splits among its ranks: sort_last.py PICTURE.png, run by pvbatch."""
+"""A plane and spheres, which ParaView splits among its ranks: sort_last.py PICTURE.png [PORT], run by pvbatch, or by pvpython as the client of
+the pvserver at that port, which renders."""
 import sys
 
 import paraview.simple as pv
 
 pv._DisableFirstRenderCameraReset()
+if len(sys.argv) > 2:
+    pv.Connect("127.0.0.1", int(sys.argv[2]))
+    pv.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = 0  # MB from which on the server renders
 view = pv.CreateView("RenderView")
 view.ViewSize = [300, 240]
 view.OrientationAxesVisibility = 0
@@ -12,8 +16,9 @@ view.Background = [0.2, 0.3, 0.4]
 pv.Show(pv.Plane(Origin=[-3, -3, -0.6], Point1=[3, -3, -0.6], Point2=[-3, 3, -0.6]), view)
 for i in range(4):
     pv.Show(pv.Sphere(Center=[i - 1.5, 0.3 * (i % 2), 0], Radius=0.5, ThetaResolution=48, PhiResolution=48), view)
-view.CameraPosition = [0, -6, 4]
 view.CameraFocalPoint = [0, 0, 0]
 view.CameraViewUp = [0, 0, 1]
-pv.Render(view)
+for x in (2, -1, 0):
+    view.CameraPosition = [x, -6, 4]
+    pv.Render(view)
 pv.SaveScreenshot(sys.argv[1], view)

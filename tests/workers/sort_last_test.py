@@ -32,48 +32,61 @@ class Pictures:
                                 XDG_CONFIG_HOME=str(folder), HOME=str(folder))
         (folder / "run").mkdir(mode=0o700)
 
+    @staticmethod
+    def launcher(ranks):
+        if ranks == 1:
+            return []
+        root = ["--allow-run-as-root"] if os.getuid() == 0 else []
+        return ["mpirun", *root, "--oversubscribe", "--mca", "mpi_yield_when_idle", "1", "-np", str(ranks)]
+
     def draw(self, name, ranks, *options):
-        """The picture, and what was said."""
+        """The picture's file, and what was said."""
         path = self.folder / f"{name}.png"
-        launcher = ["mpirun", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1", "-np", str(ranks)] if ranks > 1 else []
-        if launcher and os.getuid() == 0:
-            launcher.insert(1, "--allow-run-as-root")
-        done = subprocess.run([*launcher, self.gluray, "--engine", "always", *LIGHT, *options, "--", "pvbatch", HERE / "sort_last.py", path],
+        done = subprocess.run([*self.launcher(ranks), self.gluray, "--engine", "always", *LIGHT, *options, "--", "pvbatch", HERE / "sort_last.py", path],
                               env=self.environment, stderr=subprocess.PIPE, text=True, timeout=240, check=False)
         assert done.returncode == 0 and path.exists(), done.stderr
-        return pixels(path), done.stderr
+        return path, done.stderr
+
+    @staticmethod
+    def wait_for(log, text):
+        for _ in range(1200):
+            if text in log.read_text():
+                return
+            time.sleep(0.05)
+        raise AssertionError(log.read_text())
 
     def job(self):
         """One worker for all ranks, and the file of its messages."""
         log = self.folder / "log"
         with log.open("w") as file:
             process = subprocess.Popen([self.worker, "--job", "test"], env=self.environment, stderr=file)
-        for _ in range(200):
-            if "programs join with" in log.read_text():
-                return process, log
-            time.sleep(0.05)
-        raise AssertionError(log.read_text())
+        self.wait_for(log, "programs join with")
+        return process, log
+
+
+def check_light(pictures):
+    """Two ranks with workers draw the picture of one rank, and another one without workers."""
+    expected, _ = pictures.draw("one", 1)
+    alone, _ = pictures.draw("alone", 2)
+    job, log = pictures.job()
+    try:
+        together, said = pictures.draw("together", 2, "--workers", "test")
+    finally:
+        job.terminate()
+        job.wait()
+    without, across = (compare(pixels(expected), pixels(found)) for found in (alone, together))
+    print(f"mean difference and share of pixels: without workers {without}, with workers {across}")
+    assert without[1] > 0.05, "the scene shows nothing of other ranks"
+    # Rays that graze the cut through a sphere meet it or not.
+    assert across[0] < 0.1 and across[1] < 0.01, log.read_text() + said
+    assert "does not" not in log.read_text() and "draws nothing" not in log.read_text(), log.read_text()
 
 
 def main(gluray, worker):
     if not all(map(shutil.which, ("pvbatch", "mpirun", "convert"))):
         return 77
     with tempfile.TemporaryDirectory() as folder:
-        pictures = Pictures(os.path.abspath(gluray), os.path.abspath(worker), pathlib.Path(folder))
-        expected, _ = pictures.draw("one", 1)
-        alone, _ = pictures.draw("alone", 2)
-        job, log = pictures.job()
-        try:
-            together, said = pictures.draw("together", 2, "--workers", "test")
-        finally:
-            job.terminate()
-            job.wait()
-        without, across = compare(expected, alone), compare(expected, together)
-        print(f"mean difference and share of pixels: without workers {without}, with workers {across}")
-        assert without[1] > 0.05, "the scene shows nothing of other ranks"
-        # Rays that graze the cut through a sphere meet it or not.
-        assert across[0] < 0.1 and across[1] < 0.01, log.read_text() + said
-        assert "does not" not in log.read_text() and "draws nothing" not in log.read_text(), log.read_text()
+        check_light(Pictures(os.path.abspath(gluray), os.path.abspath(worker), pathlib.Path(folder)))
     return 0
 
 
