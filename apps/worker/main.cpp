@@ -10,12 +10,14 @@
 #include <CLI/CLI.hpp>
 
 #include <atomic>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 namespace {
 
@@ -23,6 +25,9 @@ using namespace gluray;
 
 std::atomic<bool> stop{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
+
+// Launchers may drop what a process says just before it ends its job.
+constexpr auto kLastWords = std::chrono::milliseconds(300);
 
 struct Options {
   std::string job = "job", mpi = "auto";
@@ -85,6 +90,7 @@ int work(const Options& options, int argc, char** argv) {
     return 0;
   } catch (const std::exception& error) {
     say(*ranks, error.what());
+    std::this_thread::sleep_for(kLastWords);
     ranks->endJob();
   }
   return 1;

@@ -1,5 +1,5 @@
 """A job of workers over hosts with networks of their own, whose cables are pulled and slowed, and whose ranks are stopped and killed:
-hosts_test.py GLURAY WORKER CLIENT, with an X server at hand. Exits with 77 where there can be no such hosts, or no Open MPI."""
+hosts_test.py GLURAY WORKER CLIENT, with an X server at hand. Exits with 77 where there can be no such hosts."""
 import json
 import os
 import shutil
@@ -45,24 +45,30 @@ class Drawing:
         return len(times)
 
 
-class HostsTest(Jobs):
+class OpenMpi(Jobs):
     expected = []  # checksums of the frames of a program without workers, by number
+    program = "mpirun.openmpi"
+
+    def launch(self, *words):
+        return self.network.mpirun(HOSTS, *words)
 
     def setUp(self):
         super().setUp()
+        if not shutil.which(self.program):
+            self.skipTest(f"{self.program} is not installed")
         self.network = hosts.Network(HOSTS, self.folder)
         self.addCleanup(self.network.end)
-        if not HostsTest.expected:
+        if not OpenMpi.expected:
             process = self.spawn(self.gluray, "--engine", "always", *WORK, "--", self.client, *ONE_BY_ONE)
             later = [self.frame(process) for _ in range(TURN)]  # from the second on
-            HostsTest.expected = later[-2:] + later[:-2]
+            OpenMpi.expected = later[-2:] + later[:-2]
             self.end(process)
 
     def hosts_job(self, ready=True):
         """A rank on each host: the launcher's process, and the file of messages."""
         path = self.log()
         with path.open("w") as file:
-            process = self.spawn(*self.network.mpirun(HOSTS, self.worker, "--job", "test", "--threads", "1"), stderr=file, stdout=file)
+            process = self.spawn(*self.launch(self.worker, "--job", "test", "--threads", "1"), stderr=file, stdout=file)
         if ready:
             self.assertTrue(wait_for(lambda: "programs join with" in path.read_text() or process.poll() is not None), path.read_text())
             self.assertIsNone(process.poll(), path.read_text())
@@ -169,7 +175,7 @@ class HostsTest(Jobs):
         self.assertEqual(said.read_text(), "")
 
     def test_a_rank_is_killed(self):
-        """Open MPI ends the job. The program goes on by itself, says once or twice why, and uses the next job."""
+        """MPI ends the job. The program goes on by itself, says once or twice why, and uses the next job."""
         job, _ = self.hosts_job()
         drawing, said = self.drawing(0)
         drawing.draw_for(1, "all well")
@@ -194,9 +200,15 @@ class HostsTest(Jobs):
         self.assertNotIn("programs join with", said)
 
 
+class Mpich(OpenMpi):
+    program = "mpiexec.mpich"
+
+    def launch(self, *words):
+        return self.network.mpiexec(HOSTS, *words)
+
+
 if __name__ == "__main__":
-    why = hosts.why_not() or ("" if shutil.which("mpirun.openmpi") else "Open MPI is not installed")
-    if why:
+    if why := hosts.why_not():
         print(why)
         sys.exit(77)
     Jobs.gluray, Jobs.worker, Jobs.client = map(os.path.abspath, sys.argv[1:4])

@@ -45,7 +45,7 @@ class Workers(Jobs):
     def test_ranks_of_mpich(self):
         _, log = self.job(*self.mpi("mpich"))
         self.assertIn("3 ranks", log.read_text())
-        self.assertIn("MPICH", log.read_text())
+        self.assertRegex(log.read_text(), r", MPICH \d")
         self.check_pictures(log)
 
     def test_without_a_job_the_program_traces_and_says_so(self):

@@ -105,8 +105,12 @@ std::string MpiRanks::implementation() const {
   char text[MPI_MAX_LIBRARY_VERSION_STRING] = {};
   int length = 0;
   MPI_Get_library_version(text, &length);
-  const std::string whole(text, static_cast<size_t>(length));
-  return whole.substr(0, whole.find_first_of(",\n"));
+  std::string name(text, static_cast<size_t>(length));
+  name.resize(std::min(name.find_first_of(",\n"), name.size()));
+  // "MPICH Version:\t4.0.2".
+  if (const size_t colon = name.find(" Version:"); colon != name.npos) name.erase(colon, 9);
+  std::ranges::replace(name, '\t', ' ');
+  return name;
 }
 
 void MpiRanks::send(int to, std::vector<std::byte> message) {
