@@ -17,6 +17,13 @@ struct RankHello {
 struct AllAreAlike {
   static constexpr uint16_t kType = 10;
 };
+/// From a worker's intake to the rank itself: the array has been compared with its name.
+struct ArrayChecked {
+  static constexpr uint16_t kType = 11;
+  uint64_t number = 0;  // of the check
+  Hash128 name;
+  bool isRight = false;
+};
 /// To rank 0, which orders the broadcasts of the job: the sender has an array for all.
 struct TurnWanted {
   static constexpr uint16_t kType = 1;
@@ -87,6 +94,10 @@ void fields(auto& archive, Like<RankHello> auto& value) {
   archive(order, version, host);
 }
 void fields(auto&, Like<AllAreAlike> auto&) {}
+void fields(auto& archive, Like<ArrayChecked> auto& value) {
+  auto& [number, name, isRight] = value;
+  archive(number, name, isRight);
+}
 void fields(auto& archive, Like<TurnWanted> auto& value) {
   auto& [name, bytes] = value;
   archive(name, bytes);

@@ -15,9 +15,11 @@ constexpr size_t kMostViews = 64;     // whose costs are remembered
 
 }  // namespace
 
-Head::Head(Ranks& ranks, ArrayStore& store, PeerPrograms& peers, JobInquiry& inquiry, int threads, Say say)
+Head::Head(Ranks& ranks, ArrayStore& store, ArrayIntake& intake, PeerPrograms& peers, JobInquiry& inquiry,
+           int threads, Say say)
     : ranks_(ranks),
       store_(store),
+      intake_(intake),
       peers_(peers),
       inquiry_(inquiry),
       say_(std::move(say)),
@@ -111,21 +113,38 @@ void Head::greet(ProgramSide& program, const Hello& hello) {
 void Head::takeArray(ProgramSide& program, const ArrayComes& array, const control::Descriptor& memory) {
   if (program.arrays.contains(array.name)) return;
   if (!holders_.contains(array.name)) {
-    const Array content = mapSealed(memory, array.bytes);
     // Other programs may use it by this name.
-    if (hashBytes(content.bytes.data(), content.bytes.size()) != array.name)
-      throw Malformed("an array is not what its name says");
-    store_.put(ranks_.rank(), array.name, content);
+    intake_.add(++lastCheck_, array.name, mapSealed(memory, array.bytes));
+    holders_[array.name].check = lastCheck_;
   }
   Holders& holders = holders_[array.name];
   ++holders.programs;
-  // Ranks of sort-last programs keep what is theirs.
-  if (ranks_.size() > 1 && !program.peer && !holders.everywhere) {
-    holders.everywhere = true;
-    ranks_.send(kCoordinator, forRanks(TurnWanted{array.name, store_.find(array.name).bytes.size()}));
-  }
+  if (!program.peer) holders.shared = true;
+  spread(array.name, holders);
   program.arrays.insert(array.name);
   program.newArrays.push_back(array.name);
+}
+
+void Head::take(const ArrayChecked& checked) {
+  const auto found = holders_.find(checked.name);
+  if (found == holders_.end() || found->second.check != checked.number) return;  // forgotten since
+  if (checked.isRight) {
+    found->second.here = true;
+    return spread(checked.name, found->second);
+  }
+  for (ProgramSide& program : programs_) {
+    if (!program.arrays.contains(checked.name)) continue;
+    say_(program.name + ": an array is not what its name says; it is disconnected");
+    program.end();
+  }
+}
+
+void Head::spread(const Hash128& name, Holders& holders) {
+  if (ranks_.size() == 1 || !holders.here || !holders.shared || holders.everywhere) return;
+  holders.everywhere = true;
+  const Array array = store_.find(name);
+  store_.put(ranks_.rank(), name, array);  // until it has been broadcast
+  ranks_.send(kCoordinator, forRanks(TurnWanted{name, array.bytes.size()}));
 }
 
 void Head::forget(ProgramSide& program, const std::vector<Hash128>& names) {
@@ -137,6 +156,7 @@ void Head::forget(ProgramSide& program, const std::vector<Hash128>& names) {
     (holders.everywhere ? all : here).names.push_back(name);
     holders_.erase(name);
   }
+  std::erase_if(program.newArrays, [&](const Hash128& name) { return !program.arrays.contains(name); });
   if (!all.names.empty()) sendToAll(all);
   if (!here.names.empty()) store_.forget(ranks_.rank(), here.names);
 }
@@ -150,7 +170,8 @@ void Head::start(ProgramSide& program, bool averages, double now) {
   const Picture& picture = *program.picture;
   const TraceOrder order{picture.id(),      request.shared,    averages,        request.meetsPeers,
                          request.missColor, program.newArrays, request.snapshot};
-  program.newArrays.clear();
+  // What is not here yet may be missed by the next picture, too, if this one is cancelled.
+  std::erase_if(program.newArrays, [&](const Hash128& name) { return holders_[name].here; });
   program.saidAtWork = now;
   if (program.peer) return peers_.trace(program.peer, order, request.shown);
   for (int rank = 0; rank < ranks_.size(); ++rank) {

@@ -3,6 +3,7 @@
 #pragma once
 #include "dist/peers/peer_programs.h"
 #include "dist/ranks/ranks.h"
+#include "dist/worker/array_intake.h"
 #include "dist/worker/array_store.h"
 #include "dist/worker/job_inquiry.h"
 #include "dist/worker/program_side.h"
@@ -22,13 +23,15 @@ class Head {
   using Say = std::function<void(const std::string&)>;
 
   /// `threads`: with which this rank traces. All must outlive it.
-  Head(Ranks& ranks, ArrayStore& store, PeerPrograms& peers, JobInquiry& inquiry, int threads, Say say);
+  Head(Ranks& ranks, ArrayStore& store, ArrayIntake& intake, PeerPrograms& peers, JobInquiry& inquiry,
+       int threads, Say say);
 
   void add(control::Descriptor socket);
   /// Sockets to wait for.
   std::vector<int> descriptors();
   /// Reads what programs have sent.
   void readPrograms(double now);
+  void take(const ArrayChecked& checked);
   void take(int rank, const TracedTile& tile, double now);
   void take(int rank, const Finished& result, double now);
   void take(int rank, const Alive& alive, double now);
@@ -41,11 +44,15 @@ class Head {
  private:
   struct Holders {
     int programs = 0;
-    bool everywhere = false;  // all ranks of the job have it
+    uint64_t check = 0;       // its number at the intake
+    bool here = false;        // it has been checked
+    bool shared = false;      // ranks of sort-last programs keep what is theirs, others' is for all
+    bool everywhere = false;  // all ranks of the job have it, or get it
   };
   void handle(ProgramSide& program, const Message& message, double now);
   void greet(ProgramSide& program, const Hello& hello);
   void takeArray(ProgramSide& program, const ArrayComes& array, const control::Descriptor& memory);
+  void spread(const Hash128& name, Holders& holders);
   void forget(ProgramSide& program, const std::vector<Hash128>& names);
   void start(ProgramSide& program, bool averages, double now);
   void giveTiles(ProgramSide& program);
@@ -61,13 +68,14 @@ class Head {
 
   Ranks& ranks_;
   ArrayStore& store_;
+  ArrayIntake& intake_;
   PeerPrograms& peers_;
   JobInquiry& inquiry_;
   Say say_;
   RankStates states_;
   std::list<ProgramSide> programs_;
   std::unordered_map<Hash128, Holders> holders_;  // of each array
-  uint64_t lastPicture_ = 0;
+  uint64_t lastPicture_ = 0, lastCheck_ = 0;
 };
 
 }  // namespace gluray::dist

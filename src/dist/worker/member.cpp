@@ -50,12 +50,9 @@ void Member::take(const Turn& turn) {
     throw Malformed("no such array");
   if (turn.root == ranks_.rank()) {
     const Array array = store_.find(turn.name);
-    // Forgotten before its turn came: the others take part all the same.
-    const ArrayRoom room = array.owner ? ArrayRoom{} : arrayRoom(turn.bytes);
-    const std::span<std::byte> content =
-        array.owner ? std::span(const_cast<std::byte*>(array.bytes.data()), array.bytes.size())
-                    : room.content();
-    ranks_.broadcast(turn.root, content, [array, room] {});
+    if (!array.owner || array.bytes.size() != turn.bytes) throw Malformed("no such array");
+    ranks_.broadcast(turn.root, {const_cast<std::byte*>(array.bytes.data()), array.bytes.size()},
+                     [this, array, turn] { store_.forget(turn.root, {turn.name}); });
     return;
   }
   const ArrayRoom room = arrayRoom(turn.bytes);

@@ -27,10 +27,11 @@ int threadsOf(int threads) { return threads > 0 ? threads : Arena(0).threads(); 
 Worker::Worker(Ranks& ranks, int threads, control::Descriptor listening, Head::Say say)
     : ranks_(ranks),
       threads_(threadsOf(threads)),
+      intake_(store_, outbox_, ranks.rank(), threads_),
       peers_(ranks, store_, outbox_, threads_, say),
       inquiry_(ranks, threads_),
       roll_(ranks, version(), say),
-      head_(ranks, store_, peers_, inquiry_, threads_, say),
+      head_(ranks, store_, intake_, peers_, inquiry_, threads_, say),
       member_(ranks, store_, outbox_, threads_),
       listening_(std::move(listening)),
       say_(std::move(say)) {}
@@ -74,6 +75,9 @@ void Worker::handle(const RankMessage& message, double now) {
     const auto as = [&]<class M>(M) { return decoded<M>(in.take(in.left())); };
     switch (type) {
       case AllAreAlike::kType: as(AllAreAlike{}); return roll_.takeEnd();
+      case ArrayChecked::kType:
+        if (from != ranks_.rank()) throw Malformed("it is for the sender alone");
+        return head_.take(as(ArrayChecked{}));
       case TurnWanted::kType: return member_.take(from, as(TurnWanted{}));
       case Turn::kType: return member_.take(as(Turn{}));
       case Forget::kType: return member_.take(from, as(Forget{}));

@@ -2,6 +2,7 @@
 #pragma once
 #include "control/descriptor.h"
 #include "dist/ranks/ranks.h"
+#include "dist/worker/array_intake.h"
 #include "dist/worker/head.h"
 #include "dist/worker/job_inquiry.h"
 #include "dist/worker/member.h"
@@ -35,6 +36,7 @@ class Worker {
   const int threads_;
   ArrayStore store_;
   Outbox outbox_;
+  ArrayIntake intake_;
   PeerPrograms peers_;
   JobInquiry inquiry_;
   RollCall roll_;

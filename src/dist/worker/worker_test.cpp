@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstring>
 #include <random>
 #include <string>
 
@@ -216,7 +217,7 @@ TEST_F(WorkerFaults, NothingPilesUpForARankThatIsStopped) {
   const scene::Snapshot s = plainScene();
   program.picture(s);
   job.rank(2).isDeaf = true;
-  program.picture(s);
+  for (int i = 0; i < 2; ++i) program.picture(s);  // the second may come before the end of the first is told
   const size_t waiting = job.waiting(2);
   for (int i = 0; i < 20; ++i) expectSame(program.picture(s), expectedPicture(s));
   EXPECT_EQ(job.waiting(2), waiting);
@@ -279,6 +280,61 @@ TEST_F(WorkerFaults, WhateverAProgramSaysOthersGetTheirPictures) {
     if (round % 10 == 0) expectSame(program.picture(s), expected);
   }
   EXPECT_EQ(program.tracedHere, 0) << program.said;
+}
+
+void sendArray(Line& line, const Hash128& name, const Descriptor& memory, size_t bytes) {
+  ASSERT_TRUE(line.send(ArrayComes::kType, encoded(ArrayComes{name, bytes}), memory.get(), 1000));
+}
+
+void sayHello(Line& line) {
+  ASSERT_TRUE(line.send(Hello::kType, encoded(Hello{version(), "stranger", 1}), -1, 1000));
+}
+
+TEST_F(WorkerFaults, GigabytesOfOneProgramDoNotHoldUpAnother) {
+  constexpr size_t kBytes = size_t{64} << 20;
+  WorkerJob job(directory_, 2);
+  const scene::Snapshot s = plainScene(40);
+  Program program(directory_);
+  expectSame(program.picture(s), expectedPicture(s));
+  const Descriptor memory = sealedMemory(kBytes, [](std::byte* at) { std::memset(at, 1, kBytes); });
+  const std::vector<std::byte> content(kBytes, std::byte{1});
+  const Hash128 name = hashBytes(content.data(), kBytes);
+  Line line = strangerTo(directory_);
+  sayHello(line);
+  for (int i = 0; i < 80; ++i) {  // each time it is as new
+    sendArray(line, name, memory, kBytes);
+    ASSERT_TRUE(line.send(ArraysGo::kType, encoded(ArraysGo{{name}}), -1, 1000));
+  }
+  for (float i = 0; i < 5; ++i) {
+    scene::Snapshot next = s;
+    next.instances[0].mesh = gluray::test::makeMesh(gluray::test::squareData(-0.1f * i));
+    expectSame(program.picture(next), expectedPicture(next));
+  }
+  EXPECT_EQ(program.tracedHere, 0) << program.said;
+}
+
+TEST_F(WorkerFaults, AnArrayThatIsNotWhatItsNameSays) {
+  constexpr size_t kBytes = 64;
+  WorkerJob job(directory_, 2);
+  const auto memoryOf = [](int value) {
+    return sealedMemory(kBytes, [value](std::byte* at) { std::memset(at, value, kBytes); });
+  };
+  const std::vector<std::byte> content(kBytes, std::byte{1});
+  const Hash128 name = hashBytes(content.data(), kBytes);
+  Line liar = strangerTo(directory_);
+  sayHello(liar);
+  sendArray(liar, name, memoryOf(2), kBytes);
+  while (liar.receive(5000)) continue;
+  EXPECT_TRUE(liar.isBroken());
+  EXPECT_NE(job.said().find("is not what its name says"), std::string::npos) << job.said();
+
+  Line honest = strangerTo(directory_);
+  sayHello(honest);
+  sendArray(honest, name, memoryOf(1), kBytes);
+  ASSERT_TRUE(honest.send(JobQuestion::kType, {}, -1, 1000));
+  EXPECT_TRUE(honest.receive(5000)) << "a welcome";
+  EXPECT_TRUE(honest.receive(5000)) << "facts";
+  EXPECT_FALSE(honest.isBroken()) << job.said();
 }
 
 TEST_F(WorkerFaults, WhoeverSaysHelloTwiceIsDisconnected) {
