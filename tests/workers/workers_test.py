@@ -1,7 +1,9 @@
 """Programs whose pictures gluray-worker traces: workers_test.py GLURAY WORKER CLIENT, with an X server at hand. Jobs of many ranks
 use the launchers that are installed."""
 import os
+import pathlib
 import signal
+import subprocess
 import sys
 import time
 import unittest
@@ -103,6 +105,17 @@ class Workers(Jobs):
         second = self.spawn(self.worker, "--job", "test")
         self.assertEqual(second.wait(30), 1)
         self.assertIn("another gluray-worker --job test runs already", second.stderr.read())
+
+    def test_ranks_of_two_versions_end_the_job(self):
+        python = "/usr/bin/python3"  # which has the distribution's mpi4py
+        if subprocess.run([python, "-c", "import mpi4py"], stderr=subprocess.DEVNULL, check=False).returncode != 0:
+            self.skipTest("python3-mpi4py is not installed")
+        other = pathlib.Path(__file__).resolve().parent / "other_version.py"
+        job = self.spawn(*self.openmpi(), self.worker, "--job", "test", ":", "-n", "1", python, str(other), "0.0.1 (9)")
+        _, said = job.communicate(timeout=60)
+        self.assertNotEqual(job.returncode, 0)
+        self.assertIn("gluray-worker 0: rank 3 is of GLuRay 0.0.1 (9) on node7, rank 0 of GLuRay ", said)
+        self.assertNotIn("programs join with", said)
 
     def test_wrong_options(self):
         for options, line in ((["--job", "a/b"], "names no job"), (["--mpi", "/nowhere/lib.so"], "MPI cannot be loaded"),
