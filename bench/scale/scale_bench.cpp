@@ -1,24 +1,20 @@
 // gluray-bench-scale: ambient occlusion across the ranks of a sort-last program. The ranks are threads of
 // this process, whose pictures one worker traces; each holds a slab of the Wavelet's isosurfaces. One line a
 // figure.
-#include "bench/data/isosurface.h"
-#include "bench/data/orbit.h"
 #include "bench/data/report.h"
-#include "bench/data/wavelet.h"
-#include "bench/render/wavelet_snapshot.h"
+#include "bench/scale/all_queries.h"
+#include "bench/scale/counting_ranks.h"
+#include "bench/scale/cpu_seconds.h"
 #include "bench/scale/parts.h"
+#include "bench/scale/views.h"
 #include "control/listening_place.h"
-#include "dist/messages/peer_messages.h"
-#include "dist/peers/query_stream.h"
 #include "dist/program/remote_tracer.h"
 #include "dist/program/worker_place.h"
-#include "dist/ranks/alone.h"
 #include "dist/worker/worker.h"
 #include "frame/renderer.h"
 
 #include <CLI/CLI.hpp>
 
-#include <bit>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -29,60 +25,11 @@ namespace {
 
 using namespace gluray;
 
+constexpr double kNearDistance = 60;  // of a camera within the data; world units
+
 struct Options {
   double millions = 1;
   int ranks = 4, frames = 5, samples = 4, threads = 2;
-};
-
-/// What the ranks have sent each other.
-struct Traffic {
-  double queryBytes = 0, answerBytes = 0, rays = 0, messages = 0;
-};
-
-/// A job of one process that counts what its programs ask each other.
-class CountingRanks final : public dist::Ranks {
- public:
-  int rank() const override { return alone_.rank(); }
-  int size() const override { return alone_.size(); }
-  int rankHere() const override { return alone_.rankHere(); }
-  int sizeHere() const override { return alone_.sizeHere(); }
-  std::string implementation() const override { return alone_.implementation(); }
-  void send(int to, std::vector<std::byte> message) override {
-    count(message);
-    alone_.send(to, std::move(message));
-  }
-  std::optional<dist::RankMessage> receive() override { return alone_.receive(); }
-  void broadcast(int root, std::span<std::byte> bytes, std::function<void()> done) override {
-    alone_.broadcast(root, bytes, std::move(done));
-  }
-  void progress() override { alone_.progress(); }
-  bool busy() const override { return alone_.busy(); }
-  Traffic take() {
-    const std::lock_guard lock(mutex_);
-    return std::exchange(traffic_, {});
-  }
-
- private:
-  void count(const std::vector<std::byte>& message) {
-    dist::ByteReader in(message);
-    const auto type = in.get<uint16_t>();
-    if (type != dist::OcclusionQueries::kType && type != dist::OcclusionReplies::kType) return;
-    const auto bytes = static_cast<double>(message.size());
-    const std::lock_guard lock(mutex_);
-    ++traffic_.messages;
-    if (type == dist::OcclusionReplies::kType) {
-      traffic_.answerBytes += bytes;
-      return;
-    }
-    traffic_.queryBytes += bytes;
-    const auto queries = dist::decoded<dist::OcclusionQueries>(in.take(in.left()));
-    dist::QueryReader reader(queries.rays);
-    for (dist::QueryPacket packet; reader.next(packet);) traffic_.rays += std::popcount(packet.lanes);
-  }
-
-  dist::Alone alone_;
-  std::mutex mutex_;
-  Traffic traffic_;
 };
 
 /// The worker, on a thread of its own.
@@ -106,11 +53,11 @@ class Job {
   }
   Job(const Job&) = delete;
   Job& operator=(const Job&) = delete;
-  Traffic take() { return ranks_.take(); }
+  bench::Traffic take() { return ranks_.take(); }
 
  private:
   control::ListeningPlace place_;
-  CountingRanks ranks_;
+  bench::CountingRanks ranks_;
   std::atomic<bool> stop_{false};
   std::thread thread_;
 };
@@ -131,19 +78,16 @@ struct Rank {
   Image image;
 };
 
-void show(scene::Snapshot& s, const Options& options, bool light, int frame) {
-  bench::lookFrom(s, bench::orbitPose(frame, 360));
-  s.instances[0].lightingFromObject = glm::mat4(s.instances[0].eyeFromObject);
-  s.frame = static_cast<uint64_t>(frame);
-  s.settings.bvh = BvhQuality::full;
-  s.settings.threads = options.threads;
-  s.settings.ao.enabled = light, s.settings.ao.samples = options.samples;
-}
-
-double secondsOf(const auto& work) {
+/// Of some work: time, and CPU time of this process.
+struct Spent {
+  double ms = 0, cpuMs = 0;
+};
+Spent spentOn(const auto& work) {
   const auto start = std::chrono::steady_clock::now();
+  const double cpu = bench::processCpuSeconds();
   work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return {std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count(),
+          1000 * (bench::processCpuSeconds() - cpu)};
 }
 
 void traceAll(std::list<Rank>& ranks) {
@@ -172,13 +116,72 @@ int differing(const std::list<Rank>& ranks, const Image& one) {
   return count;
 }
 
+/// Queries of all occlusion rays: of this view, and of one from so near that all pixels show surfaces.
+void printAllQueries(frame::Renderer& renderer, scene::Snapshot whole) {
+  const auto print = [&](const std::string& view) {
+    const bench::AllQueries all = bench::allQueries(renderer, whole);
+    std::printf("%s_rays_before_culling_mega %.4f\n", view.c_str(), static_cast<double>(all.rays) / 1e6);
+    std::printf("%s_mb_before_culling %.3f\n", view.c_str(), static_cast<double>(all.bytes) / 1e6);
+    std::printf("%s_pixels_hit_mega %.4f\n", view.c_str(), static_cast<double>(all.pixels) / 1e6);
+  };
+  print("orbit");
+  bench::lookFrom(whole, bench::orbitPose(0, 360, kNearDistance));
+  whole.instances[0].lightingFromObject = glm::mat4(whole.instances[0].eyeFromObject);
+  const double nearest = 0.1, farthest = 600, f = whole.camera.clipFromEye[1][1];
+  whole.camera.clipFromEye =
+      glm::dmat4(f, 0, 0, 0, 0, f, 0, 0, 0, 0, -(farthest + nearest) / (farthest - nearest), -1, 0, 0,
+                 -2 * farthest * nearest / (farthest - nearest), 0);
+  print("near");
+}
+
+struct Figures {
+  std::vector<double> local, light, oneLocal, oneLight, lightCpu, oneLightCpu, queryBytes, answerBytes, rays,
+      allRays, messages, wrong;
+};
+
+/// One round: a local frame and one with occlusion, by all ranks and by one process.
+void round(const Options& options, int number, Job& job, std::list<Rank>& ranks, frame::Renderer& renderer,
+           scene::Snapshot& whole, Figures& f) {
+  for (const bool isLit : {false, true}) {
+    const int frame = 2 * number + (isLit ? 4 : 3), samples = isLit ? options.samples : 0;
+    for (Rank& rank : ranks) bench::show(rank.snapshot, frame, samples, options.threads);
+    bench::show(whole, frame, samples, options.threads);
+    job.take();
+    const Spent together = spentOn([&] { traceAll(ranks); });
+    const bench::Traffic traffic = job.take();
+    Image image;
+    scene::TraceCost cost;
+    std::string error;
+    const Spent one = spentOn([&] { renderer.render(whole, image, cost, error); });
+    if (number < 0) continue;
+    (isLit ? f.light : f.local).push_back(together.ms), (isLit ? f.oneLight : f.oneLocal).push_back(one.ms);
+    if (!isLit) continue;
+    f.lightCpu.push_back(together.cpuMs), f.oneLightCpu.push_back(one.cpuMs);
+    double hits = 0;
+    for (const Rank& rank : ranks)
+      for (const float depth : rank.image.depth) hits += depth != Image::kMiss;
+    f.queryBytes.push_back(traffic.queryBytes / 1e6), f.answerBytes.push_back(traffic.answerBytes / 1e6);
+    f.rays.push_back(traffic.rays / 1e6), f.allRays.push_back(hits * options.samples / 1e6);
+    f.messages.push_back(traffic.messages), f.wrong.push_back(differing(ranks, image));
+  }
+}
+
+void print(const Figures& f) {
+  const auto print = [](const char* name, const std::vector<double>& values) {
+    std::printf("%s %.3f\n", name, bench::median(values));
+  };
+  print("local_ms", f.local), print("occlusion_ms", f.light);
+  print("one_process_local_ms", f.oneLocal), print("one_process_occlusion_ms", f.oneLight);
+  print("occlusion_cpu_ms", f.lightCpu), print("one_process_occlusion_cpu_ms", f.oneLightCpu);
+  print("occlusion_megarays", f.allRays), print("queries_megarays", f.rays);
+  print("queries_mb", f.queryBytes), print("answers_mb", f.answerBytes), print("messages", f.messages);
+  print("differing_pixels", f.wrong);
+}
+
 void run(const Options& options) {
   const std::string directory =
       (std::filesystem::temp_directory_path() / ("gluray-scale-" + std::to_string(getpid()))).string();
-  const bench::Volume volume = bench::wavelet();
-  const auto [low, high] = volume.range();
-  const bench::TriangleMesh mesh =
-      isosurfaces(volume, bench::evenIsovalues(low, high, bench::waveletSurfaces(options.millions)));
+  const bench::TriangleMesh mesh = bench::waveletMesh(options.millions);
   const std::vector<bench::TriangleMesh> parts = bench::slabs(mesh, options.ranks);
   Job job(directory, options.threads);
   std::list<Rank> ranks;
@@ -186,40 +189,12 @@ void run(const Options& options) {
     ranks.emplace_back(directory, rank, options.ranks, parts[static_cast<size_t>(rank)]);
   frame::Renderer renderer;
   scene::Snapshot whole = bench::waveletSnapshot(mesh);
-  std::vector<double> local, light, oneLocal, oneLight, queryBytes, answerBytes, rays, allRays, messages,
-      wrong;
-  int frame = 0;
-  for (int round = -1; round < options.frames; ++round)  // the first builds structures
-    for (const bool isLit : {false, true}) {
-      ++frame;
-      for (Rank& rank : ranks) show(rank.snapshot, options, isLit, frame);
-      show(whole, options, isLit, frame);
-      job.take();
-      const double together = secondsOf([&] { traceAll(ranks); });
-      const Traffic traffic = job.take();
-      Image image;
-      scene::TraceCost cost;
-      std::string error;
-      const double one = secondsOf([&] { renderer.render(whole, image, cost, error); });
-      if (round < 0) continue;
-      (isLit ? light : local).push_back(1000 * together), (isLit ? oneLight : oneLocal).push_back(1000 * one);
-      if (!isLit) continue;
-      double hits = 0;
-      for (const Rank& rank : ranks)
-        for (const float depth : rank.image.depth) hits += depth != Image::kMiss;
-      queryBytes.push_back(traffic.queryBytes / 1e6), answerBytes.push_back(traffic.answerBytes / 1e6);
-      rays.push_back(traffic.rays / 1e6), allRays.push_back(hits * options.samples / 1e6);
-      messages.push_back(traffic.messages), wrong.push_back(differing(ranks, image));
-    }
+  Figures figures;
+  for (int number = -1; number < options.frames; ++number)  // the first builds structures
+    round(options, number, job, ranks, renderer, whole, figures);
   std::filesystem::remove_all(directory);
-  const auto print = [](const char* name, const std::vector<double>& values) {
-    std::printf("%s %.3f\n", name, bench::median(values));
-  };
-  print("local_ms", local), print("occlusion_ms", light);
-  print("one_process_local_ms", oneLocal), print("one_process_occlusion_ms", oneLight);
-  print("occlusion_megarays", allRays), print("queries_megarays", rays);
-  print("queries_mb", queryBytes), print("answers_mb", answerBytes), print("messages", messages);
-  print("differing_pixels", wrong);
+  print(figures);
+  if (options.ranks == 1) printAllQueries(renderer, whole);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ import pathlib
 import sys
 
 RESULTS = pathlib.Path(__file__).resolve().parent.parent / "results"
-NAMES = ("suite", "stream", "program", "scene", "path", "millions", "look", "repeated")  # the keys that identify a row
+NAMES = ("suite", "stream", "program", "scene", "path", "millions", "look", "ranks", "repeated")  # the keys that identify a row
 
 
 class Unreadable(RuntimeError):

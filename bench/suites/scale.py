@@ -1,51 +1,186 @@
-"""light across the ranks of a sort-last program: times and bytes
+"""beyond one process: pictures shared by ranks, light across ranks, and a simulation of up to 1024 ranks
 
-The Wavelet's isosurfaces, 1024x1024, in slabs: each rank holds one, and one worker traces for all. Ambient occlusion with four rays a pixel. All
-ranks share this machine's cores, so that times show what the exchange costs, not how it scales. Needs no display. Results go to
-bench/results/NAME.json.
+The Wavelet's isosurfaces, 1024x1024, an orbit of one degree a frame. Needs no display. Parts:
+
+  image       ranks of gluray-worker as processes under Open MPI, one thread each, that share each picture of one program; in turn with a
+              job of one rank, frame by frame. The ranks share this machine's cores: frame times show no scaling, CPU times show what ranks
+              of their own cores would do. NAME_image.json
+  peers       ambient occlusion with four rays a pixel across the ranks of a sort-last program: slabs, all in one process. NAME.json
+  simulation  measures tiles, the head's work and messages, then SIMULATES the job's protocol on 1 to 1024 ranks. NAME_simulated.json
+  figure      docs/scaling.svg from the results
 """
 import argparse
+import json
 import pathlib
 import shlex
+import tempfile
 
+from scale import figure, simulation, worker_jobs
+from scale.links import links
 from suites.light import figures_of
 from support import machine, programs
 from support.telling import status_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+PARTS = ("image", "peers", "simulation", "figure")
+LOOKS = {"local": 0, "occlusion": 16}  # rays of ambient occlusion a pixel
+SIMULATED_RANKS = [2**power for power in range(11)]
 
 
 def arguments(argv):
     parser = argparse.ArgumentParser(prog="scripts/bench scale", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--sizes", default="1,4", help="millions of triangles (1,4)")
-    parser.add_argument("--ranks", default="1,2,4,8", help="numbers of ranks (1,2,4,8)")
+    parser.add_argument("--sizes", default="1,4", help="millions of triangles (1,4); the simulation takes the first")
+    parser.add_argument("--ranks", default="1,2,4,8", help="numbers of ranks that are measured (1,2,4,8)")
+    parser.add_argument("--parts", default=",".join(PARTS), help=f"which parts ({','.join(PARTS)})")
+    parser.add_argument("--figure", action="store_true", help="--parts figure")
     parser.add_argument("--frames", type=int, default=7)
-    parser.add_argument("--threads", type=int, default=2, help="of each rank")
-    parser.add_argument("--name", default="scale", help="name of the result file")
+    parser.add_argument("--threads", type=int, default=2, help="of each rank of the part 'peers'")
+    parser.add_argument("--name", default="scale", help="name of the result files")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="build folder")
-    return parser.parse_args(argv)
+    options = parser.parse_args(argv)
+    options.parts = ["figure"] if options.figure else options.parts.split(",")
+    if unknown := set(options.parts) - set(PARTS):
+        parser.error(f"no part {', '.join(sorted(unknown))}")
+    return options
 
 
-def measured(options, size, ranks):
-    program = options.build / "bench" / "scale" / "gluray-bench-scale"
-    programs.require(program)
-    command = [program, "--triangles", size, "--ranks", ranks, "--frames", options.frames, "--threads", options.threads]
-    code, out, err = programs.run([str(word) for word in command], {}, 1800)
+def said_by(command, environment=None):
+    """What the program printed."""
+    code, out, err = programs.run([str(word) for word in command], environment or {}, 1800)
     if code != 0:
         raise programs.Failed(f"exit code {code}: {' '.join(map(str, command))}\n{err}")
-    return figures_of(out)
+    return out
+
+
+def program(options, name):
+    path = options.build / "bench" / "scale" / name
+    programs.require(path)
+    return path
+
+
+def tell(row, names):
+    title = " ".join(str(row[name]) for name in names)
+    for name, value in row.items():
+        if name not in names and isinstance(value, (int, float)):
+            print(f"{title:32} {name:28} {value:10.3f}", flush=True)
+
+
+def image_rows(options, millions, look, ranks):
+    """Rows of a job of one rank and of one of `ranks`, which took turns."""
+    worker = options.build / "apps" / "gluray" / "gluray-worker"
+    programs.require(worker, worker_jobs.LAUNCHER)
+    with tempfile.TemporaryDirectory(prefix="gluray-bench-") as folder:
+        with worker_jobs.job(worker, "one", 1, folder) as one, worker_jobs.job(worker, "many", ranks, folder) as many:
+            jobs = [f"{name}:{','.join(map(str, processes))}" for name, processes in (("one", one), ("many", many))]
+            figures = figures_of(said_by([program(options, "gluray-bench-image"), "--triangles", millions, "--samples", LOOKS[look],
+                                          "--frames", options.frames, *jobs], {"GLURAY_RUNTIME": folder}))
+    row = {name.split(".", 1)[1]: value for name, value in figures.items() if name.startswith("many.")}
+    # What one core would take, over what so many cores would be busy for.
+    row["one_rank_tracing_cpu_ms"] = figures["one.tracing_cpu_ms"]
+    row["tracing_cpu_over_one_rank"] = row["tracing_cpu_ms"] / figures["one.tracing_cpu_ms"]
+    row["efficiency_by_busy_time"] = figures["one.busiest_rank_cpu_ms"] / (ranks * row["busiest_rank_cpu_ms"])
+    return {"path": "image-parallel", "millions": millions, "look": look, "ranks": ranks, **row}
+
+
+def measure_image(options):
+    for millions in map(float, options.sizes.split(",")):
+        for look in LOOKS:
+            for ranks in map(int, options.ranks.split(",")):
+                yield image_rows(options, millions, look, ranks)
+
+
+def measure_peers(options):
+    for millions in map(float, options.sizes.split(",")):
+        for ranks in map(int, options.ranks.split(",")):
+            figures = figures_of(said_by([program(options, "gluray-bench-scale"), "--triangles", millions, "--ranks", ranks,
+                                          "--frames", options.frames, "--threads", options.threads]))
+            figures["cpu_over_one_process"] = figures["occlusion_cpu_ms"] / figures["one_process_occlusion_cpu_ms"]
+            yield {"path": "sort-last", "millions": millions, "ranks": ranks, **figures}
+
+
+def measured_inputs(options):
+    """What the simulation starts from: figures of links, and of the pictures by look."""
+    mpi = options.build / "lib" / "gluray" / "libgluray-mpi-openmpi.so"
+    link = figures_of(said_by([*worker_jobs.launcher(2), program(options, "gluray-bench-link"), mpi]))
+    millions = options.sizes.split(",")[0]
+    pictures = {look: json.loads(said_by([program(options, "gluray-bench-tiles"), "--triangles", millions, "--samples", samples]))
+                for look, samples in LOOKS.items()}
+    return {"link": link, "pictures": pictures}
+
+
+def costs_of(inputs, look, ranks, looks_at_one=False):
+    """`looks_at_one`: as if the head looked only at the rank that a tile came from, which it does not."""
+    picture, link = inputs["pictures"][look], inputs["link"]
+    head = next(row for row in picture["head"] if row["ranks"] == ranks)
+    head = {**head, "give_us": picture["head"][0]["give_us"]} if looks_at_one else head
+    return simulation.Costs(before=picture["before_us"], tiles=picture["tiles_us"], begin=picture["begin_us"], end=picture["end_us"],
+                            pack=picture["pack_us"], take=head["take_us"], give=head["give_us"], sleep=link["sleep_us"], wake=link["wake_us"],
+                            bytes=picture["bytes"])
+
+
+def simulated_row(inputs, millions, look, link, threads, ranks, looks_at_one):
+    done = simulation.simulate(costs_of(inputs, look, ranks, looks_at_one), links(inputs["link"])[link], ranks, threads)
+    head = "head looks at one rank" if looks_at_one else "as built"
+    return {"path": f"simulated {link}, {threads} threads, {head}", "millions": millions, "look": look, "link": link, "threads": threads, "head": head,
+            "ranks": ranks, "frame_ms": round(done.frame / 1000, 4), "max_over_mean": round(done.balance, 4),
+            "busiest_rank_ms": round(max(done.busy) / threads / 1000, 4), "head_works_ms": round(done.head / 1000, 4),
+            "head_link_ms": round(done.head_link / 1000, 4)}
+
+
+def simulated_rows(inputs, millions):
+    curves = [(link, threads, False) for threads in (8, 1) for link in links(inputs["link"])] + [("hdr", 8, True)]
+    for look in LOOKS:
+        for link, threads, looks_at_one in curves:
+            for ranks in SIMULATED_RANKS:
+                yield simulated_row(inputs, millions, look, link, threads, ranks, looks_at_one)
+
+
+def compact(inputs):
+    """Lists of tiles as one text for each row of the picture."""
+    def text(numbers):
+        side = round(len(numbers)**0.5)
+        return [" ".join(f"{n:g}" for n in numbers[at:at + side]) for at in range(0, len(numbers), side)]
+    pictures = {look: {name: text(value) if name in ("before_us", "tiles_us") else value for name, value in picture.items()}
+                for look, picture in inputs["pictures"].items()}
+    return {**inputs, "pictures": pictures}
+
+
+def head_of(part, argv):
+    return {"suite": "scale", "part": part, "command": ("scripts/bench scale " + shlex.join(argv)).strip(), **machine.describe(ROOT), "rows": []}
+
+
+def run_rows(options, argv, part, name, rows, names):
+    result = head_of(part, argv)
+    for row in rows:
+        tell(row, names)
+        result["rows"].append(row)
+    machine.write(ROOT, name, result)
+
+
+def run_simulation(options, argv):
+    result = head_of("simulation: every row is SIMULATED from the measured inputs", argv)
+    inputs = measured_inputs(options)
+    result["links"] = {key: vars(link) for key, link in links(inputs["link"]).items()}
+    result["rows"] = list(simulated_rows(inputs, float(options.sizes.split(",")[0])))
+    result["inputs"] = compact(inputs)
+    machine.write(ROOT, f"{options.name}_simulated", result)
+
+
+def draw(options):
+    results = [json.loads((ROOT / "bench" / "results" / f"{options.name}_{part}.json").read_text())["rows"] for part in ("image", "simulated")]
+    (ROOT / "docs" / "scaling.svg").write_text(figure.figure(*results))
+    print("written: docs/scaling.svg")
 
 
 def run(options, argv):
-    result = {"suite": "scale", "command": ("scripts/bench scale " + shlex.join(argv)).strip(), **machine.describe(ROOT), "rows": []}
-    for size in options.sizes.split(","):
-        for ranks in options.ranks.split(","):
-            row = {"millions": float(size), "ranks": int(ranks), **measured(options, size, ranks)}
-            for name, value in row.items():
-                if name not in ("millions", "ranks"):
-                    print(f"{size}M {ranks} ranks {name:28} {value:10.3f}", flush=True)
-            result["rows"].append(row)
-    machine.write(ROOT, options.name, result)
+    if "image" in options.parts:
+        run_rows(options, argv, "image", f"{options.name}_image", measure_image(options), ("millions", "look", "ranks", "path"))
+    if "peers" in options.parts:
+        run_rows(options, argv, "peers", options.name, measure_peers(options), ("millions", "ranks", "path"))
+    if "simulation" in options.parts:
+        run_simulation(options, argv)
+    if "figure" in options.parts:
+        draw(options)
 
 
 def main(argv):

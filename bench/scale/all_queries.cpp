@@ -1,0 +1,62 @@
+#include "bench/scale/all_queries.h"
+
+#include "dist/peers/query_stream.h"
+#include "render/frame_data.h"
+#include "render/remote/remote_surfaces.h"
+#include "render/tiles.h"
+
+#include <stdexcept>
+
+namespace gluray::bench {
+namespace {
+
+/// A peer that is asked everything and blocks nothing, and the tiles of the picture. One thread.
+class Recorder final : public render::RemoteSurfaces, public render::TileSource {
+ public:
+  void begin(const render::FrameData& frame) override { bounds_ = frame.world->lightBounds(); }
+  void beginEmpty(const scene::Snapshot&) override {}
+  accel::Bounds bounds() const noexcept override { return bounds_; }
+  uint32_t occluded(const render::RemoteQuery& query, uint32_t blocked, render::Passing) noexcept override {
+    dist::QueryPacket packet{0, query.kind, {}, query.rays};
+    for (int i = 0; i < accel::kLanes; ++i) packet.lanes |= static_cast<uint32_t>(query.valid[i] != 0) << i;
+    if (packet.lanes) writer_.add(packet), ++all.packets;
+    return blocked;
+  }
+  bool recall(uint32_t&) noexcept override { return false; }
+  bool isReplaying() const noexcept override { return false; }
+  void hold() noexcept override {}
+
+  void begin(const Image& image) noexcept override {
+    const render::Tiles tiles(image, render::kTileSize);
+    count_ = tiles.columns * tiles.rows;
+  }
+  int next() noexcept override { return next_ < count_ ? next_++ : -1; }
+  void done(int, double, bool) noexcept override {
+    all.rays += writer_.rays();
+    all.bytes += writer_.take().size();
+    writer_ = {};
+  }
+
+  AllQueries all;
+
+ private:
+  dist::QueryWriter writer_;
+  accel::Bounds bounds_;
+  int count_ = 0, next_ = 0;
+};
+
+}  // namespace
+
+AllQueries allQueries(frame::Renderer& renderer, scene::Snapshot snapshot) {
+  snapshot.settings.threads = 1;
+  Recorder recorder;
+  Image image;
+  scene::TraceCost cost;
+  std::string error;
+  if (!renderer.renderTiles(snapshot, image, cost, error, recorder, false, &recorder))
+    throw std::runtime_error(error);
+  for (const float depth : image.depth) recorder.all.pixels += depth != Image::kMiss;
+  return recorder.all;
+}
+
+}  // namespace gluray::bench

@@ -1,0 +1,19 @@
+// The occlusion rays of a picture as queries to one peer, before any are culled.
+#pragma once
+#include "frame/renderer.h"
+#include "scene/snapshot.h"
+
+#include <cstddef>
+
+namespace gluray::bench {
+
+struct AllQueries {
+  size_t rays = 0, packets = 0, bytes = 0;
+  size_t pixels = 0;  // that hit a surface
+};
+
+/// Traces the snapshot with one thread and writes every occlusion ray that it asks about with
+/// dist::QueryWriter, one for each tile, as a rank of a sort-last program does. Throws std::runtime_error.
+AllQueries allQueries(frame::Renderer& renderer, scene::Snapshot snapshot);
+
+}  // namespace gluray::bench

@@ -1,0 +1,70 @@
+#include "bench/scale/head_costs.h"
+
+#include "bench/scale/cpu_seconds.h"
+#include "dist/worker/picture.h"
+#include "render/tiles.h"
+
+#include <algorithm>
+#include <deque>
+
+namespace gluray::bench {
+namespace {
+
+/// As Head::giveTiles: what each rank gets goes into its queue.
+void give(dist::Picture& picture, std::vector<std::deque<int>>& queues) {
+  for (size_t rank = 0; rank < queues.size(); ++rank) {
+    if (!picture.takesPart(static_cast<int>(rank))) continue;
+    const std::vector<int> tiles = picture.more(static_cast<int>(rank));
+    if (tiles.empty()) continue;
+    dist::forRanks(dist::MoreTiles{picture.id(), tiles});
+    queues[rank].insert(queues[rank].end(), tiles.begin(), tiles.end());
+  }
+}
+
+/// The CPU time of one picture, all tiles together.
+HeadCosts spentOn(dist::Picture& picture, const std::vector<std::vector<std::byte>>& messages, int ranks,
+                  dist::WrittenMemory& memory) {
+  std::vector<std::deque<int>> queues(static_cast<size_t>(ranks));
+  HeadCosts sum;
+  give(picture, queues);
+  while (!picture.isTraced())
+    for (size_t rank = 0; rank < queues.size(); ++rank) {
+      if (queues[rank].empty()) continue;
+      const auto& bytes = messages[static_cast<size_t>(queues[rank].front())];
+      queues[rank].pop_front();
+      const double start = threadCpuSeconds();
+      dist::ByteReader in(bytes);
+      in.get<uint16_t>();
+      bool grew = false;
+      const auto tile = dist::decoded<dist::TracedTile>(in.take(in.left()));
+      picture.take(static_cast<int>(rank), tile, memory, grew, 0);
+      const double taken = threadCpuSeconds();
+      if (!picture.isTraced()) give(picture, queues);
+      sum.take += taken - start, sum.give += threadCpuSeconds() - taken;
+    }
+  return sum;
+}
+
+}  // namespace
+
+HeadCosts headCosts(const Image& image, const std::vector<float>& costs, int ranks, int threads) {
+  dist::TraceRequest request;
+  request.width = image.width, request.height = image.height;
+  const render::Tiles tiles(image, render::kTileSize);
+  std::vector<std::vector<std::byte>> messages;
+  for (int tile = 0; tile < tiles.columns * tiles.rows; ++tile)
+    messages.push_back(dist::forRanks(dist::TracedTile{1, dist::shapeOf(image), tile, 1e-3f, false,
+                                                       dist::packTile(image, tiles.at(tile))}));
+  const dist::RankStates states(ranks, 0, threads);
+  dist::WrittenMemory memory;  // new for the first picture, as in a program
+  HeadCosts sum;
+  for (int round = 0; round < 2; ++round) {
+    dist::Picture picture(request, 1, false, states, costs, 0);
+    sum = spentOn(picture, messages, ranks, memory);
+  }
+  const auto count = static_cast<double>(messages.size());
+  const double clock = threadCpuClockSeconds();
+  return {sum.take / count - clock, std::max(sum.give / count - clock, 0.0)};
+}
+
+}  // namespace gluray::bench

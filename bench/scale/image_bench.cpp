@@ -1,0 +1,149 @@
+// gluray-bench-image: a program whose pictures jobs of gluray-worker trace, in turn; their ranks are
+// processes of this machine. One line a figure, named JOB.FIGURE.
+#include "bench/data/report.h"
+#include "bench/scale/cpu_seconds.h"
+#include "bench/scale/views.h"
+#include "control/runtime_directory.h"
+#include "dist/program/remote_tracer.h"
+#include "frame/renderer.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <list>
+#include <numeric>
+#include <sstream>
+#include <thread>
+
+namespace {
+
+using namespace gluray;
+
+struct Options {
+  double millions = 1;
+  int frames = 15, samples = 0;
+  std::vector<std::string> jobs;
+};
+
+/// What a job's ranks did for the frames.
+struct Figures {
+  std::vector<double> frame, head, protocol, tracing, busiest, balance;  // ms but for balance
+  std::vector<double> ofRanks;                                           // tracing, sums over the frames
+};
+
+/// A job: "NAME:PROCESS,PROCESS,...", its head first.
+struct Job {
+  explicit Job(const std::string& text, const bench::TriangleMesh& mesh)
+      : name(text.substr(0, text.find(':'))),
+        snapshot(bench::waveletSnapshot(mesh)),
+        tracer(
+            control::runtimeDirectory(), name, {},
+            [](const auto&, Image&, auto&, std::string& error, const auto&) {
+              error = "no worker answers";
+              return false;
+            },
+            [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); }) {
+    std::istringstream numbers(text.substr(text.find(':') + 1));
+    for (std::string number; std::getline(numbers, number, ',');) processes.push_back(std::stoi(number));
+    figures.ofRanks.resize(processes.size());
+  }
+  std::string name;
+  std::vector<pid_t> processes;
+  scene::Snapshot snapshot;
+  dist::RemoteTracer tracer;
+  Image image;
+  Figures figures;
+};
+
+std::vector<bench::CpuSeconds> cpuOf(const Job& job) {
+  std::vector<bench::CpuSeconds> all;
+  for (const pid_t process : job.processes) all.push_back(bench::cpuSecondsOf(process));
+  return all;
+}
+
+void trace(Job& job, int frame, int samples, bool counts) {
+  bench::show(job.snapshot, frame, samples, 0);
+  scene::TraceCost cost;
+  std::string error;
+  const std::vector<bench::CpuSeconds> before = cpuOf(job);
+  const auto start = std::chrono::steady_clock::now();
+  if (!job.tracer.trace(job.snapshot, job.image, cost, error, nullptr))
+    throw std::runtime_error(job.name + ": " + error);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double head = bench::cpuSecondsOf(job.processes[0]).main - before[0].main;
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));  // other ranks notice the end of the picture
+  const std::vector<bench::CpuSeconds> after = cpuOf(job);
+  if (!counts) return;
+  std::vector<double> tracing;
+  for (size_t rank = 0; rank < after.size(); ++rank) {
+    tracing.push_back(1000 * (after[rank].others - before[rank].others));
+    job.figures.ofRanks[rank] += tracing.back();
+  }
+  const double sum = std::accumulate(tracing.begin(), tracing.end(), 0.0), most = std::ranges::max(tracing);
+  Figures& f = job.figures;
+  f.frame.push_back(1000 * seconds), f.head.push_back(1000 * cost.traceSeconds);
+  f.protocol.push_back(1000 * head), f.tracing.push_back(sum), f.busiest.push_back(most);
+  f.balance.push_back(most * static_cast<double>(tracing.size()) / sum);
+}
+
+int differing(const Image& a, const Image& b) {
+  int count = 0;
+  for (size_t i = 0; i < b.color.size(); ++i) count += a.color[i] != b.color[i] || a.depth[i] != b.depth[i];
+  return count;
+}
+
+void print(const Job& job, int differingPixels) {
+  const auto say = [&](const char* name, double value) {
+    std::printf("%s.%s %.3f\n", job.name.c_str(), name, value);
+  };
+  const Figures& f = job.figures;
+  say("frame_ms", bench::median(f.frame)), say("head_ms", bench::median(f.head));
+  say("head_protocol_cpu_ms", bench::median(f.protocol)), say("tracing_cpu_ms", bench::median(f.tracing));
+  say("busiest_rank_cpu_ms", bench::median(f.busiest)), say("max_over_mean", bench::median(f.balance));
+  const double sum = std::accumulate(f.ofRanks.begin(), f.ofRanks.end(), 0.0);
+  say("max_over_mean_all_frames", std::ranges::max(f.ofRanks) * static_cast<double>(f.ofRanks.size()) / sum);
+  say("differing_pixels", differingPixels);
+}
+
+void run(const Options& options) {
+  const bench::TriangleMesh mesh = bench::waveletMesh(options.millions);
+  std::list<Job> jobs;
+  for (const std::string& text : options.jobs) jobs.emplace_back(text, mesh);
+  constexpr int kWarmUp = 3;  // structures, and costs of tiles
+  int frame = 0;
+  for (int round = -kWarmUp; round < options.frames; ++round) {
+    ++frame;
+    for (Job& job : jobs) trace(job, frame, options.samples, round >= 0);
+  }
+  frame::Renderer renderer;
+  scene::Snapshot snapshot = bench::waveletSnapshot(mesh);
+  bench::show(snapshot, frame, options.samples, 0);
+  Image image;
+  scene::TraceCost cost;
+  std::string error;
+  if (!renderer.render(snapshot, image, cost, error)) throw std::runtime_error(error);
+  for (const Job& job : jobs) print(job, differing(job.image, image));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Frames by jobs of workers in turn: times, CPU time of their ranks, balance");
+  Options options;
+  app.add_option("jobs", options.jobs, "NAME:PROCESS,PROCESS,...: a job and its ranks' processes, head first")
+      ->required();
+  app.add_option("--triangles", options.millions, "million triangles")->check(CLI::Range(0.1, 256.0));
+  app.add_option("--frames", options.frames)->check(CLI::Range(1, 1000));
+  app.add_option("--samples", options.samples, "rays of ambient occlusion a pixel; 0: none")
+      ->check(CLI::Range(0, 1024));
+  CLI11_PARSE(app, argc, argv);
+  try {
+    run(options);
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "gluray-bench-image: %s\n", error.what());
+    return 1;
+  }
+}

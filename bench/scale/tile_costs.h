@@ -1,0 +1,22 @@
+// What the tiles of a picture cost the rank that traces them: CPU time, measured on one thread.
+#pragma once
+#include "base/image.h"
+#include "frame/renderer.h"
+#include "scene/snapshot.h"
+
+#include <vector>
+
+namespace gluray::bench {
+
+/// Seconds of CPU time, medians over several tracings.
+struct TileCosts {
+  std::vector<double> tiles;  // of each tile
+  double pack = 0;            // a tile's pixels into a message
+  double begin = 0, end = 0;  // of a picture, before its first and after its last tile
+};
+
+/// Traces the snapshot `rounds` times with one thread, once before without counting. `image`: the picture.
+/// Throws std::runtime_error.
+TileCosts tileCosts(frame::Renderer& renderer, scene::Snapshot snapshot, int rounds, Image& image);
+
+}  // namespace gluray::bench

@@ -1,0 +1,64 @@
+"""Jobs of gluray-worker under Open MPI's launcher, for measurements on this machine."""
+import contextlib
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import time
+
+from support.programs import Failed
+
+LAUNCHER = next((name for name in ("mpirun.openmpi", "mpirun") if shutil.which(name)), "mpirun.openmpi")
+OPTIONS = ["--oversubscribe", "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1"]
+
+
+def launcher(ranks):
+    """The launcher's command line for so many ranks, which share the machine's cores."""
+    return [LAUNCHER, "-n", str(ranks), *OPTIONS, *(["--allow-run-as-root"] if os.getuid() == 0 else [])]
+
+
+def _rank_of(process, mpirun):
+    """The rank of a process that `mpirun` started; None: it is no such process."""
+    try:
+        parent = int((process / "stat").read_text().rsplit(")", 1)[1].split()[1])
+        words = (process / "environ").read_bytes().split(b"\0") if parent == mpirun else []
+        return next((int(word.split(b"=")[1]) for word in words if word.startswith(b"OMPI_COMM_WORLD_RANK=")), None)
+    except (OSError, ValueError, IndexError):
+        return None
+
+
+def rank_processes(mpirun, ranks):
+    """Numbers of the ranks' processes, in the order of the ranks."""
+    found = {}
+    for process in pathlib.Path("/proc").iterdir():
+        if process.name.isdigit() and (rank := _rank_of(process, mpirun)) is not None:
+            found[rank] = int(process.name)
+    if sorted(found) != list(range(ranks)):
+        raise Failed(f"{ranks} ranks were started, and {len(found)} found")
+    return [found[rank] for rank in range(ranks)]
+
+
+@contextlib.contextmanager
+def job(worker, name, ranks, folder):
+    """A job whose ranks trace with one thread each and have their sockets in `folder`; gives their processes."""
+    log = pathlib.Path(folder) / f"{name}.log"
+    command = [*launcher(ranks), str(worker), "--job", name, "--threads", "1"]
+    with log.open("w") as file:
+        process = subprocess.Popen(command, env={**os.environ, "GLURAY_RUNTIME": str(folder)}, stdin=subprocess.DEVNULL, stdout=file, stderr=file,
+                                   start_new_session=True)
+    try:
+        end = time.monotonic() + 60
+        while "programs join with" not in log.read_text():
+            if process.poll() is not None or time.monotonic() > end:
+                raise Failed(f"no job: {' '.join(command)}\n{log.read_text()}")
+            time.sleep(0.05)
+        yield rank_processes(process.pid, ranks)
+    finally:
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGTERM)
+        try:
+            process.wait(20)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
